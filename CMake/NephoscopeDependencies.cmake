@@ -1,0 +1,25 @@
+# SPDX-FileCopyrightText: The Nephoscope authors
+# SPDX-License-Identifier: BSD-3-Clause
+# ParaView (with its own VTK) or a VTK alone.
+set(nephoscope_vtk_components
+  CommonCore CommonDataModel CommonExecutionModel CommonMath CommonTransforms
+  FiltersCore FiltersGeneral FiltersSources ImagingCore IOImage
+  InteractionStyle RenderingCore RenderingFreeType RenderingOpenGL2 RenderingVolume RenderingVolumeOpenGL2)
+# glew (up to VTK 9.3) or glad (from 9.4) give the OpenGL entry points.
+set(nephoscope_vtk_optional_components TestingCore TestingRendering glew glad opengl)
+if (NEPHOSCOPE_WRAP_PYTHON)
+  list(APPEND nephoscope_vtk_components
+    WrapHierarchy WrapPython WrapPythonInit WrappingPythonCore Python)
+endif ()
+
+if (NEPHOSCOPE_USE_PARAVIEW)
+  find_package(ParaView 5.11 REQUIRED COMPONENTS RemotingCore RemotingServerManager RemotingViews)
+endif ()
+# find_package(ParaView) loads only the components ParaView itself names, from its own VTK_DIR; ours
+# come from the very same VTK by a second call.
+find_package(VTK 9.2 REQUIRED COMPONENTS ${nephoscope_vtk_components}
+  OPTIONAL_COMPONENTS ${nephoscope_vtk_optional_components})
+message(STATUS "Nephoscope: VTK ${VTK_VERSION} from ${VTK_DIR}")
+if (BUILD_TESTING AND NOT TARGET VTK::TestingRendering)
+  message(WARNING "This VTK has no VTK::TestingRendering: tests that compare images are not built.")
+endif ()

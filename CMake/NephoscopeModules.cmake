@@ -1,0 +1,36 @@
+# SPDX-FileCopyrightText: The Nephoscope authors
+# SPDX-License-Identifier: BSD-3-Clause
+# Finds, builds and wraps every VTK module of the project. A new technique needs no line here: a folder
+# with a vtk.module below Filters/ or Representations/ is enough.
+file(GLOB nephoscope_module_files CONFIGURE_DEPENDS
+  "${PROJECT_SOURCE_DIR}/Filters/*/vtk.module"
+  "${PROJECT_SOURCE_DIR}/Representations/*/vtk.module")
+if (NEPHOSCOPE_USE_PARAVIEW)
+  list(APPEND nephoscope_module_files "${PROJECT_SOURCE_DIR}/Plugins/ParaView/Representations/vtk.module")
+endif ()
+
+vtk_module_scan(
+  MODULE_FILES            ${nephoscope_module_files}
+  PROVIDES_MODULES        nephoscope_modules
+  REQUIRES_MODULES        nephoscope_required_modules
+  WANT_BY_DEFAULT         ON
+  HIDE_MODULES_FROM_CACHE ON
+  ENABLE_TESTS            OFF)
+foreach (required IN LISTS nephoscope_required_modules)
+  if (NOT TARGET "${required}")
+    message(FATAL_ERROR "The VTK module ${required} is missing from ${VTK_DIR}.")
+  endif ()
+endforeach ()
+
+vtk_module_build(
+  MODULES              ${nephoscope_modules}
+  PACKAGE              Nephoscope
+  INSTALL_EXPORT       Nephoscope
+  HEADERS_DESTINATION  "${CMAKE_INSTALL_INCLUDEDIR}/nephoscope"
+  CMAKE_DESTINATION    "${CMAKE_INSTALL_LIBDIR}/cmake/Nephoscope"
+  LIBRARY_NAME_SUFFIX  ""
+  ENABLE_WRAPPING      "${NEPHOSCOPE_WRAP_PYTHON}")
+
+if (NEPHOSCOPE_WRAP_PYTHON)
+  include(NephoscopePython)
+endif ()

@@ -1,0 +1,44 @@
+# SPDX-FileCopyrightText: The Nephoscope authors
+# SPDX-License-Identifier: BSD-3-Clause
+# Three ways to declare a test. Every test gets one or more labels: math, filter, image, plugin, parallel.
+# Tests that draw need a display: `./nephoscope test` gives them a virtual one.
+#
+#   nephoscope_add_math_test(NAME SOURCE.cxx)            GoogleTest on headers alone
+#   nephoscope_add_cxx_test(NAME SOURCES... MODULES... LABELS...)   GoogleTest with VTK modules
+#   nephoscope_add_python_test(SCRIPT.py LABELS... [ARGS...])       plain Python, package on its path; exit 0 passes
+find_package(GTest REQUIRED)
+include(GoogleTest)
+
+set(NEPHOSCOPE_TEST_OUTPUT "${PROJECT_BINARY_DIR}/Testing/Output")
+file(MAKE_DIRECTORY "${NEPHOSCOPE_TEST_OUTPUT}")
+set(NEPHOSCOPE_TEST_ENVIRONMENT
+  "PYTHONPATH=${NEPHOSCOPE_PYTHONPATH}:${PROJECT_SOURCE_DIR}/Testing/Python"
+  "NEPHOSCOPE_DATA=${PROJECT_SOURCE_DIR}/Data"
+  "NEPHOSCOPE_TEST_OUTPUT=${NEPHOSCOPE_TEST_OUTPUT}"
+  "PV_PLUGIN_PATH=${NEPHOSCOPE_PLUGIN_PATH}")
+
+function (nephoscope_add_math_test name source)
+  nephoscope_add_cxx_test(${name} SOURCES ${source} LABELS math)
+endfunction ()
+
+function (nephoscope_add_cxx_test name)
+  cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "SOURCES;MODULES;LABELS")
+  add_executable(${name} ${arg_SOURCES})
+  target_include_directories(${name} PRIVATE "${CMAKE_CURRENT_SOURCE_DIR}/.." "${PROJECT_SOURCE_DIR}/Testing/Cxx")
+  target_link_libraries(${name} PRIVATE GTest::gtest GTest::gtest_main ${arg_MODULES})
+  if (arg_MODULES)
+    vtk_module_autoinit(TARGETS ${name} MODULES ${arg_MODULES})
+  endif ()
+  nephoscope_target_options(${name})
+  add_test(NAME ${name} COMMAND ${name})
+  set_tests_properties(${name} PROPERTIES
+    LABELS "${arg_LABELS}" TIMEOUT 300 ENVIRONMENT "${NEPHOSCOPE_TEST_ENVIRONMENT}")
+endfunction ()
+
+function (nephoscope_add_python_test script)
+  cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "LABELS;ARGS")
+  get_filename_component(name "${script}" NAME_WE)
+  add_test(NAME ${name} COMMAND "${Python3_EXECUTABLE}" "${CMAKE_CURRENT_SOURCE_DIR}/${script}" ${arg_ARGS})
+  set_tests_properties(${name} PROPERTIES
+    LABELS "${arg_LABELS}" TIMEOUT 300 ENVIRONMENT "${NEPHOSCOPE_TEST_ENVIRONMENT}")
+endfunction ()

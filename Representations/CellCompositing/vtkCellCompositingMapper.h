@@ -1,0 +1,148 @@
+// SPDX-FileCopyrightText: The Nephoscope authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class vtkCellCompositingMapper
+ * @brief Direct volume rendering of polyhedral cells with the exact ray integral
+ *
+ * Every 3-D cell of the input is taken as convex and is divided, while drawing, into tetrahedra over
+ * which the scalar is linear. For each pixel that a tetrahedron covers, the fragment shader finds where
+ * the ray enters and leaves it, looks the transfer functions up in float at both ends, and integrates
+ * emission and extinction between them in closed form. The tetrahedra are composited back to front, in an
+ * exact visibility order, into a 32-bit float image that is laid over the scene.
+ *
+ * - Extinction per unit world length = opacity function value * OpacityScale / ScalarOpacityUnitDistance
+ *   (a rate, as VTK's other unstructured volume mappers have it, not -log(1 - opacity)).
+ * - The colour function is the source colour (emission coefficient divided by extinction).
+ * - Point and cell scalars; tetrahedra, hexahedra, voxels, wedges, pyramids, convex polyhedra.
+ * - Any vtkDataSet with 3-D cells is accepted; image data need not be converted.
+ * - Cells that a ghost array marks as duplicate, refined or hidden are not drawn.
+ * - Opaque geometry that cuts a cell ends its integral at the opaque depth, per pixel.
+ *
+ * References: N. Max, R. Crawfis, B. Becker, New Techniques in 3D Scalar and Vector Field Visualization,
+ * Pacific Graphics 1993, section 2 (MaxCrawfisBecker1993); P. Shirley, A. Tuchman, A Polygonal Approximation to
+ * Direct Scalar Volume Rendering, 1990 (ShirleyTuchman1990); P. Williams, N. Max, A Volume Density Optical
+ * Model, 1992 (WilliamsMax1992).
+ */
+#ifndef vtkCellCompositingMapper_h
+#define vtkCellCompositingMapper_h
+
+#include "vtkNephoscopeRepresentationsCellCompositingModule.h" // for export macro
+#include "vtkUnstructuredGridVolumeMapper.h"
+
+#include <memory> // for std::unique_ptr
+
+class vtkImageData;
+
+class VTKNEPHOSCOPEREPRESENTATIONSCELLCOMPOSITING_EXPORT vtkCellCompositingMapper
+  : public vtkUnstructuredGridVolumeMapper
+{
+public:
+  static vtkCellCompositingMapper* New();
+  vtkTypeMacro(vtkCellCompositingMapper, vtkUnstructuredGridVolumeMapper);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /** The data to draw: any vtkDataSet with 3-D cells. */
+  using vtkUnstructuredGridVolumeMapper::SetInputData;
+  void SetInputData(vtkDataSet* data) override;
+  void SetInputData(vtkUnstructuredGridBase* data) override;
+  ///@}
+
+  enum IntegrationType
+  {
+    EXACT_INTEGRATION = 0,
+    AVERAGE_INTEGRATION = 1
+  };
+  ///@{
+  /**
+   * How a ray segment inside a tetrahedron is integrated. Default: exact.
+   * - Exact: extinction and colour vary linearly along the segment (Williams and Max); the error is that of
+   *   float arithmetic, about 1e-6.
+   * - Average: the paper's rule, colour = mean of the two ends. Its transparency is exact too; its colour is
+   *   wrong by up to half the colour difference when the optical depth of a cell is large.
+   */
+  vtkSetClampMacro(Integration, int, EXACT_INTEGRATION, AVERAGE_INTEGRATION);
+  vtkGetMacro(Integration, int);
+  void SetIntegrationToExact() { this->SetIntegration(EXACT_INTEGRATION); }
+  void SetIntegrationToAverage() { this->SetIntegration(AVERAGE_INTEGRATION); }
+  ///@}
+
+  enum VisibilityOrderType
+  {
+    EXACT_ORDER = 0,
+    CENTROID_ORDER = 1,
+    NO_ORDER = 2
+  };
+  ///@{
+  /**
+   * The order in which tetrahedra are composited. Default: exact.
+   * - Exact: topological sort over shared faces; right for every convex acyclic mesh. Where the mesh is cyclic
+   *   from this view, GetNumberOfVisibilityCycles() tells how many tetrahedra were forced.
+   * - Centroid: by distance of the centroid; about five times cheaper, with local mistakes.
+   * - None: input order. Right when the colour is constant, because transparency does not depend on order.
+   */
+  vtkSetClampMacro(VisibilityOrder, int, EXACT_ORDER, NO_ORDER);
+  vtkGetMacro(VisibilityOrder, int);
+  void SetVisibilityOrderToExact() { this->SetVisibilityOrder(EXACT_ORDER); }
+  void SetVisibilityOrderToCentroid() { this->SetVisibilityOrder(CENTROID_ORDER); }
+  void SetVisibilityOrderToNone() { this->SetVisibilityOrder(NO_ORDER); }
+  ///@}
+
+  ///@{
+  /**
+   * Factor on the extinction, >= 0, dimensionless. Default: 1. Costs nothing to change.
+   */
+  vtkSetClampMacro(OpacityScale, double, 0.0, VTK_DOUBLE_MAX);
+  vtkGetMacro(OpacityScale, double);
+  ///@}
+
+  ///@{
+  /**
+   * Split each ray segment where the scalar crosses a control point of the transfer functions, so that a
+   * piecewise-linear transfer function is integrated exactly. Default: on. Off: the transfer function is taken as
+   * linear between its values at the two ends of the segment, which is faster when it has many points.
+   */
+  vtkSetMacro(SplitAtControlPoints, bool);
+  vtkGetMacro(SplitAtControlPoints, bool);
+  vtkBooleanMacro(SplitAtControlPoints, bool);
+  ///@}
+
+  /** Tetrahedra of the current input, visible or not. Valid after a render. */
+  vtkIdType GetNumberOfTetrahedra();
+  /** Tetrahedra drawn in the last render: those that the transfer function does not make fully transparent. */
+  vtkIdType GetNumberOfDrawnTetrahedra();
+  /**
+   * Number of times the visibility order of the last render had no tetrahedron free to draw next and the
+   * farthest one was forced. 0: the order was exact. Always 0 for the orders centroid and none.
+   */
+  vtkIdType GetNumberOfVisibilityCycles();
+
+  /**
+   * Copies the float image of the last render into `image`: one layer of the viewport's size with the point array
+   * "RGBA", four float components, colour premultiplied by alpha, before it was laid over the scene.
+   * Returns false (and reports an error) when nothing was rendered yet.
+   */
+  bool CopyFloatImage(vtkImageData* image);
+
+  void Render(vtkRenderer* renderer, vtkVolume* volume) override;
+  void ReleaseGraphicsResources(vtkWindow* window) override;
+
+protected:
+  vtkCellCompositingMapper();
+  ~vtkCellCompositingMapper() override;
+  int FillInputPortInformation(int port, vtkInformation* info) override;
+
+  int Integration = EXACT_INTEGRATION;
+  int VisibilityOrder = EXACT_ORDER;
+  double OpacityScale = 1.0;
+  bool SplitAtControlPoints = true;
+
+private:
+  vtkCellCompositingMapper(const vtkCellCompositingMapper&) = delete;
+  void operator=(const vtkCellCompositingMapper&) = delete;
+
+  struct vtkInternals;
+  std::unique_ptr<vtkInternals> Internals;
+};
+
+#endif
