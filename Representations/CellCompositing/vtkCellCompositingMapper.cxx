@@ -2,44 +2,373 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkCellCompositingMapper.h"
 
+#include "CellCompositingPass.h"
+#include "CellScene.h"
+
+#include "vtkAbstractMapper.h"
+#include "vtkCellData.h"
+#include "vtkCellTypes.h"
+#include "vtkColorTransferFunction.h"
+#include "vtkDataArray.h"
+#include "vtkDataSet.h"
+#include "vtkImageData.h"
 #include "vtkInformation.h"
+#include "vtkMatrix3x3.h"
+#include "vtkMatrix4x4.h"
 #include "vtkObjectFactory.h"
+#include "vtkOpenGLCamera.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkPointData.h"
+#include "vtkRenderer.h"
+#include "vtkSMPTools.h"
 #include "vtkUnstructuredGridBase.h"
+#include "vtkVolume.h"
+#include "vtkVolumeProperty.h"
+
+#include <cmath>
+#include <sstream>
+
+using nephoscope::CellCompositingPass;
+using nephoscope::CellGeometry;
+using nephoscope::CellScene;
+using nephoscope::ScalarSelection;
+using nephoscope::Vector4;
 
 struct vtkCellCompositingMapper::vtkInternals
 {
+  CellScene Scene;
+  CellCompositingPass Pass;
+  CellScene::Versions Uploaded;
+  vtkOpenGLRenderWindow* Window = nullptr;
+  std::string LastError; // reported once, not once per frame
 };
 
+namespace
+{
+std::string arrayNames(vtkFieldData* data)
+{
+  std::ostringstream names;
+  for (int i = 0; i < data->GetNumberOfArrays(); ++i)
+  {
+    const char* name = data->GetArrayName(i);
+    names << (i ? ", " : "") << (name ? name : "(unnamed)");
+  }
+  return data->GetNumberOfArrays() ? names.str() : "none";
+}
+
+// The point where all rays meet, (x, y, z, 1), or the direction towards the eye with the length of a unit in view
+// coordinates, (x, y, z, 0). `clip` maps coordinates to homogeneous device coordinates.
+Vector4 findEye(vtkMatrix4x4* clip)
+{
+  vtkNew<vtkMatrix4x4> inverse;
+  vtkMatrix4x4::Invert(clip, inverse);
+  const double towardsEye[4] = { 0, 0, -1, 0 };
+  double e[4];
+  inverse->MultiplyPoint(towardsEye, e);
+  return { { e[0], e[1], e[2], e[3] } };
+}
+
+bool isParallel(vtkMatrix4x4* viewToDevice)
+{
+  return viewToDevice->GetElement(3, 0) == 0 && viewToDevice->GetElement(3, 1) == 0 &&
+    viewToDevice->GetElement(3, 2) == 0;
+}
+
+/** The matrices and the eye of one render, relative to the centre of the geometry. */
+struct ViewState
+{
+  vtkNew<vtkMatrix4x4> ModelToView;
+  vtkNew<vtkMatrix4x4> ViewToDevice;
+  CellCompositingPass::View View;
+  Vector4 EyeModel;
+
+  ViewState(vtkRenderer* renderer, vtkVolume* volume, const double center[3])
+  {
+    auto* camera = vtkOpenGLCamera::SafeDownCast(renderer->GetActiveCamera());
+    vtkMatrix4x4 *worldToView, *viewToDevice, *worldToDevice; // transposed, as OpenGL wants them
+    vtkMatrix3x3* normals;
+    camera->GetKeyMatrices(renderer, worldToView, normals, viewToDevice, worldToDevice);
+    vtkMatrix4x4::Transpose(viewToDevice, this->ViewToDevice);
+    vtkNew<vtkMatrix4x4> toView;
+    vtkMatrix4x4::Transpose(worldToView, toView);
+    vtkNew<vtkMatrix4x4> shift;
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      shift->SetElement(axis, 3, center[axis]);
+    }
+    vtkMatrix4x4::Multiply4x4(volume->GetMatrix(), shift, this->ModelToView);
+    vtkMatrix4x4::Multiply4x4(toView, this->ModelToView, this->ModelToView);
+
+    this->View.ModelToView = this->ModelToView;
+    this->View.ViewToDevice = this->ViewToDevice;
+    this->FindEyes();
+  }
+
+private:
+  void FindEyes()
+  {
+    Vector4 eyeView = findEye(this->ViewToDevice);
+    const bool parallel = isParallel(this->ViewToDevice);
+    const double scale =
+      parallel ? 1.0 / std::sqrt(eyeView[0] * eyeView[0] + eyeView[1] * eyeView[1] + eyeView[2] * eyeView[2])
+               : 1.0 / eyeView[3];
+    for (double& e : eyeView)
+    {
+      e *= scale;
+    }
+    eyeView[3] = parallel ? 0.0 : 1.0;
+    vtkNew<vtkMatrix4x4> viewToModel;
+    vtkMatrix4x4::Invert(this->ModelToView, viewToModel);
+    viewToModel->MultiplyPoint(eyeView.data(), this->EyeModel.data());
+    std::copy(eyeView.begin(), eyeView.end(), this->View.EyeView);
+    std::copy(this->EyeModel.begin(), this->EyeModel.end(), this->View.EyeModel);
+  }
+};
+}
+
 vtkStandardNewMacro(vtkCellCompositingMapper);
+
 vtkCellCompositingMapper::vtkCellCompositingMapper()
   : Internals(new vtkInternals)
 {
 }
+
 vtkCellCompositingMapper::~vtkCellCompositingMapper() = default;
 
 void vtkCellCompositingMapper::SetInputData(vtkDataSet* data)
 {
   this->SetInputDataInternal(0, data);
 }
+
 void vtkCellCompositingMapper::SetInputData(vtkUnstructuredGridBase* data)
 {
   this->SetInputDataInternal(0, data);
 }
+
 int vtkCellCompositingMapper::FillInputPortInformation(int, vtkInformation* info)
 {
   info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataSet");
   return 1;
 }
-vtkIdType vtkCellCompositingMapper::GetNumberOfTetrahedra() { return 0; }
-vtkIdType vtkCellCompositingMapper::GetNumberOfDrawnTetrahedra() { return 0; }
-vtkIdType vtkCellCompositingMapper::GetNumberOfVisibilityCycles() { return 0; }
-bool vtkCellCompositingMapper::CopyFloatImage(vtkImageData*) { return false; }
-void vtkCellCompositingMapper::Render(vtkRenderer*, vtkVolume*) {}
+
+vtkIdType vtkCellCompositingMapper::GetNumberOfTetrahedra()
+{
+  return static_cast<vtkIdType>(this->Internals->Scene.GetGeometry().Tetrahedra.size());
+}
+
+vtkIdType vtkCellCompositingMapper::GetNumberOfDrawnTetrahedra()
+{
+  return static_cast<vtkIdType>(this->Internals->Scene.GetDrawn().size());
+}
+
+vtkIdType vtkCellCompositingMapper::GetNumberOfVisibilityCycles()
+{
+  return static_cast<vtkIdType>(this->Internals->Scene.GetNumberOfCycles());
+}
+
+//------------------------------------------------------------------------------------------------
+// Each step below leaves a message instead of a picture where it cannot go on.
+
+void vtkCellCompositingMapper::Render(vtkRenderer* renderer, vtkVolume* volume)
+{
+  auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
+  if (!window || renderer->GetSelector() || !this->GetInputAlgorithm())
+  {
+    return; // volumes cannot be picked, and without input there is nothing to draw
+  }
+  this->GetInputAlgorithm()->Update();
+  vtkDataSet* input = this->GetDataSetInput();
+  if (!input || input->GetNumberOfCells() == 0 || window->CheckAbortStatus())
+  {
+    this->Internals->Scene.Clear();
+    return;
+  }
+  std::string error = this->UpdateGeometry(input, volume);
+  if (error.empty() && this->GetNumberOfTetrahedra() > 0)
+  {
+    error = this->DrawScene(window, renderer, volume);
+  }
+  this->ReportOnce(error);
+}
+
+void vtkCellCompositingMapper::ReportOnce(const std::string& error)
+{
+  if (!error.empty() && error != this->Internals->LastError)
+  {
+    vtkErrorMacro(<< error);
+  }
+  this->Internals->LastError = error;
+}
+
+std::string vtkCellCompositingMapper::UpdateGeometry(vtkDataSet* input, vtkVolume* volume)
+{
+  CellScene& scene = this->Internals->Scene;
+  int cellFlag = 0;
+  ScalarSelection scalars;
+  scalars.Array = vtkAbstractMapper::GetScalars(
+    input, this->ScalarMode, this->ArrayAccessMode, this->ArrayId, this->ArrayName, cellFlag);
+  scalars.OnCells = cellFlag == 1;
+  std::string error = this->CheckScalars(input, scalars.Array, cellFlag);
+  if (!error.empty())
+  {
+    scene.Clear();
+    return error;
+  }
+  vtkVolumeProperty* property = volume->GetProperty();
+  vtkScalarsToColors* colors = property->GetColorChannels() == 3 ? property->GetRGBTransferFunction() : nullptr;
+  const bool magnitude = colors && colors->GetVectorMode() == vtkScalarsToColors::MAGNITUDE;
+  scalars.Component = magnitude ? -1 : colors ? colors->GetVectorComponent() : 0;
+
+  bool built = false;
+  vtkSMPTools::LocalScope(vtkSMPTools::Config{ 0, "STDThread", false },
+    [&]() { built = scene.UpdateGeometry(input, scalars, error); });
+  if (built && error.empty())
+  {
+    this->WarnAboutGeometry(scalars.Array->GetName());
+  }
+  return error;
+}
+
+std::string vtkCellCompositingMapper::CheckScalars(vtkDataSet* input, vtkDataArray* scalars, int cellFlag)
+{
+  std::ostringstream text;
+  if (!scalars)
+  {
+    const bool named = this->ScalarMode == VTK_SCALAR_MODE_USE_POINT_FIELD_DATA ||
+      this->ScalarMode == VTK_SCALAR_MODE_USE_CELL_FIELD_DATA;
+    if (named && this->ArrayAccessMode == VTK_GET_ARRAY_BY_NAME)
+    {
+      text << "No " << (this->ScalarMode == VTK_SCALAR_MODE_USE_CELL_FIELD_DATA ? "cell" : "point")
+           << " array named '" << (this->ArrayName ? this->ArrayName : "") << "'.";
+    }
+    else
+    {
+      text << "The input has no active scalars.";
+    }
+    text << " Choose one with SelectScalarArray and SetScalarMode; point arrays: "
+         << arrayNames(input->GetPointData()) << "; cell arrays: " << arrayNames(input->GetCellData()) << ".";
+    return text.str();
+  }
+  const char* name = scalars->GetName() ? scalars->GetName() : "(unnamed)";
+  const vtkIdType expected = cellFlag == 1 ? input->GetNumberOfCells() : input->GetNumberOfPoints();
+  if (cellFlag > 1)
+  {
+    text << "Array '" << name << "' is field data; scalars must be point or cell data.";
+  }
+  else if (scalars->GetNumberOfTuples() != expected)
+  {
+    text << "Array '" << name << "' has " << scalars->GetNumberOfTuples() << " values where the input has "
+         << expected << (cellFlag == 1 ? " cells." : " points.");
+  }
+  return text.str();
+}
+
+void vtkCellCompositingMapper::WarnAboutGeometry(const char* arrayName)
+{
+  const CellGeometry& geometry = this->Internals->Scene.GetGeometry();
+  if (geometry.NumberOfInvalidCells > 0)
+  {
+    vtkWarningMacro(<< geometry.NumberOfInvalidCells << " cells are not drawn because array '"
+                    << (arrayName ? arrayName : "(unnamed)")
+                    << "' or a coordinate is not finite there. Blank such points, or replace the values.");
+  }
+  if (geometry.NumberOfUnsupportedCells > 0)
+  {
+    const char* type = vtkCellTypes::GetClassNameFromTypeId(geometry.UnsupportedCellType);
+    vtkWarningMacro(<< geometry.NumberOfUnsupportedCells << " cells are not drawn (" << type
+                    << ", for example): only 3-D cells can be composited.");
+  }
+}
+
+std::string vtkCellCompositingMapper::DrawScene(
+  vtkOpenGLRenderWindow* window, vtkRenderer* renderer, vtkVolume* volume)
+{
+  CellScene& scene = this->Internals->Scene;
+  vtkVolumeProperty* property = volume->GetProperty();
+  const double unitDistance = property->GetScalarOpacityUnitDistance();
+  if (!(unitDistance > 0))
+  {
+    return "ScalarOpacityUnitDistance must be positive: it is the length over which an opacity function of 1 "
+           "gives an optical depth of 1.";
+  }
+  const ViewState state(renderer, volume, scene.GetGeometry().Center);
+  vtkSMPTools::LocalScope(vtkSMPTools::Config{ 0, "STDThread", false }, [&]() {
+    scene.UpdateTransferFunction(property);
+    scene.UpdateOrder(state.EyeModel, static_cast<CellScene::OrderMethod>(this->VisibilityOrder));
+    scene.UpdateDrawn();
+  });
+  if (window->CheckAbortStatus())
+  {
+    return std::string();
+  }
+  const std::string error = this->Upload(window);
+  if (!error.empty())
+  {
+    return error;
+  }
+  CellCompositingPass::Options options;
+  options.AverageIntegration = this->Integration == AVERAGE_INTEGRATION;
+  options.SplitAtControlPoints = this->SplitAtControlPoints;
+  options.ExtinctionScale = this->OpacityScale / unitDistance;
+  return this->Internals->Pass.Draw(window, state.View, options);
+}
+
+std::string vtkCellCompositingMapper::Upload(vtkOpenGLRenderWindow* window)
+{
+  vtkInternals& self = *this->Internals;
+  if (self.Window != window)
+  {
+    this->ReleaseGraphicsResources(self.Window);
+    self.Window = window;
+  }
+  const CellScene::Versions& now = self.Scene.GetVersions();
+  std::string error;
+  if (self.Uploaded.Geometry != now.Geometry)
+  {
+    error = self.Pass.UploadGeometry(window, self.Scene.GetGeometry());
+  }
+  if (error.empty() && self.Uploaded.Transfer != now.Transfer)
+  {
+    error = self.Pass.UploadTransferFunction(window, self.Scene.GetTransferFunction());
+  }
+  if (error.empty() && self.Uploaded.Drawn != now.Drawn)
+  {
+    error = self.Pass.UploadOrder(window, self.Scene.GetDrawn());
+  }
+  self.Uploaded = error.empty() ? now : CellScene::Versions();
+  return error;
+}
+
+bool vtkCellCompositingMapper::CopyFloatImage(vtkImageData* image)
+{
+  if (!this->Internals->Window || !this->Internals->Pass.CopyFloatImage(this->Internals->Window, image))
+  {
+    vtkErrorMacro("There is no float image yet: render first.");
+    return false;
+  }
+  return true;
+}
+
 void vtkCellCompositingMapper::ReleaseGraphicsResources(vtkWindow* window)
 {
+  if (this->Internals->Window && window)
+  {
+    this->Internals->Pass.ReleaseGraphicsResources(window);
+  }
+  this->Internals->Window = nullptr;
+  this->Internals->Uploaded = CellScene::Versions();
   this->Superclass::ReleaseGraphicsResources(window);
 }
+
 void vtkCellCompositingMapper::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
+  os << indent << "Integration: " << (this->Integration == EXACT_INTEGRATION ? "Exact" : "Average") << "\n";
+  const char* orders[] = { "Exact", "Centroid", "None" };
+  os << indent << "VisibilityOrder: " << orders[this->VisibilityOrder] << "\n";
+  os << indent << "OpacityScale: " << this->OpacityScale << "\n";
+  os << indent << "SplitAtControlPoints: " << this->SplitAtControlPoints << "\n";
+  os << indent << "NumberOfTetrahedra: " << this->GetNumberOfTetrahedra() << "\n";
+  os << indent << "NumberOfDrawnTetrahedra: " << this->GetNumberOfDrawnTetrahedra() << "\n";
+  os << indent << "NumberOfVisibilityCycles: " << this->GetNumberOfVisibilityCycles() << "\n";
 }

@@ -30,8 +30,11 @@
 #include "vtkUnstructuredGridVolumeMapper.h"
 
 #include <memory> // for std::unique_ptr
+#include <string> // for messages
 
+class vtkDataArray;
 class vtkImageData;
+class vtkOpenGLRenderWindow;
 
 class VTKNEPHOSCOPEREPRESENTATIONSCELLCOMPOSITING_EXPORT vtkCellCompositingMapper
   : public vtkUnstructuredGridVolumeMapper
@@ -77,8 +80,8 @@ public:
   /**
    * The order in which tetrahedra are composited. Default: exact.
    * - Exact: topological sort over shared faces; right for every convex acyclic mesh. Where the mesh is cyclic
-   *   from this view, GetNumberOfVisibilityCycles() tells how many tetrahedra were forced.
-   * - Centroid: by distance of the centroid; about five times cheaper, with local mistakes.
+   *   from this view, GetNumberOfVisibilityCycles() tells how many face relations are broken.
+   * - Centroid: by distance of the centroid; cheaper, with local mistakes.
    * - None: input order. Right when the colour is constant, because transparency does not depend on order.
    */
   vtkSetClampMacro(VisibilityOrder, int, EXACT_ORDER, NO_ORDER);
@@ -112,8 +115,8 @@ public:
   /** Tetrahedra drawn in the last render: those that the transfer function does not make fully transparent. */
   vtkIdType GetNumberOfDrawnTetrahedra();
   /**
-   * Number of times the visibility order of the last render had no tetrahedron free to draw next and the
-   * farthest one was forced. 0: the order was exact. Always 0 for the orders centroid and none.
+   * Number of pairs of face-adjacent tetrahedra that the last render drew in the wrong order, because they close a
+   * cycle in which each hides the next. 0: the order was exact. Always 0 for the orders centroid and none.
    */
   vtkIdType GetNumberOfVisibilityCycles();
 
@@ -138,6 +141,13 @@ protected:
   bool SplitAtControlPoints = true;
 
 private:
+  std::string UpdateGeometry(vtkDataSet* input, vtkVolume* volume);
+  std::string CheckScalars(vtkDataSet* input, vtkDataArray* scalars, int cellFlag);
+  void WarnAboutGeometry(const char* arrayName);
+  std::string DrawScene(vtkOpenGLRenderWindow* window, vtkRenderer* renderer, vtkVolume* volume);
+  std::string Upload(vtkOpenGLRenderWindow* window);
+  void ReportOnce(const std::string& error);
+
   vtkCellCompositingMapper(const vtkCellCompositingMapper&) = delete;
   void operator=(const vtkCellCompositingMapper&) = delete;
 

@@ -1,0 +1,296 @@
+// SPDX-FileCopyrightText: The Nephoscope authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "OpenGLFunctions.h"
+
+#include "CellCompositingPass.h"
+
+#include "CellGeometry.h"
+#include "OpticalSegment.h"
+
+#include "CellCompositingFragment.h"
+#include "CellCompositingGeometry.h"
+#include "CellCompositingVertex.h"
+#include "OpticalSegmentShader.h"
+#include "TransferFunctionShader.h"
+
+#include "vtkMatrix4x4.h"
+#include "vtkOpenGLBufferObject.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLShaderCache.h"
+#include "vtkOpenGLState.h"
+#include "vtkOpenGLVertexArrayObject.h"
+#include "vtkShaderProgram.h"
+#include "vtkTextureObject.h"
+
+#include <array>
+#include <sstream>
+
+namespace nephoscope
+{
+namespace
+{
+std::string fragmentShader()
+{
+  std::string source = CellCompositingFragment;
+  vtkShaderProgram::Substitute(source, "//NEPHOSCOPE::OpticalSegment", OpticalSegmentShader);
+  vtkShaderProgram::Substitute(source, "//NEPHOSCOPE::TransferFunction", TransferFunctionShader);
+  return source;
+}
+
+// z in view coordinates as (a + b e) / (c + d e), where e = 1 - depth: counted from the far plane, where most depths lie in
+// a perspective projection, nothing cancels in float.
+std::array<float, 4> depthToView(vtkMatrix4x4* viewToDevice)
+{
+  const double m22 = viewToDevice->GetElement(2, 2);
+  const double m23 = viewToDevice->GetElement(2, 3);
+  const double m32 = viewToDevice->GetElement(3, 2);
+  const double m33 = viewToDevice->GetElement(3, 3);
+  // (m22 z + m23) / (m32 z + m33) = 1 - 2 e
+  return { { static_cast<float>(m33 - m23), static_cast<float>(-2 * m33), static_cast<float>(m22 - m32),
+    static_cast<float>(2 * m32) } };
+}
+
+std::array<float, 4> toFloat(const double v[4])
+{
+  return { { static_cast<float>(v[0]), static_cast<float>(v[1]), static_cast<float>(v[2]),
+    static_cast<float>(v[3]) } };
+}
+
+std::string checkOpenGL(const char* where)
+{
+  const GLenum error = glGetError();
+  if (error == GL_NO_ERROR)
+  {
+    return std::string();
+  }
+  std::ostringstream text;
+  text << "OpenGL error 0x" << std::hex << error << " " << where;
+  return text.str();
+}
+}
+
+/** An array on the GPU that shaders read with texelFetch. */
+class CellCompositingPass::BufferTexture
+{
+public:
+  template <typename T>
+  std::string Upload(vtkOpenGLRenderWindow* window, const T* data, std::size_t tuples, int components, int type)
+  {
+    GLint limit = 0;
+    glGetIntegerv(GL_MAX_TEXTURE_BUFFER_SIZE, &limit);
+    if (tuples > static_cast<std::size_t>(limit))
+    {
+      std::ostringstream text;
+      text << tuples << " elements do not fit in a buffer texture of this OpenGL, which holds " << limit
+           << "; distribute the data over more ranks, or draw fewer cells";
+      return text.str();
+    }
+    this->Release(window);
+    const std::size_t bytes = std::max<std::size_t>(tuples, 1) * components * 4;
+    this->Storage.resize((bytes + sizeof(float) - 1) / sizeof(float), 0.0f);
+    const char* source = tuples > 0 ? reinterpret_cast<const char*>(data)
+                                    : reinterpret_cast<const char*>(this->Storage.data());
+    this->Buffer->SetType(vtkOpenGLBufferObject::TextureBuffer);
+    this->Buffer->Upload(source, bytes, vtkOpenGLBufferObject::TextureBuffer);
+    this->Storage.clear();
+    this->Texture->SetContext(window);
+    if (type == VTK_INT) // which vtkTextureObject would not choose an integer format for
+    {
+      this->Texture->SetInternalFormat(components == 4 ? GL_RGBA32I : GL_R32I);
+      this->Texture->SetFormat(components == 4 ? GL_RGBA_INTEGER : GL_RED_INTEGER);
+    }
+    this->Texture->CreateTextureBuffer(
+      static_cast<unsigned int>(std::max<std::size_t>(tuples, 1)), components, type, this->Buffer);
+    return std::string();
+  }
+  int Activate()
+  {
+    this->Texture->Activate();
+    return this->Texture->GetTextureUnit();
+  }
+  void Deactivate() { this->Texture->Deactivate(); }
+  void Release(vtkWindow* window)
+  {
+    this->Texture->ReleaseGraphicsResources(window);
+    this->Buffer->ReleaseGraphicsResources();
+  }
+
+private:
+  vtkNew<vtkOpenGLBufferObject> Buffer;
+  vtkNew<vtkTextureObject> Texture;
+  std::vector<float> Storage;
+};
+
+CellCompositingPass::CellCompositingPass()
+  : Points(new BufferTexture)
+  , Tetrahedra(new BufferTexture)
+  , CellScalars(new BufferTexture)
+  , Order(new BufferTexture)
+  , TransferNodes(new BufferTexture)
+  , TransferIntervals(new BufferTexture)
+{
+}
+CellCompositingPass::~CellCompositingPass() = default;
+
+std::string CellCompositingPass::UploadGeometry(vtkOpenGLRenderWindow* window, const CellGeometry& geometry)
+{
+  this->UseCellScalars = !geometry.CellScalars.empty();
+  std::string error =
+    this->Points->Upload(window, geometry.Points.data(), geometry.Points.size(), 4, VTK_FLOAT);
+  if (error.empty())
+  {
+    error = this->Tetrahedra->Upload(window, geometry.Tetrahedra.data(), geometry.Tetrahedra.size(), 4, VTK_INT);
+  }
+  if (error.empty())
+  {
+    error =
+      this->CellScalars->Upload(window, geometry.CellScalars.data(), geometry.CellScalars.size(), 1, VTK_FLOAT);
+  }
+  return error;
+}
+
+std::string CellCompositingPass::UploadTransferFunction(
+  vtkOpenGLRenderWindow* window, const TransferFunctionTable& table)
+{
+  this->NumberOfTransferNodes = static_cast<int>(table.Nodes.size());
+  const std::string error =
+    this->TransferNodes->Upload(window, table.Nodes.data(), table.Nodes.size(), 1, VTK_FLOAT);
+  return error.empty() ? this->TransferIntervals->Upload(
+                           window, table.Intervals.data(), 2 * table.Intervals.size(), 4, VTK_FLOAT)
+                       : error;
+}
+
+std::string CellCompositingPass::UploadOrder(
+  vtkOpenGLRenderWindow* window, const std::vector<std::int32_t>& order)
+{
+  this->OrderSize = order.size();
+  return this->Order->Upload(window, order.data(), order.size(), 1, VTK_INT);
+}
+
+std::string CellCompositingPass::Draw(vtkOpenGLRenderWindow* window, const View& view, const Options& options)
+{
+  vtkOpenGLState* state = window->GetState();
+  int viewport[4];
+  state->vtkglGetIntegerv(GL_VIEWPORT, viewport);
+  vtkOpenGLState::ScopedglViewport savedViewport(state);
+  vtkOpenGLState::ScopedglScissor savedScissorBox(state);
+  vtkOpenGLState::ScopedglEnableDisable savedScissor(state, GL_SCISSOR_TEST);
+  vtkOpenGLState::ScopedglEnableDisable savedBlend(state, GL_BLEND);
+  vtkOpenGLState::ScopedglEnableDisable savedDepthTest(state, GL_DEPTH_TEST);
+  vtkOpenGLState::ScopedglEnableDisable savedCulling(state, GL_CULL_FACE);
+  vtkOpenGLState::ScopedglDepthMask savedDepthMask(state);
+  vtkOpenGLState::ScopedglBlendFuncSeparate savedBlendFunction(state);
+
+  this->Depth.Copy(window, viewport);
+  std::string error;
+  if (this->Accumulation.Begin(window, viewport))
+  {
+    error = this->DrawTetrahedra(window, view, options);
+  }
+  else
+  {
+    error = "this OpenGL cannot draw into 32-bit float images";
+  }
+  this->Accumulation.End(window);
+  if (error.empty())
+  {
+    this->Accumulation.Overlay(window, viewport);
+    error = checkOpenGL("while compositing cells");
+  }
+  return error;
+}
+
+std::string CellCompositingPass::DrawTetrahedra(
+  vtkOpenGLRenderWindow* window, const View& view, const Options& options)
+{
+  static const std::string fragment = fragmentShader();
+  vtkShaderProgram* program = window->GetShaderCache()->ReadyShaderProgram(
+    CellCompositingVertex, fragment.c_str(), CellCompositingGeometry);
+  if (!program)
+  {
+    return "the shaders did not compile";
+  }
+  if (program != this->Program)
+  {
+    this->Program = program;
+    this->VertexArray->ShaderProgramChanged();
+  }
+  this->VertexArray->Bind();
+  this->SetUniforms(view, options);
+
+  // Back faces in front of the near plane or behind the far plane still end segments inside: clamp, do not clip.
+  glEnable(GL_DEPTH_CLAMP);
+  vtkOpenGLState* state = window->GetState();
+  state->vtkglDisable(GL_DEPTH_TEST); // the shader ends each ray at the opaque depth
+  state->vtkglDisable(GL_CULL_FACE);
+  state->vtkglDepthMask(GL_FALSE);
+  state->vtkglEnable(GL_BLEND);
+  state->vtkglBlendFuncSeparate(GL_ONE, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+  glDrawArrays(GL_POINTS, 0, static_cast<GLsizei>(this->OrderSize));
+  glDisable(GL_DEPTH_CLAMP);
+
+  this->VertexArray->Release();
+  for (BufferTexture* texture : { this->Points.get(), this->Tetrahedra.get(), this->CellScalars.get(),
+         this->Order.get(), this->TransferNodes.get(), this->TransferIntervals.get() })
+  {
+    texture->Deactivate();
+  }
+  this->Depth.GetTexture()->Deactivate();
+  return std::string();
+}
+
+void CellCompositingPass::SetUniforms(const View& view, const Options& options)
+{
+  vtkShaderProgram* program = this->Program;
+  program->SetUniformi("points", this->Points->Activate());
+  program->SetUniformi("tetrahedra", this->Tetrahedra->Activate());
+  program->SetUniformi("cellScalars", this->CellScalars->Activate());
+  program->SetUniformi("drawingOrder", this->Order->Activate());
+  program->SetUniformi("transferNodes", this->TransferNodes->Activate());
+  program->SetUniformi("transferIntervals", this->TransferIntervals->Activate());
+  this->Depth.GetTexture()->Activate();
+  program->SetUniformi("opaqueDepth", this->Depth.GetTexture()->GetTextureUnit());
+
+  program->SetUniformi("useCellScalars", this->UseCellScalars);
+  program->SetUniformi("numberOfTransferNodes", this->NumberOfTransferNodes);
+  program->SetUniformi("averageIntegration", options.AverageIntegration);
+  program->SetUniformi("splitAtControlPoints", options.SplitAtControlPoints);
+  program->SetUniformf("extinctionScale", static_cast<float>(options.ExtinctionScale));
+
+  vtkNew<vtkMatrix4x4> transposed; // as OpenGL wants it
+  vtkMatrix4x4::Transpose(view.ModelToView, transposed);
+  program->SetUniformMatrix("MCVCMatrix", transposed);
+  vtkMatrix4x4::Transpose(view.ViewToDevice, transposed);
+  program->SetUniformMatrix("VCDCMatrix", transposed);
+  program->SetUniform4f("eyeMC", toFloat(view.EyeModel).data());
+  program->SetUniform4f("eyeVC", toFloat(view.EyeView).data());
+  program->SetUniform4f("depthToVC", depthToView(view.ViewToDevice).data());
+
+  float nodes[numberOfQuadratureNodes][2];
+  for (int i = 0; i < numberOfQuadratureNodes; ++i)
+  {
+    nodes[i][0] = static_cast<float>(quadratureNodes[i][0]);
+    nodes[i][1] = static_cast<float>(quadratureNodes[i][1]);
+  }
+  program->SetUniform2fv("quadratureNodes", numberOfQuadratureNodes, nodes);
+}
+
+bool CellCompositingPass::CopyFloatImage(vtkOpenGLRenderWindow* window, vtkImageData* image)
+{
+  return this->Accumulation.CopyTo(window, image);
+}
+
+void CellCompositingPass::ReleaseGraphicsResources(vtkWindow* window)
+{
+  for (BufferTexture* texture : { this->Points.get(), this->Tetrahedra.get(), this->CellScalars.get(),
+         this->Order.get(), this->TransferNodes.get(), this->TransferIntervals.get() })
+  {
+    texture->Release(window);
+  }
+  this->Depth.ReleaseGraphicsResources(window);
+  this->Accumulation.ReleaseGraphicsResources(window);
+  this->VertexArray->ReleaseGraphicsResources();
+  this->Program = nullptr;
+}
+
+} // namespace nephoscope

@@ -1,0 +1,83 @@
+// SPDX-FileCopyrightText: The Nephoscope authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * Draws tetrahedra in a given order into a float image and lays it over the scene.
+ *
+ * Everything the shaders read is in buffer textures: points, tetrahedra, cell scalars and the transfer function are
+ * uploaded when they change, the drawing order whenever the view does.
+ */
+#ifndef CellCompositingPass_h
+#define CellCompositingPass_h
+
+#include "FloatAccumulation.h"
+#include "OpaqueDepth.h"
+#include "TransferFunctionTable.h"
+
+#include "vtkNew.h"
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+class vtkImageData;
+class vtkMatrix4x4;
+class vtkOpenGLRenderWindow;
+class vtkOpenGLVertexArrayObject;
+class vtkShaderProgram;
+class vtkWindow;
+
+namespace nephoscope
+{
+
+class CellGeometry;
+
+class CellCompositingPass
+{
+public:
+  /** What one drawing needs to know of the view; matrices as vtkMatrix4x4 multiplies columns. */
+  struct View
+  {
+    vtkMatrix4x4* ModelToView = nullptr; ///< of coordinates relative to the geometry's centre
+    vtkMatrix4x4* ViewToDevice = nullptr;
+    double EyeModel[4] = { 0, 0, 0, 1 }; ///< relative to the geometry's centre
+    double EyeView[4] = { 0, 0, 0, 1 };
+  };
+  struct Options
+  {
+    bool AverageIntegration = false;
+    bool SplitAtControlPoints = true;
+    double ExtinctionScale = 1.0;
+  };
+
+  CellCompositingPass();
+  ~CellCompositingPass();
+
+  // Each returns an empty string, or what went wrong.
+  std::string UploadGeometry(vtkOpenGLRenderWindow* window, const CellGeometry& geometry);
+  std::string UploadTransferFunction(vtkOpenGLRenderWindow* window, const TransferFunctionTable& table);
+  std::string UploadOrder(vtkOpenGLRenderWindow* window, const std::vector<std::int32_t>& order);
+  std::string Draw(vtkOpenGLRenderWindow* window, const View& view, const Options& options);
+
+  bool CopyFloatImage(vtkOpenGLRenderWindow* window, vtkImageData* image);
+  void ReleaseGraphicsResources(vtkWindow* window);
+
+private:
+  class BufferTexture;
+  void SetUniforms(const View& view, const Options& options);
+  std::string DrawTetrahedra(vtkOpenGLRenderWindow* window, const View& view, const Options& options);
+
+  std::unique_ptr<BufferTexture> Points, Tetrahedra, CellScalars, Order, TransferNodes, TransferIntervals;
+  bool UseCellScalars = false;
+  int NumberOfTransferNodes = 0;
+  std::size_t OrderSize = 0;
+
+  OpaqueDepth Depth;
+  FloatAccumulation Accumulation;
+  vtkNew<vtkOpenGLVertexArrayObject> VertexArray;
+  vtkShaderProgram* Program = nullptr; // owned by the window's shader cache
+};
+
+} // namespace nephoscope
+
+#endif

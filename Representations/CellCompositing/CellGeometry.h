@@ -1,0 +1,77 @@
+// SPDX-FileCopyrightText: The Nephoscope authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * What the mapper draws: the tetrahedra of a dataset's 3-D cells, with a scalar per point or per tetrahedron.
+ *
+ * Built once per input and array, in three passes: count the tetrahedra of each cell, sum the counts, fill. All
+ * passes run in parallel and their result does not depend on the number of threads.
+ */
+#ifndef CellGeometry_h
+#define CellGeometry_h
+
+#include "TetrahedronRay.h"
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+class vtkDataArray;
+class vtkDataSet;
+
+namespace nephoscope
+{
+
+using Tetrahedron = std::array<std::int32_t, 4>;
+
+/** Which scalar of a data array colours the cells. */
+struct ScalarSelection
+{
+  vtkDataArray* Array = nullptr;
+  bool OnCells = false;
+  int Component = -1; ///< -1: the magnitude of a vector
+};
+
+class CellGeometry
+{
+public:
+  struct Point
+  {
+    float X, Y, Z; ///< model coordinates minus the centre
+    float Scalar;  ///< normalised to [0, 1] over the scalar range; unused for cell scalars
+  };
+
+  /** Returns an empty string, or why nothing can be drawn. */
+  std::string Build(vtkDataSet* data, const ScalarSelection& scalars);
+  void Clear();
+
+  std::vector<Point> Points;
+  std::vector<Tetrahedron> Tetrahedra;
+  std::vector<float> CellScalars; ///< one per tetrahedron, normalised; empty for point scalars
+  double Center[3] = { 0, 0, 0 };
+  double ScalarRange[2] = { 0, 1 }; ///< what 0 and 1 of the normalised scalars stand for
+
+  // What was left out, for the mapper to report.
+  std::int64_t NumberOfUnsupportedCells = 0; ///< not 3-D, or of a kind that cannot be decomposed
+  int UnsupportedCellType = 0;               ///< type of one of them
+  std::int64_t NumberOfInvalidCells = 0;     ///< a coordinate or scalar is not finite
+  std::int64_t NumberOfFlatTetrahedra = 0;   ///< zero volume: nothing to draw, no error
+
+  /** Vertices relative to the centre. */
+  std::array<Vector3, 4> Vertices(std::size_t tetrahedron) const;
+  Vector3 Position(std::int32_t point) const
+  {
+    const Point& p = this->Points[static_cast<std::size_t>(point)];
+    return { p.X, p.Y, p.Z };
+  }
+
+private:
+  void CopyPoints(vtkDataSet* data);
+  void CopyPointScalars(const ScalarSelection& scalars);
+  void FindScalarRange(const ScalarSelection& scalars);
+  void Decompose(vtkDataSet* data, const ScalarSelection& scalars);
+};
+
+} // namespace nephoscope
+
+#endif

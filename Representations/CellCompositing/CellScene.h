@@ -1,0 +1,83 @@
+// SPDX-FileCopyrightText: The Nephoscope authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * What the mapper keeps between renders: geometry, transfer function, order, and the list of what is drawn.
+ *
+ * Each stage knows what it was made from and is made again only when that changed: the geometry with the data, the
+ * transfer table with the volume property, the order with the geometry and the place of the eye. The version of a stage
+ * grows whenever it is made again, so that the drawing pass knows what to upload.
+ */
+#ifndef CellScene_h
+#define CellScene_h
+
+#include "CellGeometry.h"
+#include "TransferFunctionTable.h"
+#include "VisibilityOrder.h"
+
+#include "vtkType.h"
+
+#include <cstdint>
+#include <string>
+#include <tuple>
+#include <vector>
+
+class vtkDataSet;
+class vtkVolumeProperty;
+
+namespace nephoscope
+{
+
+class CellScene
+{
+public:
+  enum class OrderMethod
+  {
+    Exact,
+    Centroid,
+    None
+  };
+  struct Versions
+  {
+    std::int64_t Geometry = 0, Transfer = 0, Order = 0, Drawn = 0;
+  };
+
+  /** Returns true when the geometry was made again; `error` then tells why it could not be, or is empty. */
+  bool UpdateGeometry(vtkDataSet* data, const ScalarSelection& scalars, std::string& error);
+  void UpdateTransferFunction(vtkVolumeProperty* property);
+  /** `eye` is homogeneous and relative to the geometry's centre. */
+  void UpdateOrder(const Vector4& eye, OrderMethod method);
+  /** Lists what is drawn; to be called after the three others. */
+  void UpdateDrawn();
+  /** Nothing is drawn until the geometry is updated again. */
+  void Clear();
+
+  const CellGeometry& GetGeometry() const { return this->Geometry; }
+  const TransferFunctionTable& GetTransferFunction() const { return this->Transfer; }
+  /** Tetrahedra that can be seen, back to front. */
+  const std::vector<std::int32_t>& GetDrawn() const { return this->Drawn; }
+  std::int64_t GetNumberOfCycles() const { return this->NumberOfCycles; }
+  const Versions& GetVersions() const { return this->Current; }
+
+private:
+  void FindVisible();
+
+  CellGeometry Geometry;
+  TransferFunctionTable Transfer;
+  VisibilityOrder Order;
+  std::vector<std::int32_t> Sorted;   // all tetrahedra, back to front
+  std::vector<std::uint8_t> Visible;  // per tetrahedron: not fully transparent
+  std::vector<std::int32_t> Drawn;
+  std::int64_t NumberOfCycles = 0;
+  Versions Current;
+
+  // What the stages were made from. Pointers are compared only.
+  std::tuple<vtkDataSet*, vtkMTimeType, vtkDataArray*, vtkMTimeType, bool, int> GeometryKey;
+  std::tuple<vtkVolumeProperty*, vtkMTimeType, std::int64_t> TransferKey;
+  std::tuple<std::int64_t, OrderMethod, Vector4> OrderKey;
+  std::tuple<std::int64_t, std::int64_t> VisibleKey;
+  std::tuple<std::int64_t, std::int64_t> DrawnKey;
+};
+
+} // namespace nephoscope
+
+#endif

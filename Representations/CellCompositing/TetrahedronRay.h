@@ -1,0 +1,97 @@
+// SPDX-FileCopyrightText: The Nephoscope authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * Where a ray crosses a tetrahedron, in barycentric coordinates.
+ *
+ * Let lambda_i be the barycentric coordinates of a point of the ray on a back face, and
+ *   q_i = n_i . (E.xyz - E.w A_i) / n_i . (P_i - A_i)
+ * for the homogeneous eye E = (x, y, z, 1), or E = (direction towards the eye, 0) in a parallel projection; n_i is the
+ * normal and A_i a point of the face opposite vertex i. Then along the ray, from the back face towards the eye,
+ *   lambda_i(u) = lambda_i + u (q_i - E.w lambda_i),
+ * where u is the fraction of the way to the eye (perspective) or the length (parallel). q_i > 0 marks back faces, and
+ * up to scale q_i is the coefficient mu_i of the projection classes (ShirleyTuchman1990): sum mu_i P_i = 0 in eye space.
+ * The front of the tetrahedron is where the first lambda_i falls to zero. Barycentric coordinates do not change under
+ * affine maps, so the coordinates may be those of the model although lengths are measured in the world.
+ *
+ * shaders/CellCompositing.geom.glsl and .frag.glsl are the same algorithm.
+ */
+#ifndef TetrahedronRay_h
+#define TetrahedronRay_h
+
+#include <algorithm>
+#include <array>
+#include <limits>
+
+namespace nephoscope
+{
+
+using Vector3 = std::array<double, 3>;
+using Vector4 = std::array<double, 4>;
+
+/** Vertices of the face opposite each vertex. */
+constexpr int tetrahedronFaces[4][3] = { { 1, 2, 3 }, { 0, 2, 3 }, { 0, 1, 3 }, { 0, 1, 2 } };
+
+inline Vector3 difference(const Vector3& a, const Vector3& b)
+{
+  return { a[0] - b[0], a[1] - b[1], a[2] - b[2] };
+}
+inline double dot(const Vector3& a, const Vector3& b)
+{
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+inline Vector3 cross(const Vector3& a, const Vector3& b)
+{
+  return { a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0] };
+}
+
+/**
+ * Which side of the plane of triangle (a, b, c) the homogeneous point e lies on: a number whose sign tells, 0 on the plane.
+ */
+inline double planeSide(const Vector3& a, const Vector3& b, const Vector3& c, const Vector4& e)
+{
+  const Vector3 normal = cross(difference(b, a), difference(c, a));
+  return dot(normal, { e[0] - e[3] * a[0], e[1] - e[3] * a[1], e[2] - e[3] * a[2] });
+}
+
+/** The q_i above. The tetrahedron must have a volume; its orientation does not matter. */
+inline Vector4 eyeCoordinates(const std::array<Vector3, 4>& p, const Vector4& eye)
+{
+  Vector4 q;
+  for (int i = 0; i < 4; ++i)
+  {
+    const auto& f = tetrahedronFaces[i];
+    const Vector4 vertex = { p[i][0], p[i][1], p[i][2], 1.0 };
+    q[i] = planeSide(p[f[0]], p[f[1]], p[f[2]], eye) / planeSide(p[f[0]], p[f[1]], p[f[2]], vertex);
+  }
+  return q;
+}
+
+/** Parameter u at which the ray from a back-face point with coordinates lambda leaves through a front face. */
+inline double frontParameter(const Vector4& lambda, const Vector4& q, double eyeW)
+{
+  double u = std::numeric_limits<double>::infinity();
+  for (int i = 0; i < 4; ++i)
+  {
+    const double slope = q[i] - eyeW * lambda[i];
+    if (slope < 0)
+    {
+      u = std::min(u, std::max(lambda[i], 0.0) / -slope);
+    }
+  }
+  return u;
+}
+
+/** Barycentric coordinates at parameter u. */
+inline Vector4 coordinatesAt(const Vector4& lambda, const Vector4& q, double eyeW, double u)
+{
+  Vector4 result;
+  for (int i = 0; i < 4; ++i)
+  {
+    result[i] = lambda[i] + u * (q[i] - eyeW * lambda[i]);
+  }
+  return result;
+}
+
+} // namespace nephoscope
+
+#endif

@@ -1,0 +1,231 @@
+// SPDX-FileCopyrightText: The Nephoscope authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "TransferFunctionTable.h"
+
+#include "vtkColorTransferFunction.h"
+#include "vtkDiscretizableColorTransferFunction.h"
+#include "vtkPiecewiseFunction.h"
+#include "vtkVolumeProperty.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace nephoscope
+{
+namespace
+{
+constexpr double curveTolerance = 1.0 / 2000;
+constexpr int largestDepth = 8; // 256 pieces between two control points
+
+/** Evaluates both functions in double, from either side of a point. */
+class Sampler
+{
+public:
+  explicit Sampler(vtkVolumeProperty* property)
+    : Opacity(property->GetScalarOpacity())
+    , Color(property->GetColorChannels() == 3 ? property->GetRGBTransferFunction() : nullptr)
+    , Gray(property->GetColorChannels() == 3 ? nullptr : property->GetGrayTransferFunction())
+  {
+    auto* discretizable = vtkDiscretizableColorTransferFunction::SafeDownCast(this->Color);
+    this->Steps = discretizable && discretizable->GetDiscretize() ? discretizable->GetNumberOfValues() : 0;
+  }
+
+  TransferFunctionTable::Value operator()(double x) const
+  {
+    double rgb[3] = { 1, 1, 1 };
+    if (this->HasSteps())
+    {
+      this->Color->GetColor(x, rgb);
+    }
+    else if (this->Color)
+    {
+      this->Color->vtkColorTransferFunction::GetColor(x, rgb); // not the 8-bit table of the discretised one
+    }
+    else if (this->Gray)
+    {
+      rgb[0] = rgb[1] = rgb[2] = this->Gray->GetValue(x);
+    }
+    return { { static_cast<float>(rgb[0]), static_cast<float>(rgb[1]), static_cast<float>(rgb[2]),
+      static_cast<float>(this->Opacity ? std::max(0.0, this->Opacity->GetValue(x)) : 1.0) } };
+  }
+
+  /** Control points of both functions, ascending and distinct. */
+  std::vector<double> ControlPoints() const
+  {
+    std::vector<double> nodes;
+    AddNodes(this->Opacity, 4, nodes);
+    AddNodes(this->Gray, 4, nodes);
+    AddNodes(this->Color, 6, nodes);
+    if (this->HasSteps())
+    {
+      this->AddSteps(nodes);
+    }
+    std::sort(nodes.begin(), nodes.end());
+    nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
+    return nodes;
+  }
+
+private:
+  bool HasSteps() const { return this->Steps > 0 && this->Steps < 256; }
+
+  // The node's own place, and the place of its midpoint, where sharp functions step. The two functions differ in the size of
+  // a node: x first, midpoint and sharpness last.
+  template <typename Function>
+  static void AddNodes(Function* function, int nodeSize, std::vector<double>& nodes)
+  {
+    if (!function)
+    {
+      return;
+    }
+    double node[6], next[6];
+    for (int i = 0; i < function->GetSize(); ++i)
+    {
+      function->GetNodeValue(i, node);
+      nodes.push_back(node[0]);
+      const double midpoint = node[nodeSize - 2];
+      const double sharpness = node[nodeSize - 1];
+      if (i + 1 < function->GetSize() && (midpoint != 0.5 || sharpness != 0.0))
+      {
+        function->GetNodeValue(i + 1, next);
+        nodes.push_back(node[0] + midpoint * (next[0] - node[0]));
+      }
+    }
+  }
+
+  void AddSteps(std::vector<double>& nodes) const
+  {
+    const double* range = this->Color->GetRange();
+    for (vtkIdType i = 0; i <= this->Steps; ++i)
+    {
+      nodes.push_back(range[0] + (range[1] - range[0]) * double(i) / double(this->Steps));
+    }
+  }
+
+  vtkPiecewiseFunction* Opacity;
+  vtkColorTransferFunction* Color;
+  vtkPiecewiseFunction* Gray;
+  vtkIdType Steps = 0;
+};
+
+float largestDifference(const TransferFunctionTable::Value& a, const TransferFunctionTable::Value& b)
+{
+  float largest = 0;
+  for (std::size_t c = 0; c < 4; ++c)
+  {
+    largest = std::max(largest, std::abs(a[c] - b[c]));
+  }
+  return largest;
+}
+
+TransferFunctionTable::Value mix(
+  const TransferFunctionTable::Value& a, const TransferFunctionTable::Value& b, float t)
+{
+  TransferFunctionTable::Value result;
+  for (std::size_t c = 0; c < 4; ++c)
+  {
+    result[c] = a[c] + t * (b[c] - a[c]);
+  }
+  return result;
+}
+
+/** Adds the inner nodes that the curve between two places needs, ascending. */
+void refine(const Sampler& sample, double low, double high, int depth, std::vector<double>& nodes)
+{
+  const double inset = 1e-9 * (high - low);
+  const auto a = sample(low + inset);
+  const auto b = sample(high - inset);
+  bool straight = true;
+  for (const double t : { 0.2, 0.5, 0.7 })
+  {
+    straight = straight &&
+      largestDifference(sample(low + t * (high - low)), mix(a, b, static_cast<float>(t))) < curveTolerance;
+  }
+  if (straight || depth == largestDepth)
+  {
+    return;
+  }
+  const double middle = 0.5 * (low + high);
+  refine(sample, low, middle, depth + 1, nodes);
+  nodes.push_back(middle);
+  refine(sample, middle, high, depth + 1, nodes);
+}
+}
+
+void TransferFunctionTable::Build(vtkVolumeProperty* property, const double range[2])
+{
+  const Sampler sample(property);
+  const std::vector<double> controlPoints = sample.ControlPoints();
+  std::vector<double> nodes;
+  for (std::size_t i = 0; i < controlPoints.size(); ++i)
+  {
+    if (i > 0)
+    {
+      refine(sample, controlPoints[i - 1], controlPoints[i], 0, nodes);
+    }
+    nodes.push_back(controlPoints[i]);
+  }
+  if (nodes.empty())
+  {
+    nodes.push_back(range[0]);
+  }
+
+  this->Nodes.clear();
+  this->Intervals.clear();
+  const double width = std::max(nodes.back() - nodes.front(), range[1] - range[0]);
+  for (std::size_t k = 0; k <= nodes.size(); ++k)
+  {
+    const double low = k == 0 ? nodes.front() - width : nodes[k - 1];
+    const double high = k == nodes.size() ? nodes.back() + width : nodes[k];
+    const double inset = 1e-9 * (high - low);
+    const bool outside = k == 0 || k == nodes.size();
+    const Value atLow = sample(outside ? 0.5 * (low + high) : low + inset);
+    this->Intervals.push_back({ atLow, outside ? atLow : sample(high - inset) });
+  }
+  for (const double node : nodes)
+  {
+    this->Nodes.push_back(static_cast<float>((node - range[0]) / (range[1] - range[0])));
+  }
+
+  this->OpaqueIntervals.assign(1, 0);
+  for (const Interval& interval : this->Intervals)
+  {
+    this->OpaqueIntervals.push_back(
+      this->OpaqueIntervals.back() + (interval.Low[3] > 0 || interval.High[3] > 0));
+  }
+}
+
+std::size_t TransferFunctionTable::FindInterval(float s) const
+{
+  return static_cast<std::size_t>(
+    std::upper_bound(this->Nodes.begin(), this->Nodes.end(), s) - this->Nodes.begin());
+}
+
+TransferFunctionTable::Value TransferFunctionTable::Evaluate(float s) const
+{
+  const std::size_t k = this->FindInterval(s);
+  const Interval& interval = this->Intervals[k];
+  if (k == 0 || k == this->Nodes.size())
+  {
+    return interval.Low;
+  }
+  const float width = this->Nodes[k] - this->Nodes[k - 1];
+  return mix(interval.Low, interval.High, width > 0 ? (s - this->Nodes[k - 1]) / width : 0.0f);
+}
+
+bool TransferFunctionTable::IsTransparent(float low, float high) const
+{
+  const std::size_t first = this->FindInterval(low);
+  const std::size_t last = this->FindInterval(high);
+  if (first == last)
+  {
+    return this->Evaluate(low)[3] <= 0 && this->Evaluate(high)[3] <= 0;
+  }
+  if (this->OpaqueIntervals[last] - this->OpaqueIntervals[first + 1] > 0)
+  {
+    return false; // an interval strictly between is not transparent
+  }
+  return this->Evaluate(low)[3] <= 0 && this->Intervals[first].High[3] <= 0 &&
+    this->Intervals[last].Low[3] <= 0 && this->Evaluate(high)[3] <= 0;
+}
+
+} // namespace nephoscope

@@ -1,0 +1,52 @@
+// SPDX-FileCopyrightText: The Nephoscope authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * The colour and opacity functions of a volume property as one piecewise-linear function, in float.
+ *
+ * Nodes stand at every control point of either function, and further ones where a function is curved between control
+ * points (midpoint, sharpness, colour spaces other than RGB), so that the table follows it to within 1/2000.
+ * Values are kept separately left and right of each node: a jump stays a jump. Colours of a discretised lookup with fewer than
+ * 256 values are kept as its steps.
+ *
+ * Interval k lies between node k-1 and node k; interval 0 is all that lies below the first node and interval n all that lies above
+ * the last, both constant.
+ */
+#ifndef TransferFunctionTable_h
+#define TransferFunctionTable_h
+
+#include <array>
+#include <vector>
+
+class vtkVolumeProperty;
+
+namespace nephoscope
+{
+
+class TransferFunctionTable
+{
+public:
+  using Value = std::array<float, 4>; ///< red, green, blue, opacity (unscaled)
+  struct Interval
+  {
+    Value Low, High; ///< limits at its two ends, from inside
+  };
+
+  /** Builds the table; nodes are expressed in scalars normalised by `range`. */
+  void Build(vtkVolumeProperty* property, const double range[2]);
+
+  std::vector<float> Nodes;        ///< ascending, at least one
+  std::vector<Interval> Intervals; ///< Nodes.size() + 1
+
+  /** Interval that contains s. A node belongs to the interval above it. */
+  std::size_t FindInterval(float s) const;
+  Value Evaluate(float s) const;
+  /** True when opacity is zero everywhere in [low, high]: nothing there can be seen. */
+  bool IsTransparent(float low, float high) const;
+
+private:
+  std::vector<int> OpaqueIntervals; ///< how many of the intervals before this one are not transparent
+};
+
+} // namespace nephoscope
+
+#endif

@@ -1,0 +1,66 @@
+// SPDX-FileCopyrightText: The Nephoscope authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * Back-to-front order of tetrahedra.
+ *
+ * Across a shared face the tetrahedron on the eye's side of its plane is in front (Williams1992). A depth-first search
+ * over these relations, started from the farthest centroids, draws everything behind a tetrahedron before it. The order
+ * is exact for convex acyclic meshes. Relations that close a cycle cannot be honoured; they are counted.
+ *
+ * Which tetrahedra share faces, and on which side of each face they lie, is found once per mesh (Connect). Faces are
+ * matched by coordinates, not by point numbers: blocks that repeat their boundary points fit together.
+ */
+#ifndef VisibilityOrder_h
+#define VisibilityOrder_h
+
+#include "CellGeometry.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace nephoscope
+{
+
+class VisibilityOrder
+{
+public:
+  /** Finds the neighbours across faces; needed by SortExact only. */
+  void Connect(const CellGeometry& geometry);
+  void Clear();
+  bool IsConnected() const { return this->Connected; }
+
+  /**
+   * Tetrahedra from back to front for the homogeneous eye (x, y, z, 1), or (direction towards the eye, 0), relative to the
+   * geometry's centre. Returns the number of face relations that the order breaks: 0 unless the mesh is cyclic.
+   */
+  std::int64_t SortExact(
+    const CellGeometry& geometry, const Vector4& eye, std::vector<std::int32_t>& order) const;
+
+  /** Tetrahedra by distance of the centroid, farthest first; equal ones in input order. */
+  static void SortCentroids(
+    const CellGeometry& geometry, const Vector4& eye, std::vector<std::int32_t>& order);
+
+  /** Input order. */
+  static void SortNone(const CellGeometry& geometry, std::vector<std::int32_t>& order);
+
+  std::int64_t GetNumberOfInteriorFaces() const;
+
+private:
+  // Per tetrahedron and face: the neighbour (-1: none) and the side of the face's plane, seen with the vertices in
+  // canonical order, on which the tetrahedron lies (-1, 0, 1; opposite for the neighbour).
+  std::vector<std::int32_t> Neighbors;
+  std::vector<std::int8_t> Sides;
+  std::vector<std::int32_t> CanonicalPoints; // first of the points at the same place
+  bool Connected = false;
+
+  void MergePoints(const CellGeometry& geometry);
+  void MatchFaces(const CellGeometry& geometry);
+  void OrientFaces(const CellGeometry& geometry);
+  std::array<std::int32_t, 3> CanonicalFace(const Tetrahedron& t, int face) const;
+  void FindRelations(
+    const CellGeometry& geometry, const Vector4& eye, std::vector<std::int32_t>& behind) const;
+};
+
+} // namespace nephoscope
+
+#endif

@@ -1,0 +1,62 @@
+//VTK::System::Dec
+//VTK::Output::Dec
+// SPDX-FileCopyrightText: The Nephoscope authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Light that one tetrahedron adds to one pixel: premultiplied colour and alpha.
+//   in:  a point of the back face (barycentric coordinates and view coordinates), the eye's coordinates q, scalars
+//   out: integral of emission and extinction between the front face and the back face, clipped to what lies
+//        between the near plane and the opaque geometry
+// u runs from the back face (0) towards the eye: a fraction of that way in perspective, a length in a parallel projection.
+uniform sampler2D opaqueDepth; // depth of the opaque geometry, [0, 1]
+uniform vec4 eyeVC;            // (position, 1) or (direction towards the eye, 0)
+uniform vec4 depthToVC;        // z in VC = (x + y e) / (z + w e) with e = 1 - depth
+uniform float extinctionScale; // extinction per world length at opacity 1
+
+in vec4 barycentricGSOutput;
+in vec3 positionVCGSOutput;
+flat in vec4 eyeBarycentricGSOutput;
+flat in vec4 scalarsGSOutput;
+
+//NEPHOSCOPE::OpticalSegment
+//NEPHOSCOPE::TransferFunction
+
+float zFromDepth(float depth)
+{
+  float e = 1.0 - depth;
+  return (depthToVC.x + depthToVC.y * e) / (depthToVC.z + depthToVC.w * e);
+}
+
+// Where the ray reaches the first front face.
+float frontParameter(vec4 barycentric, vec4 slope)
+{
+  float u = 3.0e38;
+  for (int i = 0; i < 4; ++i)
+  {
+    if (slope[i] < 0.0)
+    {
+      u = min(u, max(barycentric[i], 0.0) / -slope[i]);
+    }
+  }
+  return u;
+}
+
+void main()
+{
+  vec3 towardsEye = eyeVC.xyz - eyeVC.w * positionVCGSOutput;
+  vec4 slope = eyeBarycentricGSOutput - eyeVC.w * barycentricGSOutput;
+
+  float opaque = texelFetch(opaqueDepth, ivec2(gl_FragCoord.xy), 0).r;
+  float uNear = (zFromDepth(0.0) - positionVCGSOutput.z) / towardsEye.z;
+  float uOpaque = (zFromDepth(opaque) - positionVCGSOutput.z) / towardsEye.z;
+  float uFront = min(frontParameter(barycentricGSOutput, slope), uNear);
+  float uBack = max(0.0, uOpaque);
+  if (!(uFront > uBack))
+  {
+    discard;
+  }
+  float scalarAtFace = dot(barycentricGSOutput, scalarsGSOutput);
+  float scalarSlope = dot(slope, scalarsGSOutput);
+  float opticalScale = (uFront - uBack) * length(towardsEye) * extinctionScale;
+  gl_FragData[0] = integrateSegment(
+    scalarAtFace + uFront * scalarSlope, scalarAtFace + uBack * scalarSlope, opticalScale);
+}

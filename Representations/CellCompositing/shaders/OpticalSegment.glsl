@@ -1,0 +1,40 @@
+// SPDX-FileCopyrightText: The Nephoscope authors
+// SPDX-License-Identifier: BSD-3-Clause
+// The optical model of a ray segment, as OpticalSegment.h has it (the nodes come from there).
+//   in:  optical depths of the segment, extinction at its ends times its length, >= 0
+//   out: weights (front, back) of the source colours at the two ends; their sum is alpha = 1 - T
+uniform vec2 quadratureNodes[35];
+uniform bool averageIntegration;
+
+vec2 exactSegmentWeights(float tauFront, float tauBack)
+{
+  float difference = tauBack - tauFront;
+  float discriminant = tauFront * tauFront + 36.0 * difference;
+  float end = discriminant > 0.0 ? min(1.0, 36.0 / (tauFront + sqrt(discriminant))) : 1.0;
+  float largest = max(tauFront, tauBack);
+  ivec2 rule = largest <= 0.25 ? ivec2(0, 3) : largest <= 1.0 ? ivec2(3, 6)
+    : largest <= 10.0 ? ivec2(9, 10) : ivec2(19, 16);
+  vec2 weights = vec2(0.0);
+  for (int i = rule.x; i < rule.x + rule.y; ++i)
+  {
+    float t = end * quadratureNodes[i].x;
+    float emitted = quadratureNodes[i].y * (tauFront + difference * t) *
+      exp(-t * (tauFront + 0.5 * difference * t));
+    weights += emitted * vec2(1.0 - t, t);
+  }
+  return weights * end;
+}
+
+vec2 averageSegmentWeights(float tauFront, float tauBack)
+{
+  float tau = 0.5 * (tauFront + tauBack);
+  // 1 - exp(-tau) loses thin segments; its series does not.
+  float alpha = tau < 0.02 ? tau * (1.0 - tau * (0.5 - tau * (1.0 / 6.0 - tau / 24.0))) : 1.0 - exp(-tau);
+  return vec2(0.5 * alpha);
+}
+
+vec2 segmentWeights(float tauFront, float tauBack)
+{
+  return averageIntegration ? averageSegmentWeights(tauFront, tauBack)
+                            : exactSegmentWeights(tauFront, tauBack);
+}

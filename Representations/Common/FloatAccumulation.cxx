@@ -1,0 +1,122 @@
+// SPDX-FileCopyrightText: The Nephoscope authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "OpenGLFunctions.h"
+
+#include "FloatAccumulation.h"
+
+#include "vtkFloatArray.h"
+#include "vtkImageData.h"
+#include "vtkOpenGLFramebufferObject.h"
+#include "vtkOpenGLQuadHelper.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLShaderCache.h"
+#include "vtkOpenGLState.h"
+#include "vtkPointData.h"
+#include "vtkShaderProgram.h"
+#include "vtkTextureObject.h"
+
+namespace nephoscope
+{
+namespace
+{
+const char* overlayShader = "//VTK::System::Dec\n"
+                            "//VTK::Output::Dec\n"
+                            "in vec2 texCoord;\n"
+                            "uniform sampler2D accumulated;\n"
+                            "void main() { gl_FragData[0] = texture(accumulated, texCoord); }\n";
+}
+
+FloatAccumulation::FloatAccumulation() = default;
+FloatAccumulation::~FloatAccumulation() = default;
+
+void FloatAccumulation::Allocate(vtkOpenGLRenderWindow* window, int width, int height)
+{
+  if (this->Color->GetHandle() && this->Size[0] == width && this->Size[1] == height)
+  {
+    return;
+  }
+  this->ReleaseGraphicsResources(window);
+  this->Framebuffer->SetContext(window);
+  this->Color->SetContext(window);
+  this->Color->Allocate2D(width, height, 4, VTK_FLOAT);
+  this->Color->SetMinificationFilter(vtkTextureObject::Nearest);
+  this->Color->SetMagnificationFilter(vtkTextureObject::Nearest);
+  this->Size[0] = width;
+  this->Size[1] = height;
+}
+
+bool FloatAccumulation::Begin(vtkOpenGLRenderWindow* window, const int viewport[4])
+{
+  this->Allocate(window, viewport[2], viewport[3]);
+  vtkOpenGLState* state = window->GetState();
+  state->PushFramebufferBindings();
+  this->Framebuffer->Bind();
+  this->Framebuffer->AddColorAttachment(0, this->Color);
+  this->Framebuffer->ActivateDrawBuffer(0);
+  state->vtkglViewport(0, 0, viewport[2], viewport[3]);
+  state->vtkglDisable(GL_SCISSOR_TEST);
+  const float transparent[4] = { 0, 0, 0, 0 };
+  glClearBufferfv(GL_COLOR, 0, transparent);
+  return glCheckFramebufferStatus(GL_DRAW_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE;
+}
+
+void FloatAccumulation::End(vtkOpenGLRenderWindow* window)
+{
+  window->GetState()->PopFramebufferBindings();
+}
+
+void FloatAccumulation::Overlay(vtkOpenGLRenderWindow* window, const int viewport[4])
+{
+  vtkOpenGLState* state = window->GetState();
+  state->vtkglViewport(viewport[0], viewport[1], viewport[2], viewport[3]);
+  state->vtkglDisable(GL_DEPTH_TEST);
+  state->vtkglEnable(GL_BLEND);
+  state->vtkglBlendFuncSeparate(GL_ONE, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+  if (!this->Quad)
+  {
+    this->Quad.reset(new vtkOpenGLQuadHelper(window, nullptr, overlayShader, nullptr));
+  }
+  else
+  {
+    window->GetShaderCache()->ReadyShaderProgram(this->Quad->Program);
+  }
+  this->Color->Activate();
+  this->Quad->Program->SetUniformi("accumulated", this->Color->GetTextureUnit());
+  this->Quad->Render();
+  this->Color->Deactivate();
+}
+
+bool FloatAccumulation::CopyTo(vtkOpenGLRenderWindow* window, vtkImageData* image)
+{
+  if (!this->Color->GetHandle())
+  {
+    return false;
+  }
+  window->MakeCurrent();
+  image->SetDimensions(this->Size[0], this->Size[1], 1);
+  image->SetSpacing(1, 1, 1);
+  image->SetOrigin(0, 0, 0);
+  vtkNew<vtkFloatArray> rgba;
+  rgba->SetName("RGBA");
+  rgba->SetNumberOfComponents(4);
+  rgba->SetNumberOfTuples(vtkIdType(this->Size[0]) * this->Size[1]);
+  vtkOpenGLState* state = window->GetState();
+  state->PushFramebufferBindings();
+  this->Framebuffer->Bind();
+  this->Framebuffer->ActivateReadBuffer(0);
+  state->vtkglPixelStorei(GL_PACK_ALIGNMENT, 4);
+  glReadPixels(0, 0, this->Size[0], this->Size[1], GL_RGBA, GL_FLOAT, rgba->GetPointer(0));
+  state->PopFramebufferBindings();
+  image->GetPointData()->SetScalars(rgba);
+  return true;
+}
+
+void FloatAccumulation::ReleaseGraphicsResources(vtkWindow* window)
+{
+  this->Quad.reset();
+  this->Framebuffer->ReleaseGraphicsResources(window);
+  this->Color->ReleaseGraphicsResources(window);
+  this->Size[0] = this->Size[1] = 0;
+}
+
+} // namespace nephoscope

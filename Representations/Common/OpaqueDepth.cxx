@@ -1,0 +1,114 @@
+// SPDX-FileCopyrightText: The Nephoscope authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "OpenGLFunctions.h"
+
+#include "OpaqueDepth.h"
+
+#include "vtkOpenGLFramebufferObject.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLState.h"
+#include "vtkTextureObject.h"
+
+namespace nephoscope
+{
+namespace
+{
+GLint attachmentParameter(GLenum attachment, GLenum name)
+{
+  GLint value = 0;
+  glGetFramebufferAttachmentParameteriv(GL_DRAW_FRAMEBUFFER, attachment, name, &value);
+  return value;
+}
+
+int depthTextureFormat(int bits, int type)
+{
+  if (type == GL_FLOAT)
+  {
+    return vtkTextureObject::Float32;
+  }
+  return bits == 32 ? vtkTextureObject::Fixed32
+    : bits == 16    ? vtkTextureObject::Fixed16
+                    : vtkTextureObject::Fixed24;
+}
+}
+
+OpaqueDepth::OpaqueDepth() = default;
+OpaqueDepth::~OpaqueDepth() = default;
+
+// glBlitFramebuffer copies depth between equal formats only: ask for that of the source. Attachments of the
+// window system's framebuffer (binding 0) have other names than those of framebuffer objects.
+OpaqueDepth::Format OpaqueDepth::DrawFramebufferFormat()
+{
+  GLint binding = 0;
+  glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &binding);
+  const GLenum depth = binding ? GL_DEPTH_ATTACHMENT : GL_DEPTH;
+  const GLenum stencil = binding ? GL_STENCIL_ATTACHMENT : GL_STENCIL;
+  Format format;
+  format.Bits = attachmentParameter(depth, GL_FRAMEBUFFER_ATTACHMENT_DEPTH_SIZE);
+  format.Type = attachmentParameter(depth, GL_FRAMEBUFFER_ATTACHMENT_COMPONENT_TYPE);
+  if (attachmentParameter(stencil, GL_FRAMEBUFFER_ATTACHMENT_OBJECT_TYPE) != GL_NONE)
+  {
+    format.StencilBits = attachmentParameter(stencil, GL_FRAMEBUFFER_ATTACHMENT_STENCIL_SIZE);
+  }
+  return format;
+}
+
+void OpaqueDepth::Allocate(vtkOpenGLRenderWindow* window, const Format& format, int width, int height)
+{
+  if (this->Texture->GetHandle() && this->AllocatedFormat == format && this->Size[0] == width &&
+    this->Size[1] == height)
+  {
+    return;
+  }
+  this->ReleaseGraphicsResources(window);
+  this->Framebuffer->SetContext(window);
+  this->Texture->SetContext(window);
+  if (format.StencilBits > 0)
+  {
+    this->Texture->AllocateDepthStencil(width, height);
+  }
+  else
+  {
+    this->Texture->AllocateDepth(width, height, depthTextureFormat(format.Bits, format.Type));
+  }
+  this->Texture->SetMinificationFilter(vtkTextureObject::Nearest);
+  this->Texture->SetMagnificationFilter(vtkTextureObject::Nearest);
+  this->AllocatedFormat = format;
+  this->Size[0] = width;
+  this->Size[1] = height;
+}
+
+void OpaqueDepth::Copy(vtkOpenGLRenderWindow* window, const int viewport[4])
+{
+  const int width = viewport[2];
+  const int height = viewport[3];
+  this->Allocate(window, DrawFramebufferFormat(), width, height);
+
+  vtkOpenGLState* state = window->GetState();
+  vtkOpenGLState::ScopedglEnableDisable scissor(state, GL_SCISSOR_TEST); // blits are scissored too
+  state->vtkglDisable(GL_SCISSOR_TEST);
+  vtkOpenGLState::ScopedglDepthMask mask(state);
+  state->vtkglDepthMask(GL_TRUE);
+
+  GLint source = 0;
+  glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &source);
+  state->PushFramebufferBindings();
+  this->Framebuffer->Bind();
+  this->Framebuffer->AddDepthAttachment(this->Texture);
+  GLint destination = 0;
+  glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &destination);
+  glBindFramebuffer(GL_READ_FRAMEBUFFER, static_cast<GLuint>(source));
+  glBlitFramebuffer(viewport[0], viewport[1], viewport[0] + width, viewport[1] + height, 0, 0, width, height,
+    GL_DEPTH_BUFFER_BIT, GL_NEAREST);
+  glBindFramebuffer(GL_READ_FRAMEBUFFER, static_cast<GLuint>(destination));
+  state->PopFramebufferBindings();
+}
+
+void OpaqueDepth::ReleaseGraphicsResources(vtkWindow* window)
+{
+  this->Framebuffer->ReleaseGraphicsResources(window);
+  this->Texture->ReleaseGraphicsResources(window);
+  this->Size[0] = this->Size[1] = 0;
+}
+
+} // namespace nephoscope

@@ -1,0 +1,62 @@
+// SPDX-FileCopyrightText: The Nephoscope authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * A copy of the depth buffer as the opaque geometry left it, for shaders that end their rays there.
+ */
+#ifndef OpaqueDepth_h
+#define OpaqueDepth_h
+
+#include "vtkNephoscopeRepresentationsCommonModule.h" // for export macro
+#include "vtkNew.h"
+
+class vtkOpenGLFramebufferObject;
+class vtkOpenGLRenderWindow;
+class vtkTextureObject;
+class vtkWindow;
+
+namespace nephoscope
+{
+
+class VTKNEPHOSCOPEREPRESENTATIONSCOMMON_EXPORT OpaqueDepth
+{
+public:
+  OpaqueDepth();
+  ~OpaqueDepth();
+  OpaqueDepth(const OpaqueDepth&) = delete;
+  OpaqueDepth& operator=(const OpaqueDepth&) = delete;
+
+  /**
+   * Copies the depth of the bound draw framebuffer inside `viewport` (x, y, width, height in pixels) into a texture of
+   * that size. Framebuffer bindings are restored. Multisampled buffers are resolved.
+   */
+  void Copy(vtkOpenGLRenderWindow* window, const int viewport[4]);
+
+  /** Depth in [0, 1], one texel per pixel of the viewport. */
+  vtkTextureObject* GetTexture() const { return this->Texture; }
+
+  void ReleaseGraphicsResources(vtkWindow* window);
+
+private:
+  struct Format
+  {
+    int Bits = 0;
+    int Type = 0;
+    int StencilBits = 0;
+    bool operator==(const Format& other) const
+    {
+      return this->Bits == other.Bits && this->Type == other.Type &&
+        this->StencilBits == other.StencilBits;
+    }
+  };
+  static Format DrawFramebufferFormat();
+  void Allocate(vtkOpenGLRenderWindow* window, const Format& format, int width, int height);
+
+  vtkNew<vtkOpenGLFramebufferObject> Framebuffer;
+  vtkNew<vtkTextureObject> Texture;
+  Format AllocatedFormat;
+  int Size[2] = { 0, 0 };
+};
+
+} // namespace nephoscope
+
+#endif
