@@ -22,6 +22,7 @@
 #include "vtkShaderProgram.h"
 #include "vtkTextureObject.h"
 
+#include <algorithm>
 #include <array>
 #include <sstream>
 
@@ -29,9 +30,15 @@ namespace nephoscope
 {
 namespace
 {
-std::string fragmentShader()
+std::string constant(const char* name, bool value)
 {
-  std::string source = CellCompositingFragment;
+  return std::string("const bool ") + name + (value ? " = true;\n" : " = false;\n");
+}
+
+std::string specialized(const char* shader, const std::string& constants)
+{
+  std::string source = shader;
+  vtkShaderProgram::Substitute(source, "//NEPHOSCOPE::Constants", constants);
   vtkShaderProgram::Substitute(source, "//NEPHOSCOPE::OpticalSegment", OpticalSegmentShader);
   vtkShaderProgram::Substitute(source, "//NEPHOSCOPE::TransferFunction", TransferFunctionShader);
   return source;
@@ -122,49 +129,57 @@ private:
 };
 
 CellCompositingPass::CellCompositingPass()
-  : Points(new BufferTexture)
-  , Tetrahedra(new BufferTexture)
-  , CellScalars(new BufferTexture)
-  , Order(new BufferTexture)
-  , TransferNodes(new BufferTexture)
-  , TransferIntervals(new BufferTexture)
 {
+  for (auto& buffer : this->Buffers)
+  {
+    buffer.reset(new BufferTexture);
+  }
 }
 CellCompositingPass::~CellCompositingPass() = default;
 
 std::string CellCompositingPass::UploadGeometry(vtkOpenGLRenderWindow* window, const CellGeometry& geometry)
 {
   this->UseCellScalars = !geometry.CellScalars.empty();
-  std::string error =
-    this->Points->Upload(window, geometry.Points.data(), geometry.Points.size(), 4, VTK_FLOAT);
-  if (error.empty())
-  {
-    error = this->Tetrahedra->Upload(window, geometry.Tetrahedra.data(), geometry.Tetrahedra.size(), 4, VTK_INT);
-  }
-  if (error.empty())
-  {
-    error =
-      this->CellScalars->Upload(window, geometry.CellScalars.data(), geometry.CellScalars.size(), 1, VTK_FLOAT);
-  }
+  this->SeparateOpacity = geometry.HasOpacityScalars;
+  this->OpacityOnCells = geometry.OpacityOnCells;
+  std::string error;
+  const auto upload = [&](BufferName name, const auto& values, int components, int type) {
+    if (error.empty())
+    {
+      error = this->Buffers[name]->Upload(window, values.data(), values.size(), components, type);
+    }
+  };
+  upload(Points, geometry.Points, 4, VTK_FLOAT);
+  upload(Tetrahedra, geometry.Tetrahedra, 4, VTK_INT);
+  upload(CellScalars, geometry.CellScalars, 1, VTK_FLOAT);
+  upload(OpacityScalars, geometry.OpacityScalars, 1, VTK_FLOAT);
   return error;
 }
 
-std::string CellCompositingPass::UploadTransferFunction(
-  vtkOpenGLRenderWindow* window, const TransferFunctionTable& table)
+std::string CellCompositingPass::UploadTable(vtkOpenGLRenderWindow* window, const TransferFunctionTable& table,
+  BufferName nodes, BufferName intervals)
 {
-  this->NumberOfTransferNodes = static_cast<int>(table.Nodes.size());
   const std::string error =
-    this->TransferNodes->Upload(window, table.Nodes.data(), table.Nodes.size(), 1, VTK_FLOAT);
-  return error.empty() ? this->TransferIntervals->Upload(
+    this->Buffers[nodes]->Upload(window, table.Nodes.data(), table.Nodes.size(), 1, VTK_FLOAT);
+  return error.empty() ? this->Buffers[intervals]->Upload(
                            window, table.Intervals.data(), 2 * table.Intervals.size(), 4, VTK_FLOAT)
                        : error;
+}
+
+std::string CellCompositingPass::UploadTransferFunctions(vtkOpenGLRenderWindow* window,
+  const TransferFunctionTable& colorAndOpacity, const TransferFunctionTable& opacity)
+{
+  this->NumberOfTransferNodes = static_cast<int>(colorAndOpacity.Nodes.size());
+  this->NumberOfOpacityNodes = static_cast<int>(opacity.Nodes.size());
+  const std::string error = this->UploadTable(window, colorAndOpacity, TransferNodes, TransferIntervals);
+  return error.empty() ? this->UploadTable(window, opacity, OpacityNodes, OpacityIntervals) : error;
 }
 
 std::string CellCompositingPass::UploadOrder(
   vtkOpenGLRenderWindow* window, const std::vector<std::int32_t>& order)
 {
   this->OrderSize = order.size();
-  return this->Order->Upload(window, order.data(), order.size(), 1, VTK_INT);
+  return this->Buffers[DrawingOrder]->Upload(window, order.data(), order.size(), 1, VTK_INT);
 }
 
 std::string CellCompositingPass::Draw(vtkOpenGLRenderWindow* window, const View& view, const Options& options)
@@ -200,22 +215,33 @@ std::string CellCompositingPass::Draw(vtkOpenGLRenderWindow* window, const View&
   return error;
 }
 
-std::string CellCompositingPass::DrawTetrahedra(
-  vtkOpenGLRenderWindow* window, const View& view, const Options& options)
+// Options are constants of the shader: what is switched off costs nothing. The window's cache keeps the variants.
+bool CellCompositingPass::ReadyProgram(vtkOpenGLRenderWindow* window, const Options& options)
 {
-  static const std::string fragment = fragmentShader();
-  vtkShaderProgram* program = window->GetShaderCache()->ReadyShaderProgram(
-    CellCompositingVertex, fragment.c_str(), CellCompositingGeometry);
-  if (!program)
-  {
-    return "the shaders did not compile";
-  }
+  const std::string constants = constant("useCellScalars", this->UseCellScalars) +
+    constant("separateOpacity", this->SeparateOpacity) + constant("opacityOnCells", this->OpacityOnCells) +
+    constant("averageIntegration", options.AverageIntegration) +
+    constant("splitAtControlPoints", options.SplitAtControlPoints);
+  vtkShaderProgram* program = window->GetShaderCache()->ReadyShaderProgram(CellCompositingVertex,
+    specialized(CellCompositingFragment, constants).c_str(),
+    specialized(CellCompositingGeometry, constants).c_str());
   if (program != this->Program)
   {
     this->Program = program;
     this->VertexArray->ShaderProgramChanged();
   }
+  return program != nullptr;
+}
+
+std::string CellCompositingPass::DrawTetrahedra(
+  vtkOpenGLRenderWindow* window, const View& view, const Options& options)
+{
+  if (!this->ReadyProgram(window, options))
+  {
+    return "the shaders did not compile";
+  }
   this->VertexArray->Bind();
+  this->ActivateTextures();
   this->SetUniforms(view, options);
 
   // Back faces in front of the near plane or behind the far plane still end segments inside: clamp, do not clip.
@@ -230,31 +256,31 @@ std::string CellCompositingPass::DrawTetrahedra(
   glDisable(GL_DEPTH_CLAMP);
 
   this->VertexArray->Release();
-  for (BufferTexture* texture : { this->Points.get(), this->Tetrahedra.get(), this->CellScalars.get(),
-         this->Order.get(), this->TransferNodes.get(), this->TransferIntervals.get() })
+  for (auto& buffer : this->Buffers)
   {
-    texture->Deactivate();
+    buffer->Deactivate();
   }
   this->Depth.GetTexture()->Deactivate();
   return std::string();
 }
 
+void CellCompositingPass::ActivateTextures()
+{
+  static const char* const names[NumberOfBuffers] = { "points", "tetrahedra", "cellScalars", "opacityScalars",
+    "drawingOrder", "transferNodes", "transferIntervals", "opacityNodes", "opacityIntervals" };
+  for (int i = 0; i < NumberOfBuffers; ++i)
+  {
+    this->Program->SetUniformi(names[i], this->Buffers[i]->Activate());
+  }
+  this->Depth.GetTexture()->Activate();
+  this->Program->SetUniformi("opaqueDepth", this->Depth.GetTexture()->GetTextureUnit());
+}
+
 void CellCompositingPass::SetUniforms(const View& view, const Options& options)
 {
   vtkShaderProgram* program = this->Program;
-  program->SetUniformi("points", this->Points->Activate());
-  program->SetUniformi("tetrahedra", this->Tetrahedra->Activate());
-  program->SetUniformi("cellScalars", this->CellScalars->Activate());
-  program->SetUniformi("drawingOrder", this->Order->Activate());
-  program->SetUniformi("transferNodes", this->TransferNodes->Activate());
-  program->SetUniformi("transferIntervals", this->TransferIntervals->Activate());
-  this->Depth.GetTexture()->Activate();
-  program->SetUniformi("opaqueDepth", this->Depth.GetTexture()->GetTextureUnit());
-
-  program->SetUniformi("useCellScalars", this->UseCellScalars);
   program->SetUniformi("numberOfTransferNodes", this->NumberOfTransferNodes);
-  program->SetUniformi("averageIntegration", options.AverageIntegration);
-  program->SetUniformi("splitAtControlPoints", options.SplitAtControlPoints);
+  program->SetUniformi("numberOfOpacityNodes", this->NumberOfOpacityNodes);
   program->SetUniformf("extinctionScale", static_cast<float>(options.ExtinctionScale));
 
   vtkNew<vtkMatrix4x4> transposed; // as OpenGL wants it
@@ -282,10 +308,9 @@ bool CellCompositingPass::CopyFloatImage(vtkOpenGLRenderWindow* window, vtkImage
 
 void CellCompositingPass::ReleaseGraphicsResources(vtkWindow* window)
 {
-  for (BufferTexture* texture : { this->Points.get(), this->Tetrahedra.get(), this->CellScalars.get(),
-         this->Order.get(), this->TransferNodes.get(), this->TransferIntervals.get() })
+  for (auto& buffer : this->Buffers)
   {
-    texture->Release(window);
+    buffer->Release(window);
   }
   this->Depth.ReleaseGraphicsResources(window);
   this->Accumulation.ReleaseGraphicsResources(window);

@@ -15,6 +15,7 @@
 
 #include "vtkNew.h"
 
+#include <array>
 #include <cstdint>
 #include <memory>
 #include <string>
@@ -55,7 +56,8 @@ public:
 
   // Each returns an empty string, or what went wrong.
   std::string UploadGeometry(vtkOpenGLRenderWindow* window, const CellGeometry& geometry);
-  std::string UploadTransferFunction(vtkOpenGLRenderWindow* window, const TransferFunctionTable& table);
+  std::string UploadTransferFunctions(vtkOpenGLRenderWindow* window, const TransferFunctionTable& colorAndOpacity,
+    const TransferFunctionTable& opacity);
   std::string UploadOrder(vtkOpenGLRenderWindow* window, const std::vector<std::int32_t>& order);
   std::string Draw(vtkOpenGLRenderWindow* window, const View& view, const Options& options);
 
@@ -64,12 +66,33 @@ public:
 
 private:
   class BufferTexture;
+  enum BufferName
+  {
+    Points,
+    Tetrahedra,
+    CellScalars,
+    OpacityScalars,
+    DrawingOrder,
+    TransferNodes,
+    TransferIntervals,
+    OpacityNodes,
+    OpacityIntervals,
+    NumberOfBuffers
+  };
+
+  std::string UploadTable(vtkOpenGLRenderWindow* window, const TransferFunctionTable& table, BufferName nodes,
+    BufferName intervals);
+  bool ReadyProgram(vtkOpenGLRenderWindow* window, const Options& options);
+  void ActivateTextures();
   void SetUniforms(const View& view, const Options& options);
   std::string DrawTetrahedra(vtkOpenGLRenderWindow* window, const View& view, const Options& options);
 
-  std::unique_ptr<BufferTexture> Points, Tetrahedra, CellScalars, Order, TransferNodes, TransferIntervals;
+  std::array<std::unique_ptr<BufferTexture>, NumberOfBuffers> Buffers;
   bool UseCellScalars = false;
+  bool SeparateOpacity = false;
+  bool OpacityOnCells = false;
   int NumberOfTransferNodes = 0;
+  int NumberOfOpacityNodes = 0;
   std::size_t OrderSize = 0;
 
   OpaqueDepth Depth;

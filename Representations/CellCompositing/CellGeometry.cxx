@@ -72,17 +72,44 @@ double scalarValue(const ScalarSelection& scalars, vtkIdType tuple)
   return std::sqrt(sum);
 }
 
+/** Finite minimum and maximum, never equal: the range that becomes [0, 1]. */
+void findRange(const ScalarSelection& scalars, double range[2])
+{
+  double low = std::numeric_limits<double>::infinity();
+  double high = -low;
+  const vtkIdType n = scalars.Array->GetNumberOfTuples();
+  for (vtkIdType i = 0; i < n; ++i)
+  {
+    const double value = scalarValue(scalars, i);
+    if (std::isfinite(value))
+    {
+      low = std::min(low, value);
+      high = std::max(high, value);
+    }
+  }
+  range[0] = low <= high ? low : 0.0;
+  range[1] = low < high ? high : range[0] + 1.0;
+}
+
+float normalized(const ScalarSelection& scalars, vtkIdType tuple, const double range[2])
+{
+  return static_cast<float>((scalarValue(scalars, tuple) - range[0]) / (range[1] - range[0]));
+}
+
 /** Walks the cells of a range, deciding which are drawn and into which tetrahedra they fall. */
 class CellWalker
 {
 public:
-  CellWalker(vtkDataSet* data, const std::vector<CellGeometry::Point>& points, const ScalarSelection& scalars)
+  CellWalker(vtkDataSet* data, const CellGeometry& geometry, const ScalarSelection& scalars,
+    const ScalarSelection& opacity)
     : Data(data)
     , Grid(vtkUnstructuredGrid::SafeDownCast(data))
     , CellGhosts(data->GetCellGhostArray())
     , PointGhosts(data->GetPointGhostArray())
-    , Points(points)
+    , Geometry(geometry)
+    , Points(geometry.Points)
     , Scalars(scalars)
+    , Opacity(opacity)
   {
   }
 
@@ -129,14 +156,18 @@ private:
 
   bool IsFinite(vtkIdType cell) const
   {
-    if (this->Scalars.OnCells && !std::isfinite(scalarValue(this->Scalars, cell)))
+    if ((this->Scalars.OnCells && !std::isfinite(scalarValue(this->Scalars, cell))) ||
+      (this->Opacity.OnCells && !std::isfinite(scalarValue(this->Opacity, cell))))
     {
       return false;
     }
+    const bool opacityOnPoints = this->Geometry.HasOpacityScalars && !this->Opacity.OnCells;
     const vtkIdType* ids = this->Ids->GetPointer(0);
-    return std::all_of(ids, ids + this->Ids->GetNumberOfIds(), [this](vtkIdType id) {
-      const CellGeometry::Point& p = this->Points[static_cast<std::size_t>(id)];
-      return std::isfinite(p.X) && std::isfinite(p.Y) && std::isfinite(p.Z) && std::isfinite(p.Scalar);
+    return std::all_of(ids, ids + this->Ids->GetNumberOfIds(), [&](vtkIdType id) {
+      const std::size_t i = static_cast<std::size_t>(id);
+      const CellGeometry::Point& p = this->Points[i];
+      return std::isfinite(p.X) && std::isfinite(p.Y) && std::isfinite(p.Z) && std::isfinite(p.Scalar) &&
+        (!opacityOnPoints || std::isfinite(this->Geometry.OpacityScalars[i]));
     });
   }
 
@@ -206,8 +237,10 @@ private:
   vtkUnstructuredGrid* Grid;
   vtkUnsignedCharArray* CellGhosts;
   vtkUnsignedCharArray* PointGhosts;
+  const CellGeometry& Geometry;
   const std::vector<CellGeometry::Point>& Points;
   const ScalarSelection& Scalars;
+  const ScalarSelection& Opacity;
   vtkNew<vtkIdList> Ids;
   vtkNew<vtkIdList> Faces;
   vtkNew<vtkPoints> CellPoints;
@@ -234,7 +267,8 @@ std::array<Vector3, 4> CellGeometry::Vertices(std::size_t tetrahedron) const
   return { { this->Position(t[0]), this->Position(t[1]), this->Position(t[2]), this->Position(t[3]) } };
 }
 
-std::string CellGeometry::Build(vtkDataSet* data, const ScalarSelection& scalars)
+std::string CellGeometry::Build(
+  vtkDataSet* data, const ScalarSelection& scalars, const ScalarSelection& opacity)
 {
   this->Clear();
   constexpr vtkIdType limit = std::numeric_limits<std::int32_t>::max() / 8;
@@ -250,9 +284,9 @@ std::string CellGeometry::Build(vtkDataSet* data, const ScalarSelection& scalars
     data->GetCellPoints(0, ids); // builds what datasets build on first use, before threads ask for it
   }
   this->CopyPoints(data);
-  this->FindScalarRange(scalars);
-  this->CopyPointScalars(scalars);
-  this->Decompose(data, scalars);
+  this->CopyScalars(scalars);
+  this->CopyOpacityScalars(opacity);
+  this->Decompose(data, scalars, opacity);
   return std::string();
 }
 
@@ -277,42 +311,45 @@ void CellGeometry::CopyPoints(vtkDataSet* data)
   });
 }
 
-void CellGeometry::FindScalarRange(const ScalarSelection& scalars)
+void CellGeometry::CopyScalars(const ScalarSelection& scalars)
 {
-  double low = std::numeric_limits<double>::infinity();
-  double high = -low;
-  const vtkIdType n = scalars.Array->GetNumberOfTuples();
-  for (vtkIdType i = 0; i < n; ++i)
-  {
-    const double value = scalarValue(scalars, i);
-    if (std::isfinite(value))
-    {
-      low = std::min(low, value);
-      high = std::max(high, value);
-    }
-  }
-  this->ScalarRange[0] = low <= high ? low : 0.0;
-  this->ScalarRange[1] = low < high ? high : this->ScalarRange[0] + 1.0;
-}
-
-void CellGeometry::CopyPointScalars(const ScalarSelection& scalars)
-{
+  findRange(scalars, this->ScalarRange);
   if (scalars.OnCells)
   {
     return;
   }
-  const double low = this->ScalarRange[0];
-  const double scale = 1.0 / (this->ScalarRange[1] - low);
   vtkSMPTools::For(0, static_cast<vtkIdType>(this->Points.size()), [&](vtkIdType begin, vtkIdType end) {
     for (vtkIdType i = begin; i < end; ++i)
     {
-      this->Points[static_cast<std::size_t>(i)].Scalar =
-        static_cast<float>((scalarValue(scalars, i) - low) * scale);
+      this->Points[static_cast<std::size_t>(i)].Scalar = normalized(scalars, i, this->ScalarRange);
     }
   });
 }
 
-void CellGeometry::Decompose(vtkDataSet* data, const ScalarSelection& scalars)
+void CellGeometry::CopyOpacityScalars(const ScalarSelection& opacity)
+{
+  this->HasOpacityScalars = opacity.Array != nullptr;
+  this->OpacityOnCells = opacity.OnCells;
+  if (!opacity.Array)
+  {
+    return;
+  }
+  findRange(opacity, this->OpacityRange);
+  if (opacity.OnCells)
+  {
+    return;
+  }
+  this->OpacityScalars.resize(this->Points.size());
+  vtkSMPTools::For(0, static_cast<vtkIdType>(this->Points.size()), [&](vtkIdType begin, vtkIdType end) {
+    for (vtkIdType i = begin; i < end; ++i)
+    {
+      this->OpacityScalars[static_cast<std::size_t>(i)] = normalized(opacity, i, this->OpacityRange);
+    }
+  });
+}
+
+void CellGeometry::Decompose(
+  vtkDataSet* data, const ScalarSelection& scalars, const ScalarSelection& opacity)
 {
   using Outcome = CellWalker::Outcome;
   const vtkIdType numberOfCells = data->GetNumberOfCells();
@@ -322,7 +359,7 @@ void CellGeometry::Decompose(vtkDataSet* data, const ScalarSelection& scalars)
 
   // PASS 1: how many tetrahedra each cell gives.
   vtkSMPTools::For(0, numberOfCells, [&](vtkIdType begin, vtkIdType end) {
-    CellWalker walker(data, this->Points, scalars);
+    CellWalker walker(data, *this, scalars, opacity);
     for (vtkIdType cell = begin; cell < end; ++cell)
     {
       std::int64_t count = 0;
@@ -334,7 +371,11 @@ void CellGeometry::Decompose(vtkDataSet* data, const ScalarSelection& scalars)
       if (outcome == Outcome::Unsupported)
       {
         ++unsupported;
-        unsupportedType = data->GetCellType(cell);
+        int type = data->GetCellType(cell);
+        int known = unsupportedType;
+        while (type > known && !unsupportedType.compare_exchange_weak(known, type))
+        {
+        }
       }
       first[static_cast<std::size_t>(cell) + 1] = count;
     }
@@ -348,12 +389,14 @@ void CellGeometry::Decompose(vtkDataSet* data, const ScalarSelection& scalars)
   std::partial_sum(first.begin(), first.end(), first.begin());
   this->Tetrahedra.resize(static_cast<std::size_t>(first.back()));
   this->CellScalars.resize(scalars.OnCells ? this->Tetrahedra.size() : 0);
+  if (opacity.OnCells)
+  {
+    this->OpacityScalars.resize(this->Tetrahedra.size());
+  }
 
   // PASS 3: fill.
-  const double low = this->ScalarRange[0];
-  const double scale = 1.0 / (this->ScalarRange[1] - low);
   vtkSMPTools::For(0, numberOfCells, [&](vtkIdType begin, vtkIdType end) {
-    CellWalker walker(data, this->Points, scalars);
+    CellWalker walker(data, *this, scalars, opacity);
     for (vtkIdType cell = begin; cell < end; ++cell)
     {
       std::size_t next = static_cast<std::size_t>(first[static_cast<std::size_t>(cell)]);
@@ -365,7 +408,11 @@ void CellGeometry::Decompose(vtkDataSet* data, const ScalarSelection& scalars)
         }
         if (scalars.OnCells)
         {
-          this->CellScalars[next] = static_cast<float>((scalarValue(scalars, cell) - low) * scale);
+          this->CellScalars[next] = normalized(scalars, cell, this->ScalarRange);
+        }
+        if (opacity.OnCells)
+        {
+          this->OpacityScalars[next] = normalized(opacity, cell, this->OpacityRange);
         }
         this->Tetrahedra[next++] = t;
       });

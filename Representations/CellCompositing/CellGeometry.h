@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * What the mapper draws: the tetrahedra of a dataset's 3-D cells, with a scalar per point or per tetrahedron.
+ * What the mapper draws: the tetrahedra of a dataset's 3-D cells, with a scalar per point or per tetrahedron, and where
+ * colour and opacity come from different arrays, a second one.
  *
  * Built once per input and array, in three passes: count the tetrahedra of each cell, sum the counts, fill. All
  * passes run in parallel and their result does not depend on the number of threads.
@@ -41,8 +42,11 @@ public:
     float Scalar;  ///< normalised to [0, 1] over the scalar range; unused for cell scalars
   };
 
-  /** Returns an empty string, or why nothing can be drawn. */
-  std::string Build(vtkDataSet* data, const ScalarSelection& scalars);
+  /**
+   * `opacity` selects the array that the opacity function reads; none: `scalars` too.
+   * Returns an empty string, or why nothing can be drawn.
+   */
+  std::string Build(vtkDataSet* data, const ScalarSelection& scalars, const ScalarSelection& opacity = {});
   void Clear();
 
   std::vector<Point> Points;
@@ -51,9 +55,14 @@ public:
   double Center[3] = { 0, 0, 0 };
   double ScalarRange[2] = { 0, 1 }; ///< what 0 and 1 of the normalised scalars stand for
 
+  bool HasOpacityScalars = false;     ///< opacity comes from another array than colour
+  bool OpacityOnCells = false;
+  std::vector<float> OpacityScalars;  ///< one per point, or per tetrahedron if OpacityOnCells; normalised
+  double OpacityRange[2] = { 0, 1 };
+
   // What was left out, for the mapper to report.
   std::int64_t NumberOfUnsupportedCells = 0; ///< not 3-D, or of a kind that cannot be decomposed
-  int UnsupportedCellType = 0;               ///< type of one of them
+  int UnsupportedCellType = 0;               ///< the largest of their types
   std::int64_t NumberOfInvalidCells = 0;     ///< a coordinate or scalar is not finite
   std::int64_t NumberOfFlatTetrahedra = 0;   ///< zero volume: nothing to draw, no error
 
@@ -67,9 +76,9 @@ public:
 
 private:
   void CopyPoints(vtkDataSet* data);
-  void CopyPointScalars(const ScalarSelection& scalars);
-  void FindScalarRange(const ScalarSelection& scalars);
-  void Decompose(vtkDataSet* data, const ScalarSelection& scalars);
+  void CopyScalars(const ScalarSelection& scalars);
+  void CopyOpacityScalars(const ScalarSelection& opacity);
+  void Decompose(vtkDataSet* data, const ScalarSelection& scalars, const ScalarSelection& opacity);
 };
 
 } // namespace nephoscope

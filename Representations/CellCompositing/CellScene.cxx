@@ -44,15 +44,20 @@ void CellScene::Clear()
   ++this->Current.Drawn;
 }
 
-bool CellScene::UpdateGeometry(vtkDataSet* data, const ScalarSelection& scalars, std::string& error)
+CellScene::SelectionKey CellScene::MakeKey(const ScalarSelection& selection)
 {
-  if (!changes(this->GeometryKey,
-        { data, data->GetMTime(), scalars.Array, scalars.Array->GetMTime(), scalars.OnCells,
-          scalars.Component }))
+  return { selection.Array, selection.Array ? selection.Array->GetMTime() : 0, selection.OnCells,
+    selection.Component };
+}
+
+bool CellScene::UpdateGeometry(
+  vtkDataSet* data, const ScalarSelection& scalars, const ScalarSelection& opacity, std::string& error)
+{
+  if (!changes(this->GeometryKey, { data, data->GetMTime(), MakeKey(scalars), MakeKey(opacity) }))
   {
     return false;
   }
-  error = this->Geometry.Build(data, scalars);
+  error = this->Geometry.Build(data, scalars, opacity);
   this->Order.Clear();
   ++this->Current.Geometry;
   return true;
@@ -60,11 +65,17 @@ bool CellScene::UpdateGeometry(vtkDataSet* data, const ScalarSelection& scalars,
 
 void CellScene::UpdateTransferFunction(vtkVolumeProperty* property)
 {
-  if (changes(this->TransferKey, { property, propertyMTime(property), this->Current.Geometry }))
+  using Channels = TransferFunctionTable::Channels;
+  if (!changes(this->TransferKey, { property, propertyMTime(property), this->Current.Geometry }))
   {
-    this->Transfer.Build(property, this->Geometry.ScalarRange);
-    ++this->Current.Transfer;
+    return;
   }
+  const bool separate = this->Geometry.HasOpacityScalars;
+  this->Transfer.Build(
+    property, this->Geometry.ScalarRange, separate ? Channels::Color : Channels::ColorAndOpacity);
+  this->Opacity.Build(
+    property, separate ? this->Geometry.OpacityRange : this->Geometry.ScalarRange, Channels::Opacity);
+  ++this->Current.Transfer;
 }
 
 void CellScene::UpdateOrder(const Vector4& eye, OrderMethod method)
@@ -113,24 +124,24 @@ void CellScene::UpdateDrawn()
 void CellScene::FindVisible()
 {
   const CellGeometry& geometry = this->Geometry;
+  const bool separate = geometry.HasOpacityScalars;
+  const bool onCells = separate ? geometry.OpacityOnCells : !geometry.CellScalars.empty();
+  const std::vector<float>& cellValues = separate ? geometry.OpacityScalars : geometry.CellScalars;
+  const auto pointValue = [&](std::int32_t point) {
+    const std::size_t i = static_cast<std::size_t>(point);
+    return separate ? geometry.OpacityScalars[i] : geometry.Points[i].Scalar;
+  };
   this->Visible.resize(geometry.Tetrahedra.size());
   vtkSMPTools::For(0, static_cast<vtkIdType>(this->Visible.size()), [&](vtkIdType begin, vtkIdType end) {
     for (std::size_t i = static_cast<std::size_t>(begin); i < static_cast<std::size_t>(end); ++i)
     {
-      float low, high;
-      if (geometry.CellScalars.empty())
+      std::array<float, 4> s;
+      for (std::size_t k = 0; k < 4; ++k)
       {
-        std::array<float, 4> s;
-        std::transform(geometry.Tetrahedra[i].begin(), geometry.Tetrahedra[i].end(), s.begin(),
-          [&](std::int32_t p) { return geometry.Points[static_cast<std::size_t>(p)].Scalar; });
-        low = *std::min_element(s.begin(), s.end());
-        high = *std::max_element(s.begin(), s.end());
+        s[k] = onCells ? cellValues[i] : pointValue(geometry.Tetrahedra[i][k]);
       }
-      else
-      {
-        low = high = geometry.CellScalars[i];
-      }
-      this->Visible[i] = !this->Transfer.IsTransparent(low, high);
+      const auto range = std::minmax_element(s.begin(), s.end());
+      this->Visible[i] = !this->Opacity.IsTransparent(*range.first, *range.second);
     }
   });
 }

@@ -42,7 +42,8 @@ public:
   };
 
   /** Returns true when the geometry was made again; `error` then tells why it could not be, or is empty. */
-  bool UpdateGeometry(vtkDataSet* data, const ScalarSelection& scalars, std::string& error);
+  bool UpdateGeometry(
+    vtkDataSet* data, const ScalarSelection& scalars, const ScalarSelection& opacity, std::string& error);
   void UpdateTransferFunction(vtkVolumeProperty* property);
   /** `eye` is homogeneous and relative to the geometry's centre. */
   void UpdateOrder(const Vector4& eye, OrderMethod method);
@@ -52,7 +53,10 @@ public:
   void Clear();
 
   const CellGeometry& GetGeometry() const { return this->Geometry; }
+  /** Colour and opacity; colour alone where the geometry has opacity scalars. */
   const TransferFunctionTable& GetTransferFunction() const { return this->Transfer; }
+  /** Opacity, read by the opacity scalars of the geometry where it has them. */
+  const TransferFunctionTable& GetOpacityFunction() const { return this->Opacity; }
   /** Tetrahedra that can be seen, back to front. */
   const std::vector<std::int32_t>& GetDrawn() const { return this->Drawn; }
   std::int64_t GetNumberOfCycles() const { return this->NumberOfCycles; }
@@ -63,6 +67,7 @@ private:
 
   CellGeometry Geometry;
   TransferFunctionTable Transfer;
+  TransferFunctionTable Opacity;
   VisibilityOrder Order;
   std::vector<std::int32_t> Sorted;   // all tetrahedra, back to front
   std::vector<std::uint8_t> Visible;  // per tetrahedron: not fully transparent
@@ -71,7 +76,9 @@ private:
   Versions Current;
 
   // What the stages were made from. Pointers are compared only.
-  std::tuple<vtkDataSet*, vtkMTimeType, vtkDataArray*, vtkMTimeType, bool, int> GeometryKey;
+  using SelectionKey = std::tuple<vtkDataArray*, vtkMTimeType, bool, int>;
+  static SelectionKey MakeKey(const ScalarSelection& selection);
+  std::tuple<vtkDataSet*, vtkMTimeType, SelectionKey, SelectionKey> GeometryKey;
   std::tuple<vtkVolumeProperty*, vtkMTimeType, std::int64_t> TransferKey;
   std::tuple<std::int64_t, OrderMethod, Vector4> OrderKey;
   std::tuple<std::int64_t, std::int64_t> VisibleKey;

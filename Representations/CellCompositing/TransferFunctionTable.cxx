@@ -21,18 +21,25 @@ constexpr int largestDepth = 8; // 256 pieces between two control points
 class Sampler
 {
 public:
-  explicit Sampler(vtkVolumeProperty* property)
-    : Opacity(property->GetScalarOpacity())
-    , Color(property->GetColorChannels() == 3 ? property->GetRGBTransferFunction() : nullptr)
-    , Gray(property->GetColorChannels() == 3 ? nullptr : property->GetGrayTransferFunction())
+  Sampler(vtkVolumeProperty* property, TransferFunctionTable::Channels channels)
   {
+    if (channels != TransferFunctionTable::Channels::Color)
+    {
+      this->Opacity = property->GetScalarOpacity();
+    }
+    if (channels != TransferFunctionTable::Channels::Opacity)
+    {
+      const bool rgb = property->GetColorChannels() == 3;
+      this->Color = rgb ? property->GetRGBTransferFunction() : nullptr;
+      this->Gray = rgb ? nullptr : property->GetGrayTransferFunction();
+    }
     auto* discretizable = vtkDiscretizableColorTransferFunction::SafeDownCast(this->Color);
     this->Steps = discretizable && discretizable->GetDiscretize() ? discretizable->GetNumberOfValues() : 0;
   }
 
   TransferFunctionTable::Value operator()(double x) const
   {
-    double rgb[3] = { 1, 1, 1 };
+    double rgb[3] = { 0, 0, 0 };
     if (this->HasSteps())
     {
       this->Color->GetColor(x, rgb);
@@ -101,9 +108,9 @@ private:
     }
   }
 
-  vtkPiecewiseFunction* Opacity;
-  vtkColorTransferFunction* Color;
-  vtkPiecewiseFunction* Gray;
+  vtkPiecewiseFunction* Opacity = nullptr;
+  vtkColorTransferFunction* Color = nullptr;
+  vtkPiecewiseFunction* Gray = nullptr;
   vtkIdType Steps = 0;
 };
 
@@ -151,9 +158,9 @@ void refine(const Sampler& sample, double low, double high, int depth, std::vect
 }
 }
 
-void TransferFunctionTable::Build(vtkVolumeProperty* property, const double range[2])
+void TransferFunctionTable::Build(vtkVolumeProperty* property, const double range[2], Channels channels)
 {
-  const Sampler sample(property);
+  const Sampler sample(property, channels);
   const std::vector<double> controlPoints = sample.ControlPoints();
   std::vector<double> nodes;
   for (std::size_t i = 0; i < controlPoints.size(); ++i)

@@ -31,8 +31,16 @@ public:
     Value Low, High; ///< limits at its two ends, from inside
   };
 
+  enum class Channels
+  {
+    ColorAndOpacity,
+    Color,  ///< opacity 1
+    Opacity ///< colour 0
+  };
+
   /** Builds the table; nodes are expressed in scalars normalised by `range`. */
-  void Build(vtkVolumeProperty* property, const double range[2]);
+  void Build(
+    vtkVolumeProperty* property, const double range[2], Channels channels = Channels::ColorAndOpacity);
 
   std::vector<float> Nodes;        ///< ascending, at least one
   std::vector<Interval> Intervals; ///< Nodes.size() + 1

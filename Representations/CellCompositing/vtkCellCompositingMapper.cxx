@@ -56,6 +56,31 @@ std::string arrayNames(vtkFieldData* data)
   return data->GetNumberOfArrays() ? names.str() : "none";
 }
 
+std::string remedy(vtkDataSet* input)
+{
+  return " Choose an array with SelectScalarArray and SetScalarMode; point arrays: " +
+    arrayNames(input->GetPointData()) + "; cell arrays: " + arrayNames(input->GetCellData()) + ".";
+}
+
+std::string missingArray(const char* association, const char* name, vtkDataSet* input)
+{
+  return std::string("No ") + association + " array named '" + (name ? name : "") + "'." + remedy(input);
+}
+
+/** Empty when the selected array has a value for every point or cell. */
+std::string checkLength(vtkDataSet* input, const ScalarSelection& scalars)
+{
+  const vtkIdType expected = scalars.OnCells ? input->GetNumberOfCells() : input->GetNumberOfPoints();
+  const vtkIdType found = scalars.Array->GetNumberOfTuples();
+  if (found == expected)
+  {
+    return std::string();
+  }
+  const char* name = scalars.Array->GetName();
+  return std::string("Array '") + (name ? name : "(unnamed)") + "' has " + std::to_string(found) +
+    " values where the input has " + std::to_string(expected) + (scalars.OnCells ? " cells." : " points.");
+}
+
 // The point where all rays meet, (x, y, z, 1), or the direction towards the eye with the length of a unit in view
 // coordinates, (x, y, z, 0). `clip` maps coordinates to homogeneous device coordinates.
 Vector4 findEye(vtkMatrix4x4* clip)
@@ -203,25 +228,20 @@ void vtkCellCompositingMapper::ReportOnce(const std::string& error)
 std::string vtkCellCompositingMapper::UpdateGeometry(vtkDataSet* input, vtkVolume* volume)
 {
   CellScene& scene = this->Internals->Scene;
-  int cellFlag = 0;
-  ScalarSelection scalars;
-  scalars.Array = vtkAbstractMapper::GetScalars(
-    input, this->ScalarMode, this->ArrayAccessMode, this->ArrayId, this->ArrayName, cellFlag);
-  scalars.OnCells = cellFlag == 1;
-  std::string error = this->CheckScalars(input, scalars.Array, cellFlag);
+  ScalarSelection scalars, opacity;
+  std::string error = this->SelectScalars(input, volume->GetProperty(), scalars);
+  if (error.empty())
+  {
+    error = this->SelectOpacity(input, scalars, opacity);
+  }
   if (!error.empty())
   {
     scene.Clear();
     return error;
   }
-  vtkVolumeProperty* property = volume->GetProperty();
-  vtkScalarsToColors* colors = property->GetColorChannels() == 3 ? property->GetRGBTransferFunction() : nullptr;
-  const bool magnitude = colors && colors->GetVectorMode() == vtkScalarsToColors::MAGNITUDE;
-  scalars.Component = magnitude ? -1 : colors ? colors->GetVectorComponent() : 0;
-
   bool built = false;
   vtkSMPTools::LocalScope(vtkSMPTools::Config{ 0, "STDThread", false },
-    [&]() { built = scene.UpdateGeometry(input, scalars, error); });
+    [&]() { built = scene.UpdateGeometry(input, scalars, opacity, error); });
   if (built && error.empty())
   {
     this->WarnAboutGeometry(scalars.Array->GetName());
@@ -229,38 +249,46 @@ std::string vtkCellCompositingMapper::UpdateGeometry(vtkDataSet* input, vtkVolum
   return error;
 }
 
-std::string vtkCellCompositingMapper::CheckScalars(vtkDataSet* input, vtkDataArray* scalars, int cellFlag)
+std::string vtkCellCompositingMapper::SelectScalars(
+  vtkDataSet* input, vtkVolumeProperty* property, ScalarSelection& scalars)
 {
-  std::ostringstream text;
-  if (!scalars)
+  int cellFlag = 0;
+  scalars.Array = vtkAbstractMapper::GetScalars(
+    input, this->ScalarMode, this->ArrayAccessMode, this->ArrayId, this->ArrayName, cellFlag);
+  scalars.OnCells = cellFlag == 1;
+  vtkScalarsToColors* colors = property->GetColorChannels() == 3 ? property->GetRGBTransferFunction() : nullptr;
+  const bool magnitude = colors && colors->GetVectorMode() == vtkScalarsToColors::MAGNITUDE;
+  scalars.Component = magnitude ? -1 : colors ? colors->GetVectorComponent() : 0;
+  if (!scalars.Array)
   {
-    const bool named = this->ScalarMode == VTK_SCALAR_MODE_USE_POINT_FIELD_DATA ||
-      this->ScalarMode == VTK_SCALAR_MODE_USE_CELL_FIELD_DATA;
-    if (named && this->ArrayAccessMode == VTK_GET_ARRAY_BY_NAME)
+    const bool cells = this->ScalarMode == VTK_SCALAR_MODE_USE_CELL_FIELD_DATA;
+    const bool named = this->ArrayAccessMode == VTK_GET_ARRAY_BY_NAME &&
+      (cells || this->ScalarMode == VTK_SCALAR_MODE_USE_POINT_FIELD_DATA);
+    return named ? missingArray(cells ? "cell" : "point", this->ArrayName, input)
+                 : "The input has no active scalars." + remedy(input);
+  }
+  return cellFlag > 1 ? "Field data cannot be drawn." + remedy(input) : checkLength(input, scalars);
+}
+
+std::string vtkCellCompositingMapper::SelectOpacity(
+  vtkDataSet* input, const ScalarSelection& scalars, ScalarSelection& opacity)
+{
+  if (this->OpacityArrayName.empty())
+  {
+    return std::string();
+  }
+  // The association of the colour array first.
+  vtkFieldData* data[2] = { input->GetPointData(), input->GetCellData() };
+  for (const bool onCells : { scalars.OnCells, !scalars.OnCells })
+  {
+    opacity.Array = data[onCells]->GetArray(this->OpacityArrayName.c_str());
+    opacity.OnCells = onCells;
+    if (opacity.Array)
     {
-      text << "No " << (this->ScalarMode == VTK_SCALAR_MODE_USE_CELL_FIELD_DATA ? "cell" : "point")
-           << " array named '" << (this->ArrayName ? this->ArrayName : "") << "'.";
+      return checkLength(input, opacity);
     }
-    else
-    {
-      text << "The input has no active scalars.";
-    }
-    text << " Choose one with SelectScalarArray and SetScalarMode; point arrays: "
-         << arrayNames(input->GetPointData()) << "; cell arrays: " << arrayNames(input->GetCellData()) << ".";
-    return text.str();
   }
-  const char* name = scalars->GetName() ? scalars->GetName() : "(unnamed)";
-  const vtkIdType expected = cellFlag == 1 ? input->GetNumberOfCells() : input->GetNumberOfPoints();
-  if (cellFlag > 1)
-  {
-    text << "Array '" << name << "' is field data; scalars must be point or cell data.";
-  }
-  else if (scalars->GetNumberOfTuples() != expected)
-  {
-    text << "Array '" << name << "' has " << scalars->GetNumberOfTuples() << " values where the input has "
-         << expected << (cellFlag == 1 ? " cells." : " points.");
-  }
-  return text.str();
+  return missingArray("point or cell", this->OpacityArrayName.c_str(), input);
 }
 
 void vtkCellCompositingMapper::WarnAboutGeometry(const char* arrayName)
@@ -329,7 +357,8 @@ std::string vtkCellCompositingMapper::Upload(vtkOpenGLRenderWindow* window)
   }
   if (error.empty() && self.Uploaded.Transfer != now.Transfer)
   {
-    error = self.Pass.UploadTransferFunction(window, self.Scene.GetTransferFunction());
+    error = self.Pass.UploadTransferFunctions(
+      window, self.Scene.GetTransferFunction(), self.Scene.GetOpacityFunction());
   }
   if (error.empty() && self.Uploaded.Drawn != now.Drawn)
   {
@@ -367,6 +396,7 @@ void vtkCellCompositingMapper::PrintSelf(ostream& os, vtkIndent indent)
   const char* orders[] = { "Exact", "Centroid", "None" };
   os << indent << "VisibilityOrder: " << orders[this->VisibilityOrder] << "\n";
   os << indent << "OpacityScale: " << this->OpacityScale << "\n";
+  os << indent << "OpacityArrayName: " << this->OpacityArrayName << "\n";
   os << indent << "SplitAtControlPoints: " << this->SplitAtControlPoints << "\n";
   os << indent << "NumberOfTetrahedra: " << this->GetNumberOfTetrahedra() << "\n";
   os << indent << "NumberOfDrawnTetrahedra: " << this->GetNumberOfDrawnTetrahedra() << "\n";

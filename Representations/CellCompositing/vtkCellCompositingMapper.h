@@ -32,9 +32,14 @@
 #include <memory> // for std::unique_ptr
 #include <string> // for messages
 
-class vtkDataArray;
 class vtkImageData;
 class vtkOpenGLRenderWindow;
+class vtkVolumeProperty;
+
+namespace nephoscope
+{
+struct ScalarSelection;
+}
 
 class VTKNEPHOSCOPEREPRESENTATIONSCELLCOMPOSITING_EXPORT vtkCellCompositingMapper
   : public vtkUnstructuredGridVolumeMapper
@@ -101,6 +106,15 @@ public:
 
   ///@{
   /**
+   * Name of the array that the opacity function reads, where it is not the one that gives the colour: clouds coloured by
+   * altitude, say. Point data or cell data, one component (the magnitude of a vector). Empty (default): the colour array.
+   */
+  vtkSetMacro(OpacityArrayName, std::string);
+  vtkGetMacro(OpacityArrayName, std::string);
+  ///@}
+
+  ///@{
+  /**
    * Split each ray segment where the scalar crosses a control point of the transfer functions, so that a
    * piecewise-linear transfer function is integrated exactly. Default: on. Off: the transfer function is taken as
    * linear between its values at the two ends of the segment, which is faster when it has many points.
@@ -138,11 +152,15 @@ protected:
   int Integration = EXACT_INTEGRATION;
   int VisibilityOrder = EXACT_ORDER;
   double OpacityScale = 1.0;
+  std::string OpacityArrayName;
   bool SplitAtControlPoints = true;
 
 private:
   std::string UpdateGeometry(vtkDataSet* input, vtkVolume* volume);
-  std::string CheckScalars(vtkDataSet* input, vtkDataArray* scalars, int cellFlag);
+  std::string SelectScalars(
+    vtkDataSet* input, vtkVolumeProperty* property, nephoscope::ScalarSelection& scalars);
+  std::string SelectOpacity(vtkDataSet* input, const nephoscope::ScalarSelection& scalars,
+    nephoscope::ScalarSelection& opacity);
   void WarnAboutGeometry(const char* arrayName);
   std::string DrawScene(vtkOpenGLRenderWindow* window, vtkRenderer* renderer, vtkVolume* volume);
   std::string Upload(vtkOpenGLRenderWindow* window);

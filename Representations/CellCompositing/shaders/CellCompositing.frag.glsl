@@ -16,7 +16,9 @@ in vec4 barycentricGSOutput;
 in vec3 positionVCGSOutput;
 flat in vec4 eyeBarycentricGSOutput;
 flat in vec4 scalarsGSOutput;
+flat in vec4 opacityScalarsGSOutput;
 
+//NEPHOSCOPE::Constants
 //NEPHOSCOPE::OpticalSegment
 //NEPHOSCOPE::TransferFunction
 
@@ -54,8 +56,9 @@ void main()
   {
     discard;
   }
-  float scalarAtFace = dot(barycentricGSOutput, scalarsGSOutput);
-  float scalarSlope = dot(slope, scalarsGSOutput);
+  // (colour, opacity)
+  vec2 scalarAtFace = vec2(dot(barycentricGSOutput, scalarsGSOutput), dot(barycentricGSOutput, opacityScalarsGSOutput));
+  vec2 scalarSlope = vec2(dot(slope, scalarsGSOutput), dot(slope, opacityScalarsGSOutput));
   float opticalScale = (uFront - uBack) * length(towardsEye) * extinctionScale;
   gl_FragData[0] = integrateSegment(
     scalarAtFace + uFront * scalarSlope, scalarAtFace + uBack * scalarSlope, opticalScale);

@@ -6,13 +6,14 @@
 //   out: per vertex, barycentric coordinates and position in view coordinates (VC);
 //        per tetrahedron, its scalars and the coordinates q of the eye (TetrahedronRay.h)
 // Positions in the buffers are model coordinates (MC) less the centre of the data.
+//NEPHOSCOPE::Constants
 layout(points) in;
 layout(triangle_strip, max_vertices = 12) out;
 
 uniform isamplerBuffer tetrahedra; // four point numbers
 uniform samplerBuffer points;      // position, scalar
 uniform samplerBuffer cellScalars;
-uniform bool useCellScalars;
+uniform samplerBuffer opacityScalars; // where opacity comes from another array than colour
 uniform vec4 eyeMC; // w = 1; or the direction towards the eye, w = 0, in a parallel projection
 uniform mat4 MCVCMatrix;
 uniform mat4 VCDCMatrix;
@@ -22,11 +23,13 @@ out vec4 barycentricGSOutput;
 out vec3 positionVCGSOutput;
 flat out vec4 eyeBarycentricGSOutput;
 flat out vec4 scalarsGSOutput;
+flat out vec4 opacityScalarsGSOutput;
 
 vec3 positionMC[4];
 vec4 positionVC[4];
 vec4 eyeBarycentric;
 vec4 scalars;
+vec4 secondScalars;
 
 // q of the vertex v opposite face (a, b, c)
 float eyeCoordinate(vec3 v, vec3 a, vec3 b, vec3 c)
@@ -41,6 +44,7 @@ void emitVertex(int i)
   positionVCGSOutput = positionVC[i].xyz;
   eyeBarycentricGSOutput = eyeBarycentric;
   scalarsGSOutput = scalars;
+  opacityScalarsGSOutput = secondScalars;
   gl_Position = VCDCMatrix * positionVC[i];
   EmitVertex();
 }
@@ -66,6 +70,7 @@ void main()
     positionMC[i] = point.xyz;
     positionVC[i] = MCVCMatrix * vec4(point.xyz, 1.0);
     scalars[i] = point.w;
+    secondScalars[i] = separateOpacity ? texelFetch(opacityScalars, opacityOnCells ? tetrahedron : ids[i]).r : 0.0;
   }
   if (useCellScalars)
   {

@@ -3,8 +3,8 @@
 // The optical model of a ray segment, as OpticalSegment.h has it (the nodes come from there).
 //   in:  optical depths of the segment, extinction at its ends times its length, >= 0
 //   out: weights (front, back) of the source colours at the two ends; their sum is alpha = 1 - T
+// Constant: averageIntegration.
 uniform vec2 quadratureNodes[35];
-uniform bool averageIntegration;
 
 vec2 exactSegmentWeights(float tauFront, float tauBack)
 {
