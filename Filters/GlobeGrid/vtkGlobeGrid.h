@@ -48,6 +48,11 @@
 
 #include <string> // for array names
 
+namespace nephoscope
+{
+class GlobeGridBuilder;
+}
+
 class VTKNEPHOSCOPEFILTERSGLOBEGRID_EXPORT vtkGlobeGrid : public vtkStructuredGridAlgorithm
 {
 public:
@@ -218,6 +223,9 @@ protected:
 private:
   vtkGlobeGrid(const vtkGlobeGrid&) = delete;
   void operator=(const vtkGlobeGrid&) = delete;
+
+  int BuildPiece(nephoscope::GlobeGridBuilder* builder, const int first[3], vtkInformation* outInfo,
+    vtkStructuredGrid* output);
 
   int Projection = GLOBE;
   double PlanetRadius = 6371000.0;
