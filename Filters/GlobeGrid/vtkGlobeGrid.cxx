@@ -2,6 +2,255 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkGlobeGrid.h"
 
+#include "GlobeGridBuilder.h"
+
+#include "vtkCompositeDataSet.h"
+#include "vtkDataSet.h"
+#include "vtkImageData.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkNew.h"
 #include "vtkObjectFactory.h"
+#include "vtkRectilinearGrid.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
+#include "vtkStructuredGrid.h"
+
+#include <algorithm>
+
+using SDDP = vtkStreamingDemandDrivenPipeline;
 
 vtkStandardNewMacro(vtkGlobeGrid);
+
+namespace
+{
+nephoscope::GlobeGridSettings SettingsOf(vtkGlobeGrid* self)
+{
+  nephoscope::GlobeGridSettings settings;
+  settings.OnMap = self->GetProjection() == vtkGlobeGrid::MAP;
+  settings.Planet = { self->GetPlanetRadius(), self->GetVerticalExaggeration() };
+  settings.UseCentralMeridian = self->GetUseCentralMeridian();
+  settings.CentralMeridian = self->GetCentralMeridian();
+  settings.Units = static_cast<nephoscope::LevelUnits>(self->GetLevelUnits());
+  settings.Height = self->GetHeightArrayName();
+  settings.Eastward = self->GetEastwardWindArrayName();
+  settings.Northward = self->GetNorthwardWindArrayName();
+  settings.Vertical = self->GetVerticalWindArrayName();
+  settings.VerticalIsOmega = self->GetVerticalWindIsOmega();
+  settings.Temperature = self->GetTemperatureArrayName();
+  settings.CloseSeam = self->GetCloseSeam();
+  settings.MaskBelowGround = self->GetMaskBelowGround();
+  settings.SurfacePressure = self->GetSurfacePressureArrayName();
+  settings.TerrainHeight = self->GetTerrainHeightArrayName();
+  return settings;
+}
+
+bool ReadGrid(vtkDataSet* data, const std::vector<std::string>& names, nephoscope::LonLatLevelGrid& grid,
+  std::string& error)
+{
+  const bool onCells = data && nephoscope::DataAreOnCells(data, names);
+  error = grid.Read(data, onCells);
+  return error.empty();
+}
+
+std::vector<std::string> FieldNames(const nephoscope::GlobeGridSettings& settings)
+{
+  return { settings.Height, settings.Eastward, settings.Northward };
+}
+
+// Two rows of two levels, all columns: whether the seam must be closed shows in the longitudes, and no
+// reader tells them before it reads.
+vtkDataSet* PeekAtRows(vtkAlgorithm* producer, int port, vtkInformation* inInfo, const int whole[6])
+{
+  auto* produced = producer->GetOutputDataObject(port);
+  if (vtkCompositeDataSet::SafeDownCast(produced))
+  {
+    return vtkDataSet::SafeDownCast(vtkDataObject::GetData(inInfo)); // a block: it is there already
+  }
+  int rows[6];
+  std::copy(whole, whole + 6, rows);
+  rows[2] = (whole[2] + whole[3]) / 2;
+  rows[3] = std::min(rows[2] + 1, whole[3]);
+  rows[5] = std::min(whole[4] + 1, whole[5]);
+  vtkNew<vtkInformationVector> requests;
+  requests->SetNumberOfInformationObjects(port + 1);
+  requests->GetInformationObject(port)->Set(SDDP::UPDATE_EXTENT(), rows, 6);
+  if (!producer->Update(port, requests))
+  {
+    return nullptr;
+  }
+  return vtkDataSet::SafeDownCast(producer->GetOutputDataObject(port));
+}
+}
+
+vtkGlobeGrid::vtkGlobeGrid()
+{
+  this->SetNumberOfInputPorts(2);
+}
+
+void vtkGlobeGrid::SetWindArrayNames(
+  const std::string& eastward, const std::string& northward, const std::string& vertical)
+{
+  this->SetEastwardWindArrayName(eastward);
+  this->SetNorthwardWindArrayName(northward);
+  this->SetVerticalWindArrayName(vertical);
+}
+
+int vtkGlobeGrid::FillInputPortInformation(int port, vtkInformation* info)
+{
+  info->Remove(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE());
+  info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkRectilinearGrid");
+  info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkImageData");
+  info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkStructuredGrid");
+  info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), port == 1 ? 1 : 0);
+  return 1;
+}
+
+int vtkGlobeGrid::RequestInformation(
+  vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
+{
+  vtkInformation* inInfo = inputs[0]->GetInformationObject(0);
+  int whole[6];
+  inInfo->Get(SDDP::WHOLE_EXTENT(), whole);
+  vtkDataSet* rows = nullptr;
+  if (whole[0] <= whole[1] && whole[2] <= whole[3] && whole[4] <= whole[5])
+  {
+    int port = 0;
+    vtkAlgorithm* producer = this->GetInputAlgorithm(0, 0, port);
+    rows = producer ? PeekAtRows(producer, port, inInfo, whole) : nullptr;
+  }
+  if (rows && rows->GetNumberOfPoints() > 0)
+  {
+    const auto settings = SettingsOf(this);
+    nephoscope::LonLatLevelGrid grid;
+    std::string error;
+    if (ReadGrid(rows, FieldNames(settings), grid, error)) // RequestData tells what is wrong
+    {
+      const bool onCells = nephoscope::DataAreOnCells(rows, FieldNames(settings));
+      const int columns = nephoscope::PlanColumns(grid, settings).OutputDimensions[0];
+      whole[1] = whole[0] + columns - 1;
+      whole[3] -= onCells && whole[3] > whole[2] ? 1 : 0;
+      whole[5] -= onCells && whole[5] > whole[4] ? 1 : 0;
+    }
+  }
+  vtkInformation* outInfo = outputs->GetInformationObject(0);
+  outInfo->Set(SDDP::WHOLE_EXTENT(), whole, 6);
+  outInfo->Set(vtkAlgorithm::CAN_PRODUCE_SUB_EXTENT(), 1);
+  return 1;
+}
+
+int vtkGlobeGrid::RequestUpdateExtent(
+  vtkInformation*, vtkInformationVector** inputs, vtkInformationVector*)
+{
+  for (int port = 0; port < 2; ++port)
+  {
+    if (inputs[port]->GetNumberOfInformationObjects() == 0)
+    {
+      continue;
+    }
+    vtkInformation* inInfo = inputs[port]->GetInformationObject(0);
+    int whole[6];
+    inInfo->Get(SDDP::WHOLE_EXTENT(), whole);
+    inInfo->Set(SDDP::UPDATE_EXTENT(), whole, 6);
+    inInfo->Set(SDDP::UPDATE_PIECE_NUMBER(), 0);
+    inInfo->Set(SDDP::UPDATE_NUMBER_OF_PIECES(), 1);
+    inInfo->Set(SDDP::UPDATE_NUMBER_OF_GHOST_LEVELS(), 0);
+  }
+  return 1;
+}
+
+int vtkGlobeGrid::RequestData(
+  vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
+{
+  vtkDataSet* input = vtkDataSet::GetData(inputs[0], 0);
+  vtkStructuredGrid* output = vtkStructuredGrid::GetData(outputs, 0);
+  if (!(this->PlanetRadius > 0.0) || !(this->VerticalExaggeration >= 0.0))
+  {
+    vtkErrorMacro("PlanetRadius must be greater than 0 and VerticalExaggeration 0 or more; they are "
+      << this->PlanetRadius << " and " << this->VerticalExaggeration << ".");
+    return 0;
+  }
+  const auto settings = SettingsOf(this);
+  std::string error;
+  nephoscope::LonLatLevelGrid grid;
+  if (!ReadGrid(input, FieldNames(settings), grid, error))
+  {
+    vtkErrorMacro(<< error);
+    return 0;
+  }
+  vtkDataSet* surfaceData = vtkDataSet::GetData(inputs[1], 0);
+  nephoscope::LonLatLevelGrid surface;
+  const bool hasSurface = surfaceData &&
+    ReadGrid(surfaceData, { settings.SurfacePressure, settings.TerrainHeight }, surface, error);
+  if (surfaceData && !hasSurface)
+  {
+    vtkWarningMacro("The surface input is not used. " << error);
+  }
+  nephoscope::GlobeGridBuilder builder(grid, settings);
+  error = builder.Plan(input->GetFieldData(), hasSurface ? &surface : nullptr);
+  if (!error.empty())
+  {
+    vtkErrorMacro(<< error);
+    return 0;
+  }
+  return this->BuildPiece(&builder, grid.FirstIndex().data(), outputs->GetInformationObject(0), output);
+}
+
+int vtkGlobeGrid::BuildPiece(nephoscope::GlobeGridBuilder* builder, const int first[3],
+  vtkInformation* outInfo, vtkStructuredGrid* output)
+{
+  const std::array<int, 3>& size = builder->Order().OutputDimensions;
+  int extent[6];  // of the output
+  int indices[6]; // the same, from 0
+  const bool asked = outInfo->Has(SDDP::UPDATE_EXTENT()) != 0;
+  outInfo->Get(SDDP::UPDATE_EXTENT(), extent);
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const int lowest = first[axis];
+    const int highest = first[axis] + size[axis] - 1;
+    extent[2 * axis] = asked ? std::max(extent[2 * axis], lowest) : lowest;
+    extent[2 * axis + 1] = asked ? std::min(extent[2 * axis + 1], highest) : highest;
+    if (extent[2 * axis] > extent[2 * axis + 1])
+    {
+      output->Initialize(); // a piece with nothing in it
+      return 1;
+    }
+    indices[2 * axis] = extent[2 * axis] - first[axis];
+    indices[2 * axis + 1] = extent[2 * axis + 1] - first[axis];
+  }
+  const bool finished = builder->Build(indices, output, [this](double progress) {
+    this->UpdateProgress(progress);
+    return !this->CheckAbort();
+  });
+  if (!finished)
+  {
+    output->Initialize(); // aborted: nothing rather than a part
+    return 1;
+  }
+  output->SetExtent(extent);
+  for (const std::string& warning : builder->Warnings())
+  {
+    vtkWarningMacro(<< warning);
+  }
+  return 1;
+}
+
+void vtkGlobeGrid::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Projection: " << (this->Projection == MAP ? "Map" : "Globe") << "\n"
+     << indent << "PlanetRadius: " << this->PlanetRadius << "\n"
+     << indent << "VerticalExaggeration: " << this->VerticalExaggeration << "\n"
+     << indent << "UseCentralMeridian: " << this->UseCentralMeridian << "\n"
+     << indent << "CentralMeridian: " << this->CentralMeridian << "\n"
+     << indent << "LevelUnits: " << this->LevelUnits << "\n"
+     << indent << "HeightArrayName: " << this->HeightArrayName << "\n"
+     << indent << "EastwardWindArrayName: " << this->EastwardWindArrayName << "\n"
+     << indent << "NorthwardWindArrayName: " << this->NorthwardWindArrayName << "\n"
+     << indent << "VerticalWindArrayName: " << this->VerticalWindArrayName << "\n"
+     << indent << "VerticalWindIsOmega: " << this->VerticalWindIsOmega << "\n"
+     << indent << "TemperatureArrayName: " << this->TemperatureArrayName << "\n"
+     << indent << "CloseSeam: " << this->CloseSeam << "\n"
+     << indent << "MaskBelowGround: " << this->MaskBelowGround << "\n"
+     << indent << "SurfacePressureArrayName: " << this->SurfacePressureArrayName << "\n"
+     << indent << "TerrainHeightArrayName: " << this->TerrainHeightArrayName << "\n";
+}

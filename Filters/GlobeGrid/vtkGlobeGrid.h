@@ -1,24 +1,248 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkGlobeGrid
+ * @brief   longitude-latitude-level fields as a curvilinear grid on a globe or a map
+ *
+ *     port 0: rectilinear, image or structured grid      port 1 (optional): one level of
+ *             longitude deg, latitude deg, level         surface pressure or terrain height
+ *                        |                                        |
+ *                        +------------> vtkGlobeGrid <------------+
+ *                                            |
+ *             vtkStructuredGrid in metres, Wind, DisplayVelocity, Height, BelowGround
+ *
+ * 1. Read the axes: units of the levels, order of every axis, whether the longitudes close.
+ * 2. Place the points. Globe: radius PlanetRadius + VerticalExaggeration * height. Map (plate carree):
+ *    x = R * longitude, y = R * latitude (radians), z = VerticalExaggeration * height. Metres.
+ * 3. Carry every point and cell array, with one more column where the seam is closed.
+ * 4. Turn the winds into vectors; 5. mark points below the ground.
+ *
+ * The output is always ordered west to east, south to north, bottom to top, whatever the order of the
+ * input, so cells have positive volume. A row at a pole collapses to one point on the globe (the
+ * hexahedra there are degenerate wedges), and its vectors are the Cartesian mean of the row.
+ *
+ * The height of a point comes from the array HeightArrayName (geopotential height in metres, or
+ * geopotential where the reader says its units are m2 s-2), else from the level axis, whose pressures
+ * are turned into heights by the 1976 US standard atmosphere (StandardAtmosphere1976). A level axis
+ * that the CF reader has negated (positive = "down") is understood.
+ *
+ * If the named arrays are on cells and not on points, the cell centres become the points.
+ *
+ * Point arrays written, besides those of the input:
+ * - Wind, float, 3 components, m/s: the physical wind in the Cartesian frame of the output
+ *   (u east + v north + w up). Only where both horizontal wind arrays are there.
+ * - DisplayVelocity, float, 3 components, m/s in display space: the velocity of the displayed position
+ *   of a parcel that moves with Wind; true for the projection and the exaggeration. Active vectors.
+ * - Height, float, m: physical height, without exaggeration.
+ * - BelowGround, unsigned char, 1 below the ground, else 0. Only with MaskBelowGround.
+ * - vtkGhostType, unsigned char: HIDDENPOINT is added below the ground and where height or wind is
+ *   missing, so that cells that touch such a point are not drawn. Only if there is such a point.
+ *
+ * Each piece asks for the whole input and makes its own extent of the output.
+ */
 #ifndef vtkGlobeGrid_h
 #define vtkGlobeGrid_h
 
 #include "vtkNephoscopeFiltersGlobeGridModule.h" // for export macro
 #include "vtkStructuredGridAlgorithm.h"
 
+#include <string> // for array names
+
+namespace nephoscope
+{
+class GlobeGridBuilder;
+}
+
 class VTKNEPHOSCOPEFILTERSGLOBEGRID_EXPORT vtkGlobeGrid : public vtkStructuredGridAlgorithm
 {
 public:
   static vtkGlobeGrid* New();
   vtkTypeMacro(vtkGlobeGrid, vtkStructuredGridAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  enum ProjectionType
+  {
+    GLOBE = 0,
+    MAP = 1
+  };
+
+  enum LevelUnitsType
+  {
+    AUTOMATIC = 0,
+    PRESSURE_HPA = 1,
+    PRESSURE_PA = 2,
+    HEIGHT_M = 3,
+    HEIGHT_KM = 4
+  };
+
+  ///@{
+  /**
+   * Globe (default) or plate carree map.
+   */
+  vtkSetClampMacro(Projection, int, GLOBE, MAP);
+  vtkGetMacro(Projection, int);
+  void SetProjectionToGlobe() { this->SetProjection(GLOBE); }
+  void SetProjectionToMap() { this->SetProjection(MAP); }
+  ///@}
+
+  ///@{
+  /**
+   * Radius of the planet at height 0, in metres; greater than 0. Default 6371000 (the Earth's mean radius).
+   */
+  vtkSetMacro(PlanetRadius, double);
+  vtkGetMacro(PlanetRadius, double);
+  ///@}
+
+  ///@{
+  /**
+   * Factor on the height, in the display only; 0 or more, 0 flattens. Default 1. The atmosphere is thin:
+   * 20 to 100 makes clouds visible on a whole globe. DisplayVelocity follows it, Wind does not.
+   */
+  vtkSetMacro(VerticalExaggeration, double);
+  vtkGetMacro(VerticalExaggeration, double);
+  ///@}
+
+  ///@{
+  /**
+   * Map only: put the meridian CentralMeridian (degrees east, default 0) in the middle of the map; the
+   * columns of a global grid are rotated, a regional grid is moved by whole turns. Off by default: the
+   * longitudes of the input are kept.
+   */
+  vtkSetMacro(UseCentralMeridian, bool);
+  vtkGetMacro(UseCentralMeridian, bool);
+  vtkBooleanMacro(UseCentralMeridian, bool);
+  vtkSetMacro(CentralMeridian, double);
+  vtkGetMacro(CentralMeridian, double);
+  ///@}
+
+  ///@{
+  /**
+   * What the level axis means. Automatic (default): a negative axis is pressure that the reader negated;
+   * a positive one is pressure in hPa if its largest value is within 500 to 1100, in Pa within 50000 to
+   * 110000, unless the height array grows with it; else height in metres.
+   */
+  vtkSetClampMacro(LevelUnits, int, AUTOMATIC, HEIGHT_KM);
+  vtkGetMacro(LevelUnits, int);
+  void SetLevelUnitsToAutomatic() { this->SetLevelUnits(AUTOMATIC); }
+  void SetLevelUnitsToPressureHectopascal() { this->SetLevelUnits(PRESSURE_HPA); }
+  void SetLevelUnitsToPressurePascal() { this->SetLevelUnits(PRESSURE_PA); }
+  void SetLevelUnitsToHeightMetre() { this->SetLevelUnits(HEIGHT_M); }
+  void SetLevelUnitsToHeightKilometre() { this->SetLevelUnits(HEIGHT_KM); }
+  ///@}
+
+  ///@{
+  /**
+   * Name of the point array of heights in metres above the sea. Default "gh". If the input has no such
+   * array the level axis gives the heights.
+   */
+  vtkSetMacro(HeightArrayName, std::string);
+  vtkGetMacro(HeightArrayName, std::string);
+  ///@}
+
+  ///@{
+  /**
+   * Names of the wind arrays: eastward and northward (m/s) and vertical (Pa/s or m/s, see
+   * VerticalWindIsOmega). Default "u", "v", "w". An empty vertical name means no vertical wind.
+   */
+  void SetWindArrayNames(
+    const std::string& eastward, const std::string& northward, const std::string& vertical);
+  vtkSetMacro(EastwardWindArrayName, std::string);
+  vtkGetMacro(EastwardWindArrayName, std::string);
+  vtkSetMacro(NorthwardWindArrayName, std::string);
+  vtkGetMacro(NorthwardWindArrayName, std::string);
+  vtkSetMacro(VerticalWindArrayName, std::string);
+  vtkGetMacro(VerticalWindArrayName, std::string);
+  ///@}
+
+  ///@{
+  /**
+   * On (default): the vertical wind array is omega = dp/dt in Pa/s, positive downwards, and
+   * w = -omega / (rho g). Off: it is the upward wind in m/s.
+   */
+  vtkSetMacro(VerticalWindIsOmega, bool);
+  vtkGetMacro(VerticalWindIsOmega, bool);
+  vtkBooleanMacro(VerticalWindIsOmega, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Name of the point array of temperatures in kelvin, for the density in the conversion of omega.
+   * Default "t". Without it the standard atmosphere gives the temperature.
+   */
+  vtkSetMacro(TemperatureArrayName, std::string);
+  vtkGetMacro(TemperatureArrayName, std::string);
+  ///@}
+
+  ///@{
+  /**
+   * On (default): a global grid gets one more column, the first one again, so that there is no gap at the
+   * seam; a grid that repeats its first column already, or is regional, is left alone.
+   */
+  vtkSetMacro(CloseSeam, bool);
+  vtkGetMacro(CloseSeam, bool);
+  vtkBooleanMacro(CloseSeam, bool);
+  ///@}
+
+  ///@{
+  /**
+   * On (default): write BelowGround and hide the points below the ground. A point is below the ground if
+   * its pressure exceeds the surface pressure (SurfacePressureArrayName, Pa or hPa, default "sp"); without
+   * that array, if it is lower than the terrain (TerrainHeightArrayName, m, default "orog"); without that
+   * too, if it is below the sea level, except on a level axis of heights. The arrays are looked for on
+   * port 1, then on port 0.
+   */
+  vtkSetMacro(MaskBelowGround, bool);
+  vtkGetMacro(MaskBelowGround, bool);
+  vtkBooleanMacro(MaskBelowGround, bool);
+  vtkSetMacro(SurfacePressureArrayName, std::string);
+  vtkGetMacro(SurfacePressureArrayName, std::string);
+  vtkSetMacro(TerrainHeightArrayName, std::string);
+  vtkGetMacro(TerrainHeightArrayName, std::string);
+  ///@}
+
+  ///@{
+  /**
+   * Port 1, optional: a grid of one level with the same longitudes and latitudes as port 0.
+   */
+  void SetSurfaceConnection(vtkAlgorithmOutput* output) { this->SetInputConnection(1, output); }
+  void SetSurfaceData(vtkDataObject* data) { this->SetInputData(1, data); }
+  ///@}
 
 protected:
-  vtkGlobeGrid() = default;
+  vtkGlobeGrid();
   ~vtkGlobeGrid() override = default;
+
+  int FillInputPortInformation(int port, vtkInformation* info) override;
+  int RequestInformation(
+    vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs) override;
+  int RequestUpdateExtent(
+    vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs) override;
+  int RequestData(
+    vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs) override;
 
 private:
   vtkGlobeGrid(const vtkGlobeGrid&) = delete;
   void operator=(const vtkGlobeGrid&) = delete;
+
+  int BuildPiece(nephoscope::GlobeGridBuilder* builder, const int first[3], vtkInformation* outInfo,
+    vtkStructuredGrid* output);
+
+  int Projection = GLOBE;
+  double PlanetRadius = 6371000.0;
+  double VerticalExaggeration = 1.0;
+  bool UseCentralMeridian = false;
+  double CentralMeridian = 0.0;
+  int LevelUnits = AUTOMATIC;
+  std::string HeightArrayName = "gh";
+  std::string EastwardWindArrayName = "u";
+  std::string NorthwardWindArrayName = "v";
+  std::string VerticalWindArrayName = "w";
+  bool VerticalWindIsOmega = true;
+  std::string TemperatureArrayName = "t";
+  bool CloseSeam = true;
+  bool MaskBelowGround = true;
+  std::string SurfacePressureArrayName = "sp";
+  std::string TerrainHeightArrayName = "orog";
 };
 
 #endif

@@ -1,0 +1,114 @@
+// SPDX-FileCopyrightText: The Nephoscope authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Builds the points, the winds and the mask of vtkGlobeGrid, row by row in parallel.
+//
+//   Plan()       units of the levels, order of the axes, seam    -> GridOrder
+//   Build()      pass 1 points and heights, pass 2 carried arrays, pass 3 winds, pass 4 mask
+//   Warnings()   what was missing, counted, with the remedy
+#ifndef nephoscope_GlobeGridBuilder_h
+#define nephoscope_GlobeGridBuilder_h
+
+#include "Geodesy.h"
+#include "GridOrder.h"
+#include "LevelAxis.h"
+#include "LonLatLevelGrid.h"
+
+#include "vtkSmartPointer.h"
+
+#include <array>
+#include <atomic>
+#include <functional>
+#include <string>
+#include <vector>
+
+class vtkDataArray;
+class vtkFieldData;
+class vtkFloatArray;
+class vtkStructuredGrid;
+
+namespace nephoscope
+{
+struct GlobeGridSettings
+{
+  bool OnMap = false;
+  geodesy::Planet Planet = { 6371000.0, 1.0 };
+  bool UseCentralMeridian = false;
+  double CentralMeridian = 0.0;
+  LevelUnits Units = LevelUnits::Automatic;
+  std::string Height, Eastward, Northward, Vertical, Temperature, SurfacePressure, TerrainHeight;
+  bool VerticalIsOmega = true;
+  bool CloseSeam = true;
+  bool MaskBelowGround = true;
+};
+
+// The columns alone: enough to know the extent of the output before any field is read.
+GridOrder PlanColumns(const LonLatLevelGrid& grid, const GlobeGridSettings& settings);
+
+class GlobeGridBuilder
+{
+public:
+  GlobeGridBuilder(const LonLatLevelGrid& grid, const GlobeGridSettings& settings)
+    : Grid(grid)
+    , Settings(settings)
+  {
+  }
+
+  // Finds the arrays and the order of the axes. Returns what is wrong; empty if all is well.
+  std::string Plan(vtkFieldData* units, const LonLatLevelGrid* surface);
+
+  // Fills the extent (relative to output index 0). `keepGoing(progress)` is asked between the passes.
+  // Returns false if told to stop.
+  bool Build(const int extent[6], vtkStructuredGrid* output, const std::function<bool(double)>& keepGoing);
+
+  const GridOrder& Order() const { return this->Order_; }
+  std::vector<std::string> Warnings() const;
+
+private:
+  struct Row; // one row of the output: indices and ids
+  void FindHeights(vtkFieldData* units);
+  std::string FindWinds(vtkFieldData* units);
+  void FindSurface(const LonLatLevelGrid* surface);
+  bool SurfaceMatches(const LonLatLevelGrid& surface, const GridOrder& order) const;
+  void OrderLevels();
+  HeightTrend TrendOfHeights() const;
+
+  template <typename Function>
+  void ForEachRow(const int extent[6], const Function& function) const;
+
+  double HeightOf(vtkIdType id, double level, bool& missing) const;
+  double PressureOf(double level, double height) const;
+  bool UpwardWind(vtkIdType id, double level, double height, double& w) const;
+  bool WindOf(const std::array<int, 3>& input, const geodesy::Basis& basis, geodesy::Vector& wind) const;
+  bool PoleWind(int j, int k, geodesy::Vector& wind) const;
+  bool IsBelowGround(const std::array<int, 3>& index) const;
+
+  void PlacePoints(const int extent[6], vtkStructuredGrid* output);
+  void AddWinds(const int extent[6], vtkStructuredGrid* output);
+  void AddMask(const int extent[6], vtkStructuredGrid* output);
+  void HidePoints(vtkStructuredGrid* output) const;
+
+  const LonLatLevelGrid& Grid;
+  const GlobeGridSettings& Settings;
+  GridOrder Order_;
+  LevelUnits Units = LevelUnits::Metre;
+  vtkDataArray* Heights = nullptr;
+  double HeightScale = 1.0;
+  vtkDataArray* U = nullptr;
+  vtkDataArray* V = nullptr;
+  vtkDataArray* W = nullptr;
+  vtkDataArray* Temperatures = nullptr;
+  const LonLatLevelGrid* SurfaceGrid = nullptr;
+  GridOrder SurfaceOrder;
+  vtkDataArray* SurfacePressures = nullptr;
+  double SurfacePressureScale = 1.0;
+  vtkDataArray* TerrainHeights = nullptr;
+  vtkSmartPointer<vtkFloatArray> HeightArray;
+  std::vector<unsigned char> Hidden; // HiddenReason bits of each output point
+  std::vector<std::string> Notes;
+  vtkIdType MissingHeights = 0;
+  vtkIdType MissingWinds = 0;
+  mutable std::atomic<vtkIdType> DoubtfulTemperatures{ 0 };
+};
+}
+
+#endif

@@ -1,0 +1,260 @@
+// SPDX-FileCopyrightText: The Nephoscope authors
+// SPDX-License-Identifier: BSD-3-Clause
+// The planning half of GlobeGridBuilder: arrays, units, order of the axes, seam.
+#include "GlobeGridBuilder.h"
+
+#include "LongitudeRow.h"
+#include "MissingValue.h"
+
+#include "vtkDataArray.h"
+#include "vtkFieldData.h"
+#include "vtkStringArray.h"
+
+#include <algorithm>
+
+namespace nephoscope
+{
+namespace
+{
+// The CF reader writes the units of variable x into the field data array x_units.
+std::string UnitsOf(vtkFieldData* fieldData, const std::string& name)
+{
+  auto* units = fieldData
+    ? vtkStringArray::SafeDownCast(fieldData->GetAbstractArray((name + "_units").c_str()))
+    : nullptr;
+  std::string text = units && units->GetNumberOfValues() > 0 ? units->GetValue(0) : std::string();
+  text.erase(std::remove_if(text.begin(), text.end(),
+               [](char c) { return c == ' ' || c == '*' || c == '^' || c == '.'; }),
+    text.end());
+  return text;
+}
+
+bool IsGeopotential(const std::string& units)
+{
+  return units == "m2s-2" || units == "m2/s2" || units == "Jkg-1" || units == "J/kg";
+}
+}
+
+GridOrder PlanColumns(const LonLatLevelGrid& grid, const GlobeGridSettings& settings)
+{
+  GridOrder order;
+  order.InputDimensions = order.OutputDimensions = grid.Dimensions();
+  std::vector<double> row = grid.MiddleRow();
+  const int columns = order.InputDimensions[0];
+  order.Reversed[0] = row.back() < row.front();
+  if (order.Reversed[0])
+  {
+    std::reverse(row.begin(), row.end());
+  }
+  const bool rotated = settings.OnMap && settings.UseCentralMeridian;
+  const Coverage coverage = JudgeCoverage(row);
+  order.InputIsClosed = coverage == Coverage::Closed;
+  if (order.InputIsClosed)
+  {
+    order.Period = columns - 1;
+  }
+  else if (coverage == Coverage::Open && (settings.CloseSeam || rotated))
+  {
+    order.Period = columns;
+    order.OutputDimensions[0] = columns + (settings.CloseSeam ? 1 : 0);
+  }
+  if (rotated)
+  {
+    order.Centre(row, settings.CentralMeridian);
+  }
+  return order;
+}
+
+std::string GlobeGridBuilder::Plan(vtkFieldData* units, const LonLatLevelGrid* surface)
+{
+  this->Order_ = PlanColumns(this->Grid, this->Settings);
+  std::vector<double> row = this->Grid.MiddleRow();
+  if (JudgeCoverage(row) == Coverage::Overlap)
+  {
+    this->Notes.push_back("The longitudes cover more than one turn, so cells overlap. Extract one turn "
+                          "(Extract Subset) before this filter.");
+  }
+  const int last = this->Order_.InputDimensions[1] - 1;
+  const int middle = this->Order_.InputDimensions[0] / 2;
+  this->Order_.Reversed[1] =
+    this->Grid.Coordinates({ middle, last, 0 })[1] < this->Grid.Coordinates({ middle, 0, 0 })[1];
+  this->FindHeights(units);
+  this->OrderLevels();
+  const std::string error = this->FindWinds(units);
+  if (error.empty() && this->Settings.MaskBelowGround)
+  {
+    this->FindSurface(surface);
+  }
+  return error;
+}
+
+void GlobeGridBuilder::FindHeights(vtkFieldData* units)
+{
+  const std::string& name = this->Settings.Height;
+  this->Heights = this->Grid.Array(name);
+  if (this->Heights && IsGeopotential(UnitsOf(units, name)))
+  {
+    this->HeightScale = 1.0 / atmosphere::GRAVITY;
+  }
+  if (!this->Heights && !name.empty() && name != "gh")
+  {
+    this->Notes.push_back("There is no one-component point array '" + name +
+      "' of heights; the level axis gives the heights. Set HeightArrayName to one of: " +
+      this->Grid.ArrayNames() + ".");
+  }
+  this->Temperatures = this->Grid.Array(this->Settings.Temperature);
+  this->Units = this->Settings.Units;
+  if (this->Units == LevelUnits::Automatic)
+  {
+    const int last = this->Grid.Dimensions()[2] - 1;
+    const double first = this->Grid.Coordinates({ 0, 0, 0 })[2];
+    const double end = this->Grid.Coordinates({ 0, 0, last })[2];
+    this->Units =
+      GuessLevelUnits(std::min(first, end), std::max(first, end), this->TrendOfHeights());
+  }
+}
+
+HeightTrend GlobeGridBuilder::TrendOfHeights() const
+{
+  const std::array<int, 3>& size = this->Grid.Dimensions();
+  std::vector<std::array<double, 2>> found; // level, height
+  for (int k = 0; this->Heights && k < size[2]; ++k)
+  {
+    const std::array<int, 3> index = { size[0] / 2, size[1] / 2, k };
+    const double height = this->Heights->GetComponent(this->Grid.Id(index), 0);
+    if (!IsMissing(height))
+    {
+      found.push_back({ this->Grid.Coordinates(index)[2], height });
+    }
+  }
+  if (found.size() < 2)
+  {
+    return HeightTrend::Unknown;
+  }
+  const double product =
+    (found.back()[0] - found.front()[0]) * (found.back()[1] - found.front()[1]);
+  return product > 0.0 ? HeightTrend::GrowsWithLevel : HeightTrend::FallsWithLevel;
+}
+
+// Bottom to top.
+void GlobeGridBuilder::OrderLevels()
+{
+  const int last = this->Grid.Dimensions()[2] - 1;
+  const double levels[2] = { this->Grid.Coordinates({ 0, 0, 0 })[2],
+    this->Grid.Coordinates({ 0, 0, last })[2] };
+  const HeightTrend trend = this->TrendOfHeights();
+  if (trend != HeightTrend::Unknown)
+  {
+    const bool levelsGrow = levels[1] > levels[0];
+    this->Order_.Reversed[2] = levelsGrow != (trend == HeightTrend::GrowsWithLevel);
+    return;
+  }
+  this->Order_.Reversed[2] =
+    LevelHeight(this->Units, levels[1]) < LevelHeight(this->Units, levels[0]);
+}
+
+std::string GlobeGridBuilder::FindWinds(vtkFieldData* units)
+{
+  const GlobeGridSettings& names = this->Settings;
+  this->U = this->Grid.Array(names.Eastward);
+  this->V = this->Grid.Array(names.Northward);
+  const std::string remedy = " Load it in the reader, or set the wind array names to those of the input: " +
+    this->Grid.ArrayNames() + ".";
+  if (!this->U != !this->V)
+  {
+    return "Of the horizontal wind, the one-component point array '" +
+      (this->U ? names.Northward : names.Eastward) + "' is missing." + remedy;
+  }
+  if (!this->U)
+  {
+    this->Notes.push_back("There are no wind arrays '" + names.Eastward + "' and '" + names.Northward +
+      "', so Wind and DisplayVelocity are not made." + remedy);
+    return std::string();
+  }
+  this->W = this->Grid.Array(names.Vertical);
+  if (!this->W && !names.Vertical.empty())
+  {
+    this->Notes.push_back("There is no vertical wind array '" + names.Vertical +
+      "'; the vertical wind is 0. Load it, or set its name empty to say so.");
+  }
+  const std::string unitsOfW = UnitsOf(units, names.Vertical);
+  const bool isSpeed = unitsOfW == "ms-1" || unitsOfW == "m/s";
+  const bool isOmega = unitsOfW == "Pas-1" || unitsOfW == "Pa/s";
+  if (this->W && (names.VerticalIsOmega ? isSpeed : isOmega))
+  {
+    this->Notes.push_back("The units of '" + names.Vertical + "' are " + unitsOfW +
+      (names.VerticalIsOmega ? ": switch VerticalWindIsOmega off." : ": switch VerticalWindIsOmega on."));
+  }
+  return std::string();
+}
+
+void GlobeGridBuilder::FindSurface(const LonLatLevelGrid* surface)
+{
+  const GlobeGridSettings& names = this->Settings;
+  for (const LonLatLevelGrid* grid : { surface, &this->Grid })
+  {
+    if (!grid)
+    {
+      continue;
+    }
+    vtkDataArray* pressures = IsPressure(this->Units) ? grid->Array(names.SurfacePressure) : nullptr;
+    vtkDataArray* terrain = grid->Array(names.TerrainHeight);
+    if (!pressures && !terrain)
+    {
+      if (grid == surface)
+      {
+        this->Notes.push_back("The surface input has neither '" + names.SurfacePressure +
+          "' (on pressure levels) nor '" + names.TerrainHeight + "'; its arrays are: " +
+          grid->ArrayNames() + ". It is not used.");
+      }
+      continue;
+    }
+    const GridOrder order = [&]() {
+      GridOrder columns = PlanColumns(*grid, names);
+      columns.Reversed[1] = grid->Coordinates({ 0, grid->Dimensions()[1] - 1, 0 })[1] <
+        grid->Coordinates({ 0, 0, 0 })[1];
+      return columns;
+    }();
+    if (grid == surface && !this->SurfaceMatches(*grid, order))
+    {
+      this->Notes.push_back("The longitudes and latitudes of the surface input are not those of the first "
+                            "input; it is not used. Read both from one file.");
+      continue;
+    }
+    this->SurfaceGrid = grid;
+    this->SurfaceOrder = grid == surface ? order : this->Order_;
+    this->SurfacePressures = pressures;
+    this->TerrainHeights = terrain;
+    if (pressures)
+    {
+      double range[2];
+      pressures->GetFiniteRange(range, 0);
+      const double highest = range[1];
+      this->SurfacePressureScale = highest < 2000.0 ? 100.0 : 1.0; // hPa or Pa
+    }
+    return;
+  }
+}
+
+bool GlobeGridBuilder::SurfaceMatches(const LonLatLevelGrid& surface, const GridOrder& order) const
+{
+  const std::array<int, 3>& size = this->Order_.OutputDimensions;
+  if (order.OutputDimensions[0] != size[0] || order.OutputDimensions[1] != size[1])
+  {
+    return false;
+  }
+  for (int j : { 0, size[1] / 2, size[1] - 1 })
+  {
+    for (int i : { 0, size[0] / 2, size[0] - 1 })
+    {
+      const std::array<double, 3> a = this->Grid.Coordinates(this->Order_.InputPoint(i, j, 0));
+      const std::array<double, 3> b = surface.Coordinates(order.InputPoint(i, j, 0));
+      if (std::abs(std::remainder(a[0] - b[0], 360.0)) > 1e-3 || std::abs(a[1] - b[1]) > 1e-3)
+      {
+        return false;
+      }
+    }
+  }
+  return true;
+}
+}

@@ -1,0 +1,76 @@
+// SPDX-FileCopyrightText: The Nephoscope authors
+// SPDX-License-Identifier: BSD-3-Clause
+// What a level axis means, and the height and pressure of its levels. Plain C++17.
+#ifndef nephoscope_LevelAxis_h
+#define nephoscope_LevelAxis_h
+
+#include "StandardAtmosphere.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace nephoscope
+{
+enum class LevelUnits
+{
+  Automatic,
+  Hectopascal,
+  Pascal,
+  Metre,
+  Kilometre
+};
+
+// How a height array, where there is one, runs along the level axis.
+enum class HeightTrend
+{
+  Unknown,
+  GrowsWithLevel,
+  FallsWithLevel
+};
+
+// Pressure by its range; a negative axis is a pressure that the reader negated since it points down.
+inline LevelUnits GuessLevelUnits(double lowest, double highest, HeightTrend trend)
+{
+  const bool negated = highest < 0.0;
+  const double largest = negated ? -lowest : highest;
+  const bool fallsAloft = negated ? trend != HeightTrend::FallsWithLevel
+                                  : trend != HeightTrend::GrowsWithLevel;
+  const bool positive = negated || lowest > 0.0;
+  if (positive && fallsAloft)
+  {
+    const bool certain = negated || trend == HeightTrend::FallsWithLevel;
+    if ((largest >= 500.0 && largest <= 1100.0) || (certain && largest < 500.0))
+    {
+      return LevelUnits::Hectopascal;
+    }
+    if ((largest >= 50000.0 && largest <= 110000.0) || (certain && largest > 1100.0))
+    {
+      return LevelUnits::Pascal;
+    }
+  }
+  return LevelUnits::Metre;
+}
+
+inline bool IsPressure(LevelUnits units)
+{
+  return units == LevelUnits::Hectopascal || units == LevelUnits::Pascal;
+}
+
+// Pascals; only where IsPressure(units).
+inline double LevelPressure(LevelUnits units, double level)
+{
+  return std::abs(level) * (units == LevelUnits::Hectopascal ? 100.0 : 1.0);
+}
+
+// Metres. Pressures are held above 0.01 Pa (85 km), so that a top level of zero has a height.
+inline double LevelHeight(LevelUnits units, double level)
+{
+  if (IsPressure(units))
+  {
+    return atmosphere::HeightFromPressure(std::max(LevelPressure(units, level), 0.01));
+  }
+  return units == LevelUnits::Kilometre ? 1000.0 * level : level;
+}
+}
+
+#endif
