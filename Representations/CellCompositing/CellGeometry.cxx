@@ -247,12 +247,15 @@ private:
   vtkNew<vtkGenericCell> Cell;
 };
 
+// No volume but for rounding: coincident or coplanar vertices.
 bool isFlat(const CellGeometry& geometry, const Tetrahedron& t)
 {
   const Vector3 a = geometry.Position(t[0]);
-  const Vector3 normal =
-    cross(difference(geometry.Position(t[1]), a), difference(geometry.Position(t[2]), a));
-  return dot(normal, difference(geometry.Position(t[3]), a)) == 0.0;
+  const Vector3 ab = difference(geometry.Position(t[1]), a);
+  const Vector3 ac = difference(geometry.Position(t[2]), a);
+  const Vector3 ad = difference(geometry.Position(t[3]), a);
+  const double box = std::sqrt(dot(ab, ab) * dot(ac, ac) * dot(ad, ad));
+  return std::abs(dot(cross(ab, ac), ad)) <= 1e-12 * box;
 }
 }
 

@@ -6,6 +6,7 @@
 #include "vtkType.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <numeric>
 #include <tuple>
@@ -178,6 +179,12 @@ void VisibilityOrder::MatchFaces(const CellGeometry& geometry)
 
 void VisibilityOrder::OrientFaces(const CellGeometry& geometry)
 {
+  float largest = 0;
+  for (const CellGeometry::Point& p : geometry.Points)
+  {
+    largest = std::max({ largest, std::abs(p.X), std::abs(p.Y), std::abs(p.Z) });
+  }
+  this->CoordinateError = std::isfinite(largest) ? largest * std::numeric_limits<float>::epsilon() : 0.0;
   const std::size_t n = geometry.Tetrahedra.size();
   this->Sides.assign(4 * n, 0);
   const auto ownSide = [&](std::size_t i, int face) {
@@ -192,6 +199,21 @@ void VisibilityOrder::OrientFaces(const CellGeometry& geometry)
       this->Sides[4 * i + face] = static_cast<std::int8_t>(ownSide(i, face));
     }
   });
+}
+
+// Side of the face's plane on which the eye lies, 0 where the rounding of the coordinates could turn the answer: moving each
+// point by the error moves the determinant by at most three times the error times the areas it multiplies.
+int VisibilityOrder::EyeSide(
+  const CellGeometry& geometry, const std::array<std::int32_t, 3>& face, const Vector4& eye) const
+{
+  const Vector3 a = geometry.Position(face[0]);
+  const Vector3 ab = difference(geometry.Position(face[1]), a);
+  const Vector3 ac = difference(geometry.Position(face[2]), a);
+  const Vector3 ae = { eye[0] - eye[3] * a[0], eye[1] - eye[3] * a[1], eye[2] - eye[3] * a[2] };
+  const double side = dot(cross(ab, ac), ae);
+  const double lengths[3] = { std::sqrt(dot(ab, ab)), std::sqrt(dot(ac, ac)), std::sqrt(dot(ae, ae)) };
+  const double areas = lengths[0] * lengths[2] + lengths[1] * lengths[2] + lengths[0] * lengths[1];
+  return std::abs(side) > 3 * this->CoordinateError * areas ? sign(side) : 0;
 }
 
 // behind[4 i + k]: the neighbour across face k that must be drawn before tetrahedron i, or -1.
@@ -209,8 +231,7 @@ void VisibilityOrder::FindRelations(
       {
         // Both owners of the face evaluate the same plane with the same vertices: they always agree.
         const auto f = this->CanonicalFace(geometry.Tetrahedra[i], face);
-        const int eyeSide = sign(
-          planeSide(geometry.Position(f[0]), geometry.Position(f[1]), geometry.Position(f[2]), eye));
+        const int eyeSide = this->EyeSide(geometry, f, eye);
         behind[slot] = eyeSide != 0 && eyeSide == this->Sides[slot] ? neighbor : -1;
       }
     }

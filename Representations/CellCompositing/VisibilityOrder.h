@@ -5,7 +5,8 @@
  *
  * Across a shared face the tetrahedron on the eye's side of its plane is in front (Williams1992). A depth-first search
  * over these relations, started from the farthest centroids, draws everything behind a tetrahedron before it. The order
- * is exact for convex acyclic meshes. Relations that close a cycle cannot be honoured; they are counted.
+ * is exact for convex acyclic meshes. Relations that close a cycle cannot be honoured; they are counted. A face whose plane
+ * contains the eye to within the rounding of the coordinates relates nothing: its two cells do not overlap in the picture.
  *
  * Which tetrahedra share faces, and on which side of each face they lie, is found once per mesh (Connect). Faces are
  * matched by coordinates, not by point numbers: blocks that repeat their boundary points fit together.
@@ -51,11 +52,13 @@ private:
   std::vector<std::int32_t> Neighbors;
   std::vector<std::int8_t> Sides;
   std::vector<std::int32_t> CanonicalPoints; // first of the points at the same place
+  double CoordinateError = 0; // bound on the rounding of a point's coordinates
   bool Connected = false;
 
   void MergePoints(const CellGeometry& geometry);
   void MatchFaces(const CellGeometry& geometry);
   void OrientFaces(const CellGeometry& geometry);
+  int EyeSide(const CellGeometry& geometry, const std::array<std::int32_t, 3>& face, const Vector4& eye) const;
   std::array<std::int32_t, 3> CanonicalFace(const Tetrahedron& t, int face) const;
   void FindRelations(
     const CellGeometry& geometry, const Vector4& eye, std::vector<std::int32_t>& behind) const;
