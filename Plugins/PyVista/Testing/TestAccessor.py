@@ -5,6 +5,7 @@ import inspect
 import subprocess
 import sys
 import unittest
+from pathlib import Path
 
 import nephoscope
 import pyvista
@@ -45,7 +46,8 @@ class Methods(unittest.TestCase):
         self.assertEqual(method.__doc__, nephoscope.to_globe.__doc__)
 
     def test_one_vtk_in_the_process(self):
-        libraries = {line.split()[-1] for line in open("/proc/self/maps") if "libvtkCommonCore" in line}
+        maps = Path("/proc/self/maps").read_text().splitlines()
+        libraries = {line.split()[-1] for line in maps if "libvtkCommonCore" in line}
         self.assertEqual(len(libraries), 1, libraries)
 
 

@@ -58,8 +58,7 @@ def read_cf(path: str | Path, *, dimensions: Sequence[str] | None = None, variab
     reader.ReplaceFillValueWithNanOn()
     with vtk_messages(reader):
         reader.UpdateInformation()
-    shape = _select_dimensions(reader, path, dimensions)
-    _select_variables(reader, path, shape, variables)
+    _select_variables(reader, path, _shape(reader, path, dimensions), variables)
     with vtk_messages(reader):
         _update(reader, path, time_step)
     return pyvista.wrap(reader.GetOutputDataObject(0))
@@ -69,17 +68,15 @@ def _strings(array: object) -> list[str]:
     return [array.GetValue(i) for i in range(array.GetNumberOfValues())]
 
 
-def _select_dimensions(reader: vtkNetCDFCFReader, path: Path, dimensions: Sequence[str] | None) -> str:
+def _shape(reader: vtkNetCDFCFReader, path: Path, dimensions: Sequence[str] | None) -> str:
     available = _strings(reader.GetAllDimensions())
     if not available:
         raise ValueError(f"{path} has no variable with dimensions.")
     if dimensions is None:
-        shape = max(available, key=lambda text: text.count(","))
-    else:
-        shape = "(" + ", ".join(dimensions) + ")"
-        if shape not in available:
-            raise ValueError(f"dimensions: no variable of {path} has {shape}. There are: {'; '.join(available)}.")
-    reader.SetDimensions(shape)
+        return max(available, key=lambda text: text.count(","))
+    shape = "(" + ", ".join(dimensions) + ")"
+    if shape not in available:
+        raise ValueError(f"dimensions: no variable of {path} has {shape}. There are: {'; '.join(available)}.")
     return shape
 
 
@@ -90,7 +87,7 @@ def _select_variables(reader: vtkNetCDFCFReader, path: Path, shape: str, variabl
     missing = [name for name in wanted if name not in here]
     if missing:
         raise ValueError(f"variables: {listed(missing)} not in {path} on {shape}. There are: {listed(here)}.")
-    for name in names:
+    for name in names:  # SetDimensions() is left alone: it would undo the choice at the next update
         reader.SetVariableArrayStatus(name, int(name in wanted))
 
 
