@@ -86,7 +86,8 @@ class Accepted(Cells):
     def test_grids_of_every_kind(self):
         image = cube()
         for grid in (image, image.cast_to_rectilinear_grid(), image.cast_to_structured_grid(), image.cast_to_unstructured_grid(),
-                     image.cast_to_structured_grid().cast_to_explicit_structured_grid(), image.delaunay_3d(), pyvista.MultiBlock([image, None, image])):
+                     image.cast_to_structured_grid().cast_to_explicit_structured_grid(),
+                     image.cast_to_unstructured_grid().triangulate(), pyvista.MultiBlock([image, None, image])):
             with self.subTest(type(grid).__name__):
                 self.assertGreater(self.add(grid).mapper.GetInput().GetNumberOfCells(), 0)
 
