@@ -89,7 +89,13 @@ class Accepted(Cells):
                      image.cast_to_structured_grid().cast_to_explicit_structured_grid(),
                      image.cast_to_unstructured_grid().triangulate(), pyvista.MultiBlock([image, None, image])):
             with self.subTest(type(grid).__name__):
-                self.assertGreater(self.add(grid).mapper.GetInput().GetNumberOfCells(), 0)
+                self.assertGreaterEqual(self.add(grid).mapper.dataset.n_cells, 8)
+
+    def test_plotter_knows_the_grid(self):
+        grid = cube()
+        self.add(grid)
+        self.assertEqual([mesh.n_cells for mesh in self.plotter.meshes], [8])
+        self.assertEqual(tuple(self.plotter.bounds), tuple(grid.bounds))
 
     def test_name_replaces(self):
         first, second = self.add(name="clouds"), self.add(name="clouds")

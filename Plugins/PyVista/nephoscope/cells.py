@@ -16,10 +16,12 @@ from .transfer import OpacityLike, colour_function, opacity_function, opacity_va
 
 
 class CellCompositingMapper(vtkCellCompositingMapper):
-    """The mapper with the two properties that PyVista's scalar bars read and write.
+    """The mapper with the properties that PyVista's plotters and scalar bars read and write.
 
     Attributes
     ----------
+    dataset : pyvista.DataSet
+        The grid drawn.
     lookup_table : pyvista.LookupTable
         Colours of the scalar bar and, over its range, of the volume.
     scalar_range : tuple of float
@@ -31,6 +33,10 @@ class CellCompositingMapper(vtkCellCompositingMapper):
         """Write colours and opacities to `prop`, now and whenever the scalar range changes."""
         self._prop, self.lookup_table, self._opacities = prop, table, opacities
         self.scalar_range = table.scalar_range
+
+    @property
+    def dataset(self) -> pyvista.DataSet:
+        return pyvista.wrap(self.GetInputDataObject(0, 0))
 
     @property
     def scalar_range(self) -> tuple[float, float]:
@@ -129,24 +135,9 @@ def add_cells(plotter: pyvista.BasePlotter, grid: Any, scalars: str | np.ndarray
     grid, array_name, association = _scalar_array(grid, scalars, preference)
     values = (grid.point_data if association == "point" else grid.cell_data)[array_name]
     table = _lookup_table(plotter, cmap, values, array_name, clim, n_colors, flip_scalars, log_scale)
-    if isinstance(cmap, pyvista.LookupTable):
-        opacities = np.resize(np.asarray(table.values)[:, 3] / 255.0, max(table.n_values, 2))
-    else:
-        opacities = opacity_values(opacity, n_colors)
-        _show_opacities(table, opacities)
-
-    mapper = CellCompositingMapper()
-    mapper.SetInputData(grid)
-    mapper.SelectScalarArray(array_name)
-    if association == "point":
-        mapper.SetScalarModeToUsePointFieldData()
-    else:
-        mapper.SetScalarModeToUseCellFieldData()
-    choose({"exact": mapper.SetIntegrationToExact, "average": mapper.SetIntegrationToAverage}, integration, "integration")
-    choose({"exact": mapper.SetVisibilityOrderToExact, "centroid": mapper.SetVisibilityOrderToCentroid,
-            "none": mapper.SetVisibilityOrderToNone}, order, "order")
+    opacities = _opacities(table, cmap, opacity, n_colors)
+    mapper = _mapper(grid, array_name, association, integration, order)
     mapper.SetOpacityScale(require_number(opacity_scale, "opacity_scale", least=0))
-
     if unit_distance is None:
         unit_distance = grid.length / np.cbrt(grid.n_cells)
     prop = pyvista.VolumeProperty(opacity_unit_distance=require_number(unit_distance, "unit_distance", above=0))
@@ -158,6 +149,20 @@ def add_cells(plotter: pyvista.BasePlotter, grid: Any, scalars: str | np.ndarray
     plotter.add_actor(volume, reset_camera=reset_camera, name=name, pickable=pickable, render=render)
     _add_scalar_bar(plotter, mapper, array_name, show_scalar_bar, scalar_bar_args)
     return volume
+
+
+def _mapper(grid: pyvista.DataSet, array_name: str, association: str, integration: str, order: str) -> CellCompositingMapper:
+    mapper = CellCompositingMapper()
+    mapper.SetInputData(grid)
+    mapper.SelectScalarArray(array_name)
+    if association == "point":
+        mapper.SetScalarModeToUsePointFieldData()
+    else:
+        mapper.SetScalarModeToUseCellFieldData()
+    choose({"exact": mapper.SetIntegrationToExact, "average": mapper.SetIntegrationToAverage}, integration, "integration")
+    choose({"exact": mapper.SetVisibilityOrderToExact, "centroid": mapper.SetVisibilityOrderToCentroid,
+            "none": mapper.SetVisibilityOrderToNone}, order, "order")
+    return mapper
 
 
 def _solid_grid(grid: Any) -> pyvista.DataSet:
@@ -265,10 +270,14 @@ def _lookup_table(plotter: pyvista.BasePlotter, cmap: Any, values: np.ndarray, n
     return table
 
 
-def _show_opacities(table: pyvista.LookupTable, opacities: np.ndarray) -> None:
-    """Puts the opacities into the table, for the scalar bar alone."""
+def _opacities(table: pyvista.LookupTable, cmap: Any, opacity: OpacityLike, n_colors: int) -> np.ndarray:
+    """Opacities at equal steps; also written into the table, for the scalar bar, unless the table gave them."""
+    if table is cmap:
+        return np.resize(np.asarray(table.values)[:, 3] / 255.0, max(table.n_values, 2))
+    opacities = opacity_values(opacity, n_colors)
     steps = np.linspace(0, 1, table.n_values)
     table.values[:, 3] = np.rint(255 * np.interp(steps, np.linspace(0, 1, len(opacities)), opacities))
+    return opacities
 
 
 def _add_scalar_bar(plotter: pyvista.BasePlotter, mapper: CellCompositingMapper, title: str, show: bool | None,
