@@ -8,6 +8,7 @@ import nephoscope
 import numpy as np
 import pyvista
 from pyvista.core.errors import MissingDataError
+from vtkmodules.vtkCommonDataModel import vtkImageData
 
 R = 6371000.0
 
@@ -51,6 +52,29 @@ class Globe(unittest.TestCase):
         at = self.distance_to(grid, (R, 0, 0)).argmin()
         np.testing.assert_allclose(grid.point_data["Wind"][at], (0, 20, 0), atol=1e-4)
         self.assertNotIn("Wind", globe(wind=False).point_data)
+
+    def test_nothing_is_warned_of_that_was_not_asked_for(self):
+        with warnings.catch_warnings():
+            warnings.simplefilter("error")
+            globe()
+            globe(wind=False)
+            nephoscope.globe_surface()
+            nephoscope.globe_surface(projection="map")
+
+    def test_a_warning_names_the_line_of_the_caller(self):
+        twice_round = pyvista.RectilinearGrid(np.arange(0, 720, 30.0), [-10.0, 0, 10], [0.0, 10000])
+        with warnings.catch_warnings(record=True) as caught:
+            warnings.simplefilter("always")
+            twice_round.nephoscope.globe(level_units="m")
+        self.assertEqual([warning.filename for warning in caught], [__file__])
+        self.assertRegex(str(caught[0].message), "vtkGlobeGrid: The longitudes cover more than one turn")
+
+    def test_plain_vtk_objects(self):
+        plain = vtkImageData()
+        plain.SetDimensions(36, 19, 2)
+        plain.SetOrigin(0, -90, 0)
+        plain.SetSpacing(10, 10, 1000)
+        self.assertEqual(tuple(nephoscope.to_globe(plain, level_units="m").dimensions), (37, 19, 2))
 
     def test_height_array(self):
         mesh = weather()

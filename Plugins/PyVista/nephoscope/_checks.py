@@ -22,7 +22,6 @@ def arrays_of(mesh: pyvista.DataSet) -> str:
 
 def require_array(mesh: pyvista.DataSet, name: str, argument: str) -> None:
     """Raises MissingDataError (a ValueError) unless `mesh` has a point or cell array `name`."""
-    mesh = pyvista.wrap(mesh)
     if name not in mesh.point_data and name not in mesh.cell_data:
         raise MissingDataError(f"{argument}: no array {name!r}. {arrays_of(mesh)}")
 

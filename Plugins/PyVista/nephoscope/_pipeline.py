@@ -3,6 +3,8 @@
 """Runs a VTK algorithm so that its errors are Python exceptions and its warnings Python warnings."""
 from __future__ import annotations
 
+import os
+import sys
 import warnings
 from contextlib import contextmanager
 from typing import Iterator
@@ -15,6 +17,15 @@ from vtkmodules.vtkCommonExecutionModel import vtkAlgorithm
 def _text(message: str) -> str:
     """The sentence in VTK's "ERROR: In file, line n\\nclass (address): sentence"."""
     return message.split("): ", 1)[-1].strip()
+
+
+def _level_of_caller() -> int:
+    """Number of frames from here to the code that called into this package, as `warnings.warn` counts them."""
+    package = os.path.dirname(__file__)
+    frame, level = sys._getframe(1), 1
+    while frame.f_back is not None and os.path.dirname(frame.f_code.co_filename) == package:
+        frame, level = frame.f_back, level + 1
+    return level
 
 
 @contextmanager
@@ -39,7 +50,8 @@ def vtk_messages(algorithm: vtkAlgorithm) -> Iterator[None]:
 
     @calldata_type(VTK_STRING)
     def on_warning(_caller: object, _event: str, message: str) -> None:
-        warnings.warn(f"{algorithm.GetClassName()}: {_text(message)}", RuntimeWarning, stacklevel=2)
+        warnings.warn(f"{algorithm.GetClassName()}: {_text(message)}", RuntimeWarning,
+                      stacklevel=_level_of_caller())
 
     subjects = (algorithm, algorithm.GetExecutive())
     tags = [(subject, subject.AddObserver(event, observer)) for subject in subjects

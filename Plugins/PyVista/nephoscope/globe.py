@@ -14,6 +14,7 @@ from ._checks import choose, require_array, require_number
 from ._pipeline import vtk_messages
 
 EARTH_RADIUS = 6371000.0  # metres, mean radius
+DEFAULT_WINDS = ("u", "v", "w")
 DEGREES_PER_CELL = 1.0    # of globe_surface: its chords are at most 0.25 km below the sphere of the Earth
 
 
@@ -82,7 +83,8 @@ def to_globe(mesh: pyvista.DataSet, *, projection: Literal["globe", "map"] = "gl
         What the filter warns of.
     """
     globe = vtkGlobeGrid()
-    globe.SetInputData(_structured(mesh, "mesh"))
+    mesh = _structured(mesh, "mesh")
+    globe.SetInputData(mesh)
     choose({"globe": globe.SetProjectionToGlobe, "map": globe.SetProjectionToMap}, projection, "projection")
     choose({"automatic": globe.SetLevelUnitsToAutomatic, "hPa": globe.SetLevelUnitsToPressureHectopascal,
             "Pa": globe.SetLevelUnitsToPressurePascal, "m": globe.SetLevelUnitsToHeightMetre,
@@ -105,7 +107,7 @@ def to_globe(mesh: pyvista.DataSet, *, projection: Literal["globe", "map"] = "gl
 
 
 def globe_surface(*, projection: Literal["globe", "map"] = "globe", radius: float = EARTH_RADIUS,
-                  central_meridian: float = 0.0) -> pyvista.PolyData:
+                  central_meridian: float = 0.0) -> pyvista.StructuredGrid:
     """The surface of the planet at height 0, with texture coordinates for a plate carrée picture.
 
     The picture spans longitude -180 to 180 from its left to its right edge and latitude -90 to 90 from bottom to top,
@@ -122,8 +124,8 @@ def globe_surface(*, projection: Literal["globe", "map"] = "globe", radius: floa
 
     Returns
     -------
-    pyvista.PolyData
-        Quadrilaterals of one degree, points in metres, outward normals, active texture coordinates.
+    pyvista.StructuredGrid
+        Quadrilaterals of one degree, 361 x 181 x 1 points in metres, active texture coordinates.
 
     Raises
     ------
@@ -136,8 +138,8 @@ def globe_surface(*, projection: Literal["globe", "map"] = "globe", radius: floa
     flat = pyvista.RectilinearGrid(longitudes, latitudes, [0.0])
     u, v = np.meshgrid(longitudes / 360 + 0.5, latitudes / 180 + 0.5)
     flat.point_data["TextureCoordinates"] = np.stack([u.ravel(), v.ravel()], axis=1)
-    placed = to_globe(flat, projection=projection, radius=radius, level_units="m", close_seam=False, mask_below_ground=False)
-    surface = placed.extract_surface(pass_pointid=False, pass_cellid=False)
+    surface = to_globe(flat, projection=projection, radius=radius, level_units="m", wind=False, close_seam=False,
+                       mask_below_ground=False)
     surface.active_texture_coordinates = np.asarray(surface.point_data["TextureCoordinates"])
     return surface
 
@@ -146,7 +148,7 @@ def _structured(mesh: Any, argument: str) -> pyvista.DataSet:
     if not isinstance(mesh, (vtkImageData, vtkRectilinearGrid, vtkStructuredGrid)):
         raise TypeError(f"{argument} is a {type(mesh).__name__}; it must be an ImageData, a RectilinearGrid or a StructuredGrid "
                         "with axes longitude, latitude and level.")
-    return mesh
+    return pyvista.wrap(mesh)
 
 
 def _name_height(globe: vtkGlobeGrid, mesh: pyvista.DataSet, height: str | Literal[False] | None) -> None:
@@ -159,10 +161,13 @@ def _name_height(globe: vtkGlobeGrid, mesh: pyvista.DataSet, height: str | Liter
 
 def _name_winds(globe: vtkGlobeGrid, mesh: pyvista.DataSet, wind: Sequence[str] | Literal[False] | None) -> None:
     if wind is None:
-        return
-    names = [] if wind is False else [wind] if isinstance(wind, str) else list(wind)
-    if wind is not False and len(names) not in (2, 3):
-        raise ValueError(f"wind is {wind!r}; it must name two or three arrays: eastward, northward and, optionally, vertical.")
-    for name in names:
-        require_array(mesh, name, "wind")
-    globe.SetWindArrayNames(*names, *[""] * (3 - len(names)))
+        names = [name for name in DEFAULT_WINDS if name in mesh.array_names]
+        if names[:2] != list(DEFAULT_WINDS[:2]):
+            names = []
+    else:
+        names = [] if wind is False else [wind] if isinstance(wind, str) else list(wind)
+        if wind is not False and len(names) not in (2, 3):
+            raise ValueError(f"wind is {wind!r}; it must name two or three arrays: eastward, northward and, optionally, vertical.")
+        for name in names:
+            require_array(mesh, name, "wind")
+    globe.SetWindArrayNames(*names, *[""] * (3 - len(names)))  # an empty name: there is none, and no warning of it
