@@ -67,6 +67,15 @@ class Accepted(Cells):
         self.assertAlmostEqual(prop.GetScalarOpacity().GetValue(3), 0.5, delta=1 / 255)
         np.testing.assert_allclose(prop.GetRGBTransferFunction().GetColor(5), (0.5,) * 3, atol=0.01)
 
+    def test_opacity_of_another_array(self):
+        volume = self.add(opacity_scalars="layer", opacity="linear")
+        self.assertEqual(volume.mapper.GetOpacityArrayName(), "layer")
+        self.assertAlmostEqual(volume.prop.GetScalarOpacity().GetValue(3.5), 0.5)
+        volume.mapper.scalar_range = (0, 100)
+        self.assertAlmostEqual(volume.prop.GetScalarOpacity().GetValue(3.5), 0.5)
+        volume = self.add(opacity_scalars="layer", opacity_clim=(0, 14))
+        self.assertAlmostEqual(volume.prop.GetScalarOpacity().GetValue(3.5), 0.25)
+
     def test_log_scale_takes_the_smallest_positive(self):
         self.assertEqual(self.add(log_scale=True).mapper.scalar_range, (1, 2))
 
@@ -119,6 +128,9 @@ class Refused(Cells):
         self.fails(ValueError, "'wind' has 3 components", scalars="wind")
         self.fails(ValueError, r"shape \(5,\).*27 points or 8 cells", scalars=np.zeros(5))
         self.fails(ValueError, "'Data' has no finite value", scalars=np.full(27, np.nan))
+        self.fails(MissingDataError, "opacity_scalars: no array 'cloud'", opacity_scalars="cloud")
+        self.fails(ValueError, "opacity_scalars: the array 'wind' has 3", opacity_scalars="wind")
+        self.fails(ValueError, "opacity_clim is given without", opacity_clim=(0, 1))
         words = cube()
         words.cell_data["words"] = ["a"] * 8
         self.fails(TypeError, "'words' is of type", words, "words")

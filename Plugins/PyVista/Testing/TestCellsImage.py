@@ -69,6 +69,12 @@ class Picture(unittest.TestCase):
         self.add(grid, "slab", opacity="linear", clim=(0, 1))
         self.expect(1 - np.exp(-4 / 3))
 
+    def test_opacity_of_another_array(self):
+        grid = cube()
+        grid.cell_data["slab"] = (grid.cell_centers().points[:, 2] > 1 / 3).astype(float)
+        self.add(grid, "z", opacity_scalars="slab", opacity="linear")
+        self.expect(1 - np.exp(-4 / 3))
+
     def test_colour_in_front_of_colour(self):
         # blue over red, each of optical depth 1, seen from +z
         grid = cube(3)

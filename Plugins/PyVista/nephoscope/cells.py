@@ -28,10 +28,14 @@ class CellCompositingMapper(vtkCellCompositingMapper):
         Range of the transfer functions. Setting it (`Plotter.update_scalar_bar_range` does) moves colours and opacities.
     """
 
-    def attach(self, prop: pyvista.VolumeProperty, table: pyvista.LookupTable,
-               opacities: np.ndarray) -> None:
-        """Write colours and opacities to `prop`, now and whenever the scalar range changes."""
-        self._prop, self.lookup_table, self._opacities = prop, table, opacities
+    def attach(self, prop: pyvista.VolumeProperty, table: pyvista.LookupTable, opacities: np.ndarray,
+               opacity_clim: tuple[float, float] | None) -> None:
+        """Write colours and opacities to `prop`, now and whenever the scalar range changes.
+
+        `opacity_clim` is the range of the opacities where another array than that of the colours gives them.
+        """
+        self._prop, self.lookup_table = prop, table
+        self._opacities, self._opacity_clim = opacities, opacity_clim
         self.scalar_range = table.scalar_range
 
     @property
@@ -47,12 +51,17 @@ class CellCompositingMapper(vtkCellCompositingMapper):
         table = self.lookup_table
         table.scalar_range = tuple(clim)
         self._prop.SetColor(colour_function(table))
-        self._prop.SetScalarOpacity(opacity_function(self._opacities, table.scalar_range, table.log_scale))
+        if self._opacity_clim is None:
+            opacity = opacity_function(self._opacities, table.scalar_range, table.log_scale)
+        else:
+            opacity = opacity_function(self._opacities, self._opacity_clim, False)
+        self._prop.SetScalarOpacity(opacity)
 
 
 def add_cells(plotter: pyvista.BasePlotter, grid: Any, scalars: str | np.ndarray | None = None, *,
               cmap: Any = None, opacity: OpacityLike = "linear", clim: float | Sequence[float] | None = None,
               n_colors: int = 256, flip_scalars: bool = False, log_scale: bool = False,
+              opacity_scalars: str | None = None, opacity_clim: float | Sequence[float] | None = None,
               opacity_scale: float = 1.0, unit_distance: float | None = None,
               integration: str = "exact", order: str = "exact", preference: str = "point",
               name: str | None = None, show_scalar_bar: bool | None = None, scalar_bar_args: dict | None = None,
@@ -88,6 +97,10 @@ def add_cells(plotter: pyvista.BasePlotter, grid: Any, scalars: str | np.ndarray
     log_scale : bool, default: False
         Colours and opacities at equal steps of the logarithm. A lower limit that is not positive is replaced by the
         smallest positive scalar.
+    opacity_scalars : str, optional
+        Point or cell array that `opacity` is a function of, where it is not `scalars`: clouds coloured by height, say.
+    opacity_clim : sequence of float or float, optional
+        Values of `opacity_scalars` of the first and last opacity. Default: its range. Only with `opacity_scalars`.
     opacity_scale : float, default: 1.0
         Factor on the extinction, >= 0.
     unit_distance : float, optional
@@ -133,15 +146,16 @@ def add_cells(plotter: pyvista.BasePlotter, grid: Any, scalars: str | np.ndarray
         raise TypeError(f"plotter is a {type(plotter).__name__}; it must be a pyvista.Plotter.")
     grid = _solid_grid(grid)
     grid, array_name, association = _scalar_array(grid, scalars, preference)
-    values = (grid.point_data if association == "point" else grid.cell_data)[array_name]
-    table = _lookup_table(plotter, cmap, values, array_name, clim, n_colors, flip_scalars, log_scale)
+    table = _lookup_table(plotter, cmap, _values(grid, array_name, association), array_name, clim, n_colors, flip_scalars, log_scale)
     opacities = _opacities(table, cmap, opacity, n_colors)
+    opacity_range = _opacity_range(grid, opacity_scalars, opacity_clim, preference)
     mapper = _mapper(grid, array_name, association, integration, order)
+    mapper.SetOpacityArrayName(opacity_scalars or "")
     mapper.SetOpacityScale(require_number(opacity_scale, "opacity_scale", least=0))
     if unit_distance is None:
         unit_distance = grid.length / np.cbrt(grid.n_cells)
     prop = pyvista.VolumeProperty(opacity_unit_distance=require_number(unit_distance, "unit_distance", above=0))
-    mapper.attach(prop, table, opacities)
+    mapper.attach(prop, table, opacities, opacity_range)
     volume = pyvista.Volume()
     volume.prop, volume.mapper = prop, mapper
     if user_matrix is not None:
@@ -206,13 +220,20 @@ def _scalar_array(grid: pyvista.DataSet, scalars: str | np.ndarray | None,
         preference = association.name.lower()
     if not isinstance(scalars, str):
         grid, scalars, preference = _with_values(grid, scalars, preference)
-    other = "cell" if preference == "point" else "point"
-    for association in (preference, other):
-        data = grid.point_data if association == "point" else grid.cell_data
-        if scalars in data:
-            _require_scalars(data[scalars], scalars)
-            return grid, scalars, association
-    raise MissingDataError(f"scalars: no array {scalars!r}. {arrays_of(grid)}")
+    return grid, scalars, _association(grid, scalars, preference, "scalars")
+
+
+def _association(grid: pyvista.DataSet, name: str, preference: str, argument: str) -> str:
+    """ "point" or "cell", where the array `name` of one number each is; `preference` if both have it."""
+    for association in (preference, "cell" if preference == "point" else "point"):
+        if name in (grid.point_data if association == "point" else grid.cell_data):
+            _require_scalars(_values(grid, name, association), name, argument)
+            return association
+    raise MissingDataError(f"{argument}: no array {name!r}. {arrays_of(grid)}")
+
+
+def _values(grid: pyvista.DataSet, name: str, association: str) -> np.ndarray:
+    return (grid.point_data if association == "point" else grid.cell_data)[name]
 
 
 def _with_values(grid: pyvista.DataSet, values: Any, preference: str) -> tuple[pyvista.DataSet, str, str]:
@@ -229,14 +250,14 @@ def _with_values(grid: pyvista.DataSet, values: Any, preference: str) -> tuple[p
     return grid, "Data", kind
 
 
-def _require_scalars(values: np.ndarray, name: str) -> None:
+def _require_scalars(values: np.ndarray, name: str, argument: str) -> None:
     if not np.issubdtype(values.dtype, np.number):
-        raise TypeError(f"scalars: the array {name!r} is of type {values.dtype}; numbers are needed.")
+        raise TypeError(f"{argument}: the array {name!r} is of type {values.dtype}; numbers are needed.")
     if values.ndim != 1:
-        raise ValueError(f"scalars: the array {name!r} has {values.shape[1]} components; one is needed. "
+        raise ValueError(f"{argument}: the array {name!r} has {values.shape[1]} components; one is needed. "
                          "Pass a column, or numpy.linalg.norm(array, axis=1).")
     if not np.isfinite(values).any():
-        raise ValueError(f"scalars: the array {name!r} has no finite value.")
+        raise ValueError(f"{argument}: the array {name!r} has no finite value.")
 
 
 def _scalar_range(values: np.ndarray, name: str, clim: float | Sequence[float] | None,
@@ -256,6 +277,17 @@ def _scalar_range(values: np.ndarray, name: str, clim: float | Sequence[float] |
     if not (np.isfinite(low) and np.isfinite(high) and low < high):
         raise ValueError(f"clim is ({low:g}, {high:g}) for the array {name!r}; it must be two finite numbers, ascending.")
     return float(low), float(high)
+
+
+def _opacity_range(grid: pyvista.DataSet, name: str | None, clim: float | Sequence[float] | None,
+                   preference: str) -> tuple[float, float] | None:
+    """The range of the array `name`; None if there is no array for the opacity alone."""
+    if name is None:
+        if clim is not None:
+            raise ValueError("opacity_clim is given without opacity_scalars; the range of scalars is clim.")
+        return None
+    association = _association(grid, name, preference, "opacity_scalars")
+    return _scalar_range(_values(grid, name, association), name, clim, False)
 
 
 def _lookup_table(plotter: pyvista.BasePlotter, cmap: Any, values: np.ndarray, name: str,
