@@ -15,8 +15,8 @@ GRID = "mesh = pyvista.RectilinearGrid([0, 1.0], [0, 1.0], [0, 1.0]); "
 
 class Order(unittest.TestCase):
     def accessor_of(self, imports):
-        result = subprocess.run([sys.executable, "-W", "error", "-c", imports + "; " + GRID + "print(type(mesh.nephoscope).__name__)"],
-                                capture_output=True, text=True)
+        code = imports + "; " + GRID + "print(type(mesh.nephoscope).__name__)"
+        result = subprocess.run([sys.executable, "-W", "error", "-c", code], capture_output=True, text=True)
         self.assertEqual(result.returncode, 0, result.stderr)
         return result.stdout.strip()
 
@@ -49,6 +49,7 @@ class Methods(unittest.TestCase):
         maps = Path("/proc/self/maps").read_text().splitlines()
         libraries = {line.split()[-1] for line in maps if "libvtkCommonCore" in line}
         self.assertEqual(len(libraries), 1, libraries)
+        self.assertFalse(list(Path(sys.prefix).glob("lib/python3*/site-packages/vtkmodules")), "pip installed a VTK of its own")
 
 
 if __name__ == "__main__":

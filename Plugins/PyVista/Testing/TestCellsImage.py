@@ -89,6 +89,17 @@ class Picture(unittest.TestCase):
         self.add(blocks)
         self.expect(1 - np.exp(-2))
 
+    def test_blocks_are_ordered_among_each_other(self):
+        blocks = pyvista.MultiBlock()
+        for level in (0.5, 0.0, 0.75, 0.25):  # layers, not in their order
+            layer = pyvista.ImageData(dimensions=(5, 5, 2), spacing=(0.25,) * 3, origin=(0, 0, level))
+            layer.cell_data["upper"] = np.full(layer.n_cells, float(level >= 0.5))
+            blocks.append(layer)
+        volume = self.add(blocks, "upper", cmap=["red", "blue"], clim=(0, 1))
+        front = 1 - np.exp(-1)
+        self.expect((front * np.exp(-1), 0, front))
+        self.assertEqual(volume.mapper.GetNumberOfVisibilityCycles(), 0)
+
     def test_user_matrix_scales_the_length(self):
         self.add(cube(), user_matrix=np.diag([1, 1, 2, 1]))
         self.expect(1 - np.exp(-4))
