@@ -71,6 +71,8 @@ class Accepted(Cells):
         volume = self.add(opacity_scalars="layer", opacity="linear")
         self.assertEqual(volume.mapper.GetOpacityArrayName(), "layer")
         self.assertAlmostEqual(volume.prop.GetScalarOpacity().GetValue(3.5), 0.5)
+        self.assertEqual(volume.mapper.lookup_table.values[:, 3].min(), 255)  # the bar shows colours alone
+        self.assertEqual(self.add().mapper.lookup_table.values[0, 3], 0)
         volume.mapper.scalar_range = (0, 100)
         self.assertAlmostEqual(volume.prop.GetScalarOpacity().GetValue(3.5), 0.5)
         volume = self.add(opacity_scalars="layer", opacity_clim=(0, 14))
@@ -99,6 +101,11 @@ class Accepted(Cells):
                      image.cast_to_unstructured_grid().triangulate(), pyvista.MultiBlock([image, None, image])):
             with self.subTest(type(grid).__name__):
                 self.assertGreaterEqual(self.add(grid).mapper.dataset.n_cells, 8)
+
+    def test_a_hidden_point_at_the_corner(self):
+        grid = cube().cast_to_structured_grid()
+        grid.hide_points([0])
+        self.assertEqual(self.add(grid).mapper.dataset.n_cells, 8)
 
     def test_plotter_knows_the_grid(self):
         grid = cube()

@@ -147,7 +147,7 @@ def add_cells(plotter: pyvista.BasePlotter, grid: Any, scalars: str | np.ndarray
     grid = _solid_grid(grid)
     grid, array_name, association = _scalar_array(grid, scalars, preference)
     table = _lookup_table(plotter, cmap, _values(grid, array_name, association), array_name, clim, n_colors, flip_scalars, log_scale)
-    opacities = _opacities(table, cmap, opacity, n_colors)
+    opacities = _opacities(table, cmap, opacity, n_colors, on_bar=opacity_scalars is None)
     opacity_range = _opacity_range(grid, opacity_scalars, opacity_clim, preference)
     mapper = _mapper(grid, array_name, association, integration, order)
     mapper.SetOpacityArrayName(opacity_scalars or "")
@@ -199,7 +199,7 @@ def _solid_grid(grid: Any) -> pyvista.DataSet:
 
 def _has_solid_cells(grid: pyvista.DataSet) -> bool:
     if not isinstance(grid, pyvista.UnstructuredGrid):
-        return grid.GetCell(0).GetCellDimension() == 3  # these have cells of one kind
+        return min(getattr(grid, "dimensions", (1,))) > 1  # not by a cell: a hidden one is an empty cell
     cell = vtkGenericCell()
     for cell_type in np.unique(grid.celltypes):
         cell.SetCellType(int(cell_type))
@@ -302,13 +302,14 @@ def _lookup_table(plotter: pyvista.BasePlotter, cmap: Any, values: np.ndarray, n
     return table
 
 
-def _opacities(table: pyvista.LookupTable, cmap: Any, opacity: OpacityLike, n_colors: int) -> np.ndarray:
-    """Opacities at equal steps; also written into the table, for the scalar bar, unless the table gave them."""
+def _opacities(table: pyvista.LookupTable, cmap: Any, opacity: OpacityLike, n_colors: int, on_bar: bool) -> np.ndarray:
+    """Opacities at equal steps, from `cmap` if that is a table; else, if `on_bar`, also written into the scalar bar's table."""
     if table is cmap:
         return np.resize(np.asarray(table.values)[:, 3] / 255.0, max(table.n_values, 2))
     opacities = opacity_values(opacity, n_colors)
-    steps = np.linspace(0, 1, table.n_values)
-    table.values[:, 3] = np.rint(255 * np.interp(steps, np.linspace(0, 1, len(opacities)), opacities))
+    if on_bar:
+        steps = np.linspace(0, 1, table.n_values)
+        table.values[:, 3] = np.rint(255 * np.interp(steps, np.linspace(0, 1, len(opacities)), opacities))
     return opacities
 
 
