@@ -71,7 +71,7 @@ foreach (name IN ITEMS METADATA entry_points.txt)
     "${NEPHOSCOPE_PYTHONPATH}/${nephoscope_dist_info}/${name}" @ONLY)
 endforeach ()
 execute_process(COMMAND "${Python3_EXECUTABLE}" -c
-  "import sys, sysconfig; v = 'cp%d%d' % sys.version_info[:2]; p = sysconfig.get_platform(); print(v, v, p.replace('-', '_').replace('.', '_'), sep='-')"
+  "import re, sys, sysconfig; v = 'cp%d%d' % sys.version_info[:2]; print(v, v, re.sub('[-.]', '_', sysconfig.get_platform()), sep='-')"
   OUTPUT_VARIABLE nephoscope_wheel_tag OUTPUT_STRIP_TRAILING_WHITESPACE)
 if (NOT nephoscope_wheel_tag)
   message(FATAL_ERROR "The Python interpreter '${Python3_EXECUTABLE}' does not run. Set Python3_EXECUTABLE.")

@@ -146,7 +146,8 @@ def add_cells(plotter: pyvista.BasePlotter, grid: Any, scalars: str | np.ndarray
         raise TypeError(f"plotter is a {type(plotter).__name__}; it must be a pyvista.Plotter.")
     grid = _solid_grid(grid)
     grid, array_name, association = _scalar_array(grid, scalars, preference)
-    table = _lookup_table(plotter, cmap, _values(grid, array_name, association), array_name, clim, n_colors, flip_scalars, log_scale)
+    table = _lookup_table(plotter, cmap, _values(grid, array_name, association), array_name, clim, n_colors, flip_scalars,
+                          log_scale)
     opacities = _opacities(table, cmap, opacity, n_colors, on_bar=opacity_scalars is None)
     opacity_range = _opacity_range(grid, opacity_scalars, opacity_clim, preference)
     mapper = _mapper(grid, array_name, association, integration, order)
