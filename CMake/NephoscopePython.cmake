@@ -1,6 +1,9 @@
 # SPDX-FileCopyrightText: The Nephoscope authors
 # SPDX-License-Identifier: BSD-3-Clause
-# The Python package `nephoscope`: wrapped classes next to the pure-Python part of Plugins/PyVista.
+# The Python package `nephoscope`: wrapped classes next to the pure-Python part of Plugins/PyVista, in three places:
+#   the build tree    ${NEPHOSCOPE_PYTHONPATH}
+#   the install tree  ${CMAKE_INSTALL_PREFIX}/${NEPHOSCOPE_PYTHON_DESTINATION}
+#   a wheel           zipped by Plugins/PyVista/packaging from the install component `nephoscope_wheel`
 set(nephoscope_wrapped_modules ${nephoscope_modules})
 list(REMOVE_ITEM nephoscope_wrapped_modules
   Nephoscope::RepresentationsCommon     # C++ only
@@ -16,19 +19,38 @@ vtk_module_wrap_python(
   CMAKE_DESTINATION   "${CMAKE_INSTALL_LIBDIR}/cmake/Nephoscope"
   LIBRARY_DESTINATION "${CMAKE_INSTALL_LIBDIR}"
   BUILD_STATIC        OFF
+  INSTALL_HEADERS     OFF
   INSTALL_EXPORT      "")
 
-# `nephoscope/_modules.py` lists the wrapped modules for __init__.py to import.
-set(nephoscope_python_module_names)
+# The libraries of the wheel: all but the one that needs ParaView's client and server.
+set(nephoscope_wheel_targets)
+foreach (module IN LISTS nephoscope_modules)
+  if (NOT module STREQUAL "Nephoscope::ParaViewRepresentations")
+    get_target_property(target "${module}" ALIASED_TARGET)
+    list(APPEND nephoscope_wheel_targets "${target}")
+  endif ()
+endforeach ()
+# The compiled Python modules, and `nephoscope/_modules.py`, which lists them for __init__.py.
+set(nephoscope_module_names)
 foreach (module IN LISTS nephoscope_wrapped_modules)
   _vtk_module_get_module_property("${module}" PROPERTY "library_name" VARIABLE library)
-  list(APPEND nephoscope_python_module_names "\"${library}\"")
+  list(APPEND nephoscope_module_names "\"${library}\"")
+  list(APPEND nephoscope_wheel_targets "${library}Python")
 endforeach ()
-list(JOIN nephoscope_python_module_names ", " nephoscope_python_module_names)
-file(WRITE "${NEPHOSCOPE_PYTHONPATH}/nephoscope/_modules.py"
-  "# Written by CMake: the wrapped VTK modules of this build.\nMODULES = (${nephoscope_python_module_names},)\n")
-install(FILES "${NEPHOSCOPE_PYTHONPATH}/nephoscope/_modules.py"
-  DESTINATION "${NEPHOSCOPE_PYTHON_DESTINATION}/nephoscope")
+list(JOIN nephoscope_module_names ", " nephoscope_module_names)
+configure_file("${PROJECT_SOURCE_DIR}/Plugins/PyVista/packaging/_modules.py.in"
+  "${NEPHOSCOPE_PYTHONPATH}/nephoscope/_modules.py" @ONLY)
+
+# A VTK outside the system's library folders is found again after installation; in a wheel the libraries lie beside the modules.
+if (APPLE)
+  set(nephoscope_origin "@loader_path")
+else ()
+  set(nephoscope_origin "$ORIGIN")
+endif ()
+foreach (target IN LISTS nephoscope_wheel_targets)
+  set_property(TARGET ${target} APPEND PROPERTY INSTALL_RPATH "${nephoscope_origin}")
+  set_property(TARGET ${target} PROPERTY INSTALL_RPATH_USE_LINK_PATH ON)
+endforeach ()
 
 # The pure-Python part is copied whenever it changes.
 file(GLOB nephoscope_python_sources CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/Plugins/PyVista/nephoscope/*.py")
@@ -41,4 +63,34 @@ foreach (source IN LISTS nephoscope_python_sources)
   list(APPEND nephoscope_python_outputs "${copied}")
 endforeach ()
 add_custom_target(NephoscopePythonSources ALL DEPENDS ${nephoscope_python_outputs})
-install(FILES ${nephoscope_python_sources} DESTINATION "${NEPHOSCOPE_PYTHON_DESTINATION}/nephoscope")
+
+# Package metadata: by its entry point PyVista finds the accessor although nephoscope was imported first, or not at all.
+set(nephoscope_dist_info "nephoscope-${PROJECT_VERSION}.dist-info")
+foreach (name IN ITEMS METADATA entry_points.txt)
+  configure_file("${PROJECT_SOURCE_DIR}/Plugins/PyVista/packaging/${name}.in"
+    "${NEPHOSCOPE_PYTHONPATH}/${nephoscope_dist_info}/${name}" @ONLY)
+endforeach ()
+execute_process(COMMAND "${Python3_EXECUTABLE}" -c
+  "import re, sys, sysconfig; v = 'cp%d%d' % sys.version_info[:2]; print(v, v, re.sub('[-.]', '_', sysconfig.get_platform()), sep='-')"
+  OUTPUT_VARIABLE nephoscope_wheel_tag OUTPUT_STRIP_TRAILING_WHITESPACE)
+if (NOT nephoscope_wheel_tag)
+  message(FATAL_ERROR "The Python interpreter '${Python3_EXECUTABLE}' does not run. Set Python3_EXECUTABLE.")
+endif ()
+configure_file("${PROJECT_SOURCE_DIR}/Plugins/PyVista/packaging/WHEEL.in"
+  "${PROJECT_BINARY_DIR}/${nephoscope_dist_info}/WHEEL" @ONLY)
+
+# nephoscope_install_python(<folder> [<arguments of install()>...])
+function (nephoscope_install_python folder)
+  install(FILES ${nephoscope_python_sources} "${NEPHOSCOPE_PYTHONPATH}/nephoscope/_modules.py"
+    DESTINATION "${folder}/nephoscope" ${ARGN})
+  install(FILES
+    "${NEPHOSCOPE_PYTHONPATH}/${nephoscope_dist_info}/METADATA"
+    "${NEPHOSCOPE_PYTHONPATH}/${nephoscope_dist_info}/entry_points.txt"
+    DESTINATION "${folder}/${nephoscope_dist_info}" ${ARGN})
+endfunction ()
+nephoscope_install_python("${NEPHOSCOPE_PYTHON_DESTINATION}")
+nephoscope_install_python("." COMPONENT nephoscope_wheel EXCLUDE_FROM_ALL)
+install(FILES "${PROJECT_BINARY_DIR}/${nephoscope_dist_info}/WHEEL"
+  DESTINATION "${nephoscope_dist_info}" COMPONENT nephoscope_wheel EXCLUDE_FROM_ALL)
+install(TARGETS ${nephoscope_wheel_targets}
+  LIBRARY DESTINATION nephoscope COMPONENT nephoscope_wheel NAMELINK_SKIP EXCLUDE_FROM_ALL)

@@ -165,6 +165,10 @@ std::string GlobeGridBuilder::FindWinds(vtkFieldData* units)
     return "Of the horizontal wind, the one-component point array '" +
       (this->U ? names.Northward : names.Eastward) + "' is missing." + remedy;
   }
+  if (!this->U && names.Eastward.empty() && names.Northward.empty())
+  {
+    return std::string(); // no wind is wanted
+  }
   if (!this->U)
   {
     this->Notes.push_back("There are no wind arrays '" + names.Eastward + "' and '" + names.Northward +

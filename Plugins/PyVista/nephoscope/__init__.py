@@ -2,12 +2,66 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Clouds, smoke and wind for VTK, PyVista and ParaView.
 
-``import nephoscope`` gives every wrapped class: ``nephoscope.vtkGlobeGrid()``.
+``import nephoscope`` gives every wrapped class (``nephoscope.vtkGlobeGrid()``) and needs nothing but
+the ``vtkmodules`` the project was built against. The functions listed in `PYVISTA_FUNCTIONS` need PyVista
+and import it on first use; so does the dataset accessor ``mesh.nephoscope``.
 """
 import importlib as _importlib
+import sys as _sys
+from typing import TYPE_CHECKING as _TYPE_CHECKING
 
 from ._modules import MODULES as _MODULES
+from ._modules import VERSION as __version__
 
-for _name in _MODULES:
-    _module = _importlib.import_module("." + _name, __name__)
-    globals().update({k: v for k, v in vars(_module).items() if k.startswith("vtk")})
+if _TYPE_CHECKING:
+    from .cells import add_cells
+    from .globe import globe_surface, to_globe
+    from .reader import read_cf
+
+# Function -> the file of its technique. A new technique adds its line here and its method in accessor.py.
+PYVISTA_FUNCTIONS = {
+    "read_cf": "reader",
+    "to_globe": "globe",
+    "globe_surface": "globe",
+    "add_cells": "cells",
+}
+
+
+def _wrapped_classes():
+    classes = {}
+    for name in _MODULES:
+        module = _importlib.import_module("." + name, __name__)
+        classes.update({k: v for k, v in vars(module).items() if k.startswith("vtk")})
+    return classes
+
+
+_CLASSES = _wrapped_classes()
+globals().update(_CLASSES)
+__all__ = sorted(_CLASSES)  # `import *` must not need PyVista
+
+
+def __getattr__(name):
+    if name not in PYVISTA_FUNCTIONS:
+        raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+    try:
+        import pyvista  # noqa: F401
+    except ModuleNotFoundError as missing:
+        raise ModuleNotFoundError(
+            f"nephoscope.{name} needs PyVista, and {missing.name!r} is not installed for {_sys.executable}. "
+            "Install the pinned set without its own VTK: "
+            "python -m pip install --no-deps -r Plugins/PyVista/requirements.txt",
+            name=missing.name) from missing
+    _importlib.import_module(".accessor", __name__)
+    function = getattr(_importlib.import_module("." + PYVISTA_FUNCTIONS[name], __name__), name)
+    globals()[name] = function
+    return function
+
+
+def __dir__():
+    return sorted({*globals(), *PYVISTA_FUNCTIONS})
+
+
+# PyVista imported first: attach the accessor now. PyVista imported later: it finds the accessor by the
+# entry point `pyvista.accessors` of this package.
+if hasattr(_sys.modules.get("pyvista"), "register_dataset_accessor"):
+    _importlib.import_module(".accessor", __name__)

@@ -1,0 +1,171 @@
+# SPDX-FileCopyrightText: The Nephoscope authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""nephoscope.add_cells: arguments reach mapper and property, bad ones are named. Draws nothing."""
+import unittest
+
+import nephoscope
+import numpy as np
+import pyvista
+from pyvista.core.errors import MissingDataError
+
+
+def cube(n=3):
+    grid = pyvista.ImageData(dimensions=(n, n, n))
+    grid.point_data["x"] = grid.points[:, 0]
+    grid.cell_data["layer"] = np.arange(grid.n_cells, dtype=float)
+    grid.point_data["wind"] = np.zeros((grid.n_points, 3))
+    return grid
+
+
+class Cells(unittest.TestCase):
+    def setUp(self):
+        self.plotter = pyvista.Plotter(off_screen=True)
+        self.addCleanup(self.plotter.close)
+
+    def add(self, grid=None, scalars="x", **options):
+        return nephoscope.add_cells(self.plotter, cube() if grid is None else grid, scalars, render=False, **options)
+
+    def fails(self, error, pattern, *args, **options):
+        before = dict(self.plotter.actors)
+        with self.assertRaisesRegex(error, pattern):
+            self.add(*args, **options)
+        self.assertEqual(dict(self.plotter.actors), before, "a failed call left an actor")
+
+
+class Accepted(Cells):
+    def test_defaults(self):
+        volume = self.add()
+        self.assertIsInstance(volume.mapper, nephoscope.vtkCellCompositingMapper)
+        self.assertEqual(volume.mapper.GetIntegration(), nephoscope.vtkCellCompositingMapper.EXACT_INTEGRATION)
+        self.assertEqual(volume.mapper.GetVisibilityOrder(), nephoscope.vtkCellCompositingMapper.EXACT_ORDER)
+        self.assertEqual(volume.mapper.GetOpacityScale(), 1)
+        self.assertEqual(volume.mapper.scalar_range, (0, 2))
+        # as add_volume has it for a cube of n^3 points: length / (n - 1)
+        self.assertAlmostEqual(volume.prop.opacity_unit_distance, np.sqrt(12) / 2)
+
+    def test_choices_and_numbers(self):
+        volume = self.add(integration="average", order="centroid", opacity_scale=2.5, unit_distance=7)
+        self.assertEqual(volume.mapper.GetIntegration(), 1)
+        self.assertEqual(volume.mapper.GetVisibilityOrder(), 1)
+        self.assertEqual(volume.mapper.GetOpacityScale(), 2.5)
+        self.assertEqual(volume.prop.opacity_unit_distance, 7)
+        self.assertEqual(self.add(order="none").mapper.GetVisibilityOrder(), 2)
+
+    def test_transfer_functions(self):
+        volume = self.add(cmap=["black", "white"], opacity=[0, 0.5, 0], clim=(-1, 3))
+        self.assertAlmostEqual(volume.prop.GetScalarOpacity().GetValue(1), 0.5)
+        self.assertAlmostEqual(volume.prop.GetScalarOpacity().GetValue(0), 0.25)
+        np.testing.assert_allclose(volume.prop.GetRGBTransferFunction().GetColor(1), (0.5,) * 3, atol=0.01)
+        self.assertEqual(self.add(clim=4).mapper.scalar_range, (-4, 4))
+
+    def test_flip_and_lookup_table(self):
+        flipped = self.add(cmap=["black", "white"], flip_scalars=True).prop.GetRGBTransferFunction()
+        np.testing.assert_allclose(flipped.GetColor(0), (1, 1, 1))
+        table = pyvista.LookupTable(cmap=["black", "white"], scalar_range=(0, 10))
+        table.apply_opacity(0.5)
+        prop = self.add(cmap=table).prop
+        self.assertAlmostEqual(prop.GetScalarOpacity().GetValue(3), 0.5, delta=1 / 255)
+        np.testing.assert_allclose(prop.GetRGBTransferFunction().GetColor(5), (0.5,) * 3, atol=0.01)
+
+    def test_opacity_of_another_array(self):
+        volume = self.add(opacity_scalars="layer", opacity="linear")
+        self.assertEqual(volume.mapper.GetOpacityArrayName(), "layer")
+        self.assertAlmostEqual(volume.prop.GetScalarOpacity().GetValue(3.5), 0.5)
+        self.assertEqual(volume.mapper.lookup_table.values[:, 3].min(), 255)  # the bar shows colours alone
+        self.assertEqual(self.add().mapper.lookup_table.values[0, 3], 0)
+        volume.mapper.scalar_range = (0, 100)
+        self.assertAlmostEqual(volume.prop.GetScalarOpacity().GetValue(3.5), 0.5)
+        volume = self.add(opacity_scalars="layer", opacity_clim=(0, 14))
+        self.assertAlmostEqual(volume.prop.GetScalarOpacity().GetValue(3.5), 0.25)
+
+    def test_log_scale_takes_the_smallest_positive(self):
+        self.assertEqual(self.add(log_scale=True).mapper.scalar_range, (1, 2))
+
+    def test_arrays(self):
+        self.assertEqual(self.add(scalars="layer").mapper.GetScalarModeAsString(), "UseCellFieldData")
+        grid = cube()
+        volume = self.add(grid, np.arange(27.0))
+        self.assertEqual(volume.mapper.GetArrayName(), "Data")
+        self.assertNotIn("Data", grid.array_names)
+        grid.set_active_scalars("layer")
+        self.assertEqual(self.add(grid, None).mapper.GetArrayName(), "layer")
+
+    def test_constant_and_partly_missing_values(self):
+        self.assertEqual(self.add(scalars=np.full(27, 4.0)).mapper.scalar_range, (3.5, 4.5))
+        self.assertEqual(self.add(scalars=np.r_[np.nan, np.arange(26.0)]).mapper.scalar_range, (0, 25))
+
+    def test_grids_of_every_kind(self):
+        image = cube()
+        for grid in (image, image.cast_to_rectilinear_grid(), image.cast_to_structured_grid(), image.cast_to_unstructured_grid(),
+                     image.cast_to_structured_grid().cast_to_explicit_structured_grid(),
+                     image.cast_to_unstructured_grid().triangulate(), pyvista.MultiBlock([image, None, image])):
+            with self.subTest(type(grid).__name__):
+                self.assertGreaterEqual(self.add(grid).mapper.dataset.n_cells, 8)
+
+    def test_a_hidden_point_at_the_corner(self):
+        grid = cube().cast_to_structured_grid()
+        grid.hide_points([0])
+        self.assertEqual(self.add(grid).mapper.dataset.n_cells, 8)
+
+    def test_plotter_knows_the_grid(self):
+        grid = cube()
+        self.add(grid)
+        self.assertEqual([mesh.n_cells for mesh in self.plotter.meshes], [8])
+        self.assertEqual(tuple(self.plotter.bounds), tuple(grid.bounds))
+
+    def test_name_replaces(self):
+        first, second = self.add(name="clouds"), self.add(name="clouds")
+        self.assertNotIn(first, self.plotter.actors.values())
+        self.assertIs(self.plotter.actors["clouds"], second)
+
+    def test_scalar_bar_comes_goes_and_moves_the_range(self):
+        volume = self.add(name="clouds", show_scalar_bar=True, scalar_bar_args={"title": "fraction"})
+        self.assertIn("fraction", self.plotter.scalar_bars)
+        self.plotter.update_scalar_bar_range((0, 20), "fraction")
+        self.assertAlmostEqual(volume.prop.GetScalarOpacity().GetValue(10), 0.5)
+        self.plotter.remove_actor("clouds")
+        self.assertNotIn("fraction", self.plotter.scalar_bars)
+        self.add(show_scalar_bar=False)
+        self.assertEqual(len(self.plotter.scalar_bars), 0)
+
+
+class Refused(Cells):
+    def test_arrays(self):
+        self.fails(MissingDataError, "no array 'cloud'. Point arrays: 'x', 'wind'; cell arrays: 'layer'", scalars="cloud")
+        self.fails(ValueError, "'wind' has 3 components", scalars="wind")
+        self.fails(ValueError, r"shape \(5,\).*27 points or 8 cells", scalars=np.zeros(5))
+        self.fails(ValueError, "'Data' has no finite value", scalars=np.full(27, np.nan))
+        self.fails(MissingDataError, "opacity_scalars: no array 'cloud'", opacity_scalars="cloud")
+        self.fails(ValueError, "opacity_scalars: the array 'wind' has 3", opacity_scalars="wind")
+        self.fails(ValueError, "opacity_clim is given without", opacity_clim=(0, 1))
+        words = cube()
+        words.cell_data["words"] = ["a"] * 8
+        self.fails(TypeError, "'words' is of type", words, "words")
+        bare = pyvista.ImageData(dimensions=(2, 2, 2))
+        self.fails(MissingDataError, "no active scalars", bare, None)
+
+    def test_numbers_and_choices(self):
+        for bad in (0, -1, np.nan, np.inf):
+            self.fails(ValueError, "unit_distance is .*greater than 0", unit_distance=bad)
+        self.fails(ValueError, "opacity_scale is -1.*at least 0", opacity_scale=-1)
+        self.fails(ValueError, "integration is 'simpson'.*'exact', 'average'", integration="simpson")
+        self.fails(ValueError, "order is 'random'.*'exact', 'centroid', 'none'", order="random")
+        self.fails(ValueError, "clim is .*ascending", clim=(2, 1))
+        self.fails(ValueError, "preference", preference="both")
+        self.fails(ValueError, "'x' has no value above 0|ascending", clim=(-2, -1), log_scale=True)
+        self.fails(ValueError, "opacity 'thick' is unknown", opacity="thick")
+
+    def test_grids(self):
+        self.fails(ValueError, "PolyData of .* has no 3-D cells", pyvista.Sphere(), None)
+        self.fails(ValueError, "no 3-D cells", pyvista.ImageData(dimensions=(3, 3, 1)), None)
+        self.fails(ValueError, "no 3-D cells", pyvista.Sphere().cast_to_unstructured_grid(), None)
+        self.fails(ValueError, "has no cells", pyvista.MultiBlock(), None)
+        self.fails(TypeError, "grid is a str", "grid", None)
+
+    def test_plotter(self):
+        with self.assertRaisesRegex(TypeError, "plotter is a UniformGrid|plotter is a ImageData"):
+            nephoscope.add_cells(cube(), cube(), "x")
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,131 @@
+# SPDX-FileCopyrightText: The Nephoscope authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Pictures of nephoscope.add_cells in a plotter against closed forms: transparency exp(-extinction * length)."""
+import os
+import unittest
+from pathlib import Path
+
+import nephoscope
+import numpy as np
+import pyvista
+
+OUTPUT = Path(os.environ["NEPHOSCOPE_TEST_OUTPUT"])
+
+
+def cube(n=4, origin=(0, 0, 0), size=1.0):
+    step = size / (n - 1)
+    grid = pyvista.ImageData(dimensions=(n, n, n), spacing=(step,) * 3, origin=origin)
+    grid.point_data["one"] = np.ones(grid.n_points)
+    grid.point_data["z"] = grid.points[:, 2]
+    return grid
+
+
+class Picture(unittest.TestCase):
+    def setUp(self):
+        self.plotter = pyvista.Plotter(off_screen=True, window_size=(160, 120))
+        self.plotter.background_color = "black"
+        self.addCleanup(self.plotter.close)
+
+    def add(self, grid, scalars="one", **options):
+        options = {"cmap": ["white", "white"], "opacity": 1.0, "unit_distance": 0.5, "show_scalar_bar": False, **options}
+        return nephoscope.add_cells(self.plotter, grid, scalars, **options)
+
+    def screenshot(self):
+        """The picture along z in parallel projection, float, shape (120, 160, 3), in 0 to 1."""
+        self.plotter.enable_parallel_projection()
+        self.plotter.view_xy()
+        image = self.plotter.screenshot(str(OUTPUT / f"TestCellsImage-{self._testMethodName}.png"))
+        return image.astype(float)[..., :3] / 255
+
+    def middle(self):
+        return self.screenshot()[55:65, 75:85].reshape(-1, 3)
+
+    def expect(self, value):
+        middle = self.middle()
+        np.testing.assert_allclose(middle, np.broadcast_to(value, middle.shape), atol=1.5 / 255)
+
+    def test_opacity_1_over_2_unit_distances(self):
+        self.add(cube())
+        self.expect(1 - np.exp(-2))
+        self.assertEqual(self.screenshot()[2, 2].max(), 0)  # the corner is beside the cube
+
+    def test_opacity_scale(self):
+        self.add(cube(), opacity_scale=0.25)
+        self.expect(1 - np.exp(-0.5))
+
+    def test_linear_opacity_has_the_mean(self):
+        self.add(cube(), "z", opacity="linear", clim=(0, 1))
+        self.expect(1 - np.exp(-1))
+
+    def test_logarithmic_opacity(self):
+        grid = cube()
+        grid.point_data["decades"] = np.full(grid.n_points, 1e-2)
+        self.add(grid, "decades", opacity="linear", clim=(1e-4, 1), log_scale=True)
+        self.expect(1 - np.exp(-1))  # half way in the logarithm: opacity 0.5
+
+    def test_cell_scalars(self):
+        grid = cube()
+        grid.cell_data["slab"] = (grid.cell_centers().points[:, 2] > 1 / 3).astype(float)
+        self.add(grid, "slab", opacity="linear", clim=(0, 1))
+        self.expect(1 - np.exp(-4 / 3))
+
+    def test_opacity_of_another_array(self):
+        grid = cube()
+        grid.cell_data["slab"] = (grid.cell_centers().points[:, 2] > 1 / 3).astype(float)
+        self.add(grid, "z", opacity_scalars="slab", opacity="linear")
+        self.expect(1 - np.exp(-4 / 3))
+
+    def test_colour_in_front_of_colour(self):
+        # blue over red, each of optical depth 1, seen from +z
+        grid = cube(3)
+        grid.cell_data["half"] = (grid.cell_centers().points[:, 2] > 0.5).astype(float)
+        for order in ("exact", "centroid"):
+            self.add(grid, "half", cmap=["red", "blue"], clim=(0, 1), order=order, name="halves")
+            front = 1 - np.exp(-1)
+            self.expect((front * np.exp(-1), 0, front))
+
+    def test_blocks_are_one_volume(self):
+        blocks = pyvista.MultiBlock([cube(3, size=0.5, origin=(x, y, z)) for x in (0, 0.5) for y in (0, 0.5) for z in (0, 0.5)])
+        self.add(blocks)
+        self.expect(1 - np.exp(-2))
+
+    def test_blocks_are_ordered_among_each_other(self):
+        blocks = pyvista.MultiBlock()
+        for level in (0.5, 0.0, 0.75, 0.25):  # layers, not in their order
+            layer = pyvista.ImageData(dimensions=(5, 5, 2), spacing=(0.25,) * 3, origin=(0, 0, level))
+            layer.cell_data["upper"] = np.full(layer.n_cells, float(level >= 0.5))
+            blocks.append(layer)
+        volume = self.add(blocks, "upper", cmap=["red", "blue"], clim=(0, 1))
+        front = 1 - np.exp(-1)
+        self.expect((front * np.exp(-1), 0, front))
+        self.assertEqual(volume.mapper.GetNumberOfVisibilityCycles(), 0)
+
+    def test_user_matrix_scales_the_length(self):
+        self.add(cube(), user_matrix=np.diag([1, 1, 2, 1]))
+        self.expect(1 - np.exp(-4))
+
+    def test_opaque_mesh_ends_the_ray(self):
+        self.add(cube())
+        self.plotter.add_mesh(pyvista.Plane(center=(0.5, 0.5, 0.75)), color="black", lighting=False)
+        self.expect(1 - np.exp(-0.5))
+
+    def test_values_changed_in_place_are_drawn(self):
+        grid = cube()
+        self.add(grid, opacity="linear", clim=(0, 1))
+        self.expect(1 - np.exp(-2))
+        grid.point_data["one"][:] = 0.5
+        self.expect(1 - np.exp(-1))
+
+    def test_second_view(self):
+        self.plotter.close()
+        self.plotter = pyvista.Plotter(off_screen=True, window_size=(160, 120), shape=(1, 2))
+        self.plotter.background_color = "black"
+        self.plotter.subplot(0, 1)
+        self.add(cube())
+        image = self.screenshot()
+        np.testing.assert_allclose(image[60, 120], 1 - np.exp(-2), atol=1.5 / 255)
+        self.assertEqual(image[60, 40].max(), 0)
+
+
+if __name__ == "__main__":
+    unittest.main()

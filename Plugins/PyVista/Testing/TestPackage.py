@@ -1,0 +1,77 @@
+# SPDX-FileCopyrightText: The Nephoscope authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""The package without PyVista: complete, light, and clear about what it lacks."""
+import importlib.metadata
+import os
+import re
+import shutil
+import subprocess
+import sys
+import unittest
+from pathlib import Path
+
+import nephoscope
+
+SOURCE = Path(os.environ["NEPHOSCOPE_DATA"]).parent
+WITHOUT_PYVISTA = """
+import sys
+class Absent:
+    def find_spec(self, name, path=None, target=None):
+        if name.split(".")[0] == "pyvista":
+            raise ModuleNotFoundError("No module named 'pyvista'", name="pyvista")
+sys.meta_path.insert(0, Absent())
+import nephoscope
+"""
+
+
+def declared_classes():
+    """Classes that the headers of the module folders declare and export, other than those for C++ alone."""
+    pattern = re.compile(r"class\s+VTKNEPHOSCOPE\w+_EXPORT\s+(vtk\w+)")
+    headers = [header for kind in ("Filters", "Representations") for module in SOURCE.glob(f"{kind}/*/vtk.module")
+               if "EXCLUDE_WRAP" not in module.read_text() for header in module.parent.glob("*.h")
+               if module.parent != SOURCE / "Representations" / "Common"]
+    return {name for header in headers for name in pattern.findall(header.read_text())}
+
+
+def run(code, interpreter=sys.executable):
+    return subprocess.run([interpreter, "-c", code], capture_output=True, text=True)
+
+
+class Package(unittest.TestCase):
+    def test_every_declared_class_is_wrapped(self):
+        self.assertIn("vtkGlobeGrid", declared_classes())
+        self.assertEqual(declared_classes(), set(nephoscope.__all__))
+        for name in nephoscope.__all__:
+            self.assertEqual(getattr(nephoscope, name)().GetClassName(), name)
+
+    def test_import_brings_neither_pyvista_nor_numpy(self):
+        result = run("import sys, nephoscope; print(sorted({'pyvista', 'numpy', 'matplotlib'} & set(sys.modules)))")
+        self.assertEqual(result.stdout.strip(), "[]", result.stderr)
+
+    def test_functions_are_listed_without_pyvista(self):
+        self.assertLessEqual({"add_cells", "to_globe", "read_cf", "globe_surface"}, set(dir(nephoscope)))
+
+    def test_missing_pyvista_is_said_with_the_remedy(self):
+        result = run(WITHOUT_PYVISTA + "nephoscope.vtkGlobeGrid()\nnephoscope.add_cells")
+        self.assertIn("nephoscope.add_cells needs PyVista", result.stderr)
+        self.assertIn("--no-deps -r Plugins/PyVista/requirements.txt", result.stderr)
+
+    def test_unknown_name_is_an_attribute_error(self):
+        with self.assertRaisesRegex(AttributeError, "vtkNoSuchClass"):
+            nephoscope.vtkNoSuchClass
+
+    def test_metadata(self):
+        self.assertEqual(importlib.metadata.version("nephoscope"), nephoscope.__version__)
+        points = [p.value for p in importlib.metadata.entry_points(group="pyvista.accessors") if p.name == "nephoscope"]
+        self.assertEqual(points, ["nephoscope.accessor"])
+
+    @unittest.skipUnless(shutil.which("pvpython"), "no pvpython")
+    def test_pvpython(self):
+        script = Path(os.environ["NEPHOSCOPE_TEST_OUTPUT"]) / "TestPackagePvpython.py"
+        script.write_text("import sys, nephoscope\nprint(nephoscope.vtkGlobeGrid().GetClassName(), 'pyvista' in sys.modules)\n")
+        result = subprocess.run(["pvpython", "--dr", str(script)], capture_output=True, text=True)
+        self.assertIn("vtkGlobeGrid False", result.stdout, result.stderr)
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,42 @@
+# SPDX-FileCopyrightText: The Nephoscope authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Argument checks shared by the techniques. Every message names the argument and what would be accepted."""
+from __future__ import annotations
+
+import math
+from typing import Callable, Mapping, Sequence
+
+import pyvista
+from pyvista.core.errors import MissingDataError
+
+
+def listed(names: Sequence[str]) -> str:
+    """`names` as "'a', 'b'", or "none"."""
+    return ", ".join(repr(name) for name in names) or "none"
+
+
+def arrays_of(mesh: pyvista.DataSet) -> str:
+    """The sentence that ends a message about a missing array."""
+    return f"Point arrays: {listed(mesh.point_data.keys())}; cell arrays: {listed(mesh.cell_data.keys())}."
+
+
+def require_array(mesh: pyvista.DataSet, name: str, argument: str) -> None:
+    """Raises MissingDataError (a ValueError) unless `mesh` has a point or cell array `name`."""
+    if name not in mesh.point_data and name not in mesh.cell_data:
+        raise MissingDataError(f"{argument}: no array {name!r}. {arrays_of(mesh)}")
+
+
+def choose(choices: Mapping[str, Callable[[], None]], value: str, argument: str) -> None:
+    """Calls the function that `choices` has for `value`; ValueError with the list of choices if none."""
+    if not isinstance(value, str) or value not in choices:
+        raise ValueError(f"{argument} is {value!r}; it must be one of {listed(list(choices))}.")
+    choices[value]()
+
+
+def require_number(value: float, argument: str, *, above: float | None = None, least: float | None = None) -> float:
+    """`value` as a finite float greater than `above` or not less than `least`; ValueError otherwise."""
+    number = float(value)
+    if not math.isfinite(number) or (above is not None and number <= above) or (least is not None and number < least):
+        wanted = f"greater than {above:g}" if above is not None else f"at least {least:g}" if least is not None else "finite"
+        raise ValueError(f"{argument} is {value!r}; it must be a finite number{'' if wanted == 'finite' else ' ' + wanted}.")
+    return number

@@ -1,0 +1,39 @@
+# SPDX-FileCopyrightText: The Nephoscope authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""The dataset accessor ``mesh.nephoscope``: one method per technique that takes a mesh and returns one."""
+import functools
+from typing import Any, Callable
+
+import pyvista
+
+from .globe import to_globe
+
+
+def _method(function: Callable) -> Callable:
+    """`function(mesh, ...)` as a method of the accessor, with its signature and documentation."""
+
+    @functools.wraps(function)
+    def method(self: "NephoscopeAccessor", *args: Any, **options: Any) -> Any:
+        return function(self._mesh, *args, **options)
+
+    return method
+
+
+class NephoscopeAccessor:
+    """Nephoscope's filters as methods of a PyVista dataset.
+
+    Parameters
+    ----------
+    mesh : pyvista.DataSet
+        The dataset the methods work on; it is not changed.
+    """
+
+    def __init__(self, mesh: pyvista.DataSet) -> None:
+        self._mesh = mesh
+
+    globe = _method(to_globe)
+
+
+# Before 0.48 PyVista has no accessors; the functions of the package work without them.
+if hasattr(pyvista, "register_dataset_accessor"):
+    pyvista.register_dataset_accessor("nephoscope", pyvista.DataSet)(NephoscopeAccessor)

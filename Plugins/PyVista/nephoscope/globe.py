@@ -1,0 +1,173 @@
+# SPDX-FileCopyrightText: The Nephoscope authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Longitude-latitude-level fields on a globe or a map (`vtkGlobeGrid`), and the surface below them."""
+from __future__ import annotations
+
+from typing import Any, Literal, Sequence
+
+import numpy as np
+import pyvista
+from vtkmodules.vtkCommonDataModel import vtkImageData, vtkRectilinearGrid, vtkStructuredGrid
+
+from . import vtkGlobeGrid
+from ._checks import choose, require_array, require_number
+from ._pipeline import vtk_messages
+
+EARTH_RADIUS = 6371000.0  # metres, mean radius
+DEFAULT_WINDS = ("u", "v", "w")
+DEGREES_PER_CELL = 1.0    # of globe_surface: its chords are at most 0.25 km below the sphere of the Earth
+
+
+def to_globe(mesh: pyvista.DataSet, *, projection: Literal["globe", "map"] = "globe", radius: float = EARTH_RADIUS,
+             vertical_exaggeration: float = 1.0, height: str | Literal[False] | None = None,
+             wind: Sequence[str] | Literal[False] | None = None, vertical_wind_is_omega: bool = True,
+             level_units: Literal["automatic", "hPa", "Pa", "m", "km"] = "automatic", close_seam: bool = True,
+             central_meridian: float | None = None, mask_below_ground: bool = True,
+             surface: pyvista.DataSet | None = None) -> pyvista.StructuredGrid:
+    """Place a longitude-latitude-level grid on a globe or a map, with the winds as vectors.
+
+    Also the accessor method ``mesh.nephoscope.globe(...)``.
+
+    Parameters
+    ----------
+    mesh : pyvista.ImageData, pyvista.RectilinearGrid or pyvista.StructuredGrid
+        Axes x longitude and y latitude in degrees, z the level: a pressure or a height.
+    projection : {"globe", "map"}, default: "globe"
+        Globe: distance radius + vertical_exaggeration * height from the origin, longitude 0 on the x axis, the North Pole
+        on the z axis. Map (plate carrée): x and y are radius * longitude and latitude in radians, z the exaggerated height.
+    radius : float, default: 6371000.0
+        Radius of the planet in metres, > 0.
+    vertical_exaggeration : float, default: 1.0
+        Factor on the height, >= 0. 20 to 100 makes weather visible on a whole globe.
+    height : str or False, optional
+        Array of heights above the sea in metres. Default: ``"gh"`` if the mesh has it. Without one, or with False, the
+        level axis gives the heights.
+    wind : sequence of 2 or 3 str, or False, optional
+        Arrays of the eastward, northward (m/s) and vertical wind. Default: ``("u", "v", "w")``, those that are there.
+        False: no wind.
+    vertical_wind_is_omega : bool, default: True
+        The vertical wind is omega = dp/dt in Pa/s, positive downwards; False: upward wind in m/s.
+    level_units : {"automatic", "hPa", "Pa", "m", "km"}, default: "automatic"
+        What the z axis of `mesh` means. Automatic guesses from sign and size.
+    close_seam : bool, default: True
+        Repeat the first column of a global grid after the last, so that no gap stays.
+    central_meridian : float, optional
+        Map only: longitude in the middle, degrees east. Default: the longitudes of the mesh are kept.
+    mask_below_ground : bool, default: True
+        Hide the points below the ground; see `surface`.
+    surface : pyvista.DataSet, optional
+        One level with the longitudes and latitudes of `mesh` and the surface pressure ``"sp"`` (Pa or hPa) or the terrain
+        height ``"orog"`` (m). Default: looked for in `mesh`; without either the ground is at sea level.
+
+    Returns
+    -------
+    pyvista.StructuredGrid
+        Points in metres. Point arrays: those of `mesh`; ``Height`` (m); ``BelowGround`` (1 below the ground) and, if a point
+        is hidden, ``vtkGhostType``; with winds ``Wind`` (m/s, Cartesian, 3 components) and the active vectors
+        ``DisplayVelocity`` (m/s in display space, 3 components).
+
+    Raises
+    ------
+    TypeError
+        If `mesh` is not a structured dataset.
+    pyvista.core.errors.MissingDataError
+        (a ValueError) If a named array is not there; the message lists those that are.
+    ValueError
+        If a number or a choice is out of range.
+    RuntimeError
+        If the filter cannot use the grid, with its message.
+
+    Warns
+    -----
+    RuntimeWarning
+        What the filter warns of.
+    """
+    globe = vtkGlobeGrid()
+    mesh = _structured(mesh, "mesh")
+    globe.SetInputData(mesh)
+    choose({"globe": globe.SetProjectionToGlobe, "map": globe.SetProjectionToMap}, projection, "projection")
+    choose({"automatic": globe.SetLevelUnitsToAutomatic, "hPa": globe.SetLevelUnitsToPressureHectopascal,
+            "Pa": globe.SetLevelUnitsToPressurePascal, "m": globe.SetLevelUnitsToHeightMetre,
+            "km": globe.SetLevelUnitsToHeightKilometre}, level_units, "level_units")
+    globe.SetPlanetRadius(require_number(radius, "radius", above=0))
+    globe.SetVerticalExaggeration(require_number(vertical_exaggeration, "vertical_exaggeration", least=0))
+    _name_height(globe, mesh, height)
+    _name_winds(globe, mesh, wind)
+    globe.SetVerticalWindIsOmega(vertical_wind_is_omega)
+    globe.SetCloseSeam(close_seam)
+    globe.SetMaskBelowGround(mask_below_ground)
+    if central_meridian is not None:
+        globe.SetUseCentralMeridian(True)
+        globe.SetCentralMeridian(require_number(central_meridian, "central_meridian"))
+    if surface is not None:
+        globe.SetSurfaceData(_structured(surface, "surface"))
+    with vtk_messages(globe):
+        globe.Update()
+    return pyvista.wrap(globe.GetOutput())
+
+
+def globe_surface(*, projection: Literal["globe", "map"] = "globe", radius: float = EARTH_RADIUS,
+                  central_meridian: float = 0.0) -> pyvista.StructuredGrid:
+    """The surface of the planet at height 0, with texture coordinates for a plate carrée picture.
+
+    The picture spans longitude -180 to 180 from its left to its right edge and latitude -90 to 90 from bottom to top,
+    as NASA's Blue Marble does.
+
+    Parameters
+    ----------
+    projection : {"globe", "map"}, default: "globe"
+        As in `to_globe`.
+    radius : float, default: 6371000.0
+        Radius of the planet in metres, > 0.
+    central_meridian : float, default: 0.0
+        Longitude in the middle of the map, degrees east; 180 for data that run from 0 to 360. No matter on the globe.
+
+    Returns
+    -------
+    pyvista.StructuredGrid
+        Quadrilaterals of one degree, 361 x 181 x 1 points in metres, active texture coordinates.
+
+    Raises
+    ------
+    ValueError
+        If the projection is unknown or the radius is not above 0.
+    """
+    centre = require_number(central_meridian, "central_meridian")
+    longitudes = centre + np.linspace(-180, 180, 1 + round(360 / DEGREES_PER_CELL))
+    latitudes = np.linspace(-90, 90, 1 + round(180 / DEGREES_PER_CELL))
+    flat = pyvista.RectilinearGrid(longitudes, latitudes, [0.0])
+    u, v = np.meshgrid(longitudes / 360 + 0.5, latitudes / 180 + 0.5)
+    flat.point_data["TextureCoordinates"] = np.stack([u.ravel(), v.ravel()], axis=1)
+    surface = to_globe(flat, projection=projection, radius=radius, level_units="m", wind=False, close_seam=False,
+                       mask_below_ground=False)
+    surface.active_texture_coordinates = np.asarray(surface.point_data["TextureCoordinates"])
+    return surface
+
+
+def _structured(mesh: Any, argument: str) -> pyvista.DataSet:
+    if not isinstance(mesh, (vtkImageData, vtkRectilinearGrid, vtkStructuredGrid)):
+        raise TypeError(f"{argument} is a {type(mesh).__name__}; it must be an ImageData, a RectilinearGrid or a StructuredGrid "
+                        "with axes longitude, latitude and level.")
+    return pyvista.wrap(mesh)
+
+
+def _name_height(globe: vtkGlobeGrid, mesh: pyvista.DataSet, height: str | Literal[False] | None) -> None:
+    if height is False:
+        globe.SetHeightArrayName("")
+    elif height is not None:
+        require_array(mesh, height, "height")
+        globe.SetHeightArrayName(height)
+
+
+def _name_winds(globe: vtkGlobeGrid, mesh: pyvista.DataSet, wind: Sequence[str] | Literal[False] | None) -> None:
+    if wind is None:
+        names = [name for name in DEFAULT_WINDS if name in mesh.array_names]
+        if names[:2] != list(DEFAULT_WINDS[:2]):
+            names = []
+    else:
+        names = [] if wind is False else [wind] if isinstance(wind, str) else list(wind)
+        if wind is not False and len(names) not in (2, 3):
+            raise ValueError(f"wind is {wind!r}; it must name two or three arrays: eastward, northward and, optionally, vertical.")
+        for name in names:
+            require_array(mesh, name, "wind")
+    globe.SetWindArrayNames(*names, *[""] * (3 - len(names)))  # an empty name: there is none, and no warning of it
