@@ -250,7 +250,7 @@ std::string CellGeometry::Build(vtkDataSet* data, const ScalarSelection& scalars
     data->GetCellPoints(0, ids); // builds what datasets build on first use, before threads ask for it
   }
   this->CopyPoints(data);
-  this->FindScalarRange(scalars);
+  this->FindScalarRange(data, scalars);
   this->CopyPointScalars(scalars);
   this->Decompose(data, scalars);
   return std::string();
@@ -277,15 +277,18 @@ void CellGeometry::CopyPoints(vtkDataSet* data)
   });
 }
 
-void CellGeometry::FindScalarRange(const ScalarSelection& scalars)
+// Without what is hidden: a fill value there would take the precision of all that is drawn.
+void CellGeometry::FindScalarRange(vtkDataSet* data, const ScalarSelection& scalars)
 {
+  vtkUnsignedCharArray* ghosts = scalars.OnCells ? data->GetCellGhostArray() : data->GetPointGhostArray();
+  const int hidden = scalars.OnCells ? int(vtkDataSetAttributes::HIDDENCELL) : int(vtkDataSetAttributes::HIDDENPOINT);
   double low = std::numeric_limits<double>::infinity();
   double high = -low;
   const vtkIdType n = scalars.Array->GetNumberOfTuples();
   for (vtkIdType i = 0; i < n; ++i)
   {
     const double value = scalarValue(scalars, i);
-    if (std::isfinite(value))
+    if (std::isfinite(value) && !(ghosts && (ghosts->GetValue(i) & hidden)))
     {
       low = std::min(low, value);
       high = std::max(high, value);

@@ -68,7 +68,7 @@ public:
 private:
   void CopyPoints(vtkDataSet* data);
   void CopyPointScalars(const ScalarSelection& scalars);
-  void FindScalarRange(const ScalarSelection& scalars);
+  void FindScalarRange(vtkDataSet* data, const ScalarSelection& scalars);
   void Decompose(vtkDataSet* data, const ScalarSelection& scalars);
 };
 
