@@ -3,7 +3,9 @@
 """How two pictures differ: one metric, with the pixels at the mesh's silhouette left out."""
 import numpy as np
 
-NEAR_EDGE = 0.02  # pixel; a rasteriser places vertices on a grid of 1/256 pixel
+# A rasteriser places vertices on a grid of 1/256 pixel: nearer to an edge than this (pixels), the sliver between
+# the edge and the pixel centre may be given to the neighbouring tetrahedron, or to none at the silhouette.
+NEAR_EDGE = 0.01
 
 
 def edge_mask(edges, view, distance=NEAR_EDGE):

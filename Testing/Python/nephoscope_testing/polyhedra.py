@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Convex cells as half-spaces with one linear field each: what a ray is clipped against."""
 from collections import Counter
+from itertools import combinations
 
 import numpy as np
 from vtkmodules.util.numpy_support import vtk_to_numpy
@@ -38,6 +39,17 @@ class Polyhedra:
                 if count[key] == 1:
                     edges += [(corners[a], corners[b]) for a, b in zip(face, face[1:] + face[:1])]
         return np.array(edges).reshape(-1, 2, 3)
+
+
+    def drawn_edges(self):
+        """(n,2,3): edges of the tetrahedra that the cells are divided into, each once."""
+        edges = set()
+        for corners, faces in zip(self.corners, self.faces):
+            places = [tuple(c) for c in corners]
+            parts = [range(4)] if len(corners) == 4 else cone(corners, faces)
+            for part in parts:
+                edges |= {tuple(sorted((places[a], places[b]))) for a, b in combinations(part, 2)}
+        return np.array(sorted(edges)).reshape(-1, 2, 3)
 
 
 def _planes(corners, faces):
