@@ -6,8 +6,8 @@ import unittest
 
 import numpy as np
 from nephoscope_testing import meshes, polyhedra, reference
-from nephoscope_testing.checks import ImageTestCase
-from nephoscope_testing.compare import Difference, edge_mask
+from nephoscope_testing.checks import ImageTestCase, cells_of
+from nephoscope_testing.compare import Difference
 from nephoscope_testing.offscreen import float_image
 from nephoscope_testing.transfer import Transfer, random_transfer
 
@@ -180,10 +180,7 @@ class TransferFunctions(ImageTestCase):
 
     def again(self, ours, window, scene, data, transfer, label):
         window.render()
-        cells = polyhedra.from_dataset(data)
-        expected = reference.render(cells, scene.view(), transfer)
-        self.check_float(float_image(ours), expected, label, mask=edge_mask(cells.drawn_edges(), scene.view()))
-        self.fail_on_messages(window, label)
+        self.verify(scene, ours, cells_of(data), transfer, label)
 
 
 if __name__ == "__main__":

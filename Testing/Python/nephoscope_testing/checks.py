@@ -6,12 +6,15 @@ import unittest
 
 import numpy as np
 
-from . import polyhedra, reference
+from . import meshes, polyhedra, reference
 from .compare import Difference, edge_mask
 from .offscreen import Window, float_image
 
 FLOAT_TOLERANCE = 1e-4
 BYTE_TOLERANCE = 1 / 255
+# Blending into 8 bits over something else than black may round the source colour, its alpha and the product of
+# (1 - alpha) with what lies below: half a step each.
+BLEND_TOLERANCE = 1.5 / 255
 
 
 def mapper():
@@ -37,42 +40,56 @@ class ImageTestCase(unittest.TestCase):
             self.fail(f"{label}: float image differs by more than {tolerance:g}: {difference}")
         return difference
 
-    def check_bytes(self, rgb, expected_rgb, label, mask=None):
+    def check_bytes(self, rgb, expected_rgb, label, mask=None, tolerance=BYTE_TOLERANCE):
         difference = Difference(rgb, np.clip(expected_rgb, 0, 1), mask)
-        if not difference.maximum <= BYTE_TOLERANCE + 1e-9:
+        if not difference.maximum <= tolerance + 1e-9:
             keep(label + " 8-bit", rgb, expected_rgb)
-            self.fail(f"{label}: 8-bit picture differs by more than 1/255: {difference}")
+            self.fail(f"{label}: 8-bit picture differs by more than {255 * tolerance:g}/255: {difference}")
         return difference
 
-    def check(self, data, transfer, label, association="point", decompose=False, size=(96, 96), matrix=None,
-              configure=None, look=None, opaque=None, tolerance=FLOAT_TOLERANCE, background=(0, 0, 0), split=True):
-        """Draws data and compares the float and the 8-bit picture. look: options of Scene.look_at, or a function of
-        the scene. opaque: (polydata, triangles, colour). Returns (mapper, window, scene, reference)."""
-        window = Window(size)
-        scene = window.add_scene(background=background)
-        ours = mapper()
-        volume = scene.add_volume(ours, data, transfer, association=association, matrix=matrix)
-        (look or (lambda s: s.look_at(volume)))(scene) if not isinstance(look, dict) else scene.look_at(volume, **look)
-        if configure:
-            configure(ours)
-        cells = polyhedra.from_dataset(data, "s", association, decompose)
-        if matrix is not None:
-            cells = cells.transformed(matrix)
+    def verify(self, scene, ours, cells, transfer, label, opaque=None, background=(0, 0, 0), split=True,
+               tolerance=FLOAT_TOLERANCE):
+        """Holds what was drawn last against the reference, which is returned. opaque: (triangles, colour)."""
         view = scene.view()
         distance, under, edges = None, np.asarray(background, float), cells.boundary_edges()
         if opaque:
-            polydata, triangles, color = opaque
-            scene.add_opaque(polydata, color)
+            triangles, color = opaque
             distance = reference.opaque_distance(triangles, view).reshape(view.height, view.width)
             under = np.where(np.isfinite(distance)[..., None], color, background)
             edges = np.concatenate([edges, np.stack([triangles, np.roll(triangles, 1, 1)], 2).reshape(-1, 2, 3)])
-        window.render()
         expected = reference.render(cells, view, transfer, distance, split=split)
         mask = edge_mask(edges, view)
         self.check_float(float_image(ours), expected, label, tolerance, mask | edge_mask(cells.drawn_edges(), view))
-        self.check_bytes(scene.rgb(), reference.over(expected, under), label, mask)
-        self.fail_on_messages(window, label)
-        return ours, window, scene, expected
+        self.check_bytes(scene.rgb(), reference.over(expected, under), label, mask,
+                         BLEND_TOLERANCE if np.any(under) else BYTE_TOLERANCE)
+        self.fail_on_messages(scene.window, label)
+        return expected
+
+    def check(self, data, transfer, label, association="point", decompose=False, size=(96, 96), matrix=None,
+              configure=None, look=None, viewport=(0, 0, 1, 1), opaque=None, background=(0, 0, 0), **options):
+        """Draws data in a window of its own and verifies it. look: options of Scene.look_at, or a function of the
+        scene. opaque: (polydata, colour). Returns (mapper, window, scene, reference)."""
+        window = Window(size)
+        scene = window.add_scene(viewport=viewport, background=background)
+        ours = mapper()
+        volume = scene.add_volume(ours, data, transfer, association=association, matrix=matrix)
+        if callable(look):
+            look(scene)
+        else:
+            scene.look_at(volume, **(look or {}))
+        if configure:
+            configure(ours)
+        if opaque:
+            scene.add_opaque(*opaque)
+            opaque = (meshes.triangles_of(opaque[0]), opaque[1])
+        window.render()
+        cells = cells_of(data, association, decompose, matrix)
+        return ours, window, scene, self.verify(scene, ours, cells, transfer, label, opaque, background, **options)
+
+
+def cells_of(data, association="point", decompose=False, matrix=None):
+    cells = polyhedra.from_dataset(data, "s", association, decompose)
+    return cells if matrix is None else cells.transformed(matrix)
 
 
 def keep(label, image, expected):
