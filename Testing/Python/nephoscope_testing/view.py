@@ -1,6 +1,8 @@
 # SPDX-FileCopyrightText: The Nephoscope authors
 # SPDX-License-Identifier: BSD-3-Clause
 """The rays of a camera, from its parameters alone (no projection matrix of VTK is used)."""
+import copy
+
 import numpy as np
 
 
@@ -40,6 +42,12 @@ class View:
         stretch = np.sqrt(1 + x * x + y * y)
         directions = (self.forward + offset) / stretch[:, None]
         return np.broadcast_to(self.eye, offset.shape), directions, self.near * stretch, self.far * stretch
+
+    def shifted(self, x, y):
+        """The same view with its pixel centres moved by a fraction of a pixel."""
+        other = copy.copy(self)
+        other.center = self.center + 2 * np.array([x / self.width, y / self.height])
+        return other
 
     def depth(self, points):
         return (np.asarray(points) - self.eye) @ self.forward
