@@ -38,12 +38,13 @@ struct QuadratureRule
   int Size;
 };
 
-/** Abscissae on [0, 1] and weights for 3, 6, 10 and 16 nodes, one after the other. */
-constexpr int numberOfQuadratureNodes = 35;
+/** Abscissae on [0, 1] and weights for 4, 6, 10 and 16 nodes, one after the other. */
+constexpr int numberOfQuadratureNodes = 36;
 constexpr double quadratureNodes[numberOfQuadratureNodes][2] = {
-  { 0.1127016653792583, 0.27777777777777785 },
-  { 0.5, 0.44444444444444442 },
-  { 0.8872983346207417, 0.27777777777777785 },
+  { 0.069431844202973714, 0.17392742256872684 },
+  { 0.33000947820757187, 0.3260725774312731 },
+  { 0.66999052179242813, 0.3260725774312731 },
+  { 0.93056815579702623, 0.17392742256872684 },
   { 0.033765242898423975, 0.085662246189584873 },
   { 0.16939530676686776, 0.18038078652406947 },
   { 0.38069040695840151, 0.23395696728634569 },
@@ -84,10 +85,10 @@ constexpr double quadratureNodes[numberOfQuadratureNodes][2] = {
 template <typename Real>
 constexpr QuadratureRule quadratureRule(Real largest)
 {
-  return largest <= Real(0.25) ? QuadratureRule{ 0, 3 }
-    : largest <= Real(1)       ? QuadratureRule{ 3, 6 }
-    : largest <= Real(10)      ? QuadratureRule{ 9, 10 }
-                               : QuadratureRule{ 19, 16 };
+  return largest <= Real(0.25) ? QuadratureRule{ 0, 4 }
+    : largest <= Real(1)       ? QuadratureRule{ 4, 6 }
+    : largest <= Real(10)      ? QuadratureRule{ 10, 10 }
+                               : QuadratureRule{ 20, 16 };
 }
 
 /** Where along [0, 1] the optical depth reaches 18: what lies behind is darker than 1.5e-8 and is left out. */

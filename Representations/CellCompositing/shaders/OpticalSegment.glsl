@@ -4,7 +4,7 @@
 //   in:  optical depths of the segment, extinction at its ends times its length, >= 0
 //   out: weights (front, back) of the source colours at the two ends; their sum is alpha = 1 - T
 // Constant: averageIntegration.
-uniform vec2 quadratureNodes[35];
+uniform vec2 quadratureNodes[36];
 
 vec2 exactSegmentWeights(float tauFront, float tauBack)
 {
@@ -12,8 +12,8 @@ vec2 exactSegmentWeights(float tauFront, float tauBack)
   float discriminant = tauFront * tauFront + 36.0 * difference;
   float end = discriminant > 0.0 ? min(1.0, 36.0 / (tauFront + sqrt(discriminant))) : 1.0;
   float largest = max(tauFront, tauBack);
-  ivec2 rule = largest <= 0.25 ? ivec2(0, 3) : largest <= 1.0 ? ivec2(3, 6)
-    : largest <= 10.0 ? ivec2(9, 10) : ivec2(19, 16);
+  ivec2 rule = largest <= 0.25 ? ivec2(0, 4) : largest <= 1.0 ? ivec2(4, 6)
+    : largest <= 10.0 ? ivec2(10, 10) : ivec2(20, 16);
   vec2 weights = vec2(0.0);
   for (int i = rule.x; i < rule.x + rule.y; ++i)
   {
