@@ -72,16 +72,21 @@ double scalarValue(const ScalarSelection& scalars, vtkIdType tuple)
   return std::sqrt(sum);
 }
 
-/** Finite minimum and maximum, never equal: the range that becomes [0, 1]. */
-void findRange(const ScalarSelection& scalars, double range[2])
+/**
+ * Finite minimum and maximum, never equal: the range that becomes [0, 1]. What is hidden does not count: a fill value there
+ * would take the precision of all that is drawn.
+ */
+void findRange(vtkDataSet* data, const ScalarSelection& scalars, double range[2])
 {
+  vtkUnsignedCharArray* ghosts = scalars.OnCells ? data->GetCellGhostArray() : data->GetPointGhostArray();
+  const int hidden = scalars.OnCells ? int(vtkDataSetAttributes::HIDDENCELL) : int(vtkDataSetAttributes::HIDDENPOINT);
   double low = std::numeric_limits<double>::infinity();
   double high = -low;
   const vtkIdType n = scalars.Array->GetNumberOfTuples();
   for (vtkIdType i = 0; i < n; ++i)
   {
     const double value = scalarValue(scalars, i);
-    if (std::isfinite(value))
+    if (std::isfinite(value) && !(ghosts && (ghosts->GetValue(i) & hidden)))
     {
       low = std::min(low, value);
       high = std::max(high, value);
@@ -287,8 +292,8 @@ std::string CellGeometry::Build(
     data->GetCellPoints(0, ids); // builds what datasets build on first use, before threads ask for it
   }
   this->CopyPoints(data);
-  this->CopyScalars(scalars);
-  this->CopyOpacityScalars(opacity);
+  this->CopyScalars(data, scalars);
+  this->CopyOpacityScalars(data, opacity);
   this->Decompose(data, scalars, opacity);
   return std::string();
 }
@@ -314,9 +319,9 @@ void CellGeometry::CopyPoints(vtkDataSet* data)
   });
 }
 
-void CellGeometry::CopyScalars(const ScalarSelection& scalars)
+void CellGeometry::CopyScalars(vtkDataSet* data, const ScalarSelection& scalars)
 {
-  findRange(scalars, this->ScalarRange);
+  findRange(data, scalars, this->ScalarRange);
   if (scalars.OnCells)
   {
     return;
@@ -329,7 +334,7 @@ void CellGeometry::CopyScalars(const ScalarSelection& scalars)
   });
 }
 
-void CellGeometry::CopyOpacityScalars(const ScalarSelection& opacity)
+void CellGeometry::CopyOpacityScalars(vtkDataSet* data, const ScalarSelection& opacity)
 {
   this->HasOpacityScalars = opacity.Array != nullptr;
   this->OpacityOnCells = opacity.OnCells;
@@ -337,7 +342,7 @@ void CellGeometry::CopyOpacityScalars(const ScalarSelection& opacity)
   {
     return;
   }
-  findRange(opacity, this->OpacityRange);
+  findRange(data, opacity, this->OpacityRange);
   if (opacity.OnCells)
   {
     return;

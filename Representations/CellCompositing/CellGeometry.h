@@ -76,8 +76,8 @@ public:
 
 private:
   void CopyPoints(vtkDataSet* data);
-  void CopyScalars(const ScalarSelection& scalars);
-  void CopyOpacityScalars(const ScalarSelection& opacity);
+  void CopyScalars(vtkDataSet* data, const ScalarSelection& scalars);
+  void CopyOpacityScalars(vtkDataSet* data, const ScalarSelection& opacity);
   void Decompose(vtkDataSet* data, const ScalarSelection& scalars, const ScalarSelection& opacity);
 };
 
