@@ -1,0 +1,498 @@
+// SPDX-FileCopyrightText: The Nephoscope authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Back-to-front orders: every face relation holds, cycles are counted, and nothing depends on threads or numbering.
+#include "VisibilityOrder.h"
+
+#include "TestGrids.h"
+#include "TestRandom.h"
+#include "ThreadScope.h"
+
+#include "vtkAppendFilter.h"
+#include "vtkCellType.h"
+#include "vtkDelaunay3D.h"
+#include "vtkIdList.h"
+#include "vtkPolyData.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <map>
+#include <numeric>
+
+using namespace nephoscope;
+using namespace nephoscope_test;
+
+namespace
+{
+CellGeometry buildGeometry(vtkDataSet* data)
+{
+  CellGeometry geometry;
+  EXPECT_EQ(geometry.Build(data, { addPointNumbers(data), false, -1 }), "");
+  return geometry;
+}
+
+Vector4 eyeAt(const CellGeometry& geometry, double x, double y, double z)
+{
+  return { { x - geometry.Center[0], y - geometry.Center[1], z - geometry.Center[2], 1 } };
+}
+
+// ---- the test's own relations: pairs of tetrahedra with three places in common ------------------------------------
+
+struct Relation
+{
+  std::int32_t Behind, Front;
+};
+
+struct InteriorFace
+{
+  Vector3 Points[3];
+  std::int32_t Owners[2];
+  Vector3 Apex; ///< of the first owner
+};
+
+std::vector<InteriorFace> findInteriorFaces(const CellGeometry& geometry)
+{
+  std::map<std::array<Vector3, 3>, std::pair<std::int32_t, Vector3>> open;
+  std::vector<InteriorFace> faces;
+  for (std::size_t i = 0; i < geometry.Tetrahedra.size(); ++i)
+  {
+    const std::array<Vector3, 4> p = geometry.Vertices(i);
+    for (std::size_t k = 0; k < 4; ++k)
+    {
+      std::array<Vector3, 3> face = { { p[(k + 1) % 4], p[(k + 2) % 4], p[(k + 3) % 4] } };
+      std::sort(face.begin(), face.end());
+      const auto partner = open.find(face);
+      if (partner == open.end())
+      {
+        open[face] = { std::int32_t(i), p[k] };
+        continue;
+      }
+      faces.push_back({ { face[0], face[1], face[2] }, { partner->second.first, std::int32_t(i) }, partner->second.second });
+      open.erase(partner);
+    }
+  }
+  return faces;
+}
+
+/** 6 x volume of the tetrahedron (a, b, c, x), long double; x may be a direction. */
+long double orient(const Vector3* f, const Vector4& x)
+{
+  long double m[3][3];
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    m[0][axis] = (long double)(f[1][axis]) - f[0][axis];
+    m[1][axis] = (long double)(f[2][axis]) - f[0][axis];
+    m[2][axis] = (long double)(x[axis]) - x[3] * (long double)(f[0][axis]);
+  }
+  return m[0][0] * (m[1][1] * m[2][2] - m[1][2] * m[2][1]) - m[0][1] * (m[1][0] * m[2][2] - m[1][2] * m[2][0]) +
+    m[0][2] * (m[1][0] * m[2][1] - m[1][1] * m[2][0]);
+}
+
+std::vector<Relation> findRelations(const std::vector<InteriorFace>& faces, const Vector4& eye)
+{
+  std::vector<Relation> relations;
+  for (const InteriorFace& f : faces)
+  {
+    const long double eyeSide = orient(f.Points, eye);
+    const long double apexSide = orient(f.Points, { { f.Apex[0], f.Apex[1], f.Apex[2], 1 } });
+    if (eyeSide != 0)
+    {
+      const bool firstInFront = (eyeSide > 0) == (apexSide > 0);
+      relations.push_back(firstInFront ? Relation{ f.Owners[1], f.Owners[0] } : Relation{ f.Owners[0], f.Owners[1] });
+    }
+  }
+  return relations;
+}
+
+std::int64_t countViolations(const std::vector<Relation>& relations, const std::vector<std::int32_t>& order)
+{
+  std::vector<std::size_t> rank(order.size());
+  for (std::size_t i = 0; i < order.size(); ++i)
+  {
+    rank[std::size_t(order[i])] = i;
+  }
+  return std::count_if(relations.begin(), relations.end(),
+    [&](const Relation& r) { return rank[std::size_t(r.Behind)] > rank[std::size_t(r.Front)]; });
+}
+
+/** Tetrahedra that no order can place, as Kahn's algorithm leaves them. */
+std::size_t countUnsortable(const std::vector<Relation>& relations, std::size_t n)
+{
+  std::vector<int> waiting(n, 0);
+  std::vector<std::vector<std::int32_t>> inFront(n);
+  for (const Relation& r : relations)
+  {
+    ++waiting[std::size_t(r.Front)];
+    inFront[std::size_t(r.Behind)].push_back(r.Front);
+  }
+  std::vector<std::size_t> free;
+  for (std::size_t i = 0; i < n; ++i)
+  {
+    if (waiting[i] == 0)
+    {
+      free.push_back(i);
+    }
+  }
+  std::size_t placed = 0;
+  for (; placed < free.size(); ++placed)
+  {
+    for (const std::int32_t next : inFront[free[placed]])
+    {
+      if (--waiting[std::size_t(next)] == 0)
+      {
+        free.push_back(std::size_t(next));
+      }
+    }
+  }
+  return n - placed;
+}
+
+bool isPermutation(const std::vector<std::int32_t>& order, std::size_t n)
+{
+  std::vector<std::int32_t> sorted = order;
+  std::sort(sorted.begin(), sorted.end());
+  std::vector<std::int32_t> expected(n);
+  std::iota(expected.begin(), expected.end(), 0);
+  return sorted == expected;
+}
+
+/** Sorts exactly and checks everything; returns the share of faces that centroids put in the wrong order. */
+double checkExactOrder(const CellGeometry& geometry, const std::vector<InteriorFace>& faces,
+  const VisibilityOrder& visibility, const Vector4& eye)
+{
+  const std::vector<Relation> relations = findRelations(faces, eye);
+  std::vector<std::int32_t> order;
+  EXPECT_EQ(visibility.SortExact(geometry, eye, order), 0);
+  EXPECT_TRUE(isPermutation(order, geometry.Tetrahedra.size()));
+  EXPECT_EQ(countViolations(relations, order), 0);
+  VisibilityOrder::SortCentroids(geometry, eye, order);
+  EXPECT_TRUE(isPermutation(order, geometry.Tetrahedra.size()));
+  return double(countViolations(relations, order)) / double(faces.size());
+}
+
+void checkManyEyes(vtkDataSet* data, Random& random, double size, int eyes)
+{
+  const CellGeometry geometry = buildGeometry(data);
+  VisibilityOrder visibility;
+  visibility.Connect(geometry);
+  const std::vector<InteriorFace> faces = findInteriorFaces(geometry);
+  EXPECT_EQ(visibility.GetNumberOfInteriorFaces(), std::int64_t(faces.size()));
+  for (int i = 0; i < eyes; ++i)
+  {
+    const Vector3 d = random.Direction();
+    const double distance = size * (i % 4 == 0 ? 0.3 : random.LogUniform(1, 50)); // inside too
+    checkExactOrder(geometry, faces, visibility, { { distance * d[0], distance * d[1], distance * d[2], 1 } });
+    checkExactOrder(geometry, faces, visibility, { { d[0], d[1], d[2], 0 } });
+  }
+}
+
+vtkSmartPointer<vtkStructuredGrid> makeWarpedLattice(Random& random, int n, double amplitude)
+{
+  return makeStructuredGrid(n, n, n, [&](double i, double j, double k, double x[3]) {
+    const double ijk[3] = { i, j, k };
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      const bool boundary = ijk[axis] == 0 || ijk[axis] == n; // stays convex
+      x[axis] = ijk[axis] / n + (boundary ? 0 : amplitude / n * random.Uniform(-4, 4));
+    }
+  });
+}
+
+vtkSmartPointer<vtkUnstructuredGrid> makeDelaunay(Random& random, int n)
+{
+  vtkNew<vtkPoints> points;
+  for (int i = 0; i < n; ++i)
+  {
+    points->InsertNextPoint(random.Uniform(), random.Uniform(), random.Uniform());
+  }
+  vtkNew<vtkPolyData> cloud;
+  cloud->SetPoints(points);
+  vtkNew<vtkDelaunay3D> delaunay;
+  delaunay->SetInputData(cloud);
+  delaunay->Update();
+  vtkNew<vtkUnstructuredGrid> grid;
+  grid->DeepCopy(delaunay->GetOutput());
+  return grid;
+}
+
+/**
+ * A ring of n prisms around the z axis between triangles that all lean forward: seen from above, each prism lies over the
+ * next one, all the way round.
+ */
+vtkSmartPointer<vtkUnstructuredGrid> makeLeaningRing(int n)
+{
+  const double turn = 2 * std::acos(-1.0) / n;
+  const double lean = 0.6;
+  std::vector<std::array<double, 3>> points;
+  for (int i = 0; i < n; ++i)
+  {
+    const double c = std::cos(i * turn), s = std::sin(i * turn);
+    const double corners[3][3] = { { 1, lean, 0.5 }, { 0.8, -lean, -0.5 }, { 1.2, -lean, -0.5 } }; // radius, forward, z
+    for (const auto& corner : corners)
+    {
+      points.push_back({ { corner[0] * c - corner[1] * s, corner[0] * s + corner[1] * c, corner[2] } });
+    }
+  }
+  std::vector<std::pair<int, std::vector<vtkIdType>>> cells;
+  for (int i = 0; i < n; ++i)
+  {
+    const vtkIdType a = 3 * i, next = 3 * ((i + 1) % n);
+    cells.push_back({ VTK_TETRA, { a, a + 1, a + 2, next } });
+    cells.push_back({ VTK_TETRA, { a + 1, a + 2, next, next + 1 } });
+    cells.push_back({ VTK_TETRA, { a + 2, next, next + 1, next + 2 } });
+  }
+  return makeGrid(points, cells);
+}
+
+vtkSmartPointer<vtkUnstructuredGrid> permuteCells(Random& random, const CellGeometry& geometry, std::vector<std::int32_t>& from)
+{
+  from.resize(geometry.Tetrahedra.size());
+  std::iota(from.begin(), from.end(), 0);
+  std::shuffle(from.begin(), from.end(), random.GetEngine());
+  std::vector<std::array<double, 3>> points;
+  for (std::size_t i = 0; i < geometry.Points.size(); ++i)
+  {
+    points.push_back(geometry.Position(std::int32_t(i)));
+  }
+  std::vector<std::pair<int, std::vector<vtkIdType>>> cells;
+  for (const std::int32_t i : from)
+  {
+    const Tetrahedron& t = geometry.Tetrahedra[std::size_t(i)];
+    cells.push_back({ VTK_TETRA, { t[0], t[1], t[2], t[3] } });
+  }
+  return makeGrid(points, cells);
+}
+
+/** Length of the ray origin + t direction, t > 0, inside a tetrahedron. */
+double crossedLength(const std::array<Vector3, 4>& p, const Vector3& origin, const Vector3& direction)
+{
+  double near = 0, far = 1e300;
+  for (std::size_t i = 0; i < 4; ++i)
+  {
+    const Vector3 face[3] = { p[(i + 1) % 4], p[(i + 2) % 4], p[(i + 3) % 4] };
+    const long double inside = orient(face, { { p[i][0], p[i][1], p[i][2], 1 } });
+    const long double start = orient(face, { { origin[0], origin[1], origin[2], 1 } }) / inside;
+    const long double speed = orient(face, { { direction[0], direction[1], direction[2], 0 } }) / inside;
+    if (speed > 0)
+    {
+      near = std::max(near, double(-start / speed));
+    }
+    else if (speed < 0)
+    {
+      far = std::min(far, double(-start / speed));
+    }
+    else if (start < 0)
+    {
+      return 0;
+    }
+  }
+  return std::max(0.0, far - near);
+}
+
+/** Colour of a ray when each tetrahedron has the random colour of its number in the unpermuted mesh. */
+double compositeRay(const CellGeometry& geometry, const std::vector<std::int32_t>& order,
+  const std::vector<std::int32_t>& from, const std::vector<double>& colors, const Vector3& origin, const Vector3& direction)
+{
+  double color = 0;
+  for (const std::int32_t i : order)
+  {
+    const double length = crossedLength(geometry.Vertices(std::size_t(i)), origin, direction);
+    const double alpha = -std::expm1(-3 * length);
+    color = (1 - alpha) * color + alpha * colors[std::size_t(from[std::size_t(i)])];
+  }
+  return color;
+}
+}
+
+TEST(VisibilityOrder, Shell)
+{
+  const CellGeometry geometry = buildGeometry(makeShell(24, 12, 3, 80, 1, 1.3));
+  VisibilityOrder visibility;
+  EXPECT_FALSE(visibility.IsConnected());
+  visibility.Connect(geometry);
+  EXPECT_TRUE(visibility.IsConnected());
+  EXPECT_EQ(geometry.Tetrahedra.size(), 5184u);
+  EXPECT_EQ(visibility.GetNumberOfInteriorFaces(), 9648);
+  const std::vector<InteriorFace> faces = findInteriorFaces(geometry);
+  EXPECT_EQ(faces.size(), 9648u);
+  const double centroids = checkExactOrder(geometry, faces, visibility, eyeAt(geometry, 3.2, 0.9, 1.1));
+  std::cout << "faces in the wrong order with centroids: " << 100 * centroids << " %" << std::endl;
+  EXPECT_GT(centroids, 0.05);
+}
+
+TEST(VisibilityOrder, ThinShell)
+{
+  const CellGeometry geometry = buildGeometry(makeShell(36, 18, 6, 80, 1, 1.06));
+  VisibilityOrder visibility;
+  visibility.Connect(geometry);
+  EXPECT_EQ(geometry.Tetrahedra.size(), 23328u);
+  const std::vector<InteriorFace> faces = findInteriorFaces(geometry);
+  const double centroids = checkExactOrder(geometry, faces, visibility, eyeAt(geometry, 3.2, 0.9, 1.1));
+  std::cout << "faces in the wrong order with centroids: " << 100 * centroids << " %" << std::endl;
+  EXPECT_GT(centroids, 0.05);
+}
+
+TEST(VisibilityOrder, WarpedLattice)
+{
+  Random random(51);
+  checkManyEyes(makeWarpedLattice(random, 8, 0.06), random, 1, 6);
+}
+
+TEST(VisibilityOrder, Delaunay)
+{
+  Random random(52);
+  for (int i = 0; i < 3; ++i)
+  {
+    checkManyEyes(makeDelaunay(random, 300), random, 1, 6);
+  }
+}
+
+TEST(VisibilityOrder, RepeatedPointsOfBlocksAreJoined)
+{
+  vtkNew<vtkAppendFilter> append;
+  append->MergePointsOff();
+  for (int block = 0; block < 2; ++block)
+  {
+    append->AddInputData(makeStructuredGrid(2, 4, 4, [&](double i, double j, double k, double x[3]) {
+      x[0] = i + 2 * block;
+      x[1] = j;
+      x[2] = k;
+    }));
+  }
+  append->Update();
+  const CellGeometry geometry = buildGeometry(append->GetOutput());
+  const CellGeometry whole = buildGeometry(makeLattice(4));
+  ASSERT_GT(geometry.Points.size(), whole.Points.size());
+  VisibilityOrder joined, single;
+  joined.Connect(geometry);
+  single.Connect(whole);
+  EXPECT_EQ(joined.GetNumberOfInteriorFaces(), single.GetNumberOfInteriorFaces());
+  checkExactOrder(geometry, findInteriorFaces(geometry), joined, eyeAt(geometry, 10, 3, 1));
+}
+
+TEST(VisibilityOrder, CycleOfNeighbours)
+{
+  const CellGeometry geometry = buildGeometry(makeLeaningRing(16));
+  ASSERT_EQ(geometry.Tetrahedra.size(), 48u);
+  VisibilityOrder visibility;
+  visibility.Connect(geometry);
+  EXPECT_EQ(visibility.GetNumberOfInteriorFaces(), 48);
+  const Vector4 above = { { 0, 0, 1, 0 } };
+  const std::vector<Relation> relations = findRelations(findInteriorFaces(geometry), above);
+  ASSERT_GT(countUnsortable(relations, 48), 0u) << "the mesh of this test has no cycle";
+  std::vector<std::int32_t> order;
+  const std::int64_t broken = visibility.SortExact(geometry, above, order);
+  EXPECT_GT(broken, 0);
+  EXPECT_TRUE(isPermutation(order, 48));
+  EXPECT_EQ(countViolations(relations, order), broken) << "what is counted is what is broken";
+  // From the side the same mesh has an order.
+  const Vector4 aside = { { 1, 0.3, 0.1, 0 } };
+  ASSERT_EQ(countUnsortable(findRelations(findInteriorFaces(geometry), aside), 48), 0u);
+  EXPECT_EQ(visibility.SortExact(geometry, aside, order), 0);
+}
+
+TEST(VisibilityOrder, ThreadsDoNotChangeTheOrder)
+{
+  const CellGeometry geometry = buildGeometry(makeShell(24, 12, 3, 90, 1, 1.3));
+  const Vector4 eye = eyeAt(geometry, 3.2, 0.9, 1.1);
+  std::vector<std::int32_t> exact, centroids;
+  for (const int threads : { 1, 2, 4 })
+  {
+    withThreads(threads, [&]() {
+      VisibilityOrder visibility;
+      visibility.Connect(geometry);
+      std::vector<std::int32_t> order;
+      visibility.SortExact(geometry, eye, order);
+      exact = exact.empty() ? order : exact;
+      EXPECT_EQ(order, exact);
+      VisibilityOrder::SortCentroids(geometry, eye, order);
+      centroids = centroids.empty() ? order : centroids;
+      EXPECT_EQ(order, centroids);
+    });
+  }
+}
+
+TEST(VisibilityOrder, PermutedCellsGiveTheSamePicture)
+{
+  Random random(53);
+  const CellGeometry geometry = buildGeometry(makeWarpedLattice(random, 4, 0.06));
+  std::vector<std::int32_t> identity(geometry.Tetrahedra.size()), from, order, permutedOrder;
+  std::iota(identity.begin(), identity.end(), 0);
+  const CellGeometry permuted = buildGeometry(permuteCells(random, geometry, from));
+  std::vector<double> colors;
+  std::generate_n(std::back_inserter(colors), identity.size(), [&]() { return random.Uniform(); });
+
+  const Vector3 eye = { { 2, 1.5, 1.2 } };
+  VisibilityOrder first, second;
+  first.Connect(geometry);
+  second.Connect(permuted);
+  first.SortExact(geometry, { { eye[0], eye[1], eye[2], 1 } }, order);
+  second.SortExact(permuted, { { eye[0], eye[1], eye[2], 1 } }, permutedOrder);
+  double greatest = 0;
+  for (int i = 0; i < 500; ++i)
+  {
+    const Vector3 target = { { random.Uniform(-0.5, 0.5), random.Uniform(-0.5, 0.5), random.Uniform(-0.5, 0.5) } };
+    const Vector3 direction = difference(target, eye);
+    const double color = compositeRay(geometry, order, identity, colors, eye, direction);
+    ASSERT_NEAR(compositeRay(permuted, permutedOrder, from, colors, eye, direction), color, 1e-12);
+    greatest = std::max(greatest, color);
+  }
+  EXPECT_GT(greatest, 0.3);
+}
+
+TEST(VisibilityOrder, CentroidsFarthestFirst)
+{
+  const CellGeometry geometry = buildGeometry(makeLattice(3));
+  const auto centroid = [&](std::int32_t i) {
+    const auto p = geometry.Vertices(std::size_t(i));
+    return Vector3{ { (p[0][0] + p[1][0] + p[2][0] + p[3][0]) / 4, (p[0][1] + p[1][1] + p[2][1] + p[3][1]) / 4,
+      (p[0][2] + p[1][2] + p[2][2] + p[3][2]) / 4 } };
+  };
+  std::vector<std::int32_t> order;
+  VisibilityOrder::SortCentroids(geometry, { { 5, 4, 3, 1 } }, order);
+  for (std::size_t i = 1; i < order.size(); ++i)
+  {
+    const Vector3 far = difference(centroid(order[i - 1]), { { 5, 4, 3 } });
+    const Vector3 near = difference(centroid(order[i]), { { 5, 4, 3 } });
+    ASSERT_GE(dot(far, far), dot(near, near) - 1e-5);
+  }
+  VisibilityOrder::SortCentroids(geometry, { { 5, 4, 3, 0 } }, order);
+  for (std::size_t i = 1; i < order.size(); ++i)
+  {
+    ASSERT_LE(dot(centroid(order[i - 1]), { { 5, 4, 3 } }), dot(centroid(order[i]), { { 5, 4, 3 } }) + 1e-5);
+  }
+  VisibilityOrder::SortNone(geometry, order);
+  EXPECT_TRUE(isPermutation(order, geometry.Tetrahedra.size()));
+  EXPECT_TRUE(std::is_sorted(order.begin(), order.end()));
+}
+
+TEST(VisibilityOrder, NothingAndOneTetrahedron)
+{
+  CellGeometry geometry;
+  VisibilityOrder visibility;
+  visibility.Connect(geometry);
+  std::vector<std::int32_t> order = { 1, 2, 3 };
+  EXPECT_EQ(visibility.SortExact(geometry, { { 0, 0, 1, 0 } }, order), 0);
+  EXPECT_TRUE(order.empty());
+  geometry = buildGeometry(makeGrid(
+    { { { 0, 0, 0 } }, { { 1, 0, 0 } }, { { 0, 1, 0 } }, { { 0, 0, 1 } } }, { { VTK_TETRA, { 0, 1, 2, 3 } } }));
+  visibility.Connect(geometry);
+  EXPECT_EQ(visibility.SortExact(geometry, { { 0, 0, 1, 0 } }, order), 0);
+  EXPECT_EQ(order, std::vector<std::int32_t>{ 0 });
+}
+
+// Three and more tetrahedra at one face, and points that are not numbers, must do no harm.
+TEST(VisibilityOrder, OverlappingCellsAndInvalidPoints)
+{
+  auto grid = makeGrid({ { { 0, 0, 0 } }, { { 1, 0, 0 } }, { { 0, 1, 0 } }, { { 0, 0, 1 } }, { { 0, 0, -1 } },
+                         { { 0.1, 0.1, 2 } }, { { std::nan(""), 0, 0 } } },
+    { { VTK_TETRA, { 0, 1, 2, 3 } }, { VTK_TETRA, { 0, 1, 2, 4 } }, { VTK_TETRA, { 0, 1, 2, 5 } },
+      { VTK_TETRA, { 0, 1, 2, 3 } }, { VTK_TETRA, { 0, 1, 2, 6 } } });
+  const CellGeometry geometry = buildGeometry(grid);
+  ASSERT_EQ(geometry.Tetrahedra.size(), 4u);
+  VisibilityOrder visibility;
+  visibility.Connect(geometry);
+  std::vector<std::int32_t> order;
+  visibility.SortExact(geometry, { { 0, 0, 5, 1 } }, order);
+  EXPECT_TRUE(isPermutation(order, 4));
+}
