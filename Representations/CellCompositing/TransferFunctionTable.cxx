@@ -9,13 +9,21 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace nephoscope
 {
 namespace
 {
-constexpr double curveTolerance = 1.0 / 2000;
-constexpr int largestDepth = 8; // 256 pieces between two control points
+constexpr double curveTolerance = 1.0 / 2500; // at the places looked at; 1 / 2000 then holds between them
+constexpr int largestDepth = 12; // the finest piece is 1/4096 of the way between two control points
+
+/** How far inside an interval its limits are taken: as little as the arithmetic allows, so that a jump stays outside. */
+double limitInset(double low, double high)
+{
+  const double rounding = 4 * std::numeric_limits<double>::epsilon() * std::max(std::abs(low), std::abs(high));
+  return std::min(0.5 * (high - low), std::max(1e-9 * (high - low), rounding));
+}
 
 /** Evaluates both functions in double, from either side of a point. */
 class Sampler
@@ -102,9 +110,11 @@ private:
   void AddSteps(std::vector<double>& nodes) const
   {
     const double* range = this->Color->GetRange();
+    const bool logarithmic = this->Color->UsingLogScale() && range[0] > 0;
     for (vtkIdType i = 0; i <= this->Steps; ++i)
     {
-      nodes.push_back(range[0] + (range[1] - range[0]) * double(i) / double(this->Steps));
+      const double t = double(i) / double(this->Steps);
+      nodes.push_back(logarithmic ? range[0] * std::pow(range[1] / range[0], t) : range[0] + (range[1] - range[0]) * t);
     }
   }
 
@@ -138,11 +148,11 @@ TransferFunctionTable::Value mix(
 /** Adds the inner nodes that the curve between two places needs, ascending. */
 void refine(const Sampler& sample, double low, double high, int depth, std::vector<double>& nodes)
 {
-  const double inset = 1e-9 * (high - low);
+  const double inset = limitInset(low, high);
   const auto a = sample(low + inset);
   const auto b = sample(high - inset);
   bool straight = true;
-  for (const double t : { 0.2, 0.5, 0.7 })
+  for (const double t : { 0.07, 0.2, 0.31, 0.4, 0.5, 0.6, 0.69, 0.8, 0.93 }) // several, for kinks lie anywhere
   {
     straight = straight &&
       largestDifference(sample(low + t * (high - low)), mix(a, b, static_cast<float>(t))) < curveTolerance;
@@ -183,7 +193,7 @@ void TransferFunctionTable::Build(vtkVolumeProperty* property, const double rang
   {
     const double low = k == 0 ? nodes.front() - width : nodes[k - 1];
     const double high = k == nodes.size() ? nodes.back() + width : nodes[k];
-    const double inset = 1e-9 * (high - low);
+    const double inset = limitInset(low, high);
     const bool outside = k == 0 || k == nodes.size();
     const Value atLow = sample(outside ? 0.5 * (low + high) : low + inset);
     this->Intervals.push_back({ atLow, outside ? atLow : sample(high - inset) });
