@@ -73,11 +73,7 @@ double scalarValue(const ScalarSelection& scalars, vtkIdType tuple)
 }
 
 /**
-<<<<<<< HEAD
  * Finite minimum and maximum, never equal: the range that becomes [0, 1]. Hidden values do not count: a fill value there
-=======
- * Finite minimum and maximum, never equal: the range that becomes [0, 1]. What is hidden does not count: a fill value there
->>>>>>> cxxtests
  * would take the precision of all that is drawn.
  */
 void findRange(vtkDataSet* data, const ScalarSelection& scalars, double range[2])
