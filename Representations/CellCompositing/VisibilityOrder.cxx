@@ -202,7 +202,8 @@ void VisibilityOrder::OrientFaces(const CellGeometry& geometry)
 }
 
 // Side of the face's plane on which the eye lies, 0 where the rounding of the coordinates could turn the answer: moving each
-// point by the error moves the determinant by at most three times the error times the areas it multiplies.
+// point by the error moves the determinant by at most three times the error times the areas it multiplies. A direction
+// towards the eye has no error of its own.
 int VisibilityOrder::EyeSide(
   const CellGeometry& geometry, const std::array<std::int32_t, 3>& face, const Vector4& eye) const
 {
@@ -212,7 +213,7 @@ int VisibilityOrder::EyeSide(
   const Vector3 ae = { eye[0] - eye[3] * a[0], eye[1] - eye[3] * a[1], eye[2] - eye[3] * a[2] };
   const double side = dot(cross(ab, ac), ae);
   const double lengths[3] = { std::sqrt(dot(ab, ab)), std::sqrt(dot(ac, ac)), std::sqrt(dot(ae, ae)) };
-  const double areas = lengths[0] * lengths[2] + lengths[1] * lengths[2] + lengths[0] * lengths[1];
+  const double areas = (lengths[0] + lengths[1]) * lengths[2] + eye[3] * lengths[0] * lengths[1];
   return std::abs(side) > 3 * this->CoordinateError * areas ? sign(side) : 0;
 }
 
