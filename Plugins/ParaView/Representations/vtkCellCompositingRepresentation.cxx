@@ -38,9 +38,9 @@ const char* const uniformName = "NephoscopeUniform";
 
 // Optical depth of the mean ray when the opacity function is 1 everywhere. ParaView's default opacity function is a ramp
 // from 0 to 1 over the range: about half of this, less where high values are rare.
-constexpr double meanOpticalDepth = 10.0;
-// Under Solid Color: an optical depth of 2, which lets the far side shine through.
-constexpr double uniformOpacity = 0.2;
+constexpr double meanOpticalDepth = 5.0;
+// Under Solid Color: an optical depth of 1.5, which lets the far side shine through.
+constexpr double uniformOpacity = 0.3;
 
 int numberOfRanks()
 {

@@ -30,8 +30,8 @@ public:
 
   ///@{
   /**
-   * Take the length over which extinction is counted from the size of the data: a tenth of the mean length of a ray
-   * inside the cells. An opacity of 1 throughout then gives a mean optical depth of 10, whatever the unit of
+   * Take the length over which extinction is counted from the size of the data: a fifth of the mean length of a ray
+   * inside the cells. An opacity of 1 throughout then gives a mean optical depth of 5, whatever the unit of
    * length. Default: on. On: UnitDistance is ignored.
    */
   void SetAutomaticUnitDistance(bool automatic) { this->AutomaticUnitDistance = automatic; }

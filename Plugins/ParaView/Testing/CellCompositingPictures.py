@@ -88,12 +88,12 @@ def check_alpha_formula():
         expected_color = np.array([0.25, 0.0, 0.75]) * 255 * expected
         check(np.abs(on_black[150, 150] - expected_color).max() < 1.5,
               f"colour {on_black[150, 150]}, expected {expected_color}")
-    # The default length is a tenth of the mean chord, volume over a quarter of the surface: 20^3 / (6 * 20^2 / 4) / 10.
+    # The default length is a fifth of the mean chord, volume over a quarter of the surface: 20^3 / (6 * 20^2 / 4) / 5.
     display.CellCompositingAutomaticUnitDistance = 1
     display.CellCompositingOpacityScale = 1
     display.Opacity = 1
     _, alpha = color_and_alpha(view)
-    expected = 1.0 - math.exp(-0.25 * 20.0 / (20.0**3 / (6 * 20.0**2 / 4) / 10))
+    expected = 1.0 - math.exp(-0.25 * 20.0 / (20.0**3 / (6 * 20.0**2 / 4) / 5))
     check(abs(alpha[150, 150] - expected) < 1.5 / 255, f"automatic: alpha {alpha[150, 150]}, expected {expected}")
 
 
