@@ -11,6 +11,7 @@
 #include "vtkCommunicator.h"
 #include "vtkCompositeDataIterator.h"
 #include "vtkCompositeDataSet.h"
+#include "vtkDataArray.h"
 #include "vtkDataSet.h"
 #include "vtkDataSetAttributes.h"
 #include "vtkGenericCell.h"
@@ -26,8 +27,10 @@
 #include "vtkUnsignedCharArray.h"
 #include "vtkUnstructuredGrid.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <memory>
 #include <tuple>
 #include <vector>
 
@@ -183,6 +186,37 @@ double volumeOf(vtkDataSet* data, const std::array<vtkIdType, 4>& tetrahedron)
   return std::isfinite(volume) ? volume : 0.0;
 }
 
+double scalarAt(vtkDataArray* scalars, vtkIdType tuple)
+{
+  double sum = 0.0;
+  const int components = scalars->GetNumberOfComponents();
+  if (components == 1)
+  {
+    return scalars->GetComponent(tuple, 0);
+  }
+  for (int c = 0; c < components; ++c)
+  {
+    sum += scalars->GetComponent(tuple, c) * scalars->GetComponent(tuple, c);
+  }
+  return std::sqrt(sum);
+}
+
+/** Over one tetrahedron; 0 where a value is not finite, as such cells are not drawn. */
+double meanScalar(
+  vtkDataArray* scalars, bool onCells, vtkIdType cell, const std::array<vtkIdType, 4>& tetrahedron)
+{
+  if (!scalars)
+  {
+    return 0.0;
+  }
+  double mean = 0.0;
+  for (vtkIdType point : tetrahedron)
+  {
+    mean += 0.25 * scalarAt(scalars, onCells ? cell : point);
+  }
+  return std::isfinite(mean) ? mean : 0.0;
+}
+
 void copyPoints(vtkDataSet* data, vtkUnstructuredGrid* grid)
 {
   vtkNew<vtkPoints> points;
@@ -281,22 +315,18 @@ vtkSmartPointer<vtkUnstructuredGrid> tetrahedralize(vtkDataSet* data)
   return grid;
 }
 
-CellExtent measureCells(vtkDataSet* data)
+CellMeasures measureCells(vtkDataSet* data, vtkDataArray* scalars, bool onCells)
 {
-  CellExtent extent;
+  CellMeasures measures;
   const vtkIdType numberOfCells = data ? data->GetNumberOfCells() : 0;
-  if (numberOfCells == 0)
-  {
-    return extent;
-  }
   const vtkIdType stride = 1 + numberOfCells / 100000;
   vtkIdType shown = 0, sampled = 0;
   vtkBoundingBox box;
   double bounds[6];
-  TetrahedronSource source(data);
+  std::unique_ptr<TetrahedronSource> source(numberOfCells > 0 ? new TetrahedronSource(data) : nullptr);
   for (vtkIdType cell = 0; cell < numberOfCells; ++cell)
   {
-    if (source.IsHidden(cell))
+    if (source->IsHidden(cell))
     {
       continue;
     }
@@ -305,49 +335,78 @@ CellExtent measureCells(vtkDataSet* data)
     if (shown++ % stride == 0)
     {
       ++sampled;
-      source.Emit(cell, [&](const std::array<vtkIdType, 4>& t) { extent.Volume += volumeOf(data, t); });
+      source->Emit(cell, [&](const std::array<vtkIdType, 4>& t) {
+        const double volume = volumeOf(data, t);
+        measures.Volume += volume;
+        measures.ScalarIntegral += volume * meanScalar(scalars, onCells, cell, t);
+      });
     }
   }
-  extent.Volume *= sampled > 0 ? static_cast<double>(shown) / static_cast<double>(sampled) : 0.0;
+  const double scale = sampled > 0 ? static_cast<double>(shown) / static_cast<double>(sampled) : 0.0;
+  measures.Volume *= scale;
+  measures.ScalarIntegral *= scale;
   if (box.IsValid())
   {
-    box.GetBounds(extent.Bounds);
+    box.GetBounds(measures.Bounds);
   }
-  return extent;
+  if (scalars && shown > 0)
+  {
+    scalars->GetFiniteRange(measures.ScalarRange, scalars->GetNumberOfComponents() > 1 ? -1 : 0);
+  }
+  return measures;
 }
 
-CellExtent reduceOverRanks(const CellExtent& mine)
+CellMeasures reduceOverRanks(const CellMeasures& mine)
 {
   auto controller = vtkMultiProcessController::GetGlobalController();
   if (!controller || controller->GetNumberOfProcesses() == 1)
   {
     return mine;
   }
-  CellExtent all;
-  controller->AllReduce(&mine.Volume, &all.Volume, 1, vtkCommunicator::SUM_OP);
-  const bool empty = mine.Bounds[0] > mine.Bounds[1];
-  double low[3], high[3], lowest[3], highest[3];
-  for (int axis = 0; axis < 3; ++axis)
+  CellMeasures all;
+  const double sums[2] = { mine.Volume, mine.ScalarIntegral };
+  double allSums[2];
+  controller->AllReduce(sums, allSums, 2, vtkCommunicator::SUM_OP);
+  all.Volume = allSums[0];
+  all.ScalarIntegral = allSums[1];
+
+  // Four intervals: three axes and the scalar. An empty one must not count.
+  double low[4], high[4], lowest[4], highest[4];
+  for (int i = 0; i < 4; ++i)
   {
-    low[axis] = empty ? VTK_DOUBLE_MAX : mine.Bounds[2 * axis];
-    high[axis] = empty ? -VTK_DOUBLE_MAX : mine.Bounds[2 * axis + 1];
+    const double* interval = i < 3 ? mine.Bounds + 2 * i : mine.ScalarRange;
+    const bool empty = interval[0] > interval[1];
+    low[i] = empty ? VTK_DOUBLE_MAX : interval[0];
+    high[i] = empty ? -VTK_DOUBLE_MAX : interval[1];
   }
-  controller->AllReduce(low, lowest, 3, vtkCommunicator::MIN_OP);
-  controller->AllReduce(high, highest, 3, vtkCommunicator::MAX_OP);
-  for (int axis = 0; axis < 3; ++axis)
+  controller->AllReduce(low, lowest, 4, vtkCommunicator::MIN_OP);
+  controller->AllReduce(high, highest, 4, vtkCommunicator::MAX_OP);
+  for (int i = 0; i < 4; ++i)
   {
-    all.Bounds[2 * axis] = lowest[axis];
-    all.Bounds[2 * axis + 1] = highest[axis];
+    double* interval = i < 3 ? all.Bounds + 2 * i : all.ScalarRange;
+    interval[0] = lowest[i];
+    interval[1] = highest[i];
   }
   return all;
 }
 
-double meanChord(const CellExtent& extent)
+double meanChord(const CellMeasures& measures)
 {
-  const double* b = extent.Bounds;
+  const double* b = measures.Bounds;
   const double size[3] = { b[1] - b[0], b[3] - b[2], b[5] - b[4] };
   const double surface = 2.0 * (size[0] * size[1] + size[1] * size[2] + size[2] * size[0]);
-  return extent.Volume > 0.0 && surface > 0.0 ? extent.Volume / (0.25 * surface) : 0.0;
+  return measures.Volume > 0.0 && surface > 0.0 ? measures.Volume / (0.25 * surface) : 0.0;
+}
+
+double meanRamp(const CellMeasures& measures)
+{
+  const double low = measures.ScalarRange[0];
+  const double high = measures.ScalarRange[1];
+  if (!(high > low) || measures.Volume <= 0.0)
+  {
+    return 0.5;
+  }
+  return std::min(std::max((measures.ScalarIntegral / measures.Volume - low) / (high - low), 0.0), 1.0);
 }
 
 } // namespace nephoscope

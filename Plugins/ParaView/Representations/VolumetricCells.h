@@ -8,6 +8,7 @@
 
 #include "vtkSmartPointer.h"
 
+class vtkDataArray;
 class vtkDataObject;
 class vtkDataSet;
 class vtkUnstructuredGrid;
@@ -31,24 +32,31 @@ vtkSmartPointer<vtkDataSet> volumetricPart(vtkDataObject* input);
  */
 vtkSmartPointer<vtkUnstructuredGrid> tetrahedralize(vtkDataSet* data);
 
-/** Volume and bounds of the cells that this process owns. */
-struct CellExtent
+/** Volume and bounds of the cells that this process owns, and what a scalar is like over that volume. */
+struct CellMeasures
 {
   double Volume = 0.0;
+  double ScalarIntegral = 0.0;
+  double ScalarRange[2] = { 1.0, -1.0 };
   double Bounds[6] = { 1.0, -1.0, 1.0, -1.0, 1.0, -1.0 };
 };
 
-/** Of a piece; the volume comes from about 1e5 evenly chosen cells. */
-CellExtent measureCells(vtkDataSet* data);
+/**
+ * Of a piece. `scalars` may be null; vectors count by their magnitude. Integrals come from about 1e5 evenly chosen cells.
+ */
+CellMeasures measureCells(vtkDataSet* data, vtkDataArray* scalars, bool onCells);
 
 /** Of all ranks together. Collective. */
-CellExtent reduceOverRanks(const CellExtent& mine);
+CellMeasures reduceOverRanks(const CellMeasures& mine);
 
 /**
  * Mean length of a ray inside the cells: their volume divided by the mean projected area of their bounding box, which is
  * a quarter of its surface (Cauchy). 0 without 3-D cells.
  */
-double meanChord(const CellExtent& extent);
+double meanChord(const CellMeasures& measures);
+
+/** Mean over the volume of a ramp from 0 to 1 over the scalar's range; 0.5 when the scalar is constant or missing. */
+double meanRamp(const CellMeasures& measures);
 
 } // namespace nephoscope
 

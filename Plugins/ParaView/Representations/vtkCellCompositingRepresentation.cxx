@@ -33,14 +33,12 @@ vtkStandardNewMacro(vtkCellCompositingRepresentation);
 namespace
 {
 // Travels with the data as a field array, so that every time step in ParaView's cache keeps its own.
-const char* const meanChordName = "NephoscopeMeanChord";
+const char* const unitDistanceName = "NephoscopeUnitDistance";
 const char* const uniformName = "NephoscopeUniform";
 
-// Optical depth of the mean ray when the opacity function is 1 everywhere. ParaView's default opacity function is a ramp
-// from 0 to 1 over the range: about half of this, less where high values are rare.
-constexpr double meanOpticalDepth = 5.0;
-// Under Solid Color: an optical depth of 1.5, which lets the far side shine through.
-constexpr double uniformOpacity = 0.3;
+// What the automatic unit distance aims at with ParaView's default opacity function, a ramp from 0 to 1 over the range.
+constexpr double meanOpticalDepth = 2.0;
+constexpr double uniformOpacity = 0.5; // under Solid Color
 
 int numberOfRanks()
 {
@@ -108,8 +106,13 @@ int vtkCellCompositingRepresentation::RequestData(
 void vtkCellCompositingRepresentation::PrepareCells(vtkDataObject* input)
 {
   this->Cells = nephoscope::volumetricPart(input);
-  const nephoscope::CellExtent mine = nephoscope::measureCells(this->Cells);
-  const nephoscope::CellExtent all = nephoscope::reduceOverRanks(mine);
+  int association = 0;
+  const char* name = nullptr;
+  vtkDataArray* scalars =
+    this->Cells ? this->FindColorArray(this->Cells, association, name) : nullptr;
+  const nephoscope::CellMeasures mine = nephoscope::measureCells(
+    this->Cells, scalars, association == vtkDataObject::FIELD_ASSOCIATION_CELLS);
+  const nephoscope::CellMeasures all = nephoscope::reduceOverRanks(mine);
   std::copy(mine.Bounds, mine.Bounds + 6, this->DataBounds);
 
   auto controller = vtkMultiProcessController::GetGlobalController();
@@ -134,7 +137,8 @@ void vtkCellCompositingRepresentation::PrepareCells(vtkDataObject* input)
       this->Cells = nephoscope::tetrahedralize(this->Cells);
     }
   }
-  setFieldValue(this->Cells, meanChordName, nephoscope::meanChord(all));
+  setFieldValue(this->Cells, unitDistanceName,
+    nephoscope::meanChord(all) * nephoscope::meanRamp(all) / meanOpticalDepth);
 }
 
 int vtkCellCompositingRepresentation::ProcessViewRequest(
@@ -208,7 +212,7 @@ void vtkCellCompositingRepresentation::PrepareMapper(vtkDataSet* cells, bool int
   {
     this->ColorUniformly(cells);
   }
-  const double automatic = fieldValue(cells, meanChordName) / meanOpticalDepth;
+  const double automatic = fieldValue(cells, unitDistanceName);
   const double distance =
     this->AutomaticUnitDistance && automatic > 0.0 ? automatic : this->UnitDistance;
   this->Property->SetScalarOpacityUnitDistance(distance);
@@ -219,24 +223,24 @@ void vtkCellCompositingRepresentation::PrepareMapper(vtkDataSet* cells, bool int
                 : this->VisibilityOrder);
 }
 
-bool vtkCellCompositingRepresentation::FindColorArray(
+vtkDataArray* vtkCellCompositingRepresentation::FindColorArray(
   vtkDataSet* cells, int& association, const char*& name)
 {
   vtkInformation* info = this->GetInputArrayInformation(0);
   if (!info || !info->Has(vtkDataObject::FIELD_NAME()) || !info->Has(vtkDataObject::FIELD_ASSOCIATION()))
   {
-    return false;
+    return nullptr;
   }
   name = info->Get(vtkDataObject::FIELD_NAME());
   association = info->Get(vtkDataObject::FIELD_ASSOCIATION());
   if (!name || !name[0])
   {
-    return false;
+    return nullptr;
   }
   vtkFieldData* arrays = association == vtkDataObject::FIELD_ASSOCIATION_CELLS
     ? static_cast<vtkFieldData*>(cells->GetCellData())
     : static_cast<vtkFieldData*>(cells->GetPointData());
-  return arrays->GetArray(name) != nullptr;
+  return arrays->GetArray(name);
 }
 
 void vtkCellCompositingRepresentation::ColorUniformly(vtkDataSet* cells)

@@ -18,6 +18,7 @@
 #include "vtkVolumeRepresentation.h"
 
 class vtkCellCompositingMapper;
+class vtkDataArray;
 class vtkDataSet;
 
 class VTKNEPHOSCOPEPARAVIEWREPRESENTATIONS_EXPORT vtkCellCompositingRepresentation
@@ -30,9 +31,11 @@ public:
 
   ///@{
   /**
-   * Take the length over which extinction is counted from the size of the data: a fifth of the mean length of a ray
-   * inside the cells. An opacity of 1 throughout then gives a mean optical depth of 5, whatever the unit of
-   * length. Default: on. On: UnitDistance is ignored.
+   * Take the length over which extinction is counted from the data: the mean length of a ray inside the cells,
+   * times the mean over the volume of a ramp from 0 to 1 over the range of the scalar, divided by 2. With
+   * ParaView's default opacity function, which is that ramp, the mean optical depth is then 2, whatever the unit
+   * of length and however rare high values are. It does not follow the opacity function. Default: on. On: UnitDistance is
+   * ignored.
    */
   void SetAutomaticUnitDistance(bool automatic) { this->AutomaticUnitDistance = automatic; }
   bool GetAutomaticUnitDistance() const { return this->AutomaticUnitDistance; }
@@ -78,7 +81,7 @@ private:
   void DescribePiece(vtkInformation* inInfo);
   void PrepareMapper(vtkDataSet* cells, bool interactive);
   void ColorUniformly(vtkDataSet* cells);
-  bool FindColorArray(vtkDataSet* cells, int& association, const char*& name);
+  vtkDataArray* FindColorArray(vtkDataSet* cells, int& association, const char*& name);
 
   vtkNew<vtkCellCompositingMapper> Mapper;
   vtkNew<vtkVolumeProperty> UniformProperty;
