@@ -88,6 +88,17 @@ int vtkCellCompositingRepresentation::FillInputPortInformation(int, vtkInformati
   return 1;
 }
 
+void vtkCellCompositingRepresentation::SetInputArrayToProcess(
+  int index, int port, int connection, int association, const char* name)
+{
+  const vtkMTimeType before = this->GetMTime();
+  this->Superclass::SetInputArrayToProcess(index, port, connection, association, name);
+  if (this->GetMTime() != before)
+  {
+    this->MarkModified(); // ParaView does not prepare the data again for a new colour
+  }
+}
+
 int vtkCellCompositingRepresentation::RequestData(
   vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {

@@ -61,6 +61,11 @@ public:
   void SetDiffuseColor(double red, double green, double blue);
   ///@}
 
+  /** The coloured array; the automatic unit distance depends on it. */
+  void SetInputArrayToProcess(
+    int index, int port, int connection, int association, const char* name) override;
+  using Superclass::SetInputArrayToProcess;
+
   int ProcessViewRequest(
     vtkInformationRequestKey* request, vtkInformation* inInfo, vtkInformation* outInfo) override;
 

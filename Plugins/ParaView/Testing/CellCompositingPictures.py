@@ -71,6 +71,21 @@ def uniform_display(view, value):
     return display
 
 
+def check_change_of_array():
+    """Colouring by another array gives the picture that it gives at once, and this one is sensible for rare values."""
+    both = pvs.Calculator(Input=pvs.Wavelet(), ResultArrayName="Rare", Function="exp((RTData-276)/10)")
+    first, second = new_view(), new_view()
+    display = compose(both, first, ("POINTS", "RTData"))
+    compose(both, second, ("POINTS", "Rare"))
+    for view in (first, second):
+        look(view)
+    image(first)
+    pvs.ColorBy(display, ("POINTS", "Rare"))
+    check_same(image(first), image(second), "changed to another array")
+    mean = inside_mean_alpha(color_and_alpha(second)[1])
+    check(SENSIBLE[0] < mean < SENSIBLE[1], f"rare values: mean alpha {mean}")
+
+
 def check_alpha_formula():
     """A ray along an axis of the cube: alpha = 1 - exp(-opacity * scale * length / unit distance)."""
     view = new_view()
@@ -142,11 +157,12 @@ check_first_picture("tetrahedra", pvs.Tetrahedralize(Input=wavelet), ("POINTS", 
 weather = pvs.ExtractSubset(Input=pvs.NetCDFReader(FileName=[GFS], SphericalCoordinates=0),
                             VOI=[0, 10**6] * 3, SampleRateI=2, SampleRateJ=2)
 check_first_picture("GFS humidity, degrees and hPa", weather, ("POINTS", "r"))
-for exaggeration in (1, 50):
+for exaggeration, name in ((1, "r"), (50, "clwmr")):
     globe = pvs.GlobeGrid(Input=weather, VerticalExaggeration=exaggeration)
-    check_first_picture(f"GFS humidity on the globe, exaggeration {exaggeration}", globe, ("POINTS", "r"))
+    check_first_picture(f"GFS {name} on the globe, exaggeration {exaggeration}", globe, ("POINTS", name))
 check_units()
 check_datasets_agree()
+check_change_of_array()
 check_alpha_formula()
 check_solid_color()
 check_vectors()
