@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkCellCompositingRepresentation.h"
 
+#include "CellMeasures.h"
 #include "VolumetricCells.h"
 #include "vtkCellCompositingMapper.h"
 #include "vtkCellCompositingVolume.h"
