@@ -10,9 +10,9 @@ import numpy as np
 from PluginTesting import compose, image, load_plugin, look, new_view, passed, pvs
 
 
-def draw(name, source, array=("POINTS", "RTData")):
+def draw(name, source, array=("POINTS", "RTData"), opacity_scale=1):
     view = new_view()
-    compose(source, view, array)
+    compose(source, view, array).CellCompositingOpacityScale = opacity_scale
     look(view)
     picture = image(view)
     pvs.Delete(view)
@@ -29,4 +29,10 @@ rotated = pvs.Transform(Input=wavelet)
 rotated.Transform.Rotate = [10, 20, 30]
 draw("structured", rotated)
 draw("cells", pvs.PointDatatoCellData(Input=wavelet), ("CELLS", "RTData"))
+# Large, nearly opaque cells askew to any border between ranks: wrong order or whole cells across the border show.
+coarse = pvs.Transform(Input=pvs.Wavelet(WholeExtent=[-3, 3, -3, 3, -3, 3]))
+coarse.Transform.Rotate = [10, 20, 30]
+coarse.Transform.Scale = [3, 3, 3]
+draw("coarse", coarse, opacity_scale=5)
+draw("coarse-cells", pvs.PointDatatoCellData(Input=coarse), ("CELLS", "RTData"), opacity_scale=20)
 passed()
