@@ -1,0 +1,36 @@
+// SPDX-FileCopyrightText: The Nephoscope authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * What the Cell Compositing representation does to its input before it hands it to the view.
+ */
+#ifndef VolumetricCells_h
+#define VolumetricCells_h
+
+#include "vtkSmartPointer.h"
+
+class vtkDataObject;
+class vtkDataSet;
+class vtkUnstructuredGrid;
+
+namespace nephoscope
+{
+
+/** True for datasets whose pieces are boxes that can be sorted by their bounds: images and rectilinear grids. */
+bool isAxisAligned(vtkDataSet* data);
+
+/**
+ * The dataset to draw: `input` itself (a shallow copy), or the blocks of a composite that have 3-D cells, appended.
+ * Null when there is nothing volumetric in it.
+ */
+vtkSmartPointer<vtkDataSet> volumetricPart(vtkDataObject* input);
+
+/**
+ * The cells as tetrahedra, divided as the mapper divides them, without those that a ghost array hides.
+ * A cut through a tetrahedron keeps the linear interpolant, a cut through a hexahedron does not: this is what makes a
+ * picture independent of where the data is cut for several ranks.
+ */
+vtkSmartPointer<vtkUnstructuredGrid> tetrahedralize(vtkDataSet* data);
+
+} // namespace nephoscope
+
+#endif

@@ -1,0 +1,38 @@
+# SPDX-FileCopyrightText: The Nephoscope authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Not a test by itself: draws the pictures that CellCompositingRanks.py compares.
+
+Usage: CellCompositingRun.py PREFIX [PORT]; with a port it draws on a pvserver there.
+"""
+import sys
+
+import numpy as np
+from PluginTesting import compose, image, load_plugin, look, new_view, passed, pvs
+
+
+def draw(name, source, array=("POINTS", "RTData"), opacity_scale=1):
+    view = new_view()
+    compose(source, view, array).CellCompositingOpacityScale = opacity_scale
+    look(view)
+    picture = image(view)
+    pvs.Delete(view)
+    np.save(f"{sys.argv[1]}-{name}.npy", picture)
+
+
+if len(sys.argv) > 2:
+    pvs.Connect("localhost", int(sys.argv[2]))
+load_plugin()
+wavelet = pvs.Wavelet()
+draw("image", wavelet)
+draw("tetrahedra", pvs.Tetrahedralize(Input=wavelet))
+rotated = pvs.Transform(Input=wavelet)
+rotated.Transform.Rotate = [10, 20, 30]
+draw("structured", rotated)
+draw("cells", pvs.PointDatatoCellData(Input=wavelet), ("CELLS", "RTData"))
+# Large, nearly opaque cells askew to any border between ranks: wrong order or whole cells across the border show.
+coarse = pvs.Transform(Input=pvs.Wavelet(WholeExtent=[-3, 3, -3, 3, -3, 3]))
+coarse.Transform.Rotate = [10, 20, 30]
+coarse.Transform.Scale = [3, 3, 3]
+draw("coarse", coarse, opacity_scale=5)
+draw("coarse-cells", pvs.PointDatatoCellData(Input=coarse), ("CELLS", "RTData"), opacity_scale=20)
+passed()

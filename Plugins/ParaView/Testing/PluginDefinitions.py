@@ -1,0 +1,98 @@
+# SPDX-FileCopyrightText: The Nephoscope authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""The plugin loads; its XML says what the C++ says; every property is explained; the representation is offered."""
+import nephoscope
+from PluginTesting import GFS, NAME, check, load_plugin, passed, pvs, servermanager
+
+# XML property -> C++ getter, where the name differs.
+MAPPER_PROPERTIES = ("OpacityScale", "Integration", "VisibilityOrder", "SplitAtControlPoints")
+
+
+def definition(group, name):
+    manager = servermanager.ProxyManager().GetProxyDefinitionManager()
+    found = manager.GetProxyDefinition(group, name)
+    check(found is not None, f"no {group}/{name}")
+    return found
+
+
+def children(element):
+    return [element.GetNestedElement(i) for i in range(element.GetNumberOfNestedElements())]
+
+
+def own_properties(element):
+    """Vector properties of a definition as a dictionary by name."""
+    return {e.GetAttribute("name"): e for e in children(element) if e.GetName().endswith("VectorProperty")}
+
+
+def nested(element, tag):
+    return [e for e in children(element) if e.GetName() == tag]
+
+
+def compare_default(owner, name, element, value):
+    text = element.GetAttribute("default_values")
+    xml = text if isinstance(value, str) else float(text)
+    check(xml == value, f"{owner}.{name}: XML default {xml!r}, C++ default {value!r}")
+
+
+def check_globe_grid():
+    element = definition("filters", "GlobeGrid")
+    filter_ = nephoscope.vtkGlobeGrid()
+    properties = own_properties(element)
+    # Every getter that has a setter is a property, and the other way round.
+    settable = {n[3:] for n in dir(filter_) if n.startswith("Get") and hasattr(filter_, "Set" + n[3:])}
+    inherited = {n[3:] for n in dir(nephoscope.vtkGlobeGrid.__bases__[0]) if n.startswith("Get")}
+    check(settable - inherited == set(properties),
+          f"C++ and XML differ in {sorted((settable - inherited) ^ set(properties))}")
+    for name, property_ in properties.items():
+        compare_default("GlobeGrid", name, property_, getattr(filter_, "Get" + name)())
+        check(nested(property_, "Documentation"), f"GlobeGrid.{name} has no help")
+    grouped = {p.GetAttribute("name") for g in nested(element, "PropertyGroup") for p in nested(g, "Property")}
+    check(grouped == set(properties), f"not in a group: {sorted(set(properties) ^ grouped)}")
+    menu = nested(nested(element, "Hints")[0], "ShowInMenu")[0].GetAttribute("category")
+    check(menu == "Nephoscope", f"menu {menu}")
+
+
+def check_fresh_proxy():
+    """The server manager hands the same defaults to a filter on a real input."""
+    source = pvs.Wavelet()
+    proxy = pvs.GlobeGrid(Input=source)
+    filter_ = nephoscope.vtkGlobeGrid()
+    for name in own_properties(definition("filters", "GlobeGrid")):
+        value = proxy.SMProxy.GetProperty(name).GetElement(0)
+        expected = getattr(filter_, "Get" + name)()
+        check(value == expected, f"a fresh GlobeGrid has {name} = {value!r}, C++ {expected!r}")
+    pvs.Delete(proxy)
+    pvs.Delete(source)
+
+
+def check_representation():
+    properties = own_properties(definition("representations", "CellCompositingRepresentation"))
+    mapper = nephoscope.vtkCellCompositingMapper()
+    for name in MAPPER_PROPERTIES:
+        compare_default("Cell Compositing", name, properties[name], getattr(mapper, "Get" + name)())
+    for name in MAPPER_PROPERTIES + ("AutomaticUnitDistance", "UnitDistance"):
+        check(nested(properties[name], "Documentation"), f"Cell Compositing.{name} has no help")
+
+
+def check_offered(view):
+    wavelet = pvs.Wavelet(WholeExtent=[-3, 3, -3, 3, -3, 3])
+    sources = {
+        "image": wavelet,
+        "rectilinear": pvs.NetCDFReader(FileName=[GFS], SphericalCoordinates=0),
+        "structured": pvs.Transform(Input=wavelet),
+        "unstructured": pvs.Tetrahedralize(Input=wavelet),
+        "multiblock": pvs.GroupDatasets(Input=[wavelet, pvs.Tetrahedralize(Input=wavelet)]),
+    }
+    for kind, source in sources.items():
+        display = pvs.Show(source, view)
+        offered = display.GetProperty("Representation").GetAvailable()
+        check(NAME in offered, f"{NAME} is not offered for {kind} data: {offered}")
+        display.SetRepresentationType(NAME)
+
+
+load_plugin()
+check_globe_grid()
+check_fresh_proxy()
+check_representation()
+check_offered(pvs.CreateRenderView())
+passed()
