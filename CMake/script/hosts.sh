@@ -14,6 +14,17 @@ host_environment()
   export NEPHOSCOPE_DATA="$TOP/Data"
   export NEPHOSCOPE_PRESET="$PRESET"
   mpi_environment
+  sanitizer_environment
+}
+
+# Python never frees all of its memory: leaks are looked for in C++ tests only, which ask for it themselves.
+sanitizer_environment()
+{
+  local runtime
+  runtime=$(cache_value NEPHOSCOPE_SANITIZER_RUNTIME)
+  WITH_SANITIZER=()
+  [ -z "$runtime" ] || WITH_SANITIZER=(env "LD_PRELOAD=$runtime")
+  export ASAN_OPTIONS="detect_leaks=0${ASAN_OPTIONS:+:$ASAN_OPTIONS}"
 }
 
 # More ranks than cores are fine, so is root, and so are containers that forbid process_vm_readv.
@@ -61,5 +72,5 @@ run_host()
         shift 2
       fi ;;
   esac
-  on_any_display "${command[@]}" "$@"
+  on_any_display "${WITH_SANITIZER[@]}" "${command[@]}" "$@"
 }
