@@ -33,33 +33,33 @@ step()
 finish() { say "$1 Total time $(elapsed $SECONDS)."; }
 
 # While a command runs: once a second on a terminal, every 20 s elsewhere, its time and its log's last line.
+# Ends when its standard input does.
 heartbeat()
 {
-  local log=$1 started=$SECONDS interval=20 start='' end='\n' line
+  local log=$1 started=$SECONDS interval=20 start='' end='\n' line status
   if [ -t 3 ]; then
     interval=1 start='\r\033[K' end=''
   fi
-  # The sleep is cut off from our outputs: it may outlive us, and the reader of a pipe would wait for it.
-  while sleep $interval >/dev/null 2>&1 3>&-; do
+  while status=0; read -r -t $interval || status=$?; [ $status -gt 128 ]; do # read timed out
     line=$(tail -c 400 "$log" | tr '\r' '\n' | grep . | tail -n 1 | cut -c 1-80)
     # shellcheck disable=SC2059 # start and end are formats
     printf "$start      %s  %s$end" "$(elapsed $((SECONDS - started)))" "$line" >&3
   done
+  [ ! -t 3 ] || printf '\r\033[K' >&3
 }
 
 # run_logged NAME COMMAND...: output to build/logs/NAME.log, its end shown on failure; returns the status.
 run_logged()
 {
-  local name=$1 log="$LOGS/$1.log" status=0 beat
+  local name=$1 log="$LOGS/$1.log" status=0
   shift
   mkdir -p "$LOGS"
   : >"$log"
-  heartbeat "$log" 2>/dev/null &
-  beat=$!
-  "$@" >"$log" 2>&1 </dev/null 3>&- || status=$?
-  kill $beat 2>/dev/null || true
-  wait $beat 2>/dev/null || true
-  [ ! -t 3 ] || printf '\r\033[K' >&3
+  exec 8> >(heartbeat "$log" 2>/dev/null)
+  local beat=$!
+  "$@" >"$log" 2>&1 </dev/null 3>&- 8>&- || status=$?
+  exec 8>&-
+  wait $beat || true
   [ $status -eq 0 ] || show_failure "$name" $status
   return $status
 }
