@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: The Nephoscope authors
 # SPDX-License-Identifier: BSD-3-Clause
 """Prints whether the plugin was loaded when the host started, and the number of MPI processes."""
-from paraview import servermanager
+from paraview import servermanager, simple  # noqa: F401 - simple connects; unconnected, pvbatch's ranks never end
 from vtkmodules.vtkParallelCore import vtkMultiProcessController
 
 manager = servermanager.vtkSMProxyManager.GetProxyManager().GetPluginManager()
