@@ -15,7 +15,13 @@ set(NEPHOSCOPE_TEST_ENVIRONMENT
   "PYTHONPATH=${NEPHOSCOPE_PYTHONPATH}:${PROJECT_SOURCE_DIR}/Testing/Python"
   "NEPHOSCOPE_DATA=${PROJECT_SOURCE_DIR}/Data"
   "NEPHOSCOPE_TEST_OUTPUT=${NEPHOSCOPE_TEST_OUTPUT}"
-  "PV_PLUGIN_PATH=${NEPHOSCOPE_PLUGIN_PATH}")
+  "PV_PLUGIN_PATH=${NEPHOSCOPE_PLUGIN_PATH}"
+  "ASAN_OPTIONS=detect_leaks=0" # neither Python nor the OpenGL driver frees everything; other C++ tests look for leaks
+  "LSAN_OPTIONS=suppressions=${PROJECT_SOURCE_DIR}/Testing/Sanitizers/leaks.supp"
+  "TSAN_OPTIONS=suppressions=${PROJECT_SOURCE_DIR}/Testing/Sanitizers/threads.supp")
+if (NEPHOSCOPE_SANITIZER_RUNTIME)
+  list(APPEND NEPHOSCOPE_TEST_ENVIRONMENT "LD_PRELOAD=${NEPHOSCOPE_SANITIZER_RUNTIME}")
+endif ()
 
 function (nephoscope_add_math_test name source)
   nephoscope_add_cxx_test(${name} SOURCES ${source} LABELS math)
@@ -31,8 +37,12 @@ function (nephoscope_add_cxx_test name)
   endif ()
   nephoscope_target_options(${name})
   add_test(NAME ${name} COMMAND ${name})
+  set(leaks "ASAN_OPTIONS=detect_leaks=1")
+  if ("image" IN_LIST arg_LABELS)
+    set(leaks "ASAN_OPTIONS=detect_leaks=0")
+  endif ()
   set_tests_properties(${name} PROPERTIES
-    LABELS "${arg_LABELS}" TIMEOUT 300 ENVIRONMENT "${NEPHOSCOPE_TEST_ENVIRONMENT}")
+    LABELS "${arg_LABELS}" TIMEOUT 300 ENVIRONMENT "${NEPHOSCOPE_TEST_ENVIRONMENT};${leaks}")
 endfunction ()
 
 function (nephoscope_add_python_test script)

@@ -1,0 +1,50 @@
+# shellcheck shell=bash
+# SPDX-FileCopyrightText: The Nephoscope authors
+# SPDX-License-Identifier: BSD-3-Clause
+# Configures and builds one preset of CMakePresets.json.
+
+cache_value() { sed -n "s/^$1:[^=]*=//p" "$BUILD/CMakeCache.txt"; }
+
+# Whether the build folder must be configured (again); later changes of CMake files are seen by the build itself.
+configure_needed()
+{
+  [ -f "$BUILD/build.ninja" ] || return 0
+  [ ! "$TOP/CMakePresets.json" -nt "$BUILD/CMakeCache.txt" ] || return 0
+  [ "$1" = ON ] && [ "$(cache_value BUILD_TESTING)" != ON ]
+}
+
+# configure [with-tests]. Without the word tests stay as they are: off in a new build folder.
+configure()
+{
+  BUILD="$TOP/build"
+  [ "$PRESET" = default ] || BUILD="$TOP/build/$PRESET"
+  step "Configure (preset $PRESET)"
+  if [ -f "$BUILD/CMakeCache.txt" ] && [ ! "$(cache_value CMAKE_HOME_DIRECTORY)" -ef "$TOP" ]; then
+    rm -rf "$BUILD/CMakeCache.txt" "$BUILD/CMakeFiles" "$BUILD/build.ninja" # the project was moved or copied
+  fi
+  local testing=OFF options=()
+  [ $# -eq 0 ] || testing=ON
+  if ! configure_needed $testing; then
+    say_unless_quiet "      is configured"
+    return
+  fi
+  if [ $testing = ON ] || [ ! -f "$BUILD/CMakeCache.txt" ]; then
+    options+=("-DBUILD_TESTING=$testing")
+  fi
+  if command -v ccache >/dev/null; then
+    options+=(-DCMAKE_C_COMPILER_LAUNCHER=ccache -DCMAKE_CXX_COMPILER_LAUNCHER=ccache)
+  fi
+  # CMake reads the presets of the current folder.
+  (cd "$TOP" && run_logged "configure-$PRESET" cmake --preset "$PRESET" -B "$BUILD" "${options[@]}") ||
+    fail 1 "could not configure the preset $PRESET"
+}
+
+build()
+{
+  step "Build"
+  # One at a time: two hosts started together must not both build.
+  exec 9>"$BUILD/.lock"
+  flock 9
+  run_logged "build-$PRESET" cmake --build "$BUILD" -j "$(nproc)" || fail 1 "could not build the preset $PRESET"
+  exec 9>&-
+}

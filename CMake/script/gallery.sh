@@ -1,0 +1,54 @@
+# shellcheck shell=bash
+# SPDX-FileCopyrightText: The Nephoscope authors
+# SPDX-License-Identifier: BSD-3-Clause
+# Renders Figures/*.py into Gallery/. A figure is a script for pvbatch that reads the folders from the environment
+# variables NEPHOSCOPE_DATA and NEPHOSCOPE_GALLERY and prints `wrote FILE` for every file, once it is written.
+export NEPHOSCOPE_GALLERY="$TOP/Gallery"
+
+# Prints the figures whose names begin with one of the arguments; all of them without arguments.
+select_figures()
+{
+  local figure prefix
+  for figure in "$TOP"/Figures/*.py; do
+    [ -e "$figure" ] || continue
+    [ $# -gt 0 ] || printf '%s\n' "$figure"
+    for prefix in "$@"; do
+      [[ "${figure##*/}" != "$prefix"* ]] || printf '%s\n' "$figure"
+    done
+  done
+}
+
+# Runs one figure; shows its `wrote` lines as they come and checks that these files were written just now.
+render_figure()
+{
+  local figure=$1 name log file status=0
+  name=figure-$(basename "$figure" .py)
+  log="$LOGS/$name.log"
+  touch "$LOGS/figure-started"
+  on_virtual_display pvbatch "$figure" 2>&1 </dev/null | tee "$log" | sed -un 's/^wrote /      wrote /p' >&3 || status=$?
+  if [ $status -ne 0 ]; then
+    show_failure "$name" $status
+    exit 1
+  fi
+  grep -q '^wrote ' "$log" || fail 1 "$name wrote nothing; its log: ${log#"$TOP"/}"
+  while IFS= read -r file; do
+    if [ ! -s "$file" ] || [ "$file" -ot "$LOGS/figure-started" ]; then
+      fail 1 "$name says that it wrote $file, but it did not"
+    fi
+  done < <(sed -n 's/^wrote //p' "$log")
+}
+
+render_gallery()
+{
+  local figure figures
+  mapfile -t figures < <(select_figures "$@")
+  step "Gallery (${#figures[@]} figures)"
+  [ ${#figures[@]} -gt 0 ] || fail 1 "no figure to render: Figures/ has none${*:+ whose name begins with $*}"
+  host_environment
+  export PYTHONUNBUFFERED=1
+  mkdir -p "$NEPHOSCOPE_GALLERY" "$LOGS"
+  for figure in "${figures[@]}"; do
+    say "      ${figure##*/}  ($(elapsed $SECONDS))"
+    render_figure "$figure"
+  done
+}

@@ -1,0 +1,59 @@
+# shellcheck shell=bash
+# SPDX-FileCopyrightText: The Nephoscope authors
+# SPDX-License-Identifier: BSD-3-Clause
+# A virtual environment with pyvista over ParaView's own VTK. Its interpreter is /usr/bin/python3, the one that
+# Debian's VTK modules are built for, whatever else is on PATH.
+SYSTEM_PYTHON=/usr/bin/python3
+REQUIREMENTS="$TOP/Plugins/PyVista/requirements.txt"
+export NEPHOSCOPE_VENV="$TOP/build/venv"
+
+venv_is_current() { cmp -s "$REQUIREMENTS" "$NEPHOSCOPE_VENV/requirements.txt"; }
+
+# An empty distribution `vtk` of the version that is there, so that no pip run in this environment fetches the
+# wheel of another VTK: two of them must never meet in one process.
+declare_system_vtk()
+{
+  "$NEPHOSCOPE_VENV/bin/python3" - <<'E'
+import pathlib
+import sysconfig
+
+from vtkmodules.vtkCommonCore import vtkVersion
+
+version = vtkVersion.GetVTKVersion()
+folder = pathlib.Path(sysconfig.get_path("purelib"), f"vtk-{version}.dist-info")
+folder.mkdir(exist_ok=True)
+(folder / "METADATA").write_text(f"Metadata-Version: 2.1\nName: vtk\nVersion: {version}\n")
+(folder / "INSTALLER").write_text("debian\n")
+E
+}
+
+make_venv()
+{
+  rm -rf "$NEPHOSCOPE_VENV"
+  "$SYSTEM_PYTHON" -m venv --system-site-packages "$NEPHOSCOPE_VENV" &&
+    declare_system_vtk &&
+    PIP_DISABLE_PIP_VERSION_CHECK=1 PIP_ROOT_USER_ACTION=ignore "$NEPHOSCOPE_VENV/bin/python3" -m pip install \
+      --no-input --no-deps --retries 1 --timeout 15 -r "$REQUIREMENTS" &&
+    cp "$REQUIREMENTS" "$NEPHOSCOPE_VENV/requirements.txt"
+}
+
+# Makes the environment, or makes it anew when the requirements changed. Without pyvista the rest still works.
+ensure_venv()
+{
+  step "Python environment"
+  if venv_is_current; then
+    say_unless_quiet "      is up to date"
+  elif ! run_logged venv make_venv 2>/dev/null; then
+    rm -rf "$NEPHOSCOPE_VENV"
+    note "pyvista could not be installed (build/logs/venv.log says why); going on without it"
+  fi
+}
+
+python_interpreter()
+{
+  if venv_is_current; then
+    printf '%s' "$NEPHOSCOPE_VENV/bin/python3"
+  else
+    printf '%s' "$SYSTEM_PYTHON"
+  fi
+}

@@ -1,0 +1,90 @@
+# SPDX-FileCopyrightText: The Nephoscope authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""What holds for every file of the project: licence lines, no path of one machine, documents that agree with the code."""
+import pathlib
+import re
+import subprocess
+import sys
+
+TOP = pathlib.Path(__file__).resolve().parents[2]
+SOURCE_SUFFIXES = {".cxx", ".h", ".py", ".cmake", ".sh", ".glsl", ".xml"}
+SOURCE_NAMES = {"CMakeLists.txt", "nephoscope", "run", "vtk.module", "paraview.plugin"}
+DOCUMENTS = ("README.md", "LICENSE", "CONTRIBUTING.md", "CHANGELOG.md", "CITATION.cff",
+             "Documentation/architecture.md", "Documentation/references.bib")
+# Folders in which the files of one person or machine live. Written in pieces: this file is read as well.
+MACHINE_PATHS = re.compile("|".join((r"(?<![\w.])/" + folder + "/") for folder in ("work", "tmp", "root", "home")))
+
+
+def tracked_files():
+    """The files of the project that are there; without git, all but what the build made."""
+    listed = subprocess.run(["git", "-C", TOP, "ls-files", "-z"], capture_output=True, text=True)
+    if listed.returncode == 0:
+        files = [TOP / name for name in listed.stdout.split("\0") if name]
+    else:
+        files = [f for f in TOP.rglob("*") if f.relative_to(TOP).parts[0] not in ("build", "Gallery", ".git")]
+    return [f for f in files if f.is_file()]
+
+
+def text_of(path):
+    try:
+        return path.read_text(encoding="utf-8")
+    except UnicodeDecodeError:
+        return None
+
+
+def check_licence_lines(files):
+    for path in files:
+        if path.suffix in SOURCE_SUFFIXES or path.name in SOURCE_NAMES:
+            head = "\n".join(text_of(path).splitlines()[:6])
+            for line in ("SPDX-FileCopyrightText: The Nephoscope authors", "SPDX-License-Identifier: BSD-3-Clause"):
+                if line not in head:
+                    yield f"{path.relative_to(TOP)}: no line '{line}' among the first six"
+
+
+def check_machine_paths(files):
+    for path in files:
+        for number, line in enumerate((text_of(path) or "").splitlines(), 1):
+            if MACHINE_PATHS.search(line):
+                yield f"{path.relative_to(TOP)}:{number}: a path of one machine: {line.strip()}"
+
+
+def check_documents(files):
+    names = {str(f.relative_to(TOP)) for f in files}
+    for name in DOCUMENTS:
+        if name not in names:
+            yield f"{name} is missing"
+
+
+def check_verbs(_files):
+    """Every `./nephoscope VERB` of a document is a verb of the script, and the README shows demo and test."""
+    usage = subprocess.run([TOP / "nephoscope", "help"], capture_output=True, text=True, check=True).stdout
+    verbs = set(re.findall(r"^  ([a-z]+) ", usage, re.MULTILINE))
+    for name in ("README.md", "CONTRIBUTING.md"):
+        for verb in re.findall(r"\./nephoscope (?:--\S+ )*([a-z]+)", text_of(TOP / name)):
+            if verb not in verbs:
+                yield f"{name}: ./nephoscope has no verb {verb}"
+    commands = re.findall(r"^\./nephoscope .*$", text_of(TOP / "README.md"), re.MULTILINE)
+    if [c.split()[1] for c in commands[:2]] != ["demo", "test"]:
+        yield f"README.md: the first two commands should be demo and test, not {commands[:2]}"
+
+
+def check_references(files):
+    """Every key of the form NameYear in a source is in references.bib."""
+    known = set(re.findall(r"^@\w+\{(\w+),", text_of(TOP / "Documentation/references.bib"), re.MULTILINE))
+    key = re.compile(r"\b((?:[A-Z][a-z]+){1,4}(?:19|20)\d\d)\b")
+    for path in files:
+        if path.suffix in (".cxx", ".h", ".glsl", ".md"):
+            for found in sorted(set(key.findall(text_of(path))) - known):
+                yield f"{path.relative_to(TOP)}: {found} is not in Documentation/references.bib"
+
+
+def main():
+    files = tracked_files()
+    problems = []
+    for check in (check_licence_lines, check_machine_paths, check_documents, check_verbs, check_references):
+        problems += check(files)
+    print("\n".join(problems) or f"{len(files)} files: nothing to complain of")
+    return 1 if problems or not files else 0
+
+
+sys.exit(main())

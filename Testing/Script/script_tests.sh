@@ -1,0 +1,220 @@
+#!/usr/bin/env bash
+# SPDX-FileCopyrightText: The Nephoscope authors
+# SPDX-License-Identifier: BSD-3-Clause
+# Tests of the script `nephoscope`: script_tests.sh CASE. A case passes with exit status 0 and is skipped with 125.
+# Programs that would change the machine are replaced by fakes that come first on PATH.
+set -euo pipefail
+TOP=$(cd "$(dirname "$0")/../.." && pwd)
+WORK=$(mktemp -d)
+trap 'rm -rf "$WORK"' EXIT
+mkdir "$WORK/fakes"
+
+# run COMMAND...: keeps exit status, standard output and standard error in STATUS, OUT and ERR.
+run()
+{
+  STATUS=0
+  "$@" >"$WORK/out" 2>"$WORK/err" </dev/null || STATUS=$?
+  OUT=$(cat "$WORK/out")
+  ERR=$(cat "$WORK/err")
+}
+
+nephoscope() { run env PATH="$WORK/fakes:$PATH" "$TOP/nephoscope" "$@"; }
+
+# expect WHAT CONDITION...: fails the test, and shows the last run, when the condition is false.
+expect()
+{
+  local what=$1
+  shift
+  "$@" && return
+  printf 'expected: %s\n--- exit status %s\n--- output:\n%s\n--- error:\n%s\n' "$what" "$STATUS" "$OUT" "$ERR" >&2
+  exit 1
+}
+contains() { [[ "$1" == *"$2"* ]]; }
+lacks() { [[ "$1" != *"$2"* ]]; }
+
+# fake NAME: a program of that name, its body from standard input; $CALLS is a file where it can note its calls.
+CALLS="$WORK/calls"
+: >"$CALLS"
+export CALLS
+fake()
+{
+  { printf '#!/bin/bash\n'; cat; } >"$WORK/fakes/$1"
+  chmod +x "$WORK/fakes/$1"
+}
+
+# A dpkg-query by which every package but $1 is installed.
+fake_packages_without()
+{
+  export ABSENT=$1
+  fake dpkg-query <<'E'
+for package in "${@:3}"; do
+  [ "$package" = "$ABSENT" ] || printf '%s installed\n' "$package"
+done
+E
+}
+
+test_usage()
+{
+  nephoscope
+  expect "status 2 without a verb" [ $STATUS -eq 2 ]
+  nephoscope frobnicate
+  expect "status 2 for an unknown verb" [ $STATUS -eq 2 ]
+  expect "the verb is named" contains "$ERR" "unknown verb: frobnicate"
+  expect "the usage on standard error" contains "$ERR" "usage: ./nephoscope"
+  expect "nothing on standard output" [ -z "$OUT" ]
+  nephoscope help
+  expect "status 0 for help" [ $STATUS -eq 0 ]
+  local verb
+  for verb in demo test build python pvpython pvbatch paraview bench; do
+    expect "help on $verb" contains "$OUT" $'\n'"  $verb "
+  done
+  nephoscope test --preset
+  expect "status 2 for an option without its value" [ $STATUS -eq 2 ]
+}
+
+test_no_install()
+{
+  fake_packages_without xauth
+  fake apt-get <<'E'
+echo "$*" >>"$CALLS"
+E
+  nephoscope --no-install pvpython -c pass
+  expect "status 3" [ $STATUS -eq 3 ]
+  expect "the missing package alone is named" contains "$ERR" "missing Debian packages: xauth"$'\n'
+  nephoscope demo --no-install
+  expect "status 3, the option after the verb" [ $STATUS -eq 3 ]
+  expect "no call of apt-get" [ ! -s "$CALLS" ]
+}
+
+test_no_root()
+{
+  fake_packages_without ninja-build
+  fake id <<<'echo 1000'
+  fake sudo <<<'exit 1'
+  fake apt-get <<'E'
+echo "$*" >>"$CALLS"
+E
+  nephoscope build
+  expect "status 3" [ $STATUS -eq 3 ]
+  expect "what to run as root" contains "$ERR" "apt-get install --no-install-recommends ninja-build"
+  expect "no call of apt-get" [ ! -s "$CALLS" ]
+}
+
+test_sudo()
+{
+  fake_packages_without ninja-build
+  fake id <<<'echo 1000'
+  fake sudo <<'E'
+echo "sudo $*" >>"$CALLS"
+E
+  fake cmake <<<'exit 9' # no build in this test, whatever state the build folder is in
+  nephoscope build
+  local update install
+  update=$(grep -n 'DEBIAN_FRONTEND=noninteractive apt-get .* update$' "$CALLS" | cut -d : -f 1)
+  install=$(grep -n 'apt-get .* install -y --no-install-recommends ninja-build$' "$CALLS" | cut -d : -f 1)
+  expect "apt-get update, then install of the one package, through sudo" [ "${update:-9}" -lt "${install:-0}" ]
+}
+
+test_apt_fails()
+{
+  fake_packages_without ninja-build
+  fake id <<<'echo 0'
+  fake apt-get <<<'echo "E: the mirror is gone"; exit 100'
+  nephoscope build
+  expect "status 3" [ $STATUS -eq 3 ]
+  expect "the log on standard error" contains "$ERR" "E: the mirror is gone"
+  expect "where the log is" contains "$ERR" "build/logs/apt-install.log"
+}
+
+test_no_debian()
+{
+  local tool
+  for tool in bash dirname readlink cat; do
+    ln -s "$(command -v $tool)" "$WORK/fakes/$tool"
+  done
+  run env PATH="$WORK/fakes" "$TOP/nephoscope" demo
+  expect "status 3" [ $STATUS -eq 3 ]
+  expect "what is needed" contains "$ERR" "paraview-dev"
+}
+
+# The gallery runner alone, with Python in place of pvbatch.
+gallery()
+{
+  # shellcheck disable=SC2016 # expanded by the inner shell
+  run env TOP="$WORK" SOURCE="$TOP" bash -euo pipefail -c '
+    source "$SOURCE/CMake/script/progress.sh"
+    source "$SOURCE/CMake/script/gallery.sh"
+    on_virtual_display() { shift; /usr/bin/python3 "$@"; }
+    host_environment() { :; }
+    render_gallery "$@"' gallery "$@"
+}
+
+test_gallery()
+{
+  mkdir "$WORK/Figures"
+  gallery
+  expect "failure without figures" [ $STATUS -ne 0 ]
+  local write='import os; f = os.environ["NEPHOSCOPE_GALLERY"] + "/FILE"; open(f, "w").write("x"); print("wrote", f)'
+  printf '%s\n' "${write/FILE/b c.png}" >"$WORK/Figures/02_b.py"
+  printf '%s\n' "${write/FILE/a.png}" >"$WORK/Figures/01_a.py"
+  gallery
+  expect "success" [ $STATUS -eq 0 ]
+  expect "the figures in order" contains "$(tr -d '\n' <<<"$OUT")" "a.png      02_b.py"
+  expect "the file names" contains "$OUT" "wrote $WORK/Gallery/b c.png"
+  gallery 02
+  expect "the chosen figure alone" lacks "$OUT" "a.png"
+  echo 'import nothing_of_this_name' >"$WORK/Figures/03_raises.py"
+  gallery 03
+  expect "failure of a figure that raises" [ $STATUS -ne 0 ]
+  expect "its traceback" contains "$ERR" "ModuleNotFoundError"
+  echo 'print("done")' >"$WORK/Figures/03_silent.py"
+  gallery 03_s
+  expect "failure of a figure that writes nothing" [ $STATUS -ne 0 ]
+  echo 'print("wrote /nowhere/x.png")' >"$WORK/Figures/03_liar.py"
+  gallery 03_l
+  expect "failure of a figure that does not write what it says" [ $STATUS -ne 0 ]
+}
+
+test_python()
+{
+  fake python3 <<<'exit 9' # an interpreter that someone put first on PATH
+  mkdir "$WORK/with space"
+  ln -s "$TOP/nephoscope" "$WORK/with space/nephoscope"
+  cd "$WORK/with space"
+  run env PATH="$WORK/fakes:$PATH" ./nephoscope python -c 'import nephoscope; print(nephoscope.vtkGlobeGrid.__name__)'
+  expect "status 0" [ $STATUS -eq 0 ]
+  expect "the package, and nothing else on standard output" [ "$OUT" = vtkGlobeGrid ]
+  nephoscope python -c 'raise SystemExit(7)'
+  expect "the host's exit status" [ $STATUS -eq 7 ]
+  [ -d "$TOP/build/venv" ] || return 0 # made where the package index can be reached
+  nephoscope python -c 'import importlib.metadata as m; print(m.version("vtk"), m.version("pyvista"))'
+  expect "pip is told of ParaView's VTK, and pyvista is there" contains "$OUT" "9.2.20230111 0.48"
+}
+
+test_plugin_loaded()
+{
+  local script="$TOP/Testing/Script/print_plugin.py" host
+  for host in pvpython pvbatch; do
+    nephoscope $host "$script"
+    expect "status 0 of $host" [ $STATUS -eq 0 ]
+    expect "the plugin in $host" contains "$OUT" "Nephoscope loaded, 1 process"
+  done
+}
+
+test_ranks()
+{
+  nephoscope pvbatch -n 2 "$TOP/Testing/Script/print_plugin.py"
+  expect "status 0" [ $STATUS -eq 0 ]
+  expect "two processes with the plugin" contains "$OUT" "Nephoscope loaded, 2 processes"
+  nephoscope pvbatch -n two script.py
+  expect "status 2 for a number that is none" [ $STATUS -eq 2 ]
+}
+
+test_shellcheck()
+{
+  command -v shellcheck >/dev/null || { echo "skipped: there is no shellcheck"; exit 125; }
+  cd "$TOP"
+  shellcheck -x nephoscope .ci/run CMake/script/*.sh Testing/Script/*.sh
+}
+
+"test_$1"
