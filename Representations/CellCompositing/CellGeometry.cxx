@@ -2,60 +2,25 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "CellGeometry.h"
 
-#include "CellDecomposition.h"
+#include "TetrahedronSource.h"
 
-#include "vtkCell.h"
-#include "vtkCellType.h"
 #include "vtkDataArray.h"
 #include "vtkDataSet.h"
 #include "vtkDataSetAttributes.h"
-#include "vtkGenericCell.h"
 #include "vtkIdList.h"
-#include "vtkMath.h"
 #include "vtkNew.h"
-#include "vtkPoints.h"
-#include "vtkSMPThreadLocalObject.h"
 #include "vtkSMPTools.h"
 #include "vtkUnsignedCharArray.h"
-#include "vtkUnstructuredGrid.h"
 
 #include <atomic>
 #include <cmath>
 #include <limits>
-#include <mutex>
 #include <numeric>
-#include <tuple>
 
 namespace nephoscope
 {
 namespace
 {
-constexpr unsigned char skippedCells = vtkDataSetAttributes::DUPLICATECELL |
-  vtkDataSetAttributes::HIDDENCELL | vtkDataSetAttributes::REFINEDCELL;
-
-FaceList<int> linearCellFaces(int cellType)
-{
-  switch (cellType)
-  {
-    case VTK_TETRA:
-      return makeFaceList(tetrahedronFaceList);
-    case VTK_HEXAHEDRON:
-      return makeFaceList(hexahedronFaceList);
-    case VTK_VOXEL:
-      return makeFaceList(voxelFaceList);
-    case VTK_WEDGE:
-      return makeFaceList(wedgeFaceList);
-    case VTK_PYRAMID:
-      return makeFaceList(pyramidFaceList);
-    case VTK_PENTAGONAL_PRISM:
-      return makeFaceList(pentagonalPrismFaceList);
-    case VTK_HEXAGONAL_PRISM:
-      return makeFaceList(hexagonalPrismFaceList);
-    default:
-      return { nullptr, nullptr };
-  }
-}
-
 double scalarValue(const ScalarSelection& scalars, vtkIdType tuple)
 {
   const int components = scalars.Array->GetNumberOfComponents();
@@ -101,41 +66,31 @@ float normalized(const ScalarSelection& scalars, vtkIdType tuple, const double r
   return static_cast<float>((scalarValue(scalars, tuple) - range[0]) / (range[1] - range[0]));
 }
 
-/** Walks the cells of a range, deciding which are drawn and into which tetrahedra they fall. */
+enum class Outcome
+{
+  Decomposed,
+  Skipped,
+  Unsupported,
+  Invalid
+};
+
+/** Decides of each cell whether it can be drawn, and gives its tetrahedra. One object per thread. */
 class CellWalker
 {
 public:
   CellWalker(vtkDataSet* data, const CellGeometry& geometry, const ScalarSelection& scalars,
     const ScalarSelection& opacity)
-    : Data(data)
-    , Grid(vtkUnstructuredGrid::SafeDownCast(data))
-    , CellGhosts(data->GetCellGhostArray())
-    , PointGhosts(data->GetPointGhostArray())
+    : Source(data)
     , Geometry(geometry)
-    , Points(geometry.Points)
     , Scalars(scalars)
     , Opacity(opacity)
   {
   }
 
-  enum class Outcome
-  {
-    Decomposed,
-    Skipped,
-    Unsupported,
-    Invalid
-  };
-
   template <typename Emit>
   Outcome Walk(vtkIdType cell, Emit emit)
   {
-    const int type = this->Data->GetCellType(cell);
-    if (type == VTK_EMPTY_CELL || (this->CellGhosts && (this->CellGhosts->GetValue(cell) & skippedCells)))
-    {
-      return Outcome::Skipped;
-    }
-    this->Data->GetCellPoints(cell, this->Ids);
-    if (this->TouchesHiddenPoint())
+    if (this->Source.IsHidden(cell))
     {
       return Outcome::Skipped;
     }
@@ -143,22 +98,13 @@ public:
     {
       return Outcome::Invalid;
     }
-    return this->DecomposeByType(cell, type, emit) ? Outcome::Decomposed : Outcome::Unsupported;
+    const bool supported = this->Source.EmitTetrahedra(cell, [&](const std::array<vtkIdType, 4>& t) {
+      emit(Tetrahedron{ { std::int32_t(t[0]), std::int32_t(t[1]), std::int32_t(t[2]), std::int32_t(t[3]) } });
+    });
+    return supported ? Outcome::Decomposed : Outcome::Unsupported;
   }
 
 private:
-  bool TouchesHiddenPoint() const
-  {
-    if (!this->PointGhosts)
-    {
-      return false;
-    }
-    const vtkIdType* ids = this->Ids->GetPointer(0);
-    return std::any_of(ids, ids + this->Ids->GetNumberOfIds(), [this](vtkIdType id) {
-      return (this->PointGhosts->GetValue(id) & vtkDataSetAttributes::HIDDENPOINT) != 0;
-    });
-  }
-
   bool IsFinite(vtkIdType cell) const
   {
     if ((this->Scalars.OnCells && !std::isfinite(scalarValue(this->Scalars, cell))) ||
@@ -167,89 +113,19 @@ private:
       return false;
     }
     const bool opacityOnPoints = this->Geometry.HasOpacityScalars && !this->Opacity.OnCells;
-    const vtkIdType* ids = this->Ids->GetPointer(0);
-    return std::all_of(ids, ids + this->Ids->GetNumberOfIds(), [&](vtkIdType id) {
+    const vtkIdList* points = this->Source.GetPoints();
+    return std::all_of(points->begin(), points->end(), [&](vtkIdType id) {
       const std::size_t i = static_cast<std::size_t>(id);
-      const CellGeometry::Point& p = this->Points[i];
+      const CellGeometry::Point& p = this->Geometry.Points[i];
       return std::isfinite(p.X) && std::isfinite(p.Y) && std::isfinite(p.Z) && std::isfinite(p.Scalar) &&
         (!opacityOnPoints || std::isfinite(this->Geometry.OpacityScalars[i]));
     });
   }
 
-  template <typename Emit>
-  bool DecomposeByType(vtkIdType cell, int type, Emit emit)
-  {
-    const FaceList<int> faces = linearCellFaces(type);
-    if (faces.Begin)
-    {
-      this->DecomposeLinear(faces, emit);
-      return true;
-    }
-    if (type == VTK_POLYHEDRON && this->Grid)
-    {
-      this->DecomposePolyhedron(cell, emit);
-      return true;
-    }
-    return this->TriangulateGeneric(cell, emit);
-  }
-
-  // Vertices in the order of their coordinates; coincident ones by number.
-  bool Less(vtkIdType a, vtkIdType b) const
-  {
-    const CellGeometry::Point& p = this->Points[static_cast<std::size_t>(a)];
-    const CellGeometry::Point& q = this->Points[static_cast<std::size_t>(b)];
-    return std::tie(p.X, p.Y, p.Z, a) < std::tie(q.X, q.Y, q.Z, b);
-  }
-
-  template <typename Emit>
-  void DecomposeLinear(FaceList<int> faces, Emit emit)
-  {
-    const vtkIdType* ids = this->Ids->GetPointer(0);
-    decomposeCell(
-      faces, [&](int a, int b) { return this->Less(ids[a], ids[b]); },
-      [&](const std::array<int, 4>& t) { emit(ids[t[0]], ids[t[1]], ids[t[2]], ids[t[3]]); });
-  }
-
-  template <typename Emit>
-  void DecomposePolyhedron(vtkIdType cell, Emit emit)
-  {
-    this->Grid->GetFaceStream(cell, this->Faces); // number of faces, then the face list
-    const vtkIdType* stream = this->Faces->GetPointer(0);
-    decomposeCell(
-      FaceList<vtkIdType>{ stream + 1, stream + this->Faces->GetNumberOfIds() },
-      [&](vtkIdType a, vtkIdType b) { return this->Less(a, b); },
-      [&](const std::array<vtkIdType, 4>& t) { emit(t[0], t[1], t[2], t[3]); });
-  }
-
-  // Higher-order and other 3-D cells: as VTK triangulates them.
-  template <typename Emit>
-  bool TriangulateGeneric(vtkIdType cell, Emit emit)
-  {
-    this->Data->GetCell(cell, this->Cell);
-    if (this->Cell->GetCellDimension() != 3 || !this->Cell->Triangulate(0, this->Faces, this->CellPoints))
-    {
-      return false;
-    }
-    for (vtkIdType i = 0; i + 3 < this->Faces->GetNumberOfIds(); i += 4)
-    {
-      const vtkIdType* t = this->Faces->GetPointer(i);
-      emit(t[0], t[1], t[2], t[3]);
-    }
-    return true;
-  }
-
-  vtkDataSet* Data;
-  vtkUnstructuredGrid* Grid;
-  vtkUnsignedCharArray* CellGhosts;
-  vtkUnsignedCharArray* PointGhosts;
+  TetrahedronSource Source;
   const CellGeometry& Geometry;
-  const std::vector<CellGeometry::Point>& Points;
   const ScalarSelection& Scalars;
   const ScalarSelection& Opacity;
-  vtkNew<vtkIdList> Ids;
-  vtkNew<vtkIdList> Faces;
-  vtkNew<vtkPoints> CellPoints;
-  vtkNew<vtkGenericCell> Cell;
 };
 
 // No volume but for rounding: coincident or coplanar vertices.
@@ -359,7 +235,6 @@ void CellGeometry::CopyOpacityScalars(vtkDataSet* data, const ScalarSelection& o
 void CellGeometry::Decompose(
   vtkDataSet* data, const ScalarSelection& scalars, const ScalarSelection& opacity)
 {
-  using Outcome = CellWalker::Outcome;
   const vtkIdType numberOfCells = data->GetNumberOfCells();
   std::vector<std::int64_t> first(static_cast<std::size_t>(numberOfCells) + 1, 0);
   std::atomic<std::int64_t> unsupported(0), invalid(0), flat(0);
@@ -371,8 +246,7 @@ void CellGeometry::Decompose(
     for (vtkIdType cell = begin; cell < end; ++cell)
     {
       std::int64_t count = 0;
-      const Outcome outcome = walker.Walk(cell, [&](vtkIdType a, vtkIdType b, vtkIdType c, vtkIdType d) {
-        const Tetrahedron t = { { std::int32_t(a), std::int32_t(b), std::int32_t(c), std::int32_t(d) } };
+      const Outcome outcome = walker.Walk(cell, [&](const Tetrahedron& t) {
         isFlat(*this, t) ? ++flat : ++count;
       });
       invalid += outcome == Outcome::Invalid;
@@ -408,8 +282,7 @@ void CellGeometry::Decompose(
     for (vtkIdType cell = begin; cell < end; ++cell)
     {
       std::size_t next = static_cast<std::size_t>(first[static_cast<std::size_t>(cell)]);
-      walker.Walk(cell, [&](vtkIdType a, vtkIdType b, vtkIdType c, vtkIdType d) {
-        const Tetrahedron t = { { std::int32_t(a), std::int32_t(b), std::int32_t(c), std::int32_t(d) } };
+      walker.Walk(cell, [&](const Tetrahedron& t) {
         if (isFlat(*this, t))
         {
           return;

@@ -81,7 +81,7 @@ CellMeasures measureCells(vtkDataSet* data, vtkDataArray* scalars, bool onCells)
     if (shown++ % stride == 0)
     {
       ++sampled;
-      source->Emit(cell, [&](const std::array<vtkIdType, 4>& t) {
+      source->EmitTetrahedra(cell, [&](const std::array<vtkIdType, 4>& t) {
         const double volume = volumeOf(data, t);
         measures.Volume += volume;
         measures.ScalarIntegral += volume * meanScalar(scalars, onCells, cell, t);

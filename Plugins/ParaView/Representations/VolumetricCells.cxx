@@ -112,7 +112,7 @@ vtkSmartPointer<vtkUnstructuredGrid> tetrahedralize(vtkDataSet* data)
   {
     if (!source.IsHidden(cell))
     {
-      source.Emit(cell, [&](const std::array<vtkIdType, 4>& t) {
+      source.EmitTetrahedra(cell, [&](const std::array<vtkIdType, 4>& t) {
         grid->InsertNextCell(VTK_TETRA, 4, t.data());
         parents->InsertNextId(cell);
       });

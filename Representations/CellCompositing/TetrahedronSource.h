@@ -1,0 +1,266 @@
+// SPDX-FileCopyrightText: The Nephoscope authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * The tetrahedra of a dataset's cells, one cell after another. One object per thread.
+ *
+ * Cells are divided as CellDecomposition.h says, with the vertices in the order of their coordinates (x, then y, then z), which
+ * does not depend on numbering, blocks or ranks. In structured data the vertices with an even sum of indices come first, so
+ * that diagonals alternate like a chessboard's: laid all the same way they would draw clouds as parallel strokes.
+ */
+#ifndef TetrahedronSource_h
+#define TetrahedronSource_h
+
+#include "CellDecomposition.h"
+
+#include "vtkCellType.h"
+#include "vtkDataSet.h"
+#include "vtkDataSetAttributes.h"
+#include "vtkGenericCell.h"
+#include "vtkIdList.h"
+#include "vtkImageData.h"
+#include "vtkNew.h"
+#include "vtkPoints.h"
+#include "vtkRectilinearGrid.h"
+#include "vtkStructuredGrid.h"
+#include "vtkUnsignedCharArray.h"
+#include "vtkUnstructuredGrid.h"
+
+#include <algorithm>
+#include <array>
+#include <tuple>
+#include <vector>
+
+namespace nephoscope
+{
+
+/** Faces of VTK's linear 3-D cells; empty for all others. */
+inline FaceList<int> linearCellFaces(int cellType)
+{
+  switch (cellType)
+  {
+    case VTK_TETRA:
+      return makeFaceList(tetrahedronFaceList);
+    case VTK_HEXAHEDRON:
+      return makeFaceList(hexahedronFaceList);
+    case VTK_VOXEL:
+      return makeFaceList(voxelFaceList);
+    case VTK_WEDGE:
+      return makeFaceList(wedgeFaceList);
+    case VTK_PYRAMID:
+      return makeFaceList(pyramidFaceList);
+    case VTK_PENTAGONAL_PRISM:
+      return makeFaceList(pentagonalPrismFaceList);
+    case VTK_HEXAGONAL_PRISM:
+      return makeFaceList(hexagonalPrismFaceList);
+    default:
+      return { nullptr, nullptr };
+  }
+}
+
+class TetrahedronSource
+{
+public:
+  explicit TetrahedronSource(vtkDataSet* data)
+    : Data(data)
+    , Grid(vtkUnstructuredGrid::SafeDownCast(data))
+    , CellGhosts(data->GetCellGhostArray())
+    , PointGhosts(data->GetPointGhostArray())
+    , IsStructured(FindExtent(data, this->Extent))
+  {
+  }
+
+  /** Ghost flags say not to draw the cell, or it touches a hidden point. Leaves the cell's points in GetPoints(). */
+  bool IsHidden(vtkIdType cell)
+  {
+    constexpr unsigned char skipped = vtkDataSetAttributes::DUPLICATECELL | vtkDataSetAttributes::HIDDENCELL |
+      vtkDataSetAttributes::REFINEDCELL;
+    this->Type = this->Data->GetCellType(cell);
+    this->Data->GetCellPoints(cell, this->Points);
+    if (this->Type == VTK_EMPTY_CELL || (this->CellGhosts && (this->CellGhosts->GetValue(cell) & skipped)))
+    {
+      return true;
+    }
+    const vtkIdType* ids = this->Points->GetPointer(0);
+    return this->PointGhosts && std::any_of(ids, ids + this->Points->GetNumberOfIds(), [this](vtkIdType id) {
+      return (this->PointGhosts->GetValue(id) & vtkDataSetAttributes::HIDDENPOINT) != 0;
+    });
+  }
+
+  vtkIdList* GetPoints() const { return this->Points; }
+
+  /**
+   * Calls emit({a, b, c, d}) with the point numbers of each tetrahedron of the cell that IsHidden was asked about last. Returns
+   * false when it is no 3-D cell.
+   */
+  template <typename Emit>
+  bool EmitTetrahedra(vtkIdType cell, Emit emit)
+  {
+    const FaceList<int> faces = linearCellFaces(this->Type);
+    if (faces.Begin)
+    {
+      this->EmitLinear(faces, emit);
+      return true;
+    }
+    if (this->Type == VTK_POLYHEDRON && this->Grid)
+    {
+      this->EmitPolyhedron(cell, emit);
+      return true;
+    }
+    return this->EmitTriangulated(cell, emit);
+  }
+
+private:
+  using Place = std::tuple<int, double, double, double, vtkIdType>;
+
+  // Odd or even, coordinates, and where points coincide the number.
+  Place PlaceOf(vtkIdType point) const
+  {
+    double x[3];
+    this->Data->GetPoint(point, x);
+    return { this->Parity(point), x[0], x[1], x[2], point };
+  }
+
+  int Parity(vtkIdType point) const
+  {
+    if (!this->IsStructured)
+    {
+      return 0;
+    }
+    const vtkIdType nx = this->Extent[1] - this->Extent[0] + 1;
+    const vtkIdType ny = this->Extent[3] - this->Extent[2] + 1;
+    const vtkIdType sum = point % nx + point / nx % ny + point / (nx * ny) + this->Extent[0] + this->Extent[2] +
+      this->Extent[4];
+    return static_cast<int>(sum & 1);
+  }
+
+  static bool FindExtent(vtkDataSet* data, int extent[6])
+  {
+    if (auto* image = vtkImageData::SafeDownCast(data))
+    {
+      image->GetExtent(extent);
+    }
+    else if (auto* rectilinear = vtkRectilinearGrid::SafeDownCast(data))
+    {
+      rectilinear->GetExtent(extent);
+    }
+    else if (auto* structured = vtkStructuredGrid::SafeDownCast(data))
+    {
+      structured->GetExtent(extent);
+    }
+    else
+    {
+      return false;
+    }
+    return true;
+  }
+
+  template <typename Emit>
+  void EmitLinear(FaceList<int> faces, Emit emit)
+  {
+    const vtkIdType* ids = this->Points->GetPointer(0);
+    const int size = static_cast<int>(this->Points->GetNumberOfIds());
+    for (int i = 0; i < size; ++i)
+    {
+      this->Places[i] = this->PlaceOf(ids[i]);
+    }
+    if (this->MergeCoincident(size))
+    {
+      faces = this->WithoutRepeatedVertices(faces);
+    }
+    decomposeCell(
+      faces, [this](int a, int b) { return this->Places[a] < this->Places[b]; },
+      [&](const std::array<int, 4>& t) {
+        emit(std::array<vtkIdType, 4>{ { ids[t[0]], ids[t[1]], ids[t[2]], ids[t[3]] } });
+      });
+  }
+
+  // Where a row of a grid shrinks to a pole, vertices of a cell coincide. They become one, even vertex.
+  bool MergeCoincident(int size)
+  {
+    bool merged = false;
+    for (int i = 0; i < size; ++i)
+    {
+      this->Representatives[i] = i;
+      for (int j = 0; j < i; ++j)
+      {
+        if (std::get<1>(this->Places[i]) == std::get<1>(this->Places[j]) &&
+          std::get<2>(this->Places[i]) == std::get<2>(this->Places[j]) &&
+          std::get<3>(this->Places[i]) == std::get<3>(this->Places[j]))
+        {
+          std::get<0>(this->Places[i]) = std::get<0>(this->Places[j]) = 0;
+          this->Representatives[i] = this->Representatives[j];
+          merged = true;
+          break;
+        }
+      }
+    }
+    return merged;
+  }
+
+  FaceList<int> WithoutRepeatedVertices(FaceList<int> faces)
+  {
+    this->MergedFaces.clear();
+    for (const int* face = faces.Begin; face != faces.End; face += *face + 1)
+    {
+      const std::size_t start = this->MergedFaces.size();
+      this->MergedFaces.push_back(0);
+      for (int k = 1; k <= *face; ++k)
+      {
+        const int vertex = this->Representatives[face[k]];
+        if (std::find(this->MergedFaces.begin() + start + 1, this->MergedFaces.end(), vertex) ==
+          this->MergedFaces.end())
+        {
+          this->MergedFaces.push_back(vertex);
+        }
+      }
+      this->MergedFaces[start] = static_cast<int>(this->MergedFaces.size() - start) - 1;
+    }
+    return { this->MergedFaces.data(), this->MergedFaces.data() + this->MergedFaces.size() };
+  }
+
+  template <typename Emit>
+  void EmitPolyhedron(vtkIdType cell, Emit emit)
+  {
+    this->Grid->GetFaceStream(cell, this->Faces); // number of faces, then the face list
+    const vtkIdType* stream = this->Faces->GetPointer(0);
+    decomposeCell(
+      FaceList<vtkIdType>{ stream + 1, stream + this->Faces->GetNumberOfIds() },
+      [this](vtkIdType a, vtkIdType b) { return this->PlaceOf(a) < this->PlaceOf(b); }, emit);
+  }
+
+  // Higher-order and other 3-D cells: as VTK triangulates them.
+  template <typename Emit>
+  bool EmitTriangulated(vtkIdType cell, Emit emit)
+  {
+    this->Data->GetCell(cell, this->Cell);
+    if (this->Cell->GetCellDimension() != 3 || !this->Cell->Triangulate(0, this->Faces, this->CellPoints))
+    {
+      return false;
+    }
+    for (vtkIdType i = 0; i + 3 < this->Faces->GetNumberOfIds(); i += 4)
+    {
+      const vtkIdType* t = this->Faces->GetPointer(i);
+      emit(std::array<vtkIdType, 4>{ { t[0], t[1], t[2], t[3] } });
+    }
+    return true;
+  }
+
+  vtkDataSet* Data;
+  vtkUnstructuredGrid* Grid;
+  vtkUnsignedCharArray* CellGhosts;
+  vtkUnsignedCharArray* PointGhosts;
+  int Extent[6];
+  bool IsStructured;
+  int Type = VTK_EMPTY_CELL;
+  std::array<Place, 12> Places; // of the cell's vertices
+  std::array<int, 12> Representatives;
+  std::vector<int> MergedFaces;
+  vtkNew<vtkIdList> Points;
+  vtkNew<vtkIdList> Faces;
+  vtkNew<vtkPoints> CellPoints;
+  vtkNew<vtkGenericCell> Cell;
+};
+
+} // namespace nephoscope
+
+#endif
