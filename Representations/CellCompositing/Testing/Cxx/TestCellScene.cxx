@@ -116,6 +116,19 @@ TEST_F(SceneOfALattice, DataAndScalarsMakeEverythingAgain)
   EXPECT_EQ(this->Scene.GetGeometry().ScalarRange[1], 500);
 }
 
+TEST_F(SceneOfALattice, AnotherMeshIsConnectedAgain)
+{
+  this->Update();
+  this->Data = makeShell(8, 4, 2, 80, 1, 1.3); // as many cells
+  this->Scalars = addPointNumbers(this->Data);
+  this->Update();
+  ASSERT_EQ(this->Scene.GetDrawn().size(), 64u * 6);
+  const std::vector<std::int32_t> drawn = this->Scene.GetDrawn();
+  this->Scene = CellScene();
+  this->Update();
+  EXPECT_EQ(drawn, this->Scene.GetDrawn());
+}
+
 TEST_F(SceneOfALattice, ClearDrawsNothing)
 {
   const CellScene::Versions first = this->Update();
