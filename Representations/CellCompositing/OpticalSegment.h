@@ -80,7 +80,8 @@ constexpr double quadratureNodes[numberOfQuadratureNodes][2] = {
 };
 
 /**
- * The cheapest rule whose error stays below 4e-7 in float for optical depths up to `largest` (beyond 1000: 1e-6).
+ * The cheapest rule whose error stays below 6e-7 in float for optical depths up to `largest` (beyond 1000: 1e-6);
+ * all of it is the rounding of float: in double the rules err by 1.5e-8 at most (TestOpticalSegment).
  */
 template <typename Real>
 constexpr QuadratureRule quadratureRule(Real largest)

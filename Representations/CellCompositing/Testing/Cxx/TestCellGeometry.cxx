@@ -18,6 +18,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstring>
 #include <limits>
 #include <numeric>
@@ -400,6 +401,43 @@ TEST(CellGeometry, ConstantScalars)
   EXPECT_EQ(geometry.ScalarRange[0], 7);
   EXPECT_LT(geometry.ScalarRange[0], geometry.ScalarRange[1]);
   EXPECT_EQ(scalarOf(geometry, geometry.Points[5].Scalar), 7);
+}
+
+// Cells are cut by places, not by numbers: blocks and ranks that number their points differently fit together.
+TEST(CellGeometry, NumberingDoesNotChangeTheCuts)
+{
+  Random random(42);
+  vtkNew<vtkUnstructuredGrid> original, renumbered;
+  auto lattice = makeLattice(3);
+  const int n = int(lattice->GetNumberOfPoints());
+  std::vector<vtkIdType> number(static_cast<std::size_t>(n));
+  std::iota(number.begin(), number.end(), 0);
+  std::shuffle(number.begin(), number.end(), random.GetEngine());
+  original->SetPoints(lattice->GetPoints());
+  vtkNew<vtkPoints> moved;
+  moved->SetNumberOfPoints(n);
+  for (vtkIdType i = 0; i < n; ++i)
+  {
+    moved->SetPoint(number[std::size_t(i)], lattice->GetPoint(i));
+  }
+  renumbered->SetPoints(moved);
+  vtkNew<vtkIdList> ids;
+  for (vtkIdType cell = 0; cell < lattice->GetNumberOfCells(); ++cell)
+  {
+    lattice->GetCellPoints(cell, ids);
+    original->InsertNextCell(VTK_HEXAHEDRON, ids);
+    for (vtkIdType k = 0; k < ids->GetNumberOfIds(); ++k)
+    {
+      ids->SetId(k, number[std::size_t(ids->GetId(k))]);
+    }
+    renumbered->InsertNextCell(VTK_HEXAHEDRON, ids);
+  }
+  CellGeometry expected = buildNumbered(original), actual = buildNumbered(renumbered);
+  ASSERT_EQ(expected.Tetrahedra.size(), actual.Tetrahedra.size());
+  for (std::size_t i = 0; i < expected.Tetrahedra.size(); ++i)
+  {
+    ASSERT_EQ(expected.Vertices(i), actual.Vertices(i));
+  }
 }
 
 TEST(CellGeometry, BuildForgetsTheLastInput)

@@ -380,3 +380,21 @@ TEST(TransferFunctionTable, TransparentIntervals)
   EXPECT_TRUE(table.IsTransparent(-1, 2));
   EXPECT_TRUE(table.IsTransparent(0.2f, 0.2f));
 }
+
+// The only opacity inside is a ramp that starts at zero and falls back to zero in a jump, or the other way round.
+TEST(TransferFunctionTable, RampsBetweenZerosAreNotTransparent)
+{
+  for (const bool rising : { true, false })
+  {
+    Functions f;
+    f.Opacity->AllowDuplicateScalarsOn();
+    f.Opacity->AddPoint(0.4, 0);
+    f.Opacity->AddPoint(rising ? 0.6 : 0.4, 1);
+    f.Opacity->AddPoint(0.6, 0);
+    const TransferFunctionTable table = f.Build(0, 1);
+    EXPECT_FALSE(table.IsTransparent(0.1f, 0.9f));
+    EXPECT_FALSE(table.IsTransparent(0.5f, 0.9f));
+    EXPECT_TRUE(table.IsTransparent(0.1f, 0.3f));
+    EXPECT_TRUE(table.IsTransparent(0.7f, 0.9f));
+  }
+}

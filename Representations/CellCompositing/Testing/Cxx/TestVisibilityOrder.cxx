@@ -3,6 +3,8 @@
 // Back-to-front orders: every face relation holds, cycles are counted, and nothing depends on threads or numbering.
 #include "VisibilityOrder.h"
 
+#include "FaceRelations.h"
+
 #include "TestGrids.h"
 #include "TestRandom.h"
 #include "ThreadScope.h"
@@ -34,117 +36,6 @@ CellGeometry buildGeometry(vtkDataSet* data)
 Vector4 eyeAt(const CellGeometry& geometry, double x, double y, double z)
 {
   return { { x - geometry.Center[0], y - geometry.Center[1], z - geometry.Center[2], 1 } };
-}
-
-// ---- the test's own relations: pairs of tetrahedra with three places in common ------------------------------------
-
-struct Relation
-{
-  std::int32_t Behind, Front;
-};
-
-struct InteriorFace
-{
-  Vector3 Points[3];
-  std::int32_t Owners[2];
-  Vector3 Apex; ///< of the first owner
-};
-
-std::vector<InteriorFace> findInteriorFaces(const CellGeometry& geometry)
-{
-  std::map<std::array<Vector3, 3>, std::pair<std::int32_t, Vector3>> open;
-  std::vector<InteriorFace> faces;
-  for (std::size_t i = 0; i < geometry.Tetrahedra.size(); ++i)
-  {
-    const std::array<Vector3, 4> p = geometry.Vertices(i);
-    for (std::size_t k = 0; k < 4; ++k)
-    {
-      std::array<Vector3, 3> face = { { p[(k + 1) % 4], p[(k + 2) % 4], p[(k + 3) % 4] } };
-      std::sort(face.begin(), face.end());
-      const auto partner = open.find(face);
-      if (partner == open.end())
-      {
-        open[face] = { std::int32_t(i), p[k] };
-        continue;
-      }
-      faces.push_back({ { face[0], face[1], face[2] }, { partner->second.first, std::int32_t(i) }, partner->second.second });
-      open.erase(partner);
-    }
-  }
-  return faces;
-}
-
-/** 6 x volume of the tetrahedron (a, b, c, x), long double; x may be a direction. */
-long double orient(const Vector3* f, const Vector4& x)
-{
-  long double m[3][3];
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    m[0][axis] = (long double)(f[1][axis]) - f[0][axis];
-    m[1][axis] = (long double)(f[2][axis]) - f[0][axis];
-    m[2][axis] = (long double)(x[axis]) - x[3] * (long double)(f[0][axis]);
-  }
-  return m[0][0] * (m[1][1] * m[2][2] - m[1][2] * m[2][1]) - m[0][1] * (m[1][0] * m[2][2] - m[1][2] * m[2][0]) +
-    m[0][2] * (m[1][0] * m[2][1] - m[1][1] * m[2][0]);
-}
-
-std::vector<Relation> findRelations(const std::vector<InteriorFace>& faces, const Vector4& eye)
-{
-  std::vector<Relation> relations;
-  for (const InteriorFace& f : faces)
-  {
-    const long double eyeSide = orient(f.Points, eye);
-    const long double apexSide = orient(f.Points, { { f.Apex[0], f.Apex[1], f.Apex[2], 1 } });
-    if (eyeSide != 0)
-    {
-      const bool firstInFront = (eyeSide > 0) == (apexSide > 0);
-      relations.push_back(firstInFront ? Relation{ f.Owners[1], f.Owners[0] } : Relation{ f.Owners[0], f.Owners[1] });
-    }
-  }
-  return relations;
-}
-
-std::int64_t countViolations(const std::vector<Relation>& relations, const std::vector<std::int32_t>& order)
-{
-  std::vector<std::size_t> rank(order.size());
-  for (std::size_t i = 0; i < order.size(); ++i)
-  {
-    rank[std::size_t(order[i])] = i;
-  }
-  return std::count_if(relations.begin(), relations.end(),
-    [&](const Relation& r) { return rank[std::size_t(r.Behind)] > rank[std::size_t(r.Front)]; });
-}
-
-/** Tetrahedra that no order can place, as Kahn's algorithm leaves them. */
-std::size_t countUnsortable(const std::vector<Relation>& relations, std::size_t n)
-{
-  std::vector<int> waiting(n, 0);
-  std::vector<std::vector<std::int32_t>> inFront(n);
-  for (const Relation& r : relations)
-  {
-    ++waiting[std::size_t(r.Front)];
-    inFront[std::size_t(r.Behind)].push_back(r.Front);
-  }
-  std::vector<std::size_t> free;
-  for (std::size_t i = 0; i < n; ++i)
-  {
-    if (waiting[i] == 0)
-    {
-      free.push_back(i);
-    }
-  }
-  std::size_t placed = 0;
-  for (; placed < free.size(); ++placed)
-  {
-    for (const std::int32_t next : inFront[free[placed]])
-    {
-      if (--waiting[std::size_t(next)] == 0)
-      {
-        free.push_back(std::size_t(next));
-      }
-    }
-  }
-  return n - placed;
 }
 
 bool isPermutation(const std::vector<std::int32_t>& order, std::size_t n)

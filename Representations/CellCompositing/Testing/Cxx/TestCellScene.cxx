@@ -1,0 +1,140 @@
+// SPDX-FileCopyrightText: The Nephoscope authors
+// SPDX-License-Identifier: BSD-3-Clause
+// What the mapper keeps between renders is made again when, and only when, its source changed.
+#include "CellScene.h"
+
+#include "TestGrids.h"
+
+#include "vtkColorTransferFunction.h"
+#include "vtkPiecewiseFunction.h"
+#include "vtkVolumeProperty.h"
+
+#include <gtest/gtest.h>
+
+using namespace nephoscope;
+using namespace nephoscope_test;
+
+namespace
+{
+class SceneOfALattice : public ::testing::Test
+{
+protected:
+  SceneOfALattice()
+  {
+    this->Opacity->AddPoint(0, 1);
+    this->Opacity->AddPoint(124, 1);
+    this->Property->SetScalarOpacity(this->Opacity);
+    this->Property->SetColor(this->Color);
+  }
+
+  CellScene::Versions Update(const Vector4& eye = { { 9, 8, 7, 1 } },
+    CellScene::OrderMethod method = CellScene::OrderMethod::Exact)
+  {
+    std::string error;
+    this->Scene.UpdateGeometry(this->Data, { this->Scalars, false, -1 }, {}, error);
+    EXPECT_EQ(error, "");
+    this->Scene.UpdateTransferFunction(this->Property);
+    this->Scene.UpdateOrder(eye, method);
+    this->Scene.UpdateDrawn();
+    return this->Scene.GetVersions();
+  }
+
+  vtkSmartPointer<vtkStructuredGrid> Data = makeLattice(4);
+  vtkDataArray* Scalars = addPointNumbers(Data);
+  vtkNew<vtkPiecewiseFunction> Opacity;
+  vtkNew<vtkColorTransferFunction> Color;
+  vtkNew<vtkVolumeProperty> Property;
+  CellScene Scene;
+};
+}
+
+TEST_F(SceneOfALattice, NothingChangesNothingIsMadeAgain)
+{
+  const CellScene::Versions first = this->Update();
+  const CellScene::Versions second = this->Update();
+  EXPECT_EQ(first.Geometry, second.Geometry);
+  EXPECT_EQ(first.Transfer, second.Transfer);
+  EXPECT_EQ(first.Order, second.Order);
+  EXPECT_EQ(first.Drawn, second.Drawn);
+  EXPECT_EQ(this->Scene.GetDrawn().size(), 64u * 6);
+  EXPECT_EQ(this->Scene.GetNumberOfCycles(), 0);
+}
+
+TEST_F(SceneOfALattice, TheEyeMovesTheOrder)
+{
+  const CellScene::Versions first = this->Update();
+  const std::vector<std::int32_t> order = this->Scene.GetDrawn();
+  const CellScene::Versions second = this->Update({ { -9, -8, -7, 1 } });
+  EXPECT_EQ(first.Geometry, second.Geometry);
+  EXPECT_EQ(first.Transfer, second.Transfer);
+  EXPECT_NE(first.Order, second.Order);
+  EXPECT_NE(first.Drawn, second.Drawn);
+  EXPECT_NE(this->Scene.GetDrawn(), order);
+  this->Update();
+  EXPECT_EQ(this->Scene.GetDrawn(), order);
+}
+
+TEST_F(SceneOfALattice, TheMethodMakesTheOrderAgain)
+{
+  this->Update();
+  const CellScene::Versions second = this->Update({ { 9, 8, 7, 1 } }, CellScene::OrderMethod::None);
+  EXPECT_TRUE(std::is_sorted(this->Scene.GetDrawn().begin(), this->Scene.GetDrawn().end()));
+  EXPECT_NE(this->Update({ { 9, 8, 7, 1 } }, CellScene::OrderMethod::Centroid).Order, second.Order);
+}
+
+TEST_F(SceneOfALattice, TheOpacityFunctionChoosesWhatIsDrawn)
+{
+  const CellScene::Versions first = this->Update();
+  this->Opacity->RemoveAllPoints();
+  this->Opacity->AddPoint(0, 0);
+  this->Opacity->AddPoint(100, 0);
+  this->Opacity->AddPoint(124, 1);
+  const CellScene::Versions second = this->Update();
+  EXPECT_EQ(first.Geometry, second.Geometry);
+  EXPECT_EQ(first.Order, second.Order);
+  EXPECT_NE(first.Transfer, second.Transfer);
+  EXPECT_NE(first.Drawn, second.Drawn);
+  EXPECT_EQ(this->Scene.GetDrawn().size(), 16u * 6) << "only the last layer reaches beyond 100";
+  this->Color->AddRGBPoint(0, 1, 0, 0);
+  EXPECT_NE(this->Update().Transfer, second.Transfer);
+}
+
+TEST_F(SceneOfALattice, DataAndScalarsMakeEverythingAgain)
+{
+  const CellScene::Versions first = this->Update();
+  this->Data->GetPoints()->SetPoint(0, -1, -1, -1);
+  this->Data->GetPoints()->Modified();
+  this->Data->Modified();
+  const CellScene::Versions second = this->Update();
+  EXPECT_NE(first.Geometry, second.Geometry);
+  EXPECT_NE(first.Transfer, second.Transfer);
+  EXPECT_NE(first.Order, second.Order);
+  EXPECT_NE(first.Drawn, second.Drawn);
+  this->Scalars->SetComponent(0, 0, 500);
+  this->Scalars->Modified();
+  EXPECT_NE(this->Update().Geometry, second.Geometry);
+  EXPECT_EQ(this->Scene.GetGeometry().ScalarRange[1], 500);
+}
+
+TEST_F(SceneOfALattice, AnotherMeshIsConnectedAgain)
+{
+  this->Update();
+  this->Data = makeShell(8, 4, 2, 80, 1, 1.3); // as many cells
+  this->Scalars = addPointNumbers(this->Data);
+  this->Update();
+  ASSERT_EQ(this->Scene.GetDrawn().size(), 64u * 6);
+  const std::vector<std::int32_t> drawn = this->Scene.GetDrawn();
+  this->Scene = CellScene();
+  this->Update();
+  EXPECT_EQ(drawn, this->Scene.GetDrawn());
+}
+
+TEST_F(SceneOfALattice, ClearDrawsNothing)
+{
+  const CellScene::Versions first = this->Update();
+  this->Scene.Clear();
+  EXPECT_TRUE(this->Scene.GetDrawn().empty());
+  EXPECT_TRUE(this->Scene.GetGeometry().Tetrahedra.empty());
+  EXPECT_NE(this->Update().Geometry, first.Geometry);
+  EXPECT_EQ(this->Scene.GetDrawn().size(), 64u * 6);
+}

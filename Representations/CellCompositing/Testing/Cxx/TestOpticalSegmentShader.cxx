@@ -1,0 +1,283 @@
+// SPDX-FileCopyrightText: The Nephoscope authors
+// SPDX-License-Identifier: BSD-3-Clause
+// The shaders' integrals against those of C++: OpticalSegment.glsl against OpticalSegment.h, and TransferFunction.glsl against
+// segments cut at every node of random functions and integrated in long double.
+#include "ShaderRunner.h"
+
+#include "OpticalSegment.h"
+#include "TransferFunctionTable.h"
+
+#include "SegmentReference.h"
+#include "TestRandom.h"
+
+#include <algorithm>
+#include <fstream>
+#include <sstream>
+
+using namespace nephoscope;
+using namespace nephoscope_test;
+
+namespace
+{
+std::string readShader(const std::string& name)
+{
+  std::ifstream file(NEPHOSCOPE_SHADER_FOLDER "/" + name);
+  std::stringstream text;
+  text << file.rdbuf();
+  EXPECT_FALSE(text.str().empty()) << name;
+  return text.str();
+}
+
+std::string constant(const char* name, bool value)
+{
+  return std::string("const bool ") + name + (value ? " = true;\n" : " = false;\n");
+}
+
+void setQuadratureNodes(vtkShaderProgram* program)
+{
+  float nodes[numberOfQuadratureNodes][2];
+  for (int i = 0; i < numberOfQuadratureNodes; ++i)
+  {
+    nodes[i][0] = float(quadratureNodes[i][0]);
+    nodes[i][1] = float(quadratureNodes[i][1]);
+  }
+  if (program->IsUniformUsed("quadratureNodes")) // the average rule does without
+  {
+    EXPECT_TRUE(program->SetUniform2fv("quadratureNodes", numberOfQuadratureNodes, nodes));
+  }
+}
+
+/** Pairs of optical depths: 0 and 10^-6 to 10^3 in equal steps of the logarithm, and the ends of the rules. */
+std::vector<Float4> opticalDepthGrid()
+{
+  std::vector<float> depths = { 0, 0.05f, 0.25f, 1, 10, 0.0399f, 0.04f };
+  for (int i = 0; i <= 72; ++i)
+  {
+    depths.push_back(float(std::pow(10.0, -6 + i / 8.0)));
+  }
+  std::vector<Float4> pairs;
+  for (const float tf : depths)
+  {
+    for (const float tb : depths)
+    {
+      pairs.push_back({ { tf, tb, 0, 0 } });
+    }
+  }
+  return pairs;
+}
+
+double largestDifference(ShaderRunner& runner, bool average)
+{
+  const std::vector<Float4> pairs = opticalDepthGrid();
+  const std::vector<Float4> results =
+    runner.Run(constant("averageIntegration", average) + readShader("OpticalSegment.glsl"),
+      "result = vec4(segmentWeights(first.x, first.y), 0.0, 1.0);", pairs, pairs, setQuadratureNodes);
+  double largest = 0;
+  for (std::size_t i = 0; i < pairs.size(); ++i)
+  {
+    EXPECT_EQ(results[i][3], 1.0f) << "not drawn";
+    const SegmentWeights<float> weights = average ? averageSegmentWeights(pairs[i][0], pairs[i][1])
+                                                  : exactSegmentWeights(pairs[i][0], pairs[i][1]);
+    const double difference = std::max(std::fabs(results[i][0] - weights.Front), std::fabs(results[i][1] - weights.Back));
+    EXPECT_LE(difference, 2e-6) << pairs[i][0] << " " << pairs[i][1];
+    largest = std::max(largest, difference);
+  }
+  return largest;
+}
+
+// ---- transfer functions -------------------------------------------------------------------------------------------
+
+TransferFunctionTable randomTable(Random& random, int nodes)
+{
+  TransferFunctionTable table;
+  for (int i = 0; i < nodes; ++i)
+  {
+    table.Nodes.push_back(float((i + random.Uniform(0.2, 0.8)) / nodes));
+  }
+  TransferFunctionTable::Value last = {};
+  for (int i = 0; i <= nodes; ++i)
+  {
+    TransferFunctionTable::Interval interval;
+    for (std::size_t c = 0; c < 4; ++c)
+    {
+      const bool jump = i == 0 || random.Integer(0, 1);
+      interval.Low[c] = jump ? float(random.Uniform()) : last[c];
+      interval.High[c] = i == 0 || i == nodes ? interval.Low[c] : float(random.Uniform());
+    }
+    last = interval.High;
+    table.Intervals.push_back(interval);
+  }
+  return table;
+}
+
+void addTable(ShaderRunner& runner, const std::string& prefix, const TransferFunctionTable& table)
+{
+  runner.AddBuffer(prefix + "Nodes", table.Nodes, 1);
+  std::vector<float> values;
+  for (const auto& interval : table.Intervals)
+  {
+    values.insert(values.end(), interval.Low.begin(), interval.Low.end());
+    values.insert(values.end(), interval.High.begin(), interval.High.end());
+  }
+  runner.AddBuffer(prefix + "Intervals", values, 4);
+}
+
+using Double4 = std::array<long double, 4>;
+
+/** The line of the interval that holds `inside`, at s. */
+Double4 evaluateLine(const TransferFunctionTable& table, long double inside, long double s)
+{
+  std::size_t k = 0;
+  while (k < table.Nodes.size() && table.Nodes[k] <= inside)
+  {
+    ++k;
+  }
+  const auto& interval = table.Intervals[k];
+  const bool outside = k == 0 || k == table.Nodes.size();
+  const long double t =
+    outside ? 0 : (s - table.Nodes[k - 1]) / ((long double)(table.Nodes[k]) - table.Nodes[k - 1]);
+  Double4 value;
+  for (std::size_t c = 0; c < 4; ++c)
+  {
+    value[c] = interval.Low[c] + t * ((long double)(interval.High[c]) - interval.Low[c]);
+  }
+  return value;
+}
+
+struct Functions
+{
+  TransferFunctionTable Transfer, Opacity;
+  bool Separate;
+};
+
+void addCuts(const TransferFunctionTable& table, long double front, long double back, std::vector<long double>& cuts)
+{
+  for (const float node : table.Nodes)
+  {
+    const long double t = front == back ? -1 : (node - front) / (back - front);
+    if (t > 0 && t < 1)
+    {
+      cuts.push_back(t);
+    }
+  }
+}
+
+/** Colour and alpha of a segment; x of its ends is read by the first function, y by the opacity function. */
+Double4 referenceSegment(const Functions& f, const Float4& ends, long double scale)
+{
+  std::vector<long double> cuts = { 0, 1 };
+  addCuts(f.Transfer, ends[0], ends[2], cuts);
+  if (f.Separate)
+  {
+    addCuts(f.Opacity, ends[1], ends[3], cuts);
+  }
+  std::sort(cuts.begin(), cuts.end());
+  Double4 result = {};
+  for (std::size_t i = 1; i < cuts.size(); ++i)
+  {
+    const auto mix = [](long double a, long double b, long double t) { return a + t * (b - a); };
+    const long double from = cuts[i - 1], to = cuts[i], middle = 0.5L * (from + to);
+    const auto at = [&](long double t) {
+      Double4 value = evaluateLine(f.Transfer, mix(ends[0], ends[2], middle), mix(ends[0], ends[2], t));
+      value[3] = f.Separate
+        ? evaluateLine(f.Opacity, mix(ends[1], ends[3], middle), mix(ends[1], ends[3], t))[3]
+        : value[3];
+      return value;
+    };
+    const Double4 front = at(from), back = at(to);
+    const long double length = scale * (to - from);
+    const ReferenceWeights weights = referenceWeights(front[3] * length, back[3] * length);
+    const long double clear = 1 - result[3];
+    for (std::size_t c = 0; c < 3; ++c)
+    {
+      result[c] += clear * (weights.Front * front[c] + weights.Back * back[c]);
+    }
+    result[3] += clear * (weights.Front + weights.Back);
+  }
+  return result;
+}
+
+/** Ends of segments: wide ones, level ones, and both outside. Narrow ones would make the place of a jump uncertain in float. */
+std::vector<Float4> randomSegments(Random& random, int n)
+{
+  const auto end = [&]() { return float(random.Uniform(-0.2, 1.2)); };
+  std::vector<Float4> segments;
+  while (int(segments.size()) < n)
+  {
+    Float4 s = { { end(), end(), end(), end() } };
+    if (random.Integer(0, 4) == 0)
+    {
+      s[2] = s[0];
+    }
+    if (random.Integer(0, 4) == 0)
+    {
+      s[3] = s[1];
+    }
+    const auto acceptable = [](float a, float b) { return a == b || std::fabs(a - b) > 0.05f; };
+    if (acceptable(s[0], s[2]) && acceptable(s[1], s[3]))
+    {
+      segments.push_back(s);
+    }
+  }
+  return segments;
+}
+
+double largestSegmentError(Random& random, bool separate)
+{
+  ShaderRunner runner;
+  const Functions f = { randomTable(random, 9), randomTable(random, 7), separate };
+  addTable(runner, "transfer", f.Transfer);
+  addTable(runner, "opacity", f.Opacity);
+  const std::vector<Float4> segments = randomSegments(random, 2000);
+  std::vector<Float4> scales;
+  for (std::size_t i = 0; i < segments.size(); ++i)
+  {
+    scales.push_back({ { float(random.LogUniform(1e-3, 20)), 0, 0, 0 } });
+  }
+  const std::string functions = constant("averageIntegration", false) + constant("separateOpacity", separate) +
+    constant("splitAtControlPoints", true) + readShader("OpticalSegment.glsl") + readShader("TransferFunction.glsl");
+  const auto results = runner.Run(functions, "result = integrateSegment(first.xy, first.zw, second.x);", segments,
+    scales, [&](vtkShaderProgram* program) {
+      setQuadratureNodes(program);
+      program->SetUniformi("numberOfTransferNodes", int(f.Transfer.Nodes.size()));
+      program->SetUniformi("numberOfOpacityNodes", int(f.Opacity.Nodes.size()));
+    });
+  double largest = 0;
+  for (std::size_t i = 0; i < segments.size(); ++i)
+  {
+    const Double4 expected = referenceSegment(f, segments[i], scales[i][0]);
+    for (std::size_t c = 0; c < 4; ++c)
+    {
+      const double difference = std::fabs(double(results[i][c] - expected[c]));
+      EXPECT_LE(difference, 2e-6) << "from " << segments[i][0] << ", " << segments[i][1] << " to " << segments[i][2] << ", "
+                                  << segments[i][3] << ", optical scale " << scales[i][0] << ", component " << c;
+      largest = std::max(largest, difference);
+    }
+  }
+  return largest;
+}
+}
+
+TEST(OpticalSegmentShader, ExactWeights)
+{
+  ShaderRunner runner;
+  std::cout << "largest difference to C++ in float: " << largestDifference(runner, false) << std::endl;
+}
+
+TEST(OpticalSegmentShader, AverageWeights)
+{
+  ShaderRunner runner;
+  std::cout << "largest difference to C++ in float: " << largestDifference(runner, true) << std::endl;
+}
+
+TEST(TransferFunctionShader, SegmentsThroughJumps)
+{
+  Random random(71);
+  std::cout << "largest error: " << largestSegmentError(random, false) << std::endl;
+}
+
+TEST(TransferFunctionShader, OpacityFromAnotherArray)
+{
+  Random random(72);
+  std::cout << "largest error: " << largestSegmentError(random, true) << std::endl;
+}
