@@ -75,7 +75,7 @@ class Defects(ImageTestCase):
         data = meshes.delaunay(rng, 60)
         meshes.with_field(data, lambda p: rng.uniform(0, 1, len(p)))
         # No colour along a cell may hide what the order does: saturated and dense.
-        transfer = Transfer([(0, 1, 0, 0), (0.5, 0, 1, 0), (1, 0, 0, 1)], [(0, 4), (1, 4)])
+        transfer = Transfer([(0, 1, 0, 0), (0.5, 0, 1, 0), (1, 0, 0, 1)], [(0, 1), (1, 1)], unit_distance=0.25)
         look = lambda s: s.look((0.6, 0.5, 1.6), (0, 0, 0), angle=80, near=0.2, far=6)
         self.compare(data, transfer, "wide perspective", look, 0.1)
 
@@ -87,7 +87,7 @@ class Defects(ImageTestCase):
               f"{(expected > 0).any(axis=2).sum()}")
 
     def test_6_transfer_function_between_the_vertices(self):
-        tent = Transfer(WHITE, [(0, 0), (0.5, 2), (1, 0)])
+        tent = Transfer(WHITE, [(0, 0), (0.5, 1), (1, 0)], unit_distance=0.5)
         look = lambda s: s.look((1, 0.7, 6), (0, 0, 0), angle=30, near=1, far=12)
         self.compare(one_tetrahedron((0, 0, 1, 1)), tent, "tent between the vertices", look, 0.3)
 
@@ -96,7 +96,7 @@ class Defects(ImageTestCase):
             data = meshes.with_field(meshes.Lattice(1).mesh(kind, None if kind == "voxel" else meshes.projective(
                 np.random.default_rng(6), 0.2)), lambda p: p[:, 2])
             look = lambda s: s.look_at(data)
-            self.compare(data, constant(2.0), f"one block of kind {kind}", look, 0.3)
+            self.compare(data, constant(1.0), f"one block of kind {kind}", look, 0.3)
 
 
 def peer_at_scale_300():
