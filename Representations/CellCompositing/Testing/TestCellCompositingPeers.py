@@ -76,7 +76,7 @@ class Defects(ImageTestCase):
         meshes.with_field(data, lambda p: rng.uniform(0, 1, len(p)))
         transfer = Transfer([(0, 1, 0, 0), (1, 0, 0, 1)], [(0, 1), (1, 1)], unit_distance=0.25)
         look = lambda s: s.look((0.6, 0.5, 1.6), (0, 0, 0), angle=80, near=0.2, far=6)
-        self.compare(data, transfer, "wide perspective", look, 0.1)
+        self.compare(data, transfer, "wide perspective", look, 0.05)
 
     def test_5_cells_behind_the_near_plane(self):
         look = lambda s: s.look((0.1, 0.1, 0.2), (0, 0.1, -1), angle=60, near=0.05, far=20)
