@@ -43,6 +43,48 @@ vtkSmartPointer<Array> NewPointArray(vtkStructuredGrid* output, const char* name
   return array;
 }
 
+// The array of that name, carried from the input or new.
+vtkUnsignedCharArray* GhostArray(vtkDataSetAttributes* data, vtkIdType count)
+{
+  const char* name = vtkDataSetAttributes::GhostArrayName();
+  if (auto* carried = vtkUnsignedCharArray::SafeDownCast(data->GetArray(name)))
+  {
+    return carried;
+  }
+  vtkNew<vtkUnsignedCharArray> ghosts;
+  ghosts->SetName(name);
+  ghosts->SetNumberOfTuples(count);
+  ghosts->FillValue(0);
+  data->AddArray(ghosts);
+  return ghosts; // held by data
+}
+
+// The up to eight cells that touch a point; `size` counts points, and a flat axis has one layer of cells.
+void HideCellsAround(int i, int j, int k, const int size[3], vtkUnsignedCharArray* ghosts)
+{
+  const int at[3] = { i, j, k };
+  int first[3], last[3];
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const int cells = std::max(size[axis] - 1, 1);
+    first[axis] = std::max(at[axis] - 1, 0);
+    last[axis] = std::min(at[axis], cells - 1);
+  }
+  const vtkIdType columns = std::max(size[0] - 1, 1);
+  const vtkIdType rows = std::max(size[1] - 1, 1);
+  for (int c = first[2]; c <= last[2]; ++c)
+  {
+    for (int b = first[1]; b <= last[1]; ++b)
+    {
+      for (int a = first[0]; a <= last[0]; ++a)
+      {
+        const vtkIdType cell = a + columns * (b + rows * c);
+        ghosts->SetValue(cell, ghosts->GetValue(cell) | vtkDataSetAttributes::HIDDENCELL);
+      }
+    }
+  }
+}
+
 vtkIdType CountWith(const std::vector<unsigned char>& flags, unsigned char reason)
 {
   return std::count_if(
@@ -209,27 +251,30 @@ bool GlobeGridBuilder::IsBelowGround(const std::array<int, 3>& index) const
   return !IsMissing(terrain) && height < terrain;
 }
 
+// Points, and the cells that touch them: some filters look at the one, some at the other.
 void GlobeGridBuilder::HidePoints(vtkStructuredGrid* output) const
 {
   if (std::all_of(this->Hidden.begin(), this->Hidden.end(), [](unsigned char h) { return h == 0; }))
   {
     return;
   }
-  const char* name = vtkDataSetAttributes::GhostArrayName();
-  auto* ghosts = vtkUnsignedCharArray::SafeDownCast(output->GetPointData()->GetArray(name));
-  vtkSmartPointer<vtkUnsignedCharArray> added;
-  if (!ghosts)
+  vtkUnsignedCharArray* pointGhosts = GhostArray(output->GetPointData(), output->GetNumberOfPoints());
+  vtkUnsignedCharArray* cellGhosts = GhostArray(output->GetCellData(), output->GetNumberOfCells());
+  int size[3];
+  output->GetDimensions(size);
+  vtkIdType id = 0;
+  for (int k = 0; k < size[2]; ++k)
   {
-    added = NewPointArray<vtkUnsignedCharArray>(output, name, 1);
-    added->FillValue(0);
-    ghosts = added;
-  }
-  for (size_t id = 0; id < this->Hidden.size(); ++id)
-  {
-    if (this->Hidden[id])
+    for (int j = 0; j < size[1]; ++j)
     {
-      const auto point = static_cast<vtkIdType>(id);
-      ghosts->SetValue(point, ghosts->GetValue(point) | vtkDataSetAttributes::HIDDENPOINT);
+      for (int i = 0; i < size[0]; ++i, ++id)
+      {
+        if (this->Hidden[id])
+        {
+          pointGhosts->SetValue(id, pointGhosts->GetValue(id) | vtkDataSetAttributes::HIDDENPOINT);
+          HideCellsAround(i, j, k, size, cellGhosts);
+        }
+      }
     }
   }
 }

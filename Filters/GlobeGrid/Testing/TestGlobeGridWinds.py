@@ -14,7 +14,7 @@ LAT = np.linspace(-90.0, 90.0, 37)
 OMEGA = 2 * np.pi / (12 * 86400.0)  # rad/s
 
 
-def solid_body(x, y, z, axis, levels_are_heights=True):
+def solid_body(x, y, z, axis):
     """u, v of a rotation about `axis` at the physical radius, from the cross product alone."""
     east, north, up = gf.frame(x, y)
     velocity = np.cross(OMEGA * np.asarray(axis), up * (gf.RADIUS + z)[:, None])
@@ -105,7 +105,7 @@ class Pointwise(unittest.TestCase):
         lon = np.arange(12) * 30.0
         x, _, z = gf.mesh(lon, LAT, [100.0, 1000.0])
         u, gh = 0 * x + 5.0, z.copy()
-        u[200], u[201], gh[300] = np.nan, 9.96921e36, np.nan
+        u[200], u[201], gh[301] = np.nan, 9.96921e36, np.nan
         grid = gf.rectilinear(lon, LAT, [100.0, 1000.0], {"u": u, "v": 0 * x, "w": 0 * x, "gh": gh})
         made = gf.globe(grid, quiet=False, LevelUnits=3)
         self.assertEqual(len(made.messages), 2, made.messages)
@@ -118,13 +118,11 @@ class Pointwise(unittest.TestCase):
 
 class Integrated(unittest.TestCase):
     def check(self, axis, start, exaggeration):
-        errors = []
-        for spacing in (5.0, 2.5):
-            end, expected, angle = path_end(axis, start, exaggeration, spacing)
-            self.assertGreater(angle, 0.9)  # it got there: 48 h of a 12-day turn is 1.05 rad
-            errors.append(np.linalg.norm(end - expected) / np.linalg.norm(expected))
-        self.assertLess(errors[1], 1e-3)  # linear interpolation: spacing^2 / 8 = 2.4e-4 a radian
-        self.assertLess(errors[1], 0.5 * errors[0])
+        end, expected, angle = path_end(axis, start, exaggeration, 5.0)
+        self.assertGreater(angle, 0.9)  # it got there: 48 h of a 12-day turn is 1.05 rad
+        # A rotation's velocity is linear in the position, and the cells interpolate both alike: exact but
+        # for the single precision of DisplayVelocity.
+        self.assertLess(np.linalg.norm(end - expected) / np.linalg.norm(expected), 1e-6)
 
     def test_across_the_pole(self):
         self.check([0.0, -1.0, 0.0], [1.0, 70.0, 11000.0], 50.0)
