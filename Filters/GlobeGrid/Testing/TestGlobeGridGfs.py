@@ -10,7 +10,7 @@ from vtkmodules.vtkCommonDataModel import vtkPolyData
 from vtkmodules.vtkCommonExecutionModel import vtkStreamingDemandDrivenPipeline
 from vtkmodules.vtkFiltersCore import vtkAppendFilter, vtkContourFilter
 from vtkmodules.vtkFiltersFlowPaths import vtkStreamTracer
-from vtkmodules.vtkFiltersGeometry import vtkGeometryFilter
+from vtkmodules.vtkFiltersGeometry import vtkDataSetSurfaceFilter
 from vtkmodules.vtkIONetCDF import vtkNetCDFCFReader
 
 import globe_fields as gf
@@ -89,6 +89,13 @@ class Gfs(unittest.TestCase):
         self.assertAlmostEqual(below.mean(), 0.0746, 4)
         np.testing.assert_array_equal(gf.values(self.out, "vtkGhostType") == 2, gf.values(self.out, "BelowGround") == 1)
 
+    def test_cells_are_hidden_where_a_corner_is(self):
+        point = gf.cube(self.out, gf.values(self.out, "vtkGhostType") > 0)
+        corner = np.zeros((20, 72, 144), bool)
+        for k, j, i in np.ndindex(2, 2, 2):
+            corner |= point[k:20 + k, j:72 + j, i:144 + i]
+        np.testing.assert_array_equal(gf.values(self.out, "vtkGhostType", cells=True).reshape(20, 72, 144) == 32, corner)
+
     def test_without_surface_by_sea_level(self):
         out = globe(surface=False).GetOutput()
         np.testing.assert_array_equal(gf.values(out, "BelowGround") == 1, gf.values(out, "gh") < 0)
@@ -118,7 +125,7 @@ class Gfs(unittest.TestCase):
         append.Update()
         self.assertEqual(append.GetOutput().GetNumberOfPoints(), self.out.GetNumberOfPoints())
         for grid in (self.out, append.GetOutput()):
-            contour, geometry = vtkContourFilter(), vtkGeometryFilter()
+            contour, geometry = vtkContourFilter(), vtkDataSetSurfaceFilter()
             contour.SetInputArrayToProcess(0, 0, 0, 0, "cloud_fraction")
             contour.SetValue(0, 0.3)
             for maker in (contour, geometry):
