@@ -3,6 +3,8 @@
 #include "GlobeGridBuilder.h"
 
 #include "CarryArrays.h"
+#include "GlobeGridRows.h"
+#include "HidePoints.h"
 #include "MissingValue.h"
 
 #include "vtkCellData.h"
@@ -10,7 +12,6 @@
 #include "vtkPointData.h"
 #include "vtkDoubleArray.h"
 #include "vtkPoints.h"
-#include "vtkSMPTools.h"
 #include "vtkStructuredData.h"
 #include "vtkStructuredGrid.h"
 #include "vtkUnsignedCharArray.h"
@@ -19,67 +20,6 @@
 
 namespace nephoscope
 {
-namespace
-{
-// Kelvin. Outside, a temperature is in other units or missing, and the standard atmosphere takes its place.
-constexpr double COLDEST = 100.0;
-constexpr double HOTTEST = 400.0;
-
-enum HiddenReason : unsigned char
-{
-  BELOW_GROUND = 1,
-  HEIGHT_MISSING = 2,
-  WIND_MISSING = 4
-};
-
-template <typename Array>
-vtkSmartPointer<Array> NewPointArray(vtkStructuredGrid* output, const char* name, int components)
-{
-  auto array = vtkSmartPointer<Array>::New();
-  array->SetName(name);
-  array->SetNumberOfComponents(components);
-  array->SetNumberOfTuples(output->GetNumberOfPoints());
-  output->GetPointData()->AddArray(array);
-  return array;
-}
-
-vtkIdType CountWith(const std::vector<unsigned char>& flags, unsigned char reason)
-{
-  return std::count_if(
-    flags.begin(), flags.end(), [reason](unsigned char flag) { return (flag & reason) != 0; });
-}
-
-geodesy::Basis BasisAt(const std::array<double, 3>& coordinates)
-{
-  return geodesy::LocalBasis(
-    geodesy::TurnFromDegrees(coordinates[0]), geodesy::TurnFromDegrees(coordinates[1]));
-}
-}
-
-struct GlobeGridBuilder::Row
-{
-  int j;
-  int k;
-  vtkIdType firstId; // of the output
-};
-
-template <typename Function>
-void GlobeGridBuilder::ForEachRow(const int extent[6], const Function& function) const
-{
-  const vtkIdType columns = extent[1] - extent[0] + 1;
-  const vtkIdType rows = extent[3] - extent[2] + 1;
-  const vtkIdType levels = extent[5] - extent[4] + 1;
-  auto work = [&](vtkIdType begin, vtkIdType end) {
-    for (vtkIdType r = begin; r < end; ++r)
-    {
-      function(Row{ extent[2] + static_cast<int>(r % rows), extent[4] + static_cast<int>(r / rows),
-        r * columns });
-    }
-  };
-  vtkSMPTools::LocalScope(vtkSMPTools::Config(0, "STDThread", false),
-    [&]() { vtkSMPTools::For(0, rows * levels, work); });
-}
-
 bool GlobeGridBuilder::Build(
   const int extent[6], vtkStructuredGrid* output, const std::function<bool(double)>& keepGoing)
 {
@@ -125,7 +65,7 @@ void GlobeGridBuilder::PlacePoints(const int extent[6], vtkStructuredGrid* outpu
   this->HeightArray->SetNumberOfTuples(count);
   float* heights = this->HeightArray->GetPointer(0);
   this->Hidden.assign(count, 0);
-  this->ForEachRow(extent, [&](const Row& row) {
+  ForEachRow(extent, [&](const OutputRow& row) {
     for (int i = extent[0]; i <= extent[1]; ++i)
     {
       const vtkIdType id = row.firstId + i - extent[0];
@@ -172,7 +112,7 @@ void GlobeGridBuilder::AddMask(const int extent[6], vtkStructuredGrid* output)
   if (this->Settings.MaskBelowGround)
   {
     auto below = NewPointArray<vtkUnsignedCharArray>(output, "BelowGround", 1);
-    this->ForEachRow(extent, [&](const Row& row) {
+    ForEachRow(extent, [&](const OutputRow& row) {
       for (int i = extent[0]; i <= extent[1]; ++i)
       {
         const vtkIdType id = row.firstId + i - extent[0];
@@ -182,7 +122,7 @@ void GlobeGridBuilder::AddMask(const int extent[6], vtkStructuredGrid* output)
       }
     });
   }
-  this->HidePoints(output);
+  HidePoints(this->Hidden, output);
 }
 
 bool GlobeGridBuilder::IsBelowGround(const std::array<int, 3>& index) const
@@ -207,31 +147,6 @@ bool GlobeGridBuilder::IsBelowGround(const std::array<int, 3>& index) const
   }
   const double terrain = this->TerrainHeights->GetComponent(id, 0);
   return !IsMissing(terrain) && height < terrain;
-}
-
-void GlobeGridBuilder::HidePoints(vtkStructuredGrid* output) const
-{
-  if (std::all_of(this->Hidden.begin(), this->Hidden.end(), [](unsigned char h) { return h == 0; }))
-  {
-    return;
-  }
-  const char* name = vtkDataSetAttributes::GhostArrayName();
-  auto* ghosts = vtkUnsignedCharArray::SafeDownCast(output->GetPointData()->GetArray(name));
-  vtkSmartPointer<vtkUnsignedCharArray> added;
-  if (!ghosts)
-  {
-    added = NewPointArray<vtkUnsignedCharArray>(output, name, 1);
-    added->FillValue(0);
-    ghosts = added;
-  }
-  for (size_t id = 0; id < this->Hidden.size(); ++id)
-  {
-    if (this->Hidden[id])
-    {
-      const auto point = static_cast<vtkIdType>(id);
-      ghosts->SetValue(point, ghosts->GetValue(point) | vtkDataSetAttributes::HIDDENPOINT);
-    }
-  }
 }
 
 std::vector<std::string> GlobeGridBuilder::Warnings() const
@@ -259,116 +174,4 @@ std::vector<std::string> GlobeGridBuilder::Warnings() const
   return warnings;
 }
 
-// PASS 3
-void GlobeGridBuilder::AddWinds(const int extent[6], vtkStructuredGrid* output)
-{
-  auto winds = NewPointArray<vtkFloatArray>(output, "Wind", 3);
-  auto velocities = NewPointArray<vtkFloatArray>(output, "DisplayVelocity", 3);
-  this->ForEachRow(extent, [&](const Row& row) {
-    geodesy::Vector poleWind = { 0.0, 0.0, 0.0 };
-    const int inputRow = this->Order_.InputPoint(0, row.j, row.k)[1];
-    const int inputLevel = this->Order_.InputPoint(0, row.j, row.k)[2];
-    const bool atPole = this->Grid.IsPoleRow(inputRow, inputLevel);
-    const bool poleFound = atPole && this->PoleWind(row.j, row.k, poleWind);
-    for (int i = extent[0]; i <= extent[1]; ++i)
-    {
-      const vtkIdType id = row.firstId + i - extent[0];
-      const std::array<int, 3> input = this->Order_.InputPoint(i, row.j, row.k);
-      const std::array<double, 3> x = this->Grid.Coordinates(input);
-      const geodesy::Basis basis = BasisAt(x);
-      geodesy::Vector wind = poleWind;
-      const bool found = atPole ? poleFound : this->WindOf(input, basis, wind);
-      if (!found)
-      {
-        wind = { 0.0, 0.0, 0.0 };
-        this->Hidden[id] |= WIND_MISSING;
-      }
-      bool missing = false;
-      const double height = this->HeightOf(this->Grid.Id(input), x[2], missing);
-      geodesy::Vector velocity;
-      if (this->Settings.OnMap)
-      {
-        wind = { geodesy::Dot(wind, basis.east), geodesy::Dot(wind, basis.north),
-          geodesy::Dot(wind, basis.up) };
-        velocity = geodesy::MapDisplayVelocity(this->Settings.Planet,
-          std::cos(x[1] * geodesy::RADIANS_PER_DEGREE), height, wind[0], wind[1], wind[2]);
-      }
-      else
-      {
-        velocity = geodesy::GlobeDisplayVelocity(this->Settings.Planet, basis, height, wind);
-      }
-      for (int c = 0; c < 3; ++c)
-      {
-        winds->SetTypedComponent(id, c, static_cast<float>(wind[c]));
-        velocities->SetTypedComponent(id, c, static_cast<float>(velocity[c]));
-      }
-    }
-  });
-  this->MissingWinds = CountWith(this->Hidden, WIND_MISSING);
-  output->GetPointData()->SetActiveVectors("DisplayVelocity");
-}
-
-// Cartesian on the globe; false if it is missing.
-bool GlobeGridBuilder::WindOf(
-  const std::array<int, 3>& input, const geodesy::Basis& basis, geodesy::Vector& wind) const
-{
-  const vtkIdType id = this->Grid.Id(input);
-  const double u = this->U->GetComponent(id, 0);
-  const double v = this->V->GetComponent(id, 0);
-  const double level = this->Grid.Coordinates(input)[2];
-  bool missing = false;
-  const double height = this->HeightOf(id, level, missing);
-  double w = 0.0;
-  if (IsMissing(u) || IsMissing(v) || !this->UpwardWind(id, level, height, w))
-  {
-    return false;
-  }
-  wind = geodesy::Combine(basis, u, v, w);
-  return true;
-}
-
-bool GlobeGridBuilder::UpwardWind(vtkIdType id, double level, double height, double& w) const
-{
-  w = this->W ? this->W->GetComponent(id, 0) : 0.0;
-  if (IsMissing(w) || !this->W || !this->Settings.VerticalIsOmega)
-  {
-    return !IsMissing(w);
-  }
-  double temperature = this->Temperatures ? this->Temperatures->GetComponent(id, 0)
-                                          : atmosphere::Temperature(height);
-  if (!(temperature >= COLDEST && temperature <= HOTTEST))
-  {
-    ++this->DoubtfulTemperatures;
-    temperature = atmosphere::Temperature(height);
-  }
-  w = atmosphere::UpwardWindFromOmega(w, this->PressureOf(level, height), temperature);
-  return !IsMissing(w);
-}
-
-// All points of a row at a pole are one point: it has the Cartesian mean of their winds.
-bool GlobeGridBuilder::PoleWind(int j, int k, geodesy::Vector& wind) const
-{
-  const int columns =
-    this->Order_.Period > 0 ? this->Order_.Period : this->Order_.OutputDimensions[0];
-  int found = 0;
-  geodesy::Vector sum = { 0.0, 0.0, 0.0 };
-  for (int i = 0; i < columns; ++i)
-  {
-    const std::array<int, 3> input = this->Order_.InputPoint(i, j, k);
-    geodesy::Vector one;
-    if (this->WindOf(input, BasisAt(this->Grid.Coordinates(input)), one))
-    {
-      ++found;
-      for (int c = 0; c < 3; ++c)
-      {
-        sum[c] += one[c];
-      }
-    }
-  }
-  for (int c = 0; c < 3; ++c)
-  {
-    wind[c] = found ? sum[c] / found : 0.0;
-  }
-  return found > 0;
-}
 }

@@ -64,16 +64,12 @@ public:
   std::vector<std::string> Warnings() const;
 
 private:
-  struct Row; // one row of the output: indices and ids
   void FindHeights(vtkFieldData* units);
   std::string FindWinds(vtkFieldData* units);
   void FindSurface(const LonLatLevelGrid* surface);
   bool SurfaceMatches(const LonLatLevelGrid& surface, const GridOrder& order) const;
   void OrderLevels();
   HeightTrend TrendOfHeights() const;
-
-  template <typename Function>
-  void ForEachRow(const int extent[6], const Function& function) const;
 
   double HeightOf(vtkIdType id, double level, bool& missing) const;
   double PressureOf(double level, double height) const;
@@ -85,7 +81,6 @@ private:
   void PlacePoints(const int extent[6], vtkStructuredGrid* output);
   void AddWinds(const int extent[6], vtkStructuredGrid* output);
   void AddMask(const int extent[6], vtkStructuredGrid* output);
-  void HidePoints(vtkStructuredGrid* output) const;
 
   const LonLatLevelGrid& Grid;
   const GlobeGridSettings& Settings;

@@ -36,7 +36,10 @@
  * - Height, float, m: physical height, without exaggeration.
  * - BelowGround, unsigned char, 1 below the ground, else 0. Only with MaskBelowGround.
  * - vtkGhostType, unsigned char: HIDDENPOINT is added below the ground and where height or wind is
- *   missing, so that cells that touch such a point are not drawn. Only if there is such a point.
+ *   missing. Only if there is such a point.
+ *
+ * Cell array written: vtkGhostType, unsigned char, HIDDENCELL on the cells that touch a hidden point, so
+ * that nothing is drawn or advected there, whether a filter looks at points or at cells.
  *
  * Each piece asks for the whole input and makes its own extent of the output.
  */

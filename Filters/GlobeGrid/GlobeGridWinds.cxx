@@ -1,0 +1,131 @@
+// SPDX-FileCopyrightText: The Nephoscope authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Pass 3 of GlobeGridBuilder: the winds as vectors.
+#include "GlobeGridBuilder.h"
+
+#include "GlobeGridRows.h"
+#include "MissingValue.h"
+
+#include "vtkFloatArray.h"
+
+namespace nephoscope
+{
+namespace
+{
+// Kelvin. Outside, a temperature is in other units or missing, and the standard atmosphere takes its place.
+constexpr double COLDEST = 100.0;
+constexpr double HOTTEST = 400.0;
+}
+
+void GlobeGridBuilder::AddWinds(const int extent[6], vtkStructuredGrid* output)
+{
+  auto winds = NewPointArray<vtkFloatArray>(output, "Wind", 3);
+  auto velocities = NewPointArray<vtkFloatArray>(output, "DisplayVelocity", 3);
+  ForEachRow(extent, [&](const OutputRow& row) {
+    geodesy::Vector poleWind = { 0.0, 0.0, 0.0 };
+    const int inputRow = this->Order_.InputPoint(0, row.j, row.k)[1];
+    const int inputLevel = this->Order_.InputPoint(0, row.j, row.k)[2];
+    const bool atPole = this->Grid.IsPoleRow(inputRow, inputLevel);
+    const bool poleFound = atPole && this->PoleWind(row.j, row.k, poleWind);
+    for (int i = extent[0]; i <= extent[1]; ++i)
+    {
+      const vtkIdType id = row.firstId + i - extent[0];
+      const std::array<int, 3> input = this->Order_.InputPoint(i, row.j, row.k);
+      const std::array<double, 3> x = this->Grid.Coordinates(input);
+      const geodesy::Basis basis = BasisAt(x);
+      geodesy::Vector wind = poleWind;
+      const bool found = atPole ? poleFound : this->WindOf(input, basis, wind);
+      if (!found)
+      {
+        wind = { 0.0, 0.0, 0.0 };
+        this->Hidden[id] |= WIND_MISSING;
+      }
+      bool missing = false;
+      const double height = this->HeightOf(this->Grid.Id(input), x[2], missing);
+      geodesy::Vector velocity;
+      if (this->Settings.OnMap)
+      {
+        wind = { geodesy::Dot(wind, basis.east), geodesy::Dot(wind, basis.north),
+          geodesy::Dot(wind, basis.up) };
+        velocity = geodesy::MapDisplayVelocity(this->Settings.Planet,
+          std::cos(x[1] * geodesy::RADIANS_PER_DEGREE), height, wind[0], wind[1], wind[2]);
+      }
+      else
+      {
+        velocity = geodesy::GlobeDisplayVelocity(this->Settings.Planet, basis, height, wind);
+      }
+      for (int c = 0; c < 3; ++c)
+      {
+        winds->SetTypedComponent(id, c, static_cast<float>(wind[c]));
+        velocities->SetTypedComponent(id, c, static_cast<float>(velocity[c]));
+      }
+    }
+  });
+  this->MissingWinds = CountWith(this->Hidden, WIND_MISSING);
+  output->GetPointData()->SetActiveVectors("DisplayVelocity");
+}
+
+// Cartesian on the globe; false if it is missing.
+bool GlobeGridBuilder::WindOf(
+  const std::array<int, 3>& input, const geodesy::Basis& basis, geodesy::Vector& wind) const
+{
+  const vtkIdType id = this->Grid.Id(input);
+  const double u = this->U->GetComponent(id, 0);
+  const double v = this->V->GetComponent(id, 0);
+  const double level = this->Grid.Coordinates(input)[2];
+  bool missing = false;
+  const double height = this->HeightOf(id, level, missing);
+  double w = 0.0;
+  if (IsMissing(u) || IsMissing(v) || !this->UpwardWind(id, level, height, w))
+  {
+    return false;
+  }
+  wind = geodesy::Combine(basis, u, v, w);
+  return true;
+}
+
+bool GlobeGridBuilder::UpwardWind(vtkIdType id, double level, double height, double& w) const
+{
+  w = this->W ? this->W->GetComponent(id, 0) : 0.0;
+  if (IsMissing(w) || !this->W || !this->Settings.VerticalIsOmega)
+  {
+    return !IsMissing(w);
+  }
+  double temperature = this->Temperatures ? this->Temperatures->GetComponent(id, 0)
+                                          : atmosphere::Temperature(height);
+  if (!(temperature >= COLDEST && temperature <= HOTTEST))
+  {
+    ++this->DoubtfulTemperatures;
+    temperature = atmosphere::Temperature(height);
+  }
+  w = atmosphere::UpwardWindFromOmega(w, this->PressureOf(level, height), temperature);
+  return !IsMissing(w);
+}
+
+// All points of a row at a pole are one point: it has the Cartesian mean of their winds.
+bool GlobeGridBuilder::PoleWind(int j, int k, geodesy::Vector& wind) const
+{
+  const int columns =
+    this->Order_.Period > 0 ? this->Order_.Period : this->Order_.OutputDimensions[0];
+  int found = 0;
+  geodesy::Vector sum = { 0.0, 0.0, 0.0 };
+  for (int i = 0; i < columns; ++i)
+  {
+    const std::array<int, 3> input = this->Order_.InputPoint(i, j, k);
+    geodesy::Vector one;
+    if (this->WindOf(input, BasisAt(this->Grid.Coordinates(input)), one))
+    {
+      ++found;
+      for (int c = 0; c < 3; ++c)
+      {
+        sum[c] += one[c];
+      }
+    }
+  }
+  for (int c = 0; c < 3; ++c)
+  {
+    wind[c] = found ? sum[c] / found : 0.0;
+  }
+  return found > 0;
+}
+}

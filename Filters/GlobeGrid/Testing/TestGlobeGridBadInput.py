@@ -1,0 +1,87 @@
+# SPDX-FileCopyrightText: The Nephoscope authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Each bad input gets its own message, which names the cause; nothing crashes."""
+import unittest
+
+import numpy as np
+from vtkmodules.vtkCommonCore import vtkObject
+from vtkmodules.vtkCommonDataModel import vtkImageData, vtkPolyData, vtkRectilinearGrid
+from vtkmodules.vtkFiltersSources import vtkSphereSource
+
+import globe_fields as gf
+
+LON, LAT, LEV = [0.0, 10.0, 20.0], [0.0, 10.0], [0.0, 1000.0]
+
+
+class BadInput(unittest.TestCase):
+    def setUp(self):
+        vtkObject.GlobalWarningDisplayOn()
+
+    def expect(self, grid, text, points=0, **settings):
+        made = gf.globe(grid, quiet=False, **settings)
+        self.assertTrue(any(text in m for m in made.messages), (text, made.messages))
+        if points is not None:
+            self.assertEqual(made.GetOutput().GetNumberOfPoints(), points)
+
+    def grid(self, lon=LON, lat=LAT, lev=LEV, **arrays):
+        size = len(lon) * len(lat) * len(lev)
+        return gf.rectilinear(lon, lat, lev, {n: np.full(size, v) for n, v in arrays.items()})
+
+    def test_types(self):
+        sphere = vtkSphereSource()
+        sphere.Update()
+        self.expect(sphere.GetOutput(), "vtkRectilinearGrid is required")
+        self.expect(vtkRectilinearGrid(), "empty")
+        image = vtkImageData()
+        image.SetDimensions(3, 3, 3)
+        image.SetDirectionMatrix(0, 1, 0, 1, 0, 0, 0, 0, 1)
+        self.expect(image, "direction matrix")
+
+    def test_axes(self):
+        self.expect(self.grid(lat=[0.0], lev=[0.0]), "fewer than two axes")
+        self.expect(self.grid(lat=[0.0, 100.0]), "within -90 to 90")
+        self.expect(self.grid(lat=[0.0, 20.0, 10.0, 30.0]), "latitude axis must rise or fall throughout, but does not at index 2")
+        self.expect(self.grid(lat=[0.0, np.nan]), "within -90 to 90")
+        self.expect(self.grid(lev=[0.0, 0.0]), "level axis must rise or fall")
+        self.expect(self.grid(lev=[np.nan, 1.0]), "level axis must rise or fall")
+        self.expect(self.grid(lon=[0.0, 10.0, 10.0]), "longitude axis must rise or fall")
+        self.expect(self.grid(lon=np.arange(147) * 2.5), "more than one turn", points=None)
+
+    def test_spherical_coordinates(self):
+        x, y, _ = gf.mesh(np.arange(12) * 30.0, np.linspace(-90, 90, 7), [0.0])
+        p = gf.frame(x, y)[2]
+        for radius, text in ((1.0, "unit sphere"), (1000.0, "Spherical Coordinates")):
+            self.expect(gf.structured(*(radius * p.T), (12, 7, 1)), text)
+
+    def test_nan_point(self):
+        x, y, z = gf.mesh(LON, LAT, LEV)
+        x[4] = np.nan
+        self.expect(gf.structured(x, y, z, (3, 2, 2)), "Point 4")
+
+    def test_arrays(self):
+        grid = self.grid(ua=1.0, va=1.0)
+        self.expect(grid, "no wind arrays 'u' and 'v'", points=12)
+        self.expect(grid, "ua, va", points=12)
+        self.expect(self.grid(u=1.0), "'v' is missing")
+        self.expect(self.grid(u=1.0, v=1.0), "no vertical wind array 'w'", points=12)
+        self.assertEqual(gf.globe(self.grid(u=1.0, v=1.0), VerticalWindArrayName="").messages, [])
+        self.expect(self.grid(u=1.0, v=1.0, w=0.0), "array 'zz'", points=12, HeightArrayName="zz")
+        self.expect(self.grid(u=1.0, v=1.0, w=0.1, t=15.0), "kelvin", points=12)
+
+    def test_settings(self):
+        self.expect(self.grid(), "PlanetRadius", PlanetRadius=0.0)
+        self.expect(self.grid(), "VerticalExaggeration", VerticalExaggeration=-1.0)
+
+    def test_surface(self):
+        pressure = self.grid(lev=[1000.0, 500.0], u=1.0, v=1.0, w=0.0)
+        other = self.grid(lat=[5.0, 15.0], lev=[0.0], sp=1e5)
+        self.expect(pressure, "not those of the first", points=12, SurfaceData=other)
+        self.expect(pressure, "neither 'sp'", points=12, SurfaceData=self.grid(lev=[0.0], x=1.0))
+        self.expect(pressure, "surface input is not used", points=12, SurfaceData=self.grid(lev=[0.0], lat=[0.0, 99.0]))
+        hectopascal = self.grid(lev=[0.0], sp=700.0)
+        out = gf.globe(pressure, SurfaceData=hectopascal).GetOutput()
+        np.testing.assert_array_equal(gf.values(out, "BelowGround"), np.repeat([1, 0], 6))
+
+
+if __name__ == "__main__":
+    unittest.main()
