@@ -187,18 +187,33 @@ void VisibilityOrder::OrientFaces(const CellGeometry& geometry)
   this->CoordinateError = std::isfinite(largest) ? largest * std::numeric_limits<float>::epsilon() : 0.0;
   const std::size_t n = geometry.Tetrahedra.size();
   this->Sides.assign(4 * n, 0);
-  const auto ownSide = [&](std::size_t i, int face) {
-    const auto f = this->CanonicalFace(geometry.Tetrahedra[i], face);
-    const Vector3 p = geometry.Position(geometry.Tetrahedra[i][face]);
-    return sign(planeSide(geometry.Position(f[0]), geometry.Position(f[1]), geometry.Position(f[2]),
-      { p[0], p[1], p[2], 1.0 }));
-  };
   parallelFor(n, [&](std::size_t i) {
     for (int face = 0; face < 4; ++face)
     {
-      this->Sides[4 * i + face] = static_cast<std::int8_t>(ownSide(i, face));
+      const std::int32_t neighbor = this->Neighbors[4 * i + face];
+      if (neighbor >= 0)
+      {
+        const auto f = this->CanonicalFace(geometry.Tetrahedra[i], face);
+        const int own = this->FarVertexSide(geometry, f, geometry.Tetrahedra[i]);
+        const int other = this->FarVertexSide(geometry, f, geometry.Tetrahedra[static_cast<std::size_t>(neighbor)]);
+        // Both on one side: the mesh is folded there, and neither is in front.
+        this->Sides[4 * i + face] = static_cast<std::int8_t>(own == other ? 0 : own != 0 ? own : -other);
+      }
     }
   });
+}
+
+// Side of the face's plane on which the vertex of the tetrahedron lies that is not in the face.
+int VisibilityOrder::FarVertexSide(
+  const CellGeometry& geometry, const std::array<std::int32_t, 3>& face, const Tetrahedron& t) const
+{
+  const std::int32_t* vertex = std::find_if(t.data(), t.data() + 3, [&](std::int32_t v) {
+    const std::int32_t point = this->CanonicalPoints[static_cast<std::size_t>(v)];
+    return std::find(face.begin(), face.end(), point) == face.end();
+  });
+  const Vector3 p = geometry.Position(*vertex);
+  return sign(planeSide(geometry.Position(face[0]), geometry.Position(face[1]), geometry.Position(face[2]),
+    { { p[0], p[1], p[2], 1.0 } }));
 }
 
 // Side of the face's plane on which the eye lies, 0 where the rounding of the coordinates could turn the answer: moving each

@@ -48,7 +48,8 @@ public:
 
 private:
   // Per tetrahedron and face: the neighbour (-1: none) and the side of the face's plane, seen with the vertices in
-  // canonical order, on which the tetrahedron lies (-1, 0, 1; opposite for the neighbour).
+  // canonical order, on which the tetrahedron lies (-1, 1, opposite for the
+  // neighbour; 0 where the mesh is folded).
   std::vector<std::int32_t> Neighbors;
   std::vector<std::int8_t> Sides;
   std::vector<std::int32_t> CanonicalPoints; // first of the points at the same place
@@ -58,6 +59,8 @@ private:
   void MergePoints(const CellGeometry& geometry);
   void MatchFaces(const CellGeometry& geometry);
   void OrientFaces(const CellGeometry& geometry);
+  int FarVertexSide(
+    const CellGeometry& geometry, const std::array<std::int32_t, 3>& face, const Tetrahedron& t) const;
   int EyeSide(const CellGeometry& geometry, const std::array<std::int32_t, 3>& face, const Vector4& eye) const;
   std::array<std::int32_t, 3> CanonicalFace(const Tetrahedron& t, int face) const;
   void FindRelations(

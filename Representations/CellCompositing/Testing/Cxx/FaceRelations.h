@@ -30,7 +30,7 @@ struct InteriorFace
 {
   Vector3 Points[3];
   std::int32_t Owners[2];
-  Vector3 Apex; ///< of the first owner
+  Vector3 Apexes[2]; ///< of the owners
 };
 
 inline std::vector<InteriorFace> findInteriorFaces(const CellGeometry& geometry)
@@ -50,7 +50,8 @@ inline std::vector<InteriorFace> findInteriorFaces(const CellGeometry& geometry)
         open[face] = { std::int32_t(i), p[k] };
         continue;
       }
-      faces.push_back({ { face[0], face[1], face[2] }, { partner->second.first, std::int32_t(i) }, partner->second.second });
+      faces.push_back({ { face[0], face[1], face[2] }, { partner->second.first, std::int32_t(i) },
+        { partner->second.second, p[k] } });
       open.erase(partner);
     }
   }
@@ -77,10 +78,15 @@ inline std::vector<Relation> findRelations(const std::vector<InteriorFace>& face
   for (const InteriorFace& f : faces)
   {
     const long double eyeSide = orient(f.Points, eye);
-    const long double apexSide = orient(f.Points, { { f.Apex[0], f.Apex[1], f.Apex[2], 1 } });
-    if (eyeSide != 0)
+    const auto apexSide = [&f](int owner) {
+      const Vector3& apex = f.Apexes[owner];
+      return orient(f.Points, { { apex[0], apex[1], apex[2], 1 } });
+    };
+    // Where a non-planar cell folds back, both owners lie on one side of the face: neither is in front.
+    const bool folded = (apexSide(0) > 0) == (apexSide(1) > 0);
+    if (eyeSide != 0 && !folded)
     {
-      const bool firstInFront = (eyeSide > 0) == (apexSide > 0);
+      const bool firstInFront = (eyeSide > 0) == (apexSide(0) > 0);
       relations.push_back(firstInFront ? Relation{ f.Owners[1], f.Owners[0] } : Relation{ f.Owners[0], f.Owners[1] });
     }
   }
