@@ -22,8 +22,8 @@ def mapper():
     return nephoscope.vtkCellCompositingMapper()
 
 # Vertices in float lie up to about this far (pixels) from where they belong, a tenth of half the step of the grid
-# on which a rasteriser places them. Where a ray grazes a face between two
-# cells, so small a step moves the crossing visibly: there the picture may be that of a ray this far away.
+# on which a rasteriser places them. Where a ray grazes a face between two cells, so small a step moves the crossing
+# visibly: there the picture may be that of a ray this far away.
 SHIFT = 2e-4
 SHIFTS = ((SHIFT, 0), (-SHIFT, 0), (0, SHIFT), (0, -SHIFT))
 
