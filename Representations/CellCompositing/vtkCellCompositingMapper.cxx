@@ -18,6 +18,7 @@
 #include "vtkObjectFactory.h"
 #include "vtkOpenGLCamera.h"
 #include "vtkOpenGLRenderWindow.h"
+#include "vtkPiecewiseFunction.h"
 #include "vtkPointData.h"
 #include "vtkRenderer.h"
 #include "vtkSMPTools.h"
@@ -206,6 +207,8 @@ void vtkCellCompositingMapper::Render(vtkRenderer* renderer, vtkVolume* volume)
   if (!input || input->GetNumberOfCells() == 0 || window->CheckAbortStatus())
   {
     this->Internals->Scene.Clear();
+    this->ReportOnce(input && input->GetNumberOfCells() == 0 ? "The input has no cells: there is nothing to draw."
+                                                              : std::string());
     return;
   }
   std::string error = this->UpdateGeometry(input, volume);
@@ -318,6 +321,14 @@ std::string vtkCellCompositingMapper::DrawScene(
   {
     return "ScalarOpacityUnitDistance must be positive: it is the length over which an opacity function of 1 "
            "gives an optical depth of 1.";
+  }
+  if (property->GetScalarOpacity()->GetSize() == 0)
+  {
+    return "The scalar opacity function has no points, so that everything is transparent: add some with AddPoint.";
+  }
+  if (property->GetColorChannels() == 3 && property->GetRGBTransferFunction()->GetSize() == 0)
+  {
+    return "The colour function has no points: add some with AddRGBPoint.";
   }
   const ViewState state(renderer, volume, scene.GetGeometry().Center);
   vtkSMPTools::LocalScope(vtkSMPTools::Config{ 0, "STDThread", false }, [&]() {

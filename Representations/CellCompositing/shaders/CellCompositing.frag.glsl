@@ -42,6 +42,17 @@ float frontParameter(vec4 barycentric, vec4 slope)
   return u;
 }
 
+// Barycentric coordinates add up to 1, and slopes to 0, but for rounding, which a grazing ray magnifies. Written with differences of
+// the scalars, a constant stays constant whatever the coordinates are.
+float change(vec4 barycentricChange, vec4 values)
+{
+  return dot(barycentricChange.xyz, values.xyz - values.w);
+}
+float interpolate(vec4 barycentric, vec4 values)
+{
+  return values.w + change(barycentric, values);
+}
+
 void main()
 {
   vec3 towardsEye = eyeVC.xyz - eyeVC.w * positionVCGSOutput;
@@ -57,8 +68,9 @@ void main()
     discard;
   }
   // (colour, opacity)
-  vec2 scalarAtFace = vec2(dot(barycentricGSOutput, scalarsGSOutput), dot(barycentricGSOutput, opacityScalarsGSOutput));
-  vec2 scalarSlope = vec2(dot(slope, scalarsGSOutput), dot(slope, opacityScalarsGSOutput));
+  vec2 scalarAtFace = vec2(interpolate(barycentricGSOutput, scalarsGSOutput),
+    interpolate(barycentricGSOutput, opacityScalarsGSOutput));
+  vec2 scalarSlope = vec2(change(slope, scalarsGSOutput), change(slope, opacityScalarsGSOutput));
   float opticalScale = (uFront - uBack) * length(towardsEye) * extinctionScale;
   gl_FragData[0] = integrateSegment(
     scalarAtFace + uFront * scalarSlope, scalarAtFace + uBack * scalarSlope, opticalScale);

@@ -10,6 +10,7 @@
 #include "CellGeometry.h"
 
 #include <algorithm>
+#include <cmath>
 #include <array>
 #include <cstdint>
 #include <map>
@@ -72,6 +73,19 @@ inline long double orient(const Vector3* f, const Vector4& x)
     m[0][2] * (m[1][0] * m[2][1] - m[1][1] * m[2][0]);
 }
 
+/**
+ * Below this, moving the points by the rounding of float coordinates (of size 1) can turn the sign of orient: the face is seen
+ * edge-on, and its owners do not overlap in the picture.
+ */
+inline long double edgeOnTolerance(const Vector3* f, const Vector4& eye)
+{
+  const auto length = [](const Vector3& v) { return std::sqrt(dot(v, v)); };
+  const double ab = length(difference(f[1], f[0]));
+  const double ac = length(difference(f[2], f[0]));
+  const double ae = length({ { eye[0] - eye[3] * f[0][0], eye[1] - eye[3] * f[0][1], eye[2] - eye[3] * f[0][2] } });
+  return 1e-6 * ((ab + ac) * ae + eye[3] * ab * ac);
+}
+
 inline std::vector<Relation> findRelations(const std::vector<InteriorFace>& faces, const Vector4& eye)
 {
   std::vector<Relation> relations;
@@ -84,7 +98,7 @@ inline std::vector<Relation> findRelations(const std::vector<InteriorFace>& face
     };
     // Where a non-planar cell folds back, both owners lie on one side of the face: neither is in front.
     const bool folded = (apexSide(0) > 0) == (apexSide(1) > 0);
-    if (eyeSide != 0 && !folded)
+    if (std::abs(eyeSide) > edgeOnTolerance(f.Points, eye) && !folded)
     {
       const bool firstInFront = (eyeSide > 0) == (apexSide(0) > 0);
       relations.push_back(firstInFront ? Relation{ f.Owners[1], f.Owners[0] } : Relation{ f.Owners[0], f.Owners[1] });
