@@ -119,9 +119,7 @@ void vtkCellCompositingRepresentation::PrepareCells(vtkDataObject* input)
 {
   this->Cells = nephoscope::volumetricPart(input);
   int association = 0;
-  const char* name = nullptr;
-  vtkDataArray* scalars =
-    this->Cells ? this->FindColorArray(this->Cells, association, name) : nullptr;
+  vtkDataArray* scalars = this->Cells ? this->FindOpacityArray(this->Cells, association) : nullptr;
   const nephoscope::CellMeasures mine = nephoscope::measureCells(
     this->Cells, scalars, association == vtkDataObject::FIELD_ASSOCIATION_CELLS);
   const nephoscope::CellMeasures all = nephoscope::reduceOverRanks(mine);
@@ -253,6 +251,32 @@ vtkDataArray* vtkCellCompositingRepresentation::FindColorArray(
     ? static_cast<vtkFieldData*>(cells->GetCellData())
     : static_cast<vtkFieldData*>(cells->GetPointData());
   return arrays->GetArray(name);
+}
+
+// The array that decides how opaque the cells are: the one chosen for it, else the coloured one.
+vtkDataArray* vtkCellCompositingRepresentation::FindOpacityArray(vtkDataSet* cells, int& association)
+{
+  const std::string chosen = this->Mapper->GetOpacityArrayName();
+  association = vtkDataObject::FIELD_ASSOCIATION_POINTS;
+  vtkDataArray* array = cells->GetPointData()->GetArray(chosen.c_str());
+  if (!array)
+  {
+    association = vtkDataObject::FIELD_ASSOCIATION_CELLS;
+    array = cells->GetCellData()->GetArray(chosen.c_str());
+  }
+  const char* name = nullptr;
+  return array && !chosen.empty() ? array : this->FindColorArray(cells, association, name);
+}
+
+void vtkCellCompositingRepresentation::SetOpacityArray(const char* name)
+{
+  const std::string chosen = name && *name ? name : "None";
+  if (chosen != this->OpacityArray)
+  {
+    this->OpacityArray = chosen;
+    this->Mapper->SetOpacityArrayName(chosen == "None" ? std::string() : chosen);
+    this->MarkModified(); // the automatic unit distance depends on it
+  }
 }
 
 void vtkCellCompositingRepresentation::ColorUniformly(vtkDataSet* cells)

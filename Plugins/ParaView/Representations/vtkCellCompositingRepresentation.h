@@ -17,6 +17,8 @@
 #include "vtkNew.h"
 #include "vtkVolumeRepresentation.h"
 
+#include <string> // for OpacityArray
+
 class vtkCellCompositingMapper;
 class vtkDataArray;
 class vtkDataSet;
@@ -56,6 +58,15 @@ public:
   ///@}
 
   ///@{
+  /**
+   * Array that the opacity function reads, of points or cells; empty or "None" (default): the coloured array. The automatic unit
+   * distance depends on it.
+   */
+  void SetOpacityArray(const char* name);
+  const char* GetOpacityArray() const { return this->OpacityArray.c_str(); }
+  ///@}
+
+  ///@{
   /** ParaView's own properties: a factor on the extinction, and the colour under Solid Color. */
   void SetOpacity(double opacity) { this->Opacity = opacity; }
   void SetDiffuseColor(double red, double green, double blue);
@@ -87,6 +98,7 @@ private:
   void PrepareMapper(vtkDataSet* cells, bool interactive);
   void ColorUniformly(vtkDataSet* cells);
   vtkDataArray* FindColorArray(vtkDataSet* cells, int& association, const char*& name);
+  vtkDataArray* FindOpacityArray(vtkDataSet* cells, int& association);
 
   vtkNew<vtkCellCompositingMapper> Mapper;
   vtkNew<vtkVolumeProperty> UniformProperty;
@@ -101,6 +113,7 @@ private:
   double Opacity = 1.0;
   double OpacityScale = 1.0;
   int VisibilityOrder = 0;
+  std::string OpacityArray = "None";
 };
 
 #endif
