@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Prints the error of each mapper against per-ray quadrature, on the same random meshes of tetrahedra.
 
-    PYTHONPATH=<build>/lib/python3/dist-packages:Testing/Python python3 Testing/Benchmarks/accuracy_against_peers.py [scenes]
+    ./nephoscope bench [scenes]
 
 The scenes are what every mapper claims to draw: tetrahedra, linear point scalars, the whole volume before the camera.
 Numbers are in steps of the 8-bit picture (1/255); silhouette pixels are left out. "float" is the mapper's own float image.

@@ -1,0 +1,102 @@
+# SPDX-FileCopyrightText: The Nephoscope authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Times frames of the GFS globe against vtkProjectedTetrahedraMapper on the same cells as tetrahedra, in one run.
+
+    ./nephoscope bench
+
+Seconds are processor time of the whole process, software OpenGL included, so that other work on the machine counts little; the
+ratio is what to quote. The transfer function is zero below a cloud fraction of 0.05.
+"""
+import os
+import time
+
+import nephoscope
+import vtkmodules.vtkRenderingOpenGL2  # noqa: F401  the factory
+import vtkmodules.vtkRenderingVolumeOpenGL2  # noqa: F401
+from vtkmodules.vtkCommonDataModel import vtkPiecewiseFunction
+from vtkmodules.vtkFiltersGeneral import vtkDataSetTriangleFilter
+from vtkmodules.vtkIONetCDF import vtkNetCDFCFReader
+from vtkmodules.vtkRenderingCore import vtkColorTransferFunction, vtkRenderWindow, vtkRenderer, vtkVolume
+from vtkmodules.vtkRenderingVolume import vtkProjectedTetrahedraMapper
+
+SIZE = 1024
+MOVES = 4
+
+
+def globe():
+    reader = vtkNetCDFCFReader()
+    reader.SetFileName(os.path.join(os.environ["NEPHOSCOPE_DATA"], "gfs_2p5deg_2011101100.nc"))
+    reader.SphericalCoordinatesOff()
+    reader.UpdateInformation()
+    reader.SetDimensions("(lev, lat, lon)")
+    grid = nephoscope.vtkGlobeGrid()
+    grid.SetInputConnection(reader.GetOutputPort())
+    grid.SetVerticalExaggeration(45)
+    grid.Update()
+    output = grid.GetOutput()
+    output.GetPointData().SetActiveScalars("cloud_fraction")
+    return output
+
+
+def scene(mapper):
+    volume = vtkVolume()
+    volume.SetMapper(mapper)
+    colour, opacity = vtkColorTransferFunction(), vtkPiecewiseFunction()
+    colour.AddRGBPoint(0, 0.6, 0.7, 1)
+    colour.AddRGBPoint(1, 1, 1, 1)
+    for value, alpha in ((0, 0), (0.05, 0), (1, 1)):
+        opacity.AddPoint(value, alpha)
+    volume.GetProperty().SetColor(colour)
+    volume.GetProperty().SetScalarOpacity(opacity)
+    volume.GetProperty().SetScalarOpacityUnitDistance(2e5)
+    renderer, window = vtkRenderer(), vtkRenderWindow()
+    renderer.AddVolume(volume)
+    window.SetOffScreenRendering(1)
+    window.SetMultiSamples(0)
+    window.SetSize(SIZE, SIZE)
+    window.AddRenderer(renderer)
+    return renderer, window
+
+
+def seconds(window):
+    start = time.process_time()
+    window.Render()
+    return time.process_time() - start
+
+
+def frames(mapper):
+    renderer, window = scene(mapper)
+    first = seconds(window)
+    moving = []
+    for _ in range(MOVES):
+        renderer.GetActiveCamera().Azimuth(7)
+        renderer.ResetCameraClippingRange()
+        moving.append(seconds(window))
+    return first, sorted(moving)[MOVES // 2], seconds(window)
+
+
+def main():
+    grid = globe()
+    results = {}
+    for order in ("Exact", "Centroid"):
+        mapper = nephoscope.vtkCellCompositingMapper()
+        mapper.SetInputData(grid)
+        getattr(mapper, "SetVisibilityOrderTo" + order)()
+        results["vtkCellCompositingMapper, " + order] = frames(mapper)
+        print(f"{order}: {mapper.GetNumberOfTetrahedra()} tetrahedra, {mapper.GetNumberOfDrawnTetrahedra()} drawn, "
+              f"{mapper.GetNumberOfVisibilityCycles()} cycles")
+    triangles = vtkDataSetTriangleFilter()
+    triangles.SetInputData(grid)
+    triangles.Update()
+    peer = vtkProjectedTetrahedraMapper()
+    peer.SetInputData(triangles.GetOutput())
+    print(f"peer: {triangles.GetOutput().GetNumberOfCells()} tetrahedra")
+    results["vtkProjectedTetrahedraMapper"] = frames(peer)
+    reference = results["vtkProjectedTetrahedraMapper"]
+    print(f"| mapper ({SIZE} x {SIZE}) | first s | moving s | still s | moving, times the peer's |")
+    print("|---|---|---|---|---|")
+    for name, (first, moving, still) in results.items():
+        print(f"| {name} | {first:.2f} | {moving:.2f} | {still:.2f} | {moving / reference[1]:.2f} |")
+
+
+main()
