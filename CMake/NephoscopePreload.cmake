@@ -14,12 +14,12 @@ if (NEPHOSCOPE_SANITIZE MATCHES "address|thread" AND CMAKE_CXX_COMPILER_ID STREQ
 endif ()
 # VTK before 9.3.1 misreads its XML files with a recent libexpat; expat/whole_tokens.c tells why.
 if (CMAKE_SYSTEM_NAME STREQUAL "Linux" AND VTK_VERSION VERSION_LESS 9.3.1)
-  add_library(nephoscope_expat MODULE "${CMAKE_CURRENT_LIST_DIR}/expat/whole_tokens.c")
-  target_link_libraries(nephoscope_expat PRIVATE ${CMAKE_DL_LIBS})
-  set_target_properties(nephoscope_expat PROPERTIES
+  add_library(expat_whole_tokens MODULE "${CMAKE_CURRENT_LIST_DIR}/expat/whole_tokens.c")
+  target_link_libraries(expat_whole_tokens PRIVATE ${CMAKE_DL_LIBS})
+  set_target_properties(expat_whole_tokens PROPERTIES
     LIBRARY_OUTPUT_DIRECTORY "${NEPHOSCOPE_PRELOAD_FOLDER}"
     C_VISIBILITY_PRESET default COMPILE_OPTIONS "-fno-sanitize=all" LINK_OPTIONS "-fno-sanitize=all")
-  list(APPEND nephoscope_preload libnephoscope_expat.so)
+  list(APPEND nephoscope_preload libexpat_whole_tokens.so)
 endif ()
 list(JOIN nephoscope_preload ":" nephoscope_preload)
 set(NEPHOSCOPE_PRELOAD "${nephoscope_preload}" CACHE INTERNAL "Libraries to preload into the hosts")
