@@ -34,13 +34,3 @@ if (NEPHOSCOPE_SANITIZE)
   add_compile_options(-fsanitize=${NEPHOSCOPE_SANITIZE} -fno-sanitize-recover=all -fno-omit-frame-pointer -g)
   add_link_options(-fsanitize=${NEPHOSCOPE_SANITIZE})
 endif ()
-# A program that was built without the sanitizer, such as Python, must load its runtime before our libraries.
-set(nephoscope_sanitizer_runtime "")
-if (NEPHOSCOPE_SANITIZE MATCHES "address|thread" AND CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
-  string(REGEX REPLACE ".*(address|thread).*" "\\1" runtime "${NEPHOSCOPE_SANITIZE}")
-  string(SUBSTRING "${runtime}" 0 1 runtime)
-  execute_process(COMMAND "${CMAKE_CXX_COMPILER}" "-print-file-name=lib${runtime}san.so"
-    OUTPUT_VARIABLE nephoscope_sanitizer_runtime OUTPUT_STRIP_TRAILING_WHITESPACE)
-endif ()
-set(NEPHOSCOPE_SANITIZER_RUNTIME "${nephoscope_sanitizer_runtime}" CACHE INTERNAL
-  "Library to preload into programs built without the sanitizer; read by the script `nephoscope` too")

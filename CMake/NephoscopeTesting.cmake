@@ -19,8 +19,8 @@ set(NEPHOSCOPE_TEST_ENVIRONMENT
   "ASAN_OPTIONS=detect_leaks=0" # neither Python nor the OpenGL driver frees everything; other C++ tests look for leaks
   "LSAN_OPTIONS=suppressions=${PROJECT_SOURCE_DIR}/Testing/Sanitizers/leaks.supp"
   "TSAN_OPTIONS=suppressions=${PROJECT_SOURCE_DIR}/Testing/Sanitizers/threads.supp")
-if (NEPHOSCOPE_SANITIZER_RUNTIME)
-  list(APPEND NEPHOSCOPE_TEST_ENVIRONMENT "LD_PRELOAD=${NEPHOSCOPE_SANITIZER_RUNTIME}")
+if (NEPHOSCOPE_PRELOAD)
+  list(APPEND NEPHOSCOPE_TEST_ENVIRONMENT "LD_PRELOAD=${NEPHOSCOPE_PRELOAD}" "LD_LIBRARY_PATH=${NEPHOSCOPE_PRELOAD_FOLDER}")
 endif ()
 
 function (nephoscope_add_math_test name source)

@@ -25,7 +25,8 @@ render_figure()
   name=figure-$(basename "$figure" .py)
   log="$LOGS/$name.log"
   touch "$LOGS/figure-started"
-  on_virtual_display pvbatch "$figure" 2>&1 </dev/null | tee "$log" | sed -un 's/^wrote /      wrote /p' >&3 || status=$?
+  on_virtual_display "${WITH_PRELOAD[@]}" pvbatch "$figure" 2>&1 </dev/null | tee "$log" |
+    sed -un 's/^wrote /      wrote /p' >&3 || status=$?
   if [ $status -ne 0 ]; then
     show_failure "$name" $status
     exit 1

@@ -14,16 +14,19 @@ host_environment()
   export NEPHOSCOPE_DATA="$TOP/Data"
   export NEPHOSCOPE_PRESET="$PRESET"
   mpi_environment
-  sanitizer_environment
+  preload_environment
 }
 
+# Sets WITH_PRELOAD to the words before a host's command; CMake/NephoscopePreload.cmake tells what is preloaded.
 # Python never frees all of its memory: leaks are looked for in C++ tests only, which ask for it themselves.
-sanitizer_environment()
+preload_environment()
 {
-  local runtime
-  runtime=$(cache_value NEPHOSCOPE_SANITIZER_RUNTIME)
-  WITH_SANITIZER=()
-  [ -z "$runtime" ] || WITH_SANITIZER=(env "LD_PRELOAD=$runtime")
+  local libraries folder
+  libraries=$(cache_value NEPHOSCOPE_PRELOAD)
+  folder=$(cache_value NEPHOSCOPE_PRELOAD_FOLDER)
+  WITH_PRELOAD=(env)
+  [ -z "$libraries" ] || WITH_PRELOAD+=("LD_PRELOAD=$libraries${LD_PRELOAD:+:$LD_PRELOAD}"
+    "LD_LIBRARY_PATH=$folder${LD_LIBRARY_PATH:+:$LD_LIBRARY_PATH}")
   export ASAN_OPTIONS="detect_leaks=0${ASAN_OPTIONS:+:$ASAN_OPTIONS}"
 }
 
@@ -72,5 +75,5 @@ run_host()
         shift 2
       fi ;;
   esac
-  on_any_display "${WITH_SANITIZER[@]}" "${command[@]}" "$@"
+  on_any_display "${WITH_PRELOAD[@]}" "${command[@]}" "$@"
 }

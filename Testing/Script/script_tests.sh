@@ -145,7 +145,7 @@ gallery()
     source "$SOURCE/CMake/script/progress.sh"
     source "$SOURCE/CMake/script/gallery.sh"
     on_virtual_display() { shift; /usr/bin/python3 "$@"; }
-    host_environment() { :; }
+    host_environment() { WITH_PRELOAD=(); }
     render_gallery "$@"' gallery "$@"
 }
 
@@ -208,6 +208,13 @@ test_ranks()
   expect "two processes with the plugin" contains "$OUT" "Nephoscope loaded, 2 processes"
   nephoscope pvbatch -n two script.py
   expect "status 2 for a number that is none" [ $STATUS -eq 2 ]
+}
+
+# ParaView moves data between ranks in the form that this reads.
+test_appended_xml()
+{
+  nephoscope python "$TOP/Testing/Script/read_appended_xml.py"
+  expect "as many cells read as written" [ "$STATUS $OUT" = "0 1000 cells" ]
 }
 
 test_shellcheck()

@@ -1,0 +1,25 @@
+# SPDX-FileCopyrightText: The Nephoscope authors
+# SPDX-License-Identifier: BSD-3-Clause
+# NEPHOSCOPE_PRELOAD: the libraries, separated by colons, that programs not built here must load first (LD_PRELOAD). Ours are
+# named without their folder, which may have spaces, and found by LD_LIBRARY_PATH in NEPHOSCOPE_PRELOAD_FOLDER.
+# The tests set both, and the script `nephoscope` does so for the hosts, reading them in the cache.
+set(NEPHOSCOPE_PRELOAD_FOLDER "${CMAKE_LIBRARY_OUTPUT_DIRECTORY}/preload" CACHE INTERNAL "Where our libraries to preload are")
+set(nephoscope_preload)
+# The runtime of the sanitizer, because Python was built without it. It must be the first.
+if (NEPHOSCOPE_SANITIZE MATCHES "address|thread" AND CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+  string(SUBSTRING "${CMAKE_MATCH_0}" 0 1 letter)
+  execute_process(COMMAND "${CMAKE_CXX_COMPILER}" "-print-file-name=lib${letter}san.so"
+    OUTPUT_VARIABLE runtime OUTPUT_STRIP_TRAILING_WHITESPACE)
+  list(APPEND nephoscope_preload "${runtime}")
+endif ()
+# VTK before 9.3.1 misreads its XML files with a recent libexpat; expat/whole_tokens.c tells why.
+if (CMAKE_SYSTEM_NAME STREQUAL "Linux" AND VTK_VERSION VERSION_LESS 9.3.1)
+  add_library(expat_whole_tokens MODULE "${CMAKE_CURRENT_LIST_DIR}/expat/whole_tokens.c")
+  target_link_libraries(expat_whole_tokens PRIVATE ${CMAKE_DL_LIBS})
+  set_target_properties(expat_whole_tokens PROPERTIES
+    LIBRARY_OUTPUT_DIRECTORY "${NEPHOSCOPE_PRELOAD_FOLDER}"
+    C_VISIBILITY_PRESET default COMPILE_OPTIONS "-fno-sanitize=all" LINK_OPTIONS "-fno-sanitize=all")
+  list(APPEND nephoscope_preload libexpat_whole_tokens.so)
+endif ()
+list(JOIN nephoscope_preload ":" nephoscope_preload)
+set(NEPHOSCOPE_PRELOAD "${nephoscope_preload}" CACHE INTERNAL "Libraries to preload into the hosts")
