@@ -36,6 +36,7 @@ def on_globe(longitude, latitude, radii):
 
 def make_view():
     view = pvs.CreateRenderView(ViewSize=[1920, 1080], OrientationAxesVisibility=0, UseColorPaletteForBackground=0)
+    pvs.AssignViewToLayout(view, layout=pvs.CreateLayout("Clouds over the globe"))  # or the window opens the state without it
     view.BackgroundColorMode = "Gradient"
     view.Background = [0.004, 0.006, 0.016]
     view.Background2 = [0.03, 0.05, 0.11]
