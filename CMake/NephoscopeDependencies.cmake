@@ -8,8 +8,9 @@ set(nephoscope_vtk_components
 # glew (up to VTK 9.3) or glad (from 9.4) give the OpenGL entry points.
 set(nephoscope_vtk_optional_components TestingCore TestingRendering glew glad opengl)
 if (NEPHOSCOPE_WRAP_PYTHON)
-  list(APPEND nephoscope_vtk_components
-    WrapHierarchy WrapPython WrapPythonInit WrappingPythonCore Python)
+  list(APPEND nephoscope_vtk_components WrappingPythonCore Python)
+  # Programs, not modules: VTK 9.6 gives their targets, yet calls them missing when they are required.
+  set(nephoscope_vtk_programs WrapHierarchy WrapPython WrapPythonInit)
 endif ()
 
 if (NEPHOSCOPE_USE_PARAVIEW)
@@ -18,7 +19,12 @@ endif ()
 # find_package(ParaView) loads only the components ParaView itself names, from its own VTK_DIR; ours
 # come from the very same VTK by a second call.
 find_package(VTK 9.2 REQUIRED COMPONENTS ${nephoscope_vtk_components}
-  OPTIONAL_COMPONENTS ${nephoscope_vtk_optional_components})
+  OPTIONAL_COMPONENTS ${nephoscope_vtk_optional_components} ${nephoscope_vtk_programs})
+foreach (program IN LISTS nephoscope_vtk_programs)
+  if (NOT TARGET "VTK::${program}")
+    message(FATAL_ERROR "The VTK in ${VTK_DIR} has no VTK::${program}; set NEPHOSCOPE_WRAP_PYTHON=OFF to do without.")
+  endif ()
+endforeach ()
 message(STATUS "Nephoscope: VTK ${VTK_VERSION} from ${VTK_DIR}")
 if (BUILD_TESTING AND NOT TARGET VTK::TestingRendering)
   message(WARNING "This VTK has no VTK::TestingRendering: tests that compare images are not built.")
