@@ -26,14 +26,27 @@ function (nephoscope_extend_representation representation variable)
 endfunction ()
 
 set(NEPHOSCOPE_CELL_COMPOSITING_EXTENSIONS "")
+# Newer releases give rectilinear grids a representation of their own. Its definition is text inside ParaView's library.
+get_target_property(remoting_views ParaView::RemotingViews LOCATION)
+file(STRINGS "${remoting_views}" rectilinear_grids REGEX "RectilinearGridRepresentation" LIMIT_COUNT 1)
 # Images and rectilinear grids, structured grids, unstructured grids, and composite datasets of these.
-foreach (representation IN ITEMS UniformGrid StructuredGrid UnstructuredGrid)
+set(grids UniformGrid StructuredGrid UnstructuredGrid)
+if (rectilinear_grids)
+  list(APPEND grids RectilinearGrid)
+endif ()
+foreach (representation IN LISTS grids)
   nephoscope_extend_representation(${representation}Representation NEPHOSCOPE_CELL_COMPOSITING_EXTENSIONS
     SHARE SurfaceRepresentation VolumeRepresentation)
 endforeach ()
 # Composites of mixed kinds. This one has no volume rendering of its own, hence no opacity function either.
 nephoscope_extend_representation(GeometryRepresentation NEPHOSCOPE_CELL_COMPOSITING_EXTENSIONS
   EXPOSE_OPACITY_FUNCTION SHARE SurfaceRepresentation)
+
+# Properties are shared by name, and ParaView 5.13 renamed Position on surfaces (its _backwardscompatibilityhelper.py).
+set(NEPHOSCOPE_TRANSLATION Position)
+if (ParaView_VERSION VERSION_GREATER_EQUAL 5.13)
+  set(NEPHOSCOPE_TRANSLATION Translation)
+endif ()
 
 set(nephoscope_representations_xml "${CMAKE_CURRENT_BINARY_DIR}/Representations.xml")
 configure_file(Representations.xml.in "${nephoscope_representations_xml}" @ONLY)

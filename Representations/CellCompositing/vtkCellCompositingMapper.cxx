@@ -7,7 +7,6 @@
 
 #include "vtkAbstractMapper.h"
 #include "vtkCellData.h"
-#include "vtkCellTypes.h"
 #include "vtkColorTransferFunction.h"
 #include "vtkDataArray.h"
 #include "vtkDataSet.h"
@@ -25,6 +24,14 @@
 #include "vtkUnstructuredGridBase.h"
 #include "vtkVolume.h"
 #include "vtkVolumeProperty.h"
+
+#if __has_include("vtkCellTypeUtilities.h") // VTK 9.6 deprecates the name lookup of vtkCellTypes
+#include "vtkCellTypeUtilities.h"
+using CellTypeNames = vtkCellTypeUtilities;
+#else
+#include "vtkCellTypes.h"
+using CellTypeNames = vtkCellTypes;
+#endif
 
 #include <cmath>
 #include <sstream>
@@ -305,7 +312,7 @@ void vtkCellCompositingMapper::WarnAboutGeometry(const char* arrayName)
   }
   if (geometry.NumberOfUnsupportedCells > 0)
   {
-    const char* type = vtkCellTypes::GetClassNameFromTypeId(geometry.UnsupportedCellType);
+    const char* type = CellTypeNames::GetClassNameFromTypeId(geometry.UnsupportedCellType);
     vtkWarningMacro(<< geometry.NumberOfUnsupportedCells << " cells are not drawn (" << type
                     << ", for example): only 3-D cells can be composited.");
   }

@@ -16,7 +16,7 @@ class Seam(unittest.TestCase):
     def check_closed(self, lon):
         for projection in (0, 1):
             out = gf.globe(gf.rectilinear(lon, LATITUDES, LEVELS), Projection=projection).GetOutput()
-            self.assertEqual(out.GetDimensions(), (145, 7, 3))
+            self.assertEqual(gf.dimensions(out), (145, 7, 3))
             p = gf.cube(out, gf.points(out))
             if projection == 0:
                 np.testing.assert_array_equal(p[:, :, 0], p[:, :, -1])
@@ -37,9 +37,9 @@ class Seam(unittest.TestCase):
 
     def test_off_and_regional_stay_open(self):
         open_grid = gf.rectilinear(np.arange(144) * 2.5, LATITUDES, LEVELS)
-        self.assertEqual(gf.globe(open_grid, CloseSeam=False).GetOutput().GetDimensions(), (144, 7, 3))
+        self.assertEqual(gf.dimensions(gf.globe(open_grid, CloseSeam=False).GetOutput()), (144, 7, 3))
         regional = gf.rectilinear(np.linspace(170.0, 200.0, 13), LATITUDES, LEVELS)
-        self.assertEqual(gf.globe(regional).GetOutput().GetDimensions(), (13, 7, 3))
+        self.assertEqual(gf.dimensions(gf.globe(regional).GetOutput()), (13, 7, 3))
 
     def test_central_meridian_rotates_the_columns(self):
         lon = np.arange(144) * 2.5
@@ -49,7 +49,7 @@ class Seam(unittest.TestCase):
             grid = gf.rectilinear(columns, LATITUDES, LEVELS, {"x": x})
             for meridian in (0.0, -100.0, 190.0):
                 out = gf.globe(grid, Projection=1, UseCentralMeridian=True, CentralMeridian=meridian).GetOutput()
-                self.assertEqual(out.GetDimensions()[0], 145)
+                self.assertEqual(gf.dimensions(out)[0], 145)
                 degrees = np.degrees(gf.points(out)[:, 0] / gf.RADIUS)
                 self.assertAlmostEqual(degrees.min(), meridian - 180.0, 6)
                 self.assertAlmostEqual(degrees.max(), meridian + 180.0, 6)
@@ -102,7 +102,7 @@ class Positions(unittest.TestCase):
         image.SetSpacing(2.5, 2.5, 1.0)
         image.SetOrigin(0.0, -90.0, 0.0)
         out = gf.globe(image).GetOutput()
-        self.assertEqual(out.GetDimensions(), (145, 73, 1))
+        self.assertEqual(gf.dimensions(out), (145, 73, 1))
         np.testing.assert_allclose(np.linalg.norm(gf.points(out), axis=1), gf.RADIUS)
 
     def test_curvilinear_across_the_dateline(self):

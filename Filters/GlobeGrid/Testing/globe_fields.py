@@ -76,6 +76,12 @@ def globe(grid=None, quiet=True, **settings):
     return made
 
 
+def dimensions(output):
+    size = [0, 0, 0]
+    output.GetDimensions(size)  # VTK 9.6 wants the argument for structured grids, VTK 9.2 takes it
+    return tuple(size)
+
+
 def points(output):
     return vtk_to_numpy(output.GetPoints().GetData())
 

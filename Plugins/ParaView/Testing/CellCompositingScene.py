@@ -16,6 +16,11 @@ def plane(view, z, opacity):
     return display
 
 
+def move(display, translation):
+    name = "Translation" if "Translation" in display.ListProperties() else "Position"  # renamed in ParaView 5.13
+    display.SetPropertyWithName(name, translation)
+
+
 def front(view):
     look(view, position=(0, 0, 110))
 
@@ -52,7 +57,7 @@ def check_neighbour(source, opacity):
     check_same(expected, both, f"volume over a plane of opacity {opacity}", largest=3, mean=0.6)
     # An opaque plane in front hides the volume altogether.
     display.Visibility = 1
-    neighbour.Position = [0, 0, 40]
+    move(neighbour, [0, 0, 40])
     hidden = image(view)
     if opacity == 1.0:
         display.Visibility = 0

