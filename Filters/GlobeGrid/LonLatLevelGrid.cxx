@@ -196,7 +196,9 @@ std::string LonLatLevelGrid::CheckPoints()
     }
     const double radius = std::sqrt(x[0] * x[0] + x[1] * x[1] + x[2] * x[2]);
     unitSphere = unitSphere && std::abs(radius - 1.0) < 1e-5;
-    if (!this->AtCellCentres && !(std::abs(SnapLatitude(x[1])) <= 90.0))
+    // Corners of cells around the poles may lie half a cell beyond them.
+    const double largest = this->AtCellCentres ? 100.0 : 90.0;
+    if (!(std::abs(SnapLatitude(x[1])) <= largest))
     {
       return LatitudeMessage(x[1]);
     }

@@ -53,6 +53,13 @@ class BadInput(unittest.TestCase):
         for radius, text in ((1.0, "unit sphere"), (1000.0, "Spherical Coordinates")):
             self.expect(gf.structured(*(radius * p.T), (12, 7, 1)), text)
 
+    def test_spherical_coordinates_with_fields_on_cells(self):
+        """What ParaView's reader gives as it stands: levels as radii, arrays on the cells between them."""
+        x, y, z = gf.mesh(np.arange(13) * 30.0, np.linspace(-90, 90, 7), [100.0, 500.0, 1000.0])
+        points = gf.frame(x, y)[2] * z[:, None]
+        cells = {name: np.ones(12 * 6 * 2) for name in ("u", "v", "w", "gh", "t")}
+        self.expect(gf.add(gf.structured(*points.T, (13, 7, 3)), cells, cells=True), "Spherical Coordinates")
+
     def test_nan_point(self):
         x, y, z = gf.mesh(LON, LAT, LEV)
         x[4] = np.nan
