@@ -245,6 +245,7 @@ std::string CellCompositingPass::DrawTetrahedra(
   this->SetUniforms(view, options);
 
   // Back faces in front of the near plane or behind the far plane still end segments inside: clamp, do not clip.
+  const bool clamped = glIsEnabled(GL_DEPTH_CLAMP) == GL_TRUE;
   glEnable(GL_DEPTH_CLAMP);
   vtkOpenGLState* state = window->GetState();
   state->vtkglDisable(GL_DEPTH_TEST); // the shader ends each ray at the opaque depth
@@ -253,7 +254,10 @@ std::string CellCompositingPass::DrawTetrahedra(
   state->vtkglEnable(GL_BLEND);
   state->vtkglBlendFuncSeparate(GL_ONE, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
   glDrawArrays(GL_POINTS, 0, static_cast<GLsizei>(this->OrderSize));
-  glDisable(GL_DEPTH_CLAMP);
+  if (!clamped)
+  {
+    glDisable(GL_DEPTH_CLAMP);
+  }
 
   this->VertexArray->Release();
   for (auto& buffer : this->Buffers)

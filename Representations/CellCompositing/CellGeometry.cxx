@@ -235,17 +235,29 @@ void CellGeometry::CopyOpacityScalars(vtkDataSet* data, const ScalarSelection& o
 void CellGeometry::Decompose(
   vtkDataSet* data, const ScalarSelection& scalars, const ScalarSelection& opacity)
 {
-  const vtkIdType numberOfCells = data->GetNumberOfCells();
-  std::vector<std::int64_t> first(static_cast<std::size_t>(numberOfCells) + 1, 0);
+  std::vector<std::int64_t> first(static_cast<std::size_t>(data->GetNumberOfCells()) + 1, 0);
+  this->CountTetrahedra(data, scalars, opacity, first);               // PASS 1
+  std::partial_sum(first.begin(), first.end(), first.begin());        // PASS 2
+  this->Tetrahedra.resize(static_cast<std::size_t>(first.back()));
+  this->CellScalars.resize(scalars.OnCells ? this->Tetrahedra.size() : 0);
+  if (opacity.OnCells)
+  {
+    this->OpacityScalars.resize(this->Tetrahedra.size());
+  }
+  this->FillTetrahedra(data, scalars, opacity, first);                // PASS 3
+}
+
+// counts[cell + 1]: tetrahedra of the cell.
+void CellGeometry::CountTetrahedra(vtkDataSet* data, const ScalarSelection& scalars,
+  const ScalarSelection& opacity, std::vector<std::int64_t>& counts)
+{
   std::atomic<std::int64_t> unsupported(0), invalid(0), flat(0);
   std::atomic<int> unsupportedType(0);
-
-  // PASS 1: how many tetrahedra each cell gives.
-  vtkSMPTools::For(0, numberOfCells, [&](vtkIdType begin, vtkIdType end) {
+  vtkSMPTools::For(0, data->GetNumberOfCells(), [&](vtkIdType begin, vtkIdType end) {
     CellWalker walker(data, *this, scalars, opacity);
     for (vtkIdType cell = begin; cell < end; ++cell)
     {
-      std::int64_t count = 0;
+      std::int64_t& count = counts[static_cast<std::size_t>(cell) + 1];
       const Outcome outcome = walker.Walk(cell, [&](const Tetrahedron& t) {
         isFlat(*this, t) ? ++flat : ++count;
       });
@@ -253,31 +265,25 @@ void CellGeometry::Decompose(
       if (outcome == Outcome::Unsupported)
       {
         ++unsupported;
-        int type = data->GetCellType(cell);
+        const int type = data->GetCellType(cell);
         int known = unsupportedType;
         while (type > known && !unsupportedType.compare_exchange_weak(known, type))
         {
         }
       }
-      first[static_cast<std::size_t>(cell) + 1] = count;
     }
   });
   this->NumberOfUnsupportedCells = unsupported;
   this->UnsupportedCellType = unsupportedType;
   this->NumberOfInvalidCells = invalid;
   this->NumberOfFlatTetrahedra = flat;
+}
 
-  // PASS 2: where each cell's tetrahedra begin.
-  std::partial_sum(first.begin(), first.end(), first.begin());
-  this->Tetrahedra.resize(static_cast<std::size_t>(first.back()));
-  this->CellScalars.resize(scalars.OnCells ? this->Tetrahedra.size() : 0);
-  if (opacity.OnCells)
-  {
-    this->OpacityScalars.resize(this->Tetrahedra.size());
-  }
-
-  // PASS 3: fill.
-  vtkSMPTools::For(0, numberOfCells, [&](vtkIdType begin, vtkIdType end) {
+// first[cell]: where the cell's tetrahedra begin.
+void CellGeometry::FillTetrahedra(vtkDataSet* data, const ScalarSelection& scalars,
+  const ScalarSelection& opacity, const std::vector<std::int64_t>& first)
+{
+  vtkSMPTools::For(0, data->GetNumberOfCells(), [&](vtkIdType begin, vtkIdType end) {
     CellWalker walker(data, *this, scalars, opacity);
     for (vtkIdType cell = begin; cell < end; ++cell)
     {

@@ -79,6 +79,10 @@ private:
   void CopyScalars(vtkDataSet* data, const ScalarSelection& scalars);
   void CopyOpacityScalars(vtkDataSet* data, const ScalarSelection& opacity);
   void Decompose(vtkDataSet* data, const ScalarSelection& scalars, const ScalarSelection& opacity);
+  void CountTetrahedra(vtkDataSet* data, const ScalarSelection& scalars, const ScalarSelection& opacity,
+    std::vector<std::int64_t>& counts);
+  void FillTetrahedra(vtkDataSet* data, const ScalarSelection& scalars, const ScalarSelection& opacity,
+    const std::vector<std::int64_t>& first);
 };
 
 } // namespace nephoscope

@@ -43,6 +43,10 @@ public:
     }
     auto* discretizable = vtkDiscretizableColorTransferFunction::SafeDownCast(this->Color);
     this->Steps = discretizable && discretizable->GetDiscretize() ? discretizable->GetNumberOfValues() : 0;
+    if (this->Color && this->Color->GetColorSpace() == VTK_CTF_LAB_CIEDE2000 && this->Color->GetSize() > 1)
+    {
+      this->Tabulate();
+    }
   }
 
   TransferFunctionTable::Value operator()(double x) const
@@ -51,6 +55,10 @@ public:
     if (this->HasSteps())
     {
       this->Color->GetColor(x, rgb);
+    }
+    else if (!this->Tabulated.empty())
+    {
+      this->LookUp(x, rgb);
     }
     else if (this->Color)
     {
@@ -81,6 +89,28 @@ public:
   }
 
 private:
+  // In this colour space VTK searches a path for every colour it is asked for, which takes it tens of milliseconds; it makes a whole
+  // table with one search per control point.
+  void Tabulate()
+  {
+    this->Color->GetRange(this->TabulatedRange);
+    this->Tabulated.resize(3 * tabulatedColors);
+    this->Color->vtkColorTransferFunction::GetTable(
+      this->TabulatedRange[0], this->TabulatedRange[1], tabulatedColors, this->Tabulated.data());
+  }
+
+  void LookUp(double x, double rgb[3]) const
+  {
+    const double t = (x - this->TabulatedRange[0]) / (this->TabulatedRange[1] - this->TabulatedRange[0]);
+    const double place = std::max(0.0, std::min(1.0, t)) * (tabulatedColors - 1);
+    const int low = std::min(static_cast<int>(place), tabulatedColors - 2);
+    for (int c = 0; c < 3; ++c)
+    {
+      const double a = this->Tabulated[3 * low + c];
+      rgb[c] = a + (place - low) * (this->Tabulated[3 * low + 3 + c] - a);
+    }
+  }
+
   bool HasSteps() const { return this->Steps > 0 && this->Steps < 256; }
 
   // The node's own place, and the place of its midpoint, where sharp functions step. The two functions differ in the size of
@@ -122,6 +152,10 @@ private:
   vtkColorTransferFunction* Color = nullptr;
   vtkPiecewiseFunction* Gray = nullptr;
   vtkIdType Steps = 0;
+
+  static constexpr int tabulatedColors = 1024;
+  std::vector<double> Tabulated; // red, green, blue at even places of the range
+  double TabulatedRange[2] = { 0, 1 };
 };
 
 float largestDifference(const TransferFunctionTable::Value& a, const TransferFunctionTable::Value& b)

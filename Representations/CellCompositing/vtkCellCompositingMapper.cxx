@@ -16,6 +16,7 @@
 #include "vtkMatrix4x4.h"
 #include "vtkObjectFactory.h"
 #include "vtkOpenGLCamera.h"
+#include "vtkOpenGLRenderPass.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkPiecewiseFunction.h"
 #include "vtkPointData.h"
@@ -210,12 +211,16 @@ void vtkCellCompositingMapper::Render(vtkRenderer* renderer, vtkVolume* volume)
     return; // volumes cannot be picked, and without input there is nothing to draw
   }
   this->GetInputAlgorithm()->Update();
+  if (window->CheckAbortStatus())
+  {
+    return;
+  }
   vtkDataSet* input = this->GetDataSetInput();
-  if (!input || input->GetNumberOfCells() == 0 || window->CheckAbortStatus())
+  const std::string obstacle = this->FindObstacle(input, volume);
+  if (!obstacle.empty())
   {
     this->Internals->Scene.Clear();
-    this->ReportOnce(input && input->GetNumberOfCells() == 0 ? "The input has no cells: there is nothing to draw."
-                                                              : std::string());
+    this->ReportOnce(obstacle);
     return;
   }
   std::string error = this->UpdateGeometry(input, volume);
@@ -224,6 +229,21 @@ void vtkCellCompositingMapper::Render(vtkRenderer* renderer, vtkVolume* volume)
     error = this->DrawScene(window, renderer, volume);
   }
   this->ReportOnce(error);
+}
+
+std::string vtkCellCompositingMapper::FindObstacle(vtkDataSet* input, vtkVolume* volume)
+{
+  if (!input || input->GetNumberOfCells() == 0)
+  {
+    return "The input has no cells: there is nothing to draw.";
+  }
+  vtkInformation* keys = volume->GetPropertyKeys();
+  if (keys && keys->Has(vtkOpenGLRenderPass::RenderPasses()))
+  {
+    return "Cells cannot be drawn while depth peeling takes volumes apart: call UseDepthPeelingForVolumesOff() of the "
+           "renderer. Translucent surfaces may still be peeled.";
+  }
+  return std::string();
 }
 
 void vtkCellCompositingMapper::ReportOnce(const std::string& error)
@@ -362,11 +382,15 @@ std::string vtkCellCompositingMapper::DrawScene(
 std::string vtkCellCompositingMapper::Upload(vtkOpenGLRenderWindow* window)
 {
   vtkInternals& self = *this->Internals;
-  if (self.Window != window)
+  if (self.Window && self.Window != window)
   {
-    this->ReleaseGraphicsResources(self.Window);
-    self.Window = window;
+    vtkOpenGLRenderWindow* other = self.Window;
+    other->PushContext();
+    this->ReleaseGraphicsResources(other);
+    other->PopContext();
+    window->MakeCurrent();
   }
+  self.Window = window;
   const CellScene::Versions& now = self.Scene.GetVersions();
   std::string error;
   if (self.Uploaded.Geometry != now.Geometry)
@@ -398,12 +422,12 @@ bool vtkCellCompositingMapper::CopyFloatImage(vtkImageData* image)
 
 void vtkCellCompositingMapper::ReleaseGraphicsResources(vtkWindow* window)
 {
-  if (this->Internals->Window && window)
+  if (window && window == this->Internals->Window) // another window's release is none of ours
   {
     this->Internals->Pass.ReleaseGraphicsResources(window);
+    this->Internals->Window = nullptr;
+    this->Internals->Uploaded = CellScene::Versions();
   }
-  this->Internals->Window = nullptr;
-  this->Internals->Uploaded = CellScene::Versions();
   this->Superclass::ReleaseGraphicsResources(window);
 }
 

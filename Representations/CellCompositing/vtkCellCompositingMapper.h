@@ -156,6 +156,7 @@ protected:
   bool SplitAtControlPoints = true;
 
 private:
+  std::string FindObstacle(vtkDataSet* input, vtkVolume* volume);
   std::string UpdateGeometry(vtkDataSet* input, vtkVolume* volume);
   std::string SelectScalars(
     vtkDataSet* input, vtkVolumeProperty* property, nephoscope::ScalarSelection& scalars);

@@ -1,6 +1,7 @@
 # SPDX-FileCopyrightText: The Nephoscope authors
 # SPDX-License-Identifier: BSD-3-Clause
 """Input that is empty, incomplete or broken: no crash, a message that names the culprit, a finite picture."""
+import time
 import unittest
 
 import numpy as np
@@ -12,8 +13,9 @@ from nephoscope_testing.offscreen import Window, float_image
 from nephoscope_testing.transfer import Transfer, constant, random_transfer
 from vtkmodules.vtkCommonDataModel import (VTK_QUADRATIC_TETRA, VTK_TRIANGLE, vtkImageData, vtkPiecewiseFunction,
                                            vtkPolyData, vtkUniformGrid, vtkUnstructuredGrid)
-from vtkmodules.vtkFiltersSources import vtkSphereSource
-from vtkmodules.vtkRenderingCore import vtkColorTransferFunction, vtkVolume, vtkVolumeProperty
+from vtkmodules.vtkFiltersSources import vtkPlaneSource, vtkSphereSource
+from vtkmodules.vtkRenderingCore import (vtkActor, vtkColorTransferFunction, vtkPolyDataMapper, vtkVolume,
+                                          vtkVolumeProperty)
 
 CORNERS = ((0, 0, 0), (1, 0, 0), (0, 1, 0), (0, 0, 1.0))
 BOUNDS = (0, 1, 0, 1, 0, 1)
@@ -272,6 +274,38 @@ class TransferFunctions(BadInputCase):
         self.complaint("empty opacity function", messages, "opacity")
         messages, *_ = self.draw(corner(), self.property_of(vtkColorTransferFunction(), opacity))
         self.complaint("empty colour function", messages, ("color", "colour"))
+
+    def test_peeling_of_volumes_is_refused(self):
+        window = Window((48, 48))
+        scene = window.add_scene()
+        scene.add_volume(mapper(), corner(), constant(2.0), array="s", association="point")
+        veil = vtkActor()  # peeling only starts when something is translucent
+        veil.SetMapper(vtkPolyDataMapper())
+        plane = vtkPlaneSource()
+        veil.GetMapper().SetInputConnection(plane.GetOutputPort())
+        veil.GetProperty().SetOpacity(0.5)
+        scene.renderer.AddActor(veil)
+        scene.look_at(BOUNDS)
+        scene.renderer.UseDepthPeelingOn()
+        scene.renderer.UseDepthPeelingForVolumesOn()
+        window.render()
+        self.complaint("peeled volume", window.messages, "UseDepthPeelingForVolumesOff")
+        scene.renderer.UseDepthPeelingForVolumesOff()
+        window.render()
+        self.assertGreater(scene.rgb().max(), 0)
+
+    def test_path_search_colours_do_not_stall(self):
+        """VTK needs tens of milliseconds for one colour of the CIEDE2000 space: it must be asked for few."""
+        color = vtkColorTransferFunction()
+        color.SetColorSpaceToLabCIEDE2000()
+        color.AddRGBPoint(0, 0.1, 0.2, 0.7)
+        color.AddRGBPoint(1, 0.9, 0.3, 0.1)
+        opacity = vtkPiecewiseFunction()
+        opacity.AddPoint(0, 1)
+        start = time.process_time()
+        messages, picture, *_ = self.draw(corner(), self.property_of(color, opacity))
+        self.assertLess(time.process_time() - start, 20)
+        self.assertGreater(picture.max(), 0)
 
     def property_of(self, color, opacity):
         prop = vtkVolumeProperty()
