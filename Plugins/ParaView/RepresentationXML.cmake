@@ -42,12 +42,6 @@ endforeach ()
 nephoscope_extend_representation(GeometryRepresentation NEPHOSCOPE_CELL_COMPOSITING_EXTENSIONS
   EXPOSE_OPACITY_FUNCTION SHARE SurfaceRepresentation)
 
-# Properties are shared by name, and ParaView 5.13 renamed Position on surfaces (its _backwardscompatibilityhelper.py).
-set(NEPHOSCOPE_TRANSLATION Position)
-if (ParaView_VERSION VERSION_GREATER_EQUAL 5.13)
-  set(NEPHOSCOPE_TRANSLATION Translation)
-endif ()
-
 set(nephoscope_representations_xml "${CMAKE_CURRENT_BINARY_DIR}/Representations.xml")
 configure_file(Representations.xml.in "${nephoscope_representations_xml}" @ONLY)
 set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS CellCompositingExtension.xml.in)

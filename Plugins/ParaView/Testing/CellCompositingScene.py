@@ -93,6 +93,17 @@ def check_hide_and_show(source):
     check(image(view).max() == 0, "a hidden volume is drawn")
 
 
+def check_move(source):
+    view = new_view()
+    display = compose(source, view)
+    front(view)
+    before = image(view)
+    move(display, [8, 0, 0])
+    check(np.abs(image(view) - before).max() > 10, "a moved volume stays where it was")
+    move(display, [0, 0, 0])
+    check_same(before, image(view), "moved and back")
+
+
 load_plugin()
 wavelet = pvs.Wavelet()
 check_two_views(wavelet)
@@ -100,4 +111,5 @@ check_neighbour(wavelet, 1.0)
 check_neighbour(wavelet, 0.5)
 check_half_hidden(wavelet)
 check_hide_and_show(wavelet)
+check_move(wavelet)
 passed()
