@@ -27,9 +27,9 @@ flat out vec4 opacityScalarsGSOutput;
 
 vec3 positionMC[4];
 vec4 positionVC[4];
-vec4 eyeBarycentric;
-vec4 scalars;
-vec4 secondScalars;
+vec4 eyeBarycentric = vec4(0.0);
+vec4 scalars = vec4(0.0);
+vec4 secondScalars = vec4(0.0);
 
 // q of the vertex v opposite face (a, b, c)
 float eyeCoordinate(vec3 v, vec3 a, vec3 b, vec3 c)
