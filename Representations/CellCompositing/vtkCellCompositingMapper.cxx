@@ -4,6 +4,7 @@
 
 #include "CellCompositingPass.h"
 #include "CellScene.h"
+#include "ViewState.h"
 
 #include "vtkAbstractMapper.h"
 #include "vtkCellData.h"
@@ -12,10 +13,7 @@
 #include "vtkDataSet.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
-#include "vtkMatrix3x3.h"
-#include "vtkMatrix4x4.h"
 #include "vtkObjectFactory.h"
-#include "vtkOpenGLCamera.h"
 #include "vtkOpenGLRenderPass.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkPiecewiseFunction.h"
@@ -34,14 +32,12 @@ using CellTypeNames = vtkCellTypeUtilities;
 using CellTypeNames = vtkCellTypes;
 #endif
 
-#include <cmath>
 #include <sstream>
 
 using nephoscope::CellCompositingPass;
 using nephoscope::CellGeometry;
 using nephoscope::CellScene;
 using nephoscope::ScalarSelection;
-using nephoscope::Vector4;
 
 struct vtkCellCompositingMapper::vtkInternals
 {
@@ -90,74 +86,12 @@ std::string checkLength(vtkDataSet* input, const ScalarSelection& scalars)
     " values where the input has " + std::to_string(expected) + (scalars.OnCells ? " cells." : " points.");
 }
 
-// The point where all rays meet, (x, y, z, 1), or the direction towards the eye with the length of a unit in view
-// coordinates, (x, y, z, 0). `clip` maps coordinates to homogeneous device coordinates.
-Vector4 findEye(vtkMatrix4x4* clip)
+// Threads for our own work, without changing the application's choice of backend.
+template <typename Work>
+void withThreads(Work work)
 {
-  vtkNew<vtkMatrix4x4> inverse;
-  vtkMatrix4x4::Invert(clip, inverse);
-  const double towardsEye[4] = { 0, 0, -1, 0 };
-  double e[4];
-  inverse->MultiplyPoint(towardsEye, e);
-  return { { e[0], e[1], e[2], e[3] } };
+  vtkSMPTools::LocalScope(vtkSMPTools::Config{ 0, "STDThread", false }, work);
 }
-
-bool isParallel(vtkMatrix4x4* viewToDevice)
-{
-  return viewToDevice->GetElement(3, 0) == 0 && viewToDevice->GetElement(3, 1) == 0 &&
-    viewToDevice->GetElement(3, 2) == 0;
-}
-
-/** The matrices and the eye of one render, relative to the centre of the geometry. */
-struct ViewState
-{
-  vtkNew<vtkMatrix4x4> ModelToView;
-  vtkNew<vtkMatrix4x4> ViewToDevice;
-  CellCompositingPass::View View;
-  Vector4 EyeModel;
-
-  ViewState(vtkRenderer* renderer, vtkVolume* volume, const double center[3])
-  {
-    auto* camera = vtkOpenGLCamera::SafeDownCast(renderer->GetActiveCamera());
-    vtkMatrix4x4 *worldToView, *viewToDevice, *worldToDevice; // transposed, as OpenGL wants them
-    vtkMatrix3x3* normals;
-    camera->GetKeyMatrices(renderer, worldToView, normals, viewToDevice, worldToDevice);
-    vtkMatrix4x4::Transpose(viewToDevice, this->ViewToDevice);
-    vtkNew<vtkMatrix4x4> toView;
-    vtkMatrix4x4::Transpose(worldToView, toView);
-    vtkNew<vtkMatrix4x4> shift;
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      shift->SetElement(axis, 3, center[axis]);
-    }
-    vtkMatrix4x4::Multiply4x4(volume->GetMatrix(), shift, this->ModelToView);
-    vtkMatrix4x4::Multiply4x4(toView, this->ModelToView, this->ModelToView);
-
-    this->View.ModelToView = this->ModelToView;
-    this->View.ViewToDevice = this->ViewToDevice;
-    this->FindEyes();
-  }
-
-private:
-  void FindEyes()
-  {
-    Vector4 eyeView = findEye(this->ViewToDevice);
-    const bool parallel = isParallel(this->ViewToDevice);
-    const double scale =
-      parallel ? 1.0 / std::sqrt(eyeView[0] * eyeView[0] + eyeView[1] * eyeView[1] + eyeView[2] * eyeView[2])
-               : 1.0 / eyeView[3];
-    for (double& e : eyeView)
-    {
-      e *= scale;
-    }
-    eyeView[3] = parallel ? 0.0 : 1.0;
-    vtkNew<vtkMatrix4x4> viewToModel;
-    vtkMatrix4x4::Invert(this->ModelToView, viewToModel);
-    viewToModel->MultiplyPoint(eyeView.data(), this->EyeModel.data());
-    std::copy(eyeView.begin(), eyeView.end(), this->View.EyeView);
-    std::copy(this->EyeModel.begin(), this->EyeModel.end(), this->View.EyeModel);
-  }
-};
 }
 
 vtkStandardNewMacro(vtkCellCompositingMapper);
@@ -270,8 +204,7 @@ std::string vtkCellCompositingMapper::UpdateGeometry(vtkDataSet* input, vtkVolum
     return error;
   }
   bool built = false;
-  vtkSMPTools::LocalScope(vtkSMPTools::Config{ 0, "STDThread", false },
-    [&]() { built = scene.UpdateGeometry(input, scalars, opacity, error); });
+  withThreads([&]() { built = scene.UpdateGeometry(input, scalars, opacity, error); });
   if (built && error.empty())
   {
     this->WarnAboutGeometry(scalars.Array->GetName());
@@ -357,8 +290,8 @@ std::string vtkCellCompositingMapper::DrawScene(
   {
     return "The colour function has no points: add some with AddRGBPoint.";
   }
-  const ViewState state(renderer, volume, scene.GetGeometry().Center);
-  vtkSMPTools::LocalScope(vtkSMPTools::Config{ 0, "STDThread", false }, [&]() {
+  const nephoscope::ViewState state(renderer, volume, scene.GetGeometry().Center);
+  withThreads([&]() {
     scene.UpdateTransferFunction(property);
     scene.UpdateOrder(state.EyeModel, static_cast<CellScene::OrderMethod>(this->VisibilityOrder));
     scene.UpdateDrawn();

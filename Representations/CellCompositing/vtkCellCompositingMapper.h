@@ -6,8 +6,8 @@
  *
  * Every 3-D cell of the input is taken as convex and is divided, while drawing, into tetrahedra over
  * which the scalar is linear. For each pixel that a tetrahedron covers, the fragment shader finds where
- * the ray enters and leaves it, looks the transfer functions up in float at both ends, and integrates
- * emission and extinction between them in closed form. The tetrahedra are composited back to front, in an
+ * the ray enters and leaves it, looks the transfer functions up in float, and integrates emission
+ * and extinction between the two ends to float accuracy. The tetrahedra are composited back to front, in an
  * exact visibility order, into a 32-bit float image that is laid over the scene.
  *
  * - Extinction per unit world length = opacity function value * OpacityScale / ScalarOpacityUnitDistance

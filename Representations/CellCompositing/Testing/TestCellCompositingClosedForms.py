@@ -58,6 +58,19 @@ class ClosedForms(ImageTestCase):
         image = self.draw(data, LINEAR(1, 2), (0.5, 0.5, -5), (0.5, 0.5, 0.5))
         self.check_all(image[17:47, 17:47], [0.338529198658] * 3 + [1 - 0.223130160148], "ramp in eight cells")
 
+    def test_opacity_from_another_array(self):
+        """Colour z, extinction o / 10: o is 10 everywhere, or 10 + 10 z."""
+        transfer = Transfer([(0, 0, 0, 0), (1, 1, 1, 1)], [(0, 0), (20, 2)])
+        thin, ramp = [0.264241117657] * 3 + [0.632120558829], [0.338529198658] * 3 + [1 - 0.223130160148]
+        for label, on_cells, values, expected in (("points", False, lambda z: 10 + 0 * z, thin), ("cells", True, None, thin),
+                                                  ("points, ramp", False, lambda z: 10 + 10 * z, ramp)):
+            data = meshes.with_field(meshes.Lattice(1).mesh("hexahedron"), lambda p: p[:, 2])
+            attributes = data.GetCellData() if on_cells else data.GetPointData()
+            meshes.add_array(attributes, np.full(1, 10.0) if on_cells else values(meshes.points_of(data)[:, 2]), "o")
+            image = self.draw(data, transfer, (0.5, 0.5, -5), (0.5, 0.5, 0.5),
+                              configure=lambda ours: ours.SetOpacityArrayName("o"))
+            self.check_all(image[17:47, 17:47], expected, f"opacity from another array, {label}")
+
     def corner(self, transfer, side, configure=None):
         """Corner tetrahedron of size 2; over (0.5, 0.5) a ray along z runs from z = 0 to z = 1."""
         data = meshes.tetrahedra([(0, 0, 0), (2, 0, 0), (0, 2, 0), (0, 0, 2)], [(0, 1, 2, 3)])
