@@ -4,65 +4,17 @@
 
 #include "CellCompositingPass.h"
 
-#include "CellGeometry.h"
-#include "OpticalSegment.h"
+#include "CellScene.h"
 
-#include "CellCompositingFragment.h"
-#include "CellCompositingGeometry.h"
-#include "CellCompositingVertex.h"
-#include "OpticalSegmentShader.h"
-#include "TransferFunctionShader.h"
-
-#include "vtkMatrix4x4.h"
-#include "vtkOpenGLBufferObject.h"
 #include "vtkOpenGLRenderWindow.h"
-#include "vtkOpenGLShaderCache.h"
 #include "vtkOpenGLState.h"
-#include "vtkOpenGLVertexArrayObject.h"
-#include "vtkShaderProgram.h"
-#include "vtkTextureObject.h"
 
-#include <algorithm>
-#include <array>
 #include <sstream>
 
 namespace nephoscope
 {
 namespace
 {
-std::string constant(const char* name, bool value)
-{
-  return std::string("const bool ") + name + (value ? " = true;\n" : " = false;\n");
-}
-
-std::string specialized(const char* shader, const std::string& constants)
-{
-  std::string source = shader;
-  vtkShaderProgram::Substitute(source, "//NEPHOSCOPE::Constants", constants);
-  vtkShaderProgram::Substitute(source, "//NEPHOSCOPE::OpticalSegment", OpticalSegmentShader);
-  vtkShaderProgram::Substitute(source, "//NEPHOSCOPE::TransferFunction", TransferFunctionShader);
-  return source;
-}
-
-// z in view coordinates as (a + b e) / (c + d e), where e = 1 - depth: counted from the far plane, where most depths lie in
-// a perspective projection, nothing cancels in float.
-std::array<float, 4> depthToView(vtkMatrix4x4* viewToDevice)
-{
-  const double m22 = viewToDevice->GetElement(2, 2);
-  const double m23 = viewToDevice->GetElement(2, 3);
-  const double m32 = viewToDevice->GetElement(3, 2);
-  const double m33 = viewToDevice->GetElement(3, 3);
-  // (m22 z + m23) / (m32 z + m33) = 1 - 2 e
-  return { { static_cast<float>(m33 - m23), static_cast<float>(-2 * m33), static_cast<float>(m22 - m32),
-    static_cast<float>(2 * m32) } };
-}
-
-std::array<float, 4> toFloat(const double v[4])
-{
-  return { { static_cast<float>(v[0]), static_cast<float>(v[1]), static_cast<float>(v[2]),
-    static_cast<float>(v[3]) } };
-}
-
 std::string checkOpenGL(const char* where)
 {
   const GLenum error = glGetError();
@@ -76,113 +28,28 @@ std::string checkOpenGL(const char* where)
 }
 }
 
-/** An array on the GPU that shaders read with texelFetch. */
-class CellCompositingPass::BufferTexture
+std::string CellCompositingPass::UploadGeometry(
+  vtkOpenGLRenderWindow* window, const CellGeometry& geometry, const TetrahedronNeighbors* neighbors)
 {
-public:
-  template <typename T>
-  std::string Upload(vtkOpenGLRenderWindow* window, const T* data, std::size_t tuples, int components, int type)
+  this->UseRays = neighbors != nullptr;
+  const std::string error = this->Buffers.UploadGeometry(window, geometry);
+  if (!error.empty())
   {
-    GLint limit = 0;
-    glGetIntegerv(GL_MAX_TEXTURE_BUFFER_SIZE, &limit);
-    if (tuples > static_cast<std::size_t>(limit))
-    {
-      std::ostringstream text;
-      text << tuples << " elements do not fit in a buffer texture of this OpenGL, which holds " << limit
-           << "; distribute the data over more ranks, or draw fewer cells";
-      return text.str();
-    }
-    this->Release(window);
-    const std::size_t bytes = std::max<std::size_t>(tuples, 1) * components * 4;
-    this->Storage.resize((bytes + sizeof(float) - 1) / sizeof(float), 0.0f);
-    const char* source = tuples > 0 ? reinterpret_cast<const char*>(data)
-                                    : reinterpret_cast<const char*>(this->Storage.data());
-    this->Buffer->SetType(vtkOpenGLBufferObject::TextureBuffer);
-    this->Buffer->Upload(source, bytes, vtkOpenGLBufferObject::TextureBuffer);
-    this->Storage.clear();
-    this->Texture->SetContext(window);
-    if (type == VTK_INT) // which vtkTextureObject would not choose an integer format for
-    {
-      this->Texture->SetInternalFormat(components == 4 ? GL_RGBA32I : GL_R32I);
-      this->Texture->SetFormat(components == 4 ? GL_RGBA_INTEGER : GL_RED_INTEGER);
-    }
-    this->Texture->CreateTextureBuffer(
-      static_cast<unsigned int>(std::max<std::size_t>(tuples, 1)), components, type, this->Buffer);
-    return std::string();
+    return error;
   }
-  int Activate()
-  {
-    this->Texture->Activate();
-    return this->Texture->GetTextureUnit();
-  }
-  void Deactivate() { this->Texture->Deactivate(); }
-  void Release(vtkWindow* window)
-  {
-    this->Texture->ReleaseGraphicsResources(window);
-    this->Buffer->ReleaseGraphicsResources();
-  }
-
-private:
-  vtkNew<vtkOpenGLBufferObject> Buffer;
-  vtkNew<vtkTextureObject> Texture;
-  std::vector<float> Storage;
-};
-
-CellCompositingPass::CellCompositingPass()
-{
-  for (auto& buffer : this->Buffers)
-  {
-    buffer.reset(new BufferTexture);
-  }
-}
-CellCompositingPass::~CellCompositingPass() = default;
-
-std::string CellCompositingPass::UploadGeometry(vtkOpenGLRenderWindow* window, const CellGeometry& geometry)
-{
-  this->UseCellScalars = !geometry.CellScalars.empty();
-  this->SeparateOpacity = geometry.HasOpacityScalars;
-  this->OpacityOnCells = geometry.OpacityOnCells;
-  std::string error;
-  const auto upload = [&](BufferName name, const auto& values, int components, int type) {
-    if (error.empty())
-    {
-      error = this->Buffers[name]->Upload(window, values.data(), values.size(), components, type);
-    }
-  };
-  upload(Points, geometry.Points, 4, VTK_FLOAT);
-  upload(Tetrahedra, geometry.Tetrahedra, 4, VTK_INT);
-  upload(CellScalars, geometry.CellScalars, 1, VTK_FLOAT);
-  upload(OpacityScalars, geometry.OpacityScalars, 1, VTK_FLOAT);
-  return error;
+  return this->UseRays ? this->Rays.UploadGeometry(window, geometry, *neighbors)
+                       : this->Projected.UploadGeometry(window, geometry);
 }
 
-std::string CellCompositingPass::UploadTable(vtkOpenGLRenderWindow* window, const TransferFunctionTable& table,
-  BufferName nodes, BufferName intervals)
+std::string CellCompositingPass::UploadDrawn(vtkOpenGLRenderWindow* window, const CellScene& scene)
 {
-  const std::string error =
-    this->Buffers[nodes]->Upload(window, table.Nodes.data(), table.Nodes.size(), 1, VTK_FLOAT);
-  return error.empty() ? this->Buffers[intervals]->Upload(
-                           window, table.Intervals.data(), 2 * table.Intervals.size(), 4, VTK_FLOAT)
-                       : error;
+  return this->UseRays ? this->Rays.UploadBoundary(window, scene.GetBoundaryFaces(), scene.GetVisibleBox(),
+                           scene.GetOpacityFunction().LongestTransparentRange())
+                       : this->Projected.UploadOrder(window, scene.GetDrawn());
 }
 
-std::string CellCompositingPass::UploadTransferFunctions(vtkOpenGLRenderWindow* window,
-  const TransferFunctionTable& colorAndOpacity, const TransferFunctionTable& opacity)
-{
-  this->NumberOfTransferNodes = static_cast<int>(colorAndOpacity.Nodes.size());
-  this->NumberOfOpacityNodes = static_cast<int>(opacity.Nodes.size());
-  const std::string error = this->UploadTable(window, colorAndOpacity, TransferNodes, TransferIntervals);
-  return error.empty() ? this->UploadTable(window, opacity, OpacityNodes, OpacityIntervals) : error;
-}
-
-std::string CellCompositingPass::UploadOrder(
-  vtkOpenGLRenderWindow* window, const std::vector<std::int32_t>& order)
-{
-  this->OrderSize = order.size();
-  return this->Buffers[DrawingOrder]->Upload(window, order.data(), order.size(), 1, VTK_INT);
-}
-
-std::string CellCompositingPass::Draw(vtkOpenGLRenderWindow* window, const View& view, const Options& options)
+std::string CellCompositingPass::Draw(
+  vtkOpenGLRenderWindow* window, const CellView& view, const CellDrawingOptions& options)
 {
   vtkOpenGLState* state = window->GetState();
   int viewport[4];
@@ -194,13 +61,19 @@ std::string CellCompositingPass::Draw(vtkOpenGLRenderWindow* window, const View&
   vtkOpenGLState::ScopedglEnableDisable savedDepthTest(state, GL_DEPTH_TEST);
   vtkOpenGLState::ScopedglEnableDisable savedCulling(state, GL_CULL_FACE);
   vtkOpenGLState::ScopedglDepthMask savedDepthMask(state);
+  vtkOpenGLState::ScopedglDepthFunc savedDepthFunction(state);
   vtkOpenGLState::ScopedglBlendFuncSeparate savedBlendFunction(state);
 
   this->Depth.Copy(window, viewport);
   std::string error;
   if (this->Accumulation.Begin(window, viewport))
   {
-    error = this->DrawTetrahedra(window, view, options);
+    state->vtkglDisable(GL_DEPTH_TEST); // the shaders end each ray at the opaque depth
+    state->vtkglDisable(GL_CULL_FACE);
+    state->vtkglDepthMask(GL_FALSE);
+    state->vtkglEnable(GL_BLEND);
+    const CellDrawing drawing = { window, viewport, view, options, this->Buffers, this->Depth };
+    error = this->UseRays ? this->Rays.Draw(drawing) : this->Projected.Draw(drawing);
   }
   else
   {
@@ -215,96 +88,6 @@ std::string CellCompositingPass::Draw(vtkOpenGLRenderWindow* window, const View&
   return error;
 }
 
-// Options are constants of the shader: what is switched off costs nothing. The window's cache keeps the variants.
-bool CellCompositingPass::ReadyProgram(vtkOpenGLRenderWindow* window, const Options& options)
-{
-  const std::string constants = constant("useCellScalars", this->UseCellScalars) +
-    constant("separateOpacity", this->SeparateOpacity) + constant("opacityOnCells", this->OpacityOnCells) +
-    constant("averageIntegration", options.AverageIntegration) +
-    constant("splitAtControlPoints", options.SplitAtControlPoints);
-  vtkShaderProgram* program = window->GetShaderCache()->ReadyShaderProgram(CellCompositingVertex,
-    specialized(CellCompositingFragment, constants).c_str(),
-    specialized(CellCompositingGeometry, constants).c_str());
-  if (program != this->Program)
-  {
-    this->Program = program;
-    this->VertexArray->ShaderProgramChanged();
-  }
-  return program != nullptr;
-}
-
-std::string CellCompositingPass::DrawTetrahedra(
-  vtkOpenGLRenderWindow* window, const View& view, const Options& options)
-{
-  if (!this->ReadyProgram(window, options))
-  {
-    return "the shaders did not compile";
-  }
-  this->VertexArray->Bind();
-  this->ActivateTextures();
-  this->SetUniforms(view, options);
-
-  // Back faces in front of the near plane or behind the far plane still end segments inside: clamp, do not clip.
-  const bool clamped = glIsEnabled(GL_DEPTH_CLAMP) == GL_TRUE;
-  glEnable(GL_DEPTH_CLAMP);
-  vtkOpenGLState* state = window->GetState();
-  state->vtkglDisable(GL_DEPTH_TEST); // the shader ends each ray at the opaque depth
-  state->vtkglDisable(GL_CULL_FACE);
-  state->vtkglDepthMask(GL_FALSE);
-  state->vtkglEnable(GL_BLEND);
-  state->vtkglBlendFuncSeparate(GL_ONE, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
-  glDrawArrays(GL_POINTS, 0, static_cast<GLsizei>(this->OrderSize));
-  if (!clamped)
-  {
-    glDisable(GL_DEPTH_CLAMP);
-  }
-
-  this->VertexArray->Release();
-  for (auto& buffer : this->Buffers)
-  {
-    buffer->Deactivate();
-  }
-  this->Depth.GetTexture()->Deactivate();
-  return std::string();
-}
-
-void CellCompositingPass::ActivateTextures()
-{
-  static const char* const names[NumberOfBuffers] = { "points", "tetrahedra", "cellScalars", "opacityScalars",
-    "drawingOrder", "transferNodes", "transferIntervals", "opacityNodes", "opacityIntervals" };
-  for (int i = 0; i < NumberOfBuffers; ++i)
-  {
-    this->Program->SetUniformi(names[i], this->Buffers[i]->Activate());
-  }
-  this->Depth.GetTexture()->Activate();
-  this->Program->SetUniformi("opaqueDepth", this->Depth.GetTexture()->GetTextureUnit());
-}
-
-void CellCompositingPass::SetUniforms(const View& view, const Options& options)
-{
-  vtkShaderProgram* program = this->Program;
-  program->SetUniformi("numberOfTransferNodes", this->NumberOfTransferNodes);
-  program->SetUniformi("numberOfOpacityNodes", this->NumberOfOpacityNodes);
-  program->SetUniformf("extinctionScale", static_cast<float>(options.ExtinctionScale));
-
-  vtkNew<vtkMatrix4x4> transposed; // as OpenGL wants it
-  vtkMatrix4x4::Transpose(view.ModelToView, transposed);
-  program->SetUniformMatrix("MCVCMatrix", transposed);
-  vtkMatrix4x4::Transpose(view.ViewToDevice, transposed);
-  program->SetUniformMatrix("VCDCMatrix", transposed);
-  program->SetUniform4f("eyeMC", toFloat(view.EyeModel).data());
-  program->SetUniform4f("eyeVC", toFloat(view.EyeView).data());
-  program->SetUniform4f("depthToVC", depthToView(view.ViewToDevice).data());
-
-  float nodes[numberOfQuadratureNodes][2];
-  for (int i = 0; i < numberOfQuadratureNodes; ++i)
-  {
-    nodes[i][0] = static_cast<float>(quadratureNodes[i][0]);
-    nodes[i][1] = static_cast<float>(quadratureNodes[i][1]);
-  }
-  program->SetUniform2fv("quadratureNodes", numberOfQuadratureNodes, nodes);
-}
-
 bool CellCompositingPass::CopyFloatImage(vtkOpenGLRenderWindow* window, vtkImageData* image)
 {
   return this->Accumulation.CopyTo(window, image);
@@ -312,14 +95,11 @@ bool CellCompositingPass::CopyFloatImage(vtkOpenGLRenderWindow* window, vtkImage
 
 void CellCompositingPass::ReleaseGraphicsResources(vtkWindow* window)
 {
-  for (auto& buffer : this->Buffers)
-  {
-    buffer->Release(window);
-  }
+  this->Buffers.Release(window);
+  this->Projected.ReleaseGraphicsResources(window);
+  this->Rays.ReleaseGraphicsResources(window);
   this->Depth.ReleaseGraphicsResources(window);
   this->Accumulation.ReleaseGraphicsResources(window);
-  this->VertexArray->ReleaseGraphicsResources();
-  this->Program = nullptr;
 }
 
 } // namespace nephoscope

@@ -1,104 +1,62 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * Draws tetrahedra in a given order into a float image and lays it over the scene.
+ * Draws cells into a float image and lays it over the scene.
  *
- * Everything the shaders read is in buffer textures: points, tetrahedra, cell scalars and the transfer function are
- * uploaded when they change, the drawing order whenever the view does.
+ * Everything the shaders read is in buffer textures: geometry and transfer functions are uploaded when they change, the
+ * drawing order of projected cells whenever the view does.
  */
 #ifndef CellCompositingPass_h
 #define CellCompositingPass_h
 
+#include "CellBuffers.h"
+#include "CellDrawing.h"
 #include "FloatAccumulation.h"
 #include "OpaqueDepth.h"
-#include "TransferFunctionTable.h"
+#include "ProjectedCells.h"
+#include "RayCells.h"
 
-#include "vtkNew.h"
-
-#include <array>
 #include <cstdint>
-#include <memory>
 #include <string>
 #include <vector>
 
 class vtkImageData;
-class vtkMatrix4x4;
 class vtkOpenGLRenderWindow;
-class vtkOpenGLVertexArrayObject;
-class vtkShaderProgram;
 class vtkWindow;
 
 namespace nephoscope
 {
 
 class CellGeometry;
+class CellScene;
+struct TetrahedronNeighbors;
 
 class CellCompositingPass
 {
 public:
-  /** What one drawing needs to know of the view; matrices as vtkMatrix4x4 multiplies columns. */
-  struct View
-  {
-    vtkMatrix4x4* ModelToView = nullptr; ///< of coordinates relative to the geometry's centre
-    vtkMatrix4x4* ViewToDevice = nullptr;
-    double EyeModel[4] = { 0, 0, 0, 1 }; ///< relative to the geometry's centre
-    double EyeView[4] = { 0, 0, 0, 1 };
-  };
-  struct Options
-  {
-    bool AverageIntegration = false;
-    bool SplitAtControlPoints = true;
-    double ExtinctionScale = 1.0;
-  };
-
-  CellCompositingPass();
-  ~CellCompositingPass();
-
   // Each returns an empty string, or what went wrong.
-  std::string UploadGeometry(vtkOpenGLRenderWindow* window, const CellGeometry& geometry);
+  /** With `neighbors` the cells are drawn ray by ray, else one by one in the order that UploadOrder tells. */
+  std::string UploadGeometry(
+    vtkOpenGLRenderWindow* window, const CellGeometry& geometry, const TetrahedronNeighbors* neighbors);
   std::string UploadTransferFunctions(vtkOpenGLRenderWindow* window, const TransferFunctionTable& colorAndOpacity,
-    const TransferFunctionTable& opacity);
-  std::string UploadOrder(vtkOpenGLRenderWindow* window, const std::vector<std::int32_t>& order);
-  std::string Draw(vtkOpenGLRenderWindow* window, const View& view, const Options& options);
+    const TransferFunctionTable& opacity)
+  {
+    return this->Buffers.UploadTransferFunctions(window, colorAndOpacity, opacity);
+  }
+  /** What the scene's transfer function and view let be seen. */
+  std::string UploadDrawn(vtkOpenGLRenderWindow* window, const CellScene& scene);
+  std::string Draw(vtkOpenGLRenderWindow* window, const CellView& view, const CellDrawingOptions& options);
 
   bool CopyFloatImage(vtkOpenGLRenderWindow* window, vtkImageData* image);
   void ReleaseGraphicsResources(vtkWindow* window);
 
 private:
-  class BufferTexture;
-  enum BufferName
-  {
-    Points,
-    Tetrahedra,
-    CellScalars,
-    OpacityScalars,
-    DrawingOrder,
-    TransferNodes,
-    TransferIntervals,
-    OpacityNodes,
-    OpacityIntervals,
-    NumberOfBuffers
-  };
-
-  std::string UploadTable(vtkOpenGLRenderWindow* window, const TransferFunctionTable& table, BufferName nodes,
-    BufferName intervals);
-  bool ReadyProgram(vtkOpenGLRenderWindow* window, const Options& options);
-  void ActivateTextures();
-  void SetUniforms(const View& view, const Options& options);
-  std::string DrawTetrahedra(vtkOpenGLRenderWindow* window, const View& view, const Options& options);
-
-  std::array<std::unique_ptr<BufferTexture>, NumberOfBuffers> Buffers;
-  bool UseCellScalars = false;
-  bool SeparateOpacity = false;
-  bool OpacityOnCells = false;
-  int NumberOfTransferNodes = 0;
-  int NumberOfOpacityNodes = 0;
-  std::size_t OrderSize = 0;
-
+  CellBuffers Buffers;
+  ProjectedCells Projected;
+  RayCells Rays;
+  bool UseRays = false;
   OpaqueDepth Depth;
   FloatAccumulation Accumulation;
-  vtkNew<vtkOpenGLVertexArrayObject> VertexArray;
-  vtkShaderProgram* Program = nullptr; // owned by the window's shader cache
 };
 
 } // namespace nephoscope

@@ -2,15 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "CellGeometry.h"
 
-#include "TetrahedronSource.h"
+#include "CellWalker.h"
 
 #include "vtkDataArray.h"
 #include "vtkDataSet.h"
-#include "vtkDataSetAttributes.h"
 #include "vtkIdList.h"
 #include "vtkNew.h"
 #include "vtkSMPTools.h"
-#include "vtkUnsignedCharArray.h"
 
 #include <atomic>
 #include <cmath>
@@ -21,113 +19,6 @@ namespace nephoscope
 {
 namespace
 {
-double scalarValue(const ScalarSelection& scalars, vtkIdType tuple)
-{
-  const int components = scalars.Array->GetNumberOfComponents();
-  if (components == 1 || scalars.Component >= 0)
-  {
-    return scalars.Array->GetComponent(tuple, std::min(std::max(scalars.Component, 0), components - 1));
-  }
-  double sum = 0;
-  for (int c = 0; c < components; ++c)
-  {
-    const double value = scalars.Array->GetComponent(tuple, c);
-    sum += value * value;
-  }
-  return std::sqrt(sum);
-}
-
-/**
- * Finite minimum and maximum, never equal: the range that becomes [0, 1]. Hidden values do not count: a fill value there
- * would take the precision of all that is drawn.
- */
-void findRange(vtkDataSet* data, const ScalarSelection& scalars, double range[2])
-{
-  vtkUnsignedCharArray* ghosts = scalars.OnCells ? data->GetCellGhostArray() : data->GetPointGhostArray();
-  const int hidden = scalars.OnCells ? int(vtkDataSetAttributes::HIDDENCELL) : int(vtkDataSetAttributes::HIDDENPOINT);
-  double low = std::numeric_limits<double>::infinity();
-  double high = -low;
-  const vtkIdType n = scalars.Array->GetNumberOfTuples();
-  for (vtkIdType i = 0; i < n; ++i)
-  {
-    const double value = scalarValue(scalars, i);
-    if (std::isfinite(value) && !(ghosts && (ghosts->GetValue(i) & hidden)))
-    {
-      low = std::min(low, value);
-      high = std::max(high, value);
-    }
-  }
-  range[0] = low <= high ? low : 0.0;
-  range[1] = low < high ? high : range[0] + 1.0;
-}
-
-float normalized(const ScalarSelection& scalars, vtkIdType tuple, const double range[2])
-{
-  return static_cast<float>((scalarValue(scalars, tuple) - range[0]) / (range[1] - range[0]));
-}
-
-enum class Outcome
-{
-  Decomposed,
-  Skipped,
-  Unsupported,
-  Invalid
-};
-
-/** Decides of each cell whether it can be drawn, and gives its tetrahedra. One object per thread. */
-class CellWalker
-{
-public:
-  CellWalker(vtkDataSet* data, const CellGeometry& geometry, const ScalarSelection& scalars,
-    const ScalarSelection& opacity)
-    : Source(data)
-    , Geometry(geometry)
-    , Scalars(scalars)
-    , Opacity(opacity)
-  {
-  }
-
-  template <typename Emit>
-  Outcome Walk(vtkIdType cell, Emit emit)
-  {
-    if (this->Source.IsHidden(cell))
-    {
-      return Outcome::Skipped;
-    }
-    if (!this->IsFinite(cell))
-    {
-      return Outcome::Invalid;
-    }
-    const bool supported = this->Source.EmitTetrahedra(cell, [&](const std::array<vtkIdType, 4>& t) {
-      emit(Tetrahedron{ { std::int32_t(t[0]), std::int32_t(t[1]), std::int32_t(t[2]), std::int32_t(t[3]) } });
-    });
-    return supported ? Outcome::Decomposed : Outcome::Unsupported;
-  }
-
-private:
-  bool IsFinite(vtkIdType cell) const
-  {
-    if ((this->Scalars.OnCells && !std::isfinite(scalarValue(this->Scalars, cell))) ||
-      (this->Opacity.OnCells && !std::isfinite(scalarValue(this->Opacity, cell))))
-    {
-      return false;
-    }
-    const bool opacityOnPoints = this->Geometry.HasOpacityScalars && !this->Opacity.OnCells;
-    const vtkIdList* points = this->Source.GetPoints();
-    return std::all_of(points->begin(), points->end(), [&](vtkIdType id) {
-      const std::size_t i = static_cast<std::size_t>(id);
-      const CellGeometry::Point& p = this->Geometry.Points[i];
-      return std::isfinite(p.X) && std::isfinite(p.Y) && std::isfinite(p.Z) && std::isfinite(p.Scalar) &&
-        (!opacityOnPoints || std::isfinite(this->Geometry.OpacityScalars[i]));
-    });
-  }
-
-  TetrahedronSource Source;
-  const CellGeometry& Geometry;
-  const ScalarSelection& Scalars;
-  const ScalarSelection& Opacity;
-};
-
 // No volume but for rounding: coincident or coplanar vertices.
 bool isFlat(const CellGeometry& geometry, const Tetrahedron& t)
 {
@@ -152,7 +43,7 @@ std::array<Vector3, 4> CellGeometry::Vertices(std::size_t tetrahedron) const
 }
 
 std::string CellGeometry::Build(
-  vtkDataSet* data, const ScalarSelection& scalars, const ScalarSelection& opacity)
+  vtkDataSet* data, const ScalarSelection& scalars, const ScalarSelection& opacity, Form form)
 {
   this->Clear();
   constexpr vtkIdType limit = std::numeric_limits<std::int32_t>::max() / 8;
@@ -170,7 +61,10 @@ std::string CellGeometry::Build(
   this->CopyPoints(data);
   this->CopyScalars(data, scalars);
   this->CopyOpacityScalars(data, opacity);
-  this->Decompose(data, scalars, opacity);
+  if (form == Form::Tetrahedra || !this->UseGrid(data, scalars, opacity))
+  {
+    this->Decompose(data, scalars, opacity);
+  }
   return std::string();
 }
 
@@ -258,11 +152,11 @@ void CellGeometry::CountTetrahedra(vtkDataSet* data, const ScalarSelection& scal
     for (vtkIdType cell = begin; cell < end; ++cell)
     {
       std::int64_t& count = counts[static_cast<std::size_t>(cell) + 1];
-      const Outcome outcome = walker.Walk(cell, [&](const Tetrahedron& t) {
+      const CellOutcome outcome = walker.Walk(cell, [&](const Tetrahedron& t) {
         isFlat(*this, t) ? ++flat : ++count;
       });
-      invalid += outcome == Outcome::Invalid;
-      if (outcome == Outcome::Unsupported)
+      invalid += outcome == CellOutcome::Invalid;
+      if (outcome == CellOutcome::Unsupported)
       {
         ++unsupported;
         const int type = data->GetCellType(cell);

@@ -10,6 +10,8 @@
 #ifndef CellGeometry_h
 #define CellGeometry_h
 
+#include "ChessboardGrid.h"
+#include "ScalarSelection.h"
 #include "TetrahedronRay.h"
 
 #include <array>
@@ -25,14 +27,6 @@ namespace nephoscope
 
 using Tetrahedron = std::array<std::int32_t, 4>;
 
-/** Which scalar of a data array colours the cells. */
-struct ScalarSelection
-{
-  vtkDataArray* Array = nullptr;
-  bool OnCells = false;
-  int Component = -1; ///< -1: the magnitude of a vector
-};
-
 class CellGeometry
 {
 public:
@@ -42,16 +36,30 @@ public:
     float Scalar;  ///< normalised to [0, 1] over the scalar range; unused for cell scalars
   };
 
+  enum class Form
+  {
+    Tetrahedra, ///< always listed
+    Grid        ///< of structured data only the grid is kept, which implies the tetrahedra
+  };
+
   /**
    * `opacity` selects the array that the opacity function reads; none: `scalars` too.
    * Returns an empty string, or why nothing can be drawn.
    */
-  std::string Build(vtkDataSet* data, const ScalarSelection& scalars, const ScalarSelection& opacity = {});
+  std::string Build(vtkDataSet* data, const ScalarSelection& scalars, const ScalarSelection& opacity = {},
+    Form form = Form::Tetrahedra);
   void Clear();
+
+  /** Tetrahedra that are drawn, hidden cells not counted. */
+  std::int64_t NumberOfTetrahedra() const;
+  /** Largest distance of a point from the centre; infinite points do not count. */
+  double Radius() const;
 
   std::vector<Point> Points;
   std::vector<Tetrahedron> Tetrahedra;
-  std::vector<float> CellScalars; ///< one per tetrahedron, normalised; empty for point scalars
+  ChessboardGrid Grid; ///< takes the place of the list of tetrahedra unless it is empty
+  std::vector<std::uint8_t> HiddenCells; ///< of the grid, 255: not drawn; empty: all are drawn
+  std::vector<float> CellScalars; ///< one per tetrahedron (per cell of the grid), normalised; empty for point scalars
   double Center[3] = { 0, 0, 0 };
   double ScalarRange[2] = { 0, 1 }; ///< what 0 and 1 of the normalised scalars stand for
 
@@ -78,6 +86,10 @@ private:
   void CopyPoints(vtkDataSet* data);
   void CopyScalars(vtkDataSet* data, const ScalarSelection& scalars);
   void CopyOpacityScalars(vtkDataSet* data, const ScalarSelection& opacity);
+  bool UseGrid(vtkDataSet* data, const ScalarSelection& scalars, const ScalarSelection& opacity);
+  bool FindSeam();
+  void FindHiddenCells(vtkDataSet* data, const ScalarSelection& scalars, const ScalarSelection& opacity);
+  void CopyGridCells(const ScalarSelection& scalars, const ScalarSelection& opacity);
   void Decompose(vtkDataSet* data, const ScalarSelection& scalars, const ScalarSelection& opacity);
   void CountTetrahedra(vtkDataSet* data, const ScalarSelection& scalars, const ScalarSelection& opacity,
     std::vector<std::int64_t>& counts);

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "CellScene.h"
 
+#include "VisibleGridCells.h"
+
 #include "vtkColorTransferFunction.h"
 #include "vtkDataArray.h"
 #include "vtkDataSet.h"
@@ -51,14 +53,24 @@ CellScene::SelectionKey CellScene::MakeKey(const ScalarSelection& selection)
 }
 
 bool CellScene::UpdateGeometry(
-  vtkDataSet* data, const ScalarSelection& scalars, const ScalarSelection& opacity, std::string& error)
+  vtkDataSet* data, const ScalarSelection& scalars, const ScalarSelection& opacity, Method method, std::string& error)
 {
-  if (!changes(this->GeometryKey, { data, data->GetMTime(), MakeKey(scalars), MakeKey(opacity) }))
+  if (!changes(this->GeometryKey, { data, data->GetMTime(), MakeKey(scalars), MakeKey(opacity), method }))
   {
     return false;
   }
-  error = this->Geometry.Build(data, scalars, opacity);
+  this->CurrentMethod = method;
+  const bool rays = method == Method::Rays;
+  error = this->Geometry.Build(
+    data, scalars, opacity, rays ? CellGeometry::Form::Grid : CellGeometry::Form::Tetrahedra);
   this->Order.Clear();
+  this->Neighbors.Clear();
+  if (rays && this->Geometry.Grid.IsEmpty())
+  {
+    this->Order.Connect(this->Geometry);
+    this->Neighbors.Build(this->Geometry, this->Order);
+    this->Order.Clear();
+  }
   ++this->Current.Geometry;
   return true;
 }
@@ -104,11 +116,19 @@ void CellScene::UpdateOrder(const Vector4& eye, OrderMethod method)
   ++this->Current.Order;
 }
 
+void CellScene::UpdateEye(const Vector4& eye)
+{
+  if (changes(this->EyeKey, { this->Current.Geometry, eye }))
+  {
+    this->Eye = findEyeTetrahedron(this->Geometry, this->Neighbors, eye);
+  }
+}
+
 void CellScene::UpdateDrawn()
 {
   if (changes(this->VisibleKey, { this->Current.Geometry, this->Current.Transfer }))
   {
-    this->FindVisible();
+    this->Geometry.Grid.IsEmpty() ? this->FindVisible() : this->FindVisibleOfGrid();
   }
   else if (!changes(this->DrawnKey, { this->Current.Order, this->Current.Transfer }))
   {
@@ -116,8 +136,11 @@ void CellScene::UpdateDrawn()
   }
   this->DrawnKey = { this->Current.Order, this->Current.Transfer };
   this->Drawn.clear();
-  std::copy_if(this->Sorted.begin(), this->Sorted.end(), std::back_inserter(this->Drawn),
-    [this](std::int32_t i) { return this->Visible[static_cast<std::size_t>(i)] != 0; });
+  if (this->CurrentMethod == Method::Projection)
+  {
+    std::copy_if(this->Sorted.begin(), this->Sorted.end(), std::back_inserter(this->Drawn),
+      [this](std::int32_t i) { return this->Visible[static_cast<std::size_t>(i)] != 0; });
+  }
   ++this->Current.Drawn;
 }
 
@@ -144,6 +167,15 @@ void CellScene::FindVisible()
       this->Visible[i] = !this->Opacity.IsTransparent(*range.first, *range.second);
     }
   });
+  this->NumberOfVisible = std::count(this->Visible.begin(), this->Visible.end(), std::uint8_t(1));
+}
+
+void CellScene::FindVisibleOfGrid()
+{
+  const VisibleGridCells::Result visible = VisibleGridCells(this->Geometry, this->Opacity).Find();
+  this->NumberOfVisible = visible.Tetrahedra;
+  this->VisibleBox = visible.Tetrahedra > 0 ? visible.Box : CellBox();
+  this->GridBoundary = chessboardBoundary(this->Geometry, this->VisibleBox);
 }
 
 } // namespace nephoscope

@@ -10,7 +10,10 @@
 #ifndef CellScene_h
 #define CellScene_h
 
+#include "BoundaryFaces.h"
 #include "CellGeometry.h"
+#include "EyeTetrahedron.h"
+#include "TetrahedronNeighbors.h"
 #include "TransferFunctionTable.h"
 #include "VisibilityOrder.h"
 
@@ -30,6 +33,11 @@ namespace nephoscope
 class CellScene
 {
 public:
+  enum class Method
+  {
+    Projection, ///< cell by cell, in visibility order
+    Rays        ///< pixel by pixel
+  };
   enum class OrderMethod
   {
     Exact,
@@ -43,12 +51,14 @@ public:
 
   /** Returns true when the geometry was made again; `error` then tells why it could not be, or is empty. */
   bool UpdateGeometry(
-    vtkDataSet* data, const ScalarSelection& scalars, const ScalarSelection& opacity, std::string& error);
+    vtkDataSet* data, const ScalarSelection& scalars, const ScalarSelection& opacity, Method method, std::string& error);
   void UpdateTransferFunction(vtkVolumeProperty* property);
-  /** `eye` is homogeneous and relative to the geometry's centre. */
+  /** For projection; `eye` is homogeneous and relative to the geometry's centre. */
   void UpdateOrder(const Vector4& eye, OrderMethod method);
   /** Lists what is drawn; to be called after the three others. */
   void UpdateDrawn();
+  /** For rays, from an eye as above. */
+  void UpdateEye(const Vector4& eye);
   /** Nothing is drawn until the geometry is updated again. */
   void Clear();
 
@@ -57,15 +67,37 @@ public:
   const TransferFunctionTable& GetTransferFunction() const { return this->Transfer; }
   /** Opacity, read by the opacity scalars of the geometry where it has them. */
   const TransferFunctionTable& GetOpacityFunction() const { return this->Opacity; }
-  /** Tetrahedra that can be seen, back to front. */
+  /** Null for projection. */
+  const TetrahedronNeighbors* GetNeighbors() const
+  {
+    return this->CurrentMethod == Method::Rays ? &this->Neighbors : nullptr;
+  }
+  /** Of a grid: the cells that can be seen lie in it. */
+  const CellBox& GetVisibleBox() const { return this->VisibleBox; }
+  /** For rays: where they enter what can be seen. */
+  const std::vector<BoundaryFace>& GetBoundaryFaces() const
+  {
+    return this->Geometry.Grid.IsEmpty() ? this->Neighbors.BoundaryFaces : this->GridBoundary;
+  }
+  const EyeTetrahedron& GetEyeTetrahedron() const { return this->Eye; }
+  /** Tetrahedra that the transfer function lets be seen. */
+  std::int64_t GetNumberOfVisible() const { return this->NumberOfVisible; }
+  /** For projection: tetrahedra that can be seen, back to front. */
   const std::vector<std::int32_t>& GetDrawn() const { return this->Drawn; }
   std::int64_t GetNumberOfCycles() const { return this->NumberOfCycles; }
   const Versions& GetVersions() const { return this->Current; }
 
 private:
   void FindVisible();
+  void FindVisibleOfGrid();
 
+  Method CurrentMethod = Method::Projection;
   CellGeometry Geometry;
+  TetrahedronNeighbors Neighbors;
+  EyeTetrahedron Eye;
+  CellBox VisibleBox;
+  std::vector<BoundaryFace> GridBoundary;
+  std::int64_t NumberOfVisible = 0;
   TransferFunctionTable Transfer;
   TransferFunctionTable Opacity;
   VisibilityOrder Order;
@@ -78,9 +110,10 @@ private:
   // What the stages were made from. Pointers are compared only.
   using SelectionKey = std::tuple<vtkDataArray*, vtkMTimeType, bool, int>;
   static SelectionKey MakeKey(const ScalarSelection& selection);
-  std::tuple<vtkDataSet*, vtkMTimeType, SelectionKey, SelectionKey> GeometryKey;
+  std::tuple<vtkDataSet*, vtkMTimeType, SelectionKey, SelectionKey, Method> GeometryKey;
   std::tuple<vtkVolumeProperty*, vtkMTimeType, std::int64_t> TransferKey;
   std::tuple<std::int64_t, OrderMethod, Vector4> OrderKey;
+  std::tuple<std::int64_t, Vector4> EyeKey;
   std::tuple<std::int64_t, std::int64_t> VisibleKey;
   std::tuple<std::int64_t, std::int64_t> DrawnKey;
 };

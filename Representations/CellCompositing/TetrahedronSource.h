@@ -4,13 +4,14 @@
  * The tetrahedra of a dataset's cells, one cell after another. One object per thread.
  *
  * Cells are divided as CellDecomposition.h says, with the vertices in the order of their coordinates (x, then y, then z), which
- * does not depend on numbering, blocks or ranks. In structured data the vertices with an even sum of indices come first, so
- * that diagonals alternate like a chessboard's: laid all the same way they would draw clouds as parallel strokes.
+ * does not depend on numbering, blocks or ranks. Cells of structured data are divided by the indices of their vertices, as
+ * ChessboardGrid.h says.
  */
 #ifndef TetrahedronSource_h
 #define TetrahedronSource_h
 
 #include "CellDecomposition.h"
+#include "ChessboardGrid.h"
 
 #include "vtkCellType.h"
 #include "vtkDataSet.h"
@@ -57,6 +58,35 @@ inline FaceList<int> linearCellFaces(int cellType)
   }
 }
 
+/** The grid of structured data with cells in three dimensions; empty for all other data. Its seam is taken as open. */
+inline ChessboardGrid findChessboardGrid(vtkDataSet* data)
+{
+  int extent[6];
+  if (auto* image = vtkImageData::SafeDownCast(data))
+  {
+    image->GetExtent(extent);
+  }
+  else if (auto* rectilinear = vtkRectilinearGrid::SafeDownCast(data))
+  {
+    rectilinear->GetExtent(extent);
+  }
+  else if (auto* structured = vtkStructuredGrid::SafeDownCast(data))
+  {
+    structured->GetExtent(extent);
+  }
+  else
+  {
+    return ChessboardGrid();
+  }
+  ChessboardGrid grid;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    grid.Size[axis] = extent[2 * axis + 1] - extent[2 * axis] + 1;
+  }
+  grid.OddOffset = (extent[0] + extent[2] + extent[4]) & 1;
+  return grid.IsEmpty() ? ChessboardGrid() : grid;
+}
+
 class TetrahedronSource
 {
 public:
@@ -65,7 +95,7 @@ public:
     , Grid(vtkUnstructuredGrid::SafeDownCast(data))
     , CellGhosts(data->GetCellGhostArray())
     , PointGhosts(data->GetPointGhostArray())
-    , IsStructured(FindExtent(data, this->Extent))
+    , Chessboard(findChessboardGrid(data))
   {
   }
 
@@ -95,6 +125,14 @@ public:
   template <typename Emit>
   bool EmitTetrahedra(vtkIdType cell, Emit emit)
   {
+    if (!this->Chessboard.IsEmpty())
+    {
+      for (const auto& t : this->Chessboard.Tetrahedra(cell))
+      {
+        emit(std::array<vtkIdType, 4>{ { t[0], t[1], t[2], t[3] } });
+      }
+      return true;
+    }
     const FaceList<int> faces = linearCellFaces(this->Type);
     if (faces.Begin)
     {
@@ -110,48 +148,14 @@ public:
   }
 
 private:
-  using Place = std::tuple<int, double, double, double, vtkIdType>;
+  using Place = std::tuple<double, double, double, vtkIdType>;
 
-  // Odd or even, coordinates, and where points coincide the number.
+  // Coordinates, and where points coincide the number.
   Place PlaceOf(vtkIdType point) const
   {
     double x[3];
     this->Data->GetPoint(point, x);
-    return { this->Parity(point), x[0], x[1], x[2], point };
-  }
-
-  int Parity(vtkIdType point) const
-  {
-    if (!this->IsStructured)
-    {
-      return 0;
-    }
-    const vtkIdType nx = this->Extent[1] - this->Extent[0] + 1;
-    const vtkIdType ny = this->Extent[3] - this->Extent[2] + 1;
-    const vtkIdType sum = point % nx + point / nx % ny + point / (nx * ny) + this->Extent[0] + this->Extent[2] +
-      this->Extent[4];
-    return static_cast<int>(sum & 1);
-  }
-
-  static bool FindExtent(vtkDataSet* data, int extent[6])
-  {
-    if (auto* image = vtkImageData::SafeDownCast(data))
-    {
-      image->GetExtent(extent);
-    }
-    else if (auto* rectilinear = vtkRectilinearGrid::SafeDownCast(data))
-    {
-      rectilinear->GetExtent(extent);
-    }
-    else if (auto* structured = vtkStructuredGrid::SafeDownCast(data))
-    {
-      structured->GetExtent(extent);
-    }
-    else
-    {
-      return false;
-    }
-    return true;
+    return { x[0], x[1], x[2], point };
   }
 
   template <typename Emit>
@@ -174,7 +178,7 @@ private:
       });
   }
 
-  // Where a row of a grid shrinks to a pole, vertices of a cell coincide. They become one, even vertex.
+  // Where a row of cells shrinks to a pole, vertices of a cell coincide. They become one.
   bool MergeCoincident(int size)
   {
     bool merged = false;
@@ -183,11 +187,10 @@ private:
       this->Representatives[i] = i;
       for (int j = 0; j < i; ++j)
       {
-        if (std::get<1>(this->Places[i]) == std::get<1>(this->Places[j]) &&
-          std::get<2>(this->Places[i]) == std::get<2>(this->Places[j]) &&
-          std::get<3>(this->Places[i]) == std::get<3>(this->Places[j]))
+        if (std::get<0>(this->Places[i]) == std::get<0>(this->Places[j]) &&
+          std::get<1>(this->Places[i]) == std::get<1>(this->Places[j]) &&
+          std::get<2>(this->Places[i]) == std::get<2>(this->Places[j]))
         {
-          std::get<0>(this->Places[i]) = std::get<0>(this->Places[j]) = 0;
           this->Representatives[i] = this->Representatives[j];
           merged = true;
           break;
@@ -249,8 +252,7 @@ private:
   vtkUnstructuredGrid* Grid;
   vtkUnsignedCharArray* CellGhosts;
   vtkUnsignedCharArray* PointGhosts;
-  int Extent[6];
-  bool IsStructured;
+  ChessboardGrid Chessboard; // empty: no structured data
   int Type = VTK_EMPTY_CELL;
   std::array<Place, 12> Places; // of the cell's vertices
   std::array<int, 12> Representatives;

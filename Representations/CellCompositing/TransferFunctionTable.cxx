@@ -279,4 +279,28 @@ bool TransferFunctionTable::IsTransparent(float low, float high) const
     this->Intervals[last].Low[3] <= 0 && this->Evaluate(high)[3] <= 0;
 }
 
+std::array<float, 2> TransferFunctionTable::LongestTransparentRange() const
+{
+  constexpr float infinite = std::numeric_limits<float>::max();
+  std::array<float, 2> longest = { { infinite, -infinite } };
+  std::size_t first = 0;
+  for (std::size_t k = 0; k < this->Intervals.size(); ++k)
+  {
+    if (this->Intervals[k].Low[3] > 0 || this->Intervals[k].High[3] > 0)
+    {
+      first = k + 1;
+      continue;
+    }
+    const float low = first == 0 ? -infinite : this->Nodes[first - 1];
+    const float high = k + 1 == this->Intervals.size() ? infinite : this->Nodes[k];
+    // Scalars lie between 0 and 1.
+    const auto length = [](float from, float to) { return std::min(to, 1.0f) - std::max(from, 0.0f); };
+    if (length(low, high) > length(longest[0], longest[1]))
+    {
+      longest = { { low, high } };
+    }
+  }
+  return longest;
+}
+
 } // namespace nephoscope

@@ -50,6 +50,8 @@ public:
   Value Evaluate(float s) const;
   /** True when opacity is zero everywhere in [low, high]: nothing there can be seen. */
   bool IsTransparent(float low, float high) const;
+  /** The longest range [low, high) in which opacity is zero; empty (low > high) if there is none. */
+  std::array<float, 2> LongestTransparentRange() const;
 
 private:
   std::vector<int> OpaqueIntervals; ///< how many of the intervals before this one are not transparent

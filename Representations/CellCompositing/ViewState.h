@@ -4,7 +4,7 @@
 #ifndef ViewState_h
 #define ViewState_h
 
-#include "CellCompositingPass.h"
+#include "CellDrawing.h"
 #include "TetrahedronRay.h"
 
 #include "vtkMatrix3x3.h"
@@ -43,7 +43,7 @@ struct ViewState
 {
   vtkNew<vtkMatrix4x4> ModelToView;
   vtkNew<vtkMatrix4x4> ViewToDevice;
-  CellCompositingPass::View View;
+  CellView View;
   Vector4 EyeModel;
 
   ViewState(vtkRenderer* renderer, vtkVolume* volume, const double center[3])

@@ -46,6 +46,19 @@ public:
 
   std::int64_t GetNumberOfInteriorFaces() const;
 
+  // For others that go from neighbour to neighbour, once connected.
+  /** First of the points at the same place. */
+  std::int32_t CanonicalPoint(std::int32_t point) const
+  {
+    return this->CanonicalPoints[static_cast<std::size_t>(point)];
+  }
+  /** The tetrahedron across a face, unless both lie on the same side of it; -1: none. */
+  std::int32_t UnfoldedNeighbor(std::size_t tetrahedron, int face) const
+  {
+    const std::size_t slot = 4 * tetrahedron + static_cast<std::size_t>(face);
+    return this->Sides[slot] != 0 ? this->Neighbors[slot] : -1;
+  }
+
 private:
   // Per tetrahedron and face: the neighbour (-1: none) and the side of the face's plane, seen with the vertices in
   // canonical order, on which the tetrahedron lies (-1, 1, opposite for the

@@ -121,17 +121,23 @@ int vtkCellCompositingMapper::FillInputPortInformation(int, vtkInformation* info
 
 vtkIdType vtkCellCompositingMapper::GetNumberOfTetrahedra()
 {
-  return static_cast<vtkIdType>(this->Internals->Scene.GetGeometry().Tetrahedra.size());
+  return static_cast<vtkIdType>(this->Internals->Scene.GetGeometry().NumberOfTetrahedra());
 }
 
 vtkIdType vtkCellCompositingMapper::GetNumberOfDrawnTetrahedra()
 {
-  return static_cast<vtkIdType>(this->Internals->Scene.GetDrawn().size());
+  return static_cast<vtkIdType>(this->Internals->Scene.GetNumberOfVisible());
 }
 
 vtkIdType vtkCellCompositingMapper::GetNumberOfVisibilityCycles()
 {
   return static_cast<vtkIdType>(this->Internals->Scene.GetNumberOfCycles());
+}
+
+bool vtkCellCompositingMapper::UsesRays() const
+{
+  return this->Method == RAY_METHOD ||
+    (this->Method == AUTOMATIC_METHOD && this->VisibilityOrder == EXACT_ORDER);
 }
 
 //------------------------------------------------------------------------------------------------
@@ -204,7 +210,8 @@ std::string vtkCellCompositingMapper::UpdateGeometry(vtkDataSet* input, vtkVolum
     return error;
   }
   bool built = false;
-  withThreads([&]() { built = scene.UpdateGeometry(input, scalars, opacity, error); });
+  const auto method = this->UsesRays() ? CellScene::Method::Rays : CellScene::Method::Projection;
+  withThreads([&]() { built = scene.UpdateGeometry(input, scalars, opacity, method, error); });
   if (built && error.empty())
   {
     this->WarnAboutGeometry(scalars.Array->GetName());
@@ -293,7 +300,14 @@ std::string vtkCellCompositingMapper::DrawScene(
   const nephoscope::ViewState state(renderer, volume, scene.GetGeometry().Center);
   withThreads([&]() {
     scene.UpdateTransferFunction(property);
-    scene.UpdateOrder(state.EyeModel, static_cast<CellScene::OrderMethod>(this->VisibilityOrder));
+    if (!this->UsesRays())
+    {
+      scene.UpdateOrder(state.EyeModel, static_cast<CellScene::OrderMethod>(this->VisibilityOrder));
+    }
+    else
+    {
+      scene.UpdateEye(state.EyeModel);
+    }
     scene.UpdateDrawn();
   });
   if (window->CheckAbortStatus())
@@ -305,9 +319,10 @@ std::string vtkCellCompositingMapper::DrawScene(
   {
     return error;
   }
-  CellCompositingPass::Options options;
+  nephoscope::CellDrawingOptions options;
   options.AverageIntegration = this->Integration == AVERAGE_INTEGRATION;
   options.SplitAtControlPoints = this->SplitAtControlPoints;
+  options.Eye = &scene.GetEyeTetrahedron();
   options.ExtinctionScale = this->OpacityScale / unitDistance;
   return this->Internals->Pass.Draw(window, state.View, options);
 }
@@ -328,7 +343,7 @@ std::string vtkCellCompositingMapper::Upload(vtkOpenGLRenderWindow* window)
   std::string error;
   if (self.Uploaded.Geometry != now.Geometry)
   {
-    error = self.Pass.UploadGeometry(window, self.Scene.GetGeometry());
+    error = self.Pass.UploadGeometry(window, self.Scene.GetGeometry(), self.Scene.GetNeighbors());
   }
   if (error.empty() && self.Uploaded.Transfer != now.Transfer)
   {
@@ -337,7 +352,7 @@ std::string vtkCellCompositingMapper::Upload(vtkOpenGLRenderWindow* window)
   }
   if (error.empty() && self.Uploaded.Drawn != now.Drawn)
   {
-    error = self.Pass.UploadOrder(window, self.Scene.GetDrawn());
+    error = self.Pass.UploadDrawn(window, self.Scene);
   }
   self.Uploaded = error.empty() ? now : CellScene::Versions();
   return error;
@@ -368,6 +383,8 @@ void vtkCellCompositingMapper::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Integration: " << (this->Integration == EXACT_INTEGRATION ? "Exact" : "Average") << "\n";
+  os << indent << "Method: "
+     << (this->Method == RAY_METHOD ? "Rays" : this->Method == PROJECTION_METHOD ? "Projection" : "Automatic") << "\n";
   const char* orders[] = { "Exact", "Centroid", "None" };
   os << indent << "VisibilityOrder: " << orders[this->VisibilityOrder] << "\n";
   os << indent << "OpacityScale: " << this->OpacityScale << "\n";

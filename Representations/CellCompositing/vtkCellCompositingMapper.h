@@ -56,6 +56,27 @@ public:
   void SetInputData(vtkUnstructuredGridBase* data) override;
   ///@}
 
+  enum MethodType
+  {
+    PROJECTION_METHOD = 0,
+    RAY_METHOD = 1,
+    AUTOMATIC_METHOD = 5
+  };
+  ///@{
+  /**
+   * How cells are drawn. Default: automatic.
+   * - Rays: every pixel walks through the mesh from cell to cell, front to back. The order is exact for every mesh, with cycles, holes
+   *   and separate parts, whatever VisibilityOrder says.
+   * - Projection: cell after cell in the order that VisibilityOrder tells, each over the pixels that it covers.
+   * - Automatic: rays where VisibilityOrder is exact, projection otherwise.
+   */
+  vtkSetClampMacro(Method, int, PROJECTION_METHOD, AUTOMATIC_METHOD);
+  vtkGetMacro(Method, int);
+  void SetMethodToProjection() { this->SetMethod(PROJECTION_METHOD); }
+  void SetMethodToRays() { this->SetMethod(RAY_METHOD); }
+  void SetMethodToAutomatic() { this->SetMethod(AUTOMATIC_METHOD); }
+  ///@}
+
   enum IntegrationType
   {
     EXACT_INTEGRATION = 0,
@@ -149,6 +170,7 @@ protected:
   ~vtkCellCompositingMapper() override;
   int FillInputPortInformation(int port, vtkInformation* info) override;
 
+  int Method = AUTOMATIC_METHOD;
   int Integration = EXACT_INTEGRATION;
   int VisibilityOrder = EXACT_ORDER;
   double OpacityScale = 1.0;
@@ -156,6 +178,7 @@ protected:
   bool SplitAtControlPoints = true;
 
 private:
+  bool UsesRays() const;
   std::string FindObstacle(vtkDataSet* input, vtkVolume* volume);
   std::string UpdateGeometry(vtkDataSet* input, vtkVolume* volume);
   std::string SelectScalars(

@@ -169,6 +169,7 @@ class Cycles(ImageTestCase):
             window = Window()
             scene = window.add_scene()
             ours = mapper()
+            ours.SetMethodToProjection()
             scene.look_at(scene.add_volume(ours, data, constant(2.0), association="cell"), **look)
             view = scene.view()
             left = never_free(data, direction=view.forward) if view.parallel else never_free(data, eye=view.eye)
@@ -197,6 +198,8 @@ class Cycles(ImageTestCase):
         for label, data, look in (("ring", cyclic_ring(), self.LOOKS["from above"]), ("delaunay", meshes.delaunay(rng, 80), {})):
             random_cells(data, rng)
             ours, window, scene, expected = self.check(data, transfer, label + ", one colour", "cell", look=look)
+            ours.SetMethodToProjection() # rays have no such orders
+            window.render()
             exact = float_image(ours)
             for order in ("Centroid", "None"):
                 getattr(ours, f"SetVisibilityOrderTo{order}")()

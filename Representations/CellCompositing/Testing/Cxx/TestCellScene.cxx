@@ -31,7 +31,8 @@ protected:
     CellScene::OrderMethod method = CellScene::OrderMethod::Exact)
   {
     std::string error;
-    this->Scene.UpdateGeometry(this->Data, { this->Scalars, false, -1 }, {}, error);
+    this->Scene.UpdateGeometry(
+      this->Data, { this->Scalars, false, -1 }, {}, CellScene::Method::Projection, error);
     EXPECT_EQ(error, "");
     this->Scene.UpdateTransferFunction(this->Property);
     this->Scene.UpdateOrder(eye, method);
@@ -56,7 +57,7 @@ TEST_F(SceneOfALattice, NothingChangesNothingIsMadeAgain)
   EXPECT_EQ(first.Transfer, second.Transfer);
   EXPECT_EQ(first.Order, second.Order);
   EXPECT_EQ(first.Drawn, second.Drawn);
-  EXPECT_EQ(this->Scene.GetDrawn().size(), 64u * 6);
+  EXPECT_EQ(this->Scene.GetDrawn().size(), 64u * 5);
   EXPECT_EQ(this->Scene.GetNumberOfCycles(), 0);
 }
 
@@ -94,7 +95,7 @@ TEST_F(SceneOfALattice, TheOpacityFunctionChoosesWhatIsDrawn)
   EXPECT_EQ(first.Order, second.Order);
   EXPECT_NE(first.Transfer, second.Transfer);
   EXPECT_NE(first.Drawn, second.Drawn);
-  EXPECT_EQ(this->Scene.GetDrawn().size(), 16u * 6) << "only the last layer reaches beyond 100";
+  EXPECT_EQ(this->Scene.GetDrawn().size(), 16u * 5) << "only the last layer reaches beyond 100";
   this->Color->AddRGBPoint(0, 1, 0, 0);
   EXPECT_NE(this->Update().Transfer, second.Transfer);
 }
@@ -122,7 +123,7 @@ TEST_F(SceneOfALattice, AnotherMeshIsConnectedAgain)
   this->Data = makeShell(8, 4, 2, 80, 1, 1.3); // as many cells
   this->Scalars = addPointNumbers(this->Data);
   this->Update();
-  ASSERT_EQ(this->Scene.GetDrawn().size(), 64u * 6);
+  ASSERT_EQ(this->Scene.GetDrawn().size(), 64u * 5);
   const std::vector<std::int32_t> drawn = this->Scene.GetDrawn();
   this->Scene = CellScene();
   this->Update();
@@ -136,5 +137,5 @@ TEST_F(SceneOfALattice, ClearDrawsNothing)
   EXPECT_TRUE(this->Scene.GetDrawn().empty());
   EXPECT_TRUE(this->Scene.GetGeometry().Tetrahedra.empty());
   EXPECT_NE(this->Update().Geometry, first.Geometry);
-  EXPECT_EQ(this->Scene.GetDrawn().size(), 64u * 6);
+  EXPECT_EQ(this->Scene.GetDrawn().size(), 64u * 5);
 }

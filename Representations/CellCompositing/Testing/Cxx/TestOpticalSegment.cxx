@@ -92,17 +92,13 @@ Errors measureFloatErrors(Random& random, double largest, int samples)
   return errors;
 }
 
-/** Largest optical depth, up to 1000, for which the rule of this size is chosen. */
-double endOfRung(int size)
+/** A way to integrate segments, and the largest optical depth it is used for. */
+struct Rung
 {
-  double low = 0, high = 1000;
-  for (int i = 0; i < 60 && quadratureRule(high).Size > size; ++i)
-  {
-    const double middle = 0.5 * (low + high);
-    (quadratureRule(middle).Size > size ? high : low) = middle;
-  }
-  return quadratureRule(high).Size == size ? high : low;
-}
+  const char* Name;
+  double Low, High;
+};
+constexpr Rung rungs[] = { { "series", 1e-6, thinSegment }, { "10 nodes", thinSegment, 10 }, { "16 nodes", 10, 1000 } };
 
 class OpticalDepthsUpTo : public ::testing::TestWithParam<double>
 {
@@ -198,10 +194,11 @@ TEST(OpticalSegment, BeyondThousand)
 TEST(OpticalSegment, EveryRungHolds)
 {
   Random random(15);
-  double low = 1e-6;
-  for (const int size : { 4, 6, 10, 16 })
+  EXPECT_EQ(quadratureRule(10.0).Size, 10);
+  EXPECT_EQ(quadratureRule(10.001).Size, 16);
+  for (const Rung& rung : rungs)
   {
-    const double high = endOfRung(size);
+    const double low = rung.Low, high = rung.High;
     double absolute = 0, relative = 0;
     for (int i = 0; i < 4000; ++i)
     {
@@ -215,16 +212,15 @@ TEST(OpticalSegment, EveryRungHolds)
       absolute = std::max({ absolute, front, back });
       relative = std::max({ relative, front / double(expected.Front), back / double(expected.Back) });
     }
-    std::cout << size << " nodes up to " << high << ": largest error " << absolute << ", relative " << relative << std::endl;
-    EXPECT_LE(absolute, 4e-7) << size << " nodes up to " << high;
-    EXPECT_LE(relative, 1e-6) << size << " nodes up to " << high;
-    low = high;
+    std::cout << rung.Name << " up to " << high << ": largest error " << absolute << ", relative " << relative << std::endl;
+    EXPECT_LE(absolute, 4e-7) << rung.Name << " up to " << high;
+    EXPECT_LE(relative, 1e-6) << rung.Name << " up to " << high;
   }
 }
 
 TEST(OpticalSegment, RulesAreGaussLegendre)
 {
-  for (const double largest : { 0.01, 0.9, 9.0, 900.0 })
+  for (const double largest : { 9.0, 900.0 })
   {
     const QuadratureRule rule = quadratureRule(largest);
     for (int power = 0; power < 2 * rule.Size; ++power) // exact for these, and for no higher one

@@ -193,11 +193,20 @@ double compositeRay(const CellGeometry& geometry, const std::vector<std::int32_t
   }
   return color;
 }
+
+/** Hexahedra of no grid, which are divided into six tetrahedra rather than five. */
+vtkSmartPointer<vtkUnstructuredGrid> asUnstructured(vtkDataSet* data)
+{
+  vtkNew<vtkAppendFilter> append;
+  append->AddInputData(data);
+  append->Update();
+  return append->GetOutput();
+}
 }
 
 TEST(VisibilityOrder, Shell)
 {
-  const CellGeometry geometry = buildGeometry(makeShell(24, 12, 3, 80, 1, 1.3));
+  const CellGeometry geometry = buildGeometry(asUnstructured(makeShell(24, 12, 3, 80, 1, 1.3)));
   VisibilityOrder visibility;
   EXPECT_FALSE(visibility.IsConnected());
   visibility.Connect(geometry);
@@ -213,7 +222,7 @@ TEST(VisibilityOrder, Shell)
 
 TEST(VisibilityOrder, ThinShell)
 {
-  const CellGeometry geometry = buildGeometry(makeShell(36, 18, 6, 80, 1, 1.06));
+  const CellGeometry geometry = buildGeometry(asUnstructured(makeShell(36, 18, 6, 80, 1, 1.06)));
   VisibilityOrder visibility;
   visibility.Connect(geometry);
   EXPECT_EQ(geometry.Tetrahedra.size(), 23328u);
@@ -258,7 +267,7 @@ TEST(VisibilityOrder, RepeatedPointsOfBlocksAreJoined)
   }
   append->Update();
   const CellGeometry geometry = buildGeometry(append->GetOutput());
-  const CellGeometry whole = buildGeometry(makeLattice(4));
+  const CellGeometry whole = buildGeometry(asUnstructured(makeLattice(4)));
   ASSERT_GT(geometry.Points.size(), whole.Points.size());
   VisibilityOrder joined, single;
   joined.Connect(geometry);

@@ -1,0 +1,88 @@
+// SPDX-FileCopyrightText: The Nephoscope authors
+// SPDX-License-Identifier: BSD-3-Clause
+/** Triangles that bound a mesh of tetrahedra, where rays enter it. */
+#ifndef BoundaryFaces_h
+#define BoundaryFaces_h
+
+#include "CellGeometry.h"
+#include "ChessboardGrid.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <vector>
+
+namespace nephoscope
+{
+
+/** Three vertices, and what is inside: a vertex, or a tetrahedron. */
+using BoundaryFace = std::array<std::int32_t, 4>;
+
+/** Makes the first three vertices run counterclockwise for who looks from outside, the fourth vertex being inside. The first one stays. */
+inline void turnOutwards(const CellGeometry& geometry, BoundaryFace& face)
+{
+  const Vector3 a = geometry.Position(face[0]);
+  const Vector3 normal =
+    cross(difference(geometry.Position(face[1]), a), difference(geometry.Position(face[2]), a));
+  if (dot(normal, difference(geometry.Position(face[3]), a)) > 0)
+  {
+    std::swap(face[1], face[2]);
+  }
+}
+
+/** Cells from `Low` to `High` along each axis, both included. */
+struct CellBox
+{
+  int Low[3] = { 0, 0, 0 };
+  int High[3] = { -1, -1, -1 };
+
+  bool IsEmpty() const { return this->High[0] < this->Low[0]; }
+  /** It reaches all the way round a grid that closes along the first axis. */
+  bool IsClosed(const ChessboardGrid& grid) const
+  {
+    return grid.WrapCells > 0 && this->Low[0] == 0 && this->High[0] == grid.WrapCells - 1;
+  }
+};
+
+/** The boundary of a box of cells of a structured grid: of each face the odd vertex, the two others, and the vertex inside. */
+inline std::vector<BoundaryFace> chessboardBoundary(const CellGeometry& geometry, const CellBox& box)
+{
+  const ChessboardGrid& grid = geometry.Grid;
+  std::vector<BoundaryFace> faces;
+  // Triangles of a cell's face: the corner tetrahedra at its odd vertices.
+  const auto addSide = [&](const std::array<int, 3>& cell, int axis, int end) {
+    for (const auto& t : grid.CornerTetrahedra(cell))
+    {
+      if (t.Corner[axis] == end)
+      {
+        const std::array<std::int64_t, 3> others = t.Across(axis);
+        BoundaryFace face = { { std::int32_t(t.Odd), std::int32_t(others[0]), std::int32_t(others[1]),
+          std::int32_t(others[2]) } };
+        turnOutwards(geometry, face);
+        faces.push_back(face);
+      }
+    }
+  };
+  for (int axis = 0; axis < 3 && !box.IsEmpty(); ++axis)
+  {
+    const int first = axis == 0 ? 1 : 0;
+    const int second = axis == 2 ? 1 : 2;
+    for (int end = 0; end < 2 && !(axis == 0 && box.IsClosed(grid)); ++end)
+    {
+      std::array<int, 3> cell;
+      cell[axis] = end ? box.High[axis] : box.Low[axis];
+      for (cell[second] = box.Low[second]; cell[second] <= box.High[second]; ++cell[second])
+      {
+        for (cell[first] = box.Low[first]; cell[first] <= box.High[first]; ++cell[first])
+        {
+          addSide(cell, axis, end);
+        }
+      }
+    }
+  }
+  return faces;
+}
+
+} // namespace nephoscope
+
+#endif

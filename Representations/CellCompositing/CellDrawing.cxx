@@ -1,0 +1,71 @@
+// SPDX-FileCopyrightText: The Nephoscope authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "CellDrawing.h"
+
+#include "CellBuffers.h"
+#include "OpaqueDepth.h"
+#include "OpticalSegment.h"
+#include "ShaderText.h"
+
+#include "vtkMatrix4x4.h"
+#include "vtkNew.h"
+#include "vtkShaderProgram.h"
+#include "vtkTextureObject.h"
+
+#include <array>
+
+namespace nephoscope
+{
+namespace
+{
+// z in view coordinates as (a + b e) / (c + d e), where e = 1 - depth: counted from the far plane, where most depths lie in
+// a perspective projection, nothing cancels in float.
+std::array<float, 4> depthToView(vtkMatrix4x4* viewToDevice)
+{
+  const double m22 = viewToDevice->GetElement(2, 2);
+  const double m23 = viewToDevice->GetElement(2, 3);
+  const double m32 = viewToDevice->GetElement(3, 2);
+  const double m33 = viewToDevice->GetElement(3, 3);
+  // (m22 z + m23) / (m32 z + m33) = 1 - 2 e
+  return { { static_cast<float>(m33 - m23), static_cast<float>(-2 * m33), static_cast<float>(m22 - m32),
+    static_cast<float>(2 * m32) } };
+}
+}
+
+std::string CellDrawing::ShaderConstants() const
+{
+  return this->Buffers.ShaderConstants() +
+    shaderConstant("averageIntegration", this->Options.AverageIntegration) +
+    shaderConstant("splitAtControlPoints", this->Options.SplitAtControlPoints);
+}
+
+void CellDrawing::SetUniforms(vtkShaderProgram* program) const
+{
+  this->Buffers.Activate(program);
+  this->Depth.GetTexture()->Activate();
+  program->SetUniformi("opaqueDepth", this->Depth.GetTexture()->GetTextureUnit());
+  program->SetUniform4f("depthToVC", depthToView(this->View.ViewToDevice).data());
+  program->SetUniformf("extinctionScale", static_cast<float>(this->Options.ExtinctionScale));
+
+  vtkNew<vtkMatrix4x4> transposed; // as OpenGL wants it
+  vtkMatrix4x4::Transpose(this->View.ModelToView, transposed);
+  program->SetUniformMatrix("MCVCMatrix", transposed);
+  vtkMatrix4x4::Transpose(this->View.ViewToDevice, transposed);
+  program->SetUniformMatrix("VCDCMatrix", transposed);
+
+  float nodes[numberOfQuadratureNodes][2];
+  for (int i = 0; i < numberOfQuadratureNodes; ++i)
+  {
+    nodes[i][0] = static_cast<float>(quadratureNodes[i][0]);
+    nodes[i][1] = static_cast<float>(quadratureNodes[i][1]);
+  }
+  program->SetUniform2fv("quadratureNodes", numberOfQuadratureNodes, nodes);
+}
+
+void CellDrawing::Finish() const
+{
+  this->Buffers.Deactivate();
+  this->Depth.GetTexture()->Deactivate();
+}
+
+} // namespace nephoscope

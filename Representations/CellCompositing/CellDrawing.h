@@ -1,0 +1,54 @@
+// SPDX-FileCopyrightText: The Nephoscope authors
+// SPDX-License-Identifier: BSD-3-Clause
+/** What the ways of drawing cells are given: the view, the options, and what they share on the GPU. */
+#ifndef CellDrawing_h
+#define CellDrawing_h
+
+#include <string>
+
+class vtkMatrix4x4;
+class vtkOpenGLRenderWindow;
+class vtkShaderProgram;
+
+namespace nephoscope
+{
+
+class CellBuffers;
+class OpaqueDepth;
+struct EyeTetrahedron;
+
+/** What one drawing needs to know of the view; matrices as vtkMatrix4x4 multiplies columns. */
+struct CellView
+{
+  vtkMatrix4x4* ModelToView = nullptr; ///< of coordinates relative to the geometry's centre
+  vtkMatrix4x4* ViewToDevice = nullptr;
+  double EyeModel[4] = { 0, 0, 0, 1 }; ///< relative to the geometry's centre
+  double EyeView[4] = { 0, 0, 0, 1 };
+};
+
+struct CellDrawingOptions
+{
+  bool AverageIntegration = false;
+  bool SplitAtControlPoints = true;
+  double ExtinctionScale = 1.0; ///< extinction per world length at opacity 1
+  const EyeTetrahedron* Eye = nullptr; ///< where rays start
+};
+
+struct CellDrawing
+{
+  vtkOpenGLRenderWindow* Window;
+  const int* Viewport; ///< x, y, width, height
+  const CellView& View;
+  const CellDrawingOptions& Options;
+  CellBuffers& Buffers;
+  OpaqueDepth& Depth;
+
+  std::string ShaderConstants() const;
+  /** Binds the shared textures and sets the uniforms that every fragment shader of cells has. */
+  void SetUniforms(vtkShaderProgram* program) const;
+  void Finish() const;
+};
+
+} // namespace nephoscope
+
+#endif

@@ -1,0 +1,86 @@
+// SPDX-FileCopyrightText: The Nephoscope authors
+// SPDX-License-Identifier: BSD-3-Clause
+/** The cells of a dataset one by one: which of them are drawn, and their tetrahedra. */
+#ifndef CellWalker_h
+#define CellWalker_h
+
+#include "CellGeometry.h"
+#include "TetrahedronSource.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace nephoscope
+{
+
+enum class CellOutcome
+{
+  Decomposed,
+  Skipped,
+  Unsupported,
+  Invalid
+};
+
+/** Decides of each cell whether it can be drawn, and gives its tetrahedra. One object per thread. */
+class CellWalker
+{
+public:
+  CellWalker(vtkDataSet* data, const CellGeometry& geometry, const ScalarSelection& scalars,
+    const ScalarSelection& opacity)
+    : Source(data)
+    , Geometry(geometry)
+    , Scalars(scalars)
+    , Opacity(opacity)
+  {
+  }
+
+  /** Skipped or Invalid, or else Decomposed: it can be. */
+  CellOutcome Look(vtkIdType cell)
+  {
+    return this->Source.IsHidden(cell) ? CellOutcome::Skipped
+      : this->IsFinite(cell)           ? CellOutcome::Decomposed
+                                       : CellOutcome::Invalid;
+  }
+
+  template <typename Emit>
+  CellOutcome Walk(vtkIdType cell, Emit emit)
+  {
+    const CellOutcome outcome = this->Look(cell);
+    if (outcome != CellOutcome::Decomposed)
+    {
+      return outcome;
+    }
+    const bool supported = this->Source.EmitTetrahedra(cell, [&](const std::array<vtkIdType, 4>& t) {
+      emit(Tetrahedron{ { std::int32_t(t[0]), std::int32_t(t[1]), std::int32_t(t[2]), std::int32_t(t[3]) } });
+    });
+    return supported ? CellOutcome::Decomposed : CellOutcome::Unsupported;
+  }
+
+private:
+  bool IsFinite(vtkIdType cell) const
+  {
+    if ((this->Scalars.OnCells && !std::isfinite(scalarValue(this->Scalars, cell))) ||
+      (this->Opacity.OnCells && !std::isfinite(scalarValue(this->Opacity, cell))))
+    {
+      return false;
+    }
+    const bool opacityOnPoints = this->Geometry.HasOpacityScalars && !this->Opacity.OnCells;
+    const vtkIdList* points = this->Source.GetPoints();
+    return std::all_of(points->begin(), points->end(), [&](vtkIdType id) {
+      const std::size_t i = static_cast<std::size_t>(id);
+      const CellGeometry::Point& p = this->Geometry.Points[i];
+      return std::isfinite(p.X) && std::isfinite(p.Y) && std::isfinite(p.Z) && std::isfinite(p.Scalar) &&
+        (!opacityOnPoints || std::isfinite(this->Geometry.OpacityScalars[i]));
+    });
+  }
+
+  TetrahedronSource Source;
+  const CellGeometry& Geometry;
+  const ScalarSelection& Scalars;
+  const ScalarSelection& Opacity;
+};
+
+} // namespace nephoscope
+
+#endif

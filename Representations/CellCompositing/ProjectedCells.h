@@ -1,0 +1,49 @@
+// SPDX-FileCopyrightText: The Nephoscope authors
+// SPDX-License-Identifier: BSD-3-Clause
+/** Draws tetrahedra one after another, in a given order, each over the pixels that it covers. */
+#ifndef ProjectedCells_h
+#define ProjectedCells_h
+
+#include "BufferTexture.h"
+
+#include "vtkNew.h"
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+class vtkOpenGLRenderWindow;
+class vtkOpenGLVertexArrayObject;
+class vtkShaderProgram;
+class vtkWindow;
+
+namespace nephoscope
+{
+
+class CellGeometry;
+struct CellDrawing;
+
+class ProjectedCells
+{
+public:
+  ProjectedCells();
+  ~ProjectedCells();
+
+  // Each returns an empty string, or what went wrong.
+  std::string UploadGeometry(vtkOpenGLRenderWindow* window, const CellGeometry& geometry);
+  std::string UploadOrder(vtkOpenGLRenderWindow* window, const std::vector<std::int32_t>& order);
+  std::string Draw(const CellDrawing& drawing);
+
+  void ReleaseGraphicsResources(vtkWindow* window);
+
+private:
+  BufferTexture Tetrahedra;
+  BufferTexture Order;
+  std::size_t OrderSize = 0;
+  vtkNew<vtkOpenGLVertexArrayObject> VertexArray;
+  vtkShaderProgram* Program = nullptr; // owned by the window's shader cache
+};
+
+} // namespace nephoscope
+
+#endif

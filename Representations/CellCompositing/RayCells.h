@@ -1,0 +1,90 @@
+// SPDX-FileCopyrightText: The Nephoscope authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * Draws cells ray by ray: each pixel walks through the mesh from tetrahedron to tetrahedron, front to back.
+ *
+ * The order of the tetrahedra is then exact by construction, whatever the mesh: cycles, holes, separate parts. First the
+ * boundary triangles through which rays enter the mesh are drawn, the nearest per pixel kept; then every pixel walks from there
+ * until its ray leaves the mesh. Where rays enter again (holes, other parts), the next nearest triangles are drawn, and so on until
+ * none is left: as depth peeling goes through layers, but a layer is a whole stretch of mesh.
+ */
+#ifndef RayCells_h
+#define RayCells_h
+
+#include "BoundaryFaces.h"
+#include "BufferTexture.h"
+#include "ChessboardGrid.h"
+
+#include "vtkNew.h"
+
+#include <array>
+#include <string>
+#include <vector>
+
+class vtkOpenGLBufferObject;
+class vtkOpenGLFramebufferObject;
+class vtkOpenGLRenderWindow;
+class vtkOpenGLVertexArrayObject;
+class vtkShaderProgram;
+class vtkTextureObject;
+class vtkWindow;
+
+namespace nephoscope
+{
+
+class CellGeometry;
+struct CellDrawing;
+struct EyeTetrahedron;
+struct TetrahedronNeighbors;
+
+class RayCells
+{
+public:
+  RayCells();
+  ~RayCells();
+
+  // Each returns an empty string, or what went wrong.
+  /** A structured grid needs no neighbours. */
+  std::string UploadGeometry(
+    vtkOpenGLRenderWindow* window, const CellGeometry& geometry, const TetrahedronNeighbors& neighbors);
+  /** Where rays enter, the box of a grid's cells that can be seen, and the scalars between which nothing is seen. */
+  std::string UploadBoundary(vtkOpenGLRenderWindow* window, const std::vector<BoundaryFace>& faces, const CellBox& box,
+    const std::array<float, 2>& clearRange);
+  /** Draws into the bound framebuffer, which holds a transparent image. */
+  std::string Draw(const CellDrawing& drawing);
+
+  void ReleaseGraphicsResources(vtkWindow* window);
+
+private:
+  void Allocate(const CellDrawing& drawing);
+  std::string ReadyPrograms(const CellDrawing& drawing);
+  bool DrawEntries(const CellDrawing& drawing, int layer);
+  /** From the entries of a layer; layer -1: from the eye. */
+  void DrawSegments(const CellDrawing& drawing, int layer);
+  void SetEye(const EyeTetrahedron& eye, vtkShaderProgram* program);
+  void SetTopology(vtkShaderProgram* program);
+  void SetRays(const CellDrawing& drawing, vtkShaderProgram* program);
+
+  BufferTexture Neighbors, VertexSums, BoundaryFaces, HiddenCells;
+  ChessboardGrid Grid; // empty: another mesh
+  CellBox Box;
+  std::array<float, 2> ClearRange = { { 1, 0 } };
+  vtkNew<vtkOpenGLBufferObject> BoundaryVertices;
+  std::size_t NumberOfBoundaryFaces = 0;
+  bool HasHiddenCells = false;
+  double Radius = 0; // of the points about their centre
+
+  // Boundary triangle and depth where each pixel's ray enters: this time, and last time.
+  vtkNew<vtkTextureObject> Entries[2];
+  vtkNew<vtkTextureObject> EntryDepth;
+  vtkNew<vtkOpenGLFramebufferObject> EntryFramebuffer;
+  int Size[2] = { 0, 0 };
+
+  vtkNew<vtkOpenGLVertexArrayObject> VertexArray;
+  vtkShaderProgram* EntryProgram = nullptr; // owned, as the next, by the window's shader cache
+  vtkShaderProgram* SegmentProgram = nullptr;
+};
+
+} // namespace nephoscope
+
+#endif

@@ -1,0 +1,106 @@
+// SPDX-FileCopyrightText: The Nephoscope authors
+// SPDX-License-Identifier: BSD-3-Clause
+/** Which cells of a structured grid an opacity function lets be seen: their tetrahedra's number, and the box that holds them. */
+#ifndef VisibleGridCells_h
+#define VisibleGridCells_h
+
+#include "BoundaryFaces.h"
+#include "CellGeometry.h"
+#include "TransferFunctionTable.h"
+
+#include "vtkSMPThreadLocal.h"
+#include "vtkSMPTools.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace nephoscope
+{
+
+class VisibleGridCells
+{
+public:
+  struct Result
+  {
+    std::int64_t Tetrahedra = 0;
+    CellBox Box = { { std::numeric_limits<int>::max(), std::numeric_limits<int>::max(), std::numeric_limits<int>::max() },
+      { -1, -1, -1 } };
+
+    void Add(const std::array<int, 3>& low, const std::array<int, 3>& high)
+    {
+      for (std::size_t axis = 0; axis < 3; ++axis)
+      {
+        this->Box.Low[axis] = std::min(this->Box.Low[axis], low[axis]);
+        this->Box.High[axis] = std::max(this->Box.High[axis], high[axis]);
+      }
+    }
+  };
+
+  VisibleGridCells(const CellGeometry& geometry, const TransferFunctionTable& opacity)
+    : Geometry(geometry)
+    , Opacity(opacity)
+  {
+  }
+
+  Result Find() const
+  {
+    vtkSMPThreadLocal<Result> parts;
+    vtkSMPTools::For(0, this->Geometry.Grid.NumberOfCells(), [&](vtkIdType begin, vtkIdType end) {
+      Result& part = parts.Local();
+      for (vtkIdType cell = begin; cell < end; ++cell)
+      {
+        const int visible = this->CountVisible(cell);
+        if (visible > 0)
+        {
+          part.Tetrahedra += visible;
+          const std::array<int, 3> index = this->Geometry.Grid.CellIndex(cell);
+          part.Add(index, index);
+        }
+      }
+    });
+    Result result;
+    for (const Result& part : parts)
+    {
+      result.Tetrahedra += part.Tetrahedra;
+      result.Add({ { part.Box.Low[0], part.Box.Low[1], part.Box.Low[2] } },
+        { { part.Box.High[0], part.Box.High[1], part.Box.High[2] } });
+    }
+    return result;
+  }
+
+private:
+  int CountVisible(std::int64_t cell) const
+  {
+    const CellGeometry& geometry = this->Geometry;
+    const std::size_t number = static_cast<std::size_t>(cell);
+    if (!geometry.HiddenCells.empty() && geometry.HiddenCells[number])
+    {
+      return 0;
+    }
+    const bool separate = geometry.HasOpacityScalars;
+    if (separate ? geometry.OpacityOnCells : !geometry.CellScalars.empty())
+    {
+      const float s = separate ? geometry.OpacityScalars[number] : geometry.CellScalars[number];
+      return this->Opacity.IsTransparent(s, s) ? 0 : ChessboardGrid::TetrahedraPerCell;
+    }
+    int visible = 0;
+    for (const auto& t : geometry.Grid.Tetrahedra(cell))
+    {
+      std::array<float, 4> s;
+      std::transform(t.begin(), t.end(), s.begin(), [&](std::int64_t point) {
+        const std::size_t i = static_cast<std::size_t>(point);
+        return separate ? geometry.OpacityScalars[i] : geometry.Points[i].Scalar;
+      });
+      const auto range = std::minmax_element(s.begin(), s.end());
+      visible += !this->Opacity.IsTransparent(*range.first, *range.second);
+    }
+    return visible;
+  }
+
+  const CellGeometry& Geometry;
+  const TransferFunctionTable& Opacity;
+};
+
+} // namespace nephoscope
+
+#endif

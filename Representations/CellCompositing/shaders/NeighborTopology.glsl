@@ -1,0 +1,46 @@
+// SPDX-FileCopyrightText: The Nephoscope authors
+// SPDX-License-Identifier: BSD-3-Clause
+// The tetrahedra of any mesh (TetrahedronNeighbors.h): their neighbours, and the four vertex numbers as one exclusive-or, which
+// gives the fourth vertex when three are known.
+uniform isamplerBuffer neighbors;     // four per tetrahedron, across from its vertices in ascending order; -1: none
+uniform isamplerBuffer vertexSums;    // exclusive-or of the vertex numbers
+
+int cellOf; // the present tetrahedron
+
+void keepTopology() {}
+
+int cellNumber()
+{
+  return cellOf;
+}
+
+int fourthVertex(ivec3 face)
+{
+  return texelFetch(vertexSums, cellOf).r ^ face.x ^ face.y ^ face.z;
+}
+
+// A boundary face is given by its vertices and the tetrahedron.
+int enterTetrahedron(ivec4 face)
+{
+  cellOf = face.w;
+  return fourthVertex(face.xyz);
+}
+
+void enterPlace(ivec4 place)
+{
+  cellOf = place.x;
+}
+
+bool crossFace(inout ivec3 face, int left, out int next)
+{
+  ivec3 smaller = ivec3(lessThan(face, ivec3(left)));
+  int neighbor = texelFetch(neighbors, 4 * cellOf + smaller.x + smaller.y + smaller.z).r;
+  next = 0;
+  if (neighbor < 0)
+  {
+    return false;
+  }
+  cellOf = neighbor;
+  next = fourthVertex(face);
+  return true;
+}

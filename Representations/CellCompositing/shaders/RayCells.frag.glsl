@@ -1,0 +1,241 @@
+//VTK::System::Dec
+//VTK::Output::Dec
+// SPDX-FileCopyrightText: The Nephoscope authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Light of all tetrahedra that a pixel's ray crosses from where it enters the mesh to where it leaves it.
+//   in:  the boundary triangle through which the ray enters
+//   out: premultiplied colour and alpha, front to back
+uniform samplerBuffer points; // position, scalar
+uniform samplerBuffer cellScalars;
+uniform samplerBuffer opacityScalars;
+uniform samplerBuffer hiddenCells;
+uniform isamplerBuffer boundaryFaces;
+uniform sampler2D entryFaces; // boundary face (-1: none), depth
+uniform sampler2D opaqueDepth; // depth of the opaque geometry, [0, 1]
+uniform mat4 MCVCMatrix;
+uniform vec4 depthToVC; // z in VC = (x + y e) / (z + w e) with e = 1 - depth
+uniform float extinctionScale; // extinction per world length at opacity 1
+// The ray of the pixel at p (device coordinates, [-1, 1]) goes through rayPoint * (1, p), a plane amid the data, in the direction
+// rayDirection * (1, p); all relative to the centre of the data.
+uniform mat3 rayPoint;
+uniform mat3 rayDirection;
+uniform vec4 pixelToDevice; // scale, offset
+uniform int maximumSteps;
+uniform int startsAtEye;    // rays start in the tetrahedron that holds the eye, not at a boundary face
+uniform vec3 eyeMC;
+uniform int eyeVertices[4]; // of that tetrahedron
+uniform int eyePlace[4];
+uniform vec2 eyeScalars;    // at the eye
+uniform vec2 clearRange; // scalars between which nothing is seen
+
+// Software OpenGL (Mesa's llvmpipe) fetches a uniform anew for every pixel wherever it is used, at the cost of a texture: what loops
+// use is copied before, in a way that no compiler sees through.
+float unity; // 1
+vec2 clear;  // clearRange
+
+//NEPHOSCOPE::Constants
+// further: hasHiddenCells, closedGrid
+//NEPHOSCOPE::OpticalSegment
+//NEPHOSCOPE::TransferFunction
+//NEPHOSCOPE::Topology
+//NEPHOSCOPE::TetrahedronWalk
+//NEPHOSCOPE::RaySegments
+
+vec3 origin, across1, across2, along;
+
+Seen seen(int point)
+{
+  vec4 p = texelFetch(points, point);
+  vec3 q = p.xyz - origin;
+  return Seen(vec4(dot(q, across1), dot(q, across2), dot(q, along), p.w),
+    separateOpacity && !opacityOnCells ? texelFetch(opacityScalars, point).r : p.w);
+}
+
+// `beside`: by how many pixels the ray passes the centre of its pixel.
+void makeRay(vec2 beside)
+{
+  vec3 p = vec3(1.0, (gl_FragCoord.xy + beside) * pixelToDevice.xy + pixelToDevice.zw);
+  origin = rayPoint * p;
+  along = normalize(rayDirection * p);
+  // Any two directions across: Duff et al. 2017
+  float s = along.z >= 0.0 ? 1.0 : -1.0;
+  float a = -1.0 / (s + along.z);
+  float b = along.x * along.y * a;
+  across1 = vec3(1.0 + s * along.x * along.x * a, s * b, -s * along.x);
+  across2 = vec3(b, s + along.y * along.y * a, -along.y);
+}
+
+float zFromDepth(float depth)
+{
+  float e = 1.0 - depth;
+  return (depthToVC.x + depthToVC.y * e) / (depthToVC.z + depthToVC.w * e);
+}
+
+// Distances along the ray between which it is seen.
+vec2 visibleRange()
+{
+  vec4 toZ = vec4(MCVCMatrix[0].z, MCVCMatrix[1].z, MCVCMatrix[2].z, MCVCMatrix[3].z);
+  float atOrigin = dot(toZ, vec4(origin, 1.0));
+  float slope = dot(toZ.xyz, along);
+  float opaque = texelFetch(opaqueDepth, ivec2(gl_FragCoord.xy), 0).r;
+  return (vec2(zFromDepth(0.0), zFromDepth(opaque)) - atOrigin) / slope;
+}
+
+ivec3 face; // vertices of the face that the ray is passing
+int next;   // the vertex behind it
+
+// Leaves the present tetrahedron through the face where the ray does; returns the vertex that stays behind.
+int leaveTetrahedron(Seen ahead)
+{
+  int behind = stepWalk(ahead);
+  int left = behind == 0 ? face.x : behind == 1 ? face.y : face.z;
+  face = ivec3(behind == 0 ? next : face.x, behind == 1 ? next : face.y, behind == 2 ? next : face.z);
+  return left;
+}
+
+// Nothing is seen between the face and the vertex ahead.
+bool isClear(Seen ahead)
+{
+  vec4 s = vec4(walkA.second, walkB.second, walkC.second, ahead.second);
+  if (separateOpacity ? opacityOnCells : useCellScalars)
+  {
+    s = vec4(separateOpacity ? texelFetch(opacityScalars, cellNumber()).r : texelFetch(cellScalars, cellNumber()).r);
+  }
+  float low = min(min(s.x, s.y), min(s.z, s.w));
+  float high = max(max(s.x, s.y), max(s.z, s.w));
+  return low >= clear.x && high < clear.y;
+}
+
+// Adds the part of the segment that lies between the near plane and the opaque geometry.
+void addVisiblePart(vec3 front, vec3 back, vec2 range)
+{
+  vec2 z = vec2(max(front.x, range.x), min(back.x, range.y));
+  bool hidden = hasHiddenCells && texelFetch(hiddenCells, cellNumber()).r > 0.0;
+  if (z.y > z.x && !hidden)
+  {
+    vec2 t = (z - front.x) / (back.x - front.x);
+    vec2 from = mix(front.yz, back.yz, t.x);
+    vec2 to = mix(front.yz, back.yz, t.y);
+    if (useCellScalars)
+    {
+      from.x = to.x = texelFetch(cellScalars, cellNumber()).r;
+    }
+    if (separateOpacity && opacityOnCells)
+    {
+      from.y = to.y = texelFetch(opacityScalars, cellNumber()).r;
+    }
+    addSegment(from, to, z.y - z.x);
+  }
+}
+
+// Passes the face through which the ray enters. False if it does not go on from there.
+bool startAtFace(ivec4 boundaryFace)
+{
+  face = boundaryFace.xyz;
+  next = enterTetrahedron(boundaryFace);
+  if (startWalk(seen(face.x), seen(face.y), seen(face.z)))
+  {
+    face = face.xzy;
+  }
+  return true;
+}
+
+// Which of the faces of the eye's tetrahedron, across from its vertices, the ray leaves through: where it is deepest inside, ahead.
+float depthInside(Seen a, Seen b, Seen c, float eyeZ)
+{
+  bool turned = startWalk(a, b, c);
+  float inside = min(edgeFunction(walkA, walkB), min(edgeFunction(walkB, walkC), edgeFunction(walkC, walkA)));
+  return passFace().x > eyeZ ? inside : -3.0e38;
+}
+
+bool startInEyeTetrahedron(vec2 range)
+{
+  ivec4 v = ivec4(eyeVertices[0], eyeVertices[1], eyeVertices[2], eyeVertices[3]);
+  float eyeZ = dot(eyeMC - origin, along);
+  Seen p0 = seen(v.x), p1 = seen(v.y), p2 = seen(v.z), p3 = seen(v.w);
+  vec4 inside = vec4(depthInside(p1, p2, p3, eyeZ), depthInside(p0, p2, p3, eyeZ), depthInside(p0, p1, p3, eyeZ),
+    depthInside(p0, p1, p2, eyeZ));
+  float deepest = max(max(inside.x, inside.y), max(inside.z, inside.w));
+  int across = inside.x == deepest ? 0 : inside.y == deepest ? 1 : inside.z == deepest ? 2 : 3;
+  int left = across == 0 ? v.x : across == 1 ? v.y : across == 2 ? v.z : v.w;
+  face = across == 0 ? v.yzw : across == 1 ? v.xzw : across == 2 ? v.xyw : v.xyz;
+  enterPlace(ivec4(eyePlace[0], eyePlace[1], eyePlace[2], eyePlace[3]));
+  if (startWalk(seen(face.x), seen(face.y), seen(face.z)))
+  {
+    face = face.xzy;
+  }
+  addVisiblePart(vec3(eyeZ, eyeScalars), passFace(), range);
+  return crossFace(face, left, next);
+}
+
+// From there to where the ray leaves the mesh, or is lost.
+void walk(vec2 range)
+{
+  // Two loops rather than a test in one: hardware that computes many pixels at once has them wait for each other only where a
+  // segment is to be integrated.
+  for (int i = 0; i < maximumSteps; ++i)
+  {
+    Seen ahead;
+    bool inside = true;
+    for (int k = 0; k < maximumSteps; ++k)
+    {
+      ahead = seen(next);
+      if (!isClear(ahead))
+      {
+        break;
+      }
+      int left = leaveTetrahedron(ahead);
+      inside = crossFace(face, left, next) && !walkIsLost &&
+        min(walkA.place.z, min(walkB.place.z, walkC.place.z)) < range.y;
+      if (!inside)
+      {
+        break;
+      }
+    }
+    if (!inside)
+    {
+      break;
+    }
+    vec3 front = passFace();
+    int left = leaveTetrahedron(ahead);
+    vec3 back = passFace();
+    addVisiblePart(front, back, range);
+    if (back.x >= range.y || walkIsLost || isOpaque() || !crossFace(face, left, next))
+    {
+      break;
+    }
+  }
+}
+
+void main()
+{
+  float entry = texelFetch(entryFaces, ivec2(gl_FragCoord.xy), 0).r;
+  if (startsAtEye == 0 && entry < 0.0)
+  {
+    discard;
+  }
+  unity = gl_FragCoord.w;
+  clear = clearRange * unity;
+  keepTopology();
+  keepTable();
+  ivec4 boundaryFace = texelFetch(boundaryFaces, max(int(entry), 0));
+  // Cameras look along axes and grids lie along them: a ray that is lost in a face tries again a little beside.
+  vec2 beside = vec2(0.0);
+  for (int attempt = 0; attempt < 4; ++attempt)
+  {
+    makeRay(beside);
+    vec2 range = visibleRange();
+    startSegments(length(mat3(MCVCMatrix) * along) * extinctionScale);
+    bool goesOn = startsAtEye != 0 ? startInEyeTetrahedron(range) : startAtFace(boundaryFace);
+    if (goesOn)
+    {
+      walk(range);
+    }
+    if (!walkIsLost)
+    {
+      break;
+    }
+    beside = beside * -4.0 + vec2(0.00021, 0.00013);
+  }
+  gl_FragData[0] = accumulatedLight();
+}

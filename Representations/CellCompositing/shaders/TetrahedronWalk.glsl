@@ -1,0 +1,71 @@
+// SPDX-FileCopyrightText: The Nephoscope authors
+// SPDX-License-Identifier: BSD-3-Clause
+// A ray on its way through tetrahedra, from face to face: TetrahedronWalk.h.
+// A vertex as the ray sees it: x and y across, z along the ray, w its scalar, and a second scalar.
+struct Seen
+{
+  vec4 place;
+  float second;
+};
+Seen walkA, walkB, walkC;     // the face that the ray is passing
+float walkAB, walkBC, walkCA; // edge functions of its edges
+bool walkIsLost; // the ray ran within a face or along an edge, to within rounding, where there are no sides to tell apart
+
+float edgeFunction(Seen p, Seen q)
+{
+  return p.place.x * q.place.y - p.place.y * q.place.x;
+}
+
+Seen choose(bool first, Seen p, Seen q)
+{
+  return Seen(first ? p.place : q.place, first ? p.second : q.second);
+}
+
+// Returns true if b and c were exchanged.
+bool startWalk(Seen a, Seen b, Seen c)
+{
+  walkIsLost = false;
+  bool turned = edgeFunction(a, b) + edgeFunction(b, c) + edgeFunction(c, a) < 0.0;
+  walkA = a;
+  walkB = choose(turned, c, b);
+  walkC = choose(turned, b, c);
+  walkAB = max(edgeFunction(walkA, walkB), 0.0);
+  walkBC = max(edgeFunction(walkB, walkC), 0.0);
+  walkCA = max(edgeFunction(walkC, walkA), 0.0);
+  return turned;
+}
+
+// Leaves the tetrahedron with the vertex d; returns which vertex stays behind.
+int stepWalk(Seen d)
+{
+  float ad = edgeFunction(walkA, d);
+  float bd = edgeFunction(walkB, d);
+  float cd = edgeFunction(walkC, d);
+  float insideABD = min(bd, -ad);
+  float insideADC = min(ad, -cd);
+  float insideDBC = min(cd, -bd);
+  float scale = 1.0e-5 * max(max(abs(ad), abs(bd)), abs(cd));
+  walkIsLost = walkIsLost || walkAB + walkBC + walkCA <= scale || max(insideABD, max(insideADC, insideDBC)) < -scale;
+  bool exitABD = insideABD >= insideADC && insideABD >= insideDBC;
+  bool exitADC = !exitABD && insideADC >= insideDBC;
+  float ab = exitABD ? walkAB : exitADC ? ad : -bd;
+  float bc = exitABD ? bd : exitADC ? -cd : walkBC;
+  float ca = exitABD ? -ad : exitADC ? walkCA : cd;
+  walkAB = max(ab, 0.0);
+  walkBC = max(bc, 0.0);
+  walkCA = max(ca, 0.0);
+  walkA = choose(exitABD || exitADC, walkA, d);
+  walkB = choose(exitADC, d, walkB);
+  walkC = choose(exitABD, d, walkC);
+  return exitABD ? 2 : exitADC ? 1 : 0;
+}
+
+// Where the ray passes the face: depth along the ray, and the two scalars. Where the face is seen edge-on, any of its points will do.
+vec3 passFace()
+{
+  vec3 weights = vec3(walkBC, walkCA, walkAB);
+  float sum = weights.x + weights.y + weights.z;
+  weights = sum > 0.0 ? weights / sum : vec3(1.0 / 3.0);
+  vec2 pass = weights.x * walkA.place.zw + weights.y * walkB.place.zw + weights.z * walkC.place.zw;
+  return vec3(pass, weights.x * walkA.second + weights.y * walkB.second + weights.z * walkC.second);
+}

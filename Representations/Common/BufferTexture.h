@@ -1,0 +1,48 @@
+// SPDX-FileCopyrightText: The Nephoscope authors
+// SPDX-License-Identifier: BSD-3-Clause
+/** An array on the GPU that shaders read with texelFetch. */
+#ifndef BufferTexture_h
+#define BufferTexture_h
+
+#include "vtkNephoscopeRepresentationsCommonModule.h" // for export macro
+#include "vtkNew.h"
+
+#include <cstddef>
+#include <string>
+
+class vtkOpenGLBufferObject;
+class vtkOpenGLRenderWindow;
+class vtkTextureObject;
+class vtkWindow;
+
+namespace nephoscope
+{
+
+class VTKNEPHOSCOPEREPRESENTATIONSCOMMON_EXPORT BufferTexture
+{
+public:
+  BufferTexture();
+  ~BufferTexture();
+  BufferTexture(const BufferTexture&) = delete;
+  BufferTexture& operator=(const BufferTexture&) = delete;
+
+  /**
+   * Replaces the content by `tuples` of 1, 2 or 4 components of `type` VTK_FLOAT, VTK_INT or (one component, read as a fraction of
+   * 255) VTK_UNSIGNED_CHAR. Without any tuple, the texture holds a zero. Returns an empty string, or what went wrong.
+   */
+  std::string Upload(
+    vtkOpenGLRenderWindow* window, const void* data, std::size_t tuples, int components, int type);
+
+  /** Binds the texture; returns its unit. */
+  int Activate();
+  void Deactivate();
+  void Release(vtkWindow* window);
+
+private:
+  vtkNew<vtkOpenGLBufferObject> Buffer;
+  vtkNew<vtkTextureObject> Texture;
+};
+
+} // namespace nephoscope
+
+#endif
