@@ -52,7 +52,8 @@ std::string CellBuffers::UploadTransferFunctions(vtkOpenGLRenderWindow* window,
 
 std::string CellBuffers::ShaderConstants() const
 {
-  return shaderConstant("useCellScalars", this->UseCellScalars) +
+  return std::string(this->SeparateOpacity && !this->OpacityOnCells ? "#define SECOND_SCALAR\n" : "") +
+    shaderConstant("useCellScalars", this->UseCellScalars) +
     shaderConstant("separateOpacity", this->SeparateOpacity) +
     shaderConstant("opacityOnCells", this->OpacityOnCells);
 }

@@ -15,9 +15,9 @@
 #include "ChessboardTopologyShader.h"
 #include "EntryFacesFragment.h"
 #include "EntryFacesVertex.h"
-#include "FullScreenVertex.h"
 #include "NeighborTopologyShader.h"
 #include "RayCellsFragment.h"
+#include "RayCellsVertex.h"
 #include "RaySegmentsShader.h"
 #include "TetrahedronWalkShader.h"
 
@@ -129,7 +129,7 @@ std::string RayCells::ReadyPrograms(const CellDrawing& drawing)
   this->EntryProgram = cache->ReadyShaderProgram(
     EntryFacesVertex, EntryFacesFragment, "");
   this->SegmentProgram = cache->ReadyShaderProgram(
-    FullScreenVertex, withParts(RayCellsFragment, constants, structured).c_str(), "");
+    RayCellsVertex, withParts(RayCellsFragment, constants, structured).c_str(), "");
   return this->EntryProgram && this->SegmentProgram ? std::string() : "the shaders did not compile";
 }
 
@@ -273,7 +273,6 @@ void RayCells::SetRays(const CellDrawing& drawing, vtkShaderProgram* program)
   float eye[3];
   std::copy(drawing.View.EyeModel, drawing.View.EyeModel + 3, eye);
   program->SetUniform3f("eyeMC", eye);
-  program->SetUniform4f("pixelToDevice", RayGeometry::PixelToDevice(this->Size).data());
 }
 
 void RayCells::SetEye(const EyeTetrahedron& eye, vtkShaderProgram* program)

@@ -51,12 +51,6 @@ public:
     return { { static_cast<float>(center - reach), static_cast<float>(center + reach) } };
   }
 
-  /** From pixels to device coordinates: scale, offset. */
-  static std::array<float, 4> PixelToDevice(const int size[2])
-  {
-    return { { static_cast<float>(2.0 / size[0]), static_cast<float>(2.0 / size[1]), -1.0f, -1.0f } };
-  }
-
 private:
   using Vector = std::array<double, 3>;
 

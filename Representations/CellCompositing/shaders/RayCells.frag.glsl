@@ -15,11 +15,9 @@ uniform sampler2D opaqueDepth; // depth of the opaque geometry, [0, 1]
 uniform mat4 MCVCMatrix;
 uniform vec4 depthToVC; // z in VC = (x + y e) / (z + w e) with e = 1 - depth
 uniform float extinctionScale; // extinction per world length at opacity 1
-// The ray of the pixel at p (device coordinates, [-1, 1]) goes through rayPoint * (1, p), a plane amid the data, in the direction
-// rayDirection * (1, p); all relative to the centre of the data.
-uniform mat3 rayPoint;
-uniform mat3 rayDirection;
-uniform vec4 pixelToDevice; // scale, offset
+// The pixel's ray goes through this point, amid the data, in this direction; relative to the centre of the data.
+noperspective in vec3 rayPointVSOutput;
+noperspective in vec3 rayDirectionVSOutput;
 uniform int maximumSteps;
 uniform int startsAtEye;    // rays start in the tetrahedron that holds the eye, not at a boundary face
 uniform vec3 eyeMC;
@@ -42,21 +40,25 @@ vec2 clear;  // clearRange
 //NEPHOSCOPE::RaySegments
 
 vec3 origin, across1, across2, along;
+vec3 pointStep[2], directionStep[2]; // from pixel to pixel
 
 Seen seen(int point)
 {
   vec4 p = texelFetch(points, point);
   vec3 q = p.xyz - origin;
-  return Seen(vec4(dot(q, across1), dot(q, across2), dot(q, along), p.w),
-    separateOpacity && !opacityOnCells ? texelFetch(opacityScalars, point).r : p.w);
+  vec4 place = vec4(dot(q, across1), dot(q, across2), dot(q, along), p.w);
+#ifdef SECOND_SCALAR
+  return Seen(place, texelFetch(opacityScalars, point).r);
+#else
+  return Seen(place);
+#endif
 }
 
 // `beside`: by how many pixels the ray passes the centre of its pixel.
 void makeRay(vec2 beside)
 {
-  vec3 p = vec3(1.0, (gl_FragCoord.xy + beside) * pixelToDevice.xy + pixelToDevice.zw);
-  origin = rayPoint * p;
-  along = normalize(rayDirection * p);
+  origin = rayPointVSOutput + beside.x * pointStep[0] + beside.y * pointStep[1];
+  along = normalize(rayDirectionVSOutput + beside.x * directionStep[0] + beside.y * directionStep[1]);
   // Any two directions across: Duff et al. 2017
   float s = along.z >= 0.0 ? 1.0 : -1.0;
   float a = -1.0 / (s + along.z);
@@ -96,13 +98,13 @@ int leaveTetrahedron(Seen ahead)
 // Nothing is seen between the face and the vertex ahead.
 bool isClear(Seen ahead)
 {
-  vec4 s = vec4(walkA.second, walkB.second, walkC.second, ahead.second);
+  vec4 s = vec4(opacityScalar(walkA), opacityScalar(walkB), opacityScalar(walkC), opacityScalar(ahead));
   if (separateOpacity ? opacityOnCells : useCellScalars)
   {
     s = vec4(separateOpacity ? texelFetch(opacityScalars, cellNumber()).r : texelFetch(cellScalars, cellNumber()).r);
   }
-  float low = min(min(s.x, s.y), min(s.z, s.w));
-  float high = max(max(s.x, s.y), max(s.z, s.w));
+  float low = lesser(lesser(s.x, s.y), lesser(s.z, s.w));
+  float high = greater(greater(s.x, s.y), greater(s.z, s.w));
   return low >= clear.x && high < clear.y;
 }
 
@@ -186,7 +188,7 @@ void walk(vec2 range)
       }
       int left = leaveTetrahedron(ahead);
       inside = crossFace(face, left, next) && !walkIsLost &&
-        min(walkA.place.z, min(walkB.place.z, walkC.place.z)) < range.y;
+        lesser(walkA.place.z, lesser(walkB.place.z, walkC.place.z)) < range.y;
       if (!inside)
       {
         break;
@@ -209,6 +211,11 @@ void walk(vec2 range)
 
 void main()
 {
+  // Both are linear in the pixel, so that differences to its neighbour are exact; to be taken before pixels part.
+  pointStep[0] = dFdx(rayPointVSOutput);
+  pointStep[1] = dFdy(rayPointVSOutput);
+  directionStep[0] = dFdx(rayDirectionVSOutput);
+  directionStep[1] = dFdy(rayDirectionVSOutput);
   float entry = texelFetch(entryFaces, ivec2(gl_FragCoord.xy), 0).r;
   if (startsAtEye == 0 && entry < 0.0)
   {

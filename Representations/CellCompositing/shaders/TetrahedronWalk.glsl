@@ -5,7 +5,9 @@
 struct Seen
 {
   vec4 place;
+#ifdef SECOND_SCALAR
   float second;
+#endif
 };
 Seen walkA, walkB, walkC;     // the face that the ray is passing
 float walkAB, walkBC, walkCA; // edge functions of its edges
@@ -18,7 +20,30 @@ float edgeFunction(Seen p, Seen q)
 
 Seen choose(bool first, Seen p, Seen q)
 {
+#ifdef SECOND_SCALAR
   return Seen(first ? p.place : q.place, first ? p.second : q.second);
+#else
+  return Seen(first ? p.place : q.place);
+#endif
+}
+
+float opacityScalar(Seen p)
+{
+#ifdef SECOND_SCALAR
+  return p.second;
+#else
+  return p.place.w;
+#endif
+}
+
+// min and max without their care for NaN, which software pays for.
+float lesser(float a, float b)
+{
+  return a < b ? a : b;
+}
+float greater(float a, float b)
+{
+  return a > b ? a : b;
 }
 
 // Returns true if b and c were exchanged.
@@ -41,19 +66,19 @@ int stepWalk(Seen d)
   float ad = edgeFunction(walkA, d);
   float bd = edgeFunction(walkB, d);
   float cd = edgeFunction(walkC, d);
-  float insideABD = min(bd, -ad);
-  float insideADC = min(ad, -cd);
-  float insideDBC = min(cd, -bd);
-  float scale = 1.0e-5 * max(max(abs(ad), abs(bd)), abs(cd));
-  walkIsLost = walkIsLost || walkAB + walkBC + walkCA <= scale || max(insideABD, max(insideADC, insideDBC)) < -scale;
+  float insideABD = lesser(bd, -ad);
+  float insideADC = lesser(ad, -cd);
+  float insideDBC = lesser(cd, -bd);
+  float scale = 1.0e-5 * greater(greater(abs(ad), abs(bd)), abs(cd));
+  walkIsLost = walkIsLost || walkAB + walkBC + walkCA <= scale || greater(insideABD, greater(insideADC, insideDBC)) < -scale;
   bool exitABD = insideABD >= insideADC && insideABD >= insideDBC;
   bool exitADC = !exitABD && insideADC >= insideDBC;
   float ab = exitABD ? walkAB : exitADC ? ad : -bd;
   float bc = exitABD ? bd : exitADC ? -cd : walkBC;
   float ca = exitABD ? -ad : exitADC ? walkCA : cd;
-  walkAB = max(ab, 0.0);
-  walkBC = max(bc, 0.0);
-  walkCA = max(ca, 0.0);
+  walkAB = greater(ab, 0.0);
+  walkBC = greater(bc, 0.0);
+  walkCA = greater(ca, 0.0);
   walkA = choose(exitABD || exitADC, walkA, d);
   walkB = choose(exitADC, d, walkB);
   walkC = choose(exitABD, d, walkC);
@@ -67,5 +92,6 @@ vec3 passFace()
   float sum = weights.x + weights.y + weights.z;
   weights = sum > 0.0 ? weights / sum : vec3(1.0 / 3.0);
   vec2 pass = weights.x * walkA.place.zw + weights.y * walkB.place.zw + weights.z * walkC.place.zw;
-  return vec3(pass, weights.x * walkA.second + weights.y * walkB.second + weights.z * walkC.second);
+  return vec3(pass,
+    weights.x * opacityScalar(walkA) + weights.y * opacityScalar(walkB) + weights.z * opacityScalar(walkC));
 }

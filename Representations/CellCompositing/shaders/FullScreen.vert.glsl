@@ -1,9 +1,0 @@
-//VTK::System::Dec
-// SPDX-FileCopyrightText: The Nephoscope authors
-// SPDX-License-Identifier: BSD-3-Clause
-// One triangle over the whole viewport, without vertex buffers.
-void main()
-{
-  vec2 corner = vec2(gl_VertexID == 1 ? 3.0 : -1.0, gl_VertexID == 2 ? 3.0 : -1.0);
-  gl_Position = vec4(corner, 0.0, 1.0);
-}
