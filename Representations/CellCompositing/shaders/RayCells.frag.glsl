@@ -173,17 +173,20 @@ bool startInEyeTetrahedron(vec2 range)
 // From there to where the ray leaves the mesh, or is lost.
 void walk(vec2 range)
 {
-  // Two loops rather than a test in one: hardware that computes many pixels at once has them wait for each other only where a
-  // segment is to be integrated.
+  // Two loops rather than a test in one: pixels that are computed together wait for each other before a segment is integrated, so that
+  // it is not integrated for a few of them at a time; but not for long.
+  const int stepsAtOnce = 8;
   for (int i = 0; i < maximumSteps; ++i)
   {
     Seen ahead;
     bool inside = true;
-    for (int k = 0; k < maximumSteps; ++k)
+    bool found = false;
+    for (int k = 0; k < stepsAtOnce; ++k)
     {
       ahead = seen(next);
       if (!isClear(ahead))
       {
+        found = true;
         break;
       }
       int left = leaveTetrahedron(ahead);
@@ -197,6 +200,10 @@ void walk(vec2 range)
     if (!inside)
     {
       break;
+    }
+    if (!found)
+    {
+      continue;
     }
     vec3 front = passFace();
     int left = leaveTetrahedron(ahead);
