@@ -27,23 +27,46 @@ struct FaceList
   const Index* End;
 };
 
-// VTK's linear 3-D cells. Neither orientation nor starting vertex of a face matters here.
-constexpr int tetrahedronFaceList[] = { 3, 1, 2, 3, 3, 0, 2, 3, 3, 0, 1, 3, 3, 0, 1, 2 };
+// VTK's linear 3-D cells, every face seen from outside counter-clockwise.
+constexpr int tetrahedronFaceList[] = { 3, 1, 2, 3, 3, 0, 3, 2, 3, 0, 1, 3, 3, 0, 2, 1 };
 constexpr int hexahedronFaceList[] = { 4, 0, 4, 7, 3, 4, 1, 2, 6, 5, 4, 0, 1, 5, 4, 4, 3, 7, 6, 2, 4, 0, 3,
   2, 1, 4, 4, 5, 6, 7 };
-constexpr int voxelFaceList[] = { 4, 0, 2, 6, 4, 4, 1, 3, 7, 5, 4, 0, 1, 5, 4, 4, 2, 3, 7, 6, 4, 0, 1, 3, 2, 4,
+constexpr int voxelFaceList[] = { 4, 0, 4, 6, 2, 4, 1, 3, 7, 5, 4, 0, 1, 5, 4, 4, 2, 6, 7, 3, 4, 0, 2, 3, 1, 4,
   4, 5, 7, 6 };
-constexpr int wedgeFaceList[] = { 3, 0, 1, 2, 3, 3, 4, 5, 4, 0, 1, 4, 3, 4, 1, 2, 5, 4, 4, 2, 0, 3, 5 };
-constexpr int pyramidFaceList[] = { 4, 0, 1, 2, 3, 3, 0, 1, 4, 3, 1, 2, 4, 3, 2, 3, 4, 3, 3, 0, 4 };
-constexpr int pentagonalPrismFaceList[] = { 5, 0, 1, 2, 3, 4, 5, 5, 6, 7, 8, 9, 4, 0, 1, 6, 5, 4, 1, 2, 7, 6, 4,
+constexpr int wedgeFaceList[] = { 3, 0, 1, 2, 3, 3, 5, 4, 4, 0, 3, 4, 1, 4, 1, 4, 5, 2, 4, 2, 5, 3, 0 };
+constexpr int pyramidFaceList[] = { 4, 0, 3, 2, 1, 3, 0, 1, 4, 3, 1, 2, 4, 3, 2, 3, 4, 3, 3, 0, 4 };
+constexpr int pentagonalPrismFaceList[] = { 5, 0, 4, 3, 2, 1, 5, 5, 6, 7, 8, 9, 4, 0, 1, 6, 5, 4, 1, 2, 7, 6, 4,
   2, 3, 8, 7, 4, 3, 4, 9, 8, 4, 4, 0, 5, 9 };
-constexpr int hexagonalPrismFaceList[] = { 6, 0, 1, 2, 3, 4, 5, 6, 6, 7, 8, 9, 10, 11, 4, 0, 1, 7, 6, 4, 1, 2, 8,
+constexpr int hexagonalPrismFaceList[] = { 6, 0, 5, 4, 3, 2, 1, 6, 6, 7, 8, 9, 10, 11, 4, 0, 1, 7, 6, 4, 1, 2, 8,
   7, 4, 2, 3, 9, 8, 4, 3, 4, 10, 9, 4, 4, 5, 11, 10, 4, 5, 0, 6, 11 };
 
 template <std::size_t N>
 constexpr FaceList<int> makeFaceList(const int (&faces)[N])
 {
   return { faces, faces + N };
+}
+
+/**
+ * Calls emit(a, b, c) for each triangle of the faces, each cut as a fan from its least vertex; they turn as their faces do.
+ * `skips(face begin, face end)` leaves faces out.
+ */
+template <typename Index, typename Less, typename Skips, typename Emit>
+void triangulateFaces(FaceList<Index> faces, Less less, Skips skips, Emit emit)
+{
+  for (const Index* face = faces.Begin; face != faces.End; face += *face + 1)
+  {
+    const Index* vertices = face + 1;
+    const Index size = *face;
+    if (skips(vertices, vertices + size))
+    {
+      continue;
+    }
+    const Index first = static_cast<Index>(std::min_element(vertices, vertices + size, less) - vertices);
+    for (Index k = 1; k + 1 < size; ++k)
+    {
+      emit(vertices[first], vertices[(first + k) % size], vertices[(first + k + 1) % size]);
+    }
+  }
 }
 
 /**
@@ -62,21 +85,9 @@ void decomposeCell(FaceList<Index> faces, Less less, Emit emit)
     const Index least = *std::min_element(face + 1, face + 1 + *face, less);
     apex = less(least, apex) ? least : apex;
   }
-  for (const Index* face = faces.Begin; face != faces.End; face += *face + 1)
-  {
-    const Index* vertices = face + 1;
-    const Index size = *face;
-    if (std::find(vertices, vertices + size, apex) != vertices + size)
-    {
-      continue;
-    }
-    const Index first = static_cast<Index>(std::min_element(vertices, vertices + size, less) - vertices);
-    for (Index k = 1; k + 1 < size; ++k)
-    {
-      emit(std::array<Index, 4>{ { apex, vertices[first], vertices[(first + k) % size],
-        vertices[(first + k + 1) % size] } });
-    }
-  }
+  triangulateFaces(
+    faces, less, [apex](const Index* begin, const Index* end) { return std::find(begin, end, apex) != end; },
+    [&emit, apex](Index a, Index b, Index c) { emit(std::array<Index, 4>{ { apex, a, b, c } }); });
 }
 
 } // namespace nephoscope

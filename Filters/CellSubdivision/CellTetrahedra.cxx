@@ -1,0 +1,292 @@
+// SPDX-FileCopyrightText: The Nephoscope authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "CellTetrahedra.h"
+
+#include "LinearCellFaces.h"
+
+#include "vtkDataSetAttributes.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <tuple>
+
+namespace nephoscope
+{
+namespace
+{
+// A part smaller than this share of the cell is a sign that the apex lies in the plane of a face.
+constexpr double leastShare = 1e-6;
+// Two ways to divide a convex cell have the same volume up to this.
+constexpr double roundingShare = 1e-9;
+
+struct Volumes
+{
+  double Sum = 0;
+  double Absolute = 0;
+  double Least = 0; // absolute
+  bool OneSign = true;
+};
+
+Volumes Measure(const std::vector<CellTetrahedra::Tetrahedron>& parts)
+{
+  Volumes result;
+  for (const auto& part : parts)
+  {
+    const double size = std::abs(part.Volume);
+    result.Least = result.Absolute == 0 ? size : std::min(result.Least, size);
+    result.Sum += part.Volume;
+    result.Absolute += size;
+  }
+  result.OneSign = std::abs(result.Sum) >= (1 - roundingShare) * result.Absolute;
+  return result;
+}
+}
+
+CellTetrahedra::CellTetrahedra(vtkDataSet* data)
+  : Data(data)
+  , Grid(vtkUnstructuredGrid::SafeDownCast(data))
+  , CellGhosts(data->GetCellGhostArray())
+  , PointGhosts(data->GetPointGhostArray())
+{
+  this->Dimensions.fill(-1);
+}
+
+CellTetrahedra::Kind CellTetrahedra::Load(vtkIdType cell)
+{
+  this->Cell = cell;
+  this->CellType = this->Data->GetCellType(cell);
+  if (this->CellType == VTK_EMPTY_CELL)
+  {
+    return Kind::Hidden;
+  }
+  this->Data->GetCellPoints(cell, this->PointIds);
+  if (this->IsHidden())
+  {
+    return Kind::Hidden;
+  }
+  return this->DimensionOf(this->CellType) == 3 ? Kind::Solid : Kind::Flat;
+}
+
+bool CellTetrahedra::IsHidden() const
+{
+  constexpr unsigned char hidden = vtkDataSetAttributes::HIDDENCELL | vtkDataSetAttributes::REFINEDCELL;
+  if (this->CellGhosts && (this->CellGhosts->GetValue(this->Cell) & hidden))
+  {
+    return true;
+  }
+  const vtkIdType* ids = this->PointIds->GetPointer(0);
+  return this->PointGhosts && std::any_of(ids, ids + this->PointIds->GetNumberOfIds(), [this](vtkIdType id) {
+    return (this->PointGhosts->GetValue(id) & vtkDataSetAttributes::HIDDENPOINT) != 0;
+  });
+}
+
+int CellTetrahedra::DimensionOf(int cellType)
+{
+  signed char& dimension = this->Dimensions[static_cast<std::size_t>(cellType & 255)];
+  if (dimension < 0)
+  {
+    this->AnyCell->SetCellType(cellType);
+    dimension = static_cast<signed char>(this->AnyCell->GetCellDimension());
+  }
+  return dimension;
+}
+
+void CellTetrahedra::Locate()
+{
+  this->Places.resize(static_cast<std::size_t>(this->Size()));
+  for (int i = 0; i < this->Size(); ++i)
+  {
+    this->Data->GetPoint(this->Point(i), this->Places[i].data());
+  }
+}
+
+double CellTetrahedra::ShortestDistance() const
+{
+  double least = 0;
+  for (int i = 0; i < this->Size(); ++i)
+  {
+    for (int j = 0; j < i; ++j)
+    {
+      const double distance = std::hypot(this->Places[i][0] - this->Places[j][0],
+        this->Places[i][1] - this->Places[j][1], this->Places[i][2] - this->Places[j][2]);
+      least = distance > 0 && (least == 0 || distance < least) ? distance : least;
+    }
+  }
+  return least;
+}
+
+double CellTetrahedra::Volume(const Place& a, const Place& b, const Place& c, const Place& d)
+{
+  const double u[3] = { b[0] - a[0], b[1] - a[1], b[2] - a[2] };
+  const double v[3] = { c[0] - a[0], c[1] - a[1], c[2] - a[2] };
+  const double w[3] = { d[0] - a[0], d[1] - a[1], d[2] - a[2] };
+  return w[0] * (u[1] * v[2] - u[2] * v[1]) + w[1] * (u[2] * v[0] - u[0] * v[2]) +
+    w[2] * (u[0] * v[1] - u[1] * v[0]);
+}
+
+bool CellTetrahedra::Divide()
+{
+  this->Locate();
+  this->Parts.clear();
+  this->CentreVertex = -1;
+  if (this->CellType == VTK_TETRA)
+  {
+    this->Parts.push_back({ { { 0, 1, 2, 3 } },
+      Volume(this->Places[0], this->Places[1], this->Places[2], this->Places[3]) });
+    return true;
+  }
+  this->ReadFaces();
+  return this->FaceStream.empty() ? this->DivideByVTK() : this->DivideLinear();
+}
+
+void CellTetrahedra::ReadFaces()
+{
+  this->FaceStream.clear();
+  const FaceList<int> faces = linearCellFaces(this->CellType);
+  if (faces.Begin)
+  {
+    this->FaceStream.assign(faces.Begin, faces.End);
+  }
+  else if (this->CellType == VTK_POLYHEDRON && this->Grid)
+  {
+    this->ReadPolyhedronFaces();
+  }
+  if (!this->FaceStream.empty())
+  {
+    this->RankVertices();
+    this->MergeRepeatedVertices();
+  }
+}
+
+void CellTetrahedra::ReadPolyhedronFaces()
+{
+  this->Grid->GetFaceStream(this->Cell, this->Stream); // number of faces, then size, points, size, points, ...
+  const vtkIdType* ids = this->PointIds->GetPointer(0);
+  const vtkIdType* end = ids + this->Size();
+  const vtkIdType length = this->Stream->GetNumberOfIds();
+  for (vtkIdType i = 1; i < length;)
+  {
+    const vtkIdType size = this->Stream->GetId(i++);
+    this->FaceStream.push_back(static_cast<int>(size));
+    for (vtkIdType k = 0; k < size; ++k, ++i)
+    {
+      this->FaceStream.push_back(static_cast<int>(std::find(ids, end, this->Stream->GetId(i)) - ids));
+    }
+  }
+}
+
+void CellTetrahedra::RankVertices()
+{
+  const std::size_t size = this->Places.size();
+  this->Order.resize(size);
+  this->Ranks.resize(size);
+  this->Representatives.resize(size);
+  std::iota(this->Order.begin(), this->Order.end(), 0);
+  std::sort(this->Order.begin(), this->Order.end(), [this](int a, int b) {
+    return this->Places[a] != this->Places[b] ? this->Places[a] < this->Places[b] : this->Point(a) < this->Point(b);
+  });
+  for (std::size_t r = 0; r < size; ++r)
+  {
+    const int vertex = this->Order[r];
+    const bool repeats = r > 0 && this->Places[this->Order[r - 1]] == this->Places[vertex];
+    this->Ranks[vertex] = static_cast<int>(r);
+    this->Representatives[vertex] = repeats ? this->Representatives[this->Order[r - 1]] : vertex;
+  }
+}
+
+// Where a row of a grid shrinks to a pole, vertices of a cell coincide. They become one.
+void CellTetrahedra::MergeRepeatedVertices()
+{
+  bool repeats = false;
+  for (int i = 0; i < this->Size(); ++i)
+  {
+    repeats = repeats || this->Representatives[i] != i;
+  }
+  if (!repeats)
+  {
+    return;
+  }
+  std::size_t to = 0;
+  for (std::size_t from = 0; from < this->FaceStream.size();)
+  {
+    const int size = this->FaceStream[from++];
+    const std::size_t start = to++;
+    for (int k = 0; k < size; ++k, ++from)
+    {
+      const int vertex = this->Representatives[this->FaceStream[from]];
+      const auto begin = this->FaceStream.begin() + static_cast<std::ptrdiff_t>(start) + 1;
+      const auto end = this->FaceStream.begin() + static_cast<std::ptrdiff_t>(to);
+      if (std::find(begin, end, vertex) == end)
+      {
+        this->FaceStream[to++] = vertex;
+      }
+    }
+    this->FaceStream[start] = static_cast<int>(to - start) - 1;
+  }
+  this->FaceStream.resize(to);
+}
+
+CellTetrahedra::Place CellTetrahedra::Mean() const
+{
+  Place sum = { { 0, 0, 0 } };
+  for (int vertex : this->Order) // an order that does not depend on numbering
+  {
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      sum[axis] += this->Places[vertex][axis] / this->Size();
+    }
+  }
+  return sum;
+}
+
+void CellTetrahedra::ConeFrom(int apex)
+{
+  this->Parts.clear();
+  triangulateFaces(
+    this->Faces(), [this](int a, int b) { return this->Ranks[a] < this->Ranks[b]; },
+    [apex](const int* begin, const int* end) { return std::find(begin, end, apex) != end; },
+    [&](int a, int b, int c) {
+      this->Parts.push_back({ { { apex, a, b, c } },
+        Volume(this->Places[apex], this->Places[a], this->Places[b], this->Places[c]) });
+    });
+}
+
+bool CellTetrahedra::DivideLinear()
+{
+  this->ConeFrom(this->Order.front());
+  const Volumes corner = Measure(this->Parts);
+  if ((corner.OneSign && corner.Least > leastShare * corner.Absolute) || corner.Absolute == 0)
+  {
+    return true;
+  }
+  this->CentreVertex = this->Size();
+  this->Places.push_back(this->Mean());
+  this->ConeFrom(this->CentreVertex);
+  const Volumes centre = Measure(this->Parts);
+  // Faces that do not all turn outward give both signs in a convex cell too, yet one volume.
+  return centre.OneSign || std::abs(centre.Absolute - corner.Absolute) <= roundingShare * centre.Absolute;
+}
+
+// Higher-order and other 3-D cells: as VTK triangulates them.
+bool CellTetrahedra::DivideByVTK()
+{
+  this->Data->GetCell(this->Cell, this->AnyCell);
+  const bool divided = this->AnyCell->Triangulate(0, this->Stream, this->TrianglePoints) != 0;
+  const vtkIdType* ids = this->PointIds->GetPointer(0);
+  const vtkIdType* end = ids + this->Size();
+  for (vtkIdType i = 0; divided && i + 3 < this->Stream->GetNumberOfIds(); i += 4)
+  {
+    Tetrahedron part;
+    for (int k = 0; k < 4; ++k)
+    {
+      part.Vertices[k] = static_cast<int>(std::find(ids, end, this->Stream->GetId(i + k)) - ids);
+    }
+    const auto& v = part.Vertices;
+    part.Volume = Volume(this->Places[v[0]], this->Places[v[1]], this->Places[v[2]], this->Places[v[3]]);
+    this->Parts.push_back(part);
+  }
+  return divided;
+}
+
+} // namespace nephoscope
