@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <numeric>
 #include <tuple>
 
@@ -129,6 +130,7 @@ bool CellTetrahedra::Divide()
 {
   this->Locate();
   this->Parts.clear();
+  this->FaceStream.clear();
   this->CentreVertex = -1;
   if (this->CellType == VTK_TETRA)
   {
@@ -193,6 +195,19 @@ void CellTetrahedra::RankVertices()
     this->Ranks[vertex] = static_cast<int>(r);
     this->Representatives[vertex] = repeats ? this->Representatives[this->Order[r - 1]] : vertex;
   }
+}
+
+FaceKey CellTetrahedra::KeyOf(const int* begin, const int* end) const
+{
+  FaceKey key = { { -1, -1, -1, -1 } };
+  if (end - begin >= static_cast<std::ptrdiff_t>(key.size()))
+  {
+    std::vector<vtkIdType> points;
+    std::transform(begin, end, std::back_inserter(points), [this](int vertex) { return this->Point(vertex); });
+    std::sort(points.begin(), points.end());
+    std::copy_n(points.begin(), key.size(), key.begin());
+  }
+  return key;
 }
 
 // Where a row of a grid shrinks to a pole, vertices of a cell coincide. They become one.

@@ -26,6 +26,9 @@
 namespace nephoscope
 {
 
+/** A face with four vertices or more, by the least four of its points. */
+using FaceKey = std::array<vtkIdType, 4>;
+
 class CellTetrahedra
 {
 public:
@@ -84,6 +87,37 @@ public:
         outward ? emit(a, c, b) : emit(a, b, c);
       });
   }
+
+  /** Calls visit(first vertex, past the last) for each face of a linear cell or polyhedron. */
+  template <typename Visit>
+  void ForEachFace(Visit visit)
+  {
+    this->Locate();
+    this->ReadFaces();
+    this->VisitFaces(visit);
+  }
+  /** The same of a cell that has been divided. */
+  template <typename Visit>
+  void VisitFaces(Visit visit) const
+  {
+    for (std::size_t i = 0; i < this->FaceStream.size(); i += static_cast<std::size_t>(this->FaceStream[i]) + 1)
+    {
+      const int* face = this->FaceStream.data() + i;
+      visit(face + 1, face + 1 + *face);
+    }
+  }
+
+  /** Calls emit(a, b, c) for the triangles of a face that ForEachFace visits. */
+  template <typename Emit>
+  void EmitFan(const int* begin, const int* end, Emit emit) const
+  {
+    triangulateFaces(
+      FaceList<int>{ begin - 1, end }, [this](int a, int b) { return this->Ranks[a] < this->Ranks[b]; },
+      [](const int*, const int*) { return false; }, emit);
+  }
+
+  /** All -1 for a triangle. */
+  FaceKey KeyOf(const int* begin, const int* end) const;
 
 private:
   static double Volume(const Place& a, const Place& b, const Place& c, const Place& d);

@@ -22,6 +22,24 @@
 
 namespace nephoscope
 {
+namespace
+{
+// One cell's faces, as vtkUnstructuredGrid::InsertNextCell takes them.
+void CopyFaces(const std::vector<vtkIdType>& streams, vtkIdType first, vtkIdList* faces)
+{
+  auto at = static_cast<std::size_t>(first);
+  faces->Reset();
+  vtkIdType left = streams[at];
+  faces->InsertNextId(streams[at++]);
+  for (; left > 0; --left)
+  {
+    for (vtkIdType size = streams[at]; size >= 0; --size)
+    {
+      faces->InsertNextId(streams[at++]);
+    }
+  }
+}
+}
 
 SplitAssembly::SplitAssembly(vtkDataSet* input, const ContourLevels& levels, std::vector<SplitBatch>& batches,
   const CutNumbering& cuts, const SplitPoints& points)
@@ -32,19 +50,20 @@ SplitAssembly::SplitAssembly(vtkDataSet* input, const ContourLevels& levels, std
 {
   for (std::size_t b = 0; b < batches.size(); ++b)
   {
-    this->AddPart(batches[b].Volume, &cuts.Numbers[b], false);
+    this->AddPart(batches[b].Volume, &batches[b], &cuts.Numbers[b]);
   }
   for (std::size_t b = 0; b < batches.size(); ++b)
   {
-    this->AddPart(batches[b].Surface, &cuts.Numbers[b], true);
+    this->AddPart(batches[b].Surface, nullptr, &cuts.Numbers[b]);
   }
   this->CollectFacesOnLevels(batches);
-  this->AddPart(this->FacesOnLevels, nullptr, true);
+  this->AddPart(this->FacesOnLevels, nullptr, nullptr);
 }
 
-void SplitAssembly::AddPart(const SplitCells& cells, const std::vector<vtkIdType>* cutNumbers, bool isSurface)
+void SplitAssembly::AddPart(
+  const SplitCells& cells, const SplitBatch* batch, const std::vector<vtkIdType>* cutNumbers)
 {
-  this->Parts.push_back({ &cells, cutNumbers, isSurface, this->NumberOfCells, this->NumberOfCorners });
+  this->Parts.push_back({ &cells, batch, cutNumbers, this->NumberOfCells, this->NumberOfCorners });
   this->NumberOfCells += static_cast<vtkIdType>(cells.Size());
   this->NumberOfCorners += static_cast<vtkIdType>(cells.Corners.size());
 }
@@ -135,32 +154,46 @@ void SplitAssembly::AddCellArrays(vtkUnstructuredGrid* output) const
 // Polyhedra have faces besides points.
 void SplitAssembly::InsertOneByOne(vtkUnstructuredGrid* output) const
 {
-  auto* source = vtkUnstructuredGrid::SafeDownCast(this->Input);
   output->AllocateEstimate(this->NumberOfCells, 6);
-  vtkNew<vtkIdList> faces;
-  std::vector<vtkIdType> corners;
   for (const Part& part : this->Parts)
   {
-    const SplitCells& cells = *part.Cells;
-    vtkIdType begin = 0;
-    for (std::size_t i = 0; i < cells.Size(); ++i)
+    this->InsertPart(part, output);
+  }
+}
+
+void SplitAssembly::InsertPart(const Part& part, vtkUnstructuredGrid* output) const
+{
+  auto* source = vtkUnstructuredGrid::SafeDownCast(this->Input);
+  vtkNew<vtkIdList> faces;
+  std::vector<vtkIdType> corners;
+  const SplitCells& cells = *part.Cells;
+  std::size_t transition = 0; // the next one
+  vtkIdType begin = 0;
+  for (std::size_t i = 0; i < cells.Size(); ++i)
+  {
+    if (cells.Types[i] != VTK_POLYHEDRON)
     {
-      if (cells.Types[i] == VTK_POLYHEDRON && source)
+      corners.clear();
+      for (vtkIdType k = begin; k < cells.Ends[i]; ++k)
       {
-        source->GetFaceStream(cells.Sources[i], faces);
-        output->InsertNextCell(VTK_POLYHEDRON, faces);
+        corners.push_back(this->PointOf(cells.Corners[static_cast<std::size_t>(k)], part));
+      }
+      output->InsertNextCell(cells.Types[i], static_cast<vtkIdType>(corners.size()), corners.data());
+    }
+    else
+    {
+      const auto& transitions = part.Batch->Transitions;
+      if (transition < transitions.size() && transitions[transition].Piece == static_cast<vtkIdType>(i))
+      {
+        CopyFaces(part.Batch->FaceStreams, transitions[transition++].FirstFace, faces);
       }
       else
       {
-        corners.clear();
-        for (vtkIdType k = begin; k < cells.Ends[i]; ++k)
-        {
-          corners.push_back(this->PointOf(cells.Corners[static_cast<std::size_t>(k)], part));
-        }
-        output->InsertNextCell(cells.Types[i], static_cast<vtkIdType>(corners.size()), corners.data());
+        source->GetFaceStream(cells.Sources[i], faces);
       }
-      begin = cells.Ends[i];
+      output->InsertNextCell(VTK_POLYHEDRON, faces);
     }
+    begin = cells.Ends[i];
   }
 }
 
@@ -213,7 +246,7 @@ void SplitAssembly::AddLayers(vtkUnstructuredGrid* output) const
     {
       const int layer = part.Cells->Layers[i]; // a polygon on the value number k has k values below it
       layers->SetValue(part.FirstCell + static_cast<vtkIdType>(i), layer);
-      contours->SetValue(part.FirstCell + static_cast<vtkIdType>(i), part.IsSurface ? this->Levels.Index(layer) : -1);
+      contours->SetValue(part.FirstCell + static_cast<vtkIdType>(i), part.Batch ? -1 : this->Levels.Index(layer));
     }
   });
   output->GetCellData()->AddArray(layers);

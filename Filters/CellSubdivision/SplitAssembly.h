@@ -32,18 +32,19 @@ private:
   struct Part
   {
     const SplitCells* Cells;
+    const SplitBatch* Batch;                  // of 3-D cells; else null
     const std::vector<vtkIdType>* CutNumbers; // null: there are none
-    bool IsSurface;
     vtkIdType FirstCell;
     vtkIdType FirstCorner;
   };
 
   void CollectFacesOnLevels(const std::vector<SplitBatch>& batches);
-  void AddPart(const SplitCells& cells, const std::vector<vtkIdType>* cutNumbers, bool isSurface);
+  void AddPart(const SplitCells& cells, const SplitBatch* batch, const std::vector<vtkIdType>* cutNumbers);
   vtkIdType PointOf(vtkIdType corner, const Part& part) const;
   bool HasPolyhedra() const;
   void AddCellArrays(vtkUnstructuredGrid* output) const;
   void InsertOneByOne(vtkUnstructuredGrid* output) const;
+  void InsertPart(const Part& part, vtkUnstructuredGrid* output) const;
   template <typename Function>
   void ForEachPart(Function&& function) const;
 

@@ -26,10 +26,10 @@ void AddPiece(SplitCells& cells, const Piece<vtkIdType>& piece, vtkIdType source
 }
 }
 
-CellSplitter::CellSplitter(vtkDataSet* data, const ContourScalars& scalars, bool withSurfaces)
+CellSplitter::CellSplitter(vtkDataSet* data, const ContourScalars& scalars, const Settings& settings)
   : NumberOfPoints(data->GetNumberOfPoints())
   , Scalars(scalars)
-  , WithSurfaces(withSurfaces)
+  , With(settings)
   , Cell(data)
 {
 }
@@ -74,7 +74,7 @@ void CellSplitter::AddCell(vtkIdType cell)
   else
   {
     this->AddWhole(highestLayer(largest));
-    if (this->WithSurfaces && (least & 1) != 0 && largest > least)
+    if (this->With.Surfaces && (least & 1) != 0 && largest > least)
     {
       this->AddFacesOnLevel(least);
     }
@@ -116,6 +116,10 @@ void CellSplitter::AddDivided()
   if (this->Cell.IsHigherOrder())
   {
     this->Batch.NotLinear.Add(this->CellNumber);
+  }
+  if (this->With.Transitions)
+  {
+    this->CollectDividedFaces();
   }
   if (this->Cell.Centre() >= 0)
   {
@@ -172,7 +176,7 @@ void CellSplitter::AddTetrahedron(const CellTetrahedra::Tetrahedron& part)
     corners[i] = this->Corners[v[i]];
     codes[i] = this->Codes[v[i]];
   }
-  if (this->WithSurfaces && (codes[0] & 1) != 0 && codes[2] == codes[0] && codes[3] > codes[0])
+  if (this->With.Surfaces && (codes[0] & 1) != 0 && codes[2] == codes[0] && codes[3] > codes[0])
   {
     const vtkIdType second = corners[mirrored ? 2 : 1];
     const vtkIdType third = corners[mirrored ? 1 : 2];
@@ -186,7 +190,7 @@ void CellSplitter::AddTetrahedron(const CellTetrahedra::Tetrahedron& part)
   splitter.Split(
     [&](const Piece<vtkIdType>& piece, int layer) { AddPiece(this->Batch.Volume, piece, this->CellNumber, layer); },
     [&](const Piece<vtkIdType>& polygon, int level) {
-      if (this->WithSurfaces)
+      if (this->With.Surfaces)
       {
         AddPiece(this->Batch.Surface, polygon, this->CellNumber, level);
       }
@@ -198,6 +202,22 @@ void CellSplitter::AddFaceOnLevel(const std::array<vtkIdType, 3>& corners, int l
   FaceOnLevel face{ corners, corners, this->CellNumber, level };
   std::sort(face.Key.begin(), face.Key.end());
   this->Batch.FacesOnLevels.push_back(face);
+}
+
+void CellSplitter::CollectDividedFaces()
+{
+  this->Cell.VisitFaces([this](const int* begin, const int* end) {
+    const auto order = [this](int a, int b) { return this->Codes[a] < this->Codes[b]; };
+    if (end - begin < 4)
+    {
+      return;
+    }
+    const auto codes = std::minmax_element(begin, end, order);
+    if (!isCrossed(this->Codes[*codes.first], this->Codes[*codes.second]))
+    {
+      this->Batch.DividedFaces.push_back(this->Cell.KeyOf(begin, end));
+    }
+  });
 }
 
 // The cell lies above the value and has a face on it.

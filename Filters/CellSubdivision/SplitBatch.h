@@ -78,6 +78,13 @@ struct CellCount
   }
 };
 
+/** A whole cell that has become a polyhedron: its place among the 3-D cells, and where its faces begin. */
+struct Transition
+{
+  vtkIdType Piece;
+  vtkIdType FirstFace;
+};
+
 struct SplitBatch
 {
   SplitCells Volume;
@@ -85,6 +92,9 @@ struct SplitBatch
   std::vector<FaceOnLevel> FacesOnLevels;
   std::vector<CellCentre> Centres;
   std::vector<PointCut> Cuts;
+  std::vector<FaceKey> DividedFaces;   // that no value crosses, so that the neighbour may be whole
+  std::vector<Transition> Transitions; // in the order of pieces
+  std::vector<vtkIdType> FaceStreams;  // of these: number of faces, then size, points, size, points, ...
   CellCount Missing;   // a scalar is not a number
   CellCount Flat;      // not three-dimensional
   CellCount NotConvex; // and divided
@@ -95,7 +105,12 @@ struct SplitBatch
 class CellSplitter
 {
 public:
-  CellSplitter(vtkDataSet* data, const ContourScalars& scalars, bool withSurfaces);
+  struct Settings
+  {
+    bool Surfaces;
+    bool Transitions; ///< collect the faces that TransitionCells wants
+  };
+  CellSplitter(vtkDataSet* data, const ContourScalars& scalars, const Settings& settings);
 
   SplitBatch Split(vtkIdType begin, vtkIdType end);
 
@@ -106,12 +121,13 @@ private:
   void AddTetrahedron(const CellTetrahedra::Tetrahedron& part);
   void AddFaceOnLevel(const std::array<vtkIdType, 3>& corners, int level);
   void AddFacesOnLevel(int code);
+  void CollectDividedFaces();
   void ReadCodes();
   void PlaceCentre();
 
   vtkIdType NumberOfPoints;
   const ContourScalars& Scalars;
-  bool WithSurfaces;
+  Settings With;
   CellTetrahedra Cell;
   vtkIdType CellNumber = -1;
   std::vector<vtkIdType> Corners; // of the present cell and its centre

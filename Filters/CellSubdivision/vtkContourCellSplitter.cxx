@@ -7,6 +7,7 @@
 #include "SplitAssembly.h"
 #include "SplitBatch.h"
 #include "SplitPoints.h"
+#include "TransitionCells.h"
 
 #include "vtkBitArray.h"
 #include "vtkCellData.h"
@@ -187,7 +188,7 @@ bool vtkContourCellSplitter::SplitCells(
   for (vtkIdType first = 0; first < count; first += step)
   {
     vtkSMPTools::For(first, std::min(first + step, count), 1, [&](vtkIdType begin, vtkIdType end) {
-      nephoscope::CellSplitter splitter(input, scalars, this->GenerateSurfaces);
+      nephoscope::CellSplitter splitter(input, scalars, { this->GenerateSurfaces, this->PolyhedralTransitions });
       for (vtkIdType b = begin; b < end; ++b)
       {
         batches[static_cast<std::size_t>(b)] =
@@ -206,6 +207,10 @@ bool vtkContourCellSplitter::SplitCells(
 void vtkContourCellSplitter::Assemble(vtkDataSet* input, vtkDataArray* array,
   const nephoscope::ContourScalars& scalars, std::vector<nephoscope::SplitBatch>& batches, vtkUnstructuredGrid* output)
 {
+  if (this->PolyhedralTransitions)
+  {
+    nephoscope::TransitionCells(input, batches).Convert(batches);
+  }
   const nephoscope::CutNumbering cuts(batches, input->GetNumberOfPoints());
   const nephoscope::SplitPoints splitPoints(input, array, scalars, batches, cuts.Cuts);
   vtkNew<vtkPoints> points;
@@ -268,6 +273,7 @@ void vtkContourCellSplitter::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "GenerateSurfaces: " << this->GenerateSurfaces << "\n"
+     << indent << "PolyhedralTransitions: " << this->PolyhedralTransitions << "\n"
      << indent << "OutputPointsPrecision: " << this->OutputPointsPrecision << "\n"
      << indent << "ContourValues:\n";
   this->ContourValues->PrintSelf(os, indent.GetNextIndent());

@@ -23,7 +23,7 @@
  *
  * Two divided cells fit face to face, side to side. A cell left whole that has a quadrilateral in common with a divided one
  * has the two triangles of step 2 beside it: no point lies on an edge between, and where the four vertices are not in one plane, the
- * two triangles are what the face is meant to be. vtkCellCompositingMapper draws it so.
+ * two triangles are what the face is meant to be. vtkCellCompositingMapper draws it so. PolyhedralTransitions writes it so.
  *
  * Points 0 to n-1 of the output are those of the input. The cuts follow: exactly one for an edge and a value, and the scalar there is
  * exactly the value. A scalar array of whole numbers becomes double, and values are rounded to float for a float array. Other point
@@ -111,6 +111,17 @@ public:
 
   ///@{
   /**
+   * Off (default): every cell that no value crosses keeps its type. On: those of them that share a polygon with a divided cell become
+   * polyhedra (VTK_POLYHEDRON) of the same points, with the two or more triangles of that polygon as faces. Then every face is
+   * the face of two cells or of the boundary, even where four vertices are not in one plane. Costs an additional look at the faces.
+   */
+  vtkSetMacro(PolyhedralTransitions, bool);
+  vtkGetMacro(PolyhedralTransitions, bool);
+  vtkBooleanMacro(PolyhedralTransitions, bool);
+  ///@}
+
+  ///@{
+  /**
    * Coordinates of the output: vtkAlgorithm::DOUBLE_PRECISION (default), SINGLE_PRECISION, or DEFAULT_PRECISION, which is that of the
    * input's points (image data and rectilinear grids: double). The volume is conserved to rounding with double only; with
    * single precision thin pieces can be turned inside out by it.
@@ -143,6 +154,7 @@ private:
 
   vtkNew<vtkContourValues> ContourValues;
   bool GenerateSurfaces = true;
+  bool PolyhedralTransitions = false;
   int OutputPointsPrecision = DOUBLE_PRECISION;
 };
 
