@@ -47,29 +47,6 @@ constexpr FaceList<int> makeFaceList(const int (&faces)[N])
 }
 
 /**
- * Calls emit(a, b, c) for each triangle of the faces, each cut as a fan from its least vertex; they turn as their faces do.
- * `skips(face begin, face end)` leaves faces out.
- */
-template <typename Index, typename Less, typename Skips, typename Emit>
-void triangulateFaces(FaceList<Index> faces, Less less, Skips skips, Emit emit)
-{
-  for (const Index* face = faces.Begin; face != faces.End; face += *face + 1)
-  {
-    const Index* vertices = face + 1;
-    const Index size = *face;
-    if (skips(vertices, vertices + size))
-    {
-      continue;
-    }
-    const Index first = static_cast<Index>(std::min_element(vertices, vertices + size, less) - vertices);
-    for (Index k = 1; k + 1 < size; ++k)
-    {
-      emit(vertices[first], vertices[(first + k) % size], vertices[(first + k + 1) % size]);
-    }
-  }
-}
-
-/**
  * Calls emit({a, b, c, d}) for each tetrahedron of a convex cell. `less` orders the vertices that `faces` names.
  */
 template <typename Index, typename Less, typename Emit>
@@ -85,9 +62,21 @@ void decomposeCell(FaceList<Index> faces, Less less, Emit emit)
     const Index least = *std::min_element(face + 1, face + 1 + *face, less);
     apex = less(least, apex) ? least : apex;
   }
-  triangulateFaces(
-    faces, less, [apex](const Index* begin, const Index* end) { return std::find(begin, end, apex) != end; },
-    [&emit, apex](Index a, Index b, Index c) { emit(std::array<Index, 4>{ { apex, a, b, c } }); });
+  for (const Index* face = faces.Begin; face != faces.End; face += *face + 1)
+  {
+    const Index* vertices = face + 1;
+    const Index size = *face;
+    if (std::find(vertices, vertices + size, apex) != vertices + size)
+    {
+      continue;
+    }
+    const Index first = static_cast<Index>(std::min_element(vertices, vertices + size, less) - vertices);
+    for (Index k = 1; k + 1 < size; ++k)
+    {
+      emit(std::array<Index, 4>{ { apex, vertices[first], vertices[(first + k) % size],
+        vertices[(first + k + 1) % size] } });
+    }
+  }
 }
 
 } // namespace nephoscope

@@ -20,6 +20,13 @@ namespace
 constexpr double leastShare = 1e-6;
 // Two ways to divide a convex cell have the same volume up to this.
 constexpr double roundingShare = 1e-9;
+// Sine of the least angle of a triangle that is not flat.
+constexpr double flatAngle = 1e-8;
+
+double Square(const double v[3])
+{
+  return v[0] * v[0] + v[1] * v[1] + v[2] * v[2];
+}
 
 struct Volumes
 {
@@ -158,6 +165,7 @@ void CellTetrahedra::ReadFaces()
   {
     this->RankVertices();
     this->MergeRepeatedVertices();
+    this->TurnFaces();
   }
 }
 
@@ -255,23 +263,80 @@ CellTetrahedra::Place CellTetrahedra::Mean() const
   return sum;
 }
 
-void CellTetrahedra::ConeFrom(int apex)
+// Each face begins with the vertex of its fan.
+void CellTetrahedra::TurnFaces()
+{
+  const auto less = [this](int a, int b) { return this->Ranks[a] < this->Ranks[b]; };
+  for (std::size_t i = 0; i < this->FaceStream.size(); i += static_cast<std::size_t>(this->FaceStream[i]) + 1)
+  {
+    int* begin = this->FaceStream.data() + i + 1;
+    int* end = begin + this->FaceStream[i];
+    std::rotate(begin, std::min_element(begin, end, less), end);
+    if (this->HasFlatTriangle(begin, end))
+    {
+      this->TurnToFullFan(begin, end);
+    }
+  }
+}
+
+// Vertices lie on one line. If all fans have a flat triangle, the face keeps that of its least vertex, which comes first.
+void CellTetrahedra::TurnToFullFan(int* begin, int* end) const
+{
+  std::vector<int> byRank(begin, end);
+  std::sort(byRank.begin(), byRank.end(), [this](int a, int b) { return this->Ranks[a] < this->Ranks[b]; });
+  for (int vertex : byRank)
+  {
+    std::rotate(begin, std::find(begin, end, vertex), end);
+    if (!this->HasFlatTriangle(begin, end))
+    {
+      return;
+    }
+  }
+  std::rotate(begin, std::find(begin, end, byRank.front()), end);
+}
+
+bool CellTetrahedra::HasFlatTriangle(const int* begin, const int* end) const
+{
+  bool flat = false;
+  EmitFan(begin, end - begin > 3 ? end : begin + 1, [&](int a, int b, int c) {
+    const Place& x = this->Places[a];
+    double u[3];
+    double v[3];
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      u[axis] = this->Places[b][axis] - x[axis];
+      v[axis] = this->Places[c][axis] - x[axis];
+    }
+    const double n[3] = { u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0] };
+    flat = flat || !(Square(n) > flatAngle * flatAngle * Square(u) * Square(v));
+  });
+  return flat;
+}
+
+// False if a face has the apex, but is cut as a fan from another vertex.
+bool CellTetrahedra::ConeFrom(int apex)
 {
   this->Parts.clear();
-  triangulateFaces(
-    this->Faces(), [this](int a, int b) { return this->Ranks[a] < this->Ranks[b]; },
-    [apex](const int* begin, const int* end) { return std::find(begin, end, apex) != end; },
-    [&](int a, int b, int c) {
+  bool fits = true;
+  this->VisitFaces([&](const int* begin, const int* end) {
+    if (begin == end || *begin == apex)
+    {
+      return;
+    }
+    fits = fits && std::find(begin, end, apex) == end;
+    EmitFan(begin, end, [&](int a, int b, int c) {
       this->Parts.push_back({ { { apex, a, b, c } },
         Volume(this->Places[apex], this->Places[a], this->Places[b], this->Places[c]) });
     });
+  });
+  return fits;
 }
 
 bool CellTetrahedra::DivideLinear()
 {
-  this->ConeFrom(this->Order.front());
+  const bool fits = this->ConeFrom(this->Order.front());
   const Volumes corner = Measure(this->Parts);
-  if ((corner.OneSign && corner.Least > leastShare * corner.Absolute) || corner.Absolute == 0)
+  if ((fits && corner.OneSign && corner.Least > leastShare * corner.Absolute) || corner.Absolute == 0)
   {
     return true;
   }

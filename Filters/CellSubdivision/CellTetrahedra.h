@@ -3,14 +3,13 @@
 /**
  * One cell of a dataset at a time: its points, and the tetrahedra that it divides into. One object per thread.
  *
- * Faces are cut as CellDecomposition.h says, with the vertices in the order of their coordinates (x, then y, then z), which depends
- * neither on numbering nor on blocks and ranks. What is inside the faces concerns no neighbour: a cell is coned from its least vertex,
- * or from its centre where the least vertex does not see all faces (faces that share a plane, warped faces).
+ * Every face is cut as a fan from its least vertex by coordinates (x, then y, then z), which depends neither on numbering nor on blocks
+ * and ranks; where that makes a flat triangle, because vertices lie on one line, from the next one that makes none. What is inside
+ * the faces concerns no neighbour: a cell is coned from its least vertex, or from its centre where the least vertex does not see all
+ * faces (faces that share a plane, warped faces).
  */
 #ifndef CellTetrahedra_h
 #define CellTetrahedra_h
-
-#include "CellDecomposition.h"
 
 #include "vtkDataSet.h"
 #include "vtkGenericCell.h"
@@ -79,16 +78,18 @@ public:
     this->Locate();
     this->ReadFaces();
     const Place middle = this->Mean();
-    triangulateFaces(
-      this->Faces(), [this](int a, int b) { return this->Ranks[a] < this->Ranks[b]; },
-      [&](const int* begin, const int* end) { return !wanted(begin, end); },
-      [&](int a, int b, int c) {
-        const bool outward = Volume(this->Places[a], this->Places[b], this->Places[c], middle) < 0;
-        outward ? emit(a, c, b) : emit(a, b, c);
-      });
+    this->VisitFaces([&](const int* begin, const int* end) {
+      if (wanted(begin, end))
+      {
+        EmitFan(begin, end, [&](int a, int b, int c) {
+          const bool outward = Volume(this->Places[a], this->Places[b], this->Places[c], middle) < 0;
+          outward ? emit(a, c, b) : emit(a, b, c);
+        });
+      }
+    });
   }
 
-  /** Calls visit(first vertex, past the last) for each face of a linear cell or polyhedron. */
+  /** Calls visit(first vertex, past the last) for each face of a linear cell or polyhedron; the first vertex is that of its fan. */
   template <typename Visit>
   void ForEachFace(Visit visit)
   {
@@ -109,11 +110,12 @@ public:
 
   /** Calls emit(a, b, c) for the triangles of a face that ForEachFace visits. */
   template <typename Emit>
-  void EmitFan(const int* begin, const int* end, Emit emit) const
+  static void EmitFan(const int* begin, const int* end, Emit emit)
   {
-    triangulateFaces(
-      FaceList<int>{ begin - 1, end }, [this](int a, int b) { return this->Ranks[a] < this->Ranks[b]; },
-      [](const int*, const int*) { return false; }, emit);
+    for (const int* vertex = begin + 1; vertex + 1 < end; ++vertex)
+    {
+      emit(*begin, *vertex, *(vertex + 1));
+    }
   }
 
   /** All -1 for a triangle. */
@@ -127,10 +129,12 @@ private:
   void ReadPolyhedronFaces();
   void RankVertices();
   void MergeRepeatedVertices();
-  FaceList<int> Faces() const { return { this->FaceStream.data(), this->FaceStream.data() + this->FaceStream.size() }; }
+  void TurnFaces();
+  void TurnToFullFan(int* begin, int* end) const;
+  bool HasFlatTriangle(const int* begin, const int* end) const;
   Place Mean() const;
   bool DivideLinear();
-  void ConeFrom(int apex);
+  bool ConeFrom(int apex);
   bool DivideByVTK();
 
   vtkDataSet* Data;
