@@ -18,6 +18,8 @@ namespace
 {
 // A part smaller than this share of the cell is a sign that the apex lies in the plane of a face.
 constexpr double leastShare = 1e-6;
+// A cell with less than this share of the cube about it has no volume but rounding.
+constexpr double flatShare = 1e-14;
 // Two ways to divide a convex cell have the same volume up to this.
 constexpr double roundingShare = 1e-9;
 // Sine of the least angle of a triangle that is not flat.
@@ -186,6 +188,19 @@ void CellTetrahedra::ReadPolyhedronFaces()
   }
 }
 
+double CellTetrahedra::Extent() const
+{
+  double largest = 0;
+  for (const Place& place : this->Places)
+  {
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      largest = std::max(largest, std::abs(place[axis] - this->Places[0][axis]));
+    }
+  }
+  return largest;
+}
+
 void CellTetrahedra::RankVertices()
 {
   const std::size_t size = this->Places.size();
@@ -336,7 +351,8 @@ bool CellTetrahedra::DivideLinear()
 {
   const bool fits = this->ConeFrom(this->Order.front());
   const Volumes corner = Measure(this->Parts);
-  if ((fits && corner.OneSign && corner.Least > leastShare * corner.Absolute) || corner.Absolute == 0)
+  const bool isFlat = corner.Absolute <= flatShare * std::pow(this->Extent(), 3);
+  if (isFlat || (fits && corner.OneSign && corner.Least > leastShare * corner.Absolute))
   {
     return true;
   }

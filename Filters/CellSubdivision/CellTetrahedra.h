@@ -133,6 +133,7 @@ private:
   void TurnToFullFan(int* begin, int* end) const;
   bool HasFlatTriangle(const int* begin, const int* end) const;
   Place Mean() const;
+  double Extent() const;
   bool DivideLinear();
   bool ConeFrom(int apex);
   bool DivideByVTK();

@@ -113,7 +113,7 @@ public:
   /**
    * Off (default): every cell that no value crosses keeps its type. On: those of them that share a polygon with a divided cell become
    * polyhedra (VTK_POLYHEDRON) of the same points, with the two or more triangles of that polygon as faces. Then every face is
-   * the face of two cells or of the boundary, even where four vertices are not in one plane. Costs an additional look at the faces.
+   * the face of two cells or of the boundary, even where four vertices are not in one plane. Faces are recognised by their points.
    */
   vtkSetMacro(PolyhedralTransitions, bool);
   vtkGetMacro(PolyhedralTransitions, bool);

@@ -127,8 +127,8 @@ class Meshes(unittest.TestCase):
                 self.assertTrue((out.types[~same] == VTK_POLYHEDRON).all())
                 for a, b in zip(out.ids, plain.ids):
                     self.assertEqual({tuple(p) for p in out.points[a]}, {tuple(p) for p in out.points[b]})
-                if name.startswith("mixed"):  # two wedges beside a hexahedron: the input's own faces do not match
-                    continue
+                if name.startswith("mixed") or name == "pole":
+                    continue  # faces of the input do not match: two wedges beside a hexahedron, one place with several points
                 faces = out.face_map(False)
                 single = {f for f, cells in faces.items() if len(cells) == 1}
                 boundary = {f for f, cells in out.face_map(True).items() if len(cells) == 1}
