@@ -105,7 +105,7 @@ void CellSplitter::AddDivided()
   const bool convex = this->Cell.Divide();
   if (this->Cell.Tetrahedra().empty())
   {
-    this->Batch.NotConvex.Add(this->CellNumber);
+    this->Batch.Undivided.Add(this->CellNumber);
     this->AddWhole(-1);
     return;
   }

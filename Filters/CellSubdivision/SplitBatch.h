@@ -97,6 +97,7 @@ struct SplitBatch
   std::vector<vtkIdType> FaceStreams;  // of these: number of faces, then size, points, size, points, ...
   CellCount Missing;   // a scalar is not a number
   CellCount Flat;      // not three-dimensional
+  CellCount Undivided; // crossed, but without volume
   CellCount NotConvex; // and divided
   CellCount NotLinear; // and divided
 };

@@ -230,12 +230,14 @@ void vtkContourCellSplitter::Warn(
 {
   CellCount missing;
   CellCount flat;
+  CellCount undivided;
   CellCount notConvex;
   CellCount notLinear;
   for (const nephoscope::SplitBatch& batch : batches)
   {
     missing.Add(batch.Missing);
     flat.Add(batch.Flat);
+    undivided.Add(batch.Undivided);
     notConvex.Add(batch.NotConvex);
     notLinear.Add(batch.NotLinear);
   }
@@ -248,6 +250,11 @@ void vtkContourCellSplitter::Warn(
   {
     vtkWarningMacro(<< Cells(flat) << " of the input " << (flat.Count == 1 ? "is" : "are")
       << " not three-dimensional, and left out. Extract surfaces and lines and keep them beside the output.");
+  }
+  if (undivided.Count > 0)
+  {
+    vtkWarningMacro(<< Cells(undivided) << " crossed by a value " << (undivided.Count == 1 ? "has" : "have")
+      << " no volume to divide. They are left whole, with Layer -1.");
   }
   if (notConvex.Count > 0)
   {

@@ -35,8 +35,8 @@
  *
  * Cell arrays are copied to the pieces. Cell arrays written:
  * - Layer, int, 1 component: the number of distinct values less than the largest scalar of the piece, 0 to n. All scalars of a piece in
- *   layer k are in [v(k-1), v(k)]. -1: a scalar of the cell is not a finite number; the cell is left whole. For a polygon the number of
- *   values less than its own.
+ *   layer k are in [v(k-1), v(k)]. -1: the cell is left whole because a scalar is not a finite number or it has no volume. For a polygon
+ *   the number of values less than its own.
  * - ContourIndex, int, 1 component: for a polygon the index i of its value, as in SetValue(i, v) (of equal values the first one); -1 for
  *   3-D cells.
  *

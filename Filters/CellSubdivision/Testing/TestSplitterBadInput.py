@@ -90,11 +90,12 @@ class BadInput(unittest.TestCase):
 
     def test_flat_cells(self):
         """Cells without volume do no harm to others."""
-        for flatten in ([1, 1, 0], [1, 0, 0], [0, 0, 0]):
-            data = Lattice(2).mesh("hexahedron", lambda p: centred(p) * flatten)
-            meshes.add_array(data.GetPointData(), wavy(Lattice(2).points))
-            out = Cells(split(data, [0.2]))
-            self.assertTrue(np.isfinite(out.points).all())
+        for kind in ("hexahedron", "tetra", "wedge"):
+            for flatten in ([1, 1, 0], [1, 0, 0], [0, 0, 0]):
+                data = Lattice(2).mesh(kind, lambda p: centred(p) * flatten)
+                meshes.add_array(data.GetPointData(), wavy(Lattice(2).points))
+                made = split(data, [0.2], expect=[] if kind == "tetra" else ["no volume to divide"])
+                self.assertTrue(np.isfinite(meshes.points_of(made)).all())
 
     def test_points_that_are_not_numbers(self):
         data = self.block(s=np.arange(27.0))
