@@ -128,7 +128,7 @@ vtkDataArray* vtkContourCellSplitter::FindScalars(vtkDataSet* input, vtkInformat
   vtkAbstractArray* found = this->GetInputAbstractArrayToProcess(0, inputs, association);
   vtkInformation* wanted = this->GetInputArrayInformation(0);
   const char* name = wanted->Get(vtkDataObject::FIELD_NAME());
-  const std::string called = name ? "'" + std::string(name) + "'" : std::string("of the active scalars");
+  const std::string called = name && *name ? "'" + std::string(name) + "'" : std::string("of the active scalars");
   if (!found)
   {
     const bool onCells = name && input->GetCellData()->HasArray(name);
