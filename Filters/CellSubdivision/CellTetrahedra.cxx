@@ -368,21 +368,46 @@ bool CellTetrahedra::DivideLinear()
 bool CellTetrahedra::DivideByVTK()
 {
   this->Data->GetCell(this->Cell, this->AnyCell);
-  const bool divided = this->AnyCell->Triangulate(0, this->Stream, this->TrianglePoints) != 0;
+  if (!this->AnyCell->Triangulate(0, this->Stream, this->TrianglePoints))
+  {
+    return false;
+  }
+  const vtkIdType* named = this->Stream->GetPointer(0);
+  const vtkIdType count = this->Stream->GetNumberOfIds();
   const vtkIdType* ids = this->PointIds->GetPointer(0);
   const vtkIdType* end = ids + this->Size();
-  for (vtkIdType i = 0; divided && i + 3 < this->Stream->GetNumberOfIds(); i += 4)
+  std::vector<int> vertices;
+  for (bool own : { false, true }) // vtkConvexPointSet of VTK 9.2 names the points of the cell from 0 on
   {
-    Tetrahedron part;
-    for (int k = 0; k < 4; ++k)
+    vertices.clear();
+    for (vtkIdType i = 0; i < count; ++i)
     {
-      part.Vertices[k] = static_cast<int>(std::find(ids, end, this->Stream->GetId(i + k)) - ids);
+      const auto vertex = own ? static_cast<int>(named[i]) : static_cast<int>(std::find(ids, end, named[i]) - ids);
+      if (vertex < this->Size() && this->IsAt(vertex, this->TrianglePoints->GetPoint(i)))
+      {
+        vertices.push_back(vertex);
+      }
     }
-    const auto& v = part.Vertices;
-    part.Volume = Volume(this->Places[v[0]], this->Places[v[1]], this->Places[v[2]], this->Places[v[3]]);
-    this->Parts.push_back(part);
+    if (static_cast<vtkIdType>(vertices.size()) == count)
+    {
+      break;
+    }
   }
-  return divided;
+  for (std::size_t i = 0; i + 3 < vertices.size(); i += 4)
+  {
+    const std::array<int, 4> v = { { vertices[i], vertices[i + 1], vertices[i + 2], vertices[i + 3] } };
+    this->Parts.push_back(
+      { v, Volume(this->Places[v[0]], this->Places[v[1]], this->Places[v[2]], this->Places[v[3]]) });
+  }
+  return !this->Parts.empty();
+}
+
+// Up to the rounding of points in float.
+bool CellTetrahedra::IsAt(int vertex, const double x[3]) const
+{
+  const Place& place = this->Places[vertex];
+  return std::equal(place.begin(), place.end(), x,
+    [](double a, double b) { return static_cast<float>(a) == static_cast<float>(b); });
 }
 
 } // namespace nephoscope

@@ -137,6 +137,7 @@ private:
   bool DivideLinear();
   bool ConeFrom(int apex);
   bool DivideByVTK();
+  bool IsAt(int vertex, const double x[3]) const;
 
   vtkDataSet* Data;
   vtkUnstructuredGrid* Grid;

@@ -172,9 +172,9 @@ def run(name, data, array, values, small=False):
 def main():
     print("| data | filter | processor s | wall s | ratio | cells | error of the volume | open faces |")
     print("|---|---|---|---|---|---|---|---|")
-    run("image 24³, 3 values", block(24), "s", [-0.6, 0.1, 0.7], small=True)
-    run("its tetrahedra", tetrahedra(block(24)), "s", [-0.6, 0.1, 0.7], small=True)
-    run("image 80³, 4 values", block(80), "s", [-0.9, -0.3, 0.2, 0.8])
+    run("image 16³, 3 values", block(16), "s", [-0.6, 0.1, 0.7], small=True)
+    run("its tetrahedra", tetrahedra(block(16)), "s", [-0.6, 0.1, 0.7], small=True)
+    run("image 64³, 4 values", block(64), "s", [-0.9, -0.3, 0.2, 0.8])
     run("GFS globe, 3 values", globe(), "cloud_fraction", [0.25, 0.5, 0.75])
 
 

@@ -8,7 +8,7 @@ from nephoscope_testing import meshes
 from nephoscope_testing.meshes import Lattice
 from split_checks import Cells, check_split, split
 from split_meshes import centred, grid_of, hexahedra_as_polyhedra, honeycomb, pole, refined, wavy, with_sources
-from vtkmodules.vtkCommonDataModel import VTK_HEXAHEDRON, VTK_POLYHEDRON, VTK_QUADRATIC_HEXAHEDRON, VTK_TETRA
+from vtkmodules.vtkCommonDataModel import VTK_CONVEX_POINT_SET, VTK_HEXAHEDRON, VTK_POLYHEDRON, VTK_QUADRATIC_HEXAHEDRON, VTK_TETRA
 
 VALUES = [0.2, -0.3, 0.7, 0.0]  # not sorted
 
@@ -151,6 +151,13 @@ class Meshes(unittest.TestCase):
         self.assertEqual(np.sum(out.types == VTK_QUADRATIC_HEXAHEDRON), 1)
         solid = out.solid & (out.types != VTK_QUADRATIC_HEXAHEDRON)
         self.assertAlmostEqual(out.volumes()[solid].sum(), 1, places=12)
+
+    def test_convex_point_set(self):
+        points = np.array(meshes.HEXAHEDRON, float)
+        data = meshes.with_field(grid_of(np.vstack([points + [9, 0, 0], points]), [(VTK_CONVEX_POINT_SET, range(8, 16))]), lambda p: p[:, 2])
+        out = Cells(split(data, [0.25], expect=["is not linear"]))
+        layers = np.bincount(out.array("Layer")[out.solid], out.volumes()[out.solid])
+        np.testing.assert_allclose(layers, [0.25, 0.75], atol=1e-12)
 
 
 if __name__ == "__main__":
