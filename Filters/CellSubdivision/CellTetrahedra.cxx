@@ -80,15 +80,17 @@ CellTetrahedra::Kind CellTetrahedra::Load(vtkIdType cell)
 
 bool CellTetrahedra::IsHidden() const
 {
-  constexpr unsigned char hidden = vtkDataSetAttributes::HIDDENCELL | vtkDataSetAttributes::REFINEDCELL;
+  constexpr unsigned char hidden =
+    vtkDataSetAttributes::HIDDENCELL | vtkDataSetAttributes::REFINEDCELL;
   if (this->CellGhosts && (this->CellGhosts->GetValue(this->Cell) & hidden))
   {
     return true;
   }
   const vtkIdType* ids = this->PointIds->GetPointer(0);
-  return this->PointGhosts && std::any_of(ids, ids + this->PointIds->GetNumberOfIds(), [this](vtkIdType id) {
-    return (this->PointGhosts->GetValue(id) & vtkDataSetAttributes::HIDDENPOINT) != 0;
-  });
+  return this->PointGhosts &&
+    std::any_of(ids, ids + this->PointIds->GetNumberOfIds(), [this](vtkIdType id) {
+      return (this->PointGhosts->GetValue(id) & vtkDataSetAttributes::HIDDENPOINT) != 0;
+    });
 }
 
 int CellTetrahedra::DimensionOf(int cellType)
@@ -173,7 +175,8 @@ void CellTetrahedra::ReadFaces()
 
 void CellTetrahedra::ReadPolyhedronFaces()
 {
-  this->Grid->GetFaceStream(this->Cell, this->Stream); // number of faces, then size, points, size, points, ...
+  // Number of faces, then size, points, size, points, ...
+  this->Grid->GetFaceStream(this->Cell, this->Stream);
   const vtkIdType* ids = this->PointIds->GetPointer(0);
   const vtkIdType* end = ids + this->Size();
   const vtkIdType length = this->Stream->GetNumberOfIds();
@@ -183,7 +186,8 @@ void CellTetrahedra::ReadPolyhedronFaces()
     this->FaceStream.push_back(static_cast<int>(size));
     for (vtkIdType k = 0; k < size; ++k, ++i)
     {
-      this->FaceStream.push_back(static_cast<int>(std::find(ids, end, this->Stream->GetId(i)) - ids));
+      this->FaceStream.push_back(
+        static_cast<int>(std::find(ids, end, this->Stream->GetId(i)) - ids));
     }
   }
 }
@@ -209,7 +213,8 @@ void CellTetrahedra::RankVertices()
   this->Representatives.resize(size);
   std::iota(this->Order.begin(), this->Order.end(), 0);
   std::sort(this->Order.begin(), this->Order.end(), [this](int a, int b) {
-    return this->Places[a] != this->Places[b] ? this->Places[a] < this->Places[b] : this->Point(a) < this->Point(b);
+    return this->Places[a] != this->Places[b] ? this->Places[a] < this->Places[b]
+                                              : this->Point(a) < this->Point(b);
   });
   for (std::size_t r = 0; r < size; ++r)
   {
@@ -226,7 +231,8 @@ FaceKey CellTetrahedra::KeyOf(const int* begin, const int* end) const
   if (end - begin >= static_cast<std::ptrdiff_t>(key.size()))
   {
     std::vector<vtkIdType> points;
-    std::transform(begin, end, std::back_inserter(points), [this](int vertex) { return this->Point(vertex); });
+    std::transform(
+      begin, end, std::back_inserter(points), [this](int vertex) { return this->Point(vertex); });
     std::sort(points.begin(), points.end());
     std::copy_n(points.begin(), key.size(), key.begin());
   }
@@ -282,7 +288,8 @@ CellTetrahedra::Place CellTetrahedra::Mean() const
 void CellTetrahedra::TurnFaces()
 {
   const auto less = [this](int a, int b) { return this->Ranks[a] < this->Ranks[b]; };
-  for (std::size_t i = 0; i < this->FaceStream.size(); i += static_cast<std::size_t>(this->FaceStream[i]) + 1)
+  for (std::size_t i = 0; i < this->FaceStream.size();
+       i += static_cast<std::size_t>(this->FaceStream[i]) + 1)
   {
     int* begin = this->FaceStream.data() + i + 1;
     int* end = begin + this->FaceStream[i];
@@ -298,7 +305,8 @@ void CellTetrahedra::TurnFaces()
 void CellTetrahedra::TurnToFullFan(int* begin, int* end) const
 {
   std::vector<int> byRank(begin, end);
-  std::sort(byRank.begin(), byRank.end(), [this](int a, int b) { return this->Ranks[a] < this->Ranks[b]; });
+  std::sort(
+    byRank.begin(), byRank.end(), [this](int a, int b) { return this->Ranks[a] < this->Ranks[b]; });
   for (int vertex : byRank)
   {
     std::rotate(begin, std::find(begin, end, vertex), end);
@@ -322,7 +330,8 @@ bool CellTetrahedra::HasFlatTriangle(const int* begin, const int* end) const
       u[axis] = this->Places[b][axis] - x[axis];
       v[axis] = this->Places[c][axis] - x[axis];
     }
-    const double n[3] = { u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0] };
+    const double n[3] = { u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2],
+      u[0] * v[1] - u[1] * v[0] };
     flat = flat || !(Square(n) > flatAngle * flatAngle * Square(u) * Square(v));
   });
   return flat;
@@ -361,7 +370,8 @@ bool CellTetrahedra::DivideLinear()
   this->ConeFrom(this->CentreVertex);
   const Volumes centre = Measure(this->Parts);
   // Faces that do not all turn outward give both signs in a convex cell too, yet one volume.
-  return centre.OneSign || std::abs(centre.Absolute - corner.Absolute) <= roundingShare * centre.Absolute;
+  return centre.OneSign ||
+    std::abs(centre.Absolute - corner.Absolute) <= roundingShare * centre.Absolute;
 }
 
 // Higher-order and other 3-D cells: as VTK triangulates them.
@@ -377,12 +387,14 @@ bool CellTetrahedra::DivideByVTK()
   const vtkIdType* ids = this->PointIds->GetPointer(0);
   const vtkIdType* end = ids + this->Size();
   std::vector<int> vertices;
-  for (bool own : { false, true }) // vtkConvexPointSet of VTK 9.2 names the points of the cell from 0 on
+  // vtkConvexPointSet of VTK 9.2 names its own points, from 0 on.
+  for (bool own : { false, true })
   {
     vertices.clear();
     for (vtkIdType i = 0; i < count; ++i)
     {
-      const auto vertex = own ? static_cast<int>(named[i]) : static_cast<int>(std::find(ids, end, named[i]) - ids);
+      const auto vertex =
+        own ? static_cast<int>(named[i]) : static_cast<int>(std::find(ids, end, named[i]) - ids);
       if (vertex < this->Size() && this->IsAt(vertex, this->TrianglePoints->GetPoint(i)))
       {
         vertices.push_back(vertex);
@@ -395,9 +407,10 @@ bool CellTetrahedra::DivideByVTK()
   }
   for (std::size_t i = 0; i + 3 < vertices.size(); i += 4)
   {
-    const std::array<int, 4> v = { { vertices[i], vertices[i + 1], vertices[i + 2], vertices[i + 3] } };
-    this->Parts.push_back(
-      { v, Volume(this->Places[v[0]], this->Places[v[1]], this->Places[v[2]], this->Places[v[3]]) });
+    const std::array<int, 4> v = { { vertices[i], vertices[i + 1], vertices[i + 2],
+      vertices[i + 3] } };
+    this->Parts.push_back({ v,
+      Volume(this->Places[v[0]], this->Places[v[1]], this->Places[v[2]], this->Places[v[3]]) });
   }
   return !this->Parts.empty();
 }

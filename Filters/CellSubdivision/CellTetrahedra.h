@@ -82,7 +82,8 @@ public:
       if (wanted(begin, end))
       {
         EmitFan(begin, end, [&](int a, int b, int c) {
-          const bool outward = Volume(this->Places[a], this->Places[b], this->Places[c], middle) < 0;
+          const bool outward =
+            Volume(this->Places[a], this->Places[b], this->Places[c], middle) < 0;
           outward ? emit(a, c, b) : emit(a, b, c);
         });
       }
@@ -101,7 +102,8 @@ public:
   template <typename Visit>
   void VisitFaces(Visit visit) const
   {
-    for (std::size_t i = 0; i < this->FaceStream.size(); i += static_cast<std::size_t>(this->FaceStream[i]) + 1)
+    for (std::size_t i = 0; i < this->FaceStream.size();
+         i += static_cast<std::size_t>(this->FaceStream[i]) + 1)
     {
       const int* face = this->FaceStream.data() + i;
       visit(face + 1, face + 1 + *face);

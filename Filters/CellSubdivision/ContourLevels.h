@@ -33,7 +33,8 @@ public:
   {
     std::vector<std::size_t> order(values.size());
     std::iota(order.begin(), order.end(), std::size_t(0));
-    std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return values[a] < values[b]; });
+    std::stable_sort(order.begin(), order.end(),
+      [&](std::size_t a, std::size_t b) { return values[a] < values[b]; });
     for (std::size_t i : order)
     {
       if (!this->Values.empty() && IsSame(this->Values.back(), values[i]))

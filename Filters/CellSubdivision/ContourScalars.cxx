@@ -84,36 +84,15 @@ double ContourScalars::Snap(double scalar, double range, const CellTetrahedra& c
 void ContourScalars::SnapPoints(vtkDataSet* data, const std::vector<unsigned char>& near)
 {
   const vtkIdType cells = data->GetNumberOfCells();
-  std::vector<std::vector<vtkIdType>> found(static_cast<std::size_t>((cells + cellsPerBatch - 1) / cellsPerBatch));
-  vtkSMPTools::For(0, static_cast<vtkIdType>(found.size()), 1, [&](vtkIdType first, vtkIdType last) {
+  const vtkIdType batches = (cells + cellsPerBatch - 1) / cellsPerBatch;
+  std::vector<std::vector<vtkIdType>> found(static_cast<std::size_t>(batches));
+  vtkSMPTools::For(0, batches, 1, [&](vtkIdType first, vtkIdType last) {
     CellTetrahedra cell(data);
     for (vtkIdType c = first * cellsPerBatch; c < std::min(cells, last * cellsPerBatch); ++c)
     {
-      if (cell.Load(c) != CellTetrahedra::Kind::Solid)
+      if (cell.Load(c) == CellTetrahedra::Kind::Solid)
       {
-        continue;
-      }
-      bool candidate = false;
-      double low = std::numeric_limits<double>::max();
-      double high = std::numeric_limits<double>::lowest();
-      for (int i = 0; i < cell.Size(); ++i)
-      {
-        candidate = candidate || near[cell.Point(i)];
-        low = std::min(low, this->Values[cell.Point(i)]);
-        high = std::max(high, this->Values[cell.Point(i)]);
-      }
-      if (!candidate || !std::isfinite(high - low))
-      {
-        continue;
-      }
-      cell.Locate();
-      for (int i = 0; i < cell.Size(); ++i)
-      {
-        const vtkIdType point = cell.Point(i);
-        if (near[point] && this->Snap(this->Values[point], high - low, cell) != this->Values[point])
-        {
-          found[c / cellsPerBatch].push_back(point);
-        }
+        this->FindPointsToSnap(cell, near, found[c / cellsPerBatch]);
       }
     }
   });
@@ -122,12 +101,41 @@ void ContourScalars::SnapPoints(vtkDataSet* data, const std::vector<unsigned cha
     this->Snapped_.insert(this->Snapped_.end(), points.begin(), points.end());
   }
   std::sort(this->Snapped_.begin(), this->Snapped_.end());
-  this->Snapped_.erase(std::unique(this->Snapped_.begin(), this->Snapped_.end()), this->Snapped_.end());
+  this->Snapped_.erase(
+    std::unique(this->Snapped_.begin(), this->Snapped_.end()), this->Snapped_.end());
   for (vtkIdType point : this->Snapped_)
   {
     const int level = this->Levels_.Nearest(this->Values[point]);
     this->Values[point] = this->Levels_.Value(level);
     this->Codes[point] = 2 * level + 1;
+  }
+}
+
+void ContourScalars::FindPointsToSnap(
+  CellTetrahedra& cell, const std::vector<unsigned char>& near, std::vector<vtkIdType>& found) const
+{
+  bool candidate = false;
+  double low = std::numeric_limits<double>::max();
+  double high = std::numeric_limits<double>::lowest();
+  for (int i = 0; i < cell.Size(); ++i)
+  {
+    candidate = candidate || near[cell.Point(i)];
+    low = std::min(low, this->Values[cell.Point(i)]);
+    high = std::max(high, this->Values[cell.Point(i)]);
+  }
+  if (!candidate || !std::isfinite(high - low))
+  {
+    return;
+  }
+  cell.Locate();
+  for (int i = 0; i < cell.Size(); ++i)
+  {
+    const vtkIdType point = cell.Point(i);
+    const double value = this->Values[point];
+    if (near[point] && this->Snap(value, high - low, cell) != value)
+    {
+      found.push_back(point);
+    }
   }
 }
 

@@ -41,6 +41,8 @@ public:
 private:
   bool IsNear(double scalar, double range) const;
   void SnapPoints(vtkDataSet* data, const std::vector<unsigned char>& near);
+  void FindPointsToSnap(CellTetrahedra& cell, const std::vector<unsigned char>& near,
+    std::vector<vtkIdType>& found) const;
 
   ContourLevels Levels_;
   std::vector<double> Values;

@@ -31,7 +31,8 @@ struct Sorted
 std::size_t BucketOf(const PointCut& cut, vtkIdType numberOfPoints)
 {
   const double share = static_cast<double>(cut.First) / static_cast<double>(numberOfPoints);
-  return std::min(static_cast<std::size_t>(share * static_cast<double>(numberOfBuckets)), numberOfBuckets - 1);
+  return std::min(
+    static_cast<std::size_t>(share * static_cast<double>(numberOfBuckets)), numberOfBuckets - 1);
 }
 
 Sorted SortIntoBuckets(const std::vector<PointCut>& cuts, vtkIdType numberOfPoints)
@@ -95,12 +96,13 @@ CutNumbering::CutNumbering(const std::vector<SplitBatch>& batches, vtkIdType num
     }
   });
   std::vector<std::vector<PointCut>> buckets(numberOfBuckets);
-  vtkSMPTools::For(0, static_cast<vtkIdType>(numberOfBuckets), 1, [&](vtkIdType begin, vtkIdType end) {
-    for (vtkIdType k = begin; k < end; ++k)
-    {
-      buckets[k] = NumberBucket(static_cast<std::size_t>(k), batches, sorted, this->Numbers);
-    }
-  });
+  vtkSMPTools::For(
+    0, static_cast<vtkIdType>(numberOfBuckets), 1, [&](vtkIdType begin, vtkIdType end) {
+      for (vtkIdType k = begin; k < end; ++k)
+      {
+        buckets[k] = NumberBucket(static_cast<std::size_t>(k), batches, sorted, this->Numbers);
+      }
+    });
   std::vector<vtkIdType> offsets;
   for (const std::vector<PointCut>& bucket : buckets)
   {

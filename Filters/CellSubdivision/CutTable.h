@@ -26,7 +26,8 @@ struct Cut
   }
   bool operator<(const Cut& other) const
   {
-    return std::tie(this->First, this->Second, this->Level) < std::tie(other.First, other.Second, other.Level);
+    return std::tie(this->First, this->Second, this->Level) <
+      std::tie(other.First, other.Second, other.Level);
   }
 };
 

@@ -41,8 +41,8 @@ void CopyFaces(const std::vector<vtkIdType>& streams, vtkIdType first, vtkIdList
 }
 }
 
-SplitAssembly::SplitAssembly(vtkDataSet* input, const ContourLevels& levels, std::vector<SplitBatch>& batches,
-  const CutNumbering& cuts, const SplitPoints& points)
+SplitAssembly::SplitAssembly(vtkDataSet* input, const ContourLevels& levels,
+  std::vector<SplitBatch>& batches, const CutNumbering& cuts, const SplitPoints& points)
   : Input(input)
   , Levels(levels)
   , Points(points)
@@ -78,7 +78,8 @@ void SplitAssembly::CollectFacesOnLevels(const std::vector<SplitBatch>& batches)
   }
   std::vector<std::size_t> order(faces.size());
   std::iota(order.begin(), order.end(), std::size_t(0));
-  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return faces[a].Key < faces[b].Key; });
+  std::stable_sort(order.begin(), order.end(),
+    [&](std::size_t a, std::size_t b) { return faces[a].Key < faces[b].Key; });
   const auto same = [&](std::size_t a, std::size_t b) { return faces[a].Key == faces[b].Key; };
   order.erase(std::unique(order.begin(), order.end(), same), order.end());
   std::sort(order.begin(), order.end());
@@ -96,18 +97,21 @@ vtkIdType SplitAssembly::PointOf(vtkIdType corner, const Part& part) const
   {
     return this->Points.FirstCut() + (*part.CutNumbers)[static_cast<std::size_t>(-1 - corner)];
   }
-  return corner < this->NumberOfInputPoints ? corner : this->Points.CentreNumber(corner - this->NumberOfInputPoints);
+  return corner < this->NumberOfInputPoints
+    ? corner
+    : this->Points.CentreNumber(corner - this->NumberOfInputPoints);
 }
 
 template <typename Function>
 void SplitAssembly::ForEachPart(Function&& function) const
 {
-  vtkSMPTools::For(0, static_cast<vtkIdType>(this->Parts.size()), 1, [&](vtkIdType begin, vtkIdType end) {
-    for (vtkIdType p = begin; p < end; ++p)
-    {
-      function(this->Parts[static_cast<std::size_t>(p)]);
-    }
-  });
+  vtkSMPTools::For(
+    0, static_cast<vtkIdType>(this->Parts.size()), 1, [&](vtkIdType begin, vtkIdType end) {
+      for (vtkIdType p = begin; p < end; ++p)
+      {
+        function(this->Parts[static_cast<std::size_t>(p)]);
+      }
+    });
 }
 
 bool SplitAssembly::HasPolyhedra() const
@@ -178,12 +182,14 @@ void SplitAssembly::InsertPart(const Part& part, vtkUnstructuredGrid* output) co
       {
         corners.push_back(this->PointOf(cells.Corners[static_cast<std::size_t>(k)], part));
       }
-      output->InsertNextCell(cells.Types[i], static_cast<vtkIdType>(corners.size()), corners.data());
+      output->InsertNextCell(
+        cells.Types[i], static_cast<vtkIdType>(corners.size()), corners.data());
     }
     else
     {
       const auto& transitions = part.Batch->Transitions;
-      if (transition < transitions.size() && transitions[transition].Piece == static_cast<vtkIdType>(i))
+      if (transition < transitions.size() &&
+        transitions[transition].Piece == static_cast<vtkIdType>(i))
       {
         CopyFaces(part.Batch->FaceStreams, transitions[transition++].FirstFace, faces);
       }
@@ -203,7 +209,8 @@ void SplitAssembly::CarryCellArrays(vtkUnstructuredGrid* output) const
   for (int a = 0; a < input->GetNumberOfArrays(); ++a)
   {
     vtkAbstractArray* from = input->GetAbstractArray(a);
-    auto to = vtkSmartPointer<vtkAbstractArray>::Take(vtkAbstractArray::CreateArray(from->GetDataType()));
+    auto to =
+      vtkSmartPointer<vtkAbstractArray>::Take(vtkAbstractArray::CreateArray(from->GetDataType()));
     to->SetName(from->GetName());
     to->SetNumberOfComponents(from->GetNumberOfComponents());
     to->CopyComponentNames(from);
@@ -244,9 +251,11 @@ void SplitAssembly::AddLayers(vtkUnstructuredGrid* output) const
   this->ForEachPart([&](const Part& part) {
     for (std::size_t i = 0; i < part.Cells->Size(); ++i)
     {
-      const int layer = part.Cells->Layers[i]; // a polygon on the value number k has k values below it
+      // A polygon on the value number k has k values below it.
+      const int layer = part.Cells->Layers[i];
       layers->SetValue(part.FirstCell + static_cast<vtkIdType>(i), layer);
-      contours->SetValue(part.FirstCell + static_cast<vtkIdType>(i), part.Batch ? -1 : this->Levels.Index(layer));
+      contours->SetValue(
+        part.FirstCell + static_cast<vtkIdType>(i), part.Batch ? -1 : this->Levels.Index(layer));
     }
   });
   output->GetCellData()->AddArray(layers);

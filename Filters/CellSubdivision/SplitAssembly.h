@@ -39,7 +39,8 @@ private:
   };
 
   void CollectFacesOnLevels(const std::vector<SplitBatch>& batches);
-  void AddPart(const SplitCells& cells, const SplitBatch* batch, const std::vector<vtkIdType>* cutNumbers);
+  void AddPart(
+    const SplitCells& cells, const SplitBatch* batch, const std::vector<vtkIdType>* cutNumbers);
   vtkIdType PointOf(vtkIdType corner, const Part& part) const;
   bool HasPolyhedra() const;
   void AddCellArrays(vtkUnstructuredGrid* output) const;

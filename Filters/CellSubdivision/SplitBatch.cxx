@@ -13,20 +13,21 @@ namespace
 {
 int TypeOf(PieceShape shape)
 {
-  constexpr int types[] = { VTK_EMPTY_CELL, VTK_EMPTY_CELL, VTK_EMPTY_CELL, VTK_TRIANGLE, VTK_QUAD, VTK_TETRA,
-    VTK_PYRAMID, VTK_WEDGE, VTK_HEXAHEDRON };
+  constexpr int types[] = { VTK_EMPTY_CELL, VTK_EMPTY_CELL, VTK_EMPTY_CELL, VTK_TRIANGLE, VTK_QUAD,
+    VTK_TETRA, VTK_PYRAMID, VTK_WEDGE, VTK_HEXAHEDRON };
   return types[static_cast<int>(shape)];
 }
 
 void AddPiece(SplitCells& cells, const Piece<vtkIdType>& piece, vtkIdType source, int layer)
 {
-  cells.Corners.insert(
-    cells.Corners.end(), piece.Corners.begin(), piece.Corners.begin() + numberOfCorners(piece.Shape));
+  cells.Corners.insert(cells.Corners.end(), piece.Corners.begin(),
+    piece.Corners.begin() + numberOfCorners(piece.Shape));
   cells.EndCell(TypeOf(piece.Shape), source, layer);
 }
 }
 
-CellSplitter::CellSplitter(vtkDataSet* data, const ContourScalars& scalars, const Settings& settings)
+CellSplitter::CellSplitter(
+  vtkDataSet* data, const ContourScalars& scalars, const Settings& settings)
   : NumberOfPoints(data->GetNumberOfPoints())
   , Scalars(scalars)
   , With(settings)
@@ -187,8 +188,8 @@ void CellSplitter::AddTetrahedron(const CellTetrahedra::Tetrahedron& part)
     return -1 - static_cast<vtkIdType>(this->Cuts.Number(key));
   };
   TetrahedronSplitter<vtkIdType, decltype(cut)> splitter(corners, codes, mirrored, cut);
-  splitter.Split(
-    [&](const Piece<vtkIdType>& piece, int layer) { AddPiece(this->Batch.Volume, piece, this->CellNumber, layer); },
+  splitter.Split([&](const Piece<vtkIdType>& piece,
+                   int layer) { AddPiece(this->Batch.Volume, piece, this->CellNumber, layer); },
     [&](const Piece<vtkIdType>& polygon, int level) {
       if (this->With.Surfaces)
       {

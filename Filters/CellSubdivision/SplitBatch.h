@@ -67,10 +67,7 @@ struct CellCount
   vtkIdType Count = 0;
   vtkIdType First = -1;
 
-  void Add(vtkIdType cell)
-  {
-    this->First = this->Count++ == 0 ? cell : this->First;
-  }
+  void Add(vtkIdType cell) { this->First = this->Count++ == 0 ? cell : this->First; }
   void Add(const CellCount& later)
   {
     this->First = this->Count == 0 ? later.First : this->First;
@@ -94,7 +91,7 @@ struct SplitBatch
   std::vector<PointCut> Cuts;
   std::vector<FaceKey> DividedFaces;   // that no value crosses, so that the neighbour may be whole
   std::vector<Transition> Transitions; // in the order of pieces
-  std::vector<vtkIdType> FaceStreams;  // of these: number of faces, then size, points, size, points, ...
+  std::vector<vtkIdType> FaceStreams;  // number of faces, then size, points, ...
   CellCount Missing;   // a scalar is not a number
   CellCount Flat;      // not three-dimensional
   CellCount Undivided; // crossed, but without volume

@@ -77,15 +77,18 @@ vtkIdType SplitPoints::FirstCut() const
 
 double SplitPoints::ScalarAt(vtkIdType outputPoint) const
 {
-  return outputPoint < this->NumberOfPoints ? this->Values.Value(outputPoint)
-                                            : this->Centres[outputPoint - this->NumberOfPoints].Scalar;
+  return outputPoint < this->NumberOfPoints
+    ? this->Values.Value(outputPoint)
+    : this->Centres[outputPoint - this->NumberOfPoints].Scalar;
 }
 
 SplitPoints::Edge SplitPoints::MakeEdge(const PointCut& cut) const
 {
   Edge edge;
   edge.Low = cut.First;
-  edge.High = cut.Second < this->NumberOfPoints ? cut.Second : this->CentreNumber(cut.Second - this->NumberOfPoints);
+  edge.High = cut.Second < this->NumberOfPoints
+    ? cut.Second
+    : this->CentreNumber(cut.Second - this->NumberOfPoints);
   if (this->ScalarAt(edge.High) < this->ScalarAt(edge.Low))
   {
     std::swap(edge.Low, edge.High);
@@ -93,7 +96,8 @@ SplitPoints::Edge SplitPoints::MakeEdge(const PointCut& cut) const
   const double low = this->ScalarAt(edge.Low);
   const double high = this->ScalarAt(edge.High);
   // Halved, so that the difference of two huge numbers does not overflow.
-  edge.Parameter = (0.5 * this->Values.Levels().Value(cut.Level) - 0.5 * low) / (0.5 * high - 0.5 * low);
+  edge.Parameter =
+    (0.5 * this->Values.Levels().Value(cut.Level) - 0.5 * low) / (0.5 * high - 0.5 * low);
   edge.Level = cut.Level;
   return edge;
 }
@@ -143,8 +147,10 @@ void SplitPoints::CarryArrays(vtkDataSetAttributes* output) const
   {
     vtkAbstractArray* from = input->GetAbstractArray(a);
     const int attribute = input->IsArrayAnAttribute(a);
-    const bool areIds = attribute == vtkDataSetAttributes::GLOBALIDS || attribute == vtkDataSetAttributes::PEDIGREEIDS;
-    auto to = MakeLike(from, from == this->Scalars ? TypeForScalars(this->Scalars) : from->GetDataType());
+    const bool areIds = attribute == vtkDataSetAttributes::GLOBALIDS ||
+      attribute == vtkDataSetAttributes::PEDIGREEIDS;
+    auto to =
+      MakeLike(from, from == this->Scalars ? TypeForScalars(this->Scalars) : from->GetDataType());
     to->SetNumberOfTuples(this->FirstCut() + static_cast<vtkIdType>(this->Edges.size()));
     to->InsertTuples(0, this->NumberOfPoints, 0, from);
     this->CarryArray(from, to, areIds);
@@ -159,7 +165,8 @@ void SplitPoints::CarryArrays(vtkDataSetAttributes* output) const
 void SplitPoints::CarryArray(vtkAbstractArray* from, vtkAbstractArray* to, bool areIds) const
 {
   auto* numbers = vtkDataArray::SafeDownCast(to);
-  const bool isGhost = from->GetName() && std::strcmp(from->GetName(), vtkDataSetAttributes::GhostArrayName()) == 0;
+  const bool isGhost =
+    from->GetName() && std::strcmp(from->GetName(), vtkDataSetAttributes::GhostArrayName()) == 0;
   if (isGhost && vtkUnsignedCharArray::SafeDownCast(to))
   {
     this->CombineGhosts(from, to);
@@ -189,17 +196,20 @@ void SplitPoints::Interpolate(vtkDataArray* from, vtkDataArray* to) const
   for (std::size_t i = 0; i < this->Centres.size(); ++i)
   {
     this->Input->GetCellPoints(this->Centres[i].Cell, corners);
-    weights.assign(static_cast<std::size_t>(corners->GetNumberOfIds()), 1.0 / static_cast<double>(corners->GetNumberOfIds()));
-    to->InterpolateTuple(this->NumberOfPoints + static_cast<vtkIdType>(i), corners, from, weights.data());
+    weights.assign(static_cast<std::size_t>(corners->GetNumberOfIds()),
+      1.0 / static_cast<double>(corners->GetNumberOfIds()));
+    to->InterpolateTuple(
+      this->NumberOfPoints + static_cast<vtkIdType>(i), corners, from, weights.data());
   }
   const vtkIdType first = this->FirstCut();
-  vtkSMPTools::For(0, static_cast<vtkIdType>(this->Edges.size()), [&](vtkIdType begin, vtkIdType end) {
-    for (vtkIdType i = begin; i < end; ++i)
-    {
-      const Edge& edge = this->Edges[i];
-      to->InterpolateTuple(first + i, edge.Low, to, edge.High, to, edge.Parameter);
-    }
-  });
+  vtkSMPTools::For(
+    0, static_cast<vtkIdType>(this->Edges.size()), [&](vtkIdType begin, vtkIdType end) {
+      for (vtkIdType i = begin; i < end; ++i)
+      {
+        const Edge& edge = this->Edges[i];
+        to->InterpolateTuple(first + i, edge.Low, to, edge.High, to, edge.Parameter);
+      }
+    });
 }
 
 // Text, bits, variants: not for threads.
@@ -242,7 +252,8 @@ void SplitPoints::CombineGhosts(vtkAbstractArray*, vtkAbstractArray* to) const
   vtkIdType next = this->FirstCut();
   for (const Edge& edge : this->Edges)
   {
-    flags->SetValue(next++, static_cast<unsigned char>(flags->GetValue(edge.Low) & flags->GetValue(edge.High)));
+    flags->SetValue(
+      next++, static_cast<unsigned char>(flags->GetValue(edge.Low) & flags->GetValue(edge.High)));
   }
 }
 

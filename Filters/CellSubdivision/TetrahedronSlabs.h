@@ -57,8 +57,18 @@ namespace slabs
 // Corners of a piece: vertices 0 to 3, cuts of the six edges at the lower and at the upper value of the slab.
 enum : signed char
 {
-  L01 = 4, L02, L03, L12, L13, L23,
-  U01, U02, U03, U12, U13, U23
+  L01 = 4,
+  L02,
+  L03,
+  L12,
+  L13,
+  L23,
+  U01,
+  U02,
+  U03,
+  U12,
+  U13,
+  U23
 };
 constexpr int numberOfCornerNames = 16;
 constexpr int edgeVertices[6][2] = { { 0, 1 }, { 0, 2 }, { 0, 3 }, { 1, 2 }, { 1, 3 }, { 2, 3 } };
@@ -80,6 +90,7 @@ constexpr PieceShape wedge = PieceShape::Wedge;
 constexpr PieceShape hexahedron = PieceShape::Hexahedron;
 constexpr Slab none = { 0, {} };
 
+// clang-format off
 // [vertices below][vertices inside]; right for a tetrahedron of positive volume.
 constexpr Slab table[4][5] = {
   { none,
@@ -103,6 +114,7 @@ constexpr Slab table[4][5] = {
     { 1, { { tetrahedron, { L03, L13, L23, 3 } } } },
     none, none, none },
 };
+// clang-format on
 
 // The cross section at the lower value, by the number of vertices below it; it faces the higher scalars.
 constexpr Pattern crossSections[4] = {
@@ -226,7 +238,9 @@ void simplify(Piece<Corner>& piece)
     case PieceShape::Quadrilateral:
     {
       const int kept = slabs::uniqueLoop(c, numberOfCorners(piece.Shape));
-      piece.Shape = kept < 3 ? PieceShape::Nothing : kept == 3 ? PieceShape::Triangle : PieceShape::Quadrilateral;
+      piece.Shape = kept < 3 ? PieceShape::Nothing
+        : kept == 3          ? PieceShape::Triangle
+                             : PieceShape::Quadrilateral;
       break;
     }
     case PieceShape::Tetrahedron:

@@ -31,18 +31,20 @@ TransitionCells::TransitionCells(vtkDataSet* data, const std::vector<SplitBatch>
 
 void TransitionCells::Convert(std::vector<SplitBatch>& batches) const
 {
-  vtkSMPTools::For(0, static_cast<vtkIdType>(batches.size()), 1, [&](vtkIdType begin, vtkIdType end) {
-    for (vtkIdType b = begin; b < end; ++b)
-    {
-      this->ConvertBatch(batches[static_cast<std::size_t>(b)]);
-    }
-  });
+  vtkSMPTools::For(
+    0, static_cast<vtkIdType>(batches.size()), 1, [&](vtkIdType begin, vtkIdType end) {
+      for (vtkIdType b = begin; b < end; ++b)
+      {
+        this->ConvertBatch(batches[static_cast<std::size_t>(b)]);
+      }
+    });
 }
 
 bool TransitionCells::Touches(const vtkIdType* begin, const vtkIdType* end) const
 {
   return std::count_if(begin, end, [this](vtkIdType point) {
-    return point >= 0 && point < static_cast<vtkIdType>(this->Touched.size()) && this->Touched[point] != 0;
+    return point >= 0 && point < static_cast<vtkIdType>(this->Touched.size()) &&
+      this->Touched[point] != 0;
   }) >= static_cast<std::ptrdiff_t>(std::tuple_size<FaceKey>::value);
 }
 

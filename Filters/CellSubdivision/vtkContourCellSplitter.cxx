@@ -32,7 +32,8 @@ vtkStandardNewMacro(vtkContourCellSplitter);
 
 namespace
 {
-constexpr vtkIdType cellsPerBatch = 2048; // whatever the number of threads, so that the output is the same
+// Whatever the number of threads, so that the output is the same.
+constexpr vtkIdType cellsPerBatch = 2048;
 constexpr vtkIdType progressSteps = 24;
 constexpr double splitShare = 0.7; // of the time, about; the rest is putting the output together
 
@@ -44,7 +45,8 @@ void WithThreads(Function&& function)
 
 std::string NameOf(vtkAbstractArray* array)
 {
-  return array->GetName() ? "'" + std::string(array->GetName()) + "'" : std::string("without a name");
+  return array->GetName() ? "'" + std::string(array->GetName()) + "'"
+                          : std::string("without a name");
 }
 
 std::string Listed(vtkDataSetAttributes* attributes)
@@ -60,20 +62,23 @@ std::string Listed(vtkDataSetAttributes* attributes)
 bool WantsDouble(vtkDataSet* input, int precision)
 {
   auto* pointSet = vtkPointSet::SafeDownCast(input);
-  const bool isFloat = pointSet && pointSet->GetPoints() && pointSet->GetPoints()->GetDataType() == VTK_FLOAT;
-  return precision == vtkAlgorithm::DOUBLE_PRECISION || (precision == vtkAlgorithm::DEFAULT_PRECISION && !isFloat);
+  const bool isFloat =
+    pointSet && pointSet->GetPoints() && pointSet->GetPoints()->GetDataType() == VTK_FLOAT;
+  return precision == vtkAlgorithm::DOUBLE_PRECISION ||
+    (precision == vtkAlgorithm::DEFAULT_PRECISION && !isFloat);
 }
 
 std::string Cells(const CellCount& count)
 {
-  return std::to_string(count.Count) + (count.Count == 1 ? " cell" : " cells") + " (the first one is cell " +
-    std::to_string(count.First) + ")";
+  return std::to_string(count.Count) + (count.Count == 1 ? " cell" : " cells") +
+    " (the first one is cell " + std::to_string(count.First) + ")";
 }
 }
 
 vtkContourCellSplitter::vtkContourCellSplitter()
 {
-  this->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, vtkDataSetAttributes::SCALARS);
+  this->SetInputArrayToProcess(
+    0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, vtkDataSetAttributes::SCALARS);
 }
 
 vtkMTimeType vtkContourCellSplitter::GetMTime()
@@ -128,33 +133,38 @@ vtkDataArray* vtkContourCellSplitter::FindScalars(vtkDataSet* input, vtkInformat
   vtkAbstractArray* found = this->GetInputAbstractArrayToProcess(0, inputs, association);
   vtkInformation* wanted = this->GetInputArrayInformation(0);
   const char* name = wanted->Get(vtkDataObject::FIELD_NAME());
-  const std::string called = name && *name ? "'" + std::string(name) + "'" : std::string("of the active scalars");
+  const std::string called =
+    name && *name ? "'" + std::string(name) + "'" : std::string("of the active scalars");
   if (!found)
   {
     const bool onCells = name && input->GetCellData()->HasArray(name);
-    vtkErrorMacro("There is no point array " << called << " to split cells at. "
+    vtkErrorMacro("There is no point array "
+      << called << " to split cells at. "
       << (onCells ? "It is on cells: apply Cell Data to Point Data first. " : "")
-      << "Choose one with SetInputArrayToProcess. Point arrays: " << Listed(input->GetPointData()) << ".");
+      << "Choose one with SetInputArrayToProcess. Point arrays: " << Listed(input->GetPointData())
+      << ".");
     return nullptr;
   }
   auto* array = vtkDataArray::SafeDownCast(found);
   if (association != vtkDataObject::FIELD_ASSOCIATION_POINTS)
   {
-    vtkErrorMacro("The array " << NameOf(found) << " is not on points, so it is not continuous and has no contours. "
-      "Apply Cell Data to Point Data first.");
+    vtkErrorMacro("The array " << NameOf(found)
+                               << " is not on points, so it is not continuous and has no contours. "
+                                  "Apply Cell Data to Point Data first.");
     return nullptr;
   }
   if (!array || vtkBitArray::SafeDownCast(found) || array->GetNumberOfComponents() != 1)
   {
-    vtkErrorMacro("The array " << NameOf(found) << " of type " << found->GetDataTypeAsString() << " has "
-      << found->GetNumberOfComponents() << " components; one number at each point is needed. Make an array "
-      "of a component or of the magnitude first (Calculator).");
+    vtkErrorMacro("The array " << NameOf(found) << " of type " << found->GetDataTypeAsString()
+                               << " has " << found->GetNumberOfComponents()
+                               << " components; one number at each point is needed. Make an array "
+                                  "of a component or of the magnitude first (Calculator).");
     return nullptr;
   }
   if (array->GetNumberOfTuples() != input->GetNumberOfPoints())
   {
-    vtkErrorMacro("The array " << NameOf(array) << " has " << array->GetNumberOfTuples() << " values for "
-      << input->GetNumberOfPoints() << " points.");
+    vtkErrorMacro("The array " << NameOf(array) << " has " << array->GetNumberOfTuples()
+                               << " values for " << input->GetNumberOfPoints() << " points.");
     return nullptr;
   }
   return array;
@@ -172,14 +182,15 @@ bool vtkContourCellSplitter::FindLevels(vtkDataArray* scalars, nephoscope::Conto
       return false;
     }
     // What a float array can hold, so that the scalar on the cuts equals the value by which cells are judged.
-    values.push_back(scalars->GetDataType() == VTK_FLOAT ? static_cast<double>(static_cast<float>(value)) : value);
+    values.push_back(
+      scalars->GetDataType() == VTK_FLOAT ? static_cast<double>(static_cast<float>(value)) : value);
   }
   levels = nephoscope::ContourLevels(values);
   return true;
 }
 
-bool vtkContourCellSplitter::SplitCells(
-  vtkDataSet* input, const nephoscope::ContourScalars& scalars, std::vector<nephoscope::SplitBatch>& batches)
+bool vtkContourCellSplitter::SplitCells(vtkDataSet* input,
+  const nephoscope::ContourScalars& scalars, std::vector<nephoscope::SplitBatch>& batches)
 {
   const vtkIdType cells = input->GetNumberOfCells();
   const vtkIdType count = (cells + cellsPerBatch - 1) / cellsPerBatch;
@@ -188,14 +199,16 @@ bool vtkContourCellSplitter::SplitCells(
   for (vtkIdType first = 0; first < count; first += step)
   {
     vtkSMPTools::For(first, std::min(first + step, count), 1, [&](vtkIdType begin, vtkIdType end) {
-      nephoscope::CellSplitter splitter(input, scalars, { this->GenerateSurfaces, this->PolyhedralTransitions });
+      nephoscope::CellSplitter splitter(
+        input, scalars, { this->GenerateSurfaces, this->PolyhedralTransitions });
       for (vtkIdType b = begin; b < end; ++b)
       {
         batches[static_cast<std::size_t>(b)] =
           splitter.Split(b * cellsPerBatch, std::min((b + 1) * cellsPerBatch, cells));
       }
     });
-    this->UpdateProgress(splitShare * static_cast<double>(std::min(first + step, count)) / static_cast<double>(count));
+    this->UpdateProgress(
+      splitShare * static_cast<double>(std::min(first + step, count)) / static_cast<double>(count));
     if (this->CheckAbort())
     {
       return false;
@@ -205,7 +218,8 @@ bool vtkContourCellSplitter::SplitCells(
 }
 
 void vtkContourCellSplitter::Assemble(vtkDataSet* input, vtkDataArray* array,
-  const nephoscope::ContourScalars& scalars, std::vector<nephoscope::SplitBatch>& batches, vtkUnstructuredGrid* output)
+  const nephoscope::ContourScalars& scalars, std::vector<nephoscope::SplitBatch>& batches,
+  vtkUnstructuredGrid* output)
 {
   if (this->PolyhedralTransitions)
   {
@@ -243,27 +257,32 @@ void vtkContourCellSplitter::Warn(
   }
   if (missing.Count > 0)
   {
-    vtkWarningMacro("The array " << NameOf(array) << " is not a finite number at vertices of " << Cells(missing)
-      << ". They are left whole, with Layer -1. Threshold the array to drop them.");
+    vtkWarningMacro(
+      "The array " << NameOf(array) << " is not a finite number at vertices of " << Cells(missing)
+                   << ". They are left whole, with Layer -1. Threshold the array to drop them.");
   }
   if (flat.Count > 0)
   {
-    vtkWarningMacro(<< Cells(flat) << " of the input " << (flat.Count == 1 ? "is" : "are")
+    vtkWarningMacro(
+      << Cells(flat) << " of the input " << (flat.Count == 1 ? "is" : "are")
       << " not three-dimensional, and left out. Extract surfaces and lines and keep them beside the output.");
   }
   if (undivided.Count > 0)
   {
-    vtkWarningMacro(<< Cells(undivided) << " crossed by a value " << (undivided.Count == 1 ? "has" : "have")
-      << " no volume to divide. They are left whole, with Layer -1.");
+    vtkWarningMacro(<< Cells(undivided) << " crossed by a value "
+                    << (undivided.Count == 1 ? "has" : "have")
+                    << " no volume to divide. They are left whole, with Layer -1.");
   }
   if (notConvex.Count > 0)
   {
-    vtkWarningMacro(<< Cells(notConvex) << " crossed by a value " << (notConvex.Count == 1 ? "is" : "are")
+    vtkWarningMacro(
+      << Cells(notConvex) << " crossed by a value " << (notConvex.Count == 1 ? "is" : "are")
       << " not convex. The pieces overlap or leave gaps there. Divide such cells into tetrahedra first.");
   }
   if (notLinear.Count > 0)
   {
-    vtkWarningMacro(<< Cells(notLinear) << " crossed by a value " << (notLinear.Count == 1 ? "is" : "are")
+    vtkWarningMacro(
+      << Cells(notLinear) << " crossed by a value " << (notLinear.Count == 1 ? "is" : "are")
       << " not linear, and divided as VTK triangulates them; neighbours may not fit. Divide such cells into "
          "tetrahedra first (Tetrahedralize).");
   }
@@ -271,7 +290,8 @@ void vtkContourCellSplitter::Warn(
   {
     if (input->GetCellData()->HasArray(name))
     {
-      vtkWarningMacro("The cell array '" << name << "' of the input has been replaced. Rename it to keep it.");
+      vtkWarningMacro(
+        "The cell array '" << name << "' of the input has been replaced. Rename it to keep it.");
     }
   }
 }

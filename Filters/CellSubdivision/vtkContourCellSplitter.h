@@ -41,8 +41,8 @@
  *   3-D cells.
  *
  * The polygons come after all 3-D cells. They face the higher scalars (right-hand rule) and have the cell arrays of the cell that they
- * were cut from. Where the scalar is constant on the side below, the surface consists of faces of cells; a sheet on which the scalar is least is
- * there once, one on which it is largest is not.
+ * were cut from. Where the value is met on whole faces of cells, the surface consists of the triangles of those faces that have a piece above the
+ * value on one side: each once, even with pieces above on both sides; none where no piece is above.
  *
  * Hidden and refined cells (vtkGhostType, blanking) and cells that touch hidden points are left out; duplicate (ghost) cells are divided like
  * others and stay ghosts. Cells that are not three-dimensional are left out with a warning. Quadratic and other non-linear cells that are
@@ -53,7 +53,7 @@
 #ifndef vtkContourCellSplitter_h
 #define vtkContourCellSplitter_h
 
-#include "vtkContourValues.h" // for inline methods
+#include "vtkContourValues.h"                          // for inline methods
 #include "vtkNephoscopeFiltersCellSubdivisionModule.h" // for export macro
 #include "vtkNew.h"                                    // for the values
 #include "vtkUnstructuredGridAlgorithm.h"
@@ -68,7 +68,8 @@ struct SplitBatch;
 }
 class vtkDataArray;
 
-class VTKNEPHOSCOPEFILTERSCELLSUBDIVISION_EXPORT vtkContourCellSplitter : public vtkUnstructuredGridAlgorithm
+class VTKNEPHOSCOPEFILTERSCELLSUBDIVISION_EXPORT vtkContourCellSplitter
+  : public vtkUnstructuredGridAlgorithm
 {
 public:
   static vtkContourCellSplitter* New();
@@ -93,7 +94,10 @@ public:
   /**
    * So many values at equal steps, from the first to the last of the range.
    */
-  void GenerateValues(int numContours, double range[2]) { this->ContourValues->GenerateValues(numContours, range); }
+  void GenerateValues(int numContours, double range[2])
+  {
+    this->ContourValues->GenerateValues(numContours, range);
+  }
   void GenerateValues(int numContours, double rangeStart, double rangeEnd)
   {
     this->ContourValues->GenerateValues(numContours, rangeStart, rangeEnd);
@@ -138,7 +142,8 @@ protected:
   ~vtkContourCellSplitter() override = default;
 
   int FillInputPortInformation(int port, vtkInformation* info) override;
-  int RequestData(vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs) override;
+  int RequestData(
+    vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs) override;
 
 private:
   vtkContourCellSplitter(const vtkContourCellSplitter&) = delete;
@@ -150,7 +155,8 @@ private:
     std::vector<nephoscope::SplitBatch>& batches);
   void Assemble(vtkDataSet* input, vtkDataArray* array, const nephoscope::ContourScalars& scalars,
     std::vector<nephoscope::SplitBatch>& batches, vtkUnstructuredGrid* output);
-  void Warn(vtkDataSet* input, vtkDataArray* array, const std::vector<nephoscope::SplitBatch>& batches);
+  void Warn(
+    vtkDataSet* input, vtkDataArray* array, const std::vector<nephoscope::SplitBatch>& batches);
 
   vtkNew<vtkContourValues> ContourValues;
   bool GenerateSurfaces = true;
