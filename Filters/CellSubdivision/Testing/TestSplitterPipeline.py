@@ -51,6 +51,13 @@ class Threads(unittest.TestCase):
         self.assertEqual(len(digests), 1)
 
 
+class Batches(unittest.TestCase):
+    def test_a_cut_of_several_batches_is_one_point(self):
+        for data in large():
+            points = meshes.points_of(split(data, [0.2, -0.3]))
+            self.assertEqual(len(np.unique(points, axis=0)), len(points))
+
+
 class Blocks(unittest.TestCase):
     def test_blocks_fit_bit_by_bit(self):
         """Two halves with points of their own: the cuts on the common face are the same places."""
