@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # ParaView (with its own VTK) or a VTK alone.
 set(nephoscope_vtk_components
-  CommonCore CommonDataModel CommonExecutionModel CommonMath CommonTransforms
+  CommonCore CommonDataModel CommonExecutionModel CommonMath CommonMisc CommonTransforms
   FiltersCore FiltersGeneral FiltersSources ImagingCore IOImage
   InteractionStyle RenderingCore RenderingFreeType RenderingOpenGL2 RenderingVolume RenderingVolumeOpenGL2)
 # glew (up to VTK 9.3) or glad (from 9.4) give the OpenGL entry points.

@@ -10,10 +10,9 @@
 #ifndef TetrahedronSource_h
 #define TetrahedronSource_h
 
-#include "CellDecomposition.h"
 #include "ChessboardGrid.h"
+#include "LinearCellFaces.h"
 
-#include "vtkCellType.h"
 #include "vtkDataSet.h"
 #include "vtkDataSetAttributes.h"
 #include "vtkGenericCell.h"
@@ -33,30 +32,6 @@
 
 namespace nephoscope
 {
-
-/** Faces of VTK's linear 3-D cells; empty for all others. */
-inline FaceList<int> linearCellFaces(int cellType)
-{
-  switch (cellType)
-  {
-    case VTK_TETRA:
-      return makeFaceList(tetrahedronFaceList);
-    case VTK_HEXAHEDRON:
-      return makeFaceList(hexahedronFaceList);
-    case VTK_VOXEL:
-      return makeFaceList(voxelFaceList);
-    case VTK_WEDGE:
-      return makeFaceList(wedgeFaceList);
-    case VTK_PYRAMID:
-      return makeFaceList(pyramidFaceList);
-    case VTK_PENTAGONAL_PRISM:
-      return makeFaceList(pentagonalPrismFaceList);
-    case VTK_HEXAGONAL_PRISM:
-      return makeFaceList(hexagonalPrismFaceList);
-    default:
-      return { nullptr, nullptr };
-  }
-}
 
 /** The grid of structured data with cells in three dimensions; empty for all other data. Its seam is taken as open. */
 inline ChessboardGrid findChessboardGrid(vtkDataSet* data)

@@ -17,6 +17,7 @@ if _TYPE_CHECKING:
     from .cells import add_cells
     from .globe import globe_surface, to_globe
     from .reader import read_cf
+    from .splitting import split_cells
 
 # Function -> the file of its technique. A new technique adds its line here and its method in accessor.py.
 PYVISTA_FUNCTIONS = {
@@ -24,6 +25,7 @@ PYVISTA_FUNCTIONS = {
     "to_globe": "globe",
     "globe_surface": "globe",
     "add_cells": "cells",
+    "split_cells": "splitting",
 }
 
 

@@ -7,6 +7,7 @@ from typing import Any, Callable
 import pyvista
 
 from .globe import to_globe
+from .splitting import split_cells
 
 
 def _method(function: Callable) -> Callable:
@@ -32,6 +33,7 @@ class NephoscopeAccessor:
         self._mesh = mesh
 
     globe = _method(to_globe)
+    split_cells = _method(split_cells)
 
 
 # Before 0.48 PyVista has no accessors; the functions of the package work without them.

@@ -1,0 +1,24 @@
+// SPDX-FileCopyrightText: The Nephoscope authors
+// SPDX-License-Identifier: BSD-3-Clause
+/** One number for each cut, however many batches have made it. */
+#ifndef CutNumbering_h
+#define CutNumbering_h
+
+#include "SplitBatch.h"
+
+#include <vector>
+
+namespace nephoscope
+{
+
+struct CutNumbering
+{
+  std::vector<PointCut> Cuts;                  // each once, sorted
+  std::vector<std::vector<vtkIdType>> Numbers; // [batch][cut of the batch]: place in Cuts
+
+  CutNumbering(const std::vector<SplitBatch>& batches, vtkIdType numberOfPoints);
+};
+
+} // namespace nephoscope
+
+#endif

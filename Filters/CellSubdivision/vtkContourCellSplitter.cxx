@@ -1,0 +1,307 @@
+// SPDX-FileCopyrightText: The Nephoscope authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkContourCellSplitter.h"
+
+#include "ContourScalars.h"
+#include "CutNumbering.h"
+#include "SplitAssembly.h"
+#include "SplitBatch.h"
+#include "SplitPoints.h"
+#include "TransitionCells.h"
+
+#include "vtkBitArray.h"
+#include "vtkCellData.h"
+#include "vtkDataArray.h"
+#include "vtkDataSet.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkObjectFactory.h"
+#include "vtkPointData.h"
+#include "vtkPointSet.h"
+#include "vtkPoints.h"
+#include "vtkSMPTools.h"
+#include "vtkUnstructuredGrid.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+using nephoscope::CellCount;
+
+vtkStandardNewMacro(vtkContourCellSplitter);
+
+namespace
+{
+// Whatever the number of threads, so that the output is the same.
+constexpr vtkIdType cellsPerBatch = 2048;
+constexpr vtkIdType progressSteps = 24;
+constexpr double splitShare = 0.7; // of the time, about; the rest is putting the output together
+
+template <typename Function>
+void WithThreads(Function&& function)
+{
+  vtkSMPTools::LocalScope(vtkSMPTools::Config(0, "STDThread", false), function);
+}
+
+std::string NameOf(vtkAbstractArray* array)
+{
+  return array->GetName() ? "'" + std::string(array->GetName()) + "'"
+                          : std::string("without a name");
+}
+
+std::string Listed(vtkDataSetAttributes* attributes)
+{
+  std::string names;
+  for (int a = 0; a < attributes->GetNumberOfArrays(); ++a)
+  {
+    names += (a > 0 ? ", " : "") + NameOf(attributes->GetAbstractArray(a));
+  }
+  return names.empty() ? "none" : names;
+}
+
+bool WantsDouble(vtkDataSet* input, int precision)
+{
+  auto* pointSet = vtkPointSet::SafeDownCast(input);
+  const bool isFloat =
+    pointSet && pointSet->GetPoints() && pointSet->GetPoints()->GetDataType() == VTK_FLOAT;
+  return precision == vtkAlgorithm::DOUBLE_PRECISION ||
+    (precision == vtkAlgorithm::DEFAULT_PRECISION && !isFloat);
+}
+
+std::string Cells(const CellCount& count)
+{
+  return std::to_string(count.Count) + (count.Count == 1 ? " cell" : " cells") +
+    " (the first one is cell " + std::to_string(count.First) + ")";
+}
+}
+
+vtkContourCellSplitter::vtkContourCellSplitter()
+{
+  this->SetInputArrayToProcess(
+    0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, vtkDataSetAttributes::SCALARS);
+}
+
+vtkMTimeType vtkContourCellSplitter::GetMTime()
+{
+  return std::max(this->Superclass::GetMTime(), this->ContourValues->GetMTime());
+}
+
+int vtkContourCellSplitter::FillInputPortInformation(int, vtkInformation* info)
+{
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataSet");
+  return 1;
+}
+
+int vtkContourCellSplitter::RequestData(
+  vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
+{
+  vtkDataSet* input = vtkDataSet::GetData(inputs[0], 0);
+  vtkUnstructuredGrid* output = vtkUnstructuredGrid::GetData(outputs, 0);
+  if (input->GetNumberOfCells() == 0 || input->GetNumberOfPoints() == 0)
+  {
+    return 1; // an empty block or piece
+  }
+  vtkDataArray* array = this->FindScalars(input, inputs);
+  nephoscope::ContourLevels levels;
+  if (!array || !this->FindLevels(array, levels))
+  {
+    return 1; // an error has been reported; other blocks go on
+  }
+  bool finished = false;
+  std::vector<nephoscope::SplitBatch> batches;
+  WithThreads([&]() {
+    const nephoscope::ContourScalars scalars(input, array, levels);
+    finished = this->SplitCells(input, scalars, batches);
+    if (finished)
+    {
+      this->Assemble(input, array, scalars, batches, output);
+    }
+  });
+  if (!finished || this->CheckAbort())
+  {
+    output->Initialize(); // nothing rather than a part
+    return 1;
+  }
+  this->Warn(input, array, batches);
+  this->UpdateProgress(1.0);
+  return 1;
+}
+
+vtkDataArray* vtkContourCellSplitter::FindScalars(vtkDataSet* input, vtkInformationVector** inputs)
+{
+  int association = vtkDataObject::FIELD_ASSOCIATION_POINTS;
+  vtkAbstractArray* found = this->GetInputAbstractArrayToProcess(0, inputs, association);
+  vtkInformation* wanted = this->GetInputArrayInformation(0);
+  const char* name = wanted->Get(vtkDataObject::FIELD_NAME());
+  const std::string called =
+    name && *name ? "'" + std::string(name) + "'" : std::string("of the active scalars");
+  if (!found)
+  {
+    const bool onCells = name && input->GetCellData()->HasArray(name);
+    vtkErrorMacro("There is no point array "
+      << called << " to split cells at. "
+      << (onCells ? "It is on cells: apply Cell Data to Point Data first. " : "")
+      << "Choose one with SetInputArrayToProcess. Point arrays: " << Listed(input->GetPointData())
+      << ".");
+    return nullptr;
+  }
+  auto* array = vtkDataArray::SafeDownCast(found);
+  if (association != vtkDataObject::FIELD_ASSOCIATION_POINTS)
+  {
+    vtkErrorMacro("The array " << NameOf(found)
+                               << " is not on points, so it is not continuous and has no contours. "
+                                  "Apply Cell Data to Point Data first.");
+    return nullptr;
+  }
+  if (!array || vtkBitArray::SafeDownCast(found) || array->GetNumberOfComponents() != 1)
+  {
+    vtkErrorMacro("The array " << NameOf(found) << " of type " << found->GetDataTypeAsString()
+                               << " has " << found->GetNumberOfComponents()
+                               << " components; one number at each point is needed. Make an array "
+                                  "of a component or of the magnitude first (Calculator).");
+    return nullptr;
+  }
+  if (array->GetNumberOfTuples() != input->GetNumberOfPoints())
+  {
+    vtkErrorMacro("The array " << NameOf(array) << " has " << array->GetNumberOfTuples()
+                               << " values for " << input->GetNumberOfPoints() << " points.");
+    return nullptr;
+  }
+  return array;
+}
+
+bool vtkContourCellSplitter::FindLevels(vtkDataArray* scalars, nephoscope::ContourLevels& levels)
+{
+  std::vector<double> values;
+  for (int i = 0; i < this->GetNumberOfContours(); ++i)
+  {
+    const double value = this->GetValue(i);
+    if (!std::isfinite(value))
+    {
+      vtkErrorMacro("Contour value " << i << " is " << value << "; it must be a finite number.");
+      return false;
+    }
+    // What a float array can hold, so that the scalar on the cuts equals the value by which cells are judged.
+    values.push_back(
+      scalars->GetDataType() == VTK_FLOAT ? static_cast<double>(static_cast<float>(value)) : value);
+  }
+  levels = nephoscope::ContourLevels(values);
+  return true;
+}
+
+bool vtkContourCellSplitter::SplitCells(vtkDataSet* input,
+  const nephoscope::ContourScalars& scalars, std::vector<nephoscope::SplitBatch>& batches)
+{
+  const vtkIdType cells = input->GetNumberOfCells();
+  const vtkIdType count = (cells + cellsPerBatch - 1) / cellsPerBatch;
+  const vtkIdType step = (count + progressSteps - 1) / progressSteps;
+  batches.resize(static_cast<std::size_t>(count));
+  for (vtkIdType first = 0; first < count; first += step)
+  {
+    vtkSMPTools::For(first, std::min(first + step, count), 1, [&](vtkIdType begin, vtkIdType end) {
+      nephoscope::CellSplitter splitter(
+        input, scalars, { this->GenerateSurfaces, this->PolyhedralTransitions });
+      for (vtkIdType b = begin; b < end; ++b)
+      {
+        batches[static_cast<std::size_t>(b)] =
+          splitter.Split(b * cellsPerBatch, std::min((b + 1) * cellsPerBatch, cells));
+      }
+    });
+    this->UpdateProgress(
+      splitShare * static_cast<double>(std::min(first + step, count)) / static_cast<double>(count));
+    if (this->CheckAbort())
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+void vtkContourCellSplitter::Assemble(vtkDataSet* input, vtkDataArray* array,
+  const nephoscope::ContourScalars& scalars, std::vector<nephoscope::SplitBatch>& batches,
+  vtkUnstructuredGrid* output)
+{
+  if (this->PolyhedralTransitions)
+  {
+    nephoscope::TransitionCells(input, batches).Convert(batches);
+  }
+  const nephoscope::CutNumbering cuts(batches, input->GetNumberOfPoints());
+  const nephoscope::SplitPoints splitPoints(input, array, scalars, batches, cuts.Cuts);
+  vtkNew<vtkPoints> points;
+  points->SetDataType(WantsDouble(input, this->OutputPointsPrecision) ? VTK_DOUBLE : VTK_FLOAT);
+  splitPoints.Place(points);
+  output->SetPoints(points);
+  splitPoints.CarryArrays(output->GetPointData());
+  this->UpdateProgress(0.85);
+  const nephoscope::SplitAssembly assembly(input, scalars.Levels(), batches, cuts, splitPoints);
+  assembly.AddCells(output);
+  assembly.CarryCellArrays(output);
+  assembly.AddLayers(output);
+}
+
+void vtkContourCellSplitter::Warn(
+  vtkDataSet* input, vtkDataArray* array, const std::vector<nephoscope::SplitBatch>& batches)
+{
+  CellCount missing;
+  CellCount flat;
+  CellCount undivided;
+  CellCount notConvex;
+  CellCount notLinear;
+  for (const nephoscope::SplitBatch& batch : batches)
+  {
+    missing.Add(batch.Missing);
+    flat.Add(batch.Flat);
+    undivided.Add(batch.Undivided);
+    notConvex.Add(batch.NotConvex);
+    notLinear.Add(batch.NotLinear);
+  }
+  if (missing.Count > 0)
+  {
+    vtkWarningMacro(
+      "The array " << NameOf(array) << " is not a finite number at vertices of " << Cells(missing)
+                   << ". They are left whole, with Layer -1. Threshold the array to drop them.");
+  }
+  if (flat.Count > 0)
+  {
+    vtkWarningMacro(
+      << Cells(flat) << " of the input " << (flat.Count == 1 ? "is" : "are")
+      << " not three-dimensional, and left out. Extract surfaces and lines and keep them beside the output.");
+  }
+  if (undivided.Count > 0)
+  {
+    vtkWarningMacro(<< Cells(undivided) << " crossed by a value "
+                    << (undivided.Count == 1 ? "has" : "have")
+                    << " no volume to divide. They are left whole, with Layer -1.");
+  }
+  if (notConvex.Count > 0)
+  {
+    vtkWarningMacro(
+      << Cells(notConvex) << " crossed by a value " << (notConvex.Count == 1 ? "is" : "are")
+      << " not convex. The pieces overlap or leave gaps there. Divide such cells into tetrahedra first.");
+  }
+  if (notLinear.Count > 0)
+  {
+    vtkWarningMacro(
+      << Cells(notLinear) << " crossed by a value " << (notLinear.Count == 1 ? "is" : "are")
+      << " not linear, and divided as VTK triangulates them; neighbours may not fit. Divide such cells into "
+         "tetrahedra first (Tetrahedralize).");
+  }
+  for (const char* name : { "Layer", "ContourIndex" })
+  {
+    if (input->GetCellData()->HasArray(name))
+    {
+      vtkWarningMacro(
+        "The cell array '" << name << "' of the input has been replaced. Rename it to keep it.");
+    }
+  }
+}
+
+void vtkContourCellSplitter::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "GenerateSurfaces: " << this->GenerateSurfaces << "\n"
+     << indent << "PolyhedralTransitions: " << this->PolyhedralTransitions << "\n"
+     << indent << "OutputPointsPrecision: " << this->OutputPointsPrecision << "\n"
+     << indent << "ContourValues:\n";
+  this->ContourValues->PrintSelf(os, indent.GetNextIndent());
+}

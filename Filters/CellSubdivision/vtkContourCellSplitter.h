@@ -1,0 +1,167 @@
+// SPDX-FileCopyrightText: The Nephoscope authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkContourCellSplitter
+ * @brief   cells divided at contour values, with the contour surfaces between them
+ *
+ *     any dataset with 3-D cells, a point scalar, values v0 < v1 < ...
+ *                                  |
+ *                      vtkContourCellSplitter
+ *                                  |
+ *     vtkUnstructuredGrid: convex pieces in one layer each, Layer 0 | v0 | Layer 1 | v1 | Layer 2 ...
+ *                          and the triangles and quadrilaterals of the contour surfaces
+ *
+ * Every 3-D cell that a value crosses is divided into tetrahedra, pyramids, wedges and hexahedra that lie on one side of every value,
+ * as Max, Crawfis and Becker (1993), section 2, divide cells so that colour and opacity may jump at a contour surface. All other
+ * 3-D cells stay as they are.
+ *
+ * 1. Give each point a code: which values it is between, or on which one.
+ * 2. Divide the crossed cells into tetrahedra; every face as a fan from its least vertex (by x, then y, then z), so that neighbours
+ *    agree (Dompierre et al. 1999). The scalar is linear in each.
+ * 3. Divide the tetrahedra into slabs between the values.
+ * 4. Give each cut of an edge one number; place it; interpolate the arrays.
+ *
+ * Two divided cells fit face to face, side to side. A cell left whole that has a quadrilateral in common with a divided one
+ * has the two triangles of step 2 beside it: no point lies on an edge between, and where the four vertices are not in one plane, the
+ * two triangles are what the face is meant to be. vtkCellCompositingMapper draws it so. PolyhedralTransitions writes it so.
+ *
+ * Points 0 to n-1 of the output are those of the input. The cuts follow: exactly one for an edge and a value, and the scalar there is
+ * exactly the value. A scalar array of whole numbers becomes double, and values are rounded to float for a float array. Other point
+ * arrays are interpolated linearly along the edge (text and bits: from the nearer end; global and pedigree ids: -1, and the arrays
+ * are no longer active). Where only the centre of a cell sees all its faces (polyhedra with faces in one plane, warped hexahedra),
+ * it becomes a point too, with the mean of the vertices' values. A scalar that differs from a value by rounding alone
+ * (1e-12 of what it spans in the cell, or so little that the coordinates of the cut would be nothing but rounding) is set to it. Two
+ * values whose relative difference is below 1e-12 count as one.
+ *
+ * Cell arrays are copied to the pieces. Cell arrays written:
+ * - Layer, int, 1 component: the number of distinct values less than the largest scalar of the piece, 0 to n. All scalars of a piece in
+ *   layer k are in [v(k-1), v(k)]. -1: the cell is left whole because a scalar is not a finite number or it has no volume. For a polygon
+ *   the number of values less than its own.
+ * - ContourIndex, int, 1 component: for a polygon the index i of its value, as in SetValue(i, v) (of equal values the first one); -1 for
+ *   3-D cells.
+ *
+ * The polygons come after all 3-D cells. They face the higher scalars (right-hand rule) and have the cell arrays of the cell that they
+ * were cut from. Where the value is met on whole faces of cells, the surface consists of the triangles of those faces that have a piece above the
+ * value on one side: each once, even with pieces above on both sides; none where no piece is above.
+ *
+ * Hidden and refined cells (vtkGhostType, blanking) and cells that touch hidden points are left out; duplicate (ghost) cells are divided like
+ * others and stay ghosts. Cells that are not three-dimensional are left out with a warning. Quadratic and other non-linear cells that are
+ * crossed are divided as VTK triangulates them, with a warning. Cells must be convex; those that are not are divided nevertheless, with a warning.
+ *
+ * Parallel (vtkSMPTools); the output does not depend on the number of threads. Blocks are divided one by one.
+ */
+#ifndef vtkContourCellSplitter_h
+#define vtkContourCellSplitter_h
+
+#include "vtkContourValues.h"                          // for inline methods
+#include "vtkNephoscopeFiltersCellSubdivisionModule.h" // for export macro
+#include "vtkNew.h"                                    // for the values
+#include "vtkUnstructuredGridAlgorithm.h"
+
+#include <vector> // for batches
+
+namespace nephoscope
+{
+class ContourLevels;
+class ContourScalars;
+struct SplitBatch;
+}
+class vtkDataArray;
+
+class VTKNEPHOSCOPEFILTERSCELLSUBDIVISION_EXPORT vtkContourCellSplitter
+  : public vtkUnstructuredGridAlgorithm
+{
+public:
+  static vtkContourCellSplitter* New();
+  vtkTypeMacro(vtkContourCellSplitter, vtkUnstructuredGridAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /**
+   * The contour values, in the unit of the scalar, in any order; values that are given twice count once. Finite. As in
+   * vtkContourFilter, there is one at first, 0. Without any value all cells are left whole, in layer 0. The scalar is
+   * chosen by SetInputArrayToProcess (a point array of one component); by default the active point scalars.
+   */
+  void SetValue(int i, double value) { this->ContourValues->SetValue(i, value); }
+  double GetValue(int i) { return this->ContourValues->GetValue(i); }
+  double* GetValues() { return this->ContourValues->GetValues(); }
+  void GetValues(double* contourValues) { this->ContourValues->GetValues(contourValues); }
+  void SetNumberOfContours(int number) { this->ContourValues->SetNumberOfContours(number); }
+  vtkIdType GetNumberOfContours() { return this->ContourValues->GetNumberOfContours(); }
+  ///@}
+
+  ///@{
+  /**
+   * So many values at equal steps, from the first to the last of the range.
+   */
+  void GenerateValues(int numContours, double range[2])
+  {
+    this->ContourValues->GenerateValues(numContours, range);
+  }
+  void GenerateValues(int numContours, double rangeStart, double rangeEnd)
+  {
+    this->ContourValues->GenerateValues(numContours, rangeStart, rangeEnd);
+  }
+  ///@}
+
+  ///@{
+  /**
+   * On (default): the polygons of the contour surfaces are in the output, after the 3-D cells.
+   */
+  vtkSetMacro(GenerateSurfaces, bool);
+  vtkGetMacro(GenerateSurfaces, bool);
+  vtkBooleanMacro(GenerateSurfaces, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Off (default): every cell that no value crosses keeps its type. On: those of them that share a polygon with a divided cell become
+   * polyhedra (VTK_POLYHEDRON) of the same points, with the two or more triangles of that polygon as faces. Then every face is
+   * the face of two cells or of the boundary, even where four vertices are not in one plane. Faces are recognised by their points.
+   */
+  vtkSetMacro(PolyhedralTransitions, bool);
+  vtkGetMacro(PolyhedralTransitions, bool);
+  vtkBooleanMacro(PolyhedralTransitions, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Coordinates of the output: vtkAlgorithm::DOUBLE_PRECISION (default), SINGLE_PRECISION, or DEFAULT_PRECISION, which is that of the
+   * input's points (image data and rectilinear grids: double). The volume is conserved to rounding with double only; with
+   * single precision thin pieces can be turned inside out by it.
+   */
+  vtkSetClampMacro(OutputPointsPrecision, int, SINGLE_PRECISION, DEFAULT_PRECISION);
+  vtkGetMacro(OutputPointsPrecision, int);
+  ///@}
+
+  /** Later of this filter's and its values' modification. */
+  vtkMTimeType GetMTime() override;
+
+protected:
+  vtkContourCellSplitter();
+  ~vtkContourCellSplitter() override = default;
+
+  int FillInputPortInformation(int port, vtkInformation* info) override;
+  int RequestData(
+    vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs) override;
+
+private:
+  vtkContourCellSplitter(const vtkContourCellSplitter&) = delete;
+  void operator=(const vtkContourCellSplitter&) = delete;
+
+  vtkDataArray* FindScalars(vtkDataSet* input, vtkInformationVector** inputs);
+  bool FindLevels(vtkDataArray* scalars, nephoscope::ContourLevels& levels);
+  bool SplitCells(vtkDataSet* input, const nephoscope::ContourScalars& scalars,
+    std::vector<nephoscope::SplitBatch>& batches);
+  void Assemble(vtkDataSet* input, vtkDataArray* array, const nephoscope::ContourScalars& scalars,
+    std::vector<nephoscope::SplitBatch>& batches, vtkUnstructuredGrid* output);
+  void Warn(
+    vtkDataSet* input, vtkDataArray* array, const std::vector<nephoscope::SplitBatch>& batches);
+
+  vtkNew<vtkContourValues> ContourValues;
+  bool GenerateSurfaces = true;
+  bool PolyhedralTransitions = false;
+  int OutputPointsPrecision = DOUBLE_PRECISION;
+};
+
+#endif

@@ -1,0 +1,75 @@
+# SPDX-FileCopyrightText: The Nephoscope authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""mesh.nephoscope.split_cells: values, layers, arguments, errors."""
+import unittest
+
+import nephoscope
+import numpy as np
+import pyvista
+from pyvista.core.errors import MissingDataError
+
+
+def block(n=6):
+    mesh = pyvista.ImageData(dimensions=(n + 1,) * 3, spacing=(2 / n,) * 3, origin=(-1,) * 3)
+    mesh.point_data["r"] = np.linalg.norm(mesh.points, axis=1)
+    mesh.point_data["x"] = mesh.points[:, 0]
+    mesh.cell_data["number"] = np.arange(mesh.n_cells)
+    return mesh
+
+
+class SplitCells(unittest.TestCase):
+    def test_layers(self):
+        mesh = block()
+        names = list(mesh.array_names)
+        split = mesh.nephoscope.split_cells([0.75, 0.25], "r")
+        self.assertIsInstance(split, pyvista.UnstructuredGrid)
+        self.assertEqual(set(split.cell_data["Layer"]), {0, 1, 2})
+        solid = split.extract_cells(split.cell_data["ContourIndex"] == -1)
+        self.assertAlmostEqual(solid.volume, 8, places=10)
+        middle = split.extract_cells((split.cell_data["Layer"] == 1) & (split.cell_data["ContourIndex"] == -1))
+        self.assertEqual((middle.point_data["r"].min(), middle.point_data["r"].max()), (0.25, 0.75))
+        surface = split.extract_cells(split.cell_data["ContourIndex"] == 0)
+        self.assertTrue((surface.point_data["r"] == 0.75).all())
+        self.assertEqual(mesh.array_names, names)
+
+    def test_number_of_values(self):
+        split = block().nephoscope.split_cells(3, "x", rng=(-0.5, 0.5), surfaces=False)
+        self.assertEqual(set(split.cell_data["Layer"]), {0, 1, 2, 3})
+        self.assertEqual(set(split.cell_data["ContourIndex"]), {-1})
+        new = split.points[block().n_points:]
+        self.assertTrue(len(new) and np.isin(new[:, 0].round(12), (-0.5, 0, 0.5)).all())
+
+    def test_one_value_and_the_active_scalars(self):
+        mesh = block()
+        mesh.set_active_scalars("r")
+        self.assertEqual(set(nephoscope.split_cells(mesh, 0.5).cell_data["Layer"]), {0, 1})
+        self.assertEqual(mesh.active_scalars_name, "r")
+
+    def test_transitions(self):
+        split = block().nephoscope.split_cells(0.5, "r", polyhedral_transitions=True)
+        self.assertIn(pyvista.CellType.POLYHEDRON, split.celltypes)
+
+    def test_errors(self):
+        mesh = block()
+        with self.assertRaisesRegex(MissingDataError, "no point array 'q'. Point arrays: .*'r'"):
+            mesh.nephoscope.split_cells(0.5, "q")
+        with self.assertRaisesRegex(MissingDataError, "cell_data_to_point_data"):
+            mesh.nephoscope.split_cells(0.5, "number")
+        with self.assertRaisesRegex(ValueError, "finite"):
+            mesh.nephoscope.split_cells([0.5, np.nan], "r")
+        with self.assertRaisesRegex(ValueError, "at least 0"):
+            mesh.nephoscope.split_cells(-1, "r")
+        with self.assertRaisesRegex(TypeError, "mesh is a list"):
+            nephoscope.split_cells([1])
+        mesh.point_data["v"] = mesh.points
+        with self.assertRaisesRegex(RuntimeError, "3 components"):
+            mesh.nephoscope.split_cells(0.5, "v")
+        with self.assertWarnsRegex(RuntimeWarning, "not three-dimensional"):
+            pyvista.Sphere().elevation().nephoscope.split_cells(0.1)
+        empty = pyvista.ImageData(dimensions=(2, 2, 2))
+        with self.assertRaisesRegex(MissingDataError, "no active scalars"):
+            empty.nephoscope.split_cells(0.5)
+
+
+if __name__ == "__main__":
+    unittest.main()

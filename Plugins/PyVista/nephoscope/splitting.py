@@ -1,0 +1,104 @@
+# SPDX-FileCopyrightText: The Nephoscope authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Cells divided at contour values (`vtkContourCellSplitter`)."""
+from __future__ import annotations
+
+from typing import Sequence
+
+import numpy as np
+import pyvista
+from pyvista.core.errors import MissingDataError
+from vtkmodules.vtkCommonDataModel import vtkDataObject
+
+from . import vtkContourCellSplitter
+from ._checks import arrays_of
+from ._pipeline import vtk_messages
+
+
+def split_cells(mesh: pyvista.DataSet, isosurfaces: int | float | Sequence[float] = 10, scalars: str | None = None, *,
+                rng: Sequence[float] | None = None, surfaces: bool = True,
+                polyhedral_transitions: bool = False) -> pyvista.UnstructuredGrid:
+    """Divide the 3-D cells that contour values cross into convex pieces on one side of every value.
+
+    Also the accessor method ``mesh.nephoscope.split_cells(...)``. Cells that no value crosses stay as they are.
+
+    Parameters
+    ----------
+    mesh : pyvista.DataSet
+        Any mesh with 3-D cells; it is not changed.
+    isosurfaces : int, float or sequence of float, default: 10
+        The values, in any order; or how many values, at equal steps from the first to the last of `rng`. As in
+        `pyvista.DataSetFilters.contour`.
+    scalars : str, optional
+        Point array of one number each. Default: the active scalars.
+    rng : sequence of 2 float, optional
+        Range of the values if `isosurfaces` is a number of them. Default: the range of the finite scalars.
+    surfaces : bool, default: True
+        Add the polygons of the contour surfaces.
+    polyhedral_transitions : bool, default: False
+        Turn whole cells beside divided ones into polyhedra that have the triangles of their neighbours.
+
+    Returns
+    -------
+    pyvista.UnstructuredGrid
+        Pieces, then polygons. Cell arrays: those of the cell each was cut from; ``Layer``, the number of values below; and
+        ``ContourIndex``, for polygons the index of their value, else -1. Point arrays are interpolated; `scalars` is exactly
+        the value on a cut.
+
+    Raises
+    ------
+    TypeError
+        If `mesh` is not a dataset.
+    pyvista.core.errors.MissingDataError
+        (a ValueError) If there is no such point array; the message lists those that are there.
+    ValueError
+        If a value is not a finite number, or their number is negative.
+    RuntimeError
+        If the filter cannot use the mesh, with its message.
+
+    Warns
+    -----
+    RuntimeWarning
+        What the filter warns of: scalars that are not numbers, cells that are not three-dimensional, convex or linear.
+    """
+    if not isinstance(mesh, pyvista.DataSet):
+        raise TypeError(f"mesh is a {type(mesh).__name__}; it must be a pyvista dataset.")
+    name = _point_array(mesh, scalars)
+    splitter = vtkContourCellSplitter()
+    splitter.SetInputData(mesh)
+    splitter.SetInputArrayToProcess(0, 0, 0, vtkDataObject.FIELD_ASSOCIATION_POINTS, name)
+    values = _values(mesh.point_data[name], isosurfaces, rng)
+    splitter.SetNumberOfContours(len(values))
+    for i, value in enumerate(values):
+        splitter.SetValue(i, value)
+    splitter.SetGenerateSurfaces(surfaces)
+    splitter.SetPolyhedralTransitions(polyhedral_transitions)
+    with vtk_messages(splitter):
+        splitter.Update()
+    return pyvista.wrap(splitter.GetOutput())
+
+
+def _point_array(mesh: pyvista.DataSet, scalars: str | None) -> str:
+    if scalars is None:
+        association, scalars = mesh.active_scalars_info
+        if scalars is None:
+            raise MissingDataError(f"mesh has no active scalars; name a point array: {arrays_of(mesh)}")
+    if scalars not in mesh.point_data:
+        remedy = " It is on cells: use mesh.cell_data_to_point_data() first." if scalars in mesh.cell_data else ""
+        raise MissingDataError(f"scalars: no point array {scalars!r}.{remedy} {arrays_of(mesh)}")
+    return scalars
+
+
+def _values(array: np.ndarray, isosurfaces: int | float | Sequence[float], rng: Sequence[float] | None) -> np.ndarray:
+    if isinstance(isosurfaces, (int, np.integer)) and not isinstance(isosurfaces, bool):
+        if isosurfaces < 0:
+            raise ValueError(f"isosurfaces is {isosurfaces}; a number of values must be at least 0.")
+        if rng is None:
+            finite = array[np.isfinite(array)]
+            rng = (finite.min(), finite.max()) if finite.size else (0.0, 0.0)
+        values = np.linspace(rng[0], rng[1], isosurfaces)
+    else:
+        values = np.atleast_1d(np.asarray(isosurfaces, float))
+    if values.ndim != 1 or not np.isfinite(values).all():
+        raise ValueError(f"isosurfaces is {isosurfaces!r} and rng {rng!r}; the values must be finite numbers.")
+    return values
