@@ -5,14 +5,17 @@
 #include "CellCompositingPass.h"
 
 #include "CellGeometry.h"
+#include "ContourScene.h"
 #include "OpticalSegment.h"
 
 #include "CellCompositingFragment.h"
 #include "CellCompositingGeometry.h"
 #include "CellCompositingVertex.h"
+#include "ContourSurfacesShader.h"
 #include "OpticalSegmentShader.h"
 #include "TransferFunctionShader.h"
 
+#include "vtkMatrix3x3.h"
 #include "vtkMatrix4x4.h"
 #include "vtkOpenGLBufferObject.h"
 #include "vtkOpenGLRenderWindow.h"
@@ -41,6 +44,7 @@ std::string specialized(const char* shader, const std::string& constants)
   vtkShaderProgram::Substitute(source, "//NEPHOSCOPE::Constants", constants);
   vtkShaderProgram::Substitute(source, "//NEPHOSCOPE::OpticalSegment", OpticalSegmentShader);
   vtkShaderProgram::Substitute(source, "//NEPHOSCOPE::TransferFunction", TransferFunctionShader);
+  vtkShaderProgram::Substitute(source, "//NEPHOSCOPE::ContourSurfaces", ContourSurfacesShader);
   return source;
 }
 
@@ -156,23 +160,62 @@ std::string CellCompositingPass::UploadGeometry(vtkOpenGLRenderWindow* window, c
   return error;
 }
 
-std::string CellCompositingPass::UploadTable(vtkOpenGLRenderWindow* window, const TransferFunctionTable& table,
-  BufferName nodes, BufferName intervals)
+// All tables one after the other; nodes as (position, width above).
+std::string CellCompositingPass::UploadTables(vtkOpenGLRenderWindow* window,
+  const std::vector<TransferFunctionTable>& tables, BufferName nodes, BufferName intervals)
 {
-  const std::string error =
-    this->Buffers[nodes]->Upload(window, table.Nodes.data(), table.Nodes.size(), 1, VTK_FLOAT);
-  return error.empty() ? this->Buffers[intervals]->Upload(
-                           window, table.Intervals.data(), 2 * table.Intervals.size(), 4, VTK_FLOAT)
-                       : error;
+  std::vector<std::array<float, 2>> allNodes;
+  std::vector<TransferFunctionTable::Interval> allIntervals;
+  for (const TransferFunctionTable& table : tables)
+  {
+    for (std::size_t i = 0; i < table.Nodes.size(); ++i)
+    {
+      allNodes.push_back({ { table.Nodes[i], table.Widths[i] } });
+    }
+    allIntervals.insert(allIntervals.end(), table.Intervals.begin(), table.Intervals.end());
+  }
+  const std::string error = this->Buffers[nodes]->Upload(window, allNodes.data(), allNodes.size(), 2, VTK_FLOAT);
+  return error.empty()
+    ? this->Buffers[intervals]->Upload(window, allIntervals.data(), 2 * allIntervals.size(), 4, VTK_FLOAT)
+    : error;
 }
 
 std::string CellCompositingPass::UploadTransferFunctions(vtkOpenGLRenderWindow* window,
-  const TransferFunctionTable& colorAndOpacity, const TransferFunctionTable& opacity)
+  const std::vector<TransferFunctionTable>& colorAndOpacity, const std::vector<TransferFunctionTable>& opacity,
+  const std::vector<std::int32_t>& tables)
 {
-  this->NumberOfTransferNodes = static_cast<int>(colorAndOpacity.Nodes.size());
-  this->NumberOfOpacityNodes = static_cast<int>(opacity.Nodes.size());
-  const std::string error = this->UploadTable(window, colorAndOpacity, TransferNodes, TransferIntervals);
-  return error.empty() ? this->UploadTable(window, opacity, OpacityNodes, OpacityIntervals) : error;
+  this->NumberOfTransferNodes = static_cast<int>(colorAndOpacity[0].Nodes.size());
+  this->NumberOfOpacityNodes = static_cast<int>(opacity[0].Nodes.size());
+  this->UseLayers = colorAndOpacity.size() > 1;
+  std::vector<std::array<float, 4>> layers; // first node, number of nodes, of either table
+  float first[2] = { 0, 0 };
+  for (std::size_t i = 0; i < colorAndOpacity.size(); ++i)
+  {
+    const float sizes[2] = { float(colorAndOpacity[i].Nodes.size()), float(opacity[i].Nodes.size()) };
+    layers.push_back({ { first[0], sizes[0], first[1], sizes[1] } });
+    first[0] += sizes[0];
+    first[1] += sizes[1];
+  }
+  std::string error = this->UploadTables(window, colorAndOpacity, TransferNodes, TransferIntervals);
+  error = error.empty() ? this->UploadTables(window, opacity, OpacityNodes, OpacityIntervals) : error;
+  error = error.empty() ? this->Buffers[LayerTables]->Upload(window, layers.data(), layers.size(), 4, VTK_FLOAT) : error;
+  return error.empty() ? this->Buffers[TetrahedronLayers]->Upload(window, tables.data(), tables.size(), 1, VTK_INT)
+                       : error;
+}
+
+std::string CellCompositingPass::UploadContours(vtkOpenGLRenderWindow* window, const ContourScene& contours)
+{
+  this->NumberOfContours = static_cast<int>(contours.Contours.size());
+  this->ContourOfColor = contours.OfColor;
+  this->SmoothContourNormals = contours.Smooth;
+  std::string error;
+  const auto upload = [&](BufferName name, const auto& values, std::size_t tuples, int components) {
+    error = error.empty() ? this->Buffers[name]->Upload(window, values.data(), tuples, components, VTK_FLOAT) : error;
+  };
+  upload(Contours, contours.Contours, 2 * contours.Contours.size(), 4);
+  upload(ContourScalars, contours.Scalars, contours.Scalars.size(), 1);
+  upload(ContourGradients, contours.Gradients, contours.Gradients.size(), 4);
+  return error;
 }
 
 std::string CellCompositingPass::UploadOrder(
@@ -221,7 +264,11 @@ bool CellCompositingPass::ReadyProgram(vtkOpenGLRenderWindow* window, const Opti
   const std::string constants = constant("useCellScalars", this->UseCellScalars) +
     constant("separateOpacity", this->SeparateOpacity) + constant("opacityOnCells", this->OpacityOnCells) +
     constant("averageIntegration", options.AverageIntegration) +
-    constant("splitAtControlPoints", options.SplitAtControlPoints);
+    constant("splitAtControlPoints", options.SplitAtControlPoints) + constant("useLayers", this->UseLayers) +
+    constant("useContours", this->NumberOfContours > 0) + constant("contourOfColor", this->ContourOfColor) +
+    constant("contourLayers", options.ContourLayers && this->UseLayers) +
+    constant("contourLighting", options.ContourLighting) +
+    constant("smoothContourNormals", this->SmoothContourNormals);
   vtkShaderProgram* program = window->GetShaderCache()->ReadyShaderProgram(CellCompositingVertex,
     specialized(CellCompositingFragment, constants).c_str(),
     specialized(CellCompositingGeometry, constants).c_str());
@@ -271,7 +318,8 @@ std::string CellCompositingPass::DrawTetrahedra(
 void CellCompositingPass::ActivateTextures()
 {
   static const char* const names[NumberOfBuffers] = { "points", "tetrahedra", "cellScalars", "opacityScalars",
-    "drawingOrder", "transferNodes", "transferIntervals", "opacityNodes", "opacityIntervals" };
+    "drawingOrder", "transferNodes", "transferIntervals", "opacityNodes", "opacityIntervals",
+    "tetrahedronLayers", "layerTables", "contourScalars", "contours", "contourGradients" };
   for (int i = 0; i < NumberOfBuffers; ++i)
   {
     this->Program->SetUniformi(names[i], this->Buffers[i]->Activate());
@@ -303,6 +351,46 @@ void CellCompositingPass::SetUniforms(const View& view, const Options& options)
     nodes[i][1] = static_cast<float>(quadratureNodes[i][1]);
   }
   program->SetUniform2fv("quadratureNodes", numberOfQuadratureNodes, nodes);
+  if (this->NumberOfContours > 0)
+  {
+    this->SetContourUniforms(view, options);
+  }
+}
+
+void CellCompositingPass::SetContourUniforms(const View& view, const Options& options)
+{
+  vtkShaderProgram* program = this->Program;
+  program->SetUniformi("numberOfContours", this->NumberOfContours);
+  program->SetUniform4f("contourShading", options.ContourShading.data());
+  // Gradients go by the inverse transpose; vtkMatrix3x3 is transposed on its way to OpenGL, so that the inverse is given.
+  vtkNew<vtkMatrix4x4> inverse;
+  vtkMatrix4x4::Invert(view.ModelToView, inverse);
+  vtkNew<vtkMatrix3x3> gradients;
+  for (int i = 0; i < 3; ++i)
+  {
+    for (int j = 0; j < 3; ++j)
+    {
+      gradients->SetElement(i, j, inverse->GetElement(i, j));
+    }
+  }
+  program->SetUniformMatrix("gradientMatrix", gradients);
+
+  std::array<std::vector<float>, 5> values;
+  for (const SceneLight& light : options.Lights)
+  {
+    const std::array<float, 3> parts[5] = { light.Color, light.Direction, light.Position, light.Attenuation, light.Cone };
+    for (std::size_t i = 0; i < 5; ++i)
+    {
+      values[i].insert(values[i].end(), parts[i].begin(), parts[i].end());
+    }
+  }
+  const int count = static_cast<int>(options.Lights.size());
+  program->SetUniformi("numberOfLights", count);
+  const char* const names[5] = { "lightColors", "lightDirections", "lightPositions", "lightAttenuations", "lightCones" };
+  for (std::size_t i = 0; i < 5 && count > 0; ++i)
+  {
+    program->SetUniform3fv(names[i], count, values[i].data());
+  }
 }
 
 bool CellCompositingPass::CopyFloatImage(vtkOpenGLRenderWindow* window, vtkImageData* image)

@@ -11,6 +11,7 @@
 
 #include "FloatAccumulation.h"
 #include "OpaqueDepth.h"
+#include "SceneLights.h"
 #include "TransferFunctionTable.h"
 
 #include "vtkNew.h"
@@ -32,6 +33,7 @@ namespace nephoscope
 {
 
 class CellGeometry;
+class ContourScene;
 
 class CellCompositingPass
 {
@@ -49,6 +51,10 @@ public:
     bool AverageIntegration = false;
     bool SplitAtControlPoints = true;
     double ExtinctionScale = 1.0;
+    bool ContourLayers = false;   ///< layers lie between contours; otherwise tetrahedra have them
+    bool ContourLighting = false;
+    std::array<float, 4> ContourShading = { { 0, 1, 0, 1 } }; ///< ambient, diffuse, specular, specular power
+    std::vector<SceneLight> Lights; ///< of contour surfaces
   };
 
   CellCompositingPass();
@@ -56,8 +62,11 @@ public:
 
   // Each returns an empty string, or what went wrong.
   std::string UploadGeometry(vtkOpenGLRenderWindow* window, const CellGeometry& geometry);
-  std::string UploadTransferFunctions(vtkOpenGLRenderWindow* window, const TransferFunctionTable& colorAndOpacity,
-    const TransferFunctionTable& opacity);
+  /** One table of either kind, or one per layer; `tables` has the number of its tables for each tetrahedron, or is empty. */
+  std::string UploadTransferFunctions(vtkOpenGLRenderWindow* window,
+    const std::vector<TransferFunctionTable>& colorAndOpacity, const std::vector<TransferFunctionTable>& opacity,
+    const std::vector<std::int32_t>& tables);
+  std::string UploadContours(vtkOpenGLRenderWindow* window, const ContourScene& contours);
   std::string UploadOrder(vtkOpenGLRenderWindow* window, const std::vector<std::int32_t>& order);
   std::string Draw(vtkOpenGLRenderWindow* window, const View& view, const Options& options);
 
@@ -77,14 +86,20 @@ private:
     TransferIntervals,
     OpacityNodes,
     OpacityIntervals,
+    TetrahedronLayers,
+    LayerTables,
+    ContourScalars,
+    Contours,
+    ContourGradients,
     NumberOfBuffers
   };
 
-  std::string UploadTable(vtkOpenGLRenderWindow* window, const TransferFunctionTable& table, BufferName nodes,
-    BufferName intervals);
+  std::string UploadTables(vtkOpenGLRenderWindow* window, const std::vector<TransferFunctionTable>& tables,
+    BufferName nodes, BufferName intervals);
   bool ReadyProgram(vtkOpenGLRenderWindow* window, const Options& options);
   void ActivateTextures();
   void SetUniforms(const View& view, const Options& options);
+  void SetContourUniforms(const View& view, const Options& options);
   std::string DrawTetrahedra(vtkOpenGLRenderWindow* window, const View& view, const Options& options);
 
   std::array<std::unique_ptr<BufferTexture>, NumberOfBuffers> Buffers;
@@ -93,6 +108,10 @@ private:
   bool OpacityOnCells = false;
   int NumberOfTransferNodes = 0;
   int NumberOfOpacityNodes = 0;
+  bool UseLayers = false;
+  int NumberOfContours = 0;
+  bool ContourOfColor = true;
+  bool SmoothContourNormals = false;
   std::size_t OrderSize = 0;
 
   OpaqueDepth Depth;

@@ -6,11 +6,9 @@
 
 #include "vtkDataArray.h"
 #include "vtkDataSet.h"
-#include "vtkDataSetAttributes.h"
 #include "vtkIdList.h"
 #include "vtkNew.h"
 #include "vtkSMPTools.h"
-#include "vtkUnsignedCharArray.h"
 
 #include <atomic>
 #include <cmath>
@@ -21,51 +19,6 @@ namespace nephoscope
 {
 namespace
 {
-double scalarValue(const ScalarSelection& scalars, vtkIdType tuple)
-{
-  const int components = scalars.Array->GetNumberOfComponents();
-  if (components == 1 || scalars.Component >= 0)
-  {
-    return scalars.Array->GetComponent(tuple, std::min(std::max(scalars.Component, 0), components - 1));
-  }
-  double sum = 0;
-  for (int c = 0; c < components; ++c)
-  {
-    const double value = scalars.Array->GetComponent(tuple, c);
-    sum += value * value;
-  }
-  return std::sqrt(sum);
-}
-
-/**
- * Finite minimum and maximum, never equal: the range that becomes [0, 1]. Hidden values do not count: a fill value there
- * would take the precision of all that is drawn.
- */
-void findRange(vtkDataSet* data, const ScalarSelection& scalars, double range[2])
-{
-  vtkUnsignedCharArray* ghosts = scalars.OnCells ? data->GetCellGhostArray() : data->GetPointGhostArray();
-  const int hidden = scalars.OnCells ? int(vtkDataSetAttributes::HIDDENCELL) : int(vtkDataSetAttributes::HIDDENPOINT);
-  double low = std::numeric_limits<double>::infinity();
-  double high = -low;
-  const vtkIdType n = scalars.Array->GetNumberOfTuples();
-  for (vtkIdType i = 0; i < n; ++i)
-  {
-    const double value = scalarValue(scalars, i);
-    if (std::isfinite(value) && !(ghosts && (ghosts->GetValue(i) & hidden)))
-    {
-      low = std::min(low, value);
-      high = std::max(high, value);
-    }
-  }
-  range[0] = low <= high ? low : 0.0;
-  range[1] = low < high ? high : range[0] + 1.0;
-}
-
-float normalized(const ScalarSelection& scalars, vtkIdType tuple, const double range[2])
-{
-  return static_cast<float>((scalarValue(scalars, tuple) - range[0]) / (range[1] - range[0]));
-}
-
 enum class Outcome
 {
   Decomposed,
@@ -152,9 +105,10 @@ std::array<Vector3, 4> CellGeometry::Vertices(std::size_t tetrahedron) const
 }
 
 std::string CellGeometry::Build(
-  vtkDataSet* data, const ScalarSelection& scalars, const ScalarSelection& opacity)
+  vtkDataSet* data, const ScalarSelection& scalars, const ScalarSelection& opacity, vtkDataArray* layers)
 {
   this->Clear();
+  this->LayerArray = layers;
   constexpr vtkIdType limit = std::numeric_limits<std::int32_t>::max() / 8;
   if (data->GetNumberOfPoints() > limit || data->GetNumberOfCells() > limit)
   {
@@ -171,6 +125,7 @@ std::string CellGeometry::Build(
   this->CopyScalars(data, scalars);
   this->CopyOpacityScalars(data, opacity);
   this->Decompose(data, scalars, opacity);
+  this->LayerArray = nullptr;
   return std::string();
 }
 
@@ -240,6 +195,7 @@ void CellGeometry::Decompose(
   std::partial_sum(first.begin(), first.end(), first.begin());        // PASS 2
   this->Tetrahedra.resize(static_cast<std::size_t>(first.back()));
   this->CellScalars.resize(scalars.OnCells ? this->Tetrahedra.size() : 0);
+  this->Layers.resize(this->LayerArray ? this->Tetrahedra.size() : 0);
   if (opacity.OnCells)
   {
     this->OpacityScalars.resize(this->Tetrahedra.size());
@@ -300,6 +256,10 @@ void CellGeometry::FillTetrahedra(vtkDataSet* data, const ScalarSelection& scala
         if (opacity.OnCells)
         {
           this->OpacityScalars[next] = normalized(opacity, cell, this->OpacityRange);
+        }
+        if (this->LayerArray)
+        {
+          this->Layers[next] = static_cast<std::int32_t>(this->LayerArray->GetComponent(cell, 0));
         }
         this->Tetrahedra[next++] = t;
       });

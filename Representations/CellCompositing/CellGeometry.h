@@ -10,6 +10,7 @@
 #ifndef CellGeometry_h
 #define CellGeometry_h
 
+#include "ScalarSelection.h"
 #include "TetrahedronRay.h"
 
 #include <array>
@@ -25,14 +26,6 @@ namespace nephoscope
 
 using Tetrahedron = std::array<std::int32_t, 4>;
 
-/** Which scalar of a data array colours the cells. */
-struct ScalarSelection
-{
-  vtkDataArray* Array = nullptr;
-  bool OnCells = false;
-  int Component = -1; ///< -1: the magnitude of a vector
-};
-
 class CellGeometry
 {
 public:
@@ -43,10 +36,11 @@ public:
   };
 
   /**
-   * `opacity` selects the array that the opacity function reads; none: `scalars` too.
+   * `opacity` selects the array that the opacity function reads; none: `scalars` too. `layers`, if given, numbers the cells' layers.
    * Returns an empty string, or why nothing can be drawn.
    */
-  std::string Build(vtkDataSet* data, const ScalarSelection& scalars, const ScalarSelection& opacity = {});
+  std::string Build(vtkDataSet* data, const ScalarSelection& scalars, const ScalarSelection& opacity = {},
+    vtkDataArray* layers = nullptr);
   void Clear();
 
   std::vector<Point> Points;
@@ -59,6 +53,8 @@ public:
   bool OpacityOnCells = false;
   std::vector<float> OpacityScalars;  ///< one per point, or per tetrahedron if OpacityOnCells; normalised
   double OpacityRange[2] = { 0, 1 };
+
+  std::vector<std::int32_t> Layers; ///< of each tetrahedron's cell; empty without a layer array
 
   // What was left out, for the mapper to report.
   std::int64_t NumberOfUnsupportedCells = 0; ///< not 3-D, or of a kind that cannot be decomposed
@@ -83,6 +79,8 @@ private:
     std::vector<std::int64_t>& counts);
   void FillTetrahedra(vtkDataSet* data, const ScalarSelection& scalars, const ScalarSelection& opacity,
     const std::vector<std::int64_t>& first);
+
+  vtkDataArray* LayerArray = nullptr; // while building
 };
 
 } // namespace nephoscope

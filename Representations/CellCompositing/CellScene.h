@@ -11,6 +11,7 @@
 #define CellScene_h
 
 #include "CellGeometry.h"
+#include "ContourScene.h"
 #include "TransferFunctionTable.h"
 #include "VisibilityOrder.h"
 
@@ -26,6 +27,8 @@ class vtkVolumeProperty;
 
 namespace nephoscope
 {
+
+struct ContourSettings;
 
 class CellScene
 {
@@ -43,8 +46,12 @@ public:
 
   /** Returns true when the geometry was made again; `error` then tells why it could not be, or is empty. */
   bool UpdateGeometry(
-    vtkDataSet* data, const ScalarSelection& scalars, const ScalarSelection& opacity, std::string& error);
+    vtkDataSet* data, const ScalarSelection& scalars, const ScalarSelection& opacity, std::string& error,
+    vtkDataArray* layers = nullptr);
   void UpdateTransferFunction(vtkVolumeProperty* property);
+  /** The same with layers of their own properties, and contours of an array (none: the coloured one). */
+  void UpdateTransferFunction(vtkVolumeProperty* property, const ContourSettings& settings, vtkDataSet* data,
+    const ScalarSelection& contoured);
   /** `eye` is homogeneous and relative to the geometry's centre. */
   void UpdateOrder(const Vector4& eye, OrderMethod method);
   /** Lists what is drawn; to be called after the three others. */
@@ -54,9 +61,18 @@ public:
 
   const CellGeometry& GetGeometry() const { return this->Geometry; }
   /** Colour and opacity; colour alone where the geometry has opacity scalars. */
-  const TransferFunctionTable& GetTransferFunction() const { return this->Transfer; }
+  const TransferFunctionTable& GetTransferFunction() const { return this->Transfers[0]; }
   /** Opacity, read by the opacity scalars of the geometry where it has them. */
-  const TransferFunctionTable& GetOpacityFunction() const { return this->Opacity; }
+  const TransferFunctionTable& GetOpacityFunction() const { return this->Opacities[0]; }
+  ///@{
+  /** The two above, and after them those of layers with a property of their own. */
+  const std::vector<TransferFunctionTable>& GetTransferFunctions() const { return this->Transfers; }
+  const std::vector<TransferFunctionTable>& GetOpacityFunctions() const { return this->Opacities; }
+  ///@}
+  const ContourScene& GetContours() const { return this->Contours; }
+  /** Number of the tables that each tetrahedron reads; empty where that does not depend on the tetrahedron. */
+  const std::vector<std::int32_t>& GetTablesOfTetrahedra() const { return this->TablesOfTetrahedra; }
+  bool ContoursMakeLayers() const { return this->LayersOfContours; }
   /** Tetrahedra that can be seen, back to front. */
   const std::vector<std::int32_t>& GetDrawn() const { return this->Drawn; }
   std::int64_t GetNumberOfCycles() const { return this->NumberOfCycles; }
@@ -64,10 +80,17 @@ public:
 
 private:
   void FindVisible();
+  void BuildTables(const std::vector<vtkVolumeProperty*>& properties);
+  void FindTablesOfTetrahedra(const std::vector<int>& layers);
+  bool IsTransparent(std::size_t tetrahedron, float low, float high) const;
+  std::pair<float, float> ContourRange(std::size_t tetrahedron) const;
 
   CellGeometry Geometry;
-  TransferFunctionTable Transfer;
-  TransferFunctionTable Opacity;
+  std::vector<TransferFunctionTable> Transfers = std::vector<TransferFunctionTable>(1);
+  std::vector<TransferFunctionTable> Opacities = std::vector<TransferFunctionTable>(1);
+  std::vector<std::int32_t> TablesOfTetrahedra;
+  ContourScene Contours;
+  bool LayersOfContours = false;
   VisibilityOrder Order;
   std::vector<std::int32_t> Sorted;   // all tetrahedra, back to front
   std::vector<std::uint8_t> Visible;  // per tetrahedron: not fully transparent
@@ -78,11 +101,12 @@ private:
   // What the stages were made from. Pointers are compared only.
   using SelectionKey = std::tuple<vtkDataArray*, vtkMTimeType, bool, int>;
   static SelectionKey MakeKey(const ScalarSelection& selection);
-  std::tuple<vtkDataSet*, vtkMTimeType, SelectionKey, SelectionKey> GeometryKey;
-  std::tuple<vtkVolumeProperty*, vtkMTimeType, std::int64_t> TransferKey;
+  std::tuple<vtkDataSet*, vtkMTimeType, SelectionKey, SelectionKey, SelectionKey> GeometryKey;
+  using PropertyKey = std::tuple<int, vtkVolumeProperty*, vtkMTimeType>; // layer
+  std::tuple<std::int64_t, bool, std::vector<PropertyKey>> TransferKey;
   std::tuple<std::int64_t, OrderMethod, Vector4> OrderKey;
-  std::tuple<std::int64_t, std::int64_t> VisibleKey;
-  std::tuple<std::int64_t, std::int64_t> DrawnKey;
+  std::tuple<std::int64_t, std::int64_t, std::int64_t> VisibleKey;
+  std::tuple<std::int64_t, std::int64_t, std::int64_t> DrawnKey;
 };
 
 } // namespace nephoscope

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "TransferFunctionTable.h"
 
+#include "ScalarSelection.h"
+
 #include "vtkColorTransferFunction.h"
 #include "vtkDiscretizableColorTransferFunction.h"
 #include "vtkPiecewiseFunction.h"
@@ -232,9 +234,12 @@ void TransferFunctionTable::Build(vtkVolumeProperty* property, const double rang
     const Value atLow = sample(outside ? 0.5 * (low + high) : low + inset);
     this->Intervals.push_back({ atLow, outside ? atLow : sample(high - inset) });
   }
-  for (const double node : nodes)
+  this->Widths.clear();
+  for (std::size_t k = 0; k < nodes.size(); ++k)
   {
-    this->Nodes.push_back(static_cast<float>((node - range[0]) / (range[1] - range[0])));
+    const double above = k + 1 < nodes.size() ? nodes[k + 1] : nodes[k];
+    this->Nodes.push_back(static_cast<float>(normalizedValue(nodes[k], range)));
+    this->Widths.push_back(static_cast<float>((0.5 * above - 0.5 * nodes[k]) / (0.5 * range[1] - 0.5 * range[0])));
   }
 
   this->OpaqueIntervals.assign(1, 0);
@@ -242,6 +247,15 @@ void TransferFunctionTable::Build(vtkVolumeProperty* property, const double rang
   {
     this->OpaqueIntervals.push_back(
       this->OpaqueIntervals.back() + (interval.Low[3] > 0 || interval.High[3] > 0));
+  }
+}
+
+void TransferFunctionTable::ScaleOpacity(double factor)
+{
+  for (Interval& interval : this->Intervals)
+  {
+    interval.Low[3] = static_cast<float>(interval.Low[3] * factor);
+    interval.High[3] = static_cast<float>(interval.High[3] * factor);
   }
 }
 
@@ -259,8 +273,8 @@ TransferFunctionTable::Value TransferFunctionTable::Evaluate(float s) const
   {
     return interval.Low;
   }
-  const float width = this->Nodes[k] - this->Nodes[k - 1];
-  return mix(interval.Low, interval.High, width > 0 ? (s - this->Nodes[k - 1]) / width : 0.0f);
+  const float width = this->Widths[k - 1];
+  return mix(interval.Low, interval.High, width > 0 ? std::max(0.0f, std::min(1.0f, (s - this->Nodes[k - 1]) / width)) : 0.0f);
 }
 
 bool TransferFunctionTable::IsTransparent(float low, float high) const

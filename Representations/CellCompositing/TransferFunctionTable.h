@@ -42,7 +42,11 @@ public:
   void Build(
     vtkVolumeProperty* property, const double range[2], Channels channels = Channels::ColorAndOpacity);
 
+  /** Multiplies the opacities. */
+  void ScaleOpacity(double factor);
+
   std::vector<float> Nodes;        ///< ascending, at least one
+  std::vector<float> Widths;       ///< of the interval above each node; more exact than a difference of nodes; 0 for the last
   std::vector<Interval> Intervals; ///< Nodes.size() + 1
 
   /** Interval that contains s. A node belongs to the interval above it. */

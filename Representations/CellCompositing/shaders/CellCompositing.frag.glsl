@@ -17,10 +17,13 @@ in vec3 positionVCGSOutput;
 flat in vec4 eyeBarycentricGSOutput;
 flat in vec4 scalarsGSOutput;
 flat in vec4 opacityScalarsGSOutput;
+flat in vec4 contourScalarsGSOutput;
+flat in ivec2 tetrahedronGSOutput; // number, layer
 
 //NEPHOSCOPE::Constants
 //NEPHOSCOPE::OpticalSegment
 //NEPHOSCOPE::TransferFunction
+//NEPHOSCOPE::ContourSurfaces
 
 float zFromDepth(float depth)
 {
@@ -53,6 +56,17 @@ float interpolate(vec4 barycentric, vec4 values)
   return values.w + change(barycentric, values);
 }
 
+// The coordinate that is zero at the front is rounding noise: contours must see a zero.
+vec4 frontCoordinates(vec4 barycentric, vec4 slope, float u)
+{
+  vec4 front = barycentric + u * slope;
+  for (int i = 0; i < 4; ++i)
+  {
+    front[i] = slope[i] < 0.0 && max(barycentric[i], 0.0) / -slope[i] <= u ? 0.0 : front[i];
+  }
+  return front;
+}
+
 void main()
 {
   vec3 towardsEye = eyeVC.xyz - eyeVC.w * positionVCGSOutput;
@@ -72,6 +86,21 @@ void main()
     interpolate(barycentricGSOutput, opacityScalarsGSOutput));
   vec2 scalarSlope = vec2(change(slope, scalarsGSOutput), change(slope, opacityScalarsGSOutput));
   float opticalScale = (uFront - uBack) * length(towardsEye) * extinctionScale;
-  gl_FragData[0] = integrateSegment(
-    scalarAtFace + uFront * scalarSlope, scalarAtFace + uBack * scalarSlope, opticalScale);
+  vec2 front = scalarAtFace + uFront * scalarSlope;
+  vec2 back = scalarAtFace + uBack * scalarSlope;
+  if (useContours)
+  {
+    ContourSegment segment = ContourSegment(tetrahedronGSOutput.x, contourScalarsGSOutput,
+      frontCoordinates(barycentricGSOutput, slope, uFront), barycentricGSOutput + uBack * slope,
+      positionVCGSOutput + uFront * towardsEye, positionVCGSOutput + uBack * towardsEye);
+    gl_FragData[0] = integrateSegmentWithContours(front, back, opticalScale, segment, tetrahedronGSOutput.y);
+  }
+  else
+  {
+    if (useLayers)
+    {
+      selectLayer(tetrahedronGSOutput.y);
+    }
+    gl_FragData[0] = integrateSegment(front, back, opticalScale);
+  }
 }

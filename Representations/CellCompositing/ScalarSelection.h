@@ -1,0 +1,85 @@
+// SPDX-FileCopyrightText: The Nephoscope authors
+// SPDX-License-Identifier: BSD-3-Clause
+/** Which scalar of a data array is meant, and how its values become numbers from 0 to 1 that float can hold. */
+#ifndef ScalarSelection_h
+#define ScalarSelection_h
+
+#include "vtkDataArray.h"
+#include "vtkDataSet.h"
+#include "vtkDataSetAttributes.h"
+#include "vtkUnsignedCharArray.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace nephoscope
+{
+
+struct ScalarSelection
+{
+  vtkDataArray* Array = nullptr;
+  bool OnCells = false;
+  int Component = -1; ///< -1: the magnitude of a vector
+};
+
+inline double scalarValue(const ScalarSelection& scalars, vtkIdType tuple)
+{
+  const int components = scalars.Array->GetNumberOfComponents();
+  if (components == 1 || scalars.Component >= 0)
+  {
+    return scalars.Array->GetComponent(tuple, std::min(std::max(scalars.Component, 0), components - 1));
+  }
+  double sum = 0;
+  for (int c = 0; c < components; ++c)
+  {
+    const double value = scalars.Array->GetComponent(tuple, c);
+    sum += value * value;
+  }
+  return std::sqrt(sum);
+}
+
+/**
+ * Finite minimum and maximum, never equal: the range that becomes [0, 1]. Hidden values do not count: a fill value there
+ * would take the precision of all that is drawn.
+ */
+inline void findRange(vtkDataSet* data, const ScalarSelection& scalars, double range[2])
+{
+  vtkUnsignedCharArray* ghosts = scalars.OnCells ? data->GetCellGhostArray() : data->GetPointGhostArray();
+  const int hidden = scalars.OnCells ? int(vtkDataSetAttributes::HIDDENCELL) : int(vtkDataSetAttributes::HIDDENPOINT);
+  double low = std::numeric_limits<double>::infinity();
+  double high = -low;
+  const vtkIdType n = scalars.Array->GetNumberOfTuples();
+  for (vtkIdType i = 0; i < n; ++i)
+  {
+    const double value = scalarValue(scalars, i);
+    if (std::isfinite(value) && !(ghosts && (ghosts->GetValue(i) & hidden)))
+    {
+      low = std::min(low, value);
+      high = std::max(high, value);
+    }
+  }
+  range[0] = low <= high ? low : 0.0;
+  range[1] = low < high ? high : range[0] + 1.0;
+  if (range[1] == range[0]) // so large that 1 more is no difference
+  {
+    range[1] = std::nextafter(range[0], std::numeric_limits<double>::infinity());
+  }
+}
+
+/** 0 at the low end of the range, 1 at its high end. */
+inline double normalizedValue(double value, const double range[2])
+{
+  const double width = range[1] - range[0];
+  return std::isfinite(width) ? (value - range[0]) / width
+                              : (0.5 * value - 0.5 * range[0]) / (0.5 * range[1] - 0.5 * range[0]);
+}
+
+inline float normalized(const ScalarSelection& scalars, vtkIdType tuple, const double range[2])
+{
+  return static_cast<float>(normalizedValue(scalarValue(scalars, tuple), range));
+}
+
+} // namespace nephoscope
+
+#endif
