@@ -28,7 +28,7 @@ struct SceneLight
   std::array<float, 3> Direction;   ///< away from the light
   std::array<float, 3> Position;
   std::array<float, 3> Attenuation; ///< constant, linear, quadratic
-  std::array<float, 3> Cone;        ///< 1 if positional; cosine of the cone angle, -2 without a cone; exponent
+  std::array<float, 3> Cone;        ///< 1 if positional, -1 if VTK's sole headlight; cosine of the cone angle, -2 without a cone; exponent
 };
 
 inline SceneLight describeLight(vtkLight* light, vtkMatrix4x4* worldToView)
@@ -54,7 +54,7 @@ inline SceneLight describeLight(vtkLight* light, vtkMatrix4x4* worldToView)
     result.Attenuation[c] = static_cast<float>(attenuation[c]);
   }
   result.Cone = { { positional ? 1.0f : 0.0f,
-    angle < 90.0 ? static_cast<float>(std::cos(vtkMath::RadiansFromDegrees(angle))) : -2.0f,
+    angle <= 90.0 ? static_cast<float>(std::cos(vtkMath::RadiansFromDegrees(angle))) : -2.0f,
     static_cast<float>(light->GetExponent()) } };
   return result;
 }
@@ -73,6 +73,11 @@ inline std::vector<SceneLight> describeLights(vtkRenderer* renderer)
     {
       lights.push_back(describeLight(light, worldToView));
     }
+  }
+  vtkLight* first = vtkLight::SafeDownCast(all->GetItemAsObject(0));
+  if (lights.size() == 1 && all->GetNumberOfItems() == 1 && first->LightTypeIsHeadlight() && !first->GetPositional())
+  {
+    lights[0].Cone[0] = -1.0f;
   }
   return lights;
 }

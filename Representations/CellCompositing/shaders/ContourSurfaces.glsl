@@ -19,7 +19,7 @@ uniform vec3 lightColors[16];
 uniform vec3 lightDirections[16];  // VC, away from the light
 uniform vec3 lightPositions[16];   // VC
 uniform vec3 lightAttenuations[16]; // constant, linear, quadratic
-uniform vec3 lightCones[16];       // 1 if positional; cosine of the cone angle (-2: none); exponent
+uniform vec3 lightCones[16];       // 1 if positional, -1 if the sole headlight; cosine of the cone angle (-2: none); exponent
 
 // A tetrahedron's part of a ray, ends in front and at the back.
 struct ContourSegment
@@ -124,7 +124,9 @@ vec3 light(vec3 color, vec3 normalVC, vec3 positionVC)
       }
     }
     float diffuse = max(0.0, -dot(normal, direction));
-    float specular = diffuse > 0.0 ? pow(max(0.0, dot(reflect(direction, normal), towardsEye)), contourShading.w) : 0.0;
+    // VTK takes the highlight of a sole headlight from the normal, all others from the mirrored light.
+    float mirrored = lightCones[i].x < 0.0 ? diffuse : max(0.0, dot(reflect(direction, normal), towardsEye));
+    float specular = diffuse > 0.0 ? pow(mirrored, contourShading.w) : 0.0;
     sum += strength * lightColors[i] * (contourShading.y * diffuse * color + contourShading.z * specular);
   }
   return min(sum, vec3(1.0));
