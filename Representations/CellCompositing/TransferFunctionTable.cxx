@@ -17,7 +17,10 @@ namespace nephoscope
 {
 namespace
 {
-constexpr double curveTolerance = 1.0 / 2500; // at the places looked at; 1 / 2000 then holds between them
+// At the places looked at; 1 / 2000 then holds between them. Of opacity it is a part of the opacity itself, down to a small part of the
+// largest: however large the scale, the error of the optical depth is a small part of it.
+constexpr double curveTolerance = 1.0 / 2500;
+constexpr float leastOpacity = 1e-6f;
 constexpr int largestDepth = 12; // the finest piece is 1/4096 of the way between two control points
 
 /** How far inside an interval its limits are taken: as little as the arithmetic allows, so that a jump stays outside. */
@@ -160,14 +163,9 @@ private:
   double TabulatedRange[2] = { 0, 1 };
 };
 
-float largestDifference(const TransferFunctionTable::Value& a, const TransferFunctionTable::Value& b)
+float colorDifference(const TransferFunctionTable::Value& a, const TransferFunctionTable::Value& b)
 {
-  float largest = 0;
-  for (std::size_t c = 0; c < 4; ++c)
-  {
-    largest = std::max(largest, std::abs(a[c] - b[c]));
-  }
-  return largest;
+  return std::max({ std::abs(a[0] - b[0]), std::abs(a[1] - b[1]), std::abs(a[2] - b[2]) });
 }
 
 TransferFunctionTable::Value mix(
@@ -181,19 +179,49 @@ TransferFunctionTable::Value mix(
   return result;
 }
 
+/** Limits at the ends of an interval: the line through two places just inside, which are as near as rounding allows. */
+TransferFunctionTable::Interval limits(const Sampler& sample, double low, double high)
+{
+  const double inset = limitInset(low, high);
+  const double from = low + inset, to = high - inset; // rounded: the distances are taken from these
+  const auto a = sample(from), b = sample(to);
+  if (!(to > from))
+  {
+    return { a, a };
+  }
+  TransferFunctionTable::Interval result = { mix(a, b, static_cast<float>((low - from) / (to - from))),
+    mix(a, b, static_cast<float>((high - from) / (to - from))) };
+  for (std::size_t c = 0; c < 4; ++c)
+  {
+    result.Low[c] = std::max(0.0f, result.Low[c]);
+    result.High[c] = std::max(0.0f, result.High[c]);
+  }
+  return result;
+}
+
+/** True when the function is a straight line between its limits at two places, as far as one can tell. */
+bool isStraight(const Sampler& sample, double low, double high)
+{
+  const auto [a, b] = limits(sample, low, high);
+  for (const double t : { 0.07, 0.2, 0.31, 0.4, 0.5, 0.6, 0.69, 0.8, 0.93 }) // several, for kinks lie anywhere
+  {
+    const double x = low + t * (high - low);
+    const auto value = sample(x);
+    const auto line = mix(a, b, static_cast<float>((x - low) / (high - low))); // x is rounded
+    const double opacityTolerance = curveTolerance * std::max({ value[3], line[3], leastOpacity });
+    if (colorDifference(value, line) >= curveTolerance || std::abs(value[3] - line[3]) >= opacityTolerance)
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
 /** Adds the inner nodes that the curve between two places needs, ascending. */
 void refine(const Sampler& sample, double low, double high, int depth, std::vector<double>& nodes)
 {
-  const double inset = limitInset(low, high);
-  const auto a = sample(low + inset);
-  const auto b = sample(high - inset);
-  bool straight = true;
-  for (const double t : { 0.07, 0.2, 0.31, 0.4, 0.5, 0.6, 0.69, 0.8, 0.93 }) // several, for kinks lie anywhere
-  {
-    straight = straight &&
-      largestDifference(sample(low + t * (high - low)), mix(a, b, static_cast<float>(t))) < curveTolerance;
-  }
-  if (straight || depth == largestDepth)
+  const bool finest = depth == largestDepth || 0.5 * (high - low) <= 16 * limitInset(low, high);
+  if (finest || isStraight(sample, low, high))
   {
     return;
   }
@@ -229,10 +257,9 @@ void TransferFunctionTable::Build(vtkVolumeProperty* property, const double rang
   {
     const double low = k == 0 ? nodes.front() - width : nodes[k - 1];
     const double high = k == nodes.size() ? nodes.back() + width : nodes[k];
-    const double inset = limitInset(low, high);
     const bool outside = k == 0 || k == nodes.size();
-    const Value atLow = sample(outside ? 0.5 * (low + high) : low + inset);
-    this->Intervals.push_back({ atLow, outside ? atLow : sample(high - inset) });
+    const Value middle = sample(0.5 * low + 0.5 * high);
+    this->Intervals.push_back(outside ? Interval{ middle, middle } : limits(sample, low, high));
   }
   this->Widths.clear();
   for (std::size_t k = 0; k < nodes.size(); ++k)
