@@ -7,11 +7,13 @@
 #include "vtkColorTransferFunction.h"
 #include "vtkDiscretizableColorTransferFunction.h"
 #include "vtkPiecewiseFunction.h"
+#include "vtkVariant.h"
 #include "vtkVolumeProperty.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace nephoscope
 {
@@ -46,6 +48,7 @@ public:
       this->Color = rgb ? property->GetRGBTransferFunction() : nullptr;
       this->Gray = rgb ? nullptr : property->GetGrayTransferFunction();
     }
+    this->FindCategories();
     auto* discretizable = vtkDiscretizableColorTransferFunction::SafeDownCast(this->Color);
     this->Steps = discretizable && discretizable->GetDiscretize() ? discretizable->GetNumberOfValues() : 0;
     if (this->Color && this->Color->GetColorSpace() == VTK_CTF_LAB_CIEDE2000 && this->Color->GetSize() > 1)
@@ -57,7 +60,11 @@ public:
   TransferFunctionTable::Value operator()(double x) const
   {
     double rgb[3] = { 0, 0, 0 };
-    if (this->HasSteps())
+    if (!this->Categories.empty())
+    {
+      std::copy_n(this->CategoryOf(x).begin(), 3, rgb);
+    }
+    else if (this->HasSteps())
     {
       this->Color->GetColor(x, rgb);
     }
@@ -83,8 +90,12 @@ public:
     std::vector<double> nodes;
     AddNodes(this->Opacity, 4, nodes);
     AddNodes(this->Gray, 4, nodes);
-    AddNodes(this->Color, 6, nodes);
-    if (this->HasSteps())
+    for (std::size_t i = 1; i < this->Categories.size(); ++i)
+    {
+      nodes.push_back(0.5 * (this->Categories[i - 1].first + this->Categories[i].first));
+    }
+    AddNodes(this->Categories.empty() ? this->Color : nullptr, 6, nodes);
+    if (this->Categories.empty() && this->HasSteps())
     {
       this->AddSteps(nodes);
     }
@@ -94,6 +105,33 @@ public:
   }
 
 private:
+  // Indexed colours belong to annotated values; between two of them the nearer one is meant, so that cells have exactly theirs.
+  void FindCategories()
+  {
+    if (!this->Color || !this->Color->GetIndexedLookup())
+    {
+      return;
+    }
+    for (vtkIdType i = 0; i < this->Color->GetNumberOfAnnotatedValues(); ++i)
+    {
+      bool isNumber = false;
+      const double value = this->Color->GetAnnotatedValue(i).ToDouble(&isNumber);
+      double rgba[4] = { 0, 0, 0, 1 };
+      this->Color->GetIndexedColor(i, rgba);
+      if (isNumber && std::isfinite(value))
+      {
+        this->Categories.emplace_back(value, std::array<double, 3>{ { rgba[0], rgba[1], rgba[2] } });
+      }
+    }
+    std::sort(this->Categories.begin(), this->Categories.end());
+  }
+
+  const std::array<double, 3>& CategoryOf(double x) const
+  {
+    const auto nearer = [x](const auto& a, const auto& b) { return std::abs(a.first - x) < std::abs(b.first - x); };
+    return std::min_element(this->Categories.begin(), this->Categories.end(), nearer)->second;
+  }
+
   // In this colour space VTK searches a path for every colour it is asked for, which takes it tens of milliseconds; it makes a whole
   // table with one search per control point.
   void Tabulate()
@@ -157,6 +195,8 @@ private:
   vtkColorTransferFunction* Color = nullptr;
   vtkPiecewiseFunction* Gray = nullptr;
   vtkIdType Steps = 0;
+
+  std::vector<std::pair<double, std::array<double, 3>>> Categories; // ascending
 
   static constexpr int tabulatedColors = 1024;
   std::vector<double> Tabulated; // red, green, blue at even places of the range
