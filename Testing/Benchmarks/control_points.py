@@ -3,71 +3,17 @@
 """Prints the error with and without cutting segments at control points, against per-ray quadrature, and how it falls with the
 size of the cells.
 
-    ./nephoscope python Testing/Benchmarks/control_points.py [scenes]
+    ./nephoscope bench [scenes]
 
 Errors are those of the float image, in steps of an 8-bit channel (1/255); pixels within 1/100 of an edge of the mesh are left out.
 """
 import sys
 
 import numpy as np
-from nephoscope_testing import contours, hard_functions, meshes
-from nephoscope_testing.checks import cells_of, mapper
+from nephoscope_testing import hard_functions, meshes
+from nephoscope_testing.checks import cells_of
 from nephoscope_testing.compare import Difference, edge_mask
-from nephoscope_testing.offscreen import Window, float_image
-
-
-def picture(data, case, split, look, size=96):
-    window = Window((size, size))
-    scene = window.add_scene()
-    ours = mapper()
-    volume = scene.add_volume(ours, data, case.prop)
-    scene.look_at(volume, **look)
-    ours.SetSplitAtControlPoints(split)
-    window.render()
-    return float_image(ours), scene.view(), window.messages.all
-
-
-def random_mesh(rng, case, count=60):
-    """A linear field from case.low to case.high."""
-    data = meshes.delaunay(rng, count)
-    field = meshes.linear_field(rng, data)
-    return meshes.with_field(data, lambda p: case.low + (case.high - case.low) * field(p))
-
-
-class Unit(contours.Jumps):
-    """A function of the scalar counted from 0 to 1, so that the reference loses no digits to large scalars."""
-
-    def __init__(self, case):
-        f = case.pieces
-        to_unit = lambda rows: np.column_stack([(rows[:, 0] - case.low) / (case.high - case.low), rows[:, 1:]])
-        super().__init__(to_unit(f.colors), to_unit(f.opacities), f.unit_distance, f.opacity_scale)
-        self.cuts = (f.breakpoints - case.low) / (case.high - case.low)
-
-    @property
-    def breakpoints(self):
-        return self.cuts
-
-
-def errors(case, seed):
-    """Differences with cuts and without."""
-    rng = np.random.default_rng(seed)
-    data = random_mesh(rng, case)
-    look = dict(direction=rng.normal(size=3), parallel=bool(seed % 2))
-    result = []
-    for split in (True, False):
-        image, view, said = picture(data, case, split, look)
-        if said:
-            raise SystemExit(f"{case.name}: {said[0]}")
-        if split:
-            unit = data.NewInstance()
-            unit.DeepCopy(data)
-            values = (np.array(meshes.vtk_to_numpy(data.GetPointData().GetArray("s"))) - case.low) / (case.high - case.low)
-            unit.GetPointData().RemoveArray("s")
-            meshes.add_array(unit.GetPointData(), values)
-            cells = cells_of(unit)
-            expected, mask = contours.render(cells, view, Unit(case)), edge_mask(cells.drawn_edges(), view)
-        result.append(Difference(image, expected, mask))
-    return result
+from nephoscope_testing.control_points import errors, picture, random_mesh
 
 
 def refinement():
@@ -84,7 +30,19 @@ def refinement():
     return rows
 
 
+def write_comparison(path):
+    """Ten thin layers in random tetrahedra, cut and not cut, side by side."""
+    from nephoscope_testing.pictures import write_png
+    case = hard_functions.comb(0.02, 10)
+    case.prop.SetScalarOpacityUnitDistance(0.25 * case.prop.GetScalarOpacityUnitDistance())
+    data = random_mesh(np.random.default_rng(53), case, 60)
+    images = [picture(data, case, split, {}, 400)[0] for split in (True, False)]
+    write_png(path, np.hstack([np.clip(i[60:-60, 40:-40, :3], 0, 1) for i in images]))
+
+
 def main():
+    if sys.argv[1:2] == ["--picture"]:
+        return write_comparison(sys.argv[2])
     count = int(sys.argv[1]) if len(sys.argv) > 1 else 4
     chosen = sys.argv[2] if len(sys.argv) > 2 else ""
     print(f"{count} random Delaunay meshes of 60 points, 96 x 96 pixels, seeds 0 to {count - 1}; largest error in 1/255\n")

@@ -152,6 +152,24 @@ class AtFaces(ContourTestCase):
                 wrong = np.abs(np.rint(layers) - np.rint(np.log1p(-exact[..., 3]) / math.log(0.75)))[~mask]
                 self.assertEqual(wrong.max(), 0, f"{int((wrong > 0).sum())} pixels from {direction}")
 
+    def test_few_pixels_at_edges_miss_a_surface(self):
+        """Next to an edge a rasteriser may give a pixel to no tetrahedron, or to two: single dots, and few."""
+        dots, covered = 0, 0
+        for seed in range(2):
+            rng = np.random.default_rng([37, seed])
+            data = meshes.delaunay(rng, 2000) if seed else meshes.Lattice(12).mesh("tetra")
+            meshes.with_field(data, meshes.linear_field(rng, data) if seed else lambda p: p[:, 2])
+            surfaces = [Surface((i + 1) / 12, 0.1) for i in range(11)]
+            _, _, image = self.draw(data, CLEAR, surfaces, look=dict(direction=rng.normal(size=3)), size=(600, 600))
+            alpha = image[..., 3]
+            around = np.stack([np.roll(alpha, (i, j), (0, 1)) for i in (-1, 0, 1) for j in (-1, 0, 1)])
+            median = np.median(around, axis=0)
+            alone = (np.abs(around - median) < 1e-4).sum(axis=0) >= 8
+            dots += int((alone & (np.abs(alpha - median) > 1e-4)).sum())
+            covered += int((median > 0).sum())
+        print(f"  single dots: {dots} of {covered} pixels")
+        self.assertLess(dots, 2e-4 * covered)
+
     def test_only_crossed_cells_are_drawn(self):
         data = meshes.with_field(meshes.Lattice(4).mesh("hexahedron"), lambda p: p[:, 2])
         for value, layers in ((0.3, 1), (0.5, 1), (2.0, 0)):
