@@ -12,6 +12,7 @@
 #include "CellCompositingGeometry.h"
 #include "CellCompositingVertex.h"
 #include "ContourSurfacesShader.h"
+#include "FaceScalarsShader.h"
 #include "OpticalSegmentShader.h"
 #include "TransferFunctionShader.h"
 
@@ -44,6 +45,7 @@ std::string specialized(const char* shader, const std::string& constants)
   vtkShaderProgram::Substitute(source, "//NEPHOSCOPE::Constants", constants);
   vtkShaderProgram::Substitute(source, "//NEPHOSCOPE::OpticalSegment", OpticalSegmentShader);
   vtkShaderProgram::Substitute(source, "//NEPHOSCOPE::TransferFunction", TransferFunctionShader);
+  vtkShaderProgram::Substitute(source, "//NEPHOSCOPE::FaceScalars", FaceScalarsShader);
   vtkShaderProgram::Substitute(source, "//NEPHOSCOPE::ContourSurfaces", ContourSurfacesShader);
   return source;
 }
@@ -59,6 +61,37 @@ std::array<float, 4> depthToView(vtkMatrix4x4* viewToDevice)
   // (m22 z + m23) / (m32 z + m33) = 1 - 2 e
   return { { static_cast<float>(m33 - m23), static_cast<float>(-2 * m33), static_cast<float>(m22 - m32),
     static_cast<float>(2 * m32) } };
+}
+
+// (pixel, 1) to the direction of its ray, or in a parallel projection to a point of it, in model coordinates.
+void pixelToRay(const CellCompositingPass::View& view, const int size[2], vtkMatrix3x3* result)
+{
+  vtkNew<vtkMatrix4x4> inverse;
+  vtkMatrix4x4::Multiply4x4(view.ViewToDevice, view.ModelToView, inverse);
+  inverse->Invert();
+  const double corners[3][4] = { { 2.0 / size[0], 0, 0, 0 }, { 0, 2.0 / size[1], 0, 0 }, { -1, -1, 0, 1 } };
+  double place[3][4]; // of the pixel's derivatives, and of pixel (0, 0), in homogeneous model coordinates
+  for (int i = 0; i < 3; ++i)
+  {
+    inverse->MultiplyPoint(corners[i], place[i]);
+  }
+  const bool parallel = view.EyeModel[3] == 0;
+  for (int i = 0; i < 3; ++i)
+  {
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      const double value = parallel ? place[i][axis] / place[2][3] : place[i][axis] - place[i][3] * view.EyeModel[axis];
+      result->SetElement(i, axis, value); // transposed, as OpenGL wants it
+    }
+  }
+}
+
+bool hasNarrowIntervals(const std::vector<TransferFunctionTable>& tables)
+{
+  constexpr float narrow = 1e-3f; // of the range of the scalar: rounding at a face is some 1e-6 of it
+  return std::any_of(tables.begin(), tables.end(), [=](const TransferFunctionTable& table) {
+    return std::any_of(table.Widths.begin(), table.Widths.end(), [=](float w) { return w > 0 && w < narrow; });
+  });
 }
 
 std::array<float, 4> toFloat(const double v[4])
@@ -187,6 +220,7 @@ std::string CellCompositingPass::UploadTransferFunctions(vtkOpenGLRenderWindow* 
   this->NumberOfTransferNodes = static_cast<int>(colorAndOpacity[0].Nodes.size());
   this->NumberOfOpacityNodes = static_cast<int>(opacity[0].Nodes.size());
   this->UseLayers = colorAndOpacity.size() > 1;
+  this->NarrowIntervals = hasNarrowIntervals(colorAndOpacity) || hasNarrowIntervals(opacity);
   std::vector<std::array<float, 4>> layers; // first node, number of nodes, of either table
   float first[2] = { 0, 0 };
   for (std::size_t i = 0; i < colorAndOpacity.size(); ++i)
@@ -239,6 +273,7 @@ std::string CellCompositingPass::Draw(vtkOpenGLRenderWindow* window, const View&
   vtkOpenGLState::ScopedglDepthMask savedDepthMask(state);
   vtkOpenGLState::ScopedglBlendFuncSeparate savedBlendFunction(state);
 
+  std::copy(viewport + 2, viewport + 4, this->ImageSize);
   this->Depth.Copy(window, viewport);
   std::string error;
   if (this->Accumulation.Begin(window, viewport))
@@ -267,6 +302,7 @@ bool CellCompositingPass::ReadyProgram(vtkOpenGLRenderWindow* window, const Opti
     constant("splitAtControlPoints", options.SplitAtControlPoints) + constant("useLayers", this->UseLayers) +
     constant("useContours", this->NumberOfContours > 0) + constant("contourOfColor", this->ContourOfColor) +
     constant("contourLayers", options.ContourLayers && this->UseLayers) +
+    constant("consistentFaces", this->NarrowIntervals || this->NumberOfContours > 0) +
     constant("contourLighting", options.ContourLighting) +
     constant("smoothContourNormals", this->SmoothContourNormals);
   vtkShaderProgram* program = window->GetShaderCache()->ReadyShaderProgram(CellCompositingVertex,
@@ -351,6 +387,9 @@ void CellCompositingPass::SetUniforms(const View& view, const Options& options)
     nodes[i][1] = static_cast<float>(quadratureNodes[i][1]);
   }
   program->SetUniform2fv("quadratureNodes", numberOfQuadratureNodes, nodes);
+  vtkNew<vtkMatrix3x3> rays;
+  pixelToRay(view, this->ImageSize, rays);
+  program->SetUniformMatrix("pixelToRay", rays);
   if (this->NumberOfContours > 0)
   {
     this->SetContourUniforms(view, options);

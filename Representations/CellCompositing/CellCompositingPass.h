@@ -112,6 +112,8 @@ private:
   int NumberOfContours = 0;
   bool ContourOfColor = true;
   bool SmoothContourNormals = false;
+  bool NarrowIntervals = false; // of a transfer function: scalars at faces must be the same for both neighbours
+  int ImageSize[2] = { 1, 1 };
   std::size_t OrderSize = 0;
 
   OpaqueDepth Depth;

@@ -20,11 +20,10 @@ class HardFunctions(unittest.TestCase):
                 cut, uncut = errors(case, 100 + number)
                 print(f"  {case.name}: cut {255 * cut.maximum:.3f}, not cut {255 * uncut.maximum:.1f}; 99.5 % {255 * cut.percentile:.4f}",
                       flush=True)
-                # A spike of 1e-5 of the range: rounding where a face lies inside it, in single pixels.
-                self.assertLess(cut.percentile if "1e-05" in case.name else cut.maximum, STEP)
+                self.assertLess(cut.maximum, STEP)
                 self.assertGreater(cut.covered, 500)
                 if not case.curved:
-                    self.assertGreater(uncut.maximum, 4 * STEP, "cuts make no difference: the case is not hard")
+                    self.assertGreater(uncut.maximum, STEP, "cuts make no difference: the case is not hard")
 
     def test_a_spike_in_the_opacity_of_another_array(self):
         """Two arrays: the narrow function is that of the opacity, colours have points of their own."""

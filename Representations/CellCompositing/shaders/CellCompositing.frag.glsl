@@ -23,6 +23,7 @@ flat in ivec2 tetrahedronGSOutput; // number, layer
 //NEPHOSCOPE::Constants
 //NEPHOSCOPE::OpticalSegment
 //NEPHOSCOPE::TransferFunction
+//NEPHOSCOPE::FaceScalars
 //NEPHOSCOPE::ContourSurfaces
 
 float zFromDepth(float depth)
@@ -56,15 +57,21 @@ float interpolate(vec4 barycentric, vec4 values)
   return values.w + change(barycentric, values);
 }
 
-// The coordinate that is zero at the front is rounding noise: contours must see a zero.
-vec4 frontCoordinates(vec4 barycentric, vec4 slope, float u)
+// Colour, opacity and contour scalar at u; exactly those of a face if u is where the ray crosses it.
+vec3 scalarsAt(float u, vec4 barycentric, vec4 slope)
 {
-  vec4 front = barycentric + u * slope;
+  vec4 coordinates = barycentric + u * slope;
+  vec3 s = vec3(interpolate(coordinates, scalarsGSOutput), interpolate(coordinates, opacityScalarsGSOutput),
+    interpolate(coordinates, contourScalarsGSOutput));
   for (int i = 0; i < 4; ++i)
   {
-    front[i] = slope[i] < 0.0 && max(barycentric[i], 0.0) / -slope[i] <= u ? 0.0 : front[i];
+    bool crossed = u > 0.0 ? slope[i] < 0.0 && max(barycentric[i], 0.0) / -slope[i] == u : barycentric[i] == 0.0;
+    if (crossed)
+    {
+      return faceScalars(tetrahedronGSOutput.x, i, scalarsGSOutput, opacityScalarsGSOutput, contourScalarsGSOutput, s);
+    }
   }
-  return front;
+  return s;
 }
 
 void main()
@@ -88,10 +95,19 @@ void main()
   float opticalScale = (uFront - uBack) * length(towardsEye) * extinctionScale;
   vec2 front = scalarAtFace + uFront * scalarSlope;
   vec2 back = scalarAtFace + uBack * scalarSlope;
+  vec2 contourEnds = vec2(0.0);
+  if (consistentFaces)
+  {
+    vec3 atFront = scalarsAt(uFront, barycentricGSOutput, slope);
+    vec3 atBack = scalarsAt(uBack, barycentricGSOutput, slope);
+    front = atFront.xy;
+    back = atBack.xy;
+    contourEnds = vec2(atFront.z, atBack.z);
+  }
   if (useContours)
   {
-    ContourSegment segment = ContourSegment(tetrahedronGSOutput.x, contourScalarsGSOutput,
-      frontCoordinates(barycentricGSOutput, slope, uFront), barycentricGSOutput + uBack * slope,
+    ContourSegment segment = ContourSegment(tetrahedronGSOutput.x, contourScalarsGSOutput, contourEnds,
+      barycentricGSOutput + uFront * slope, barycentricGSOutput + uBack * slope,
       positionVCGSOutput + uFront * towardsEye, positionVCGSOutput + uBack * towardsEye);
     gl_FragData[0] = integrateSegmentWithContours(front, back, opticalScale, segment, tetrahedronGSOutput.y);
   }

@@ -6,8 +6,6 @@
 // A point lies above a value when its scalar is >= the value, and a surface is crossed between two ends on different sides. The
 // scalar of a face is the same in both tetrahedra that share it, so that a surface that lies in the face belongs to just one of them.
 // Constants: contourLayers, contourLighting, contourOfColor, smoothContourNormals.
-uniform isamplerBuffer tetrahedra;
-uniform samplerBuffer points;
 uniform mat4 MCVCMatrix;
 uniform samplerBuffer contours; // two texels each, ascending: (value, layer below, layer above, 0), (colour, opacity); red < 0: function's
 uniform samplerBuffer contourGradients; // per point, in model coordinates
@@ -26,23 +24,12 @@ struct ContourSegment
 {
   int tetrahedron;
   vec4 scalars;          // contour scalars of the vertices
-  vec4 barycentricFront; // a coordinate must be exactly 0 where the end lies in the face opposite its vertex
+  vec2 ends;             // and at the ends; where an end lies in a face, the same for the tetrahedron beyond it
+  vec4 barycentricFront;
   vec4 barycentricBack;
   vec3 positionFrontVC;
   vec3 positionBackVC;
 };
-
-// Relative to the heaviest vertex, so that three equal vertices of a face give their value exactly.
-float contourScalar(vec4 barycentric, vec4 scalars)
-{
-  int heaviest = 0;
-  for (int i = 1; i < 4; ++i)
-  {
-    heaviest = barycentric[i] > barycentric[heaviest] ? i : heaviest;
-  }
-  float reference = scalars[heaviest];
-  return reference + dot(barycentric, scalars - reference);
-}
 
 // Number of contour values at or below s.
 int contourLayer(float s)
@@ -166,10 +153,8 @@ vec4 contourSurface(int contour, ContourSegment segment, vec2 s, float place)
 // between the contours.
 vec4 integrateSegmentWithContours(vec2 front, vec2 back, float opticalScale, ContourSegment segment, int layer)
 {
-  float contourFront = contourScalar(segment.barycentricFront, segment.scalars);
-  float contourBack = contourScalar(segment.barycentricBack, segment.scalars);
-  int current = contourLayer(contourFront);
-  int last = contourLayer(contourBack);
+  int current = contourLayer(segment.ends.x);
+  int last = contourLayer(segment.ends.y);
   int direction = last < current ? -1 : 1;
   vec4 result = vec4(0.0);
   float from = 0.0;
@@ -187,7 +172,7 @@ vec4 integrateSegmentWithContours(vec2 front, vec2 back, float opticalScale, Con
     }
     int contour = direction > 0 ? current : current - 1;
     float value = texelFetch(contours, 2 * contour).r;
-    float to = clamp((value - contourFront) / (contourBack - contourFront), from, 1.0);
+    float to = clamp((value - segment.ends.x) / (segment.ends.y - segment.ends.x), from, 1.0);
     vec2 end = mix(front, back, to);
     if (contourOfColor)
     {

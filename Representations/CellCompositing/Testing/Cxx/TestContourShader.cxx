@@ -144,7 +144,7 @@ std::string shaderSource()
   {
     constants += std::string("const bool ") + off + " = false;\n";
   }
-  return constants + "uniform vec4 eyeVC;\n" + readShader("OpticalSegment.glsl") + readShader("TransferFunction.glsl") +
+  return constants + "uniform vec4 eyeVC;\nuniform isamplerBuffer tetrahedra;\nuniform samplerBuffer points;\n" + readShader("OpticalSegment.glsl") + readShader("TransferFunction.glsl") +
     readShader("ContourSurfaces.glsl");
 }
 
@@ -200,7 +200,7 @@ TEST(ContourShader, SurfacesAndLayers)
     }
   }
   const auto results = runner.Run(shaderSource(),
-    "ContourSegment segment = ContourSegment(0, first.xxxy, vec4(1, 0, 0, 0), vec4(0, 0, 0, 1), vec3(0), vec3(0));"
+    "ContourSegment segment = ContourSegment(0, first.xxxy, first.xy, vec4(1, 0, 0, 0), vec4(0, 0, 0, 1), vec3(0), vec3(0));"
     "result = integrateSegmentWithContours(first.xx, first.yy, second.x, segment, 0);",
     segments, scales, setUniforms);
   double largest = 0;
