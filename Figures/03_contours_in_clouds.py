@@ -51,7 +51,7 @@ def show_terrain(view):
     shown = pvs.Show(plane, view)
     shown.ColorArrayName = ["POINTS", ""]
     shown.Texture = pvs.CreateTexture(os.path.join(DATA, "blue_marble_2048.jpg"))
-    shown.Ambient, shown.Diffuse = 0.5, 0.6
+    shown.Ambient, shown.Diffuse = 0.4, 0.45
 
 
 def show_clouds_and_jets(view):
@@ -85,7 +85,7 @@ def show_caption(view):
     text = "GFS forecast for 2011-10-11 00 UTC, heights exaggerated %d times\nWind speed %s m/s" % (
         EXAGGERATION, ", ".join("%g" % s for s in SPEEDS))
     shown = pvs.Show(pvs.Text(Text=text), view)
-    shown.WindowLocation, shown.FontSize, shown.Justification = "Lower Left Corner", 18, "Left"
+    shown.WindowLocation, shown.FontSize, shown.Justification = "Upper Left Corner", 18, "Left"
     shown.Color = [0.75, 0.80, 0.88]
 
 
