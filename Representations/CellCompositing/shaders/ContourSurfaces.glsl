@@ -166,19 +166,20 @@ vec4 integrateSegmentWithContours(vec2 front, vec2 back, float opticalScale, Con
       selectLayer(layer);
     }
     selectContourLayer(current);
-    if (current == last)
-    {
-      return result + (1.0 - result.a) * integrateSegment(start, back, (1.0 - from) * opticalScale);
-    }
+    bool atEnd = current == last;
     int contour = direction > 0 ? current : current - 1;
-    float value = texelFetch(contours, 2 * contour).r;
-    float to = clamp((value - segment.ends.x) / (segment.ends.y - segment.ends.x), from, 1.0);
-    vec2 end = mix(front, back, to);
-    if (contourOfColor)
+    float value = atEnd ? 0.0 : texelFetch(contours, 2 * contour).r;
+    float to = atEnd ? 1.0 : clamp((value - segment.ends.x) / (segment.ends.y - segment.ends.x), from, 1.0);
+    vec2 end = atEnd ? back : mix(front, back, to);
+    if (contourOfColor && !atEnd)
     {
       end.x = value; // where a transfer function may jump
     }
     result += (1.0 - result.a) * integrateSegment(start, end, (to - from) * opticalScale);
+    if (atEnd)
+    {
+      break;
+    }
     result += (1.0 - result.a) * contourSurface(contour, segment, end, to);
     current += direction;
     start = end;

@@ -139,30 +139,38 @@ vec4 integrateSegment(vec2 front, vec2 back, float opticalScale)
   vec4 start = evaluate(interval, front);
   float from = 0.0;
   bool startsAtColor = false, startsAtOpacity = false; // the function whose node was crossed last
-  while (result.a < 0.9999999)
+  while (result.a < 0.9999999) // with one place that integrates: lanes that are at different pieces share it
   {
-    if (interval == last)
-    {
-      vec4 piece = integrateLinear(start, evaluate(last, back), (1.0 - from) * opticalScale);
-      return result + (1.0 - result.a) * piece;
-    }
+    bool atEnd = interval == last;
     vec2 leave = vec2(leaveInterval(transferNodes, transferTable, interval.x, last.x, front.x, back.x),
       separateOpacity ? leaveInterval(opacityNodes, opacityTable, interval.y, last.y, front.y, back.y) : 2.0);
     bool ofColor = leave.x <= leave.y;
-    float to = max(from, min(leave.x, leave.y));
-    float length = to - from;
-    if (ofColor && startsAtColor)
-    {
-      length = crossingLength(transferNodes, transferTable, interval.x, front.x, back.x);
-    }
-    else if (!ofColor && startsAtOpacity)
-    {
-      length = crossingLength(opacityNodes, opacityTable, interval.y, front.y, back.y);
-    }
-    vec2 s = mix(front, back, to);
     bool rising = (ofColor ? direction.x : direction.y) > 0;
-    vec4 piece = integrateLinear(start, limit(ofColor, interval, rising, s), length * opticalScale);
-    result += (1.0 - result.a) * piece;
+    float to = atEnd ? 1.0 : max(from, min(leave.x, leave.y));
+    vec2 s = mix(front, back, to);
+    float length = to - from;
+    vec4 end;
+    if (atEnd)
+    {
+      end = evaluate(last, back);
+    }
+    else
+    {
+      end = limit(ofColor, interval, rising, s);
+      if (ofColor && startsAtColor)
+      {
+        length = crossingLength(transferNodes, transferTable, interval.x, front.x, back.x);
+      }
+      else if (!ofColor && startsAtOpacity)
+      {
+        length = crossingLength(opacityNodes, opacityTable, interval.y, front.y, back.y);
+      }
+    }
+    result += (1.0 - result.a) * integrateLinear(start, end, length * opticalScale);
+    if (atEnd)
+    {
+      break;
+    }
     interval += ofColor ? ivec2(direction.x, 0) : ivec2(0, direction.y);
     start = limit(ofColor, interval, !rising, s);
     startsAtColor = ofColor;
