@@ -8,8 +8,21 @@
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkShaderProgram.h"
 
+#include <algorithm>
+
 namespace nephoscope
 {
+
+namespace
+{
+bool hasNarrowIntervals(const std::vector<TransferFunctionTable>& tables)
+{
+  constexpr float narrow = 1e-3f; // of the range of the scalar: rounding at a face is some 1e-6 of it
+  return std::any_of(tables.begin(), tables.end(), [=](const TransferFunctionTable& table) {
+    return std::any_of(table.Widths.begin(), table.Widths.end(), [=](float w) { return w > 0 && w < narrow; });
+  });
+}
+}
 
 std::string CellBuffers::UploadGeometry(vtkOpenGLRenderWindow* window, const CellGeometry& geometry)
 {
@@ -29,25 +42,51 @@ std::string CellBuffers::UploadGeometry(vtkOpenGLRenderWindow* window, const Cel
   return error;
 }
 
-std::string CellBuffers::UploadTable(
-  vtkOpenGLRenderWindow* window, const TransferFunctionTable& table, Name nodes, Name intervals)
+// All tables one after the other; nodes as (position, width above).
+std::string CellBuffers::UploadTables(
+  vtkOpenGLRenderWindow* window, const std::vector<TransferFunctionTable>& tables, Name nodes, Name intervals)
 {
-  const std::string error =
-    this->Buffers[nodes].Upload(window, table.Nodes.data(), table.Nodes.size(), 1, VTK_FLOAT);
-  return error.empty() ? this->Buffers[intervals].Upload(
-                           window, table.Intervals.data(), 2 * table.Intervals.size(), 4, VTK_FLOAT)
-                       : error;
+  std::vector<std::array<float, 2>> allNodes;
+  std::vector<TransferFunctionTable::Interval> allIntervals;
+  for (const TransferFunctionTable& table : tables)
+  {
+    for (std::size_t i = 0; i < table.Nodes.size(); ++i)
+    {
+      allNodes.push_back({ { table.Nodes[i], table.Widths[i] } });
+    }
+    allIntervals.insert(allIntervals.end(), table.Intervals.begin(), table.Intervals.end());
+  }
+  const std::string error = this->Buffers[nodes].Upload(window, allNodes.data(), allNodes.size(), 2, VTK_FLOAT);
+  return error.empty()
+    ? this->Buffers[intervals].Upload(window, allIntervals.data(), 2 * allIntervals.size(), 4, VTK_FLOAT)
+    : error;
 }
 
 std::string CellBuffers::UploadTransferFunctions(vtkOpenGLRenderWindow* window,
-  const TransferFunctionTable& colorAndOpacity, const TransferFunctionTable& opacity)
+  const std::vector<TransferFunctionTable>& colorAndOpacity, const std::vector<TransferFunctionTable>& opacity,
+  const std::vector<std::int32_t>& tables)
 {
   constexpr std::size_t few = 8;
-  this->SmallTable = colorAndOpacity.Nodes.size() <= few ? colorAndOpacity : TransferFunctionTable();
-  this->NumberOfTransferNodes = static_cast<int>(colorAndOpacity.Nodes.size());
-  this->NumberOfOpacityNodes = static_cast<int>(opacity.Nodes.size());
-  const std::string error = this->UploadTable(window, colorAndOpacity, TransferNodes, TransferIntervals);
-  return error.empty() ? this->UploadTable(window, opacity, OpacityNodes, OpacityIntervals) : error;
+  this->NumberOfTransferNodes = static_cast<int>(colorAndOpacity[0].Nodes.size());
+  this->NumberOfOpacityNodes = static_cast<int>(opacity[0].Nodes.size());
+  this->UseLayers = colorAndOpacity.size() > 1;
+  this->NarrowIntervals = hasNarrowIntervals(colorAndOpacity) || hasNarrowIntervals(opacity);
+  const bool small = colorAndOpacity[0].Nodes.size() <= few && !this->NarrowIntervals;
+  this->SmallTable = small ? colorAndOpacity[0] : TransferFunctionTable();
+  std::vector<std::array<float, 4>> layers; // first node, number of nodes, of either table
+  float first[2] = { 0, 0 };
+  for (std::size_t i = 0; i < colorAndOpacity.size(); ++i)
+  {
+    const float sizes[2] = { float(colorAndOpacity[i].Nodes.size()), float(opacity[i].Nodes.size()) };
+    layers.push_back({ { first[0], sizes[0], first[1], sizes[1] } });
+    first[0] += sizes[0];
+    first[1] += sizes[1];
+  }
+  std::string error = this->UploadTables(window, colorAndOpacity, TransferNodes, TransferIntervals);
+  error = error.empty() ? this->UploadTables(window, opacity, OpacityNodes, OpacityIntervals) : error;
+  error = error.empty() ? this->Buffers[LayerTables].Upload(window, layers.data(), layers.size(), 4, VTK_FLOAT) : error;
+  return error.empty() ? this->Buffers[TetrahedronLayers].Upload(window, tables.data(), tables.size(), 1, VTK_INT)
+                       : error;
 }
 
 std::string CellBuffers::ShaderConstants() const
@@ -55,7 +94,7 @@ std::string CellBuffers::ShaderConstants() const
   return std::string(this->SeparateOpacity && !this->OpacityOnCells ? "#define SECOND_SCALAR\n" : "") +
     shaderConstant("useCellScalars", this->UseCellScalars) +
     shaderConstant("separateOpacity", this->SeparateOpacity) +
-    shaderConstant("opacityOnCells", this->OpacityOnCells);
+    shaderConstant("opacityOnCells", this->OpacityOnCells) + shaderConstant("useLayers", this->UseLayers);
 }
 
 std::string CellBuffers::SmallTableDefinition() const
@@ -86,7 +125,7 @@ void CellBuffers::SetSmallTable(vtkShaderProgram* program) const
 void CellBuffers::Activate(vtkShaderProgram* program)
 {
   static const char* const names[NumberOfBuffers] = { "points", "cellScalars", "opacityScalars", "transferNodes",
-    "transferIntervals", "opacityNodes", "opacityIntervals" };
+    "transferIntervals", "opacityNodes", "opacityIntervals", "layerTables", "tetrahedronLayers" };
   for (int i = 0; i < NumberOfBuffers; ++i)
   {
     program->SetUniformi(names[i], this->Buffers[i].Activate());

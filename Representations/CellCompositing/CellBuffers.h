@@ -10,7 +10,9 @@
 #include "TransferFunctionTable.h"
 
 #include <array>
+#include <cstdint>
 #include <string>
+#include <vector>
 
 class vtkOpenGLRenderWindow;
 class vtkShaderProgram;
@@ -26,13 +28,17 @@ class CellBuffers
 public:
   // Each returns an empty string, or what went wrong.
   std::string UploadGeometry(vtkOpenGLRenderWindow* window, const CellGeometry& geometry);
-  std::string UploadTransferFunctions(vtkOpenGLRenderWindow* window, const TransferFunctionTable& colorAndOpacity,
-    const TransferFunctionTable& opacity);
+  /** One table of either kind, or one per layer; `tables` has the number of its tables for each tetrahedron, or is empty. */
+  std::string UploadTransferFunctions(vtkOpenGLRenderWindow* window,
+    const std::vector<TransferFunctionTable>& colorAndOpacity, const std::vector<TransferFunctionTable>& opacity,
+    const std::vector<std::int32_t>& tables);
 
   /** Where the transfer function has few nodes, SMALL_TABLE stands for their number; otherwise it is not defined. */
   std::string SmallTableDefinition() const;
   void SetSmallTable(vtkShaderProgram* program) const;
 
+  bool HasLayers() const { return this->UseLayers; }
+  bool HasNarrowIntervals() const { return this->NarrowIntervals; }
   /** Constants of the shaders that tell which of the buffers count. */
   std::string ShaderConstants() const;
   /** Binds the textures and tells the program their units. */
@@ -50,16 +56,20 @@ private:
     TransferIntervals,
     OpacityNodes,
     OpacityIntervals,
+    LayerTables,
+    TetrahedronLayers,
     NumberOfBuffers
   };
-  std::string UploadTable(
-    vtkOpenGLRenderWindow* window, const TransferFunctionTable& table, Name nodes, Name intervals);
+  std::string UploadTables(vtkOpenGLRenderWindow* window, const std::vector<TransferFunctionTable>& tables, Name nodes,
+    Name intervals);
 
   std::array<BufferTexture, NumberOfBuffers> Buffers;
   TransferFunctionTable SmallTable; // copy of the nodes and intervals; empty if there are many
   bool UseCellScalars = false;
   bool SeparateOpacity = false;
   bool OpacityOnCells = false;
+  bool UseLayers = false;
+  bool NarrowIntervals = false; // of a transfer function: scalars at faces must be the same for both neighbours
   int NumberOfTransferNodes = 0;
   int NumberOfOpacityNodes = 0;
 };

@@ -72,7 +72,7 @@ std::string CellCompositingPass::Draw(
     state->vtkglDisable(GL_CULL_FACE);
     state->vtkglDepthMask(GL_FALSE);
     state->vtkglEnable(GL_BLEND);
-    const CellDrawing drawing = { window, viewport, view, options, this->Buffers, this->Depth };
+    const CellDrawing drawing = { window, viewport, view, options, this->Buffers, this->Contours, this->Depth };
     error = this->UseRays ? this->Rays.Draw(drawing) : this->Projected.Draw(drawing);
   }
   else
@@ -96,6 +96,7 @@ bool CellCompositingPass::CopyFloatImage(vtkOpenGLRenderWindow* window, vtkImage
 void CellCompositingPass::ReleaseGraphicsResources(vtkWindow* window)
 {
   this->Buffers.Release(window);
+  this->Contours.Release(window);
   this->Projected.ReleaseGraphicsResources(window);
   this->Rays.ReleaseGraphicsResources(window);
   this->Depth.ReleaseGraphicsResources(window);

@@ -13,6 +13,7 @@
 #include "CellDrawing.h"
 #include "FloatAccumulation.h"
 #include "OpaqueDepth.h"
+#include "ContourBuffers.h"
 #include "ProjectedCells.h"
 #include "RayCells.h"
 
@@ -30,6 +31,7 @@ namespace nephoscope
 class CellGeometry;
 class CellScene;
 struct TetrahedronNeighbors;
+class ContourScene;
 
 class CellCompositingPass
 {
@@ -38,10 +40,15 @@ public:
   /** With `neighbors` the cells are drawn ray by ray, else one by one in the order that UploadOrder tells. */
   std::string UploadGeometry(
     vtkOpenGLRenderWindow* window, const CellGeometry& geometry, const TetrahedronNeighbors* neighbors);
-  std::string UploadTransferFunctions(vtkOpenGLRenderWindow* window, const TransferFunctionTable& colorAndOpacity,
-    const TransferFunctionTable& opacity)
+  std::string UploadTransferFunctions(vtkOpenGLRenderWindow* window,
+    const std::vector<TransferFunctionTable>& colorAndOpacity, const std::vector<TransferFunctionTable>& opacity,
+    const std::vector<std::int32_t>& tables)
   {
-    return this->Buffers.UploadTransferFunctions(window, colorAndOpacity, opacity);
+    return this->Buffers.UploadTransferFunctions(window, colorAndOpacity, opacity, tables);
+  }
+  std::string UploadContours(vtkOpenGLRenderWindow* window, const ContourScene& contours)
+  {
+    return this->Contours.Upload(window, contours);
   }
   /** What the scene's transfer function and view let be seen. */
   std::string UploadDrawn(vtkOpenGLRenderWindow* window, const CellScene& scene);
@@ -52,6 +59,7 @@ public:
 
 private:
   CellBuffers Buffers;
+  ContourBuffers Contours;
   ProjectedCells Projected;
   RayCells Rays;
   bool UseRays = false;

@@ -3,6 +3,7 @@
 #include "CellDrawing.h"
 
 #include "CellBuffers.h"
+#include "ContourBuffers.h"
 #include "OpaqueDepth.h"
 #include "OpticalSegment.h"
 #include "ShaderText.h"
@@ -34,7 +35,10 @@ std::array<float, 4> depthToView(vtkMatrix4x4* viewToDevice)
 
 std::string CellDrawing::ShaderConstants() const
 {
-  return this->Buffers.ShaderConstants() +
+  return this->Buffers.ShaderConstants() + this->Contours.ShaderConstants() +
+    shaderConstant("contourLayers", this->Options.ContourLayers && this->Buffers.HasLayers()) +
+    shaderConstant("contourLighting", this->Options.ContourLighting) +
+    shaderConstant("consistentFaces", this->Buffers.HasNarrowIntervals() || this->Contours.IsUsed()) +
     shaderConstant("averageIntegration", this->Options.AverageIntegration) +
     shaderConstant("splitAtControlPoints", this->Options.SplitAtControlPoints);
 }
@@ -42,6 +46,7 @@ std::string CellDrawing::ShaderConstants() const
 void CellDrawing::SetUniforms(vtkShaderProgram* program) const
 {
   this->Buffers.Activate(program);
+  this->Contours.Activate(*this, program);
   this->Depth.GetTexture()->Activate();
   program->SetUniformi("opaqueDepth", this->Depth.GetTexture()->GetTextureUnit());
   program->SetUniform4f("depthToVC", depthToView(this->View.ViewToDevice).data());
@@ -65,6 +70,7 @@ void CellDrawing::SetUniforms(vtkShaderProgram* program) const
 void CellDrawing::Finish() const
 {
   this->Buffers.Deactivate();
+  this->Contours.Deactivate();
   this->Depth.GetTexture()->Deactivate();
 }
 

@@ -4,7 +4,11 @@
 #ifndef CellDrawing_h
 #define CellDrawing_h
 
+#include "SceneLights.h"
+
+#include <array>
 #include <string>
+#include <vector>
 
 class vtkMatrix4x4;
 class vtkOpenGLRenderWindow;
@@ -14,6 +18,7 @@ namespace nephoscope
 {
 
 class CellBuffers;
+class ContourBuffers;
 class OpaqueDepth;
 struct EyeTetrahedron;
 
@@ -31,6 +36,10 @@ struct CellDrawingOptions
   bool AverageIntegration = false;
   bool SplitAtControlPoints = true;
   double ExtinctionScale = 1.0; ///< extinction per world length at opacity 1
+  bool ContourLayers = false;   ///< layers lie between contours; otherwise tetrahedra have them
+  bool ContourLighting = false;
+  std::array<float, 4> ContourShading = { { 0, 1, 0, 1 } }; ///< ambient, diffuse, specular, specular power
+  std::vector<SceneLight> Lights; ///< of contour surfaces
   const EyeTetrahedron* Eye = nullptr; ///< where rays start
 };
 
@@ -41,6 +50,7 @@ struct CellDrawing
   const CellView& View;
   const CellDrawingOptions& Options;
   CellBuffers& Buffers;
+  ContourBuffers& Contours;
   OpaqueDepth& Depth;
 
   std::string ShaderConstants() const;

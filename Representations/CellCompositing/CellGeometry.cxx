@@ -43,9 +43,10 @@ std::array<Vector3, 4> CellGeometry::Vertices(std::size_t tetrahedron) const
 }
 
 std::string CellGeometry::Build(
-  vtkDataSet* data, const ScalarSelection& scalars, const ScalarSelection& opacity, Form form)
+  vtkDataSet* data, const ScalarSelection& scalars, const ScalarSelection& opacity, vtkDataArray* layers, Form form)
 {
   this->Clear();
+  this->LayerArray = layers;
   constexpr vtkIdType limit = std::numeric_limits<std::int32_t>::max() / 8;
   if (data->GetNumberOfPoints() > limit || data->GetNumberOfCells() > limit)
   {
@@ -65,6 +66,7 @@ std::string CellGeometry::Build(
   {
     this->Decompose(data, scalars, opacity);
   }
+  this->LayerArray = nullptr;
   return std::string();
 }
 
@@ -134,6 +136,7 @@ void CellGeometry::Decompose(
   std::partial_sum(first.begin(), first.end(), first.begin());        // PASS 2
   this->Tetrahedra.resize(static_cast<std::size_t>(first.back()));
   this->CellScalars.resize(scalars.OnCells ? this->Tetrahedra.size() : 0);
+  this->Layers.resize(this->LayerArray ? this->Tetrahedra.size() : 0);
   if (opacity.OnCells)
   {
     this->OpacityScalars.resize(this->Tetrahedra.size());
@@ -194,6 +197,10 @@ void CellGeometry::FillTetrahedra(vtkDataSet* data, const ScalarSelection& scala
         if (opacity.OnCells)
         {
           this->OpacityScalars[next] = normalized(opacity, cell, this->OpacityRange);
+        }
+        if (this->LayerArray)
+        {
+          this->Layers[next] = static_cast<std::int32_t>(this->LayerArray->GetComponent(cell, 0));
         }
         this->Tetrahedra[next++] = t;
       });

@@ -43,11 +43,11 @@ public:
   };
 
   /**
-   * `opacity` selects the array that the opacity function reads; none: `scalars` too.
+   * `opacity` selects the array that the opacity function reads; none: `scalars` too. `layers`, if given, numbers the cells' layers.
    * Returns an empty string, or why nothing can be drawn.
    */
   std::string Build(vtkDataSet* data, const ScalarSelection& scalars, const ScalarSelection& opacity = {},
-    Form form = Form::Tetrahedra);
+    vtkDataArray* layers = nullptr, Form form = Form::Tetrahedra);
   void Clear();
 
   /** Tetrahedra that are drawn, hidden cells not counted. */
@@ -67,6 +67,8 @@ public:
   bool OpacityOnCells = false;
   std::vector<float> OpacityScalars;  ///< one per point, or per tetrahedron if OpacityOnCells; normalised
   double OpacityRange[2] = { 0, 1 };
+
+  std::vector<std::int32_t> Layers; ///< of each tetrahedron's cell; empty without a layer array
 
   // What was left out, for the mapper to report.
   std::int64_t NumberOfUnsupportedCells = 0; ///< not 3-D, or of a kind that cannot be decomposed
@@ -95,6 +97,8 @@ private:
     std::vector<std::int64_t>& counts);
   void FillTetrahedra(vtkDataSet* data, const ScalarSelection& scalars, const ScalarSelection& opacity,
     const std::vector<std::int64_t>& first);
+
+  vtkDataArray* LayerArray = nullptr; // while building
 };
 
 } // namespace nephoscope

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "CellScene.h"
 
+#include "ContourSettings.h"
 #include "VisibleGridCells.h"
 
 #include "vtkColorTransferFunction.h"
@@ -12,6 +13,7 @@
 #include "vtkVolumeProperty.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace nephoscope
 {
@@ -53,16 +55,18 @@ CellScene::SelectionKey CellScene::MakeKey(const ScalarSelection& selection)
 }
 
 bool CellScene::UpdateGeometry(
-  vtkDataSet* data, const ScalarSelection& scalars, const ScalarSelection& opacity, Method method, std::string& error)
+  vtkDataSet* data, const ScalarSelection& scalars, const ScalarSelection& opacity, Method method, std::string& error,
+  vtkDataArray* layers)
 {
-  if (!changes(this->GeometryKey, { data, data->GetMTime(), MakeKey(scalars), MakeKey(opacity), method }))
+  if (!changes(this->GeometryKey,
+        { data, data->GetMTime(), MakeKey(scalars), MakeKey(opacity), MakeKey({ layers, true, 0 }), method }))
   {
     return false;
   }
   this->CurrentMethod = method;
   const bool rays = method == Method::Rays;
   error = this->Geometry.Build(
-    data, scalars, opacity, rays ? CellGeometry::Form::Grid : CellGeometry::Form::Tetrahedra);
+    data, scalars, opacity, layers, rays ? CellGeometry::Form::Grid : CellGeometry::Form::Tetrahedra);
   this->Order.Clear();
   this->Neighbors.Clear();
   if (rays && this->Geometry.Grid.IsEmpty())
@@ -77,17 +81,76 @@ bool CellScene::UpdateGeometry(
 
 void CellScene::UpdateTransferFunction(vtkVolumeProperty* property)
 {
+  this->UpdateTransferFunction(property, ContourSettings(), nullptr, {});
+}
+
+void CellScene::UpdateTransferFunction(vtkVolumeProperty* property, const ContourSettings& settings, vtkDataSet* data,
+  const ScalarSelection& contoured)
+{
+  std::vector<PropertyKey> key = { { 0, property, propertyMTime(property) } };
+  std::vector<vtkVolumeProperty*> properties = { property };
+  std::vector<int> layers; // with a table of their own: the first has table 1
+  this->LayersOfContours = settings.ContoursMakeLayers();
+  for (const auto& layer : settings.LayerProperties)
+  {
+    if (settings.LayersAreUsed())
+    {
+      key.emplace_back(layer.first, layer.second, propertyMTime(layer.second));
+      properties.push_back(layer.second);
+      layers.push_back(layer.first);
+    }
+  }
+  if (changes(this->TransferKey, { this->Current.Geometry, this->LayersOfContours, key }))
+  {
+    this->BuildTables(properties);
+    this->FindTablesOfTetrahedra(layers);
+    ++this->Current.Transfer;
+  }
+  std::vector<int> tables(this->LayersOfContours ? settings.Surfaces.size() + 1 : 0, 0);
+  for (std::size_t i = 0; i < layers.size(); ++i)
+  {
+    if (layers[i] >= 0 && static_cast<std::size_t>(layers[i]) < tables.size())
+    {
+      tables[static_cast<std::size_t>(layers[i])] = static_cast<int>(i) + 1;
+    }
+  }
+  this->Contours.Update(this->Geometry, this->Current.Geometry, data, contoured, settings, property, tables);
+}
+
+void CellScene::BuildTables(const std::vector<vtkVolumeProperty*>& properties)
+{
   using Channels = TransferFunctionTable::Channels;
-  if (!changes(this->TransferKey, { property, propertyMTime(property), this->Current.Geometry }))
+  const bool separate = this->Geometry.HasOpacityScalars;
+  this->Transfers.assign(properties.size(), TransferFunctionTable());
+  this->Opacities.assign(properties.size(), TransferFunctionTable());
+  for (std::size_t i = 0; i < properties.size(); ++i)
+  {
+    this->Transfers[i].Build(
+      properties[i], this->Geometry.ScalarRange, separate ? Channels::Color : Channels::ColorAndOpacity);
+    this->Opacities[i].Build(
+      properties[i], separate ? this->Geometry.OpacityRange : this->Geometry.ScalarRange, Channels::Opacity);
+    if (i > 0)
+    {
+      const double factor = properties[0]->GetScalarOpacityUnitDistance() / properties[i]->GetScalarOpacityUnitDistance();
+      this->Transfers[i].ScaleOpacity(factor);
+      this->Opacities[i].ScaleOpacity(factor);
+    }
+  }
+}
+
+void CellScene::FindTablesOfTetrahedra(const std::vector<int>& layers)
+{
+  this->TablesOfTetrahedra.clear();
+  if (layers.empty() || this->LayersOfContours)
   {
     return;
   }
-  const bool separate = this->Geometry.HasOpacityScalars;
-  this->Transfer.Build(
-    property, this->Geometry.ScalarRange, separate ? Channels::Color : Channels::ColorAndOpacity);
-  this->Opacity.Build(
-    property, separate ? this->Geometry.OpacityRange : this->Geometry.ScalarRange, Channels::Opacity);
-  ++this->Current.Transfer;
+  for (const std::int32_t layer : this->Geometry.Layers)
+  {
+    const auto found = std::lower_bound(layers.begin(), layers.end(), layer);
+    const bool known = found != layers.end() && *found == layer;
+    this->TablesOfTetrahedra.push_back(known ? static_cast<std::int32_t>(found - layers.begin()) + 1 : 0);
+  }
 }
 
 void CellScene::UpdateOrder(const Vector4& eye, OrderMethod method)
@@ -126,15 +189,15 @@ void CellScene::UpdateEye(const Vector4& eye)
 
 void CellScene::UpdateDrawn()
 {
-  if (changes(this->VisibleKey, { this->Current.Geometry, this->Current.Transfer }))
+  if (changes(this->VisibleKey, { this->Current.Geometry, this->Current.Transfer, this->Contours.Version }))
   {
     this->Geometry.Grid.IsEmpty() ? this->FindVisible() : this->FindVisibleOfGrid();
   }
-  else if (!changes(this->DrawnKey, { this->Current.Order, this->Current.Transfer }))
+  else if (!changes(this->DrawnKey, { this->Current.Order, this->Current.Transfer, this->Contours.Version }))
   {
     return;
   }
-  this->DrawnKey = { this->Current.Order, this->Current.Transfer };
+  this->DrawnKey = { this->Current.Order, this->Current.Transfer, this->Contours.Version };
   this->Drawn.clear();
   if (this->CurrentMethod == Method::Projection)
   {
@@ -164,7 +227,7 @@ void CellScene::FindVisible()
         s[k] = onCells ? cellValues[i] : pointValue(geometry.Tetrahedra[i][k]);
       }
       const auto range = std::minmax_element(s.begin(), s.end());
-      this->Visible[i] = !this->Opacity.IsTransparent(*range.first, *range.second);
+      this->Visible[i] = !this->IsTransparent(i, *range.first, *range.second);
     }
   });
   this->NumberOfVisible = std::count(this->Visible.begin(), this->Visible.end(), std::uint8_t(1));
@@ -172,10 +235,55 @@ void CellScene::FindVisible()
 
 void CellScene::FindVisibleOfGrid()
 {
-  const VisibleGridCells::Result visible = VisibleGridCells(this->Geometry, this->Opacity).Find();
+  const VisibleGridCells::Result visible = VisibleGridCells(this->Geometry, this->Opacities[0]).Find();
   this->NumberOfVisible = visible.Tetrahedra;
   this->VisibleBox = visible.Tetrahedra > 0 ? visible.Box : CellBox();
   this->GridBoundary = chessboardBoundary(this->Geometry, this->VisibleBox);
+}
+
+std::pair<float, float> CellScene::ContourRange(std::size_t tetrahedron) const
+{
+  std::array<float, 4> s;
+  for (std::size_t k = 0; k < 4; ++k)
+  {
+    const std::size_t point = static_cast<std::size_t>(this->Geometry.Tetrahedra[tetrahedron][k]);
+    s[k] = !this->Contours.OfColor          ? this->Contours.Scalars[point]
+      : this->Geometry.CellScalars.empty() ? this->Geometry.Points[point].Scalar
+                                           : this->Geometry.CellScalars[tetrahedron];
+    if (std::isnan(s[k])) // as the shader has it
+    {
+      return { 0.0f, 0.0f };
+    }
+  }
+  const auto range = std::minmax_element(s.begin(), s.end());
+  return { *range.first, *range.second };
+}
+
+// No surface, and for the scalars from low to high no opacity in any of the layers that the tetrahedron may touch.
+bool CellScene::IsTransparent(std::size_t tetrahedron, float low, float high) const
+{
+  const bool contoured = this->Contours.IsUsed();
+  const std::pair<float, float> range = contoured ? this->ContourRange(tetrahedron) : std::pair<float, float>();
+  if (contoured && this->Contours.DrawsBetween(range.first, range.second))
+  {
+    return false;
+  }
+  if (!contoured || !this->LayersOfContours)
+  {
+    const std::size_t table =
+      this->TablesOfTetrahedra.empty() ? 0 : static_cast<std::size_t>(this->TablesOfTetrahedra[tetrahedron]);
+    return this->Opacities[table].IsTransparent(low, high);
+  }
+  const auto& contours = this->Contours.Contours;
+  for (std::size_t layer = this->Contours.FindLayer(range.first); layer <= this->Contours.FindLayer(range.second); ++layer)
+  {
+    const float table = layer == 0 ? contours[0].LayerBelow : contours[layer - 1].LayerAbove;
+    if (!this->Opacities[static_cast<std::size_t>(table)].IsTransparent(low, high))
+    {
+      return false;
+    }
+  }
+  return true;
 }
 
 } // namespace nephoscope

@@ -12,6 +12,7 @@
 
 #include "BoundaryFaces.h"
 #include "CellGeometry.h"
+#include "ContourScene.h"
 #include "EyeTetrahedron.h"
 #include "TetrahedronNeighbors.h"
 #include "TransferFunctionTable.h"
@@ -29,6 +30,8 @@ class vtkVolumeProperty;
 
 namespace nephoscope
 {
+
+struct ContourSettings;
 
 class CellScene
 {
@@ -51,8 +54,12 @@ public:
 
   /** Returns true when the geometry was made again; `error` then tells why it could not be, or is empty. */
   bool UpdateGeometry(
-    vtkDataSet* data, const ScalarSelection& scalars, const ScalarSelection& opacity, Method method, std::string& error);
+    vtkDataSet* data, const ScalarSelection& scalars, const ScalarSelection& opacity, Method method, std::string& error,
+    vtkDataArray* layers = nullptr);
   void UpdateTransferFunction(vtkVolumeProperty* property);
+  /** The same with layers of their own properties, and contours of an array (none: the coloured one). */
+  void UpdateTransferFunction(vtkVolumeProperty* property, const ContourSettings& settings, vtkDataSet* data,
+    const ScalarSelection& contoured);
   /** For projection; `eye` is homogeneous and relative to the geometry's centre. */
   void UpdateOrder(const Vector4& eye, OrderMethod method);
   /** Lists what is drawn; to be called after the three others. */
@@ -64,9 +71,18 @@ public:
 
   const CellGeometry& GetGeometry() const { return this->Geometry; }
   /** Colour and opacity; colour alone where the geometry has opacity scalars. */
-  const TransferFunctionTable& GetTransferFunction() const { return this->Transfer; }
+  const TransferFunctionTable& GetTransferFunction() const { return this->Transfers[0]; }
   /** Opacity, read by the opacity scalars of the geometry where it has them. */
-  const TransferFunctionTable& GetOpacityFunction() const { return this->Opacity; }
+  const TransferFunctionTable& GetOpacityFunction() const { return this->Opacities[0]; }
+  ///@{
+  /** The two above, and after them those of layers with a property of their own. */
+  const std::vector<TransferFunctionTable>& GetTransferFunctions() const { return this->Transfers; }
+  const std::vector<TransferFunctionTable>& GetOpacityFunctions() const { return this->Opacities; }
+  ///@}
+  const ContourScene& GetContours() const { return this->Contours; }
+  /** Number of the tables that each tetrahedron reads; empty where that does not depend on the tetrahedron. */
+  const std::vector<std::int32_t>& GetTablesOfTetrahedra() const { return this->TablesOfTetrahedra; }
+  bool ContoursMakeLayers() const { return this->LayersOfContours; }
   /** Null for projection. */
   const TetrahedronNeighbors* GetNeighbors() const
   {
@@ -90,6 +106,10 @@ public:
 private:
   void FindVisible();
   void FindVisibleOfGrid();
+  void BuildTables(const std::vector<vtkVolumeProperty*>& properties);
+  void FindTablesOfTetrahedra(const std::vector<int>& layers);
+  bool IsTransparent(std::size_t tetrahedron, float low, float high) const;
+  std::pair<float, float> ContourRange(std::size_t tetrahedron) const;
 
   Method CurrentMethod = Method::Projection;
   CellGeometry Geometry;
@@ -98,8 +118,11 @@ private:
   CellBox VisibleBox;
   std::vector<BoundaryFace> GridBoundary;
   std::int64_t NumberOfVisible = 0;
-  TransferFunctionTable Transfer;
-  TransferFunctionTable Opacity;
+  std::vector<TransferFunctionTable> Transfers = std::vector<TransferFunctionTable>(1);
+  std::vector<TransferFunctionTable> Opacities = std::vector<TransferFunctionTable>(1);
+  std::vector<std::int32_t> TablesOfTetrahedra;
+  ContourScene Contours;
+  bool LayersOfContours = false;
   VisibilityOrder Order;
   std::vector<std::int32_t> Sorted;   // all tetrahedra, back to front
   std::vector<std::uint8_t> Visible;  // per tetrahedron: not fully transparent
@@ -110,12 +133,13 @@ private:
   // What the stages were made from. Pointers are compared only.
   using SelectionKey = std::tuple<vtkDataArray*, vtkMTimeType, bool, int>;
   static SelectionKey MakeKey(const ScalarSelection& selection);
-  std::tuple<vtkDataSet*, vtkMTimeType, SelectionKey, SelectionKey, Method> GeometryKey;
-  std::tuple<vtkVolumeProperty*, vtkMTimeType, std::int64_t> TransferKey;
+  std::tuple<vtkDataSet*, vtkMTimeType, SelectionKey, SelectionKey, SelectionKey, Method> GeometryKey;
+  using PropertyKey = std::tuple<int, vtkVolumeProperty*, vtkMTimeType>; // layer
+  std::tuple<std::int64_t, bool, std::vector<PropertyKey>> TransferKey;
   std::tuple<std::int64_t, OrderMethod, Vector4> OrderKey;
   std::tuple<std::int64_t, Vector4> EyeKey;
-  std::tuple<std::int64_t, std::int64_t> VisibleKey;
-  std::tuple<std::int64_t, std::int64_t> DrawnKey;
+  std::tuple<std::int64_t, std::int64_t, std::int64_t> VisibleKey;
+  std::tuple<std::int64_t, std::int64_t, std::int64_t> DrawnKey;
 };
 
 } // namespace nephoscope

@@ -12,6 +12,8 @@
 #include "CellCompositingGeometry.h"
 #include "CellCompositingVertex.h"
 
+#include "vtkMatrix3x3.h"
+#include "vtkMatrix4x4.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLShaderCache.h"
 #include "vtkOpenGLState.h"
@@ -25,6 +27,29 @@ namespace nephoscope
 {
 namespace
 {
+// (pixel, 1) to the direction of its ray, or in a parallel projection to a point of it, in model coordinates.
+void pixelToRay(const CellView& view, const int* size, vtkMatrix3x3* result)
+{
+  vtkNew<vtkMatrix4x4> inverse;
+  vtkMatrix4x4::Multiply4x4(view.ViewToDevice, view.ModelToView, inverse);
+  inverse->Invert();
+  const double corners[3][4] = { { 2.0 / size[0], 0, 0, 0 }, { 0, 2.0 / size[1], 0, 0 }, { -1, -1, 0, 1 } };
+  double place[3][4]; // of the pixel's derivatives, and of pixel (0, 0), in homogeneous model coordinates
+  for (int i = 0; i < 3; ++i)
+  {
+    inverse->MultiplyPoint(corners[i], place[i]);
+  }
+  const bool parallel = view.EyeModel[3] == 0;
+  for (int i = 0; i < 3; ++i)
+  {
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      const double value = parallel ? place[i][axis] / place[2][3] : place[i][axis] - place[i][3] * view.EyeModel[axis];
+      result->SetElement(i, axis, value); // transposed, as OpenGL wants it
+    }
+  }
+}
+
 std::array<float, 4> toFloat(const double v[4])
 {
   std::array<float, 4> result;
@@ -67,6 +92,9 @@ std::string ProjectedCells::Draw(const CellDrawing& drawing)
   program->SetUniformi("tetrahedra", this->Tetrahedra.Activate());
   program->SetUniformi("drawingOrder", this->Order.Activate());
   program->SetUniform4f("eyeMC", toFloat(drawing.View.EyeModel).data());
+  vtkNew<vtkMatrix3x3> rays;
+  pixelToRay(drawing.View, drawing.Viewport + 2, rays);
+  program->SetUniformMatrix("pixelToRay", rays);
   program->SetUniform4f("eyeVC", toFloat(drawing.View.EyeView).data());
 
   // Back faces in front of the near plane or behind the far plane still end segments inside: clamp, do not clip.

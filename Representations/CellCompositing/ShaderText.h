@@ -7,6 +7,8 @@
 #ifndef ShaderText_h
 #define ShaderText_h
 
+#include "ContourSurfacesShader.h"
+#include "FaceScalarsShader.h"
 #include "OpticalSegmentShader.h"
 #include "TransferFunctionShader.h"
 
@@ -28,6 +30,8 @@ inline std::string specializedShader(const char* shader, const std::string& cons
   vtkShaderProgram::Substitute(source, "//NEPHOSCOPE::Constants", constants);
   vtkShaderProgram::Substitute(source, "//NEPHOSCOPE::OpticalSegment", OpticalSegmentShader);
   vtkShaderProgram::Substitute(source, "//NEPHOSCOPE::TransferFunction", TransferFunctionShader);
+  vtkShaderProgram::Substitute(source, "//NEPHOSCOPE::FaceScalars", FaceScalarsShader);
+  vtkShaderProgram::Substitute(source, "//NEPHOSCOPE::ContourSurfaces", ContourSurfacesShader);
   return source;
 }
 

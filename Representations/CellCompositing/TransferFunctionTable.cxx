@@ -2,20 +2,27 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "TransferFunctionTable.h"
 
+#include "ScalarSelection.h"
+
 #include "vtkColorTransferFunction.h"
 #include "vtkDiscretizableColorTransferFunction.h"
 #include "vtkPiecewiseFunction.h"
+#include "vtkVariant.h"
 #include "vtkVolumeProperty.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace nephoscope
 {
 namespace
 {
-constexpr double curveTolerance = 1.0 / 2500; // at the places looked at; 1 / 2000 then holds between them
+// At the places looked at; 1 / 2000 then holds between them. Of opacity it is a part of the opacity itself, down to a small part of the
+// largest: however large the scale, the error of the optical depth is a small part of it.
+constexpr double curveTolerance = 1.0 / 2500;
+constexpr float leastOpacity = 1e-6f;
 constexpr int largestDepth = 12; // the finest piece is 1/4096 of the way between two control points
 
 /** How far inside an interval its limits are taken: as little as the arithmetic allows, so that a jump stays outside. */
@@ -41,6 +48,7 @@ public:
       this->Color = rgb ? property->GetRGBTransferFunction() : nullptr;
       this->Gray = rgb ? nullptr : property->GetGrayTransferFunction();
     }
+    this->FindCategories();
     auto* discretizable = vtkDiscretizableColorTransferFunction::SafeDownCast(this->Color);
     this->Steps = discretizable && discretizable->GetDiscretize() ? discretizable->GetNumberOfValues() : 0;
     if (this->Color && this->Color->GetColorSpace() == VTK_CTF_LAB_CIEDE2000 && this->Color->GetSize() > 1)
@@ -52,7 +60,11 @@ public:
   TransferFunctionTable::Value operator()(double x) const
   {
     double rgb[3] = { 0, 0, 0 };
-    if (this->HasSteps())
+    if (!this->Categories.empty())
+    {
+      std::copy_n(this->CategoryOf(x).begin(), 3, rgb);
+    }
+    else if (this->HasSteps())
     {
       this->Color->GetColor(x, rgb);
     }
@@ -78,8 +90,12 @@ public:
     std::vector<double> nodes;
     AddNodes(this->Opacity, 4, nodes);
     AddNodes(this->Gray, 4, nodes);
-    AddNodes(this->Color, 6, nodes);
-    if (this->HasSteps())
+    for (std::size_t i = 1; i < this->Categories.size(); ++i)
+    {
+      nodes.push_back(0.5 * (this->Categories[i - 1].first + this->Categories[i].first));
+    }
+    AddNodes(this->Categories.empty() ? this->Color : nullptr, 6, nodes);
+    if (this->Categories.empty() && this->HasSteps())
     {
       this->AddSteps(nodes);
     }
@@ -89,6 +105,33 @@ public:
   }
 
 private:
+  // Indexed colours belong to annotated values; between two of them the nearer one is meant, so that cells have exactly theirs.
+  void FindCategories()
+  {
+    if (!this->Color || !this->Color->GetIndexedLookup())
+    {
+      return;
+    }
+    for (vtkIdType i = 0; i < this->Color->GetNumberOfAnnotatedValues(); ++i)
+    {
+      bool isNumber = false;
+      const double value = this->Color->GetAnnotatedValue(i).ToDouble(&isNumber);
+      double rgba[4] = { 0, 0, 0, 1 };
+      this->Color->GetIndexedColor(i, rgba);
+      if (isNumber && std::isfinite(value))
+      {
+        this->Categories.emplace_back(value, std::array<double, 3>{ { rgba[0], rgba[1], rgba[2] } });
+      }
+    }
+    std::sort(this->Categories.begin(), this->Categories.end());
+  }
+
+  const std::array<double, 3>& CategoryOf(double x) const
+  {
+    const auto nearer = [x](const auto& a, const auto& b) { return std::abs(a.first - x) < std::abs(b.first - x); };
+    return std::min_element(this->Categories.begin(), this->Categories.end(), nearer)->second;
+  }
+
   // In this colour space VTK searches a path for every colour it is asked for, which takes it tens of milliseconds; it makes a whole
   // table with one search per control point.
   void Tabulate()
@@ -153,19 +196,16 @@ private:
   vtkPiecewiseFunction* Gray = nullptr;
   vtkIdType Steps = 0;
 
+  std::vector<std::pair<double, std::array<double, 3>>> Categories; // ascending
+
   static constexpr int tabulatedColors = 1024;
   std::vector<double> Tabulated; // red, green, blue at even places of the range
   double TabulatedRange[2] = { 0, 1 };
 };
 
-float largestDifference(const TransferFunctionTable::Value& a, const TransferFunctionTable::Value& b)
+float colorDifference(const TransferFunctionTable::Value& a, const TransferFunctionTable::Value& b)
 {
-  float largest = 0;
-  for (std::size_t c = 0; c < 4; ++c)
-  {
-    largest = std::max(largest, std::abs(a[c] - b[c]));
-  }
-  return largest;
+  return std::max({ std::abs(a[0] - b[0]), std::abs(a[1] - b[1]), std::abs(a[2] - b[2]) });
 }
 
 TransferFunctionTable::Value mix(
@@ -179,19 +219,49 @@ TransferFunctionTable::Value mix(
   return result;
 }
 
+/** Limits at the ends of an interval: the line through two places just inside, which are as near as rounding allows. */
+TransferFunctionTable::Interval limits(const Sampler& sample, double low, double high)
+{
+  const double inset = limitInset(low, high);
+  const double from = low + inset, to = high - inset; // rounded: the distances are taken from these
+  const auto a = sample(from), b = sample(to);
+  if (!(to > from))
+  {
+    return { a, a };
+  }
+  TransferFunctionTable::Interval result = { mix(a, b, static_cast<float>((low - from) / (to - from))),
+    mix(a, b, static_cast<float>((high - from) / (to - from))) };
+  for (std::size_t c = 0; c < 4; ++c)
+  {
+    result.Low[c] = std::max(0.0f, result.Low[c]);
+    result.High[c] = std::max(0.0f, result.High[c]);
+  }
+  return result;
+}
+
+/** True when the function is a straight line between its limits at two places, as far as one can tell. */
+bool isStraight(const Sampler& sample, double low, double high)
+{
+  const auto [a, b] = limits(sample, low, high);
+  for (const double t : { 0.07, 0.2, 0.31, 0.4, 0.5, 0.6, 0.69, 0.8, 0.93 }) // several, for kinks lie anywhere
+  {
+    const double x = low + t * (high - low);
+    const auto value = sample(x);
+    const auto line = mix(a, b, static_cast<float>((x - low) / (high - low))); // x is rounded
+    const double opacityTolerance = curveTolerance * std::max({ value[3], line[3], leastOpacity });
+    if (colorDifference(value, line) >= curveTolerance || std::abs(value[3] - line[3]) >= opacityTolerance)
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
 /** Adds the inner nodes that the curve between two places needs, ascending. */
 void refine(const Sampler& sample, double low, double high, int depth, std::vector<double>& nodes)
 {
-  const double inset = limitInset(low, high);
-  const auto a = sample(low + inset);
-  const auto b = sample(high - inset);
-  bool straight = true;
-  for (const double t : { 0.07, 0.2, 0.31, 0.4, 0.5, 0.6, 0.69, 0.8, 0.93 }) // several, for kinks lie anywhere
-  {
-    straight = straight &&
-      largestDifference(sample(low + t * (high - low)), mix(a, b, static_cast<float>(t))) < curveTolerance;
-  }
-  if (straight || depth == largestDepth)
+  const bool finest = depth == largestDepth || 0.5 * (high - low) <= 16 * limitInset(low, high);
+  if (finest || isStraight(sample, low, high))
   {
     return;
   }
@@ -227,14 +297,16 @@ void TransferFunctionTable::Build(vtkVolumeProperty* property, const double rang
   {
     const double low = k == 0 ? nodes.front() - width : nodes[k - 1];
     const double high = k == nodes.size() ? nodes.back() + width : nodes[k];
-    const double inset = limitInset(low, high);
     const bool outside = k == 0 || k == nodes.size();
-    const Value atLow = sample(outside ? 0.5 * (low + high) : low + inset);
-    this->Intervals.push_back({ atLow, outside ? atLow : sample(high - inset) });
+    const Value middle = sample(0.5 * low + 0.5 * high);
+    this->Intervals.push_back(outside ? Interval{ middle, middle } : limits(sample, low, high));
   }
-  for (const double node : nodes)
+  this->Widths.clear();
+  for (std::size_t k = 0; k < nodes.size(); ++k)
   {
-    this->Nodes.push_back(static_cast<float>((node - range[0]) / (range[1] - range[0])));
+    const double above = k + 1 < nodes.size() ? nodes[k + 1] : nodes[k];
+    this->Nodes.push_back(static_cast<float>(normalizedValue(nodes[k], range)));
+    this->Widths.push_back(static_cast<float>((0.5 * above - 0.5 * nodes[k]) / (0.5 * range[1] - 0.5 * range[0])));
   }
 
   this->OpaqueIntervals.assign(1, 0);
@@ -242,6 +314,15 @@ void TransferFunctionTable::Build(vtkVolumeProperty* property, const double rang
   {
     this->OpaqueIntervals.push_back(
       this->OpaqueIntervals.back() + (interval.Low[3] > 0 || interval.High[3] > 0));
+  }
+}
+
+void TransferFunctionTable::ScaleOpacity(double factor)
+{
+  for (Interval& interval : this->Intervals)
+  {
+    interval.Low[3] = static_cast<float>(interval.Low[3] * factor);
+    interval.High[3] = static_cast<float>(interval.High[3] * factor);
   }
 }
 
@@ -259,8 +340,8 @@ TransferFunctionTable::Value TransferFunctionTable::Evaluate(float s) const
   {
     return interval.Low;
   }
-  const float width = this->Nodes[k] - this->Nodes[k - 1];
-  return mix(interval.Low, interval.High, width > 0 ? (s - this->Nodes[k - 1]) / width : 0.0f);
+  const float width = this->Widths[k - 1];
+  return mix(interval.Low, interval.High, width > 0 ? std::max(0.0f, std::min(1.0f, (s - this->Nodes[k - 1]) / width)) : 0.0f);
 }
 
 bool TransferFunctionTable::IsTransparent(float low, float high) const

@@ -4,9 +4,10 @@
  * The colour and opacity functions of a volume property as one piecewise-linear function, in float.
  *
  * Nodes stand at every control point of either function, and further ones where a function is curved between control
- * points (midpoint, sharpness, colour spaces other than RGB), so that the table follows it to within 1/2000.
+ * points (midpoint, sharpness, colour spaces other than RGB), so that the table follows it to within
+ * 1/2000 (of opacity: 1/2000 of itself).
  * Values are kept separately left and right of each node: a jump stays a jump. Colours of a discretised lookup with fewer than
- * 256 values are kept as its steps.
+ * 256 values are kept as its steps. Of indexed (categorical) colours each scalar has that of the nearest annotated value.
  *
  * Interval k lies between node k-1 and node k; interval 0 is all that lies below the first node and interval n all that lies above
  * the last, both constant.
@@ -42,7 +43,11 @@ public:
   void Build(
     vtkVolumeProperty* property, const double range[2], Channels channels = Channels::ColorAndOpacity);
 
+  /** Multiplies the opacities. */
+  void ScaleOpacity(double factor);
+
   std::vector<float> Nodes;        ///< ascending, at least one
+  std::vector<float> Widths;       ///< of the interval above each node; more exact than a difference of nodes; 0 for the last
   std::vector<Interval> Intervals; ///< Nodes.size() + 1
 
   /** Interval that contains s. A node belongs to the interval above it. */

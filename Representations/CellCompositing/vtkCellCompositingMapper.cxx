@@ -4,6 +4,8 @@
 
 #include "CellCompositingPass.h"
 #include "CellScene.h"
+#include "ContourSettings.h"
+#include "SceneLights.h"
 #include "ViewState.h"
 
 #include "vtkAbstractMapper.h"
@@ -44,6 +46,8 @@ struct vtkCellCompositingMapper::vtkInternals
   CellScene Scene;
   CellCompositingPass Pass;
   CellScene::Versions Uploaded;
+  std::int64_t UploadedContours = -1;
+  ScalarSelection Contoured; // array of the contours, if not the coloured one
   vtkOpenGLRenderWindow* Window = nullptr;
   std::string LastError; // reported once, not once per frame
 };
@@ -98,6 +102,7 @@ vtkStandardNewMacro(vtkCellCompositingMapper);
 
 vtkCellCompositingMapper::vtkCellCompositingMapper()
   : Internals(new vtkInternals)
+  , Contours(new nephoscope::ContourSettings)
 {
 }
 
@@ -136,8 +141,9 @@ vtkIdType vtkCellCompositingMapper::GetNumberOfVisibilityCycles()
 
 bool vtkCellCompositingMapper::UsesRays() const
 {
-  return this->Method == RAY_METHOD ||
-    (this->Method == AUTOMATIC_METHOD && this->VisibilityOrder == EXACT_ORDER);
+  const bool surfaces = this->GetNumberOfContourValues() > 0 || this->Contours->LayersAreUsed();
+  return !surfaces &&
+    (this->Method == RAY_METHOD || (this->Method == AUTOMATIC_METHOD && this->VisibilityOrder == EXACT_ORDER));
 }
 
 //------------------------------------------------------------------------------------------------
@@ -204,6 +210,15 @@ std::string vtkCellCompositingMapper::UpdateGeometry(vtkDataSet* input, vtkVolum
   {
     error = this->SelectOpacity(input, scalars, opacity);
   }
+  vtkDataArray* layers = nullptr;
+  if (error.empty())
+  {
+    error = this->SelectContours(input, this->Internals->Contoured);
+  }
+  if (error.empty())
+  {
+    error = this->SelectLayers(input, layers);
+  }
   if (!error.empty())
   {
     scene.Clear();
@@ -211,7 +226,7 @@ std::string vtkCellCompositingMapper::UpdateGeometry(vtkDataSet* input, vtkVolum
   }
   bool built = false;
   const auto method = this->UsesRays() ? CellScene::Method::Rays : CellScene::Method::Projection;
-  withThreads([&]() { built = scene.UpdateGeometry(input, scalars, opacity, method, error); });
+  withThreads([&]() { built = scene.UpdateGeometry(input, scalars, opacity, method, error, layers); });
   if (built && error.empty())
   {
     this->WarnAboutGeometry(scalars.Array->GetName());
@@ -297,9 +312,16 @@ std::string vtkCellCompositingMapper::DrawScene(
   {
     return "The colour function has no points: add some with AddRGBPoint.";
   }
+  for (const auto& layer : this->Contours->LayerProperties)
+  {
+    if (!(layer.second->GetScalarOpacityUnitDistance() > 0))
+    {
+      return "ScalarOpacityUnitDistance of the property of layer " + std::to_string(layer.first) + " must be positive.";
+    }
+  }
   const nephoscope::ViewState state(renderer, volume, scene.GetGeometry().Center);
   withThreads([&]() {
-    scene.UpdateTransferFunction(property);
+    scene.UpdateTransferFunction(property, *this->Contours, this->GetDataSetInput(), this->Internals->Contoured);
     if (!this->UsesRays())
     {
       scene.UpdateOrder(state.EyeModel, static_cast<CellScene::OrderMethod>(this->VisibilityOrder));
@@ -324,6 +346,14 @@ std::string vtkCellCompositingMapper::DrawScene(
   options.SplitAtControlPoints = this->SplitAtControlPoints;
   options.Eye = &scene.GetEyeTetrahedron();
   options.ExtinctionScale = this->OpacityScale / unitDistance;
+  options.ContourLayers = scene.ContoursMakeLayers();
+  options.ContourLighting = this->Contours->Lighting;
+  if (scene.GetContours().IsUsed())
+  {
+    options.ContourShading = { { static_cast<float>(property->GetAmbient()), static_cast<float>(property->GetDiffuse()),
+      static_cast<float>(property->GetSpecular()), static_cast<float>(property->GetSpecularPower()) } };
+    options.Lights = nephoscope::describeLights(renderer);
+  }
   return this->Internals->Pass.Draw(window, state.View, options);
 }
 
@@ -348,13 +378,19 @@ std::string vtkCellCompositingMapper::Upload(vtkOpenGLRenderWindow* window)
   if (error.empty() && self.Uploaded.Transfer != now.Transfer)
   {
     error = self.Pass.UploadTransferFunctions(
-      window, self.Scene.GetTransferFunction(), self.Scene.GetOpacityFunction());
+      window, self.Scene.GetTransferFunctions(), self.Scene.GetOpacityFunctions(), self.Scene.GetTablesOfTetrahedra());
+  }
+  if (error.empty() && self.UploadedContours != self.Scene.GetContours().Version)
+  {
+    error = self.Pass.UploadContours(window, self.Scene.GetContours());
+    self.UploadedContours = self.Scene.GetContours().Version;
   }
   if (error.empty() && self.Uploaded.Drawn != now.Drawn)
   {
     error = self.Pass.UploadDrawn(window, self.Scene);
   }
   self.Uploaded = error.empty() ? now : CellScene::Versions();
+  self.UploadedContours = error.empty() ? self.UploadedContours : -1;
   return error;
 }
 
@@ -375,6 +411,7 @@ void vtkCellCompositingMapper::ReleaseGraphicsResources(vtkWindow* window)
     this->Internals->Pass.ReleaseGraphicsResources(window);
     this->Internals->Window = nullptr;
     this->Internals->Uploaded = CellScene::Versions();
+    this->Internals->UploadedContours = -1;
   }
   this->Superclass::ReleaseGraphicsResources(window);
 }
@@ -390,6 +427,7 @@ void vtkCellCompositingMapper::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "OpacityScale: " << this->OpacityScale << "\n";
   os << indent << "OpacityArrayName: " << this->OpacityArrayName << "\n";
   os << indent << "SplitAtControlPoints: " << this->SplitAtControlPoints << "\n";
+  this->PrintContours(os, indent);
   os << indent << "NumberOfTetrahedra: " << this->GetNumberOfTetrahedra() << "\n";
   os << indent << "NumberOfDrawnTetrahedra: " << this->GetNumberOfDrawnTetrahedra() << "\n";
   os << indent << "NumberOfVisibilityCycles: " << this->GetNumberOfVisibilityCycles() << "\n";

@@ -32,12 +32,14 @@
 #include <memory> // for std::unique_ptr
 #include <string> // for messages
 
+class vtkDataArray;
 class vtkImageData;
 class vtkOpenGLRenderWindow;
 class vtkVolumeProperty;
 
 namespace nephoscope
 {
+struct ContourSettings;
 struct ScalarSelection;
 }
 
@@ -145,6 +147,102 @@ public:
   vtkBooleanMacro(SplitAtControlPoints, bool);
   ///@}
 
+  ///@{
+  /**
+   * Contour surfaces inside the volume, without geometry: wherever a ray crosses a contour value, a lit surface is composited between
+   * what lies in front of it and behind it, so that all surfaces and cells are in exact order. Values may come in any order. Default:
+   * none. A surface is the border of where the scalar is at least the value, so that one that lies in a face between cells is drawn
+   * once. Cells that the transfer function makes fully transparent show their surfaces too. Values that are not finite are refused.
+   * Within tetrahedra the surfaces are flat; hexahedra and so on are divided into tetrahedra.
+   */
+  void SetContourValue(int i, double value);
+  double GetContourValue(int i);
+  void SetNumberOfContourValues(int number);
+  int GetNumberOfContourValues() const;
+  /** `number` values at equal steps from low to high, both included. */
+  void GenerateContourValues(int number, double low, double high);
+  ///@}
+
+  ///@{
+  /**
+   * Opacity of a contour surface, 0 to 1 (clamped). Default: 0.3. 0: not drawn, but still the border of layers. Without a number: of all
+   * surfaces.
+   */
+  void SetContourOpacity(int i, double opacity);
+  void SetContourOpacity(double opacity);
+  double GetContourOpacity(int i);
+  ///@}
+
+  ///@{
+  /**
+   * Colour of a contour surface, 0 to 1 each. Default, or after SetContourColorToFunction: what the colour function of the volume
+   * property gives where the surface is.
+   */
+  void SetContourColor(int i, double red, double green, double blue);
+  void SetContourColorToFunction(int i);
+  /** -1, -1, -1 where the colour function gives it. */
+  void GetContourColor(int i, double rgb[3]);
+  ///@}
+
+  ///@{
+  /**
+   * Name of the point array that is contoured: surfaces of equal temperature in clouds, say. Empty (default): the coloured array.
+   * A cell array has one value in each cell and no surface inside: with a coloured cell array and no name here, none is drawn.
+   */
+  void SetContourArrayName(const std::string& name);
+  std::string GetContourArrayName();
+  ///@}
+
+  ///@{
+  /**
+   * Light the contour surfaces by the renderer's lights as VTK lights surfaces (Phong), with ambient, diffuse, specular and specular
+   * power of the volume property, whatever its Shade says; the medium is not lit. Default: on. At most 16 lights count.
+   */
+  void SetContourLighting(bool lighting);
+  bool GetContourLighting();
+  void ContourLightingOn() { this->SetContourLighting(true); }
+  void ContourLightingOff() { this->SetContourLighting(false); }
+  ///@}
+
+  ///@{
+  /**
+   * Normals of the contour surfaces: interpolated between gradients at the points (smooth, default; 16 bytes per point), or the
+   * gradient in each tetrahedron, which shows the facets.
+   */
+  void SetSmoothContourNormals(bool smooth);
+  bool GetSmoothContourNormals();
+  void SmoothContourNormalsOn() { this->SetSmoothContourNormals(true); }
+  void SmoothContourNormalsOff() { this->SetSmoothContourNormals(false); }
+  ///@}
+
+  ///@{
+  /**
+   * Colour function, opacity function and unit distance of one layer; layers without a property have the volume's. Layers are
+   * what LayerArrayName or LayersFromContours says. Null takes a property away.
+   */
+  void SetLayerProperty(int layer, vtkVolumeProperty* property);
+  vtkVolumeProperty* GetLayerProperty(int layer);
+  void RemoveAllLayerProperties();
+  ///@}
+
+  ///@{
+  /** Name of the cell array that has the number of each cell's layer, as vtkContourCellSplitter writes it. Default: empty, none. */
+  void SetLayerArrayName(const std::string& name);
+  std::string GetLayerArrayName();
+  ///@}
+
+  ///@{
+  /**
+   * The contour values divide the volume into layers, drawn or not: the layer of a point is the number of values at or below its
+   * scalar. Colour and opacity may jump from one side of a surface to the other, also inside a cell, at no loss of accuracy.
+   * Default: off. Ignored where LayerArrayName is set.
+   */
+  void SetLayersFromContours(bool layers);
+  bool GetLayersFromContours();
+  void LayersFromContoursOn() { this->SetLayersFromContours(true); }
+  void LayersFromContoursOff() { this->SetLayersFromContours(false); }
+  ///@}
+
   /** Tetrahedra of the current input, visible or not. Valid after a render. */
   vtkIdType GetNumberOfTetrahedra();
   /** Tetrahedra drawn in the last render: those that the transfer function does not make fully transparent. */
@@ -185,6 +283,10 @@ private:
     vtkDataSet* input, vtkVolumeProperty* property, nephoscope::ScalarSelection& scalars);
   std::string SelectOpacity(vtkDataSet* input, const nephoscope::ScalarSelection& scalars,
     nephoscope::ScalarSelection& opacity);
+  std::string SelectContours(vtkDataSet* input, nephoscope::ScalarSelection& contoured);
+  std::string SelectLayers(vtkDataSet* input, vtkDataArray*& layers);
+  bool CheckContour(int i);
+  void PrintContours(ostream& os, vtkIndent indent);
   void WarnAboutGeometry(const char* arrayName);
   std::string DrawScene(vtkOpenGLRenderWindow* window, vtkRenderer* renderer, vtkVolume* volume);
   std::string Upload(vtkOpenGLRenderWindow* window);
@@ -195,6 +297,7 @@ private:
 
   struct vtkInternals;
   std::unique_ptr<vtkInternals> Internals;
+  std::unique_ptr<nephoscope::ContourSettings> Contours;
 };
 
 #endif

@@ -231,6 +231,8 @@ void vtkCellCompositingRepresentation::PrepareMapper(vtkDataSet* cells, bool int
   this->Mapper->SetVisibilityOrder(
     interactive ? std::max<int>(this->VisibilityOrder, vtkCellCompositingMapper::CENTROID_ORDER)
                 : this->VisibilityOrder);
+  this->PrepareContours();
+  this->PrepareLayers();
 }
 
 vtkDataArray* vtkCellCompositingRepresentation::FindColorArray(

@@ -17,7 +17,9 @@
 #include "vtkNew.h"
 #include "vtkVolumeRepresentation.h"
 
+#include <array>  // for ContourColors
 #include <string> // for OpacityArray
+#include <vector> // for ContourColors
 
 class vtkCellCompositingMapper;
 class vtkDataArray;
@@ -67,6 +69,35 @@ public:
   ///@}
 
   ///@{
+  /**
+   * Contour surfaces inside the volume, of the coloured array or of the named point array ("None": the coloured one); see the mapper.
+   * Opacity multiplies their opacities, and colours left out are those of the colour map. Of each list, entry i is that of contour
+   * value i.
+   */
+  void SetContourValue(int i, double value);
+  void SetNumberOfContourValues(int number);
+  void SetContourOpacity(double opacity) { this->ContourOpacity = opacity; }
+  double GetContourOpacity() const { return this->ContourOpacity; }
+  void SetContourOpacities(int i, double opacity);
+  void SetNumberOfContourOpacities(int number);
+  void SetContourColors(int i, double red, double green, double blue);
+  void SetNumberOfContourColors(int number);
+  void SetContourArray(const char* name);
+  void SetContourLighting(bool lighting);
+  void SetSmoothContourNormals(bool smooth);
+  ///@}
+
+  ///@{
+  /**
+   * Factors on the extinction of layers 0, 1, ...; layers beyond the list have 1. Layers are those of a cell array, or with "None" those
+   * between the contour values.
+   */
+  void SetLayerArray(const char* name);
+  void SetLayerOpacityScale(int layer, double scale);
+  void SetNumberOfLayerOpacityScales(int number);
+  ///@}
+
+  ///@{
   /** ParaView's own properties: a factor on the extinction, and the colour under Solid Color. */
   void SetOpacity(double opacity) { this->Opacity = opacity; }
   void SetDiffuseColor(double red, double green, double blue);
@@ -97,6 +128,8 @@ private:
   void DescribePiece(vtkInformation* inInfo);
   void PrepareMapper(vtkDataSet* cells, bool interactive);
   void ColorUniformly(vtkDataSet* cells);
+  void PrepareContours();
+  void PrepareLayers();
   vtkDataArray* FindColorArray(vtkDataSet* cells, int& association, const char*& name);
   vtkDataArray* FindOpacityArray(vtkDataSet* cells, int& association);
 
@@ -114,6 +147,11 @@ private:
   double OpacityScale = 1.0;
   int VisibilityOrder = 0;
   std::string OpacityArray = "None";
+  double ContourOpacity = 0.3;
+  std::vector<double> ContourOpacities;
+  std::vector<std::array<double, 3>> ContourColors;
+  std::vector<double> LayerOpacityScales;
+  std::vector<vtkSmartPointer<vtkVolumeProperty>> LayerProperties; // kept, so that they only change when they must
 };
 
 #endif

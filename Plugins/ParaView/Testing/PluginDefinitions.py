@@ -5,7 +5,10 @@ import nephoscope
 from PluginTesting import GFS, NAME, check, load_plugin, passed, pvs, servermanager
 
 # XML property -> C++ getter, where the name differs.
-MAPPER_PROPERTIES = ("OpacityScale", "Integration", "VisibilityOrder", "SplitAtControlPoints")
+MAPPER_PROPERTIES = ("OpacityScale", "Integration", "VisibilityOrder", "SplitAtControlPoints", "ContourLighting",
+                     "SmoothContourNormals")
+EXPLAINED = MAPPER_PROPERTIES + ("AutomaticUnitDistance", "UnitDistance", "ContourValues", "ContourOpacity", "ContourOpacities",
+                                 "ContourColors", "ContourArray", "LayerArray", "LayerOpacityScales")
 
 
 def definition(group, name):
@@ -70,7 +73,9 @@ def check_representation():
     mapper = nephoscope.vtkCellCompositingMapper()
     for name in MAPPER_PROPERTIES:
         compare_default("Cell Compositing", name, properties[name], getattr(mapper, "Get" + name)())
-    for name in MAPPER_PROPERTIES + ("AutomaticUnitDistance", "UnitDistance"):
+    mapper.SetContourValue(0, 1.0)
+    compare_default("Cell Compositing", "ContourOpacity", properties["ContourOpacity"], mapper.GetContourOpacity(0))
+    for name in EXPLAINED:
         check(nested(properties[name], "Documentation"), f"Cell Compositing.{name} has no help")
 
 

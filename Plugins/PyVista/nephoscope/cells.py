@@ -12,6 +12,7 @@ from vtkmodules.vtkCommonDataModel import vtkGenericCell
 
 from . import vtkCellCompositingMapper
 from ._checks import arrays_of, choose, require_number
+from ._surfaces import Surfaces
 from .transfer import OpacityLike, colour_function, opacity_function, opacity_values
 
 
@@ -64,6 +65,9 @@ def add_cells(plotter: pyvista.BasePlotter, grid: Any, scalars: str | np.ndarray
               opacity_scalars: str | None = None, opacity_clim: float | Sequence[float] | None = None,
               opacity_scale: float = 1.0, unit_distance: float | None = None,
               integration: str = "exact", order: str = "exact", preference: str = "point",
+              contours: int | Sequence[float] | None = None, contour_opacity: float | Sequence[float] = 0.3,
+              contour_color: Any = None, contour_scalars: str | None = None, contour_lighting: bool = True,
+              smooth_contours: bool = True, layers: dict | None = None, layer_scalars: str | None = None,
               name: str | None = None, show_scalar_bar: bool | None = None, scalar_bar_args: dict | None = None,
               reset_camera: bool | None = None, pickable: bool = True, user_matrix: Any = None,
               render: bool = True) -> pyvista.Volume:
@@ -112,6 +116,22 @@ def add_cells(plotter: pyvista.BasePlotter, grid: Any, scalars: str | np.ndarray
         Visibility order of the tetrahedra: topological, by distance of the centroid, as stored.
     preference : {"point", "cell"}, default: "point"
         Which array is meant when points and cells have one of the same name, or are equally many.
+    contours : int or sequence of float, optional
+        Values of lit, translucent surfaces inside the volume, drawn without geometry and in exact order with it; or their
+        number, at equal steps inside the range.
+    contour_opacity : float or sequence of float, default: 0.3
+        Of all surfaces or of each, 0 to 1. 0: not drawn.
+    contour_color : color or sequence of color, optional
+        Of all surfaces or of each. Default: the colour map's where the surface is.
+    contour_scalars : str, optional
+        Point array that `contours` are values of, where it is not `scalars`.
+    contour_lighting, smooth_contours : bool, default: True
+        Light the surfaces by the plotter's lights; interpolate their normals between points.
+    layers : dict of int to pyvista.VolumeProperty, optional
+        Colour function, opacity function and unit distance of single layers, which may jump at their borders. The layer of a
+        point is the number of `contours` at or below its scalar, unless `layer_scalars` is given.
+    layer_scalars : str, optional
+        Cell array that numbers the layers.
     name : str, optional
         An actor of that name in the plotter is replaced.
     show_scalar_bar : bool, optional
@@ -152,6 +172,8 @@ def add_cells(plotter: pyvista.BasePlotter, grid: Any, scalars: str | np.ndarray
     opacity_range = _opacity_range(grid, opacity_scalars, opacity_clim, preference)
     mapper = _mapper(grid, array_name, association, integration, order)
     mapper.SetOpacityArrayName(opacity_scalars or "")
+    Surfaces(contours, contour_scalars, contour_opacity, contour_color, contour_lighting, smooth_contours, layers,
+             layer_scalars).apply(mapper, grid, array_name, association)
     mapper.SetOpacityScale(require_number(opacity_scale, "opacity_scale", least=0))
     if unit_distance is None:
         unit_distance = grid.length / np.cbrt(grid.n_cells)

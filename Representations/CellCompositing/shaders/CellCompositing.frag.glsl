@@ -17,10 +17,14 @@ in vec3 positionVCGSOutput;
 flat in vec4 eyeBarycentricGSOutput;
 flat in vec4 scalarsGSOutput;
 flat in vec4 opacityScalarsGSOutput;
+flat in vec4 contourScalarsGSOutput;
+flat in ivec2 tetrahedronGSOutput; // number, layer
 
 //NEPHOSCOPE::Constants
 //NEPHOSCOPE::OpticalSegment
 //NEPHOSCOPE::TransferFunction
+//NEPHOSCOPE::FaceScalars
+//NEPHOSCOPE::ContourSurfaces
 
 float zFromDepth(float depth)
 {
@@ -53,6 +57,23 @@ float interpolate(vec4 barycentric, vec4 values)
   return values.w + change(barycentric, values);
 }
 
+// Colour, opacity and contour scalar at u; exactly those of a face if u is where the ray crosses it.
+vec3 scalarsAt(float u, vec4 barycentric, vec4 slope)
+{
+  vec4 coordinates = barycentric + u * slope;
+  vec3 s = vec3(interpolate(coordinates, scalarsGSOutput), interpolate(coordinates, opacityScalarsGSOutput),
+    interpolate(coordinates, contourScalarsGSOutput));
+  for (int i = 0; i < 4; ++i)
+  {
+    bool crossed = u > 0.0 ? slope[i] < 0.0 && max(barycentric[i], 0.0) / -slope[i] == u : barycentric[i] == 0.0;
+    if (crossed)
+    {
+      return faceScalars(tetrahedronGSOutput.x, i, scalarsGSOutput, opacityScalarsGSOutput, contourScalarsGSOutput, s);
+    }
+  }
+  return s;
+}
+
 void main()
 {
   vec3 towardsEye = eyeVC.xyz - eyeVC.w * positionVCGSOutput;
@@ -72,6 +93,30 @@ void main()
     interpolate(barycentricGSOutput, opacityScalarsGSOutput));
   vec2 scalarSlope = vec2(change(slope, scalarsGSOutput), change(slope, opacityScalarsGSOutput));
   float opticalScale = (uFront - uBack) * length(towardsEye) * extinctionScale;
-  gl_FragData[0] = integrateSegment(
-    scalarAtFace + uFront * scalarSlope, scalarAtFace + uBack * scalarSlope, opticalScale);
+  vec2 front = scalarAtFace + uFront * scalarSlope;
+  vec2 back = scalarAtFace + uBack * scalarSlope;
+  vec2 contourEnds = vec2(0.0);
+  if (consistentFaces)
+  {
+    vec3 atFront = scalarsAt(uFront, barycentricGSOutput, slope);
+    vec3 atBack = scalarsAt(uBack, barycentricGSOutput, slope);
+    front = atFront.xy;
+    back = atBack.xy;
+    contourEnds = vec2(atFront.z, atBack.z);
+  }
+  if (useContours)
+  {
+    ContourSegment segment = ContourSegment(tetrahedronGSOutput.x, contourScalarsGSOutput, contourEnds,
+      barycentricGSOutput + uFront * slope, barycentricGSOutput + uBack * slope,
+      positionVCGSOutput + uFront * towardsEye, positionVCGSOutput + uBack * towardsEye);
+    gl_FragData[0] = integrateSegmentWithContours(front, back, opticalScale, segment, tetrahedronGSOutput.y);
+  }
+  else
+  {
+    if (useLayers)
+    {
+      selectLayer(tetrahedronGSOutput.y);
+    }
+    gl_FragData[0] = integrateSegment(front, back, opticalScale);
+  }
 }

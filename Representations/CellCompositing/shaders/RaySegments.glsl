@@ -15,7 +15,7 @@ vec4 high[9];
 #define KEEP_INTERVAL(k) low[k] = smallLow[k] * unity; high[k] = smallHigh[k] * unity;
 #define KEEP_NODE(k) nodes[k] = smallNodes[k] * unity; nodes[k + 1] = 3.0e38; KEEP_INTERVAL(k + 1)
 #define PASS_NODE(k) if (up ? s >= nodes[k] : s > nodes[k]) \
-  { result = Interval(nodes[k], nodes[k + 1], low[k + 1], high[k + 1]); }
+  { result = Interval(nodes[k], nodes[k + 1], nodes[k + 1] - nodes[k], low[k + 1], high[k + 1]); }
 
 #if SMALL_TABLE > 1
 #define NODE_1(DO) DO(1)
@@ -69,6 +69,7 @@ float opticalLength; // extinction at opacity 1, per length of the ray
 struct Interval
 {
   float low, high; // scalars between which it reaches
+  float width;     // more exact than their difference
   vec4 valueLow, valueHigh;
 };
 
@@ -76,11 +77,11 @@ struct Interval
 Interval intervalFrom(float s, bool up)
 {
 #ifdef SMALL_TABLE
-  Interval result = Interval(-3.0e38, nodes[0], low[0], high[0]);
+  Interval result = Interval(-3.0e38, nodes[0], 3.0e38, low[0], high[0]);
   EACH_NODE(PASS_NODE)
   return result;
 #else
-  int number = findInterval(transferNodes, numberOfTransferNodes, s);
+  int number = findInterval(transferNodes, transferTable, s);
   if (!up && number > 0 && texelFetch(transferNodes, number - 1).r == s)
   {
     --number;
@@ -88,14 +89,15 @@ Interval intervalFrom(float s, bool up)
   bool below = number == 0;
   bool above = number == numberOfTransferNodes;
   return Interval(below ? -3.0e38 : texelFetch(transferNodes, number - 1).r,
-    above ? 3.0e38 : texelFetch(transferNodes, number).r, texelFetch(transferIntervals, 2 * number),
+    above ? 3.0e38 : texelFetch(transferNodes, number).r,
+    below || above ? 3.0e38 : texelFetch(transferNodes, number - 1).g, texelFetch(transferIntervals, 2 * number),
     texelFetch(transferIntervals, 2 * number + 1));
 #endif
 }
 
 vec4 valueAt(Interval interval, float s)
 {
-  float t = (s - interval.low) / (interval.high - interval.low);
+  float t = (s - interval.low) / interval.width;
   return mix(interval.valueLow, interval.valueHigh, clamp(t, 0.0, 1.0));
 }
 
@@ -125,7 +127,8 @@ void addAlongOneScalar(float front, float back, float depth)
   {
     Interval interval = intervalFrom(from, up);
     float to = up ? min(back, interval.high) : max(back, interval.low);
-    float part = from == front && to == back ? depth : abs(to - from) * perScalar;
+    bool whole = from != front && to != back; // a spike may be narrower than two neighbouring floats
+    float part = from == front && to == back ? depth : (whole ? interval.width : abs(to - from)) * perScalar;
     light += (1.0 - light.a) * integrateLinear(valueAt(interval, from), valueAt(interval, to), part);
     if (to == back)
     {

@@ -88,7 +88,7 @@ TEST_F(SceneOfALattice, TheOpacityFunctionChoosesWhatIsDrawn)
   const CellScene::Versions first = this->Update();
   this->Opacity->RemoveAllPoints();
   this->Opacity->AddPoint(0, 0);
-  this->Opacity->AddPoint(100, 0);
+  this->Opacity->AddPoint(99.5, 0);
   this->Opacity->AddPoint(124, 1);
   const CellScene::Versions second = this->Update();
   EXPECT_EQ(first.Geometry, second.Geometry);

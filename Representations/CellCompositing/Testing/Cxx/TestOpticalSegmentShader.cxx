@@ -94,6 +94,10 @@ TransferFunctionTable randomTable(Random& random, int nodes)
   {
     table.Nodes.push_back(float((i + random.Uniform(0.2, 0.8)) / nodes));
   }
+  for (int i = 0; i < nodes; ++i)
+  {
+    table.Widths.push_back(i + 1 < nodes ? table.Nodes[i + 1] - table.Nodes[i] : 0.0f);
+  }
   TransferFunctionTable::Value last = {};
   for (int i = 0; i <= nodes; ++i)
   {
@@ -112,7 +116,13 @@ TransferFunctionTable randomTable(Random& random, int nodes)
 
 void addTable(ShaderRunner& runner, const std::string& prefix, const TransferFunctionTable& table)
 {
-  runner.AddBuffer(prefix + "Nodes", table.Nodes, 1);
+  std::vector<float> nodes; // (position, width above)
+  for (std::size_t i = 0; i < table.Nodes.size(); ++i)
+  {
+    nodes.push_back(table.Nodes[i]);
+    nodes.push_back(table.Widths[i]);
+  }
+  runner.AddBuffer(prefix + "Nodes", nodes, 2);
   std::vector<float> values;
   for (const auto& interval : table.Intervals)
   {
@@ -235,7 +245,7 @@ double largestSegmentError(Random& random, bool separate)
     scales.push_back({ { float(random.LogUniform(1e-3, 20)), 0, 0, 0 } });
   }
   const std::string functions = constant("averageIntegration", false) + constant("separateOpacity", separate) +
-    constant("splitAtControlPoints", true) + readShader("OpticalSegment.glsl") + readShader("TransferFunction.glsl");
+    constant("splitAtControlPoints", true) + constant("useLayers", false) + readShader("OpticalSegment.glsl") + readShader("TransferFunction.glsl");
   const auto results = runner.Run(functions, "result = integrateSegment(first.xy, first.zw, second.x);", segments,
     scales, [&](vtkShaderProgram* program) {
       setQuadratureNodes(program);

@@ -9,6 +9,7 @@
 #include "vtkDiscretizableColorTransferFunction.h"
 #include "vtkNew.h"
 #include "vtkPiecewiseFunction.h"
+#include "vtkVariant.h"
 #include "vtkVolumeProperty.h"
 
 #include <gtest/gtest.h>
@@ -401,5 +402,80 @@ TEST(TransferFunctionTable, RampsBetweenZerosAreNotTransparent)
     EXPECT_FALSE(table.IsTransparent(0.5f, 0.9f));
     EXPECT_TRUE(table.IsTransparent(0.1f, 0.3f));
     EXPECT_TRUE(table.IsTransparent(0.7f, 0.9f));
+  }
+}
+
+TEST(TransferFunctionTable, IndexedColorsAreThoseOfTheNearestCategory)
+{
+  Functions f;
+  f.Opacity->AddPoint(0, 1);
+  f.Color->AddRGBPoint(0, 1, 0, 0);
+  f.Color->AddRGBPoint(1, 0, 1, 0);
+  f.Color->AddRGBPoint(2, 0, 0, 1);
+  f.Color->IndexedLookupOn();
+  f.Color->SetAnnotation(vtkVariant(10), "first");
+  f.Color->SetAnnotation(vtkVariant(30), "second");
+  f.Color->SetAnnotation(vtkVariant("a word"), "not a number");
+  const TransferFunctionTable table = f.Build(0, 40);
+  for (const double x : { 0.0, 10.0, 19.0 })
+  {
+    EXPECT_EQ(table.Evaluate(float(x / 40)), (TransferFunctionTable::Value{ { 1, 0, 0, 1 } })) << x;
+  }
+  for (const double x : { 21.0, 30.0, 40.0 })
+  {
+    EXPECT_EQ(table.Evaluate(float(x / 40)), (TransferFunctionTable::Value{ { 0, 1, 0, 1 } })) << x;
+  }
+}
+
+// The error is a part of the opacity itself: with a large opacity scale, small opacities count.
+TEST(TransferFunctionTable, SmallOpacitiesOfCurvesAreFollowed)
+{
+  for (const double sharpness : { 0.3, 0.7 })
+  {
+    Functions f;
+    f.Opacity->AddPoint(0, 0, 0.5, sharpness);
+    f.Opacity->AddPoint(1, 1);
+    const TransferFunctionTable table = f.Build(0, 1);
+    for (int i = 1; i < 1000; ++i)
+    {
+      const float s = i / 1000.0f;
+      const double exact = f.Opacity->GetValue(s);
+      EXPECT_LE(std::fabs(table.Evaluate(s)[3] - exact), curved * exact + 1e-6) << "at " << s;
+    }
+    EXPECT_LT(table.Nodes.size(), 500u);
+  }
+}
+
+// Narrower than two neighbouring floats of the normalised scalar; far from zero; the largest doubles.
+TEST(TransferFunctionTable, NarrowIntervals)
+{
+  Functions f;
+  f.Opacity->AddPoint(0.5, 0);
+  f.Opacity->AddPoint(0.5 + 1e-9, 1);
+  f.Opacity->AddPoint(0.5 + 3e-9, 0);
+  const TransferFunctionTable table = f.Build(0, 1);
+  ASSERT_EQ(table.Nodes.size(), 3u);
+  EXPECT_NEAR(table.Widths[0], 1e-9, 1e-15);
+  EXPECT_NEAR(table.Widths[1], 2e-9, 1e-15);
+  EXPECT_NEAR(table.Intervals[1].High[3], 1, 1e-5);
+  EXPECT_NEAR(table.Intervals[2].Low[3], 1, 1e-5);
+  EXPECT_FALSE(table.IsTransparent(0.4f, 0.6f));
+}
+
+TEST(TransferFunctionTable, RangesFarFromZeroAndHuge)
+{
+  for (const auto& [low, high] : { std::pair<double, double>(-1e12, -1e12 + 1), { 1e15, 1e15 + 64 }, { -8e307, 8e307 }, { 0, 1e-300 } })
+  {
+    Functions f;
+    const double middle = 0.5 * low + 0.5 * high;
+    f.Opacity->AddPoint(low, 0.25);
+    f.Opacity->AddPoint(middle, 0.75);
+    f.Opacity->AddPoint(high, 0.5);
+    const TransferFunctionTable table = f.Build(low, high);
+    EXPECT_LE(table.Nodes.size(), 8u) << low;
+    EXPECT_NEAR(table.Evaluate(0.0f)[3], 0.25, 1e-5) << low;
+    EXPECT_NEAR(table.Evaluate(0.25f)[3], 0.5, 2e-3) << low;
+    EXPECT_NEAR(table.Evaluate(0.5f)[3], 0.75, 1e-5) << low;
+    EXPECT_NEAR(table.Evaluate(1.0f)[3], 0.5, 1e-5) << low;
   }
 }

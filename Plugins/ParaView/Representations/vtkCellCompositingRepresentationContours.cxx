@@ -1,0 +1,152 @@
+// SPDX-FileCopyrightText: The Nephoscope authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Contour surfaces and layers of vtkCellCompositingRepresentation, which hands them on to the mapper.
+#include "vtkCellCompositingRepresentation.h"
+
+#include "vtkCellCompositingMapper.h"
+
+#include "vtkColorTransferFunction.h"
+#include "vtkPiecewiseFunction.h"
+#include "vtkVolume.h"
+#include "vtkVolumeProperty.h"
+
+#include <algorithm>
+
+namespace
+{
+std::string arrayName(const char* name)
+{
+  const std::string chosen = name ? name : "";
+  return chosen == "None" ? std::string() : chosen;
+}
+
+template <typename List, typename Value>
+void setItem(List& list, int i, const Value& value)
+{
+  if (i >= 0)
+  {
+    list.resize(std::max(list.size(), static_cast<std::size_t>(i) + 1));
+    list[static_cast<std::size_t>(i)] = value;
+  }
+}
+
+std::size_t sizeOf(int number)
+{
+  return static_cast<std::size_t>(std::max(number, 0));
+}
+
+/** A property with the functions of another and a factor on its extinction. */
+void imitate(vtkVolumeProperty* layer, vtkVolumeProperty* volume, double scale)
+{
+  layer->SetScalarOpacity(volume->GetScalarOpacity());
+  if (volume->GetColorChannels() == 3)
+  {
+    layer->SetColor(volume->GetRGBTransferFunction());
+  }
+  else
+  {
+    layer->SetColor(volume->GetGrayTransferFunction());
+  }
+  layer->SetScalarOpacityUnitDistance(
+    scale > 0.0 ? volume->GetScalarOpacityUnitDistance() / scale : VTK_DOUBLE_MAX);
+}
+}
+
+void vtkCellCompositingRepresentation::SetContourValue(int i, double value)
+{
+  this->Mapper->SetContourValue(i, value);
+}
+
+void vtkCellCompositingRepresentation::SetNumberOfContourValues(int number)
+{
+  this->Mapper->SetNumberOfContourValues(number);
+}
+
+void vtkCellCompositingRepresentation::SetContourOpacities(int i, double opacity)
+{
+  setItem(this->ContourOpacities, i, opacity);
+}
+
+void vtkCellCompositingRepresentation::SetNumberOfContourOpacities(int number)
+{
+  this->ContourOpacities.resize(sizeOf(number));
+}
+
+void vtkCellCompositingRepresentation::SetContourColors(int i, double red, double green, double blue)
+{
+  setItem(this->ContourColors, i, std::array<double, 3>{ { red, green, blue } });
+}
+
+void vtkCellCompositingRepresentation::SetNumberOfContourColors(int number)
+{
+  this->ContourColors.resize(sizeOf(number));
+}
+
+void vtkCellCompositingRepresentation::SetContourArray(const char* name)
+{
+  this->Mapper->SetContourArrayName(arrayName(name));
+}
+
+void vtkCellCompositingRepresentation::SetContourLighting(bool lighting)
+{
+  this->Mapper->SetContourLighting(lighting);
+}
+
+void vtkCellCompositingRepresentation::SetSmoothContourNormals(bool smooth)
+{
+  this->Mapper->SetSmoothContourNormals(smooth);
+}
+
+void vtkCellCompositingRepresentation::SetLayerArray(const char* name)
+{
+  this->Mapper->SetLayerArrayName(arrayName(name));
+}
+
+void vtkCellCompositingRepresentation::SetLayerOpacityScale(int layer, double scale)
+{
+  setItem(this->LayerOpacityScales, layer, scale);
+}
+
+void vtkCellCompositingRepresentation::SetNumberOfLayerOpacityScales(int number)
+{
+  this->LayerOpacityScales.resize(sizeOf(number), 1.0);
+}
+
+void vtkCellCompositingRepresentation::PrepareContours()
+{
+  for (int i = 0; i < this->Mapper->GetNumberOfContourValues(); ++i)
+  {
+    const std::size_t k = static_cast<std::size_t>(i);
+    const double opacity = k < this->ContourOpacities.size() ? this->ContourOpacities[k] : this->ContourOpacity;
+    this->Mapper->SetContourOpacity(i, opacity * this->Opacity);
+    if (k < this->ContourColors.size())
+    {
+      const std::array<double, 3>& rgb = this->ContourColors[k];
+      this->Mapper->SetContourColor(i, rgb[0], rgb[1], rgb[2]);
+    }
+    else
+    {
+      this->Mapper->SetContourColorToFunction(i);
+    }
+  }
+}
+
+void vtkCellCompositingRepresentation::PrepareLayers()
+{
+  this->Mapper->SetLayersFromContours(this->Mapper->GetLayerArrayName().empty());
+  const std::size_t count = this->LayerOpacityScales.size();
+  for (std::size_t i = count; i < this->LayerProperties.size(); ++i)
+  {
+    this->Mapper->SetLayerProperty(static_cast<int>(i), nullptr);
+  }
+  this->LayerProperties.resize(count);
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    if (!this->LayerProperties[i])
+    {
+      this->LayerProperties[i] = vtkSmartPointer<vtkVolumeProperty>::New();
+      this->Mapper->SetLayerProperty(static_cast<int>(i), this->LayerProperties[i]);
+    }
+    imitate(this->LayerProperties[i], this->Actor->GetProperty(), this->LayerOpacityScales[i]);
+  }
+}

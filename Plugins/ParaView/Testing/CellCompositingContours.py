@@ -1,0 +1,117 @@
+# SPDX-FileCopyrightText: The Nephoscope authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Contour surfaces and layers through ParaView's properties, against ParaView's own contours."""
+import numpy as np
+from PluginTesting import check, check_same, color_and_alpha, compose, image, load_plugin, look, new_view, passed, pvs, save_image, solid
+
+VALUES = [130.0, 200.0]
+
+
+def clear(display):
+    """The medium away: only surfaces are left."""
+    display.CellCompositingOpacityScale = 0.0
+
+
+def surfaces(source, values=VALUES, **properties):
+    view = new_view()
+    display = compose(source, view)
+    clear(display)
+    display.CellCompositingContourValues = values
+    display.CellCompositingContourLighting = 0
+    for name, value in properties.items():
+        setattr(display, "CellCompositing" + name, value)
+    image(view)
+    look(view)
+    return view, display
+
+
+def polygons(source, values, colors):
+    view = new_view()
+    for value, color in zip(values, colors):
+        contour = pvs.Contour(Input=source, ContourBy=["POINTS", "RTData"], Isosurfaces=[value])
+        display = pvs.Show(contour, view)
+        solid(display, color)
+        display.Ambient, display.Diffuse, display.Specular = 1.0, 0.0, 0.0
+    image(view)  # the first picture of a view places the camera
+    look(view)
+    return view
+
+
+def check_against_polygons(source):
+    """Opaque: the same pixels as polygons, but where an outline falls between pixels."""
+    colors = [[0.9, 0.2, 0.1], [0.1, 0.4, 0.9]]
+    view, _ = surfaces(source, ContourOpacity=1.0, ContourColors=sum(colors, []))
+    ours, theirs = image(view), image(polygons(pvs.Tetrahedralize(Input=source), VALUES, colors))
+    save_image(ours, "Contours")
+    different = (np.abs(ours - theirs).max(axis=2) > 2).mean()
+    print(f"contours against polygons: {different:.3%} of the pixels differ", flush=True)
+    check((theirs.max(axis=2) > 0).mean() > 0.1, "the polygons are not there")
+    check(different < 0.01, "contour surfaces are not where ParaView's are")
+
+
+def check_properties(source):
+    view, display = surfaces(source, ContourOpacity=0.25)
+    _, alpha = color_and_alpha(view)
+    levels = -np.log1p(-np.clip(alpha[alpha > 0.02], 0, 0.999)) / -np.log(0.75)
+    check(np.abs(levels - np.rint(levels)).max() < 0.1, "alphas are not those of whole numbers of surfaces")
+    display.CellCompositingContourOpacities = [0.0, 0.25]
+    second = image(view)
+    display.CellCompositingContourValues = VALUES[1:]
+    display.CellCompositingContourOpacities = []
+    check_same(second, image(view), "an opacity of 0 and a value left out")
+    display.Opacity = 0.0
+    check(image(view).max() == 0, "Opacity 0 leaves a surface")
+    display.Opacity = 1.0
+    plain = image(view)
+    display.CellCompositingContourLighting = 1
+    check(np.abs(image(view) - plain).max() > 10, "light makes no difference")
+    lit = image(view)
+    display.CellCompositingSmoothContourNormals = 0
+    check(np.abs(image(view) - lit).max() > 3, "smooth and flat normals look the same")
+    display.CellCompositingContourValues = []
+    check(image(view).max() == 0, "without values something is drawn")
+
+
+def check_contour_array(source):
+    """Planes of another array, under Solid Color as well."""
+    second = pvs.Calculator(Input=source, ResultArrayName="height", Function="coordsZ")
+    for colored in (True, False):
+        view, display = surfaces(second, [0.5], ContourArray="height", ContourOpacity=1.0)
+        if not colored:
+            solid(display, [0.0, 1.0, 0.0])
+        look(view, position=(3, 2, 110))
+        picture = image(view)
+        check((picture[120:180, 120:180].max(axis=2) > 50).all(), f"no surface of another array, coloured {colored}")
+        if not colored:
+            check((picture[150, 150] == [0, 255, 0]).all(), f"the surface is {picture[150, 150]}, not green")
+
+
+def check_layers(source):
+    """With layer 1 emptied, only what lies outside the two values is left."""
+    view = new_view()
+    display = compose(source, view)
+    display.CellCompositingContourValues = VALUES
+    display.CellCompositingContourOpacity = 0.0
+    image(view)
+    look(view)
+    _, whole = color_and_alpha(view)
+    display.CellCompositingLayerOpacityScales = [1.0, 0.0, 1.0]
+    _, hollow = color_and_alpha(view)
+    display.CellCompositingLayerOpacityScales = [0.0, 1.0, 0.0]
+    _, shell = color_and_alpha(view)
+    # Optical depths add up, to the rounding of two 8-bit pictures.
+    check(0.02 < hollow.max() and 0.02 < shell.max(), "a layer is missing")
+    together = 1 - (1 - hollow) * (1 - shell)
+    print(f"layers put together: max {255 * np.abs(together - whole).max():.1f}/255", flush=True)
+    check(np.abs(together - whole).max() < 4 / 255, "layers do not add up to the whole")
+    display.CellCompositingLayerOpacityScales = []
+    check_same(color_and_alpha(view)[1] * 255, whole * 255, "layers and back")
+
+
+load_plugin()
+wavelet = pvs.Wavelet(WholeExtent=[-8, 8, -8, 8, -8, 8])
+check_against_polygons(wavelet)
+check_properties(wavelet)
+check_contour_array(wavelet)
+check_layers(wavelet)
+passed()

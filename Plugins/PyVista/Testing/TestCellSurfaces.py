@@ -1,0 +1,85 @@
+# SPDX-FileCopyrightText: The Nephoscope authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""nephoscope.add_cells: contour surfaces and layers reach the mapper, bad ones are named, and they are drawn."""
+import unittest
+
+import nephoscope
+import numpy as np
+import pyvista
+from pyvista.core.errors import MissingDataError
+
+
+def cube(n=5):
+    grid = pyvista.ImageData(dimensions=(n, n, n))
+    grid.point_data["x"] = grid.points[:, 0]
+    grid.point_data["z"] = grid.points[:, 2]
+    grid.cell_data["layer"] = np.arange(grid.n_cells)
+    return grid
+
+
+class Surfaces(unittest.TestCase):
+    def setUp(self):
+        self.plotter = pyvista.Plotter(off_screen=True, window_size=(64, 64))
+        self.addCleanup(self.plotter.close)
+
+    def add(self, scalars="x", **options):
+        return nephoscope.add_cells(self.plotter, cube(), scalars, render=False, show_scalar_bar=False, **options).mapper
+
+    def fails(self, error, pattern, **options):
+        with self.assertRaisesRegex(error, pattern):
+            self.add(**options)
+        self.assertEqual(dict(self.plotter.actors), {}, "a failed call left an actor")
+
+    def test_defaults(self):
+        mapper = self.add()
+        self.assertEqual(mapper.GetNumberOfContourValues(), 0)
+        self.assertTrue(mapper.GetContourLighting())
+        self.assertTrue(mapper.GetSmoothContourNormals())
+        self.assertFalse(mapper.GetLayersFromContours())
+
+    def test_values(self):
+        mapper = self.add(contours=[1, 3], contour_opacity=[0.2, 0.9], contour_color=["red", (0.0, 0.0, 1.0)])
+        self.assertEqual([mapper.GetContourValue(i) for i in range(2)], [1, 3])
+        self.assertEqual([mapper.GetContourOpacity(i) for i in range(2)], [0.2, 0.9])
+        rgb = [0.0] * 3
+        mapper.GetContourColor(0, rgb)
+        self.assertEqual(rgb, [1, 0, 0])
+        mapper = self.add(contours=3, contour_scalars="z", contour_lighting=False, smooth_contours=False, contour_color="w")
+        self.assertEqual([mapper.GetContourValue(i) for i in range(3)], [1, 2, 3])
+        self.assertEqual(mapper.GetContourArrayName(), "z")
+        self.assertFalse(mapper.GetContourLighting() or mapper.GetSmoothContourNormals())
+        self.assertEqual(mapper.GetContourOpacity(2), 0.3)
+
+    def test_layers(self):
+        prop = pyvista.VolumeProperty()
+        mapper = self.add(contours=[1.5], layers={1: prop})
+        self.assertIs(mapper.GetLayerProperty(1), prop)
+        self.assertTrue(mapper.GetLayersFromContours())
+        mapper = self.add(layers={7: prop}, layer_scalars="layer")
+        self.assertEqual((mapper.GetLayerArrayName(), mapper.GetLayersFromContours()), ("layer", False))
+
+    def test_errors(self):
+        self.fails(ValueError, "contour_opacity is 1.5", contours=[1], contour_opacity=1.5)
+        self.fails(ValueError, "contour_opacity has 2 values for 1", contours=[1], contour_opacity=[0.1, 0.2])
+        self.fails(ValueError, "contour_color has 2 colours for 1", contours=[1], contour_color=["red", "blue"])
+        self.fails(ValueError, "1 or more", contours=0)
+        self.fails(ValueError, "finite", contours=[np.nan])
+        self.fails(ValueError, "without contours", contour_scalars="z")
+        self.fails(MissingDataError, "no point array 'layer'", contours=[1], contour_scalars="layer")
+        self.fails(ValueError, "cell array", scalars="layer", contours=[1])
+        self.fails(ValueError, "give one of the two", layers={0: pyvista.VolumeProperty()})
+        self.fails(ValueError, "without layers", layer_scalars="layer")
+        self.fails(MissingDataError, "no cell array 'x'", layers={0: pyvista.VolumeProperty()}, layer_scalars="x")
+        self.fails(TypeError, "must be a volume property", contours=[1], layers={0: "red"})
+
+    def test_picture(self):
+        self.plotter.set_background("black")
+        self.add(contours=[1.3, 2.7], contour_scalars="z", contour_opacity=0.5, contour_color=["red", "lime"], contour_lighting=False,
+                 opacity=0.0)
+        self.plotter.view_xy()
+        picture = self.plotter.screenshot(return_img=True)
+        np.testing.assert_allclose(picture[32, 32], [64, 128, 0], atol=1)
+
+
+if __name__ == "__main__":
+    unittest.main()

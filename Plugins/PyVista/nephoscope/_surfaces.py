@@ -1,0 +1,95 @@
+# SPDX-FileCopyrightText: The Nephoscope authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Contour surfaces and layers of a cell compositing mapper, from the arguments of `add_cells`."""
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any, Mapping, Sequence
+
+import numpy as np
+import pyvista
+from pyvista.core.errors import MissingDataError
+from vtkmodules.vtkRenderingCore import vtkVolumeProperty
+
+from ._checks import arrays_of, require_number
+
+
+@dataclass
+class Surfaces:
+    """The arguments of `add_cells` that begin with contour, and the layers; see there. Checked when applied."""
+    values: int | Sequence[float] | None = None
+    scalars: str | None = None
+    opacity: float | Sequence[float] = 0.3
+    color: Any = None
+    lighting: bool = True
+    smooth: bool = True
+    layers: Mapping[int, vtkVolumeProperty] | None = None
+    layer_scalars: str | None = None
+
+    def apply(self, mapper: Any, grid: pyvista.DataSet, array_name: str, association: str) -> None:
+        values = self._values(grid, array_name, association)
+        opacities, colors = self._opacities(len(values)), self._colors(len(values))
+        for i, value in enumerate(values):
+            mapper.SetContourValue(i, value)
+            mapper.SetContourOpacity(i, opacities[i])
+            if colors[i] is not None:
+                mapper.SetContourColor(i, *pyvista.Color(colors[i]).float_rgb)
+        mapper.SetContourArrayName(self.scalars or "")
+        mapper.SetContourLighting(self.lighting)
+        mapper.SetSmoothContourNormals(self.smooth)
+        self._apply_layers(mapper, grid, len(values))
+
+    def _values(self, grid: pyvista.DataSet, array_name: str, association: str) -> list[float]:
+        if self.values is None:
+            if self.scalars is not None:
+                raise ValueError("contour_scalars is given without contours; name the values.")
+            return []
+        if self.scalars is not None and self.scalars not in grid.point_data:
+            raise MissingDataError(f"contour_scalars: no point array {self.scalars!r}. {arrays_of(grid)}")
+        if self.scalars is None and association == "cell":
+            raise ValueError(f"contours: {array_name!r} is a cell array, which has no surfaces inside its cells. "
+                             "Use grid.cell_data_to_point_data(), or name a point array as contour_scalars.")
+        if isinstance(self.values, (int, np.integer)) and not isinstance(self.values, bool):
+            if self.values < 1:
+                raise ValueError(f"contours is {self.values}; a number of contours must be 1 or more.")
+            scalars = np.asarray(grid.point_data[self.scalars or array_name], float)
+            scalars = scalars[np.isfinite(scalars)]
+            return list(np.linspace(scalars.min(), scalars.max(), self.values + 2)[1:-1])
+        values = np.atleast_1d(np.asarray(self.values, float))
+        if values.ndim != 1 or not np.isfinite(values).all():
+            raise ValueError(f"contours is {self.values!r}; it must be finite values, or a number of contours.")
+        return [float(v) for v in values]
+
+    def _opacities(self, count: int) -> list[float]:
+        opacities = [self.opacity] * count if np.isscalar(self.opacity) else list(self.opacity)
+        if len(opacities) != count:
+            raise ValueError(f"contour_opacity has {len(opacities)} values for {count} contours.")
+        for opacity in opacities:
+            require_number(opacity, "contour_opacity", least=0)
+            if opacity > 1:
+                raise ValueError(f"contour_opacity is {opacity:g}; it must be from 0 to 1.")
+        return opacities
+
+    def _colors(self, count: int) -> list[Any]:
+        one = self.color is None or isinstance(self.color, str) or (len(self.color) > 2 and np.isscalar(self.color[0])
+                                                                    and not isinstance(self.color[0], str))
+        colors = [self.color] * count if one else list(self.color)
+        if len(colors) != count:
+            raise ValueError(f"contour_color has {len(colors)} colours for {count} contours.")
+        return colors
+
+    def _apply_layers(self, mapper: Any, grid: pyvista.DataSet, count: int) -> None:
+        if self.layers is None:
+            if self.layer_scalars is not None:
+                raise ValueError("layer_scalars is given without layers, a dict of layer numbers and volume properties.")
+            return
+        if self.layer_scalars is not None and self.layer_scalars not in grid.cell_data:
+            raise MissingDataError(f"layer_scalars: no cell array {self.layer_scalars!r}. {arrays_of(grid)}")
+        if self.layer_scalars is None and count == 0:
+            raise ValueError("layers lie between contours, or in cells that layer_scalars numbers: give one of the two.")
+        for number, prop in self.layers.items():
+            if not isinstance(prop, vtkVolumeProperty):
+                raise TypeError(f"layers[{number!r}] is a {type(prop).__name__}; it must be a volume property.")
+            mapper.SetLayerProperty(int(number), prop)
+        mapper.SetLayerArrayName(self.layer_scalars or "")
+        mapper.SetLayersFromContours(self.layer_scalars is None)

@@ -1,0 +1,165 @@
+// SPDX-FileCopyrightText: The Nephoscope authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ContourScene.h"
+
+#include "ContourSettings.h"
+#include "PointGradients.h"
+
+#include "vtkColorTransferFunction.h"
+#include "vtkDataArray.h"
+#include "vtkPiecewiseFunction.h"
+#include "vtkSMPTools.h"
+#include "vtkVolumeProperty.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace nephoscope
+{
+namespace
+{
+vtkMTimeType colorMTime(vtkVolumeProperty* property)
+{
+  return property->GetColorChannels() == 3 ? property->GetRGBTransferFunction()->GetMTime()
+                                           : property->GetGrayTransferFunction()->GetMTime();
+}
+
+std::array<float, 3> functionColor(vtkVolumeProperty* property, double value)
+{
+  double rgb[3];
+  if (property->GetColorChannels() == 3)
+  {
+    property->GetRGBTransferFunction()->GetColor(value, rgb);
+  }
+  else
+  {
+    rgb[0] = rgb[1] = rgb[2] = property->GetGrayTransferFunction()->GetValue(value);
+  }
+  return { { static_cast<float>(rgb[0]), static_cast<float>(rgb[1]), static_cast<float>(rgb[2]) } };
+}
+
+std::vector<float> normalizedScalars(const ScalarSelection& selection, const double range[2])
+{
+  std::vector<float> scalars(static_cast<std::size_t>(selection.Array->GetNumberOfTuples()));
+  vtkSMPTools::For(0, static_cast<vtkIdType>(scalars.size()), [&](vtkIdType begin, vtkIdType end) {
+    for (vtkIdType i = begin; i < end; ++i)
+    {
+      const float s = normalized(selection, i, range);
+      scalars[static_cast<std::size_t>(i)] = std::isfinite(s) ? s : std::numeric_limits<float>::quiet_NaN();
+    }
+  });
+  return scalars;
+}
+
+std::vector<float> colorScalars(const CellGeometry& geometry)
+{
+  std::vector<float> scalars;
+  scalars.reserve(geometry.Points.size());
+  for (const CellGeometry::Point& p : geometry.Points)
+  {
+    scalars.push_back(p.Scalar);
+  }
+  return scalars;
+}
+}
+
+void ContourScene::Update(const CellGeometry& geometry, std::int64_t geometryVersion, vtkDataSet* data,
+  const ScalarSelection& selection, const ContourSettings& settings, vtkVolumeProperty* property,
+  const std::vector<int>& tables)
+{
+  std::vector<ContourSettings::Surface> surfaces;
+  std::copy_if(settings.Surfaces.begin(), settings.Surfaces.end(), std::back_inserter(surfaces),
+    [](const ContourSettings::Surface& s) { return std::isfinite(s.Value); });
+  std::stable_sort(
+    surfaces.begin(), surfaces.end(), [](const auto& a, const auto& b) { return a.Value < b.Value; });
+  const bool drawn = std::any_of(surfaces.begin(), surfaces.end(), [](const auto& s) { return s.Opacity > 0; });
+  if (!surfaces.empty())
+  {
+    const bool onPoints = selection.Array || geometry.CellScalars.empty();
+    this->UpdateField(geometry, geometryVersion, data, selection,
+      settings.SmoothNormals && settings.Lighting && drawn && onPoints);
+  }
+
+  Description description;
+  for (const auto& s : surfaces)
+  {
+    description.emplace_back(s.Value, s.Opacity, s.Color);
+  }
+  const decltype(this->Key) key = { this->FieldVersion, description, tables, property,
+    std::max(property->GetMTime(), colorMTime(property)) };
+  if (key == this->Key)
+  {
+    return;
+  }
+  this->Key = key;
+  ++this->Version;
+  this->Contours.clear();
+  this->Drawn.clear();
+  for (std::size_t k = 0; k < surfaces.size(); ++k)
+  {
+    const auto& s = surfaces[k];
+    Contour contour = {};
+    contour.Value = static_cast<float>(normalizedValue(s.Value, this->Range));
+    contour.LayerBelow = tables.empty() ? 0.0f : static_cast<float>(tables[k]);
+    contour.LayerAbove = tables.empty() ? 0.0f : static_cast<float>(tables[k + 1]);
+    std::array<float, 3> rgb = { { -1, -1, -1 } };
+    if (s.Color[0] >= 0)
+    {
+      std::copy(s.Color.begin(), s.Color.end(), rgb.begin());
+    }
+    else if (this->OfColor)
+    {
+      rgb = functionColor(property, s.Value);
+    }
+    contour.Color = { { rgb[0], rgb[1], rgb[2], static_cast<float>(s.Opacity) } };
+    this->Contours.push_back(contour);
+    if (s.Opacity > 0)
+    {
+      this->Drawn.push_back(contour.Value);
+    }
+  }
+}
+
+void ContourScene::UpdateField(const CellGeometry& geometry, std::int64_t geometryVersion, vtkDataSet* data,
+  const ScalarSelection& selection, bool smooth)
+{
+  const bool ofColor = selection.Array == nullptr;
+  const decltype(this->FieldKey) key = { geometryVersion, ofColor, smooth, selection.Array,
+    ofColor ? 0 : selection.Array->GetMTime() };
+  if (key == this->FieldKey)
+  {
+    return;
+  }
+  this->FieldKey = key;
+  ++this->FieldVersion;
+  this->OfColor = ofColor;
+  this->Smooth = smooth;
+  std::copy(geometry.ScalarRange, geometry.ScalarRange + 2, this->Range);
+  this->Scalars.clear();
+  if (!ofColor)
+  {
+    findRange(data, selection, this->Range);
+    this->Scalars = normalizedScalars(selection, this->Range);
+  }
+  this->Gradients.clear();
+  if (smooth)
+  {
+    this->Gradients = pointGradients(geometry, ofColor ? colorScalars(geometry) : this->Scalars);
+  }
+}
+
+bool ContourScene::DrawsBetween(float low, float high) const
+{
+  const auto above = std::upper_bound(this->Drawn.begin(), this->Drawn.end(), low); // the first value > low
+  return above != this->Drawn.end() && *above <= high;
+}
+
+std::size_t ContourScene::FindLayer(float s) const
+{
+  const auto above = std::upper_bound(
+    this->Contours.begin(), this->Contours.end(), s, [](float v, const Contour& c) { return v < c.Value; });
+  return static_cast<std::size_t>(above - this->Contours.begin());
+}
+
+} // namespace nephoscope

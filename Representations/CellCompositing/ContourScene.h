@@ -1,0 +1,76 @@
+// SPDX-FileCopyrightText: The Nephoscope authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * Contour surfaces inside the cells, ready for the shaders: the values in ascending order with colour and layers, the scalars they are
+ * contours of, and the gradients for smooth normals.
+ *
+ * A point lies above a value when its scalar is at least the value. All is made again only when its source changed.
+ */
+#ifndef ContourScene_h
+#define ContourScene_h
+
+#include "CellGeometry.h"
+
+#include "vtkType.h"
+
+#include <array>
+#include <cstdint>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+class vtkDataSet;
+class vtkVolumeProperty;
+
+namespace nephoscope
+{
+
+struct ContourSettings;
+
+class ContourScene
+{
+public:
+  /** Two texels of the shaders' buffer. */
+  struct Contour
+  {
+    float Value;                  ///< normalised as the scalars
+    float LayerBelow, LayerAbove; ///< numbers of tables
+    float Unused;
+    std::array<float, 4> Color;   ///< and opacity; red < 0: of the colour function where the surface is
+  };
+
+  /**
+   * `selection` names the array that is contoured, of points; without an array it is the coloured one. `tables[k]` is the number of the
+   * transfer tables of layer k, the one with k values below. To be called after the geometry was built.
+   */
+  void Update(const CellGeometry& geometry, std::int64_t geometryVersion, vtkDataSet* data, const ScalarSelection& selection,
+    const ContourSettings& settings, vtkVolumeProperty* property, const std::vector<int>& tables);
+
+  bool IsUsed() const { return !this->Contours.empty(); }
+  /** A surface with some opacity is crossed between the least and the greatest scalar. */
+  bool DrawsBetween(float low, float high) const;
+  /** Number of values at or below s. */
+  std::size_t FindLayer(float s) const;
+
+  std::vector<Contour> Contours; ///< ascending
+  bool OfColor = true;
+  bool Smooth = false;
+  std::vector<float> Scalars;    ///< per point, normalised, NaN where not finite; empty if OfColor
+  std::vector<std::array<float, 4>> Gradients; ///< per point if Smooth
+  std::int64_t Version = 0;      ///< grows whenever anything above changed
+  std::int64_t FieldVersion = 0; ///< of scalars and gradients alone
+
+private:
+  void UpdateField(const CellGeometry& geometry, std::int64_t geometryVersion, vtkDataSet* data, const ScalarSelection& selection,
+    bool smooth);
+
+  double Range[2] = { 0, 1 };
+  std::vector<float> Drawn; // values of the surfaces that are not transparent, ascending
+  using Description = std::vector<std::tuple<double, double, std::array<double, 3>>>;
+  std::tuple<std::int64_t, Description, std::vector<int>, vtkVolumeProperty*, vtkMTimeType> Key;
+  std::tuple<std::int64_t, bool, bool, vtkDataArray*, vtkMTimeType> FieldKey;
+};
+
+} // namespace nephoscope
+
+#endif

@@ -1,0 +1,295 @@
+// SPDX-FileCopyrightText: The Nephoscope authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Contour surfaces and layers of vtkCellCompositingMapper: what the user sets, and which arrays it means.
+#include "vtkCellCompositingMapper.h"
+
+#include "ContourSettings.h"
+#include "ScalarSelection.h"
+
+#include "vtkCellData.h"
+#include "vtkDataSet.h"
+#include "vtkPointData.h"
+
+#include <algorithm>
+#include <cmath>
+
+using nephoscope::ContourSettings;
+using nephoscope::ScalarSelection;
+
+namespace
+{
+double clampToUnit(double x)
+{
+  return x > 0.0 ? std::min(x, 1.0) : 0.0; // NaN becomes 0
+}
+
+/** Replaces `value`; true when it was different. */
+template <typename Value>
+bool replace(Value& value, const Value& now)
+{
+  const bool changed = value != now;
+  value = now;
+  return changed;
+}
+
+std::string namesOf(vtkFieldData* data)
+{
+  std::string names;
+  for (int i = 0; i < data->GetNumberOfArrays(); ++i)
+  {
+    const char* name = data->GetArrayName(i);
+    names += (i ? ", " : "") + std::string(name ? name : "(unnamed)");
+  }
+  return names.empty() ? "none" : names;
+}
+}
+
+bool vtkCellCompositingMapper::CheckContour(int i)
+{
+  if (i >= 0 && i < this->GetNumberOfContourValues())
+  {
+    return true;
+  }
+  vtkErrorMacro("There is no contour value " << i << ": there are " << this->GetNumberOfContourValues()
+                                             << ". Call SetNumberOfContourValues or SetContourValue first.");
+  return false;
+}
+
+void vtkCellCompositingMapper::SetContourValue(int i, double value)
+{
+  if (i < 0 || !std::isfinite(value))
+  {
+    vtkErrorMacro("Contour value " << i << " is " << value << ": number from 0 on, and finite values, are needed.");
+    return;
+  }
+  if (i >= this->GetNumberOfContourValues())
+  {
+    this->SetNumberOfContourValues(i + 1);
+  }
+  if (replace(this->Contours->Surfaces[static_cast<std::size_t>(i)].Value, value))
+  {
+    this->Modified();
+  }
+}
+
+double vtkCellCompositingMapper::GetContourValue(int i)
+{
+  return this->CheckContour(i) ? this->Contours->Surfaces[static_cast<std::size_t>(i)].Value : 0.0;
+}
+
+void vtkCellCompositingMapper::SetNumberOfContourValues(int number)
+{
+  const std::size_t size = static_cast<std::size_t>(std::max(number, 0));
+  if (size != this->Contours->Surfaces.size())
+  {
+    this->Contours->Surfaces.resize(size);
+    this->Modified();
+  }
+}
+
+int vtkCellCompositingMapper::GetNumberOfContourValues() const
+{
+  return static_cast<int>(this->Contours->Surfaces.size());
+}
+
+void vtkCellCompositingMapper::GenerateContourValues(int number, double low, double high)
+{
+  this->SetNumberOfContourValues(number);
+  for (int i = 0; i < number; ++i)
+  {
+    this->SetContourValue(i, number > 1 ? low + (high - low) * i / (number - 1) : low);
+  }
+}
+
+void vtkCellCompositingMapper::SetContourOpacity(int i, double opacity)
+{
+  if (this->CheckContour(i) &&
+    replace(this->Contours->Surfaces[static_cast<std::size_t>(i)].Opacity, clampToUnit(opacity)))
+  {
+    this->Modified();
+  }
+}
+
+void vtkCellCompositingMapper::SetContourOpacity(double opacity)
+{
+  for (int i = 0; i < this->GetNumberOfContourValues(); ++i)
+  {
+    this->SetContourOpacity(i, opacity);
+  }
+}
+
+double vtkCellCompositingMapper::GetContourOpacity(int i)
+{
+  return this->CheckContour(i) ? this->Contours->Surfaces[static_cast<std::size_t>(i)].Opacity : 0.0;
+}
+
+void vtkCellCompositingMapper::SetContourColor(int i, double red, double green, double blue)
+{
+  const std::array<double, 3> color = { { clampToUnit(red), clampToUnit(green), clampToUnit(blue) } };
+  if (this->CheckContour(i) && replace(this->Contours->Surfaces[static_cast<std::size_t>(i)].Color, color))
+  {
+    this->Modified();
+  }
+}
+
+void vtkCellCompositingMapper::SetContourColorToFunction(int i)
+{
+  if (this->CheckContour(i) &&
+    replace(this->Contours->Surfaces[static_cast<std::size_t>(i)].Color, ContourSettings::Surface().Color))
+  {
+    this->Modified();
+  }
+}
+
+void vtkCellCompositingMapper::GetContourColor(int i, double rgb[3])
+{
+  const ContourSettings::Surface surface =
+    this->CheckContour(i) ? this->Contours->Surfaces[static_cast<std::size_t>(i)] : ContourSettings::Surface();
+  std::copy(surface.Color.begin(), surface.Color.end(), rgb);
+}
+
+void vtkCellCompositingMapper::SetContourArrayName(const std::string& name)
+{
+  if (replace(this->Contours->ArrayName, name))
+  {
+    this->Modified();
+  }
+}
+
+std::string vtkCellCompositingMapper::GetContourArrayName()
+{
+  return this->Contours->ArrayName;
+}
+
+void vtkCellCompositingMapper::SetContourLighting(bool lighting)
+{
+  if (replace(this->Contours->Lighting, lighting))
+  {
+    this->Modified();
+  }
+}
+
+bool vtkCellCompositingMapper::GetContourLighting()
+{
+  return this->Contours->Lighting;
+}
+
+void vtkCellCompositingMapper::SetSmoothContourNormals(bool smooth)
+{
+  if (replace(this->Contours->SmoothNormals, smooth))
+  {
+    this->Modified();
+  }
+}
+
+bool vtkCellCompositingMapper::GetSmoothContourNormals()
+{
+  return this->Contours->SmoothNormals;
+}
+
+void vtkCellCompositingMapper::SetLayerProperty(int layer, vtkVolumeProperty* property)
+{
+  if (property)
+  {
+    this->Contours->LayerProperties[layer] = property;
+  }
+  else
+  {
+    this->Contours->LayerProperties.erase(layer);
+  }
+  this->Modified();
+}
+
+vtkVolumeProperty* vtkCellCompositingMapper::GetLayerProperty(int layer)
+{
+  const auto found = this->Contours->LayerProperties.find(layer);
+  return found == this->Contours->LayerProperties.end() ? nullptr : found->second.Get();
+}
+
+void vtkCellCompositingMapper::RemoveAllLayerProperties()
+{
+  this->Contours->LayerProperties.clear();
+  this->Modified();
+}
+
+void vtkCellCompositingMapper::SetLayerArrayName(const std::string& name)
+{
+  if (replace(this->Contours->LayerArrayName, name))
+  {
+    this->Modified();
+  }
+}
+
+std::string vtkCellCompositingMapper::GetLayerArrayName()
+{
+  return this->Contours->LayerArrayName;
+}
+
+void vtkCellCompositingMapper::SetLayersFromContours(bool layers)
+{
+  if (replace(this->Contours->LayersFromContours, layers))
+  {
+    this->Modified();
+  }
+}
+
+bool vtkCellCompositingMapper::GetLayersFromContours()
+{
+  return this->Contours->LayersFromContours;
+}
+
+std::string vtkCellCompositingMapper::SelectContours(vtkDataSet* input, ScalarSelection& contoured)
+{
+  contoured = {};
+  const std::string& name = this->Contours->ArrayName;
+  if (this->Contours->Surfaces.empty() || name.empty())
+  {
+    return std::string();
+  }
+  contoured.Array = input->GetPointData()->GetArray(name.c_str());
+  if (!contoured.Array)
+  {
+    const bool onCells = input->GetCellData()->GetArray(name.c_str()) != nullptr;
+    return "No point array named '" + name + "' to contour" +
+      (onCells ? "; a cell array has no surfaces inside its cells: apply Cell Data to Point Data. " : ". ") +
+      "Point arrays: " + namesOf(input->GetPointData()) + ".";
+  }
+  return contoured.Array->GetNumberOfTuples() == input->GetNumberOfPoints()
+    ? std::string()
+    : "Array '" + name + "' has " + std::to_string(contoured.Array->GetNumberOfTuples()) +
+      " values where the input has " + std::to_string(input->GetNumberOfPoints()) + " points.";
+}
+
+std::string vtkCellCompositingMapper::SelectLayers(vtkDataSet* input, vtkDataArray*& layers)
+{
+  layers = nullptr;
+  const std::string& name = this->Contours->LayerArrayName;
+  if (name.empty() || this->Contours->LayerProperties.empty())
+  {
+    return std::string();
+  }
+  layers = input->GetCellData()->GetArray(name.c_str());
+  if (!layers)
+  {
+    return "No cell array named '" + name + "' for the layers. Cell arrays: " + namesOf(input->GetCellData()) + ".";
+  }
+  return layers->GetNumberOfTuples() == input->GetNumberOfCells()
+    ? std::string()
+    : "Array '" + name + "' has " + std::to_string(layers->GetNumberOfTuples()) + " values where the input has " +
+      std::to_string(input->GetNumberOfCells()) + " cells.";
+}
+
+void vtkCellCompositingMapper::PrintContours(ostream& os, vtkIndent indent)
+{
+  os << indent << "Contours:";
+  for (const ContourSettings::Surface& surface : this->Contours->Surfaces)
+  {
+    os << " " << surface.Value << " (opacity " << surface.Opacity << ")";
+  }
+  os << "\n" << indent << "ContourArrayName: " << this->Contours->ArrayName << "\n";
+  os << indent << "ContourLighting: " << this->Contours->Lighting << "\n";
+  os << indent << "SmoothContourNormals: " << this->Contours->SmoothNormals << "\n";
+  os << indent << "LayerArrayName: " << this->Contours->LayerArrayName << "\n";
+  os << indent << "LayersFromContours: " << this->Contours->LayersFromContours << "\n";
+  os << indent << "Layers with a property: " << this->Contours->LayerProperties.size() << "\n";
+}
