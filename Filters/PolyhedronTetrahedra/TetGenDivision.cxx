@@ -144,7 +144,7 @@ void readOutput(const tetgenio& out, const Frame& frame, int numberOfVertices, C
   for (int t = 0; t < out.numberoftetrahedra; ++t)
   {
     const int* corners = out.tetrahedronlist + static_cast<std::ptrdiff_t>(t) * out.numberofcorners;
-    division.Tetrahedra.push_back({ { corners[0], corners[2], corners[1], corners[3] } }); // its orientation is the opposite
+    division.Tetrahedra.push_back({ { corners[0], corners[1], corners[2], corners[3] } });
   }
 }
 
