@@ -4,7 +4,6 @@
 
 #include "KernelPoint.h"
 #include "MeanValueWeights.h"
-#include "TetGenDivision.h"
 
 namespace nephoscope
 {
@@ -68,11 +67,9 @@ DivisionOutcome PolyhedronDivider::DivideSurface()
   return divided ? DivisionOutcome::Divided : DivisionOutcome::NotStar;
 }
 
-DivisionOutcome PolyhedronDivider::DivideByTetGen(std::string& reason)
+DivisionOutcome PolyhedronDivider::Judge(const TetGenTask& task, std::string& reason)
 {
-  this->Division.Tetrahedra.clear();
-  this->Division.NewPoints.clear();
-  reason = divideByTetGen(this->Cut, this->Division);
+  reason = task.Failure;
   for (Vector3& x : this->Division.NewPoints)
   {
     x = this->Options.IsFloat ? roundedToFloat(x) : x;

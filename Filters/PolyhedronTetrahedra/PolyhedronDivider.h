@@ -19,6 +19,7 @@
 
 #include "CellDivision.h"
 #include "PolyhedronConvexity.h"
+#include "TetGenDivision.h"
 
 #include <string>
 
@@ -51,6 +52,8 @@ public:
     : Options(options)
   {
   }
+  PolyhedronDivider(const PolyhedronDivider&) = delete; // a task points into it
+  void operator=(const PolyhedronDivider&) = delete;
 
   /** Everything but TetGen. */
   template <typename Index, typename Place>
@@ -60,8 +63,9 @@ public:
     return state == PolyhedronSurface::State::Closed ? this->DivideSurface() : OutcomeOf(state);
   }
 
-  /** For the cell for which Divide has returned NotStar last. `reason` tells why it returned Failed. */
-  DivisionOutcome DivideByTetGen(std::string& reason);
+  /** After NotStar: what TetGen is asked, and the judgement of its answer. `reason` tells why it is Failed. */
+  TetGenTask MakeTask() { return { &this->Cut, &this->Division, std::string() }; }
+  DivisionOutcome Judge(const TetGenTask& task, std::string& reason);
 
   /** After Divided. */
   CellDivision& GetDivision() { return this->Division; }

@@ -11,27 +11,29 @@ bool hasTetGen()
   return false;
 }
 
-std::string divideByTetGen(const TriangulatedSurface&, CellDivision&)
+void divideByTetGen(std::vector<TetGenTask>& tasks, const std::function<bool()>&)
 {
-  return "this build has no TetGen";
+  for (TetGenTask& task : tasks)
+  {
+    task.Failure = "this build has no TetGen";
+  }
 }
 } // namespace nephoscope
 
 #else
 
-#include "CrashGuard.h"
+#include "IsolatedProcess.h"
 
 #include <tetgen.h> // compiled with TETLIBRARY: errors are thrown as int
 
-#include <memory>
-#include <mutex>
+#include <cstring>
 #include <new>
 
 namespace nephoscope
 {
 namespace
 {
-std::mutex oneAtATime;
+constexpr double longestSeconds = 20; // for one cell; a cell of 100 faces takes a few thousandths
 
 /** The cell moved to the origin and to a size of about 1 by a power of two, which rounds nothing. */
 struct Frame
@@ -46,7 +48,7 @@ struct Frame
     const Vector3 d = difference(x, this->Origin);
     return { { d[0] * this->Scale, d[1] * this->Scale, d[2] * this->Scale } };
   }
-  Vector3 Outward(const double* x) const
+  Vector3 Outward(const Vector3& x) const
   {
     return { { x[0] / this->Scale + this->Origin[0], x[1] / this->Scale + this->Origin[1],
       x[2] / this->Scale + this->Origin[2] } };
@@ -135,17 +137,53 @@ void fillInput(const TriangulatedSurface& cut, const Frame& frame, tetgenio& in)
   }
 }
 
-void readOutput(const tetgenio& out, const Frame& frame, int numberOfVertices, CellDivision& division)
+/** What the child sends: TetGen's code, the numbers of new points and tetrahedra, these themselves. */
+struct Header
 {
-  for (int v = numberOfVertices; v < out.numberofpoints; ++v)
+  int Code;
+  int NewPoints;
+  int Tetrahedra;
+};
+
+template <typename T>
+void append(std::vector<char>& bytes, const T* values, std::size_t count)
+{
+  const char* begin = reinterpret_cast<const char*>(values);
+  bytes.insert(bytes.end(), begin, begin + count * sizeof(T));
+}
+
+std::vector<char> pack(const tetgenio& out, int numberOfVertices, int code)
+{
+  std::vector<char> bytes;
+  const Header header = { code, code ? 0 : out.numberofpoints - numberOfVertices, code ? 0 : out.numberoftetrahedra };
+  append(bytes, &header, 1);
+  if (code == 0)
   {
-    division.NewPoints.push_back(frame.Outward(out.pointlist + 3 * v));
+    append(bytes, out.pointlist + 3 * numberOfVertices, 3 * static_cast<std::size_t>(header.NewPoints));
+    append(bytes, out.tetrahedronlist, 4 * static_cast<std::size_t>(header.Tetrahedra));
   }
-  for (int t = 0; t < out.numberoftetrahedra; ++t)
+  return bytes;
+}
+
+// Returns TetGen's code.
+int unpack(const std::vector<char>& bytes, const Frame& frame, CellDivision& division)
+{
+  Header header;
+  std::memcpy(&header, bytes.data(), sizeof header);
+  const char* next = bytes.data() + sizeof header;
+  for (int v = 0; v < header.NewPoints; ++v, next += 3 * sizeof(double))
   {
-    const int* corners = out.tetrahedronlist + static_cast<std::ptrdiff_t>(t) * out.numberofcorners;
-    division.Tetrahedra.push_back({ { corners[0], corners[1], corners[2], corners[3] } });
+    Vector3 x;
+    std::memcpy(x.data(), next, sizeof x);
+    division.NewPoints.push_back(frame.Outward(x));
   }
+  for (int t = 0; t < header.Tetrahedra; ++t, next += 4 * sizeof(int))
+  {
+    std::array<int, 4> corners;
+    std::memcpy(corners.data(), next, sizeof corners);
+    division.Tetrahedra.push_back(corners);
+  }
+  return header.Code;
 }
 
 // 0, or the code that TetGen throws: tetgen.h, terminatetetgen.
@@ -168,14 +206,12 @@ int callTetGen(tetgenio& in, tetgenio& out)
   }
 }
 
-std::string explain(int signal, int code)
+std::string explain(int code)
 {
-  if (signal != 0)
-  {
-    return "it stopped at an assertion or an invalid access (signal " + std::to_string(signal) + ")";
-  }
   switch (code)
   {
+    case 0:
+      return std::string();
     case 1:
       return "it ran out of memory";
     case 3:
@@ -187,6 +223,16 @@ std::string explain(int signal, int code)
       return "it gave up with code " + std::to_string(code);
   }
 }
+
+std::vector<char> divide(const TriangulatedSurface& surface)
+{
+  // Never freed: after an error TetGen may have freed parts of them, and the child ends soon.
+  auto* in = new tetgenio;
+  auto* out = new tetgenio;
+  fillInput(surface, Frame(*surface.Surface), *in);
+  const int code = callTetGen(*in, *out);
+  return pack(*out, surface.Surface->NumberOfVertices(), code);
+}
 }
 
 bool hasTetGen()
@@ -194,25 +240,19 @@ bool hasTetGen()
   return true;
 }
 
-std::string divideByTetGen(const TriangulatedSurface& surface, CellDivision& division)
+void divideByTetGen(std::vector<TetGenTask>& tasks, const std::function<bool()>& keepGoing)
 {
-  const std::lock_guard<std::mutex> lock(oneAtATime);
-  const Frame frame(*surface.Surface);
-  auto in = std::make_unique<tetgenio>();
-  auto out = std::make_unique<tetgenio>();
-  fillInput(surface, frame, *in);
-  int code = 0;
-  const int signal = CrashGuard::Run([&]() { code = callTetGen(*in, *out); });
-  if (signal != 0)
+  const std::vector<IsolatedResult> results = runIsolated(
+    static_cast<int>(tasks.size()), longestSeconds,
+    [&](int i) { return divide(*tasks[static_cast<std::size_t>(i)].Surface); }, keepGoing);
+  for (std::size_t i = 0; i < tasks.size(); ++i)
   {
-    out.release(); // in whatever state it was left
+    tasks[i].Failure = results[i].Failure;
+    if (tasks[i].Failure.empty())
+    {
+      tasks[i].Failure = explain(unpack(results[i].Bytes, Frame(*tasks[i].Surface->Surface), *tasks[i].Division));
+    }
   }
-  if (signal != 0 || code != 0)
-  {
-    return explain(signal, code);
-  }
-  readOutput(*out, frame, surface.Surface->NumberOfVertices(), division);
-  return std::string();
 }
 
 } // namespace nephoscope

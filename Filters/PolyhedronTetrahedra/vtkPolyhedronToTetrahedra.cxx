@@ -4,7 +4,6 @@
 
 #include "DividedGrid.h"
 #include "PolyhedronDivider.h"
-#include "TetGenDivision.h"
 
 #include "vtkCellType.h"
 #include "vtkDataSetAttributes.h"
@@ -70,11 +69,7 @@ public:
     });
   }
 
-  DivisionOutcome DivideByTetGen(vtkIdType cell, std::string& reason)
-  {
-    this->Divide(cell);
-    return this->Divider.DivideByTetGen(reason);
-  }
+  nephoscope::PolyhedronDivider& GetDivider() { return this->Divider; }
 
   std::unique_ptr<nephoscope::CellDivision> TakeDivision()
   {
@@ -134,7 +129,7 @@ std::vector<Complaint> complaints(bool useTetGen, const std::string& reason)
   return {
     { DivisionOutcome::NotStar, "not star-shaped, no single point sees the whole inside", enable },
     { DivisionOutcome::Failed, "not star-shaped, and TetGen does not divide it",
-      "TetGen says of the first: " + reason + ". Repair the cell, or divide the mesh before it is read." },
+      "TetGen on the first: " + reason + ". Most often the faces of such a cell cross each other: repair it." },
     { DivisionOutcome::NotClosed, "not closed: an edge belongs to one face, or to more than two",
       "Repair its faces; where a neighbour has a point in the middle of an edge, both faces at the edge must have it." },
     { DivisionOutcome::NotOriented, "one-sided: its faces have no inside", "Repair its faces." },
@@ -219,34 +214,52 @@ void vtkPolyhedronToTetrahedra::DivideInParallel(vtkWork& work)
     vtkSMPTools::Config(0, "STDThread", false), [&]() { vtkSMPTools::For(0, n, grain, divide); });
 }
 
-// One cell after another: TetGen's state is the process's.
+// Some hundred cells at a time, so that progress is told and memory does not grow.
 void vtkPolyhedronToTetrahedra::DivideByTetGen(vtkWork& work)
 {
   if (!this->UseTetGen || !nephoscope::hasTetGen())
   {
     return;
   }
-  const double all = std::max<double>(
-    1, std::count(work.Outcomes.begin(), work.Outcomes.end(), DivisionOutcome::NotStar));
-  double done = 0;
-  CellReader reader(work.Grid, work.Options);
-  for (std::size_t i = 0; i < work.Outcomes.size() && !this->CheckAbort(); ++i)
+  std::vector<std::size_t> cells;
+  for (std::size_t i = 0; i < work.Outcomes.size(); ++i)
   {
-    if (work.Outcomes[i] != DivisionOutcome::NotStar)
+    if (work.Outcomes[i] == DivisionOutcome::NotStar)
     {
-      continue;
+      cells.push_back(i);
     }
+  }
+  constexpr std::size_t batch = 200;
+  for (std::size_t first = 0; first < cells.size() && !this->CheckAbort(); first += batch)
+  {
+    const std::size_t last = std::min(first + batch, cells.size());
+    this->DivideBatchByTetGen(work, { cells.begin() + static_cast<std::ptrdiff_t>(first),
+                                      cells.begin() + static_cast<std::ptrdiff_t>(last) });
+    this->UpdateProgress(0.8 + 0.1 * static_cast<double>(last) / static_cast<double>(cells.size()));
+  }
+}
+
+void vtkPolyhedronToTetrahedra::DivideBatchByTetGen(vtkWork& work, const std::vector<std::size_t>& cells)
+{
+  std::vector<std::unique_ptr<CellReader>> readers;
+  std::vector<nephoscope::TetGenTask> tasks;
+  for (const std::size_t i : cells)
+  {
+    readers.push_back(std::make_unique<CellReader>(work.Grid, work.Options));
+    readers.back()->Divide(static_cast<vtkIdType>(i)); // makes its surface again
+    tasks.push_back(readers.back()->GetDivider().MakeTask());
+  }
+  nephoscope::divideByTetGen(tasks, [this]() { return !this->CheckAbort(); });
+  for (std::size_t k = 0; k < cells.size(); ++k)
+  {
+    const std::size_t i = cells[k];
     std::string reason;
-    work.Outcomes[i] = reader.DivideByTetGen(static_cast<vtkIdType>(i), reason);
+    work.Outcomes[i] = readers[k]->GetDivider().Judge(tasks[k], reason);
     if (work.Outcomes[i] == DivisionOutcome::Divided)
     {
-      work.Divisions[i] = reader.TakeDivision();
+      work.Divisions[i] = readers[k]->TakeDivision();
     }
-    else if (work.Reason.empty())
-    {
-      work.Reason = reason;
-    }
-    this->UpdateProgress(0.8 + 0.1 * ++done / all);
+    work.Reason = work.Reason.empty() ? reason : work.Reason;
   }
 }
 

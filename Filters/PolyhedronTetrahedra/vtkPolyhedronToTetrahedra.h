@@ -27,8 +27,8 @@
  * close, a coordinate is not finite, or it needs TetGen. Cells that a ghost array hides, or that touch a hidden point, are
  * passed without being looked at. Datasets other than vtkUnstructuredGrid are passed.
  *
- * The work runs in parallel but for TetGen's, which keeps its state in variables of the process; the result does not depend on the
- * number of threads.
+ * The work runs in parallel but for TetGen's, which keeps its state in variables of the process; it runs in a process of its own, so
+ * that a failure of it is a message and no crash. The result does not depend on the number of threads.
  */
 #ifndef vtkPolyhedronToTetrahedra_h
 #define vtkPolyhedronToTetrahedra_h
@@ -36,7 +36,8 @@
 #include "vtkDataSetAlgorithm.h"
 #include "vtkNephoscopeFiltersPolyhedronTetrahedraModule.h" // for export macro
 
-class vtkUnstructuredGrid;
+#include <cstddef>
+#include <vector> // for lists of cells
 
 class VTKNEPHOSCOPEFILTERSPOLYHEDRONTETRAHEDRA_EXPORT vtkPolyhedronToTetrahedra : public vtkDataSetAlgorithm
 {
@@ -92,6 +93,7 @@ private:
   struct vtkWork;
   void DivideInParallel(vtkWork& work);
   void DivideByTetGen(vtkWork& work);
+  void DivideBatchByTetGen(vtkWork& work, const std::vector<std::size_t>& cells);
   void Report(const vtkWork& work);
 
   bool DivideConvexPolyhedra = false;

@@ -12,6 +12,7 @@
 
 #include "ChessboardGrid.h"
 #include "LinearCellFaces.h"
+#include "PolyhedronConvexity.h"
 
 #include "vtkDataSet.h"
 #include "vtkDataSetAttributes.h"
@@ -120,6 +121,27 @@ public:
       return true;
     }
     return this->EmitTriangulated(cell, emit);
+  }
+
+  /**
+   * Whether those tetrahedra fill the cell. Asked of polyhedra, after EmitTetrahedra: one that is not convex should be divided
+   * by vtkPolyhedronToTetrahedra first. True where the faces do not close, so that there is no inside.
+   */
+  bool TetrahedraFillCell()
+  {
+    if (this->Type != VTK_POLYHEDRON || !this->Grid)
+    {
+      return true;
+    }
+    const vtkIdType* stream = this->Faces->GetPointer(0);
+    const auto state = this->Surface.Build(
+      FaceList<vtkIdType>{ stream + 1, stream + this->Faces->GetNumberOfIds() }, [this](vtkIdType id) {
+        Vector3 x;
+        this->Data->GetPoint(id, x.data());
+        return x;
+      });
+    const bool isFloat = this->Grid->GetPoints()->GetDataType() == VTK_FLOAT;
+    return state != PolyhedronSurface::State::Closed || coneFillsCell(this->Surface, slackOf(this->Surface, isFloat));
   }
 
 private:
@@ -232,6 +254,7 @@ private:
   std::array<Place, 12> Places; // of the cell's vertices
   std::array<int, 12> Representatives;
   std::vector<int> MergedFaces;
+  PolyhedronSurface Surface;
   vtkNew<vtkIdList> Points;
   vtkNew<vtkIdList> Faces;
   vtkNew<vtkPoints> CellPoints;

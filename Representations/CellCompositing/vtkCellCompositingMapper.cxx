@@ -276,6 +276,11 @@ void vtkCellCompositingMapper::WarnAboutGeometry(const char* arrayName)
     vtkWarningMacro(<< geometry.NumberOfUnsupportedCells << " cells are not drawn (" << type
                     << ", for example): only 3-D cells can be composited.");
   }
+  if (geometry.NumberOfNonConvexCells > 0)
+  {
+    vtkWarningMacro(<< geometry.NumberOfNonConvexCells
+                    << " polyhedra are not convex and are drawn wrong: run vtkPolyhedronToTetrahedra first.");
+  }
 }
 
 std::string vtkCellCompositingMapper::DrawScene(
