@@ -10,6 +10,8 @@
  * 3. Else (a face that is not convex, or with a vertex in the middle of an edge) ears are cut off: each time the ear
  *    whose smallest height is largest, so that no triangle is thinner than it must be (Meisters1975 shows that there always is an ear).
  *    Faces with holes come as one cycle that runs through a bridge to the hole and back.
+ * 4. Else, if the face is so warped that it crosses itself when it is pressed flat, the triangles of least area in space
+ *    (BarequetSharir1995).
  *
  * Vertices are compared and measured in the plane of the face's area-weighted mean normal.
  */
@@ -40,7 +42,7 @@ public:
   {
     this->Triangles.clear();
     const bool reversed = this->MakeCanonical(face, size);
-    if (!this->Project(position) || !(this->TryFan() || this->CutEars()))
+    if (!this->Project(position) || !(this->TryFan() || this->CutEars() || this->CutSmallest()))
     {
       this->Triangles.clear();
       return false;
@@ -62,6 +64,8 @@ private:
   using Place = std::array<double, 2>;
   // A triangle below this part of the face's area has none.
   static constexpr double smallestArea = 1e-9;
+  // A face that crosses itself is an error unless it is warped by more than this part of the root of its area.
+  static constexpr double smallestWarp = 1e-3;
 
   // Returns whether the canonical direction is against the face's own.
   bool MakeCanonical(const int* face, int size)
@@ -92,7 +96,8 @@ private:
   bool Project(Position position)
   {
     const std::size_t n = this->Cycle.size();
-    std::vector<Vector3> relative(n);
+    std::vector<Vector3>& relative = this->Relative;
+    relative.resize(n);
     Vector3 normal{ { 0, 0, 0 } };
     for (std::size_t k = 0; k < n; ++k)
     {
@@ -125,11 +130,65 @@ private:
     const Vector3 across = cross(normal, u);
     const Vector3 v{ { across[0] / this->TwiceArea, across[1] / this->TwiceArea, across[2] / this->TwiceArea } };
     this->Places.resize(n);
+    double low = 0, high = 0; // above the first vertex
     for (std::size_t k = 0; k < n; ++k)
     {
+      const double height = dot(relative[k], normal) / this->TwiceArea;
+      low = std::min(low, height);
+      high = std::max(high, height);
       this->Places[k] = { { dot(relative[k], u), dot(relative[k], v) } };
     }
+    this->Warp = high - low;
     return true;
+  }
+
+  // Dynamic programming: Best[i][j] is the least area over the vertices i ... j, Middle[i][j] the third vertex of the triangle at (i, j).
+  bool CutSmallest()
+  {
+    this->Triangles.clear();
+    if (this->Warp < smallestWarp * std::sqrt(this->TwiceArea))
+    {
+      return false;
+    }
+    const std::size_t n = this->Cycle.size();
+    std::vector<std::vector<double>> best(n, std::vector<double>(n, 0.0));
+    std::vector<std::vector<std::size_t>> middle(n, std::vector<std::size_t>(n, 0));
+    for (std::size_t span = 2; span < n; ++span)
+    {
+      for (std::size_t i = 0; i + span < n; ++i)
+      {
+        const std::size_t j = i + span;
+        best[i][j] = 1e300;
+        for (std::size_t k = i + 1; k < j; ++k)
+        {
+          const double area = best[i][k] + best[k][j] + this->AreaInSpace(i, k, j);
+          middle[i][j] = area < best[i][j] ? k : middle[i][j];
+          best[i][j] = std::min(area, best[i][j]);
+        }
+      }
+    }
+    std::vector<std::array<std::size_t, 2>> left = { { { 0, n - 1 } } };
+    while (!left.empty())
+    {
+      const auto [i, j] = left.back();
+      left.pop_back();
+      if (j - i < 2)
+      {
+        continue;
+      }
+      const std::size_t k = middle[i][j];
+      this->Triangles.push_back({ { this->Cycle[i], this->Cycle[k], this->Cycle[j] } });
+      left.push_back({ { i, k } });
+      left.push_back({ { k, j } });
+    }
+    return true;
+  }
+
+  double AreaInSpace(std::size_t a, std::size_t b, std::size_t c) const
+  {
+    const Vector3 twice =
+      cross(difference(this->Relative[b], this->Relative[a]), difference(this->Relative[c], this->Relative[a]));
+    return std::sqrt(dot(twice, twice));
   }
 
   // Twice the area of three corners of the cycle, positive where they run as the face does.
@@ -225,7 +284,9 @@ private:
 
   std::vector<int> Cycle;
   std::vector<Place> Places;
+  std::vector<Vector3> Relative; ///< to the first vertex
   double TwiceArea = 0;
+  double Warp = 0;
   bool Fan = false;
   std::vector<Triangle> Triangles;
 };

@@ -42,12 +42,13 @@ DivisionOutcome PolyhedronDivider::OutcomeOf(PolyhedronSurface::State state)
 DivisionOutcome PolyhedronDivider::DivideSurface()
 {
   const double slack = slackOf(this->Surface, this->Options.IsFloat);
+  const bool cut = this->CutFaces();
   if (!this->Options.DivideConvex && isConvexButForWarp(this->Surface, slack, this->Options.WarpTolerance) &&
-    coneFillsCell(this->Surface, slack))
+    coneFillsCell(this->Surface, slack) && this->WarpedFacesAreFans(slack))
   {
     return DivisionOutcome::Whole;
   }
-  if (!this->CutFaces())
+  if (!cut)
   {
     return DivisionOutcome::BadFace;
   }
@@ -103,6 +104,24 @@ bool PolyhedronDivider::CutFaces()
     const std::vector<Triangle>& triangles = this->Triangulation.GetTriangles();
     this->Cut.Triangles.insert(this->Cut.Triangles.end(), triangles.begin(), triangles.end());
     this->Cut.FaceOf.resize(this->Cut.Triangles.size(), number);
+  }
+  return true;
+}
+
+// A neighbour that is divided uses the triangles of FaceTriangulation.h. On a plane face it does not matter which they are; on a warped
+// one the cell that stays whole must mean the same.
+bool PolyhedronDivider::WarpedFacesAreFans(double slack)
+{
+  const FaceList<int> faces = this->Surface.Faces();
+  for (const int* face = faces.Begin; face != faces.End; face += *face + 1)
+  {
+    const bool fan = *face == 3 ||
+      (this->Triangulation.Cut(face + 1, *face, [this](int v) -> const Vector3& { return this->Surface.Position(v); }) &&
+        this->Triangulation.IsFan());
+    if (!fan && warpOf(this->Surface, face) > slack)
+    {
+      return false;
+    }
   }
   return true;
 }

@@ -74,6 +74,7 @@ private:
   static DivisionOutcome OutcomeOf(PolyhedronSurface::State state);
   DivisionOutcome DivideSurface();
   bool CutFaces();
+  bool WarpedFacesAreFans(double slack);
   bool ConeFromVertex(double smallestHeight);
   bool ConeFromKernel(double smallestHeight);
   void AddCone(int apex);

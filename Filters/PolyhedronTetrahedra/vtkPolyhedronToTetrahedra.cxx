@@ -18,7 +18,6 @@
 #include "vtkUnstructuredGrid.h"
 
 #include <algorithm>
-#include <atomic>
 #include <string>
 
 using nephoscope::DivisionOutcome;
@@ -186,19 +185,14 @@ int vtkPolyhedronToTetrahedra::RequestData(
   return 1;
 }
 
+// In chunks: observers of the progress are called by the thread that asked for the update.
 void vtkPolyhedronToTetrahedra::DivideInParallel(vtkWork& work)
 {
   const vtkIdType n = work.Grid->GetNumberOfCells();
-  std::atomic<vtkIdType> done(0);
+  const vtkIdType chunk = std::max<vtkIdType>(10000, n / 50);
   auto divide = [&](vtkIdType begin, vtkIdType end) {
-    const bool first = vtkSMPTools::GetSingleThread();
-    if (first)
-    {
-      this->UpdateProgress(0.8 * static_cast<double>(done) / static_cast<double>(n));
-      this->CheckAbort();
-    }
     CellReader reader(work.Grid, work.Options);
-    for (vtkIdType cell = begin; cell < end && !this->GetAbortOutput(); ++cell)
+    for (vtkIdType cell = begin; cell < end; ++cell)
     {
       const auto i = static_cast<std::size_t>(cell);
       work.Outcomes[i] = reader.Divide(cell);
@@ -207,11 +201,13 @@ void vtkPolyhedronToTetrahedra::DivideInParallel(vtkWork& work)
         work.Divisions[i] = reader.TakeDivision();
       }
     }
-    done += end - begin;
   };
-  constexpr vtkIdType grain = 500;
-  vtkSMPTools::LocalScope(
-    vtkSMPTools::Config(0, "STDThread", false), [&]() { vtkSMPTools::For(0, n, grain, divide); });
+  for (vtkIdType first = 0; first < n && !this->CheckAbort(); first += chunk)
+  {
+    this->UpdateProgress(0.8 * static_cast<double>(first) / static_cast<double>(n));
+    vtkSMPTools::LocalScope(vtkSMPTools::Config(0, "STDThread", false),
+      [&]() { vtkSMPTools::For(first, std::min(first + chunk, n), divide); });
+  }
 }
 
 // Some hundred cells at a time, so that progress is told and memory does not grow.

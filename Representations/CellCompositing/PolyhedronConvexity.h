@@ -87,6 +87,18 @@ inline MeanPlane meanPlane(const PolyhedronSurface& surface, const int* face)
   return plane;
 }
 
+/** Largest distance of a face's vertices from its mean plane. */
+inline double warpOf(const PolyhedronSurface& surface, const int* face)
+{
+  const MeanPlane plane = meanPlane(surface, face);
+  double warp = 0;
+  for (int k = 1; k <= *face; ++k)
+  {
+    warp = std::max(warp, std::abs(plane.Height(surface.Position(face[k]))));
+  }
+  return warp;
+}
+
 struct Bulge
 {
   double Warp = 0;    ///< largest distance of a face's vertex from the face's mean plane
