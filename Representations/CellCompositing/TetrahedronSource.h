@@ -12,6 +12,7 @@
 
 #include "ChessboardGrid.h"
 #include "LinearCellFaces.h"
+#include "HigherOrderCells.h"
 #include "PolyhedronConvexity.h"
 
 #include "vtkDataSet.h"
@@ -228,21 +229,62 @@ private:
       [this](vtkIdType a, vtkIdType b) { return this->PlaceOf(a) < this->PlaceOf(b); }, emit);
   }
 
-  // Higher-order and other 3-D cells: as VTK triangulates them.
+  // Higher-order and other 3-D cells: as VTK triangulates them, where neighbours then agree.
   template <typename Emit>
   bool EmitTriangulated(vtkIdType cell, Emit emit)
   {
     this->Data->GetCell(cell, this->Cell);
+    auto part = [&](FaceList<int> faces, const int* points) {
+      decomposeCell(
+        faces,
+        [&](int a, int b) {
+          return this->PlaceOf(this->Points->GetId(points[a])) < this->PlaceOf(this->Points->GetId(points[b]));
+        },
+        [&](const std::array<int, 4>& t) {
+          emit(std::array<vtkIdType, 4>{ { this->Points->GetId(points[t[0]]), this->Points->GetId(points[t[1]]),
+            this->Points->GetId(points[t[2]]), this->Points->GetId(points[t[3]]) } });
+        });
+    };
+    if (splitHigherOrderCell(this->Cell->GetRepresentativeCell(), part))
+    {
+      return true;
+    }
     if (this->Cell->GetCellDimension() != 3 || !this->Cell->Triangulate(0, this->Faces, this->CellPoints))
     {
       return false;
     }
+    this->MakeIdsGlobal();
     for (vtkIdType i = 0; i + 3 < this->Faces->GetNumberOfIds(); i += 4)
     {
       const vtkIdType* t = this->Faces->GetPointer(i);
       emit(std::array<vtkIdType, 4>{ { t[0], t[1], t[2], t[3] } });
     }
     return true;
+  }
+
+  // vtkConvexPointSet of VTK 9.2 names its own points from 0 on: the coordinates that come along tell.
+  void MakeIdsGlobal()
+  {
+    vtkIdType* ids = this->Faces->GetPointer(0);
+    const vtkIdType n = this->Faces->GetNumberOfIds(), own = this->Points->GetNumberOfIds();
+    bool global = true, local = true;
+    for (vtkIdType i = 0; i < n; ++i)
+    {
+      global = global && this->IsPlace(ids[i], i);
+      local = local && ids[i] < own && this->IsPlace(this->Points->GetId(ids[i]), i);
+    }
+    for (vtkIdType i = 0; i < n && local && !global; ++i)
+    {
+      ids[i] = this->Points->GetId(ids[i]);
+    }
+  }
+
+  bool IsPlace(vtkIdType point, vtkIdType cellPoint) const
+  {
+    double named[3], meant[3];
+    this->Data->GetPoint(point, named);
+    this->CellPoints->GetPoint(cellPoint, meant);
+    return std::equal(named, named + 3, meant, [](double a, double b) { return float(a) == float(b); });
   }
 
   vtkDataSet* Data;
