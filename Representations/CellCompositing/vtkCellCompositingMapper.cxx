@@ -279,7 +279,8 @@ void vtkCellCompositingMapper::WarnAboutGeometry(const char* arrayName)
   if (geometry.NumberOfNonConvexCells > 0)
   {
     vtkWarningMacro(<< geometry.NumberOfNonConvexCells
-                    << " polyhedra are not convex and are drawn wrong: run vtkPolyhedronToTetrahedra first.");
+                    << (geometry.NumberOfNonConvexCells == 1 ? " polyhedron is" : " polyhedra are")
+                    << " not convex and drawn wrong: run vtkPolyhedronToTetrahedra first.");
   }
 }
 
