@@ -53,7 +53,8 @@ inline bool fillsSurface(const CellDivision& division, const TriangulatedSurface
   const double unit = surface.Surface->Size() * surface.Surface->Size() * surface.Surface->Size();
   const int old = surface.Surface->NumberOfVertices();
   auto position = [&](int v) -> const Vector3& {
-    return v < old ? surface.Surface->Position(v) : division.NewPoints[static_cast<std::size_t>(v - old)];
+    return v < old ? surface.Surface->Position(v)
+                   : division.NewPoints[static_cast<std::size_t>(v - old)];
   };
   std::set<Triangle> open; // wound as the surface's, with the least vertex first
   auto turned = [](Triangle t) {
@@ -69,10 +70,12 @@ inline bool fillsSurface(const CellDivision& division, const TriangulatedSurface
       return false;
     }
     sum += six;
-    for (const Triangle& face : { Triangle{ { t[1], t[2], t[3] } }, Triangle{ { t[0], t[3], t[2] } },
-           Triangle{ { t[0], t[1], t[3] } }, Triangle{ { t[0], t[2], t[1] } } })
+    for (const Triangle& face :
+      { Triangle{ { t[1], t[2], t[3] } }, Triangle{ { t[0], t[3], t[2] } },
+        Triangle{ { t[0], t[1], t[3] } }, Triangle{ { t[0], t[2], t[1] } } })
     {
-      if (open.erase(turned({ { face[0], face[2], face[1] } })) == 0 && !open.insert(turned(face)).second)
+      if (open.erase(turned({ { face[0], face[2], face[1] } })) == 0 &&
+        !open.insert(turned(face)).second)
       {
         return false;
       }

@@ -19,7 +19,8 @@ namespace nephoscope
 {
 namespace
 {
-vtkSmartPointer<vtkPoints> withNewPoints(vtkPoints* old, const CellDivisions& divisions, vtkIdType added)
+vtkSmartPointer<vtkPoints> withNewPoints(
+  vtkPoints* old, const CellDivisions& divisions, vtkIdType added)
 {
   if (added == 0)
   {
@@ -82,8 +83,9 @@ private:
       vtkIdType ids[4];
       for (std::size_t k = 0; k < 4; ++k)
       {
-        ids[k] = t[k] < old ? static_cast<vtkIdType>(division.PointIds[static_cast<std::size_t>(t[k])])
-                            : this->NextNewPoint + t[k] - old;
+        ids[k] = t[k] < old
+          ? static_cast<vtkIdType>(division.PointIds[static_cast<std::size_t>(t[k])])
+          : this->NextNewPoint + t[k] - old;
       }
       this->Output->InsertNextCell(VTK_TETRA, 4, ids);
       this->Parents->InsertNextId(cell);
@@ -131,12 +133,14 @@ ArrayKind kindOf(vtkPointData* data, int index)
   {
     return ArrayKind::Ghosts;
   }
-  return attribute == vtkDataSetAttributes::GLOBALIDS || attribute == vtkDataSetAttributes::PEDIGREEIDS
+  return attribute == vtkDataSetAttributes::GLOBALIDS ||
+      attribute == vtkDataSetAttributes::PEDIGREEIDS
     ? ArrayKind::Ids
     : ArrayKind::Field;
 }
 
-void interpolate(vtkAbstractArray* from, const CellDivisions& divisions, vtkIdType next, vtkAbstractArray* to)
+void interpolate(
+  vtkAbstractArray* from, const CellDivisions& divisions, vtkIdType next, vtkAbstractArray* to)
 {
   vtkNew<vtkIdList> ids;
   std::vector<double> weights;
@@ -148,7 +152,8 @@ void interpolate(vtkAbstractArray* from, const CellDivisions& divisions, vtkIdTy
       weights.clear();
       for (std::size_t v = 0; v < division->PointIds.size(); ++v)
       {
-        if (division->Weights[k][v] != 0) // so that a value that is not finite spreads no further than it must
+        if (division->Weights[k][v] !=
+          0) // so that a value that is not finite spreads no further than it must
         {
           ids->InsertNextId(static_cast<vtkIdType>(division->PointIds[v]));
           weights.push_back(division->Weights[k][v]);
@@ -159,8 +164,8 @@ void interpolate(vtkAbstractArray* from, const CellDivisions& divisions, vtkIdTy
   }
 }
 
-void carryPointArrays(vtkPointData* input, const CellDivisions& divisions, vtkIdType old, vtkIdType added,
-  vtkPointData* output)
+void carryPointArrays(vtkPointData* input, const CellDivisions& divisions, vtkIdType old,
+  vtkIdType added, vtkPointData* output)
 {
   for (int a = 0; a < input->GetNumberOfArrays(); ++a)
   {
@@ -194,7 +199,8 @@ void carryPointArrays(vtkPointData* input, const CellDivisions& divisions, vtkId
 }
 }
 
-vtkIdType buildDividedGrid(vtkUnstructuredGrid* input, const CellDivisions& divisions, vtkUnstructuredGrid* output)
+vtkIdType buildDividedGrid(
+  vtkUnstructuredGrid* input, const CellDivisions& divisions, vtkUnstructuredGrid* output)
 {
   vtkIdType added = 0, cells = 0;
   for (const auto& division : divisions)
@@ -219,7 +225,8 @@ vtkIdType buildDividedGrid(vtkUnstructuredGrid* input, const CellDivisions& divi
   }
   else
   {
-    carryPointArrays(input->GetPointData(), divisions, input->GetNumberOfPoints(), added, output->GetPointData());
+    carryPointArrays(
+      input->GetPointData(), divisions, input->GetNumberOfPoints(), added, output->GetPointData());
   }
   output->GetFieldData()->ShallowCopy(input->GetFieldData());
   return added;

@@ -128,7 +128,8 @@ private:
     const double length = std::sqrt(dot(u, u));
     u = { { u[0] / length, u[1] / length, u[2] / length } };
     const Vector3 across = cross(normal, u);
-    const Vector3 v{ { across[0] / this->TwiceArea, across[1] / this->TwiceArea, across[2] / this->TwiceArea } };
+    const Vector3 v{ { across[0] / this->TwiceArea, across[1] / this->TwiceArea,
+      across[2] / this->TwiceArea } };
     this->Places.resize(n);
     double low = 0, high = 0; // above the first vertex
     for (std::size_t k = 0; k < n; ++k)
@@ -186,8 +187,8 @@ private:
 
   double AreaInSpace(std::size_t a, std::size_t b, std::size_t c) const
   {
-    const Vector3 twice =
-      cross(difference(this->Relative[b], this->Relative[a]), difference(this->Relative[c], this->Relative[a]));
+    const Vector3 twice = cross(difference(this->Relative[b], this->Relative[a]),
+      difference(this->Relative[c], this->Relative[a]));
     return std::sqrt(dot(twice, twice));
   }
 
@@ -262,23 +263,27 @@ private:
     for (const std::size_t other : rest)
     {
       const int vertex = this->Cycle[other];
-      if (vertex != this->Cycle[a] && vertex != this->Cycle[b] && vertex != this->Cycle[c] && this->Covers(a, b, c, other))
+      if (vertex != this->Cycle[a] && vertex != this->Cycle[b] && vertex != this->Cycle[c] &&
+        this->Covers(a, b, c, other))
       {
         return 0;
       }
     }
-    return area / std::sqrt(std::max({ this->Length2(a, b), this->Length2(b, c), this->Length2(c, a) }));
+    return area /
+      std::sqrt(std::max({ this->Length2(a, b), this->Length2(b, c), this->Length2(c, a) }));
   }
 
   bool Covers(std::size_t a, std::size_t b, std::size_t c, std::size_t x) const
   {
     const double zero = -smallestArea * this->TwiceArea;
-    return this->Area(a, b, x) >= zero && this->Area(b, c, x) >= zero && this->Area(c, a, x) >= zero;
+    return this->Area(a, b, x) >= zero && this->Area(b, c, x) >= zero &&
+      this->Area(c, a, x) >= zero;
   }
 
   double Length2(std::size_t a, std::size_t b) const
   {
-    const double x = this->Places[b][0] - this->Places[a][0], y = this->Places[b][1] - this->Places[a][1];
+    const double x = this->Places[b][0] - this->Places[a][0],
+                 y = this->Places[b][1] - this->Places[a][1];
     return x * x + y * y;
   }
 

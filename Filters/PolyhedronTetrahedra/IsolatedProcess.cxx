@@ -47,7 +47,8 @@ void becomeQuiet()
   dup2(nowhere, STDERR_FILENO);
 }
 
-[[noreturn]] void serve(int file, int first, int count, const std::function<std::vector<char>(int)>& work)
+[[noreturn]] void serve(
+  int file, int first, int count, const std::function<std::vector<char>(int)>& work)
 {
   becomeQuiet();
   for (int i = first; i < count; ++i)
@@ -77,7 +78,8 @@ public:
   // One result, or false with a reason (empty: the child has ended).
   bool Read(std::vector<char>& bytes, std::string& reason)
   {
-    this->Deadline = Clock::now() + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(this->Seconds));
+    this->Deadline = Clock::now() +
+      std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(this->Seconds));
     std::uint64_t size = 0;
     if (!this->ReadAll(reinterpret_cast<char*>(&size), sizeof size, reason))
     {
@@ -141,8 +143,9 @@ std::string ending(pid_t child)
   while ((ended = waitpid(child, &status, 0)) < 0 && errno == EINTR)
   {
   }
-  return ended == child && WIFSIGNALED(status) ? "it crashed (signal " + std::to_string(WTERMSIG(status)) + ")"
-                                               : "it ended without a result";
+  return ended == child && WIFSIGNALED(status)
+    ? "it crashed (signal " + std::to_string(WTERMSIG(status)) + ")"
+    : "it ended without a result";
 }
 
 // Runs the calls from `first` in one child; returns the number of the first call without a result.
@@ -214,8 +217,8 @@ std::vector<IsolatedResult> runIsolated(int count, double seconds,
 
 namespace nephoscope
 {
-std::vector<IsolatedResult> runIsolated(int count, double, const std::function<std::vector<char>(int)>& work,
-  const std::function<bool()>& keepGoing)
+std::vector<IsolatedResult> runIsolated(int count, double,
+  const std::function<std::vector<char>(int)>& work, const std::function<bool()>& keepGoing)
 {
   std::vector<IsolatedResult> results(static_cast<std::size_t>(count));
   for (int i = 0; i < count; ++i)

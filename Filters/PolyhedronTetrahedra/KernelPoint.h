@@ -131,8 +131,8 @@ private:
     return sum;
   }
 
-  static bool LineSearch(
-    const std::vector<HalfSpace>& halfSpaces, double mu, const Vector& move, double decrement, Ball& ball)
+  static bool LineSearch(const std::vector<HalfSpace>& halfSpaces, double mu, const Vector& move,
+    double decrement, Ball& ball)
   {
     const double before = Barrier(halfSpaces, mu, ball);
     for (double length = 1; length > 1e-8; length *= 0.5)

@@ -65,8 +65,8 @@ void addMeanValueWeights(const Vector3& x, const std::array<Vector3, 3>& corners
  * The weights of the old vertices at each new one. Vertices from `numberOfOld` on are new; tetrahedra are positively oriented.
  * weights[k][v]: of old vertex v at new vertex k.
  */
-inline std::vector<std::vector<double>> newPointWeights(const std::vector<Vector3>& positions, int numberOfOld,
-  const std::vector<std::array<int, 4>>& tetrahedra)
+inline std::vector<std::vector<double>> newPointWeights(const std::vector<Vector3>& positions,
+  int numberOfOld, const std::vector<std::array<int, 4>>& tetrahedra)
 {
   const auto old = static_cast<std::size_t>(numberOfOld);
   const std::size_t all = positions.size();

@@ -43,7 +43,8 @@ DivisionOutcome PolyhedronDivider::DivideSurface()
 {
   const double slack = slackOf(this->Surface, this->Options.IsFloat);
   const bool cut = this->CutFaces();
-  if (!this->Options.DivideConvex && isConvexButForWarp(this->Surface, slack, this->Options.WarpTolerance) &&
+  if (!this->Options.DivideConvex &&
+    isConvexButForWarp(this->Surface, slack, this->Options.WarpTolerance) &&
     coneFillsCell(this->Surface, slack) && this->WarpedFacesAreFans(slack))
   {
     return DivisionOutcome::Whole;
@@ -115,9 +116,10 @@ bool PolyhedronDivider::WarpedFacesAreFans(double slack)
   const FaceList<int> faces = this->Surface.Faces();
   for (const int* face = faces.Begin; face != faces.End; face += *face + 1)
   {
-    const bool fan = *face == 3 ||
-      (this->Triangulation.Cut(face + 1, *face, [this](int v) -> const Vector3& { return this->Surface.Position(v); }) &&
-        this->Triangulation.IsFan());
+    const bool fan =
+      *face == 3 || (this->Triangulation.Cut(face + 1, *face, [this](int v) -> const Vector3& {
+        return this->Surface.Position(v);
+      }) && this->Triangulation.IsFan());
     if (!fan && warpOf(this->Surface, face) > slack)
     {
       return false;
@@ -134,8 +136,9 @@ double PolyhedronDivider::LowestHeight(int apex) const
   {
     if (t[0] != apex && t[1] != apex && t[2] != apex)
     {
-      lowest = std::min(lowest, heightBelow(this->Surface.Position(apex), this->Surface.Position(t[0]),
-                                  this->Surface.Position(t[1]), this->Surface.Position(t[2])));
+      lowest = std::min(lowest,
+        heightBelow(this->Surface.Position(apex), this->Surface.Position(t[0]),
+          this->Surface.Position(t[1]), this->Surface.Position(t[2])));
     }
   }
   return lowest;
@@ -174,7 +177,8 @@ bool PolyhedronDivider::ConeFromKernel(double smallestHeight)
   {
     return false;
   }
-  Vector3 center{ { low[0] + ball.Center[0] * size, low[1] + ball.Center[1] * size, low[2] + ball.Center[2] * size } };
+  Vector3 center{ { low[0] + ball.Center[0] * size, low[1] + ball.Center[1] * size,
+    low[2] + ball.Center[2] * size } };
   this->Division.NewPoints.push_back(this->Options.IsFloat ? roundedToFloat(center) : center);
   this->AddCone(this->Surface.NumberOfVertices());
   return true;
@@ -202,8 +206,10 @@ void PolyhedronDivider::FinishDivision()
   {
     positions.push_back(this->Surface.Position(v));
   }
-  positions.insert(positions.end(), this->Division.NewPoints.begin(), this->Division.NewPoints.end());
-  this->Division.Weights = newPointWeights(positions, this->Surface.NumberOfVertices(), this->Division.Tetrahedra);
+  positions.insert(
+    positions.end(), this->Division.NewPoints.begin(), this->Division.NewPoints.end());
+  this->Division.Weights =
+    newPointWeights(positions, this->Surface.NumberOfVertices(), this->Division.Tetrahedra);
 }
 
 } // namespace nephoscope

@@ -58,7 +58,8 @@ struct Frame
 };
 
 // Where the line from p along d crosses a triangle: the multiple of d, or a negative number.
-double crossing(const Vector3& p, const Vector3& d, const Vector3& a, const Vector3& b, const Vector3& c)
+double crossing(
+  const Vector3& p, const Vector3& d, const Vector3& a, const Vector3& b, const Vector3& c)
 {
   const Vector3 ab = difference(b, a), ac = difference(c, a), ap = difference(p, a);
   const Vector3 h = cross(d, ac);
@@ -97,7 +98,8 @@ Vector3 pointInCavity(const TriangulatedSurface& cut, const Frame& frame, int fa
     nearest = t > 0 ? std::min(nearest, t) : nearest;
   }
   const double half = nearest / 2;
-  return { { middle[0] + half * normal[0], middle[1] + half * normal[1], middle[2] + half * normal[2] } };
+  return { { middle[0] + half * normal[0], middle[1] + half * normal[1],
+    middle[2] + half * normal[2] } };
 }
 
 void setPoint(double* list, int index, const Vector3& x)
@@ -155,11 +157,13 @@ void append(std::vector<char>& bytes, const T* values, std::size_t count)
 std::vector<char> pack(const tetgenio& out, int numberOfVertices, int code)
 {
   std::vector<char> bytes;
-  const Header header = { code, code ? 0 : out.numberofpoints - numberOfVertices, code ? 0 : out.numberoftetrahedra };
+  const Header header = { code, code ? 0 : out.numberofpoints - numberOfVertices,
+    code ? 0 : out.numberoftetrahedra };
   append(bytes, &header, 1);
   if (code == 0)
   {
-    append(bytes, out.pointlist + 3 * numberOfVertices, 3 * static_cast<std::size_t>(header.NewPoints));
+    append(
+      bytes, out.pointlist + 3 * numberOfVertices, 3 * static_cast<std::size_t>(header.NewPoints));
     append(bytes, out.tetrahedronlist, 4 * static_cast<std::size_t>(header.Tetrahedra));
   }
   return bytes;
@@ -250,7 +254,8 @@ void divideByTetGen(std::vector<TetGenTask>& tasks, const std::function<bool()>&
     tasks[i].Failure = results[i].Failure;
     if (tasks[i].Failure.empty())
     {
-      tasks[i].Failure = explain(unpack(results[i].Bytes, Frame(*tasks[i].Surface->Surface), *tasks[i].Division));
+      tasks[i].Failure =
+        explain(unpack(results[i].Bytes, Frame(*tasks[i].Surface->Surface), *tasks[i].Division));
     }
   }
 }

@@ -61,11 +61,12 @@ public:
     {
       return DivisionOutcome::NotClosed;
     }
-    return this->Divider.Divide(nephoscope::FaceList<vtkIdType>{ ids + 1, ids + size }, [this](vtkIdType id) {
-      nephoscope::Vector3 x;
-      this->Points->GetPoint(id, x.data());
-      return x;
-    });
+    return this->Divider.Divide(
+      nephoscope::FaceList<vtkIdType>{ ids + 1, ids + size }, [this](vtkIdType id) {
+        nephoscope::Vector3 x;
+        this->Points->GetPoint(id, x.data());
+        return x;
+      });
   }
 
   nephoscope::PolyhedronDivider& GetDivider() { return this->Divider; }
@@ -128,11 +129,13 @@ std::vector<Complaint> complaints(bool useTetGen, const std::string& reason)
   return {
     { DivisionOutcome::NotStar, "not star-shaped, no single point sees the whole inside", enable },
     { DivisionOutcome::Failed, "not star-shaped, and TetGen does not divide it",
-      "TetGen on the first: " + reason + ". Most often the faces of such a cell cross each other: repair it." },
+      "TetGen on the first: " + reason +
+        ". Most often the faces of such a cell cross each other: repair it." },
     { DivisionOutcome::NotClosed, "not closed: an edge belongs to one face, or to more than two",
       "Repair its faces; where a neighbour has a point in the middle of an edge, both faces at the edge must have it." },
     { DivisionOutcome::NotOriented, "one-sided: its faces have no inside", "Repair its faces." },
-    { DivisionOutcome::BadFace, "bounded by a face that has no area or crosses itself", "Repair its faces." },
+    { DivisionOutcome::BadFace, "bounded by a face that has no area or crosses itself",
+      "Repair its faces." },
     { DivisionOutcome::NotFinite, "bounded by a point whose coordinates are not finite",
       "Remove the cell, or repair the point." },
   };
@@ -165,7 +168,8 @@ int vtkPolyhedronToTetrahedra::RequestData(
   work.Options.DivideConvex = this->DivideConvexPolyhedra;
   work.Options.WarpTolerance = this->FaceWarpTolerance;
   work.Options.IsFloat = work.Grid->GetPoints()->GetDataType() == VTK_FLOAT;
-  work.Outcomes.resize(static_cast<std::size_t>(work.Grid->GetNumberOfCells()), DivisionOutcome::Whole);
+  work.Outcomes.resize(
+    static_cast<std::size_t>(work.Grid->GetNumberOfCells()), DivisionOutcome::Whole);
   work.Divisions.resize(work.Outcomes.size());
   this->DivideInParallel(work);
   this->DivideByTetGen(work);
@@ -178,8 +182,8 @@ int vtkPolyhedronToTetrahedra::RequestData(
     std::count(work.Outcomes.begin(), work.Outcomes.end(), DivisionOutcome::Divided);
   if (this->NumberOfDividedCells > 0)
   {
-    this->NumberOfNewPoints =
-      nephoscope::buildDividedGrid(work.Grid, work.Divisions, vtkUnstructuredGrid::SafeDownCast(output));
+    this->NumberOfNewPoints = nephoscope::buildDividedGrid(
+      work.Grid, work.Divisions, vtkUnstructuredGrid::SafeDownCast(output));
   }
   this->Report(work);
   return 1;
@@ -229,13 +233,15 @@ void vtkPolyhedronToTetrahedra::DivideByTetGen(vtkWork& work)
   for (std::size_t first = 0; first < cells.size() && !this->CheckAbort(); first += batch)
   {
     const std::size_t last = std::min(first + batch, cells.size());
-    this->DivideBatchByTetGen(work, { cells.begin() + static_cast<std::ptrdiff_t>(first),
-                                      cells.begin() + static_cast<std::ptrdiff_t>(last) });
+    this->DivideBatchByTetGen(work,
+      { cells.begin() + static_cast<std::ptrdiff_t>(first),
+        cells.begin() + static_cast<std::ptrdiff_t>(last) });
     this->UpdateProgress(0.8 + 0.1 * static_cast<double>(last) / static_cast<double>(cells.size()));
   }
 }
 
-void vtkPolyhedronToTetrahedra::DivideBatchByTetGen(vtkWork& work, const std::vector<std::size_t>& cells)
+void vtkPolyhedronToTetrahedra::DivideBatchByTetGen(
+  vtkWork& work, const std::vector<std::size_t>& cells)
 {
   std::vector<std::unique_ptr<CellReader>> readers;
   std::vector<nephoscope::TetGenTask> tasks;
@@ -270,8 +276,9 @@ void vtkPolyhedronToTetrahedra::Report(const vtkWork& work)
     }
     this->NumberOfUndividedCells += count;
     const auto first = std::find(work.Outcomes.begin(), work.Outcomes.end(), complaint.Outcome);
-    vtkWarningMacro(<< count << (count == 1 ? " polyhedron is" : " polyhedra are") << " passed without being divided (cell "
-                    << first - work.Outcomes.begin() << (count == 1 ? "" : " is the first") << "): " << complaint.What << ". "
+    vtkWarningMacro(<< count << (count == 1 ? " polyhedron is" : " polyhedra are")
+                    << " passed without being divided (cell " << first - work.Outcomes.begin()
+                    << (count == 1 ? "" : " is the first") << "): " << complaint.What << ". "
                     << complaint.Remedy);
   }
 }

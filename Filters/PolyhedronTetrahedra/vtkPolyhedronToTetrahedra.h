@@ -39,7 +39,8 @@
 #include <cstddef>
 #include <vector> // for lists of cells
 
-class VTKNEPHOSCOPEFILTERSPOLYHEDRONTETRAHEDRA_EXPORT vtkPolyhedronToTetrahedra : public vtkDataSetAlgorithm
+class VTKNEPHOSCOPEFILTERSPOLYHEDRONTETRAHEDRA_EXPORT vtkPolyhedronToTetrahedra
+  : public vtkDataSetAlgorithm
 {
 public:
   static vtkPolyhedronToTetrahedra* New();

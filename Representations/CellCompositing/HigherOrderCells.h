@@ -22,8 +22,8 @@ namespace nephoscope
 {
 
 /** The middle of a quadratic pyramid, between the middles of its edges: two squares and eight triangles. */
-constexpr int pyramidCoreFaceList[] = { 4, 0, 1, 2, 3, 4, 4, 5, 6, 7, 3, 0, 4, 5, 3, 1, 5, 6, 3, 2, 6, 7, 3, 3, 7, 4, 3, 0,
-  3, 4, 3, 1, 0, 5, 3, 2, 1, 6, 3, 3, 2, 7 };
+constexpr int pyramidCoreFaceList[] = { 4, 0, 1, 2, 3, 4, 4, 5, 6, 7, 3, 0, 4, 5, 3, 1, 5, 6, 3, 2,
+  6, 7, 3, 3, 7, 4, 3, 0, 3, 4, 3, 1, 0, 5, 3, 2, 1, 6, 3, 3, 2, 7 };
 
 /** Calls emit(faces, points): a linear cell, and its points as the numbers that they have in the quadratic pyramid. */
 template <typename Emit>
@@ -52,8 +52,8 @@ void splitHexahedron(vtkHigherOrderHexahedron* cell, Emit emit)
       for (int i = 0; i < order[0]; ++i)
       {
         auto at = [&](int a, int b, int c) { return cell->PointIndexFromIJK(i + a, j + b, k + c); };
-        const int points[] = { at(0, 0, 0), at(1, 0, 0), at(1, 1, 0), at(0, 1, 0), at(0, 0, 1), at(1, 0, 1), at(1, 1, 1),
-          at(0, 1, 1) };
+        const int points[] = { at(0, 0, 0), at(1, 0, 0), at(1, 1, 0), at(0, 1, 0), at(0, 0, 1),
+          at(1, 0, 1), at(1, 1, 1), at(0, 1, 1) };
         emit(makeFaceList(hexahedronFaceList), points);
       }
     }
@@ -71,11 +71,13 @@ void splitWedge(vtkHigherOrderWedge* cell, Emit emit)
       for (int i = 0; i + j < order[0]; ++i)
       {
         auto at = [&](int a, int b, int c) { return cell->PointIndexFromIJK(i + a, j + b, k + c); };
-        const int upright[] = { at(0, 0, 0), at(1, 0, 0), at(0, 1, 0), at(0, 0, 1), at(1, 0, 1), at(0, 1, 1) };
+        const int upright[] = { at(0, 0, 0), at(1, 0, 0), at(0, 1, 0), at(0, 0, 1), at(1, 0, 1),
+          at(0, 1, 1) };
         emit(makeFaceList(wedgeFaceList), upright);
         if (i + j + 1 < order[0])
         {
-          const int turned[] = { at(1, 0, 0), at(1, 1, 0), at(0, 1, 0), at(1, 0, 1), at(1, 1, 1), at(0, 1, 1) };
+          const int turned[] = { at(1, 0, 0), at(1, 1, 0), at(0, 1, 0), at(1, 0, 1), at(1, 1, 1),
+            at(0, 1, 1) };
           emit(makeFaceList(wedgeFaceList), turned);
         }
       }

@@ -34,7 +34,8 @@ constexpr double planeTolerance = 1e-6; ///< of the cell's size
 /** Lengths below this are rounding. `isFloat`: the coordinates were stored in 32 bits. */
 inline double slackOf(const PolyhedronSurface& surface, bool isFloat)
 {
-  const double step = isFloat ? double(std::numeric_limits<float>::epsilon()) : std::numeric_limits<double>::epsilon();
+  const double step = isFloat ? double(std::numeric_limits<float>::epsilon())
+                              : std::numeric_limits<double>::epsilon();
   return planeTolerance * surface.Size() + 8 * step * surface.Magnitude();
 }
 
@@ -49,8 +50,9 @@ inline bool coneFillsCell(const PolyhedronSurface& surface, double slack)
   decomposeCell(
     surface.Faces(), [](int a, int b) { return a < b; },
     [&](const std::array<int, 4>& t) {
-      fills = fills && sixVolumes(surface.Position(t[0]), surface.Position(t[1]), surface.Position(t[2]),
-                         surface.Position(t[3])) >= lowest;
+      fills = fills &&
+        sixVolumes(surface.Position(t[0]), surface.Position(t[1]), surface.Position(t[2]),
+          surface.Position(t[3])) >= lowest;
     });
   return fills;
 }
@@ -132,7 +134,8 @@ inline Bulge measureBulge(const PolyhedronSurface& surface)
 inline bool isConvexButForWarp(const PolyhedronSurface& surface, double slack, double warpTolerance)
 {
   const Bulge bulge = measureBulge(surface);
-  return bulge.Warp <= warpTolerance * surface.Size() + slack && bulge.Outside <= bulge.Warp + slack;
+  return bulge.Warp <= warpTolerance * surface.Size() + slack &&
+    bulge.Outside <= bulge.Warp + slack;
 }
 
 } // namespace nephoscope

@@ -46,10 +46,16 @@ public:
   State Build(FaceList<Index> faces, Place place);
 
   int NumberOfVertices() const { return static_cast<int>(this->Positions.size()); }
-  const Vector3& Position(int vertex) const { return this->Positions[static_cast<std::size_t>(vertex)]; }
+  const Vector3& Position(int vertex) const
+  {
+    return this->Positions[static_cast<std::size_t>(vertex)];
+  }
   /** The point id of a vertex; where several coincide, the least of them. */
   long long PointId(int vertex) const { return this->Ids[static_cast<std::size_t>(vertex)]; }
-  FaceList<int> Faces() const { return { this->Flat.data(), this->Flat.data() + this->Flat.size() }; }
+  FaceList<int> Faces() const
+  {
+    return { this->Flat.data(), this->Flat.data() + this->Flat.size() };
+  }
   /** One face (its place in Faces()) of each part that bounds a cavity. */
   const std::vector<int>& CavityFaces() const { return this->Cavities; }
   /** Diagonal of the bounding box. */
@@ -73,7 +79,10 @@ private:
   int RankOf(long long id) const;
   bool CollectEdges();
   bool Wind();
-  void Flip(int face) { std::reverse(this->Face(face) + 1, this->Face(face) + 1 + *this->Face(face)); }
+  void Flip(int face)
+  {
+    std::reverse(this->Face(face) + 1, this->Face(face) + 1 + *this->Face(face));
+  }
   void TurnParts();
   double SixVolumesOfPart(int part);
   bool IsInside(const Vector3& point, int part);
@@ -83,8 +92,8 @@ private:
   std::vector<std::pair<long long, int>> Ranks; ///< point id, vertex; sorted
   std::vector<int> Flat;                        ///< size, vertices, size, vertices, ...
   std::vector<std::size_t> Starts;              ///< of each face in Flat
-  std::vector<Edge> Edges;                      ///< pairs: the two faces at an edge follow each other
-  std::vector<int> Parts;                       ///< the connected part of each face
+  std::vector<Edge> Edges; ///< pairs: the two faces at an edge follow each other
+  std::vector<int> Parts;  ///< the connected part of each face
   int NumberOfParts = 0;
   std::vector<int> Cavities;
   double Diagonal = 0;
@@ -270,7 +279,8 @@ inline bool PolyhedronSurface::Wind()
         const Edge& here = this->Edges[e];
         const Edge& there = this->Edges[e ^ 1];
         const auto other = static_cast<std::size_t>(there.Face);
-        const char turn = static_cast<char>(turned[face] ^ static_cast<char>(here.Rising == there.Rising));
+        const char turn =
+          static_cast<char>(turned[face] ^ static_cast<char>(here.Rising == there.Rising));
         if (this->Parts[other] < 0)
         {
           this->Parts[other] = part;
@@ -303,7 +313,8 @@ inline double PolyhedronSurface::SixVolumesOfPart(int part)
     const int* face = this->Face(static_cast<int>(f));
     for (int k = 2; this->Parts[f] == part && k < *face; ++k)
     {
-      sum += sixVolumes(origin, this->Position(face[1]), this->Position(face[k]), this->Position(face[k + 1]));
+      sum += sixVolumes(
+        origin, this->Position(face[1]), this->Position(face[k]), this->Position(face[k + 1]));
     }
   }
   return sum;
@@ -335,8 +346,8 @@ inline void PolyhedronSurface::TurnParts()
   this->Cavities.clear();
   for (int part = 0; part < this->NumberOfParts; ++part)
   {
-    const auto own =
-      static_cast<int>(std::find(this->Parts.begin(), this->Parts.end(), part) - this->Parts.begin());
+    const auto own = static_cast<int>(
+      std::find(this->Parts.begin(), this->Parts.end(), part) - this->Parts.begin());
     const Vector3& point = this->Position(this->Face(own)[1]);
     bool cavity = false;
     for (int other = 0; other < this->NumberOfParts; ++other)

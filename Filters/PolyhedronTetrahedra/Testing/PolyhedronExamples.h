@@ -19,19 +19,24 @@ struct Polyhedron
   std::vector<Vector3> Points;
   std::vector<int> Faces; ///< size, vertices, size, vertices, ...
 
-  nephoscope::FaceList<int> FaceStream() const { return { Faces.data(), Faces.data() + Faces.size() }; }
+  nephoscope::FaceList<int> FaceStream() const
+  {
+    return { Faces.data(), Faces.data() + Faces.size() };
+  }
   nephoscope::PolyhedronSurface::State Build(nephoscope::PolyhedronSurface& surface) const
   {
-    return surface.Build(this->FaceStream(), [this](int v) { return this->Points[static_cast<std::size_t>(v)]; });
+    return surface.Build(
+      this->FaceStream(), [this](int v) { return this->Points[static_cast<std::size_t>(v)]; });
   }
 };
 
 using Polygon = std::vector<std::array<double, 2>>;
 
 inline const Polygon squarePolygon = { { { 0, 0 } }, { { 1, 0 } }, { { 1, 1 } }, { { 0, 1 } } };
-inline const Polygon lPolygon = { { { 0, 0 } }, { { 2, 0 } }, { { 2, 1 } }, { { 1, 1 } }, { { 1, 2 } }, { { 0, 2 } } };
-inline const Polygon uPolygon = { { { 0, 0 } }, { { 3, 0 } }, { { 3, 2 } }, { { 2, 2 } }, { { 2, 1 } }, { { 1, 1 } },
+inline const Polygon lPolygon = { { { 0, 0 } }, { { 2, 0 } }, { { 2, 1 } }, { { 1, 1 } },
   { { 1, 2 } }, { { 0, 2 } } };
+inline const Polygon uPolygon = { { { 0, 0 } }, { { 3, 0 } }, { { 3, 2 } }, { { 2, 2 } },
+  { { 2, 1 } }, { { 1, 1 } }, { { 1, 2 } }, { { 0, 2 } } };
 
 /** A right prism of height 1. */
 inline Polyhedron makePrism(const Polygon& polygon)
@@ -98,8 +103,8 @@ inline double volumeOf(const nephoscope::PolyhedronSurface& surface)
   {
     for (int k = 2; k < *face; ++k)
     {
-      six += nephoscope::sixVolumes(surface.Position(0), surface.Position(face[1]), surface.Position(face[k]),
-        surface.Position(face[k + 1]));
+      six += nephoscope::sixVolumes(surface.Position(0), surface.Position(face[1]),
+        surface.Position(face[k]), surface.Position(face[k + 1]));
     }
   }
   return six / 6;

@@ -30,15 +30,18 @@ struct Face
     for (std::size_t k = 0; k < polygon.size(); ++k)
     {
       const auto& p = polygon[k];
-      places.push_back({ { p[0], p[1] + 0.1 * p[0], 0.3 * p[0] - 0.2 * p[1] + (k % 2 ? warp : -warp) } });
+      places.push_back(
+        { { p[0], p[1] + 0.1 * p[0], 0.3 * p[0] - 0.2 * p[1] + (k % 2 ? warp : -warp) } });
     }
     this->Positions = places;
     std::sort(this->Positions.begin(), this->Positions.end());
-    this->Positions.erase(std::unique(this->Positions.begin(), this->Positions.end()), this->Positions.end());
+    this->Positions.erase(
+      std::unique(this->Positions.begin(), this->Positions.end()), this->Positions.end());
     for (const Vector3& x : places)
     {
-      this->Vertices.push_back(static_cast<int>(
-        std::lower_bound(this->Positions.begin(), this->Positions.end(), x) - this->Positions.begin()));
+      this->Vertices.push_back(
+        static_cast<int>(std::lower_bound(this->Positions.begin(), this->Positions.end(), x) -
+          this->Positions.begin()));
     }
   }
   bool Cut(FaceTriangulation& triangulation) const
@@ -57,7 +60,8 @@ struct Face
     Vector3 sum{ { 0, 0, 0 } };
     for (std::size_t k = 1; k + 1 < this->Vertices.size(); ++k)
     {
-      const Vector3 a = this->AreaVector({ { this->Vertices[0], this->Vertices[k], this->Vertices[k + 1] } });
+      const Vector3 a =
+        this->AreaVector({ { this->Vertices[0], this->Vertices[k], this->Vertices[k + 1] } });
       for (std::size_t i = 0; i < 3; ++i)
       {
         sum[i] += a[i];
@@ -117,7 +121,8 @@ std::vector<HalfSpace> halfSpacesOf(const Polyhedron& p)
     Vector3 n{ { 0, 0, 0 } };
     for (int k = 2; k < *face; ++k)
     {
-      const Vector3 part = cross(difference(surface.Position(face[k]), a), difference(surface.Position(face[k + 1]), a));
+      const Vector3 part = cross(
+        difference(surface.Position(face[k]), a), difference(surface.Position(face[k + 1]), a));
       n = { { n[0] + part[0], n[1] + part[1], n[2] + part[2] } };
     }
     const double length = std::sqrt(dot(n, n));
@@ -184,8 +189,8 @@ TEST(FaceTriangulation, ConvexFacesAreTheMappersFans)
 
 TEST(FaceTriangulation, FacesWithAHoleThroughABridge)
 {
-  const Face face({ { { 0, 0 } }, { { 3, 0 } }, { { 3, 3 } }, { { 0, 3 } }, { { 0, 0 } }, { { 1, 1 } }, { { 1, 2 } }, { { 2, 2 } },
-    { { 2, 1 } }, { { 1, 1 } } });
+  const Face face({ { { 0, 0 } }, { { 3, 0 } }, { { 3, 3 } }, { { 0, 3 } }, { { 0, 0 } },
+    { { 1, 1 } }, { { 1, 2 } }, { { 2, 2 } }, { { 2, 1 } }, { { 1, 1 } } });
   FaceTriangulation triangulation;
   ASSERT_TRUE(face.Cut(triangulation));
   expectCovers(face, triangulation);
@@ -216,7 +221,8 @@ TEST(KernelPoint, FindsTheLargestBall)
     EXPECT_GT(ball.Radius, 0.98 * 0.5);
     EXPECT_LE(ball.Radius, 0.5 + 1e-12);
   }
-  const Polyhedron tetrahedron{ { { { 0, 0, 0 } }, { { 1, 0, 0 } }, { { 0, 1, 0 } }, { { 0, 0, 1 } } },
+  const Polyhedron tetrahedron{ { { { 0, 0, 0 } }, { { 1, 0, 0 } }, { { 0, 1, 0 } },
+                                  { { 0, 0, 1 } } },
     { 3, 0, 1, 2, 3, 0, 1, 3, 3, 0, 2, 3, 3, 1, 2, 3 } };
   const double inscribed = 3 * (1.0 / 6) / (1.5 + std::sqrt(3.0) / 2);
   const Ball ball = KernelPoint::Find(halfSpacesOf(tetrahedron));
@@ -229,7 +235,8 @@ TEST(KernelPoint, SmallKernelsAreFoundAndEmptyOnesKnown)
   // A block with a notch from above down to a height of `gap`: the kernel is a prism over a triangle of that height.
   for (const double gap : { 0.3, 1e-1, 1e-2, 1e-3, 1e-4 })
   {
-    const Polygon notch = { { { 0, 0 } }, { { 2, 0 } }, { { 2, 1 } }, { { 1, gap } }, { { 0, 1 } } };
+    const Polygon notch = { { { 0, 0 } }, { { 2, 0 } }, { { 2, 1 } }, { { 1, gap } },
+      { { 0, 1 } } };
     const double half = gap / (1 - gap), leg = std::sqrt(gap * gap + half * half);
     const double inscribed = half * gap / (half + leg);
     const Ball ball = KernelPoint::Find(halfSpacesOf(makePrism(notch)));
@@ -242,8 +249,8 @@ TEST(KernelPoint, SmallKernelsAreFoundAndEmptyOnesKnown)
 TEST(MeanValueWeights, AreEqualWhereSymmetryAsksForIt)
 {
   // The middle of an octahedron.
-  std::vector<Vector3> x = { { { 1, 0, 0 } }, { { -1, 0, 0 } }, { { 0, 1, 0 } }, { { 0, -1, 0 } }, { { 0, 0, 1 } }, { { 0, 0, -1 } },
-    { { 0, 0, 0 } } };
+  std::vector<Vector3> x = { { { 1, 0, 0 } }, { { -1, 0, 0 } }, { { 0, 1, 0 } }, { { 0, -1, 0 } },
+    { { 0, 0, 1 } }, { { 0, 0, -1 } }, { { 0, 0, 0 } } };
   std::vector<std::array<int, 4>> tetrahedra;
   for (int a = 0; a < 2; ++a)
   {

@@ -25,7 +25,8 @@ void shuffleFaces(Polyhedron& p, Random& random)
   {
     const auto begin = p.Faces.begin() + static_cast<std::ptrdiff_t>(i) + 1;
     const auto end = begin + p.Faces[i];
-    std::rotate(begin, begin + static_cast<std::ptrdiff_t>(random.Uniform(0, 1) * p.Faces[i] * 0.999), end);
+    std::rotate(
+      begin, begin + static_cast<std::ptrdiff_t>(random.Uniform(0, 1) * p.Faces[i] * 0.999), end);
     if (random.Uniform(0, 1) < 0.5)
     {
       std::reverse(begin, end);
@@ -47,7 +48,8 @@ TEST(PolyhedronSurface, WindsFacesOutward)
   Random random(1);
   for (int trial = 0; trial < 50; ++trial)
   {
-    for (const auto& [polygon, volume] : { std::make_pair(squarePolygon, 1.0), std::make_pair(lPolygon, 3.0), std::make_pair(uPolygon, 5.0) })
+    for (const auto& [polygon, volume] : { std::make_pair(squarePolygon, 1.0),
+           std::make_pair(lPolygon, 3.0), std::make_pair(uPolygon, 5.0) })
     {
       Polyhedron prism = makePrism(polygon);
       shuffleFaces(prism, random);
@@ -79,7 +81,8 @@ TEST(PolyhedronSurface, CavitiesAreTakenAwayAndIslandsAdded)
 TEST(PolyhedronSurface, MergesPointsAtOnePlace)
 {
   Polyhedron wedge = makePrism(squarePolygon);
-  wedge.Points[6] = wedge.Points[2] = { { 1, 1, 0.5 } }; // one edge shrinks to a point, whose two numbers stay
+  wedge.Points[6] =
+    wedge.Points[2] = { { 1, 1, 0.5 } }; // one edge shrinks to a point, whose two numbers stay
   PolyhedronSurface surface;
   ASSERT_EQ(wedge.Build(surface), State::Closed);
   EXPECT_EQ(surface.NumberOfVertices(), 7);
@@ -103,10 +106,12 @@ TEST(PolyhedronSurface, RefusesWhatHasNoInside)
   Random random(3);
   for (int k = 0; k < 6; ++k)
   {
-    plane.Points.push_back({ { random.Uniform(0, 1), random.Uniform(0, 1), random.Uniform(0, 1) } });
+    plane.Points.push_back(
+      { { random.Uniform(0, 1), random.Uniform(0, 1), random.Uniform(0, 1) } });
   }
-  for (const auto& t : { std::array<int, 3>{ { 0, 1, 2 } }, { { 0, 2, 3 } }, { { 0, 3, 4 } }, { { 0, 4, 5 } }, { { 0, 5, 1 } },
-         { { 1, 2, 4 } }, { { 2, 3, 5 } }, { { 3, 4, 1 } }, { { 4, 5, 2 } }, { { 5, 1, 3 } } })
+  for (const auto& t : { std::array<int, 3>{ { 0, 1, 2 } }, { { 0, 2, 3 } }, { { 0, 3, 4 } },
+         { { 0, 4, 5 } }, { { 0, 5, 1 } }, { { 1, 2, 4 } }, { { 2, 3, 5 } }, { { 3, 4, 1 } },
+         { { 4, 5, 2 } }, { { 5, 1, 3 } } })
   {
     plane.Faces.insert(plane.Faces.end(), { 3, t[0], t[1], t[2] });
   }
@@ -119,15 +124,19 @@ TEST(PolyhedronConvexity, OfPlaneFaces)
   EXPECT_FALSE(isConvex(makePrism(lPolygon)));
   EXPECT_FALSE(isConvex(makePrism(uPolygon)));
   // With a point in the middle of an edge, and a face cut in two.
-  EXPECT_TRUE(isConvex(makePrism({ { { 0, 0 } }, { { 0.5, 0 } }, { { 1, 0 } }, { { 1, 1 } }, { { 0, 1 } } })));
+  EXPECT_TRUE(isConvex(
+    makePrism({ { { 0, 0 } }, { { 0.5, 0 } }, { { 1, 0 } }, { { 1, 1 } }, { { 0, 1 } } })));
   // A dent of a thousandth, a bulge of a thousandth.
-  EXPECT_FALSE(isConvex(makePrism({ { { 0, 0 } }, { { 0.5, 1e-3 } }, { { 1, 0 } }, { { 1, 1 } }, { { 0, 1 } } })));
-  EXPECT_TRUE(isConvex(makePrism({ { { 0, 0 } }, { { 0.5, -1e-3 } }, { { 1, 0 } }, { { 1, 1 } }, { { 0, 1 } } })));
+  EXPECT_FALSE(isConvex(
+    makePrism({ { { 0, 0 } }, { { 0.5, 1e-3 } }, { { 1, 0 } }, { { 1, 1 } }, { { 0, 1 } } })));
+  EXPECT_TRUE(isConvex(
+    makePrism({ { { 0, 0 } }, { { 0.5, -1e-3 } }, { { 1, 0 } }, { { 1, 1 } }, { { 0, 1 } } })));
 }
 
 TEST(PolyhedronConvexity, DoesNotDependOnScaleOrPlace)
 {
-  const Polyhedron dented = makePrism({ { { 0, 0 } }, { { 0.5, 1e-3 } }, { { 1, 0 } }, { { 1, 1 } }, { { 0, 1 } } });
+  const Polyhedron dented =
+    makePrism({ { { 0, 0 } }, { { 0.5, 1e-3 } }, { { 1, 0 } }, { { 1, 1 } }, { { 0, 1 } } });
   for (const double scale : { 1e-12, 1e-3, 1e9 })
   {
     for (const double far : { 0.0, 1e3 })
@@ -147,7 +156,8 @@ TEST(PolyhedronConvexity, ForgivesTheRoundingOfFloats)
   {
     const double pi = std::acos(-1.0), angle = pi / 6 * (k / 2), next = pi / 6 * (k / 2 + 1);
     const double half = k % 2 ? 0.5 : 0.0;
-    polygon.push_back({ { (1 - half) * std::cos(angle) + half * std::cos(next), (1 - half) * std::sin(angle) + half * std::sin(next) } });
+    polygon.push_back({ { (1 - half) * std::cos(angle) + half * std::cos(next),
+      (1 - half) * std::sin(angle) + half * std::sin(next) } });
   }
   for (const double far : { 0.0, 10.0, 1e3 })
   {
@@ -199,8 +209,8 @@ TEST(PolyhedronConvexity, AConeThatIsInvertedIsFoundWhateverTheWarp)
     decomposeCell(
       surface.Faces(), [](int a, int b) { return a < b; },
       [&](const std::array<int, 4>& t) {
-        const double six = sixVolumes(
-          surface.Position(t[0]), surface.Position(t[1]), surface.Position(t[2]), surface.Position(t[3]));
+        const double six = sixVolumes(surface.Position(t[0]), surface.Position(t[1]),
+          surface.Position(t[2]), surface.Position(t[3]));
         all += std::abs(six);
         withSign += six;
       });
