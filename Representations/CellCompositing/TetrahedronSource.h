@@ -11,8 +11,8 @@
 #define TetrahedronSource_h
 
 #include "ChessboardGrid.h"
-#include "LinearCellFaces.h"
 #include "HigherOrderCells.h"
+#include "LinearCellFaces.h"
 #include "PolyhedronConvexity.h"
 
 #include "vtkDataSet.h"
