@@ -7,7 +7,8 @@ BUILD_PACKAGES=(
   g++ cmake ninja-build
   paraview-dev python3-paraview # ParaView 5.11 with its VTK; they bring the program `paraview` as well
   # What ParaView's CMake package looks for, and paraview-dev does not depend on:
-  libopenmpi-dev libdouble-conversion-dev libx11-dev libgl-dev libglew-dev libfreetype-dev)
+  libopenmpi-dev libdouble-conversion-dev libx11-dev libgl-dev libglew-dev libfreetype-dev
+  libtet1.5-dev) # TetGen (GNU AGPL 3), optional: CMake/NephoscopeTetGen.cmake
 RUN_PACKAGES=(
   xvfb xauth  # the virtual display
   openmpi-bin # mpiexec

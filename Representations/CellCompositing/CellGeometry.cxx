@@ -148,7 +148,7 @@ void CellGeometry::Decompose(
 void CellGeometry::CountTetrahedra(vtkDataSet* data, const ScalarSelection& scalars,
   const ScalarSelection& opacity, std::vector<std::int64_t>& counts)
 {
-  std::atomic<std::int64_t> unsupported(0), invalid(0), flat(0);
+  std::atomic<std::int64_t> unsupported(0), invalid(0), nonConvex(0), flat(0);
   std::atomic<int> unsupportedType(0);
   vtkSMPTools::For(0, data->GetNumberOfCells(), [&](vtkIdType begin, vtkIdType end) {
     CellWalker walker(data, *this, scalars, opacity);
@@ -159,6 +159,7 @@ void CellGeometry::CountTetrahedra(vtkDataSet* data, const ScalarSelection& scal
         isFlat(*this, t) ? ++flat : ++count;
       });
       invalid += outcome == CellOutcome::Invalid;
+      nonConvex += outcome == CellOutcome::Decomposed && !walker.TetrahedraFillCell();
       if (outcome == CellOutcome::Unsupported)
       {
         ++unsupported;
@@ -173,6 +174,7 @@ void CellGeometry::CountTetrahedra(vtkDataSet* data, const ScalarSelection& scal
   this->NumberOfUnsupportedCells = unsupported;
   this->UnsupportedCellType = unsupportedType;
   this->NumberOfInvalidCells = invalid;
+  this->NumberOfNonConvexCells = nonConvex;
   this->NumberOfFlatTetrahedra = flat;
 }
 

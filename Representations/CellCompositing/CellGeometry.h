@@ -74,6 +74,7 @@ public:
   std::int64_t NumberOfUnsupportedCells = 0; ///< not 3-D, or of a kind that cannot be decomposed
   int UnsupportedCellType = 0;               ///< the largest of their types
   std::int64_t NumberOfInvalidCells = 0;     ///< a coordinate or scalar is not finite
+  std::int64_t NumberOfNonConvexCells = 0;   ///< polyhedra that their tetrahedra do not fill: drawn, but wrong
   std::int64_t NumberOfFlatTetrahedra = 0;   ///< zero volume: nothing to draw, no error
 
   /** Vertices relative to the centre. */

@@ -57,6 +57,9 @@ public:
     return supported ? CellOutcome::Decomposed : CellOutcome::Unsupported;
   }
 
+  /** Of the cell that was walked last. */
+  bool TetrahedraFillCell() { return this->Source.TetrahedraFillCell(); }
+
 private:
   bool IsFinite(vtkIdType cell) const
   {

@@ -11,7 +11,9 @@
 #define TetrahedronSource_h
 
 #include "ChessboardGrid.h"
+#include "HigherOrderCells.h"
 #include "LinearCellFaces.h"
+#include "PolyhedronConvexity.h"
 
 #include "vtkDataSet.h"
 #include "vtkDataSetAttributes.h"
@@ -122,6 +124,27 @@ public:
     return this->EmitTriangulated(cell, emit);
   }
 
+  /**
+   * Whether those tetrahedra fill the cell. Asked of polyhedra, after EmitTetrahedra: one that is not convex should be divided
+   * by vtkPolyhedronToTetrahedra first. True where the faces do not close, so that there is no inside.
+   */
+  bool TetrahedraFillCell()
+  {
+    if (this->Type != VTK_POLYHEDRON || !this->Grid)
+    {
+      return true;
+    }
+    const vtkIdType* stream = this->Faces->GetPointer(0);
+    const auto state = this->Surface.Build(
+      FaceList<vtkIdType>{ stream + 1, stream + this->Faces->GetNumberOfIds() }, [this](vtkIdType id) {
+        Vector3 x;
+        this->Data->GetPoint(id, x.data());
+        return x;
+      });
+    const bool isFloat = this->Grid->GetPoints()->GetDataType() == VTK_FLOAT;
+    return state != PolyhedronSurface::State::Closed || coneFillsCell(this->Surface, slackOf(this->Surface, isFloat));
+  }
+
 private:
   using Place = std::tuple<double, double, double, vtkIdType>;
 
@@ -206,21 +229,62 @@ private:
       [this](vtkIdType a, vtkIdType b) { return this->PlaceOf(a) < this->PlaceOf(b); }, emit);
   }
 
-  // Higher-order and other 3-D cells: as VTK triangulates them.
+  // Higher-order and other 3-D cells: as VTK triangulates them, where neighbours then agree.
   template <typename Emit>
   bool EmitTriangulated(vtkIdType cell, Emit emit)
   {
     this->Data->GetCell(cell, this->Cell);
+    auto part = [&](FaceList<int> faces, const int* points) {
+      decomposeCell(
+        faces,
+        [&](int a, int b) {
+          return this->PlaceOf(this->Points->GetId(points[a])) < this->PlaceOf(this->Points->GetId(points[b]));
+        },
+        [&](const std::array<int, 4>& t) {
+          emit(std::array<vtkIdType, 4>{ { this->Points->GetId(points[t[0]]), this->Points->GetId(points[t[1]]),
+            this->Points->GetId(points[t[2]]), this->Points->GetId(points[t[3]]) } });
+        });
+    };
+    if (splitHigherOrderCell(this->Cell->GetRepresentativeCell(), part))
+    {
+      return true;
+    }
     if (this->Cell->GetCellDimension() != 3 || !this->Cell->Triangulate(0, this->Faces, this->CellPoints))
     {
       return false;
     }
+    this->MakeIdsGlobal();
     for (vtkIdType i = 0; i + 3 < this->Faces->GetNumberOfIds(); i += 4)
     {
       const vtkIdType* t = this->Faces->GetPointer(i);
       emit(std::array<vtkIdType, 4>{ { t[0], t[1], t[2], t[3] } });
     }
     return true;
+  }
+
+  // vtkConvexPointSet of VTK 9.2 names its own points from 0 on: the coordinates that come along tell.
+  void MakeIdsGlobal()
+  {
+    vtkIdType* ids = this->Faces->GetPointer(0);
+    const vtkIdType n = this->Faces->GetNumberOfIds(), own = this->Points->GetNumberOfIds();
+    bool global = true, local = true;
+    for (vtkIdType i = 0; i < n; ++i)
+    {
+      global = global && this->IsPlace(ids[i], i);
+      local = local && ids[i] < own && this->IsPlace(this->Points->GetId(ids[i]), i);
+    }
+    for (vtkIdType i = 0; i < n && local && !global; ++i)
+    {
+      ids[i] = this->Points->GetId(ids[i]);
+    }
+  }
+
+  bool IsPlace(vtkIdType point, vtkIdType cellPoint) const
+  {
+    double named[3], meant[3];
+    this->Data->GetPoint(point, named);
+    this->CellPoints->GetPoint(cellPoint, meant);
+    return std::equal(named, named + 3, meant, [](double a, double b) { return float(a) == float(b); });
   }
 
   vtkDataSet* Data;
@@ -232,6 +296,7 @@ private:
   std::array<Place, 12> Places; // of the cell's vertices
   std::array<int, 12> Representatives;
   std::vector<int> MergedFaces;
+  PolyhedronSurface Surface;
   vtkNew<vtkIdList> Points;
   vtkNew<vtkIdList> Faces;
   vtkNew<vtkPoints> CellPoints;

@@ -291,6 +291,12 @@ void vtkCellCompositingMapper::WarnAboutGeometry(const char* arrayName)
     vtkWarningMacro(<< geometry.NumberOfUnsupportedCells << " cells are not drawn (" << type
                     << ", for example): only 3-D cells can be composited.");
   }
+  if (geometry.NumberOfNonConvexCells > 0)
+  {
+    vtkWarningMacro(<< geometry.NumberOfNonConvexCells
+                    << (geometry.NumberOfNonConvexCells == 1 ? " polyhedron is" : " polyhedra are")
+                    << " not convex and drawn wrong: run vtkPolyhedronToTetrahedra first.");
+  }
 }
 
 std::string vtkCellCompositingMapper::DrawScene(

@@ -13,7 +13,8 @@
  * - Extinction per unit world length = opacity function value * OpacityScale / ScalarOpacityUnitDistance
  *   (a rate, as VTK's other unstructured volume mappers have it, not -log(1 - opacity)).
  * - The colour function is the source colour (emission coefficient divided by extinction).
- * - Point and cell scalars; tetrahedra, hexahedra, voxels, wedges, pyramids, convex polyhedra.
+ * - Point and cell scalars; tetrahedra, hexahedra, voxels, wedges, pyramids, convex polyhedra. Polyhedra that are not convex
+ *   get a warning: vtkPolyhedronToTetrahedra divides them.
  * - Any vtkDataSet with 3-D cells is accepted; image data need not be converted.
  * - Cells that a ghost array marks as duplicate, refined or hidden are not drawn.
  * - Opaque geometry that cuts a cell ends its integral at the opaque depth, per pixel.

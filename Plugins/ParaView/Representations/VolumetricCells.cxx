@@ -11,6 +11,7 @@
 #include "vtkImageData.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
+#include "vtkPolyhedronToTetrahedra.h"
 #include "vtkRectilinearGrid.h"
 
 #include <vector>
@@ -93,6 +94,18 @@ vtkSmartPointer<vtkDataSet> volumetricPart(vtkDataObject* input)
   }
   append->Update();
   return vtkSmartPointer<vtkDataSet>(append->GetOutput());
+}
+
+vtkSmartPointer<vtkDataSet> withConvexCells(vtkDataSet* data)
+{
+  if (!vtkUnstructuredGrid::SafeDownCast(data))
+  {
+    return data;
+  }
+  vtkNew<vtkPolyhedronToTetrahedra> divider; // passes what has no polyhedra
+  divider->SetInputDataObject(data);
+  divider->Update();
+  return divider->GetOutput();
 }
 
 vtkSmartPointer<vtkUnstructuredGrid> tetrahedralize(vtkDataSet* data)

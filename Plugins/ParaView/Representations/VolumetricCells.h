@@ -24,6 +24,9 @@ bool isAxisAligned(vtkDataSet* data);
  */
 vtkSmartPointer<vtkDataSet> volumetricPart(vtkDataObject* input);
 
+/** The dataset itself, or where it has polyhedra that are not convex, one in which tetrahedra stand for these. */
+vtkSmartPointer<vtkDataSet> withConvexCells(vtkDataSet* data);
+
 /**
  * The cells as tetrahedra, divided as the mapper divides them, without those that a ghost array hides.
  * A cut through a tetrahedron keeps the linear interpolant, a cut through a hexahedron does not: this is what makes a

@@ -117,7 +117,7 @@ int vtkCellCompositingRepresentation::RequestData(
 
 void vtkCellCompositingRepresentation::PrepareCells(vtkDataObject* input)
 {
-  this->Cells = nephoscope::volumetricPart(input);
+  this->Cells = nephoscope::withConvexCells(nephoscope::volumetricPart(input));
   int association = 0;
   vtkDataArray* scalars = this->Cells ? this->FindOpacityArray(this->Cells, association) : nullptr;
   const nephoscope::CellMeasures mine = nephoscope::measureCells(

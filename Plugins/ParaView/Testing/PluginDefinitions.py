@@ -37,33 +37,33 @@ def compare_default(owner, name, element, value):
     check(xml == value, f"{owner}.{name}: XML default {xml!r}, C++ default {value!r}")
 
 
-def check_globe_grid():
-    element = definition("filters", "GlobeGrid")
-    filter_ = nephoscope.vtkGlobeGrid()
+def check_filter(name, class_, is_grouped=True):
+    element = definition("filters", name)
+    filter_ = class_()
     properties = own_properties(element)
     # Every getter that has a setter is a property, and the other way round.
     settable = {n[3:] for n in dir(filter_) if n.startswith("Get") and hasattr(filter_, "Set" + n[3:])}
-    inherited = {n[3:] for n in dir(nephoscope.vtkGlobeGrid.__bases__[0]) if n.startswith("Get")}
+    inherited = {n[3:] for n in dir(class_.__bases__[0]) if n.startswith("Get")}
     check(settable - inherited == set(properties),
           f"C++ and XML differ in {sorted((settable - inherited) ^ set(properties))}")
-    for name, property_ in properties.items():
-        compare_default("GlobeGrid", name, property_, getattr(filter_, "Get" + name)())
-        check(nested(property_, "Documentation"), f"GlobeGrid.{name} has no help")
+    for property_name, property_ in properties.items():
+        compare_default(name, property_name, property_, getattr(filter_, "Get" + property_name)())
+        check(nested(property_, "Documentation"), f"{name}.{property_name} has no help")
     grouped = {p.GetAttribute("name") for g in nested(element, "PropertyGroup") for p in nested(g, "Property")}
-    check(grouped == set(properties), f"not in a group: {sorted(set(properties) ^ grouped)}")
+    check(not is_grouped or grouped == set(properties), f"not in a group: {sorted(set(properties) ^ grouped)}")
     menu = nested(nested(element, "Hints")[0], "ShowInMenu")[0].GetAttribute("category")
     check(menu == "Nephoscope", f"menu {menu}")
 
 
-def check_fresh_proxy():
+def check_fresh_proxy(name, class_, source):
     """The server manager hands the same defaults to a filter on a real input."""
-    source = pvs.Wavelet()
-    proxy = pvs.GlobeGrid(Input=source)
-    filter_ = nephoscope.vtkGlobeGrid()
-    for name in own_properties(definition("filters", "GlobeGrid")):
-        value = proxy.SMProxy.GetProperty(name).GetElement(0)
-        expected = getattr(filter_, "Get" + name)()
-        check(value == expected, f"a fresh GlobeGrid has {name} = {value!r}, C++ {expected!r}")
+    constructor = definition("filters", name).GetAttribute("label").replace(" ", "")
+    proxy = getattr(pvs, constructor)(Input=source)
+    filter_ = class_()
+    for property_name in own_properties(definition("filters", name)):
+        value = proxy.SMProxy.GetProperty(property_name).GetElement(0)
+        expected = getattr(filter_, "Get" + property_name)()
+        check(value == expected, f"a fresh {name} has {property_name} = {value!r}, C++ {expected!r}")
     pvs.Delete(proxy)
     pvs.Delete(source)
 
@@ -96,8 +96,10 @@ def check_offered(view):
 
 
 load_plugin()
-check_globe_grid()
-check_fresh_proxy()
+check_filter("GlobeGrid", nephoscope.vtkGlobeGrid)
+check_fresh_proxy("GlobeGrid", nephoscope.vtkGlobeGrid, pvs.Wavelet())
+check_filter("PolyhedronToTetrahedra", nephoscope.vtkPolyhedronToTetrahedra, is_grouped=False)
+check_fresh_proxy("PolyhedronToTetrahedra", nephoscope.vtkPolyhedronToTetrahedra, pvs.Tetrahedralize(Input=pvs.Wavelet()))
 check_representation()
 check_offered(pvs.CreateRenderView())
 passed()
