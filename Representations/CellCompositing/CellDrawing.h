@@ -4,6 +4,8 @@
 #ifndef CellDrawing_h
 #define CellDrawing_h
 
+#include "CellMethod.h"
+
 #include <string>
 
 class vtkMatrix4x4;
@@ -28,6 +30,7 @@ struct CellView
 
 struct CellDrawingOptions
 {
+  CellMethod Method = CellMethod::Cells;
   bool AverageIntegration = false;
   bool SplitAtControlPoints = true;
   double ExtinctionScale = 1.0; ///< extinction per world length at opacity 1
