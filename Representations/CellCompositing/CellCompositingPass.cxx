@@ -51,6 +51,14 @@ std::string CellCompositingPass::UploadDrawn(vtkOpenGLRenderWindow* window, cons
 std::string CellCompositingPass::Draw(
   vtkOpenGLRenderWindow* window, const CellView& view, const CellDrawingOptions& options)
 {
+  return this->DrawLayer(window, [&](const int viewport[4], OpaqueDepth& opaqueDepth) {
+    const CellDrawing drawing = { window, viewport, view, options, this->Buffers, this->Contours, opaqueDepth };
+    return this->UseRays ? this->Rays.Draw(drawing) : this->Projected.Draw(drawing);
+  });
+}
+
+std::string CellCompositingPass::DrawLayer(vtkOpenGLRenderWindow* window, const Layer& layer)
+{
   vtkOpenGLState* state = window->GetState();
   int viewport[4];
   state->vtkglGetIntegerv(GL_VIEWPORT, viewport);
@@ -72,8 +80,7 @@ std::string CellCompositingPass::Draw(
     state->vtkglDisable(GL_CULL_FACE);
     state->vtkglDepthMask(GL_FALSE);
     state->vtkglEnable(GL_BLEND);
-    const CellDrawing drawing = { window, viewport, view, options, this->Buffers, this->Contours, this->Depth };
-    error = this->UseRays ? this->Rays.Draw(drawing) : this->Projected.Draw(drawing);
+    error = layer(viewport, this->Depth);
   }
   else
   {

@@ -18,6 +18,7 @@
 #include "RayCells.h"
 
 #include <cstdint>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -53,6 +54,11 @@ public:
   /** What the scene's transfer function and view let be seen. */
   std::string UploadDrawn(vtkOpenGLRenderWindow* window, const CellScene& scene);
   std::string Draw(vtkOpenGLRenderWindow* window, const CellView& view, const CellDrawingOptions& options);
+
+  /** Draws into the bound framebuffer of the viewport's size; `opaqueDepth` is as large. Returns what went wrong. */
+  using Layer = std::function<std::string(const int viewport[4], OpaqueDepth& opaqueDepth)>;
+  /** Lays over the scene, through the same float image, what something else draws. */
+  std::string DrawLayer(vtkOpenGLRenderWindow* window, const Layer& layer);
 
   bool CopyFloatImage(vtkOpenGLRenderWindow* window, vtkImageData* image);
   void ReleaseGraphicsResources(vtkWindow* window);

@@ -4,6 +4,7 @@
 #ifndef CellDrawing_h
 #define CellDrawing_h
 
+#include "CellMethod.h"
 #include "SceneLights.h"
 
 #include <array>
@@ -33,6 +34,7 @@ struct CellView
 
 struct CellDrawingOptions
 {
+  CellMethod Method = CellMethod::Cells;
   bool AverageIntegration = false;
   bool SplitAtControlPoints = true;
   double ExtinctionScale = 1.0; ///< extinction per world length at opacity 1

@@ -6,7 +6,9 @@
 
 #include "CellDrawing.h"
 #include "CellGeometry.h"
+#include "ProjectedTriangles.h"
 #include "ShaderText.h"
+#include "TrianglePass.h"
 
 #include "CellCompositingFragment.h"
 #include "CellCompositingGeometry.h"
@@ -56,6 +58,13 @@ std::array<float, 4> toFloat(const double v[4])
   std::copy(v, v + 4, result.begin());
   return result;
 }
+
+std::string cellShader(const char* shader, const std::string& constants)
+{
+  std::string source = shader;
+  includeTriangleShaders(source);
+  return specializedShader(source.c_str(), constants);
+}
 }
 
 ProjectedCells::ProjectedCells() = default;
@@ -63,7 +72,9 @@ ProjectedCells::~ProjectedCells() = default;
 
 std::string ProjectedCells::UploadGeometry(vtkOpenGLRenderWindow* window, const CellGeometry& geometry)
 {
-  return this->Tetrahedra.Upload(window, geometry.Tetrahedra.data(), geometry.Tetrahedra.size(), 4, VTK_INT);
+  const std::vector<float> table = makeOpacityTable();
+  const std::string error = this->AlphaTable.Upload(window, table.data(), table.size(), 1, VTK_FLOAT);
+  return !error.empty() ? error : this->Tetrahedra.Upload(window, geometry.Tetrahedra.data(), geometry.Tetrahedra.size(), 4, VTK_INT);
 }
 
 std::string ProjectedCells::UploadOrder(vtkOpenGLRenderWindow* window, const std::vector<std::int32_t>& order)
@@ -74,10 +85,13 @@ std::string ProjectedCells::UploadOrder(vtkOpenGLRenderWindow* window, const std
 
 std::string ProjectedCells::Draw(const CellDrawing& drawing)
 {
-  const std::string constants = drawing.ShaderConstants();
+  const CellMethod method = drawing.Options.Method;
+  const std::string constants =
+    drawing.ShaderConstants() + shaderConstant("linearOpacity", method == CellMethod::TrianglesLinear);
+  const bool triangles = drawsTriangles(method);
   vtkShaderProgram* program = drawing.Window->GetShaderCache()->ReadyShaderProgram(CellCompositingVertex,
-    specializedShader(CellCompositingFragment, constants).c_str(),
-    specializedShader(CellCompositingGeometry, constants).c_str());
+    cellShader(triangles ? triangleFragmentShader() : CellCompositingFragment, constants).c_str(),
+    cellShader(triangles ? triangleGeometryShader() : CellCompositingGeometry, constants).c_str());
   if (!program)
   {
     return "the shaders did not compile";
@@ -91,6 +105,10 @@ std::string ProjectedCells::Draw(const CellDrawing& drawing)
   drawing.SetUniforms(program);
   program->SetUniformi("tetrahedra", this->Tetrahedra.Activate());
   program->SetUniformi("drawingOrder", this->Order.Activate());
+  program->SetUniformi("alphaTable", this->AlphaTable.Activate());
+  program->SetUniformf("alphaTableEnd", static_cast<float>(opacityTableEnd));
+  program->SetUniformf(
+    "smallestEyeDepth", static_cast<float>(smallestEyeDepth(drawing.View.EyeView, drawing.View.ViewToDevice)));
   program->SetUniform4f("eyeMC", toFloat(drawing.View.EyeModel).data());
   vtkNew<vtkMatrix3x3> rays;
   pixelToRay(drawing.View, drawing.Viewport + 2, rays);
@@ -110,6 +128,7 @@ std::string ProjectedCells::Draw(const CellDrawing& drawing)
   this->VertexArray->Release();
   this->Tetrahedra.Deactivate();
   this->Order.Deactivate();
+  this->AlphaTable.Deactivate();
   drawing.Finish();
   return std::string();
 }
@@ -118,6 +137,7 @@ void ProjectedCells::ReleaseGraphicsResources(vtkWindow* window)
 {
   this->Tetrahedra.Release(window);
   this->Order.Release(window);
+  this->AlphaTable.Release(window);
   this->VertexArray->ReleaseGraphicsResources();
   this->Program = nullptr;
 }

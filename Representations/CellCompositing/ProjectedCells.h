@@ -39,6 +39,7 @@ public:
 private:
   BufferTexture Tetrahedra;
   BufferTexture Order;
+  BufferTexture AlphaTable; // of the triangles
   std::size_t OrderSize = 0;
   vtkNew<vtkOpenGLVertexArrayObject> VertexArray;
   vtkShaderProgram* Program = nullptr; // owned by the window's shader cache

@@ -9,7 +9,9 @@
 
 #include "ContourSurfacesShader.h"
 #include "FaceScalarsShader.h"
+#include "OpaqueDepthShader.h"
 #include "OpticalSegmentShader.h"
+#include "TetrahedronInputShader.h"
 #include "TransferFunctionShader.h"
 
 #include "vtkShaderProgram.h"
@@ -28,6 +30,8 @@ inline std::string specializedShader(const char* shader, const std::string& cons
 {
   std::string source = shader;
   vtkShaderProgram::Substitute(source, "//NEPHOSCOPE::Constants", constants);
+  vtkShaderProgram::Substitute(source, "//NEPHOSCOPE::TetrahedronInput", TetrahedronInputShader);
+  vtkShaderProgram::Substitute(source, "//NEPHOSCOPE::OpaqueDepth", OpaqueDepthShader);
   vtkShaderProgram::Substitute(source, "//NEPHOSCOPE::OpticalSegment", OpticalSegmentShader);
   vtkShaderProgram::Substitute(source, "//NEPHOSCOPE::TransferFunction", TransferFunctionShader);
   vtkShaderProgram::Substitute(source, "//NEPHOSCOPE::FaceScalars", FaceScalarsShader);

@@ -45,6 +45,8 @@ public:
   static void SortNone(const CellGeometry& geometry, std::vector<std::int32_t>& order);
 
   std::int64_t GetNumberOfInteriorFaces() const;
+  /** The tetrahedron across the face opposite a vertex, or -1. Valid once connected. */
+  std::int32_t GetNeighbor(std::size_t tetrahedron, int face) const { return this->Neighbors[4 * tetrahedron + face]; }
 
   // For others that go from neighbour to neighbour, once connected.
   /** First of the points at the same place. */

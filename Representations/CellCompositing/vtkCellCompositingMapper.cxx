@@ -6,6 +6,8 @@
 #include "CellScene.h"
 #include "ContourSettings.h"
 #include "SceneLights.h"
+#include "FacePass.h"
+#include "TrianglePass.h"
 #include "ViewState.h"
 
 #include "vtkAbstractMapper.h"
@@ -38,6 +40,7 @@ using CellTypeNames = vtkCellTypes;
 
 using nephoscope::CellCompositingPass;
 using nephoscope::CellGeometry;
+using nephoscope::CellMethod;
 using nephoscope::CellScene;
 using nephoscope::ScalarSelection;
 
@@ -45,9 +48,11 @@ struct vtkCellCompositingMapper::vtkInternals
 {
   CellScene Scene;
   CellCompositingPass Pass;
+  nephoscope::FacePass Faces;
   CellScene::Versions Uploaded;
   std::int64_t UploadedContours = -1;
   ScalarSelection Contoured; // array of the contours, if not the coloured one
+  bool WarnedOfUnprojected = false;
   vtkOpenGLRenderWindow* Window = nullptr;
   std::string LastError; // reported once, not once per frame
 };
@@ -330,7 +335,8 @@ std::string vtkCellCompositingMapper::DrawScene(
     scene.UpdateTransferFunction(property, *this->Contours, this->GetDataSetInput(), this->Internals->Contoured);
     if (!this->UsesRays())
     {
-      scene.UpdateOrder(state.EyeModel, static_cast<CellScene::OrderMethod>(this->VisibilityOrder));
+      const int order = this->Method == FACES_METHOD ? NO_ORDER : this->VisibilityOrder; // faces have an order of their own
+      scene.UpdateOrder(state.EyeModel, static_cast<CellScene::OrderMethod>(order));
     }
     else
     {
@@ -348,6 +354,7 @@ std::string vtkCellCompositingMapper::DrawScene(
     return error;
   }
   nephoscope::CellDrawingOptions options;
+  options.Method = static_cast<CellMethod>(this->Method);
   options.AverageIntegration = this->Integration == AVERAGE_INTEGRATION;
   options.SplitAtControlPoints = this->SplitAtControlPoints;
   options.Eye = &scene.GetEyeTetrahedron();
@@ -360,7 +367,47 @@ std::string vtkCellCompositingMapper::DrawScene(
       static_cast<float>(property->GetSpecular()), static_cast<float>(property->GetSpecularPower()) } };
     options.Lights = nephoscope::describeLights(renderer);
   }
+  if (options.Method == CellMethod::Faces)
+  {
+    return this->Internals->Pass.DrawLayer(window, [&](const int*, nephoscope::OpaqueDepth& opaqueDepth) {
+      std::string failure;
+      withThreads([&]() {
+        failure = this->Internals->Faces.Draw(
+          window, scene, state.View, options, this->VisibilityOrder != NO_ORDER, opaqueDepth.GetTexture());
+      });
+      return failure;
+    });
+  }
+  if (nephoscope::drawsTriangles(options.Method))
+  {
+    this->WarnAboutUnprojected(nephoscope::countUnprojected(
+      scene.GetGeometry(), scene.GetDrawn(), state.View.ModelToView, state.View.EyeView, state.View.ViewToDevice));
+  }
   return this->Internals->Pass.Draw(window, state.View, options);
+}
+
+void vtkCellCompositingMapper::WarnAboutUnprojected(vtkIdType count)
+{
+  if (count > 0 && !this->Internals->WarnedOfUnprojected) // once, not once per frame
+  {
+    vtkWarningMacro(<< count << " tetrahedra are not drawn: they reach the plane of the eye, where they cannot be projected to "
+                       "triangles. Move the camera out of the data, or call SetMethodToCells().");
+  }
+  this->Internals->WarnedOfUnprojected = count > 0;
+}
+
+void vtkCellCompositingMapper::SetMethod(int method)
+{
+  if (method < PROJECTION_METHOD || method > AUTOMATIC_METHOD)
+  {
+    vtkErrorMacro("There is no method " << method << ": use one of the values of MethodType, 0 to " << AUTOMATIC_METHOD << ".");
+    return;
+  }
+  if (this->Method != method)
+  {
+    this->Method = method;
+    this->Modified();
+  }
 }
 
 std::string vtkCellCompositingMapper::Upload(vtkOpenGLRenderWindow* window)
@@ -415,6 +462,7 @@ void vtkCellCompositingMapper::ReleaseGraphicsResources(vtkWindow* window)
   if (window && window == this->Internals->Window) // another window's release is none of ours
   {
     this->Internals->Pass.ReleaseGraphicsResources(window);
+    this->Internals->Faces.ReleaseGraphicsResources(window);
     this->Internals->Window = nullptr;
     this->Internals->Uploaded = CellScene::Versions();
     this->Internals->UploadedContours = -1;
@@ -425,9 +473,9 @@ void vtkCellCompositingMapper::ReleaseGraphicsResources(vtkWindow* window)
 void vtkCellCompositingMapper::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
+  const char* methods[] = { "Projection", "Rays", "TrianglesLinear", "TrianglesTable", "Faces", "Automatic" };
+  os << indent << "Method: " << methods[this->Method] << "\n";
   os << indent << "Integration: " << (this->Integration == EXACT_INTEGRATION ? "Exact" : "Average") << "\n";
-  os << indent << "Method: "
-     << (this->Method == RAY_METHOD ? "Rays" : this->Method == PROJECTION_METHOD ? "Projection" : "Automatic") << "\n";
   const char* orders[] = { "Exact", "Centroid", "None" };
   os << indent << "VisibilityOrder: " << orders[this->VisibilityOrder] << "\n";
   os << indent << "OpacityScale: " << this->OpacityScale << "\n";

@@ -324,6 +324,11 @@ bool vtkCellCompositingRepresentation::RemoveFromView(vtkView* view)
   return this->Superclass::RemoveFromView(view);
 }
 
+void vtkCellCompositingRepresentation::SetMethod(int method)
+{
+  this->Mapper->SetMethod(method);
+}
+
 void vtkCellCompositingRepresentation::SetIntegration(int integration)
 {
   this->Mapper->SetIntegration(integration);

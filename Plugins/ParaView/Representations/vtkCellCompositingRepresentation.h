@@ -53,6 +53,7 @@ public:
 
   ///@{
   /** Forwarded to the mapper; see there. OpacityScale is multiplied by Opacity. */
+  void SetMethod(int method);
   void SetIntegration(int integration);
   void SetVisibilityOrder(int order);
   void SetOpacityScale(double scale);

@@ -149,6 +149,25 @@ def check_vectors():
         check_same(pictures[mode], image(reference_view), f"vector {mode}", largest=1, mean=0.02)
 
 
+def check_methods():
+    """One medium: all methods but the triangles of linear opacity, which are too transparent, give one picture."""
+    view = new_view()
+    coarse = pvs.Wavelet(WholeExtent=[-2, 2, -2, 2, -2, 2])
+    display = pvs.Show(coarse, view)
+    display.SetRepresentationType("Cell Compositing")
+    solid(display, [1, 1, 1])
+    look(view, position=(8, 6, 9))
+    pictures = {}
+    for method in ("Cells", "Triangles, linear opacity", "Triangles, table of opacities", "Faces"):
+        display.CellCompositingMethod = method
+        pictures[method] = image(view)
+    cells = pictures.pop("Cells").astype(float)
+    linear = pictures.pop("Triangles, linear opacity")
+    check((cells - linear).max() > 5, f"linear opacity is at most {(cells - linear).max()} darker")
+    for method, picture in pictures.items():
+        check(np.abs(picture - cells).mean() < 0.1, f"{method} differs by {np.abs(picture - cells).mean()} on the mean")
+
+
 load_plugin()
 wavelet = pvs.Wavelet()
 check_first_picture("the wavelet", wavelet, ("POINTS", "RTData"))
@@ -166,4 +185,5 @@ check_change_of_array()
 check_alpha_formula()
 check_solid_color()
 check_vectors()
+check_methods()
 passed()

@@ -7,9 +7,7 @@
 //   out: integral of emission and extinction between the front face and the back face, clipped to what lies
 //        between the near plane and the opaque geometry
 // u runs from the back face (0) towards the eye: a fraction of that way in perspective, a length in a parallel projection.
-uniform sampler2D opaqueDepth; // depth of the opaque geometry, [0, 1]
 uniform vec4 eyeVC;            // (position, 1) or (direction towards the eye, 0)
-uniform vec4 depthToVC;        // z in VC = (x + y e) / (z + w e) with e = 1 - depth
 uniform float extinctionScale; // extinction per world length at opacity 1
 
 in vec4 barycentricGSOutput;
@@ -21,16 +19,11 @@ flat in vec4 contourScalarsGSOutput;
 flat in ivec2 tetrahedronGSOutput; // number, layer
 
 //NEPHOSCOPE::Constants
+//NEPHOSCOPE::OpaqueDepth
 //NEPHOSCOPE::OpticalSegment
 //NEPHOSCOPE::TransferFunction
 //NEPHOSCOPE::FaceScalars
 //NEPHOSCOPE::ContourSurfaces
-
-float zFromDepth(float depth)
-{
-  float e = 1.0 - depth;
-  return (depthToVC.x + depthToVC.y * e) / (depthToVC.z + depthToVC.w * e);
-}
 
 // Where the ray reaches the first front face.
 float frontParameter(vec4 barycentric, vec4 slope)
@@ -84,7 +77,9 @@ void main()
   float uOpaque = (zFromDepth(opaque) - positionVCGSOutput.z) / towardsEye.z;
   float uFront = min(frontParameter(barycentricGSOutput, slope), uNear);
   float uBack = max(0.0, uOpaque);
-  if (!(uFront > uBack))
+  // A back face that is seen edge-on may be too narrow for a rasteriser to interpolate over: then nothing is a number.
+  bool interpolated = all(lessThan(abs(barycentricGSOutput), vec4(1.0e30)));
+  if (!(uFront > uBack) || !interpolated)
   {
     discard;
   }

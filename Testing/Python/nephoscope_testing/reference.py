@@ -19,7 +19,7 @@ def render(cells, view, transfer, opaque=None, integration="exact", split=True):
     pixel, t0, t1, s0, s1 = (a[order] for a in (pixel, t0, t1, s0, s1))
     pixel, length, s0, s1 = _split(pixel, t1 - t0, s0, s1, transfer.breakpoints if split else [])
     depth, emission = _integrate(length, s0, s1, transfer, integration, split)
-    return _composite(pixel, depth, emission, view)
+    return composite(pixel, depth, emission, view)
 
 
 def ray_segments(cells, view):
@@ -135,7 +135,8 @@ def _quadrature(length, s0, s1, a0, a1, depth, transfer, split):
     return np.stack([np.bincount(row, total[:, k], len(length)) for k in range(3)], axis=1)
 
 
-def _composite(pixel, depth, emission, view):
+def composite(pixel, depth, emission, view):
+    """RGBA of segments that are sorted by pixel and, at each, from front to back."""
     count = view.width * view.height
     total = np.bincount(pixel, depth, count)
     before = np.cumsum(depth) - depth

@@ -1,0 +1,53 @@
+// SPDX-FileCopyrightText: The Nephoscope authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "FaceMesh.h"
+
+#include "VisibilityOrder.h"
+
+#include <utility>
+
+namespace nephoscope
+{
+namespace
+{
+std::array<std::int32_t, 3> outwardFace(const CellGeometry& geometry, const Tetrahedron& t, int face)
+{
+  std::array<std::int32_t, 3> points;
+  for (int k = 0; k < 3; ++k)
+  {
+    points[k] = t[tetrahedronFaces[face][k]];
+  }
+  const Vector3 inside = geometry.Position(t[face]);
+  const double side = planeSide(geometry.Position(points[0]), geometry.Position(points[1]),
+    geometry.Position(points[2]), { { inside[0], inside[1], inside[2], 1.0 } });
+  if (side > 0)
+  {
+    std::swap(points[1], points[2]);
+  }
+  return points;
+}
+}
+
+void FaceMesh::Build(const CellGeometry& geometry)
+{
+  VisibilityOrder neighbors;
+  neighbors.Connect(geometry);
+  const std::size_t n = geometry.Tetrahedra.size();
+  this->Faces.clear();
+  this->Faces.reserve(4 * n - static_cast<std::size_t>(neighbors.GetNumberOfInteriorFaces()));
+  for (std::size_t i = 0; i < n; ++i)
+  {
+    for (int face = 0; face < 4; ++face)
+    {
+      const std::int32_t neighbor = neighbors.GetNeighbor(i, face);
+      const std::int32_t self = static_cast<std::int32_t>(i);
+      if (neighbor < self && neighbor >= 0)
+      {
+        continue; // the neighbour has listed it
+      }
+      this->Faces.push_back({ outwardFace(geometry, geometry.Tetrahedra[i], face), self, neighbor });
+    }
+  }
+}
+
+} // namespace nephoscope

@@ -1,0 +1,36 @@
+// SPDX-FileCopyrightText: The Nephoscope authors
+// SPDX-License-Identifier: BSD-3-Clause
+/** The faces of tetrahedra, each once, with the tetrahedra on its two sides. */
+#ifndef FaceMesh_h
+#define FaceMesh_h
+
+#include "CellGeometry.h"
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+namespace nephoscope
+{
+
+struct MeshFace
+{
+  std::array<std::int32_t, 3> Points; ///< counterclockwise seen from outside the first tetrahedron
+  std::int32_t First;                 ///< a tetrahedron that has this face
+  std::int32_t Second;                ///< the one on the other side, or -1
+};
+
+class FaceMesh
+{
+public:
+  /** Faces match where their points have the same coordinates, as in VisibilityOrder. */
+  void Build(const CellGeometry& geometry);
+  const std::vector<MeshFace>& GetFaces() const { return this->Faces; }
+
+private:
+  std::vector<MeshFace> Faces;
+};
+
+} // namespace nephoscope
+
+#endif

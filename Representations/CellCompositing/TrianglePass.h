@@ -1,0 +1,43 @@
+// SPDX-FileCopyrightText: The Nephoscope authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * What CellCompositingPass needs to draw tetrahedra as fans of triangles (ShirleyTuchman1990) in place of back faces: other
+ * shaders, a table of opacities, and which tetrahedra cannot be drawn so.
+ */
+#ifndef TrianglePass_h
+#define TrianglePass_h
+
+#include "CellMethod.h"
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+class vtkMatrix4x4;
+
+namespace nephoscope
+{
+
+class CellGeometry;
+
+inline bool drawsTriangles(CellMethod method)
+{
+  return method == CellMethod::TrianglesLinear || method == CellMethod::TrianglesTable;
+}
+
+/** Sources with the marks that CellCompositingPass fills in. */
+const char* triangleGeometryShader();
+const char* triangleFragmentShader();
+/** Fills in the marks that are those of the triangles alone. */
+void includeTriangleShaders(std::string& source);
+
+/** A vertex nearer to the plane of the eye than this is taken as one that cannot be projected: a tenth of the near plane's distance. */
+double smallestEyeDepth(const double eyeView[4], vtkMatrix4x4* viewToDevice);
+
+/** How many of the drawn tetrahedra have such a vertex: they are left out. */
+std::int64_t countUnprojected(const CellGeometry& geometry, const std::vector<std::int32_t>& drawn,
+  vtkMatrix4x4* modelToView, const double eyeView[4], vtkMatrix4x4* viewToDevice);
+
+} // namespace nephoscope
+
+#endif
