@@ -15,6 +15,7 @@
 #include "OpaqueDepth.h"
 #include "ProjectedCells.h"
 #include "RayCells.h"
+#include "VolumePeel.h"
 
 #include <cstdint>
 #include <string>
@@ -46,17 +47,27 @@ public:
   /** What the scene's transfer function and view let be seen. */
   std::string UploadDrawn(vtkOpenGLRenderWindow* window, const CellScene& scene);
   std::string Draw(vtkOpenGLRenderWindow* window, const CellView& view, const CellDrawingOptions& options);
+  /** Draws only what a depth peeling pass asks for, into its targets. */
+  std::string DrawPeel(vtkOpenGLRenderWindow* window, const CellView& view, const CellDrawingOptions& options,
+    const VolumePeel::Request& request);
 
+  /** False when nothing was drawn yet, or what was drawn last was a peel. */
   bool CopyFloatImage(vtkOpenGLRenderWindow* window, vtkImageData* image);
   void ReleaseGraphicsResources(vtkWindow* window);
 
 private:
+  std::string ProjectRanges(CellDrawing& drawing);
+  std::string CastRanges(CellDrawing& drawing);
+
   CellBuffers Buffers;
   ProjectedCells Projected;
   RayCells Rays;
   bool UseRays = false;
   OpaqueDepth Depth;
   FloatAccumulation Accumulation;
+  FloatAccumulation SecondAccumulation; // for the second range of a peel, ray by ray
+  VolumePeel Peel;
+  bool Peeled = false;
 };
 
 } // namespace nephoscope

@@ -15,6 +15,7 @@ namespace nephoscope
 
 class CellBuffers;
 class OpaqueDepth;
+class VolumePeel;
 struct EyeTetrahedron;
 
 /** What one drawing needs to know of the view; matrices as vtkMatrix4x4 multiplies columns. */
@@ -42,11 +43,16 @@ struct CellDrawing
   const CellDrawingOptions& Options;
   CellBuffers& Buffers;
   OpaqueDepth& Depth;
+  VolumePeel* Peel = nullptr; ///< where set, its depth ranges count and not the opaque depth
+  int Range = 0;              ///< the one of them that is drawn ray by ray; projected cells are drawn into both
 
   std::string ShaderConstants() const;
   /** Binds the shared textures and sets the uniforms that every fragment shader of cells has. */
   void SetUniforms(vtkShaderProgram* program) const;
   void Finish() const;
+
+private:
+  void SetDepths(vtkShaderProgram* program) const;
 };
 
 } // namespace nephoscope

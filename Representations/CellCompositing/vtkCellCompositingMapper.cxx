@@ -14,7 +14,6 @@
 #include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkObjectFactory.h"
-#include "vtkOpenGLRenderPass.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkPiecewiseFunction.h"
 #include "vtkPointData.h"
@@ -156,11 +155,10 @@ void vtkCellCompositingMapper::Render(vtkRenderer* renderer, vtkVolume* volume)
     return;
   }
   vtkDataSet* input = this->GetDataSetInput();
-  const std::string obstacle = this->FindObstacle(input, volume);
-  if (!obstacle.empty())
+  if (!input || input->GetNumberOfCells() == 0)
   {
     this->Internals->Scene.Clear();
-    this->ReportOnce(obstacle);
+    this->ReportOnce("The input has no cells: there is nothing to draw.");
     return;
   }
   std::string error = this->UpdateGeometry(input, volume);
@@ -169,21 +167,6 @@ void vtkCellCompositingMapper::Render(vtkRenderer* renderer, vtkVolume* volume)
     error = this->DrawScene(window, renderer, volume);
   }
   this->ReportOnce(error);
-}
-
-std::string vtkCellCompositingMapper::FindObstacle(vtkDataSet* input, vtkVolume* volume)
-{
-  if (!input || input->GetNumberOfCells() == 0)
-  {
-    return "The input has no cells: there is nothing to draw.";
-  }
-  vtkInformation* keys = volume->GetPropertyKeys();
-  if (keys && keys->Has(vtkOpenGLRenderPass::RenderPasses()))
-  {
-    return "Cells cannot be drawn while depth peeling takes volumes apart: call UseDepthPeelingForVolumesOff() of the "
-           "renderer. Translucent surfaces may still be peeled.";
-  }
-  return std::string();
 }
 
 void vtkCellCompositingMapper::ReportOnce(const std::string& error)
@@ -324,7 +307,9 @@ std::string vtkCellCompositingMapper::DrawScene(
   options.SplitAtControlPoints = this->SplitAtControlPoints;
   options.Eye = &scene.GetEyeTetrahedron();
   options.ExtinctionScale = this->OpacityScale / unitDistance;
-  return this->Internals->Pass.Draw(window, state.View, options);
+  return nephoscope::VolumePeel::IsRequested(volume)
+    ? this->Internals->Pass.DrawPeel(window, state.View, options, { this, volume })
+    : this->Internals->Pass.Draw(window, state.View, options);
 }
 
 std::string vtkCellCompositingMapper::Upload(vtkOpenGLRenderWindow* window)
@@ -362,7 +347,7 @@ bool vtkCellCompositingMapper::CopyFloatImage(vtkImageData* image)
 {
   if (!this->Internals->Window || !this->Internals->Pass.CopyFloatImage(this->Internals->Window, image))
   {
-    vtkErrorMacro("There is no float image yet: render first.");
+    vtkErrorMacro("There is no float image: render first, without peeling volumes.");
     return false;
   }
   return true;

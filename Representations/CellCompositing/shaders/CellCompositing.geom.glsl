@@ -17,6 +17,8 @@ uniform samplerBuffer opacityScalars; // where opacity comes from another array 
 uniform vec4 eyeMC; // w = 1; or the direction towards the eye, w = 0, in a parallel projection
 uniform mat4 MCVCMatrix;
 uniform mat4 VCDCMatrix;
+uniform sampler2D tileRanges; // with depth ranges: nearest and farthest depth that is wanted in a tile of pixels
+uniform vec2 tilesPerUnit;    // tiles per unit of device coordinates
 
 flat in int tetrahedronVSOutput[];
 out vec4 barycentricGSOutput;
@@ -27,6 +29,7 @@ flat out vec4 opacityScalarsGSOutput;
 
 vec3 positionMC[4];
 vec4 positionVC[4];
+vec4 positionDC[4];
 vec4 eyeBarycentric = vec4(0.0);
 vec4 scalars = vec4(0.0);
 vec4 secondScalars = vec4(0.0);
@@ -45,8 +48,47 @@ void emitVertex(int i)
   eyeBarycentricGSOutput = eyeBarycentric;
   scalarsGSOutput = scalars;
   opacityScalarsGSOutput = secondScalars;
-  gl_Position = VCDCMatrix * positionVC[i];
+  gl_Position = positionDC[i];
   EmitVertex();
+}
+
+// Whether the tetrahedron certainly lies outside the depth ranges of all pixels that it covers.
+bool isOutsideRanges()
+{
+  const float margin = 1.0e-5;  // more than float arithmetic errs in depth
+  const int largest = 4;        // tiles: larger tetrahedra are not worth the search
+  vec3 low = vec3(3.0e38);
+  vec3 high = vec3(-3.0e38);
+  for (int i = 0; i < 4; ++i)
+  {
+    if (positionDC[i].w <= 0.0)
+    {
+      return false; // behind the eye
+    }
+    vec3 position = positionDC[i].xyz / positionDC[i].w;
+    low = min(low, position);
+    high = max(high, position);
+  }
+  vec2 depths = 0.5 + 0.5 * vec2(low.z, high.z);
+  ivec2 limit = textureSize(tileRanges, 0) - 1;
+  ivec2 first = ivec2(clamp((low.xy + 1.0) * tilesPerUnit - 0.01, vec2(0.0), vec2(limit)));
+  ivec2 last = ivec2(clamp((high.xy + 1.0) * tilesPerUnit + 0.01, vec2(0.0), vec2(limit)));
+  if (any(greaterThanEqual(last - first, ivec2(largest))))
+  {
+    return false;
+  }
+  for (int y = first.y; y <= last.y; ++y)
+  {
+    for (int x = first.x; x <= last.x; ++x)
+    {
+      vec2 range = texelFetch(tileRanges, ivec2(x, y), 0).xy;
+      if (depths[0] < range.y + margin && depths[1] > range.x - margin)
+      {
+        return false;
+      }
+    }
+  }
+  return true;
 }
 
 void emitBackFace(float q, int a, int b, int c)
@@ -69,8 +111,13 @@ void main()
     vec4 point = texelFetch(points, ids[i]);
     positionMC[i] = point.xyz;
     positionVC[i] = MCVCMatrix * vec4(point.xyz, 1.0);
+    positionDC[i] = VCDCMatrix * positionVC[i];
     scalars[i] = point.w;
     secondScalars[i] = separateOpacity ? texelFetch(opacityScalars, opacityOnCells ? tetrahedron : ids[i]).r : 0.0;
+  }
+  if (useDepthRanges && isOutsideRanges())
+  {
+    return;
   }
   if (useCellScalars)
   {
