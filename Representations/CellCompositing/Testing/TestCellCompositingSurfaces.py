@@ -126,8 +126,10 @@ class Order(SurfacesTestCase):
                   (sphere((0.1, -0.1, 0.2), 0.5), BLUE, 0.3), (plane((0, 0, 1.2), 0.7), YELLOW, 0.5)]
         for parallel in (False, True):
             for order in (1, -1):
-                self.check_picture(Picture([sample(2)], layers[::order], look=dict(parallel=parallel)),
-                                   f"four surfaces, parallel {parallel}, order {order}")
+                picture = Picture([sample(2)], layers[::order], look=dict(parallel=parallel))
+                self.check_picture(picture, f"four surfaces, parallel {parallel}, order {order}")
+                picture.mappers[0].SetMethodToProjection()
+                self.check_picture(picture, f"four surfaces, parallel {parallel}, order {order}, projected")
 
     def test_with_opaque_geometry(self):
         """The opaque sphere hides what lies behind; in front of the wall VTK's pass alone would lose all but one layer."""
@@ -142,6 +144,8 @@ class Order(SurfacesTestCase):
         layers = [(plane((0, 0, z)), c, 0.4) for z, c in ((-0.4, RED), (0, GREEN), (0.4, BLUE))]
         picture = Picture([sample(16, 250)], layers + [(sphere((0, 0, 0), 0.6), YELLOW, 0.3)], size=(130, 110))
         self.check_picture(picture, "small cells")
+        picture.mappers[0].SetMethodToProjection()
+        self.check_picture(picture, "small cells, projected")
 
     def test_camera_inside(self):
         layers = [(plane((0, 0, z), 2), c, 0.5) for z, c in ((-0.3, RED), (0.1, GREEN))]
