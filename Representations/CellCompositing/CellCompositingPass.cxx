@@ -5,6 +5,7 @@
 #include "CellCompositingPass.h"
 
 #include "CellScene.h"
+#include "SavedState.h"
 
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLState.h"
@@ -26,6 +27,17 @@ std::string checkOpenGL(const char* where)
   text << "OpenGL error 0x" << std::hex << error << " " << where;
   return text.str();
 }
+
+void setBlending(vtkOpenGLState* state)
+{
+  state->vtkglDisable(GL_DEPTH_TEST); // the shaders end each ray at the opaque depth
+  state->vtkglDisable(GL_CULL_FACE);
+  state->vtkglDepthMask(GL_FALSE);
+  state->vtkglEnable(GL_BLEND);
+  state->vtkglBlendEquation(GL_FUNC_ADD);
+}
+
+const char* const noFloatImages = "this OpenGL cannot draw into 32-bit float images";
 }
 
 std::string CellCompositingPass::UploadGeometry(
@@ -59,32 +71,20 @@ std::string CellCompositingPass::Draw(
 
 std::string CellCompositingPass::DrawLayer(vtkOpenGLRenderWindow* window, const Layer& layer)
 {
-  vtkOpenGLState* state = window->GetState();
   int viewport[4];
-  state->vtkglGetIntegerv(GL_VIEWPORT, viewport);
-  vtkOpenGLState::ScopedglViewport savedViewport(state);
-  vtkOpenGLState::ScopedglScissor savedScissorBox(state);
-  vtkOpenGLState::ScopedglEnableDisable savedScissor(state, GL_SCISSOR_TEST);
-  vtkOpenGLState::ScopedglEnableDisable savedBlend(state, GL_BLEND);
-  vtkOpenGLState::ScopedglEnableDisable savedDepthTest(state, GL_DEPTH_TEST);
-  vtkOpenGLState::ScopedglEnableDisable savedCulling(state, GL_CULL_FACE);
-  vtkOpenGLState::ScopedglDepthMask savedDepthMask(state);
-  vtkOpenGLState::ScopedglDepthFunc savedDepthFunction(state);
-  vtkOpenGLState::ScopedglBlendFuncSeparate savedBlendFunction(state);
-
+  window->GetState()->vtkglGetIntegerv(GL_VIEWPORT, viewport);
+  const SavedState saved(window->GetState());
+  this->Peeled = false;
   this->Depth.Copy(window, viewport);
   std::string error;
   if (this->Accumulation.Begin(window, viewport))
   {
-    state->vtkglDisable(GL_DEPTH_TEST); // the shaders end each ray at the opaque depth
-    state->vtkglDisable(GL_CULL_FACE);
-    state->vtkglDepthMask(GL_FALSE);
-    state->vtkglEnable(GL_BLEND);
+    setBlending(window->GetState());
     error = layer(viewport, this->Depth);
   }
   else
   {
-    error = "this OpenGL cannot draw into 32-bit float images";
+    error = noFloatImages;
   }
   this->Accumulation.End(window);
   if (error.empty())
@@ -95,9 +95,59 @@ std::string CellCompositingPass::DrawLayer(vtkOpenGLRenderWindow* window, const 
   return error;
 }
 
+std::string CellCompositingPass::DrawPeel(vtkOpenGLRenderWindow* window, const CellView& view,
+  const CellDrawingOptions& options, const VolumePeel::Request& request)
+{
+  int viewport[4];
+  window->GetState()->vtkglGetIntegerv(GL_VIEWPORT, viewport);
+  const SavedState saved(window->GetState());
+  this->Peeled = true;
+  if (!this->Peel.FindRanges(window, request, viewport))
+  {
+    return checkOpenGL("while asking for a peel");
+  }
+  setBlending(window->GetState());
+  CellDrawing drawing = { window, viewport, view, options, this->Buffers, this->Contours, this->Depth, &this->Peel };
+  const std::string error = this->UseRays ? this->CastRanges(drawing) : this->ProjectRanges(drawing);
+  if (!error.empty())
+  {
+    return error;
+  }
+  window->GetState()->vtkglViewport(viewport[0], viewport[1], viewport[2], viewport[3]);
+  this->Peel.Deliver(window, request, viewport, this->Accumulation.GetTexture(0),
+    this->UseRays ? this->SecondAccumulation.GetTexture(0) : this->Accumulation.GetTexture(1));
+  return checkOpenGL("while peeling cells");
+}
+
+// Both ranges at once. A depth test spares the shader pixels without a range, and cells in front of the ranges.
+std::string CellCompositingPass::ProjectRanges(CellDrawing& drawing)
+{
+  std::string error = noFloatImages;
+  if (this->Accumulation.Begin(drawing.Window, drawing.Viewport, 2, this->Peel.GetNearestDepth()))
+  {
+    drawing.Window->GetState()->vtkglEnable(GL_DEPTH_TEST);
+    drawing.Window->GetState()->vtkglDepthFunc(GL_GREATER);
+    error = this->Projected.Draw(drawing);
+  }
+  this->Accumulation.End(drawing.Window);
+  return error;
+}
+
+std::string CellCompositingPass::CastRanges(CellDrawing& drawing)
+{
+  std::string error;
+  for (drawing.Range = 0; drawing.Range < 2 && error.empty(); ++drawing.Range)
+  {
+    FloatAccumulation& image = drawing.Range == 0 ? this->Accumulation : this->SecondAccumulation;
+    error = image.Begin(drawing.Window, drawing.Viewport) ? this->Rays.Draw(drawing) : noFloatImages;
+    image.End(drawing.Window);
+  }
+  return error;
+}
+
 bool CellCompositingPass::CopyFloatImage(vtkOpenGLRenderWindow* window, vtkImageData* image)
 {
-  return this->Accumulation.CopyTo(window, image);
+  return !this->Peeled && this->Accumulation.CopyTo(window, image);
 }
 
 void CellCompositingPass::ReleaseGraphicsResources(vtkWindow* window)
@@ -108,6 +158,8 @@ void CellCompositingPass::ReleaseGraphicsResources(vtkWindow* window)
   this->Rays.ReleaseGraphicsResources(window);
   this->Depth.ReleaseGraphicsResources(window);
   this->Accumulation.ReleaseGraphicsResources(window);
+  this->SecondAccumulation.ReleaseGraphicsResources(window);
+  this->Peel.ReleaseGraphicsResources(window);
 }
 
 } // namespace nephoscope

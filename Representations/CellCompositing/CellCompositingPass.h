@@ -16,6 +16,7 @@
 #include "ContourBuffers.h"
 #include "ProjectedCells.h"
 #include "RayCells.h"
+#include "VolumePeel.h"
 
 #include <cstdint>
 #include <functional>
@@ -54,16 +55,23 @@ public:
   /** What the scene's transfer function and view let be seen. */
   std::string UploadDrawn(vtkOpenGLRenderWindow* window, const CellScene& scene);
   std::string Draw(vtkOpenGLRenderWindow* window, const CellView& view, const CellDrawingOptions& options);
+  /** Draws only what a depth peeling pass asks for, into its targets. */
+  std::string DrawPeel(vtkOpenGLRenderWindow* window, const CellView& view, const CellDrawingOptions& options,
+    const VolumePeel::Request& request);
 
   /** Draws into the bound framebuffer of the viewport's size; `opaqueDepth` is as large. Returns what went wrong. */
   using Layer = std::function<std::string(const int viewport[4], OpaqueDepth& opaqueDepth)>;
   /** Lays over the scene, through the same float image, what something else draws. */
   std::string DrawLayer(vtkOpenGLRenderWindow* window, const Layer& layer);
 
+  /** False when nothing was drawn yet, or what was drawn last was a peel. */
   bool CopyFloatImage(vtkOpenGLRenderWindow* window, vtkImageData* image);
   void ReleaseGraphicsResources(vtkWindow* window);
 
 private:
+  std::string ProjectRanges(CellDrawing& drawing);
+  std::string CastRanges(CellDrawing& drawing);
+
   CellBuffers Buffers;
   ContourBuffers Contours;
   ProjectedCells Projected;
@@ -71,6 +79,9 @@ private:
   bool UseRays = false;
   OpaqueDepth Depth;
   FloatAccumulation Accumulation;
+  FloatAccumulation SecondAccumulation; // for the second range of a peel, ray by ray
+  VolumePeel Peel;
+  bool Peeled = false;
 };
 
 } // namespace nephoscope

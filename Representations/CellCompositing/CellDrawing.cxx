@@ -5,6 +5,7 @@
 #include "CellBuffers.h"
 #include "ContourBuffers.h"
 #include "OpaqueDepth.h"
+#include "VolumePeel.h"
 #include "OpticalSegment.h"
 #include "ShaderText.h"
 
@@ -40,15 +41,36 @@ std::string CellDrawing::ShaderConstants() const
     shaderConstant("contourLighting", this->Options.ContourLighting) +
     shaderConstant("consistentFaces", this->Buffers.HasNarrowIntervals() || this->Contours.IsUsed()) +
     shaderConstant("averageIntegration", this->Options.AverageIntegration) +
-    shaderConstant("splitAtControlPoints", this->Options.SplitAtControlPoints);
+    shaderConstant("splitAtControlPoints", this->Options.SplitAtControlPoints) +
+    shaderConstant("useDepthRanges", this->Peel != nullptr);
+}
+
+// Where rays end: at the opaque depth, or at the ends of the ranges of a peel.
+void CellDrawing::SetDepths(vtkShaderProgram* program) const
+{
+  if (!this->Peel)
+  {
+    this->Depth.GetTexture()->Activate();
+    program->SetUniformi("opaqueDepth", this->Depth.GetTexture()->GetTextureUnit());
+    return;
+  }
+  vtkTextureObject* ranges = this->Peel->GetRanges();
+  ranges->Activate();
+  program->SetUniformi("depthRanges", ranges->GetTextureUnit());
+  program->SetUniformi("rangeNumber", this->Range);
+  vtkTextureObject* tiles = this->Peel->GetTileRanges();
+  tiles->Activate();
+  program->SetUniformi("tileRanges", tiles->GetTextureUnit());
+  const float tilesPerUnit[2] = { 0.5f * static_cast<float>(ranges->GetWidth()) / VolumePeel::TileSize,
+    0.5f * static_cast<float>(ranges->GetHeight()) / VolumePeel::TileSize };
+  program->SetUniform2f("tilesPerUnit", tilesPerUnit);
 }
 
 void CellDrawing::SetUniforms(vtkShaderProgram* program) const
 {
   this->Buffers.Activate(program);
   this->Contours.Activate(*this, program);
-  this->Depth.GetTexture()->Activate();
-  program->SetUniformi("opaqueDepth", this->Depth.GetTexture()->GetTextureUnit());
+  this->SetDepths(program);
   program->SetUniform4f("depthToVC", depthToView(this->View.ViewToDevice).data());
   program->SetUniformf("extinctionScale", static_cast<float>(this->Options.ExtinctionScale));
 
@@ -71,6 +93,12 @@ void CellDrawing::Finish() const
 {
   this->Buffers.Deactivate();
   this->Contours.Deactivate();
+  if (this->Peel)
+  {
+    this->Peel->GetRanges()->Deactivate();
+    this->Peel->GetTileRanges()->Deactivate();
+    return;
+  }
   this->Depth.GetTexture()->Deactivate();
 }
 

@@ -21,6 +21,7 @@ namespace nephoscope
 class CellBuffers;
 class ContourBuffers;
 class OpaqueDepth;
+class VolumePeel;
 struct EyeTetrahedron;
 
 /** What one drawing needs to know of the view; matrices as vtkMatrix4x4 multiplies columns. */
@@ -54,11 +55,16 @@ struct CellDrawing
   CellBuffers& Buffers;
   ContourBuffers& Contours;
   OpaqueDepth& Depth;
+  VolumePeel* Peel = nullptr; ///< where set, its depth ranges count and not the opaque depth
+  int Range = 0;              ///< the one of them that is drawn ray by ray; projected cells are drawn into both
 
   std::string ShaderConstants() const;
   /** Binds the shared textures and sets the uniforms that every fragment shader of cells has. */
   void SetUniforms(vtkShaderProgram* program) const;
   void Finish() const;
+
+private:
+  void SetDepths(vtkShaderProgram* program) const;
 };
 
 } // namespace nephoscope

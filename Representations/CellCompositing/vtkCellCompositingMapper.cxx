@@ -18,7 +18,6 @@
 #include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkObjectFactory.h"
-#include "vtkOpenGLRenderPass.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkPiecewiseFunction.h"
 #include "vtkPointData.h"
@@ -167,11 +166,10 @@ void vtkCellCompositingMapper::Render(vtkRenderer* renderer, vtkVolume* volume)
     return;
   }
   vtkDataSet* input = this->GetDataSetInput();
-  const std::string obstacle = this->FindObstacle(input, volume);
-  if (!obstacle.empty())
+  if (!input || input->GetNumberOfCells() == 0)
   {
     this->Internals->Scene.Clear();
-    this->ReportOnce(obstacle);
+    this->ReportOnce("The input has no cells: there is nothing to draw.");
     return;
   }
   std::string error = this->UpdateGeometry(input, volume);
@@ -180,21 +178,6 @@ void vtkCellCompositingMapper::Render(vtkRenderer* renderer, vtkVolume* volume)
     error = this->DrawScene(window, renderer, volume);
   }
   this->ReportOnce(error);
-}
-
-std::string vtkCellCompositingMapper::FindObstacle(vtkDataSet* input, vtkVolume* volume)
-{
-  if (!input || input->GetNumberOfCells() == 0)
-  {
-    return "The input has no cells: there is nothing to draw.";
-  }
-  vtkInformation* keys = volume->GetPropertyKeys();
-  if (keys && keys->Has(vtkOpenGLRenderPass::RenderPasses()))
-  {
-    return "Cells cannot be drawn while depth peeling takes volumes apart: call UseDepthPeelingForVolumesOff() of the "
-           "renderer. Translucent surfaces may still be peeled.";
-  }
-  return std::string();
 }
 
 void vtkCellCompositingMapper::ReportOnce(const std::string& error)
@@ -367,6 +350,13 @@ std::string vtkCellCompositingMapper::DrawScene(
       static_cast<float>(property->GetSpecular()), static_cast<float>(property->GetSpecularPower()) } };
     options.Lights = nephoscope::describeLights(renderer);
   }
+  if (nephoscope::VolumePeel::IsRequested(volume))
+  {
+    return options.Method != CellMethod::Faces && !nephoscope::drawsTriangles(options.Method)
+      ? this->Internals->Pass.DrawPeel(window, state.View, options, { this, volume })
+      : std::string("Projected triangles and faces cannot be drawn between peeled surfaces: choose another method, or call "
+                    "UseDepthPeelingForVolumesOff() of the renderer.");
+  }
   if (options.Method == CellMethod::Faces)
   {
     return this->Internals->Pass.DrawLayer(window, [&](const int*, nephoscope::OpaqueDepth& opaqueDepth) {
@@ -451,7 +441,7 @@ bool vtkCellCompositingMapper::CopyFloatImage(vtkImageData* image)
 {
   if (!this->Internals->Window || !this->Internals->Pass.CopyFloatImage(this->Internals->Window, image))
   {
-    vtkErrorMacro("There is no float image yet: render first.");
+    vtkErrorMacro("There is no float image: render first, without peeling volumes.");
     return false;
   }
   return true;

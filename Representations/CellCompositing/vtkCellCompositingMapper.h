@@ -18,6 +18,9 @@
  * - Any vtkDataSet with 3-D cells is accepted; image data need not be converted.
  * - Cells that a ghost array marks as duplicate, refined or hidden are not drawn.
  * - Opaque geometry that cuts a cell ends its integral at the opaque depth, per pixel.
+ * - Translucent surfaces in front of, inside and behind the cells are composited with them in the right order when the
+ *   renderer peels volumes: UseDepthPeelingOn(), UseDepthPeelingForVolumesOn(), SetOcclusionRatio(0). Otherwise all
+ *   surfaces are drawn first, and the cells over them.
  *
  * References: N. Max, R. Crawfis, B. Becker, New Techniques in 3D Scalar and Vector Field Visualization,
  * Pacific Graphics 1993, section 2 (MaxCrawfisBecker1993); P. Shirley, A. Tuchman, A Polygonal Approximation to
@@ -276,7 +279,8 @@ public:
   /**
    * Copies the float image of the last render into `image`: one layer of the viewport's size with the point array
    * "RGBA", four float components, colour premultiplied by alpha, before it was laid over the scene.
-   * Returns false (and reports an error) when nothing was rendered yet.
+   * Returns false (and reports an error) when nothing was rendered yet, or when the last render peeled volumes: their light
+   * then goes into the picture in parts, between the surfaces.
    */
   bool CopyFloatImage(vtkImageData* image);
 
@@ -297,7 +301,6 @@ protected:
 
 private:
   bool UsesRays() const;
-  std::string FindObstacle(vtkDataSet* input, vtkVolume* volume);
   std::string UpdateGeometry(vtkDataSet* input, vtkVolume* volume);
   std::string SelectScalars(
     vtkDataSet* input, vtkVolumeProperty* property, nephoscope::ScalarSelection& scalars);

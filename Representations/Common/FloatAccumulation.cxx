@@ -29,34 +29,56 @@ const char* overlayShader = "//VTK::System::Dec\n"
 FloatAccumulation::FloatAccumulation() = default;
 FloatAccumulation::~FloatAccumulation() = default;
 
-void FloatAccumulation::Allocate(vtkOpenGLRenderWindow* window, int width, int height)
+void FloatAccumulation::Allocate(vtkOpenGLRenderWindow* window, int width, int height, int layers)
 {
-  if (this->Color->GetHandle() && this->Size[0] == width && this->Size[1] == height)
+  if (this->Size[0] != width || this->Size[1] != height)
   {
-    return;
+    this->ReleaseGraphicsResources(window);
+    this->Framebuffer->SetContext(window);
+    this->Size[0] = width;
+    this->Size[1] = height;
   }
-  this->ReleaseGraphicsResources(window);
-  this->Framebuffer->SetContext(window);
-  this->Color->SetContext(window);
-  this->Color->Allocate2D(width, height, 4, VTK_FLOAT);
-  this->Color->SetMinificationFilter(vtkTextureObject::Nearest);
-  this->Color->SetMagnificationFilter(vtkTextureObject::Nearest);
-  this->Size[0] = width;
-  this->Size[1] = height;
+  for (int layer = 0; layer < layers; ++layer)
+  {
+    vtkTextureObject* color = this->Colors[layer];
+    if (!color->GetHandle())
+    {
+      color->SetContext(window);
+      color->Allocate2D(width, height, 4, VTK_FLOAT);
+      color->SetMinificationFilter(vtkTextureObject::Nearest);
+      color->SetMagnificationFilter(vtkTextureObject::Nearest);
+    }
+  }
 }
 
-bool FloatAccumulation::Begin(vtkOpenGLRenderWindow* window, const int viewport[4])
+bool FloatAccumulation::Begin(
+  vtkOpenGLRenderWindow* window, const int viewport[4], int layers, vtkTextureObject* depth)
 {
-  this->Allocate(window, viewport[2], viewport[3]);
+  this->Allocate(window, viewport[2], viewport[3], layers);
   vtkOpenGLState* state = window->GetState();
   state->PushFramebufferBindings();
   this->Framebuffer->Bind();
-  this->Framebuffer->AddColorAttachment(0, this->Color);
-  this->Framebuffer->ActivateDrawBuffer(0);
+  this->Framebuffer->RemoveColorAttachment(1);
+  this->Framebuffer->RemoveDepthAttachment();
+  for (int layer = 0; layer < layers; ++layer)
+  {
+    this->Framebuffer->AddColorAttachment(static_cast<unsigned int>(layer), this->Colors[layer]);
+  }
+  if (depth)
+  {
+    this->Framebuffer->AddDepthAttachment(depth);
+  }
+  this->Framebuffer->ActivateDrawBuffers(static_cast<unsigned int>(layers));
+  // vtkOpenGLState skips this call when the framebuffer that was bound before had as many draw buffers.
+  const GLenum buffers[2] = { GL_COLOR_ATTACHMENT0, GL_COLOR_ATTACHMENT1 };
+  glDrawBuffers(layers, buffers);
   state->vtkglViewport(0, 0, viewport[2], viewport[3]);
   state->vtkglDisable(GL_SCISSOR_TEST);
   const float transparent[4] = { 0, 0, 0, 0 };
-  glClearBufferfv(GL_COLOR, 0, transparent);
+  for (int layer = 0; layer < layers; ++layer)
+  {
+    glClearBufferfv(GL_COLOR, layer, transparent);
+  }
   return glCheckFramebufferStatus(GL_DRAW_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE;
 }
 
@@ -80,15 +102,15 @@ void FloatAccumulation::Overlay(vtkOpenGLRenderWindow* window, const int viewpor
   {
     window->GetShaderCache()->ReadyShaderProgram(this->Quad->Program);
   }
-  this->Color->Activate();
-  this->Quad->Program->SetUniformi("accumulated", this->Color->GetTextureUnit());
+  this->Colors[0]->Activate();
+  this->Quad->Program->SetUniformi("accumulated", this->Colors[0]->GetTextureUnit());
   this->Quad->Render();
-  this->Color->Deactivate();
+  this->Colors[0]->Deactivate();
 }
 
 bool FloatAccumulation::CopyTo(vtkOpenGLRenderWindow* window, vtkImageData* image)
 {
-  if (!this->Color->GetHandle())
+  if (!this->Colors[0]->GetHandle())
   {
     return false;
   }
@@ -115,7 +137,10 @@ void FloatAccumulation::ReleaseGraphicsResources(vtkWindow* window)
 {
   this->Quad.reset();
   this->Framebuffer->ReleaseGraphicsResources(window);
-  this->Color->ReleaseGraphicsResources(window);
+  for (auto& color : this->Colors)
+  {
+    color->ReleaseGraphicsResources(window);
+  }
   this->Size[0] = this->Size[1] = 0;
 }
 

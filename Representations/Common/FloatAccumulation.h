@@ -32,24 +32,27 @@ public:
 
   /**
    * Makes a transparent RGBA32F image of the viewport's size the draw target. To be paired with End().
+   * With two layers there are two such images, gl_FragData[0] and [1]. `depth`, of the same size, becomes the depth buffer.
    * Returns false when the framebuffer is not complete.
    */
-  bool Begin(vtkOpenGLRenderWindow* window, const int viewport[4]);
+  bool Begin(vtkOpenGLRenderWindow* window, const int viewport[4], int layers = 1, vtkTextureObject* depth = nullptr);
   /** Restores the draw target and the viewport. */
   void End(vtkOpenGLRenderWindow* window);
-  /** Lays the image (premultiplied colours) over the viewport of the bound framebuffer. */
+  /** The image of a layer. */
+  vtkTextureObject* GetTexture(int layer) const { return this->Colors[layer]; }
+  /** Lays the first image (premultiplied colours) over the viewport of the bound framebuffer. */
   void Overlay(vtkOpenGLRenderWindow* window, const int viewport[4]);
 
-  /** Copies the image into `image` as the float point array "RGBA"; false if there is none. */
+  /** Copies the first image into `image` as the float point array "RGBA"; false if there is none. */
   bool CopyTo(vtkOpenGLRenderWindow* window, vtkImageData* image);
 
   void ReleaseGraphicsResources(vtkWindow* window);
 
 private:
-  void Allocate(vtkOpenGLRenderWindow* window, int width, int height);
+  void Allocate(vtkOpenGLRenderWindow* window, int width, int height, int layers);
 
   vtkNew<vtkOpenGLFramebufferObject> Framebuffer;
-  vtkNew<vtkTextureObject> Color;
+  vtkNew<vtkTextureObject> Colors[2];
   std::unique_ptr<vtkOpenGLQuadHelper> Quad;
   int Size[2] = { 0, 0 };
 };

@@ -7,12 +7,16 @@ Usage: CellCompositingRun.py PREFIX [PORT]; with a port it draws on a pvserver t
 import sys
 
 import numpy as np
-from PluginTesting import compose, image, load_plugin, look, new_view, passed, pvs
+from PluginTesting import compose, image, load_plugin, look, new_view, passed, pvs, solid
 
 
-def draw(name, source, array=("POINTS", "RTData"), opacity_scale=1):
+def draw(name, source, array=("POINTS", "RTData"), opacity_scale=1, surfaces=()):
     view = new_view()
     compose(source, view, array).CellCompositingOpacityScale = opacity_scale
+    for surface in surfaces:
+        shown = pvs.Show(surface, view)
+        solid(shown, [1, 0, 0])
+        shown.Opacity = 0.4
     look(view)
     picture = image(view)
     pvs.Delete(view)
@@ -35,4 +39,9 @@ coarse.Transform.Rotate = [10, 20, 30]
 coarse.Transform.Scale = [3, 3, 3]
 draw("coarse", coarse, opacity_scale=5)
 draw("coarse-cells", pvs.PointDatatoCellData(Input=coarse), ("CELLS", "RTData"), opacity_scale=20)
+# Translucent surfaces inside: a contour of the same data, and a plane across all ranks.
+contour = pvs.Contour(Input=wavelet, ContourBy=["POINTS", "RTData"], Isosurfaces=[130, 200])
+plane = pvs.Plane(Origin=[-12, -12, 2], Point1=[12, -12, -2], Point2=[-12, 12, 6])
+draw("surfaces", wavelet, surfaces=[contour, plane])
+draw("surfaces-tetrahedra", pvs.Tetrahedralize(Input=wavelet), surfaces=[contour, plane])
 passed()

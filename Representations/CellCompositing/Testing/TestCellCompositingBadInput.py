@@ -13,9 +13,8 @@ from nephoscope_testing.offscreen import Window, float_image
 from nephoscope_testing.transfer import Transfer, constant, random_transfer
 from vtkmodules.vtkCommonDataModel import (VTK_QUADRATIC_TETRA, VTK_TRIANGLE, vtkImageData, vtkPiecewiseFunction,
                                            vtkPolyData, vtkUniformGrid, vtkUnstructuredGrid)
-from vtkmodules.vtkFiltersSources import vtkPlaneSource, vtkSphereSource
-from vtkmodules.vtkRenderingCore import (vtkActor, vtkColorTransferFunction, vtkPolyDataMapper, vtkVolume,
-                                          vtkVolumeProperty)
+from vtkmodules.vtkFiltersSources import vtkSphereSource
+from vtkmodules.vtkRenderingCore import vtkColorTransferFunction, vtkVolume, vtkVolumeProperty
 
 CORNERS = ((0, 0, 0), (1, 0, 0), (0, 1, 0), (0, 0, 1.0))
 BOUNDS = (0, 1, 0, 1, 0, 1)
@@ -274,25 +273,6 @@ class TransferFunctions(BadInputCase):
         self.complaint("empty opacity function", messages, "opacity")
         messages, *_ = self.draw(corner(), self.property_of(vtkColorTransferFunction(), opacity))
         self.complaint("empty colour function", messages, ("color", "colour"))
-
-    def test_peeling_of_volumes_is_refused(self):
-        window = Window((48, 48))
-        scene = window.add_scene()
-        scene.add_volume(mapper(), corner(), constant(2.0), array="s", association="point")
-        veil = vtkActor()  # peeling only starts when something is translucent
-        veil.SetMapper(vtkPolyDataMapper())
-        plane = vtkPlaneSource()
-        veil.GetMapper().SetInputConnection(plane.GetOutputPort())
-        veil.GetProperty().SetOpacity(0.5)
-        scene.renderer.AddActor(veil)
-        scene.look_at(BOUNDS)
-        scene.renderer.UseDepthPeelingOn()
-        scene.renderer.UseDepthPeelingForVolumesOn()
-        window.render()
-        self.complaint("peeled volume", window.messages, "UseDepthPeelingForVolumesOff")
-        scene.renderer.UseDepthPeelingForVolumesOff()
-        window.render()
-        self.assertGreater(scene.rgb().max(), 0)
 
     def test_path_search_colours_do_not_stall(self):
         """VTK needs tens of milliseconds for one colour of the CIEDE2000 space: it must be asked for few."""

@@ -5,8 +5,9 @@
 // Light that one tetrahedron adds to one pixel: premultiplied colour and alpha.
 //   in:  a point of the back face (barycentric coordinates and view coordinates), the eye's coordinates q, scalars
 //   out: integral of emission and extinction between the front face and the back face, clipped to what lies
-//        between the near plane and the opaque geometry
+//        between the near plane and the opaque geometry, or in each of two depth ranges
 // u runs from the back face (0) towards the eye: a fraction of that way in perspective, a length in a parallel projection.
+uniform sampler2D depthRanges; // near and far depth of two ranges, empty where near >= far
 uniform vec4 eyeVC;            // (position, 1) or (direction towards the eye, 0)
 uniform float extinctionScale; // extinction per world length at opacity 1
 
@@ -67,26 +68,21 @@ vec3 scalarsAt(float u, vec4 barycentric, vec4 slope)
   return s;
 }
 
-void main()
+// Where the ray has a depth, as a parameter from the back face towards the eye.
+float parameterAt(float depth)
 {
-  vec3 towardsEye = eyeVC.xyz - eyeVC.w * positionVCGSOutput;
-  vec4 slope = eyeBarycentricGSOutput - eyeVC.w * barycentricGSOutput;
+  float towardsEye = eyeVC.z - eyeVC.w * positionVCGSOutput.z;
+  return (zFromDepth(depth) - positionVCGSOutput.z) / towardsEye;
+}
 
-  float opaque = texelFetch(opaqueDepth, ivec2(gl_FragCoord.xy), 0).r;
-  float uNear = (zFromDepth(0.0) - positionVCGSOutput.z) / towardsEye.z;
-  float uOpaque = (zFromDepth(opaque) - positionVCGSOutput.z) / towardsEye.z;
-  float uFront = min(frontParameter(barycentricGSOutput, slope), uNear);
-  float uBack = max(0.0, uOpaque);
-  // A back face that is seen edge-on may be too narrow for a rasteriser to interpolate over: then nothing is a number.
-  bool interpolated = all(lessThan(abs(barycentricGSOutput), vec4(1.0e30)));
-  if (!(uFront > uBack) || !interpolated)
-  {
-    discard;
-  }
+// Light of the part of the ray between two parameters.
+vec4 lightBetween(float uFront, float uBack, vec4 slope)
+{
   // (colour, opacity)
   vec2 scalarAtFace = vec2(interpolate(barycentricGSOutput, scalarsGSOutput),
     interpolate(barycentricGSOutput, opacityScalarsGSOutput));
   vec2 scalarSlope = vec2(change(slope, scalarsGSOutput), change(slope, opacityScalarsGSOutput));
+  vec3 towardsEye = eyeVC.xyz - eyeVC.w * positionVCGSOutput;
   float opticalScale = (uFront - uBack) * length(towardsEye) * extinctionScale;
   vec2 front = scalarAtFace + uFront * scalarSlope;
   vec2 back = scalarAtFace + uBack * scalarSlope;
@@ -104,14 +100,73 @@ void main()
     ContourSegment segment = ContourSegment(tetrahedronGSOutput.x, contourScalarsGSOutput, contourEnds,
       barycentricGSOutput + uFront * slope, barycentricGSOutput + uBack * slope,
       positionVCGSOutput + uFront * towardsEye, positionVCGSOutput + uBack * towardsEye);
-    gl_FragData[0] = integrateSegmentWithContours(front, back, opticalScale, segment, tetrahedronGSOutput.y);
+    return integrateSegmentWithContours(front, back, opticalScale, segment, tetrahedronGSOutput.y);
+  }
+  if (useLayers)
+  {
+    selectLayer(tetrahedronGSOutput.y);
+  }
+  return integrateSegment(front, back, opticalScale);
+}
+
+// What lies in front of the opaque geometry.
+void drawWhole(float uFace, vec4 slope)
+{
+  float opaque = texelFetch(opaqueDepth, ivec2(gl_FragCoord.xy), 0).r;
+  float uFront = min(uFace, parameterAt(0.0));
+  float uBack = max(0.0, parameterAt(opaque));
+  if (!(uFront > uBack))
+  {
+    discard;
+  }
+  gl_FragData[0] = lightBetween(uFront, uBack, slope);
+}
+
+// What lies in each of the two ranges.
+void drawRanges(float uFace, vec4 slope)
+{
+  vec4 depths = texelFetch(depthRanges, ivec2(gl_FragCoord.xy), 0);
+  vec2 uFront = min(vec2(uFace), vec2(parameterAt(depths.x), parameterAt(depths.z)));
+  vec2 uBack = max(vec2(0.0), vec2(parameterAt(depths.y), parameterAt(depths.w)));
+  bvec2 inside = greaterThan(uFront, uBack);
+  if (!any(inside))
+  {
+    discard;
+  }
+  gl_FragData[0] = gl_FragData[1] = vec4(0.0);
+  // A loop and not two calls: few cells lie in both ranges, and the second integral costs only where one does.
+  int range = inside[0] ? 0 : 1;
+  int last = inside[1] ? 1 : 0;
+  do
+  {
+    vec4 light = lightBetween(uFront[range], uBack[range], slope);
+    if (range == 0)
+    {
+      gl_FragData[0] = light;
+    }
+    else
+    {
+      gl_FragData[1] = light;
+    }
+    ++range;
+  } while (range <= last);
+}
+
+void main()
+{
+  vec4 slope = eyeBarycentricGSOutput - eyeVC.w * barycentricGSOutput;
+  float uFace = frontParameter(barycentricGSOutput, slope);
+  // A back face that is seen edge-on may be too narrow for a rasteriser to interpolate over: then nothing is a number.
+  if (!all(lessThan(abs(barycentricGSOutput), vec4(1.0e30))))
+  {
+    discard;
+  }
+  if (useDepthRanges)
+  {
+    drawRanges(uFace, slope);
   }
   else
   {
-    if (useLayers)
-    {
-      selectLayer(tetrahedronGSOutput.y);
-    }
-    gl_FragData[0] = integrateSegment(front, back, opticalScale);
+    drawWhole(uFace, slope);
   }
 }

@@ -11,6 +11,8 @@ layout(points) in;
 layout(triangle_strip, max_vertices = 12) out;
 
 uniform mat4 VCDCMatrix;
+uniform sampler2D tileRanges; // with depth ranges: nearest and farthest depth that is wanted in a tile of pixels
+uniform vec2 tilesPerUnit;    // tiles per unit of device coordinates
 
 flat in int tetrahedronVSOutput[];
 out vec4 barycentricGSOutput;
@@ -21,6 +23,8 @@ flat out vec4 opacityScalarsGSOutput;
 flat out vec4 contourScalarsGSOutput;
 flat out ivec2 tetrahedronGSOutput;
 
+vec4 positionDC[4];
+
 void emitVertex(int i)
 {
   barycentricGSOutput = vec4(equal(ivec4(i), ivec4(0, 1, 2, 3)));
@@ -30,8 +34,47 @@ void emitVertex(int i)
   opacityScalarsGSOutput = secondScalars;
   contourScalarsGSOutput = thirdScalars;
   tetrahedronGSOutput = tetrahedronAndLayer;
-  gl_Position = VCDCMatrix * positionVC[i];
+  gl_Position = positionDC[i];
   EmitVertex();
+}
+
+// Whether the tetrahedron certainly lies outside the depth ranges of all pixels that it covers.
+bool isOutsideRanges()
+{
+  const float margin = 1.0e-5;  // more than float arithmetic errs in depth
+  const int largest = 4;        // tiles: larger tetrahedra are not worth the search
+  vec3 low = vec3(3.0e38);
+  vec3 high = vec3(-3.0e38);
+  for (int i = 0; i < 4; ++i)
+  {
+    if (positionDC[i].w <= 0.0)
+    {
+      return false; // behind the eye
+    }
+    vec3 position = positionDC[i].xyz / positionDC[i].w;
+    low = min(low, position);
+    high = max(high, position);
+  }
+  vec2 depths = 0.5 + 0.5 * vec2(low.z, high.z);
+  ivec2 limit = textureSize(tileRanges, 0) - 1;
+  ivec2 first = ivec2(clamp((low.xy + 1.0) * tilesPerUnit - 0.01, vec2(0.0), vec2(limit)));
+  ivec2 last = ivec2(clamp((high.xy + 1.0) * tilesPerUnit + 0.01, vec2(0.0), vec2(limit)));
+  if (any(greaterThanEqual(last - first, ivec2(largest))))
+  {
+    return false;
+  }
+  for (int y = first.y; y <= last.y; ++y)
+  {
+    for (int x = first.x; x <= last.x; ++x)
+    {
+      vec2 range = texelFetch(tileRanges, ivec2(x, y), 0).xy;
+      if (depths[0] < range.y + margin && depths[1] > range.x - margin)
+      {
+        return false;
+      }
+    }
+  }
+  return true;
 }
 
 void emitBackFace(float q, int a, int b, int c)
@@ -48,6 +91,14 @@ void emitBackFace(float q, int a, int b, int c)
 void main()
 {
   if (!readTetrahedron(tetrahedronVSOutput[0]))
+  {
+    return;
+  }
+  for (int i = 0; i < 4; ++i)
+  {
+    positionDC[i] = VCDCMatrix * positionVC[i];
+  }
+  if (useDepthRanges && isOutsideRanges())
   {
     return;
   }

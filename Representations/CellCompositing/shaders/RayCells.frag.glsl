@@ -12,6 +12,8 @@ uniform samplerBuffer hiddenCells;
 uniform isamplerBuffer boundaryFaces;
 uniform sampler2D entryFaces; // boundary face (-1: none), depth
 uniform sampler2D opaqueDepth; // depth of the opaque geometry, [0, 1]
+uniform sampler2D depthRanges; // or near and far depth of two ranges, empty where near >= far
+uniform int rangeNumber;       // the one to draw
 uniform mat4 MCVCMatrix;
 uniform vec4 depthToVC; // z in VC = (x + y e) / (z + w e) with e = 1 - depth
 uniform float extinctionScale; // extinction per world length at opacity 1
@@ -73,14 +75,25 @@ float zFromDepth(float depth)
   return (depthToVC.x + depthToVC.y * e) / (depthToVC.z + depthToVC.w * e);
 }
 
+vec2 visibleDepths()
+{
+  ivec2 pixel = ivec2(gl_FragCoord.xy);
+  if (!useDepthRanges)
+  {
+    return vec2(0.0, texelFetch(opaqueDepth, pixel, 0).r);
+  }
+  vec4 ranges = texelFetch(depthRanges, pixel, 0);
+  return rangeNumber == 0 ? ranges.xy : ranges.zw;
+}
+
 // Distances along the ray between which it is seen.
 vec2 visibleRange()
 {
   vec4 toZ = vec4(MCVCMatrix[0].z, MCVCMatrix[1].z, MCVCMatrix[2].z, MCVCMatrix[3].z);
   float atOrigin = dot(toZ, vec4(origin, 1.0));
   float slope = dot(toZ.xyz, along);
-  float opaque = texelFetch(opaqueDepth, ivec2(gl_FragCoord.xy), 0).r;
-  return (vec2(zFromDepth(0.0), zFromDepth(opaque)) - atOrigin) / slope;
+  vec2 depths = visibleDepths();
+  return (vec2(zFromDepth(depths.x), zFromDepth(depths.y)) - atOrigin) / slope;
 }
 
 ivec3 face; // vertices of the face that the ray is passing
@@ -227,6 +240,14 @@ void main()
   if (startsAtEye == 0 && entry < 0.0)
   {
     discard;
+  }
+  if (useDepthRanges)
+  {
+    vec2 depths = visibleDepths();
+    if (depths.x >= depths.y)
+    {
+      discard;
+    }
   }
   unity = gl_FragCoord.w;
   clear = clearRange * unity;

@@ -9,9 +9,12 @@ DEEPEST = 45.0  # exp(-45) = 3e-20: nothing behind it is seen
 CHUNK = 20000
 
 
-def render(cells, view, transfer, opaque=None, integration="exact", split=True):
-    """RGBA (height, width, 4), colour premultiplied. opaque: world length along each ray where it ends (or inf)."""
+def render(cells, view, transfer, opaque=None, integration="exact", split=True, begin=None):
+    """RGBA (height, width, 4), colour premultiplied. opaque, begin: world length along each ray where it ends (or inf) and
+    where it begins (or -inf)."""
     origins, directions, start, end = view.rays()
+    if begin is not None:
+        start = np.maximum(start, np.asarray(begin).ravel())
     if opaque is not None:
         end = np.minimum(end, np.asarray(opaque).ravel())
     pixel, t0, t1, s0, s1 = _segments(cells, view, origins, directions, start, end)
@@ -154,9 +157,17 @@ def over(rgba, background):
 
 
 def opaque_distance(triangles, view):
-    """World length along each ray to the nearest of (n,3,3) triangles, inf where there is none (Moeller-Trumbore)."""
+    """World length along each ray to the nearest of (n,3,3) triangles, inf where there is none."""
+    start = view.rays()[2]
+    nearest = np.full(len(start), np.inf)
+    for hit, t in triangle_hits(triangles, view):
+        nearest = np.where(hit, np.minimum(nearest, t), nearest)
+    return nearest
+
+
+def triangle_hits(triangles, view):
+    """For each of (n,3,3) triangles: which rays hit it, and at what world length (Moeller-Trumbore)."""
     origins, directions, start, _ = view.rays()
-    nearest = np.full(len(origins), np.inf)
     for a, b, c in np.asarray(triangles, float):
         e1, e2 = b - a, c - a
         p = np.cross(directions, e2)
@@ -167,6 +178,4 @@ def opaque_distance(triangles, view):
             q = np.cross(s, e1)
             v = np.einsum("ij,ij->i", directions, q) / det
             t = (q @ e2) / det
-        hit = (det != 0) & (u >= 0) & (v >= 0) & (u + v <= 1) & (t >= start)
-        nearest = np.where(hit, np.minimum(nearest, t), nearest)
-    return nearest
+        yield (det != 0) & (u >= 0) & (v >= 0) & (u + v <= 1) & (t >= start), t

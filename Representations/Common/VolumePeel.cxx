@@ -1,0 +1,300 @@
+// SPDX-FileCopyrightText: The Nephoscope authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "OpenGLFunctions.h"
+
+#include "VolumePeel.h"
+
+#include "PeelLightFragment.h"
+#include "PeelRangesFragment.h"
+#include "PeelTilesFragment.h"
+
+#include "vtkAbstractMapper.h"
+#include "vtkDualDepthPeelingPass.h"
+#include "vtkInformation.h"
+#include "vtkInformationObjectBaseVectorKey.h"
+#include "vtkOpenGLFramebufferObject.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLShaderCache.h"
+#include "vtkOpenGLState.h"
+#include "vtkOpenGLVertexArrayObject.h"
+#include "vtkProp.h"
+#include "vtkShaderProgram.h"
+#include "vtkTextureObject.h"
+
+#include <algorithm>
+#include <string>
+
+namespace nephoscope
+{
+namespace
+{
+/** One triangle that covers the viewport. */
+const char* const triangleVertex = "//VTK::System::Dec\n"
+                                   "void main()\n"
+                                   "{\n"
+                                   "  vec2 corner = vec2(gl_VertexID == 1, gl_VertexID == 2);\n"
+                                   "  gl_Position = vec4(4.0 * corner - 1.0, 0.0, 1.0);\n"
+                                   "}\n";
+
+// The pass ends with the first peel that puts nothing into the back. In front of opaque geometry only the frontmost surface
+// has been peeled by then: two ranges that end at the opaque depth say that there are more. The least alpha keeps it going.
+const char* const keepPeeling = "  if (calls == 2 && lastFar >= texelFetch(opaqueDepthTex, pixel, 0).x)\n"
+                                "  {\n"
+                                "    gl_FragData[0].a = max(gl_FragData[0].a, smallestAlpha);\n"
+                                "  }\n";
+
+/** Calls work(pass) for every render pass that has left its key with the prop. */
+template <typename Work>
+void forEachPass(vtkProp* prop, Work work)
+{
+  vtkInformation* keys = prop->GetPropertyKeys();
+  vtkInformationObjectBaseVectorKey* key = vtkOpenGLRenderPass::RenderPasses();
+  const int count = keys && keys->Has(key) ? keys->Length(key) : 0;
+  for (int i = 0; i < count; ++i)
+  {
+    if (auto* pass = vtkOpenGLRenderPass::SafeDownCast(vtkObject::SafeDownCast(keys->Get(key, i))))
+    {
+      work(pass);
+    }
+  }
+}
+
+vtkDualDepthPeelingPass* peelingPass(vtkProp* prop)
+{
+  vtkDualDepthPeelingPass* found = nullptr;
+  forEachPass(prop, [&](vtkOpenGLRenderPass* pass) {
+    if (auto* peeling = vtkDualDepthPeelingPass::SafeDownCast(pass))
+    {
+      found = peeling;
+    }
+  });
+  return found;
+}
+
+void allocateColor(vtkTextureObject* texture, vtkOpenGLRenderWindow* window, int width, int height, int type)
+{
+  texture->SetContext(window);
+  texture->Allocate2D(width, height, 4, type);
+  texture->SetMinificationFilter(vtkTextureObject::Nearest);
+  texture->SetMagnificationFilter(vtkTextureObject::Nearest);
+}
+
+int numberOfTiles(int pixels)
+{
+  return (pixels + VolumePeel::TileSize - 1) / VolumePeel::TileSize;
+}
+
+/** Counts nothing, but tells whether any fragment was drawn in its scope. */
+class DrawnQuery
+{
+public:
+  DrawnQuery()
+  {
+    glGenQueries(1, &this->Id);
+    glBeginQuery(GL_ANY_SAMPLES_PASSED, this->Id);
+  }
+  ~DrawnQuery() { glDeleteQueries(1, &this->Id); }
+  bool End()
+  {
+    glEndQuery(GL_ANY_SAMPLES_PASSED);
+    GLuint any = 0;
+    glGetQueryObjectuiv(this->Id, GL_QUERY_RESULT, &any);
+    return any != 0;
+  }
+
+private:
+  GLuint Id = 0;
+};
+}
+
+VolumePeel::VolumePeel() = default;
+VolumePeel::~VolumePeel() = default;
+
+bool VolumePeel::IsRequested(vtkProp* volume)
+{
+  return peelingPass(volume) != nullptr;
+}
+
+void VolumePeel::Allocate(vtkOpenGLRenderWindow* window, int width, int height)
+{
+  if (this->Ranges->GetHandle() && this->Size[0] == width && this->Size[1] == height)
+  {
+    return;
+  }
+  this->ReleaseGraphicsResources(window);
+  this->Framebuffer->SetContext(window);
+  allocateColor(this->Ranges, window, width, height, VTK_FLOAT);
+  allocateColor(this->TileRanges, window, numberOfTiles(width), numberOfTiles(height), VTK_FLOAT);
+  for (auto& target : this->Targets)
+  {
+    allocateColor(target, window, width, height, VTK_UNSIGNED_CHAR);
+  }
+  this->NearestDepth->SetContext(window);
+  this->NearestDepth->AllocateDepth(width, height, vtkTextureObject::Float32);
+  this->Size[0] = width;
+  this->Size[1] = height;
+}
+
+// The passes complete the shader anew at every stage; the window's cache keeps a program for each.
+vtkShaderProgram* VolumePeel::ReadyProgram(
+  vtkOpenGLRenderWindow* window, const Request& request, const int viewport[4], const char* shader)
+{
+  std::string vertex = triangleVertex, geometry, fragment = shader;
+  forEachPass(request.Volume, [&](vtkOpenGLRenderPass* pass) {
+    pass->PreReplaceShaderValues(vertex, geometry, fragment, request.Mapper, request.Volume);
+  });
+  forEachPass(request.Volume, [&](vtkOpenGLRenderPass* pass) {
+    pass->PostReplaceShaderValues(vertex, geometry, fragment, request.Mapper, request.Volume);
+  });
+  const bool peelsInFrontOfOpaque = fragment.find("opaqueDepthTex") != std::string::npos;
+  vtkShaderProgram::Substitute(
+    fragment, "//NEPHOSCOPE::KeepPeeling", peelsInFrontOfOpaque ? keepPeeling : "");
+  vtkShaderProgram* program =
+    window->GetShaderCache()->ReadyShaderProgram(vertex.c_str(), fragment.c_str(), geometry.c_str());
+  if (program)
+  {
+    forEachPass(request.Volume,
+      [&](vtkOpenGLRenderPass* pass) { pass->SetShaderParameters(program, request.Mapper, request.Volume); });
+    const float inverseSize[2] = { 1.0f / viewport[2], 1.0f / viewport[3] };
+    program->SetUniform2f("in_inverseWindowSize", inverseSize);
+  }
+  return program;
+}
+
+void VolumePeel::DrawTriangle()
+{
+  this->VertexArray->Bind();
+  glDrawArrays(GL_TRIANGLES, 0, 3);
+  this->VertexArray->Release();
+}
+
+bool VolumePeel::FindRanges(vtkOpenGLRenderWindow* window, const Request& request, const int viewport[4])
+{
+  this->Allocate(window, viewport[2], viewport[3]);
+  vtkOpenGLState* state = window->GetState();
+  state->PushFramebufferBindings();
+  this->Framebuffer->Bind();
+  this->Framebuffer->AddColorAttachment(0, this->Ranges);
+  this->Framebuffer->AddDepthAttachment(this->NearestDepth);
+  this->Framebuffer->ActivateDrawBuffer(0);
+  const bool any = this->DrawRanges(window, request, viewport);
+  state->PopFramebufferBindings();
+  return any;
+}
+
+bool VolumePeel::DrawRanges(vtkOpenGLRenderWindow* window, const Request& request, const int viewport[4])
+{
+  vtkOpenGLState* state = window->GetState();
+  vtkOpenGLState::ScopedglViewport savedViewport(state);
+  vtkOpenGLState::ScopedglEnableDisable savedDepthTest(state, GL_DEPTH_TEST);
+  vtkOpenGLState::ScopedglEnableDisable savedBlend(state, GL_BLEND);
+  vtkOpenGLState::ScopedglEnableDisable savedCulling(state, GL_CULL_FACE);
+  vtkOpenGLState::ScopedglEnableDisable savedScissor(state, GL_SCISSOR_TEST);
+  vtkOpenGLState::ScopedglDepthMask savedMask(state);
+  vtkOpenGLState::ScopedglDepthFunc savedFunction(state);
+  state->vtkglViewport(0, 0, viewport[2], viewport[3]);
+  state->vtkglDisable(GL_BLEND);
+  state->vtkglDisable(GL_CULL_FACE);
+  state->vtkglDisable(GL_SCISSOR_TEST);
+  state->vtkglEnable(GL_DEPTH_TEST); // without it no depth is written
+  state->vtkglDepthFunc(GL_ALWAYS);
+  state->vtkglDepthMask(GL_TRUE);
+  const float empty[4] = { 1, 0, 1, 0 };
+  const float behindAll = 1;
+  glClearBufferfv(GL_COLOR, 0, empty);
+  glClearBufferfv(GL_DEPTH, 0, &behindAll);
+  if (!this->ReadyProgram(window, request, viewport, PeelRangesFragment))
+  {
+    return false;
+  }
+  DrawnQuery query;
+  this->DrawTriangle();
+  const bool any = query.End();
+  if (any)
+  {
+    this->DrawTiles(window);
+  }
+  return any;
+}
+
+void VolumePeel::DrawTiles(vtkOpenGLRenderWindow* window)
+{
+  this->Framebuffer->RemoveDepthAttachment();
+  this->Framebuffer->AddColorAttachment(0, this->TileRanges);
+  window->GetState()->vtkglViewport(0, 0, numberOfTiles(this->Size[0]), numberOfTiles(this->Size[1]));
+  window->GetState()->vtkglDisable(GL_DEPTH_TEST);
+  vtkShaderProgram* program = window->GetShaderCache()->ReadyShaderProgram(triangleVertex, PeelTilesFragment, "");
+  if (program)
+  {
+    this->Ranges->Activate();
+    program->SetUniformi("ranges", this->Ranges->GetTextureUnit());
+    program->SetUniformi("tileSize", TileSize);
+    this->DrawTriangle();
+    this->Ranges->Deactivate();
+  }
+}
+
+// Light is mixed with what the targets hold in the shader: the pass leaves them with GL_MAX, and blending in 8 bits
+// would round once more.
+void VolumePeel::CopyTargets(vtkOpenGLRenderWindow* window, unsigned int count)
+{
+  vtkOpenGLState* state = window->GetState();
+  GLint target = 0;
+  glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &target);
+  state->PushReadFramebufferBinding();
+  state->vtkglBindFramebuffer(GL_READ_FRAMEBUFFER, static_cast<unsigned int>(target));
+  for (unsigned int i = 0; i < count; ++i)
+  {
+    state->vtkglReadBuffer(GL_COLOR_ATTACHMENT0 + i);
+    this->Targets[i]->Activate();
+    glCopyTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, 0, 0, this->Size[0], this->Size[1]);
+    this->Targets[i]->Deactivate();
+  }
+  state->PopReadFramebufferBinding();
+}
+
+void VolumePeel::Deliver(vtkOpenGLRenderWindow* window, const Request& request, const int viewport[4],
+  vtkTextureObject* firstLight, vtkTextureObject* secondLight)
+{
+  this->CopyTargets(window, std::min(2u, peelingPass(request.Volume)->GetActiveDrawBuffers()));
+  vtkOpenGLState* state = window->GetState();
+  vtkOpenGLState::ScopedglEnableDisable savedDepthTest(state, GL_DEPTH_TEST);
+  vtkOpenGLState::ScopedglEnableDisable savedBlend(state, GL_BLEND);
+  vtkOpenGLState::ScopedglEnableDisable savedCulling(state, GL_CULL_FACE);
+  state->vtkglDisable(GL_DEPTH_TEST);
+  state->vtkglDisable(GL_BLEND);
+  state->vtkglDisable(GL_CULL_FACE);
+  vtkShaderProgram* program = this->ReadyProgram(window, request, viewport, PeelLightFragment);
+  if (!program)
+  {
+    return;
+  }
+  vtkTextureObject* textures[4] = { firstLight, secondLight, this->Targets[0], this->Targets[1] };
+  const char* names[4] = { "firstLight", "secondLight", "oldBack", "oldFront" };
+  for (int i = 0; i < 4; ++i)
+  {
+    textures[i]->Activate();
+    program->SetUniformi(names[i], textures[i]->GetTextureUnit());
+  }
+  this->DrawTriangle();
+  for (vtkTextureObject* texture : textures)
+  {
+    texture->Deactivate();
+  }
+}
+
+void VolumePeel::ReleaseGraphicsResources(vtkWindow* window)
+{
+  this->VertexArray->ReleaseGraphicsResources();
+  this->Framebuffer->ReleaseGraphicsResources(window);
+  this->Ranges->ReleaseGraphicsResources(window);
+  this->TileRanges->ReleaseGraphicsResources(window);
+  this->NearestDepth->ReleaseGraphicsResources(window);
+  for (auto& target : this->Targets)
+  {
+    target->ReleaseGraphicsResources(window);
+  }
+  this->Size[0] = this->Size[1] = 0;
+}
+
+} // namespace nephoscope

@@ -1,0 +1,66 @@
+# SPDX-FileCopyrightText: The Nephoscope authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Translucent surfaces among the cells: the reference cuts every ray at every surface it meets."""
+import numpy as np
+
+from . import reference
+
+SAME = 1e-6  # hits this near to each other, relative to the distance, are one hit on the edge between two triangles
+
+
+class Layer:
+    """A surface: (n,3,3) triangles, a colour (one, or one per pixel as (height, width, 3)) and an opacity."""
+
+    def __init__(self, triangles, color, opacity):
+        self.triangles, self.color, self.opacity = np.asarray(triangles, float), np.asarray(color, float), opacity
+
+    def hits(self, view):
+        """(rays, number of hits) world lengths, ascending, inf where there are no more."""
+        found = [np.where(hit, t, np.inf) for hit, t in reference.triangle_hits(self.triangles, view)]
+        t = np.sort(np.stack(found, axis=1), axis=1)
+        with np.errstate(invalid="ignore"):
+            t[:, 1:][np.diff(t, axis=1) < SAME * t[:, 1:]] = np.inf
+        t = np.sort(t, axis=1)
+        return t[:, :max(1, int(np.isfinite(t).sum(axis=1).max()))]
+
+    def rgba(self, view):
+        """Premultiplied, one per ray."""
+        color = np.broadcast_to(self.color, (view.height, view.width, 3)).reshape(-1, 3)
+        return np.concatenate([color, np.ones((len(color), 1))], axis=1) * self.opacity
+
+
+def composite(volumes, view, layers, opaque=None, background=(0, 0, 0)):
+    """The picture (height, width, 3). volumes: (cells, transfer) pairs, each laid over those before it; opaque: (triangles,
+    colour)."""
+    end, under = np.full(view.width * view.height, np.inf), np.asarray(background, float)
+    if opaque:
+        end = reference.opaque_distance(opaque[0], view)
+        under = np.where(np.isfinite(end)[:, None], opaque[1], background)
+    hits = [layer.hits(view) for layer in layers]
+    t = np.concatenate(hits + [np.full((len(end), 1), np.inf)], axis=1)
+    owner = np.concatenate([np.full(h.shape[1], i) for i, h in enumerate(hits)] + [[-1]]).astype(int)
+    order = np.argsort(t, axis=1, kind="stable")
+    t, owner = np.minimum(np.take_along_axis(t, order, 1), end[:, None]), owner[order]
+    colors = [layer.rgba(view) for layer in layers]
+    total, begin = np.zeros((len(end), 4)), np.full(len(end), -np.inf)
+    for k in range(t.shape[1]):
+        total = _under(total, _between(volumes, view, begin, t[:, k]))
+        surface = np.zeros((len(end), 4))
+        for i, color in enumerate(colors):
+            surface = np.where(((owner[:, k] == i) & (t[:, k] < end))[:, None], color, surface)
+        total, begin = _under(total, surface), t[:, k]
+    return (total[:, :3] + (1 - total[:, 3:]) * under).reshape(view.height, view.width, 3)
+
+
+def _between(volumes, view, begin, end):
+    total = np.zeros((view.width * view.height, 4))
+    if not (begin < end).any():
+        return total
+    for cells, transfer in volumes:
+        light = reference.render(cells, view, transfer, end, begin=begin).reshape(-1, 4)
+        total = light + (1 - light[:, 3:]) * total
+    return total
+
+
+def _under(upper, lower):
+    return upper + (1 - upper[:, 3:]) * lower
