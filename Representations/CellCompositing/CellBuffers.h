@@ -20,12 +20,13 @@ namespace nephoscope
 {
 
 class CellGeometry;
+struct CellPieces;
 
 class CellBuffers
 {
 public:
   // Each returns an empty string, or what went wrong.
-  std::string UploadGeometry(vtkOpenGLRenderWindow* window, const CellGeometry& geometry);
+  std::string UploadGeometry(vtkOpenGLRenderWindow* window, const CellGeometry& geometry, const CellPieces& pieces);
   std::string UploadTransferFunctions(vtkOpenGLRenderWindow* window, const TransferFunctionTable& colorAndOpacity,
     const TransferFunctionTable& opacity);
 

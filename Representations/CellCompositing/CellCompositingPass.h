@@ -29,6 +29,7 @@ namespace nephoscope
 
 class CellGeometry;
 class CellScene;
+struct CellPieces;
 struct TetrahedronNeighbors;
 
 class CellCompositingPass
@@ -37,7 +38,8 @@ public:
   // Each returns an empty string, or what went wrong.
   /** With `neighbors` the cells are drawn ray by ray, else one by one in the order that UploadOrder tells. */
   std::string UploadGeometry(
-    vtkOpenGLRenderWindow* window, const CellGeometry& geometry, const TetrahedronNeighbors* neighbors);
+    vtkOpenGLRenderWindow* window, const CellGeometry& geometry, const CellPieces& pieces,
+    const TetrahedronNeighbors* neighbors);
   std::string UploadTransferFunctions(vtkOpenGLRenderWindow* window, const TransferFunctionTable& colorAndOpacity,
     const TransferFunctionTable& opacity)
   {

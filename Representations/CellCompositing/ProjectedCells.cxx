@@ -5,7 +5,7 @@
 #include "ProjectedCells.h"
 
 #include "CellDrawing.h"
-#include "CellGeometry.h"
+#include "CellPieces.h"
 #include "ShaderText.h"
 
 #include "CellCompositingFragment.h"
@@ -36,9 +36,15 @@ std::array<float, 4> toFloat(const double v[4])
 ProjectedCells::ProjectedCells() = default;
 ProjectedCells::~ProjectedCells() = default;
 
-std::string ProjectedCells::UploadGeometry(vtkOpenGLRenderWindow* window, const CellGeometry& geometry)
+std::string ProjectedCells::UploadGeometry(
+  vtkOpenGLRenderWindow* window, const CellGeometry& geometry, const CellPieces& pieces)
 {
-  return this->Tetrahedra.Upload(window, geometry.Tetrahedra.data(), geometry.Tetrahedra.size(), 4, VTK_INT);
+  if (pieces.Tetrahedra.empty())
+  {
+    return this->Tetrahedra.Upload(window, geometry.Tetrahedra.data(), geometry.Tetrahedra.size(), 4, VTK_INT);
+  }
+  const std::vector<Tetrahedron> all = joined(geometry.Tetrahedra, pieces.Tetrahedra);
+  return this->Tetrahedra.Upload(window, all.data(), all.size(), 4, VTK_INT);
 }
 
 std::string ProjectedCells::UploadOrder(vtkOpenGLRenderWindow* window, const std::vector<std::int32_t>& order)
