@@ -67,14 +67,6 @@ def perforated(n):
     return grid
 
 
-def twisted_tube(sectors, layers):
-    """A tube whose sectors lean: seen along its axis each hides the next, all the way round, in every layer."""
-    def place(x, y, z):
-        angle, r = 2 * np.pi * (x % 1) + z - 0.5, 0.6 + 0.4 * y
-        return r * np.cos(angle), r * np.sin(angle), z - 0.5
-    return structured((sectors, layers, layers), place)
-
-
 def interlaced_rods(n):
     """n x n rods along each axis, all in one cycle: as bad as it gets."""
     points, grid = vtkPoints(), vtkUnstructuredGrid()
@@ -150,8 +142,6 @@ def main():
         measure("cube, perforated", perforated(n))
     for size in (512, 1024, 2048):
         measure("globe", globe(144, 73, 20), size)
-    for layers in (3, 6):
-        measure("twisted tube", twisted_tube(24, layers), direction=(0.1, 0.05, 5))
     for n in (4, 8):
         measure("interlaced rods", interlaced_rods(n), direction=(1, 1.1, 0.9))
 
