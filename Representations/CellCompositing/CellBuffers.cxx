@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "CellBuffers.h"
 
-#include "CellGeometry.h"
+#include "CellPieces.h"
 #include "ShaderText.h"
 
 #include "vtkOpenGLRenderWindow.h"
@@ -24,21 +24,28 @@ bool hasNarrowIntervals(const std::vector<TransferFunctionTable>& tables)
 }
 }
 
-std::string CellBuffers::UploadGeometry(vtkOpenGLRenderWindow* window, const CellGeometry& geometry)
+std::string CellBuffers::UploadGeometry(
+  vtkOpenGLRenderWindow* window, const CellGeometry& geometry, const CellPieces& pieces)
 {
   this->UseCellScalars = !geometry.CellScalars.empty();
   this->SeparateOpacity = geometry.HasOpacityScalars;
   this->OpacityOnCells = geometry.OpacityOnCells;
   std::string error;
-  const auto upload = [&](Name name, const auto& values, int components) {
-    if (error.empty())
+  const auto upload = [&](Name name, const auto& values, const auto& ofPieces, int components) {
+    if (error.empty() && ofPieces.empty())
     {
       error = this->Buffers[name].Upload(window, values.data(), values.size(), components, VTK_FLOAT);
     }
+    else if (error.empty())
+    {
+      const auto all = joined(values, ofPieces);
+      error = this->Buffers[name].Upload(window, all.data(), all.size(), components, VTK_FLOAT);
+    }
   };
-  upload(Points, geometry.Points, 4);
-  upload(CellScalars, geometry.CellScalars, 1);
-  upload(OpacityScalars, geometry.OpacityScalars, 1);
+  upload(Points, geometry.Points, pieces.Points, 4);
+  upload(CellScalars, geometry.CellScalars, pieces.OfOwners(geometry.CellScalars), 1);
+  upload(OpacityScalars, geometry.OpacityScalars,
+    geometry.OpacityOnCells ? pieces.OfOwners(geometry.OpacityScalars) : pieces.OpacityScalars, 1);
   return error;
 }
 

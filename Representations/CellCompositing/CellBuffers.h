@@ -22,12 +22,13 @@ namespace nephoscope
 {
 
 class CellGeometry;
+struct CellPieces;
 
 class CellBuffers
 {
 public:
   // Each returns an empty string, or what went wrong.
-  std::string UploadGeometry(vtkOpenGLRenderWindow* window, const CellGeometry& geometry);
+  std::string UploadGeometry(vtkOpenGLRenderWindow* window, const CellGeometry& geometry, const CellPieces& pieces);
   /** One table of either kind, or one per layer; `tables` has the number of its tables for each tetrahedron, or is empty. */
   std::string UploadTransferFunctions(vtkOpenGLRenderWindow* window,
     const std::vector<TransferFunctionTable>& colorAndOpacity, const std::vector<TransferFunctionTable>& opacity,

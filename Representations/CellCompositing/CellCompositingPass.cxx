@@ -41,16 +41,17 @@ const char* const noFloatImages = "this OpenGL cannot draw into 32-bit float ima
 }
 
 std::string CellCompositingPass::UploadGeometry(
-  vtkOpenGLRenderWindow* window, const CellGeometry& geometry, const TetrahedronNeighbors* neighbors)
+  vtkOpenGLRenderWindow* window, const CellGeometry& geometry, const CellPieces& pieces,
+  const TetrahedronNeighbors* neighbors)
 {
   this->UseRays = neighbors != nullptr;
-  const std::string error = this->Buffers.UploadGeometry(window, geometry);
+  const std::string error = this->Buffers.UploadGeometry(window, geometry, pieces);
   if (!error.empty())
   {
     return error;
   }
   return this->UseRays ? this->Rays.UploadGeometry(window, geometry, *neighbors)
-                       : this->Projected.UploadGeometry(window, geometry);
+                       : this->Projected.UploadGeometry(window, geometry, pieces);
 }
 
 std::string CellCompositingPass::UploadDrawn(vtkOpenGLRenderWindow* window, const CellScene& scene)

@@ -32,6 +32,7 @@ namespace nephoscope
 
 class CellGeometry;
 class CellScene;
+struct CellPieces;
 struct TetrahedronNeighbors;
 class ContourScene;
 
@@ -41,7 +42,8 @@ public:
   // Each returns an empty string, or what went wrong.
   /** With `neighbors` the cells are drawn ray by ray, else one by one in the order that UploadOrder tells. */
   std::string UploadGeometry(
-    vtkOpenGLRenderWindow* window, const CellGeometry& geometry, const TetrahedronNeighbors* neighbors);
+    vtkOpenGLRenderWindow* window, const CellGeometry& geometry, const CellPieces& pieces,
+    const TetrahedronNeighbors* neighbors);
   std::string UploadTransferFunctions(vtkOpenGLRenderWindow* window,
     const std::vector<TransferFunctionTable>& colorAndOpacity, const std::vector<TransferFunctionTable>& opacity,
     const std::vector<std::int32_t>& tables)

@@ -8,8 +8,8 @@
 #include "vtkDataSet.h"
 #include "vtkIdList.h"
 #include "vtkNew.h"
-#include "vtkSMPTools.h"
 
+#include <algorithm>
 #include <atomic>
 #include <cmath>
 #include <limits>
@@ -43,7 +43,8 @@ std::array<Vector3, 4> CellGeometry::Vertices(std::size_t tetrahedron) const
 }
 
 std::string CellGeometry::Build(
-  vtkDataSet* data, const ScalarSelection& scalars, const ScalarSelection& opacity, vtkDataArray* layers, Form form)
+  vtkDataSet* data, const ScalarSelection& scalars, const ScalarSelection& opacity, vtkDataArray* layers,
+  const Progress& progress, Form form)
 {
   this->Clear();
   this->LayerArray = layers;
@@ -59,18 +60,20 @@ std::string CellGeometry::Build(
     vtkNew<vtkIdList> ids;
     data->GetCellPoints(0, ids); // builds what datasets build on first use, before threads ask for it
   }
-  this->CopyPoints(data);
-  this->CopyScalars(data, scalars);
-  this->CopyOpacityScalars(data, opacity);
-  if (form == Form::Tetrahedra || !this->UseGrid(data, scalars, opacity))
+  const bool copied = this->CopyPoints(data, progress.Part(0, 0.1)) &&
+    this->CopyScalars(data, scalars, progress.Part(0.1, 0.2)) &&
+    this->CopyOpacityScalars(data, opacity, progress.Part(0.2, 0.3));
+  const bool grid = copied && form == Form::Grid && this->UseGrid(data, scalars, opacity);
+  if (!copied || (!grid && !this->Decompose(data, scalars, opacity, progress.Part(0.3, 1))))
   {
-    this->Decompose(data, scalars, opacity);
+    this->Clear();
+    this->Stopped = true;
   }
   this->LayerArray = nullptr;
   return std::string();
 }
 
-void CellGeometry::CopyPoints(vtkDataSet* data)
+bool CellGeometry::CopyPoints(vtkDataSet* data, const Progress& progress)
 {
   double bounds[6];
   data->GetBounds(bounds);
@@ -79,60 +82,65 @@ void CellGeometry::CopyPoints(vtkDataSet* data)
     const double middle = 0.5 * (bounds[2 * axis] + bounds[2 * axis + 1]);
     this->Center[axis] = std::isfinite(middle) ? middle : 0.0;
   }
-  this->Points.resize(static_cast<std::size_t>(data->GetNumberOfPoints()));
-  vtkSMPTools::For(0, data->GetNumberOfPoints(), [&](vtkIdType begin, vtkIdType end) {
-    double x[3];
-    for (vtkIdType i = begin; i < end; ++i)
-    {
-      data->GetPoint(i, x);
-      this->Points[static_cast<std::size_t>(i)] = { static_cast<float>(x[0] - this->Center[0]),
-        static_cast<float>(x[1] - this->Center[1]), static_cast<float>(x[2] - this->Center[2]), 0.0f };
-    }
-  });
-}
-
-void CellGeometry::CopyScalars(vtkDataSet* data, const ScalarSelection& scalars)
-{
-  findRange(data, scalars, this->ScalarRange);
-  if (scalars.OnCells)
+  // What is left of the pole of a globe by the rounding of sines and cosines is not a place of its own.
+  double noise = 0;
+  for (const double bound : bounds)
   {
-    return;
+    noise = std::isfinite(bound) ? std::max(noise, 1e-14 * std::abs(bound)) : noise;
   }
-  vtkSMPTools::For(0, static_cast<vtkIdType>(this->Points.size()), [&](vtkIdType begin, vtkIdType end) {
-    for (vtkIdType i = begin; i < end; ++i)
+  const auto place = [&](double x, int axis) {
+    const double d = x - this->Center[axis];
+    return std::abs(d) < noise ? 0.0f : static_cast<float>(d);
+  };
+  this->Points.resize(static_cast<std::size_t>(data->GetNumberOfPoints()));
+  return forRanges(this->Points.size(), progress, [&](std::size_t begin, std::size_t end) {
+    double x[3];
+    for (std::size_t i = begin; i < end; ++i)
     {
-      this->Points[static_cast<std::size_t>(i)].Scalar = normalized(scalars, i, this->ScalarRange);
+      data->GetPoint(static_cast<vtkIdType>(i), x);
+      this->Points[i] = { place(x[0], 0), place(x[1], 1), place(x[2], 2), 0.0f };
     }
   });
 }
 
-void CellGeometry::CopyOpacityScalars(vtkDataSet* data, const ScalarSelection& opacity)
+bool CellGeometry::CopyScalars(vtkDataSet* data, const ScalarSelection& scalars, const Progress& progress)
+{
+  if (!findRange(data, scalars, this->ScalarRange, progress.Part(0, 0.5)))
+  {
+    return false;
+  }
+  return forEach(scalars.OnCells ? 0 : this->Points.size(), progress.Part(0.5, 1), [&](std::size_t i) {
+    this->Points[i].Scalar = normalized(scalars, static_cast<vtkIdType>(i), this->ScalarRange);
+  });
+}
+
+bool CellGeometry::CopyOpacityScalars(
+  vtkDataSet* data, const ScalarSelection& opacity, const Progress& progress)
 {
   this->HasOpacityScalars = opacity.Array != nullptr;
   this->OpacityOnCells = opacity.OnCells;
   if (!opacity.Array)
   {
-    return;
+    return true;
   }
-  findRange(data, opacity, this->OpacityRange);
-  if (opacity.OnCells)
+  if (!findRange(data, opacity, this->OpacityRange, progress.Part(0, 0.5)))
   {
-    return;
+    return false;
   }
-  this->OpacityScalars.resize(this->Points.size());
-  vtkSMPTools::For(0, static_cast<vtkIdType>(this->Points.size()), [&](vtkIdType begin, vtkIdType end) {
-    for (vtkIdType i = begin; i < end; ++i)
-    {
-      this->OpacityScalars[static_cast<std::size_t>(i)] = normalized(opacity, i, this->OpacityRange);
-    }
+  this->OpacityScalars.resize(opacity.OnCells ? 0 : this->Points.size());
+  return forEach(this->OpacityScalars.size(), progress.Part(0.5, 1), [&](std::size_t i) {
+    this->OpacityScalars[i] = normalized(opacity, static_cast<vtkIdType>(i), this->OpacityRange);
   });
 }
 
-void CellGeometry::Decompose(
-  vtkDataSet* data, const ScalarSelection& scalars, const ScalarSelection& opacity)
+bool CellGeometry::Decompose(
+  vtkDataSet* data, const ScalarSelection& scalars, const ScalarSelection& opacity, const Progress& progress)
 {
   std::vector<std::int64_t> first(static_cast<std::size_t>(data->GetNumberOfCells()) + 1, 0);
-  this->CountTetrahedra(data, scalars, opacity, first);               // PASS 1
+  if (!this->CountTetrahedra(data, scalars, opacity, first, progress.Part(0, 0.5))) // PASS 1
+  {
+    return false;
+  }
   std::partial_sum(first.begin(), first.end(), first.begin());        // PASS 2
   this->Tetrahedra.resize(static_cast<std::size_t>(first.back()));
   this->CellScalars.resize(scalars.OnCells ? this->Tetrahedra.size() : 0);
@@ -141,18 +149,19 @@ void CellGeometry::Decompose(
   {
     this->OpacityScalars.resize(this->Tetrahedra.size());
   }
-  this->FillTetrahedra(data, scalars, opacity, first);                // PASS 3
+  return this->FillTetrahedra(data, scalars, opacity, first, progress.Part(0.5, 1)); // PASS 3
 }
 
 // counts[cell + 1]: tetrahedra of the cell.
-void CellGeometry::CountTetrahedra(vtkDataSet* data, const ScalarSelection& scalars,
-  const ScalarSelection& opacity, std::vector<std::int64_t>& counts)
+bool CellGeometry::CountTetrahedra(vtkDataSet* data, const ScalarSelection& scalars,
+  const ScalarSelection& opacity, std::vector<std::int64_t>& counts, const Progress& progress)
 {
   std::atomic<std::int64_t> unsupported(0), invalid(0), nonConvex(0), flat(0);
   std::atomic<int> unsupportedType(0);
-  vtkSMPTools::For(0, data->GetNumberOfCells(), [&](vtkIdType begin, vtkIdType end) {
+  const std::size_t n = static_cast<std::size_t>(data->GetNumberOfCells());
+  const bool done = forRanges(n, progress, [&](std::size_t begin, std::size_t end) {
     CellWalker walker(data, *this, scalars, opacity);
-    for (vtkIdType cell = begin; cell < end; ++cell)
+    for (vtkIdType cell = static_cast<vtkIdType>(begin); cell < static_cast<vtkIdType>(end); ++cell)
     {
       std::int64_t& count = counts[static_cast<std::size_t>(cell) + 1];
       const CellOutcome outcome = walker.Walk(cell, [&](const Tetrahedron& t) {
@@ -176,15 +185,17 @@ void CellGeometry::CountTetrahedra(vtkDataSet* data, const ScalarSelection& scal
   this->NumberOfInvalidCells = invalid;
   this->NumberOfNonConvexCells = nonConvex;
   this->NumberOfFlatTetrahedra = flat;
+  return done;
 }
 
 // first[cell]: where the cell's tetrahedra begin.
-void CellGeometry::FillTetrahedra(vtkDataSet* data, const ScalarSelection& scalars,
-  const ScalarSelection& opacity, const std::vector<std::int64_t>& first)
+bool CellGeometry::FillTetrahedra(vtkDataSet* data, const ScalarSelection& scalars,
+  const ScalarSelection& opacity, const std::vector<std::int64_t>& first, const Progress& progress)
 {
-  vtkSMPTools::For(0, data->GetNumberOfCells(), [&](vtkIdType begin, vtkIdType end) {
+  const std::size_t n = static_cast<std::size_t>(data->GetNumberOfCells());
+  return forRanges(n, progress, [&](std::size_t begin, std::size_t end) {
     CellWalker walker(data, *this, scalars, opacity);
-    for (vtkIdType cell = begin; cell < end; ++cell)
+    for (vtkIdType cell = static_cast<vtkIdType>(begin); cell < static_cast<vtkIdType>(end); ++cell)
     {
       std::size_t next = static_cast<std::size_t>(first[static_cast<std::size_t>(cell)]);
       walker.Walk(cell, [&](const Tetrahedron& t) {

@@ -11,6 +11,7 @@
 #define CellGeometry_h
 
 #include "ChessboardGrid.h"
+#include "ProgressLoop.h"
 #include "ScalarSelection.h"
 #include "TetrahedronRay.h"
 
@@ -44,10 +45,10 @@ public:
 
   /**
    * `opacity` selects the array that the opacity function reads; none: `scalars` too. `layers`, if given, numbers the cells' layers.
-   * Returns an empty string, or why nothing can be drawn.
+   * Returns an empty string, or why nothing can be drawn. Nothing is left, but Stopped, when it was told to stop.
    */
   std::string Build(vtkDataSet* data, const ScalarSelection& scalars, const ScalarSelection& opacity = {},
-    vtkDataArray* layers = nullptr, Form form = Form::Tetrahedra);
+    vtkDataArray* layers = nullptr, const Progress& progress = {}, Form form = Form::Tetrahedra);
   void Clear();
 
   /** Tetrahedra that are drawn, hidden cells not counted. */
@@ -55,6 +56,7 @@ public:
   /** Largest distance of a point from the centre; infinite points do not count. */
   double Radius() const;
 
+  bool Stopped = false; ///< the last Build was told to stop
   std::vector<Point> Points;
   std::vector<Tetrahedron> Tetrahedra;
   ChessboardGrid Grid; ///< takes the place of the list of tetrahedra unless it is empty
@@ -86,18 +88,20 @@ public:
   }
 
 private:
-  void CopyPoints(vtkDataSet* data);
-  void CopyScalars(vtkDataSet* data, const ScalarSelection& scalars);
-  void CopyOpacityScalars(vtkDataSet* data, const ScalarSelection& opacity);
+  // Those that take a Progress return false when stopped.
+  bool CopyPoints(vtkDataSet* data, const Progress& progress);
+  bool CopyScalars(vtkDataSet* data, const ScalarSelection& scalars, const Progress& progress);
+  bool CopyOpacityScalars(vtkDataSet* data, const ScalarSelection& opacity, const Progress& progress);
   bool UseGrid(vtkDataSet* data, const ScalarSelection& scalars, const ScalarSelection& opacity);
   bool FindSeam();
   void FindHiddenCells(vtkDataSet* data, const ScalarSelection& scalars, const ScalarSelection& opacity);
   void CopyGridCells(const ScalarSelection& scalars, const ScalarSelection& opacity);
-  void Decompose(vtkDataSet* data, const ScalarSelection& scalars, const ScalarSelection& opacity);
-  void CountTetrahedra(vtkDataSet* data, const ScalarSelection& scalars, const ScalarSelection& opacity,
-    std::vector<std::int64_t>& counts);
-  void FillTetrahedra(vtkDataSet* data, const ScalarSelection& scalars, const ScalarSelection& opacity,
-    const std::vector<std::int64_t>& first);
+  bool Decompose(vtkDataSet* data, const ScalarSelection& scalars, const ScalarSelection& opacity,
+    const Progress& progress);
+  bool CountTetrahedra(vtkDataSet* data, const ScalarSelection& scalars, const ScalarSelection& opacity,
+    std::vector<std::int64_t>& counts, const Progress& progress);
+  bool FillTetrahedra(vtkDataSet* data, const ScalarSelection& scalars, const ScalarSelection& opacity,
+    const std::vector<std::int64_t>& first, const Progress& progress);
 
   vtkDataArray* LayerArray = nullptr; // while building
 };

@@ -40,9 +40,12 @@ bool changes(Key& key, const Key& now)
 void CellScene::Clear()
 {
   this->Geometry.Clear();
-  this->Sorted.clear();
+  this->Order.Clear();
+  this->Neighbors.Clear();
+  this->Sorted = {};
   this->Drawn.clear();
-  this->NumberOfCycles = 0;
+  this->NumberOfVisible = 0;
+  this->Counted = {};
   this->GeometryKey = {};
   ++this->Current.Geometry;
   ++this->Current.Drawn;
@@ -54,9 +57,8 @@ CellScene::SelectionKey CellScene::MakeKey(const ScalarSelection& selection)
     selection.Component };
 }
 
-bool CellScene::UpdateGeometry(
-  vtkDataSet* data, const ScalarSelection& scalars, const ScalarSelection& opacity, Method method, std::string& error,
-  vtkDataArray* layers)
+bool CellScene::UpdateGeometry(vtkDataSet* data, const ScalarSelection& scalars, const ScalarSelection& opacity,
+  Method method, std::string& error, vtkDataArray* layers, const Progress& progress)
 {
   if (!changes(this->GeometryKey,
         { data, data->GetMTime(), MakeKey(scalars), MakeKey(opacity), MakeKey({ layers, true, 0 }), method }))
@@ -66,12 +68,17 @@ bool CellScene::UpdateGeometry(
   this->CurrentMethod = method;
   const bool rays = method == Method::Rays;
   error = this->Geometry.Build(
-    data, scalars, opacity, layers, rays ? CellGeometry::Form::Grid : CellGeometry::Form::Tetrahedra);
+    data, scalars, opacity, layers, progress.Part(0, rays ? 0.5 : 1), rays ? CellGeometry::Form::Grid : CellGeometry::Form::Tetrahedra);
   this->Order.Clear();
   this->Neighbors.Clear();
-  if (rays && this->Geometry.Grid.IsEmpty())
+  const bool connect = rays && this->Geometry.Grid.IsEmpty();
+  if (this->Geometry.Stopped || (connect && !this->Order.Connect(this->Geometry, progress.Part(0.5, 1))))
   {
-    this->Order.Connect(this->Geometry);
+    this->Clear();
+    return false;
+  }
+  if (connect)
+  {
     this->Neighbors.Build(this->Geometry, this->Order);
     this->Order.Clear();
   }
@@ -153,30 +160,87 @@ void CellScene::FindTablesOfTetrahedra(const std::vector<int>& layers)
   }
 }
 
-void CellScene::UpdateOrder(const Vector4& eye, OrderMethod method)
+bool CellScene::UpdateOrder(OrderMethod method, const Progress& progress)
 {
-  if (!changes(this->OrderKey, { this->Current.Geometry, method, eye }))
+  const bool connect = method == OrderMethod::Exact && !this->Order.IsConnected();
+  if (connect && !this->Order.Connect(this->Geometry, progress.Part(0, 0.5)))
   {
-    return;
+    return false;
   }
-  this->NumberOfCycles = 0;
-  switch (method)
+  if (!changes(this->OrderKey, this->KeyOf(method)))
   {
-    case OrderMethod::Exact:
-      if (!this->Order.IsConnected())
-      {
-        this->Order.Connect(this->Geometry);
-      }
-      this->NumberOfCycles = this->Order.SortExact(this->Geometry, eye, this->Sorted);
-      break;
-    case OrderMethod::Centroid:
-      VisibilityOrder::SortCentroids(this->Geometry, eye, this->Sorted);
-      break;
-    case OrderMethod::None:
-      VisibilityOrder::SortNone(this->Geometry, this->Sorted);
-      break;
+    return true;
+  }
+  const bool hadPieces = !this->Sorted.Pieces.Tetrahedra.empty();
+  const bool done = this->Sort(method, this->Sorted, progress.Part(connect ? 0.5 : 0, 1));
+  this->Current.Pieces += hadPieces || !this->Sorted.Pieces.Tetrahedra.empty();
+  if (!done)
+  {
+    this->OrderKey = {};
+    return false;
   }
   ++this->Current.Order;
+  return true;
+}
+
+bool CellScene::Sort(OrderMethod method, VisibilityOrder::Sorted& sorted, const Progress& progress)
+{
+  if (method == OrderMethod::Exact)
+  {
+    const bool done = this->Order.SortExact(this->Geometry, this->View, sorted, progress);
+    this->Count(sorted);
+    this->CountedKey = done ? this->KeyOf(method) : SortKey();
+    return done;
+  }
+  sorted = {};
+  if (method == OrderMethod::Centroid)
+  {
+    return VisibilityOrder::SortCentroids(this->Geometry, this->View.Eye, sorted.Order, progress);
+  }
+  VisibilityOrder::SortNone(this->Geometry, sorted.Order);
+  return true;
+}
+
+// Only where a ray can enter the mesh twice does the order depend on the pixels.
+CellScene::SortKey CellScene::KeyOf(OrderMethod method) const
+{
+  OrderView view = this->View;
+  if (method != OrderMethod::Exact || this->Order.GetFaces().IsConvex())
+  {
+    view.ModelToDevice = {};
+    view.Width = view.Height = 0;
+  }
+  return { this->Current.Geometry, method, view };
+}
+
+void CellScene::Count(const VisibilityOrder::Sorted& sorted)
+{
+  this->Counted = { sorted.NumberOfCycles, sorted.NumberOfCyclicTetrahedra, sorted.NumberOfBrokenRelations };
+}
+
+CellScene::Cycles CellScene::CountCycles(const std::function<CellGeometry()>& makeTetrahedra)
+{
+  const bool rays = this->CurrentMethod == Method::Rays;
+  if (!rays && !this->Order.IsConnected())
+  {
+    this->Order.Connect(this->Geometry);
+  }
+  if (this->CountedKey != this->KeyOf(OrderMethod::Exact))
+  {
+    const bool grid = !this->Geometry.Grid.IsEmpty();
+    const CellGeometry made = grid ? makeTetrahedra() : CellGeometry();
+    const CellGeometry& geometry = grid ? made : this->Geometry;
+    VisibilityOrder connected;
+    if (rays) // which keep no order
+    {
+      connected.Connect(geometry);
+    }
+    VisibilityOrder::Sorted sorted;
+    (rays ? connected : this->Order).SortExact(geometry, this->View, sorted);
+    this->Count(sorted);
+    this->CountedKey = this->KeyOf(OrderMethod::Exact);
+  }
+  return this->Counted;
 }
 
 void CellScene::UpdateEye(const Vector4& eye)
@@ -201,8 +265,13 @@ void CellScene::UpdateDrawn()
   this->Drawn.clear();
   if (this->CurrentMethod == Method::Projection)
   {
-    std::copy_if(this->Sorted.begin(), this->Sorted.end(), std::back_inserter(this->Drawn),
-      [this](std::int32_t i) { return this->Visible[static_cast<std::size_t>(i)] != 0; });
+    const std::size_t whole = this->Geometry.Tetrahedra.size();
+    std::copy_if(this->Sorted.Order.begin(), this->Sorted.Order.end(), std::back_inserter(this->Drawn),
+      [this, whole](std::int32_t number) {
+        const std::size_t i = static_cast<std::size_t>(number);
+        const std::size_t owner = i < whole ? i : static_cast<std::size_t>(this->Sorted.Pieces.Owners[i - whole]);
+        return this->Visible[owner] != 0;
+      });
   }
   ++this->Current.Drawn;
 }

@@ -21,6 +21,7 @@
 #include "vtkType.h"
 
 #include <cstdint>
+#include <functional>
 #include <string>
 #include <tuple>
 #include <vector>
@@ -49,22 +50,31 @@ public:
   };
   struct Versions
   {
-    std::int64_t Geometry = 0, Transfer = 0, Order = 0, Drawn = 0;
+    std::int64_t Geometry = 0, Transfer = 0, Order = 0, Pieces = 0, Drawn = 0;
+    bool operator!=(const Versions& other) const
+    {
+      return std::tie(this->Geometry, this->Transfer, this->Pieces, this->Drawn) !=
+        std::tie(other.Geometry, other.Transfer, other.Pieces, other.Drawn);
+    }
   };
 
-  /** Returns true when the geometry was made again; `error` then tells why it could not be, or is empty. */
-  bool UpdateGeometry(
-    vtkDataSet* data, const ScalarSelection& scalars, const ScalarSelection& opacity, Method method, std::string& error,
-    vtkDataArray* layers = nullptr);
+  /**
+   * Returns true when the geometry was made again; `error` then tells why it could not be, or is empty. When stopped, there is
+   * no geometry until the next time.
+   */
+  bool UpdateGeometry(vtkDataSet* data, const ScalarSelection& scalars, const ScalarSelection& opacity, Method method,
+    std::string& error, vtkDataArray* layers = nullptr, const Progress& progress = {});
   void UpdateTransferFunction(vtkVolumeProperty* property);
   /** The same with layers of their own properties, and contours of an array (none: the coloured one). */
   void UpdateTransferFunction(vtkVolumeProperty* property, const ContourSettings& settings, vtkDataSet* data,
     const ScalarSelection& contoured);
-  /** For projection; `eye` is homogeneous and relative to the geometry's centre. */
-  void UpdateOrder(const Vector4& eye, OrderMethod method);
+  /** From where the scene is seen; what follows the view is made by UpdateOrder and CountCycles. */
+  void UpdateView(const OrderView& view) { this->View = view; }
+  /** For projection. False when stopped: the order is made the next time, and must not be drawn before. */
+  bool UpdateOrder(OrderMethod method, const Progress& progress = {});
   /** Lists what is drawn; to be called after the three others. */
   void UpdateDrawn();
-  /** For rays, from an eye as above. */
+  /** For rays; `eye` is homogeneous and relative to the geometry's centre. */
   void UpdateEye(const Vector4& eye);
   /** Nothing is drawn until the geometry is updated again. */
   void Clear();
@@ -100,10 +110,26 @@ public:
   std::int64_t GetNumberOfVisible() const { return this->NumberOfVisible; }
   /** For projection: tetrahedra that can be seen, back to front. */
   const std::vector<std::int32_t>& GetDrawn() const { return this->Drawn; }
-  std::int64_t GetNumberOfCycles() const { return this->NumberOfCycles; }
+  /** Pieces of tetrahedra, numbered on from the geometry's, that the order may contain. */
+  const CellPieces& GetPieces() const { return this->Sorted.Pieces; }
+
+  struct Cycles
+  {
+    std::int64_t Number = 0, Tetrahedra = 0, BrokenRelations = 0;
+  };
+  /**
+   * Cycles of the last view; sorts exactly if that was not done, so that no drawing method need have an order.
+   * `makeTetrahedra` gives the geometry where this one is a grid, which lists none.
+   */
+  Cycles CountCycles(const std::function<CellGeometry()>& makeTetrahedra);
+
   const Versions& GetVersions() const { return this->Current; }
 
 private:
+  using SortKey = std::tuple<std::int64_t, OrderMethod, OrderView>;
+  bool Sort(OrderMethod method, VisibilityOrder::Sorted& sorted, const Progress& progress);
+  void Count(const VisibilityOrder::Sorted& sorted);
+  SortKey KeyOf(OrderMethod method) const;
   void FindVisible();
   void FindVisibleOfGrid();
   void BuildTables(const std::vector<vtkVolumeProperty*>& properties);
@@ -124,10 +150,11 @@ private:
   ContourScene Contours;
   bool LayersOfContours = false;
   VisibilityOrder Order;
-  std::vector<std::int32_t> Sorted;   // all tetrahedra, back to front
+  OrderView View;
+  VisibilityOrder::Sorted Sorted;     // all tetrahedra, back to front
   std::vector<std::uint8_t> Visible;  // per tetrahedron: not fully transparent
   std::vector<std::int32_t> Drawn;
-  std::int64_t NumberOfCycles = 0;
+  Cycles Counted;
   Versions Current;
 
   // What the stages were made from. Pointers are compared only.
@@ -136,7 +163,8 @@ private:
   std::tuple<vtkDataSet*, vtkMTimeType, SelectionKey, SelectionKey, SelectionKey, Method> GeometryKey;
   using PropertyKey = std::tuple<int, vtkVolumeProperty*, vtkMTimeType>; // layer
   std::tuple<std::int64_t, bool, std::vector<PropertyKey>> TransferKey;
-  std::tuple<std::int64_t, OrderMethod, Vector4> OrderKey;
+  SortKey OrderKey;
+  SortKey CountedKey;
   std::tuple<std::int64_t, Vector4> EyeKey;
   std::tuple<std::int64_t, std::int64_t, std::int64_t> VisibleKey;
   std::tuple<std::int64_t, std::int64_t, std::int64_t> DrawnKey;

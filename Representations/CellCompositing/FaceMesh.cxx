@@ -2,9 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "FaceMesh.h"
 
-#include "VisibilityOrder.h"
+#include "FaceNeighbors.h"
 
 #include <utility>
+
+#include <algorithm>
 
 namespace nephoscope
 {
@@ -30,7 +32,7 @@ std::array<std::int32_t, 3> outwardFace(const CellGeometry& geometry, const Tetr
 
 void FaceMesh::Build(const CellGeometry& geometry)
 {
-  VisibilityOrder neighbors;
+  FaceNeighbors neighbors;
   neighbors.Connect(geometry);
   const std::size_t n = geometry.Tetrahedra.size();
   this->Faces.clear();
@@ -39,7 +41,7 @@ void FaceMesh::Build(const CellGeometry& geometry)
   {
     for (int face = 0; face < 4; ++face)
     {
-      const std::int32_t neighbor = neighbors.GetNeighbor(i, face);
+      const std::int32_t neighbor = std::max<std::int32_t>(neighbors.Get(i, face), -1); // folded: none
       const std::int32_t self = static_cast<std::int32_t>(i);
       if (neighbor < self && neighbor >= 0)
       {

@@ -5,7 +5,7 @@
 #include "ProjectedCells.h"
 
 #include "CellDrawing.h"
-#include "CellGeometry.h"
+#include "CellPieces.h"
 #include "ProjectedTriangles.h"
 #include "ShaderText.h"
 #include "TrianglePass.h"
@@ -70,11 +70,21 @@ std::string cellShader(const char* shader, const std::string& constants)
 ProjectedCells::ProjectedCells() = default;
 ProjectedCells::~ProjectedCells() = default;
 
-std::string ProjectedCells::UploadGeometry(vtkOpenGLRenderWindow* window, const CellGeometry& geometry)
+std::string ProjectedCells::UploadGeometry(
+  vtkOpenGLRenderWindow* window, const CellGeometry& geometry, const CellPieces& pieces)
 {
   const std::vector<float> table = makeOpacityTable();
   const std::string error = this->AlphaTable.Upload(window, table.data(), table.size(), 1, VTK_FLOAT);
-  return !error.empty() ? error : this->Tetrahedra.Upload(window, geometry.Tetrahedra.data(), geometry.Tetrahedra.size(), 4, VTK_INT);
+  if (!error.empty())
+  {
+    return error;
+  }
+  if (pieces.Tetrahedra.empty())
+  {
+    return this->Tetrahedra.Upload(window, geometry.Tetrahedra.data(), geometry.Tetrahedra.size(), 4, VTK_INT);
+  }
+  const std::vector<Tetrahedron> all = joined(geometry.Tetrahedra, pieces.Tetrahedra);
+  return this->Tetrahedra.Upload(window, all.data(), all.size(), 4, VTK_INT);
 }
 
 std::string ProjectedCells::UploadOrder(vtkOpenGLRenderWindow* window, const std::vector<std::int32_t>& order)

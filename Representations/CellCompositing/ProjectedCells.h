@@ -21,6 +21,7 @@ namespace nephoscope
 {
 
 class CellGeometry;
+struct CellPieces;
 struct CellDrawing;
 
 class ProjectedCells
@@ -30,7 +31,7 @@ public:
   ~ProjectedCells();
 
   // Each returns an empty string, or what went wrong.
-  std::string UploadGeometry(vtkOpenGLRenderWindow* window, const CellGeometry& geometry);
+  std::string UploadGeometry(vtkOpenGLRenderWindow* window, const CellGeometry& geometry, const CellPieces& pieces);
   std::string UploadOrder(vtkOpenGLRenderWindow* window, const std::vector<std::int32_t>& order);
   std::string Draw(const CellDrawing& drawing);
 

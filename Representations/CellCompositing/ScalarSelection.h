@@ -4,6 +4,8 @@
 #ifndef ScalarSelection_h
 #define ScalarSelection_h
 
+#include "ProgressLoop.h"
+
 #include "vtkDataArray.h"
 #include "vtkDataSet.h"
 #include "vtkDataSetAttributes.h"
@@ -41,30 +43,32 @@ inline double scalarValue(const ScalarSelection& scalars, vtkIdType tuple)
 
 /**
  * Finite minimum and maximum, never equal: the range that becomes [0, 1]. Hidden values do not count: a fill value there
- * would take the precision of all that is drawn.
+ * would take the precision of all that is drawn. False when stopped.
  */
-inline void findRange(vtkDataSet* data, const ScalarSelection& scalars, double range[2])
+inline bool findRange(
+  vtkDataSet* data, const ScalarSelection& scalars, double range[2], const Progress& progress = {})
 {
   vtkUnsignedCharArray* ghosts = scalars.OnCells ? data->GetCellGhostArray() : data->GetPointGhostArray();
   const int hidden = scalars.OnCells ? int(vtkDataSetAttributes::HIDDENCELL) : int(vtkDataSetAttributes::HIDDENPOINT);
   double low = std::numeric_limits<double>::infinity();
   double high = -low;
-  const vtkIdType n = scalars.Array->GetNumberOfTuples();
-  for (vtkIdType i = 0; i < n; ++i)
-  {
+  const std::size_t n = static_cast<std::size_t>(scalars.Array->GetNumberOfTuples());
+  const bool done = forEachInTurn(n, progress, [&](std::size_t tuple) {
+    const vtkIdType i = static_cast<vtkIdType>(tuple);
     const double value = scalarValue(scalars, i);
     if (std::isfinite(value) && !(ghosts && (ghosts->GetValue(i) & hidden)))
     {
       low = std::min(low, value);
       high = std::max(high, value);
     }
-  }
+  });
   range[0] = low <= high ? low : 0.0;
   range[1] = low < high ? high : range[0] + 1.0;
   if (range[1] == range[0]) // so large that 1 more is no difference
   {
     range[1] = std::nextafter(range[0], std::numeric_limits<double>::infinity());
   }
+  return done;
 }
 
 /** 0 at the low end of the range, 1 at its high end. */

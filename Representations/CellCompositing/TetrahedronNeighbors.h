@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * A mesh of tetrahedra as a ray walks through it: 20 bytes per tetrahedron (in the manner of Aman et al. 2021).
+ * A mesh of tetrahedra as a ray walks through it: 20 bytes per tetrahedron (in the manner of AmanDemirciGudukbay2021).
  *
  * A walk knows three vertices of the tetrahedron that it enters; the exclusive-or of the four gives the fourth. The neighbours stand
  * in the order of the vertices that they do not have, by ascending number, so that which of them lies ahead follows from the number

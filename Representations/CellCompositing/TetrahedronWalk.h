@@ -10,7 +10,7 @@
  * handed on, so that no two tetrahedra disagree about the side on which a ray passes an edge: rays do not slip
  * through cracks, and flat tetrahedra do no harm. One vertex is fetched per tetrahedron.
  *
- * After Garrity1990 (from cell to cell), with the tests in two dimensions of Maria, Horna and Aveneau 2017 (MariaHornaAveneau2017).
+ * After Garrity1990 (from cell to cell), with the tests in two dimensions of MariaHornaAveneau2017.
  * shaders/TetrahedronWalk.glsl is the same algorithm.
  */
 #ifndef TetrahedronWalk_h

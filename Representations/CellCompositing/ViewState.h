@@ -5,6 +5,7 @@
 #define ViewState_h
 
 #include "CellDrawing.h"
+#include "OrderView.h"
 #include "TetrahedronRay.h"
 
 #include "vtkMatrix3x3.h"
@@ -66,6 +67,18 @@ struct ViewState
     this->View.ModelToView = this->ModelToView;
     this->View.ViewToDevice = this->ViewToDevice;
     this->FindEyes();
+  }
+
+  /** What the visibility order needs, for a picture of so many pixels. */
+  OrderView GetOrderView(int width, int height) const
+  {
+    OrderView view;
+    view.Eye = this->EyeModel;
+    vtkMatrix4x4::Multiply4x4(
+      this->ViewToDevice->GetData(), this->ModelToView->GetData(), view.ModelToDevice.data());
+    view.Width = width;
+    view.Height = height;
+    return view;
   }
 
 private:

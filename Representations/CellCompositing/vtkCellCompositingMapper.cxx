@@ -23,6 +23,7 @@
 #include "vtkPointData.h"
 #include "vtkRenderer.h"
 #include "vtkSMPTools.h"
+#include "vtkSmartPointer.h"
 #include "vtkUnstructuredGridBase.h"
 #include "vtkVolume.h"
 #include "vtkVolumeProperty.h"
@@ -54,6 +55,12 @@ struct vtkCellCompositingMapper::vtkInternals
   bool WarnedOfUnprojected = false;
   vtkOpenGLRenderWindow* Window = nullptr;
   std::string LastError; // reported once, not once per frame
+  bool Busy = false;     // who hears of progress may call in between
+  ScalarSelection Scalars, Opacity; // of the geometry, and what keeps them
+  vtkSmartPointer<vtkDataArray> Arrays[2];
+
+  CellScene::Cycles CountCycles(vtkCellCompositingMapper* self);
+  bool IsUploadNeeded() const { return this->Uploaded != this->Scene.GetVersions(); }
 };
 
 namespace
@@ -138,9 +145,40 @@ vtkIdType vtkCellCompositingMapper::GetNumberOfDrawnTetrahedra()
   return static_cast<vtkIdType>(this->Internals->Scene.GetNumberOfVisible());
 }
 
+CellScene::Cycles vtkCellCompositingMapper::vtkInternals::CountCycles(vtkCellCompositingMapper* self)
+{
+  CellScene::Cycles cycles;
+  if (self->VisibilityOrder == EXACT_ORDER && !this->Busy && this->Scene.GetGeometry().NumberOfTetrahedra() > 0)
+  {
+    withThreads([&]() {
+      cycles = this->Scene.CountCycles([&]() {
+        CellGeometry geometry;
+        vtkDataSet* input = self->GetDataSetInput();
+        if (input && this->Scalars.Array && checkLength(input, this->Scalars).empty() &&
+          (!this->Opacity.Array || checkLength(input, this->Opacity).empty()))
+        {
+          geometry.Build(input, this->Scalars, this->Opacity);
+        }
+        return geometry;
+      });
+    });
+  }
+  return cycles;
+}
+
 vtkIdType vtkCellCompositingMapper::GetNumberOfVisibilityCycles()
 {
-  return static_cast<vtkIdType>(this->Internals->Scene.GetNumberOfCycles());
+  return static_cast<vtkIdType>(this->Internals->CountCycles(this).Number);
+}
+
+vtkIdType vtkCellCompositingMapper::GetNumberOfCyclicTetrahedra()
+{
+  return static_cast<vtkIdType>(this->Internals->CountCycles(this).Tetrahedra);
+}
+
+vtkIdType vtkCellCompositingMapper::GetNumberOfBrokenRelations()
+{
+  return this->UsesRays() ? 0 : static_cast<vtkIdType>(this->Internals->CountCycles(this).BrokenRelations);
 }
 
 bool vtkCellCompositingMapper::UsesRays() const
@@ -156,7 +194,7 @@ bool vtkCellCompositingMapper::UsesRays() const
 void vtkCellCompositingMapper::Render(vtkRenderer* renderer, vtkVolume* volume)
 {
   auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
-  if (!window || renderer->GetSelector() || !this->GetInputAlgorithm())
+  if (!window || renderer->GetSelector() || !this->GetInputAlgorithm() || this->Internals->Busy)
   {
     return; // volumes cannot be picked, and without input there is nothing to draw
   }
@@ -172,11 +210,18 @@ void vtkCellCompositingMapper::Render(vtkRenderer* renderer, vtkVolume* volume)
     this->ReportOnce("The input has no cells: there is nothing to draw.");
     return;
   }
-  std::string error = this->UpdateGeometry(input, volume);
+  this->SetAbortExecute(0); // as filters do when they start
+  const nephoscope::Progress progress([this, window](double fraction) {
+    this->UpdateProgress(fraction);
+    return !this->GetAbortExecute() && !window->CheckAbortStatus();
+  });
+  this->Internals->Busy = true;
+  std::string error = this->UpdateGeometry(input, volume, progress.Part(0, 0.5));
   if (error.empty() && this->GetNumberOfTetrahedra() > 0)
   {
-    error = this->DrawScene(window, renderer, volume);
+    error = this->DrawScene(window, renderer, volume, progress.Part(0.5, 1));
   }
+  this->Internals->Busy = false;
   this->ReportOnce(error);
 }
 
@@ -189,7 +234,8 @@ void vtkCellCompositingMapper::ReportOnce(const std::string& error)
   this->Internals->LastError = error;
 }
 
-std::string vtkCellCompositingMapper::UpdateGeometry(vtkDataSet* input, vtkVolume* volume)
+std::string vtkCellCompositingMapper::UpdateGeometry(
+  vtkDataSet* input, vtkVolume* volume, const nephoscope::Progress& progress)
 {
   CellScene& scene = this->Internals->Scene;
   ScalarSelection scalars, opacity;
@@ -214,7 +260,11 @@ std::string vtkCellCompositingMapper::UpdateGeometry(vtkDataSet* input, vtkVolum
   }
   bool built = false;
   const auto method = this->UsesRays() ? CellScene::Method::Rays : CellScene::Method::Projection;
-  withThreads([&]() { built = scene.UpdateGeometry(input, scalars, opacity, method, error, layers); });
+  withThreads([&]() { built = scene.UpdateGeometry(input, scalars, opacity, method, error, layers, progress); });
+  this->Internals->Scalars = scalars;
+  this->Internals->Opacity = opacity;
+  this->Internals->Arrays[0] = scalars.Array;
+  this->Internals->Arrays[1] = opacity.Array;
   if (built && error.empty())
   {
     this->WarnAboutGeometry(scalars.Array->GetName());
@@ -288,7 +338,7 @@ void vtkCellCompositingMapper::WarnAboutGeometry(const char* arrayName)
 }
 
 std::string vtkCellCompositingMapper::DrawScene(
-  vtkOpenGLRenderWindow* window, vtkRenderer* renderer, vtkVolume* volume)
+  vtkOpenGLRenderWindow* window, vtkRenderer* renderer, vtkVolume* volume, const nephoscope::Progress& progress)
 {
   CellScene& scene = this->Internals->Scene;
   vtkVolumeProperty* property = volume->GetProperty();
@@ -314,20 +364,28 @@ std::string vtkCellCompositingMapper::DrawScene(
     }
   }
   const nephoscope::ViewState state(renderer, volume, scene.GetGeometry().Center);
+  int width, height, lowerLeft[2];
+  renderer->GetTiledSizeAndOrigin(&width, &height, &lowerLeft[0], &lowerLeft[1]);
+  scene.UpdateView(state.GetOrderView(width, height));
+  bool ready = true;
   withThreads([&]() {
     scene.UpdateTransferFunction(property, *this->Contours, this->GetDataSetInput(), this->Internals->Contoured);
     if (!this->UsesRays())
     {
       const int order = this->Method == FACES_METHOD ? NO_ORDER : this->VisibilityOrder; // faces have an order of their own
-      scene.UpdateOrder(state.EyeModel, static_cast<CellScene::OrderMethod>(order));
+      ready = scene.UpdateOrder(static_cast<CellScene::OrderMethod>(order), progress.Part(0, 0.9));
     }
     else
     {
       scene.UpdateEye(state.EyeModel);
     }
-    scene.UpdateDrawn();
+    if (ready)
+    {
+      scene.UpdateDrawn();
+    }
   });
-  if (window->CheckAbortStatus())
+  const bool upload = this->Internals->IsUploadNeeded();
+  if (!ready || window->CheckAbortStatus() || (upload && !progress.Report(0.92)))
   {
     return std::string();
   }
@@ -335,6 +393,10 @@ std::string vtkCellCompositingMapper::DrawScene(
   if (!error.empty())
   {
     return error;
+  }
+  if (upload && !progress.Report(1))
+  {
+    return std::string();
   }
   nephoscope::CellDrawingOptions options;
   options.Method = static_cast<CellMethod>(this->Method);
@@ -414,14 +476,22 @@ std::string vtkCellCompositingMapper::Upload(vtkOpenGLRenderWindow* window)
   self.Window = window;
   const CellScene::Versions& now = self.Scene.GetVersions();
   std::string error;
-  if (self.Uploaded.Geometry != now.Geometry)
+  if (self.Uploaded.Geometry != now.Geometry || self.Uploaded.Pieces != now.Pieces)
   {
-    error = self.Pass.UploadGeometry(window, self.Scene.GetGeometry(), self.Scene.GetNeighbors());
+    error = self.Pass.UploadGeometry(window, self.Scene.GetGeometry(), self.Scene.GetPieces(), self.Scene.GetNeighbors());
   }
-  if (error.empty() && self.Uploaded.Transfer != now.Transfer)
+  if (error.empty() && (self.Uploaded.Transfer != now.Transfer || self.Uploaded.Pieces != now.Pieces))
   {
+    std::vector<std::int32_t> tables = self.Scene.GetTablesOfTetrahedra();
+    if (!tables.empty())
+    {
+      for (const std::int32_t owner : self.Scene.GetPieces().Owners)
+      {
+        tables.push_back(tables[static_cast<std::size_t>(owner)]);
+      }
+    }
     error = self.Pass.UploadTransferFunctions(
-      window, self.Scene.GetTransferFunctions(), self.Scene.GetOpacityFunctions(), self.Scene.GetTablesOfTetrahedra());
+      window, self.Scene.GetTransferFunctions(), self.Scene.GetOpacityFunctions(), tables);
   }
   if (error.empty() && self.UploadedContours != self.Scene.GetContours().Version)
   {
@@ -474,5 +544,10 @@ void vtkCellCompositingMapper::PrintSelf(ostream& os, vtkIndent indent)
   this->PrintContours(os, indent);
   os << indent << "NumberOfTetrahedra: " << this->GetNumberOfTetrahedra() << "\n";
   os << indent << "NumberOfDrawnTetrahedra: " << this->GetNumberOfDrawnTetrahedra() << "\n";
-  os << indent << "NumberOfVisibilityCycles: " << this->GetNumberOfVisibilityCycles() << "\n";
+  if (!this->UsesRays()) // which would have to make an order for it
+  {
+    os << indent << "NumberOfVisibilityCycles: " << this->GetNumberOfVisibilityCycles() << "\n";
+    os << indent << "NumberOfCyclicTetrahedra: " << this->GetNumberOfCyclicTetrahedra() << "\n";
+    os << indent << "NumberOfBrokenRelations: " << this->GetNumberOfBrokenRelations() << "\n";
+  }
 }

@@ -43,6 +43,7 @@ class vtkVolumeProperty;
 
 namespace nephoscope
 {
+class Progress;
 struct ContourSettings;
 struct ScalarSelection;
 }
@@ -130,8 +131,9 @@ public:
   ///@{
   /**
    * The order in which tetrahedra are composited. Default: exact.
-   * - Exact: topological sort over shared faces; right for every convex acyclic mesh. Where the mesh is cyclic
-   *   from this view, GetNumberOfVisibilityCycles() tells how many face relations are broken.
+   * - Exact: topological sort over shared faces, and over the gaps where a ray leaves the mesh and enters it again;
+   *   right for every mesh, convex or not. Tetrahedra that hide one another in a cycle are cut, for this view,
+   *   until their pieces have an order; GetNumberOfVisibilityCycles() tells that it happened.
    * - Centroid: by distance of the centroid; cheaper, with local mistakes.
    * - None: input order. Right when the colour is constant, because transparency does not depend on order.
    */
@@ -270,11 +272,21 @@ public:
   vtkIdType GetNumberOfTetrahedra();
   /** Tetrahedra drawn in the last render: those that the transfer function does not make fully transparent. */
   vtkIdType GetNumberOfDrawnTetrahedra();
+  ///@{
   /**
-   * Number of pairs of face-adjacent tetrahedra that the last render drew in the wrong order, because they close a
-   * cycle in which each hides the next. 0: the order was exact. Always 0 for the orders centroid and none.
+   * Cycles of visibility in the last view, whether or not they were drawn right: groups of tetrahedra in which each hides
+   * another and is itself hidden, so that no order of whole tetrahedra is right. 0: there is such an order.
+   * GetNumberOfCyclicTetrahedra() counts the members of all groups. Always 0 for the orders centroid and none.
+   * Computed when asked for, where drawing did not need it.
    */
   vtkIdType GetNumberOfVisibilityCycles();
+  vtkIdType GetNumberOfCyclicTetrahedra();
+  ///@}
+  /**
+   * Relations between tetrahedra that the last picture shows in the wrong order, because cutting all cycles would have
+   * taken more than 2^20 pieces. Otherwise 0. Always 0 for the orders centroid and none.
+   */
+  vtkIdType GetNumberOfBrokenRelations();
 
   /**
    * Copies the float image of the last render into `image`: one layer of the viewport's size with the point array
@@ -284,6 +296,10 @@ public:
    */
   bool CopyFloatImage(vtkImageData* image);
 
+  /**
+   * Draws. While geometry and order are made, invokes ProgressEvent several times a second and stops when AbortExecute is set or
+   * the window aborts; what is missing then is made in the next render.
+   */
   void Render(vtkRenderer* renderer, vtkVolume* volume) override;
   void ReleaseGraphicsResources(vtkWindow* window) override;
 
@@ -301,7 +317,7 @@ protected:
 
 private:
   bool UsesRays() const;
-  std::string UpdateGeometry(vtkDataSet* input, vtkVolume* volume);
+  std::string UpdateGeometry(vtkDataSet* input, vtkVolume* volume, const nephoscope::Progress& progress);
   std::string SelectScalars(
     vtkDataSet* input, vtkVolumeProperty* property, nephoscope::ScalarSelection& scalars);
   std::string SelectOpacity(vtkDataSet* input, const nephoscope::ScalarSelection& scalars,
@@ -311,7 +327,8 @@ private:
   bool CheckContour(int i);
   void PrintContours(ostream& os, vtkIndent indent);
   void WarnAboutGeometry(const char* arrayName);
-  std::string DrawScene(vtkOpenGLRenderWindow* window, vtkRenderer* renderer, vtkVolume* volume);
+  std::string DrawScene(vtkOpenGLRenderWindow* window, vtkRenderer* renderer, vtkVolume* volume,
+    const nephoscope::Progress& progress);
   std::string Upload(vtkOpenGLRenderWindow* window);
   void WarnAboutUnprojected(vtkIdType count);
   void ReportOnce(const std::string& error);

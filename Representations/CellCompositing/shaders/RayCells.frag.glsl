@@ -61,7 +61,7 @@ void makeRay(vec2 beside)
 {
   origin = rayPointVSOutput + beside.x * pointStep[0] + beside.y * pointStep[1];
   along = normalize(rayDirectionVSOutput + beside.x * directionStep[0] + beside.y * directionStep[1]);
-  // Any two directions across: Duff et al. 2017
+  // Any two directions across: DuffEtAl2017
   float s = along.z >= 0.0 ? 1.0 : -1.0;
   float a = -1.0 / (s + along.z);
   float b = along.x * along.y * a;

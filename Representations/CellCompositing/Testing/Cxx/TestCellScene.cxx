@@ -3,7 +3,7 @@
 // What the mapper keeps between renders is made again when, and only when, its source changed.
 #include "CellScene.h"
 
-#include "TestGrids.h"
+#include "OrderMeshes.h"
 
 #include "vtkColorTransferFunction.h"
 #include "vtkPiecewiseFunction.h"
@@ -31,11 +31,13 @@ protected:
     CellScene::OrderMethod method = CellScene::OrderMethod::Exact)
   {
     std::string error;
-    this->Scene.UpdateGeometry(
-      this->Data, { this->Scalars, false, -1 }, {}, CellScene::Method::Projection, error);
+    this->Scene.UpdateGeometry(this->Data, { this->Scalars, false, -1 }, {}, CellScene::Method::Projection, error);
     EXPECT_EQ(error, "");
     this->Scene.UpdateTransferFunction(this->Property);
-    this->Scene.UpdateOrder(eye, method);
+    OrderView view;
+    view.Eye = eye;
+    this->Scene.UpdateView(view);
+    EXPECT_TRUE(this->Scene.UpdateOrder(method));
     this->Scene.UpdateDrawn();
     return this->Scene.GetVersions();
   }
@@ -58,7 +60,7 @@ TEST_F(SceneOfALattice, NothingChangesNothingIsMadeAgain)
   EXPECT_EQ(first.Order, second.Order);
   EXPECT_EQ(first.Drawn, second.Drawn);
   EXPECT_EQ(this->Scene.GetDrawn().size(), 64u * 5);
-  EXPECT_EQ(this->Scene.GetNumberOfCycles(), 0);
+  EXPECT_EQ(this->Scene.CountCycles({}).Number, 0);
 }
 
 TEST_F(SceneOfALattice, TheEyeMovesTheOrder)
@@ -128,6 +130,85 @@ TEST_F(SceneOfALattice, AnotherMeshIsConnectedAgain)
   this->Scene = CellScene();
   this->Update();
   EXPECT_EQ(drawn, this->Scene.GetDrawn());
+}
+
+// Pixels matter only where rays can enter the mesh twice.
+TEST_F(SceneOfALattice, TheOrderFollowsThePixelsOfAMeshThatIsNotConvex)
+{
+  const auto resize = [this](int width) {
+    OrderView view;
+    view.Eye = { { 9, 8, 7, 1 } };
+    view.ModelToDevice[15] = 1;
+    view.Width = view.Height = width;
+    this->Scene.UpdateView(view);
+    EXPECT_TRUE(this->Scene.UpdateOrder(CellScene::OrderMethod::Exact));
+    return this->Scene.GetVersions().Order;
+  };
+  this->Update();
+  EXPECT_EQ(resize(50), resize(100));
+  this->Data = makeShell(8, 4, 2, 80, 1, 1.3);
+  this->Scalars = addPointNumbers(this->Data);
+  this->Update();
+  EXPECT_NE(resize(50), resize(100));
+}
+
+TEST_F(SceneOfALattice, CyclesAreCutAndCounted)
+{
+  const auto tube = makeTwistedTube(24, 2, 1);
+  this->Data = tube;
+  this->Scalars = addPointNumbers(tube);
+  const Vector4 above = { { 0.1, 0.05, 9, 1 } }, aside = { { 9, 1, 0.5, 1 } };
+  EXPECT_EQ(this->Update(aside).Pieces, this->Update({ { 9, 1, 0.6, 1 } }).Pieces) << "nothing to upload";
+  const std::size_t whole = this->Scene.GetGeometry().Tetrahedra.size();
+  ASSERT_EQ(this->Scene.GetDrawn().size(), whole);
+  EXPECT_EQ(this->Scene.CountCycles({}).Number, 0);
+
+  // By another order: counted when asked for, and nothing that is drawn changes.
+  const CellScene::Versions centroid = this->Update(above, CellScene::OrderMethod::Centroid);
+  const CellScene::Cycles cycles = this->Scene.CountCycles({});
+  EXPECT_GT(cycles.Number, 0);
+  EXPECT_GE(cycles.Tetrahedra, 24);
+  EXPECT_EQ(this->Scene.GetVersions().Drawn, centroid.Drawn);
+  EXPECT_EQ(this->Scene.GetDrawn().size(), whole);
+  EXPECT_TRUE(this->Scene.GetPieces().Tetrahedra.empty());
+
+  const CellScene::Versions exact = this->Update(above);
+  EXPECT_NE(exact.Pieces, centroid.Pieces);
+  EXPECT_EQ(this->Scene.CountCycles({}).Number, cycles.Number);
+  EXPECT_EQ(this->Scene.CountCycles({}).Tetrahedra, cycles.Tetrahedra);
+  EXPECT_GT(this->Scene.GetDrawn().size(), whole);
+  EXPECT_NE(this->Update(aside).Pieces, exact.Pieces) << "the pieces must go";
+  EXPECT_TRUE(this->Scene.GetPieces().Tetrahedra.empty());
+
+  // Pieces of a transparent tetrahedron are not drawn.
+  this->Opacity->RemoveAllPoints();
+  this->Opacity->AddPoint(0, 0);
+  this->Opacity->AddPoint(1e6, 0);
+  this->Update(above);
+  EXPECT_TRUE(this->Scene.GetDrawn().empty());
+}
+
+TEST_F(SceneOfALattice, StoppedAndResumed)
+{
+  this->Update();
+  const std::vector<std::int32_t> drawn = this->Scene.GetDrawn();
+  const Progress stop([](double) { return false; });
+  std::string error;
+  this->Data->Modified();
+  EXPECT_FALSE(this->Scene.UpdateGeometry(this->Data, { this->Scalars, false, -1 }, {}, CellScene::Method::Projection, error, nullptr, stop));
+  EXPECT_EQ(error, "");
+  EXPECT_TRUE(this->Scene.GetGeometry().Tetrahedra.empty());
+  EXPECT_TRUE(this->Scene.UpdateGeometry(this->Data, { this->Scalars, false, -1 }, {}, CellScene::Method::Projection, error)) << "made again";
+  EXPECT_FALSE(this->Scene.UpdateOrder(CellScene::OrderMethod::Exact, stop));
+  this->Update();
+  EXPECT_EQ(this->Scene.GetDrawn(), drawn);
+  this->Update({ { -9, 8, 7, 1 } });
+  OrderView view;
+  view.Eye = { { 9, 8, 7, 1 } };
+  this->Scene.UpdateView(view);
+  EXPECT_FALSE(this->Scene.UpdateOrder(CellScene::OrderMethod::Exact, stop)) << "connected, but not sorted";
+  this->Update();
+  EXPECT_EQ(this->Scene.GetDrawn(), drawn);
 }
 
 TEST_F(SceneOfALattice, ClearDrawsNothing)

@@ -1,19 +1,14 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Back-to-front orders: every face relation holds, cycles are counted, and nothing depends on threads or numbering.
+// Back-to-front orders: every face relation holds, and nothing depends on threads or numbering.
 #include "VisibilityOrder.h"
 
 #include "FaceRelations.h"
-
-#include "TestGrids.h"
+#include "OrderMeshes.h"
 #include "TestRandom.h"
 #include "ThreadScope.h"
 
 #include "vtkAppendFilter.h"
-#include "vtkCellType.h"
-#include "vtkDelaunay3D.h"
-#include "vtkIdList.h"
-#include "vtkPolyData.h"
 
 #include <gtest/gtest.h>
 
@@ -26,16 +21,23 @@ using namespace nephoscope_test;
 
 namespace
 {
-CellGeometry buildGeometry(vtkDataSet* data)
-{
-  CellGeometry geometry;
-  EXPECT_EQ(geometry.Build(data, { addPointNumbers(data), false, -1 }), "");
-  return geometry;
-}
-
 Vector4 eyeAt(const CellGeometry& geometry, double x, double y, double z)
 {
   return { { x - geometry.Center[0], y - geometry.Center[1], z - geometry.Center[2], 1 } };
+}
+
+/** Of a mesh without cycles. No picture: convex meshes need none. */
+std::vector<std::int32_t> sortExactly(const CellGeometry& geometry, const VisibilityOrder& visibility, const Vector4& eye)
+{
+  OrderView view;
+  view.Eye = eye;
+  VisibilityOrder::Sorted sorted;
+  EXPECT_TRUE(visibility.SortExact(geometry, view, sorted));
+  EXPECT_EQ(sorted.NumberOfCycles, 0);
+  EXPECT_EQ(sorted.NumberOfCyclicTetrahedra, 0);
+  EXPECT_EQ(sorted.NumberOfBrokenRelations, 0);
+  EXPECT_TRUE(sorted.Pieces.Tetrahedra.empty());
+  return sorted.Order;
 }
 
 bool isPermutation(const std::vector<std::int32_t>& order, std::size_t n)
@@ -52,8 +54,7 @@ double checkExactOrder(const CellGeometry& geometry, const std::vector<InteriorF
   const VisibilityOrder& visibility, const Vector4& eye)
 {
   const std::vector<Relation> relations = findRelations(faces, eye);
-  std::vector<std::int32_t> order;
-  EXPECT_EQ(visibility.SortExact(geometry, eye, order), 0);
+  std::vector<std::int32_t> order = sortExactly(geometry, visibility, eye);
   EXPECT_TRUE(isPermutation(order, geometry.Tetrahedra.size()));
   EXPECT_EQ(countViolations(relations, order), 0);
   VisibilityOrder::SortCentroids(geometry, eye, order);
@@ -67,7 +68,7 @@ void checkManyEyes(vtkDataSet* data, Random& random, double size, int eyes)
   VisibilityOrder visibility;
   visibility.Connect(geometry);
   const std::vector<InteriorFace> faces = findInteriorFaces(geometry);
-  EXPECT_EQ(visibility.GetNumberOfInteriorFaces(), std::int64_t(faces.size()));
+  EXPECT_EQ(visibility.GetFaces().GetNumberOfInteriorFaces(), std::int64_t(faces.size()));
   for (int i = 0; i < eyes; ++i)
   {
     const Vector3 d = random.Direction();
@@ -89,69 +90,12 @@ vtkSmartPointer<vtkStructuredGrid> makeWarpedLattice(Random& random, int n, doub
   });
 }
 
-vtkSmartPointer<vtkUnstructuredGrid> makeDelaunay(Random& random, int n)
-{
-  vtkNew<vtkPoints> points;
-  for (int i = 0; i < n; ++i)
-  {
-    points->InsertNextPoint(random.Uniform(), random.Uniform(), random.Uniform());
-  }
-  vtkNew<vtkPolyData> cloud;
-  cloud->SetPoints(points);
-  vtkNew<vtkDelaunay3D> delaunay;
-  delaunay->SetInputData(cloud);
-  delaunay->Update();
-  vtkNew<vtkUnstructuredGrid> grid;
-  grid->DeepCopy(delaunay->GetOutput());
-  return grid;
-}
-
-/**
- * A ring of n prisms around the z axis between triangles that all lean forward: seen from above, each prism lies over the
- * next one, all the way round.
- */
-vtkSmartPointer<vtkUnstructuredGrid> makeLeaningRing(int n)
-{
-  const double turn = 2 * std::acos(-1.0) / n;
-  const double lean = 0.6;
-  std::vector<std::array<double, 3>> points;
-  for (int i = 0; i < n; ++i)
-  {
-    const double c = std::cos(i * turn), s = std::sin(i * turn);
-    const double corners[3][3] = { { 1, lean, 0.5 }, { 0.8, -lean, -0.5 }, { 1.2, -lean, -0.5 } }; // radius, forward, z
-    for (const auto& corner : corners)
-    {
-      points.push_back({ { corner[0] * c - corner[1] * s, corner[0] * s + corner[1] * c, corner[2] } });
-    }
-  }
-  std::vector<std::pair<int, std::vector<vtkIdType>>> cells;
-  for (int i = 0; i < n; ++i)
-  {
-    const vtkIdType a = 3 * i, next = 3 * ((i + 1) % n);
-    cells.push_back({ VTK_TETRA, { a, a + 1, a + 2, next } });
-    cells.push_back({ VTK_TETRA, { a + 1, a + 2, next, next + 1 } });
-    cells.push_back({ VTK_TETRA, { a + 2, next, next + 1, next + 2 } });
-  }
-  return makeGrid(points, cells);
-}
-
 vtkSmartPointer<vtkUnstructuredGrid> permuteCells(Random& random, const CellGeometry& geometry, std::vector<std::int32_t>& from)
 {
   from.resize(geometry.Tetrahedra.size());
   std::iota(from.begin(), from.end(), 0);
   std::shuffle(from.begin(), from.end(), random.GetEngine());
-  std::vector<std::array<double, 3>> points;
-  for (std::size_t i = 0; i < geometry.Points.size(); ++i)
-  {
-    points.push_back(geometry.Position(std::int32_t(i)));
-  }
-  std::vector<std::pair<int, std::vector<vtkIdType>>> cells;
-  for (const std::int32_t i : from)
-  {
-    const Tetrahedron& t = geometry.Tetrahedra[std::size_t(i)];
-    cells.push_back({ VTK_TETRA, { t[0], t[1], t[2], t[3] } });
-  }
-  return makeGrid(points, cells);
+  return pickTetrahedra(geometry, from, [](std::int32_t) { return true; });
 }
 
 /** Length of the ray origin + t direction, t > 0, inside a tetrahedron. */
@@ -212,7 +156,7 @@ TEST(VisibilityOrder, Shell)
   visibility.Connect(geometry);
   EXPECT_TRUE(visibility.IsConnected());
   EXPECT_EQ(geometry.Tetrahedra.size(), 5184u);
-  EXPECT_EQ(visibility.GetNumberOfInteriorFaces(), 9648);
+  EXPECT_EQ(visibility.GetFaces().GetNumberOfInteriorFaces(), 9648);
   const std::vector<InteriorFace> faces = findInteriorFaces(geometry);
   EXPECT_EQ(faces.size(), 9648u);
   const double centroids = checkExactOrder(geometry, faces, visibility, eyeAt(geometry, 3.2, 0.9, 1.1));
@@ -272,29 +216,8 @@ TEST(VisibilityOrder, RepeatedPointsOfBlocksAreJoined)
   VisibilityOrder joined, single;
   joined.Connect(geometry);
   single.Connect(whole);
-  EXPECT_EQ(joined.GetNumberOfInteriorFaces(), single.GetNumberOfInteriorFaces());
+  EXPECT_EQ(joined.GetFaces().GetNumberOfInteriorFaces(), single.GetFaces().GetNumberOfInteriorFaces());
   checkExactOrder(geometry, findInteriorFaces(geometry), joined, eyeAt(geometry, 10, 3, 1));
-}
-
-TEST(VisibilityOrder, CycleOfNeighbours)
-{
-  const CellGeometry geometry = buildGeometry(makeLeaningRing(16));
-  ASSERT_EQ(geometry.Tetrahedra.size(), 48u);
-  VisibilityOrder visibility;
-  visibility.Connect(geometry);
-  EXPECT_EQ(visibility.GetNumberOfInteriorFaces(), 48);
-  const Vector4 above = { { 0, 0, 1, 0 } };
-  const std::vector<Relation> relations = findRelations(findInteriorFaces(geometry), above);
-  ASSERT_GT(countUnsortable(relations, 48), 0u) << "the mesh of this test has no cycle";
-  std::vector<std::int32_t> order;
-  const std::int64_t broken = visibility.SortExact(geometry, above, order);
-  EXPECT_GT(broken, 0);
-  EXPECT_TRUE(isPermutation(order, 48));
-  EXPECT_EQ(countViolations(relations, order), broken) << "what is counted is what is broken";
-  // From the side the same mesh has an order.
-  const Vector4 aside = { { 1, 0.3, 0.1, 0 } };
-  ASSERT_EQ(countUnsortable(findRelations(findInteriorFaces(geometry), aside), 48), 0u);
-  EXPECT_EQ(visibility.SortExact(geometry, aside, order), 0);
 }
 
 TEST(VisibilityOrder, ThreadsDoNotChangeTheOrder)
@@ -307,8 +230,7 @@ TEST(VisibilityOrder, ThreadsDoNotChangeTheOrder)
     withThreads(threads, [&]() {
       VisibilityOrder visibility;
       visibility.Connect(geometry);
-      std::vector<std::int32_t> order;
-      visibility.SortExact(geometry, eye, order);
+      std::vector<std::int32_t> order = sortExactly(geometry, visibility, eye);
       exact = exact.empty() ? order : exact;
       EXPECT_EQ(order, exact);
       VisibilityOrder::SortCentroids(geometry, eye, order);
@@ -322,7 +244,7 @@ TEST(VisibilityOrder, PermutedCellsGiveTheSamePicture)
 {
   Random random(53);
   const CellGeometry geometry = buildGeometry(makeWarpedLattice(random, 4, 0.06));
-  std::vector<std::int32_t> identity(geometry.Tetrahedra.size()), from, order, permutedOrder;
+  std::vector<std::int32_t> identity(geometry.Tetrahedra.size()), from;
   std::iota(identity.begin(), identity.end(), 0);
   const CellGeometry permuted = buildGeometry(permuteCells(random, geometry, from));
   std::vector<double> colors;
@@ -332,8 +254,8 @@ TEST(VisibilityOrder, PermutedCellsGiveTheSamePicture)
   VisibilityOrder first, second;
   first.Connect(geometry);
   second.Connect(permuted);
-  first.SortExact(geometry, { { eye[0], eye[1], eye[2], 1 } }, order);
-  second.SortExact(permuted, { { eye[0], eye[1], eye[2], 1 } }, permutedOrder);
+  const std::vector<std::int32_t> order = sortExactly(geometry, first, { { eye[0], eye[1], eye[2], 1 } });
+  const std::vector<std::int32_t> permutedOrder = sortExactly(permuted, second, { { eye[0], eye[1], eye[2], 1 } });
   double greatest = 0;
   for (int i = 0; i < 500; ++i)
   {
@@ -377,14 +299,11 @@ TEST(VisibilityOrder, NothingAndOneTetrahedron)
   CellGeometry geometry;
   VisibilityOrder visibility;
   visibility.Connect(geometry);
-  std::vector<std::int32_t> order = { 1, 2, 3 };
-  EXPECT_EQ(visibility.SortExact(geometry, { { 0, 0, 1, 0 } }, order), 0);
-  EXPECT_TRUE(order.empty());
+  EXPECT_TRUE(sortExactly(geometry, visibility, { { 0, 0, 1, 0 } }).empty());
   geometry = buildGeometry(makeGrid(
     { { { 0, 0, 0 } }, { { 1, 0, 0 } }, { { 0, 1, 0 } }, { { 0, 0, 1 } } }, { { VTK_TETRA, { 0, 1, 2, 3 } } }));
   visibility.Connect(geometry);
-  EXPECT_EQ(visibility.SortExact(geometry, { { 0, 0, 1, 0 } }, order), 0);
-  EXPECT_EQ(order, std::vector<std::int32_t>{ 0 });
+  EXPECT_EQ(sortExactly(geometry, visibility, { { 0, 0, 1, 0 } }), std::vector<std::int32_t>{ 0 });
 }
 
 // Three and more tetrahedra at one face, and points that are not numbers, must do no harm.
@@ -398,7 +317,5 @@ TEST(VisibilityOrder, OverlappingCellsAndInvalidPoints)
   ASSERT_EQ(geometry.Tetrahedra.size(), 4u);
   VisibilityOrder visibility;
   visibility.Connect(geometry);
-  std::vector<std::int32_t> order;
-  visibility.SortExact(geometry, { { 0, 0, 5, 1 } }, order);
-  EXPECT_TRUE(isPermutation(order, 4));
+  EXPECT_TRUE(isPermutation(sortExactly(geometry, visibility, { { 0, 0, 5, 1 } }), 4));
 }
