@@ -73,19 +73,15 @@ struct Interval
   vec4 valueLow, valueHigh;
 };
 
-// The interval into which the scalar goes on, up or down, from s. A node belongs to the interval above it.
-Interval intervalFrom(float s, bool up)
+// The interval into which the scalar goes on, up or down, from s; `number` is kept by those who fetch. A node belongs to the interval
+// above it.
+Interval intervalFrom(float s, bool up, int number)
 {
 #ifdef SMALL_TABLE
   Interval result = Interval(-3.0e38, nodes[0], 3.0e38, low[0], high[0]);
   EACH_NODE(PASS_NODE)
   return result;
 #else
-  int number = findInterval(transferNodes, transferTable, s);
-  if (!up && number > 0 && texelFetch(transferNodes, number - 1).r == s)
-  {
-    --number;
-  }
   bool below = number == 0;
   bool above = number == numberOfTransferNodes;
   return Interval(below ? -3.0e38 : texelFetch(transferNodes, number - 1).r,
@@ -117,24 +113,39 @@ vec4 accumulatedLight()
   return light;
 }
 
-// The scalar goes linearly from `front` to `back` over an optical length: cut wherever it crosses a node.
+// The scalar goes linearly from `front` to `back` over an optical length: cut wherever it crosses a node. A spike of the function may
+// be narrower than two neighbouring floats: intervals that are fetched are counted, and have their widths from the table.
 void addAlongOneScalar(float front, float back, float depth)
 {
   bool up = back >= front;
   float perScalar = depth / abs(back - front);
   float from = front;
+  int number = 0, last = 0;
+#ifndef SMALL_TABLE
+  number = findInterval(transferNodes, transferTable, front);
+  last = findInterval(transferNodes, transferTable, back);
+#endif
   for (int i = 0; i <= numberOfTransferNodes; ++i)
   {
-    Interval interval = intervalFrom(from, up);
+    Interval interval = intervalFrom(from, up, number);
     float to = up ? min(back, interval.high) : max(back, interval.low);
-    bool whole = from != front && to != back; // a spike may be narrower than two neighbouring floats
-    float part = from == front && to == back ? depth : (whole ? interval.width : abs(to - from)) * perScalar;
-    light += (1.0 - light.a) * integrateLinear(valueAt(interval, from), valueAt(interval, to), part);
-    if (to == back)
+#ifdef SMALL_TABLE
+    bool atEnd = to == back;
+#else
+    bool atEnd = number == last;
+    to = atEnd ? back : up ? interval.high : interval.low;
+#endif
+    bool whole = i > 0 && !atEnd;
+    float part = i == 0 && atEnd ? depth : (whole ? interval.width : abs(to - from)) * perScalar;
+    vec4 start = i == 0 ? valueAt(interval, from) : up ? interval.valueLow : interval.valueHigh;
+    vec4 end = atEnd ? valueAt(interval, to) : up ? interval.valueHigh : interval.valueLow;
+    light += (1.0 - light.a) * integrateLinear(start, end, part);
+    if (atEnd)
     {
       break;
     }
     from = to;
+    number += up ? 1 : -1;
   }
 }
 

@@ -78,7 +78,7 @@ def render(cells, view, transfer, surfaces=(), contoured=None, layers=None, laye
         more = [np.concatenate(x) for x in zip(*events)]
         pixel, t, depth, emission = (np.concatenate(x) for x in zip((pixel, t, depth, emission), more))
     order = np.lexsort((t, pixel))
-    return reference._composite(pixel[order].astype(int), depth[order], emission[order], view)
+    return reference.composite(pixel[order].astype(int), depth[order], emission[order], view)
 
 
 class _Line:

@@ -92,6 +92,7 @@ TransferFunctionTable constantMedium()
 {
   TransferFunctionTable table;
   table.Nodes = { 0.5f };
+  table.Widths = { 0.0f };
   const TransferFunctionTable::Value value = { { 0.8f, 0.5f, 0.2f, 1.0f } };
   table.Intervals = { { value, value }, { value, value } };
   return table;
@@ -114,6 +115,7 @@ TransferFunctionTable varyingMedium()
 {
   TransferFunctionTable table;
   table.Nodes = { 0.0f, 1.0f };
+  table.Widths = { 1.0f, 0.0f };
   const TransferFunctionTable::Value low = { { 1, 0, 0, 0.2f } }, high = { { 0, 0, 1, 5 } };
   table.Intervals = { { low, low }, { low, high }, { high, high } };
   return table;
