@@ -174,7 +174,7 @@ int vtkCellCompositingRepresentation::ProcessViewRequest(
     vtkAlgorithmOutput* producer = interactive ? vtkPVRenderView::GetPieceProducerLOD(inInfo, this)
                                                : vtkPVRenderView::GetPieceProducer(inInfo, this);
     vtkDataObject* data = producer ? producer->GetProducer()->GetOutputDataObject(0) : nullptr;
-    this->PrepareMapper(vtkDataSet::SafeDownCast(data), interactive);
+    this->PrepareMapper(vtkDataSet::SafeDownCast(data));
   }
   return 1;
 }
@@ -200,7 +200,7 @@ void vtkCellCompositingRepresentation::DescribePiece(vtkInformation* inInfo)
   vtkPVRenderView::SetRedistributionModeToSplitBoundaryCells(inInfo, this);
 }
 
-void vtkCellCompositingRepresentation::PrepareMapper(vtkDataSet* cells, bool interactive)
+void vtkCellCompositingRepresentation::PrepareMapper(vtkDataSet* cells)
 {
   this->Actor->SetVisibility(cells != nullptr && cells->GetNumberOfCells() > 0);
   if (!this->Actor->GetVisibility())
@@ -228,9 +228,7 @@ void vtkCellCompositingRepresentation::PrepareMapper(vtkDataSet* cells, bool int
   this->Property->SetScalarOpacityUnitDistance(distance);
   this->UniformProperty->SetScalarOpacityUnitDistance(distance);
   this->Mapper->SetOpacityScale(this->OpacityScale * this->Opacity);
-  this->Mapper->SetVisibilityOrder(
-    interactive ? std::max<int>(this->VisibilityOrder, vtkCellCompositingMapper::CENTROID_ORDER)
-                : this->VisibilityOrder);
+  this->Mapper->SetVisibilityOrder(this->VisibilityOrder); // while the camera moves too: rays need no sorting
   this->PrepareContours();
   this->PrepareLayers();
 }

@@ -127,7 +127,7 @@ private:
 
   void PrepareCells(vtkDataObject* input);
   void DescribePiece(vtkInformation* inInfo);
-  void PrepareMapper(vtkDataSet* cells, bool interactive);
+  void PrepareMapper(vtkDataSet* cells);
   void ColorUniformly(vtkDataSet* cells);
   void PrepareContours();
   void PrepareLayers();

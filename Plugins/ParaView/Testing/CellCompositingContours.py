@@ -109,7 +109,7 @@ def check_layers(source):
 
 
 load_plugin()
-wavelet = pvs.Wavelet(WholeExtent=[-8, 8, -8, 8, -8, 8])
+wavelet = pvs.Wavelet()
 check_against_polygons(wavelet)
 check_properties(wavelet)
 check_contour_array(wavelet)
