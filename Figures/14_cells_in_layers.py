@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: The Nephoscope authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Figure 5: the air over the eastern Pacific, its cells divided at four temperatures, the layers drawn apart.
+"""Figure 14: the air over the eastern Pacific, its cells divided at four temperatures, the layers drawn apart.
 
 Every cell that a temperature crosses is divided into convex pieces (thin lines); the others are whole. The layers fit together
 without a gap: they are only moved apart here. Writes the picture (1600 x 1000).
@@ -83,6 +83,6 @@ view.CameraPosition = [-6.5, -10.5, 4.6]  # the direction only: the camera is mo
 view.ResetCamera()
 view.GetActiveCamera().Zoom(1.0)
 pvs.Render(view)
-picture = os.path.join(GALLERY, "05_cells_in_layers.png")
+picture = os.path.join(GALLERY, "14_cells_in_layers.png")
 pvs.SaveScreenshot(picture, view, ImageResolution=[1600, 1000])
 print("wrote", picture)

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: The Nephoscope authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Figure 2: the jet streams among the clouds of a weather forecast.
+"""Figure 11: the jet streams among the clouds of a weather forecast.
 
 Two translucent surfaces, one inside the other, stand in the volume: surfaces of equal wind speed. Clouds in front of a surface
 veil it, clouds inside and behind it are tinted, at every pixel in the right order. Heights are exaggerated 45 times. Writes the
@@ -120,9 +120,9 @@ show_jets(forecast, view)
 show_caption(view)
 pvs.Render(view)
 
-picture = os.path.join(GALLERY, "02_surfaces_in_clouds.png")
+picture = os.path.join(GALLERY, "11_surfaces_in_clouds.png")
 pvs.SaveScreenshot(picture, view, ImageResolution=SIZE)
 print("wrote", picture)
-state = os.path.join(GALLERY, "02_surfaces_in_clouds.pvsm")
+state = os.path.join(GALLERY, "11_surfaces_in_clouds.pvsm")
 pvs.SaveState(state)
 print("wrote", state)

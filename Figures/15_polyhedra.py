@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: The Nephoscope authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Figure 6: one polyhedral cell that is not convex. Left: drawn as if it were convex. Middle: divided first. Right: its
+"""Figure 15: one polyhedral cell that is not convex. Left: drawn as if it were convex. Middle: divided first. Right: its
 tetrahedra, drawn apart.
 
 A spiral of one VTK_POLYHEDRON with a field that is linear along it. The division needs TetGen; a build without it draws the left
@@ -114,7 +114,7 @@ def main():
     add_volume(add_renderer(window, 1), divider.GetOutput())
     add_tetrahedra(add_renderer(window, 2), divider.GetOutput())
     window.Render()
-    write(window, os.path.join(GALLERY, "06_polyhedra.png"))
+    write(window, os.path.join(GALLERY, "15_polyhedra.png"))
 
 
 main()

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: The Nephoscope authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Figure 2: one small cloud of tetrahedra drawn by every method of vtkCellCompositingMapper, and what each gets wrong.
+"""Figure 13: one small cloud of tetrahedra drawn by every method of vtkCellCompositingMapper, and what each gets wrong.
 
 Above the pictures, below their largest error over the channels against quadrature along the ray of each pixel, on a
 logarithmic scale. Numbers under the maps: largest error and root mean square over the pixels that show anything, those left
@@ -121,7 +121,7 @@ def main():
     canvas[28:40, 660:1260] = error_colors(10 ** (DECADES * bar - DECADES))
     labels += [(f"1e-{DECADES - i}" if i < DECADES else "1", 660 + 600 * i / DECADES, 6, 14) for i in range(DECADES + 1)]
     labels.append(("error", 640, 24, 18, (0.85, 0.89, 0.95), "Right"))
-    name = os.path.join(GALLERY, "02_compositing_methods.png")
+    name = os.path.join(GALLERY, "13_compositing_methods.png")
     show(np.clip(canvas, 0, 1), labels, name)
     print("wrote", name)
 

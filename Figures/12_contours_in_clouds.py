@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: The Nephoscope authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Figure 3: the jet streams as nested translucent surfaces of equal wind speed, in the clouds of the same forecast.
+"""Figure 12: the jet streams as nested translucent surfaces of equal wind speed, in the clouds of the same forecast.
 
 After section 2 of Max, Crawfis and Becker (1993): contour surfaces composited with the cells in one order. No surface is made as
 geometry. A map in plate carree, heights exaggerated 130 times; clouds are coloured by altitude. Writes the picture (1920 x 1080) and
@@ -96,9 +96,9 @@ show_clouds_and_jets(view)
 show_caption(view)
 pvs.Render(view)
 
-picture = os.path.join(GALLERY, "03_contours_in_clouds.png")
+picture = os.path.join(GALLERY, "12_contours_in_clouds.png")
 pvs.SaveScreenshot(picture, view, ImageResolution=[1920, 1080])
 print("wrote", picture)
-state = os.path.join(GALLERY, "03_contours_in_clouds.pvsm")
+state = os.path.join(GALLERY, "12_contours_in_clouds.pvsm")
 pvs.SaveState(state)
 print("wrote", state)
