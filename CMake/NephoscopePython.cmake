@@ -19,8 +19,7 @@ vtk_module_wrap_python(
   CMAKE_DESTINATION   "${CMAKE_INSTALL_LIBDIR}/cmake/Nephoscope"
   LIBRARY_DESTINATION "${CMAKE_INSTALL_LIBDIR}"
   BUILD_STATIC        OFF
-  INSTALL_HEADERS     OFF
-  INSTALL_EXPORT      "")
+  INSTALL_HEADERS     OFF)
 
 # The libraries of the wheel: all but the one that needs ParaView's client and server.
 set(nephoscope_wheel_targets)
@@ -79,17 +78,17 @@ endif ()
 configure_file("${PROJECT_SOURCE_DIR}/Plugins/PyVista/packaging/WHEEL.in"
   "${PROJECT_BINARY_DIR}/${nephoscope_dist_info}/WHEEL" @ONLY)
 
-# nephoscope_install_python(<folder> [<arguments of install()>...])
+# nephoscope_install_python(<folder> [<arguments of install()>...])   folder: empty, or ending in a slash
 function (nephoscope_install_python folder)
   install(FILES ${nephoscope_python_sources} "${NEPHOSCOPE_PYTHONPATH}/nephoscope/_modules.py"
-    DESTINATION "${folder}/nephoscope" ${ARGN})
+    DESTINATION "${folder}nephoscope" ${ARGN})
   install(FILES
     "${NEPHOSCOPE_PYTHONPATH}/${nephoscope_dist_info}/METADATA"
     "${NEPHOSCOPE_PYTHONPATH}/${nephoscope_dist_info}/entry_points.txt"
-    DESTINATION "${folder}/${nephoscope_dist_info}" ${ARGN})
+    DESTINATION "${folder}${nephoscope_dist_info}" ${ARGN})
 endfunction ()
-nephoscope_install_python("${NEPHOSCOPE_PYTHON_DESTINATION}")
-nephoscope_install_python("." COMPONENT nephoscope_wheel EXCLUDE_FROM_ALL)
+nephoscope_install_python("${NEPHOSCOPE_PYTHON_DESTINATION}/")
+nephoscope_install_python("" COMPONENT nephoscope_wheel EXCLUDE_FROM_ALL)
 install(FILES "${PROJECT_BINARY_DIR}/${nephoscope_dist_info}/WHEEL"
   DESTINATION "${nephoscope_dist_info}" COMPONENT nephoscope_wheel EXCLUDE_FROM_ALL)
 install(TARGETS ${nephoscope_wheel_targets}

@@ -134,7 +134,7 @@ class ParentCells(unittest.TestCase):
 def flags(attributes, count, values):
     array = np.zeros(count, "u1")
     for flag, where in values.items():
-        array[where] |= flag
+        array[where] |= int(flag) # newer NumPy takes VTK's enumerations for 64-bit integers
     meshes.add_array(attributes, array, "vtkGhostType")
 
 
