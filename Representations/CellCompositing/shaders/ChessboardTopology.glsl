@@ -15,8 +15,8 @@ ivec2 cellRows;  // cells along the first and second axis
 vec3 lowest, highest;
 int wrap;
 
-int oddVertex; // of the present tetrahedron; -1: the one between even vertices
-vec3 cellOf;   // where the present tetrahedron lies
+int oddVertex = 0;       // of the present tetrahedron; -1: the one between even vertices
+vec3 cellOf = vec3(0.0); // where the present tetrahedron lies
 
 void keepTopology()
 {

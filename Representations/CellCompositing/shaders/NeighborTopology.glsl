@@ -5,7 +5,7 @@
 uniform isamplerBuffer neighbors;     // four per tetrahedron, across from its vertices in ascending order; -1: none
 uniform isamplerBuffer vertexSums;    // exclusive-or of the vertex numbers
 
-int cellOf; // the present tetrahedron
+int cellOf = 0; // the present tetrahedron
 
 void keepTopology() {}
 

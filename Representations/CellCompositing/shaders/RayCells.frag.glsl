@@ -30,8 +30,9 @@ uniform vec2 clearRange; // scalars between which nothing is seen
 
 // Software OpenGL (Mesa's llvmpipe) fetches a uniform anew for every pixel wherever it is used, at the cost of a texture: what loops
 // use is copied before, in a way that no compiler sees through.
-float unity; // 1
-vec2 clear;  // clearRange
+// Globals start at a value: Mesa warns of those that a function further down assigns.
+float unity = 0.0;      // 1
+vec2 clear = vec2(0.0); // clearRange
 
 //NEPHOSCOPE::Constants
 // further: hasHiddenCells, closedGrid
@@ -41,7 +42,7 @@ vec2 clear;  // clearRange
 //NEPHOSCOPE::TetrahedronWalk
 //NEPHOSCOPE::RaySegments
 
-vec3 origin, across1, across2, along;
+vec3 origin = vec3(0.0), across1 = vec3(0.0), across2 = vec3(0.0), along = vec3(0.0);
 vec3 pointStep[2], directionStep[2]; // from pixel to pixel
 
 Seen seen(int point)
@@ -96,8 +97,8 @@ vec2 visibleRange()
   return (vec2(zFromDepth(depths.x), zFromDepth(depths.y)) - atOrigin) / slope;
 }
 
-ivec3 face; // vertices of the face that the ray is passing
-int next;   // the vertex behind it
+ivec3 face = ivec3(0); // vertices of the face that the ray is passing
+int next = 0;          // the vertex behind it
 
 // Leaves the present tetrahedron through the face where the ray does; returns the vertex that stays behind.
 int leaveTetrahedron(Seen ahead)
