@@ -50,7 +50,6 @@ std::string withParts(const char* shader, const std::string& constants, bool str
   vtkShaderProgram::Substitute(source, "//NEPHOSCOPE::RaySegments", RaySegmentsShader);
   return specializedShader(source.c_str(), constants);
 }
-
 }
 
 RayCells::RayCells() = default;
@@ -122,12 +121,11 @@ void RayCells::Allocate(const CellDrawing& drawing)
 std::string RayCells::ReadyPrograms(const CellDrawing& drawing)
 {
   const bool structured = !this->Grid.IsEmpty();
-  const std::string constants =
-    drawing.Buffers.SmallTableDefinition() + drawing.ShaderConstants() + shaderConstant("hasHiddenCells", this->HasHiddenCells) +
+  const std::string constants = drawing.Buffers.SmallTableDefinition() + drawing.ShaderConstants() +
+    shaderConstant("hasHiddenCells", this->HasHiddenCells) +
     shaderConstant("closedGrid", this->Box.IsClosed(this->Grid));
   vtkOpenGLShaderCache* cache = drawing.Window->GetShaderCache();
-  this->EntryProgram = cache->ReadyShaderProgram(
-    EntryFacesVertex, EntryFacesFragment, "");
+  this->EntryProgram = cache->ReadyShaderProgram(EntryFacesVertex, EntryFacesFragment, "");
   this->SegmentProgram = cache->ReadyShaderProgram(
     RayCellsVertex, withParts(RayCellsFragment, constants, structured).c_str(), "");
   return this->EntryProgram && this->SegmentProgram ? std::string() : "the shaders did not compile";

@@ -11,11 +11,9 @@ uniform samplerBuffer opacityScalars;
 uniform samplerBuffer hiddenCells;
 uniform isamplerBuffer boundaryFaces;
 uniform sampler2D entryFaces; // boundary face (-1: none), depth
-uniform sampler2D opaqueDepth; // depth of the opaque geometry, [0, 1]
-uniform sampler2D depthRanges; // or near and far depth of two ranges, empty where near >= far
+uniform sampler2D depthRanges; // where VTK peels surfaces: near and far depth of two ranges, empty where near >= far
 uniform int rangeNumber;       // the one to draw
 uniform mat4 MCVCMatrix;
-uniform vec4 depthToVC; // z in VC = (x + y e) / (z + w e) with e = 1 - depth
 uniform float extinctionScale; // extinction per world length at opacity 1
 // The pixel's ray goes through this point, amid the data, in this direction; relative to the centre of the data.
 noperspective in vec3 rayPointVSOutput;
@@ -36,6 +34,7 @@ vec2 clear = vec2(0.0); // clearRange
 
 //NEPHOSCOPE::Constants
 // further: hasHiddenCells, closedGrid
+//NEPHOSCOPE::OpaqueDepth
 //NEPHOSCOPE::OpticalSegment
 //NEPHOSCOPE::TransferFunction
 //NEPHOSCOPE::Topology
@@ -68,12 +67,6 @@ void makeRay(vec2 beside)
   float b = along.x * along.y * a;
   across1 = vec3(1.0 + s * along.x * along.x * a, s * b, -s * along.x);
   across2 = vec3(b, s + along.y * along.y * a, -along.y);
-}
-
-float zFromDepth(float depth)
-{
-  float e = 1.0 - depth;
-  return (depthToVC.x + depthToVC.y * e) / (depthToVC.z + depthToVC.w * e);
 }
 
 vec2 visibleDepths()
@@ -144,8 +137,8 @@ void addVisiblePart(vec3 front, vec3 back, vec2 range)
   }
 }
 
-// Passes the face through which the ray enters. False if it does not go on from there.
-bool startAtFace(ivec4 boundaryFace)
+// Passes the face through which the ray enters.
+void startAtFace(ivec4 boundaryFace)
 {
   face = boundaryFace.xyz;
   next = enterTetrahedron(boundaryFace);
@@ -153,17 +146,17 @@ bool startAtFace(ivec4 boundaryFace)
   {
     face = face.xzy;
   }
-  return true;
 }
 
 // Which of the faces of the eye's tetrahedron, across from its vertices, the ray leaves through: where it is deepest inside, ahead.
 float depthInside(Seen a, Seen b, Seen c, float eyeZ)
 {
-  bool turned = startWalk(a, b, c);
+  startWalk(a, b, c);
   float inside = min(edgeFunction(walkA, walkB), min(edgeFunction(walkB, walkC), edgeFunction(walkC, walkA)));
   return passFace().x > eyeZ ? inside : -3.0e38;
 }
 
+// Adds what lies in that tetrahedron. False if the ray leaves the mesh there.
 bool startInEyeTetrahedron(vec2 range)
 {
   ivec4 v = ivec4(eyeVertices[0], eyeVertices[1], eyeVertices[2], eyeVertices[3]);
@@ -262,7 +255,15 @@ void main()
     makeRay(beside);
     vec2 range = visibleRange();
     startSegments(length(mat3(MCVCMatrix) * along) * extinctionScale);
-    bool goesOn = startsAtEye != 0 ? startInEyeTetrahedron(range) : startAtFace(boundaryFace);
+    bool goesOn = true;
+    if (startsAtEye != 0)
+    {
+      goesOn = startInEyeTetrahedron(range);
+    }
+    else
+    {
+      startAtFace(boundaryFace);
+    }
     if (goesOn)
     {
       walk(range);

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
 // Segments of one ray, front to back.
-// Constants: splitAtControlPoints, separateOpacity; smallTable (the transfer function has at most transferNodeCount nodes, which
-// are then uniforms: a fetch per pixel and segment costs more than looking at all of them).
-// Written out rather than as loops, which compilers leave as they are and fetch from.
+// Constants: splitAtControlPoints, separateOpacity. SMALL_TABLE, where it is defined, is the number of nodes of the transfer function, at
+// most 8, which are then uniforms: a fetch per pixel and segment costs more than looking at all of them. Written out rather than as
+// loops, which compilers leave as they are and fetch from.
 #ifdef SMALL_TABLE
 uniform float smallNodes[SMALL_TABLE];
 uniform vec4 smallLow[SMALL_TABLE + 1];  // colour and opacity at the ends of each interval
