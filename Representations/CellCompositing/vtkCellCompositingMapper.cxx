@@ -2,16 +2,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkCellCompositingMapper.h"
 
+#include "ArraySelection.h"
 #include "CellCompositingPass.h"
 #include "CellScene.h"
 #include "ContourSettings.h"
-#include "SceneLights.h"
 #include "FacePass.h"
+#include "SceneLights.h"
 #include "TrianglePass.h"
 #include "ViewState.h"
 
-#include "vtkAbstractMapper.h"
-#include "vtkCellData.h"
 #include "vtkColorTransferFunction.h"
 #include "vtkDataArray.h"
 #include "vtkDataSet.h"
@@ -28,20 +27,11 @@
 #include "vtkVolume.h"
 #include "vtkVolumeProperty.h"
 
-#if __has_include("vtkCellTypeUtilities.h") // VTK 9.6 deprecates the name lookup of vtkCellTypes
-#include "vtkCellTypeUtilities.h"
-using CellTypeNames = vtkCellTypeUtilities;
-#else
-#include "vtkCellTypes.h"
-using CellTypeNames = vtkCellTypes;
-#endif
-
-#include <sstream>
-
 using nephoscope::CellCompositingPass;
 using nephoscope::CellGeometry;
 using nephoscope::CellMethod;
 using nephoscope::CellScene;
+using nephoscope::checkLength;
 using nephoscope::ScalarSelection;
 
 struct vtkCellCompositingMapper::vtkInternals
@@ -65,42 +55,6 @@ struct vtkCellCompositingMapper::vtkInternals
 
 namespace
 {
-std::string arrayNames(vtkFieldData* data)
-{
-  std::ostringstream names;
-  for (int i = 0; i < data->GetNumberOfArrays(); ++i)
-  {
-    const char* name = data->GetArrayName(i);
-    names << (i ? ", " : "") << (name ? name : "(unnamed)");
-  }
-  return data->GetNumberOfArrays() ? names.str() : "none";
-}
-
-std::string remedy(vtkDataSet* input)
-{
-  return " Choose an array with SelectScalarArray and SetScalarMode; point arrays: " +
-    arrayNames(input->GetPointData()) + "; cell arrays: " + arrayNames(input->GetCellData()) + ".";
-}
-
-std::string missingArray(const char* association, const char* name, vtkDataSet* input)
-{
-  return std::string("No ") + association + " array named '" + (name ? name : "") + "'." + remedy(input);
-}
-
-/** Empty when the selected array has a value for every point or cell. */
-std::string checkLength(vtkDataSet* input, const ScalarSelection& scalars)
-{
-  const vtkIdType expected = scalars.OnCells ? input->GetNumberOfCells() : input->GetNumberOfPoints();
-  const vtkIdType found = scalars.Array->GetNumberOfTuples();
-  if (found == expected)
-  {
-    return std::string();
-  }
-  const char* name = scalars.Array->GetName();
-  return std::string("Array '") + (name ? name : "(unnamed)") + "' has " + std::to_string(found) +
-    " values where the input has " + std::to_string(expected) + (scalars.OnCells ? " cells." : " points.");
-}
-
 // Threads for our own work, without changing the application's choice of backend.
 template <typename Work>
 void withThreads(Work work)
@@ -267,74 +221,9 @@ std::string vtkCellCompositingMapper::UpdateGeometry(
   this->Internals->Arrays[1] = opacity.Array;
   if (built && error.empty())
   {
-    this->WarnAboutGeometry(scalars.Array->GetName());
+    this->WarnAboutGeometry(scene.GetGeometry(), scalars.Array->GetName());
   }
   return error;
-}
-
-std::string vtkCellCompositingMapper::SelectScalars(
-  vtkDataSet* input, vtkVolumeProperty* property, ScalarSelection& scalars)
-{
-  int cellFlag = 0;
-  scalars.Array = vtkAbstractMapper::GetScalars(
-    input, this->ScalarMode, this->ArrayAccessMode, this->ArrayId, this->ArrayName, cellFlag);
-  scalars.OnCells = cellFlag == 1;
-  vtkScalarsToColors* colors = property->GetColorChannels() == 3 ? property->GetRGBTransferFunction() : nullptr;
-  const bool magnitude = colors && colors->GetVectorMode() == vtkScalarsToColors::MAGNITUDE;
-  scalars.Component = magnitude ? -1 : colors ? colors->GetVectorComponent() : 0;
-  if (!scalars.Array)
-  {
-    const bool cells = this->ScalarMode == VTK_SCALAR_MODE_USE_CELL_FIELD_DATA;
-    const bool named = this->ArrayAccessMode == VTK_GET_ARRAY_BY_NAME &&
-      (cells || this->ScalarMode == VTK_SCALAR_MODE_USE_POINT_FIELD_DATA);
-    return named ? missingArray(cells ? "cell" : "point", this->ArrayName, input)
-                 : "The input has no active scalars." + remedy(input);
-  }
-  return cellFlag > 1 ? "Field data cannot be drawn." + remedy(input) : checkLength(input, scalars);
-}
-
-std::string vtkCellCompositingMapper::SelectOpacity(
-  vtkDataSet* input, const ScalarSelection& scalars, ScalarSelection& opacity)
-{
-  if (this->OpacityArrayName.empty())
-  {
-    return std::string();
-  }
-  // The association of the colour array first.
-  vtkFieldData* data[2] = { input->GetPointData(), input->GetCellData() };
-  for (const bool onCells : { scalars.OnCells, !scalars.OnCells })
-  {
-    opacity.Array = data[onCells]->GetArray(this->OpacityArrayName.c_str());
-    opacity.OnCells = onCells;
-    if (opacity.Array)
-    {
-      return checkLength(input, opacity);
-    }
-  }
-  return missingArray("point or cell", this->OpacityArrayName.c_str(), input);
-}
-
-void vtkCellCompositingMapper::WarnAboutGeometry(const char* arrayName)
-{
-  const CellGeometry& geometry = this->Internals->Scene.GetGeometry();
-  if (geometry.NumberOfInvalidCells > 0)
-  {
-    vtkWarningMacro(<< geometry.NumberOfInvalidCells << " cells are not drawn because array '"
-                    << (arrayName ? arrayName : "(unnamed)")
-                    << "' or a coordinate is not finite there. Blank such points, or replace the values.");
-  }
-  if (geometry.NumberOfUnsupportedCells > 0)
-  {
-    const char* type = CellTypeNames::GetClassNameFromTypeId(geometry.UnsupportedCellType);
-    vtkWarningMacro(<< geometry.NumberOfUnsupportedCells << " cells are not drawn (" << type
-                    << ", for example): only 3-D cells can be composited.");
-  }
-  if (geometry.NumberOfNonConvexCells > 0)
-  {
-    vtkWarningMacro(<< geometry.NumberOfNonConvexCells
-                    << (geometry.NumberOfNonConvexCells == 1 ? " polyhedron is" : " polyhedra are")
-                    << " not convex and drawn wrong: run vtkPolyhedronToTetrahedra first.");
-  }
 }
 
 std::string vtkCellCompositingMapper::DrawScene(

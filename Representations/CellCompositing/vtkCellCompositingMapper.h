@@ -43,6 +43,7 @@ class vtkVolumeProperty;
 
 namespace nephoscope
 {
+class CellGeometry;
 class Progress;
 struct ContourSettings;
 struct ScalarSelection;
@@ -326,7 +327,7 @@ private:
   std::string SelectLayers(vtkDataSet* input, vtkDataArray*& layers);
   bool CheckContour(int i);
   void PrintContours(ostream& os, vtkIndent indent);
-  void WarnAboutGeometry(const char* arrayName);
+  void WarnAboutGeometry(const nephoscope::CellGeometry& geometry, const char* arrayName);
   std::string DrawScene(vtkOpenGLRenderWindow* window, vtkRenderer* renderer, vtkVolume* volume,
     const nephoscope::Progress& progress);
   std::string Upload(vtkOpenGLRenderWindow* window);

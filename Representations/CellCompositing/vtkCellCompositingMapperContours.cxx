@@ -1,20 +1,14 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Contour surfaces and layers of vtkCellCompositingMapper: what the user sets, and which arrays it means.
+// Contour surfaces and layers of vtkCellCompositingMapper: what the user sets.
 #include "vtkCellCompositingMapper.h"
 
 #include "ContourSettings.h"
-#include "ScalarSelection.h"
-
-#include "vtkCellData.h"
-#include "vtkDataSet.h"
-#include "vtkPointData.h"
 
 #include <algorithm>
 #include <cmath>
 
 using nephoscope::ContourSettings;
-using nephoscope::ScalarSelection;
 
 namespace
 {
@@ -30,17 +24,6 @@ bool replace(Value& value, const Value& now)
   const bool changed = value != now;
   value = now;
   return changed;
-}
-
-std::string namesOf(vtkFieldData* data)
-{
-  std::string names;
-  for (int i = 0; i < data->GetNumberOfArrays(); ++i)
-  {
-    const char* name = data->GetArrayName(i);
-    names += (i ? ", " : "") + std::string(name ? name : "(unnamed)");
-  }
-  return names.empty() ? "none" : names;
 }
 }
 
@@ -236,47 +219,6 @@ void vtkCellCompositingMapper::SetLayersFromContours(bool layers)
 bool vtkCellCompositingMapper::GetLayersFromContours()
 {
   return this->Contours->LayersFromContours;
-}
-
-std::string vtkCellCompositingMapper::SelectContours(vtkDataSet* input, ScalarSelection& contoured)
-{
-  contoured = {};
-  const std::string& name = this->Contours->ArrayName;
-  if (this->Contours->Surfaces.empty() || name.empty())
-  {
-    return std::string();
-  }
-  contoured.Array = input->GetPointData()->GetArray(name.c_str());
-  if (!contoured.Array)
-  {
-    const bool onCells = input->GetCellData()->GetArray(name.c_str()) != nullptr;
-    return "No point array named '" + name + "' to contour" +
-      (onCells ? "; a cell array has no surfaces inside its cells: apply Cell Data to Point Data. " : ". ") +
-      "Point arrays: " + namesOf(input->GetPointData()) + ".";
-  }
-  return contoured.Array->GetNumberOfTuples() == input->GetNumberOfPoints()
-    ? std::string()
-    : "Array '" + name + "' has " + std::to_string(contoured.Array->GetNumberOfTuples()) +
-      " values where the input has " + std::to_string(input->GetNumberOfPoints()) + " points.";
-}
-
-std::string vtkCellCompositingMapper::SelectLayers(vtkDataSet* input, vtkDataArray*& layers)
-{
-  layers = nullptr;
-  const std::string& name = this->Contours->LayerArrayName;
-  if (name.empty() || this->Contours->LayerProperties.empty())
-  {
-    return std::string();
-  }
-  layers = input->GetCellData()->GetArray(name.c_str());
-  if (!layers)
-  {
-    return "No cell array named '" + name + "' for the layers. Cell arrays: " + namesOf(input->GetCellData()) + ".";
-  }
-  return layers->GetNumberOfTuples() == input->GetNumberOfCells()
-    ? std::string()
-    : "Array '" + name + "' has " + std::to_string(layers->GetNumberOfTuples()) + " values where the input has " +
-      std::to_string(input->GetNumberOfCells()) + " cells.";
 }
 
 void vtkCellCompositingMapper::PrintContours(ostream& os, vtkIndent indent)
