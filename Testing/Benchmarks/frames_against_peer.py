@@ -8,55 +8,18 @@ Seconds are processor time of the whole process, software OpenGL included, so th
 ratio is what to quote. The ratio of elapsed times is better where OpenGL uses several processors and the peer's sorting one, but
 holds for an idle machine only. The transfer function is zero below a cloud fraction of 0.05.
 """
-import os
 import time
 
 import nephoscope
 import vtkmodules.vtkRenderingOpenGL2  # noqa: F401  the factory
 import vtkmodules.vtkRenderingVolumeOpenGL2  # noqa: F401
-from vtkmodules.vtkCommonDataModel import vtkPiecewiseFunction
 from vtkmodules.vtkFiltersGeneral import vtkDataSetTriangleFilter
-from vtkmodules.vtkIONetCDF import vtkNetCDFCFReader
-from vtkmodules.vtkRenderingCore import vtkColorTransferFunction, vtkRenderWindow, vtkRenderer, vtkVolume
 from vtkmodules.vtkRenderingVolume import vtkProjectedTetrahedraMapper
+
+from nephoscope_testing.weather import cloud_scene, forecast_globe
 
 SIZE = 1024
 MOVES = 4
-
-
-def globe():
-    reader = vtkNetCDFCFReader()
-    reader.SetFileName(os.path.join(os.environ["NEPHOSCOPE_DATA"], "gfs_2p5deg_2011101100.nc"))
-    reader.SphericalCoordinatesOff()
-    reader.UpdateInformation()
-    reader.SetDimensions("(lev, lat, lon)")
-    grid = nephoscope.vtkGlobeGrid()
-    grid.SetInputConnection(reader.GetOutputPort())
-    grid.SetVerticalExaggeration(45)
-    grid.Update()
-    output = grid.GetOutput()
-    output.GetPointData().SetActiveScalars("cloud_fraction")
-    return output
-
-
-def scene(mapper):
-    volume = vtkVolume()
-    volume.SetMapper(mapper)
-    colour, opacity = vtkColorTransferFunction(), vtkPiecewiseFunction()
-    colour.AddRGBPoint(0, 0.6, 0.7, 1)
-    colour.AddRGBPoint(1, 1, 1, 1)
-    for value, alpha in ((0, 0), (0.05, 0), (1, 1)):
-        opacity.AddPoint(value, alpha)
-    volume.GetProperty().SetColor(colour)
-    volume.GetProperty().SetScalarOpacity(opacity)
-    volume.GetProperty().SetScalarOpacityUnitDistance(2e5)
-    renderer, window = vtkRenderer(), vtkRenderWindow()
-    renderer.AddVolume(volume)
-    window.SetOffScreenRendering(1)
-    window.SetMultiSamples(0)
-    window.SetSize(SIZE, SIZE)
-    window.AddRenderer(renderer)
-    return renderer, window
 
 
 def seconds(window):
@@ -68,7 +31,7 @@ def seconds(window):
 
 def frames(mapper):
     """(processor, elapsed) of the first frame, the median moving frame, and a frame that changes nothing."""
-    renderer, window = scene(mapper)
+    renderer, window = cloud_scene(mapper, 2e5, SIZE)
     first = seconds(window)
     moving = []
     for _ in range(MOVES):
@@ -79,7 +42,8 @@ def frames(mapper):
 
 
 def main():
-    grid = globe()
+    grid = forecast_globe()
+    grid.GetPointData().SetActiveScalars("cloud_fraction")
     results = {}
     for label, method, order in (("rays (default)", "Automatic", "Exact"), ("projection, exact order", "Projection", "Exact"),
                                  ("projection, centroid order", "Projection", "Centroid")):

@@ -19,9 +19,10 @@ import vtkmodules.vtkRenderingOpenGL2  # noqa: F401  the factory
 import vtkmodules.vtkRenderingVolumeOpenGL2  # noqa: F401
 from vtkmodules.util.numpy_support import numpy_to_vtk
 from vtkmodules.vtkCommonCore import vtkPoints
-from vtkmodules.vtkCommonDataModel import vtkPiecewiseFunction, vtkStructuredGrid
+from vtkmodules.vtkCommonDataModel import vtkStructuredGrid
 from vtkmodules.vtkFiltersCore import vtkAppendFilter
-from vtkmodules.vtkRenderingCore import vtkColorTransferFunction, vtkRenderWindow, vtkRenderer, vtkVolume
+
+from nephoscope_testing.weather import cloud_scene
 
 PAPER = (320, 160, 19)
 CASES = [(PAPER, 1024, "grid"), ((48, 24, 10), 1024, "grid"), ((104, 52, 20), 1024, "grid"), ((320, 160, 100), 1024, "grid"),
@@ -54,26 +55,6 @@ def resident():
         return int(file.read().split()[1]) * os.sysconf("SC_PAGE_SIZE")
 
 
-def scene(mapper, size):
-    volume = vtkVolume()
-    volume.SetMapper(mapper)
-    colour, opacity = vtkColorTransferFunction(), vtkPiecewiseFunction()
-    colour.AddRGBPoint(0, 0.6, 0.7, 1)
-    colour.AddRGBPoint(1, 1, 1, 1)
-    for value, alpha in ((0, 0), (0.05, 0), (1, 1)):
-        opacity.AddPoint(value, alpha)
-    volume.GetProperty().SetColor(colour)
-    volume.GetProperty().SetScalarOpacity(opacity)
-    volume.GetProperty().SetScalarOpacityUnitDistance(0.03)
-    renderer, window = vtkRenderer(), vtkRenderWindow()
-    renderer.AddVolume(volume)
-    window.SetOffScreenRendering(1)
-    window.SetMultiSamples(0)
-    window.SetSize(size, size)
-    window.AddRenderer(renderer)
-    return renderer, window
-
-
 def seconds(window):
     start = time.process_time()
     window.Render()
@@ -83,7 +64,7 @@ def seconds(window):
 def measure(shape, size, kind):
     small = nephoscope.vtkCellCompositingMapper()  # what OpenGL and the images need once
     small.SetInputData(shell((8, 4, 2)))
-    window = scene(small, size)[1]
+    window = cloud_scene(small, 0.03, size)[1]
     window.Render()
     grid = shell(shape)
     if kind == "hexahedra":
@@ -95,7 +76,7 @@ def measure(shape, size, kind):
     window.Finalize()
     mapper = nephoscope.vtkCellCompositingMapper()
     mapper.SetInputData(grid)
-    renderer, window = scene(mapper, size)
+    renderer, window = cloud_scene(mapper, 0.03, size)
     before = resident()
     first = seconds(window)
     memory = (resident() - before) / cells

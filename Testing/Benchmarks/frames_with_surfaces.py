@@ -7,33 +7,18 @@
 Seconds are processor time of the whole process, software OpenGL included; the ratio to the frame without surfaces is what to
 quote. Every shell covers the whole planet, which is opaque: a peel takes two surfaces, the first peel one.
 """
-import os
 import time
 
 import nephoscope
 import vtkmodules.vtkRenderingOpenGL2  # noqa: F401  the factory
-from vtkmodules.vtkCommonDataModel import vtkPiecewiseFunction
 from vtkmodules.vtkFiltersSources import vtkSphereSource
-from vtkmodules.vtkIONetCDF import vtkNetCDFCFReader
-from vtkmodules.vtkRenderingCore import (vtkActor, vtkColorTransferFunction, vtkPolyDataMapper, vtkRenderWindow, vtkRenderer,
-                                         vtkVolume)
+from vtkmodules.vtkRenderingCore import vtkActor, vtkPolyDataMapper, vtkRenderWindow, vtkRenderer
+
+from nephoscope_testing.weather import cloud_volume, forecast_globe
 
 SIZE = 1024
 RADIUS, HEIGHT = 6371000.0, 15000.0 * 45  # metres, exaggerated
 FRAMES = 3
-
-
-def globe():
-    reader = vtkNetCDFCFReader()
-    reader.SetFileName(os.path.join(os.environ["NEPHOSCOPE_DATA"], "gfs_2p5deg_2011101100.nc"))
-    reader.SphericalCoordinatesOff()
-    reader.UpdateInformation()
-    reader.SetDimensions("(lev, lat, lon)")
-    grid = nephoscope.vtkGlobeGrid()
-    grid.SetInputConnection(reader.GetOutputPort())
-    grid.SetVerticalExaggeration(45)
-    grid.Update()
-    return grid.GetOutput()
 
 
 def clouds(grid, method):
@@ -42,17 +27,7 @@ def clouds(grid, method):
     mapper.SetInputData(grid)
     mapper.SetScalarModeToUsePointFieldData()
     mapper.SelectScalarArray("cloud_fraction")
-    colour, opacity = vtkColorTransferFunction(), vtkPiecewiseFunction()
-    colour.AddRGBPoint(0, 0.6, 0.7, 1)
-    colour.AddRGBPoint(1, 1, 1, 1)
-    for value, alpha in ((0, 0), (0.05, 0), (1, 1)):
-        opacity.AddPoint(value, alpha)
-    volume = vtkVolume()
-    volume.SetMapper(mapper)
-    volume.GetProperty().SetColor(colour)
-    volume.GetProperty().SetScalarOpacity(opacity)
-    volume.GetProperty().SetScalarOpacityUnitDistance(2e5)
-    return volume
+    return cloud_volume(mapper, 2e5)
 
 
 def shell(radius, opacity):
@@ -90,7 +65,7 @@ def still_frame(grid, surfaces, method):
     return sorted(times)[FRAMES // 2]
 
 
-grid = globe()
+grid = forecast_globe()
 print(f"| method | translucent surfaces ({SIZE} x {SIZE}) | still frame s | times the frame without |")
 print("|---|---|---|---|")
 for method in ("Rays", "Projection"):
