@@ -1,0 +1,213 @@
+// SPDX-FileCopyrightText: The Nephoscope authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkFlowVolume
+ * @brief   smoke: the volume swept by a flow through a generating polygon, as tetrahedra
+ *
+ *     port 0: any dataset with a velocity        port 1 (optional): generating polygon
+ *                        |                                        |
+ *                        +-----------> vtkFlowVolume <------------+
+ *                                            |
+ *             vtkUnstructuredGrid of tetrahedra, EmissionStep, Age, Density
+ *
+ * The flow volume of MaxBeckerCrawfis1993 (N. Max, B. Becker, R. Crawfis, "Flow Volumes for Interactive Vector
+ * Field Visualization", IEEE Visualization 1993) and of section 6 of MaxCrawfisBecker1993:
+ *
+ * 1. Divide the polygon into triangles.
+ * 2. Move its points along the flow, layer by layer. Before a step, edges that would get too long are divided and edges
+ *    that have become short are merged; steps in which the flow turns, spreads or diverges too much are halved.
+ * 3. Divide the prisms between layers into tetrahedra that fit their neighbours: no cracks, no hanging points.
+ * 4. Give every prism its density, the emitted mass over its volume.
+ * 5. Interpolate every point array of the input to the points.
+ *
+ * Steady: the flow of the current time step. A prism ends, whole, where one of its corners leaves the data or meets a
+ * blanked cell; the rest of the layer goes on, so a volume parts at an obstacle.
+ * Unsteady: the volume of the smoke released from the start to the current time (streaklines), from a time series that
+ * is read once, step by step.
+ *
+ * The velocity is the array chosen with SetInputArrayToProcess(0, ...): three components, in units of length of the
+ * dataset per second. Without a choice it is DisplayVelocity (of vtkGlobeGrid) if there is one, else the active vectors,
+ * else the only array of three components.
+ *
+ * Cell arrays written:
+ * - EmissionStep, int. Steady: number of time steps since the smoke left the polygon. Unsteady: the time step in which it left.
+ * - Age, double, s: time since the smoke left the polygon, in the middle of the cell's step.
+ * - Density, double: InitialDensity times emitted volume over present volume. The sum over cells of density times volume is
+ *   the emitted mass.
+ * Point arrays written, besides those of the input:
+ * - Age, double, s, at the point.
+ */
+#ifndef vtkFlowVolume_h
+#define vtkFlowVolume_h
+
+#include "vtkNephoscopeFiltersFlowVolumeModule.h" // for export macro
+#include "vtkUnstructuredGridAlgorithm.h"
+
+#include <memory> // for the state between updates
+
+class vtkAlgorithmOutput;
+
+namespace nephoscope
+{
+struct FlowVolumeState;
+}
+
+class VTKNEPHOSCOPEFILTERSFLOWVOLUME_EXPORT vtkFlowVolume : public vtkUnstructuredGridAlgorithm
+{
+public:
+  static vtkFlowVolume* New();
+  vtkTypeMacro(vtkFlowVolume, vtkUnstructuredGridAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  enum IntegratorType
+  {
+    RUNGE_KUTTA_4 = 0,
+    RUNGE_KUTTA_45 = 1
+  };
+
+  /**
+   * The generating polygon (port 1): polygons of a vtkPolyData, planar, convex or not. Without a connection it is the regular
+   * polygon described by Center, Radius, NumberOfSides and Normal.
+   */
+  void SetPolygonConnection(vtkAlgorithmOutput* polygon);
+
+  ///@{
+  /** Centre of the regular polygon, in the coordinates of the input. Default (0, 0, 0). */
+  vtkSetVector3Macro(Center, double);
+  vtkGetVector3Macro(Center, double);
+  ///@}
+
+  ///@{
+  /** Distance of the corners of the regular polygon from its centre; 0 (default): 1/50 of the diagonal of the bounds of the input. */
+  vtkSetClampMacro(Radius, double, 0.0, VTK_DOUBLE_MAX);
+  vtkGetMacro(Radius, double);
+  ///@}
+
+  ///@{
+  /** Number of sides of the regular polygon, 3 or more. Default 12. */
+  vtkSetClampMacro(NumberOfSides, int, 3, 1000);
+  vtkGetMacro(NumberOfSides, int);
+  ///@}
+
+  ///@{
+  /** Normal of the regular polygon; need not have unit length. Ignored with NormalToFlow. Default (0, 0, 1). */
+  vtkSetVector3Macro(Normal, double);
+  vtkGetVector3Macro(Normal, double);
+  ///@}
+
+  ///@{
+  /** Turn the generating polygon, of either kind, about its centre until its normal is the direction of the flow there. On by default. */
+  vtkSetMacro(NormalToFlow, bool);
+  vtkGetMacro(NormalToFlow, bool);
+  vtkBooleanMacro(NormalToFlow, bool);
+  ///@}
+
+  ///@{
+  /** Length of the longest edge that the triangles of the generating polygon may have; 0 (default): a quarter of the polygon's longest extent. */
+  vtkSetClampMacro(PolygonEdgeLength, double, 0.0, VTK_DOUBLE_MAX);
+  vtkGetMacro(PolygonEdgeLength, double);
+  ///@}
+
+  ///@{
+  /**
+   * How long the smoke flows, in seconds; 0 (default): the time in which the flow at the polygon crosses half the diagonal of the bounds.
+   * Unsteady: smoke that is older is dropped; 0 keeps all.
+   */
+  vtkSetClampMacro(Duration, double, 0.0, VTK_DOUBLE_MAX);
+  vtkGetMacro(Duration, double);
+  ///@}
+
+  ///@{
+  /** Time between two layers, in seconds; 0 (default): 1/64 of the duration. Cost grows as its inverse. */
+  vtkSetClampMacro(TimeStep, double, 0.0, VTK_DOUBLE_MAX);
+  vtkGetMacro(TimeStep, double);
+  ///@}
+
+  ///@{
+  /** Edges of a layer longer than this are divided; 0 (default): three times the polygon's longest edge. */
+  vtkSetClampMacro(MaximumEdgeLength, double, 0.0, VTK_DOUBLE_MAX);
+  vtkGetMacro(MaximumEdgeLength, double);
+  ///@}
+
+  ///@{
+  /** Edges of a layer shorter than this are merged, where streamlines converge; 0 (default): never. Keep it below a third of MaximumEdgeLength. */
+  vtkSetClampMacro(MinimumEdgeLength, double, 0.0, VTK_DOUBLE_MAX);
+  vtkGetMacro(MinimumEdgeLength, double);
+  ///@}
+
+  ///@{
+  /**
+   * A step in which the path of a corner turns by more than this, in degrees, is halved; 0 switches this off. Default 15,
+   * where the volume of a prism errs by some 1 % (1 - sin a / a).
+   */
+  vtkSetClampMacro(MaximumTurnAngle, double, 0.0, 180.0);
+  vtkGetMacro(MaximumTurnAngle, double);
+  ///@}
+
+  ///@{
+  /** Fixed steps of fourth order (default), or steps of order 4 (5) with error control by Tolerance. */
+  vtkSetClampMacro(Integrator, int, RUNGE_KUTTA_4, RUNGE_KUTTA_45);
+  vtkGetMacro(Integrator, int);
+  void SetIntegratorToRungeKutta4() { this->SetIntegrator(RUNGE_KUTTA_4); }
+  void SetIntegratorToRungeKutta45() { this->SetIntegrator(RUNGE_KUTTA_45); }
+  ///@}
+
+  ///@{
+  /** Error of one step of RungeKutta45 relative to the polygon's longest edge. Default 1e-6. */
+  vtkSetClampMacro(Tolerance, double, 1e-14, 1.0);
+  vtkGetMacro(Tolerance, double);
+  ///@}
+
+  ///@{
+  /**
+   * Off (default): the flow of the current time step. On: smoke released all along a time series, up to the current time.
+   */
+  vtkSetMacro(Unsteady, bool);
+  vtkGetMacro(Unsteady, bool);
+  vtkBooleanMacro(Unsteady, bool);
+  ///@}
+
+  ///@{
+  /** Density of the smoke at the polygon. Default 1. */
+  vtkSetMacro(InitialDensity, double);
+  vtkGetMacro(InitialDensity, double);
+  ///@}
+
+  ///@{
+  /** The volume ends, with a warning, before it has more tetrahedra than this. Default 10 million. */
+  vtkSetClampMacro(MaximumNumberOfTetrahedra, vtkIdType, 1, VTK_ID_MAX);
+  vtkGetMacro(MaximumNumberOfTetrahedra, vtkIdType);
+  ///@}
+
+protected:
+  vtkFlowVolume();
+  ~vtkFlowVolume() override;
+
+  int FillInputPortInformation(int port, vtkInformation* info) override;
+  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+
+private:
+  vtkFlowVolume(const vtkFlowVolume&) = delete;
+  void operator=(const vtkFlowVolume&) = delete;
+
+  double Center[3] = { 0.0, 0.0, 0.0 };
+  double Radius = 0.0;
+  int NumberOfSides = 12;
+  double Normal[3] = { 0.0, 0.0, 1.0 };
+  bool NormalToFlow = true;
+  double PolygonEdgeLength = 0.0;
+  double Duration = 0.0;
+  double TimeStep = 0.0;
+  double MaximumEdgeLength = 0.0;
+  double MinimumEdgeLength = 0.0;
+  double MaximumTurnAngle = 15.0;
+  int Integrator = RUNGE_KUTTA_4;
+  double Tolerance = 1e-6;
+  bool Unsteady = false;
+  double InitialDensity = 1.0;
+  vtkIdType MaximumNumberOfTetrahedra = 10000000;
+
+  std::unique_ptr<nephoscope::FlowVolumeState> State;
+};
+
+#endif

@@ -1,0 +1,47 @@
+// SPDX-FileCopyrightText: The Nephoscope authors
+// SPDX-License-Identifier: BSD-3-Clause
+// What particles are moved by: a velocity at a position and a time. Plain C++17, no VTK object.
+#ifndef nephoscope_VelocityField_h
+#define nephoscope_VelocityField_h
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+namespace nephoscope
+{
+using Vector3 = std::array<double, 3>;
+
+// Where a particle was found last; the next search starts there. A hint changes the cost, never the result
+// beyond rounding.
+struct CellHint
+{
+  std::int64_t Cell = -1; // none yet
+  std::int32_t Block = 0; // of a field in several blocks
+  Vector3 Parametric{ { 0.5, 0.5, 0.5 } };
+};
+
+// Some positions at one time. Batches let a field that is spread over ranks answer with one exchange.
+struct SampleBatch
+{
+  std::size_t Count = 0;
+  const Vector3* Positions = nullptr;
+  double Time = 0.0;
+  Vector3* Velocities = nullptr;   // written where inside
+  unsigned char* Inside = nullptr; // written: 1 inside a visible cell with finite values, else 0
+  CellHint* Hints = nullptr;       // read and written
+};
+
+class VelocityField
+{
+public:
+  virtual ~VelocityField() = default;
+
+  virtual void Sample(const SampleBatch& batch) const = 0;
+
+  // False if all ranks must call Sample together, with the same positions, from one thread.
+  virtual bool IsLocal() const { return true; }
+};
+}
+
+#endif
