@@ -19,7 +19,31 @@ struct PolygonMesh
   std::vector<std::array<PointId, 3>> Triangles;
 };
 
-// Tetrahedra of positive volume without cracks between them.
+// What became of a flow volume. Masses are those of smoke that has density 1 at the polygon.
+struct SmokeReport
+{
+  double Flux =
+    0.0; // volume per second through the triangles of the polygon, whichever way it goes
+  double EmittedMass = 0.0;        // Flux times the time that was followed
+  double KeptMass = 0.0;           // in the tetrahedra: the sum of density times volume
+  double LostMass = 0.0;           // of triangles that ended: EmittedMass - KeptMass
+  std::vector<double> MassPerStep; // kept, by EmissionStep
+  std::size_t EndedTriangles =
+    0; // at a boundary, an obstacle, a blanked cell or values that are not finite
+  std::size_t HalvedEdges = 0;
+  std::size_t MergedEdges = 0;
+  std::size_t Layers = 0; // steps and parts of halved steps
+  std::size_t FoldedTriangles =
+    0; // of those: ended because they would have folded in the shortest step, too
+  double FollowedTime = 0.0; // s, to where the volume was built
+  std::size_t ParallelTriangles =
+    0; // of the polygon: the flow crosses them both ways, or not at all; they emit nothing
+  bool StartedOutside = false; // some of the polygon is outside the data
+  bool LimitReached = false;   // MaximumNumberOfTetrahedra
+  bool Stopped = false;        // the progress function asked for it
+};
+
+// Tetrahedra of positive volume without cracks between them. Every point is used.
 struct SmokeMesh
 {
   std::vector<Vector3> Points;
@@ -29,16 +53,27 @@ struct SmokeMesh
   std::vector<int> EmissionSteps;
   std::vector<double> Ages;      // s, in the middle of the step
   std::vector<double> Densities; // relative to the density at the polygon
+  SmokeReport Report;
 };
+
+// Forgets the points that no tetrahedron uses; the others keep their order.
+void CompactPoints(SmokeMesh& mesh);
 
 struct FlowVolumeSettings
 {
-  double Duration = 1.0;          // s
-  double TimeStep = 0.1;          // s between layers
-  double MaximumEdgeLength = 0.0; // 0: any
-  double MinimumEdgeLength = 0.0; // 0: edges are never merged
-  double MaximumTurnAngle =
-    0.2617993877991494;    // radians between the two halves of a step; 15 degrees
+  double Duration = 1.0; // s
+  double TimeStep = 0.1; // s between layers
+  // Longer edges of a layer are halved, down to 1/64 of this; 0: any length.
+  double MaximumEdgeLength = 0.0;
+  // Shorter edges of a layer are merged; 0: never. More than a third of MaximumEdgeLength counts as a third.
+  double MinimumEdgeLength = 0.0;
+  // Radians that a path turns in a step; 15 degrees. 0: any.
+  double MaximumTurnAngle = 0.2617993877991494;
+  // A step is halved at most so often: into 16 parts.
+  int MaximumHalvings = 4;
+  // Triangles that meet an obstacle or a boundary are divided until their edges are shorter than MaximumEdgeLength (without
+  // one: the longest edge of the polygon) over 2 to this power. 0: never.
+  int ObstacleLevels = 2;
   bool Adaptive = false;   // RK45 with error control instead of RK4
   double Tolerance = 1e-6; // of the adaptive method, relative to the edge length of the polygon
   std::size_t MaximumNumberOfTetrahedra = 10000000;

@@ -1,0 +1,43 @@
+// SPDX-FileCopyrightText: The Nephoscope authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "SmokeMesh.h"
+
+namespace nephoscope
+{
+void CompactPoints(SmokeMesh& mesh)
+{
+  std::vector<PointId> places(mesh.Points.size(), -1);
+  for (const TetrahedronPoints& tetrahedron : mesh.Tetrahedra)
+  {
+    for (PointId point : tetrahedron)
+    {
+      places[static_cast<std::size_t>(point)] = 0;
+    }
+  }
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < places.size(); ++i)
+  {
+    if (places[i] == 0)
+    {
+      places[i] = static_cast<PointId>(count);
+      mesh.Points[count] = mesh.Points[i];
+      mesh.PointAges[count] = mesh.PointAges[i];
+      mesh.Hints[count++] = mesh.Hints[i];
+    }
+  }
+  if (count == places.size())
+  {
+    return;
+  }
+  mesh.Points.resize(count);
+  mesh.PointAges.resize(count);
+  mesh.Hints.resize(count);
+  for (TetrahedronPoints& tetrahedron : mesh.Tetrahedra)
+  {
+    for (PointId& point : tetrahedron)
+    {
+      point = places[static_cast<std::size_t>(point)];
+    }
+  }
+}
+}
