@@ -13,12 +13,14 @@ namespace nephoscope
 using Vector3 = std::array<double, 3>;
 
 // Where a particle was found last; the next search starts there. A hint changes the cost, never the result
-// beyond rounding.
+// beyond rounding. A field takes any hint, also one of another field: it is checked, not trusted.
 struct CellHint
 {
   std::int64_t Cell = -1; // none yet
   std::int32_t Block = 0; // of a field in several blocks
   Vector3 Parametric{ { 0.5, 0.5, 0.5 } };
+  std::int64_t SecondCell = -1; // of the later of two fields, see TemporalField.h
+  std::int32_t SecondBlock = 0;
 };
 
 // Some positions at one time. Batches let a field that is spread over ranks answer with one exchange.
