@@ -30,44 +30,57 @@ public:
 
   void Sample(const SampleBatch& batch) const override
   {
-    const double weight = this->SecondWeight(batch.Time);
-    if (weight == 0.0)
+    bool onlyFirst = true;
+    bool onlySecond = true;
+    for (std::size_t i = 0; i < batch.Count; ++i)
+    {
+      const double weight = this->SecondWeight(batch.TimeOf(i));
+      onlyFirst = onlyFirst && weight == 0.0;
+      onlySecond = onlySecond && weight == 1.0;
+    }
+    if (onlyFirst)
     {
       this->First.Sample(batch);
       return;
     }
-    std::vector<CellHint> hints(batch.Count);
-    const bool both = weight < 1.0;
-    if (both)
+    const std::vector<CellHint> before(batch.Hints, batch.Hints + batch.Count);
+    if (!onlySecond)
     {
-      for (std::size_t i = 0; i < batch.Count; ++i)
-      {
-        hints[i] = batch.Hints[i];
-      }
       this->First.Sample(batch);
     }
-    for (std::size_t i = 0; i < batch.Count; ++i)
-    {
-      hints[i] = HintOfSecond(both ? hints[i] : batch.Hints[i], batch.Hints[i]);
-    }
-    std::vector<Vector3> velocities(batch.Count);
-    std::vector<unsigned char> inside(batch.Count);
-    this->Second.Sample({ batch.Count, batch.Positions, batch.Time, velocities.data(),
-      inside.data(), hints.data() });
-    for (std::size_t i = 0; i < batch.Count; ++i)
-    {
-      batch.Inside[i] = inside[i] && (!both || batch.Inside[i]);
-      for (std::size_t c = 0; batch.Inside[i] && c < 3; ++c)
-      {
-        const double before = both ? (1.0 - weight) * batch.Velocities[i][c] : 0.0;
-        batch.Velocities[i][c] = before + weight * velocities[i][c];
-      }
-      batch.Hints[i].SecondCell = hints[i].Cell;
-      batch.Hints[i].SecondBlock = hints[i].Block;
-    }
+    this->AddSecond(batch, before);
   }
 
 private:
+  void AddSecond(const SampleBatch& batch, const std::vector<CellHint>& before) const
+  {
+    std::vector<CellHint> hints(batch.Count);
+    std::vector<Vector3> velocities(batch.Count);
+    std::vector<unsigned char> inside(batch.Count);
+    for (std::size_t i = 0; i < batch.Count; ++i)
+    {
+      hints[i] = HintOfSecond(before[i], batch.Hints[i]);
+    }
+    this->Second.Sample({ batch.Count, batch.Positions, batch.Time, velocities.data(),
+      inside.data(), hints.data(), batch.Times });
+    for (std::size_t i = 0; i < batch.Count; ++i)
+    {
+      batch.Hints[i].SecondCell = hints[i].Cell;
+      batch.Hints[i].SecondBlock = hints[i].Block;
+      const double weight = this->SecondWeight(batch.TimeOf(i));
+      if (weight == 0.0)
+      {
+        continue;
+      }
+      batch.Inside[i] = inside[i] && (weight == 1.0 || batch.Inside[i]);
+      for (std::size_t c = 0; batch.Inside[i] && c < 3; ++c)
+      {
+        const double first = weight == 1.0 ? 0.0 : (1.0 - weight) * batch.Velocities[i][c];
+        batch.Velocities[i][c] = first + weight * velocities[i][c];
+      }
+    }
+  }
+
   double SecondWeight(double time) const
   {
     const double span = this->SecondTime - this->FirstTime;

@@ -23,7 +23,7 @@ struct CellHint
   std::int32_t SecondBlock = 0;
 };
 
-// Some positions at one time. Batches let a field that is spread over ranks answer with one exchange.
+// Some positions, at one time or each at its own. Batches let a field that is spread over ranks answer with one exchange.
 struct SampleBatch
 {
   std::size_t Count = 0;
@@ -32,6 +32,9 @@ struct SampleBatch
   Vector3* Velocities = nullptr;   // written where inside
   unsigned char* Inside = nullptr; // written: 1 inside a visible cell with finite values, else 0
   CellHint* Hints = nullptr;       // read and written
+  const double* Times = nullptr;   // if set, the time of each position, in place of Time
+
+  double TimeOf(std::size_t i) const { return this->Times ? this->Times[i] : this->Time; }
 };
 
 class VelocityField

@@ -1,0 +1,65 @@
+// SPDX-FileCopyrightText: The Nephoscope authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "HiddenCells.h"
+
+#include "vtkCellData.h"
+#include "vtkDataSet.h"
+#include "vtkIdList.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkUnsignedCharArray.h"
+
+#include <algorithm>
+
+namespace nephoscope
+{
+namespace
+{
+constexpr unsigned char HIDING_CELL =
+  vtkDataSetAttributes::HIDDENCELL | vtkDataSetAttributes::REFINEDCELL;
+
+// Null if no flag of the mask is set.
+const unsigned char* Ghosts(vtkDataSetAttributes* attributes, vtkIdType count, unsigned char mask)
+{
+  auto* array = vtkUnsignedCharArray::SafeDownCast(
+    attributes->GetArray(vtkDataSetAttributes::GhostArrayName()));
+  if (!array || array->GetNumberOfTuples() < count)
+  {
+    return nullptr;
+  }
+  const unsigned char* flags = array->GetPointer(0);
+  const bool any =
+    std::any_of(flags, flags + count, [mask](unsigned char flag) { return (flag & mask) != 0; });
+  return any ? flags : nullptr;
+}
+}
+
+HiddenCells::HiddenCells(vtkDataSet* data)
+{
+  const vtkIdType cells = data->GetNumberOfCells();
+  const vtkIdType points = data->GetNumberOfPoints();
+  const unsigned char* ofCells = Ghosts(data->GetCellData(), cells, HIDING_CELL);
+  const unsigned char* ofPoints =
+    Ghosts(data->GetPointData(), points, vtkDataSetAttributes::HIDDENPOINT);
+  if (ofCells || ofPoints)
+  {
+    this->Flags.assign(static_cast<std::size_t>(cells), 0);
+  }
+  for (vtkIdType cell = 0; ofCells && cell < cells; ++cell)
+  {
+    this->Flags[static_cast<std::size_t>(cell)] = (ofCells[cell] & HIDING_CELL) != 0;
+  }
+  vtkNew<vtkIdList> around;
+  for (vtkIdType point = 0; ofPoints && point < points; ++point)
+  {
+    if (ofPoints[point] & vtkDataSetAttributes::HIDDENPOINT)
+    {
+      data->GetPointCells(point, around);
+      for (const vtkIdType cell : *around)
+      {
+        this->Flags[static_cast<std::size_t>(cell)] = 1;
+      }
+    }
+  }
+}
+}
