@@ -66,25 +66,36 @@ public:
       Vector3 columns[3];
       const Vector3 residual = this->Evaluate(r, columns);
       Vector3 step = SolveColumns(columns, residual);
-      double largest = 0.0;
+      double size = SizeOfStep(step);
+      if (!(size < 100.0)) // also NaN
+      {
+        step = SolveDamped(columns, residual);
+        size = SizeOfStep(step);
+        if (!(size < 1e30))
+        {
+          return InverseResult::Failed;
+        }
+      }
       bool far = false;
       for (std::size_t a = 0; a < 3; ++a)
       {
-        const double next = std::clamp(r[a] - step[a], -3.0, 4.0);
-        largest = std::max(largest, std::abs(next - r[a]));
-        far = far || next < -0.1 || next > 1.1;
-        r[a] = next;
+        r[a] -= step[a];
+        far = far || r[a] < -0.1 || r[a] > 1.1;
       }
-      if (!(largest < 1e30)) // NaN
+      if (far)
       {
-        return InverseResult::Failed;
+        for (double& coordinate : r)
+        {
+          coordinate = std::clamp(coordinate, -3.0, 4.0);
+        }
       }
       // The error is of the order of the square of the last step.
-      if (largest < 1e-7)
+      if (size < 1e-7)
       {
         return this->IsInside(r, columns) ? InverseResult::Inside : InverseResult::Outside;
       }
-      if (far && largest < 0.1)
+      // Seldom a first step goes too far within the right cell.
+      if (far && (size < 0.1 || iteration >= 3))
       {
         return InverseResult::Outside;
       }
@@ -112,21 +123,21 @@ private:
     return value;
   }
 
+  static double SizeOfStep(const Vector3& v)
+  {
+    return std::abs(v[0]) + std::abs(v[1]) + std::abs(v[2]); // keeps a NaN
+  }
+
   static Vector3 SolveColumns(const Vector3 (&columns)[3], const Vector3& b)
   {
     const Vector3 bc = Cross(columns[1], columns[2]);
-    const double determinant = Dot(columns[0], bc);
-    const double scale = Dot(columns[0], columns[0]) * Dot(bc, bc);
-    if (!(determinant * determinant > 1e-20 * scale))
-    {
-      return SolveDamped(columns, b);
-    }
-    const double inverse = 1.0 / determinant;
+    const double inverse = 1.0 / Dot(columns[0], bc);
     const Vector3 xc = Cross(columns[0], b);
     return { inverse * Dot(b, bc), inverse * Dot(columns[2], xc), -inverse * Dot(columns[1], xc) };
   }
 
-  // Where a face has collapsed (a pole): least squares, damped (Levenberg1944), in columns of equal length.
+  // Where a face has collapsed (a pole) and the columns depend on each other: least squares, damped
+  // (Levenberg1944).
   static Vector3 SolveDamped(const Vector3 (&columns)[3], const Vector3& b)
   {
     Vector3 rows[3];
