@@ -2,73 +2,35 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkFlowVolume.h"
 
+#include "DataSets.h"
+#include "FlowVolumeState.h"
 #include "GeneratingPolygon.h"
+#include "PolygonFlow.h"
+#include "SmokeOutput.h"
 #include "SteadyVolume.h"
-#include "VelocityFields.h"
+#include "VelocityChoice.h"
 
-#include "vtkCellArray.h"
-#include "vtkCellData.h"
-#include "vtkDataSet.h"
-#include "vtkDoubleArray.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
-#include "vtkIntArray.h"
 #include "vtkMath.h"
-#include "vtkNew.h"
 #include "vtkObjectFactory.h"
-#include "vtkPointData.h"
-#include "vtkPoints.h"
+#include "vtkPolyData.h"
 #include "vtkUnstructuredGrid.h"
 
+#include <algorithm>
+#include <cmath>
 #include <string>
 
 vtkStandardNewMacro(vtkFlowVolume);
 
-namespace nephoscope
-{
-struct FlowVolumeState
-{
-};
-}
-
 namespace
 {
-template <typename Array, typename Value>
-void AddArray(vtkDataSetAttributes* attributes, const char* name, const std::vector<Value>& values)
-{
-  vtkNew<Array> array;
-  array->SetName(name);
-  array->SetNumberOfTuples(static_cast<vtkIdType>(values.size()));
-  std::copy(values.begin(), values.end(), array->GetPointer(0));
-  attributes->AddArray(array);
-}
-
-void PutMesh(const nephoscope::SmokeMesh& mesh, vtkUnstructuredGrid* output)
-{
-  vtkNew<vtkPoints> points;
-  points->SetDataTypeToDouble();
-  points->SetNumberOfPoints(static_cast<vtkIdType>(mesh.Points.size()));
-  for (std::size_t i = 0; i < mesh.Points.size(); ++i)
-  {
-    points->SetPoint(static_cast<vtkIdType>(i), mesh.Points[i].data());
-  }
-  vtkNew<vtkCellArray> cells;
-  cells->AllocateExact(static_cast<vtkIdType>(mesh.Tetrahedra.size()),
-    static_cast<vtkIdType>(4 * mesh.Tetrahedra.size()));
-  for (const auto& t : mesh.Tetrahedra)
-  {
-    cells->InsertNextCell({ t[0], t[1], t[2], t[3] });
-  }
-  output->SetPoints(points);
-  output->SetCells(VTK_TETRA, cells);
-  AddArray<vtkDoubleArray>(output->GetPointData(), "Age", mesh.PointAges);
-  AddArray<vtkIntArray>(output->GetCellData(), "EmissionStep", mesh.EmissionSteps);
-  AddArray<vtkDoubleArray>(output->GetCellData(), "Age", mesh.Ages);
-  AddArray<vtkDoubleArray>(output->GetCellData(), "Density", mesh.Densities);
-}
+constexpr double maximumNumberOfSteps = 1e6;
+constexpr double buildingShare = 0.9; // of the time, about; the rest is interpolating arrays
 }
 
 vtkFlowVolume::vtkFlowVolume()
+  : State(std::make_unique<nephoscope::FlowVolumeState>())
 {
   this->SetNumberOfInputPorts(2);
 }
@@ -93,59 +55,304 @@ int vtkFlowVolume::FillInputPortInformation(int port, vtkInformation* info)
 int vtkFlowVolume::RequestData(
   vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
-  vtkDataSet* input = vtkDataSet::GetData(inputs[0], 0);
+  vtkDataObject* input = vtkDataObject::GetData(inputs[0], 0);
   vtkUnstructuredGrid* output = vtkUnstructuredGrid::GetData(outputs, 0);
-  vtkInformation* wanted = this->GetInputArrayInformation(0);
-  const char* name = wanted->Get(vtkDataObject::FIELD_NAME());
+  this->ResetResults();
+  if (this->CheckSettings())
+  {
+    this->MakeSteadyVolume(input, vtkPolyData::GetData(inputs[1], 0), output);
+  }
+  if (this->CheckAbort())
+  {
+    output->Initialize(); // nothing rather than a part
+    this->ResetResults();
+  }
+  return 1;
+}
+
+void vtkFlowVolume::MakeSteadyVolume(
+  vtkDataObject* input, vtkPolyData* given, vtkUnstructuredGrid* output)
+{
+  constexpr double anyTime = 0.0;
+  const auto field = this->MakeField(input);
+  nephoscope::PolygonMesh polygon;
+  if (!field || !this->MakePolygon(*field, given, polygon))
+  {
+    return;
+  }
+  const nephoscope::PolygonFlow flow(*field->Field, polygon, anyTime);
+  nephoscope::FlowVolumeSettings settings;
+  if (!this->CheckPolygon(*field, polygon, flow) || !this->FindSettings(*field, flow, settings))
+  {
+    return;
+  }
+  const auto mesh = nephoscope::BuildSteadyVolume(*field->Field, polygon, settings, anyTime,
+    [this](double share) { return this->Report(buildingShare * share); });
+  this->EmittedMass = this->InitialDensity * flow.Flux * settings.Duration;
+  this->LostMass =
+    std::max(0.0, this->EmittedMass - this->InitialDensity * nephoscope::MassOf(mesh));
+  this->WriteOutput(
+    mesh,
+    [&](const nephoscope::SmokeMesh& smoke, vtkPointData* arrays) {
+      field->Field->SampleArrays(
+        smoke.Points.size(), smoke.Points.data(), smoke.Hints.data(), arrays);
+    },
+    output);
+}
+
+std::shared_ptr<const nephoscope::FlowField> vtkFlowVolume::MakeField(vtkDataObject* input)
+{
+  auto& last = this->State->Field;
+  const auto sets = nephoscope::DataSetsOf(input);
+  if (sets.empty())
+  {
+    vtkErrorMacro("The input has no cells, so there is no flow. Connect a dataset with cells.");
+    return nullptr;
+  }
+  nephoscope::VelocityArray velocity;
   std::string problem;
-  const auto field =
-    nephoscope::MakeVelocityField(input, { name ? name : "DisplayVelocity", false }, problem);
-  if (!field)
+  if (!nephoscope::ChooseVelocity(input, this->GetInputArrayInformation(0), velocity, problem))
   {
     vtkErrorMacro(<< problem);
-    return 1;
+    return nullptr;
   }
+  const vtkMTimeType newest = nephoscope::NewestMTime(input);
+  if (last && last->IsOf(newest, velocity))
+  {
+    return last;
+  }
+  last = nullptr; // its memory first
+  auto made = std::make_shared<nephoscope::FlowField>();
+  made->Data = nephoscope::SharedCopy(input);
+  made->Velocity = velocity;
+  made->Diagonal = nephoscope::DiagonalOf(sets);
+  made->MTime = newest;
+  made->Field = nephoscope::MakeVelocityField(made->Data, velocity, problem);
+  if (!made->Field)
+  {
+    vtkErrorMacro(<< problem);
+    return nullptr;
+  }
+  last = made;
+  return made;
+}
+
+bool vtkFlowVolume::MakePolygon(
+  const nephoscope::FlowField& field, vtkPolyData*, nephoscope::PolygonMesh& polygon)
+{
   nephoscope::RegularPolygon regular;
   std::copy_n(this->Center, 3, regular.Center.begin());
   std::copy_n(this->Normal, 3, regular.Normal.begin());
-  regular.Radius = this->Radius > 0.0 ? this->Radius : input->GetLength() / 50.0;
+  regular.Radius = this->Radius > 0.0 ? this->Radius : field.Diagonal / 50.0;
   regular.Sides = this->NumberOfSides;
+  if (this->NormalToFlow && !this->FindDirection(field, regular.Center, regular.Normal))
+  {
+    return false;
+  }
+  if (!(nephoscope::Length(regular.Normal) > 0.0))
+  {
+    vtkErrorMacro("Normal is (0, 0, 0): give the polygon a direction, or switch NormalToFlow on.");
+    return false;
+  }
+  const double edge =
+    this->PolygonEdgeLength > 0.0 ? this->PolygonEdgeLength : 0.5 * regular.Radius;
+  polygon = nephoscope::TriangulateRegularPolygon(regular, edge);
+  return true;
+}
+
+bool vtkFlowVolume::FindDirection(const nephoscope::FlowField& field,
+  const nephoscope::Vector3& center, nephoscope::Vector3& direction)
+{
   nephoscope::Vector3 velocity{};
   nephoscope::CellHint hint;
   unsigned char inside = 0;
-  field->Sample({ 1, &regular.Center, 0.0, &velocity, &inside, &hint });
-  const double speed = vtkMath::Norm(velocity.data());
-  if (!inside || speed == 0.0)
+  field.Field->Sample({ 1, &center, 0.0, &velocity, &inside, &hint });
+  if (!inside)
+  {
+    vtkErrorMacro("The generating polygon cannot be turned normal to the flow at its centre. "
+      << nephoscope::WhyNoVelocity(nephoscope::DataSetsOf(field.Data), center));
+    return false;
+  }
+  direction = nephoscope::Direction(velocity);
+  if (!(nephoscope::Length(direction) > 0.0))
+  {
+    vtkErrorMacro("The flow (array '"
+      << field.Velocity.Name << "') is zero at the centre of the generating polygon, (" << center[0]
+      << ", " << center[1] << ", " << center[2]
+      << "): move the polygon into the flow, or switch NormalToFlow off.");
+    return false;
+  }
+  return true;
+}
+
+bool vtkFlowVolume::CheckPolygon(const nephoscope::FlowField& field,
+  const nephoscope::PolygonMesh& polygon, const nephoscope::PolygonFlow& flow)
+{
+  std::copy_n(flow.Normal.begin(), 3, this->NormalUsed);
+  const std::size_t count = polygon.Points.size();
+  if (count == 0 || !(flow.Area > 0.0))
   {
     vtkErrorMacro(
-      "The centre of the generating polygon is outside the data or the flow there is zero: move it into the flow.");
-    return 1;
+      "The generating polygon has no area: give it at least three corners that are not on a line.");
+    return false;
   }
-  if (this->NormalToFlow)
+  if (flow.PointsInside == 0)
   {
-    regular.Normal = velocity;
+    vtkErrorMacro("No smoke comes from the generating polygon. "
+      << nephoscope::WhyNoVelocity(nephoscope::DataSetsOf(field.Data), polygon.Points[0]));
+    return false;
   }
-  nephoscope::FlowVolumeSettings settings;
-  settings.Duration = this->Duration > 0.0 ? this->Duration : 0.5 * input->GetLength() / speed;
+  if (flow.MeanSpeed == 0.0)
+  {
+    vtkErrorMacro("The flow (array '"
+      << field.Velocity.Name << "') is zero at the generating polygon: move it into the flow.");
+    return false;
+  }
+  if (flow.IsParallel())
+  {
+    vtkErrorMacro(
+      "The flow is parallel to the generating polygon, so no smoke comes from it: turn it (Normal), or switch NormalToFlow on.");
+    return false;
+  }
+  if (flow.PointsInside < count)
+  {
+    vtkWarningMacro(
+      << count - flow.PointsInside << " of the " << count
+      << " points of the generating polygon are outside the data, in blanked cells or where the velocity is not a "
+         "number; no smoke comes from there. Make the polygon smaller or move it.");
+  }
+  return true;
+}
+
+bool vtkFlowVolume::CheckSettings()
+{
+  struct Setting
+  {
+    const char* Name;
+    double Value;
+    const char* Zero;
+  };
+  const Setting settings[] = { { "Radius", this->Radius, "automatic" },
+    { "PolygonEdgeLength", this->PolygonEdgeLength, "automatic" },
+    { "Duration", this->Duration, "automatic" }, { "TimeStep", this->TimeStep, "automatic" },
+    { "MaximumEdgeLength", this->MaximumEdgeLength, "automatic" },
+    { "MinimumEdgeLength", this->MinimumEdgeLength, "never merged" } };
+  for (const Setting& setting : settings)
+  {
+    if (!(setting.Value >= 0.0) || !std::isfinite(setting.Value))
+    {
+      vtkErrorMacro(<< setting.Name << " is " << setting.Value << "; it must be positive, or 0 ("
+                    << setting.Zero << ").");
+      return false;
+    }
+  }
+  for (int c = 0; c < 3; ++c)
+  {
+    if (!std::isfinite(this->Center[c]) || !std::isfinite(this->Normal[c]))
+    {
+      vtkErrorMacro("Center and Normal must be finite numbers.");
+      return false;
+    }
+  }
+  if (!std::isfinite(this->InitialDensity))
+  {
+    vtkErrorMacro("InitialDensity is " << this->InitialDensity << "; it must be a finite number.");
+    return false;
+  }
+  return true;
+}
+
+bool vtkFlowVolume::FindSettings(const nephoscope::FlowField& field,
+  const nephoscope::PolygonFlow& flow, nephoscope::FlowVolumeSettings& settings)
+{
+  settings.Duration = this->Duration > 0.0 ? this->Duration : 0.5 * field.Diagonal / flow.MeanSpeed;
   settings.TimeStep = this->TimeStep > 0.0 ? this->TimeStep : settings.Duration / 64.0;
-  const auto polygon = nephoscope::TriangulateRegularPolygon(regular, this->PolygonEdgeLength);
-  const auto mesh =
-    nephoscope::BuildSteadyVolume(*field, polygon, settings, 0.0, [this](double done) {
-      this->UpdateProgress(done);
-      return !this->CheckAbort();
-    });
-  PutMesh(mesh, output);
-  field->SampleArrays(
-    mesh.Points.size(), mesh.Points.data(), mesh.Hints.data(), output->GetPointData());
-  AddArray<vtkDoubleArray>(output->GetPointData(), "Age", mesh.PointAges);
-  return 1;
+  settings.MaximumEdgeLength =
+    this->MaximumEdgeLength > 0.0 ? this->MaximumEdgeLength : 3.0 * flow.LongestEdge;
+  settings.MinimumEdgeLength = this->MinimumEdgeLength;
+  settings.MaximumTurnAngle = vtkMath::RadiansFromDegrees(this->MaximumTurnAngle);
+  settings.Adaptive = this->Integrator == RUNGE_KUTTA_45;
+  settings.Tolerance = this->Tolerance;
+  settings.MaximumNumberOfTetrahedra = static_cast<std::size_t>(this->MaximumNumberOfTetrahedra);
+  this->DurationUsed = settings.Duration;
+  this->TimeStepUsed = settings.TimeStep;
+  return this->CheckNumberOfSteps(settings.Duration, settings.TimeStep);
+}
+
+bool vtkFlowVolume::CheckNumberOfSteps(double duration, double timeStep)
+{
+  if (!(duration / timeStep <= maximumNumberOfSteps))
+  {
+    vtkErrorMacro("A duration of " << duration << " s in time steps of " << timeStep
+                                   << " s is more than a million steps. Choose a longer TimeStep.");
+    return false;
+  }
+  return true;
+}
+
+bool vtkFlowVolume::Report(double share)
+{
+  this->UpdateProgress(share);
+  return !this->CheckAbort();
+}
+
+void vtkFlowVolume::WriteOutput(const nephoscope::SmokeMesh& mesh,
+  const nephoscope::ArraySampler& sampleArrays, vtkUnstructuredGrid* output)
+{
+  if (!this->Report(buildingShare))
+  {
+    return;
+  }
+  if (mesh.Tetrahedra.empty())
+  {
+    vtkWarningMacro(
+      "The volume has ended at once: within the first time step the flow leads out of the data or into blanked cells. Shorten "
+      "TimeStep or move the generating polygon.");
+  }
+  if (nephoscope::PutSmoke(mesh, this->InitialDensity, sampleArrays, output))
+  {
+    vtkWarningMacro("The point array 'Age' of the input has been replaced. Rename it to keep it.");
+  }
+  this->UpdateProgress(1.0);
+}
+
+void vtkFlowVolume::ResetResults()
+{
+  std::fill_n(this->NormalUsed, 3, 0.0);
+  this->DurationUsed = 0.0;
+  this->TimeStepUsed = 0.0;
+  this->EmittedMass = 0.0;
+  this->LostMass = 0.0;
 }
 
 void vtkFlowVolume::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "Center: " << this->Center[0] << " " << this->Center[1] << " " << this->Center[2]
-     << "\n";
-  os << indent << "Duration: " << this->Duration << " s\n";
-  os << indent << "TimeStep: " << this->TimeStep << " s\n";
+  const auto print = [&](const char* name, const auto& value) {
+    os << indent << name << ": " << value << "\n";
+  };
+  const auto printVector = [&](const char* name, const double* value) {
+    os << indent << name << ": " << value[0] << " " << value[1] << " " << value[2] << "\n";
+  };
+  printVector("Center", this->Center);
+  print("Radius", this->Radius);
+  print("NumberOfSides", this->NumberOfSides);
+  printVector("Normal", this->Normal);
+  print("NormalToFlow", this->NormalToFlow);
+  print("PolygonEdgeLength", this->PolygonEdgeLength);
+  print("Duration", this->Duration);
+  print("TimeStep", this->TimeStep);
+  print("MaximumEdgeLength", this->MaximumEdgeLength);
+  print("MinimumEdgeLength", this->MinimumEdgeLength);
+  print("MaximumTurnAngle", this->MaximumTurnAngle);
+  print("Integrator", this->Integrator == RUNGE_KUTTA_4 ? "RungeKutta4" : "RungeKutta45");
+  print("Tolerance", this->Tolerance);
+  print("Unsteady", this->Unsteady);
+  print("InitialDensity", this->InitialDensity);
+  print("MaximumNumberOfTetrahedra", this->MaximumNumberOfTetrahedra);
+  printVector("NormalUsed", this->NormalUsed);
+  print("DurationUsed", this->DurationUsed);
+  print("TimeStepUsed", this->TimeStepUsed);
+  print("EmittedMass", this->EmittedMass);
+  print("LostMass", this->LostMass);
 }

@@ -27,7 +27,7 @@
  *
  * The velocity is the array chosen with SetInputArrayToProcess(0, ...): three components, in units of length of the
  * dataset per second. Without a choice it is DisplayVelocity (of vtkGlobeGrid) if there is one, else the active vectors,
- * else the only array of three components.
+ * else the only array of three components; arrays on points come before arrays on cells. Composite datasets are one field.
  *
  * Cell arrays written:
  * - EmissionStep, int. Steady: number of time steps since the smoke left the polygon. Unsteady: the time step in which it left.
@@ -35,7 +35,15 @@
  * - Density, double: InitialDensity times emitted volume over present volume. The sum over cells of density times volume is
  *   the emitted mass.
  * Point arrays written, besides those of the input:
- * - Age, double, s, at the point.
+ * - Age, double, s, at the point. An array of that name of the input gives way to it, with a warning.
+ * Field data are passed on.
+ *
+ * Moving the polygon or changing a setting is fast: the search structure of the input is kept until the input changes.
+ *
+ * An error, and an empty output, come of: no velocity; negative or infinite settings; more than a million time steps; a
+ * polygon without area, wholly outside the data, in blanked cells or where the velocity is not a number, without flow, or
+ * along which the flow is parallel. Warnings tell of a polygon that is partly outside, and of a volume that ended at
+ * MaximumNumberOfTetrahedra or at once.
  */
 #ifndef vtkFlowVolume_h
 #define vtkFlowVolume_h
@@ -43,13 +51,23 @@
 #include "vtkNephoscopeFiltersFlowVolumeModule.h" // for export macro
 #include "vtkUnstructuredGridAlgorithm.h"
 
-#include <memory> // for the state between updates
+#include <array>      // for positions
+#include <functional> // for interpolating arrays
+#include <memory>     // for the state between updates
 
 class vtkAlgorithmOutput;
+class vtkDataObject;
+class vtkPointData;
+class vtkPolyData;
 
 namespace nephoscope
 {
+struct FlowField;
+struct FlowVolumeSettings;
 struct FlowVolumeState;
+struct PolygonFlow;
+struct PolygonMesh;
+struct SmokeMesh;
 }
 
 class VTKNEPHOSCOPEFILTERSFLOWVOLUME_EXPORT vtkFlowVolume : public vtkUnstructuredGridAlgorithm
@@ -79,7 +97,7 @@ public:
 
   ///@{
   /** Distance of the corners of the regular polygon from its centre; 0 (default): 1/50 of the diagonal of the bounds of the input. */
-  vtkSetClampMacro(Radius, double, 0.0, VTK_DOUBLE_MAX);
+  vtkSetMacro(Radius, double);
   vtkGetMacro(Radius, double);
   ///@}
 
@@ -104,7 +122,7 @@ public:
 
   ///@{
   /** Length of the longest edge that the triangles of the generating polygon may have; 0 (default): a quarter of the polygon's longest extent. */
-  vtkSetClampMacro(PolygonEdgeLength, double, 0.0, VTK_DOUBLE_MAX);
+  vtkSetMacro(PolygonEdgeLength, double);
   vtkGetMacro(PolygonEdgeLength, double);
   ///@}
 
@@ -113,25 +131,25 @@ public:
    * How long the smoke flows, in seconds; 0 (default): the time in which the flow at the polygon crosses half the diagonal of the bounds.
    * Unsteady: smoke that is older is dropped; 0 keeps all.
    */
-  vtkSetClampMacro(Duration, double, 0.0, VTK_DOUBLE_MAX);
+  vtkSetMacro(Duration, double);
   vtkGetMacro(Duration, double);
   ///@}
 
   ///@{
   /** Time between two layers, in seconds; 0 (default): 1/64 of the duration. Cost grows as its inverse. */
-  vtkSetClampMacro(TimeStep, double, 0.0, VTK_DOUBLE_MAX);
+  vtkSetMacro(TimeStep, double);
   vtkGetMacro(TimeStep, double);
   ///@}
 
   ///@{
   /** Edges of a layer longer than this are divided; 0 (default): three times the polygon's longest edge. */
-  vtkSetClampMacro(MaximumEdgeLength, double, 0.0, VTK_DOUBLE_MAX);
+  vtkSetMacro(MaximumEdgeLength, double);
   vtkGetMacro(MaximumEdgeLength, double);
   ///@}
 
   ///@{
   /** Edges of a layer shorter than this are merged, where streamlines converge; 0 (default): never. Keep it below a third of MaximumEdgeLength. */
-  vtkSetClampMacro(MinimumEdgeLength, double, 0.0, VTK_DOUBLE_MAX);
+  vtkSetMacro(MinimumEdgeLength, double);
   vtkGetMacro(MinimumEdgeLength, double);
   ///@}
 
@@ -179,6 +197,25 @@ public:
   vtkGetMacro(MaximumNumberOfTetrahedra, vtkIdType);
   ///@}
 
+  ///@{
+  /**
+   * Results of the last update: the mean normal of the generating polygon after NormalToFlow; duration and time step in
+   * seconds, also where they were chosen automatically. Zero after an error.
+   */
+  vtkGetVector3Macro(NormalUsed, double);
+  vtkGetMacro(DurationUsed, double);
+  vtkGetMacro(TimeStepUsed, double);
+  ///@}
+
+  ///@{
+  /**
+   * Results of the last update, in InitialDensity times volume of the dataset: the mass that has come from the polygon, and the part
+   * of it that has left the data or met a blanked cell. The difference is the sum of Density times volume.
+   */
+  vtkGetMacro(EmittedMass, double);
+  vtkGetMacro(LostMass, double);
+  ///@}
+
 protected:
   vtkFlowVolume();
   ~vtkFlowVolume() override;
@@ -189,6 +226,24 @@ protected:
 private:
   vtkFlowVolume(const vtkFlowVolume&) = delete;
   void operator=(const vtkFlowVolume&) = delete;
+
+  void ResetResults();
+  bool CheckSettings();
+  bool CheckNumberOfSteps(double duration, double timeStep);
+  std::shared_ptr<const nephoscope::FlowField> MakeField(vtkDataObject* input);
+  bool MakePolygon(
+    const nephoscope::FlowField& field, vtkPolyData* given, nephoscope::PolygonMesh& polygon);
+  bool FindDirection(const nephoscope::FlowField& field, const std::array<double, 3>& center,
+    std::array<double, 3>& direction);
+  bool CheckPolygon(const nephoscope::FlowField& field, const nephoscope::PolygonMesh& polygon,
+    const nephoscope::PolygonFlow& flow);
+  bool FindSettings(const nephoscope::FlowField& field, const nephoscope::PolygonFlow& flow,
+    nephoscope::FlowVolumeSettings& settings);
+  void MakeSteadyVolume(vtkDataObject* input, vtkPolyData* given, vtkUnstructuredGrid* output);
+  bool Report(double share);
+  void WriteOutput(const nephoscope::SmokeMesh& mesh,
+    const std::function<void(const nephoscope::SmokeMesh&, vtkPointData*)>& sampleArrays,
+    vtkUnstructuredGrid* output);
 
   double Center[3] = { 0.0, 0.0, 0.0 };
   double Radius = 0.0;
@@ -206,6 +261,12 @@ private:
   bool Unsteady = false;
   double InitialDensity = 1.0;
   vtkIdType MaximumNumberOfTetrahedra = 10000000;
+
+  double NormalUsed[3] = { 0.0, 0.0, 0.0 };
+  double DurationUsed = 0.0;
+  double TimeStepUsed = 0.0;
+  double EmittedMass = 0.0;
+  double LostMass = 0.0;
 
   std::unique_ptr<nephoscope::FlowVolumeState> State;
 };

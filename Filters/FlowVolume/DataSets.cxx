@@ -1,0 +1,146 @@
+// SPDX-FileCopyrightText: The Nephoscope authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "DataSets.h"
+
+#include "vtkBoundingBox.h"
+#include "vtkCell.h"
+#include "vtkCellData.h"
+#include "vtkCompositeDataIterator.h"
+#include "vtkCompositeDataSet.h"
+#include "vtkDataSet.h"
+#include "vtkDataSetAttributes.h"
+#include "vtkGenericCell.h"
+#include "vtkNew.h"
+#include "vtkUnsignedCharArray.h"
+
+#include <algorithm>
+#include <sstream>
+
+namespace nephoscope
+{
+namespace
+{
+template <typename Function>
+void ForEachLeaf(vtkCompositeDataSet* composite, Function&& function)
+{
+  auto leaves = vtkSmartPointer<vtkCompositeDataIterator>::Take(composite->NewIterator());
+  for (leaves->InitTraversal(); !leaves->IsDoneWithTraversal(); leaves->GoToNextItem())
+  {
+    function(leaves.Get(), leaves->GetCurrentDataObject());
+  }
+}
+
+vtkSmartPointer<vtkDataObject> SharedCopyOfOne(vtkDataObject* data)
+{
+  auto copy = vtkSmartPointer<vtkDataObject>::Take(data->NewInstance());
+  copy->ShallowCopy(data);
+  return copy;
+}
+
+vtkIdType CellAt(vtkDataSet* set, const Vector3& position)
+{
+  vtkNew<vtkGenericCell> cell;
+  std::vector<double> weights(static_cast<std::size_t>(std::max(8, set->GetMaxCellSize())));
+  double point[3] = { position[0], position[1], position[2] };
+  double parametric[3];
+  int part = 0;
+  return set->FindCell(point, nullptr, cell, -1, 0.0, part, parametric, weights.data());
+}
+
+bool IsBlanked(vtkDataSet* set, vtkIdType cell)
+{
+  auto* ghosts = vtkUnsignedCharArray::SafeDownCast(
+    set->GetCellData()->GetArray(vtkDataSetAttributes::GhostArrayName()));
+  return ghosts && (ghosts->GetValue(cell) & vtkDataSetAttributes::HIDDENCELL);
+}
+}
+
+std::vector<vtkDataSet*> DataSetsOf(vtkDataObject* data)
+{
+  std::vector<vtkDataSet*> sets;
+  const auto add = [&](vtkDataObject* object) {
+    auto* set = vtkDataSet::SafeDownCast(object);
+    if (set && set->GetNumberOfCells() > 0)
+    {
+      sets.push_back(set);
+    }
+  };
+  if (auto* composite = vtkCompositeDataSet::SafeDownCast(data))
+  {
+    ForEachLeaf(composite, [&](vtkCompositeDataIterator*, vtkDataObject* leaf) { add(leaf); });
+  }
+  else
+  {
+    add(data);
+  }
+  return sets;
+}
+
+double DiagonalOf(const std::vector<vtkDataSet*>& sets)
+{
+  vtkBoundingBox box;
+  for (vtkDataSet* set : sets)
+  {
+    box.AddBounds(set->GetBounds());
+  }
+  return box.IsValid() ? box.GetDiagonalLength() : 0.0;
+}
+
+vtkMTimeType NewestMTime(vtkDataObject* data)
+{
+  vtkMTimeType newest = data->GetMTime();
+  if (auto* composite = vtkCompositeDataSet::SafeDownCast(data))
+  {
+    ForEachLeaf(composite, [&](vtkCompositeDataIterator*, vtkDataObject* leaf) {
+      newest = std::max(newest, leaf->GetMTime());
+    });
+  }
+  return newest;
+}
+
+vtkSmartPointer<vtkDataObject> SharedCopy(vtkDataObject* data)
+{
+  auto* composite = vtkCompositeDataSet::SafeDownCast(data);
+  if (!composite)
+  {
+    return SharedCopyOfOne(data);
+  }
+  auto copy = vtkSmartPointer<vtkCompositeDataSet>::Take(composite->NewInstance());
+  copy->CopyStructure(composite);
+  ForEachLeaf(composite, [&](vtkCompositeDataIterator* place, vtkDataObject* leaf) {
+    copy->SetDataSet(place, SharedCopyOfOne(leaf));
+  });
+  return copy;
+}
+
+std::string WhyNoVelocity(const std::vector<vtkDataSet*>& sets, const Vector3& position)
+{
+  std::ostringstream place;
+  place << "(" << position[0] << ", " << position[1] << ", " << position[2] << ")";
+  for (vtkDataSet* set : sets)
+  {
+    const vtkIdType cell = CellAt(set, position);
+    if (cell >= 0 && !IsBlanked(set, cell))
+    {
+      return "The velocity at " + place.str() + " is not a finite number (cell " +
+        std::to_string(cell) + "): move the polygon, or replace the missing values.";
+    }
+    if (cell >= 0)
+    {
+      return "The cell at " + place.str() + " is blanked: move the polygon into visible cells.";
+    }
+  }
+  vtkBoundingBox box;
+  for (vtkDataSet* set : sets)
+  {
+    box.AddBounds(set->GetBounds());
+  }
+  double bounds[6];
+  box.GetBounds(bounds);
+  std::ostringstream sentence;
+  sentence << place.str() << " is outside the data, which are within x " << bounds[0] << " to "
+           << bounds[1] << ", y " << bounds[2] << " to " << bounds[3] << ", z " << bounds[4]
+           << " to " << bounds[5] << ": move the polygon into them.";
+  return sentence.str();
+}
+}
