@@ -4,12 +4,14 @@
 #ifndef nephoscope_FlowVolumeState_h
 #define nephoscope_FlowVolumeState_h
 
+#include "StreakVolume.h"
 #include "VelocityFields.h"
 
 #include "vtkDataObject.h"
 #include "vtkSmartPointer.h"
 
 #include <memory>
+#include <vector>
 
 namespace nephoscope
 {
@@ -29,9 +31,29 @@ struct FlowField
   }
 };
 
+// How far a time series has been read, and the smoke by then.
+struct StreakState
+{
+  std::shared_ptr<const FlowField>
+    First; // of the step before the last one read; null before two have been read
+  std::shared_ptr<const FlowField> Second; // of the last step read
+  int LastRead = -1;
+  std::unique_ptr<StreakVolume> Volume; // null before the start time
+  Vector3 Normal{};
+  vtkMTimeType MTime = 0; // of the pipeline when it was begun
+};
+
 struct FlowVolumeState
 {
   std::shared_ptr<const FlowField> Field; // of the last input
+
+  std::vector<double> Times; // of the input's series, in the pipeline's unit
+  bool HasSeries = false;    // the input tells its time steps, be they none
+  StreakState Streak;
+  double Requested = 0.0;  // time of the update that is being made
+  int Next = 0;            // time step to be read
+  bool Continuing = false; // in the middle of an update
+  bool AwaitsData = false; // between RequestUpdateExtent and RequestData
 };
 }
 

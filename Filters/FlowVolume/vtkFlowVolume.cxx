@@ -53,19 +53,28 @@ int vtkFlowVolume::FillInputPortInformation(int port, vtkInformation* info)
 }
 
 int vtkFlowVolume::RequestData(
-  vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
+  vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
   vtkDataObject* input = vtkDataObject::GetData(inputs[0], 0);
   vtkUnstructuredGrid* output = vtkUnstructuredGrid::GetData(outputs, 0);
+  vtkPolyData* polygon = vtkPolyData::GetData(inputs[1], 0);
   this->ResetResults();
-  if (this->CheckSettings())
+  if (this->CheckSettings() && this->CheckSeries())
   {
-    this->MakeSteadyVolume(input, vtkPolyData::GetData(inputs[1], 0), output);
+    if (this->HasTimeSteps())
+    {
+      this->MakeUnsteadyVolume(request, input, polygon, outputs->GetInformationObject(0));
+    }
+    else
+    {
+      this->MakeSteadyVolume(input, polygon, output);
+    }
   }
   if (this->CheckAbort())
   {
     output->Initialize(); // nothing rather than a part
     this->ResetResults();
+    this->EndSeries(request);
   }
   return 1;
 }
@@ -76,18 +85,25 @@ void vtkFlowVolume::MakeSteadyVolume(
   constexpr double anyTime = 0.0;
   const auto field = this->MakeField(input);
   nephoscope::PolygonMesh polygon;
-  if (!field || !this->MakePolygon(*field, given, polygon))
+  if (!field || !this->MakePolygon(*field, *field->Field, anyTime, given, polygon))
   {
     return;
   }
   const nephoscope::PolygonFlow flow(*field->Field, polygon, anyTime);
   nephoscope::FlowVolumeSettings settings;
-  if (!this->CheckPolygon(*field, polygon, flow) || !this->FindSettings(*field, flow, settings))
+  if (!this->CheckPlace(*field, polygon, flow) || !this->CheckFlow(*field, flow) ||
+    !this->FindSettings(*field, flow, settings))
   {
     return;
   }
   const auto mesh = nephoscope::BuildSteadyVolume(*field->Field, polygon, settings, anyTime,
     [this](double share) { return this->Report(buildingShare * share); });
+  if (mesh.Tetrahedra.empty())
+  {
+    vtkWarningMacro(
+      "The volume has ended at once: within the first time step the flow leads out of the data or into blanked cells. Shorten "
+      "TimeStep or move the generating polygon.");
+  }
   this->EmittedMass = this->InitialDensity * flow.Flux * settings.Duration;
   this->LostMass =
     std::max(0.0, this->EmittedMass - this->InitialDensity * nephoscope::MassOf(mesh));
@@ -137,15 +153,17 @@ std::shared_ptr<const nephoscope::FlowField> vtkFlowVolume::MakeField(vtkDataObj
   return made;
 }
 
-bool vtkFlowVolume::MakePolygon(
-  const nephoscope::FlowField& field, vtkPolyData*, nephoscope::PolygonMesh& polygon)
+bool vtkFlowVolume::MakePolygon(const nephoscope::FlowField& field,
+  const nephoscope::VelocityField& velocity, double time, vtkPolyData*,
+  nephoscope::PolygonMesh& polygon)
 {
   nephoscope::RegularPolygon regular;
   std::copy_n(this->Center, 3, regular.Center.begin());
   std::copy_n(this->Normal, 3, regular.Normal.begin());
   regular.Radius = this->Radius > 0.0 ? this->Radius : field.Diagonal / 50.0;
   regular.Sides = this->NumberOfSides;
-  if (this->NormalToFlow && !this->FindDirection(field, regular.Center, regular.Normal))
+  if (this->NormalToFlow &&
+    !this->FindDirection(field, velocity, time, regular.Center, regular.Normal))
   {
     return false;
   }
@@ -161,19 +179,20 @@ bool vtkFlowVolume::MakePolygon(
 }
 
 bool vtkFlowVolume::FindDirection(const nephoscope::FlowField& field,
-  const nephoscope::Vector3& center, nephoscope::Vector3& direction)
+  const nephoscope::VelocityField& velocity, double time, const nephoscope::Vector3& center,
+  nephoscope::Vector3& direction)
 {
-  nephoscope::Vector3 velocity{};
+  nephoscope::Vector3 found{};
   nephoscope::CellHint hint;
   unsigned char inside = 0;
-  field.Field->Sample({ 1, &center, 0.0, &velocity, &inside, &hint });
+  velocity.Sample({ 1, &center, time, &found, &inside, &hint });
   if (!inside)
   {
     vtkErrorMacro("The generating polygon cannot be turned normal to the flow at its centre. "
       << nephoscope::WhyNoVelocity(nephoscope::DataSetsOf(field.Data), center));
     return false;
   }
-  direction = nephoscope::Direction(velocity);
+  direction = nephoscope::Direction(found);
   if (!(nephoscope::Length(direction) > 0.0))
   {
     vtkErrorMacro("The flow (array '"
@@ -185,7 +204,7 @@ bool vtkFlowVolume::FindDirection(const nephoscope::FlowField& field,
   return true;
 }
 
-bool vtkFlowVolume::CheckPolygon(const nephoscope::FlowField& field,
+bool vtkFlowVolume::CheckPlace(const nephoscope::FlowField& field,
   const nephoscope::PolygonMesh& polygon, const nephoscope::PolygonFlow& flow)
 {
   std::copy_n(flow.Normal.begin(), 3, this->NormalUsed);
@@ -202,6 +221,19 @@ bool vtkFlowVolume::CheckPolygon(const nephoscope::FlowField& field,
       << nephoscope::WhyNoVelocity(nephoscope::DataSetsOf(field.Data), polygon.Points[0]));
     return false;
   }
+  if (flow.PointsInside < count)
+  {
+    vtkWarningMacro(
+      << count - flow.PointsInside << " of the " << count
+      << " points of the generating polygon are outside the data, in blanked cells or where the velocity is not a "
+         "number; no smoke comes from there. Make the polygon smaller or move it.");
+  }
+  return true;
+}
+
+bool vtkFlowVolume::CheckFlow(
+  const nephoscope::FlowField& field, const nephoscope::PolygonFlow& flow)
+{
   if (flow.MeanSpeed == 0.0)
   {
     vtkErrorMacro("The flow (array '"
@@ -213,13 +245,6 @@ bool vtkFlowVolume::CheckPolygon(const nephoscope::FlowField& field,
     vtkErrorMacro(
       "The flow is parallel to the generating polygon, so no smoke comes from it: turn it (Normal), or switch NormalToFlow on.");
     return false;
-  }
-  if (flow.PointsInside < count)
-  {
-    vtkWarningMacro(
-      << count - flow.PointsInside << " of the " << count
-      << " points of the generating polygon are outside the data, in blanked cells or where the velocity is not a "
-         "number; no smoke comes from there. Make the polygon smaller or move it.");
   }
   return true;
 }
@@ -254,9 +279,17 @@ bool vtkFlowVolume::CheckSettings()
       return false;
     }
   }
-  if (!std::isfinite(this->InitialDensity))
+  if (!std::isfinite(this->InitialDensity) || std::isnan(this->StartTime))
   {
-    vtkErrorMacro("InitialDensity is " << this->InitialDensity << "; it must be a finite number.");
+    vtkErrorMacro("InitialDensity (" << this->InitialDensity << ") and StartTime ("
+                                     << this->StartTime << ") must be finite numbers.");
+    return false;
+  }
+  if (!(this->TimeScale > 0.0) || !std::isfinite(this->TimeScale))
+  {
+    vtkErrorMacro(
+      "TimeScale is " << this->TimeScale
+                      << "; it is the number of seconds in a unit of time and must be positive.");
     return false;
   }
   return true;
@@ -290,6 +323,13 @@ bool vtkFlowVolume::CheckNumberOfSteps(double duration, double timeStep)
   return true;
 }
 
+void vtkFlowVolume::WarnOfLimit()
+{
+  vtkWarningMacro("The volume ends early, at MaximumNumberOfTetrahedra ("
+    << this->MaximumNumberOfTetrahedra
+    << "). Lengthen TimeStep, PolygonEdgeLength or MaximumEdgeLength, or allow more.");
+}
+
 bool vtkFlowVolume::Report(double share)
 {
   this->UpdateProgress(share);
@@ -302,12 +342,6 @@ void vtkFlowVolume::WriteOutput(const nephoscope::SmokeMesh& mesh,
   if (!this->Report(buildingShare))
   {
     return;
-  }
-  if (mesh.Tetrahedra.empty())
-  {
-    vtkWarningMacro(
-      "The volume has ended at once: within the first time step the flow leads out of the data or into blanked cells. Shorten "
-      "TimeStep or move the generating polygon.");
   }
   if (nephoscope::PutSmoke(mesh, this->InitialDensity, sampleArrays, output))
   {
@@ -323,6 +357,7 @@ void vtkFlowVolume::ResetResults()
   this->TimeStepUsed = 0.0;
   this->EmittedMass = 0.0;
   this->LostMass = 0.0;
+  this->ExpiredMass = 0.0;
 }
 
 void vtkFlowVolume::PrintSelf(ostream& os, vtkIndent indent)
@@ -348,6 +383,8 @@ void vtkFlowVolume::PrintSelf(ostream& os, vtkIndent indent)
   print("Integrator", this->Integrator == RUNGE_KUTTA_4 ? "RungeKutta4" : "RungeKutta45");
   print("Tolerance", this->Tolerance);
   print("Unsteady", this->Unsteady);
+  print("StartTime", this->StartTime);
+  print("TimeScale", this->TimeScale);
   print("InitialDensity", this->InitialDensity);
   print("MaximumNumberOfTetrahedra", this->MaximumNumberOfTetrahedra);
   printVector("NormalUsed", this->NormalUsed);
@@ -355,4 +392,5 @@ void vtkFlowVolume::PrintSelf(ostream& os, vtkIndent indent)
   print("TimeStepUsed", this->TimeStepUsed);
   print("EmittedMass", this->EmittedMass);
   print("LostMass", this->LostMass);
+  print("ExpiredMass", this->ExpiredMass);
 }

@@ -57,6 +57,7 @@
 
 class vtkAlgorithmOutput;
 class vtkDataObject;
+class vtkInformation;
 class vtkPointData;
 class vtkPolyData;
 
@@ -68,6 +69,7 @@ struct FlowVolumeState;
 struct PolygonFlow;
 struct PolygonMesh;
 struct SmokeMesh;
+class VelocityField;
 }
 
 class VTKNEPHOSCOPEFILTERSFLOWVOLUME_EXPORT vtkFlowVolume : public vtkUnstructuredGridAlgorithm
@@ -136,13 +138,19 @@ public:
   ///@}
 
   ///@{
-  /** Time between two layers, in seconds; 0 (default): 1/64 of the duration. Cost grows as its inverse. */
+  /**
+   * Time between two layers, in seconds; 0 (default): 1/64 of the duration; unsteady: 1/64 of the time from the start to the last
+   * time step. Cost grows as its inverse.
+   */
   vtkSetMacro(TimeStep, double);
   vtkGetMacro(TimeStep, double);
   ///@}
 
   ///@{
-  /** Edges of a layer longer than this are divided; 0 (default): three times the polygon's longest edge. */
+  /**
+   * Edges of a layer longer than this are divided; 0 (default): three times the polygon's longest edge; unsteady: or three times
+   * the way of the flow in a time step, if that is more.
+   */
   vtkSetMacro(MaximumEdgeLength, double);
   vtkGetMacro(MaximumEdgeLength, double);
   ///@}
@@ -178,11 +186,30 @@ public:
 
   ///@{
   /**
-   * Off (default): the flow of the current time step. On: smoke released all along a time series, up to the current time.
+   * Off (default): the flow of the current time step. On: smoke released all along a time series, up to the requested time (the last
+   * one, where none is requested). Going forward in time, every time step is read once, and two are in memory; going back or
+   * changing a setting begins anew. Between time steps the velocity is linear in time. The generating polygon is that of the
+   * start time. Ignored, with a warning, where the input has fewer than two time steps.
+   *
+   * Every TimeStep seconds a layer is released, and all layers move with the flow. Edges of tetrahedra that become longer than
+   * MaximumEdgeLength are halved, with all tetrahedra there; MinimumEdgeLength and MaximumTurnAngle are not used. A tetrahedron with
+   * a corner that leaves the data ends. Its mass stays a tetrahedron's: Density is mass over volume.
    */
   vtkSetMacro(Unsteady, bool);
   vtkGetMacro(Unsteady, bool);
   vtkBooleanMacro(Unsteady, bool);
+  ///@}
+
+  ///@{
+  /** Unsteady: time of the first release, in the pipeline's unit. Before the first time step (the default): that step. */
+  vtkSetMacro(StartTime, double);
+  vtkGetMacro(StartTime, double);
+  ///@}
+
+  ///@{
+  /** Unsteady: seconds in the pipeline's unit of time, 3600 for time steps in hours. Greater than 0; default 1. */
+  vtkSetMacro(TimeScale, double);
+  vtkGetMacro(TimeScale, double);
   ///@}
 
   ///@{
@@ -209,18 +236,25 @@ public:
 
   ///@{
   /**
-   * Results of the last update, in InitialDensity times volume of the dataset: the mass that has come from the polygon, and the part
-   * of it that has left the data or met a blanked cell. The difference is the sum of Density times volume.
+   * Results of the last update, in InitialDensity times volume of the dataset: the mass that has come from the polygon, the part of
+   * it that has left the data or met a blanked cell, and the part that is older than Duration (unsteady). What is left is the sum of
+   * Density times volume.
    */
   vtkGetMacro(EmittedMass, double);
   vtkGetMacro(LostMass, double);
+  vtkGetMacro(ExpiredMass, double);
   ///@}
+
+  vtkTypeBool ProcessRequest(
+    vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
 protected:
   vtkFlowVolume();
   ~vtkFlowVolume() override;
 
   int FillInputPortInformation(int port, vtkInformation* info) override;
+  int RequestInformation(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+  int RequestUpdateExtent(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
 private:
@@ -231,15 +265,36 @@ private:
   bool CheckSettings();
   bool CheckNumberOfSteps(double duration, double timeStep);
   std::shared_ptr<const nephoscope::FlowField> MakeField(vtkDataObject* input);
-  bool MakePolygon(
-    const nephoscope::FlowField& field, vtkPolyData* given, nephoscope::PolygonMesh& polygon);
-  bool FindDirection(const nephoscope::FlowField& field, const std::array<double, 3>& center,
-    std::array<double, 3>& direction);
-  bool CheckPolygon(const nephoscope::FlowField& field, const nephoscope::PolygonMesh& polygon,
+  bool MakePolygon(const nephoscope::FlowField& field, const nephoscope::VelocityField& velocity,
+    double time, vtkPolyData* given, nephoscope::PolygonMesh& polygon);
+  bool FindDirection(const nephoscope::FlowField& field, const nephoscope::VelocityField& velocity,
+    double time, const std::array<double, 3>& center, std::array<double, 3>& direction);
+  bool CheckPlace(const nephoscope::FlowField& field, const nephoscope::PolygonMesh& polygon,
     const nephoscope::PolygonFlow& flow);
+  bool CheckFlow(const nephoscope::FlowField& field, const nephoscope::PolygonFlow& flow);
   bool FindSettings(const nephoscope::FlowField& field, const nephoscope::PolygonFlow& flow,
     nephoscope::FlowVolumeSettings& settings);
   void MakeSteadyVolume(vtkDataObject* input, vtkPolyData* given, vtkUnstructuredGrid* output);
+
+  // Of a time series; in vtkFlowVolumeUnsteady.cxx.
+  bool CheckSeries();
+  double Seconds(double time) const;
+  double StartSeconds() const;
+  double RequestedSeconds() const;
+  void PlanReading(vtkInformation* output);
+  void MakeUnsteadyVolume(vtkInformation* request, vtkDataObject* input, vtkPolyData* given,
+    vtkInformation* outputInformation);
+  bool ReadTimeStep(vtkDataObject* input);
+  bool BeginStreak(vtkPolyData* given);
+  bool AdvanceStreak();
+  bool HasTimeSteps() const;
+  void EndSeries(vtkInformation* request);
+  std::unique_ptr<nephoscope::VelocityField> StreakVelocity() const;
+  void SampleStreakArrays(const nephoscope::SmokeMesh& mesh, vtkPointData* arrays);
+  nephoscope::SmokeMesh StreakMeshAt(double seconds);
+  void WriteStreak(vtkUnstructuredGrid* output);
+
+  void WarnOfLimit();
   bool Report(double share);
   void WriteOutput(const nephoscope::SmokeMesh& mesh,
     const std::function<void(const nephoscope::SmokeMesh&, vtkPointData*)>& sampleArrays,
@@ -259,6 +314,8 @@ private:
   int Integrator = RUNGE_KUTTA_4;
   double Tolerance = 1e-6;
   bool Unsteady = false;
+  double StartTime = VTK_DOUBLE_MIN;
+  double TimeScale = 1.0;
   double InitialDensity = 1.0;
   vtkIdType MaximumNumberOfTetrahedra = 10000000;
 
@@ -267,6 +324,7 @@ private:
   double TimeStepUsed = 0.0;
   double EmittedMass = 0.0;
   double LostMass = 0.0;
+  double ExpiredMass = 0.0;
 
   std::unique_ptr<nephoscope::FlowVolumeState> State;
 };

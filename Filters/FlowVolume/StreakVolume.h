@@ -1,0 +1,86 @@
+// SPDX-FileCopyrightText: The Nephoscope authors
+// SPDX-License-Identifier: BSD-3-Clause
+// The volume of the smoke that has been released from a polygon since a time, in a flow that changes. Plain C++17 but for the
+// threads of AdvanceParticles.
+//
+// Layer k is the polygon released at time StartTime + k TimeStep and moved to the present by the flow (formulas of
+// MaxCrawfisBecker1993 Sec. 6 hold layer by layer). When a layer is released, it is joined to the one before by prisms,
+// each of three tetrahedra, whose mass is what has flown through its triangle in the meantime; then tetrahedra with long edges
+// are bisected.
+//
+// The points are moved in steps that end at the release times and where AdvanceTo is told to stop. A volume that has been
+// told the same stops is the same to the last bit.
+#ifndef nephoscope_StreakVolume_h
+#define nephoscope_StreakVolume_h
+
+#include "PolygonFlow.h"
+#include "StreakMesh.h"
+
+#include <cmath>
+
+namespace nephoscope
+{
+struct StreakSettings
+{
+  double StartTime = 0.0;         // s, of the first release
+  double TimeStep = 1.0;          // s between releases
+  double Duration = 0.0;          // s after which smoke is dropped; 0: never
+  double MaximumEdgeLength = 0.0; // 0: any
+  bool Adaptive = false;
+  double Tolerance = 1e-6; // of the adaptive method, a length
+  std::size_t MaximumNumberOfTetrahedra = 10000000;
+};
+
+class StreakVolume
+{
+public:
+  StreakVolume(const PolygonMesh& polygon, const StreakSettings& settings);
+
+  // Up to rounding.
+  bool IsAt(double time) const { return std::abs(time - this->Now) <= this->Rounding(); }
+  bool IsAfter(double time) const { return this->Now > time + this->Rounding(); }
+
+  // Moves the smoke to `time`, which has not passed. False if `progress`, told a time, wants to stop; then
+  // the volume is of no use any more.
+  bool AdvanceTo(const VelocityField& field, double time, const ProgressFunction& progress);
+
+  // As AdvanceTo, to the last time of release that is not after `time`.
+  bool AdvanceToLastRelease(
+    const VelocityField& field, double time, const ProgressFunction& progress);
+
+  // To be called when the second field of a TemporalField has become the first of the next one.
+  void TurnHints();
+
+  // The smoke at the time that has been reached, with the part of a layer that is being released.
+  SmokeMesh Mesh() const;
+
+  double TimeStep() const { return this->Settings.TimeStep; }
+
+private:
+  double EmittedMass() const;
+  double ReleaseTime(int layer) const;
+  double Rounding() const { return 1e-9 * this->Settings.TimeStep; }
+  void Step(const VelocityField& field, double time);
+  void Emit(const VelocityField& field, double time);
+  void ReleaseLayer();
+  PointId AddLayer(StreakMesh& smoke) const;
+  double JoinLayers(StreakMesh& smoke, PointId newer) const;
+  void EndSmoke();
+  void BisectTetrahedra();
+
+  PolygonMesh Polygon;
+  std::vector<unsigned char> PolygonInside; // in all samples since the last release
+  StreakSettings Settings;
+  double Now;
+  StreakMesh Smoke;
+  int Layer = 0;                // number of the last layer that has been released
+  PointId FirstOfLayer = 0;     // its first point
+  std::vector<double> Emitting; // mass through the triangles since
+  double Emitted = 0.0;         // mass of all prisms before
+  double Lost = 0.0;
+  double Expired = 0.0;
+  bool Full = false;
+};
+}
+
+#endif

@@ -1,0 +1,396 @@
+// SPDX-FileCopyrightText: The Nephoscope authors
+// SPDX-License-Identifier: BSD-3-Clause
+// The part of vtkFlowVolume that follows a time series: which time step is read next, and what is done with it.
+//
+//   RequestInformation    the times of the series
+//   RequestUpdateExtent   PlanReading: begin anew, go on, or nothing to read
+//   RequestData           ReadTimeStep, BeginStreak once, AdvanceStreak; again (CONTINUE_EXECUTING) until the requested time
+//                         lies within the steps that have been read; WriteStreak
+#include "vtkFlowVolume.h"
+
+#include "ArrayBlend.h"
+#include "FlowVolumeState.h"
+#include "SmokeOutput.h"
+#include "TemporalField.h"
+
+#include "vtkDemandDrivenPipeline.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
+#include "vtkUnstructuredGrid.h"
+
+#include <algorithm>
+#include <cmath>
+
+using SDDP = vtkStreamingDemandDrivenPipeline;
+
+namespace
+{
+constexpr double advancingShare = 0.9; // of the time, about; the rest is interpolating arrays
+
+// What CONTINUE_EXECUTING has set, and only a successful REQUEST_DATA would clear.
+struct StopExecuting : SDDP
+{
+  static void Of(vtkExecutive* executive)
+  {
+    if (auto* pipeline = SDDP::SafeDownCast(executive))
+    {
+      pipeline->*(&StopExecuting::ContinueExecuting) = 0;
+    }
+  }
+};
+
+std::vector<nephoscope::CellHint> HintsOfSecond(std::vector<nephoscope::CellHint> hints)
+{
+  for (nephoscope::CellHint& hint : hints)
+  {
+    hint.Cell = hint.SecondCell;
+    hint.Block = hint.SecondBlock;
+  }
+  return hints;
+}
+}
+
+vtkTypeBool vtkFlowVolume::ProcessRequest(
+  vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs)
+{
+  // An executive that is told to go on asks for ever, should the input fail in the meantime: an update begins anew, though the
+  // last one has not come to RequestData.
+  if (request->Has(SDDP::REQUEST_UPDATE_TIME()) && this->State->AwaitsData)
+  {
+    this->State->AwaitsData = false;
+    if (this->State->Continuing)
+    {
+      vtkErrorMacro("The input has not delivered the time step at "
+        << this->State->Times[static_cast<std::size_t>(this->State->Next)]
+        << ", so there is no volume at later times.");
+      this->State->Streak = {};
+      this->State->Continuing = false;
+      StopExecuting::Of(this->GetExecutive());
+    }
+  }
+  return this->Superclass::ProcessRequest(request, inputs, outputs);
+}
+
+int vtkFlowVolume::RequestInformation(
+  vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs)
+{
+  vtkInformation* input = inputs[0]->GetInformationObject(0);
+  auto& state = *this->State;
+  std::vector<double> times;
+  state.HasSeries = input && input->Has(SDDP::TIME_STEPS());
+  if (state.HasSeries)
+  {
+    const double* first = input->Get(SDDP::TIME_STEPS());
+    times.assign(first, first + input->Length(SDDP::TIME_STEPS()));
+  }
+  if (times != state.Times)
+  {
+    state.Times = times;
+    state.Streak = {};
+  }
+  return this->Superclass::RequestInformation(request, inputs, outputs);
+}
+
+bool vtkFlowVolume::CheckSeries()
+{
+  const auto& times = this->State->Times;
+  if (!this->Unsteady)
+  {
+    return true;
+  }
+  if (this->State->HasSeries && times.empty())
+  {
+    vtkErrorMacro(
+      "The input's time series has no time steps, so there is no flow to follow. Check the reader's files, or "
+      "switch Unsteady off.");
+    return false;
+  }
+  if (times.size() < 2)
+  {
+    vtkWarningMacro("Unsteady needs a time series, but the input has "
+      << (times.empty() ? "no time steps" : "one time step only")
+      << ". The volume of the present, steady flow is made.");
+    return true;
+  }
+  for (std::size_t i = 1; i < times.size(); ++i)
+  {
+    if (!(times[i] > times[i - 1]) || !std::isfinite(times[i]))
+    {
+      vtkErrorMacro("The times of the input's time steps must rise, but time step "
+        << i << " is at " << times[i] << " after " << times[i - 1]
+        << ". Sort the time steps, or switch Unsteady off.");
+      return false;
+    }
+  }
+  if (this->StartTime > times.back())
+  {
+    vtkErrorMacro("StartTime is " << this->StartTime << ", after the last time step, which is at "
+                                  << times.back() << ". Choose an earlier one.");
+    return false;
+  }
+  return true;
+}
+
+bool vtkFlowVolume::HasTimeSteps() const
+{
+  return this->Unsteady && this->State->Times.size() > 1;
+}
+
+double vtkFlowVolume::Seconds(double time) const
+{
+  return (time - this->State->Times.front()) * this->TimeScale;
+}
+
+double vtkFlowVolume::StartSeconds() const
+{
+  return std::max(0.0, this->Seconds(this->StartTime));
+}
+
+double vtkFlowVolume::RequestedSeconds() const
+{
+  return this->Seconds(std::min(this->State->Requested, this->State->Times.back()));
+}
+
+int vtkFlowVolume::RequestUpdateExtent(
+  vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs)
+{
+  if (this->HasTimeSteps())
+  {
+    this->PlanReading(outputs->GetInformationObject(0));
+    inputs[0]->GetInformationObject(0)->Set(
+      SDDP::UPDATE_TIME_STEP(), this->State->Times[static_cast<std::size_t>(this->State->Next)]);
+  }
+  return this->Superclass::RequestUpdateExtent(request, inputs, outputs);
+}
+
+void vtkFlowVolume::PlanReading(vtkInformation* output)
+{
+  auto& state = *this->State;
+  auto& streak = state.Streak;
+  const auto& times = state.Times;
+  state.AwaitsData = true;
+  if (state.Continuing)
+  {
+    return; // the next one has been chosen
+  }
+  state.Requested =
+    output->Has(SDDP::UPDATE_TIME_STEP()) ? output->Get(SDDP::UPDATE_TIME_STEP()) : times.back();
+  auto* pipeline = vtkDemandDrivenPipeline::SafeDownCast(this->GetExecutive());
+  const vtkMTimeType newest = pipeline ? pipeline->GetPipelineMTime() : this->GetMTime();
+  const double seconds = this->RequestedSeconds();
+  const bool isPast = streak.Volume ? streak.Volume->IsAfter(seconds)
+                                    : streak.LastRead > 0 && seconds < this->StartSeconds();
+  if (streak.LastRead < 0 || streak.MTime != newest || isPast)
+  {
+    streak = {};
+    streak.MTime = newest;
+    const auto after = std::upper_bound(times.begin(), times.end(), this->StartTime);
+    state.Next = std::max(0, static_cast<int>(after - times.begin()) - 1);
+  }
+  else
+  {
+    const bool isRead = state.Requested <= times[static_cast<std::size_t>(streak.LastRead)];
+    const int last = static_cast<int>(times.size()) - 1;
+    state.Next = std::min(last, streak.LastRead + (isRead ? 0 : 1));
+  }
+}
+
+void vtkFlowVolume::MakeUnsteadyVolume(vtkInformation* request, vtkDataObject* input,
+  vtkPolyData* given, vtkInformation* outputInformation)
+{
+  auto& state = *this->State;
+  auto& streak = state.Streak;
+  vtkUnstructuredGrid* output =
+    vtkUnstructuredGrid::SafeDownCast(outputInformation->Get(vtkDataObject::DATA_OBJECT()));
+  output->GetInformation()->Set(vtkDataObject::DATA_TIME_STEP(), state.Requested);
+  state.AwaitsData = false;
+  const bool goesOn =
+    this->ReadTimeStep(input) && this->BeginStreak(given) && this->AdvanceStreak();
+  if (!goesOn)
+  {
+    this->EndSeries(request);
+    return;
+  }
+  const auto read = static_cast<std::size_t>(streak.LastRead);
+  if (state.Requested > state.Times[read] && read + 1 < state.Times.size())
+  {
+    state.Next = streak.LastRead + 1;
+    state.Continuing = true;
+    request->Set(SDDP::CONTINUE_EXECUTING(), 1);
+    return;
+  }
+  state.Continuing = false;
+  request->Remove(SDDP::CONTINUE_EXECUTING());
+  if (streak.Volume)
+  {
+    this->WriteStreak(output);
+  }
+}
+
+void vtkFlowVolume::EndSeries(vtkInformation* request)
+{
+  this->State->Streak = {};
+  this->State->Continuing = false;
+  request->Remove(SDDP::CONTINUE_EXECUTING());
+}
+
+bool vtkFlowVolume::ReadTimeStep(vtkDataObject* input)
+{
+  auto& streak = this->State->Streak;
+  if (streak.LastRead == this->State->Next)
+  {
+    return true;
+  }
+  streak.First = std::move(streak.Second); // what was first is freed before there is a third
+  streak.Second = this->MakeField(input);
+  streak.LastRead = this->State->Next;
+  if (streak.Volume)
+  {
+    streak.Volume->TurnHints();
+  }
+  return streak.Second != nullptr;
+}
+
+// Puts the polygon into the flow, once the steps around the start time have been read.
+bool vtkFlowVolume::BeginStreak(vtkPolyData* given)
+{
+  auto& state = *this->State;
+  auto& streak = state.Streak;
+  const double start = this->StartSeconds();
+  const double read = this->Seconds(state.Times[static_cast<std::size_t>(streak.LastRead)]);
+  if (streak.Volume || start > read || (!streak.First && start < read))
+  {
+    return true;
+  }
+  const auto velocity = this->StreakVelocity();
+  nephoscope::PolygonMesh polygon;
+  if (!this->MakePolygon(*streak.Second, *velocity, start, given, polygon))
+  {
+    return false;
+  }
+  const nephoscope::PolygonFlow flow(*velocity, polygon, start);
+  if (!this->CheckPlace(*streak.Second, polygon, flow))
+  {
+    return false;
+  }
+  const double followed = this->Seconds(state.Times.back()) - start;
+  nephoscope::StreakSettings settings;
+  settings.StartTime = start;
+  settings.TimeStep = this->TimeStep > 0.0 ? this->TimeStep
+    : followed > 0.0                       ? followed / 64.0
+                                           : 1.0;
+  settings.Duration = this->Duration;
+  settings.MaximumEdgeLength = this->MaximumEdgeLength > 0.0
+    ? this->MaximumEdgeLength
+    : 3.0 * std::max(flow.LongestEdge, flow.MeanSpeed * settings.TimeStep);
+  settings.Adaptive = this->Integrator == RUNGE_KUTTA_45;
+  settings.Tolerance = this->Tolerance * flow.LongestEdge;
+  settings.MaximumNumberOfTetrahedra = static_cast<std::size_t>(this->MaximumNumberOfTetrahedra);
+  streak.Normal = flow.Normal;
+  streak.Volume = std::make_unique<nephoscope::StreakVolume>(polygon, settings);
+  return this->CheckNumberOfSteps(followed, settings.TimeStep);
+}
+
+std::unique_ptr<nephoscope::VelocityField> vtkFlowVolume::StreakVelocity() const
+{
+  const auto& streak = this->State->Streak;
+  const auto time = [&](int step) {
+    return this->Seconds(this->State->Times[static_cast<std::size_t>(std::max(0, step))]);
+  };
+  const auto& first = streak.First ? streak.First : streak.Second;
+  return std::make_unique<nephoscope::TemporalField>(*first->Field,
+    time(streak.First ? streak.LastRead - 1 : streak.LastRead), *streak.Second->Field,
+    time(streak.LastRead));
+}
+
+// To the requested time or, if that is later, to the last step read. Stops are the steps and the times of release, whatever
+// times are requested, so that an animation and a direct request give the same.
+bool vtkFlowVolume::AdvanceStreak()
+{
+  auto& streak = this->State->Streak;
+  const double read = this->Seconds(this->State->Times[static_cast<std::size_t>(streak.LastRead)]);
+  const double requested = this->RequestedSeconds();
+  if (!streak.Volume || requested < this->StartSeconds())
+  {
+    return true;
+  }
+  const auto velocity = this->StreakVelocity();
+  const double start = this->StartSeconds();
+  const auto report = [&](double now) {
+    return this->Report(advancingShare * (now - start) / std::max(requested - start, 1e-300));
+  };
+  return requested < read ? streak.Volume->AdvanceToLastRelease(*velocity, requested, report)
+                          : streak.Volume->AdvanceTo(*velocity, read, report);
+}
+
+nephoscope::SmokeMesh vtkFlowVolume::StreakMeshAt(double seconds)
+{
+  const auto& streak = this->State->Streak;
+  if (streak.Volume->IsAt(seconds))
+  {
+    return streak.Volume->Mesh();
+  }
+  const auto toTheEnd = [](double) { return true; };
+  nephoscope::StreakVolume shown = *streak.Volume; // which itself stops where every animation does
+  shown.AdvanceTo(*this->StreakVelocity(), seconds, toTheEnd);
+  return shown.Mesh();
+}
+
+void vtkFlowVolume::WriteStreak(vtkUnstructuredGrid* output)
+{
+  const auto& streak = this->State->Streak;
+  const double requested = this->RequestedSeconds();
+  if (requested <= this->StartSeconds())
+  {
+    return; // no smoke yet
+  }
+  const auto mesh = this->StreakMeshAt(requested);
+  if (mesh.Report.EmittedMass == 0.0)
+  {
+    vtkWarningMacro(
+      "No smoke has come from the generating polygon: there the flow has been zero or parallel to it. Move or turn it.");
+  }
+  else if (mesh.Tetrahedra.empty())
+  {
+    vtkWarningMacro(
+      "All smoke has left the data, met blanked cells or values that are not numbers, or is older than Duration.");
+  }
+  if (mesh.Report.LimitReached)
+  {
+    this->WarnOfLimit();
+  }
+  std::copy_n(streak.Normal.begin(), 3, this->NormalUsed);
+  this->DurationUsed = mesh.Report.FollowedTime;
+  this->TimeStepUsed = streak.Volume->TimeStep();
+  this->EmittedMass = this->InitialDensity * mesh.Report.EmittedMass;
+  this->LostMass = this->InitialDensity * mesh.Report.LostMass;
+  this->ExpiredMass = this->InitialDensity * mesh.Report.ExpiredMass;
+  this->WriteOutput(
+    mesh,
+    [&](const nephoscope::SmokeMesh& smoke, vtkPointData* arrays) {
+      this->SampleStreakArrays(smoke, arrays);
+    },
+    output);
+}
+
+// The arrays of the step at the requested time, or what lies between the steps around it.
+void vtkFlowVolume::SampleStreakArrays(const nephoscope::SmokeMesh& mesh, vtkPointData* arrays)
+{
+  const auto& streak = this->State->Streak;
+  const auto& times = this->State->Times;
+  const auto last = static_cast<std::size_t>(streak.LastRead);
+  const double requested = std::min(this->State->Requested, times.back());
+  const auto hints = streak.First ? HintsOfSecond(mesh.Hints) : mesh.Hints;
+  const std::size_t count = mesh.Points.size();
+  streak.Second->Field->SampleArrays(count, mesh.Points.data(), hints.data(), arrays);
+  if (streak.First && requested < times[last])
+  {
+    vtkNew<vtkPointData> before;
+    streak.First->Field->SampleArrays(count, mesh.Points.data(), mesh.Hints.data(), before);
+    nephoscope::BlendArrays(
+      before, (requested - times[last - 1]) / (times[last] - times[last - 1]), arrays);
+  }
+}
