@@ -3,13 +3,15 @@
 #include "CellVelocity.h"
 
 #include "ArrayInterpolation.h"
+#include "CellShapes.h"
 
+#include "vtkCellType.h"
 #include "vtkDataArray.h"
 #include "vtkDataSet.h"
 #include "vtkGenericCell.h"
 #include "vtkIdList.h"
+#include "vtkNew.h"
 #include "vtkPointData.h"
-#include "vtkStaticCellLocator.h"
 
 #include <algorithm>
 #include <cmath>
@@ -25,12 +27,12 @@ struct CellVelocity::Search
   {
   }
 
-  double Position[3] = { 0.0, 0.0, 0.0 };
-  vtkNew<vtkGenericCell> Cell;
-  vtkIdType CellId = -1; // what Cell holds
-  double Parametric[3] = { 0.0, 0.0, 0.0 };
+  Vector3 Position{};
+  vtkIdType Found = -1;
+  vtkNew<vtkIdList> Ids; // of the points of the cell that was tried last
   std::vector<double> Weights;
-  vtkNew<vtkIdList> Candidates;
+  Vector3 Parametric{};
+  vtkNew<vtkGenericCell> Cell;
 };
 
 CellVelocity::CellVelocity(vtkDataSet* data, vtkDataArray* velocity)
@@ -53,12 +55,20 @@ CellVelocity::CellVelocity(vtkDataSet* data, vtkDataArray* velocity)
 
 CellVelocity::~CellVelocity() = default;
 
-void CellVelocity::BuildLocator() const
+const CellTree& CellVelocity::Tree() const
 {
-  std::call_once(this->LocatorOnce, [this]() {
-    this->Locator->SetDataSet(this->Data);
-    this->Locator->BuildLocator();
+  std::call_once(this->TreeOnce, [this]() {
+    const vtkIdType count = this->Data->GetNumberOfCells();
+    std::vector<Box> boxes(static_cast<std::size_t>(count));
+    for (vtkIdType i = 0; i < count; ++i)
+    {
+      double b[6];
+      this->Data->GetCellBounds(i, b);
+      boxes[static_cast<std::size_t>(i)] = { { b[0], b[2], b[4] }, { b[1], b[3], b[5] } };
+    }
+    this->LazyTree.Build(boxes);
   });
+  return this->LazyTree;
 }
 
 void CellVelocity::Sample(const SampleBatch& batch) const
@@ -78,79 +88,86 @@ bool CellVelocity::SampleOne(
   {
     return false;
   }
-  std::copy(position.begin(), position.end(), search.Position);
-  const bool known = hint.Cell >= 0 && hint.Cell < this->Data->GetNumberOfCells();
-  if ((known && this->TryCell(search, hint.Cell, 0.0, velocity)) || this->Locate(search, velocity))
+  search.Position = position;
+  search.Parametric = hint.Parametric;
+  if (hint.Cell >= 0 && hint.Cell < this->Data->GetNumberOfCells() &&
+    this->TryCell(search, hint.Cell, false, velocity))
   {
-    hint.Cell = search.CellId;
-    std::copy_n(search.Parametric, 3, hint.Parametric.begin());
+    hint.Parametric = search.Parametric;
     return true;
+  }
+  for (const bool nearToo : { false, true })
+  {
+    const bool found = this->Tree().ForEachCell(position, [&](vtkIdType cell) {
+      search.Parametric = { 0.5, 0.5, 0.5 };
+      search.Found = cell;
+      return this->TryCell(search, cell, nearToo, velocity);
+    });
+    if (found)
+    {
+      hint.Cell = search.Found;
+      hint.Parametric = search.Parametric;
+      return true;
+    }
   }
   return false;
 }
 
-bool CellVelocity::Locate(Search& search, Vector3& velocity) const
-{
-  this->BuildLocator();
-  int part = 0;
-  search.CellId = this->Locator->FindCell(
-    search.Position, 0.0, search.Cell, part, search.Parametric, search.Weights.data());
-  // Surfaces among the cells have no inside.
-  if (search.CellId >= 0 && search.Cell->GetCellDimension() == 3 &&
-    this->Interpolate(search, velocity))
-  {
-    return true;
-  }
-  const double r = this->Rounding;
-  double box[6];
-  for (int a = 0; a < 3; ++a)
-  {
-    box[2 * a] = search.Position[a] - r;
-    box[2 * a + 1] = search.Position[a] + r;
-  }
-  this->Locator->FindCellsWithinBounds(box, search.Candidates);
-  std::sort(search.Candidates->begin(), search.Candidates->end());
-  return std::any_of(search.Candidates->begin(), search.Candidates->end(),
-    [&](vtkIdType cell) { return this->TryCell(search, cell, r, velocity); });
-}
-
-bool CellVelocity::TryCell(
-  Search& search, vtkIdType cell, double tolerance, Vector3& velocity) const
+bool CellVelocity::TryCell(Search& search, vtkIdType cell, bool nearToo, Vector3& velocity) const
 {
   if (this->Hidden[cell])
   {
     return false;
   }
-  if (search.CellId != cell)
+  const int type = this->Data->GetCellType(cell);
+  if (type == VTK_TETRA || type == VTK_HEXAHEDRON || type == VTK_VOXEL)
   {
-    this->Data->GetCell(cell, search.Cell);
-    search.CellId = cell;
+    this->Data->GetCellPoints(cell, search.Ids);
+    return this->WeightsByFormula(search, type) && this->Interpolate(search, velocity);
   }
+  return this->WeightsByCell(search, cell, nearToo) && this->Interpolate(search, velocity);
+}
+
+bool CellVelocity::WeightsByFormula(Search& search, int type) const
+{
+  Vector3 points[8];
+  for (vtkIdType i = 0; i < search.Ids->GetNumberOfIds(); ++i)
+  {
+    this->Data->GetPoint(search.Ids->GetId(i), points[i].data());
+  }
+  if (type == VTK_TETRA)
+  {
+    const Vector3 corners[4] = { points[0], points[1], points[2], points[3] };
+    return WeightsInTetrahedron(corners, search.Position, search.Weights.data());
+  }
+  return WeightsInHexahedron(
+    points, type == VTK_VOXEL, search.Position, search.Parametric, search.Weights.data());
+}
+
+bool CellVelocity::WeightsByCell(Search& search, vtkIdType cell, bool nearToo) const
+{
+  this->Data->GetCell(cell, search.Cell);
   if (search.Cell->GetCellDimension() != 3)
   {
-    return false;
+    return false; // surfaces among the cells have no inside
   }
+  search.Ids->DeepCopy(search.Cell->GetPointIds());
   int part = 0;
   double closest[3];
   double distance2 = 0.0;
-  const int status = search.Cell->EvaluatePosition(search.Position,
-    tolerance > 0.0 ? closest : nullptr, part, search.Parametric, distance2, search.Weights.data());
-  const bool near = status == 0 && tolerance > 0.0 && distance2 <= tolerance * tolerance;
-  return (status == 1 || near) && this->Interpolate(search, velocity);
+  const int status = search.Cell->EvaluatePosition(search.Position.data(),
+    nearToo ? closest : nullptr, part, search.Parametric.data(), distance2, search.Weights.data());
+  return status == 1 ||
+    (status == 0 && nearToo && distance2 <= this->Rounding * this->Rounding);
 }
 
 bool CellVelocity::Interpolate(const Search& search, Vector3& velocity) const
 {
-  if (this->Hidden[search.CellId])
-  {
-    return false;
-  }
   velocity = Vector3{};
-  vtkIdList* ids = search.Cell->GetPointIds();
-  for (vtkIdType p = 0; p < ids->GetNumberOfIds(); ++p)
+  for (vtkIdType p = 0; p < search.Ids->GetNumberOfIds(); ++p)
   {
     double value[3];
-    this->Velocity->GetTuple(ids->GetId(p), value);
+    this->Velocity->GetTuple(search.Ids->GetId(p), value);
     for (std::size_t c = 0; c < 3; ++c)
     {
       velocity[c] += search.Weights[static_cast<std::size_t>(p)] * value[c];
@@ -170,10 +187,9 @@ void CellVelocity::SampleArrays(
       Vector3 velocity;
       if (this->SampleOne(search, positions[i], hint, velocity))
       {
-        vtkIdList* ids = search.Cell->GetPointIds();
-        for (vtkIdType p = 0; p < ids->GetNumberOfIds(); ++p)
+        for (vtkIdType p = 0; p < search.Ids->GetNumberOfIds(); ++p)
         {
-          stencils.Add(ids->GetId(p), search.Weights[static_cast<std::size_t>(p)]);
+          stencils.Add(search.Ids->GetId(p), search.Weights[static_cast<std::size_t>(p)]);
         }
       }
       stencils.End();

@@ -1,25 +1,26 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The velocity field of any dataset, by VTK's cell locator and cell interpolation.
+// The velocity field of any dataset, cell by cell.
 #ifndef nephoscope_CellVelocity_h
 #define nephoscope_CellVelocity_h
 
+#include "CellTree.h"
 #include "HiddenCells.h"
 #include "VelocityFields.h"
 
-#include "vtkNew.h"
 #include "vtkSmartPointer.h"
+#include "vtkType.h"
 
 #include <mutex>
 
 class vtkDataArray;
 class vtkDataSet;
-class vtkStaticCellLocator;
 
 namespace nephoscope
 {
-// Cells of all kinds. The cell of the hint is tried first, then the locator, then every cell that is within rounding of
-// the position: VTK's own test leaves gaps between neighbours. The locator is built when it is needed first.
+// Cells of all kinds: tetrahedra, hexahedra and voxels by their own formulas, others by VTK's. The cell of the hint is
+// tried first, then those whose box holds the position; then, because VTK's own test leaves gaps between neighbours,
+// those once more that are within rounding of it. The boxes are made when they are needed first.
 class CellVelocity : public DataSetField
 {
 public:
@@ -35,18 +36,19 @@ private:
 
   bool SampleOne(
     Search& search, const Vector3& position, CellHint& hint, Vector3& velocity) const;
-  bool Locate(Search& search, Vector3& velocity) const;
-  bool TryCell(Search& search, vtkIdType cell, double tolerance, Vector3& velocity) const;
+  bool TryCell(Search& search, vtkIdType cell, bool nearToo, Vector3& velocity) const;
+  bool WeightsByFormula(Search& search, int type) const;
+  bool WeightsByCell(Search& search, vtkIdType cell, bool nearToo) const;
   bool Interpolate(const Search& search, Vector3& velocity) const;
-  void BuildLocator() const;
+  const CellTree& Tree() const;
 
   vtkSmartPointer<vtkDataSet> Data;
   vtkSmartPointer<vtkDataArray> Velocity;
   HiddenCells Hidden;
   std::size_t LargestCell;
   double Rounding; // a length below which positions are one
-  mutable std::once_flag LocatorOnce;
-  vtkNew<vtkStaticCellLocator> Locator;
+  mutable std::once_flag TreeOnce;
+  mutable CellTree LazyTree;
 };
 }
 

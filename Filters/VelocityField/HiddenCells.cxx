@@ -8,6 +8,7 @@
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkUnsignedCharArray.h"
+#include "vtkUnstructuredGrid.h"
 
 #include <algorithm>
 
@@ -49,13 +50,29 @@ HiddenCells::HiddenCells(vtkDataSet* data)
   {
     this->Flags[static_cast<std::size_t>(cell)] = (ofCells[cell] & HIDING_CELL) != 0;
   }
-  vtkNew<vtkIdList> around;
-  for (vtkIdType point = 0; ofPoints && point < points; ++point)
+  if (!ofPoints)
+  {
+    return;
+  }
+  vtkNew<vtkIdList> ids;
+  if (vtkUnstructuredGrid::SafeDownCast(data)) // the cells of its points would have to be looked for first
+  {
+    for (vtkIdType cell = 0; cell < cells; ++cell)
+    {
+      data->GetCellPoints(cell, ids);
+      const bool hidden = std::any_of(ids->begin(), ids->end(), [ofPoints](vtkIdType point) {
+        return (ofPoints[point] & vtkDataSetAttributes::HIDDENPOINT) != 0;
+      });
+      this->Flags[static_cast<std::size_t>(cell)] |= hidden;
+    }
+    return;
+  }
+  for (vtkIdType point = 0; point < points; ++point)
   {
     if (ofPoints[point] & vtkDataSetAttributes::HIDDENPOINT)
     {
-      data->GetPointCells(point, around);
-      for (const vtkIdType cell : *around)
+      data->GetPointCells(point, ids);
+      for (const vtkIdType cell : *ids)
       {
         this->Flags[static_cast<std::size_t>(cell)] = 1;
       }
