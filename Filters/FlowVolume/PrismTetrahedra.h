@@ -27,31 +27,40 @@ inline std::uint64_t Rank(PointId id)
   return x ^ (x >> 31);
 }
 
-// The six rotations that bring each vertex to the front and keep the orientation.
-inline PrismPoints SmallestRankFirst(const PrismPoints& prism)
+// Which corners of a prism its three tetrahedra have, as places in PrismPoints.
+using PrismPattern = std::array<std::array<std::uint8_t, 4>, 3>;
+
+inline PrismPattern MakePrismPattern(const std::array<std::uint64_t, 6>& ranks)
 {
-  static constexpr int rotations[6][6] = { { 0, 1, 2, 3, 4, 5 }, { 1, 2, 0, 4, 5, 3 },
+  // The rotations that bring each vertex to the front and keep the orientation.
+  static constexpr std::uint8_t rotations[6][6] = { { 0, 1, 2, 3, 4, 5 }, { 1, 2, 0, 4, 5, 3 },
     { 2, 0, 1, 5, 3, 4 }, { 3, 5, 4, 0, 2, 1 }, { 4, 3, 5, 1, 0, 2 }, { 5, 4, 3, 2, 1, 0 } };
-  std::array<std::uint64_t, 6> ranks;
-  std::transform(prism.begin(), prism.end(), ranks.begin(), Rank);
   const auto first = std::min_element(ranks.begin(), ranks.end()) - ranks.begin();
-  PrismPoints rotated;
-  for (std::size_t i = 0; i < 6; ++i)
+  const auto& w = rotations[first];
+  // Both sides at the first vertex are cut from it; the third one has a smallest vertex of its own.
+  if (std::min(ranks[w[1]], ranks[w[5]]) < std::min(ranks[w[2]], ranks[w[4]]))
   {
-    rotated[i] = prism[static_cast<std::size_t>(rotations[first][i])];
+    return { { { { w[0], w[1], w[2], w[5] } }, { { w[0], w[1], w[5], w[4] } },
+      { { w[0], w[4], w[5], w[3] } } } };
   }
-  return rotated;
+  return { { { { w[0], w[1], w[2], w[4] } }, { { w[0], w[4], w[2], w[5] } },
+    { { w[0], w[4], w[5], w[3] } } } };
 }
 
 inline std::array<TetrahedronPoints, 3> PrismTetrahedra(const PrismPoints& prism)
 {
-  const PrismPoints w = SmallestRankFirst(prism);
-  if (std::min(Rank(w[1]), Rank(w[5])) < std::min(Rank(w[2]), Rank(w[4])))
+  std::array<std::uint64_t, 6> ranks;
+  std::transform(prism.begin(), prism.end(), ranks.begin(), Rank);
+  std::array<TetrahedronPoints, 3> tetrahedra;
+  const PrismPattern pattern = MakePrismPattern(ranks);
+  for (std::size_t t = 0; t < 3; ++t)
   {
-    return { { { w[0], w[1], w[2], w[5] }, { w[0], w[1], w[5], w[4] },
-      { w[0], w[4], w[5], w[3] } } };
+    for (std::size_t i = 0; i < 4; ++i)
+    {
+      tetrahedra[t][i] = prism[pattern[t][i]];
+    }
   }
-  return { { { w[0], w[1], w[2], w[4] }, { w[0], w[4], w[2], w[5] }, { w[0], w[4], w[5], w[3] } } };
+  return tetrahedra;
 }
 }
 

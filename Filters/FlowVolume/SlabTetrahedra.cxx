@@ -63,15 +63,25 @@ bool HasRepeatedPoint(const TetrahedronPoints& t)
     t[2] == t[3];
 }
 
-double VolumeIn(const Prism& prism, const TetrahedronPoints& tetrahedron)
+struct PrismPart
 {
-  std::array<const Vector3*, 4> p{};
-  for (std::size_t i = 0; i < 4; ++i)
-  {
-    const auto found = std::find(prism.Ids.begin(), prism.Ids.end(), tetrahedron[i]);
-    p[i] = prism.Corners[static_cast<std::size_t>(found - prism.Ids.begin())];
-  }
-  return TetrahedronVolume(*p[0], *p[1], *p[2], *p[3]);
+  TetrahedronPoints Ids;
+  double Volume;
+};
+
+PrismPart MakePart(const Prism& prism, const std::array<std::uint8_t, 4>& corners)
+{
+  const auto& p = prism.Corners;
+  return { { { prism.Ids[corners[0]], prism.Ids[corners[1]], prism.Ids[corners[2]],
+             prism.Ids[corners[3]] } },
+    TetrahedronVolume(*p[corners[0]], *p[corners[1]], *p[corners[2]], *p[corners[3]]) };
+}
+
+PrismPattern PatternOf(const Prism& prism)
+{
+  std::array<std::uint64_t, 6> ranks;
+  std::transform(prism.Ids.begin(), prism.Ids.end(), ranks.begin(), Rank);
+  return MakePrismPattern(ranks);
 }
 
 class SlabWriter
@@ -87,22 +97,19 @@ public:
   double AppendTetrahedra(const Prism& prism)
   {
     double sum = 0.0;
-    for (const TetrahedronPoints& tetrahedron : PrismTetrahedra(prism.Ids))
+    for (const auto& corners : PatternOf(prism))
     {
-      if (HasRepeatedPoint(tetrahedron))
+      const PrismPart part = MakePart(prism, corners);
+      if (HasRepeatedPoint(part.Ids))
       {
         continue;
       }
-      const double volume = VolumeIn(prism, tetrahedron);
-      if (volume < -this->Between.SmallestVolume)
+      if (part.Volume > this->Between.SmallestVolume)
       {
-        ++this->Folded;
+        sum += part.Volume;
+        this->Mesh.Tetrahedra.push_back(part.Ids);
       }
-      if (volume > this->Between.SmallestVolume)
-      {
-        sum += volume;
-        this->Mesh.Tetrahedra.push_back(tetrahedron);
-      }
+      this->Folded += part.Volume < -this->Between.SmallestVolume;
     }
     return sum;
   }
@@ -127,11 +134,12 @@ double SmallestTetrahedron(const Slab& slab, const TrianglePoints& triangle)
 {
   const Prism prism = MakePrism(slab, triangle);
   double smallest = std::numeric_limits<double>::max();
-  for (const TetrahedronPoints& tetrahedron : PrismTetrahedra(prism.Ids))
+  for (const auto& corners : PatternOf(prism))
   {
-    if (!HasRepeatedPoint(tetrahedron))
+    const PrismPart part = MakePart(prism, corners);
+    if (!HasRepeatedPoint(part.Ids))
     {
-      smallest = std::min(smallest, VolumeIn(prism, tetrahedron));
+      smallest = std::min(smallest, part.Volume);
     }
   }
   return smallest;

@@ -93,7 +93,25 @@ private:
     this->Report().ParallelTriangles = emission.Parallel;
     this->Front.Ids.resize(this->Front.Positions.size());
     std::iota(this->Front.Ids.begin(), this->Front.Ids.end(), PointId{ 0 });
+    this->Reserve(std::ceil(s.Duration / s.TimeStep));
     this->AppendPoints(this->Front, 0, 0.0);
+  }
+
+  // For a front that stays as it is.
+  void Reserve(double steps)
+  {
+    const double most = std::min(1e6, static_cast<double>(this->Settings.MaximumNumberOfTetrahedra));
+    const auto points = static_cast<std::size_t>(
+      std::min(most, (steps + 1.0) * static_cast<double>(this->Front.Positions.size())));
+    const auto tetrahedra = static_cast<std::size_t>(
+      std::min(most, 3.0 * steps * static_cast<double>(this->Front.Triangles.size())));
+    this->Mesh.Points.reserve(points);
+    this->Mesh.PointAges.reserve(points);
+    this->Mesh.Hints.reserve(points);
+    this->Mesh.Tetrahedra.reserve(tetrahedra);
+    this->Mesh.EmissionSteps.reserve(tetrahedra);
+    this->Mesh.Ages.reserve(tetrahedra);
+    this->Mesh.Densities.reserve(tetrahedra);
   }
 
   // One emission step, in as many layers as it needs.
@@ -296,7 +314,14 @@ private:
     {
       return 0;
     }
-    above.BuildEdges();
+    if (above.Triangles.size() == this->Front.Triangles.size())
+    {
+      above.Edges = this->Front.Edges;
+    }
+    else
+    {
+      above.BuildEdges();
+    }
     return MergeShortEdges(this->Front, above, { shortest, this->Edges.Longest }, this->Between);
   }
 
