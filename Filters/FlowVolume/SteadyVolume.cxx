@@ -100,7 +100,8 @@ private:
   // For a front that stays as it is.
   void Reserve(double steps)
   {
-    const double most = std::min(1e6, static_cast<double>(this->Settings.MaximumNumberOfTetrahedra));
+    const double most =
+      std::min(1e6, static_cast<double>(this->Settings.MaximumNumberOfTetrahedra));
     const auto points = static_cast<std::size_t>(
       std::min(most, (steps + 1.0) * static_cast<double>(this->Front.Positions.size())));
     const auto tetrahedra = static_cast<std::size_t>(
