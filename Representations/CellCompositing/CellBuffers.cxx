@@ -22,31 +22,59 @@ bool hasNarrowIntervals(const std::vector<TransferFunctionTable>& tables)
     return std::any_of(table.Widths.begin(), table.Widths.end(), [=](float w) { return w > 0 && w < narrow; });
   });
 }
+
+/** The geometry's values, and after them those of the pieces. */
+template <typename T>
+std::string uploadFloats(BufferTexture& buffer, vtkOpenGLRenderWindow* window, const std::vector<T>& values,
+  const std::vector<T>& ofPieces, int components)
+{
+  if (ofPieces.empty())
+  {
+    return buffer.Upload(window, values.data(), values.size(), components, VTK_FLOAT);
+  }
+  const std::vector<T> all = joined(values, ofPieces);
+  return buffer.Upload(window, all.data(), all.size(), components, VTK_FLOAT);
+}
 }
 
 std::string CellBuffers::UploadGeometry(
   vtkOpenGLRenderWindow* window, const CellGeometry& geometry, const CellPieces& pieces)
 {
+  std::string error = uploadFloats(this->Buffers[Points], window, geometry.Points, pieces.Points, 4);
+  error = error.empty() ? this->UploadCellScalars(window, geometry, pieces) : error;
+  return error.empty() ? this->UploadOpacityScalars(window, geometry, pieces) : error;
+}
+
+std::string CellBuffers::UploadValues(
+  vtkOpenGLRenderWindow* window, const CellGeometry& geometry, const CellPieces& pieces, bool ofColor, bool ofOpacity)
+{
+  std::string error;
+  if (ofColor && geometry.CellScalars.empty()) // points have their scalars with them
+  {
+    error = uploadFloats(this->Buffers[Points], window, geometry.Points, pieces.Points, 4);
+  }
+  if (ofColor && error.empty())
+  {
+    error = this->UploadCellScalars(window, geometry, pieces);
+  }
+  return ofOpacity && error.empty() ? this->UploadOpacityScalars(window, geometry, pieces) : error;
+}
+
+std::string CellBuffers::UploadCellScalars(
+  vtkOpenGLRenderWindow* window, const CellGeometry& geometry, const CellPieces& pieces)
+{
   this->UseCellScalars = !geometry.CellScalars.empty();
+  return uploadFloats(
+    this->Buffers[CellScalars], window, geometry.CellScalars, pieces.OfOwners(geometry.CellScalars), 1);
+}
+
+std::string CellBuffers::UploadOpacityScalars(
+  vtkOpenGLRenderWindow* window, const CellGeometry& geometry, const CellPieces& pieces)
+{
   this->SeparateOpacity = geometry.HasOpacityScalars;
   this->OpacityOnCells = geometry.OpacityOnCells;
-  std::string error;
-  const auto upload = [&](Name name, const auto& values, const auto& ofPieces, int components) {
-    if (error.empty() && ofPieces.empty())
-    {
-      error = this->Buffers[name].Upload(window, values.data(), values.size(), components, VTK_FLOAT);
-    }
-    else if (error.empty())
-    {
-      const auto all = joined(values, ofPieces);
-      error = this->Buffers[name].Upload(window, all.data(), all.size(), components, VTK_FLOAT);
-    }
-  };
-  upload(Points, geometry.Points, pieces.Points, 4);
-  upload(CellScalars, geometry.CellScalars, pieces.OfOwners(geometry.CellScalars), 1);
-  upload(OpacityScalars, geometry.OpacityScalars,
+  return uploadFloats(this->Buffers[OpacityScalars], window, geometry.OpacityScalars,
     geometry.OpacityOnCells ? pieces.OfOwners(geometry.OpacityScalars) : pieces.OpacityScalars, 1);
-  return error;
 }
 
 // All tables one after the other; nodes as (position, width above).

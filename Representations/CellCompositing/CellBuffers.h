@@ -29,6 +29,9 @@ class CellBuffers
 public:
   // Each returns an empty string, or what went wrong.
   std::string UploadGeometry(vtkOpenGLRenderWindow* window, const CellGeometry& geometry, const CellPieces& pieces);
+  /** Only the values of colour, of opacity or of both, of a geometry that was uploaded before. */
+  std::string UploadValues(vtkOpenGLRenderWindow* window, const CellGeometry& geometry, const CellPieces& pieces, bool ofColor,
+    bool ofOpacity);
   /** One table of either kind, or one per layer; `tables` has the number of its tables for each tetrahedron, or is empty. */
   std::string UploadTransferFunctions(vtkOpenGLRenderWindow* window,
     const std::vector<TransferFunctionTable>& colorAndOpacity, const std::vector<TransferFunctionTable>& opacity,
@@ -61,6 +64,8 @@ private:
     TetrahedronLayers,
     NumberOfBuffers
   };
+  std::string UploadCellScalars(vtkOpenGLRenderWindow* window, const CellGeometry& geometry, const CellPieces& pieces);
+  std::string UploadOpacityScalars(vtkOpenGLRenderWindow* window, const CellGeometry& geometry, const CellPieces& pieces);
   std::string UploadTables(vtkOpenGLRenderWindow* window, const std::vector<TransferFunctionTable>& tables, Name nodes,
     Name intervals);
 

@@ -44,6 +44,12 @@ public:
   std::string UploadGeometry(
     vtkOpenGLRenderWindow* window, const CellGeometry& geometry, const CellPieces& pieces,
     const TetrahedronNeighbors* neighbors);
+  /** Of the geometry that was uploaded last, only the values of colour, of opacity or of both. */
+  std::string UploadValues(vtkOpenGLRenderWindow* window, const CellGeometry& geometry, const CellPieces& pieces, bool ofColor,
+    bool ofOpacity)
+  {
+    return this->Buffers.UploadValues(window, geometry, pieces, ofColor, ofOpacity);
+  }
   std::string UploadTransferFunctions(vtkOpenGLRenderWindow* window,
     const std::vector<TransferFunctionTable>& colorAndOpacity, const std::vector<TransferFunctionTable>& opacity,
     const std::vector<std::int32_t>& tables)

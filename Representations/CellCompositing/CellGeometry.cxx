@@ -103,36 +103,6 @@ bool CellGeometry::CopyPoints(vtkDataSet* data, const Progress& progress)
   });
 }
 
-bool CellGeometry::CopyScalars(vtkDataSet* data, const ScalarSelection& scalars, const Progress& progress)
-{
-  if (!findRange(data, scalars, this->ScalarRange, progress.Part(0, 0.5)))
-  {
-    return false;
-  }
-  return forEach(scalars.OnCells ? 0 : this->Points.size(), progress.Part(0.5, 1), [&](std::size_t i) {
-    this->Points[i].Scalar = normalized(scalars, static_cast<vtkIdType>(i), this->ScalarRange);
-  });
-}
-
-bool CellGeometry::CopyOpacityScalars(
-  vtkDataSet* data, const ScalarSelection& opacity, const Progress& progress)
-{
-  this->HasOpacityScalars = opacity.Array != nullptr;
-  this->OpacityOnCells = opacity.OnCells;
-  if (!opacity.Array)
-  {
-    return true;
-  }
-  if (!findRange(data, opacity, this->OpacityRange, progress.Part(0, 0.5)))
-  {
-    return false;
-  }
-  this->OpacityScalars.resize(opacity.OnCells ? 0 : this->Points.size());
-  return forEach(this->OpacityScalars.size(), progress.Part(0.5, 1), [&](std::size_t i) {
-    this->OpacityScalars[i] = normalized(opacity, static_cast<vtkIdType>(i), this->OpacityRange);
-  });
-}
-
 bool CellGeometry::Decompose(
   vtkDataSet* data, const ScalarSelection& scalars, const ScalarSelection& opacity, const Progress& progress)
 {
@@ -141,15 +111,16 @@ bool CellGeometry::Decompose(
   {
     return false;
   }
-  std::partial_sum(first.begin(), first.end(), first.begin());        // PASS 2
+  const bool oneEach = std::all_of(first.begin() + 1, first.end(), [](std::int64_t count) { return count == 1; });
+  std::partial_sum(first.begin(), first.end(), first.begin()); // PASS 2
   this->Tetrahedra.resize(static_cast<std::size_t>(first.back()));
-  this->CellScalars.resize(scalars.OnCells ? this->Tetrahedra.size() : 0);
+  this->Cells.resize(oneEach ? 0 : this->Tetrahedra.size());
   this->Layers.resize(this->LayerArray ? this->Tetrahedra.size() : 0);
-  if (opacity.OnCells)
-  {
-    this->OpacityScalars.resize(this->Tetrahedra.size());
-  }
-  return this->FillTetrahedra(data, scalars, opacity, first, progress.Part(0.5, 1)); // PASS 3
+  return this->FillTetrahedra(data, scalars, opacity, first, progress.Part(0.5, 0.9)) && // PASS 3
+    (!scalars.OnCells ||
+      this->CopyCellValues(scalars, this->ScalarRange, this->CellScalars, progress.Part(0.9, 0.95))) &&
+    (!opacity.OnCells ||
+      this->CopyCellValues(opacity, this->OpacityRange, this->OpacityScalars, progress.Part(0.95, 1)));
 }
 
 // counts[cell + 1]: tetrahedra of the cell.
@@ -203,13 +174,9 @@ bool CellGeometry::FillTetrahedra(vtkDataSet* data, const ScalarSelection& scala
         {
           return;
         }
-        if (scalars.OnCells)
+        if (!this->Cells.empty())
         {
-          this->CellScalars[next] = normalized(scalars, cell, this->ScalarRange);
-        }
-        if (opacity.OnCells)
-        {
-          this->OpacityScalars[next] = normalized(opacity, cell, this->OpacityRange);
+          this->Cells[next] = static_cast<std::int32_t>(cell);
         }
         if (this->LayerArray)
         {

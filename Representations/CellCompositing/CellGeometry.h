@@ -49,6 +49,11 @@ public:
    */
   std::string Build(vtkDataSet* data, const ScalarSelection& scalars, const ScalarSelection& opacity = {},
     vtkDataArray* layers = nullptr, const Progress& progress = {}, Form form = Form::Tetrahedra);
+  /**
+   * Other values of colour, opacity or both for the tetrahedra that are there: of the same mesh, from arrays on points or cells. Returns
+   * false, and must be built again, where values are missing now or were then (which cells are drawn depends on them), and for grids.
+   */
+  bool UpdateValues(vtkDataSet* data, const ScalarSelection& scalars, const ScalarSelection& opacity, bool ofColor, bool ofOpacity);
   void Clear();
 
   /** Tetrahedra that are drawn, hidden cells not counted. */
@@ -64,12 +69,15 @@ public:
   std::vector<float> CellScalars; ///< one per tetrahedron (per cell of the grid), normalised; empty for point scalars
   double Center[3] = { 0, 0, 0 };
   double ScalarRange[2] = { 0, 1 }; ///< what 0 and 1 of the normalised scalars stand for
+  bool SingleScalar = false;        ///< all values are that of 0
 
   bool HasOpacityScalars = false;     ///< opacity comes from another array than colour
   bool OpacityOnCells = false;
   std::vector<float> OpacityScalars;  ///< one per point, or per tetrahedron if OpacityOnCells; normalised
   double OpacityRange[2] = { 0, 1 };
 
+  /** Of the dataset, for each tetrahedron; empty where tetrahedron i is that of cell i, and for a grid. */
+  std::vector<std::int32_t> Cells;
   std::vector<std::int32_t> Layers; ///< of each tetrahedron's cell; empty without a layer array
 
   // What was left out, for the mapper to report.
@@ -92,6 +100,9 @@ private:
   bool CopyPoints(vtkDataSet* data, const Progress& progress);
   bool CopyScalars(vtkDataSet* data, const ScalarSelection& scalars, const Progress& progress);
   bool CopyOpacityScalars(vtkDataSet* data, const ScalarSelection& opacity, const Progress& progress);
+  bool CopyCellValues(const ScalarSelection& scalars, const double range[2], std::vector<float>& values,
+    const Progress& progress) const;
+  bool ValuesAreFinite() const;
   bool UseGrid(vtkDataSet* data, const ScalarSelection& scalars, const ScalarSelection& opacity);
   bool FindSeam();
   void FindHiddenCells(vtkDataSet* data, const ScalarSelection& scalars, const ScalarSelection& opacity);

@@ -3,6 +3,7 @@
 #include "CellScene.h"
 
 #include "ContourSettings.h"
+#include "OrderIndependence.h"
 #include "VisibleGridCells.h"
 
 #include "vtkColorTransferFunction.h"
@@ -46,43 +47,79 @@ void CellScene::Clear()
   this->Drawn.clear();
   this->NumberOfVisible = 0;
   this->Counted = {};
-  this->GeometryKey = {};
+  this->Mesh.Forget();
   ++this->Current.Geometry;
   ++this->Current.Drawn;
 }
 
-CellScene::SelectionKey CellScene::MakeKey(const ScalarSelection& selection)
-{
-  return { selection.Array, selection.Array ? selection.Array->GetMTime() : 0, selection.OnCells,
-    selection.Component };
-}
-
 bool CellScene::UpdateGeometry(vtkDataSet* data, const ScalarSelection& scalars, const ScalarSelection& opacity,
-  Method method, std::string& error, vtkDataArray* layers, const Progress& progress)
+  CellGeometry::Form form, std::string& error, vtkDataArray* layers, const Progress& progress)
 {
-  if (!changes(this->GeometryKey,
-        { data, data->GetMTime(), MakeKey(scalars), MakeKey(opacity), MakeKey({ layers, true, 0 }), method }))
+  // All are asked, since each remembers what it was asked about.
+  const bool mesh = this->Mesh.Changes(data);
+  const bool layered = this->LayerValues.Changes(data, { layers, true, 0 });
+  const bool formed = changes(this->Form, form);
+  const bool ofColor = this->ColorValues.Changes(data, scalars);
+  const bool ofOpacity = this->OpacityValues.Changes(data, opacity);
+  if (!mesh && !layered && !formed &&
+    ((!ofColor && !ofOpacity) || this->UpdateValues(data, scalars, opacity, ofColor, ofOpacity)))
   {
     return false;
   }
-  this->CurrentMethod = method;
-  const bool rays = method == Method::Rays;
-  error = this->Geometry.Build(
-    data, scalars, opacity, layers, progress.Part(0, rays ? 0.5 : 1), rays ? CellGeometry::Form::Grid : CellGeometry::Form::Tetrahedra);
+  error = this->Geometry.Build(data, scalars, opacity, layers, progress, form);
   this->Order.Clear();
   this->Neighbors.Clear();
-  const bool connect = rays && this->Geometry.Grid.IsEmpty();
-  if (this->Geometry.Stopped || (connect && !this->Order.Connect(this->Geometry, progress.Part(0.5, 1))))
+  if (this->Geometry.Stopped)
   {
     this->Clear();
     return false;
   }
-  if (connect)
+  ++this->Current.Geometry;
+  return true;
+}
+
+// False where the geometry has to be built again.
+bool CellScene::UpdateValues(
+  vtkDataSet* data, const ScalarSelection& scalars, const ScalarSelection& opacity, bool ofColor, bool ofOpacity)
+{
+  if (!this->Geometry.UpdateValues(data, scalars, opacity, ofColor, ofOpacity))
   {
+    return false;
+  }
+  this->Current.Colors += ofColor;
+  this->Current.Opacities += ofOpacity;
+  const bool ofPoints = (ofColor && !scalars.OnCells) || (ofOpacity && !opacity.OnCells);
+  if (ofPoints && this->Neighbors.DependOnValues)
+  {
+    this->TopologyKey = {};
+  }
+  if (ofPoints && !this->Sorted.Pieces.Tetrahedra.empty()) // which have values of their own at their corners
+  {
+    this->OrderKey = {};
+  }
+  return true;
+}
+
+bool CellScene::UpdateMethod(Method method, const Progress& progress)
+{
+  if (!changes(this->TopologyKey, { this->Current.Geometry, method }))
+  {
+    return true;
+  }
+  this->CurrentMethod = method;
+  this->Neighbors.Clear();
+  this->Drawn.clear();
+  if (method == Method::Rays && this->Geometry.Grid.IsEmpty())
+  {
+    if (!this->Order.IsConnected() && !this->Order.Connect(this->Geometry, progress))
+    {
+      this->TopologyKey = {};
+      return false;
+    }
     this->Neighbors.Build(this->Geometry, this->Order);
     this->Order.Clear();
   }
-  ++this->Current.Geometry;
+  ++this->Current.Topology;
   return true;
 }
 
@@ -107,12 +144,16 @@ void CellScene::UpdateTransferFunction(vtkVolumeProperty* property, const Contou
       layers.push_back(layer.first);
     }
   }
-  if (changes(this->TransferKey, { this->Current.Geometry, this->LayersOfContours, key }))
+  const CellGeometry& geometry = this->Geometry;
+  const Ranges ranges = { { geometry.ScalarRange[0], geometry.ScalarRange[1], geometry.OpacityRange[0], geometry.OpacityRange[1] } };
+  if (changes(this->TransferKey,
+        { this->Current.Geometry, ranges, geometry.HasOpacityScalars, this->LayersOfContours, key }))
   {
     this->BuildTables(properties);
     this->FindTablesOfTetrahedra(layers);
     ++this->Current.Transfer;
   }
+  this->ColorIsOne = hasOneColor(this->Transfers[0], 0.0f, geometry.SingleScalar ? 0.0f : 1.0f);
   std::vector<int> tables(this->LayersOfContours ? settings.Surfaces.size() + 1 : 0, 0);
   for (std::size_t i = 0; i < layers.size(); ++i)
   {
@@ -121,7 +162,9 @@ void CellScene::UpdateTransferFunction(vtkVolumeProperty* property, const Contou
       tables[static_cast<std::size_t>(layers[i])] = static_cast<int>(i) + 1;
     }
   }
-  this->Contours.Update(this->Geometry, this->Current.Geometry, data, contoured, settings, property, tables);
+  this->ContouredVersion += data && this->ContouredValues.Changes(data, contoured);
+  this->Contours.Update(geometry, this->Current.Geometry + this->Current.Colors + this->ContouredVersion, data, contoured, settings,
+    property, tables);
 }
 
 void CellScene::BuildTables(const std::vector<vtkVolumeProperty*>& properties)
@@ -204,7 +247,7 @@ bool CellScene::Sort(OrderMethod method, VisibilityOrder::Sorted& sorted, const 
 // Only where a ray can enter the mesh twice does the order depend on the pixels.
 CellScene::SortKey CellScene::KeyOf(OrderMethod method) const
 {
-  OrderView view = this->View;
+  OrderView view = method == OrderMethod::None ? OrderView() : this->View;
   if (method != OrderMethod::Exact || this->Order.GetFaces().IsConvex())
   {
     view.ModelToDevice = {};
@@ -245,7 +288,8 @@ CellScene::Cycles CellScene::CountCycles(const std::function<CellGeometry()>& ma
 
 void CellScene::UpdateEye(const Vector4& eye)
 {
-  if (changes(this->EyeKey, { this->Current.Geometry, eye }))
+  const Versions& now = this->Current;
+  if (changes(this->EyeKey, { now.Geometry, now.Colors, now.Opacities, now.Topology, eye }))
   {
     this->Eye = findEyeTetrahedron(this->Geometry, this->Neighbors, eye);
   }
@@ -253,27 +297,42 @@ void CellScene::UpdateEye(const Vector4& eye)
 
 void CellScene::UpdateDrawn()
 {
-  if (changes(this->VisibleKey, { this->Current.Geometry, this->Current.Transfer, this->Contours.Version }))
+  const Versions& now = this->Current;
+  const bool grid = !this->Geometry.Grid.IsEmpty();
+  const bool visible =
+    changes(this->VisibleKey, { now.Geometry, now.Colors, now.Opacities, now.Transfer, this->Contours.Version });
+  if (visible)
   {
-    this->Geometry.Grid.IsEmpty() ? this->FindVisible() : this->FindVisibleOfGrid();
+    grid ? this->FindVisibleOfGrid() : this->FindVisible();
   }
-  else if (!changes(this->DrawnKey, { this->Current.Order, this->Current.Transfer, this->Contours.Version }))
-  {
-    return;
-  }
-  this->DrawnKey = { this->Current.Order, this->Current.Transfer, this->Contours.Version };
-  this->Drawn.clear();
+  bool drawn = false;
   if (this->CurrentMethod == Method::Projection)
   {
-    const std::size_t whole = this->Geometry.Tetrahedra.size();
-    std::copy_if(this->Sorted.Order.begin(), this->Sorted.Order.end(), std::back_inserter(this->Drawn),
-      [this, whole](std::int32_t number) {
-        const std::size_t i = static_cast<std::size_t>(number);
-        const std::size_t owner = i < whole ? i : static_cast<std::size_t>(this->Sorted.Pieces.Owners[i - whole]);
-        return this->Visible[owner] != 0;
-      });
+    const bool listed = changes(this->DrawnKey, { now.Order, now.Topology });
+    drawn = (visible || listed) && (this->ListDrawn() || listed);
   }
-  ++this->Current.Drawn;
+  else // where rays enter, and what they pass unseen
+  {
+    drawn = changes(this->RaysKey, { now.Topology, now.Transfer }) || (visible && grid);
+  }
+  this->Current.Drawn += drawn;
+}
+
+// True when the list is another one.
+bool CellScene::ListDrawn()
+{
+  std::vector<std::int32_t> list;
+  list.reserve(this->Sorted.Order.size());
+  const std::size_t whole = this->Geometry.Tetrahedra.size();
+  std::copy_if(this->Sorted.Order.begin(), this->Sorted.Order.end(), std::back_inserter(list),
+    [this, whole](std::int32_t number) {
+      const std::size_t i = static_cast<std::size_t>(number);
+      const std::size_t owner = i < whole ? i : static_cast<std::size_t>(this->Sorted.Pieces.Owners[i - whole]);
+      return this->Visible[owner] != 0;
+    });
+  const bool another = list != this->Drawn;
+  this->Drawn.swap(list);
+  return another;
 }
 
 void CellScene::FindVisible()

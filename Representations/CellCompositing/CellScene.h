@@ -3,8 +3,8 @@
 /**
  * What the mapper keeps between renders: geometry, transfer function, order, and the list of what is drawn.
  *
- * Each stage knows what it was made from and is made again only when that changed: the geometry with the data, the
- * transfer table with the volume property, the order with the geometry and the place of the eye. The version of a stage
+ * Each stage knows what it was made from and is made again only when that changed: the geometry with the mesh, its values with the
+ * arrays, the transfer table with the volume property, the order with the geometry and the place of the eye. The version of a stage
  * grows whenever it is made again, so that the drawing pass knows what to upload.
  */
 #ifndef CellScene_h
@@ -13,6 +13,7 @@
 #include "BoundaryFaces.h"
 #include "CellGeometry.h"
 #include "ContourScene.h"
+#include "DataIdentity.h"
 #include "EyeTetrahedron.h"
 #include "TetrahedronNeighbors.h"
 #include "TransferFunctionTable.h"
@@ -50,24 +51,33 @@ public:
   };
   struct Versions
   {
-    std::int64_t Geometry = 0, Transfer = 0, Order = 0, Pieces = 0, Drawn = 0;
+    std::int64_t Geometry = 0, Colors = 0, Opacities = 0, Topology = 0, Transfer = 0, Order = 0, Pieces = 0, Drawn = 0;
     bool operator!=(const Versions& other) const
     {
-      return std::tie(this->Geometry, this->Transfer, this->Pieces, this->Drawn) !=
-        std::tie(other.Geometry, other.Transfer, other.Pieces, other.Drawn);
+      return this->UploadedParts() != other.UploadedParts();
+    }
+
+  private:
+    std::array<std::int64_t, 7> UploadedParts() const // all but the order
+    {
+      return { { this->Geometry, this->Colors, this->Opacities, this->Topology, this->Transfer, this->Pieces, this->Drawn } };
     }
   };
 
   /**
    * Returns true when the geometry was made again; `error` then tells why it could not be, or is empty. When stopped, there is
-   * no geometry until the next time.
+   * no geometry until the next time. Where only values of the selected arrays have changed, they are copied and nothing else is made.
    */
-  bool UpdateGeometry(vtkDataSet* data, const ScalarSelection& scalars, const ScalarSelection& opacity, Method method,
+  bool UpdateGeometry(vtkDataSet* data, const ScalarSelection& scalars, const ScalarSelection& opacity, CellGeometry::Form form,
     std::string& error, vtkDataArray* layers = nullptr, const Progress& progress = {});
   void UpdateTransferFunction(vtkVolumeProperty* property);
   /** The same with layers of their own properties, and contours of an array (none: the coloured one). */
   void UpdateTransferFunction(vtkVolumeProperty* property, const ContourSettings& settings, vtkDataSet* data,
     const ScalarSelection& contoured);
+  /** Every visible part of the medium has one and the same colour; contours, and layers of another colour, are not looked at. */
+  bool HasOneColor() const { return this->ColorIsOne; }
+  /** How the cells will be drawn. Rays find their way through a mesh by its neighbours: false when stopped before they are known. */
+  bool UpdateMethod(Method method, const Progress& progress = {});
   /** From where the scene is seen; what follows the view is made by UpdateOrder and CountCycles. */
   void UpdateView(const OrderView& view) { this->View = view; }
   /** For projection. False when stopped: the order is made the next time, and must not be drawn before. */
@@ -130,6 +140,8 @@ private:
   bool Sort(OrderMethod method, VisibilityOrder::Sorted& sorted, const Progress& progress);
   void Count(const VisibilityOrder::Sorted& sorted);
   SortKey KeyOf(OrderMethod method) const;
+  bool UpdateValues(vtkDataSet* data, const ScalarSelection& scalars, const ScalarSelection& opacity, bool ofColor, bool ofOpacity);
+  bool ListDrawn();
   void FindVisible();
   void FindVisibleOfGrid();
   void BuildTables(const std::vector<vtkVolumeProperty*>& properties);
@@ -149,6 +161,7 @@ private:
   std::vector<std::int32_t> TablesOfTetrahedra;
   ContourScene Contours;
   bool LayersOfContours = false;
+  bool ColorIsOne = false;
   VisibilityOrder Order;
   OrderView View;
   VisibilityOrder::Sorted Sorted;     // all tetrahedra, back to front
@@ -158,16 +171,20 @@ private:
   Versions Current;
 
   // What the stages were made from. Pointers are compared only.
-  using SelectionKey = std::tuple<vtkDataArray*, vtkMTimeType, bool, int>;
-  static SelectionKey MakeKey(const ScalarSelection& selection);
-  std::tuple<vtkDataSet*, vtkMTimeType, SelectionKey, SelectionKey, SelectionKey, Method> GeometryKey;
+  MeshIdentity Mesh;
+  ValueIdentity ColorValues, OpacityValues, LayerValues, ContouredValues;
+  CellGeometry::Form Form = CellGeometry::Form::Tetrahedra;
+  std::int64_t ContouredVersion = 0;
+  std::tuple<std::int64_t, Method> TopologyKey;
   using PropertyKey = std::tuple<int, vtkVolumeProperty*, vtkMTimeType>; // layer
-  std::tuple<std::int64_t, bool, std::vector<PropertyKey>> TransferKey;
+  using Ranges = std::array<double, 4>; // of the colour's scalars, of the opacity's
+  std::tuple<std::int64_t, Ranges, bool, bool, std::vector<PropertyKey>> TransferKey;
   SortKey OrderKey;
   SortKey CountedKey;
-  std::tuple<std::int64_t, Vector4> EyeKey;
-  std::tuple<std::int64_t, std::int64_t, std::int64_t> VisibleKey;
-  std::tuple<std::int64_t, std::int64_t, std::int64_t> DrawnKey;
+  std::tuple<std::int64_t, std::int64_t, std::int64_t, std::int64_t, Vector4> EyeKey;
+  std::tuple<std::int64_t, std::int64_t, std::int64_t, std::int64_t, std::int64_t> VisibleKey;
+  std::tuple<std::int64_t, std::int64_t> DrawnKey;
+  std::tuple<std::int64_t, std::int64_t> RaysKey;
 };
 
 } // namespace nephoscope

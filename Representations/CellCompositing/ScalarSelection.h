@@ -43,10 +43,10 @@ inline double scalarValue(const ScalarSelection& scalars, vtkIdType tuple)
 
 /**
  * Finite minimum and maximum, never equal: the range that becomes [0, 1]. Hidden values do not count: a fill value there
- * would take the precision of all that is drawn. False when stopped.
+ * would take the precision of all that is drawn. `single` tells whether all values are equal. False when stopped.
  */
-inline bool findRange(
-  vtkDataSet* data, const ScalarSelection& scalars, double range[2], const Progress& progress = {})
+inline bool findRange(vtkDataSet* data, const ScalarSelection& scalars, double range[2], const Progress& progress = {},
+  bool* single = nullptr)
 {
   vtkUnsignedCharArray* ghosts = scalars.OnCells ? data->GetCellGhostArray() : data->GetPointGhostArray();
   const int hidden = scalars.OnCells ? int(vtkDataSetAttributes::HIDDENCELL) : int(vtkDataSetAttributes::HIDDENPOINT);
@@ -62,6 +62,10 @@ inline bool findRange(
       high = std::max(high, value);
     }
   });
+  if (single)
+  {
+    *single = !(low < high);
+  }
   range[0] = low <= high ? low : 0.0;
   range[1] = low < high ? high : range[0] + 1.0;
   if (range[1] == range[0]) // so large that 1 more is no difference

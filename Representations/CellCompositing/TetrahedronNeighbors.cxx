@@ -81,6 +81,11 @@ void TetrahedronNeighbors::Build(const CellGeometry& geometry, const VisibilityO
       this->MergedPoints[std::size_t(i)] = merged.Merged(std::int32_t(i));
     }
   });
+  this->DependOnValues = false;
+  for (std::size_t i = 0; i < geometry.Points.size() && !this->DependOnValues; ++i)
+  {
+    this->DependOnValues = connected.CanonicalPoint(std::int32_t(i)) != std::int32_t(i);
+  }
   this->Neighbors.assign(4 * n, -1);
   this->VertexSums.assign(n, 0);
   vtkSMPTools::For(0, static_cast<vtkIdType>(n), [&](vtkIdType begin, vtkIdType end) {

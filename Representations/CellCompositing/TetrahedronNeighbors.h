@@ -27,6 +27,7 @@ struct TetrahedronNeighbors
   std::vector<std::array<std::int32_t, 4>> BoundaryFaces; ///< three vertices, seen counterclockwise from outside, and the tetrahedron
 
   std::vector<std::int32_t> MergedPoints; ///< number that stands for each point
+  bool DependOnValues = false; ///< there are points at the same place, which are merged where their values are equal
 
   std::int32_t Merged(std::int64_t point) const { return this->MergedPoints[static_cast<std::size_t>(point)]; }
 

@@ -3,10 +3,8 @@
 #include "vtkCellCompositingMapper.h"
 
 #include "ArraySelection.h"
-#include "CellCompositingPass.h"
-#include "CellScene.h"
+#include "CellCompositingInternals.h"
 #include "ContourSettings.h"
-#include "FacePass.h"
 #include "SceneLights.h"
 #include "TrianglePass.h"
 #include "ViewState.h"
@@ -21,47 +19,15 @@
 #include "vtkPiecewiseFunction.h"
 #include "vtkPointData.h"
 #include "vtkRenderer.h"
-#include "vtkSMPTools.h"
-#include "vtkSmartPointer.h"
 #include "vtkUnstructuredGridBase.h"
 #include "vtkVolume.h"
 #include "vtkVolumeProperty.h"
 
-using nephoscope::CellCompositingPass;
 using nephoscope::CellGeometry;
 using nephoscope::CellMethod;
 using nephoscope::CellScene;
-using nephoscope::checkLength;
 using nephoscope::ScalarSelection;
-
-struct vtkCellCompositingMapper::vtkInternals
-{
-  CellScene Scene;
-  CellCompositingPass Pass;
-  nephoscope::FacePass Faces;
-  CellScene::Versions Uploaded;
-  std::int64_t UploadedContours = -1;
-  ScalarSelection Contoured; // array of the contours, if not the coloured one
-  bool WarnedOfUnprojected = false;
-  vtkOpenGLRenderWindow* Window = nullptr;
-  std::string LastError; // reported once, not once per frame
-  bool Busy = false;     // who hears of progress may call in between
-  ScalarSelection Scalars, Opacity; // of the geometry, and what keeps them
-  vtkSmartPointer<vtkDataArray> Arrays[2];
-
-  CellScene::Cycles CountCycles(vtkCellCompositingMapper* self);
-  bool IsUploadNeeded() const { return this->Uploaded != this->Scene.GetVersions(); }
-};
-
-namespace
-{
-// Threads for our own work, without changing the application's choice of backend.
-template <typename Work>
-void withThreads(Work work)
-{
-  vtkSMPTools::LocalScope(vtkSMPTools::Config{ 0, "STDThread", false }, work);
-}
-}
+using nephoscope::withThreads;
 
 vtkStandardNewMacro(vtkCellCompositingMapper);
 
@@ -97,49 +63,6 @@ vtkIdType vtkCellCompositingMapper::GetNumberOfTetrahedra()
 vtkIdType vtkCellCompositingMapper::GetNumberOfDrawnTetrahedra()
 {
   return static_cast<vtkIdType>(this->Internals->Scene.GetNumberOfVisible());
-}
-
-CellScene::Cycles vtkCellCompositingMapper::vtkInternals::CountCycles(vtkCellCompositingMapper* self)
-{
-  CellScene::Cycles cycles;
-  if (self->VisibilityOrder == EXACT_ORDER && !this->Busy && this->Scene.GetGeometry().NumberOfTetrahedra() > 0)
-  {
-    withThreads([&]() {
-      cycles = this->Scene.CountCycles([&]() {
-        CellGeometry geometry;
-        vtkDataSet* input = self->GetDataSetInput();
-        if (input && this->Scalars.Array && checkLength(input, this->Scalars).empty() &&
-          (!this->Opacity.Array || checkLength(input, this->Opacity).empty()))
-        {
-          geometry.Build(input, this->Scalars, this->Opacity);
-        }
-        return geometry;
-      });
-    });
-  }
-  return cycles;
-}
-
-vtkIdType vtkCellCompositingMapper::GetNumberOfVisibilityCycles()
-{
-  return static_cast<vtkIdType>(this->Internals->CountCycles(this).Number);
-}
-
-vtkIdType vtkCellCompositingMapper::GetNumberOfCyclicTetrahedra()
-{
-  return static_cast<vtkIdType>(this->Internals->CountCycles(this).Tetrahedra);
-}
-
-vtkIdType vtkCellCompositingMapper::GetNumberOfBrokenRelations()
-{
-  return this->UsesRays() ? 0 : static_cast<vtkIdType>(this->Internals->CountCycles(this).BrokenRelations);
-}
-
-bool vtkCellCompositingMapper::UsesRays() const
-{
-  const bool surfaces = this->GetNumberOfContourValues() > 0 || this->Contours->LayersAreUsed();
-  return !surfaces &&
-    (this->Method == RAY_METHOD || (this->Method == AUTOMATIC_METHOD && this->VisibilityOrder == EXACT_ORDER));
 }
 
 //------------------------------------------------------------------------------------------------
@@ -213,8 +136,8 @@ std::string vtkCellCompositingMapper::UpdateGeometry(
     return error;
   }
   bool built = false;
-  const auto method = this->UsesRays() ? CellScene::Method::Rays : CellScene::Method::Projection;
-  withThreads([&]() { built = scene.UpdateGeometry(input, scalars, opacity, method, error, layers, progress); });
+  const auto form = this->MayUseRays() ? CellGeometry::Form::Grid : CellGeometry::Form::Tetrahedra;
+  withThreads([&]() { built = scene.UpdateGeometry(input, scalars, opacity, form, error, layers, progress); });
   this->Internals->Scalars = scalars;
   this->Internals->Opacity = opacity;
   this->Internals->Arrays[0] = scalars.Array;
@@ -259,15 +182,8 @@ std::string vtkCellCompositingMapper::DrawScene(
   bool ready = true;
   withThreads([&]() {
     scene.UpdateTransferFunction(property, *this->Contours, this->GetDataSetInput(), this->Internals->Contoured);
-    if (!this->UsesRays())
-    {
-      const int order = this->Method == FACES_METHOD ? NO_ORDER : this->VisibilityOrder; // faces have an order of their own
-      ready = scene.UpdateOrder(static_cast<CellScene::OrderMethod>(order), progress.Part(0, 0.9));
-    }
-    else
-    {
-      scene.UpdateEye(state.EyeModel);
-    }
+    this->Internals->OneColor = scene.HasOneColor();
+    ready = this->UpdateOrder(state.EyeModel.data(), progress.Part(0, 0.9));
     if (ready)
     {
       scene.UpdateDrawn();
@@ -301,7 +217,8 @@ std::string vtkCellCompositingMapper::DrawScene(
       static_cast<float>(property->GetSpecular()), static_cast<float>(property->GetSpecularPower()) } };
     options.Lights = nephoscope::describeLights(renderer);
   }
-  if (nephoscope::VolumePeel::IsRequested(volume))
+  this->Internals->Peeled = nephoscope::VolumePeel::IsRequested(volume);
+  if (this->Internals->Peeled)
   {
     return options.Method != CellMethod::Faces && !nephoscope::drawsTriangles(options.Method)
       ? this->Internals->Pass.DrawPeel(window, state.View, options, { this, volume })
@@ -337,20 +254,6 @@ void vtkCellCompositingMapper::WarnAboutUnprojected(vtkIdType count)
   this->Internals->WarnedOfUnprojected = count > 0;
 }
 
-void vtkCellCompositingMapper::SetMethod(int method)
-{
-  if (method < PROJECTION_METHOD || method > AUTOMATIC_METHOD)
-  {
-    vtkErrorMacro("There is no method " << method << ": use one of the values of MethodType, 0 to " << AUTOMATIC_METHOD << ".");
-    return;
-  }
-  if (this->Method != method)
-  {
-    this->Method = method;
-    this->Modified();
-  }
-}
-
 std::string vtkCellCompositingMapper::Upload(vtkOpenGLRenderWindow* window)
 {
   vtkInternals& self = *this->Internals;
@@ -365,9 +268,15 @@ std::string vtkCellCompositingMapper::Upload(vtkOpenGLRenderWindow* window)
   self.Window = window;
   const CellScene::Versions& now = self.Scene.GetVersions();
   std::string error;
-  if (self.Uploaded.Geometry != now.Geometry || self.Uploaded.Pieces != now.Pieces)
+  const CellScene::Versions& before = self.Uploaded;
+  if (before.Geometry != now.Geometry || before.Pieces != now.Pieces || before.Topology != now.Topology)
   {
     error = self.Pass.UploadGeometry(window, self.Scene.GetGeometry(), self.Scene.GetPieces(), self.Scene.GetNeighbors());
+  }
+  else
+  {
+    error = self.Pass.UploadValues(window, self.Scene.GetGeometry(), self.Scene.GetPieces(), before.Colors != now.Colors,
+      before.Opacities != now.Opacities);
   }
   if (error.empty() && (self.Uploaded.Transfer != now.Transfer || self.Uploaded.Pieces != now.Pieces))
   {
@@ -433,7 +342,8 @@ void vtkCellCompositingMapper::PrintSelf(ostream& os, vtkIndent indent)
   this->PrintContours(os, indent);
   os << indent << "NumberOfTetrahedra: " << this->GetNumberOfTetrahedra() << "\n";
   os << indent << "NumberOfDrawnTetrahedra: " << this->GetNumberOfDrawnTetrahedra() << "\n";
-  if (!this->UsesRays()) // which would have to make an order for it
+  os << indent << "OrderIndependent: " << this->GetOrderIndependent() << "\n";
+  if (!this->UsesRays() && !this->NeedsNoOrder()) // which would have to make an order for it
   {
     os << indent << "NumberOfVisibilityCycles: " << this->GetNumberOfVisibilityCycles() << "\n";
     os << indent << "NumberOfCyclicTetrahedra: " << this->GetNumberOfCyclicTetrahedra() << "\n";

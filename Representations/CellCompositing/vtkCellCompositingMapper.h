@@ -80,7 +80,8 @@ public:
    * - Rays: every pixel walks through the mesh from cell to cell, front to back. The order is exact for every mesh, with cycles, holes
    *   and separate parts, whatever VisibilityOrder says.
    * - Projection, or Cells: cell after cell in the order that VisibilityOrder tells, each over the pixels that it covers.
-   * - Automatic: rays where VisibilityOrder is exact, projection otherwise.
+   * - Automatic: rays where VisibilityOrder is exact, projection otherwise; and projection, in no order, where none is needed
+   *   (GetOrderIndependent()), unless the data are structured: it is right for cells that overlap in space too, whatever the view.
    *
    * The others show what earlier methods give of the same scene (Documentation/cell-compositing-methods.md):
    * - TrianglesLinear: tetrahedra projected to triangles around their thickest point (Shirley and Tuchman), opacity
@@ -136,7 +137,8 @@ public:
    *   right for every mesh, convex or not. Tetrahedra that hide one another in a cycle are cut, for this view,
    *   until their pieces have an order; GetNumberOfVisibilityCycles() tells that it happened.
    * - Centroid: by distance of the centroid; cheaper, with local mistakes.
-   * - None: input order. Right when the colour is constant, because transparency does not depend on order.
+   * - None: input order. Right when the colour is constant, because transparency does not depend on order; the mapper finds that
+   *   out by itself and sorts nothing then, whatever is set here: GetOrderIndependent().
    */
   vtkSetClampMacro(VisibilityOrder, int, EXACT_ORDER, NO_ORDER);
   vtkGetMacro(VisibilityOrder, int);
@@ -144,6 +146,15 @@ public:
   void SetVisibilityOrderToCentroid() { this->SetVisibilityOrder(CENTROID_ORDER); }
   void SetVisibilityOrderToNone() { this->SetVisibilityOrder(NO_ORDER); }
   ///@}
+
+  /**
+   * Whether the last picture would be the same with the cells in any order: the colour function is constant over the range of the
+   * coloured array, where the opacity function lets it be seen, to within 1/4096; there are no contour surfaces and no layers, no
+   * translucent surfaces were interleaved by peeling, and the method is not Faces. Extinction may vary and cells may overlap in
+   * space: transmittances multiply. Nothing is sorted then. (Nor is anything for one colour between peeled surfaces, which keep
+   * their places.) False before the first render.
+   */
+  bool GetOrderIndependent();
 
   ///@{
   /**
@@ -317,7 +328,9 @@ protected:
   bool SplitAtControlPoints = true;
 
 private:
+  bool MayUseRays() const;
   bool UsesRays() const;
+  bool NeedsNoOrder() const;
   std::string UpdateGeometry(vtkDataSet* input, vtkVolume* volume, const nephoscope::Progress& progress);
   std::string SelectScalars(
     vtkDataSet* input, vtkVolumeProperty* property, nephoscope::ScalarSelection& scalars);
@@ -330,6 +343,7 @@ private:
   void WarnAboutGeometry(const nephoscope::CellGeometry& geometry, const char* arrayName);
   std::string DrawScene(vtkOpenGLRenderWindow* window, vtkRenderer* renderer, vtkVolume* volume,
     const nephoscope::Progress& progress);
+  bool UpdateOrder(const double eye[4], const nephoscope::Progress& progress);
   std::string Upload(vtkOpenGLRenderWindow* window);
   void WarnAboutUnprojected(vtkIdType count);
   void ReportOnce(const std::string& error);

@@ -31,7 +31,7 @@ protected:
     CellScene::OrderMethod method = CellScene::OrderMethod::Exact)
   {
     std::string error;
-    this->Scene.UpdateGeometry(this->Data, { this->Scalars, false, -1 }, {}, CellScene::Method::Projection, error);
+    this->Scene.UpdateGeometry(this->Data, { this->Scalars, false, -1 }, {}, CellGeometry::Form::Tetrahedra, error);
     EXPECT_EQ(error, "");
     this->Scene.UpdateTransferFunction(this->Property);
     OrderView view;
@@ -195,10 +195,10 @@ TEST_F(SceneOfALattice, StoppedAndResumed)
   const Progress stop([](double) { return false; });
   std::string error;
   this->Data->Modified();
-  EXPECT_FALSE(this->Scene.UpdateGeometry(this->Data, { this->Scalars, false, -1 }, {}, CellScene::Method::Projection, error, nullptr, stop));
+  EXPECT_FALSE(this->Scene.UpdateGeometry(this->Data, { this->Scalars, false, -1 }, {}, CellGeometry::Form::Tetrahedra, error, nullptr, stop));
   EXPECT_EQ(error, "");
   EXPECT_TRUE(this->Scene.GetGeometry().Tetrahedra.empty());
-  EXPECT_TRUE(this->Scene.UpdateGeometry(this->Data, { this->Scalars, false, -1 }, {}, CellScene::Method::Projection, error)) << "made again";
+  EXPECT_TRUE(this->Scene.UpdateGeometry(this->Data, { this->Scalars, false, -1 }, {}, CellGeometry::Form::Tetrahedra, error)) << "made again";
   EXPECT_FALSE(this->Scene.UpdateOrder(CellScene::OrderMethod::Exact, stop));
   this->Update();
   EXPECT_EQ(this->Scene.GetDrawn(), drawn);

@@ -1,0 +1,52 @@
+// SPDX-FileCopyrightText: The Nephoscope authors
+// SPDX-License-Identifier: BSD-3-Clause
+/** What vtkCellCompositingMapper keeps, for the files that it is written in. */
+#ifndef CellCompositingInternals_h
+#define CellCompositingInternals_h
+
+#include "vtkCellCompositingMapper.h"
+
+#include "CellCompositingPass.h"
+#include "CellScene.h"
+#include "FacePass.h"
+#include "ScalarSelection.h"
+
+#include "vtkDataArray.h"
+#include "vtkSMPTools.h"
+#include "vtkSmartPointer.h"
+
+#include <cstdint>
+#include <string>
+
+struct vtkCellCompositingMapper::vtkInternals
+{
+  nephoscope::CellScene Scene;
+  nephoscope::CellCompositingPass Pass;
+  nephoscope::FacePass Faces;
+  nephoscope::CellScene::Versions Uploaded;
+  std::int64_t UploadedContours = -1;
+  nephoscope::ScalarSelection Contoured; // array of the contours, if not the coloured one
+  bool WarnedOfUnprojected = false;
+  vtkOpenGLRenderWindow* Window = nullptr;
+  std::string LastError; // reported once, not once per frame
+  bool OneColor = false; // of the medium in the last render
+  bool Peeled = false;   // the last render drew between translucent surfaces
+  bool Busy = false;     // who hears of progress may call in between
+  nephoscope::ScalarSelection Scalars, Opacity; // of the geometry, and what keeps them
+  vtkSmartPointer<vtkDataArray> Arrays[2];
+
+  nephoscope::CellScene::Cycles CountCycles(vtkCellCompositingMapper* self);
+  bool IsUploadNeeded() const { return this->Uploaded != this->Scene.GetVersions(); }
+};
+
+namespace nephoscope
+{
+/** Threads for our own work, without changing the application's choice of backend. */
+template <typename Work>
+void withThreads(Work work)
+{
+  vtkSMPTools::LocalScope(vtkSMPTools::Config{ 0, "STDThread", false }, work);
+}
+}
+
+#endif

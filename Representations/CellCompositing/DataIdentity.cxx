@@ -1,0 +1,185 @@
+// SPDX-FileCopyrightText: The Nephoscope authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "DataIdentity.h"
+
+#include "vtkCellArray.h"
+#include "vtkCellType.h"
+#include "vtkDataArray.h"
+#include "vtkDataSet.h"
+#include "vtkPoints.h"
+#include "vtkSMPTools.h"
+#include "vtkUnsignedCharArray.h"
+#include "vtkUnstructuredGrid.h"
+
+#include <algorithm>
+#include <atomic>
+#include <cstring>
+#include <utility>
+
+namespace nephoscope
+{
+namespace
+{
+// One round of mixing: multiplication carries low bits up, the shift brings high bits down.
+std::uint64_t mixed(std::uint64_t hash, std::uint64_t word)
+{
+  hash = (hash ^ word) * 0x9E3779B97F4A7C15u;
+  return hash ^ (hash >> 29);
+}
+
+constexpr std::size_t pieceSize = std::size_t(1) << 13; // words or values that are mixed one after another
+
+/** word(i) for i in [0, n), in pieces that threads share. */
+template <typename Word>
+std::uint64_t mixedWords(std::size_t n, Word word)
+{
+  std::vector<std::uint64_t> pieces((n + pieceSize - 1) / pieceSize);
+  vtkSMPTools::For(0, static_cast<vtkIdType>(pieces.size()), [&](vtkIdType begin, vtkIdType end) {
+    for (std::size_t piece = static_cast<std::size_t>(begin); piece < static_cast<std::size_t>(end); ++piece)
+    {
+      std::uint64_t hash = piece;
+      for (std::size_t i = piece * pieceSize; i < std::min(n, (piece + 1) * pieceSize); ++i)
+      {
+        hash = mixed(hash, word(i));
+      }
+      pieces[piece] = hash;
+    }
+  });
+  std::uint64_t hash = n;
+  for (const std::uint64_t piece : pieces)
+  {
+    hash = mixed(hash, piece);
+  }
+  return hash;
+}
+
+std::uint64_t mixedBytes(const unsigned char* bytes, std::size_t size)
+{
+  constexpr std::size_t width = sizeof(std::uint64_t);
+  return mixedWords((size + width - 1) / width, [=](std::size_t i) {
+    std::uint64_t word = 0;
+    std::memcpy(&word, bytes + i * width, std::min(width, size - i * width));
+    return word;
+  });
+}
+
+std::uint64_t bitsOf(double value)
+{
+  std::uint64_t bits;
+  std::memcpy(&bits, &value, sizeof(bits));
+  return bits;
+}
+
+/** Of what a mesh consists of; null members do not exist. */
+struct MeshParts
+{
+  explicit MeshParts(vtkUnstructuredGrid* grid)
+    : Grid(grid)
+    , Cells(grid->GetCells())
+    , Arrays({ { grid->GetPoints() ? grid->GetPoints()->GetData() : nullptr,
+        this->Cells ? this->Cells->GetOffsetsArray() : nullptr,
+        this->Cells ? this->Cells->GetConnectivityArray() : nullptr, grid->GetCellGhostArray(), grid->GetPointGhostArray() } })
+  {
+  }
+
+  vtkUnstructuredGrid* Grid;
+  vtkCellArray* Cells;
+  std::array<vtkDataArray*, 5> Arrays;
+
+  /** False where there are polyhedra, whose faces are not looked at. */
+  bool FindFingerprint(std::uint64_t& result) const
+  {
+    std::uint64_t hash = 0;
+    for (vtkDataArray* array : this->Arrays)
+    {
+      hash = mixed(hash, fingerprint(array));
+    }
+    std::atomic<bool> polyhedra(false);
+    const std::size_t n = static_cast<std::size_t>(this->Grid->GetNumberOfCells());
+    result = mixed(hash, mixedWords(n, [&](std::size_t i) {
+      const int type = this->Grid->GetCellType(static_cast<vtkIdType>(i));
+      if (type == VTK_POLYHEDRON)
+      {
+        polyhedra = true;
+      }
+      return static_cast<std::uint64_t>(type);
+    }));
+    return !polyhedra;
+  }
+};
+}
+
+std::uint64_t fingerprint(vtkDataArray* array)
+{
+  if (!array || array->GetNumberOfValues() == 0)
+  {
+    return 0;
+  }
+  const std::size_t n = static_cast<std::size_t>(array->GetNumberOfValues());
+  const std::uint64_t kind = static_cast<std::uint64_t>(array->GetDataType());
+  if (array->HasStandardMemoryLayout())
+  {
+    const auto* bytes = static_cast<const unsigned char*>(array->GetVoidPointer(0));
+    return mixed(kind, mixedBytes(bytes, n * static_cast<std::size_t>(array->GetDataTypeSize())));
+  }
+  const std::size_t components = static_cast<std::size_t>(array->GetNumberOfComponents());
+  return mixed(kind, mixedWords(n, [=](std::size_t i) {
+    return bitsOf(array->GetComponent(static_cast<vtkIdType>(i / components), static_cast<int>(i % components)));
+  }));
+}
+
+bool MeshIdentity::Changes(vtkDataSet* data)
+{
+  const Stamp whole(data, data->GetMTime());
+  if (this->Known && whole == this->Whole)
+  {
+    return false;
+  }
+  this->Whole = whole;
+  auto* grid = vtkUnstructuredGrid::SafeDownCast(data);
+  if (!grid)
+  {
+    this->Known = true;
+    this->Stamps.clear();
+    return true;
+  }
+  const MeshParts parts(grid);
+  // The dataset's own time, without that of its arrays.
+  std::vector<Stamp> stamps = { Stamp(data, data->vtkObject::GetMTime()), Stamp(parts.Cells, parts.Cells ? parts.Cells->GetMTime() : 0),
+    Stamp(grid->GetPoints(), grid->GetPoints() ? grid->GetPoints()->GetMTime() : 0) };
+  for (vtkDataArray* array : parts.Arrays)
+  {
+    stamps.emplace_back(array, array ? array->GetMTime() : 0);
+  }
+  const bool knewParts = this->Known && !this->Stamps.empty();
+  if (knewParts && stamps == this->Stamps)
+  {
+    return false;
+  }
+  const std::uint64_t last = this->Fingerprint;
+  const bool comparable = parts.FindFingerprint(this->Fingerprint);
+  this->Stamps = comparable ? std::move(stamps) : std::vector<Stamp>();
+  this->Known = true;
+  return !knewParts || !comparable || this->Fingerprint != last;
+}
+
+bool ValueIdentity::Changes(vtkDataSet* data, const ScalarSelection& selection)
+{
+  vtkDataArray* array = selection.Array;
+  const Place place(array != nullptr, array && selection.OnCells, array ? selection.Component : 0,
+    array ? array->GetNumberOfValues() : 0);
+  const decltype(this->Stamp) stamp(array, array ? array->GetMTime() : 0, data, data->vtkObject::GetMTime());
+  if (this->Known && place == this->Last && stamp == this->Stamp)
+  {
+    return false;
+  }
+  const std::uint64_t now = fingerprint(array);
+  const bool same = this->Known && place == this->Last && now == this->Fingerprint;
+  this->Known = true;
+  this->Last = place;
+  this->Stamp = stamp;
+  this->Fingerprint = now;
+  return !same;
+}
+
+} // namespace nephoscope

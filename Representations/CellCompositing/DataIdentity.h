@@ -1,0 +1,64 @@
+// SPDX-FileCopyrightText: The Nephoscope authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * Whether a dataset still has the mesh, and an array the values, of the last time.
+ *
+ * Modification times answer first. But a filter that runs again hands over a new dataset although only one of its arrays is
+ * another, and who writes into an array may tell so by the dataset's time alone. Where a time has moved, a fingerprint of the
+ * contents decides, which takes a hundredth of the time in which the mesh would be made again.
+ */
+#ifndef DataIdentity_h
+#define DataIdentity_h
+
+#include "ScalarSelection.h"
+
+#include "vtkType.h"
+
+#include <array>
+#include <cstdint>
+#include <tuple>
+#include <vector>
+
+class vtkDataSet;
+
+namespace nephoscope
+{
+
+/** Points, cells and ghost flags of a dataset. Of other than unstructured grids without polyhedra: every change is one of the mesh. */
+class MeshIdentity
+{
+public:
+  /** True unless this is the mesh of the last time. */
+  bool Changes(vtkDataSet* data);
+  void Forget() { *this = MeshIdentity(); }
+
+private:
+  using Stamp = std::tuple<const void*, vtkMTimeType>;
+  std::vector<Stamp> Stamps; // of the dataset itself and of what the mesh consists of; pointers are compared only
+  Stamp Whole;               // of the dataset with everything in it
+  std::uint64_t Fingerprint = 0;
+  bool Known = false;
+};
+
+/** The values that a selection reads. */
+class ValueIdentity
+{
+public:
+  /** True unless these are the values of the last time. `data` is what holds the array. */
+  bool Changes(vtkDataSet* data, const ScalarSelection& selection);
+  void Forget() { *this = ValueIdentity(); }
+
+private:
+  using Place = std::tuple<bool, bool, int, vtkIdType>; // there is one, on cells, component, number of values
+  std::tuple<const void*, vtkMTimeType, const void*, vtkMTimeType> Stamp;
+  Place Last;
+  std::uint64_t Fingerprint = 0;
+  bool Known = false;
+};
+
+/** Of an array's values, without its name; 0 for none. The same for any number of threads. */
+std::uint64_t fingerprint(vtkDataArray* array);
+
+} // namespace nephoscope
+
+#endif

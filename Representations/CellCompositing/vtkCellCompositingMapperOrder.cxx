@@ -1,0 +1,110 @@
+// SPDX-FileCopyrightText: The Nephoscope authors
+// SPDX-License-Identifier: BSD-3-Clause
+// How vtkCellCompositingMapper draws: ray by ray or cell by cell, and in which order, if any.
+#include "vtkCellCompositingMapper.h"
+
+#include "ArraySelection.h"
+#include "CellCompositingInternals.h"
+#include "ContourSettings.h"
+
+#include "vtkDataSet.h"
+
+using nephoscope::CellGeometry;
+using nephoscope::CellScene;
+using nephoscope::checkLength;
+using nephoscope::withThreads;
+
+void vtkCellCompositingMapper::SetMethod(int method)
+{
+  if (method < PROJECTION_METHOD || method > AUTOMATIC_METHOD)
+  {
+    vtkErrorMacro("There is no method " << method << ": use one of the values of MethodType, 0 to " << AUTOMATIC_METHOD << ".");
+    return;
+  }
+  if (this->Method != method)
+  {
+    this->Method = method;
+    this->Modified();
+  }
+}
+
+CellScene::Cycles vtkCellCompositingMapper::vtkInternals::CountCycles(vtkCellCompositingMapper* self)
+{
+  CellScene::Cycles cycles;
+  if (self->VisibilityOrder == EXACT_ORDER && !this->Busy && this->Scene.GetGeometry().NumberOfTetrahedra() > 0)
+  {
+    withThreads([&]() {
+      cycles = this->Scene.CountCycles([&]() {
+        CellGeometry geometry;
+        vtkDataSet* input = self->GetDataSetInput();
+        if (input && this->Scalars.Array && checkLength(input, this->Scalars).empty() &&
+          (!this->Opacity.Array || checkLength(input, this->Opacity).empty()))
+        {
+          geometry.Build(input, this->Scalars, this->Opacity);
+        }
+        return geometry;
+      });
+    });
+  }
+  return cycles;
+}
+
+vtkIdType vtkCellCompositingMapper::GetNumberOfVisibilityCycles()
+{
+  return static_cast<vtkIdType>(this->Internals->CountCycles(this).Number);
+}
+
+vtkIdType vtkCellCompositingMapper::GetNumberOfCyclicTetrahedra()
+{
+  return static_cast<vtkIdType>(this->Internals->CountCycles(this).Tetrahedra);
+}
+
+vtkIdType vtkCellCompositingMapper::GetNumberOfBrokenRelations()
+{
+  return this->UsesRays() || this->NeedsNoOrder() ? 0 : static_cast<vtkIdType>(this->Internals->CountCycles(this).BrokenRelations);
+}
+
+bool vtkCellCompositingMapper::MayUseRays() const
+{
+  const bool surfaces = this->GetNumberOfContourValues() > 0 || this->Contours->LayersAreUsed();
+  return !surfaces &&
+    (this->Method == RAY_METHOD || (this->Method == AUTOMATIC_METHOD && this->VisibilityOrder == EXACT_ORDER));
+}
+
+// Where no order is needed, rays are only faster, and that through grids.
+bool vtkCellCompositingMapper::UsesRays() const
+{
+  const bool grid = !this->Internals->Scene.GetGeometry().Grid.IsEmpty();
+  return this->MayUseRays() && (this->Method == RAY_METHOD || grid || !this->NeedsNoOrder());
+}
+
+bool vtkCellCompositingMapper::NeedsNoOrder() const
+{
+  return this->Internals->OneColor && this->GetNumberOfContourValues() == 0 && !this->Contours->LayersAreUsed() &&
+    this->Method != FACES_METHOD;
+}
+
+bool vtkCellCompositingMapper::GetOrderIndependent()
+{
+  return this->NeedsNoOrder() && !this->Internals->Peeled;
+}
+
+// What a way of drawing needs to know of who is in front of whom. False when stopped.
+bool vtkCellCompositingMapper::UpdateOrder(const double eye[4], const nephoscope::Progress& progress)
+{
+  CellScene& scene = this->Internals->Scene;
+  if (this->UsesRays())
+  {
+    const bool done = scene.UpdateMethod(CellScene::Method::Rays, progress);
+    if (done)
+    {
+      scene.UpdateEye({ { eye[0], eye[1], eye[2], eye[3] } });
+    }
+    return done;
+  }
+  const bool none = this->NeedsNoOrder() || this->Method == FACES_METHOD; // faces have an order of their own
+  const int order = none ? NO_ORDER : this->VisibilityOrder;
+  return scene.UpdateMethod(CellScene::Method::Projection) &&
+    scene.UpdateOrder(static_cast<CellScene::OrderMethod>(order), progress);
+}
+
