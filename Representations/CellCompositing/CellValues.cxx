@@ -30,6 +30,8 @@ bool CellGeometry::CopyOpacityScalars(
   this->OpacityOnCells = opacity.OnCells;
   if (!opacity.Array)
   {
+    this->OpacityRange[0] = 0;
+    this->OpacityRange[1] = 1;
     return true;
   }
   if (!findRange(data, opacity, this->OpacityRange, progress.Part(0, 0.5)))

@@ -36,7 +36,8 @@ public:
     {
       this->Low[c] = this->Empty ? color[c] : std::min(this->Low[c], color[c]);
       this->High[c] = this->Empty ? color[c] : std::max(this->High[c], color[c]);
-      this->Same = this->Same && this->High[c] - this->Low[c] <= Tolerance; // false for what is not a number
+      // False for what is not a number.
+      this->Same = this->Same && color[c] - this->Low[c] <= Tolerance && this->High[c] - color[c] <= Tolerance;
     }
     this->Empty = false;
   }
