@@ -130,37 +130,39 @@ std::uint64_t fingerprint(vtkDataArray* array)
 
 bool MeshIdentity::Changes(vtkDataSet* data)
 {
-  const Stamp whole(data, data->GetMTime());
-  if (this->Known && whole == this->Whole)
-  {
-    return false;
-  }
-  this->Whole = whole;
   auto* grid = vtkUnstructuredGrid::SafeDownCast(data);
+  std::vector<Stamp> stamps = { Stamp(data, grid ? data->vtkObject::GetMTime() : data->GetMTime()) };
   if (!grid)
   {
-    this->Known = true;
-    this->Stamps.clear();
-    return true;
+    return this->Replace(std::move(stamps));
   }
   const MeshParts parts(grid);
-  // The dataset's own time, without that of its arrays.
-  std::vector<Stamp> stamps = { Stamp(data, data->vtkObject::GetMTime()), Stamp(parts.Cells, parts.Cells ? parts.Cells->GetMTime() : 0),
-    Stamp(grid->GetPoints(), grid->GetPoints() ? grid->GetPoints()->GetMTime() : 0) };
+  stamps.emplace_back(parts.Cells, parts.Cells ? parts.Cells->GetMTime() : 0); // the dataset's time does not tell
+  stamps.emplace_back(grid->GetPoints(), grid->GetPoints() ? grid->GetPoints()->GetMTime() : 0);
   for (vtkDataArray* array : parts.Arrays)
   {
     stamps.emplace_back(array, array ? array->GetMTime() : 0);
   }
-  const bool knewParts = this->Known && !this->Stamps.empty();
-  if (knewParts && stamps == this->Stamps)
+  if (!this->Replace(std::move(stamps)))
   {
     return false;
   }
+  const bool comparable = this->Comparable;
   const std::uint64_t last = this->Fingerprint;
-  const bool comparable = parts.FindFingerprint(this->Fingerprint);
-  this->Stamps = comparable ? std::move(stamps) : std::vector<Stamp>();
-  this->Known = true;
-  return !knewParts || !comparable || this->Fingerprint != last;
+  this->Comparable = parts.FindFingerprint(this->Fingerprint);
+  return !comparable || !this->Comparable || this->Fingerprint != last;
+}
+
+// True where the times are not those of the last time. Without parts there is no fingerprint to compare with.
+bool MeshIdentity::Replace(std::vector<Stamp> stamps)
+{
+  if (stamps == this->Stamps)
+  {
+    return false;
+  }
+  this->Comparable = this->Comparable && stamps.size() > 1;
+  this->Stamps.swap(stamps);
+  return true;
 }
 
 bool ValueIdentity::Changes(vtkDataSet* data, const ScalarSelection& selection)

@@ -24,7 +24,10 @@ class vtkDataSet;
 namespace nephoscope
 {
 
-/** Points, cells and ghost flags of a dataset. Of other than unstructured grids without polyhedra: every change is one of the mesh. */
+/**
+ * Points, cells and ghost flags of an unstructured grid. Faces of polyhedra are not looked at: every change of their dataset itself counts
+ * as one of the mesh, and so does every change of other data.
+ */
 class MeshIdentity
 {
 public:
@@ -34,10 +37,11 @@ public:
 
 private:
   using Stamp = std::tuple<const void*, vtkMTimeType>;
-  std::vector<Stamp> Stamps; // of the dataset itself and of what the mesh consists of; pointers are compared only
-  Stamp Whole;               // of the dataset with everything in it
+  bool Replace(std::vector<Stamp> stamps);
+
+  std::vector<Stamp> Stamps; // of the dataset and of what the mesh consists of; pointers are compared only
   std::uint64_t Fingerprint = 0;
-  bool Known = false;
+  bool Comparable = false; // the fingerprint is that of the last time, and tells all
 };
 
 /** The values that a selection reads. */

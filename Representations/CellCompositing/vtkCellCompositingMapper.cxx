@@ -144,7 +144,7 @@ std::string vtkCellCompositingMapper::UpdateGeometry(
   this->Internals->Arrays[1] = opacity.Array;
   if (built && error.empty())
   {
-    this->WarnAboutGeometry(scene.GetGeometry(), scalars.Array->GetName());
+    this->WarnAboutGeometry(scene.GetGeometry(), scalars, opacity);
   }
   return error;
 }

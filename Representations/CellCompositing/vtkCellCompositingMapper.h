@@ -340,7 +340,8 @@ private:
   std::string SelectLayers(vtkDataSet* input, vtkDataArray*& layers);
   bool CheckContour(int i);
   void PrintContours(ostream& os, vtkIndent indent);
-  void WarnAboutGeometry(const nephoscope::CellGeometry& geometry, const char* arrayName);
+  void WarnAboutGeometry(const nephoscope::CellGeometry& geometry, const nephoscope::ScalarSelection& scalars,
+    const nephoscope::ScalarSelection& opacity);
   std::string DrawScene(vtkOpenGLRenderWindow* window, vtkRenderer* renderer, vtkVolume* volume,
     const nephoscope::Progress& progress);
   bool UpdateOrder(const double eye[4], const nephoscope::Progress& progress);

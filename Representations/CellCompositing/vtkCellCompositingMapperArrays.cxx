@@ -119,13 +119,18 @@ std::string vtkCellCompositingMapper::SelectLayers(vtkDataSet* input, vtkDataArr
   return checkLength(input, { layers, true, 0 });
 }
 
-void vtkCellCompositingMapper::WarnAboutGeometry(const CellGeometry& geometry, const char* arrayName)
+void vtkCellCompositingMapper::WarnAboutGeometry(
+  const CellGeometry& geometry, const ScalarSelection& scalars, const ScalarSelection& opacity)
 {
+  const auto quoted = [](vtkDataArray* array) {
+    return std::string("'") + (array->GetName() ? array->GetName() : "(unnamed)") + "'";
+  };
+  const std::string names = quoted(scalars.Array) + (opacity.Array ? ", " + quoted(opacity.Array) : "");
+
   if (geometry.NumberOfInvalidCells > 0)
   {
-    vtkWarningMacro(<< geometry.NumberOfInvalidCells << " cells are not drawn because array '"
-                    << (arrayName ? arrayName : "(unnamed)")
-                    << "' or a coordinate is not finite there. Blank such points, or replace the values.");
+    vtkWarningMacro(<< geometry.NumberOfInvalidCells << " cells are not drawn because array "
+                    << names << " or a coordinate is not finite there. Blank such points, or replace the values.");
   }
   if (geometry.NumberOfUnsupportedCells > 0)
   {

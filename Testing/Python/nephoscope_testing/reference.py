@@ -21,7 +21,7 @@ def render(cells, view, transfer, opaque=None, integration="exact", split=True, 
     order = np.lexsort((t1, t0, pixel))
     pixel, t0, t1, s0, s1 = (a[order] for a in (pixel, t0, t1, s0, s1))
     pixel, length, s0, s1 = _split(pixel, t1 - t0, s0, s1, transfer.breakpoints if split else [])
-    depth, emission = _integrate(length, s0, s1, transfer, integration, split)
+    depth, emission = integrate(length, s0, s1, transfer, integration, split)
     return composite(pixel, depth, emission, view)
 
 
@@ -100,7 +100,7 @@ def _split(pixel, length, s0, s1, breakpoints):
     return pixel[row], length[row] * (b - a), s0[row] + rise[row] * a, s0[row] + rise[row] * b
 
 
-def _integrate(length, s0, s1, transfer, integration, split):
+def integrate(length, s0, s1, transfer, integration, split):
     """Optical depth and emitted colour of each piece, seen from its front end."""
     a0, a1 = transfer.extinction(s0), transfer.extinction(s1)
     depth = 0.5 * (a0 + a1) * length
