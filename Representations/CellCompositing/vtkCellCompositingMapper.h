@@ -78,7 +78,8 @@ public:
   /**
    * How cells are drawn. Default: automatic. A value that is none of these is refused with an error.
    * - Rays: every pixel walks through the mesh from cell to cell, front to back. The order is exact for every mesh, with cycles, holes
-   *   and separate parts, whatever VisibilityOrder says.
+   *   and separate parts, whatever VisibilityOrder says. Where cells overlap in space, each part of a ray between entering and leaving
+   *   the mesh is composited whole, in the order of entering; an eye inside several overlapping parts sees one of them.
    * - Projection, or Cells: cell after cell in the order that VisibilityOrder tells, each over the pixels that it covers.
    * - Automatic: rays where VisibilityOrder is exact, projection otherwise; and projection, in no order, where none is needed
    *   (GetOrderIndependent()), unless the data are structured: it is right for cells that overlap in space too, whatever the view.
