@@ -1,0 +1,98 @@
+// SPDX-FileCopyrightText: The Nephoscope authors
+// SPDX-License-Identifier: BSD-3-Clause
+// What both filters of this folder ask of arrays and extents, and how they say it.
+#ifndef nephoscope_ArrayChecks_h
+#define nephoscope_ArrayChecks_h
+
+#include "vtkBitArray.h"
+#include "vtkCellData.h"
+#include "vtkDataArray.h"
+#include "vtkDataSet.h"
+#include "vtkInformation.h"
+#include "vtkPointData.h"
+#include "vtkSMPTools.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
+
+#include <string>
+
+namespace nephoscope
+{
+template <typename Function>
+void WithThreads(Function&& function)
+{
+  vtkSMPTools::LocalScope(vtkSMPTools::Config(0, "STDThread", false), function);
+}
+
+inline std::string Quoted(vtkAbstractArray* array)
+{
+  return array->GetName() ? "'" + std::string(array->GetName()) + "'" : std::string("without a name");
+}
+
+inline std::string PointArrayNames(vtkDataSet* data)
+{
+  std::string names;
+  for (int a = 0; a < data->GetPointData()->GetNumberOfArrays(); ++a)
+  {
+    names += (a > 0 ? ", " : "") + Quoted(data->GetPointData()->GetAbstractArray(a));
+  }
+  return "Point arrays: " + (names.empty() ? std::string("none") : names) + ".";
+}
+
+// Why there is no such array, and what to do.
+inline std::string NoPointArray(vtkDataSet* data, const char* name)
+{
+  const bool onCells = name && data->GetCellData()->HasArray(name);
+  const bool onPoints = name && data->GetPointData()->HasArray(name);
+  const std::string called = name && *name ? "'" + std::string(name) + "'" : std::string("of the active scalars");
+  return "There is no point array " + called + ". " +
+    (onCells && !onPoints ? "It is on cells: apply Cell Data to Point Data first. " : "Choose another one. ") + PointArrayNames(data);
+}
+
+// What keeps a point array from being used as numbers; empty if nothing does.
+inline std::string ArrayFault(vtkDataSet* data, vtkAbstractArray* array)
+{
+  if (!vtkDataArray::SafeDownCast(array) || vtkBitArray::SafeDownCast(array))
+  {
+    return "The array " + Quoted(array) + " of type " + array->GetDataTypeAsString() + " is not of numbers. Choose another one.";
+  }
+  if (array->GetNumberOfTuples() != data->GetNumberOfPoints())
+  {
+    return "The array " + Quoted(array) + " has " + std::to_string(array->GetNumberOfTuples()) + " values for " +
+      std::to_string(data->GetNumberOfPoints()) + " points.";
+  }
+  return std::string();
+}
+
+// Index of an array in the point data; -1 if it is not there.
+inline int IndexOfPointArray(vtkDataSet* data, vtkAbstractArray* array)
+{
+  for (int a = 0; a < data->GetPointData()->GetNumberOfArrays(); ++a)
+  {
+    if (data->GetPointData()->GetAbstractArray(a) == array)
+    {
+      return a;
+    }
+  }
+  return -1;
+}
+
+// Asks for all of the input, whatever piece of the output is wanted.
+inline void AskForWholeExtent(vtkInformation* info)
+{
+  using SDDP = vtkStreamingDemandDrivenPipeline;
+  int whole[6];
+  info->Get(SDDP::WHOLE_EXTENT(), whole);
+  info->Set(SDDP::UPDATE_EXTENT(), whole, 6);
+  info->Set(SDDP::UPDATE_PIECE_NUMBER(), 0);
+  info->Set(SDDP::UPDATE_NUMBER_OF_PIECES(), 1);
+  info->Set(SDDP::UPDATE_NUMBER_OF_GHOST_LEVELS(), 0);
+}
+
+inline std::string ValuesMissing(vtkAbstractArray* array, vtkIdType count)
+{
+  return std::to_string(count) + " values of the array " + Quoted(array) +
+    " are not finite numbers, or fill values (1e30 or more).";
+}
+}
+
+#endif

@@ -1,0 +1,147 @@
+// SPDX-FileCopyrightText: The Nephoscope authors
+// SPDX-License-Identifier: BSD-3-Clause
+// The part of space that belongs to a grid point: along an axis, on latitudes, and in a hexahedron. Plain C++17.
+#ifndef nephoscope_DualCells_h
+#define nephoscope_DualCells_h
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <vector>
+
+namespace nephoscope
+{
+using Point3 = std::array<double, 3>;
+
+inline Point3 Difference(const Point3& a, const Point3& b)
+{
+  return { { a[0] - b[0], a[1] - b[1], a[2] - b[2] } };
+}
+inline double Dot(const Point3& a, const Point3& b)
+{
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+inline double Length(const Point3& a)
+{
+  return std::sqrt(Dot(a, a));
+}
+inline Point3 Cross(const Point3& a, const Point3& b)
+{
+  return { { a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0] } };
+}
+
+// Length of axis that is nearer to each point than to its neighbours, within the ends. `closingGap`: from the last point to the first of
+// a ring, 0 if the axis is open. One point alone: 1.
+inline std::vector<double> AxisWidths(const std::vector<double>& x, double closingGap = 0.0)
+{
+  std::vector<double> widths(x.size(), 0.0);
+  for (std::size_t i = 1; i < x.size(); ++i)
+  {
+    const double half = 0.5 * std::abs(x[i] - x[i - 1]);
+    widths[i - 1] += half;
+    widths[i] += half;
+  }
+  if (x.size() == 1)
+  {
+    widths[0] = 1.0;
+  }
+  else if (!x.empty())
+  {
+    widths.front() += 0.5 * closingGap;
+    widths.back() += 0.5 * closingGap;
+  }
+  return widths;
+}
+
+// Differences of sin(latitude) between the edges of rows (degrees in). Edges are halfway; the outer ones as far beyond the end, but
+// not beyond a pole: so a row at the pole has the cap around it, and rows half a step from the pole reach it.
+inline std::vector<double> LatitudeWidths(const std::vector<double>& latitude)
+{
+  constexpr double radians = 0.017453292519943295769;
+  const std::size_t n = latitude.size();
+  if (n == 1)
+  {
+    return { 1.0 };
+  }
+  std::vector<double> edges(n + 1);
+  for (std::size_t j = 1; j < n; ++j)
+  {
+    edges[j] = 0.5 * (latitude[j - 1] + latitude[j]);
+  }
+  edges[0] = 2.0 * latitude[0] - edges[1];
+  edges[n] = 2.0 * latitude[n - 1] - edges[n - 1];
+  std::vector<double> widths(n);
+  for (std::size_t j = 0; j < n; ++j)
+  {
+    const double low = std::max(-90.0, std::min(90.0, edges[j]));
+    const double high = std::max(-90.0, std::min(90.0, edges[j + 1]));
+    // sin a - sin b, without cancellation
+    widths[j] = std::abs(2.0 * std::sin(0.5 * (high - low) * radians) * std::cos(0.5 * (high + low) * radians));
+  }
+  return widths;
+}
+
+// Signed volumes of the eight octants, halved in parameter space, of the trilinear hexahedron with corners p[i + 2 j + 4 k]. The
+// Jacobian determinant is quadratic in each parameter, so three nodes an axis integrate it exactly: over [0, 1/2] with weights
+// 5, 8, -1 (/24) at 0, 1/2, 1.
+class HexahedronOctants
+{
+public:
+  explicit HexahedronOctants(const std::array<Point3, 8>& corners)
+  {
+    for (int node = 0; node < 27; ++node)
+    {
+      const double u[3] = { 0.5 * (node % 3), 0.5 * (node / 3 % 3), 0.5 * (node / 9) };
+      const Point3 a = Tangent(corners, 0, u);
+      const Point3 b = Tangent(corners, 1, u);
+      const Point3 c = Tangent(corners, 2, u);
+      this->Determinants[node] = Dot(a, Cross(b, c));
+    }
+  }
+
+  // Octant at corner i + 2 j + 4 k.
+  double Volume(int corner) const
+  {
+    static constexpr double weights[2][3] = { { 5.0 / 24, 8.0 / 24, -1.0 / 24 }, { -1.0 / 24, 8.0 / 24, 5.0 / 24 } };
+    const double* w[3] = { weights[corner & 1], weights[corner >> 1 & 1], weights[corner >> 2 & 1] };
+    double sum = 0.0;
+    for (int node = 0; node < 27; ++node)
+    {
+      sum += w[0][node % 3] * w[1][node / 3 % 3] * w[2][node / 9] * this->Determinants[node];
+    }
+    return sum;
+  }
+
+private:
+  static Point3 Tangent(const std::array<Point3, 8>& p, int axis, const double u[3])
+  {
+    const int one = 1 << axis;
+    Point3 sum = { { 0.0, 0.0, 0.0 } };
+    for (int corner = 0; corner < 8; ++corner)
+    {
+      if (corner & one)
+      {
+        continue;
+      }
+      double weight = 1.0;
+      for (int other = 0; other < 3; ++other)
+      {
+        if (other != axis)
+        {
+          weight *= corner >> other & 1 ? u[other] : 1.0 - u[other];
+        }
+      }
+      const Point3 edge = Difference(p[corner | one], p[corner]);
+      for (int c = 0; c < 3; ++c)
+      {
+        sum[c] += weight * edge[c];
+      }
+    }
+    return sum;
+  }
+
+  std::array<double, 27> Determinants;
+};
+}
+
+#endif

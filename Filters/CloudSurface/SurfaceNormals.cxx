@@ -1,0 +1,178 @@
+// SPDX-FileCopyrightText: The Nephoscope authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "SurfaceNormals.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace nephoscope
+{
+namespace
+{
+constexpr double flat = 1e-9; // of the product of three lengths: a box without volume
+
+Point3 Scaled(const Point3& a, double factor)
+{
+  return { { factor * a[0], factor * a[1], factor * a[2] } };
+}
+
+Point3 Sum(const Point3& a, const Point3& b)
+{
+  return { { a[0] + b[0], a[1] + b[1], a[2] + b[2] } };
+}
+
+Point3 Blend(const Point3& first, const Point3& second, double share)
+{
+  return Sum(Scaled(first, 1.0 - share), Scaled(second, share));
+}
+
+// Solves the symmetric system; zero if it has no single solution.
+Point3 Solve(const double m[3][3], const Point3& right)
+{
+  const Point3 a = { { m[0][0], m[0][1], m[0][2] } };
+  const Point3 b = { { m[1][0], m[1][1], m[1][2] } };
+  const Point3 c = { { m[2][0], m[2][1], m[2][2] } };
+  const double determinant = Dot(a, Cross(b, c));
+  if (!(std::abs(determinant) > flat * Length(a) * Length(b) * Length(c)))
+  {
+    return { { 0.0, 0.0, 0.0 } };
+  }
+  const Point3 sum = Sum(Sum(Scaled(Cross(b, c), right[0]), Scaled(Cross(c, a), right[1])), Scaled(Cross(a, b), right[2]));
+  return Scaled(sum, 1.0 / determinant);
+}
+}
+
+FieldGradient::Neighbor FieldGradient::Look(int axis, const GridIndex& from, int step) const
+{
+  Neighbor found;
+  found.At = from;
+  found.At[axis] = this->Plan.Topology().Step(axis, from[axis], step);
+  const std::int64_t id = this->Plan.Topology().Id(found.At);
+  if (found.At[axis] == from[axis] || this->Missing[id])
+  {
+    return found;
+  }
+  found.Away = this->Plan.Displacement(axis, from, step);
+  found.Distance = Length(found.Away);
+  found.Rise = this->Field[id] - this->Field[this->Plan.Topology().Id(from)];
+  found.IsThere = found.Distance > 0.0;
+  return found;
+}
+
+// The derivative at a point of the parabola through it and two others blends two slopes, from the nearer to the farther one.
+FieldGradient::Slope FieldGradient::SlopeAlong(int axis, const GridIndex& at) const
+{
+  const Neighbor before = this->Look(axis, at, -1);
+  const Neighbor after = this->Look(axis, at, +1);
+  Slope slope;
+  if (!before.IsThere && !after.IsThere)
+  {
+    return slope;
+  }
+  slope.HasValue = true;
+  const double sign = after.IsThere ? 1.0 : -1.0; // of the step to the first neighbour
+  const Neighbor& first = after.IsThere ? after : before;
+  slope.Rise = sign * first.Rise / first.Distance;
+  slope.Tangent = Scaled(first.Away, sign / first.Distance);
+  if (before.IsThere && after.IsThere)
+  {
+    const double share = after.Distance / (after.Distance + before.Distance);
+    slope.Rise = (1.0 - share) * slope.Rise - share * before.Rise / before.Distance;
+    slope.Tangent = Blend(slope.Tangent, Scaled(before.Away, -1.0 / before.Distance), share);
+    return slope;
+  }
+  const Neighbor second = this->Look(axis, first.At, after.IsThere ? +1 : -1);
+  if (second.IsThere && second.At != at)
+  {
+    const double share = -first.Distance / (first.Distance + second.Distance);
+    slope.Rise = (1.0 - share) * slope.Rise + share * sign * second.Rise / second.Distance;
+    slope.Tangent = Blend(slope.Tangent, Scaled(second.Away, sign / second.Distance), share);
+  }
+  return slope;
+}
+
+Point3 FieldGradient::At(const GridIndex& at) const
+{
+  if (const PoleRow* pole = this->Plan.Topology().PoleAt(at))
+  {
+    return this->AtPole(at, *pole);
+  }
+  Slope slopes[3];
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    slopes[axis] = this->SlopeAlong(axis, at);
+  }
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    if (!slopes[axis].HasValue) // nothing is known along this axis: as if nothing changed at right angles to the others
+    {
+      slopes[axis].Tangent = Cross(slopes[(axis + 1) % 3].Tangent, slopes[(axis + 2) % 3].Tangent);
+    }
+  }
+  const double rows[3][3] = { { slopes[0].Tangent[0], slopes[0].Tangent[1], slopes[0].Tangent[2] },
+    { slopes[1].Tangent[0], slopes[1].Tangent[1], slopes[1].Tangent[2] },
+    { slopes[2].Tangent[0], slopes[2].Tangent[1], slopes[2].Tangent[2] } };
+  return Solve(rows, { { slopes[0].Rise, slopes[1].Rise, slopes[2].Rise } });
+}
+
+Point3 FieldGradient::AtPole(const GridIndex& at, const PoleRow& pole) const
+{
+  double matrix[3][3] = {};
+  Point3 right = { { 0.0, 0.0, 0.0 } };
+  const auto add = [&](const Neighbor& n) {
+    const double weight = n.IsThere ? 1.0 / (n.Distance * n.Distance) : 0.0;
+    for (int r = 0; r < 3; ++r)
+    {
+      for (int c = 0; c < 3; ++c)
+      {
+        matrix[r][c] += weight * n.Away[r] * n.Away[c];
+      }
+      right[r] += weight * n.Away[r] * n.Rise;
+    }
+  };
+  GridIndex around = at;
+  for (around[pole.Along] = 0; around[pole.Along] < this->Plan.Topology().Distinct(pole.Along); ++around[pole.Along])
+  {
+    if (!this->Missing[this->Plan.Topology().Id(around)])
+    {
+      add(this->Look(pole.Across, around, pole.AtEnd ? -1 : +1));
+    }
+  }
+  const int third = 3 - pole.Along - pole.Across;
+  add(this->Look(third, at, -1));
+  add(this->Look(third, at, +1));
+  return Solve(matrix, right);
+}
+
+Point3 FieldGradient::SteepestStep(const GridIndex& at) const
+{
+  Neighbor best;
+  double steepest = 0.0;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    for (int step : { -1, 1 })
+    {
+      const Neighbor n = this->Look(axis, at, step);
+      if (n.IsThere && std::abs(n.Rise / n.Distance) > steepest)
+      {
+        steepest = std::abs(n.Rise / n.Distance);
+        best = n;
+      }
+    }
+  }
+  return Scaled(best.Away, best.Rise > 0.0 ? -1.0 : 1.0);
+}
+
+Point3 FieldGradient::Outward(const GridIndex& a, const GridIndex& b, double share) const
+{
+  const Point3 gradient = a == b ? this->At(a) : Blend(this->At(a), this->At(b), share);
+  Point3 outward = Scaled(gradient, -1.0);
+  double length = Length(outward);
+  if (!(length > 0.0) || !std::isfinite(length))
+  {
+    outward = Sum(this->SteepestStep(a), this->SteepestStep(b));
+    length = Length(outward);
+  }
+  return length > 0.0 ? Scaled(outward, 1.0 / length) : Point3{ { 0.0, 0.0, 1.0 } };
+}
+}

@@ -1,0 +1,61 @@
+// SPDX-FileCopyrightText: The Nephoscope authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Gradients of a field on a structured grid, and from them the normals of its surfaces.
+#ifndef nephoscope_SurfaceNormals_h
+#define nephoscope_SurfaceNormals_h
+
+#include "SmoothingPlan.h"
+
+#include <vector>
+
+namespace nephoscope
+{
+class FieldGradient
+{
+public:
+  // Points that are `missing` are not looked at.
+  FieldGradient(
+    const SmoothingPlan& plan, const std::vector<double>& field, const std::vector<unsigned char>& missing)
+    : Plan(plan)
+    , Field(field)
+    , Missing(missing)
+  {
+  }
+
+  // In the space of the grid's coordinates. Derivatives of position and field by the length of path along each axis, with three points
+  // each (second order on uneven steps), so a linear field has its gradient exactly. At a pole, where the axes are none, the plane of
+  // least squares through the next row.
+  Point3 At(const GridIndex& at) const;
+
+  // Unit vector against the gradient, out of what is above the value, at the point `share` of the way from a to b. Where the gradient
+  // vanishes, the direction of the steepest step down to a neighbour.
+  Point3 Outward(const GridIndex& a, const GridIndex& b, double share) const;
+
+private:
+  struct Slope // along one axis; HasValue is false where there is no neighbour
+  {
+    bool HasValue = false;
+    double Rise = 0.0; // of the field for a length of 1
+    Point3 Tangent = { { 0.0, 0.0, 0.0 } };
+  };
+  struct Neighbor
+  {
+    bool IsThere = false;
+    GridIndex At = { { 0, 0, 0 } };
+    Point3 Away = { { 0.0, 0.0, 0.0 } };
+    double Distance = 0.0;
+    double Rise = 0.0; // of the field, over the whole distance
+  };
+
+  Neighbor Look(int axis, const GridIndex& from, int step) const;
+  Slope SlopeAlong(int axis, const GridIndex& at) const;
+  Point3 AtPole(const GridIndex& at, const PoleRow& pole) const;
+  Point3 SteepestStep(const GridIndex& at) const;
+
+  const SmoothingPlan& Plan;
+  const std::vector<double>& Field;
+  const std::vector<unsigned char>& Missing;
+};
+}
+
+#endif

@@ -1,0 +1,240 @@
+// SPDX-FileCopyrightText: The Nephoscope authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkCloudSurface.h"
+
+#include "ArrayChecks.h"
+#include "FieldSmoother.h"
+#include "IndexSpaceContour.h"
+#include "SurfaceAssembly.h"
+
+#include "vtkExtentTranslator.h"
+#include "vtkInformationVector.h"
+#include "vtkObjectFactory.h"
+#include "vtkPolyData.h"
+
+#include <algorithm>
+#include <numeric>
+
+using SDDP = vtkStreamingDemandDrivenPipeline;
+
+vtkStandardNewMacro(vtkCloudSurface);
+
+namespace
+{
+constexpr double smoothingShare = 0.5; // of the time, about
+
+// The cells that the asked piece has a share of, first and last along each axis. False if there is none.
+bool CellsOfPiece(const nephoscope::SmoothingPlan& plan, vtkInformation* outInfo, std::array<int, 6>& cells)
+{
+  int whole[6];
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    whole[2 * axis] = 0;
+    whole[2 * axis + 1] = nephoscope::CellsAlong(plan, axis);
+  }
+  const int pieces = outInfo->Has(SDDP::UPDATE_NUMBER_OF_PIECES()) ? outInfo->Get(SDDP::UPDATE_NUMBER_OF_PIECES()) : 1;
+  const int piece = outInfo->Has(SDDP::UPDATE_PIECE_NUMBER()) ? outInfo->Get(SDDP::UPDATE_PIECE_NUMBER()) : 0;
+  int extent[6];
+  std::copy(whole, whole + 6, extent);
+  if (pieces > 1)
+  {
+    vtkNew<vtkExtentTranslator> translator;
+    if (!translator->PieceToExtentThreadSafe(piece, pieces, 0, whole, extent, vtkExtentTranslator::BLOCK_MODE, 0))
+    {
+      return false;
+    }
+  }
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    cells[2 * axis] = extent[2 * axis];
+    cells[2 * axis + 1] = extent[2 * axis + 1] - 1;
+  }
+  return true;
+}
+}
+
+vtkCloudSurface::vtkCloudSurface()
+{
+  this->SetInputArrayToProcess(
+    0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, vtkDataSetAttributes::SCALARS);
+}
+
+vtkMTimeType vtkCloudSurface::GetMTime()
+{
+  return std::max({ this->Superclass::GetMTime(), this->ContourValues->GetMTime(), this->Smoothing->GetMTime() });
+}
+
+int vtkCloudSurface::FillInputPortInformation(int, vtkInformation* info)
+{
+  info->Remove(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE());
+  info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkImageData");
+  info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkRectilinearGrid");
+  info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkStructuredGrid");
+  return 1;
+}
+
+int vtkCloudSurface::RequestInformation(vtkInformation*, vtkInformationVector**, vtkInformationVector* outputs)
+{
+  outputs->GetInformationObject(0)->Set(vtkAlgorithm::CAN_HANDLE_PIECE_REQUEST(), 1);
+  return 1;
+}
+
+int vtkCloudSurface::RequestUpdateExtent(vtkInformation*, vtkInformationVector** inputs, vtkInformationVector*)
+{
+  nephoscope::AskForWholeExtent(inputs[0]->GetInformationObject(0));
+  return 1;
+}
+
+int vtkCloudSurface::RequestData(vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
+{
+  vtkDataSet* input = vtkDataSet::GetData(inputs[0], 0);
+  vtkPolyData* output = vtkPolyData::GetData(outputs, 0);
+  nephoscope::SmoothingPlan plan;
+  std::string error;
+  nephoscope::WithThreads([&]() { error = plan.Read(input, this->Smoothing->GetSettings()); });
+  if (!error.empty())
+  {
+    vtkErrorMacro(<< error);
+    return 1; // other blocks go on
+  }
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    if (plan.Topology().Size[axis] < 2)
+    {
+      vtkErrorMacro("The grid has one point along axis " << axis
+                                                         << "; a surface needs cells, two points or more along every axis. "
+                                                            "Use a contour filter for lines.");
+      return 1;
+    }
+  }
+  vtkDataArray* scalars = this->FindScalars(input, inputs);
+  if (!scalars)
+  {
+    return 1;
+  }
+  bool finished = false;
+  nephoscope::WithThreads(
+    [&]() { finished = this->BuildSurface(input, plan, scalars, outputs->GetInformationObject(0), output); });
+  if (!finished)
+  {
+    output->Initialize(); // nothing rather than a part
+  }
+  return 1;
+}
+
+bool vtkCloudSurface::BuildSurface(vtkDataSet* input, const nephoscope::SmoothingPlan& plan, vtkDataArray* scalars,
+  vtkInformation* outInfo, vtkPolyData* output)
+{
+  std::vector<double> values;
+  std::vector<int> indices;
+  std::array<int, 6> cells;
+  if (!this->FindValues(values, indices) || values.empty() || !CellsOfPiece(plan, outInfo, cells))
+  {
+    return false;
+  }
+  std::vector<double> field(static_cast<std::size_t>(scalars->GetNumberOfTuples()));
+  for (std::size_t id = 0; id < field.size(); ++id)
+  {
+    field[id] = scalars->GetComponent(static_cast<vtkIdType>(id), 0);
+  }
+  const nephoscope::FieldSmoother smoother(plan);
+  const std::vector<unsigned char> missing = smoother.MissingPoints(field);
+  const bool smoothed = smoother.Smooth(field, this->GetNumberOfSmoothingIterations(), [this](double share) {
+    this->UpdateProgress(smoothingShare * share);
+    return !this->CheckAbort();
+  });
+  if (!smoothed || this->CheckAbort())
+  {
+    return false;
+  }
+  vtkIdType gaps = 0;
+  for (std::size_t id = 0; id < field.size(); ++id)
+  {
+    if (nephoscope::IsMissingValue(field[id]))
+    {
+      gaps += plan.IsHidden(static_cast<vtkIdType>(id)) ? 0 : 1;
+      field[id] = 0.0; // no surface is made of it
+    }
+  }
+  if (gaps > 0)
+  {
+    vtkWarningMacro(<< nephoscope::ValuesMissing(scalars, gaps) << " The cells that they are corners of have no surface.");
+  }
+  const auto contour = nephoscope::ContourInIndexSpace(
+    input, plan, field, cells, values, nephoscope::IndexOfPointArray(input, scalars));
+  this->UpdateProgress(0.7);
+  if (this->CheckAbort())
+  {
+    return false;
+  }
+  nephoscope::SurfaceAssembly assembly(input, plan, contour, missing);
+  assembly.JoinSeams(this->JoinSeams);
+  assembly.Build(scalars, values, indices, output);
+  this->UpdateProgress(0.85);
+  assembly.AddTriangles(field, this->ComputeNormals, output);
+  this->UpdateProgress(1.0);
+  return !this->CheckAbort();
+}
+
+vtkDataArray* vtkCloudSurface::FindScalars(vtkDataSet* input, vtkInformationVector** inputs)
+{
+  int association = vtkDataObject::FIELD_ASSOCIATION_POINTS;
+  vtkAbstractArray* found = this->GetInputAbstractArrayToProcess(0, inputs, association);
+  if (!found || association != vtkDataObject::FIELD_ASSOCIATION_POINTS)
+  {
+    vtkErrorMacro(<< nephoscope::NoPointArray(
+                    input, this->GetInputArrayInformation(0)->Get(vtkDataObject::FIELD_NAME())));
+    return nullptr;
+  }
+  const std::string fault = nephoscope::ArrayFault(input, found);
+  if (!fault.empty())
+  {
+    vtkErrorMacro(<< fault);
+    return nullptr;
+  }
+  if (found->GetNumberOfComponents() != 1)
+  {
+    vtkErrorMacro("The array " << nephoscope::Quoted(found) << " has " << found->GetNumberOfComponents()
+                               << " components; one number at each point is needed. Make an array of a component or of the "
+                                  "magnitude first (Calculator).");
+    return nullptr;
+  }
+  return vtkDataArray::SafeDownCast(found);
+}
+
+// Sorted, each once, with the index that the user gave it.
+bool vtkCloudSurface::FindValues(std::vector<double>& values, std::vector<int>& indices)
+{
+  const int count = static_cast<int>(this->GetNumberOfContours());
+  std::vector<int> order(static_cast<std::size_t>(count));
+  std::iota(order.begin(), order.end(), 0);
+  for (int i : order)
+  {
+    if (!std::isfinite(this->GetValue(i)))
+    {
+      vtkErrorMacro("Contour value " << i << " is " << this->GetValue(i) << "; it must be a finite number.");
+      return false;
+    }
+  }
+  std::stable_sort(order.begin(), order.end(), [this](int a, int b) { return this->GetValue(a) < this->GetValue(b); });
+  for (int i : order)
+  {
+    if (values.empty() || values.back() != this->GetValue(i))
+    {
+      values.push_back(this->GetValue(i));
+      indices.push_back(i);
+    }
+  }
+  return true;
+}
+
+void vtkCloudSurface::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "ComputeNormals: " << this->ComputeNormals << "\n"
+     << indent << "JoinSeams: " << this->JoinSeams << "\n"
+     << indent << "Smoothing:\n";
+  this->Smoothing->PrintSelf(os, indent.GetNextIndent());
+  os << indent << "ContourValues:\n";
+  this->ContourValues->PrintSelf(os, indent.GetNextIndent());
+}

@@ -1,0 +1,156 @@
+// SPDX-FileCopyrightText: The Nephoscope authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkCloudSurface
+ * @brief   contour surfaces of a smoothed field on a structured grid, with every point array
+ *
+ *     image, rectilinear or structured grid, a point scalar, values
+ *                               |
+ *     smooth (vtkStructuredSmoothing) -> contour (vtkFlyingEdges3D) -> drop what is hidden -> join seams and poles -> normals
+ *                               |
+ *     vtkPolyData: triangles, all point arrays, Normals, ContourIndex
+ *
+ * Max, Crawfis and Becker, "New Techniques in 3D Scalar and Vector Field Visualization", Pacific Graphics 1993, section 4, draw clouds as
+ * contour surfaces of the smoothed cloud fraction. Only the array that is contoured is smoothed; all others are interpolated as they are.
+ *
+ * 1. Smooth, in double precision. Points in one place (the seam and the poles of vtkGlobeGrid's output) get one value.
+ * 2. Contour in the space of the indices, where every structured grid is an image and the fastest of VTK's filters can be used; positions
+ *    and arrays are interpolated along the edges of the grid.
+ * 3. Drop the triangles in cells that are hidden (HIDDENCELL, or a corner HIDDENPOINT) or have a corner without a value.
+ * 4. Points on both sides of a seam, and those of a row at a pole, become one: the surface is closed there. Arrays that jump at the seam,
+ *    such as a longitude, keep the value of the first column.
+ * 5. Normals: against the gradient of the smoothed field in the space of the grid, so out of the cloud, where the field is higher inside;
+ *    not means of the triangles' normals. Triangles face the same way (right-hand rule).
+ *
+ * Point arrays written: that of the input under its name, the contoured one with the value of the contour (float if it is float, else double),
+ * numbers interpolated linearly (whole numbers as VTK does it, to float), text, bits and ids from the nearer point; Normals, float, 3 components,
+ * of length 1. vtkGhostType is not carried. Cell array written: ContourIndex, int, the index i of the value, as in SetValue(i, v).
+ * Coordinates are of the precision of the input's points; double for images and rectilinear grids.
+ *
+ * In parallel each process asks for the whole input and contours its share of the cells: the pieces fit, with the same normals.
+ * The result does not depend on the number of threads.
+ */
+#ifndef vtkCloudSurface_h
+#define vtkCloudSurface_h
+
+#include "vtkContourValues.h"                       // for inline methods
+#include "vtkNephoscopeFiltersCloudSurfaceModule.h" // for export macro
+#include "vtkNew.h"                                 // for members
+#include "vtkPolyDataAlgorithm.h"
+#include "vtkStructuredSmoothing.h" // for inline methods
+
+#include <string> // for array names
+#include <vector> // for values
+
+class vtkDataArray;
+
+namespace nephoscope
+{
+class SmoothingPlan;
+}
+
+class VTKNEPHOSCOPEFILTERSCLOUDSURFACE_EXPORT vtkCloudSurface : public vtkPolyDataAlgorithm
+{
+public:
+  static vtkCloudSurface* New();
+  vtkTypeMacro(vtkCloudSurface, vtkPolyDataAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /**
+   * The contour values, in the unit of the scalar, in any order; values that are given twice count once. Finite. As in vtkContourFilter, there
+   * is one at first, 0. The scalar is chosen by SetInputArrayToProcess (a point array of one component); by default the active point scalars.
+   */
+  void SetValue(int i, double value) { this->ContourValues->SetValue(i, value); }
+  double GetValue(int i) { return this->ContourValues->GetValue(i); }
+  double* GetValues() { return this->ContourValues->GetValues(); }
+  void GetValues(double* contourValues) { this->ContourValues->GetValues(contourValues); }
+  void SetNumberOfContours(int number) { this->ContourValues->SetNumberOfContours(number); }
+  vtkIdType GetNumberOfContours() { return this->ContourValues->GetNumberOfContours(); }
+  ///@}
+
+  ///@{
+  /**
+   * So many values at equal steps, from the first to the last of the range.
+   */
+  void GenerateValues(int numContours, double range[2]) { this->ContourValues->GenerateValues(numContours, range); }
+  void GenerateValues(int numContours, double rangeStart, double rangeEnd)
+  {
+    this->ContourValues->GenerateValues(numContours, rangeStart, rangeEnd);
+  }
+  ///@}
+
+  ///@{
+  /**
+   * How often the 3 x 3 x 3 filter is applied before contouring, 0 or more. Default 1. See vtkStructuredSmoothing.
+   */
+  void SetNumberOfSmoothingIterations(int number) { this->Smoothing->SetNumberOfIterations(number); }
+  int GetNumberOfSmoothingIterations() { return this->Smoothing->GetNumberOfIterations(); }
+  ///@}
+
+  ///@{
+  /**
+   * How the field is smoothed, and where the grid closes: as in vtkStructuredSmoothing. A structured grid that is periodic and whose last
+   * points are next to the first ones in space gets a row of cells between them.
+   */
+  void SetPeriodic(int axis, bool periodic) { this->Smoothing->SetPeriodic(axis, periodic); }
+  bool GetPeriodic(int axis) { return this->Smoothing->GetPeriodic(axis); }
+  void SetFindSeam(bool find) { this->Smoothing->SetFindSeam(find); }
+  bool GetFindSeam() { return this->Smoothing->GetFindSeam(); }
+  void SetConservative(bool conservative) { this->Smoothing->SetConservative(conservative); }
+  bool GetConservative() { return this->Smoothing->GetConservative(); }
+  void SetMassArrayName(const std::string& name) { this->Smoothing->SetMassArrayName(name); }
+  std::string GetMassArrayName() { return this->Smoothing->GetMassArrayName(); }
+  void SetIsotropic(bool isotropic) { this->Smoothing->SetIsotropic(isotropic); }
+  bool GetIsotropic() { return this->Smoothing->GetIsotropic(); }
+  void SetCoordinates(int coordinates) { this->Smoothing->SetCoordinates(coordinates); }
+  int GetCoordinates() { return this->Smoothing->GetCoordinates(); }
+  ///@}
+
+  ///@{
+  /**
+   * On (default): write Normals, from the gradient of the smoothed field.
+   */
+  vtkSetMacro(ComputeNormals, bool);
+  vtkGetMacro(ComputeNormals, bool);
+  vtkBooleanMacro(ComputeNormals, bool);
+  ///@}
+
+  ///@{
+  /**
+   * On (default): points at a seam or a pole that share a place become one. Off: each column keeps its own, so that arrays that jump there, such
+   * as texture coordinates, are right on both sides.
+   */
+  vtkSetMacro(JoinSeams, bool);
+  vtkGetMacro(JoinSeams, bool);
+  vtkBooleanMacro(JoinSeams, bool);
+  ///@}
+
+  /** Latest of this filter's, its values' and its smoothing's modification. */
+  vtkMTimeType GetMTime() override;
+
+protected:
+  vtkCloudSurface();
+  ~vtkCloudSurface() override = default;
+
+  int FillInputPortInformation(int port, vtkInformation* info) override;
+  int RequestInformation(vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs) override;
+  int RequestUpdateExtent(vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs) override;
+  int RequestData(vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs) override;
+
+private:
+  vtkCloudSurface(const vtkCloudSurface&) = delete;
+  void operator=(const vtkCloudSurface&) = delete;
+
+  vtkDataArray* FindScalars(vtkDataSet* input, vtkInformationVector** inputs);
+  bool FindValues(std::vector<double>& values, std::vector<int>& indices);
+  bool BuildSurface(vtkDataSet* input, const nephoscope::SmoothingPlan& plan, vtkDataArray* scalars,
+    vtkInformation* outInfo, vtkPolyData* output);
+
+  vtkNew<vtkContourValues> ContourValues;
+  vtkNew<vtkStructuredSmoothing> Smoothing; // holds the settings
+  bool ComputeNormals = true;
+  bool JoinSeams = true;
+};
+
+#endif

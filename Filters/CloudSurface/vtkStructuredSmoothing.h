@@ -1,0 +1,191 @@
+// SPDX-FileCopyrightText: The Nephoscope authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkStructuredSmoothing
+ * @brief   3 x 3 x 3 smoothing of fields on structured grids, across seams and poles, conservative if wanted
+ *
+ *     image, rectilinear or structured grid  ->  vtkStructuredSmoothing  ->  the same grid, arrays smoothed
+ *
+ * One iteration is the filter of Max, Crawfis and Becker, "New Techniques in 3D Scalar and Vector Field Visualization", Pacific Graphics
+ * 1993, section 4: weights 8, 4, 2, 1 (/64) for centre, faces, edges and corners of 3 x 3 x 3 points. It is done as three passes with
+ * weights 1, 2, 1 (/4), one along each axis. A wave of N points along an axis is multiplied by cos^2(pi/N): N = 2 by 0, 4 by 0.5, 8 by
+ * 0.853553, 16 by 0.961940. White noise keeps 0.229640 of its standard deviation. At an end of an axis the weights are 3, 1 (/4).
+ *
+ * Every pass is an exchange between neighbours (SmoothingKernel.h): a constant stays exactly, no value leaves the range of its
+ * neighbours. With Conservative, sum (mass * field) stays too, to rounding, on grids with cells of any size.
+ *
+ * - Seam. A structured grid whose last points lie in the place of its first ones, as vtkGlobeGrid makes them, is smoothed across that seam
+ *   without being told; both keep the same values. For other periodic grids see SetPeriodic.
+ * - Poles. A row that is one place (a pole of vtkGlobeGrid's output; latitude +-90 of a longitude-latitude grid) takes its mean. That is right for
+ *   scalars and Cartesian vectors, not for eastward and northward components: smooth vtkGlobeGrid's Wind instead.
+ * - Missing data. Hidden points (HIDDENPOINT), values that are not finite and fill values (1e30 or more) keep their values and take no part.
+ *
+ * Arrays of float and double keep their type, whole numbers become double. All components of an array are smoothed, each by itself. All other
+ * arrays are passed. The order of the computation is fixed: the result does not depend on the number of threads.
+ *
+ * In parallel each process asks for the whole input, since seam and poles join places that are far apart in the indices, and gives its piece.
+ */
+#ifndef vtkStructuredSmoothing_h
+#define vtkStructuredSmoothing_h
+
+#include "vtkDataSetAlgorithm.h"
+#include "vtkNephoscopeFiltersCloudSurfaceModule.h" // for export macro
+
+#include <string> // for array names
+#include <vector> // for array names
+
+class vtkDataArray;
+
+namespace nephoscope
+{
+class SmoothingPlan;
+struct SmoothingSettings;
+}
+
+class VTKNEPHOSCOPEFILTERSCLOUDSURFACE_EXPORT vtkStructuredSmoothing : public vtkDataSetAlgorithm
+{
+public:
+  static vtkStructuredSmoothing* New();
+  vtkTypeMacro(vtkStructuredSmoothing, vtkDataSetAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  enum CoordinatesType
+  {
+    AUTOMATIC = 0,
+    CARTESIAN = 1,
+    LONGITUDE_LATITUDE = 2
+  };
+
+  ///@{
+  /**
+   * How often the filter is applied, 0 or more. Default 1. 0 passes the input. n iterations smooth over about sqrt(n/2) points on either side
+   * (standard deviation); the cost is proportional.
+   */
+  vtkSetClampMacro(NumberOfIterations, int, 0, VTK_INT_MAX);
+  vtkGetMacro(NumberOfIterations, int);
+  ///@}
+
+  ///@{
+  /**
+   * Whether the grid closes along an axis (0, 1, 2): the neighbour of the last point is the first. Off by default. Where the last point is
+   * the first one again (all point arrays repeat), that is seen. Not needed for a seam that the filter finds by itself (FindSeam), nor for
+   * longitudes if Coordinates says so.
+   */
+  void SetPeriodic(int axis, bool periodic);
+  bool GetPeriodic(int axis);
+  ///@}
+
+  ///@{
+  /**
+   * On (default): the last points along an axis of a structured grid that lie in the place of the first ones are taken as one with them.
+   */
+  vtkSetMacro(FindSeam, bool);
+  vtkGetMacro(FindSeam, bool);
+  vtkBooleanMacro(FindSeam, bool);
+  ///@}
+
+  ///@{
+  /**
+   * On: neighbours exchange in proportion to the smaller of their masses, so that the sum of mass times field stays. Off (default): all
+   * masses are equal. The mass of a point is the volume of the grid that is nearest to it in the indices: half of each step on either side.
+   * On longitudes and latitudes it is the difference of longitude, times that of sin(latitude) (up to a pole where a row is half a step
+   * from it), times that of the level: with levels in pressure that is in proportion to the mass of air.
+   */
+  vtkSetMacro(Conservative, bool);
+  vtkGetMacro(Conservative, bool);
+  vtkBooleanMacro(Conservative, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Name of a point array of masses, one component, 0 or more, to be used in place of volumes (Gauss weights, masses of a model's
+   * layers). Default "": none. Only with Conservative.
+   */
+  vtkSetMacro(MassArrayName, std::string);
+  vtkGetMacro(MassArrayName, std::string);
+  ///@}
+
+  ///@{
+  /**
+   * On: add the masses as the point array Mass, double, 1 component (of points in one place at a seam only the first one's is not 0).
+   * Off by default. Unit: that of the volume, or of the given masses; 1 each if not Conservative.
+   */
+  vtkSetMacro(GenerateMassArray, bool);
+  vtkGetMacro(GenerateMassArray, bool);
+  vtkBooleanMacro(GenerateMassArray, bool);
+  ///@}
+
+  ///@{
+  /**
+   * On: rows along axis 0 whose steps are shorter than those to the next rows, as near a pole, are smoothed along axis 0 more often, so that the
+   * reach in metres is the same in both directions: (step across / step along)^2 passes; where that is less than 1, one weaker pass. Off (default):
+   * the filter works on indices, and its reach along a row shrinks towards the poles. The cost is about 20 times that of a pass on a 2.5 degree
+   * grid.
+   */
+  vtkSetMacro(Isotropic, bool);
+  vtkGetMacro(Isotropic, bool);
+  vtkBooleanMacro(Isotropic, bool);
+  ///@}
+
+  ///@{
+  /**
+   * What the coordinates mean, for masses, poles and Isotropic. Cartesian: lengths. Longitude and latitude: degrees on axes 0 and 1; if the
+   * longitudes go round, axis 0 is periodic. Automatic (default): Cartesian, but longitude and latitude for images and rectilinear grids
+   * with SetPeriodic(0, true) whose axis 0 goes round in 360 and whose axis 1 stays within -90 to 90.
+   */
+  vtkSetClampMacro(Coordinates, int, AUTOMATIC, LONGITUDE_LATITUDE);
+  vtkGetMacro(Coordinates, int);
+  void SetCoordinatesToAutomatic() { this->SetCoordinates(AUTOMATIC); }
+  void SetCoordinatesToCartesian() { this->SetCoordinates(CARTESIAN); }
+  void SetCoordinatesToLongitudeLatitude() { this->SetCoordinates(LONGITUDE_LATITUDE); }
+  ///@}
+
+  ///@{
+  /**
+   * The point arrays that are smoothed. By default the one of SetInputArrayToProcess, which by default is the active scalars. Names that are added
+   * here take its place; AllFloatArrays (off by default) takes all point arrays of float and double.
+   */
+  void AddArrayName(const std::string& name);
+  void ClearArrayNames();
+  int GetNumberOfArrayNames() { return static_cast<int>(this->ArrayNames.size()); }
+  std::string GetArrayName(int i);
+  vtkSetMacro(AllFloatArrays, bool);
+  vtkGetMacro(AllFloatArrays, bool);
+  vtkBooleanMacro(AllFloatArrays, bool);
+  ///@}
+
+#ifndef __VTK_WRAP__
+  nephoscope::SmoothingSettings GetSettings() const;
+#endif
+
+protected:
+  vtkStructuredSmoothing();
+  ~vtkStructuredSmoothing() override = default;
+
+  int FillInputPortInformation(int port, vtkInformation* info) override;
+  int RequestInformation(vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs) override;
+  int RequestUpdateExtent(vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs) override;
+  int RequestData(vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs) override;
+
+private:
+  vtkStructuredSmoothing(const vtkStructuredSmoothing&) = delete;
+  void operator=(const vtkStructuredSmoothing&) = delete;
+
+  bool FindArrays(vtkDataSet* input, vtkInformationVector** inputs, std::vector<int>& arrays);
+  bool SmoothArrays(
+    vtkDataSet* input, const nephoscope::SmoothingPlan& plan, const std::vector<int>& arrays, vtkDataSet* output);
+  void AddMasses(const nephoscope::SmoothingPlan& plan, vtkDataSet* output);
+
+  int NumberOfIterations = 1;
+  bool Periodic[3] = { false, false, false };
+  bool FindSeam = true;
+  bool Conservative = false;
+  std::string MassArrayName;
+  bool GenerateMassArray = false;
+  bool Isotropic = false;
+  int Coordinates = AUTOMATIC;
+  std::vector<std::string> ArrayNames;
+  bool AllFloatArrays = false;
+};
+
+#endif
