@@ -53,8 +53,16 @@ inline std::vector<double> AxisWidths(const std::vector<double>& x, double closi
   return widths;
 }
 
-// Differences of sin(latitude) between the edges of rows (degrees in). Edges are halfway; the outer ones as far beyond the end, but
-// not beyond a pole: so a row at the pole has the cap around it, and rows half a step from the pole reach it.
+// The outer edge of the last row of latitudes, whose inner edge is halfway to the next: the pole, if it is no farther than three
+// quarters of a step (a row at the pole, or half a step from it, or about that, as on Gaussian grids); else half a step beyond.
+inline double OuterEdge(double row, double inner)
+{
+  const double halfStep = row - inner;
+  const double pole = std::copysign(90.0, halfStep);
+  return std::abs(pole - row) <= 1.5 * std::abs(halfStep) ? pole : row + halfStep;
+}
+
+// Differences of sin(latitude) between the edges of rows (degrees in), which are halfway between them.
 inline std::vector<double> LatitudeWidths(const std::vector<double>& latitude)
 {
   constexpr double radians = 0.017453292519943295769;
@@ -68,8 +76,8 @@ inline std::vector<double> LatitudeWidths(const std::vector<double>& latitude)
   {
     edges[j] = 0.5 * (latitude[j - 1] + latitude[j]);
   }
-  edges[0] = 2.0 * latitude[0] - edges[1];
-  edges[n] = 2.0 * latitude[n - 1] - edges[n - 1];
+  edges[0] = OuterEdge(latitude[0], edges[1]);
+  edges[n] = OuterEdge(latitude[n - 1], edges[n - 1]);
   std::vector<double> widths(n);
   for (std::size_t j = 0; j < n; ++j)
   {

@@ -85,8 +85,12 @@ FieldGradient::Slope FieldGradient::SlopeAlong(int axis, const GridIndex& at) co
   if (second.IsThere && second.At != at)
   {
     const double share = -first.Distance / (first.Distance + second.Distance);
-    slope.Rise = (1.0 - share) * slope.Rise + share * sign * second.Rise / second.Distance;
-    slope.Tangent = Blend(slope.Tangent, Scaled(second.Away, sign / second.Distance), share);
+    const double rise = (1.0 - share) * slope.Rise + share * sign * second.Rise / second.Distance;
+    if (rise * slope.Rise >= 0.0) // a parabola that turns between the points is not to be trusted at its end
+    {
+      slope.Rise = rise;
+      slope.Tangent = Blend(slope.Tangent, Scaled(second.Away, sign / second.Distance), share);
+    }
   }
   return slope;
 }
@@ -163,14 +167,32 @@ Point3 FieldGradient::SteepestStep(const GridIndex& at) const
   return Scaled(best.Away, best.Rise > 0.0 ? -1.0 : 1.0);
 }
 
+// A field that rises and falls again within three points has a gradient at a grid point that says nothing of the edge beside it. Where
+// the two disagree in sign, the slope of the edge, which the surface crosses, is the truth.
+Point3 FieldGradient::TurnedToEdge(const Point3& gradient, const GridIndex& a, const GridIndex& b) const
+{
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const Neighbor end = a[axis] != b[axis] ? this->Look(axis, a, +1) : Neighbor();
+    if (end.IsThere)
+    {
+      const Point3 along = Scaled(end.Away, 1.0 / end.Distance);
+      const double slope = end.Rise / end.Distance;
+      const double found = Dot(gradient, along);
+      return found * slope > 0.0 ? gradient : Sum(gradient, Scaled(along, slope - found));
+    }
+  }
+  return gradient;
+}
+
 Point3 FieldGradient::Outward(const GridIndex& a, const GridIndex& b, double share) const
 {
-  const Point3 gradient = a == b ? this->At(a) : Blend(this->At(a), this->At(b), share);
+  const Point3 gradient = a == b ? this->At(a) : this->TurnedToEdge(Blend(this->At(a), this->At(b), share), a, b);
   Point3 outward = Scaled(gradient, -1.0);
   double length = Length(outward);
   if (!(length > 0.0) || !std::isfinite(length))
   {
-    outward = Sum(this->SteepestStep(a), this->SteepestStep(b));
+    outward = this->SteepestStep(a);
     length = Length(outward);
   }
   return length > 0.0 ? Scaled(outward, 1.0 / length) : Point3{ { 0.0, 0.0, 1.0 } };

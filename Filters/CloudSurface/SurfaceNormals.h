@@ -27,8 +27,8 @@ public:
   // least squares through the next row.
   Point3 At(const GridIndex& at) const;
 
-  // Unit vector against the gradient, out of what is above the value, at the point `share` of the way from a to b. Where the gradient
-  // vanishes, the direction of the steepest step down to a neighbour.
+  // Unit vector against the gradient, out of what is above the value, at the point `share` of the way from a to b, the next point along
+  // one axis or the same. Never against the slope from a to b. Where the gradient vanishes at a, the direction of the steepest step down.
   Point3 Outward(const GridIndex& a, const GridIndex& b, double share) const;
 
 private:
@@ -50,6 +50,7 @@ private:
   Neighbor Look(int axis, const GridIndex& from, int step) const;
   Slope SlopeAlong(int axis, const GridIndex& at) const;
   Point3 AtPole(const GridIndex& at, const PoleRow& pole) const;
+  Point3 TurnedToEdge(const Point3& gradient, const GridIndex& a, const GridIndex& b) const;
   Point3 SteepestStep(const GridIndex& at) const;
 
   const SmoothingPlan& Plan;
