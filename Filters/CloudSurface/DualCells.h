@@ -53,13 +53,13 @@ inline std::vector<double> AxisWidths(const std::vector<double>& x, double closi
   return widths;
 }
 
-// The outer edge of the last row of latitudes, whose inner edge is halfway to the next: the pole, if it is no farther than three
-// quarters of a step (a row at the pole, or half a step from it, or about that, as on Gaussian grids); else half a step beyond.
+// The outer edge of the last row of latitudes, whose inner edge is halfway to the next: the pole, if it is no farther than 0.8
+// of a step (a row at the pole, half a step from it, or 0.77 of one as on Gaussian grids); else half a step beyond.
 inline double OuterEdge(double row, double inner)
 {
   const double halfStep = row - inner;
   const double pole = std::copysign(90.0, halfStep);
-  return std::abs(pole - row) <= 1.5 * std::abs(halfStep) ? pole : row + halfStep;
+  return std::abs(pole - row) <= 1.6 * std::abs(halfStep) ? pole : row + halfStep;
 }
 
 // Differences of sin(latitude) between the edges of rows (degrees in), which are halfway between them.

@@ -34,7 +34,7 @@ struct IndexSpaceSurface
   std::vector<Carried> Arrays;
 };
 
-// `field`: one number for each point, without gaps where cells are to be contoured. `skip`: index of the point array that the field
+// `field`: one number for each point; where it is not a number, points on edges to it have no place either. `skip`: index of the point array that the field
 // takes the place of. `cells`: first and last cell (not point) along each axis, from 0; a ring that closes in space has one more than
 // the stored points tell.
 IndexSpaceSurface ContourInIndexSpace(vtkDataSet* grid, const SmoothingPlan& plan, const std::vector<double>& field,

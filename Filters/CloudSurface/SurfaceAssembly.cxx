@@ -102,7 +102,7 @@ void SurfaceAssembly::FindJoinedPoints()
         at[pole.Along] = 0.0;
       }
     }
-    if (this->Join && kind != 0)
+    if (this->Join && kind != 0 && std::isfinite(at[0] + at[1] + at[2]))
     {
       const PlaceKey key(kind & 8 ? 8 : kind, at[0], at[1], at[2]);
       const auto place = places.emplace(key, p).first;
@@ -143,6 +143,10 @@ bool SurfaceAssembly::IsVisible(const vtkIdType* triangle) const
     {
       double at[3];
       this->Contour.Surface->GetPoint(triangle[corner], at);
+      if (!std::isfinite(at[axis]))
+      {
+        return false; // on an edge to a point without a value
+      }
       least = corner == 0 ? at[axis] : std::min(least, at[axis]);
       most = corner == 0 ? at[axis] : std::max(most, at[axis]);
     }

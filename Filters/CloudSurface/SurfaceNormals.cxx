@@ -168,7 +168,8 @@ Point3 FieldGradient::SteepestStep(const GridIndex& at) const
 }
 
 // A field that rises and falls again within three points has a gradient at a grid point that says nothing of the edge beside it. Where
-// the two disagree in sign, the slope of the edge, which the surface crosses, is the truth.
+// the two disagree in sign, and by much, the slope of the edge, which the surface crosses, is the truth. (By little they also disagree
+// where a smooth surface touches the edge; there the gradient is the better one.)
 Point3 FieldGradient::TurnedToEdge(const Point3& gradient, const GridIndex& a, const GridIndex& b) const
 {
   for (int axis = 0; axis < 3; ++axis)
@@ -179,7 +180,8 @@ Point3 FieldGradient::TurnedToEdge(const Point3& gradient, const GridIndex& a, c
       const Point3 along = Scaled(end.Away, 1.0 / end.Distance);
       const double slope = end.Rise / end.Distance;
       const double found = Dot(gradient, along);
-      return found * slope > 0.0 ? gradient : Sum(gradient, Scaled(along, slope - found));
+      const bool opposed = found * slope <= 0.0 && std::abs(slope - found) > 0.5 * Length(gradient);
+      return opposed ? Sum(gradient, Scaled(along, slope - found)) : gradient;
     }
   }
   return gradient;

@@ -28,7 +28,7 @@ public:
   Point3 At(const GridIndex& at) const;
 
   // Unit vector against the gradient, out of what is above the value, at the point `share` of the way from a to b, the next point along
-  // one axis or the same. Never against the slope from a to b. Where the gradient vanishes at a, the direction of the steepest step down.
+  // one axis or the same. Not against the slope from a to b where the field is rough. Where the gradient vanishes at a, the direction of the steepest step down.
   Point3 Outward(const GridIndex& a, const GridIndex& b, double share) const;
 
 private:

@@ -13,6 +13,7 @@
 #include "vtkPolyData.h"
 
 #include <algorithm>
+#include <limits>
 #include <numeric>
 
 using SDDP = vtkStreamingDemandDrivenPipeline;
@@ -48,6 +49,10 @@ bool CellsOfPiece(const nephoscope::SmoothingPlan& plan, vtkInformation* outInfo
   {
     cells[2 * axis] = extent[2 * axis];
     cells[2 * axis + 1] = extent[2 * axis + 1] - 1;
+    if (cells[2 * axis] > cells[2 * axis + 1])
+    {
+      return false;
+    }
   }
   return true;
 }
@@ -150,11 +155,9 @@ bool vtkCloudSurface::BuildSurface(vtkDataSet* input, const nephoscope::Smoothin
   vtkIdType gaps = 0;
   for (std::size_t id = 0; id < field.size(); ++id)
   {
-    if (nephoscope::IsMissingValue(field[id]))
-    {
-      gaps += plan.IsHidden(static_cast<vtkIdType>(id)) ? 0 : 1;
-      field[id] = 0.0; // no surface is made of it
-    }
+    gaps += missing[id] && !plan.IsHidden(static_cast<vtkIdType>(id)) ? 1 : 0;
+    // Whatever is contoured there has no place, and is known by that.
+    field[id] = missing[id] ? std::numeric_limits<double>::quiet_NaN() : field[id];
   }
   if (gaps > 0)
   {
@@ -163,7 +166,7 @@ bool vtkCloudSurface::BuildSurface(vtkDataSet* input, const nephoscope::Smoothin
   const auto contour = nephoscope::ContourInIndexSpace(
     input, plan, field, cells, values, nephoscope::IndexOfPointArray(input, scalars));
   this->UpdateProgress(0.7);
-  if (this->CheckAbort())
+  if (contour.Surface->GetNumberOfPoints() == 0 || this->CheckAbort())
   {
     return false;
   }

@@ -88,8 +88,8 @@ public:
   /**
    * On: neighbours exchange in proportion to the smaller of their masses, so that the sum of mass times field stays. Off (default): all
    * masses are equal. The mass of a point is the volume of the grid that is nearest to it in the indices: half of each step on either side.
-   * On longitudes and latitudes it is the difference of longitude, times that of sin(latitude) (up to a pole where a row is half a step
-   * from it), times that of the level: with levels in pressure that is in proportion to the mass of air.
+   * On longitudes and latitudes it is the difference of longitude, times that of sin(latitude) (up to the pole where it is within 0.8 of a
+   * step), times that of the level: with levels in pressure that is in proportion to the mass of air.
    */
   vtkSetMacro(Conservative, bool);
   vtkGetMacro(Conservative, bool);
