@@ -95,6 +95,12 @@ public:
    */
   void SetPeriodic(int axis, bool periodic) { this->Smoothing->SetPeriodic(axis, periodic); }
   bool GetPeriodic(int axis) { return this->Smoothing->GetPeriodic(axis); }
+  void SetPeriodicI(bool periodic) { this->Smoothing->SetPeriodic(0, periodic); }
+  void SetPeriodicJ(bool periodic) { this->Smoothing->SetPeriodic(1, periodic); }
+  void SetPeriodicK(bool periodic) { this->Smoothing->SetPeriodic(2, periodic); }
+  bool GetPeriodicI() { return this->Smoothing->GetPeriodic(0); }
+  bool GetPeriodicJ() { return this->Smoothing->GetPeriodic(1); }
+  bool GetPeriodicK() { return this->Smoothing->GetPeriodic(2); }
   void SetFindSeam(bool find) { this->Smoothing->SetFindSeam(find); }
   bool GetFindSeam() { return this->Smoothing->GetFindSeam(); }
   void SetConservative(bool conservative) { this->Smoothing->SetConservative(conservative); }
@@ -105,6 +111,9 @@ public:
   bool GetIsotropic() { return this->Smoothing->GetIsotropic(); }
   void SetCoordinates(int coordinates) { this->Smoothing->SetCoordinates(coordinates); }
   int GetCoordinates() { return this->Smoothing->GetCoordinates(); }
+  void SetCoordinatesToAutomatic() { this->SetCoordinates(vtkStructuredSmoothing::AUTOMATIC); }
+  void SetCoordinatesToCartesian() { this->SetCoordinates(vtkStructuredSmoothing::CARTESIAN); }
+  void SetCoordinatesToLongitudeLatitude() { this->SetCoordinates(vtkStructuredSmoothing::LONGITUDE_LATITUDE); }
   ///@}
 
   ///@{

@@ -67,12 +67,18 @@ public:
 
   ///@{
   /**
-   * Whether the grid closes along an axis (0, 1, 2): the neighbour of the last point is the first. Off by default. Where the last point is
+   * Whether the grid closes along an axis (0, 1, 2, also called I, J, K): the neighbour of the last point is the first. Off by default. Where the last point is
    * the first one again (all point arrays repeat), that is seen. Not needed for a seam that the filter finds by itself (FindSeam), nor for
    * longitudes if Coordinates says so.
    */
   void SetPeriodic(int axis, bool periodic);
   bool GetPeriodic(int axis);
+  void SetPeriodicI(bool periodic) { this->SetPeriodic(0, periodic); }
+  void SetPeriodicJ(bool periodic) { this->SetPeriodic(1, periodic); }
+  void SetPeriodicK(bool periodic) { this->SetPeriodic(2, periodic); }
+  bool GetPeriodicI() { return this->Periodic[0]; }
+  bool GetPeriodicJ() { return this->Periodic[1]; }
+  bool GetPeriodicK() { return this->Periodic[2]; }
   ///@}
 
   ///@{

@@ -15,6 +15,7 @@ from ._modules import VERSION as __version__
 
 if _TYPE_CHECKING:
     from .cells import add_cells
+    from .clouds import cloud_surface, smooth
     from .globe import globe_surface, to_globe
     from .reader import read_cf
     from .splitting import split_cells
@@ -26,6 +27,8 @@ PYVISTA_FUNCTIONS = {
     "globe_surface": "globe",
     "add_cells": "cells",
     "split_cells": "splitting",
+    "smooth": "clouds",
+    "cloud_surface": "clouds",
 }
 
 

@@ -6,6 +6,7 @@ from typing import Any, Callable
 
 import pyvista
 
+from .clouds import cloud_surface, smooth
 from .globe import to_globe
 from .splitting import split_cells
 
@@ -34,6 +35,8 @@ class NephoscopeAccessor:
 
     globe = _method(to_globe)
     split_cells = _method(split_cells)
+    smooth = _method(smooth)
+    cloud_surface = _method(cloud_surface)
 
 
 # Before 0.48 PyVista has no accessors; the functions of the package work without them.

@@ -1,0 +1,191 @@
+# SPDX-FileCopyrightText: The Nephoscope authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Smoothed fields on structured grids (`vtkStructuredSmoothing`) and the surfaces of clouds (`vtkCloudSurface`)."""
+from __future__ import annotations
+
+from typing import Any, Literal, Sequence
+
+import pyvista
+from pyvista.core.errors import MissingDataError
+from vtkmodules.vtkCommonDataModel import vtkDataObject, vtkImageData, vtkRectilinearGrid, vtkStructuredGrid
+
+from . import vtkCloudSurface, vtkStructuredSmoothing
+from ._checks import arrays_of, choose
+from ._pipeline import vtk_messages
+from .splitting import _point_array, _values
+
+AXES = {"i": 0, "j": 1, "k": 2}
+
+
+def smooth(mesh: pyvista.DataSet, iterations: int = 1, scalars: str | Sequence[str] | None = None, *, all_arrays: bool = False,
+           periodic: str | Sequence[bool] = "", conservative: bool = False, masses: str | None = None, isotropic: bool = False,
+           coordinates: Literal["automatic", "cartesian", "lonlat"] = "automatic", find_seam: bool = True,
+           mass_array: bool = False) -> pyvista.DataSet:
+    """Smooth point arrays of a structured grid with a 3 x 3 x 3 filter, across seams and poles.
+
+    Also the accessor method ``mesh.nephoscope.smooth(...)``. Hidden points, values that are not finite and fill values (1e30 or more)
+    keep their values and take no part.
+
+    Parameters
+    ----------
+    mesh : pyvista.ImageData, pyvista.RectilinearGrid or pyvista.StructuredGrid
+        The grid; it is not changed.
+    iterations : int, default: 1
+        How often the filter is applied, >= 0.
+    scalars : str or sequence of str, optional
+        Point arrays to smooth. Default: the active scalars.
+    all_arrays : bool, default: False
+        Smooth all point arrays of float and double; `scalars` does not count then.
+    periodic : str or sequence of 3 bool, default: ""
+        Axes along which the grid closes: ``"i"`` for longitudes, ``"ij"``, ... The seam of a globe is found without it.
+    conservative : bool, default: False
+        Keep the sum of mass times field, to rounding.
+    masses : str, optional
+        Point array of masses. Default: volumes; longitude, sin(latitude) and level steps on longitudes and latitudes.
+    isotropic : bool, default: False
+        Smooth rows near a pole more often, so that the reach in metres is the same in both directions.
+    coordinates : {"automatic", "cartesian", "lonlat"}, default: "automatic"
+        What x and y of `mesh` are: lengths, or longitude and latitude in degrees. Automatic: lengths, but degrees for images and
+        rectilinear grids with ``periodic="i"`` that go round in 360.
+    find_seam : bool, default: True
+        Take the last points of a structured grid that lie in the place of the first ones as one with them.
+    mass_array : bool, default: False
+        Add the masses as the point array ``Mass``.
+
+    Returns
+    -------
+    pyvista.DataSet
+        The same grid with smoothed arrays; float and double keep their type, whole numbers become double.
+
+    Raises
+    ------
+    TypeError
+        If `mesh` is not a structured dataset.
+    pyvista.core.errors.MissingDataError
+        (a ValueError) If there is no such point array; the message lists those that are there.
+    ValueError
+        If a number or a choice is out of range.
+    RuntimeError
+        If the filter cannot use the grid, with its message.
+
+    Warns
+    -----
+    RuntimeWarning
+        What the filter warns of: values that are missing, points without mass.
+    """
+    smoothing = vtkStructuredSmoothing()
+    smoothing.SetInputData(_structured(mesh))
+    smoothing.SetNumberOfIterations(_count(iterations, "iterations"))
+    smoothing.SetAllFloatArrays(all_arrays)
+    if not all_arrays:
+        names = [scalars] if scalars is None or isinstance(scalars, str) else list(scalars)
+        for name in names:
+            smoothing.AddArrayName(_point_array(mesh, name))
+    smoothing.SetGenerateMassArray(mass_array)
+    _set_up(smoothing, mesh, periodic, conservative, masses, isotropic, coordinates, find_seam)
+    with vtk_messages(smoothing):
+        smoothing.Update()
+    return pyvista.wrap(smoothing.GetOutput())
+
+
+def cloud_surface(mesh: pyvista.DataSet, isosurfaces: int | float | Sequence[float] = 0.15, scalars: str | None = None, *,
+                  smoothing: int = 1, rng: Sequence[float] | None = None, normals: bool = True, join_seams: bool = True,
+                  periodic: str | Sequence[bool] = "", conservative: bool = False, masses: str | None = None,
+                  isotropic: bool = False, coordinates: Literal["automatic", "cartesian", "lonlat"] = "automatic",
+                  find_seam: bool = True) -> pyvista.PolyData:
+    """Contour a smoothed point array of a structured grid; closed across seam and poles, with every point array.
+
+    Also the accessor method ``mesh.nephoscope.cloud_surface(...)``. Nothing is contoured in hidden cells.
+
+    Parameters
+    ----------
+    mesh : pyvista.ImageData, pyvista.RectilinearGrid or pyvista.StructuredGrid
+        The grid; it is not changed.
+    isosurfaces : int, float or sequence of float, default: 0.15
+        The values, in any order; or, if a whole number, how many values, at equal steps from the first to the last of `rng`. As in
+        `pyvista.DataSetFilters.contour`.
+    scalars : str, optional
+        Point array of one number each that is smoothed and contoured. Default: the active scalars.
+    smoothing : int, default: 1
+        How often the 3 x 3 x 3 filter is applied first, >= 0.
+    rng : sequence of 2 float, optional
+        Range of the values if `isosurfaces` is a number of them. Default: the range of the finite scalars.
+    normals : bool, default: True
+        Add ``Normals``, from the gradient of the smoothed field, out of where it is higher.
+    join_seams : bool, default: True
+        Points at a seam or a pole that share a place become one.
+    periodic, conservative, masses, isotropic, coordinates, find_seam
+        As in `smooth`. A structured grid that is periodic and whose last points are next to the first ones is closed there.
+
+    Returns
+    -------
+    pyvista.PolyData
+        Triangles. Point arrays: all of `mesh`, interpolated linearly (`scalars` is the value), and ``Normals``. Cell array:
+        ``ContourIndex``, the index of the value.
+
+    Raises
+    ------
+    TypeError
+        If `mesh` is not a structured dataset.
+    pyvista.core.errors.MissingDataError
+        (a ValueError) If there is no such point array; the message lists those that are there.
+    ValueError
+        If a number or a choice is out of range.
+    RuntimeError
+        If the filter cannot use the grid, with its message.
+
+    Warns
+    -----
+    RuntimeWarning
+        What the filter warns of: values that are missing.
+    """
+    surface = vtkCloudSurface()
+    surface.SetInputData(_structured(mesh))
+    name = _point_array(mesh, scalars)
+    surface.SetInputArrayToProcess(0, 0, 0, vtkDataObject.FIELD_ASSOCIATION_POINTS, name)
+    values = _values(mesh.point_data[name], isosurfaces, rng)
+    surface.SetNumberOfContours(len(values))
+    for i, value in enumerate(values):
+        surface.SetValue(i, value)
+    surface.SetNumberOfSmoothingIterations(_count(smoothing, "smoothing"))
+    surface.SetComputeNormals(normals)
+    surface.SetJoinSeams(join_seams)
+    _set_up(surface, mesh, periodic, conservative, masses, isotropic, coordinates, find_seam)
+    with vtk_messages(surface):
+        surface.Update()
+    return pyvista.wrap(surface.GetOutput())
+
+
+def _structured(mesh: Any) -> pyvista.DataSet:
+    if not isinstance(mesh, (vtkImageData, vtkRectilinearGrid, vtkStructuredGrid)):
+        raise TypeError(f"mesh is a {type(mesh).__name__}; it must be an ImageData, a RectilinearGrid or a StructuredGrid.")
+    return mesh
+
+
+def _count(value: int, argument: str) -> int:
+    if isinstance(value, bool) or int(value) != value or value < 0:
+        raise ValueError(f"{argument} is {value!r}; it must be a whole number of at least 0.")
+    return int(value)
+
+
+def _set_up(algorithm: vtkStructuredSmoothing | vtkCloudSurface, mesh: pyvista.DataSet, periodic: str | Sequence[bool],
+            conservative: bool, masses: str | None, isotropic: bool, coordinates: str, find_seam: bool) -> None:
+    """The settings that both filters have."""
+    if isinstance(periodic, str):
+        unknown = set(periodic) - set(AXES)
+        if unknown:
+            raise ValueError(f"periodic is {periodic!r}; it must name axes by the letters 'i', 'j' and 'k'.")
+        periodic = [letter in periodic for letter in AXES]
+    if len(periodic) != 3:
+        raise ValueError(f"periodic is {periodic!r}; it must have three values, or be letters of 'ijk'.")
+    for axis, closes in enumerate(periodic):
+        algorithm.SetPeriodic(axis, bool(closes))
+    algorithm.SetConservative(conservative)
+    if masses is not None:
+        if masses not in mesh.point_data:
+            raise MissingDataError(f"masses: no point array {masses!r}. {arrays_of(mesh)}")
+        algorithm.SetMassArrayName(masses)
+    algorithm.SetIsotropic(isotropic)
+    algorithm.SetFindSeam(find_seam)
+    choose({"automatic": algorithm.SetCoordinatesToAutomatic, "cartesian": algorithm.SetCoordinatesToCartesian,
+            "lonlat": algorithm.SetCoordinatesToLongitudeLatitude}, coordinates, "coordinates")
