@@ -48,6 +48,8 @@ SurfaceAssembly::SurfaceAssembly(vtkDataSet* grid, const SmoothingPlan& plan, co
   , Plan(plan)
   , Contour(contour)
   , Missing(missing)
+  , AnyHidden(grid->GetCellData()->HasArray(vtkDataSetAttributes::GhostArrayName()) ||
+      std::find(missing.begin(), missing.end(), 1) != missing.end())
 {
 }
 
@@ -133,23 +135,25 @@ void SurfaceAssembly::KeepTriangles()
 // The cell that a triangle was made in, by the indices of its points. Where it lies in a face of two cells, one that is seen is enough.
 bool SurfaceAssembly::IsVisible(const vtkIdType* triangle) const
 {
+  if (!this->AnyHidden)
+  {
+    return true;
+  }
+  double corners[3][3];
+  for (int corner = 0; corner < 3; ++corner)
+  {
+    this->Contour.Surface->GetPoint(triangle[corner], corners[corner]);
+    if (!std::isfinite(corners[corner][0] + corners[corner][1] + corners[corner][2]))
+    {
+      return false; // on an edge to a point without a value
+    }
+  }
   GridIndex low;
   GridIndex high;
   for (int axis = 0; axis < 3; ++axis)
   {
-    double least = 0.0;
-    double most = 0.0;
-    for (int corner = 0; corner < 3; ++corner)
-    {
-      double at[3];
-      this->Contour.Surface->GetPoint(triangle[corner], at);
-      if (!std::isfinite(at[axis]))
-      {
-        return false; // on an edge to a point without a value
-      }
-      least = corner == 0 ? at[axis] : std::min(least, at[axis]);
-      most = corner == 0 ? at[axis] : std::max(most, at[axis]);
-    }
+    const double least = std::min({ corners[0][axis], corners[1][axis], corners[2][axis] });
+    const double most = std::max({ corners[0][axis], corners[1][axis], corners[2][axis] });
     const int last = CellsAlong(this->Plan, axis) - 1;
     const bool onFace = least == most && least == std::floor(least);
     high[axis] = std::min(last, static_cast<int>(std::floor(least)));

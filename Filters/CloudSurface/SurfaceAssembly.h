@@ -46,6 +46,7 @@ private:
   const SmoothingPlan& Plan;
   const IndexSpaceSurface& Contour;
   const std::vector<unsigned char>& Missing;
+  const bool AnyHidden; // a point or perhaps a cell
   bool Join = true;
   std::vector<vtkIdType> Representative; // of each contoured point, the one in its place; empty: itself
   std::vector<vtkIdType> Triangles;      // three contoured points each, then, after NumberPoints, three of the output

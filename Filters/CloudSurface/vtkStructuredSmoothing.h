@@ -125,8 +125,8 @@ public:
   /**
    * On: rows along axis 0 whose steps are shorter than those to the next rows, as near a pole, are smoothed along axis 0 more often, so that the
    * reach in metres is the same in both directions: (step across / step along)^2 passes; where that is less than 1, one weaker pass. Off (default):
-   * the filter works on indices, and its reach along a row shrinks towards the poles. The cost is about 20 times that of a pass on a 2.5 degree
-   * grid.
+   * the filter works on indices, and its reach along a row shrinks towards the poles. On a 2.5 degree
+   * grid an iteration costs about eight times as much.
    */
   vtkSetMacro(Isotropic, bool);
   vtkGetMacro(Isotropic, bool);
