@@ -172,8 +172,11 @@ bool vtkFlowVolume::MakePolygon(const nephoscope::FlowField& field,
     vtkErrorMacro("Normal is (0, 0, 0): give the polygon a direction, or switch NormalToFlow on.");
     return false;
   }
-  const double edge =
-    this->PolygonEdgeLength > 0.0 ? this->PolygonEdgeLength : 0.5 * regular.Radius;
+  double edge = this->PolygonEdgeLength > 0.0 ? this->PolygonEdgeLength : 0.5 * regular.Radius;
+  if (this->HasTimeSteps() && this->MaximumEdgeLength > 0.0)
+  {
+    edge = std::min(edge, this->MaximumEdgeLength);
+  }
   polygon = nephoscope::TriangulateRegularPolygon(regular, edge);
   return true;
 }

@@ -192,7 +192,7 @@ public:
    * start time. Ignored, with a warning, where the input has fewer than two time steps.
    *
    * Every TimeStep seconds a layer is released, and all layers move with the flow. Edges of tetrahedra that become longer than
-   * MaximumEdgeLength are halved, with all tetrahedra there; MinimumEdgeLength and MaximumTurnAngle are not used. A tetrahedron with
+   * MaximumEdgeLength (and than those of the triangles of the polygon) are halved, with all tetrahedra there; MinimumEdgeLength and MaximumTurnAngle are not used. A tetrahedron with
    * a corner that leaves the data ends. Its mass stays a tetrahedron's: Density is mass over volume.
    */
   vtkSetMacro(Unsteady, bool);
@@ -282,6 +282,7 @@ private:
   double StartSeconds() const;
   double RequestedSeconds() const;
   void PlanReading(vtkInformation* output);
+  void MakeRoom();
   void MakeUnsteadyVolume(vtkInformation* request, vtkDataObject* input, vtkPolyData* given,
     vtkInformation* outputInformation);
   bool ReadTimeStep(vtkDataObject* input);

@@ -61,12 +61,12 @@ vtkTypeBool vtkFlowVolume::ProcessRequest(
   if (request->Has(SDDP::REQUEST_UPDATE_TIME()) && this->State->AwaitsData)
   {
     this->State->AwaitsData = false;
+    this->State->Streak = {};
     if (this->State->Continuing)
     {
       vtkErrorMacro("The input has not delivered the time step at "
         << this->State->Times[static_cast<std::size_t>(this->State->Next)]
         << ", so there is no volume at later times.");
-      this->State->Streak = {};
       this->State->Continuing = false;
       StopExecuting::Of(this->GetExecutive());
     }
@@ -181,9 +181,8 @@ void vtkFlowVolume::PlanReading(vtkInformation* output)
   auto* pipeline = vtkDemandDrivenPipeline::SafeDownCast(this->GetExecutive());
   const vtkMTimeType newest = pipeline ? pipeline->GetPipelineMTime() : this->GetMTime();
   const double seconds = this->RequestedSeconds();
-  const bool isPast = streak.Volume ? streak.Volume->IsAfter(seconds)
-                                    : streak.LastRead > 0 && seconds < this->StartSeconds();
-  if (streak.LastRead < 0 || streak.MTime != newest || isPast)
+  const bool isPast = streak.Volume && streak.Volume->IsAfter(seconds);
+  if (!streak.Second || streak.MTime != newest || isPast)
   {
     streak = {};
     streak.MTime = newest;
@@ -192,9 +191,23 @@ void vtkFlowVolume::PlanReading(vtkInformation* output)
   }
   else
   {
-    const bool isRead = state.Requested <= times[static_cast<std::size_t>(streak.LastRead)];
+    const double read = times[static_cast<std::size_t>(streak.LastRead)];
+    const bool isBehind = streak.Volume && !streak.Volume->IsAt(this->Seconds(read));
+    const bool isRead = state.Requested <= read || isBehind; // the steps in memory are still needed
     const int last = static_cast<int>(times.size()) - 1;
     state.Next = std::min(last, streak.LastRead + (isRead ? 0 : 1));
+  }
+  this->MakeRoom();
+}
+
+// The last step read becomes the first of two, and what was first is freed before the input makes the next.
+void vtkFlowVolume::MakeRoom()
+{
+  auto& streak = this->State->Streak;
+  if (streak.LastRead != this->State->Next)
+  {
+    streak.First = std::move(streak.Second);
+    streak.Second = nullptr;
   }
 }
 
@@ -219,6 +232,7 @@ void vtkFlowVolume::MakeUnsteadyVolume(vtkInformation* request, vtkDataObject* i
   {
     state.Next = streak.LastRead + 1;
     state.Continuing = true;
+    this->MakeRoom();
     request->Set(SDDP::CONTINUE_EXECUTING(), 1);
     return;
   }
@@ -244,7 +258,6 @@ bool vtkFlowVolume::ReadTimeStep(vtkDataObject* input)
   {
     return true;
   }
-  streak.First = std::move(streak.Second); // what was first is freed before there is a third
   streak.Second = this->MakeField(input);
   streak.LastRead = this->State->Next;
   if (streak.Volume)
@@ -283,8 +296,9 @@ bool vtkFlowVolume::BeginStreak(vtkPolyData* given)
     : followed > 0.0                       ? followed / 64.0
                                            : 1.0;
   settings.Duration = this->Duration;
+  // Edges of the polygon are not divided, so tetrahedra beside them cannot get shorter edges.
   settings.MaximumEdgeLength = this->MaximumEdgeLength > 0.0
-    ? this->MaximumEdgeLength
+    ? std::max(this->MaximumEdgeLength, flow.LongestEdge)
     : 3.0 * std::max(flow.LongestEdge, flow.MeanSpeed * settings.TimeStep);
   settings.Adaptive = this->Integrator == RUNGE_KUTTA_45;
   settings.Tolerance = this->Tolerance * flow.LongestEdge;

@@ -25,7 +25,7 @@ class TimeSeries(VTKPythonAlgorithmBase):
         information = outputs.GetInformationObject(0)
         information.Set(SDDP.WHOLE_EXTENT(), 0, int(self.dimensions[0]) - 1, 0, int(self.dimensions[1]) - 1, 0, int(self.dimensions[2]) - 1)
         if self.times is not None:
-            information.Set(SDDP.TIME_STEPS(), self.times, len(self.times))
+            information.Set(SDDP.TIME_STEPS(), self.times or [0.0], len(self.times))
             if len(self.times):
                 information.Set(SDDP.TIME_RANGE(), [self.times[0], self.times[-1]], 2)
         return 1

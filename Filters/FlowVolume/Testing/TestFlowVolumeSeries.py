@@ -1,0 +1,234 @@
+# SPDX-FileCopyrightText: The Nephoscope authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""How a time series is followed: every step read once, two in memory, the same smoke by every way to a time; bad series."""
+import os
+import subprocess
+import sys
+import unittest
+
+import numpy as np
+from nephoscope_testing.flow import flow_volume, update
+from nephoscope_testing.time_series import TimeSeries
+from vtkmodules.vtkCommonCore import vtkWeakReference
+from vtkmodules.vtkCommonDataModel import vtkImageData
+from vtkmodules.vtkCommonExecutionModel import vtkStreamingDemandDrivenPipeline as SDDP
+
+TIMES = np.round(np.linspace(0, 1, 11), 12)
+SETTINGS = dict(Unsteady=True, NormalToFlow=False, Radius=0.1, NumberOfSides=6, TimeStep=0.04, MaximumEdgeLength=0.12)
+
+
+def wind(points, time):
+    x, y, z = points.T
+    return np.column_stack([0.3 * x + (1 - time) * z, 0.3 * y + 0.2 * np.sin(4 * time), 1 + 0.4 * time * z])
+
+
+def temperature(points, time):
+    return np.sin(3 * points[:, 0]) + time
+
+
+def series(times=TIMES, velocity=wind, **options):
+    return TimeSeries(times, velocity, arrays={"temperature": temperature}, **options)
+
+
+def digest(time, **settings):
+    return update(flow_volume(series(), **SETTINGS, **settings), time)[0].digest()
+
+
+class Animation(unittest.TestCase):
+    def test_forward_reads_each_step_once_and_equals_direct_requests(self):
+        source = series()
+        made = flow_volume(source, **SETTINGS)
+        for time in TIMES:
+            smoke = update(made, time)[0]
+        self.assertEqual(source.reads, list(TIMES))
+        self.assertEqual(smoke.digest(), digest(1.0))
+        update(made, 1.0)
+        self.assertEqual(len(source.reads), len(TIMES))
+
+    def test_frames_between_steps(self):
+        source = series()
+        made = flow_volume(source, **SETTINGS)
+        for time in (0.0, 0.013, 0.07, 0.1, 0.333, 0.335, 0.5, 0.8, 0.87, 1.0):
+            self.assertEqual(update(made, time)[0].digest(), digest(time), time) if time > 0 else update(made, time)
+        self.assertEqual(source.reads, list(TIMES))
+
+    def test_reads_no_more_than_needed(self):
+        source = series()
+        update(flow_volume(source, **SETTINGS), 0.33)
+        self.assertEqual(source.reads, [0, 0.1, 0.2, 0.3, 0.4])
+
+    def test_backward_begins_anew(self):
+        source = series()
+        made = flow_volume(source, **SETTINGS)
+        update(made, 1.0)
+        self.assertEqual(update(made, 0.55)[0].digest(), digest(0.55))
+        self.assertEqual(source.reads, list(TIMES) + list(TIMES[:7]))
+
+    def test_a_little_backward_within_what_is_kept(self):
+        """From 0.395 to 0.37: the state has stopped at the release at 0.36."""
+        source = series()
+        made = flow_volume(source, **SETTINGS)
+        update(made, 0.395)
+        read = len(source.reads)
+        self.assertEqual(update(made, 0.37)[0].digest(), digest(0.37))
+        self.assertEqual(len(source.reads), read)
+
+    def test_changed_setting_or_source_begins_anew(self):
+        source = series()
+        made = flow_volume(source, **SETTINGS)
+        update(made, 0.5)
+        made.SetCenter(0.1, 0, 0)
+        moved = update(made, 0.5)[0]
+        self.assertEqual(moved.digest(), digest(0.5, Center=(0.1, 0, 0)))
+        self.assertEqual(source.reads, 2 * list(TIMES[:6]))
+        source.velocity = lambda p, t: (0, 0, 1)
+        source.Modified()
+        smoke = update(made, 0.5)[0]
+        self.assertAlmostEqual(smoke.points[:, 2].max(), 0.5, places=12)
+
+    def test_last_time_without_a_request(self):
+        self.assertEqual(digest(None), digest(1.0))
+        self.assertEqual(digest(7.0), digest(1.0))
+
+    def test_time_of_input_is_offered(self):
+        made = flow_volume(series(), **SETTINGS)
+        made.UpdateInformation()
+        self.assertEqual(list(made.GetOutputInformation(0).Get(SDDP.TIME_STEPS())), list(TIMES))
+        self.assertEqual(list(made.GetOutputInformation(0).Get(SDDP.TIME_RANGE())), [0, 1])
+        made.UpdateTimeStep(0.42)
+        self.assertEqual(made.GetOutput().GetInformation().Get(vtkImageData.DATA_TIME_STEP()), 0.42)
+
+
+class Memory(unittest.TestCase):
+    def test_two_steps(self):
+        alive, most = [], []
+
+        class Watched(TimeSeries):
+            def RequestData(self, request, inputs, outputs):
+                done = super().RequestData(request, inputs, outputs)
+                reference = vtkWeakReference()
+                reference.Set(vtkImageData.GetData(outputs).GetPointData().GetArray("v"))
+                alive.append(reference)
+                most.append(sum(r.Get() is not None for r in alive))
+                return done
+
+        source = Watched(TIMES, wind)
+        made = flow_volume(source, **SETTINGS)
+        for time in (0.35, 1.0):
+            update(made, time)
+        self.assertEqual(len(most), len(TIMES))
+        self.assertEqual(max(most), 2)
+
+    def test_duration_bounds_the_smoke(self):
+        source = TimeSeries(np.linspace(0, 4, 41), lambda p, t: (np.cos(7 * t), np.sin(7 * t), 1), bounds=(-1, 1, -1, 1, -0.5, 5))
+        made = flow_volume(source, **{**SETTINGS, "Duration": 0.4})
+        sizes = [len(update(made, time)[0].cells) for time in np.arange(0.4, 4.01, 0.4)]
+        self.assertLessEqual(max(sizes), 1.25 * sizes[0])
+        self.assertGreater(min(sizes), 0.75 * sizes[0])
+
+
+class Threads(unittest.TestCase):
+    def test_any_number_gives_the_same(self):
+        code = "import TestFlowVolumeSeries as t; print(t.digest(0.97, PolygonEdgeLength=0.02))"
+        folder = os.path.dirname(os.path.abspath(__file__))
+        digests = {subprocess.check_output([sys.executable, "-c", code], cwd=folder, env=dict(os.environ, VTK_SMP_MAX_THREADS=n))
+                   for n in ("1", "2", "5")}
+        self.assertEqual(len(digests), 1)
+
+
+class BadSeries(unittest.TestCase):
+    def expect(self, text, source, cells=0, time=None, **settings):
+        smoke, messages = update(flow_volume(source, **{**SETTINGS, **settings}), time)
+        self.assertTrue(any(text in m for m in messages), (text, messages))
+        self.assertEqual(len(messages), 1, messages)
+        if cells is not None:
+            self.assertEqual(len(smoke.cells), cells)
+        return smoke
+
+    def test_steady_data(self):
+        for source, text in ((series(None), "no time steps"), (series([0.5]), "one time step only")):
+            smoke = self.expect(text, source, cells=None, Duration=0.4)
+            steady = flow_volume(source, **{**SETTINGS, "Unsteady": False}, Duration=0.4)
+            self.assertEqual(smoke.digest(), update(steady)[0].digest())
+            self.assertGreater(len(smoke.cells), 0)
+
+    def test_empty_series(self):
+        self.expect("has no time steps", series([]))
+
+    def test_times_that_do_not_rise(self):
+        self.expect("time step 2 is at 0.05 after 0.1", series([0, 0.1, 0.05, 0.2]))
+        self.expect("time step 1 is at nan after 0", series([0, np.nan, 1]))
+
+    def test_settings(self):
+        self.expect("StartTime is 2, after the last time step, which is at 1", series(), StartTime=2)
+        self.expect("StartTime (nan)", series(), StartTime=np.nan)
+        self.expect("TimeScale is 0", series(), TimeScale=0)
+        self.expect("TimeScale is -1", series(), TimeScale=-1)
+        self.expect("TimeStep is -0.1", series(), TimeStep=-0.1)
+        self.expect("more than a million steps", series(), TimeStep=1e-7)
+
+    def test_polygon(self):
+        self.expect("outside the data", series(), Center=(5, 0, 0))
+        self.expect("outside the data", series(), Center=(5, 0, 0), NormalToFlow=True)
+        self.expect("zero at the centre", series(velocity=lambda p, t: (0, 0, t)), NormalToFlow=True)
+
+    def test_no_smoke(self):
+        self.expect("No smoke has come", series(velocity=lambda p, t: (0, 0, 0)))
+        self.expect("No smoke has come", series(velocity=lambda p, t: (1, 0, 0)))
+
+    def test_wind_that_begins_later(self):
+        made = flow_volume(series(velocity=lambda p, t: (0, 0, t)), **SETTINGS)
+        smoke, messages = update(made)
+        self.assertEqual(messages, [])
+        self.assertAlmostEqual(smoke.points[:, 2].max(), 0.5, places=12)
+
+    def test_missing_values_at_a_time(self):
+        """The smoke in the hole ends; what comes later does not."""
+        def holed(points, time):
+            v = wind(points, time)
+            v[(points[:, 2] > 0.4) & (0.45 < time < 0.55)] = np.nan
+            return v
+        smoke, messages = update(flow_volume(series(velocity=holed, dimensions=(5, 5, 21)), **SETTINGS))
+        self.assertEqual(messages, [])
+        self.assertTrue(np.isfinite(smoke.points).all() and np.isfinite(smoke.density).all())
+        self.assertGreater(smoke.made.GetLostMass(), 0)
+        self.assertAlmostEqual((smoke.mass() + smoke.made.GetLostMass()) / smoke.made.GetEmittedMass(), 1, places=12)
+
+    def test_array_that_is_missing_later(self):
+        class Forgetful(TimeSeries):
+            def RequestData(self, request, inputs, outputs):
+                done = super().RequestData(request, inputs, outputs)
+                if len(self.reads) > 4:
+                    vtkImageData.GetData(outputs).GetPointData().RemoveArray("v")
+                return done
+        self.expect("no point array 'v'", Forgetful(TIMES, wind), Velocity="v")
+
+    def test_source_that_fails_midway(self):
+        """The update ends, and the next one begins anew."""
+        class Failing(TimeSeries):
+            fails = True
+
+            def RequestData(self, request, inputs, outputs):
+                return 0 if self.fails and len(self.reads) == 4 else super().RequestData(request, inputs, outputs)
+        source = Failing(TIMES, wind)
+        made = flow_volume(source, **SETTINGS)
+        smoke, messages = update(made, 1.0)
+        self.assertTrue(any("has not delivered the time step at 0.4" in m for m in messages), messages)
+        self.assertEqual(len(smoke.cells), 0)
+        source.fails, source.reads = False, []
+        source.Modified()
+        update(made, 0.7)
+        self.assertEqual(source.reads, list(TIMES[:8]))
+
+    def test_abort(self):
+        made = flow_volume(series(), **SETTINGS)
+        made.AddObserver("ProgressEvent", lambda caller, _: caller.SetAbortExecute(caller.GetProgress() > 0.5))
+        smoke, messages = update(made)
+        self.assertEqual((len(smoke.cells), messages), (0, []))
+        made.RemoveAllObservers()
+        made.SetAbortExecute(0)
+        self.assertEqual(update(made)[0].digest(), digest(1.0))
+
+
+if __name__ == "__main__":
+    unittest.main()
