@@ -27,7 +27,7 @@ struct SmokeReport
   double EmittedMass = 0.0;        // Flux times the time that was followed
   double KeptMass = 0.0;           // in the tetrahedra: the sum of density times volume
   double LostMass = 0.0;           // of triangles that ended: EmittedMass - KeptMass
-  double ExpiredMass = 0.0;        // of unsteady smoke that was too old
+  double ExpiredMass = 0.0;        // unsteady: of smoke older than the duration
   std::vector<double> MassPerStep; // kept, by EmissionStep
   std::size_t EndedTriangles =
     0; // at a boundary, an obstacle, a blanked cell or values that are not finite

@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SmokeOutput.h"
 
-#include "TetrahedronVolume.h"
-
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkDoubleArray.h"
@@ -93,15 +91,5 @@ bool PutSmoke(const SmokeMesh& mesh, double initialDensity, const ArraySampler& 
   const bool replaced = pointData->HasArray("Age");
   pointData->AddArray(MakeArray<vtkDoubleArray>("Age", mesh.PointAges));
   return replaced;
-}
-
-double MassOf(const SmokeMesh& mesh)
-{
-  double mass = 0.0;
-  for (std::size_t i = 0; i < mesh.Tetrahedra.size(); ++i)
-  {
-    mass += mesh.Densities[i] * VolumeOf(mesh.Tetrahedra[i], mesh.Points);
-  }
-  return mass;
 }
 }

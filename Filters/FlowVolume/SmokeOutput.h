@@ -20,9 +20,6 @@ using ArraySampler = std::function<void(const SmokeMesh& mesh, vtkPointData* out
 // gives way.
 bool PutSmoke(const SmokeMesh& mesh, double initialDensity, const ArraySampler& sampleArrays,
   vtkUnstructuredGrid* output);
-
-// Relative density times volume of all tetrahedra.
-double MassOf(const SmokeMesh& mesh);
 }
 
 #endif

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "StreakVolume.h"
 
+#include "AdvanceParticles.h"
 #include "EdgeBisection.h"
-#include "ParticleIntegrator.h"
 #include "TetrahedronVolume.h"
 
 #include <algorithm>
@@ -42,7 +42,6 @@ void AddCells(const StreakMesh& smoke, SmokeMesh& mesh)
     if (volume < 0.0)
     {
       std::swap(mesh.Tetrahedra[t][2], mesh.Tetrahedra[t][3]);
-      ++mesh.Report.FoldedTriangles;
     }
     mesh.Densities.push_back(volume != 0.0 ? smoke.Masses[t] / std::abs(volume) : 0.0);
     mesh.Report.KeptMass += smoke.Masses[t];
@@ -99,10 +98,14 @@ void StreakVolume::Step(const VelocityField& field, double time)
     return;
   }
   this->Emit(field, time);
-  ParticleIntegrator(field).AdvanceRungeKutta4(
+  IntegrationSettings integration;
+  integration.Tolerance = this->Settings.Tolerance;
+  integration.Method = this->Settings.Adaptive ? IntegrationMethod::DormandPrince
+                                               : IntegrationMethod::RungeKutta4;
+  AdvanceParticles(field,
     { this->Smoke.Positions.data(), this->Smoke.Hints.data(), this->Smoke.Inside.data(),
       this->Smoke.Positions.size() },
-    this->Now, time - this->Now);
+    this->Now, time - this->Now, integration);
   this->Now = time;
   this->EndSmoke();
 }

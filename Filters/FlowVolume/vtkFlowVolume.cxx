@@ -98,15 +98,19 @@ void vtkFlowVolume::MakeSteadyVolume(
   }
   const auto mesh = nephoscope::BuildSteadyVolume(*field->Field, polygon, settings, anyTime,
     [this](double share) { return this->Report(buildingShare * share); });
-  if (mesh.Tetrahedra.empty())
+  const nephoscope::SmokeReport& report = mesh.Report;
+  if (report.LimitReached)
+  {
+    this->WarnOfLimit();
+  }
+  else if (mesh.Tetrahedra.empty() && !report.Stopped)
   {
     vtkWarningMacro(
-      "The volume has ended at once: within the first time step the flow leads out of the data or into blanked cells. Shorten "
-      "TimeStep or move the generating polygon.");
+      "The volume has ended at once: within the first time step the flow leads out of the data, into blanked cells or to values "
+      "that are not numbers. Shorten TimeStep or move the generating polygon.");
   }
-  this->EmittedMass = this->InitialDensity * flow.Flux * settings.Duration;
-  this->LostMass =
-    std::max(0.0, this->EmittedMass - this->InitialDensity * nephoscope::MassOf(mesh));
+  this->EmittedMass = this->InitialDensity * report.EmittedMass;
+  this->LostMass = this->InitialDensity * report.LostMass;
   this->WriteOutput(
     mesh,
     [&](const nephoscope::SmokeMesh& smoke, vtkPointData* arrays) {
