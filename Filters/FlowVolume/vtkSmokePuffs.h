@@ -1,0 +1,159 @@
+// SPDX-FileCopyrightText: The Nephoscope authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkSmokePuffs
+ * @brief   puffs that move along a flow volume with the flow, as an opacity array for the mapper
+ *
+ *     vtkFlowVolume -> vtkSmokePuffs -> vtkCellCompositingMapper (opacity array SmokeDensity)
+ *
+ * After section 6 of MaxCrawfisBecker1993 (N. Max, R. Crawfis, B. Becker, "New Techniques in 3D Scalar and Vector Field
+ * Visualization", Pacific Graphics 1993): the smoke is not released evenly but in puffs, which the flow carries along.
+ * The output has the points, cells and arrays of the input, not copied, and one more array:
+ *
+ * - SmokeDensity, double, on cells (or on points, see Association), unit of Density:
+ *   min(Density, MaximumDensity) * pulse, where with the phase x = (Age - time) / Period, taken to [-1/2, 1/2),
+ *   pulse = scale * (Floor + (1 - Floor) * cos^2(pi x / Width)) for |x| < Width / 2, and scale * Floor elsewhere.
+ *
+ * The pulse has a continuous derivative. Its mean over a period is scale * (Floor + (1 - Floor) * Width / 2).
+ *
+ * A crest is where Age = time + n Period. In a steady volume it moves along the volume at the speed of the flow as time
+ * grows. In an unsteady volume, time - Age is when the smoke was released: a puff is the smoke of some emission steps,
+ * and goes wherever that goes. Nothing depends on the steps between frames: any frame rate shows the same motion, and
+ * times that differ by a period give the same array.
+ *
+ * The time is that of the pipeline, as ParaView's animation sets it, times TimeScale; without one it is Time. The filter
+ * runs again when the pipeline's time changes although its input may have none: it announces the time range of one
+ * period from the input's only time step, or 0, on. Two or more time steps of the input are passed on as they are. An
+ * input with one time step or none is asked for that only, so that it does not run again: a frame costs one array.
+ *
+ * Input: cell arrays Age (s) and Density, as vtkFlowVolume writes them; for an array on points also the point array Age.
+ * An error is reported where one is missing, and the input is passed on without SmokeDensity. Cells whose Age or Density
+ * is not a finite number get 0, with a warning.
+ */
+#ifndef vtkSmokePuffs_h
+#define vtkSmokePuffs_h
+
+#include "vtkNephoscopeFiltersFlowVolumeModule.h" // for export macro
+#include "vtkUnstructuredGridAlgorithm.h"
+
+#include <memory> // for what is kept between frames
+
+namespace nephoscope
+{
+class PointDensity;
+}
+
+class VTKNEPHOSCOPEFILTERSFLOWVOLUME_EXPORT vtkSmokePuffs : public vtkUnstructuredGridAlgorithm
+{
+public:
+  static vtkSmokePuffs* New();
+  vtkTypeMacro(vtkSmokePuffs, vtkUnstructuredGridAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  enum NormalizationType
+  {
+    PEAK = 0,
+    MEAN = 1
+  };
+
+  enum AssociationType
+  {
+    CELLS = 0,
+    POINTS = 1
+  };
+
+  ///@{
+  /**
+   * Time from one puff to the next, in seconds of the flow. 0 (default): a quarter of the oldest Age of the input, so that
+   * some four puffs are on their way.
+   */
+  vtkSetClampMacro(Period, double, 0.0, VTK_DOUBLE_MAX);
+  vtkGetMacro(Period, double);
+  ///@}
+
+  /** The period in use, in seconds: Period, or the automatic one, known after an update (0 before). */
+  double GetActualPeriod() const { return this->ActualPeriod; }
+
+  ///@{
+  /** Length of a puff from end to end, as a share of the period: 1e-6 to 1. Default 0.5; at half its crest it is half as long. */
+  vtkSetClampMacro(Width, double, 1e-6, 1.0);
+  vtkGetMacro(Width, double);
+  ///@}
+
+  ///@{
+  /** How much smoke stays between puffs, as a share of the crest: 0 (none) to 1 (no puffs). Default 0.1, which lets the path be seen. */
+  vtkSetClampMacro(Floor, double, 0.0, 1.0);
+  vtkGetMacro(Floor, double);
+  ///@}
+
+  ///@{
+  /**
+   * Peak (default): the crest of a pulse is 1, puffs take smoke away. Mean: the mean of a pulse is 1, so that as
+   * much smoke is released in a period as without puffs, and crests are denser.
+   */
+  vtkSetClampMacro(Normalization, int, PEAK, MEAN);
+  vtkGetMacro(Normalization, int);
+  void SetNormalizationToPeak() { this->SetNormalization(PEAK); }
+  void SetNormalizationToMean() { this->SetNormalization(MEAN); }
+  ///@}
+
+  ///@{
+  /**
+   * Density above this is cut to it before the pulse, so that smoke does not become opaque where the flow converges; the
+   * mass is then no longer exact. 0 (default): no cut. Unit of Density: 1 is the density at the polygon.
+   */
+  vtkSetClampMacro(MaximumDensity, double, 0.0, VTK_DOUBLE_MAX);
+  vtkGetMacro(MaximumDensity, double);
+  ///@}
+
+  ///@{
+  /**
+   * Cells (default): one value for a cell, true to the mass. Points: Density is averaged over the cells at a point (once, not
+   * in every frame) and the pulse taken at the Age of the point, so that smoke drawn varies evenly within the cells; fewer
+   * values than on cells, the mass is that of the cells but for interpolation.
+   */
+  vtkSetClampMacro(Association, int, CELLS, POINTS);
+  vtkGetMacro(Association, int);
+  void SetAssociationToCells() { this->SetAssociation(CELLS); }
+  void SetAssociationToPoints() { this->SetAssociation(POINTS); }
+  ///@}
+
+  ///@{
+  /** Time in seconds, used when the pipeline asks for no time. Default 0. */
+  vtkSetMacro(Time, double);
+  vtkGetMacro(Time, double);
+  ///@}
+
+  ///@{
+  /** Seconds of the flow in a unit of the pipeline's time: 3600 when the animation counts hours. Default 1. Time is not scaled. */
+  vtkSetClampMacro(TimeScale, double, 1e-12, 1e12);
+  vtkGetMacro(TimeScale, double);
+  ///@}
+
+protected:
+  vtkSmokePuffs();
+  ~vtkSmokePuffs() override;
+
+  vtkTypeBool ProcessRequest(
+    vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+  int RequestInformation(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+  int RequestUpdateExtent(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+
+private:
+  vtkSmokePuffs(const vtkSmokePuffs&) = delete;
+  void operator=(const vtkSmokePuffs&) = delete;
+
+  double Period = 0.0;
+  double Width = 0.5;
+  double Floor = 0.1;
+  int Normalization = PEAK;
+  double MaximumDensity = 0.0;
+  int Association = CELLS;
+  double Time = 0.0;
+  double TimeScale = 1.0;
+  double ActualPeriod = 0.0;
+  std::unique_ptr<nephoscope::PointDensity> Averages;
+};
+
+#endif
