@@ -41,7 +41,9 @@
 namespace nephoscope
 {
 class PointDensity;
+struct PuffPulse;
 }
+class vtkUnstructuredGrid;
 
 class VTKNEPHOSCOPEFILTERSFLOWVOLUME_EXPORT vtkSmokePuffs : public vtkUnstructuredGridAlgorithm
 {
@@ -49,6 +51,7 @@ public:
   static vtkSmokePuffs* New();
   vtkTypeMacro(vtkSmokePuffs, vtkUnstructuredGridAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
+  vtkTypeBool ProcessRequest(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
   enum NormalizationType
   {
@@ -134,8 +137,6 @@ protected:
   vtkSmokePuffs();
   ~vtkSmokePuffs() override;
 
-  vtkTypeBool ProcessRequest(
-    vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
   int RequestInformation(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
   int RequestUpdateExtent(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
@@ -153,6 +154,12 @@ private:
   double Time = 0.0;
   double TimeScale = 1.0;
   double ActualPeriod = 0.0;
+
+  void AnnounceTime(vtkInformation* inInfo, vtkInformation* outInfo) const;
+  void AskForTime(vtkInformation* inInfo, vtkInformation* outInfo) const;
+  double PulsePeriod(vtkUnstructuredGrid* input) const;
+  void AddSmokeDensity(vtkUnstructuredGrid* output, const nephoscope::PuffPulse& pulse, double time);
+
   std::unique_ptr<nephoscope::PointDensity> Averages;
 };
 

@@ -1,0 +1,301 @@
+// SPDX-FileCopyrightText: The Nephoscope authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkSmokePuffs.h"
+
+#include "PointDensity.h"
+#include "PuffPulse.h"
+
+#include "vtkCellData.h"
+#include "vtkDoubleArray.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkMultiProcessController.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkPointData.h"
+#include "vtkSMPTools.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
+#include "vtkUnstructuredGrid.h"
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <sstream>
+#include <string>
+#include <vector>
+
+using SDDP = vtkStreamingDemandDrivenPipeline;
+
+vtkStandardNewMacro(vtkSmokePuffs);
+
+namespace
+{
+// What the input says of its time.
+struct InputTime
+{
+  explicit InputTime(vtkInformation* info)
+  {
+    const int steps = info->Has(SDDP::TIME_STEPS()) ? info->Length(SDDP::TIME_STEPS()) : 0;
+    const double* range = info->Has(SDDP::TIME_RANGE()) ? info->Get(SDDP::TIME_RANGE()) : nullptr;
+    this->Varies = steps > 1 || (steps == 0 && range && range[0] < range[1]);
+    this->HasStep = steps == 1;
+    this->Start = this->HasStep ? info->Get(SDDP::TIME_STEPS())[0] : range ? range[0] : 0.0;
+  }
+
+  bool Varies = false;
+  bool HasStep = false; // exactly one
+  double Start = 0.0;
+};
+
+std::string ArrayNames(vtkDataSetAttributes* attributes)
+{
+  std::string names;
+  for (int i = 0; i < attributes->GetNumberOfArrays(); ++i)
+  {
+    const char* name = attributes->GetArrayName(i);
+    names += (i ? ", '" : "'") + std::string(name ? name : "") + "'";
+  }
+  return names.empty() ? "none" : names;
+}
+
+// An array of one number for each of `count` elements; otherwise null, and the problem described.
+vtkDataArray* FindArray(vtkDataSetAttributes* attributes, const char* elements, const char* name,
+  vtkIdType count, std::string& problem)
+{
+  vtkDataArray* array = attributes->GetArray(name);
+  std::ostringstream text;
+  if (!array)
+  {
+    text << "There is no numeric array '" << name << "' on " << elements << ". Arrays on "
+         << elements << ": " << ArrayNames(attributes) << ". Connect the output of vtkFlowVolume.";
+  }
+  else if (array->GetNumberOfComponents() != 1 || array->GetNumberOfTuples() != count)
+  {
+    text << "Array '" << name << "' has " << array->GetNumberOfTuples() << " values of "
+         << array->GetNumberOfComponents() << " components where the input has " << count << " "
+         << elements << ": one number is needed for each.";
+  }
+  problem = text.str();
+  return problem.empty() ? array : nullptr;
+}
+
+// Reads doubles, which vtkFlowVolume writes, without a virtual call for each.
+struct Numbers
+{
+  explicit Numbers(vtkDataArray* array)
+    : Array(array)
+    , Direct(vtkArrayDownCast<vtkDoubleArray>(array))
+    , Values(this->Direct ? this->Direct->GetPointer(0) : nullptr)
+  {
+  }
+  double operator[](vtkIdType i) const
+  {
+    return this->Values ? this->Values[i] : this->Array->GetComponent(i, 0);
+  }
+
+  vtkDataArray* Array;
+  vtkDoubleArray* Direct;
+  const double* Values;
+};
+
+// out[i] = min(density[i], maximum) pulse(age[i]); returns how many are not finite, which get 0.
+template <typename Densities>
+vtkIdType Fill(vtkDoubleArray* out, const Numbers& ages, const Densities& densities,
+  const nephoscope::PuffPulse& pulse, double time, double maximum)
+{
+  double* values = out->GetPointer(0);
+  std::atomic<vtkIdType> bad{ 0 };
+  vtkSMPTools::LocalScope(vtkSMPTools::Config(0, "STDThread", false), [&]() {
+    vtkSMPTools::For(0, out->GetNumberOfTuples(), [&](vtkIdType first, vtkIdType last) {
+      vtkIdType badHere = 0;
+      for (vtkIdType i = first; i < last; ++i)
+      {
+        const double value = std::min(densities[i], maximum) * pulse(ages[i], time);
+        const bool good = std::isfinite(value) && std::isfinite(densities[i]);
+        values[i] = good ? value : 0.0;
+        badHere += good ? 0 : 1;
+      }
+      bad += badHere;
+    });
+  });
+  return bad;
+}
+
+double OldestAge(vtkDataArray* ages)
+{
+  double oldest = 0.0;
+  const Numbers numbers(ages);
+  for (vtkIdType i = 0; i < ages->GetNumberOfTuples(); ++i)
+  {
+    oldest = std::isfinite(numbers[i]) ? std::max(oldest, numbers[i]) : oldest;
+  }
+  return oldest;
+}
+
+// The largest of all ranks.
+double LargestOfRanks(double value)
+{
+  vtkMultiProcessController* controller = vtkMultiProcessController::GetGlobalController();
+  double largest = value;
+  if (controller && controller->GetNumberOfProcesses() > 1)
+  {
+    controller->AllReduce(&value, &largest, 1, vtkCommunicator::MAX_OP);
+  }
+  return largest;
+}
+}
+
+vtkSmokePuffs::vtkSmokePuffs()
+  : Averages(new nephoscope::PointDensity)
+{
+}
+
+vtkSmokePuffs::~vtkSmokePuffs() = default;
+
+vtkTypeBool vtkSmokePuffs::ProcessRequest(
+  vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs)
+{
+  if (request->Has(SDDP::REQUEST_UPDATE_TIME()))
+  {
+    this->AskForTime(inputs[0]->GetInformationObject(0), outputs->GetInformationObject(0));
+    return 1;
+  }
+  return this->Superclass::ProcessRequest(request, inputs, outputs);
+}
+
+int vtkSmokePuffs::RequestInformation(
+  vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
+{
+  this->AnnounceTime(inputs[0]->GetInformationObject(0), outputs->GetInformationObject(0));
+  return 1;
+}
+
+void vtkSmokePuffs::AnnounceTime(vtkInformation* inInfo, vtkInformation* outInfo) const
+{
+  const InputTime input(inInfo);
+  if (!input.Varies)
+  {
+    // The automatic period is that of the last update: before the first one it is not known.
+    const double known = this->Period > 0.0 ? this->Period : this->ActualPeriod;
+    const double length = known > 0.0 ? known / this->TimeScale : 1.0;
+    const double range[2] = { input.Start, input.Start + length };
+    outInfo->Set(SDDP::TIME_RANGE(), range, 2);
+  }
+}
+
+int vtkSmokePuffs::RequestUpdateExtent(
+  vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs)
+{
+  this->AskForTime(inputs[0]->GetInformationObject(0), outputs->GetInformationObject(0));
+  return this->Superclass::RequestUpdateExtent(request, inputs, outputs);
+}
+
+void vtkSmokePuffs::AskForTime(vtkInformation* inInfo, vtkInformation* outInfo) const
+{
+  const InputTime input(inInfo);
+  if (input.Varies || !outInfo->Has(SDDP::UPDATE_TIME_STEP()))
+  {
+    return;
+  }
+  if (input.HasStep)
+  {
+    inInfo->Set(SDDP::UPDATE_TIME_STEP(), input.Start);
+  }
+  else
+  {
+    inInfo->Remove(SDDP::UPDATE_TIME_STEP());
+  }
+}
+
+double vtkSmokePuffs::PulsePeriod(vtkUnstructuredGrid* input) const
+{
+  if (this->Period > 0.0)
+  {
+    return this->Period;
+  }
+  vtkDataArray* ages = input->GetCellData()->GetArray("Age");
+  const double oldest = LargestOfRanks(ages ? OldestAge(ages) : 0.0);
+  return oldest > 0.0 ? 0.25 * oldest : 1.0;
+}
+
+int vtkSmokePuffs::RequestData(
+  vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
+{
+  vtkUnstructuredGrid* input = vtkUnstructuredGrid::GetData(inputs[0]);
+  vtkUnstructuredGrid* output = vtkUnstructuredGrid::GetData(outputs);
+  vtkInformation* outInfo = outputs->GetInformationObject(0);
+  output->ShallowCopy(input);
+  double time = this->Time;
+  if (outInfo->Has(SDDP::UPDATE_TIME_STEP()))
+  {
+    const double step = outInfo->Get(SDDP::UPDATE_TIME_STEP());
+    output->GetInformation()->Set(vtkDataObject::DATA_TIME_STEP(), step);
+    time = step * this->TimeScale;
+  }
+
+  nephoscope::PuffPulse pulse;
+  pulse.Period = this->ActualPeriod = this->PulsePeriod(input);
+  pulse.Width = this->Width;
+  pulse.Floor = this->Floor;
+  pulse.Scale = this->Normalization == MEAN ? 1.0 / pulse.Mean() : 1.0;
+  this->AnnounceTime(inputs[0]->GetInformationObject(0), outInfo); // a period found just now
+
+  // Of an input that has puffs itself; never two arrays of that name.
+  output->GetCellData()->RemoveArray("SmokeDensity");
+  output->GetPointData()->RemoveArray("SmokeDensity");
+  if (output->GetNumberOfCells() > 0)
+  {
+    this->AddSmokeDensity(output, pulse, time);
+  }
+  return 1;
+}
+
+void vtkSmokePuffs::AddSmokeDensity(
+  vtkUnstructuredGrid* output, const nephoscope::PuffPulse& pulse, double time)
+{
+  const bool onPoints = this->Association == POINTS;
+  vtkDataSetAttributes* attributes =
+    output->GetAttributes(onPoints ? vtkDataObject::POINT : vtkDataObject::CELL);
+  const vtkIdType count =
+    output->GetNumberOfElements(onPoints ? vtkDataObject::POINT : vtkDataObject::CELL);
+  const char* elements = onPoints ? "points" : "cells";
+  std::string problem;
+  vtkDataArray* density =
+    FindArray(output->GetCellData(), "cells", "Density", output->GetNumberOfCells(), problem);
+  vtkDataArray* ages = density ? FindArray(attributes, elements, "Age", count, problem) : nullptr;
+  if (!ages)
+  {
+    vtkErrorMacro(<< problem);
+    return;
+  }
+  vtkNew<vtkDoubleArray> smoke;
+  smoke->SetName("SmokeDensity");
+  smoke->SetNumberOfTuples(count);
+  const double maximum = this->MaximumDensity > 0.0 ? this->MaximumDensity : VTK_DOUBLE_MAX;
+  const Numbers age(ages);
+  const vtkIdType bad = onPoints
+    ? Fill(smoke, age, this->Averages->Of(output, density), pulse, time, maximum)
+    : Fill(smoke, age, Numbers(density), pulse, time, maximum);
+  attributes->AddArray(smoke);
+  if (bad > 0)
+  {
+    vtkWarningMacro(
+      << bad << " " << elements
+      << " have no smoke because array 'Age' or 'Density' is not finite there. Look at the "
+         "velocity that made the flow volume.");
+  }
+}
+
+void vtkSmokePuffs::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Period: " << this->Period << " s\n";
+  os << indent << "ActualPeriod: " << this->ActualPeriod << " s\n";
+  os << indent << "Width: " << this->Width << "\n";
+  os << indent << "Floor: " << this->Floor << "\n";
+  os << indent << "Normalization: " << (this->Normalization == MEAN ? "Mean" : "Peak") << "\n";
+  os << indent << "MaximumDensity: " << this->MaximumDensity << "\n";
+  os << indent << "Association: " << (this->Association == POINTS ? "Points" : "Cells") << "\n";
+  os << indent << "Time: " << this->Time << " s\n";
+  os << indent << "TimeScale: " << this->TimeScale << "\n";
+}
