@@ -110,9 +110,8 @@ vtkIdType Fill(vtkDoubleArray* out, const Numbers& ages, const Densities& densit
       vtkIdType badHere = 0;
       for (vtkIdType i = first; i < last; ++i)
       {
-        const double value = std::min(densities[i], maximum) * pulse(ages[i], time);
-        const bool good = std::isfinite(value) && std::isfinite(densities[i]);
-        values[i] = good ? value : 0.0;
+        const bool good = std::isfinite(densities[i]) && std::isfinite(ages[i]);
+        values[i] = good ? std::min(densities[i], maximum) * pulse(ages[i], time) : 0.0;
         badHere += good ? 0 : 1;
       }
       bad += badHere;
