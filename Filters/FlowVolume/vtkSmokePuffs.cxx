@@ -120,8 +120,14 @@ vtkIdType Fill(vtkDoubleArray* out, const Numbers& ages, const Densities& densit
   return bad;
 }
 
-double OldestAge(vtkDataArray* ages)
+// Of the cells; 0 without any.
+double OldestAge(vtkUnstructuredGrid* grid)
 {
+  vtkDataArray* ages = grid ? grid->GetCellData()->GetArray("Age") : nullptr;
+  if (!ages)
+  {
+    return 0.0;
+  }
   double oldest = 0.0;
   const Numbers numbers(ages);
   for (vtkIdType i = 0; i < ages->GetNumberOfTuples(); ++i)
@@ -129,6 +135,12 @@ double OldestAge(vtkDataArray* ages)
     oldest = std::isfinite(numbers[i]) ? std::max(oldest, numbers[i]) : oldest;
   }
   return oldest;
+}
+
+// Some four puffs on their way.
+double AutomaticPeriod(double oldestAge)
+{
+  return oldestAge > 0.0 ? 0.25 * oldestAge : 1.0;
 }
 
 // The largest of all ranks.
@@ -174,11 +186,17 @@ void vtkSmokePuffs::AnnounceTime(vtkInformation* inInfo, vtkInformation* outInfo
   const InputTime input(inInfo);
   if (!input.Varies)
   {
-    // The automatic period is that of the last update: before the first one it is not known.
-    const double known = this->Period > 0.0 ? this->Period : this->ActualPeriod;
-    const double length = known > 0.0 ? known / this->TimeScale : 1.0;
+    // An automatic period is that of the last update; before the first one, that of the data that the input has, if any.
+    double period = this->Period > 0.0 ? this->Period : this->ActualPeriod;
+    if (period == 0.0)
+    {
+      period = AutomaticPeriod(OldestAge(vtkUnstructuredGrid::GetData(inInfo)));
+    }
+    const double length = period / this->TimeScale;
     const double range[2] = { input.Start, input.Start + length };
     outInfo->Set(SDDP::TIME_RANGE(), range, 2);
+    outInfo->Remove(SDDP::
+        TIME_STEPS()); // ParaView takes the range from the steps where there are any, were it only one
   }
 }
 
@@ -206,17 +224,6 @@ void vtkSmokePuffs::AskForTime(vtkInformation* inInfo, vtkInformation* outInfo) 
   }
 }
 
-double vtkSmokePuffs::PulsePeriod(vtkUnstructuredGrid* input) const
-{
-  if (this->Period > 0.0)
-  {
-    return this->Period;
-  }
-  vtkDataArray* ages = input->GetCellData()->GetArray("Age");
-  const double oldest = LargestOfRanks(ages ? OldestAge(ages) : 0.0);
-  return oldest > 0.0 ? 0.25 * oldest : 1.0;
-}
-
 int vtkSmokePuffs::RequestData(
   vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
@@ -233,10 +240,12 @@ int vtkSmokePuffs::RequestData(
   }
 
   nephoscope::PuffPulse pulse;
-  pulse.Period = this->ActualPeriod = this->PulsePeriod(input);
+  pulse.Period =
+    this->Period > 0.0 ? this->Period : AutomaticPeriod(LargestOfRanks(OldestAge(input)));
   pulse.Width = this->Width;
   pulse.Floor = this->Floor;
   pulse.Scale = this->Normalization == MEAN ? 1.0 / pulse.Mean() : 1.0;
+  this->ActualPeriod = pulse.Period;
   this->AnnounceTime(inputs[0]->GetInformationObject(0), outInfo); // a period found just now
 
   // Of an input that has puffs itself; never two arrays of that name.

@@ -22,9 +22,9 @@
  * times that differ by a period give the same array.
  *
  * The time is that of the pipeline, as ParaView's animation sets it, times TimeScale; without one it is Time. The filter
- * runs again when the pipeline's time changes although its input may have none: it announces the time range of one
- * period from the input's only time step, or 0, on. Two or more time steps of the input are passed on as they are. An
- * input with one time step or none is asked for that only, so that it does not run again: a frame costs one array.
+ * runs again when the pipeline's time changes although its input may have none: of an input without time, or with one
+ * time step, it makes a time range of one period, from 0 or that step on, and asks it for that step only, so that it does
+ * not run again: a frame costs one array. Two or more time steps of the input are passed on as they are.
  *
  * Input: cell arrays Age (s) and Density, as vtkFlowVolume writes them; for an array on points also the point array Age.
  * An error is reported where one is missing, and the input is passed on without SmokeDensity. Cells whose Age or Density
@@ -157,7 +157,6 @@ private:
 
   void AnnounceTime(vtkInformation* inInfo, vtkInformation* outInfo) const;
   void AskForTime(vtkInformation* inInfo, vtkInformation* outInfo) const;
-  double PulsePeriod(vtkUnstructuredGrid* input) const;
   void AddSmokeDensity(vtkUnstructuredGrid* output, const nephoscope::PuffPulse& pulse, double time);
 
   std::unique_ptr<nephoscope::PointDensity> Averages;
