@@ -1,0 +1,88 @@
+# SPDX-FileCopyrightText: The Nephoscope authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Frames of an animation as PNG files, made once and kept, and films of them.
+
+    frames = Frames(folder, count, settings)
+    frames.make(draw)                 draw(i, file) draws frame i, 0 to count - 1, into a file
+    make_gif(frames.files, "a.gif")   with Pillow or ImageMagick
+    make_mp4(frames.files, "a.mp4")   with ffmpeg
+
+Frames that are there are kept, so that an interrupted animation goes on where it stopped; frames made with other settings are
+made anew. A film that no program of this machine can make is left out, with a message.
+"""
+import json
+import os
+import shutil
+import subprocess
+import time
+
+
+class Frames:
+    def __init__(self, folder, count, settings):
+        """settings: all that the frames depend on, as something that JSON can hold."""
+        self.folder = folder
+        self.files = [os.path.join(folder, "frame_%04d.png" % i) for i in range(count)]
+        self.settings = json.dumps(settings, sort_keys=True)
+        self.record = os.path.join(folder, "settings.json")
+
+    def missing(self):
+        """Numbers of the frames to be made. Those of other settings are removed first."""
+        os.makedirs(self.folder, exist_ok=True)
+        if not self.same_settings():
+            for name in os.listdir(self.folder):
+                if name.startswith("frame_") and name.endswith(".png"):
+                    os.remove(os.path.join(self.folder, name))
+            with open(self.record, "w", encoding="utf-8") as record:
+                record.write(self.settings)
+        return [i for i, file in enumerate(self.files) if not os.path.exists(file)]
+
+    def same_settings(self):
+        try:
+            with open(self.record, encoding="utf-8") as record:
+                return record.read() == self.settings
+        except OSError:
+            return False
+
+    def make(self, draw):
+        missing, start = self.missing(), time.monotonic()
+        if len(missing) < len(self.files):
+            print("%d of %d frames are there already" % (len(self.files) - len(missing), len(self.files)), flush=True)
+        for done, i in enumerate(missing, 1):
+            # Under another name until it is whole: a frame with its own name is a complete one.
+            unfinished = os.path.join(self.folder, "unfinished.png")
+            draw(i, unfinished)
+            os.replace(unfinished, self.files[i])
+            left = (time.monotonic() - start) / done * (len(missing) - done)
+            print("frame %d of %d, %.0f s left" % (i + 1, len(self.files), left), flush=True)
+
+
+def make_gif(files, name, milliseconds=80):
+    """A GIF that loops for ever; True if it could be made."""
+    try:
+        from PIL import Image
+    except ImportError:
+        return run("convert", ["-delay", str(milliseconds // 10), "-loop", "0", *files, "-layers", "optimize", name])
+    pictures = [Image.open(file).convert("RGB") for file in files]
+    # One palette for all frames, taken from some of them side by side, or still parts would flicker.
+    some = pictures[:: max(1, len(pictures) // 6)]
+    sheet = Image.new("RGB", (some[0].width, some[0].height * len(some)))
+    for row, picture in enumerate(some):
+        sheet.paste(picture, (0, row * picture.height))
+    palette = sheet.quantize(256)
+    first, *others = [picture.quantize(palette=palette) for picture in pictures]
+    first.save(name, save_all=True, append_images=others, duration=milliseconds, loop=0, optimize=False)
+    return True
+
+
+def make_mp4(files, name, milliseconds=80, loops=3):
+    """The frames several times over, for players that do not loop; True if ffmpeg is there."""
+    pattern = os.path.join(os.path.dirname(files[0]), "frame_%04d.png")
+    return run("ffmpeg", ["-y", "-loglevel", "error", "-stream_loop", str(loops - 1), "-framerate", "%g" % (1000 / milliseconds),
+                          "-i", pattern, "-frames:v", str(loops * len(files)), "-c:v", "libx264", "-pix_fmt", "yuv420p", name])
+
+
+def run(program, arguments):
+    if not shutil.which(program):
+        print("no %s: %s is not made" % (program, os.path.basename(arguments[-1])), flush=True)
+        return False
+    return subprocess.run([program, *arguments], check=False).returncode == 0

@@ -1,0 +1,73 @@
+# SPDX-FileCopyrightText: The Nephoscope authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Frames of the figures' films: made once, kept, made anew where settings change, and put into a GIF that loops."""
+import os
+import sys
+import tempfile
+import unittest
+
+TOP = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
+sys.path.insert(0, os.path.join(TOP, "Figures", "common"))
+import frames  # noqa: E402
+from PIL import Image  # noqa: E402
+
+
+class Frames(unittest.TestCase):
+    def setUp(self):
+        self.folder = tempfile.TemporaryDirectory()
+        self.addCleanup(self.folder.cleanup)
+        self.drawn = []
+
+    def draw(self, i, file):
+        self.drawn.append(i)
+        Image.new("RGB", (8, 4), (40 * i, 0, 200)).save(file)
+
+    def make(self, count=5, settings=("a",), draw=None):
+        self.drawn.clear()
+        film = frames.Frames(os.path.join(self.folder.name, "film"), count, settings)
+        film.make(draw or self.draw)
+        return film
+
+    def test_frames_are_kept(self):
+        film = self.make()
+        self.assertEqual(self.drawn, [0, 1, 2, 3, 4])
+        os.remove(film.files[2])
+        self.make()
+        self.assertEqual(self.drawn, [2])
+
+    def test_an_interrupted_frame_is_no_frame(self):
+        def interrupted(i, file):
+            self.draw(i, file)
+            if i == 3:
+                raise KeyboardInterrupt
+        with self.assertRaises(KeyboardInterrupt):
+            self.make(draw=interrupted)
+        film = self.make()
+        self.assertEqual(self.drawn, [3, 4])
+        self.assertTrue(all(os.path.exists(file) for file in film.files))
+
+    def test_other_settings_start_anew(self):
+        self.make()
+        self.make(settings=("b",))
+        self.assertEqual(self.drawn, [0, 1, 2, 3, 4])
+
+    def test_gif_loops_through_all_frames(self):
+        name = os.path.join(self.folder.name, "film.gif")
+        self.assertTrue(frames.make_gif(self.make().files, name, 80))
+        with Image.open(name) as film:
+            self.assertEqual((film.n_frames, film.size, film.info["loop"], film.info["duration"]), (5, (8, 4), 0, 80))
+            for i in range(5):
+                film.seek(i)
+                red = film.convert("RGB").getpixel((3, 2))[0]
+                self.assertLess(abs(red - 40 * i), 8)
+
+    def test_a_missing_program_is_told_and_no_error(self):
+        path, os.environ["PATH"] = os.environ["PATH"], self.folder.name
+        try:
+            self.assertFalse(frames.make_mp4(self.make().files, "film.mp4"))
+        finally:
+            os.environ["PATH"] = path
+
+
+if __name__ == "__main__":
+    unittest.main()
