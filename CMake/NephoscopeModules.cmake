@@ -6,7 +6,8 @@ file(GLOB nephoscope_module_files CONFIGURE_DEPENDS
   "${PROJECT_SOURCE_DIR}/Filters/*/vtk.module"
   "${PROJECT_SOURCE_DIR}/Representations/*/vtk.module")
 if (NEPHOSCOPE_USE_PARAVIEW)
-  list(APPEND nephoscope_module_files "${PROJECT_SOURCE_DIR}/Plugins/ParaView/Representations/vtk.module")
+  file(GLOB nephoscope_paraview_module_files CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/Plugins/ParaView/*/vtk.module")
+  list(APPEND nephoscope_module_files ${nephoscope_paraview_module_files})
 endif ()
 
 vtk_module_scan(

@@ -5,9 +5,8 @@
 #   the install tree  ${CMAKE_INSTALL_PREFIX}/${NEPHOSCOPE_PYTHON_DESTINATION}
 #   a wheel           zipped by Plugins/PyVista/packaging from the install component `nephoscope_wheel`
 set(nephoscope_wrapped_modules ${nephoscope_modules})
-list(REMOVE_ITEM nephoscope_wrapped_modules
-  Nephoscope::RepresentationsCommon     # C++ only
-  Nephoscope::ParaViewRepresentations)  # reached through ParaView's server manager
+list(REMOVE_ITEM nephoscope_wrapped_modules Nephoscope::RepresentationsCommon)           # C++ only
+list(FILTER nephoscope_wrapped_modules EXCLUDE REGEX "^Nephoscope::ParaView")            # reached through ParaView's server manager
 
 set(NEPHOSCOPE_PYTHON_DESTINATION "${CMAKE_INSTALL_LIBDIR}/python3/dist-packages")
 set(NEPHOSCOPE_PYTHONPATH "${PROJECT_BINARY_DIR}/${NEPHOSCOPE_PYTHON_DESTINATION}")
@@ -21,10 +20,10 @@ vtk_module_wrap_python(
   BUILD_STATIC        OFF
   INSTALL_HEADERS     OFF)
 
-# The libraries of the wheel: all but the one that needs ParaView's client and server.
+# The libraries of the wheel: all but those that need ParaView's client and server.
 set(nephoscope_wheel_targets)
 foreach (module IN LISTS nephoscope_modules)
-  if (NOT module STREQUAL "Nephoscope::ParaViewRepresentations")
+  if (NOT module MATCHES "^Nephoscope::ParaView")
     get_target_property(target "${module}" ALIASED_TARGET)
     list(APPEND nephoscope_wheel_targets "${target}")
   endif ()

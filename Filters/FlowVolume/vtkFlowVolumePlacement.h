@@ -1,0 +1,69 @@
+// SPDX-FileCopyrightText: The Nephoscope authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkFlowVolumePlacement
+ * @brief   finds a place for a generating polygon: where the flow is fast and the polygon fits in
+ *
+ * The centre of the bounds, which other filters start from, is no place for smoke in a shell of air around a globe or in a
+ * bent pipe: there is no flow. This looks at up to 2000 cells, evenly chosen. It prefers, in this order,
+ * 1. a large polygon: 1/50 of the diagonal of the bounds, or half, a quarter, ... 1/128 of that, such that the rim of the disc across
+ *    the flow is inside the data;
+ * 2. fast flow, in steps of 5 % of the greatest speed, among the places with at least half of it;
+ * 3. a short distance from the middle of the bounds.
+ * The same data give the same place. Hosts use it for their defaults; vtkFlowVolume itself stays where it is put.
+ */
+#ifndef vtkFlowVolumePlacement_h
+#define vtkFlowVolumePlacement_h
+
+#include "vtkNephoscopeFiltersFlowVolumeModule.h" // for export macro
+#include "vtkObject.h"
+
+#include <string> // for names
+
+class vtkDataObject;
+
+class VTKNEPHOSCOPEFILTERSFLOWVOLUME_EXPORT vtkFlowVolumePlacement : public vtkObject
+{
+public:
+  static vtkFlowVolumePlacement* New();
+  vtkTypeMacro(vtkFlowVolumePlacement, vtkObject);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  /**
+   * Looks for a place in `data`, a dataset or a composite one. `velocity` names an array of three components, of the cells with
+   * `onCells`, else of the points. False, with no error, if nothing flows there; Problem says why if the array can not be used.
+   */
+  bool Find(vtkDataObject* data, const std::string& velocity, bool onCells = false);
+
+  /** Diagonal that the radius is a fraction of, where `data` is a part of the whole; 0 (default): that of `data`. */
+  vtkSetMacro(Diagonal, double);
+  vtkGetMacro(Diagonal, double);
+
+  ///@{
+  /** What was found: centre, unit vector along the flow, radius, and how good it is (the greater the better, for choosing between parts). */
+  vtkGetVector3Macro(Center, double);
+  vtkGetVector3Macro(Normal, double);
+  vtkGetMacro(Radius, double);
+  vtkGetMacro(Speed, double);
+  ///@}
+
+  /** Why the array can not be used; empty if it can. */
+  std::string GetProblem() const { return this->Problem; }
+
+protected:
+  vtkFlowVolumePlacement() = default;
+  ~vtkFlowVolumePlacement() override = default;
+
+private:
+  vtkFlowVolumePlacement(const vtkFlowVolumePlacement&) = delete;
+  void operator=(const vtkFlowVolumePlacement&) = delete;
+
+  double Diagonal = 0.0;
+  double Center[3] = { 0.0, 0.0, 0.0 };
+  double Normal[3] = { 0.0, 0.0, 1.0 };
+  double Radius = 0.0;
+  double Speed = 0.0;
+  std::string Problem;
+};
+
+#endif
