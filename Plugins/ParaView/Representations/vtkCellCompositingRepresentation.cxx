@@ -3,6 +3,7 @@
 #include "vtkCellCompositingRepresentation.h"
 
 #include "CellMeasures.h"
+#include "SmokeCells.h"
 #include "VolumetricCells.h"
 #include "vtkCellCompositingMapper.h"
 #include "vtkCellCompositingVolume.h"
@@ -39,7 +40,8 @@ const char* const uniformName = "NephoscopeUniform";
 
 // What the automatic unit distance aims at with ParaView's default opacity function, a ramp from 0 to 1 over the range.
 constexpr double meanOpticalDepth = 2.0;
-constexpr double uniformOpacity = 0.5; // under Solid Color
+constexpr double smokeOpticalDepth = 1.0; // the same for smoke, through the generating polygon's diameter
+constexpr double uniformOpacity = 0.5;    // under Solid Color
 
 int numberOfRanks()
 {
@@ -124,6 +126,12 @@ void vtkCellCompositingRepresentation::PrepareCells(vtkDataObject* input)
     this->Cells, scalars, association == vtkDataObject::FIELD_ASSOCIATION_CELLS);
   const nephoscope::CellMeasures all = nephoscope::reduceOverRanks(mine);
   std::copy(mine.Bounds, mine.Bounds + 6, this->DataBounds);
+  double smokeDistance = 0.0;
+  if (this->OpacityArray == "None" && nephoscope::isSmoke(this->Cells) && all.Volume > 0.0)
+  {
+    smokeDistance =
+      nephoscope::smokeThickness(this->Cells) * all.ScalarIntegral / all.Volume / smokeOpticalDepth;
+  }
 
   auto controller = vtkMultiProcessController::GetGlobalController();
   if (all.Volume <= 0.0 && (!controller || controller->GetLocalProcessId() == 0))
@@ -147,8 +155,8 @@ void vtkCellCompositingRepresentation::PrepareCells(vtkDataObject* input)
       this->Cells = nephoscope::tetrahedralize(this->Cells);
     }
   }
-  setFieldValue(this->Cells, unitDistanceName,
-    nephoscope::meanChord(all) * nephoscope::meanRamp(all) / meanOpticalDepth);
+  setFieldValue(this->Cells, unitDistanceName, smokeDistance > 0.0 ? smokeDistance
+    : nephoscope::meanChord(all) * nephoscope::meanRamp(all) / meanOpticalDepth);
 }
 
 int vtkCellCompositingRepresentation::ProcessViewRequest(
@@ -227,6 +235,7 @@ void vtkCellCompositingRepresentation::PrepareMapper(vtkDataSet* cells)
     this->AutomaticUnitDistance && automatic > 0.0 ? automatic : this->UnitDistance;
   this->Property->SetScalarOpacityUnitDistance(distance);
   this->UniformProperty->SetScalarOpacityUnitDistance(distance);
+  this->PrepareOpacity(cells, distance);
   this->Mapper->SetOpacityScale(this->OpacityScale * this->Opacity);
   this->Mapper->SetVisibilityOrder(this->VisibilityOrder); // while the camera moves too: rays need no sorting
   this->PrepareContours();
@@ -253,10 +262,15 @@ vtkDataArray* vtkCellCompositingRepresentation::FindColorArray(
   return arrays->GetArray(name);
 }
 
-// The array that decides how opaque the cells are: the one chosen for it, else the coloured one.
+// The array that decides how opaque the cells are: the one chosen for it, else the density of smoke, else the coloured one.
 vtkDataArray* vtkCellCompositingRepresentation::FindOpacityArray(vtkDataSet* cells, int& association)
 {
-  const std::string chosen = this->Mapper->GetOpacityArrayName();
+  if (this->DrawsSmoke(cells))
+  {
+    association = vtkDataObject::FIELD_ASSOCIATION_CELLS;
+    return nephoscope::smokeDensity(cells);
+  }
+  const std::string chosen = this->OpacityArray == "None" ? std::string() : this->OpacityArray;
   association = vtkDataObject::FIELD_ASSOCIATION_POINTS;
   vtkDataArray* array = cells->GetPointData()->GetArray(chosen.c_str());
   if (!array)
@@ -274,7 +288,6 @@ void vtkCellCompositingRepresentation::SetOpacityArray(const char* name)
   if (chosen != this->OpacityArray)
   {
     this->OpacityArray = chosen;
-    this->Mapper->SetOpacityArrayName(chosen == "None" ? std::string() : chosen);
     this->MarkModified(); // the automatic unit distance depends on it
   }
 }

@@ -24,6 +24,7 @@
 class vtkCellCompositingMapper;
 class vtkDataArray;
 class vtkDataSet;
+class vtkPiecewiseFunction;
 
 class VTKNEPHOSCOPEPARAVIEWREPRESENTATIONS_EXPORT vtkCellCompositingRepresentation
   : public vtkVolumeRepresentation
@@ -63,7 +64,9 @@ public:
   ///@{
   /**
    * Array that the opacity function reads, of points or cells; empty or "None" (default): the coloured array. The automatic unit
-   * distance depends on it.
+   * distance depends on it. With "None" smoke, as vtkFlowVolume makes it, has its Density (with puffs SmokeDensity) as extinction, whatever it is coloured by
+   * and without an opacity function; the automatic unit distance then gives the generating polygon's diameter an optical depth of 1 at
+   * the mean density.
    */
   void SetOpacityArray(const char* name);
   const char* GetOpacityArray() const { return this->OpacityArray.c_str(); }
@@ -131,11 +134,15 @@ private:
   void ColorUniformly(vtkDataSet* cells);
   void PrepareContours();
   void PrepareLayers();
+  void PrepareOpacity(vtkDataSet* cells, double unitDistance);
+  bool DrawsSmoke(vtkDataSet* cells) const;
   vtkDataArray* FindColorArray(vtkDataSet* cells, int& association, const char*& name);
   vtkDataArray* FindOpacityArray(vtkDataSet* cells, int& association);
 
   vtkNew<vtkCellCompositingMapper> Mapper;
   vtkNew<vtkVolumeProperty> UniformProperty;
+  vtkNew<vtkVolumeProperty> SmokeProperty; // the colours of one of the others, and an opacity of its own
+  vtkNew<vtkPiecewiseFunction> SmokeOpacity;
   vtkSmartPointer<vtkDataSet> Cells;        // this rank's piece, as handed to the view
   vtkSmartPointer<vtkDataSet> UniformCells; // a delivered piece with a uniform array
   vtkMTimeType UniformCellsTime = 0;
