@@ -31,9 +31,16 @@ def nested(element, tag):
     return [e for e in children(element) if e.GetName() == tag]
 
 
+def is_information(element):
+    return element.GetAttribute("information_only") == "1"
+
+
 def compare_default(owner, name, element, value):
     text = element.GetAttribute("default_values")
-    xml = text if isinstance(value, str) else float(text)
+    if isinstance(value, tuple):
+        xml = tuple(float(word) for word in text.split())
+    else:
+        xml = text if isinstance(value, str) else float(text)
     check(xml == value, f"{owner}.{name}: XML default {xml!r}, C++ default {value!r}")
 
 
@@ -95,11 +102,12 @@ def check_offered(view):
         display.SetRepresentationType(NAME)
 
 
-load_plugin()
-check_filter("GlobeGrid", nephoscope.vtkGlobeGrid)
-check_fresh_proxy("GlobeGrid", nephoscope.vtkGlobeGrid, pvs.Wavelet())
-check_filter("PolyhedronToTetrahedra", nephoscope.vtkPolyhedronToTetrahedra, is_grouped=False)
-check_fresh_proxy("PolyhedronToTetrahedra", nephoscope.vtkPolyhedronToTetrahedra, pvs.Tetrahedralize(Input=pvs.Wavelet()))
-check_representation()
-check_offered(pvs.CreateRenderView())
-passed()
+if __name__ == "__main__":
+    load_plugin()
+    check_filter("GlobeGrid", nephoscope.vtkGlobeGrid)
+    check_fresh_proxy("GlobeGrid", nephoscope.vtkGlobeGrid, pvs.Wavelet())
+    check_filter("PolyhedronToTetrahedra", nephoscope.vtkPolyhedronToTetrahedra, is_grouped=False)
+    check_fresh_proxy("PolyhedronToTetrahedra", nephoscope.vtkPolyhedronToTetrahedra, pvs.Tetrahedralize(Input=pvs.Wavelet()))
+    check_representation()
+    check_offered(pvs.CreateRenderView())
+    passed()
