@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class vtkPVFlowVolume
- * @brief vtkFlowVolume, with what ParaView's panel shows: a place to start from, and the normal that was used
+ * @brief vtkFlowVolume, with a place to start from for ParaView's panel
  *
  * The smoke is that of vtkFlowVolume. On several ranks FindPlace must be called on all of them, as ParaView does.
  */
@@ -29,14 +29,9 @@ public:
   vtkGetMacro(PlaceRadius, double);
   ///@}
 
-  /** Unit normal of the generating polygon of the last volume, along the flow; (0, 0, 0) before there is one. */
-  vtkGetVector3Macro(PolygonNormal, double);
-
 protected:
   vtkPVFlowVolume() = default;
   ~vtkPVFlowVolume() override = default;
-
-  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
 private:
   vtkPVFlowVolume(const vtkPVFlowVolume&) = delete;
@@ -45,7 +40,6 @@ private:
   double PlaceCenter[3] = { 0.0, 0.0, 0.0 };
   double PlaceNormal[3] = { 0.0, 0.0, 1.0 };
   double PlaceRadius = 0.0;
-  double PolygonNormal[3] = { 0.0, 0.0, 0.0 };
 };
 
 #endif

@@ -9,8 +9,8 @@ from PluginTesting import check, load_plugin, passed, pvs
 PLACE = {"Center", "Radius", "Normal"}  # a fresh filter starts in the flow: FlowVolume.py
 SELECTION = "SelectInputVectors"        # an array, not a member
 RENAMED = {SELECTION: "Velocity"}       # XML name -> name in Python, where it is another one
-INFORMATION = {"FlowVolume": {"PolygonNormal", "PlaceCenter", "PlaceNormal", "PlaceRadius"},
-               "FlowVolumeFromPolygon": {"PolygonNormal"},
+RESULTS = {"NormalUsed", "DurationUsed", "TimeStepUsed", "EmittedMass", "LostMass"}
+INFORMATION = {"FlowVolume": RESULTS | {"PlaceCenter", "PlaceNormal", "PlaceRadius"}, "FlowVolumeFromPolygon": RESULTS,
                "SmokePuffs": {"ActualPeriod", "TimestepValues", "TimeRange"}}
 UNITS = {"FlowVolume": ("(length/s)", "(times in s)", "(length)"), "FlowVolumeFromPolygon": ("(length/s)", "(times in s)", "(length)"),
          "SmokePuffs": ("Time (s)", "(shares)")}

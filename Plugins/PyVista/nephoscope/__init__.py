@@ -18,6 +18,8 @@ if _TYPE_CHECKING:
     from .clouds import cloud_surface, smooth
     from .globe import globe_surface, to_globe
     from .reader import read_cf
+    from .smoke import flow_volume, smoke_puffs
+    from .smoke_drawing import add_smoke
     from .splitting import split_cells
 
 # Function -> the file of its technique. A new technique adds its line here and its method in accessor.py.
@@ -29,6 +31,9 @@ PYVISTA_FUNCTIONS = {
     "split_cells": "splitting",
     "smooth": "clouds",
     "cloud_surface": "clouds",
+    "flow_volume": "smoke",
+    "smoke_puffs": "smoke",
+    "add_smoke": "smoke_drawing",
 }
 
 

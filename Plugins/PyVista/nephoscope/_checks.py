@@ -33,10 +33,13 @@ def choose(choices: Mapping[str, Callable[[], None]], value: str, argument: str)
     choices[value]()
 
 
-def require_number(value: float, argument: str, *, above: float | None = None, least: float | None = None) -> float:
-    """`value` as a finite float greater than `above` or not less than `least`; ValueError otherwise."""
+def require_number(value: float, argument: str, *, above: float | None = None, least: float | None = None,
+                   most: float | None = None) -> float:
+    """`value` as a finite float greater than `above`, not less than `least`, not more than `most`; ValueError otherwise."""
     number = float(value)
-    if not math.isfinite(number) or (above is not None and number <= above) or (least is not None and number < least):
-        wanted = f"greater than {above:g}" if above is not None else f"at least {least:g}" if least is not None else "finite"
-        raise ValueError(f"{argument} is {value!r}; it must be a finite number{'' if wanted == 'finite' else ' ' + wanted}.")
+    limits = [f"greater than {above:g}"] if above is not None else [f"at least {least:g}"] if least is not None else []
+    limits += [f"at most {most:g}"] if most is not None else []
+    if not math.isfinite(number) or (above is not None and number <= above) or (least is not None and number < least) or (
+            most is not None and number > most):
+        raise ValueError(f"{argument} is {value!r}; it must be a finite number{' ' if limits else ''}{' and '.join(limits)}.")
     return number

@@ -8,6 +8,7 @@ import pyvista
 
 from .clouds import cloud_surface, smooth
 from .globe import to_globe
+from .smoke import flow_volume, smoke_puffs
 from .splitting import split_cells
 
 
@@ -37,6 +38,8 @@ class NephoscopeAccessor:
     split_cells = _method(split_cells)
     smooth = _method(smooth)
     cloud_surface = _method(cloud_surface)
+    flow_volume = _method(flow_volume)
+    smoke_puffs = _method(smoke_puffs)
 
 
 # Before 0.48 PyVista has no accessors; the functions of the package work without them.

@@ -1,0 +1,124 @@
+# SPDX-FileCopyrightText: The Nephoscope authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""mesh.nephoscope.flow_volume and smoke_puffs: closed-form volumes, arguments, errors."""
+import unittest
+
+import nephoscope
+import numpy as np
+import pyvista
+from pyvista.core.errors import MissingDataError
+
+AREA = 12 / 2 * np.sin(2 * np.pi / 12)  # of the regular polygon of radius 1
+
+
+def uniform(velocity=(2.0, 0.0, 0.0), n=9):
+    """A cube of side 20 about the origin in a uniform wind."""
+    mesh = pyvista.ImageData(dimensions=(n,) * 3, spacing=(20 / (n - 1),) * 3, origin=(-10,) * 3)
+    mesh.point_data["wind"] = np.tile(velocity, (mesh.n_points, 1))
+    mesh.point_data["x"] = mesh.points[:, 0]
+    return mesh
+
+
+class FlowVolume(unittest.TestCase):
+    def test_cylinder(self):
+        mesh = uniform()
+        names = list(mesh.array_names)
+        smoke = mesh.nephoscope.flow_volume(center=(-5, 0, 0), radius=1, duration=4, time_step=0.5)
+        self.assertIsInstance(smoke, pyvista.UnstructuredGrid)
+        self.assertAlmostEqual(smoke.volume, AREA * 2 * 4, places=9)
+        self.assertEqual(set(smoke.cell_data["EmissionStep"]), set(range(8)))
+        np.testing.assert_allclose(smoke.cell_data["Density"], 1, rtol=1e-9)
+        np.testing.assert_allclose(smoke.point_data["Age"], (smoke.points[:, 0] + 5) / 2, atol=1e-12)
+        np.testing.assert_allclose(smoke.point_data["x"], smoke.points[:, 0], atol=1e-12)
+        self.assertEqual(mesh.array_names, names)
+
+    def test_normal_and_density(self):
+        smoke = uniform().nephoscope.flow_volume(center=(-5, 0, 0), radius=1, normal=(1, 1, 0), duration=2, time_step=0.5,
+                                                 initial_density=3)
+        self.assertAlmostEqual(smoke.volume, AREA * np.sqrt(0.5) * 2 * 2, places=9)
+        sizes = smoke.compute_cell_sizes(length=False, area=False)["Volume"]
+        self.assertAlmostEqual(float(np.sum(sizes * smoke.cell_data["Density"])), 3 * smoke.volume, places=9)
+
+    def test_polygon(self):
+        square = pyvista.Plane(center=(-5, 0, 0), direction=(1, 0, 0), i_size=2, j_size=2, i_resolution=1, j_resolution=1)
+        smoke = uniform().nephoscope.flow_volume(square, duration=2, time_step=0.5, integrator="rk45")
+        self.assertAlmostEqual(smoke.volume, 4 * 4, places=9)
+
+    def test_cells_and_blocks(self):
+        mesh = uniform()
+        on_cells = mesh.point_data_to_cell_data()
+        self.assertAlmostEqual(on_cells.nephoscope.flow_volume(vectors="wind", center=(-5, 0, 0), radius=1, duration=2).volume, AREA * 4,
+                               places=9)
+        blocks = pyvista.MultiBlock([mesh.extract_subset((0, 4, 0, 8, 0, 8)), mesh.extract_subset((4, 8, 0, 8, 0, 8))])
+        smoke = nephoscope.flow_volume(blocks, vectors="wind", center=(-5, 0, 0), radius=1, duration=5)
+        self.assertAlmostEqual(smoke.volume, AREA * 10, places=9)
+
+    def test_place(self):
+        """Without a centre the polygon is where the flow is fast, here a jet off the middle, and fits in."""
+        mesh = uniform(n=21)
+        y, z = mesh.points[:, 1] - 4, mesh.points[:, 2] + 3
+        mesh.point_data["wind"] = np.outer(np.exp(-(y ** 2 + z ** 2) / 4), (3, 0, 0))
+        smoke = mesh.nephoscope.flow_volume(duration=0.5)
+        start = smoke.points[smoke.point_data["Age"] == 0]
+        self.assertLess(np.linalg.norm(start.mean(axis=0)[1:] - (4, -3)), 1)
+        self.assertAlmostEqual(np.ptp(start[:, 1]), 2 * mesh.length / 50, delta=0.05)
+
+    def test_errors(self):
+        mesh = uniform()
+        with self.assertRaisesRegex(MissingDataError, "no array 'v' of three components. Point arrays: 'wind', 'x'"):
+            mesh.nephoscope.flow_volume(vectors="v")
+        with self.assertRaisesRegex(MissingDataError, "'x'"):
+            mesh.nephoscope.flow_volume(vectors="x")
+        with self.assertRaisesRegex(ValueError, "radius is 0"):
+            mesh.nephoscope.flow_volume(radius=0)
+        with self.assertRaisesRegex(ValueError, "n_sides is 2"):
+            mesh.nephoscope.flow_volume(n_sides=2)
+        with self.assertRaisesRegex(ValueError, "center is .* three finite"):
+            mesh.nephoscope.flow_volume(center=(0, np.nan, 0))
+        with self.assertRaisesRegex(ValueError, "integrator is 'euler'; it must be one of 'rk4', 'rk45'"):
+            mesh.nephoscope.flow_volume(integrator="euler")
+        with self.assertRaisesRegex(ValueError, "no place with a flow"):
+            uniform((0, 0, 0)).nephoscope.flow_volume()
+        with self.assertRaisesRegex(RuntimeError, "outside"):
+            mesh.nephoscope.flow_volume(center=(100, 0, 0))
+        with self.assertRaisesRegex(TypeError, "mesh is a list"):
+            nephoscope.flow_volume([1])
+        with self.assertRaisesRegex(TypeError, "polygon is a ImageData"):
+            mesh.nephoscope.flow_volume(mesh)
+        with self.assertRaisesRegex(ValueError, "'radius' as well"):
+            mesh.nephoscope.flow_volume(pyvista.Plane(), radius=1)
+
+
+class Puffs(unittest.TestCase):
+    def setUp(self):
+        self.smoke = uniform().nephoscope.flow_volume(center=(-5, 0, 0), radius=1, duration=4, time_step=0.125)
+
+    def puffs(self, *args, **options):
+        return self.smoke.nephoscope.smoke_puffs(*args, **options)
+
+    def test_crests_move_with_the_flow(self):
+        for time in (0.0, 0.25, 0.5):
+            volume = self.puffs(time, period=1, floor=0, on_points=True)
+            x = volume.points[volume.point_data["SmokeDensity"] > 0.99, 0]
+            phase = ((x + 5) / 2 - time + 0.5) % 1 - 0.5
+            self.assertTrue(x.size and np.all(np.abs(phase) < 0.08))
+        self.assertNotIn("SmokeDensity", self.smoke.array_names)
+
+    def test_options(self):
+        np.testing.assert_array_equal(self.puffs(0.3, period=1)["SmokeDensity"], self.puffs(1.3, period=1)["SmokeDensity"])
+        self.assertAlmostEqual(self.puffs(floor=0.25, width=0.2)["SmokeDensity"].min(), 0.25)
+        self.assertAlmostEqual(self.puffs(max_density=0.5)["SmokeDensity"].max(), 0.5, places=2)
+        self.assertGreater(self.puffs(normalization="mean", floor=0)["SmokeDensity"].max(), 3)
+
+    def test_errors(self):
+        for argument, value in (("width", 2), ("width", 0), ("floor", -1), ("floor", 1.5), ("period", 0), ("max_density", 0)):
+            with self.assertRaisesRegex(ValueError, f"{argument} is"):
+                self.puffs(**{argument: value})
+        with self.assertRaisesRegex(TypeError, "UnstructuredGrid"):
+            nephoscope.smoke_puffs(uniform())
+        with self.assertRaisesRegex(RuntimeError, "Age"):
+            nephoscope.smoke_puffs(uniform().cast_to_unstructured_grid())
+
+
+if __name__ == "__main__":
+    unittest.main()

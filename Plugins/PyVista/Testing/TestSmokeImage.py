@@ -1,0 +1,108 @@
+# SPDX-FileCopyrightText: The Nephoscope authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""nephoscope.add_smoke: the transparency is that of the closed form, the colour that of the argument; and the snippet of the page runs."""
+import os
+import re
+import tempfile
+import unittest
+from pathlib import Path
+
+import nephoscope
+import numpy as np
+import pyvista
+from pyvista.core.errors import MissingDataError
+
+ROOT = Path(os.environ["NEPHOSCOPE_DATA"]).parent
+OUTPUT = Path(os.environ["NEPHOSCOPE_TEST_OUTPUT"])
+
+
+def square_smoke(density=1.0):
+    """A beam of smoke along x, 2 x 2 across."""
+    mesh = pyvista.ImageData(dimensions=(9, 5, 5), spacing=(2.5, 2, 2), origin=(-10, -4, -4))
+    mesh.point_data["wind"] = np.tile((1.0, 0, 0), (mesh.n_points, 1))
+    square = pyvista.Plane(center=(-8, 0, 0), direction=(1, 0, 0), i_size=2, j_size=2, i_resolution=2, j_resolution=2)
+    return nephoscope.flow_volume(mesh, square, duration=16, time_step=1, initial_density=density)
+
+
+class Drawing(unittest.TestCase):
+    def picture(self, volume, *args, **options):
+        plotter = pyvista.Plotter(off_screen=True, window_size=(60, 60))
+        self.addCleanup(plotter.close)
+        plotter.set_background("black")
+        nephoscope.add_smoke(plotter, volume, *args, **options)
+        plotter.view_xy()
+        plotter.enable_parallel_projection()
+        plotter.camera.parallel_scale = 4
+        return plotter.screenshot(return_img=True)[..., :3] / 255.0
+
+    def test_transparency(self):
+        """A beam of width 2 whose polygon has a diagonal of 2 sqrt(2) is 2 sqrt(2) / sqrt(2) = 2 wide by the rule: optical depth 1."""
+        for density in (1.0, 5.0):  # only relative
+            picture = self.picture(square_smoke(density))
+            np.testing.assert_allclose(picture[30, 30], 1 - np.exp(-1), atol=0.01)
+            np.testing.assert_allclose(picture[2, 30], 0)
+        picture = self.picture(square_smoke(), optical_depth=0.5, color="red")
+        np.testing.assert_allclose(picture[30, 30], (1 - np.exp(-0.5), 0, 0), atol=0.01)
+
+    def test_colour_by_array(self):
+        picture = self.picture(square_smoke(), "Age", cmap=["blue", "red"], show_scalar_bar=False)
+        left, right = picture[30, 2], picture[30, 57]
+        self.assertGreater(left[2] - left[0], 0.15)
+        self.assertGreater(right[0] - right[2], 0.15)
+        self.assertAlmostEqual(left.sum(), right.sum(), delta=0.05)
+
+    def test_puffs(self):
+        volume = square_smoke().nephoscope.smoke_puffs(2, period=4, floor=0)
+        row = self.picture(volume)[30, :, 0]
+        x = np.linspace(-4, 4, 60) * 60 / 60
+        age = x + 8
+        at_crest, between = np.abs((age - 2 + 2) % 4 - 2) < 0.3, np.abs((age - 2) % 4 - 2) < 0.3
+        self.assertGreater(row[at_crest].mean(), 0.5)
+        self.assertLess(row[between].mean(), 0.1)
+
+    def test_errors(self):
+        plotter = pyvista.Plotter(off_screen=True)
+        self.addCleanup(plotter.close)
+        for error, pattern, options in ((MissingDataError, "density: no array 'rho'", {"density": "rho"}),
+                                        (MissingDataError, "scalars: no array 'q'", {"scalars": "q"}),
+                                        (ValueError, "optical_depth is 0", {"optical_depth": 0})):
+            with self.assertRaisesRegex(error, pattern):
+                nephoscope.add_smoke(plotter, square_smoke(), **options)
+        with self.assertRaisesRegex(TypeError, "volume is a ImageData"):
+            nephoscope.add_smoke(plotter, pyvista.ImageData(dimensions=(2, 2, 2)))
+        self.assertEqual(dict(plotter.actors), {})
+
+
+class Snippets(unittest.TestCase):
+    """The Python of the page runs as it stands."""
+
+    def test_page(self):
+        text = (ROOT / "Documentation" / "flow-volumes.md").read_text()
+        snippets = re.findall(r"<!-- snippet: (\w+) -->\s*```python\n(.*?)```", text, re.DOTALL)
+        self.assertEqual([name for name, _ in snippets], ["pyvista", "vtk"])
+        for name, code in snippets:
+            with self.subTest(name):
+                self.run_snippet(name, code)
+
+    def run_snippet(self, name, code):
+        previous = os.getcwd()
+        with tempfile.TemporaryDirectory() as folder:
+            os.symlink(ROOT / "Data", Path(folder) / "Data")
+            os.chdir(folder)
+            pyvista.OFF_SCREEN = True
+            try:
+                names = {"__name__": "snippet"}
+                exec(compile(code, name, "exec"), names)
+                if name == "pyvista":
+                    picture = pyvista.read("smoke.png")
+                    picture.save(OUTPUT / "TestSmokeImage.png")
+                    pixels = np.asarray(picture.active_scalars, float)
+                    self.assertGreater(np.mean(pixels.min(axis=1) > 100), 0.01, "no smoke is to be seen")
+                else:
+                    self.assertGreater(names["smoke"].GetOutput().GetNumberOfCells(), 1000)
+            finally:
+                os.chdir(previous)
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,227 @@
+# SPDX-FileCopyrightText: The Nephoscope authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Flow volumes: the smoke that a flow carries through a polygon (`vtkFlowVolume`), and its puffs (`vtkSmokePuffs`)."""
+from __future__ import annotations
+
+from typing import Any, Literal, Sequence
+
+import numpy as np
+import pyvista
+from pyvista.core.errors import MissingDataError
+from vtkmodules.vtkCommonDataModel import vtkDataObject
+
+from . import vtkFlowVolume, vtkFlowVolumePlacement, vtkSmokePuffs
+from ._checks import arrays_of, choose, listed, require_number
+from ._pipeline import vtk_messages
+
+DEFAULT_VECTORS = "DisplayVelocity"  # of `to_globe`
+
+
+def flow_volume(mesh: pyvista.DataSet, polygon: pyvista.PolyData | None = None, *, vectors: str | None = None,
+                center: Sequence[float] | None = None, radius: float | None = None,
+                normal: Sequence[float] | None = None, n_sides: int = 12, duration: float | None = None,
+                time_step: float | None = None, initial_density: float = 1.0, polygon_edge_length: float | None = None,
+                max_edge_length: float | None = None, min_edge_length: float = 0.0, max_turn_angle: float = 15.0,
+                integrator: Literal["rk4", "rk45"] = "rk4", tolerance: float = 1e-6,
+                max_tetrahedra: int = 10_000_000) -> pyvista.UnstructuredGrid:
+    """Smoke: the volume that a steady flow sweeps through a polygon, as tetrahedra.
+
+    Also the accessor method ``mesh.nephoscope.flow_volume(...)``. Lengths are in the unit of the mesh, times in seconds.
+
+    Parameters
+    ----------
+    mesh : pyvista.DataSet or pyvista.MultiBlock
+        Any mesh with a velocity; it is not changed.
+    polygon : pyvista.PolyData, optional
+        The generating polygon: planar polygons, convex or not. Default: the regular one that the following arguments describe.
+    vectors : str, optional
+        Array of three components, of points or cells: the velocity in lengths of the mesh per second. Default:
+        ``"DisplayVelocity"`` if there is one, else the active vectors, else the only array of three components.
+    center : sequence of 3 float, optional
+        Centre of the polygon. Default: a place where the flow is fast and the polygon fits in.
+    radius : float, optional
+        Distance of the corners from the centre, > 0. Default: 1/50 of the diagonal of the bounds; without a `center` less where
+        that does not fit in.
+    normal : sequence of 3 float, optional
+        Direction that the polygon faces. Default: that of the flow at its centre.
+    n_sides : int, default: 12
+        Number of sides, >= 3.
+    duration : float, optional
+        How long the smoke flows, in seconds, > 0. Default: until the flow at the polygon has crossed half the diagonal of the bounds.
+    time_step : float, optional
+        Time between two layers, in seconds, > 0. Default: 1/64 of the duration.
+    initial_density : float, default: 1.0
+        Density at the polygon.
+    polygon_edge_length : float, optional
+        Longest edge of the triangles that the polygon is divided into, > 0. Default: a quarter of its extent.
+    max_edge_length : float, optional
+        Longer edges of a layer are divided, > 0. Default: three times the longest edge of the polygon's triangles.
+    min_edge_length : float, default: 0.0
+        Shorter edges of a layer are merged. 0: never.
+    max_turn_angle : float, default: 15.0
+        Steps in which a path turns by more, in degrees, are halved. 0: never.
+    integrator : {"rk4", "rk45"}, default: "rk4"
+        Fixed steps of fourth order, or steps with control of their error.
+    tolerance : float, default: 1e-6
+        Error of one step of ``"rk45"``, relative to the longest edge of the polygon's triangles; 1e-14 to 1.
+    max_tetrahedra : int, default: 10000000
+        The volume ends before it has more.
+
+    Returns
+    -------
+    pyvista.UnstructuredGrid
+        Tetrahedra. Cell arrays: ``EmissionStep`` (number of the time step), ``Age`` (s since the smoke left the polygon), ``Density``;
+        the sum of density times volume is the emitted mass. Point arrays: ``Age`` and those of `mesh`.
+
+    Raises
+    ------
+    TypeError
+        If `mesh` or `polygon` is not what it should be.
+    pyvista.core.errors.MissingDataError
+        (a ValueError) If there is no such array of three components; the message lists those that are there.
+    ValueError
+        If an argument is out of range, or without a `center` the mesh has no place with a flow.
+    RuntimeError
+        If the filter cannot make a volume, with its message.
+
+    Warns
+    -----
+    RuntimeWarning
+        What the filter warns of: a polygon partly outside, a volume that ended early.
+
+    Examples
+    --------
+    >>> smoke = mesh.nephoscope.flow_volume(center=(0, 0, 1), radius=0.2, duration=10)  # doctest: +SKIP
+    """
+    if not isinstance(mesh, (pyvista.DataSet, pyvista.MultiBlock)):
+        raise TypeError(f"mesh is a {type(mesh).__name__}; it must be a pyvista dataset or MultiBlock.")
+    smoke = vtkFlowVolume()
+    smoke.SetInputDataObject(mesh)
+    name, on_cells = _velocity(mesh, vectors)
+    if name:
+        association = vtkDataObject.FIELD_ASSOCIATION_CELLS if on_cells else vtkDataObject.FIELD_ASSOCIATION_POINTS
+        smoke.SetInputArrayToProcess(0, 0, 0, association, name)
+    if polygon is None:
+        _place(smoke, mesh, (name, on_cells), center, radius)
+        smoke.SetNumberOfSides(int(require_number(n_sides, "n_sides", least=3)))
+    else:
+        _take_polygon(smoke, polygon, {"center": center, "radius": radius})
+    if normal is not None:
+        smoke.SetNormalToFlow(False)
+        smoke.SetNormal(_vector(normal, "normal"))
+    for setter, value, argument in ((smoke.SetDuration, duration, "duration"), (smoke.SetTimeStep, time_step, "time_step"),
+                                    (smoke.SetPolygonEdgeLength, polygon_edge_length, "polygon_edge_length"),
+                                    (smoke.SetMaximumEdgeLength, max_edge_length, "max_edge_length")):
+        setter(0.0 if value is None else require_number(value, argument, above=0))
+    smoke.SetMinimumEdgeLength(require_number(min_edge_length, "min_edge_length", least=0))
+    smoke.SetMaximumTurnAngle(require_number(max_turn_angle, "max_turn_angle", least=0))
+    smoke.SetInitialDensity(require_number(initial_density, "initial_density"))
+    choose({"rk4": smoke.SetIntegratorToRungeKutta4, "rk45": smoke.SetIntegratorToRungeKutta45}, integrator, "integrator")
+    smoke.SetTolerance(require_number(tolerance, "tolerance", above=0))
+    smoke.SetMaximumNumberOfTetrahedra(int(require_number(max_tetrahedra, "max_tetrahedra", least=1)))
+    with vtk_messages(smoke):
+        smoke.Update()
+    return pyvista.wrap(smoke.GetOutput())
+
+
+def smoke_puffs(volume: pyvista.UnstructuredGrid, time: float = 0.0, *, period: float | None = None, width: float = 0.5,
+                floor: float = 0.1, normalization: Literal["peak", "mean"] = "peak", max_density: float | None = None,
+                on_points: bool = False) -> pyvista.UnstructuredGrid:
+    """Smoke released in puffs, as it is at a time: they move along the volume with the flow.
+
+    Also the accessor method ``volume.nephoscope.smoke_puffs(...)``.
+
+    Parameters
+    ----------
+    volume : pyvista.UnstructuredGrid
+        The result of `flow_volume`; it is not changed.
+    time : float, default: 0.0
+        In seconds. Times that differ by a period give the same puffs.
+    period : float, optional
+        Time from one puff to the next, in seconds, > 0. Default: a quarter of the oldest age.
+    width : float, default: 0.5
+        Length of a puff, as a share of the period, up to 1.
+    floor : float, default: 0.1
+        How much smoke stays between puffs, 0 to 1.
+    normalization : {"peak", "mean"}, default: "peak"
+        What a pulse has of 1: its crest, or its mean, so that the mass stays.
+    max_density : float, optional
+        Density above it is cut, > 0.
+    on_points : bool, default: False
+        Values on points, which vary evenly within cells, instead of cells.
+
+    Returns
+    -------
+    pyvista.UnstructuredGrid
+        `volume` with the array ``SmokeDensity``, which `add_smoke` draws.
+
+    Raises
+    ------
+    TypeError
+        If `volume` is not an UnstructuredGrid.
+    ValueError
+        If an argument is out of range.
+    RuntimeError
+        If the volume lacks its arrays, with the filter's message.
+    """
+    if not isinstance(volume, pyvista.UnstructuredGrid):
+        raise TypeError(f"volume is a {type(volume).__name__}; it must be what flow_volume returns, an UnstructuredGrid.")
+    puffs = vtkSmokePuffs()
+    puffs.SetInputData(volume)
+    puffs.SetTime(require_number(time, "time"))
+    puffs.SetPeriod(0.0 if period is None else require_number(period, "period", above=0))
+    puffs.SetWidth(require_number(width, "width", above=0, most=1))
+    puffs.SetFloor(require_number(floor, "floor", least=0, most=1))
+    puffs.SetMaximumDensity(0.0 if max_density is None else require_number(max_density, "max_density", above=0))
+    choose({"peak": puffs.SetNormalizationToPeak, "mean": puffs.SetNormalizationToMean}, normalization, "normalization")
+    (puffs.SetAssociationToPoints if on_points else puffs.SetAssociationToCells)()
+    with vtk_messages(puffs):
+        puffs.Update()
+    return pyvista.wrap(puffs.GetOutput())
+
+
+def _has_vectors(data: Any, name: str) -> bool:
+    return name in data and np.ndim(data[name]) == 2 and data[name].shape[1] == 3
+
+
+def _velocity(mesh: pyvista.DataSet | pyvista.MultiBlock, name: str | None) -> tuple[str, bool]:
+    """Name of the velocity and whether it is of the cells; an empty name leaves the choice to the filter."""
+    blocks = [mesh] if isinstance(mesh, pyvista.DataSet) else [b for b in mesh.recursive_iterator() if b is not None]
+    if name is None:
+        return "", False
+    for on_cells in (False, True):
+        if any(_has_vectors(b.cell_data if on_cells else b.point_data, name) for b in blocks):
+            return name, on_cells
+    arrays = arrays_of(blocks[0]) if blocks else "The mesh is empty."
+    raise MissingDataError(f"vectors: no array {name!r} of three components. {arrays}")
+
+
+def _place(smoke: vtkFlowVolume, mesh: Any, velocity: tuple[str, bool], center: Sequence[float] | None,
+           radius: float | None) -> None:
+    """Centre and radius of the regular polygon."""
+    smoke.SetRadius(0.0 if radius is None else require_number(radius, "radius", above=0))
+    if center is not None:
+        smoke.SetCenter(_vector(center, "center"))
+        return
+    place = vtkFlowVolumePlacement()
+    if not place.Find(mesh, *velocity):
+        raise ValueError(place.GetProblem() or "center: no place with a flow was found in the mesh; say where the polygon shall be.")
+    smoke.SetCenter(place.GetCenter())
+    if radius is None:
+        smoke.SetRadius(place.GetRadius())
+
+
+def _take_polygon(smoke: vtkFlowVolume, polygon: Any, others: dict[str, Any]) -> None:
+    if not isinstance(polygon, pyvista.PolyData):
+        raise TypeError(f"polygon is a {type(polygon).__name__}; it must be a pyvista.PolyData with polygons.")
+    superfluous = [name for name, value in others.items() if value is not None]
+    if superfluous:
+        raise ValueError(f"polygon is given, and {listed(superfluous)} as well: they describe another polygon; leave them out.")
+    smoke.SetInputDataObject(1, polygon)
+
+
+def _vector(values: Sequence[float], argument: str) -> tuple[float, ...]:
+    vector = np.asarray(values, float)
+    if vector.shape != (3,) or not np.isfinite(vector).all():
+        raise ValueError(f"{argument} is {values!r}; it must be three finite numbers.")
+    return tuple(float(v) for v in vector)
