@@ -57,8 +57,8 @@ def add_smoke(plotter: pyvista.BasePlotter, volume: pyvista.UnstructuredGrid, sc
     options.setdefault("opacity", "linear")
     options.setdefault("unit_distance", _unit_distance(volume, density) * highest / require_number(optical_depth, "optical_depth", above=0))
     if scalars is None:
-        rgb = pyvista.Color(color).float_rgb
-        return add_cells(plotter, volume, density, cmap=[rgb, rgb], clim=(0.0, highest),
+        one = pyvista.Color(color).hex_rgb
+        return add_cells(plotter, volume, density, cmap=[one, one], clim=(0.0, highest),
                          show_scalar_bar=options.pop("show_scalar_bar", False), **options)
     return add_cells(plotter, volume, scalars, opacity_scalars=density, opacity_clim=(0.0, highest), **options)
 
