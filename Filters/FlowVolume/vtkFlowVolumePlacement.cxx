@@ -2,13 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkFlowVolumePlacement.h"
 
+#include "DataSets.h"
+#include "VelocityChoice.h"
 #include "VelocityFields.h"
 
 #include "vtkBoundingBox.h"
-#include "vtkCompositeDataSet.h"
-#include "vtkCompositeDataSetRange.h"
 #include "vtkDataSet.h"
 #include "vtkGenericCell.h"
+#include "vtkInformation.h"
 #include "vtkMath.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
@@ -39,24 +40,18 @@ struct Candidate
   double Distance = 0.0; // squared, from the middle
 };
 
-std::vector<vtkDataSet*> Leaves(vtkDataObject* data)
+// The choice that vtkFlowVolume makes.
+bool Choose(vtkDataObject* data, const std::string& name, bool onCells,
+  nephoscope::VelocityArray& choice, std::string& problem)
 {
-  std::vector<vtkDataSet*> leaves;
-  if (auto composite = vtkCompositeDataSet::SafeDownCast(data))
+  vtkNew<vtkInformation> wanted;
+  if (!name.empty())
   {
-    for (vtkDataObject* leaf : vtk::Range(composite, vtk::CompositeDataSetOptions::SkipEmptyNodes))
-    {
-      leaves.push_back(vtkDataSet::SafeDownCast(leaf));
-    }
+    wanted->Set(vtkDataObject::FIELD_NAME(), name.c_str());
+    wanted->Set(vtkDataObject::FIELD_ASSOCIATION(),
+      onCells ? vtkDataObject::FIELD_ASSOCIATION_CELLS : vtkDataObject::FIELD_ASSOCIATION_POINTS);
   }
-  else
-  {
-    leaves.push_back(vtkDataSet::SafeDownCast(data));
-  }
-  leaves.erase(std::remove_if(leaves.begin(), leaves.end(),
-                 [](vtkDataSet* leaf) { return !leaf || leaf->GetNumberOfCells() == 0; }),
-    leaves.end());
-  return leaves;
+  return nephoscope::ChooseVelocity(data, wanted, choice, problem);
 }
 
 // The middles of evenly chosen cells.
@@ -166,9 +161,14 @@ bool vtkFlowVolumePlacement::Find(vtkDataObject* data, const std::string& veloci
 {
   this->Problem.clear();
   this->Speed = 0.0;
-  const auto leaves = Leaves(data);
-  const auto field = nephoscope::MakeVelocityField(data, { velocity, onCells }, this->Problem);
-  if (!field || leaves.empty())
+  const auto leaves = nephoscope::DataSetsOf(data);
+  nephoscope::VelocityArray array;
+  if (leaves.empty() || !Choose(data, velocity, onCells, array, this->Problem))
+  {
+    return false;
+  }
+  const auto field = nephoscope::MakeVelocityField(data, array, this->Problem);
+  if (!field)
   {
     return false;
   }

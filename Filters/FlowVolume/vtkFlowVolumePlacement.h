@@ -31,9 +31,10 @@ public:
 
   /**
    * Looks for a place in `data`, a dataset or a composite one. `velocity` names an array of three components, of the cells with
-   * `onCells`, else of the points. False, with no error, if nothing flows there; Problem says why if the array can not be used.
+   * `onCells`, else of the points; empty (default): the one that vtkFlowVolume would take. False, with no error, if nothing flows
+   * there; Problem says why if there is no array to be used.
    */
-  bool Find(vtkDataObject* data, const std::string& velocity, bool onCells = false);
+  bool Find(vtkDataObject* data, const std::string& velocity = std::string(), bool onCells = false);
 
   /** Diagonal that the radius is a fraction of, where `data` is a part of the whole; 0 (default): that of `data`. */
   vtkSetMacro(Diagonal, double);
@@ -47,7 +48,7 @@ public:
   vtkGetMacro(Speed, double);
   ///@}
 
-  /** Why the array can not be used; empty if it can. */
+  /** Why there is no array to be used; empty if there is. */
   std::string GetProblem() const { return this->Problem; }
 
 protected:

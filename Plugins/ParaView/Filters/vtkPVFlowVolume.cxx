@@ -42,7 +42,7 @@ double DiagonalOfAllRanks(vtkDataObject* data)
   return all.IsValid() ? all.GetDiagonalLength() : 0.0;
 }
 
-// Nine numbers of the rank with the largest polygon, then the fastest flow. Collective.
+// What the rank found with the largest polygon, then the fastest flow. Collective.
 void TakeBestOfAllRanks(std::vector<double>& place)
 {
   auto controller = vtkMultiProcessController::GetGlobalController();
@@ -77,7 +77,7 @@ void vtkPVFlowVolume::FindPlace()
   vtkNew<vtkFlowVolumePlacement> finder;
   finder->SetDiagonal(DiagonalOfAllRanks(input));
   std::vector<double> place(8, 0.0); // radius, speed, centre, normal
-  if (input && finder->Find(input, name && *name ? name : "DisplayVelocity", onCells))
+  if (input && finder->Find(input, name ? name : "", onCells))
   {
     place[0] = finder->GetRadius();
     place[1] = finder->GetSpeed();

@@ -42,7 +42,8 @@ vtkDataArray* smokeDensity(vtkDataSet* cells)
 {
   vtkCellData* arrays = cells ? cells->GetCellData() : nullptr;
   vtkDataArray* density = arrays ? arrays->GetArray("Density") : nullptr;
-  const bool smoke = density && density->GetNumberOfComponents() == 1 && arrays->HasArray("EmissionStep");
+  const bool smoke =
+    density && density->GetNumberOfComponents() == 1 && arrays->HasArray("EmissionStep");
   return smoke ? density : nullptr;
 }
 

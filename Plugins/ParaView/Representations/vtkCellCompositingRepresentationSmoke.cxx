@@ -36,7 +36,8 @@ bool vtkCellCompositingRepresentation::DrawsSmoke(vtkDataSet* cells) const
 
 void vtkCellCompositingRepresentation::PrepareOpacity(vtkDataSet* cells, double unitDistance)
 {
-  this->Mapper->SetOpacityArrayName(this->OpacityArray == "None" ? std::string() : this->OpacityArray);
+  this->Mapper->SetOpacityArrayName(
+    this->OpacityArray == "None" ? std::string() : this->OpacityArray);
   if (!this->DrawsSmoke(cells))
   {
     return;

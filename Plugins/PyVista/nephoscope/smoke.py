@@ -14,8 +14,6 @@ from . import vtkFlowVolume, vtkFlowVolumePlacement, vtkSmokePuffs
 from ._checks import arrays_of, choose, listed, require_number
 from ._pipeline import vtk_messages
 
-DEFAULT_VECTORS = "DisplayVelocity"  # of `to_globe`
-
 
 def flow_volume(mesh: pyvista.DataSet, polygon: pyvista.PolyData | None = None, *, vectors: str | None = None,
                 center: Sequence[float] | None = None, radius: float | None = None,
