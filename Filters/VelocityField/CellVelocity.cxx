@@ -4,6 +4,7 @@
 
 #include "ArrayInterpolation.h"
 #include "CellShapes.h"
+#include "GhostCells.h"
 
 #include "vtkCellType.h"
 #include "vtkDataArray.h"
@@ -196,5 +197,10 @@ void CellVelocity::SampleArrays(
     }
   };
   InterpolateArrays(this->Data->GetPointData(), count, output, fill);
+}
+
+bool CellVelocity::IsInGhostCell(const CellHint& found) const
+{
+  return IsGhostCell(this->Data, found.Cell);
 }
 }

@@ -193,4 +193,9 @@ void CompositeVelocity::SampleArrays(
     }
   });
 }
+
+bool CompositeVelocity::IsInGhostCell(const CellHint& found) const
+{
+  return this->Leaves[static_cast<std::size_t>(found.Block)].Field->IsInGhostCell(found);
+}
 }

@@ -30,6 +30,7 @@ public:
   void Sample(const SampleBatch& batch) const override;
   void SampleArrays(std::size_t count, const Vector3* positions, const CellHint* hints,
     vtkPointData* output) const override;
+  bool IsInGhostCell(const CellHint& found) const override;
 
 private:
   // A position that is looked for, and how far the search is.

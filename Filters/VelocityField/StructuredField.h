@@ -5,6 +5,7 @@
 #define nephoscope_StructuredField_h
 
 #include "ArrayInterpolation.h"
+#include "GhostCells.h"
 #include "GridCell.h"
 #include "HiddenCells.h"
 #include "VelocityFields.h"
@@ -65,6 +66,11 @@ public:
       }
     };
     InterpolateArrays(this->Data->GetPointData(), count, output, fill);
+  }
+
+  bool IsInGhostCell(const CellHint& found) const override
+  {
+    return IsGhostCell(this->Data, found.Cell);
   }
 
 private:

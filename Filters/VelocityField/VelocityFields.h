@@ -23,6 +23,9 @@ public:
   // there is no NaN, outside. `hints` as left by Sample.
   virtual void SampleArrays(std::size_t count, const Vector3* positions, const CellHint* hints,
     vtkPointData* output) const = 0;
+
+  // Whether the cell that Sample has found is a ghost cell, a copy of another rank's (DUPLICATECELL).
+  virtual bool IsInGhostCell(const CellHint& found) const = 0;
 };
 
 // Which array is the velocity: three components, on points or on cells.
