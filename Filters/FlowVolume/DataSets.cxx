@@ -37,6 +37,13 @@ vtkSmartPointer<vtkDataObject> SharedCopyOfOne(vtkDataObject* data)
   return copy;
 }
 
+std::string Written(const Vector3& position)
+{
+  std::ostringstream place;
+  place << "(" << position[0] << ", " << position[1] << ", " << position[2] << ")";
+  return place.str();
+}
+
 vtkIdType CellAt(vtkDataSet* set, const Vector3& position)
 {
   vtkNew<vtkGenericCell> cell;
@@ -76,14 +83,14 @@ std::vector<vtkDataSet*> DataSetsOf(vtkDataObject* data)
   return sets;
 }
 
-double DiagonalOf(const std::vector<vtkDataSet*>& sets)
+vtkBoundingBox BoundsOf(const std::vector<vtkDataSet*>& sets)
 {
   vtkBoundingBox box;
   for (vtkDataSet* set : sets)
   {
     box.AddBounds(set->GetBounds());
   }
-  return box.IsValid() ? box.GetDiagonalLength() : 0.0;
+  return box;
 }
 
 vtkMTimeType NewestMTime(vtkDataObject* data)
@@ -113,34 +120,32 @@ vtkSmartPointer<vtkDataObject> SharedCopy(vtkDataObject* data)
   return copy;
 }
 
-std::string WhyNoVelocity(const std::vector<vtkDataSet*>& sets, const Vector3& position)
+std::string WhyNoVelocityInside(const std::vector<vtkDataSet*>& sets, const Vector3& position)
 {
-  std::ostringstream place;
-  place << "(" << position[0] << ", " << position[1] << ", " << position[2] << ")";
   for (vtkDataSet* set : sets)
   {
     const vtkIdType cell = CellAt(set, position);
     if (cell >= 0 && !IsBlanked(set, cell))
     {
-      return "The velocity at " + place.str() + " is not a finite number (cell " +
+      return "The velocity at " + Written(position) + " is not a finite number (cell " +
         std::to_string(cell) + "): move the polygon, or replace the missing values.";
     }
     if (cell >= 0)
     {
-      return "The cell at " + place.str() + " is blanked: move the polygon into visible cells.";
+      return "The cell at " + Written(position) + " is blanked: move the polygon into visible cells.";
     }
   }
-  vtkBoundingBox box;
-  for (vtkDataSet* set : sets)
-  {
-    box.AddBounds(set->GetBounds());
-  }
+  return {};
+}
+
+std::string WhyOutside(const vtkBoundingBox& box, const Vector3& position)
+{
   double bounds[6];
   box.GetBounds(bounds);
   std::ostringstream sentence;
-  sentence << place.str() << " is outside the data, which are within x " << bounds[0] << " to "
-           << bounds[1] << ", y " << bounds[2] << " to " << bounds[3] << ", z " << bounds[4]
-           << " to " << bounds[5] << ": move the polygon into them.";
+  sentence << Written(position) << " is outside the data, which are within x " << bounds[0] << " to "
+           << bounds[1] << ", y " << bounds[2] << " to " << bounds[3] << ", z " << bounds[4] << " to "
+           << bounds[5] << ": move the polygon into them.";
   return sentence.str();
 }
 }

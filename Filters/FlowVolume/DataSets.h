@@ -12,6 +12,7 @@
 #include <string>
 #include <vector>
 
+class vtkBoundingBox;
 class vtkDataObject;
 class vtkDataSet;
 
@@ -20,16 +21,18 @@ namespace nephoscope
 // Those that have cells: the leaves of a composite dataset, or the dataset itself.
 std::vector<vtkDataSet*> DataSetsOf(vtkDataObject* data);
 
-// Diagonal of the bounds of all.
-double DiagonalOf(const std::vector<vtkDataSet*>& sets);
+vtkBoundingBox BoundsOf(const std::vector<vtkDataSet*>& sets);
 
 vtkMTimeType NewestMTime(vtkDataObject* data);
 
 // A copy that shares the arrays, and stays as it is when a reader fills its output anew.
 vtkSmartPointer<vtkDataObject> SharedCopy(vtkDataObject* data);
 
-// Why there is no velocity at a position: a sentence.
-std::string WhyNoVelocity(const std::vector<vtkDataSet*>& sets, const Vector3& position);
+// Why there is no velocity at a position in a cell: a sentence. Empty if it is in no cell.
+std::string WhyNoVelocityInside(const std::vector<vtkDataSet*>& sets, const Vector3& position);
+
+// The same for a position in no cell of data with these bounds.
+std::string WhyOutside(const vtkBoundingBox& box, const Vector3& position);
 }
 
 #endif

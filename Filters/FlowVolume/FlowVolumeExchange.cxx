@@ -2,16 +2,21 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "FlowVolumeExchange.h"
 
+#include "DataSets.h"
 #include "DistributedField.h"
 #include "MeshSlice.h"
 #include "PolygonUnion.h"
+#include "VelocityChoice.h"
 
 #include "vtkBoundingBox.h"
 #include "vtkCommunicator.h"
 #include "vtkDataObject.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
 #include "vtkMultiProcessController.h"
 #include "vtkMultiProcessStream.h"
 #include "vtkPolyData.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
 
 #include <vector>
 
@@ -22,6 +27,18 @@ FlowVolumeExchange::FlowVolumeExchange(vtkMultiProcessController* controller)
   , Rank(controller ? controller->GetLocalProcessId() : 0)
   , Ranks(controller ? controller->GetNumberOfProcesses() : 1)
 {
+}
+
+void FlowVolumeExchange::RequestParts(vtkInformationVector** inputs) const
+{
+  const auto ghosts = vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_GHOST_LEVELS();
+  for (int port = 0; port < 2 && !this->IsAlone(); ++port)
+  {
+    if (vtkInformation* info = inputs[port]->GetInformationObject(0))
+    {
+      info->Set(ghosts, port == 0 ? 1 : 0);
+    }
+  }
 }
 
 int FlowVolumeExchange::FirstTrue(bool here) const
@@ -45,21 +62,14 @@ bool FlowVolumeExchange::AllTrue(bool here) const
   return !this->AnyTrue(!here);
 }
 
-std::string FlowVolumeExchange::AgreeOnProblem(const std::string& problem, int importance) const
+std::string FlowVolumeExchange::AgreeOnProblem(const std::string& problem) const
 {
-  if (this->IsAlone())
+  const int speaker = this->FirstTrue(!problem.empty());
+  if (this->IsAlone() || speaker == this->Ranks)
   {
     return problem;
   }
-  const int mine = problem.empty() ? -1 : importance;
-  int greatest = -1;
-  this->Controller->AllReduce(&mine, &greatest, 1, vtkCommunicator::MAX_OP);
-  if (greatest < 0)
-  {
-    return {};
-  }
   vtkMultiProcessStream stream;
-  const int speaker = this->FirstTrue(mine == greatest);
   stream << problem;
   this->Controller->Broadcast(stream, speaker);
   std::string agreed = problem;
@@ -93,43 +103,70 @@ void FlowVolumeExchange::Unite(vtkBoundingBox& box) const
   }
 }
 
-void FlowVolumeExchange::AgreeOnVelocity(VelocityArray& array, bool hasCells) const
+double FlowVolumeExchange::DiagonalOf(const std::vector<vtkDataSet*>& sets) const
 {
+  vtkBoundingBox box = BoundsOf(sets);
+  this->Unite(box);
+  return box.IsValid() ? box.GetDiagonalLength() : 0.0;
+}
+
+bool FlowVolumeExchange::ChooseVelocity(
+  vtkDataObject* data, vtkInformation* wanted, VelocityArray& choice, std::string& problem) const
+{
+  const bool hasCells = !DataSetsOf(data).empty();
   const int first = this->FirstTrue(hasCells);
   if (this->IsAlone() || first == this->Ranks)
   {
-    return;
+    return nephoscope::ChooseVelocity(data, wanted, choice, problem);
   }
+  std::string mine;
+  if (hasCells)
+  {
+    nephoscope::ChooseVelocity(data, wanted, choice, mine);
+  }
+  problem = this->AgreeOnProblem(mine);
   vtkMultiProcessStream stream;
-  stream << array.Name << static_cast<int>(array.OnCells);
+  stream << choice.Name << static_cast<int>(choice.OnCells);
   this->Controller->Broadcast(stream, first);
   if (first != this->Rank)
   {
     int onCells = 0;
-    stream >> array.Name >> onCells;
-    array.OnCells = onCells != 0;
+    stream >> choice.Name >> onCells;
+    choice.OnCells = onCells != 0;
   }
+  return problem.empty();
 }
 
-std::unique_ptr<DataSetField> FlowVolumeExchange::MakeField(
+std::unique_ptr<DataSetField> FlowVolumeExchange::MakeVelocityField(
   vtkDataObject* data, const VelocityArray& array, std::string& problem) const
 {
-  const bool hasCells = data && data->GetNumberOfElements(vtkDataObject::CELL) > 0;
+  const bool hasCells = !DataSetsOf(data).empty();
   if (this->IsAlone() || !this->AnyTrue(hasCells))
   {
-    return MakeVelocityField(data, array, problem);
+    return nephoscope::MakeVelocityField(data, array, problem);
   }
-  VelocityArray agreed = array;
-  this->AgreeOnVelocity(agreed, hasCells);
   std::string mine;
-  std::unique_ptr<DataSetField> local = hasCells ? MakeVelocityField(data, agreed, mine) : nullptr;
+  std::unique_ptr<DataSetField> local;
+  if (hasCells)
+  {
+    local = nephoscope::MakeVelocityField(data, array, mine);
+  }
   problem = this->AgreeOnProblem(mine);
   return problem.empty() ? std::make_unique<DistributedField>(std::move(local), this->Controller) : nullptr;
 }
 
+std::string FlowVolumeExchange::WhyNoVelocity(
+  const std::vector<vtkDataSet*>& sets, const Vector3& position) const
+{
+  const std::string inside = this->AgreeOnProblem(WhyNoVelocityInside(sets, position));
+  vtkBoundingBox box = BoundsOf(sets);
+  this->Unite(box);
+  return inside.empty() ? WhyOutside(box, position) : inside;
+}
+
 vtkSmartPointer<vtkPolyData> FlowVolumeExchange::GatherPolygon(vtkPolyData* polygon) const
 {
-  if (this->IsAlone())
+  if (this->IsAlone() || !this->AnyTrue(polygon != nullptr))
   {
     return polygon;
   }
@@ -138,17 +175,13 @@ vtkSmartPointer<vtkPolyData> FlowVolumeExchange::GatherPolygon(vtkPolyData* poly
   return UnitePolygons(all);
 }
 
-ProgressFunction FlowVolumeExchange::StopTogether(const ProgressFunction& progress) const
+const SmokeMesh& FlowVolumeExchange::ShareOf(const SmokeMesh& mesh, SmokeMesh& share) const
 {
   if (this->IsAlone())
   {
-    return progress;
+    return mesh;
   }
-  return [this, progress](double done) { return this->AllTrue(progress(done)); };
-}
-
-SmokeMesh FlowVolumeExchange::ShareOf(const SmokeMesh& mesh) const
-{
-  return this->IsAlone() ? mesh : SliceOfMesh(mesh, this->Rank, this->Ranks);
+  share = SliceOfMesh(mesh, this->Rank, this->Ranks);
+  return share;
 }
 }

@@ -11,9 +11,13 @@
 
 #include <memory>
 #include <string>
+#include <vector>
 
 class vtkBoundingBox;
 class vtkDataObject;
+class vtkDataSet;
+class vtkInformation;
+class vtkInformationVector;
 class vtkMultiProcessController;
 class vtkPolyData;
 
@@ -22,7 +26,7 @@ namespace nephoscope
 // Every rank knows the whole front of smoke and asks for its velocities together with the others (DistributedField), so
 // every rank makes the whole mesh, and then writes its share of it (MeshSlice.h).
 //
-// All functions but Speaks are to be called by all ranks, in the same order. With one rank, or no controller, they
+// All functions but Speaks and RequestParts are to be called by all ranks, in the same order. With one rank, or no controller, they
 // return at once what they are given.
 class FlowVolumeExchange
 {
@@ -32,8 +36,12 @@ public:
   // Whether errors and warnings, which are the same on all ranks, are printed by this one.
   bool Speaks() const { return this->Rank == 0; }
 
-  // The problem of the lowest rank that has one; empty if none has. `importance` lets a rank that knows more speak.
-  std::string AgreeOnProblem(const std::string& problem, int importance = 0) const;
+  // The problem of the lowest rank that has one; empty if none has.
+  std::string AgreeOnProblem(const std::string& problem) const;
+
+  // Asks for the parts of the inputs that belong to this rank: of the data with a layer of ghost cells, which close gaps
+  // of rounding between ranks and complete averages at their borders; of the polygon without.
+  void RequestParts(vtkInformationVector** inputs) const;
 
   bool AllTrue(bool here) const;
   bool AnyTrue(bool here) const;
@@ -41,27 +49,26 @@ public:
   // The lowest rank where it is true; the number of ranks if there is none.
   int FirstTrue(bool here) const;
 
-  void Unite(vtkBoundingBox& box) const;
+  // Diagonal of the bounds of the data of all ranks.
+  double DiagonalOf(const std::vector<vtkDataSet*>& sets) const;
 
-  // The choice of the lowest rank whose data have cells.
-  void AgreeOnVelocity(VelocityArray& array, bool hasCells) const;
-
-  // The field of the data of all ranks; ranks may be without cells. Null, and the same problem on all ranks, if the data
-  // of any rank have none, or nobody has cells.
-  std::unique_ptr<DataSetField> MakeField(
+  // As the functions of these names (VelocityChoice.h, VelocityFields.h, DataSets.h) for the data of all ranks, of which some
+  // may be without cells. The lowest rank with cells chooses. The answers, also the problems, are the same on all ranks.
+  bool ChooseVelocity(
+    vtkDataObject* data, vtkInformation* wanted, VelocityArray& choice, std::string& problem) const;
+  std::unique_ptr<DataSetField> MakeVelocityField(
     vtkDataObject* data, const VelocityArray& array, std::string& problem) const;
+  std::string WhyNoVelocity(const std::vector<vtkDataSet*>& sets, const Vector3& position) const;
 
   // The polygons of all ranks in one, points at the same place merged, polygons that several ranks have once. `polygon`
   // may be null or empty. Its arrays are left behind.
   vtkSmartPointer<vtkPolyData> GatherPolygon(vtkPolyData* polygon) const;
 
-  // Progress as before; stops on all ranks when any wants to.
-  ProgressFunction StopTogether(const ProgressFunction& progress) const;
-
-  // The share of this rank.
-  SmokeMesh ShareOf(const SmokeMesh& mesh) const;
+  // What this rank writes: `mesh`, or its share of it, which is put into `share`.
+  const SmokeMesh& ShareOf(const SmokeMesh& mesh, SmokeMesh& share) const;
 
 private:
+  void Unite(vtkBoundingBox& box) const;
   bool IsAlone() const { return this->Ranks == 1; }
 
   vtkMultiProcessController* Controller;

@@ -3,8 +3,10 @@
 #include "vtkFlowVolume.h"
 
 #include "DataSets.h"
+#include "FlowVolumeExchange.h"
 #include "FlowVolumeState.h"
 #include "GeneratingPolygon.h"
+#include "OneVoice.h"
 #include "PolygonFlow.h"
 #include "SmokeOutput.h"
 #include "SteadyVolume.h"
@@ -13,6 +15,7 @@
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkMath.h"
+#include "vtkMultiProcessController.h"
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
 #include "vtkUnstructuredGrid.h"
@@ -33,9 +36,20 @@ vtkFlowVolume::vtkFlowVolume()
   : State(std::make_unique<nephoscope::FlowVolumeState>())
 {
   this->SetNumberOfInputPorts(2);
+  this->SetController(vtkMultiProcessController::GetGlobalController());
 }
 
-vtkFlowVolume::~vtkFlowVolume() = default;
+vtkFlowVolume::~vtkFlowVolume()
+{
+  this->SetController(nullptr);
+}
+
+vtkCxxSetObjectMacro(vtkFlowVolume, Controller, vtkMultiProcessController);
+
+nephoscope::FlowVolumeExchange vtkFlowVolume::Exchange() const
+{
+  return nephoscope::FlowVolumeExchange(this->Controller);
+}
 
 void vtkFlowVolume::SetPolygonConnection(vtkAlgorithmOutput* polygon)
 {
@@ -57,7 +71,8 @@ int vtkFlowVolume::RequestData(
 {
   vtkDataObject* input = vtkDataObject::GetData(inputs[0], 0);
   vtkUnstructuredGrid* output = vtkUnstructuredGrid::GetData(outputs, 0);
-  vtkPolyData* polygon = vtkPolyData::GetData(inputs[1], 0);
+  const nephoscope::OneVoice voice(this, this->Exchange().Speaks());
+  const auto polygon = this->Exchange().GatherPolygon(vtkPolyData::GetData(inputs[1], 0));
   this->ResetResults();
   if (this->CheckSettings() && this->CheckSeries())
   {
@@ -70,7 +85,7 @@ int vtkFlowVolume::RequestData(
       this->MakeSteadyVolume(input, polygon, output);
     }
   }
-  if (this->CheckAbort())
+  if (this->Exchange().AnyTrue(this->CheckAbort()))
   {
     output->Initialize(); // nothing rather than a part
     this->ResetResults();
@@ -124,20 +139,21 @@ std::shared_ptr<const nephoscope::FlowField> vtkFlowVolume::MakeField(vtkDataObj
 {
   auto& last = this->State->Field;
   const auto sets = nephoscope::DataSetsOf(input);
-  if (sets.empty())
+  const auto exchange = this->Exchange();
+  if (!exchange.AnyTrue(!sets.empty()))
   {
     vtkErrorMacro("The input has no cells, so there is no flow. Connect a dataset with cells.");
     return nullptr;
   }
   nephoscope::VelocityArray velocity;
   std::string problem;
-  if (!nephoscope::ChooseVelocity(input, this->GetInputArrayInformation(0), velocity, problem))
+  if (!exchange.ChooseVelocity(input, this->GetInputArrayInformation(0), velocity, problem))
   {
     vtkErrorMacro(<< problem);
     return nullptr;
   }
   const vtkMTimeType newest = nephoscope::NewestMTime(input);
-  if (last && last->IsOf(newest, velocity))
+  if (exchange.AllTrue(last && last->IsOf(newest, velocity)))
   {
     return last;
   }
@@ -145,9 +161,9 @@ std::shared_ptr<const nephoscope::FlowField> vtkFlowVolume::MakeField(vtkDataObj
   auto made = std::make_shared<nephoscope::FlowField>();
   made->Data = nephoscope::SharedCopy(input);
   made->Velocity = velocity;
-  made->Diagonal = nephoscope::DiagonalOf(sets);
+  made->Diagonal = exchange.DiagonalOf(sets);
   made->MTime = newest;
-  made->Field = nephoscope::MakeVelocityField(made->Data, velocity, problem);
+  made->Field = exchange.MakeVelocityField(made->Data, velocity, problem);
   if (!made->Field)
   {
     vtkErrorMacro(<< problem);
@@ -195,8 +211,9 @@ bool vtkFlowVolume::FindDirection(const nephoscope::FlowField& field,
   velocity.Sample({ 1, &center, time, &found, &inside, &hint });
   if (!inside)
   {
-    vtkErrorMacro("The generating polygon cannot be turned normal to the flow at its centre. "
-      << nephoscope::WhyNoVelocity(nephoscope::DataSetsOf(field.Data), center));
+    const auto why =
+      this->Exchange().WhyNoVelocity(nephoscope::DataSetsOf(field.Data), center);
+    vtkErrorMacro("The generating polygon cannot be turned normal to the flow at its centre. " << why);
     return false;
   }
   direction = nephoscope::Direction(found);
@@ -224,8 +241,9 @@ bool vtkFlowVolume::CheckPlace(const nephoscope::FlowField& field,
   }
   if (flow.PointsInside == 0)
   {
-    vtkErrorMacro("No smoke comes from the generating polygon. "
-      << nephoscope::WhyNoVelocity(nephoscope::DataSetsOf(field.Data), polygon.Points[0]));
+    const auto why =
+      this->Exchange().WhyNoVelocity(nephoscope::DataSetsOf(field.Data), polygon.Points[0]);
+    vtkErrorMacro("No smoke comes from the generating polygon. " << why);
     return false;
   }
   if (flow.PointsInside < count)
@@ -340,7 +358,7 @@ void vtkFlowVolume::WarnOfLimit()
 bool vtkFlowVolume::Report(double share)
 {
   this->UpdateProgress(share);
-  return !this->CheckAbort();
+  return this->Exchange().AllTrue(!this->CheckAbort());
 }
 
 void vtkFlowVolume::WriteOutput(const nephoscope::SmokeMesh& mesh,
@@ -350,7 +368,9 @@ void vtkFlowVolume::WriteOutput(const nephoscope::SmokeMesh& mesh,
   {
     return;
   }
-  if (nephoscope::PutSmoke(mesh, this->InitialDensity, sampleArrays, output))
+  nephoscope::SmokeMesh share;
+  const nephoscope::SmokeMesh& written = this->Exchange().ShareOf(mesh, share);
+  if (nephoscope::PutSmoke(written, this->InitialDensity, sampleArrays, output))
   {
     vtkWarningMacro("The point array 'Age' of the input has been replaced. Rename it to keep it.");
   }

@@ -58,11 +58,13 @@
 class vtkAlgorithmOutput;
 class vtkDataObject;
 class vtkInformation;
+class vtkMultiProcessController;
 class vtkPointData;
 class vtkPolyData;
 
 namespace nephoscope
 {
+class FlowVolumeExchange;
 struct FlowField;
 struct FlowVolumeSettings;
 struct FlowVolumeState;
@@ -245,6 +247,15 @@ public:
   vtkGetMacro(ExpiredMass, double);
   ///@}
 
+  ///@{
+  /**
+   * The ranks that share the input and the polygon: all of them make the same volume, and each puts out a share of it. Default: the
+   * global controller. Null: this process alone.
+   */
+  virtual void SetController(vtkMultiProcessController*);
+  vtkGetObjectMacro(Controller, vtkMultiProcessController);
+  ///@}
+
   vtkTypeBool ProcessRequest(
     vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
@@ -262,6 +273,7 @@ private:
   void operator=(const vtkFlowVolume&) = delete;
 
   void ResetResults();
+  nephoscope::FlowVolumeExchange Exchange() const;
   bool CheckSettings();
   bool CheckNumberOfSteps(double duration, double timeStep);
   std::shared_ptr<const nephoscope::FlowField> MakeField(vtkDataObject* input);
@@ -301,6 +313,7 @@ private:
     const std::function<void(const nephoscope::SmokeMesh&, vtkPointData*)>& sampleArrays,
     vtkUnstructuredGrid* output);
 
+  vtkMultiProcessController* Controller = nullptr;
   double Center[3] = { 0.0, 0.0, 0.0 };
   double Radius = 0.0;
   int NumberOfSides = 12;

@@ -9,6 +9,7 @@
 #include "vtkFlowVolume.h"
 
 #include "ArrayBlend.h"
+#include "FlowVolumeExchange.h"
 #include "FlowVolumeState.h"
 #include "SmokeOutput.h"
 #include "TemporalField.h"
@@ -163,6 +164,7 @@ int vtkFlowVolume::RequestUpdateExtent(
     inputs[0]->GetInformationObject(0)->Set(
       SDDP::UPDATE_TIME_STEP(), this->State->Times[static_cast<std::size_t>(this->State->Next)]);
   }
+  this->Exchange().RequestParts(inputs);
   return this->Superclass::RequestUpdateExtent(request, inputs, outputs);
 }
 

@@ -7,22 +7,13 @@ import sys
 
 import numpy as np
 
+from MpiTesting import ENVIRONMENT, program
+
 HERE = os.path.dirname(os.path.abspath(__file__))
 OUTPUT = os.environ["NEPHOSCOPE_TEST_OUTPUT"]
 SCRIPT = os.path.join(HERE, "CellCompositingRun.py")
 PICTURES = ("image", "tetrahedra", "structured", "cells", "coarse", "coarse-cells")
 PEELED = ("surfaces", "surfaces-tetrahedra")  # every rank peels on its own, and rounds to 8 bits at every peel
-ENVIRONMENT = dict(os.environ, OMPI_MCA_rmaps_base_oversubscribe="1", PRTE_MCA_rmaps_default_mapping_policy=":oversubscribe",
-                   OMPI_ALLOW_RUN_AS_ROOT="1", OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1",
-                   PRTE_ALLOW_RUN_AS_ROOT="1", PRTE_ALLOW_RUN_AS_ROOT_CONFIRM="1")
-
-
-def program(name):
-    path = os.environ.get(f"NEPHOSCOPE_{name}", "")
-    if not path or path.endswith("NOTFOUND"):
-        print(f"skipped: no {name.lower()}")
-        sys.exit(125)
-    return path
 
 
 def run(command, name):
