@@ -10,6 +10,7 @@
 
 #include "vtkBoundingBox.h"
 #include "vtkCommunicator.h"
+#include "vtkCompositeDataSet.h"
 #include "vtkDataObject.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
@@ -113,18 +114,19 @@ double FlowVolumeExchange::DiagonalOf(const std::vector<vtkDataSet*>& sets) cons
 bool FlowVolumeExchange::ChooseVelocity(
   vtkDataObject* data, vtkInformation* wanted, VelocityArray& choice, std::string& problem) const
 {
-  const bool hasCells = !DataSetsOf(data).empty();
-  const int first = this->FirstTrue(hasCells);
-  if (this->IsAlone() || first == this->Ranks)
-  {
-    return nephoscope::ChooseVelocity(data, wanted, choice, problem);
-  }
   std::string mine;
-  if (hasCells)
+  const bool chosen = nephoscope::ChooseVelocity(data, wanted, choice, mine);
+  const int first = this->FirstTrue(chosen);
+  if (first == this->Ranks)
   {
-    nephoscope::ChooseVelocity(data, wanted, choice, mine);
+    const bool hasCells = !DataSetsOf(data).empty();
+    problem = this->AgreeOnProblem(hasCells || !this->AnyTrue(hasCells) ? mine : std::string());
+    return false;
   }
-  problem = this->AgreeOnProblem(mine);
+  if (this->IsAlone())
+  {
+    return true;
+  }
   vtkMultiProcessStream stream;
   stream << choice.Name << static_cast<int>(choice.OnCells);
   this->Controller->Broadcast(stream, first);
@@ -134,25 +136,30 @@ bool FlowVolumeExchange::ChooseVelocity(
     stream >> choice.Name >> onCells;
     choice.OnCells = onCells != 0;
   }
-  return problem.empty();
+  return true;
 }
 
 std::unique_ptr<DataSetField> FlowVolumeExchange::MakeVelocityField(
   vtkDataObject* data, const VelocityArray& array, std::string& problem) const
 {
-  const bool hasCells = !DataSetsOf(data).empty();
-  if (this->IsAlone() || !this->AnyTrue(hasCells))
-  {
-    return nephoscope::MakeVelocityField(data, array, problem);
-  }
   std::string mine;
   std::unique_ptr<DataSetField> local;
-  if (hasCells)
+  if (this->IsAlone() || !DataSetsOf(data).empty())
   {
     local = nephoscope::MakeVelocityField(data, array, mine);
   }
-  problem = this->AgreeOnProblem(mine);
-  return problem.empty() ? std::make_unique<DistributedField>(std::move(local), this->Controller) : nullptr;
+  if (this->IsAlone())
+  {
+    problem = mine;
+    return local;
+  }
+  // Blocks may be without velocity, as they may on one rank; a part of a dataset may not.
+  const bool anyField = this->AnyTrue(local != nullptr);
+  const bool mayBeMissing = anyField && vtkCompositeDataSet::SafeDownCast(data);
+  problem = this->AgreeOnProblem(mayBeMissing ? std::string() : mine);
+  return anyField && problem.empty()
+    ? std::make_unique<DistributedField>(std::move(local), this->Controller)
+    : nullptr;
 }
 
 std::string FlowVolumeExchange::WhyNoVelocity(

@@ -53,7 +53,7 @@ public:
   double DiagonalOf(const std::vector<vtkDataSet*>& sets) const;
 
   // As the functions of these names (VelocityChoice.h, VelocityFields.h, DataSets.h) for the data of all ranks, of which some
-  // may be without cells. The lowest rank with cells chooses. The answers, also the problems, are the same on all ranks.
+  // may be without cells. The lowest rank that can choose does. The answers, also the problems, are the same on all ranks.
   bool ChooseVelocity(
     vtkDataObject* data, vtkInformation* wanted, VelocityArray& choice, std::string& problem) const;
   std::unique_ptr<DataSetField> MakeVelocityField(

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SharedArrays.h"
 
+#include "ArrayInterpolation.h"
 #include "VelocityFields.h"
 
 #include "vtkCommunicator.h"
@@ -23,14 +24,22 @@ SharedArrays::SharedArrays(const DataSetField* local, vtkMultiProcessController*
   const int candidate = local ? controller->GetLocalProcessId() : ranks;
   controller->AllReduce(&candidate, &this->First, 1, vtkCommunicator::MIN_OP);
   const std::vector<Entry> own = local ? Describe(*local) : std::vector<Entry>();
-  std::vector<Entry> entries = own;
-  Broadcast(entries, controller, this->First);
+  this->Add(Broadcast(own, controller, this->First));
+  const int differs = local && !AreSame(own, this->Entries) ? 1 : 0;
+  int anyDiffers = 0;
+  controller->AllReduce(&differs, &anyDiffers, 1, vtkCommunicator::MAX_OP);
+  for (int rank = 0; rank < ranks && anyDiffers; ++rank) // blocks with different arrays
+  {
+    this->Add(Broadcast(own, controller, rank));
+  }
+}
+
+// Those whose names are new.
+void SharedArrays::Add(const std::vector<Entry>& entries)
+{
   for (const Entry& entry : entries)
   {
-    const int here = !local || Has(own, entry) ? 1 : 0;
-    int everywhere = 0;
-    controller->AllReduce(&here, &everywhere, 1, vtkCommunicator::MIN_OP);
-    if (everywhere)
+    if (!Find(this->Entries, entry.Name))
     {
       this->Entries.push_back(entry);
       this->Size += entry.Size;
@@ -66,23 +75,32 @@ std::vector<SharedArrays::Entry> SharedArrays::Describe(const DataSetField& fiel
   return entries;
 }
 
-bool SharedArrays::Has(const std::vector<Entry>& entries, const Entry& wanted)
+const SharedArrays::Entry* SharedArrays::Find(const std::vector<Entry>& entries, const std::string& name)
 {
-  return std::any_of(entries.begin(), entries.end(), [&](const Entry& entry) {
-    return entry.Name == wanted.Name && entry.Type == wanted.Type && entry.Components == wanted.Components;
+  const auto found = std::find_if(
+    entries.begin(), entries.end(), [&](const Entry& entry) { return entry.Name == name; });
+  return found == entries.end() ? nullptr : &*found;
+}
+
+bool SharedArrays::AreSame(const std::vector<Entry>& a, const std::vector<Entry>& b)
+{
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const Entry& x, const Entry& y) {
+    return x.Name == y.Name && x.Type == y.Type && x.Components == y.Components;
   });
 }
 
-void SharedArrays::Broadcast(std::vector<Entry>& entries, vtkMultiProcessController* controller, int root)
+std::vector<SharedArrays::Entry> SharedArrays::Broadcast(
+  const std::vector<Entry>& own, vtkMultiProcessController* controller, int root)
 {
   vtkMultiProcessStream stream;
-  if (controller->GetLocalProcessId() == root)
+  const bool sends = controller->GetLocalProcessId() == root;
+  if (sends)
   {
-    stream << static_cast<int>(entries.size());
-    for (const Entry& entry : entries)
+    stream << static_cast<int>(own.size());
+    for (const Entry& entry : own)
     {
-      stream << entry.Name << entry.Type << entry.Components << entry.Attribute << static_cast<int>(entry.Size)
-             << static_cast<int>(entry.ComponentNames.size());
+      stream << entry.Name << entry.Type << entry.Components << entry.Attribute
+             << static_cast<int>(entry.Size) << static_cast<int>(entry.ComponentNames.size());
       for (const std::string& name : entry.ComponentNames)
       {
         stream << name;
@@ -90,13 +108,13 @@ void SharedArrays::Broadcast(std::vector<Entry>& entries, vtkMultiProcessControl
     }
   }
   controller->Broadcast(stream, root);
-  if (controller->GetLocalProcessId() == root)
+  if (sends)
   {
-    return;
+    return own;
   }
   int count = 0;
   stream >> count;
-  entries.assign(static_cast<std::size_t>(count), Entry());
+  std::vector<Entry> entries(static_cast<std::size_t>(count));
   for (Entry& entry : entries)
   {
     int size = 0;
@@ -109,6 +127,7 @@ void SharedArrays::Broadcast(std::vector<Entry>& entries, vtkMultiProcessControl
       stream >> name;
     }
   }
+  return entries;
 }
 
 void SharedArrays::Allocate(std::size_t count, vtkPointData* output) const
@@ -137,8 +156,21 @@ void SharedArrays::Pack(
   std::size_t offset = 0;
   for (const Entry& entry : this->Entries)
   {
+    vtkDataArray* source = sampled->GetArray(entry.Name.c_str());
     const auto plain = vtkSmartPointer<vtkDataArray>::Take(vtkDataArray::CreateDataArray(entry.Type));
-    plain->DeepCopy(sampled->GetArray(entry.Name.c_str())); // in case its layout is another
+    if (source && source->GetNumberOfComponents() == entry.Components)
+    {
+      plain->DeepCopy(source); // of this type, in the plain layout
+    }
+    else
+    {
+      plain->SetNumberOfComponents(entry.Components);
+      plain->SetNumberOfTuples(static_cast<vtkIdType>(places.size()));
+      for (vtkIdType i = 0; i < plain->GetNumberOfTuples(); ++i)
+      {
+        SetOutside(plain, i);
+      }
+    }
     const auto* values = static_cast<const unsigned char*>(plain->GetVoidPointer(0));
     for (std::size_t i = 0; i < places.size(); ++i)
     {

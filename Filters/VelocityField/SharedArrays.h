@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The arrays that all ranks with cells have, and their values as bytes to exchange. Bytes, so that values of every
-// type arrive unchanged.
+// The arrays of the fields of all ranks, and their values as bytes to exchange. Bytes, so that values of every type
+// arrive unchanged.
 #ifndef nephoscope_SharedArrays_h
 #define nephoscope_SharedArrays_h
 
@@ -19,10 +19,10 @@ class DataSetField;
 class SharedArrays
 {
 public:
-  // Together on all ranks. `local` is null on a rank without cells, and not null on at least one.
+  // Together on all ranks. `local` is null on a rank without a field, and not null on at least one.
   SharedArrays(const DataSetField* local, vtkMultiProcessController* controller);
 
-  // The lowest rank that has cells.
+  // The lowest rank that has a field.
   int FirstRank() const { return this->First; }
 
   // Bytes that the values of all arrays at a position take.
@@ -31,7 +31,8 @@ public:
   // The arrays, without values.
   void Allocate(std::size_t count, vtkPointData* output) const;
 
-  // Tuple i of every array of `sampled` to the bytes of position `places[i]`.
+  // Tuple i of every array of `sampled` to the bytes of position `places[i]`. An array that it is without is NaN
+  // there, or 0, as it is where a block is without.
   void Pack(vtkPointData* sampled, const std::vector<std::size_t>& places, unsigned char* bytes) const;
 
   // The bytes of `count` positions to the tuples from `first` on.
@@ -49,8 +50,11 @@ private:
   };
 
   static std::vector<Entry> Describe(const DataSetField& field);
-  static bool Has(const std::vector<Entry>& entries, const Entry& wanted);
-  static void Broadcast(std::vector<Entry>& entries, vtkMultiProcessController* controller, int root);
+  static const Entry* Find(const std::vector<Entry>& entries, const std::string& name);
+  static bool AreSame(const std::vector<Entry>& a, const std::vector<Entry>& b);
+  static std::vector<Entry> Broadcast(
+    const std::vector<Entry>& own, vtkMultiProcessController* controller, int root);
+  void Add(const std::vector<Entry>& entries);
 
   int First = 0;
   std::vector<Entry> Entries;

@@ -59,9 +59,9 @@ def fill(data, p, flow):
 class Structured(VTKPythonAlgorithmBase):
     """An image or a curved grid that makes the part that it is asked for."""
 
-    def __init__(self, kind, flow, on_cells=False):
+    def __init__(self, kind, flow, on_cells=False, last_has_none=False):
         super().__init__(nInputPorts=0, outputType=kind)
-        self.kind, self.flow, self.on_cells = kind, flow, on_cells
+        self.kind, self.flow, self.on_cells, self.last_has_none = kind, flow, on_cells, last_has_none
 
     def RequestInformation(self, _, __, outputs):
         info = outputs.GetInformationObject(0)
@@ -91,6 +91,9 @@ class Structured(VTKPythonAlgorithmBase):
             add(data.GetCellData(), "Flow", self.flow(centers))
         else:
             fill(data, p, self.flow)
+        info = outputs.GetInformationObject(0)
+        if self.last_has_none and info.Get(SDDP.UPDATE_PIECE_NUMBER()) == info.Get(SDDP.UPDATE_NUMBER_OF_PIECES()) - 1:
+            data.GetPointData().RemoveArray("Flow")
         return 1
 
 
@@ -169,9 +172,10 @@ def last_alone(middles, pieces):
 
 
 class Blocks(VTKPythonAlgorithmBase):
-    """Eight images, dealt to the ranks in turn."""
+    """Eight images, dealt to the ranks in turn; those of `missing`
+    have no velocity, the upper four have an array that the others are without."""
 
-    def __init__(self, flow, missing=None):
+    def __init__(self, flow, missing=()):
         super().__init__(nInputPorts=0, outputType="vtkMultiBlockDataSet")
         self.flow, self.missing = flow, missing
 
@@ -194,7 +198,9 @@ class Blocks(VTKPythonAlgorithmBase):
             image.SetOrigin(-1.0, -1.0, -1.0)
             image.SetSpacing(2.0 / CELLS, 2.0 / CELLS, 2.0 / CELLS)
             fill(image, lattice(extent), self.flow)
-            if b == self.missing:
+            if b in self.missing:
                 image.GetPointData().RemoveArray("Flow")
+            if b >= 4:
+                add(image.GetPointData(), "Upper", lattice(extent)[:, 0])
             output.SetBlock(b, image)
         return 1
