@@ -12,6 +12,8 @@
 
 #include <algorithm>
 #include <cstring>
+#include <iterator>
+#include <numeric>
 
 namespace nephoscope
 {
@@ -32,39 +34,96 @@ DistributedField::DistributedField(
 
 DistributedField::~DistributedField() = default;
 
-// Threads as VTK is set up for: the ranks are there for the cores already.
-void DistributedField::SampleLocally(const SampleBatch& batch) const
+// Some positions of a batch. Threads as VTK is set up for: the ranks are there for the cores already.
+void DistributedField::SampleLocally(const SampleBatch& batch, const std::vector<std::size_t>& some) const
 {
-  std::fill_n(batch.Inside, batch.Count, static_cast<unsigned char>(0));
-  if (!this->Local)
+  const auto sample = [&](vtkIdType begin, vtkIdType end) {
+    const auto count = static_cast<std::size_t>(end - begin);
+    const std::size_t* indices = some.data() + begin;
+    std::vector<Vector3> positions(count);
+    std::vector<Vector3> velocities(count);
+    std::vector<unsigned char> inside(count);
+    std::vector<CellHint> hints(count);
+    for (std::size_t i = 0; i < count; ++i)
+    {
+      positions[i] = batch.Positions[indices[i]];
+      hints[i] = batch.Hints[indices[i]];
+    }
+    this->Local->Sample(
+      { count, positions.data(), batch.Time, velocities.data(), inside.data(), hints.data() });
+    for (std::size_t i = 0; i < count; ++i)
+    {
+      batch.Velocities[indices[i]] = velocities[i];
+      batch.Inside[indices[i]] = inside[i];
+      batch.Hints[indices[i]] = hints[i];
+    }
+  };
+  if (this->Local)
   {
-    return;
+    vtkSMPTools::For(0, static_cast<vtkIdType>(some.size()), 256, sample);
   }
-  vtkSMPTools::For(0, static_cast<vtkIdType>(batch.Count), 256, [&](vtkIdType begin, vtkIdType end) {
-    this->Local->Sample({ static_cast<std::size_t>(end - begin), batch.Positions + begin, batch.Time,
-      batch.Velocities + begin, batch.Inside + begin, batch.Hints + begin });
-  });
 }
 
-// The rank that answers each position of a batch that has been sampled locally; one that does not exist where no rank
-// has found it.
-std::vector<int> DistributedField::ElectRanks(const SampleBatch& sampled) const
+// What a rank offers for a position: its number for a cell of its own; more than any rank's number for a ghost cell.
+int DistributedField::Bid(const SampleBatch& batch, std::size_t i) const
 {
   const int ranks = this->Controller->GetNumberOfProcesses();
-  const int rank = this->Controller->GetLocalProcessId();
-  std::vector<int> bids(sampled.Count, 2 * ranks); // a ghost's bid loses against any owner's
-  for (std::size_t i = 0; i < sampled.Count; ++i)
+  if (!batch.Inside[i])
   {
-    if (sampled.Inside[i])
-    {
-      bids[i] = rank + (this->Local->IsInGhostCell(sampled.Hints[i]) ? ranks : 0);
-    }
+    return 2 * ranks;
   }
-  std::vector<int> elected(sampled.Count);
-  this->Controller->AllReduce(bids.data(), elected.data(), static_cast<vtkIdType>(bids.size()), vtkCommunicator::MIN_OP);
-  for (int& bid : elected)
+  const bool isCopy = this->Local->IsInGhostCell(batch.Hints[i]);
+  return this->Controller->GetLocalProcessId() + (isCopy ? ranks : 0);
+}
+
+// Ranks elected for some positions of a batch that have been sampled locally; `accepted` is the highest bid that wins.
+void DistributedField::Elect(const SampleBatch& batch, const std::vector<std::size_t>& some, int accepted,
+  std::vector<int>& elected) const
+{
+  const int ranks = this->Controller->GetNumberOfProcesses();
+  std::vector<int> bids(some.size());
+  std::vector<int> lowest(some.size());
+  std::transform(
+    some.begin(), some.end(), bids.begin(), [&](std::size_t i) { return this->Bid(batch, i); });
+  this->Controller->AllReduce(
+    bids.data(), lowest.data(), static_cast<vtkIdType>(bids.size()), vtkCommunicator::MIN_OP);
+  for (std::size_t i = 0; i < some.size(); ++i)
   {
-    bid = bid < 2 * ranks ? bid % ranks : ranks;
+    elected[some[i]] = lowest[i] <= accepted ? lowest[i] % ranks : ranks;
+  }
+}
+
+// The rank that answers each position; one that does not exist where no rank has found it. First the rank is asked that
+// has answered before, which its hint tells: searching in vain takes longest.
+std::vector<int> DistributedField::SampleAndElect(const SampleBatch& batch) const
+{
+  const int ranks = this->Controller->GetNumberOfProcesses();
+  std::fill_n(batch.Inside, batch.Count, static_cast<unsigned char>(0));
+  std::vector<std::size_t> all(batch.Count);
+  std::iota(all.begin(), all.end(), std::size_t(0));
+  std::vector<std::size_t> mine;
+  std::copy_if(all.begin(), all.end(), std::back_inserter(mine),
+    [&](std::size_t i) { return batch.Hints[i].Cell >= 0; });
+  this->SampleLocally(batch, mine);
+  std::vector<int> elected(batch.Count);
+  this->Elect(batch, all, ranks - 1, elected);
+
+  std::vector<std::size_t> open; // the same on all ranks
+  std::copy_if(all.begin(), all.end(), std::back_inserter(open),
+    [&](std::size_t i) { return elected[i] == ranks; });
+  if (!open.empty())
+  {
+    std::vector<std::size_t> others;
+    std::set_difference(open.begin(), open.end(), mine.begin(), mine.end(), std::back_inserter(others));
+    this->SampleLocally(batch, others);
+    this->Elect(batch, open, 2 * ranks - 1, elected);
+  }
+  for (std::size_t i = 0; i < batch.Count; ++i)
+  {
+    if (elected[i] != this->Controller->GetLocalProcessId())
+    {
+      batch.Hints[i].Cell = -1;
+    }
   }
   return elected;
 }
@@ -75,8 +134,7 @@ void DistributedField::Sample(const SampleBatch& batch) const
   {
     return;
   }
-  this->SampleLocally(batch);
-  const std::vector<int> elected = this->ElectRanks(batch);
+  const std::vector<int> elected = this->SampleAndElect(batch);
   const int rank = this->Controller->GetLocalProcessId();
   std::vector<VelocityBytes> mine(batch.Count, VelocityBytes{});
   for (std::size_t i = 0; i < batch.Count; ++i)
@@ -136,8 +194,7 @@ std::vector<unsigned char> DistributedField::AnswerArrays(
   std::vector<unsigned char> inside(positions.size());
   std::vector<CellHint> hints(positions.size());
   const SampleBatch batch{ positions.size(), positions.data(), 0.0, velocities.data(), inside.data(), hints.data() };
-  this->SampleLocally(batch);
-  const std::vector<int> elected = this->ElectRanks(batch);
+  const std::vector<int> elected = this->SampleAndElect(batch);
 
   std::vector<std::size_t> places;
   std::vector<Vector3> myPositions;

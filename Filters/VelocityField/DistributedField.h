@@ -14,25 +14,26 @@ namespace nephoscope
 {
 class SharedArrays;
 
-// Every rank asks its own cells for all positions. Then the ranks elect one that answers each position, and its answer,
-// bit for bit, is the answer on every rank. Elected is the lowest rank that finds the position in a cell of its own; if
-// there is none, the lowest that finds it in a ghost cell, a copy of another rank's. So ghost cells close gaps of
-// rounding between the ranks, and change nothing else.
+// The rank that has answered a position before asks its cells first; positions that have left it, or are new, are asked of
+// all ranks. Elected is the lowest rank that finds the position in a cell of its own; if there is none, the lowest that finds it
+// in a ghost cell, a copy of another rank's: ghost cells close gaps of rounding between the ranks, and change nothing else.
+// The answer of the elected rank, bit for bit, is the answer on every rank.
 //
-// Two small exchanges a call (who answers; the answers) and not one: a minimum finds the lowest rank and a bitwise or
-// copies the answer, so neither depends on the order in which the ranks are combined.
+// Two or three small exchanges a call (who answers; who answers what is left; the answers) and not one: a minimum finds the
+// lowest rank and a bitwise or copies the answer, so neither depends on the order in which ranks are combined.
 class VTKNEPHOSCOPEFILTERSVELOCITYFIELD_EXPORT DistributedField : public DataSetField
 {
 public:
-  // `local` is null on a rank without cells, and not null on at least one rank.
+  // `local` is null on a rank without a field, and not null on at least one rank.
   DistributedField(std::unique_ptr<DataSetField> local, vtkMultiProcessController* controller);
   ~DistributedField() override;
 
-  // Together on all ranks, with the same positions; hints are of this rank.
+  // Together on all ranks, with the same positions. Hints are of this rank: of no cell where another one has
+  // answered.
   void Sample(const SampleBatch& batch) const override;
 
-  // Together on all ranks; every rank with positions of its own. Arrays that are missing on a rank with cells, or
-  // are of another type there, are left out. Hints are not used.
+  // Together on all ranks; every rank with positions of its own. Arrays that some ranks are without are NaN there, or 0. Hints
+  // are not used.
   void SampleArrays(std::size_t count, const Vector3* positions, const CellHint* hints,
     vtkPointData* output) const override;
 
@@ -40,8 +41,11 @@ public:
   bool IsLocal() const override { return false; }
 
 private:
-  void SampleLocally(const SampleBatch& batch) const;
-  std::vector<int> ElectRanks(const SampleBatch& sampled) const;
+  void SampleLocally(const SampleBatch& batch, const std::vector<std::size_t>& some) const;
+  int Bid(const SampleBatch& batch, std::size_t i) const;
+  void Elect(const SampleBatch& batch, const std::vector<std::size_t>& some, int accepted,
+    std::vector<int>& elected) const;
+  std::vector<int> SampleAndElect(const SampleBatch& batch) const;
   std::vector<unsigned char> AnswerArrays(
     const std::vector<Vector3>& positions, const SharedArrays& arrays) const;
 
