@@ -215,7 +215,10 @@ TEST_F(SceneOfPuffs, ValuesOfPieces)
   const ScalarSelection colors = { addCellValues(this->Data, 0.4), true, -1 };
   this->Update(this->Scene, colors, { values, false, -1 });
   ASSERT_FALSE(this->Scene.GetPieces().Tetrahedra.empty());
-  values->SetComponent(1, 0, 3.5);
+  for (vtkIdType i = 0; i < values->GetNumberOfTuples(); ++i)
+  {
+    values->SetComponent(i, 0, double(i * i % 7));
+  }
   values->Modified();
   this->Update(this->Scene, colors, { values, false, -1 });
   EXPECT_FALSE(this->Built);
