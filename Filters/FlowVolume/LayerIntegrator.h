@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The points of a front moved along a steady flow. Plain C++17.
+// The points of a front moved along a steady flow, by threads where they are many.
 #ifndef nephoscope_LayerIntegrator_h
 #define nephoscope_LayerIntegrator_h
 
-#include "ParticleIntegrator.h"
+#include "AdvanceParticles.h"
 #include "SmokeFront.h"
 #include "SmokeGeometry.h"
 
@@ -23,14 +23,16 @@ class LayerIntegrator
 {
 public:
   LayerIntegrator(const VelocityField& field, const FlowVolumeSettings& settings, double time)
-    : Integrator(field)
-    , Settings(settings)
+    : Field(field)
     , Time(time)
   {
+    this->Method.Method =
+      settings.Adaptive ? IntegrationMethod::DormandPrince : IntegrationMethod::RungeKutta4;
+    this->Method.Tolerance = settings.Tolerance;
   }
 
-  // The tolerance is relative to this.
-  void SetLength(double length) { this->Length = length; }
+  // The tolerance was relative to this, the longest edge of the polygon.
+  void SetLength(double length) { this->Method.Tolerance *= length > 0.0 ? length : 1.0; }
 
   // Moves the points of the front from number `first` on; those before have been moved.
   void Advance(const SmokeFront& front, double step, ArrivedPoints& top, std::size_t first = 0)
@@ -44,9 +46,12 @@ public:
     top.Hints.insert(top.Hints.end(), front.Hints.begin() + start, front.Hints.end());
     top.Inside.resize(first);
     top.Inside.resize(count, 1);
-    this->Integrator.AdvanceRungeKutta4({ top.Positions.data() + first, top.Hints.data() + first,
-                                          top.Inside.data() + first, count - first },
-      this->Time, step);
+    Particles particles;
+    particles.Positions = top.Positions.data() + first;
+    particles.Hints = top.Hints.data() + first;
+    particles.Inside = top.Inside.data() + first;
+    particles.Count = count - first;
+    AdvanceParticles(this->Field, particles, this->Time, step, this->Method);
     for (std::size_t i = first; i < count; ++i)
     {
       top.Inside[i] = top.Inside[i] && IsFinite(top.Positions[i]);
@@ -54,10 +59,9 @@ public:
   }
 
 private:
-  ParticleIntegrator Integrator;
-  FlowVolumeSettings Settings;
+  const VelocityField& Field;
   double Time;
-  double Length = 0.0;
+  IntegrationSettings Method;
 };
 }
 
