@@ -93,10 +93,8 @@ public:
   {
   }
 
-  // Returns the sum of the volumes.
-  double AppendTetrahedra(const Prism& prism)
+  void AppendTetrahedra(const Prism& prism)
   {
-    double sum = 0.0;
     for (const auto& corners : PatternOf(prism))
     {
       const PrismPart part = MakePart(prism, corners);
@@ -106,12 +104,10 @@ public:
       }
       if (part.Volume > this->Between.SmallestVolume)
       {
-        sum += part.Volume;
         this->Mesh.Tetrahedra.push_back(part.Ids);
       }
       this->Folded += part.Volume < -this->Between.SmallestVolume;
     }
-    return sum;
   }
 
   void AppendValues(double density)
@@ -158,7 +154,7 @@ SlabSums AppendSlab(const Slab& slab, std::vector<FrontTriangle>& above, SmokeMe
   for (std::size_t t = 0; t < above.size(); ++t)
   {
     const std::size_t folded = writer.Folded;
-    const double volume = writer.AppendTetrahedra(prisms[t]);
+    writer.AppendTetrahedra(prisms[t]);
     const double mass = above[t].Mass * slab.Step;
     const bool patched = slab.NumberOfPatches > 0 && slab.Patches[t] >= 0;
     const double density = patched ? patches[static_cast<std::size_t>(slab.Patches[t])]
@@ -166,7 +162,6 @@ SlabSums AppendSlab(const Slab& slab, std::vector<FrontTriangle>& above, SmokeMe
                                    : above[t].Density;
     writer.AppendValues(density);
     sums.Mass += mass;
-    sums.DensityTimesVolume += density * volume;
     if (writer.Folded > folded)
     {
       sums.Folded.push_back(slab.Origins[t]);

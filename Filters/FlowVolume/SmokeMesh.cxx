@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SmokeMesh.h"
 
+#include "TetrahedronVolume.h"
+
 namespace nephoscope
 {
 void CompactPoints(SmokeMesh& mesh)
@@ -38,6 +40,24 @@ void CompactPoints(SmokeMesh& mesh)
     {
       point = places[static_cast<std::size_t>(point)];
     }
+  }
+}
+
+void ScaleDensities(SmokeMesh& mesh)
+{
+  std::vector<double> sums(mesh.Report.MassPerStep.size(), 0.0);
+  for (std::size_t i = 0; i < mesh.Tetrahedra.size(); ++i)
+  {
+    sums[static_cast<std::size_t>(mesh.EmissionSteps[i])] +=
+      mesh.Densities[i] * VolumeOf(mesh.Tetrahedra[i], mesh.Points);
+  }
+  for (std::size_t k = 0; k < sums.size(); ++k)
+  {
+    sums[k] = sums[k] > 0.0 ? mesh.Report.MassPerStep[k] / sums[k] : 1.0;
+  }
+  for (std::size_t i = 0; i < mesh.Tetrahedra.size(); ++i)
+  {
+    mesh.Densities[i] *= sums[static_cast<std::size_t>(mesh.EmissionSteps[i])];
   }
 }
 }

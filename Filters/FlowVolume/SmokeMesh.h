@@ -60,6 +60,10 @@ struct SmokeMesh
 // Forgets the points that no tetrahedron uses; the others keep their order.
 void CompactPoints(SmokeMesh& mesh);
 
+// Scales the densities of each emission step so that the sum of density times volume over its tetrahedra is
+// Report.MassPerStep.
+void ScaleDensities(SmokeMesh& mesh);
+
 struct FlowVolumeSettings
 {
   double Duration = 1.0; // s

@@ -120,7 +120,7 @@ private:
   {
     const int halvings = std::min(std::max(this->Settings.MaximumHalvings, 0), 20);
     const unsigned parts = 1u << halvings;
-    SlabSums sums;
+    double mass = 0.0;
     for (unsigned done = 0; done < parts && !this->Front.Triangles.empty();)
     {
       const unsigned width = parts >> this->Depth;
@@ -129,7 +129,7 @@ private:
       this->Between.Step = duration * width / parts;
       this->LayerStart = start + duration * done / parts;
       this->Between.Age = this->LayerStart + 0.5 * this->Between.Step;
-      const Outcome outcome = this->AddLayer(this->Depth == halvings, sums);
+      const Outcome outcome = this->AddLayer(this->Depth == halvings, mass);
       if (outcome == Outcome::OverLimit)
       {
         this->Report().LimitReached = true;
@@ -144,12 +144,10 @@ private:
       this->Report().FollowedTime = start + duration * done / parts;
       this->Depth -= this->Calm && this->Depth > 0 && done % (2 * width) == 0;
     }
-    this->Report().MassPerStep.push_back(sums.Mass);
-    this->Factors.push_back(
-      sums.DensityTimesVolume > 0.0 ? sums.Mass / sums.DensityTimesVolume : 1.0);
+    this->Report().MassPerStep.push_back(mass);
   }
 
-  Outcome AddLayer(bool last, SlabSums& sums)
+  Outcome AddLayer(bool last, double& mass)
   {
     const double step = this->Between.Step;
     this->Integrator.Advance(this->Front, step, this->Top);
@@ -179,8 +177,7 @@ private:
       if (slab.Folded.empty())
       {
         this->FirstTetrahedron = first;
-        sums.Mass += slab.Mass;
-        sums.DensityTimesVolume += slab.DensityTimesVolume;
+        mass += slab.Mass;
         this->Report().MergedEdges += merged;
         this->MoveUp(above);
         return Outcome::Done;
@@ -393,10 +390,7 @@ private:
   void Finish()
   {
     SmokeMesh& mesh = this->Mesh;
-    for (std::size_t t = 0; t < mesh.Tetrahedra.size(); ++t)
-    {
-      mesh.Densities[t] *= this->Factors[static_cast<std::size_t>(mesh.EmissionSteps[t])];
-    }
+    ScaleDensities(mesh);
     SmokeReport& report = mesh.Report;
     const bool cut = report.LimitReached || report.Stopped;
     report.EmittedMass = report.Flux * (cut ? report.FollowedTime : this->Settings.Duration);
@@ -416,7 +410,6 @@ private:
   ArrivedPoints Top;
   Slab Between;
   std::vector<unsigned char> Marks;
-  std::vector<double> Factors;      // of the densities, for each emission step
   std::size_t FirstTetrahedron = 0; // of the last slab
   int Depth = 0;                    // halvings of the step
   bool Calm = false;

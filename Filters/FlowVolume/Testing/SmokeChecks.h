@@ -71,16 +71,15 @@ inline FormulaField Spreading()
 }
 inline FormulaField Converging()
 {
-  return Everywhere([](double x, double y, double) {
-    return Vector3{ { -x, -y, 1.0 + 2.0 * 0.0 } };
-  });
+  return Everywhere([](double x, double y, double) { return Vector3{ { -x, -y, 1.0 } }; });
 }
-// Arnold, Beltrami and Childress, A = B = C = 1.
+// Arnold, Beltrami and Childress, with the square roots of 3, 2 and 1.
 inline FormulaField ABC()
 {
-  return Everywhere([](double x, double y, double z) {
-    return Vector3{ { std::sin(z) + std::cos(y), std::sin(x) + std::cos(z),
-      std::sin(y) + std::cos(x) } };
+  const double a = std::sqrt(3.0), b = std::sqrt(2.0), c = 1.0;
+  return Everywhere([a, b, c](double x, double y, double z) {
+    return Vector3{ { a * std::sin(z) + c * std::cos(y), b * std::sin(x) + a * std::cos(z),
+      c * std::sin(y) + b * std::cos(x) } };
   });
 }
 
