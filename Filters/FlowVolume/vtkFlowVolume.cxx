@@ -8,6 +8,7 @@
 #include "GeneratingPolygon.h"
 #include "OneVoice.h"
 #include "PolygonFlow.h"
+#include "PolygonShape.h"
 #include "SmokeOutput.h"
 #include "SteadyVolume.h"
 #include "VelocityChoice.h"
@@ -174,7 +175,47 @@ std::shared_ptr<const nephoscope::FlowField> vtkFlowVolume::MakeField(vtkDataObj
 }
 
 bool vtkFlowVolume::MakePolygon(const nephoscope::FlowField& field,
-  const nephoscope::VelocityField& velocity, double time, vtkPolyData*,
+  const nephoscope::VelocityField& velocity, double time, vtkPolyData* given,
+  nephoscope::PolygonMesh& polygon)
+{
+  const auto make = [&](double edge) {
+    return given ? this->MakeGivenPolygon(field, velocity, time, given, edge, polygon)
+                 : this->MakeRegularPolygon(field, velocity, time, edge, polygon);
+  };
+  if (!make(this->PolygonEdgeLength))
+  {
+    return false;
+  }
+  // The edges of unsteady smoke cannot become shorter than those of the polygon.
+  const double longest = this->HasTimeSteps() ? this->MaximumEdgeLength : 0.0;
+  return longest == 0.0 || nephoscope::LongestEdge(polygon) <= longest || make(longest);
+}
+
+bool vtkFlowVolume::MakeGivenPolygon(const nephoscope::FlowField& field,
+  const nephoscope::VelocityField& velocity, double time, vtkPolyData* given, double edge,
+  nephoscope::PolygonMesh& polygon)
+{
+  std::string problem;
+  if (!nephoscope::TriangulatePolygons(given, edge, polygon, problem))
+  {
+    vtkErrorMacro(<< problem);
+    return false;
+  }
+  nephoscope::Vector3 direction{};
+  const nephoscope::Vector3 center = nephoscope::Center(polygon);
+  if (this->NormalToFlow)
+  {
+    if (!this->FindDirection(field, velocity, time, center, direction))
+    {
+      return false;
+    }
+    nephoscope::TurnNormalTo(polygon, center, direction);
+  }
+  return true;
+}
+
+bool vtkFlowVolume::MakeRegularPolygon(const nephoscope::FlowField& field,
+  const nephoscope::VelocityField& velocity, double time, double edge,
   nephoscope::PolygonMesh& polygon)
 {
   nephoscope::RegularPolygon regular;
@@ -192,12 +233,14 @@ bool vtkFlowVolume::MakePolygon(const nephoscope::FlowField& field,
     vtkErrorMacro("Normal is (0, 0, 0): give the polygon a direction, or switch NormalToFlow on.");
     return false;
   }
-  double edge = this->PolygonEdgeLength > 0.0 ? this->PolygonEdgeLength : 0.5 * regular.Radius;
-  if (this->HasTimeSteps() && this->MaximumEdgeLength > 0.0)
-  {
-    edge = std::min(edge, this->MaximumEdgeLength);
-  }
   polygon = nephoscope::TriangulateRegularPolygon(regular, edge);
+  if (polygon.Triangles.empty())
+  {
+    vtkErrorMacro("The generating polygon of radius "
+      << regular.Radius << " cannot be divided into triangles with edges of " << edge
+      << ": there would be too many. Choose a longer PolygonEdgeLength.");
+    return false;
+  }
   return true;
 }
 

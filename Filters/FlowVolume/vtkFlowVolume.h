@@ -279,6 +279,12 @@ private:
   std::shared_ptr<const nephoscope::FlowField> MakeField(vtkDataObject* input);
   bool MakePolygon(const nephoscope::FlowField& field, const nephoscope::VelocityField& velocity,
     double time, vtkPolyData* given, nephoscope::PolygonMesh& polygon);
+  bool MakeRegularPolygon(const nephoscope::FlowField& field,
+    const nephoscope::VelocityField& velocity, double time, double edge,
+    nephoscope::PolygonMesh& polygon);
+  bool MakeGivenPolygon(const nephoscope::FlowField& field,
+    const nephoscope::VelocityField& velocity, double time, vtkPolyData* given, double edge,
+    nephoscope::PolygonMesh& polygon);
   bool FindDirection(const nephoscope::FlowField& field, const nephoscope::VelocityField& velocity,
     double time, const std::array<double, 3>& center, std::array<double, 3>& direction);
   bool CheckPlace(const nephoscope::FlowField& field, const nephoscope::PolygonMesh& polygon,

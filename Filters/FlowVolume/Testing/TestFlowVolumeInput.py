@@ -7,7 +7,6 @@ import numpy as np
 from nephoscope_testing import meshes
 from nephoscope_testing.flow import area_of, flow_volume, update
 from vtkmodules.util.numpy_support import vtk_to_numpy
-from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkDataSetAttributes, vtkMultiBlockDataSet, vtkPolyData
 from vtkmodules.vtkCommonExecutionModel import vtkTrivialProducer
 from vtkmodules.vtkFiltersCore import vtkThreshold
@@ -60,9 +59,7 @@ def blocks():
 
 
 def polygon(*corners):
-    points, cells = vtkPoints(), vtkCellArray()
-    for corner in corners:
-        points.InsertNextPoint(*corner)
+    points, cells = meshes.vtk_points(corners), vtkCellArray()
     cells.InsertNextCell(len(corners), list(range(len(corners))))
     data = vtkPolyData()
     data.SetPoints(points)
@@ -210,7 +207,8 @@ class Polygons(unittest.TestCase):
 
     def smoke(self, corners=CORNERS, messages=0, **settings):
         made = flow_volume(cube(), **{**SETTINGS, **settings})
-        made.SetPolygonConnection(polygon(*corners).GetOutputPort())
+        source = polygon(*corners)
+        made.SetPolygonConnection(source.GetOutputPort())
         smoke, told = update(made)
         self.assertEqual(len(told), messages, told)
         return smoke, told
@@ -232,10 +230,7 @@ class Polygons(unittest.TestCase):
         made = flow_volume(cube(), **SETTINGS)
         made.SetPolygonConnection(producer.GetOutputPort())
         update(made)
-        moved = vtkPoints()
-        for corner in self.CORNERS + (0.1, 0, 0):
-            moved.InsertNextPoint(*corner)
-        producer.GetOutputDataObject(0).SetPoints(moved)
+        producer.GetOutputDataObject(0).SetPoints(meshes.vtk_points(self.CORNERS + (0.1, 0, 0)))
         smoke, messages = update(made)
         self.assertEqual(messages, [])
         self.assertAlmostEqual(smoke.points[smoke.age == 0][:, 0].max(), 0.3, delta=0.02)
