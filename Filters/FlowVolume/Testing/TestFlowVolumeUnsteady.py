@@ -126,7 +126,7 @@ class Mass(unittest.TestCase):
 
 
 class Bisection(unittest.TestCase):
-    LIMIT = 0.12
+    LIMIT = 0.07
 
     def test_fits_and_is_short(self):
         smoke = follow(series(growing), MaximumEdgeLength=self.LIMIT, TimeStep=0.05, Radius=0.1)
