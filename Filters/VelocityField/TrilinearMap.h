@@ -42,12 +42,12 @@ public:
       double p[8];
       for (std::size_t e = 0; e < 8; ++e)
       {
-        p[e] = points[3 * corners[e] + static_cast<std::int64_t>(c)] - x[c];
+        p[e] = points[3 * corners[e] + static_cast<std::int64_t>(c)];
       }
       const double bottom = p[1] - p[0];
       const double top = p[5] - p[4];
       const double back = p[3] - p[2];
-      this->Coefficients[0][c] = p[0];
+      this->Coefficients[0][c] = p[0] - x[c];
       this->Coefficients[1][c] = bottom;
       this->Coefficients[2][c] = p[2] - p[0];
       this->Coefficients[3][c] = back - bottom;
