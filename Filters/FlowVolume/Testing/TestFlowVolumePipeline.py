@@ -97,7 +97,7 @@ class Progress(unittest.TestCase):
         self.assertGreater(len(seen), 10)
 
     def test_abort_gives_nothing(self):
-        for share in (0, 0.5, 0.85):
+        for share in (0, 0.5, 0.85, 1):
             made = flow_volume(image(), **SETTINGS)
             made.AddObserver("ProgressEvent", lambda caller, _, share=share: caller.SetAbortExecute(caller.GetProgress() >= share))
             smoke, messages = update(made)
