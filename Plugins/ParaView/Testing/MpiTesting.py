@@ -4,8 +4,9 @@
 import os
 import sys
 
-# More ranks than cores, and the superuser of a container, are allowed; by Open MPI 4 and 5.
-ENVIRONMENT = dict(os.environ, OMPI_MCA_rmaps_base_oversubscribe="1", PRTE_MCA_rmaps_default_mapping_policy=":oversubscribe",
+# More ranks than cores, which wait without keeping a core busy, and the superuser of a container, are allowed; by Open MPI 4 and 5.
+ENVIRONMENT = dict(os.environ, OMPI_MCA_rmaps_base_oversubscribe="1", OMPI_MCA_mpi_yield_when_idle="1",
+                   PRTE_MCA_rmaps_default_mapping_policy=":oversubscribe",
                    OMPI_ALLOW_RUN_AS_ROOT="1", OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1",
                    PRTE_ALLOW_RUN_AS_ROOT="1", PRTE_ALLOW_RUN_AS_ROOT_CONFIRM="1")
 
