@@ -88,7 +88,7 @@ square = vtkPlaneSource()  # of no more than the first rank
 square.SetOrigin(-0.2, -0.2, 0.01)
 square.SetPoint1(0.2, -0.2, 0.01)
 square.SetPoint2(-0.2, 0.2, 0.01)
-polygon = volume(image)
+polygon = volume(image, Duration=0.6)
 polygon.SetPolygonConnection(square.GetOutputPort())
 run("polygon", polygon)
 earth = globe()
