@@ -55,7 +55,7 @@ def add_smoke(plotter: pyvista.BasePlotter, volume: pyvista.UnstructuredGrid, sc
     density = _density_name(volume, density)
     highest = _highest(volume, density)
     options.setdefault("opacity", "linear")
-    options.setdefault("unit_distance", _unit_distance(volume, density) * highest / require_number(optical_depth, "optical_depth", above=0))
+    options.setdefault("unit_distance", _unit_distance(volume, density) / highest / require_number(optical_depth, "optical_depth", above=0))
     if scalars is None:
         one = pyvista.Color(color).hex_rgb
         return add_cells(plotter, volume, density, cmap=[one, one], clim=(0.0, highest),
