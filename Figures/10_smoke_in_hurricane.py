@@ -1,0 +1,207 @@
+# SPDX-FileCopyrightText: The Nephoscope authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Figure 10: smoke in hurricane Jova, over the globe and the clouds of the same forecast, and puffs that move with the wind.
+
+After the figure of flow volumes in Max, Crawfis and Becker (1993). Smoke is released from small polygons that face the wind: orange
+around the storm, near the sea, where the air flows in and spirals up; blue inside the storm, at 7 km, where it rises on and leaves
+in two streams. Heights are exaggerated 45 times. Every volume has one colour, so its cells need no order; the smoke is drawn
+over the clouds, whichever is nearer.
+
+Writes the picture (1920 x 1080), the ParaView state that shows it again, and a short film that loops. A longer and larger one:
+    ./nephoscope pvbatch Figures/10_smoke_in_hurricane.py --frames 240 --size 1920 1080
+Interrupted, it goes on with the next frame.
+"""
+import argparse
+import hashlib
+import math
+import os
+import sys
+
+from paraview import simple as pvs
+
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "common"))
+import frames  # noqa: E402
+
+DATA = os.environ["NEPHOSCOPE_DATA"]
+GALLERY = os.environ["NEPHOSCOPE_GALLERY"]
+NAME = "10_smoke_in_hurricane"
+PLANET_RADIUS = 6371000.0  # metres
+EXAGGERATION = 45
+HOUR = 3600.0  # seconds
+DAY = 86400.0  # the unit of the forecast's time, in seconds
+CENTRE = (-105.0, 17.0)  # of the storm, degrees
+POLYGON_RADIUS = 3.2e4  # metres of the display
+# Name, colour, degrees from the centre, metres above the sea, directions from the centre (degrees from east), hours, and the metres
+# of the display over which smoke as dense as at the polygon has optical depth 1.
+RELEASES = (
+    ("Inflow", [1.0, 0.40, 0.05], 5.0, 1100, range(140, 280, 20), 30, 4.5e4),
+    ("Outflow", [0.50, 0.92, 1.0], 2.2, 7000, range(0, 360, 40), 28, 6.0e4),
+)
+LONGEST_EDGE, SHORTEST_EDGE = 2.6e5, 8.0e4  # metres of the display: longer ones are divided, shorter ones merged
+MAXIMUM_DENSITY = 3.0  # of that at the polygon: where the flow converges, smoke would become opaque
+PERIOD = 6 * HOUR  # from puff to puff
+PICTURE_FLOOR, FILM_FLOOR = 0.4, 0.1  # what stays between puffs
+CLOUD_COLOURS = [0.0, 0.72, 0.75, 0.80, 1.0, 0.95, 0.96, 0.97]
+# Cloud fraction: value, opacity, midpoint, sharpness.
+CLOUD_OPACITY = [0.0, 0.0, 0.5, 0.0, 0.4, 0.0, 0.5, 0.0, 0.7, 0.3, 0.5, 0.0, 1.0, 1.0, 0.5, 0.0]
+CLOUD_UNIT_DISTANCE = 6.0e5  # metres over which opacity 1 gives optical depth 1
+MILLISECONDS = 80  # a frame is shown
+
+
+def on_globe(longitude, latitude, height=0.0, radii=1.0):
+    """Cartesian metres of a place: degrees, metres above the sea, and then so many times as far from the planet's centre."""
+    lon, lat, r = math.radians(longitude), math.radians(latitude), radii * (PLANET_RADIUS + EXAGGERATION * height)
+    return [r * math.cos(lat) * math.cos(lon), r * math.cos(lat) * math.sin(lon), r * math.sin(lat)]
+
+
+def make_view(size):
+    view = pvs.CreateRenderView(ViewSize=size, OrientationAxesVisibility=0, UseColorPaletteForBackground=0)
+    pvs.AssignViewToLayout(view, layout=pvs.CreateLayout("Smoke in a hurricane"))  # or the window opens the state without it
+    view.BackgroundColorMode = "Gradient"
+    view.Background = [0.004, 0.006, 0.016]
+    view.Background2 = [0.03, 0.05, 0.11]
+    view.CameraPosition = on_globe(-111, 2.5, radii=1.62)
+    view.CameraFocalPoint = on_globe(-104.7, 18.6, radii=1.04)
+    view.CameraViewUp = on_globe(*CENTRE)
+    view.CameraViewAngle = 25
+    view.UseLight = 0
+    sun = pvs.AddLight(view=view)
+    sun.Coords = "Scene"
+    sun.Type = "Directional"
+    sun.Position = on_globe(-125, 25, radii=10)
+    sun.FocalPoint = [0, 0, 0]
+    return view
+
+
+def show_terrain(view):
+    """A plate carree plane bent into a sphere; its texture coordinates come along."""
+    plane = pvs.Plane(Origin=[-180, -90, 0], Point1=[180, -90, 0], Point2=[-180, 90, 0], XResolution=360, YResolution=180)
+    lon, lat = "(coordsX*{0})".format(math.pi / 180), "(coordsY*{0})".format(math.pi / 180)
+    sphere = pvs.Calculator(
+        Input=plane, CoordinateResults=1,
+        Function=f"{PLANET_RADIUS}*(cos({lat})*cos({lon})*iHat + cos({lat})*sin({lon})*jHat + sin({lat})*kHat)")
+    globe = pvs.Calculator(Input=sphere, ResultNormals=1, ResultArrayName="Up", Function=f"coords/{PLANET_RADIUS}")
+    pvs.RenameSource("Terrain", globe)
+    shown = pvs.Show(globe, view)
+    shown.ColorArrayName = ["POINTS", ""]
+    shown.Texture = pvs.CreateTexture(os.path.join(DATA, "blue_marble_2048.jpg"))
+    shown.Ambient, shown.Diffuse, shown.Specular = 0.2, 0.6, 0.1
+
+
+def read_forecast():
+    forecast = pvs.NetCDFReader(FileName=[os.path.join(DATA, "gfs_2p5deg_2011101100.nc")], SphericalCoordinates=0)
+    forecast.Dimensions = "(lev, lat, lon)"
+    globe = pvs.GlobeGrid(Input=forecast, VerticalExaggeration=EXAGGERATION)
+    pvs.RenameSource("Forecast", globe)
+    return globe
+
+
+def colour_table(array, points):
+    table = pvs.GetColorTransferFunction(array)
+    table.AutomaticRescaleRangeMode = "Never"
+    table.ColorSpace = "RGB"
+    table.RGBPoints = points
+    return table
+
+
+def show_clouds(forecast, view):
+    shown = pvs.Show(forecast, view)
+    pvs.ColorBy(shown, ("POINTS", "cloud_fraction"))
+    shown.SetRepresentationType("Cell Compositing")
+    shown.LookupTable = colour_table("cloud_fraction", CLOUD_COLOURS)
+    shown.SetScalarBarVisibility(view, False)
+    pvs.GetOpacityTransferFunction("cloud_fraction").Points = CLOUD_OPACITY
+    shown.CellCompositingAutomaticUnitDistance = 0
+    shown.CellCompositingUnitDistance = CLOUD_UNIT_DISTANCE
+
+
+def release(forecast, degrees, height, directions, hours):
+    """Smoke from polygons on a circle around the storm, as one volume."""
+    volumes = []
+    for direction in directions:
+        east, north = math.cos(math.radians(direction)), math.sin(math.radians(direction))
+        place = (CENTRE[0] + degrees * east / math.cos(math.radians(CENTRE[1])), CENTRE[1] + degrees * north, height)
+        volumes.append(pvs.FlowVolume(Input=forecast, Center=on_globe(*place), Radius=POLYGON_RADIUS, Duration=hours * HOUR,
+                                      TimeStep=HOUR, PolygonEdgeLength=POLYGON_RADIUS, MaximumEdgeLength=LONGEST_EDGE,
+                                      MinimumEdgeLength=SHORTEST_EDGE))
+    return pvs.AppendDatasets(Input=volumes)
+
+
+def show_smoke(forecast, view):
+    """Returns the filters that make the puffs."""
+    puffs = []
+    for name, colour, *where, unit_distance in RELEASES:
+        smoke = pvs.SmokePuffs(Input=release(forecast, *where), Period=PERIOD, TimeScale=DAY, Floor=PICTURE_FLOOR,
+                               MaximumDensity=MAXIMUM_DENSITY, Association="Points")
+        pvs.RenameSource(name, smoke)
+        shown = pvs.Show(smoke, view)
+        shown.SetRepresentationType("Cell Compositing")
+        shown.ColorArrayName = ["POINTS", ""]
+        shown.DiffuseColor = shown.AmbientColor = colour
+        shown.CellCompositingAutomaticUnitDistance = 0
+        shown.CellCompositingUnitDistance = unit_distance
+        puffs.append(smoke)
+    return puffs
+
+
+def show_caption(view):
+    caption = pvs.Text(Text="GFS forecast for 2011-10-11 00 UTC: hurricane Jova\n"
+                            "Puffs of smoke every %.0f hours, from low around the storm (orange)\n"
+                            "and high inside it (blue). Heights exaggerated %d times" % (PERIOD / HOUR, EXAGGERATION))
+    shown = pvs.Show(caption, view)
+    shown.WindowLocation, shown.FontSize, shown.Justification = "Lower Left Corner", 18, "Left"
+    shown.Color = [0.75, 0.80, 0.88]
+    return caption
+
+
+def save_still(view):
+    pvs.Render(view)
+    picture = os.path.join(GALLERY, NAME + ".png")
+    pvs.SaveScreenshot(picture, view, ImageResolution=[1920, 1080])
+    print("wrote", picture)
+    state = os.path.join(GALLERY, NAME + ".pvsm")
+    pvs.SaveState(state)
+    print("wrote", state)
+
+
+def save_film(view, puffs, count, size):
+    """count frames over one period: the one after the last is the first."""
+    for smoke in puffs:
+        smoke.Floor = FILM_FLOOR
+    start = view.ViewTime
+    view.ViewSize = size
+    view.CameraViewAngle = 17  # closer: frames are small
+
+    def draw(i, file):
+        view.ViewTime = start + i / count * PERIOD / DAY
+        pvs.SaveScreenshot(file, view, ImageResolution=size)
+
+    with open(__file__, "rb") as script:
+        settings = [hashlib.sha256(script.read()).hexdigest(), count, size]
+    folder = os.path.join(GALLERY, "%s_%dx%d_%d_frames" % (NAME, *size, count))
+    film = frames.Frames(folder, count, settings)
+    film.make(draw)
+    for make, ending in ((frames.make_gif, "gif"), (frames.make_mp4, "mp4")):
+        name = os.path.join(GALLERY, "%s.%s" % (NAME, ending))
+        if make(film.files, name, MILLISECONDS):
+            print("wrote", name)
+
+
+options = argparse.ArgumentParser(description="Smoke in a hurricane: a picture and a film.")
+options.add_argument("--frames", type=int, default=24, help="frames of the film; 0: the picture only")
+options.add_argument("--size", type=int, nargs=2, default=[480, 270], help="width and height of the film, pixels")
+options.add_argument("--no-picture", action="store_true", help="the film only")
+wanted = options.parse_args()
+
+pvs._DisableFirstRenderCameraReset()
+view = make_view([1920, 1080])
+show_terrain(view)
+forecast = read_forecast()
+show_clouds(forecast, view)
+puffs = show_smoke(forecast, view)
+caption = show_caption(view)
+if not wanted.no_picture:
+    save_still(view)
+if wanted.frames > 0:
+    pvs.Hide(caption, view)
+    save_film(view, puffs, wanted.frames, wanted.size)
