@@ -61,9 +61,9 @@ def make_view(size):
     view.Background = [0.004, 0.006, 0.016]
     view.Background2 = [0.03, 0.05, 0.11]
     view.CameraPosition = on_globe(-111, 2.5, radii=1.62)
-    view.CameraFocalPoint = on_globe(-104.7, 18.0, radii=1.04)
+    view.CameraFocalPoint = on_globe(-104.7, 18.4, radii=1.04)
     view.CameraViewUp = on_globe(*CENTRE)
-    view.CameraViewAngle = 21
+    view.CameraViewAngle = 24
     view.UseLight = 0
     sun = pvs.AddLight(view=view)
     sun.Coords = "Scene"
@@ -170,7 +170,7 @@ def save_film(view, puffs, count, size):
         smoke.Floor = FILM_FLOOR
     start = view.ViewTime
     view.ViewSize = size
-    view.CameraViewAngle = 18  # closer: frames are small
+    view.CameraViewAngle = 20  # closer: frames are small
 
     def draw(i, file):
         view.ViewTime = start + i / count * PERIOD / DAY
