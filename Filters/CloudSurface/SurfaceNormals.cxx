@@ -85,12 +85,8 @@ FieldGradient::Slope FieldGradient::SlopeAlong(int axis, const GridIndex& at) co
   if (second.IsThere && second.At != at)
   {
     const double share = -first.Distance / (first.Distance + second.Distance);
-    const double rise = (1.0 - share) * slope.Rise + share * sign * second.Rise / second.Distance;
-    if (rise * slope.Rise >= 0.0) // a parabola that turns between the points is not to be trusted at its end
-    {
-      slope.Rise = rise;
-      slope.Tangent = Blend(slope.Tangent, Scaled(second.Away, sign / second.Distance), share);
-    }
+    slope.Rise = (1.0 - share) * slope.Rise + share * sign * second.Rise / second.Distance;
+    slope.Tangent = Blend(slope.Tangent, Scaled(second.Away, sign / second.Distance), share);
   }
   return slope;
 }

@@ -100,6 +100,24 @@ class Sphere(unittest.TestCase):
         self.assertGreater(s * np.sqrt(2 * np.log(2)) - radius, 0.015)  # so much it has shrunk
 
 
+class Ends(unittest.TestCase):
+    def test_normals_at_the_end_of_the_grid(self):
+        """A ball cut by the grid: on the cut, derivatives look to one side only, and are of order 2 all the same."""
+        worst = []
+        for n in (12, 24, 48):
+            positions = lattice(n)[0][:, :, n // 2:]
+            data = cg.image(ball(positions), (2 / n,) * 3, (0, -1, -1))
+            out = cg.surface(data, [VALUE])
+            away = cg.points(out) - CENTRE
+            cut = cg.points(out)[:, 0] == 0
+            self.assertGreater(cut.sum(), 10)
+            true = away / np.linalg.norm(away, axis=1)[:, None]
+            worst.append(np.linalg.norm(cg.values(out, "Normals") - true, axis=1)[cut].max())
+        print(f"  at the end: {[f'{w:.2e}' for w in worst]}")
+        self.assertGreater(np.log2(worst[0] / worst[1]), 1.7)
+        self.assertGreater(np.log2(worst[1] / worst[2]), 1.7)
+
+
 class Peers(unittest.TestCase):
     def same_surface(self, data, name="f", value=VALUE):
         ours = cg.surface(data, [value], ComputeNormals=False)
@@ -142,10 +160,26 @@ class Degenerate(unittest.TestCase):
         self.assertAlmostEqual(np.linalg.norm(np.cross(p[t[:, 1]] - p[t[:, 0]], p[t[:, 2]] - p[t[:, 0]]), axis=1).sum() / 2, 12)
 
     def test_a_field_of_zeros_and_ones(self):
-        """Central differences vanish on a chessboard; normals are of length 1 all the same."""
-        field = (np.indices((5, 5, 5)).sum(0) % 2).astype(float)
-        normals = cg.values(cg.surface(cg.image(field), [0.5]), "Normals")
+        """Central differences vanish on a chessboard; normals are those of the edges then."""
+        field = (np.indices((7, 7, 7)).sum(0) % 2).astype(float)
+        out = cg.surface(cg.image(field), [0.5])
+        p, normals = cg.points(out), cg.values(out, "Normals")
         np.testing.assert_allclose(np.linalg.norm(normals, axis=1), 1, atol=1e-6)
+        inner = ((p >= 1) & (p <= 5)).all(axis=1)
+        axis = np.argmax(p % 1, axis=1)
+        low = np.floor(p).astype(int)
+        upwards = field[low[:, 2], low[:, 1], low[:, 0]] == 0  # along the axis
+        expected = np.eye(3)[axis] * np.where(upwards, -1, 1)[:, None]
+        self.assertGreater(inner.sum(), 100)
+        np.testing.assert_allclose(normals[inner], expected[inner], atol=1e-6)
+
+    def test_rough_fields_face_down_the_edge_that_they_cross(self):
+        """One point high among low ones, beside a higher one: central differences at it point the wrong way."""
+        line = np.array([0.0, 0.0, 5.0, 0.0, 1.0, 0.0, 5.0, 0.0, 0.0])
+        out = cg.surface(cg.image(np.broadcast_to(line, (3, 3, 9)).copy()), [0.5])
+        x, normals = cg.points(out)[:, 0], cg.values(out, "Normals")
+        up = np.interp(x + 1e-3, np.arange(9), line) > np.interp(x - 1e-3, np.arange(9), line)
+        np.testing.assert_array_equal(normals[:, 0] > 0, ~up)
 
     def test_one_cell(self):
         field = np.zeros((2, 2, 2))
