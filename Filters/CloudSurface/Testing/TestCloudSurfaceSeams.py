@@ -137,6 +137,17 @@ class Hidden(unittest.TestCase):
         np.testing.assert_allclose(cg.points(out)[cg.triangles(out)].mean(1), centres, atol=1e-6)
         self.assertEqual(len(np.unique(cg.triangles(out))), out.GetNumberOfPoints())  # no point is left over
 
+    def test_a_surface_in_a_face_needs_one_cell_that_is_seen(self):
+        for hidden, area in (((2,), 12), ((1,), 12), ((1, 2), 0), ((0, 3), 12)):
+            data = cg.image(np.broadcast_to(np.arange(6.0), (5, 4, 6)).copy())
+            flags = np.zeros((4, 3, 5), np.uint8)
+            flags[:, :, list(hidden)] = cg.HIDDEN_CELL
+            data.GetCellData().AddArray(cg.array("vtkGhostType", flags.ravel()))
+            out = cg.surface(data, [2.0])
+            p, t = (cg.points(out), cg.triangles(out)) if out.GetNumberOfCells() else (np.zeros((1, 3)), np.zeros((0, 3), int))
+            sides = np.cross(p[t[:, 1]] - p[t[:, 0]], p[t[:, 2]] - p[t[:, 0]])
+            self.assertAlmostEqual(np.linalg.norm(sides, axis=1).sum() / 2, area)
+
     def corners_missing(self, gaps):
         touched = np.zeros((6, 7, 8), bool)
         for k, j, i in np.ndindex(2, 2, 2):

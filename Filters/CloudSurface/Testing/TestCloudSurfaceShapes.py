@@ -181,6 +181,14 @@ class Degenerate(unittest.TestCase):
         up = np.interp(x + 1e-3, np.arange(9), line) > np.interp(x - 1e-3, np.arange(9), line)
         np.testing.assert_array_equal(normals[:, 0] > 0, ~up)
 
+    def test_a_peak_at_the_value(self):
+        """No gradient at the peak itself: its normals go down the steepest way."""
+        field = np.zeros((5, 5, 5))
+        field[2, 2, 2], field[2, 1, 2], field[2, 3, 2] = 1, -3, -3
+        out = cg.surface(cg.image(field), [1.0])
+        self.assertGreater(out.GetNumberOfPoints(), 0)
+        np.testing.assert_allclose(np.abs(cg.values(out, "Normals")), [[0, 1, 0]] * out.GetNumberOfPoints(), atol=1e-6)
+
     def test_one_cell(self):
         field = np.zeros((2, 2, 2))
         field[0, 0, 0] = 1

@@ -147,6 +147,16 @@ class Cartesian(unittest.TestCase):
         out = cg.cube(cg.smooth(data, 3, Conservative=True, MassArrayName="weight"))
         self.assertLess(abs(total(out, mass) - total(self.field, mass)), 1e-11)
 
+    def test_given_masses_count_a_place_once(self):
+        positions = cg.globe_positions()
+        mass = np.random.default_rng(9).uniform(0.1, 5, positions.shape[:3])
+        data = cg.structured(positions, {"f": cg.closed(np.random.default_rng(10).random((4, 13, 24))), "weight": mass})
+        out = cg.smooth(data, 2, Conservative=True, MassArrayName="weight", GenerateMassArray=True)
+        written = cg.cube(out, "Mass")
+        np.testing.assert_array_equal(written[:, :, :-1], mass[:, :, :-1])
+        self.assertTrue((written[:, :, -1] == 0).all())
+        self.assertAlmostEqual(total(cg.cube(out), written) / total(cg.cube(data), written), 1, places=14)
+
     def test_single_precision_loses_its_own_rounding_only(self):
         data = cg.rectilinear(*self.axes, {"f": (self.field + 5).astype("f4")})
         out = cg.smooth(data, 3, Conservative=True, GenerateMassArray=True)

@@ -78,6 +78,12 @@ class Poles(unittest.TestCase):
                 padded = np.pad(line, 1, mode="edge")
                 np.testing.assert_allclose(out[:, j, 0], (padded[:-2] + 2 * line + padded[2:]) / 4, atol=1e-14, err_msg=name)
 
+    def test_a_hemisphere_has_one_pole(self):
+        field = np.random.default_rng(2).normal(size=(2, 7, 24))
+        out = cg.cube(cg.smooth(cg.rectilinear(np.arange(24) * 15, np.linspace(0, 90, 7), [0, 1], {"f": field}), Periodic=0))
+        self.assertTrue((out[:, -1] == out[:, -1, :1]).all())
+        self.assertGreater(np.ptp(out[:, 0], axis=1).min(), 0.1)
+
     def test_a_sector_with_the_pole(self):
         """Not all longitudes: the row at the pole is one point all the same."""
         positions = cg.globe_positions()[:, :, :9]
