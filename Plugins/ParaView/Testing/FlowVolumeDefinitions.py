@@ -23,7 +23,8 @@ UNITS = {"FlowVolume": ("(length/s)", "(times in s)", "(length)"), "FlowVolumeFr
 def settable(class_):
     """Members with a getter and a setter of the class itself."""
     filter_, inherited = class_(), set(dir(class_.__bases__[0]))
-    return {n[3:] for n in dir(filter_) if n.startswith("Get") and hasattr(filter_, "Set" + n[3:])} - {n[3:] for n in inherited}
+    members = {n[3:] for n in dir(filter_) if n.startswith("Get") and hasattr(filter_, "Set" + n[3:])}
+    return members - {n[3:] for n in inherited} - {"Controller"}  # ParaView's own, by default
 
 
 def check_members(name, class_, without=frozenset()):
