@@ -60,10 +60,10 @@ def make_view(size):
     view.BackgroundColorMode = "Gradient"
     view.Background = [0.004, 0.006, 0.016]
     view.Background2 = [0.03, 0.05, 0.11]
-    view.CameraPosition = on_globe(-111, 2.5, radii=1.62)
-    view.CameraFocalPoint = on_globe(-104.7, 18.4, radii=1.04)
+    view.CameraPosition = on_globe(-112, -2, radii=2.1)
+    view.CameraFocalPoint = on_globe(-104.0, 19, radii=1.03)
     view.CameraViewUp = on_globe(*CENTRE)
-    view.CameraViewAngle = 24
+    view.CameraViewAngle = 20
     view.UseLight = 0
     sun = pvs.AddLight(view=view)
     sun.Coords = "Scene"
@@ -85,6 +85,7 @@ def show_terrain(view):
     shown = pvs.Show(globe, view)
     shown.ColorArrayName = ["POINTS", ""]
     shown.Texture = pvs.CreateTexture(os.path.join(DATA, "blue_marble_2048.jpg"))
+    shown.InterpolateTextures = 1  # near the ground the pixels of the texture would be seen
     shown.Ambient, shown.Diffuse, shown.Specular = 0.2, 0.6, 0.1
 
 
@@ -170,7 +171,7 @@ def save_film(view, puffs, count, size):
         smoke.Floor = FILM_FLOOR
     start = view.ViewTime
     view.ViewSize = size
-    view.CameraViewAngle = 20  # closer: frames are small
+    view.CameraViewAngle = 15  # closer: frames are small
 
     def draw(i, file):
         view.ViewTime = start + i / count * PERIOD / DAY
