@@ -1,0 +1,64 @@
+// SPDX-FileCopyrightText: The Nephoscope authors
+// SPDX-License-Identifier: BSD-3-Clause
+// A splat in the shape of its grid cell: the kernel as a function of |J^-1 (x - centre)|, where the columns of J are the
+// cell's edges. What a ray meets of it is exact, for parallel and for perspective rays. Plain C++17.
+#ifndef nephoscope_EllipsoidSplat_h
+#define nephoscope_EllipsoidSplat_h
+
+#include "SplatMatrix.h"
+
+#include <algorithm>
+
+namespace nephoscope
+{
+// How a ray passes a splat.
+struct SplatPassage
+{
+  double Distance = 0.0;  // from the centre, in cells: the argument of the footprint
+  double Thickness = 0.0; // factor on the footprint, length per cell along the ray
+  double Depth = 0.0;     // along the ray from its origin to the point nearest to the centre
+};
+
+// `direction` has unit length; `offset` is the ray's origin minus the splat's centre.
+inline SplatPassage PassSplat(
+  const SplatMatrix& inverseJacobian, const SplatVector& offset, const SplatVector& direction)
+{
+  const SplatVector k = Times(inverseJacobian, direction);
+  const SplatVector o = Times(inverseJacobian, offset);
+  const double length = Length(k);
+  return { Length(Cross(o, k)) / length, 1.0 / length, -Dot(o, k) / (length * length) };
+}
+
+// Columns shorter than `share` of the longest are lengthened, so that cells which degenerate (at a pole, or of a flat
+// grid) keep a volume; a column of no length gets a direction at right angles to the others.
+inline SplatMatrix WithoutFlatColumns(SplatMatrix jacobian, double share)
+{
+  double lengths[3], longest = 0.0;
+  for (std::size_t c = 0; c < 3; ++c)
+  {
+    lengths[c] = Length(jacobian[c]);
+    longest = std::max(longest, lengths[c]);
+  }
+  for (std::size_t c = 0; c < 3; ++c)
+  {
+    if (lengths[c] >= share * longest || longest == 0.0)
+    {
+      continue;
+    }
+    SplatVector direction = jacobian[c];
+    if (lengths[c] == 0.0)
+    {
+      direction = Cross(jacobian[(c + 1) % 3], jacobian[(c + 2) % 3]);
+    }
+    const double length = Length(direction);
+    for (std::size_t i = 0; i < 3; ++i)
+    {
+      jacobian[c][i] =
+        length > 0.0 ? share * longest * direction[i] / length : (i == c ? share * longest : 0.0);
+    }
+  }
+  return jacobian;
+}
+}
+
+#endif

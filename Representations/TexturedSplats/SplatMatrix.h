@@ -1,0 +1,65 @@
+// SPDX-FileCopyrightText: The Nephoscope authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Vectors and 3x3 matrices of the splats' mathematics. Plain C++17.
+#ifndef nephoscope_SplatMatrix_h
+#define nephoscope_SplatMatrix_h
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+
+namespace nephoscope
+{
+using SplatVector = std::array<double, 3>;
+using SplatMatrix = std::array<SplatVector, 3>; // columns
+
+inline double Dot(const SplatVector& a, const SplatVector& b)
+{
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+inline SplatVector Cross(const SplatVector& a, const SplatVector& b)
+{
+  return { { a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0] } };
+}
+
+inline SplatVector Minus(const SplatVector& a, const SplatVector& b)
+{
+  return { { a[0] - b[0], a[1] - b[1], a[2] - b[2] } };
+}
+
+inline double Length(const SplatVector& a)
+{
+  return std::sqrt(Dot(a, a));
+}
+
+inline SplatVector Times(const SplatMatrix& m, const SplatVector& v)
+{
+  SplatVector product{};
+  for (std::size_t row = 0; row < 3; ++row)
+  {
+    product[row] = m[0][row] * v[0] + m[1][row] * v[1] + m[2][row] * v[2];
+  }
+  return product;
+}
+
+inline double Determinant(const SplatMatrix& m)
+{
+  return Dot(m[0], Cross(m[1], m[2]));
+}
+
+// The determinant must not be 0.
+inline SplatMatrix Inverse(const SplatMatrix& m)
+{
+  const double d = 1.0 / Determinant(m);
+  const SplatVector rows[3] = { Cross(m[1], m[2]), Cross(m[2], m[0]), Cross(m[0], m[1]) };
+  SplatMatrix inverse;
+  for (std::size_t column = 0; column < 3; ++column)
+  {
+    inverse[column] = { { d * rows[0][column], d * rows[1][column], d * rows[2][column] } };
+  }
+  return inverse;
+}
+}
+
+#endif

@@ -1,0 +1,103 @@
+// SPDX-FileCopyrightText: The Nephoscope authors
+// SPDX-License-Identifier: BSD-3-Clause
+/** What rays meet of ellipsoidal splats, against quadrature along the ray. */
+#include "EllipsoidSplat.h"
+#include "SplatKernel.h"
+#include "SplatOpacity.h"
+
+#include <gtest/gtest.h>
+
+#include <random>
+
+namespace
+{
+using namespace nephoscope;
+
+double integrate(const SplatMatrix& inverse, const SplatVector& offset, const SplatVector& e)
+{
+  const int steps = 40000;
+  const double reach = 12.0, h = 2.0 * reach / steps;
+  double sum = 0.0;
+  for (int i = 0; i < steps; ++i)
+  {
+    const double s = -reach + (i + 0.5) * h;
+    const SplatVector x = { { offset[0] + s * e[0], offset[1] + s * e[1], offset[2] + s * e[2] } };
+    sum += h * cubic_kernel::Value(Length(Times(inverse, x)));
+  }
+  return sum;
+}
+}
+
+TEST(EllipsoidSplat, OracleOfAStretchedCell)
+{
+  const double n = 1.0 / std::sqrt(3.0);
+  const SplatMatrix inverse = Inverse({ { { { 2, 0, 0 } }, { { 0, 1, 0 } }, { { 0, 0, 0.5 } } } });
+  const SplatPassage passage = PassSplat(inverse, { { 0.3, 0.2, -0.1 } }, { { n, n, n } });
+  EXPECT_NEAR(
+    passage.Thickness * cubic_kernel::Footprint(passage.Distance), 0.4361847905839568, 1e-9);
+}
+
+TEST(EllipsoidSplat, EveryRayThroughEveryCellIsExact)
+{
+  std::mt19937 random(7);
+  std::uniform_real_distribution<double> uniform(-1.0, 1.0);
+  const auto vector = [&]() {
+    return SplatVector{ { uniform(random), uniform(random), uniform(random) } };
+  };
+  for (int i = 0; i < 40; ++i)
+  {
+    SplatMatrix jacobian = { { vector(), vector(), vector() } };
+    for (std::size_t c = 0; c < 3; ++c)
+    {
+      jacobian[c][c] += 1.5; // never near degenerate
+    }
+    const SplatMatrix inverse = Inverse(jacobian);
+    SplatVector e = vector();
+    const double length = Length(e);
+    e = { { e[0] / length, e[1] / length, e[2] / length } };
+    const SplatVector offset = vector();
+    const SplatPassage passage = PassSplat(inverse, offset, e);
+    EXPECT_NEAR(passage.Thickness * cubic_kernel::Footprint(passage.Distance),
+      integrate(inverse, offset, e), 2e-7);
+    const SplatVector nearest = { { offset[0] + passage.Depth * e[0],
+      offset[1] + passage.Depth * e[1], offset[2] + passage.Depth * e[2] } };
+    EXPECT_NEAR(Length(Times(inverse, nearest)), passage.Distance, 1e-12);
+  }
+}
+
+TEST(EllipsoidSplat, FlatCellsKeepAVolume)
+{
+  const SplatMatrix flat = { { { { 2, 0, 0 } }, { { 0, 1, 0 } }, { { 0, 0, 0 } } } };
+  EXPECT_NEAR(Determinant(WithoutFlatColumns(flat, 0.1)), 2.0 * 1.0 * 0.2, 1e-12);
+  const SplatMatrix thin = { { { { 2, 0, 0 } }, { { 0, 1e-9, 0 } }, { { 0, 0, 1 } } } };
+  EXPECT_NEAR(Determinant(WithoutFlatColumns(thin, 0.1)), 2.0 * 0.2 * 1.0, 1e-12);
+  const SplatMatrix plain = { { { { 2, 0, 0 } }, { { 0, 1, 0 } }, { { 0, 0, 1 } } } };
+  EXPECT_EQ(WithoutFlatColumns(plain, 0.1), plain);
+  EXPECT_EQ(Determinant(WithoutFlatColumns({}, 0.1)), 0.0) << "a cell without size stays one";
+}
+
+TEST(SplatOpacity, MediumAndVectorHideEachOther)
+{
+  const SplatLight both = MediumAndVector(0.5, { { 1, 1, 1 } }, 0.3, { { 1, 1, 1 } });
+  EXPECT_NEAR(both.Transparency, 0.42457146179884336, 1e-12);
+  EXPECT_NEAR(both.Light[0], 1.0 - both.Transparency, 1e-12) << "of one colour, light is opacity";
+  const SplatLight medium = MediumAndVector(0.5, { { 0.2, 0.4, 0.6 } }, 0.0, {});
+  EXPECT_NEAR(medium.Light[1], 0.4 * SplatAlpha(0.5), 1e-12);
+  const SplatLight vector = MediumAndVector(0.0, {}, 0.3, { { 0.2, 0.4, 0.6 } });
+  EXPECT_NEAR(vector.Light[2], 0.3 * 0.6, 1e-12);
+}
+
+TEST(SplatOpacity, SingleSplatAndColumnOfSplats)
+{
+  EXPECT_NEAR(SplatAlpha(cubic_kernel::Footprint(0.0)), 0.503386601261117, 1e-9);
+  double depth =
+    0.0; // a block of 8^3 cells with extinction 1/8, along the middle of a column of voxels
+  for (int i = -1; i <= 1; ++i)
+  {
+    for (int j = -1; j <= 1; ++j)
+    {
+      depth += 8.0 / 8.0 * cubic_kernel::Footprint(std::hypot(i, j));
+    }
+  }
+  EXPECT_NEAR(SplatAlpha(depth), 0.6325001241830706, 1e-6);
+}

@@ -1,0 +1,141 @@
+// SPDX-FileCopyrightText: The Nephoscope authors
+// SPDX-License-Identifier: BSD-3-Clause
+/** Kernels and footprints against quadrature, published values and lattice sums. */
+#include "SplatKernel.h"
+
+#include <gtest/gtest.h>
+
+#include <functional>
+
+namespace
+{
+using nephoscope::SplatKernel;
+
+double simpson(const std::function<double(double)>& f, double a, double b, int steps)
+{
+  const double h = (b - a) / steps;
+  double sum = f(a) + f(b);
+  for (int i = 1; i < steps; ++i)
+  {
+    sum += (i % 2 ? 4.0 : 2.0) * f(a + i * h);
+  }
+  return sum * h / 3.0;
+}
+
+double latticeSum(double x, double y, double z)
+{
+  double sum = 0.0;
+  for (int i = -2; i <= 3; ++i)
+  {
+    for (int j = -2; j <= 3; ++j)
+    {
+      for (int k = -2; k <= 3; ++k)
+      {
+        sum += nephoscope::cubic_kernel::Value(
+          std::sqrt((x - i) * (x - i) + (y - j) * (y - j) + (z - k) * (z - k)));
+      }
+    }
+  }
+  return sum;
+}
+
+double sheetSum(SplatKernel kernel, double x, double y)
+{
+  double sum = 0.0;
+  for (int i = -3; i <= 4; ++i)
+  {
+    for (int j = -3; j <= 4; ++j)
+    {
+      sum += nephoscope::KernelFootprint(kernel, std::hypot(x - i, y - j));
+    }
+  }
+  return sum;
+}
+
+double diskIntegral(SplatKernel kernel)
+{
+  const double pi = std::acos(-1.0);
+  return simpson([&](double r) { return 2.0 * pi * r * nephoscope::KernelFootprint(kernel, r); },
+    0.0, nephoscope::KernelRadius(kernel), 4000);
+}
+}
+
+TEST(CubicKernel, FootprintIsTheLineIntegral)
+{
+  using namespace nephoscope::cubic_kernel;
+  for (double rho = 0.0; rho < radius; rho += 0.0371)
+  {
+    const double half = std::sqrt(radius * radius - rho * rho);
+    const double exact =
+      2.0 * simpson([&](double z) { return Value(std::hypot(rho, z)); }, 0.0, half, 20000);
+    EXPECT_NEAR(Footprint(rho), exact, 2e-9) << rho;
+  }
+}
+
+TEST(CubicKernel, FootprintHasThePublishedValues)
+{
+  using nephoscope::cubic_kernel::Footprint;
+  EXPECT_NEAR(Footprint(0.0), 0.6999434253238361, 1e-12);
+  EXPECT_NEAR(Footprint(0.25), 0.6200474997902856, 1e-12);
+  EXPECT_NEAR(Footprint(0.5), 0.4277432415209295, 1e-12);
+  EXPECT_NEAR(Footprint(1.0), 0.0738679948576646, 1e-12);
+  EXPECT_NEAR(Footprint(1.25), 0.012688899990392688, 1e-12);
+  EXPECT_EQ(Footprint(1.6), 0.0);
+}
+
+TEST(CubicKernel, LatticeSumIsFlat)
+{
+  EXPECT_NEAR(latticeSum(0, 0, 0), 1.0007489513372883, 1e-6);
+  EXPECT_NEAR(latticeSum(0.5, 0.5, 0), 1.0053347989862678, 1e-6);
+  EXPECT_NEAR(latticeSum(0.5, 0.5, 0.5), 1.0005397486660996, 1e-6);
+  EXPECT_NEAR(latticeSum(0.25, 0.25, 0.25), 0.9976923135692721, 1e-6);
+  double low = 2.0, high = 0.0;
+  for (int i = 0; i <= 15; ++i)
+  {
+    for (int j = 0; j <= i; ++j)
+    {
+      for (int k = 0; k <= j; ++k)
+      {
+        const double sum = latticeSum(i / 30.0, j / 30.0, k / 30.0);
+        low = std::min(low, sum);
+        high = std::max(high, sum);
+      }
+    }
+  }
+  EXPECT_NEAR(low, 0.997671, 2e-5);
+  EXPECT_NEAR(high, 1.005335, 2e-5);
+}
+
+TEST(CubicKernel, VarianceIsThatOfTheKernel)
+{
+  using namespace nephoscope::cubic_kernel;
+  const double pi = std::acos(-1.0);
+  const double square =
+    simpson([&](double r) { return 4.0 * pi * r * r * r * r * Value(r); }, 0.0, innerRadius, 2000) +
+    simpson(
+      [&](double r) { return 4.0 * pi * r * r * r * r * Value(r); }, innerRadius, radius, 2000);
+  EXPECT_NEAR(square / 3.0, variance, 1e-5);
+}
+
+TEST(QuadraticKernel, SheetIsFlatToItsRipple)
+{
+  double low = 2.0, high = 0.0;
+  for (int i = 0; i <= 40; ++i)
+  {
+    for (int j = 0; j <= i; ++j)
+    {
+      const double sum = sheetSum(SplatKernel::Quadratic, i / 80.0, j / 80.0);
+      low = std::min(low, sum);
+      high = std::max(high, sum);
+    }
+  }
+  EXPECT_NEAR(low, 0.995564, 2e-5);
+  EXPECT_NEAR(high, 1.004436, 2e-5);
+}
+
+TEST(AllKernels, HaveUnitIntegral)
+{
+  EXPECT_NEAR(diskIntegral(SplatKernel::Cubic), 0.9999992, 2e-6);
+  EXPECT_NEAR(diskIntegral(SplatKernel::Quadratic), 1.0, 2e-6);
+  EXPECT_NEAR(diskIntegral(SplatKernel::Gaussian), 1.0 - 1e-4, 2e-6);
+}
