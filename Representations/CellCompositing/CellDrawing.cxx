@@ -18,22 +18,6 @@
 
 namespace nephoscope
 {
-namespace
-{
-// z in view coordinates as (a + b e) / (c + d e), where e = 1 - depth: counted from the far plane, where most depths lie in
-// a perspective projection, nothing cancels in float.
-std::array<float, 4> depthToView(vtkMatrix4x4* viewToDevice)
-{
-  const double m22 = viewToDevice->GetElement(2, 2);
-  const double m23 = viewToDevice->GetElement(2, 3);
-  const double m32 = viewToDevice->GetElement(3, 2);
-  const double m33 = viewToDevice->GetElement(3, 3);
-  // (m22 z + m23) / (m32 z + m33) = 1 - 2 e
-  return { { static_cast<float>(m33 - m23), static_cast<float>(-2 * m33), static_cast<float>(m22 - m32),
-    static_cast<float>(2 * m32) } };
-}
-}
-
 std::string CellDrawing::ShaderConstants() const
 {
   return this->Buffers.ShaderConstants() + this->Contours.ShaderConstants() +

@@ -6,12 +6,12 @@
 
 #include "CellMethod.h"
 #include "SceneLights.h"
+#include "ViewState.h"
 
 #include <array>
 #include <string>
 #include <vector>
 
-class vtkMatrix4x4;
 class vtkOpenGLRenderWindow;
 class vtkShaderProgram;
 
@@ -24,14 +24,7 @@ class OpaqueDepth;
 class VolumePeel;
 struct EyeTetrahedron;
 
-/** What one drawing needs to know of the view; matrices as vtkMatrix4x4 multiplies columns. */
-struct CellView
-{
-  vtkMatrix4x4* ModelToView = nullptr; ///< of coordinates relative to the geometry's centre
-  vtkMatrix4x4* ViewToDevice = nullptr;
-  double EyeModel[4] = { 0, 0, 0, 1 }; ///< relative to the geometry's centre
-  double EyeView[4] = { 0, 0, 0, 1 };
-};
+using CellView = SceneView;
 
 struct CellDrawingOptions
 {

@@ -5,6 +5,7 @@
 #define OrderView_h
 
 #include "TetrahedronRay.h"
+#include "ViewState.h"
 
 #include <array>
 
@@ -27,6 +28,17 @@ struct OrderView
   }
   bool operator!=(const OrderView& other) const { return !(*this == other); }
 };
+
+/** Of a picture of so many pixels. */
+inline OrderView orderView(const ViewState& state, int width, int height)
+{
+  OrderView view;
+  view.Eye = state.EyeModel;
+  vtkMatrix4x4::Multiply4x4(state.ViewToDevice->GetData(), state.ModelToView->GetData(), view.ModelToDevice.data());
+  view.Width = width;
+  view.Height = height;
+  return view;
+}
 
 } // namespace nephoscope
 

@@ -5,6 +5,7 @@
 #include "ArraySelection.h"
 #include "CellCompositingInternals.h"
 #include "ContourSettings.h"
+#include "OrderView.h"
 #include "SceneLights.h"
 #include "TrianglePass.h"
 #include "ViewState.h"
@@ -116,10 +117,10 @@ std::string vtkCellCompositingMapper::UpdateGeometry(
 {
   CellScene& scene = this->Internals->Scene;
   ScalarSelection scalars, opacity;
-  std::string error = this->SelectScalars(input, volume->GetProperty(), scalars);
+  std::string error = nephoscope::selectScalars(this, input, volume->GetProperty(), scalars);
   if (error.empty())
   {
-    error = this->SelectOpacity(input, scalars, opacity);
+    error = nephoscope::selectOpacity(this->OpacityArrayName, input, scalars, opacity);
   }
   vtkDataArray* layers = nullptr;
   if (error.empty())
@@ -178,7 +179,7 @@ std::string vtkCellCompositingMapper::DrawScene(
   const nephoscope::ViewState state(renderer, volume, scene.GetGeometry().Center);
   int width, height, lowerLeft[2];
   renderer->GetTiledSizeAndOrigin(&width, &height, &lowerLeft[0], &lowerLeft[1]);
-  scene.UpdateView(state.GetOrderView(width, height));
+  scene.UpdateView(nephoscope::orderView(state, width, height));
   bool ready = true;
   withThreads([&]() {
     scene.UpdateTransferFunction(property, *this->Contours, this->GetDataSetInput(), this->Internals->Contoured);

@@ -333,10 +333,6 @@ private:
   bool UsesRays() const;
   bool NeedsNoOrder() const;
   std::string UpdateGeometry(vtkDataSet* input, vtkVolume* volume, const nephoscope::Progress& progress);
-  std::string SelectScalars(
-    vtkDataSet* input, vtkVolumeProperty* property, nephoscope::ScalarSelection& scalars);
-  std::string SelectOpacity(vtkDataSet* input, const nephoscope::ScalarSelection& scalars,
-    nephoscope::ScalarSelection& opacity);
   std::string SelectContours(vtkDataSet* input, nephoscope::ScalarSelection& contoured);
   std::string SelectLayers(vtkDataSet* input, vtkDataArray*& layers);
   bool CheckContour(int i);

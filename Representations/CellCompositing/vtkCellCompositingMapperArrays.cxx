@@ -28,62 +28,6 @@ using nephoscope::CellGeometry;
 using nephoscope::checkLength;
 using nephoscope::ScalarSelection;
 
-namespace
-{
-std::string remedy(vtkDataSet* input)
-{
-  return " Choose an array with SelectScalarArray and SetScalarMode; point arrays: " +
-    arrayNames(input->GetPointData()) + "; cell arrays: " + arrayNames(input->GetCellData()) + ".";
-}
-
-std::string missingArray(const char* association, const char* name, vtkDataSet* input)
-{
-  return std::string("No ") + association + " array named '" + (name ? name : "") + "'." + remedy(input);
-}
-}
-
-std::string vtkCellCompositingMapper::SelectScalars(
-  vtkDataSet* input, vtkVolumeProperty* property, ScalarSelection& scalars)
-{
-  int cellFlag = 0;
-  scalars.Array = vtkAbstractMapper::GetScalars(
-    input, this->ScalarMode, this->ArrayAccessMode, this->ArrayId, this->ArrayName, cellFlag);
-  scalars.OnCells = cellFlag == 1;
-  vtkScalarsToColors* colors = property->GetColorChannels() == 3 ? property->GetRGBTransferFunction() : nullptr;
-  const bool magnitude = colors && colors->GetVectorMode() == vtkScalarsToColors::MAGNITUDE;
-  scalars.Component = magnitude ? -1 : colors ? colors->GetVectorComponent() : 0;
-  if (!scalars.Array)
-  {
-    const bool cells = this->ScalarMode == VTK_SCALAR_MODE_USE_CELL_FIELD_DATA;
-    const bool named = this->ArrayAccessMode == VTK_GET_ARRAY_BY_NAME &&
-      (cells || this->ScalarMode == VTK_SCALAR_MODE_USE_POINT_FIELD_DATA);
-    return named ? missingArray(cells ? "cell" : "point", this->ArrayName, input)
-                 : "The input has no active scalars." + remedy(input);
-  }
-  return cellFlag > 1 ? "Field data cannot be drawn." + remedy(input) : checkLength(input, scalars);
-}
-
-std::string vtkCellCompositingMapper::SelectOpacity(
-  vtkDataSet* input, const ScalarSelection& scalars, ScalarSelection& opacity)
-{
-  if (this->OpacityArrayName.empty())
-  {
-    return std::string();
-  }
-  // The association of the colour array first.
-  vtkFieldData* data[2] = { input->GetPointData(), input->GetCellData() };
-  for (const bool onCells : { scalars.OnCells, !scalars.OnCells })
-  {
-    opacity.Array = data[onCells]->GetArray(this->OpacityArrayName.c_str());
-    opacity.OnCells = onCells;
-    if (opacity.Array)
-    {
-      return checkLength(input, opacity);
-    }
-  }
-  return missingArray("point or cell", this->OpacityArrayName.c_str(), input);
-}
-
 std::string vtkCellCompositingMapper::SelectContours(vtkDataSet* input, ScalarSelection& contoured)
 {
   contoured = {};

@@ -65,6 +65,20 @@ inline double Footprint(double rho)
   return std::max(0.0, 2.0 * sum);
 }
 
+// The footprint as (1 - q)^3 times a polynomial of q = (rho / radius)^2, to 5e-5: without roots and logarithms, for shaders.
+constexpr std::array<double, 8> footprintCoefficients = { { 0.699893513, -1.18833666, 2.41299169, -12.568224, 42.5060192,
+  -71.5146489, 58.5012001, -18.6565776 } };
+
+inline double FootprintPolynomial(double q)
+{
+  double sum = 0.0;
+  for (std::size_t i = footprintCoefficients.size(); i-- > 0;)
+  {
+    sum = sum * q + footprintCoefficients[i];
+  }
+  return q < 1.0 ? (1.0 - q) * (1.0 - q) * (1.0 - q) * sum : 0.0;
+}
+
 // Mean square distance from the centre along one axis, weighted by the kernel.
 constexpr double variance = 0.199406;
 }

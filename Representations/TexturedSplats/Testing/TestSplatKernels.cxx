@@ -83,6 +83,15 @@ TEST(CubicKernel, FootprintHasThePublishedValues)
   EXPECT_EQ(Footprint(1.6), 0.0);
 }
 
+TEST(CubicKernel, PolynomialIsTheFootprint)
+{
+  using namespace nephoscope::cubic_kernel;
+  for (double rho = 0.0; rho < 1.6; rho += 0.0013)
+  {
+    EXPECT_NEAR(FootprintPolynomial(rho * rho / (radius * radius)), Footprint(rho), 5.1e-5) << rho;
+  }
+}
+
 TEST(CubicKernel, LatticeSumIsFlat)
 {
   EXPECT_NEAR(latticeSum(0, 0, 0), 1.0007489513372883, 1e-6);

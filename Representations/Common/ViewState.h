@@ -4,10 +4,6 @@
 #ifndef ViewState_h
 #define ViewState_h
 
-#include "CellDrawing.h"
-#include "OrderView.h"
-#include "TetrahedronRay.h"
-
 #include "vtkMatrix3x3.h"
 #include "vtkMatrix4x4.h"
 #include "vtkNew.h"
@@ -16,10 +12,22 @@
 #include "vtkVolume.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace nephoscope
 {
+
+using Vector4 = std::array<double, 4>;
+
+/** What one drawing needs to know of the view; matrices as vtkMatrix4x4 multiplies columns. */
+struct SceneView
+{
+  vtkMatrix4x4* ModelToView = nullptr; ///< of coordinates relative to the geometry's centre
+  vtkMatrix4x4* ViewToDevice = nullptr;
+  double EyeModel[4] = { 0, 0, 0, 1 }; ///< relative to the geometry's centre
+  double EyeView[4] = { 0, 0, 0, 1 };
+};
 
 // The point where all rays meet, (x, y, z, 1), or the direction towards the eye with the length of a unit in view
 // coordinates, (x, y, z, 0). `clip` maps coordinates to homogeneous device coordinates.
@@ -39,12 +47,25 @@ inline bool isParallel(vtkMatrix4x4* viewToDevice)
     viewToDevice->GetElement(3, 2) == 0;
 }
 
+/** For shaders: a depth in [0, 1] is at z = (x + y e) / (z + w e) in view coordinates, where e = 1 - depth: counted from the far plane, where
+ * most depths lie in a perspective projection, nothing cancels in float. */
+inline std::array<float, 4> depthToView(vtkMatrix4x4* viewToDevice)
+{
+  const double m22 = viewToDevice->GetElement(2, 2);
+  const double m23 = viewToDevice->GetElement(2, 3);
+  const double m32 = viewToDevice->GetElement(3, 2);
+  const double m33 = viewToDevice->GetElement(3, 3);
+  // (m22 z + m23) / (m32 z + m33) = 1 - 2 e
+  return { { static_cast<float>(m33 - m23), static_cast<float>(-2 * m33), static_cast<float>(m22 - m32),
+    static_cast<float>(2 * m32) } };
+}
+
 /** The matrices and the eye of one render, relative to the centre of the geometry. */
 struct ViewState
 {
   vtkNew<vtkMatrix4x4> ModelToView;
   vtkNew<vtkMatrix4x4> ViewToDevice;
-  CellView View;
+  SceneView View;
   Vector4 EyeModel;
 
   ViewState(vtkRenderer* renderer, vtkVolume* volume, const double center[3])
@@ -67,18 +88,6 @@ struct ViewState
     this->View.ModelToView = this->ModelToView;
     this->View.ViewToDevice = this->ViewToDevice;
     this->FindEyes();
-  }
-
-  /** What the visibility order needs, for a picture of so many pixels. */
-  OrderView GetOrderView(int width, int height) const
-  {
-    OrderView view;
-    view.Eye = this->EyeModel;
-    vtkMatrix4x4::Multiply4x4(
-      this->ViewToDevice->GetData(), this->ModelToView->GetData(), view.ModelToDevice.data());
-    view.Width = width;
-    view.Height = height;
-    return view;
   }
 
 private:

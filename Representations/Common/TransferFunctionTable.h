@@ -15,6 +15,8 @@
 #ifndef TransferFunctionTable_h
 #define TransferFunctionTable_h
 
+#include "vtkNephoscopeRepresentationsCommonModule.h" // for export macro
+
 #include <array>
 #include <vector>
 
@@ -23,7 +25,7 @@ class vtkVolumeProperty;
 namespace nephoscope
 {
 
-class TransferFunctionTable
+class VTKNEPHOSCOPEREPRESENTATIONSCOMMON_EXPORT TransferFunctionTable
 {
 public:
   using Value = std::array<float, 4>; ///< red, green, blue, opacity (unscaled)

@@ -1,0 +1,96 @@
+// SPDX-FileCopyrightText: The Nephoscope authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ArraySelection.h"
+
+#include "vtkAbstractMapper.h"
+#include "vtkAbstractVolumeMapper.h"
+#include "vtkCellData.h"
+#include "vtkColorTransferFunction.h"
+#include "vtkFieldData.h"
+#include "vtkPointData.h"
+#include "vtkVolumeProperty.h"
+
+namespace nephoscope
+{
+namespace
+{
+std::string remedy(vtkDataSet* input)
+{
+  return " Choose an array with SelectScalarArray and SetScalarMode; point arrays: " +
+    arrayNames(input->GetPointData()) + "; cell arrays: " + arrayNames(input->GetCellData()) + ".";
+}
+
+std::string missingArray(const char* association, const char* name, vtkDataSet* input)
+{
+  return std::string("No ") + association + " array named '" + (name ? name : "") + "'." + remedy(input);
+}
+}
+
+std::string arrayNames(vtkFieldData* data)
+{
+  std::string names;
+  for (int i = 0; i < data->GetNumberOfArrays(); ++i)
+  {
+    const char* name = data->GetArrayName(i);
+    names += std::string(i ? ", " : "") + (name ? name : "(unnamed)");
+  }
+  return names.empty() ? "none" : names;
+}
+
+std::string checkLength(vtkDataSet* input, const ScalarSelection& scalars)
+{
+  const vtkIdType expected = scalars.OnCells ? input->GetNumberOfCells() : input->GetNumberOfPoints();
+  const vtkIdType found = scalars.Array->GetNumberOfTuples();
+  if (found == expected)
+  {
+    return std::string();
+  }
+  const char* name = scalars.Array->GetName();
+  return std::string("Array '") + (name ? name : "(unnamed)") + "' has " + std::to_string(found) +
+    " values where the input has " + std::to_string(expected) + (scalars.OnCells ? " cells." : " points.");
+}
+
+std::string selectScalars(
+  vtkAbstractVolumeMapper* mapper, vtkDataSet* input, vtkVolumeProperty* property, ScalarSelection& scalars)
+{
+  const int mode = mapper->GetScalarMode();
+  int cellFlag = 0;
+  scalars.Array = vtkAbstractMapper::GetScalars(
+    input, mode, mapper->GetArrayAccessMode(), mapper->GetArrayId(), mapper->GetArrayName(), cellFlag);
+  scalars.OnCells = cellFlag == 1;
+  vtkScalarsToColors* colors = property->GetColorChannels() == 3 ? property->GetRGBTransferFunction() : nullptr;
+  const bool magnitude = colors && colors->GetVectorMode() == vtkScalarsToColors::MAGNITUDE;
+  scalars.Component = magnitude ? -1 : colors ? colors->GetVectorComponent() : 0;
+  if (!scalars.Array)
+  {
+    const bool cells = mode == VTK_SCALAR_MODE_USE_CELL_FIELD_DATA;
+    const bool named = mapper->GetArrayAccessMode() == VTK_GET_ARRAY_BY_NAME &&
+      (cells || mode == VTK_SCALAR_MODE_USE_POINT_FIELD_DATA);
+    return named ? missingArray(cells ? "cell" : "point", mapper->GetArrayName(), input)
+                 : "The input has no active scalars." + remedy(input);
+  }
+  return cellFlag > 1 ? "Field data cannot be drawn." + remedy(input) : checkLength(input, scalars);
+}
+
+std::string selectOpacity(
+  const std::string& name, vtkDataSet* input, const ScalarSelection& scalars, ScalarSelection& opacity)
+{
+  if (name.empty())
+  {
+    return std::string();
+  }
+  // The association of the colour array first.
+  vtkFieldData* data[2] = { input->GetPointData(), input->GetCellData() };
+  for (const bool onCells : { scalars.OnCells, !scalars.OnCells })
+  {
+    opacity.Array = data[onCells]->GetArray(name.c_str());
+    opacity.OnCells = onCells;
+    if (opacity.Array)
+    {
+      return checkLength(input, opacity);
+    }
+  }
+  return missingArray("point or cell", name.c_str(), input);
+}
+
+} // namespace nephoscope

@@ -1,0 +1,36 @@
+// SPDX-FileCopyrightText: The Nephoscope authors
+// SPDX-License-Identifier: BSD-3-Clause
+/** Which arrays of its input a volume mapper reads, and what it says of those that cannot be drawn. */
+#ifndef ArraySelection_h
+#define ArraySelection_h
+
+#include "ScalarSelection.h"
+
+#include "vtkNephoscopeRepresentationsCommonModule.h" // for export macro
+
+#include <string>
+
+class vtkAbstractVolumeMapper;
+class vtkFieldData;
+class vtkVolumeProperty;
+
+namespace nephoscope
+{
+
+/** Names of a dataset's arrays, for messages. */
+VTKNEPHOSCOPEREPRESENTATIONSCOMMON_EXPORT std::string arrayNames(vtkFieldData* data);
+
+/** Empty when the selected array has a value for every point or cell. */
+VTKNEPHOSCOPEREPRESENTATIONSCOMMON_EXPORT std::string checkLength(vtkDataSet* input, const ScalarSelection& scalars);
+
+/** The array that the mapper's ScalarMode and SelectScalarArray name. Returns an empty string, or what is wrong. */
+VTKNEPHOSCOPEREPRESENTATIONSCOMMON_EXPORT std::string selectScalars(vtkAbstractVolumeMapper* mapper, vtkDataSet* input,
+  vtkVolumeProperty* property, ScalarSelection& scalars);
+
+/** The point or cell array called `name`; none if the name is empty. Returns an empty string, or what is wrong. */
+VTKNEPHOSCOPEREPRESENTATIONSCOMMON_EXPORT std::string selectOpacity(
+  const std::string& name, vtkDataSet* input, const ScalarSelection& scalars, ScalarSelection& opacity);
+
+} // namespace nephoscope
+
+#endif

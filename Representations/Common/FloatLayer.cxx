@@ -1,0 +1,66 @@
+// SPDX-FileCopyrightText: The Nephoscope authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "OpenGLFunctions.h"
+
+#include "FloatLayer.h"
+
+#include "SavedState.h"
+
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLState.h"
+
+#include <sstream>
+
+namespace nephoscope
+{
+
+void FloatLayer::SetBlending(vtkOpenGLState* state)
+{
+  state->vtkglDisable(GL_DEPTH_TEST);
+  state->vtkglDisable(GL_CULL_FACE);
+  state->vtkglDepthMask(GL_FALSE);
+  state->vtkglEnable(GL_BLEND);
+  state->vtkglBlendEquation(GL_FUNC_ADD);
+  state->vtkglBlendFuncSeparate(GL_ONE, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+}
+
+std::string FloatLayer::CheckOpenGL(const char* where)
+{
+  const GLenum error = glGetError();
+  if (error == GL_NO_ERROR)
+  {
+    return std::string();
+  }
+  std::ostringstream text;
+  text << "OpenGL error 0x" << std::hex << error << " " << where;
+  return text.str();
+}
+
+std::string FloatLayer::Draw(vtkOpenGLRenderWindow* window, const Painter& paint)
+{
+  int viewport[4];
+  window->GetState()->vtkglGetIntegerv(GL_VIEWPORT, viewport);
+  const SavedState saved(window->GetState());
+  this->Depth.Copy(window, viewport);
+  std::string error = "this OpenGL cannot draw into 32-bit float images";
+  if (this->Accumulation.Begin(window, viewport))
+  {
+    SetBlending(window->GetState());
+    error = paint(viewport, this->Depth);
+  }
+  this->Accumulation.End(window);
+  if (error.empty())
+  {
+    this->Accumulation.Overlay(window, viewport);
+    error = CheckOpenGL("while drawing translucent layers");
+  }
+  return error;
+}
+
+void FloatLayer::ReleaseGraphicsResources(vtkWindow* window)
+{
+  this->Depth.ReleaseGraphicsResources(window);
+  this->Accumulation.ReleaseGraphicsResources(window);
+}
+
+} // namespace nephoscope

@@ -1,0 +1,49 @@
+// SPDX-FileCopyrightText: The Nephoscope authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * What a mapper draws between the opaque geometry and the picture: translucent things are blended in a float image, which is
+ * then laid over the scene. Depth is neither tested nor written: shaders look at the opaque depth themselves.
+ */
+#ifndef FloatLayer_h
+#define FloatLayer_h
+
+#include "FloatAccumulation.h"
+#include "OpaqueDepth.h"
+#include "vtkNephoscopeRepresentationsCommonModule.h" // for export macro
+
+#include <functional>
+#include <string>
+
+class vtkImageData;
+class vtkOpenGLRenderWindow;
+class vtkOpenGLState;
+class vtkWindow;
+
+namespace nephoscope
+{
+
+class VTKNEPHOSCOPEREPRESENTATIONSCOMMON_EXPORT FloatLayer
+{
+public:
+  /** Draws into the bound image of the viewport's size; `opaqueDepth` is as large. Returns what went wrong. */
+  using Painter = std::function<std::string(const int viewport[4], OpaqueDepth& opaqueDepth)>;
+
+  /** Returns an empty string, or what went wrong. All state of OpenGL is restored. */
+  std::string Draw(vtkOpenGLRenderWindow* window, const Painter& paint);
+
+  bool CopyTo(vtkOpenGLRenderWindow* window, vtkImageData* image) { return this->Accumulation.CopyTo(window, image); }
+  void ReleaseGraphicsResources(vtkWindow* window);
+
+  /** Premultiplied colours are added in the order in which they come, without a depth test. */
+  static void SetBlending(vtkOpenGLState* state);
+  /** Empty, or the error that OpenGL has. */
+  static std::string CheckOpenGL(const char* where);
+
+private:
+  OpaqueDepth Depth;
+  FloatAccumulation Accumulation;
+};
+
+} // namespace nephoscope
+
+#endif

@@ -1,0 +1,100 @@
+// SPDX-FileCopyrightText: The Nephoscope authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "GridSamples.h"
+
+#include "vtkDataSet.h"
+#include "vtkImageData.h"
+#include "vtkRectilinearGrid.h"
+#include "vtkStructuredGrid.h"
+
+#include <algorithm>
+
+namespace nephoscope
+{
+
+GridSamples::GridSamples(vtkDataSet* data, bool onCells)
+  : Data(data)
+  , OnCells(onCells)
+{
+  if (auto* image = vtkImageData::SafeDownCast(data))
+  {
+    image->GetDimensions(this->PointDimensions);
+    this->Uniform = true;
+  }
+  else if (auto* rectilinear = vtkRectilinearGrid::SafeDownCast(data))
+  {
+    rectilinear->GetDimensions(this->PointDimensions);
+  }
+  else if (auto* structured = vtkStructuredGrid::SafeDownCast(data))
+  {
+    structured->GetDimensions(this->PointDimensions);
+  }
+  else
+  {
+    return;
+  }
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    this->Dimensions[axis] = onCells ? std::max(1, this->PointDimensions[axis] - 1) : this->PointDimensions[axis];
+  }
+}
+
+void GridSamples::IndexOf(vtkIdType id, int index[3]) const
+{
+  index[0] = static_cast<int>(id % this->Dimensions[0]);
+  index[1] = static_cast<int>(id / this->Dimensions[0] % this->Dimensions[1]);
+  index[2] = static_cast<int>(id / this->Dimensions[0] / this->Dimensions[1]);
+}
+
+// A point, or the mean of a cell's corners.
+SplatVector GridSamples::At(const int index[3]) const
+{
+  SplatVector sum{};
+  const int corners = this->OnCells ? 8 : 1;
+  for (int corner = 0; corner < corners; ++corner)
+  {
+    vtkIdType point = 0;
+    for (int axis = 2; axis >= 0; --axis)
+    {
+      const int last = this->PointDimensions[axis] - 1;
+      point = point * this->PointDimensions[axis] + std::min(index[axis] + (corner >> axis & 1), last);
+    }
+    double x[3];
+    this->Data->GetPoint(point, x);
+    for (std::size_t c = 0; c < 3; ++c)
+    {
+      sum[c] += x[c] / corners;
+    }
+  }
+  return sum;
+}
+
+SplatVector GridSamples::Position(vtkIdType id) const
+{
+  int index[3];
+  this->IndexOf(id, index);
+  return this->At(index);
+}
+
+SplatMatrix GridSamples::Jacobian(vtkIdType id) const
+{
+  SplatMatrix columns{};
+  int index[3];
+  this->IndexOf(id, index);
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    int before[3] = { index[0], index[1], index[2] };
+    int after[3] = { index[0], index[1], index[2] };
+    before[axis] = std::max(index[axis] - 1, 0);
+    after[axis] = std::min(index[axis] + 1, this->Dimensions[axis] - 1);
+    const int steps = after[axis] - before[axis];
+    if (steps > 0)
+    {
+      const SplatVector difference = Minus(this->At(after), this->At(before));
+      columns[axis] = { { difference[0] / steps, difference[1] / steps, difference[2] / steps } };
+    }
+  }
+  return columns;
+}
+
+} // namespace nephoscope

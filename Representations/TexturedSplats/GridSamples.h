@@ -1,0 +1,46 @@
+// SPDX-FileCopyrightText: The Nephoscope authors
+// SPDX-License-Identifier: BSD-3-Clause
+/** Shapes of the samples of structured grids. */
+#ifndef GridSamples_h
+#define GridSamples_h
+
+#include "SplatMatrix.h"
+
+#include "vtkType.h"
+
+class vtkDataSet;
+
+namespace nephoscope
+{
+
+/** Positions and edges of the points, or of the cells, of an image, a rectilinear or a structured grid. */
+class GridSamples
+{
+public:
+  /** `Dimensions` are all 0 if the data is not such a grid. */
+  GridSamples(vtkDataSet* data, bool onCells);
+
+  bool IsGrid() const { return this->Dimensions[0] > 0; }
+  bool IsUniform() const { return this->Uniform; }
+  vtkIdType Size() const
+  {
+    return vtkIdType(this->Dimensions[0]) * this->Dimensions[1] * this->Dimensions[2];
+  }
+  SplatVector Position(vtkIdType id) const;
+  /** Columns of no length where the grid is one sample thick. */
+  SplatMatrix Jacobian(vtkIdType id) const;
+
+private:
+  SplatVector At(const int index[3]) const;
+  void IndexOf(vtkIdType id, int index[3]) const;
+
+  vtkDataSet* Data;
+  bool OnCells;
+  bool Uniform = false;
+  int Dimensions[3] = { 0, 0, 0 };      // of the samples
+  int PointDimensions[3] = { 0, 0, 0 };
+};
+
+} // namespace nephoscope
+
+#endif

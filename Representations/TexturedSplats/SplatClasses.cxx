@@ -1,0 +1,54 @@
+// SPDX-FileCopyrightText: The Nephoscope authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "SplatClasses.h"
+
+#include "SplatSamples.h"
+#include "TransferFunctionTable.h"
+
+#include "vtkSMPTools.h"
+#include "vtkVolumeProperty.h"
+
+#include <cmath>
+
+namespace nephoscope
+{
+
+SplatClasses ClassifySplats(vtkDataSet* data, const SplatSamples& samples, const ScalarSelection& scalars,
+  const ScalarSelection& opacity, vtkVolumeProperty* property)
+{
+  const ScalarSelection& dense = opacity.Array ? opacity : scalars;
+  double range[2], denseRange[2];
+  findRange(data, scalars, range);
+  findRange(data, dense, denseRange);
+  TransferFunctionTable color, extinction;
+  color.Build(property, range, TransferFunctionTable::Channels::Color);
+  extinction.Build(property, denseRange, TransferFunctionTable::Channels::Opacity);
+  const float rate = static_cast<float>(1.0 / property->GetScalarOpacityUnitDistance());
+
+  std::vector<std::array<float, 4>> all(samples.Size());
+  vtkSMPTools::For(0, static_cast<vtkIdType>(all.size()), [&](vtkIdType begin, vtkIdType end) {
+    for (vtkIdType i = begin; i < end; ++i)
+    {
+      const auto at = static_cast<std::size_t>(i);
+      const float s = normalized(scalars, samples.Ids[at], range);
+      const float d = normalized(dense, samples.Ids[at], denseRange);
+      if (std::isfinite(s) && std::isfinite(d))
+      {
+        all[at] = color.Evaluate(s);
+        all[at][3] = rate * extinction.Evaluate(d)[3];
+      }
+    }
+  });
+  SplatClasses classes;
+  for (std::size_t i = 0; i < all.size(); ++i)
+  {
+    if (all[i][3] > 0)
+    {
+      classes.Samples.push_back(static_cast<std::int32_t>(i));
+      classes.Colors.push_back(all[i]);
+    }
+  }
+  return classes;
+}
+
+} // namespace nephoscope

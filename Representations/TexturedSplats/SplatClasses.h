@@ -1,0 +1,34 @@
+// SPDX-FileCopyrightText: The Nephoscope authors
+// SPDX-License-Identifier: BSD-3-Clause
+/** Colour and extinction of every sample, by the transfer functions of a volume property. */
+#ifndef SplatClasses_h
+#define SplatClasses_h
+
+#include "ScalarSelection.h"
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+class vtkDataSet;
+class vtkVolumeProperty;
+
+namespace nephoscope
+{
+
+struct SplatSamples;
+
+/** Samples that can be seen, with what they look like: red, green, blue, and extinction per unit length of the world. */
+struct SplatClasses
+{
+  std::vector<std::int32_t> Samples; ///< numbers of the samples, ascending
+  std::vector<std::array<float, 4>> Colors; ///< one for each of them
+};
+
+/** `scalars.Array` gives the colour, `opacity.Array`, or the same one if it is null, the extinction. Values that are not finite are not seen. */
+SplatClasses ClassifySplats(vtkDataSet* data, const SplatSamples& samples, const ScalarSelection& scalars,
+  const ScalarSelection& opacity, vtkVolumeProperty* property);
+
+} // namespace nephoscope
+
+#endif

@@ -1,0 +1,123 @@
+// SPDX-FileCopyrightText: The Nephoscope authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "SplatOrder.h"
+
+#include "vtkSMPTools.h"
+#include "vtkType.h"
+
+#include <algorithm>
+#include <cstring>
+#include <utility>
+
+namespace nephoscope
+{
+namespace
+{
+constexpr std::size_t digits = 2048; // 11 bits: three passes over 32
+constexpr int bitsPerPass = 11;
+constexpr std::size_t blocks = 16;   // whatever the number of threads, so that the result is the same
+
+// The bits of a float, made to grow with it.
+std::uint32_t sortable(float value)
+{
+  std::uint32_t bits;
+  std::memcpy(&bits, &value, sizeof(bits));
+  return bits & 0x80000000u ? ~bits : bits | 0x80000000u;
+}
+
+struct Keyed
+{
+  std::uint32_t Key;
+  std::int32_t Item;
+};
+
+template <typename Body>
+void forBlocks(std::size_t count, Body body)
+{
+  vtkSMPTools::For(0, static_cast<vtkIdType>(blocks), 1, [&](vtkIdType begin, vtkIdType end) {
+    for (vtkIdType b = begin; b < end; ++b)
+    {
+      const auto block = static_cast<std::size_t>(b);
+      body(block, block * count / blocks, (block + 1) * count / blocks);
+    }
+  });
+}
+
+// One pass: items go to the places that the counts of their digit, in this block and those before it, give them.
+void sortByDigit(const std::vector<Keyed>& from, std::vector<Keyed>& to, int shift)
+{
+  std::vector<std::array<std::uint32_t, digits>> places(blocks);
+  const auto digitOf = [shift](const Keyed& k) { return (k.Key >> shift) & (digits - 1); };
+  forBlocks(from.size(), [&](std::size_t block, std::size_t begin, std::size_t end) {
+    places[block].fill(0);
+    for (std::size_t i = begin; i < end; ++i)
+    {
+      ++places[block][digitOf(from[i])];
+    }
+  });
+  std::uint32_t next = 0;
+  for (std::size_t digit = 0; digit < digits; ++digit)
+  {
+    for (std::size_t block = 0; block < blocks; ++block)
+    {
+      next += std::exchange(places[block][digit], next);
+    }
+  }
+  forBlocks(from.size(), [&](std::size_t block, std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i)
+    {
+      to[places[block][digitOf(from[i])]++] = from[i];
+    }
+  });
+}
+}
+
+std::vector<std::int32_t> SortKeys(std::vector<std::uint32_t>& keys)
+{
+  std::vector<Keyed> items(keys.size()), other(keys.size());
+  forBlocks(keys.size(), [&](std::size_t, std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i)
+    {
+      items[i] = { keys[i], static_cast<std::int32_t>(i) };
+    }
+  });
+  for (int shift = 0; shift < 32; shift += bitsPerPass)
+  {
+    sortByDigit(items, other, shift);
+    items.swap(other);
+  }
+  std::vector<std::int32_t> order(items.size());
+  forBlocks(items.size(), [&](std::size_t, std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i)
+    {
+      order[i] = items[i].Item;
+    }
+  });
+  return order;
+}
+
+std::vector<std::int32_t> OrderSplats(const std::vector<std::array<float, 3>>& positions,
+  const std::vector<std::int32_t>& samples, const SplatEye& eye)
+{
+  std::vector<std::uint32_t> keys(samples.size());
+  forBlocks(keys.size(), [&](std::size_t, std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i)
+    {
+      const auto& p = positions[static_cast<std::size_t>(samples[i])];
+      double nearness;
+      if (eye[3] == 0)
+      {
+        nearness = p[0] * eye[0] + p[1] * eye[1] + p[2] * eye[2];
+      }
+      else
+      {
+        const double d[3] = { p[0] - eye[0], p[1] - eye[1], p[2] - eye[2] };
+        nearness = -(d[0] * d[0] + d[1] * d[1] + d[2] * d[2]);
+      }
+      keys[i] = sortable(static_cast<float>(nearness));
+    }
+  });
+  return SortKeys(keys);
+}
+
+} // namespace nephoscope

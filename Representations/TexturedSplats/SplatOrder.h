@@ -1,0 +1,29 @@
+// SPDX-FileCopyrightText: The Nephoscope authors
+// SPDX-License-Identifier: BSD-3-Clause
+/** Splats from back to front: a stable radix sort of their depths, by several threads. */
+#ifndef SplatOrder_h
+#define SplatOrder_h
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+namespace nephoscope
+{
+
+/** Eye in the coordinates of the positions: (position, 1), or (direction towards the eye, 0) in a parallel projection. */
+using SplatEye = std::array<double, 4>;
+
+/**
+ * The numbers 0 .. samples.size() - 1, farthest first: by the distance from the eye, in a parallel projection by depth. Equal ones
+ * stay in the order of `samples`, so that the result depends on neither threads nor the order of the input.
+ */
+std::vector<std::int32_t> OrderSplats(const std::vector<std::array<float, 3>>& positions,
+  const std::vector<std::int32_t>& samples, const SplatEye& eye);
+
+/** Sorts `keys` ascending, stably; returns where each of them was. The keys themselves are used up. */
+std::vector<std::int32_t> SortKeys(std::vector<std::uint32_t>& keys);
+
+} // namespace nephoscope
+
+#endif

@@ -1,0 +1,178 @@
+// SPDX-FileCopyrightText: The Nephoscope authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "OpenGLFunctions.h"
+
+#include "SplatPass.h"
+
+#include "SplatClasses.h"
+#include "SplatSamples.h"
+#include "ViewState.h"
+
+#include "TexturedSplatFragment.h"
+#include "TexturedSplatGeometry.h"
+#include "TexturedSplatVertex.h"
+
+#include "vtkMatrix4x4.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLShaderCache.h"
+#include "vtkOpenGLState.h"
+#include "vtkOpenGLVertexArrayObject.h"
+#include "vtkShaderProgram.h"
+#include "vtkTextureObject.h"
+
+#include <array>
+#include <sstream>
+
+namespace nephoscope
+{
+namespace
+{
+// Pixels: splats whose cell is smaller are spread over a pixel, whose own variance is that of a box, 1/12, over the kernel's.
+constexpr double largeEnough = 1.0;
+constexpr double pixelVariance = 1.0 / 12.0 / cubic_kernel::variance;
+
+std::string shaderConstants(const SplatDrawingOptions& options, bool jacobianPerSplat)
+{
+  std::ostringstream text;
+  text.precision(9);
+  text << std::showpoint << "const bool jacobianPerSplat = " << (jacobianPerSplat ? "true" : "false") << ";\n"
+       << "const int kernel = " << static_cast<int>(options.Kernel) << ";\n"
+       << "const float largeEnough = " << largeEnough << ";\n"
+       << "const float pixelVariance = " << pixelVariance << ";\n";
+  for (std::size_t i = 0; i < cubic_kernel::footprintCoefficients.size(); ++i)
+  {
+    text << "#define CUBIC" << i << " (" << cubic_kernel::footprintCoefficients[i] << ")\n";
+  }
+  text << "#define QUADRATIC_INNER_RADIUS " << quadratic_kernel::innerRadius << "\n"
+       << "#define QUADRATIC_INNER " << quadratic_kernel::inner << "\n"
+       << "#define QUADRATIC_OUTER " << quadratic_kernel::outer << "\n"
+       << "#define GAUSSIAN_PEAK " << gaussian_kernel::Footprint(0.0) << "\n"
+       << "#define GAUSSIAN_DECAY "
+       << 0.5 * gaussian_kernel::radius * gaussian_kernel::radius / gaussian_kernel::variance << "\n";
+  return text.str();
+}
+
+std::string specialized(const char* shader, const std::string& constants)
+{
+  std::string source = shader;
+  vtkShaderProgram::Substitute(source, "//NEPHOSCOPE::Constants", constants);
+  return source;
+}
+
+using Float4 = std::array<float, 4>;
+
+// Columns of J with the centre in the fourth components; or the centre alone.
+std::vector<Float4> packSplats(const SplatSamples& samples, const SplatClasses& classes, bool jacobians)
+{
+  std::vector<Float4> packed;
+  packed.reserve(classes.Samples.size() * (jacobians ? 3 : 1));
+  for (const std::int32_t sample : classes.Samples)
+  {
+    const auto i = static_cast<std::size_t>(sample);
+    const auto& p = samples.Positions[i];
+    if (!jacobians)
+    {
+      packed.push_back({ { p[0], p[1], p[2], 0 } });
+      continue;
+    }
+    const auto& j = samples.JacobianOf(i);
+    for (std::size_t c = 0; c < 3; ++c)
+    {
+      packed.push_back({ { j[c][0], j[c][1], j[c][2], p[c] } });
+    }
+  }
+  return packed;
+}
+}
+
+SplatPass::SplatPass() = default;
+SplatPass::~SplatPass() = default;
+
+std::string SplatPass::UploadSplats(
+  vtkOpenGLRenderWindow* window, const SplatSamples& samples, const SplatClasses& classes)
+{
+  this->JacobianPerSplat = samples.Jacobians.size() > 1;
+  for (std::size_t i = 0; i < 9; ++i)
+  {
+    this->SharedJacobian[i] = samples.Jacobians[0][i / 3][i % 3];
+  }
+  const std::vector<Float4> packed = packSplats(samples, classes, this->JacobianPerSplat);
+  const std::string error = this->Splats.Upload(window, packed.data(), packed.size(), 4, VTK_FLOAT);
+  return error.empty()
+    ? this->Colors.Upload(window, classes.Colors.data(), classes.Colors.size(), 4, VTK_FLOAT)
+    : error;
+}
+
+std::string SplatPass::UploadOrder(vtkOpenGLRenderWindow* window, const std::vector<std::int32_t>& order)
+{
+  this->Count = order.size();
+  return this->Order.Upload(window, order.data(), order.size(), 1, VTK_INT);
+}
+
+std::string SplatPass::Draw(
+  vtkOpenGLRenderWindow* window, const SceneView& view, const SplatDrawingOptions& options)
+{
+  return this->Layer.Draw(window, [&](const int viewport[4], OpaqueDepth& opaqueDepth) {
+    return this->DrawSplats(window, viewport, opaqueDepth, view, options);
+  });
+}
+
+std::string SplatPass::DrawSplats(vtkOpenGLRenderWindow* window, const int* viewport, OpaqueDepth& opaqueDepth,
+  const SceneView& view, const SplatDrawingOptions& options)
+{
+  const std::string constants = shaderConstants(options, this->JacobianPerSplat);
+  vtkShaderProgram* program =
+    window->GetShaderCache()->ReadyShaderProgram(specialized(TexturedSplatVertex, constants).c_str(),
+      specialized(TexturedSplatFragment, constants).c_str(), specialized(TexturedSplatGeometry, constants).c_str());
+  if (!program)
+  {
+    return "the shaders did not compile";
+  }
+  if (program != this->Program)
+  {
+    this->Program = program;
+    this->VertexArray->ShaderProgramChanged();
+  }
+  this->VertexArray->Bind();
+  this->SetUniforms(program, view, options);
+  const float half[2] = { 0.5f * static_cast<float>(viewport[2]), 0.5f * static_cast<float>(viewport[3]) };
+  program->SetUniform2f("pixelsPerDC", half);
+  program->SetUniformi("splats", this->Splats.Activate());
+  program->SetUniformi("splatColors", this->Colors.Activate());
+  program->SetUniformi("drawingOrder", this->Order.Activate());
+  opaqueDepth.GetTexture()->Activate();
+  program->SetUniformi("opaqueDepth", opaqueDepth.GetTexture()->GetTextureUnit());
+  glDrawArrays(GL_POINTS, 0, static_cast<GLsizei>(this->Count));
+  opaqueDepth.GetTexture()->Deactivate();
+  this->Splats.Deactivate();
+  this->Colors.Deactivate();
+  this->Order.Deactivate();
+  this->VertexArray->Release();
+  return std::string();
+}
+
+void SplatPass::SetUniforms(vtkShaderProgram* program, const SceneView& view, const SplatDrawingOptions& options) const
+{
+  vtkNew<vtkMatrix4x4> transposed; // as OpenGL wants it
+  vtkMatrix4x4::Transpose(view.ModelToView, transposed);
+  program->SetUniformMatrix("modelToVC", transposed);
+  vtkMatrix4x4::Transpose(view.ViewToDevice, transposed);
+  program->SetUniformMatrix("VCToDC", transposed);
+  program->SetUniformMatrix3x3("sharedJacobian", const_cast<float*>(this->SharedJacobian));
+  program->SetUniformi("parallelRays", view.EyeView[3] == 0);
+  program->SetUniformf("kernelRadius", static_cast<float>(KernelRadius(options.Kernel)));
+  program->SetUniformf("extinctionScale", static_cast<float>(options.ExtinctionScale));
+  program->SetUniform4f("depthToVC", depthToView(view.ViewToDevice).data());
+}
+
+void SplatPass::ReleaseGraphicsResources(vtkWindow* window)
+{
+  this->Splats.Release(window);
+  this->Colors.Release(window);
+  this->Order.Release(window);
+  this->Layer.ReleaseGraphicsResources(window);
+  this->VertexArray->ReleaseGraphicsResources();
+  this->Program = nullptr;
+}
+
+} // namespace nephoscope

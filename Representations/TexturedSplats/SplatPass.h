@@ -1,0 +1,68 @@
+// SPDX-FileCopyrightText: The Nephoscope authors
+// SPDX-License-Identifier: BSD-3-Clause
+/** Draws splats into a float image and lays it over the scene. */
+#ifndef SplatPass_h
+#define SplatPass_h
+
+#include "BufferTexture.h"
+#include "FloatLayer.h"
+#include "SplatKernel.h"
+
+#include "vtkNew.h"
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+class vtkImageData;
+class vtkOpenGLRenderWindow;
+class vtkOpenGLVertexArrayObject;
+class vtkShaderProgram;
+class vtkWindow;
+
+namespace nephoscope
+{
+
+struct SceneView;
+struct SplatClasses;
+struct SplatSamples;
+
+struct SplatDrawingOptions
+{
+  SplatKernel Kernel = SplatKernel::Cubic;
+  double ExtinctionScale = 1.0;
+};
+
+class SplatPass
+{
+public:
+  SplatPass();
+  ~SplatPass();
+
+  // Each returns an empty string, or what went wrong.
+  std::string UploadSplats(vtkOpenGLRenderWindow* window, const SplatSamples& samples, const SplatClasses& classes);
+  std::string UploadOrder(vtkOpenGLRenderWindow* window, const std::vector<std::int32_t>& order);
+  std::string Draw(vtkOpenGLRenderWindow* window, const SceneView& view, const SplatDrawingOptions& options);
+
+  bool CopyFloatImage(vtkOpenGLRenderWindow* window, vtkImageData* image) { return this->Layer.CopyTo(window, image); }
+  void ReleaseGraphicsResources(vtkWindow* window);
+
+private:
+  std::string DrawSplats(vtkOpenGLRenderWindow* window, const int* viewport, OpaqueDepth& opaqueDepth, const SceneView& view,
+    const SplatDrawingOptions& options);
+  void SetUniforms(vtkShaderProgram* program, const SceneView& view, const SplatDrawingOptions& options) const;
+
+  BufferTexture Splats;
+  BufferTexture Colors;
+  BufferTexture Order;
+  std::size_t Count = 0;
+  bool JacobianPerSplat = false;
+  float SharedJacobian[9] = { 1, 0, 0, 0, 1, 0, 0, 0, 1 }; // columns
+  FloatLayer Layer;
+  vtkNew<vtkOpenGLVertexArrayObject> VertexArray; // without attributes
+  vtkShaderProgram* Program = nullptr;            // owned by the window's shader cache
+};
+
+} // namespace nephoscope
+
+#endif

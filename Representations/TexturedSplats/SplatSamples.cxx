@@ -1,0 +1,176 @@
+// SPDX-FileCopyrightText: The Nephoscope authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "SplatSamples.h"
+
+#include "EllipsoidSplat.h"
+#include "GridSamples.h"
+
+#include "vtkCell.h"
+#include "vtkDataSet.h"
+#include "vtkDataSetAttributes.h"
+#include "vtkGenericCell.h"
+#include "vtkNew.h"
+#include "vtkSMPTools.h"
+#include "vtkUnsignedCharArray.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace nephoscope
+{
+namespace
+{
+constexpr double flatShare = 0.02; // of the longest edge: cells at the poles, and grids one sample thick, keep a thickness
+
+std::vector<vtkIdType> visibleIds(vtkDataSet* data, bool onCells)
+{
+  vtkUnsignedCharArray* ghosts = onCells ? data->GetCellGhostArray() : data->GetPointGhostArray();
+  const int left = onCells ? vtkDataSetAttributes::HIDDENCELL | vtkDataSetAttributes::DUPLICATECELL
+                           : vtkDataSetAttributes::HIDDENPOINT | vtkDataSetAttributes::DUPLICATEPOINT;
+  std::vector<vtkIdType> ids;
+  const vtkIdType count = onCells ? data->GetNumberOfCells() : data->GetNumberOfPoints();
+  ids.reserve(static_cast<std::size_t>(count));
+  for (vtkIdType id = 0; id < count; ++id)
+  {
+    if (!ghosts || !(ghosts->GetValue(id) & left))
+    {
+      ids.push_back(id);
+    }
+  }
+  return ids;
+}
+
+SplatVector cellCentre(vtkDataSet* data, vtkIdType id)
+{
+  double bounds[6];
+  data->GetCellBounds(id, bounds);
+  return { { 0.5 * (bounds[0] + bounds[1]), 0.5 * (bounds[2] + bounds[3]), 0.5 * (bounds[4] + bounds[5]) } };
+}
+
+// Edge of a cube that each of the samples would have if they filled their bounds.
+double meanSpacing(vtkDataSet* data, std::size_t count)
+{
+  double bounds[6];
+  data->GetBounds(bounds);
+  double extent[3] = { bounds[1] - bounds[0], bounds[3] - bounds[2], bounds[5] - bounds[4] };
+  const double longest = std::max({ extent[0], extent[1], extent[2] });
+  double volume = 1;
+  int axes = 0;
+  for (const double e : extent)
+  {
+    if (e > 1e-6 * longest)
+    {
+      volume *= e;
+      ++axes;
+    }
+  }
+  return axes > 0 ? std::pow(volume / static_cast<double>(count), 1.0 / axes) : 1.0;
+}
+
+SplatSamples::Jacobian toFloat(const SplatMatrix& matrix)
+{
+  SplatSamples::Jacobian result;
+  for (std::size_t column = 0; column < 3; ++column)
+  {
+    for (std::size_t row = 0; row < 3; ++row)
+    {
+      result[column][row] = static_cast<float>(matrix[column][row]);
+    }
+  }
+  return result;
+}
+
+SplatMatrix ball(double edge)
+{
+  return { { { { edge, 0, 0 } }, { { 0, edge, 0 } }, { { 0, 0, edge } } } };
+}
+
+// Drops what is nowhere, and brings the rest into the order of places.
+void sortByPlace(std::vector<vtkIdType>& ids, std::vector<SplatVector>& places)
+{
+  std::vector<std::size_t> order;
+  for (std::size_t i = 0; i < ids.size(); ++i)
+  {
+    if (std::isfinite(places[i][0] + places[i][1] + places[i][2]))
+    {
+      order.push_back(i);
+    }
+  }
+  vtkSMPTools::Sort(order.begin(), order.end(),
+    [&](std::size_t a, std::size_t b) { return places[a] != places[b] ? places[a] < places[b] : ids[a] < ids[b]; });
+  std::vector<vtkIdType> sortedIds(order.size());
+  std::vector<SplatVector> sortedPlaces(order.size());
+  for (std::size_t i = 0; i < order.size(); ++i)
+  {
+    sortedIds[i] = ids[order[i]];
+    sortedPlaces[i] = places[order[i]];
+  }
+  ids.swap(sortedIds);
+  places.swap(sortedPlaces);
+}
+
+template <typename Body>
+void forAll(std::size_t count, Body body)
+{
+  vtkSMPTools::For(0, static_cast<vtkIdType>(count), [&](vtkIdType begin, vtkIdType end) {
+    for (vtkIdType i = begin; i < end; ++i)
+    {
+      body(static_cast<std::size_t>(i));
+    }
+  });
+}
+}
+
+SplatSamples FindSplatSamples(vtkDataSet* data, const SplatSampling& sampling, std::string& error)
+{
+  SplatSamples samples;
+  const GridSamples grid(data, sampling.OnCells);
+  samples.Ids = visibleIds(data, sampling.OnCells);
+  std::vector<SplatVector> places(samples.Ids.size());
+  if (sampling.OnCells && !samples.Ids.empty())
+  {
+    double bounds[6];
+    data->GetCellBounds(samples.Ids[0], bounds); // so that calls from threads find it prepared
+  }
+  forAll(places.size(), [&](std::size_t i) {
+    const vtkIdType id = samples.Ids[i];
+    if (grid.IsGrid())
+    {
+      places[i] = grid.Position(id);
+    }
+    else if (sampling.OnCells)
+    {
+      places[i] = cellCentre(data, id);
+    }
+    else
+    {
+      data->GetPoint(id, places[i].data());
+    }
+  });
+  sortByPlace(samples.Ids, places);
+  if (samples.Ids.empty())
+  {
+    error = "The input has no visible points to draw.";
+    return samples;
+  }
+  data->GetCenter(samples.Center);
+  samples.Positions.resize(places.size());
+  forAll(places.size(), [&](std::size_t i) {
+    for (std::size_t c = 0; c < 3; ++c)
+    {
+      samples.Positions[i][c] = static_cast<float>(places[i][c] - samples.Center[c]);
+    }
+  });
+  const bool shared = !grid.IsGrid() || grid.IsUniform();
+  samples.Jacobians.resize(shared ? 1 : places.size());
+  forAll(samples.Jacobians.size(), [&](std::size_t i) {
+    const SplatMatrix jacobian = grid.IsGrid()
+      ? grid.Jacobian(samples.Ids[i])
+      : ball(sampling.Radius > 0 ? sampling.Radius : meanSpacing(data, places.size()));
+    samples.Jacobians[i] = toFloat(WithoutFlatColumns(jacobian, flatShare));
+  });
+  return samples;
+}
+
+} // namespace nephoscope

@@ -1,0 +1,53 @@
+// SPDX-FileCopyrightText: The Nephoscope authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * The samples of a dataset that become splats: where they are and which shape they have.
+ *
+ * A sample is a point, or the centre of a cell where the data are on cells. Its shape is the Jacobian of its grid cell: three
+ * edge vectors, by central differences on structured grids. Where there is no grid (particles, unstructured points) it is a
+ * ball of the radius that is asked for, or of the mean spacing.
+ *
+ * Samples stand in an order that does not depend on the order of the input: by x, then y, then z.
+ */
+#ifndef SplatSamples_h
+#define SplatSamples_h
+
+#include "SplatMatrix.h"
+
+#include "vtkType.h"
+
+#include <array>
+#include <string>
+#include <vector>
+
+class vtkDataSet;
+
+namespace nephoscope
+{
+
+struct SplatSamples
+{
+  using Float3 = std::array<float, 3>;
+  using Jacobian = std::array<Float3, 3>; ///< columns
+
+  double Center[3] = { 0, 0, 0 };   ///< positions are relative to it
+  std::vector<Float3> Positions;
+  std::vector<Jacobian> Jacobians;  ///< one for each sample, or a single one for all
+  std::vector<vtkIdType> Ids;       ///< of the point or cell
+
+  std::size_t Size() const { return this->Positions.size(); }
+  const Jacobian& JacobianOf(std::size_t i) const { return this->Jacobians[this->Jacobians.size() == 1 ? 0 : i]; }
+};
+
+struct SplatSampling
+{
+  bool OnCells = false;
+  double Radius = 0; ///< edge of the cell of samples without a grid; 0: the mean spacing
+};
+
+/** Hidden and duplicate samples, and those that are not at a finite place, are left out. Empty result or `error`. */
+SplatSamples FindSplatSamples(vtkDataSet* data, const SplatSampling& sampling, std::string& error);
+
+} // namespace nephoscope
+
+#endif

@@ -1,0 +1,129 @@
+//VTK::System::Dec
+// SPDX-FileCopyrightText: The Nephoscope authors
+// SPDX-License-Identifier: BSD-3-Clause
+// The parallelogram around a splat's silhouette.
+//   in:  a splat: centre, Jacobian J of its cell, colour and extinction
+//   out: coordinates st in the plane through the centre that the silhouette's cone cuts in a circle (cells, where the
+//        kernel is a ball); position in view coordinates (VC); what the fragment shader needs of the splat
+// In cell coordinates the eye sees a ball of the kernel's radius from the place -w: its silhouette cone cuts the plane through
+// the centre at right angles to w in a circle, of radius R |w| / sqrt(|w|^2 - R^2). Any two unit vectors in that plane give a
+// parallelogram around the ellipse in the world, all of the same area.
+layout(points) in;
+layout(triangle_strip, max_vertices = 4) out;
+
+uniform samplerBuffer splats; // (centre, -), or the columns of J with the centre in the fourth components
+uniform samplerBuffer splatColors; // colour, extinction per world length
+uniform mat4 modelToVC;
+uniform mat4 VCToDC;
+uniform mat3 sharedJacobian;
+uniform bool parallelRays;
+uniform float kernelRadius; // cells
+uniform vec2 pixelsPerDC;   // half the size of the viewport
+
+//NEPHOSCOPE::Constants
+
+flat in int splatVSOutput[];
+out vec2 stGSOutput;
+out vec3 positionVCGSOutput;
+flat out vec4 colorGSOutput;
+flat out vec2 splatGSOutput; // |w|^2, factor on the footprint
+
+void readSplat(int splat, out vec3 centerVC, out mat3 jacobianVC)
+{
+  vec3 center;
+  mat3 jacobian = sharedJacobian;
+  if (jacobianPerSplat)
+  {
+    vec4 x = texelFetch(splats, 3 * splat);
+    vec4 y = texelFetch(splats, 3 * splat + 1);
+    vec4 z = texelFetch(splats, 3 * splat + 2);
+    center = vec3(x.w, y.w, z.w);
+    jacobian = mat3(x.xyz, y.xyz, z.xyz);
+  }
+  else
+  {
+    center = texelFetch(splats, splat).xyz;
+  }
+  centerVC = (modelToVC * vec4(center, 1.0)).xyz;
+  jacobianVC = mat3(modelToVC) * jacobian;
+}
+
+void emit(vec2 st, vec3 positionVC, vec4 color, vec2 splat)
+{
+  stGSOutput = st;
+  positionVCGSOutput = positionVC;
+  colorGSOutput = color;
+  splatGSOutput = splat;
+  gl_Position = VCToDC * vec4(positionVC, 1.0);
+  EmitVertex();
+}
+
+// Screen vector, in pixels, of a short vector at the centre.
+vec2 toPixels(vec3 vectorVC, vec4 centerDC)
+{
+  vec4 v = VCToDC * vec4(vectorVC, 0.0);
+  return (v.xy - centerDC.xy * (v.w / centerDC.w)) / centerDC.w * pixelsPerDC;
+}
+
+// A splat smaller than a pixel is spread over one, with its mass: the second moments of kernel and pixel are added.
+// a and b are the splat's half axes for one cell; returns the factor on the footprint.
+float spreadOverPixel(inout vec3 a, inout vec3 b, vec3 centerVC, vec4 centerDC)
+{
+  vec2 p = toPixels(a, centerDC);
+  vec2 q = toPixels(b, centerDC);
+  float area = abs(p.x * q.y - p.y * q.x);
+  float size = max(dot(p, p), dot(q, q));
+  if (area > largeEnough * largeEnough && area * area > largeEnough * largeEnough * size)
+  {
+    return 1.0;
+  }
+  // covariance of the kernel on the screen, over its variance of one axis, plus that of the pixel
+  vec3 covariance = vec3(p.x * p.x + q.x * q.x, p.x * p.y + q.x * q.y, p.y * p.y + q.y * q.y);
+  covariance.xz += pixelVariance;
+  float determinant = covariance.x * covariance.z - covariance.y * covariance.y;
+  float edge = sqrt(covariance.x); // Cholesky's factor: columns (edge, y / edge) and (0, determinant^1/2 / edge)
+  vec2 first = vec2(edge, covariance.y / edge);
+  vec2 second = vec2(0.0, sqrt(determinant) / edge);
+  // back from pixels to the plane that faces the eye
+  float perPixelX = centerDC.w / (pixelsPerDC.x * VCToDC[0][0]);
+  float perPixelY = centerDC.w / (pixelsPerDC.y * VCToDC[1][1]);
+  a = vec3(first.x * perPixelX, first.y * perPixelY, 0.0);
+  b = vec3(0.0, second.y * perPixelY, 0.0);
+  return area / sqrt(determinant);
+}
+
+void main()
+{
+  vec3 center;
+  mat3 J;
+  readSplat(splatVSOutput[0], center, J);
+  vec3 towards = parallelRays ? vec3(0.0, 0.0, -1.0) : center; // from the eye
+  float determinant = dot(J[0], cross(J[1], J[2]));
+  vec3 w = vec3(dot(towards, cross(J[1], J[2])), dot(towards, cross(J[2], J[0])), dot(towards, cross(J[0], J[1]))) / determinant;
+  float square = dot(w, w);
+  float radius = kernelRadius;
+  if (!parallelRays)
+  {
+    if (square <= 1.02 * kernelRadius * kernelRadius || center.z >= 0.0)
+    {
+      return; // the eye is inside, or the splat behind it
+    }
+    radius *= inversesqrt(1.0 - kernelRadius * kernelRadius / square);
+  }
+  vec3 axis = abs(w.x) < abs(w.y) ? (abs(w.x) < abs(w.z) ? vec3(1.0, 0.0, 0.0) : vec3(0.0, 0.0, 1.0))
+                                  : (abs(w.y) < abs(w.z) ? vec3(0.0, 1.0, 0.0) : vec3(0.0, 0.0, 1.0));
+  vec3 u = normalize(cross(w, axis));
+  vec3 v = cross(w, u) * inversesqrt(square);
+  vec3 a = J * u;
+  vec3 b = J * v;
+  vec4 centerDC = VCToDC * vec4(center, 1.0);
+  vec4 color = texelFetch(splatColors, splatVSOutput[0]);
+  vec2 splat = vec2(square, spreadOverPixel(a, b, center, centerDC));
+  a *= radius;
+  b *= radius;
+  emit(vec2(-radius, -radius), center - a - b, color, splat);
+  emit(vec2(radius, -radius), center + a - b, color, splat);
+  emit(vec2(-radius, radius), center - a + b, color, splat);
+  emit(vec2(radius, radius), center + a + b, color, splat);
+  EndPrimitive();
+}

@@ -1,0 +1,261 @@
+// SPDX-FileCopyrightText: The Nephoscope authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkTexturedSplatMapper.h"
+
+#include "ArraySelection.h"
+#include "SplatClasses.h"
+#include "SplatKernel.h"
+#include "SplatOrder.h"
+#include "SplatPass.h"
+#include "SplatSamples.h"
+#include "ViewState.h"
+
+#include "vtkDataSet.h"
+#include "vtkImageData.h"
+#include "vtkInformation.h"
+#include "vtkMath.h"
+#include "vtkObjectFactory.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkPiecewiseFunction.h"
+#include "vtkRenderer.h"
+#include "vtkSMPTools.h"
+#include "vtkVolume.h"
+#include "vtkVolumeProperty.h"
+
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+
+using nephoscope::ScalarSelection;
+
+vtkStandardNewMacro(vtkTexturedSplatMapper);
+
+namespace
+{
+template <typename Work>
+void withThreads(Work work)
+{
+  vtkSMPTools::LocalScope(vtkSMPTools::Config{ 0, "STDThread", false }, work);
+}
+}
+
+/** Each stage is made again only when what it was made from has changed. */
+struct vtkTexturedSplatMapper::vtkInternals
+{
+  using SampleKey = std::tuple<vtkDataSet*, vtkMTimeType, bool, double>;
+  using ClassKey = std::tuple<vtkDataArray*, vtkDataArray*, int, vtkMTimeType, vtkMTimeType>;
+
+  SampleKey SampledFrom{ nullptr, 0, false, 0.0 };
+  ClassKey ClassifiedBy{ nullptr, nullptr, 0, 0, 0 };
+  nephoscope::SplatSamples Samples;
+  nephoscope::SplatClasses Classes;
+  nephoscope::SplatEye Eye{ { 0, 0, 0, -1 } }; // none
+  std::vector<std::int32_t> Order;
+  nephoscope::SplatPass Pass;
+  bool SplatsUploaded = false, OrderUploaded = false;
+  vtkOpenGLRenderWindow* Window = nullptr;
+  std::string LastError;
+
+  void UpdateOrder(const nephoscope::SplatEye& eye)
+  {
+    if (eye == this->Eye && this->Order.size() == this->Classes.Samples.size())
+    {
+      return;
+    }
+    withThreads([&]() { this->Order = nephoscope::OrderSplats(this->Samples.Positions, this->Classes.Samples, eye); });
+    this->Eye = eye;
+    this->OrderUploaded = false;
+  }
+};
+
+vtkTexturedSplatMapper::vtkTexturedSplatMapper()
+  : Internals(new vtkInternals)
+{
+}
+
+vtkTexturedSplatMapper::~vtkTexturedSplatMapper() = default;
+
+void vtkTexturedSplatMapper::SetInputData(vtkDataSet* data)
+{
+  this->SetInputDataInternal(0, data);
+}
+
+int vtkTexturedSplatMapper::FillInputPortInformation(int, vtkInformation* info)
+{
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataSet");
+  return 1;
+}
+
+vtkIdType vtkTexturedSplatMapper::GetNumberOfDrawnSplats()
+{
+  return static_cast<vtkIdType>(this->Internals->Classes.Samples.size());
+}
+
+double* vtkTexturedSplatMapper::GetBounds()
+{
+  this->Superclass::GetBounds();
+  vtkDataSet* input = this->GetDataSetInput();
+  if (input && vtkMath::AreBoundsInitialized(this->Bounds))
+  {
+    // A splat reaches 1.56 cells from its centre: without looking at the cells, the longest edge that a grid of so many
+    // samples can well have.
+    const double samples = static_cast<double>(std::max<vtkIdType>(input->GetNumberOfPoints(), 8));
+    const double reach = nephoscope::KernelRadius(static_cast<nephoscope::SplatKernel>(this->Kernel)) *
+      std::max(this->CellSize, input->GetLength() / std::cbrt(samples));
+    for (int i = 0; i < 6; ++i)
+    {
+      this->Bounds[i] += i % 2 ? reach : -reach;
+    }
+  }
+  return this->Bounds;
+}
+
+void vtkTexturedSplatMapper::Render(vtkRenderer* renderer, vtkVolume* volume)
+{
+  auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
+  if (!window || renderer->GetSelector() || !this->GetInputAlgorithm())
+  {
+    return;
+  }
+  this->GetInputAlgorithm()->Update();
+  vtkDataSet* input = this->GetDataSetInput();
+  if (!input || input->GetNumberOfPoints() == 0)
+  {
+    this->ReportOnce("The input has no points: there is nothing to draw.");
+    return;
+  }
+  std::string error = this->UpdateSplats(input, volume);
+  if (error.empty())
+  {
+    error = this->DrawScene(window, renderer, volume);
+  }
+  this->ReportOnce(error);
+}
+
+void vtkTexturedSplatMapper::ReportOnce(const std::string& error)
+{
+  if (!error.empty() && error != this->Internals->LastError)
+  {
+    vtkErrorMacro(<< error);
+  }
+  this->Internals->LastError = error;
+}
+
+std::string vtkTexturedSplatMapper::UpdateSplats(vtkDataSet* input, vtkVolume* volume)
+{
+  vtkInternals& self = *this->Internals;
+  vtkVolumeProperty* property = volume->GetProperty();
+  if (!(property->GetScalarOpacityUnitDistance() > 0))
+  {
+    return "ScalarOpacityUnitDistance must be positive: it is the length over which an opacity function of 1 "
+           "gives an optical depth of 1.";
+  }
+  ScalarSelection scalars, opacity;
+  std::string error = nephoscope::selectScalars(this, input, property, scalars);
+  if (error.empty())
+  {
+    error = nephoscope::selectOpacity(this->OpacityArrayName, input, scalars, opacity);
+  }
+  if (error.empty() && opacity.Array && opacity.OnCells != scalars.OnCells)
+  {
+    error = "Colour and opacity are read at the same samples: array '" + this->OpacityArrayName +
+      "' must be on " + (scalars.OnCells ? "cells, as the" : "points, as the") + " coloured array is.";
+  }
+  if (!error.empty())
+  {
+    return error;
+  }
+  const vtkInternals::SampleKey samples(input, input->GetMTime(), scalars.OnCells, this->CellSize);
+  const vtkInternals::ClassKey classes(
+    scalars.Array, opacity.Array, scalars.Component, property->GetMTime(), input->GetMTime());
+  withThreads([&]() {
+    if (samples != self.SampledFrom)
+    {
+      self.Samples = nephoscope::FindSplatSamples(input, { scalars.OnCells, this->CellSize }, error);
+    }
+    if (error.empty() && (samples != self.SampledFrom || classes != self.ClassifiedBy))
+    {
+      self.Classes = nephoscope::ClassifySplats(input, self.Samples, scalars, opacity, property);
+      self.Order.clear();
+      self.Eye[3] = -1;
+      self.SplatsUploaded = false;
+    }
+  });
+  self.SampledFrom = samples;
+  self.ClassifiedBy = classes;
+  return error;
+}
+
+std::string vtkTexturedSplatMapper::DrawScene(
+  vtkOpenGLRenderWindow* window, vtkRenderer* renderer, vtkVolume* volume)
+{
+  vtkInternals& self = *this->Internals;
+  const nephoscope::ViewState state(renderer, volume, self.Samples.Center);
+  self.UpdateOrder(state.EyeModel);
+  const std::string error = this->Upload(window);
+  if (!error.empty() || self.Order.empty())
+  {
+    return error;
+  }
+  nephoscope::SplatDrawingOptions options;
+  options.Kernel = static_cast<nephoscope::SplatKernel>(this->Kernel);
+  options.ExtinctionScale = this->OpacityScale;
+  return self.Pass.Draw(window, state.View, options);
+}
+
+std::string vtkTexturedSplatMapper::Upload(vtkOpenGLRenderWindow* window)
+{
+  vtkInternals& self = *this->Internals;
+  if (self.Window && self.Window != window)
+  {
+    vtkOpenGLRenderWindow* other = self.Window;
+    other->PushContext();
+    this->ReleaseGraphicsResources(other);
+    other->PopContext();
+    window->MakeCurrent();
+  }
+  self.Window = window;
+  std::string error;
+  if (!self.SplatsUploaded)
+  {
+    error = self.Pass.UploadSplats(window, self.Samples, self.Classes);
+  }
+  if (error.empty() && !self.OrderUploaded)
+  {
+    error = self.Pass.UploadOrder(window, self.Order);
+  }
+  self.SplatsUploaded = self.OrderUploaded = error.empty();
+  return error;
+}
+
+bool vtkTexturedSplatMapper::CopyFloatImage(vtkImageData* image)
+{
+  if (!this->Internals->Window || !this->Internals->Pass.CopyFloatImage(this->Internals->Window, image))
+  {
+    vtkErrorMacro("There is no float image: render first.");
+    return false;
+  }
+  return true;
+}
+
+void vtkTexturedSplatMapper::ReleaseGraphicsResources(vtkWindow* window)
+{
+  if (window && window == this->Internals->Window) // another window's release is none of ours
+  {
+    this->Internals->Pass.ReleaseGraphicsResources(window);
+    this->Internals->Window = nullptr;
+    this->Internals->SplatsUploaded = this->Internals->OrderUploaded = false;
+  }
+  this->Superclass::ReleaseGraphicsResources(window);
+}
+
+void vtkTexturedSplatMapper::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  const char* kernels[] = { "Cubic", "Quadratic", "Gaussian" };
+  os << indent << "Kernel: " << kernels[this->Kernel] << "\n";
+  os << indent << "CellSize: " << this->CellSize << "\n";
+  os << indent << "OpacityScale: " << this->OpacityScale << "\n";
+  os << indent << "OpacityArrayName: " << this->OpacityArrayName << "\n";
+  os << indent << "NumberOfDrawnSplats: " << this->GetNumberOfDrawnSplats() << "\n";
+}
