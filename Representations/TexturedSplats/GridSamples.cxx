@@ -35,7 +35,8 @@ GridSamples::GridSamples(vtkDataSet* data, bool onCells)
   }
   for (int axis = 0; axis < 3; ++axis)
   {
-    this->Dimensions[axis] = onCells ? std::max(1, this->PointDimensions[axis] - 1) : this->PointDimensions[axis];
+    this->Dimensions[axis] =
+      onCells ? std::max(1, this->PointDimensions[axis] - 1) : this->PointDimensions[axis];
   }
 }
 
@@ -57,7 +58,8 @@ SplatVector GridSamples::At(const int index[3]) const
     for (int axis = 2; axis >= 0; --axis)
     {
       const int last = this->PointDimensions[axis] - 1;
-      point = point * this->PointDimensions[axis] + std::min(index[axis] + (corner >> axis & 1), last);
+      point =
+        point * this->PointDimensions[axis] + std::min(index[axis] + (corner >> axis & 1), last);
     }
     double x[3];
     this->Data->GetPoint(point, x);

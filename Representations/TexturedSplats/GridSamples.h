@@ -37,7 +37,7 @@ private:
   vtkDataSet* Data;
   bool OnCells;
   bool Uniform = false;
-  int Dimensions[3] = { 0, 0, 0 };      // of the samples
+  int Dimensions[3] = { 0, 0, 0 }; // of the samples
   int PointDimensions[3] = { 0, 0, 0 };
 };
 

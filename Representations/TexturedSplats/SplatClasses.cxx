@@ -13,8 +13,9 @@
 namespace nephoscope
 {
 
-SplatClasses ClassifySplats(vtkDataSet* data, const SplatSamples& samples, const ScalarSelection& scalars,
-  const ScalarSelection& opacity, vtkVolumeProperty* property)
+SplatClasses ClassifySplats(vtkDataSet* data, const SplatSamples& samples,
+  const ScalarSelection& scalars, const ScalarSelection& opacity, vtkVolumeProperty* property,
+  bool keepTransparent)
 {
   const ScalarSelection& dense = opacity.Array ? opacity : scalars;
   double range[2], denseRange[2];
@@ -25,7 +26,7 @@ SplatClasses ClassifySplats(vtkDataSet* data, const SplatSamples& samples, const
   extinction.Build(property, denseRange, TransferFunctionTable::Channels::Opacity);
   const float rate = static_cast<float>(1.0 / property->GetScalarOpacityUnitDistance());
 
-  std::vector<std::array<float, 4>> all(samples.Size());
+  std::vector<std::array<float, 4>> all(samples.Size(), { { 0, 0, 0, -1 } });
   vtkSMPTools::For(0, static_cast<vtkIdType>(all.size()), [&](vtkIdType begin, vtkIdType end) {
     for (vtkIdType i = begin; i < end; ++i)
     {
@@ -42,7 +43,7 @@ SplatClasses ClassifySplats(vtkDataSet* data, const SplatSamples& samples, const
   SplatClasses classes;
   for (std::size_t i = 0; i < all.size(); ++i)
   {
-    if (all[i][3] > 0)
+    if (all[i][3] > (keepTransparent ? -1.0f : 0.0f)) // without a value: -1
     {
       classes.Samples.push_back(static_cast<std::int32_t>(i));
       classes.Colors.push_back(all[i]);

@@ -21,13 +21,14 @@ struct SplatSamples;
 /** Samples that can be seen, with what they look like: red, green, blue, and extinction per unit length of the world. */
 struct SplatClasses
 {
-  std::vector<std::int32_t> Samples; ///< numbers of the samples, ascending
+  std::vector<std::int32_t> Samples;        ///< numbers of the samples, ascending
   std::vector<std::array<float, 4>> Colors; ///< one for each of them
 };
 
-/** `scalars.Array` gives the colour, `opacity.Array`, or the same one if it is null, the extinction. Values that are not finite are not seen. */
-SplatClasses ClassifySplats(vtkDataSet* data, const SplatSamples& samples, const ScalarSelection& scalars,
-  const ScalarSelection& opacity, vtkVolumeProperty* property);
+/** `keepTransparent`: samples without extinction stay too, for their vectors. `scalars.Array` gives the colour, `opacity.Array`, or the same one if it is null, the extinction. Values that are not finite are not seen. */
+SplatClasses ClassifySplats(vtkDataSet* data, const SplatSamples& samples,
+  const ScalarSelection& scalars, const ScalarSelection& opacity, vtkVolumeProperty* property,
+  bool keepTransparent = false);
 
 } // namespace nephoscope
 

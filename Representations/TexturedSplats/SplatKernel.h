@@ -66,8 +66,8 @@ inline double Footprint(double rho)
 }
 
 // The footprint as (1 - q)^3 times a polynomial of q = (rho / radius)^2, to 5e-5: without roots and logarithms, for shaders.
-constexpr std::array<double, 8> footprintCoefficients = { { 0.699893513, -1.18833666, 2.41299169, -12.568224, 42.5060192,
-  -71.5146489, 58.5012001, -18.6565776 } };
+constexpr std::array<double, 8> footprintCoefficients = { { 0.699893513, -1.18833666, 2.41299169,
+  -12.568224, 42.5060192, -71.5146489, 58.5012001, -18.6565776 } };
 
 inline double FootprintPolynomial(double q)
 {

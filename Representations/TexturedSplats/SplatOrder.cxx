@@ -15,7 +15,7 @@ namespace
 {
 constexpr std::size_t digits = 2048; // 11 bits: three passes over 32
 constexpr int bitsPerPass = 11;
-constexpr std::size_t blocks = 16;   // whatever the number of threads, so that the result is the same
+constexpr std::size_t blocks = 16; // whatever the number of threads, so that the result is the same
 
 // The bits of a float, made to grow with it.
 std::uint32_t sortable(float value)

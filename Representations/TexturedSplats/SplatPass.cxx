@@ -6,6 +6,7 @@
 
 #include "SplatClasses.h"
 #include "SplatSamples.h"
+#include "VectorTexture.h"
 #include "ViewState.h"
 
 #include "TexturedSplatFragment.h"
@@ -35,8 +36,10 @@ std::string shaderConstants(const SplatDrawingOptions& options, bool jacobianPer
 {
   std::ostringstream text;
   text.precision(9);
-  text << std::showpoint << "const bool jacobianPerSplat = " << (jacobianPerSplat ? "true" : "false") << ";\n"
+  text << std::showpoint
+       << "const bool jacobianPerSplat = " << (jacobianPerSplat ? "true" : "false") << ";\n"
        << "const int kernel = " << static_cast<int>(options.Kernel) << ";\n"
+       << "const bool drawVectors = " << (options.Vectors ? "true" : "false") << ";\n"
        << "const float largeEnough = " << largeEnough << ";\n"
        << "const float pixelVariance = " << pixelVariance << ";\n";
   for (std::size_t i = 0; i < cubic_kernel::footprintCoefficients.size(); ++i)
@@ -48,7 +51,11 @@ std::string shaderConstants(const SplatDrawingOptions& options, bool jacobianPer
        << "#define QUADRATIC_OUTER " << quadratic_kernel::outer << "\n"
        << "#define GAUSSIAN_PEAK " << gaussian_kernel::Footprint(0.0) << "\n"
        << "#define GAUSSIAN_DECAY "
-       << 0.5 * gaussian_kernel::radius * gaussian_kernel::radius / gaussian_kernel::variance << "\n";
+       << 0.5 * gaussian_kernel::radius * gaussian_kernel::radius / gaussian_kernel::variance
+       << "\n";
+  text << "#define STREAK_SPACING " << streaks::spacing << "\n"
+       << "#define STREAK_WIDTH " << streaks::width << "\n"
+       << "#define STREAK_GOLDEN " << streaks::golden << "\n";
   return text.str();
 }
 
@@ -62,7 +69,8 @@ std::string specialized(const char* shader, const std::string& constants)
 using Float4 = std::array<float, 4>;
 
 // Columns of J with the centre in the fourth components; or the centre alone.
-std::vector<Float4> packSplats(const SplatSamples& samples, const SplatClasses& classes, bool jacobians)
+std::vector<Float4> packSplats(
+  const SplatSamples& samples, const SplatClasses& classes, bool jacobians)
 {
   std::vector<Float4> packed;
   packed.reserve(classes.Samples.size() * (jacobians ? 3 : 1));
@@ -103,7 +111,14 @@ std::string SplatPass::UploadSplats(
     : error;
 }
 
-std::string SplatPass::UploadOrder(vtkOpenGLRenderWindow* window, const std::vector<std::int32_t>& order)
+std::string SplatPass::UploadVectors(
+  vtkOpenGLRenderWindow* window, const std::vector<std::array<float, 4>>& vectors)
+{
+  return this->Vectors.Upload(window, vectors.data(), vectors.size(), 4, VTK_FLOAT);
+}
+
+std::string SplatPass::UploadOrder(
+  vtkOpenGLRenderWindow* window, const std::vector<std::int32_t>& order)
 {
   this->Count = order.size();
   return this->Order.Upload(window, order.data(), order.size(), 1, VTK_INT);
@@ -117,13 +132,14 @@ std::string SplatPass::Draw(
   });
 }
 
-std::string SplatPass::DrawSplats(vtkOpenGLRenderWindow* window, const int* viewport, OpaqueDepth& opaqueDepth,
-  const SceneView& view, const SplatDrawingOptions& options)
+std::string SplatPass::DrawSplats(vtkOpenGLRenderWindow* window, const int* viewport,
+  OpaqueDepth& opaqueDepth, const SceneView& view, const SplatDrawingOptions& options)
 {
   const std::string constants = shaderConstants(options, this->JacobianPerSplat);
-  vtkShaderProgram* program =
-    window->GetShaderCache()->ReadyShaderProgram(specialized(TexturedSplatVertex, constants).c_str(),
-      specialized(TexturedSplatFragment, constants).c_str(), specialized(TexturedSplatGeometry, constants).c_str());
+  vtkShaderProgram* program = window->GetShaderCache()->ReadyShaderProgram(
+    specialized(TexturedSplatVertex, constants).c_str(),
+    specialized(TexturedSplatFragment, constants).c_str(),
+    specialized(TexturedSplatGeometry, constants).c_str());
   if (!program)
   {
     return "the shaders did not compile";
@@ -135,11 +151,13 @@ std::string SplatPass::DrawSplats(vtkOpenGLRenderWindow* window, const int* view
   }
   this->VertexArray->Bind();
   this->SetUniforms(program, view, options);
-  const float half[2] = { 0.5f * static_cast<float>(viewport[2]), 0.5f * static_cast<float>(viewport[3]) };
+  const float half[2] = { 0.5f * static_cast<float>(viewport[2]),
+    0.5f * static_cast<float>(viewport[3]) };
   program->SetUniform2f("pixelsPerDC", half);
   program->SetUniformi("splats", this->Splats.Activate());
   program->SetUniformi("splatColors", this->Colors.Activate());
   program->SetUniformi("drawingOrder", this->Order.Activate());
+  program->SetUniformi("splatVectors", this->Vectors.Activate());
   opaqueDepth.GetTexture()->Activate();
   program->SetUniformi("opaqueDepth", opaqueDepth.GetTexture()->GetTextureUnit());
   glDrawArrays(GL_POINTS, 0, static_cast<GLsizei>(this->Count));
@@ -147,11 +165,13 @@ std::string SplatPass::DrawSplats(vtkOpenGLRenderWindow* window, const int* view
   this->Splats.Deactivate();
   this->Colors.Deactivate();
   this->Order.Deactivate();
+  this->Vectors.Deactivate();
   this->VertexArray->Release();
   return std::string();
 }
 
-void SplatPass::SetUniforms(vtkShaderProgram* program, const SceneView& view, const SplatDrawingOptions& options) const
+void SplatPass::SetUniforms(
+  vtkShaderProgram* program, const SceneView& view, const SplatDrawingOptions& options) const
 {
   vtkNew<vtkMatrix4x4> transposed; // as OpenGL wants it
   vtkMatrix4x4::Transpose(view.ModelToView, transposed);
@@ -162,6 +182,12 @@ void SplatPass::SetUniforms(vtkShaderProgram* program, const SceneView& view, co
   program->SetUniformi("parallelRays", view.EyeView[3] == 0);
   program->SetUniformf("kernelRadius", static_cast<float>(KernelRadius(options.Kernel)));
   program->SetUniformf("extinctionScale", static_cast<float>(options.ExtinctionScale));
+  program->SetUniformf("greatestSpeed", static_cast<float>(options.GreatestSpeed));
+  program->SetUniformf("vectorScale", static_cast<float>(options.VectorScale));
+  program->SetUniformf("streakPeriod", static_cast<float>(options.StreakPeriod));
+  const float vectorColor[4] = { options.VectorColor[0], options.VectorColor[1],
+    options.VectorColor[2], options.OneVectorColor ? 1.0f : 0.0f };
+  program->SetUniform4f("vectorColor", vectorColor);
   program->SetUniform4f("depthToVC", depthToView(view.ViewToDevice).data());
 }
 
@@ -170,6 +196,7 @@ void SplatPass::ReleaseGraphicsResources(vtkWindow* window)
   this->Splats.Release(window);
   this->Colors.Release(window);
   this->Order.Release(window);
+  this->Vectors.Release(window);
   this->Layer.ReleaseGraphicsResources(window);
   this->VertexArray->ReleaseGraphicsResources();
   this->Program = nullptr;

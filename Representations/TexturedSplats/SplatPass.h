@@ -10,6 +10,7 @@
 
 #include "vtkNew.h"
 
+#include <array>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -31,6 +32,12 @@ struct SplatDrawingOptions
 {
   SplatKernel Kernel = SplatKernel::Cubic;
   double ExtinctionScale = 1.0;
+  bool Vectors = false;
+  double GreatestSpeed = 1.0; // where vectors are fully drawn
+  double VectorScale = 1.0;   // optical depth of vectors at full strength
+  double StreakPeriod = 1.5;  // in cells
+  bool OneVectorColor = false;
+  float VectorColor[3] = { 1, 1, 1 };
 };
 
 class SplatPass
@@ -40,20 +47,30 @@ public:
   ~SplatPass();
 
   // Each returns an empty string, or what went wrong.
-  std::string UploadSplats(vtkOpenGLRenderWindow* window, const SplatSamples& samples, const SplatClasses& classes);
+  std::string UploadSplats(
+    vtkOpenGLRenderWindow* window, const SplatSamples& samples, const SplatClasses& classes);
+  /** (x, y, z, phase) of every splat of the classes. */
+  std::string UploadVectors(
+    vtkOpenGLRenderWindow* window, const std::vector<std::array<float, 4>>& vectors);
   std::string UploadOrder(vtkOpenGLRenderWindow* window, const std::vector<std::int32_t>& order);
-  std::string Draw(vtkOpenGLRenderWindow* window, const SceneView& view, const SplatDrawingOptions& options);
+  std::string Draw(
+    vtkOpenGLRenderWindow* window, const SceneView& view, const SplatDrawingOptions& options);
 
-  bool CopyFloatImage(vtkOpenGLRenderWindow* window, vtkImageData* image) { return this->Layer.CopyTo(window, image); }
+  bool CopyFloatImage(vtkOpenGLRenderWindow* window, vtkImageData* image)
+  {
+    return this->Layer.CopyTo(window, image);
+  }
   void ReleaseGraphicsResources(vtkWindow* window);
 
 private:
-  std::string DrawSplats(vtkOpenGLRenderWindow* window, const int* viewport, OpaqueDepth& opaqueDepth, const SceneView& view,
-    const SplatDrawingOptions& options);
-  void SetUniforms(vtkShaderProgram* program, const SceneView& view, const SplatDrawingOptions& options) const;
+  std::string DrawSplats(vtkOpenGLRenderWindow* window, const int* viewport,
+    OpaqueDepth& opaqueDepth, const SceneView& view, const SplatDrawingOptions& options);
+  void SetUniforms(
+    vtkShaderProgram* program, const SceneView& view, const SplatDrawingOptions& options) const;
 
   BufferTexture Splats;
   BufferTexture Colors;
+  BufferTexture Vectors;
   BufferTexture Order;
   std::size_t Count = 0;
   bool JacobianPerSplat = false;

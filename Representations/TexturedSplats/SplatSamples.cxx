@@ -21,13 +21,15 @@ namespace nephoscope
 {
 namespace
 {
-constexpr double flatShare = 0.02; // of the longest edge: cells at the poles, and grids one sample thick, keep a thickness
+constexpr double flatShare =
+  0.02; // of the longest edge: cells at the poles, and grids one sample thick, keep a thickness
 
 std::vector<vtkIdType> visibleIds(vtkDataSet* data, bool onCells)
 {
   vtkUnsignedCharArray* ghosts = onCells ? data->GetCellGhostArray() : data->GetPointGhostArray();
-  const int left = onCells ? vtkDataSetAttributes::HIDDENCELL | vtkDataSetAttributes::DUPLICATECELL
-                           : vtkDataSetAttributes::HIDDENPOINT | vtkDataSetAttributes::DUPLICATEPOINT;
+  const int left = onCells
+    ? vtkDataSetAttributes::HIDDENCELL | vtkDataSetAttributes::DUPLICATECELL
+    : vtkDataSetAttributes::HIDDENPOINT | vtkDataSetAttributes::DUPLICATEPOINT;
   std::vector<vtkIdType> ids;
   const vtkIdType count = onCells ? data->GetNumberOfCells() : data->GetNumberOfPoints();
   ids.reserve(static_cast<std::size_t>(count));
@@ -45,7 +47,8 @@ SplatVector cellCentre(vtkDataSet* data, vtkIdType id)
 {
   double bounds[6];
   data->GetCellBounds(id, bounds);
-  return { { 0.5 * (bounds[0] + bounds[1]), 0.5 * (bounds[2] + bounds[3]), 0.5 * (bounds[4] + bounds[5]) } };
+  return { { 0.5 * (bounds[0] + bounds[1]), 0.5 * (bounds[2] + bounds[3]),
+    0.5 * (bounds[4] + bounds[5]) } };
 }
 
 // Edge of a cube that each of the samples would have if they filled their bounds.
@@ -97,8 +100,9 @@ void sortByPlace(std::vector<vtkIdType>& ids, std::vector<SplatVector>& places)
       order.push_back(i);
     }
   }
-  vtkSMPTools::Sort(order.begin(), order.end(),
-    [&](std::size_t a, std::size_t b) { return places[a] != places[b] ? places[a] < places[b] : ids[a] < ids[b]; });
+  vtkSMPTools::Sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+    return places[a] != places[b] ? places[a] < places[b] : ids[a] < ids[b];
+  });
   std::vector<vtkIdType> sortedIds(order.size());
   std::vector<SplatVector> sortedPlaces(order.size());
   for (std::size_t i = 0; i < order.size(); ++i)

@@ -30,13 +30,16 @@ struct SplatSamples
   using Float3 = std::array<float, 3>;
   using Jacobian = std::array<Float3, 3>; ///< columns
 
-  double Center[3] = { 0, 0, 0 };   ///< positions are relative to it
+  double Center[3] = { 0, 0, 0 }; ///< positions are relative to it
   std::vector<Float3> Positions;
-  std::vector<Jacobian> Jacobians;  ///< one for each sample, or a single one for all
-  std::vector<vtkIdType> Ids;       ///< of the point or cell
+  std::vector<Jacobian> Jacobians; ///< one for each sample, or a single one for all
+  std::vector<vtkIdType> Ids;      ///< of the point or cell
 
   std::size_t Size() const { return this->Positions.size(); }
-  const Jacobian& JacobianOf(std::size_t i) const { return this->Jacobians[this->Jacobians.size() == 1 ? 0 : i]; }
+  const Jacobian& JacobianOf(std::size_t i) const
+  {
+    return this->Jacobians[this->Jacobians.size() == 1 ? 0 : i];
+  }
 };
 
 struct SplatSampling

@@ -8,8 +8,11 @@
 #include "SplatOrder.h"
 #include "SplatPass.h"
 #include "SplatSamples.h"
+#include "SplatVectors.h"
 #include "ViewState.h"
 
+#include "vtkCellData.h"
+#include "vtkDataArray.h"
 #include "vtkDataSet.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
@@ -17,6 +20,7 @@
 #include "vtkObjectFactory.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkPiecewiseFunction.h"
+#include "vtkPointData.h"
 #include "vtkRenderer.h"
 #include "vtkSMPTools.h"
 #include "vtkVolume.h"
@@ -43,12 +47,17 @@ void withThreads(Work work)
 struct vtkTexturedSplatMapper::vtkInternals
 {
   using SampleKey = std::tuple<vtkDataSet*, vtkMTimeType, bool, double>;
-  using ClassKey = std::tuple<vtkDataArray*, vtkDataArray*, int, vtkMTimeType, vtkMTimeType>;
+  using ClassKey = std::tuple<vtkDataArray*, vtkDataArray*, int, vtkMTimeType, vtkMTimeType, bool>;
 
   SampleKey SampledFrom{ nullptr, 0, false, 0.0 };
-  ClassKey ClassifiedBy{ nullptr, nullptr, 0, 0, 0 };
+  ClassKey ClassifiedBy{ nullptr, nullptr, 0, 0, 0, false };
   nephoscope::SplatSamples Samples;
   nephoscope::SplatClasses Classes;
+  nephoscope::SplatVectors Vectors;
+  std::tuple<vtkDataArray*, vtkMTimeType, const void*> VectorsFrom{ nullptr, 0, nullptr };
+  bool VectorsUploaded = false;
+  double LoopedTo = 0;
+  int LoopCycles = 0;
   nephoscope::SplatEye Eye{ { 0, 0, 0, -1 } }; // none
   std::vector<std::int32_t> Order;
   nephoscope::SplatPass Pass;
@@ -62,7 +71,9 @@ struct vtkTexturedSplatMapper::vtkInternals
     {
       return;
     }
-    withThreads([&]() { this->Order = nephoscope::OrderSplats(this->Samples.Positions, this->Classes.Samples, eye); });
+    withThreads([&]() {
+      this->Order = nephoscope::OrderSplats(this->Samples.Positions, this->Classes.Samples, eye);
+    });
     this->Eye = eye;
     this->OrderUploaded = false;
   }
@@ -100,7 +111,8 @@ double* vtkTexturedSplatMapper::GetBounds()
     // A splat reaches 1.56 cells from its centre: without looking at the cells, the longest edge that a grid of so many
     // samples can well have.
     const double samples = static_cast<double>(std::max<vtkIdType>(input->GetNumberOfPoints(), 8));
-    const double reach = nephoscope::KernelRadius(static_cast<nephoscope::SplatKernel>(this->Kernel)) *
+    const double reach =
+      nephoscope::KernelRadius(static_cast<nephoscope::SplatKernel>(this->Kernel)) *
       std::max(this->CellSize, input->GetLength() / std::cbrt(samples));
     for (int i = 0; i < 6; ++i)
     {
@@ -159,31 +171,80 @@ std::string vtkTexturedSplatMapper::UpdateSplats(vtkDataSet* input, vtkVolume* v
   if (error.empty() && opacity.Array && opacity.OnCells != scalars.OnCells)
   {
     error = "Colour and opacity are read at the same samples: array '" + this->OpacityArrayName +
-      "' must be on " + (scalars.OnCells ? "cells, as the" : "points, as the") + " coloured array is.";
+      "' must be on " + (scalars.OnCells ? "cells, as the" : "points, as the") +
+      " coloured array is.";
   }
   if (!error.empty())
   {
     return error;
   }
   const vtkInternals::SampleKey samples(input, input->GetMTime(), scalars.OnCells, this->CellSize);
-  const vtkInternals::ClassKey classes(
-    scalars.Array, opacity.Array, scalars.Component, property->GetMTime(), input->GetMTime());
+  const vtkInternals::ClassKey classes(scalars.Array, opacity.Array, scalars.Component,
+    property->GetMTime(), input->GetMTime(), !this->VectorArrayName.empty());
   withThreads([&]() {
     if (samples != self.SampledFrom)
     {
-      self.Samples = nephoscope::FindSplatSamples(input, { scalars.OnCells, this->CellSize }, error);
+      self.Samples =
+        nephoscope::FindSplatSamples(input, { scalars.OnCells, this->CellSize }, error);
     }
     if (error.empty() && (samples != self.SampledFrom || classes != self.ClassifiedBy))
     {
-      self.Classes = nephoscope::ClassifySplats(input, self.Samples, scalars, opacity, property);
+      self.Classes = nephoscope::ClassifySplats(
+        input, self.Samples, scalars, opacity, property, !this->VectorArrayName.empty());
       self.Order.clear();
       self.Eye[3] = -1;
-      self.SplatsUploaded = false;
+      self.SplatsUploaded = self.VectorsUploaded = false;
     }
   });
   self.SampledFrom = samples;
   self.ClassifiedBy = classes;
-  return error;
+  return error.empty() ? this->UpdateVectors(input, scalars.OnCells) : error;
+}
+
+std::string vtkTexturedSplatMapper::UpdateVectors(vtkDataSet* input, bool onCells)
+{
+  vtkInternals& self = *this->Internals;
+  if (this->VectorArrayName.empty())
+  {
+    return std::string();
+  }
+  vtkFieldData* attributes =
+    onCells ? static_cast<vtkFieldData*>(input->GetCellData()) : input->GetPointData();
+  vtkDataArray* array = attributes->GetArray(this->VectorArrayName.c_str());
+  if (!array || array->GetNumberOfComponents() != 3)
+  {
+    return std::string(onCells ? "No cell array" : "No point array") +
+      " of three components named '" + this->VectorArrayName +
+      "' for the vectors, which must be where the coloured array is. Choose one with SetVectorArrayName; arrays there: " +
+      nephoscope::arrayNames(attributes) + ".";
+  }
+  const std::string length = nephoscope::checkLength(input, { array, onCells, 0 });
+  if (!length.empty())
+  {
+    return length;
+  }
+  const std::tuple<vtkDataArray*, vtkMTimeType, const void*> key(
+    array, array->GetMTime(), self.Samples.Positions.data());
+  if (key != self.VectorsFrom)
+  {
+    self.Vectors.Read(array, self.Samples);
+    self.VectorsFrom = key;
+    self.VectorsUploaded = false;
+  }
+  return std::string();
+}
+
+void vtkTexturedSplatMapper::AdvancePhases(double time)
+{
+  vtkInternals& self = *this->Internals;
+  if (!std::get<0>(self.VectorsFrom))
+  {
+    vtkErrorMacro("There are no vectors to move with: set VectorArrayName and render first.");
+    return;
+  }
+  self.Vectors.Advance(time, this->StreakPeriod, self.Samples);
+  self.VectorsUploaded = false;
+  this->Modified();
 }
 
 std::string vtkTexturedSplatMapper::DrawScene(
@@ -200,6 +261,14 @@ std::string vtkTexturedSplatMapper::DrawScene(
   nephoscope::SplatDrawingOptions options;
   options.Kernel = static_cast<nephoscope::SplatKernel>(this->Kernel);
   options.ExtinctionScale = this->OpacityScale;
+  options.Vectors = !this->VectorArrayName.empty();
+  options.VectorScale = this->VectorOpacity;
+  options.StreakPeriod = this->StreakPeriod;
+  const double greatest =
+    this->GreatestSpeed > 0 ? this->GreatestSpeed : self.Vectors.GreatestSpeed();
+  options.GreatestSpeed = greatest > 0 ? greatest : 1.0;
+  options.OneVectorColor = this->UseVectorColor;
+  std::copy_n(this->VectorColor, 3, options.VectorColor);
   return self.Pass.Draw(window, state.View, options);
 }
 
@@ -220,6 +289,19 @@ std::string vtkTexturedSplatMapper::Upload(vtkOpenGLRenderWindow* window)
   {
     error = self.Pass.UploadSplats(window, self.Samples, self.Classes);
   }
+  const bool vectors = !this->VectorArrayName.empty();
+  if (self.LoopedTo != this->Phase || self.LoopCycles != this->PhaseCycles)
+  {
+    self.Vectors.SetLoop(this->Phase, this->PhaseCycles);
+    self.LoopedTo = this->Phase;
+    self.LoopCycles = this->PhaseCycles;
+    self.VectorsUploaded = false;
+  }
+  if (error.empty() && vectors && !self.VectorsUploaded)
+  {
+    error = self.Pass.UploadVectors(window, self.Vectors.Pack(self.Classes));
+    self.VectorsUploaded = error.empty();
+  }
   if (error.empty() && !self.OrderUploaded)
   {
     error = self.Pass.UploadOrder(window, self.Order);
@@ -230,7 +312,8 @@ std::string vtkTexturedSplatMapper::Upload(vtkOpenGLRenderWindow* window)
 
 bool vtkTexturedSplatMapper::CopyFloatImage(vtkImageData* image)
 {
-  if (!this->Internals->Window || !this->Internals->Pass.CopyFloatImage(this->Internals->Window, image))
+  if (!this->Internals->Window ||
+    !this->Internals->Pass.CopyFloatImage(this->Internals->Window, image))
   {
     vtkErrorMacro("There is no float image: render first.");
     return false;
@@ -244,7 +327,8 @@ void vtkTexturedSplatMapper::ReleaseGraphicsResources(vtkWindow* window)
   {
     this->Internals->Pass.ReleaseGraphicsResources(window);
     this->Internals->Window = nullptr;
-    this->Internals->SplatsUploaded = this->Internals->OrderUploaded = false;
+    this->Internals->SplatsUploaded = this->Internals->OrderUploaded =
+      this->Internals->VectorsUploaded = false;
   }
   this->Superclass::ReleaseGraphicsResources(window);
 }
@@ -257,5 +341,14 @@ void vtkTexturedSplatMapper::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "CellSize: " << this->CellSize << "\n";
   os << indent << "OpacityScale: " << this->OpacityScale << "\n";
   os << indent << "OpacityArrayName: " << this->OpacityArrayName << "\n";
+  os << indent << "VectorArrayName: " << this->VectorArrayName << "\n";
+  os << indent << "VectorOpacity: " << this->VectorOpacity << "\n";
+  os << indent << "GreatestSpeed: " << this->GreatestSpeed << "\n";
+  os << indent << "StreakPeriod: " << this->StreakPeriod << "\n";
+  os << indent << "VectorColor: " << this->VectorColor[0] << " " << this->VectorColor[1] << " "
+     << this->VectorColor[2] << "\n";
+  os << indent << "UseVectorColor: " << this->UseVectorColor << "\n";
+  os << indent << "Phase: " << this->Phase << "\n";
+  os << indent << "PhaseCycles: " << this->PhaseCycles << "\n";
   os << indent << "NumberOfDrawnSplats: " << this->GetNumberOfDrawnSplats() << "\n";
 }

@@ -9,6 +9,9 @@
  * let through is the exact transparency of the reconstructed field in any order; colours are composited from back to front, in an
  * order that is found once per view and does not depend on the order of the input.
  *
+ * Vectors are drawn on the splats as streaks along their projection, foreshortened, that move with them: a splat's streaks lie in
+ * the middle of its medium, so that the two partly hide each other.
+ *
  *     vtkDataSet ──► samples: place, Jacobian, value ──► colour, extinction ──► order ──► splats, blended in float
  *
  * Samples are points, or the centres of cells where the data are on cells, of any dataset. Structured grids give each its cell by
@@ -31,7 +34,8 @@
 class vtkImageData;
 class vtkOpenGLRenderWindow;
 
-class VTKNEPHOSCOPEREPRESENTATIONSTEXTUREDSPLATS_EXPORT vtkTexturedSplatMapper : public vtkAbstractVolumeMapper
+class VTKNEPHOSCOPEREPRESENTATIONSTEXTUREDSPLATS_EXPORT vtkTexturedSplatMapper
+  : public vtkAbstractVolumeMapper
 {
 public:
   static vtkTexturedSplatMapper* New();
@@ -82,6 +86,62 @@ public:
   vtkGetMacro(OpacityArrayName, std::string);
   ///@}
 
+  ///@{
+  /**
+   * Name of the array of vectors (three components, on points or cells as the coloured array) that are drawn on the splats, as
+   * streaks along their projection. Empty (default): no vectors. Give an opacity function of 0 to draw the vectors alone.
+   */
+  vtkSetMacro(VectorArrayName, std::string);
+  vtkGetMacro(VectorArrayName, std::string);
+  ///@}
+
+  ///@{
+  /** Optical depth of the streaks on the fastest splat; in proportion to the speed on others. Default: 2. */
+  vtkSetClampMacro(VectorOpacity, double, 0.0, VTK_DOUBLE_MAX);
+  vtkGetMacro(VectorOpacity, double);
+  ///@}
+
+  ///@{
+  /**
+   * Speed, in the units of the vectors, at and above which streaks are fully drawn. 0 (default): the greatest of the data.
+   */
+  vtkSetClampMacro(GreatestSpeed, double, 0.0, VTK_DOUBLE_MAX);
+  vtkGetMacro(GreatestSpeed, double);
+  ///@}
+
+  ///@{
+  /** Length of the pattern along the vector, in cells (the cube root of a cell's volume). Default: 1.5. */
+  vtkSetClampMacro(StreakPeriod, double, 0.01, 1000.0);
+  vtkGetMacro(StreakPeriod, double);
+  ///@}
+
+  ///@{
+  /** Colour of the streaks where UseVectorColor is on, 0 to 1 each. Default: white. Off (default): the splat's colour. */
+  vtkSetVector3Macro(VectorColor, double);
+  vtkGetVector3Macro(VectorColor, double);
+  vtkSetMacro(UseVectorColor, bool);
+  vtkGetMacro(UseVectorColor, bool);
+  vtkBooleanMacro(UseVectorColor, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Where in a loop the patterns are, 0 to 1; 1 is 0 again. Over a loop each pattern moves a whole number of periods, nearest to
+   * PhaseCycles (default 4) times its share of the greatest speed: for pictures that repeat. For motion at exactly the speed of the data
+   * use AdvancePhases.
+   */
+  vtkSetMacro(Phase, double);
+  vtkGetMacro(Phase, double);
+  vtkSetClampMacro(PhaseCycles, int, 1, 1000);
+  vtkGetMacro(PhaseCycles, int);
+  ///@}
+
+  /**
+   * Moves every pattern on by a time, in the time unit of the vectors: at the speed of its own vector, without a jump when the
+   * vectors change. The vectors are those of the last render.
+   */
+  void AdvancePhases(double time);
+
   /** Splats drawn in the last render. */
   vtkIdType GetNumberOfDrawnSplats();
 
@@ -103,8 +163,17 @@ protected:
   double CellSize = 0.0;
   double OpacityScale = 1.0;
   std::string OpacityArrayName;
+  std::string VectorArrayName;
+  double VectorOpacity = 2.0;
+  double GreatestSpeed = 0.0;
+  double StreakPeriod = 1.5;
+  double VectorColor[3] = { 1.0, 1.0, 1.0 };
+  bool UseVectorColor = false;
+  double Phase = 0.0;
+  int PhaseCycles = 4;
 
 private:
+  std::string UpdateVectors(vtkDataSet* input, bool onCells);
   std::string UpdateSplats(vtkDataSet* input, vtkVolume* volume);
   std::string DrawScene(vtkOpenGLRenderWindow* window, vtkRenderer* renderer, vtkVolume* volume);
   std::string Upload(vtkOpenGLRenderWindow* window);

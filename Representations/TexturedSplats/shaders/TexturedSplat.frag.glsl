@@ -13,6 +13,9 @@ uniform vec4 depthToVC; // z in VC = (x + y e) / (z + w e) with e = 1 - depth
 uniform bool parallelRays;
 uniform float kernelRadius;
 uniform float extinctionScale;
+uniform float vectorScale;  // optical depth of a vector at full strength, for a footprint of 1
+uniform float streakPeriod; // in sizes of the splat
+uniform vec4 vectorColor;   // and whether it counts: otherwise vectors have the splat's colour
 
 //NEPHOSCOPE::Constants
 
@@ -20,6 +23,9 @@ in vec2 stGSOutput;
 in vec3 positionVCGSOutput;
 flat in vec4 colorGSOutput;
 flat in vec2 splatGSOutput;
+flat in vec3 centerVCGSOutput;
+flat in vec4 vectorGSOutput;
+flat in float strengthGSOutput;
 
 // The line integral of the kernel as a function of q = (distance / radius)^2, in [0, 1].
 float footprint(float q)
@@ -46,6 +52,27 @@ float opaqueZ()
   return (depthToVC.x + depthToVC.y * e) / (depthToVC.z + depthToVC.w * e);
 }
 
+// VectorTexture.h: streaks along x, period 1.
+float streaks(float along, float y)
+{
+  float row = round(y / STREAK_SPACING);
+  float across = (y - row * STREAK_SPACING) / STREAK_WIDTH;
+  float wave = 0.5 + 0.5 * cos(6.283185307179586 * (along + STREAK_GOLDEN * row));
+  return exp(-0.5 * across * across) * wave * wave;
+}
+
+// Streaks where the vector lies across the ray, a round dot where it points along it.
+float vectorTexture(float q)
+{
+  vec2 nearby = parallelRays ? positionVCGSOutput.xy : positionVCGSOutput.xy * (centerVCGSOutput.z / positionVCGSOutput.z);
+  vec2 place = nearby - centerVCGSOutput.xy;
+  vec2 axis = vectorGSOutput.xy;
+  float along = dot(place, axis) / (streakPeriod * max(vectorGSOutput.z, 0.05));
+  float y = dot(place, vec2(-axis.y, axis.x));
+  float dot_ = exp(-12.0 * q);
+  return mix(dot_, streaks(along - vectorGSOutput.w, y), smoothstep(0.1, 0.4, vectorGSOutput.z));
+}
+
 void main()
 {
   float inPlane = dot(stGSOutput, stGSOutput);
@@ -64,7 +91,18 @@ void main()
   float halfChord = slope * kernelRadius * sqrt(1.0 - q) * cell;
   float cut = clamp((middle - opaqueZ()) / halfChord, -1.0, 1.0); // 1: all of it is in front
   float share = 0.5 + cut * (0.9375 + cut * cut * (-0.625 + 0.1875 * cut * cut));
-  float opticalDepth = extinctionScale * colorGSOutput.a * splatGSOutput.y * share * footprint(q) * ray * cell;
-  float alpha = 1.0 - exp(-opticalDepth);
-  gl_FragData[0] = vec4(alpha * colorGSOutput.rgb, alpha);
+  float window = footprint(q) * share;
+  float opticalDepth = extinctionScale * colorGSOutput.a * splatGSOutput.y * window * ray * cell;
+  if (!drawVectors)
+  {
+    float alpha = 1.0 - exp(-opticalDepth);
+    gl_FragData[0] = vec4(alpha * colorGSOutput.rgb, alpha);
+    return;
+  }
+  // The vector lies in the middle of the medium: half of it in front, half behind (SplatOpacity.h).
+  float vectorAlpha = 1.0 - exp(-vectorScale * strengthGSOutput * splatGSOutput.y * window * vectorTexture(q));
+  vec3 vectorLight = mix(colorGSOutput.rgb, vectorColor.rgb, vectorColor.a);
+  float half_ = exp(-0.5 * opticalDepth);
+  vec3 mediumLight = colorGSOutput.rgb * (1.0 - half_);
+  gl_FragData[0] = vec4(mediumLight + half_ * mix(mediumLight, vectorLight, vectorAlpha), 1.0 - half_ * half_ * (1.0 - vectorAlpha));
 }

@@ -13,6 +13,8 @@ layout(triangle_strip, max_vertices = 4) out;
 
 uniform samplerBuffer splats; // (centre, -), or the columns of J with the centre in the fourth components
 uniform samplerBuffer splatColors; // colour, extinction per world length
+uniform samplerBuffer splatVectors; // vector, phase
+uniform float greatestSpeed;       // where vectors are fully drawn
 uniform mat4 modelToVC;
 uniform mat4 VCToDC;
 uniform mat3 sharedJacobian;
@@ -27,6 +29,9 @@ out vec2 stGSOutput;
 out vec3 positionVCGSOutput;
 flat out vec4 colorGSOutput;
 flat out vec2 splatGSOutput; // |w|^2, factor on the footprint
+flat out vec3 centerVCGSOutput;
+flat out vec4 vectorGSOutput; // axis along the vector on the screen, over the splat's size; sine of its angle with the ray; phase
+flat out float strengthGSOutput; // of the vector, 0 to 1
 
 void readSplat(int splat, out vec3 centerVC, out mat3 jacobianVC)
 {
@@ -48,12 +53,15 @@ void readSplat(int splat, out vec3 centerVC, out mat3 jacobianVC)
   jacobianVC = mat3(modelToVC) * jacobian;
 }
 
-void emit(vec2 st, vec3 positionVC, vec4 color, vec2 splat)
+void emit(vec2 st, vec3 positionVC, vec3 centerVC, vec4 color, vec2 splat, vec4 vector, float strength)
 {
   stGSOutput = st;
   positionVCGSOutput = positionVC;
   colorGSOutput = color;
   splatGSOutput = splat;
+  centerVCGSOutput = centerVC;
+  vectorGSOutput = vector;
+  strengthGSOutput = strength;
   gl_Position = VCToDC * vec4(positionVC, 1.0);
   EmitVertex();
 }
@@ -92,6 +100,32 @@ float spreadOverPixel(inout vec3 a, inout vec3 b, vec3 centerVC, vec4 centerDC)
   return area / sqrt(determinant);
 }
 
+// What the fragment shader needs of a splat's vector.
+void findVector(int splat, vec3 centerVC, float size, out vec4 vector, out float strength)
+{
+  vector = vec4(0.0);
+  strength = 0.0;
+  if (!drawVectors)
+  {
+    return;
+  }
+  vec4 texel = texelFetch(splatVectors, splat);
+  vec3 v = mat3(modelToVC) * texel.xyz;
+  float speed = length(texel.xyz);
+  float magnitude = length(v);
+  strength = min(speed / greatestSpeed, 1.0);
+  if (!(magnitude > 0.0))
+  {
+    strength = 0.0;
+    return;
+  }
+  vec3 ray = parallelRays ? vec3(0.0, 0.0, -1.0) : normalize(centerVC);
+  vec3 direction = v / magnitude;
+  vec2 onScreen = parallelRays ? direction.xy : direction.xy - direction.z * centerVC.xy / centerVC.z;
+  float across = length(direction - dot(direction, ray) * ray);
+  vector = vec4(across > 1.0e-4 ? normalize(onScreen) / size : vec2(1.0 / size, 0.0), across, texel.w);
+}
+
 void main()
 {
   vec3 center;
@@ -119,11 +153,14 @@ void main()
   vec4 centerDC = VCToDC * vec4(center, 1.0);
   vec4 color = texelFetch(splatColors, splatVSOutput[0]);
   vec2 splat = vec2(square, spreadOverPixel(a, b, center, centerDC));
+  vec4 vector;
+  float strength;
+  findVector(splatVSOutput[0], center, pow(abs(determinant), 1.0 / 3.0), vector, strength);
   a *= radius;
   b *= radius;
-  emit(vec2(-radius, -radius), center - a - b, color, splat);
-  emit(vec2(radius, -radius), center + a - b, color, splat);
-  emit(vec2(-radius, radius), center - a + b, color, splat);
-  emit(vec2(radius, radius), center + a + b, color, splat);
+  emit(vec2(-radius, -radius), center - a - b, center, color, splat, vector, strength);
+  emit(vec2(radius, -radius), center + a - b, center, color, splat, vector, strength);
+  emit(vec2(-radius, radius), center - a + b, center, color, splat, vector, strength);
+  emit(vec2(radius, radius), center + a + b, center, color, splat, vector, strength);
   EndPrimitive();
 }
