@@ -105,7 +105,8 @@ std::string SplatPass::UploadSplats(
     this->SharedJacobian[i] = samples.Jacobians[0][i / 3][i % 3];
   }
   const std::vector<Float4> packed = packSplats(samples, classes, this->JacobianPerSplat);
-  const std::string error = this->Splats.Upload(window, packed.data(), packed.size(), 4, VTK_FLOAT);
+  std::string error = this->Splats.Upload(window, packed.data(), packed.size(), 4, VTK_FLOAT);
+  error = error.empty() ? this->UploadVectors(window, {}) : error; // until there are some
   return error.empty()
     ? this->Colors.Upload(window, classes.Colors.data(), classes.Colors.size(), 4, VTK_FLOAT)
     : error;

@@ -288,6 +288,7 @@ std::string vtkTexturedSplatMapper::Upload(vtkOpenGLRenderWindow* window)
   if (!self.SplatsUploaded)
   {
     error = self.Pass.UploadSplats(window, self.Samples, self.Classes);
+    self.VectorsUploaded = false;
   }
   const bool vectors = !this->VectorArrayName.empty();
   if (self.LoopedTo != this->Phase || self.LoopCycles != this->PhaseCycles)

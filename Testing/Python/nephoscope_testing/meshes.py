@@ -7,7 +7,7 @@ import numpy as np
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkIdList, vtkPoints
 from vtkmodules.vtkCommonDataModel import (VTK_HEXAHEDRON, VTK_POLYHEDRON, VTK_PYRAMID, VTK_TETRA, VTK_VOXEL, VTK_WEDGE,
-                                           vtkImageData, vtkPointSet, vtkRectilinearGrid, vtkStructuredGrid,
+                                           vtkCellArray, vtkImageData, vtkPointSet, vtkPolyData, vtkRectilinearGrid, vtkStructuredGrid,
                                            vtkUnstructuredGrid)
 from vtkmodules.vtkFiltersCore import vtkDelaunay3D
 
@@ -30,6 +30,22 @@ def grid(points, cells):
     result.SetPoints(vtk_points(points))
     for kind, ids in cells:
         result.InsertNextCell(kind, len(ids), [int(i) for i in ids])
+    return result
+
+
+def particles(points):
+    """Points without cells."""
+    result = vtkPolyData()
+    result.SetPoints(vtk_points(points))
+    return result
+
+
+def surface(points, polygons):
+    result = particles(points)
+    cells = vtkCellArray()
+    for ids in polygons:
+        cells.InsertNextCell(len(ids), [int(i) for i in ids])
+    result.SetPolys(cells)
     return result
 
 

@@ -1,0 +1,80 @@
+# SPDX-FileCopyrightText: The Nephoscope authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Constant data on a lattice are drawn flat from any direction, and splats draw one picture in any order of the input."""
+import unittest
+
+import nephoscope
+import numpy as np
+from nephoscope_testing import meshes
+from nephoscope_testing.checks import ImageTestCase
+from nephoscope_testing.offscreen import Window, float_image
+from nephoscope_testing.transfer import Transfer, constant
+
+LAYERS = 8
+RIPPLE = 0.006
+
+
+class Flatness(ImageTestCase):
+    def draw(self, data, transfer, direction, parallel_scale=2.5, size=(96, 96)):
+        window = Window(size)
+        scene = window.add_scene()
+        mapper = nephoscope.vtkTexturedSplatMapper()
+        scene.add_volume(mapper, data, transfer)
+        center = np.array(data.GetCenter())
+        scene.look(center + 60 * np.asarray(direction), center, (0.1, 1, 0.05), parallel_scale=parallel_scale, near=5, far=150)
+        window.render()
+        self.fail_on_messages(window)
+        return float_image(mapper)
+
+    def test_slab_is_flat_from_any_direction(self):
+        rng = np.random.default_rng(11)
+        worst = 0
+        for i in range(10):
+            spacing = (1, 1, 1) if i < 6 else tuple(rng.uniform(0.6, 1.6, 3))
+            data = meshes.with_field(meshes.image((40, 40, LAYERS - 1), spacing), lambda p: 0 * p[:, 0])
+            direction = np.array([0, 0, 1.0]) if i == 0 else np.append(rng.uniform(-0.7, 0.7, 2), 1)
+            direction /= np.linalg.norm(direction)
+            depth = -np.log1p(-self.draw(data, constant(0.1), direction)[..., 3])
+            exact = 0.1 * LAYERS * spacing[2] / direction[2]
+            ripple = np.abs(depth / exact - 1).max()
+            worst = max(worst, ripple)
+            self.assertLessEqual(ripple, RIPPLE, f"direction {direction}, spacing {spacing}")
+        print(f"  largest ripple {100 * worst:.2f} %")
+
+    def test_picture_does_not_depend_on_the_order_of_the_input(self):
+        rng = np.random.default_rng(5)
+        points = rng.uniform(-1, 1, (200, 3))
+        points[100:] = np.round(points[100:], 1)  # some at equal depths
+        values = rng.uniform(0, 1, 200)
+        transfer = Transfer([(0, 1, 0, 0), (1, 0, 0, 1)], [(0, 2), (1, 4)])
+        pictures = []
+        for order in (np.arange(200), rng.permutation(200)):
+            data = meshes.particles(points[order])
+            meshes.add_array(data.GetPointData(), values[order])
+            pictures.append(self.draw(data, transfer, (0, 0, 1), 1.5))
+        self.assertGreater(pictures[0][..., 3].max(), 0.3)
+        np.testing.assert_array_equal(pictures[0], pictures[1])
+
+    def test_tiny_splats_keep_their_mass(self):
+        """Far below a pixel, the light of all pixels together stays that of the splats."""
+        points = np.random.default_rng(2).uniform(-1, 1, (60, 3))
+        data = meshes.particles(points)
+        meshes.add_array(data.GetPointData(), np.zeros(60))
+        sums = []
+        for pixels in (512, 24):
+            window = Window((pixels, pixels))
+            scene = window.add_scene()
+            mapper = nephoscope.vtkTexturedSplatMapper()
+            mapper.SetCellSize(0.04)
+            scene.add_volume(mapper, data, constant(1e-3))
+            scene.look((0, 0, 10), (0, 0, 0), parallel_scale=1.5)
+            window.render()
+            depth = -np.log1p(-float_image(mapper)[..., 3])
+            sums.append(depth.sum() * (3 / pixels)**2)
+        print(f"  mass large {sums[0]:.4g}, tiny {sums[1]:.4g}, exact {1e-3 * 60 * 0.04**3:.4g}")
+        self.assertAlmostEqual(sums[0] / (1e-3 * 60 * 0.04**3), 1, delta=0.01)
+        self.assertAlmostEqual(sums[1] / (1e-3 * 60 * 0.04**3), 1, delta=0.05)
+
+
+if __name__ == "__main__":
+    unittest.main()
