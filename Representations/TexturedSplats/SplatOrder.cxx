@@ -96,6 +96,22 @@ std::vector<std::int32_t> SortKeys(std::vector<std::uint32_t>& keys)
   return order;
 }
 
+std::size_t CountNear(const std::vector<std::array<float, 3>>& positions,
+  const std::vector<std::int32_t>& samples, const std::vector<std::int32_t>& order,
+  const SplatEye& eye, double distance)
+{
+  if (eye[3] == 0)
+  {
+    return 0;
+  }
+  const auto first = std::partition_point(order.begin(), order.end(), [&](std::int32_t item) {
+    const auto& p = positions[static_cast<std::size_t>(samples[static_cast<std::size_t>(item)])];
+    const double d[3] = { p[0] - eye[0], p[1] - eye[1], p[2] - eye[2] };
+    return d[0] * d[0] + d[1] * d[1] + d[2] * d[2] > distance * distance;
+  });
+  return static_cast<std::size_t>(order.end() - first);
+}
+
 std::vector<std::int32_t> OrderSplats(const std::vector<std::array<float, 3>>& positions,
   const std::vector<std::int32_t>& samples, const SplatEye& eye)
 {

@@ -21,6 +21,11 @@ using SplatEye = std::array<double, 4>;
 std::vector<std::int32_t> OrderSplats(const std::vector<std::array<float, 3>>& positions,
   const std::vector<std::int32_t>& samples, const SplatEye& eye);
 
+/** How many of an order's last, nearest splats lie within `distance` of the eye; none in a parallel projection. */
+std::size_t CountNear(const std::vector<std::array<float, 3>>& positions,
+  const std::vector<std::int32_t>& samples, const std::vector<std::int32_t>& order,
+  const SplatEye& eye, double distance);
+
 /** Sorts `keys` ascending, stably; returns where each of them was. The keys themselves are used up. */
 std::vector<std::int32_t> SortKeys(std::vector<std::uint32_t>& keys);
 

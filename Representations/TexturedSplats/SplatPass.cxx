@@ -21,6 +21,7 @@
 #include "vtkShaderProgram.h"
 #include "vtkTextureObject.h"
 
+#include <algorithm>
 #include <array>
 #include <sstream>
 
@@ -32,14 +33,15 @@ namespace
 constexpr double largeEnough = 1.0;
 constexpr double pixelVariance = 1.0 / 12.0 / cubic_kernel::variance;
 
-std::string shaderConstants(const SplatDrawingOptions& options, bool jacobianPerSplat)
+std::string shaderConstants(const SplatDrawingOptions& options, bool jacobianPerSplat, bool nearEye)
 {
   std::ostringstream text;
   text.precision(9);
   text << std::showpoint
        << "const bool jacobianPerSplat = " << (jacobianPerSplat ? "true" : "false") << ";\n"
        << "const int kernel = " << static_cast<int>(options.Kernel) << ";\n"
-       << "const bool drawVectors = " << (options.Vectors ? "true" : "false") << ";\n"
+       << "const bool nearEye = " << (nearEye ? "true" : "false") << ";\n"
+       << "const bool drawVectors = " << (options.Vectors && !nearEye ? "true" : "false") << ";\n"
        << "const float largeEnough = " << largeEnough << ";\n"
        << "const float pixelVariance = " << pixelVariance << ";\n";
   for (std::size_t i = 0; i < cubic_kernel::footprintCoefficients.size(); ++i)
@@ -129,14 +131,24 @@ std::string SplatPass::Draw(
   vtkOpenGLRenderWindow* window, const SceneView& view, const SplatDrawingOptions& options)
 {
   return this->Layer.Draw(window, [&](const int viewport[4], OpaqueDepth& opaqueDepth) {
-    return this->DrawSplats(window, viewport, opaqueDepth, view, options);
+    this->PixelsPerDevice[0] = 0.5f * static_cast<float>(viewport[2]);
+    this->PixelsPerDevice[1] = 0.5f * static_cast<float>(viewport[3]);
+    opaqueDepth.GetTexture()->Activate();
+    this->DepthUnit = opaqueDepth.GetTexture()->GetTextureUnit();
+    std::string error = this->DrawRange(window, view, options, false);
+    if (error.empty() && options.NearSplats > 0)
+    {
+      error = this->DrawRange(window, view, options, true);
+    }
+    opaqueDepth.GetTexture()->Deactivate();
+    return error;
   });
 }
 
-std::string SplatPass::DrawSplats(vtkOpenGLRenderWindow* window, const int* viewport,
-  OpaqueDepth& opaqueDepth, const SceneView& view, const SplatDrawingOptions& options)
+std::string SplatPass::DrawRange(vtkOpenGLRenderWindow* window, const SceneView& view,
+  const SplatDrawingOptions& options, bool nearEye)
 {
-  const std::string constants = shaderConstants(options, this->JacobianPerSplat);
+  const std::string constants = shaderConstants(options, this->JacobianPerSplat, nearEye);
   vtkShaderProgram* program = window->GetShaderCache()->ReadyShaderProgram(
     specialized(TexturedSplatVertex, constants).c_str(),
     specialized(TexturedSplatFragment, constants).c_str(),
@@ -152,17 +164,13 @@ std::string SplatPass::DrawSplats(vtkOpenGLRenderWindow* window, const int* view
   }
   this->VertexArray->Bind();
   this->SetUniforms(program, view, options);
-  const float half[2] = { 0.5f * static_cast<float>(viewport[2]),
-    0.5f * static_cast<float>(viewport[3]) };
-  program->SetUniform2f("pixelsPerDC", half);
   program->SetUniformi("splats", this->Splats.Activate());
   program->SetUniformi("splatColors", this->Colors.Activate());
   program->SetUniformi("drawingOrder", this->Order.Activate());
   program->SetUniformi("splatVectors", this->Vectors.Activate());
-  opaqueDepth.GetTexture()->Activate();
-  program->SetUniformi("opaqueDepth", opaqueDepth.GetTexture()->GetTextureUnit());
-  glDrawArrays(GL_POINTS, 0, static_cast<GLsizei>(this->Count));
-  opaqueDepth.GetTexture()->Deactivate();
+  const std::size_t far = this->Count - std::min(options.NearSplats, this->Count);
+  glDrawArrays(GL_POINTS, static_cast<GLint>(nearEye ? far : 0),
+    static_cast<GLsizei>(nearEye ? this->Count - far : far));
   this->Splats.Deactivate();
   this->Colors.Deactivate();
   this->Order.Deactivate();
@@ -189,6 +197,8 @@ void SplatPass::SetUniforms(
   const float vectorColor[4] = { options.VectorColor[0], options.VectorColor[1],
     options.VectorColor[2], options.OneVectorColor ? 1.0f : 0.0f };
   program->SetUniform4f("vectorColor", vectorColor);
+  program->SetUniform2f("pixelsPerDC", this->PixelsPerDevice);
+  program->SetUniformi("opaqueDepth", this->DepthUnit);
   program->SetUniform4f("depthToVC", depthToView(view.ViewToDevice).data());
 }
 

@@ -32,6 +32,7 @@ struct SplatDrawingOptions
 {
   SplatKernel Kernel = SplatKernel::Cubic;
   double ExtinctionScale = 1.0;
+  std::size_t NearSplats = 0; // the last ones of the order: so near that the eye may be inside
   bool Vectors = false;
   double GreatestSpeed = 1.0; // where vectors are fully drawn
   double VectorScale = 1.0;   // optical depth of vectors at full strength
@@ -63,8 +64,8 @@ public:
   void ReleaseGraphicsResources(vtkWindow* window);
 
 private:
-  std::string DrawSplats(vtkOpenGLRenderWindow* window, const int* viewport,
-    OpaqueDepth& opaqueDepth, const SceneView& view, const SplatDrawingOptions& options);
+  std::string DrawRange(vtkOpenGLRenderWindow* window, const SceneView& view,
+    const SplatDrawingOptions& options, bool nearEye);
   void SetUniforms(
     vtkShaderProgram* program, const SceneView& view, const SplatDrawingOptions& options) const;
 
@@ -75,6 +76,8 @@ private:
   std::size_t Count = 0;
   bool JacobianPerSplat = false;
   float SharedJacobian[9] = { 1, 0, 0, 0, 1, 0, 0, 0, 1 }; // columns
+  float PixelsPerDevice[2] = { 1, 1 };
+  int DepthUnit = 0;
   FloatLayer Layer;
   vtkNew<vtkOpenGLVertexArrayObject> VertexArray; // without attributes
   vtkShaderProgram* Program = nullptr;            // owned by the window's shader cache

@@ -174,6 +174,15 @@ SplatSamples FindSplatSamples(vtkDataSet* data, const SplatSampling& sampling, s
       : ball(sampling.Radius > 0 ? sampling.Radius : meanSpacing(data, places.size()));
     samples.Jacobians[i] = toFloat(WithoutFlatColumns(jacobian, flatShare));
   });
+  for (const SplatSamples::Jacobian& jacobian : samples.Jacobians)
+  {
+    for (const auto& e : jacobian)
+    {
+      samples.LongestEdge =
+        std::max<double>(samples.LongestEdge, e[0] * e[0] + e[1] * e[1] + e[2] * e[2]);
+    }
+  }
+  samples.LongestEdge = std::sqrt(samples.LongestEdge);
   return samples;
 }
 

@@ -35,6 +35,8 @@ struct SplatSamples
   std::vector<Jacobian> Jacobians; ///< one for each sample, or a single one for all
   std::vector<vtkIdType> Ids;      ///< of the point or cell
 
+  double LongestEdge = 0; ///< of all Jacobians
+
   std::size_t Size() const { return this->Positions.size(); }
   const Jacobian& JacobianOf(std::size_t i) const
   {

@@ -261,6 +261,10 @@ std::string vtkTexturedSplatMapper::DrawScene(
   nephoscope::SplatDrawingOptions options;
   options.Kernel = static_cast<nephoscope::SplatKernel>(this->Kernel);
   options.ExtinctionScale = this->OpacityScale;
+  // Seen along its longest edge a cell holds the eye up to the kernel's radius; a little farther it still fills the view.
+  const double near = 1.3 * nephoscope::KernelRadius(options.Kernel) * self.Samples.LongestEdge;
+  options.NearSplats = nephoscope::CountNear(
+    self.Samples.Positions, self.Classes.Samples, self.Order, state.EyeModel, near);
   options.Vectors = !this->VectorArrayName.empty();
   options.VectorScale = this->VectorOpacity;
   options.StreakPeriod = this->StreakPeriod;

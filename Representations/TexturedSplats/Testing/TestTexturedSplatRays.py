@@ -73,6 +73,13 @@ class Rays(ImageTestCase):
         """Close to the splats, where the eye sees each cell from another side."""
         self.check("structured", "close", lambda s: s.look((2.2, 1.6, 3.2), (0, 0, 0), angle=80))
 
+    def test_eye_among_the_splats(self):
+        """Part of each kernel lies behind the eye; the share that is seen is a polynomial, up to 2 % of a splat."""
+        data = scene_data("structured")
+        scene, _, image = self.draw(data, COLORS, lambda s: s.look((0.2, 0.1, 0.15), (-1, 0.2, -0.4), angle=70, near=1e-3, far=50))
+        self.assertGreater(image[..., 3].max(), 0.3)
+        self.check_float(image, expected(data, scene.view(), COLORS), "eye inside", 0.02)
+
     def test_opaque_wall_cuts_splats(self):
         data = scene_data("image")
         quad = np.array([(-3, -3, 0.1), (3, -3, 0.1), (3, 3, -0.3), (-3, 3, -0.3)], float)

@@ -26,6 +26,8 @@ flat in vec2 splatGSOutput;
 flat in vec3 centerVCGSOutput;
 flat in vec4 vectorGSOutput;
 flat in float strengthGSOutput;
+in vec3 rayGSOutput;
+flat in vec3 cellsGSOutput;
 
 // The line integral of the kernel as a function of q = (distance / radius)^2, in [0, 1].
 float footprint(float q)
@@ -73,8 +75,39 @@ float vectorTexture(float q)
   return mix(dot_, streaks(along - vectorGSOutput.w, y), smoothstep(0.1, 0.4, vectorGSOutput.z));
 }
 
+// The share of the kernel along a ray that lies before a cut: from 0 at -1 to 1 at 1, in half chords.
+float shareBefore(float cut)
+{
+  float x = clamp(cut, -1.0, 1.0);
+  return 0.5 + x * (0.9375 + x * x * (-0.625 + 0.1875 * x * x));
+}
+
+// A splat so near that the eye may be inside: all that is in front of the eye.
+void drawNear()
+{
+  vec3 k = rayGSOutput;
+  float along = dot(k, k);
+  float middle = dot(k, cellsGSOutput) / along; // along the ray, in lengths of it
+  vec3 nearest = cellsGSOutput - middle * k;
+  float q = dot(nearest, nearest) / (kernelRadius * kernelRadius);
+  if (q >= 1.0)
+  {
+    discard;
+  }
+  float halfChord = kernelRadius * sqrt(1.0 - q) * inversesqrt(along);
+  float share = shareBefore((-opaqueZ() - middle) / halfChord) - shareBefore(-middle / halfChord);
+  float opticalDepth = extinctionScale * colorGSOutput.a * share * footprint(q) * length(positionVCGSOutput) * inversesqrt(along);
+  float alpha = 1.0 - exp(-opticalDepth);
+  gl_FragData[0] = vec4(alpha * colorGSOutput.rgb, alpha);
+}
+
 void main()
 {
+  if (nearEye)
+  {
+    drawNear();
+    return;
+  }
   float inPlane = dot(stGSOutput, stGSOutput);
   float square = splatGSOutput.x; // |w|^2
   float along = parallelRays ? square : square + inPlane; // |k|^2
@@ -89,8 +122,7 @@ void main()
   float slope = parallelRays ? 1.0 : -positionVCGSOutput.z;
   float middle = parallelRays ? positionVCGSOutput.z : positionVCGSOutput.z * square / along;
   float halfChord = slope * kernelRadius * sqrt(1.0 - q) * cell;
-  float cut = clamp((middle - opaqueZ()) / halfChord, -1.0, 1.0); // 1: all of it is in front
-  float share = 0.5 + cut * (0.9375 + cut * cut * (-0.625 + 0.1875 * cut * cut));
+  float share = shareBefore((middle - opaqueZ()) / halfChord);
   float window = footprint(q) * share;
   float opticalDepth = extinctionScale * colorGSOutput.a * splatGSOutput.y * window * ray * cell;
   if (!drawVectors)

@@ -32,6 +32,8 @@ flat out vec2 splatGSOutput; // |w|^2, factor on the footprint
 flat out vec3 centerVCGSOutput;
 flat out vec4 vectorGSOutput; // axis along the vector on the screen, over the splat's size; sine of its angle with the ray; phase
 flat out float strengthGSOutput; // of the vector, 0 to 1
+out vec3 rayGSOutput;            // near the eye: the ray in cells
+flat out vec3 cellsGSOutput;     // and w
 
 void readSplat(int splat, out vec3 centerVC, out mat3 jacobianVC)
 {
@@ -126,6 +128,23 @@ void findVector(int splat, vec3 centerVC, float size, out vec4 vector, out float
   vector = vec4(across > 1.0e-4 ? normalize(onScreen) / size : vec2(1.0 / size, 0.0), across, texel.w);
 }
 
+// Splats around and close to the eye are seen in the whole viewport.
+void emitViewport(vec3 w, mat3 inverseJ, vec4 color)
+{
+  for (int corner = 0; corner < 4; ++corner)
+  {
+    vec2 place = vec2(corner % 2 == 0 ? -1.0 : 1.0, corner < 2 ? -1.0 : 1.0);
+    vec3 ray = vec3((place.x + VCToDC[2][0]) / VCToDC[0][0], (place.y + VCToDC[2][1]) / VCToDC[1][1], -1.0);
+    positionVCGSOutput = ray;
+    rayGSOutput = inverseJ * ray;
+    cellsGSOutput = w;
+    colorGSOutput = color;
+    gl_Position = vec4(place, 0.0, 1.0);
+    EmitVertex();
+  }
+  EndPrimitive();
+}
+
 void main()
 {
   vec3 center;
@@ -136,11 +155,16 @@ void main()
   vec3 w = vec3(dot(towards, cross(J[1], J[2])), dot(towards, cross(J[2], J[0])), dot(towards, cross(J[0], J[1]))) / determinant;
   float square = dot(w, w);
   float radius = kernelRadius;
+  if (nearEye)
+  {
+    emitViewport(w, inverse(J), texelFetch(splatColors, splatVSOutput[0]));
+    return;
+  }
   if (!parallelRays)
   {
-    if (square <= 1.02 * kernelRadius * kernelRadius || center.z >= 0.0)
+    if (square <= kernelRadius * kernelRadius || center.z >= 0.0)
     {
-      return; // the eye is inside, or the splat behind it
+      return; // behind the eye; those around it are drawn as near ones
     }
     radius *= inversesqrt(1.0 - kernelRadius * kernelRadius / square);
   }
