@@ -16,27 +16,6 @@ namespace nephoscope
 {
 namespace
 {
-std::string checkOpenGL(const char* where)
-{
-  const GLenum error = glGetError();
-  if (error == GL_NO_ERROR)
-  {
-    return std::string();
-  }
-  std::ostringstream text;
-  text << "OpenGL error 0x" << std::hex << error << " " << where;
-  return text.str();
-}
-
-void setBlending(vtkOpenGLState* state)
-{
-  state->vtkglDisable(GL_DEPTH_TEST); // the shaders end each ray at the opaque depth
-  state->vtkglDisable(GL_CULL_FACE);
-  state->vtkglDepthMask(GL_FALSE);
-  state->vtkglEnable(GL_BLEND);
-  state->vtkglBlendEquation(GL_FUNC_ADD);
-}
-
 const char* const noFloatImages = "this OpenGL cannot draw into 32-bit float images";
 }
 
@@ -70,30 +49,10 @@ std::string CellCompositingPass::Draw(
   });
 }
 
-std::string CellCompositingPass::DrawLayer(vtkOpenGLRenderWindow* window, const Layer& layer)
+std::string CellCompositingPass::DrawLayer(vtkOpenGLRenderWindow* window, const FloatLayer::Painter& paint)
 {
-  int viewport[4];
-  window->GetState()->vtkglGetIntegerv(GL_VIEWPORT, viewport);
-  const SavedState saved(window->GetState());
   this->Peeled = false;
-  this->Depth.Copy(window, viewport);
-  std::string error;
-  if (this->Accumulation.Begin(window, viewport))
-  {
-    setBlending(window->GetState());
-    error = layer(viewport, this->Depth);
-  }
-  else
-  {
-    error = noFloatImages;
-  }
-  this->Accumulation.End(window);
-  if (error.empty())
-  {
-    this->Accumulation.Overlay(window, viewport);
-    error = checkOpenGL("while compositing cells");
-  }
-  return error;
+  return this->Layer.Draw(window, paint);
 }
 
 std::string CellCompositingPass::DrawPeel(vtkOpenGLRenderWindow* window, const CellView& view,
@@ -105,32 +64,32 @@ std::string CellCompositingPass::DrawPeel(vtkOpenGLRenderWindow* window, const C
   this->Peeled = true;
   if (!this->Peel.FindRanges(window, request, viewport))
   {
-    return checkOpenGL("while asking for a peel");
+    return FloatLayer::CheckOpenGL("while asking for a peel");
   }
-  setBlending(window->GetState());
-  CellDrawing drawing = { window, viewport, view, options, this->Buffers, this->Contours, this->Depth, &this->Peel };
+  FloatLayer::SetBlending(window->GetState());
+  CellDrawing drawing = { window, viewport, view, options, this->Buffers, this->Contours, this->Layer.GetDepth(), &this->Peel };
   const std::string error = this->UseRays ? this->CastRanges(drawing) : this->ProjectRanges(drawing);
   if (!error.empty())
   {
     return error;
   }
   window->GetState()->vtkglViewport(viewport[0], viewport[1], viewport[2], viewport[3]);
-  this->Peel.Deliver(window, request, viewport, this->Accumulation.GetTexture(0),
-    this->UseRays ? this->SecondAccumulation.GetTexture(0) : this->Accumulation.GetTexture(1));
-  return checkOpenGL("while peeling cells");
+  this->Peel.Deliver(window, request, viewport, this->Layer.GetAccumulation().GetTexture(0),
+    this->UseRays ? this->SecondAccumulation.GetTexture(0) : this->Layer.GetAccumulation().GetTexture(1));
+  return FloatLayer::CheckOpenGL("while peeling cells");
 }
 
 // Both ranges at once. A depth test spares the shader pixels without a range, and cells in front of the ranges.
 std::string CellCompositingPass::ProjectRanges(CellDrawing& drawing)
 {
   std::string error = noFloatImages;
-  if (this->Accumulation.Begin(drawing.Window, drawing.Viewport, 2, this->Peel.GetNearestDepth()))
+  if (this->Layer.GetAccumulation().Begin(drawing.Window, drawing.Viewport, 2, this->Peel.GetNearestDepth()))
   {
     drawing.Window->GetState()->vtkglEnable(GL_DEPTH_TEST);
     drawing.Window->GetState()->vtkglDepthFunc(GL_GREATER);
     error = this->Projected.Draw(drawing);
   }
-  this->Accumulation.End(drawing.Window);
+  this->Layer.GetAccumulation().End(drawing.Window);
   return error;
 }
 
@@ -139,7 +98,7 @@ std::string CellCompositingPass::CastRanges(CellDrawing& drawing)
   std::string error;
   for (drawing.Range = 0; drawing.Range < 2 && error.empty(); ++drawing.Range)
   {
-    FloatAccumulation& image = drawing.Range == 0 ? this->Accumulation : this->SecondAccumulation;
+    FloatAccumulation& image = drawing.Range == 0 ? this->Layer.GetAccumulation() : this->SecondAccumulation;
     error = image.Begin(drawing.Window, drawing.Viewport) ? this->Rays.Draw(drawing) : noFloatImages;
     image.End(drawing.Window);
   }
@@ -148,7 +107,7 @@ std::string CellCompositingPass::CastRanges(CellDrawing& drawing)
 
 bool CellCompositingPass::CopyFloatImage(vtkOpenGLRenderWindow* window, vtkImageData* image)
 {
-  return !this->Peeled && this->Accumulation.CopyTo(window, image);
+  return !this->Peeled && this->Layer.CopyTo(window, image);
 }
 
 void CellCompositingPass::ReleaseGraphicsResources(vtkWindow* window)
@@ -157,8 +116,7 @@ void CellCompositingPass::ReleaseGraphicsResources(vtkWindow* window)
   this->Contours.Release(window);
   this->Projected.ReleaseGraphicsResources(window);
   this->Rays.ReleaseGraphicsResources(window);
-  this->Depth.ReleaseGraphicsResources(window);
-  this->Accumulation.ReleaseGraphicsResources(window);
+  this->Layer.ReleaseGraphicsResources(window);
   this->SecondAccumulation.ReleaseGraphicsResources(window);
   this->Peel.ReleaseGraphicsResources(window);
 }

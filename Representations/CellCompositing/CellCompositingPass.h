@@ -11,15 +11,13 @@
 
 #include "CellBuffers.h"
 #include "CellDrawing.h"
-#include "FloatAccumulation.h"
-#include "OpaqueDepth.h"
+#include "FloatLayer.h"
 #include "ContourBuffers.h"
 #include "ProjectedCells.h"
 #include "RayCells.h"
 #include "VolumePeel.h"
 
 #include <cstdint>
-#include <functional>
 #include <string>
 #include <vector>
 
@@ -67,10 +65,8 @@ public:
   std::string DrawPeel(vtkOpenGLRenderWindow* window, const CellView& view, const CellDrawingOptions& options,
     const VolumePeel::Request& request);
 
-  /** Draws into the bound framebuffer of the viewport's size; `opaqueDepth` is as large. Returns what went wrong. */
-  using Layer = std::function<std::string(const int viewport[4], OpaqueDepth& opaqueDepth)>;
   /** Lays over the scene, through the same float image, what something else draws. */
-  std::string DrawLayer(vtkOpenGLRenderWindow* window, const Layer& layer);
+  std::string DrawLayer(vtkOpenGLRenderWindow* window, const FloatLayer::Painter& paint);
 
   /** False when nothing was drawn yet, or what was drawn last was a peel. */
   bool CopyFloatImage(vtkOpenGLRenderWindow* window, vtkImageData* image);
@@ -85,8 +81,7 @@ private:
   ProjectedCells Projected;
   RayCells Rays;
   bool UseRays = false;
-  OpaqueDepth Depth;
-  FloatAccumulation Accumulation;
+  FloatLayer Layer;
   FloatAccumulation SecondAccumulation; // for the second range of a peel, ray by ray
   VolumePeel Peel;
   bool Peeled = false;

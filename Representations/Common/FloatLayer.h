@@ -31,6 +31,12 @@ public:
   /** Returns an empty string, or what went wrong. All state of OpenGL is restored. */
   std::string Draw(vtkOpenGLRenderWindow* window, const Painter& paint);
 
+  ///@{
+  /** For those who draw into the image in another way. */
+  OpaqueDepth& GetDepth() { return this->Depth; }
+  FloatAccumulation& GetAccumulation() { return this->Accumulation; }
+  ///@}
+
   bool CopyTo(vtkOpenGLRenderWindow* window, vtkImageData* image) { return this->Accumulation.CopyTo(window, image); }
   void ReleaseGraphicsResources(vtkWindow* window);
 
