@@ -5,7 +5,7 @@
 #include "EllipsoidSplat.h"
 #include "GridSamples.h"
 
-#include "vtkCell.h"
+#include "vtkBoundingBox.h"
 #include "vtkDataSet.h"
 #include "vtkDataSetAttributes.h"
 #include "vtkGenericCell.h"
@@ -49,26 +49,6 @@ SplatVector cellCentre(vtkDataSet* data, vtkIdType id)
   data->GetCellBounds(id, bounds);
   return { { 0.5 * (bounds[0] + bounds[1]), 0.5 * (bounds[2] + bounds[3]),
     0.5 * (bounds[4] + bounds[5]) } };
-}
-
-// Edge of a cube that each of the samples would have if they filled their bounds.
-double meanSpacing(vtkDataSet* data, std::size_t count)
-{
-  double bounds[6];
-  data->GetBounds(bounds);
-  double extent[3] = { bounds[1] - bounds[0], bounds[3] - bounds[2], bounds[5] - bounds[4] };
-  const double longest = std::max({ extent[0], extent[1], extent[2] });
-  double volume = 1;
-  int axes = 0;
-  for (const double e : extent)
-  {
-    if (e > 1e-6 * longest)
-    {
-      volume *= e;
-      ++axes;
-    }
-  }
-  return axes > 0 ? std::pow(volume / static_cast<double>(count), 1.0 / axes) : 1.0;
 }
 
 SplatSamples::Jacobian toFloat(const SplatMatrix& matrix)
@@ -126,6 +106,43 @@ void forAll(std::size_t count, Body body)
 }
 }
 
+void FindPlaceBounds(vtkDataSet* data, double bounds[6])
+{
+  data->GetBounds(bounds);
+  if (std::all_of(bounds, bounds + 6, [](double b) { return std::isfinite(b); }))
+  {
+    return;
+  }
+  vtkBoundingBox box;
+  for (vtkIdType i = 0; i < data->GetNumberOfPoints(); ++i)
+  {
+    double x[3];
+    data->GetPoint(i, x);
+    if (std::isfinite(x[0] + x[1] + x[2]))
+    {
+      box.AddPoint(x);
+    }
+  }
+  box.GetBounds(bounds);
+}
+
+double MeanSpacing(const double bounds[6], std::size_t count)
+{
+  const double extent[3] = { bounds[1] - bounds[0], bounds[3] - bounds[2], bounds[5] - bounds[4] };
+  const double longest = std::max({ extent[0], extent[1], extent[2] });
+  double volume = 1;
+  int axes = 0;
+  for (const double e : extent)
+  {
+    if (e > 1e-6 * longest)
+    {
+      volume *= e;
+      ++axes;
+    }
+  }
+  return axes > 0 ? std::pow(volume / static_cast<double>(count), 1.0 / axes) : 1.0;
+}
+
 SplatSamples FindSplatSamples(vtkDataSet* data, const SplatSampling& sampling, std::string& error)
 {
   SplatSamples samples;
@@ -158,7 +175,12 @@ SplatSamples FindSplatSamples(vtkDataSet* data, const SplatSampling& sampling, s
     error = "The input has no visible points to draw.";
     return samples;
   }
-  data->GetCenter(samples.Center);
+  double bounds[6];
+  FindPlaceBounds(data, bounds);
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    samples.Center[axis] = 0.5 * (bounds[2 * axis] + bounds[2 * axis + 1]);
+  }
   samples.Positions.resize(places.size());
   forAll(places.size(), [&](std::size_t i) {
     for (std::size_t c = 0; c < 3; ++c)
@@ -171,7 +193,7 @@ SplatSamples FindSplatSamples(vtkDataSet* data, const SplatSampling& sampling, s
   forAll(samples.Jacobians.size(), [&](std::size_t i) {
     const SplatMatrix jacobian = grid.IsGrid()
       ? grid.Jacobian(samples.Ids[i])
-      : ball(sampling.Radius > 0 ? sampling.Radius : meanSpacing(data, places.size()));
+      : ball(sampling.Radius > 0 ? sampling.Radius : MeanSpacing(bounds, places.size()));
     samples.Jacobians[i] = toFloat(WithoutFlatColumns(jacobian, flatShare));
   });
   for (const SplatSamples::Jacobian& jacobian : samples.Jacobians)

@@ -10,6 +10,7 @@
 #include "SplatSamples.h"
 #include "SplatVectors.h"
 #include "ViewState.h"
+#include "VolumePeel.h"
 
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
@@ -106,14 +107,15 @@ double* vtkTexturedSplatMapper::GetBounds()
 {
   this->Superclass::GetBounds();
   vtkDataSet* input = this->GetDataSetInput();
-  if (input && vtkMath::AreBoundsInitialized(this->Bounds))
+  if (input && input->GetNumberOfPoints() > 0)
   {
-    // A splat reaches 1.56 cells from its centre: without looking at the cells, the longest edge that a grid of so many
-    // samples can well have.
-    const double samples = static_cast<double>(std::max<vtkIdType>(input->GetNumberOfPoints(), 8));
+    // A splat reaches 1.56 cells from its centre: without looking at the cells, twice the mean one.
+    nephoscope::FindPlaceBounds(input, this->Bounds);
+    const auto samples = static_cast<std::size_t>(input->GetNumberOfPoints());
+    const double cell =
+      std::max(this->CellSize, 2.0 * nephoscope::MeanSpacing(this->Bounds, samples));
     const double reach =
-      nephoscope::KernelRadius(static_cast<nephoscope::SplatKernel>(this->Kernel)) *
-      std::max(this->CellSize, input->GetLength() / std::cbrt(samples));
+      cell * nephoscope::KernelRadius(static_cast<nephoscope::SplatKernel>(this->Kernel));
     for (int i = 0; i < 6; ++i)
     {
       this->Bounds[i] += i % 2 ? reach : -reach;
@@ -134,6 +136,12 @@ void vtkTexturedSplatMapper::Render(vtkRenderer* renderer, vtkVolume* volume)
   if (!input || input->GetNumberOfPoints() == 0)
   {
     this->ReportOnce("The input has no points: there is nothing to draw.");
+    return;
+  }
+  if (nephoscope::VolumePeel::IsRequested(volume))
+  {
+    this->ReportOnce(
+      "Splats cannot be drawn between peeled surfaces: call UseDepthPeelingForVolumesOff() of the renderer.");
     return;
   }
   std::string error = this->UpdateSplats(input, volume);

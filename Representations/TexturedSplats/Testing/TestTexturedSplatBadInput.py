@@ -1,0 +1,93 @@
+# SPDX-FileCopyrightText: The Nephoscope authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""What splats cannot be drawn from is told, once, with a remedy."""
+import unittest
+
+import nephoscope
+import numpy as np
+from nephoscope_testing import meshes
+from nephoscope_testing.offscreen import Window, float_image
+from nephoscope_testing.transfer import constant
+
+
+class BadInput(unittest.TestCase):
+    def draw(self, data, configure=None, transfer=None):
+        window = Window((32, 32))
+        scene = window.add_scene()
+        mapper = nephoscope.vtkTexturedSplatMapper()
+        scene.add_volume(mapper, data, transfer or constant())
+        scene.look((0, 0, 8), (0, 0, 0))
+        if configure:
+            configure(mapper, scene)
+        window.render()
+        window.render()
+        self.window = window  # whose pictures go with it
+        return window.messages, mapper
+
+    def cube(self):
+        return meshes.with_field(meshes.image((2, 2, 2), origin=(-1, -1, -1)), lambda p: p[:, 0])
+
+    def expect(self, text, *arguments, **options):
+        messages, _ = self.draw(*arguments, **options)
+        self.assertEqual(len(messages.errors), 1, messages.all)
+        self.assertIn(text, messages.errors[0])
+
+    def test_nothing_to_draw(self):
+        self.expect("no points", meshes.particles(np.zeros((0, 3))))
+
+    def test_missing_array(self):
+        self.expect("No point array named 'q'", self.cube(), lambda m, s: m.SelectScalarArray("q"))
+
+    def test_missing_opacity_array(self):
+        self.expect("No point or cell array named 'q'", self.cube(), lambda m, s: m.SetOpacityArrayName("q"))
+
+    def test_missing_and_wrong_vectors(self):
+        self.expect("three components named 'q'", self.cube(), lambda m, s: m.SetVectorArrayName("q"))
+        self.expect("three components named 's'", self.cube(), lambda m, s: m.SetVectorArrayName("s"))
+
+    def test_unit_distance(self):
+        def configure(mapper, scene):
+            scene.renderer.GetVolumes().GetItemAsObject(0).GetProperty().SetScalarOpacityUnitDistance(0)
+        self.expect("ScalarOpacityUnitDistance", self.cube(), configure)
+
+    def test_samples_without_a_number_or_place_are_left_out(self):
+        points = np.array([(0, 0, 0), (np.nan, 0, 0), (1, 0, 0), (0, 1, 0)])
+        data = meshes.particles(points)
+        meshes.add_array(data.GetPointData(), np.array([0, 0, np.nan, 0.5]))
+        messages, mapper = self.draw(data, lambda m, s: m.SetCellSize(0.5))
+        self.assertEqual(messages.errors, [])
+        self.assertEqual(mapper.GetNumberOfDrawnSplats(), 2)
+        self.assertTrue(np.isfinite(float_image(mapper)).all())
+
+    def test_one_point_and_one_layer(self):
+        for data in (meshes.particles(np.zeros((1, 3))), meshes.image((3, 3, 0))):
+            data = meshes.with_field(data, lambda p: 0 * p[:, 0])
+            messages, mapper = self.draw(data)
+            self.assertEqual(messages.all, [])
+            self.assertGreater(float_image(mapper)[..., 3].max(), 0.01)
+
+    def test_huge_coordinates(self):
+        pictures = []
+        for scale in (1, 1e7):
+            window = Window((32, 32))
+            scene = window.add_scene()
+            mapper = nephoscope.vtkTexturedSplatMapper()
+            data = meshes.with_field(meshes.image((2, 2, 2), (scale,) * 3, (-scale,) * 3), lambda p: 0 * p[:, 0])
+            scene.add_volume(mapper, data, constant(1 / scale))
+            scene.look((0, 0, 8 * scale), (0, 0, 0))
+            window.render()
+            pictures.append(float_image(mapper))
+        self.assertGreater(pictures[0][..., 3].max(), 0.5)
+        np.testing.assert_allclose(pictures[1], pictures[0], atol=1e-5)
+
+    def test_peeling_is_refused(self):
+        def configure(mapper, scene):
+            scene.renderer.UseDepthPeelingOn()
+            scene.renderer.UseDepthPeelingForVolumesOn()
+            actor = scene.add_opaque(meshes.surface(np.eye(3), [(0, 1, 2)]), (1, 0, 0))
+            actor.GetProperty().SetOpacity(0.5)
+        self.expect("peeled", self.cube(), configure)
+
+
+if __name__ == "__main__":
+    unittest.main()
