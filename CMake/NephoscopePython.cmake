@@ -4,9 +4,14 @@
 #   the build tree    ${NEPHOSCOPE_PYTHONPATH}
 #   the install tree  ${CMAKE_INSTALL_PREFIX}/${NEPHOSCOPE_PYTHON_DESTINATION}
 #   a wheel           zipped by Plugins/PyVista/packaging from the install component `nephoscope_wheel`
-set(nephoscope_wrapped_modules ${nephoscope_modules})
-list(REMOVE_ITEM nephoscope_wrapped_modules Nephoscope::RepresentationsCommon)           # C++ only
-list(FILTER nephoscope_wrapped_modules EXCLUDE REGEX "^Nephoscope::ParaView")            # reached through ParaView's server manager
+# Modules without classes say EXCLUDE_WRAP; those of the plugin are reached through ParaView's server manager.
+set(nephoscope_wrapped_modules)
+foreach (module IN LISTS nephoscope_modules)
+  _vtk_module_get_module_property("${module}" PROPERTY "exclude_wrap" VARIABLE excluded)
+  if (NOT excluded AND NOT module MATCHES "^Nephoscope::ParaView")
+    list(APPEND nephoscope_wrapped_modules "${module}")
+  endif ()
+endforeach ()
 
 set(NEPHOSCOPE_PYTHON_DESTINATION "${CMAKE_INSTALL_LIBDIR}/python3/dist-packages")
 set(NEPHOSCOPE_PYTHONPATH "${PROJECT_BINARY_DIR}/${NEPHOSCOPE_PYTHON_DESTINATION}")
