@@ -81,7 +81,7 @@ struct FlowVolumeSettings
   int ObstacleLevels = 2;
   bool Adaptive = false;   // RK45 with error control instead of RK4
   double Tolerance = 1e-6; // of the adaptive method, relative to the edge length of the polygon
-  std::size_t MaximumNumberOfTetrahedra = 10000000;
+  std::size_t MaximumNumberOfTetrahedra = 1000000;
 };
 
 // Told the share that is done; false asks to stop.

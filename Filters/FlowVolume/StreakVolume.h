@@ -28,7 +28,7 @@ struct StreakSettings
   double MaximumEdgeLength = 0.0; // 0: any
   bool Adaptive = false;
   double Tolerance = 1e-6; // of the adaptive method, a length
-  std::size_t MaximumNumberOfTetrahedra = 10000000;
+  std::size_t MaximumNumberOfTetrahedra = 1000000;
 };
 
 class StreakVolume

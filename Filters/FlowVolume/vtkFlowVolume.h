@@ -221,7 +221,7 @@ public:
   ///@}
 
   ///@{
-  /** The volume ends, with a warning, before it has more tetrahedra than this. Default 10 million. */
+  /** The volume ends, with a warning, before it has more tetrahedra than this. Default 1 million. */
   vtkSetClampMacro(MaximumNumberOfTetrahedra, vtkIdType, 1, VTK_ID_MAX);
   vtkGetMacro(MaximumNumberOfTetrahedra, vtkIdType);
   ///@}
@@ -337,7 +337,7 @@ private:
   double StartTime = VTK_DOUBLE_MIN;
   double TimeScale = 1.0;
   double InitialDensity = 1.0;
-  vtkIdType MaximumNumberOfTetrahedra = 10000000;
+  vtkIdType MaximumNumberOfTetrahedra = 1000000;
 
   double NormalUsed[3] = { 0.0, 0.0, 0.0 };
   double DurationUsed = 0.0;

@@ -21,7 +21,7 @@ def flow_volume(mesh: pyvista.DataSet, polygon: pyvista.PolyData | None = None, 
                 time_step: float | None = None, initial_density: float = 1.0, polygon_edge_length: float | None = None,
                 max_edge_length: float | None = None, min_edge_length: float = 0.0, max_turn_angle: float = 15.0,
                 integrator: Literal["rk4", "rk45"] = "rk4", tolerance: float = 1e-6,
-                max_tetrahedra: int = 10_000_000) -> pyvista.UnstructuredGrid:
+                max_tetrahedra: int = 1_000_000) -> pyvista.UnstructuredGrid:
     """Smoke: the volume that a steady flow sweeps through a polygon, as tetrahedra.
 
     Also the accessor method ``mesh.nephoscope.flow_volume(...)``. Lengths are in the unit of the mesh, times in seconds.
@@ -62,7 +62,7 @@ def flow_volume(mesh: pyvista.DataSet, polygon: pyvista.PolyData | None = None, 
         Fixed steps of fourth order, or steps with control of their error.
     tolerance : float, default: 1e-6
         Error of one step of ``"rk45"``, relative to the longest edge of the polygon's triangles; 1e-14 to 1.
-    max_tetrahedra : int, default: 10000000
+    max_tetrahedra : int, default: 1_000_000
         The volume ends before it has more.
 
     Returns
