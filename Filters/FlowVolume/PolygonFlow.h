@@ -36,18 +36,24 @@ struct PolygonVelocities
       this->Hints.data() });
   }
 
+  bool IsInside(const PolygonMesh& polygon, std::size_t t) const
+  {
+    const auto& corners = polygon.Triangles[t];
+    return std::all_of(corners.begin(), corners.end(),
+      [this](PointId p) { return this->Inside[static_cast<std::size_t>(p)] != 0; });
+  }
+
   // Volume per second through triangle t, exact where the velocity is linear; 0 where a corner is outside.
   double Flux(const PolygonMesh& polygon, std::size_t t) const
   {
+    if (!this->IsInside(polygon, t))
+    {
+      return 0.0;
+    }
     Vector3 sum{};
     for (const PointId id : polygon.Triangles[t])
     {
-      const auto p = static_cast<std::size_t>(id);
-      if (!this->Inside[p])
-      {
-        return 0.0;
-      }
-      sum = sum + this->Values[p];
+      sum = sum + this->Values[static_cast<std::size_t>(id)];
     }
     return Dot(sum, AreaVector(polygon, t)) / 3.0;
   }
@@ -76,12 +82,16 @@ struct PolygonFlow
   }
 
   // Rounding alone makes a little flux of a flow in the plane of the polygon.
-  bool IsParallel() const { return this->Flux <= 1e-12 * this->MeanSpeed * this->Area; }
+  bool IsParallel() const
+  {
+    return this->AreaInside > 0.0 && this->Flux <= 1e-12 * this->MeanSpeed * this->AreaInside;
+  }
 
   std::size_t PointsInside = 0;
   double MeanSpeed = 0.0; // over the points inside
   double Flux = 0.0;      // volume per second, whatever the side
   double Area = 0.0;
+  double AreaInside = 0.0;  // of the triangles that are inside with all corners
   double LongestEdge = 0.0; // of its triangles
   Vector3 Normal{};         // mean, of unit length
 
@@ -90,6 +100,7 @@ private:
   {
     const Vector3 area = AreaVector(polygon, t);
     this->Area += Length(area);
+    this->AreaInside += velocities.IsInside(polygon, t) ? Length(area) : 0.0;
     this->Flux += std::abs(velocities.Flux(polygon, t));
     this->NormalSum = this->NormalSum + area;
     this->Normal = Direction(this->NormalSum);

@@ -51,7 +51,8 @@ PolygonMesh TriangulateRegularPolygon(const RegularPolygon& polygon, double maxi
   const double radius = polygon.Radius;
   const double length = maximumEdgeLength > 0.0 ? maximumEdgeLength : 0.5 * radius;
   const double ringCount = std::ceil(radius / length - 1e-9);
-  if (!(radius > 0.0) || !std::isfinite(radius) || !IsFinite(polygon.Center) || !IsFinite(normal) ||
+  // Areas and their products must be finite numbers.
+  if (!(radius > 0.0) || !std::isfinite(radius * radius * radius * radius) || !IsFinite(polygon.Center) || !IsFinite(normal) ||
     !(Length(normal) > 0.5) || !(ringCount < 300.0))
   {
     return mesh;

@@ -53,7 +53,9 @@ void ScaleDensities(SmokeMesh& mesh)
   }
   for (std::size_t k = 0; k < sums.size(); ++k)
   {
-    sums[k] = sums[k] > 0.0 ? mesh.Report.MassPerStep[k] / sums[k] : 1.0;
+    double& mass = mesh.Report.MassPerStep[k];
+    mass = sums[k] > 0.0 ? mass : 0.0; // where every tetrahedron is too small to be written
+    sums[k] = sums[k] > 0.0 ? mass / sums[k] : 1.0;
   }
   for (std::size_t i = 0; i < mesh.Tetrahedra.size(); ++i)
   {

@@ -7,6 +7,7 @@
 #include "TetrahedronVolume.h"
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 
 namespace nephoscope
@@ -30,6 +31,19 @@ struct Prism
   }
 };
 
+// Leaves out the tetrahedra that the flow has made flat, which have no density, and returns their mass.
+double DropFlatTetrahedra(StreakMesh& smoke)
+{
+  double lost = 0.0;
+  smoke.Filter([&](std::size_t t) {
+    const double volume = std::abs(VolumeOf(smoke.Tetrahedra[t], smoke.Positions));
+    const bool keep = volume > 0.0 && std::isfinite(smoke.Masses[t] / volume);
+    lost += keep ? 0.0 : smoke.Masses[t];
+    return keep;
+  });
+  return lost;
+}
+
 // Tetrahedra that the flow has turned over are written the right way round.
 void AddCells(const StreakMesh& smoke, SmokeMesh& mesh)
 {
@@ -43,7 +57,7 @@ void AddCells(const StreakMesh& smoke, SmokeMesh& mesh)
     {
       std::swap(mesh.Tetrahedra[t][2], mesh.Tetrahedra[t][3]);
     }
-    mesh.Densities.push_back(volume != 0.0 ? smoke.Masses[t] / std::abs(volume) : 0.0);
+    mesh.Densities.push_back(smoke.Masses[t] / std::abs(volume));
     mesh.Report.KeptMass += smoke.Masses[t];
   }
 }
@@ -240,6 +254,7 @@ SmokeMesh StreakVolume::Mesh() const
   {
     lost += this->JoinLayers(smoke, this->AddLayer(smoke));
   }
+  lost += DropFlatTetrahedra(smoke);
   smoke.DropUnusedPoints(0, 0);
   SmokeMesh mesh;
   AddCells(smoke, mesh);

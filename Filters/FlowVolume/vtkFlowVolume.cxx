@@ -121,9 +121,7 @@ void vtkFlowVolume::MakeSteadyVolume(
   }
   else if (mesh.Tetrahedra.empty() && !report.Stopped)
   {
-    vtkWarningMacro(
-      "The volume has ended at once: within the first time step the flow leads out of the data, into blanked cells or to values "
-      "that are not numbers. Shorten TimeStep or move the generating polygon.");
+    this->WarnOfNothing(report);
   }
   this->EmittedMass = this->InitialDensity * report.EmittedMass;
   this->LostMass = this->InitialDensity * report.LostMass;
@@ -238,7 +236,7 @@ bool vtkFlowVolume::MakeRegularPolygon(const nephoscope::FlowField& field,
   {
     vtkErrorMacro("The generating polygon of radius "
       << regular.Radius << " cannot be divided into triangles with edges of " << edge
-      << ": there would be too many. Choose a longer PolygonEdgeLength.");
+      << ": there would be too many. Choose a longer PolygonEdgeLength or a smaller Radius.");
     return false;
   }
   return true;
@@ -366,8 +364,12 @@ bool vtkFlowVolume::CheckSettings()
 bool vtkFlowVolume::FindSettings(const nephoscope::FlowField& field,
   const nephoscope::PolygonFlow& flow, nephoscope::FlowVolumeSettings& settings)
 {
-  settings.Duration = this->Duration > 0.0 ? this->Duration : 0.5 * field.Diagonal / flow.MeanSpeed;
-  settings.TimeStep = this->TimeStep > 0.0 ? this->TimeStep : settings.Duration / 64.0;
+  const double crossing = field.Diagonal / flow.MeanSpeed;
+  settings.Duration = this->Duration > 0.0 ? this->Duration : 0.5 * crossing;
+  // However long the duration is, a step must not lead out of the data at once.
+  const double automaticStep = std::max(std::min(settings.Duration / 64.0, crossing / 32.0),
+    1.000001 * settings.Duration / maximumNumberOfSteps);
+  settings.TimeStep = this->TimeStep > 0.0 ? this->TimeStep : automaticStep;
   settings.MaximumEdgeLength =
     this->MaximumEdgeLength > 0.0 ? this->MaximumEdgeLength : 3.0 * flow.LongestEdge;
   settings.MinimumEdgeLength = this->MinimumEdgeLength;
@@ -396,6 +398,28 @@ void vtkFlowVolume::WarnOfLimit()
   vtkWarningMacro("The volume ends early, at MaximumNumberOfTetrahedra ("
     << this->MaximumNumberOfTetrahedra
     << "). Lengthen TimeStep, PolygonEdgeLength or MaximumEdgeLength, or allow more.");
+}
+
+void vtkFlowVolume::WarnOfNothing(const nephoscope::SmokeReport& report)
+{
+  if (!(report.Flux > 0.0))
+  {
+    vtkWarningMacro(
+      "No smoke comes from the generating polygon: none of its triangles is wholly inside the data, and crossed by the flow one "
+      "way. Shorten PolygonEdgeLength, make the polygon smaller or move it.");
+  }
+  else if (report.EndedTriangles == 0)
+  {
+    vtkWarningMacro(
+      "The volume is too thin for the precision of the coordinates, so there is no smoke. Make the generating polygon wider or "
+      "TimeStep longer.");
+  }
+  else
+  {
+    vtkWarningMacro(
+      "The volume has ended at once: within the first time step the flow leads out of the data, into blanked cells or to values "
+      "that are not numbers. Shorten TimeStep or move the generating polygon.");
+  }
 }
 
 bool vtkFlowVolume::Report(double share)

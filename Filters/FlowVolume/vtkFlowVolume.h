@@ -71,6 +71,7 @@ struct FlowVolumeState;
 struct PolygonFlow;
 struct PolygonMesh;
 struct SmokeMesh;
+struct SmokeReport;
 class VelocityField;
 }
 
@@ -141,8 +142,8 @@ public:
 
   ///@{
   /**
-   * Time between two layers, in seconds; 0 (default): 1/64 of the duration; unsteady: 1/64 of the time from the start to the last
-   * time step. Cost grows as its inverse.
+   * Time between two layers, in seconds; 0 (default): 1/64 of the duration, and no longer than the flow at the polygon takes for
+   * 1/32 of the diagonal of the bounds; unsteady: 1/64 of the time from the start to the last time step. Cost grows as its inverse.
    */
   vtkSetMacro(TimeStep, double);
   vtkGetMacro(TimeStep, double);
@@ -239,7 +240,7 @@ public:
   ///@{
   /**
    * Results of the last update, in InitialDensity times volume of the dataset: the mass that has come from the polygon, the part of
-   * it that has left the data or met a blanked cell, and the part that is older than Duration (unsteady). What is left is the sum of
+   * it that has left the data, met a blanked cell or is in cells without volume (which are left out), and the part that is older than Duration (unsteady). What is left is the sum of
    * Density times volume.
    */
   vtkGetMacro(EmittedMass, double);
@@ -314,6 +315,7 @@ private:
   void WriteStreak(vtkUnstructuredGrid* output);
 
   void WarnOfLimit();
+  void WarnOfNothing(const nephoscope::SmokeReport& report);
   bool Report(double share);
   void WriteOutput(const nephoscope::SmokeMesh& mesh,
     const std::function<void(const nephoscope::SmokeMesh&, vtkPointData*)>& sampleArrays,

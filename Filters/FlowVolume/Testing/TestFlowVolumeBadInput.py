@@ -67,6 +67,23 @@ class BadInput(unittest.TestCase):
         self.assertTrue(len(messages) == 1 and "points of the generating polygon are outside the data" in messages[0], messages)
         self.assertGreater(len(smoke.cells), 0)
 
+    def test_polygon_larger_than_the_data(self):
+        """With its centre alone inside: shorter edges help, turning it does not."""
+        for settings in ({"Radius": 100}, {"Radius": 1e20}, {"Radius": 100, "NormalToFlow": False}):
+            smoke, messages = update(flow_volume(cube(), Duration=0.5, **settings))
+            self.assertEqual(len(messages), 2, messages)
+            self.assertIn("points of the generating polygon are outside the data", messages[0])
+            self.assertIn("Shorten PolygonEdgeLength", messages[1])
+            self.assertEqual(len(smoke.cells), 0)
+        self.expect(cube(), "smaller Radius", Radius=1e300)
+
+    def test_too_thin(self):
+        """No tetrahedron has a volume that the coordinates could resolve: all of the mass is lost."""
+        for settings in ({"Radius": 1e-12}, {"Duration": 1e-18}):
+            smoke = self.expect(cube(), "too thin for the precision", **settings)
+            self.assertGreater(smoke.made.GetEmittedMass(), 0)
+            self.assertEqual(smoke.made.GetLostMass(), smoke.made.GetEmittedMass())
+
     def test_blanked_at_the_polygon(self):
         data = cube()
         meshes.add_array(data.GetCellData(), np.full(64, vtkDataSetAttributes.HIDDENCELL, np.uint8), "vtkGhostType")

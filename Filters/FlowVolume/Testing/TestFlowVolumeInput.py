@@ -193,6 +193,14 @@ class Settings(unittest.TestCase):
         first = smoke.points[smoke.age == 0]
         self.assertAlmostEqual(np.linalg.norm(first, axis=1).max(), diagonal / 50, places=12)
 
+    def test_duration_longer_than_the_data(self):
+        """The smoke goes as far as the data: a step is a 32nd of the diagonal at most."""
+        for duration in (100, 1e5):
+            made = update(flow_volume(cube(), Center=(0, 0, -0.5), Radius=0.05, Duration=duration))
+            self.assertEqual(made[1], [])
+            self.assertGreater(made[0].points[:, 2].max(), 1 - 2 * np.sqrt(3) / 32)
+            self.assertAlmostEqual(made[0].made.GetTimeStepUsed(), 2 * np.sqrt(3) / 32 / np.linalg.norm(WIND), places=12)
+
     def test_fixed_normal(self):
         for normal in ((0, 0, 5), (0, 0, -1)):
             smoke = update(flow_volume(cube(), **SETTINGS, NormalToFlow=False, Normal=normal))[0]

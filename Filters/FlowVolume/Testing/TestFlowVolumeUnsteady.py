@@ -31,6 +31,17 @@ def follow(source, time=None, messages=(), **settings):
     return smoke
 
 
+class FlatCells(unittest.TestCase):
+    def test_are_left_out_and_their_mass_is_lost(self):
+        """All comes together at x = 1/2, until the points of a triangle have one x and its tetrahedra no volume."""
+        smoke = follow(series(lambda p, t: np.column_stack([60 * (0.5 - p[:, 0]), 0 * p[:, 0], 1 + 0 * p[:, 0]])), Center=(0.5, 0, -0.4), TimeStep=0.01)
+        made = smoke.made
+        self.assertGreater(smoke.volumes().min(), 0)
+        self.assertGreater(smoke.density.min(), 0)
+        self.assertGreater(made.GetLostMass(), 0.1 * made.GetEmittedMass())
+        self.assertAlmostEqual((smoke.mass() + made.GetLostMass()) / made.GetEmittedMass(), 1, places=9)
+
+
 class Streakline(unittest.TestCase):
     def test_volume_and_place(self):
         """Smoke of t = 1/2 is moved by the integral of (cos, sin, 1) from 1/2 to 1: (0, -1/pi, 1/2). Between time steps the velocity

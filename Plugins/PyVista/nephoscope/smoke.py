@@ -47,7 +47,8 @@ def flow_volume(mesh: pyvista.DataSet, polygon: pyvista.PolyData | None = None, 
     duration : float, optional
         How long the smoke flows, in seconds, > 0. Default: until the flow at the polygon has crossed half the diagonal of the bounds.
     time_step : float, optional
-        Time between two layers, in seconds, > 0. Default: 1/64 of the duration.
+        Time between two layers, in seconds, > 0. Default: 1/64 of the duration, or the time in which the flow crosses 1/32 of the
+        diagonal of the bounds if that is shorter.
     initial_density : float, default: 1.0
         Density at the polygon.
     polygon_edge_length : float, optional
