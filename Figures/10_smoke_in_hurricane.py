@@ -21,11 +21,10 @@ from paraview import simple as pvs
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "common"))
 import frames  # noqa: E402
+import globe_scene  # noqa: E402
 
-DATA = os.environ["NEPHOSCOPE_DATA"]
 GALLERY = os.environ["NEPHOSCOPE_GALLERY"]
 NAME = "10_smoke_in_hurricane"
-PLANET_RADIUS = 6371000.0  # metres
 EXAGGERATION = 45
 HOUR = 3600.0  # seconds
 DAY = 86400.0  # the unit of the forecast's time, in seconds
@@ -48,72 +47,9 @@ CLOUD_UNIT_DISTANCE = 6.0e5  # metres over which opacity 1 gives optical depth 1
 MILLISECONDS = 80  # a frame is shown
 
 
-def on_globe(longitude, latitude, height=0.0, radii=1.0):
-    """Cartesian metres of a place: degrees, metres above the sea, and then so many times as far from the planet's centre."""
-    lon, lat, r = math.radians(longitude), math.radians(latitude), radii * (PLANET_RADIUS + EXAGGERATION * height)
-    return [r * math.cos(lat) * math.cos(lon), r * math.cos(lat) * math.sin(lon), r * math.sin(lat)]
-
-
-def make_view(size):
-    view = pvs.CreateRenderView(ViewSize=size, OrientationAxesVisibility=0, UseColorPaletteForBackground=0)
-    pvs.AssignViewToLayout(view, layout=pvs.CreateLayout("Smoke in a hurricane"))  # or the window opens the state without it
-    view.BackgroundColorMode = "Gradient"
-    view.Background = [0.004, 0.006, 0.016]
-    view.Background2 = [0.03, 0.05, 0.11]
-    view.CameraPosition = on_globe(-112, -2, radii=2.1)
-    view.CameraFocalPoint = on_globe(-104.0, 19, radii=1.03)
-    view.CameraViewUp = on_globe(*CENTRE)
-    view.CameraViewAngle = 20
-    view.UseLight = 0
-    sun = pvs.AddLight(view=view)
-    sun.Coords = "Scene"
-    sun.Type = "Directional"
-    sun.Position = on_globe(-125, 25, radii=10)
-    sun.FocalPoint = [0, 0, 0]
-    return view
-
-
-def show_terrain(view):
-    """A plate carree plane bent into a sphere; its texture coordinates come along."""
-    plane = pvs.Plane(Origin=[-180, -90, 0], Point1=[180, -90, 0], Point2=[-180, 90, 0], XResolution=360, YResolution=180)
-    lon, lat = "(coordsX*{0})".format(math.pi / 180), "(coordsY*{0})".format(math.pi / 180)
-    sphere = pvs.Calculator(
-        Input=plane, CoordinateResults=1,
-        Function=f"{PLANET_RADIUS}*(cos({lat})*cos({lon})*iHat + cos({lat})*sin({lon})*jHat + sin({lat})*kHat)")
-    globe = pvs.Calculator(Input=sphere, ResultNormals=1, ResultArrayName="Up", Function=f"coords/{PLANET_RADIUS}")
-    pvs.RenameSource("Terrain", globe)
-    shown = pvs.Show(globe, view)
-    shown.ColorArrayName = ["POINTS", ""]
-    shown.Texture = pvs.CreateTexture(os.path.join(DATA, "blue_marble_2048.jpg"))
-    shown.InterpolateTextures = 1  # near the ground the pixels of the texture would be seen
-    shown.Ambient, shown.Diffuse, shown.Specular = 0.2, 0.6, 0.1
-
-
-def read_forecast():
-    forecast = pvs.NetCDFReader(FileName=[os.path.join(DATA, "gfs_2p5deg_2011101100.nc")], SphericalCoordinates=0)
-    forecast.Dimensions = "(lev, lat, lon)"
-    globe = pvs.GlobeGrid(Input=forecast, VerticalExaggeration=EXAGGERATION)
-    pvs.RenameSource("Forecast", globe)
-    return globe
-
-
-def colour_table(array, points):
-    table = pvs.GetColorTransferFunction(array)
-    table.AutomaticRescaleRangeMode = "Never"
-    table.ColorSpace = "RGB"
-    table.RGBPoints = points
-    return table
-
-
-def show_clouds(forecast, view):
-    shown = pvs.Show(forecast, view)
-    pvs.ColorBy(shown, ("POINTS", "cloud_fraction"))
-    shown.SetRepresentationType("Cell Compositing")
-    shown.LookupTable = colour_table("cloud_fraction", CLOUD_COLOURS)
-    shown.SetScalarBarVisibility(view, False)
-    pvs.GetOpacityTransferFunction("cloud_fraction").Points = CLOUD_OPACITY
-    shown.CellCompositingAutomaticUnitDistance = 0
-    shown.CellCompositingUnitDistance = CLOUD_UNIT_DISTANCE
+def in_air(longitude, latitude, height):
+    """Cartesian metres of the display: degrees, metres above the sea."""
+    return globe_scene.on_globe(longitude, latitude, height=EXAGGERATION * height)
 
 
 def release(forecast, degrees, height, directions, hours):
@@ -122,7 +58,7 @@ def release(forecast, degrees, height, directions, hours):
     for direction in directions:
         east, north = math.cos(math.radians(direction)), math.sin(math.radians(direction))
         place = (CENTRE[0] + degrees * east / math.cos(math.radians(CENTRE[1])), CENTRE[1] + degrees * north, height)
-        volumes.append(pvs.FlowVolume(Input=forecast, Center=on_globe(*place), Radius=POLYGON_RADIUS, Duration=hours * HOUR,
+        volumes.append(pvs.FlowVolume(Input=forecast, Center=in_air(*place), Radius=POLYGON_RADIUS, Duration=hours * HOUR,
                                       TimeStep=HOUR, PolygonEdgeLength=POLYGON_RADIUS, MaximumEdgeLength=LONGEST_EDGE,
                                       MinimumEdgeLength=SHORTEST_EDGE))
     return pvs.AppendDatasets(Input=volumes)
@@ -155,16 +91,6 @@ def show_caption(view):
     return caption
 
 
-def save_still(view):
-    pvs.Render(view)
-    picture = os.path.join(GALLERY, NAME + ".png")
-    pvs.SaveScreenshot(picture, view, ImageResolution=[1920, 1080])
-    print("wrote", picture)
-    state = os.path.join(GALLERY, NAME + ".pvsm")
-    pvs.SaveState(state)
-    print("wrote", state)
-
-
 def save_film(view, puffs, count, size):
     """count frames over one period: the one after the last is the first."""
     for smoke in puffs:
@@ -195,14 +121,16 @@ options.add_argument("--no-picture", action="store_true", help="the film only")
 wanted = options.parse_args()
 
 pvs._DisableFirstRenderCameraReset()
-view = make_view([1920, 1080])
-show_terrain(view)
-forecast = read_forecast()
-show_clouds(forecast, view)
+view = globe_scene.make_view(
+    "Smoke in a hurricane", position=globe_scene.on_globe(-112, -2, 2.1), focus=globe_scene.on_globe(-104.0, 19, 1.03),
+    up=globe_scene.on_globe(*CENTRE), angle=20, sun=globe_scene.on_globe(-125, 25, 10))
+globe_scene.show_terrain(view, ambient=0.2, diffuse=0.6, specular=0.1)
+forecast = globe_scene.read_forecast(EXAGGERATION)
+globe_scene.show_clouds(forecast, view, CLOUD_OPACITY, CLOUD_UNIT_DISTANCE, "cloud_fraction", CLOUD_COLOURS)
 puffs = show_smoke(forecast, view)
 caption = show_caption(view)
 if not wanted.no_picture:
-    save_still(view)
+    globe_scene.save(NAME, view)
 if wanted.frames > 0:
     pvs.Hide(caption, view)
     save_film(view, puffs, wanted.frames, wanted.size)

@@ -7,13 +7,14 @@ geometry. A map in plate carree, heights exaggerated 130 times; clouds are colou
 the ParaView state that shows it again.
 """
 import os
+import sys
 
 from paraview import simple as pvs
 
-DATA = os.environ["NEPHOSCOPE_DATA"]
-GALLERY = os.environ["NEPHOSCOPE_GALLERY"]
-PLANET_RADIUS = 6371000.0  # metres
-DEGREE = PLANET_RADIUS * 3.14159265358979 / 180
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "common"))
+import globe_scene  # noqa: E402
+
+DEGREE = globe_scene.PLANET_RADIUS * 3.14159265358979 / 180
 EXAGGERATION = 130
 SPEEDS = [30.0, 42.0, 54.0]  # m/s
 SPEED_COLOURS = [1.00, 0.93, 0.70, 1.00, 0.58, 0.16, 0.92, 0.10, 0.26]
@@ -24,61 +25,22 @@ CLOUD_OPACITY = [0.0, 0.0, 0.5, 0.0, 0.2, 0.0, 0.5, 0.0, 0.6, 0.3, 0.5, 0.0, 1.0
 UNIT_DISTANCE = 5.0e5  # metres over which opacity 1 gives optical depth 1
 
 
-def make_view():
-    view = pvs.CreateRenderView(ViewSize=[1920, 1080], OrientationAxesVisibility=0, UseColorPaletteForBackground=0)
-    pvs.AssignViewToLayout(view, layout=pvs.CreateLayout("Contours in clouds"))
-    view.BackgroundColorMode = "Gradient"
-    view.Background = [0.008, 0.012, 0.03]
-    view.Background2 = [0.05, 0.09, 0.17]
-    view.CameraPosition = [4 * DEGREE, -140 * DEGREE, 92 * DEGREE]
-    view.CameraFocalPoint = [42 * DEGREE, -24 * DEGREE, 0]
-    view.CameraViewUp = [0, 0, 1]
-    view.CameraViewAngle = 42
-    view.UseLight = 0
-    sun = pvs.AddLight(view=view)
-    sun.Coords = "Scene"
-    sun.Type = "Directional"
-    sun.Position = [-60 * DEGREE, -150 * DEGREE, 190 * DEGREE]
-    sun.FocalPoint = [0, 0, 0]
-    sun.Intensity = 1.15
-    return view
-
-
 def show_terrain(view):
     half = [180 * DEGREE, 90 * DEGREE]
     plane = pvs.Plane(Origin=[-half[0], -half[1], 0], Point1=[half[0], -half[1], 0], Point2=[-half[0], half[1], 0])
     pvs.RenameSource("Terrain", plane)
     shown = pvs.Show(plane, view)
     shown.ColorArrayName = ["POINTS", ""]
-    shown.Texture = pvs.CreateTexture(os.path.join(DATA, "blue_marble_2048.jpg"))
+    shown.Texture = pvs.CreateTexture(os.path.join(globe_scene.DATA, "blue_marble_2048.jpg"))
     shown.Ambient, shown.Diffuse = 0.4, 0.45
 
 
-def show_clouds_and_jets(view):
-    forecast = pvs.NetCDFReader(FileName=[os.path.join(DATA, "gfs_2p5deg_2011101100.nc")], SphericalCoordinates=0)
-    forecast.Dimensions = "(lev, lat, lon)"
-    clouds = pvs.GlobeGrid(Input=forecast, Projection="Map", VerticalExaggeration=EXAGGERATION,
-                           UseCentralMeridian=1)  # Greenwich
-    pvs.RenameSource("Clouds and winds", clouds)
-    shown = pvs.Show(clouds, view)
-    pvs.ColorBy(shown, ("POINTS", "Height"))
-    shown.SetRepresentationType("Cell Compositing")
-    colours = pvs.GetColorTransferFunction("Height")
-    colours.AutomaticRescaleRangeMode = "Never"
-    colours.ColorSpace = "RGB"
-    colours.RGBPoints = CLOUD_COLOURS
-    shown.LookupTable = colours
-    shown.CellCompositingOpacityArray = "cloud_fraction"
-    opacity = pvs.GetOpacityTransferFunction("cloud_fraction")
-    opacity.Points = CLOUD_OPACITY
-    shown.ScalarOpacityFunction = opacity
-    shown.CellCompositingAutomaticUnitDistance = 0
-    shown.CellCompositingUnitDistance = UNIT_DISTANCE
-    shown.CellCompositingContourArray = "Wind"  # the magnitude of a vector
-    shown.CellCompositingContourValues = SPEEDS
-    shown.CellCompositingContourColors = SPEED_COLOURS
-    shown.CellCompositingContourOpacities = SPEED_OPACITIES
-    pvs.GetScalarBar(colours, view).Visibility = 0
+def show_jets(clouds):
+    """Contour surfaces inside the cells of what is shown."""
+    clouds.CellCompositingContourArray = "Wind"  # the magnitude of a vector
+    clouds.CellCompositingContourValues = SPEEDS
+    clouds.CellCompositingContourColors = SPEED_COLOURS
+    clouds.CellCompositingContourOpacities = SPEED_OPACITIES
 
 
 def show_caption(view):
@@ -90,15 +52,11 @@ def show_caption(view):
 
 
 pvs._DisableFirstRenderCameraReset()
-view = make_view()
+view = globe_scene.make_view(
+    "Contours in clouds", position=[4 * DEGREE, -140 * DEGREE, 92 * DEGREE], focus=[42 * DEGREE, -24 * DEGREE, 0], up=[0, 0, 1],
+    angle=42, sun=[-60 * DEGREE, -150 * DEGREE, 190 * DEGREE], background=([0.008, 0.012, 0.03], [0.05, 0.09, 0.17]))
 show_terrain(view)
-show_clouds_and_jets(view)
+forecast = globe_scene.read_forecast(EXAGGERATION, "Clouds and winds", Projection="Map", UseCentralMeridian=1)  # Greenwich
+show_jets(globe_scene.show_clouds(forecast, view, CLOUD_OPACITY, UNIT_DISTANCE, "Height", CLOUD_COLOURS)[0])
 show_caption(view)
-pvs.Render(view)
-
-picture = os.path.join(GALLERY, "12_contours_in_clouds.png")
-pvs.SaveScreenshot(picture, view, ImageResolution=[1920, 1080])
-print("wrote", picture)
-state = os.path.join(GALLERY, "12_contours_in_clouds.pvsm")
-pvs.SaveState(state)
-print("wrote", state)
+globe_scene.save("12_contours_in_clouds", view)

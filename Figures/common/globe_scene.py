@@ -1,0 +1,91 @@
+# SPDX-FileCopyrightText: The Nephoscope authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""What the figures over the globe share: places, a view in the dark with a sun, the terrain, the forecast."""
+import math
+import os
+
+from paraview import simple as pvs
+
+DATA = os.environ["NEPHOSCOPE_DATA"]
+PLANET_RADIUS = 6371000.0  # metres
+NIGHT = ([0.004, 0.006, 0.016], [0.03, 0.05, 0.11])  # colours of the background, below and above
+
+
+def on_globe(longitude, latitude, radii=1.0, height=0.0):
+    """Cartesian metres of a place in degrees: so many metres of the display above the ground, and then so many times as far from
+    the planet's centre."""
+    lon, lat, r = math.radians(longitude), math.radians(latitude), radii * (PLANET_RADIUS + height)
+    return [r * math.cos(lat) * math.cos(lon), r * math.cos(lat) * math.sin(lon), r * math.sin(lat)]
+
+
+def make_view(name, position, focus, up, angle, sun, size=(1920, 1080), background=NIGHT):
+    """A view lit by one sun; `name` is that of its layout, without which a window opens the state without the view."""
+    view = pvs.CreateRenderView(ViewSize=list(size), OrientationAxesVisibility=0, UseColorPaletteForBackground=0)
+    pvs.AssignViewToLayout(view, layout=pvs.CreateLayout(name))
+    view.BackgroundColorMode = "Gradient"
+    view.Background, view.Background2 = background
+    view.CameraPosition, view.CameraFocalPoint, view.CameraViewUp, view.CameraViewAngle = position, focus, up, angle
+    view.UseLight = 0
+    light = pvs.AddLight(view=view)
+    light.Coords, light.Type, light.Position, light.FocalPoint = "Scene", "Directional", sun, [0, 0, 0]
+    return view
+
+
+def show_terrain(view, ambient, diffuse, specular=0.12):
+    """A plate carree plane bent into a sphere; its texture coordinates come along."""
+    plane = pvs.Plane(Origin=[-180, -90, 0], Point1=[180, -90, 0], Point2=[-180, 90, 0], XResolution=360, YResolution=180)
+    lon, lat = "(coordsX*{0})".format(math.pi / 180), "(coordsY*{0})".format(math.pi / 180)
+    sphere = pvs.Calculator(
+        Input=plane, CoordinateResults=1,
+        Function=f"{PLANET_RADIUS}*(cos({lat})*cos({lon})*iHat + cos({lat})*sin({lon})*jHat + sin({lat})*kHat)")
+    globe = pvs.Calculator(Input=sphere, ResultNormals=1, ResultArrayName="Up", Function=f"coords/{PLANET_RADIUS}")
+    pvs.RenameSource("Terrain", globe)
+    shown = pvs.Show(globe, view)
+    shown.ColorArrayName = ["POINTS", ""]
+    shown.Texture = pvs.CreateTexture(os.path.join(DATA, "blue_marble_2048.jpg"))
+    shown.InterpolateTextures = 1  # near the ground the pixels of the texture would be seen
+    shown.Ambient, shown.Diffuse, shown.Specular, shown.SpecularPower = ambient, diffuse, specular, 20
+
+
+def read_forecast(exaggeration, name="Forecast", **projection):
+    forecast = pvs.NetCDFReader(FileName=[os.path.join(DATA, "gfs_2p5deg_2011101100.nc")], SphericalCoordinates=0)
+    forecast.Dimensions = "(lev, lat, lon)"
+    grid = pvs.GlobeGrid(Input=forecast, VerticalExaggeration=exaggeration, **projection)
+    pvs.RenameSource(name, grid)
+    return grid
+
+
+def colour_table(array, points):
+    table = pvs.GetColorTransferFunction(array)
+    table.AutomaticRescaleRangeMode = "Never"
+    table.ColorSpace = "RGB"
+    table.RGBPoints = points
+    return table
+
+
+def show_clouds(grid, view, opacity_points, unit_distance, colour_array, colours):
+    """Cell compositing of the cloud fraction, coloured by an array; returns what is shown and its colour table."""
+    shown = pvs.Show(grid, view)
+    pvs.ColorBy(shown, ("POINTS", colour_array))
+    shown.SetRepresentationType("Cell Compositing")
+    shown.LookupTable = colour_table(colour_array, colours)
+    shown.SetScalarBarVisibility(view, False)
+    if colour_array != "cloud_fraction":
+        shown.CellCompositingOpacityArray = "cloud_fraction"
+    opacity = pvs.GetOpacityTransferFunction("cloud_fraction")
+    opacity.Points = opacity_points
+    shown.ScalarOpacityFunction = opacity
+    shown.CellCompositingAutomaticUnitDistance = 0
+    shown.CellCompositingUnitDistance = unit_distance
+    return shown, shown.LookupTable
+
+
+def save(name, view, size=(1920, 1080)):
+    """The picture, and the ParaView state that shows it again."""
+    pvs.Render(view)
+    folder = os.environ["NEPHOSCOPE_GALLERY"]
+    picture, state = os.path.join(folder, name + ".png"), os.path.join(folder, name + ".pvsm")
+    pvs.SaveScreenshot(picture, view, ImageResolution=list(size))
+    print("wrote", picture)
+    pvs.SaveState(state)
+    print("wrote", state)
