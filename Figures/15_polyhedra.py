@@ -7,6 +7,7 @@ A spiral of one VTK_POLYHEDRON with a field that is linear along it. The divisio
 picture twice, and warns.
 """
 import os
+import sys
 
 import nephoscope
 import vtkmodules.vtkInteractionStyle  # noqa: F401
@@ -14,9 +15,11 @@ import vtkmodules.vtkRenderingOpenGL2  # noqa: F401
 from vtkmodules.vtkCommonCore import vtkDoubleArray, vtkIdList, vtkPoints
 from vtkmodules.vtkCommonDataModel import VTK_POLYHEDRON, vtkPiecewiseFunction, vtkUnstructuredGrid
 from vtkmodules.vtkFiltersGeneral import vtkShrinkFilter
-from vtkmodules.vtkIOImage import vtkPNGWriter
 from vtkmodules.vtkRenderingCore import (vtkActor, vtkColorTransferFunction, vtkDataSetMapper, vtkRenderer, vtkRenderWindow,
-                                         vtkVolume, vtkVolumeProperty, vtkWindowToImageFilter)
+                                         vtkVolume, vtkVolumeProperty)
+
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "common"))
+import pictures  # noqa: E402
 
 GALLERY = os.environ["NEPHOSCOPE_GALLERY"]
 SIZE = (1200, 400)
@@ -91,17 +94,6 @@ def add_renderer(window, column):
     return renderer
 
 
-def write(window, path):
-    grab = vtkWindowToImageFilter()
-    grab.SetInput(window)
-    grab.ReadFrontBufferOff()
-    writer = vtkPNGWriter()
-    writer.SetFileName(path)
-    writer.SetInputConnection(grab.GetOutputPort())
-    writer.Write()
-    print("wrote", path)
-
-
 def main():
     whole = spiral_cell()
     divider = nephoscope.vtkPolyhedronToTetrahedra()
@@ -114,7 +106,7 @@ def main():
     add_volume(add_renderer(window, 1), divider.GetOutput())
     add_tetrahedra(add_renderer(window, 2), divider.GetOutput())
     window.Render()
-    write(window, os.path.join(GALLERY, "15_polyhedra.png"))
+    pictures.write(window, os.path.join(GALLERY, "15_polyhedra.png"))
 
 
 main()

@@ -7,6 +7,7 @@ reach in metres at all latitudes. Colour is the altitude, an array that comes wi
 """
 import math
 import os
+import sys
 
 import nephoscope
 import vtkmodules.vtkInteractionStyle  # noqa: F401
@@ -14,10 +15,13 @@ import vtkmodules.vtkRenderingFreeType  # noqa: F401
 import vtkmodules.vtkRenderingOpenGL2  # noqa: F401
 from vtkmodules.vtkCommonDataModel import vtkDataObject
 from vtkmodules.vtkFiltersSources import vtkTexturedSphereSource
-from vtkmodules.vtkIOImage import vtkJPEGReader, vtkPNGWriter
+from vtkmodules.vtkIOImage import vtkJPEGReader
 from vtkmodules.vtkIONetCDF import vtkNetCDFCFReader
 from vtkmodules.vtkRenderingCore import (vtkActor, vtkColorTransferFunction, vtkLight, vtkPolyDataMapper, vtkRenderer, vtkRenderWindow,
-                                         vtkTextActor, vtkTexture, vtkWindowToImageFilter)
+                                         vtkTextActor, vtkTexture)
+
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "common"))
+import pictures  # noqa: E402
 
 DATA = os.environ["NEPHOSCOPE_DATA"]
 GALLERY = os.environ["NEPHOSCOPE_GALLERY"]
@@ -129,17 +133,6 @@ def add_globe(window, column, clouds, text):
     renderer.ResetCameraClippingRange()
 
 
-def write(window, path):
-    grab = vtkWindowToImageFilter()
-    grab.SetInput(window)
-    grab.ReadFrontBufferOff()
-    writer = vtkPNGWriter()
-    writer.SetFileName(path)
-    writer.SetInputConnection(grab.GetOutputPort())
-    writer.Write()
-    print("wrote", path)
-
-
 def main():
     globe = forecast()
     window = vtkRenderWindow()
@@ -150,7 +143,7 @@ def main():
     add_globe(window, 1, cloud_actor(globe, ITERATIONS), "The same, smoothed once. Orange: below 2 km; white: near 7 km;\n"
               f"blue: above 11 km. Heights exaggerated {EXAGGERATION} times")
     window.Render()
-    write(window, os.path.join(GALLERY, "16_smoothed_clouds.png"))
+    pictures.write(window, os.path.join(GALLERY, "16_smoothed_clouds.png"))
 
 
 main()

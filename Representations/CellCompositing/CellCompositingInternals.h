@@ -9,10 +9,10 @@
 #include "CellCompositingPass.h"
 #include "CellScene.h"
 #include "FacePass.h"
+#include "OwnThreads.h"
 #include "ScalarSelection.h"
 
 #include "vtkDataArray.h"
-#include "vtkSMPTools.h"
 #include "vtkSmartPointer.h"
 
 #include <cstdint>
@@ -38,15 +38,5 @@ struct vtkCellCompositingMapper::vtkInternals
   nephoscope::CellScene::Cycles CountCycles(vtkCellCompositingMapper* self);
   bool IsUploadNeeded() const { return this->Uploaded != this->Scene.GetVersions(); }
 };
-
-namespace nephoscope
-{
-/** Threads for our own work, without changing the application's choice of backend. */
-template <typename Work>
-void withThreads(Work work)
-{
-  vtkSMPTools::LocalScope(vtkSMPTools::Config{ 0, "STDThread", false }, work);
-}
-}
 
 #endif

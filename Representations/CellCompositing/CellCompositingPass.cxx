@@ -10,8 +10,6 @@
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLState.h"
 
-#include <sstream>
-
 namespace nephoscope
 {
 namespace

@@ -25,7 +25,10 @@ struct SplatClasses
   std::vector<std::array<float, 4>> Colors; ///< one for each of them
 };
 
-/** `keepTransparent`: samples without extinction stay too, for their vectors. `scalars.Array` gives the colour, `opacity.Array`, or the same one if it is null, the extinction. Values that are not finite are not seen. */
+/**
+ * `scalars.Array` gives the colour, `opacity.Array`, or the same one if it is null, the extinction. Values that are not finite are
+ * not seen. `keepTransparent`: samples without extinction stay too, for their vectors.
+ */
 SplatClasses ClassifySplats(vtkDataSet* data, const SplatSamples& samples,
   const ScalarSelection& scalars, const ScalarSelection& opacity, vtkVolumeProperty* property,
   bool keepTransparent = false);

@@ -193,7 +193,7 @@ SplatSamples FindSplatSamples(vtkDataSet* data, const SplatSampling& sampling, s
   forAll(samples.Jacobians.size(), [&](std::size_t i) {
     const SplatMatrix jacobian = grid.IsGrid()
       ? grid.Jacobian(samples.Ids[i])
-      : ball(sampling.Radius > 0 ? sampling.Radius : MeanSpacing(bounds, places.size()));
+      : ball(sampling.CellSize > 0 ? sampling.CellSize : MeanSpacing(bounds, places.size()));
     samples.Jacobians[i] = toFloat(WithoutFlatColumns(jacobian, flatShare));
   });
   for (const SplatSamples::Jacobian& jacobian : samples.Jacobians)

@@ -5,7 +5,7 @@
  *
  * A sample is a point, or the centre of a cell where the data are on cells. Its shape is the Jacobian of its grid cell: three
  * edge vectors, by central differences on structured grids. Where there is no grid (particles, unstructured points) it is a
- * ball of the radius that is asked for, or of the mean spacing.
+ * ball of the cell size that is asked for, or of the mean spacing.
  *
  * Samples stand in an order that does not depend on the order of the input: by x, then y, then z.
  */
@@ -47,7 +47,7 @@ struct SplatSamples
 struct SplatSampling
 {
   bool OnCells = false;
-  double Radius = 0; ///< edge of the cell of samples without a grid; 0: the mean spacing
+  double CellSize = 0; ///< edge of the cell of samples without a grid; 0: the mean spacing
 };
 
 /** Of the points that are at finite places. */

@@ -3,6 +3,7 @@
 #include "vtkTexturedSplatMapper.h"
 
 #include "ArraySelection.h"
+#include "OwnThreads.h"
 #include "SplatClasses.h"
 #include "SplatKernel.h"
 #include "SplatOrder.h"
@@ -23,7 +24,6 @@
 #include "vtkPiecewiseFunction.h"
 #include "vtkPointData.h"
 #include "vtkRenderer.h"
-#include "vtkSMPTools.h"
 #include "vtkVolume.h"
 #include "vtkVolumeProperty.h"
 
@@ -32,17 +32,9 @@
 #include <tuple>
 
 using nephoscope::ScalarSelection;
+using nephoscope::withThreads;
 
 vtkStandardNewMacro(vtkTexturedSplatMapper);
-
-namespace
-{
-template <typename Work>
-void withThreads(Work work)
-{
-  vtkSMPTools::LocalScope(vtkSMPTools::Config{ 0, "STDThread", false }, work);
-}
-}
 
 /** Each stage is made again only when what it was made from has changed. */
 struct vtkTexturedSplatMapper::vtkInternals

@@ -71,8 +71,8 @@ float vectorTexture(float q)
   vec2 axis = vectorGSOutput.xy;
   float along = dot(place, axis) / (streakPeriod * max(vectorGSOutput.z, 0.05));
   float y = dot(place, vec2(-axis.y, axis.x));
-  float dot_ = exp(-12.0 * q);
-  return mix(dot_, streaks(along - vectorGSOutput.w, y), smoothstep(0.1, 0.4, vectorGSOutput.z));
+  float roundDot = exp(-12.0 * q);
+  return mix(roundDot, streaks(along - vectorGSOutput.w, y), smoothstep(0.1, 0.4, vectorGSOutput.z));
 }
 
 // The share of the kernel along a ray that lies before a cut: from 0 at -1 to 1 at 1, in half chords.
@@ -134,7 +134,7 @@ void main()
   // The vector lies in the middle of the medium: half of it in front, half behind (SplatOpacity.h).
   float vectorAlpha = 1.0 - exp(-vectorScale * strengthGSOutput * splatGSOutput.y * window * vectorTexture(q));
   vec3 vectorLight = mix(colorGSOutput.rgb, vectorColor.rgb, vectorColor.a);
-  float half_ = exp(-0.5 * opticalDepth);
-  vec3 mediumLight = colorGSOutput.rgb * (1.0 - half_);
-  gl_FragData[0] = vec4(mediumLight + half_ * mix(mediumLight, vectorLight, vectorAlpha), 1.0 - half_ * half_ * (1.0 - vectorAlpha));
+  float halfway = exp(-0.5 * opticalDepth);
+  vec3 mediumLight = colorGSOutput.rgb * (1.0 - halfway);
+  gl_FragData[0] = vec4(mediumLight + halfway * mix(mediumLight, vectorLight, vectorAlpha), 1.0 - halfway * halfway * (1.0 - vectorAlpha));
 }
