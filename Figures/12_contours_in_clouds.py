@@ -54,7 +54,8 @@ def show_caption(view):
 pvs._DisableFirstRenderCameraReset()
 view = globe_scene.make_view(
     "Contours in clouds", position=[4 * DEGREE, -140 * DEGREE, 92 * DEGREE], focus=[42 * DEGREE, -24 * DEGREE, 0], up=[0, 0, 1],
-    angle=42, sun=[-60 * DEGREE, -150 * DEGREE, 190 * DEGREE], background=([0.008, 0.012, 0.03], [0.05, 0.09, 0.17]))
+    angle=42, sun=[-60 * DEGREE, -150 * DEGREE, 190 * DEGREE], background=([0.008, 0.012, 0.03], [0.05, 0.09, 0.17]),
+    sunshine=1.15)
 show_terrain(view)
 forecast = globe_scene.read_forecast(EXAGGERATION, "Clouds and winds", Projection="Map", UseCentralMeridian=1)  # Greenwich
 show_jets(globe_scene.show_clouds(forecast, view, CLOUD_OPACITY, UNIT_DISTANCE, "Height", CLOUD_COLOURS)[0])

@@ -18,7 +18,7 @@ def on_globe(longitude, latitude, radii=1.0, height=0.0):
     return [r * math.cos(lat) * math.cos(lon), r * math.cos(lat) * math.sin(lon), r * math.sin(lat)]
 
 
-def make_view(name, position, focus, up, angle, sun, size=(1920, 1080), background=NIGHT):
+def make_view(name, position, focus, up, angle, sun, size=(1920, 1080), background=NIGHT, sunshine=1.0):
     """A view lit by one sun; `name` is that of its layout, without which a window opens the state without the view."""
     view = pvs.CreateRenderView(ViewSize=list(size), OrientationAxesVisibility=0, UseColorPaletteForBackground=0)
     pvs.AssignViewToLayout(view, layout=pvs.CreateLayout(name))
@@ -28,6 +28,7 @@ def make_view(name, position, focus, up, angle, sun, size=(1920, 1080), backgrou
     view.UseLight = 0
     light = pvs.AddLight(view=view)
     light.Coords, light.Type, light.Position, light.FocalPoint = "Scene", "Directional", sun, [0, 0, 0]
+    light.Intensity = sunshine
     return view
 
 
