@@ -9,6 +9,8 @@
 #include "VectorTexture.h"
 #include "ViewState.h"
 
+#include "SplatCell.h"
+#include "SplatFootprint.h"
 #include "TexturedSplatFragment.h"
 #include "TexturedSplatGeometry.h"
 #include "TexturedSplatVertex.h"
@@ -65,6 +67,8 @@ std::string specialized(const char* shader, const std::string& constants)
 {
   std::string source = shader;
   vtkShaderProgram::Substitute(source, "//NEPHOSCOPE::Constants", constants);
+  vtkShaderProgram::Substitute(source, "//NEPHOSCOPE::Cell", SplatCell);
+  vtkShaderProgram::Substitute(source, "//NEPHOSCOPE::Footprint", SplatFootprint);
   return source;
 }
 

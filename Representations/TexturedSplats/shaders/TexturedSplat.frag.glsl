@@ -8,10 +8,7 @@
 //        angles to each other, the ray passes the centre at the distance |st| |w| / |k|, and a cell is |ray| / |k| thick
 // What lies behind opaque geometry is left out: the share of the kernel in front of it along the ray is taken as a polynomial
 // of the place where it is cut.
-uniform sampler2D opaqueDepth;
-uniform vec4 depthToVC; // z in VC = (x + y e) / (z + w e) with e = 1 - depth
 uniform bool parallelRays;
-uniform float kernelRadius;
 uniform float extinctionScale;
 uniform float vectorScale;  // optical depth of a vector at full strength, for a footprint of 1
 uniform float streakPeriod; // in sizes of the splat
@@ -29,30 +26,7 @@ flat in float strengthGSOutput;
 in vec3 rayGSOutput;
 flat in vec3 cellsGSOutput;
 
-// The line integral of the kernel as a function of q = (distance / radius)^2, in [0, 1].
-float footprint(float q)
-{
-  float rest = 1.0 - q;
-  if (kernel == 0) // SplatKernel.h: cubic_kernel::Footprint, to 5e-5
-  {
-    return rest * rest * rest *
-      (CUBIC0 + q * (CUBIC1 + q * (CUBIC2 + q * (CUBIC3 + q * (CUBIC4 + q * (CUBIC5 + q * (CUBIC6 + q * CUBIC7)))))));
-  }
-  if (kernel == 1)
-  {
-    float rho = kernelRadius * sqrt(q);
-    return rho <= QUADRATIC_INNER_RADIUS
-      ? QUADRATIC_INNER * (QUADRATIC_INNER_RADIUS * kernelRadius - rho * rho)
-      : QUADRATIC_OUTER * (kernelRadius - rho) * (kernelRadius - rho);
-  }
-  return GAUSSIAN_PEAK * exp(-GAUSSIAN_DECAY * q);
-}
-
-float opaqueZ()
-{
-  float e = 1.0 - texelFetch(opaqueDepth, ivec2(gl_FragCoord.xy), 0).r;
-  return (depthToVC.x + depthToVC.y * e) / (depthToVC.z + depthToVC.w * e);
-}
+//NEPHOSCOPE::Footprint
 
 // VectorTexture.h: streaks along x, period 1.
 float streaks(float along, float y)
@@ -73,13 +47,6 @@ float vectorTexture(float q)
   float y = dot(place, vec2(-axis.y, axis.x));
   float roundDot = exp(-12.0 * q);
   return mix(roundDot, streaks(along - vectorGSOutput.w, y), smoothstep(0.1, 0.4, vectorGSOutput.z));
-}
-
-// The share of the kernel along a ray that lies before a cut: from 0 at -1 to 1 at 1, in half chords.
-float shareBefore(float cut)
-{
-  float x = clamp(cut, -1.0, 1.0);
-  return 0.5 + x * (0.9375 + x * x * (-0.625 + 0.1875 * x * x));
 }
 
 // A splat so near that the eye may be inside: all that is in front of the eye.

@@ -11,18 +11,17 @@
 layout(points) in;
 layout(triangle_strip, max_vertices = 4) out;
 
-uniform samplerBuffer splats; // (centre, -), or the columns of J with the centre in the fourth components
 uniform samplerBuffer splatColors; // colour, extinction per world length
 uniform samplerBuffer splatVectors; // vector, phase
 uniform float greatestSpeed;       // where vectors are fully drawn
-uniform mat4 modelToVC;
 uniform mat4 VCToDC;
-uniform mat3 sharedJacobian;
 uniform bool parallelRays;
 uniform float kernelRadius; // cells
 uniform vec2 pixelsPerDC;   // half the size of the viewport
 
 //NEPHOSCOPE::Constants
+
+//NEPHOSCOPE::Cell
 
 flat in int splatVSOutput[];
 out vec2 stGSOutput;
@@ -35,26 +34,6 @@ flat out float strengthGSOutput; // of the vector, 0 to 1
 out vec3 rayGSOutput;            // near the eye: the ray in cells
 flat out vec3 cellsGSOutput;     // and w
 
-void readSplat(int splat, out vec3 centerVC, out mat3 jacobianVC)
-{
-  vec3 center;
-  mat3 jacobian = sharedJacobian;
-  if (jacobianPerSplat)
-  {
-    vec4 x = texelFetch(splats, 3 * splat);
-    vec4 y = texelFetch(splats, 3 * splat + 1);
-    vec4 z = texelFetch(splats, 3 * splat + 2);
-    center = vec3(x.w, y.w, z.w);
-    jacobian = mat3(x.xyz, y.xyz, z.xyz);
-  }
-  else
-  {
-    center = texelFetch(splats, splat).xyz;
-  }
-  centerVC = (modelToVC * vec4(center, 1.0)).xyz;
-  jacobianVC = mat3(modelToVC) * jacobian;
-}
-
 void emit(vec2 st, vec3 positionVC, vec3 centerVC, vec4 color, vec2 splat, vec4 vector, float strength)
 {
   stGSOutput = st;
@@ -65,6 +44,7 @@ void emit(vec2 st, vec3 positionVC, vec3 centerVC, vec4 color, vec2 splat, vec4 
   vectorGSOutput = vector;
   strengthGSOutput = strength;
   gl_Position = VCToDC * vec4(positionVC, 1.0);
+  gl_Position.z = 0.0; // the near and the far plane cut nothing
   EmitVertex();
 }
 
