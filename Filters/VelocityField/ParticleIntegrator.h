@@ -25,34 +25,38 @@ public:
   void Advance(
     const Particles& particles, double time, double step, const IntegrationSettings& settings)
   {
-    if (settings.Method == IntegrationMethod::RungeKutta4)
+    switch (settings.Method)
     {
-      this->AdvanceRungeKutta4(particles, time, step);
-    }
-    else
-    {
-      this->Adaptive.Advance(particles, time, step, settings);
-    }
-  }
-
-  void AdvanceRungeKutta4(const Particles& particles, double time, double step)
-  {
-    this->Stages.Gather(particles, step, 4);
-    const std::size_t count = this->Stages.Count();
-    for (int s = 0; s < 4 && count > 0; ++s)
-    {
-      this->Stages.SampleStage(this->Field, RungeKutta4::Stages[s], s,
-        time + RungeKutta4::Fractions[s] * step, nullptr);
-    }
-    for (std::size_t i = 0; i < count; ++i)
-    {
-      const bool inside = this->Stages.Found[i];
-      this->Stages.Release(
-        particles, i, inside, this->Stages.Moved(i, RungeKutta4::Weights, 4));
+      case IntegrationMethod::Euler:
+        this->AdvanceBy<EulerMethod>(particles, time, step);
+        break;
+      case IntegrationMethod::RungeKutta4:
+        this->AdvanceBy<RungeKutta4>(particles, time, step);
+        break;
+      default:
+        this->Adaptive.Advance(particles, time, step, settings);
     }
   }
 
 private:
+  template <typename Table>
+  void AdvanceBy(const Particles& particles, double time, double step)
+  {
+    constexpr int stages = Table::StageCount;
+    this->Stages.Gather(particles, step, stages);
+    const std::size_t count = this->Stages.Count();
+    for (int s = 0; s < stages && count > 0; ++s)
+    {
+      this->Stages.SampleStage(
+        this->Field, Table::Stages[s], s, time + Table::Fractions[s] * step, nullptr);
+    }
+    for (std::size_t i = 0; i < count; ++i)
+    {
+      const bool inside = this->Stages.Found[i];
+      this->Stages.Release(particles, i, inside, this->Stages.Moved(i, Table::Weights, stages));
+    }
+  }
+
   const VelocityField& Field;
   RungeKuttaStages Stages;
   AdaptiveIntegrator Adaptive;

@@ -22,6 +22,7 @@ struct Particles
 
 enum class IntegrationMethod
 {
+  Euler,        // one step of first order
   RungeKutta4,  // one step
   DormandPrince // of order 5, in sub-steps that keep the estimated error of each below the tolerance
 };

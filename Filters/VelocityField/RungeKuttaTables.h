@@ -1,14 +1,24 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The coefficients of two Runge-Kutta methods. Plain C++17.
+// The coefficients of Runge-Kutta methods. Plain C++17.
 #ifndef nephoscope_RungeKuttaTables_h
 #define nephoscope_RungeKuttaTables_h
 
 namespace nephoscope
 {
+// Of first order: one slope, that of the start.
+struct EulerMethod
+{
+  static constexpr int StageCount = 1;
+  static constexpr double Fractions[1] = { 0.0 };
+  static constexpr double Stages[1][1] = { { 0.0 } };
+  static constexpr double Weights[1] = { 1.0 };
+};
+
 // The classical method of fourth order: row s of Stages makes the probe of stage s from the slopes before it.
 struct RungeKutta4
 {
+  static constexpr int StageCount = 4;
   static constexpr double Fractions[4] = { 0.0, 0.5, 0.5, 1.0 };
   static constexpr double Stages[4][4] = { { 0.0 }, { 0.5 }, { 0.0, 0.5 }, { 0.0, 0.0, 1.0 } };
   static constexpr double Weights[4] = { 1.0 / 6.0, 1.0 / 3.0, 1.0 / 3.0, 1.0 / 6.0 };

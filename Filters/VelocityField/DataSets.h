@@ -5,6 +5,7 @@
 #define nephoscope_DataSets_h
 
 #include "VelocityField.h"
+#include "vtkNephoscopeFiltersVelocityFieldModule.h" // for export macro
 
 #include "vtkSmartPointer.h"
 #include "vtkType.h"
@@ -19,20 +20,20 @@ class vtkDataSet;
 namespace nephoscope
 {
 // Those that have cells: the leaves of a composite dataset, or the dataset itself.
-std::vector<vtkDataSet*> DataSetsOf(vtkDataObject* data);
+VTKNEPHOSCOPEFILTERSVELOCITYFIELD_EXPORT std::vector<vtkDataSet*> DataSetsOf(vtkDataObject* data);
 
-vtkBoundingBox BoundsOf(const std::vector<vtkDataSet*>& sets);
+VTKNEPHOSCOPEFILTERSVELOCITYFIELD_EXPORT vtkBoundingBox BoundsOf(const std::vector<vtkDataSet*>& sets);
 
-vtkMTimeType NewestMTime(vtkDataObject* data);
+VTKNEPHOSCOPEFILTERSVELOCITYFIELD_EXPORT vtkMTimeType NewestMTime(vtkDataObject* data);
 
 // A copy that shares the arrays, and stays as it is when a reader fills its output anew.
-vtkSmartPointer<vtkDataObject> SharedCopy(vtkDataObject* data);
+VTKNEPHOSCOPEFILTERSVELOCITYFIELD_EXPORT vtkSmartPointer<vtkDataObject> SharedCopy(vtkDataObject* data);
 
 // Why there is no velocity at a position in a cell: a sentence. Empty if it is in no cell.
-std::string WhyNoVelocityInside(const std::vector<vtkDataSet*>& sets, const Vector3& position);
+VTKNEPHOSCOPEFILTERSVELOCITYFIELD_EXPORT std::string WhyNoVelocityInside(const std::vector<vtkDataSet*>& sets, const Vector3& position);
 
 // The same for a position in no cell of data with these bounds.
-std::string WhyOutside(const vtkBoundingBox& box, const Vector3& position);
+VTKNEPHOSCOPEFILTERSVELOCITYFIELD_EXPORT std::string WhyOutside(const vtkBoundingBox& box, const Vector3& position);
 }
 
 #endif

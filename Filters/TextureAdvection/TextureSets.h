@@ -1,0 +1,78 @@
+// SPDX-FileCopyrightText: The Nephoscope authors
+// SPDX-License-Identifier: BSD-3-Clause
+// The two sets of texture coordinates: when they are born, how old they are, how much they weigh
+// (MaxCrawfisBecker1993 Sec. 5). Plain C++17.
+#ifndef nephoscope_TextureSets_h
+#define nephoscope_TextureSets_h
+
+#include <cmath>
+
+namespace nephoscope
+{
+constexpr int TEXTURE_SETS = 2;
+
+// Times in seconds. Set 0 is born at Start and every Period before and after it, set 1 half a period later.
+struct TextureSets
+{
+  double Start = 0.0;
+  double Period = 86400.0;
+
+  // The birth of the set that is alive at a time; a time of birth is of the new life.
+  double Birth(int set, double time) const
+  {
+    const double first = this->Start + (set == 0 ? 0.0 : 0.5 * this->Period);
+    double birth = first + this->Period * std::floor((time - first) / this->Period);
+    // Rounding may have put the time a hair on the wrong side of a birth.
+    birth = birth > time ? birth - this->Period : birth;
+    return time >= birth + this->Period ? birth + this->Period : birth;
+  }
+
+  double Age(int set, double time) const { return time - this->Birth(set, time); }
+
+  int Older(double time) const { return this->Age(0, time) >= this->Age(1, time) ? 0 : 1; }
+
+  double OldestBirth(double time) const { return this->Birth(this->Older(time), time); }
+
+  // A triangle: 0 at birth and death, 1 in the middle of life. That of set 1 is what is left to 1, so that the two add
+  // up to 1 exactly, and a set that is born at this very time weighs exactly 0.
+  double Weight(int set, double time) const
+  {
+    if (set == 1)
+    {
+      return this->Age(1, time) == 0.0 ? 0.0 : 1.0 - this->Weight(0, time);
+    }
+    return this->Age(1, time) == 0.0 ? 1.0 : Triangle(this->Age(0, time) / this->Period);
+  }
+
+  // `life`: age over period.
+  static double Triangle(double life) { return 1.0 - std::abs(2.0 * life - 1.0); }
+};
+
+// The ages between which a set's coordinates are interpolated, if they are computed at multiples of an interval only.
+struct KeyAges
+{
+  double First;
+  double Second;
+  double Weight; // of the second
+};
+
+// `interval` 0: the age itself. The last key age of a life is its end, so that nothing is interpolated across a birth.
+inline KeyAges KeyAgesAround(double age, double interval, double period)
+{
+  if (!(interval > 0.0))
+  {
+    return { age, age, 0.0 };
+  }
+  // A key that is reached up to rounding is that key.
+  double index = std::floor(age / interval + 1e-9);
+  const double first = index * interval;
+  const double second = std::fmin(first + interval, period);
+  if (age <= first || second <= first)
+  {
+    return { first, first, 0.0 };
+  }
+  return { first, second, (age - first) / (second - first) };
+}
+}
+
+#endif
