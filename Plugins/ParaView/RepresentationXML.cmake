@@ -2,17 +2,28 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # Writes Representations.xml: ParaView's XML can not say "the same for these four", so CMake says it.
 
-# nephoscope_extend_representation(NAME variable [EXPOSE_OPACITY_FUNCTION] SHARE subproxies...)
-# Appends to `variable` the XML that puts Cell Compositing into ParaView's representation NAME, sharing properties with
-# the given subproxies of it.
-function (nephoscope_extend_representation representation variable)
-  cmake_parse_arguments(PARSE_ARGV 2 arg "EXPOSE_OPACITY_FUNCTION" "" "SHARE")
+# nephoscope_configure_text(FILE variable)
+# The text of a file with the variables of the caller put in.
+macro (nephoscope_configure_text file variable)
+  file(READ "${CMAKE_CURRENT_SOURCE_DIR}/${file}" nephoscope_template)
+  string(CONFIGURE "${nephoscope_template}" ${variable} @ONLY)
+  set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS "${file}")
+endmacro ()
+
+# nephoscope_extend_representation(HOST NAME LABEL variable [EXPOSE_OPACITY_FUNCTION] SHARE subproxies... [OWN properties...])
+# Appends to `variable` the XML that puts the representation NAME into ParaView's representation HOST, sharing properties with
+# the given subproxies of it, but for the OWN ones.
+function (nephoscope_extend_representation host name label variable)
+  cmake_parse_arguments(PARSE_ARGV 4 arg "EXPOSE_OPACITY_FUNCTION" "" "SHARE;OWN")
   set(share_properties "")
   foreach (subproxy IN LISTS arg_SHARE)
     string(APPEND share_properties "
-        <ShareProperties subproxy=\"${subproxy}\">
-          <Exception name=\"Input\"/>
-          <Exception name=\"Visibility\"/>
+        <ShareProperties subproxy=\"${subproxy}\">")
+    foreach (property IN ITEMS Input Visibility LISTS arg_OWN)
+      string(APPEND share_properties "
+          <Exception name=\"${property}\"/>")
+    endforeach ()
+    string(APPEND share_properties "
         </ShareProperties>")
   endforeach ()
   set(expose_opacity_function "")
@@ -20,12 +31,29 @@ function (nephoscope_extend_representation representation variable)
     set(expose_opacity_function "
             <Property name=\"ScalarOpacityFunction\"/>")
   endif ()
-  file(READ "${CMAKE_CURRENT_SOURCE_DIR}/CellCompositingExtension.xml.in" template)
-  string(CONFIGURE "${template}" extension @ONLY)
+  set(when_chosen "
+            <Hints>
+              <PropertyWidgetDecorator type=\"GenericDecorator\" mode=\"visibility\" property=\"Representation\"
+                value=\"${label}\"/>
+            </Hints>")
+  nephoscope_configure_text(${name}Panel.xml.in panel)
+  nephoscope_configure_text(RepresentationExtension.xml.in extension)
   set(${variable} "${${variable}}${extension}" PARENT_SCOPE)
 endfunction ()
 
-set(NEPHOSCOPE_CELL_COMPOSITING_EXTENSIONS "")
+# The properties that every representation of a medium has, with what is said of this one only.
+set(name CellCompositing)
+set(opacity_array_none "None: the coloured array; smoke, as Flow Volume makes it, is then as opaque as it is dense, whatever it
+          is coloured by.")
+set(unit_distance_else "; for smoke, so that its optical depth is 1 through as much of it as the generating polygon is wide")
+nephoscope_configure_text(MediumProperties.xml.in cell_compositing_medium_properties)
+set(name TexturedSplats)
+set(opacity_array_none "None: the coloured array.")
+set(unit_distance_else "")
+nephoscope_configure_text(MediumProperties.xml.in textured_splats_medium_properties)
+nephoscope_configure_text(TexturedSplats.xml.in textured_splats_representation)
+
+set(nephoscope_extensions "")
 # Newer releases give rectilinear grids a representation of their own. Its definition is text inside ParaView's library.
 get_target_property(remoting_views ParaView::RemotingViews LOCATION)
 file(STRINGS "${remoting_views}" rectilinear_grids REGEX "RectilinearGridRepresentation" LIMIT_COUNT 1)
@@ -34,14 +62,19 @@ set(grids UniformGrid StructuredGrid UnstructuredGrid)
 if (rectilinear_grids)
   list(APPEND grids RectilinearGrid)
 endif ()
-foreach (representation IN LISTS grids)
-  nephoscope_extend_representation(${representation}Representation NEPHOSCOPE_CELL_COMPOSITING_EXTENSIONS
+foreach (grid IN LISTS grids)
+  nephoscope_extend_representation(${grid}Representation CellCompositing "Cell Compositing" nephoscope_extensions
+    SHARE SurfaceRepresentation VolumeRepresentation)
+  nephoscope_extend_representation(${grid}Representation TexturedSplats "Textured Splats" nephoscope_extensions
     SHARE SurfaceRepresentation VolumeRepresentation)
 endforeach ()
-# Composites of mixed kinds. This one has no volume rendering of its own, hence no opacity function either.
-nephoscope_extend_representation(GeometryRepresentation NEPHOSCOPE_CELL_COMPOSITING_EXTENSIONS
+# Particles, surfaces, and composites of mixed kinds. This one has no volume rendering of its own, hence no opacity function either: ours
+# have one in common.
+nephoscope_extend_representation(GeometryRepresentation CellCompositing "Cell Compositing" nephoscope_extensions
   EXPOSE_OPACITY_FUNCTION SHARE SurfaceRepresentation)
+nephoscope_extend_representation(GeometryRepresentation TexturedSplats "Textured Splats" nephoscope_extensions
+  SHARE SurfaceRepresentation CellCompositingRepresentation
+  OWN OpacityScale OpacityArray AutomaticUnitDistance UnitDistance)
 
 set(nephoscope_representations_xml "${CMAKE_CURRENT_BINARY_DIR}/Representations.xml")
 configure_file(Representations.xml.in "${nephoscope_representations_xml}" @ONLY)
-set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS CellCompositingExtension.xml.in)

@@ -2,16 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SplatSamples.h"
 
-#include "EllipsoidSplat.h"
-#include "GridSamples.h"
 
 #include "vtkBoundingBox.h"
 #include "vtkDataSet.h"
-#include "vtkDataSetAttributes.h"
-#include "vtkGenericCell.h"
-#include "vtkNew.h"
 #include "vtkSMPTools.h"
-#include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
 #include <cmath>
@@ -21,34 +15,18 @@ namespace nephoscope
 {
 namespace
 {
-constexpr double flatShare =
-  0.02; // of the longest edge: cells at the poles, and grids one sample thick, keep a thickness
-
-std::vector<vtkIdType> visibleIds(vtkDataSet* data, bool onCells)
+std::vector<vtkIdType> visibleIds(const SplatShapes& shapes)
 {
-  vtkUnsignedCharArray* ghosts = onCells ? data->GetCellGhostArray() : data->GetPointGhostArray();
-  const int left = onCells
-    ? vtkDataSetAttributes::HIDDENCELL | vtkDataSetAttributes::DUPLICATECELL
-    : vtkDataSetAttributes::HIDDENPOINT | vtkDataSetAttributes::DUPLICATEPOINT;
   std::vector<vtkIdType> ids;
-  const vtkIdType count = onCells ? data->GetNumberOfCells() : data->GetNumberOfPoints();
-  ids.reserve(static_cast<std::size_t>(count));
-  for (vtkIdType id = 0; id < count; ++id)
+  ids.reserve(static_cast<std::size_t>(shapes.GetNumberOfIds()));
+  for (vtkIdType id = 0; id < shapes.GetNumberOfIds(); ++id)
   {
-    if (!ghosts || !(ghosts->GetValue(id) & left))
+    if (shapes.IsVisible(id))
     {
       ids.push_back(id);
     }
   }
   return ids;
-}
-
-SplatVector cellCentre(vtkDataSet* data, vtkIdType id)
-{
-  double bounds[6];
-  data->GetCellBounds(id, bounds);
-  return { { 0.5 * (bounds[0] + bounds[1]), 0.5 * (bounds[2] + bounds[3]),
-    0.5 * (bounds[4] + bounds[5]) } };
 }
 
 SplatSamples::Jacobian toFloat(const SplatMatrix& matrix)
@@ -62,11 +40,6 @@ SplatSamples::Jacobian toFloat(const SplatMatrix& matrix)
     }
   }
   return result;
-}
-
-SplatMatrix ball(double edge)
-{
-  return { { { { edge, 0, 0 } }, { { 0, edge, 0 } }, { { 0, 0, edge } } } };
 }
 
 // Drops what is nowhere, and brings the rest into the order of places.
@@ -146,29 +119,10 @@ double MeanSpacing(const double bounds[6], std::size_t count)
 SplatSamples FindSplatSamples(vtkDataSet* data, const SplatSampling& sampling, std::string& error)
 {
   SplatSamples samples;
-  const GridSamples grid(data, sampling.OnCells);
-  samples.Ids = visibleIds(data, sampling.OnCells);
+  const SplatShapes shapes(data, sampling);
+  samples.Ids = visibleIds(shapes);
   std::vector<SplatVector> places(samples.Ids.size());
-  if (sampling.OnCells && !samples.Ids.empty())
-  {
-    double bounds[6];
-    data->GetCellBounds(samples.Ids[0], bounds); // so that calls from threads find it prepared
-  }
-  forAll(places.size(), [&](std::size_t i) {
-    const vtkIdType id = samples.Ids[i];
-    if (grid.IsGrid())
-    {
-      places[i] = grid.Position(id);
-    }
-    else if (sampling.OnCells)
-    {
-      places[i] = cellCentre(data, id);
-    }
-    else
-    {
-      data->GetPoint(id, places[i].data());
-    }
-  });
+  forAll(places.size(), [&](std::size_t i) { places[i] = shapes.Place(samples.Ids[i]); });
   sortByPlace(samples.Ids, places);
   if (samples.Ids.empty())
   {
@@ -188,14 +142,9 @@ SplatSamples FindSplatSamples(vtkDataSet* data, const SplatSampling& sampling, s
       samples.Positions[i][c] = static_cast<float>(places[i][c] - samples.Center[c]);
     }
   });
-  const bool shared = !grid.IsGrid() || grid.IsUniform();
-  samples.Jacobians.resize(shared ? 1 : places.size());
-  forAll(samples.Jacobians.size(), [&](std::size_t i) {
-    const SplatMatrix jacobian = grid.IsGrid()
-      ? grid.Jacobian(samples.Ids[i])
-      : ball(sampling.CellSize > 0 ? sampling.CellSize : MeanSpacing(bounds, places.size()));
-    samples.Jacobians[i] = toFloat(WithoutFlatColumns(jacobian, flatShare));
-  });
+  samples.Jacobians.resize(shapes.HaveOneShape() ? 1 : places.size());
+  forAll(samples.Jacobians.size(),
+    [&](std::size_t i) { samples.Jacobians[i] = toFloat(shapes.Jacobian(samples.Ids[i])); });
   for (const SplatSamples::Jacobian& jacobian : samples.Jacobians)
   {
     for (const auto& e : jacobian)

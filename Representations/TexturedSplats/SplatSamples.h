@@ -12,7 +12,7 @@
 #ifndef SplatSamples_h
 #define SplatSamples_h
 
-#include "SplatMatrix.h"
+#include "SplatShapes.h"
 
 #include "vtkType.h"
 
@@ -42,12 +42,6 @@ struct SplatSamples
   {
     return this->Jacobians[this->Jacobians.size() == 1 ? 0 : i];
   }
-};
-
-struct SplatSampling
-{
-  bool OnCells = false;
-  double CellSize = 0; ///< edge of the cell of samples without a grid; 0: the mean spacing
 };
 
 /** Of the points that are at finite places. */

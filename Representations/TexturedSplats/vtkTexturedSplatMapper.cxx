@@ -13,6 +13,7 @@
 #include "ViewState.h"
 #include "VolumePeel.h"
 
+#include "vtkAbstractMapper.h"
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
 #include "vtkDataSet.h"
@@ -42,8 +43,12 @@ struct vtkTexturedSplatMapper::vtkInternals
   using SampleKey = std::tuple<vtkDataSet*, vtkMTimeType, bool, double>;
   using ClassKey = std::tuple<vtkDataArray*, vtkDataArray*, int, vtkMTimeType, vtkMTimeType, bool>;
 
+  using BoundsKey = std::tuple<vtkDataSet*, vtkMTimeType, bool, double, int>;
+
   SampleKey SampledFrom{ nullptr, 0, false, 0.0 };
   ClassKey ClassifiedBy{ nullptr, nullptr, 0, 0, 0, false };
+  BoundsKey BoundsOf{ nullptr, 0, false, 0.0, 0 };
+  double Bounds[6] = { 1, -1, 1, -1, 1, -1 };
   nephoscope::SplatSamples Samples;
   nephoscope::SplatClasses Classes;
   nephoscope::SplatVectors Vectors;
@@ -57,6 +62,20 @@ struct vtkTexturedSplatMapper::vtkInternals
   bool SplatsUploaded = false, OrderUploaded = false;
   vtkOpenGLRenderWindow* Window = nullptr;
   std::string LastError;
+
+  void UpdateBounds(vtkDataSet* input, const nephoscope::SplatSampling& sampling, int kernel)
+  {
+    const BoundsKey key(input, input->GetMTime(), sampling.OnCells, sampling.CellSize, kernel);
+    if (key == this->BoundsOf)
+    {
+      return;
+    }
+    this->BoundsOf = key;
+    withThreads([&]() {
+      nephoscope::FindSplatBounds(nephoscope::SplatShapes(input, sampling),
+        nephoscope::KernelRadius(static_cast<nephoscope::SplatKernel>(kernel)), this->Bounds);
+    });
+  }
 
   void UpdateOrder(const nephoscope::SplatEye& eye)
   {
@@ -101,17 +120,12 @@ double* vtkTexturedSplatMapper::GetBounds()
   vtkDataSet* input = this->GetDataSetInput();
   if (input && input->GetNumberOfPoints() > 0)
   {
-    // A splat reaches 1.56 cells from its centre: without looking at the cells, twice the mean one.
-    nephoscope::FindPlaceBounds(input, this->Bounds);
-    const auto samples = static_cast<std::size_t>(input->GetNumberOfPoints());
-    const double cell =
-      std::max(this->CellSize, 2.0 * nephoscope::MeanSpacing(this->Bounds, samples));
-    const double reach =
-      cell * nephoscope::KernelRadius(static_cast<nephoscope::SplatKernel>(this->Kernel));
-    for (int i = 0; i < 6; ++i)
-    {
-      this->Bounds[i] += i % 2 ? reach : -reach;
-    }
+    int cellFlag = 0;
+    vtkAbstractMapper::GetScalars(
+      input, this->ScalarMode, this->ArrayAccessMode, this->ArrayId, this->ArrayName, cellFlag);
+    const nephoscope::SplatSampling sampling{ cellFlag == 1, this->CellSize };
+    this->Internals->UpdateBounds(input, sampling, this->Kernel);
+    std::copy_n(this->Internals->Bounds, 6, this->Bounds);
   }
   return this->Bounds;
 }

@@ -29,7 +29,24 @@ double volumeOf(vtkDataSet* data, const std::array<vtkIdType, 4>& tetrahedron)
   return std::isfinite(volume) ? volume : 0.0;
 }
 
-double scalarAt(vtkDataArray* scalars, vtkIdType tuple)
+/** Over one tetrahedron; 0 where a value is not finite, as such cells are not drawn. */
+double meanScalar(
+  vtkDataArray* scalars, bool onCells, vtkIdType cell, const std::array<vtkIdType, 4>& tetrahedron)
+{
+  if (!scalars)
+  {
+    return 0.0;
+  }
+  double mean = 0.0;
+  for (vtkIdType point : tetrahedron)
+  {
+    mean += 0.25 * scalarOf(scalars, onCells ? cell : point);
+  }
+  return std::isfinite(mean) ? mean : 0.0;
+}
+} // namespace
+
+double scalarOf(vtkDataArray* scalars, vtkIdType tuple)
 {
   double sum = 0.0;
   const int components = scalars->GetNumberOfComponents();
@@ -43,23 +60,6 @@ double scalarAt(vtkDataArray* scalars, vtkIdType tuple)
   }
   return std::sqrt(sum);
 }
-
-/** Over one tetrahedron; 0 where a value is not finite, as such cells are not drawn. */
-double meanScalar(
-  vtkDataArray* scalars, bool onCells, vtkIdType cell, const std::array<vtkIdType, 4>& tetrahedron)
-{
-  if (!scalars)
-  {
-    return 0.0;
-  }
-  double mean = 0.0;
-  for (vtkIdType point : tetrahedron)
-  {
-    mean += 0.25 * scalarAt(scalars, onCells ? cell : point);
-  }
-  return std::isfinite(mean) ? mean : 0.0;
-}
-} // namespace
 
 CellMeasures measureCells(vtkDataSet* data, vtkDataArray* scalars, bool onCells)
 {

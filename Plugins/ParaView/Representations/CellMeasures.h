@@ -6,6 +6,8 @@
 #ifndef CellMeasures_h
 #define CellMeasures_h
 
+#include "vtkType.h"
+
 class vtkDataArray;
 class vtkDataSet;
 
@@ -20,6 +22,9 @@ struct CellMeasures
   double ScalarRange[2] = { 1.0, -1.0 };
   double Bounds[6] = { 1.0, -1.0, 1.0, -1.0, 1.0, -1.0 };
 };
+
+/** A value of an array of scalars; the magnitude of a vector. */
+double scalarOf(vtkDataArray* scalars, vtkIdType tuple);
 
 /**
  * Of a piece. `scalars` may be null; vectors count by their magnitude. Integrals come from about 1e5 evenly chosen cells.

@@ -2,19 +2,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "VolumetricCells.h"
 
+#include "DataBlocks.h"
 #include "TetrahedronSource.h"
 
-#include "vtkAppendFilter.h"
 #include "vtkCellData.h"
-#include "vtkCompositeDataIterator.h"
-#include "vtkCompositeDataSet.h"
 #include "vtkImageData.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkPolyhedronToTetrahedra.h"
 #include "vtkRectilinearGrid.h"
-
-#include <vector>
 
 namespace nephoscope
 {
@@ -58,42 +54,7 @@ bool isAxisAligned(vtkDataSet* data)
 
 vtkSmartPointer<vtkDataSet> volumetricPart(vtkDataObject* input)
 {
-  if (auto data = vtkDataSet::SafeDownCast(input))
-  {
-    if (!mayHoldVolumes(data))
-    {
-      return nullptr;
-    }
-    auto copy = vtkSmartPointer<vtkDataSet>::Take(data->NewInstance());
-    copy->ShallowCopy(data);
-    return copy;
-  }
-  auto composite = vtkCompositeDataSet::SafeDownCast(input);
-  if (!composite)
-  {
-    return nullptr;
-  }
-  std::vector<vtkDataSet*> blocks;
-  auto iterator = vtkSmartPointer<vtkCompositeDataIterator>::Take(composite->NewIterator());
-  for (iterator->InitTraversal(); !iterator->IsDoneWithTraversal(); iterator->GoToNextItem())
-  {
-    auto block = vtkDataSet::SafeDownCast(iterator->GetCurrentDataObject());
-    if (mayHoldVolumes(block))
-    {
-      blocks.push_back(block);
-    }
-  }
-  if (blocks.size() < 2)
-  {
-    return blocks.empty() ? nullptr : volumetricPart(blocks.front());
-  }
-  vtkNew<vtkAppendFilter> append;
-  for (vtkDataSet* block : blocks)
-  {
-    append->AddInputData(block);
-  }
-  append->Update();
-  return vtkSmartPointer<vtkDataSet>(append->GetOutput());
+  return appendedBlocks(input, mayHoldVolumes);
 }
 
 vtkSmartPointer<vtkDataSet> withConvexCells(vtkDataSet* data)

@@ -31,13 +31,12 @@ void followDensity(vtkPiecewiseFunction* opacity, double largest)
 
 bool vtkCellCompositingRepresentation::DrawsSmoke(vtkDataSet* cells) const
 {
-  return this->OpacityArray == "None" && nephoscope::smokeDensity(cells) != nullptr;
+  return this->GetOpacityArrayName().empty() && nephoscope::smokeDensity(cells) != nullptr;
 }
 
-void vtkCellCompositingRepresentation::PrepareOpacity(vtkDataSet* cells, double unitDistance)
+void vtkCellCompositingRepresentation::PrepareOpacity(vtkDataSet* cells)
 {
-  this->Mapper->SetOpacityArrayName(
-    this->OpacityArray == "None" ? std::string() : this->OpacityArray);
+  this->Mapper->SetOpacityArrayName(this->GetOpacityArrayName());
   if (!this->DrawsSmoke(cells))
   {
     return;
@@ -48,7 +47,7 @@ void vtkCellCompositingRepresentation::PrepareOpacity(vtkDataSet* cells, double 
   smoke->GetFiniteRange(range);
   followDensity(this->SmokeOpacity, range[1] > 0.0 ? range[1] : 1.0);
   this->SmokeProperty->SetScalarOpacity(this->SmokeOpacity);
-  this->SmokeProperty->SetScalarOpacityUnitDistance(unitDistance);
+  this->SmokeProperty->SetScalarOpacityUnitDistance(this->ActualUnitDistance);
   if (colored->GetColorChannels() == 3)
   {
     this->SmokeProperty->SetColor(colored->GetRGBTransferFunction());

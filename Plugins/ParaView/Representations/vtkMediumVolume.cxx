@@ -1,15 +1,15 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "vtkCellCompositingVolume.h"
+#include "vtkMediumVolume.h"
 
 #include "vtkAbstractVolumeMapper.h"
 #include "vtkDataSet.h"
 #include "vtkObjectFactory.h"
 #include "vtkRenderer.h"
 
-vtkStandardNewMacro(vtkCellCompositingVolume);
+vtkStandardNewMacro(vtkMediumVolume);
 
-int vtkCellCompositingVolume::RenderVolumetricGeometry(vtkViewport* viewport)
+int vtkMediumVolume::RenderVolumetricGeometry(vtkViewport* viewport)
 {
   vtkAbstractVolumeMapper* mapper = this->GetMapper();
   if (!mapper || mapper->GetNumberOfInputConnections(0) == 0)
@@ -18,7 +18,7 @@ int vtkCellCompositingVolume::RenderVolumetricGeometry(vtkViewport* viewport)
   }
   mapper->Update();
   vtkDataSet* data = mapper->GetDataSetInput();
-  if (!data || data->GetNumberOfCells() == 0)
+  if (!data || data->GetNumberOfPoints() == 0)
   {
     return 0; // a rank without a piece
   }

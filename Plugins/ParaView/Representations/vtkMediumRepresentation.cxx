@@ -1,0 +1,310 @@
+// SPDX-FileCopyrightText: The Nephoscope authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkMediumRepresentation.h"
+
+#include "vtkMediumVolume.h"
+
+#include "vtkAbstractVolumeMapper.h"
+#include "vtkAlgorithmOutput.h"
+#include "vtkCellData.h"
+#include "vtkColorTransferFunction.h"
+#include "vtkCommunicator.h"
+#include "vtkDataSet.h"
+#include "vtkDoubleArray.h"
+#include "vtkFieldData.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkMath.h"
+#include "vtkMatrix4x4.h"
+#include "vtkMultiProcessController.h"
+#include "vtkPVRenderView.h"
+#include "vtkPiecewiseFunction.h"
+#include "vtkPointData.h"
+#include "vtkRenderer.h"
+#include "vtkUnsignedCharArray.h"
+#include "vtkUnstructuredGrid.h"
+#include "vtkVolumeProperty.h"
+
+namespace
+{
+// Travels with the data as a field array, so that every time step in ParaView's cache keeps its own.
+const char* const unitDistanceName = "NephoscopeUnitDistance";
+const char* const uniformName = "NephoscopeUniform";
+
+constexpr double uniformOpacity = 0.5; // under Solid Color
+
+double storedUnitDistance(vtkDataSet* data)
+{
+  vtkDataArray* array = data->GetFieldData()->GetArray(unitDistanceName);
+  return array && array->GetNumberOfTuples() > 0 ? array->GetComponent(0, 0) : 0.0;
+}
+
+vtkDataSetAttributes* attributesOf(vtkDataSet* data, int association)
+{
+  return association == vtkDataObject::FIELD_ASSOCIATION_CELLS
+    ? static_cast<vtkDataSetAttributes*>(data->GetCellData())
+    : data->GetPointData();
+}
+}
+
+vtkMediumRepresentation::vtkMediumRepresentation()
+{
+  this->Actor = vtkSmartPointer<vtkMediumVolume>::New();
+  this->Actor->SetProperty(this->Property);
+  this->Actor->SetEnableLOD(0);
+
+  vtkNew<vtkPiecewiseFunction> opacity;
+  opacity->AddPoint(0.0, uniformOpacity);
+  opacity->AddPoint(2.0, uniformOpacity);
+  this->UniformProperty->SetScalarOpacity(opacity);
+  this->SetDiffuseColor(1.0, 1.0, 1.0);
+}
+
+vtkMediumRepresentation::~vtkMediumRepresentation() = default;
+
+vtkAbstractVolumeMapper* vtkMediumRepresentation::GetMapper() const
+{
+  return this->Actor->GetMapper();
+}
+
+int vtkMediumRepresentation::GetNumberOfRanks()
+{
+  auto controller = vtkMultiProcessController::GetGlobalController();
+  return controller ? controller->GetNumberOfProcesses() : 1;
+}
+
+bool vtkMediumRepresentation::IsFirstRank()
+{
+  auto controller = vtkMultiProcessController::GetGlobalController();
+  return !controller || controller->GetLocalProcessId() == 0;
+}
+
+int vtkMediumRepresentation::LeastOverRanks(int mine)
+{
+  int least = mine;
+  if (vtkMediumRepresentation::GetNumberOfRanks() > 1)
+  {
+    vtkMultiProcessController::GetGlobalController()->AllReduce(
+      &mine, &least, 1, vtkCommunicator::MIN_OP);
+  }
+  return least;
+}
+
+void vtkMediumRepresentation::StoreUnitDistance(vtkDataSet* data, double distance)
+{
+  vtkNew<vtkDoubleArray> array;
+  array->SetName(unitDistanceName);
+  array->InsertNextValue(distance);
+  vtkNew<vtkFieldData> own; // the input shares its field data with the copy
+  own->ShallowCopy(data->GetFieldData());
+  own->AddArray(array);
+  data->SetFieldData(own);
+}
+
+int vtkMediumRepresentation::FillInputPortInformation(int, vtkInformation* info)
+{
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataSet");
+  info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkCompositeDataSet");
+  info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1); // a client without data
+  return 1;
+}
+
+void vtkMediumRepresentation::SetInputArrayToProcess(
+  int index, int port, int connection, int association, const char* name)
+{
+  const vtkMTimeType before = this->GetMTime();
+  this->Superclass::SetInputArrayToProcess(index, port, connection, association, name);
+  if (this->GetMTime() != before)
+  {
+    this->MarkModified(); // ParaView does not prepare the data again for a new colour
+  }
+}
+
+int vtkMediumRepresentation::RequestData(
+  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  if (inputVector[0]->GetNumberOfInformationObjects() == 1)
+  {
+    this->PreparePiece(vtkDataObject::GetData(inputVector[0], 0));
+  }
+  else
+  {
+    this->Piece = vtkSmartPointer<vtkUnstructuredGrid>::New();
+    vtkMath::UninitializeBounds(this->DataBounds);
+  }
+  return this->Superclass::RequestData(request, inputVector, outputVector);
+}
+
+int vtkMediumRepresentation::ProcessViewRequest(
+  vtkInformationRequestKey* request, vtkInformation* inInfo, vtkInformation* outInfo)
+{
+  if (!this->Superclass::ProcessViewRequest(request, inInfo, outInfo))
+  {
+    return 0; // not visible
+  }
+  if (request == vtkPVView::REQUEST_UPDATE())
+  {
+    outInfo->Set(vtkPVRenderView::NEED_ORDERED_COMPOSITING(), 1);
+    this->DescribePiece(inInfo);
+  }
+  else if (request == vtkPVView::REQUEST_UPDATE_LOD())
+  {
+    vtkPVRenderView::SetPieceLOD(inInfo, this, vtkPVView::GetPiece(inInfo, this));
+    vtkPVRenderView::SetRequiresDistributedRenderingLOD(inInfo, this, true);
+  }
+  else if (request == vtkPVView::REQUEST_RENDER())
+  {
+    const bool interactive = inInfo->Has(vtkPVRenderView::USE_LOD()) != 0;
+    vtkAlgorithmOutput* producer = interactive ? vtkPVRenderView::GetPieceProducerLOD(inInfo, this)
+                                               : vtkPVRenderView::GetPieceProducer(inInfo, this);
+    auto data = vtkDataSet::SafeDownCast(
+      producer ? producer->GetProducer()->GetOutputDataObject(0) : nullptr);
+    this->Actor->SetVisibility(data != nullptr && this->HoldsMedium(data));
+    if (this->Actor->GetVisibility())
+    {
+      this->PrepareMapper(data);
+    }
+  }
+  return 1;
+}
+
+void vtkMediumRepresentation::DescribePiece(vtkInformation* inInfo)
+{
+  vtkPVRenderView::SetPiece(inInfo, this, this->Piece);
+  vtkPVRenderView::SetRequiresDistributedRendering(inInfo, this, true);
+  vtkNew<vtkMatrix4x4> matrix;
+  this->Actor->GetMatrix(matrix);
+  vtkPVRenderView::SetGeometryBounds(inInfo, this, this->DataBounds, matrix);
+}
+
+void vtkMediumRepresentation::PrepareMapper(vtkDataSet* data)
+{
+  int association = 0;
+  const char* name = nullptr;
+  if (this->FindColorArray(data, association, name))
+  {
+    this->Actor->SetProperty(this->Property);
+    this->GetMapper()->SetInputDataObject(data);
+    this->GetMapper()->SelectScalarArray(name);
+    this->GetMapper()->SetScalarMode(association == vtkDataObject::FIELD_ASSOCIATION_CELLS
+        ? VTK_SCALAR_MODE_USE_CELL_FIELD_DATA
+        : VTK_SCALAR_MODE_USE_POINT_FIELD_DATA);
+  }
+  else
+  {
+    this->ColorUniformly(data);
+  }
+  const double automatic = storedUnitDistance(data);
+  this->ActualUnitDistance =
+    this->AutomaticUnitDistance && automatic > 0.0 ? automatic : this->UnitDistance;
+  this->Property->SetScalarOpacityUnitDistance(this->ActualUnitDistance);
+  this->UniformProperty->SetScalarOpacityUnitDistance(this->ActualUnitDistance);
+}
+
+vtkDataArray* vtkMediumRepresentation::FindColorArray(
+  vtkDataSet* data, int& association, const char*& name)
+{
+  vtkInformation* info = this->GetInputArrayInformation(0);
+  if (!info || !info->Has(vtkDataObject::FIELD_NAME()) || !info->Has(vtkDataObject::FIELD_ASSOCIATION()))
+  {
+    return nullptr;
+  }
+  name = info->Get(vtkDataObject::FIELD_NAME());
+  association = info->Get(vtkDataObject::FIELD_ASSOCIATION());
+  return name && name[0] ? attributesOf(data, association)->GetArray(name) : nullptr;
+}
+
+std::string vtkMediumRepresentation::GetOpacityArrayName() const
+{
+  return this->OpacityArray == "None" ? std::string() : this->OpacityArray;
+}
+
+vtkDataArray* vtkMediumRepresentation::FindOpacityArray(vtkDataSet* data, int& association)
+{
+  const std::string chosen = this->GetOpacityArrayName();
+  for (const int at : { vtkDataObject::FIELD_ASSOCIATION_POINTS, vtkDataObject::FIELD_ASSOCIATION_CELLS })
+  {
+    vtkDataArray* array = attributesOf(data, at)->GetArray(chosen.c_str());
+    if (array && !chosen.empty())
+    {
+      association = at;
+      return array;
+    }
+  }
+  const char* name = nullptr;
+  return this->FindColorArray(data, association, name);
+}
+
+void vtkMediumRepresentation::SetOpacityArray(const char* name)
+{
+  const std::string chosen = name && *name ? name : "None";
+  if (chosen != this->OpacityArray)
+  {
+    this->OpacityArray = chosen;
+    this->MarkModified(); // the automatic unit distance depends on it
+  }
+}
+
+void vtkMediumRepresentation::ColorUniformly(vtkDataSet* data)
+{
+  const int association = this->GetUniformAssociation();
+  if (!this->UniformData || this->UniformDataSource != data ||
+    this->UniformDataTime != data->GetMTime())
+  {
+    vtkNew<vtkUnsignedCharArray> ones;
+    ones->SetName(uniformName);
+    ones->SetNumberOfValues(data->GetNumberOfElements(association));
+    ones->FillValue(1);
+    this->UniformData.TakeReference(data->NewInstance());
+    this->UniformData->ShallowCopy(data);
+    attributesOf(this->UniformData, association)->AddArray(ones);
+    this->UniformDataSource = data;
+    this->UniformDataTime = data->GetMTime();
+  }
+  this->Actor->SetProperty(this->UniformProperty);
+  this->GetMapper()->SetInputDataObject(this->UniformData);
+  this->GetMapper()->SelectScalarArray(uniformName);
+  this->GetMapper()->SetScalarMode(association == vtkDataObject::CELL
+      ? VTK_SCALAR_MODE_USE_CELL_FIELD_DATA
+      : VTK_SCALAR_MODE_USE_POINT_FIELD_DATA);
+}
+
+bool vtkMediumRepresentation::AddToView(vtkView* view)
+{
+  auto renderView = vtkPVRenderView::SafeDownCast(view);
+  if (!renderView)
+  {
+    return false;
+  }
+  renderView->GetRenderer()->AddActor(this->Actor);
+  return this->Superclass::AddToView(view);
+}
+
+bool vtkMediumRepresentation::RemoveFromView(vtkView* view)
+{
+  auto renderView = vtkPVRenderView::SafeDownCast(view);
+  if (!renderView)
+  {
+    return false;
+  }
+  renderView->GetRenderer()->RemoveActor(this->Actor);
+  return this->Superclass::RemoveFromView(view);
+}
+
+void vtkMediumRepresentation::SetDiffuseColor(double red, double green, double blue)
+{
+  vtkNew<vtkColorTransferFunction> color;
+  color->AddRGBPoint(0.0, red, green, blue);
+  color->AddRGBPoint(2.0, red, green, blue);
+  this->UniformProperty->SetColor(color);
+}
+
+void vtkMediumRepresentation::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "AutomaticUnitDistance: " << this->AutomaticUnitDistance << "\n";
+  os << indent << "UnitDistance: " << this->UnitDistance << "\n";
+  os << indent << "Opacity: " << this->Opacity << "\n";
+  os << indent << "OpacityScale: " << this->OpacityScale << "\n";
+  os << indent << "OpacityArray: " << this->OpacityArray << "\n";
+}

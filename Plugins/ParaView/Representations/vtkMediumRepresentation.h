@@ -1,0 +1,136 @@
+// SPDX-FileCopyrightText: The Nephoscope authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class vtkMediumRepresentation
+ * @brief what representations that draw a glowing, absorbing medium have in common
+ *
+ * A representation of this kind prepares a piece of data on each rank, hands it to the view and draws what the view delivers with a
+ * volume mapper of its own. This class chooses the coloured array and the one that the opacity function reads, colours uniformly
+ * under Solid Color, and gives extinction a length that suits the size of the data. It asks for ordered compositing over ranks.
+ *
+ * A subclass sets the mapper of `Actor` when it is made, makes `Piece` and `DataBounds` in PreparePiece, says in DescribePiece
+ * how the view may spread it over ranks, and forwards what else its mapper needs in PrepareMapper.
+ */
+#ifndef vtkMediumRepresentation_h
+#define vtkMediumRepresentation_h
+
+#include "vtkNephoscopeParaViewRepresentationsModule.h" // for export macro
+#include "vtkNew.h"
+#include "vtkVolumeRepresentation.h"
+
+#include <string> // for OpacityArray
+
+class vtkAbstractVolumeMapper;
+class vtkDataArray;
+class vtkDataSet;
+
+class VTKNEPHOSCOPEPARAVIEWREPRESENTATIONS_EXPORT vtkMediumRepresentation
+  : public vtkVolumeRepresentation
+{
+public:
+  vtkTypeMacro(vtkMediumRepresentation, vtkVolumeRepresentation);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /**
+   * Take the length over which extinction is counted from the data: the mean length of a ray inside the medium,
+   * times the mean over the volume of a ramp from 0 to 1 over the range of the scalar, divided by 2. With
+   * ParaView's default opacity function, which is that ramp, the mean optical depth is then 2, whatever the unit
+   * of length and however rare high values are. It does not follow the opacity function. Default: on. On: UnitDistance is
+   * ignored.
+   */
+  void SetAutomaticUnitDistance(bool automatic) { this->AutomaticUnitDistance = automatic; }
+  bool GetAutomaticUnitDistance() const { return this->AutomaticUnitDistance; }
+  ///@}
+
+  ///@{
+  /** Length over which an opacity of 1 gives an optical depth of 1, in units of the data, > 0. Default: 1. */
+  void SetUnitDistance(double distance) { this->UnitDistance = distance; }
+  double GetUnitDistance() const { return this->UnitDistance; }
+  ///@}
+
+  ///@{
+  /** Factor on the extinction, >= 0, without unit. Default: 1. Opacity multiplies it. */
+  void SetOpacityScale(double scale) { this->OpacityScale = scale; }
+  double GetOpacityScale() const { return this->OpacityScale; }
+  ///@}
+
+  ///@{
+  /**
+   * Array that the opacity function reads, of points or cells; empty or "None" (default): the coloured array. The automatic unit
+   * distance depends on it.
+   */
+  void SetOpacityArray(const char* name);
+  const char* GetOpacityArray() const { return this->OpacityArray.c_str(); }
+  ///@}
+
+  ///@{
+  /** ParaView's own properties: a factor on the extinction, and the colour under Solid Color. */
+  void SetOpacity(double opacity) { this->Opacity = opacity; }
+  void SetDiffuseColor(double red, double green, double blue);
+  ///@}
+
+  /** The coloured array; the automatic unit distance depends on it. */
+  void SetInputArrayToProcess(
+    int index, int port, int connection, int association, const char* name) override;
+  using Superclass::SetInputArrayToProcess;
+
+  int ProcessViewRequest(
+    vtkInformationRequestKey* request, vtkInformation* inInfo, vtkInformation* outInfo) override;
+
+protected:
+  vtkMediumRepresentation();
+  ~vtkMediumRepresentation() override;
+
+  int FillInputPortInformation(int port, vtkInformation* info) override;
+  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+  bool AddToView(vtkView* view) override;
+  bool RemoveFromView(vtkView* view) override;
+
+  /** Makes `Piece` and `DataBounds` of this rank's input, which may be null. Called by all ranks. */
+  virtual void PreparePiece(vtkDataObject* input) = 0;
+  /** Tells the view of the piece; subclasses add how it may be spread over ranks. */
+  virtual void DescribePiece(vtkInformation* inInfo);
+  /** Makes the mapper ready to draw a delivered piece, which holds something. */
+  virtual void PrepareMapper(vtkDataSet* data);
+  /** Whether there is something to draw in a delivered piece. */
+  virtual bool HoldsMedium(vtkDataSet* data) const = 0;
+  /** vtkDataObject::CELL or POINT: where a uniform medium's values stand. */
+  virtual int GetUniformAssociation() const = 0;
+
+  static int GetNumberOfRanks();
+  static bool IsFirstRank();
+  /** The least of what the ranks have. Called by all ranks. */
+  static int LeastOverRanks(int mine);
+  /** Stores the automatic unit distance with the data, so that every time step in ParaView's cache keeps its own. */
+  static void StoreUnitDistance(vtkDataSet* data, double distance);
+  vtkAbstractVolumeMapper* GetMapper() const;
+  std::string GetOpacityArrayName() const; // empty for "None"
+  vtkDataArray* FindColorArray(vtkDataSet* data, int& association, const char*& name);
+  /** The array that decides how opaque the medium is: the one chosen for it, else the coloured one. */
+  virtual vtkDataArray* FindOpacityArray(vtkDataSet* data, int& association);
+
+  static constexpr double MeanOpticalDepth = 2.0; // what the automatic unit distance aims at
+
+  vtkNew<vtkVolumeProperty> UniformProperty;
+  vtkSmartPointer<vtkDataSet> Piece; // this rank's, as handed to the view
+  double ActualUnitDistance = 1.0;   // of the last render
+  double Opacity = 1.0;
+  double OpacityScale = 1.0;
+
+private:
+  vtkMediumRepresentation(const vtkMediumRepresentation&) = delete;
+  void operator=(const vtkMediumRepresentation&) = delete;
+
+  void ColorUniformly(vtkDataSet* data);
+
+  vtkSmartPointer<vtkDataSet> UniformData; // a delivered piece with a uniform array
+  vtkMTimeType UniformDataTime = 0;
+  vtkDataSet* UniformDataSource = nullptr; // only compared
+
+  bool AutomaticUnitDistance = true;
+  double UnitDistance = 1.0;
+  std::string OpacityArray = "None";
+};
+
+#endif

@@ -1,0 +1,79 @@
+// SPDX-FileCopyrightText: The Nephoscope authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class vtkTexturedSplatsRepresentation
+ * @brief Textured Splats in ParaView's list of representations
+ *
+ * A thin layer over vtkTexturedSplatMapper. It hands points or cells of any dataset to the mapper, and moves the streaks of the
+ * vectors on with the animation time.
+ */
+#ifndef vtkTexturedSplatsRepresentation_h
+#define vtkTexturedSplatsRepresentation_h
+
+#include "vtkMediumRepresentation.h"
+#include "vtkNephoscopeParaViewRepresentationsModule.h" // for export macro
+
+class vtkTexturedSplatMapper;
+
+class VTKNEPHOSCOPEPARAVIEWREPRESENTATIONS_EXPORT vtkTexturedSplatsRepresentation
+  : public vtkMediumRepresentation
+{
+public:
+  static vtkTexturedSplatsRepresentation* New();
+  vtkTypeMacro(vtkTexturedSplatsRepresentation, vtkMediumRepresentation);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /** Forwarded to the mapper; see there. */
+  void SetKernel(int kernel);
+  void SetCellSize(double size);
+  void SetVectorOpacity(double opacity);
+  void SetGreatestSpeed(double speed);
+  void SetStreakPeriod(double cells);
+  void SetUseVectorColor(bool use);
+  void SetVectorColor(double red, double green, double blue);
+  void SetPhaseCycles(int cycles);
+  ///@}
+
+  /** Array of vectors that are drawn as streaks; empty or "None" (default): no streaks. */
+  void SetVectorArray(const char* name);
+
+  ///@{
+  /**
+   * Move the streaks on with the animation time: once through their loop in LoopDuration, in its unit; 0 (default): the time range of the
+   * data, or 1 where they have no times. Phase, 0 to 1, is added. Default: on, phase 0.
+   */
+  void SetMoveWithTime(bool move) { this->MoveWithTime = move; }
+  bool GetMoveWithTime() const { return this->MoveWithTime; }
+  void SetLoopDuration(double duration) { this->LoopDuration = duration; }
+  double GetLoopDuration() const { return this->LoopDuration; }
+  void SetPhase(double phase) { this->Phase = phase; }
+  double GetPhase() const { return this->Phase; }
+  ///@}
+
+protected:
+  vtkTexturedSplatsRepresentation();
+  ~vtkTexturedSplatsRepresentation() override;
+
+  int RequestInformation(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+  void PreparePiece(vtkDataObject* input) override;
+  void DescribePiece(vtkInformation* inInfo) override;
+  void PrepareMapper(vtkDataSet* data) override;
+  bool HoldsMedium(vtkDataSet* data) const override;
+  int GetUniformAssociation() const override;
+
+private:
+  vtkTexturedSplatsRepresentation(const vtkTexturedSplatsRepresentation&) = delete;
+  void operator=(const vtkTexturedSplatsRepresentation&) = delete;
+
+  double GetPhaseNow();
+
+  vtkNew<vtkTexturedSplatMapper> Mapper;
+  double CellSize = 0.0;
+  bool MoveWithTime = true;
+  double LoopDuration = 0.0;
+  double Phase = 0.0;
+  double InputTimes[2] = { 0.0, 0.0 }; // first and last
+};
+
+#endif

@@ -1,0 +1,61 @@
+// SPDX-FileCopyrightText: The Nephoscope authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * Where each sample of a dataset is and which shape its splat has, without making a list of them.
+ */
+#ifndef SplatShapes_h
+#define SplatShapes_h
+
+#include "GridSamples.h"
+#include "SplatMatrix.h"
+
+#include "vtkNephoscopeRepresentationsTexturedSplatsModule.h" // for export macro
+#include "vtkType.h"
+
+class vtkDataSet;
+class vtkUnsignedCharArray;
+
+namespace nephoscope
+{
+
+struct SplatSampling
+{
+  bool OnCells = false;
+  double CellSize = 0; ///< edge of the cell of samples without a grid; 0: the mean spacing
+};
+
+class VTKNEPHOSCOPEREPRESENTATIONSTEXTUREDSPLATS_EXPORT SplatShapes
+{
+public:
+  /** Without a grid and a cell size it looks at every sample, to find the mean spacing. */
+  SplatShapes(vtkDataSet* data, const SplatSampling& sampling);
+
+  /** Of points or cells, hidden ones too. */
+  vtkIdType GetNumberOfIds() const { return this->Count; }
+  /** Not hidden, and not a duplicate of what another rank has. */
+  bool IsVisible(vtkIdType id) const;
+  /** It may be at no finite place. */
+  SplatVector Place(vtkIdType id) const;
+  /** Edges of the sample's cell; none is so short that the splat would be flat. */
+  SplatMatrix Jacobian(vtkIdType id) const;
+  bool HaveOneShape() const { return !this->Grid.IsGrid() || this->Grid.IsUniform(); }
+  bool AreOfGrid() const { return this->Grid.IsGrid(); }
+
+private:
+  double FindMeanSpacing() const;
+
+  vtkDataSet* Data;
+  bool OnCells;
+  GridSamples Grid;
+  vtkUnsignedCharArray* Ghosts;
+  vtkIdType Count;
+  double CellSize;
+};
+
+/** Bounds of the splats of visible samples: all that kernels of that radius (in cells) reach. Invalid bounds if there are none. */
+VTKNEPHOSCOPEREPRESENTATIONSTEXTUREDSPLATS_EXPORT void FindSplatBounds(
+  const SplatShapes& shapes, double kernelRadius, double bounds[6]);
+
+} // namespace nephoscope
+
+#endif
