@@ -1,0 +1,163 @@
+// SPDX-FileCopyrightText: The Nephoscope authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * From the cover that is asked for to the threshold above which there is cloud.
+ *
+ * What is compared with the threshold is a sum of cosines of independent phases (the texture, or two of them blended) and of Gaussian
+ * parts (what the pixel's filter has taken away, the soft edge). Its distribution follows from its characteristic
+ * function, a product of Bessel functions J_0(a_i t) and a Gaussian, by Gil-Pelaez:
+ *   P(x > T) = 1/2 - 1/pi int_0^inf sin(t T) phi(t) / t dt.
+ * A sum of many cosines is nearly Gaussian, one texture alone less so (15 % cover: 1.0895 against 1.036), two blended are in between: the
+ * sum of fourth powers of the amplitudes, over that of a single texture, tells by how much. So one table of thresholds by cover and by this
+ * ratio serves all blends and all distances.
+ */
+#ifndef CoverageThreshold_h
+#define CoverageThreshold_h
+
+#include "GardnerTexture.h"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace nephoscope
+{
+
+/** Cumulative normal distribution. */
+template <typename Real>
+Real normalShare(Real x)
+{
+  return std::erfc(-x * Real(0.70710678118654752)) / 2;
+}
+
+/** Distribution of a blend that has unit variance; "Fourth" is its ratio of fourth powers, 0 (Gaussian) to 1 (one texture). */
+class BlendDistribution
+{
+public:
+  explicit BlendDistribution(double fourth)
+  {
+    // From 1/2 on: two textures with weights whose fourth powers add up to it. Below: two in equal parts, and a Gaussian.
+    const double split = fourth >= 0.5 ? std::sqrt(2 * std::min(1.0, fourth) - 1) : 0;
+    const double scale = fourth >= 0.5 ? 1 : std::pow(std::max(0.0, 2 * fourth), 0.25);
+    const double w1 = scale * std::sqrt((1 + split) / 2);
+    const double w2 = scale * std::sqrt((1 - split) / 2);
+    const double rest = 1 - scale * scale;
+    this->Terms.resize(steps);
+    for (int k = 0; k < steps; ++k)
+    {
+      const double t = (k + 0.5) * step;
+      double phi = std::exp(-rest * t * t / 2);
+      double amplitude = gardnerAmplitude;
+      for (int i = 0; i < numberOfGardnerTerms; ++i, amplitude *= gardnerRatio)
+      {
+        phi *= besselJ(0, w1 * amplitude * t) * besselJ(0, w2 * amplitude * t);
+      }
+      this->Terms[k] = phi * step / (gardnerPi * t);
+    }
+  }
+
+  /** Share above the threshold. */
+  double Above(double threshold) const
+  {
+    double sum = 0.5;
+    for (int k = 0; k < steps; ++k)
+    {
+      sum -= std::sin((k + 0.5) * step * threshold) * this->Terms[k];
+    }
+    return std::min(1.0, std::max(0.0, sum));
+  }
+
+private:
+  // Midpoints: the sum repeats itself with a period of 4 pi / step in the threshold, far beyond the largest value of 3.1.
+  static constexpr double step = 0.2;
+  static constexpr int steps = 250;
+  std::vector<double> Terms;
+};
+
+/** Thresholds at unit variance by cover (columns, 0 to 1) and ratio of fourth powers (rows, 0 to 1). */
+class CoverageThresholds
+{
+public:
+  static constexpr int columns = 257;
+  static constexpr int rows = 9;
+  static constexpr double farthest = 4.0; ///< threshold of cover 0, beyond all values
+
+  CoverageThresholds()
+  {
+    this->Values.reserve(columns * rows);
+    for (int row = 0; row < rows; ++row)
+    {
+      this->AppendRow(BlendDistribution(row / double(rows - 1)));
+    }
+  }
+
+  /** Linear between the entries, as textures are read. */
+  double Find(double cover, double fourth) const
+  {
+    const double x = std::min(1.0, std::max(0.0, cover)) * (columns - 1);
+    const double y = std::min(1.0, std::max(0.0, fourth)) * (rows - 1);
+    const int i = std::min(columns - 2, static_cast<int>(x));
+    const int j = std::min(rows - 2, static_cast<int>(y));
+    const auto along = [&](int row) {
+      const float* v = &this->Values[static_cast<std::size_t>(row * columns + i)];
+      return v[0] + (x - i) * (v[1] - v[0]);
+    };
+    return along(j) + (y - j) * (along(j + 1) - along(j));
+  }
+
+  const std::vector<float>& GetValues() const { return this->Values; }
+
+private:
+  // The distribution is symmetric: thresholds of covers above one half are those below, negative.
+  void AppendRow(const BlendDistribution& distribution)
+  {
+    constexpr int samples = 801;
+    std::vector<double> above(samples);
+    for (int k = 0; k < samples; ++k)
+    {
+      above[static_cast<std::size_t>(k)] = distribution.Above(farthest * k / (samples - 1));
+    }
+    above[0] = 0.5;
+    std::vector<float> row(columns);
+    int k = samples - 1;
+    for (int i = 0; i <= columns / 2; ++i) // cover rises, the threshold falls
+    {
+      const double cover = i / double(columns - 1);
+      while (k > 1 && above[static_cast<std::size_t>(k - 1)] < cover)
+      {
+        --k;
+      }
+      const double low = above[static_cast<std::size_t>(k)];
+      const double high = above[static_cast<std::size_t>(k - 1)];
+      const double t = high > low ? std::min(1.0, std::max(0.0, (cover - low) / (high - low))) : 0.0;
+      const float threshold = i == 0 ? float(farthest) : float(farthest * (k - t) / (samples - 1));
+      row[static_cast<std::size_t>(i)] = threshold;
+      row[static_cast<std::size_t>(columns - 1 - i)] = -threshold;
+    }
+    this->Values.insert(this->Values.end(), row.begin(), row.end());
+  }
+
+  std::vector<float> Values;
+};
+
+/**
+ * Share of a pixel that is cloud, 0 ... 1. Its mean over the texture is the cover, at every distance and for every blend.
+ * "softness" is the standard deviation of the soft edge, in units of the texture.
+ */
+inline double cloudShare(
+  const CoverageThresholds& thresholds, const FilteredTexture<double>& texture, double cover, double softness)
+{
+  if (cover <= 0 || cover >= 1)
+  {
+    return cover <= 0 ? 0 : 1;
+  }
+  const double variance = 1 + softness * softness;
+  const double threshold =
+    std::sqrt(variance) * thresholds.Find(cover, texture.Fourth / (gardnerFourth() * variance * variance));
+  const double width = std::sqrt(std::max(texture.Lost, 0.0) + softness * softness);
+  return width > 0 ? normalShare((texture.Mean - threshold) / width) : double(texture.Mean > threshold);
+}
+
+} // namespace nephoscope
+
+#endif
