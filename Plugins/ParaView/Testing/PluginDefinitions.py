@@ -86,6 +86,21 @@ def check_representation():
         check(nested(properties[name], "Documentation"), f"Cell Compositing.{name} has no help")
 
 
+SPLAT_MAPPER_PROPERTIES = ("OpacityScale", "Kernel", "CellSize", "VectorOpacity", "GreatestSpeed", "StreakPeriod", "UseVectorColor",
+                           "VectorColor", "Phase", "PhaseCycles")
+PARAVIEW_PROPERTIES = ("Visibility", "ForceUseCache", "ForcedCacheKey", "ColorArrayName", "Opacity", "DiffuseColor", "Position", "Scale",
+                       "Orientation", "Origin", "Pickable")
+
+
+def check_splats():
+    properties = own_properties(definition("representations", "TexturedSplatsRepresentation"))
+    mapper = nephoscope.vtkTexturedSplatMapper()
+    for name in SPLAT_MAPPER_PROPERTIES:
+        compare_default("Textured Splats", name, properties[name], getattr(mapper, "Get" + name)())
+    for name in set(properties) - set(PARAVIEW_PROPERTIES):
+        check(nested(properties[name], "Documentation"), f"Textured Splats.{name} has no help")
+
+
 def check_offered(view):
     wavelet = pvs.Wavelet(WholeExtent=[-3, 3, -3, 3, -3, 3])
     sources = {
@@ -93,13 +108,15 @@ def check_offered(view):
         "rectilinear": pvs.NetCDFReader(FileName=[GFS], SphericalCoordinates=0),
         "structured": pvs.Transform(Input=wavelet),
         "unstructured": pvs.Tetrahedralize(Input=wavelet),
+        "particles": pvs.PointSource(NumberOfPoints=100),
         "multiblock": pvs.GroupDatasets(Input=[wavelet, pvs.Tetrahedralize(Input=wavelet)]),
     }
     for kind, source in sources.items():
         display = pvs.Show(source, view)
         offered = display.GetProperty("Representation").GetAvailable()
-        check(NAME in offered, f"{NAME} is not offered for {kind} data: {offered}")
-        display.SetRepresentationType(NAME)
+        for name in (NAME, "Textured Splats"):
+            check(name in offered, f"{name} is not offered for {kind} data: {offered}")
+            display.SetRepresentationType(name)
 
 
 if __name__ == "__main__":
@@ -109,5 +126,6 @@ if __name__ == "__main__":
     check_filter("PolyhedronToTetrahedra", nephoscope.vtkPolyhedronToTetrahedra, is_grouped=False)
     check_fresh_proxy("PolyhedronToTetrahedra", nephoscope.vtkPolyhedronToTetrahedra, pvs.Tetrahedralize(Input=pvs.Wavelet()))
     check_representation()
+    check_splats()
     check_offered(pvs.CreateRenderView())
     passed()

@@ -47,11 +47,11 @@ def look(view, position=(60, 45, 70), focal_point=(0, 0, 0)):
     view.CameraViewAngle = 30
 
 
-def compose(source, view, array=("POINTS", "RTData")):
+def compose(source, view, array=("POINTS", "RTData"), representation=NAME):
     """Shows a source as a user would: display, colour by, pick the representation."""
     display = pvs.Show(source, view)
     pvs.ColorBy(display, array)
-    display.SetRepresentationType(NAME)
+    display.SetRepresentationType(representation)
     return display
 
 

@@ -1,0 +1,152 @@
+# SPDX-FileCopyrightText: The Nephoscope authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Textured Splats: the first picture is sensible for any data, follows what the user sets and the time, and survives a state."""
+import math
+import os
+
+import numpy as np
+from PluginTesting import (GFS, OUTPUT, check, check_same, color_and_alpha, compose, image, inside_mean_alpha, load_plugin, look,
+                           new_view, passed, pvs, solid)
+
+SPLATS = "Textured Splats"
+# Neither invisible nor opaque: the mean alpha of the pixels that show anything, right after the choice.
+SENSIBLE = (0.25, 0.97)
+
+
+def check_first_picture(name, source, array=("POINTS", "RTData")):
+    view = new_view()
+    compose(source, view, array, SPLATS)
+    pvs.ResetCamera(view)
+    mean = inside_mean_alpha(color_and_alpha(view)[1])
+    print(f"first picture of {name}: mean alpha {mean:.3f}", flush=True)
+    check(SENSIBLE[0] < mean < SENSIBLE[1], f"{name}: mean alpha {mean:.3f} is outside {SENSIBLE}")
+    pvs.Delete(view)
+
+
+def particles():
+    points = pvs.PointSource(NumberOfPoints=2000, Radius=10)
+    return pvs.Elevation(Input=points, LowPoint=[0, -10, 0], HighPoint=[0, 10, 0])
+
+
+def check_units():
+    """The same data in other units of length gives the same picture."""
+    for name, data, array in (("image", pvs.Wavelet(), "RTData"), ("particles", particles(), "Elevation")):
+        pictures = []
+        for scale in (1.0, 1000.0):
+            source = pvs.Transform(Input=data)
+            source.Transform.Scale = [scale] * 3
+            view = new_view()
+            compose(source, view, ("POINTS", array), SPLATS)
+            look(view, position=[scale * c for c in (60, 45, 70)])
+            pictures.append(image(view))
+        check(pictures[0].mean() > 5, "nothing is drawn")
+        check_same(*pictures, f"units of {name}", largest=1, mean=0.05)
+
+
+def check_alpha_formula():
+    """Constant data on a lattice: alpha = 1 - exp(-opacity * scale * length / unit distance), to the flatness of the kernel."""
+    view = new_view()
+    source = pvs.Calculator(Input=pvs.Wavelet(), ResultArrayName="Value", Function="0.25")
+    display = compose(source, view, ("POINTS", "Value"), SPLATS)
+    pvs.GetColorTransferFunction("Value").RGBPoints = [0, 0, 0, 1, 1, 1, 0, 0]
+    pvs.GetOpacityTransferFunction("Value").Points = [0, 0, 0.5, 0, 1, 1, 0.5, 0]
+    display.TexturedSplatsAutomaticUnitDistance = 0
+    view.CameraParallelProjection = 1
+    look(view, position=(0, 0, 100))
+    view.CameraParallelScale = 20
+    for unit, scale, opacity in ((20.0, 1.0, 1.0), (5.0, 1.0, 1.0), (20.0, 6.0, 0.5)):
+        display.TexturedSplatsUnitDistance = unit
+        display.TexturedSplatsOpacityScale = scale
+        display.Opacity = opacity
+        found = color_and_alpha(view)[1][150, 150]
+        expected = 1.0 - math.exp(-0.25 * scale * opacity * 21.0 / unit)  # 21 samples, each for a cell of edge 1
+        check(abs(found - expected) < 2.5 / 255, f"unit {unit}, scale {scale}: alpha {found}, expected {expected}")
+
+
+def check_solid_color():
+    view = new_view()
+    display = pvs.Show(particles(), view)
+    display.SetRepresentationType(SPLATS)
+    solid(display, [0, 1, 0])
+    look(view)
+    on_black, alpha = color_and_alpha(view)
+    mean = inside_mean_alpha(alpha)
+    check(SENSIBLE[0] < mean < SENSIBLE[1], f"solid colour: mean alpha {mean}")
+    check(on_black[:, :, [0, 2]].max() < 1 < on_black[:, :, 1].max(), "solid colour is not green")
+
+
+def check_bounds_hold_splats():
+    """Few, large splats: reset to them, the camera sees all that is drawn."""
+    view = new_view()
+    compose(pvs.Wavelet(WholeExtent=[-1, 1, -1, 1, -1, 1]), view, representation=SPLATS)
+    pvs.ResetCamera(view)
+    alpha = color_and_alpha(view)[1]
+    border = np.concatenate([alpha[0], alpha[-1], alpha[:, 0], alpha[:, -1]])
+    check(alpha.max() > 0.2 and border.max() < 1.5 / 255, f"splats reach the border of the picture: {border.max()}")
+
+
+def flow():
+    return pvs.Calculator(Input=pvs.Wavelet(), ResultArrayName="Flow", Function="-coordsY*iHat+coordsX*jHat")
+
+
+def check_vectors_and_time(source):
+    view = new_view()
+    display = compose(source, view, representation=SPLATS)
+    look(view, position=(0, 0, 100))
+    plain = image(view)
+    check("Flow" in display.GetProperty("TexturedSplatsVectorArray").GetAvailable(), "Flow is not among the vectors")
+    check("RTData" not in display.GetProperty("TexturedSplatsVectorArray").GetAvailable(), "a scalar is among the vectors")
+    display.TexturedSplatsVectorArray = "Flow"
+    display.TexturedSplatsUseVectorColor = 1
+    display.TexturedSplatsVectorColor = [0, 0, 0]
+    start = image(view)
+    check(np.abs(start - plain).max() > 20, "no streaks")
+    scene = pvs.GetAnimationScene()
+    scene.AnimationTime = 0.25
+    moved = image(view)
+    check(np.abs(start - moved).max() > 20, "streaks do not move with the time")
+    scene.AnimationTime = 1.0
+    check_same(start, image(view), "a whole loop")
+    display.TexturedSplatsMoveWithTime = 0
+    display.TexturedSplatsPhase = 0.25
+    check_same(moved, image(view), "phase instead of time")
+    scene.AnimationTime = 0.0
+    return view, display
+
+
+def check_state():
+    check_vectors_and_time(flow())
+    before = image(pvs.GetActiveView())
+    state = os.path.join(OUTPUT, "TexturedSplats.pvsm")
+    pvs.SaveState(state)
+    pvs.ResetSession()
+    load_plugin()
+    pvs.LoadState(state)
+    for view in pvs.GetViews():
+        found = [r for r in view.Representations if getattr(r, "TexturedSplatsVectorArray", "None") == "Flow"]
+        if found:
+            check(found[0].Representation == SPLATS, f"came back as {found[0].Representation}")
+            check_same(before, image(view), "state file")
+            return
+    check(False, "the display did not come back")
+
+
+load_plugin()
+check_state()  # first: data with times of their own would set the range of the animation
+wavelet = pvs.Wavelet()
+check_first_picture("the wavelet", wavelet)
+check_first_picture("cell data", pvs.PointDatatoCellData(Input=wavelet), ("CELLS", "RTData"))
+check_first_picture("tetrahedra", pvs.Tetrahedralize(Input=wavelet))
+check_first_picture("blocks", pvs.GroupDatasets(Input=[wavelet, pvs.Tetrahedralize(Input=wavelet)]))
+check_first_picture("particles", particles(), ("POINTS", "Elevation"))
+weather = pvs.ExtractSubset(Input=pvs.NetCDFReader(FileName=[GFS], SphericalCoordinates=0),
+                            VOI=[0, 10**6] * 3, SampleRateI=2, SampleRateJ=2)
+check_first_picture("GFS humidity, degrees and hPa", weather, ("POINTS", "r"))
+for exaggeration, array in ((1, "r"), (50, "clwmr")):
+    globe = pvs.GlobeGrid(Input=weather, VerticalExaggeration=exaggeration)
+    check_first_picture(f"GFS {array} on the globe, exaggeration {exaggeration}", globe, ("POINTS", array))
+check_units()
+check_alpha_formula()
+check_solid_color()
+check_bounds_hold_splats()
+passed()
