@@ -44,8 +44,12 @@ std::string Written(const Vector3& position)
   return place.str();
 }
 
-vtkIdType CellAt(vtkDataSet* set, const Vector3& position)
+// Blanked cells too: some versions of VTK do not find them.
+vtkIdType CellAt(vtkDataSet* blanked, const Vector3& position)
 {
+  auto set = vtkSmartPointer<vtkDataSet>::Take(blanked->NewInstance());
+  set->CopyStructure(blanked);
+  set->GetCellData()->RemoveArray(vtkDataSetAttributes::GhostArrayName());
   vtkNew<vtkGenericCell> cell;
   std::vector<double> weights(static_cast<std::size_t>(std::max(8, set->GetMaxCellSize())));
   double point[3] = { position[0], position[1], position[2] };
