@@ -27,6 +27,13 @@ public:
     return vtkIdType(this->Dimensions[0]) * this->Dimensions[1] * this->Dimensions[2];
   }
   SplatVector Position(vtkIdType id) const;
+  /** Along an axis, 0 to 2. */
+  int Index(vtkIdType id, int axis) const
+  {
+    int index[3];
+    this->IndexOf(id, index);
+    return index[axis];
+  }
   /** Columns of no length where the grid is one sample thick. */
   SplatMatrix Jacobian(vtkIdType id) const;
 

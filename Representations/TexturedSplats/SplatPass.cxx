@@ -14,6 +14,8 @@
 #include "TexturedSplatFragment.h"
 #include "TexturedSplatGeometry.h"
 #include "TexturedSplatVertex.h"
+#include "VectorSplatGeometry.h"
+#include "VectorTextureShader.h"
 
 #include "vtkMatrix4x4.h"
 #include "vtkOpenGLRenderWindow.h"
@@ -34,16 +36,42 @@ namespace
 // Pixels: splats whose cell is smaller are spread over a pixel, whose own variance is that of a box, 1/12, over the kernel's.
 constexpr double largeEnough = 1.0;
 constexpr double pixelVariance = 1.0 / 12.0 / cubic_kernel::variance;
+// Of a streak's period: the kernel's length of one cell along the vector, and the tail at full speed.
+constexpr float kernelShare = 0.5f;
+constexpr float tailShare = 0.6f;
+constexpr double streakSpacing = 1.0; // from row to row, in units of the vectors
+
+// Where vectors are not drawn, their shaders are left out.
+std::string textureConstants()
+{
+  std::ostringstream text;
+  text.precision(9);
+  text << std::showpoint << "#define DRAW_VECTORS\n"
+       << "#define STREAK_SPACING " << streakSpacing << "\n"
+       << "#define STREAK_GOLDEN " << streaks::golden << "\n"
+       << "#define STREAK_TAIL_END " << streaks::tailEnd << "\n"
+       << "#define STREAK_NOSE " << streaks::nose << "\n"
+       << "#define STREAK_ROUND_DOT " << streaks::roundDot << "\n"
+       << "#define STREAK_COARSE " << streaks::coarse << "\n"
+       << "#define STREAK_FINE " << streaks::fine << "\n"
+       << "#define STREAK_STEEP " << streaks::steep << "\n"
+       << "#define STREAK_FLAT " << streaks::flat << "\n"
+       << "#define SEGMENT_FILTER " << LineSegment().FilterWidth << "\n";
+  return text.str();
+}
 
 std::string shaderConstants(const SplatDrawingOptions& options, bool jacobianPerSplat, bool nearEye)
 {
+  const bool vectors = options.Vectors && !nearEye;
   std::ostringstream text;
   text.precision(9);
   text << std::showpoint
        << "const bool jacobianPerSplat = " << (jacobianPerSplat ? "true" : "false") << ";\n"
        << "const int kernel = " << static_cast<int>(options.Kernel) << ";\n"
        << "const bool nearEye = " << (nearEye ? "true" : "false") << ";\n"
-       << "const bool drawVectors = " << (options.Vectors && !nearEye ? "true" : "false") << ";\n"
+       << "const bool drawSegments = " << (options.Segments ? "true" : "false") << ";\n"
+       << "const bool mediaApart = " << (options.MediaApart ? "true" : "false") << ";\n"
+       << "#define MAX_VERTICES " << (vectors && !options.MediaApart ? 12 : 4) << "\n"
        << "const float largeEnough = " << largeEnough << ";\n"
        << "const float pixelVariance = " << pixelVariance << ";\n";
   for (std::size_t i = 0; i < cubic_kernel::footprintCoefficients.size(); ++i)
@@ -57,15 +85,16 @@ std::string shaderConstants(const SplatDrawingOptions& options, bool jacobianPer
        << "#define GAUSSIAN_DECAY "
        << 0.5 * gaussian_kernel::radius * gaussian_kernel::radius / gaussian_kernel::variance
        << "\n";
-  text << "#define STREAK_SPACING " << streaks::spacing << "\n"
-       << "#define STREAK_WIDTH " << streaks::width << "\n"
-       << "#define STREAK_GOLDEN " << streaks::golden << "\n";
-  return text.str();
+  text << "#define FOOTPRINT_PEAK " << KernelFootprint(options.Kernel, 0.0) << "\n"
+       << "#define MEDIUM 0\n#define HALF_MEDIUM 1\n#define STREAKS 2\n#define SEGMENT 3\n";
+  return text.str() + (vectors ? textureConstants() : std::string());
 }
 
 std::string specialized(const char* shader, const std::string& constants)
 {
   std::string source = shader;
+  vtkShaderProgram::Substitute(source, "//NEPHOSCOPE::VectorSplat", VectorSplatGeometry);
+  vtkShaderProgram::Substitute(source, "//NEPHOSCOPE::VectorTexture", VectorTextureShader);
   vtkShaderProgram::Substitute(source, "//NEPHOSCOPE::Constants", constants);
   vtkShaderProgram::Substitute(source, "//NEPHOSCOPE::Cell", SplatCell);
   vtkShaderProgram::Substitute(source, "//NEPHOSCOPE::Footprint", SplatFootprint);
@@ -113,6 +142,7 @@ std::string SplatPass::UploadSplats(
   const std::vector<Float4> packed = packSplats(samples, classes, this->JacobianPerSplat);
   std::string error = this->Splats.Upload(window, packed.data(), packed.size(), 4, VTK_FLOAT);
   error = error.empty() ? this->UploadVectors(window, {}) : error; // until there are some
+  error = error.empty() ? this->UploadVectorColors(window, {}) : error;
   return error.empty()
     ? this->Colors.Upload(window, classes.Colors.data(), classes.Colors.size(), 4, VTK_FLOAT)
     : error;
@@ -122,6 +152,12 @@ std::string SplatPass::UploadVectors(
   vtkOpenGLRenderWindow* window, const std::vector<std::array<float, 4>>& vectors)
 {
   return this->Vectors.Upload(window, vectors.data(), vectors.size(), 4, VTK_FLOAT);
+}
+
+std::string SplatPass::UploadVectorColors(
+  vtkOpenGLRenderWindow* window, const std::vector<std::array<float, 4>>& colors)
+{
+  return this->VectorColors.Upload(window, colors.data(), colors.size(), 4, VTK_FLOAT);
 }
 
 std::string SplatPass::UploadOrder(
@@ -172,6 +208,7 @@ std::string SplatPass::DrawRange(vtkOpenGLRenderWindow* window, const SceneView&
   program->SetUniformi("splatColors", this->Colors.Activate());
   program->SetUniformi("drawingOrder", this->Order.Activate());
   program->SetUniformi("splatVectors", this->Vectors.Activate());
+  program->SetUniformi("vectorColors", this->VectorColors.Activate());
   const std::size_t far = this->Count - std::min(options.NearSplats, this->Count);
   glDrawArrays(GL_POINTS, static_cast<GLint>(nearEye ? far : 0),
     static_cast<GLsizei>(nearEye ? this->Count - far : far));
@@ -179,6 +216,7 @@ std::string SplatPass::DrawRange(vtkOpenGLRenderWindow* window, const SceneView&
   this->Colors.Deactivate();
   this->Order.Deactivate();
   this->Vectors.Deactivate();
+  this->VectorColors.Deactivate();
   this->VertexArray->Release();
   return std::string();
 }
@@ -197,10 +235,13 @@ void SplatPass::SetUniforms(
   program->SetUniformf("extinctionScale", static_cast<float>(options.ExtinctionScale));
   program->SetUniformf("greatestSpeed", static_cast<float>(options.GreatestSpeed));
   program->SetUniformf("vectorScale", static_cast<float>(options.VectorScale));
-  program->SetUniformf("streakPeriod", static_cast<float>(options.StreakPeriod));
-  const float vectorColor[4] = { options.VectorColor[0], options.VectorColor[1],
-    options.VectorColor[2], options.OneVectorColor ? 1.0f : 0.0f };
-  program->SetUniform4f("vectorColor", vectorColor);
+  program->SetUniformf("vectorUnit", static_cast<float>(options.VectorUnit));
+  const auto period = static_cast<float>(options.StreakPeriod);
+  program->SetUniformf("streakLength", kernelShare * period);
+  const float shape[3] = { period, tailShare * period, static_cast<float>(options.StreakWidth) };
+  program->SetUniform3f("streakShape", shape);
+  program->SetUniformf("segmentLength", static_cast<float>(options.SegmentLength));
+  program->SetUniformf("segmentWidth", static_cast<float>(options.SegmentWidth));
   program->SetUniform2f("pixelsPerDC", this->PixelsPerDevice);
   program->SetUniformi("opaqueDepth", this->DepthUnit);
   program->SetUniform4f("depthToVC", depthToView(view.ViewToDevice).data());
@@ -212,6 +253,7 @@ void SplatPass::ReleaseGraphicsResources(vtkWindow* window)
   this->Colors.Release(window);
   this->Order.Release(window);
   this->Vectors.Release(window);
+  this->VectorColors.Release(window);
   this->Layer.ReleaseGraphicsResources(window);
   this->VertexArray->ReleaseGraphicsResources();
   this->Program = nullptr;

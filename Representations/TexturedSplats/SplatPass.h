@@ -34,11 +34,15 @@ struct SplatDrawingOptions
   double ExtinctionScale = 1.0;
   std::size_t NearSplats = 0; // the last ones of the order: so near that the eye may be inside
   bool Vectors = false;
+  bool Segments = false;      // instead of streaks
+  bool MediaApart = false;    // the order holds vectors as items of their own
   double GreatestSpeed = 1.0; // where vectors are fully drawn
   double VectorScale = 1.0;   // optical depth of vectors at full strength
-  double StreakPeriod = 1.5;  // in cells
-  bool OneVectorColor = false;
-  float VectorColor[3] = { 1, 1, 1 };
+  double VectorUnit = 1.0;    // of the lengths that follow, in units of the data
+  double StreakPeriod = 1.5;
+  double StreakWidth = 0.1;
+  double SegmentLength = 2.0;
+  double SegmentWidth = 1.5; // pixels
 };
 
 class SplatPass
@@ -50,9 +54,12 @@ public:
   // Each returns an empty string, or what went wrong.
   std::string UploadSplats(
     vtkOpenGLRenderWindow* window, const SplatSamples& samples, const SplatClasses& classes);
-  /** (x, y, z, phase) of every splat of the classes. */
+  /** (x, y, z, phase) of every splat of the classes, and (red, green, blue, seed). */
   std::string UploadVectors(
     vtkOpenGLRenderWindow* window, const std::vector<std::array<float, 4>>& vectors);
+  std::string UploadVectorColors(
+    vtkOpenGLRenderWindow* window, const std::vector<std::array<float, 4>>& colors);
+  /** From back to front; ~n for the vector of splat n, where media are apart. */
   std::string UploadOrder(vtkOpenGLRenderWindow* window, const std::vector<std::int32_t>& order);
   std::string Draw(
     vtkOpenGLRenderWindow* window, const SceneView& view, const SplatDrawingOptions& options);
@@ -72,6 +79,7 @@ private:
   BufferTexture Splats;
   BufferTexture Colors;
   BufferTexture Vectors;
+  BufferTexture VectorColors;
   BufferTexture Order;
   std::size_t Count = 0;
   bool JacobianPerSplat = false;

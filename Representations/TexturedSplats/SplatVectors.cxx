@@ -7,6 +7,7 @@
 #include "VectorTexture.h"
 
 #include "vtkDataArray.h"
+#include "vtkDataSet.h"
 #include "vtkSMPTools.h"
 
 #include <algorithm>
@@ -21,70 +22,83 @@ float lengthOf(const std::array<float, 3>& v)
   return std::sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
 }
 
-// The same for a sample in every run: a hash of where it is.
-float startOf(const std::array<float, 3>& position)
+// How far the ball of one cell reaches along a vector.
+double cellAlong(const SplatSamples::Jacobian& j, const std::array<float, 3>& v)
 {
   double sum = 0.0;
-  constexpr double irrational[3] = { 12.9898, 78.233, 37.719 };
-  for (std::size_t c = 0; c < 3; ++c)
+  for (const auto& edge : j)
   {
-    sum += position[c] * irrational[c];
+    const double dot = double(edge[0]) * v[0] + double(edge[1]) * v[1] + double(edge[2]) * v[2];
+    sum += dot * dot;
   }
-  const double sine = std::sin(sum) * 43758.5453;
-  return static_cast<float>(sine - std::floor(sine));
+  return std::sqrt(sum) / lengthOf(v);
 }
 
-// Length of a cell: that of a cube of its volume, as the shader has it on the screen.
-double cellSize(const SplatSamples::Jacobian& j)
+// The place in the file, bit for bit: as it is relative to a centre it differs between ranks.
+SplatSeed seedOf(vtkDataSet* data, bool onCells, vtkIdType id)
 {
-  const double determinant = j[0][0] * (double(j[1][1]) * j[2][2] - double(j[1][2]) * j[2][1]) +
-    j[0][1] * (double(j[1][2]) * j[2][0] - double(j[1][0]) * j[2][2]) +
-    j[0][2] * (double(j[1][0]) * j[2][1] - double(j[1][1]) * j[2][0]);
-  return std::cbrt(std::abs(determinant));
+  double place[6];
+  if (!onCells)
+  {
+    data->GetPoint(id, place);
+    return SeedOf(place);
+  }
+  data->GetCellBounds(id, place);
+  const double centre[3] = { place[0] + place[1], place[2] + place[3], place[4] + place[5] };
+  return SeedOf(centre);
+}
+
+std::array<float, 3> finiteVector(vtkDataArray* vectors, vtkIdType id)
+{
+  double v[3];
+  vectors->GetTuple(id, v);
+  const bool finite = std::isfinite(v[0] + v[1] + v[2]);
+  return finite ? std::array<float, 3>{ { float(v[0]), float(v[1]), float(v[2]) } }
+                : std::array<float, 3>{ { 0, 0, 0 } };
 }
 }
 
-void SplatVectors::Read(vtkDataArray* vectors, const SplatSamples& samples)
+void SplatVectors::Read(
+  vtkDataSet* data, bool onCells, vtkDataArray* vectors, const SplatSamples& samples)
 {
   const std::size_t count = samples.Size();
-  this->Vectors.resize(count);
-  if (this->Starts.size() != count)
+  const auto all = static_cast<std::size_t>(vectors->GetNumberOfTuples());
+  if (this->Moved.size() != all)
   {
-    this->Starts.resize(count);
-    this->Moved.assign(count, 0.0f);
+    this->Moved.assign(all, 0.0);
   }
+  this->Ids = samples.Ids;
+  this->Vectors.resize(count);
+  this->Seeds.resize(count);
   this->Greatest = 0;
+  double cells = 0;
+  std::size_t moving = 0;
   for (std::size_t i = 0; i < count; ++i)
   {
-    double v[3];
-    vectors->GetTuple(samples.Ids[i], v);
-    const bool finite = std::isfinite(v[0] + v[1] + v[2]);
-    for (std::size_t c = 0; c < 3; ++c)
+    this->Seeds[i] = seedOf(data, onCells, samples.Ids[i]);
+    this->Vectors[i] = finiteVector(vectors, samples.Ids[i]);
+    const float speed = lengthOf(this->Vectors[i]);
+    if (speed > 0 && std::isfinite(speed))
     {
-      this->Vectors[i][c] = finite ? static_cast<float>(v[c]) : 0.0f;
+      this->Greatest = std::max(this->Greatest, speed);
+      cells += cellAlong(samples.JacobianOf(i), this->Vectors[i]);
+      ++moving;
     }
-    this->Greatest = std::max(this->Greatest, lengthOf(this->Vectors[i]));
-    this->Starts[i] = startOf(samples.Positions[i]);
   }
+  this->Cell = moving > 0 && cells > 0 ? cells / static_cast<double>(moving) : 1.0;
 }
 
-void SplatVectors::Advance(double time, double period, const SplatSamples& samples)
+void SplatVectors::Advance(double time, double period)
 {
-  for (std::size_t i = 0; i < this->Moved.size(); ++i)
+  for (std::size_t i = 0; i < this->Vectors.size(); ++i)
   {
-    const double size = cellSize(samples.JacobianOf(i));
-    this->Moved[i] = static_cast<float>(
-      AdvancePhase(this->Moved[i], lengthOf(this->Vectors[i]), period * size, time));
+    double& moved = this->Moved[static_cast<std::size_t>(this->Ids[i])];
+    moved = AdvancePhase(moved, lengthOf(this->Vectors[i]), period, time);
   }
 }
 
-void SplatVectors::SetLoop(double share, int cycles)
-{
-  this->LoopShare = share;
-  this->LoopCycles = cycles;
-}
-
-std::vector<std::array<float, 4>> SplatVectors::Pack(const SplatClasses& classes) const
+std::vector<std::array<float, 4>> SplatVectors::Pack(
+  const SplatClasses& classes, const SplatLoop& loop) const
 {
   std::vector<std::array<float, 4>> packed;
   packed.reserve(classes.Samples.size());
@@ -92,11 +106,11 @@ std::vector<std::array<float, 4>> SplatVectors::Pack(const SplatClasses& classes
   {
     const auto i = static_cast<std::size_t>(sample);
     const auto& v = this->Vectors[i];
-    const double loop = this->Greatest > 0
-      ? this->LoopShare * std::round(this->LoopCycles * lengthOf(v) / this->Greatest)
-      : 0.0;
-    const double phase = this->Starts[i] + this->Moved[i] + loop;
-    packed.push_back({ { v[0], v[1], v[2], static_cast<float>(phase - std::floor(phase)) } });
+    const double looped =
+      this->Greatest > 0 ? loop.Share * std::round(loop.Cycles * lengthOf(v) / this->Greatest) : 0.0;
+    const double phase =
+      this->Seeds[i].Phase + this->Moved[static_cast<std::size_t>(this->Ids[i])] + looped;
+    packed.push_back({ { v[0], v[1], v[2], static_cast<float>(StoredPhase(phase, loop.Steps)) } });
   }
   return packed;
 }

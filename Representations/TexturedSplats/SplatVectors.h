@@ -9,6 +9,8 @@
 #ifndef SplatVectors_h
 #define SplatVectors_h
 
+#include "SplatSeed.h"
+
 #include "vtkType.h"
 
 #include <array>
@@ -16,6 +18,7 @@
 #include <vector>
 
 class vtkDataArray;
+class vtkDataSet;
 
 namespace nephoscope
 {
@@ -23,30 +26,48 @@ namespace nephoscope
 struct SplatClasses;
 struct SplatSamples;
 
+/** Where in a loop of pictures the patterns are. */
+struct SplatLoop
+{
+  double Share = 0; ///< 0 to 1
+  int Cycles = 4;   ///< periods that the fastest pattern moves in a loop
+  int Steps = 0;    ///< stored patterns in a period; 0: any phase
+  bool operator==(const SplatLoop& other) const
+  {
+    return this->Share == other.Share && this->Cycles == other.Cycles && this->Steps == other.Steps;
+  }
+};
+
 class SplatVectors
 {
 public:
-  /** The vectors of all samples; values that are not finite become 0. Phases stay where the number of samples does. */
-  void Read(vtkDataArray* vectors, const SplatSamples& samples);
+  /**
+   * The vectors of all samples; values that are not finite become 0. Where the input has as many points or cells as before, each of
+   * them goes on from where its pattern was.
+   */
+  void Read(vtkDataSet* data, bool onCells, vtkDataArray* vectors, const SplatSamples& samples);
 
-  /** Moves all patterns on by a time, in the units of the vectors' speed; `period`: length of the pattern in cells. */
-  void Advance(double time, double period, const SplatSamples& samples);
-
-  /** Patterns at a share of a loop, in which each moves a whole number of periods: at most `cycles`, in proportion to its speed. */
-  void SetLoop(double share, int cycles);
+  /** Moves all patterns on by a time, in the units of the vectors' speed; `period`: length of the pattern. */
+  void Advance(double time, double period);
 
   float GreatestSpeed() const { return this->Greatest; }
 
+  /** Mean length of a sample's cell along its vector; 1 without vectors. */
+  double MeanCell() const { return this->Cell; }
+
   /** (x, y, z, phase) of the samples that are drawn. */
-  std::vector<std::array<float, 4>> Pack(const SplatClasses& classes) const;
+  std::vector<std::array<float, 4>> Pack(const SplatClasses& classes, const SplatLoop& loop) const;
+
+  /** A number in [0, 1) that is a sample's own. */
+  float SeedOf(std::size_t sample) const { return this->Seeds[sample].Rest; }
 
 private:
   std::vector<std::array<float, 3>> Vectors;
-  std::vector<float> Starts; // of the phases
-  std::vector<float> Moved;  // periods, in [0, 1)
-  double LoopShare = 0;
-  int LoopCycles = 0;
+  std::vector<SplatSeed> Seeds;
+  std::vector<vtkIdType> Ids;
+  std::vector<double> Moved; // by each point or cell, in periods, in [0, 1)
   float Greatest = 0;
+  double Cell = 1;
 };
 
 } // namespace nephoscope

@@ -1,43 +1,118 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
-// What is drawn on a vector splat: a windowed wave that moves along the vector, or an anti-aliased line segment. Plain C++17.
+// What is drawn on a vector splat: streaks that move along the vector, or an anti-aliased line segment (CrawfisMax1993; MaxCrawfisBecker1993,
+// section 3). Plain C++17; VectorTexture.glsl is the same for the fragment shader.
 #ifndef nephoscope_VectorTexture_h
 #define nephoscope_VectorTexture_h
 
-#include "SplatKernel.h"
-
+#include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace nephoscope
 {
-// Streaks along x, a fixed distance apart, each with a dash of its own place that moves along +x as the phase grows. Period 1
-// in `along`; values from 0 to 1; the mean over a cycle depends on y alone.
+// Streaks like comets along x: a sharp, round head in front, a tail that narrows and fades, so that a still tells where the
+// vector points. Rows of them, a fixed distance apart, each at a place of its own; they move along +x as the phase grows.
 namespace streaks
 {
-constexpr double spacing = 0.4; // between streaks, cells
-constexpr double width = 0.12;  // standard deviation across, cells
-constexpr double golden =
-  0.6180339887498949; // offsets of neighbouring streaks, as uneven as can be
+constexpr double golden = 0.6180339887498949; // of a period from row to row, as uneven as can be
+constexpr double tailEnd = 0.35;              // width of the tail's end, of the head's
+constexpr double nose = 3.0;                  // standard deviations of the head that are kept in front of it
+constexpr double roundDot = 1.6;              // width of a vector that points at the eye, of the head's
+constexpr double coarse = 1.5, fine = 4.0;    // pixels: finer patterns are their mean, coarser ones themselves
+constexpr double steep = 4.0, flat = 12.0;    // period over width: shorter ones are round dots, longer ones streaks
 
-inline double Dash(double along)
+// One unit of length for all, as it is seen: period and tail are foreshortened.
+struct Shape
 {
-  constexpr double twoPi = 6.283185307179586;
-  const double wave = 0.5 + 0.5 * std::cos(twoPi * along);
-  return wave * wave;
+  double Period = 3.0;
+  double Tail = 1.5;  // length of the streak behind its head
+  double Width = 0.1; // standard deviation across
+  double Spacing = 1.0;
+  double Pixel = 0.0; // size of a pixel
+};
+
+inline double SmoothStep(double low, double high, double x)
+{
+  const double t = std::clamp((x - low) / (high - low), 0.0, 1.0);
+  return t * t * (3.0 - 2.0 * t);
 }
 
-inline double Value(double along, double y)
+// Standard deviation of a gaussian pixel.
+inline double PixelFilter(const Shape& shape)
 {
-  const double row = std::round(y / spacing);
-  const double across = (y - row * spacing) / width;
-  return std::exp(-0.5 * across * across) * Dash(along + golden * row);
+  return 0.4 * shape.Pixel;
+}
+
+inline double Hypot(double a, double b)
+{
+  return std::sqrt(a * a + b * b);
+}
+
+// One streak whose head is at the origin; across, and in front of the head, a gaussian that is blurred by the pixel's.
+inline double Comet(const Shape& shape, double behind, double across)
+{
+  const double t = std::clamp(behind / shape.Tail, 0.0, 1.0);
+  const double width = shape.Width * (1.0 - (1.0 - tailEnd) * t);
+  const double blurred = Hypot(width, PixelFilter(shape));
+  const double ahead = std::min(behind, 0.0);
+  return (1.0 - t) * width / blurred *
+    std::exp(-0.5 * (across * across + ahead * ahead) / (blurred * blurred));
+}
+
+// Share of a streak's peak that is its mean over rows and periods, without blur.
+inline double Mean(const Shape& shape)
+{
+  constexpr double pi = 3.141592653589793;
+  const double tail = std::sqrt(2.0 * pi) * shape.Width * shape.Tail * (0.5 - (1.0 - tailEnd) / 6.0);
+  const double head = pi * shape.Width * shape.Width;
+  return std::min(1.0, (tail + head) / (shape.Period * shape.Spacing));
+}
+
+// The rows alone. `row` moves them across, in rows.
+inline double Rows(const Shape& shape, double x, double y, double phase, double row)
+{
+  const double place = y / shape.Spacing + row;
+  const double nearest = std::round(place);
+  const double lead = std::min(0.5, nose * Hypot(shape.Width, PixelFilter(shape)) / shape.Period);
+  double sum = 0.0;
+  for (const double r : { nearest, nearest + (place < nearest ? -1.0 : 1.0) })
+  {
+    const double behind = phase + golden * r - x / shape.Period + lead; // periods
+    sum += Comet(shape, (behind - std::floor(behind) - lead) * shape.Period,
+      (place - r) * shape.Spacing);
+  }
+  return std::min(sum, 1.0);
+}
+
+// A vector that points at the eye.
+inline double Dot(const Shape& shape, double x, double y)
+{
+  const double width = roundDot * shape.Width;
+  const double blurred = Hypot(width, PixelFilter(shape));
+  const double peak = width / blurred;
+  return peak * peak * std::exp(-0.5 * (x * x + y * y) / (blurred * blurred));
+}
+
+// The texture, 0 to 1: streaks where the vector lies across the ray, a dot where it is along it, the mean where pixels are too coarse.
+inline double Value(const Shape& shape, double x, double y, double phase, double row)
+{
+  const double streaked = SmoothStep(steep, flat, shape.Period / shape.Width);
+  const double pattern = streaked * Rows(shape, x, y, phase, row) + (1.0 - streaked) * Dot(shape, x, y);
+  const double resolved = shape.Pixel > 0.0
+    ? SmoothStep(coarse, fine, std::min(std::max(shape.Period, shape.Width), shape.Spacing) / shape.Pixel)
+    : 1.0;
+  return resolved * pattern + (1.0 - resolved) * Mean(shape);
 }
 }
 
-// The window is the footprint, whose lattice sum is flat; the streaks move through it, so that phase 1 is phase 0 again.
-inline double VectorTexture(double x, double y, double period, double phase)
+// The error function, to 2e-7: AbramowitzStegun1964, 7.1.26.
+inline double ErrorFunction(double x)
 {
-  return cubic_kernel::Footprint(std::hypot(x, y)) * streaks::Value(x / period - phase, y);
+  constexpr double c[] = { 0.254829592, -0.284496736, 1.421413741, -1.453152027, 1.061405429 };
+  const double t = 1.0 / (1.0 + 0.3275911 * std::abs(x));
+  const double sum = t * (c[0] + t * (c[1] + t * (c[2] + t * (c[3] + t * c[4]))));
+  return std::copysign(1.0 - sum * std::exp(-x * x), x);
 }
 
 struct LineSegment
@@ -63,6 +138,13 @@ inline double AdvancePhase(double phase, double speed, double period, double ste
 {
   const double next = phase + speed * step / period;
   return next - std::floor(next);
+}
+
+// A phase as one of a number of stored textures; 0: as it is.
+inline double StoredPhase(double phase, int steps)
+{
+  const double stored = steps > 0 ? std::round(phase * steps) / steps : phase;
+  return stored - std::floor(stored);
 }
 }
 

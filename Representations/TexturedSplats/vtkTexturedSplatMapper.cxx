@@ -6,10 +6,11 @@
 #include "OwnThreads.h"
 #include "SplatClasses.h"
 #include "SplatKernel.h"
+#include "SplatLayers.h"
 #include "SplatOrder.h"
 #include "SplatPass.h"
 #include "SplatSamples.h"
-#include "SplatVectors.h"
+#include "SplatVectorScene.h"
 #include "ViewState.h"
 #include "VolumePeel.h"
 
@@ -25,6 +26,7 @@
 #include "vtkPiecewiseFunction.h"
 #include "vtkPointData.h"
 #include "vtkRenderer.h"
+#include "vtkScalarsToColors.h"
 #include "vtkVolume.h"
 #include "vtkVolumeProperty.h"
 
@@ -51,13 +53,12 @@ struct vtkTexturedSplatMapper::vtkInternals
   double Bounds[6] = { 1, -1, 1, -1, 1, -1 };
   nephoscope::SplatSamples Samples;
   nephoscope::SplatClasses Classes;
-  nephoscope::SplatVectors Vectors;
-  std::tuple<vtkDataArray*, vtkMTimeType, const void*> VectorsFrom{ nullptr, 0, nullptr };
-  bool VectorsUploaded = false;
-  double LoopedTo = 0;
-  int LoopCycles = 0;
+  nephoscope::SplatVectorScene VectorScene;
   nephoscope::SplatEye Eye{ { 0, 0, 0, -1 } }; // none
   std::vector<std::int32_t> Order;
+  using LayerKey = std::tuple<bool, int, std::size_t>;
+  LayerKey LayeredBy{ false, 0, 0 };
+  std::vector<std::int32_t> Items; // of the order, where vectors are in layers
   nephoscope::SplatPass Pass;
   bool SplatsUploaded = false, OrderUploaded = false;
   vtkOpenGLRenderWindow* Window = nullptr;
@@ -87,6 +88,27 @@ struct vtkTexturedSplatMapper::vtkInternals
       this->Order = nephoscope::OrderSplats(this->Samples.Positions, this->Classes.Samples, eye);
     });
     this->Eye = eye;
+    this->OrderUploaded = false;
+    this->LayeredBy = LayerKey();
+  }
+
+  // Scalars and vectors apart, layer by layer; or without `layers` both in the order of the splats.
+  void UpdateLayers(bool layers, vtkDataSet* input, int axis, std::size_t near)
+  {
+    const LayerKey key(layers, axis, near);
+    if (key == this->LayeredBy)
+    {
+      return;
+    }
+    this->Items.clear();
+    if (layers)
+    {
+      const bool onCells = std::get<2>(this->SampledFrom);
+      nephoscope::SplatLayers found;
+      found.Find(input, onCells, this->Samples, this->Eye, axis);
+      this->Items = found.Alternate(this->Classes, this->Order, near);
+    }
+    this->LayeredBy = key;
     this->OrderUploaded = false;
   }
 };
@@ -200,6 +222,7 @@ std::string vtkTexturedSplatMapper::UpdateSplats(vtkDataSet* input, vtkVolume* v
     {
       self.Samples =
         nephoscope::FindSplatSamples(input, { scalars.OnCells, this->CellSize }, error);
+      self.VectorScene.ForgetSamples();
     }
     if (error.empty() && (samples != self.SampledFrom || classes != self.ClassifiedBy))
     {
@@ -207,58 +230,84 @@ std::string vtkTexturedSplatMapper::UpdateSplats(vtkDataSet* input, vtkVolume* v
         input, self.Samples, scalars, opacity, property, !this->VectorArrayName.empty());
       self.Order.clear();
       self.Eye[3] = -1;
-      self.SplatsUploaded = self.VectorsUploaded = false;
+      self.SplatsUploaded = false;
+      self.VectorScene.ForgetUpload();
     }
   });
   self.SampledFrom = samples;
   self.ClassifiedBy = classes;
-  return error.empty() ? this->UpdateVectors(input, scalars.OnCells) : error;
+  if (!error.empty() || this->VectorArrayName.empty())
+  {
+    return error;
+  }
+  return self.VectorScene.Update(input, scalars.OnCells, self.Samples, this->GetVectorSettings());
 }
 
-std::string vtkTexturedSplatMapper::UpdateVectors(vtkDataSet* input, bool onCells)
+nephoscope::SplatVectorSettings vtkTexturedSplatMapper::GetVectorSettings()
 {
-  vtkInternals& self = *this->Internals;
-  if (this->VectorArrayName.empty())
+  nephoscope::SplatVectorSettings settings;
+  settings.ArrayName = this->VectorArrayName;
+  settings.ColorArrayName = this->VectorColorArrayName;
+  settings.ColorFunction = this->VectorColorFunction;
+  settings.OneColor = this->UseVectorColor;
+  std::copy_n(this->VectorColor, 3, settings.Color.begin());
+  settings.Loop = { this->Phase, this->PhaseCycles, this->PhaseSteps };
+  return settings;
+}
+
+void vtkTexturedSplatMapper::SetVectorColorFunction(vtkScalarsToColors* function)
+{
+  if (this->VectorColorFunction != function)
   {
-    return std::string();
+    this->VectorColorFunction = function;
+    this->Modified();
   }
-  vtkFieldData* attributes =
-    onCells ? static_cast<vtkFieldData*>(input->GetCellData()) : input->GetPointData();
-  vtkDataArray* array = attributes->GetArray(this->VectorArrayName.c_str());
-  if (!array || array->GetNumberOfComponents() != 3)
-  {
-    return std::string(onCells ? "No cell array" : "No point array") +
-      " of three components named '" + this->VectorArrayName +
-      "' for the vectors, which must be where the coloured array is. Choose one with SetVectorArrayName; arrays there: " +
-      nephoscope::arrayNames(attributes) + ".";
-  }
-  const std::string length = nephoscope::checkLength(input, { array, onCells, 0 });
-  if (!length.empty())
-  {
-    return length;
-  }
-  const std::tuple<vtkDataArray*, vtkMTimeType, const void*> key(
-    array, array->GetMTime(), self.Samples.Positions.data());
-  if (key != self.VectorsFrom)
-  {
-    self.Vectors.Read(array, self.Samples);
-    self.VectorsFrom = key;
-    self.VectorsUploaded = false;
-  }
-  return std::string();
+}
+
+vtkScalarsToColors* vtkTexturedSplatMapper::GetVectorColorFunction()
+{
+  return this->VectorColorFunction;
+}
+
+double vtkTexturedSplatMapper::GetStreakUnit()
+{
+  return this->VectorUnit > 0 ? this->VectorUnit
+                              : this->Internals->VectorScene.GetVectors().MeanCell();
 }
 
 void vtkTexturedSplatMapper::AdvancePhases(double time)
 {
-  vtkInternals& self = *this->Internals;
-  if (!std::get<0>(self.VectorsFrom))
+  nephoscope::SplatVectorScene& scene = this->Internals->VectorScene;
+  if (!scene.HasVectors())
   {
     vtkErrorMacro("There are no vectors to move with: set VectorArrayName and render first.");
     return;
   }
-  self.Vectors.Advance(time, this->StreakPeriod, self.Samples);
-  self.VectorsUploaded = false;
+  if (!std::isfinite(time))
+  {
+    vtkErrorMacro("Phases cannot be advanced by a time of " << time << ": it must be finite.");
+    return;
+  }
+  scene.GetVectors().Advance(time, this->StreakPeriod * this->GetStreakUnit());
+  scene.ForgetUpload();
   this->Modified();
+}
+
+void vtkTexturedSplatMapper::SetVectorOptions(nephoscope::SplatDrawingOptions& options)
+{
+  options.Vectors = !this->VectorArrayName.empty();
+  options.Segments = this->VectorStyle == SEGMENTS;
+  options.MediaApart = options.Vectors && this->VectorPlacement == IN_LAYERS;
+  options.VectorScale = this->VectorOpacity;
+  const double greatest = this->GreatestSpeed > 0
+    ? this->GreatestSpeed
+    : this->Internals->VectorScene.GetVectors().GreatestSpeed();
+  options.GreatestSpeed = greatest > 0 ? greatest : 1.0;
+  options.VectorUnit = this->GetStreakUnit();
+  options.StreakPeriod = this->StreakPeriod;
+  options.StreakWidth = this->StreakWidth;
+  options.SegmentLength = this->SegmentLength;
+  options.SegmentWidth = this->SegmentWidth;
 }
 
 std::string vtkTexturedSplatMapper::DrawScene(
@@ -267,11 +316,6 @@ std::string vtkTexturedSplatMapper::DrawScene(
   vtkInternals& self = *this->Internals;
   const nephoscope::ViewState state(renderer, volume, self.Samples.Center);
   self.UpdateOrder(state.EyeModel);
-  const std::string error = this->Upload(window);
-  if (!error.empty() || self.Order.empty())
-  {
-    return error;
-  }
   nephoscope::SplatDrawingOptions options;
   options.Kernel = static_cast<nephoscope::SplatKernel>(this->Kernel);
   options.ExtinctionScale = this->OpacityScale;
@@ -279,15 +323,11 @@ std::string vtkTexturedSplatMapper::DrawScene(
   const double near = 1.3 * nephoscope::KernelRadius(options.Kernel) * self.Samples.LongestEdge;
   options.NearSplats = nephoscope::CountNear(
     self.Samples.Positions, self.Classes.Samples, self.Order, state.EyeModel, near);
-  options.Vectors = !this->VectorArrayName.empty();
-  options.VectorScale = this->VectorOpacity;
-  options.StreakPeriod = this->StreakPeriod;
-  const double greatest =
-    this->GreatestSpeed > 0 ? this->GreatestSpeed : self.Vectors.GreatestSpeed();
-  options.GreatestSpeed = greatest > 0 ? greatest : 1.0;
-  options.OneVectorColor = this->UseVectorColor;
-  std::copy_n(this->VectorColor, 3, options.VectorColor);
-  return self.Pass.Draw(window, state.View, options);
+  this->SetVectorOptions(options);
+  self.UpdateLayers(
+    options.MediaApart, this->GetDataSetInput(), this->LayerAxis, options.NearSplats);
+  const std::string error = this->Upload(window);
+  return error.empty() && !self.Order.empty() ? self.Pass.Draw(window, state.View, options) : error;
 }
 
 std::string vtkTexturedSplatMapper::Upload(vtkOpenGLRenderWindow* window)
@@ -306,24 +346,15 @@ std::string vtkTexturedSplatMapper::Upload(vtkOpenGLRenderWindow* window)
   if (!self.SplatsUploaded)
   {
     error = self.Pass.UploadSplats(window, self.Samples, self.Classes);
-    self.VectorsUploaded = false;
+    self.VectorScene.ForgetUpload();
   }
-  const bool vectors = !this->VectorArrayName.empty();
-  if (self.LoopedTo != this->Phase || self.LoopCycles != this->PhaseCycles)
+  if (error.empty() && !this->VectorArrayName.empty())
   {
-    self.Vectors.SetLoop(this->Phase, this->PhaseCycles);
-    self.LoopedTo = this->Phase;
-    self.LoopCycles = this->PhaseCycles;
-    self.VectorsUploaded = false;
-  }
-  if (error.empty() && vectors && !self.VectorsUploaded)
-  {
-    error = self.Pass.UploadVectors(window, self.Vectors.Pack(self.Classes));
-    self.VectorsUploaded = error.empty();
+    error = self.VectorScene.Upload(window, self.Pass, self.Classes, this->GetVectorSettings());
   }
   if (error.empty() && !self.OrderUploaded)
   {
-    error = self.Pass.UploadOrder(window, self.Order);
+    error = self.Pass.UploadOrder(window, self.Items.empty() ? self.Order : self.Items);
   }
   self.SplatsUploaded = self.OrderUploaded = error.empty();
   return error;
@@ -346,8 +377,8 @@ void vtkTexturedSplatMapper::ReleaseGraphicsResources(vtkWindow* window)
   {
     this->Internals->Pass.ReleaseGraphicsResources(window);
     this->Internals->Window = nullptr;
-    this->Internals->SplatsUploaded = this->Internals->OrderUploaded =
-      this->Internals->VectorsUploaded = false;
+    this->Internals->SplatsUploaded = this->Internals->OrderUploaded = false;
+    this->Internals->VectorScene.ForgetUpload();
   }
   this->Superclass::ReleaseGraphicsResources(window);
 }
@@ -364,6 +395,16 @@ void vtkTexturedSplatMapper::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "VectorOpacity: " << this->VectorOpacity << "\n";
   os << indent << "GreatestSpeed: " << this->GreatestSpeed << "\n";
   os << indent << "StreakPeriod: " << this->StreakPeriod << "\n";
+  os << indent << "VectorStyle: " << (this->VectorStyle == SEGMENTS ? "Segments" : "Streaks") << "\n";
+  os << indent << "VectorPlacement: " << (this->VectorPlacement == IN_LAYERS ? "Layers" : "Middle") << "\n";
+  os << indent << "LayerAxis: " << this->LayerAxis << "\n";
+  os << indent << "VectorUnit: " << this->VectorUnit << "\n";
+  os << indent << "StreakWidth: " << this->StreakWidth << "\n";
+  os << indent << "SegmentLength: " << this->SegmentLength << "\n";
+  os << indent << "SegmentWidth: " << this->SegmentWidth << "\n";
+  os << indent << "VectorColorArrayName: " << this->VectorColorArrayName << "\n";
+  os << indent << "VectorColorFunction: " << this->VectorColorFunction.Get() << "\n";
+  os << indent << "PhaseSteps: " << this->PhaseSteps << "\n";
   os << indent << "VectorColor: " << this->VectorColor[0] << " " << this->VectorColor[1] << " "
      << this->VectorColor[2] << "\n";
   os << indent << "UseVectorColor: " << this->UseVectorColor << "\n";

@@ -9,8 +9,8 @@
  * let through is the exact transparency of the reconstructed field in any order; colours are composited from back to front, in an
  * order that is found once per view and does not depend on the order of the input.
  *
- * Vectors are drawn on the splats as streaks along their projection, foreshortened, that move with them: a splat's streaks lie in
- * the middle of its medium, so that the two partly hide each other.
+ * Vectors are drawn on the splats as streaks along their projection, foreshortened, that move with them, or as line segments: in
+ * the middle of a splat's medium, so that the two partly hide each other, or layer by layer.
  *
  *     vtkDataSet ──► samples: place, Jacobian, value ──► colour, extinction ──► order ──► splats, blended in float
  *
@@ -27,12 +27,19 @@
 
 #include "vtkAbstractVolumeMapper.h"
 #include "vtkNephoscopeRepresentationsTexturedSplatsModule.h" // for export macro
+#include "vtkSmartPointer.h"                                  // for the colour function
 
 #include <memory> // for std::unique_ptr
 #include <string> // for array names
 
 class vtkImageData;
 class vtkOpenGLRenderWindow;
+class vtkScalarsToColors;
+namespace nephoscope
+{
+struct SplatDrawingOptions;
+struct SplatVectorSettings;
+}
 
 class VTKNEPHOSCOPEREPRESENTATIONSTEXTUREDSPLATS_EXPORT vtkTexturedSplatMapper
   : public vtkAbstractVolumeMapper
@@ -96,7 +103,53 @@ public:
   ///@}
 
   ///@{
-  /** Optical depth of the streaks on the fastest splat; in proportion to the speed on others. Default: 2. */
+  /**
+   * How vectors are drawn. Default: streaks.
+   * - Streaks: like comets, with a sharp head in front and a tail that fades, longer where it is faster; they move with Phase and
+   *   AdvancePhases. A vector that points at the eye is a round dot; patterns finer than a pixel are their mean.
+   * - Segments: an anti-aliased line each (Crawfis and Max 1993), longer where it is faster, somewhere in its cell: where does
+   *   not depend on the frame or on the order of the input. They do not move.
+   */
+  enum VectorStyleType
+  {
+    STREAKS = 0,
+    SEGMENTS = 1
+  };
+  vtkSetClampMacro(VectorStyle, int, STREAKS, SEGMENTS);
+  vtkGetMacro(VectorStyle, int);
+  void SetVectorStyleToStreaks() { this->SetVectorStyle(STREAKS); }
+  void SetVectorStyleToSegments() { this->SetVectorStyle(SEGMENTS); }
+  ///@}
+
+  ///@{
+  /**
+   * Where vectors are among the scalars. Default: in the middle.
+   * - Middle: in the middle of its splat's medium: half of that hides the vector, which hides the other half.
+   * - Layers: the splats are drawn in layers, in each of them first the scalars and then the vectors (Max, Crawfis and Becker 1993).
+   */
+  enum VectorPlacementType
+  {
+    IN_THE_MIDDLE = 0,
+    IN_LAYERS = 1
+  };
+  vtkSetClampMacro(VectorPlacement, int, IN_THE_MIDDLE, IN_LAYERS);
+  vtkGetMacro(VectorPlacement, int);
+  void SetVectorPlacementToMiddle() { this->SetVectorPlacement(IN_THE_MIDDLE); }
+  void SetVectorPlacementToLayers() { this->SetVectorPlacement(IN_LAYERS); }
+  ///@}
+
+  ///@{
+  /**
+   * For placement in layers: the axis of a structured grid whose index numbers them, 0 to 2. -1 (default): the one that points most
+   * towards the eye, the last one if there is little between them. Ignored for samples without a grid, whose layers are at right
+   * angles to the line of sight.
+   */
+  vtkSetClampMacro(LayerAxis, int, -1, 2);
+  vtkGetMacro(LayerAxis, int);
+  ///@}
+
+  ///@{
+  /** Optical depth of the streaks on the fastest splat, 0 or more; in proportion to the speed on others. Default: 2. */
   vtkSetClampMacro(VectorOpacity, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(VectorOpacity, double);
   ///@}
@@ -110,13 +163,47 @@ public:
   ///@}
 
   ///@{
-  /** Length of the pattern along the vector, in cells (the cube root of a cell's volume). Default: 1.5. */
-  vtkSetClampMacro(StreakPeriod, double, 0.01, 1000.0);
-  vtkGetMacro(StreakPeriod, double);
+  /**
+   * The length that StreakPeriod, StreakWidth and SegmentLength count in, in units of the data. 0 (default): the mean length of a cell
+   * along its vector. Set it, and GreatestSpeed, where several parts of the data or time steps must look alike.
+   */
+  vtkSetClampMacro(VectorUnit, double, 0.0, VTK_DOUBLE_MAX);
+  vtkGetMacro(VectorUnit, double);
   ///@}
 
   ///@{
-  /** Colour of the streaks where UseVectorColor is on, 0 to 1 each. Default: white. Off (default): the splat's colour. */
+  /**
+   * Streaks, in VectorUnits: distance from head to head along the vector, and standard deviation of the brightness across. The longest
+   * tail is 0.6 periods. Splats are lengthened along the vector to half a period, so that streaks are not cut short: cost grows
+   * with the period. Defaults: 4 and 0.1.
+   */
+  vtkSetClampMacro(StreakPeriod, double, 0.01, 1000.0);
+  vtkGetMacro(StreakPeriod, double);
+  vtkSetClampMacro(StreakWidth, double, 0.001, 10.0);
+  vtkGetMacro(StreakWidth, double);
+  ///@}
+
+  ///@{
+  /** Segments: length at GreatestSpeed in VectorUnits, default 2 (more than the distance of samples), and width in pixels, default 1.5. */
+  vtkSetClampMacro(SegmentLength, double, 0.0, 1000.0);
+  vtkGetMacro(SegmentLength, double);
+  vtkSetClampMacro(SegmentWidth, double, 0.1, 100.0);
+  vtkGetMacro(SegmentWidth, double);
+  ///@}
+
+  ///@{
+  /**
+   * Name of an array, where the vectors are, whose value gives vectors a colour apart from that of the medium, by VectorColorFunction; of
+   * several components their magnitude counts. Empty (default): VectorColor or the splat's colour.
+   */
+  vtkSetMacro(VectorColorArrayName, std::string);
+  vtkGetMacro(VectorColorArrayName, std::string);
+  virtual void SetVectorColorFunction(vtkScalarsToColors* function);
+  vtkScalarsToColors* GetVectorColorFunction();
+  ///@}
+
+  ///@{
+  /** Colour of the vectors where UseVectorColor is on, 0 to 1 each. Default: white. Off (default): the splat's colour. */
   vtkSetVector3Macro(VectorColor, double);
   vtkGetVector3Macro(VectorColor, double);
   vtkSetMacro(UseVectorColor, bool);
@@ -134,6 +221,15 @@ public:
   vtkGetMacro(Phase, double);
   vtkSetClampMacro(PhaseCycles, int, 1, 1000);
   vtkGetMacro(PhaseCycles, int);
+  ///@}
+
+  ///@{
+  /**
+   * Number of patterns in a period between which streaks step, 0 to 1000: 16 is as Crawfis and Max stored them. 0 (default): streaks
+   * move continuously.
+   */
+  vtkSetClampMacro(PhaseSteps, int, 0, 1000);
+  vtkGetMacro(PhaseSteps, int);
   ///@}
 
   /**
@@ -166,14 +262,26 @@ protected:
   std::string VectorArrayName;
   double VectorOpacity = 2.0;
   double GreatestSpeed = 0.0;
-  double StreakPeriod = 1.5;
+  int VectorStyle = STREAKS;
+  int VectorPlacement = IN_THE_MIDDLE;
+  int LayerAxis = -1;
+  double VectorUnit = 0.0;
+  double StreakPeriod = 4.0;
+  double StreakWidth = 0.1;
+  double SegmentLength = 2.0;
+  double SegmentWidth = 1.5;
+  std::string VectorColorArrayName;
+  vtkSmartPointer<vtkScalarsToColors> VectorColorFunction;
   double VectorColor[3] = { 1.0, 1.0, 1.0 };
   bool UseVectorColor = false;
   double Phase = 0.0;
   int PhaseCycles = 4;
+  int PhaseSteps = 0;
 
 private:
-  std::string UpdateVectors(vtkDataSet* input, bool onCells);
+  nephoscope::SplatVectorSettings GetVectorSettings();
+  void SetVectorOptions(nephoscope::SplatDrawingOptions& options);
+  double GetStreakUnit();
   std::string UpdateSplats(vtkDataSet* input, vtkVolume* volume);
   std::string DrawScene(vtkOpenGLRenderWindow* window, vtkRenderer* renderer, vtkVolume* volume);
   std::string Upload(vtkOpenGLRenderWindow* window);

@@ -10,44 +10,27 @@
 // of the place where it is cut.
 uniform bool parallelRays;
 uniform float extinctionScale;
-uniform float vectorScale;  // optical depth of a vector at full strength, for a footprint of 1
-uniform float streakPeriod; // in sizes of the splat
-uniform vec4 vectorColor;   // and whether it counts: otherwise vectors have the splat's colour
+uniform float vectorScale; // optical depth of a vector at full strength
+uniform vec3 streakShape;  // length of the pattern, of the longest tail, and width, in units of the vectors
 
 //NEPHOSCOPE::Constants
 
+#ifdef DRAW_VECTORS
+//NEPHOSCOPE::VectorTexture
+#endif
+
 in vec2 stGSOutput;
 in vec3 positionVCGSOutput;
+flat in int kindGSOutput;
 flat in vec4 colorGSOutput;
 flat in vec2 splatGSOutput;
 flat in vec3 centerVCGSOutput;
 flat in vec4 vectorGSOutput;
-flat in float strengthGSOutput;
+flat in vec4 detailGSOutput;
 in vec3 rayGSOutput;
 flat in vec3 cellsGSOutput;
 
 //NEPHOSCOPE::Footprint
-
-// VectorTexture.h: streaks along x, period 1.
-float streaks(float along, float y)
-{
-  float row = round(y / STREAK_SPACING);
-  float across = (y - row * STREAK_SPACING) / STREAK_WIDTH;
-  float wave = 0.5 + 0.5 * cos(6.283185307179586 * (along + STREAK_GOLDEN * row));
-  return exp(-0.5 * across * across) * wave * wave;
-}
-
-// Streaks where the vector lies across the ray, a round dot where it points along it.
-float vectorTexture(float q)
-{
-  vec2 nearby = parallelRays ? positionVCGSOutput.xy : positionVCGSOutput.xy * (centerVCGSOutput.z / positionVCGSOutput.z);
-  vec2 place = nearby - centerVCGSOutput.xy;
-  vec2 axis = vectorGSOutput.xy;
-  float along = dot(place, axis) / (streakPeriod * max(vectorGSOutput.z, 0.05));
-  float y = dot(place, vec2(-axis.y, axis.x));
-  float roundDot = exp(-12.0 * q);
-  return mix(roundDot, streaks(along - vectorGSOutput.w, y), smoothstep(0.1, 0.4, vectorGSOutput.z));
-}
 
 // A splat so near that the eye may be inside: all that is in front of the eye.
 void drawNear()
@@ -68,6 +51,34 @@ void drawNear()
   gl_FragData[0] = vec4(alpha * colorGSOutput.rgb, alpha);
 }
 
+#ifdef DRAW_VECTORS
+// Streaks on the plane through the centre that faces the eye; lengths along the vector are foreshortened.
+float streaksHere()
+{
+  vec2 nearby = parallelRays ? positionVCGSOutput.xy : positionVCGSOutput.xy * (centerVCGSOutput.z / positionVCGSOutput.z);
+  vec2 place = nearby - centerVCGSOutput.xy;
+  vec2 along = vectorGSOutput.xy;
+  vec2 at = vec2(dot(place, along), dot(place, vec2(-along.y, along.x)));
+  float unit = detailGSOutput.x;
+  float seen = max(vectorGSOutput.z, 1.0e-3) * unit;
+  float width = streakShape.z * unit;
+  StreakShape shape = StreakShape(streakShape.x * seen, max(streakShape.y * detailGSOutput.y * seen, width), width,
+    STREAK_SPACING * unit, detailGSOutput.w);
+  return streakTexture(shape, at, vectorGSOutput.w, detailGSOutput.z);
+}
+
+void drawSegment()
+{
+  if (opaqueZ() > positionVCGSOutput.z)
+  {
+    discard;
+  }
+  float alpha = segmentCoverage(stGSOutput, detailGSOutput.x, detailGSOutput.y) * (1.0 - exp(-vectorScale)) * colorGSOutput.a;
+  gl_FragData[0] = vec4(alpha * colorGSOutput.rgb, alpha);
+}
+
+#endif
+
 void main()
 {
   if (nearEye)
@@ -75,6 +86,13 @@ void main()
     drawNear();
     return;
   }
+#ifdef DRAW_VECTORS
+  if (kindGSOutput == SEGMENT)
+  {
+    drawSegment();
+    return;
+  }
+#endif
   float inPlane = dot(stGSOutput, stGSOutput);
   float square = splatGSOutput.x; // |w|^2
   float along = parallelRays ? square : square + inPlane; // |k|^2
@@ -89,19 +107,18 @@ void main()
   float slope = parallelRays ? 1.0 : -positionVCGSOutput.z;
   float middle = parallelRays ? positionVCGSOutput.z : positionVCGSOutput.z * square / along;
   float halfChord = slope * kernelRadius * sqrt(1.0 - q) * cell;
-  float share = shareBefore((middle - opaqueZ()) / halfChord);
-  float window = footprint(q) * share;
-  float opticalDepth = extinctionScale * colorGSOutput.a * splatGSOutput.y * window * ray * cell;
-  if (!drawVectors)
+  float window = splatGSOutput.y * footprint(q) * shareBefore((middle - opaqueZ()) / halfChord);
+  float opticalDepth = extinctionScale * colorGSOutput.a * window * ray * cell;
+#ifdef DRAW_VECTORS
+  if (kindGSOutput == STREAKS)
   {
-    float alpha = 1.0 - exp(-opticalDepth);
-    gl_FragData[0] = vec4(alpha * colorGSOutput.rgb, alpha);
-    return;
+    opticalDepth = vectorScale * colorGSOutput.a * window / FOOTPRINT_PEAK * streaksHere();
   }
-  // The vector lies in the middle of the medium: half of it in front, half behind (SplatOpacity.h).
-  float vectorAlpha = 1.0 - exp(-vectorScale * strengthGSOutput * splatGSOutput.y * window * vectorTexture(q));
-  vec3 vectorLight = mix(colorGSOutput.rgb, vectorColor.rgb, vectorColor.a);
-  float halfway = exp(-0.5 * opticalDepth);
-  vec3 mediumLight = colorGSOutput.rgb * (1.0 - halfway);
-  gl_FragData[0] = vec4(mediumLight + halfway * mix(mediumLight, vectorLight, vectorAlpha), 1.0 - halfway * halfway * (1.0 - vectorAlpha));
+  else if (kindGSOutput == HALF_MEDIUM)
+  {
+    opticalDepth *= 0.5;
+  }
+#endif
+  float alpha = 1.0 - exp(-opticalDepth);
+  gl_FragData[0] = vec4(alpha * colorGSOutput.rgb, alpha);
 }

@@ -1,51 +1,67 @@
 //VTK::System::Dec
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The parallelogram around a splat's silhouette.
+// The parallelogram around a splat's silhouette, and what its vector is drawn on.
 //   in:  a splat: centre, Jacobian J of its cell, colour and extinction
 //   out: coordinates st in the plane through the centre that the silhouette's cone cuts in a circle (cells, where the
 //        kernel is a ball); position in view coordinates (VC); what the fragment shader needs of the splat
 // In cell coordinates the eye sees a ball of the kernel's radius from the place -w: its silhouette cone cuts the plane through
 // the centre at right angles to w in a circle, of radius R |w| / sqrt(|w|^2 - R^2). Any two unit vectors in that plane give a
 // parallelogram around the ellipse in the world, all of the same area.
+//NEPHOSCOPE::Constants
 layout(points) in;
-layout(triangle_strip, max_vertices = 4) out;
+layout(triangle_strip, max_vertices = MAX_VERTICES) out;
 
 uniform samplerBuffer splatColors; // colour, extinction per world length
-uniform samplerBuffer splatVectors; // vector, phase
-uniform float greatestSpeed;       // where vectors are fully drawn
 uniform mat4 VCToDC;
 uniform bool parallelRays;
 uniform float kernelRadius; // cells
 uniform vec2 pixelsPerDC;   // half the size of the viewport
 
-//NEPHOSCOPE::Constants
-
 //NEPHOSCOPE::Cell
 
-flat in int splatVSOutput[];
+flat in int splatVSOutput[]; // ~n: the vector of splat n, without its medium
 out vec2 stGSOutput;
 out vec3 positionVCGSOutput;
+flat out int kindGSOutput;
 flat out vec4 colorGSOutput;
 flat out vec2 splatGSOutput; // |w|^2, factor on the footprint
 flat out vec3 centerVCGSOutput;
-flat out vec4 vectorGSOutput; // axis along the vector on the screen, over the splat's size; sine of its angle with the ray; phase
-flat out float strengthGSOutput; // of the vector, 0 to 1
-out vec3 rayGSOutput;            // near the eye: the ray in cells
-flat out vec3 cellsGSOutput;     // and w
+flat out vec4 vectorGSOutput; // streaks: direction on the plane that faces the eye, length of a unit vector there, phase
+flat out vec4 detailGSOutput; // streaks: unit of length, strength, seed, pixel; segments: length and width in pixels
+out vec3 rayGSOutput;         // near the eye: the ray in cells
+flat out vec3 cellsGSOutput;  // and w
 
-void emit(vec2 st, vec3 positionVC, vec3 centerVC, vec4 color, vec2 splat, vec4 vector, float strength)
+// What the corners of a splat have in common.
+struct SplatLook
+{
+  int kind;
+  vec4 color; // and extinction, or strength
+  float factor;
+  vec4 vector;
+  vec4 detail;
+};
+
+void emitCorner(vec2 st, vec3 positionVC, vec3 centerVC, float square, SplatLook look, vec4 positionDC)
 {
   stGSOutput = st;
   positionVCGSOutput = positionVC;
-  colorGSOutput = color;
-  splatGSOutput = splat;
+  kindGSOutput = look.kind;
+  colorGSOutput = look.color;
+  splatGSOutput = vec2(square, look.factor);
   centerVCGSOutput = centerVC;
-  vectorGSOutput = vector;
-  strengthGSOutput = strength;
-  gl_Position = VCToDC * vec4(positionVC, 1.0);
+  vectorGSOutput = look.vector;
+  detailGSOutput = look.detail;
+  rayGSOutput = vec3(0.0);
+  cellsGSOutput = vec3(0.0);
+  gl_Position = positionDC;
   gl_Position.z = 0.0; // the near and the far plane cut nothing
   EmitVertex();
+}
+
+void emitAt(vec2 st, vec3 positionVC, vec3 centerVC, float square, SplatLook look)
+{
+  emitCorner(st, positionVC, centerVC, square, look, VCToDC * vec4(positionVC, 1.0));
 }
 
 // Screen vector, in pixels, of a short vector at the centre.
@@ -82,64 +98,19 @@ float spreadOverPixel(inout vec3 a, inout vec3 b, vec3 centerVC, vec4 centerDC)
   return area / sqrt(determinant);
 }
 
-// What the fragment shader needs of a splat's vector.
-void findVector(int splat, vec3 centerVC, float size, out vec4 vector, out float strength)
+// The centre seen from the eye, in cells; in a parallel projection the direction of the rays.
+vec3 inCells(vec3 center, mat3 J)
 {
-  vector = vec4(0.0);
-  strength = 0.0;
-  if (!drawVectors)
-  {
-    return;
-  }
-  vec4 texel = texelFetch(splatVectors, splat);
-  vec3 v = mat3(modelToVC) * texel.xyz;
-  float speed = length(texel.xyz);
-  float magnitude = length(v);
-  strength = min(speed / greatestSpeed, 1.0);
-  if (!(magnitude > 0.0))
-  {
-    strength = 0.0;
-    return;
-  }
-  vec3 ray = parallelRays ? vec3(0.0, 0.0, -1.0) : normalize(centerVC);
-  vec3 direction = v / magnitude;
-  vec2 onScreen = parallelRays ? direction.xy : direction.xy - direction.z * centerVC.xy / centerVC.z;
-  float across = length(direction - dot(direction, ray) * ray);
-  vector = vec4(across > 1.0e-4 ? normalize(onScreen) / size : vec2(1.0 / size, 0.0), across, texel.w);
-}
-
-// Splats around and close to the eye are seen in the whole viewport.
-void emitViewport(vec3 w, mat3 inverseJ, vec4 color)
-{
-  for (int corner = 0; corner < 4; ++corner)
-  {
-    vec2 place = vec2(corner % 2 == 0 ? -1.0 : 1.0, corner < 2 ? -1.0 : 1.0);
-    vec3 ray = vec3((place.x + VCToDC[2][0]) / VCToDC[0][0], (place.y + VCToDC[2][1]) / VCToDC[1][1], -1.0);
-    positionVCGSOutput = ray;
-    rayGSOutput = inverseJ * ray;
-    cellsGSOutput = w;
-    colorGSOutput = color;
-    gl_Position = vec4(place, 0.0, 1.0);
-    EmitVertex();
-  }
-  EndPrimitive();
-}
-
-void main()
-{
-  vec3 center;
-  mat3 J;
-  readSplat(splatVSOutput[0], center, J);
-  vec3 towards = parallelRays ? vec3(0.0, 0.0, -1.0) : center; // from the eye
+  vec3 towards = parallelRays ? vec3(0.0, 0.0, -1.0) : center;
   float determinant = dot(J[0], cross(J[1], J[2]));
-  vec3 w = vec3(dot(towards, cross(J[1], J[2])), dot(towards, cross(J[2], J[0])), dot(towards, cross(J[0], J[1]))) / determinant;
+  return vec3(dot(towards, cross(J[1], J[2])), dot(towards, cross(J[2], J[0])), dot(towards, cross(J[0], J[1]))) / determinant;
+}
+
+void emitKernel(vec3 center, mat3 J, SplatLook look)
+{
+  vec3 w = inCells(center, J);
   float square = dot(w, w);
   float radius = kernelRadius;
-  if (nearEye)
-  {
-    emitViewport(w, inverse(J), texelFetch(splatColors, splatVSOutput[0]));
-    return;
-  }
   if (!parallelRays)
   {
     if (square <= kernelRadius * kernelRadius || center.z >= 0.0)
@@ -155,16 +126,74 @@ void main()
   vec3 a = J * u;
   vec3 b = J * v;
   vec4 centerDC = VCToDC * vec4(center, 1.0);
-  vec4 color = texelFetch(splatColors, splatVSOutput[0]);
-  vec2 splat = vec2(square, spreadOverPixel(a, b, center, centerDC));
-  vec4 vector;
-  float strength;
-  findVector(splatVSOutput[0], center, pow(abs(determinant), 1.0 / 3.0), vector, strength);
+  look.factor = spreadOverPixel(a, b, center, centerDC);
+  look.detail.w = centerDC.w / (pixelsPerDC.y * VCToDC[1][1]);
   a *= radius;
   b *= radius;
-  emit(vec2(-radius, -radius), center - a - b, center, color, splat, vector, strength);
-  emit(vec2(radius, -radius), center + a - b, center, color, splat, vector, strength);
-  emit(vec2(-radius, radius), center - a + b, center, color, splat, vector, strength);
-  emit(vec2(radius, radius), center + a + b, center, color, splat, vector, strength);
+  emitAt(vec2(-radius, -radius), center - a - b, center, square, look);
+  emitAt(vec2(radius, -radius), center + a - b, center, square, look);
+  emitAt(vec2(-radius, radius), center - a + b, center, square, look);
+  emitAt(vec2(radius, radius), center + a + b, center, square, look);
   EndPrimitive();
+}
+
+#ifdef DRAW_VECTORS
+//NEPHOSCOPE::VectorSplat
+#endif
+
+// Splats around and close to the eye are seen in the whole viewport.
+void emitViewport(vec3 w, mat3 inverseJ, vec4 color)
+{
+  for (int corner = 0; corner < 4; ++corner)
+  {
+    vec2 place = vec2(corner % 2 == 0 ? -1.0 : 1.0, corner < 2 ? -1.0 : 1.0);
+    vec3 ray = vec3((place.x + VCToDC[2][0]) / VCToDC[0][0], (place.y + VCToDC[2][1]) / VCToDC[1][1], -1.0);
+    positionVCGSOutput = ray;
+    rayGSOutput = inverseJ * ray;
+    cellsGSOutput = w;
+    colorGSOutput = color;
+    kindGSOutput = MEDIUM;
+    gl_Position = vec4(place, 0.0, 1.0);
+    EmitVertex();
+  }
+  EndPrimitive();
+}
+
+void emitMedium(vec3 center, mat3 J, vec4 color, int kind)
+{
+  if (color.a > 0.0)
+  {
+    emitKernel(center, J, SplatLook(kind, color, 1.0, vec4(0.0), vec4(0.0)));
+  }
+}
+
+void main()
+{
+  bool vectorAlone = splatVSOutput[0] < 0;
+  int splat = vectorAlone ? ~splatVSOutput[0] : splatVSOutput[0];
+  vec3 center;
+  mat3 J;
+  readSplat(splat, center, J);
+  vec4 color = texelFetch(splatColors, splat);
+  if (nearEye)
+  {
+    emitViewport(inCells(center, J), inverse(J), color);
+    return;
+  }
+#ifdef DRAW_VECTORS
+  SplatVector vector;
+  if ((vectorAlone || !mediaApart) && readVector(splat, vector))
+  {
+    // Half of the medium behind the vector, half in front (SplatOpacity.h), unless it is drawn apart.
+    vec4 half_ = vectorAlone ? vec4(0.0) : color;
+    emitMedium(center, J, half_, HALF_MEDIUM);
+    emitVector(vector, center, J);
+    emitMedium(center, J, half_, HALF_MEDIUM);
+    return;
+  }
+#endif
+  if (!vectorAlone)
+  {
+    emitMedium(center, J, color, MEDIUM);
+  }
 }

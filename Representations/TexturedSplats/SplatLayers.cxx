@@ -1,0 +1,117 @@
+// SPDX-FileCopyrightText: The Nephoscope authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "SplatLayers.h"
+
+#include "GridSamples.h"
+#include "SplatClasses.h"
+#include "SplatSamples.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace nephoscope
+{
+namespace
+{
+constexpr std::uint32_t middle = 0x80000000u; // of the numbers of layers
+constexpr double clearly = 1.2; // by this factor another axis must point at the eye better than the last one
+
+using Direction = std::array<double, 3>;
+
+// Not of unit length.
+Direction towardsEye(const SplatSamples::Float3& place, const SplatEye& eye)
+{
+  Direction d;
+  for (std::size_t c = 0; c < 3; ++c)
+  {
+    d[c] = eye[3] == 0 ? eye[c] : eye[c] - place[c];
+  }
+  return d;
+}
+
+double dot(const SplatSamples::Float3& a, const Direction& b)
+{
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+double lengthOf(const Direction& d)
+{
+  return std::sqrt(d[0] * d[0] + d[1] * d[1] + d[2] * d[2]);
+}
+
+// The axis whose edges point most towards the eye, on the mean.
+int facingAxis(const SplatSamples& samples, const SplatEye& eye)
+{
+  double facing[3] = { 0, 0, 0 };
+  const std::size_t stride = std::max<std::size_t>(1, samples.Size() / 10000);
+  for (std::size_t i = 0; i < samples.Size(); i += stride)
+  {
+    const Direction d = towardsEye(samples.Positions[i], eye);
+    for (std::size_t axis = 0; axis < 3; ++axis)
+    {
+      const auto& edge = samples.JacobianOf(i)[axis];
+      const double length = std::sqrt(dot(edge, { { edge[0], edge[1], edge[2] } })) * lengthOf(d);
+      facing[axis] += length > 0 ? std::abs(dot(edge, d)) / length : 0;
+    }
+  }
+  const int other = facing[0] > facing[1] ? 0 : 1;
+  return facing[other] > clearly * facing[2] ? other : 2;
+}
+}
+
+void SplatLayers::Find(
+  vtkDataSet* data, bool onCells, const SplatSamples& samples, const SplatEye& eye, int axis)
+{
+  const GridSamples grid(data, onCells);
+  const int along = axis >= 0 ? axis : facingAxis(samples, eye);
+  this->Layers.resize(samples.Size());
+  for (std::size_t i = 0; i < this->Layers.size(); ++i)
+  {
+    const Direction d = towardsEye(samples.Positions[i], eye);
+    if (grid.IsGrid())
+    {
+      const auto index = static_cast<std::uint32_t>(grid.Index(samples.Ids[i], along));
+      const bool towards = dot(samples.JacobianOf(i)[static_cast<std::size_t>(along)], d) >= 0;
+      this->Layers[i] = towards ? middle + index : middle - 1 - index;
+      continue;
+    }
+    const double nearness = eye[3] == 0 ? dot(samples.Positions[i], d) / lengthOf(d) : -lengthOf(d);
+    const double layer = std::floor(nearness / std::max(samples.LongestEdge, 1e-30));
+    this->Layers[i] =
+      static_cast<std::uint32_t>(std::clamp(layer, -2.0e9, 2.0e9) + static_cast<double>(middle));
+  }
+}
+
+std::vector<std::int32_t> SplatLayers::Alternate(const SplatClasses& classes,
+  const std::vector<std::int32_t>& order, std::size_t near) const
+{
+  const std::size_t far = order.size() - std::min(near, order.size());
+  std::vector<std::uint32_t> keys(far);
+  for (std::size_t i = 0; i < far; ++i)
+  {
+    const auto splat = static_cast<std::size_t>(order[i]);
+    keys[i] = this->Layers[static_cast<std::size_t>(classes.Samples[splat])];
+  }
+  std::vector<std::uint32_t> used = keys;
+  const std::vector<std::int32_t> sorted = SortKeys(used); // stable: from back to front in a layer
+  std::vector<std::int32_t> items;
+  items.reserve(far + order.size());
+  const auto keyAt = [&](std::size_t i) { return keys[static_cast<std::size_t>(sorted[i])]; };
+  const auto splatAt = [&](std::size_t i) { return order[static_cast<std::size_t>(sorted[i])]; };
+  for (std::size_t begin = 0, end = 0; begin < far; begin = end)
+  {
+    for (; end < far && keyAt(end) == keyAt(begin); ++end)
+    {
+      items.push_back(splatAt(end));
+    }
+    for (std::size_t i = begin; i < end; ++i)
+    {
+      items.push_back(~splatAt(i));
+    }
+  }
+  items.insert(items.end(), order.begin() + static_cast<std::ptrdiff_t>(far), order.end());
+  return items;
+}
+
+} // namespace nephoscope

@@ -1,0 +1,42 @@
+// SPDX-FileCopyrightText: The Nephoscope authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * Splats in layers from back to front, in each of them first the scalars and then the vectors: MaxCrawfisBecker1993, section 3.
+ *
+ * The layers of a structured grid are its samples with one index along an axis. Where that axis points away from the eye, as on the
+ * far side of a globe, the layers come in the opposite order, and before the others. Samples without a grid are in layers at right
+ * angles to the line of sight, one cell thick.
+ */
+#ifndef SplatLayers_h
+#define SplatLayers_h
+
+#include "SplatOrder.h"
+
+class vtkDataSet;
+
+namespace nephoscope
+{
+
+struct SplatClasses;
+struct SplatSamples;
+
+class SplatLayers
+{
+public:
+  /** Axis of a grid: 0 to 2, or -1: the one that points most towards the eye; the last one if they are about equal. */
+  void Find(vtkDataSet* data, bool onCells, const SplatSamples& samples, const SplatEye& eye, int axis);
+
+  /**
+   * `order`: splats from back to front, of which the last `near` stay at the end as they are. The others come layer by layer:
+   * n for the scalar, ~n for the vector of splat n.
+   */
+  std::vector<std::int32_t> Alternate(const SplatClasses& classes,
+    const std::vector<std::int32_t>& order, std::size_t near) const;
+
+private:
+  std::vector<std::uint32_t> Layers; // of all samples, growing towards the eye
+};
+
+} // namespace nephoscope
+
+#endif

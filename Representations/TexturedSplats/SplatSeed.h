@@ -1,0 +1,66 @@
+// SPDX-FileCopyrightText: The Nephoscope authors
+// SPDX-License-Identifier: BSD-3-Clause
+// A number for every sample that is as good as random, and depends on nothing but its place: not on the order of the input, the frame,
+// or the part of the data that a rank has. Plain C++17.
+#ifndef nephoscope_SplatSeed_h
+#define nephoscope_SplatSeed_h
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+
+namespace nephoscope
+{
+// The finalizer of splitmix64 (SteeleLeaFlood2014): every bit of the result depends on every bit of the argument.
+inline std::uint64_t MixBits(std::uint64_t x)
+{
+  x ^= x >> 30;
+  x *= 0xbf58476d1ce4e5b9ull;
+  x ^= x >> 27;
+  x *= 0x94d049bb133111ebull;
+  return x ^ (x >> 31);
+}
+
+inline std::uint64_t PlaceHash(const double place[3])
+{
+  std::uint64_t hash = 0x9e3779b97f4a7c15ull;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const double coordinate = place[axis] + 0.0; // one zero
+    std::uint64_t bits;
+    std::memcpy(&bits, &coordinate, sizeof(bits));
+    hash = MixBits(hash ^ bits) + 0x9e3779b97f4a7c15ull;
+  }
+  return MixBits(hash);
+}
+
+// Two independent numbers, uniform in [0, 1): the phase that a pattern starts with, and a seed for what else differs.
+struct SplatSeed
+{
+  float Phase = 0.0f;
+  float Rest = 0.0f;
+};
+
+inline SplatSeed SeedOf(const double place[3])
+{
+  const std::uint64_t hash = PlaceHash(place);
+  constexpr float step = 1.0f / 16777216.0f; // 24 bits are exact in a float
+  return { static_cast<float>(hash >> 40) * step, static_cast<float>((hash >> 8) & 0xffffff) * step };
+}
+
+// Where in its cell a segment is: -1/2 to 1/2 along each edge.
+inline std::array<double, 3> JitterOf(float seed)
+{
+  std::array<double, 3> jitter;
+  constexpr double factors[3] = { 1.0, 61.0, 3721.0 };
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    const double number = seed * factors[axis];
+    jitter[axis] = number - static_cast<double>(static_cast<std::int64_t>(number)) - 0.5;
+  }
+  return jitter;
+}
+}
+
+#endif
