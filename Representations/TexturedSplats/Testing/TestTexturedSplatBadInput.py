@@ -45,6 +45,42 @@ class BadInput(unittest.TestCase):
         self.expect("three components named 'q'", self.cube(), lambda m, s: m.SetVectorArrayName("q"))
         self.expect("three components named 's'", self.cube(), lambda m, s: m.SetVectorArrayName("s"))
 
+    def winds(self, vectors):
+        data = self.cube()
+        meshes.add_array(data.GetPointData(), np.broadcast_to(np.asarray(vectors, float), (27, 3)).copy(), "v")
+        return data
+
+    def test_missing_color_array_and_function(self):
+        def configure(name):
+            def call(mapper, scene):
+                mapper.SetVectorArrayName("v")
+                mapper.SetVectorColorArrayName(name)
+            return call
+        self.expect("No point array named 'q' for the colours", self.winds((1, 0, 0)), configure("q"))
+        self.expect("SetVectorColorFunction", self.winds((1, 0, 0)), configure("s"))
+
+    def test_vectors_that_are_zero_or_not_finite_are_not_drawn(self):
+        for style in (0, 1):
+            for placement in (0, 1):
+                pictures = []
+                for name, vectors in (("", (1, 0, 0)), ("v", (0, 0, 0)), ("v", (np.nan, 1, 0)), ("v", (np.inf, 0, 0))):
+                    def configure(mapper, scene):
+                        mapper.SetVectorArrayName(name)
+                        mapper.SetVectorStyle(style)
+                        mapper.SetVectorPlacement(placement)
+                    messages, mapper = self.draw(self.winds(vectors), configure)
+                    self.assertEqual(messages.all, [])
+                    pictures.append(float_image(mapper))
+                for picture in pictures[1:]:
+                    np.testing.assert_allclose(picture, pictures[0], atol=1e-6)
+                self.assertGreater(pictures[0][..., 3].max(), 0.01)
+
+    def test_phases_without_vectors(self):
+        def configure(mapper, scene):
+            with scene.window.messages:
+                mapper.AdvancePhases(1.0)
+        self.expect("no vectors to move", self.cube(), configure)
+
     def test_unit_distance(self):
         def configure(mapper, scene):
             scene.renderer.GetVolumes().GetItemAsObject(0).GetProperty().SetScalarOpacityUnitDistance(0)

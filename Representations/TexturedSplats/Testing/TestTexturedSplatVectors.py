@@ -1,0 +1,138 @@
+# SPDX-FileCopyrightText: The Nephoscope authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Vectors on splats: segments against their coverage, motion of streaks, order of the input, placement in layers."""
+import math
+import unittest
+
+import nephoscope
+import numpy as np
+from nephoscope_testing import meshes
+from nephoscope_testing.checks import ImageTestCase
+from nephoscope_testing.offscreen import Window, float_image
+from nephoscope_testing.transfer import Transfer
+
+PIXELS = 128
+SCALE = 6.0  # half the height of the view
+TRANSPARENT = Transfer([(0, 1, 1, 1), (1, 1, 1, 1)], [(0, 0), (1, 0)])
+CLOUDY = Transfer([(0, 0.2, 0.4, 1), (1, 1, 1, 1)], [(0, 0.1), (1, 0.6)])
+
+
+def grid(wind, size=24, layers=0):
+    data = meshes.image((size, size, layers), origin=(-size / 2, -size / 2, 0))
+    points = meshes.points_of(data)
+    meshes.with_field(data, lambda p: 0.5 + 0.5 * np.sin(p[:, 0]) * np.cos(p[:, 1]))
+    meshes.add_array(data.GetPointData(), wind(points), "v")
+    return data
+
+
+def uniform(vector):
+    return lambda points: np.tile(np.asarray(vector, float), (len(points), 1))
+
+
+class Vectors(ImageTestCase):
+    def scene(self, data, configure=None, transfer=TRANSPARENT, direction=(0, 0, 1)):
+        self.window = Window((PIXELS, PIXELS))
+        scene = self.window.add_scene()
+        mapper = nephoscope.vtkTexturedSplatMapper()
+        mapper.SetVectorArrayName("v")
+        mapper.UseVectorColorOn()
+        mapper.SetVectorUnit(1)
+        if configure:
+            configure(mapper)
+        scene.add_volume(mapper, data, transfer)
+        scene.look(40 * np.asarray(direction), (0, 0, 0), (0, 1, 0), parallel_scale=SCALE, near=5, far=90)
+        return mapper
+
+    def picture(self, mapper):
+        self.window.render()
+        self.fail_on_messages(self.window)
+        return float_image(mapper)
+
+    def velocity(self, before, after):
+        """Least squares of the brightness that is constant along the motion: pixels, x to the right and y up."""
+        mean = 0.5 * (before + after)
+        dx, dy = np.gradient(mean, axis=1), np.gradient(mean, axis=0)
+        dt = after - before
+        inside = (slice(20, -20),) * 2
+        a = np.stack([dx[inside].ravel(), dy[inside].ravel()], 1)
+        return np.linalg.lstsq(a, -dt[inside].ravel(), rcond=None)[0]
+
+    def check_motion(self, wind, direction, expected):
+        """The pattern moves under a window that stands still, which is divided out by many splats."""
+        mapper = self.scene(grid(uniform(wind)), lambda m: (m.SetStreakWidth(0.3), m.SetVectorOpacity(0.2)), direction=direction)
+        found, frames, step = [], 24, 0.06
+        self.picture(mapper)
+        for _ in range(frames):
+            before = self.picture(mapper)[..., 3]
+            mapper.AdvancePhases(step / np.linalg.norm(wind))
+            after = self.picture(mapper)[..., 3]
+            found.append(self.velocity(before, after) * (2 * SCALE / PIXELS) / step)
+            mapper.AdvancePhases(0.37)
+        found, expected = np.mean(found, axis=0), np.asarray(expected)
+        angle = math.degrees(math.atan2(*found[::-1]) - math.atan2(*expected[::-1]))
+        print(f"  wind {wind} from {direction}: {found}, expected {expected}, {angle:+.2f} degrees")
+        return found, expected, angle
+
+    def test_streaks_move_along_the_wind(self):
+        for wind in ((1, 0, 0), (-0.6, 0.8, 0), (0, -1, 0)):
+            found, expected, angle = self.check_motion(wind, (0, 0, 1), wind[:2])
+            self.assertGreater(found @ expected, 0)
+
+    def test_one_segment_is_its_coverage(self):
+        data = meshes.particles(np.zeros((1, 3)))
+        meshes.add_array(data.GetPointData(), np.zeros(1))
+        meshes.add_array(data.GetPointData(), np.array([[3.0, 4.0, 0.0]]), "v")
+        mapper = self.scene(data, lambda m: (m.SetVectorStyleToSegments(), m.SetSegmentLength(2.5), m.SetSegmentWidth(1.7),
+                                             m.SetVectorOpacity(50), m.SetCellSize(1e-3)))
+        alpha = self.picture(mapper)[..., 3]
+        per_unit = PIXELS / (2 * SCALE)
+        x, y = np.meshgrid(*(np.arange(PIXELS) + 0.5 - PIXELS / 2,) * 2)
+        along, across = 0.6 * x + 0.8 * y, -0.8 * x + 0.6 * y
+        erf = np.vectorize(math.erf)
+
+        def covered(at, width):
+            s = 1 / (0.5 * math.sqrt(2))
+            return 0.5 * (erf((at + width / 2) * s) - erf((at - width / 2) * s))
+        expected = covered(along, 2.5 * per_unit) * covered(across, 1.7)
+        self.assertLess(np.abs(alpha - expected).max(), 0.01)  # the place in the cell, of a thousandth, is random
+        self.assertAlmostEqual(alpha.sum() / (2.5 * per_unit * 1.7), 1, delta=2e-3)
+
+    def test_picture_does_not_depend_on_the_order_of_the_input(self):
+        rng = np.random.default_rng(7)
+        points = rng.uniform(-4, 4, (150, 3))
+        winds, values = rng.normal(size=(150, 3)), rng.uniform(0, 1, 150)
+        for style in (0, 1):
+            for placement in (0, 1):
+                pictures = []
+                for order in (np.arange(150), rng.permutation(150)):
+                    data = meshes.particles(points[order])
+                    meshes.add_array(data.GetPointData(), values[order])
+                    meshes.add_array(data.GetPointData(), winds[order], "v")
+                    mapper = self.scene(data, lambda m: (m.SetVectorStyle(style), m.SetVectorPlacement(placement)), CLOUDY)
+                    pictures.append(self.picture(mapper))
+                self.assertGreater(pictures[0][..., 3].max(), 0.3)
+                np.testing.assert_array_equal(pictures[0], pictures[1])
+
+    def test_sixteenth_frame_is_the_first(self):
+        data = grid(lambda p: np.stack([1 + 0 * p[:, 0], 0.1 * p[:, 0], 0 * p[:, 0]], 1))
+        mapper = self.scene(data, lambda m: (m.SetPhaseSteps(16), m.SetPhaseCycles(1)))
+        pictures = []
+        for frame in range(17):
+            mapper.SetPhase(frame / 16)
+            pictures.append(self.picture(mapper))
+        np.testing.assert_array_equal(pictures[0], pictures[16])
+        self.assertGreater(np.abs(pictures[8] - pictures[0]).max(), 0.2)
+
+    def test_layers_have_scalars_behind_vectors(self):
+        """In one layer all vectors lie over all media; in the middle half of each medium lies over them."""
+        data = grid(uniform((1, 0, 0)))
+        light = []
+        for placement in (0, 1):
+            mapper = self.scene(data, lambda m: (m.SetVectorPlacement(placement), m.SetVectorColor(1, 0, 0)), CLOUDY)
+            image = self.picture(mapper)
+            light.append(image[..., 0].sum() - image[..., 2].sum())
+        self.assertGreater(light[1], light[0])
+
+
+if __name__ == "__main__":
+    unittest.main()
