@@ -1,0 +1,49 @@
+# SPDX-FileCopyrightText: The Nephoscope authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""What the figures of cloud surfaces (6 to 9) share: one view, low over the ocean, and the surface of 15 % cloud cover in it."""
+from paraview import simple as pvs
+
+import globe_scene
+
+EXAGGERATION = 20
+COVER = 0.15
+SIZE = (1920, 1080)
+
+
+def make_view(name):
+    """From the south over the eastern Pacific, two hurricanes in the middle and North America behind, the sun in the west."""
+    return globe_scene.make_view(
+        name, position=globe_scene.on_globe(-118, -12, 2.6), focus=globe_scene.on_globe(-110, 6, 0.9),
+        up=globe_scene.on_globe(-110, 15), angle=31, sun=globe_scene.on_globe(-150, 34, 10), size=SIZE)
+
+
+def cloud_surface(grid, iterations):
+    surface = pvs.CloudSurface(Input=grid, NumberOfSmoothingIterations=iterations, SameReachNearPoles=1)
+    surface.ContourBy = ["POINTS", "cloud_fraction"]
+    surface.ContourValues = [COVER]
+    return surface
+
+
+def show_surface(surface, view):
+    shown = pvs.Show(surface, view)
+    shown.SetRepresentationType("Surface")
+    shown.ColorArrayName = ["POINTS", ""]
+    shown.DiffuseColor = shown.AmbientColor = [0.96, 0.97, 1.0]
+    shown.Ambient, shown.Diffuse, shown.Specular = 0.2, 0.78, 0.0
+    return shown
+
+
+def show_caption(view, text):
+    caption = pvs.Text(Text="%s\nGFS forecast for 2011-10-11 00 UTC. Heights exaggerated %d times" % (text, EXAGGERATION))
+    shown = pvs.Show(caption, view)
+    shown.WindowLocation, shown.FontSize, shown.Justification = "Upper Left Corner", 18, "Left"
+    shown.Color = [0.85, 0.89, 0.95]
+
+
+def picture(name, title, caption, iterations):
+    pvs._DisableFirstRenderCameraReset()
+    view = make_view(title)
+    globe_scene.show_terrain(view, ambient=0.5, diffuse=1.0)
+    show_surface(cloud_surface(globe_scene.read_forecast(EXAGGERATION), iterations), view)
+    show_caption(view, caption)
+    globe_scene.save(name, view, SIZE)
