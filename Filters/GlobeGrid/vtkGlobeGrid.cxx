@@ -6,6 +6,8 @@
 
 #include "vtkCompositeDataSet.h"
 #include "vtkDataSet.h"
+#include "vtkDoubleArray.h"
+#include "vtkFieldData.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
@@ -227,11 +229,26 @@ int vtkGlobeGrid::BuildPiece(nephoscope::GlobeGridBuilder* builder, const int fi
     return 1;
   }
   output->SetExtent(extent);
+  this->AddProjection(output);
   for (const std::string& warning : builder->Warnings())
   {
     vtkWarningMacro(<< warning);
   }
   return 1;
+}
+
+// So that other filters can tell longitudes, latitudes and heights from positions.
+void vtkGlobeGrid::AddProjection(vtkStructuredGrid* output)
+{
+  const auto add = [&](const char* name, double value) {
+    vtkNew<vtkDoubleArray> array;
+    array->SetName(name);
+    array->InsertNextValue(value);
+    output->GetFieldData()->AddArray(array);
+  };
+  add("GlobeGridProjection", this->Projection);
+  add("PlanetRadius", this->PlanetRadius);
+  add("VerticalExaggeration", this->VerticalExaggeration);
 }
 
 void vtkGlobeGrid::PrintSelf(ostream& os, vtkIndent indent)

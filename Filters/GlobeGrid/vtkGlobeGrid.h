@@ -41,6 +41,8 @@
  * Cell array written: vtkGhostType, unsigned char, HIDDENCELL on the cells that touch a hidden point, so
  * that nothing is drawn or advected there, whether a filter looks at points or at cells.
  *
+ * Field data written, double, one value each: GlobeGridProjection (0 globe, 1 map), PlanetRadius (m), VerticalExaggeration.
+ *
  * Each piece asks for the whole input and makes its own extent of the output.
  */
 #ifndef vtkGlobeGrid_h
@@ -227,6 +229,7 @@ private:
   vtkGlobeGrid(const vtkGlobeGrid&) = delete;
   void operator=(const vtkGlobeGrid&) = delete;
 
+  void AddProjection(vtkStructuredGrid* output);
   int BuildPiece(nephoscope::GlobeGridBuilder* builder, const int first[3], vtkInformation* outInfo,
     vtkStructuredGrid* output);
 

@@ -76,15 +76,16 @@ public:
   // Keeps a level between the ground, or the lowest level, and the highest.
   double Held(const GlobeAir& air, const Footprint& foot, double level) const
   {
-    const double lowest = air.Ground.empty() ? this->SurfaceAt(air, foot, 0)
+    const double lowest = air.Ground.empty() ? this->SurfaceAt(air.Levels, foot, 0)
                                              : this->Mean(air.Ground.data() + foot.First, foot);
-    return std::clamp(level, lowest, std::max(lowest, this->SurfaceAt(air, foot, this->LevelCount - 1)));
+    const double highest = this->SurfaceAt(air.Levels, foot, this->LevelCount - 1);
+    return std::clamp(level, lowest, std::max(lowest, highest));
   }
 
   SphereRates Sample(
     const GlobeAir& air, const Footprint& foot, double level, std::int32_t& hint) const
   {
-    const double above = this->FindLevel(air, foot, level, hint);
+    const double above = this->FindLevel(air.Levels, foot, level, hint);
     double sums[4] = { 0.0, 0.0, 0.0, 0.0 };
     const AirMotion* corner = air.Motions.data() + foot.First + hint * this->Layer;
     this->Add(corner, foot, 1.0 - above, sums);
@@ -95,9 +96,9 @@ public:
     return { { foot.Scale * sums[0], foot.Scale * sums[1], foot.Scale * sums[2] }, sums[3] };
   }
 
-  // The level below, and the share of the way to the one above; held at the ends.
-  double FindLevel(
-    const GlobeAir& air, const Footprint& foot, double level, std::int32_t& hint) const
+  // The index of the level below goes into `hint`; returned is the share of the way to the one above. Held at the ends.
+  double FindLevel(const std::vector<float>& surfaces, const Footprint& foot, double level,
+    std::int32_t& hint) const
   {
     const int last = this->LevelCount - 2;
     if (last < 0)
@@ -106,19 +107,19 @@ public:
       return 0.0;
     }
     hint = std::clamp(hint, 0, last);
-    double below = this->SurfaceAt(air, foot, hint);
-    double above = this->SurfaceAt(air, foot, hint + 1);
+    double below = this->SurfaceAt(surfaces, foot, hint);
+    double above = this->SurfaceAt(surfaces, foot, hint + 1);
     while (level < below && hint > 0)
     {
       --hint;
       above = below;
-      below = this->SurfaceAt(air, foot, hint);
+      below = this->SurfaceAt(surfaces, foot, hint);
     }
     while (level > above && hint < last)
     {
       ++hint;
       below = above;
-      above = this->SurfaceAt(air, foot, hint + 1);
+      above = this->SurfaceAt(surfaces, foot, hint + 1);
     }
     const double thickness = above - below;
     return thickness > 0.0 ? std::clamp((level - below) / thickness, 0.0, 1.0) : 0.0;
@@ -127,14 +128,14 @@ public:
   double HeightAt(
     const GlobeAir& air, const Footprint& foot, double level, std::int32_t& hint) const
   {
-    if (air.Heights.empty())
-    {
-      return level;
-    }
-    const double above = this->FindLevel(air, foot, level, hint);
-    const float* corner = air.Heights.data() + foot.First + hint * this->Layer;
-    const double low = this->Mean(corner, foot);
-    return above > 0.0 ? low + above * (this->Mean(corner + this->Layer, foot) - low) : low;
+    return air.Heights.empty() ? level : this->Convert(air.Levels, air.Heights, foot, level, hint);
+  }
+
+  double LevelAtHeight(
+    const GlobeAir& air, const Footprint& foot, double height, std::int32_t& hint) const
+  {
+    return air.Heights.empty() ? height
+                               : this->Convert(air.Heights, air.Levels, foot, height, hint);
   }
 
   // Whether a level is at or beyond an end of those of the grid.
@@ -150,9 +151,17 @@ private:
       foot.Weights[2] * corner[this->Row] + foot.Weights[3] * corner[this->Row + 1];
   }
 
-  double SurfaceAt(const GlobeAir& air, const Footprint& foot, int level) const
+  double SurfaceAt(const std::vector<float>& surfaces, const Footprint& foot, int level) const
   {
-    return this->Mean(air.Levels.data() + foot.First + level * this->Layer, foot);
+    return this->Mean(surfaces.data() + foot.First + level * this->Layer, foot);
+  }
+
+  double Convert(const std::vector<float>& from, const std::vector<float>& to, const Footprint& foot,
+    double value, std::int32_t& hint) const
+  {
+    const double above = this->FindLevel(from, foot, value, hint);
+    const double low = this->SurfaceAt(to, foot, hint);
+    return above > 0.0 ? low + above * (this->SurfaceAt(to, foot, hint + 1) - low) : low;
   }
 
   void Add(const AirMotion* corner, const Footprint& foot, double share, double sums[4]) const

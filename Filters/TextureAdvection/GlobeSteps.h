@@ -47,6 +47,12 @@ public:
     parcel.Level = this->Sampler.Held(air, foot, parcel.Level);
   }
 
+  void PutAtHeight(GlobeParcel& parcel, const GlobeAir& air, double height) const
+  {
+    const auto foot = this->Sampler.Locate(parcel.Direction, parcel.Hint);
+    parcel.Level = this->Sampler.LevelAtHeight(air, foot, height, parcel.LevelHint);
+  }
+
   double HeightOf(GlobeParcel& parcel, const GlobeAir& air) const
   {
     const auto foot = this->Sampler.Locate(parcel.Direction, parcel.Hint);
@@ -87,7 +93,7 @@ private:
   SphereRates First(GlobeParcel& parcel, const GlobeAir& air, SphereState& state) const
   {
     const auto foot = this->Sampler.Locate(state.Direction, parcel.Hint);
-    const double above = this->Sampler.FindLevel(air, foot, state.Level, parcel.LevelHint);
+    const double above = this->Sampler.FindLevel(air.Levels, foot, state.Level, parcel.LevelHint);
     if (!air.Ground.empty() || this->Sampler.IsAtEnd(above, parcel.LevelHint))
     {
       state.Level = this->Sampler.Held(air, foot, state.Level);

@@ -17,14 +17,12 @@ struct TextureSets
   double Start = 0.0;
   double Period = 86400.0;
 
-  // The birth of the set that is alive at a time; a time of birth is of the new life.
+  // The birth of the set that is alive at a time; a time of birth, up to rounding, is of the new life.
   double Birth(int set, double time) const
   {
     const double first = this->Start + (set == 0 ? 0.0 : 0.5 * this->Period);
-    double birth = first + this->Period * std::floor((time - first) / this->Period);
-    // Rounding may have put the time a hair on the wrong side of a birth.
-    birth = birth > time ? birth - this->Period : birth;
-    return time >= birth + this->Period ? birth + this->Period : birth;
+    const double lives = std::floor((time - first) / this->Period + 1e-12);
+    return std::fmin(first + this->Period * lives, time);
   }
 
   double Age(int set, double time) const { return time - this->Birth(set, time); }

@@ -4,7 +4,7 @@
 
 #include "vtkDataArray.h"
 #include "vtkDataArrayRange.h"
-#include "vtkPointData.h"
+#include "vtkDataSetAttributes.h"
 
 namespace nephoscope
 {
@@ -34,7 +34,8 @@ void Blend(vtkDataArray* first, double weight, vtkDataArray* second)
 }
 }
 
-void BlendArrays(vtkPointData* first, double weight, vtkPointData* second)
+void BlendArrays(
+  vtkDataSetAttributes* first, double weight, vtkDataSetAttributes* second)
 {
   for (int i = 0; i < second->GetNumberOfArrays(); ++i)
   {

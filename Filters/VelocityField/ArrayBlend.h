@@ -4,13 +4,16 @@
 #ifndef nephoscope_ArrayBlend_h
 #define nephoscope_ArrayBlend_h
 
-class vtkPointData;
+#include "vtkNephoscopeFiltersVelocityFieldModule.h" // for export macro
+
+class vtkDataSetAttributes;
 
 namespace nephoscope
 {
 // Turns the arrays of `second` into (1 - weight) first + weight second. Integers are those of the nearer time; an array that only
 // one of the two has is left as it is, or left out.
-void BlendArrays(vtkPointData* first, double weight, vtkPointData* second);
+VTKNEPHOSCOPEFILTERSVELOCITYFIELD_EXPORT void BlendArrays(
+  vtkDataSetAttributes* first, double weight, vtkDataSetAttributes* second);
 }
 
 #endif

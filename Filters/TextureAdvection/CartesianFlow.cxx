@@ -1,0 +1,198 @@
+// SPDX-FileCopyrightText: The Nephoscope authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "CartesianFlow.h"
+
+#include "AdvanceParticles.h"
+#include "TemporalField.h"
+#include "VelocityFields.h"
+
+#include "vtkCellData.h"
+#include "vtkDataSet.h"
+#include "vtkDataSetAttributes.h"
+#include "vtkImageData.h"
+#include "vtkMatrix3x3.h"
+#include "vtkPointData.h"
+#include "vtkRectilinearGrid.h"
+#include "vtkSmartPointer.h"
+
+#include <algorithm>
+
+namespace nephoscope
+{
+namespace
+{
+// Whether the dataset fills its bounds.
+bool IsBox(vtkDataSet* data)
+{
+  if (auto* image = vtkImageData::SafeDownCast(data))
+  {
+    return image->GetDirectionMatrix()->IsIdentity();
+  }
+  return vtkRectilinearGrid::SafeDownCast(data) != nullptr;
+}
+
+// A field whose border goes on for ever.
+class HeldField : public VelocityField
+{
+public:
+  HeldField(const VelocityField& field, const double bounds[6])
+    : Field(field)
+  {
+    std::copy(bounds, bounds + 6, this->Bounds);
+  }
+
+  void Sample(const SampleBatch& batch) const override
+  {
+    std::vector<Vector3> positions(batch.Positions, batch.Positions + batch.Count);
+    for (Vector3& p : positions)
+    {
+      for (std::size_t c = 0; c < 3; ++c)
+      {
+        p[c] = std::min(std::max(p[c], this->Bounds[2 * c]), this->Bounds[2 * c + 1]);
+      }
+    }
+    SampleBatch held = batch;
+    held.Positions = positions.data();
+    this->Field.Sample(held);
+  }
+
+private:
+  const VelocityField& Field;
+  double Bounds[6];
+};
+
+// The grid with its velocity and its blanking alone.
+vtkSmartPointer<vtkDataSet> SlimCopy(vtkDataSet* data, const VelocityArray& velocity)
+{
+  auto copy = vtkSmartPointer<vtkDataSet>::Take(data->NewInstance());
+  copy->CopyStructure(data);
+  const auto keep = [&](vtkDataSetAttributes* from, vtkDataSetAttributes* to, bool holdsVelocity) {
+    for (const char* name :
+      { holdsVelocity ? velocity.Name.c_str() : "", vtkDataSetAttributes::GhostArrayName() })
+    {
+      if (vtkAbstractArray* array = from->GetAbstractArray(name))
+      {
+        to->AddArray(array);
+      }
+    }
+  };
+  keep(data->GetPointData(), copy->GetPointData(), !velocity.OnCells);
+  keep(data->GetCellData(), copy->GetCellData(), velocity.OnCells);
+  return copy;
+}
+
+IntegrationSettings SettingsOf(const PathSettings& settings)
+{
+  IntegrationSettings integration;
+  integration.Method = settings.Method == PathMethod::Euler ? IntegrationMethod::Euler
+    : settings.Method == PathMethod::RungeKutta4            ? IntegrationMethod::RungeKutta4
+                                                            : IntegrationMethod::DormandPrince;
+  integration.Tolerance = settings.Tolerance;
+  return integration;
+}
+}
+
+struct CartesianFlow::Field : public WindField
+{
+  vtkSmartPointer<vtkDataSet> Data;
+  std::unique_ptr<DataSetField> Inner;
+  std::unique_ptr<HeldField> Held;
+
+  const VelocityField& Velocity() const
+  {
+    return this->Held ? static_cast<const VelocityField&>(*this->Held) : *this->Inner;
+  }
+};
+
+CartesianFlow::CartesianFlow(vtkDataSet* first, const PathSettings& settings, double length)
+  : Settings(settings)
+{
+  double bounds[6];
+  first->GetBounds(bounds);
+  for (int c = 0; c < 3; ++c)
+  {
+    this->Units_.Origin[c] = bounds[2 * c];
+  }
+  const double width = bounds[1] - bounds[0];
+  this->Units_.Length = length > 0.0 ? length : width > 0.0 ? width : 1.0;
+}
+
+CartesianFlow::~CartesianFlow() = default;
+
+std::unique_ptr<WindField> CartesianFlow::MakeField(
+  vtkDataSet* data, const WindArrays& arrays, std::string& problem)
+{
+  auto field = std::make_unique<Field>();
+  field->Data = SlimCopy(data, arrays.Velocity);
+  field->Inner = MakeVelocityField(field->Data, arrays.Velocity, problem);
+  if (!field->Inner)
+  {
+    return nullptr;
+  }
+  if (IsBox(data))
+  {
+    double bounds[6];
+    data->GetBounds(bounds);
+    field->Held = std::make_unique<HeldField>(*field->Inner, bounds);
+  }
+  return field;
+}
+
+void CartesianFlow::Begin(vtkDataSet* points, const FlowStep&)
+{
+  const auto count = static_cast<std::size_t>(points->GetNumberOfPoints());
+  this->Starts.resize(count);
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    points->GetPoint(static_cast<vtkIdType>(i), this->Starts[i].data());
+  }
+  this->Positions = this->Starts;
+  this->Hints.assign(count, CellHint{});
+  this->Inside.assign(count, 1);
+}
+
+void CartesianFlow::Advance(const FlowStep& step)
+{
+  const auto velocityOf = [](const WindField* field) -> const VelocityField& {
+    return static_cast<const Field*>(field)->Velocity();
+  };
+  const Particles particles{ this->Positions.data(), this->Hints.data(), this->Inside.data(),
+    this->Positions.size(), nullptr };
+  // The time is the share of the way between the two fields, counted in seconds.
+  const bool steady = step.Earlier == step.Later;
+  const double span = steady ? 1.0 : step.Seconds / (step.ToShare - step.FromShare);
+  const TemporalField velocity(
+    velocityOf(step.Earlier), 0.0, velocityOf(step.Later), steady ? 0.0 : span);
+  AdvanceParticles(
+    velocity, particles, span * step.FromShare, step.Seconds, SettingsOf(this->Settings));
+}
+
+void CartesianFlow::Displacements(const FlowStep&, std::vector<float>& displacements)
+{
+  displacements.resize(3 * this->Positions.size());
+  for (std::size_t i = 0; i < this->Positions.size(); ++i)
+  {
+    for (std::size_t c = 0; c < 3; ++c)
+    {
+      displacements[3 * i + c] = static_cast<float>(
+        (this->Positions[i][c] - this->Starts[i][c]) / this->Units_.Length);
+    }
+  }
+}
+
+std::vector<double> CartesianFlow::OwnPlaces(vtkDataSet* points) const
+{
+  const auto count = static_cast<std::size_t>(points->GetNumberOfPoints());
+  std::vector<double> places(3 * count);
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    double position[3];
+    points->GetPoint(static_cast<vtkIdType>(i), position);
+    for (std::size_t c = 0; c < 3; ++c)
+    {
+      places[3 * i + c] = (position[c] - this->Units_.Origin[c]) / this->Units_.Length;
+    }
+  }
+  return places;
+}
+}

@@ -1,0 +1,257 @@
+// SPDX-FileCopyrightText: The Nephoscope authors
+// SPDX-License-Identifier: BSD-3-Clause
+// The winds of a GlobeShape.
+#include "GlobeShape.h"
+
+#include "vtkDataArray.h"
+#include "vtkDataSet.h"
+#include "vtkDataSetAttributes.h"
+#include "vtkPointData.h"
+#include "vtkSMPTools.h"
+#include "vtkUnsignedCharArray.h"
+
+#include <atomic>
+
+namespace nephoscope
+{
+namespace
+{
+// Globe Grid holds the cosine above this in its velocities along x.
+constexpr double SMALLEST_MAP_COSINE = 0.01;
+
+struct LocalFrame
+{
+  double East[3];
+  double North[3];
+  double Up[3];
+};
+
+LocalFrame FrameAt(double longitude, double sine, double cosine)
+{
+  const double s = std::sin(longitude);
+  const double c = std::cos(longitude);
+  return { { -s, c, 0.0 }, { -sine * c, -sine * s, cosine }, { cosine * c, cosine * s, sine } };
+}
+
+template <typename Function>
+void InParallel(vtkIdType count, const Function& function)
+{
+  vtkSMPTools::LocalScope(vtkSMPTools::Config(0, "STDThread", false),
+    [&]() { vtkSMPTools::For(0, count, function); });
+}
+}
+
+GlobeAir GlobeShape::MakeAir(const GlobeInput& input, std::int64_t& missing) const
+{
+  const auto layer =
+    static_cast<std::int64_t>(this->Columns_.ColumnCount()) * this->Columns_.RowCount();
+  const auto count = static_cast<std::size_t>(layer * this->Size[2]);
+  GlobeAir air;
+  air.Motions.resize(count);
+  air.Levels.resize(count);
+  air.Ground.resize(static_cast<std::size_t>(layer));
+  air.Heights.resize(input.Vertical ? count : 0);
+  auto* ghosts = vtkUnsignedCharArray::SafeDownCast(
+    input.Data->GetPointData()->GetArray(vtkDataSetAttributes::GhostArrayName()));
+  std::vector<unsigned char> known(count, 0);
+  std::atomic<std::int64_t> unknown{ 0 };
+  const auto read = [&](vtkIdType begin, vtkIdType end) {
+    std::int64_t found = 0;
+    for (vtkIdType r = begin; r < end; ++r)
+    {
+      const int j = static_cast<int>(r % this->Size[1]);
+      const int k = static_cast<int>(r / this->Size[1]);
+      const int row = j + this->SouthRows;
+      const double sine = this->Columns_.SineOfLatitude(row);
+      const double cosine = this->Columns_.CosineOfLatitude(row);
+      for (int i = 0; i < this->Size[0]; ++i)
+      {
+        const vtkIdType point = this->IndexOfData(i, j, k);
+        const auto place = static_cast<std::size_t>(this->Index(i, row, k));
+        const LocalFrame frame = FrameAt(this->Columns_.Longitude(i), sine, cosine);
+        double position[3];
+        double direction[3];
+        double height;
+        double v[3];
+        input.Data->GetPoint(point, position);
+        this->PlaceOf(position, direction, height);
+        input.Velocity->GetTuple(point, v);
+        const double scale = 1.0 / (this->OnMap ? this->Radius_ : this->Radius_ + height);
+        const auto dot = [&](const double a[3]) { return v[0] * a[0] + v[1] * a[1] + v[2] * a[2]; };
+        const double east =
+          scale * (this->OnMap ? v[0] * std::max(cosine, SMALLEST_MAP_COSINE) : dot(frame.East));
+        const double north = scale * (this->OnMap ? v[1] : dot(frame.North));
+        double rise = this->OnMap ? v[2] : dot(frame.Up);
+        double level = height;
+        if (input.Vertical)
+        {
+          air.Heights[place] = static_cast<float>(height);
+          level = input.Sign * input.Vertical->GetComponent(point, 0);
+          rise = input.Sign * input.VerticalRate->GetComponent(point, 0);
+        }
+        const bool hidden =
+          ghosts && (ghosts->GetValue(point) & vtkDataSetAttributes::HIDDENPOINT) != 0;
+        const bool finite = std::isfinite(east + north + rise + level);
+        known[place] = !hidden && finite;
+        found += hidden || finite ? 0 : 1;
+        air.Levels[place] = static_cast<float>(level);
+        air.Motions[place] = { static_cast<float>(east * frame.East[0] + north * frame.North[0]),
+          static_cast<float>(east * frame.East[1] + north * frame.North[1]),
+          static_cast<float>(north * frame.North[2]), static_cast<float>(rise) };
+      }
+    }
+    unknown += found;
+  };
+  InParallel(static_cast<vtkIdType>(this->Size[1]) * this->Size[2], read);
+  missing = unknown;
+  InParallel(this->Size[1], [&](vtkIdType begin, vtkIdType end) {
+    for (vtkIdType j = begin; j < end; ++j)
+    {
+      for (int i = 0; i < this->Size[0]; ++i)
+      {
+        this->FillColumn(air, known, i, static_cast<int>(j) + this->SouthRows);
+      }
+    }
+  });
+  this->FillClosingColumn(air);
+  this->FillPoleRows(air);
+  bool hasGround = false;
+  for (std::size_t i = 0; i < air.Ground.size(); ++i)
+  {
+    hasGround = hasGround || air.Ground[i] != air.Levels[i];
+  }
+  if (!hasGround)
+  {
+    air.Ground = {};
+  }
+  return air;
+}
+
+// Levels without a wind take that of the nearest one which has it; the lowest one with a wind is the ground.
+void GlobeShape::FillColumn(
+  GlobeAir& air, const std::vector<unsigned char>& known, int column, int row) const
+{
+  const auto at = [&](int k) { return static_cast<std::size_t>(this->Index(column, row, k)); };
+  int lowest = 0;
+  while (lowest < this->Size[2] && !known[at(lowest)])
+  {
+    ++lowest;
+  }
+  const bool calm = lowest == this->Size[2];
+  const std::size_t ground = at(calm ? 0 : lowest);
+  int below = -1; // the nearest known level below, or the lowest
+  for (int k = 0; k < this->Size[2]; ++k)
+  {
+    if (known[at(k)])
+    {
+      below = k;
+      continue;
+    }
+    int nearest = below;
+    for (int up = k + 1; up < this->Size[2] && (below < 0 || up - k < k - below); ++up)
+    {
+      if (known[at(up)])
+      {
+        nearest = up;
+        break;
+      }
+    }
+    AirMotion motion;
+    if (nearest >= 0)
+    {
+      motion = air.Motions[at(nearest)];
+      motion.Rise = 0.0f;
+    }
+    air.Motions[at(k)] = motion;
+    if (!std::isfinite(air.Levels[at(k)]))
+    {
+      air.Levels[at(k)] = nearest >= 0 ? air.Levels[at(nearest)] : 0.0f;
+    }
+  }
+  air.Ground[static_cast<std::size_t>(this->Index(column, row, 0))] = air.Levels[ground];
+}
+
+void GlobeShape::FillClosingColumn(GlobeAir& air) const
+{
+  if (!this->ColumnAdded)
+  {
+    return;
+  }
+  const int last = this->Columns_.ColumnCount() - 1;
+  for (int k = 0; k < this->Size[2]; ++k)
+  {
+    for (int row = 0; row < this->Columns_.RowCount(); ++row)
+    {
+      const auto from = static_cast<std::size_t>(this->Index(0, row, k));
+      const auto to = static_cast<std::size_t>(this->Index(last, row, k));
+      air.Motions[to] = air.Motions[from];
+      air.Levels[to] = air.Levels[from];
+      if (!air.Heights.empty())
+      {
+        air.Heights[to] = air.Heights[from];
+      }
+      if (k == 0)
+      {
+        air.Ground[to] = air.Ground[from];
+      }
+    }
+  }
+}
+
+// A pole is one place. Where the data have no row there, it has the mean of the last row.
+void GlobeShape::FillPoleRows(GlobeAir& air) const
+{
+  if (!this->Columns_.IsClosed())
+  {
+    return;
+  }
+  const int last = this->Columns_.RowCount() - 1;
+  const auto isPole = [&](int row) { return this->Columns_.CosineOfLatitude(row) == 0.0; };
+  if (isPole(0))
+  {
+    this->FillPole(air, 0, this->SouthRows, this->SouthRows == 0);
+  }
+  if (isPole(last))
+  {
+    this->FillPole(air, last, last - this->NorthRows, this->NorthRows == 0);
+  }
+}
+
+void GlobeShape::FillPole(GlobeAir& air, int pole, int row, bool isData) const
+{
+  const int columns = this->Columns_.ColumnCount();
+  // The mean of unit vectors along the row has this length; see GlobeColumns.h.
+  const double scale = isData ? 1.0 : 1.0 / std::abs(this->Columns_.SineOfLatitude(row));
+  for (int k = 0; k < this->Size[2]; ++k)
+  {
+    double sums[7] = { 0.0 };
+    for (int i = 0; i + 1 < columns; ++i) // the last column is the first
+    {
+      const auto at = static_cast<std::size_t>(this->Index(i, row, k));
+      const AirMotion& m = air.Motions[at];
+      const double values[7] = { m.X, m.Y, m.Z, m.Rise, air.Levels[at],
+        air.Heights.empty() ? 0.0 : air.Heights[at],
+        air.Ground[static_cast<std::size_t>(this->Index(i, row, 0))] };
+      for (int c = 0; c < 7; ++c)
+      {
+        sums[c] += values[c] / (columns - 1);
+      }
+    }
+    for (int i = 0; i < columns; ++i)
+    {
+      const auto at = static_cast<std::size_t>(this->Index(i, pole, k));
+      air.Motions[at] = { static_cast<float>(scale * sums[0]), static_cast<float>(scale * sums[1]),
+        isData ? static_cast<float>(sums[2]) : 0.0f, static_cast<float>(sums[3]) };
+      air.Levels[at] = static_cast<float>(sums[4]);
+      if (!air.Heights.empty())
+      {
+        air.Heights[at] = static_cast<float>(sums[5]);
+      }
+      if (k == 0)
+      {
+        air.Ground[at] = static_cast<float>(sums[6]);
+      }
+    }
+  }
+}
+}

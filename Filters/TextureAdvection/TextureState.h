@@ -1,0 +1,77 @@
+// SPDX-FileCopyrightText: The Nephoscope authors
+// SPDX-License-Identifier: BSD-3-Clause
+// What vtkTextureCoordinateAdvection keeps between updates.
+#ifndef nephoscope_TextureState_h
+#define nephoscope_TextureState_h
+
+#include "BackwardPaths.h"
+#include "TextureFlow.h"
+#include "TextureSets.h"
+
+#include "vtkDataSet.h"
+#include "vtkSmartPointer.h"
+
+#include <array>
+#include <map>
+#include <memory>
+#include <utility>
+#include <vector>
+
+namespace nephoscope
+{
+// A time step that has been read.
+struct ReadStep
+{
+  std::unique_ptr<WindField> Wind;
+  vtkSmartPointer<vtkDataSet> Data; // a shared copy; null where only the wind is needed
+};
+
+// The time steps that a request needs: winds from the first to the last, all arrays from `Whole` on.
+struct NeededSteps
+{
+  int First = 0;
+  int Last = 0;
+  int Whole = 0;
+};
+
+// Where a set's coordinates come from: displacements at two ages, computed at these times.
+struct SetPlan
+{
+  double Birth = 0.0;
+  double Times[2] = { 0.0, 0.0 };
+  double Weight = 0.0; // of the second
+};
+
+using Displacements = std::vector<float>; // three for each point, in texture units; empty: none
+using DisplacementKey = std::pair<int, double>; // set, time
+
+struct TextureState
+{
+  std::vector<double> PipelineTimes; // in the pipeline's unit
+  bool HasSeries = false;            // the input tells its time steps, be they none
+
+  std::unique_ptr<TextureFlow> Flow;
+  WindArrays Arrays;
+  std::map<int, ReadStep> Steps;
+  std::map<DisplacementKey, Displacements> Keys; // of the present frame; of the grid at key times, kept for the next
+  std::array<int, 6> KeyExtent{};                // of the grid's points that they belong to
+  vtkMTimeType MTime = 0;                        // of the pipeline when these were begun
+
+  double Requested = 0.0; // time of the update that is being made, in the pipeline's unit
+  NeededSteps Needed;
+  int Next = 0;           // time step to be read
+  bool Continuing = false;
+  bool HasToldOfMissing = false;
+  bool AwaitsData = false; // between RequestUpdateExtent and RequestData
+
+  void Forget()
+  {
+    this->Flow.reset();
+    this->Steps.clear();
+    this->Keys.clear();
+    this->HasToldOfMissing = false;
+  }
+};
+}
+
+#endif

@@ -1,0 +1,290 @@
+// SPDX-FileCopyrightText: The Nephoscope authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkTextureCoordinateAdvection
+ * @brief   texture coordinates that move with the wind
+ *
+ *     port 0: grid with a velocity, time series      port 1 (optional): points
+ *                        |                                    |
+ *                        +--> vtkTextureCoordinateAdvection <-+
+ *                                            |
+ *             the grid, or the points, at the requested time with
+ *             TextureCoordinates1, TextureCoordinates2, TextureWeights
+ *
+ * Section 5 of MaxCrawfisBecker1993 (N. Max, R. Crawfis, B. Becker, "New Techniques in 3D Scalar and Vector Field
+ * Visualization", Pacific Graphics 1993). For each point:
+ *
+ * 1. Follow the air back in time through the winds of the series, which are linear in time between its steps, to the birth
+ *    of the younger set of coordinates, and on to that of the older one.
+ * 2. Write the place where the air was at either birth, and the weights with which the two sets are to be blended: 0 at birth
+ *    and death, 1 in the middle of life, together 1.
+ *
+ * On the output of vtkGlobeGrid, globe or map, paths are on the sphere and the wind is interpolated as a Cartesian vector: poles and
+ * seam are as any other place. Air follows its height, or its pressure, so the motion relative to sloping and moving levels is
+ * right; it slides along the ground and under the top. Beyond the border of a regional grid the wind is that on the border. In
+ * other datasets paths are Cartesian; they end at blanked cells and at borders, except of image data and rectilinear
+ * grids, whose border wind goes on.
+ *
+ * Winds of one Period are in memory, each time step is read once while time goes forward, and a frame costs the paths of one
+ * period, whatever has been before. The same frame comes out whatever frames have been asked for before it.
+ *
+ * Every process reads the whole grid and makes its own piece of the output.
+ *
+ * Arrays written, in units and with a meaning that README.md of this folder and Documentation/texture-advection.md give:
+ * - TextureCoordinates1, TextureCoordinates2: points, float, 3 components. Longitude/360, latitude/360 and height over the
+ *   equator's length of the place of origin, longitudes unwrapped; or Cartesian.
+ * - TextureWeights, TextureAges: field data, double, 2 values; ages in seconds.
+ * - TextureFrame (int, 0 longitude-latitude-height, 1 Cartesian), TextureOrigin (double, 3 values), TextureLength (double): field data.
+ * - FiniteTimeLyapunovExponent: points, float, 1/s, with ComputeLyapunovExponent.
+ * - TextureWeights: points, float, 2 components, with MaximumStretch.
+ *
+ * Between time steps the arrays of the grid itself are interpolated linearly in time.
+ *
+ * An error, and no texture arrays, come of: no velocity, settings that make no sense, times that do not rise, time steps that
+ * are not delivered, a grid that changes its columns, only a part of a grid. Warnings tell of points without a wind.
+ */
+#ifndef vtkTextureCoordinateAdvection_h
+#define vtkTextureCoordinateAdvection_h
+
+#include "vtkDataSetAlgorithm.h"
+#include "vtkNephoscopeFiltersTextureAdvectionModule.h" // for export macro
+
+#include "vtkSmartPointer.h" // for data between time steps
+
+#include <functional> // for progress
+#include <memory> // for the state between updates
+#include <string> // for array names
+#include <vector> // for the results
+
+class vtkAlgorithmOutput;
+class vtkDataSet;
+class vtkInformation;
+
+namespace nephoscope
+{
+class OutputPiece;
+struct FlowStep;
+struct PlaceInSeries;
+struct SetPlan;
+struct TextureSets;
+struct TextureState;
+class TimeSeries;
+}
+
+class VTKNEPHOSCOPEFILTERSTEXTUREADVECTION_EXPORT vtkTextureCoordinateAdvection
+  : public vtkDataSetAlgorithm
+{
+public:
+  static vtkTextureCoordinateAdvection* New();
+  vtkTypeMacro(vtkTextureCoordinateAdvection, vtkDataSetAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  enum IntegratorType
+  {
+    EULER = 0,
+    RUNGE_KUTTA_4 = 1,
+    RUNGE_KUTTA_45 = 2
+  };
+
+  enum GridType
+  {
+    AUTOMATIC = 0,
+    GLOBE = 1,
+    MAP = 2,
+    CARTESIAN = 3
+  };
+
+  /**
+   * Port 1, optional: the points to be followed instead of those of the grid, such as a cloud surface at the requested
+   * time. The output is then this dataset.
+   */
+  void SetPointsConnection(vtkAlgorithmOutput* points);
+
+  ///@{
+  /** Life of a set, in seconds; greater than 0. Default 86400, 24 hours. The second set is born half a period after the first. */
+  vtkSetMacro(Period, double);
+  vtkGetMacro(Period, double);
+  ///@}
+
+  ///@{
+  /**
+   * RungeKutta4 (default): fixed steps of fourth order. Euler: of first order, as in the paper; needs steps of a minute to be
+   * as good. RungeKutta45: steps of order 5 (4) with error control by Tolerance.
+   */
+  vtkSetClampMacro(Integrator, int, EULER, RUNGE_KUTTA_45);
+  vtkGetMacro(Integrator, int);
+  void SetIntegratorToEuler() { this->SetIntegrator(EULER); }
+  void SetIntegratorToRungeKutta4() { this->SetIntegrator(RUNGE_KUTTA_4); }
+  void SetIntegratorToRungeKutta45() { this->SetIntegrator(RUNGE_KUTTA_45); }
+  ///@}
+
+  ///@{
+  /**
+   * Longest step, in seconds; greater than 0. Default 3600. Steps end at the time steps of the series, so they are no longer
+   * than those are apart. Cost grows as its inverse.
+   */
+  vtkSetMacro(TimeStep, double);
+  vtkGetMacro(TimeStep, double);
+  ///@}
+
+  ///@{
+  /** Error of one step of RungeKutta45: radians on a globe, else in lengths of the dataset; greater than 0. Default 1e-6. */
+  vtkSetMacro(Tolerance, double);
+  vtkGetMacro(Tolerance, double);
+  ///@}
+
+  ///@{
+  /** Seconds in the pipeline's unit of time, 3600 for time steps in hours. Greater than 0; default 1. */
+  vtkSetMacro(TimeScale, double);
+  vtkGetMacro(TimeScale, double);
+  ///@}
+
+  ///@{
+  /**
+   * Compute coordinates only every so many seconds of a set's age, and interpolate those of the times between, which cost next
+   * to nothing; 0 (default): compute all. The last one before a birth is computed at the birth, so nothing is interpolated across
+   * it. Not used for the points of port 1.
+   */
+  vtkSetMacro(KeyFrameInterval, double);
+  vtkGetMacro(KeyFrameInterval, double);
+  ///@}
+
+  ///@{
+  /**
+   * What the grid is. Automatic (default): what vtkGlobeGrid has written into the field data, else a globe if the points are
+   * on meridians and parallels about the origin, else Cartesian. Map: plate carree in lengths of PlanetRadius.
+   */
+  vtkSetClampMacro(Grid, int, AUTOMATIC, CARTESIAN);
+  vtkGetMacro(Grid, int);
+  void SetGridToAutomatic() { this->SetGrid(AUTOMATIC); }
+  void SetGridToGlobe() { this->SetGrid(GLOBE); }
+  void SetGridToMap() { this->SetGrid(MAP); }
+  void SetGridToCartesian() { this->SetGrid(CARTESIAN); }
+  ///@}
+
+  ///@{
+  /** Displayed radius of height 0, where the field data do not tell it; 0 (default): that of the first point (map: 6371000). */
+  vtkSetMacro(PlanetRadius, double);
+  vtkGetMacro(PlanetRadius, double);
+  ///@}
+
+  ///@{
+  /** On a globe or map, write Cartesian coordinates on the sphere in lengths of the equator, which have no seam and no poles. Off by default. */
+  vtkSetMacro(CartesianCoordinates, bool);
+  vtkGetMacro(CartesianCoordinates, bool);
+  vtkBooleanMacro(CartesianCoordinates, bool);
+  ///@}
+
+  ///@{
+  /** In Cartesian grids: the length of one texture unit; 0 (default): the width of the grid along x. */
+  vtkSetMacro(TextureLength, double);
+  vtkGetMacro(TextureLength, double);
+  ///@}
+
+  ///@{
+  /**
+   * On a globe or map: names of point arrays of pressure (falling upwards) and of omega, its rate following the air, in the same unit per
+   * second. With both, air follows its pressure instead of its displayed height: exact on pressure and on hybrid levels. Default
+   * "" and "".
+   */
+  void SetPressureArrayNames(const std::string& pressure, const std::string& omega);
+  vtkSetMacro(PressureArrayName, std::string);
+  vtkGetMacro(PressureArrayName, std::string);
+  vtkSetMacro(OmegaArrayName, std::string);
+  vtkGetMacro(OmegaArrayName, std::string);
+  ///@}
+
+  ///@{
+  /**
+   * Write FiniteTimeLyapunovExponent of the older set: the logarithm of the largest factor by which the backward map stretches
+   * lengths, over the age; horizontally on globes and maps. Grids only. Off by default.
+   */
+  vtkSetMacro(ComputeLyapunovExponent, bool);
+  vtkGetMacro(ComputeLyapunovExponent, bool);
+  vtkBooleanMacro(ComputeLyapunovExponent, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Give way to the younger set where the older one has been deformed: where lengths have been stretched by this factor, a set has half
+   * its weight left, where by much more, next to none. Writes TextureWeights of points. Greater than 1; 0 (default): weights depend on the
+   * age alone. Grids only.
+   */
+  vtkSetMacro(MaximumStretch, double);
+  vtkGetMacro(MaximumStretch, double);
+  ///@}
+
+  ///@{
+  /** Results of the last update: integration steps taken, over all points; time steps in memory. */
+  vtkGetMacro(NumberOfSteps, vtkIdType);
+  vtkGetMacro(NumberOfTimeStepsHeld, int);
+  ///@}
+
+  vtkTypeBool ProcessRequest(
+    vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+
+protected:
+  vtkTextureCoordinateAdvection();
+  ~vtkTextureCoordinateAdvection() override;
+
+  int FillInputPortInformation(int port, vtkInformation* info) override;
+  int RequestDataObject(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+  int RequestInformation(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+  int RequestUpdateExtent(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+
+private:
+  vtkTextureCoordinateAdvection(const vtkTextureCoordinateAdvection&) = delete;
+  void operator=(const vtkTextureCoordinateAdvection&) = delete;
+
+  // The series; in vtkTextureCoordinateAdvectionSeries.cxx.
+  bool CheckSettings();
+  bool CheckSeries();
+  bool HasSeries() const;
+  nephoscope::TimeSeries Series() const;
+  nephoscope::TextureSets Sets() const;
+  double RequestedSeconds() const;
+  void PlanReading();
+  bool ChooseNext();
+  bool ReadTimeStep(vtkDataSet* input, vtkInformation* inInfo);
+  bool MakeFlow(vtkDataSet* input);
+  bool CheckExtent(vtkDataSet* input, vtkInformation* inInfo);
+  void Stop(vtkInformation* request);
+
+  // The coordinates of a time.
+  bool MakeTexture(vtkDataSet* points, vtkInformation* outInfo, vtkDataSet* output);
+  nephoscope::SetPlan PlanSet(int set, double time);
+  nephoscope::FlowStep PresentStep(const nephoscope::PlaceInSeries& place) const;
+  vtkSmartPointer<vtkDataSet> DataAt(double time) const;
+  bool FollowPaths(const nephoscope::SetPlan plans[2], vtkDataSet* points,
+    const nephoscope::OutputPiece& piece);
+  bool FollowFrom(double start, const std::vector<int>& sets, const nephoscope::SetPlan plans[2],
+    vtkDataSet* points, const std::function<bool(double)>& report);
+  std::vector<float> DisplacementsOf(
+    int set, const nephoscope::SetPlan& plan, std::size_t count) const;
+  void WriteSets(const std::vector<float> displacements[2], vtkDataSet* output);
+  void WriteStretch(const std::vector<float> displacements[2], vtkDataSet* output);
+  bool NeedsStretch() const;
+  bool Report(double share);
+
+  double Period = 86400.0;
+  int Integrator = RUNGE_KUTTA_4;
+  double TimeStep = 3600.0;
+  double Tolerance = 1e-6;
+  double TimeScale = 1.0;
+  double KeyFrameInterval = 0.0;
+  int Grid = AUTOMATIC;
+  double PlanetRadius = 0.0;
+  bool CartesianCoordinates = false;
+  double TextureLength = 0.0;
+  std::string PressureArrayName;
+  std::string OmegaArrayName;
+  bool ComputeLyapunovExponent = false;
+  double MaximumStretch = 0.0;
+  vtkIdType NumberOfSteps = 0;
+  int NumberOfTimeStepsHeld = 0;
+
+  std::unique_ptr<nephoscope::TextureState> State;
+};
+
+#endif
