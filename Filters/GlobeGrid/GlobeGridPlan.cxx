@@ -112,6 +112,12 @@ void GlobeGridBuilder::FindHeights(vtkFieldData* units)
     this->Units =
       GuessLevelUnits(std::min(first, end), std::max(first, end), this->TrendOfHeights());
   }
+  if (this->Units == LevelUnits::Sigma && !this->Heights)
+  {
+    this->Notes.push_back("The levels end near 1, as sigma and hybrid ones do, whose pressures depend on the place and are not "
+                          "in the input. The heights are those over a ground at 1013.25 hPa. Load an array of heights in metres "
+                          "and set HeightArrayName, or set LevelUnits if these are pressures.");
+  }
 }
 
 HeightTrend GlobeGridBuilder::TrendOfHeights() const

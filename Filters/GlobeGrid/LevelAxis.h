@@ -17,7 +17,8 @@ enum class LevelUnits
   Hectopascal,
   Pascal,
   Metre,
-  Kilometre
+  Kilometre,
+  Sigma // or hybrid: from about 1 at the ground to 0; found by Automatic only
 };
 
 // How a height array, where there is one, runs along the level axis.
@@ -39,6 +40,10 @@ inline LevelUnits GuessLevelUnits(double lowest, double highest, HeightTrend tre
   if (positive && fallsAloft)
   {
     const bool certain = negated || trend == HeightTrend::FallsWithLevel;
+    if (certain && largest >= 0.9 && largest <= 1.1)
+    {
+      return LevelUnits::Sigma;
+    }
     if ((largest >= 500.0 && largest <= 1100.0) || (certain && largest < 500.0))
     {
       return LevelUnits::Hectopascal;
@@ -62,9 +67,14 @@ inline double LevelPressure(LevelUnits units, double level)
   return std::abs(level) * (units == LevelUnits::Hectopascal ? 100.0 : 1.0);
 }
 
-// Metres. Pressures are held above 0.01 Pa (85 km), so that a top level of zero has a height.
+// Metres. Pressures are held above 0.01 Pa (85 km), so that a top level of zero has a height. The pressure on a sigma or hybrid
+// level depends on the place; here the ground is taken to be at the standard atmosphere's 1013.25 hPa.
 inline double LevelHeight(LevelUnits units, double level)
 {
+  if (units == LevelUnits::Sigma)
+  {
+    return atmosphere::HeightFromPressure(std::max(std::abs(level) * 101325.0, 0.01));
+  }
   if (IsPressure(units))
   {
     return atmosphere::HeightFromPressure(std::max(LevelPressure(units, level), 0.01));

@@ -96,6 +96,24 @@ class Positions(unittest.TestCase):
         out = gf.globe(grid, HeightArrayName="z").GetOutput()
         np.testing.assert_allclose(gf.values(out, "Height"), heights, rtol=1e-6)
 
+    def test_sigma_and_hybrid_levels(self):
+        """Without heights: those over a ground at 1013.25 hPa, with a warning; with heights these, and air of their pressure."""
+        lon, lat, levels = np.arange(8) * 45.0, np.linspace(-90, 90, 5), [-1.0, -0.5, -0.2233611]
+        made = gf.globe(gf.rectilinear(lon, lat, levels), quiet=False)
+        self.assertIn("sigma and hybrid", " ".join(made.messages))
+        height = gf.cube(made.GetOutput(), gf.values(made.GetOutput(), "Height"))
+        np.testing.assert_allclose(height[[0, 2], 2, 3], [0.0, 11000.0], atol=0.5)
+        x, y, z = gf.mesh(lon, lat, levels)
+        known = gf.rectilinear(lon, lat, levels, {"gh": 5000.0 * (1.0 + z) + 100.0 * np.cos(np.radians(x)) * np.cos(np.radians(y)), "u": 0 * x, "v": 0 * x,
+                                                  "w": 0 * x - 1.0, "t": 0 * x + 280.0})
+        made = gf.globe(known, quiet=False)
+        self.assertEqual(made.messages, [])
+        out = made.GetOutput()
+        height, wind = gf.values(out, "Height"), gf.values(out, "Wind")
+        self.assertAlmostEqual(height.max(), 5000.0 * (1 - 0.2233611) + 100.0, 1)
+        pressure = 101325.0 * (1.0 - 0.0065 * height / 288.15) ** 5.25588  # standard atmosphere
+        np.testing.assert_allclose(np.linalg.norm(wind, axis=1)[height > 0], (287.0529 * 280.0 / 9.80665 / pressure)[height > 0], rtol=2e-3)
+
     def test_single_level_image(self):
         image = vtkImageData()
         image.SetDimensions(144, 73, 1)

@@ -149,6 +149,11 @@ TEST(LevelAxis, GuessesUnits)
   EXPECT_EQ(GuessLevelUnits(0.0, 20000.0, unknown), LevelUnits::Metre);
   EXPECT_EQ(GuessLevelUnits(1.0, 100.0, HeightTrend::FallsWithLevel), LevelUnits::Hectopascal);
   EXPECT_EQ(GuessLevelUnits(10.0, 1000.0, HeightTrend::GrowsWithLevel), LevelUnits::Metre);
+  EXPECT_EQ(GuessLevelUnits(-1.0, -0.01, unknown), LevelUnits::Sigma);
+  EXPECT_EQ(GuessLevelUnits(0.01, 0.997, HeightTrend::FallsWithLevel), LevelUnits::Sigma);
+  EXPECT_EQ(GuessLevelUnits(-0.5, -0.01, unknown), LevelUnits::Hectopascal);
+  EXPECT_EQ(GuessLevelUnits(0.0, 1.0, unknown), LevelUnits::Metre);
+  EXPECT_NEAR(LevelHeight(LevelUnits::Sigma, -0.2233611), 11000.0, 0.1); // 226.32 hPa
   EXPECT_NEAR(LevelHeight(LevelUnits::Hectopascal, -226.3206), 11000.0, 0.1);
   EXPECT_EQ(LevelHeight(LevelUnits::Kilometre, 3.0), 3000.0);
 }
