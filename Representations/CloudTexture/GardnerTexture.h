@@ -7,6 +7,7 @@
  * The printed phase, 2 sin((b_i u - a_i v) / 2), has an amplitude in the place of a frequency; this one has half the frequency of its
  * term and a direction at right angles to it, as the text asks. With b_i = 2 pi m_i and c_i = 4 pi n_i, m and n whole
  * numbers, f has period 1 in u and 2 in v. The variance of f is 1, its mean 0.
+ *
  */
 #ifndef GardnerTexture_h
 #define GardnerTexture_h

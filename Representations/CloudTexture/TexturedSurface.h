@@ -1,0 +1,46 @@
+// SPDX-FileCopyrightText: The Nephoscope authors
+// SPDX-License-Identifier: BSD-3-Clause
+/** The surface as it is drawn: its cells with float texture coordinates, cover and places, cut where the texture goes round. */
+#ifndef TexturedSurface_h
+#define TexturedSurface_h
+
+#include "vtkSmartPointer.h"
+
+#include <string>
+
+class vtkPolyData;
+
+namespace nephoscope
+{
+
+struct TexturedSurface
+{
+  vtkSmartPointer<vtkPolyData> Surface; ///< null: nothing can be drawn
+  double Center[3] = { 0, 0, 0 };       ///< what places are given from
+  double Weights[2] = { 1, 0 };
+  bool HasSecondSet = false;
+  bool HasCover = false;
+  std::string Normals; ///< name of the point normals; empty where there are none
+  std::string Error;   ///< what forbids drawing
+  std::string Warning; ///< what was put right
+};
+
+/** Names of arrays that may be missing are empty. Length 0: from the surface itself. */
+struct TextureChoice
+{
+  std::string Coordinates[2];
+  std::string Cover;
+  double Scale = 1;
+  double Length = 0;
+};
+
+/** Names of the arrays of the surface as drawn. */
+constexpr const char* textureArrayNames[2] = { "NephoscopeTexture1", "NephoscopeTexture2" };
+constexpr const char* coverArrayName = "NephoscopeCover";
+constexpr const char* placeArrayName = "NephoscopePlace";
+
+TexturedSurface prepareTexturedSurface(vtkPolyData* input, const TextureChoice& choice);
+
+} // namespace nephoscope
+
+#endif
