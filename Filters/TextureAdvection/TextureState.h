@@ -14,7 +14,7 @@
 #include <array>
 #include <map>
 #include <memory>
-#include <utility>
+#include <tuple>
 #include <vector>
 
 namespace nephoscope
@@ -43,7 +43,7 @@ struct SetPlan
 };
 
 using Displacements = std::vector<float>; // three for each point, in texture units; empty: none
-using DisplacementKey = std::pair<int, double>; // set, time
+using DisplacementKey = std::tuple<int, double, double>; // set, birth, time: at a birth there are an old and a new one
 
 struct TextureState
 {

@@ -161,15 +161,16 @@ bool vtkTextureCoordinateAdvection::FollowPaths(
   {
     for (int i = 0; i < (plans[set].Weight > 0.0 ? 2 : 1); ++i)
     {
-      const nephoscope::DisplacementKey key(set, plans[set].Times[i]);
+      const double time = plans[set].Times[i];
+      const nephoscope::DisplacementKey key(set, plans[set].Birth, time);
       const auto known = keys.find(key);
       if (known != keys.end())
       {
         kept[key] = std::move(known->second);
       }
-      else if (key.second > plans[set].Birth)
+      else if (time > plans[set].Birth)
       {
-        wanted[key.second].push_back(set);
+        wanted[time].push_back(set);
       }
     }
   }
@@ -226,7 +227,7 @@ bool vtkTextureCoordinateAdvection::FollowFrom(double start, const std::vector<i
   };
   const auto arrive = [&](std::size_t s) {
     flow.Displacements(this->PresentStep(series.Find(births[s])),
-      this->State->Keys[nephoscope::DisplacementKey(sets[s], start)]);
+      this->State->Keys[nephoscope::DisplacementKey(sets[s], births[s], start)]);
   };
   flow.Begin(points, this->PresentStep(series.Find(start)));
   return nephoscope::FollowBack(series, start, births, this->TimeStep, take, arrive);
@@ -236,7 +237,7 @@ std::vector<float> vtkTextureCoordinateAdvection::DisplacementsOf(
   int set, const nephoscope::SetPlan& plan, std::size_t count) const
 {
   const auto find = [&](double time) {
-    const auto known = this->State->Keys.find({ set, time });
+    const auto known = this->State->Keys.find(nephoscope::DisplacementKey(set, plan.Birth, time));
     return known == this->State->Keys.end() ? std::vector<float>(3 * count, 0.0f) : known->second;
   };
   std::vector<float> displacements = find(plan.Times[0]);
