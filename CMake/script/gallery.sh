@@ -50,6 +50,7 @@ render_gallery()
   mkdir -p "$NEPHOSCOPE_GALLERY" "$LOGS"
   for figure in "${figures[@]}"; do
     say "      ${figure##*/}  ($(elapsed $SECONDS))"
+    ! grep -q NEPHOSCOPE_FORECAST "$figure" || ensure_forecast
     render_figure "$figure"
   done
 }

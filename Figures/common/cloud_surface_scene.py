@@ -38,6 +38,7 @@ def show_caption(view, text):
     shown = pvs.Show(caption, view)
     shown.WindowLocation, shown.FontSize, shown.Justification = "Upper Left Corner", 18, "Left"
     shown.Color = [0.85, 0.89, 0.95]
+    return caption
 
 
 def picture(name, title, caption, iterations):
