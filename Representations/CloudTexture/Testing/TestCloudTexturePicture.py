@@ -1,6 +1,7 @@
 # SPDX-FileCopyrightText: The Nephoscope authors
 # SPDX-License-Identifier: BSD-3-Clause
 """The drawn texture: its cover is the one asked for, and close up it is the sum of modulated cosines above its threshold."""
+import itertools
 import math
 import unittest
 
@@ -119,15 +120,17 @@ class Texture(TextureTestCase):
 
 class Opacity(TextureTestCase):
     def test_along_the_ray(self):
-        """1 - exp(-depth / cosine)."""
-        for tilt in (0, 40, 70):
-            for with_normals in (False, True):
-                data = sheet(((0, 0, 0), (1, 2, 1)), [((0, 0, 0), 1.0)], tilt=tilt, with_normals=with_normals)
-                window, mapper, _ = self.scene(data, (65, 65), parallel=True)
-                mapper.SetCoverage(1)
-                mapper.SetOpticalDepth(0.4)
-                expected = 1 - math.exp(-0.4 / math.cos(math.radians(tilt)))
-                self.assertAlmostEqual(self.draw(window)[32, 32], expected, delta=1.5 / 255)
+        """1 - exp(-depth / cosine), tilted by itself or by its actor."""
+        for tilt, with_normals, parallel, by_actor in itertools.product((0, 40, 70), *3 * [(False, True)]):
+            center = (0, 0, 0) if by_actor else (3, 1, 0)
+            data = sheet(((0, 0, 0), (1, 2, 1)), [((0, 0, 0), 1.0)], center=center, tilt=0 if by_actor else tilt,
+                         with_normals=with_normals)
+            window, mapper, scene = self.scene(data, (65, 65), center=center, parallel=parallel)
+            scene.renderer.GetActors().GetLastActor().RotateY(tilt if by_actor else 0)
+            mapper.SetCoverage(1)
+            mapper.SetOpticalDepth(0.4)
+            expected = 1 - math.exp(-0.4 / math.cos(math.radians(tilt)))
+            self.assertAlmostEqual(self.draw(window)[32, 32], expected, delta=1.5 / 255, msg=f"{tilt} {parallel} {by_actor}")
 
     def test_in_order_by_peeling(self):
         """Two sheets, half transparent: the near one over the far one, whatever the order of the actors."""
