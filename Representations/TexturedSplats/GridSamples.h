@@ -22,6 +22,8 @@ public:
 
   bool IsGrid() const { return this->Dimensions[0] > 0; }
   bool IsUniform() const { return this->Uniform; }
+  /** Of the samples; all 0 if this is not a grid. */
+  const int* GetDimensions() const { return this->Dimensions; }
   vtkIdType Size() const
   {
     return vtkIdType(this->Dimensions[0]) * this->Dimensions[1] * this->Dimensions[2];

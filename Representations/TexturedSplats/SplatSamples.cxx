@@ -120,6 +120,7 @@ SplatSamples FindSplatSamples(vtkDataSet* data, const SplatSampling& sampling, s
 {
   SplatSamples samples;
   const SplatShapes shapes(data, sampling);
+  std::copy_n(shapes.GetGrid().GetDimensions(), 3, samples.Dimensions);
   samples.Ids = visibleIds(shapes);
   std::vector<SplatVector> places(samples.Ids.size());
   forAll(places.size(), [&](std::size_t i) { places[i] = shapes.Place(samples.Ids[i]); });

@@ -36,6 +36,7 @@ struct SplatSamples
   std::vector<vtkIdType> Ids;      ///< of the point or cell
 
   double LongestEdge = 0; ///< of all Jacobians
+  int Dimensions[3] = { 0, 0, 0 }; ///< of the structured grid whose samples these are: Ids count along x, y, z
 
   std::size_t Size() const { return this->Positions.size(); }
   const Jacobian& JacobianOf(std::size_t i) const

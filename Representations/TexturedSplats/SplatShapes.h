@@ -40,6 +40,7 @@ public:
   SplatMatrix Jacobian(vtkIdType id) const;
   bool HaveOneShape() const { return !this->Grid.IsGrid() || this->Grid.IsUniform(); }
   bool AreOfGrid() const { return this->Grid.IsGrid(); }
+  const GridSamples& GetGrid() const { return this->Grid; }
 
 private:
   double FindMeanSpacing() const;

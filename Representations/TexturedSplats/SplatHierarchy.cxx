@@ -1,0 +1,64 @@
+// SPDX-FileCopyrightText: The Nephoscope authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "SplatHierarchy.h"
+
+#include "SplatClasses.h"
+#include "SplatSamples.h"
+
+#include <tuple>
+
+namespace nephoscope
+{
+namespace
+{
+auto asTuple(const SplatCutRule& r)
+{
+  return std::make_tuple(
+    r.Tolerance, r.OfImage, r.RootMeanSquare, r.Extinction, r.Vector, r.KernelRadius, r.MostSplats);
+}
+}
+
+void SplatHierarchy::Invalidate()
+{
+  *this = SplatHierarchy();
+}
+
+bool SplatHierarchy::Build(const SplatSamples& samples, const SplatClasses& classes,
+  const std::vector<std::array<float, 3>>& vectors)
+{
+  if (!this->Nodes.IsEmpty())
+  {
+    return false;
+  }
+  this->Nodes.Build(samples, classes, vectors);
+  this->Places.clear();
+  this->Places.reserve(this->Nodes.Leaves() + this->Nodes.Nodes().size());
+  for (const std::int32_t sample : classes.Samples)
+  {
+    this->Places.push_back(samples.Positions[static_cast<std::size_t>(sample)]);
+  }
+  for (const SplatTreeNode& node : this->Nodes.Nodes())
+  {
+    this->Places.push_back(node.Position);
+  }
+  this->Selected = false;
+  return true;
+}
+
+bool SplatHierarchy::Select(const SplatCutRule& rule, const SplatCutView& view)
+{
+  if (this->Selected && asTuple(rule) == asTuple(this->LastRule) && view.Eye == this->LastView.Eye &&
+    view.Pixel == this->LastView.Pixel)
+  {
+    return false;
+  }
+  this->Drawn = this->Nodes.IsEmpty()
+    ? std::vector<std::int32_t>()
+    : CutSplatTree(this->Nodes, rule, view, &this->Tolerance);
+  this->LastRule = rule;
+  this->LastView = view;
+  this->Selected = true;
+  return true;
+}
+
+} // namespace nephoscope

@@ -1,0 +1,52 @@
+// SPDX-FileCopyrightText: The Nephoscope authors
+// SPDX-License-Identifier: BSD-3-Clause
+/** The hierarchy of a mapper's splats and its cut in the last view; each is made again only when what it was made from has changed. */
+#ifndef SplatHierarchy_h
+#define SplatHierarchy_h
+
+#include "SplatCut.h"
+#include "SplatTree.h"
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+namespace nephoscope
+{
+
+struct SplatClasses;
+struct SplatSamples;
+
+class SplatHierarchy
+{
+public:
+  /** Samples, classes or vectors have changed. */
+  void Invalidate();
+
+  /** Makes the tree where there is none; true if it did. */
+  bool Build(const SplatSamples& samples, const SplatClasses& classes,
+    const std::vector<std::array<float, 3>>& vectors);
+
+  /** Finds what is drawn; true if that has changed. */
+  bool Select(const SplatCutRule& rule, const SplatCutView& view);
+
+  const SplatTree& Tree() const { return this->Nodes; }
+  /** The splats to draw. */
+  const std::vector<std::int32_t>& Cut() const { return this->Drawn; }
+  /** Of leaves and nodes, by their numbers. */
+  const std::vector<std::array<float, 3>>& Positions() const { return this->Places; }
+  double DrawnTolerance() const { return this->Tolerance; }
+
+private:
+  SplatTree Nodes;
+  std::vector<std::array<float, 3>> Places;
+  std::vector<std::int32_t> Drawn;
+  double Tolerance = 0;
+  bool Selected = false;
+  SplatCutRule LastRule;
+  SplatCutView LastView;
+};
+
+} // namespace nephoscope
+
+#endif

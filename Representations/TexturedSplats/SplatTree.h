@@ -1,0 +1,80 @@
+// SPDX-FileCopyrightText: The Nephoscope authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * The hierarchy of splats (LaurHanrahan1991): an octree whose nodes are splats that stand for all that lies below them.
+ *
+ * On a structured grid nodes are blocks of 2^l samples to a side in its indices, cut off where the grid ends. Elsewhere they are
+ * blocks of space. Blocks with one visible sample are that sample. Leaves are numbered as the splats of the classes, nodes follow
+ * them.
+ *
+ * It is the same whatever the number of threads and the order of the input. Memory: 104 bytes for each node and 4 for each leaf; a full
+ * grid has a node for 7 leaves. While it is built: 480 bytes for each node, 32 for each leaf.
+ */
+#ifndef SplatTree_h
+#define SplatTree_h
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+namespace nephoscope
+{
+
+struct SplatClasses;
+struct SplatSamples;
+
+struct SplatTreeNode
+{
+  using Float3 = std::array<float, 3>;
+
+  Float3 Position;
+  std::array<Float3, 3> Jacobian; // columns
+  std::array<float, 4> Color;     // and extinction
+  Float3 Vector;
+  // Deviations of extinction (or emission) and of vectors below; infinite if the node cannot be drawn.
+  float GreatestError, RootMeanSquareError;
+  float GreatestVectorError, RootMeanSquareVectorError;
+  float LongestEdge;        // the longest half axis of the kernel over its radius
+  float Span;               // edge in those of the leaves
+  std::uint32_t FirstChild; // of the tree's list of children, which goes on to that of the next node
+};
+
+class SplatTree
+{
+public:
+  /** `vectors`: of every sample; empty if there are none. */
+  void Build(const SplatSamples& samples, const SplatClasses& classes,
+    const std::vector<std::array<float, 3>>& vectors);
+  void Clear() { *this = SplatTree(); }
+
+  bool IsEmpty() const { return this->LeafCount == 0; }
+  std::size_t Leaves() const { return this->LeafCount; }
+  const std::vector<SplatTreeNode>& Nodes() const { return this->NodeList; } ///< children before their parents
+  std::int32_t Root() const { return this->RootNumber; }
+
+  bool IsLeaf(std::int32_t splat) const { return static_cast<std::size_t>(splat) < this->LeafCount; }
+  const SplatTreeNode& Node(std::int32_t splat) const
+  {
+    return this->NodeList[static_cast<std::size_t>(splat) - this->LeafCount];
+  }
+  const std::int32_t* BeginChildren(const SplatTreeNode& node) const
+  {
+    return this->Children.data() + node.FirstChild;
+  }
+  const std::int32_t* EndChildren(const SplatTreeNode& node) const
+  {
+    const bool last = &node == &this->NodeList.back();
+    return this->Children.data() + (last ? this->Children.size() : (&node)[1].FirstChild);
+  }
+
+private:
+  friend class SplatTreeBuilder;
+  std::size_t LeafCount = 0;
+  std::int32_t RootNumber = 0;
+  std::vector<SplatTreeNode> NodeList;
+  std::vector<std::int32_t> Children;
+};
+
+} // namespace nephoscope
+
+#endif
