@@ -4,7 +4,9 @@
 
 #include "SplatClasses.h"
 #include "SplatSamples.h"
+#include "ViewState.h"
 
+#include <cmath>
 #include <tuple>
 
 namespace nephoscope
@@ -18,13 +20,25 @@ auto asTuple(const SplatCutRule& r)
 }
 }
 
+double WorldPerModel(const ViewState& state)
+{
+  return std::cbrt(std::abs(state.ModelToView->Determinant()));
+}
+
+SplatCutView FindCutView(const ViewState& state, int pixelsHigh)
+{
+  const double perUnit = std::abs(state.ViewToDevice->GetElement(1, 1)) * pixelsHigh / 2;
+  const bool parallel = state.EyeModel[3] == 0;
+  return { state.EyeModel, 1 / (parallel ? perUnit * WorldPerModel(state) : perUnit) };
+}
+
 void SplatHierarchy::Invalidate()
 {
   *this = SplatHierarchy();
 }
 
 bool SplatHierarchy::Build(const SplatSamples& samples, const SplatClasses& classes,
-  const std::vector<std::array<float, 3>>& vectors)
+  const std::vector<std::array<float, 4>>& vectors)
 {
   if (!this->Nodes.IsEmpty())
   {

@@ -16,6 +16,12 @@ namespace nephoscope
 
 struct SplatClasses;
 struct SplatSamples;
+struct ViewState;
+
+/** Length in the world of a length of 1 of the volume's own coordinates. */
+double WorldPerModel(const ViewState& state);
+
+SplatCutView FindCutView(const ViewState& state, int pixelsHigh);
 
 class SplatHierarchy
 {
@@ -25,7 +31,7 @@ public:
 
   /** Makes the tree where there is none; true if it did. */
   bool Build(const SplatSamples& samples, const SplatClasses& classes,
-    const std::vector<std::array<float, 3>>& vectors);
+    const std::vector<std::array<float, 4>>& vectors);
 
   /** Finds what is drawn; true if that has changed. */
   bool Select(const SplatCutRule& rule, const SplatCutView& view);

@@ -5,6 +5,7 @@
 #ifndef nephoscope_SplatSummary_h
 #define nephoscope_SplatSummary_h
 
+#include "EllipsoidSplat.h"
 #include "SplatBranch.h"
 
 #include <limits>

@@ -66,7 +66,7 @@ class SplatTreeBuilder
 {
 public:
   SplatTreeBuilder(SplatTree& tree, const SplatSamples& samples, const SplatClasses& classes,
-    const std::vector<std::array<float, 3>>& vectors)
+    const std::vector<std::array<float, 4>>& vectors)
     : Tree(tree)
     , Samples(samples)
     , Classes(classes)
@@ -168,6 +168,16 @@ private:
     });
   }
 
+  SplatVector VectorOf(std::int32_t leaf) const
+  {
+    if (this->Vectors.empty())
+    {
+      return {};
+    }
+    const auto& v = this->Vectors[static_cast<std::size_t>(leaf)];
+    return { { v[0], v[1], v[2] } };
+  }
+
   SplatBranch BranchOf(const Item& item) const
   {
     if (!this->Tree.IsLeaf(item.Splat))
@@ -179,7 +189,7 @@ private:
     const auto& j = this->Samples.JacobianOf(sample);
     const MortonIndex index = IndexOfMortonCode(item.Code);
     return BranchOfLeaf({ { color[0], color[1], color[2], color[3] } },
-      this->Vectors.empty() ? SplatVector{} : toDouble(this->Vectors[sample]),
+      this->VectorOf(item.Splat),
       toDouble(this->Samples.Positions[sample]), { { toDouble(j[0]), toDouble(j[1]), toDouble(j[2]) } },
       { { double(index[0]), double(index[1]), double(index[2]) } });
   }
@@ -307,7 +317,7 @@ private:
   SplatTree& Tree;
   const SplatSamples& Samples;
   const SplatClasses& Classes;
-  const std::vector<std::array<float, 3>>& Vectors;
+  const std::vector<std::array<float, 4>>& Vectors;
   const bool OnLattice;
   SplatVector Corner{};
   double BlocksPerLength = 0.0;
@@ -316,9 +326,35 @@ private:
 };
 
 void SplatTree::Build(const SplatSamples& samples, const SplatClasses& classes,
-  const std::vector<std::array<float, 3>>& vectors)
+  const std::vector<std::array<float, 4>>& vectors)
 {
   SplatTreeBuilder(*this, samples, classes, vectors).Build();
+}
+
+void SplatTree::AppendColors(std::vector<std::array<float, 4>>& colors) const
+{
+  for (const SplatTreeNode& node : this->NodeList)
+  {
+    const auto count = static_cast<float>(this->EndChildren(node) - this->BeginChildren(node));
+    std::array<float, 4> mean{ { 0, 0, 0, colors[static_cast<std::size_t>(*this->BeginChildren(node))][3] } };
+    for (const std::int32_t* child = this->BeginChildren(node); child != this->EndChildren(node); ++child)
+    {
+      for (std::size_t c = 0; c < 3; ++c)
+      {
+        mean[c] += colors[static_cast<std::size_t>(*child)][c] / count;
+      }
+    }
+    colors.push_back(mean);
+  }
+}
+
+void SplatTree::AppendVectors(std::vector<std::array<float, 4>>& vectors) const
+{
+  for (const SplatTreeNode& node : this->NodeList)
+  {
+    const float phase = vectors[static_cast<std::size_t>(*this->BeginChildren(node))][3];
+    vectors.push_back({ { node.Vector[0], node.Vector[1], node.Vector[2], phase } });
+  }
 }
 
 } // namespace nephoscope

@@ -42,9 +42,9 @@ struct SplatTreeNode
 class SplatTree
 {
 public:
-  /** `vectors`: of every sample; empty if there are none. */
+  /** `vectors`: (x, y, z, anything) of every splat of the classes; empty if there are none. */
   void Build(const SplatSamples& samples, const SplatClasses& classes,
-    const std::vector<std::array<float, 3>>& vectors);
+    const std::vector<std::array<float, 4>>& vectors);
   void Clear() { *this = SplatTree(); }
 
   bool IsEmpty() const { return this->LeafCount == 0; }
@@ -66,6 +66,11 @@ public:
     const bool last = &node == &this->NodeList.back();
     return this->Children.data() + (last ? this->Children.size() : (&node)[1].FirstChild);
   }
+
+  /** To (red, green, blue, seed) of the leaves those of the nodes: the mean colour of their children, and the seed of the first. */
+  void AppendColors(std::vector<std::array<float, 4>>& colors) const;
+  /** To (x, y, z, phase) of the leaves those of the nodes: their mean vector, and the phase of their first child. */
+  void AppendVectors(std::vector<std::array<float, 4>>& vectors) const;
 
 private:
   friend class SplatTreeBuilder;

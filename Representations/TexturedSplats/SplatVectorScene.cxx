@@ -6,6 +6,7 @@
 #include "SplatClasses.h"
 #include "SplatPass.h"
 #include "SplatSamples.h"
+#include "SplatTree.h"
 
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
@@ -143,7 +144,7 @@ std::array<float, 4> SplatVectorScene::ColorOf(
 }
 
 std::string SplatVectorScene::Upload(vtkOpenGLRenderWindow* window, SplatPass& pass,
-  const SplatClasses& classes, const SplatVectorSettings& settings)
+  const SplatClasses& classes, const SplatTree& tree, const SplatVectorSettings& settings)
 {
   const LookKey look(settings.OneColor, settings.Color);
   std::string error;
@@ -154,12 +155,15 @@ std::string SplatVectorScene::Upload(vtkOpenGLRenderWindow* window, SplatPass& p
     {
       colors[i] = this->ColorOf(i, classes, settings);
     }
+    tree.AppendColors(colors);
     error = pass.UploadVectorColors(window, colors);
     this->Look = look;
   }
   if (error.empty() && (!this->Uploaded || !(this->Loop == settings.Loop)))
   {
-    error = pass.UploadVectors(window, this->Vectors.Pack(classes, settings.Loop));
+    std::vector<std::array<float, 4>> vectors = this->Vectors.Pack(classes, settings.Loop);
+    tree.AppendVectors(vectors);
+    error = pass.UploadVectors(window, vectors);
     this->Loop = settings.Loop;
   }
   this->Uploaded = error.empty();

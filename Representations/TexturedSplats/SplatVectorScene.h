@@ -19,6 +19,7 @@ namespace nephoscope
 {
 
 class SplatPass;
+class SplatTree;
 
 struct SplatVectorSettings
 {
@@ -42,8 +43,9 @@ public:
   /** To be called when other splats are drawn, or graphics resources are gone. */
   void ForgetUpload() { this->Uploaded = false; }
 
+  /** The nodes of `tree` follow the splats of the classes. */
   std::string Upload(vtkOpenGLRenderWindow* window, SplatPass& pass, const SplatClasses& classes,
-    const SplatVectorSettings& settings);
+    const SplatTree& tree, const SplatVectorSettings& settings);
 
   bool HasVectors() const { return std::get<0>(this->ReadFrom) != nullptr; }
   SplatVectors& GetVectors() { return this->Vectors; }

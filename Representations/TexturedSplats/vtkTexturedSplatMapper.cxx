@@ -5,6 +5,7 @@
 #include "ArraySelection.h"
 #include "OwnThreads.h"
 #include "SplatClasses.h"
+#include "SplatHierarchy.h"
 #include "SplatKernel.h"
 #include "SplatLayers.h"
 #include "SplatOrder.h"
@@ -59,6 +60,9 @@ struct vtkTexturedSplatMapper::vtkInternals
   using LayerKey = std::tuple<bool, int, std::size_t>;
   LayerKey LayeredBy{ false, 0, 0 };
   std::vector<std::int32_t> Items; // of the order, where vectors are in layers
+  nephoscope::SplatHierarchy Hierarchy;
+  std::string VectorsOfHierarchy;
+  bool DrawsHierarchy = false; // in the last render
   nephoscope::SplatPass Pass;
   bool SplatsUploaded = false, OrderUploaded = false;
   vtkOpenGLRenderWindow* Window = nullptr;
@@ -78,15 +82,60 @@ struct vtkTexturedSplatMapper::vtkInternals
     });
   }
 
+  // What is drawn: places, and the numbers of those among them.
+  const std::vector<std::array<float, 3>>& Places() const
+  {
+    return this->DrawsHierarchy ? this->Hierarchy.Positions() : this->Samples.Positions;
+  }
+  const std::vector<std::int32_t>& Drawn() const
+  {
+    return this->DrawsHierarchy ? this->Hierarchy.Cut() : this->Classes.Samples;
+  }
+
+  void ForgetOrder()
+  {
+    this->Order.clear();
+    this->Eye[3] = -1;
+  }
+
+  // True if it was made anew.
+  bool BuildHierarchy(const std::string& vectorArrayName)
+  {
+    if (vectorArrayName != this->VectorsOfHierarchy)
+    {
+      this->Hierarchy.Invalidate();
+      this->VectorsOfHierarchy = vectorArrayName;
+    }
+    if (!this->Hierarchy.Tree().IsEmpty())
+    {
+      return false;
+    }
+    std::vector<std::array<float, 4>> vectors;
+    if (!vectorArrayName.empty())
+    {
+      vectors = this->VectorScene.GetVectors().Pack(this->Classes, {});
+    }
+    this->Hierarchy.Build(this->Samples, this->Classes, vectors);
+    return true;
+  }
+
+  void SetDrawsHierarchy(bool hierarchy)
+  {
+    if (hierarchy != this->DrawsHierarchy)
+    {
+      this->ForgetOrder();
+    }
+    this->DrawsHierarchy = hierarchy;
+  }
+
   void UpdateOrder(const nephoscope::SplatEye& eye)
   {
-    if (eye == this->Eye && this->Order.size() == this->Classes.Samples.size())
+    if (eye == this->Eye && this->Order.size() == this->Drawn().size())
     {
       return;
     }
-    withThreads([&]() {
-      this->Order = nephoscope::OrderSplats(this->Samples.Positions, this->Classes.Samples, eye);
-    });
+    withThreads(
+      [&]() { this->Order = nephoscope::OrderSplats(this->Places(), this->Drawn(), eye); });
     this->Eye = eye;
     this->OrderUploaded = false;
     this->LayeredBy = LayerKey();
@@ -111,6 +160,20 @@ struct vtkTexturedSplatMapper::vtkInternals
     this->LayeredBy = key;
     this->OrderUploaded = false;
   }
+
+  // The order by the numbers of splats that the pass knows.
+  std::vector<std::int32_t> OrderOfSplats() const
+  {
+    std::vector<std::int32_t> order = this->Order;
+    if (this->DrawsHierarchy)
+    {
+      for (std::int32_t& item : order)
+      {
+        item = this->Hierarchy.Cut()[static_cast<std::size_t>(item)];
+      }
+    }
+    return order;
+  }
 };
 
 vtkTexturedSplatMapper::vtkTexturedSplatMapper()
@@ -133,7 +196,17 @@ int vtkTexturedSplatMapper::FillInputPortInformation(int, vtkInformation* info)
 
 vtkIdType vtkTexturedSplatMapper::GetNumberOfDrawnSplats()
 {
+  return static_cast<vtkIdType>(this->Internals->Drawn().size());
+}
+
+vtkIdType vtkTexturedSplatMapper::GetNumberOfSamples()
+{
   return static_cast<vtkIdType>(this->Internals->Classes.Samples.size());
+}
+
+double vtkTexturedSplatMapper::GetDrawnErrorTolerance()
+{
+  return this->Internals->DrawsHierarchy ? this->Internals->Hierarchy.DrawnTolerance() : 0.0;
 }
 
 double* vtkTexturedSplatMapper::GetBounds()
@@ -228,8 +301,8 @@ std::string vtkTexturedSplatMapper::UpdateSplats(vtkDataSet* input, vtkVolume* v
     {
       self.Classes = nephoscope::ClassifySplats(
         input, self.Samples, scalars, opacity, property, !this->VectorArrayName.empty());
-      self.Order.clear();
-      self.Eye[3] = -1;
+      self.ForgetOrder();
+      self.Hierarchy.Invalidate();
       self.SplatsUploaded = false;
       self.VectorScene.ForgetUpload();
     }
@@ -310,11 +383,48 @@ void vtkTexturedSplatMapper::SetVectorOptions(nephoscope::SplatDrawingOptions& o
   options.SegmentWidth = this->SegmentWidth;
 }
 
+// Whether nodes of the hierarchy are drawn; finds which.
+bool vtkTexturedSplatMapper::SelectSplats(
+  vtkRenderer* renderer, vtkVolume* volume, const nephoscope::ViewState& state)
+{
+  vtkInternals& self = *this->Internals;
+  const bool moving =
+    renderer->GetRenderWindow()->GetDesiredUpdateRate() >= this->InteractiveUpdateRate;
+  const vtkIdType most = moving ? this->InteractiveMaximumNumberOfSplats : 0;
+  const bool tooMany = most > 0 && this->GetNumberOfSamples() > most;
+  const bool vectors = !this->VectorArrayName.empty();
+  if ((vectors && this->VectorPlacement == IN_LAYERS) || !(this->ErrorTolerance > 0 || tooMany))
+  {
+    return false;
+  }
+  nephoscope::SplatCutRule rule;
+  rule.Tolerance = this->ErrorTolerance;
+  rule.OfImage = this->ErrorToleranceUnit == UNIT_OF_IMAGE;
+  rule.RootMeanSquare = this->ErrorMeasure == ROOT_MEAN_SQUARE;
+  rule.Extinction = this->OpacityScale *
+    (rule.OfImage ? nephoscope::WorldPerModel(state)
+                  : volume->GetProperty()->GetScalarOpacityUnitDistance());
+  rule.KernelRadius = nephoscope::KernelRadius(static_cast<nephoscope::SplatKernel>(this->Kernel));
+  rule.MostSplats = static_cast<std::size_t>(most);
+  nephoscope::SplatDrawingOptions options;
+  this->SetVectorOptions(options);
+  rule.Vector = vectors ? (rule.OfImage ? options.VectorScale : 1.0) / options.GreatestSpeed : 0.0;
+  withThreads([&]() {
+    self.SplatsUploaded &= !self.BuildHierarchy(this->VectorArrayName);
+    if (self.Hierarchy.Select(rule, nephoscope::FindCutView(state, renderer->GetSize()[1])))
+    {
+      self.ForgetOrder();
+    }
+  });
+  return true;
+}
+
 std::string vtkTexturedSplatMapper::DrawScene(
   vtkOpenGLRenderWindow* window, vtkRenderer* renderer, vtkVolume* volume)
 {
   vtkInternals& self = *this->Internals;
   const nephoscope::ViewState state(renderer, volume, self.Samples.Center);
+  self.SetDrawsHierarchy(this->SelectSplats(renderer, volume, state));
   self.UpdateOrder(state.EyeModel);
   nephoscope::SplatDrawingOptions options;
   options.Kernel = static_cast<nephoscope::SplatKernel>(this->Kernel);
@@ -322,7 +432,7 @@ std::string vtkTexturedSplatMapper::DrawScene(
   // Seen along its longest edge a cell holds the eye up to the kernel's radius; a little farther it still fills the view.
   const double near = 1.3 * nephoscope::KernelRadius(options.Kernel) * self.Samples.LongestEdge;
   options.NearSplats = nephoscope::CountNear(
-    self.Samples.Positions, self.Classes.Samples, self.Order, state.EyeModel, near);
+    self.Places(), self.Drawn(), self.Order, state.EyeModel, near);
   this->SetVectorOptions(options);
   self.UpdateLayers(
     options.MediaApart, this->GetDataSetInput(), this->LayerAxis, options.NearSplats);
@@ -345,16 +455,17 @@ std::string vtkTexturedSplatMapper::Upload(vtkOpenGLRenderWindow* window)
   std::string error;
   if (!self.SplatsUploaded)
   {
-    error = self.Pass.UploadSplats(window, self.Samples, self.Classes);
+    error = self.Pass.UploadSplats(window, self.Samples, self.Classes, self.Hierarchy.Tree());
     self.VectorScene.ForgetUpload();
   }
   if (error.empty() && !this->VectorArrayName.empty())
   {
-    error = self.VectorScene.Upload(window, self.Pass, self.Classes, this->GetVectorSettings());
+    error = self.VectorScene.Upload(
+      window, self.Pass, self.Classes, self.Hierarchy.Tree(), this->GetVectorSettings());
   }
   if (error.empty() && !self.OrderUploaded)
   {
-    error = self.Pass.UploadOrder(window, self.Items.empty() ? self.Order : self.Items);
+    error = self.Pass.UploadOrder(window, self.Items.empty() ? self.OrderOfSplats() : self.Items);
   }
   self.SplatsUploaded = self.OrderUploaded = error.empty();
   return error;
@@ -410,5 +521,11 @@ void vtkTexturedSplatMapper::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "UseVectorColor: " << this->UseVectorColor << "\n";
   os << indent << "Phase: " << this->Phase << "\n";
   os << indent << "PhaseCycles: " << this->PhaseCycles << "\n";
+  os << indent << "ErrorTolerance: " << this->ErrorTolerance
+     << (this->ErrorToleranceUnit == UNIT_OF_IMAGE ? " of the image\n" : " of the data\n");
+  os << indent << "ErrorMeasure: "
+     << (this->ErrorMeasure == GREATEST ? "Greatest" : "Root mean square") << "\n";
+  os << indent << "InteractiveMaximumNumberOfSplats: " << this->InteractiveMaximumNumberOfSplats << "\n";
+  os << indent << "InteractiveUpdateRate: " << this->InteractiveUpdateRate << "\n";
   os << indent << "NumberOfDrawnSplats: " << this->GetNumberOfDrawnSplats() << "\n";
 }

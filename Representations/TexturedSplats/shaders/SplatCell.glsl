@@ -1,7 +1,10 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
 // Where a splat is and which shape it has, in view coordinates.
-uniform samplerBuffer splats; // (centre, -), or the columns of J with the centre in the fourth components
+// Splats without a Jacobian of their own are (centre, -), others the columns of J with the centre in the fourth components: all, or the
+// nodes of the hierarchy, which follow those that share one.
+uniform samplerBuffer splats;
+uniform int firstNode;
 uniform mat4 modelToVC;
 uniform mat3 sharedJacobian;
 
@@ -9,11 +12,12 @@ void readSplat(int splat, out vec3 centerVC, out mat3 jacobianVC)
 {
   vec3 center;
   mat3 jacobian = sharedJacobian;
-  if (jacobianPerSplat)
+  if (jacobianPerSplat || splat >= firstNode)
   {
-    vec4 x = texelFetch(splats, 3 * splat);
-    vec4 y = texelFetch(splats, 3 * splat + 1);
-    vec4 z = texelFetch(splats, 3 * splat + 2);
+    int first = jacobianPerSplat ? 3 * splat : firstNode + 3 * (splat - firstNode);
+    vec4 x = texelFetch(splats, first);
+    vec4 y = texelFetch(splats, first + 1);
+    vec4 z = texelFetch(splats, first + 2);
     center = vec3(x.w, y.w, z.w);
     jacobian = mat3(x.xyz, y.xyz, z.xyz);
   }
