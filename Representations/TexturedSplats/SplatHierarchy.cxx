@@ -37,13 +37,9 @@ void SplatHierarchy::Invalidate()
   *this = SplatHierarchy();
 }
 
-bool SplatHierarchy::Build(const SplatSamples& samples, const SplatClasses& classes,
+void SplatHierarchy::Build(const SplatSamples& samples, const SplatClasses& classes,
   const std::vector<std::array<float, 4>>& vectors)
 {
-  if (!this->Nodes.IsEmpty())
-  {
-    return false;
-  }
   this->Nodes.Build(samples, classes, vectors);
   this->Places.clear();
   this->Places.reserve(this->Nodes.Leaves() + this->Nodes.Nodes().size());
@@ -56,7 +52,6 @@ bool SplatHierarchy::Build(const SplatSamples& samples, const SplatClasses& clas
     this->Places.push_back(node.Position);
   }
   this->Selected = false;
-  return true;
 }
 
 bool SplatHierarchy::Select(const SplatCutRule& rule, const SplatCutView& view)

@@ -29,8 +29,8 @@ public:
   /** Samples, classes or vectors have changed. */
   void Invalidate();
 
-  /** Makes the tree where there is none; true if it did. */
-  bool Build(const SplatSamples& samples, const SplatClasses& classes,
+  /** Makes the tree. */
+  void Build(const SplatSamples& samples, const SplatClasses& classes,
     const std::vector<std::array<float, 4>>& vectors);
 
   /** Finds what is drawn; true if that has changed. */

@@ -40,3 +40,328 @@ namespace nephoscope
 struct SplatDrawingOptions;
 struct SplatVectorSettings;
 struct ViewState;
+}
+
+class VTKNEPHOSCOPEREPRESENTATIONSTEXTUREDSPLATS_EXPORT vtkTexturedSplatMapper
+  : public vtkAbstractVolumeMapper
+{
+public:
+  static vtkTexturedSplatMapper* New();
+  vtkTypeMacro(vtkTexturedSplatMapper, vtkAbstractVolumeMapper);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  /** The data to draw. */
+  void SetInputData(vtkDataSet* data);
+
+  enum KernelType
+  {
+    CUBIC_KERNEL = 0,
+    QUADRATIC_KERNEL = 1,
+    GAUSSIAN_KERNEL = 2
+  };
+  ///@{
+  /**
+   * The reconstruction kernel. Default: cubic.
+   * - Cubic: for samples in space. Constant data on a lattice are drawn flat to within 0.6 % from any direction.
+   * - Quadratic: for the samples of one flat sheet, seen from the front; flat to within 0.5 %.
+   * - Gaussian: of the cubic kernel's variance, for comparison.
+   */
+  vtkSetClampMacro(Kernel, int, CUBIC_KERNEL, GAUSSIAN_KERNEL);
+  vtkGetMacro(Kernel, int);
+  void SetKernelToCubic() { this->SetKernel(CUBIC_KERNEL); }
+  void SetKernelToQuadratic() { this->SetKernel(QUADRATIC_KERNEL); }
+  void SetKernelToGaussian() { this->SetKernel(GAUSSIAN_KERNEL); }
+  ///@}
+
+  ///@{
+  /**
+   * For samples without a grid: edge of the cube that each stands for, in units of length of the data; the splat's own radius is 1.56
+   * times as long. 0 (default): the mean spacing of the samples. Ignored on structured grids.
+   */
+  vtkSetClampMacro(CellSize, double, 0.0, VTK_DOUBLE_MAX);
+  vtkGetMacro(CellSize, double);
+  ///@}
+
+  ///@{
+  /** Factor on the extinction, >= 0. Default: 1. Costs nothing to change. */
+  vtkSetClampMacro(OpacityScale, double, 0.0, VTK_DOUBLE_MAX);
+  vtkGetMacro(OpacityScale, double);
+  ///@}
+
+  ///@{
+  /** Name of the array that the opacity function reads, where it is not the one that gives the colour. Default: empty. */
+  vtkSetMacro(OpacityArrayName, std::string);
+  vtkGetMacro(OpacityArrayName, std::string);
+  ///@}
+
+  ///@{
+  /**
+   * Name of the array of vectors (three components, on points or cells as the coloured array) that are drawn on the splats, as
+   * streaks along their projection. Empty (default): no vectors. Give an opacity function of 0 to draw the vectors alone.
+   */
+  vtkSetMacro(VectorArrayName, std::string);
+  vtkGetMacro(VectorArrayName, std::string);
+  ///@}
+
+  ///@{
+  /**
+   * How vectors are drawn. Default: streaks.
+   * - Streaks: like comets, with a sharp head in front and a tail that fades, longer where it is faster; they move with Phase and
+   *   AdvancePhases. A vector that points at the eye is a round dot; patterns finer than a pixel are their mean.
+   * - Segments: an anti-aliased line each (Crawfis and Max 1993), longer where it is faster, somewhere in its cell: where does
+   *   not depend on the frame or on the order of the input. They do not move.
+   */
+  enum VectorStyleType
+  {
+    STREAKS = 0,
+    SEGMENTS = 1
+  };
+  vtkSetClampMacro(VectorStyle, int, STREAKS, SEGMENTS);
+  vtkGetMacro(VectorStyle, int);
+  void SetVectorStyleToStreaks() { this->SetVectorStyle(STREAKS); }
+  void SetVectorStyleToSegments() { this->SetVectorStyle(SEGMENTS); }
+  ///@}
+
+  ///@{
+  /**
+   * Where vectors are among the scalars. Default: in the middle.
+   * - Middle: in the middle of its splat's medium: half of that hides the vector, which hides the other half.
+   * - Layers: the splats are drawn in layers, in each of them first the scalars and then the vectors (Max, Crawfis and Becker 1993).
+   */
+  enum VectorPlacementType
+  {
+    IN_THE_MIDDLE = 0,
+    IN_LAYERS = 1
+  };
+  vtkSetClampMacro(VectorPlacement, int, IN_THE_MIDDLE, IN_LAYERS);
+  vtkGetMacro(VectorPlacement, int);
+  void SetVectorPlacementToMiddle() { this->SetVectorPlacement(IN_THE_MIDDLE); }
+  void SetVectorPlacementToLayers() { this->SetVectorPlacement(IN_LAYERS); }
+  ///@}
+
+  ///@{
+  /**
+   * For placement in layers: the axis of a structured grid whose index numbers them, 0 to 2. -1 (default): the one that points most
+   * towards the eye, the last one if there is little between them. Ignored for samples without a grid, whose layers are at right
+   * angles to the line of sight.
+   */
+  vtkSetClampMacro(LayerAxis, int, -1, 2);
+  vtkGetMacro(LayerAxis, int);
+  ///@}
+
+  ///@{
+  /** Optical depth of the streaks on the fastest splat, 0 or more; in proportion to the speed on others. Default: 2. */
+  vtkSetClampMacro(VectorOpacity, double, 0.0, VTK_DOUBLE_MAX);
+  vtkGetMacro(VectorOpacity, double);
+  ///@}
+
+  ///@{
+  /**
+   * Speed, in the units of the vectors, at and above which streaks are fully drawn. 0 (default): the greatest of the data.
+   */
+  vtkSetClampMacro(GreatestSpeed, double, 0.0, VTK_DOUBLE_MAX);
+  vtkGetMacro(GreatestSpeed, double);
+  ///@}
+
+  ///@{
+  /**
+   * The length that StreakPeriod, StreakWidth and SegmentLength count in, in units of the data. 0 (default): the mean length of a cell
+   * along its vector. Set it, and GreatestSpeed, where several parts of the data or time steps must look alike.
+   */
+  vtkSetClampMacro(VectorUnit, double, 0.0, VTK_DOUBLE_MAX);
+  vtkGetMacro(VectorUnit, double);
+  ///@}
+
+  ///@{
+  /**
+   * Streaks, in VectorUnits: distance from head to head along the vector, and standard deviation of the brightness across. The longest
+   * tail is 0.6 periods. Splats are lengthened along the vector to half a period, so that streaks are not cut short: cost grows
+   * with the period. Defaults: 4 and 0.1.
+   */
+  vtkSetClampMacro(StreakPeriod, double, 0.01, 1000.0);
+  vtkGetMacro(StreakPeriod, double);
+  vtkSetClampMacro(StreakWidth, double, 0.001, 10.0);
+  vtkGetMacro(StreakWidth, double);
+  ///@}
+
+  ///@{
+  /** Segments: length at GreatestSpeed in VectorUnits, default 2 (more than the distance of samples), and width in pixels, default 1.5. */
+  vtkSetClampMacro(SegmentLength, double, 0.0, 1000.0);
+  vtkGetMacro(SegmentLength, double);
+  vtkSetClampMacro(SegmentWidth, double, 0.1, 100.0);
+  vtkGetMacro(SegmentWidth, double);
+  ///@}
+
+  ///@{
+  /**
+   * Name of an array, where the vectors are, whose value gives vectors a colour apart from that of the medium, by VectorColorFunction; of
+   * several components their magnitude counts. Empty (default): VectorColor or the splat's colour.
+   */
+  vtkSetMacro(VectorColorArrayName, std::string);
+  vtkGetMacro(VectorColorArrayName, std::string);
+  virtual void SetVectorColorFunction(vtkScalarsToColors* function);
+  vtkScalarsToColors* GetVectorColorFunction();
+  ///@}
+
+  ///@{
+  /** Colour of the vectors where UseVectorColor is on, 0 to 1 each. Default: white. Off (default): the splat's colour. */
+  vtkSetVector3Macro(VectorColor, double);
+  vtkGetVector3Macro(VectorColor, double);
+  vtkSetMacro(UseVectorColor, bool);
+  vtkGetMacro(UseVectorColor, bool);
+  vtkBooleanMacro(UseVectorColor, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Where in a loop the patterns are, 0 to 1; 1 is 0 again. Over a loop each pattern moves a whole number of periods, nearest to
+   * PhaseCycles (default 4) times its share of the greatest speed: for pictures that repeat. For motion at exactly the speed of the data
+   * use AdvancePhases.
+   */
+  vtkSetMacro(Phase, double);
+  vtkGetMacro(Phase, double);
+  vtkSetClampMacro(PhaseCycles, int, 1, 1000);
+  vtkGetMacro(PhaseCycles, int);
+  ///@}
+
+  ///@{
+  /**
+   * Number of patterns in a period between which streaks step, 0 to 1000: 16 is as Crawfis and Max stored them. 0 (default): streaks
+   * move continuously.
+   */
+  vtkSetClampMacro(PhaseSteps, int, 0, 1000);
+  vtkGetMacro(PhaseSteps, int);
+  ///@}
+
+  /**
+   * Moves every pattern on by a time, in the time unit of the vectors: at the speed of its own vector, without a jump when the
+   * vectors change. The vectors are those of the last render.
+   */
+  void AdvancePhases(double time);
+
+  ///@{
+  /**
+   * Samples are averaged in blocks, to be drawn as one splat each, where this makes an error of at most this much; parts smaller than
+   * a pixel always are. Cost falls with the number of splats. 0 (default): every sample is drawn. Blocks have
+   * the mean of their vectors. Ignored where vectors are in layers.
+   *
+   * Extinction and emission are averaged, so that mass is kept. Unit:
+   * - Image (default): optical depth along the ray through the block, depending on the view; 0.1 changes opacity by 0.1 at the most.
+   * - Data: value of the opacity function, or share of GreatestSpeed; the same in every view.
+   */
+  vtkSetClampMacro(ErrorTolerance, double, 0.0, VTK_DOUBLE_MAX);
+  vtkGetMacro(ErrorTolerance, double);
+  enum ErrorToleranceUnitType
+  {
+    UNIT_OF_IMAGE = 0,
+    UNIT_OF_DATA = 1
+  };
+  vtkSetClampMacro(ErrorToleranceUnit, int, UNIT_OF_IMAGE, UNIT_OF_DATA);
+  vtkGetMacro(ErrorToleranceUnit, int);
+  void SetErrorToleranceUnitToImage() { this->SetErrorToleranceUnit(UNIT_OF_IMAGE); }
+  void SetErrorToleranceUnitToData() { this->SetErrorToleranceUnit(UNIT_OF_DATA); }
+  ///@}
+
+  ///@{
+  /**
+   * What is compared with ErrorTolerance: the greatest deviation of a sample from its block's mean (default; Laur and Hanrahan 1991) or the
+   * root of the mean square deviation.
+   */
+  enum ErrorMeasureType
+  {
+    GREATEST = 0,
+    ROOT_MEAN_SQUARE = 1
+  };
+  vtkSetClampMacro(ErrorMeasure, int, GREATEST, ROOT_MEAN_SQUARE);
+  vtkGetMacro(ErrorMeasure, int);
+  void SetErrorMeasureToGreatest() { this->SetErrorMeasure(GREATEST); }
+  void SetErrorMeasureToRootMeanSquare() { this->SetErrorMeasure(ROOT_MEAN_SQUARE); }
+  ///@}
+
+  ///@{
+  /**
+   * Splats that are drawn at the most while the camera moves: the tolerance grows until there are no more, and goes back to ErrorTolerance
+   * in the next still picture. 0: no limit. Default: 100000. Ignored where vectors are in layers.
+   */
+  vtkSetClampMacro(InteractiveMaximumNumberOfSplats, vtkIdType, 0, VTK_ID_MAX);
+  vtkGetMacro(InteractiveMaximumNumberOfSplats, vtkIdType);
+  ///@}
+
+  ///@{
+  /**
+   * The camera moves when the render window's DesiredUpdateRate, in frames a second, is this or more; interactors and ParaView set that.
+   * Default: 1, as in vtkSmartVolumeMapper.
+   */
+  vtkSetClampMacro(InteractiveUpdateRate, double, 1.0e-10, 1.0e10);
+  vtkGetMacro(InteractiveUpdateRate, double);
+  ///@}
+
+  /** Splats drawn in the last render. */
+  vtkIdType GetNumberOfDrawnSplats();
+
+  /** Samples that can be seen: splats drawn without a hierarchy. Of the last render. */
+  vtkIdType GetNumberOfSamples();
+
+  /** The tolerance that the last render was drawn with; above ErrorTolerance where InteractiveMaximumNumberOfSplats made it grow. */
+  double GetDrawnErrorTolerance();
+
+  /** Bounds of the splats, which reach beyond the samples. */
+  double* GetBounds() VTK_SIZEHINT(6) override;
+
+  /** The float image of the last render, as the point array "RGBA", colour premultiplied; false, and an error, if there is none. */
+  bool CopyFloatImage(vtkImageData* image);
+
+  void Render(vtkRenderer* renderer, vtkVolume* volume) override;
+  void ReleaseGraphicsResources(vtkWindow* window) override;
+
+protected:
+  vtkTexturedSplatMapper();
+  ~vtkTexturedSplatMapper() override;
+  int FillInputPortInformation(int port, vtkInformation* info) override;
+
+  int Kernel = CUBIC_KERNEL;
+  double CellSize = 0.0;
+  double ErrorTolerance = 0.0;
+  int ErrorToleranceUnit = UNIT_OF_IMAGE;
+  int ErrorMeasure = GREATEST;
+  vtkIdType InteractiveMaximumNumberOfSplats = 100000;
+  double InteractiveUpdateRate = 1.0;
+  double OpacityScale = 1.0;
+  std::string OpacityArrayName;
+  std::string VectorArrayName;
+  double VectorOpacity = 2.0;
+  double GreatestSpeed = 0.0;
+  int VectorStyle = STREAKS;
+  int VectorPlacement = IN_THE_MIDDLE;
+  int LayerAxis = -1;
+  double VectorUnit = 0.0;
+  double StreakPeriod = 4.0;
+  double StreakWidth = 0.1;
+  double SegmentLength = 2.0;
+  double SegmentWidth = 1.5;
+  std::string VectorColorArrayName;
+  vtkSmartPointer<vtkScalarsToColors> VectorColorFunction;
+  double VectorColor[3] = { 1.0, 1.0, 1.0 };
+  bool UseVectorColor = false;
+  double Phase = 0.0;
+  int PhaseCycles = 4;
+  int PhaseSteps = 0;
+
+private:
+  nephoscope::SplatVectorSettings GetVectorSettings();
+  void SetVectorOptions(nephoscope::SplatDrawingOptions& options);
+  double GetStreakUnit();
+  std::string UpdateSplats(vtkDataSet* input, vtkVolume* volume);
+  std::string DrawScene(vtkOpenGLRenderWindow* window, vtkRenderer* renderer, vtkVolume* volume);
+  bool SelectSplats(vtkRenderer* renderer, vtkVolume* volume, const nephoscope::ViewState& state);
+  std::string Upload(vtkOpenGLRenderWindow* window);
+  void ReportOnce(const std::string& error);
+
+  vtkTexturedSplatMapper(const vtkTexturedSplatMapper&) = delete;
+  void operator=(const vtkTexturedSplatMapper&) = delete;
+
+  struct vtkInternals;
+  std::unique_ptr<vtkInternals> Internals;
+};
+
+#endif
