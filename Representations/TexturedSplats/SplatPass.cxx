@@ -163,3 +163,118 @@ std::string SplatPass::UploadSplats(vtkOpenGLRenderWindow* window, const SplatSa
   }
   return error.empty() ? this->Colors.Upload(window, colors.data(), colors.size(), 4, VTK_FLOAT)
                        : error;
+}
+
+std::string SplatPass::UploadVectors(
+  vtkOpenGLRenderWindow* window, const std::vector<std::array<float, 4>>& vectors)
+{
+  return this->Vectors.Upload(window, vectors.data(), vectors.size(), 4, VTK_FLOAT);
+}
+
+std::string SplatPass::UploadVectorColors(
+  vtkOpenGLRenderWindow* window, const std::vector<std::array<float, 4>>& colors)
+{
+  return this->VectorColors.Upload(window, colors.data(), colors.size(), 4, VTK_FLOAT);
+}
+
+std::string SplatPass::UploadOrder(
+  vtkOpenGLRenderWindow* window, const std::vector<std::int32_t>& order)
+{
+  this->Count = order.size();
+  return this->Order.Upload(window, order.data(), order.size(), 1, VTK_INT);
+}
+
+std::string SplatPass::Draw(
+  vtkOpenGLRenderWindow* window, const SceneView& view, const SplatDrawingOptions& options)
+{
+  return this->Layer.Draw(window, [&](const int viewport[4], OpaqueDepth& opaqueDepth) {
+    this->PixelsPerDevice[0] = 0.5f * static_cast<float>(viewport[2]);
+    this->PixelsPerDevice[1] = 0.5f * static_cast<float>(viewport[3]);
+    opaqueDepth.GetTexture()->Activate();
+    this->DepthUnit = opaqueDepth.GetTexture()->GetTextureUnit();
+    std::string error = this->DrawRange(window, view, options, false);
+    if (error.empty() && options.NearSplats > 0)
+    {
+      error = this->DrawRange(window, view, options, true);
+    }
+    opaqueDepth.GetTexture()->Deactivate();
+    return error;
+  });
+}
+
+std::string SplatPass::DrawRange(vtkOpenGLRenderWindow* window, const SceneView& view,
+  const SplatDrawingOptions& options, bool nearEye)
+{
+  const std::string constants = shaderConstants(options, this->JacobianPerSplat, nearEye);
+  vtkShaderProgram* program = window->GetShaderCache()->ReadyShaderProgram(
+    specialized(TexturedSplatVertex, constants).c_str(),
+    specialized(TexturedSplatFragment, constants).c_str(),
+    specialized(TexturedSplatGeometry, constants).c_str());
+  if (!program)
+  {
+    return "the shaders did not compile";
+  }
+  if (program != this->Program)
+  {
+    this->Program = program;
+    this->VertexArray->ShaderProgramChanged();
+  }
+  this->VertexArray->Bind();
+  this->SetUniforms(program, view, options);
+  program->SetUniformi("splats", this->Splats.Activate());
+  program->SetUniformi("splatColors", this->Colors.Activate());
+  program->SetUniformi("drawingOrder", this->Order.Activate());
+  program->SetUniformi("splatVectors", this->Vectors.Activate());
+  program->SetUniformi("vectorColors", this->VectorColors.Activate());
+  const std::size_t far = this->Count - std::min(options.NearSplats, this->Count);
+  glDrawArrays(GL_POINTS, static_cast<GLint>(nearEye ? far : 0),
+    static_cast<GLsizei>(nearEye ? this->Count - far : far));
+  this->Splats.Deactivate();
+  this->Colors.Deactivate();
+  this->Order.Deactivate();
+  this->Vectors.Deactivate();
+  this->VectorColors.Deactivate();
+  this->VertexArray->Release();
+  return std::string();
+}
+
+void SplatPass::SetUniforms(
+  vtkShaderProgram* program, const SceneView& view, const SplatDrawingOptions& options) const
+{
+  vtkNew<vtkMatrix4x4> transposed; // as OpenGL wants it
+  vtkMatrix4x4::Transpose(view.ModelToView, transposed);
+  program->SetUniformMatrix("modelToVC", transposed);
+  vtkMatrix4x4::Transpose(view.ViewToDevice, transposed);
+  program->SetUniformMatrix("VCToDC", transposed);
+  program->SetUniformMatrix3x3("sharedJacobian", const_cast<float*>(this->SharedJacobian));
+  program->SetUniformi("firstNode", this->FirstNode);
+  program->SetUniformi("parallelRays", view.EyeView[3] == 0);
+  program->SetUniformf("kernelRadius", static_cast<float>(KernelRadius(options.Kernel)));
+  program->SetUniformf("extinctionScale", static_cast<float>(options.ExtinctionScale));
+  program->SetUniformf("greatestSpeed", static_cast<float>(options.GreatestSpeed));
+  program->SetUniformf("vectorScale", static_cast<float>(options.VectorScale));
+  program->SetUniformf("vectorUnit", static_cast<float>(options.VectorUnit));
+  const auto period = static_cast<float>(options.StreakPeriod);
+  program->SetUniformf("streakLength", kernelShare * period);
+  const float shape[3] = { period, tailShare * period, static_cast<float>(options.StreakWidth) };
+  program->SetUniform3f("streakShape", shape);
+  program->SetUniformf("segmentLength", static_cast<float>(options.SegmentLength));
+  program->SetUniformf("segmentWidth", static_cast<float>(options.SegmentWidth));
+  program->SetUniform2f("pixelsPerDC", this->PixelsPerDevice);
+  program->SetUniformi("opaqueDepth", this->DepthUnit);
+  program->SetUniform4f("depthToVC", depthToView(view.ViewToDevice).data());
+}
+
+void SplatPass::ReleaseGraphicsResources(vtkWindow* window)
+{
+  this->Splats.Release(window);
+  this->Colors.Release(window);
+  this->Order.Release(window);
+  this->Vectors.Release(window);
+  this->VectorColors.Release(window);
+  this->Layer.ReleaseGraphicsResources(window);
+  this->VertexArray->ReleaseGraphicsResources();
+  this->Program = nullptr;
+}
+
+} // namespace nephoscope

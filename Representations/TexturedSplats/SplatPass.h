@@ -57,3 +57,43 @@ public:
   std::string UploadSplats(vtkOpenGLRenderWindow* window, const SplatSamples& samples,
     const SplatClasses& classes, const SplatTree& tree);
   /** (x, y, z, phase) of every splat of the classes and node, and (red, green, blue, seed). */
+  std::string UploadVectors(
+    vtkOpenGLRenderWindow* window, const std::vector<std::array<float, 4>>& vectors);
+  std::string UploadVectorColors(
+    vtkOpenGLRenderWindow* window, const std::vector<std::array<float, 4>>& colors);
+  /** From back to front; ~n for the vector of splat n, where media are apart. */
+  std::string UploadOrder(vtkOpenGLRenderWindow* window, const std::vector<std::int32_t>& order);
+  std::string Draw(
+    vtkOpenGLRenderWindow* window, const SceneView& view, const SplatDrawingOptions& options);
+
+  bool CopyFloatImage(vtkOpenGLRenderWindow* window, vtkImageData* image)
+  {
+    return this->Layer.CopyTo(window, image);
+  }
+  void ReleaseGraphicsResources(vtkWindow* window);
+
+private:
+  std::string DrawRange(vtkOpenGLRenderWindow* window, const SceneView& view,
+    const SplatDrawingOptions& options, bool nearEye);
+  void SetUniforms(
+    vtkShaderProgram* program, const SceneView& view, const SplatDrawingOptions& options) const;
+
+  BufferTexture Splats;
+  BufferTexture Colors;
+  BufferTexture Vectors;
+  BufferTexture VectorColors;
+  BufferTexture Order;
+  std::size_t Count = 0;
+  bool JacobianPerSplat = false;
+  int FirstNode = 0; // the first splat with a Jacobian of its own, where others share one
+  float SharedJacobian[9] = { 1, 0, 0, 0, 1, 0, 0, 0, 1 }; // columns
+  float PixelsPerDevice[2] = { 1, 1 };
+  int DepthUnit = 0;
+  FloatLayer Layer;
+  vtkNew<vtkOpenGLVertexArrayObject> VertexArray; // without attributes
+  vtkShaderProgram* Program = nullptr;            // owned by the window's shader cache
+};
+
+} // namespace nephoscope
+
+#endif
