@@ -5,7 +5,7 @@ from vtkmodules.vtkIOImage import vtkPNGWriter
 from vtkmodules.vtkRenderingCore import vtkWindowToImageFilter
 
 
-def write(window, path):
+def write(window, path, announce=True):
     grab = vtkWindowToImageFilter()
     grab.SetInput(window)
     grab.ReadFrontBufferOff()
@@ -13,4 +13,5 @@ def write(window, path):
     writer.SetFileName(path)
     writer.SetInputConnection(grab.GetOutputPort())
     writer.Write()
-    print("wrote", path)
+    if announce:
+        print("wrote", path)

@@ -1,0 +1,89 @@
+# SPDX-FileCopyrightText: The Nephoscope authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Figure 2: winds of a weather forecast at three levels around the globe, as streaks coloured by altitude, and a film that loops.
+
+After figure 2 of Max, Crawfis and Becker (1993). Streaks are drawn on textured splats: the bright head is in front, the tail is
+longer where the wind is faster. Winds on the far side of the planet are left out.
+
+Writes the picture (1920 x 1080) and a film, over which every streak moves on by a whole number of periods. A larger one:
+    ./nephoscope pvbatch Figures/02_winds_over_globe.py --frames 120 --size 1920 1080
+Interrupted, it goes on with the next frame.
+"""
+import argparse
+import hashlib
+import os
+import sys
+
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "common"))
+import frames  # noqa: E402
+import globe_scene  # noqa: E402
+import pictures  # noqa: E402
+import splat_scene  # noqa: E402
+
+GALLERY = os.environ["NEPHOSCOPE_GALLERY"]
+NAME = "02_winds_over_globe"
+EXAGGERATION = 25  # more of it would fill the limb with streaks
+PRESSURES = (850, 500, 250)  # hPa: trade winds and storms, steering flow, jet streams
+HORIZON = 0.12  # least cosine between the vertical and the direction of the eye
+GREATEST_SPEED = 40  # metres per second, at which streaks are longest
+STREAKS = {"opacity": 6, "width": 0.07, "period": 5, "unit": 2.2e5}  # lengths in units, a unit in metres of the display
+FILM_WIDTH = 0.10  # of streaks: pixels are larger
+CYCLES = 3  # periods that the fastest streaks move on in the film
+MILLISECONDS = 80  # a frame is shown
+EYE = globe_scene.on_globe(-105, 22, 3.6)  # over the eastern Pacific, where two hurricanes are
+
+
+def scene(size, width=STREAKS["width"]):
+    """Window, renderer and the mapper of the winds."""
+    forecast, pressures = splat_scene.read_forecast(EXAGGERATION)
+    splat_scene.choose_winds(forecast, splat_scene.level_numbers(pressures, PRESSURES), EYE, HORIZON)
+    window, renderer = splat_scene.make_window(size, EYE, [0, 0, 0], [0, 0, 1], 34, globe_scene.on_globe(-92, 32, 10))
+    renderer.AddActor(splat_scene.terrain(ambient=0.55, diffuse=0.5))
+    winds = splat_scene.splats(forecast, ((0, 0), (1, 0)), 1e5)  # no clouds
+    splat_scene.show_winds(winds.GetMapper(), GREATEST_SPEED, **{**STREAKS, "width": width})
+    renderer.AddVolume(winds)
+    renderer.ResetCameraClippingRange()
+    splat_scene.add_altitude_bar(renderer, font_size=round(24 * size[1] / 1080))
+    return window, renderer, winds.GetMapper()
+
+
+def save_picture():
+    window, renderer, _ = scene((1920, 1080))
+    splat_scene.add_caption(renderer, "Winds at 850, 500 and 250 hPa\n"
+                            "Bright end in front, longer where\nfaster, longest from %d m/s\n"
+                            "Heights exaggerated %d times\n"
+                            "GFS forecast for 2011-10-11 00 UTC" % (GREATEST_SPEED, EXAGGERATION))
+    window.Render()
+    pictures.write(window, os.path.join(GALLERY, NAME + ".png"))
+
+
+def save_film(count, size):
+    """count frames: the one after the last is the first."""
+    window, _, mapper = scene(size, FILM_WIDTH)
+    mapper.SetPhaseCycles(CYCLES)
+
+    def draw(i, file):
+        mapper.SetPhase(i / count)
+        window.Render()
+        pictures.write(window, file, announce=False)
+
+    with open(__file__, "rb") as script, open(splat_scene.__file__, "rb") as shared:
+        settings = [hashlib.sha256(script.read() + shared.read()).hexdigest(), count, size]
+    film = frames.Frames(os.path.join(GALLERY, "%s_%dx%d_%d_frames" % (NAME, *size, count)), count, settings)
+    film.make(draw)
+    for make, ending in ((frames.make_gif, "gif"), (frames.make_mp4, "mp4")):
+        name = os.path.join(GALLERY, "%s.%s" % (NAME, ending))
+        if make(film.files, name, MILLISECONDS):
+            print("wrote", name)
+
+
+options = argparse.ArgumentParser(description="Winds over the globe: a picture and a film.")
+options.add_argument("--frames", type=int, default=36, help="frames of the film; 0: the picture only")
+options.add_argument("--size", type=int, nargs=2, default=[960, 540], help="width and height of the film, pixels")
+options.add_argument("--no-picture", action="store_true", help="the film only")
+wanted = options.parse_args()
+
+if not wanted.no_picture:
+    save_picture()
+if wanted.frames > 0:
+    save_film(wanted.frames, wanted.size)
