@@ -68,7 +68,8 @@ def make_gif(files, name, milliseconds=80):
     sheet = Image.new("RGB", (some[0].width, some[0].height * len(some)))
     for row, picture in enumerate(some):
         sheet.paste(picture, (0, row * picture.height))
-    palette = sheet.quantize(256)
+    # An octree keeps the colours of small things too, as streaks and colour bars; the median cut merges them.
+    palette = sheet.quantize(256, method=Image.Quantize.FASTOCTREE)
     first, *others = [picture.quantize(palette=palette) for picture in pictures]
     first.save(name, save_all=True, append_images=others, duration=milliseconds, loop=0, optimize=False)
     return True
