@@ -8,7 +8,8 @@ BUILD_PACKAGES=(
   paraview-dev python3-paraview # ParaView 5.11 with its VTK; they bring the program `paraview` as well
   # What ParaView's CMake package looks for, and paraview-dev does not depend on:
   libopenmpi-dev libdouble-conversion-dev libx11-dev libgl-dev libglew-dev libfreetype-dev
-  libtet1.5-dev) # TetGen (GNU AGPL 3), optional: CMake/NephoscopeTetGen.cmake
+  libtet1.5-dev  # TetGen (GNU AGPL 3), optional: CMake/NephoscopeTetGen.cmake
+  libopenvdb-dev) # OpenVDB (MPL 2.0), optional: CMake/NephoscopeOpenVDB.cmake
 RUN_PACKAGES=(
   xvfb xauth  # the virtual display
   openmpi-bin # mpiexec

@@ -1,0 +1,119 @@
+// SPDX-FileCopyrightText: The Nephoscope authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Affine maps from the indices of a lattice to places. Plain C++17.
+#ifndef nephoscope_AffineGrid_h
+#define nephoscope_AffineGrid_h
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+
+namespace nephoscope
+{
+// Rows of a 4 x 4 matrix for column vectors; the last row is (0, 0, 0, 1).
+using AffineMatrix = std::array<double, 16>;
+using AffineVector = std::array<double, 3>;
+
+inline AffineVector Column(const AffineMatrix& m, std::size_t column)
+{
+  return { { m[column], m[4 + column], m[8 + column] } };
+}
+
+inline AffineVector Apply(const AffineMatrix& m, const AffineVector& x)
+{
+  AffineVector y;
+  for (std::size_t row = 0; row < 3; ++row)
+  {
+    y[row] = m[4 * row] * x[0] + m[4 * row + 1] * x[1] + m[4 * row + 2] * x[2] + m[4 * row + 3];
+  }
+  return y;
+}
+
+inline double Product(const AffineVector& a, const AffineVector& b)
+{
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+inline double Norm(const AffineVector& a)
+{
+  return std::sqrt(Product(a, a));
+}
+
+// Edge lengths of a voxel.
+inline AffineVector Spacing(const AffineMatrix& m)
+{
+  return { { Norm(Column(m, 0)), Norm(Column(m, 1)), Norm(Column(m, 2)) } };
+}
+
+inline double VoxelVolume(const AffineMatrix& m)
+{
+  const AffineVector a = Column(m, 0), b = Column(m, 1), c = Column(m, 2);
+  return std::abs(a[0] * (b[1] * c[2] - b[2] * c[1]) + a[1] * (b[2] * c[0] - b[0] * c[2]) +
+    a[2] * (b[0] * c[1] - b[1] * c[0]));
+}
+
+// Whether the edges of a voxel meet at right angles, to a share of 1e-6: what an image can hold.
+inline bool IsRectangular(const AffineMatrix& m)
+{
+  for (std::size_t a = 0; a < 3; ++a)
+  {
+    const AffineVector u = Column(m, a), v = Column(m, (a + 1) % 3);
+    if (std::abs(Product(u, v)) > 1e-6 * Norm(u) * Norm(v))
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+// Whether two lattices are the same: edges to a share of 1e-6, places to 1e-3 of a voxel.
+inline bool IsSameLattice(const AffineMatrix& a, const AffineMatrix& b)
+{
+  const AffineVector edges = Spacing(a);
+  const double longest = *std::max_element(edges.begin(), edges.end());
+  const double shortest = *std::min_element(edges.begin(), edges.end());
+  for (std::size_t i = 0; i < 12; ++i)
+  {
+    const double tolerance = i % 4 == 3 ? 1e-3 * shortest : 1e-6 * longest;
+    if (!(std::abs(a[i] - b[i]) <= tolerance))
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+// The determinant must not be 0.
+inline AffineMatrix InverseOf(const AffineMatrix& m)
+{
+  AffineMatrix inverse{};
+  double determinant = 0;
+  for (std::size_t row = 0; row < 3; ++row)
+  {
+    for (std::size_t column = 0; column < 3; ++column)
+    {
+      // Cofactors by cyclic indices carry their sign.
+      const std::size_t r1 = (column + 1) % 3, r2 = (column + 2) % 3;
+      const std::size_t c1 = (row + 1) % 3, c2 = (row + 2) % 3;
+      inverse[4 * row + column] = m[4 * r1 + c1] * m[4 * r2 + c2] - m[4 * r1 + c2] * m[4 * r2 + c1];
+    }
+  }
+  for (std::size_t column = 0; column < 3; ++column)
+  {
+    determinant += m[column] * inverse[4 * column];
+  }
+  for (std::size_t row = 0; row < 3; ++row)
+  {
+    for (std::size_t column = 0; column < 3; ++column)
+    {
+      inverse[4 * row + column] /= determinant;
+    }
+    inverse[4 * row + 3] = -(inverse[4 * row] * m[3] + inverse[4 * row + 1] * m[7] + inverse[4 * row + 2] * m[11]);
+  }
+  inverse[15] = 1;
+  return inverse;
+}
+}
+
+#endif

@@ -1,0 +1,50 @@
+// SPDX-FileCopyrightText: The Nephoscope authors
+// SPDX-License-Identifier: BSD-3-Clause
+/** Grids of OpenVDB out of a file, and what is known of them. */
+#ifndef VdbGrids_h
+#define VdbGrids_h
+
+#include "VdbFile.h"
+
+#include <openvdb/openvdb.h>
+
+namespace nephoscope
+{
+
+/** The grids that can be read and written. */
+using VdbGridTypes = openvdb::TypeList<openvdb::FloatGrid, openvdb::DoubleGrid, openvdb::Int32Grid,
+  openvdb::Int64Grid, openvdb::BoolGrid, openvdb::MaskGrid, openvdb::Vec3SGrid, openvdb::Vec3DGrid,
+  openvdb::Vec3IGrid>;
+
+/** Makes OpenVDB ready, once in a process. */
+void StartOpenVDB();
+
+/** What an exception of OpenVDB or of the standard library says, as the end of a sentence. */
+std::string Reason(const std::exception& exception);
+
+AffineMatrix AffineOf(const openvdb::math::Transform& transform);
+openvdb::math::Transform::Ptr TransformOf(const AffineMatrix& matrix);
+
+/** What the metadata of a grid of that name tell; its voxels are not needed. */
+VdbGridInfo Describe(const openvdb::GridBase& grid, const std::string& name);
+
+/** A file that is open for reading; throws where OpenVDB does. */
+class VdbArchive
+{
+public:
+  explicit VdbArchive(const std::string& file);
+
+  std::vector<VdbGridInfo> List();
+  /** With all voxels. */
+  openvdb::GridBase::Ptr Read(const std::string& name);
+
+private:
+  std::string KeyOf(const std::string& name) const;
+  VdbGridInfo ListOne(const std::string& key);
+
+  openvdb::io::File File;
+};
+
+} // namespace nephoscope
+
+#endif

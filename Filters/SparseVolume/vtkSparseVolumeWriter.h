@@ -1,0 +1,136 @@
+// SPDX-FileCopyrightText: The Nephoscope authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkSparseVolumeWriter
+ * @brief   writes images, sparse voxels and particles as grids of a .vdb file
+ *
+ *     vtkImageData: point and cell arrays ──────────────► voxels that are not background ┐
+ *     vtkPolyData of vtkSparseVolumeReader ─────────────► the same voxels                ├─► tiles where constant ─► .vdb file
+ *     vtkPolyData, vtkUnstructuredGrid of vertices ─────► density and weighted means     ┘
+ *
+ * - Image: a grid for every array of one or three components; values up to Tolerance are background and take no memory, as hidden
+ *   points and NaN do not. Voxel centres are the points, or the centres of the cells.
+ * - Points with the field data array "IndexToWorld": voxels, as they were read.
+ * - Particles: "density" is their mass over volume, shared by the eight voxels around each so that mass and its centre are kept
+ *   (cloud in cell, HockneyEastwood1988); other arrays become means weighted with the mass.
+ *
+ * Other data are refused with a message: resample them to an image first.
+ *
+ * Scalars are of the class "fog volume", as Blender and Houdini draw them. Blender looks for grids "density", "temperature",
+ * "velocity", Houdini for "density", "temperature", "vel": rename with SetGridName. Vectors named v, or with vel or wind in the name, are
+ * marked as velocities (contravariant relative), so that Houdini turns them with the volume.
+ *
+ * A build without OpenVDB has this class, which then fails with a message that tells the remedy (vtkSparseVolumeReader::HasOpenVDB).
+ */
+#ifndef vtkSparseVolumeWriter_h
+#define vtkSparseVolumeWriter_h
+
+#include "vtkNephoscopeFiltersSparseVolumeModule.h" // for export macro
+#include "vtkWriter.h"
+
+#include <map>    // for names of grids
+#include <string> // for names
+#include <vector> // for names of arrays
+
+class VTKNEPHOSCOPEFILTERSSPARSEVOLUME_EXPORT vtkSparseVolumeWriter : public vtkWriter
+{
+public:
+  static vtkSparseVolumeWriter* New();
+  vtkTypeMacro(vtkSparseVolumeWriter, vtkWriter);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /** Path of the file; one that is there is replaced. */
+  vtkSetMacro(FileName, std::string);
+  vtkGetMacro(FileName, std::string);
+  ///@}
+
+  ///@{
+  /** Arrays to write, by name. Default: none named, which is all. */
+  void AddArrayName(const char* name);
+  void ClearArrayNames();
+  ///@}
+
+  ///@{
+  /** What the grid of an array is called. Default: as the array. "density" stands for the density of particles. */
+  void SetGridName(const char* array, const char* grid);
+  void ClearGridNames();
+  ///@}
+
+  ///@{
+  /**
+   * Values of images up to this, lengths of vectors, are background, 0; in the unit of the arrays, >= 0. Default: 0, which
+   * loses nothing.
+   */
+  vtkSetClampMacro(Tolerance, double, 0.0, VTK_DOUBLE_MAX);
+  vtkGetMacro(Tolerance, double);
+  ///@}
+
+  enum PrecisionType
+  {
+    INPUT_PRECISION = 0,
+    SINGLE_PRECISION = 1,
+    HALF_PRECISION = 2
+  };
+  ///@{
+  /**
+   * Of numbers that are not integers: as they are, in 32 bits, or in 16 (11 bits of precision, up to 65504; half the size).
+   * Default: as they are.
+   */
+  vtkSetClampMacro(Precision, int, INPUT_PRECISION, HALF_PRECISION);
+  vtkGetMacro(Precision, int);
+  void SetPrecisionToInput() { this->SetPrecision(INPUT_PRECISION); }
+  void SetPrecisionToSingle() { this->SetPrecision(SINGLE_PRECISION); }
+  void SetPrecisionToHalf() { this->SetPrecision(HALF_PRECISION); }
+  ///@}
+
+  enum CompressionType
+  {
+    NO_COMPRESSION = 0,
+    ZIP_COMPRESSION = 1,
+    BLOSC_COMPRESSION = 2
+  };
+  ///@{
+  /** Blosc is fast; Zip is slow, and OpenVDB applies it to vectors and integers alone, not to fog volumes. Default: Blosc. */
+  vtkSetClampMacro(Compression, int, NO_COMPRESSION, BLOSC_COMPRESSION);
+  vtkGetMacro(Compression, int);
+  void SetCompressionToNone() { this->SetCompression(NO_COMPRESSION); }
+  void SetCompressionToZip() { this->SetCompression(ZIP_COMPRESSION); }
+  void SetCompressionToBlosc() { this->SetCompression(BLOSC_COMPRESSION); }
+  ///@}
+
+  ///@{
+  /** Particles: edge of a voxel, in units of length. 0 (default): the mean spacing of the particles. */
+  vtkSetClampMacro(VoxelSize, double, 0.0, VTK_DOUBLE_MAX);
+  vtkGetMacro(VoxelSize, double);
+  ///@}
+
+  ///@{
+  /** Particles: point array of their masses, >= 0. Empty (default): 1 each, so that density is a number density. */
+  vtkSetMacro(MassArrayName, std::string);
+  vtkGetMacro(MassArrayName, std::string);
+  ///@}
+
+protected:
+  vtkSparseVolumeWriter() = default;
+  ~vtkSparseVolumeWriter() override = default;
+
+  void WriteData() override;
+  int FillInputPortInformation(int port, vtkInformation* info) override;
+
+  std::string FileName;
+  double Tolerance = 0.0;
+  int Precision = INPUT_PRECISION;
+  int Compression = BLOSC_COMPRESSION;
+  double VoxelSize = 0.0;
+  std::string MassArrayName;
+
+private:
+  vtkSparseVolumeWriter(const vtkSparseVolumeWriter&) = delete;
+  void operator=(const vtkSparseVolumeWriter&) = delete;
+
+  std::vector<std::string> ArrayNames;
+  std::map<std::string, std::string> GridNames;
+};
+
+#endif
