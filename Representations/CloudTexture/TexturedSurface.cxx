@@ -242,6 +242,10 @@ void addCoordinates(TexturedSurface& result, vtkPolyData* input, const TextureCh
     result.Weights[sets] = fieldValue(input, "TextureWeights", name == choice.Coordinates[0] ? 0 : 1, 0.5);
     ++sets;
   }
+  if (sets == 2 && input->GetPointData()->HasArray("TextureWeights"))
+  {
+    result.Warning += "Weights of points are not read: the weights of the field data TextureWeights hold everywhere. ";
+  }
   result.HasSecondSet = sets == 2;
   const bool areWeights = result.Weights[0] >= 0 && result.Weights[1] >= 0 && result.Weights[0] + result.Weights[1] > 0;
   if (sets < 2 || !areWeights)

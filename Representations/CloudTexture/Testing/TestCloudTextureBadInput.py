@@ -54,6 +54,11 @@ class BadInput(TextureTestCase):
     def test_negative_weights(self):
         self.expect("TextureWeights must be", sheet(CORNERS, 2 * ONE_SET, weights=(-1, 2)), drawn=True)
 
+    def test_weights_of_points(self):
+        data = sheet(CORNERS, 2 * ONE_SET, weights=(0.5, 0.5))
+        meshes.add_array(data.GetPointData(), np.full((data.GetNumberOfPoints(), 2), 0.5), "TextureWeights")
+        self.expect("Weights of points are not read", data, drawn=True)
+
     def test_nothing_to_draw(self):
         for data in (vtkPolyData(), meshes.particles(np.zeros((0, 3))), meshes.surface(np.zeros((3, 3)), [(0, 1, 2)])):
             messages, brightest = self.messages(data)
