@@ -13,6 +13,7 @@
 #include "vtkMediumRepresentation.h"
 #include "vtkNephoscopeParaViewRepresentationsModule.h" // for export macro
 
+class vtkScalarsToColors;
 class vtkTexturedSplatMapper;
 
 class VTKNEPHOSCOPEPARAVIEWREPRESENTATIONS_EXPORT vtkTexturedSplatsRepresentation
@@ -33,7 +34,19 @@ public:
   void SetUseVectorColor(bool use);
   void SetVectorColor(double red, double green, double blue);
   void SetPhaseCycles(int cycles);
+  void SetVectorStyle(int style);
+  void SetVectorPlacement(int placement);
+  void SetLayerAxis(int axis);
+  void SetVectorUnit(double length);
+  void SetStreakWidth(double width);
+  void SetSegmentLength(double length);
+  void SetSegmentWidth(double pixels);
+  void SetPhaseSteps(int steps);
+  void SetVectorColorFunction(vtkScalarsToColors* function);
   ///@}
+
+  /** Array that gives the vectors a colour of their own; empty or "None" (default): as the splats, or VectorColor. */
+  void SetVectorColorArray(const char* name);
 
   /** Array of vectors that are drawn as streaks; empty or "None" (default): no streaks. */
   void SetVectorArray(const char* name);
