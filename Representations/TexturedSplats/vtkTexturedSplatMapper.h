@@ -246,7 +246,8 @@ public:
    * the mean of their vectors. Ignored where vectors are in layers.
    *
    * Extinction and emission are averaged, so that mass is kept. Unit:
-   * - Image (default): optical depth along the ray through the block, depending on the view; 0.1 changes opacity by 0.1 at the most.
+   * - Image (default): optical depth along the ray through the block, depending on the view. It is that of each
+   *   block: those that a ray meets add up.
    * - Data: value of the opacity function, or share of GreatestSpeed; the same in every view.
    */
   vtkSetClampMacro(ErrorTolerance, double, 0.0, VTK_DOUBLE_MAX);
