@@ -7,7 +7,9 @@
 
 #include "vtkDataSet.h"
 #include "vtkDataSetAttributes.h"
+#include "vtkFieldData.h"
 #include "vtkMath.h"
+#include "vtkPointData.h"
 #include "vtkSMPThreadLocal.h"
 #include "vtkSMPTools.h"
 #include "vtkUnsignedCharArray.h"
@@ -65,10 +67,38 @@ SplatShapes::SplatShapes(vtkDataSet* data, const SplatSampling& sampling)
     double bounds[6];
     data->GetCellBounds(0, bounds); // so that calls from threads find it prepared
   }
-  if (!this->Grid.IsGrid() && !(this->CellSize > 0))
+  if (this->Grid.IsGrid() || (!(this->CellSize > 0) && this->FindVoxels()))
   {
-    this->CellSize = this->FindMeanSpacing();
+    return;
   }
+  const double edge = this->CellSize > 0 ? this->CellSize : this->FindMeanSpacing();
+  this->Voxel = { { { { edge, 0, 0 } }, { { 0, edge, 0 } }, { { 0, 0, edge } } } };
+}
+
+// Whether the samples are voxels of a sparse volume; then their shape is found.
+bool SplatShapes::FindVoxels()
+{
+  vtkDataArray* matrix = this->Data->GetFieldData()->GetArray("IndexToWorld");
+  if (this->OnCells || !matrix || matrix->GetNumberOfComponents() != 16 ||
+    matrix->GetNumberOfTuples() != 1)
+  {
+    return false;
+  }
+  for (int column = 0; column < 3; ++column)
+  {
+    for (int row = 0; row < 3; ++row)
+    {
+      this->Voxel[column][row] = matrix->GetComponent(0, 4 * row + column);
+    }
+  }
+  const double volume = std::abs(Determinant(this->Voxel));
+  if (!(volume > 0) || !std::isfinite(volume))
+  {
+    return false;
+  }
+  vtkDataArray* scale = this->Data->GetPointData()->GetArray("VoxelScale");
+  this->Scale = scale && scale->GetNumberOfComponents() == 1 ? scale : nullptr;
+  return true;
 }
 
 bool SplatShapes::IsVisible(vtkIdType id) const
@@ -96,11 +126,16 @@ SplatVector SplatShapes::Place(vtkIdType id) const
 
 SplatMatrix SplatShapes::Jacobian(vtkIdType id) const
 {
-  const double edge = this->CellSize;
-  return WithoutFlatColumns(this->Grid.IsGrid()
-      ? this->Grid.Jacobian(id)
-      : SplatMatrix{ { { { edge, 0, 0 } }, { { 0, edge, 0 } }, { { 0, 0, edge } } } },
-    flatShare);
+  SplatMatrix jacobian = this->Grid.IsGrid() ? this->Grid.Jacobian(id) : this->Voxel;
+  const double scale = this->Scale ? this->Scale->GetComponent(id, 0) : 1;
+  for (SplatVector& column : jacobian)
+  {
+    for (double& component : column)
+    {
+      component *= scale;
+    }
+  }
+  return WithoutFlatColumns(jacobian, flatShare);
 }
 
 double SplatShapes::FindMeanSpacing() const

@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * Where each sample of a dataset is and which shape its splat has, without making a list of them.
+ *
+ * Points that are voxels of a sparse volume have the shape of a voxel, where no cell size is asked for: the columns of the matrix in the
+ * field data array "IndexToWorld" (16 numbers, row by row), times the point array "VoxelScale" if there is one.
  */
 #ifndef SplatShapes_h
 #define SplatShapes_h
@@ -12,6 +15,7 @@
 #include "vtkNephoscopeRepresentationsTexturedSplatsModule.h" // for export macro
 #include "vtkType.h"
 
+class vtkDataArray;
 class vtkDataSet;
 class vtkUnsignedCharArray;
 
@@ -21,7 +25,7 @@ namespace nephoscope
 struct SplatSampling
 {
   bool OnCells = false;
-  double CellSize = 0; ///< edge of the cell of samples without a grid; 0: the mean spacing
+  double CellSize = 0; ///< edge of the cell of samples without a grid; 0: that of its voxel, or the mean spacing
 };
 
 class VTKNEPHOSCOPEREPRESENTATIONSTEXTUREDSPLATS_EXPORT SplatShapes
@@ -38,12 +42,13 @@ public:
   SplatVector Place(vtkIdType id) const;
   /** Edges of the sample's cell; none is so short that the splat would be flat. */
   SplatMatrix Jacobian(vtkIdType id) const;
-  bool HaveOneShape() const { return !this->Grid.IsGrid() || this->Grid.IsUniform(); }
+  bool HaveOneShape() const { return this->Grid.IsGrid() ? this->Grid.IsUniform() : !this->Scale; }
   bool AreOfGrid() const { return this->Grid.IsGrid(); }
   const GridSamples& GetGrid() const { return this->Grid; }
 
 private:
   double FindMeanSpacing() const;
+  bool FindVoxels();
 
   vtkDataSet* Data;
   bool OnCells;
@@ -51,6 +56,8 @@ private:
   vtkUnsignedCharArray* Ghosts;
   vtkIdType Count;
   double CellSize;
+  SplatMatrix Voxel{};           // the shape of samples without a grid
+  vtkDataArray* Scale = nullptr; // of voxels of several sizes
 };
 
 /** Bounds of the splats of visible samples: all that kernels of that radius (in cells) reach. Invalid bounds if there are none. */
