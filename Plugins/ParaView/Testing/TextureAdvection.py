@@ -1,0 +1,70 @@
+# SPDX-FileCopyrightText: The Nephoscope authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Texture Coordinate Advection in ParaView: menu, defaults, help, settings that arrive, a steady wind animated, points."""
+import nephoscope
+import numpy as np
+from PluginDefinitions import definition, nested, own_properties
+from PluginTesting import GFS, check, load_plugin, passed, pvs, servermanager
+from vtkmodules.util.numpy_support import vtk_to_numpy
+
+NAME = "TextureCoordinateAdvection"
+INFORMATION = {"TimestepValues", "TimeRange"}
+UNITS = ("(times in s)", "(velocity in length/s, times in s, pressure in Pa)", "(lengths)", "(1/s)")  # of the groups
+
+
+def check_definition():
+    element = definition("filters", NAME)
+    check(nested(element, "Hints")[0].GetNestedElement(0).GetAttribute("category") == "Nephoscope", "not in the menu Nephoscope")
+    properties = own_properties(element)
+    filter_ = nephoscope.vtkTextureCoordinateAdvection()
+    settable = {n[3:] for n in dir(filter_) if n.startswith("Get") and hasattr(filter_, "Set" + n[3:])}
+    inherited = {n[3:] for n in dir(nephoscope.vtkTextureCoordinateAdvection.__bases__[0]) if n.startswith("Get")}
+    expected = (settable - inherited) | {"SelectInputVectors"}
+    check(expected == set(properties) - INFORMATION, f"C++ and XML differ in {sorted(expected ^ (set(properties) - INFORMATION))}")
+    for name in settable - inherited:
+        text, value = properties[name].GetAttribute("default_values"), getattr(filter_, "Get" + name)()
+        check((text if isinstance(value, str) else float(text)) == value, f"{name}: XML {text!r}, C++ {value!r}")
+    for name, property_ in properties.items():
+        check(nested(property_, "Documentation"), f"{name} has no help")
+    labels = [g.GetAttribute("label") for g in nested(element, "PropertyGroup")]
+    check(all(label.endswith(unit) for label, unit in zip(labels, UNITS)), f"groups without units: {labels}")
+    grouped = {p.GetAttribute("name") for g in nested(element, "PropertyGroup") for p in nested(g, "Property")}
+    check(grouped == set(properties) - INFORMATION, f"not in a group: {sorted(grouped ^ (set(properties) - INFORMATION))}")
+
+
+def fetched(proxy, time):
+    pvs.UpdatePipeline(time=time, proxy=proxy)
+    data = servermanager.Fetch(proxy)
+    values = data.GetPointData().GetArray("TextureCoordinates1")
+    check(values is not None, "no coordinates")
+    return vtk_to_numpy(values), vtk_to_numpy(data.GetFieldData().GetArray("TextureWeights"))
+
+
+def main():
+    load_plugin()
+    check_definition()
+    weather = pvs.NetCDFReader(FileName=[GFS], SphericalCoordinates=0)
+    weather.Dimensions = "(lev, lat, lon)"
+    globe = pvs.GlobeGrid(Input=weather, VerticalExaggeration=40)
+    globe.UpdatePipeline()
+    texture = pvs.TextureCoordinateAdvection(Input=globe, TimeScale=86400)
+    texture.UpdatePipelineInformation()
+    texture.SMProxy.UpdatePropertyInformation()
+    first, last = (texture.SMProxy.GetProperty("TimeRange").GetElement(i) for i in (0, 1))
+    check(abs(last - first - 1) < 1e-9, f"a steady wind has the range {first} to {last}")
+    check(list(texture.Velocity) == ["POINTS", "DisplayVelocity"], f"the velocity is {list(texture.Velocity)}")
+    start, weights = fetched(texture, first)
+    check(list(weights) == [0, 1], f"weights {weights} at the start")
+    moved, weights = fetched(texture, first + 0.25)
+    check(np.allclose(weights, 0.5) and not np.array_equal(start, moved), "the texture does not move")
+    texture.Integrator = "Euler"
+    euler, _ = fetched(texture, first + 0.25)
+    check(not np.array_equal(euler, moved), "Integrator does not arrive")
+    clouds = pvs.CloudSurface(Input=texture, ContourBy=["POINTS", "cloud_fraction"], ContourValues=[0.15])
+    surface, _ = fetched(clouds, first + 0.25)
+    check(len(surface) > 1000, "the surface does not carry the coordinates")
+    passed()
+
+
+if __name__ == "__main__":
+    main()
