@@ -6,6 +6,7 @@
 #include "SplatSamples.h"
 #include "ViewState.h"
 
+#include <algorithm>
 #include <cmath>
 #include <tuple>
 
@@ -68,6 +69,19 @@ bool SplatHierarchy::Select(const SplatCutRule& rule, const SplatCutView& view)
   this->LastView = view;
   this->Selected = true;
   return true;
+}
+
+double SplatHierarchy::LongestDrawn(const SplatSamples& samples) const
+{
+  double longest = samples.LongestEdge;
+  for (const std::int32_t splat : this->Drawn)
+  {
+    if (!this->Nodes.IsLeaf(splat))
+    {
+      longest = std::max<double>(longest, this->Nodes.Node(splat).LongestEdge);
+    }
+  }
+  return longest;
 }
 
 } // namespace nephoscope

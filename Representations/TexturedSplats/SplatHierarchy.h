@@ -41,6 +41,8 @@ public:
   const std::vector<std::int32_t>& Cut() const { return this->Drawn; }
   /** Of leaves and nodes, by their numbers. */
   const std::vector<std::array<float, 3>>& Positions() const { return this->Places; }
+  /** The greatest stretch of a Jacobian of what is drawn, that of the samples at least. */
+  double LongestDrawn(const SplatSamples& samples) const;
   double DrawnTolerance() const { return this->Tolerance; }
 
 private:

@@ -79,6 +79,19 @@ inline double FootprintPolynomial(double q)
   return q < 1.0 ? (1.0 - q) * (1.0 - q) * (1.0 - q) * sum : 0.0;
 }
 
+// The share of the kernel along a ray that lies before a cut, in half chords from -1 to 1, for shaders: with x = |cut| it is
+// (1 - x)^3 (1/2 + x (c0 + c1 q + x (c2 + c3 q))) on the far side, to 8e-4 of a splat's peak.
+constexpr std::array<double, 4> shareCoefficients = { { 0.265042, 0.417971, -0.843034, 0.106023 } };
+
+inline double ShareBefore(double cut, double q)
+{
+  const auto& c = shareCoefficients;
+  const double x = std::min(std::abs(cut), 1.0);
+  const double behind = (1.0 - x) * (1.0 - x) * (1.0 - x) *
+    (0.5 + x * (c[0] + c[1] * q + x * (c[2] + c[3] * q)));
+  return cut < 0.0 ? behind : 1.0 - behind;
+}
+
 // Mean square distance from the centre along one axis, weighted by the kernel.
 constexpr double variance = 0.199406;
 }

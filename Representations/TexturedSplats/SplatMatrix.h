@@ -4,6 +4,7 @@
 #ifndef nephoscope_SplatMatrix_h
 #define nephoscope_SplatMatrix_h
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -46,6 +47,26 @@ inline SplatVector Times(const SplatMatrix& m, const SplatVector& v)
 inline double Determinant(const SplatMatrix& m)
 {
   return Dot(m[0], Cross(m[1], m[2]));
+}
+
+// Largest factor by which a matrix stretches a vector.
+inline double LargestStretch(const SplatMatrix& m)
+{
+  const double a = Dot(m[0], m[0]), b = Dot(m[1], m[1]), c = Dot(m[2], m[2]);
+  const double d = Dot(m[0], m[1]), e = Dot(m[1], m[2]), f = Dot(m[0], m[2]);
+  const double mean = (a + b + c) / 3.0;
+  const double square = ((a - mean) * (a - mean) + (b - mean) * (b - mean) + (c - mean) * (c - mean) +
+                          2.0 * (d * d + e * e + f * f)) / 6.0;
+  if (square <= 0.0)
+  {
+    return std::sqrt(mean);
+  }
+  // The eigenvalues of a symmetric matrix, by the roots of a cubic in closed form (Smith 1961).
+  const double p = std::sqrt(square);
+  const double x = (a - mean) / p, y = (b - mean) / p, z = (c - mean) / p;
+  const double u = d / p, v = e / p, w = f / p;
+  const double half = 0.5 * (x * (y * z - v * v) - u * (u * z - v * w) + w * (u * v - y * w));
+  return std::sqrt(mean + 2.0 * p * std::cos(std::acos(std::clamp(half, -1.0, 1.0)) / 3.0));
 }
 
 // The determinant must not be 0.

@@ -31,6 +31,13 @@ struct Keyed
   std::int32_t Item;
 };
 
+double squareDistance(
+  const std::array<float, 3>& p, const SplatEye& eye, const SplatMetric& metric)
+{
+  const SplatVector d = { { p[0] - eye[0], p[1] - eye[1], p[2] - eye[2] } };
+  return Dot(d, Times(metric, d));
+}
+
 template <typename Body>
 void forBlocks(std::size_t count, Body body)
 {
@@ -98,7 +105,7 @@ std::vector<std::int32_t> SortKeys(std::vector<std::uint32_t>& keys)
 
 std::size_t CountNear(const std::vector<std::array<float, 3>>& positions,
   const std::vector<std::int32_t>& samples, const std::vector<std::int32_t>& order,
-  const SplatEye& eye, double distance)
+  const SplatEye& eye, double distance, const SplatMetric& metric)
 {
   if (eye[3] == 0)
   {
@@ -106,15 +113,15 @@ std::size_t CountNear(const std::vector<std::array<float, 3>>& positions,
   }
   const auto first = std::partition_point(order.begin(), order.end(), [&](std::int32_t item) {
     const auto& p = positions[static_cast<std::size_t>(samples[static_cast<std::size_t>(item)])];
-    const double d[3] = { p[0] - eye[0], p[1] - eye[1], p[2] - eye[2] };
-    return d[0] * d[0] + d[1] * d[1] + d[2] * d[2] > distance * distance;
+    return squareDistance(p, eye, metric) > distance * distance;
   });
   return static_cast<std::size_t>(order.end() - first);
 }
 
 std::vector<std::int32_t> OrderSplats(const std::vector<std::array<float, 3>>& positions,
-  const std::vector<std::int32_t>& samples, const SplatEye& eye)
+  const std::vector<std::int32_t>& samples, const SplatEye& eye, const SplatMetric& metric)
 {
+  const SplatVector towards = Times(metric, { { eye[0], eye[1], eye[2] } });
   std::vector<std::uint32_t> keys(samples.size());
   forBlocks(keys.size(), [&](std::size_t, std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i)
@@ -123,12 +130,11 @@ std::vector<std::int32_t> OrderSplats(const std::vector<std::array<float, 3>>& p
       double nearness;
       if (eye[3] == 0)
       {
-        nearness = p[0] * eye[0] + p[1] * eye[1] + p[2] * eye[2];
+        nearness = p[0] * towards[0] + p[1] * towards[1] + p[2] * towards[2];
       }
       else
       {
-        const double d[3] = { p[0] - eye[0], p[1] - eye[1], p[2] - eye[2] };
-        nearness = -(d[0] * d[0] + d[1] * d[1] + d[2] * d[2]);
+        nearness = -squareDistance(p, eye, metric);
       }
       keys[i] = sortable(static_cast<float>(nearness));
     }

@@ -4,16 +4,21 @@
 
 #include "SplatPass.h"
 
+#include "PointMargin.h"
 #include "SplatClasses.h"
 #include "SplatSamples.h"
 #include "SplatTree.h"
 #include "VectorTexture.h"
 #include "ViewState.h"
 
+#include "OpaquePixelsFragment.h"
+#include "OpaquePixelsVertex.h"
 #include "SplatCell.h"
 #include "SplatFootprint.h"
 #include "TexturedSplatFragment.h"
 #include "TexturedSplatGeometry.h"
+#include "TexturedSplatPointFragment.h"
+#include "TexturedSplatPointVertex.h"
 #include "TexturedSplatVertex.h"
 #include "VectorSplatGeometry.h"
 #include "VectorTextureShader.h"
@@ -28,6 +33,7 @@
 
 #include <algorithm>
 #include <array>
+#include <memory>
 #include <sstream>
 
 namespace nephoscope
@@ -61,13 +67,18 @@ std::string textureConstants()
   return text.str();
 }
 
-std::string shaderConstants(const SplatDrawingOptions& options, bool jacobianPerSplat, bool nearEye)
+std::string shaderConstants(const SplatDrawingOptions& options, const SplatPass::Variant& variant)
 {
+  const bool nearEye = variant.As == SplatPass::Way::Viewport;
+  const bool firstOrder = variant.As == SplatPass::Way::FarPoints && !variant.Parallel;
   const bool vectors = options.Vectors && !nearEye;
   std::ostringstream text;
   text.precision(9);
   text << std::showpoint
-       << "const bool jacobianPerSplat = " << (jacobianPerSplat ? "true" : "false") << ";\n"
+       << "const bool jacobianPerSplat = " << (variant.JacobianPerSplat ? "true" : "false") << ";\n"
+       << "const bool parallelRays = " << (variant.Parallel ? "true" : "false") << ";\n"
+       << "const bool cutByOpaque = " << (variant.Cut ? "true" : "false") << ";\n"
+       << "const bool firstOrder = " << (firstOrder ? "true" : "false") << ";\n"
        << "const int kernel = " << static_cast<int>(options.Kernel) << ";\n"
        << "const bool nearEye = " << (nearEye ? "true" : "false") << ";\n"
        << "const bool drawSegments = " << (options.Segments ? "true" : "false") << ";\n"
@@ -79,6 +90,10 @@ std::string shaderConstants(const SplatDrawingOptions& options, bool jacobianPer
   {
     text << "#define CUBIC" << i << " (" << cubic_kernel::footprintCoefficients[i] << ")\n";
   }
+  for (std::size_t i = 0; i < cubic_kernel::shareCoefficients.size(); ++i)
+  {
+    text << "#define SHARE" << i << " (" << cubic_kernel::shareCoefficients[i] << ")\n";
+  }
   text << "#define QUADRATIC_INNER_RADIUS " << quadratic_kernel::innerRadius << "\n"
        << "#define QUADRATIC_INNER " << quadratic_kernel::inner << "\n"
        << "#define QUADRATIC_OUTER " << quadratic_kernel::outer << "\n"
@@ -87,7 +102,7 @@ std::string shaderConstants(const SplatDrawingOptions& options, bool jacobianPer
        << 0.5 * gaussian_kernel::radius * gaussian_kernel::radius / gaussian_kernel::variance
        << "\n";
   text << "#define FOOTPRINT_PEAK " << KernelFootprint(options.Kernel, 0.0) << "\n"
-       << "#define MEDIUM 0\n#define HALF_MEDIUM 1\n#define STREAKS 2\n#define SEGMENT 3\n";
+       << "#define MEDIUM 0\n#define HALF_MEDIUM 1\n#define STREAKS 2\n#define SEGMENT 3\n#define VIEWPORT 4\n";
   return text.str() + (vectors ? textureConstants() : std::string());
 }
 
@@ -103,6 +118,20 @@ std::string specialized(const char* shader, const std::string& constants)
 }
 
 using Float4 = std::array<float, 4>;
+
+// The ray (X, Y, -1) through a pixel at (px, py): X = x + z px, Y = y + w py.
+Float4 rayOfPixel(vtkMatrix4x4* viewToDevice, const float pixelsPerDevice[2])
+{
+  Float4 ray;
+  for (int i = 0; i < 2; ++i)
+  {
+    const double scale = viewToDevice->GetElement(i, i);
+    const auto axis = static_cast<std::size_t>(i);
+    ray[axis] = static_cast<float>((viewToDevice->GetElement(i, 2) - 1.0) / scale);
+    ray[axis + 2] = static_cast<float>(1.0 / (pixelsPerDevice[i] * scale));
+  }
+  return ray;
+}
 
 // Columns of J with the centre in the fourth components.
 void packCell(const SplatSamples::Jacobian& j, const SplatSamples::Float3& p, std::vector<Float4>& packed)
@@ -192,43 +221,96 @@ std::string SplatPass::Draw(
     this->PixelsPerDevice[1] = 0.5f * static_cast<float>(viewport[3]);
     opaqueDepth.GetTexture()->Activate();
     this->DepthUnit = opaqueDepth.GetTexture()->GetTextureUnit();
-    std::string error = this->DrawRange(window, view, options, false);
-    if (error.empty() && options.NearSplats > 0)
-    {
-      error = this->DrawRange(window, view, options, true);
-    }
+    const std::string error = this->DrawAll(window, view, options);
     opaqueDepth.GetTexture()->Deactivate();
     return error;
   });
 }
 
-std::string SplatPass::DrawRange(vtkOpenGLRenderWindow* window, const SceneView& view,
-  const SplatDrawingOptions& options, bool nearEye)
+std::string SplatPass::DrawAll(
+  vtkOpenGLRenderWindow* window, const SceneView& view, const SplatDrawingOptions& options)
 {
-  const std::string constants = shaderConstants(options, this->JacobianPerSplat, nearEye);
-  vtkShaderProgram* program = window->GetShaderCache()->ReadyShaderProgram(
-    specialized(TexturedSplatVertex, constants).c_str(),
-    specialized(TexturedSplatFragment, constants).c_str(),
-    specialized(TexturedSplatGeometry, constants).c_str());
+  Variant variant;
+  variant.JacobianPerSplat = this->JacobianPerSplat;
+  variant.Parallel = view.EyeView[3] == 0;
+  variant.Cut = this->HasOpaquePixels(window);
+  const std::size_t ends[] = { options.CloserSplats, options.LargeSplats, options.NearSplats, 0 };
+  const Way ways[] = { Way::FarPoints, Way::Points, Way::Quads, Way::Viewport };
+  std::string error;
+  std::size_t begin = 0;
+  for (std::size_t i = 0; i < 4 && error.empty(); ++i)
+  {
+    const std::size_t end = this->Count - std::min(ends[i], this->Count);
+    if (end > begin)
+    {
+      variant.As = ways[i];
+      error = this->DrawRange(window, view, options, variant, { { begin, end } });
+      begin = end;
+    }
+  }
+  return error;
+}
+
+// Looking at the opaque depth costs as much as all else that is done for a pixel: it is left out where there is nothing to see.
+bool SplatPass::HasOpaquePixels(vtkOpenGLRenderWindow* window)
+{
+  vtkShaderProgram* program =
+    window->GetShaderCache()->ReadyShaderProgram(OpaquePixelsVertex, OpaquePixelsFragment, "");
   if (!program)
   {
-    return "the shaders did not compile";
+    return true;
   }
+  this->Bind(program);
+  program->SetUniformi("opaqueDepth", this->DepthUnit);
+  GLuint query = 0, samples = 0;
+  glGenQueries(1, &query);
+  glBeginQuery(GL_SAMPLES_PASSED, query);
+  glDrawArrays(GL_TRIANGLES, 0, 3);
+  glEndQuery(GL_SAMPLES_PASSED);
+  glGetQueryObjectuiv(query, GL_QUERY_RESULT, &samples);
+  glDeleteQueries(1, &query);
+  this->VertexArray->Release();
+  return samples > 0;
+}
+
+void SplatPass::Bind(vtkShaderProgram* program)
+{
   if (program != this->Program)
   {
     this->Program = program;
     this->VertexArray->ShaderProgramChanged();
   }
   this->VertexArray->Bind();
+}
+
+std::string SplatPass::DrawRange(vtkOpenGLRenderWindow* window, const SceneView& view,
+  const SplatDrawingOptions& options, const Variant& variant, const std::array<std::size_t, 2>& range)
+{
+  const std::string constants = shaderConstants(options, variant);
+  const bool points = variant.As == Way::FarPoints || variant.As == Way::Points;
+  vtkShaderProgram* program = window->GetShaderCache()->ReadyShaderProgram(
+    specialized(points ? TexturedSplatPointVertex : TexturedSplatVertex, constants).c_str(),
+    specialized(points ? TexturedSplatPointFragment : TexturedSplatFragment, constants).c_str(),
+    points ? "" : specialized(TexturedSplatGeometry, constants).c_str());
+  if (!program)
+  {
+    return "the shaders did not compile";
+  }
+  this->Bind(program);
   this->SetUniforms(program, view, options);
   program->SetUniformi("splats", this->Splats.Activate());
   program->SetUniformi("splatColors", this->Colors.Activate());
   program->SetUniformi("drawingOrder", this->Order.Activate());
   program->SetUniformi("splatVectors", this->Vectors.Activate());
   program->SetUniformi("vectorColors", this->VectorColors.Activate());
-  const std::size_t far = this->Count - std::min(options.NearSplats, this->Count);
-  glDrawArrays(GL_POINTS, static_cast<GLint>(nearEye ? far : 0),
-    static_cast<GLsizei>(nearEye ? this->Count - far : far));
+  {
+    const std::unique_ptr<PointMargin> margin(points ? new PointMargin(window->GetState(),
+                                                         static_cast<int>(2 * this->PixelsPerDevice[0]),
+                                                         static_cast<int>(2 * this->PixelsPerDevice[1]), LargestPoint / 2)
+                                                     : nullptr);
+    glDrawArrays(
+      GL_POINTS, static_cast<GLint>(range[0]), static_cast<GLsizei>(range[1] - range[0]));
+  }
   this->Splats.Deactivate();
   this->Colors.Deactivate();
   this->Order.Deactivate();
@@ -248,7 +330,6 @@ void SplatPass::SetUniforms(
   program->SetUniformMatrix("VCToDC", transposed);
   program->SetUniformMatrix3x3("sharedJacobian", const_cast<float*>(this->SharedJacobian));
   program->SetUniformi("firstNode", this->FirstNode);
-  program->SetUniformi("parallelRays", view.EyeView[3] == 0);
   program->SetUniformf("kernelRadius", static_cast<float>(KernelRadius(options.Kernel)));
   program->SetUniformf("extinctionScale", static_cast<float>(options.ExtinctionScale));
   program->SetUniformf("greatestSpeed", static_cast<float>(options.GreatestSpeed));
@@ -261,6 +342,10 @@ void SplatPass::SetUniforms(
   program->SetUniformf("segmentLength", static_cast<float>(options.SegmentLength));
   program->SetUniformf("segmentWidth", static_cast<float>(options.SegmentWidth));
   program->SetUniform2f("pixelsPerDC", this->PixelsPerDevice);
+  const float within[2] = { this->PixelsPerDevice[0] / (this->PixelsPerDevice[0] + LargestPoint / 2),
+    this->PixelsPerDevice[1] / (this->PixelsPerDevice[1] + LargestPoint / 2) };
+  program->SetUniform2f("withinMargin", within);
+  program->SetUniform4f("rayOfPixel", rayOfPixel(view.ViewToDevice, this->PixelsPerDevice).data());
   program->SetUniformi("opaqueDepth", this->DepthUnit);
   program->SetUniform4f("depthToVC", depthToView(view.ViewToDevice).data());
 }

@@ -12,6 +12,7 @@
 
 #include <array>
 #include <cstdint>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -33,7 +34,11 @@ struct SplatDrawingOptions
 {
   SplatKernel Kernel = SplatKernel::Cubic;
   double ExtinctionScale = 1.0;
-  std::size_t NearSplats = 0; // the last ones of the order: so near that the eye may be inside
+  // Of the order, the last ones, each number with those before it (SplatRanges.h): so near that the eye may be inside; too large to be
+  // points; too close to be drawn to first order. The default: all are drawn as parallelograms.
+  std::size_t NearSplats = 0;
+  std::size_t LargeSplats = std::numeric_limits<std::size_t>::max();
+  std::size_t CloserSplats = std::numeric_limits<std::size_t>::max();
   bool Vectors = false;
   bool Segments = false;      // instead of streaks
   bool MediaApart = false;    // the order holds vectors as items of their own
@@ -72,9 +77,32 @@ public:
   }
   void ReleaseGraphicsResources(vtkWindow* window);
 
+  static constexpr int LargestPoint = 128; ///< pixels across
+
+  /** How a range of splats is drawn: as points, as parallelograms, or, around the eye, over the whole viewport. */
+  enum class Way
+  {
+    FarPoints, ///< to first order in size over distance
+    Points,
+    Quads,
+    Viewport
+  };
+  struct Variant ///< of the shaders
+  {
+    Way As = Way::Quads;
+    bool JacobianPerSplat = false;
+    bool Parallel = false;
+    bool Cut = true; ///< by opaque geometry
+  };
+
 private:
+  std::string DrawAll(
+    vtkOpenGLRenderWindow* window, const SceneView& view, const SplatDrawingOptions& options);
   std::string DrawRange(vtkOpenGLRenderWindow* window, const SceneView& view,
-    const SplatDrawingOptions& options, bool nearEye);
+    const SplatDrawingOptions& options, const Variant& variant,
+    const std::array<std::size_t, 2>& range);
+  bool HasOpaquePixels(vtkOpenGLRenderWindow* window);
+  void Bind(vtkShaderProgram* program);
   void SetUniforms(
     vtkShaderProgram* program, const SceneView& view, const SplatDrawingOptions& options) const;
 

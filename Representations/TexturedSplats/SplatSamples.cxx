@@ -148,13 +148,13 @@ SplatSamples FindSplatSamples(vtkDataSet* data, const SplatSampling& sampling, s
     [&](std::size_t i) { samples.Jacobians[i] = toFloat(shapes.Jacobian(samples.Ids[i])); });
   for (const SplatSamples::Jacobian& jacobian : samples.Jacobians)
   {
-    for (const auto& e : jacobian)
+    SplatMatrix matrix;
+    for (std::size_t c = 0; c < 3; ++c)
     {
-      samples.LongestEdge =
-        std::max<double>(samples.LongestEdge, e[0] * e[0] + e[1] * e[1] + e[2] * e[2]);
+      matrix[c] = { { jacobian[c][0], jacobian[c][1], jacobian[c][2] } };
     }
+    samples.LongestEdge = std::max(samples.LongestEdge, LargestStretch(matrix));
   }
-  samples.LongestEdge = std::sqrt(samples.LongestEdge);
   return samples;
 }
 

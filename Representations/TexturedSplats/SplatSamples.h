@@ -35,7 +35,7 @@ struct SplatSamples
   std::vector<Jacobian> Jacobians; ///< one for each sample, or a single one for all
   std::vector<vtkIdType> Ids;      ///< of the point or cell
 
-  double LongestEdge = 0; ///< of all Jacobians
+  double LongestEdge = 0; ///< largest factor by which any Jacobian stretches a length
   int Dimensions[3] = { 0, 0, 0 }; ///< of the structured grid whose samples these are: Ids count along x, y, z
 
   std::size_t Size() const { return this->Positions.size(); }

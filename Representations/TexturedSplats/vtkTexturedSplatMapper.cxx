@@ -10,6 +10,7 @@
 #include "SplatLayers.h"
 #include "SplatOrder.h"
 #include "SplatPass.h"
+#include "SplatRanges.h"
 #include "SplatSamples.h"
 #include "SplatVectorScene.h"
 #include "ViewState.h"
@@ -56,6 +57,7 @@ struct vtkTexturedSplatMapper::vtkInternals
   nephoscope::SplatClasses Classes;
   nephoscope::SplatVectorScene VectorScene;
   nephoscope::SplatEye Eye{ { 0, 0, 0, -1 } }; // none
+  nephoscope::SplatMetric Metric = nephoscope::UnitMetric;
   std::vector<std::int32_t> Order;
   using LayerKey = std::tuple<bool, int, std::size_t>;
   LayerKey LayeredBy{ false, 0, 0 };
@@ -128,15 +130,17 @@ struct vtkTexturedSplatMapper::vtkInternals
     this->DrawsHierarchy = hierarchy;
   }
 
-  void UpdateOrder(const nephoscope::SplatEye& eye)
+  void UpdateOrder(const nephoscope::SplatEye& eye, const nephoscope::SplatMetric& metric)
   {
-    if (eye == this->Eye && this->Order.size() == this->Drawn().size())
+    if (eye == this->Eye && metric == this->Metric && this->Order.size() == this->Drawn().size())
     {
       return;
     }
-    withThreads(
-      [&]() { this->Order = nephoscope::OrderSplats(this->Places(), this->Drawn(), eye); });
+    withThreads([&]() {
+      this->Order = nephoscope::OrderSplats(this->Places(), this->Drawn(), eye, metric);
+    });
     this->Eye = eye;
+    this->Metric = metric;
     this->OrderUploaded = false;
     this->LayeredBy = LayerKey();
   }
@@ -425,15 +429,15 @@ std::string vtkTexturedSplatMapper::DrawScene(
   vtkInternals& self = *this->Internals;
   const nephoscope::ViewState state(renderer, volume, self.Samples.Center);
   self.SetDrawsHierarchy(this->SelectSplats(renderer, volume, state));
-  self.UpdateOrder(state.EyeModel);
+  self.UpdateOrder(state.EyeModel, nephoscope::MetricOf(nephoscope::ToViewMatrix(state.View)));
   nephoscope::SplatDrawingOptions options;
   options.Kernel = static_cast<nephoscope::SplatKernel>(this->Kernel);
   options.ExtinctionScale = this->OpacityScale;
-  // Seen along its longest edge a cell holds the eye up to the kernel's radius; a little farther it still fills the view.
-  const double near = 1.3 * nephoscope::KernelRadius(options.Kernel) * self.Samples.LongestEdge;
-  options.NearSplats = nephoscope::CountNear(
-    self.Places(), self.Drawn(), self.Order, state.EyeModel, near);
   this->SetVectorOptions(options);
+  const double longest =
+    self.DrawsHierarchy ? self.Hierarchy.LongestDrawn(self.Samples) : self.Samples.LongestEdge;
+  nephoscope::FindSplatRanges({ self.Places(), self.Drawn(), self.Order, longest }, self.Samples,
+    state.View, renderer->GetSize(), options);
   self.UpdateLayers(
     options.MediaApart, this->GetDataSetInput(), this->LayerAxis, options.NearSplats);
   const std::string error = this->Upload(window);

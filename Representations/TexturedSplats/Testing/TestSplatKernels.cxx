@@ -92,6 +92,24 @@ TEST(CubicKernel, PolynomialIsTheFootprint)
   }
 }
 
+TEST(CubicKernel, ShareBeforeACutIsTheIntegral)
+{
+  using namespace nephoscope::cubic_kernel;
+  for (double rho = 0.0; rho < radius; rho += 0.083)
+  {
+    const double half = std::sqrt(radius * radius - rho * rho);
+    const double q = rho * rho / (radius * radius);
+    for (double cut = -1.0; cut <= 1.0; cut += 0.0625)
+    {
+      const double part =
+        simpson([&](double z) { return Value(std::hypot(rho, z)); }, -half, cut * half, 2000);
+      EXPECT_NEAR(ShareBefore(cut, q) * Footprint(rho), part, 8e-4 * Footprint(0.0)) << rho << " " << cut;
+    }
+    EXPECT_EQ(ShareBefore(-1.5, q), 0.0);
+    EXPECT_EQ(ShareBefore(1.5, q), 1.0);
+  }
+}
+
 TEST(CubicKernel, LatticeSumIsFlat)
 {
   EXPECT_NEAR(latticeSum(0, 0, 0), 1.0007489513372883, 1e-6);

@@ -8,7 +8,6 @@
 //        angles to each other, the ray passes the centre at the distance |st| |w| / |k|, and a cell is |ray| / |k| thick
 // What lies behind opaque geometry is left out: the share of the kernel in front of it along the ray is taken as a polynomial
 // of the place where it is cut.
-uniform bool parallelRays;
 uniform float extinctionScale;
 uniform float vectorScale; // optical depth of a vector at full strength
 uniform vec3 streakShape;  // length of the pattern, of the longest tail, and width, in units of the vectors
@@ -45,7 +44,7 @@ void drawNear()
     discard;
   }
   float halfChord = kernelRadius * sqrt(1.0 - q) * inversesqrt(along);
-  float share = shareBefore((-opaqueZ() - middle) / halfChord) - shareBefore(-middle / halfChord);
+  float share = shareBefore((-opaqueZ() - middle) / halfChord, q) - shareBefore(-middle / halfChord, q);
   float opticalDepth = extinctionScale * colorGSOutput.a * share * footprint(q) * length(positionVCGSOutput) * inversesqrt(along);
   float alpha = 1.0 - exp(-opticalDepth);
   gl_FragData[0] = vec4(alpha * colorGSOutput.rgb, alpha);
@@ -81,7 +80,7 @@ void drawSegment()
 
 void main()
 {
-  if (nearEye)
+  if (nearEye && kindGSOutput == VIEWPORT)
   {
     drawNear();
     return;
@@ -107,7 +106,7 @@ void main()
   float slope = parallelRays ? 1.0 : -positionVCGSOutput.z;
   float middle = parallelRays ? positionVCGSOutput.z : positionVCGSOutput.z * square / along;
   float halfChord = slope * kernelRadius * sqrt(1.0 - q) * cell;
-  float window = splatGSOutput.y * footprint(q) * shareBefore((middle - opaqueZ()) / halfChord);
+  float window = splatGSOutput.y * footprint(q) * shareBefore((middle - opaqueZ()) / halfChord, q);
   float opticalDepth = extinctionScale * colorGSOutput.a * window * ray * cell;
 #ifdef DRAW_VECTORS
   if (kindGSOutput == STREAKS)

@@ -14,7 +14,6 @@ layout(triangle_strip, max_vertices = MAX_VERTICES) out;
 
 uniform samplerBuffer splatColors; // colour, extinction per world length
 uniform mat4 VCToDC;
-uniform bool parallelRays;
 uniform float kernelRadius; // cells
 uniform vec2 pixelsPerDC;   // half the size of the viewport
 
@@ -78,8 +77,10 @@ float spreadOverPixel(inout vec3 a, inout vec3 b, vec3 centerVC, vec4 centerDC)
   vec2 p = toPixels(a, centerDC);
   vec2 q = toPixels(b, centerDC);
   float area = abs(p.x * q.y - p.y * q.x);
-  float size = max(dot(p, p), dot(q, q));
-  if (area > largeEnough * largeEnough && area * area > largeEnough * largeEnough * size)
+  float sum = dot(p, p) + dot(q, q);
+  // the square of the smaller half axis of the ellipse, whatever the two directions are
+  float smallest = 2.0 * area * area / (sum + sqrt(max(sum * sum - 4.0 * area * area, 0.0)));
+  if (smallest > largeEnough * largeEnough)
   {
     return 1.0;
   }
@@ -111,11 +112,12 @@ void emitKernel(vec3 center, mat3 J, SplatLook look)
   vec3 w = inCells(center, J);
   float square = dot(w, w);
   float radius = kernelRadius;
+  float reachAlongZ = kernelRadius * length(vec3(J[0].z, J[1].z, J[2].z));
   if (!parallelRays)
   {
-    if (square <= kernelRadius * kernelRadius || center.z >= 0.0)
+    if (square <= kernelRadius * kernelRadius || center.z >= reachAlongZ)
     {
-      return; // behind the eye; those around it are drawn as near ones
+      return; // around the eye, which is drawn in another way, or all of it behind the eye
     }
     radius *= inversesqrt(1.0 - kernelRadius * kernelRadius / square);
   }
@@ -126,7 +128,10 @@ void emitKernel(vec3 center, mat3 J, SplatLook look)
   vec3 a = J * u;
   vec3 b = J * v;
   vec4 centerDC = VCToDC * vec4(center, 1.0);
-  look.factor = spreadOverPixel(a, b, center, centerDC);
+  if (parallelRays || center.z < -reachAlongZ) // otherwise it is large
+  {
+    look.factor = spreadOverPixel(a, b, center, centerDC);
+  }
   look.detail.w = centerDC.w / (pixelsPerDC.y * VCToDC[1][1]);
   a *= radius;
   b *= radius;
@@ -152,7 +157,7 @@ void emitViewport(vec3 w, mat3 inverseJ, vec4 color)
     rayGSOutput = inverseJ * ray;
     cellsGSOutput = w;
     colorGSOutput = color;
-    kindGSOutput = MEDIUM;
+    kindGSOutput = VIEWPORT;
     gl_Position = vec4(place, 0.0, 1.0);
     EmitVertex();
   }
@@ -175,9 +180,10 @@ void main()
   mat3 J;
   readSplat(splat, center, J);
   vec4 color = texelFetch(splatColors, splat);
-  if (nearEye)
+  vec3 w = inCells(center, J);
+  if (nearEye && dot(w, w) < 1.69 * kernelRadius * kernelRadius)
   {
-    emitViewport(inCells(center, J), inverse(J), color);
+    emitViewport(w, inverse(J), color);
     return;
   }
 #ifdef DRAW_VECTORS

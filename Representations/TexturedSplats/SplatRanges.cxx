@@ -1,0 +1,120 @@
+// SPDX-FileCopyrightText: The Nephoscope authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "SplatRanges.h"
+
+#include "SplatKernel.h"
+#include "SplatPass.h"
+#include "SplatSamples.h"
+#include "ViewState.h"
+
+#include "vtkMatrix4x4.h"
+
+#include <limits>
+
+namespace nephoscope
+{
+namespace
+{
+// A point's square may be so much larger than the parallelogram of a long splat that is drawn instead, at a higher price for a pixel.
+constexpr double largestExcess = 1.8;
+constexpr std::size_t probes = 64;
+constexpr std::size_t all = std::numeric_limits<std::size_t>::max(); // vectors in layers are more than the splats
+
+SplatMatrix turned(const SplatSamples::Jacobian& jacobian, const SplatMatrix& toView)
+{
+  SplatMatrix result;
+  for (std::size_t c = 0; c < 3; ++c)
+  {
+    result[c] = Times(toView, { { jacobian[c][0], jacobian[c][1], jacobian[c][2] } });
+  }
+  return result;
+}
+
+// Squares over parallelograms, in the mean of a few splats.
+double meanExcess(const SplatSamples& samples, const SplatMatrix& toView)
+{
+  const std::size_t count = samples.Jacobians.size();
+  const std::size_t step = std::max<std::size_t>(count / probes, 1);
+  double sum = 0.0;
+  std::size_t seen = 0;
+  for (std::size_t i = 0; i < count; i += step, ++seen)
+  {
+    sum += SquareExcess(turned(samples.Jacobians[i], toView));
+  }
+  return seen > 0 ? sum / static_cast<double>(seen) : 1.0;
+}
+
+double largestSlope(vtkMatrix4x4* viewToDevice)
+{
+  double sum = 0.0;
+  for (int i = 0; i < 2; ++i)
+  {
+    const double slope =
+      (1.1 + std::abs(viewToDevice->GetElement(i, 2))) / std::abs(viewToDevice->GetElement(i, i));
+    sum += slope * slope;
+  }
+  return std::sqrt(sum);
+}
+}
+
+SplatMatrix ToViewMatrix(const SceneView& view)
+{
+  SplatMatrix matrix;
+  for (std::size_t column = 0; column < 3; ++column)
+  {
+    for (std::size_t row = 0; row < 3; ++row)
+    {
+      matrix[column][row] =
+        view.ModelToView->GetElement(static_cast<int>(row), static_cast<int>(column));
+    }
+  }
+  return matrix;
+}
+
+SplatMetric MetricOf(const SplatMatrix& toView)
+{
+  SplatMetric metric;
+  for (std::size_t column = 0; column < 3; ++column)
+  {
+    for (std::size_t row = 0; row < 3; ++row)
+    {
+      metric[column][row] = Dot(toView[row], toView[column]);
+    }
+  }
+  return metric;
+}
+
+void FindSplatRanges(const SortedSplats& splats, const SplatSamples& samples, const SceneView& view,
+  const int pixels[2], SplatDrawingOptions& options)
+{
+  const SplatMatrix toView = ToViewMatrix(view);
+  const SplatMetric metric = MetricOf(toView);
+  const SplatEye eye = { { view.EyeModel[0], view.EyeModel[1], view.EyeModel[2], view.EyeModel[3] } };
+  SplatReach reach;
+  const double radius = KernelRadius(options.Kernel) * LargestStretch(toView);
+  reach.Radius = radius * splats.LongestEdge;
+  for (int i = 0; i < 2; ++i)
+  {
+    reach.PixelsPerSlope = std::max(reach.PixelsPerSlope, 0.5 * pixels[i] * view.ViewToDevice->GetElement(i, i));
+  }
+  reach.LargestSlope = largestSlope(view.ViewToDevice);
+  reach.LargestPoint = SplatPass::LargestPoint;
+  const auto within = [&](double distance) {
+    return CountNear(splats.Places, splats.Items, splats.Order, eye, distance, metric);
+  };
+  options.NearSplats = within(1.3 * radius * samples.LongestEdge);
+  options.LargeSplats = options.CloserSplats = all;
+  if (options.Vectors || meanExcess(samples, toView) > largestExcess)
+  {
+    return;
+  }
+  if (eye[3] == 0)
+  {
+    options.LargeSplats = options.CloserSplats = ParallelPoints(reach) ? 0 : all;
+    return;
+  }
+  options.LargeSplats = within(PointDistance(reach));
+  options.CloserSplats = within(std::max(PointDistance(reach), FirstOrderDistance(reach)));
+}
+
+} // namespace nephoscope
