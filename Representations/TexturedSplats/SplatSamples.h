@@ -49,7 +49,8 @@ struct SplatSamples
 void FindPlaceBounds(vtkDataSet* data, double bounds[6]);
 
 /** Edge of a cube that each of so many samples would have if they filled the bounds; 1 where they are all in one place. */
-double MeanSpacing(const double bounds[6], std::size_t count);
+VTKNEPHOSCOPEREPRESENTATIONSTEXTUREDSPLATS_EXPORT double MeanSpacing(
+  const double bounds[6], std::size_t count);
 
 /** Hidden and duplicate samples, and those that are not at a finite place, are left out. Empty result or `error`. */
 SplatSamples FindSplatSamples(vtkDataSet* data, const SplatSampling& sampling, std::string& error);

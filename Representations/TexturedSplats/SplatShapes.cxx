@@ -5,6 +5,8 @@
 #include "EllipsoidSplat.h"
 #include "SplatSamples.h"
 
+#include "vtkCellData.h"
+#include "vtkDataArray.h"
 #include "vtkDataSet.h"
 #include "vtkDataSetAttributes.h"
 #include "vtkFieldData.h"
@@ -28,6 +30,11 @@ constexpr double flatShare =
 bool isFinite(const SplatVector& place)
 {
   return std::isfinite(place[0] + place[1] + place[2]);
+}
+
+vtkFieldData* attributesOf(vtkDataSet* data, bool onCells)
+{
+  return onCells ? static_cast<vtkFieldData*>(data->GetCellData()) : data->GetPointData();
 }
 
 SplatVector centerOfCell(vtkDataSet* data, vtkIdType id)
@@ -67,10 +74,18 @@ SplatShapes::SplatShapes(vtkDataSet* data, const SplatSampling& sampling)
     double bounds[6];
     data->GetCellBounds(0, bounds); // so that calls from threads find it prepared
   }
-  if (this->Grid.IsGrid() || (!(this->CellSize > 0) && this->FindVoxels()))
+  if (!sampling.ShapeArrayName.empty())
+  {
+    this->ShapeArray = attributesOf(data, this->OnCells)->GetArray(sampling.ShapeArrayName.c_str());
+    const bool fits = this->ShapeArray && this->ShapeArray->GetNumberOfComponents() == 9 &&
+      this->ShapeArray->GetNumberOfTuples() == this->Count;
+    this->ShapeArray = fits ? this->ShapeArray : nullptr;
+  }
+  if (this->ShapeArray || this->Grid.IsGrid() || (!(this->CellSize > 0) && this->FindVoxels()))
   {
     return;
   }
+  this->Spaced = !(this->CellSize > 0);
   const double edge = this->CellSize > 0 ? this->CellSize : this->FindMeanSpacing();
   this->Voxel = { { { { edge, 0, 0 } }, { { 0, edge, 0 } }, { { 0, 0, edge } } } };
 }
@@ -126,6 +141,16 @@ SplatVector SplatShapes::Place(vtkIdType id) const
 
 SplatMatrix SplatShapes::Jacobian(vtkIdType id) const
 {
+  if (this->ShapeArray)
+  {
+    SplatMatrix columns;
+    for (int i = 0; i < 9; ++i)
+    {
+      columns[static_cast<std::size_t>(i) / 3][static_cast<std::size_t>(i) % 3] =
+        this->ShapeArray->GetComponent(id, i);
+    }
+    return WithoutFlatColumns(columns, flatShare);
+  }
   SplatMatrix jacobian = this->Grid.IsGrid() ? this->Grid.Jacobian(id) : this->Voxel;
   const double scale = this->Scale ? this->Scale->GetComponent(id, 0) : 1;
   for (SplatVector& column : jacobian)

@@ -15,6 +15,8 @@
 #include "vtkNephoscopeRepresentationsTexturedSplatsModule.h" // for export macro
 #include "vtkType.h"
 
+#include <string>
+
 class vtkDataArray;
 class vtkDataSet;
 class vtkUnsignedCharArray;
@@ -26,12 +28,16 @@ struct SplatSampling
 {
   bool OnCells = false;
   double CellSize = 0; ///< edge of the cell of samples without a grid; 0: that of its voxel, or the mean spacing
+  std::string ShapeArrayName = {}; ///< of nine components: the columns of every sample's Jacobian; empty: none
 };
 
 class VTKNEPHOSCOPEREPRESENTATIONSTEXTUREDSPLATS_EXPORT SplatShapes
 {
 public:
-  /** Without a grid and a cell size it looks at every sample, to find the mean spacing. */
+  /**
+   * An array of shapes that is missing, or has not nine components, is none. Without a grid and a cell size it looks at every
+   * sample, to find the mean spacing.
+   */
   SplatShapes(vtkDataSet* data, const SplatSampling& sampling);
 
   /** Of points or cells, hidden ones too. */
@@ -42,7 +48,12 @@ public:
   SplatVector Place(vtkIdType id) const;
   /** Edges of the sample's cell; none is so short that the splat would be flat. */
   SplatMatrix Jacobian(vtkIdType id) const;
-  bool HaveOneShape() const { return this->Grid.IsGrid() ? this->Grid.IsUniform() : !this->Scale; }
+  bool HaveOneShape() const
+  {
+    return !this->ShapeArray && (this->Grid.IsGrid() ? this->Grid.IsUniform() : !this->Scale);
+  }
+  /** Samples without shapes of their own, grid, voxels or cell size. */
+  bool HaveMeanSpacing() const { return this->Spaced; }
   bool AreOfGrid() const { return this->Grid.IsGrid(); }
   const GridSamples& GetGrid() const { return this->Grid; }
 
@@ -53,6 +64,8 @@ private:
   vtkDataSet* Data;
   bool OnCells;
   GridSamples Grid;
+  vtkDataArray* ShapeArray = nullptr;
+  bool Spaced = false;
   vtkUnsignedCharArray* Ghosts;
   vtkIdType Count;
   double CellSize;

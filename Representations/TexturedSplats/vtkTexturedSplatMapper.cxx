@@ -44,14 +44,14 @@ vtkStandardNewMacro(vtkTexturedSplatMapper);
 /** Each stage is made again only when what it was made from has changed. */
 struct vtkTexturedSplatMapper::vtkInternals
 {
-  using SampleKey = std::tuple<vtkDataSet*, vtkMTimeType, bool, double>;
+  using SampleKey = std::tuple<vtkDataSet*, vtkMTimeType, bool, double, std::string>;
   using ClassKey = std::tuple<vtkDataArray*, vtkDataArray*, int, vtkMTimeType, vtkMTimeType, bool>;
 
-  using BoundsKey = std::tuple<vtkDataSet*, vtkMTimeType, bool, double, int>;
+  using BoundsKey = std::tuple<SampleKey, int>;
 
-  SampleKey SampledFrom{ nullptr, 0, false, 0.0 };
+  SampleKey SampledFrom{ nullptr, 0, false, 0.0, {} };
   ClassKey ClassifiedBy{ nullptr, nullptr, 0, 0, 0, false };
-  BoundsKey BoundsOf{ nullptr, 0, false, 0.0, 0 };
+  BoundsKey BoundsOf{ SampleKey{ nullptr, 0, false, 0.0, {} }, 0 };
   double Bounds[6] = { 1, -1, 1, -1, 1, -1 };
   nephoscope::SplatSamples Samples;
   nephoscope::SplatClasses Classes;
@@ -70,9 +70,15 @@ struct vtkTexturedSplatMapper::vtkInternals
   vtkOpenGLRenderWindow* Window = nullptr;
   std::string LastError;
 
+  static SampleKey KeyOf(vtkDataSet* input, const nephoscope::SplatSampling& sampling)
+  {
+    return SampleKey(
+      input, input->GetMTime(), sampling.OnCells, sampling.CellSize, sampling.ShapeArrayName);
+  }
+
   void UpdateBounds(vtkDataSet* input, const nephoscope::SplatSampling& sampling, int kernel)
   {
-    const BoundsKey key(input, input->GetMTime(), sampling.OnCells, sampling.CellSize, kernel);
+    const BoundsKey key(KeyOf(input, sampling), kernel);
     if (key == this->BoundsOf)
     {
       return;
@@ -222,7 +228,7 @@ double* vtkTexturedSplatMapper::GetBounds()
     int cellFlag = 0;
     vtkAbstractMapper::GetScalars(
       input, this->ScalarMode, this->ArrayAccessMode, this->ArrayId, this->ArrayName, cellFlag);
-    const nephoscope::SplatSampling sampling{ cellFlag == 1, this->CellSize };
+    const nephoscope::SplatSampling sampling{ cellFlag == 1, this->CellSize, this->ShapeArrayName };
     this->Internals->UpdateBounds(input, sampling, this->Kernel);
     std::copy_n(this->Internals->Bounds, 6, this->Bounds);
   }
@@ -291,14 +297,15 @@ std::string vtkTexturedSplatMapper::UpdateSplats(vtkDataSet* input, vtkVolume* v
   {
     return error;
   }
-  const vtkInternals::SampleKey samples(input, input->GetMTime(), scalars.OnCells, this->CellSize);
+  const nephoscope::SplatSampling sampling{ scalars.OnCells, this->CellSize, this->ShapeArrayName };
+  const vtkInternals::SampleKey samples = vtkInternals::KeyOf(input, sampling);
   const vtkInternals::ClassKey classes(scalars.Array, opacity.Array, scalars.Component,
     property->GetMTime(), input->GetMTime(), !this->VectorArrayName.empty());
   withThreads([&]() {
     if (samples != self.SampledFrom)
     {
       self.Samples =
-        nephoscope::FindSplatSamples(input, { scalars.OnCells, this->CellSize }, error);
+        nephoscope::FindSplatSamples(input, sampling, error);
       self.VectorScene.ForgetSamples();
     }
     if (error.empty() && (samples != self.SampledFrom || classes != self.ClassifiedBy))
@@ -504,6 +511,7 @@ void vtkTexturedSplatMapper::PrintSelf(ostream& os, vtkIndent indent)
   const char* kernels[] = { "Cubic", "Quadratic", "Gaussian" };
   os << indent << "Kernel: " << kernels[this->Kernel] << "\n";
   os << indent << "CellSize: " << this->CellSize << "\n";
+  os << indent << "ShapeArrayName: " << this->ShapeArrayName << "\n";
   os << indent << "OpacityScale: " << this->OpacityScale << "\n";
   os << indent << "OpacityArrayName: " << this->OpacityArrayName << "\n";
   os << indent << "VectorArrayName: " << this->VectorArrayName << "\n";

@@ -83,6 +83,16 @@ public:
   ///@}
 
   ///@{
+  /**
+   * Name of an array (nine components, on points or cells as the coloured array) with the shape of every sample: three edges of the
+   * cell that it stands for, one after the other, in units of length of the data. Empty (default), or without such an array: the cells
+   * of the grid, or CellSize.
+   */
+  vtkSetMacro(ShapeArrayName, std::string);
+  vtkGetMacro(ShapeArrayName, std::string);
+  ///@}
+
+  ///@{
   /** Factor on the extinction, >= 0. Default: 1. Costs nothing to change. */
   vtkSetClampMacro(OpacityScale, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(OpacityScale, double);
@@ -327,6 +337,7 @@ protected:
   int ErrorMeasure = GREATEST;
   vtkIdType InteractiveMaximumNumberOfSplats = 100000;
   double InteractiveUpdateRate = 1.0;
+  std::string ShapeArrayName;
   double OpacityScale = 1.0;
   std::string OpacityArrayName;
   std::string VectorArrayName;

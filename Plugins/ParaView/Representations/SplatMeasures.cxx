@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SplatMeasures.h"
 
-#include "SplatShapes.h"
-
 #include "vtkBoundingBox.h"
 #include "vtkDataArray.h"
 #include "vtkDataSet.h"
@@ -13,14 +11,14 @@
 namespace nephoscope
 {
 
-CellMeasures measureSplats(vtkDataSet* data, vtkDataArray* scalars, bool onCells, double cellSize)
+CellMeasures measureSplats(vtkDataSet* data, vtkDataArray* scalars, const SplatSampling& sampling)
 {
   CellMeasures measures;
   if (!data || data->GetNumberOfPoints() == 0)
   {
     return measures;
   }
-  const SplatShapes shapes(data, { onCells, cellSize });
+  const SplatShapes shapes(data, sampling);
   const vtkIdType stride = 1 + shapes.GetNumberOfIds() / 100000;
   vtkIdType shown = 0, sampled = 0;
   vtkBoundingBox box;

@@ -5,15 +5,16 @@
 #define SplatMeasures_h
 
 #include "CellMeasures.h"
+#include "SplatShapes.h"
 
 namespace nephoscope
 {
 
 /**
  * Of a piece whose samples are points or cells; `scalars` may be null, vectors count by their magnitude. Integrals come from about 1e5
- * evenly chosen samples. `cellSize` as vtkTexturedSplatMapper's.
+ * evenly chosen samples.
  */
-CellMeasures measureSplats(vtkDataSet* data, vtkDataArray* scalars, bool onCells, double cellSize);
+CellMeasures measureSplats(vtkDataSet* data, vtkDataArray* scalars, const SplatSampling& sampling);
 
 } // namespace nephoscope
 

@@ -3,15 +3,131 @@
 #include "SplatPieces.h"
 
 #include "DataBlocks.h"
+#include "SplatOwners.h"
+#include "SplatSamples.h"
 
+#include "vtkBoundingBox.h"
+#include "vtkCellArray.h"
+#include "vtkCellData.h"
+#include "vtkCommunicator.h"
 #include "vtkDataSet.h"
+#include "vtkFloatArray.h"
+#include "vtkIdList.h"
+#include "vtkMultiProcessController.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkUnsignedCharArray.h"
+#include "vtkUnstructuredGrid.h"
+
+#include <cmath>
+#include <vector>
 
 namespace nephoscope
 {
+namespace
+{
+// Visible samples, each on one rank only.
+vtkSmartPointer<vtkIdList> ownIds(const SplatShapes& shapes)
+{
+  std::vector<vtkIdType> ids;
+  std::vector<SplatVector> places;
+  for (vtkIdType id = 0; id < shapes.GetNumberOfIds(); ++id)
+  {
+    const SplatVector place = shapes.Place(id);
+    if (shapes.IsVisible(id) && std::isfinite(place[0] + place[1] + place[2]))
+    {
+      ids.push_back(id);
+      places.push_back(place);
+    }
+  }
+  const std::vector<bool> owned = ownedByThisRank(places);
+  auto own = vtkSmartPointer<vtkIdList>::New();
+  for (std::size_t i = 0; i < ids.size(); ++i)
+  {
+    if (owned[i])
+    {
+      own->InsertNextId(ids[i]);
+    }
+  }
+  return own;
+}
+
+double meanSpacingOverRanks(const SplatShapes& shapes, vtkIdList* ids)
+{
+  vtkBoundingBox mine, all;
+  for (vtkIdType i = 0; i < ids->GetNumberOfIds(); ++i)
+  {
+    const SplatVector place = shapes.Place(ids->GetId(i));
+    mine.AddPoint(place[0], place[1], place[2]);
+  }
+  const long long count = ids->GetNumberOfIds();
+  long long sum = count;
+  vtkMultiProcessController* controller = vtkMultiProcessController::GetGlobalController();
+  controller->AllReduce(mine, all);
+  controller->AllReduce(&count, &sum, 1, vtkCommunicator::SUM_OP);
+  double bounds[6] = { 0, 0, 0, 0, 0, 0 };
+  all.GetBounds(bounds);
+  return all.IsValid() ? MeanSpacing(bounds, static_cast<std::size_t>(sum)) : 1.0;
+}
+
+vtkSmartPointer<vtkDataArray> shapesOf(const SplatShapes& shapes, vtkIdList* ids)
+{
+  auto array = vtkSmartPointer<vtkFloatArray>::New();
+  array->SetName(splatShapeName);
+  array->SetNumberOfComponents(9);
+  array->SetNumberOfTuples(ids->GetNumberOfIds());
+  for (vtkIdType i = 0; i < ids->GetNumberOfIds(); ++i)
+  {
+    const SplatMatrix jacobian = shapes.Jacobian(ids->GetId(i));
+    for (int c = 0; c < 9; ++c)
+    {
+      const auto at = static_cast<std::size_t>(c);
+      array->SetTypedComponent(i, c, static_cast<float>(jacobian[at / 3][at % 3]));
+    }
+  }
+  return array;
+}
+} // namespace
+
+const char* const splatShapeName = "NephoscopeSplatShape";
 
 vtkSmartPointer<vtkDataSet> sampledPart(vtkDataObject* input)
 {
   return appendedBlocks(input, [](vtkDataSet* data) { return data->GetNumberOfPoints() > 0; });
+}
+
+vtkSmartPointer<vtkDataSet> splatVertices(vtkDataSet* piece, bool onCells, double cellSize)
+{
+  vtkNew<vtkPolyData> nothing; // a rank without data takes part all the same
+  vtkDataSet* data = piece ? piece : nothing.Get();
+  const SplatShapes own(data, { onCells, cellSize });
+  vtkSmartPointer<vtkIdList> ids = ownIds(data, own, onCells);
+  const double spacing = meanSpacingOverRanks(own, ids); // of all ranks, not of this one
+  const SplatShapes shapes(data, { onCells, own.HaveMeanSpacing() ? spacing : cellSize });
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  points->SetNumberOfPoints(ids->GetNumberOfIds());
+  auto vertices = vtkSmartPointer<vtkUnstructuredGrid>::New();
+  vertices->Allocate(ids->GetNumberOfIds());
+  for (vtkIdType i = 0; i < ids->GetNumberOfIds(); ++i)
+  {
+    points->SetPoint(i, shapes.Place(ids->GetId(i)).data());
+    vertices->InsertNextCell(VTK_VERTEX, 1, &i);
+  }
+  vertices->SetPoints(points);
+  const int kind = onCells ? vtkDataObject::CELL : vtkDataObject::POINT;
+  vtkDataSetAttributes* arrays = vertices->GetAttributes(kind);
+  arrays->CopyAllOn();
+  arrays->CopyAllocate(data->GetAttributes(kind), ids->GetNumberOfIds());
+  for (vtkIdType i = 0; i < ids->GetNumberOfIds(); ++i)
+  {
+    arrays->CopyData(data->GetAttributes(kind), ids->GetId(i), i);
+  }
+  arrays->RemoveArray(vtkDataSetAttributes::GhostArrayName());
+  arrays->AddArray(shapesOf(shapes, ids));
+  vertices->GetFieldData()->ShallowCopy(data->GetFieldData());
+  return vertices;
 }
 
 } // namespace nephoscope

@@ -25,6 +25,7 @@ vtkStandardNewMacro(vtkTexturedSplatsRepresentation);
 vtkTexturedSplatsRepresentation::vtkTexturedSplatsRepresentation()
 {
   this->Actor->SetMapper(this->Mapper);
+  this->Mapper->SetShapeArrayName(nephoscope::splatShapeName); // where there is one
 }
 
 vtkTexturedSplatsRepresentation::~vtkTexturedSplatsRepresentation() = default;
@@ -42,26 +43,53 @@ int vtkTexturedSplatsRepresentation::RequestInformation(
   return this->Superclass::RequestInformation(request, inputVector, outputVector);
 }
 
+int vtkTexturedSplatsRepresentation::RequestUpdateExtent(
+  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  const int done = this->Superclass::RequestUpdateExtent(request, inputVector, outputVector);
+  if (GetNumberOfRanks() > 1 && inputVector[0]->GetNumberOfInformationObjects() == 1)
+  {
+    // Neighbours give cells at a border between pieces the shape that they have inside, and tell which points have two owners.
+    inputVector[0]->GetInformationObject(0)->Set(
+      vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_GHOST_LEVELS(), 1);
+  }
+  return done;
+}
+
+bool vtkTexturedSplatsRepresentation::DrawsCells()
+{
+  vtkInformation* info = this->GetInputArrayInformation(0);
+  const char* name =
+    info && info->Has(vtkDataObject::FIELD_NAME()) ? info->Get(vtkDataObject::FIELD_NAME()) : nullptr;
+  return name && name[0] && info->Get(vtkDataObject::FIELD_ASSOCIATION()) == vtkDataObject::CELL;
+}
+
 void vtkTexturedSplatsRepresentation::PreparePiece(vtkDataObject* input)
 {
+  const bool onCells = this->DrawsCells();
   this->Piece = nephoscope::sampledPart(input);
+  if (GetNumberOfRanks() > 1)
+  {
+    this->Piece = nephoscope::splatVertices(this->Piece, onCells, this->CellSize);
+  }
+  const nephoscope::SplatSampling sampling{ onCells, this->CellSize, nephoscope::splatShapeName };
   int association = vtkDataObject::POINT;
   vtkDataArray* scalars = this->Piece ? this->FindOpacityArray(this->Piece, association) : nullptr;
-  const bool onCells = association == vtkDataObject::CELL;
+  const bool together = (association == vtkDataObject::CELL) == onCells;
   const nephoscope::CellMeasures all = nephoscope::reduceOverRanks(
-    nephoscope::measureSplats(this->Piece, scalars, onCells, this->CellSize));
+    nephoscope::measureSplats(this->Piece, together ? scalars : nullptr, sampling));
   if (all.Volume <= 0.0 && IsFirstRank())
   {
     vtkWarningMacro("Textured Splats draws points or cells, and the input has none: nothing is drawn.");
   }
   vtkMath::UninitializeBounds(this->DataBounds);
-  if (this->Piece)
+  if (this->Piece && this->Piece->GetNumberOfPoints() > 0)
   {
     const auto kernel = static_cast<nephoscope::SplatKernel>(this->Mapper->GetKernel());
-    nephoscope::FindSplatBounds(nephoscope::SplatShapes(this->Piece, { onCells, this->CellSize }),
+    nephoscope::FindSplatBounds(nephoscope::SplatShapes(this->Piece, sampling),
       nephoscope::KernelRadius(kernel), this->DataBounds);
   }
-  else
+  if (!this->Piece)
   {
     this->Piece = vtkSmartPointer<vtkPolyData>::New();
   }
@@ -72,8 +100,10 @@ void vtkTexturedSplatsRepresentation::PreparePiece(vtkDataObject* input)
 void vtkTexturedSplatsRepresentation::DescribePiece(vtkInformation* inInfo)
 {
   this->Superclass::DescribePiece(inInfo);
-  vtkPVRenderView::SetOrderedCompositingConfiguration(
-    inInfo, this, vtkPVRenderView::USE_BOUNDS_FOR_REDISTRIBUTION);
+  // On several ranks samples are single vertices, each of which goes to the rank in whose region it lies.
+  vtkPVRenderView::SetOrderedCompositingConfiguration(inInfo, this,
+    vtkPVRenderView::DATA_IS_REDISTRIBUTABLE | vtkPVRenderView::USE_DATA_FOR_LOAD_BALANCING);
+  vtkPVRenderView::SetRedistributionModeToUniquelyAssignBoundaryCells(inInfo, this);
 }
 
 bool vtkTexturedSplatsRepresentation::HoldsMedium(vtkDataSet* data) const

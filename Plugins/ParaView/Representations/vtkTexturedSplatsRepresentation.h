@@ -5,7 +5,8 @@
  * @brief Textured Splats in ParaView's list of representations
  *
  * A thin layer over vtkTexturedSplatMapper. It hands points or cells of any dataset to the mapper, and moves the streaks of the
- * vectors on with the animation time.
+ * vectors on with the animation time. On several ranks samples become single vertices that carry the shapes of their cells, and the
+ * view gives each to the rank in whose region it lies.
  */
 #ifndef vtkTexturedSplatsRepresentation_h
 #define vtkTexturedSplatsRepresentation_h
@@ -69,6 +70,7 @@ protected:
   ~vtkTexturedSplatsRepresentation() override;
 
   int RequestInformation(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+  int RequestUpdateExtent(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
   void PreparePiece(vtkDataObject* input) override;
   void DescribePiece(vtkInformation* inInfo) override;
   void PrepareMapper(vtkDataSet* data) override;
@@ -79,6 +81,7 @@ private:
   vtkTexturedSplatsRepresentation(const vtkTexturedSplatsRepresentation&) = delete;
   void operator=(const vtkTexturedSplatsRepresentation&) = delete;
 
+  bool DrawsCells(); // else points
   double GetPhaseNow();
 
   vtkNew<vtkTexturedSplatMapper> Mapper;

@@ -1,0 +1,68 @@
+# SPDX-FileCopyrightText: The Nephoscope authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Pictures that one process, several ranks, and a server with its client draw of the same scenes, and how far they differ."""
+import os
+import subprocess
+import sys
+
+import numpy as np
+
+from MpiTesting import ENVIRONMENT, program
+
+HERE = os.path.dirname(os.path.abspath(__file__))
+OUTPUT = os.environ["NEPHOSCOPE_TEST_OUTPUT"]
+
+
+def run(command, script, name, names):
+    """Runs a script of this folder, which saves pictures under the prefix that it is given, and returns those of the names."""
+    prefix = prefix_of(script, name)
+    done = subprocess.run(command + [os.path.join(HERE, script), prefix], env=ENVIRONMENT, capture_output=True, text=True, timeout=150)
+    return pictures(prefix, done.stdout + done.stderr, names)
+
+
+def prefix_of(script, name):
+    return os.path.join(OUTPUT, f"{script}-{name}")
+
+
+def pictures(prefix, output, names):
+    if "NEPHOSCOPE-PASSED" not in output:
+        print(output)
+        sys.exit(f"{prefix}: did not run to its end")
+    return {name: np.load(f"{prefix}-{name}.npy") for name in names}
+
+
+def run_with_server(script, names):
+    """The same on a pvserver, which waits on a free port that it announces; the client draws there."""
+    server = subprocess.Popen([program("PVSERVER"), "--server-port=0"], env=ENVIRONMENT, text=True,
+                              stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
+    try:
+        port = None
+        for line in server.stdout:
+            if "Accepting connection" in line:
+                port = line.rsplit(":", 1)[1].strip()
+                break
+        if port is None:
+            sys.exit("pvserver did not start")
+        prefix = prefix_of(script, "server")
+        done = subprocess.run([program("PVPYTHON"), "--dr", os.path.join(HERE, script), prefix, port], env=ENVIRONMENT, capture_output=True,
+                              text=True, timeout=150)
+        return pictures(prefix, done.stdout + done.stderr, names)
+    finally:
+        server.terminate()
+        server.wait()
+
+
+def compare(first, second, title, names, largest, mean):
+    for name in names:
+        difference = np.abs(first[name] - second[name])
+        print(f"{title}, {name}: max {difference.max():.0f}, mean {difference.mean():.4f} of 255")
+        if first[name].mean() < 1:
+            sys.exit(f"{name}: nothing is drawn")
+        if difference.max() > largest or difference.mean() > mean:
+            sys.exit(f"{title}, {name}: more than max {largest}, mean {mean}")
+
+
+def run_ranks(script, names, number):
+    """The pictures that so many processes draw."""
+    launcher = [program("MPIEXEC"), "-np", str(number)] if number > 1 else []
+    return run(launcher + [program("PVBATCH"), "--dr"], script, str(number), names)
