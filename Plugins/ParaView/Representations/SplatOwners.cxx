@@ -3,8 +3,13 @@
 #include "SplatOwners.h"
 
 #include "vtkBoundingBox.h"
+#include "vtkDataSetAttributes.h"
+#include "vtkImageData.h"
 #include "vtkMultiProcessController.h"
+#include "vtkRectilinearGrid.h"
+#include "vtkStructuredGrid.h"
 #include "vtkType.h"
+#include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
 
@@ -61,6 +66,33 @@ std::vector<SplatVector> placesOfLowerRanks(
   std::sort(lower.begin(), lower.end());
   return lower;
 }
+// The extent of the points that are no duplicates: without the layers of neighbours.
+void leaveOutNeighbors(vtkDataSet* piece, int extent[6])
+{
+  vtkUnsignedCharArray* ghosts = piece ? piece->GetPointGhostArray() : nullptr;
+  if (!ghosts)
+  {
+    return;
+  }
+  int own[6] = { VTK_INT_MAX, VTK_INT_MIN, VTK_INT_MAX, VTK_INT_MIN, VTK_INT_MAX, VTK_INT_MIN };
+  vtkIdType id = 0;
+  int index[3];
+  for (index[2] = extent[4]; index[2] <= extent[5]; ++index[2])
+  {
+    for (index[1] = extent[2]; index[1] <= extent[3]; ++index[1])
+    {
+      for (index[0] = extent[0]; index[0] <= extent[1]; ++index[0], ++id)
+      {
+        for (int axis = 0; axis < 3 && !(ghosts->GetValue(id) & vtkDataSetAttributes::DUPLICATEPOINT); ++axis)
+        {
+          own[2 * axis] = std::min(own[2 * axis], index[axis]);
+          own[2 * axis + 1] = std::max(own[2 * axis + 1], index[axis]);
+        }
+      }
+    }
+  }
+  std::copy_n(own, 6, extent);
+}
 } // namespace
 
 std::vector<bool> ownedByThisRank(const std::vector<SplatVector>& places)
@@ -93,6 +125,65 @@ std::vector<bool> ownedByThisRank(const std::vector<SplatVector>& places)
     owned[indices[i]] = !std::binary_search(lower.begin(), lower.end(), shared[i]);
   }
   return owned;
+}
+
+bool extentOf(vtkDataSet* piece, int extent[6])
+{
+  if (auto* image = vtkImageData::SafeDownCast(piece))
+  {
+    image->GetExtent(extent);
+  }
+  else if (auto* rectilinear = vtkRectilinearGrid::SafeDownCast(piece))
+  {
+    rectilinear->GetExtent(extent);
+  }
+  else if (auto* structured = vtkStructuredGrid::SafeDownCast(piece))
+  {
+    structured->GetExtent(extent);
+  }
+  else
+  {
+    return false;
+  }
+  return true;
+}
+
+bool findExtentsOfRanks(vtkDataSet* piece, std::vector<int>& extents)
+{
+  int mine[7] = { 0, -1, 0, -1, 0, -1, 1 }; // and whether there is nothing but a grid
+  if (extentOf(piece, mine))
+  {
+    leaveOutNeighbors(piece, mine);
+  }
+  else
+  {
+    mine[6] = piece && piece->GetNumberOfPoints() > 0 ? 0 : 1;
+  }
+  vtkMultiProcessController* controller = vtkMultiProcessController::GetGlobalController();
+  const auto ranks = static_cast<std::size_t>(controller->GetNumberOfProcesses());
+  std::vector<int> all(7 * ranks);
+  controller->AllGather(mine, all.data(), 7);
+  extents.clear();
+  bool structured = true;
+  for (std::size_t rank = 0; rank < ranks; ++rank)
+  {
+    extents.insert(extents.end(), &all[7 * rank], &all[7 * rank] + 6);
+    structured = structured && all[7 * rank + 6] != 0;
+  }
+  return structured;
+}
+
+int ownerOfPoint(const std::vector<int>& extents, int i, int j, int k)
+{
+  for (std::size_t at = 0; at < extents.size(); at += 6)
+  {
+    const int* e = &extents[at];
+    if (e[0] <= i && i <= e[1] && e[2] <= j && j <= e[3] && e[4] <= k && k <= e[5])
+    {
+      return static_cast<int>(at / 6);
+    }
+  }
+  return -1;
 }
 
 } // namespace nephoscope

@@ -8,6 +8,8 @@
 
 #include <vector>
 
+class vtkDataSet;
+
 namespace nephoscope
 {
 
@@ -16,6 +18,18 @@ namespace nephoscope
  * their borders. Only places inside the bounds of another rank are exchanged. Collective.
  */
 std::vector<bool> ownedByThisRank(const std::vector<SplatVector>& places);
+
+/** The extent of an image, a rectilinear or a structured grid; false for other data. */
+bool extentOf(vtkDataSet* piece, int extent[6]);
+
+/**
+ * Whether all ranks have pieces of a structured grid, or nothing; then `extents` are those of all ranks, without the layers of points that
+ * they have from neighbours: six numbers each, in the indices of the whole grid. Collective.
+ */
+bool findExtentsOfRanks(vtkDataSet* piece, std::vector<int>& extents);
+
+/** The lowest rank whose extent has the point. */
+int ownerOfPoint(const std::vector<int>& extents, int i, int j, int k);
 
 } // namespace nephoscope
 

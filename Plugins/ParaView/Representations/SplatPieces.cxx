@@ -27,8 +27,30 @@ namespace nephoscope
 {
 namespace
 {
+// Points of the pole of a globe are in one place, and yet are several samples: their indices tell.
+std::vector<bool> ownedByExtent(
+  vtkDataSet* data, const std::vector<vtkIdType>& ids, const std::vector<int>& extents)
+{
+  const int rank = vtkMultiProcessController::GetGlobalController()->GetLocalProcessId();
+  std::vector<bool> owned(ids.size());
+  int mine[6];
+  if (ids.empty() || !extentOf(data, mine))
+  {
+    return owned;
+  }
+  const vtkIdType size[2] = { mine[1] - mine[0] + 1, mine[3] - mine[2] + 1 };
+  for (std::size_t n = 0; n < ids.size(); ++n)
+  {
+    const int i = mine[0] + static_cast<int>(ids[n] % size[0]);
+    const int j = mine[2] + static_cast<int>(ids[n] / size[0] % size[1]);
+    const int k = mine[4] + static_cast<int>(ids[n] / size[0] / size[1]);
+    owned[n] = ownerOfPoint(extents, i, j, k) == rank;
+  }
+  return owned;
+}
+
 // Visible samples, each on one rank only.
-vtkSmartPointer<vtkIdList> ownIds(const SplatShapes& shapes)
+vtkSmartPointer<vtkIdList> ownIds(vtkDataSet* data, const SplatShapes& shapes, bool onCells)
 {
   std::vector<vtkIdType> ids;
   std::vector<SplatVector> places;
@@ -41,7 +63,11 @@ vtkSmartPointer<vtkIdList> ownIds(const SplatShapes& shapes)
       places.push_back(place);
     }
   }
-  const std::vector<bool> owned = ownedByThisRank(places);
+  std::vector<int> extents;
+  const bool structured = findExtentsOfRanks(data, extents);
+  const std::vector<bool> owned = onCells ? std::vector<bool>(ids.size(), true)
+    : structured                          ? ownedByExtent(data, ids, extents)
+                                          : ownedByThisRank(places);
   auto own = vtkSmartPointer<vtkIdList>::New();
   for (std::size_t i = 0; i < ids.size(); ++i)
   {
@@ -117,7 +143,7 @@ vtkSmartPointer<vtkDataSet> splatVertices(vtkDataSet* piece, bool onCells, doubl
   }
   vertices->SetPoints(points);
   const int kind = onCells ? vtkDataObject::CELL : vtkDataObject::POINT;
-  vtkDataSetAttributes* arrays = vertices->GetAttributes(kind);
+  vtkDataSetAttributes* arrays = vertices->GetCellData(); // the view merges points in one place, not cells
   arrays->CopyAllOn();
   arrays->CopyAllocate(data->GetAttributes(kind), ids->GetNumberOfIds());
   for (vtkIdType i = 0; i < ids->GetNumberOfIds(); ++i)

@@ -20,8 +20,8 @@ extern const char* const splatShapeName;
 
 /**
  * The visible samples as single vertices with their shapes, which can be given to any rank without loss: nothing of the grid is needed
- * any more. A sample that several ranks have stays on one. Arrays stay on points or on cells, as `onCells` says; those of the other
- * kind are left out. `cellSize` is of balls; 0: the mean spacing of the samples of all ranks. `piece` may be null. Collective.
+ * any more. A sample that several ranks have stays on one. Its arrays, those of points or of cells as `onCells` says, become cell
+ * arrays. `cellSize` is of balls; 0: the mean spacing of the samples of all ranks. `piece` may be null. Collective.
  */
 vtkSmartPointer<vtkDataSet> splatVertices(vtkDataSet* piece, bool onCells, double cellSize);
 

@@ -210,7 +210,7 @@ vtkDataArray* vtkMediumRepresentation::FindColorArray(
     return nullptr;
   }
   name = info->Get(vtkDataObject::FIELD_NAME());
-  association = info->Get(vtkDataObject::FIELD_ASSOCIATION());
+  association = this->GetAssociationInPiece(info->Get(vtkDataObject::FIELD_ASSOCIATION()));
   return name && name[0] ? attributesOf(data, association)->GetArray(name) : nullptr;
 }
 

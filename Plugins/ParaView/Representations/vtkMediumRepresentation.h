@@ -97,6 +97,8 @@ protected:
   virtual bool HoldsMedium(vtkDataSet* data) const = 0;
   /** vtkDataObject::CELL or POINT: where a uniform medium's values stand. */
   virtual int GetUniformAssociation() const = 0;
+  /** Where arrays of the input, on points or cells, stand in the piece. */
+  virtual int GetAssociationInPiece(int association) const { return association; }
 
   static int GetNumberOfRanks();
   static bool IsFirstRank();

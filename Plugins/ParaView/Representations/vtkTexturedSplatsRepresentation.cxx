@@ -72,10 +72,12 @@ void vtkTexturedSplatsRepresentation::PreparePiece(vtkDataObject* input)
   {
     this->Piece = nephoscope::splatVertices(this->Piece, onCells, this->CellSize);
   }
-  const nephoscope::SplatSampling sampling{ onCells, this->CellSize, nephoscope::splatShapeName };
+  const bool inCells =
+    this->GetAssociationInPiece(onCells ? vtkDataObject::CELL : vtkDataObject::POINT) == vtkDataObject::CELL;
+  const nephoscope::SplatSampling sampling{ inCells, this->CellSize, nephoscope::splatShapeName };
   int association = vtkDataObject::POINT;
   vtkDataArray* scalars = this->Piece ? this->FindOpacityArray(this->Piece, association) : nullptr;
-  const bool together = (association == vtkDataObject::CELL) == onCells;
+  const bool together = (association == vtkDataObject::CELL) == inCells;
   const nephoscope::CellMeasures all = nephoscope::reduceOverRanks(
     nephoscope::measureSplats(this->Piece, together ? scalars : nullptr, sampling));
   if (all.Volume <= 0.0 && IsFirstRank())
@@ -113,7 +115,12 @@ bool vtkTexturedSplatsRepresentation::HoldsMedium(vtkDataSet* data) const
 
 int vtkTexturedSplatsRepresentation::GetUniformAssociation() const
 {
-  return vtkDataObject::POINT;
+  return this->GetAssociationInPiece(vtkDataObject::POINT);
+}
+
+int vtkTexturedSplatsRepresentation::GetAssociationInPiece(int association) const
+{
+  return GetNumberOfRanks() > 1 ? static_cast<int>(vtkDataObject::CELL) : association;
 }
 
 void vtkTexturedSplatsRepresentation::PrepareMapper(vtkDataSet* data)
@@ -171,9 +178,9 @@ void vtkTexturedSplatsRepresentation::SetGreatestSpeed(double speed)
   this->Mapper->SetGreatestSpeed(speed);
 }
 
-void vtkTexturedSplatsRepresentation::SetStreakPeriod(double cells)
+void vtkTexturedSplatsRepresentation::SetStreakPeriod(double units)
 {
-  this->Mapper->SetStreakPeriod(cells);
+  this->Mapper->SetStreakPeriod(units);
 }
 
 void vtkTexturedSplatsRepresentation::SetUseVectorColor(bool use)

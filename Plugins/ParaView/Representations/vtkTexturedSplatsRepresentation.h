@@ -31,7 +31,7 @@ public:
   void SetCellSize(double size);
   void SetVectorOpacity(double opacity);
   void SetGreatestSpeed(double speed);
-  void SetStreakPeriod(double cells);
+  void SetStreakPeriod(double units);
   void SetUseVectorColor(bool use);
   void SetVectorColor(double red, double green, double blue);
   void SetPhaseCycles(int cycles);
@@ -76,6 +76,7 @@ protected:
   void PrepareMapper(vtkDataSet* data) override;
   bool HoldsMedium(vtkDataSet* data) const override;
   int GetUniformAssociation() const override;
+  int GetAssociationInPiece(int association) const override;
 
 private:
   vtkTexturedSplatsRepresentation(const vtkTexturedSplatsRepresentation&) = delete;
