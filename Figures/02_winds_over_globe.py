@@ -9,8 +9,6 @@ Writes the picture (1920 x 1080) and a film, over which every streak moves on by
     ./nephoscope pvbatch Figures/02_winds_over_globe.py --frames 120 --size 1920 1080
 Interrupted, it goes on with the next frame.
 """
-import argparse
-import hashlib
 import os
 import sys
 
@@ -19,6 +17,7 @@ import frames  # noqa: E402
 import globe_scene  # noqa: E402
 import pictures  # noqa: E402
 import splat_scene  # noqa: E402
+import vtk_globe  # noqa: E402
 
 GALLERY = os.environ["NEPHOSCOPE_GALLERY"]
 NAME = "02_winds_over_globe"
@@ -38,7 +37,7 @@ def scene(size, width=STREAKS["width"]):
     forecast, pressures = splat_scene.read_forecast(EXAGGERATION)
     splat_scene.choose_winds(forecast, splat_scene.level_numbers(pressures, PRESSURES), EYE, HORIZON)
     window, renderer = splat_scene.make_window(size, EYE, [0, 0, 0], [0, 0, 1], 34, globe_scene.on_globe(-92, 32, 10))
-    renderer.AddActor(splat_scene.terrain(ambient=0.55, diffuse=0.5))
+    renderer.AddActor(vtk_globe.terrain(ambient=0.55, diffuse=0.5))
     winds = splat_scene.splats(forecast, ((0, 0), (1, 0)), 1e5)  # no clouds
     splat_scene.show_winds(winds.GetMapper(), GREATEST_SPEED, **{**STREAKS, "width": width})
     renderer.AddVolume(winds)
@@ -57,33 +56,21 @@ def save_picture():
     pictures.write(window, os.path.join(GALLERY, NAME + ".png"))
 
 
-def save_film(count, size):
-    """count frames: the one after the last is the first."""
-    window, _, mapper = scene(size, FILM_WIDTH)
+def save_film():
+    """The frame after the last is the first."""
+    window, _, mapper = scene(wanted.size, FILM_WIDTH)
     mapper.SetPhaseCycles(CYCLES)
 
     def draw(i, file):
-        mapper.SetPhase(i / count)
+        mapper.SetPhase(i / wanted.frames)
         window.Render()
         pictures.write(window, file, announce=False)
 
-    with open(__file__, "rb") as script, open(splat_scene.__file__, "rb") as shared:
-        settings = [hashlib.sha256(script.read() + shared.read()).hexdigest(), count, size]
-    film = frames.Frames(os.path.join(GALLERY, "%s_%dx%d_%d_frames" % (NAME, *size, count)), count, settings)
-    film.make(draw)
-    for make, ending in ((frames.make_gif, "gif"), (frames.make_mp4, "mp4")):
-        name = os.path.join(GALLERY, "%s.%s" % (NAME, ending))
-        if make(film.files, name, MILLISECONDS):
-            print("wrote", name)
+    frames.make_film(NAME, wanted, draw, MILLISECONDS)
 
 
-options = argparse.ArgumentParser(description="Winds over the globe: a picture and a film.")
-options.add_argument("--frames", type=int, default=36, help="frames of the film; 0: the picture only")
-options.add_argument("--size", type=int, nargs=2, default=[960, 540], help="width and height of the film, pixels")
-options.add_argument("--no-picture", action="store_true", help="the film only")
-wanted = options.parse_args()
-
+wanted = frames.options("Winds over the globe", frames=36, size=(960, 540)).parse_args()
 if not wanted.no_picture:
     save_picture()
 if wanted.frames > 0:
-    save_film(wanted.frames, wanted.size)
+    save_film()

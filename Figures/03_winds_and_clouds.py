@@ -14,6 +14,7 @@ sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "com
 import globe_scene  # noqa: E402
 import pictures  # noqa: E402
 import splat_scene  # noqa: E402
+import vtk_globe  # noqa: E402
 
 EXAGGERATION = 25
 PRESSURES = (850, 250)  # hPa: winds below most clouds and above most
@@ -31,7 +32,7 @@ def main():
     splat_scene.hide_clouds(forecast, EYE, HORIZON)
     window, renderer = splat_scene.make_window(
         (1920, 1080), EYE, [0, 0, 0], [0, 0, 1], 41.5, globe_scene.on_globe(-92, 32, 10))
-    renderer.AddActor(splat_scene.terrain(ambient=0.55, diffuse=0.5))
+    renderer.AddActor(vtk_globe.terrain(ambient=0.55, diffuse=0.5))
     weather = splat_scene.splats(forecast, CLOUD_OPACITY, UNIT_DISTANCE, color=(0.88, 0.90, 0.93))
     splat_scene.show_winds(weather.GetMapper(), GREATEST_SPEED, opacity=8, width=0.075, period=5, unit=2.0e5)
     renderer.AddVolume(weather)

@@ -7,8 +7,6 @@ After figure 9 and the animation of Max, Crawfis and Becker (1993), without the 
 on with the next frame. A larger film:
     ./nephoscope demo 09     then     ./nephoscope pvbatch Figures/09_moving_clouds.py --size 1920 1080
 """
-import argparse
-import hashlib
 import os
 import sys
 
@@ -19,7 +17,6 @@ import cloud_surface_scene  # noqa: E402
 import frames  # noqa: E402
 import globe_scene  # noqa: E402
 
-GALLERY = os.environ["NEPHOSCOPE_GALLERY"]
 SERIES = os.environ["NEPHOSCOPE_FORECAST"]
 NAME = "09_moving_clouds"
 MINUTES = 15  # from frame to frame
@@ -37,27 +34,15 @@ def moving_clouds():
     return list(series.TimestepValues), cloud_surface_scene.cloud_surface(grid, iterations=1)
 
 
-def save_film(view, start, count, size):
+def save_film(view, start):
     def draw(i, file):
         view.ViewTime = start + i * MINUTES / 60.0
-        pvs.SaveScreenshot(file, view, ImageResolution=size)
+        pvs.SaveScreenshot(file, view, ImageResolution=wanted.size)
 
-    with open(__file__, "rb") as script:
-        settings = [hashlib.sha256(script.read()).hexdigest(), count, size, os.path.getsize(SERIES), os.path.getmtime(SERIES)]
-    film = frames.Frames(os.path.join(GALLERY, "%s_%dx%d_%d_frames" % (NAME, *size, count)), count, settings)
-    film.make(draw)
-    for make, ending in ((frames.make_gif, "gif"), (frames.make_mp4, "mp4")):
-        name = os.path.join(GALLERY, "%s.%s" % (NAME, ending))
-        if make(film.files, name, MILLISECONDS):
-            print("wrote", name)
+    frames.make_film(NAME, wanted, draw, MILLISECONDS, [os.path.getsize(SERIES), os.path.getmtime(SERIES)])
 
 
-options = argparse.ArgumentParser(description="Clouds that move with the wind: a picture and a film.")
-options.add_argument("--frames", type=int, default=96, help="frames of the film; 0: the picture only")
-options.add_argument("--size", type=int, nargs=2, default=[640, 360], help="width and height of the film, pixels")
-options.add_argument("--no-picture", action="store_true", help="the film only")
-wanted = options.parse_args()
-
+wanted = frames.options("Clouds that move with the wind", frames=96, size=(640, 360)).parse_args()
 pvs._DisableFirstRenderCameraReset()
 view = cloud_surface_scene.make_view("Moving clouds")
 globe_scene.show_terrain(view, ambient=0.5, diffuse=1.0)
@@ -70,4 +55,4 @@ if not wanted.no_picture:
     pvs.Hide(caption, view)
 if wanted.frames > 0:
     view.ViewSize = wanted.size
-    save_film(view, times[0], wanted.frames, wanted.size)
+    save_film(view, times[0])

@@ -2,19 +2,63 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Frames of an animation as PNG files, made once and kept, and films of them.
 
+    wanted = options("Winds over the globe").parse_args()
+    make_film("02_winds", wanted, draw, 80, settings)   draw(i, file) draws frame i of wanted.frames into a file
+
+or step by step
+
     frames = Frames(folder, count, settings)
-    frames.make(draw)                 draw(i, file) draws frame i, 0 to count - 1, into a file
+    frames.make(draw)
     make_gif(frames.files, "a.gif")   with Pillow or ImageMagick
     make_mp4(frames.files, "a.mp4")   with ffmpeg
 
-Frames that are there are kept, so that an interrupted animation goes on where it stopped; frames made with other settings are
-made anew. A film that no program of this machine can make is left out, with a message.
+Frames that are there are kept, so that an interrupted animation goes on where it stopped; frames made with other settings, or by
+other scripts, are made anew. A film that no program of this machine can make is left out, with a message.
 """
+import argparse
+import hashlib
 import json
 import os
 import shutil
 import subprocess
+import sys
 import time
+
+COMMON = os.path.dirname(os.path.abspath(__file__))
+
+
+def options(description, frames, size):
+    """The arguments of a figure with a film, for parse_args."""
+    parser = argparse.ArgumentParser(description=description + ": a picture and a film.")
+    parser.add_argument("--frames", type=int, default=frames, help="frames of the film; 0: the picture only")
+    parser.add_argument("--size", type=int, nargs=2, default=list(size), help="width and height of the film, pixels")
+    parser.add_argument("--no-picture", action="store_true", help="the film only")
+    return parser
+
+
+def scripts():
+    """A hash of the script that runs and of all that it has taken from this folder."""
+    files = {os.path.abspath(sys.modules["__main__"].__file__)}
+    for module in list(sys.modules.values()):
+        file = getattr(module, "__file__", None)
+        if file and os.path.dirname(os.path.abspath(file)) == COMMON:
+            files.add(os.path.abspath(file))
+    total = hashlib.sha256()
+    for file in sorted(files):
+        with open(file, "rb") as script:
+            total.update(script.read())
+    return total.hexdigest()
+
+
+def make_film(name, wanted, draw, milliseconds, settings=()):
+    """Into the gallery; `wanted` has been parsed by options(), `settings` are all that frames depend on besides scripts and size."""
+    path = os.path.join(os.environ["NEPHOSCOPE_GALLERY"], name)
+    folder = "%s_%dx%d_%d_frames" % (path, *wanted.size, wanted.frames)
+    film = Frames(folder, wanted.frames, [scripts(), wanted.frames, wanted.size, *settings])
+    film.make(draw)
+    for make, ending in ((make_gif, "gif"), (make_mp4, "mp4")):
+        if make(film.files, "%s.%s" % (path, ending), milliseconds):
+            print("wrote %s.%s" % (path, ending), flush=True)
 
 
 class Frames:

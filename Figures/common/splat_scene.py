@@ -6,30 +6,21 @@ splats, the terrain, a window with a sun, colours of altitude, caption and colou
     forecast, pressures = read_forecast(30)
     choose_winds(forecast, level_numbers(pressures, (850, 500, 250)), eye)
     window, renderer = make_window((1920, 1080), eye, focus, up, angle, sun)
-    renderer.AddActor(terrain())
+    renderer.AddActor(vtk_globe.terrain())
     clouds = splats(forecast, CLOUD_OPACITY, 2e5)
     show_winds(clouds.GetMapper(), greatest_speed=40)
     renderer.AddVolume(clouds)
 """
-import os
-
 import globe_scene
 import nephoscope
 import numpy
-import vtkmodules.vtkInteractionStyle  # noqa: F401
-import vtkmodules.vtkRenderingFreeType  # noqa: F401
-import vtkmodules.vtkRenderingOpenGL2  # noqa: F401
+import vtk_globe
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkLookupTable
 from vtkmodules.vtkCommonDataModel import vtkPiecewiseFunction
-from vtkmodules.vtkFiltersSources import vtkTexturedSphereSource
-from vtkmodules.vtkIOImage import vtkJPEGReader
-from vtkmodules.vtkIONetCDF import vtkNetCDFCFReader
 from vtkmodules.vtkRenderingAnnotation import vtkScalarBarActor
-from vtkmodules.vtkRenderingCore import (vtkActor, vtkColorTransferFunction, vtkLight, vtkPolyDataMapper, vtkRenderer, vtkRenderWindow,
-                                         vtkTextActor, vtkTexture, vtkVolume)
+from vtkmodules.vtkRenderingCore import vtkColorTransferFunction, vtkRenderer, vtkVolume
 
-INK = (0.78, 0.83, 0.90)
 # Height in metres: warm below, cold above, all bright enough to be told apart over dark sea and over cloud.
 ALTITUDE_COLOURS = ((0, 1.00, 0.30, 0.12), (1500, 1.00, 0.52, 0.10), (3500, 1.00, 0.85, 0.20), (6000, 0.62, 0.95, 0.45),
                     (8500, 0.25, 0.90, 0.90), (11000, 0.45, 0.62, 1.00), (15000, 0.80, 0.52, 1.00))
@@ -38,22 +29,11 @@ ALTITUDE_COLOURS = ((0, 1.00, 0.30, 0.12), (1500, 1.00, 0.52, 0.10), (3500, 1.00
 def read_forecast(exaggeration):
     """The forecast as a curvilinear grid on the globe, with Wind in metres per second and Height in metres; and the pressures of its
     levels in hPa."""
-    def fields(dimensions):
-        reader = vtkNetCDFCFReader()
-        reader.SetFileName(os.path.join(globe_scene.DATA, "gfs_2p5deg_2011101100.nc"))
-        reader.SphericalCoordinatesOff()
-        reader.UpdateMetaData()
-        reader.SetDimensions(dimensions)
-        return reader
-
-    volume, ground = fields("(lev, lat, lon)"), fields("(lat, lon)")
-    globe = nephoscope.vtkGlobeGrid()
-    globe.SetInputConnection(volume.GetOutputPort())
-    globe.SetSurfaceConnection(ground.GetOutputPort())
-    globe.SetVerticalExaggeration(exaggeration)
+    globe = vtk_globe.analysis_grid(exaggeration)
     globe.Update()
+    volume = globe.GetInputDataObject(0, 0)
     # The reader counts pressure, which is positive downwards, as a negative height.
-    return globe.GetOutput(), numpy.abs(vtk_to_numpy(volume.GetOutput().GetZCoordinates()))
+    return globe.GetOutput(), numpy.abs(vtk_to_numpy(volume.GetZCoordinates()))
 
 
 def level_numbers(pressures, wanted):
@@ -153,58 +133,20 @@ def show_winds(mapper, greatest_speed, opacity=4.0, width=0.08, period=4.0, unit
     mapper.SetVectorUnit(unit)
 
 
-def terrain(ambient=0.5, diffuse=0.5):
-    sphere = vtkTexturedSphereSource()
-    sphere.SetRadius(globe_scene.PLANET_RADIUS)
-    sphere.SetThetaResolution(360)
-    sphere.SetPhiResolution(180)
-    reader = vtkJPEGReader()
-    reader.SetFileName(os.path.join(globe_scene.DATA, "blue_marble_2048.jpg"))
-    texture = vtkTexture()
-    texture.SetInputConnection(reader.GetOutputPort())
-    texture.InterpolateOn()
-    mapper = vtkPolyDataMapper()
-    mapper.SetInputConnection(sphere.GetOutputPort())
-    actor = vtkActor()
-    actor.SetMapper(mapper)
-    actor.SetTexture(texture)
-    actor.RotateZ(180)  # the picture begins at 180 degrees west, the sphere at 0
-    actor.GetProperty().SetAmbient(ambient)
-    actor.GetProperty().SetDiffuse(diffuse)
-    return actor
-
-
 def make_window(size, eye, focus, up, angle, sun):
     """A window that is not shown, and its renderer: dark, with one sun."""
-    window, renderer = vtkRenderWindow(), vtkRenderer()
-    window.SetOffScreenRendering(1)
-    window.SetMultiSamples(0)
-    window.SetSize(*size)
+    window, renderer = vtk_globe.make_window(size), vtkRenderer()
     window.AddRenderer(renderer)
     renderer.GradientBackgroundOn()
     renderer.SetBackground(globe_scene.NIGHT[0])
     renderer.SetBackground2(globe_scene.NIGHT[1])
-    light = vtkLight()
-    light.SetLightTypeToSceneLight()
-    light.SetPosition(sun)
-    light.SetFocalPoint(0, 0, 0)
-    renderer.AddLight(light)
-    camera = renderer.GetActiveCamera()
-    camera.SetPosition(eye)
-    camera.SetFocalPoint(focus)
-    camera.SetViewUp(up)
-    camera.SetViewAngle(angle)
+    vtk_globe.add_sun(renderer, sun)
+    vtk_globe.look(renderer, eye, focus, up, angle)
     return window, renderer
 
 
 def add_caption(renderer, text, font_size=24, place=(28, 24)):
-    shown = vtkTextActor()
-    shown.SetInput(text)
-    shown.SetPosition(*place)
-    shown.GetTextProperty().SetFontSize(font_size)
-    shown.GetTextProperty().SetLineSpacing(1.15)
-    shown.GetTextProperty().SetColor(*INK)
-    renderer.AddViewProp(shown)
+    renderer.AddViewProp(vtk_globe.text(text, place, font_size, spacing=1.15))
 
 
 def add_altitude_bar(renderer, top=12000, labels=5, place=(0.905, 0.28), size=(0.08, 0.44), font_size=22):
@@ -223,7 +165,7 @@ def add_altitude_bar(renderer, top=12000, labels=5, place=(0.905, 0.28), size=(0
     bar.SetBarRatio(0.22)
     for style, points in ((bar.GetTitleTextProperty(), font_size), (bar.GetLabelTextProperty(), font_size)):
         style.SetFontSize(points)
-        style.SetColor(*INK)
+        style.SetColor(*vtk_globe.INK)
         style.BoldOff()
         style.ItalicOff()
         style.ShadowOff()
