@@ -68,6 +68,7 @@ SplatShapes::SplatShapes(vtkDataSet* data, const SplatSampling& sampling)
   , Ghosts(sampling.OnCells ? data->GetCellGhostArray() : data->GetPointGhostArray())
   , Count(sampling.OnCells ? data->GetNumberOfCells() : data->GetNumberOfPoints())
   , CellSize(sampling.CellSize)
+  , RadiusFactor(sampling.RadiusFactor)
 {
   if (this->OnCells && this->Count > 0)
   {
@@ -141,18 +142,20 @@ SplatVector SplatShapes::Place(vtkIdType id) const
 
 SplatMatrix SplatShapes::Jacobian(vtkIdType id) const
 {
+  SplatMatrix jacobian = this->Grid.IsGrid() ? this->Grid.Jacobian(id) : this->Voxel;
+  double scale = this->RadiusFactor;
   if (this->ShapeArray)
   {
-    SplatMatrix columns;
     for (int i = 0; i < 9; ++i)
     {
-      columns[static_cast<std::size_t>(i) / 3][static_cast<std::size_t>(i) % 3] =
+      jacobian[static_cast<std::size_t>(i) / 3][static_cast<std::size_t>(i) % 3] =
         this->ShapeArray->GetComponent(id, i);
     }
-    return WithoutFlatColumns(columns, flatShare);
   }
-  SplatMatrix jacobian = this->Grid.IsGrid() ? this->Grid.Jacobian(id) : this->Voxel;
-  const double scale = this->Scale ? this->Scale->GetComponent(id, 0) : 1;
+  else if (this->Scale)
+  {
+    scale *= this->Scale->GetComponent(id, 0);
+  }
   for (SplatVector& column : jacobian)
   {
     for (double& component : column)

@@ -29,6 +29,7 @@ struct SplatSampling
   bool OnCells = false;
   double CellSize = 0; ///< edge of the cell of samples without a grid; 0: that of its voxel, or the mean spacing
   std::string ShapeArrayName = {}; ///< of nine components: the columns of every sample's Jacobian; empty: none
+  double RadiusFactor = 1; ///< on every Jacobian: splats that are so many times as wide
 };
 
 class VTKNEPHOSCOPEREPRESENTATIONSTEXTUREDSPLATS_EXPORT SplatShapes
@@ -46,7 +47,7 @@ public:
   bool IsVisible(vtkIdType id) const;
   /** It may be at no finite place. */
   SplatVector Place(vtkIdType id) const;
-  /** Edges of the sample's cell; none is so short that the splat would be flat. */
+  /** Edges of the sample's cell, times the radius factor; none is so short that the splat would be flat. */
   SplatMatrix Jacobian(vtkIdType id) const;
   bool HaveOneShape() const
   {
@@ -69,6 +70,7 @@ private:
   vtkUnsignedCharArray* Ghosts;
   vtkIdType Count;
   double CellSize;
+  double RadiusFactor;
   SplatMatrix Voxel{};           // the shape of samples without a grid
   vtkDataArray* Scale = nullptr; // of voxels of several sizes
 };

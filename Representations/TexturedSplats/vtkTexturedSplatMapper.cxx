@@ -44,14 +44,14 @@ vtkStandardNewMacro(vtkTexturedSplatMapper);
 /** Each stage is made again only when what it was made from has changed. */
 struct vtkTexturedSplatMapper::vtkInternals
 {
-  using SampleKey = std::tuple<vtkDataSet*, vtkMTimeType, bool, double, std::string>;
+  using SampleKey = std::tuple<vtkDataSet*, vtkMTimeType, bool, double, std::string, double>;
   using ClassKey = std::tuple<vtkDataArray*, vtkDataArray*, int, vtkMTimeType, vtkMTimeType, bool>;
 
   using BoundsKey = std::tuple<SampleKey, int>;
 
-  SampleKey SampledFrom{ nullptr, 0, false, 0.0, {} };
+  SampleKey SampledFrom{ nullptr, 0, false, 0.0, {}, 0.0 };
   ClassKey ClassifiedBy{ nullptr, nullptr, 0, 0, 0, false };
-  BoundsKey BoundsOf{ SampleKey{ nullptr, 0, false, 0.0, {} }, 0 };
+  BoundsKey BoundsOf{ SampleKey{ nullptr, 0, false, 0.0, {}, 0.0 }, 0 };
   double Bounds[6] = { 1, -1, 1, -1, 1, -1 };
   nephoscope::SplatSamples Samples;
   nephoscope::SplatClasses Classes;
@@ -72,8 +72,8 @@ struct vtkTexturedSplatMapper::vtkInternals
 
   static SampleKey KeyOf(vtkDataSet* input, const nephoscope::SplatSampling& sampling)
   {
-    return SampleKey(
-      input, input->GetMTime(), sampling.OnCells, sampling.CellSize, sampling.ShapeArrayName);
+    return SampleKey(input, input->GetMTime(), sampling.OnCells, sampling.CellSize,
+      sampling.ShapeArrayName, sampling.RadiusFactor);
   }
 
   void UpdateBounds(vtkDataSet* input, const nephoscope::SplatSampling& sampling, int kernel)
@@ -228,7 +228,8 @@ double* vtkTexturedSplatMapper::GetBounds()
     int cellFlag = 0;
     vtkAbstractMapper::GetScalars(
       input, this->ScalarMode, this->ArrayAccessMode, this->ArrayId, this->ArrayName, cellFlag);
-    const nephoscope::SplatSampling sampling{ cellFlag == 1, this->CellSize, this->ShapeArrayName };
+    const nephoscope::SplatSampling sampling{ cellFlag == 1, this->CellSize, this->ShapeArrayName,
+      this->RadiusFactor };
     this->Internals->UpdateBounds(input, sampling, this->Kernel);
     std::copy_n(this->Internals->Bounds, 6, this->Bounds);
   }
@@ -297,7 +298,8 @@ std::string vtkTexturedSplatMapper::UpdateSplats(vtkDataSet* input, vtkVolume* v
   {
     return error;
   }
-  const nephoscope::SplatSampling sampling{ scalars.OnCells, this->CellSize, this->ShapeArrayName };
+  const nephoscope::SplatSampling sampling{ scalars.OnCells, this->CellSize, this->ShapeArrayName,
+    this->RadiusFactor };
   const vtkInternals::SampleKey samples = vtkInternals::KeyOf(input, sampling);
   const vtkInternals::ClassKey classes(scalars.Array, opacity.Array, scalars.Component,
     property->GetMTime(), input->GetMTime(), !this->VectorArrayName.empty());
@@ -355,8 +357,15 @@ vtkScalarsToColors* vtkTexturedSplatMapper::GetVectorColorFunction()
 
 double vtkTexturedSplatMapper::GetStreakUnit()
 {
-  return this->VectorUnit > 0 ? this->VectorUnit
-                              : this->Internals->VectorScene.GetVectors().MeanCell();
+  return this->VectorUnit > 0
+    ? this->VectorUnit
+    : this->Internals->VectorScene.GetVectors().MeanCell() / this->RadiusFactor;
+}
+
+// Wider splats overlap more: in the mean the medium stays.
+double vtkTexturedSplatMapper::GetExtinctionFactor()
+{
+  return this->OpacityScale / (this->RadiusFactor * this->RadiusFactor * this->RadiusFactor);
 }
 
 void vtkTexturedSplatMapper::AdvancePhases(double time)
@@ -412,9 +421,9 @@ bool vtkTexturedSplatMapper::SelectSplats(
   rule.Tolerance = this->ErrorTolerance;
   rule.OfImage = this->ErrorToleranceUnit == UNIT_OF_IMAGE;
   rule.RootMeanSquare = this->ErrorMeasure == ROOT_MEAN_SQUARE;
-  rule.Extinction = this->OpacityScale *
-    (rule.OfImage ? nephoscope::WorldPerModel(state)
-                  : volume->GetProperty()->GetScalarOpacityUnitDistance());
+  rule.Extinction = rule.OfImage
+    ? this->GetExtinctionFactor() * nephoscope::WorldPerModel(state)
+    : this->OpacityScale * volume->GetProperty()->GetScalarOpacityUnitDistance();
   rule.KernelRadius = nephoscope::KernelRadius(static_cast<nephoscope::SplatKernel>(this->Kernel));
   rule.MostSplats = static_cast<std::size_t>(most);
   nephoscope::SplatDrawingOptions options;
@@ -439,7 +448,7 @@ std::string vtkTexturedSplatMapper::DrawScene(
   self.UpdateOrder(state.EyeModel, nephoscope::MetricOf(nephoscope::ToViewMatrix(state.View)));
   nephoscope::SplatDrawingOptions options;
   options.Kernel = static_cast<nephoscope::SplatKernel>(this->Kernel);
-  options.ExtinctionScale = this->OpacityScale;
+  options.ExtinctionScale = this->GetExtinctionFactor();
   this->SetVectorOptions(options);
   const double longest =
     self.DrawsHierarchy ? self.Hierarchy.LongestDrawn(self.Samples) : self.Samples.LongestEdge;
@@ -511,6 +520,7 @@ void vtkTexturedSplatMapper::PrintSelf(ostream& os, vtkIndent indent)
   const char* kernels[] = { "Cubic", "Quadratic", "Gaussian" };
   os << indent << "Kernel: " << kernels[this->Kernel] << "\n";
   os << indent << "CellSize: " << this->CellSize << "\n";
+  os << indent << "RadiusFactor: " << this->RadiusFactor << "\n";
   os << indent << "ShapeArrayName: " << this->ShapeArrayName << "\n";
   os << indent << "OpacityScale: " << this->OpacityScale << "\n";
   os << indent << "OpacityArrayName: " << this->OpacityArrayName << "\n";

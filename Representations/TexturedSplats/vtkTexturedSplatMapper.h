@@ -84,6 +84,16 @@ public:
 
   ///@{
   /**
+   * How many times as wide as its cell's a splat is, on any data; extinction falls by the third power, so that mass stays. 1 (default): constant
+   * data are flat. More blurs the field, costs more to draw, and fills gaps between particles; less shows single splats. The optical
+   * depth of vectors stays that of each splat. 0.01 to 100.
+   */
+  vtkSetClampMacro(RadiusFactor, double, 0.01, 100.0);
+  vtkGetMacro(RadiusFactor, double);
+  ///@}
+
+  ///@{
+  /**
    * Name of an array (nine components, on points or cells as the coloured array) with the shape of every sample: three edges of the
    * cell that it stands for, one after the other, in units of length of the data. Empty (default), or without such an array: the cells
    * of the grid, or CellSize.
@@ -332,6 +342,7 @@ protected:
 
   int Kernel = CUBIC_KERNEL;
   double CellSize = 0.0;
+  double RadiusFactor = 1.0;
   double ErrorTolerance = 0.0;
   int ErrorToleranceUnit = UNIT_OF_IMAGE;
   int ErrorMeasure = GREATEST;
@@ -363,6 +374,7 @@ private:
   nephoscope::SplatVectorSettings GetVectorSettings();
   void SetVectorOptions(nephoscope::SplatDrawingOptions& options);
   double GetStreakUnit();
+  double GetExtinctionFactor();
   std::string UpdateSplats(vtkDataSet* input, vtkVolume* volume);
   std::string DrawScene(vtkOpenGLRenderWindow* window, vtkRenderer* renderer, vtkVolume* volume);
   bool SelectSplats(vtkRenderer* renderer, vtkVolume* volume, const nephoscope::ViewState& state);

@@ -88,7 +88,9 @@ void vtkTexturedSplatsRepresentation::PreparePiece(vtkDataObject* input)
   if (this->Piece && this->Piece->GetNumberOfPoints() > 0)
   {
     const auto kernel = static_cast<nephoscope::SplatKernel>(this->Mapper->GetKernel());
-    nephoscope::FindSplatBounds(nephoscope::SplatShapes(this->Piece, sampling),
+    const nephoscope::SplatSampling drawn{ inCells, this->CellSize, nephoscope::splatShapeName,
+      this->Mapper->GetRadiusFactor() };
+    nephoscope::FindSplatBounds(nephoscope::SplatShapes(this->Piece, drawn),
       nephoscope::KernelRadius(kernel), this->DataBounds);
   }
   if (!this->Piece)
@@ -160,6 +162,35 @@ void vtkTexturedSplatsRepresentation::SetCellSize(double size)
     this->Mapper->SetCellSize(size);
     this->MarkModified(); // so do the bounds and the automatic unit distance
   }
+}
+
+void vtkTexturedSplatsRepresentation::SetRadiusFactor(double factor)
+{
+  if (factor != this->Mapper->GetRadiusFactor())
+  {
+    this->Mapper->SetRadiusFactor(factor);
+    this->MarkModified(); // the bounds depend on it
+  }
+}
+
+void vtkTexturedSplatsRepresentation::SetErrorTolerance(double tolerance)
+{
+  this->Mapper->SetErrorTolerance(tolerance);
+}
+
+void vtkTexturedSplatsRepresentation::SetErrorToleranceUnit(int unit)
+{
+  this->Mapper->SetErrorToleranceUnit(unit);
+}
+
+void vtkTexturedSplatsRepresentation::SetErrorMeasure(int measure)
+{
+  this->Mapper->SetErrorMeasure(measure);
+}
+
+void vtkTexturedSplatsRepresentation::SetInteractiveMaximumNumberOfSplats(vtkIdType count)
+{
+  this->Mapper->SetInteractiveMaximumNumberOfSplats(count);
 }
 
 void vtkTexturedSplatsRepresentation::SetVectorArray(const char* name)

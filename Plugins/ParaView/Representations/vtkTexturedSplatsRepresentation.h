@@ -29,6 +29,11 @@ public:
   /** Forwarded to the mapper; see there. */
   void SetKernel(int kernel);
   void SetCellSize(double size);
+  void SetRadiusFactor(double factor);
+  void SetErrorTolerance(double tolerance);
+  void SetErrorToleranceUnit(int unit);
+  void SetErrorMeasure(int measure);
+  void SetInteractiveMaximumNumberOfSplats(vtkIdType count);
   void SetVectorOpacity(double opacity);
   void SetGreatestSpeed(double speed);
   void SetStreakPeriod(double units);

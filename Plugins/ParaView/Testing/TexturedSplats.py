@@ -4,6 +4,7 @@
 import math
 import os
 
+import nephoscope  # noqa: F401: so that the mapper has its own methods in Python
 import numpy as np
 from PluginTesting import (GFS, OUTPUT, check, check_same, color_and_alpha, compose, image, inside_mean_alpha, load_plugin, look,
                            new_view, passed, pvs, solid)
@@ -114,6 +115,46 @@ def check_vectors_and_time(source):
     return view, display
 
 
+def mapper_of(view):
+    """The mapper of the only splats of a view; other representations have volumes there too."""
+    volumes = view.SMProxy.GetRenderer().GetVolumes()
+    mappers = [volumes.GetItemAsObject(i).GetMapper() for i in range(volumes.GetNumberOfItems())]
+    return next(m for m in mappers if m and m.IsA("vtkTexturedSplatMapper"))
+
+
+def check_hierarchy_and_radius():
+    view = new_view()
+    display = compose(pvs.Wavelet(), view, representation=SPLATS)
+    look(view)
+    exact, mapper = image(view), mapper_of(view)
+    samples = mapper.GetNumberOfSamples()
+    check(mapper.GetNumberOfDrawnSplats() == samples, f"{mapper.GetNumberOfDrawnSplats()} splats of {samples} samples")
+    drawn = []
+    for tolerance, unit, measure in ((0.1, "Of the Image", "Greatest"), (0.1, "Of the Image", "Root Mean Square"),
+                                     (0.1, "Of the Data", "Greatest")):
+        display.TexturedSplatsErrorTolerance = tolerance
+        display.TexturedSplatsErrorToleranceUnit = unit
+        display.TexturedSplatsErrorMeasure = measure
+        difference = np.abs(image(view) - exact)
+        drawn.append(mapper.GetNumberOfDrawnSplats())
+        print(f"tolerance {tolerance} {unit}, {measure}: {drawn[-1]} splats, mean difference {difference.mean():.2f} of 255", flush=True)
+        check(0 < difference.mean() < 6, "the tolerance changes nothing, or too much")
+    check(len(set(drawn)) == 3 and drawn[1] < drawn[0] < samples, f"unit or measure does not arrive: {drawn}")
+    display.TexturedSplatsErrorTolerance = 0
+    display.TexturedSplatsInteractiveMaximumNumberOfSplats = 1000
+    view.SMProxy.InteractiveRender()
+    moving = mapper.GetNumberOfDrawnSplats()
+    check(0 < moving <= 1000, f"{moving} splats while the camera moves")
+    check_same(exact, image(view), "still again")
+    alpha = color_and_alpha(view)[1]
+    display.TexturedSplatsRadiusFactor = 1.5
+    wider = color_and_alpha(view)[1]
+    check(abs(wider[150, 150] - alpha[150, 150]) < 0.03 and (wider > 0.02).sum() > 1.02 * (alpha > 0.02).sum(),
+          "a wider splat must blur the outline and leave the middle as opaque")
+    display.TexturedSplatsRadiusFactor = 1
+    check_same(exact, image(view), "radius factor back at 1")
+
+
 def check_state():
     check_vectors_and_time(flow())
     before = image(pvs.GetActiveView())
@@ -149,4 +190,5 @@ check_units()
 check_alpha_formula()
 check_solid_color()
 check_bounds_hold_splats()
+check_hierarchy_and_radius()
 passed()

@@ -9,16 +9,27 @@ from nephoscope_testing import meshes
 from nephoscope_testing.checks import ImageTestCase
 from nephoscope_testing.offscreen import Window, float_image
 from nephoscope_testing.transfer import Transfer, constant
+from vtkmodules.vtkCommonCore import vtkFloatArray
 
 LAYERS = 8
 RIPPLE = 0.006
 
 
+def shapes_of_cubes(edge, count):
+    array = vtkFloatArray()
+    array.SetName("shape")
+    array.SetNumberOfComponents(9)
+    for _ in range(count):
+        array.InsertNextTuple9(edge, 0, 0, 0, edge, 0, 0, 0, edge)
+    return array
+
+
 class Flatness(ImageTestCase):
-    def draw(self, data, transfer, direction, parallel_scale=2.5, size=(96, 96)):
+    def draw(self, data, transfer, direction, parallel_scale=2.5, size=(96, 96), factor=1.0):
         window = Window(size)
         scene = window.add_scene()
         mapper = nephoscope.vtkTexturedSplatMapper()
+        mapper.SetRadiusFactor(factor)
         scene.add_volume(mapper, data, transfer)
         center = np.array(data.GetCenter())
         scene.look(center + 60 * np.asarray(direction), center, (0.1, 1, 0.05), parallel_scale=parallel_scale, near=5, far=150)
@@ -40,6 +51,33 @@ class Flatness(ImageTestCase):
             worst = max(worst, ripple)
             self.assertLessEqual(ripple, RIPPLE, f"direction {direction}, spacing {spacing}")
         print(f"  largest ripple {100 * worst:.2f} %")
+
+    def test_wider_splats_keep_the_medium(self):
+        """Inside a slab of constant data the optical depth stays, more evenly; near its faces it is blurred."""
+        data = meshes.with_field(meshes.image((40, 40, 11)), lambda p: 0 * p[:, 0])
+        for factor in (1.5, 2.0):
+            depth = -np.log1p(-self.draw(data, constant(0.1), (0, 0, 1), factor=factor)[..., 3])
+            self.assertLessEqual(np.abs(depth / 1.2 - 1).max(), RIPPLE, f"factor {factor}")
+        gaps = -np.log1p(-self.draw(data, constant(0.1), (0, 0, 1), factor=0.25)[..., 3])
+        self.assertGreater(gaps.max(), 4 * gaps.mean())
+
+    def test_wider_splats_of_a_shape_are_those_of_a_wider_cell(self):
+        points = np.random.default_rng(8).uniform(-1, 1, (50, 3))
+        data = meshes.particles(points)
+        meshes.add_array(data.GetPointData(), np.zeros(50))
+        mean = self.draw(data, constant(8.0), (0, 0, 1), 2.0, factor=1.6)
+        edges = np.ptp(points, axis=0)
+        data.GetPointData().AddArray(shapes_of_cubes(1.6 * np.cbrt(edges.prod() / 50), 50))
+        window = Window((96, 96))
+        scene = window.add_scene()
+        mapper = nephoscope.vtkTexturedSplatMapper()
+        mapper.SetShapeArrayName("shape")
+        scene.add_volume(mapper, data, constant(8.0 / 1.6**3))
+        center = np.array(data.GetCenter())
+        scene.look(center + (0, 0, 60), center, (0.1, 1, 0.05), parallel_scale=2.0, near=5, far=150)
+        window.render()
+        self.assertGreater(mean[..., 3].max(), 0.3)
+        np.testing.assert_allclose(float_image(mapper), mean, atol=2e-5)
 
     def test_picture_does_not_depend_on_the_order_of_the_input(self):
         rng = np.random.default_rng(5)
