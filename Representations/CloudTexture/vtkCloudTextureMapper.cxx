@@ -117,6 +117,11 @@ void vtkCloudTextureMapper::SetCoverageArrayName(const char* name)
   this->SetName(this->CoverageArrayName, name);
 }
 
+void vtkCloudTextureMapper::SetDensityArrayName(const char* name)
+{
+  this->SetName(this->DensityArrayName, name);
+}
+
 void vtkCloudTextureMapper::SetFirstCoordinatesName(const char* name)
 {
   this->SetName(this->CoordinatesNames[0], name);
@@ -303,6 +308,10 @@ void vtkCloudTextureMapper::PrintSelf(ostream& os, vtkIndent indent)
      << indent << "TextureScale: " << this->TextureScale << "\n"
      << indent << "TextureLength: " << this->TextureLength << "\n"
      << indent << "OpticalDepth: " << this->OpticalDepth << "\n"
+     << indent << "UseThickness: " << this->UseThickness << "\n"
+     << indent << "Extinction: " << this->Extinction << "\n"
+     << indent << "DensityArrayName: " << this->DensityArrayName << "\n"
+     << indent << "MaximumNumberOfLayers: " << this->MaximumNumberOfLayers << "\n"
      << indent << "FirstCoordinatesName: " << this->CoordinatesNames[0] << "\n"
      << indent << "SecondCoordinatesName: " << this->CoordinatesNames[1] << "\n";
 }

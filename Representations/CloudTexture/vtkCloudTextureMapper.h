@@ -77,6 +77,44 @@ public:
   ///@}
 
   ///@{
+  /**
+   * Clouds are as opaque as they are thick: optical depth along the ray from each front face to the next back face, or to what is opaque.
+   * For closed surfaces whose triangles face outwards, as vtkCloudSurface makes them. Where nothing is behind, OpticalDepth holds.
+   * Default: off, OpticalDepth everywhere.
+   */
+  vtkSetMacro(UseThickness, bool);
+  vtkGetMacro(UseThickness, bool);
+  vtkBooleanMacro(UseThickness, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Optical depth of cloud per length, in the unit of the scene; with UseThickness. >= 0. 0 (default): such that rays through the surface
+   * have OpticalDepth on average. Set it where the surface changes with time.
+   */
+  vtkSetClampMacro(Extinction, double, 0.0, 1e300);
+  vtkGetMacro(Extinction, double);
+  ///@}
+
+  ///@{
+  /**
+   * Point array of the density of cloud, >= 0, by which Extinction is multiplied; along the ray density is linear between the front
+   * and the back face. With UseThickness. Default: empty, the density is 1.
+   */
+  void SetDensityArrayName(const char* name);
+  const char* GetDensityArrayName() const { return this->DensityArrayName.c_str(); }
+  ///@}
+
+  ///@{
+  /**
+   * How many clouds behind one another UseThickness finds in a pixel, nearest and farthest first; a warning says where there are more. Every two
+   * cost one drawing of depths, where they are there. 2 ... 16, default: 8. OpenGL's number of textures may allow less.
+   */
+  vtkSetClampMacro(MaximumNumberOfLayers, int, 2, 16);
+  vtkGetMacro(MaximumNumberOfLayers, int);
+  ///@}
+
+  ///@{
   /** Names of the arrays of texture coordinates. Defaults: TextureCoordinates1, TextureCoordinates2. */
   void SetFirstCoordinatesName(const char* name);
   const char* GetFirstCoordinatesName() const { return this->CoordinatesNames[0].c_str(); }
@@ -114,7 +152,11 @@ private:
   double TextureScale = 3;
   double TextureLength = 0;
   double OpticalDepth = 3;
+  bool UseThickness = false;
+  double Extinction = 0;
+  int MaximumNumberOfLayers = 8;
   std::string CoverageArrayName;
+  std::string DensityArrayName;
   std::string CoordinatesNames[2] = { "TextureCoordinates1", "TextureCoordinates2" };
 
   struct vtkInternals;
