@@ -10,6 +10,8 @@
 #include "CellScene.h"
 #include "FacePass.h"
 #include "OwnThreads.h"
+#include "ReportedError.h"
+#include "ResourceWindow.h"
 #include "ScalarSelection.h"
 
 #include "vtkDataArray.h"
@@ -27,8 +29,8 @@ struct vtkCellCompositingMapper::vtkInternals
   std::int64_t UploadedContours = -1;
   nephoscope::ScalarSelection Contoured; // array of the contours, if not the coloured one
   bool WarnedOfUnprojected = false;
-  vtkOpenGLRenderWindow* Window = nullptr;
-  std::string LastError; // reported once, not once per frame
+  nephoscope::ResourceWindow Window;
+  nephoscope::ReportedError LastError;
   bool OneColor = false; // of the medium in the last render
   bool Peeled = false;   // the last render drew between translucent surfaces
   bool Busy = false;     // who hears of progress may call in between

@@ -105,11 +105,10 @@ void vtkCellCompositingMapper::Render(vtkRenderer* renderer, vtkVolume* volume)
 
 void vtkCellCompositingMapper::ReportOnce(const std::string& error)
 {
-  if (!error.empty() && error != this->Internals->LastError)
+  if (this->Internals->LastError.IsNew(error))
   {
     vtkErrorMacro(<< error);
   }
-  this->Internals->LastError = error;
 }
 
 std::string vtkCellCompositingMapper::UpdateGeometry(
@@ -156,10 +155,10 @@ std::string vtkCellCompositingMapper::DrawScene(
   CellScene& scene = this->Internals->Scene;
   vtkVolumeProperty* property = volume->GetProperty();
   const double unitDistance = property->GetScalarOpacityUnitDistance();
-  if (!(unitDistance > 0))
+  const std::string wrongUnit = nephoscope::checkUnitDistance(property);
+  if (!wrongUnit.empty())
   {
-    return "ScalarOpacityUnitDistance must be positive: it is the length over which an opacity function of 1 "
-           "gives an optical depth of 1.";
+    return wrongUnit;
   }
   if (property->GetScalarOpacity()->GetSize() == 0)
   {
@@ -258,15 +257,7 @@ void vtkCellCompositingMapper::WarnAboutUnprojected(vtkIdType count)
 std::string vtkCellCompositingMapper::Upload(vtkOpenGLRenderWindow* window)
 {
   vtkInternals& self = *this->Internals;
-  if (self.Window && self.Window != window)
-  {
-    vtkOpenGLRenderWindow* other = self.Window;
-    other->PushContext();
-    this->ReleaseGraphicsResources(other);
-    other->PopContext();
-    window->MakeCurrent();
-  }
-  self.Window = window;
+  self.Window.Enter(window, this);
   const CellScene::Versions& now = self.Scene.GetVersions();
   std::string error;
   const CellScene::Versions& before = self.Uploaded;
@@ -308,7 +299,8 @@ std::string vtkCellCompositingMapper::Upload(vtkOpenGLRenderWindow* window)
 
 bool vtkCellCompositingMapper::CopyFloatImage(vtkImageData* image)
 {
-  if (!this->Internals->Window || !this->Internals->Pass.CopyFloatImage(this->Internals->Window, image))
+  vtkOpenGLRenderWindow* window = this->Internals->Window.Get();
+  if (!window || !this->Internals->Pass.CopyFloatImage(window, image))
   {
     vtkErrorMacro("There is no float image: render first, without peeling volumes.");
     return false;
@@ -318,11 +310,10 @@ bool vtkCellCompositingMapper::CopyFloatImage(vtkImageData* image)
 
 void vtkCellCompositingMapper::ReleaseGraphicsResources(vtkWindow* window)
 {
-  if (window && window == this->Internals->Window) // another window's release is none of ours
+  if (this->Internals->Window.Leave(window))
   {
     this->Internals->Pass.ReleaseGraphicsResources(window);
     this->Internals->Faces.ReleaseGraphicsResources(window);
-    this->Internals->Window = nullptr;
     this->Internals->Uploaded = CellScene::Versions();
     this->Internals->UploadedContours = -1;
   }

@@ -93,4 +93,12 @@ std::string selectOpacity(
   return missingArray("point or cell", name.c_str(), input);
 }
 
+std::string checkUnitDistance(vtkVolumeProperty* property)
+{
+  return property->GetScalarOpacityUnitDistance() > 0
+    ? std::string()
+    : "ScalarOpacityUnitDistance must be positive: it is the length over which an opacity function of 1 "
+      "gives an optical depth of 1.";
+}
+
 } // namespace nephoscope

@@ -4,6 +4,7 @@
 
 #include "SplatClasses.h"
 #include "SplatSamples.h"
+#include "SplatVectorScene.h"
 #include "ViewState.h"
 
 #include <algorithm>
@@ -38,6 +39,20 @@ void SplatHierarchy::Invalidate()
   *this = SplatHierarchy();
 }
 
+bool SplatHierarchy::Update(const SplatSamples& samples, const SplatClasses& classes,
+  SplatVectorScene& vectors, const std::string& vectorArrayName)
+{
+  if (!this->Nodes.IsEmpty() && vectorArrayName == this->VectorArrayName)
+  {
+    return false;
+  }
+  this->VectorArrayName = vectorArrayName;
+  this->Build(samples, classes,
+    vectorArrayName.empty() ? std::vector<std::array<float, 4>>()
+                            : vectors.GetVectors().Pack(classes, {}));
+  return true;
+}
+
 void SplatHierarchy::Build(const SplatSamples& samples, const SplatClasses& classes,
   const std::vector<std::array<float, 4>>& vectors)
 {
@@ -57,14 +72,13 @@ void SplatHierarchy::Build(const SplatSamples& samples, const SplatClasses& clas
 
 bool SplatHierarchy::Select(const SplatCutRule& rule, const SplatCutView& view)
 {
-  if (this->Selected && asTuple(rule) == asTuple(this->LastRule) && view.Eye == this->LastView.Eye &&
-    view.Pixel == this->LastView.Pixel)
+  if (this->Selected && asTuple(rule) == asTuple(this->LastRule) &&
+    view.Eye == this->LastView.Eye && view.Pixel == this->LastView.Pixel)
   {
     return false;
   }
-  this->Drawn = this->Nodes.IsEmpty()
-    ? std::vector<std::int32_t>()
-    : CutSplatTree(this->Nodes, rule, view, &this->Tolerance);
+  this->Drawn = this->Nodes.IsEmpty() ? std::vector<std::int32_t>()
+                                      : CutSplatTree(this->Nodes, rule, view, &this->Tolerance);
   this->LastRule = rule;
   this->LastView = view;
   this->Selected = true;

@@ -9,12 +9,14 @@
 
 #include <array>
 #include <cstdint>
+#include <string>
 #include <vector>
 
 namespace nephoscope
 {
 
 struct SplatClasses;
+class SplatVectorScene;
 struct SplatSamples;
 struct ViewState;
 
@@ -29,9 +31,9 @@ public:
   /** Samples, classes or vectors have changed. */
   void Invalidate();
 
-  /** Makes the tree. */
-  void Build(const SplatSamples& samples, const SplatClasses& classes,
-    const std::vector<std::array<float, 4>>& vectors);
+  /** Makes the tree, with the vectors of that name (empty: none), where there is none; true if it made it. */
+  bool Update(const SplatSamples& samples, const SplatClasses& classes, SplatVectorScene& vectors,
+    const std::string& vectorArrayName);
 
   /** Finds what is drawn; true if that has changed. */
   bool Select(const SplatCutRule& rule, const SplatCutView& view);
@@ -46,7 +48,11 @@ public:
   double DrawnTolerance() const { return this->Tolerance; }
 
 private:
+  void Build(const SplatSamples& samples, const SplatClasses& classes,
+    const std::vector<std::array<float, 4>>& vectors);
+
   SplatTree Nodes;
+  std::string VectorArrayName;
   std::vector<std::array<float, 3>> Places;
   std::vector<std::int32_t> Drawn;
   double Tolerance = 0;

@@ -377,8 +377,8 @@ private:
   double GetExtinctionFactor();
   std::string UpdateSplats(vtkDataSet* input, vtkVolume* volume);
   std::string DrawScene(vtkOpenGLRenderWindow* window, vtkRenderer* renderer, vtkVolume* volume);
-  bool SelectSplats(vtkRenderer* renderer, vtkVolume* volume, const nephoscope::ViewState& state);
-  std::string Upload(vtkOpenGLRenderWindow* window);
+  bool UsesHierarchy(vtkRenderer* renderer, vtkIdType& most);
+  void SelectSplats(vtkRenderer* renderer, vtkVolume* volume, const nephoscope::ViewState& state);
   void ReportOnce(const std::string& error);
 
   vtkTexturedSplatMapper(const vtkTexturedSplatMapper&) = delete;

@@ -1,0 +1,177 @@
+// SPDX-FileCopyrightText: The Nephoscope authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "SplatScene.h"
+
+#include "OwnThreads.h"
+#include "SplatKernel.h"
+#include "SplatLayers.h"
+#include "SplatPass.h"
+#include "ViewState.h"
+
+#include "vtkDataArray.h"
+#include "vtkDataSet.h"
+#include "vtkVolumeProperty.h"
+
+namespace nephoscope
+{
+namespace
+{
+auto keyOf(vtkDataSet* input, const SplatSampling& sampling)
+{
+  return std::make_tuple(input, input->GetMTime(), sampling.OnCells, sampling.CellSize,
+    sampling.ShapeArrayName, sampling.RadiusFactor);
+}
+}
+
+const double* SplatScene::UpdateBounds(vtkDataSet* input, const SplatSampling& sampling, int kernel)
+{
+  const BoundsKey key(keyOf(input, sampling), kernel);
+  if (key != this->BoundsOf)
+  {
+    this->BoundsOf = key;
+    withThreads([&]() {
+      FindSplatBounds(
+        SplatShapes(input, sampling), KernelRadius(static_cast<SplatKernel>(kernel)), this->Bounds);
+    });
+  }
+  return this->Bounds;
+}
+
+std::string SplatScene::Update(vtkDataSet* input, const SplatSampling& sampling,
+  const SplatFields& fields, const SplatVectorSettings& vectors)
+{
+  const bool haveVectors = !vectors.ArrayName.empty();
+  const SampleKey samples = keyOf(input, sampling);
+  const ClassKey classes(fields.Scalars.Array, fields.Opacity.Array, fields.Scalars.Component,
+    fields.Property->GetMTime(), input->GetMTime(), haveVectors);
+  std::string error;
+  withThreads([&]() {
+    if (samples != this->SampledFrom)
+    {
+      this->Samples = FindSplatSamples(input, sampling, error);
+      this->VectorScene.ForgetSamples();
+    }
+    if (error.empty() && (samples != this->SampledFrom || classes != this->ClassifiedBy))
+    {
+      this->Classes = ClassifySplats(
+        input, this->Samples, fields.Scalars, fields.Opacity, fields.Property, haveVectors);
+      this->ForgetOrder();
+      this->Hierarchy.Invalidate();
+      this->SplatsUploaded = false;
+      this->VectorScene.ForgetUpload();
+    }
+  });
+  this->SampledFrom = samples;
+  this->ClassifiedBy = classes;
+  return error.empty() && haveVectors
+    ? this->VectorScene.Update(input, sampling.OnCells, this->Samples, vectors)
+    : error;
+}
+
+void SplatScene::ForgetOrder()
+{
+  this->Order.clear();
+  this->Eye[3] = -1;
+}
+
+void SplatScene::SetDrawsHierarchy(bool hierarchy)
+{
+  if (hierarchy != this->DrawsHierarchy)
+  {
+    this->ForgetOrder();
+  }
+  this->DrawsHierarchy = hierarchy;
+}
+
+void SplatScene::DrawNodes(
+  const SplatCutRule& rule, const SplatCutView& view, const std::string& vectorArrayName)
+{
+  this->SetDrawsHierarchy(true);
+  withThreads([&]() {
+    if (this->Hierarchy.Update(this->Samples, this->Classes, this->VectorScene, vectorArrayName))
+    {
+      this->SplatsUploaded = false;
+    }
+    if (this->Hierarchy.Select(rule, view))
+    {
+      this->ForgetOrder();
+    }
+  });
+}
+
+void SplatScene::UpdateOrder(const ViewState& state)
+{
+  const SplatMetric metric = MetricOf(ToViewMatrix(state.View));
+  const SplatEye& eye = state.EyeModel;
+  if (eye == this->Eye && metric == this->Metric && this->Order.size() == this->Drawn().size())
+  {
+    return;
+  }
+  withThreads([&]() { this->Order = OrderSplats(this->Places(), this->Drawn(), eye, metric); });
+  this->Eye = eye;
+  this->Metric = metric;
+  this->OrderUploaded = false;
+  this->LayeredBy = LayerKey();
+}
+
+void SplatScene::UpdateLayers(bool layers, vtkDataSet* input, int axis, std::size_t near)
+{
+  const LayerKey key(layers, axis, near);
+  if (key == this->LayeredBy)
+  {
+    return;
+  }
+  this->Items.clear();
+  if (layers)
+  {
+    const bool onCells = std::get<2>(this->SampledFrom);
+    SplatLayers found;
+    found.Find(input, onCells, this->Samples, this->Eye, axis);
+    this->Items = found.Alternate(this->Classes, this->Order, near);
+  }
+  this->LayeredBy = key;
+  this->OrderUploaded = false;
+}
+
+// By the numbers of splats that the pass knows.
+std::vector<std::int32_t> SplatScene::OrderOfSplats() const
+{
+  std::vector<std::int32_t> order = this->Order;
+  if (this->DrawsHierarchy)
+  {
+    for (std::int32_t& item : order)
+    {
+      item = this->Hierarchy.Cut()[static_cast<std::size_t>(item)];
+    }
+  }
+  return order;
+}
+
+std::string SplatScene::Upload(
+  vtkOpenGLRenderWindow* window, SplatPass& pass, const SplatVectorSettings& vectors)
+{
+  std::string error;
+  if (!this->SplatsUploaded)
+  {
+    error = pass.UploadSplats(window, this->Samples, this->Classes, this->Hierarchy.Tree());
+    this->VectorScene.ForgetUpload();
+  }
+  if (error.empty() && !vectors.ArrayName.empty())
+  {
+    error = this->VectorScene.Upload(window, pass, this->Classes, this->Hierarchy.Tree(), vectors);
+  }
+  if (error.empty() && !this->OrderUploaded)
+  {
+    error = pass.UploadOrder(window, this->Items.empty() ? this->OrderOfSplats() : this->Items);
+  }
+  this->SplatsUploaded = this->OrderUploaded = error.empty();
+  return error;
+}
+
+void SplatScene::ForgetUpload()
+{
+  this->SplatsUploaded = this->OrderUploaded = false;
+  this->VectorScene.ForgetUpload();
+}
+
+} // namespace nephoscope

@@ -1,0 +1,124 @@
+// SPDX-FileCopyrightText: The Nephoscope authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * What a mapper draws: samples, what they look like, vectors, the hierarchy, the order and the layers. Each is made again only when
+ * what it was made from has changed, and uploaded again only when it was made again.
+ */
+#ifndef SplatScene_h
+#define SplatScene_h
+
+#include "ScalarSelection.h"
+#include "SplatClasses.h"
+#include "SplatHierarchy.h"
+#include "SplatOrder.h"
+#include "SplatRanges.h"
+#include "SplatSamples.h"
+#include "SplatVectorScene.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <tuple>
+#include <vector>
+
+class vtkDataArray;
+class vtkDataSet;
+class vtkVolumeProperty;
+
+namespace nephoscope
+{
+
+struct ViewState;
+
+/** What the samples get their colour and extinction from. */
+struct SplatFields
+{
+  ScalarSelection Scalars, Opacity;
+  vtkVolumeProperty* Property;
+};
+
+class SplatScene
+{
+public:
+  /** Bounds of all that is drawn. */
+  const double* UpdateBounds(vtkDataSet* input, const SplatSampling& sampling, int kernel);
+
+  /** Samples, classes and vectors. Returns an empty string, or what is wrong. */
+  std::string Update(vtkDataSet* input, const SplatSampling& sampling, const SplatFields& fields,
+    const SplatVectorSettings& vectors);
+
+  /** Every sample is drawn. */
+  void DrawSamples() { this->SetDrawsHierarchy(false); }
+  /** Nodes of the hierarchy are drawn. */
+  void DrawNodes(
+    const SplatCutRule& rule, const SplatCutView& view, const std::string& vectorArrayName);
+
+  /** What is drawn, from back to front. */
+  void UpdateOrder(const ViewState& state);
+  /** Scalars and vectors apart, layer by layer; or without `layers` both in the order of the splats. `near`: of the order's end. */
+  void UpdateLayers(bool layers, vtkDataSet* input, int axis, std::size_t near);
+
+  /** What has changed since the last upload. Returns an empty string, or what went wrong. */
+  std::string Upload(
+    vtkOpenGLRenderWindow* window, SplatPass& pass, const SplatVectorSettings& vectors);
+  /** To be called when graphics resources are gone. */
+  void ForgetUpload();
+
+  std::size_t GetNumberOfSamples() const { return this->Classes.Samples.size(); }
+  std::size_t GetNumberOfDrawn() const { return this->Drawn().size(); }
+  const SplatSamples& GetSamples() const { return this->Samples; }
+  SortedSplats GetSorted() const
+  {
+    return { this->Places(), this->Drawn(), this->Order, this->LongestDrawn() };
+  }
+  SplatVectorScene& GetVectorScene() { return this->VectorScene; }
+  /** With which the hierarchy was drawn; 0 where every sample was. */
+  double GetDrawnTolerance() const
+  {
+    return this->DrawsHierarchy ? this->Hierarchy.DrawnTolerance() : 0.0;
+  }
+
+private:
+  using SampleKey = std::tuple<vtkDataSet*, vtkMTimeType, bool, double, std::string, double>;
+  using ClassKey = std::tuple<vtkDataArray*, vtkDataArray*, int, vtkMTimeType, vtkMTimeType, bool>;
+  using BoundsKey = std::tuple<SampleKey, int>;
+  using LayerKey = std::tuple<bool, int, std::size_t>;
+
+  // Places, and the numbers of those among them that are drawn.
+  const std::vector<std::array<float, 3>>& Places() const
+  {
+    return this->DrawsHierarchy ? this->Hierarchy.Positions() : this->Samples.Positions;
+  }
+  const std::vector<std::int32_t>& Drawn() const
+  {
+    return this->DrawsHierarchy ? this->Hierarchy.Cut() : this->Classes.Samples;
+  }
+  double LongestDrawn() const
+  {
+    return this->DrawsHierarchy ? this->Hierarchy.LongestDrawn(this->Samples)
+                                : this->Samples.LongestEdge;
+  }
+  void SetDrawsHierarchy(bool hierarchy);
+  void ForgetOrder();
+  std::vector<std::int32_t> OrderOfSplats() const;
+
+  SampleKey SampledFrom{ nullptr, 0, false, 0.0, {}, 0.0 };
+  ClassKey ClassifiedBy{ nullptr, nullptr, 0, 0, 0, false };
+  BoundsKey BoundsOf{ SampleKey{ nullptr, 0, false, 0.0, {}, 0.0 }, 0 };
+  LayerKey LayeredBy{ false, 0, 0 };
+  double Bounds[6] = { 1, -1, 1, -1, 1, -1 };
+  SplatSamples Samples;
+  SplatClasses Classes;
+  SplatVectorScene VectorScene;
+  SplatHierarchy Hierarchy;
+  bool DrawsHierarchy = false;     // in the last render
+  SplatEye Eye{ { 0, 0, 0, -1 } }; // of the order: none
+  SplatMetric Metric = UnitMetric;
+  std::vector<std::int32_t> Order;
+  std::vector<std::int32_t> Items; // of the order, where vectors are in layers
+  bool SplatsUploaded = false, OrderUploaded = false;
+};
+
+} // namespace nephoscope
+
+#endif
