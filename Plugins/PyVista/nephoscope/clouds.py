@@ -125,14 +125,8 @@ def cloud_surface(mesh: pyvista.DataSet, isosurfaces: int | float | Sequence[flo
 
     Raises
     ------
-    TypeError
-        If `mesh` is not a structured dataset.
-    pyvista.core.errors.MissingDataError
-        (a ValueError) If there is no such point array; the message lists those that are there.
-    ValueError
-        If a number or a choice is out of range.
-    RuntimeError
-        If the filter cannot use the grid, with its message.
+    TypeError, pyvista.core.errors.MissingDataError, ValueError, RuntimeError
+        As `smooth` does.
 
     Warns
     -----

@@ -1,0 +1,224 @@
+# SPDX-FileCopyrightText: The Nephoscope authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""What the functions that add a volume to a plotter share: arrays, transfer functions, the actor and its scalar bar."""
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any, Sequence
+
+import numpy as np
+import pyvista
+from pyvista.core.errors import MissingDataError
+
+from ._checks import arrays_of
+from .transfer import OpacityLike, colour_function, opacity_function, opacity_values
+
+
+def require_plotter(plotter: Any) -> None:
+    if not callable(getattr(plotter, "add_actor", None)):
+        raise TypeError(f"plotter is a {type(plotter).__name__}; it must be a pyvista.Plotter.")
+
+
+def wrapped(data: Any, merge_points: bool) -> Any:
+    """`data` as a PyVista object, blocks as one dataset; as it was if it cannot be one."""
+    try:
+        data = pyvista.wrap(data)
+    except (TypeError, NotImplementedError):
+        pass
+    if isinstance(data, pyvista.MultiBlock):
+        return data.combine(merge_points=merge_points) if data.n_blocks else pyvista.UnstructuredGrid()
+    return data
+
+
+class MediumMapper:
+    """Added to a volume mapper of VTK: the properties that PyVista's plotters and scalar bars read and write.
+
+    Attributes
+    ----------
+    dataset : pyvista.DataSet
+        The grid drawn.
+    lookup_table : pyvista.LookupTable
+        Colours of the scalar bar and, over its range, of the volume.
+    scalar_range : tuple of float
+        Range of the transfer functions. Setting it (`Plotter.update_scalar_bar_range` does) moves colours and opacities.
+    """
+
+    def attach(self, prop: pyvista.VolumeProperty, table: pyvista.LookupTable, opacities: np.ndarray,
+               opacity_clim: tuple[float, float] | None) -> None:
+        """Write colours and opacities to `prop`, now and whenever the scalar range changes.
+
+        `opacity_clim` is the range of the opacities where another array than that of the colours gives them.
+        """
+        self._prop, self.lookup_table = prop, table
+        self._opacities, self._opacity_clim = opacities, opacity_clim
+        self.scalar_range = table.scalar_range
+
+    @property
+    def dataset(self) -> pyvista.DataSet:
+        return pyvista.wrap(self.GetInputDataObject(0, 0))
+
+    @property
+    def scalar_range(self) -> tuple[float, float]:
+        return self.lookup_table.scalar_range
+
+    @scalar_range.setter
+    def scalar_range(self, clim: Sequence[float]) -> None:
+        table = self.lookup_table
+        table.scalar_range = tuple(clim)
+        self._prop.SetColor(colour_function(table))
+        if self._opacity_clim is None:
+            opacity = opacity_function(self._opacities, table.scalar_range, table.log_scale)
+        else:
+            opacity = opacity_function(self._opacities, self._opacity_clim, False)
+        self._prop.SetScalarOpacity(opacity)
+
+
+def scalar_array(grid: pyvista.DataSet, scalars: str | np.ndarray | None,
+                 preference: str) -> tuple[pyvista.DataSet, str, str]:
+    """The grid that has the scalars, the array's name, and "point" or "cell"."""
+    if preference not in ("point", "cell"):
+        raise ValueError(f"preference is {preference!r}; it must be 'point' or 'cell'.")
+    if scalars is None:
+        association, scalars = grid.active_scalars_info
+        if scalars is None:
+            raise MissingDataError(f"grid has no active scalars; name an array: {arrays_of(grid)}")
+        preference = association.name.lower()
+    if not isinstance(scalars, str):
+        grid, scalars, preference = _with_values(grid, scalars, preference)
+    return grid, scalars, association_of(grid, scalars, preference, "scalars")
+
+
+def association_of(grid: pyvista.DataSet, name: str, preference: str, argument: str) -> str:
+    """ "point" or "cell", where the array `name` of one number each is; `preference` if both have it."""
+    for association in (preference, "cell" if preference == "point" else "point"):
+        if name in (grid.point_data if association == "point" else grid.cell_data):
+            _require_scalars(array_values(grid, name, association), name, argument)
+            return association
+    raise MissingDataError(f"{argument}: no array {name!r}. {arrays_of(grid)}")
+
+
+def array_values(grid: pyvista.DataSet, name: str, association: str) -> np.ndarray:
+    return (grid.point_data if association == "point" else grid.cell_data)[name]
+
+
+def _with_values(grid: pyvista.DataSet, values: Any, preference: str) -> tuple[pyvista.DataSet, str, str]:
+    """A shallow copy of the grid that has `values` as the array "Data"."""
+    values = np.asarray(values)
+    counts = {"point": grid.n_points, "cell": grid.n_cells}
+    fitting = [kind for kind, count in counts.items() if len(np.atleast_1d(values)) == count]
+    if not fitting:
+        raise ValueError(f"scalars has shape {values.shape}; it must have one value for each of the "
+                         f"{grid.n_points} points or {grid.n_cells} cells.")
+    kind = preference if preference in fitting else fitting[0]
+    grid = grid.copy(deep=False)
+    (grid.point_data if kind == "point" else grid.cell_data).set_array(values, "Data")
+    return grid, "Data", kind
+
+
+def _require_scalars(values: np.ndarray, name: str, argument: str) -> None:
+    if not np.issubdtype(values.dtype, np.number):
+        raise TypeError(f"{argument}: the array {name!r} is of type {values.dtype}; numbers are needed.")
+    if values.ndim != 1:
+        raise ValueError(f"{argument}: the array {name!r} has {values.shape[1]} components; one is needed. "
+                         "Pass a column, or numpy.linalg.norm(array, axis=1).")
+    if not np.isfinite(values).any():
+        raise ValueError(f"{argument}: the array {name!r} has no finite value.")
+
+
+def _scalar_range(values: np.ndarray, name: str, clim: float | Sequence[float] | None,
+                  log_scale: bool) -> tuple[float, float]:
+    finite = values[np.isfinite(values)]
+    if clim is None:
+        low, high = float(finite.min()), float(finite.max())
+        if low == high and not log_scale:
+            low, high = low - 0.5, high + 0.5
+    else:
+        low, high = (-clim, clim) if np.isscalar(clim) else clim
+    if log_scale and low <= 0:
+        positive = finite[finite > 0]
+        if positive.size == 0:
+            raise ValueError(f"log_scale: the array {name!r} has no value above 0.")
+        low = float(positive.min())
+    if not (np.isfinite(low) and np.isfinite(high) and low < high):
+        raise ValueError(f"clim is ({low:g}, {high:g}) for the array {name!r}; it must be two finite numbers, ascending.")
+    return float(low), float(high)
+
+
+@dataclass
+class Functions:
+    """The arguments of `add_cells` that give colour and opacity; see there."""
+    cmap: Any = None
+    opacity: OpacityLike = "linear"
+    clim: float | Sequence[float] | None = None
+    n_colors: int = 256
+    flip_scalars: bool = False
+    log_scale: bool = False
+    opacity_scalars: str | None = None
+    opacity_clim: float | Sequence[float] | None = None
+
+    def attach(self, mapper: MediumMapper, plotter: pyvista.BasePlotter, grid: pyvista.DataSet, name: str, association: str,
+               preference: str, unit_distance: float) -> pyvista.VolumeProperty:
+        """The property of a volume of the array `name`, which `mapper` will draw."""
+        table = self._lookup_table(plotter, array_values(grid, name, association), name)
+        opacities = self._opacities(table)
+        opacity_range = self._opacity_range(grid, preference)
+        mapper.SetInputData(grid)
+        mapper.SelectScalarArray(name)
+        if association == "point":
+            mapper.SetScalarModeToUsePointFieldData()
+        else:
+            mapper.SetScalarModeToUseCellFieldData()
+        mapper.SetOpacityArrayName(self.opacity_scalars or "")
+        prop = pyvista.VolumeProperty(opacity_unit_distance=unit_distance)
+        mapper.attach(prop, table, opacities, opacity_range)
+        return prop
+
+    def _lookup_table(self, plotter: pyvista.BasePlotter, values: np.ndarray, name: str) -> pyvista.LookupTable:
+        if isinstance(self.cmap, pyvista.LookupTable):
+            return self.cmap
+        return lookup_table(plotter, values, name, self.cmap, self.clim, n_colors=self.n_colors, flip=self.flip_scalars,
+                            log_scale=self.log_scale)
+
+    def _opacities(self, table: pyvista.LookupTable) -> np.ndarray:
+        """Opacities at equal steps, from `cmap` if that is a table; else also written into the scalar bar's, if they are of its array."""
+        if table is self.cmap:
+            return np.resize(np.asarray(table.values)[:, 3] / 255.0, max(table.n_values, 2))
+        opacities = opacity_values(self.opacity, self.n_colors)
+        if self.opacity_scalars is None:
+            steps = np.linspace(0, 1, table.n_values)
+            table.values[:, 3] = np.rint(255 * np.interp(steps, np.linspace(0, 1, len(opacities)), opacities))
+        return opacities
+
+    def _opacity_range(self, grid: pyvista.DataSet, preference: str) -> tuple[float, float] | None:
+        """The range of `opacity_scalars`; None if there is no array for the opacity alone."""
+        name = self.opacity_scalars
+        if name is None:
+            if self.opacity_clim is not None:
+                raise ValueError("opacity_clim is given without opacity_scalars; the range of scalars is clim.")
+            return None
+        association = association_of(grid, name, preference, "opacity_scalars")
+        return _scalar_range(array_values(grid, name, association), name, self.opacity_clim, False)
+
+
+def lookup_table(plotter: pyvista.BasePlotter, values: np.ndarray, name: str, cmap: Any, clim: float | Sequence[float] | None, *,
+                 n_colors: int = 256, flip: bool = False, log_scale: bool = False) -> pyvista.LookupTable:
+    """The colours of the array `name`: the theme's without a `cmap`, over its range without a `clim`."""
+    table = pyvista.LookupTable()
+    table.apply_cmap(plotter.theme.cmap if cmap is None else cmap, n_colors, flip=flip)
+    table.log_scale = log_scale
+    table.scalar_range = _scalar_range(values, name, clim, log_scale)
+    return table
+
+
+def add_medium(plotter: pyvista.BasePlotter, mapper: MediumMapper, prop: pyvista.VolumeProperty, title: str, *, user_matrix: Any,
+               show_scalar_bar: bool | None, scalar_bar_args: dict | None, **actor_options: Any) -> pyvista.Volume:
+    """Adds the volume and its scalar bar to the plotter."""
+    volume = pyvista.Volume()
+    volume.prop, volume.mapper = prop, mapper
+    if user_matrix is not None:
+        volume.user_matrix = user_matrix
+    plotter.add_actor(volume, **actor_options)
+    plotter.mapper = mapper  # as add_volume does: later calls without a mapper mean the last one added
+    if plotter.theme.show_scalar_bar if show_scalar_bar is None else show_scalar_bar:
+        plotter.add_scalar_bar(**{"title": title, **(scalar_bar_args or {}), "mapper": mapper})
+    return volume
