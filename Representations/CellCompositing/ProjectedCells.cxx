@@ -61,9 +61,7 @@ std::array<float, 4> toFloat(const double v[4])
 
 std::string cellShader(const char* shader, const std::string& constants)
 {
-  std::string source = shader;
-  includeTriangleShaders(source);
-  return specializedShader(source.c_str(), constants);
+  return specializedShader(withTriangleShaders(shader), constants);
 }
 }
 

@@ -43,12 +43,11 @@ constexpr int maximumSteps = 1 << 16;
 
 std::string withParts(const char* shader, const std::string& constants, bool structured)
 {
-  std::string source = shader;
-  vtkShaderProgram::Substitute(
-    source, "//NEPHOSCOPE::Topology", structured ? ChessboardTopologyShader : NeighborTopologyShader);
-  vtkShaderProgram::Substitute(source, "//NEPHOSCOPE::TetrahedronWalk", TetrahedronWalkShader);
-  vtkShaderProgram::Substitute(source, "//NEPHOSCOPE::RaySegments", RaySegmentsShader);
-  return specializedShader(source.c_str(), constants);
+  const std::string walk = withShaderParts(shader,
+    { { "Topology", structured ? ChessboardTopologyShader : NeighborTopologyShader },
+      { "TetrahedronWalk", TetrahedronWalkShader },
+      { "RaySegments", RaySegmentsShader } });
+  return specializedShader(walk, constants);
 }
 }
 

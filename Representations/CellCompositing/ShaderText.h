@@ -11,10 +11,9 @@
 #include "FaceScalarsShader.h"
 #include "OpaqueDepthShader.h"
 #include "OpticalSegmentShader.h"
+#include "ShaderParts.h"
 #include "TetrahedronInputShader.h"
 #include "TransferFunctionShader.h"
-
-#include "vtkShaderProgram.h"
 
 #include <string>
 
@@ -26,17 +25,16 @@ inline std::string shaderConstant(const char* name, bool value)
   return std::string("const bool ") + name + (value ? " = true;\n" : " = false;\n");
 }
 
-inline std::string specializedShader(const char* shader, const std::string& constants)
+inline std::string specializedShader(const std::string& shader, const std::string& constants)
 {
-  std::string source = shader;
-  vtkShaderProgram::Substitute(source, "//NEPHOSCOPE::Constants", constants);
-  vtkShaderProgram::Substitute(source, "//NEPHOSCOPE::TetrahedronInput", TetrahedronInputShader);
-  vtkShaderProgram::Substitute(source, "//NEPHOSCOPE::OpaqueDepth", OpaqueDepthShader);
-  vtkShaderProgram::Substitute(source, "//NEPHOSCOPE::OpticalSegment", OpticalSegmentShader);
-  vtkShaderProgram::Substitute(source, "//NEPHOSCOPE::TransferFunction", TransferFunctionShader);
-  vtkShaderProgram::Substitute(source, "//NEPHOSCOPE::FaceScalars", FaceScalarsShader);
-  vtkShaderProgram::Substitute(source, "//NEPHOSCOPE::ContourSurfaces", ContourSurfacesShader);
-  return source;
+  return withShaderParts(shader,
+    { { "Constants", constants },
+      { "TetrahedronInput", TetrahedronInputShader },
+      { "OpaqueDepth", OpaqueDepthShader },
+      { "OpticalSegment", OpticalSegmentShader },
+      { "TransferFunction", TransferFunctionShader },
+      { "FaceScalars", FaceScalarsShader },
+      { "ContourSurfaces", ContourSurfacesShader } });
 }
 
 } // namespace nephoscope

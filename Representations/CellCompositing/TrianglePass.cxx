@@ -3,6 +3,7 @@
 #include "TrianglePass.h"
 
 #include "CellGeometry.h"
+#include "ShaderParts.h"
 
 #include "CellTrianglesFragment.h"
 #include "CellTrianglesGeometry.h"
@@ -12,7 +13,6 @@
 #include "vtkMatrix4x4.h"
 #include "vtkNew.h"
 #include "vtkSMPTools.h"
-#include "vtkShaderProgram.h"
 
 #include <atomic>
 
@@ -29,10 +29,9 @@ const char* triangleFragmentShader()
   return CellTrianglesFragment;
 }
 
-void includeTriangleShaders(std::string& source)
+std::string withTriangleShaders(const char* shader)
 {
-  vtkShaderProgram::Substitute(source, "//NEPHOSCOPE::ProjectedTriangles", ProjectedTrianglesShader);
-  vtkShaderProgram::Substitute(source, "//NEPHOSCOPE::OpacityTable", OpacityTableShader);
+  return withShaderParts(shader, { { "ProjectedTriangles", ProjectedTrianglesShader }, { "OpacityTable", OpacityTableShader } });
 }
 
 double smallestEyeDepth(const double eyeView[4], vtkMatrix4x4* viewToDevice)

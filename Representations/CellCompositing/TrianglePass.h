@@ -28,8 +28,8 @@ inline bool drawsTriangles(CellMethod method)
 /** Sources with the marks that CellCompositingPass fills in. */
 const char* triangleGeometryShader();
 const char* triangleFragmentShader();
-/** Fills in the marks that are those of the triangles alone. */
-void includeTriangleShaders(std::string& source);
+/** The shader with the marks filled in that are those of the triangles alone. */
+std::string withTriangleShaders(const char* shader);
 
 /** A vertex nearer to the plane of the eye than this is taken as one that cannot be projected: a tenth of the near plane's distance. */
 double smallestEyeDepth(const double eyeView[4], vtkMatrix4x4* viewToDevice);

@@ -5,6 +5,7 @@
 #include "SplatPass.h"
 
 #include "PointMargin.h"
+#include "ShaderParts.h"
 #include "SplatClasses.h"
 #include "SplatSamples.h"
 #include "SplatTree.h"
@@ -108,13 +109,12 @@ std::string shaderConstants(const SplatDrawingOptions& options, const SplatPass:
 
 std::string specialized(const char* shader, const std::string& constants)
 {
-  std::string source = shader;
-  vtkShaderProgram::Substitute(source, "//NEPHOSCOPE::VectorSplat", VectorSplatGeometry);
-  vtkShaderProgram::Substitute(source, "//NEPHOSCOPE::VectorTexture", VectorTextureShader);
-  vtkShaderProgram::Substitute(source, "//NEPHOSCOPE::Constants", constants);
-  vtkShaderProgram::Substitute(source, "//NEPHOSCOPE::Cell", SplatCell);
-  vtkShaderProgram::Substitute(source, "//NEPHOSCOPE::Footprint", SplatFootprint);
-  return source;
+  return withShaderParts(shader,
+    { { "VectorSplat", VectorSplatGeometry },
+      { "VectorTexture", VectorTextureShader },
+      { "Constants", constants },
+      { "Cell", SplatCell },
+      { "Footprint", SplatFootprint } });
 }
 
 using Float4 = std::array<float, 4>;

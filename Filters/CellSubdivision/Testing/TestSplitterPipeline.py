@@ -2,14 +2,11 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Threads change nothing, blocks are taken one by one and fit, numbering does not matter, abort gives nothing."""
 import hashlib
-import os
-import subprocess
-import sys
 import unittest
 
 import nephoscope
 import numpy as np
-from nephoscope_testing import meshes
+from nephoscope_testing import meshes, threads
 from nephoscope_testing.meshes import Lattice
 from split_checks import Cells, split
 from split_meshes import centred, hexahedra_as_polyhedra, wavy, with_sources
@@ -41,14 +38,9 @@ def digest(output):
 
 class Threads(unittest.TestCase):
     def test_any_number_gives_the_same(self):
-        code = ("import TestSplitterPipeline as t\n"
-                "print([t.digest(t.split(d, [0.2, -0.3, 0.9], PolyhedralTransitions=p)) for d in t.large() for p in (False, True)])")
-        digests = set()
-        for threads in ("1", "2", "5"):
-            environment = dict(os.environ, VTK_SMP_MAX_THREADS=threads)
-            folder = os.path.dirname(os.path.abspath(__file__))
-            digests.add(subprocess.check_output([sys.executable, "-c", code], env=environment, cwd=folder))
-        self.assertEqual(len(digests), 1)
+        made = threads.results(
+            __file__, "[digest(split(d, [0.2, -0.3, 0.9], PolyhedralTransitions=p)) for d in large() for p in (False, True)]")
+        self.assertEqual(len(made), 1)
 
 
 class Batches(unittest.TestCase):

@@ -2,14 +2,12 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Threads and pieces change nothing, blocks are contoured one by one, abort gives nothing, progress rises."""
 import hashlib
-import os
-import subprocess
-import sys
 import unittest
 
 import cloud_grids as cg
 import nephoscope
 import numpy as np
+from nephoscope_testing import threads
 from TestCloudSurfaceSeams import blob_globe
 from TestSmoothingPipeline import rectilinear
 from vtkmodules.vtkCommonDataModel import vtkMultiBlockDataSet
@@ -35,13 +33,7 @@ def corners(out):
 
 class Threads(unittest.TestCase):
     def test_any_number_gives_the_same(self):
-        digests = set()
-        for threads in ("1", "2", "5"):
-            environment = dict(os.environ, VTK_SMP_MAX_THREADS=threads)
-            folder = os.path.dirname(os.path.abspath(__file__))
-            code = "import TestCloudSurfacePipeline as t; print(t.digest())"
-            digests.add(subprocess.check_output([sys.executable, "-c", code], env=environment, cwd=folder))
-        self.assertEqual(len(digests), 1)
+        self.assertEqual(len(threads.results(__file__, "digest()")), 1)
 
 
 class Pieces(unittest.TestCase):

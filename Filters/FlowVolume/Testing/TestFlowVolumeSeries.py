@@ -1,12 +1,10 @@
 # SPDX-FileCopyrightText: The Nephoscope authors
 # SPDX-License-Identifier: BSD-3-Clause
 """How a time series is followed: every step read once, two in memory, the same smoke by every way to a time; bad series."""
-import os
-import subprocess
-import sys
 import unittest
 
 import numpy as np
+from nephoscope_testing import threads
 from nephoscope_testing.flow import flow_volume, update
 from nephoscope_testing.time_series import TimeSeries
 from vtkmodules.vtkCommonCore import vtkWeakReference
@@ -129,11 +127,7 @@ class Memory(unittest.TestCase):
 
 class Threads(unittest.TestCase):
     def test_any_number_gives_the_same(self):
-        code = "import TestFlowVolumeSeries as t; print(t.digest(0.97, PolygonEdgeLength=0.02))"
-        folder = os.path.dirname(os.path.abspath(__file__))
-        digests = {subprocess.check_output([sys.executable, "-c", code], cwd=folder, env=dict(os.environ, VTK_SMP_MAX_THREADS=n))
-                   for n in ("1", "2", "5")}
-        self.assertEqual(len(digests), 1)
+        self.assertEqual(len(threads.results(__file__, "digest(0.97, PolygonEdgeLength=0.02)")), 1)
 
 
 class BadSeries(unittest.TestCase):

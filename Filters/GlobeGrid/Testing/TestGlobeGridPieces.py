@@ -1,9 +1,8 @@
 # SPDX-FileCopyrightText: The Nephoscope authors
 # SPDX-License-Identifier: BSD-3-Clause
 """Pieces add up to the whole, threads change nothing, time passes through, blocks are taken one by one."""
+import hashlib
 import os
-import subprocess
-import sys
 import unittest
 
 import numpy as np
@@ -13,6 +12,7 @@ from vtkmodules.vtkIOXML import vtkXMLRectilinearGridReader, vtkXMLRectilinearGr
 
 import globe_fields as gf
 import nephoscope
+from nephoscope_testing import threads
 
 LON, LAT = np.arange(36) * 10.0, np.linspace(90.0, -90.0, 19)
 
@@ -92,14 +92,9 @@ class Pieces(unittest.TestCase):
 
 class Threads(unittest.TestCase):
     def test_any_number_gives_the_same(self):
-        code = ("import sys,hashlib,TestGlobeGridPieces as t, globe_fields as g;"
-                "print(hashlib.sha256(t.state(g.globe(t.weather()).GetOutput()).tobytes()).hexdigest())")
-        digests = set()
-        for threads in ("1", "2", "4"):
-            environment = dict(os.environ, VTK_SMP_MAX_THREADS=threads)
-            folder = os.path.dirname(os.path.abspath(__file__))
-            digests.add(subprocess.check_output([sys.executable, "-c", code], env=environment, cwd=folder))
-        self.assertEqual(len(digests), 1)
+        made = threads.results(
+            __file__, "hashlib.sha256(state(gf.globe(weather()).GetOutput()).tobytes()).hexdigest()")
+        self.assertEqual(len(made), 1)
 
 
 if __name__ == "__main__":

@@ -1,13 +1,10 @@
 # SPDX-FileCopyrightText: The Nephoscope authors
 # SPDX-License-Identifier: BSD-3-Clause
 """How a time series is followed: reads, memory, the same by every way to a time, key frames, points, threads, bad input."""
-import os
-import subprocess
-import sys
 import unittest
 
 import numpy as np
-from nephoscope_testing import meshes
+from nephoscope_testing import meshes, threads
 from nephoscope_testing.texture import DAY, Globe, advection, of_place, rotation, update
 from nephoscope_testing.time_series import TimeSeries
 from vtkmodules.vtkCommonDataModel import vtkMultiBlockDataSet, vtkPolyData, vtkStructuredGrid
@@ -186,11 +183,7 @@ class Pieces(unittest.TestCase):
 
 class Threads(unittest.TestCase):
     def test_any_number_gives_the_same(self):
-        code = "import TestTextureAdvectionSeries as t; print(t.digest(30.5 * 3600))"
-        folder = os.path.dirname(os.path.abspath(__file__))
-        digests = {subprocess.check_output([sys.executable, "-c", code], cwd=folder, env=dict(os.environ, VTK_SMP_MAX_THREADS=n))
-                   for n in ("1", "2", "5")}
-        self.assertEqual(len(digests), 1)
+        self.assertEqual(len(threads.results(__file__, "digest(30.5 * 3600)")), 1)
 
 
 class Boxes(unittest.TestCase):

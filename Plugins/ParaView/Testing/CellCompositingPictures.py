@@ -4,22 +4,9 @@
 import math
 
 import numpy as np
-from PluginTesting import (GFS, check, check_same, color_and_alpha, compose, image, inside_mean_alpha, load_plugin, look,
+from FirstPictures import SENSIBLE, check_first_pictures
+from PluginTesting import (check, check_same, color_and_alpha, compose, image, inside_mean_alpha, load_plugin, look,
                            new_view, passed, pvs, solid)
-
-# Neither invisible nor opaque: the mean alpha of the pixels that show anything, right after the choice.
-SENSIBLE = (0.25, 0.97)
-
-
-def check_first_picture(name, source, array):
-    view = new_view()
-    compose(source, view, array)
-    pvs.ResetCamera(view)
-    _, alpha = color_and_alpha(view)
-    mean = inside_mean_alpha(alpha)
-    print(f"first picture of {name}: mean alpha {mean:.3f}", flush=True)
-    check(SENSIBLE[0] < mean < SENSIBLE[1], f"{name}: mean alpha {mean:.3f} is outside {SENSIBLE}")
-    pvs.Delete(view)
 
 
 def check_units():
@@ -170,15 +157,7 @@ def check_methods():
 
 load_plugin()
 wavelet = pvs.Wavelet()
-check_first_picture("the wavelet", wavelet, ("POINTS", "RTData"))
-check_first_picture("cell data", pvs.PointDatatoCellData(Input=wavelet), ("CELLS", "RTData"))
-check_first_picture("tetrahedra", pvs.Tetrahedralize(Input=wavelet), ("POINTS", "RTData"))
-weather = pvs.ExtractSubset(Input=pvs.NetCDFReader(FileName=[GFS], SphericalCoordinates=0),
-                            VOI=[0, 10**6] * 3, SampleRateI=2, SampleRateJ=2)
-check_first_picture("GFS humidity, degrees and hPa", weather, ("POINTS", "r"))
-for exaggeration, name in ((1, "r"), (50, "clwmr")):
-    globe = pvs.GlobeGrid(Input=weather, VerticalExaggeration=exaggeration)
-    check_first_picture(f"GFS {name} on the globe, exaggeration {exaggeration}", globe, ("POINTS", name))
+check_first_pictures("Cell Compositing", wavelet)
 check_units()
 check_datasets_agree()
 check_change_of_array()

@@ -6,22 +6,11 @@ import os
 
 import nephoscope  # noqa: F401: so that the mapper has its own methods in Python
 import numpy as np
-from PluginTesting import (GFS, OUTPUT, check, check_same, color_and_alpha, compose, image, inside_mean_alpha, load_plugin, look,
+from FirstPictures import SENSIBLE, check_first_picture, check_first_pictures
+from PluginTesting import (OUTPUT, check, check_same, color_and_alpha, compose, image, inside_mean_alpha, load_plugin, look,
                            new_view, passed, pvs, solid)
 
 SPLATS = "Textured Splats"
-# Neither invisible nor opaque: the mean alpha of the pixels that show anything, right after the choice.
-SENSIBLE = (0.25, 0.97)
-
-
-def check_first_picture(name, source, array=("POINTS", "RTData")):
-    view = new_view()
-    compose(source, view, array, SPLATS)
-    pvs.ResetCamera(view)
-    mean = inside_mean_alpha(color_and_alpha(view)[1])
-    print(f"first picture of {name}: mean alpha {mean:.3f}", flush=True)
-    check(SENSIBLE[0] < mean < SENSIBLE[1], f"{name}: mean alpha {mean:.3f} is outside {SENSIBLE}")
-    pvs.Delete(view)
 
 
 def particles():
@@ -175,17 +164,9 @@ def check_state():
 load_plugin()
 check_state()  # first: data with times of their own would set the range of the animation
 wavelet = pvs.Wavelet()
-check_first_picture("the wavelet", wavelet)
-check_first_picture("cell data", pvs.PointDatatoCellData(Input=wavelet), ("CELLS", "RTData"))
-check_first_picture("tetrahedra", pvs.Tetrahedralize(Input=wavelet))
-check_first_picture("blocks", pvs.GroupDatasets(Input=[wavelet, pvs.Tetrahedralize(Input=wavelet)]))
-check_first_picture("particles", particles(), ("POINTS", "Elevation"))
-weather = pvs.ExtractSubset(Input=pvs.NetCDFReader(FileName=[GFS], SphericalCoordinates=0),
-                            VOI=[0, 10**6] * 3, SampleRateI=2, SampleRateJ=2)
-check_first_picture("GFS humidity, degrees and hPa", weather, ("POINTS", "r"))
-for exaggeration, array in ((1, "r"), (50, "clwmr")):
-    globe = pvs.GlobeGrid(Input=weather, VerticalExaggeration=exaggeration)
-    check_first_picture(f"GFS {array} on the globe, exaggeration {exaggeration}", globe, ("POINTS", array))
+check_first_pictures(SPLATS, wavelet)
+check_first_picture(SPLATS, "blocks", pvs.GroupDatasets(Input=[wavelet, pvs.Tetrahedralize(Input=wavelet)]))
+check_first_picture(SPLATS, "particles", particles(), ("POINTS", "Elevation"))
 check_units()
 check_alpha_formula()
 check_solid_color()

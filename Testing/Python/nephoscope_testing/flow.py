@@ -7,6 +7,7 @@ from collections import Counter
 import numpy as np
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
+from .filters import configured
 from .messages import Messages
 
 FACES = ((0, 1, 2), (0, 1, 3), (0, 2, 3), (1, 2, 3))
@@ -23,18 +24,11 @@ def radius_of(area, sides=3):
 def flow_volume(source, **settings):
     """The filter, not yet updated. source: data or an algorithm. Velocity: name, or (name, association)."""
     import nephoscope
-    made = nephoscope.vtkFlowVolume()
-    if hasattr(source, "GetOutputPort"):
-        made.SetInputConnection(source.GetOutputPort())
-    elif source is not None:
-        made.SetInputData(source)
     velocity = settings.pop("Velocity", None)
+    made = configured(nephoscope.vtkFlowVolume(), source, settings)
     if velocity:
         name, association = velocity if isinstance(velocity, tuple) else (velocity, 0)
         made.SetInputArrayToProcess(0, 0, 0, association, name)
-    for name, value in settings.items():
-        set_value = getattr(made, "Set" + name)
-        set_value(*value) if isinstance(value, (tuple, list)) else set_value(value)
     return made
 
 

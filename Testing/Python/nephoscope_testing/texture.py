@@ -10,6 +10,7 @@ from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkDataObject, vtkStructuredGrid
 from vtkmodules.vtkCommonExecutionModel import vtkStreamingDemandDrivenPipeline as SDDP
 
+from .filters import configured
 from .messages import Messages
 
 RADIUS = 6371000.0
@@ -19,16 +20,9 @@ DAY = 86400.0
 def advection(source, points=None, **settings):
     """The filter, not yet updated. source: data or an algorithm."""
     import nephoscope
-    made = nephoscope.vtkTextureCoordinateAdvection()
-    if hasattr(source, "GetOutputPort"):
-        made.SetInputConnection(source.GetOutputPort())
-    elif source is not None:
-        made.SetInputData(source)
+    made = configured(nephoscope.vtkTextureCoordinateAdvection(), source, settings)
     if points is not None:
         made.SetInputData(1, points)
-    for name, value in settings.items():
-        set_value = getattr(made, "Set" + name)
-        set_value(*value) if isinstance(value, (tuple, list)) else set_value(value)
     return made
 
 
