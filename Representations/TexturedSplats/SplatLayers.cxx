@@ -15,14 +15,18 @@ namespace nephoscope
 namespace
 {
 constexpr std::uint32_t middle = 0x80000000u; // of the numbers of layers
-constexpr double clearly = 1.2; // by this factor another axis must point at the eye better than the last one
+constexpr double clearly =
+  1.2; // by this factor another axis must point at the eye better than the last one
 
-using Direction = std::array<double, 3>;
+SplatVector toDouble(const SplatSamples::Float3& v)
+{
+  return { { v[0], v[1], v[2] } };
+}
 
 // Not of unit length.
-Direction towardsEye(const SplatSamples::Float3& place, const SplatEye& eye)
+SplatVector towardsEye(const SplatSamples::Float3& place, const SplatEye& eye)
 {
-  Direction d;
+  SplatVector d;
   for (std::size_t c = 0; c < 3; ++c)
   {
     d[c] = eye[3] == 0 ? eye[c] : eye[c] - place[c];
@@ -30,29 +34,26 @@ Direction towardsEye(const SplatSamples::Float3& place, const SplatEye& eye)
   return d;
 }
 
-double dot(const SplatSamples::Float3& a, const Direction& b)
+// In the world.
+double lengthOf(const SplatVector& d, const SplatMetric& metric)
 {
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
-double lengthOf(const Direction& d)
-{
-  return std::sqrt(d[0] * d[0] + d[1] * d[1] + d[2] * d[2]);
+  return std::sqrt(std::max(Dot(d, Times(metric, d)), 0.0));
 }
 
 // The axis whose edges point most towards the eye, on the mean.
-int facingAxis(const SplatSamples& samples, const SplatEye& eye)
+int facingAxis(const SplatSamples& samples, const SplatEye& eye, const SplatMetric& metric)
 {
   double facing[3] = { 0, 0, 0 };
   const std::size_t stride = std::max<std::size_t>(1, samples.Size() / 10000);
   for (std::size_t i = 0; i < samples.Size(); i += stride)
   {
-    const Direction d = towardsEye(samples.Positions[i], eye);
+    const SplatVector d = towardsEye(samples.Positions[i], eye);
+    const SplatVector covector = Times(metric, d);
     for (std::size_t axis = 0; axis < 3; ++axis)
     {
-      const auto& edge = samples.JacobianOf(i)[axis];
-      const double length = std::sqrt(dot(edge, { { edge[0], edge[1], edge[2] } })) * lengthOf(d);
-      facing[axis] += length > 0 ? std::abs(dot(edge, d)) / length : 0;
+      const SplatVector edge = toDouble(samples.JacobianOf(i)[axis]);
+      const double length = lengthOf(edge, metric) * lengthOf(d, metric);
+      facing[axis] += length > 0 ? std::abs(Dot(edge, covector)) / length : 0;
     }
   }
   const int other = facing[0] > facing[1] ? 0 : 1;
@@ -60,31 +61,42 @@ int facingAxis(const SplatSamples& samples, const SplatEye& eye)
 }
 }
 
-void SplatLayers::Find(
-  vtkDataSet* data, bool onCells, const SplatSamples& samples, const SplatEye& eye, int axis)
+double SplatLayers::Thickness(const SplatSamples& samples, const SplatMetric& metric)
+{
+  return samples.LongestEdge *
+    std::sqrt(LargestStretch(metric)); // which is that of the transform, squared
+}
+
+void SplatLayers::Find(vtkDataSet* data, bool onCells, const SplatSamples& samples,
+  const SplatEye& eye, const SplatMetric& metric, int axis)
 {
   const GridSamples grid(data, onCells);
-  const int along = axis >= 0 ? axis : facingAxis(samples, eye);
+  const int along = axis >= 0 ? axis : facingAxis(samples, eye, metric);
+  const double thickness = std::max(Thickness(samples, metric), 1e-30);
   this->Layers.resize(samples.Size());
   for (std::size_t i = 0; i < this->Layers.size(); ++i)
   {
-    const Direction d = towardsEye(samples.Positions[i], eye);
+    const SplatVector d = towardsEye(samples.Positions[i], eye);
+    const SplatVector covector = Times(metric, d);
     if (grid.IsGrid())
     {
       const auto index = static_cast<std::uint32_t>(grid.Index(samples.Ids[i], along));
-      const bool towards = dot(samples.JacobianOf(i)[static_cast<std::size_t>(along)], d) >= 0;
+      const auto& edge = samples.JacobianOf(i)[static_cast<std::size_t>(along)];
+      const bool towards = Dot(toDouble(edge), covector) >= 0;
       this->Layers[i] = towards ? middle + index : middle - 1 - index;
       continue;
     }
-    const double nearness = eye[3] == 0 ? dot(samples.Positions[i], d) / lengthOf(d) : -lengthOf(d);
-    const double layer = std::floor(nearness / std::max(samples.LongestEdge, 1e-30));
+    const double distance = lengthOf(d, metric);
+    const double nearness =
+      eye[3] == 0 ? Dot(toDouble(samples.Positions[i]), covector) / distance : -distance;
+    const double layer = std::floor(nearness / thickness);
     this->Layers[i] =
       static_cast<std::uint32_t>(std::clamp(layer, -2.0e9, 2.0e9) + static_cast<double>(middle));
   }
 }
 
-std::vector<std::int32_t> SplatLayers::Alternate(const SplatClasses& classes,
-  const std::vector<std::int32_t>& order, std::size_t near) const
+std::vector<std::int32_t> SplatLayers::Alternate(
+  const SplatClasses& classes, const std::vector<std::int32_t>& order, std::size_t near) const
 {
   const std::size_t far = order.size() - std::min(near, order.size());
   std::vector<std::uint32_t> keys(far);

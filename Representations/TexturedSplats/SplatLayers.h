@@ -23,15 +23,22 @@ struct SplatSamples;
 class SplatLayers
 {
 public:
-  /** Axis of a grid: 0 to 2, or -1: the one that points most towards the eye; the last one if they are about equal. */
-  void Find(vtkDataSet* data, bool onCells, const SplatSamples& samples, const SplatEye& eye, int axis);
+  /**
+   * Axis of a grid: 0 to 2, or -1: the one that points most towards the eye; the last one if they are about equal. Lengths and angles are
+   * those of the world, whose metric is given.
+   */
+  void Find(vtkDataSet* data, bool onCells, const SplatSamples& samples, const SplatEye& eye,
+    const SplatMetric& metric, int axis);
+
+  /** Of the layers of samples without a grid, in the world. */
+  static double Thickness(const SplatSamples& samples, const SplatMetric& metric);
 
   /**
    * `order`: splats from back to front, of which the last `near` stay at the end as they are. The others come layer by layer:
    * n for the scalar, ~n for the vector of splat n.
    */
-  std::vector<std::int32_t> Alternate(const SplatClasses& classes,
-    const std::vector<std::int32_t>& order, std::size_t near) const;
+  std::vector<std::int32_t> Alternate(
+    const SplatClasses& classes, const std::vector<std::int32_t>& order, std::size_t near) const;
 
 private:
   std::vector<std::uint32_t> Layers; // of all samples, growing towards the eye

@@ -7,6 +7,7 @@
 #include "PointMargin.h"
 #include "ShaderParts.h"
 #include "SplatClasses.h"
+#include "SplatRegionUniforms.h"
 #include "SplatSamples.h"
 #include "SplatTree.h"
 #include "VectorTexture.h"
@@ -16,6 +17,8 @@
 #include "OpaquePixelsVertex.h"
 #include "SplatCell.h"
 #include "SplatFootprint.h"
+#include "SplatInRegion.h"
+#include "SplatRegionShader.h"
 #include "TexturedSplatFragment.h"
 #include "TexturedSplatGeometry.h"
 #include "TexturedSplatPointFragment.h"
@@ -85,6 +88,7 @@ std::string shaderConstants(const SplatDrawingOptions& options, const SplatPass:
        << "const bool drawSegments = " << (options.Segments ? "true" : "false") << ";\n"
        << "const bool mediaApart = " << (options.MediaApart ? "true" : "false") << ";\n"
        << "#define MAX_VERTICES " << (vectors && !options.MediaApart ? 12 : 4) << "\n"
+       << (variant.Region ? "#define DRAW_REGION\n" : "")
        << "const float largeEnough = " << largeEnough << ";\n"
        << "const float pixelVariance = " << pixelVariance << ";\n";
   for (std::size_t i = 0; i < cubic_kernel::footprintCoefficients.size(); ++i)
@@ -114,24 +118,12 @@ std::string specialized(const char* shader, const std::string& constants)
       { "VectorTexture", VectorTextureShader },
       { "Constants", constants },
       { "Cell", SplatCell },
-      { "Footprint", SplatFootprint } });
+      { "Footprint", SplatFootprint },
+      { "Region", SplatRegionShader },
+      { "InRegion", SplatInRegion } });
 }
 
 using Float4 = std::array<float, 4>;
-
-// The ray (X, Y, -1) through a pixel at (px, py): X = x + z px, Y = y + w py.
-Float4 rayOfPixel(vtkMatrix4x4* viewToDevice, const float pixelsPerDevice[2])
-{
-  Float4 ray;
-  for (int i = 0; i < 2; ++i)
-  {
-    const double scale = viewToDevice->GetElement(i, i);
-    const auto axis = static_cast<std::size_t>(i);
-    ray[axis] = static_cast<float>((viewToDevice->GetElement(i, 2) - 1.0) / scale);
-    ray[axis + 2] = static_cast<float>(1.0 / (pixelsPerDevice[i] * scale));
-  }
-  return ray;
-}
 
 // Columns of J with the centre in the fourth components.
 void packCell(const SplatSamples::Jacobian& j, const SplatSamples::Float3& p, std::vector<Float4>& packed)
@@ -234,6 +226,7 @@ std::string SplatPass::DrawAll(
   variant.JacobianPerSplat = this->JacobianPerSplat;
   variant.Parallel = view.EyeView[3] == 0;
   variant.Cut = this->HasOpaquePixels(window);
+  variant.Region = IsRegion(options.Region);
   const std::size_t ends[] = { options.CloserSplats, options.LargeSplats, options.NearSplats, 0 };
   const Way ways[] = { Way::FarPoints, Way::Points, Way::Quads, Way::Viewport };
   std::string error;
@@ -345,9 +338,10 @@ void SplatPass::SetUniforms(
   const float within[2] = { this->PixelsPerDevice[0] / (this->PixelsPerDevice[0] + LargestPoint / 2),
     this->PixelsPerDevice[1] / (this->PixelsPerDevice[1] + LargestPoint / 2) };
   program->SetUniform2f("withinMargin", within);
-  program->SetUniform4f("rayOfPixel", rayOfPixel(view.ViewToDevice, this->PixelsPerDevice).data());
+  program->SetUniform4f("rayOfPixel", RayOfPixel(view.ViewToDevice, this->PixelsPerDevice).data());
   program->SetUniformi("opaqueDepth", this->DepthUnit);
   program->SetUniform4f("depthToVC", depthToView(view.ViewToDevice).data());
+  SetRegionUniforms(program, view, options, this->PixelsPerDevice);
 }
 
 void SplatPass::ReleaseGraphicsResources(vtkWindow* window)

@@ -7,6 +7,7 @@
 #include "BufferTexture.h"
 #include "FloatLayer.h"
 #include "SplatKernel.h"
+#include "SplatRegion.h"
 
 #include "vtkNew.h"
 
@@ -48,7 +49,9 @@ struct SplatDrawingOptions
   double StreakPeriod = 1.5;
   double StreakWidth = 0.1;
   double SegmentLength = 2.0;
-  double SegmentWidth = 1.5; // pixels
+  double SegmentWidth = 1.5;       // pixels
+  SplatRegion Region = WholeSpace; // relative to the samples' centre
+  double LayerThickness = 0.0; // of layers at right angles to the line of sight; 0: there are none
 };
 
 class SplatPass
@@ -92,7 +95,8 @@ public:
     Way As = Way::Quads;
     bool JacobianPerSplat = false;
     bool Parallel = false;
-    bool Cut = true; ///< by opaque geometry
+    bool Cut = true;     ///< by opaque geometry
+    bool Region = false; ///< not all of space
   };
 
 private:

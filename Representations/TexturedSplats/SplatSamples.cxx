@@ -134,7 +134,9 @@ SplatSamples FindSplatSamples(vtkDataSet* data, const SplatSampling& sampling, s
   FindPlaceBounds(data, bounds);
   for (int axis = 0; axis < 3; ++axis)
   {
-    samples.Center[axis] = 0.5 * (bounds[2 * axis] + bounds[2 * axis + 1]);
+    samples.Center[axis] = sampling.Frame.Origin
+      ? (*sampling.Frame.Origin)[static_cast<std::size_t>(axis)]
+      : 0.5 * (bounds[2 * axis] + bounds[2 * axis + 1]);
   }
   samples.Positions.resize(places.size());
   forAll(places.size(), [&](std::size_t i) {
@@ -146,6 +148,7 @@ SplatSamples FindSplatSamples(vtkDataSet* data, const SplatSampling& sampling, s
   samples.Jacobians.resize(shapes.HaveOneShape() ? 1 : places.size());
   forAll(samples.Jacobians.size(),
     [&](std::size_t i) { samples.Jacobians[i] = toFloat(shapes.Jacobian(samples.Ids[i])); });
+  samples.LongestEdge = sampling.Frame.LongestEdge;
   for (const SplatSamples::Jacobian& jacobian : samples.Jacobians)
   {
     SplatMatrix matrix;

@@ -19,7 +19,7 @@ namespace
 auto keyOf(vtkDataSet* input, const SplatSampling& sampling)
 {
   return std::make_tuple(input, input->GetMTime(), sampling.OnCells, sampling.CellSize,
-    sampling.ShapeArrayName, sampling.RadiusFactor);
+    sampling.ShapeArrayName, sampling.RadiusFactor, sampling.Frame);
 }
 }
 
@@ -126,11 +126,17 @@ void SplatScene::UpdateLayers(bool layers, vtkDataSet* input, int axis, std::siz
   {
     const bool onCells = std::get<2>(this->SampledFrom);
     SplatLayers found;
-    found.Find(input, onCells, this->Samples, this->Eye, axis);
+    found.Find(input, onCells, this->Samples, this->Eye, this->Metric, axis);
     this->Items = found.Alternate(this->Classes, this->Order, near);
   }
   this->LayeredBy = key;
   this->OrderUploaded = false;
+}
+
+double SplatScene::GetLayerThickness() const
+{
+  const bool grid = this->Samples.Dimensions[0] > 0;
+  return grid ? 0.0 : SplatLayers::Thickness(this->Samples, this->Metric);
 }
 
 // By the numbers of splats that the pass knows.

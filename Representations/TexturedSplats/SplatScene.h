@@ -67,6 +67,8 @@ public:
   std::size_t GetNumberOfSamples() const { return this->Classes.Samples.size(); }
   std::size_t GetNumberOfDrawn() const { return this->Drawn().size(); }
   const SplatSamples& GetSamples() const { return this->Samples; }
+  /** Of the layers that are at right angles to the line of sight; 0 where they are those of a grid. */
+  double GetLayerThickness() const;
   SortedSplats GetSorted() const
   {
     return { this->Places(), this->Drawn(), this->Order, this->LongestDrawn() };
@@ -79,7 +81,8 @@ public:
   }
 
 private:
-  using SampleKey = std::tuple<vtkDataSet*, vtkMTimeType, bool, double, std::string, double>;
+  using SampleKey =
+    std::tuple<vtkDataSet*, vtkMTimeType, bool, double, std::string, double, SplatFrame>;
   using ClassKey = std::tuple<vtkDataArray*, vtkDataArray*, int, vtkMTimeType, vtkMTimeType, bool>;
   using BoundsKey = std::tuple<SampleKey, int>;
   using LayerKey = std::tuple<bool, int, std::size_t>;
@@ -102,9 +105,9 @@ private:
   void ForgetOrder();
   std::vector<std::int32_t> OrderOfSplats() const;
 
-  SampleKey SampledFrom{ nullptr, 0, false, 0.0, {}, 0.0 };
+  SampleKey SampledFrom;
   ClassKey ClassifiedBy{ nullptr, nullptr, 0, 0, 0, false };
-  BoundsKey BoundsOf{ SampleKey{ nullptr, 0, false, 0.0, {}, 0.0 }, 0 };
+  BoundsKey BoundsOf;
   LayerKey LayeredBy{ false, 0, 0 };
   double Bounds[6] = { 1, -1, 1, -1, 1, -1 };
   SplatSamples Samples;

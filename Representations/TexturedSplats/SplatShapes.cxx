@@ -64,6 +64,7 @@ void addSplat(Bounds& bounds, const SplatVector& place, const SplatMatrix& jacob
 SplatShapes::SplatShapes(vtkDataSet* data, const SplatSampling& sampling)
   : Data(data)
   , OnCells(sampling.OnCells)
+  , WithDuplicates(sampling.Frame.WithNeighbors)
   , Grid(data, sampling.OnCells)
   , Ghosts(sampling.OnCells ? data->GetCellGhostArray() : data->GetPointGhostArray())
   , Count(sampling.OnCells ? data->GetNumberOfCells() : data->GetNumberOfPoints())
@@ -119,9 +120,11 @@ bool SplatShapes::FindVoxels()
 
 bool SplatShapes::IsVisible(vtkIdType id) const
 {
-  const int left = this->OnCells
-    ? vtkDataSetAttributes::HIDDENCELL | vtkDataSetAttributes::DUPLICATECELL
-    : vtkDataSetAttributes::HIDDENPOINT | vtkDataSetAttributes::DUPLICATEPOINT;
+  const int hidden =
+    this->OnCells ? int(vtkDataSetAttributes::HIDDENCELL) : int(vtkDataSetAttributes::HIDDENPOINT);
+  const int duplicate = this->OnCells ? int(vtkDataSetAttributes::DUPLICATECELL)
+                                      : int(vtkDataSetAttributes::DUPLICATEPOINT);
+  const int left = this->WithDuplicates ? hidden : hidden | duplicate;
   return !this->Ghosts || !(this->Ghosts->GetValue(id) & left);
 }
 

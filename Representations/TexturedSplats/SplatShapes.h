@@ -11,6 +11,7 @@
 
 #include "GridSamples.h"
 #include "SplatMatrix.h"
+#include "SplatRegion.h"
 
 #include "vtkNephoscopeRepresentationsTexturedSplatsModule.h" // for export macro
 #include "vtkType.h"
@@ -30,6 +31,7 @@ struct SplatSampling
   double CellSize = 0; ///< edge of the cell of samples without a grid; 0: that of its voxel, or the mean spacing
   std::string ShapeArrayName = {}; ///< of nine components: the columns of every sample's Jacobian; empty: none
   double RadiusFactor = 1; ///< on every Jacobian: splats that are so many times as wide
+  SplatFrame Frame = {};
 };
 
 class VTKNEPHOSCOPEREPRESENTATIONSTEXTUREDSPLATS_EXPORT SplatShapes
@@ -43,7 +45,7 @@ public:
 
   /** Of points or cells, hidden ones too. */
   vtkIdType GetNumberOfIds() const { return this->Count; }
-  /** Not hidden, and not a duplicate of what another rank has. */
+  /** Not hidden, and not a duplicate of what another rank has, unless those are wanted. */
   bool IsVisible(vtkIdType id) const;
   /** It may be at no finite place. */
   SplatVector Place(vtkIdType id) const;
@@ -64,6 +66,7 @@ private:
 
   vtkDataSet* Data;
   bool OnCells;
+  bool WithDuplicates;
   GridSamples Grid;
   vtkDataArray* ShapeArray = nullptr;
   bool Spaced = false;

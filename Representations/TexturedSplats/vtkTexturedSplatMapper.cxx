@@ -77,8 +77,7 @@ double* vtkTexturedSplatMapper::GetBounds()
     int cellFlag = 0;
     vtkAbstractMapper::GetScalars(
       input, this->ScalarMode, this->ArrayAccessMode, this->ArrayId, this->ArrayName, cellFlag);
-    const nephoscope::SplatSampling sampling{ cellFlag == 1, this->CellSize, this->ShapeArrayName,
-      this->RadiusFactor };
+    const nephoscope::SplatSampling sampling = this->GetSampling(cellFlag == 1);
     std::copy_n(
       this->Internals->Scene.UpdateBounds(input, sampling, this->Kernel), 6, this->Bounds);
   }
@@ -105,6 +104,7 @@ void vtkTexturedSplatMapper::Render(vtkRenderer* renderer, vtkVolume* volume)
       "Splats cannot be drawn between peeled surfaces: call UseDepthPeelingForVolumesOff() of the renderer.");
     return;
   }
+  this->WithNeighbors = this->DrawsRegion(renderer);
   std::string error = this->UpdateSplats(input, volume);
   if (error.empty())
   {
@@ -144,8 +144,7 @@ std::string vtkTexturedSplatMapper::UpdateSplats(vtkDataSet* input, vtkVolume* v
   {
     return error;
   }
-  const nephoscope::SplatSampling sampling{ fields.Scalars.OnCells, this->CellSize,
-    this->ShapeArrayName, this->RadiusFactor };
+  const nephoscope::SplatSampling sampling = this->GetSampling(fields.Scalars.OnCells);
   return this->Internals->Scene.Update(input, sampling, fields, this->GetVectorSettings());
 }
 
@@ -224,12 +223,13 @@ void vtkTexturedSplatMapper::SetVectorOptions(nephoscope::SplatDrawingOptions& o
 }
 
 // Whether nodes of the hierarchy are drawn; `most`: how many at the most, 0: any number.
-bool vtkTexturedSplatMapper::UsesHierarchy(vtkRenderer* renderer, vtkIdType& most)
+bool vtkTexturedSplatMapper::UsesHierarchy(
+  vtkRenderer* renderer, vtkIdType samples, vtkIdType& most) const
 {
   const bool moving =
     renderer->GetRenderWindow()->GetDesiredUpdateRate() >= this->InteractiveUpdateRate;
   most = moving ? this->InteractiveMaximumNumberOfSplats : 0;
-  const bool tooMany = most > 0 && this->GetNumberOfSamples() > most;
+  const bool tooMany = most > 0 && samples > most;
   const bool layers = !this->VectorArrayName.empty() && this->VectorPlacement == IN_LAYERS;
   return !layers && (this->ErrorTolerance > 0 || tooMany);
 }
@@ -238,7 +238,7 @@ void vtkTexturedSplatMapper::SelectSplats(
   vtkRenderer* renderer, vtkVolume* volume, const nephoscope::ViewState& state)
 {
   vtkIdType most = 0;
-  if (!this->UsesHierarchy(renderer, most))
+  if (this->WithNeighbors || !this->UsesHierarchy(renderer, this->GetNumberOfSamples(), most))
   {
     this->Internals->Scene.DrawSamples();
     return;
@@ -277,6 +277,8 @@ std::string vtkTexturedSplatMapper::DrawScene(
     scene.GetSorted(), scene.GetSamples(), state.View, renderer->GetSize(), options);
   scene.UpdateLayers(
     options.MediaApart, this->GetDataSetInput(), this->LayerAxis, options.NearSplats);
+  this->SetRegionOptions(options);
+  options.LayerThickness = options.MediaApart ? scene.GetLayerThickness() : 0.0;
   this->Internals->Window.Enter(window, this);
   const std::string error = scene.Upload(window, this->Internals->Pass, this->GetVectorSettings());
   return error.empty() && scene.GetNumberOfDrawn() > 0

@@ -38,6 +38,7 @@ class vtkScalarsToColors;
 namespace nephoscope
 {
 struct SplatDrawingOptions;
+struct SplatSampling;
 struct SplatVectorSettings;
 struct ViewState;
 }
@@ -317,6 +318,25 @@ public:
   vtkGetMacro(InteractiveUpdateRate, double);
   ///@}
 
+  ///@{
+  /**
+   * The part of space, in coordinates of the data, that this process draws of a picture which several draw together: of each splat those
+   * pixels whose ray is in the region at the splat's distance from the eye. If regions fill space and their pictures are laid over each other in
+   * the order of the regions, that is the picture of one process. Each needs the splats of others that reach into its region, as
+   * ghosts (duplicate points or cells), and all need one frame. Bounds may be infinite. Invalid ones, the default: all of space, without
+   * duplicates. Nodes of the hierarchy are drawn whole, by the process that has their samples.
+   */
+  vtkSetVector6Macro(Region, double);
+  vtkGetVector6Macro(Region, double);
+  ///@}
+
+  /**
+   * For a picture that several processes draw: what they agree on so that they compute the same. `origin`: a place amid the data of all;
+   * `longestEdge`: of the cells of all, in units of the data; `numberOfSamples`: the most that one process has, which is held against
+   * InteractiveMaximumNumberOfSplats. Used where Region is set.
+   */
+  void SetCommonFrame(const double origin[3], double longestEdge, vtkIdType numberOfSamples);
+
   /** Splats drawn in the last render. */
   vtkIdType GetNumberOfDrawnSplats();
 
@@ -366,6 +386,11 @@ protected:
   vtkSmartPointer<vtkScalarsToColors> VectorColorFunction;
   double VectorColor[3] = { 1.0, 1.0, 1.0 };
   bool UseVectorColor = false;
+  double Region[6] = { 1, -1, 1, -1, 1, -1 };
+  double CommonOrigin[3] = { 0, 0, 0 };
+  double CommonLongestEdge = 0;
+  vtkIdType CommonNumberOfSamples = 0;
+  bool WithNeighbors = false; // in the last render: duplicates are drawn, too
   double Phase = 0.0;
   int PhaseCycles = 4;
   int PhaseSteps = 0;
@@ -375,9 +400,12 @@ private:
   void SetVectorOptions(nephoscope::SplatDrawingOptions& options);
   double GetStreakUnit();
   double GetExtinctionFactor();
+  bool DrawsRegion(vtkRenderer* renderer) const;
+  void SetRegionOptions(nephoscope::SplatDrawingOptions& options) const;
+  nephoscope::SplatSampling GetSampling(bool onCells) const;
   std::string UpdateSplats(vtkDataSet* input, vtkVolume* volume);
   std::string DrawScene(vtkOpenGLRenderWindow* window, vtkRenderer* renderer, vtkVolume* volume);
-  bool UsesHierarchy(vtkRenderer* renderer, vtkIdType& most);
+  bool UsesHierarchy(vtkRenderer* renderer, vtkIdType samples, vtkIdType& most) const;
   void SelectSplats(vtkRenderer* renderer, vtkVolume* volume, const nephoscope::ViewState& state);
   void ReportOnce(const std::string& error);
 

@@ -31,6 +31,11 @@ flat in vec3 cellsGSOutput;
 
 //NEPHOSCOPE::Footprint
 
+#ifdef DRAW_REGION
+//NEPHOSCOPE::Region
+flat in vec4 regionGSOutput;
+#endif
+
 // A splat so near that the eye may be inside: all that is in front of the eye.
 void drawNear()
 {
@@ -80,6 +85,12 @@ void drawSegment()
 
 void main()
 {
+#ifdef DRAW_REGION
+  if (outsideRegion(regionGSOutput))
+  {
+    discard;
+  }
+#endif
   if (nearEye && kindGSOutput == VIEWPORT)
   {
     drawNear();

@@ -31,6 +31,11 @@ flat out vec4 detailGSOutput; // streaks: unit of length, strength, seed, pixel;
 out vec3 rayGSOutput;         // near the eye: the ray in cells
 flat out vec3 cellsGSOutput;  // and w
 
+#ifdef DRAW_REGION
+//NEPHOSCOPE::InRegion
+flat out vec4 regionGSOutput;
+#endif
+
 // What the corners of a splat have in common.
 struct SplatLook
 {
@@ -39,6 +44,7 @@ struct SplatLook
   float factor;
   vec4 vector;
   vec4 detail;
+  vec3 center; // of the splat, in VC
 };
 
 void emitCorner(vec2 st, vec3 positionVC, vec3 centerVC, float square, SplatLook look, vec4 positionDC)
@@ -53,6 +59,9 @@ void emitCorner(vec2 st, vec3 positionVC, vec3 centerVC, float square, SplatLook
   detailGSOutput = look.detail;
   rayGSOutput = vec3(0.0);
   cellsGSOutput = vec3(0.0);
+#ifdef DRAW_REGION
+  regionGSOutput = inRegion(look.center, look.factor >= 1.0);
+#endif
   gl_Position = positionDC;
   gl_Position.z = 0.0; // the near and the far plane cut nothing
   EmitVertex();
@@ -147,7 +156,7 @@ void emitKernel(vec3 center, mat3 J, SplatLook look)
 #endif
 
 // Splats around and close to the eye are seen in the whole viewport.
-void emitViewport(vec3 w, mat3 inverseJ, vec4 color)
+void emitViewport(vec3 center, vec3 w, mat3 inverseJ, vec4 color)
 {
   for (int corner = 0; corner < 4; ++corner)
   {
@@ -158,6 +167,9 @@ void emitViewport(vec3 w, mat3 inverseJ, vec4 color)
     cellsGSOutput = w;
     colorGSOutput = color;
     kindGSOutput = VIEWPORT;
+#ifdef DRAW_REGION
+    regionGSOutput = inRegion(center, true);
+#endif
     gl_Position = vec4(place, 0.0, 1.0);
     EmitVertex();
   }
@@ -168,7 +180,7 @@ void emitMedium(vec3 center, mat3 J, vec4 color, int kind)
 {
   if (color.a > 0.0)
   {
-    emitKernel(center, J, SplatLook(kind, color, 1.0, vec4(0.0), vec4(0.0)));
+    emitKernel(center, J, SplatLook(kind, color, 1.0, vec4(0.0), vec4(0.0), center));
   }
 }
 
@@ -183,7 +195,7 @@ void main()
   vec3 w = inCells(center, J);
   if (nearEye && dot(w, w) < 1.69 * kernelRadius * kernelRadius)
   {
-    emitViewport(w, inverse(J), color);
+    emitViewport(center, w, inverse(J), color);
     return;
   }
 #ifdef DRAW_VECTORS

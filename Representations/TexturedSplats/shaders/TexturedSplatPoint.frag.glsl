@@ -17,6 +17,11 @@ flat in vec4 depthVSOutput;
 
 //NEPHOSCOPE::Footprint
 
+#ifdef DRAW_REGION
+//NEPHOSCOPE::Region
+flat in vec4 regionVSOutput;
+#endif
+
 // Share of the kernel in front of opaque geometry; |k|^2 and 1 + h over those of the ray through the centre.
 float shareInFront(float q, float inverseK, float along)
 {
@@ -26,6 +31,12 @@ float shareInFront(float q, float inverseK, float along)
 
 void main()
 {
+#ifdef DRAW_REGION
+  if (outsideRegion(regionVSOutput))
+  {
+    discard;
+  }
+#endif
   vec2 p = gl_FragCoord.xy - placeVSOutput.xy;
   float lean = dot(placeVSOutput.zw, p); // h
   float opticalDepth = colorVSOutput.a;

@@ -19,6 +19,11 @@ uniform float extinctionScale;
 
 //NEPHOSCOPE::Cell
 
+#ifdef DRAW_REGION
+//NEPHOSCOPE::InRegion
+flat out vec4 regionVSOutput;
+#endif
+
 flat out vec4 colorVSOutput;   // colour, optical depth in the middle for a footprint of 1, times log2(e)
 flat out vec4 ellipseVSOutput; // p to the unit circle of q0 (upper triangular matrix), e
 flat out vec4 placeVSOutput;   // centre in pixels, gradient of h
@@ -75,6 +80,9 @@ void main()
   placeVSOutput = vec4((place + 1.0) * pixelsPerDC, h);
   vec2 rayGradient = ray.xy / (dot(ray, ray) * pixelsPerDC * vec2(VCToDC[0][0], VCToDC[1][1])); // of the ray's length, over it
   depthVSOutput = vec4(center.z, kernelRadius * inversesqrt(square), rayGradient - h);
+#ifdef DRAW_REGION
+  regionVSOutput = inRegion(center, mass >= 1.0);
+#endif
   gl_PointSize = 2.0 * reach + 0.05;
   gl_Position = parallelRays || center.z < 0.0 ? vec4(place * withinMargin, 0.0, 1.0) : vec4(2.0, 2.0, 2.0, 1.0);
 }

@@ -53,6 +53,8 @@ void emitStreaks(SplatVector vector, vec3 centerVC, mat3 jacobianVC)
   mat3 lengthened = jacobianVC + (longer - 1.0) * outerProduct(vector.direction, vector.direction * jacobianVC);
   SplatLook look;
   look.kind = STREAKS;
+  look.factor = 1.0;
+  look.center = centerVC;
   // Cells that are close together along the vector overlap the more.
   look.color = vec4(vector.color.rgb, vector.strength * min(1.0, cell / vector.unit));
   look.vector = vec4(seenAlong(vector.direction, centerVC), vector.phase);
@@ -76,6 +78,7 @@ void emitSegment(SplatVector vector, vec3 centerVC, mat3 jacobianVC)
   vec2 size = vec2(reach, 0.5 * segmentWidth) + 3.5 * SEGMENT_FILTER;
   SplatLook look;
   look.kind = SEGMENT;
+  look.center = centerVC;
   look.color = vec4(vector.color.rgb, vector.strength);
   look.vector = vec4(0.0);
   look.detail = vec4(2.0 * reach, segmentWidth, 0.0, 0.0);
