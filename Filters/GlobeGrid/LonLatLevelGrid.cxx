@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "LonLatLevelGrid.h"
 
+#include "ArrayLengths.h"
 #include "LongitudeRow.h"
 
 #include "vtkCellData.h"
@@ -89,6 +90,11 @@ std::string LonLatLevelGrid::Read(vtkDataSet* grid, bool cellCentres)
     {
       return "The input image has a direction matrix; its axes must be longitude, latitude, level.";
     }
+  }
+  const std::string problem = ArrayLengthProblem(grid);
+  if (!problem.empty())
+  {
+    return problem;
   }
   this->ReadAxes(grid);
   this->AtCellCentres = cellCentres;

@@ -12,6 +12,7 @@
 #include "vtkSmartPointer.h"
 
 #include <array>
+#include <cmath>
 #include <map>
 #include <memory>
 #include <tuple>
@@ -45,6 +46,11 @@ struct SetPlan
 using Displacements = std::vector<float>; // three for each point, in texture units; empty: none
 using DisplacementKey = std::tuple<int, double, double>; // set, birth, time: at a birth there are an old and a new one
 
+inline bool IsPositive(double value)
+{
+  return value > 0.0 && std::isfinite(value);
+}
+
 struct TextureState
 {
   std::vector<double> PipelineTimes; // in the pipeline's unit
@@ -61,6 +67,8 @@ struct TextureState
   NeededSteps Needed;
   int Next = 0;           // time step to be read
   bool Continuing = false;
+  bool SharesSource = false; // the points come of the same source as the winds
+  bool ReadsPoints = false;  // this pass is for the points only
   bool HasToldOfMissing = false;
   bool AwaitsData = false; // between RequestUpdateExtent and RequestData
 

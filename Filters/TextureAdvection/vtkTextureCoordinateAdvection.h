@@ -238,18 +238,21 @@ private:
   void operator=(const vtkTextureCoordinateAdvection&) = delete;
 
   // The series; in vtkTextureCoordinateAdvectionSeries.cxx.
-  bool CheckSettings();
-  bool CheckSeries();
   bool HasSeries() const;
   nephoscope::TimeSeries Series() const;
   nephoscope::TextureSets Sets() const;
   double RequestedSeconds() const;
+  void AskForPoints(vtkInformation* input, vtkInformation* points, vtkInformation* output);
   void PlanReading();
   bool ChooseNext();
+  void Stop(vtkInformation* request);
+
+  // Settings and a time step; in vtkTextureCoordinateAdvectionInput.cxx.
+  bool CheckSettings();
+  bool CheckSeries();
   bool ReadTimeStep(vtkDataSet* input, vtkInformation* inInfo);
   bool MakeFlow(vtkDataSet* input);
   bool CheckExtent(vtkDataSet* input, vtkInformation* inInfo);
-  void Stop(vtkInformation* request);
 
   // The coordinates of a time.
   bool MakeTexture(vtkDataSet* points, vtkInformation* outInfo, vtkDataSet* output);

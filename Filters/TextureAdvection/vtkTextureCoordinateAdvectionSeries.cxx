@@ -5,21 +5,20 @@
 //   RequestInformation    the times of the series
 //   RequestUpdateExtent   PlanReading: which time steps the request needs, which of them are in memory, which is read next
 //   RequestData           ReadTimeStep; again (CONTINUE_EXECUTING) until all are there; MakeTexture
+//
+// Points (port 1) that come of the same source as the winds are asked for when all winds are in memory, in a pass of their own: a
+// source can be asked for one time and one piece at once.
 #include "vtkTextureCoordinateAdvection.h"
 
-#include "CartesianFlow.h"
-#include "DataSets.h"
-#include "GlobeFlow.h"
+#include "SharedSource.h"
 #include "TextureState.h"
-#include "VelocityChoice.h"
 
+#include "vtkDataSet.h"
 #include "vtkDemandDrivenPipeline.h"
-#include "vtkImageData.h"
 #include "vtkInformation.h"
+#include "vtkInformationDoubleVectorKey.h"
 #include "vtkInformationVector.h"
-#include "vtkRectilinearGrid.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
-#include "vtkStructuredGrid.h"
 #include "vtkUnstructuredGrid.h"
 
 #include <algorithm>
@@ -29,8 +28,6 @@ using SDDP = vtkStreamingDemandDrivenPipeline;
 
 namespace
 {
-constexpr double maximumNumberOfSteps = 1e6; // of a path
-
 // What CONTINUE_EXECUTING has set, and only a successful REQUEST_DATA would clear.
 struct StopExecuting : SDDP
 {
@@ -43,15 +40,39 @@ struct StopExecuting : SDDP
   }
 };
 
-bool IsPositive(double value)
+void AskForWhole(vtkInformation* input)
 {
-  return value > 0.0 && std::isfinite(value);
+  if (input->Has(SDDP::WHOLE_EXTENT()))
+  {
+    int whole[6];
+    input->Get(SDDP::WHOLE_EXTENT(), whole);
+    input->Set(SDDP::UPDATE_EXTENT(), whole, 6);
+  }
+  input->Set(SDDP::UPDATE_PIECE_NUMBER(), 0);
+  input->Set(SDDP::UPDATE_NUMBER_OF_PIECES(), 1);
+  input->Set(SDDP::UPDATE_NUMBER_OF_GHOST_LEVELS(), 0);
 }
 
-bool IsStructured(vtkDataObject* data)
+void AskForSamePiece(vtkInformation* output, vtkInformation* input)
 {
-  return vtkImageData::SafeDownCast(data) || vtkRectilinearGrid::SafeDownCast(data) ||
-    vtkStructuredGrid::SafeDownCast(data);
+  input->CopyEntry(output, SDDP::UPDATE_PIECE_NUMBER());
+  input->CopyEntry(output, SDDP::UPDATE_NUMBER_OF_PIECES());
+  input->CopyEntry(output, SDDP::UPDATE_NUMBER_OF_GHOST_LEVELS());
+  if (input->Has(SDDP::WHOLE_EXTENT()) && output->Has(SDDP::UPDATE_EXTENT()))
+  {
+    input->CopyEntry(output, SDDP::UPDATE_EXTENT());
+  }
+}
+
+// Readers may fail when they are asked for a time after their last.
+double TimeWithin(vtkInformation* info, double time)
+{
+  const auto within = [&](vtkInformationDoubleVectorKey* key) {
+    const double* times = info->Get(key);
+    const int count = info->Length(key);
+    return count > 0 ? std::min(std::max(time, times[0]), times[count - 1]) : time;
+  };
+  return within(info->Has(SDDP::TIME_STEPS()) ? SDDP::TIME_STEPS() : SDDP::TIME_RANGE());
 }
 }
 
@@ -128,11 +149,15 @@ int vtkTextureCoordinateAdvection::RequestInformation(
     state.PipelineTimes = times;
     state.Forget();
   }
-  if (input->Has(SDDP::WHOLE_EXTENT()))
+  vtkInformation* points = inputs[1]->GetInformationObject(0);
+  state.SharesSource = points && nephoscope::HaveSharedSource(this, 0, 1);
+  output->Remove(SDDP::WHOLE_EXTENT());
+  if ((points ? points : input)->Has(SDDP::WHOLE_EXTENT()))
   {
+    output->CopyEntry(points ? points : input, SDDP::WHOLE_EXTENT());
     output->Set(vtkAlgorithm::CAN_PRODUCE_SUB_EXTENT(), 1);
   }
-  if (times.size() < 2 && IsPositive(this->TimeScale))
+  if (times.size() < 2 && nephoscope::IsPositive(this->TimeScale))
   {
     // A steady wind moves a texture all the same: something to animate.
     const double first = times.empty() ? 0.0 : times.front();
@@ -141,67 +166,6 @@ int vtkTextureCoordinateAdvection::RequestInformation(
     output->Remove(SDDP::TIME_STEPS()); // of one step ParaView would make no animation
   }
   return 1;
-}
-
-bool vtkTextureCoordinateAdvection::CheckSettings()
-{
-  struct Setting
-  {
-    const char* Name;
-    double Value;
-    bool MayBeZero;
-  };
-  const Setting settings[] = { { "Period", this->Period, false },
-    { "TimeStep", this->TimeStep, false }, { "Tolerance", this->Tolerance, false },
-    { "TimeScale", this->TimeScale, false }, { "KeyFrameInterval", this->KeyFrameInterval, true },
-    { "PlanetRadius", this->PlanetRadius, true }, { "TextureLength", this->TextureLength, true },
-    { "MaximumStretch", this->MaximumStretch, true } };
-  for (const Setting& setting : settings)
-  {
-    if (!IsPositive(setting.Value) && !(setting.MayBeZero && setting.Value == 0.0))
-    {
-      vtkErrorMacro(<< setting.Name << " is " << setting.Value << "; it must be a positive number"
-                    << (setting.MayBeZero ? ", or 0." : "."));
-      return false;
-    }
-  }
-  if (this->MaximumStretch > 0.0 && this->MaximumStretch <= 1.0)
-  {
-    vtkErrorMacro("MaximumStretch is " << this->MaximumStretch << "; it must be greater than 1, or 0 for none.");
-    return false;
-  }
-  if (this->PressureArrayName.empty() != this->OmegaArrayName.empty())
-  {
-    vtkErrorMacro("PressureArrayName and OmegaArrayName go together: set both, or neither.");
-    return false;
-  }
-  if (this->Period / this->TimeStep > maximumNumberOfSteps)
-  {
-    vtkErrorMacro("A Period of " << this->Period << " s in time steps of " << this->TimeStep
-                                 << " s is more than a million steps. Choose a longer TimeStep.");
-    return false;
-  }
-  return true;
-}
-
-bool vtkTextureCoordinateAdvection::CheckSeries()
-{
-  const auto& times = this->State->PipelineTimes;
-  if (this->State->HasSeries && times.empty())
-  {
-    vtkErrorMacro("The input's time series has no time steps. Check the reader's files.");
-    return false;
-  }
-  for (std::size_t i = 0; i < times.size(); ++i)
-  {
-    if (!std::isfinite(times[i]) || (i > 0 && !(times[i] > times[i - 1])))
-    {
-      vtkErrorMacro("Times must rise, but time step " << i << " is at " << times[i] << (i > 0 ? " after " : "")
-        << (i > 0 ? std::to_string(times[i - 1]) : std::string()) << ". Sort the time steps.");
-      return false;
-    }
-  }
-  return true;
 }
 
 bool vtkTextureCoordinateAdvection::HasSeries() const
@@ -254,7 +218,7 @@ int vtkTextureCoordinateAdvection::RequestUpdateExtent(
       output->Has(SDDP::UPDATE_TIME_STEP()) ? output->Get(SDDP::UPDATE_TIME_STEP()) : first;
   }
   state.AwaitsData = true;
-  if ((readable || times.empty()) && IsPositive(this->TimeScale) && IsPositive(this->Period))
+  if ((readable || times.empty()) && nephoscope::IsPositive(this->TimeScale) && nephoscope::IsPositive(this->Period))
   {
     this->PlanReading();
   }
@@ -266,26 +230,40 @@ int vtkTextureCoordinateAdvection::RequestUpdateExtent(
   {
     input->Remove(SDDP::UPDATE_TIME_STEP());
   }
-  // Everywhere the whole of the winds: a path may come from anywhere.
-  if (input->Has(SDDP::WHOLE_EXTENT()))
+  AskForWhole(input); // everywhere the whole of the winds: a path may come from anywhere
+  if (vtkInformation* points = inputs[1]->GetInformationObject(0))
   {
-    int whole[6];
-    input->Get(SDDP::WHOLE_EXTENT(), whole);
-    input->Set(SDDP::UPDATE_EXTENT(), whole, 6);
-  }
-  input->Set(SDDP::UPDATE_PIECE_NUMBER(), 0);
-  input->Set(SDDP::UPDATE_NUMBER_OF_PIECES(), 1);
-  input->Set(SDDP::UPDATE_NUMBER_OF_GHOST_LEVELS(), 0);
-  // While time steps are being read, points that come of the same source are asked for at the same time, lest it makes each
-  // of them twice.
-  vtkInformation* points = inputs[1]->GetInformationObject(0);
-  if (points && readable)
-  {
-    const bool isLast = state.Steps.count(state.Needed.Last) > 0 || state.Next == state.Needed.Last;
-    points->Set(SDDP::UPDATE_TIME_STEP(),
-      isLast ? state.Requested : times[static_cast<std::size_t>(state.Next)]);
+    this->AskForPoints(input, points, output);
   }
   return 1;
+}
+
+void vtkTextureCoordinateAdvection::AskForPoints(
+  vtkInformation* input, vtkInformation* points, vtkInformation* output)
+{
+  auto& state = *this->State;
+  const auto askFor = [&](vtkInformation* info) {
+    info->Set(SDDP::UPDATE_TIME_STEP(), TimeWithin(info, state.Requested));
+    AskForSamePiece(output, info);
+  };
+  if (!state.SharesSource)
+  {
+    askFor(points);
+  }
+  else if (state.ReadsPoints)
+  {
+    askFor(points);
+    // The winds, which are in memory, would ask the source for something else.
+    askFor(input);
+  }
+  else
+  {
+    AskForWhole(points);
+    if (input->Has(SDDP::UPDATE_TIME_STEP()))
+    {
+      points->Set(SDDP::UPDATE_TIME_STEP(), input->Get(SDDP::UPDATE_TIME_STEP()));
+    }
+  }
 }
 
 void vtkTextureCoordinateAdvection::PlanReading()
@@ -324,7 +302,7 @@ void vtkTextureCoordinateAdvection::PlanReading()
     }
     step = isNeeded ? std::next(step) : state.Steps.erase(step);
   }
-  this->ChooseNext();
+  state.ReadsPoints = !this->ChooseNext() && state.SharesSource;
 }
 
 // The first needed time step that is not in memory; true if there is one.
@@ -363,7 +341,7 @@ int vtkTextureCoordinateAdvection::RequestData(
     return 1;
   }
   if (!this->CheckSettings() || !this->CheckSeries() ||
-    !this->ReadTimeStep(data, inputs[0]->GetInformationObject(0)))
+    (!state.ReadsPoints && !this->ReadTimeStep(data, inputs[0]->GetInformationObject(0))))
   {
     this->Stop(request);
     return 1;
@@ -373,8 +351,10 @@ int vtkTextureCoordinateAdvection::RequestData(
     this->Stop(request);
     return 1;
   }
-  if (this->ChooseNext())
+  const bool needsPoints = state.SharesSource && !state.ReadsPoints;
+  if (this->ChooseNext() || needsPoints)
   {
+    state.ReadsPoints = needsPoints && !this->ChooseNext();
     state.Continuing = true;
     request->Set(SDDP::CONTINUE_EXECUTING(), 1);
     return 1;
@@ -395,119 +375,8 @@ void vtkTextureCoordinateAdvection::Stop(vtkInformation* request)
 {
   this->State->Forget();
   this->State->Continuing = false;
+  this->State->ReadsPoints = false;
   this->NumberOfSteps = 0;
   this->NumberOfTimeStepsHeld = 0;
   request->Remove(SDDP::CONTINUE_EXECUTING());
-}
-
-bool vtkTextureCoordinateAdvection::ReadTimeStep(vtkDataSet* input, vtkInformation* inInfo)
-{
-  auto& state = *this->State;
-  const auto known = state.Steps.find(state.Next);
-  const bool needsData = state.Next >= state.Needed.Whole;
-  if (known != state.Steps.end() && (known->second.Data || !needsData))
-  {
-    return true;
-  }
-  if (!this->CheckExtent(input, inInfo) || (!state.Flow && !this->MakeFlow(input)))
-  {
-    return false;
-  }
-  nephoscope::ReadStep& step = state.Steps[state.Next];
-  if (!step.Wind)
-  {
-    std::string problem;
-    step.Wind = state.Flow->MakeField(input, state.Arrays, problem);
-    if (!step.Wind)
-    {
-      vtkErrorMacro(<< problem << " (time step " << state.Next << ")");
-      return false;
-    }
-    if (step.Wind->Missing > 0 && !state.HasToldOfMissing)
-    {
-      state.HasToldOfMissing = true;
-      vtkWarningMacro("The wind array '" << state.Arrays.Velocity.Name << "' is not a finite number at "
-        << step.Wind->Missing << " of " << input->GetNumberOfPoints()
-        << " points. They take the wind of the nearest level of their column; a "
-           "column without any is calm.");
-    }
-  }
-  if (needsData)
-  {
-    auto copy = vtkSmartPointer<vtkDataSet>::Take(input->NewInstance());
-    copy->ShallowCopy(input);
-    step.Data = copy;
-  }
-  return true;
-}
-
-bool vtkTextureCoordinateAdvection::CheckExtent(vtkDataSet* input, vtkInformation* inInfo)
-{
-  if (input->GetNumberOfPoints() == 0)
-  {
-    vtkErrorMacro("The input is empty. Connect a grid with winds.");
-    return false;
-  }
-  int whole[6];
-  if (IsStructured(input) && inInfo->Has(SDDP::WHOLE_EXTENT()))
-  {
-    inInfo->Get(SDDP::WHOLE_EXTENT(), whole);
-    vtkIdType points = 1;
-    for (int a = 0; a < 3; ++a)
-    {
-      points *= whole[2 * a + 1] - whole[2 * a] + 1;
-    }
-    if (points != input->GetNumberOfPoints())
-    {
-      vtkErrorMacro("Only " << input->GetNumberOfPoints() << " of the " << points
-        << " points of the grid have been delivered. Paths need all the winds: let a reader or Globe Grid, which deliver "
-           "the whole grid on request, be the input.");
-      return false;
-    }
-  }
-  return true;
-}
-
-bool vtkTextureCoordinateAdvection::MakeFlow(vtkDataSet* input)
-{
-  auto& state = *this->State;
-  std::string problem;
-  state.Arrays.Pressure = this->PressureArrayName;
-  state.Arrays.Omega = this->OmegaArrayName;
-  if (!nephoscope::ChooseVelocity(
-        input, this->GetInputArrayInformation(0), state.Arrays.Velocity, problem))
-  {
-    vtkErrorMacro(<< problem);
-    return false;
-  }
-  nephoscope::PathSettings settings;
-  settings.Method = static_cast<nephoscope::PathMethod>(this->Integrator);
-  settings.TimeStep = this->TimeStep;
-  settings.Tolerance = this->Tolerance;
-  const double radius =
-    this->PlanetRadius > 0.0 ? this->PlanetRadius : this->Grid == MAP ? 6371000.0 : 0.0;
-  nephoscope::GlobeShape shape;
-  if (this->Grid != CARTESIAN &&
-    shape.Recognize(input, static_cast<nephoscope::GridKind>(this->Grid), radius, problem))
-  {
-    if (state.Arrays.Velocity.OnCells)
-    {
-      vtkErrorMacro("The velocity '" << state.Arrays.Velocity.Name
-        << "' is on cells; on a globe it is needed on points. Apply Cell Data to Point Data first.");
-      return false;
-    }
-    int extent[6] = { 0, -1, 0, -1, 0, -1 };
-    vtkStructuredGrid::SafeDownCast(input)->GetExtent(extent);
-    state.Flow = std::make_unique<nephoscope::GlobeFlow>(
-      std::move(shape), extent[0], settings, this->CartesianCoordinates);
-    return true;
-  }
-  if (this->Grid == GLOBE || this->Grid == MAP)
-  {
-    vtkErrorMacro("Grid is " << (this->Grid == GLOBE ? "Globe" : "Map") << ", but the input is not. " << problem);
-    return false;
-  }
-  state.Flow =
-    std::make_unique<nephoscope::CartesianFlow>(input, settings, this->TextureLength);
-  return true;
 }

@@ -75,6 +75,18 @@ class BadInput(unittest.TestCase):
         self.expect(self.grid(u=1.0, v=1.0, w=0.0), "array 'zz'", points=12, HeightArrayName="zz")
         self.expect(self.grid(u=1.0, v=1.0, w=0.1, t=15.0), "kelvin", points=12)
 
+    def test_what_a_reader_leaves_that_fails_midway(self):
+        grid = self.grid(u=1.0)
+        grid.GetPointData().AddArray(gf.array("v", np.ones(5)))
+        self.expect(grid, "The array 'v' has 5 values for 12 points")
+        grid = gf.add(self.grid(u=1.0), {"c": np.ones(3)}, cells=True)
+        self.expect(grid, "The array 'c' has 3 values for 2 cells")
+        grid = self.grid(u=1.0)
+        grid.SetYCoordinates(gf.array("lat", np.zeros(1)))
+        self.expect(grid, "The latitude axis has 1 values for 2 places")
+        x, y, z = gf.mesh(LON, LAT, LEV)
+        self.expect(gf.structured(x[:7], y[:7], z[:7], (3, 2, 2)), "The grid has 7 values for 12 points")
+
     def test_settings(self):
         self.expect(self.grid(), "PlanetRadius", PlanetRadius=0.0)
         self.expect(self.grid(), "VerticalExaggeration", VerticalExaggeration=-1.0)

@@ -1,10 +1,12 @@
 # SPDX-FileCopyrightText: The Nephoscope authors
 # SPDX-License-Identifier: BSD-3-Clause
 """Texture Coordinate Advection in ParaView: menu, defaults, help, settings that arrive, a steady wind animated, points."""
+import os
+
 import nephoscope
 import numpy as np
 from PluginDefinitions import definition, nested, own_properties
-from PluginTesting import GFS, check, load_plugin, passed, pvs, servermanager
+from PluginTesting import DATA, GFS, check, load_plugin, passed, pvs, servermanager
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
 NAME = "TextureCoordinateAdvection"
@@ -40,6 +42,25 @@ def fetched(proxy, time):
     return vtk_to_numpy(values), vtk_to_numpy(data.GetFieldData().GetArray("TextureWeights"))
 
 
+def check_points(series):
+    """Clouds of the Globe Grid that gives the winds too, also after the last time of the file."""
+    weather = pvs.NetCDFReader(FileName=[series], SphericalCoordinates=0)
+    weather.Dimensions = "(lev, lat, lon)"
+    globe = pvs.GlobeGrid(Input=weather, VerticalExaggeration=40)
+    globe.UpdatePipeline()
+    clouds = pvs.CloudSurface(Input=globe, ContourBy=["POINTS", "cloud_fraction"], ContourValues=[0.15])
+    texture = pvs.TextureCoordinateAdvection(Input=globe, Points=clouds, TimeScale=3600)
+    alone = pvs.CloudSurface(Input=pvs.TextureCoordinateAdvection(Input=globe, TimeScale=3600), ContourBy=["POINTS", "cloud_fraction"],
+                             ContourValues=[0.15])
+    for time in (6792, 6795, 6793, 6798, 6799):
+        surface, weights = fetched(texture, time)
+        interpolated, _ = fetched(alone, time)
+        check(len(surface) == len(interpolated) > 1000, f"{len(surface)} points at {time}, {len(interpolated)} without the points input")
+        # Latitudes: two ways to the same place, but for the contour's interpolation of coordinates between points 10 degrees apart.
+        difference = np.abs(surface[:, 1] - interpolated[:, 1])
+        check(np.median(difference) < 1e-4, f"coordinates differ by {np.median(difference)} at {time}")
+
+
 def main():
     load_plugin()
     check_definition()
@@ -63,6 +84,7 @@ def main():
     clouds = pvs.CloudSurface(Input=texture, ContourBy=["POINTS", "cloud_fraction"], ContourValues=[0.15])
     surface, _ = fetched(clouds, first + 0.25)
     check(len(surface) > 1000, "the surface does not carry the coordinates")
+    check_points(os.path.join(DATA, "forecast_10deg_6h.nc"))
     passed()
 
 
