@@ -51,16 +51,43 @@ double quadrature(const Ray& ray, double scaleHeight)
   return sum * length / steps / 3;
 }
 
+/** In the unit of the ray; in float the eye's altitude and the ray alone are rounded. */
 template <typename Real>
 Real haze(const Ray& ray, double scaleHeight)
 {
-  std::array<Real, 3> p, q;
+  HazePlace<Real> from;
+  HazeVector<Real> step;
+  double squares = 0;
   for (std::size_t c = 0; c < 3; ++c)
   {
-    p[c] = Real(ray.P[c]);
-    q[c] = Real(ray.Q[c]);
+    from.FromCenter[c] = Real(ray.P[c] / scaleHeight);
+    step[c] = Real((ray.Q[c] - ray.P[c]) / scaleHeight);
+    squares += ray.P[c] * ray.P[c];
   }
-  return globeHazeLength<Real>(p, q, Real(earth), Real(scaleHeight));
+  from.Radius = Real(std::sqrt(squares) / scaleHeight);
+  from.Altitude = Real((std::sqrt(squares) - earth) / scaleHeight);
+  return Real(scaleHeight) * globeHazeLength(from, step);
+}
+
+template <typename Real>
+Real hazeToSky(const Ray& ray, double scaleHeight)
+{
+  HazePlace<Real> from;
+  HazeVector<Real> direction;
+  double squares = 0, length = 0;
+  for (std::size_t c = 0; c < 3; ++c)
+  {
+    squares += ray.P[c] * ray.P[c];
+    length += (ray.Q[c] - ray.P[c]) * (ray.Q[c] - ray.P[c]);
+  }
+  for (std::size_t c = 0; c < 3; ++c)
+  {
+    from.FromCenter[c] = Real(ray.P[c] / scaleHeight);
+    direction[c] = Real((ray.Q[c] - ray.P[c]) / std::sqrt(length));
+  }
+  from.Radius = Real(std::sqrt(squares) / scaleHeight);
+  from.Altitude = Real((std::sqrt(squares) - earth) / scaleHeight);
+  return Real(scaleHeight) * globeHazeLengthToSky(from, direction);
 }
 }
 
@@ -142,10 +169,57 @@ TEST(Haze, FlatGround)
       {
         sum += std::exp(-(h1 + (h2 - h1) * (i + 0.5) / steps) / 8) * 700 / steps;
       }
-      EXPECT_NEAR(flatHazeLength(h1, h2, 700.0, 8.0) / sum, 1, 1e-4);
-      EXPECT_NEAR(flatHazeLength(float(h1), float(h2), 700.0f, 8.0f) / sum, 1, 1e-4);
+      EXPECT_NEAR(8 * flatHazeLength(h1 / 8, h2 / 8, 700.0 / 8) / sum, 1, 1e-4);
+      EXPECT_NEAR(8 * flatHazeLength(float(h1 / 8), float(h2 / 8), 700.0f / 8) / sum, 1, 1e-4);
     }
   }
+}
+
+// A fog of 100 m on the Earth: radii in float are known to half a metre, altitudes must be better.
+TEST(Haze, ThinFogIsExactInFloat)
+{
+  Random random(4);
+  for (int i = 0; i < 300; ++i)
+  {
+    const Ray ray = makeRay(random.Uniform(0, 0.3), random.Uniform(-0.02, 0.02), random.LogUniform(0.01, 60));
+    const double exact = quadrature(ray, 0.1);
+    EXPECT_NEAR(haze<double>(ray, 0.1) / exact, 1, 1e-4);
+    EXPECT_NEAR(haze<float>(ray, 0.1), exact, 1e-3 * exact + 1e-5) << "in float";
+  }
+}
+
+TEST(Haze, OfTheSkyEndsWhereThereIsNone)
+{
+  Random random(5);
+  for (int i = 0; i < 200; ++i)
+  {
+    const double scaleHeight = random.Uniform(2, 10);
+    const Ray up = makeRay(random.Uniform(0, 50), std::pow(random.Uniform(), 3), 4000);
+    const double exact = quadrature(up, scaleHeight);
+    EXPECT_NEAR(hazeToSky<double>(up, scaleHeight), exact, 5e-3 * exact + 1e-6);
+    EXPECT_NEAR(hazeToSky<float>(up, scaleHeight), exact, 5e-3 * exact + 1e-3) << "in float";
+  }
+  // From space, past the planet and down to it.
+  for (const double lowest : { 0.5, 4.0, 30.0 })
+  {
+    const double sine = -std::sqrt(1 - std::pow((earth + lowest) / (earth + 20000), 2));
+    const Ray limb = makeRay(20000, sine, 60000);
+    const double exact = quadrature(limb, 8);
+    EXPECT_NEAR(hazeToSky<double>(limb, 8) / exact, 1, 1e-3);
+    EXPECT_NEAR(hazeToSky<float>(limb, 8) / exact, 1, 5e-3) << "in float";
+  }
+  const Ray down = makeRay(20000, -1, 20000);
+  EXPECT_NEAR(hazeToSky<float>(down, 8), 8, 0.02);
+  EXPECT_EQ(hazeToSky<float>(makeRay(20000, 0.1, 100), 8), 0) << "away from the planet";
+}
+
+TEST(Haze, OfTheSkyOverFlatGround)
+{
+  EXPECT_NEAR(flatHazeLengthToSky(0.0, 0.5), 2, 1e-12);
+  EXPECT_NEAR(flatHazeLengthToSky(1.0, 1.0), std::exp(-1.0), 1e-12);
+  EXPECT_NEAR(flatHazeLengthToSky(1.0, -1.0), 1 - std::exp(-1.0), 1e-12);
+  EXPECT_GT(flatHazeLengthToSky(0.0f, 0.0f), 0);
+  EXPECT_EQ(flatHazeLengthToSky(-1.0f, -1.0f), 0) << "below the ground";
 }
 
 TEST(Haze, ScaledErfc)

@@ -1,0 +1,97 @@
+// SPDX-FileCopyrightText: The Nephoscope authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "OpenGLFunctions.h"
+
+#include "HazeSky.h"
+
+#include "HazeFragmentFunctions.h"
+#include "HazeSkyFragment.h"
+#include "HazeView.h"
+#include "SavedState.h"
+
+#include "vtkObjectFactory.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLShaderCache.h"
+#include "vtkOpenGLState.h"
+#include "vtkOpenGLVertexArrayObject.h"
+#include "vtkRenderer.h"
+#include "vtkShaderProgram.h"
+
+#include <string>
+
+namespace nephoscope
+{
+
+vtkStandardNewMacro(HazeSky);
+
+namespace
+{
+// On the far plane, whose depth is that of pixels where nothing is.
+const char* const vertexShader =
+  "//VTK::System::Dec\n"
+  "void main()\n"
+  "{\n"
+  "  gl_Position = vec4(gl_VertexID == 1 ? 3.0 : -1.0, gl_VertexID == 2 ? 3.0 : -1.0, 1.0, 1.0);\n"
+  "}\n";
+
+std::string fragmentShader()
+{
+  std::string source = HazeSkyFragment;
+  vtkShaderProgram::Substitute(source, "//NEPHOSCOPE::HazeFragment", HazeFragmentFunctions);
+  vtkShaderProgram::Substitute(source, "//NEPHOSCOPE::Haze", HazeView::Functions());
+  return source;
+}
+}
+
+HazeSky::HazeSky()
+{
+  this->PickableOff();
+  this->UseBoundsOff();
+}
+
+HazeSky::~HazeSky() = default;
+
+int HazeSky::RenderOpaqueGeometry(vtkViewport* viewport)
+{
+  auto* renderer = vtkRenderer::SafeDownCast(viewport);
+  auto* window =
+    renderer ? vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow()) : nullptr;
+  if (!window || renderer->GetSelector())
+  {
+    return 0;
+  }
+  const HazeView view(renderer);
+  if (!view.IsOn())
+  {
+    return 0;
+  }
+  vtkShaderProgram* program =
+    window->GetShaderCache()->ReadyShaderProgram(vertexShader, fragmentShader().c_str(), "");
+  if (!program)
+  {
+    vtkErrorMacro("The shader of the haze before the background did not compile.");
+    return 0;
+  }
+  const SavedState saved(window->GetState());
+  vtkOpenGLState* state = window->GetState();
+  state->vtkglDisable(GL_CULL_FACE);
+  state->vtkglEnable(GL_DEPTH_TEST);
+  state->vtkglDepthFunc(GL_LEQUAL);
+  state->vtkglDepthMask(GL_FALSE);
+  state->vtkglEnable(GL_BLEND);
+  state->vtkglBlendEquation(GL_FUNC_ADD);
+  state->vtkglBlendFuncSeparate(GL_ONE, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+  this->VertexArray->Bind();
+  view.SetUniforms(program);
+  glDrawArrays(GL_TRIANGLES, 0, 3);
+  this->VertexArray->Release();
+  return 1;
+}
+
+void HazeSky::ReleaseGraphicsResources(vtkWindow* window)
+{
+  this->VertexArray->ReleaseGraphicsResources();
+  this->Superclass::ReleaseGraphicsResources(window);
+}
+
+} // namespace nephoscope

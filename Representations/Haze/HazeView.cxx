@@ -1,0 +1,157 @@
+// SPDX-FileCopyrightText: The Nephoscope authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "OpenGLFunctions.h"
+
+#include "HazeView.h"
+
+#include "HazeFunctions.h"
+#include "ViewState.h"
+#include "vtkHaze.h"
+
+#include "vtkMatrix3x3.h"
+#include "vtkMatrix4x4.h"
+#include "vtkNew.h"
+#include "vtkOpenGLCamera.h"
+#include "vtkRenderer.h"
+#include "vtkShaderProgram.h"
+
+#include <cmath>
+
+namespace nephoscope
+{
+namespace
+{
+void toView(vtkMatrix4x4* worldToView, const double in[3], double w, double out[3])
+{
+  const double p[4] = { in[0], in[1], in[2], w };
+  double q[4];
+  worldToView->MultiplyPoint(p, q);
+  std::copy(q, q + 3, out);
+}
+}
+
+HazeView::HazeView(vtkRenderer* renderer)
+{
+  vtkHaze* haze = vtkHaze::GetHaze(renderer);
+  auto* camera = vtkOpenGLCamera::SafeDownCast(renderer->GetActiveCamera());
+  if (!haze || !haze->IsSeen() || !camera)
+  {
+    return;
+  }
+  vtkMatrix4x4 *worldToView, *viewToDevice, *worldToDevice; // transposed, as OpenGL wants them
+  vtkMatrix3x3* normals;
+  camera->GetKeyMatrices(renderer, worldToView, normals, viewToDevice, worldToDevice);
+  vtkNew<vtkMatrix4x4> world, device;
+  vtkMatrix4x4::Transpose(worldToView, world);
+  vtkMatrix4x4::Transpose(viewToDevice, device);
+
+  this->On = true;
+  this->OnGlobe = haze->GetProjection() == vtkHaze::GLOBE;
+  this->Parallel = isParallel(device);
+  this->Unit = static_cast<float>(1 / haze->GetDisplayedScaleHeight());
+  this->Extinction = static_cast<float>(haze->GetExtinction() * haze->GetDisplayedScaleHeight());
+  Vector4 eye = findEye(device);
+  double start[3] = { 0, 0, 0 }; // the camera
+  for (int c = 0; c < 3; ++c)
+  {
+    this->Tint[c] = static_cast<float>(haze->GetColor()[c]);
+    const auto axis = static_cast<std::size_t>(c);
+    start[c] = this->Parallel ? 0 : eye[axis] / eye[3];
+    this->Eye[c] = static_cast<float>(this->Parallel ? -eye[axis] / std::abs(eye[2]) : start[c]);
+  }
+  this->SetPlace(*haze, world, start);
+  this->SetDevice(device);
+}
+
+// In double: the eye may be close to the ground and far from the planet's centre.
+void HazeView::SetPlace(vtkHaze& haze, vtkMatrix4x4* worldToView, const double start[3])
+{
+  const double scaleHeight = haze.GetDisplayedScaleHeight();
+  double frame[3], place[3];
+  vtkNew<vtkMatrix4x4> viewToWorld;
+  vtkMatrix4x4::Invert(worldToView, viewToWorld);
+  toView(viewToWorld, start, 1, place);
+  if (this->OnGlobe)
+  {
+    double fromCenter[3], squares = 0;
+    for (int c = 0; c < 3; ++c)
+    {
+      fromCenter[c] = (place[c] - haze.GetCenter()[c]) / scaleHeight;
+      squares += fromCenter[c] * fromCenter[c];
+    }
+    toView(worldToView, fromCenter, 0, frame);
+    this->Height[0] = static_cast<float>(std::sqrt(squares));
+    this->Height[1] = static_cast<float>(std::sqrt(squares) - haze.GetPlanetRadius() / scaleHeight);
+  }
+  else
+  {
+    const double* up = haze.GetUpDirection();
+    const double length = std::sqrt(up[0] * up[0] + up[1] * up[1] + up[2] * up[2]);
+    const double unit[3] = { up[0] / length, up[1] / length, up[2] / length };
+    toView(worldToView, unit, 0, frame);
+    const double altitude =
+      unit[0] * place[0] + unit[1] * place[1] + unit[2] * place[2] - haze.GetBaseLevel();
+    this->Height[0] = 0;
+    this->Height[1] = static_cast<float>(altitude / scaleHeight);
+  }
+  for (int c = 0; c < 3; ++c)
+  {
+    this->Frame[c] = static_cast<float>(frame[c]);
+  }
+}
+
+// Rows x, y and w of the projection are inverted; x, y and z where rays are parallel.
+void HazeView::SetDevice(vtkMatrix4x4* viewToDevice)
+{
+  const int rows[3] = { 0, 1, this->Parallel ? 2 : 3 };
+  vtkNew<vtkMatrix3x3> linear;
+  for (int r = 0; r < 3; ++r)
+  {
+    for (int c = 0; c < 3; ++c)
+    {
+      linear->SetElement(r, c, viewToDevice->GetElement(rows[r], c));
+    }
+    this->DeviceOrigin[r] = static_cast<float>(viewToDevice->GetElement(rows[r], 3));
+  }
+  linear->Invert();
+  for (int r = 0; r < 3; ++r)
+  {
+    for (int c = 0; c < 3; ++c)
+    {
+      this->FromDevice[3 * c + r] = static_cast<float>(linear->GetElement(r, c));
+    }
+  }
+}
+
+std::string HazeView::Functions()
+{
+  return HazeFunctions;
+}
+
+void HazeView::SetUniforms(vtkShaderProgram* program) const
+{
+  if (!this->On || !program->IsUniformUsed("hazeExtinction"))
+  {
+    return;
+  }
+  program->SetUniformi("hazeOnGlobe", this->OnGlobe);
+  program->SetUniformi("hazeParallel", this->Parallel);
+  program->SetUniformf("hazeUnit", this->Unit);
+  program->SetUniformf("hazeExtinction", this->Extinction);
+  program->SetUniform3f("hazeTint", this->Tint);
+  program->SetUniform3f("hazeEye", this->Eye);
+  program->SetUniform3f("hazeFrame", this->Frame);
+  program->SetUniform2f("hazeHeight", this->Height);
+  if (program->IsUniformUsed("hazeFromDevice"))
+  {
+    GLint viewport[4];
+    glGetIntegerv(GL_VIEWPORT, viewport);
+    const float place[4] = { static_cast<float>(viewport[0]), static_cast<float>(viewport[1]),
+      2.0f / static_cast<float>(viewport[2]), 2.0f / static_cast<float>(viewport[3]) };
+    program->SetUniform4f("hazeViewport", place);
+    program->SetUniformMatrix3x3("hazeFromDevice", const_cast<float*>(this->FromDevice));
+    program->SetUniform3f("hazeDeviceOrigin", this->DeviceOrigin);
+  }
+}
+
+} // namespace nephoscope

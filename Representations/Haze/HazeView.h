@@ -1,0 +1,55 @@
+// SPDX-FileCopyrightText: The Nephoscope authors
+// SPDX-License-Identifier: BSD-3-Clause
+/** The haze of a renderer as its shaders take it. For mappers with programs of their own; those of vtkOpenGLPolyDataMapper are hazed unasked. */
+#ifndef HazeView_h
+#define HazeView_h
+
+#include "vtkNephoscopeRepresentationsHazeModule.h" // for export macro
+
+#include <string>
+
+class vtkHaze;
+class vtkMatrix4x4;
+class vtkRenderer;
+class vtkShaderProgram;
+
+namespace nephoscope
+{
+
+class VTKNEPHOSCOPEREPRESENTATIONSHAZE_EXPORT HazeView
+{
+public:
+  /** No haze. */
+  HazeView() = default;
+  /** Of the renderer as it draws now; its haze may be none, or off. */
+  explicit HazeView(vtkRenderer* renderer);
+
+  bool IsOn() const { return this->On; }
+
+  /** shaders/Haze.glsl: what a program calls that has SetUniforms called. */
+  static std::string Functions();
+  /** To be put before those functions and calls, which are to be within #ifdef NEPHOSCOPE_HAZE. Empty where there is no haze. */
+  std::string Definition() const { return this->On ? "#define NEPHOSCOPE_HAZE\n" : ""; }
+
+  void SetUniforms(vtkShaderProgram* program) const;
+
+private:
+  void SetPlace(vtkHaze& haze, vtkMatrix4x4* worldToView, const double start[3]);
+  void SetDevice(vtkMatrix4x4* viewToDevice);
+
+  bool On = false;
+  bool OnGlobe = true;
+  bool Parallel = false;
+  float Unit = 1;
+  float Extinction = 0;
+  float Tint[3] = { 1, 1, 1 };
+  float Eye[3] = { 0, 0, 0 };
+  float Frame[3] = { 0, 0, 1 };
+  float Height[2] = { 1, 0 };
+  float FromDevice[9] = { 1, 0, 0, 0, 1, 0, 0, 0, 1 }; // columns
+  float DeviceOrigin[3] = { 0, 0, 0 };
+};
+
+} // namespace nephoscope
+
+#endif

@@ -1,0 +1,168 @@
+// SPDX-FileCopyrightText: The Nephoscope authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Haze between the eye and a place, as Haze.h has it: lengths in scale heights but for places in view coordinates (VC).
+//   hazeTransparency(placeVC)         T, of the air from the eye to the place
+//   hazedColor(rgb, placeVC)          colour of a surface of any opacity as it is seen through the air: T rgb + (1 - T) C
+//   hazedLight(light, placeVC)        the same of a premultiplied colour with alpha: T rgb + alpha (1 - T) C, alpha
+uniform int hazeOnGlobe;      // 0: over flat ground
+uniform int hazeParallel;     // parallel rays, which start in the plane of the camera
+uniform float hazeUnit;       // scale heights in one length of view coordinates
+uniform float hazeExtinction; // per scale height at altitude 0
+uniform vec3 hazeTint;        // C
+uniform vec3 hazeEye;         // VC: where all rays start; direction of parallel ones, away from the camera
+uniform vec3 hazeFrame;       // globe: from its centre to the eye (parallel: to the camera); flat: upwards
+uniform vec2 hazeHeight;      // of the eye (parallel: of the camera): distance from the centre, altitude
+
+float hazeErfc(float x) // exp(x^2) erfc(x)
+{
+  float t = (x - 3.0) / (x + 3.0);
+  float sum = -9.25451669e-05;
+  sum = sum * t - 0.000513850513;
+  sum = sum * t + 0.00187507912;
+  sum = sum * t + 0.0022865137;
+  sum = sum * t - 0.0237635764;
+  sum = sum * t + 0.0684095817;
+  sum = sum * t - 0.119275275;
+  sum = sum * t + 0.129627505;
+  sum = sum * t - 0.0475621569;
+  sum = sum * t - 0.135620239;
+  sum = sum * t + 1.25300806;
+  return sum / (1.0 + 2.0 * x);
+}
+
+float hazeMeanDecay(float x)
+{
+  return x < 0.03 ? 1.0 - x * (0.5 - x * (1.0 / 6.0 - x / 24.0)) : (1.0 - exp(-x)) / x;
+}
+
+float hazeMeanTransparency(float front, float back)
+{
+  if (back <= 1.0)
+  {
+    vec4 t = vec4(0.069431844202973714, 0.33000947820757187, 0.66999052179242813, 0.93056815579702629);
+    vec4 weights = vec4(0.17392742256872693, 0.32607257743127307, 0.32607257743127307, 0.17392742256872693);
+    return dot(weights, exp(-t * (front + 0.5 * (back - front) * t)));
+  }
+  float q = sqrt(2.0 * max(back - front, 1.0e-6 * back));
+  return 1.7724538509055160 / q * (hazeErfc(front / q) - exp(-0.5 * (front + back)) * hazeErfc(back / q));
+}
+
+float hazeDensity(float altitude)
+{
+  return exp(-max(altitude, -20.0));
+}
+
+// A place about the centre: (radius, altitude) belong to `place`.
+struct HazePlace
+{
+  vec3 place;
+  vec2 height;
+};
+
+HazePlace movedHazePlace(HazePlace from, vec3 step_)
+{
+  vec3 to = from.place + step_;
+  float radius = length(to);
+  return HazePlace(to, vec2(radius, from.height.y + dot(from.place + to, step_) / (from.height.x + radius)));
+}
+
+float levelHazeLength(vec2 first, vec2 last, vec2 along, float nearest)
+{
+  vec2 x = along * inversesqrt(vec2(first.x, last.x) + nearest);
+  vec2 e = vec2(hazeDensity(first.y), hazeDensity(last.y));
+  const float halfRootPi = 0.88622692545275801;
+  vec2 tails = halfRootPi * e * vec2(hazeErfc(abs(x.x)), hazeErfc(abs(x.y)));
+  float g = abs(tails.x - tails.y);
+  if (x.x < 0.0 && x.y > 0.0)
+  {
+    float lowest = abs(along.x) < abs(along.y) ? first.y - along.x * along.x / (first.x + nearest)
+                                               : last.y - along.y * along.y / (last.x + nearest);
+    g = 2.0 * halfRootPi * hazeDensity(lowest) - tails.x - tails.y;
+  }
+  float second = 0.5 * (g - x.y * e.y + x.x * e.x);
+  return max(0.0, sqrt(2.0 * nearest) * (g + 0.75 / nearest * second));
+}
+
+float steepHazeLength(vec2 lower, float sine, float reach)
+{
+  float front = sine * reach;
+  float back = front + (1.0 - sine * sine) * reach / lower.x * reach;
+  return reach * hazeDensity(lower.y) * hazeMeanTransparency(front, back);
+}
+
+float globeHazeLength(HazePlace from, vec3 step_)
+{
+  vec2 first = from.height;
+  vec2 last = movedHazePlace(from, step_).height;
+  float reach = length(step_);
+  float perReach = reach > 0.0 ? 1.0 / reach : 0.0;
+  float along1 = dot(from.place, step_) * perReach;
+  vec2 along = vec2(along1, along1 + reach);
+  float nearest = length(from.place - along1 * perReach * step_);
+  bool rising = along.x >= 0.0;
+  bool falling = along.y <= 0.0;
+  vec2 lower = first.x < last.x ? first : last;
+  float sine = min(1.0, (rising ? along.x : -along.y) / lower.x);
+  bool isShort = reach < 0.005 * lower.x;
+  if (!isShort && !((rising || falling) && sine > 0.2))
+  {
+    return levelHazeLength(first, last, along, nearest);
+  }
+  if (rising || falling)
+  {
+    return steepHazeLength(lower, sine, reach);
+  }
+  vec2 lowest = vec2(nearest, first.y - along.x * along.x / (first.x + nearest));
+  return steepHazeLength(lowest, 0.0, -along.x) + steepHazeLength(lowest, 0.0, along.y);
+}
+
+float flatHazeLength(vec2 altitudes, float reach)
+{
+  return reach * hazeDensity(min(altitudes.x, altitudes.y)) * hazeMeanDecay(abs(altitudes.y - altitudes.x));
+}
+
+// Where the ray to a place starts, in VC.
+vec3 hazeStart(vec3 placeVC)
+{
+  return hazeParallel == 0 ? hazeEye : placeVC - hazeEye * (placeVC.z / hazeEye.z);
+}
+
+// The same in scale heights; over flat ground only its altitude.
+HazePlace hazePlaceOfStart(vec3 startVC)
+{
+  HazePlace place = HazePlace(hazeFrame, hazeHeight);
+  if (hazeParallel == 0)
+  {
+    return place;
+  }
+  if (hazeOnGlobe != 0)
+  {
+    return movedHazePlace(place, startVC * hazeUnit);
+  }
+  place.height.y += dot(hazeFrame, startVC) * hazeUnit;
+  return place;
+}
+
+float hazeTransparency(vec3 placeVC)
+{
+  if (hazeParallel != 0 && placeVC.z >= 0.0)
+  {
+    return 1.0; // behind the camera
+  }
+  vec3 startVC = hazeStart(placeVC);
+  vec3 step_ = (placeVC - startVC) * hazeUnit;
+  HazePlace start = hazePlaceOfStart(startVC);
+  float air = hazeOnGlobe != 0 ? globeHazeLength(start, step_)
+                               : flatHazeLength(vec2(start.height.y, start.height.y + dot(hazeFrame, step_)), length(step_));
+  return exp(-hazeExtinction * air);
+}
+
+vec3 hazedColor(vec3 rgb, vec3 placeVC)
+{
+  return mix(hazeTint, rgb, hazeTransparency(placeVC));
+}
+
+vec4 hazedLight(vec4 light, vec3 placeVC)
+{
+  return vec4(mix(light.a * hazeTint, light.rgb, hazeTransparency(placeVC)), light.a);
+}
