@@ -20,6 +20,8 @@ if _TYPE_CHECKING:
     from .reader import read_cf
     from .smoke import flow_volume, smoke_puffs
     from .smoke_drawing import add_smoke
+    from .sparse import read_vdb, write_vdb
+    from .splats import add_splats
     from .splitting import split_cells
 
 # Function -> the file of its technique. A new technique adds its line here and its method in accessor.py.
@@ -28,12 +30,15 @@ PYVISTA_FUNCTIONS = {
     "to_globe": "globe",
     "globe_surface": "globe",
     "add_cells": "cells",
+    "add_splats": "splats",
     "split_cells": "splitting",
     "smooth": "clouds",
     "cloud_surface": "clouds",
     "flow_volume": "smoke",
     "smoke_puffs": "smoke",
     "add_smoke": "smoke_drawing",
+    "read_vdb": "sparse",
+    "write_vdb": "sparse",
 }
 
 

@@ -26,6 +26,17 @@ def require_array(mesh: pyvista.DataSet, name: str, argument: str) -> None:
         raise MissingDataError(f"{argument}: no array {name!r}. {arrays_of(mesh)}")
 
 
+def require_beside_scalars(mesh: pyvista.DataSet, name: str, association: str, argument: str) -> None:
+    """ValueError unless the array `name` is where the scalars are: association "point" or "cell"."""
+    here, there = (mesh.point_data, mesh.cell_data) if association == "point" else (mesh.cell_data, mesh.point_data)
+    if name in here:
+        return
+    if name in there:
+        remedy = "cell_data_to_point_data()" if association == "point" else "point_data_to_cell_data()"
+        raise ValueError(f"{argument}: the array {name!r} must be on {association}s, as the scalars are: use mesh.{remedy}.")
+    raise MissingDataError(f"{argument}: no array {name!r}. {arrays_of(mesh)}")
+
+
 def choose(choices: Mapping[str, Callable[[], None]], value: str, argument: str) -> None:
     """Calls the function that `choices` has for `value`; ValueError with the list of choices if none."""
     if not isinstance(value, str) or value not in choices:

@@ -9,6 +9,7 @@ import pyvista
 from .clouds import cloud_surface, smooth
 from .globe import to_globe
 from .smoke import flow_volume, smoke_puffs
+from .sparse import write_vdb
 from .splitting import split_cells
 
 
@@ -40,6 +41,7 @@ class NephoscopeAccessor:
     cloud_surface = _method(cloud_surface)
     flow_volume = _method(flow_volume)
     smoke_puffs = _method(smoke_puffs)
+    write_vdb = _method(write_vdb)
 
 
 # Before 0.48 PyVista has no accessors; the functions of the package work without them.

@@ -1,0 +1,144 @@
+# SPDX-FileCopyrightText: The Nephoscope authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""nephoscope.add_splats: arguments reach the mapper, bad ones are named. Draws nothing."""
+import unittest
+
+import nephoscope
+import numpy as np
+import pyvista
+from pyvista.core.errors import MissingDataError
+
+
+def box(n=3):
+    mesh = pyvista.ImageData(dimensions=(n, n, n))
+    mesh.point_data["x"] = mesh.points[:, 0]
+    mesh.point_data["wind"] = np.tile((1.0, 2, 2), (mesh.n_points, 1))
+    mesh.cell_data["layer"] = np.arange(mesh.n_cells, dtype=float)
+    mesh.cell_data["cell_wind"] = np.zeros((mesh.n_cells, 3))
+    return mesh
+
+
+def particles(count=50):
+    cloud = pyvista.PolyData(np.random.default_rng(0).uniform(-1, 1, (count, 3)))
+    cloud["mass"] = np.arange(count, dtype=float)
+    return cloud
+
+
+class Splats(unittest.TestCase):
+    def setUp(self):
+        self.plotter = pyvista.Plotter(off_screen=True)
+        self.addCleanup(self.plotter.close)
+
+    def add(self, mesh=None, scalars="x", **options):
+        return nephoscope.add_splats(self.plotter, box() if mesh is None else mesh, scalars, render=False, **options)
+
+    def fails(self, error, pattern, *args, **options):
+        before = dict(self.plotter.actors)
+        with self.assertRaisesRegex(error, pattern):
+            self.add(*args, **options)
+        self.assertEqual(dict(self.plotter.actors), before, "a failed call left an actor")
+
+
+class Accepted(Splats):
+    def test_defaults_are_those_of_the_mapper(self):
+        volume, fresh = self.add(), nephoscope.vtkTexturedSplatMapper()
+        self.assertIsInstance(volume.mapper, nephoscope.vtkTexturedSplatMapper)
+        for name in ("Kernel", "CellSize", "RadiusFactor", "ErrorTolerance", "ErrorToleranceUnit", "ErrorMeasure", "OpacityScale",
+                     "InteractiveMaximumNumberOfSplats", "VectorArrayName", "VectorStyle", "VectorPlacement", "VectorOpacity",
+                     "UseVectorColor", "VectorColorArrayName", "GreatestSpeed", "StreakPeriod", "Phase", "PhaseCycles"):
+            self.assertEqual(getattr(volume.mapper, "Get" + name)(), getattr(fresh, "Get" + name)(), name)
+        self.assertAlmostEqual(volume.prop.opacity_unit_distance, np.sqrt(12) / 3)
+        self.assertEqual(volume.mapper.scalar_range, (0, 2))
+
+    def test_numbers_and_choices(self):
+        mapper = self.add(kernel="gaussian", radius_factor=1.5, error_tolerance=0.1, error_unit="data", error_measure="rms",
+                          interactive_splats=7, opacity_scale=3, vectors="wind", vector_style="segments", vector_placement="layers",
+                          vector_opacity=1, vector_color="red", greatest_speed=9, streak_period=2, phase=0.25, phase_cycles=3).mapper
+        for name, expected in (("Kernel", 2), ("RadiusFactor", 1.5), ("ErrorTolerance", 0.1), ("ErrorToleranceUnit", 1),
+                               ("ErrorMeasure", 1), ("InteractiveMaximumNumberOfSplats", 7), ("OpacityScale", 3),
+                               ("VectorArrayName", "wind"), ("VectorStyle", 1), ("VectorPlacement", 1), ("VectorOpacity", 1),
+                               ("VectorColor", (1, 0, 0)), ("UseVectorColor", True), ("GreatestSpeed", 9), ("StreakPeriod", 2),
+                               ("Phase", 0.25), ("PhaseCycles", 3)):
+            self.assertEqual(getattr(mapper, "Get" + name)(), expected, name)
+        mapper.phase = 0.5
+        self.assertEqual((mapper.phase, mapper.GetPhase()), (0.5, 0.5))
+        with self.assertRaisesRegex(ValueError, "phase is nan"):
+            mapper.phase = np.nan
+
+    def test_radius_of_particles(self):
+        for kernel in ("cubic", "quadratic", "gaussian"):
+            volume = self.add(pyvista.PolyData([(1.0, 2, 3)]), None, color="white", radius=0.5, kernel=kernel)
+            np.testing.assert_allclose(volume.bounds, (0.5, 1.5, 1.5, 2.5, 2.5, 3.5), rtol=1e-4)
+        wider = self.add(pyvista.PolyData([(1.0, 2, 3)]), None, color="white", radius=0.5, radius_factor=2)
+        np.testing.assert_allclose(wider.bounds, (0, 2, 1, 3, 2, 4), atol=1e-3)
+
+    def test_arrays(self):
+        self.assertEqual(self.add(scalars="layer").mapper.GetScalarModeAsString(), "UseCellFieldData")
+        self.assertEqual(self.add(scalars="layer", vectors="cell_wind").mapper.GetVectorArrayName(), "cell_wind")
+        mesh = box()
+        names = list(mesh.array_names)
+        self.assertEqual(self.add(mesh, np.arange(27.0)).mapper.GetArrayName(), "Data")
+        self.add(mesh, None, color="white")
+        self.assertEqual(mesh.array_names, names, "the mesh was changed")
+
+    def test_colours(self):
+        volume = self.add(color="red")
+        np.testing.assert_allclose(volume.prop.GetRGBTransferFunction().GetColor(1), (1, 0, 0))
+        self.assertAlmostEqual(volume.prop.GetScalarOpacity().GetValue(1), 0.5)
+        self.assertEqual(len(self.plotter.scalar_bars), 0)
+        volume = self.add(vectors="wind", vector_scalars="x", vector_cmap=["black", "white"], vector_clim=(0, 4), show_scalar_bar=True)
+        self.assertEqual(volume.mapper.GetVectorColorArrayName(), "x")
+        np.testing.assert_allclose(volume.mapper.GetVectorColorFunction().GetColor(2), (0.5,) * 3, atol=0.01)
+        self.assertIn("x", self.plotter.scalar_bars)
+
+    def test_meshes_of_every_kind(self):
+        image = box()
+        blocks = pyvista.MultiBlock([image, None, image.cast_to_unstructured_grid()])
+        for mesh in (image, image.cast_to_rectilinear_grid(), image.cast_to_structured_grid(), image.cast_to_unstructured_grid(),
+                     image.extract_surface(algorithm="dataset_surface"), pyvista.PolyData(image.points, verts=None), blocks):
+            with self.subTest(type(mesh).__name__):
+                scalars = "x" if not isinstance(mesh, pyvista.PolyData) or "x" in mesh.point_data else mesh.points[:, 0]
+                self.assertGreaterEqual(self.add(mesh, scalars).mapper.dataset.n_points, 26)
+        self.assertEqual(self.add(image.points, None, color="white").mapper.dataset.n_points, 27)
+
+
+class Refused(Splats):
+    def test_arrays(self):
+        self.fails(MissingDataError, "scalars: no array 'cloud'. Point arrays: 'x', 'wind'; cell arrays: 'layer'", scalars="cloud")
+        self.fails(MissingDataError, "vectors: no array 'winds'. Point arrays", vectors="winds")
+        self.fails(ValueError, "vectors: the array 'x' has 1 components", vectors="x")
+        self.fails(ValueError, r"'cell_wind' must be on points.*cell_data_to_point_data", vectors="cell_wind")
+        self.fails(ValueError, r"'wind' must be on cells.*point_data_to_cell_data", scalars="layer", vectors="wind")
+        self.fails(MissingDataError, "vector_scalars: no array 'h'", vectors="wind", vector_scalars="h")
+        self.fails(MissingDataError, "opacity_scalars: no array 'q'", opacity_scalars="q")
+        self.fails(ValueError, "opacity_scalars: the array 'layer' must be on points", opacity_scalars="layer")
+        self.fails(ValueError, "'wind' has 3 components", scalars="wind")
+        self.fails(MissingDataError, "no active scalars", pyvista.PolyData(np.eye(3)), None)
+
+    def test_combinations(self):
+        self.fails(ValueError, "without vectors", vector_color="red")
+        self.fails(ValueError, "without vector_scalars", vectors="wind", vector_cmap="jet")
+        self.fails(ValueError, "both given", vectors="wind", vector_scalars="x", vector_color="red")
+        self.fails(ValueError, "use radius_factor", radius=1)
+
+    def test_numbers_and_choices(self):
+        for bad in (0, -1, np.nan, np.inf):
+            self.fails(ValueError, "unit_distance is .*greater than 0", unit_distance=bad)
+            self.fails(ValueError, "radius is .*greater than 0", particles(), "mass", radius=bad)
+        for name in ("error_tolerance", "vector_opacity", "opacity_scale", "interactive_splats"):
+            self.fails(ValueError, f"{name} is -1.*at least 0", **{name: -1})
+        for name in ("kernel", "error_unit", "error_measure", "vector_style", "vector_placement"):
+            self.fails(ValueError, f"{name} is 'best'; it must be one of", **{name: "best"})
+        self.fails(ValueError, "phase is nan", phase=np.nan)
+        self.fails(ValueError, "radius_factor is 0", radius_factor=0)
+
+    def test_meshes(self):
+        self.fails(TypeError, "mesh is a str", "clouds")
+        self.fails(ValueError, "no points", pyvista.PolyData(), None)
+        self.fails(ValueError, "no points", pyvista.MultiBlock(), None)
+        with self.assertRaisesRegex(TypeError, "plotter is a ImageData"):
+            nephoscope.add_splats(box(), box(), "x")
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,185 @@
+# SPDX-FileCopyrightText: The Nephoscope authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Pictures of nephoscope.add_splats against closed forms, streaks that move with the phase, and the snippet of the page."""
+import os
+import unittest
+from pathlib import Path
+
+import nephoscope
+import numpy as np
+import pages
+import pyvista
+
+OUTPUT = Path(os.environ["NEPHOSCOPE_TEST_OUTPUT"])
+FOOTPRINT_PEAK = 0.69989  # of the cubic kernel: its integral along a line through the centre, by quadrature
+SIZE = 120
+
+
+def slab(layers=8, n=24):
+    """Constant data, seen along z as thick as it has layers."""
+    mesh = pyvista.ImageData(dimensions=(n, n, layers), origin=(-(n - 1) / 2, -(n - 1) / 2, -(layers - 1) / 2))
+    mesh.point_data["one"] = np.ones(mesh.n_points)
+    mesh.point_data["east"] = np.tile((1.0, 0, 0), (mesh.n_points, 1))
+    mesh.point_data["rest"] = np.zeros((mesh.n_points, 3))
+    return mesh
+
+
+class Picture(unittest.TestCase):
+    def setUp(self):
+        self.plotter = pyvista.Plotter(off_screen=True, window_size=(SIZE, SIZE))
+        self.plotter.background_color = "black"
+        self.addCleanup(self.plotter.close)
+
+    def add(self, mesh, *args, **options):
+        return nephoscope.add_splats(self.plotter, mesh, *args, **{"color": "white", "unit_distance": 8, **options})
+
+    def picture(self, half_height=6):
+        """Along z in parallel projection, 0 to 1, row 0 at the top."""
+        self.plotter.enable_parallel_projection()
+        self.plotter.view_xy()
+        self.plotter.camera.parallel_scale = half_height
+        self.plotter.render()  # of the second picture of a plotter on; a screenshot draws only the first
+        image = self.plotter.screenshot(str(OUTPUT / f"{self.id().split('.', 1)[1]}.png"))
+        return image.astype(float)[..., :3] / 255
+
+    def expect_flat(self, value):
+        np.testing.assert_allclose(self.picture(), np.broadcast_to(value, (SIZE, SIZE, 3)), atol=2.5 / 255)
+
+
+class Media(Picture):
+    def test_uniform_slab(self):
+        self.add(slab())
+        self.expect_flat(1 - np.exp(-1))
+
+    def test_opacity_and_scale(self):
+        self.add(slab(), "one", color="red", opacity=0.5, opacity_scale=3)
+        self.expect_flat((1 - np.exp(-1.5), 0, 0))
+
+    def test_cells(self):
+        mesh = slab(9)
+        mesh.cell_data["cell"] = np.ones(mesh.n_cells)
+        self.add(mesh, "cell", opacity=1.0)
+        self.expect_flat(1 - np.exp(-1))
+
+    def test_values_changed_in_place_are_drawn(self):
+        mesh = slab()
+        self.add(mesh, "one", clim=(0, 1))
+        self.expect_flat(1 - np.exp(-1))
+        mesh.point_data["one"][:] = 0.5
+        self.expect_flat(1 - np.exp(-0.5))
+
+    def test_one_particle_hides_another(self):
+        pair = pyvista.PolyData([(0.0, 0, 0), (0.0, 0, 9)])
+        pair["side"] = [0.0, 1.0]
+        self.add(pair, "side", color=None, cmap=["red", "blue"], opacity=1.0, radius=3.0, unit_distance=1, show_scalar_bar=False)
+        picture = self.picture()
+        alpha = 1 - np.exp(-FOOTPRINT_PEAK * 3.0 / 1.556228)
+        middle = picture[SIZE // 2 - 1:SIZE // 2 + 1, SIZE // 2 - 1:SIZE // 2 + 1].mean(axis=(0, 1))
+        np.testing.assert_allclose(middle, (alpha * (1 - alpha), 0, alpha), atol=2.5 / 255)
+        x, y = np.meshgrid(*[(np.arange(SIZE) + 0.5) / SIZE * 12 - 6] * 2)
+        seen = picture.max(axis=2) > 0
+        self.assertFalse(seen[np.hypot(x, y) > 3.1].any(), "a splat is wider than its radius")
+        self.assertTrue(seen[np.hypot(x, y) < 2.2].all(), "a splat is narrower than its radius")
+
+    def test_tolerance_draws_fewer(self):
+        mesh = slab(24)
+        mesh.point_data["hill"] = np.exp(-np.sum(mesh.points ** 2, axis=1) / 25)
+        volume = self.add(mesh, "hill", unit_distance=4)
+        exact = self.picture(12)
+        samples = volume.mapper.GetNumberOfDrawnSplats()
+        volume.mapper.SetErrorTolerance(0.05)
+        coarse = self.picture(12)
+        print(f"  {volume.mapper.GetNumberOfDrawnSplats()} splats of {samples}, mean difference {np.abs(coarse - exact).mean():.4f}")
+        self.assertLess(volume.mapper.GetNumberOfDrawnSplats(), samples / 3)
+        self.assertLess(np.abs(coarse - exact).mean(), 0.02)
+
+
+class Wind(Picture):
+    def streaks(self, **options):
+        return self.add(slab(1, 40), "one", opacity=0.0, vectors="east", phase_cycles=1, **options)
+
+    def test_streaks_move_with_the_wind(self):
+        """A quarter of a loop is a quarter of the period of 4 cells: the picture moves one cell to the right."""
+        volume = self.streaks()
+        start = self.picture()[..., 0]
+        self.assertGreater(start.std(), 0.05, "no streaks")
+        volume.mapper.phase = 0.25
+        moved = self.picture()[..., 0]
+        pixels = SIZE // 12  # in a cell
+        match = [np.corrcoef(moved[:, 40:80].ravel(), start[:, 40 - d:80 - d].ravel())[0, 1] for d in range(-40, 41)]
+        print(f"  moved by {np.argmax(match) - 40} pixels of {pixels} in a cell, correlation {max(match):.3f}")
+        self.assertLessEqual(abs(np.argmax(match) - 40 - pixels), 1)
+        self.assertGreater(max(match), 0.7)
+        volume.mapper.phase = 1.0
+        np.testing.assert_array_equal(self.picture()[..., 0], start)
+
+    def test_streaks_lie_along_the_wind(self):
+        self.streaks()
+        picture = self.picture()[..., 0]
+        self.assertGreater(np.abs(np.diff(picture, axis=0)).mean(), 2 * np.abs(np.diff(picture, axis=1)).mean())
+
+    def test_colour_of_vectors(self):
+        self.streaks(vector_color="lime")
+        picture = self.picture()
+        self.assertGreater(picture[..., 1].max(), 0.3)
+        self.assertEqual(picture[..., 0].max(), 0)
+
+    def test_colour_by_an_array(self):
+        mesh = slab(1, 40)
+        mesh["north"] = mesh.points[:, 1]
+        self.add(mesh, "one", opacity=0.0, vectors="east", vector_scalars="north", vector_cmap=["red", "blue"], vector_clim=(-0.01, 0.01))
+        picture = self.picture()
+        self.assertGreater(picture[:50, :, 2].mean(), 20 * picture[:50, :, 0].mean())
+        self.assertGreater(picture[70:, :, 0].mean(), 20 * picture[70:, :, 2].mean())
+
+    def test_segments_and_layers(self):
+        self.streaks(vector_style="segments", vector_placement="layers")
+        self.assertGreater(self.picture().max(), 0.3)
+
+    def test_no_wind_no_streaks(self):
+        self.add(slab(1, 40), "one", opacity=0.0, vectors="rest")
+        self.assertEqual(self.picture().max(), 0)
+
+
+class FirstPictures(Picture):
+    """Nothing set: neither invisible nor opaque, on any kind of data."""
+
+    def test_every_kind(self):
+        image = pyvista.Wavelet()
+        particles = pyvista.PolyData(np.random.default_rng(1).normal(size=(3000, 3)))
+        particles["height"] = particles.points[:, 2]
+        rectilinear = image.cast_to_rectilinear_grid()
+        rectilinear.x = np.sign(rectilinear.x) * np.abs(rectilinear.x) ** 1.5
+        for kind, mesh in (("image", image), ("rectilinear", rectilinear), ("structured", image.cast_to_structured_grid().rotate_x(30)),
+                           ("tetrahedra", image.triangulate()), ("cells", image.point_data_to_cell_data()), ("particles", particles)):
+            with self.subTest(kind):
+                self.plotter.clear()
+                nephoscope.add_splats(self.plotter, mesh, cmap=["white", "white"], show_scalar_bar=False)
+                self.plotter.view_isometric()
+                alpha = self.plotter.screenshot(str(OUTPUT / f"TestSplatsImage-{kind}.png")).astype(float)[..., 0] / 255
+                mean = alpha[alpha > 0.02].mean()
+                print(f"  {kind}: mean alpha {mean:.3f} over {np.mean(alpha > 0.02):.0%}")
+                self.assertGreater(np.mean(alpha > 0.02), 0.1)
+                self.assertTrue(0.25 < mean < 0.97, mean)
+
+
+class Snippet(unittest.TestCase):
+    def test_page(self):
+        with pages.run("pyvista.md", "splats") as folder:
+            import PIL.Image
+            film = PIL.Image.open(folder / "winds.gif")
+            frames = []
+            for number in range(film.n_frames):
+                film.seek(number)
+                frames.append(np.asarray(film.convert("RGB"), float))
+            film.convert("RGB").save(OUTPUT / "TestSplatsImage-page.png")
+        self.assertEqual(len(frames), 8)
+        self.assertGreater(np.mean(frames[0].min(axis=2) > 120), 0.03, "no clouds are to be seen")
+        steps = [np.abs(a - b).mean() for a, b in zip(frames, frames[1:] + frames[:1])]
+        print("  mean change from frame to frame:", " ".join(f"{step:.2f}" for step in steps))
+        self.assertGreater(min(steps), 0.2, "the winds stand still")
+        self.assertLess(max(steps), 2 * min(steps), "the film jumps")
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,188 @@
+# SPDX-FileCopyrightText: The Nephoscope authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Textured splats: the samples of any dataset as splats in the shape of their cells, with vectors as moving streaks."""
+from __future__ import annotations
+
+from typing import Any, Sequence
+
+import numpy as np
+import pyvista
+from vtkmodules.vtkCommonDataModel import vtkImageData, vtkRectilinearGrid, vtkStructuredGrid
+
+from . import vtkTexturedSplatMapper
+from ._checks import choose, require_beside_scalars, require_number
+from ._medium import Functions, MediumMapper, add_medium, require_plotter, scalar_array, wrapped
+from ._vectors import Vectors
+from .transfer import OpacityLike
+
+KERNEL_RADII = {"cubic": 1.556228, "quadratic": 1.37790, "gaussian": 1.916}  # cells; SplatKernel.h
+
+
+class TexturedSplatMapper(MediumMapper, vtkTexturedSplatMapper):
+    """The mapper with what PyVista asks of one, and the phase as a property."""
+
+    @property
+    def phase(self) -> float:
+        """Where in their loop the streaks are, 0 to 1; 1 is 0 again. Set it and render for the next frame of an animation."""
+        return self.GetPhase()
+
+    @phase.setter
+    def phase(self, phase: float) -> None:
+        self.SetPhase(require_number(phase, "phase"))
+
+
+def add_splats(plotter: pyvista.BasePlotter, mesh: Any, scalars: str | np.ndarray | None = None, *,
+               color: Any = None, cmap: Any = None, opacity: OpacityLike = "linear",
+               clim: float | Sequence[float] | None = None, n_colors: int = 256, flip_scalars: bool = False,
+               log_scale: bool = False, opacity_scalars: str | None = None,
+               opacity_clim: float | Sequence[float] | None = None, opacity_scale: float = 1.0,
+               unit_distance: float | None = None, kernel: str = "cubic", radius: float | None = None,
+               radius_factor: float = 1.0, error_tolerance: float = 0.0, error_unit: str = "image",
+               error_measure: str = "greatest", interactive_splats: int = 100_000,
+               vectors: str | None = None, vector_style: str = "streaks", vector_placement: str = "middle",
+               vector_opacity: float = 2.0, vector_color: Any = None, vector_scalars: str | None = None,
+               vector_cmap: Any = None, vector_clim: float | Sequence[float] | None = None,
+               greatest_speed: float | None = None, streak_period: float = 4.0, phase: float = 0.0,
+               phase_cycles: int = 4, preference: str = "point", name: str | None = None,
+               show_scalar_bar: bool | None = None, scalar_bar_args: dict | None = None,
+               reset_camera: bool | None = None, pickable: bool = True, user_matrix: Any = None,
+               render: bool = True) -> pyvista.Volume:
+    """Add the points or cells of a dataset to a plotter as splats drawn by `vtkTexturedSplatMapper`.
+
+    Every sample is a kernel in the shape of its grid cell, or a ball where there is no grid; its extinction per unit length is
+    opacity * `opacity_scale` / `unit_distance`, integrated exactly along every ray. Vectors are streaks on the splats.
+
+    Parameters
+    ----------
+    plotter : pyvista.Plotter
+        The plotter; its active renderer gets the splats.
+    mesh : pyvista.DataSet, pyvista.MultiBlock or numpy.ndarray
+        Any dataset with points: particles too, as a PolyData or an array of shape (n, 3). Blocks are combined into one dataset,
+        whose splats are balls; arrays that not all of them have are lost. It is not changed.
+    scalars : str or numpy.ndarray, optional
+        Name of a point or cell array, or values for all points or all cells. A cell array makes a splat for every cell. Default: the
+        active scalars; none if there is a `color`.
+    color : ColorLike, optional
+        One colour for all splats; `scalars` give only the opacity then. Without `scalars` the medium is uniform.
+    cmap, opacity, clim, n_colors, flip_scalars, log_scale, opacity_scalars, opacity_clim, opacity_scale
+        As in `add_cells`. ``opacity=0`` draws vectors alone, coloured by `scalars`. `opacity_scalars` must be on points, or on cells, as
+        `scalars` are.
+    unit_distance : float, optional
+        Length in world units over which a medium of opacity 1 has optical depth 1, > 0. Default: diagonal of the bounds / cube root of
+        the number of samples.
+    kernel : {"cubic", "quadratic", "gaussian"}, default: "cubic"
+        Cubic for samples in space, quadratic for one flat sheet that is seen from the front, gaussian for comparison.
+    radius : float, optional
+        Of the splats of particles and unstructured points, in units of length, > 0. Default: 1.56 times the mean spacing. An
+        error on structured grids, whose splats have the shape of their cells.
+    radius_factor : float, default: 1.0
+        How many times as wide as for its cell a splat is, on any data, 0.01 to 100. Its mass stays.
+    error_tolerance : float, default: 0.0
+        Blocks of samples are drawn as one splat each where this makes an error of at most this much, >= 0. 0: every sample is
+        drawn. Does not count with ``vector_placement="layers"``.
+    error_unit : {"image", "data"}, default: "image"
+        Optical depth along the ray through the block; or value of the opacity function, or share of the greatest speed.
+    error_measure : {"greatest", "rms"}, default: "greatest"
+        The greatest deviation of a sample from the mean of its block, or the root of the mean square.
+    interactive_splats : int, default: 100_000
+        No more are drawn while the camera moves in an interactive window. 0: no limit.
+    vectors : str, optional
+        Array of three components, of points or cells as the scalars are, to be drawn on the splats.
+    vector_style : {"streaks", "segments"}, default: "streaks"
+        Comets with a sharp head in front, which move with `phase`; or anti-aliased line segments, which do not move.
+    vector_placement : {"middle", "layers"}, default: "middle"
+        In the middle of the medium of their splats; or layer by layer of the grid, first the scalars and then the vectors.
+    vector_opacity : float, default: 2.0
+        Optical depth of the streaks where the vectors are greatest, >= 0; elsewhere in proportion to their length.
+    vector_color : ColorLike, optional
+        One colour for all vectors. Default: that of their splats.
+    vector_scalars, vector_cmap, vector_clim
+        Array that gives the vectors a colour of their own, altitude say; of several components their magnitude counts. Colour map and
+        range of it, as `cmap` and `clim`.
+    greatest_speed : float, optional
+        Length of a vector, in its own unit, at and above which streaks are fully drawn, > 0. Default: the greatest of the data.
+    streak_period : float, default: 4.0
+        Distance from streak to streak along a vector, in mean lengths of a cell along its vector, 0.01 to 1000.
+    phase : float, default: 0.0
+        Where in their loop the streaks are, 0 to 1; 1 is 0 again. Change it with ``volume.mapper.phase``.
+    phase_cycles : int, default: 4
+        How many periods the fastest pattern moves in a loop, 1 to 1000.
+    preference : {"point", "cell"}, default: "point"
+        Which array is meant when points and cells have one of the same name, or are equally many.
+    name, show_scalar_bar, scalar_bar_args, reset_camera, pickable, user_matrix, render
+        As in `add_cells`. With a `color` there is no scalar bar unless one is asked for.
+
+    Returns
+    -------
+    pyvista.Volume
+        The volume in the plotter: `.mapper` is the `vtkTexturedSplatMapper`, with all its other settings, `.prop` the volume property.
+
+    Raises
+    ------
+    TypeError
+        If `plotter` or `mesh` is not what it should be, or the scalars are not numbers.
+    pyvista.core.errors.MissingDataError
+        (a ValueError) If there is no such array; the message lists those that are there.
+    ValueError
+        If an argument is out of range, the mesh has no points, or an array has the wrong number of components.
+
+    Examples
+    --------
+    >>> volume = nephoscope.add_splats(plotter, winds, "Height", opacity=0, vectors="DisplayVelocity")  # doctest: +SKIP
+    >>> volume.mapper.phase = 0.25  # doctest: +SKIP
+    """
+    require_plotter(plotter)
+    mesh = _sampled_mesh(mesh)
+    if color is not None:
+        cmap, show_scalar_bar = [pyvista.Color(color).hex_rgb] * 2, bool(show_scalar_bar)
+        if scalars is None:
+            scalars, clim = np.ones(mesh.n_points), (0, 1)
+    mesh, array_name, association = scalar_array(mesh, scalars, preference)
+    if opacity_scalars is not None:
+        require_beside_scalars(mesh, opacity_scalars, association, "opacity_scalars")
+    mapper = TexturedSplatMapper()
+    _set_shape(mapper, mesh, kernel, radius, radius_factor)
+    _set_hierarchy(mapper, error_tolerance, error_unit, error_measure, interactive_splats)
+    Vectors(vectors, vector_style, vector_placement, vector_opacity, vector_color, vector_scalars, vector_cmap, vector_clim,
+            greatest_speed, streak_period, phase_cycles).apply(mapper, plotter, mesh, association)
+    mapper.phase = phase
+    mapper.SetOpacityScale(require_number(opacity_scale, "opacity_scale", least=0))
+    if unit_distance is None:
+        unit_distance = _spacing(mesh, association) or mapper.GetCellSize() or 1.0
+    prop = Functions(cmap, opacity, clim, n_colors, flip_scalars, log_scale, opacity_scalars, opacity_clim).attach(
+        mapper, plotter, mesh, array_name, association, association, require_number(unit_distance, "unit_distance", above=0))
+    return add_medium(plotter, mapper, prop, array_name, user_matrix=user_matrix, show_scalar_bar=show_scalar_bar,
+                      scalar_bar_args=scalar_bar_args, reset_camera=reset_camera, name=name, pickable=pickable, render=render)
+
+
+def _sampled_mesh(mesh: Any) -> pyvista.DataSet:
+    """`mesh` as one PyVista dataset that has points."""
+    mesh = wrapped(mesh, merge_points=False)
+    if not isinstance(mesh, pyvista.DataSet):
+        raise TypeError(f"mesh is a {type(mesh).__name__}; it must be a pyvista dataset or MultiBlock, or points of shape (n, 3).")
+    if mesh.n_points == 0:
+        raise ValueError(f"mesh, a {type(mesh).__name__}, has no points.")
+    return mesh
+
+
+def _spacing(mesh: pyvista.DataSet, association: str) -> float:
+    return mesh.length / np.cbrt(mesh.n_points if association == "point" else mesh.n_cells)
+
+
+def _set_shape(mapper: TexturedSplatMapper, mesh: pyvista.DataSet, kernel: str, radius: float | None, factor: float) -> None:
+    choose({"cubic": mapper.SetKernelToCubic, "quadratic": mapper.SetKernelToQuadratic,
+            "gaussian": mapper.SetKernelToGaussian}, kernel, "kernel")
+    mapper.SetRadiusFactor(require_number(factor, "radius_factor", least=0.01, most=100))
+    if radius is None:
+        return
+    if isinstance(mesh, (vtkImageData, vtkRectilinearGrid, vtkStructuredGrid)):
+        raise ValueError(f"radius is {radius!r}, but splats of a {type(mesh).__name__} have the shape of its cells: "
+                         "use radius_factor, in cells.")
+    mapper.SetCellSize(require_number(radius, "radius", above=0) / KERNEL_RADII[kernel])
+
+
+def _set_hierarchy(mapper: TexturedSplatMapper, tolerance: float, unit: str, measure: str, interactive_splats: int) -> None:
+    mapper.SetErrorTolerance(require_number(tolerance, "error_tolerance", least=0))
+    choose({"image": mapper.SetErrorToleranceUnitToImage, "data": mapper.SetErrorToleranceUnitToData}, unit, "error_unit")
+    choose({"greatest": mapper.SetErrorMeasureToGreatest, "rms": mapper.SetErrorMeasureToRootMeanSquare}, measure, "error_measure")
+    mapper.SetInteractiveMaximumNumberOfSplats(int(require_number(interactive_splats, "interactive_splats", least=0)))
