@@ -11,8 +11,6 @@ Writes the picture (1920 x 1080), the ParaView state that shows it again, and a 
     ./nephoscope pvbatch Figures/10_smoke_in_hurricane.py --frames 240 --size 1920 1080
 Interrupted, it goes on with the next frame.
 """
-import argparse
-import hashlib
 import math
 import os
 import sys
@@ -23,7 +21,6 @@ sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "com
 import frames  # noqa: E402
 import globe_scene  # noqa: E402
 
-GALLERY = os.environ["NEPHOSCOPE_GALLERY"]
 NAME = "10_smoke_in_hurricane"
 EXAGGERATION = 45
 HOUR = 3600.0  # seconds
@@ -91,35 +88,22 @@ def show_caption(view):
     return caption
 
 
-def save_film(view, puffs, count, size):
-    """count frames over one period: the one after the last is the first."""
+def save_film(view, puffs):
+    """Over one period: the frame after the last is the first."""
     for smoke in puffs:
         smoke.Floor = FILM_FLOOR
     start = view.ViewTime
-    view.ViewSize = size
+    view.ViewSize = wanted.size
     view.CameraViewAngle = 15  # closer: frames are small
 
     def draw(i, file):
-        view.ViewTime = start + i / count * PERIOD / DAY
-        pvs.SaveScreenshot(file, view, ImageResolution=size)
+        view.ViewTime = start + i / wanted.frames * PERIOD / DAY
+        pvs.SaveScreenshot(file, view, ImageResolution=wanted.size)
 
-    with open(__file__, "rb") as script:
-        settings = [hashlib.sha256(script.read()).hexdigest(), count, size]
-    folder = os.path.join(GALLERY, "%s_%dx%d_%d_frames" % (NAME, *size, count))
-    film = frames.Frames(folder, count, settings)
-    film.make(draw)
-    for make, ending in ((frames.make_gif, "gif"), (frames.make_mp4, "mp4")):
-        name = os.path.join(GALLERY, "%s.%s" % (NAME, ending))
-        if make(film.files, name, MILLISECONDS):
-            print("wrote", name)
+    frames.make_film(NAME, wanted, draw, MILLISECONDS)
 
 
-options = argparse.ArgumentParser(description="Smoke in a hurricane: a picture and a film.")
-options.add_argument("--frames", type=int, default=24, help="frames of the film; 0: the picture only")
-options.add_argument("--size", type=int, nargs=2, default=[480, 270], help="width and height of the film, pixels")
-options.add_argument("--no-picture", action="store_true", help="the film only")
-wanted = options.parse_args()
-
+wanted = frames.options("Smoke in a hurricane", frames=24, size=(480, 270)).parse_args()
 pvs._DisableFirstRenderCameraReset()
 view = globe_scene.make_view(
     "Smoke in a hurricane", position=globe_scene.on_globe(-112, -2, 2.1), focus=globe_scene.on_globe(-104.0, 19, 1.03),
@@ -133,4 +117,4 @@ if not wanted.no_picture:
     globe_scene.save(NAME, view)
 if wanted.frames > 0:
     pvs.Hide(caption, view)
-    save_film(view, puffs, wanted.frames, wanted.size)
+    save_film(view, puffs)

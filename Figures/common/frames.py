@@ -122,8 +122,10 @@ def make_gif(files, name, milliseconds=80):
 def make_mp4(files, name, milliseconds=80, loops=3):
     """The frames several times over, for players that do not loop; True if ffmpeg is there."""
     pattern = os.path.join(os.path.dirname(files[0]), "frame_%04d.png")
+    # Players want an even number of pixels, and the index before the pictures.
     return run("ffmpeg", ["-y", "-loglevel", "error", "-stream_loop", str(loops - 1), "-framerate", "%g" % (1000 / milliseconds),
-                          "-i", pattern, "-frames:v", str(loops * len(files)), "-c:v", "libx264", "-pix_fmt", "yuv420p", name])
+                          "-i", pattern, "-frames:v", str(loops * len(files)), "-vf", "crop=trunc(iw/2)*2:trunc(ih/2)*2",
+                          "-c:v", "libx264", "-crf", "18", "-pix_fmt", "yuv420p", "-movflags", "+faststart", name])
 
 
 def run(program, arguments):

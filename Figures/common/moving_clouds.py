@@ -24,9 +24,10 @@ FADE = 12.0  # hours over which the end of the day turns into its beginning
 EXAGGERATION = 20
 COVER = 0.15  # of the surface
 FULL_COVER = 0.9  # cloud fraction of a column under which the texture is closed
-PERIOD = 12.0  # hours that a set of texture coordinates lives; the day is a multiple
+PERIOD = 8.0  # hours that a set of texture coordinates lives; the day is a multiple
 TEXTURE_SCALE = 20  # repetitions around the equator
 SOFTNESS = 0.4
+VISIBILITY = 1e7  # metres of level air at the ground that leave 2 % of the contrast
 PEELS = 8  # surfaces behind one another that are drawn
 
 
@@ -84,6 +85,13 @@ class MovingClouds:
         self.surface.UpdateTimeStep(DAY + hour % DAY)
 
 
+def haze():
+    result = nephoscope.vtkHaze()
+    result.SetVisibility(VISIBILITY)
+    result.SetVerticalExaggeration(EXAGGERATION)
+    return result
+
+
 def scene(size, file):
     """From the south over the eastern Pacific, a hurricane in the middle and North America behind, the sun in the west; returns the
     window and the clouds."""
@@ -100,6 +108,7 @@ def scene(size, file):
     renderer.SetMaximumNumberOfPeels(PEELS)
     renderer.SetOcclusionRatio(0)
     renderer.UseFXAAOn()
+    nephoscope.vtkHaze.SetHaze(renderer, haze())
     vtk_globe.add_sun(renderer, on_globe(-150, 34, 10))
     vtk_globe.look(renderer, eye=on_globe(-118, -12, 2.6), focus=on_globe(-110, 6, 0.9), up=on_globe(-110, 15), angle=31)
     clouds.update(0)

@@ -61,12 +61,28 @@ class Frames(unittest.TestCase):
                 red = film.convert("RGB").getpixel((3, 2))[0]
                 self.assertLess(abs(red - 40 * i), 8)
 
-    def test_a_missing_program_is_told_and_no_error(self):
+    def make_mp4(self):
+        """With the programs of the test's folder alone."""
         path, os.environ["PATH"] = os.environ["PATH"], self.folder.name
         try:
-            self.assertFalse(frames.make_mp4(self.make().files, "film.mp4"))
+            return frames.make_mp4(self.make().files, os.path.join(self.folder.name, "film.mp4"), 40)
         finally:
             os.environ["PATH"] = path
+
+    def test_a_missing_program_is_told_and_no_error(self):
+        self.assertFalse(self.make_mp4())
+
+    def test_ffmpeg_gets_all_frames(self):
+        """A program that writes down what it is called with, in the place of ffmpeg."""
+        program, written = (os.path.join(self.folder.name, name) for name in ("ffmpeg", "film.mp4"))
+        with open(program, "w", encoding="utf-8") as script:
+            script.write('#!/bin/sh\nfor last; do :; done\necho "$@" > "$last"\n')
+        os.chmod(program, 0o755)
+        self.assertTrue(self.make_mp4())
+        with open(written, encoding="utf-8") as call:
+            arguments = call.read()
+        for part in ("-framerate 25 ", "-frames:v 15 ", os.path.join("film", "frame_%04d.png")):
+            self.assertIn(part, arguments)
 
 
 if __name__ == "__main__":
