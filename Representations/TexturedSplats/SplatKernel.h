@@ -65,16 +65,18 @@ inline double Footprint(double rho)
   return std::max(0.0, 2.0 * sum);
 }
 
-// The footprint as (1 - q)^3 times a polynomial of q = (rho / radius)^2, to 5e-5: without roots and logarithms, for shaders.
-constexpr std::array<double, 8> footprintCoefficients = { { 0.699893513, -1.18833666, 2.41299169,
-  -12.568224, 42.5060192, -71.5146489, 58.5012001, -18.6565776 } };
+// The footprint as (1 - q)^3 times a polynomial of 2 q - 1, where q = (rho / radius)^2, to 1.5e-5: without roots and logarithms,
+// for shaders. Of all such polynomials the one of the least greatest deviation.
+constexpr std::array<double, 12> footprintCoefficients = { { 0.32783254, -0.189764633, 0.128078513,
+  0.00415959703, 0.280323296, -0.40178336, -1.30090379, 0.814175339, 2.8502731, 0.327845877,
+  -2.03252278, -1.00148049 } };
 
 inline double FootprintPolynomial(double q)
 {
   double sum = 0.0;
   for (std::size_t i = footprintCoefficients.size(); i-- > 0;)
   {
-    sum = sum * q + footprintCoefficients[i];
+    sum = sum * (2.0 * q - 1.0) + footprintCoefficients[i];
   }
   return q < 1.0 ? (1.0 - q) * (1.0 - q) * (1.0 - q) * sum : 0.0;
 }

@@ -9,8 +9,8 @@
 #include "SplatClasses.h"
 #include "SplatRegionUniforms.h"
 #include "SplatSamples.h"
+#include "SplatShaderConstants.h"
 #include "SplatTree.h"
-#include "VectorTexture.h"
 #include "ViewState.h"
 
 #include "OpaquePixelsFragment.h"
@@ -52,25 +52,6 @@ constexpr float kernelShare = 0.5f;
 constexpr float tailShare = 0.6f;
 constexpr double streakSpacing = 1.0; // from row to row, in units of the vectors
 
-// Where vectors are not drawn, their shaders are left out.
-std::string textureConstants()
-{
-  std::ostringstream text;
-  text.precision(9);
-  text << std::showpoint << "#define DRAW_VECTORS\n"
-       << "#define STREAK_SPACING " << streakSpacing << "\n"
-       << "#define STREAK_GOLDEN " << streaks::golden << "\n"
-       << "#define STREAK_TAIL_END " << streaks::tailEnd << "\n"
-       << "#define STREAK_NOSE " << streaks::nose << "\n"
-       << "#define STREAK_ROUND_DOT " << streaks::roundDot << "\n"
-       << "#define STREAK_COARSE " << streaks::coarse << "\n"
-       << "#define STREAK_FINE " << streaks::fine << "\n"
-       << "#define STREAK_STEEP " << streaks::steep << "\n"
-       << "#define STREAK_FLAT " << streaks::flat << "\n"
-       << "#define SEGMENT_FILTER " << LineSegment().FilterWidth << "\n";
-  return text.str();
-}
-
 std::string shaderConstants(const SplatDrawingOptions& options, const SplatPass::Variant& variant)
 {
   const bool nearEye = variant.As == SplatPass::Way::Viewport;
@@ -91,24 +72,11 @@ std::string shaderConstants(const SplatDrawingOptions& options, const SplatPass:
        << (variant.Region ? "#define DRAW_REGION\n" : "")
        << "const float largeEnough = " << largeEnough << ";\n"
        << "const float pixelVariance = " << pixelVariance << ";\n";
-  for (std::size_t i = 0; i < cubic_kernel::footprintCoefficients.size(); ++i)
-  {
-    text << "#define CUBIC" << i << " (" << cubic_kernel::footprintCoefficients[i] << ")\n";
-  }
-  for (std::size_t i = 0; i < cubic_kernel::shareCoefficients.size(); ++i)
-  {
-    text << "#define SHARE" << i << " (" << cubic_kernel::shareCoefficients[i] << ")\n";
-  }
-  text << "#define QUADRATIC_INNER_RADIUS " << quadratic_kernel::innerRadius << "\n"
-       << "#define QUADRATIC_INNER " << quadratic_kernel::inner << "\n"
-       << "#define QUADRATIC_OUTER " << quadratic_kernel::outer << "\n"
-       << "#define GAUSSIAN_PEAK " << gaussian_kernel::Footprint(0.0) << "\n"
-       << "#define GAUSSIAN_DECAY "
-       << 0.5 * gaussian_kernel::radius * gaussian_kernel::radius / gaussian_kernel::variance
-       << "\n";
   text << "#define FOOTPRINT_PEAK " << KernelFootprint(options.Kernel, 0.0) << "\n"
        << "#define MEDIUM 0\n#define HALF_MEDIUM 1\n#define STREAKS 2\n#define SEGMENT 3\n#define VIEWPORT 4\n";
-  return text.str() + (vectors ? textureConstants() : std::string());
+  // Where vectors are not drawn, their shaders are left out.
+  return text.str() + KernelConstants() +
+    (vectors ? "#define DRAW_VECTORS\n" + VectorTextureConstants(streakSpacing) : std::string());
 }
 
 std::string specialized(const char* shader, const std::string& constants)

@@ -88,7 +88,7 @@ TEST(CubicKernel, PolynomialIsTheFootprint)
   using namespace nephoscope::cubic_kernel;
   for (double rho = 0.0; rho < 1.6; rho += 0.0013)
   {
-    EXPECT_NEAR(FootprintPolynomial(rho * rho / (radius * radius)), Footprint(rho), 5.1e-5) << rho;
+    EXPECT_NEAR(FootprintPolynomial(rho * rho / (radius * radius)), Footprint(rho), 1.55e-5) << rho;
   }
 }
 

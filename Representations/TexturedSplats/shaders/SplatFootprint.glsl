@@ -11,10 +11,13 @@ float footprint(float q)
   if (kernel == 0) // SplatKernel.h: cubic_kernel::FootprintPolynomial, in an order with few steps one after the other
   {
     float rest = 1.0 - q;
-    float square = q * q;
-    float low = (CUBIC0 + CUBIC1 * q) + (CUBIC2 + CUBIC3 * q) * square;
-    float high = (CUBIC4 + CUBIC5 * q) + (CUBIC6 + CUBIC7 * q) * square;
-    return (rest * rest * rest) * (low + high * (square * square));
+    float x = q - rest;
+    float square = x * x;
+    float fourth = square * square;
+    float low = (CUBIC0 + CUBIC1 * x) + (CUBIC2 + CUBIC3 * x) * square;
+    float middle = (CUBIC4 + CUBIC5 * x) + (CUBIC6 + CUBIC7 * x) * square;
+    float high = (CUBIC8 + CUBIC9 * x) + (CUBIC10 + CUBIC11 * x) * square;
+    return (rest * rest * rest) * (low + fourth * (middle + fourth * high));
   }
   if (kernel == 1)
   {

@@ -40,16 +40,16 @@ void main()
   vec2 p = gl_FragCoord.xy - placeVSOutput.xy;
   float lean = dot(placeVSOutput.zw, p); // h
   float opticalDepth = colorVSOutput.a;
-  if (firstOrder)
-  {
-    opticalDepth *= 1.0 + dot(depthVSOutput.zw, p);
-    p *= 1.0 - lean;
-  }
   float u = dot(ellipseVSOutput.xy, p);
   float v = ellipseVSOutput.z * p.y;
   float q = u * u + v * v;
   float along = 1.0 + lean;
   float inverseK = 1.0;
+  if (firstOrder)
+  {
+    q -= 2.0 * lean * q;
+    opticalDepth += dot(depthVSOutput.zw, p);
+  }
   if (!parallelRays && !firstOrder)
   {
     inverseK = 1.0 / (along * along + ellipseVSOutput.w * q);

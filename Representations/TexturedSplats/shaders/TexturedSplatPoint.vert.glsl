@@ -27,7 +27,7 @@ flat out vec4 regionVSOutput;
 flat out vec4 colorVSOutput;   // colour, optical depth in the middle for a footprint of 1, times log2(e)
 flat out vec4 ellipseVSOutput; // p to the unit circle of q0 (upper triangular matrix), e
 flat out vec4 placeVSOutput;   // centre in pixels, gradient of h
-flat out vec4 depthVSOutput;   // z of the centre in VC, half the chord through it; gradient of the thickness in first order
+flat out vec4 depthVSOutput;   // z of the centre in VC, half the chord through it; gradient of the optical depth in first order
 
 // Second moments of the kernel on the screen, over its variance along an axis in cells; smaller ones than a pixel are spread over one, with
 // their mass. Returns the factor on the footprint.
@@ -79,7 +79,7 @@ void main()
   ellipseVSOutput = vec4(vec3(edge, -covariance.y / (determinant * edge), inversesqrt(determinant) / edge) / kernelRadius, e);
   placeVSOutput = vec4((place + 1.0) * pixelsPerDC, h);
   vec2 rayGradient = ray.xy / (dot(ray, ray) * pixelsPerDC * vec2(VCToDC[0][0], VCToDC[1][1])); // of the ray's length, over it
-  depthVSOutput = vec4(center.z, kernelRadius * inversesqrt(square), rayGradient - h);
+  depthVSOutput = vec4(center.z, kernelRadius * inversesqrt(square), colorVSOutput.a * (rayGradient - h));
 #ifdef DRAW_REGION
   regionVSOutput = inRegion(center, mass >= 1.0);
 #endif

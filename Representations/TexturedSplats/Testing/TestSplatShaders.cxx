@@ -1,0 +1,179 @@
+// SPDX-FileCopyrightText: The Nephoscope authors
+// SPDX-License-Identifier: BSD-3-Clause
+// SplatFootprint.glsl against SplatKernel.h, and VectorTexture.glsl against VectorTexture.h.
+#include "ShaderRunner.h"
+
+#include "SplatShaderConstants.h"
+
+#include "TestRandom.h"
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <sstream>
+
+using namespace nephoscope;
+using namespace nephoscope_test;
+
+namespace
+{
+const std::vector<Float4>& none()
+{
+  static const std::vector<Float4> list;
+  return list;
+}
+
+std::string readShader(const std::string& name)
+{
+  std::ifstream file(NEPHOSCOPE_SHADER_FOLDER "/" + name);
+  std::stringstream text;
+  text << file.rdbuf();
+  EXPECT_FALSE(text.str().empty()) << name;
+  return text.str();
+}
+
+std::vector<Float4> evaluateFootprint(SplatKernel kernel, const std::vector<Float4>& list, const std::string& body)
+{
+  ShaderRunner runner;
+  const std::string constants = "const int kernel = " + std::to_string(static_cast<int>(kernel)) +
+    ";\nconst bool cutByOpaque = false;\n" + KernelConstants();
+  return runner.Run(constants + readShader("SplatFootprint.glsl"), body, list, none(), [&](vtkShaderProgram* program) {
+    program->SetUniformf("kernelRadius", static_cast<float>(KernelRadius(kernel)));
+  });
+}
+
+std::vector<Float4> evaluateTexture(
+  double spacing, const std::vector<Float4>& shapes, const std::vector<Float4>& places, const std::string& body)
+{
+  ShaderRunner runner;
+  std::ostringstream shape;
+  shape << std::showpoint << "StreakShape shape = StreakShape(first.x, first.y, first.z, " << spacing << ", first.w);\n  ";
+  return runner.Run(VectorTextureConstants(1.0) + readShader("VectorTexture.glsl"), shape.str() + body, shapes, places,
+    [](vtkShaderProgram*) {});
+}
+
+streaks::Shape shapeOf(const Float4& list, double spacing)
+{
+  return { list[0], list[1], list[2], spacing, list[3] };
+}
+
+// Streaks and round dots, coarser and finer than pixels; some without pixels.
+void makeStreaks(Random& random, std::vector<Float4>& shapes, std::vector<Float4>& places)
+{
+  for (int i = 0; i < 20000; ++i)
+  {
+    const double width = random.LogUniform(0.02, 0.5);
+    const double period = width * random.LogUniform(2, 60);
+    shapes.push_back({ { float(period), float(std::max(random.Uniform(0.1, 0.6) * period, width)), float(width),
+      float(i % 4 == 0 ? 1e-6 : width * random.LogUniform(0.02, 10)) } });
+    places.push_back({ { float(random.Uniform(-2, 2) * period), float(random.Uniform(-4, 4)), float(random.Uniform()),
+      float(random.Uniform()) } });
+  }
+}
+}
+
+TEST(SplatFootprintShader, Footprint)
+{
+  std::vector<Float4> list;
+  for (int i = 0; i < 4000; ++i)
+  {
+    list.push_back({ { float(i / 4000.0), 0, 0, 0 } });
+  }
+  for (const SplatKernel kernel : { SplatKernel::Cubic, SplatKernel::Quadratic, SplatKernel::Gaussian })
+  {
+    const double radius = KernelRadius(kernel);
+    const auto results = evaluateFootprint(kernel, list, "result = vec4(footprint(first.x));");
+    double largest = 0;
+    for (std::size_t i = 0; i < list.size(); ++i)
+    {
+      const double q = list[i][0];
+      const double exact = KernelFootprint(kernel, radius * std::sqrt(q));
+      largest = std::max(largest, std::abs(results[i][0] - exact));
+      const double expected = kernel == SplatKernel::Cubic ? cubic_kernel::FootprintPolynomial(q) : exact;
+      EXPECT_NEAR(results[i][0], expected, 5e-7) << q;
+    }
+    std::cout << "kernel " << static_cast<int>(kernel) << ", largest error on the GPU " << largest << std::endl;
+  }
+}
+
+TEST(SplatFootprintShader, ShareBeforeACut)
+{
+  Random random(71);
+  std::vector<Float4> list;
+  for (int i = 0; i < 8000; ++i)
+  {
+    list.push_back({ { float(random.Uniform(-1.2, 1.2)), float(random.Uniform()), 0, 0 } });
+  }
+  list.push_back({ { -1e37f, 0.5f, 0, 0 } });
+  list.push_back({ { 1e37f, 0.5f, 0, 0 } });
+  const auto results = evaluateFootprint(SplatKernel::Cubic, list, "result = vec4(shareBefore(first.x, first.y));");
+  for (std::size_t i = 0; i < list.size(); ++i)
+  {
+    EXPECT_NEAR(results[i][0], cubic_kernel::ShareBefore(list[i][0], list[i][1]), 5e-7) << list[i][0] << " " << list[i][1];
+  }
+}
+
+TEST(VectorTextureShader, Streaks)
+{
+  Random random(72);
+  std::vector<Float4> shapes, places;
+  makeStreaks(random, shapes, places);
+  for (const double spacing : { 0.4, 1.0 })
+  {
+    const auto results =
+      evaluateTexture(spacing, shapes, places, "result = vec4(streakTexture(shape, second.xy, second.z, second.w));");
+    double largest = 0;
+    for (std::size_t i = 0; i < shapes.size(); ++i)
+    {
+      const streaks::Shape shape = shapeOf(shapes[i], spacing);
+      const auto& p = places[i];
+      // Where one streak follows the next the texture steps: a rounded place may lie on the other side.
+      const double step = 1e-6 * shape.Period;
+      double low = 1, high = 0;
+      for (const double x : { p[0] - step, double(p[0]), p[0] + step })
+      {
+        const double value = streaks::Value(shape, x, p[1], p[2], p[3]);
+        low = std::min(low, value);
+        high = std::max(high, value);
+      }
+      largest = std::max({ largest, low - results[i][0], results[i][0] - high });
+      EXPECT_GE(results[i][0], low - 1e-5) << i;
+      EXPECT_LE(results[i][0], high + 1e-5) << i;
+    }
+    std::cout << "spacing " << spacing << ", largest difference " << largest << std::endl;
+  }
+}
+
+TEST(VectorTextureShader, MeanOfStreaks)
+{
+  Random random(73);
+  std::vector<Float4> shapes, places;
+  makeStreaks(random, shapes, places);
+  const auto results = evaluateTexture(0.7, shapes, places, "result = vec4(meanStreak(shape));");
+  for (std::size_t i = 0; i < shapes.size(); ++i)
+  {
+    EXPECT_NEAR(results[i][0], streaks::Mean(shapeOf(shapes[i], 0.7)), 1e-6);
+  }
+}
+
+TEST(VectorTextureShader, Segments)
+{
+  Random random(74);
+  std::vector<Float4> sizes, places;
+  for (int i = 0; i < 20000; ++i)
+  {
+    sizes.push_back({ { float(random.LogUniform(0.01, 60)), float(random.LogUniform(0.05, 8)), 0, 0 } });
+    places.push_back({ { float(random.Uniform(-0.7, 0.7) * (sizes.back()[0] + 3)), float(random.Uniform(-6, 6)), 0, 0 } });
+  }
+  places[0] = Float4{};
+  sizes[0] = { { 3.0f, 0.7f, 0, 0 } };
+  ShaderRunner runner;
+  const auto results = runner.Run(VectorTextureConstants(1.0) + readShader("VectorTexture.glsl"),
+    "result = vec4(segmentCoverage(second.xy, first.x, first.y));", sizes, places, [](vtkShaderProgram*) {});
+  EXPECT_NEAR(results[0][0], 0.514679405, 1e-6);
+  for (std::size_t i = 0; i < sizes.size(); ++i)
+  {
+    const LineSegment segment{ sizes[i][0], sizes[i][1], LineSegment().FilterWidth };
+    EXPECT_NEAR(results[i][0], SegmentCoverage(segment, places[i][0], places[i][1]), 1e-6) << i; // 2e-7 for each error function
+  }
+}
