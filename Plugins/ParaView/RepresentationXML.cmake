@@ -75,6 +75,10 @@ nephoscope_extend_representation(GeometryRepresentation CellCompositing "Cell Co
 nephoscope_extend_representation(GeometryRepresentation TexturedSplats "Textured Splats" nephoscope_extensions
   SHARE SurfaceRepresentation CellCompositingRepresentation
   OWN OpacityScale OpacityArray AutomaticUnitDistance UnitDistance)
+# Surfaces only.
+nephoscope_configure_text(CloudTexture.xml.in cloud_texture_representation)
+nephoscope_extend_representation(GeometryRepresentation CloudTexture "Cloud Texture" nephoscope_extensions
+  SHARE SurfaceRepresentation)
 
 set(nephoscope_representations_xml "${CMAKE_CURRENT_BINARY_DIR}/Representations.xml")
 configure_file(Representations.xml.in "${nephoscope_representations_xml}" @ONLY)

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "TexturedSurface.h"
 
+#include "SurfaceLength.h"
+
 #include "vtkCellArray.h"
 #include "vtkCellArrayIterator.h"
 #include "vtkDataArray.h"
@@ -46,29 +48,6 @@ double fieldValue(vtkPolyData* data, const char* name, int component, double mis
     : missing;
 }
 
-/** About the origin with radii that differ little: a globe. Its length is the equator; that of any other surface its longest side. */
-double ownLength(vtkPolyData* data)
-{
-  double bounds[6];
-  data->GetBounds(bounds);
-  double longest = 0;
-  double smallest = 1e300, largest = 0;
-  for (int c = 0; c < 3; ++c)
-  {
-    longest = std::max(longest, bounds[2 * c + 1] - bounds[2 * c]);
-  }
-  for (vtkIdType i = 0; i < data->GetNumberOfPoints(); ++i)
-  {
-    double p[3];
-    data->GetPoint(i, p);
-    const double r = std::sqrt(p[0] * p[0] + p[1] * p[1] + p[2] * p[2]);
-    smallest = std::min(smallest, r);
-    largest = std::max(largest, r);
-  }
-  const bool isGlobe = smallest > 0.5 * largest && longest > smallest;
-  return isGlobe ? 2 * 3.14159265358979 * smallest : longest > 0 ? longest : 1;
-}
-
 /** "Origin" is what they are given from, in the unit of the result. */
 vtkSmartPointer<vtkFloatArray> positions(vtkPolyData* data, double factor, const double origin[3], const char* name)
 {
@@ -89,7 +68,9 @@ vtkSmartPointer<vtkFloatArray> coordinatesFromPositions(vtkPolyData* data, const
 {
   // The texture repeats itself after 10 units in all three: leaving them out keeps far places exact in float.
   constexpr double period = 10;
-  const double factor = choice.Scale / (choice.Length > 0 ? choice.Length : ownLength(data));
+  SurfaceLength length;
+  length.Add(data);
+  const double factor = choice.Scale / (choice.Length > 0 ? choice.Length : length.Get());
   double origin[3];
   data->GetCenter(origin);
   for (double& x : origin)

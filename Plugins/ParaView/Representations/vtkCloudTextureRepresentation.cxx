@@ -1,0 +1,245 @@
+// SPDX-FileCopyrightText: The Nephoscope authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkCloudTextureRepresentation.h"
+
+#include "SurfaceLength.h"
+#include "vtkCloudTextureMapper.h"
+
+#include "vtkAppendPolyData.h"
+#include "vtkCommunicator.h"
+#include "vtkCompositeDataIterator.h"
+#include "vtkCompositeDataSet.h"
+#include "vtkDoubleArray.h"
+#include "vtkFieldData.h"
+#include "vtkInformation.h"
+#include "vtkMultiProcessController.h"
+#include "vtkObjectFactory.h"
+#include "vtkPVLODActor.h"
+#include "vtkPVView.h"
+#include "vtkPolyData.h"
+
+#include <vector>
+
+vtkStandardNewMacro(vtkCloudTextureRepresentation);
+
+namespace
+{
+// Travels with the data as a field array, so that every time step in ParaView's cache keeps its own.
+const char* const lengthName = "NephoscopeSurfaceLength";
+
+std::vector<vtkPolyData*> SurfacesOf(vtkDataObject* data)
+{
+  std::vector<vtkPolyData*> surfaces;
+  const auto take = [&](vtkDataObject* object) {
+    auto* surface = vtkPolyData::SafeDownCast(object);
+    if (surface && surface->GetNumberOfCells() > 0)
+    {
+      surfaces.push_back(surface);
+    }
+  };
+  auto* composite = vtkCompositeDataSet::SafeDownCast(data);
+  if (!composite)
+  {
+    take(data);
+    return surfaces;
+  }
+  auto blocks = vtkSmartPointer<vtkCompositeDataIterator>::Take(composite->NewIterator());
+  for (blocks->InitTraversal(); !blocks->IsDoneWithTraversal(); blocks->GoToNextItem())
+  {
+    take(blocks->GetCurrentDataObject());
+  }
+  return surfaces;
+}
+
+// Collective.
+double LengthOverRanks(vtkDataObject* data)
+{
+  nephoscope::SurfaceLength length;
+  for (vtkPolyData* surface : SurfacesOf(data))
+  {
+    length.Add(surface);
+  }
+  auto* controller = vtkMultiProcessController::GetGlobalController();
+  if (controller && controller->GetNumberOfProcesses() > 1)
+  {
+    const double least[4] = { length.Low[0], length.Low[1], length.Low[2], length.SmallestRadius };
+    const double most[4] = { length.High[0], length.High[1], length.High[2], length.LargestRadius };
+    double low[4];
+    double high[4];
+    controller->AllReduce(least, low, 4, vtkCommunicator::MIN_OP);
+    controller->AllReduce(most, high, 4, vtkCommunicator::MAX_OP);
+    for (int c = 0; c < 3; ++c)
+    {
+      length.Low[c] = low[c];
+      length.High[c] = high[c];
+    }
+    length.SmallestRadius = low[3];
+    length.LargestRadius = high[3];
+  }
+  return length.Get();
+}
+
+void StoreLength(vtkPolyData* surface, double length)
+{
+  vtkNew<vtkDoubleArray> array;
+  array->SetName(lengthName);
+  array->InsertNextValue(length);
+  vtkNew<vtkFieldData> own; // the input shares its field data with the copy
+  own->ShallowCopy(surface->GetFieldData());
+  own->AddArray(array);
+  surface->SetFieldData(own);
+}
+}
+
+vtkCloudTextureRepresentation::vtkCloudTextureRepresentation()
+{
+  // The superclass sets what colours on its own mapper, which is never drawn: the cloud mapper takes one surface, not blocks.
+  this->Actor->SetMapper(this->CloudMapper);
+  this->SuppressLOD = true;
+}
+
+vtkCloudTextureRepresentation::~vtkCloudTextureRepresentation() = default;
+
+vtkCloudTextureMapper* vtkCloudTextureRepresentation::GetCloudMapper()
+{
+  return this->CloudMapper;
+}
+
+int vtkCloudTextureRepresentation::RequestData(
+  vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs)
+{
+  const int made = this->Superclass::RequestData(request, inputs, outputs);
+  vtkDataObject* surfaces = this->MultiBlockMaker->GetOutputDataObject(0);
+  const double length = LengthOverRanks(surfaces);
+  for (vtkPolyData* surface : SurfacesOf(surfaces))
+  {
+    StoreLength(surface, length);
+  }
+  return made;
+}
+
+int vtkCloudTextureRepresentation::ProcessViewRequest(
+  vtkInformationRequestKey* request, vtkInformation* inInfo, vtkInformation* outInfo)
+{
+  if (!this->Superclass::ProcessViewRequest(request, inInfo, outInfo))
+  {
+    return 0;
+  }
+  if (request == vtkPVView::REQUEST_RENDER())
+  {
+    this->TakeSurface(vtkPVView::GetDeliveredPiece(inInfo, this));
+  }
+  return 1;
+}
+
+// One surface of all blocks, made anew only for new data.
+void vtkCloudTextureRepresentation::TakeSurface(vtkDataObject* delivered)
+{
+  if (this->Surface && delivered == this->TakenFrom && (!delivered || delivered->GetMTime() == this->TakenTime))
+  {
+    return;
+  }
+  this->TakenFrom = delivered;
+  this->TakenTime = delivered ? delivered->GetMTime() : 0;
+  this->Surface = vtkSmartPointer<vtkPolyData>::New();
+  const std::vector<vtkPolyData*> surfaces = SurfacesOf(delivered);
+  if (surfaces.size() == 1)
+  {
+    this->Surface->ShallowCopy(surfaces.front());
+  }
+  else if (!surfaces.empty())
+  {
+    vtkNew<vtkAppendPolyData> append;
+    for (vtkPolyData* surface : surfaces)
+    {
+      append->AddInputData(surface);
+    }
+    append->Update();
+    this->Surface->ShallowCopy(append->GetOutput());
+    this->Surface->GetFieldData()->ShallowCopy(surfaces.front()->GetFieldData());
+  }
+  this->CloudMapper->SetInputData(this->Surface);
+  this->SetTextureLength(this->TextureLength);
+}
+
+void vtkCloudTextureRepresentation::UpdateColoringParameters()
+{
+  this->Superclass::UpdateColoringParameters();
+  this->CloudMapper->SetScalarVisibility(this->Mapper->GetScalarVisibility());
+  this->CloudMapper->SetScalarMode(this->Mapper->GetScalarMode());
+  this->CloudMapper->SetColorMode(this->Mapper->GetColorMode());
+  this->CloudMapper->SetLookupTable(this->Mapper->GetLookupTable());
+  this->CloudMapper->SetUseLookupTableScalarRange(this->Mapper->GetUseLookupTableScalarRange());
+  this->CloudMapper->SetInterpolateScalarsBeforeMapping(this->Mapper->GetInterpolateScalarsBeforeMapping());
+  this->CloudMapper->SelectColorArray(this->Mapper->GetArrayName());
+}
+
+void vtkCloudTextureRepresentation::SetTextureLength(double value)
+{
+  this->TextureLength = value;
+  vtkDataArray* stored = this->Surface ? this->Surface->GetFieldData()->GetArray(lengthName) : nullptr;
+  const double automatic = stored && stored->GetNumberOfTuples() > 0 ? stored->GetComponent(0, 0) : 0.0;
+  this->CloudMapper->SetTextureLength(value > 0.0 ? value : automatic);
+}
+
+void vtkCloudTextureRepresentation::SetCoverage(double value)
+{
+  this->CloudMapper->SetCoverage(value);
+}
+
+void vtkCloudTextureRepresentation::SetCoverageArrayName(const char* name)
+{
+  this->CloudMapper->SetCoverageArrayName(name);
+}
+
+void vtkCloudTextureRepresentation::SetSoftness(double value)
+{
+  this->CloudMapper->SetSoftness(value);
+}
+
+void vtkCloudTextureRepresentation::SetTextureScale(double value)
+{
+  this->CloudMapper->SetTextureScale(value);
+}
+
+void vtkCloudTextureRepresentation::SetOpticalDepth(double value)
+{
+  this->CloudMapper->SetOpticalDepth(value);
+}
+
+void vtkCloudTextureRepresentation::SetUseThickness(bool value)
+{
+  this->CloudMapper->SetUseThickness(value);
+}
+
+void vtkCloudTextureRepresentation::SetExtinction(double value)
+{
+  this->CloudMapper->SetExtinction(value);
+}
+
+void vtkCloudTextureRepresentation::SetDensityArrayName(const char* name)
+{
+  this->CloudMapper->SetDensityArrayName(name);
+}
+
+void vtkCloudTextureRepresentation::SetMaximumNumberOfLayers(int value)
+{
+  this->CloudMapper->SetMaximumNumberOfLayers(value);
+}
+
+void vtkCloudTextureRepresentation::SetFirstCoordinatesName(const char* name)
+{
+  this->CloudMapper->SetFirstCoordinatesName(name);
+}
+
+void vtkCloudTextureRepresentation::SetSecondCoordinatesName(const char* name)
+{
+  this->CloudMapper->SetSecondCoordinatesName(name);
+}
+
+void vtkCloudTextureRepresentation::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "CloudMapper:\n";
+  this->CloudMapper->PrintSelf(os, indent.GetNextIndent());
+}

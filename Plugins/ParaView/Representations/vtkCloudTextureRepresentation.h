@@ -1,0 +1,72 @@
+// SPDX-FileCopyrightText: The Nephoscope authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class vtkCloudTextureRepresentation
+ * @brief ParaView representation "Cloud Texture": surfaces of clouds, drawn by vtkCloudTextureMapper
+ *
+ * As ParaView's surface representation, with another mapper: colours, lights, opacity and transformations are its own. Blocks are drawn as one
+ * surface. The length of a unit of texture, where coordinates are positions, is that of the whole surface on all ranks.
+ * Levels of detail are not used: they have no texture coordinates.
+ */
+#ifndef vtkCloudTextureRepresentation_h
+#define vtkCloudTextureRepresentation_h
+
+#include "vtkGeometryRepresentation.h"
+#include "vtkNephoscopeParaViewRepresentationsModule.h" // for export macro
+#include "vtkNew.h"                                     // for members
+#include "vtkSmartPointer.h"                            // for members
+
+class vtkCloudTextureMapper;
+class vtkPolyData;
+
+class VTKNEPHOSCOPEPARAVIEWREPRESENTATIONS_EXPORT vtkCloudTextureRepresentation
+  : public vtkGeometryRepresentation
+{
+public:
+  static vtkCloudTextureRepresentation* New();
+  vtkTypeMacro(vtkCloudTextureRepresentation, vtkGeometryRepresentation);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  int ProcessViewRequest(vtkInformationRequestKey* request, vtkInformation* inInfo, vtkInformation* outInfo) override;
+
+  ///@{
+  /** What vtkCloudTextureMapper says of them. */
+  void SetCoverage(double value);
+  void SetCoverageArrayName(const char* name);
+  void SetSoftness(double value);
+  void SetTextureScale(double value);
+  void SetTextureLength(double value);
+  void SetOpticalDepth(double value);
+  void SetUseThickness(bool value);
+  void SetExtinction(double value);
+  void SetDensityArrayName(const char* name);
+  void SetMaximumNumberOfLayers(int value);
+  void SetFirstCoordinatesName(const char* name);
+  void SetSecondCoordinatesName(const char* name);
+  ///@}
+
+  /** For tests. */
+  vtkCloudTextureMapper* GetCloudMapper();
+
+protected:
+  vtkCloudTextureRepresentation();
+  ~vtkCloudTextureRepresentation() override;
+
+  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+  bool NeedsOrderedCompositing() override { return true; }
+  void UpdateColoringParameters() override;
+
+private:
+  vtkCloudTextureRepresentation(const vtkCloudTextureRepresentation&) = delete;
+  void operator=(const vtkCloudTextureRepresentation&) = delete;
+
+  void TakeSurface(vtkDataObject* delivered);
+
+  vtkNew<vtkCloudTextureMapper> CloudMapper;
+  vtkSmartPointer<vtkPolyData> Surface; // what is drawn
+  vtkDataObject* TakenFrom = nullptr;   // only compared
+  vtkMTimeType TakenTime = 0;
+  double TextureLength = 0.0; // as the user has set it
+};
+
+#endif

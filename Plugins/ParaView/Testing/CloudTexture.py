@@ -1,0 +1,142 @@
+# SPDX-FileCopyrightText: The Nephoscope authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Cloud Texture: offered for surfaces, defaults and help, the cover that is asked for, texture that moves with the time, blocks."""
+import math
+
+import nephoscope
+import numpy as np
+from CloudTextureScenes import CLOUDS, moving_clouds, sheet, sheet_view
+from PluginDefinitions import compare_default, definition, nested, own_properties
+from PluginTesting import (check, check_same, color_and_alpha, compose, image, inside_mean_alpha, load_plugin, look, new_view, passed, pvs,
+                           solid)
+
+NOT_OF_THE_MAPPER = {"Input"}
+
+
+def check_definition():
+    """Every setting of the mapper is a property, with its default and help, in a group."""
+    properties = own_properties(definition("representations", "CloudTextureRepresentation"))
+    mapper = nephoscope.vtkCloudTextureMapper()
+    settable = {n[3:] for n in dir(mapper) if n.startswith("Get") and hasattr(mapper, "Set" + n[3:])}
+    inherited = {n[3:] for n in dir(nephoscope.vtkCloudTextureMapper.__bases__[0]) if n.startswith("Get")}
+    expected = settable - inherited
+    check(expected == set(properties) - NOT_OF_THE_MAPPER, f"C++ and XML differ in {sorted(expected ^ set(properties))}")
+    for name in expected:
+        compare_default("Cloud Texture", name, properties[name], getattr(mapper, "Get" + name)())
+        check(nested(properties[name], "Documentation"), f"Cloud Texture.{name} has no help")
+    display = pvs.GetRepresentation(pvs.Sphere(), new_view())
+    for name in expected:
+        check(display.GetProperty("CloudTexture" + name) is not None, f"{name} is not offered on the display")
+
+
+def check_offered():
+    view = new_view()
+    for kind, source in (("surface", pvs.Sphere()), ("blocks", pvs.GroupDatasets(Input=[pvs.Sphere(), pvs.Cone()]))):
+        offered = pvs.Show(source, view).GetProperty("Representation").GetAvailable()
+        check(CLOUDS in offered, f"not offered for {kind}: {offered}")
+
+
+def check_first_picture():
+    """Nothing set but the choice: broken cloud, neither nothing nor all, of surfaces with and without advected coordinates."""
+    for name, source in (("globe", pvs.Sphere(Radius=6.4e6, ThetaResolution=100, PhiResolution=100)), ("clouds", moving_clouds()[1])):
+        view = new_view()
+        display = pvs.Show(source, view)
+        surface = []
+        for representation in ("Surface", CLOUDS):
+            display.SetRepresentationType(representation)
+            pvs.ResetCamera(view)
+            surface.append(color_and_alpha(view)[1])
+        share = surface[1].sum() / surface[0].sum()
+        print(f"first picture of {name}: {share:.3f} of the surface is cloud, mean alpha {inside_mean_alpha(surface[1]):.3f}")
+        check(0.3 < share < 0.95, f"{name}: {share:.3f} of the surface is cloud")
+
+
+def check_cover():
+    """A flat sheet with many repetitions: alpha is the cover times the opacity of a layer seen from above."""
+    view = sheet_view()
+    display = compose(sheet(), view, ("POINTS", ""), CLOUDS)
+    solid(display, [1, 1, 1])
+    display.CloudTextureTextureScale = 60
+    for cover, depth, opacity in ((0.15, 3, 1), (0.5, 3, 1), (0.85, 3, 1), (0.5, 0.5, 1), (0.5, 3, 0.5)):
+        display.CloudTextureCoverage = cover
+        display.CloudTextureOpticalDepth = depth
+        display.Opacity = opacity
+        found = color_and_alpha(view)[1].mean()
+        expected = cover * (1 - math.exp(-depth)) * opacity
+        print(f"cover {cover}, depth {depth}, opacity {opacity}: {found:.4f}, expected {expected:.4f}")
+        check(abs(found - expected) < 0.01, f"cover {cover}: {found}, expected {expected}")
+
+
+def check_cover_array():
+    view = sheet_view()
+    source = pvs.Calculator(Input=sheet(), ResultArrayName="Cover", Function="coordsX+0.5")
+    display = compose(source, view, ("POINTS", ""), CLOUDS)
+    solid(display, [1, 1, 1])
+    display.CloudTextureTextureScale = 60
+    display.CloudTextureCoverageArrayName = "Cover"
+    columns = color_and_alpha(view)[1].mean(axis=0) / (1 - math.exp(-3))
+    slope = np.polyfit(np.arange(len(columns)) / len(columns), columns, 1)
+    check(abs(slope[0] - 1) < 0.03 and abs(slope[1]) < 0.02, f"cover across the sheet is {slope}, expected 1, 0")
+
+
+def check_moves_with_time():
+    """The wind moves the texture while the surface stands still; a time that comes again gives the same picture."""
+    texture, clouds = moving_clouds()
+    view = new_view()
+    display = pvs.Show(clouds, view)
+    display.SetRepresentationType(CLOUDS)
+    solid(display, [1, 1, 1])
+    pvs.ResetCamera(view)
+    pictures = []
+    for time in (0.0, 0.1, 0.2, 0.1):
+        view.ViewTime = time
+        pictures.append(image(view))
+    check(np.abs(pictures[1] - pictures[0]).mean() > 2, "the texture does not move with the time")
+    check_same(pictures[1], pictures[3], "the same time again", largest=1, mean=0.01)
+    display.CloudTextureFirstCoordinatesName = display.CloudTextureSecondCoordinatesName = ""
+    still = image(view)
+    view.ViewTime = 0.0
+    check_same(still, image(view), "positions as coordinates", largest=1, mean=0.01)
+    pvs.Delete(texture)
+
+
+def check_blocks():
+    """Blocks of a surface are drawn as the surface: one length for all."""
+    pictures = []
+    whole = sheet()
+    halves = [pvs.Clip(Input=whole, Invert=i) for i in (0, 1)]
+    for half in halves:
+        half.ClipType.Normal = [1, 0, 0]
+        half.ClipType.Origin = [0, 0, 0]
+    blocks = pvs.GroupDatasets(Input=[pvs.ExtractSurface(Input=half) for half in halves])
+    for source in (whole, blocks):
+        view = sheet_view()
+        solid(compose(source, view, ("POINTS", ""), CLOUDS), [1, 1, 1])
+        pictures.append(image(view))
+    check(pictures[0].mean() > 20, "nothing is drawn")
+    check_same(*pictures, "blocks", largest=8, mean=0.05)
+
+
+def check_colors():
+    view = sheet_view()
+    display = compose(pvs.Elevation(Input=sheet(), LowPoint=[-0.5, 0, 0], HighPoint=[0.5, 0, 0]), view, ("POINTS", "Elevation"), CLOUDS)
+    display.Ambient, display.Diffuse = 1, 0
+    pvs.GetColorTransferFunction("Elevation").RGBPoints = [0, 1, 0, 0, 1, 0, 0, 1]
+    pvs.GetColorTransferFunction("Elevation").ColorSpace = "RGB"
+    columns = color_and_alpha(view)[0].mean(axis=0)
+    across = (np.arange(len(columns)) + 0.5) / len(columns)
+    check(columns[:, 1].max() < 0.5, "there is green in a map of red and blue")
+    difference = np.abs(columns[:, 2] / (columns[:, 0] + columns[:, 2]) - across).max()
+    check(difference < 0.02, f"colours are not those of the array: share of blue is off by {difference}")
+    solid(display, [0, 1, 0])
+    picture = color_and_alpha(view)[0]
+    check(picture[:, :, [0, 2]].max() < 2 < picture[:, :, 1].max(), "solid colour is not green")
+
+
+if __name__ == "__main__":
+    load_plugin()
+    for check_one in (check_definition, check_offered, check_first_picture, check_cover, check_cover_array, check_moves_with_time,
+                      check_blocks, check_colors):
+        print(check_one.__name__, flush=True)
+        check_one()
+    passed()
