@@ -29,5 +29,5 @@ globe = pvs.Sphere(Radius=6.4e6, ThetaResolution=120, PhiResolution=120)
 draw("globe", globe)
 texture, clouds = moving_clouds()
 draw("clouds", clouds, 0.2)
-draw("plain", clouds, 0.2, "Surface")
+draw("plain", clouds, 0.2, "Surface")  # that the clouds are on
 passed()
