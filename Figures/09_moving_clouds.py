@@ -15,14 +15,13 @@ import frames  # noqa: E402
 import moving_clouds  # noqa: E402
 import pictures  # noqa: E402
 
-SERIES = os.environ["NEPHOSCOPE_FORECAST"]
 NAME = "09_moving_clouds"
 PICTURE_HOUR = 18
 MILLISECONDS = 60  # a frame is shown
 
 
 def save_picture():
-    window, renderer, clouds = moving_clouds.scene((1920, 1080), SERIES)
+    window, renderer, clouds = moving_clouds.scene((1920, 1080), wanted.series)
     clouds.update(PICTURE_HOUR)
     moving_clouds.add_caption(renderer, "Hour %d of the film" % PICTURE_HOUR)
     window.Render()
@@ -30,7 +29,7 @@ def save_picture():
 
 
 def save_film():
-    window, _, clouds = moving_clouds.scene(wanted.size, SERIES)
+    window, _, clouds = moving_clouds.scene(wanted.size, wanted.series)
     drawn = []
 
     def draw(i, file):
@@ -41,12 +40,14 @@ def save_film():
             pictures.write(window, file, announce=False)
         drawn.append(i)
 
-    frames.make_film(NAME, wanted, draw, MILLISECONDS, [os.path.getsize(SERIES), os.path.getmtime(SERIES)])
+    frames.make_film(NAME, wanted, draw, MILLISECONDS, [wanted.series, os.path.getsize(wanted.series), os.path.getmtime(wanted.series)])
     if drawn:
         print(clouds.watch.report(len(drawn)), flush=True)
 
 
-wanted = frames.options("Clouds that move with the wind", frames=96, size=(960, 540)).parse_args()
+options = frames.options("Clouds that move with the wind", frames=96, size=(960, 540))
+options.add_argument("--series", default=os.environ["NEPHOSCOPE_FORECAST"], help="CF file of winds and clouds, 36 hours at least")
+wanted = options.parse_args()
 if not wanted.no_picture:
     save_picture()
 if wanted.frames > 0:

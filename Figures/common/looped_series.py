@@ -20,19 +20,20 @@ from vtkmodules.vtkCommonExecutionModel import vtkStreamingDemandDrivenPipeline 
 
 class LoopedSeries(VTKPythonAlgorithmBase):
     def __init__(self, reader, length, fade, distributions=("cloud_fraction",), rounds=3):
-        """In the reader's unit of time; `rounds` are offered, so that paths lead back through a whole one from the last."""
+        """Hours, whatever the reader counts in; `rounds` are offered, so that paths lead back through a whole one from the last."""
         VTKPythonAlgorithmBase.__init__(self, nInputPorts=0, nOutputPorts=1, outputType="vtkRectilinearGrid")
-        reader.UpdateInformation()
+        reader.Update()
         self.reader, self.length, self.fade = reader, length, fade
         self.distributions, self.rounds = distributions, rounds
-        self.times = reader.GetOutputInformation(0).Get(Pipeline.TIME_STEPS())
-        if self.times[-1] - self.times[0] < length + fade:
-            raise ValueError("a loop of %g hours that fades for %g needs as many hours of the series" % (length, fade))
+        self.times = reader.GetOutputInformation(0).Get(Pipeline.TIME_STEPS()) or [0.0]
+        self.hours = [(t - self.times[0]) * hours_of_unit(reader.GetOutput()) for t in self.times]
+        for hour in [hour for hour in self.hours if hour < fade] + [0, fade]:
+            self.number(hour + length if hour < fade else hour)
 
     def RequestInformation(self, request, inputs, outputs):
-        info, first = outputs.GetInformationObject(0), self.times[0]
-        steps = [t - first for t in self.times if t - first < self.length]
-        steps = [t + self.length * turn for turn in range(self.rounds) for t in steps] + [self.rounds * self.length]
+        info = outputs.GetInformationObject(0)
+        steps = [hour + self.length * turn for turn in range(self.rounds) for hour in self.hours if hour < self.length]
+        steps.append(self.rounds * self.length)
         info.Set(Pipeline.TIME_STEPS(), steps, len(steps))
         info.Set(Pipeline.TIME_RANGE(), [steps[0], steps[-1]], 2)
         extent = self.reader.GetOutputInformation(0).Get(Pipeline.WHOLE_EXTENT())
@@ -42,7 +43,7 @@ class LoopedSeries(VTKPythonAlgorithmBase):
     def RequestData(self, request, inputs, outputs):
         output = vtkRectilinearGrid.GetData(outputs)
         time = outputs.GetInformationObject(0).Get(Pipeline.UPDATE_TIME_STEP())
-        hour = time % self.length
+        hour = time % self.length  # one of those announced
         share = self.share(hour)
         output.DeepCopy(self.at(hour))
         if share < 1:
@@ -55,13 +56,31 @@ class LoopedSeries(VTKPythonAlgorithmBase):
         return 1
 
     def at(self, hour):
-        self.reader.UpdateTimeStep(self.times[0] + hour)
+        self.reader.UpdateTimeStep(self.times[self.number(hour)])
         return self.reader.GetOutput()
+
+    def number(self, hour):
+        """Of the time step at an hour."""
+        number = min(range(len(self.hours)), key=lambda i: abs(self.hours[i] - hour))
+        if abs(self.hours[number] - hour) > 0.01:
+            raise ValueError("a loop of %g hours that fades for %g needs %g hours of a series, with fields %g hours apart; there is none at "
+                             "hour %g" % (self.length, self.fade, self.length + self.fade, self.length, hour))
+        return number
 
     def share(self, hour):
         """Of the earlier day, smooth at both ends of the fade."""
         x = min(1.0, hour / self.fade)
         return x * x * (3 - 2 * x)
+
+
+def hours_of_unit(data):
+    """From what a CF file says of its times, such as "hours since 2011-01-01"; without a word they are hours."""
+    said = data.GetFieldData().GetAbstractArray("time_units")
+    unit = said.GetValue(0).split()[0].lower().rstrip("s") if said else "hour"
+    hours = {"second": 1 / 3600, "sec": 1 / 3600, "": 1 / 3600, "minute": 1 / 60, "min": 1 / 60, "hour": 1, "hr": 1, "h": 1, "day": 24, "d": 24}
+    if unit not in hours:
+        raise ValueError('times in "%s" are not known: seconds, minutes, hours or days' % said.GetValue(0))
+    return hours[unit]
 
 
 def blend_values(share, here, there, levels):

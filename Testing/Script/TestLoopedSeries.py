@@ -7,6 +7,8 @@ import unittest
 
 import numpy as np
 from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkCommonCore import vtkStringArray
+from vtkmodules.vtkCommonDataModel import vtkRectilinearGrid
 from vtkmodules.vtkCommonExecutionModel import vtkStreamingDemandDrivenPipeline as Pipeline
 from vtkmodules.vtkIONetCDF import vtkNetCDFCFReader
 
@@ -64,8 +66,20 @@ class Loop(unittest.TestCase):
         self.assertEqual(clouds[(days[0] == 0) & (days[1] == 0)].max(), 0)  # no cloud where neither day has one
 
     def test_a_series_that_is_too_short(self):
-        with self.assertRaisesRegex(ValueError, "needs as many hours"):
-            looped_series.LoopedSeries(reader(), 5, 2)
+        with self.assertRaisesRegex(ValueError, "needs 8 hours of a series"):
+            looped_series.LoopedSeries(reader(), 6, 2)
+
+    def test_units_of_time(self):
+        for words, hours in (("hours since 2011-01-01", 1), ("days since 1900-01-01 00:00:00", 24), ("seconds since 1970-01-01", 1 / 3600)):
+            data, said = vtkRectilinearGrid(), vtkStringArray()
+            said.SetName("time_units")
+            said.InsertNextValue(words)
+            data.GetFieldData().AddArray(said)
+            self.assertEqual(looped_series.hours_of_unit(data), hours)
+        self.assertEqual(looped_series.hours_of_unit(vtkRectilinearGrid()), 1)
+        said.SetValue(0, "fortnights since 1066")
+        with self.assertRaisesRegex(ValueError, "seconds, minutes, hours or days"):
+            looped_series.hours_of_unit(data)
 
 
 if __name__ == "__main__":
