@@ -209,6 +209,7 @@ std::string vtkCellCompositingMapper::DrawScene(
   options.SplitAtControlPoints = this->SplitAtControlPoints;
   options.Eye = &scene.GetEyeTetrahedron();
   options.ExtinctionScale = this->OpacityScale / unitDistance;
+  options.Haze = nephoscope::HazeView(renderer);
   options.ContourLayers = scene.ContoursMakeLayers();
   options.ContourLighting = this->Contours->Lighting;
   if (scene.GetContours().IsUsed())

@@ -26,10 +26,10 @@ public:
 
   bool IsOn() const { return this->On; }
 
-  /** shaders/Haze.glsl: what a program calls that has SetUniforms called. */
+  /** shaders/Haze.glsl, as it is. */
   static std::string Functions();
-  /** To be put before those functions and calls, which are to be within #ifdef NEPHOSCOPE_HAZE. Empty where there is no haze. */
-  std::string Definition() const { return this->On ? "#define NEPHOSCOPE_HAZE\n" : ""; }
+  /** The same for a program that has SetUniforms called: within it NEPHOSCOPE_HAZE is defined. Empty where there is no haze. */
+  std::string Definition() const { return this->On ? "#define NEPHOSCOPE_HAZE\n" + Functions() : std::string(); }
 
   void SetUniforms(vtkShaderProgram* program) const;
 

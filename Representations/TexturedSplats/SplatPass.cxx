@@ -75,7 +75,7 @@ std::string shaderConstants(const SplatDrawingOptions& options, const SplatPass:
   text << "#define FOOTPRINT_PEAK " << KernelFootprint(options.Kernel, 0.0) << "\n"
        << "#define MEDIUM 0\n#define HALF_MEDIUM 1\n#define STREAKS 2\n#define SEGMENT 3\n#define VIEWPORT 4\n";
   // Where vectors are not drawn, their shaders are left out.
-  return text.str() + KernelConstants() +
+  return text.str() + KernelConstants() + options.Haze.Definition() +
     (vectors ? "#define DRAW_VECTORS\n" + VectorTextureConstants(streakSpacing) : std::string());
 }
 
@@ -284,6 +284,7 @@ std::string SplatPass::DrawRange(vtkOpenGLRenderWindow* window, const SceneView&
 void SplatPass::SetUniforms(
   vtkShaderProgram* program, const SceneView& view, const SplatDrawingOptions& options) const
 {
+  options.Haze.SetUniforms(program);
   vtkNew<vtkMatrix4x4> transposed; // as OpenGL wants it
   vtkMatrix4x4::Transpose(view.ModelToView, transposed);
   program->SetUniformMatrix("modelToVC", transposed);

@@ -6,6 +6,7 @@
 
 #include "BufferTexture.h"
 #include "FloatLayer.h"
+#include "HazeView.h"
 #include "SplatKernel.h"
 #include "SplatRegion.h"
 
@@ -51,6 +52,7 @@ struct SplatDrawingOptions
   double SegmentLength = 2.0;
   double SegmentWidth = 1.5;       // pixels
   SplatRegion Region = WholeSpace; // relative to the samples' centre
+  HazeView Haze;
   double LayerThickness = 0.0; // of layers at right angles to the line of sight; 0: there are none
 };
 

@@ -270,6 +270,7 @@ std::string vtkTexturedSplatMapper::DrawScene(
   this->SelectSplats(renderer, volume, state);
   scene.UpdateOrder(state);
   nephoscope::SplatDrawingOptions options;
+  options.Haze = nephoscope::HazeView(renderer);
   options.Kernel = static_cast<nephoscope::SplatKernel>(this->Kernel);
   options.ExtinctionScale = this->GetExtinctionFactor();
   this->SetVectorOptions(options);

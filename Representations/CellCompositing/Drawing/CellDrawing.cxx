@@ -26,7 +26,7 @@ std::string CellDrawing::ShaderConstants() const
     shaderConstant("consistentFaces", this->Buffers.HasNarrowIntervals() || this->Contours.IsUsed()) +
     shaderConstant("averageIntegration", this->Options.AverageIntegration) +
     shaderConstant("splitAtControlPoints", this->Options.SplitAtControlPoints) +
-    shaderConstant("useDepthRanges", this->Peel != nullptr);
+    shaderConstant("useDepthRanges", this->Peel != nullptr) + this->Options.Haze.Definition();
 }
 
 // Where rays end: at the opaque depth, or at the ends of the ranges of a peel.
@@ -52,6 +52,7 @@ void CellDrawing::SetDepths(vtkShaderProgram* program) const
 
 void CellDrawing::SetUniforms(vtkShaderProgram* program) const
 {
+  this->Options.Haze.SetUniforms(program);
   this->Buffers.Activate(program);
   this->Contours.Activate(*this, program);
   this->SetDepths(program);

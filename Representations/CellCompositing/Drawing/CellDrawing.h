@@ -5,6 +5,7 @@
 #define CellDrawing_h
 
 #include "CellMethod.h"
+#include "HazeView.h"
 #include "SceneLights.h"
 #include "ViewState.h"
 
@@ -37,6 +38,7 @@ struct CellDrawingOptions
   std::array<float, 4> ContourShading = { { 0, 1, 0, 1 } }; ///< ambient, diffuse, specular, specular power
   std::vector<SceneLight> Lights; ///< of contour surfaces
   const EyeTetrahedron* Eye = nullptr; ///< where rays start
+  HazeView Haze;
 };
 
 struct CellDrawing

@@ -75,8 +75,8 @@ float parameterAt(float depth)
   return (zFromDepth(depth) - positionVCGSOutput.z) / towardsEye;
 }
 
-// Light of the part of the ray between two parameters.
-vec4 lightBetween(float uFront, float uBack, vec4 slope)
+// Light of the part of the ray between two parameters, without haze in front of it.
+vec4 clearLightBetween(float uFront, float uBack, vec4 slope)
 {
   // (colour, opacity)
   vec2 scalarAtFace = vec2(interpolate(barycentricGSOutput, scalarsGSOutput),
@@ -107,6 +107,16 @@ vec4 lightBetween(float uFront, float uBack, vec4 slope)
     selectLayer(tetrahedronGSOutput.y);
   }
   return integrateSegment(front, back, opticalScale);
+}
+
+vec4 lightBetween(float uFront, float uBack, vec4 slope)
+{
+  vec4 light = clearLightBetween(uFront, uBack, slope);
+#ifdef NEPHOSCOPE_HAZE
+  vec3 towardsEye = eyeVC.xyz - eyeVC.w * positionVCGSOutput;
+  light = hazedSegment(light, positionVCGSOutput + uFront * towardsEye, positionVCGSOutput + uBack * towardsEye);
+#endif
+  return light;
 }
 
 // What lies in front of the opaque geometry.

@@ -115,6 +115,19 @@ bool isClear(Seen ahead)
   return low >= clear.x && high < clear.y;
 }
 
+#ifdef NEPHOSCOPE_HAZE
+// Hazes what has been added to the light between two distances along the ray.
+void hazeAdded(vec4 before, vec2 z)
+{
+  vec4 added = accumulatedLight() - before;
+  if (added.a > 0.0)
+  {
+    float place = mix(z.x, z.y, hazeMeanPlace(added.a / max(1.0 - before.a, added.a)));
+    light = before + hazedLight(added, (MCVCMatrix * vec4(origin + place * along, 1.0)).xyz);
+  }
+}
+#endif
+
 // Adds the part of the segment that lies between the near plane and the opaque geometry.
 void addVisiblePart(vec3 front, vec3 back, vec2 range)
 {
@@ -122,6 +135,9 @@ void addVisiblePart(vec3 front, vec3 back, vec2 range)
   bool hidden = hasHiddenCells && texelFetch(hiddenCells, cellNumber()).r > 0.0;
   if (z.y > z.x && !hidden)
   {
+#ifdef NEPHOSCOPE_HAZE
+    vec4 before = accumulatedLight();
+#endif
     vec2 t = (z - front.x) / (back.x - front.x);
     vec2 from = mix(front.yz, back.yz, t.x);
     vec2 to = mix(front.yz, back.yz, t.y);
@@ -134,6 +150,9 @@ void addVisiblePart(vec3 front, vec3 back, vec2 range)
       from.y = to.y = texelFetch(opacityScalars, cellNumber()).r;
     }
     addSegment(from, to, z.y - z.x);
+#ifdef NEPHOSCOPE_HAZE
+    hazeAdded(before, z);
+#endif
   }
 }
 

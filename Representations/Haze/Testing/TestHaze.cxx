@@ -23,7 +23,8 @@ struct Ray
 Ray makeRay(double h1, double sine, double length)
 {
   const double cosine = std::sqrt(1 - sine * sine);
-  return { { { 0, 0, earth + h1 } }, { { 0.6 * length * cosine, 0.8 * length * cosine, earth + h1 + length * sine } } };
+  return { { { 0, 0, earth + h1 } },
+    { { 0.6 * length * cosine, 0.8 * length * cosine, earth + h1 + length * sine } } };
 }
 
 double quadrature(const Ray& ray, double scaleHeight)
@@ -112,7 +113,8 @@ TEST(Haze, AgreesWithQuadratureUpAndDown)
   for (int i = 0; i < 300; ++i)
   {
     const double scaleHeight = random.Uniform(2, 10);
-    const Ray ray = makeRay(random.Uniform(0, 25), i % 5 ? std::pow(random.Uniform(), 2) : random.Uniform(), random.LogUniform(1, 1600));
+    const Ray ray = makeRay(random.Uniform(0, 25),
+      i % 5 ? std::pow(random.Uniform(), 2) : random.Uniform(), random.LogUniform(1, 1600));
     const Ray back{ ray.Q, ray.P };
     const double exact = quadrature(ray, scaleHeight);
     EXPECT_NEAR(haze<double>(ray, scaleHeight) / exact, 1, 2e-4);
@@ -149,7 +151,8 @@ TEST(Haze, SeenFromSpaceIsFiniteInFloat)
     }
     const float x = haze<float>(ray, 8);
     EXPECT_TRUE(std::isfinite(x) && x >= 0) << x;
-    if (eye[0] * ground[0] + eye[1] * ground[1] + eye[2] * ground[2] > 0.3) // the ray does not pass through the planet
+    if (eye[0] * ground[0] + eye[1] * ground[1] + eye[2] * ground[2] >
+      0.3) // the ray does not pass through the planet
     {
       EXPECT_NEAR(x / quadrature(ray, 8), 1, 3e-3);
     }
@@ -181,7 +184,8 @@ TEST(Haze, ThinFogIsExactInFloat)
   Random random(4);
   for (int i = 0; i < 300; ++i)
   {
-    const Ray ray = makeRay(random.Uniform(0, 0.3), random.Uniform(-0.02, 0.02), random.LogUniform(0.01, 60));
+    const Ray ray =
+      makeRay(random.Uniform(0, 0.3), random.Uniform(-0.02, 0.02), random.LogUniform(0.01, 60));
     const double exact = quadrature(ray, 0.1);
     EXPECT_NEAR(haze<double>(ray, 0.1) / exact, 1, 1e-4);
     EXPECT_NEAR(haze<float>(ray, 0.1), exact, 1e-3 * exact + 1e-5) << "in float";

@@ -67,7 +67,9 @@ class BadInput(HazeTestCase):
 
     def test_all_kinds_of_scenes_draw(self):
         far = 1e7
-        for radius, at in ((6.371e6, (0, 0, 0)), (6.371e6, (0, 0, 6.371e6)), (1.0, (0, 0, 3)), (1e12, (0, 0, 1e12)), (None, (0, 0, -1e6)), (None, (0, 0, 1e9))):
+        kinds = ((6.371e6, (0, 0, 0)), (6.371e6, (0, 0, 6.371e6)), (1.0, (0, 0, 3)), (1e12, (0, 0, 1e12)), (None, (0, 0, -1e6)),
+                 (None, (0, 0, 1e9)))
+        for radius, at in kinds:
             for parallel in (None, 10.0):
                 haze = Haze(1e-3, 10.0, radius)
                 square = Square(np.add(at, (-5, -20, -5)), (10, 0, 0), (0, 0, 10), (0, 0, 0))

@@ -4,6 +4,7 @@
 //   hazeTransparency(placeVC)         T, of the air from the eye to the place
 //   hazedColor(rgb, placeVC)          colour of a surface of any opacity as it is seen through the air: T rgb + (1 - T) C
 //   hazedLight(light, placeVC)        the same of a premultiplied colour with alpha: T rgb + alpha (1 - T) C, alpha
+//   hazedSegment(light, front, back)  the same of a medium between two places
 uniform int hazeOnGlobe;      // 0: over flat ground
 uniform int hazeParallel;     // parallel rays, which start in the plane of the camera
 uniform float hazeUnit;       // scale heights in one length of view coordinates
@@ -157,6 +158,13 @@ float hazeTransparency(vec3 placeVC)
   return exp(-hazeExtinction * air);
 }
 
+// Where the light of a uniform medium between two places comes from, in the mean: from the front (0) to the back (1).
+float hazeMeanPlace(float alpha)
+{
+  float depth = -log(max(1.0 - alpha, 1.0e-7));
+  return depth < 0.05 ? 0.5 - depth / 12.0 : 1.0 / depth - (1.0 - alpha) / alpha;
+}
+
 vec3 hazedColor(vec3 rgb, vec3 placeVC)
 {
   return mix(hazeTint, rgb, hazeTransparency(placeVC));
@@ -165,4 +173,9 @@ vec3 hazedColor(vec3 rgb, vec3 placeVC)
 vec4 hazedLight(vec4 light, vec3 placeVC)
 {
   return vec4(mix(light.a * hazeTint, light.rgb, hazeTransparency(placeVC)), light.a);
+}
+
+vec4 hazedSegment(vec4 light, vec3 frontVC, vec3 backVC)
+{
+  return hazedLight(light, mix(frontVC, backVC, hazeMeanPlace(light.a)));
 }

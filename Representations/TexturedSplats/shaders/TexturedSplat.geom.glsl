@@ -192,6 +192,9 @@ void main()
   mat3 J;
   readSplat(splat, center, J);
   vec4 color = texelFetch(splatColors, splat);
+#ifdef NEPHOSCOPE_HAZE
+  color.rgb = hazedColor(color.rgb, center); // a splat is small, and so is what haze changes across it
+#endif
   vec3 w = inCells(center, J);
   if (nearEye && dot(w, w) < 1.69 * kernelRadius * kernelRadius)
   {
@@ -202,6 +205,9 @@ void main()
   SplatVector vector;
   if ((vectorAlone || !mediaApart) && readVector(splat, vector))
   {
+#ifdef NEPHOSCOPE_HAZE
+    vector.color.rgb = hazedColor(vector.color.rgb, center);
+#endif
     // Half of the medium behind the vector, half in front (SplatOpacity.h), unless it is drawn apart.
     vec4 half_ = vectorAlone ? vec4(0.0) : color;
     emitMedium(center, J, half_, HALF_MEDIUM);

@@ -74,6 +74,9 @@ void main()
   vec4 centerDC = VCToDC * vec4(center, 1.0);
   vec2 place = centerDC.xy / centerDC.w;
   vec4 color = texelFetch(splatColors, splat);
+#ifdef NEPHOSCOPE_HAZE
+  color.rgb = hazedColor(color.rgb, center); // a splat is small, and so is what haze changes across it
+#endif
   float thickness = inversesqrt(square) * (firstOrder ? length(ray) : 1.0);
   colorVSOutput = vec4(color.rgb, 1.4426950408889634 * extinctionScale * color.a * mass * thickness);
   ellipseVSOutput = vec4(vec3(edge, -covariance.y / (determinant * edge), inversesqrt(determinant) / edge) / kernelRadius, e);
