@@ -27,6 +27,7 @@ FULL_COVER = 0.9  # cloud fraction of a column under which the texture is closed
 PERIOD = 8.0  # hours that a set of texture coordinates lives; the day is a multiple
 TEXTURE_SCALE = 20  # repetitions around the equator
 SOFTNESS = 0.4
+RELIEF = 0.025
 VISIBILITY = 1e7  # metres of level air at the ground that leave 2 % of the contrast
 PEELS = 8  # surfaces behind one another that are drawn
 
@@ -73,7 +74,8 @@ class MovingClouds:
         self.mapper.SetCoverageArrayName("ColumnCover")
         self.mapper.SetTextureScale(TEXTURE_SCALE)
         self.mapper.SetSoftness(SOFTNESS)
-        self.actor = vtk_globe.actor_of(self.mapper, ambient=0.45, diffuse=0.6)
+        self.mapper.SetRelief(RELIEF)
+        self.actor = vtk_globe.actor_of(self.mapper, ambient=0.35, diffuse=0.75)
         self.actor.ForceTranslucentOn()
         self.watch = stopwatch.Stopwatch()
         for name, algorithm in (("reading", self.series), ("grid", self.grid), ("advection", self.texture), ("smoothing", self.smooth),

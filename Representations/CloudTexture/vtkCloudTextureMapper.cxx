@@ -3,6 +3,7 @@
 #include "vtkCloudTextureMapper.h"
 
 #include "CloudOpacityFunction.h"
+#include "CloudRelief.h"
 #include "CoverageThreshold.h"
 #include "GardnerTexture.h"
 #include "GardnerTextureFunctions.h"
@@ -23,6 +24,7 @@
 #include "vtkSmartPointer.h"
 #include "vtkTextureObject.h"
 
+#include <cmath>
 #include <iomanip>
 #include <sstream>
 #include <tuple>
@@ -281,6 +283,7 @@ void vtkCloudTextureMapper::SetMapperShaderParameters(vtkOpenGLHelper& helper, v
   }
   const double* given = this->Internals->Surface.Weights;
   const float weights[2] = { static_cast<float>(given[0]), static_cast<float>(given[1]) };
+  this->SetReliefHeight(program, actor);
   program->SetUniformi("coverageThresholds", this->Internals->Thresholds->GetTextureUnit());
   program->SetUniform2f("textureWeights", weights);
   program->SetUniformf("coverage", static_cast<float>(this->Coverage));
@@ -308,10 +311,34 @@ void vtkCloudTextureMapper::PrintSelf(ostream& os, vtkIndent indent)
      << indent << "TextureScale: " << this->TextureScale << "\n"
      << indent << "TextureLength: " << this->TextureLength << "\n"
      << indent << "OpticalDepth: " << this->OpticalDepth << "\n"
+     << indent << "Relief: " << this->Relief << "\n"
      << indent << "UseThickness: " << this->UseThickness << "\n"
      << indent << "Extinction: " << this->Extinction << "\n"
      << indent << "DensityArrayName: " << this->DensityArrayName << "\n"
      << indent << "MaximumNumberOfLayers: " << this->MaximumNumberOfLayers << "\n"
      << indent << "FirstCoordinatesName: " << this->CoordinatesNames[0] << "\n"
      << indent << "SecondCoordinatesName: " << this->CoordinatesNames[1] << "\n";
+}
+
+void vtkCloudTextureMapper::ReplaceShaderNormal(
+  std::map<vtkShader::Type, vtkShader*> shaders, vtkRenderer* renderer, vtkActor* actor)
+{
+  this->Superclass::ReplaceShaderNormal(shaders, renderer, actor);
+  if (this->Relief > 0)
+  {
+    nephoscope::addReliefCode(shaders[vtkShader::Fragment], this->Internals->Surface.HasSecondSet, "textureWeights");
+  }
+}
+
+void vtkCloudTextureMapper::SetReliefHeight(vtkShaderProgram* program, vtkActor* actor)
+{
+  if (!program->IsUniformUsed("reliefHeight"))
+  {
+    return;
+  }
+  constexpr double largestWaves = 3; // in one repetition
+  const double repetition =
+    nephoscope::textureRepetition(this->Internals->Surface.Surface, this->TextureLength, this->TextureScale);
+  const double scale = std::cbrt(std::abs(actor->GetMatrix()->Determinant()));
+  program->SetUniformf("reliefHeight", static_cast<float>(this->Relief * scale * repetition / largestWaves));
 }

@@ -115,6 +115,15 @@ public:
   ///@}
 
   ///@{
+  /**
+   * Height of the bumps that lights see, as a share of the length of the largest waves: clouds get a sunny and a shady side. The surface itself
+   * stays where it is. 0 ... 1, default: 0, none; 0.02 to 0.05 look like clouds.
+   */
+  vtkSetClampMacro(Relief, double, 0.0, 1.0);
+  vtkGetMacro(Relief, double);
+  ///@}
+
+  ///@{
   /** Names of the arrays of texture coordinates. Defaults: TextureCoordinates1, TextureCoordinates2. */
   void SetFirstCoordinatesName(const char* name);
   const char* GetFirstCoordinatesName() const { return this->CoordinatesNames[0].c_str(); }
@@ -135,6 +144,8 @@ protected:
   void RenderPieceDraw(vtkRenderer* renderer, vtkActor* actor) override;
   void ReplaceShaderColor(
     std::map<vtkShader::Type, vtkShader*> shaders, vtkRenderer* renderer, vtkActor* actor) override;
+  void ReplaceShaderNormal(
+    std::map<vtkShader::Type, vtkShader*> shaders, vtkRenderer* renderer, vtkActor* actor) override;
   void SetMapperShaderParameters(vtkOpenGLHelper& helper, vtkRenderer* renderer, vtkActor* actor) override;
 
 private:
@@ -146,6 +157,7 @@ private:
   void MapArrays();
   std::string GetShaderConstants() const;
   void SetEye(vtkShaderProgram* program, vtkRenderer* renderer, vtkActor* actor);
+  void SetReliefHeight(vtkShaderProgram* program, vtkActor* actor);
 
   double Coverage = 0.5;
   double Softness = 0.15;
@@ -155,6 +167,7 @@ private:
   bool UseThickness = false;
   double Extinction = 0;
   int MaximumNumberOfLayers = 8;
+  double Relief = 0;
   std::string CoverageArrayName;
   std::string DensityArrayName;
   std::string CoordinatesNames[2] = { "TextureCoordinates1", "TextureCoordinates2" };

@@ -1,0 +1,51 @@
+// SPDX-FileCopyrightText: The Nephoscope authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "CloudRelief.h"
+
+#include "CloudReliefFunction.h"
+#include "SurfaceLength.h"
+
+#include "vtkDataArray.h"
+#include "vtkFieldData.h"
+#include "vtkPolyData.h"
+#include "vtkShader.h"
+#include "vtkShaderProgram.h"
+
+#include <string>
+
+namespace nephoscope
+{
+
+void addReliefCode(vtkShader* fragment, bool hasSecondSet, const char* weights)
+{
+  std::string source = fragment->GetSource();
+  if (source.find("vec3 normalVCVSOutput =") == std::string::npos)
+  {
+    return; // nothing is lit
+  }
+  const auto addBefore = [&source](const std::string& tag, const std::string& code) {
+    vtkShaderProgram::Substitute(source, tag, code + tag, false);
+  };
+  const std::string coordinates =
+    std::string("cloudTexture1VSOutput, ") + (hasSecondSet ? "cloudTexture2VSOutput" : "vec3(0.0)");
+  addBefore("//VTK::TCoord::Dec", CloudReliefFunction);
+  addBefore("//VTK::UniformFlow::Impl", "  takeRelief(vertexVC.xyz, " + coordinates + ");\n");
+  addBefore("//VTK::Light::Impl",
+    "  normalVCVSOutput = raisedNormal(normalVCVSOutput, " + coordinates + ", " + weights + ");\n");
+  fragment->SetSource(source);
+}
+
+double textureRepetition(vtkPolyData* surface, double given, double scale)
+{
+  vtkDataArray* told = surface->GetFieldData()->GetArray("TextureLength");
+  double length = told && told->GetNumberOfTuples() > 0 ? told->GetComponent(0, 0) : given;
+  if (!(length > 0))
+  {
+    SurfaceLength own;
+    own.Add(surface);
+    length = own.Get();
+  }
+  return length / scale;
+}
+
+} // namespace nephoscope

@@ -1,0 +1,24 @@
+// SPDX-FileCopyrightText: The Nephoscope authors
+// SPDX-License-Identifier: BSD-3-Clause
+/** Bumps of cloud for the lights: what the shaders of a textured surface need for them. */
+#ifndef CloudRelief_h
+#define CloudRelief_h
+
+class vtkPolyData;
+class vtkShader;
+
+namespace nephoscope
+{
+
+/**
+ * Raises the normal that the fragment shader lights, if it lights one. To be called when normals have been written into it and lights
+ * have not. "weights" is what the shader calls the weights of the two sets.
+ */
+void addReliefCode(vtkShader* fragment, bool hasSecondSet, const char* weights);
+
+/** Length of one repetition of the texture on the surface: that of its field data, else "given", else that of the surface. */
+double textureRepetition(vtkPolyData* surface, double given, double scale);
+
+} // namespace nephoscope
+
+#endif

@@ -1,0 +1,61 @@
+// SPDX-FileCopyrightText: The Nephoscope authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Bumps of cloud for the lights: the normal of a surface that the texture has raised, which is not moved itself (Blinn1978).
+//   in:  footprints, takeRelief; normal in view coordinates, texture coordinates, weights of the two sets
+//   out: unit normal
+// Constants, from the header: gardnerWaves, gardnerAmplitudes, hasSecondSet.
+uniform float reliefHeight; // of the largest wave, in view coordinates
+
+const float reliefLimit = 0.6;     // steep slopes tend to 1 / reliefLimit, 59 degrees
+const float reliefDeviation = 0.5; // standard deviation of the pixel's filter, in pixels
+
+vec3 reliefAcross, reliefUp; // to the next pixel, in view coordinates
+vec3 reliefFootprints[4];    // of the pixel on the texture: both sets, across and up
+
+// To be called where all fragments of a pixel's neighbourhood pass: it takes derivatives.
+void takeRelief(vec3 place, vec3 first, vec3 second)
+{
+  reliefAcross = dFdx(place);
+  reliefUp = dFdy(place);
+  reliefFootprints[0] = reliefDeviation * dFdx(first);
+  reliefFootprints[1] = reliefDeviation * dFdy(first);
+  reliefFootprints[2] = reliefDeviation * dFdx(placeInSecondSet(second));
+  reliefFootprints[3] = reliefDeviation * dFdy(placeInSecondSet(second));
+}
+
+// How the height changes to the next pixel, across and up. Waves are as high as the squares of their amplitudes: the small ones of the
+// texture itself are too steep for bumps.
+vec2 bumpChange(vec3 p, vec3 across, vec3 up)
+{
+  vec2 result = vec2(0.0);
+  for (int i = 0; i < 7; ++i)
+  {
+    vec3 wave = gardnerWaves[i];
+    float chi = 0.5 * (wave.y * p.x - wave.x * p.y);
+    float bend = cos(chi);
+    vec3 local = vec3(wave.x + wave.y * bend, wave.y - wave.x * bend, wave.z);
+    vec2 change = vec2(dot(local, across), dot(local, up));
+    float height = gardnerAmplitudes[i] / gardnerAmplitudes[0];
+    result -= height * height * exp(-0.5 * dot(change, change)) * sin(dot(wave, p) + 2.0 * sin(chi)) * change;
+  }
+  return result / reliefDeviation;
+}
+
+vec3 raisedNormal(vec3 normal, vec3 first, vec3 second, vec2 weights)
+{
+  vec2 change = bumpChange(first, reliefFootprints[0], reliefFootprints[1]);
+  if (hasSecondSet)
+  {
+    vec2 other = bumpChange(placeInSecondSet(second), reliefFootprints[2], reliefFootprints[3]);
+    change = (weights.x * change + weights.y * other) / length(weights);
+  }
+  vec3 across = cross(reliefUp, normal);
+  vec3 up = cross(normal, reliefAcross);
+  float area = dot(reliefAcross, across);
+  if (abs(area) <= 1.0e-6 * length(reliefAcross) * length(reliefUp))
+  {
+    return normal; // seen from the side
+  }
+  vec3 slope = reliefHeight * (change.x * across + change.y * up) / area;
+  return normalize(normal - slope / (1.0 + reliefLimit * length(slope)));
+}
