@@ -14,7 +14,9 @@ from ._modules import MODULES as _MODULES
 from ._modules import VERSION as __version__
 
 if _TYPE_CHECKING:
+    from .advection import advect_texture
     from .cells import add_cells
+    from .cloud_texture import add_cloud_texture
     from .clouds import cloud_surface, smooth
     from .globe import globe_surface, to_globe
     from .reader import read_cf
@@ -34,6 +36,8 @@ PYVISTA_FUNCTIONS = {
     "split_cells": "splitting",
     "smooth": "clouds",
     "cloud_surface": "clouds",
+    "advect_texture": "advection",
+    "add_cloud_texture": "cloud_texture",
     "flow_volume": "smoke",
     "smoke_puffs": "smoke",
     "add_smoke": "smoke_drawing",

@@ -6,6 +6,7 @@ from typing import Any, Callable
 
 import pyvista
 
+from .advection import advect_texture
 from .clouds import cloud_surface, smooth
 from .globe import to_globe
 from .smoke import flow_volume, smoke_puffs
@@ -39,6 +40,7 @@ class NephoscopeAccessor:
     split_cells = _method(split_cells)
     smooth = _method(smooth)
     cloud_surface = _method(cloud_surface)
+    advect_texture = _method(advect_texture)
     flow_volume = _method(flow_volume)
     smoke_puffs = _method(smoke_puffs)
     write_vdb = _method(write_vdb)

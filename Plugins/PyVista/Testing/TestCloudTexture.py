@@ -1,0 +1,137 @@
+# SPDX-FileCopyrightText: The Nephoscope authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""nephoscope.add_cloud_texture: the cover drawn, colours of add_mesh, arguments that arrive, errors, and the snippet of the page."""
+import os
+import shutil
+import unittest
+from pathlib import Path
+
+import nephoscope
+import numpy as np
+import pages
+import PIL.Image
+import PIL.ImageSequence
+import pyvista
+from pyvista.core.errors import MissingDataError
+
+OUTPUT = Path(os.environ["NEPHOSCOPE_TEST_OUTPUT"])
+SIZE = 200
+SEEN = 1 - np.exp(-3)  # opacity of a layer of optical depth 3, from above
+
+
+class Picture(unittest.TestCase):
+    def setUp(self):
+        self.plotter = pyvista.Plotter(off_screen=True, window_size=(SIZE, SIZE))
+        self.plotter.background_color = "black"
+        self.addCleanup(self.plotter.close)
+
+    def add(self, mesh=None, *args, **options):
+        mesh = pyvista.Plane(i_resolution=30, j_resolution=30) if mesh is None else mesh
+        return nephoscope.add_cloud_texture(self.plotter, mesh, *args, **{"texture_scale": 40, "lighting": False, **options})
+
+    def picture(self):
+        """The sheet fills it, 0 to 1, row 0 at the top."""
+        self.plotter.enable_parallel_projection()
+        self.plotter.view_xy()
+        self.plotter.camera.parallel_scale = 0.5
+        self.plotter.render()
+        return self.plotter.screenshot(str(OUTPUT / f"{self.id().split('.', 1)[1]}.png")).astype(float)[..., :3] / 255
+
+
+class Cover(Picture):
+    def test_number(self):
+        for cover in (0.15, 0.5, 0.85):
+            self.plotter.clear()
+            self.add(coverage=cover)
+            drawn = self.picture().mean() / SEEN
+            print(f"  cover {cover}: drawn {drawn:.4f}")
+            self.assertAlmostEqual(drawn, cover, delta=0.015)
+
+    def test_array(self):
+        sheet = pyvista.Plane(i_resolution=30, j_resolution=30)
+        sheet.point_data["share"] = sheet.points[:, 0] + 0.5
+        self.add(sheet, coverage="share")
+        columns = self.picture()[..., 0].mean(axis=0) / SEEN
+        slope = np.polyfit((np.arange(SIZE) + 0.5) / SIZE, columns, 1)
+        np.testing.assert_allclose(slope, (1, 0), atol=0.05)
+
+
+class Colours(Picture):
+    def test_one_colour(self):
+        self.add(color="lime", coverage=1.0)
+        np.testing.assert_allclose(self.picture().mean(axis=(0, 1)), (0, SEEN, 0), atol=0.02)
+
+    def test_array_with_a_map(self):
+        sheet = pyvista.Plane(i_resolution=30, j_resolution=30)
+        sheet.point_data["east"] = sheet.points[:, 0]
+        actor = self.add(sheet, "east", cmap=["red", "blue"], clim=(-0.01, 0.01), coverage=1.0, show_scalar_bar=True)
+        picture = self.picture()
+        self.assertGreater(picture[:150, 110:, 2].mean(), 0.8 * SEEN)
+        self.assertGreater(picture[:150, :90, 0].mean(), 0.8 * SEEN)
+        self.assertEqual(actor.mapper.scalar_range, (-0.01, 0.01))
+
+    def test_opacity_is_a_factor(self):
+        self.add(coverage=1.0, opacity=0.5)
+        np.testing.assert_allclose(self.picture().mean(), 0.5 * SEEN, atol=0.02)
+
+
+class Arguments(Picture):
+    def test_they_arrive(self):
+        actor = self.add(coverage=0.3, texture_scale=7, texture_length=2, softness=0.4, optical_depth=5, use_thickness=True, extinction=0.1, layers=4,
+                         coordinates=("a", "b"), name="clouds", specular=0.5)
+        mapper = actor.mapper
+        self.assertIsInstance(mapper, nephoscope.vtkCloudTextureMapper)
+        for name, value in (("Coverage", 0.3), ("TextureScale", 7), ("TextureLength", 2), ("Softness", 0.4), ("OpticalDepth", 5), ("UseThickness", 1),
+                            ("Extinction", 0.1), ("MaximumNumberOfLayers", 4), ("FirstCoordinatesName", "a"), ("SecondCoordinatesName", "b")):
+            self.assertEqual(getattr(mapper, "Get" + name)(), value, name)
+        self.assertEqual(actor.prop.specular, 0.5)
+        self.assertIs(self.plotter.actors["clouds"], actor)
+        self.assertTrue(self.plotter.renderer.GetUseDepthPeeling())
+
+    def test_defaults_are_those_of_the_mapper(self):
+        mapper, fresh = nephoscope.add_cloud_texture(self.plotter, pyvista.Sphere()).mapper, nephoscope.vtkCloudTextureMapper()
+        for name in ("Coverage", "CoverageArrayName", "TextureScale", "TextureLength", "Softness", "OpticalDepth", "UseThickness", "Extinction",
+                     "DensityArrayName", "MaximumNumberOfLayers", "FirstCoordinatesName", "SecondCoordinatesName"):
+            self.assertEqual(getattr(mapper, "Get" + name)(), getattr(fresh, "Get" + name)(), name)
+
+    def test_other_meshes(self):
+        for mesh in (pyvista.MultiBlock([pyvista.Sphere(), pyvista.Cone()]), pyvista.Wavelet()):
+            self.plotter.clear()
+            self.assertGreater(self.add(mesh).mapper.dataset.n_cells, 100)
+
+    def test_errors(self):
+        with self.assertRaisesRegex(TypeError, "plotter"):
+            nephoscope.add_cloud_texture(None, pyvista.Sphere())
+        with self.assertRaisesRegex(TypeError, "surface"):
+            self.add("clouds")
+        with self.assertRaisesRegex(ValueError, "no cells"):
+            self.add(pyvista.PolyData())
+        for name in ("coverage", "density"):
+            with self.assertRaisesRegex(MissingDataError, f"{name}.*'share'"):
+                self.add(**{name: "share"})
+        for name, value in (("coverage", 1.5), ("texture_scale", 0), ("softness", 3), ("optical_depth", -1), ("extinction", np.nan), ("layers", 1),
+                            ("texture_length", -1), ("peels", -1)):
+            with self.assertRaisesRegex(ValueError, name):
+                self.add(**{name: value})
+        with self.assertRaisesRegex(ValueError, "coordinates"):
+            self.add(coordinates="TextureCoordinates1")
+        self.assertEqual(len(self.plotter.actors), 0)
+
+
+class Page(unittest.TestCase):
+    def test_snippet(self):
+        """The clouds of the page move, and their cover stays."""
+        with pages.run("pyvista.md", "clouds") as folder:
+            with PIL.Image.open(folder / "clouds.gif") as film:
+                frames = [np.asarray(frame.convert("RGB"), float) for frame in PIL.ImageSequence.Iterator(film)]
+            shutil.copy(folder / "clouds.gif", OUTPUT / "TestCloudTexture.gif")
+        self.assertEqual(len(frames), 8)
+        white = [np.mean(frame.min(axis=2) > 128) for frame in frames]
+        print("  share of the picture that is cloud:", " ".join(f"{share:.3f}" for share in white))
+        self.assertLess(max(white) / min(white), 1.1)
+        for first, second in zip(frames, frames[1:]):
+            self.assertGreater(np.abs(first - second).mean(), 2, "the clouds stand still")
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,200 @@
+# SPDX-FileCopyrightText: The Nephoscope authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Texture coordinates that move with the wind (`vtkTextureCoordinateAdvection`), of one grid or a time series of them."""
+from __future__ import annotations
+
+from typing import Any, Callable, Iterator, Literal, Sequence
+
+import numpy as np
+import pyvista
+from pyvista.core.errors import MissingDataError
+from vtkmodules.util.vtkAlgorithm import VTKPythonAlgorithmBase
+from vtkmodules.vtkCommonDataModel import vtkDataObject, vtkDataSet
+from vtkmodules.vtkCommonExecutionModel import vtkStreamingDemandDrivenPipeline as SDDP
+
+from . import vtkTextureCoordinateAdvection
+from ._checks import arrays_of, choose, require_number
+from ._pipeline import vtk_messages
+
+Grids = "pyvista.DataSet | Sequence[pyvista.DataSet] | Callable[[float], pyvista.DataSet]"
+
+
+def advect_texture(mesh: Grids, time: float | Sequence[float] = 43200.0, *, times: Sequence[float] | None = None,
+                   vectors: str | None = None, points: pyvista.DataSet | None = None, period: float = 86400.0,
+                   time_scale: float = 1.0, integrator: Literal["euler", "rk4", "rk45"] = "rk4", time_step: float = 3600.0,
+                   tolerance: float = 1e-6, key_frame_interval: float = 0.0,
+                   grid: Literal["automatic", "globe", "map", "cartesian"] = "automatic", planet_radius: float = 0.0,
+                   cartesian_coordinates: bool = False, texture_length: float = 0.0, pressure: str | None = None,
+                   omega: str | None = None, lyapunov: bool = False,
+                   maximum_stretch: float = 0.0) -> pyvista.DataSet | Iterator[pyvista.DataSet]:
+    """Give every point the places where its air was when two sets of texture coordinates were born, half a period apart.
+
+    Also the accessor method ``mesh.nephoscope.advect_texture(...)``, for a steady wind. Contour the result with `cloud_surface`, and
+    draw the surface with `add_cloud_texture`.
+
+    Parameters
+    ----------
+    mesh : pyvista.DataSet, sequence of pyvista.DataSet, or callable
+        A grid with winds, which is steady; or one for each of `times`; or a function that is called with a time of `times` and
+        returns the grid, so that not all are in memory. They are not changed.
+    time : float or sequence of float, default: 43200.0
+        When the coordinates are wanted, in the unit of `times`. A sequence gives an iterator of grids: each field is read once while
+        times rise, and one period of winds is in memory.
+    times : sequence of float, optional
+        The times of the grids, rising. Before the first and after the last the wind is steady. Default: one grid, at 0.
+    vectors : str, optional
+        Array of the velocity in lengths of the grid per second. Default: ``DisplayVelocity`` if there is one, else the active vectors.
+    points : pyvista.DataSet, optional
+        Points that are followed in place of those of the grid; they are then the result.
+    period : float, default: 86400.0
+        Life of a set in seconds, > 0.
+    time_scale : float, default: 1.0
+        Seconds in the unit of `time` and `times`, > 0: 3600 for hours.
+    integrator : {"rk4", "euler", "rk45"}, default: "rk4"
+        Runge-Kutta of fourth order; of first order, as in the paper; of order 5 (4) with error control by `tolerance`.
+    time_step : float, default: 3600.0
+        Longest step in seconds, > 0.
+    tolerance : float, default: 1e-6
+        Error of one step of ``"rk45"``: radians on a globe, else lengths, > 0.
+    key_frame_interval : float, default: 0.0
+        Compute only every so many seconds of a set's age and interpolate between, >= 0; 0: compute all.
+    grid : {"automatic", "globe", "map", "cartesian"}, default: "automatic"
+        What the grid is. Automatic: what `to_globe` says, else a globe if the points are on one, else Cartesian.
+    planet_radius : float, default: 0.0
+        Displayed radius of height 0 if `to_globe` has not told it, >= 0; 0: that of the first point, on a map 6371000.
+    cartesian_coordinates : bool, default: False
+        On a globe, coordinates without seam and poles.
+    texture_length : float, default: 0.0
+        Length of a texture unit in Cartesian grids, >= 0; 0: the width along x.
+    pressure, omega : str, optional
+        Point arrays of pressure and of its rate following the air: air on a globe then follows its pressure. Both or neither.
+    lyapunov : bool, default: False
+        Add ``FiniteTimeLyapunovExponent`` (1/s) of the older set.
+    maximum_stretch : float, default: 0.0
+        Give way to the younger set where the older one has been stretched by this factor, > 1; 0: never.
+
+    Returns
+    -------
+    pyvista.DataSet, or iterator of pyvista.DataSet
+        The grid at `time` with the point arrays ``TextureCoordinates1`` and ``TextureCoordinates2`` and the field arrays
+        ``TextureWeights``, ``TextureAges`` and ``TextureFrame``; the meaning of all is in Filters/TextureAdvection/README.md.
+
+    Raises
+    ------
+    TypeError
+        If a grid is not a dataset.
+    pyvista.core.errors.MissingDataError
+        (a ValueError) If there is no such array; the message lists those that are there.
+    ValueError
+        If a number or a choice is out of range, or grids and times are not equally many.
+    RuntimeError
+        If the filter cannot use the grids, with its message.
+
+    Warns
+    -----
+    RuntimeWarning
+        Points without a wind.
+    """
+    series = _Series(mesh, times)
+    filter_ = vtkTextureCoordinateAdvection()
+    filter_.SetInputConnection(series.GetOutputPort())
+    _set_vectors(filter_, series.first, vectors)
+    if points is not None:
+        filter_.SetInputData(1, _dataset(points, "points"))
+    for set_value, value, name in ((filter_.SetPeriod, period, "period"), (filter_.SetTimeScale, time_scale, "time_scale"),
+                                   (filter_.SetTimeStep, time_step, "time_step"), (filter_.SetTolerance, tolerance, "tolerance")):
+        set_value(require_number(value, name, above=0))
+    for set_value, value, name in ((filter_.SetKeyFrameInterval, key_frame_interval, "key_frame_interval"),
+                                   (filter_.SetPlanetRadius, planet_radius, "planet_radius"),
+                                   (filter_.SetTextureLength, texture_length, "texture_length"),
+                                   (filter_.SetMaximumStretch, maximum_stretch, "maximum_stretch")):
+        set_value(require_number(value, name, least=0))
+    choose({"euler": filter_.SetIntegratorToEuler, "rk4": filter_.SetIntegratorToRungeKutta4,
+            "rk45": filter_.SetIntegratorToRungeKutta45}, integrator, "integrator")
+    choose({"automatic": filter_.SetGridToAutomatic, "globe": filter_.SetGridToGlobe, "map": filter_.SetGridToMap,
+            "cartesian": filter_.SetGridToCartesian}, grid, "grid")
+    filter_.SetCartesianCoordinates(cartesian_coordinates)
+    for name in (pressure, omega):
+        if name is not None and name not in series.first.point_data:
+            raise MissingDataError(f"pressure and omega: no point array {name!r}. {arrays_of(series.first)}")
+    filter_.SetPressureArrayNames(pressure or "", omega or "")
+    filter_.SetComputeLyapunovExponent(lyapunov)
+    if np.ndim(time) == 0:
+        return _at(filter_, series, require_number(time, "time"))
+    wanted = [require_number(one, "time") for one in time]
+    return (_at(filter_, series, one) for one in wanted)
+
+
+def _at(filter_: vtkTextureCoordinateAdvection, series: "_Series", time: float) -> pyvista.DataSet:
+    try:
+        with vtk_messages(filter_):
+            filter_.UpdateTimeStep(time)
+    finally:
+        if series.failure is not None:
+            failure, series.failure = series.failure, None
+            raise failure
+    result = filter_.GetOutputDataObject(0)
+    return pyvista.wrap(result).copy(deep=False)
+
+
+def _dataset(mesh: Any, argument: str) -> pyvista.DataSet:
+    if not isinstance(mesh, vtkDataSet):
+        raise TypeError(f"{argument} is a {type(mesh).__name__}; it must be a dataset, not blocks of them.")
+    return pyvista.wrap(mesh)
+
+
+def _set_vectors(filter_: vtkTextureCoordinateAdvection, first: pyvista.DataSet, vectors: str | None) -> None:
+    if vectors is None:
+        return  # the filter has a rule
+    for association, data in ((vtkDataObject.FIELD_ASSOCIATION_POINTS, first.point_data), (vtkDataObject.FIELD_ASSOCIATION_CELLS, first.cell_data)):
+        if vectors in data:
+            filter_.SetInputArrayToProcess(0, 0, 0, association, vectors)
+            return
+    raise MissingDataError(f"vectors: no array {vectors!r}. {arrays_of(first)}")
+
+
+class _Series(VTKPythonAlgorithmBase):
+    """The grids as a source that has time steps. `failure`: what the user's function raised."""
+
+    def __init__(self, mesh: Any, times: Sequence[float] | None) -> None:
+        self.times = [0.0] if times is None else [require_number(one, "times") for one in times]
+        self.failure: BaseException | None = None
+        if not self.times:
+            raise ValueError("times is empty; it must name the time of each grid.")
+        if callable(mesh):
+            self._read = mesh
+        else:
+            grids = [mesh] if isinstance(mesh, vtkDataSet) else list(mesh) if isinstance(mesh, Sequence) else [mesh]
+            if len(grids) != len(self.times):
+                raise ValueError(f"There are {len(grids)} grids and {len(self.times)} times; there must be as many.")
+            self._read = lambda time: grids[self.times.index(time)]
+        self.first = _dataset(self._read(self.times[0]), "mesh")
+        self._waiting = self.first
+        super().__init__(nInputPorts=0, nOutputPorts=1, outputType=self.first.GetClassName())
+        self.GetExecutive().AddObserver("ErrorEvent", lambda *_: None)  # what has failed is raised
+
+    def RequestInformation(self, _request: Any, _inputs: Any, outputs: Any) -> int:
+        info = outputs.GetInformationObject(0)
+        if hasattr(self.first, "GetExtent"):
+            info.Set(SDDP.WHOLE_EXTENT(), self.first.GetExtent(), 6)
+        if len(self.times) > 1:
+            info.Set(SDDP.TIME_STEPS(), self.times, len(self.times))
+            info.Set(SDDP.TIME_RANGE(), [self.times[0], self.times[-1]], 2)
+        return 1
+
+    def RequestData(self, _request: Any, _inputs: Any, outputs: Any) -> int:
+        info = outputs.GetInformationObject(0)
+        time = self.times[0]
+        if len(self.times) > 1 and info.Has(SDDP.UPDATE_TIME_STEP()):
+            asked = info.Get(SDDP.UPDATE_TIME_STEP())
+            time = min(self.times, key=lambda one: abs(one - asked))
+        try:
+            read, self._waiting = self._waiting if time == self.times[0] else None, None
+            read = _dataset(self._read(time), "mesh") if read is None else read
+        except Exception as failure:  # raised again by the caller of the pipeline
+            self.failure = failure
+            return 0
+        output = vtkDataSet.GetData(outputs)
+        output.ShallowCopy(read)
+        output.GetInformation().Set(vtkDataObject.DATA_TIME_STEP(), time)
+        return 1

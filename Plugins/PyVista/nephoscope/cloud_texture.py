@@ -1,0 +1,162 @@
+# SPDX-FileCopyrightText: The Nephoscope authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Surfaces of clouds with a texture of broken cloud (`vtkCloudTextureMapper`)."""
+from __future__ import annotations
+
+from typing import Any, Sequence
+
+import numpy as np
+import pyvista
+from pyvista.core.errors import MissingDataError
+from vtkmodules.vtkFiltersGeometry import vtkDataSetSurfaceFilter
+
+from . import vtkCloudTextureMapper
+from ._checks import arrays_of, require_number
+from ._medium import require_plotter, wrapped
+
+
+class CloudTextureMapper(vtkCloudTextureMapper):
+    """The mapper with what PyVista's actors and scalar bars read and write."""
+
+    @property
+    def dataset(self) -> pyvista.PolyData:
+        self.GetInputAlgorithm(0, 0).Update()
+        return pyvista.wrap(self.GetInput())
+
+    @property
+    def lookup_table(self) -> Any:
+        return self.GetLookupTable()
+
+    @lookup_table.setter
+    def lookup_table(self, table: Any) -> None:
+        self.SetLookupTable(table)
+
+    @property
+    def scalar_range(self) -> tuple[float, float]:
+        return self.GetScalarRange()
+
+    @scalar_range.setter
+    def scalar_range(self, clim: Sequence[float]) -> None:
+        self.SetScalarRange(*clim)
+        if hasattr(self.GetLookupTable(), "scalar_range"):
+            self.GetLookupTable().scalar_range = tuple(clim)
+
+    @property
+    def bounds(self) -> tuple[float, ...]:
+        return self.GetBounds()
+
+
+def add_cloud_texture(plotter: pyvista.BasePlotter, mesh: Any, scalars: str | np.ndarray | None = None, *,
+                      color: Any = "white", coverage: float | str = 0.5, texture_scale: float = 3.0, texture_length: float = 0.0,
+                      softness: float = 0.15, optical_depth: float = 3.0, use_thickness: bool = False, extinction: float = 0.0,
+                      density: str | None = None, layers: int = 8,
+                      coordinates: Sequence[str] = ("TextureCoordinates1", "TextureCoordinates2"), peels: int = 8,
+                      **options: Any) -> pyvista.Actor:
+    """Add a surface of clouds to a plotter, with a texture of broken cloud that covers the share asked for.
+
+    Parameters
+    ----------
+    plotter : pyvista.Plotter
+        The plotter; its active renderer gets the surface.
+    mesh : pyvista.PolyData, pyvista.MultiBlock or pyvista.DataSet
+        The surface, that of `cloud_surface` say; blocks are drawn as one, of other data the outer surface. With the coordinates
+        of `advect_texture` the texture is where the wind has carried it, without them it follows positions.
+    scalars : str or numpy.ndarray, optional
+        Point or cell array that colours the clouds. Default: none, they have one colour.
+    color : ColorLike, default: "white"
+        The colour without `scalars`.
+    coverage : float or str, default: 0.5
+        Share of the surface that is cloud, 0 to 1; or the point array of it, such as a model's cloud fraction.
+    texture_scale : float, default: 3.0
+        Repetitions of the texture around the equator, or along the longest side of what is not a globe, 1e-6 to 1e6.
+    texture_length : float, default: 0.0
+        Length of a unit of texture where positions are the coordinates, >= 0; 0: from the surface.
+    softness : float, default: 0.15
+        Standard deviation of the edges, in units of the texture, 0 to 2.
+    optical_depth : float, default: 3.0
+        Of the cloud across the surface, >= 0.
+    use_thickness : bool, default: False
+        Clouds are as opaque as they are thick: from each front face to the next back face, or to what is opaque.
+    extinction : float, default: 0.0
+        Optical depth per length, with `use_thickness`, >= 0; 0: `optical_depth` on average.
+    density : str, optional
+        Point array that multiplies `extinction`, with `use_thickness`.
+    layers : int, default: 8
+        How many clouds behind one another `use_thickness` tells apart, 2 to 16.
+    coordinates : sequence of 2 str, default: ("TextureCoordinates1", "TextureCoordinates2")
+        Point arrays of texture coordinates. Those that are not there are not read.
+    peels : int, default: 8
+        Depth peeling of the renderer, so that clouds behind one another are drawn in order; multi-sampling is
+        switched off for it. 0 leaves the plotter as it is.
+    **options
+        Other arguments of `pyvista.Plotter.add_mesh`: `cmap`, `clim`, `opacity`, `lighting`, `specular`, `name`, ...
+
+    Returns
+    -------
+    pyvista.Actor
+        The actor; its `.mapper` is the `vtkCloudTextureMapper`.
+
+    Raises
+    ------
+    TypeError
+        If `plotter` is not a plotter.
+    pyvista.core.errors.MissingDataError
+        (a ValueError) If there is no such point array; the message lists those that are there.
+    ValueError
+        If a number is out of range, or there is no surface.
+    """
+    require_plotter(plotter)
+    surface = _surface(mesh)
+    mapper = CloudTextureMapper()
+    if isinstance(coverage, str):
+        mapper.SetCoverageArrayName(_point_array(surface, coverage, "coverage"))
+    else:
+        mapper.SetCoverage(require_number(coverage, "coverage", least=0, most=1))
+    mapper.SetTextureScale(require_number(texture_scale, "texture_scale", least=1e-6, most=1e6))
+    mapper.SetTextureLength(require_number(texture_length, "texture_length", least=0))
+    mapper.SetSoftness(require_number(softness, "softness", least=0, most=2))
+    mapper.SetOpticalDepth(require_number(optical_depth, "optical_depth", least=0))
+    mapper.SetUseThickness(use_thickness)
+    mapper.SetExtinction(require_number(extinction, "extinction", least=0))
+    if density is not None:
+        mapper.SetDensityArrayName(_point_array(surface, density, "density"))
+    mapper.SetMaximumNumberOfLayers(int(require_number(layers, "layers", least=2, most=16)))
+    if isinstance(coordinates, str) or len(coordinates) != 2:
+        raise ValueError(f"coordinates is {coordinates!r}; it must be the names of two point arrays.")
+    mapper.SetFirstCoordinatesName(coordinates[0])
+    mapper.SetSecondCoordinatesName(coordinates[1])
+    peels = int(require_number(peels, "peels", least=0))
+    if scalars is None:
+        options["color"] = color
+    actor = plotter.add_mesh(surface, scalars=scalars, **options)
+    drawn = actor.mapper
+    mapper.ShallowCopy(drawn)  # colours, as add_mesh has set them
+    mapper.SelectColorArray(drawn.GetArrayName())  # which ShallowCopy leaves out
+    mapper.SetInputConnection(drawn.GetInputConnection(0, 0))
+    actor.SetMapper(mapper)
+    if plotter.mapper is drawn:
+        plotter.mapper = mapper
+    if peels > 0:
+        plotter.enable_depth_peeling(peels)
+        plotter.render_window.SetMultiSamples(0)  # VTK peels nothing into a window of several samples
+    return actor
+
+
+def _surface(mesh: Any) -> pyvista.PolyData:
+    mesh = wrapped(mesh, merge_points=False)
+    if not isinstance(mesh, pyvista.DataSet):
+        raise TypeError(f"mesh is a {type(mesh).__name__}; it must be a surface, or blocks of such.")
+    if not isinstance(mesh, pyvista.PolyData):
+        surface = vtkDataSetSurfaceFilter()
+        surface.SetInputData(mesh)
+        surface.Update()
+        mesh = pyvista.wrap(surface.GetOutput())
+    if mesh.n_cells == 0:
+        raise ValueError("mesh has no cells: there is no surface to draw.")
+    return mesh
+
+
+def _point_array(surface: pyvista.PolyData, name: str, argument: str) -> str:
+    if name not in surface.point_data:
+        raise MissingDataError(f"{argument}: no point array {name!r}. {arrays_of(surface)}")
+    return name
