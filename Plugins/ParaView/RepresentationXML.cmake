@@ -51,6 +51,8 @@ set(name TexturedSplats)
 set(opacity_array_none "None: the coloured array.")
 set(unit_distance_else "")
 nephoscope_configure_text(MediumProperties.xml.in textured_splats_medium_properties)
+set(with_vectors "<PropertyWidgetDecorator type=\"GenericDecorator\" mode=\"visibility\" property=\"TexturedSplatsVectorArray\"
+            value=\"None\" inverse=\"1\"/>")
 nephoscope_configure_text(TexturedSplats.xml.in textured_splats_representation)
 
 set(nephoscope_extensions "")

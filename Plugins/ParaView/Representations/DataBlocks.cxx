@@ -6,6 +6,8 @@
 #include "vtkCompositeDataIterator.h"
 #include "vtkCompositeDataSet.h"
 #include "vtkDataSet.h"
+#include "vtkDoubleArray.h"
+#include "vtkFieldData.h"
 #include "vtkNew.h"
 #include "vtkUnstructuredGrid.h"
 
@@ -53,6 +55,20 @@ vtkSmartPointer<vtkDataSet> appendedBlocks(
   }
   append->Update();
   return vtkSmartPointer<vtkDataSet>(append->GetOutput());
+}
+
+void storeNumbers(vtkDataSet* data, const char* name, const std::vector<double>& values)
+{
+  vtkNew<vtkDoubleArray> array;
+  array->SetName(name);
+  for (const double value : values)
+  {
+    array->InsertNextValue(value);
+  }
+  vtkNew<vtkFieldData> own; // the input shares its field data with the copy
+  own->ShallowCopy(data->GetFieldData());
+  own->AddArray(array);
+  data->SetFieldData(own);
 }
 
 } // namespace nephoscope

@@ -7,6 +7,7 @@
 #include "vtkSmartPointer.h"
 
 #include <functional>
+#include <vector>
 
 class vtkDataObject;
 class vtkDataSet;
@@ -17,6 +18,9 @@ namespace nephoscope
 /** `input` itself (a shallow copy) if it is a dataset that counts, or the blocks of a composite that do, appended. Null without any. */
 vtkSmartPointer<vtkDataSet> appendedBlocks(
   vtkDataObject* input, const std::function<bool(vtkDataSet*)>& counts);
+
+/** Stores numbers with the data, so that every time step in ParaView's cache keeps its own. */
+void storeNumbers(vtkDataSet* data, const char* name, const std::vector<double>& values);
 
 } // namespace nephoscope
 

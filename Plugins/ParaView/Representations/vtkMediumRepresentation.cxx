@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkMediumRepresentation.h"
 
+#include "DataBlocks.h"
 #include "vtkMediumVolume.h"
 
 #include "vtkAbstractVolumeMapper.h"
@@ -10,7 +11,6 @@
 #include "vtkColorTransferFunction.h"
 #include "vtkCommunicator.h"
 #include "vtkDataSet.h"
-#include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
@@ -92,13 +92,7 @@ int vtkMediumRepresentation::LeastOverRanks(int mine)
 
 void vtkMediumRepresentation::StoreUnitDistance(vtkDataSet* data, double distance)
 {
-  vtkNew<vtkDoubleArray> array;
-  array->SetName(unitDistanceName);
-  array->InsertNextValue(distance);
-  vtkNew<vtkFieldData> own; // the input shares its field data with the copy
-  own->ShallowCopy(data->GetFieldData());
-  own->AddArray(array);
-  data->SetFieldData(own);
+  nephoscope::storeNumbers(data, unitDistanceName, { distance });
 }
 
 int vtkMediumRepresentation::FillInputPortInformation(int, vtkInformation* info)

@@ -6,6 +6,7 @@
 #include "SplatMeasures.h"
 #include "SplatPieces.h"
 #include "SplatShapes.h"
+#include "SplatVectorColors.h"
 #include "vtkTexturedSplatMapper.h"
 
 #include "vtkDataSet.h"
@@ -23,6 +24,7 @@
 vtkStandardNewMacro(vtkTexturedSplatsRepresentation);
 
 vtkTexturedSplatsRepresentation::vtkTexturedSplatsRepresentation()
+  : DefaultColors(new nephoscope::DefaultVectorColors)
 {
   this->Actor->SetMapper(this->Mapper);
   this->Mapper->SetShapeArrayName(nephoscope::splatShapeName); // where there is one
@@ -99,6 +101,7 @@ void vtkTexturedSplatsRepresentation::PreparePiece(vtkDataObject* input)
   }
   StoreUnitDistance(
     this->Piece, nephoscope::meanChord(all) * nephoscope::meanRamp(all) / MeanOpticalDepth);
+  nephoscope::storeVectorColorRange(this->Piece, inCells, this->Mapper->GetVectorColorArrayName());
 }
 
 void vtkTexturedSplatsRepresentation::DescribePiece(vtkInformation* inInfo)
@@ -131,6 +134,8 @@ void vtkTexturedSplatsRepresentation::PrepareMapper(vtkDataSet* data)
   this->Mapper->SetOpacityArrayName(this->GetOpacityArrayName());
   this->Mapper->SetOpacityScale(this->OpacityScale * this->Opacity);
   this->Mapper->SetPhase(this->GetPhaseNow());
+  this->Mapper->SetVectorColorFunction(
+    this->VectorColorFunction ? this->VectorColorFunction.Get() : this->DefaultColors->Over(data));
 }
 
 double vtkTexturedSplatsRepresentation::GetPhaseNow()

@@ -13,9 +13,16 @@
 
 #include "vtkMediumRepresentation.h"
 #include "vtkNephoscopeParaViewRepresentationsModule.h" // for export macro
+#include "vtkSmartPointer.h"                            // for the colour function
+
+#include <memory> // for std::unique_ptr
 
 class vtkScalarsToColors;
 class vtkTexturedSplatMapper;
+namespace nephoscope
+{
+class DefaultVectorColors;
+}
 
 class VTKNEPHOSCOPEPARAVIEWREPRESENTATIONS_EXPORT vtkTexturedSplatsRepresentation
   : public vtkMediumRepresentation
@@ -48,8 +55,10 @@ public:
   void SetSegmentLength(double length);
   void SetSegmentWidth(double pixels);
   void SetPhaseSteps(int steps);
-  void SetVectorColorFunction(vtkScalarsToColors* function);
   ///@}
+
+  /** Colours for the array that colours the vectors. None (default): ParaView's default colours, over the range of the array. */
+  void SetVectorColorFunction(vtkScalarsToColors* function);
 
   /** Array that gives the vectors a colour of their own; empty or "None" (default): as the splats, or VectorColor. */
   void SetVectorColorArray(const char* name);
@@ -91,6 +100,8 @@ private:
   double GetPhaseNow();
 
   vtkNew<vtkTexturedSplatMapper> Mapper;
+  vtkSmartPointer<vtkScalarsToColors> VectorColorFunction;
+  std::unique_ptr<nephoscope::DefaultVectorColors> DefaultColors;
   double CellSize = 0.0;
   bool MoveWithTime = true;
   double LoopDuration = 0.0;

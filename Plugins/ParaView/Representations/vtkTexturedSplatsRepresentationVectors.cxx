@@ -51,11 +51,16 @@ void vtkTexturedSplatsRepresentation::SetPhaseSteps(int steps)
 
 void vtkTexturedSplatsRepresentation::SetVectorColorFunction(vtkScalarsToColors* function)
 {
-  this->Mapper->SetVectorColorFunction(function);
+  this->VectorColorFunction = function;
 }
 
 void vtkTexturedSplatsRepresentation::SetVectorColorArray(const char* name)
 {
   const std::string chosen = name ? name : "";
-  this->Mapper->SetVectorColorArrayName(chosen == "None" ? std::string() : chosen);
+  const std::string array = chosen == "None" ? std::string() : chosen;
+  if (array != this->Mapper->GetVectorColorArrayName())
+  {
+    this->Mapper->SetVectorColorArrayName(array);
+    this->MarkModified(); // the range of the default colours is of all ranks
+  }
 }

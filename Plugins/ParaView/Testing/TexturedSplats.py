@@ -104,6 +104,24 @@ def check_vectors_and_time(source):
     return view, display
 
 
+def check_vector_colors(source):
+    """An array alone colours the vectors, from blue to red; a colour map takes its place, and can be taken away again."""
+    view = new_view()
+    display = compose(source, view, representation=SPLATS)
+    pvs.GetOpacityTransferFunction("RTData").Points = [0, 0, 0.5, 0, 300, 0, 0.5, 0]  # vectors alone
+    look(view, position=(0, 0, 100))
+    display.TexturedSplatsVectorArray = "Flow"
+    display.TexturedSplatsVectorColorArray = "Flow"  # slow in the middle, fast around
+    by_speed = image(view)
+    middle, left = by_speed[140:160, 140:160].mean(axis=(0, 1)), by_speed[120:180, 95:110].mean(axis=(0, 1))
+    check(middle[2] > 1.5 * middle[0] and left[0] > 1.2 * left[2], f"slow {middle}, fast {left}: not from blue to red")
+    display.TexturedSplatsVectorLookupTable = pvs.GetColorTransferFunction("Green", RGBPoints=[0, 0, 1, 0, 1, 0, 1, 0])
+    green = image(view)
+    check(green[:, :, 1].max() > 50 > 1 > green[:, :, [0, 2]].max(), "the colour map does not arrive")
+    display.TexturedSplatsVectorLookupTable = None
+    check_same(by_speed, image(view), "without the colour map again")
+
+
 def mapper_of(view):
     """The mapper of the only splats of a view; other representations have volumes there too."""
     volumes = view.SMProxy.GetRenderer().GetVolumes()
@@ -172,4 +190,5 @@ check_alpha_formula()
 check_solid_color()
 check_bounds_hold_splats()
 check_hierarchy_and_radius()
+check_vector_colors(flow())
 passed()
