@@ -5,6 +5,7 @@
 #ifndef nephoscope_SplatBranch_h
 #define nephoscope_SplatBranch_h
 
+#include "SplatKernel.h"
 #include "SplatMatrix.h"
 #include "SplatNode.h"
 
@@ -21,12 +22,12 @@ struct SplatBranch
   std::array<SplatNode, 4> Light;  // red, green, blue emission and extinction; counted by volume
   std::array<SplatNode, 3> Vector; // counted by volume
   SplatVector Color{};             // by volume, without regard to extinction
-  double Leaves = 0.0;             // what follows is counted by leaf
+  double Leaves = 0.0;
+  double Weight =
+    0.0; // mass, of which what follows are the moments: mean, and covariance over that of a kernel
   SplatVector Place{};
-  SplatVector Index{};
-  SplatMatrix Jacobian{};
-  std::array<double, 6> Shape{}; // J J^T plus 12 times the covariance of places: xx yy zz xy xz yz
-  SplatVector Bend{};            // the most by which nodes below are not where a straight lattice has them, in cells
+  std::array<double, 6> Shape{}; // xx yy zz xy xz yz
+  double SquareError = 0.0; // integral of the square of what the nodes below differ from theirs
 
   double Volume() const { return this->Light[3].Count; }
 };
@@ -44,7 +45,8 @@ inline double Blend(double a, double b, double share)
 }
 
 template <std::size_t n>
-std::array<double, n> Blend(const std::array<double, n>& a, const std::array<double, n>& b, double share)
+std::array<double, n> Blend(
+  const std::array<double, n>& a, const std::array<double, n>& b, double share)
 {
   std::array<double, n> sum;
   for (std::size_t i = 0; i < n; ++i)
@@ -55,9 +57,9 @@ std::array<double, n> Blend(const std::array<double, n>& a, const std::array<dou
 }
 }
 
-// A leaf of this colour and extinction (the fourth component of `light`).
+// A leaf of this colour and extinction (the fourth component of `light`), which counts by its volume where `byVolume`, else by its mass.
 inline SplatBranch BranchOfLeaf(const std::array<double, 4>& light, const SplatVector& vector,
-  const SplatVector& place, const SplatMatrix& jacobian, const SplatVector& index)
+  const SplatVector& place, const SplatMatrix& jacobian, bool byVolume)
 {
   SplatBranch leaf;
   leaf.Leaves = 1.0;
@@ -78,9 +80,8 @@ inline SplatBranch BranchOfLeaf(const std::array<double, 4>& light, const SplatV
       leaf.Shape[i] += square[i];
     }
   }
+  leaf.Weight = byVolume ? volume : volume * light[3];
   leaf.Place = place;
-  leaf.Jacobian = jacobian;
-  leaf.Index = index;
   return leaf;
 }
 
@@ -100,23 +101,19 @@ inline SplatBranch Join(const SplatBranch& a, const SplatBranch& b)
   for (std::size_t c = 0; c < 3; ++c)
   {
     sum.Vector[c] = Join(a.Vector[c], b.Vector[c]);
-    sum.Jacobian[c] = Blend(a.Jacobian[c], b.Jacobian[c], b.Leaves / sum.Leaves);
   }
   const double volume = a.Volume() + b.Volume();
-  const double share = volume > 0.0 ? b.Volume() / volume : 0.5;
-  sum.Color = Blend(a.Color, b.Color, share);
-  sum.Place = Blend(a.Place, b.Place, b.Leaves / sum.Leaves);
-  sum.Index = Blend(a.Index, b.Index, b.Leaves / sum.Leaves);
-  sum.Shape = Blend(a.Shape, b.Shape, b.Leaves / sum.Leaves);
+  sum.Color = Blend(a.Color, b.Color, volume > 0.0 ? b.Volume() / volume : 0.5);
+  sum.Weight = a.Weight + b.Weight;
+  const double share = sum.Weight > 0.0 ? b.Weight / sum.Weight : 0.5;
+  sum.Place = Blend(a.Place, b.Place, share);
+  sum.Shape = Blend(a.Shape, b.Shape, share);
   const auto apart = splat_branch::Square(Minus(b.Place, a.Place));
   for (std::size_t i = 0; i < 6; ++i)
   {
-    sum.Shape[i] += 12.0 * apart[i] * a.Leaves * b.Leaves / (sum.Leaves * sum.Leaves);
+    sum.Shape[i] += apart[i] * share * (1.0 - share) / cubic_kernel::variance;
   }
-  for (std::size_t c = 0; c < 3; ++c)
-  {
-    sum.Bend[c] = std::max(a.Bend[c], b.Bend[c]);
-  }
+  sum.SquareError = a.SquareError + b.SquareError;
   return sum;
 }
 }

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SplatCut.h"
 
-#include "SplatMatrix.h"
 #include "SplatTree.h"
 
 #include "vtkSMPTools.h"
@@ -10,63 +9,59 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 #include <limits>
 
 namespace nephoscope
 {
 namespace
 {
-constexpr float infinity = std::numeric_limits<float>::infinity();
-constexpr double aroundEye = 1.3; // of the kernel's reach: the eye is in it, or it fills the view
-
-SplatVector toDouble(const std::array<float, 3>& v)
+struct Part
 {
-  return { { v[0], v[1], v[2] } };
-}
-
-// The length of a ray of this direction (of any length) in a cell: 1 / |J^-1 e|.
-double thickness(const SplatMatrix& j, const SplatVector& direction)
-{
-  const SplatVector rows[3] = { Cross(j[1], j[2]), Cross(j[2], j[0]), Cross(j[0], j[1]) };
-  const SplatVector cells = { { Dot(rows[0], direction), Dot(rows[1], direction), Dot(rows[2], direction) } };
-  return std::abs(Dot(j[0], rows[0])) * Length(direction) / Length(cells);
-}
-
-struct Range
-{
-  std::uint32_t Begin, End;
+  std::int32_t Splat;
+  float Weight;
 };
 
-/** Selects nodes of a tree by a test that says which to go below. */
-template <typename GoesBelow>
+/** Selects nodes of a tree by a test that says how much of each is drawn instead of what lies below. */
 class Descent
 {
 public:
-  Descent(const SplatTree& tree, GoesBelow goesBelow)
+  Descent(const SplatTree& tree, const std::vector<float>& errors, double tolerance, double blend)
     : Tree(tree)
-    , Below(goesBelow)
+    , Errors(errors)
+    , Tolerance(tolerance)
+    , Full((1 - blend) * tolerance)
   {
   }
 
-  std::vector<std::int32_t> Find() const
+  SplatCut Find() const
   {
-    std::vector<std::int32_t> front{ this->Tree.Root() };
+    // What is drawn in the front stays there; the others are looked into in parallel.
+    std::vector<Part> front{ { this->Tree.Root(), 1.0f } };
     while (front.size() < enoughParts && this->Widen(front))
     {
     }
-    std::vector<std::vector<std::int32_t>> parts(front.size());
-    vtkSMPTools::For(0, static_cast<vtkIdType>(front.size()), 1, [&](vtkIdType begin, vtkIdType end) {
-      for (vtkIdType i = begin; i < end; ++i)
-      {
-        const auto part = static_cast<std::size_t>(i);
-        this->Descend(front[part], parts[part]);
-      }
-    });
-    std::vector<std::int32_t> cut;
+    std::vector<std::vector<Part>> parts(front.size());
+    vtkSMPTools::For(
+      0, static_cast<vtkIdType>(front.size()), 1, [&](vtkIdType begin, vtkIdType end) {
+        for (vtkIdType i = begin; i < end; ++i)
+        {
+          const auto part = static_cast<std::size_t>(i);
+          this->Descend(front[part], parts[part]);
+        }
+      });
+    SplatCut cut;
+    cut.Tolerance = this->Tolerance;
     for (const auto& part : parts)
     {
-      cut.insert(cut.end(), part.begin(), part.end());
+      for (const Part& item : part)
+      {
+        cut.Splats.push_back(item.Splat);
+        cut.Weights.push_back(item.Weight);
+      }
+    }
+    if (std::all_of(cut.Weights.begin(), cut.Weights.end(), [](float w) { return w == 1.0f; }))
+    {
+      cut.Weights.clear();
     }
     return cut;
   }
@@ -74,189 +69,143 @@ public:
 private:
   static constexpr std::size_t enoughParts = 256;
 
-  bool GoBelow(std::int32_t splat) const
+  // Of a splat that is reached: 0 to 1.
+  float ShareOf(std::int32_t splat) const
   {
-    return !this->Tree.IsLeaf(splat) && this->Below(this->Tree.Node(splat));
+    if (this->Tree.IsLeaf(splat))
+    {
+      return 1.0f;
+    }
+    const double error = this->Errors[static_cast<std::size_t>(splat) - this->Tree.Leaves()];
+    if (error <= this->Full)
+    {
+      return 1.0f;
+    }
+    if (error >= this->Tolerance)
+    {
+      return 0.0f;
+    }
+    const double share = (this->Tolerance - error) / (this->Tolerance - this->Full);
+    return static_cast<float>(share * share * (3 - 2 * share));
   }
 
-  // Replaces those that are not drawn by their children; false if there were none.
-  bool Widen(std::vector<std::int32_t>& front) const
+  template <typename Draw, typename Descend>
+  void Divide(const Part& item, Draw draw, Descend descend) const
   {
-    std::vector<std::int32_t> wider;
-    for (const std::int32_t splat : front)
+    const float share = this->ShareOf(item.Splat);
+    if (share > 0.0f)
     {
-      if (this->GoBelow(splat))
+      draw(Part{ item.Splat, item.Weight * share });
+    }
+    if (share < 1.0f)
+    {
+      const SplatTreeNode& node = this->Tree.Node(item.Splat);
+      for (const std::int32_t* c = this->Tree.BeginChildren(node);
+           c != this->Tree.EndChildren(node); ++c)
       {
-        const SplatTreeNode& node = this->Tree.Node(splat);
-        wider.insert(wider.end(), this->Tree.BeginChildren(node), this->Tree.EndChildren(node));
-      }
-      else
-      {
-        wider.push_back(splat);
+        descend(Part{ *c, item.Weight * (1.0f - share) });
       }
     }
-    const bool changed = wider.size() != front.size();
+  }
+
+  // Replaces those that are not drawn at all by their children; false if there were none.
+  bool Widen(std::vector<Part>& front) const
+  {
+    std::vector<Part> wider;
+    bool changed = false;
+    for (const Part& item : front)
+    {
+      if (this->ShareOf(item.Splat) > 0.0f)
+      {
+        wider.push_back(item);
+        continue;
+      }
+      changed = true;
+      this->Divide(
+        item, [](const Part&) {}, [&](const Part& child) { wider.push_back(child); });
+    }
     front.swap(wider);
     return changed;
   }
 
-  void Descend(std::int32_t splat, std::vector<std::int32_t>& cut) const
+  void Descend(const Part& item, std::vector<Part>& cut) const
   {
-    if (!this->GoBelow(splat))
-    {
-      cut.push_back(splat);
-      return;
-    }
-    const SplatTreeNode& node = this->Tree.Node(splat);
-    for (const std::int32_t* child = this->Tree.BeginChildren(node); child != this->Tree.EndChildren(node); ++child)
-    {
-      this->Descend(*child, cut);
-    }
+    this->Divide(
+      item, [&](const Part& part) { cut.push_back(part); },
+      [&](const Part& child) { this->Descend(child, cut); });
   }
 
   const SplatTree& Tree;
-  GoesBelow Below;
+  const std::vector<float>& Errors;
+  double Tolerance, Full;
 };
 
-template <typename GoesBelow>
-std::vector<std::int32_t> descend(const SplatTree& tree, GoesBelow goesBelow)
+/**
+ * The least tolerance that leaves no more than so many splats. A node is gone below if the least error on the way to it, its own
+ * included, is above `full` = (1 - blend) tolerance, and is drawn all the same if its own is below the tolerance.
+ */
+double findTolerance(
+  const SplatTree& tree, const std::vector<float>& errors, double blend, std::size_t most)
 {
-  return Descent<GoesBelow>(tree, goesBelow).Find();
-}
-
-/** The least tolerance that leaves no more than so many splats. */
-class Budget
-{
-public:
-  Budget(const SplatTree& tree, const SplatCutRule& rule, const SplatCutView& view)
-    : Tree(tree)
+  struct Step
   {
-    this->FindErrors(rule, view);
-  }
-
-  // Errors, ascending as floats do, are counted by their bits in two steps.
-  float Tolerance(std::size_t most) const
+    float Error;
+    std::uint32_t Children;
+  };
+  const auto& nodes = tree.Nodes();
+  std::vector<Step> steps(nodes.size());
+  for (std::size_t n = nodes.size(); n-- > 0;) // parents stand behind their children
   {
-    const std::uint32_t high = this->FirstThatFits(most, [](std::uint32_t bits) { return bits >> 16; });
-    const std::uint32_t bits = this->FirstThatFits(most, [&](std::uint32_t b) {
-      return (b >> 16) == high ? b & 0xffffu : ((b >> 16) < high ? 0u : 0xffffu);
-    });
-    const std::uint32_t all = high << 16 | bits;
-    float tolerance;
-    std::memcpy(&tolerance, &all, sizeof(tolerance));
-    return std::min(tolerance, std::numeric_limits<float>::max()); // nodes of infinite error cannot be drawn
-  }
-
-private:
-  // The least error on the way to each node: it is gone below if that is above the tolerance. Parents stand behind their children.
-  void FindErrors(const SplatCutRule& rule, const SplatCutView& view)
-  {
-    const auto& nodes = this->Tree.Nodes();
-    this->Errors.resize(nodes.size());
-    vtkSMPTools::For(0, static_cast<vtkIdType>(nodes.size()), [&](vtkIdType begin, vtkIdType end) {
-      for (vtkIdType i = begin; i < end; ++i)
-      {
-        const auto n = static_cast<std::size_t>(i);
-        this->Errors[n] = SplatError(nodes[n], rule, view);
-      }
-    });
-    for (std::size_t n = nodes.size(); n-- > 0;)
+    steps[n].Error = n + 1 == nodes.size() ? errors[n] : std::min(errors[n], steps[n].Error);
+    steps[n].Children =
+      static_cast<std::uint32_t>(tree.EndChildren(nodes[n]) - tree.BeginChildren(nodes[n]));
+    for (const std::int32_t* c = tree.BeginChildren(nodes[n]); c != tree.EndChildren(nodes[n]); ++c)
     {
-      for (const std::int32_t* c = this->Tree.BeginChildren(nodes[n]); c != this->Tree.EndChildren(nodes[n]); ++c)
+      if (!tree.IsLeaf(*c))
       {
-        if (!this->Tree.IsLeaf(*c))
-        {
-          float& below = this->Errors[static_cast<std::size_t>(*c) - this->Tree.Leaves()];
-          below = std::min(below, this->Errors[n]);
-        }
+        steps[static_cast<std::size_t>(*c) - tree.Leaves()].Error = steps[n].Error;
       }
     }
   }
-
-  template <typename Digit>
-  std::uint32_t FirstThatFits(std::size_t most, Digit digitOf) const
+  vtkSMPTools::Sort(
+    steps.begin(), steps.end(), [](const Step& a, const Step& b) { return a.Error > b.Error; });
+  // With `full` at the error of a step those before it are gone below, and of those the ones within the tolerance are drawn too.
+  constexpr double rounding = 1e-9;
+  const auto toleranceAt = [&](std::size_t i) {
+    return steps[i].Error / (1 - blend) * (1 + rounding);
+  };
+  double tolerance = std::numeric_limits<float>::max(); // nodes of infinite error cannot be drawn
+  std::size_t splats = 1, first = 0;
+  for (std::size_t i = 0; i < steps.size(); ++i)
   {
-    std::vector<std::size_t> added(1 << 16, 0); // splats more by going below nodes of this error
-    for (std::size_t n = 0; n < this->Errors.size(); ++n)
+    const bool next = i == 0 || steps[i].Error < steps[i - 1].Error;
+    if (next && std::isfinite(steps[i].Error))
     {
-      std::uint32_t bits;
-      std::memcpy(&bits, &this->Errors[n], sizeof(bits));
-      const SplatTreeNode& node = this->Tree.Nodes()[n];
-      added[digitOf(bits)] +=
-        static_cast<std::size_t>(this->Tree.EndChildren(node) - this->Tree.BeginChildren(node)) - 1;
-    }
-    std::size_t splats = 1;
-    for (std::uint32_t digit = 0xffff; digit > 0; --digit)
-    {
-      splats += added[digit];
-      if (splats > most)
+      while (first < i && steps[first].Error >= toleranceAt(i))
       {
-        return digit;
+        ++first;
       }
+      if (splats + (i - first) > most)
+      {
+        return tolerance;
+      }
+      tolerance = toleranceAt(i);
     }
-    return 0;
+    splats += steps[i].Children - 1;
   }
-
-  const SplatTree& Tree;
-  std::vector<float> Errors;
-};
+  return splats <= most ? 0 : tolerance;
+}
 }
 
-float SplatError(const SplatTreeNode& node, const SplatCutRule& rule, const SplatCutView& view)
+SplatCut CutSplatTree(
+  const SplatTree& tree, const std::vector<float>& errors, const SplatCutRule& rule)
 {
-  const double error = rule.RootMeanSquare ? node.RootMeanSquareError : node.GreatestError;
-  const double vector = rule.RootMeanSquare ? node.RootMeanSquareVectorError : node.GreatestVectorError;
-  if (std::isinf(error))
+  SplatCut cut = Descent(tree, errors, rule.Tolerance, rule.Blend).Find();
+  if (rule.MostSplats > 0 && cut.Splats.size() > rule.MostSplats)
   {
-    return infinity;
-  }
-  SplatVector ray = { { view.Eye[0], view.Eye[1], view.Eye[2] } };
-  const double reach = rule.KernelRadius * node.LongestEdge;
-  double pixel = view.Pixel;
-  if (view.Eye[3] != 0)
-  {
-    ray = Minus(toDouble(node.Position), ray);
-    const double distance = Length(ray);
-    if (distance < aroundEye * reach)
-    {
-      return infinity;
-    }
-    pixel *= distance;
-  }
-  if (reach < pixel)
-  {
-    return 0.0f;
-  }
-  double sum = rule.Vector * vector;
-  if (rule.OfImage)
-  {
-    const SplatMatrix j = { { toDouble(node.Jacobian[0]), toDouble(node.Jacobian[1]), toDouble(node.Jacobian[2]) } };
-    sum = sum * node.Span + rule.Extinction * error * thickness(j, ray);
-  }
-  else
-  {
-    sum = std::max(sum, rule.Extinction * error);
-  }
-  return static_cast<float>(sum);
-}
-
-std::vector<std::int32_t> CutSplatTree(
-  const SplatTree& tree, const SplatCutRule& rule, const SplatCutView& view, double* tolerance)
-{
-  std::vector<std::int32_t> cut = descend(
-    tree, [&](const SplatTreeNode& node) { return SplatError(node, rule, view) > rule.Tolerance; });
-  if (tolerance)
-  {
-    *tolerance = rule.Tolerance;
-  }
-  if (rule.MostSplats > 0 && cut.size() > rule.MostSplats)
-  {
-    const float least = Budget(tree, rule, view).Tolerance(rule.MostSplats);
-    cut = descend(tree, [&](const SplatTreeNode& node) { return SplatError(node, rule, view) > least; });
-    if (tolerance)
-    {
-      *tolerance = least;
-    }
+    const double least =
+      std::max(rule.Tolerance, findTolerance(tree, errors, rule.Blend, rule.MostSplats));
+    cut = Descent(tree, errors, least, rule.Blend).Find();
   }
   return cut;
 }

@@ -4,8 +4,6 @@
 #ifndef SplatCut_h
 #define SplatCut_h
 
-#include "SplatOrder.h"
-
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -14,39 +12,30 @@ namespace nephoscope
 {
 
 class SplatTree;
-struct SplatTreeNode;
 
 /** When a node is drawn instead of what lies below it. */
 struct SplatCutRule
 {
-  double Tolerance = 0;       ///< the greatest error
-  bool OfImage = true;        ///< errors are optical depths along the ray, else values of the opacity function
-  bool RootMeanSquare = false; ///< deviations below the node in the mean, else the greatest
-  double Extinction = 1;      ///< factor on that of the nodes, for OfImage; else from it to the opacity function
-  double Vector = 0;          ///< optical depth, or else share of the greatest speed, of a vector of length 1
-  double KernelRadius = 1;     ///< cells
-  std::size_t MostSplats = 0; ///< the tolerance grows until there are no more, except around the eye; 0: as many as there are
+  double Tolerance = 0; ///< the greatest error
+  /**
+   * Share of the tolerance, 0 to less than 1, over which a node fades in: one whose error is no more than (1 - Blend) Tolerance is drawn alone,
+   * others together with what lies below, both fainter. 0: a level comes at once.
+   */
+  double Blend = 0;
+  std::size_t MostSplats =
+    0; ///< the tolerance grows until there are no more, except around the eye; 0: as many as there are
 };
 
-/** The view, in the coordinates of the nodes. */
-struct SplatCutView
+struct SplatCut
 {
-  SplatEye Eye{ { 0, 0, 0, 1 } };
-  double Pixel = 0; ///< size of one at a distance of 1, in a parallel projection everywhere
+  std::vector<std::int32_t> Splats; ///< to draw, in the order of the tree
+  std::vector<float> Weights;       ///< of their extinction; empty: all 1
+  double Tolerance = 0;             ///< that was needed
 };
 
-/**
- * The error of a node in a view; infinite around the eye, where only leaves can be drawn, and 0 for a node smaller than a pixel. An optical
- * depth is the deviation times the length of the ray in the node's cell.
- */
-float SplatError(const SplatTreeNode& node, const SplatCutRule& rule, const SplatCutView& view);
-
-/**
- * The numbers of the splats to draw, in the order of the tree. `tolerance`, where given, receives the tolerance that was needed. The
- * same whatever the number of threads.
- */
-std::vector<std::int32_t> CutSplatTree(const SplatTree& tree, const SplatCutRule& rule,
-  const SplatCutView& view, double* tolerance = nullptr);
+/** `errors`: of the tree's nodes. The same whatever the number of threads. */
+SplatCut CutSplatTree(
+  const SplatTree& tree, const std::vector<float>& errors, const SplatCutRule& rule);
 
 } // namespace nephoscope
 

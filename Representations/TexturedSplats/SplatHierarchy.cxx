@@ -15,10 +15,19 @@ namespace nephoscope
 {
 namespace
 {
+auto asTuple(const SplatErrorRule& r)
+{
+  return std::make_tuple(r.As, r.OfImage, r.Extinction, r.Vector, r.KernelRadius);
+}
+
 auto asTuple(const SplatCutRule& r)
 {
-  return std::make_tuple(
-    r.Tolerance, r.OfImage, r.RootMeanSquare, r.Extinction, r.Vector, r.KernelRadius, r.MostSplats);
+  return std::make_tuple(r.Tolerance, r.Blend, r.MostSplats);
+}
+
+auto asTuple(const SplatCutView& v)
+{
+  return std::make_tuple(v.Eye, v.Pixel);
 }
 }
 
@@ -70,15 +79,24 @@ void SplatHierarchy::Build(const SplatSamples& samples, const SplatClasses& clas
   this->Selected = false;
 }
 
-bool SplatHierarchy::Select(const SplatCutRule& rule, const SplatCutView& view)
+bool SplatHierarchy::Select(const SplatSamples& samples, const SplatClasses& classes,
+  const SplatErrorRule& errors, const SplatCutRule& rule, const SplatCutView& view)
 {
-  if (this->Selected && asTuple(rule) == asTuple(this->LastRule) &&
-    view.Eye == this->LastView.Eye && view.Pixel == this->LastView.Pixel)
+  const bool sameErrors = this->Selected && asTuple(errors) == asTuple(this->LastErrors) &&
+    asTuple(view) == asTuple(this->LastView);
+  if (sameErrors && asTuple(rule) == asTuple(this->LastRule))
   {
     return false;
   }
-  this->Drawn = this->Nodes.IsEmpty() ? std::vector<std::int32_t>()
-                                      : CutSplatTree(this->Nodes, rule, view, &this->Tolerance);
+  if (!this->Nodes.IsEmpty())
+  {
+    if (!sameErrors)
+    {
+      this->Errors = FindSplatErrors(this->Nodes, samples, classes, errors, view);
+    }
+    this->Drawn = CutSplatTree(this->Nodes, this->Errors, rule);
+  }
+  this->LastErrors = errors;
   this->LastRule = rule;
   this->LastView = view;
   this->Selected = true;
@@ -88,7 +106,7 @@ bool SplatHierarchy::Select(const SplatCutRule& rule, const SplatCutView& view)
 double SplatHierarchy::LongestDrawn(const SplatSamples& samples) const
 {
   double longest = samples.LongestEdge;
-  for (const std::int32_t splat : this->Drawn)
+  for (const std::int32_t splat : this->Drawn.Splats)
   {
     if (!this->Nodes.IsLeaf(splat))
     {

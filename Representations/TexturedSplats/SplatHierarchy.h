@@ -5,6 +5,7 @@
 #define SplatHierarchy_h
 
 #include "SplatCut.h"
+#include "SplatError.h"
 #include "SplatTree.h"
 
 #include <array>
@@ -35,17 +36,20 @@ public:
   bool Update(const SplatSamples& samples, const SplatClasses& classes, SplatVectorScene& vectors,
     const std::string& vectorArrayName);
 
-  /** Finds what is drawn; true if that has changed. */
-  bool Select(const SplatCutRule& rule, const SplatCutView& view);
+  /** Finds what is drawn of the samples and classes that the tree was made from; true if that has changed. */
+  bool Select(const SplatSamples& samples, const SplatClasses& classes,
+    const SplatErrorRule& errors, const SplatCutRule& rule, const SplatCutView& view);
 
   const SplatTree& Tree() const { return this->Nodes; }
   /** The splats to draw. */
-  const std::vector<std::int32_t>& Cut() const { return this->Drawn; }
+  const std::vector<std::int32_t>& Cut() const { return this->Drawn.Splats; }
+  /** Of their extinction, or empty: all 1. */
+  const std::vector<float>& Weights() const { return this->Drawn.Weights; }
   /** Of leaves and nodes, by their numbers. */
   const std::vector<std::array<float, 3>>& Positions() const { return this->Places; }
   /** The greatest stretch of a Jacobian of what is drawn, that of the samples at least. */
   double LongestDrawn(const SplatSamples& samples) const;
-  double DrawnTolerance() const { return this->Tolerance; }
+  double DrawnTolerance() const { return this->Drawn.Tolerance; }
 
 private:
   void Build(const SplatSamples& samples, const SplatClasses& classes,
@@ -54,9 +58,10 @@ private:
   SplatTree Nodes;
   std::string VectorArrayName;
   std::vector<std::array<float, 3>> Places;
-  std::vector<std::int32_t> Drawn;
-  double Tolerance = 0;
+  std::vector<float> Errors; // of the nodes
+  SplatCut Drawn;
   bool Selected = false;
+  SplatErrorRule LastErrors;
   SplatCutRule LastRule;
   SplatCutView LastView;
 };

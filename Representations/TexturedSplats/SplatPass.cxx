@@ -69,6 +69,7 @@ std::string shaderConstants(const SplatDrawingOptions& options, const SplatPass:
        << "const bool drawSegments = " << (options.Segments ? "true" : "false") << ";\n"
        << "const bool mediaApart = " << (options.MediaApart ? "true" : "false") << ";\n"
        << "#define MAX_VERTICES " << (vectors && !options.MediaApart ? 12 : 4) << "\n"
+       << (variant.Fade ? "#define FADE\n" : "")
        << (variant.Region ? "#define DRAW_REGION\n" : "")
        << "const float largeEnough = " << largeEnough << ";\n"
        << "const float pixelVariance = " << pixelVariance << ";\n";
@@ -166,11 +167,14 @@ std::string SplatPass::UploadVectorColors(
   return this->VectorColors.Upload(window, colors.data(), colors.size(), 4, VTK_FLOAT);
 }
 
-std::string SplatPass::UploadOrder(
-  vtkOpenGLRenderWindow* window, const std::vector<std::int32_t>& order)
+std::string SplatPass::UploadOrder(vtkOpenGLRenderWindow* window,
+  const std::vector<std::int32_t>& order, const std::vector<float>& weights)
 {
   this->Count = order.size();
-  return this->Order.Upload(window, order.data(), order.size(), 1, VTK_INT);
+  this->Fade = !weights.empty();
+  const std::string error = this->Order.Upload(window, order.data(), order.size(), 1, VTK_INT);
+  return error.empty() ? this->Weights.Upload(window, weights.data(), weights.size(), 1, VTK_FLOAT)
+                       : error;
 }
 
 std::string SplatPass::Draw(
@@ -194,6 +198,7 @@ std::string SplatPass::DrawAll(
   variant.JacobianPerSplat = this->JacobianPerSplat;
   variant.Parallel = view.EyeView[3] == 0;
   variant.Cut = this->HasOpaquePixels(window);
+  variant.Fade = this->Fade;
   variant.Region = IsRegion(options.Region);
   const std::size_t ends[] = { options.CloserSplats, options.LargeSplats, options.NearSplats, 0 };
   const Way ways[] = { Way::FarPoints, Way::Points, Way::Quads, Way::Viewport };
@@ -262,6 +267,7 @@ std::string SplatPass::DrawRange(vtkOpenGLRenderWindow* window, const SceneView&
   program->SetUniformi("splats", this->Splats.Activate());
   program->SetUniformi("splatColors", this->Colors.Activate());
   program->SetUniformi("drawingOrder", this->Order.Activate());
+  program->SetUniformi("drawingWeights", this->Weights.Activate());
   program->SetUniformi("splatVectors", this->Vectors.Activate());
   program->SetUniformi("vectorColors", this->VectorColors.Activate());
   {
@@ -275,6 +281,7 @@ std::string SplatPass::DrawRange(vtkOpenGLRenderWindow* window, const SceneView&
   this->Splats.Deactivate();
   this->Colors.Deactivate();
   this->Order.Deactivate();
+  this->Weights.Deactivate();
   this->Vectors.Deactivate();
   this->VectorColors.Deactivate();
   this->VertexArray->Release();
@@ -318,6 +325,7 @@ void SplatPass::ReleaseGraphicsResources(vtkWindow* window)
   this->Splats.Release(window);
   this->Colors.Release(window);
   this->Order.Release(window);
+  this->Weights.Release(window);
   this->Vectors.Release(window);
   this->VectorColors.Release(window);
   this->Layer.ReleaseGraphicsResources(window);

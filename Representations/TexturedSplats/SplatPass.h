@@ -71,8 +71,9 @@ public:
     vtkOpenGLRenderWindow* window, const std::vector<std::array<float, 4>>& vectors);
   std::string UploadVectorColors(
     vtkOpenGLRenderWindow* window, const std::vector<std::array<float, 4>>& colors);
-  /** From back to front; ~n for the vector of splat n, where media are apart. */
-  std::string UploadOrder(vtkOpenGLRenderWindow* window, const std::vector<std::int32_t>& order);
+  /** From back to front; ~n for the vector of splat n, where media are apart. `weights`, one for each, of its extinction; empty: all 1. */
+  std::string UploadOrder(vtkOpenGLRenderWindow* window, const std::vector<std::int32_t>& order,
+    const std::vector<float>& weights);
   std::string Draw(
     vtkOpenGLRenderWindow* window, const SceneView& view, const SplatDrawingOptions& options);
 
@@ -99,6 +100,7 @@ public:
     bool Parallel = false;
     bool Cut = true;     ///< by opaque geometry
     bool Region = false; ///< not all of space
+    bool Fade = false;   ///< there are weights
   };
 
 private:
@@ -117,7 +119,9 @@ private:
   BufferTexture Vectors;
   BufferTexture VectorColors;
   BufferTexture Order;
+  BufferTexture Weights;
   std::size_t Count = 0;
+  bool Fade = false; // there are weights
   bool JacobianPerSplat = false;
   int FirstNode = 0; // the first splat with a Jacobian of its own, where others share one
   float SharedJacobian[9] = { 1, 0, 0, 0, 1, 0, 0, 0, 1 }; // columns

@@ -83,8 +83,8 @@ void SplatScene::SetDrawsHierarchy(bool hierarchy)
   this->DrawsHierarchy = hierarchy;
 }
 
-void SplatScene::DrawNodes(
-  const SplatCutRule& rule, const SplatCutView& view, const std::string& vectorArrayName)
+void SplatScene::DrawNodes(const SplatErrorRule& errors, const SplatCutRule& rule,
+  const SplatCutView& view, const std::string& vectorArrayName)
 {
   this->SetDrawsHierarchy(true);
   withThreads([&]() {
@@ -92,7 +92,7 @@ void SplatScene::DrawNodes(
     {
       this->SplatsUploaded = false;
     }
-    if (this->Hierarchy.Select(rule, view))
+    if (this->Hierarchy.Select(this->Samples, this->Classes, errors, rule, view))
     {
       this->ForgetOrder();
     }
@@ -140,17 +140,26 @@ double SplatScene::GetLayerThickness() const
 }
 
 // By the numbers of splats that the pass knows.
-std::vector<std::int32_t> SplatScene::OrderOfSplats() const
+std::string SplatScene::UploadOrder(vtkOpenGLRenderWindow* window, SplatPass& pass) const
 {
-  std::vector<std::int32_t> order = this->Order;
-  if (this->DrawsHierarchy)
+  if (!this->DrawsHierarchy)
   {
-    for (std::int32_t& item : order)
+    return pass.UploadOrder(window, this->Items.empty() ? this->Order : this->Items, {});
+  }
+  const std::vector<float>& all = this->Hierarchy.Weights();
+  std::vector<std::int32_t> splats;
+  std::vector<float> weights;
+  splats.reserve(this->Order.size());
+  weights.reserve(all.empty() ? 0 : this->Order.size());
+  for (const std::int32_t item : this->Order)
+  {
+    splats.push_back(this->Hierarchy.Cut()[static_cast<std::size_t>(item)]);
+    if (!all.empty())
     {
-      item = this->Hierarchy.Cut()[static_cast<std::size_t>(item)];
+      weights.push_back(all[static_cast<std::size_t>(item)]);
     }
   }
-  return order;
+  return pass.UploadOrder(window, splats, weights);
 }
 
 std::string SplatScene::Upload(
@@ -168,7 +177,7 @@ std::string SplatScene::Upload(
   }
   if (error.empty() && !this->OrderUploaded)
   {
-    error = pass.UploadOrder(window, this->Items.empty() ? this->OrderOfSplats() : this->Items);
+    error = this->UploadOrder(window, pass);
   }
   this->SplatsUploaded = this->OrderUploaded = error.empty();
   return error;

@@ -50,8 +50,8 @@ public:
   /** Every sample is drawn. */
   void DrawSamples() { this->SetDrawsHierarchy(false); }
   /** Nodes of the hierarchy are drawn. */
-  void DrawNodes(
-    const SplatCutRule& rule, const SplatCutView& view, const std::string& vectorArrayName);
+  void DrawNodes(const SplatErrorRule& errors, const SplatCutRule& rule, const SplatCutView& view,
+    const std::string& vectorArrayName);
 
   /** What is drawn, from back to front. */
   void UpdateOrder(const ViewState& state);
@@ -103,7 +103,7 @@ private:
   }
   void SetDrawsHierarchy(bool hierarchy);
   void ForgetOrder();
-  std::vector<std::int32_t> OrderOfSplats() const;
+  std::string UploadOrder(vtkOpenGLRenderWindow* window, SplatPass& pass) const;
 
   SampleKey SampledFrom;
   ClassKey ClassifiedBy{ nullptr, nullptr, 0, 0, 0, false };

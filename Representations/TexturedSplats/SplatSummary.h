@@ -5,10 +5,10 @@
 #ifndef nephoscope_SplatSummary_h
 #define nephoscope_SplatSummary_h
 
-#include "EllipsoidSplat.h"
 #include "SplatBranch.h"
+#include "SplatGaussian.h"
 
-#include <limits>
+#include <vector>
 
 namespace nephoscope
 {
@@ -19,27 +19,11 @@ struct SplatSummary
   SplatVector Color{};
   double Extinction = 0.0;
   SplatVector Vector{};
-  // Deviation of extinction or emission from the mean, whichever deviates more, and of vectors.
+  // Deviation of extinction or emission from the mean, whichever deviates more, and of vectors; in the mean square the field of the node from that
+  // of what lies below, over the node.
   double GreatestError = 0.0, RootMeanSquareError = 0.0;
   double GreatestVectorError = 0.0, RootMeanSquareVectorError = 0.0;
   double Span = 1.0; // edge, in those of the leaves
-};
-
-// A block of samples of a lattice: its first index, and how many there are along each axis where the grid ends in it.
-struct SplatBlock
-{
-  SplatVector First{}, Size{};
-
-  SplatVector Center() const
-  {
-    SplatVector center;
-    for (std::size_t c = 0; c < 3; ++c)
-    {
-      center[c] = this->First[c] + 0.5 * (this->Size[c] - 1.0);
-    }
-    return center;
-  }
-  double Count() const { return this->Size[0] * this->Size[1] * this->Size[2]; }
 };
 
 namespace splat_summary
@@ -75,8 +59,8 @@ double LargestError(const std::array<SplatNode, channels>& nodes)
   return largest;
 }
 
-// `empty`: volume below the node where there is nothing; `bend`: how far places below it are off, in edges of the node.
-inline void FillIn(SplatSummary& splat, const SplatBranch& branch, double empty, double bend)
+// `empty`: volume of the node where there is nothing.
+inline void FillIn(SplatSummary& splat, const SplatBranch& branch, double volume, double empty)
 {
   auto light = branch.Light;
   auto vector = branch.Vector;
@@ -91,80 +75,63 @@ inline void FillIn(SplatSummary& splat, const SplatBranch& branch, double empty,
       n = Join(n, Empty(empty));
     }
   }
-  const double volume = std::abs(Determinant(splat.Jacobian));
   const double mass = branch.Light[3].Mean * branch.Volume();
   splat.Extinction = mass / volume;
+  double vectorVariance = 0.0;
   for (std::size_t c = 0; c < 3; ++c)
   {
     splat.Color[c] = mass > 0.0 ? branch.Light[c].Mean / branch.Light[3].Mean : branch.Color[c];
     splat.Vector[c] = vector[c].Mean;
+    splat.GreatestVectorError += std::pow(vector[c].LargestError(), 2);
+    vectorVariance += vector[c].Variance;
   }
-  double variance = 0.0, vectorVariance = 0.0, speed = 0.0;
-  for (const SplatNode& n : light)
-  {
-    variance = std::max(variance, n.Variance);
-  }
-  for (const SplatNode& n : vector)
-  {
-    const double most = n.LargestError();
-    splat.GreatestVectorError += most * most;
-    vectorVariance += n.Variance;
-    speed += n.Mean * n.Mean;
-  }
-  // Moved by a share of its size, a kernel changes the field by about this share of its extinction.
-  const double moved = std::min(bend, 1.0);
-  splat.GreatestError = LargestError(light) + moved * splat.Extinction;
-  splat.RootMeanSquareError = std::sqrt(variance + std::pow(moved * splat.Extinction, 2));
-  splat.GreatestVectorError = std::sqrt(splat.GreatestVectorError) + moved * std::sqrt(speed);
-  splat.RootMeanSquareVectorError = std::sqrt(vectorVariance + moved * moved * speed);
+  splat.GreatestError =
+    LargestError(light) * std::max(1.0, branch.Volume() / volume); // overlapping leaves add up
+  splat.GreatestVectorError = std::sqrt(splat.GreatestVectorError);
+  splat.RootMeanSquareVectorError = std::sqrt(vectorVariance);
   splat.Span = std::cbrt((branch.Volume() + empty) * branch.Leaves / branch.Volume());
 }
-}
 
-// The middle of the block; exact where the lattice is straight.
-inline SplatVector PlaceOfBlock(const SplatBranch& branch, const SplatBlock& block)
+inline SplatGaussian<3> GaussianOf(const SplatBranch& branch)
 {
-  const SplatVector offset = Times(branch.Jacobian, Minus(block.Center(), branch.Index));
-  return { { branch.Place[0] + offset[0], branch.Place[1] + offset[1], branch.Place[2] + offset[2] } };
-}
-
-// On a lattice: the edges of all cells of the block, and its middle, so that equal nodes form a lattice again.
-inline SplatSummary SummarizeLattice(const SplatBranch& branch, const SplatBlock& block, double flatShare)
-{
-  SplatSummary splat;
-  splat.Place = PlaceOfBlock(branch, block);
-  SplatVector bend{};
-  for (std::size_t c = 0; c < 3; ++c)
+  SplatGaussian<3> gaussian;
+  gaussian.Place = branch.Place;
+  const auto& s = branch.Shape;
+  const double full[3][3] = { { s[0], s[3], s[4] }, { s[3], s[1], s[5] }, { s[4], s[5], s[2] } };
+  for (std::size_t i = 0; i < 3; ++i)
   {
-    bend[c] = branch.Bend[c] / block.Size[c];
-    for (std::size_t row = 0; row < 3; ++row)
+    for (std::size_t j = 0; j < 3; ++j)
     {
-      splat.Jacobian[c][row] = block.Size[c] * branch.Jacobian[c][row];
+      gaussian.Covariance[i][j] = cubic_kernel::variance * full[i][j];
     }
   }
-  splat.Jacobian = WithoutFlatColumns(splat.Jacobian, flatShare);
-  const double empty = branch.Volume() * std::max(0.0, block.Count() / branch.Leaves - 1.0);
-  splat_summary::FillIn(splat, branch, empty, Length(bend));
-  // A node that a bent lattice folds up, as around a pole, cannot stand for anything.
-  const double share = std::abs(Determinant(splat.Jacobian)) / (branch.Volume() + empty);
-  if (!(share > 0.25 && share < 4.0))
+  for (std::size_t c = 0; c < 4; ++c)
   {
-    splat.GreatestError = splat.RootMeanSquareError = std::numeric_limits<double>::infinity();
+    gaussian.Mass[c] = branch.Light[c].Mean * branch.Volume();
   }
-  return splat;
+  return gaussian;
+}
 }
 
-// Elsewhere: an ellipsoid of the covariance of what lies below. Leaves that form a block of a lattice get the block's own.
-inline SplatSummary SummarizeScattered(const SplatBranch& branch)
+// What stands for the branches of [begin, end), whose join is `branch`: an ellipsoid with the mass, the mean place and the covariance of what
+// lies below. The branch gets the square of its error.
+template <typename Iterator>
+SplatSummary Summarize(SplatBranch& branch, Iterator begin, Iterator end)
 {
   SplatSummary splat;
   splat.Place = branch.Place;
   splat.Jacobian = splat_summary::Cholesky(branch.Shape);
   const double volume = std::abs(Determinant(splat.Jacobian));
-  splat_summary::FillIn(splat, branch, std::max(0.0, volume - branch.Volume()), 0.0);
-  const double overlap = std::max(1.0, branch.Volume() / volume); // of leaves, whose extinctions add up
-  splat.GreatestError *= overlap;
-  splat.RootMeanSquareError *= overlap;
+  splat_summary::FillIn(splat, branch, volume, std::max(0.0, volume - branch.Volume()));
+  std::vector<SplatGaussian<3>> below;
+  for (Iterator i = begin; i != end; ++i)
+  {
+    below.push_back(splat_summary::GaussianOf(*i));
+  }
+  const SplatGaussian<3> one = splat_summary::GaussianOf(branch);
+  branch.SquareError += SquareDistance(one, below.begin(), below.end());
+  splat.RootMeanSquareError = std::sqrt(branch.SquareError * Overlap(one, one));
+  splat.GreatestError = std::max(splat.GreatestError, splat.RootMeanSquareError);
   return splat;
 }
 }

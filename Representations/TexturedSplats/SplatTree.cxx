@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SplatTree.h"
 
-#include "MortonCode.h"
+#include "BlockOrder.h"
 #include "SplatClasses.h"
 #include "SplatSamples.h"
 #include "SplatSummary.h"
@@ -18,8 +18,8 @@ namespace nephoscope
 {
 namespace
 {
-constexpr double flatShare = 0.02; // of the longest edge, as for samples
-constexpr double straight = 1e-4;  // cells: bends below it are rounding
+constexpr std::uint32_t spaceBlocks = 1u
+  << BlockOrder::mostBits; // along each axis, of samples without a lattice
 
 template <typename Body>
 void forAll(std::size_t count, Body body)
@@ -72,6 +72,7 @@ public:
     , Classes(classes)
     , Vectors(vectors)
     , OnLattice(samples.Dimensions[0] > 0)
+    , ByVolume(!vectors.empty())
   {
   }
 
@@ -84,7 +85,7 @@ public:
       return;
     }
     this->FindLeaves();
-    for (int level = 0; level <= mortonLevels && this->Items.size() > 1; ++level)
+    for (int level = 0; level < this->Blocks.GetNumberOfLevels() && this->Items.size() > 1; ++level)
     {
       this->Merge(level);
     }
@@ -110,12 +111,28 @@ private:
     return static_cast<std::size_t>(this->Classes.Samples[static_cast<std::size_t>(leaf)]);
   }
 
-  MortonIndex LatticeIndex(std::int32_t leaf) const
+  BlockOrder::Index LatticeIndex(std::int32_t leaf) const
   {
     const auto nx = this->Samples.Dimensions[0], ny = this->Samples.Dimensions[1];
     const vtkIdType id = this->Samples.Ids[this->SampleOf(leaf)];
     return { { static_cast<std::uint32_t>(id % nx), static_cast<std::uint32_t>(id / nx % ny),
       static_cast<std::uint32_t>(id / nx / ny) } };
+  }
+
+  // Lengths of the cells of some leaves, in the mean.
+  std::array<double, 3> FindEdges() const
+  {
+    const std::size_t stride = 1 + this->Tree.LeafCount / 10000;
+    std::array<double, 3> edges{};
+    for (std::size_t i = 0; i < this->Tree.LeafCount; i += stride)
+    {
+      const auto& j = this->Samples.JacobianOf(this->SampleOf(static_cast<std::int32_t>(i)));
+      for (std::size_t c = 0; c < 3; ++c)
+      {
+        edges[c] += Length(toDouble(j[c]));
+      }
+    }
+    return edges;
   }
 
   // Cubic blocks around the leaves.
@@ -138,13 +155,13 @@ private:
     {
       edge = std::max(edge, high[c] - this->Corner[c]);
     }
-    this->BlocksPerLength = edge > 0.0 ? ((1 << mortonLevels) - 1) / edge : 0.0;
+    this->BlocksPerLength = edge > 0.0 ? ((1 << BlockOrder::mostBits) - 1) / edge : 0.0;
   }
 
-  MortonIndex SpaceIndex(std::int32_t leaf) const
+  BlockOrder::Index SpaceIndex(std::int32_t leaf) const
   {
     const auto& p = this->Samples.Positions[this->SampleOf(leaf)];
-    MortonIndex index;
+    BlockOrder::Index index;
     for (std::size_t c = 0; c < 3; ++c)
     {
       index[c] = static_cast<std::uint32_t>((p[c] - this->Corner[c]) * this->BlocksPerLength);
@@ -154,14 +171,22 @@ private:
 
   void FindLeaves()
   {
-    if (!this->OnLattice)
+    if (this->OnLattice)
+    {
+      const auto& n = this->Samples.Dimensions;
+      this->Blocks = BlockOrder(
+        { { std::uint32_t(n[0]), std::uint32_t(n[1]), std::uint32_t(n[2]) } }, this->FindEdges());
+    }
+    else
     {
       this->FindSpace();
     }
     this->Items.resize(this->Tree.LeafCount);
     forAll(this->Items.size(), [&](std::size_t i) {
       const auto leaf = static_cast<std::int32_t>(i);
-      this->Items[i] = { MortonCode(this->OnLattice ? this->LatticeIndex(leaf) : this->SpaceIndex(leaf)), leaf };
+      this->Items[i] = { this->Blocks.CodeOf(
+                           this->OnLattice ? this->LatticeIndex(leaf) : this->SpaceIndex(leaf)),
+        leaf };
     });
     vtkSMPTools::Sort(this->Items.begin(), this->Items.end(), [](const Item& a, const Item& b) {
       return a.Code != b.Code ? a.Code < b.Code : a.Splat < b.Splat;
@@ -187,65 +212,23 @@ private:
     const std::size_t sample = this->SampleOf(item.Splat);
     const auto& color = this->Classes.Colors[static_cast<std::size_t>(item.Splat)];
     const auto& j = this->Samples.JacobianOf(sample);
-    const MortonIndex index = IndexOfMortonCode(item.Code);
-    return BranchOfLeaf({ { color[0], color[1], color[2], color[3] } },
-      this->VectorOf(item.Splat),
-      toDouble(this->Samples.Positions[sample]), { { toDouble(j[0]), toDouble(j[1]), toDouble(j[2]) } },
-      { { double(index[0]), double(index[1]), double(index[2]) } });
+    return BranchOfLeaf({ { color[0], color[1], color[2], color[3] } }, this->VectorOf(item.Splat),
+      toDouble(this->Samples.Positions[sample]),
+      { { toDouble(j[0]), toDouble(j[1]), toDouble(j[2]) } }, this->ByVolume);
   }
 
-  SplatBlock BlockOf(std::uint64_t code, int level) const
-  {
-    const MortonIndex index = IndexOfMortonCode(code >> (3 * level) << (3 * level));
-    SplatBlock block;
-    for (std::size_t c = 0; c < 3; ++c)
-    {
-      block.First[c] = index[c];
-      block.Size[c] = std::min<double>(1u << level, this->Samples.Dimensions[c] - block.First[c]);
-    }
-    return block;
-  }
-
-  // How far the nodes below are from their places on a straight lattice.
-  SplatVector BendOf(const SplatBranch& branch, const SplatBlock& block, const Group& group) const
-  {
-    const SplatMatrix toCells = Inverse(WithoutFlatColumns(branch.Jacobian, flatShare));
-    const SplatVector center = PlaceOfBlock(branch, block);
-    SplatVector bend{};
-    for (std::uint32_t i = group.Begin; i < group.Begin + group.Size; ++i)
-    {
-      const SplatBranch child = this->BranchOf(this->Items[i]);
-      const SplatVector apart = Times(toCells, Minus(child.Place, center));
-      const SplatVector expected = Minus(child.Index, block.Center());
-      for (std::size_t c = 0; c < 3; ++c)
-      {
-        const double off = std::abs(apart[c] - expected[c]);
-        bend[c] = std::max(bend[c], (off > straight ? off : 0.0) + child.Bend[c]);
-      }
-    }
-    return bend;
-  }
-
-  void MakeNode(const Group& group, int level, std::size_t number, std::uint32_t firstChild)
+  void MakeNode(const Group& group, std::size_t number, std::uint32_t firstChild)
   {
     SplatBranch branch;
+    std::vector<SplatBranch> below;
     for (std::uint32_t i = 0; i < group.Size; ++i)
     {
       const Item& item = this->Items[group.Begin + i];
-      branch = Join(branch, this->BranchOf(item));
+      below.push_back(this->BranchOf(item));
+      branch = Join(branch, below.back());
       this->Tree.Children[firstChild + i] = item.Splat;
     }
-    SplatSummary splat;
-    if (this->OnLattice)
-    {
-      const SplatBlock block = this->BlockOf(this->Items[group.Begin].Code, level);
-      branch.Bend = this->BendOf(branch, block, group);
-      splat = SummarizeLattice(branch, block, flatShare);
-    }
-    else
-    {
-      splat = SummarizeScattered(branch);
-    }
+    const SplatSummary splat = Summarize(branch, below.begin(), below.end());
     this->Branches[number] = branch;
     SplatTreeNode& node = this->Tree.NodeList[number];
     node.Position = toFloat(splat.Place);
@@ -270,7 +253,9 @@ private:
     std::vector<Group> groups;
     for (std::size_t i = 0; i < this->Items.size(); ++i)
     {
-      if (i > 0 && (this->Items[i].Code >> (3 * level)) == (this->Items[i - 1].Code >> (3 * level)))
+      if (i > 0 &&
+        this->Blocks.BlockOf(this->Items[i].Code, level) ==
+          this->Blocks.BlockOf(this->Items[i - 1].Code, level))
       {
         ++groups.back().Size;
       }
@@ -307,7 +292,7 @@ private:
       merged[g] = this->Items[groups[g].Begin];
       if (groups[g].Size > 1)
       {
-        this->MakeNode(groups[g], level, numbers[g], firstChildren[g]);
+        this->MakeNode(groups[g], numbers[g], firstChildren[g]);
         merged[g].Splat = static_cast<std::int32_t>(this->Tree.LeafCount + numbers[g]);
       }
     });
@@ -319,6 +304,9 @@ private:
   const SplatClasses& Classes;
   const std::vector<std::array<float, 4>>& Vectors;
   const bool OnLattice;
+  const bool
+    ByVolume; // nodes are where their samples are, and not only the medium of those: vectors are there too
+  BlockOrder Blocks{ { { spaceBlocks, spaceBlocks, spaceBlocks } }, { { 1.0, 1.0, 1.0 } } };
   SplatVector Corner{};
   double BlocksPerLength = 0.0;
   std::vector<Item> Items;
@@ -336,8 +324,10 @@ void SplatTree::AppendColors(std::vector<std::array<float, 4>>& colors) const
   for (const SplatTreeNode& node : this->NodeList)
   {
     const auto count = static_cast<float>(this->EndChildren(node) - this->BeginChildren(node));
-    std::array<float, 4> mean{ { 0, 0, 0, colors[static_cast<std::size_t>(*this->BeginChildren(node))][3] } };
-    for (const std::int32_t* child = this->BeginChildren(node); child != this->EndChildren(node); ++child)
+    std::array<float, 4> mean{ { 0, 0, 0,
+      colors[static_cast<std::size_t>(*this->BeginChildren(node))][3] } };
+    for (const std::int32_t* child = this->BeginChildren(node); child != this->EndChildren(node);
+         ++child)
     {
       for (std::size_t c = 0; c < 3; ++c)
       {

@@ -1,14 +1,15 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * The hierarchy of splats (LaurHanrahan1991): an octree whose nodes are splats that stand for all that lies below them.
+ * The hierarchy of splats (LaurHanrahan1991): a tree whose nodes are splats that stand for all that lies below them, with the same mass,
+ * emission, centre of mass and covariance.
  *
- * On a structured grid nodes are blocks of 2^l samples to a side in its indices, cut off where the grid ends. Elsewhere they are
- * blocks of space. Blocks with one visible sample are that sample. Leaves are numbered as the splats of the classes, nodes follow
- * them.
+ * On a structured grid nodes are blocks of samples in its indices: of 2^l to a side, or, where its cells are flat, of about equal edges in the
+ * world (BlockOrder.h). Elsewhere they are blocks of space. Blocks with one visible sample are that sample. Leaves are numbered as the
+ * splats of the classes, nodes follow them.
  *
  * It is the same whatever the number of threads and the order of the input. Memory: 104 bytes for each node and 4 for each leaf; a full
- * grid has a node for 7 leaves. While it is built: 480 bytes for each node, 32 for each leaf.
+ * grid has a node for 7 leaves, one of flat cells one for each. While it is built: 400 bytes for each node, 32 for each leaf.
  */
 #ifndef SplatTree_h
 #define SplatTree_h

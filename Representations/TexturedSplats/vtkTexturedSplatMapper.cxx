@@ -243,23 +243,26 @@ void vtkTexturedSplatMapper::SelectSplats(
     this->Internals->Scene.DrawSamples();
     return;
   }
-  nephoscope::SplatCutRule rule;
-  rule.Tolerance = this->ErrorTolerance;
-  rule.OfImage = this->ErrorToleranceUnit == UNIT_OF_IMAGE;
-  rule.RootMeanSquare = this->ErrorMeasure == ROOT_MEAN_SQUARE;
-  rule.Extinction = rule.OfImage
+  nephoscope::SplatErrorRule errors;
+  errors.As = static_cast<nephoscope::SplatErrorRule::Measure>(this->ErrorMeasure);
+  errors.OfImage = this->ErrorToleranceUnit == UNIT_OF_IMAGE;
+  errors.Extinction = errors.OfImage
     ? this->GetExtinctionFactor() * nephoscope::WorldPerModel(state)
     : this->OpacityScale * volume->GetProperty()->GetScalarOpacityUnitDistance();
-  rule.KernelRadius = nephoscope::KernelRadius(static_cast<nephoscope::SplatKernel>(this->Kernel));
-  rule.MostSplats = static_cast<std::size_t>(most);
+  errors.KernelRadius =
+    nephoscope::KernelRadius(static_cast<nephoscope::SplatKernel>(this->Kernel));
   if (!this->VectorArrayName.empty())
   {
     nephoscope::SplatDrawingOptions options;
     this->SetVectorOptions(options);
-    rule.Vector = (rule.OfImage ? options.VectorScale : 1.0) / options.GreatestSpeed;
+    errors.Vector = (errors.OfImage ? options.VectorScale : 1.0) / options.GreatestSpeed;
   }
+  nephoscope::SplatCutRule rule;
+  rule.Tolerance = this->ErrorTolerance;
+  rule.Blend = this->LevelBlending;
+  rule.MostSplats = static_cast<std::size_t>(most);
   this->Internals->Scene.DrawNodes(
-    rule, nephoscope::FindCutView(state, renderer->GetSize()[1]), this->VectorArrayName);
+    errors, rule, nephoscope::FindCutView(state, renderer->GetSize()[1]), this->VectorArrayName);
 }
 
 std::string vtkTexturedSplatMapper::DrawScene(
@@ -312,6 +315,7 @@ void vtkTexturedSplatMapper::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   const char* kernels[] = { "Cubic", "Quadratic", "Gaussian" };
+  const char* measures[] = { "Greatest", "Root mean square", "Picture" };
   os << indent << "Kernel: " << kernels[this->Kernel] << "\n";
   os << indent << "CellSize: " << this->CellSize << "\n";
   os << indent << "RadiusFactor: " << this->RadiusFactor << "\n";
@@ -341,9 +345,8 @@ void vtkTexturedSplatMapper::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "PhaseCycles: " << this->PhaseCycles << "\n";
   os << indent << "ErrorTolerance: " << this->ErrorTolerance
      << (this->ErrorToleranceUnit == UNIT_OF_IMAGE ? " of the image\n" : " of the data\n");
-  os << indent
-     << "ErrorMeasure: " << (this->ErrorMeasure == GREATEST ? "Greatest" : "Root mean square")
-     << "\n";
+  os << indent << "ErrorMeasure: " << measures[this->ErrorMeasure] << "\n";
+  os << indent << "LevelBlending: " << this->LevelBlending << "\n";
   os << indent << "InteractiveMaximumNumberOfSplats: " << this->InteractiveMaximumNumberOfSplats
      << "\n";
   os << indent << "InteractiveUpdateRate: " << this->InteractiveUpdateRate << "\n";

@@ -262,13 +262,12 @@ public:
 
   ///@{
   /**
-   * Samples are averaged in blocks, to be drawn as one splat each, where this makes an error of at most this much; parts smaller than
-   * a pixel always are. Cost falls with the number of splats. 0 (default): every sample is drawn. Blocks have
-   * the mean of their vectors. Ignored where vectors are in layers.
+   * Samples are put together in blocks, to be drawn as one splat each, where this makes an error of at most this much; parts smaller
+   * than a pixel always are. Cost falls with the number of splats. 0 (default): every sample is drawn. Blocks have
+   * the mean of their vectors. Ignored, with a warning, where vectors are in layers.
    *
-   * Extinction and emission are averaged, so that mass is kept. Unit:
-   * - Image (default): optical depth along the ray through the block, depending on the view. It is that of each
-   *   block: those that a ray meets add up.
+   * The splat of a block has the mass, the emission, the centre of mass and the covariance of what it stands for. Unit of the error:
+   * - Image (default): optical depth along the ray, depending on the view. It is that of each block: those that a ray meets add up.
    * - Data: value of the opacity function, or share of GreatestSpeed; the same in every view.
    */
   vtkSetClampMacro(ErrorTolerance, double, 0.0, VTK_DOUBLE_MAX);
@@ -286,18 +285,35 @@ public:
 
   ///@{
   /**
-   * What is compared with ErrorTolerance: the greatest deviation of a sample from its block's mean (default; Laur and Hanrahan 1991) or the
-   * root of the mean square deviation.
+   * What of a block is compared with ErrorTolerance, in units of optical depth:
+   * - Picture (default): root of the sum, over the pixels, of the squares of the error. Small blocks may be less exact than large ones: of all
+   *   pictures with as many splats it is the best in the mean square. 0.1 is hard to see, 1 clearly visible. Of the data: the root of
+   *   the mean square.
+   * - Root mean square: of the error over the block.
+   * - Greatest: deviation of a sample from the block's mean (Laur and Hanrahan 1991), along the ray through the block; or the root mean
+   *   square if it is more.
    */
   enum ErrorMeasureType
   {
     GREATEST = 0,
-    ROOT_MEAN_SQUARE = 1
+    ROOT_MEAN_SQUARE = 1,
+    PICTURE = 2
   };
-  vtkSetClampMacro(ErrorMeasure, int, GREATEST, ROOT_MEAN_SQUARE);
+  vtkSetClampMacro(ErrorMeasure, int, GREATEST, PICTURE);
   vtkGetMacro(ErrorMeasure, int);
   void SetErrorMeasureToGreatest() { this->SetErrorMeasure(GREATEST); }
   void SetErrorMeasureToRootMeanSquare() { this->SetErrorMeasure(ROOT_MEAN_SQUARE); }
+  void SetErrorMeasureToPicture() { this->SetErrorMeasure(PICTURE); }
+  ///@}
+
+  ///@{
+  /**
+   * So that nothing pops when a block of samples becomes one splat as the camera or the tolerance moves: the share of the tolerance, 0 to 0.9,
+   * over which the block fades in while what it stands for fades out. 0: at once. Both are drawn in the meantime: more costs
+   * more. Default: 0.1.
+   */
+  vtkSetClampMacro(LevelBlending, double, 0.0, 0.9);
+  vtkGetMacro(LevelBlending, double);
   ///@}
 
   ///@{
@@ -365,7 +381,8 @@ protected:
   double RadiusFactor = 1.0;
   double ErrorTolerance = 0.0;
   int ErrorToleranceUnit = UNIT_OF_IMAGE;
-  int ErrorMeasure = GREATEST;
+  int ErrorMeasure = PICTURE;
+  double LevelBlending = 0.1;
   vtkIdType InteractiveMaximumNumberOfSplats = 100000;
   double InteractiveUpdateRate = 1.0;
   std::string ShapeArrayName;

@@ -38,7 +38,7 @@ def add_splats(plotter: pyvista.BasePlotter, mesh: Any, scalars: str | np.ndarra
                opacity_clim: float | Sequence[float] | None = None, opacity_scale: float = 1.0,
                unit_distance: float | None = None, kernel: str = "cubic", radius: float | None = None,
                radius_factor: float = 1.0, error_tolerance: float = 0.0, error_unit: str = "image",
-               error_measure: str = "greatest", interactive_splats: int = 100_000,
+               error_measure: str = "picture", interactive_splats: int = 100_000,
                vectors: str | None = None, vector_style: str = "streaks", vector_placement: str = "middle",
                vector_opacity: float = 2.0, vector_color: Any = None, vector_scalars: str | None = None,
                vector_cmap: Any = None, vector_clim: float | Sequence[float] | None = None,
@@ -82,8 +82,9 @@ def add_splats(plotter: pyvista.BasePlotter, mesh: Any, scalars: str | np.ndarra
         drawn. Does not count with ``vector_placement="layers"``.
     error_unit : {"image", "data"}, default: "image"
         Optical depth along the ray through the block; or value of the opacity function, or share of the greatest speed.
-    error_measure : {"greatest", "rms"}, default: "greatest"
-        The greatest deviation of a sample from the mean of its block, or the root of the mean square.
+    error_measure : {"picture", "rms", "greatest"}, default: "picture"
+        What of a block counts: the root of the sum of the squares over its pixels, the best for a number of splats; the root of the mean
+        square over the block; or the greatest deviation of a sample.
     interactive_splats : int, default: 100_000
         No more are drawn while the camera moves in an interactive window. 0: no limit.
     vectors : str, optional
@@ -184,5 +185,6 @@ def _set_shape(mapper: TexturedSplatMapper, mesh: pyvista.DataSet, kernel: str, 
 def _set_hierarchy(mapper: TexturedSplatMapper, tolerance: float, unit: str, measure: str, interactive_splats: int) -> None:
     mapper.SetErrorTolerance(require_number(tolerance, "error_tolerance", least=0))
     choose({"image": mapper.SetErrorToleranceUnitToImage, "data": mapper.SetErrorToleranceUnitToData}, unit, "error_unit")
-    choose({"greatest": mapper.SetErrorMeasureToGreatest, "rms": mapper.SetErrorMeasureToRootMeanSquare}, measure, "error_measure")
+    choose({"picture": mapper.SetErrorMeasureToPicture, "rms": mapper.SetErrorMeasureToRootMeanSquare,
+            "greatest": mapper.SetErrorMeasureToGreatest}, measure, "error_measure")
     mapper.SetInteractiveMaximumNumberOfSplats(int(require_number(interactive_splats, "interactive_splats", least=0)))

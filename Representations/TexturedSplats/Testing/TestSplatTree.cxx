@@ -1,8 +1,10 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
-/** The hierarchy of splats against sums over its leaves: means, errors, mass and emission of every cut, tolerance, budget. */
+/** The hierarchy of splats against sums over its leaves: moments, mass and emission of every cut, tolerance, budget, fading. */
 #include "SplatClasses.h"
 #include "SplatCut.h"
+#include "SplatError.h"
+#include "SplatKernel.h"
 #include "SplatMatrix.h"
 #include "SplatSamples.h"
 #include "SplatTree.h"
@@ -40,7 +42,8 @@ Scene makeScene(Random& random, std::array<int, 3> n, bool lattice, double left 
     const int index[3] = { id % n[0], id / n[0] % n[1], id / n[0] / n[1] };
     const double jitter = lattice ? 0.0 : 0.4;
     scene.Samples.Positions.push_back({ { float(0.5 * (index[0] + jitter * random.Normal())),
-      float(index[1] + jitter * random.Normal()), float(2 * (index[2] + jitter * random.Normal())) } });
+      float(index[1] + jitter * random.Normal()),
+      float(2 * (index[2] + jitter * random.Normal())) } });
     scene.Samples.Ids.push_back(id);
     if (random.Uniform() >= left)
     {
@@ -86,81 +89,176 @@ double volumeOf(const SplatSamples::Jacobian& j)
 }
 
 // Red emission and extinction, times volume.
-std::array<double, 2> massOf(const Scene& scene, const SplatTree& tree, const std::vector<std::int32_t>& splats)
+std::array<double, 2> massOf(const Scene& scene, const SplatTree& tree, const SplatCut& cut)
 {
   std::array<double, 2> sum{};
-  for (const std::int32_t s : splats)
+  for (std::size_t i = 0; i < cut.Splats.size(); ++i)
   {
+    const std::int32_t s = cut.Splats[i];
     const bool leaf = tree.IsLeaf(s);
     const auto& color = leaf ? scene.Classes.Colors[std::size_t(s)] : tree.Node(s).Color;
-    const double mass = color[3] * (leaf ? 1.0 : volumeOf(tree.Node(s).Jacobian));
+    const double weight = cut.Weights.empty() ? 1.0 : cut.Weights[i];
+    const double mass = weight * color[3] * (leaf ? 1.0 : volumeOf(tree.Node(s).Jacobian));
     sum[0] += color[0] * mass;
     sum[1] += mass;
   }
   return sum;
 }
 
-SplatCutView sideView()
+std::vector<float> errorsOf(const Scene& scene, const SplatTree& tree, bool image)
 {
-  return { { { 40, 30, 50, 1 } }, 1e-6 };
+  SplatErrorRule rule;
+  rule.As = SplatErrorRule::Measure::RootMeanSquare;
+  rule.OfImage = image;
+  return FindSplatErrors(tree, scene.Samples, scene.Classes, rule, { { { 40, 30, 50, 1 } }, 1e-6 });
 }
 }
 
-TEST(SplatTree, NodesOfALatticeAreMeansOfTheirBlocks)
+TEST(SplatTree, NodesHaveTheMomentsOfWhatLiesBelow)
 {
   Random random(31);
-  for (const std::array<int, 3> n : { std::array<int, 3>{ { 8, 8, 8 } }, { { 5, 3, 7 } }, { { 9, 1, 1 } }, { { 1, 6, 5 } } })
+  for (const bool lattice : { true, false })
   {
-    const Scene scene = makeScene(random, n, true);
+    const Scene scene = makeScene(random, { { 9, 5, 7 } }, lattice);
     const SplatTree tree = treeOf(scene);
-    std::size_t checked = 0;
     for (std::size_t i = 0; i < tree.Nodes().size(); ++i)
     {
       const SplatTreeNode& node = tree.Nodes()[i];
-      const auto leaves = leavesBelow(tree, static_cast<std::int32_t>(tree.Leaves() + i));
-      // The block: the least one of 2^l samples to a side that holds the leaves, within the grid.
-      int level = 0, first[3], size[3];
-      for (bool one = false; !one; ++level)
+      double mass = 0, mean[3] = {}, second[3][3] = {};
+      const double edges[3] = { 0.5, 1, 2 };
+      for (const std::int32_t leaf :
+        leavesBelow(tree, static_cast<std::int32_t>(tree.Leaves() + i)))
       {
-        one = true;
-        for (int c = 0; c < 3; ++c)
+        const double a = scene.Classes.Colors[std::size_t(leaf)][3];
+        const auto& p =
+          scene.Samples.Positions[std::size_t(scene.Classes.Samples[std::size_t(leaf)])];
+        mass += a;
+        for (std::size_t c = 0; c < 3; ++c)
         {
-          const auto at = [&](std::int32_t leaf) {
-            const int id = scene.Classes.Samples[std::size_t(leaf)];
-            return c == 0 ? id % n[0] : c == 1 ? id / n[0] % n[1] : id / n[0] / n[1];
-          };
-          first[c] = at(leaves[0]) >> level << level;
-          size[c] = std::min(1 << level, n[std::size_t(c)] - first[c]);
-          for (const std::int32_t leaf : leaves)
+          mean[c] += a * p[c];
+          second[c][c] += a * cubic_kernel::variance * edges[c] * edges[c];
+          for (std::size_t d = 0; d < 3; ++d)
           {
-            one = one && at(leaf) >> level == at(leaves[0]) >> level;
+            second[c][d] += a * p[c] * p[d];
           }
         }
       }
-      const double block = size[0] * size[1] * size[2];
-      double mean = 0, square = 0, most = 0, least = leaves.size() < block ? 0.0 : 1e9;
-      for (const std::int32_t leaf : leaves)
-      {
-        const double a = scene.Classes.Colors[std::size_t(leaf)][3];
-        mean += a / block;
-        square += a * a / block;
-        most = std::max(most, a);
-        least = std::min(least, a);
-      }
-      EXPECT_NEAR(node.Color[3], mean, 1e-5);
-      EXPECT_GE(node.GreatestError, std::max(most - mean, mean - least) - 1e-5);
-      EXPECT_LE(node.GreatestError, 2.01); // emission deviates by no more than extinction can
-      EXPECT_GE(node.RootMeanSquareError, std::sqrt(square - mean * mean) - 1e-5);
-      const double edges[3] = { 0.5, 1, 2 };
+      EXPECT_NEAR(node.Color[3] * volumeOf(node.Jacobian), mass, 2e-5 * mass);
       for (std::size_t c = 0; c < 3; ++c)
       {
-        EXPECT_NEAR(node.Jacobian[c][c], edges[c] * size[c], 1e-5);
-        EXPECT_NEAR(node.Position[c], edges[c] * (first[c] + 0.5 * (size[c] - 1)), 1e-4);
+        EXPECT_NEAR(node.Position[c], mean[c] / mass, 1e-4);
+        for (std::size_t d = 0; d < 3; ++d)
+        {
+          double found = 0;
+          for (const auto& column : node.Jacobian)
+          {
+            found += cubic_kernel::variance * column[c] * column[d];
+          }
+          EXPECT_NEAR(found, second[c][d] / mass - mean[c] * mean[d] / mass / mass, 1e-3);
+        }
       }
-      ++checked;
+      EXPECT_GE(node.GreatestError, node.RootMeanSquareError);
+      EXPECT_GT(node.RootMeanSquareError, 0);
     }
-    EXPECT_GT(checked, 1u);
   }
+}
+
+TEST(SplatTree, FlatCellsArePutTogetherAlongTheirShortEdges)
+{
+  Random random(37);
+  const Scene scene = makeScene(random, { { 16, 1, 4 } }, true, 0.0); // cells of 0.5 x 1 x 2
+  const SplatTree tree = treeOf(scene);
+  const SplatTreeNode& first = tree.Nodes()[0];
+  EXPECT_EQ(tree.EndChildren(first) - tree.BeginChildren(first), 2);
+  EXPECT_GT(first.Jacobian[0][0], 0.6);
+  EXPECT_NEAR(first.Jacobian[2][2], 2, 1e-5);
+}
+
+// The root of the integral of the square of what the splats differ from their node, on the screen of a parallel view along z, by a sum
+// over pixels.
+TEST(SplatTree, ErrorsAreThoseOfAPicture)
+{
+  Random random(38);
+  for (const std::array<int, 3> n :
+    { std::array<int, 3>{ { 2, 2, 2 } }, { { 1, 2, 2 } }, { { 2, 1, 1 } } })
+  {
+    const Scene scene = makeScene(random, n, true, 0.0);
+    const SplatTree tree = treeOf(scene);
+    const SplatCutView view{ { { 0, 0, 1, 0 } }, 1e-6 };
+    const auto picture = [&](std::int32_t s, double x, double y, std::size_t channel) {
+      const bool leaf = tree.IsLeaf(s);
+      const auto& color = leaf ? scene.Classes.Colors[std::size_t(s)] : tree.Node(s).Color;
+      const auto& p = leaf ? scene.Samples.Positions[std::size_t(s)] : tree.Node(s).Position;
+      const auto& j = leaf ? scene.Samples.Jacobians[0] : tree.Node(s).Jacobian;
+      double xx = 0, xy = 0, yy = 0;
+      for (const auto& column : j)
+      {
+        xx += cubic_kernel::variance * column[0] * column[0];
+        xy += cubic_kernel::variance * column[0] * column[1];
+        yy += cubic_kernel::variance * column[1] * column[1];
+      }
+      x -= p[0];
+      y -= p[1];
+      const double determinant = xx * yy - xy * xy;
+      const double mass = volumeOf(j) * color[3] * (channel < 3 ? color[channel] : 1);
+      return mass * std::exp(-0.5 * (yy * x * x - 2 * xy * x * y + xx * y * y) / determinant) /
+        (2 * 3.14159265358979 * std::sqrt(determinant));
+    };
+    // Every node is made of leaves and nodes, whose squares add up.
+    std::vector<double> sums(tree.Nodes().size());
+    const double step = 0.05;
+    for (std::size_t i = 0; i < sums.size(); ++i)
+    {
+      const SplatTreeNode& node = tree.Nodes()[i];
+      double own[4] = {};
+      for (double x = -4; x < 5; x += step)
+      {
+        for (double y = -5; y < 6; y += step)
+        {
+          for (std::size_t c = 0; c < 4; ++c)
+          {
+            double difference = picture(static_cast<std::int32_t>(tree.Leaves() + i), x, y, c);
+            for (const std::int32_t* k = tree.BeginChildren(node); k != tree.EndChildren(node); ++k)
+            {
+              difference -= picture(*k, x, y, c);
+            }
+            own[c] += step * step * difference * difference;
+          }
+        }
+      }
+      sums[i] = *std::max_element(own, own + 4);
+      for (const std::int32_t* k = tree.BeginChildren(node); k != tree.EndChildren(node); ++k)
+      {
+        sums[i] += tree.IsLeaf(*k) ? 0 : sums[std::size_t(*k) - tree.Leaves()];
+      }
+    }
+    SplatErrorRule rule;
+    rule.Extinction = 3;
+    const auto errors = FindSplatErrors(tree, scene.Samples, scene.Classes, rule, view);
+    for (std::size_t i = 0; i < sums.size(); ++i)
+    {
+      EXPECT_NEAR(errors[i] * 1e-6, 3 * std::sqrt(sums[i]), 1e-4 + 1e-3 * std::sqrt(sums[i]));
+    }
+  }
+}
+
+TEST(SplatTree, SplatsOneBehindTheOtherMakeNoError)
+{
+  Random random(39);
+  const Scene scene = makeScene(random, { { 1, 1, 2 } }, true, 0.0);
+  const SplatTree tree = treeOf(scene);
+  SplatErrorRule rule;
+  rule.As = SplatErrorRule::Measure::RootMeanSquare;
+  auto color = scene.Classes;
+  color.Colors[1] = color.Colors[0];
+  Scene same{ scene.Samples, color };
+  const SplatTree alike = treeOf(same);
+  const auto errorFrom = [&](const SplatEye& eye) {
+    return FindSplatErrors(alike, same.Samples, same.Classes, rule, { eye, 1e-6 })[0];
+  };
+  EXPECT_LT(errorFrom({ { 0, 0, 1, 0 } }), 1e-6);
+  EXPECT_GT(errorFrom({ { 1, 0, 0, 0 } }), 0.01);
+  EXPECT_EQ(errorFrom({ { 0, 0, 2, 1 } }), std::numeric_limits<float>::infinity());
 }
 
 TEST(SplatTree, EveryCutKeepsMassAndEmissionAndHoldsEveryLeafOnce)
@@ -170,42 +268,72 @@ TEST(SplatTree, EveryCutKeepsMassAndEmissionAndHoldsEveryLeafOnce)
   {
     const Scene scene = makeScene(random, { { 11, 6, 9 } }, lattice);
     const SplatTree tree = treeOf(scene);
-    std::vector<std::int32_t> all(tree.Leaves());
-    std::size_t last = all.size() + 1;
-    for (std::size_t i = 0; i < all.size(); ++i)
+    SplatCut all;
+    for (std::size_t i = 0; i < tree.Leaves(); ++i)
     {
-      all[i] = static_cast<std::int32_t>(i);
+      all.Splats.push_back(static_cast<std::int32_t>(i));
     }
     const auto exact = massOf(scene, tree, all);
-    for (const double tolerance : { 0.0, 0.3, 1.0, 2.0, 5.0, 1e6 })
+    for (const bool image : { true, false })
     {
-      for (const bool image : { true, false })
+      const auto errors = errorsOf(scene, tree, image);
+      for (const double blend : { 0.0, 0.4 })
       {
-        SplatCutRule rule;
-        rule.Tolerance = tolerance;
-        rule.OfImage = image;
-        const auto cut = CutSplatTree(tree, rule, sideView());
-        const auto mass = massOf(scene, tree, cut);
-        EXPECT_NEAR(mass[0] / exact[0], 1, 1e-5);
-        EXPECT_NEAR(mass[1] / exact[1], 1, 1e-5);
-        std::vector<std::int32_t> held;
-        for (const std::int32_t s : cut)
+        std::size_t last = 2 * all.Splats.size();
+        for (const double tolerance : { 0.0, 0.3, 1.0, 2.0, 5.0, 1e6 })
         {
-          const auto below = leavesBelow(tree, s);
-          held.insert(held.end(), below.begin(), below.end());
-          EXPECT_TRUE(tree.IsLeaf(s) || SplatError(tree.Node(s), rule, sideView()) <= tolerance);
+          const auto cut = CutSplatTree(tree, errors, { tolerance, blend, 0 });
+          const auto mass = massOf(scene, tree, cut);
+          EXPECT_NEAR(mass[0] / exact[0], 1, 1e-4);
+          EXPECT_NEAR(mass[1] / exact[1], 1, 1e-4);
+          EXPECT_LE(cut.Splats.size(), last);
+          last = cut.Splats.size();
+          std::vector<double> held(tree.Leaves(), 0.0); // with all their weight
+          for (std::size_t i = 0; i < cut.Splats.size(); ++i)
+          {
+            for (const std::int32_t leaf : leavesBelow(tree, cut.Splats[i]))
+            {
+              held[std::size_t(leaf)] += cut.Weights.empty() ? 1.0 : cut.Weights[i];
+            }
+            EXPECT_TRUE(tree.IsLeaf(cut.Splats[i]) ||
+              errors[std::size_t(cut.Splats[i]) - tree.Leaves()] <= tolerance);
+          }
+          for (const double weight : held)
+          {
+            EXPECT_NEAR(weight, 1, 1e-5);
+          }
         }
-        std::sort(held.begin(), held.end());
-        EXPECT_EQ(held, all);
-        if (image)
-        {
-          EXPECT_LE(cut.size(), last);
-          last = cut.size();
-        }
+        EXPECT_EQ(last, 1u);
       }
     }
-    EXPECT_EQ(last, 1u);
   }
+}
+
+TEST(SplatTree, LevelsFade)
+{
+  Random random(40);
+  const Scene scene = makeScene(random, { { 11, 6, 9 } }, true);
+  const SplatTree tree = treeOf(scene);
+  const auto errors = errorsOf(scene, tree, true);
+  std::vector<double> before;
+  double greatest = 0;
+  for (double tolerance = 1; tolerance < 4; tolerance *= 1.002)
+  {
+    const auto cut = CutSplatTree(tree, errors, { tolerance, 0.4, 0 });
+    std::vector<double> weights(tree.Leaves() + tree.Nodes().size(), 0.0);
+    for (std::size_t i = 0; i < cut.Splats.size(); ++i)
+    {
+      weights[std::size_t(cut.Splats[i])] = cut.Weights.empty() ? 1.0 : cut.Weights[i];
+    }
+    for (std::size_t i = 0; i < before.size(); ++i)
+    {
+      greatest = std::max(greatest, std::abs(weights[i] - before[i]));
+    }
+    before = weights;
+  }
+  EXPECT_GT(greatest, 0);
+  EXPECT_LT(greatest,
+    0.02); // 0.002 of the tolerance times 1.5 / 0.4, for one level and those that it fades into
 }
 
 TEST(SplatTree, BudgetIsKeptAndNearlyUsed)
@@ -213,15 +341,16 @@ TEST(SplatTree, BudgetIsKeptAndNearlyUsed)
   Random random(33);
   const Scene scene = makeScene(random, { { 16, 12, 10 } }, true);
   const SplatTree tree = treeOf(scene);
+  const auto errors = errorsOf(scene, tree, true);
   for (const std::size_t most : { 1, 10, 100, 500 })
   {
-    SplatCutRule rule;
-    rule.MostSplats = most;
-    double tolerance = 0;
-    const auto cut = CutSplatTree(tree, rule, sideView(), &tolerance);
-    EXPECT_LE(cut.size(), most);
-    EXPECT_GE(cut.size() + 7, most);
-    EXPECT_GT(tolerance, 0);
+    for (const double blend : { 0.0, 0.3 })
+    {
+      const auto cut = CutSplatTree(tree, errors, { 0, blend, most });
+      EXPECT_LE(cut.Splats.size(), most);
+      EXPECT_GE(cut.Splats.size() + 7 + (blend > 0 ? most / 4 : 0), most);
+      EXPECT_GT(cut.Tolerance, 0);
+    }
   }
 }
 
@@ -230,15 +359,15 @@ TEST(SplatTree, AroundTheEyeOnlyLeavesAreDrawn)
   Random random(34);
   const Scene scene = makeScene(random, { { 8, 8, 8 } }, true, 0);
   const SplatTree tree = treeOf(scene);
-  SplatCutRule rule;
-  rule.Tolerance = 1e6;
+  SplatErrorRule rule;
   rule.KernelRadius = 1.556;
-  const SplatCutView view{ { { 2, 4, 7, 1 } }, 1e-6 };
-  const auto cut = CutSplatTree(tree, rule, view);
-  EXPECT_GT(cut.size(), 50u);
-  for (const std::int32_t s : cut)
+  const auto errors =
+    FindSplatErrors(tree, scene.Samples, scene.Classes, rule, { { { 2, 4, 7, 1 } }, 1e-6 });
+  const auto cut = CutSplatTree(tree, errors, { 1e30, 0, 0 });
+  EXPECT_GT(cut.Splats.size(), 50u);
+  for (const std::int32_t s : cut.Splats)
   {
-    EXPECT_TRUE(tree.IsLeaf(s) || std::isfinite(SplatError(tree.Node(s), rule, view)));
+    EXPECT_TRUE(tree.IsLeaf(s) || std::isfinite(errors[std::size_t(s) - tree.Leaves()]));
   }
 }
 
@@ -252,14 +381,13 @@ TEST(SplatTree, TheSameForAnyNumberOfThreads)
   {
     nephoscope_test::withThreads(i == 0 ? 1 : 4, [&]() {
       trees[i] = treeOf(scene);
-      SplatCutRule rule;
-      rule.MostSplats = 3000;
-      cuts[i] = CutSplatTree(trees[i], rule, sideView());
+      cuts[i] = CutSplatTree(trees[i], errorsOf(scene, trees[i], true), { 0, 0, 3000 }).Splats;
     });
   }
   ASSERT_EQ(trees[0].Nodes().size(), trees[1].Nodes().size());
   EXPECT_EQ(std::memcmp(trees[0].Nodes().data(), trees[1].Nodes().data(),
-              trees[0].Nodes().size() * sizeof(SplatTreeNode)), 0);
+              trees[0].Nodes().size() * sizeof(SplatTreeNode)),
+    0);
   EXPECT_EQ(cuts[0], cuts[1]);
 }
 
@@ -267,6 +395,6 @@ TEST(SplatTree, OneAndNoSplat)
 {
   Random random(36);
   const Scene one = makeScene(random, { { 1, 1, 1 } }, true, 0);
-  EXPECT_EQ(CutSplatTree(treeOf(one), {}, sideView()), std::vector<std::int32_t>{ 0 });
+  EXPECT_EQ(CutSplatTree(treeOf(one), {}, {}).Splats, std::vector<std::int32_t>{ 0 });
   EXPECT_TRUE(treeOf(makeScene(random, { { 2, 2, 2 } }, true, 2)).IsEmpty());
 }

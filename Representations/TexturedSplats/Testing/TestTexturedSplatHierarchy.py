@@ -71,10 +71,57 @@ class Hierarchy(ImageTestCase):
         window, mapper = self.scene(grid((95, 95, 95)))
         exact = self.draw(window, mapper)
         leaves = mapper.GetNumberOfDrawnSplats()
-        mapper.SetErrorTolerance(0.03)
+        mapper.SetErrorTolerance(0.3)
         error = self.error(self.draw(window, mapper), exact)
         self.assertLess(error, 0.01)
         self.assertLess(mapper.GetNumberOfDrawnSplats(), leaves / 5)
+
+    def test_constant_data_do_not_become_a_ball(self):
+        """Samples do not differ from the mean of a block at all, but splats that stand for blocks must also be at the faces where it ends."""
+        data = meshes.with_field(meshes.image((31, 31, 31), (1 / 31,) * 3), lambda p: 0.5 + 0 * p[:, 0])
+        window, mapper = self.scene(data)
+        exact = self.draw(window, mapper)
+        for measure in ("Picture", "RootMeanSquare", "Greatest"):
+            getattr(mapper, "SetErrorMeasureTo" + measure)()
+            mapper.SetErrorTolerance(0.1)
+            image = self.draw(window, mapper)
+            self.assertLess(np.abs(image - exact).max(), 0.1, measure)
+            mapper.SetErrorTolerance(1.0)
+            self.draw(window, mapper)
+            self.assertLess(mapper.GetNumberOfDrawnSplats(), mapper.GetNumberOfSamples() / 6)
+
+    def test_nothing_pops(self):
+        """As the tolerance moves in small steps, the picture does too; without blending it does not."""
+        largest = {}
+        for blend in (0.0, 0.5):
+            window, mapper = self.scene(grid((15, 15, 15)), lambda m: m.SetLevelBlending(blend))
+            pictures = []
+            for tolerance in np.geomspace(1.5, 1.8, 40):
+                mapper.SetErrorTolerance(tolerance)
+                pictures.append(self.draw(window, mapper))
+            largest[blend] = np.abs(np.diff(pictures, axis=0)).max()
+        print(f"  largest step without blending {largest[0.0]:.4f}, with it {largest[0.5]:.4f}")
+        self.assertGreater(largest[0.0], 0.01)
+        self.assertLess(largest[0.5], 0.1 * largest[0.0])
+
+    def test_nothing_pops_as_the_camera_moves(self):
+        """Against the picture of every sample, so that only the hierarchy counts."""
+        largest = {}
+        for blend in (0.0, 0.5):
+            window, mapper = self.scene(grid((15, 15, 15)), lambda m: m.SetLevelBlending(blend))
+            renderer = window.window.GetRenderers().GetFirstRenderer()
+            errors = []
+            for _ in range(40):
+                renderer.GetActiveCamera().Dolly(1.004)
+                difference = []
+                for tolerance in (1.6, 0):
+                    mapper.SetErrorTolerance(tolerance)
+                    difference.append(self.draw(window, mapper))
+                errors.append(difference[0] - difference[1])
+            largest[blend] = np.abs(np.diff(errors, axis=0)).max()
+        print(f"  largest step without blending {largest[0.0]:.4f}, with it {largest[0.5]:.4f}")
+        self.assertGreater(largest[0.0], 0.01)
+        self.assertLess(largest[0.5], 0.2 * largest[0.0])
 
     def test_order_of_the_input_does_not_matter(self):
         pictures = []
@@ -122,6 +169,20 @@ class Hierarchy(ImageTestCase):
         self.assertTrue(np.isfinite(image).all())
         self.assertGreater(image[..., 3].max(), 0.3)
         self.assertLess(mapper.GetNumberOfDrawnSplats(), leaves)
+
+    def test_vectors_fade_with_their_splats(self):
+        data = grid((15, 15, 15))
+        meshes.add_array(data.GetPointData(), np.zeros((data.GetNumberOfPoints(), 3)) + (1, 0.5, 0), "wind")
+        for style in ("Streaks", "Segments"):
+            window, mapper = self.scene(data, lambda m: (m.SetVectorArrayName("wind"), m.SetLevelBlending(0.5)))
+            getattr(mapper, "SetVectorStyleTo" + style)()
+            mapper.SetErrorTolerance(2)
+            pictures = []
+            for tolerance in np.geomspace(1.5, 1.8, 40):
+                mapper.SetErrorTolerance(tolerance)
+                pictures.append(self.draw(window, mapper))
+            self.assertLess(np.abs(np.diff(pictures, axis=0)).max(), 0.05, style)
+            self.assertGreater(np.abs(pictures[0] - pictures[-1]).max(), 0.01, style)
 
 
 if __name__ == "__main__":

@@ -20,6 +20,9 @@ uniform vec2 pixelsPerDC;   // half the size of the viewport
 //NEPHOSCOPE::Cell
 
 flat in int splatVSOutput[]; // ~n: the vector of splat n, without its medium
+#ifdef FADE
+flat in float weightVSOutput[];
+#endif
 out vec2 stGSOutput;
 out vec3 positionVCGSOutput;
 flat out int kindGSOutput;
@@ -195,6 +198,9 @@ void main()
 #ifdef NEPHOSCOPE_HAZE
   color.rgb = hazedColor(color.rgb, center); // a splat is small, and so is what haze changes across it
 #endif
+#ifdef FADE
+  color.a *= weightVSOutput[0];
+#endif
   vec3 w = inCells(center, J);
   if (nearEye && dot(w, w) < 1.69 * kernelRadius * kernelRadius)
   {
@@ -209,6 +215,9 @@ void main()
     vector.color.rgb = hazedColor(vector.color.rgb, center);
 #endif
     // Half of the medium behind the vector, half in front (SplatOpacity.h), unless it is drawn apart.
+#ifdef FADE
+    vector.weight = weightVSOutput[0];
+#endif
     vec4 half_ = vectorAlone ? vec4(0.0) : color;
     emitMedium(center, J, half_, HALF_MEDIUM);
     emitVector(vector, center, J);

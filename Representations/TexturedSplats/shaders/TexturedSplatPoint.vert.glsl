@@ -8,6 +8,7 @@
 // In cell coordinates the ray through the centre is k0 (per unit of depth) and that through the pixel k0 + D p. The offset across k0
 // gives the ellipse q0 = |k0 x D p|^2, the one along it h = k0 . D p / |k0|^2, and nothing else enters: |k|^2 = |k0|^2 ((1 + h)^2 + e q0).
 uniform isamplerBuffer drawingOrder;
+uniform samplerBuffer drawingWeights; // of the extinction, where levels of the hierarchy fade into each other
 uniform samplerBuffer splatColors; // colour, extinction per world length
 uniform mat4 VCToDC;
 uniform float kernelRadius; // cells
@@ -76,6 +77,9 @@ void main()
   vec4 color = texelFetch(splatColors, splat);
 #ifdef NEPHOSCOPE_HAZE
   color.rgb = hazedColor(color.rgb, center); // a splat is small, and so is what haze changes across it
+#endif
+#ifdef FADE
+  color.a *= texelFetch(drawingWeights, gl_VertexID).r;
 #endif
   float thickness = inversesqrt(square) * (firstOrder ? length(ray) : 1.0);
   colorVSOutput = vec4(color.rgb, 1.4426950408889634 * extinctionScale * color.a * mass * thickness);

@@ -15,6 +15,7 @@ struct SplatVector
 {
   vec3 direction; // in VC, of unit length
   float strength; // 0 to 1
+  float weight;   // on the opacity
   float unit;     // in VC
   vec4 color;     // and the seed
   float phase;
@@ -34,6 +35,7 @@ bool readVector(int splat, out SplatVector vector)
   vector.direction = v / magnitude;
   vector.unit = vectorUnit * magnitude / speed;
   vector.phase = texel.w;
+  vector.weight = 1.0;
   vector.color = texelFetch(vectorColors, splat);
   return true;
 }
@@ -56,7 +58,7 @@ void emitStreaks(SplatVector vector, vec3 centerVC, mat3 jacobianVC)
   look.factor = 1.0;
   look.center = centerVC;
   // Cells that are close together along the vector overlap the more.
-  look.color = vec4(vector.color.rgb, vector.strength * min(1.0, cell / vector.unit));
+  look.color = vec4(vector.color.rgb, vector.weight * vector.strength * min(1.0, cell / vector.unit));
   look.vector = vec4(seenAlong(vector.direction, centerVC), vector.phase);
   look.detail = vec4(vector.unit, vector.strength, vector.color.a, 0.0);
   emitKernel(centerVC, lengthened, look);
@@ -79,7 +81,7 @@ void emitSegment(SplatVector vector, vec3 centerVC, mat3 jacobianVC)
   SplatLook look;
   look.kind = SEGMENT;
   look.center = centerVC;
-  look.color = vec4(vector.color.rgb, vector.strength);
+  look.color = vec4(vector.color.rgb, vector.weight * vector.strength);
   look.vector = vec4(0.0);
   look.detail = vec4(2.0 * reach, segmentWidth, 0.0, 0.0);
   look.factor = 1.0;
