@@ -42,14 +42,16 @@ bool isFinite(vtkDataArray* array)
 double fieldValue(vtkPolyData* data, const char* name, int component, double missing)
 {
   vtkDataArray* array = data->GetFieldData()->GetArray(name);
-  return array && array->GetNumberOfTuples() > 0 && component < array->GetNumberOfComponents() *
-        array->GetNumberOfTuples()
-    ? array->GetComponent(component / array->GetNumberOfComponents(), component % array->GetNumberOfComponents())
+  return array && array->GetNumberOfTuples() > 0 &&
+      component < array->GetNumberOfComponents() * array->GetNumberOfTuples()
+    ? array->GetComponent(
+        component / array->GetNumberOfComponents(), component % array->GetNumberOfComponents())
     : missing;
 }
 
 /** "Origin" is what they are given from, in the unit of the result. */
-vtkSmartPointer<vtkFloatArray> positions(vtkPolyData* data, double factor, const double origin[3], const char* name)
+vtkSmartPointer<vtkFloatArray> positions(
+  vtkPolyData* data, double factor, const double origin[3], const char* name)
 {
   auto result = vtkSmartPointer<vtkFloatArray>::New();
   result->SetName(name);
@@ -59,12 +61,14 @@ vtkSmartPointer<vtkFloatArray> positions(vtkPolyData* data, double factor, const
   {
     double p[3];
     data->GetPoint(i, p);
-    result->SetTuple3(i, factor * p[0] - origin[0], factor * p[1] - origin[1], factor * p[2] - origin[2]);
+    result->SetTuple3(
+      i, factor * p[0] - origin[0], factor * p[1] - origin[1], factor * p[2] - origin[2]);
   }
   return result;
 }
 
-vtkSmartPointer<vtkFloatArray> coordinatesFromPositions(vtkPolyData* data, const TextureChoice& choice, const char* name)
+vtkSmartPointer<vtkFloatArray> coordinatesFromPositions(
+  vtkPolyData* data, const TextureChoice& choice, const char* name)
 {
   // The texture repeats itself after 10 units in all three: leaving them out keeps far places exact in float.
   constexpr double period = 10;
@@ -168,37 +172,124 @@ std::string checkArray(vtkPolyData* input, const std::string& name, int componen
     return "There is no point array \"" + name + "\" for the " + use +
       ". Choose one that there is, or turn cell data into point data.";
   }
-  return array->GetNumberOfComponents() == components
-    ? std::string()
-    : "The array \"" + name + "\" for the " + use + " has another number of components than " + std::to_string(components) + ".";
+  return array->GetNumberOfComponents() == components ? std::string()
+                                                      : "The array \"" + name + "\" for the " +
+      use + " has another number of components than " + std::to_string(components) + ".";
+}
+
+/** A copy of a point array of one component as float, with values between 0 and "highest"; null, and an error, where there is none. */
+vtkSmartPointer<vtkFloatArray> addShares(TexturedSurface& result, vtkPolyData* input,
+  const std::string& name, const char* use, const char* newName, float highest,
+  const std::string& warning)
+{
+  result.Error = checkArray(input, name, 1, use);
+  if (!result.Error.empty())
+  {
+    return nullptr;
+  }
+  auto values = scaled(input->GetPointData()->GetArray(name.c_str()), 1, newName);
+  bool areRight = true;
+  for (vtkIdType i = 0; i < values->GetNumberOfTuples(); ++i)
+  {
+    const float v = values->GetValue(i);
+    areRight = areRight && v >= 0 && v <= highest;
+    values->SetValue(i, v > 0 ? std::min(v, highest) : 0.0f);
+  }
+  result.Warning += areRight ? "" : "The array \"" + name + "\" " + warning;
+  result.Surface->GetPointData()->AddArray(values);
+  return values;
 }
 
 void addCover(TexturedSurface& result, vtkPolyData* input, const std::string& name)
 {
-  if (name.empty())
+  if (!name.empty())
   {
-    return;
+    result.HasCover =
+      addShares(result, input, name, "cover", coverArrayName, 1.0f,
+        "has values that are not a cover, 0 ... 1: they count as the nearest that is, NaN as 0. Divide percent by 100. ") !=
+      nullptr;
   }
-  result.Error = checkArray(input, name, 1, "cover");
-  if (!result.Error.empty())
+}
+
+void addDensity(TexturedSurface& result, vtkPolyData* input, const std::string& name)
+{
+  if (!name.empty() && result.Error.empty())
   {
-    return;
+    result.HasDensity =
+      addShares(result, input, name, "density", densityArrayName, 1e30f,
+        "has values that are not a density, >= 0 and finite: they count as 0 or as 1e30. Change them, or choose another array. ") !=
+      nullptr;
   }
-  auto values = scaled(input->GetPointData()->GetArray(name.c_str()), 1, coverArrayName);
-  bool isShare = true;
-  for (vtkIdType i = 0; i < values->GetNumberOfTuples(); ++i)
+}
+
+/** Of points, where they are there: true, and they are used. */
+bool addWeights(TexturedSurface& result, vtkPolyData* input)
+{
+  vtkDataArray* array = input->GetPointData()->GetArray("TextureWeights");
+  if (!array)
   {
-    const float v = values->GetValue(i);
-    isShare = isShare && v >= 0 && v <= 1;
-    values->SetValue(i, v > 0 ? std::min(v, 1.0f) : 0.0f);
+    return false;
   }
-  if (!isShare)
+  if (array->GetNumberOfComponents() != 2)
   {
-    result.Warning += "The array \"" + name +
-      "\" has values that are not a cover, 0 ... 1: they count as the nearest that is, NaN as 0. Divide percent by 100. ";
+    result.Warning += "The point array TextureWeights is not used: it needs 2 components. ";
+    return false;
   }
-  result.Surface->GetPointData()->AddArray(values);
-  result.HasCover = true;
+  auto weights = scaled(array, 1, weightsArrayName);
+  bool areRight = true;
+  for (vtkIdType i = 0; i < weights->GetNumberOfTuples(); ++i)
+  {
+    const double first = weights->GetComponent(i, 0), second = weights->GetComponent(i, 1);
+    if (!(first >= 0 && second >= 0 && first + second > 0 && first + second < 1e30))
+    {
+      areRight = false;
+      weights->SetTuple2(i, 0.5, 0.5);
+    }
+  }
+  result.Warning += areRight
+    ? ""
+    : "TextureWeights of points must be >= 0, finite, and not all 0: there both sets count the same. ";
+  result.Surface->GetPointData()->AddArray(weights);
+  return true;
+}
+
+/** Relative to the center: the volume is small against those that it is a difference of. */
+void measureChord(TexturedSurface& result, vtkPolyData* input)
+{
+  vtkDataArray* density =
+    result.HasDensity ? result.Surface->GetPointData()->GetArray(densityArrayName) : nullptr;
+  const auto place = [&](vtkIdType id) {
+    MeanChord::Point p;
+    input->GetPoint(id, p.data());
+    return MeanChord::Point{ { p[0] - result.Center[0], p[1] - result.Center[1],
+      p[2] - result.Center[2] } };
+  };
+  const auto weight = [&](vtkIdType id) {
+    return density ? density->GetComponent(id, 0) / 3 : 1.0 / 3;
+  };
+  const auto add = [&](vtkIdType a, vtkIdType b, vtkIdType c) {
+    result.Chord.AddTriangle(place(a), place(b), place(c), weight(a) + weight(b) + weight(c));
+  };
+  vtkNew<vtkIdList> corners;
+  auto polygons = vtk::TakeSmartPointer(input->GetPolys()->NewIterator());
+  for (polygons->GoToFirstCell(); !polygons->IsDoneWithTraversal(); polygons->GoToNextCell())
+  {
+    polygons->GetCurrentCell(corners);
+    for (vtkIdType i = 2; i < corners->GetNumberOfIds(); ++i)
+    {
+      add(corners->GetId(0), corners->GetId(i - 1), corners->GetId(i));
+    }
+  }
+  auto strips = vtk::TakeSmartPointer(input->GetStrips()->NewIterator());
+  for (strips->GoToFirstCell(); !strips->IsDoneWithTraversal(); strips->GoToNextCell())
+  {
+    strips->GetCurrentCell(corners);
+    for (vtkIdType i = 2; i < corners->GetNumberOfIds(); ++i)
+    {
+      add(corners->GetId(i - 2), corners->GetId(i - 1 + i % 2),
+        corners->GetId(i - i % 2)); // every second one is turned over
+    }
+  }
 }
 
 void addCoordinates(TexturedSurface& result, vtkPolyData* input, const TextureChoice& choice)
@@ -216,34 +307,37 @@ void addCoordinates(TexturedSurface& result, vtkPolyData* input, const TextureCh
     }
     if (array->GetNumberOfComponents() != 3 || !isFinite(array))
     {
-      result.Warning += "The texture coordinates \"" + name + "\" are not used: they need 3 components, all of them finite. ";
+      result.Warning += "The texture coordinates \"" + name +
+        "\" are not used: they need 3 components, all of them finite. ";
       continue;
     }
     result.Surface->GetPointData()->AddArray(scaled(array, scale, textureArrayNames[sets]));
-    result.Weights[sets] = fieldValue(input, "TextureWeights", name == choice.Coordinates[0] ? 0 : 1, 0.5);
+    result.Weights[sets] =
+      fieldValue(input, "TextureWeights", name == choice.Coordinates[0] ? 0 : 1, 0.5);
     ++sets;
   }
-  if (sets == 2 && input->GetPointData()->HasArray("TextureWeights"))
-  {
-    result.Warning += "Weights of points are not read: the weights of the field data TextureWeights hold everywhere. ";
-  }
   result.HasSecondSet = sets == 2;
-  const bool areWeights = result.Weights[0] >= 0 && result.Weights[1] >= 0 && result.Weights[0] + result.Weights[1] > 0;
+  result.HasWeights = sets == 2 && addWeights(result, input);
+  const bool areWeights =
+    result.Weights[0] >= 0 && result.Weights[1] >= 0 && result.Weights[0] + result.Weights[1] > 0;
   if (sets < 2 || !areWeights)
   {
     result.Weights[0] = sets < 2 ? 1 : 0.5;
     result.Weights[1] = sets < 2 ? 0 : 0.5;
-    result.Warning += areWeights ? "" : "TextureWeights must be >= 0, and not all 0: both sets count the same. ";
+    result.Warning +=
+      areWeights ? "" : "TextureWeights must be >= 0, and not all 0: both sets count the same. ";
   }
   if (sets == 0)
   {
-    result.Surface->GetPointData()->AddArray(coordinatesFromPositions(input, choice, textureArrayNames[0]));
+    result.Surface->GetPointData()->AddArray(
+      coordinatesFromPositions(input, choice, textureArrayNames[0]));
   }
   else if (!isCartesian)
   {
     if (input->GetNumberOfStrips() > 0)
     {
-      result.Warning += "Triangle strips are not cut where longitudes go round: use vtkTriangleFilter. ";
+      result.Warning +=
+        "Triangle strips are not cut where longitudes go round: use vtkTriangleFilter. ";
     }
     SeamCutter cutter(result.Surface, scale);
     for (int i = 0; i < sets; ++i)
@@ -262,6 +356,7 @@ TexturedSurface prepareTexturedSurface(vtkPolyData* input, const TextureChoice& 
   input->GetCenter(result.Center);
   result.Surface->GetPointData()->AddArray(positions(input, 1, result.Center, placeArrayName));
   addCover(result, input, choice.Cover);
+  addDensity(result, input, choice.Density);
   if (!result.Error.empty())
   {
     result.Surface = nullptr;
@@ -274,6 +369,10 @@ TexturedSurface prepareTexturedSurface(vtkPolyData* input, const TextureChoice& 
   }
   result.Normals = normals ? normals->GetName() : "";
   addCoordinates(result, input, choice);
+  if (choice.MeasureChord)
+  {
+    measureChord(result, input);
+  }
   return result;
 }
 

@@ -4,6 +4,8 @@
 #ifndef TexturedSurface_h
 #define TexturedSurface_h
 
+#include "MeanChord.h"
+
 #include "vtkSmartPointer.h"
 
 #include <string>
@@ -19,7 +21,10 @@ struct TexturedSurface
   double Center[3] = { 0, 0, 0 };       ///< what places are given from
   double Weights[2] = { 1, 0 };
   bool HasSecondSet = false;
+  bool HasWeights = false; ///< of points
   bool HasCover = false;
+  bool HasDensity = false;
+  MeanChord Chord;     ///< weighted with the density; empty unless it was asked for
   std::string Normals; ///< name of the point normals; empty where there are none
   std::string Error;   ///< what forbids drawing
   std::string Warning; ///< what was put right
@@ -30,13 +35,17 @@ struct TextureChoice
 {
   std::string Coordinates[2];
   std::string Cover;
+  std::string Density;
   double Scale = 1;
   double Length = 0;
+  bool MeasureChord = false;
 };
 
 /** Names of the arrays of the surface as drawn. */
 constexpr const char* textureArrayNames[2] = { "NephoscopeTexture1", "NephoscopeTexture2" };
 constexpr const char* coverArrayName = "NephoscopeCover";
+constexpr const char* densityArrayName = "NephoscopeDensity";
+constexpr const char* weightsArrayName = "NephoscopeWeights";
 constexpr const char* placeArrayName = "NephoscopePlace";
 
 TexturedSurface prepareTexturedSurface(vtkPolyData* input, const TextureChoice& choice);

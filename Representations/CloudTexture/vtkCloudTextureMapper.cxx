@@ -1,12 +1,13 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include "OpenGLFunctions.h"
+
 #include "vtkCloudTextureMapper.h"
 
-#include "CloudOpacityFunction.h"
 #include "CloudRelief.h"
+#include "CloudShaderCode.h"
+#include "CloudThicknessPass.h"
 #include "CoverageThreshold.h"
-#include "GardnerTexture.h"
-#include "GardnerTextureFunctions.h"
 #include "TexturedSurface.h"
 
 #include "vtkActor.h"
@@ -16,8 +17,13 @@
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkOpenGLHelper.h"
+#include "vtkOpenGLIndexBufferObject.h"
 #include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLState.h"
+#include "vtkOpenGLVertexArrayObject.h"
+#include "vtkOpenGLVertexBufferObjectGroup.h"
 #include "vtkPolyData.h"
+#include "vtkProperty.h"
 #include "vtkRenderer.h"
 #include "vtkShader.h"
 #include "vtkShaderProgram.h"
@@ -25,57 +31,21 @@
 #include "vtkTextureObject.h"
 
 #include <cmath>
-#include <iomanip>
-#include <sstream>
 #include <tuple>
 #include <vector>
 
 vtkStandardNewMacro(vtkCloudTextureMapper);
 
-namespace
-{
-/** What is read at every point: attribute of the vertex shader, its type, and the array of the surface it comes from. */
-struct Attribute
-{
-  std::string Name;
-  std::string Type;
-  std::string Array;
-};
-
-std::vector<Attribute> attributesOf(const nephoscope::TexturedSurface& surface)
-{
-  std::vector<Attribute> result{ { "cloudPlace", "vec3", nephoscope::placeArrayName },
-    { "cloudTexture1", "vec3", nephoscope::textureArrayNames[0] } };
-  if (surface.HasSecondSet)
-  {
-    result.push_back({ "cloudTexture2", "vec3", nephoscope::textureArrayNames[1] });
-  }
-  if (surface.HasCover)
-  {
-    result.push_back({ "cloudCover", "float", nephoscope::coverArrayName });
-  }
-  if (!surface.Normals.empty())
-  {
-    result.push_back({ "cloudNormal", "vec3", surface.Normals });
-  }
-  return result;
-}
-
-void substitute(vtkShader* shader, const std::string& tag, const std::string& code)
-{
-  std::string source = shader->GetSource();
-  vtkShaderProgram::Substitute(source, tag, code);
-  shader->SetSource(source);
-}
-}
-
 struct vtkCloudTextureMapper::vtkInternals
 {
-  using Key = std::tuple<vtkPolyData*, vtkMTimeType, std::string, std::string, std::string, double, double>;
+  using Key = std::tuple<vtkPolyData*, vtkMTimeType, std::string, std::string, std::string, double,
+    double, std::string, bool>;
 
   nephoscope::TexturedSurface Surface;
-  Key MadeFrom{ nullptr, 0, "", "", "", 0.0, 0.0 };
-  std::string LastError, LastWarning;
+  Key MadeFrom{ nullptr, 0, "", "", "", 0.0, 0.0, "", false };
+  std::string LastError, LastWarning, LastThickness;
+  nephoscope::CloudThicknessPass Thickness;
+  int Drawings = 0; // of layers, that the shader is made for
   vtkSmartPointer<vtkTextureObject> Thresholds;
 
   void UploadThresholds(vtkOpenGLRenderWindow* window)
@@ -88,8 +58,8 @@ struct vtkCloudTextureMapper::vtkInternals
     std::vector<float> values = table.GetValues();
     this->Thresholds = vtkSmartPointer<vtkTextureObject>::New();
     this->Thresholds->SetContext(window);
-    this->Thresholds->Create2DFromRaw(static_cast<unsigned int>(table.columns), static_cast<unsigned int>(table.rows), 1,
-      VTK_FLOAT, values.data());
+    this->Thresholds->Create2DFromRaw(static_cast<unsigned int>(table.columns),
+      static_cast<unsigned int>(table.rows), 1, VTK_FLOAT, values.data());
     this->Thresholds->SetMinificationFilter(vtkTextureObject::Linear);
     this->Thresholds->SetMagnificationFilter(vtkTextureObject::Linear);
     this->Thresholds->SetWrapS(vtkTextureObject::ClampToEdge);
@@ -137,15 +107,18 @@ void vtkCloudTextureMapper::SetSecondCoordinatesName(const char* name)
 void vtkCloudTextureMapper::PrepareSurface(vtkPolyData* input)
 {
   vtkInternals& own = *this->Internals;
-  const vtkInternals::Key key(input, input->GetMTime(), this->CoverageArrayName, this->CoordinatesNames[0],
-    this->CoordinatesNames[1], this->TextureScale, this->TextureLength);
+  const vtkInternals::Key key(input, input->GetMTime(), this->CoverageArrayName,
+    this->CoordinatesNames[0], this->CoordinatesNames[1], this->TextureScale, this->TextureLength,
+    this->DensityArrayName, this->UseThickness);
   if (key == own.MadeFrom)
   {
     return;
   }
   own.MadeFrom = key;
   own.Surface = nephoscope::prepareTexturedSurface(input,
-    { { this->CoordinatesNames[0], this->CoordinatesNames[1] }, this->CoverageArrayName, this->TextureScale, this->TextureLength });
+    { { this->CoordinatesNames[0], this->CoordinatesNames[1] }, this->CoverageArrayName,
+      this->UseThickness ? this->DensityArrayName : std::string(), this->TextureScale,
+      this->TextureLength, this->UseThickness });
   this->MapArrays();
   if (!own.Surface.Error.empty() && own.Surface.Error != own.LastError)
   {
@@ -161,11 +134,12 @@ void vtkCloudTextureMapper::PrepareSurface(vtkPolyData* input)
 
 void vtkCloudTextureMapper::MapArrays()
 {
-  for (const char* name : { "cloudPlace", "cloudTexture1", "cloudTexture2", "cloudCover", "cloudNormal" })
+  for (const std::string& name : nephoscope::allCloudAttributeNames())
   {
-    this->RemoveVertexAttributeMapping(name);
+    this->RemoveVertexAttributeMapping(name.c_str());
   }
-  for (const Attribute& attribute : attributesOf(this->Internals->Surface))
+  for (const nephoscope::CloudAttribute& attribute :
+    nephoscope::cloudAttributesOf(this->Internals->Surface))
   {
     this->MapDataArrayToVertexAttribute(
       attribute.Name.c_str(), attribute.Array.c_str(), vtkDataObject::FIELD_ASSOCIATION_POINTS);
@@ -189,10 +163,106 @@ void vtkCloudTextureMapper::RenderPieceDraw(vtkRenderer* renderer, vtkActor* act
   {
     return;
   }
-  this->Internals->UploadThresholds(vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow()));
-  this->Internals->Thresholds->Activate();
+  vtkInternals& own = *this->Internals;
+  own.UploadThresholds(vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow()));
+  if (this->UseThickness)
+  {
+    this->FindThickness(renderer, actor);
+  }
+  own.Thresholds->Activate();
+  own.Thickness.Activate();
   this->Superclass::RenderPieceDraw(renderer, actor);
-  this->Internals->Thresholds->Deactivate();
+  own.Thickness.Deactivate();
+  own.Thresholds->Deactivate();
+}
+
+void vtkCloudTextureMapper::FindThickness(vtkRenderer* renderer, vtkActor* actor)
+{
+  vtkInternals& own = *this->Internals;
+  own.Drawings = nephoscope::CloudThicknessPass::LimitDrawings(
+    this->MaximumNumberOfLayers, own.Surface.HasDensity);
+  if (actor->GetProperty()->GetRepresentation() != VTK_SURFACE || renderer->GetSelector())
+  {
+    own.Thickness.Forget(); // lines and points have none, and who asks what is there needs none
+    return;
+  }
+  nephoscope::CloudThicknessPass::Request request;
+  request.Scene.Window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
+  request.Scene.Mapper = this;
+  request.Scene.Prop = actor;
+  request.Scene.Window->GetState()->vtkglGetIntegerv(GL_VIEWPORT, request.Scene.Viewport);
+  request.Renderer = renderer;
+  request.Actor = actor;
+  std::copy_n(own.Surface.Center, 3, request.Center);
+  request.IsInsideOut = own.Surface.Chord.IsInsideOut();
+  request.WithDensities = own.Surface.HasDensity;
+  request.Clouds = this->MaximumNumberOfLayers;
+  request.Constants = nephoscope::layerConstants(own.Surface);
+  request.DrawTriangles = [&](vtkOpenGLHelper& helper) {
+    this->DrawTriangles(helper, renderer, actor);
+  };
+  const std::string error = own.Thickness.Draw(request);
+  this->TellThickness(error);
+}
+
+void vtkCloudTextureMapper::TellThickness(const std::string& error)
+{
+  vtkInternals& own = *this->Internals;
+  std::string message = error;
+  if (error.empty() && own.Thickness.HasMore())
+  {
+    message =
+      "In some pixels more clouds are behind one another than are looked at: the thickness of those in between is not right. Raise "
+      "MaximumNumberOfLayers.";
+  }
+  if (!message.empty() && message != own.LastThickness)
+  {
+    if (error.empty())
+    {
+      vtkWarningMacro(<< message);
+    }
+    else
+    {
+      vtkErrorMacro(<< "Clouds are drawn without their thickness: " << message << ".");
+    }
+  }
+  own.LastThickness = message;
+}
+
+void vtkCloudTextureMapper::DrawTriangles(
+  vtkOpenGLHelper& helper, vtkRenderer* renderer, vtkActor* actor)
+{
+  this->SetCameraShaderParameters(helper, renderer, actor);
+  helper.VAO->Bind();
+  this->VBOs->AddAllAttributesToVAO(helper.Program, helper.VAO);
+  for (const int type : { PrimitiveTris, PrimitiveTriStrips })
+  {
+    vtkOpenGLIndexBufferObject* indices = this->Primitives[type].IBO;
+    if (indices->IndexCount > 0)
+    {
+      indices->Bind();
+      glDrawElements(
+        GL_TRIANGLES, static_cast<GLsizei>(indices->IndexCount), GL_UNSIGNED_INT, nullptr);
+      indices->Release();
+    }
+  }
+  helper.VAO->Release();
+}
+
+double vtkCloudTextureMapper::GetExtinctionInUse(vtkActor* actor) const
+{
+  if (this->Extinction > 0)
+  {
+    return this->Extinction;
+  }
+  const nephoscope::MeanChord& chord = this->Internals->Surface.Chord;
+  vtkPolyData* surface = this->Internals->Surface.Surface;
+  const double scale = std::cbrt(std::abs(actor->GetMatrix()->Determinant()));
+  const double length = chord.Length() > 0 ? chord.Length()
+    : surface                              ? surface->GetLength() / 100
+                                           : 0;
+  const double optical = length * scale * chord.MeanWeight();
+  return optical > 0 ? this->OpticalDepth / optical : 0;
 }
 
 void vtkCloudTextureMapper::RenderPieceFinish(vtkRenderer* renderer, vtkActor* actor)
@@ -203,60 +273,16 @@ void vtkCloudTextureMapper::RenderPieceFinish(vtkRenderer* renderer, vtkActor* a
   }
 }
 
-std::string vtkCloudTextureMapper::GetShaderConstants() const
-{
-  std::ostringstream waves, amplitudes, result;
-  waves << std::scientific << std::setprecision(9);
-  amplitudes << std::scientific << std::setprecision(9);
-  result << std::scientific << std::setprecision(9);
-  double amplitude = nephoscope::gardnerAmplitude;
-  for (int i = 0; i < nephoscope::numberOfGardnerTerms; ++i, amplitude *= nephoscope::gardnerRatio)
-  {
-    const auto wave = nephoscope::gardnerWave<double>(i);
-    waves << (i ? ", " : "") << "vec3(" << wave[0] << ", " << wave[1] << ", " << wave[2] << ")";
-    amplitudes << (i ? ", " : "") << amplitude;
-  }
-  const nephoscope::TexturedSurface& surface = this->Internals->Surface;
-  result << "const vec3 gardnerWaves[7] = vec3[7](" << waves.str() << ");\n"
-         << "const float gardnerAmplitudes[7] = float[7](" << amplitudes.str() << ");\n"
-         << "const float gardnerFourth = " << nephoscope::gardnerFourth() << ";\n"
-         << "const float thresholdColumns = " << double(nephoscope::CoverageThresholds::columns) << ";\n"
-         << "const float thresholdRows = " << double(nephoscope::CoverageThresholds::rows) << ";\n"
-         << "const bool hasSecondSet = " << (surface.HasSecondSet ? "true" : "false") << ";\n"
-         << "const bool hasNormals = " << (surface.Normals.empty() ? "false" : "true") << ";\n";
-  return result.str();
-}
-
 void vtkCloudTextureMapper::ReplaceShaderColor(
   std::map<vtkShader::Type, vtkShader*> shaders, vtkRenderer* renderer, vtkActor* actor)
 {
-  const nephoscope::TexturedSurface& surface = this->Internals->Surface;
-  std::string vertexDec, vertexImpl, geometryDec, geometryImpl, fragmentDec;
-  for (const Attribute& a : attributesOf(surface))
-  {
-    vertexDec += "in " + a.Type + " " + a.Name + ";\nout " + a.Type + " " + a.Name + "VSOutput;\n";
-    vertexImpl += "  " + a.Name + "VSOutput = " + a.Name + ";\n";
-    geometryDec += "in " + a.Type + " " + a.Name + "VSOutput[];\nout " + a.Type + " " + a.Name + "GSOutput;\n";
-    geometryImpl += "  " + a.Name + "GSOutput = " + a.Name + "VSOutput[i];\n";
-    fragmentDec += "in " + a.Type + " " + a.Name + "VSOutput;\n";
-  }
-  fragmentDec += "uniform float coverage;\n" + this->GetShaderConstants() + GardnerTextureFunctions + CloudOpacityFunction;
-  const std::string opacity = std::string("  float cloudOpacityHere = cloudOpacity(cloudPlaceVSOutput, ") +
-    (surface.Normals.empty() ? "vec3(0.0)" : "cloudNormalVSOutput") + ", cloudTexture1VSOutput, " +
-    (surface.HasSecondSet ? "cloudTexture2VSOutput" : "vec3(0.0)") + ", " +
-    (surface.HasCover ? "cloudCoverVSOutput" : "coverage") + ");\n";
-  const std::string dec = "//VTK::Color::Dec", impl = "//VTK::Color::Impl", uniformFlow = "//VTK::UniformFlow::Impl";
-  substitute(shaders[vtkShader::Vertex], dec, dec + "\n" + vertexDec);
-  substitute(shaders[vtkShader::Vertex], impl, impl + "\n" + vertexImpl);
-  substitute(shaders[vtkShader::Geometry], dec, dec + "\n" + geometryDec);
-  substitute(shaders[vtkShader::Geometry], impl, impl + "\n" + geometryImpl);
-  substitute(shaders[vtkShader::Fragment], dec, dec + "\n" + fragmentDec);
-  substitute(shaders[vtkShader::Fragment], uniformFlow, opacity + uniformFlow);
-  substitute(shaders[vtkShader::Fragment], impl, impl + "\n  opacity *= cloudOpacityHere;\n");
+  nephoscope::addCloudCode(
+    shaders, this->Internals->Surface, { this->UseThickness, this->Internals->Drawings });
   this->Superclass::ReplaceShaderColor(shaders, renderer, actor);
 }
 
-void vtkCloudTextureMapper::SetEye(vtkShaderProgram* program, vtkRenderer* renderer, vtkActor* actor)
+void vtkCloudTextureMapper::SetEye(
+  vtkShaderProgram* program, vtkRenderer* renderer, vtkActor* actor)
 {
   vtkCamera* camera = renderer->GetActiveCamera();
   const bool isParallel = camera->GetParallelProjection() != 0;
@@ -273,14 +299,11 @@ void vtkCloudTextureMapper::SetEye(vtkShaderProgram* program, vtkRenderer* rende
   program->SetUniform4f("eyePlace", place);
 }
 
-void vtkCloudTextureMapper::SetMapperShaderParameters(vtkOpenGLHelper& helper, vtkRenderer* renderer, vtkActor* actor)
+void vtkCloudTextureMapper::SetMapperShaderParameters(
+  vtkOpenGLHelper& helper, vtkRenderer* renderer, vtkActor* actor)
 {
   this->Superclass::SetMapperShaderParameters(helper, renderer, actor);
   vtkShaderProgram* program = helper.Program;
-  if (!program->IsUniformUsed("coverageThresholds"))
-  {
-    return;
-  }
   const double* given = this->Internals->Surface.Weights;
   const float weights[2] = { static_cast<float>(given[0]), static_cast<float>(given[1]) };
   this->SetReliefHeight(program, actor);
@@ -290,6 +313,11 @@ void vtkCloudTextureMapper::SetMapperShaderParameters(vtkOpenGLHelper& helper, v
   program->SetUniformf("softness", static_cast<float>(this->Softness));
   program->SetUniformf("opticalDepth", static_cast<float>(this->OpticalDepth));
   this->SetEye(program, renderer, actor);
+  if (this->UseThickness)
+  {
+    this->Internals->Thickness.SetUniforms(
+      program, this->GetExtinctionInUse(actor), this->Internals->Drawings);
+  }
 }
 
 void vtkCloudTextureMapper::ReleaseGraphicsResources(vtkWindow* window)
@@ -299,6 +327,7 @@ void vtkCloudTextureMapper::ReleaseGraphicsResources(vtkWindow* window)
     this->Internals->Thresholds->ReleaseGraphicsResources(window);
     this->Internals->Thresholds = nullptr;
   }
+  this->Internals->Thickness.ReleaseGraphicsResources(window);
   this->Superclass::ReleaseGraphicsResources(window);
 }
 
@@ -326,7 +355,8 @@ void vtkCloudTextureMapper::ReplaceShaderNormal(
   this->Superclass::ReplaceShaderNormal(shaders, renderer, actor);
   if (this->Relief > 0)
   {
-    nephoscope::addReliefCode(shaders[vtkShader::Fragment], this->Internals->Surface.HasSecondSet, "textureWeights");
+    nephoscope::addReliefCode(shaders[vtkShader::Fragment], this->Internals->Surface.HasSecondSet,
+      this->Internals->Surface.HasWeights ? "cloudWeightsVSOutput" : "textureWeights");
   }
 }
 

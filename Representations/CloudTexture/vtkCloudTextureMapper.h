@@ -24,7 +24,8 @@
 
 class vtkShaderProgram;
 
-class VTKNEPHOSCOPEREPRESENTATIONSCLOUDTEXTURE_EXPORT vtkCloudTextureMapper : public vtkOpenGLPolyDataMapper
+class VTKNEPHOSCOPEREPRESENTATIONSCLOUDTEXTURE_EXPORT vtkCloudTextureMapper
+  : public vtkOpenGLPolyDataMapper
 {
 public:
   static vtkCloudTextureMapper* New();
@@ -155,7 +156,10 @@ private:
   void SetName(std::string& member, const char* name);
   void PrepareSurface(vtkPolyData* input);
   void MapArrays();
-  std::string GetShaderConstants() const;
+  void FindThickness(vtkRenderer* renderer, vtkActor* actor);
+  void TellThickness(const std::string& error);
+  void DrawTriangles(vtkOpenGLHelper& helper, vtkRenderer* renderer, vtkActor* actor);
+  double GetExtinctionInUse(vtkActor* actor) const;
   void SetEye(vtkShaderProgram* program, vtkRenderer* renderer, vtkActor* actor);
   void SetReliefHeight(vtkShaderProgram* program, vtkActor* actor);
 

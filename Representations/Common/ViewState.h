@@ -8,8 +8,8 @@
 #include "vtkMatrix4x4.h"
 #include "vtkNew.h"
 #include "vtkOpenGLCamera.h"
+#include "vtkProp3D.h"
 #include "vtkRenderer.h"
-#include "vtkVolume.h"
 
 #include <algorithm>
 #include <array>
@@ -68,7 +68,7 @@ struct ViewState
   SceneView View;
   Vector4 EyeModel;
 
-  ViewState(vtkRenderer* renderer, vtkVolume* volume, const double center[3])
+  ViewState(vtkRenderer* renderer, vtkProp3D* prop, const double center[3])
   {
     auto* camera = vtkOpenGLCamera::SafeDownCast(renderer->GetActiveCamera());
     vtkMatrix4x4 *worldToView, *viewToDevice, *worldToDevice; // transposed, as OpenGL wants them
@@ -82,7 +82,7 @@ struct ViewState
     {
       shift->SetElement(axis, 3, center[axis]);
     }
-    vtkMatrix4x4::Multiply4x4(volume->GetMatrix(), shift, this->ModelToView);
+    vtkMatrix4x4::Multiply4x4(prop->GetMatrix(), shift, this->ModelToView);
     vtkMatrix4x4::Multiply4x4(toView, this->ModelToView, this->ModelToView);
 
     this->View.ModelToView = this->ModelToView;

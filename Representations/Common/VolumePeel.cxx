@@ -4,14 +4,13 @@
 
 #include "VolumePeel.h"
 
+#include "DrawnQuery.h"
 #include "PeelLightFragment.h"
 #include "PeelRangesFragment.h"
 #include "PeelTilesFragment.h"
+#include "PeelingPass.h"
 
 #include "vtkAbstractMapper.h"
-#include "vtkDualDepthPeelingPass.h"
-#include "vtkInformation.h"
-#include "vtkInformationObjectBaseVectorKey.h"
 #include "vtkOpenGLFramebufferObject.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLShaderCache.h"
@@ -43,34 +42,6 @@ const char* const keepPeeling = "  if (calls == 2 && lastFar >= texelFetch(opaqu
                                 "    gl_FragData[0].a = max(gl_FragData[0].a, smallestAlpha);\n"
                                 "  }\n";
 
-/** Calls work(pass) for every render pass that has left its key with the prop. */
-template <typename Work>
-void forEachPass(vtkProp* prop, Work work)
-{
-  vtkInformation* keys = prop->GetPropertyKeys();
-  vtkInformationObjectBaseVectorKey* key = vtkOpenGLRenderPass::RenderPasses();
-  const int count = keys && keys->Has(key) ? keys->Length(key) : 0;
-  for (int i = 0; i < count; ++i)
-  {
-    if (auto* pass = vtkOpenGLRenderPass::SafeDownCast(vtkObject::SafeDownCast(keys->Get(key, i))))
-    {
-      work(pass);
-    }
-  }
-}
-
-vtkDualDepthPeelingPass* peelingPass(vtkProp* prop)
-{
-  vtkDualDepthPeelingPass* found = nullptr;
-  forEachPass(prop, [&](vtkOpenGLRenderPass* pass) {
-    if (auto* peeling = vtkDualDepthPeelingPass::SafeDownCast(pass))
-    {
-      found = peeling;
-    }
-  });
-  return found;
-}
-
 void allocateColor(vtkTextureObject* texture, vtkOpenGLRenderWindow* window, int width, int height, int type)
 {
   texture->SetContext(window);
@@ -83,28 +54,6 @@ int numberOfTiles(int pixels)
 {
   return (pixels + VolumePeel::TileSize - 1) / VolumePeel::TileSize;
 }
-
-/** Counts nothing, but tells whether any fragment was drawn in its scope. */
-class DrawnQuery
-{
-public:
-  DrawnQuery()
-  {
-    glGenQueries(1, &this->Id);
-    glBeginQuery(GL_ANY_SAMPLES_PASSED, this->Id);
-  }
-  ~DrawnQuery() { glDeleteQueries(1, &this->Id); }
-  bool End()
-  {
-    glEndQuery(GL_ANY_SAMPLES_PASSED);
-    GLuint any = 0;
-    glGetQueryObjectuiv(this->Id, GL_QUERY_RESULT, &any);
-    return any != 0;
-  }
-
-private:
-  GLuint Id = 0;
-};
 }
 
 VolumePeel::VolumePeel() = default;

@@ -1,6 +1,7 @@
 # SPDX-FileCopyrightText: The Nephoscope authors
 # SPDX-License-Identifier: BSD-3-Clause
 """What a surface cannot be textured with is told, once, with a remedy; every way to draw a surface works."""
+import itertools
 import unittest
 
 import nephoscope
@@ -55,9 +56,26 @@ class BadInput(TextureTestCase):
         self.expect("TextureWeights must be", sheet(CORNERS, 2 * ONE_SET, weights=(-1, 2)), drawn=True)
 
     def test_weights_of_points(self):
-        data = sheet(CORNERS, 2 * ONE_SET, weights=(0.5, 0.5))
-        meshes.add_array(data.GetPointData(), np.full((data.GetNumberOfPoints(), 2), 0.5), "TextureWeights")
-        self.expect("Weights of points are not read", data, drawn=True)
+        for bad, text in (((-1.0, 1.0), "TextureWeights of points must be"), ((0.0, 0.0), "TextureWeights of points must be"),
+                          ((np.nan, 1.0), "TextureWeights of points must be"), ((1.0,), "needs 2 components")):
+            data = sheet(CORNERS, 2 * ONE_SET, weights=(0.5, 0.5))
+            weights = np.full((data.GetNumberOfPoints(), len(bad)), 0.5)
+            weights[7] = bad
+            meshes.add_array(data.GetPointData(), weights, "TextureWeights")
+            self.expect(text, data, drawn=True)
+
+    def test_density(self):
+        def with_density(mapper):
+            mapper.UseThicknessOn()
+            mapper.SetDensityArrayName("density")
+
+        self.expect('no point array "density" for the density', sheet(CORNERS, ONE_SET), with_density)
+        for bad in (-0.5, np.nan, np.inf):
+            data = sheet(CORNERS, ONE_SET)
+            values = np.full(data.GetNumberOfPoints(), 0.5)
+            values[5] = bad
+            meshes.add_array(data.GetPointData(), values, "density")
+            self.expect("not a density", data, with_density, drawn=True)
 
     def test_nothing_to_draw(self):
         for data in (vtkPolyData(), meshes.particles(np.zeros((0, 3))), meshes.surface(np.zeros((3, 3)), [(0, 1, 2)])):
@@ -94,11 +112,12 @@ class WaysToDraw(TextureTestCase):
             "points": lambda m, a: (a.GetProperty().SetRepresentationToPoints(), a.GetProperty().SetPointSize(4)),
             "colours": colours,
         }
-        for peeling in (False, True):
+        for peeling, thickness in itertools.product(*2 * [(False, True)]):
             for name, way in ways.items():
-                with self.subTest(name, peeling=peeling):
+                with self.subTest(name, peeling=peeling, thickness=thickness):
                     window, mapper, scene = self.scene(sheet(CORNERS, 2 * ONE_SET, with_normals=name == "lights"), (64, 64))
                     scene.renderer.SetUseDepthPeeling(peeling)
+                    mapper.SetUseThickness(thickness)
                     way(mapper, scene.renderer.GetActors().GetLastActor())
                     self.assertGreater(self.draw(window).max(), 0.1)
 

@@ -96,6 +96,18 @@ class Texture(TextureTestCase):
             self.assertLess(difference.mean(), 0.005)
             self.assertLess(difference.max(), 0.03)  # the sample's threshold is good to 0.005, the filter takes a little
 
+    def test_weights_of_points(self):
+        """Each half as if its weights held everywhere; they go over into each other in the middle column of cells."""
+        corners, sets = ((0, 0, 0), (2, 2, 1)), [((0, 0, 0), 1.0), ((0.3, 0.1, 0.7), 1.0)]
+        left, right = (self.draw(self.scene(sheet(corners, sets, weights=w), (160, 160))[0]) for w in ((0.8, 0.2), (0.1, 0.9)))
+        data = sheet(corners, sets, weights=(0.5, 0.5))
+        first = np.where(meshes.points_of(data)[:, 0] < 0, 0.8, 0.1)
+        meshes.add_array(data.GetPointData(), np.stack([first, 1 - first], -1), "TextureWeights")
+        drawn = self.draw(self.scene(data, (160, 160))[0])
+        np.testing.assert_allclose(drawn[:, :70], left[:, :70], atol=1.5 / 255)
+        np.testing.assert_allclose(drawn[:, 80:], right[:, 80:], atol=1.5 / 255)
+        self.assertGreater(np.abs(left - right)[:, :70].max(), 0.3)
+
     def test_positions_where_there_are_no_coordinates(self):
         """The longest side, 2, is TextureScale units; far away the same in float."""
         pictures = []

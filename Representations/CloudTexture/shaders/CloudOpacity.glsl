@@ -1,37 +1,57 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
 // How opaque a fragment of a cloud's surface is: the share of it that is cloud, times the opacity of that cloud along the ray.
-//   in:  place and (where hasNormals) normal of the fragment in the surface's own coordinates, texture coordinates, cover
+//   in:  place and (where hasNormals) normal of the fragment in the surface's own coordinates, texture coordinates, weights of the two
+//        sets, cover, optical depth along the ray
 //   out: opacity, 0 ... 1
-// To be called where all fragments of a pixel's neighbourhood pass: it takes derivatives.
 // Constants: hasSecondSet, hasNormals.
-uniform vec2 textureWeights;
 uniform float softness;
 uniform float opticalDepth; // across the surface
 uniform vec4 eyePlace;      // homogeneous: w = 0 for parallel rays
 
 const float pixelDeviation = 0.5; // standard deviation of the pixel's filter, in pixels
 
-vec3 textureThroughPixel(vec3 p)
+vec3 footprints[4]; // of the pixel on the texture: both sets, across and up
+vec3 facet;
+
+// To be called where all fragments of a pixel's neighbourhood pass: it takes derivatives.
+void takeFootprints(vec3 place, vec3 first, vec3 second)
 {
-  return filteredTexture(p, pixelDeviation * dFdx(p), pixelDeviation * dFdy(p));
+  footprints[0] = pixelDeviation * dFdx(first);
+  footprints[1] = pixelDeviation * dFdy(first);
+  if (hasSecondSet)
+  {
+    footprints[2] = pixelDeviation * dFdx(second);
+    footprints[3] = pixelDeviation * dFdy(second);
+  }
+  if (!hasNormals)
+  {
+    facet = cross(dFdx(place), dFdy(place));
+  }
 }
 
-float opacityAlongRay(vec3 place, vec3 normal)
+// Of a layer that is as thick everywhere.
+float opticalDepthOfLayer(vec3 place, vec3 normal)
 {
-  vec3 across = hasNormals ? normal : cross(dFdx(place), dFdy(place));
+  vec3 across = hasNormals ? normal : facet;
   vec3 ray = eyePlace.xyz - eyePlace.w * place;
   float squares = dot(across, across) * dot(ray, ray);
   float cosine = squares > 0.0 ? abs(dot(across, ray)) * inversesqrt(squares) : 1.0;
-  return 1.0 - exp(-opticalDepth / max(cosine, 1.0e-3));
+  return opticalDepth / max(cosine, 1.0e-3);
 }
 
-float cloudOpacity(vec3 place, vec3 normal, vec3 first, vec3 second, float cover)
+float cloudOpacity(vec3 first, vec3 second, vec2 weights, float cover, float depthOnRay)
 {
-  vec3 tex = textureThroughPixel(first);
+  float alongRay = 1.0 - exp(-depthOnRay);
+  if (cover <= 0.0 || cover >= 1.0 || alongRay <= 0.0)
+  {
+    return cover <= 0.0 ? 0.0 : alongRay;
+  }
+  vec3 tex = filteredTexture(first, footprints[0], footprints[1]);
   if (hasSecondSet)
   {
-    tex = blendTextures(tex, textureThroughPixel(placeInSecondSet(second)), textureWeights);
+    vec3 other = filteredTexture(placeInSecondSet(second), footprints[2], footprints[3]);
+    tex = blendTextures(tex, other, weights);
   }
-  return cloudShare(tex, cover, softness) * opacityAlongRay(place, normal);
+  return cloudShare(tex, cover, softness) * alongRay;
 }

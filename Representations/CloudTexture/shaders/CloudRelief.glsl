@@ -3,7 +3,7 @@
 // Bumps of cloud for the lights: the normal of a surface that the texture has raised, which is not moved itself (Blinn1978).
 //   in:  footprints, takeRelief; normal in view coordinates, texture coordinates, weights of the two sets
 //   out: unit normal
-// Constants, from the header: gardnerWaves, gardnerAmplitudes, hasSecondSet.
+// Constants, from the header: gardnerWaves (in turns), gardnerAmplitudes, hasSecondSet.
 uniform float reliefHeight; // of the largest wave, in view coordinates
 
 const float reliefLimit = 0.6;     // steep slopes tend to 1 / reliefLimit, 59 degrees
@@ -30,7 +30,7 @@ vec2 bumpChange(vec3 p, vec3 across, vec3 up)
   vec2 result = vec2(0.0);
   for (int i = 0; i < 7; ++i)
   {
-    vec3 wave = gardnerWaves[i];
+    vec3 wave = 6.28318531 * gardnerWaves[i];
     float chi = 0.5 * (wave.y * p.x - wave.x * p.y);
     float bend = cos(chi);
     vec3 local = vec3(wave.x + wave.y * bend, wave.y - wave.x * bend, wave.z);

@@ -3,23 +3,36 @@
 // The cloud texture through the footprint of a pixel, as GardnerTexture.h and CoverageThreshold.h have it.
 //   in:  texture coordinates p; how far they change over one standard deviation of the pixel's filter, across and up
 //   out: mean of f, variance lost to the filter, sum of the fourth powers of the amplitudes that are left
-// Constants, from the header: gardnerWaves, gardnerAmplitudes, gardnerFourth, thresholdColumns, thresholdRows.
+// Constants, from the headers: gardnerWaves (in turns), gardnerAmplitudes, gardnerFourth, thresholdColumns, thresholdRows.
 uniform sampler2D coverageThresholds;
+
+const float squaredTurn = 39.4784176; // of 2 pi
+const float twoOverTurn = 0.318309886;
+
+// cos(2 pi x), to 6e-7 and what x is rounded by.
+float cosineOfTurns(float x)
+{
+  float y = abs(x - floor(x + 0.5)) - 0.25;
+  float z = y * y;
+  return y * (-6.28316404 + z * (41.3371423 + z * (-81.3407689 + z * 70.9934332)));
+}
 
 vec3 filteredTexture(vec3 p, vec3 across, vec3 up)
 {
   vec3 result = vec3(0.0);
   for (int i = 0; i < 7; ++i)
   {
-    vec3 wave = gardnerWaves[i];
+    vec3 wave = gardnerWaves[i]; // in turns
     float chi = 0.5 * (wave.y * p.x - wave.x * p.y);
-    float slope = cos(chi);
+    float slope = cosineOfTurns(chi);
     vec3 local = vec3(wave.x + wave.y * slope, wave.y - wave.x * slope, wave.z);
     vec2 change = vec2(dot(local, across), dot(local, up));
     float amplitude = gardnerAmplitudes[i];
-    float kept = amplitude * exp(-0.5 * dot(change, change));
+    float kept = amplitude * exp(-0.5 * squaredTurn * dot(change, change));
     float square = kept * kept;
-    result += vec3(kept * cos(dot(wave, p) + 2.0 * sin(chi)), 0.5 * (amplitude * amplitude - square), square * square);
+    float modulation = twoOverTurn * cosineOfTurns(chi - 0.25);
+    float height = cosineOfTurns(dot(wave, p) + modulation);
+    result += vec3(kept * height, 0.5 * (amplitude * amplitude - square), square * square);
   }
   return result;
 }

@@ -1,0 +1,222 @@
+// SPDX-FileCopyrightText: The Nephoscope authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "CloudShaderCode.h"
+
+#include "CloudOpacityFunction.h"
+#include "CloudThicknessFunction.h"
+#include "CoverageThreshold.h"
+#include "GardnerTexture.h"
+#include "GardnerTextureFunctions.h"
+
+#include "vtkShaderProgram.h"
+
+#include <cmath>
+#include <iomanip>
+#include <sstream>
+
+namespace nephoscope
+{
+namespace
+{
+const char* word(bool value)
+{
+  return value ? "true" : "false";
+}
+
+/** Numbers that differ from term to term, as elements of an array. */
+template <typename Value>
+std::string listOf(const Value& value)
+{
+  std::ostringstream result;
+  result << std::scientific << std::setprecision(9);
+  for (int i = 0; i < numberOfGardnerTerms; ++i)
+  {
+    result << (i ? ", " : "");
+    value(result, i);
+  }
+  return result.str();
+}
+}
+
+std::string gardnerConstants()
+{
+  const std::string waves = listOf([](std::ostream& os, int i) {
+    const auto wave = gardnerWave<double>(i);
+    const double turn = 2 * gardnerPi;
+    os << "vec3(" << wave[0] / turn << ", " << wave[1] / turn << ", " << wave[2] / turn << ")";
+  });
+  const std::string amplitudes =
+    listOf([](std::ostream& os, int i) { os << gardnerAmplitude * std::pow(gardnerRatio, i); });
+  std::ostringstream result;
+  result << std::scientific << std::setprecision(9);
+  result << "const vec3 gardnerWaves[7] = vec3[7](" << waves << ");\n"
+         << "const float gardnerAmplitudes[7] = float[7](" << amplitudes << ");\n"
+         << "const float gardnerFourth = " << gardnerFourth() << ";\n"
+         << "const float thresholdColumns = " << double(CoverageThresholds::columns) << ";\n"
+         << "const float thresholdRows = " << double(CoverageThresholds::rows) << ";\n";
+  return result.str();
+}
+
+namespace
+{
+std::string constantsOf(const TexturedSurface& surface)
+{
+  return gardnerConstants() + "const bool hasSecondSet = " + word(surface.HasSecondSet) + ";\n" +
+    "const bool hasNormals = " + word(!surface.Normals.empty()) + ";\n";
+}
+
+/** Looks at as many layers as were found. */
+std::string layerLookups(bool hasDensity, int drawings)
+{
+  std::ostringstream uniforms, code;
+  for (int i = 0; i < drawings; ++i)
+  {
+    uniforms << "uniform sampler2D " << depthsUniform(i) << ";\n";
+    code << "  if (cloudDrawings > " << i << ")\n  {\n    considerLayer(texelFetch("
+         << depthsUniform(i) << ", pixel, 0), ";
+    if (hasDensity)
+    {
+      uniforms << "uniform sampler2D " << densitiesUniform(i) << ";\n";
+      code << "texelFetch(" << densitiesUniform(i) << ", pixel, 0)";
+    }
+    else
+    {
+      code << "vec4(1.0)";
+    }
+    code << ");\n  }\n";
+  }
+  return uniforms.str() + "void considerLayers(ivec2 pixel)\n{\n" + code.str() + "}\n";
+}
+
+std::string input(const std::vector<CloudAttribute>& attributes, const std::string& name,
+  const std::string& otherwise)
+{
+  for (const CloudAttribute& a : attributes)
+  {
+    if (a.Name == name)
+    {
+      return name + "VSOutput";
+    }
+  }
+  return otherwise;
+}
+
+void addBefore(vtkShader* shader, const std::string& tag, const std::string& code)
+{
+  std::string source = shader->GetSource();
+  vtkShaderProgram::Substitute(source, tag, code + "\n" + tag, false);
+  shader->SetSource(source);
+}
+
+void addVertexCode(std::map<vtkShader::Type, vtkShader*>& shaders,
+  const std::vector<CloudAttribute>& attributes, bool view)
+{
+  std::string vertexDec, vertexImpl, geometryDec, geometryImpl;
+  for (const CloudAttribute& a : attributes)
+  {
+    vertexDec += "in " + a.Type + " " + a.Name + ";\nout " + a.Type + " " + a.Name + "VSOutput;\n";
+    vertexImpl += "  " + a.Name + "VSOutput = " + a.Name + ";\n";
+    geometryDec +=
+      "in " + a.Type + " " + a.Name + "VSOutput[];\nout " + a.Type + " " + a.Name + "GSOutput;\n";
+    geometryImpl += "  " + a.Name + "GSOutput = " + a.Name + "VSOutput[i];\n";
+  }
+  if (view)
+  {
+    vertexDec += "uniform mat4 placeToView;\nout vec3 cloudViewVSOutput;\n";
+    vertexImpl += "  cloudViewVSOutput = (placeToView * vec4(cloudPlace, 1.0)).xyz;\n";
+    geometryDec += "in vec3 cloudViewVSOutput[];\nout vec3 cloudViewGSOutput;\n";
+    geometryImpl += "  cloudViewGSOutput = cloudViewVSOutput[i];\n";
+  }
+  addBefore(shaders[vtkShader::Vertex], "//VTK::Color::Dec", vertexDec);
+  addBefore(shaders[vtkShader::Vertex], "//VTK::Color::Impl", vertexImpl);
+  addBefore(shaders[vtkShader::Geometry], "//VTK::Color::Dec", geometryDec);
+  addBefore(shaders[vtkShader::Geometry], "//VTK::Color::Impl", geometryImpl);
+}
+}
+
+std::vector<std::string> allCloudAttributeNames()
+{
+  return { "cloudPlace", "cloudTexture1", "cloudTexture2", "cloudCover", "cloudNormal",
+    "cloudDensity", "cloudWeights" };
+}
+
+std::vector<CloudAttribute> cloudAttributesOf(const TexturedSurface& surface)
+{
+  std::vector<CloudAttribute> result{ { "cloudPlace", "vec3", placeArrayName },
+    { "cloudTexture1", "vec3", textureArrayNames[0] } };
+  const auto add = [&](bool isThere, const char* name, const char* type, const std::string& array) {
+    if (isThere)
+    {
+      result.push_back({ name, type, array });
+    }
+  };
+  add(surface.HasSecondSet, "cloudTexture2", "vec3", textureArrayNames[1]);
+  add(surface.HasCover, "cloudCover", "float", coverArrayName);
+  add(!surface.Normals.empty(), "cloudNormal", "vec3", surface.Normals);
+  add(surface.HasDensity, "cloudDensity", "float", densityArrayName);
+  add(surface.HasWeights, "cloudWeights", "vec2", weightsArrayName);
+  return result;
+}
+
+std::string depthsUniform(int i)
+{
+  return "cloudDepths" + std::to_string(i);
+}
+
+std::string densitiesUniform(int i)
+{
+  return "cloudDensities" + std::to_string(i);
+}
+
+std::string layerConstants(const TexturedSurface& surface)
+{
+  return std::string("const bool hasDensity = ") + word(surface.HasDensity) + ";\n";
+}
+
+void addCloudCode(std::map<vtkShader::Type, vtkShader*>& shaders, const TexturedSurface& surface,
+  const CloudShaderChoice& choice)
+{
+  const std::vector<CloudAttribute> attributes = cloudAttributesOf(surface);
+  addVertexCode(shaders, attributes, choice.UseThickness);
+  std::string dec, early;
+  for (const CloudAttribute& a : attributes)
+  {
+    dec += "in " + a.Type + " " + a.Name + "VSOutput;\n";
+  }
+  dec += "uniform float coverage;\nuniform vec2 textureWeights;\n" + constantsOf(surface) +
+    GardnerTextureFunctions + CloudOpacityFunction;
+  const std::string normal = input(attributes, "cloudNormal", "vec3(0.0)");
+  std::string depth =
+    "  float cloudDepthOnRay = opticalDepthOfLayer(cloudPlaceVSOutput, " + normal + ");\n";
+  if (choice.UseThickness)
+  {
+    std::string thickness = CloudThicknessFunction;
+    vtkShaderProgram::Substitute(
+      thickness, "//NEPHOSCOPE::Layers", layerLookups(surface.HasDensity, choice.Drawings));
+    dec += "in vec3 cloudViewVSOutput;\n" + thickness;
+    early =
+      "  float cloudThickness = cloudDrawings < 0 ? noThickness\n    : cloudOpticalDepth(cloudViewVSOutput, " +
+      input(attributes, "cloudDensity", "1.0") +
+      ", gl_FrontFacing == (cloudFrontIsFront != 0));\n" +
+      "  if (cloudThickness < 0.0)\n  {\n    discard;\n  }\n";
+    depth +=
+      "  cloudDepthOnRay = cloudThickness < noThickness ? cloudThickness : cloudDepthOnRay;\n";
+  }
+  const std::string second = input(attributes, "cloudTexture2", "vec3(0.0)");
+  vtkShader* fragment = shaders[vtkShader::Fragment];
+  addBefore(fragment, "//VTK::Color::Dec", dec);
+  addBefore(fragment, "//VTK::UniformFlow::Impl",
+    "  takeFootprints(cloudPlaceVSOutput, cloudTexture1VSOutput, " + second + ");\n");
+  // What starts no cloud is no layer for depth peeling either.
+  addBefore(fragment, "//VTK::DepthPeeling::PreColor", early);
+  std::string source = fragment->GetSource();
+  const std::string opacity = depth + "  opacity *= cloudOpacity(cloudTexture1VSOutput, " + second +
+    ", " + input(attributes, "cloudWeights", "textureWeights") + ", " +
+    input(attributes, "cloudCover", "coverage") +
+    ", cloudDepthOnRay);\n  if (opacity <= 0.0)\n  {\n    }\n";
+  vtkShaderProgram::Substitute(
+    source, "//VTK::Color::Impl", "//VTK::Color::Impl\n" + opacity, false);
+  fragment->SetSource(source);
+}
+
+} // namespace nephoscope

@@ -1,0 +1,53 @@
+// SPDX-FileCopyrightText: The Nephoscope authors
+// SPDX-License-Identifier: BSD-3-Clause
+/** What is written into the shaders of the superclass, and the constants that the own shaders need. */
+#ifndef CloudShaderCode_h
+#define CloudShaderCode_h
+
+#include "TexturedSurface.h"
+
+#include "vtkShader.h"
+
+#include <map>
+#include <string>
+#include <vector>
+
+namespace nephoscope
+{
+
+/** What is read at every point: attribute of the vertex shader, its type, and the array of the surface it comes from. */
+struct CloudAttribute
+{
+  std::string Name;
+  std::string Type;
+  std::string Array;
+};
+
+/** All that the mapper may map to attributes. */
+std::vector<std::string> allCloudAttributeNames();
+std::vector<CloudAttribute> cloudAttributesOf(const TexturedSurface& surface);
+
+/** What the program depends on, apart from the surface. */
+struct CloudShaderChoice
+{
+  bool UseThickness = false;
+  int Drawings = 0; ///< of layers, at most
+};
+
+/** Names of the uniforms of layer i. */
+std::string depthsUniform(int i);
+std::string densitiesUniform(int i);
+
+/** Constants of GardnerTexture.glsl. */
+std::string gardnerConstants();
+
+/** Constant hasDensity of the shaders of layers. */
+std::string layerConstants(const TexturedSurface& surface);
+
+/** Multiplies the opacity of the fragment by that of the cloud. */
+void addCloudCode(std::map<vtkShader::Type, vtkShader*>& shaders, const TexturedSurface& surface,
+  const CloudShaderChoice& choice);
+
+} // namespace nephoscope
+
+#endif

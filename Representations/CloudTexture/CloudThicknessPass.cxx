@@ -1,0 +1,202 @@
+// SPDX-FileCopyrightText: The Nephoscope authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "OpenGLFunctions.h"
+
+#include "CloudThicknessPass.h"
+
+#include "CloudShaderCode.h"
+#include "SurfaceLayersFragment.h"
+#include "SurfaceLayersVertex.h"
+#include "ViewState.h"
+
+#include "vtkActor.h"
+#include "vtkCamera.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLShaderCache.h"
+#include "vtkOpenGLState.h"
+#include "vtkOpenGLVertexArrayObject.h"
+#include "vtkShaderProgram.h"
+#include "vtkTextureObject.h"
+
+#include <algorithm>
+
+namespace nephoscope
+{
+namespace
+{
+// The superclass and the passes need some: colours, environment, thresholds, peels.
+constexpr int reservedUnits = 8;
+}
+
+int CloudThicknessPass::LimitDrawings(int clouds, bool withDensities)
+{
+  GLint units = 16;
+  glGetIntegerv(GL_MAX_TEXTURE_IMAGE_UNITS, &units);
+  return std::max(1, std::min((clouds + 1) / 2, (units - reservedUnits) / (withDensities ? 2 : 1)));
+}
+
+void CloudThicknessPass::FindView(const Request& request)
+{
+  const ViewState view(request.Renderer, request.Actor, request.Center);
+  this->IsParallel = isParallel(view.ViewToDevice);
+  // OpenGL counts matrices by columns.
+  for (int i = 0; i < 4; ++i)
+  {
+    for (int j = 0; j < 4; ++j)
+    {
+      this->PlaceToView[4 * j + i] = static_cast<float>(view.ModelToView->GetElement(i, j));
+    }
+  }
+  const auto toView = depthToView(view.ViewToDevice);
+  std::copy(toView.begin(), toView.end(), this->DepthToView);
+  this->Near = static_cast<float>(request.Renderer->GetActiveCamera()->GetClippingRange()[0]);
+  // Device coordinates are left-handed: a view that is not mirrored turns the sense around.
+  const double handedness = view.ModelToView->Determinant() * view.ViewToDevice->Determinant();
+  this->FrontIsFront = (handedness < 0) != request.IsInsideOut;
+  for (int i = 0; i < 2; ++i)
+  {
+    this->Origin[i] = static_cast<float>(request.Scene.Viewport[i]);
+  }
+}
+
+std::string CloudThicknessPass::Draw(const Request& request)
+{
+  if (!SceneDepth::IsTold(request.Scene.Prop))
+  {
+    // The layers were found in an earlier stage, but for a mapper that several actors share: the last one's.
+    this->IsKnown = this->IsKnown && this->KnownProp == request.Scene.Prop;
+    return std::string();
+  }
+  this->IsKnown = false;
+  this->KnownProp = request.Scene.Prop;
+  this->FindView(request);
+  this->Opaque = this->Scene.Find(request.Scene);
+  if (!this->Opaque)
+  {
+    return "the shader that asks for the depth of opaque things does not compile";
+  }
+  SurfaceLayers::Request layers;
+  layers.Window = request.Scene.Window;
+  std::copy_n(request.Scene.Viewport + 2, 2, layers.Size);
+  layers.Limit = LimitDrawings(request.Clouds, request.WithDensities);
+  layers.WithDensities = this->WithDensities = request.WithDensities;
+  layers.OpaqueDepth = this->Opaque;
+  this->IsKnown = this->Layers.Draw(layers,
+    [&](const SurfaceLayers::Drawing& drawing) { this->Paint(request, drawing, this->Opaque); });
+  return this->IsKnown ? std::string() : "this OpenGL cannot draw depths into 32-bit float images";
+}
+
+void CloudThicknessPass::Paint(
+  const Request& request, const SurfaceLayers::Drawing& drawing, vtkTextureObject* opaque)
+{
+  std::string vertex = SurfaceLayersVertex, fragment = SurfaceLayersFragment;
+  for (std::string* source : { &vertex, &fragment })
+  {
+    vtkShaderProgram::Substitute(*source, "//NEPHOSCOPE::Constants", request.Constants);
+  }
+  vtkShaderProgram* program = request.Scene.Window->GetShaderCache()->ReadyShaderProgram(
+    vertex.c_str(), fragment.c_str(), "");
+  if (!program)
+  {
+    return;
+  }
+  vtkTextureObject* before = drawing.Found ? drawing.Found : drawing.Previous;
+  // Without densities the depth is tested by OpenGL, not sampled: it is the depth buffer now.
+  vtkTextureObject* textures[2] = { request.WithDensities ? opaque : nullptr, before };
+  const char* names[2] = { "opaqueDepth", "foundBefore" };
+  for (int i = 0; i < 2; ++i)
+  {
+    if (textures[i])
+    {
+      textures[i]->Activate();
+      program->SetUniformi(names[i], textures[i]->GetTextureUnit());
+    }
+  }
+  program->SetUniformi("stage", drawing.Found ? 2 : drawing.Previous ? 1 : 0);
+  program->SetUniformi("frontIsFront", this->FrontIsFront);
+  program->SetUniformMatrix4x4("placeToView", this->PlaceToView);
+  program->SetUniform4f("depthToView", this->DepthToView);
+  this->Helper.Program = program;
+  request.DrawTriangles(this->Helper);
+  for (vtkTextureObject* texture : textures)
+  {
+    if (texture)
+    {
+      texture->Deactivate();
+    }
+  }
+}
+
+std::vector<vtkTextureObject*> CloudThicknessPass::Textures()
+{
+  std::vector<vtkTextureObject*> result;
+  if (this->IsKnown)
+  {
+    result.push_back(this->Opaque);
+    for (int i = 0; i < this->Layers.GetNumberOfDrawings(); ++i)
+    {
+      result.push_back(this->Layers.GetDepths(i));
+      if (this->WithDensities)
+      {
+        result.push_back(this->Layers.GetDensities(i));
+      }
+    }
+  }
+  return result;
+}
+
+void CloudThicknessPass::Activate()
+{
+  for (vtkTextureObject* texture : this->Textures())
+  {
+    texture->Activate();
+  }
+}
+
+void CloudThicknessPass::Deactivate()
+{
+  for (vtkTextureObject* texture : this->Textures())
+  {
+    texture->Deactivate();
+  }
+}
+
+void CloudThicknessPass::SetUniforms(vtkShaderProgram* program, double extinction, int drawings)
+{
+  program->SetUniformi("cloudDrawings", this->IsKnown ? this->Layers.GetNumberOfDrawings() : -1);
+  program->SetUniformMatrix4x4("placeToView", this->PlaceToView);
+  program->SetUniform4f("cloudDepthToView", this->DepthToView);
+  program->SetUniform2f("cloudOrigin", this->Origin);
+  program->SetUniformf("cloudExtinction", static_cast<float>(extinction));
+  program->SetUniformf("cloudNear", this->Near);
+  program->SetUniformi("cloudIsParallel", this->IsParallel);
+  program->SetUniformi("cloudFrontIsFront", this->FrontIsFront);
+  if (!this->IsKnown || this->Layers.GetNumberOfDrawings() == 0)
+  {
+    return;
+  }
+  program->SetUniformi("cloudOpaqueDepth", this->Opaque->GetTextureUnit());
+  for (int i = 0; i < drawings; ++i)
+  {
+    const int found = std::min(
+      i, this->Layers.GetNumberOfDrawings() - 1); // what is not read needs some texture, too
+    program->SetUniformi(depthsUniform(i).c_str(), this->Layers.GetDepths(found)->GetTextureUnit());
+    if (this->WithDensities)
+    {
+      program->SetUniformi(
+        densitiesUniform(i).c_str(), this->Layers.GetDensities(found)->GetTextureUnit());
+    }
+  }
+}
+
+void CloudThicknessPass::ReleaseGraphicsResources(vtkWindow* window)
+{
+  this->Scene.ReleaseGraphicsResources(window);
+  this->Layers.ReleaseGraphicsResources(window);
+  this->Helper.Program = nullptr; // the window's
+  this->Helper.ReleaseGraphicsResources(window);
+  this->Opaque = nullptr;
+  this->IsKnown = false;
+}
+
+} // namespace nephoscope

@@ -1,0 +1,72 @@
+// SPDX-FileCopyrightText: The Nephoscope authors
+// SPDX-License-Identifier: BSD-3-Clause
+/** From the surface to the layers that the fragment shader takes the thickness of clouds from, once for each picture. */
+#ifndef CloudThicknessPass_h
+#define CloudThicknessPass_h
+
+#include "SceneDepth.h"
+#include "SurfaceLayers.h"
+
+#include "vtkOpenGLHelper.h"
+
+#include <functional>
+#include <string>
+#include <vector>
+
+class vtkActor;
+class vtkCamera;
+class vtkRenderer;
+class vtkShaderProgram;
+
+namespace nephoscope
+{
+
+class CloudThicknessPass
+{
+public:
+  struct Request
+  {
+    SceneDepth::Request Scene;
+    vtkRenderer* Renderer = nullptr;
+    vtkActor* Actor = nullptr;
+    double Center[3] = { 0, 0, 0 }; ///< of the places
+    bool IsInsideOut = false;
+    bool WithDensities = false;
+    int Clouds = 2;                                      ///< behind one another, at most
+    std::string Constants;                               ///< of the shaders
+    std::function<void(vtkOpenGLHelper&)> DrawTriangles; ///< with the program of the helper
+  };
+
+  /** How many times the surface may be drawn to find so many clouds; less where this OpenGL has few texture units. */
+  static int LimitDrawings(int clouds, bool withDensities);
+
+  /** Draws the layers if this is the time: empty, or what went wrong. */
+  std::string Draw(const Request& request);
+  /** Thickness is not known: the cloud is a layer. */
+  void Forget() { this->IsKnown = false; }
+  bool HasMore() const { return this->IsKnown && this->Layers.HasMore(); }
+
+  void Activate();
+  void Deactivate();
+  void SetUniforms(vtkShaderProgram* program, double extinction, int drawings);
+
+  void ReleaseGraphicsResources(vtkWindow* window);
+
+private:
+  void FindView(const Request& request);
+  void Paint(
+    const Request& request, const SurfaceLayers::Drawing& drawing, vtkTextureObject* opaque);
+  std::vector<vtkTextureObject*> Textures();
+
+  SceneDepth Scene;
+  SurfaceLayers Layers;
+  vtkOpenGLHelper Helper;
+  vtkTextureObject* Opaque = nullptr;
+  vtkProp* KnownProp = nullptr; // not to be looked into
+  bool IsKnown = false, WithDensities = false, IsParallel = false, FrontIsFront = true;
+  float PlaceToView[16], DepthToView[4], Origin[2], Near = 0;
+};
+
+} // namespace nephoscope
+
+#endif

@@ -1,0 +1,197 @@
+# SPDX-FileCopyrightText: The Nephoscope authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Clouds are as opaque as they are thick along the ray: against closed forms, per pixel."""
+import itertools
+import math
+import unittest
+
+import numpy as np
+from cloud_bodies import BodyTestCase, box, opacity, sphere, stay_in_box, together, torus, wall
+from cloud_sheets import sheet
+
+LOW, HIGH = (-1.0, -0.8, -0.6), (0.9, 0.7, 0.5)
+
+
+class Thickness(BodyTestCase):
+    def test_box(self):
+        for peeling, parallel, density in itertools.product(*3 * [(False, True)]):
+            data = box(LOW, HIGH, (lambda p: np.full(len(p), 0.7)) if density else None)
+            window, scene, mapper, _ = self.bodies(data, parallel_scale=1.5 if parallel else None)
+            mapper.SetDensityArrayName("density" if density else None)
+            scene.renderer.SetUseDepthPeeling(peeling)
+            drawn = self.draw(window)
+            origins, directions, _ = self.rays(scene)
+            near, far = stay_in_box(origins, directions, LOW, HIGH)
+            with self.subTest(peeling=peeling, parallel=parallel, density=density):
+                self.compare(drawn, opacity((0.7 if density else 1) * (far - near)))
+
+    def test_sphere(self):
+        window, scene, _, _ = self.bodies(sphere(1.0), extinction=0.8)
+        drawn = self.draw(window)
+        origins, directions, _ = self.rays(scene)
+        along = np.einsum("ij,ij->i", origins, directions)
+        half = np.sqrt(np.maximum(0, 1 - np.einsum("ij,ij->i", origins, origins) + along**2))
+        self.compare(drawn, opacity(0.8 * 2 * half), allowed=2 / 255, share=0.995)  # the sphere has facets
+
+    def test_torus_twice_on_a_ray(self):
+        """In the middle plane of the torus: ring, hole, ring; then something opaque in the hole, and in each part of the ring."""
+        large, small, extinction = 1.0, 0.3, 0.9
+        for distance in (None, 0.0, 0.9, -0.9):
+            window, scene, mapper, _ = self.bodies(torus(large, small), size=(97, 97), extinction=extinction, position=(0, -6, 0),
+                                                   up=(0, 0, 1), parallel_scale=1.5)
+            if distance is not None:
+                actor = scene.add_opaque(wall(0), (0, 0, 0))
+                actor.RotateX(90)
+                actor.SetPosition(0, distance, 0)
+            drawn = self.draw(window)[48]
+            x = scene.view().rays()[0][48 * 97:49 * 97, 0]
+            outer, inner = (np.sqrt(np.maximum(0, r * r - x * x)) for r in (large + small, large - small))
+            end = np.inf if distance is None else distance
+            length = np.maximum(0, np.minimum(-inner, end) + outer) + np.maximum(0, np.minimum(outer, end) - np.minimum(inner, end))
+            with self.subTest(distance=distance):
+                self.compare(drawn, opacity(extinction * length), allowed=2 / 255, share=0.97)
+
+    def test_eye_in_the_cloud(self):
+        """From the near plane on; a cloud behind is one of its own."""
+        second = ((-0.9, -0.7, -3), (0.8, 0.9, -1.5))
+        for peeling in (False, True):
+            window, scene, _, _ = self.bodies(together(box((-2, -2, -1), (2, 2, 2)), box(*second)), extinction=0.4,
+                                              position=(0.2, 0.1, 1), near=0.3, far=8, angle=60)
+            scene.renderer.SetUseDepthPeeling(peeling)
+            drawn = self.draw(window)
+            origins, directions, near = self.rays(scene)
+            _, leave = stay_in_box(origins, directions, (-2, -2, -1), (2, 2, 2))
+            enter, out = stay_in_box(origins, directions, *second)
+            self.compare(drawn, opacity(0.4 * (leave - near + out - enter)))
+
+    def test_opaque_in_the_cloud(self):
+        for z, density in itertools.product((-0.8, -0.2, 0.3, 0.8), (False, True)):
+            data = box(LOW, HIGH, lambda p: np.full(len(p), 1.0))
+            window, scene, mapper, _ = self.bodies(data)
+            mapper.SetDensityArrayName("density" if density else None)
+            scene.add_opaque(wall(z), (0, 0, 0))
+            drawn = self.draw(window)
+            origins, directions, _ = self.rays(scene)
+            near, far = stay_in_box(origins, directions, LOW, HIGH)
+            stop = (z - origins[:, 2]) / directions[:, 2]
+            expected = opacity(np.maximum(0, np.minimum(far, stop) - near))
+            with self.subTest(z=z, density=density):
+                drawn.max() and self.compare(drawn, expected)
+                self.assertEqual(drawn.max() > 0, expected.max() > 0)
+
+    def test_many_behind_one_another(self):
+        """Up to the limit nothing is missing; above it a warning tells."""
+        slabs = [((-1, -1, -i), (1, 1, -i + 0.15 + 0.05 * i)) for i in range(8)]
+        for count, layers in ((8, 8), (5, 6), (8, 4)):
+            window, scene, mapper, _ = self.bodies(together(*(box(*s) for s in slabs[:count])), extinction=0.3, far=40)
+            mapper.SetMaximumNumberOfLayers(layers)
+            window.render()
+            window.render()
+            self.assertEqual(window.gl_errors(), [])
+            origins, directions, _ = self.rays(scene)
+            length = sum(np.subtract(*stay_in_box(origins, directions, *s)[::-1]) for s in slabs[:count])
+            with self.subTest(count=count, layers=layers):
+                self.compare(window.rgba()[..., 0], opacity(0.3 * length), share=1.0 if count <= layers else 0.2)
+                self.assertEqual(len(window.messages.all), count > layers, window.messages.all)
+                self.assertTrue(all("MaximumNumberOfLayers" in m for m in window.messages.all))
+
+
+class Density(BodyTestCase):
+    def test_linear(self):
+        """Exactly integrated where the density is linear in the body: also up to an opaque wall."""
+        density = np.array((0.6, 0.5, 0.4))
+        for z, peeling in itertools.product((None, -0.2, 0.3), (False, True)):
+            data = box(LOW, HIGH, lambda p: 1.5 + p @ density)
+            window, scene, mapper, _ = self.bodies(data, extinction=0.8)
+            mapper.SetDensityArrayName("density")
+            scene.renderer.SetUseDepthPeeling(peeling)
+            if z is not None:
+                scene.add_opaque(wall(z), (0, 0, 0))
+            drawn = self.draw(window)
+            origins, directions, _ = self.rays(scene)
+            near, far = stay_in_box(origins, directions, LOW, HIGH)
+            stop = np.inf if z is None else (z - origins[:, 2]) / directions[:, 2]
+            end = np.maximum(near, np.minimum(far, stop))
+            middle = origins + (0.5 * (near + end))[:, None] * directions
+            with self.subTest(z=z, peeling=peeling):
+                # faces are two triangles each: values at corners are linear there, too
+                self.compare(drawn, opacity(0.8 * (end - near) * (1.5 + middle @ density)), share=0.999)
+
+    def test_several_bodies(self):
+        """Each has its own density, the one behind included."""
+        bodies = [((-1, -1, -0.5), (1, 1, 0)), ((-1, -1, -2), (1, 1, -1.2)), ((-1, -1, -4), (1, 1, -3))]
+        densities = (0.2, 0.9, 0.5)
+        data = together(*(box(*b, density=lambda p, d=d: np.full(len(p), d)) for b, d in zip(bodies, densities)))
+        window, scene, mapper, _ = self.bodies(data)
+        mapper.SetDensityArrayName("density")
+        drawn = self.draw(window)
+        origins, directions, _ = self.rays(scene)
+        optical = sum(d * np.subtract(*stay_in_box(origins, directions, *b)[::-1]) for b, d in zip(bodies, densities))
+        self.compare(drawn, opacity(optical))
+
+
+class WhichSide(BodyTestCase):
+    def test_mirrored(self):
+        """By the actor, by the camera, by a surface that is inside out: the same picture, mirrored or not."""
+        expected = None
+        for way in ("none", "actor", "inside out", "actor and inside out"):
+            data = box(LOW, HIGH)
+            if "inside out" in way:
+                data = together(data)
+                cells = data.GetPolys()
+                cells.ReverseCellAtId and [cells.ReverseCellAtId(i) for i in range(cells.GetNumberOfCells())]
+            window, scene, mapper, actor = self.bodies(data)
+            if "actor" in way:
+                actor.SetScale(-1, 1, 1)
+                actor.SetPosition(HIGH[0] + LOW[0], 0, 0)
+            drawn = self.draw(window)
+            expected = drawn if expected is None else expected
+            np.testing.assert_allclose(drawn, expected, atol=1.01 / 255, err_msg=way)
+
+    def test_mirrored_camera(self):
+        from vtkmodules.vtkCommonTransforms import vtkTransform
+        window, scene, _, _ = self.bodies(box(LOW, HIGH))
+        expected = self.draw(window)
+        mirror = vtkTransform()
+        mirror.Scale(-1, 1, 1)
+        scene.camera.SetUserTransform(mirror)
+        np.testing.assert_allclose(self.draw(window)[:, ::-1], expected, atol=1.01 / 255)
+
+    def test_scaled_actor(self):
+        """Lengths are those of the scene."""
+        window, scene, _, actor = self.bodies(box(np.array(LOW) / (1, 2, 3), np.array(HIGH) / (1, 2, 3)))
+        actor.SetScale(1, 2, 3)
+        drawn = self.draw(window)
+        origins, directions, _ = self.rays(scene)
+        self.compare(drawn, opacity(np.subtract(*stay_in_box(origins, directions, LOW, HIGH)[::-1])))
+
+
+class Default(BodyTestCase):
+    def test_mean_chord(self):
+        """Four times the volume over the area: 4/3 of the radius of a sphere, in the scene."""
+        for scale in (1, 0.5):
+            window, scene, mapper, actor = self.bodies(sphere(1 / scale), size=(65, 65), extinction=0, position=(0, 0, 5))
+            actor.SetScale(scale)
+            mapper.SetOpticalDepth(0.9)
+            self.assertAlmostEqual(self.draw(window)[32, 32], opacity(0.9 * 2 / (4 / 3)), delta=1.5 / 255)
+
+    def test_open_surface(self):
+        """Nothing behind: a layer, seen at an angle. Something opaque behind: up to there."""
+        for opaque in (False, True):
+            data = sheet(((0, 0, 0), (1, 2, 1)), [], tilt=40)
+            window, scene, mapper, _ = self.bodies(data, size=(65, 65), extinction=0.5, position=(0, 0, 5))
+            mapper.SetOpticalDepth(0.4)
+            if opaque:
+                scene.add_opaque(wall(-0.8), (0, 0, 0))
+            expected = opacity(0.5 * 0.8 if opaque else 0.4 / math.cos(math.radians(40)))
+            self.assertAlmostEqual(self.draw(window)[32, 32], expected, delta=1.5 / 255)
+
+    def test_off(self):
+        window, scene, mapper, _ = self.bodies(box(LOW, HIGH), size=(65, 65), position=(0, 0, 5))
+        mapper.UseThicknessOff()
+        mapper.SetOpticalDepth(0.4)
+        self.assertAlmostEqual(self.draw(window)[32, 32], opacity(2 * 0.4), delta=2.5 / 255)  # both faces
+
+
+if __name__ == "__main__":
+    unittest.main()
