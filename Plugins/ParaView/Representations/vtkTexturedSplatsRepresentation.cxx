@@ -193,6 +193,11 @@ void vtkTexturedSplatsRepresentation::SetErrorMeasure(int measure)
   this->Mapper->SetErrorMeasure(measure);
 }
 
+void vtkTexturedSplatsRepresentation::SetLevelBlending(double share)
+{
+  this->Mapper->SetLevelBlending(share);
+}
+
 void vtkTexturedSplatsRepresentation::SetInteractiveMaximumNumberOfSplats(vtkIdType count)
 {
   this->Mapper->SetInteractiveMaximumNumberOfSplats(count);

@@ -40,6 +40,7 @@ public:
   void SetErrorTolerance(double tolerance);
   void SetErrorToleranceUnit(int unit);
   void SetErrorMeasure(int measure);
+  void SetLevelBlending(double share);
   void SetInteractiveMaximumNumberOfSplats(vtkIdType count);
   void SetVectorOpacity(double opacity);
   void SetGreatestSpeed(double speed);

@@ -89,7 +89,7 @@ def check_representation():
 SPLAT_MAPPER_PROPERTIES = ("OpacityScale", "Kernel", "CellSize", "VectorOpacity", "GreatestSpeed", "StreakPeriod", "UseVectorColor",
                            "VectorColor", "Phase", "PhaseCycles", "PhaseSteps", "VectorStyle", "VectorPlacement", "LayerAxis", "VectorUnit",
                            "StreakWidth", "SegmentLength", "SegmentWidth", "RadiusFactor", "ErrorTolerance", "ErrorToleranceUnit",
-                           "ErrorMeasure", "InteractiveMaximumNumberOfSplats")
+                           "ErrorMeasure", "LevelBlending", "InteractiveMaximumNumberOfSplats")
 PARAVIEW_PROPERTIES = ("Visibility", "ForceUseCache", "ForcedCacheKey", "ColorArrayName", "Opacity", "DiffuseColor", "Position", "Scale",
                        "Orientation", "Origin", "Pickable")
 

@@ -9,6 +9,7 @@ import nephoscope
 import numpy as np
 import pages
 import pyvista
+from vtkmodules.vtkRenderingCore import vtkWindowToImageFilter
 
 OUTPUT = Path(os.environ["NEPHOSCOPE_TEST_OUTPUT"])
 FOOTPRINT_PEAK = 0.69989  # of the cubic kernel: its integral along a line through the centre, by quadrature
@@ -163,16 +164,31 @@ class FirstPictures(Picture):
                 self.assertTrue(0.25 < mean < 0.97, mean)
 
 
-class Snippet(unittest.TestCase):
+class Snippets(unittest.TestCase):
+    def test_vtk(self):
+        names = {}
+        with pages.run("textured-splats.md", "vtk", names):
+            window, mapper = names["window"], names["mapper"]
+            pictures = []
+            for phase in (0.25, 0.5):
+                mapper.SetPhase(phase)
+                window.Render()
+                grab = vtkWindowToImageFilter()
+                grab.SetInput(window)
+                grab.Update()
+                pictures.append(np.asarray(pyvista.wrap(grab.GetOutput()).active_scalars, float))
+        self.assertGreater(np.mean(pictures[0].max(axis=1) > 60), 0.1, "nothing is to be seen")
+        self.assertGreater(np.abs(pictures[1] - pictures[0]).max(), 50, "the winds stand still")
+
     def test_page(self):
         with pages.run("pyvista.md", "splats") as folder:
             import PIL.Image
-            film = PIL.Image.open(folder / "winds.gif")
             frames = []
-            for number in range(film.n_frames):
-                film.seek(number)
-                frames.append(np.asarray(film.convert("RGB"), float))
-            film.convert("RGB").save(OUTPUT / "TestSplatsImage-page.png")
+            with PIL.Image.open(folder / "winds.gif") as film:
+                for number in range(film.n_frames):
+                    film.seek(number)
+                    frames.append(np.asarray(film.convert("RGB"), float))
+                film.convert("RGB").save(OUTPUT / "TestSplatsImage-page.png")
         self.assertEqual(len(frames), 8)
         self.assertGreater(np.mean(frames[0].min(axis=2) > 120), 0.03, "no clouds are to be seen")
         steps = [np.abs(a - b).mean() for a, b in zip(frames, frames[1:] + frames[:1])]
