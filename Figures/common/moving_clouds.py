@@ -21,14 +21,14 @@ from globe_scene import on_globe
 
 DAY = 24.0  # hours
 FADE = 12.0  # hours over which the end of the day turns into its beginning
-EXAGGERATION = 20
+EXAGGERATION = 10
 COVER = 0.15  # of the surface
-FULL_COVER = 0.9  # cloud fraction of a column under which the texture is closed
+FULL_COVER = 1.0  # cloud fraction of a column under which the texture is closed
 PERIOD = 8.0  # hours that a set of texture coordinates lives; the day is a multiple
-TEXTURE_SCALE = 20  # repetitions around the equator
-SOFTNESS = 0.4
-RELIEF = 0.025
-VISIBILITY = 1e7  # metres of level air at the ground that leave 2 % of the contrast
+TEXTURE_SCALE = 14  # repetitions around the equator
+SOFTNESS = 0.5
+RELIEF = 0.03
+VISIBILITY = 6e6  # metres of level air at the ground that leave 2 % of the contrast
 PEELS = 8  # surfaces behind one another that are drawn
 
 
