@@ -9,6 +9,7 @@ import nephoscope
 import numpy as np
 from cloud_sheets import TextureTestCase, coordinates_of_pixels, sheet
 from nephoscope_testing import meshes
+from vtkmodules.util.numpy_support import vtk_to_numpy
 
 COVERS = (0.05, 0.15, 0.5, 0.85)
 # m, n and d / 2 pi of the waves; the first has the amplitude 1.013393, each next one 0.7 times that.
@@ -107,6 +108,16 @@ class Texture(TextureTestCase):
         np.testing.assert_allclose(drawn[:, :70], left[:, :70], atol=1.5 / 255)
         np.testing.assert_allclose(drawn[:, 80:], right[:, 80:], atol=1.5 / 255)
         self.assertGreater(np.abs(left - right)[:, :70].max(), 0.3)
+
+    def test_both_sets_are_filtered_alike(self):
+        """The second set reads the texture mirrored and shifted; at the place that this leads to it looks as the first one, from afar too."""
+        corners = ((0, 0, 0), (1.2, 1.5, 0.4))
+        first, other = (sheet(corners, 2 * [((0, 0, 0), 1.0)], weights=weights) for weights in ((1, 0), (0, 1)))
+        p = vtk_to_numpy(other.GetPointData().GetArray("TextureCoordinates2"))
+        p[:] = np.stack([p[:, 0] - 0.37, 0.61 - p[:, 1], p[:, 2] - 0.29], -1)
+        for pixels in (256, 48):
+            pictures = [self.draw(self.scene(data, (pixels, pixels))[0]) for data in (first, other)]
+            self.assertLess(np.abs(pictures[1] - pictures[0]).max(), 0.02, msg=f"{pixels} pixels")
 
     def test_positions_where_there_are_no_coordinates(self):
         """The longest side, 2, is TextureScale units; far away the same in float."""
