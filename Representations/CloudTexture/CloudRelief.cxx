@@ -29,7 +29,7 @@ void addReliefCode(vtkShader* fragment, bool hasSecondSet, const char* weights)
   const std::string coordinates =
     std::string("cloudTexture1VSOutput, ") + (hasSecondSet ? "cloudTexture2VSOutput" : "vec3(0.0)");
   addBefore("//VTK::TCoord::Dec", CloudReliefFunction);
-  addBefore("//VTK::UniformFlow::Impl", "  takeRelief(vertexVC.xyz, " + coordinates + ");\n");
+  addBefore("//VTK::UniformFlow::Impl", "  takeRelief(vertexVC.xyz);\n");
   addBefore("//VTK::Light::Impl",
     "  normalVCVSOutput = raisedNormal(normalVCVSOutput, " + coordinates + ", " + weights + ");\n");
   fragment->SetSource(source);

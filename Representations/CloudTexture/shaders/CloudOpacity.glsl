@@ -21,8 +21,8 @@ void takeFootprints(vec3 place, vec3 first, vec3 second)
   footprints[1] = pixelDeviation * dFdy(first);
   if (hasSecondSet)
   {
-    footprints[2] = pixelDeviation * dFdx(second);
-    footprints[3] = pixelDeviation * dFdy(second);
+    footprints[2] = pixelDeviation * dFdx(placeInSecondSet(second)); // mirrored as the texture is
+    footprints[3] = pixelDeviation * dFdy(placeInSecondSet(second));
   }
   if (!hasNormals)
   {

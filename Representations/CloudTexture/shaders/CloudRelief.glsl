@@ -6,21 +6,14 @@
 // Constants, from the header: gardnerWaves (in turns), gardnerAmplitudes, hasSecondSet.
 uniform float reliefHeight; // of the largest wave, in view coordinates
 
-const float reliefLimit = 0.6;     // steep slopes tend to 1 / reliefLimit, 59 degrees
-const float reliefDeviation = 0.5; // standard deviation of the pixel's filter, in pixels
-
+const float reliefLimit = 0.6; // steep slopes tend to 1 / reliefLimit, 59 degrees
 vec3 reliefAcross, reliefUp; // to the next pixel, in view coordinates
-vec3 reliefFootprints[4];    // of the pixel on the texture: both sets, across and up
 
 // To be called where all fragments of a pixel's neighbourhood pass: it takes derivatives.
-void takeRelief(vec3 place, vec3 first, vec3 second)
+void takeRelief(vec3 place)
 {
   reliefAcross = dFdx(place);
   reliefUp = dFdy(place);
-  reliefFootprints[0] = reliefDeviation * dFdx(first);
-  reliefFootprints[1] = reliefDeviation * dFdy(first);
-  reliefFootprints[2] = reliefDeviation * dFdx(placeInSecondSet(second));
-  reliefFootprints[3] = reliefDeviation * dFdy(placeInSecondSet(second));
 }
 
 // How the height changes to the next pixel, across and up. Waves are as high as the squares of their amplitudes: the small ones of the
@@ -38,15 +31,15 @@ vec2 bumpChange(vec3 p, vec3 across, vec3 up)
     float height = gardnerAmplitudes[i] / gardnerAmplitudes[0];
     result -= height * height * exp(-0.5 * dot(change, change)) * sin(dot(wave, p) + 2.0 * sin(chi)) * change;
   }
-  return result / reliefDeviation;
+  return result / pixelDeviation;
 }
 
 vec3 raisedNormal(vec3 normal, vec3 first, vec3 second, vec2 weights)
 {
-  vec2 change = bumpChange(first, reliefFootprints[0], reliefFootprints[1]);
+  vec2 change = bumpChange(first, footprints[0], footprints[1]);
   if (hasSecondSet)
   {
-    vec2 other = bumpChange(placeInSecondSet(second), reliefFootprints[2], reliefFootprints[3]);
+    vec2 other = bumpChange(placeInSecondSet(second), footprints[2], footprints[3]);
     change = (weights.x * change + weights.y * other) / length(weights);
   }
   vec3 across = cross(reliefUp, normal);
