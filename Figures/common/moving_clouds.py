@@ -28,6 +28,7 @@ PERIOD = 8.0  # hours that a set of texture coordinates lives; the day is a mult
 TEXTURE_SCALE = 14  # repetitions around the equator
 SOFTNESS = 0.5
 RELIEF = 0.03
+EXTINCTION = 8e-5  # per metre of the display
 VISIBILITY = 6e6  # metres of level air at the ground that leave 2 % of the contrast
 PEELS = 8  # surfaces behind one another that are drawn
 
@@ -75,6 +76,8 @@ class MovingClouds:
         self.mapper.SetTextureScale(TEXTURE_SCALE)
         self.mapper.SetSoftness(SOFTNESS)
         self.mapper.SetRelief(RELIEF)
+        self.mapper.UseThicknessOn()
+        self.mapper.SetExtinction(EXTINCTION)
         self.actor = vtk_globe.actor_of(self.mapper, ambient=0.35, diffuse=0.75)
         self.actor.ForceTranslucentOn()
         self.watch = stopwatch.Stopwatch()
