@@ -8,6 +8,7 @@ import globe_scene
 EXAGGERATION = 20
 COVER = 0.15
 SIZE = (1920, 1080)
+VISIBILITY = 4e6  # metres of level air at the ground that leave 2 % of the contrast
 
 
 def make_view(name):
@@ -41,10 +42,19 @@ def show_caption(view, text):
     return caption
 
 
-def picture(name, title, caption, iterations):
+def show_haze(view):
+    haze = pvs.Haze()
+    shown = pvs.Show(haze, view)
+    shown.VerticalExaggeration, shown.VisualRange = EXAGGERATION, VISIBILITY
+    return shown
+
+
+def picture(name, title, caption, iterations, haze=False):
     pvs._DisableFirstRenderCameraReset()
     view = make_view(title)
     globe_scene.show_terrain(view, ambient=0.5, diffuse=1.0)
     show_surface(cloud_surface(globe_scene.read_forecast(EXAGGERATION), iterations), view)
     show_caption(view, caption)
+    if haze:
+        show_haze(view)
     globe_scene.save(name, view, SIZE)

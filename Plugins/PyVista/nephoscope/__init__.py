@@ -19,6 +19,7 @@ if _TYPE_CHECKING:
     from .cloud_texture import add_cloud_texture
     from .clouds import cloud_surface, smooth
     from .globe import globe_surface, to_globe
+    from .haze import add_haze
     from .reader import read_cf
     from .smoke import flow_volume, smoke_puffs
     from .smoke_drawing import add_smoke
@@ -32,6 +33,7 @@ PYVISTA_FUNCTIONS = {
     "to_globe": "globe",
     "globe_surface": "globe",
     "add_cells": "cells",
+    "add_haze": "haze",
     "add_splats": "splats",
     "split_cells": "splitting",
     "smooth": "clouds",

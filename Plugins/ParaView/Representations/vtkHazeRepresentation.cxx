@@ -1,0 +1,128 @@
+// SPDX-FileCopyrightText: The Nephoscope authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkHazeRepresentation.h"
+
+#include "vtkHaze.h"
+#include "vtkInformation.h"
+#include "vtkMultiProcessController.h"
+#include "vtkObjectFactory.h"
+#include "vtkPVRenderView.h"
+#include "vtkRenderer.h"
+
+vtkStandardNewMacro(vtkHazeRepresentation);
+
+vtkHazeRepresentation::vtkHazeRepresentation()
+{
+  this->SetHazeBackground(true);
+}
+
+vtkHazeRepresentation::~vtkHazeRepresentation()
+{
+  this->Switch(false);
+}
+
+int vtkHazeRepresentation::FillInputPortInformation(int, vtkInformation* info)
+{
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataObject");
+  info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
+  return 1;
+}
+
+void vtkHazeRepresentation::Switch(bool on)
+{
+  if (!this->Renderer)
+  {
+    return;
+  }
+  if (on)
+  {
+    vtkHaze::SetHaze(this->Renderer, this->Haze);
+  }
+  else if (vtkHaze::GetHaze(this->Renderer) == this->Haze)
+  {
+    vtkHaze::SetHaze(this->Renderer, nullptr);
+  }
+}
+
+bool vtkHazeRepresentation::AddToView(vtkView* view)
+{
+  auto* renderView = vtkPVRenderView::SafeDownCast(view);
+  if (!renderView)
+  {
+    return false;
+  }
+  this->Renderer = renderView->GetRenderer();
+  this->Switch(this->GetVisibility());
+  return this->Superclass::AddToView(view);
+}
+
+bool vtkHazeRepresentation::RemoveFromView(vtkView* view)
+{
+  this->Switch(false);
+  this->Renderer = nullptr;
+  return this->Superclass::RemoveFromView(view);
+}
+
+void vtkHazeRepresentation::SetVisibility(bool visible)
+{
+  this->Superclass::SetVisibility(visible);
+  this->Switch(visible);
+}
+
+void vtkHazeRepresentation::SetVisualRange(double length)
+{
+  this->Haze->SetVisibility(length);
+}
+
+void vtkHazeRepresentation::SetScaleHeight(double height)
+{
+  this->Haze->SetScaleHeight(height);
+}
+
+void vtkHazeRepresentation::SetVerticalExaggeration(double factor)
+{
+  this->Haze->SetVerticalExaggeration(factor);
+}
+
+void vtkHazeRepresentation::SetHazeColor(double red, double green, double blue)
+{
+  this->Haze->SetColor(red, green, blue);
+}
+
+void vtkHazeRepresentation::SetProjection(int projection)
+{
+  this->Haze->SetProjection(projection);
+}
+
+void vtkHazeRepresentation::SetCenter(double x, double y, double z)
+{
+  this->Haze->SetCenter(x, y, z);
+}
+
+void vtkHazeRepresentation::SetPlanetRadius(double radius)
+{
+  this->Haze->SetPlanetRadius(radius);
+}
+
+void vtkHazeRepresentation::SetUpDirection(double x, double y, double z)
+{
+  this->Haze->SetUpDirection(x, y, z);
+}
+
+void vtkHazeRepresentation::SetBaseLevel(double level)
+{
+  this->Haze->SetBaseLevel(level);
+}
+
+void vtkHazeRepresentation::SetHazeBackground(bool hazed)
+{
+  vtkMultiProcessController* ranks = vtkMultiProcessController::GetGlobalController();
+  this->Haze->SetBackground(hazed && !(ranks && ranks->GetNumberOfProcesses() > 1));
+}
+
+void vtkHazeRepresentation::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Haze:\n";
+  this->Haze->PrintSelf(os, indent.GetNextIndent());
+}

@@ -1,0 +1,62 @@
+// SPDX-FileCopyrightText: The Nephoscope authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class vtkHazeRepresentation
+ * @brief the haze of a render view: one switch for everything in it
+ *
+ * While it is visible its vtkHaze is that of the view's renderer; of several the one shown last. Each rank hazes its own fragments before they are
+ * composited. The background is hazed on one rank only: images of ranks have none until they are composited.
+ */
+#ifndef vtkHazeRepresentation_h
+#define vtkHazeRepresentation_h
+
+#include "vtkNephoscopeParaViewRepresentationsModule.h" // for export macro
+#include "vtkNew.h"
+#include "vtkPVDataRepresentation.h"
+#include "vtkWeakPointer.h" // for the renderer
+
+class vtkHaze;
+class vtkRenderer;
+
+class VTKNEPHOSCOPEPARAVIEWREPRESENTATIONS_EXPORT vtkHazeRepresentation : public vtkPVDataRepresentation
+{
+public:
+  static vtkHazeRepresentation* New();
+  vtkTypeMacro(vtkHazeRepresentation, vtkPVDataRepresentation);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  void SetVisibility(bool visible) override;
+
+  ///@{
+  /** What vtkHaze says of them. VisualRange is its Visibility. */
+  void SetVisualRange(double length);
+  void SetScaleHeight(double height);
+  void SetVerticalExaggeration(double factor);
+  void SetHazeColor(double red, double green, double blue);
+  void SetProjection(int projection);
+  void SetCenter(double x, double y, double z);
+  void SetPlanetRadius(double radius);
+  void SetUpDirection(double x, double y, double z);
+  void SetBaseLevel(double level);
+  void SetHazeBackground(bool hazed);
+  ///@}
+
+protected:
+  vtkHazeRepresentation();
+  ~vtkHazeRepresentation() override;
+
+  int FillInputPortInformation(int port, vtkInformation* info) override;
+  bool AddToView(vtkView* view) override;
+  bool RemoveFromView(vtkView* view) override;
+
+private:
+  vtkHazeRepresentation(const vtkHazeRepresentation&) = delete;
+  void operator=(const vtkHazeRepresentation&) = delete;
+
+  void Switch(bool on);
+
+  vtkNew<vtkHaze> Haze;
+  vtkWeakPointer<vtkRenderer> Renderer; // of the view
+};
+
+#endif

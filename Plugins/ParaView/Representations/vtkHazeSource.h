@@ -1,0 +1,32 @@
+// SPDX-FileCopyrightText: The Nephoscope authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class vtkHazeSource
+ * @brief what stands for the haze of a view in the pipeline: no data
+ *
+ * Its representation, vtkHazeRepresentation, has the settings: hiding it switches the haze off.
+ */
+#ifndef vtkHazeSource_h
+#define vtkHazeSource_h
+
+#include "vtkNephoscopeParaViewRepresentationsModule.h" // for export macro
+#include "vtkPolyDataAlgorithm.h"
+
+class VTKNEPHOSCOPEPARAVIEWREPRESENTATIONS_EXPORT vtkHazeSource : public vtkPolyDataAlgorithm
+{
+public:
+  static vtkHazeSource* New();
+  vtkTypeMacro(vtkHazeSource, vtkPolyDataAlgorithm);
+
+protected:
+  vtkHazeSource();
+  ~vtkHazeSource() override;
+
+  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override { return 1; }
+
+private:
+  vtkHazeSource(const vtkHazeSource&) = delete;
+  void operator=(const vtkHazeSource&) = delete;
+};
+
+#endif

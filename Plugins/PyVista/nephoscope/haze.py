@@ -1,0 +1,101 @@
+# SPDX-FileCopyrightText: The Nephoscope authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Haze before everything that a plotter draws (`vtkHaze`)."""
+from __future__ import annotations
+
+from typing import Literal, Sequence
+
+import pyvista
+
+from . import vtkHaze
+from ._checks import choose, require_number
+from .globe import EARTH_RADIUS
+
+PROJECTIONS = ("globe", "map")  # as the field data GlobeGridProjection numbers them
+
+
+def add_haze(plotter: pyvista.Plotter, mesh: pyvista.DataSet | None = None, *, visibility: float = 1e6, scale_height: float = 8000.0,
+             color: str | Sequence[float] | None = None, background: bool = True,
+             vertical_exaggeration: float | None = None, projection: Literal["globe", "map"] | None = None,
+             radius: float | None = None, center: Sequence[float] = (0, 0, 0), up: Sequence[float] = (0, 0, 1),
+             base_level: float = 0.0) -> vtkHaze:
+    """Put haze that is thinner with altitude before everything in the active renderer of a plotter, in place of what haze it had.
+
+    Take it away by ``nephoscope.vtkHaze.SetHaze(plotter.renderer, None)``.
+
+    Parameters
+    ----------
+    plotter : pyvista.Plotter
+        Its active renderer is hazed.
+    mesh : pyvista.DataSet, optional
+        A result of ``mesh.nephoscope.globe(...)``, or of filters that keep its field data: says where the ground is, and how much
+        heights are exaggerated.
+    visibility : float, default: 1e6
+        Meteorological visibility at altitude 0, in lengths of the scene, > 0: what length of level air lets 2 % of the contrast through.
+        Real air has 1e4 to 3e5 m.
+    scale_height : float, default: 8000.0
+        Height, not exaggerated, over which density falls to 1/e, > 0.
+    color : color_like, optional
+        Colour of thick haze. Default: a pale blue, (0.72, 0.8, 0.9).
+    background : bool, default: True
+        Haze the background too.
+    vertical_exaggeration : float, optional
+        Factor on the heights in the scene, > 0. Default: that of `mesh`, else 1.
+    projection : {"globe", "map"}, optional
+        Altitude is height over a sphere, or over flat ground. Default: that of `mesh`, else ``"globe"``.
+    radius : float, optional
+        Globe: radius where altitude is 0, > 0. Default: that of `mesh`, else 6371000.
+    center : sequence of 3 float, default: (0, 0, 0)
+        Globe: its centre.
+    up : sequence of 3 float, default: (0, 0, 1)
+        Map: upwards.
+    base_level : float, default: 0.0
+        Map: coordinate along `up` where altitude is 0.
+
+    Returns
+    -------
+    vtkHaze
+        Its settings may be changed at any time.
+
+    Raises
+    ------
+    ValueError
+        If a number or a choice is out of range.
+    """
+    told = _told_by(mesh)
+    haze = vtkHaze()
+    choose({"globe": haze.SetProjectionToGlobe, "map": haze.SetProjectionToMap},
+           projection if projection is not None else told.get("projection", "globe"), "projection")
+    haze.SetVisibility(require_number(visibility, "visibility", above=0))
+    haze.SetScaleHeight(require_number(scale_height, "scale_height", above=0))
+    exaggeration = told.get("exaggeration", 1.0) if vertical_exaggeration is None else vertical_exaggeration
+    haze.SetVerticalExaggeration(require_number(exaggeration, "vertical_exaggeration", above=0))
+    haze.SetPlanetRadius(require_number(told.get("radius", EARTH_RADIUS) if radius is None else radius, "radius", above=0))
+    if color is not None:
+        haze.SetColor(*pyvista.Color(color).float_rgb)
+    haze.SetBackground(bool(background))
+    haze.SetCenter(*_vector(center, "center"))
+    up = _vector(up, "up")
+    if not any(up):
+        raise ValueError("up is (0, 0, 0); it must have a length.")
+    haze.SetUpDirection(*up)
+    haze.SetBaseLevel(require_number(base_level, "base_level"))
+    vtkHaze.SetHaze(plotter.renderer, haze)
+    return haze
+
+
+def _vector(values: Sequence[float], argument: str) -> list[float]:
+    if len(values) != 3:
+        raise ValueError(f"{argument} is {values!r}; it must have 3 numbers.")
+    return [require_number(value, argument) for value in values]
+
+
+def _told_by(mesh: pyvista.DataSet | None) -> dict:
+    """What `vtkGlobeGrid` has written into the field data."""
+    if mesh is None:
+        return {}
+    names = {"GlobeGridProjection": "projection", "PlanetRadius": "radius", "VerticalExaggeration": "exaggeration"}
+    told = {ours: float(mesh.field_data[theirs][0]) for theirs, ours in names.items() if theirs in mesh.field_data}
+    if "projection" in told:
+        told["projection"] = PROJECTIONS[int(told["projection"])]
+    return told
