@@ -18,7 +18,8 @@
 class vtkHaze;
 class vtkRenderer;
 
-class VTKNEPHOSCOPEPARAVIEWREPRESENTATIONS_EXPORT vtkHazeRepresentation : public vtkPVDataRepresentation
+class VTKNEPHOSCOPEPARAVIEWREPRESENTATIONS_EXPORT vtkHazeRepresentation
+  : public vtkPVDataRepresentation
 {
 public:
   static vtkHazeRepresentation* New();

@@ -22,7 +22,10 @@ protected:
   vtkHazeSource();
   ~vtkHazeSource() override;
 
-  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override { return 1; }
+  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override
+  {
+    return 1;
+  }
 
 private:
   vtkHazeSource(const vtkHazeSource&) = delete;

@@ -8,14 +8,16 @@ import sys
 
 import numpy as np
 from HazeScenes import add_haze, make_view
-from PluginTesting import image, load_plugin, passed, pvs
+from PluginTesting import image, load_plugin, passed, pvs, servermanager
 
 if len(sys.argv) > 2:
     pvs.Connect("localhost", int(sys.argv[2]))
 load_plugin()
-for name, medium, background in (("surfaces", False, False), ("cells", True, False), ("sky", False, True)):
+scenes = [("surfaces", False, False), ("cells", True, False)]
+if servermanager.vtkProcessModule.GetProcessModule().GetNumberOfLocalPartitions() == 1:
+    scenes.append(("sky", False, True))
+for name, medium, background in scenes:
     view = make_view(medium)
-    np.save(f"{sys.argv[1]}-plain-{name}.npy", image(view))
     add_haze(view, background)
     np.save(f"{sys.argv[1]}-{name}.npy", image(view))
     pvs.Delete(view)
