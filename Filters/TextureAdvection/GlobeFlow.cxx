@@ -9,6 +9,16 @@
 
 #include <cmath>
 
+// Compiled twice, all that is called inlined: for any processor, and for those with wide registers and fused multiplication, which is
+// chosen when the library is loaded. Sanitizers are not ready then.
+#if defined(__x86_64__) && defined(__ELF__) && defined(__GNUC__) && !defined(__clang__) &&           \
+  !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
+#define NEPHOSCOPE_FOR_EACH_PROCESSOR                                                                \
+  __attribute__((target_clones("arch=x86-64-v3", "default"), flatten))
+#else
+#define NEPHOSCOPE_FOR_EACH_PROCESSOR
+#endif
+
 namespace nephoscope
 {
 namespace
@@ -65,6 +75,12 @@ void MixAirs(const GlobeAir& a, const GlobeAir& b, double share, std::size_t lay
   {
     MixArrays(GroundOf(a, layer), GroundOf(b, layer), w, mixed.Ground);
   }
+}
+
+NEPHOSCOPE_FOR_EACH_PROCESSOR void AdvanceParcels(
+  const GlobeStepper& stepper, GlobeParcel* parcels, std::size_t count, const StepAirs& airs)
+{
+  stepper.Advance(parcels, count, airs);
 }
 
 vtkDataArray* PointArray(vtkDataSet* data, const std::string& name, int components, std::string& problem)
@@ -212,7 +228,7 @@ void GlobeFlow::Advance(const FlowStep& step)
   airs.End = this->Settings.Method == PathMethod::Euler ? airs.Begin : this->AirAt(step, step.ToShare);
   const GlobeStepper stepper(this->Shape.Columns(), this->Shape.Levels(), this->Settings);
   InParallel(this->Parcels.size(), [&](vtkIdType begin, vtkIdType end) {
-    stepper.Advance(this->Parcels.data() + begin, static_cast<std::size_t>(end - begin), airs);
+    AdvanceParcels(stepper, this->Parcels.data() + begin, static_cast<std::size_t>(end - begin), airs);
   });
 }
 
