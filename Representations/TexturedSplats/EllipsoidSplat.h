@@ -29,6 +29,17 @@ inline SplatPassage PassSplat(
   return { Length(Cross(o, k)) / length, 1.0 / length, -Dot(o, k) / (length * length) };
 }
 
+// How far the ball of one cell reaches along a vector, which must not be 0.
+inline double ReachAlong(const SplatMatrix& jacobian, const SplatVector& vector)
+{
+  double sum = 0.0;
+  for (const SplatVector& edge : jacobian)
+  {
+    sum += Dot(edge, vector) * Dot(edge, vector);
+  }
+  return std::sqrt(sum) / Length(vector);
+}
+
 // Columns shorter than `share` of the longest are lengthened, so that cells which degenerate (at a pole, or of a flat
 // grid) keep a volume; a column of no length gets a direction at right angles to the others.
 inline SplatMatrix WithoutFlatColumns(SplatMatrix jacobian, double share)

@@ -7,6 +7,7 @@
 #include "PointMargin.h"
 #include "ShaderParts.h"
 #include "SplatClasses.h"
+#include "SplatReach.h"
 #include "SplatRegionUniforms.h"
 #include "SplatSamples.h"
 #include "SplatShaderConstants.h"
@@ -46,10 +47,9 @@ namespace
 {
 // Pixels: splats whose cell is smaller are spread over a pixel, whose own variance is that of a box, 1/12, over the kernel's.
 constexpr double largeEnough = 1.0;
+constexpr double dotSize = 3.0; // square pixels: the sum of the squares of two half axes of a cell, below which splats are dots
 constexpr double pixelVariance = 1.0 / 12.0 / cubic_kernel::variance;
-// Of a streak's period: the kernel's length of one cell along the vector, and the tail at full speed.
-constexpr float kernelShare = 0.5f;
-constexpr float tailShare = 0.6f;
+constexpr float tailShare = 0.6f; // of a streak's period, at full speed
 constexpr double streakSpacing = 1.0; // from row to row, in units of the vectors
 
 std::string shaderConstants(const SplatDrawingOptions& options, const SplatPass::Variant& variant)
@@ -71,6 +71,7 @@ std::string shaderConstants(const SplatDrawingOptions& options, const SplatPass:
        << "#define MAX_VERTICES " << (vectors && !options.MediaApart ? 12 : 4) << "\n"
        << (variant.Fade ? "#define FADE\n" : "")
        << (variant.Region ? "#define DRAW_REGION\n" : "")
+       << "const float dotSize = " << dotSize << ";\n"
        << "const float largeEnough = " << largeEnough << ";\n"
        << "const float pixelVariance = " << pixelVariance << ";\n";
   text << "#define FOOTPRINT_PEAK " << KernelFootprint(options.Kernel, 0.0) << "\n"
@@ -305,7 +306,7 @@ void SplatPass::SetUniforms(
   program->SetUniformf("vectorScale", static_cast<float>(options.VectorScale));
   program->SetUniformf("vectorUnit", static_cast<float>(options.VectorUnit));
   const auto period = static_cast<float>(options.StreakPeriod);
-  program->SetUniformf("streakLength", kernelShare * period);
+  program->SetUniformf("streakLength", static_cast<float>(streakKernelShare) * period);
   const float shape[3] = { period, tailShare * period, static_cast<float>(options.StreakWidth) };
   program->SetUniform3f("streakShape", shape);
   program->SetUniformf("segmentLength", static_cast<float>(options.SegmentLength));

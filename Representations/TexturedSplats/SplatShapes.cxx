@@ -128,18 +128,18 @@ bool SplatShapes::IsVisible(vtkIdType id) const
   return !this->Ghosts || !(this->Ghosts->GetValue(id) & left);
 }
 
-SplatVector SplatShapes::Place(vtkIdType id) const
+SplatVector PlaceOf(vtkDataSet* data, const GridSamples& grid, bool onCells, vtkIdType id)
 {
-  if (this->Grid.IsGrid())
+  if (grid.IsGrid())
   {
-    return this->Grid.Position(id);
+    return grid.Position(id);
   }
-  if (this->OnCells)
+  if (onCells)
   {
-    return centerOfCell(this->Data, id);
+    return centerOfCell(data, id);
   }
   SplatVector place;
-  this->Data->GetPoint(id, place.data());
+  data->GetPoint(id, place.data());
   return place;
 }
 

@@ -34,6 +34,9 @@ struct SplatSampling
   SplatFrame Frame = {};
 };
 
+/** Where a sample is: a point, or the centre of a cell. `grid`: of the same data. */
+VTKNEPHOSCOPEREPRESENTATIONSTEXTUREDSPLATS_EXPORT SplatVector PlaceOf(vtkDataSet* data, const GridSamples& grid, bool onCells, vtkIdType id);
+
 class VTKNEPHOSCOPEREPRESENTATIONSTEXTUREDSPLATS_EXPORT SplatShapes
 {
 public:
@@ -48,7 +51,10 @@ public:
   /** Not hidden, and not a duplicate of what another rank has, unless those are wanted. */
   bool IsVisible(vtkIdType id) const;
   /** It may be at no finite place. */
-  SplatVector Place(vtkIdType id) const;
+  SplatVector Place(vtkIdType id) const
+  {
+    return PlaceOf(this->Data, this->Grid, this->OnCells, id);
+  }
   /** Edges of the sample's cell, times the radius factor; none is so short that the splat would be flat. */
   SplatMatrix Jacobian(vtkIdType id) const;
   bool HaveOneShape() const

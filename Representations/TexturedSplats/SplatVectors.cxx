@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SplatVectors.h"
 
+#include "EllipsoidSplat.h"
+#include "GridSamples.h"
 #include "SplatClasses.h"
 #include "SplatSamples.h"
 #include "VectorTexture.h"
@@ -22,30 +24,14 @@ float lengthOf(const std::array<float, 3>& v)
   return std::sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
 }
 
-// How far the ball of one cell reaches along a vector.
-double cellAlong(const SplatSamples::Jacobian& j, const std::array<float, 3>& v)
+SplatVector toDouble(const std::array<float, 3>& v)
 {
-  double sum = 0.0;
-  for (const auto& edge : j)
-  {
-    const double dot = double(edge[0]) * v[0] + double(edge[1]) * v[1] + double(edge[2]) * v[2];
-    sum += dot * dot;
-  }
-  return std::sqrt(sum) / lengthOf(v);
+  return { { v[0], v[1], v[2] } };
 }
 
-// The place in the file, bit for bit: as it is relative to a centre it differs between ranks.
-SplatSeed seedOf(vtkDataSet* data, bool onCells, vtkIdType id)
+double cellAlong(const SplatSamples::Jacobian& j, const std::array<float, 3>& v)
 {
-  double place[6];
-  if (!onCells)
-  {
-    data->GetPoint(id, place);
-    return SeedOf(place);
-  }
-  data->GetCellBounds(id, place);
-  const double centre[3] = { place[0] + place[1], place[2] + place[3], place[4] + place[5] };
-  return SeedOf(centre);
+  return ReachAlong({ { toDouble(j[0]), toDouble(j[1]), toDouble(j[2]) } }, toDouble(v));
 }
 
 std::array<float, 3> finiteVector(vtkDataArray* vectors, vtkIdType id)
@@ -62,6 +48,7 @@ void SplatVectors::Read(
   vtkDataSet* data, bool onCells, vtkDataArray* vectors, const SplatSamples& samples)
 {
   const std::size_t count = samples.Size();
+  const GridSamples grid(data, onCells);
   const auto all = static_cast<std::size_t>(vectors->GetNumberOfTuples());
   if (this->Moved.size() != all)
   {
@@ -75,7 +62,8 @@ void SplatVectors::Read(
   std::size_t moving = 0;
   for (std::size_t i = 0; i < count; ++i)
   {
-    this->Seeds[i] = seedOf(data, onCells, samples.Ids[i]);
+    // The place in the file, bit for bit: as it is relative to a centre it differs between ranks.
+    this->Seeds[i] = nephoscope::SeedOf(PlaceOf(data, grid, onCells, samples.Ids[i]).data());
     this->Vectors[i] = finiteVector(vectors, samples.Ids[i]);
     const float speed = lengthOf(this->Vectors[i]);
     if (speed > 0 && std::isfinite(speed))
@@ -102,12 +90,13 @@ std::vector<std::array<float, 4>> SplatVectors::Pack(
 {
   std::vector<std::array<float, 4>> packed;
   packed.reserve(classes.Samples.size());
+  const double greatest = loop.GreatestSpeed > 0 ? loop.GreatestSpeed : this->Greatest;
   for (const std::int32_t sample : classes.Samples)
   {
     const auto i = static_cast<std::size_t>(sample);
     const auto& v = this->Vectors[i];
     const double looped =
-      this->Greatest > 0 ? loop.Share * std::round(loop.Cycles * lengthOf(v) / this->Greatest) : 0.0;
+      greatest > 0 ? loop.Share * std::round(loop.Cycles * lengthOf(v) / greatest) : 0.0;
     const double phase =
       this->Seeds[i].Phase + this->Moved[static_cast<std::size_t>(this->Ids[i])] + looped;
     packed.push_back({ { v[0], v[1], v[2], static_cast<float>(StoredPhase(phase, loop.Steps)) } });

@@ -32,9 +32,11 @@ struct SplatLoop
   double Share = 0; ///< 0 to 1
   int Cycles = 4;   ///< periods that the fastest pattern moves in a loop
   int Steps = 0;    ///< stored patterns in a period; 0: any phase
+  double GreatestSpeed = 0; ///< that counts as the fastest; 0: that of the data
   bool operator==(const SplatLoop& other) const
   {
-    return this->Share == other.Share && this->Cycles == other.Cycles && this->Steps == other.Steps;
+    return this->Share == other.Share && this->Cycles == other.Cycles &&
+      this->Steps == other.Steps && this->GreatestSpeed == other.GreatestSpeed;
   }
 };
 

@@ -156,7 +156,7 @@ nephoscope::SplatVectorSettings vtkTexturedSplatMapper::GetVectorSettings()
   settings.ColorFunction = this->VectorColorFunction;
   settings.OneColor = this->UseVectorColor;
   std::copy_n(this->VectorColor, 3, settings.Color.begin());
-  settings.Loop = { this->Phase, this->PhaseCycles, this->PhaseSteps };
+  settings.Loop = { this->Phase, this->PhaseCycles, this->PhaseSteps, this->GreatestSpeed };
   return settings;
 }
 

@@ -236,7 +236,7 @@ public:
   ///@{
   /**
    * Where in a loop the patterns are, 0 to 1; 1 is 0 again. Over a loop each pattern moves a whole number of periods, nearest to
-   * PhaseCycles (default 4) times its share of the greatest speed: for pictures that repeat. For motion at exactly the speed of the data
+   * PhaseCycles (default 4) times its share of GreatestSpeed: for pictures that repeat. For motion at exactly the speed of the data
    * use AdvancePhases.
    */
   vtkSetMacro(Phase, double);

@@ -97,6 +97,30 @@ double meanSpacingOverRanks(const SplatShapes& shapes, vtkIdList* ids)
   return all.IsValid() ? MeanSpacing(bounds, static_cast<std::size_t>(sum)) : 1.0;
 }
 
+// Without marks of ghosts. The arrays are those of cells: the view merges points in one place, not cells.
+vtkSmartPointer<vtkDataSet> verticesOf(
+  const SplatShapes& shapes, vtkIdList* ids, vtkDataSetAttributes* arrays)
+{
+  const vtkIdType count = ids->GetNumberOfIds();
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  points->SetNumberOfPoints(count);
+  auto vertices = vtkSmartPointer<vtkUnstructuredGrid>::New();
+  vertices->Allocate(count);
+  vtkDataSetAttributes* copies = vertices->GetCellData();
+  copies->CopyAllOn();
+  copies->CopyAllocate(arrays, count);
+  for (vtkIdType i = 0; i < count; ++i)
+  {
+    points->SetPoint(i, shapes.Place(ids->GetId(i)).data());
+    vertices->InsertNextCell(VTK_VERTEX, 1, &i);
+    copies->CopyData(arrays, ids->GetId(i), i);
+  }
+  vertices->SetPoints(points);
+  copies->RemoveArray(vtkDataSetAttributes::GhostArrayName());
+  return vertices;
+}
+
 vtkSmartPointer<vtkDataArray> shapesOf(const SplatShapes& shapes, vtkIdList* ids)
 {
   auto array = vtkSmartPointer<vtkFloatArray>::New();
@@ -131,29 +155,16 @@ vtkSmartPointer<vtkDataSet> splatVertices(vtkDataSet* piece, bool onCells, doubl
   vtkSmartPointer<vtkIdList> ids = ownIds(data, own, onCells);
   const double spacing = meanSpacingOverRanks(own, ids); // of all ranks, not of this one
   const SplatShapes shapes(data, { onCells, own.HaveMeanSpacing() ? spacing : cellSize });
-  vtkNew<vtkPoints> points;
-  points->SetDataTypeToDouble();
-  points->SetNumberOfPoints(ids->GetNumberOfIds());
-  auto vertices = vtkSmartPointer<vtkUnstructuredGrid>::New();
-  vertices->Allocate(ids->GetNumberOfIds());
-  for (vtkIdType i = 0; i < ids->GetNumberOfIds(); ++i)
-  {
-    points->SetPoint(i, shapes.Place(ids->GetId(i)).data());
-    vertices->InsertNextCell(VTK_VERTEX, 1, &i);
-  }
-  vertices->SetPoints(points);
-  const int kind = onCells ? vtkDataObject::CELL : vtkDataObject::POINT;
-  vtkDataSetAttributes* arrays = vertices->GetCellData(); // the view merges points in one place, not cells
-  arrays->CopyAllOn();
-  arrays->CopyAllocate(data->GetAttributes(kind), ids->GetNumberOfIds());
-  for (vtkIdType i = 0; i < ids->GetNumberOfIds(); ++i)
-  {
-    arrays->CopyData(data->GetAttributes(kind), ids->GetId(i), i);
-  }
-  arrays->RemoveArray(vtkDataSetAttributes::GhostArrayName());
-  arrays->AddArray(shapesOf(shapes, ids));
+  vtkSmartPointer<vtkDataSet> vertices = verticesOf(
+    shapes, ids, data->GetAttributes(onCells ? vtkDataObject::CELL : vtkDataObject::POINT));
+  vertices->GetCellData()->AddArray(shapesOf(shapes, ids));
   vertices->GetFieldData()->ShallowCopy(data->GetFieldData());
   return vertices;
+}
+
+vtkSmartPointer<vtkDataSet> chosenVertices(vtkDataSet* vertices, vtkIdList* ids)
+{
+  return verticesOf(SplatShapes(vertices, { true, 1.0 }), ids, vertices->GetCellData());
 }
 
 } // namespace nephoscope

@@ -8,6 +8,7 @@
 
 class vtkDataObject;
 class vtkDataSet;
+class vtkIdList;
 
 namespace nephoscope
 {
@@ -24,6 +25,9 @@ extern const char* const splatShapeName;
  * arrays. `cellSize` is of balls; 0: the mean spacing of the samples of all ranks. `piece` may be null. Collective.
  */
 vtkSmartPointer<vtkDataSet> splatVertices(vtkDataSet* piece, bool onCells, double cellSize);
+
+/** Some of such vertices, with their arrays. */
+vtkSmartPointer<vtkDataSet> chosenVertices(vtkDataSet* vertices, vtkIdList* ids);
 
 } // namespace nephoscope
 

@@ -153,6 +153,7 @@ int vtkMediumRepresentation::ProcessViewRequest(
                                                : vtkPVRenderView::GetPieceProducer(inInfo, this);
     auto data = vtkDataSet::SafeDownCast(
       producer ? producer->GetProducer()->GetOutputDataObject(0) : nullptr);
+    data = this->CompletePiece(data, inInfo);
     this->Actor->SetVisibility(data != nullptr && this->HoldsMedium(data));
     if (this->Actor->GetVisibility())
     {

@@ -91,6 +91,8 @@ protected:
   virtual void PreparePiece(vtkDataObject* input) = 0;
   /** Tells the view of the piece; subclasses add how it may be spread over ranks. */
   virtual void DescribePiece(vtkInformation* inInfo);
+  /** Called by all ranks, with what the view delivered, which may be null; returns what is drawn. */
+  virtual vtkDataSet* CompletePiece(vtkDataSet* data, vtkInformation*) { return data; }
   /** Makes the mapper ready to draw a delivered piece, which holds something. */
   virtual void PrepareMapper(vtkDataSet* data);
   /** Whether there is something to draw in a delivered piece. */

@@ -21,17 +21,6 @@
 
 #include <cmath>
 
-vtkStandardNewMacro(vtkTexturedSplatsRepresentation);
-
-vtkTexturedSplatsRepresentation::vtkTexturedSplatsRepresentation()
-  : DefaultColors(new nephoscope::DefaultVectorColors)
-{
-  this->Actor->SetMapper(this->Mapper);
-  this->Mapper->SetShapeArrayName(nephoscope::splatShapeName); // where there is one
-}
-
-vtkTexturedSplatsRepresentation::~vtkTexturedSplatsRepresentation() = default;
-
 int vtkTexturedSplatsRepresentation::RequestInformation(
   vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
@@ -216,7 +205,8 @@ void vtkTexturedSplatsRepresentation::SetVectorOpacity(double opacity)
 
 void vtkTexturedSplatsRepresentation::SetGreatestSpeed(double speed)
 {
-  this->Mapper->SetGreatestSpeed(speed);
+  this->GreatestSpeed = speed;
+  this->Mapper->SetGreatestSpeed(speed); // several ranks decide anew
 }
 
 void vtkTexturedSplatsRepresentation::SetStreakPeriod(double units)

@@ -17,7 +17,15 @@
 
 #include <memory> // for std::unique_ptr
 
+#include <array>  // for regions
+#include <memory> // for std::unique_ptr
+#include <vector> // for regions
+
 class vtkScalarsToColors;
+namespace nephoscope
+{
+struct SplatReaches;
+}
 class vtkTexturedSplatMapper;
 namespace nephoscope
 {
@@ -88,6 +96,7 @@ protected:
   int RequestUpdateExtent(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
   void PreparePiece(vtkDataObject* input) override;
   void DescribePiece(vtkInformation* inInfo) override;
+  vtkDataSet* CompletePiece(vtkDataSet* data, vtkInformation* inInfo) override;
   void PrepareMapper(vtkDataSet* data) override;
   bool HoldsMedium(vtkDataSet* data) const override;
   int GetUniformAssociation() const override;
@@ -99,11 +108,19 @@ private:
 
   bool DrawsCells(); // else points
   double GetPhaseNow();
+  void UseCommons(const std::vector<std::array<double, 6>>& regions);
+  nephoscope::SplatReaches GetReaches();
 
   vtkNew<vtkTexturedSplatMapper> Mapper;
   vtkSmartPointer<vtkScalarsToColors> VectorColorFunction;
   std::unique_ptr<nephoscope::DefaultVectorColors> DefaultColors;
   double CellSize = 0.0;
+  double GreatestSpeed = 0.0; // 0: of the data of all ranks
+  double VectorUnit = 0.0;    // likewise
+
+  // What several ranks have agreed on for the last delivered piece.
+  struct vtkMeeting;
+  std::unique_ptr<vtkMeeting> Meeting;
   bool MoveWithTime = true;
   double LoopDuration = 0.0;
   double Phase = 0.0;

@@ -26,7 +26,8 @@ void vtkTexturedSplatsRepresentation::SetLayerAxis(int axis)
 
 void vtkTexturedSplatsRepresentation::SetVectorUnit(double length)
 {
-  this->Mapper->SetVectorUnit(length);
+  this->VectorUnit = length;
+  this->Mapper->SetVectorUnit(length); // several ranks decide anew
 }
 
 void vtkTexturedSplatsRepresentation::SetStreakWidth(double width)

@@ -10,12 +10,12 @@ float ofLayer(float depth)
   return layerThickness > 0.0 ? (floor(depth / layerThickness) + 0.5) * layerThickness : depth;
 }
 
-// pixels: whether these decide. Those of a splat that is spread over a pixel may lie farther from it than neighbours know.
-vec4 inRegion(vec3 center, bool pixels)
+// isDot: the centre decides, and not the pixel. One of a splat that is spread over it may lie farther away than neighbours know.
+vec4 inRegion(vec3 center, bool isDot)
 {
   if (parallelRays)
   {
-    return vec4(center.xy, ofLayer(center.z - layerOrigin) + layerOrigin, pixels ? 1.0 : -1.0);
+    return vec4(center.xy, ofLayer(center.z - layerOrigin) + layerOrigin, isDot ? -1.0 : 1.0);
   }
-  return vec4(center, pixels ? ofLayer(length(center)) : -1.0);
+  return vec4(center, isDot ? -1.0 : ofLayer(length(center)));
 }

@@ -48,6 +48,7 @@ struct SplatLook
   vec4 vector;
   vec4 detail;
   vec3 center; // of the splat, in VC
+  bool small;  // about as small as a pixel
 };
 
 void emitCorner(vec2 st, vec3 positionVC, vec3 centerVC, float square, SplatLook look, vec4 positionDC)
@@ -63,7 +64,7 @@ void emitCorner(vec2 st, vec3 positionVC, vec3 centerVC, float square, SplatLook
   rayGSOutput = vec3(0.0);
   cellsGSOutput = vec3(0.0);
 #ifdef DRAW_REGION
-  regionGSOutput = inRegion(look.center, look.factor >= 1.0);
+  regionGSOutput = inRegion(look.center, look.small);
 #endif
   gl_Position = positionDC;
   gl_Position.z = 0.0; // the near and the far plane cut nothing
@@ -84,8 +85,9 @@ vec2 toPixels(vec3 vectorVC, vec4 centerDC)
 
 // A splat smaller than a pixel is spread over one, with its mass: the second moments of kernel and pixel are added.
 // a and b are the splat's half axes for one cell; returns the factor on the footprint.
-float spreadOverPixel(inout vec3 a, inout vec3 b, vec3 centerVC, vec4 centerDC)
+float spreadOverPixel(inout vec3 a, inout vec3 b, vec3 centerVC, vec4 centerDC, out bool isDot)
 {
+  isDot = false;
   vec2 p = toPixels(a, centerDC);
   vec2 q = toPixels(b, centerDC);
   float area = abs(p.x * q.y - p.y * q.x);
@@ -96,6 +98,7 @@ float spreadOverPixel(inout vec3 a, inout vec3 b, vec3 centerVC, vec4 centerDC)
   {
     return 1.0;
   }
+  isDot = sum < dotSize;
   // covariance of the kernel on the screen, over its variance of one axis, plus that of the pixel
   vec3 covariance = vec3(p.x * p.x + q.x * q.x, p.x * p.y + q.x * q.y, p.y * p.y + q.y * q.y);
   covariance.xz += pixelVariance;
@@ -142,7 +145,7 @@ void emitKernel(vec3 center, mat3 J, SplatLook look)
   vec4 centerDC = VCToDC * vec4(center, 1.0);
   if (parallelRays || center.z < -reachAlongZ) // otherwise it is large
   {
-    look.factor = spreadOverPixel(a, b, center, centerDC);
+    look.factor = spreadOverPixel(a, b, center, centerDC, look.small);
   }
   look.detail.w = centerDC.w / (pixelsPerDC.y * VCToDC[1][1]);
   a *= radius;
@@ -171,7 +174,7 @@ void emitViewport(vec3 center, vec3 w, mat3 inverseJ, vec4 color)
     colorGSOutput = color;
     kindGSOutput = VIEWPORT;
 #ifdef DRAW_REGION
-    regionGSOutput = inRegion(center, true);
+    regionGSOutput = inRegion(center, false);
 #endif
     gl_Position = vec4(place, 0.0, 1.0);
     EmitVertex();
@@ -183,7 +186,7 @@ void emitMedium(vec3 center, mat3 J, vec4 color, int kind)
 {
   if (color.a > 0.0)
   {
-    emitKernel(center, J, SplatLook(kind, color, 1.0, vec4(0.0), vec4(0.0), center));
+    emitKernel(center, J, SplatLook(kind, color, 1.0, vec4(0.0), vec4(0.0), center, false));
   }
 }
 

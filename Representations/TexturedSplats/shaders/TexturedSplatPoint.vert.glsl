@@ -63,6 +63,7 @@ void main()
   vec3 y = cross(across, dy);
   float area = 1.0 / (depth * abs(dot(across, cross(dx, dy)))); // of a cell on the screen
   vec3 covariance = area * area * vec3(dot(y, y), -dot(x, y), dot(x, x));
+  float size = covariance.x + covariance.z;
   float mass = spreadOverPixel(covariance, area);
   float determinant = covariance.x * covariance.z - covariance.y * covariance.y;
   determinant = mass < 1.0 ? determinant : area * area; // without cancellation
@@ -88,7 +89,7 @@ void main()
   vec2 rayGradient = ray.xy / (dot(ray, ray) * pixelsPerDC * vec2(VCToDC[0][0], VCToDC[1][1])); // of the ray's length, over it
   depthVSOutput = vec4(center.z, kernelRadius * inversesqrt(square), colorVSOutput.a * (rayGradient - h));
 #ifdef DRAW_REGION
-  regionVSOutput = inRegion(center, mass >= 1.0);
+  regionVSOutput = inRegion(center, mass < 1.0 && size < dotSize);
 #endif
   gl_PointSize = 2.0 * reach + 0.05;
   gl_Position = parallelRays || center.z < 0.0 ? vec4(place * withinMargin, 0.0, 1.0) : vec4(2.0, 2.0, 2.0, 1.0);

@@ -57,6 +57,7 @@ void emitStreaks(SplatVector vector, vec3 centerVC, mat3 jacobianVC)
   look.kind = STREAKS;
   look.factor = 1.0;
   look.center = centerVC;
+  look.small = false;
   // Cells that are close together along the vector overlap the more.
   look.color = vec4(vector.color.rgb, vector.weight * vector.strength * min(1.0, cell / vector.unit));
   look.vector = vec4(seenAlong(vector.direction, centerVC), vector.phase);
@@ -81,6 +82,7 @@ void emitSegment(SplatVector vector, vec3 centerVC, mat3 jacobianVC)
   SplatLook look;
   look.kind = SEGMENT;
   look.center = centerVC;
+  look.small = false;
   look.color = vec4(vector.color.rgb, vector.weight * vector.strength);
   look.vector = vec4(0.0);
   look.detail = vec4(2.0 * reach, segmentWidth, 0.0, 0.0);

@@ -1,0 +1,274 @@
+// SPDX-FileCopyrightText: The Nephoscope authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "SplatMeeting.h"
+
+#include "SplatPieces.h"
+#include "SplatShapes.h"
+
+#include "vtkAppendFilter.h"
+#include "vtkBoundingBox.h"
+#include "vtkCellData.h"
+#include "vtkCommunicator.h"
+#include "vtkDataArray.h"
+#include "vtkDataSetAttributes.h"
+#include "vtkFieldData.h"
+#include "vtkIdList.h"
+#include "vtkMultiProcessController.h"
+#include "vtkNew.h"
+#include "vtkUnsignedCharArray.h"
+#include "vtkUnstructuredGrid.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace nephoscope
+{
+namespace
+{
+constexpr int exchangeTag = 5208;
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+vtkMultiProcessController* world()
+{
+  return vtkMultiProcessController::GetGlobalController();
+}
+
+SplatShapes shapesOf(vtkDataSet* vertices)
+{
+  return SplatShapes(vertices, { true, 1.0, splatShapeName }); // the size is not used
+}
+
+// Speed and cells along the vectors of this rank.
+struct VectorSums
+{
+  double Greatest = 0, Cells = 0, Count = 0;
+};
+
+VectorSums sumVectors(const SplatShapes& shapes, vtkDataArray* vectors)
+{
+  VectorSums sums;
+  if (!vectors || vectors->GetNumberOfComponents() != 3)
+  {
+    return sums;
+  }
+  for (vtkIdType id = 0; id < shapes.GetNumberOfIds(); ++id)
+  {
+    SplatVector v;
+    vectors->GetTuple(id, v.data());
+    const double speed = Length(v);
+    if (speed > 0 && std::isfinite(speed))
+    {
+      sums.Greatest = std::max(sums.Greatest, speed);
+      sums.Cells += ReachAlong(shapes.Jacobian(id), v);
+      ++sums.Count;
+    }
+  }
+  return sums;
+}
+
+bool fillsBox(const std::vector<vtkBoundingBox>& boxes, const vtkBoundingBox& all)
+{
+  double lengths[3];
+  all.GetLengths(lengths);
+  // A flat axis, of which nobody has a share, counts as 1.
+  const auto share = [&](const vtkBoundingBox& box) {
+    double product = 1;
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      product *= lengths[axis] > 0 ? box.GetLength(axis) / lengths[axis] : 1;
+    }
+    return product;
+  };
+  const auto overlap = [&](const vtkBoundingBox& a, const vtkBoundingBox& b) {
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      const double from = std::max(a.GetBound(2 * axis), b.GetBound(2 * axis));
+      const double to = std::min(a.GetBound(2 * axis + 1), b.GetBound(2 * axis + 1));
+      if (lengths[axis] > 0 && to <= from)
+      {
+        return false;
+      }
+    }
+    return true;
+  };
+  double sum = 0;
+  for (std::size_t i = 0; i < boxes.size(); ++i)
+  {
+    sum += boxes[i].IsValid() ? share(boxes[i]) : 0;
+    for (std::size_t j = 0; j < i; ++j)
+    {
+      if (boxes[i].IsValid() && boxes[j].IsValid() && overlap(boxes[i], boxes[j]))
+      {
+        return false;
+      }
+    }
+  }
+  return std::abs(sum - 1) < 1e-9;
+}
+
+double reachOf(const SplatReaches& reaches, double stretch)
+{
+  const double kernel = reaches.KernelRadius * stretch;
+  return SplatReachAround(reaches.Vectors
+      ? std::max(kernel, VectorReach(reaches.Look, reaches.KernelRadius, stretch))
+      : kernel);
+}
+
+// For every rank, which of this rank's vertices reach into its region.
+std::vector<vtkSmartPointer<vtkIdList>> idsForRanks(
+  vtkDataSet* vertices, const std::vector<SplatRegion>& regions, const SplatReaches& reaches)
+{
+  std::vector<vtkSmartPointer<vtkIdList>> ids(regions.size());
+  std::generate(ids.begin(), ids.end(), []() { return vtkSmartPointer<vtkIdList>::New(); });
+  const SplatShapes shapes = shapesOf(vertices);
+  const auto mine = static_cast<std::size_t>(world()->GetLocalProcessId());
+  for (vtkIdType id = 0; id < shapes.GetNumberOfIds(); ++id)
+  {
+    const SplatVector place = shapes.Place(id);
+    const double reach =
+      reachOf(reaches, reaches.RadiusFactor * LargestStretch(shapes.Jacobian(id)));
+    for (std::size_t rank = 0; rank < regions.size(); ++rank)
+    {
+      if (rank != mine && IsRegion(regions[rank]) && Touches(regions[rank], place.data(), reach))
+      {
+        ids[rank]->InsertNextId(id);
+      }
+    }
+  }
+  return ids;
+}
+
+void mark(vtkDataSet* vertices, unsigned char ghost)
+{
+  vtkNew<vtkUnsignedCharArray> ghosts;
+  ghosts->SetName(vtkDataSetAttributes::GhostArrayName());
+  ghosts->SetNumberOfValues(vertices->GetNumberOfCells());
+  ghosts->FillValue(ghost);
+  vertices->GetCellData()->AddArray(ghosts);
+}
+
+void send(vtkDataSet* vertices, vtkIdList* ids, int rank)
+{
+  if (ids->GetNumberOfIds() > 0)
+  {
+    world()->Send(chosenVertices(vertices, ids), rank, exchangeTag);
+  }
+}
+
+// Pairs of ranks meet in one order everywhere, so that nobody waits for somebody who waits.
+std::vector<vtkSmartPointer<vtkDataObject>> tradeWithRanks(
+  vtkDataSet* vertices, const std::vector<vtkSmartPointer<vtkIdList>>& ids)
+{
+  const int ranks = world()->GetNumberOfProcesses();
+  const int mine = world()->GetLocalProcessId();
+  std::vector<vtkIdType> counts, all(ids.size() * ids.size()); // from row to column
+  for (const auto& list : ids)
+  {
+    counts.push_back(list->GetNumberOfIds());
+  }
+  world()->AllGather(counts.data(), all.data(), ranks);
+  std::vector<vtkSmartPointer<vtkDataObject>> received;
+  const auto receive = [&](int rank) {
+    if (all[static_cast<std::size_t>(rank * ranks + mine)] > 0)
+    {
+      received.push_back(
+        vtkSmartPointer<vtkDataObject>::Take(world()->ReceiveDataObject(rank, exchangeTag)));
+    }
+  };
+  for (int other = 0; other < ranks; ++other)
+  {
+    vtkIdList* list = ids[static_cast<std::size_t>(other)];
+    if (other < mine)
+    {
+      receive(other);
+      send(vertices, list, other);
+    }
+    else if (other > mine)
+    {
+      send(vertices, list, other);
+      receive(other);
+    }
+  }
+  return received;
+}
+} // namespace
+
+SplatCommons findSplatCommons(vtkDataSet* vertices, const std::string& vectors)
+{
+  const SplatShapes shapes = shapesOf(vertices);
+  vtkBoundingBox mine, all;
+  double longest = 0;
+  for (vtkIdType id = 0; id < shapes.GetNumberOfIds(); ++id)
+  {
+    mine.AddPoint(shapes.Place(id).data());
+    longest = std::max(longest, LargestStretch(shapes.Jacobian(id)));
+  }
+  const VectorSums sums = sumVectors(
+    shapes, vectors.empty() ? nullptr : vertices->GetCellData()->GetArray(vectors.c_str()));
+  const double local[3] = { longest, sums.Greatest, static_cast<double>(shapes.GetNumberOfIds()) };
+  const double localSums[2] = { sums.Cells, sums.Count };
+  double greatest[3], sum[2];
+  world()->AllReduce(mine, all);
+  world()->AllReduce(local, greatest, 3, vtkCommunicator::MAX_OP);
+  world()->AllReduce(localSums, sum, 2, vtkCommunicator::SUM_OP);
+  SplatCommons commons;
+  if (all.IsValid())
+  {
+    all.GetCenter(commons.Origin);
+  }
+  commons.LongestEdge = greatest[0];
+  commons.GreatestSpeed = greatest[1];
+  commons.MostSamples = static_cast<vtkIdType>(greatest[2]);
+  commons.MeanCell = sum[1] > 0 && sum[0] > 0 ? sum[0] / sum[1] : 1.0;
+  return commons;
+}
+
+std::vector<SplatRegion> regionsOfRanks(const std::vector<vtkBoundingBox>& boxes)
+{
+  vtkBoundingBox all;
+  for (const vtkBoundingBox& box : boxes)
+  {
+    all.AddBox(box);
+  }
+  std::vector<SplatRegion> regions;
+  if (boxes.size() < 2 || !all.IsValid() || !fillsBox(boxes, all))
+  {
+    return regions;
+  }
+  for (const vtkBoundingBox& box : boxes)
+  {
+    SplatRegion region = WholeSpace; // a rank without a share
+    for (std::size_t i = 0; i < 6 && box.IsValid(); ++i)
+    {
+      const double bound = box.GetBound(static_cast<int>(i));
+      const bool outside = bound == all.GetBound(static_cast<int>(i));
+      region[i] = !outside ? bound : i % 2 ? infinity : -infinity;
+    }
+    regions.push_back(region);
+  }
+  return regions;
+}
+
+vtkSmartPointer<vtkDataSet> withNeighbors(
+  vtkDataSet* vertices, const std::vector<SplatRegion>& regions, const SplatReaches& reaches)
+{
+  const auto received = tradeWithRanks(vertices, idsForRanks(vertices, regions, reaches));
+  vtkNew<vtkUnstructuredGrid> own;
+  own->ShallowCopy(vertices);
+  mark(own, 0);
+  vtkNew<vtkAppendFilter> append;
+  append->AddInputData(own);
+  for (const auto& object : received)
+  {
+    vtkDataSet* foreign = vtkDataSet::SafeDownCast(object);
+    mark(foreign, vtkDataSetAttributes::DUPLICATECELL);
+    append->AddInputData(foreign);
+  }
+  append->Update();
+  vtkSmartPointer<vtkDataSet> all = append->GetOutput();
+  all->GetFieldData()->ShallowCopy(vertices->GetFieldData());
+  return all;
+}
+
+} // namespace nephoscope

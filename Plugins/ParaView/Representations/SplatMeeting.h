@@ -1,0 +1,59 @@
+// SPDX-FileCopyrightText: The Nephoscope authors
+// SPDX-License-Identifier: BSD-3-Clause
+/** What ranks that draw one picture of splats tell each other: lengths, speeds, and the splats at the borders of their regions. */
+#ifndef SplatMeeting_h
+#define SplatMeeting_h
+
+#include "SplatReach.h"
+#include "SplatRegion.h"
+
+#include "vtkSmartPointer.h"
+#include "vtkType.h"
+
+#include <string>
+#include <vector>
+
+class vtkBoundingBox;
+class vtkDataSet;
+
+namespace nephoscope
+{
+
+/** Of the samples of all ranks. */
+struct SplatCommons
+{
+  double Origin[3] = { 0, 0, 0 }; ///< the middle of their places
+  double LongestEdge = 0;         ///< of their cells
+  vtkIdType MostSamples = 0;      ///< that one rank has
+  double GreatestSpeed = 0;       ///< 0 without vectors
+  double MeanCell = 1;            ///< length of a sample's cell along its vector
+};
+
+/** Of vertices with the array of shapes that splatVertices makes; `vectors`: name of a cell array, or empty. Collective. */
+SplatCommons findSplatCommons(vtkDataSet* vertices, const std::string& vectors);
+
+/**
+ * The regions of ranks whose boxes, as the view has them, fill a box: grown to infinity where that ends. Empty if they overlap or leave
+ * gaps.
+ */
+std::vector<SplatRegion> regionsOfRanks(const std::vector<vtkBoundingBox>& boxes);
+
+/** How far splats reach, in cells and units of the data. */
+struct SplatReaches
+{
+  double KernelRadius = 1; ///< cells
+  double RadiusFactor = 1; ///< on cells
+  bool Vectors = false;
+  VectorLook Look;
+};
+
+/**
+ * This rank's vertices, and after them, marked as duplicates, those of other ranks that reach into its region: SplatRegion.h says why.
+ * Collective.
+ */
+vtkSmartPointer<vtkDataSet> withNeighbors(
+  vtkDataSet* vertices, const std::vector<SplatRegion>& regions, const SplatReaches& reaches);
+
+} // namespace nephoscope
+
+#endif

@@ -1,0 +1,133 @@
+// SPDX-FileCopyrightText: The Nephoscope authors
+// SPDX-License-Identifier: BSD-3-Clause
+// How several ranks draw one picture: each in its region, with the splats of others that reach into it, and by common measures.
+#include "vtkTexturedSplatsRepresentation.h"
+
+#include "SplatKernel.h"
+#include "SplatMeeting.h"
+#include "SplatPieces.h"
+#include "SplatVectorColors.h"
+#include "vtkTexturedSplatMapper.h"
+
+#include "vtkBoundingBox.h"
+#include "vtkCommunicator.h"
+#include "vtkDataSet.h"
+#include "vtkMultiProcessController.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkPVLODVolume.h"
+#include "vtkPVRenderView.h"
+#include "vtkPVRenderViewDataDeliveryManager.h"
+#include "vtkUnstructuredGrid.h"
+
+#include <tuple>
+#include <vector>
+
+vtkStandardNewMacro(vtkTexturedSplatsRepresentation);
+
+struct vtkTexturedSplatsRepresentation::vtkMeeting
+{
+  using Regions = std::vector<nephoscope::SplatRegion>;
+  using Reaches = std::tuple<double, double, bool, bool, double, double, double>;
+  // Delivered piece, its time, regions, the array of vectors.
+  using CommonsKey = std::tuple<vtkDataSet*, vtkMTimeType, Regions, std::string>;
+
+  CommonsKey MetFor;
+  Reaches ReachedFor;
+  nephoscope::SplatCommons Commons;
+  vtkSmartPointer<vtkDataSet> Complete;
+  vtkNew<vtkUnstructuredGrid> Nothing; // of a rank to which nothing was delivered
+};
+
+vtkTexturedSplatsRepresentation::vtkTexturedSplatsRepresentation()
+  : DefaultColors(new nephoscope::DefaultVectorColors)
+  , Meeting(new vtkMeeting)
+{
+  this->Actor->SetMapper(this->Mapper);
+  this->Mapper->SetShapeArrayName(nephoscope::splatShapeName); // where there is one
+}
+
+vtkTexturedSplatsRepresentation::~vtkTexturedSplatsRepresentation() = default;
+
+namespace
+{
+// Empty where ranks do not draw in regions of their own.
+std::vector<nephoscope::SplatRegion> regionsOf(vtkView* view)
+{
+  auto* renderView = vtkPVRenderView::SafeDownCast(view);
+  auto* manager = renderView
+    ? vtkPVRenderViewDataDeliveryManager::SafeDownCast(renderView->GetDeliveryManager())
+    : nullptr;
+  const bool ordered = manager && manager->GetUseRedistributedDataAsDeliveredData();
+  return ordered ? nephoscope::regionsOfRanks(manager->GetCuts())
+                 : std::vector<nephoscope::SplatRegion>();
+}
+
+bool onAnyRank(bool here)
+{
+  const int mine = here ? 1 : 0;
+  int any = 0;
+  vtkMultiProcessController::GetGlobalController()->AllReduce(
+    &mine, &any, 1, vtkCommunicator::MAX_OP);
+  return any != 0;
+}
+}
+
+vtkDataSet* vtkTexturedSplatsRepresentation::CompletePiece(vtkDataSet* data, vtkInformation*)
+{
+  if (GetNumberOfRanks() < 2)
+  {
+    return data;
+  }
+  vtkMeeting& meeting = *this->Meeting;
+  vtkDataSet* piece = data ? data : meeting.Nothing.Get();
+  const vtkMeeting::Regions regions = regionsOf(this->GetView());
+  const vtkMeeting::CommonsKey key(
+    piece, piece->GetMTime(), regions, this->Mapper->GetVectorArrayName());
+  const bool met = !onAnyRank(key != meeting.MetFor);
+  if (!met)
+  {
+    meeting.Commons = nephoscope::findSplatCommons(piece, this->Mapper->GetVectorArrayName());
+    meeting.MetFor = key;
+  }
+  this->UseCommons(regions);
+  const nephoscope::SplatReaches reaches = this->GetReaches();
+  const vtkMeeting::Reaches reached(reaches.KernelRadius, reaches.RadiusFactor, reaches.Vectors,
+    reaches.Look.Segments, reaches.Look.Unit, reaches.Look.StreakPeriod,
+    reaches.Look.SegmentLength);
+  if (!met || reached != meeting.ReachedFor) // settings are the same on all ranks
+  {
+    meeting.Complete = regions.empty() ? vtkSmartPointer<vtkDataSet>(piece)
+                                       : nephoscope::withNeighbors(piece, regions, reaches);
+    meeting.ReachedFor = reached;
+  }
+  return meeting.Complete;
+}
+
+void vtkTexturedSplatsRepresentation::UseCommons(
+  const std::vector<nephoscope::SplatRegion>& regions)
+{
+  const nephoscope::SplatCommons& commons = this->Meeting->Commons;
+  const auto rank =
+    static_cast<std::size_t>(vtkMultiProcessController::GetGlobalController()->GetLocalProcessId());
+  nephoscope::SplatRegion region = rank < regions.size() ? regions[rank] : nephoscope::WholeSpace;
+  this->Mapper->SetRegion(region.data());
+  this->Mapper->SetCommonFrame(commons.Origin, commons.LongestEdge, commons.MostSamples);
+  this->Mapper->SetGreatestSpeed(
+    this->GreatestSpeed > 0.0 ? this->GreatestSpeed : commons.GreatestSpeed);
+  this->Mapper->SetVectorUnit(this->VectorUnit > 0.0 ? this->VectorUnit : commons.MeanCell);
+}
+
+nephoscope::SplatReaches vtkTexturedSplatsRepresentation::GetReaches()
+{
+  nephoscope::SplatReaches reaches;
+  reaches.KernelRadius =
+    nephoscope::KernelRadius(static_cast<nephoscope::SplatKernel>(this->Mapper->GetKernel()));
+  reaches.RadiusFactor = this->Mapper->GetRadiusFactor();
+  reaches.Vectors = !this->Mapper->GetVectorArrayName().empty();
+  reaches.Look.Segments = this->Mapper->GetVectorStyle() == vtkTexturedSplatMapper::SEGMENTS;
+  reaches.Look.Unit = this->Mapper->GetVectorUnit();
+  reaches.Look.StreakPeriod = this->Mapper->GetStreakPeriod();
+  reaches.Look.SegmentLength = this->Mapper->GetSegmentLength();
+  return reaches;
+}

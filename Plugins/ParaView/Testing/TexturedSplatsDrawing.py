@@ -1,0 +1,41 @@
+# SPDX-FileCopyrightText: The Nephoscope authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""What the scripts share whose pictures of splats are compared between numbers of ranks.
+
+Usage of such a script: SCRIPT.py PREFIX [PORT]; with a port it draws on a pvserver there.
+"""
+import sys
+
+import numpy as np
+from PluginTesting import GFS, compose, image, load_plugin, look, new_view, pvs
+
+
+def begin():
+    if len(sys.argv) > 2:
+        pvs.Connect("localhost", int(sys.argv[2]))
+    load_plugin()
+
+
+def draw(name, source, array=("POINTS", "RTData"), distance=1, **settings):
+    """Saves the picture of a source, with these properties of Textured Splats."""
+    view = new_view()
+    display = compose(source, view, array, "Textured Splats")
+    for key, value in settings.items():
+        setattr(display, "TexturedSplats" + key, value)
+    look(view, position=[distance * c for c in (60, 45, 70)])
+    picture = image(view)
+    pvs.Delete(view)
+    np.save(f"{sys.argv[1]}-{name}.npy", picture)
+
+
+def particles_of(source):
+    return pvs.MaskPoints(Input=source, OnRatio=1, MaximumNumberofPoints=10**6, GenerateVertices=1, SingleVertexPerCell=1)
+
+
+def draw_globe(name, **settings):
+    weather = pvs.ExtractSubset(Input=pvs.NetCDFReader(FileName=[GFS], SphericalCoordinates=0),
+                                VOI=[0, 10**6] * 3, SampleRateI=2, SampleRateJ=2)
+    globe = pvs.GlobeGrid(Input=weather, VerticalExaggeration=50)
+    globe.UpdatePipeline()
+    distance = max(abs(b) for b in globe.GetDataInformation().GetBounds()) / 20
+    draw(name, globe, ("POINTS", "r"), distance=distance, **settings)

@@ -1,0 +1,17 @@
+# SPDX-FileCopyrightText: The Nephoscope authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Not a test by itself: draws the pictures of vectors that TexturedSplatsVectorsRanks.py compares."""
+from PluginTesting import passed, pvs
+from TexturedSplatsDrawing import begin, draw, draw_globe, particles_of
+
+STREAKS = {"VectorArray": "Flow", "UseVectorColor": 1, "MoveWithTime": 0, "Phase": 0.3}
+
+begin()
+flow = pvs.Calculator(Input=pvs.Wavelet(), ResultArrayName="Flow", Function="-coordsY*iHat+coordsX*jHat+3*kHat")
+draw("streaks", flow, **STREAKS)
+draw("steps", flow, **STREAKS, PhaseSteps=16)
+draw("segments", flow, **STREAKS, VectorStyle=1)
+draw("cells", pvs.PointDatatoCellData(Input=flow), ("CELLS", "RTData"), **STREAKS)
+draw("layers", particles_of(flow), **STREAKS, VectorPlacement=1)
+draw_globe("wind", VectorArray="DisplayVelocity", UseVectorColor=1, MoveWithTime=0)
+passed()
