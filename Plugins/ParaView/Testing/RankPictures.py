@@ -13,10 +13,10 @@ HERE = os.path.dirname(os.path.abspath(__file__))
 OUTPUT = os.environ["NEPHOSCOPE_TEST_OUTPUT"]
 
 
-def run(command, script, name, names):
+def run(command, script, name, names, timeout=300):
     """Runs a script of this folder, which saves pictures under the prefix that it is given, and returns those of the names."""
     prefix = prefix_of(script, name)
-    done = subprocess.run(command + [os.path.join(HERE, script), prefix], env=ENVIRONMENT, capture_output=True, text=True, timeout=150)
+    done = subprocess.run(command + [os.path.join(HERE, script), prefix], env=ENVIRONMENT, capture_output=True, text=True, timeout=timeout)
     return pictures(prefix, done.stdout + done.stderr, names)
 
 

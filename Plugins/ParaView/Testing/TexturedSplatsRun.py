@@ -7,6 +7,7 @@ from TexturedSplatsDrawing import begin, draw, draw_globe, particles_of
 begin()
 wavelet = pvs.Wavelet()
 draw("image", wavelet)
+draw("again", wavelet)  # by now the transfer functions have their range
 draw("hierarchy", wavelet, ErrorTolerance=0.05)
 draw("cells", pvs.PointDatatoCellData(Input=wavelet), ("CELLS", "RTData"))
 rotated = pvs.Transform(Input=wavelet)

@@ -4,7 +4,7 @@
 from RankPictures import compare, run_ranks
 
 SCRIPT = "TexturedSplatsVectorsRun.py"
-NAMES = ("streaks", "steps", "segments", "cells", "layers", "wind")
+NAMES = ("streaks", "segments", "cells", "layers", "wind")
 
 one = run_ranks(SCRIPT, NAMES, 1)
 for number in (2, 4):
