@@ -32,9 +32,9 @@ def particles_of(source):
     return pvs.MaskPoints(Input=source, OnRatio=1, MaximumNumberofPoints=10**6, GenerateVertices=1, SingleVertexPerCell=1)
 
 
-def draw_globe(name, **settings):
+def draw_globe(name, stride=2, **settings):
     weather = pvs.ExtractSubset(Input=pvs.NetCDFReader(FileName=[GFS], SphericalCoordinates=0),
-                                VOI=[0, 10**6] * 3, SampleRateI=2, SampleRateJ=2)
+                                VOI=[0, 10**6] * 3, SampleRateI=stride, SampleRateJ=stride)
     globe = pvs.GlobeGrid(Input=weather, VerticalExaggeration=50)
     globe.UpdatePipeline()
     distance = max(abs(b) for b in globe.GetDataInformation().GetBounds()) / 20

@@ -8,5 +8,5 @@ NAMES = ("streaks", "segments", "cells", "layers", "wind")
 
 one = run_ranks(SCRIPT, NAMES, 1)
 for number in (2, 4):
-    compare(one, run_ranks(SCRIPT, NAMES, number), f"1 and {number} ranks", NAMES, largest=3, mean=0.2)  # 8 bits, as of scalars
+    compare(one, run_ranks(SCRIPT, NAMES, number), f"1 and {number} ranks", NAMES, largest=3, mean=0.25)  # rounding of each rank to 8 bits
 print("NEPHOSCOPE-PASSED")

@@ -7,10 +7,10 @@ from TexturedSplatsDrawing import begin, draw, draw_globe, particles_of
 STREAKS = {"VectorArray": "Flow", "UseVectorColor": 1, "MoveWithTime": 0, "Phase": 0.3}
 
 begin()
-flow = pvs.Calculator(Input=pvs.Wavelet(), ResultArrayName="Flow", Function="-coordsY*iHat+coordsX*jHat+3*kHat")
+flow = pvs.Calculator(Input=pvs.Wavelet(WholeExtent=[-6, 6] * 3), ResultArrayName="Flow", Function="-coordsY*iHat+coordsX*jHat+3*kHat")
 draw("streaks", flow, **STREAKS)
 draw("segments", flow, **STREAKS, VectorStyle=1, PhaseSteps=16)
 draw("cells", pvs.PointDatatoCellData(Input=flow), ("CELLS", "RTData"), **STREAKS)
 draw("layers", particles_of(flow), **STREAKS, VectorPlacement=1)
-draw_globe("wind", VectorArray="DisplayVelocity", UseVectorColor=1, MoveWithTime=0)
+draw_globe("wind", stride=4, VectorArray="DisplayVelocity", UseVectorColor=1, MoveWithTime=0)
 passed()
