@@ -128,8 +128,22 @@ int vtkCloudTextureRepresentation::ProcessViewRequest(
   if (request == vtkPVView::REQUEST_RENDER())
   {
     this->TakeSurface(vtkPVView::GetDeliveredPiece(inInfo, this));
+    this->WarnOfRanks();
   }
   return 1;
+}
+
+// The surface is cut where the regions of two ranks meet, so the back of a cloud may be another rank's.
+void vtkCloudTextureRepresentation::WarnOfRanks()
+{
+  auto* controller = vtkMultiProcessController::GetGlobalController();
+  const bool hasRanks = controller && controller->GetNumberOfProcesses() > 1;
+  if (hasRanks && this->CloudMapper->GetUseThickness() && !this->HasToldOfRanks && controller->GetLocalProcessId() == 0)
+  {
+    this->HasToldOfRanks = true;
+    vtkWarningMacro("Each rank finds the thickness of its own part of the clouds only: at the borders of ranks they are drawn too thin or too thick. "
+                    "Draw with one process, or without Use Thickness.");
+  }
 }
 
 // One surface of all blocks, made anew only for new data.
@@ -205,6 +219,11 @@ void vtkCloudTextureRepresentation::SetTextureScale(double value)
 void vtkCloudTextureRepresentation::SetOpticalDepth(double value)
 {
   this->CloudMapper->SetOpticalDepth(value);
+}
+
+void vtkCloudTextureRepresentation::SetRelief(double value)
+{
+  this->CloudMapper->SetRelief(value);
 }
 
 void vtkCloudTextureRepresentation::SetUseThickness(bool value)

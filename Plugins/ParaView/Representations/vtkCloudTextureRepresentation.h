@@ -6,6 +6,7 @@
  *
  * As ParaView's surface representation, with another mapper: colours, lights, opacity and transformations are its own. Blocks are drawn as one
  * surface. The length of a unit of texture, where coordinates are positions, is that of the whole surface on all ranks.
+ * Thickness is found within the part of the surface that a rank draws, and a warning says so on several ranks.
  * Levels of detail are not used: they have no texture coordinates.
  */
 #ifndef vtkCloudTextureRepresentation_h
@@ -37,6 +38,7 @@ public:
   void SetTextureScale(double value);
   void SetTextureLength(double value);
   void SetOpticalDepth(double value);
+  void SetRelief(double value);
   void SetUseThickness(bool value);
   void SetExtinction(double value);
   void SetDensityArrayName(const char* name);
@@ -61,12 +63,14 @@ private:
   void operator=(const vtkCloudTextureRepresentation&) = delete;
 
   void TakeSurface(vtkDataObject* delivered);
+  void WarnOfRanks();
 
   vtkNew<vtkCloudTextureMapper> CloudMapper;
   vtkSmartPointer<vtkPolyData> Surface; // what is drawn
   vtkDataObject* TakenFrom = nullptr;   // only compared
   vtkMTimeType TakenTime = 0;
   double TextureLength = 0.0; // as the user has set it
+  bool HasToldOfRanks = false;
 };
 
 #endif

@@ -100,6 +100,24 @@ def check_moves_with_time():
     pvs.Delete(texture)
 
 
+def check_thickness():
+    """Along the ray through the middle of a ball of given extinction; at the default, thinner towards the rim."""
+    view = new_view()
+    ball = pvs.Sphere(Radius=1, ThetaResolution=200, PhiResolution=200)
+    display = compose(ball, view, ("POINTS", ""), CLOUDS)
+    solid(display, [1, 1, 1])
+    display.CloudTextureCoverage = 1
+    display.CloudTextureUseThickness = 1
+    look(view, (0, 0, 6))
+    for extinction in (0.3, 1.0):
+        display.CloudTextureExtinction = extinction
+        alpha = color_and_alpha(view)[1]
+        expected = 1 - math.exp(-2 * extinction)
+        check(abs(alpha[150, 150] - expected) < 0.02, f"extinction {extinction}: alpha {alpha[150, 150]}, expected {expected}")
+    row = alpha[150][alpha[150] > 0.02]
+    check(row[len(row) // 2] > row[len(row) // 20], "the ball is not thicker in the middle")
+
+
 def check_blocks():
     """Blocks of a surface are drawn as the surface: one length for all."""
     pictures = []
@@ -136,7 +154,7 @@ def check_colors():
 if __name__ == "__main__":
     load_plugin()
     for check_one in (check_definition, check_offered, check_first_picture, check_cover, check_cover_array, check_moves_with_time,
-                      check_blocks, check_colors):
+                      check_thickness,                       check_blocks, check_colors):
         print(check_one.__name__, flush=True)
         check_one()
     passed()

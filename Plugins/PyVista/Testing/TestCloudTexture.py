@@ -77,11 +77,11 @@ class Colours(Picture):
 
 class Arguments(Picture):
     def test_they_arrive(self):
-        actor = self.add(coverage=0.3, texture_scale=7, texture_length=2, softness=0.4, optical_depth=5, use_thickness=True, extinction=0.1, layers=4,
+        actor = self.add(coverage=0.3, texture_scale=7, texture_length=2, softness=0.4, relief=0.1, optical_depth=5, use_thickness=True, extinction=0.1, layers=4,
                          coordinates=("a", "b"), name="clouds", specular=0.5)
         mapper = actor.mapper
         self.assertIsInstance(mapper, nephoscope.vtkCloudTextureMapper)
-        for name, value in (("Coverage", 0.3), ("TextureScale", 7), ("TextureLength", 2), ("Softness", 0.4), ("OpticalDepth", 5), ("UseThickness", 1),
+        for name, value in (("Coverage", 0.3), ("TextureScale", 7), ("TextureLength", 2), ("Softness", 0.4), ("Relief", 0.1), ("OpticalDepth", 5), ("UseThickness", 1),
                             ("Extinction", 0.1), ("MaximumNumberOfLayers", 4), ("FirstCoordinatesName", "a"), ("SecondCoordinatesName", "b")):
             self.assertEqual(getattr(mapper, "Get" + name)(), value, name)
         self.assertEqual(actor.prop.specular, 0.5)
@@ -90,7 +90,7 @@ class Arguments(Picture):
 
     def test_defaults_are_those_of_the_mapper(self):
         mapper, fresh = nephoscope.add_cloud_texture(self.plotter, pyvista.Sphere()).mapper, nephoscope.vtkCloudTextureMapper()
-        for name in ("Coverage", "CoverageArrayName", "TextureScale", "TextureLength", "Softness", "OpticalDepth", "UseThickness", "Extinction",
+        for name in ("Coverage", "CoverageArrayName", "TextureScale", "TextureLength", "Softness", "Relief", "OpticalDepth", "UseThickness", "Extinction",
                      "DensityArrayName", "MaximumNumberOfLayers", "FirstCoordinatesName", "SecondCoordinatesName"):
             self.assertEqual(getattr(mapper, "Get" + name)(), getattr(fresh, "Get" + name)(), name)
 
@@ -109,7 +109,7 @@ class Arguments(Picture):
         for name in ("coverage", "density"):
             with self.assertRaisesRegex(MissingDataError, f"{name}.*'share'"):
                 self.add(**{name: "share"})
-        for name, value in (("coverage", 1.5), ("texture_scale", 0), ("softness", 3), ("optical_depth", -1), ("extinction", np.nan), ("layers", 1),
+        for name, value in (("coverage", 1.5), ("texture_scale", 0), ("softness", 3), ("relief", 2), ("optical_depth", -1), ("extinction", np.nan), ("layers", 1),
                             ("texture_length", -1), ("peels", -1)):
             with self.assertRaisesRegex(ValueError, name):
                 self.add(**{name: value})

@@ -48,7 +48,7 @@ class CloudTextureMapper(vtkCloudTextureMapper):
 
 def add_cloud_texture(plotter: pyvista.BasePlotter, mesh: Any, scalars: str | np.ndarray | None = None, *,
                       color: Any = "white", coverage: float | str = 0.5, texture_scale: float = 3.0, texture_length: float = 0.0,
-                      softness: float = 0.15, optical_depth: float = 3.0, use_thickness: bool = False, extinction: float = 0.0,
+                      softness: float = 0.15, relief: float = 0.0, optical_depth: float = 3.0, use_thickness: bool = False, extinction: float = 0.0,
                       density: str | None = None, layers: int = 8,
                       coordinates: Sequence[str] = ("TextureCoordinates1", "TextureCoordinates2"), peels: int = 8,
                       **options: Any) -> pyvista.Actor:
@@ -73,6 +73,8 @@ def add_cloud_texture(plotter: pyvista.BasePlotter, mesh: Any, scalars: str | np
         Length of a unit of texture where positions are the coordinates, >= 0; 0: from the surface.
     softness : float, default: 0.15
         Standard deviation of the edges, in units of the texture, 0 to 2.
+    relief : float, default: 0.0
+        Height of bumps that only the lights see, as a share of the length of the largest waves, 0 to 1; 0.02 to 0.05 look like clouds.
     optical_depth : float, default: 3.0
         Of the cloud across the surface, >= 0.
     use_thickness : bool, default: False
@@ -115,6 +117,7 @@ def add_cloud_texture(plotter: pyvista.BasePlotter, mesh: Any, scalars: str | np
     mapper.SetTextureScale(require_number(texture_scale, "texture_scale", least=1e-6, most=1e6))
     mapper.SetTextureLength(require_number(texture_length, "texture_length", least=0))
     mapper.SetSoftness(require_number(softness, "softness", least=0, most=2))
+    mapper.SetRelief(require_number(relief, "relief", least=0, most=1))
     mapper.SetOpticalDepth(require_number(optical_depth, "optical_depth", least=0))
     mapper.SetUseThickness(use_thickness)
     mapper.SetExtinction(require_number(extinction, "extinction", least=0))
