@@ -6,6 +6,7 @@ import unittest
 import nephoscope
 import numpy as np
 import pyvista
+from plotters import PlotterTestCase
 from pyvista.core.errors import MissingDataError
 
 
@@ -17,19 +18,9 @@ def cube(n=3):
     return grid
 
 
-class Cells(unittest.TestCase):
-    def setUp(self):
-        self.plotter = pyvista.Plotter(off_screen=True)
-        self.addCleanup(self.plotter.close)
-
+class Cells(PlotterTestCase):
     def add(self, grid=None, scalars="x", **options):
         return nephoscope.add_cells(self.plotter, cube() if grid is None else grid, scalars, render=False, **options)
-
-    def fails(self, error, pattern, *args, **options):
-        before = dict(self.plotter.actors)
-        with self.assertRaisesRegex(error, pattern):
-            self.add(*args, **options)
-        self.assertEqual(dict(self.plotter.actors), before, "a failed call left an actor")
 
 
 class Accepted(Cells):

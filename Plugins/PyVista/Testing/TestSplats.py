@@ -6,6 +6,7 @@ import unittest
 import nephoscope
 import numpy as np
 import pyvista
+from plotters import PlotterTestCase
 from pyvista.core.errors import MissingDataError
 
 
@@ -24,19 +25,9 @@ def particles(count=50):
     return cloud
 
 
-class Splats(unittest.TestCase):
-    def setUp(self):
-        self.plotter = pyvista.Plotter(off_screen=True)
-        self.addCleanup(self.plotter.close)
-
+class Splats(PlotterTestCase):
     def add(self, mesh=None, scalars="x", **options):
         return nephoscope.add_splats(self.plotter, box() if mesh is None else mesh, scalars, render=False, **options)
-
-    def fails(self, error, pattern, *args, **options):
-        before = dict(self.plotter.actors)
-        with self.assertRaisesRegex(error, pattern):
-            self.add(*args, **options)
-        self.assertEqual(dict(self.plotter.actors), before, "a failed call left an actor")
 
 
 class Accepted(Splats):

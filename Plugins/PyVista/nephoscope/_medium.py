@@ -10,7 +10,7 @@ import numpy as np
 import pyvista
 from pyvista.core.errors import MissingDataError
 
-from ._checks import arrays_of
+from ._checks import arrays_of, require_number
 from .transfer import OpacityLike, colour_function, opacity_function, opacity_values
 
 
@@ -19,14 +19,16 @@ def require_plotter(plotter: Any) -> None:
         raise TypeError(f"plotter is a {type(plotter).__name__}; it must be a pyvista.Plotter.")
 
 
-def wrapped(data: Any, merge_points: bool) -> Any:
-    """`data` as a PyVista object, blocks as one dataset; as it was if it cannot be one."""
+def require_dataset(data: Any, argument: str, needs: str, merge_points: bool) -> pyvista.DataSet:
+    """`data` as one PyVista dataset, blocks combined; TypeError if it cannot be one. `needs` ends the message."""
     try:
         data = pyvista.wrap(data)
     except (TypeError, NotImplementedError):
         pass
     if isinstance(data, pyvista.MultiBlock):
         return data.combine(merge_points=merge_points) if data.n_blocks else pyvista.UnstructuredGrid()
+    if not isinstance(data, pyvista.DataSet):
+        raise TypeError(f"{argument} is a {type(data).__name__}; it must be a pyvista dataset or MultiBlock{needs}.")
     return data
 
 
@@ -155,6 +157,7 @@ class Functions:
     log_scale: bool = False
     opacity_scalars: str | None = None
     opacity_clim: float | Sequence[float] | None = None
+    opacity_scale: float = 1.0
 
     def attach(self, mapper: MediumMapper, plotter: pyvista.BasePlotter, grid: pyvista.DataSet, name: str, association: str,
                preference: str, unit_distance: float) -> pyvista.VolumeProperty:
@@ -169,7 +172,8 @@ class Functions:
         else:
             mapper.SetScalarModeToUseCellFieldData()
         mapper.SetOpacityArrayName(self.opacity_scalars or "")
-        prop = pyvista.VolumeProperty(opacity_unit_distance=unit_distance)
+        mapper.SetOpacityScale(require_number(self.opacity_scale, "opacity_scale", least=0))
+        prop = pyvista.VolumeProperty(opacity_unit_distance=require_number(unit_distance, "unit_distance", above=0))
         mapper.attach(prop, table, opacities, opacity_range)
         return prop
 

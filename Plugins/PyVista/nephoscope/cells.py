@@ -10,8 +10,8 @@ import pyvista
 from vtkmodules.vtkCommonDataModel import vtkGenericCell
 
 from . import vtkCellCompositingMapper
-from ._checks import choose, require_number
-from ._medium import Functions, MediumMapper, add_medium, require_plotter, scalar_array, wrapped
+from ._checks import choose
+from ._medium import Functions, MediumMapper, add_medium, require_dataset, require_plotter, scalar_array
 from ._surfaces import Surfaces
 from .transfer import OpacityLike
 
@@ -128,23 +128,20 @@ def add_cells(plotter: pyvista.BasePlotter, grid: Any, scalars: str | np.ndarray
     if unit_distance is None:
         unit_distance = grid.length / np.cbrt(grid.n_cells)
     mapper = CellCompositingMapper()
-    prop = Functions(cmap, opacity, clim, n_colors, flip_scalars, log_scale, opacity_scalars, opacity_clim).attach(
-        mapper, plotter, grid, array_name, association, preference, require_number(unit_distance, "unit_distance", above=0))
+    prop = Functions(cmap, opacity, clim, n_colors, flip_scalars, log_scale, opacity_scalars, opacity_clim,
+                     opacity_scale).attach(mapper, plotter, grid, array_name, association, preference, unit_distance)
     choose({"exact": mapper.SetIntegrationToExact, "average": mapper.SetIntegrationToAverage}, integration, "integration")
     choose({"exact": mapper.SetVisibilityOrderToExact, "centroid": mapper.SetVisibilityOrderToCentroid,
             "none": mapper.SetVisibilityOrderToNone}, order, "order")
     Surfaces(contours, contour_scalars, contour_opacity, contour_color, contour_lighting, smooth_contours, layers,
              layer_scalars).apply(mapper, grid, array_name, association)
-    mapper.SetOpacityScale(require_number(opacity_scale, "opacity_scale", least=0))
     return add_medium(plotter, mapper, prop, array_name, user_matrix=user_matrix, show_scalar_bar=show_scalar_bar,
                       scalar_bar_args=scalar_bar_args, reset_camera=reset_camera, name=name, pickable=pickable, render=render)
 
 
 def _solid_grid(grid: Any) -> pyvista.DataSet:
     """`grid` as one PyVista dataset that has 3-D cells."""
-    grid = wrapped(grid, merge_points=True)
-    if not isinstance(grid, pyvista.DataSet):
-        raise TypeError(f"grid is a {type(grid).__name__}; it must be a pyvista dataset or MultiBlock with 3-D cells.")
+    grid = require_dataset(grid, "grid", " with 3-D cells", merge_points=True)
     if grid.n_cells == 0:
         raise ValueError(f"grid, a {type(grid).__name__} of {grid.n_points} points, has no cells.")
     if not _has_solid_cells(grid):

@@ -11,7 +11,7 @@ from vtkmodules.vtkCommonDataModel import vtkImageData, vtkRectilinearGrid, vtkS
 
 from . import vtkTexturedSplatMapper
 from ._checks import choose, require_beside_scalars, require_number
-from ._medium import Functions, MediumMapper, add_medium, require_plotter, scalar_array, wrapped
+from ._medium import Functions, MediumMapper, add_medium, require_dataset, require_plotter, scalar_array
 from ._vectors import Vectors
 from .transfer import OpacityLike
 
@@ -147,20 +147,17 @@ def add_splats(plotter: pyvista.BasePlotter, mesh: Any, scalars: str | np.ndarra
     Vectors(vectors, vector_style, vector_placement, vector_opacity, vector_color, vector_scalars, vector_cmap, vector_clim,
             greatest_speed, streak_period, phase_cycles).apply(mapper, plotter, mesh, association)
     mapper.phase = phase
-    mapper.SetOpacityScale(require_number(opacity_scale, "opacity_scale", least=0))
     if unit_distance is None:
         unit_distance = _spacing(mesh, association) or mapper.GetCellSize() or 1.0
-    prop = Functions(cmap, opacity, clim, n_colors, flip_scalars, log_scale, opacity_scalars, opacity_clim).attach(
-        mapper, plotter, mesh, array_name, association, association, require_number(unit_distance, "unit_distance", above=0))
+    prop = Functions(cmap, opacity, clim, n_colors, flip_scalars, log_scale, opacity_scalars, opacity_clim,
+                     opacity_scale).attach(mapper, plotter, mesh, array_name, association, association, unit_distance)
     return add_medium(plotter, mapper, prop, array_name, user_matrix=user_matrix, show_scalar_bar=show_scalar_bar,
                       scalar_bar_args=scalar_bar_args, reset_camera=reset_camera, name=name, pickable=pickable, render=render)
 
 
 def _sampled_mesh(mesh: Any) -> pyvista.DataSet:
     """`mesh` as one PyVista dataset that has points."""
-    mesh = wrapped(mesh, merge_points=False)
-    if not isinstance(mesh, pyvista.DataSet):
-        raise TypeError(f"mesh is a {type(mesh).__name__}; it must be a pyvista dataset or MultiBlock, or points of shape (n, 3).")
+    mesh = require_dataset(mesh, "mesh", ", or points of shape (n, 3)", merge_points=False)
     if mesh.n_points == 0:
         raise ValueError(f"mesh, a {type(mesh).__name__}, has no points.")
     return mesh
