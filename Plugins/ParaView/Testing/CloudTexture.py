@@ -154,7 +154,7 @@ def check_colors():
 if __name__ == "__main__":
     load_plugin()
     for check_one in (check_definition, check_offered, check_first_picture, check_cover, check_cover_array, check_moves_with_time,
-                      check_thickness,                       check_blocks, check_colors):
+                      check_thickness, check_blocks, check_colors):
         print(check_one.__name__, flush=True)
         check_one()
     passed()

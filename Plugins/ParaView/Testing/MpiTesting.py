@@ -2,7 +2,10 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """What the tests that start several ranks share."""
 import os
+import subprocess
 import sys
+
+import numpy as np
 
 # More ranks than cores, which wait without keeping a core busy, and the superuser of a container, are allowed; by Open MPI 4 and 5.
 ENVIRONMENT = dict(os.environ, OMPI_MCA_rmaps_base_oversubscribe="1", OMPI_MCA_mpi_yield_when_idle="1",
@@ -18,3 +21,14 @@ def program(name):
         print(f"skipped: no {name.lower()}")
         sys.exit(125)
     return path
+
+
+def arrays_of_ranks(script, name, ranks):
+    """[what each rank has saved with `numpy.savez(f"{prefix}-{rank}.npz")`]. The script, of this folder, gets the prefix, and prints RANK-DONE on each."""
+    prefix = os.path.join(os.environ["NEPHOSCOPE_TEST_OUTPUT"], f"{name}-{ranks}")
+    launcher = [program("MPIEXEC"), "-np", str(ranks)] if ranks > 1 else []
+    command = launcher + [program("PVBATCH"), "--dr", "--sym", os.path.join(os.path.dirname(os.path.abspath(__file__)), script), prefix]
+    done = subprocess.run(command, env=ENVIRONMENT, capture_output=True, text=True, timeout=150)
+    if (done.stdout + done.stderr).count("RANK-DONE") != ranks:
+        sys.exit(f"{prefix}: did not run to its end\n{done.stdout}{done.stderr}")
+    return [np.load(f"{prefix}-{rank}.npz") for rank in range(ranks)]
