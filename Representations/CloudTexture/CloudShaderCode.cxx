@@ -7,6 +7,8 @@
 #include "CoverageThreshold.h"
 #include "GardnerTexture.h"
 #include "GardnerTextureFunctions.h"
+#include "SurfaceLists.h"
+#include "SurfaceListsLookup.h"
 
 #include "vtkShaderProgram.h"
 
@@ -65,9 +67,15 @@ std::string constantsOf(const TexturedSurface& surface)
     "const bool hasNormals = " + word(!surface.Normals.empty()) + ";\n";
 }
 
-/** Looks at as many layers as were found. */
+/** Looks at the list of the pixel, or at as many layers as were found. */
 std::string layerLookups(bool hasDensity, int drawings)
 {
+  if (drawings == 0)
+  {
+    std::string lists = SurfaceListsLookup;
+    vtkShaderProgram::Substitute(lists, "//NEPHOSCOPE::Columns", std::to_string(SurfaceLists::Columns));
+    return lists;
+  }
   std::ostringstream uniforms, code;
   for (int i = 0; i < drawings; ++i)
   {

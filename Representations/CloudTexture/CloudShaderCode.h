@@ -31,7 +31,7 @@ std::vector<CloudAttribute> cloudAttributesOf(const TexturedSurface& surface);
 struct CloudShaderChoice
 {
   bool UseThickness = false;
-  int Drawings = 0; ///< of layers, at most
+  int Drawings = 0; ///< of layers, at most; 0: lists
 };
 
 /** Names of the uniforms of layer i. */

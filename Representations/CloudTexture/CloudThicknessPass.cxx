@@ -7,6 +7,7 @@
 #include "CloudShaderCode.h"
 #include "SurfaceLayersFragment.h"
 #include "SurfaceLayersVertex.h"
+#include "SurfaceListsFragment.h"
 #include "ViewState.h"
 
 #include "vtkActor.h"
@@ -19,6 +20,7 @@
 #include "vtkTextureObject.h"
 
 #include <algorithm>
+#include <limits>
 
 namespace nephoscope
 {
@@ -30,6 +32,10 @@ constexpr int reservedUnits = 8;
 
 int CloudThicknessPass::LimitDrawings(int clouds, bool withDensities)
 {
+  if (SurfaceLists::IsSupported())
+  {
+    return 0;
+  }
   GLint units = 16;
   glGetIntegerv(GL_MAX_TEXTURE_IMAGE_UNITS, &units);
   return std::max(1, std::min((clouds + 1) / 2, (units - reservedUnits) / (withDensities ? 2 : 1)));
@@ -53,6 +59,14 @@ void CloudThicknessPass::FindView(const Request& request)
   // Device coordinates are left-handed: a view that is not mirrored turns the sense around.
   const double handedness = view.ModelToView->Determinant() * view.ViewToDevice->Determinant();
   this->FrontIsFront = (handedness < 0) != request.IsInsideOut;
+  double nearest = std::numeric_limits<double>::max();
+  for (int corner = 0; corner < 8; ++corner)
+  {
+    double p[4] = { request.Bounds[corner & 1], request.Bounds[2 + (corner >> 1 & 1)], request.Bounds[4 + (corner >> 2)], 1 };
+    view.ModelToView->MultiplyPoint(p, p);
+    nearest = std::min(nearest, -p[2]);
+  }
+  this->EyeMayBeInside = nearest <= this->Near;
   for (int i = 0; i < 2; ++i)
   {
     this->Origin[i] = static_cast<float>(request.Scene.Viewport[i]);
@@ -81,43 +95,56 @@ std::string CloudThicknessPass::Draw(const Request& request)
   layers.Limit = LimitDrawings(request.Clouds, request.WithDensities);
   layers.WithDensities = this->WithDensities = request.WithDensities;
   layers.OpaqueDepth = this->Opaque;
-  this->IsKnown = this->Layers.Draw(layers,
-    [&](const SurfaceLayers::Drawing& drawing) { this->Paint(request, drawing, this->Opaque); });
+  layers.OnlyFaces = this->EyeMayBeInside ? 0 : this->FrontIsFront ? GL_BACK : GL_FRONT;
+  this->HasLists = layers.Limit == 0;
+  if (this->HasLists)
+  {
+    this->IsKnown = this->Lists.Draw(layers, [&]() {
+      this->Paint(request, SurfaceListsFragment, [&](vtkShaderProgram* program) { this->Lists.SetUniforms(program); });
+    });
+    return this->IsKnown ? std::string() : "there are more than 16 million faces in the picture, or this OpenGL has no images for them";
+  }
+  this->IsKnown = this->Layers.Draw(layers, [&](const SurfaceLayers::Drawing& drawing) { this->PaintLayer(request, drawing); });
   return this->IsKnown ? std::string() : "this OpenGL cannot draw depths into 32-bit float images";
 }
 
-void CloudThicknessPass::Paint(
-  const Request& request, const SurfaceLayers::Drawing& drawing, vtkTextureObject* opaque)
+void CloudThicknessPass::Paint(const Request& request, const char* shader, const std::function<void(vtkShaderProgram*)>& prepare)
 {
-  std::string vertex = SurfaceLayersVertex, fragment = SurfaceLayersFragment;
+  std::string vertex = SurfaceLayersVertex, fragment = shader;
   for (std::string* source : { &vertex, &fragment })
   {
     vtkShaderProgram::Substitute(*source, "//NEPHOSCOPE::Constants", request.Constants);
   }
-  vtkShaderProgram* program = request.Scene.Window->GetShaderCache()->ReadyShaderProgram(
-    vertex.c_str(), fragment.c_str(), "");
+  vtkShaderProgram* program = request.Scene.Window->GetShaderCache()->ReadyShaderProgram(vertex.c_str(), fragment.c_str(), "");
   if (!program)
   {
     return;
   }
-  vtkTextureObject* before = drawing.Found ? drawing.Found : drawing.Previous;
-  // Without densities the depth is tested by OpenGL, not sampled: it is the depth buffer now.
-  vtkTextureObject* textures[2] = { request.WithDensities ? opaque : nullptr, before };
-  const char* names[2] = { "opaqueDepth", "foundBefore" };
-  for (int i = 0; i < 2; ++i)
-  {
-    if (textures[i])
-    {
-      textures[i]->Activate();
-      program->SetUniformi(names[i], textures[i]->GetTextureUnit());
-    }
-  }
-  program->SetUniformi("stage", drawing.Found ? 2 : drawing.Previous ? 1 : 0);
   program->SetUniformi("frontIsFront", this->FrontIsFront);
   program->SetUniformMatrix4x4("placeToView", this->PlaceToView);
-  program->SetUniform4f("depthToView", this->DepthToView);
+  prepare(program);
   this->Helper.Program = program;
   request.DrawTriangles(this->Helper);
+}
+
+void CloudThicknessPass::PaintLayer(const Request& request, const SurfaceLayers::Drawing& drawing)
+{
+  // Without densities the depth is tested by OpenGL, not sampled: it is the depth buffer now.
+  vtkTextureObject* textures[2] = { request.WithDensities ? this->Opaque : nullptr,
+    drawing.Found ? drawing.Found : drawing.Previous };
+  const char* names[2] = { "opaqueDepth", "foundBefore" };
+  this->Paint(request, SurfaceLayersFragment, [&](vtkShaderProgram* program) {
+    for (int i = 0; i < 2; ++i)
+    {
+      if (textures[i])
+      {
+        textures[i]->Activate();
+        program->SetUniformi(names[i], textures[i]->GetTextureUnit());
+      }
+    }
+    program->SetUniformi("stage", drawing.Found ? 2 : drawing.Previous ? 1 : 0);
+    program->SetUniform4f("depthToView", this->DepthToView);
+  });
   for (vtkTextureObject* texture : textures)
   {
     if (texture)
@@ -133,6 +160,12 @@ std::vector<vtkTextureObject*> CloudThicknessPass::Textures()
   if (this->IsKnown)
   {
     result.push_back(this->Opaque);
+    if (this->HasLists)
+    {
+      result.push_back(this->Lists.GetHeads());
+      result.push_back(this->Lists.GetNodes());
+      return result;
+    }
     for (int i = 0; i < this->Layers.GetNumberOfDrawings(); ++i)
     {
       result.push_back(this->Layers.GetDepths(i));
@@ -163,7 +196,7 @@ void CloudThicknessPass::Deactivate()
 
 void CloudThicknessPass::SetUniforms(vtkShaderProgram* program, double extinction, int drawings)
 {
-  program->SetUniformi("cloudDrawings", this->IsKnown ? this->Layers.GetNumberOfDrawings() : -1);
+  program->SetUniformi("cloudDrawings", !this->IsKnown ? -1 : this->HasLists ? 1 : this->Layers.GetNumberOfDrawings());
   program->SetUniformMatrix4x4("placeToView", this->PlaceToView);
   program->SetUniform4f("cloudDepthToView", this->DepthToView);
   program->SetUniform2f("cloudOrigin", this->Origin);
@@ -171,11 +204,21 @@ void CloudThicknessPass::SetUniforms(vtkShaderProgram* program, double extinctio
   program->SetUniformf("cloudNear", this->Near);
   program->SetUniformi("cloudIsParallel", this->IsParallel);
   program->SetUniformi("cloudFrontIsFront", this->FrontIsFront);
-  if (!this->IsKnown || this->Layers.GetNumberOfDrawings() == 0)
+  if (!this->IsKnown)
   {
     return;
   }
   program->SetUniformi("cloudOpaqueDepth", this->Opaque->GetTextureUnit());
+  if (this->HasLists)
+  {
+    program->SetUniformi("cloudHeads", this->Lists.GetHeads()->GetTextureUnit());
+    program->SetUniformi("cloudNodes", this->Lists.GetNodes()->GetTextureUnit());
+    return;
+  }
+  if (this->Layers.GetNumberOfDrawings() == 0)
+  {
+    return; // there is nothing to draw
+  }
   for (int i = 0; i < drawings; ++i)
   {
     const int found = std::min(
@@ -193,6 +236,7 @@ void CloudThicknessPass::ReleaseGraphicsResources(vtkWindow* window)
 {
   this->Scene.ReleaseGraphicsResources(window);
   this->Layers.ReleaseGraphicsResources(window);
+  this->Lists.ReleaseGraphicsResources(window);
   this->Helper.Program = nullptr; // the window's
   this->Helper.ReleaseGraphicsResources(window);
   this->Opaque = nullptr;

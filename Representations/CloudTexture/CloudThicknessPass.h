@@ -6,6 +6,7 @@
 
 #include "SceneDepth.h"
 #include "SurfaceLayers.h"
+#include "SurfaceLists.h"
 
 #include "vtkOpenGLHelper.h"
 
@@ -30,6 +31,7 @@ public:
     vtkRenderer* Renderer = nullptr;
     vtkActor* Actor = nullptr;
     double Center[3] = { 0, 0, 0 }; ///< of the places
+    double Bounds[6] = { 0, 0, 0, 0, 0, 0 }; ///< of the places
     bool IsInsideOut = false;
     bool WithDensities = false;
     int Clouds = 2;                                      ///< behind one another, at most
@@ -37,14 +39,18 @@ public:
     std::function<void(vtkOpenGLHelper&)> DrawTriangles; ///< with the program of the helper
   };
 
-  /** How many times the surface may be drawn to find so many clouds; less where this OpenGL has few texture units. */
+  /** How many times the surface may be drawn to find so many clouds; less where this OpenGL has few texture units. 0: it is drawn once, into lists. */
   static int LimitDrawings(int clouds, bool withDensities);
 
   /** Draws the layers if this is the time: empty, or what went wrong. */
   std::string Draw(const Request& request);
   /** Thickness is not known: the cloud is a layer. */
   void Forget() { this->IsKnown = false; }
-  bool HasMore() const { return this->IsKnown && this->Layers.HasMore(); }
+  /** Whether back faces start no cloud: the near plane is before all of the surface. */
+  bool OnlyFrontFaces() const { return this->IsKnown && !this->EyeMayBeInside; }
+  /** Which of them OpenGL takes for front faces. */
+  bool FrontFacesAreFront() const { return this->FrontIsFront; }
+  bool HasMore() const { return this->IsKnown && !this->HasLists && this->Layers.HasMore(); }
 
   void Activate();
   void Deactivate();
@@ -55,15 +61,17 @@ public:
 private:
   void FindView(const Request& request);
   void Paint(
-    const Request& request, const SurfaceLayers::Drawing& drawing, vtkTextureObject* opaque);
+    const Request& request, const char* shader, const std::function<void(vtkShaderProgram*)>& prepare);
+  void PaintLayer(const Request& request, const SurfaceLayers::Drawing& drawing);
   std::vector<vtkTextureObject*> Textures();
 
   SceneDepth Scene;
   SurfaceLayers Layers;
+  SurfaceLists Lists;
   vtkOpenGLHelper Helper;
   vtkTextureObject* Opaque = nullptr;
   vtkProp* KnownProp = nullptr; // not to be looked into
-  bool IsKnown = false, WithDensities = false, IsParallel = false, FrontIsFront = true;
+  bool IsKnown = false, HasLists = false, EyeMayBeInside = true, WithDensities = false, IsParallel = false, FrontIsFront = true;
   float PlaceToView[16], DepthToView[4], Origin[2], Near = 0;
 };
 

@@ -9,6 +9,7 @@
 
 #include "vtkNew.h"
 #include "vtkSmartPointer.h"
+#include "vtkTextureObject.h"
 
 #include <functional>
 #include <vector>
@@ -16,7 +17,6 @@
 class vtkOpenGLFramebufferObject;
 class vtkOpenGLRenderWindow;
 class vtkShaderProgram;
-class vtkTextureObject;
 class vtkWindow;
 
 namespace nephoscope
@@ -40,6 +40,7 @@ public:
     int Size[2] = { 0, 0 };
     int Limit = 1; ///< of drawings
     bool WithDensities = false;
+    unsigned int OnlyFaces = 0; ///< SurfaceLists: GL_BACK or GL_FRONT; 0: both are wanted
     vtkTextureObject* OpaqueDepth = nullptr;
   };
 

@@ -171,6 +171,13 @@ void vtkCloudTextureMapper::RenderPieceDraw(vtkRenderer* renderer, vtkActor* act
   }
   own.Thresholds->Activate();
   own.Thickness.Activate();
+  vtkOpenGLState* state = static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow())->GetState();
+  const vtkOpenGLState::ScopedglEnableDisable culling(state, GL_CULL_FACE);
+  if (this->UseThickness && own.Thickness.OnlyFrontFaces())
+  {
+    state->vtkglEnable(GL_CULL_FACE);
+    state->vtkglCullFace(own.Thickness.FrontFacesAreFront() ? GL_BACK : GL_FRONT);
+  }
   this->Superclass::RenderPieceDraw(renderer, actor);
   own.Thickness.Deactivate();
   own.Thresholds->Deactivate();
@@ -194,6 +201,11 @@ void vtkCloudTextureMapper::FindThickness(vtkRenderer* renderer, vtkActor* actor
   request.Renderer = renderer;
   request.Actor = actor;
   std::copy_n(own.Surface.Center, 3, request.Center);
+  own.Surface.Surface->GetBounds(request.Bounds);
+  for (int i = 0; i < 6; ++i)
+  {
+    request.Bounds[i] -= request.Center[i / 2];
+  }
   request.IsInsideOut = own.Surface.Chord.IsInsideOut();
   request.WithDensities = own.Surface.HasDensity;
   request.Clouds = this->MaximumNumberOfLayers;

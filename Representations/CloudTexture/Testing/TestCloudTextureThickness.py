@@ -3,6 +3,7 @@
 """Clouds are as opaque as they are thick along the ray: against closed forms, per pixel."""
 import itertools
 import math
+import os
 import unittest
 
 import numpy as np
@@ -80,7 +81,8 @@ class Thickness(BodyTestCase):
                 self.assertEqual(drawn.max() > 0, expected.max() > 0)
 
     def test_many_behind_one_another(self):
-        """Up to the limit nothing is missing; above it a warning tells."""
+        """Up to the limit nothing is missing; above it a warning tells. OpenGL 4.2 needs no limit."""
+        unlimited = not os.environ.get("MESA_GL_VERSION_OVERRIDE", "9").startswith("3")
         slabs = [((-1, -1, -i), (1, 1, -i + 0.15 + 0.05 * i)) for i in range(8)]
         for count, layers in ((8, 8), (5, 6), (8, 4)):
             window, scene, mapper, _ = self.bodies(together(*(box(*s) for s in slabs[:count])), extinction=0.3, far=40)
@@ -91,8 +93,8 @@ class Thickness(BodyTestCase):
             origins, directions, _ = self.rays(scene)
             length = sum(np.subtract(*stay_in_box(origins, directions, *s)[::-1]) for s in slabs[:count])
             with self.subTest(count=count, layers=layers):
-                self.compare(window.rgba()[..., 0], opacity(0.3 * length), share=1.0 if count <= layers else 0.2)
-                self.assertEqual(len(window.messages.all), count > layers, window.messages.all)
+                self.compare(window.rgba()[..., 0], opacity(0.3 * length), share=1.0 if unlimited or count <= layers else 0.2)
+                self.assertEqual(len(window.messages.all), not unlimited and count > layers, window.messages.all)
                 self.assertTrue(all("MaximumNumberOfLayers" in m for m in window.messages.all))
 
 
