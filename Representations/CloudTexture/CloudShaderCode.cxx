@@ -4,16 +4,13 @@
 
 #include "CloudOpacityFunction.h"
 #include "CloudThicknessFunction.h"
-#include "CoverageThreshold.h"
-#include "GardnerTexture.h"
+#include "GardnerShaderConstants.h"
 #include "GardnerTextureFunctions.h"
 #include "SurfaceLists.h"
 #include "SurfaceListsLookup.h"
 
 #include "vtkShaderProgram.h"
 
-#include <cmath>
-#include <iomanip>
 #include <sstream>
 
 namespace nephoscope
@@ -25,42 +22,6 @@ const char* word(bool value)
   return value ? "true" : "false";
 }
 
-/** Numbers that differ from term to term, as elements of an array. */
-template <typename Value>
-std::string listOf(const Value& value)
-{
-  std::ostringstream result;
-  result << std::scientific << std::setprecision(9);
-  for (int i = 0; i < numberOfGardnerTerms; ++i)
-  {
-    result << (i ? ", " : "");
-    value(result, i);
-  }
-  return result.str();
-}
-}
-
-std::string gardnerConstants()
-{
-  const std::string waves = listOf([](std::ostream& os, int i) {
-    const auto wave = gardnerWave<double>(i);
-    const double turn = 2 * gardnerPi;
-    os << "vec3(" << wave[0] / turn << ", " << wave[1] / turn << ", " << wave[2] / turn << ")";
-  });
-  const std::string amplitudes =
-    listOf([](std::ostream& os, int i) { os << gardnerAmplitude * std::pow(gardnerRatio, i); });
-  std::ostringstream result;
-  result << std::scientific << std::setprecision(9);
-  result << "const vec3 gardnerWaves[7] = vec3[7](" << waves << ");\n"
-         << "const float gardnerAmplitudes[7] = float[7](" << amplitudes << ");\n"
-         << "const float gardnerFourth = " << gardnerFourth() << ";\n"
-         << "const float thresholdColumns = " << double(CoverageThresholds::columns) << ";\n"
-         << "const float thresholdRows = " << double(CoverageThresholds::rows) << ";\n";
-  return result.str();
-}
-
-namespace
-{
 std::string constantsOf(const TexturedSurface& surface)
 {
   return gardnerConstants() + "const bool hasSecondSet = " + word(surface.HasSecondSet) + ";\n" +
@@ -122,6 +83,10 @@ void addVertexCode(std::map<vtkShader::Type, vtkShader*>& shaders,
   std::string vertexDec, vertexImpl, geometryDec, geometryImpl;
   for (const CloudAttribute& a : attributes)
   {
+    if (view && a.Name == "cloudPlace")
+    {
+      continue; // needed for the view only
+    }
     vertexDec += "in " + a.Type + " " + a.Name + ";\nout " + a.Type + " " + a.Name + "VSOutput;\n";
     vertexImpl += "  " + a.Name + "VSOutput = " + a.Name + ";\n";
     geometryDec +=
@@ -130,7 +95,7 @@ void addVertexCode(std::map<vtkShader::Type, vtkShader*>& shaders,
   }
   if (view)
   {
-    vertexDec += "uniform mat4 placeToView;\nout vec3 cloudViewVSOutput;\n";
+    vertexDec += "in vec3 cloudPlace;\nuniform mat4 placeToView;\nout vec3 cloudViewVSOutput;\n";
     vertexImpl += "  cloudViewVSOutput = (placeToView * vec4(cloudPlace, 1.0)).xyz;\n";
     geometryDec += "in vec3 cloudViewVSOutput[];\nout vec3 cloudViewGSOutput;\n";
     geometryImpl += "  cloudViewGSOutput = cloudViewVSOutput[i];\n";
@@ -187,15 +152,17 @@ void addCloudCode(std::map<vtkShader::Type, vtkShader*>& shaders, const Textured
   const std::vector<CloudAttribute> attributes = cloudAttributesOf(surface);
   addVertexCode(shaders, attributes, choice.UseThickness);
   std::string dec, early;
+  // By thickness places are those in the view.
+  const std::string place = choice.UseThickness ? "cloudViewVSOutput" : "cloudPlaceVSOutput";
   for (const CloudAttribute& a : attributes)
   {
-    dec += "in " + a.Type + " " + a.Name + "VSOutput;\n";
+    dec += choice.UseThickness && a.Name == "cloudPlace" ? "" : "in " + a.Type + " " + a.Name + "VSOutput;\n";
   }
   dec += "uniform float coverage;\nuniform vec2 textureWeights;\n" + constantsOf(surface) +
     GardnerTextureFunctions + CloudOpacityFunction;
   const std::string normal = input(attributes, "cloudNormal", "vec3(0.0)");
   std::string depth =
-    "  float cloudDepthOnRay = opticalDepthOfLayer(cloudPlaceVSOutput, " + normal + ");\n";
+    "  float cloudDepthOnRay = opticalDepthOfLayer(" + place + ", " + normal + ");\n";
   if (choice.UseThickness)
   {
     std::string thickness = CloudThicknessFunction;
@@ -214,7 +181,7 @@ void addCloudCode(std::map<vtkShader::Type, vtkShader*>& shaders, const Textured
   vtkShader* fragment = shaders[vtkShader::Fragment];
   addBefore(fragment, "//VTK::Color::Dec", dec);
   addBefore(fragment, "//VTK::UniformFlow::Impl",
-    "  takeFootprints(cloudPlaceVSOutput, cloudTexture1VSOutput, " + second + ");\n");
+    "  takeFootprints(" + place + ", cloudTexture1VSOutput, " + second + ");\n");
   // What starts no cloud is no layer for depth peeling either.
   addBefore(fragment, "//VTK::DepthPeeling::PreColor", early);
   std::string source = fragment->GetSource();

@@ -38,9 +38,6 @@ struct CloudShaderChoice
 std::string depthsUniform(int i);
 std::string densitiesUniform(int i);
 
-/** Constants of GardnerTexture.glsl. */
-std::string gardnerConstants();
-
 /** Constant hasDensity of the shaders of layers. */
 std::string layerConstants(const TexturedSurface& surface);
 

@@ -367,7 +367,8 @@ TexturedSurface prepareTexturedSurface(vtkPolyData* input, const TextureChoice& 
   {
     normals->SetName("NephoscopeNormals");
   }
-  result.Normals = normals ? normals->GetName() : "";
+  // By thickness only open surfaces have a cosine, and that of the triangles will do.
+  result.Normals = normals && !choice.MeasureChord ? normals->GetName() : "";
   addCoordinates(result, input, choice);
   if (choice.MeasureChord)
   {

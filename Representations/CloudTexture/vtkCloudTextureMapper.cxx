@@ -308,6 +308,11 @@ void vtkCloudTextureMapper::SetEye(
   {
     place[c] = static_cast<float>(eye[c] - eye[3] * this->Internals->Surface.Center[c]);
   }
+  if (this->UseThickness) // in the view
+  {
+    place[0] = place[1] = 0;
+    place[2] = isParallel ? 1.0f : 0.0f;
+  }
   program->SetUniform4f("eyePlace", place);
 }
 

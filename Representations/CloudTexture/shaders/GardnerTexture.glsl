@@ -9,12 +9,12 @@ uniform sampler2D coverageThresholds;
 const float squaredTurn = 39.4784176; // of 2 pi
 const float twoOverTurn = 0.318309886;
 
-// cos(2 pi x), to 6e-7 and what x is rounded by.
+// cos(2 pi x), to 7e-5 and what x is rounded by.
 float cosineOfTurns(float x)
 {
   float y = abs(x - floor(x + 0.5)) - 0.25;
   float z = y * y;
-  return y * (-6.28316404 + z * (41.3371423 + z * (-81.3407689 + z * 70.9934332)));
+  return y * (-6.28128008 + z * (41.0952427 - z * 73.5855146));
 }
 
 vec3 filteredTexture(vec3 p, vec3 across, vec3 up)
