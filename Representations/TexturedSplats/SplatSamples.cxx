@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SplatSamples.h"
 
-
 #include "vtkBoundingBox.h"
 #include "vtkDataSet.h"
 #include "vtkSMPTools.h"
@@ -138,6 +137,10 @@ SplatSamples FindSplatSamples(vtkDataSet* data, const SplatSampling& sampling, s
       ? (*sampling.Frame.Origin)[static_cast<std::size_t>(axis)]
       : 0.5 * (bounds[2 * axis] + bounds[2 * axis + 1]);
   }
+  samples.AreVoxels = shapes.AreVoxels();
+  samples.Voxel = shapes.GetVoxel();
+  samples.FirstVoxel =
+    Minus(shapes.GetFirstVoxel(), { { samples.Center[0], samples.Center[1], samples.Center[2] } });
   samples.Positions.resize(places.size());
   forAll(places.size(), [&](std::size_t i) {
     for (std::size_t c = 0; c < 3; ++c)

@@ -36,7 +36,13 @@ struct SplatSamples
   std::vector<vtkIdType> Ids;      ///< of the point or cell
 
   double LongestEdge = 0; ///< largest factor by which any Jacobian stretches a length
-  int Dimensions[3] = { 0, 0, 0 }; ///< of the structured grid whose samples these are: Ids count along x, y, z
+  int Dimensions[3] = { 0, 0,
+    0 }; ///< of the structured grid whose samples these are: Ids count along x, y, z
+
+  bool AreVoxels =
+    false; ///< of a sparse volume: with the edges Voxel, and the place FirstVoxel (relative to the centre) where indices are 0
+  SplatMatrix Voxel{};
+  SplatVector FirstVoxel{};
 
   std::size_t Size() const { return this->Positions.size(); }
   const Jacobian& JacobianOf(std::size_t i) const

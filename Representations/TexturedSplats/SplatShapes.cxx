@@ -52,9 +52,8 @@ void addSplat(Bounds& bounds, const SplatVector& place, const SplatMatrix& jacob
   for (std::size_t axis = 0; axis < 3; ++axis)
   {
     // The image of a ball under J reaches as far along an axis as that row of J is long.
-    const double row =
-      std::sqrt(jacobian[0][axis] * jacobian[0][axis] + jacobian[1][axis] * jacobian[1][axis] +
-        jacobian[2][axis] * jacobian[2][axis]);
+    const double row = std::sqrt(jacobian[0][axis] * jacobian[0][axis] +
+      jacobian[1][axis] * jacobian[1][axis] + jacobian[2][axis] * jacobian[2][axis]);
     bounds[2 * axis] = std::min(bounds[2 * axis], place[axis] - radius * row);
     bounds[2 * axis + 1] = std::max(bounds[2 * axis + 1], place[axis] + radius * row);
   }
@@ -113,6 +112,11 @@ bool SplatShapes::FindVoxels()
   {
     return false;
   }
+  for (int row = 0; row < 3; ++row)
+  {
+    this->FirstVoxel[row] = matrix->GetComponent(0, 4 * row + 3);
+  }
+  this->Voxels = true;
   vtkDataArray* scale = this->Data->GetPointData()->GetArray("VoxelScale");
   this->Scale = scale && scale->GetNumberOfComponents() == 1 ? scale : nullptr;
   return true;

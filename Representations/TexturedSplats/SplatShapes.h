@@ -28,8 +28,10 @@ namespace nephoscope
 struct SplatSampling
 {
   bool OnCells = false;
-  double CellSize = 0; ///< edge of the cell of samples without a grid; 0: that of its voxel, or the mean spacing
-  std::string ShapeArrayName = {}; ///< of nine components: the columns of every sample's Jacobian; empty: none
+  double CellSize =
+    0; ///< edge of the cell of samples without a grid; 0: that of its voxel, or the mean spacing
+  std::string
+    ShapeArrayName = {}; ///< of nine components: the columns of every sample's Jacobian; empty: none
   double RadiusFactor = 1; ///< on every Jacobian: splats that are so many times as wide
   SplatFrame Frame = {};
 };
@@ -65,6 +67,10 @@ public:
   bool HaveMeanSpacing() const { return this->Spaced; }
   bool AreOfGrid() const { return this->Grid.IsGrid(); }
   const GridSamples& GetGrid() const { return this->Grid; }
+  /** Samples that are voxels of a sparse volume: edges of the voxels, and the place of the one whose indices are 0. */
+  bool AreVoxels() const { return this->Voxels; }
+  const SplatMatrix& GetVoxel() const { return this->Voxel; }
+  const SplatVector& GetFirstVoxel() const { return this->FirstVoxel; }
 
 private:
   double FindMeanSpacing() const;
@@ -80,7 +86,9 @@ private:
   vtkIdType Count;
   double CellSize;
   double RadiusFactor;
-  SplatMatrix Voxel{};           // the shape of samples without a grid
+  SplatMatrix Voxel{}; // the shape of samples without a grid
+  bool Voxels = false; // they are those of a sparse volume
+  SplatVector FirstVoxel{};
   vtkDataArray* Scale = nullptr; // of voxels of several sizes
 };
 

@@ -3,6 +3,7 @@
 #include "SplatTree.h"
 
 #include "BlockOrder.h"
+#include "SplatBlocks.h"
 #include "SplatClasses.h"
 #include "SplatSamples.h"
 #include "SplatSummary.h"
@@ -11,16 +12,11 @@
 #include "vtkType.h"
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
 
 namespace nephoscope
 {
 namespace
 {
-constexpr std::uint32_t spaceBlocks = 1u
-  << BlockOrder::mostBits; // along each axis, of samples without a lattice
-
 template <typename Body>
 void forAll(std::size_t count, Body body)
 {
@@ -41,24 +37,6 @@ std::array<float, 3> toFloat(const SplatVector& v)
 {
   return { { static_cast<float>(v[0]), static_cast<float>(v[1]), static_cast<float>(v[2]) } };
 }
-
-// The greatest singular value, by power iteration on J J^T from above: its trace bounds it.
-double longestAxis(const SplatMatrix& j)
-{
-  SplatVector v = { { 0.61, 0.55, 0.57 } };
-  double longest = 0.0;
-  for (int i = 0; i < 12; ++i)
-  {
-    const SplatVector rows = { { Dot(j[0], v), Dot(j[1], v), Dot(j[2], v) } };
-    v = Times(j, rows);
-    longest = Length(v);
-    for (double& e : v)
-    {
-      e /= longest > 0.0 ? longest : 1.0;
-    }
-  }
-  return std::sqrt(longest);
-}
 }
 
 /** Merges neighbours in the order of their codes, level by level, until one is left. */
@@ -71,7 +49,6 @@ public:
     , Samples(samples)
     , Classes(classes)
     , Vectors(vectors)
-    , OnLattice(samples.Dimensions[0] > 0)
     , ByVolume(!vectors.empty())
   {
   }
@@ -111,82 +88,14 @@ private:
     return static_cast<std::size_t>(this->Classes.Samples[static_cast<std::size_t>(leaf)]);
   }
 
-  BlockOrder::Index LatticeIndex(std::int32_t leaf) const
-  {
-    const auto nx = this->Samples.Dimensions[0], ny = this->Samples.Dimensions[1];
-    const vtkIdType id = this->Samples.Ids[this->SampleOf(leaf)];
-    return { { static_cast<std::uint32_t>(id % nx), static_cast<std::uint32_t>(id / nx % ny),
-      static_cast<std::uint32_t>(id / nx / ny) } };
-  }
-
-  // Lengths of the cells of some leaves, in the mean.
-  std::array<double, 3> FindEdges() const
-  {
-    const std::size_t stride = 1 + this->Tree.LeafCount / 10000;
-    std::array<double, 3> edges{};
-    for (std::size_t i = 0; i < this->Tree.LeafCount; i += stride)
-    {
-      const auto& j = this->Samples.JacobianOf(this->SampleOf(static_cast<std::int32_t>(i)));
-      for (std::size_t c = 0; c < 3; ++c)
-      {
-        edges[c] += Length(toDouble(j[c]));
-      }
-    }
-    return edges;
-  }
-
-  // Cubic blocks around the leaves.
-  void FindSpace()
-  {
-    SplatVector high{};
-    this->Corner.fill(std::numeric_limits<double>::infinity());
-    high.fill(-this->Corner[0]);
-    for (const std::int32_t sample : this->Classes.Samples)
-    {
-      const auto& p = this->Samples.Positions[static_cast<std::size_t>(sample)];
-      for (std::size_t c = 0; c < 3; ++c)
-      {
-        this->Corner[c] = std::min<double>(this->Corner[c], p[c]);
-        high[c] = std::max<double>(high[c], p[c]);
-      }
-    }
-    double edge = 0.0;
-    for (std::size_t c = 0; c < 3; ++c)
-    {
-      edge = std::max(edge, high[c] - this->Corner[c]);
-    }
-    this->BlocksPerLength = edge > 0.0 ? ((1 << BlockOrder::mostBits) - 1) / edge : 0.0;
-  }
-
-  BlockOrder::Index SpaceIndex(std::int32_t leaf) const
-  {
-    const auto& p = this->Samples.Positions[this->SampleOf(leaf)];
-    BlockOrder::Index index;
-    for (std::size_t c = 0; c < 3; ++c)
-    {
-      index[c] = static_cast<std::uint32_t>((p[c] - this->Corner[c]) * this->BlocksPerLength);
-    }
-    return index;
-  }
-
   void FindLeaves()
   {
-    if (this->OnLattice)
-    {
-      const auto& n = this->Samples.Dimensions;
-      this->Blocks = BlockOrder(
-        { { std::uint32_t(n[0]), std::uint32_t(n[1]), std::uint32_t(n[2]) } }, this->FindEdges());
-    }
-    else
-    {
-      this->FindSpace();
-    }
+    const SplatBlocks blocks(this->Samples, this->Classes);
+    this->Blocks = blocks.GetOrder();
     this->Items.resize(this->Tree.LeafCount);
     forAll(this->Items.size(), [&](std::size_t i) {
       const auto leaf = static_cast<std::int32_t>(i);
-      this->Items[i] = { this->Blocks.CodeOf(
-                           this->OnLattice ? this->LatticeIndex(leaf) : this->SpaceIndex(leaf)),
-        leaf };
+      this->Items[i] = { this->Blocks.CodeOf(blocks.IndexOf(this->SampleOf(leaf))), leaf };
     });
     vtkSMPTools::Sort(this->Items.begin(), this->Items.end(), [](const Item& a, const Item& b) {
       return a.Code != b.Code ? a.Code < b.Code : a.Splat < b.Splat;
@@ -243,7 +152,7 @@ private:
     node.RootMeanSquareError = static_cast<float>(splat.RootMeanSquareError);
     node.GreatestVectorError = static_cast<float>(splat.GreatestVectorError);
     node.RootMeanSquareVectorError = static_cast<float>(splat.RootMeanSquareVectorError);
-    node.LongestEdge = static_cast<float>(longestAxis(splat.Jacobian));
+    node.LongestEdge = static_cast<float>(LargestStretch(splat.Jacobian));
     node.Span = static_cast<float>(splat.Span);
     node.FirstChild = firstChild;
   }
@@ -303,12 +212,9 @@ private:
   const SplatSamples& Samples;
   const SplatClasses& Classes;
   const std::vector<std::array<float, 4>>& Vectors;
-  const bool OnLattice;
   const bool
     ByVolume; // nodes are where their samples are, and not only the medium of those: vectors are there too
-  BlockOrder Blocks{ { { spaceBlocks, spaceBlocks, spaceBlocks } }, { { 1.0, 1.0, 1.0 } } };
-  SplatVector Corner{};
-  double BlocksPerLength = 0.0;
+  BlockOrder Blocks{ { { 1, 1, 1 } }, { { 1.0, 1.0, 1.0 } } };
   std::vector<Item> Items;
   std::vector<SplatBranch> Branches; // of the nodes
 };

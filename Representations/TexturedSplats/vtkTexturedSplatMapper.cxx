@@ -32,7 +32,7 @@ struct vtkTexturedSplatMapper::vtkInternals
   nephoscope::SplatScene Scene;
   nephoscope::SplatPass Pass;
   nephoscope::ResourceWindow Window;
-  nephoscope::ReportedError LastError;
+  nephoscope::ReportedError LastError, LastWarning;
 };
 
 vtkTexturedSplatMapper::vtkTexturedSplatMapper()
@@ -231,6 +231,14 @@ bool vtkTexturedSplatMapper::UsesHierarchy(
   most = moving ? this->InteractiveMaximumNumberOfSplats : 0;
   const bool tooMany = most > 0 && samples > most;
   const bool layers = !this->VectorArrayName.empty() && this->VectorPlacement == IN_LAYERS;
+  const std::string warning = layers && this->ErrorTolerance > 0
+    ? "ErrorTolerance is ignored: layers are made of all samples. Call SetVectorPlacementToMiddle() to "
+      "draw blocks of samples as one splat each, with their vectors."
+    : "";
+  if (this->Internals->LastWarning.IsNew(warning))
+  {
+    vtkWarningMacro(<< warning);
+  }
   return !layers && (this->ErrorTolerance > 0 || tooMany);
 }
 

@@ -17,10 +17,11 @@ ROTATION = np.array([[0.36, 0.48, -0.8], [-0.8, 0.6, 0.0], [0.48, 0.64, 0.6]])
 
 @unittest.skipUnless(vf.HAS_OPENVDB, "this build has no OpenVDB")
 class Splats(VdbTestCase, ImageTestCase):
-    def draw(self, data):
+    def draw(self, data, tolerance=0.0):
         window = Window((80, 64))
         scene = window.add_scene()
         mapper = nephoscope.vtkTexturedSplatMapper()
+        mapper.SetErrorTolerance(tolerance)
         scene.add_volume(mapper, data, COLORS)
         scene.look((9, 7, 16), (0.5, 0.2, 0.6), angle=30)
         window.render()
@@ -41,6 +42,24 @@ class Splats(VdbTestCase, ImageTestCase):
         self.assertEqual(mapper.GetNumberOfDrawnSplats(), points.GetNumberOfPoints())
         print(f"  memory: {points.GetActualMemorySize()} KiB as points, {dense.GetActualMemorySize()} KiB as an image")
         self.check_float(sparse, expected, "sparse and dense", 1e-5)
+
+    def test_the_hierarchy_of_points_is_that_of_the_image(self):
+        """Blocks are those of voxel indices, wherever the voxels are in space: the trees, and so the pictures, are the same."""
+        random = np.random.default_rng(5)
+        grid = np.mgrid[0:24, 0:20, 0:28].reshape(3, -1)
+        values = np.clip(1.2 - 0.012 * ((grid.T - (12, 9, 13))**2).sum(axis=1), 0, 1).astype("f4")
+        values[random.random(values.size) < 0.1] = 0
+        data = vf.image({"s": values}, (28, 20, 24), first=(4096, 0, -4096), spacing=(0.2, 0.24, 0.28), direction=ROTATION,
+                        origin=-ROTATION @ np.multiply((4096 + 14, 10, -4096 + 12), (0.2, 0.24, 0.28)))
+        self.write(data)
+        points = self.read()
+        for tolerance in (0.5, 3.0):
+            sparse, mapper = self.draw(points, tolerance)
+            dense, dense_mapper = self.draw(data, tolerance)
+            self.assertEqual(mapper.GetNumberOfDrawnSplats(), dense_mapper.GetNumberOfDrawnSplats())
+            self.assertLess(mapper.GetNumberOfDrawnSplats(), 0.8 * points.GetNumberOfPoints())
+            self.assertGreater(dense[..., 3].max(), 0.5)
+            self.check_float(sparse, dense, "sparse and dense", 2e-4)
 
 
 if __name__ == "__main__":

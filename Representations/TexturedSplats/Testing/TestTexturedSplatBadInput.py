@@ -95,6 +95,20 @@ class BadInput(unittest.TestCase):
         self.assertEqual(mapper.GetNumberOfDrawnSplats(), 2)
         self.assertTrue(np.isfinite(float_image(mapper)).all())
 
+    def test_hierarchy_of_vectors_in_layers(self):
+        data = self.cube()
+        meshes.add_array(data.GetPointData(), np.ones((data.GetNumberOfPoints(), 3)), "wind")
+
+        def layers(mapper, _):
+            mapper.SetVectorArrayName("wind")
+            mapper.SetVectorPlacementToLayers()
+            mapper.SetErrorTolerance(1)
+
+        messages, mapper = self.draw(data, layers)
+        self.assertEqual(len(messages.all), 1, messages.all)
+        self.assertIn("ErrorTolerance is ignored", messages.warnings[0])
+        self.assertEqual(mapper.GetNumberOfDrawnSplats(), data.GetNumberOfPoints())
+
     def test_one_point_and_one_layer(self):
         for data in (meshes.particles(np.zeros((1, 3))), meshes.image((3, 3, 0))):
             data = meshes.with_field(data, lambda p: 0 * p[:, 0])
