@@ -109,7 +109,8 @@ inline AffineMatrix InverseOf(const AffineMatrix& m)
     {
       inverse[4 * row + column] /= determinant;
     }
-    inverse[4 * row + 3] = -(inverse[4 * row] * m[3] + inverse[4 * row + 1] * m[7] + inverse[4 * row + 2] * m[11]);
+    inverse[4 * row + 3] =
+      -(inverse[4 * row] * m[3] + inverse[4 * row + 1] * m[7] + inverse[4 * row + 2] * m[11]);
   }
   inverse[15] = 1;
   return inverse;

@@ -11,8 +11,8 @@ namespace nephoscope
 {
 struct CloudInCell
 {
-  std::array<int, 3> First{};            // voxel with the lowest indices
-  std::array<double, 3> Upper{};         // share of its upper neighbour along each axis
+  std::array<int, 3> First{};    // voxel with the lowest indices
+  std::array<double, 3> Upper{}; // share of its upper neighbour along each axis
 
   // Weights are not negative, their sum is 1, and their mean place is the particle's: mass and its centre are kept.
   double Weight(int corner) const
@@ -26,7 +26,8 @@ struct CloudInCell
   }
   std::array<int, 3> Voxel(int corner) const
   {
-    return { { this->First[0] + (corner & 1), this->First[1] + (corner >> 1 & 1), this->First[2] + (corner >> 2 & 1) } };
+    return { { this->First[0] + (corner & 1), this->First[1] + (corner >> 1 & 1),
+      this->First[2] + (corner >> 2 & 1) } };
   }
 };
 

@@ -25,7 +25,8 @@ public:
   Value operator()(vtkIdType id) const { return this->Get(this->Data, id); }
 
 private:
-  vtkSmartPointer<vtkDataArray> Kept; // a copy, where the array does not keep its values one after another
+  vtkSmartPointer<vtkDataArray>
+    Kept; // a copy, where the array does not keep its values one after another
   const void* Data;
   Value (*Get)(const void* data, vtkIdType id) = nullptr;
 };
@@ -51,7 +52,8 @@ double Magnitude(const Value& value)
 {
   if constexpr (openvdb::VecTraits<Value>::IsVec)
   {
-    return std::sqrt(double(value[0]) * value[0] + double(value[1]) * value[1] + double(value[2]) * value[2]);
+    return std::sqrt(
+      double(value[0]) * value[0] + double(value[1]) * value[1] + double(value[2]) * value[2]);
   }
   else
   {
@@ -87,8 +89,8 @@ ArrayValues<Value>::ArrayValues(vtkDataArray* array)
 {
   if (!array->HasStandardMemoryLayout() || array->GetDataType() == VTK_BIT)
   {
-    this->Kept = vtk::TakeSmartPointer(
-      vtkDataArray::CreateDataArray(array->GetDataType() == VTK_BIT ? VTK_UNSIGNED_CHAR : array->GetDataType()));
+    this->Kept = vtk::TakeSmartPointer(vtkDataArray::CreateDataArray(
+      array->GetDataType() == VTK_BIT ? VTK_UNSIGNED_CHAR : array->GetDataType()));
     this->Kept->DeepCopy(array);
   }
   this->Data = this->Kept->GetVoidPointer(0);

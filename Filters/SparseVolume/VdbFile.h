@@ -26,7 +26,8 @@ bool HasOpenVDB();
 /** A grid of a file, as its metadata tell. */
 struct VdbGridInfo
 {
-  std::string Name;    ///< unique in the file: of several grids of a name, the later ones have a number in brackets
+  std::string
+    Name; ///< unique in the file: of several grids of a name, the later ones have a number in brackets
   std::string Type;    ///< of the values: "float", "vec3s", ...
   std::string Class;   ///< "fog volume", "level set", "staggered" or "unknown"
   std::string Refusal; ///< why it cannot be read; empty if it can
@@ -55,10 +56,12 @@ struct VdbRequest
  * The active voxels as points with one array for a grid. Returns an error, or nothing. Sentences to warn of are appended.
  * Grids of the first one's lattice add their active voxels; others are interpolated at these.
  */
-std::string ReadVdbPoints(const VdbRequest& request, vtkPolyData* points, std::vector<std::string>& warnings);
+std::string ReadVdbPoints(
+  const VdbRequest& request, vtkPolyData* points, std::vector<std::string>& warnings);
 
 /** The same on all points of the image, whose lattice and extent are set. */
-std::string ReadVdbImage(const VdbRequest& request, vtkImageData* image, std::vector<std::string>& warnings);
+std::string ReadVdbImage(
+  const VdbRequest& request, vtkImageData* image, std::vector<std::string>& warnings);
 
 } // namespace nephoscope
 

@@ -135,7 +135,8 @@ VdbArchive::VdbArchive(const std::string& file)
   : File(file)
 {
   StartOpenVDB();
-  this->File.open(/*delayLoad=*/false); // a truncated file that is mapped into memory would end the process
+  this->File.open(
+    /*delayLoad=*/false); // a truncated file that is mapped into memory would end the process
 }
 
 std::string VdbArchive::KeyOf(const std::string& name) const
@@ -150,7 +151,8 @@ VdbGridInfo VdbArchive::ListOne(const std::string& key)
   try
   {
     const openvdb::GridBase::Ptr grid = this->File.readGridMetadata(key);
-    const bool told = grid->getMetadata<openvdb::Int64Metadata>(openvdb::GridBase::META_FILE_VOXEL_COUNT) != nullptr;
+    const bool told = grid->getMetadata<openvdb::Int64Metadata>(
+                        openvdb::GridBase::META_FILE_VOXEL_COUNT) != nullptr;
     info = Describe(*grid, name);
     if (!told && info.Refusal.empty()) // written without statistics
     {

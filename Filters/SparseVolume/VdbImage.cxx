@@ -14,17 +14,20 @@ namespace nephoscope
 namespace
 {
 template <typename GridT>
-vtkSmartPointer<vtkDataArray> fillImage(const GridT& grid, const VdbValues<GridT>& values, const std::string& name, const int e[6])
+vtkSmartPointer<vtkDataArray> fillImage(
+  const GridT& grid, const VdbValues<GridT>& values, const std::string& name, const int e[6])
 {
   using Traits = VdbArrayTraits<GridT>;
-  const vtkIdType row = vtkIdType(e[1]) - e[0] + 1, rows = vtkIdType(e[3]) - e[2] + 1, slices = vtkIdType(e[5]) - e[4] + 1;
+  const vtkIdType row = vtkIdType(e[1]) - e[0] + 1, rows = vtkIdType(e[3]) - e[2] + 1,
+                  slices = vtkIdType(e[5]) - e[4] + 1;
   auto array = Traits::NewArray(name, row * rows * slices);
   auto* data = static_cast<typename Traits::Scalar*>(array->GetVoidPointer(0));
   if constexpr (std::is_same<typename Traits::Scalar, typename Traits::Element>::value)
   {
     if (values.IsStored()) // leaf by leaf
     {
-      const openvdb::CoordBBox box(openvdb::Coord(e[0], e[2], e[4]), openvdb::Coord(e[1], e[3], e[5]));
+      const openvdb::CoordBBox box(
+        openvdb::Coord(e[0], e[2], e[4]), openvdb::Coord(e[1], e[3], e[5]));
       openvdb::tools::Dense<typename Traits::Value, openvdb::tools::LayoutXYZ> dense(
         box, reinterpret_cast<typename Traits::Value*>(data));
       openvdb::tools::copyToDense(grid, dense);
@@ -35,7 +38,8 @@ vtkSmartPointer<vtkDataArray> fillImage(const GridT& grid, const VdbValues<GridT
     const auto accessor = values.Accessor();
     for (vtkIdType line = begin; line < end; ++line)
     {
-      openvdb::Coord voxel(e[0], e[2] + static_cast<int>(line % rows), e[4] + static_cast<int>(line / rows));
+      openvdb::Coord voxel(
+        e[0], e[2] + static_cast<int>(line % rows), e[4] + static_cast<int>(line / rows));
       for (vtkIdType i = 0; i < row; ++i, ++voxel.x())
       {
         Traits::Store(values.At(accessor, voxel), data + (line * row + i) * Traits::Components);
@@ -58,7 +62,8 @@ std::string ReadVdbImage(const VdbRequest& request, vtkImageData* image, std::ve
     voxels *= static_cast<double>(length);
     size += (axis ? " x " : "") + std::to_string(length);
   }
-  std::string error = CheckMemory(voxels * BytesOfValues(request), request.MemoryLimit, "An image of " + size + " voxels",
+  std::string error = CheckMemory(voxels * BytesOfValues(request), request.MemoryLimit,
+    "An image of " + size + " voxels",
     "read the grids as points, choose fewer of them, or raise MemoryLimit.");
   if (!error.empty())
   {

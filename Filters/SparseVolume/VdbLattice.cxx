@@ -24,7 +24,8 @@ struct ImageSamples
 {
   ImageSamples(vtkImageData* image, bool onCells)
     : Ghosts(onCells ? image->GetCellGhostArray() : image->GetPointGhostArray())
-    , Hidden(onCells ? int(vtkDataSetAttributes::HIDDENCELL) : int(vtkDataSetAttributes::HIDDENPOINT))
+    , Hidden(
+        onCells ? int(vtkDataSetAttributes::HIDDENCELL) : int(vtkDataSetAttributes::HIDDENPOINT))
   {
     image->GetExtent(this->Extent);
     for (int axis = 0; axis < 3 && onCells; ++axis)
@@ -34,7 +35,10 @@ struct ImageSamples
     }
   }
 
-  bool IsHidden(vtkIdType id) const { return this->Ghosts && this->Ghosts->GetValue(id) & this->Hidden; }
+  bool IsHidden(vtkIdType id) const
+  {
+    return this->Ghosts && this->Ghosts->GetValue(id) & this->Hidden;
+  }
   vtkIdType IdOf(int i, int j, int k) const
   {
     const int* e = this->Extent;
@@ -167,7 +171,8 @@ AffineMatrix latticeOf(vtkImageData* image, bool onCells)
 }
 }
 
-LatticeCounts FillFromImage(openvdb::GridBase& grid, vtkImageData* image, vtkDataArray* array, bool onCells, double tolerance)
+LatticeCounts FillFromImage(
+  openvdb::GridBase& grid, vtkImageData* image, vtkDataArray* array, bool onCells, double tolerance)
 {
   LatticeCounts counts;
   const ImageSamples samples(image, onCells);
@@ -208,7 +213,8 @@ LatticePoints FindLatticePoints(vtkDataSet* data)
     for (std::size_t axis = 0; axis < 3; ++axis)
     {
       const double lowest = index[axis] - 0.5 * (edge - 1);
-      if (!(std::abs(lowest) < 1e9) || !(edge >= 1 && edge <= 4096) || std::abs(lowest - std::round(lowest)) > 0.01)
+      if (!(std::abs(lowest) < 1e9) || !(edge >= 1 && edge <= 4096) ||
+        std::abs(lowest - std::round(lowest)) > 0.01)
       {
         return found;
       }
@@ -220,7 +226,8 @@ LatticePoints FindLatticePoints(vtkDataSet* data)
   return found;
 }
 
-LatticeCounts FillFromPoints(openvdb::GridBase& grid, const LatticePoints& points, vtkDataArray* array)
+LatticeCounts FillFromPoints(
+  openvdb::GridBase& grid, const LatticePoints& points, vtkDataArray* array)
 {
   LatticeCounts counts;
   grid.setTransform(TransformOf(points.IndexToWorld));

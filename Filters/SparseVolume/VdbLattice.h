@@ -18,13 +18,15 @@ struct LatticeCounts
 };
 
 /** Fills `grid`, which is of the type for the array, with the point or cell values of the image. */
-LatticeCounts FillFromImage(openvdb::GridBase& grid, vtkImageData* image, vtkDataArray* array, bool onCells, double tolerance);
+LatticeCounts FillFromImage(openvdb::GridBase& grid, vtkImageData* image, vtkDataArray* array,
+  bool onCells, double tolerance);
 
 /** Points that stand for voxels or tiles of a lattice. */
 struct LatticePoints
 {
   AffineMatrix IndexToWorld{};
-  std::vector<openvdb::CoordBBox> Boxes; ///< of each point, in voxels; empty if they are no such points
+  std::vector<openvdb::CoordBBox>
+    Boxes; ///< of each point, in voxels; empty if they are no such points
 };
 
 /**
@@ -33,7 +35,8 @@ struct LatticePoints
  */
 LatticePoints FindLatticePoints(vtkDataSet* data);
 
-LatticeCounts FillFromPoints(openvdb::GridBase& grid, const LatticePoints& points, vtkDataArray* array);
+LatticeCounts FillFromPoints(
+  openvdb::GridBase& grid, const LatticePoints& points, vtkDataArray* array);
 
 } // namespace nephoscope
 

@@ -51,9 +51,9 @@ inline bool IsVdbTruncated(const std::string& file)
   }
   for (auto grids = Get<std::int32_t>(in); in && grids > 0; --grids)
   {
-    SkipSized(in);              // name
-    SkipSized(in);              // type
-    SkipSized(in);              // the grid that it shares its voxels with
+    SkipSized(in);               // name
+    SkipSized(in);               // type
+    SkipSized(in);               // the grid that it shares its voxels with
     in.seekg(16, std::ios::cur); // its place and that of its values
     const auto end = Get<std::int64_t>(in);
     if (!in || end > size)

@@ -124,11 +124,13 @@ vtkIdType VdbParticles::FillMean(openvdb::GridBase& grid, vtkDataArray* array) c
 {
   grid.setTransform(openvdb::math::Transform::createLinearTransform(this->VoxelSize));
   vtkIdType notFinite = 0;
-  using Types = openvdb::TypeList<openvdb::FloatGrid, openvdb::DoubleGrid, openvdb::Vec3SGrid, openvdb::Vec3DGrid>;
+  using Types = openvdb::TypeList<openvdb::FloatGrid, openvdb::DoubleGrid, openvdb::Vec3SGrid,
+    openvdb::Vec3DGrid>;
   grid.apply<Types>([&](auto& typed) {
     using Value = typename std::decay_t<decltype(typed)>::ValueType;
     using Sum = std::conditional_t<openvdb::VecTraits<Value>::IsVec, openvdb::Vec3d, double>;
-    using SumGrid = std::conditional_t<openvdb::VecTraits<Value>::IsVec, openvdb::Vec3DGrid, openvdb::DoubleGrid>;
+    using SumGrid =
+      std::conditional_t<openvdb::VecTraits<Value>::IsVec, openvdb::Vec3DGrid, openvdb::DoubleGrid>;
     const ArrayValues<Sum> values(array);
     auto sums = SumGrid::create();
     auto masses = openvdb::DoubleGrid::create(); // of those with a value

@@ -51,7 +51,8 @@ Mask::Ptr unionOf(const VdbRequest& request, const VdbRead& read)
   {
     if (IsSameLattice(request.Grids[0].IndexToWorld, request.Grids[i].IndexToWorld))
     {
-      read.Grids[i]->apply<VdbGridTypes>([&](const auto& grid) { active->topologyUnion(grid.tree()); });
+      read.Grids[i]->apply<VdbGridTypes>(
+        [&](const auto& grid) { active->topologyUnion(grid.tree()); });
     }
   }
   return active;
@@ -94,21 +95,23 @@ Voxels voxelsOf(Mask::Ptr active, bool splitTiles)
 template <typename Prepare, typename Body>
 void forAll(const Voxels& voxels, Prepare prepare, Body body)
 {
-  vtkSMPTools::For(0, static_cast<vtkIdType>(voxels.Leaves.size()), [&](vtkIdType begin, vtkIdType end) {
-    auto prepared = prepare();
-    for (auto i = static_cast<std::size_t>(begin); i < static_cast<std::size_t>(end); ++i)
-    {
-      vtkIdType point = voxels.FirstPoint[i];
-      for (auto voxel = voxels.Leaves[i]->cbeginValueOn(); voxel; ++voxel)
+  vtkSMPTools::For(
+    0, static_cast<vtkIdType>(voxels.Leaves.size()), [&](vtkIdType begin, vtkIdType end) {
+      auto prepared = prepare();
+      for (auto i = static_cast<std::size_t>(begin); i < static_cast<std::size_t>(end); ++i)
       {
-        body(point++, voxel.getCoord(), 1, prepared);
+        vtkIdType point = voxels.FirstPoint[i];
+        for (auto voxel = voxels.Leaves[i]->cbeginValueOn(); voxel; ++voxel)
+        {
+          body(point++, voxel.getCoord(), 1, prepared);
+        }
       }
-    }
-  });
+    });
   auto prepared = prepare();
   for (std::size_t i = 0; i < voxels.Tiles.size(); ++i)
   {
-    body(voxels.InLeaves + static_cast<vtkIdType>(i), voxels.Tiles[i].First, voxels.Tiles[i].Edge, prepared);
+    body(voxels.InLeaves + static_cast<vtkIdType>(i), voxels.Tiles[i].First, voxels.Tiles[i].Edge,
+      prepared);
   }
 }
 
@@ -125,7 +128,8 @@ bool floatIsEnough(const VdbRequest& request, const Mask& active)
     AffineVector index;
     for (int axis = 0; axis < 3; ++axis)
     {
-      index[static_cast<std::size_t>(axis)] = corner >> axis & 1 ? box.max()[axis] : box.min()[axis];
+      index[static_cast<std::size_t>(axis)] =
+        corner >> axis & 1 ? box.max()[axis] : box.min()[axis];
     }
     const AffineVector place = Apply(m, index);
     farthest = std::max({ farthest, std::abs(place[0]), std::abs(place[1]), std::abs(place[2]) });
@@ -138,23 +142,29 @@ vtkSmartPointer<vtkPoints> placesOf(const Voxels& voxels, const AffineMatrix& la
   auto points = vtkSmartPointer<vtkPoints>::New();
   points->SetDataType(inFloat ? VTK_FLOAT : VTK_DOUBLE);
   points->SetNumberOfPoints(voxels.Size());
-  forAll(voxels, []() { return 0; }, [&](vtkIdType point, const openvdb::Coord& first, int edge, int) {
-    const double half = 0.5 * (edge - 1);
-    const AffineVector place = Apply(lattice, { { first.x() + half, first.y() + half, first.z() + half } });
-    points->SetPoint(point, place.data());
-  });
+  forAll(
+    voxels, []() { return 0; },
+    [&](vtkIdType point, const openvdb::Coord& first, int edge, int) {
+      const double half = 0.5 * (edge - 1);
+      const AffineVector place =
+        Apply(lattice, { { first.x() + half, first.y() + half, first.z() + half } });
+      points->SetPoint(point, place.data());
+    });
   points->Modified();
   return points;
 }
 
 template <typename GridT>
-vtkSmartPointer<vtkDataArray> valuesAt(const Voxels& voxels, const VdbValues<GridT>& values, const std::string& name)
+vtkSmartPointer<vtkDataArray> valuesAt(
+  const Voxels& voxels, const VdbValues<GridT>& values, const std::string& name)
 {
   using Traits = VdbArrayTraits<GridT>;
   auto array = Traits::NewArray(name, voxels.Size());
   auto* data = static_cast<typename Traits::Scalar*>(array->GetVoidPointer(0));
-  forAll(voxels, [&]() { return values.Accessor(); },
-    [&](vtkIdType point, const openvdb::Coord& first, int, const typename GridT::ConstAccessor& accessor) {
+  forAll(
+    voxels, [&]() { return values.Accessor(); },
+    [&](vtkIdType point, const openvdb::Coord& first, int,
+      const typename GridT::ConstAccessor& accessor) {
       Traits::Store(values.At(accessor, first), data + point * Traits::Components);
     });
   return array;
@@ -177,7 +187,8 @@ void addLattice(const Voxels& voxels, const AffineMatrix& lattice, vtkPolyData* 
   edges->Fill(1);
   for (std::size_t i = 0; i < voxels.Tiles.size(); ++i)
   {
-    edges->SetValue(voxels.InLeaves + static_cast<vtkIdType>(i), static_cast<float>(voxels.Tiles[i].Edge));
+    edges->SetValue(
+      voxels.InLeaves + static_cast<vtkIdType>(i), static_cast<float>(voxels.Tiles[i].Edge));
   }
   points->GetPointData()->AddArray(edges);
 }
@@ -217,14 +228,16 @@ void warnOfLost(const VdbRequest& request, const Mask& active, std::vector<std::
       for (std::size_t axis = 0; axis < 3; ++axis)
       {
         // A coarser grid's voxels reach half their edge beyond their centres.
-        const double reach = Spacing(info.IndexToWorld)[axis] / Spacing(request.Grids[0].IndexToWorld)[axis];
+        const double reach =
+          Spacing(info.IndexToWorld)[axis] / Spacing(request.Grids[0].IndexToWorld)[axis];
         outside = outside || there[axis] < box.min()[static_cast<int>(axis)] - reach ||
           there[axis] > box.max()[static_cast<int>(axis)] + reach;
       }
     }
     if (outside && !IsSameLattice(info.IndexToWorld, request.Grids[0].IndexToWorld))
     {
-      warnings.push_back("The grid '" + info.Name + "' has voxels of another size than '" + request.Grids[0].Name +
+      warnings.push_back("The grid '" + info.Name + "' has voxels of another size than '" +
+        request.Grids[0].Name +
         "' and active ones beyond it; those are left out. Read the grids one by one to see all.");
     }
   }
@@ -237,7 +250,8 @@ void copyGrids(const VdbRequest& request, VdbRead& read, const Voxels& voxels, v
     const VdbGridInfo& info = request.Grids[i];
     read.Grids[i]->apply<VdbGridTypes>([&](const auto& grid) {
       using GridT = std::decay_t<decltype(grid)>;
-      arrays->AddArray(valuesAt(voxels, VdbValues<GridT>(grid, info, request.Grids[0].IndexToWorld), info.Name));
+      arrays->AddArray(
+        valuesAt(voxels, VdbValues<GridT>(grid, info, request.Grids[0].IndexToWorld), info.Name));
     });
     read.Grids[i].reset(); // no longer needed
   }
@@ -245,7 +259,8 @@ void copyGrids(const VdbRequest& request, VdbRead& read, const Voxels& voxels, v
 }
 }
 
-std::string ReadVdbPoints(const VdbRequest& request, vtkPolyData* points, std::vector<std::string>& warnings)
+std::string ReadVdbPoints(
+  const VdbRequest& request, vtkPolyData* points, std::vector<std::string>& warnings)
 {
   VdbRead read = ReadGrids(request);
   if (!read.Error.empty())
@@ -256,10 +271,11 @@ std::string ReadVdbPoints(const VdbRequest& request, vtkPolyData* points, std::v
   // A tile of one grid may be finer divided in another: only those of a single grid stay whole.
   const bool split = request.SplitTiles || request.Grids.size() > 1;
   const bool inFloat = floatIsEnough(request, *active);
-  const auto count = static_cast<double>(
-    split ? active->activeVoxelCount() : active->activeLeafVoxelCount() + active->activeTileCount());
-  const std::string error = CheckMemory(count * (BytesOfValues(request) + (inFloat ? 12 : 24) + 8), request.MemoryLimit,
-    std::to_string(static_cast<vtkTypeInt64>(count)) + " points",
+  const auto count =
+    static_cast<double>(split ? active->activeVoxelCount()
+                              : active->activeLeafVoxelCount() + active->activeTileCount());
+  const std::string error = CheckMemory(count * (BytesOfValues(request) + (inFloat ? 12 : 24) + 8),
+    request.MemoryLimit, std::to_string(static_cast<vtkTypeInt64>(count)) + " points",
     "keep the tiles of a single grid whole (SplitTiles off), choose fewer grids, or raise MemoryLimit.");
   if (!error.empty())
   {

@@ -35,12 +35,14 @@ VdbRead ReadGrids(const VdbRequest& request)
   }
   catch (const std::exception& exception)
   {
-    read.Error = "The grid '" + name + "' of '" + request.File + "' cannot be read, the file may be truncated: " + Reason(exception);
+    read.Error = "The grid '" + name + "' of '" + request.File +
+      "' cannot be read, the file may be truncated: " + Reason(exception);
   }
   return read;
 }
 
-std::string CheckMemory(double bytes, double limit, const std::string& what, const std::string& remedy)
+std::string CheckMemory(
+  double bytes, double limit, const std::string& what, const std::string& remedy)
 {
   if (bytes <= limit)
   {
@@ -54,7 +56,8 @@ std::string CheckMemory(double bytes, double limit, const std::string& what, con
   text << bytes << " bytes (";
   text.unsetf(std::ios::fixed);
   text.precision(4);
-  text << bytes / gibibyte << " GiB), more than the MemoryLimit of " << limit / gibibyte << " GiB: " << remedy;
+  text << bytes / gibibyte << " GiB), more than the MemoryLimit of " << limit / gibibyte
+       << " GiB: " << remedy;
   return text.str();
 }
 

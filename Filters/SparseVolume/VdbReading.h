@@ -20,7 +20,8 @@ struct VdbRead
 VdbRead ReadGrids(const VdbRequest& request);
 
 /** An error if so many bytes are more than the limit; `what` needs them, and `remedy` ends the sentence. */
-std::string CheckMemory(double bytes, double limit, const std::string& what, const std::string& remedy);
+std::string CheckMemory(
+  double bytes, double limit, const std::string& what, const std::string& remedy);
 
 /** Bytes of a voxel's values in the arrays. */
 double BytesOfValues(const VdbRequest& request);

@@ -44,8 +44,9 @@ struct VdbArrayTraits
 {
   using Value = typename GridT::ValueType;
   using Element = typename openvdb::VecTraits<Value>::ElementType;
-  using Scalar = std::conditional_t<std::is_same<Element, float>::value || std::is_same<Element, double>::value ||
-      std::is_same<Element, std::int32_t>::value || std::is_same<Element, std::int64_t>::value,
+  using Scalar = std::conditional_t<std::is_same<Element, float>::value ||
+      std::is_same<Element, double>::value || std::is_same<Element, std::int32_t>::value ||
+      std::is_same<Element, std::int64_t>::value,
     Element, unsigned char>; // bool and mask
   static constexpr int Components = openvdb::VecTraits<Value>::Size;
 

@@ -36,12 +36,14 @@ struct Volume
 
 bool isWanted(const VdbWriteSettings& settings, const std::string& name)
 {
-  return settings.Arrays.empty() || std::count(settings.Arrays.begin(), settings.Arrays.end(), name) > 0;
+  return settings.Arrays.empty() ||
+    std::count(settings.Arrays.begin(), settings.Arrays.end(), name) > 0;
 }
 
 std::string lower(std::string text)
 {
-  std::transform(text.begin(), text.end(), text.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  std::transform(text.begin(), text.end(), text.begin(),
+    [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
   return text;
 }
 
@@ -49,14 +51,17 @@ std::string lower(std::string text)
 openvdb::VecType vectorTypeOf(const std::string& name)
 {
   const std::string text = lower(name);
-  if (text == "v" || text.find("vel") != std::string::npos || text.find("wind") != std::string::npos)
+  if (text == "v" || text.find("vel") != std::string::npos ||
+    text.find("wind") != std::string::npos)
   {
     return openvdb::VEC_CONTRAVARIANT_RELATIVE;
   }
-  return text.find("normal") != std::string::npos ? openvdb::VEC_COVARIANT_NORMALIZE : openvdb::VEC_INVARIANT;
+  return text.find("normal") != std::string::npos ? openvdb::VEC_COVARIANT_NORMALIZE
+                                                  : openvdb::VEC_INVARIANT;
 }
 
-void addGrid(const VdbWriteSettings& settings, const openvdb::GridBase::Ptr& grid, const std::string& array, Volume& volume)
+void addGrid(const VdbWriteSettings& settings, const openvdb::GridBase::Ptr& grid,
+  const std::string& array, Volume& volume)
 {
   const auto renamed = settings.Names.find(array);
   const std::string name = renamed == settings.Names.end() ? array : renamed->second;
@@ -75,7 +80,8 @@ void addGrid(const VdbWriteSettings& settings, const openvdb::GridBase::Ptr& gri
   }
   if (grid->activeVoxelCount() == 0)
   {
-    volume.Warnings.push_back("The grid '" + name + "' has no active voxels: all its values are background.");
+    volume.Warnings.push_back(
+      "The grid '" + name + "' has no active voxels: all its values are background.");
   }
   volume.Grids.push_back(grid);
   volume.Names.push_back(name);
@@ -85,14 +91,15 @@ void warnOfNotFinite(const std::string& array, vtkIdType count, Volume& volume)
 {
   if (count > 0)
   {
-    volume.Warnings.push_back(
-      "The array '" + array + "' has " + std::to_string(count) + " values that are NaN or infinite; they are left out.");
+    volume.Warnings.push_back("The array '" + array + "' has " + std::to_string(count) +
+      " values that are NaN or infinite; they are left out.");
   }
 }
 
 /** Calls write(array, grid) with an empty grid for every array that is wanted. */
 template <typename Write>
-void forArrays(const VdbWriteSettings& settings, vtkDataSetAttributes* arrays, Volume& volume, Write write)
+void forArrays(
+  const VdbWriteSettings& settings, vtkDataSetAttributes* arrays, Volume& volume, Write write)
 {
   for (int i = 0; i < arrays->GetNumberOfArrays(); ++i)
   {
@@ -105,8 +112,8 @@ void forArrays(const VdbWriteSettings& settings, vtkDataSetAttributes* arrays, V
     openvdb::GridBase::Ptr grid = NewGridFor(array, settings.Precision);
     if (!grid)
     {
-      volume.Warnings.push_back("The array '" + name + "' is left out: it has " + std::to_string(array->GetNumberOfComponents()) +
-        " components, and grids have 1 or 3.");
+      volume.Warnings.push_back("The array '" + name + "' is left out: it has " +
+        std::to_string(array->GetNumberOfComponents()) + " components, and grids have 1 or 3.");
       continue;
     }
     write(array, name, grid);
@@ -117,29 +124,35 @@ void addImage(const VdbWriteSettings& settings, vtkImageData* image, Volume& vol
 {
   for (const bool onCells : { false, true })
   {
-    auto* arrays = onCells ? static_cast<vtkDataSetAttributes*>(image->GetCellData()) : image->GetPointData();
-    forArrays(settings, arrays, volume, [&](vtkDataArray* array, const std::string& name, openvdb::GridBase::Ptr& grid) {
-      warnOfNotFinite(name, FillFromImage(*grid, image, array, onCells, settings.Tolerance).NotFinite, volume);
-      addGrid(settings, grid, name, volume);
-    });
+    auto* arrays =
+      onCells ? static_cast<vtkDataSetAttributes*>(image->GetCellData()) : image->GetPointData();
+    forArrays(settings, arrays, volume,
+      [&](vtkDataArray* array, const std::string& name, openvdb::GridBase::Ptr& grid) {
+        warnOfNotFinite(
+          name, FillFromImage(*grid, image, array, onCells, settings.Tolerance).NotFinite, volume);
+        addGrid(settings, grid, name, volume);
+      });
   }
 }
 
-void addVoxels(const VdbWriteSettings& settings, const LatticePoints& points, vtkDataSet* data, Volume& volume)
+void addVoxels(
+  const VdbWriteSettings& settings, const LatticePoints& points, vtkDataSet* data, Volume& volume)
 {
-  forArrays(settings, data->GetPointData(), volume, [&](vtkDataArray* array, const std::string& name, openvdb::GridBase::Ptr& grid) {
-    if (name != "VoxelScale")
-    {
-      warnOfNotFinite(name, FillFromPoints(*grid, points, array).NotFinite, volume);
-      addGrid(settings, grid, name, volume);
-    }
-  });
+  forArrays(settings, data->GetPointData(), volume,
+    [&](vtkDataArray* array, const std::string& name, openvdb::GridBase::Ptr& grid) {
+      if (name != "VoxelScale")
+      {
+        warnOfNotFinite(name, FillFromPoints(*grid, points, array).NotFinite, volume);
+        addGrid(settings, grid, name, volume);
+      }
+    });
 }
 
 // Means of integers are not integers.
 openvdb::GridBase::Ptr newMeanGrid(const openvdb::GridBase::Ptr& grid)
 {
-  const bool isReal = grid->isType<openvdb::DoubleGrid>() || grid->isType<openvdb::Vec3DGrid>() || grid->isType<openvdb::Vec3SGrid>();
+  const bool isReal = grid->isType<openvdb::DoubleGrid>() || grid->isType<openvdb::Vec3DGrid>() ||
+    grid->isType<openvdb::Vec3SGrid>();
   return isReal ? grid : openvdb::GridBase::Ptr(openvdb::FloatGrid::create());
 }
 
@@ -151,7 +164,8 @@ std::string addParticles(const VdbWriteSettings& settings, vtkDataSet* data, Vol
     masses = data->GetPointData()->GetArray(settings.MassArray.c_str());
     if (!masses || masses->GetNumberOfComponents() != 1)
     {
-      return "The particles have no point array '" + settings.MassArray + "' of one component: MassArrayName must be one, or empty for a mass of 1 each.";
+      return "The particles have no point array '" + settings.MassArray +
+        "' of one component: MassArrayName must be one, or empty for a mass of 1 each.";
     }
   }
   const VdbParticles particles(data, masses, settings.VoxelSize);
@@ -167,14 +181,15 @@ std::string addParticles(const VdbWriteSettings& settings, vtkDataSet* data, Vol
   openvdb::GridBase::Ptr density = openvdb::FloatGrid::create();
   particles.FillDensity(*density);
   addGrid(settings, density, "density", volume);
-  forArrays(settings, data->GetPointData(), volume, [&](vtkDataArray* array, const std::string& name, openvdb::GridBase::Ptr& grid) {
-    if (name != settings.MassArray)
-    {
-      grid = newMeanGrid(grid);
-      warnOfNotFinite(name, particles.FillMean(*grid, array), volume);
-      addGrid(settings, grid, name, volume);
-    }
-  });
+  forArrays(settings, data->GetPointData(), volume,
+    [&](vtkDataArray* array, const std::string& name, openvdb::GridBase::Ptr& grid) {
+      if (name != settings.MassArray)
+      {
+        grid = newMeanGrid(grid);
+        warnOfNotFinite(name, particles.FillMean(*grid, array), volume);
+        addGrid(settings, grid, name, volume);
+      }
+    });
   return {};
 }
 
@@ -198,14 +213,17 @@ std::string addAll(const VdbWriteSettings& settings, vtkDataSet* data, Volume& v
     addImage(settings, image, volume);
     return {};
   }
-  const std::string resample = "; resample it to an image first (in ParaView with Resample To Image).";
+  const std::string resample =
+    "; resample it to an image first (in ParaView with Resample To Image).";
   if (!data->IsA("vtkPolyData") && !data->IsA("vtkUnstructuredGrid"))
   {
-    return std::string("A .vdb file holds equal voxels, and a ") + data->GetClassName() + " has none" + resample;
+    return std::string("A .vdb file holds equal voxels, and a ") + data->GetClassName() +
+      " has none" + resample;
   }
   if (!hasOnlyVertices(data))
   {
-    return "Points are written as particles or voxels, and this data has other cells than vertices" + resample;
+    return "Points are written as particles or voxels, and this data has other cells than vertices" +
+      resample;
   }
   const LatticePoints voxels = FindLatticePoints(data);
   if (!voxels.Boxes.empty())
@@ -215,7 +233,8 @@ std::string addAll(const VdbWriteSettings& settings, vtkDataSet* data, Volume& v
   }
   if (data->GetFieldData()->GetArray("IndexToWorld"))
   {
-    volume.Warnings.push_back("The points are not at the voxels that their field data array 'IndexToWorld' tells: they are written as particles.");
+    volume.Warnings.push_back(
+      "The points are not at the voxels that their field data array 'IndexToWorld' tells: they are written as particles.");
   }
   return addParticles(settings, data, volume);
 }
@@ -224,7 +243,8 @@ std::string checkChoice(const VdbWriteSettings& settings, vtkDataSet* data)
 {
   for (const std::string& wanted : settings.Arrays)
   {
-    if (!data->GetPointData()->HasArray(wanted.c_str()) && !data->GetCellData()->HasArray(wanted.c_str()))
+    if (!data->GetPointData()->HasArray(wanted.c_str()) &&
+      !data->GetCellData()->HasArray(wanted.c_str()))
     {
       return "The input has no array '" + wanted + "'.";
     }
@@ -238,7 +258,8 @@ std::string checkNames(const std::vector<std::string>& names)
   {
     if (std::count(names.begin(), names.end(), name) > 1)
     {
-      return "Two grids would have the name '" + name + "': choose one of their arrays, or give another name with SetGridName.";
+      return "Two grids would have the name '" + name +
+        "': choose one of their arrays, or give another name with SetGridName.";
     }
   }
   return names.empty() ? "The input has no arrays of one or three components to write." : "";
@@ -285,7 +306,8 @@ std::string writeFile(const VdbWriteSettings& settings, const Volume& volume)
 }
 }
 
-std::string WriteVdb(const VdbWriteSettings& settings, vtkDataSet* data, std::vector<std::string>& warnings)
+std::string WriteVdb(
+  const VdbWriteSettings& settings, vtkDataSet* data, std::vector<std::string>& warnings)
 {
   StartOpenVDB();
   if (data->GetNumberOfPoints() == 0)

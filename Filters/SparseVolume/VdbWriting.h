@@ -31,17 +31,18 @@ struct VdbWriteSettings
 {
   std::string File;
   std::string Creator;
-  std::vector<std::string> Arrays;           ///< to write; all if empty
-  std::map<std::string, std::string> Names;  ///< of grids, where they differ from those of arrays
-  double Tolerance = 0;                      ///< values up to it are background
+  std::vector<std::string> Arrays;          ///< to write; all if empty
+  std::map<std::string, std::string> Names; ///< of grids, where they differ from those of arrays
+  double Tolerance = 0;                     ///< values up to it are background
   VdbPrecision Precision = VdbPrecision::AsInput;
   VdbCompression Compression = VdbCompression::Blosc;
-  double VoxelSize = 0;                      ///< of particles; 0: their mean spacing
-  std::string MassArray;                     ///< of particles; empty: 1 for each
+  double VoxelSize = 0;  ///< of particles; 0: their mean spacing
+  std::string MassArray; ///< of particles; empty: 1 for each
 };
 
 /** Writes the arrays of an image, of sparse voxels as points, or of particles. Returns an error, or nothing. */
-std::string WriteVdb(const VdbWriteSettings& settings, vtkDataSet* data, std::vector<std::string>& warnings);
+std::string WriteVdb(
+  const VdbWriteSettings& settings, vtkDataSet* data, std::vector<std::string>& warnings);
 
 } // namespace nephoscope
 

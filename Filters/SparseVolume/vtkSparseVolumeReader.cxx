@@ -38,11 +38,13 @@ struct vtkSparseVolumeReader::vtkInternals
   const VdbGridInfo& Grid(int i) const
   {
     static const VdbGridInfo none;
-    return i >= 0 && i < static_cast<int>(this->Grids.size()) ? this->Grids[static_cast<std::size_t>(i)] : none;
+    return i >= 0 && i < static_cast<int>(this->Grids.size())
+      ? this->Grids[static_cast<std::size_t>(i)]
+      : none;
   }
   std::string Names() const;
-  std::string CheckChoice(vtkDataArraySelection* selection, const std::vector<VdbGridInfo>& chosen, bool asImage,
-    std::vector<std::string>& warnings) const;
+  std::string CheckChoice(vtkDataArraySelection* selection, const std::vector<VdbGridInfo>& chosen,
+    bool asImage, std::vector<std::string>& warnings) const;
 };
 
 namespace
@@ -63,7 +65,8 @@ void joinExtents(const std::vector<VdbGridInfo>& grids, int extent[6])
     for (int i = 0; i < 6; ++i)
     {
       extent[i] = isFirst ? grid.Extent[i]
-                          : i % 2 ? std::max(extent[i], grid.Extent[i]) : std::min(extent[i], grid.Extent[i]);
+        : i % 2           ? std::max(extent[i], grid.Extent[i])
+                          : std::min(extent[i], grid.Extent[i]);
     }
   }
 }
@@ -96,7 +99,8 @@ bool fits(const int extent[6])
   return true;
 }
 
-std::string readImage(const nephoscope::VdbRequest& request, vtkImageData* image, std::vector<std::string>& warnings)
+std::string readImage(
+  const nephoscope::VdbRequest& request, vtkImageData* image, std::vector<std::string>& warnings)
 {
   int extent[6];
   double origin[3], spacing[3], direction[9];
@@ -104,7 +108,8 @@ std::string readImage(const nephoscope::VdbRequest& request, vtkImageData* image
   decompose(request.Grids[0].IndexToWorld, origin, spacing, direction);
   if (!fits(extent))
   {
-    return "The active voxels of the grid '" + request.Grids[0].Name + "' span more indices than an image can have: read them as points.";
+    return "The active voxels of the grid '" + request.Grids[0].Name +
+      "' span more indices than an image can have: read them as points.";
   }
   image->SetExtent(extent);
   image->SetOrigin(origin);
@@ -149,10 +154,12 @@ std::string vtkSparseVolumeReader::vtkInternals::CheckChoice(vtkDataArraySelecti
   for (int i = 0; i < selection->GetNumberOfArrays(); ++i)
   {
     const std::string name = selection->GetArrayName(i);
-    const bool known = std::any_of(this->Grids.begin(), this->Grids.end(), [&](const VdbGridInfo& g) { return g.Name == name; });
+    const bool known = std::any_of(
+      this->Grids.begin(), this->Grids.end(), [&](const VdbGridInfo& g) { return g.Name == name; });
     if (!known && selection->ArrayIsEnabled(name.c_str()))
     {
-      warnings.push_back("'" + this->ListedFile + "' has no grid '" + name + "'. There are: " + this->Names() + ".");
+      warnings.push_back(
+        "'" + this->ListedFile + "' has no grid '" + name + "'. There are: " + this->Names() + ".");
     }
   }
   for (const VdbGridInfo& grid : this->Grids)
@@ -164,15 +171,18 @@ std::string vtkSparseVolumeReader::vtkInternals::CheckChoice(vtkDataArraySelecti
   }
   if (chosen.empty())
   {
-    return "No grid of '" + this->ListedFile + "' is chosen that can be read. There are: " + this->Names() + ".";
+    return "No grid of '" + this->ListedFile +
+      "' is chosen that can be read. There are: " + this->Names() + ".";
   }
   if (chosen[0].IsEmpty())
   {
-    warnings.push_back("The grid '" + chosen[0].Name + "' has no active voxels: the output is empty.");
+    warnings.push_back(
+      "The grid '" + chosen[0].Name + "' has no active voxels: the output is empty.");
   }
   if (asImage && !nephoscope::IsRectangular(chosen[0].IndexToWorld))
   {
-    return "The voxels of the grid '" + chosen[0].Name + "' are sheared, which an image cannot be: read them as points.";
+    return "The voxels of the grid '" + chosen[0].Name +
+      "' are sheared, which an image cannot be: read them as points.";
   }
   return {};
 }
@@ -246,7 +256,8 @@ void vtkSparseVolumeReader::GetGridExtent(int grid, int extent[6])
 
 void vtkSparseVolumeReader::GetGridSpacing(int grid, double spacing[3])
 {
-  const nephoscope::AffineVector edges = nephoscope::Spacing(this->Internals->Grid(grid).IndexToWorld);
+  const nephoscope::AffineVector edges =
+    nephoscope::Spacing(this->Internals->Grid(grid).IndexToWorld);
   std::copy(edges.begin(), edges.end(), spacing);
 }
 
@@ -266,12 +277,14 @@ std::string vtkSparseVolumeReader::GetGridDescription(int grid)
     return text.str();
   }
   const nephoscope::AffineVector edges = nephoscope::Spacing(info.IndexToWorld);
-  text << info.Type << (info.Half ? " saved as half" : "") << ", " << info.Class << ", " << info.ActiveVoxels
-       << " active voxels of " << edges[0] << " x " << edges[1] << " x " << edges[2];
+  text << info.Type << (info.Half ? " saved as half" : "") << ", " << info.Class << ", "
+       << info.ActiveVoxels << " active voxels of " << edges[0] << " x " << edges[1] << " x "
+       << edges[2];
   if (!info.IsEmpty())
   {
     const int* e = info.Extent;
-    text << ", indices " << e[0] << " to " << e[1] << ", " << e[2] << " to " << e[3] << ", " << e[4] << " to " << e[5];
+    text << ", indices " << e[0] << " to " << e[1] << ", " << e[2] << " to " << e[3] << ", " << e[4]
+         << " to " << e[5];
   }
   return text.str();
 }
@@ -282,7 +295,8 @@ int vtkSparseVolumeReader::FillOutputPortInformation(int, vtkInformation* info)
   return 1;
 }
 
-int vtkSparseVolumeReader::RequestDataObject(vtkInformation*, vtkInformationVector**, vtkInformationVector* outputs)
+int vtkSparseVolumeReader::RequestDataObject(
+  vtkInformation*, vtkInformationVector**, vtkInformationVector* outputs)
 {
   vtkInformation* info = outputs->GetInformationObject(0);
   vtkDataObject* output = vtkDataObject::GetData(info);
@@ -298,7 +312,8 @@ int vtkSparseVolumeReader::RequestDataObject(vtkInformation*, vtkInformationVect
 }
 
 // The grids that are chosen, with that of the smallest voxels, which gives the lattice, first.
-static std::vector<VdbGridInfo> chosenGrids(const std::vector<VdbGridInfo>& grids, vtkDataArraySelection* selection)
+static std::vector<VdbGridInfo> chosenGrids(
+  const std::vector<VdbGridInfo>& grids, vtkDataArraySelection* selection)
 {
   std::vector<VdbGridInfo> chosen;
   for (const VdbGridInfo& grid : grids)
@@ -309,11 +324,12 @@ static std::vector<VdbGridInfo> chosenGrids(const std::vector<VdbGridInfo>& grid
     }
   }
   // Those without voxels come last; voxels a millionth smaller are not smaller.
-  auto best = std::min_element(chosen.begin(), chosen.end(), [](const VdbGridInfo& a, const VdbGridInfo& b) {
-    return a.IsEmpty() != b.IsEmpty()
-      ? b.IsEmpty()
-      : nephoscope::VoxelVolume(a.IndexToWorld) < (1 - 1e-6) * nephoscope::VoxelVolume(b.IndexToWorld);
-  });
+  auto best =
+    std::min_element(chosen.begin(), chosen.end(), [](const VdbGridInfo& a, const VdbGridInfo& b) {
+      return a.IsEmpty() != b.IsEmpty() ? b.IsEmpty()
+                                        : nephoscope::VoxelVolume(a.IndexToWorld) <
+          (1 - 1e-6) * nephoscope::VoxelVolume(b.IndexToWorld);
+    });
   if (best != chosen.end())
   {
     std::rotate(chosen.begin(), best, best + 1);
@@ -321,7 +337,8 @@ static std::vector<VdbGridInfo> chosenGrids(const std::vector<VdbGridInfo>& grid
   return chosen;
 }
 
-int vtkSparseVolumeReader::RequestInformation(vtkInformation*, vtkInformationVector**, vtkInformationVector* outputs)
+int vtkSparseVolumeReader::RequestInformation(
+  vtkInformation*, vtkInformationVector**, vtkInformationVector* outputs)
 {
   vtkInternals& self = *this->Internals;
   std::string error = checkFile(this->FileName);
@@ -368,7 +385,8 @@ int vtkSparseVolumeReader::RequestInformation(vtkInformation*, vtkInformationVec
   return 1;
 }
 
-int vtkSparseVolumeReader::RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector* outputs)
+int vtkSparseVolumeReader::RequestData(
+  vtkInformation*, vtkInformationVector**, vtkInformationVector* outputs)
 {
   vtkInternals& self = *this->Internals;
   nephoscope::VdbRequest request;
@@ -378,13 +396,15 @@ int vtkSparseVolumeReader::RequestData(vtkInformation*, vtkInformationVector**, 
   request.MemoryLimit = this->MemoryLimit * gibibyte;
   request.Aborted = [this]() { return this->GetAbortExecute() != 0; };
   std::vector<std::string> warnings;
-  std::string error = self.CheckChoice(this->GridSelection, request.Grids, this->OutputType == IMAGE, warnings);
+  std::string error =
+    self.CheckChoice(this->GridSelection, request.Grids, this->OutputType == IMAGE, warnings);
   if (error.empty() && !request.Grids[0].IsEmpty())
   {
     vtkInformation* info = outputs->GetInformationObject(0);
     nephoscope::withThreads([&]() {
-      error = this->OutputType == IMAGE ? readImage(request, vtkImageData::GetData(info), warnings)
-                                    : nephoscope::ReadVdbPoints(request, vtkPolyData::GetData(info), warnings);
+      error = this->OutputType == IMAGE
+        ? readImage(request, vtkImageData::GetData(info), warnings)
+        : nephoscope::ReadVdbPoints(request, vtkPolyData::GetData(info), warnings);
     });
   }
   for (const std::string& warning : warnings)

@@ -119,9 +119,12 @@ protected:
   vtkSparseVolumeReader();
   ~vtkSparseVolumeReader() override;
 
-  int RequestDataObject(vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs) override;
-  int RequestInformation(vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs) override;
-  int RequestData(vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs) override;
+  int RequestDataObject(
+    vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs) override;
+  int RequestInformation(
+    vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs) override;
+  int RequestData(
+    vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs) override;
   int FillOutputPortInformation(int port, vtkInformation* info) override;
 
   std::string FileName;

@@ -17,7 +17,8 @@ vtkStandardNewMacro(vtkSparseVolumeWriter);
 void vtkSparseVolumeWriter::AddArrayName(const char* name)
 {
   const std::string text = name ? name : "";
-  if (!text.empty() && std::find(this->ArrayNames.begin(), this->ArrayNames.end(), text) == this->ArrayNames.end())
+  if (!text.empty() &&
+    std::find(this->ArrayNames.begin(), this->ArrayNames.end(), text) == this->ArrayNames.end())
   {
     this->ArrayNames.push_back(text);
     this->Modified();

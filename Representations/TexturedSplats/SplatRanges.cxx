@@ -18,7 +18,8 @@ namespace
 // A point's square may be so much larger than the parallelogram of a long splat that is drawn instead, at a higher price for a pixel.
 constexpr double largestExcess = 1.8;
 constexpr std::size_t probes = 64;
-constexpr std::size_t all = std::numeric_limits<std::size_t>::max(); // vectors in layers are more than the splats
+constexpr std::size_t all =
+  std::numeric_limits<std::size_t>::max(); // vectors in layers are more than the splats
 
 SplatMatrix turned(const SplatSamples::Jacobian& jacobian, const SplatMatrix& toView)
 {
@@ -89,13 +90,15 @@ void FindSplatRanges(const SortedSplats& splats, const SplatSamples& samples, co
 {
   const SplatMatrix toView = ToViewMatrix(view);
   const SplatMetric metric = MetricOf(toView);
-  const SplatEye eye = { { view.EyeModel[0], view.EyeModel[1], view.EyeModel[2], view.EyeModel[3] } };
+  const SplatEye eye = { { view.EyeModel[0], view.EyeModel[1], view.EyeModel[2],
+    view.EyeModel[3] } };
   SplatReach reach;
   const double radius = KernelRadius(options.Kernel) * LargestStretch(toView);
   reach.Radius = radius * splats.LongestEdge;
   for (int i = 0; i < 2; ++i)
   {
-    reach.PixelsPerSlope = std::max(reach.PixelsPerSlope, 0.5 * pixels[i] * view.ViewToDevice->GetElement(i, i));
+    reach.PixelsPerSlope =
+      std::max(reach.PixelsPerSlope, 0.5 * pixels[i] * view.ViewToDevice->GetElement(i, i));
   }
   reach.LargestSlope = largestSlope(view.ViewToDevice);
   reach.LargestPoint = SplatPass::LargestPoint;

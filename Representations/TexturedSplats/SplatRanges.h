@@ -23,16 +23,18 @@ struct SplatSamples;
 /** A ball around the largest splat of all, as it is seen. */
 struct SplatReach
 {
-  double Radius = 1;         ///< world length
-  double PixelsPerSlope = 1; ///< pixels over the tangent of the angle with the view direction; parallel: over the length
-  double LargestSlope = 1;   ///< that tangent in the corners of the viewport
-  double LargestPoint = 1;   ///< pixels across
+  double Radius = 1; ///< world length
+  double PixelsPerSlope =
+    1; ///< pixels over the tangent of the angle with the view direction; parallel: over the length
+  double LargestSlope = 1; ///< that tangent in the corners of the viewport
+  double LargestPoint = 1; ///< pixels across
 };
 
 /** Splats at this distance or farther may be points: they are no larger than those, and far outside of the eye. */
 inline double PointDistance(const SplatReach& reach)
 {
-  const double stretch = 1.0 + reach.LargestSlope * reach.LargestSlope; // across, of what is seen at an angle
+  const double stretch =
+    1.0 + reach.LargestSlope * reach.LargestSlope; // across, of what is seen at an angle
   const double across = 2.2 * reach.Radius * reach.PixelsPerSlope * stretch;
   return std::max(4.0 * reach.Radius, across / reach.LargestPoint);
 }

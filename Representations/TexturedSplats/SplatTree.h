@@ -35,9 +35,10 @@ struct SplatTreeNode
   // Deviations of extinction (or emission) and of vectors below; infinite if the node cannot be drawn.
   float GreatestError, RootMeanSquareError;
   float GreatestVectorError, RootMeanSquareVectorError;
-  float LongestEdge;        // the longest half axis of the kernel over its radius
-  float Span;               // edge in those of the leaves
-  std::uint32_t FirstChild; // of the tree's list of children, which goes on to that of the next node
+  float LongestEdge; // the longest half axis of the kernel over its radius
+  float Span;        // edge in those of the leaves
+  std::uint32_t
+    FirstChild; // of the tree's list of children, which goes on to that of the next node
 };
 
 class SplatTree
@@ -50,10 +51,16 @@ public:
 
   bool IsEmpty() const { return this->LeafCount == 0; }
   std::size_t Leaves() const { return this->LeafCount; }
-  const std::vector<SplatTreeNode>& Nodes() const { return this->NodeList; } ///< children before their parents
+  const std::vector<SplatTreeNode>& Nodes() const
+  {
+    return this->NodeList;
+  } ///< children before their parents
   std::int32_t Root() const { return this->RootNumber; }
 
-  bool IsLeaf(std::int32_t splat) const { return static_cast<std::size_t>(splat) < this->LeafCount; }
+  bool IsLeaf(std::int32_t splat) const
+  {
+    return static_cast<std::size_t>(splat) < this->LeafCount;
+  }
   const SplatTreeNode& Node(std::int32_t splat) const
   {
     return this->NodeList[static_cast<std::size_t>(splat) - this->LeafCount];
