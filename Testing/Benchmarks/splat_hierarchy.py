@@ -1,13 +1,13 @@
 # SPDX-FileCopyrightText: The Nephoscope authors
 # SPDX-License-Identifier: BSD-3-Clause
 """Quality of the hierarchy of splats against the number of splats: clouds of the forecast on the globe, and a smooth cloud of 128^3
-samples, 1024 x 1024 pixels.
+samples, in pictures of 512 x 512 and 1024 x 1024 pixels.
 
     ./nephoscope bench
     ./nephoscope python Testing/Benchmarks/splat_hierarchy.py --plot file.png
 
 PSNR is that of the float picture, colour over black, against the one of every sample; the whole picture counts, and apart from that the pixels
-where there is cloud. The plot needs matplotlib.
+where there is cloud. Only samples that can be seen, of non-zero opacity, count as splats. The plot needs matplotlib.
 """
 import sys
 
@@ -19,8 +19,9 @@ from nephoscope_testing.offscreen import Window, float_image
 from nephoscope_testing.transfer import Transfer
 from nephoscope_testing.weather import cloud_volume, forecast_globe
 
-SIZE = 1024
-TOLERANCES = (0.01, 0.03, 0.1, 0.2, 0.3)
+SIZES = (512, 1024)
+MEASURES = {"Picture": (0.1, 0.3, 1, 3), "RootMeanSquare": (0.01, 0.03, 0.1), "Greatest": (0.03, 0.1, 0.3)}
+TARGET = 40.0
 
 
 def smooth_cloud(points):
@@ -44,37 +45,53 @@ def decibels(difference):
     return -10 * np.log10(np.mean(difference**2))
 
 
-def measure(label, data, array, properties):
-    window = Window((SIZE, SIZE))
-    scene = window.add_scene()
-    mapper = nephoscope.vtkTexturedSplatMapper()
-    scene.add_volume(mapper, data, properties, array)
-    scene.look_at(data)
-    window.render()
-    exact, rows = float_image(mapper)[..., :3], []
-    leaves, cloudy = mapper.GetNumberOfDrawnSplats(), exact.max(axis=2) > 0.01
-    for measure in ("Greatest", "RootMeanSquare"):
-        getattr(mapper, "SetErrorMeasureTo" + measure)()
-        for tolerance in TOLERANCES:
-            mapper.SetErrorTolerance(tolerance)
-            window.render()
-            difference, drawn = float_image(mapper)[..., :3] - exact, mapper.GetNumberOfDrawnSplats()
-            rows.append((measure, leaves / drawn, decibels(difference)))
-            print(f"| {label} | {measure} | {tolerance} | {drawn} of {leaves} | 1/{leaves / drawn:.1f} | {rows[-1][2]:.1f} | "
-                  f"{decibels(difference[cloudy]):.1f} |", flush=True)
-    return rows
+class Quality:
+    """Of one data set in pictures of one size: share of the splats that a tolerance draws, PSNR of picture and of cloud."""
+
+    def __init__(self, label, size, data, array, properties):
+        self.label, self.size = label, size
+        self.window = Window((size, size))
+        scene = self.window.add_scene()
+        self.mapper = nephoscope.vtkTexturedSplatMapper()
+        scene.add_volume(self.mapper, data, properties, array)
+        scene.look_at(data)
+        self.exact = self.draw()
+        self.cloudy = self.exact.max(axis=2) > 0.01
+        self.leaves = self.mapper.GetNumberOfDrawnSplats()
+
+    def draw(self):
+        self.window.render()
+        return float_image(self.mapper)[..., :3]
+
+    def measure(self, name, tolerance):
+        getattr(self.mapper, "SetErrorMeasureTo" + name)()
+        self.mapper.SetErrorTolerance(tolerance)
+        difference = self.draw() - self.exact
+        return self.leaves / self.mapper.GetNumberOfDrawnSplats(), decibels(difference), decibels(difference[self.cloudy])
+
+    def report(self, name, tolerance):
+        share, picture, cloud = self.measure(name, tolerance)
+        print(f"| {self.label} | {self.size} | {name} | {tolerance:.3g} | 1/{share:.1f} | {picture:.1f} | {cloud:.1f} |", flush=True)
+        return share, picture
+
+    def report_target(self, name, channel):
+        """The largest tolerance with so many decibels, of the picture (1) or of the cloud (2)."""
+        low, high = 1e-3, 100.0
+        for _ in range(12):
+            middle = np.sqrt(low * high)
+            low, high = (middle, high) if self.measure(name, middle)[channel] >= TARGET else (low, middle)
+        self.report(name, low)
 
 
-def plot(path, results):
+def plot(path, curves):
     import matplotlib
     matplotlib.use("Agg")
     from matplotlib import pyplot
     figure, axes = pyplot.subplots(figsize=(6, 4), dpi=120)
-    for label, rows in results.items():
-        for measure, style in (("Greatest", "o-"), ("RootMeanSquare", "s--")):
-            line = [(1 / r[1], r[2]) for r in rows if r[0] == measure]
-            axes.semilogx(*zip(*line), style, label=f"{label}, {measure}")
-    axes.axhline(40, color="0.7")
+    for (label, measure), line in curves.items():
+        axes.semilogx(*zip(*[(1 / share, value) for share, value in line]),
+                      {"Picture": "o-", "RootMeanSquare": "s--", "Greatest": "^:"}[measure], label=f"{label}, {measure}")
+    axes.axhline(TARGET, color="0.7")
     axes.axvline(0.2, color="0.7")
     axes.set(xlabel="splats drawn, of all", ylabel="PSNR in dB")
     axes.legend(fontsize=7)
@@ -83,10 +100,17 @@ def plot(path, results):
 
 
 def main():
-    print("| data | error measure | tolerance | splats | share | PSNR, dB | where there is cloud |\n|---|---|---|---|---|---|---|")
-    results = {label: measure(label, *make()) for label, make in (("smooth cloud", synthetic), ("forecast", forecast))}
+    print("| data | pixels | error measure | tolerance | share | PSNR, dB | where there is cloud |\n|---|---|---|---|---|---|---|")
+    curves = {}
+    for label, make in (("smooth cloud", synthetic), ("forecast", forecast)):
+        for size in SIZES:
+            quality = Quality(label, size, *make())
+            for channel in (1, 2):
+                quality.report_target("Picture", channel)
+        for measure, tolerances in MEASURES.items():
+            curves[label, measure] = [quality.report(measure, tolerance) for tolerance in tolerances]
     if sys.argv[1:2] == ["--plot"]:
-        plot(sys.argv[2], results)
+        plot(sys.argv[2], curves)
 
 
 if __name__ == "__main__":

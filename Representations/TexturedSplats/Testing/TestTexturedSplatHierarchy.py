@@ -9,6 +9,8 @@ from nephoscope_testing import meshes
 from nephoscope_testing.checks import ImageTestCase
 from nephoscope_testing.offscreen import Window, float_image
 from nephoscope_testing.transfer import Transfer
+from vtkmodules.vtkInteractionStyle import vtkInteractorStyleTrackballCamera
+from vtkmodules.vtkRenderingUI import vtkGenericRenderWindowInteractor
 
 CLOUD = Transfer([(0, 0.6, 0.7, 1), (1, 1, 1, 1)], [(0, 0), (0.05, 0), (1, 12)])
 
@@ -142,6 +144,28 @@ class Hierarchy(ImageTestCase):
         window.window.SetDesiredUpdateRate(0.0001)
         np.testing.assert_array_equal(self.draw(window, mapper), still)
         self.assertEqual(mapper.GetNumberOfDrawnSplats(), leaves)
+
+    def test_coarse_while_an_interactor_turns_the_camera(self):
+        window, mapper = self.scene(grid(), lambda m: m.SetInteractiveMaximumNumberOfSplats(300))
+        interactor = vtkGenericRenderWindowInteractor()
+        interactor.SetRenderWindow(window.window)
+        interactor.SetInteractorStyle(vtkInteractorStyleTrackballCamera())
+        interactor.Initialize()
+        counts = []
+
+        def act(event, place):
+            interactor.SetEventInformation(*place)
+            getattr(interactor, event)()
+            counts.append(mapper.GetNumberOfDrawnSplats())
+
+        act("LeftButtonPressEvent", (60, 60))
+        act("MouseMoveEvent", (70, 64))
+        act("MouseMoveEvent", (80, 70))
+        act("LeftButtonReleaseEvent", (80, 70))
+        self.assertTrue(0 < counts[1] <= 300 and 0 < counts[2] <= 300, counts)
+        self.assertEqual(counts[3], mapper.GetNumberOfSamples())
+        refined = float_image(mapper)
+        np.testing.assert_array_equal(self.draw(window, mapper), refined)
 
     def test_values_that_are_not_numbers_and_blanked_points(self):
         data = grid()
