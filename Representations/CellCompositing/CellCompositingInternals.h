@@ -29,6 +29,7 @@ struct vtkCellCompositingMapper::vtkInternals
   std::int64_t UploadedContours = -1;
   nephoscope::ScalarSelection Contoured; // array of the contours, if not the coloured one
   bool WarnedOfUnprojected = false;
+  bool WarnedOfHaze = false;
   nephoscope::ResourceWindow Window;
   nephoscope::ReportedError LastError;
   bool OneColor = false; // of the medium in the last render

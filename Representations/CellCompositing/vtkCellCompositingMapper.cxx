@@ -226,6 +226,13 @@ std::string vtkCellCompositingMapper::DrawScene(
       : std::string("Projected triangles and faces cannot be drawn between peeled surfaces: choose another method, or call "
                     "UseDepthPeelingForVolumesOff() of the renderer.");
   }
+  const bool ignoresHaze =
+    options.Haze.IsOn() && (options.Method == CellMethod::Faces || nephoscope::drawsTriangles(options.Method));
+  if (ignoresHaze && !this->Internals->WarnedOfHaze) // once, not once per frame
+  {
+    vtkWarningMacro("Triangles and faces are drawn without the haze of the renderer: choose another method.");
+  }
+  this->Internals->WarnedOfHaze = ignoresHaze;
   if (options.Method == CellMethod::Faces)
   {
     return this->Internals->Pass.DrawLayer(window, [&](const int*, nephoscope::OpaqueDepth& opaqueDepth) {

@@ -6,35 +6,19 @@
 
 Seconds are processor time of the whole process, software OpenGL included; frames with and without haze alternate, and the ratio is what to quote.
 """
-import os
 import time
 
 import nephoscope
 import vtkmodules.vtkRenderingOpenGL2  # noqa: F401  the factory
 import vtkmodules.vtkRenderingVolumeOpenGL2  # noqa: F401
-from vtkmodules.vtkCommonDataModel import vtkPiecewiseFunction
+from nephoscope_testing.weather import cloud_volume, forecast_globe
 from vtkmodules.vtkFiltersSources import vtkSphereSource
-from vtkmodules.vtkIONetCDF import vtkNetCDFCFReader
-from vtkmodules.vtkRenderingCore import vtkActor, vtkColorTransferFunction, vtkPolyDataMapper, vtkRenderer, vtkRenderWindow, vtkVolume
+from vtkmodules.vtkRenderingCore import vtkActor, vtkPolyDataMapper, vtkRenderer, vtkRenderWindow
 
-FILE = os.path.join(os.environ["NEPHOSCOPE_DATA"], "gfs_2p5deg_2011101100.nc")
 RADIUS = 6.371e6
 EXAGGERATION = 30
 SIZE = 768
 PAIRS = 6
-
-
-def forecast():
-    reader = vtkNetCDFCFReader()
-    reader.SetFileName(FILE)
-    reader.SphericalCoordinatesOff()
-    reader.UpdateMetaData()
-    reader.SetDimensions("(lev, lat, lon)")
-    globe = nephoscope.vtkGlobeGrid()
-    globe.SetInputConnection(reader.GetOutputPort())
-    globe.SetVerticalExaggeration(EXAGGERATION)
-    globe.Update()
-    return globe.GetOutput()
 
 
 def planet():
@@ -52,15 +36,7 @@ def medium(data, mapper):
     mapper.SetInputData(data)
     mapper.SetScalarModeToUsePointFieldData()
     mapper.SelectScalarArray("cloud_fraction")
-    volume, color, opacity = vtkVolume(), vtkColorTransferFunction(), vtkPiecewiseFunction()
-    volume.SetMapper(mapper)
-    color.AddRGBPoint(0, 1, 1, 1)
-    opacity.AddPoint(0.1, 0)
-    opacity.AddPoint(1, 1)
-    volume.GetProperty().SetColor(color)
-    volume.GetProperty().SetScalarOpacity(opacity)
-    volume.GetProperty().SetScalarOpacityUnitDistance(2e5)
-    return volume
+    return cloud_volume(mapper, 2e5)
 
 
 def scene(prop):
@@ -90,7 +66,7 @@ def frame(window, haze, on):
 
 
 def main():
-    data = forecast()
+    data = forecast_globe(EXAGGERATION)
     rays, cells = nephoscope.vtkCellCompositingMapper(), nephoscope.vtkCellCompositingMapper()
     rays.SetMethodToRays()
     cells.SetMethodToCells()

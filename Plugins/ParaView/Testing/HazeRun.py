@@ -13,12 +13,10 @@ from PluginTesting import image, load_plugin, passed, pvs, servermanager
 if len(sys.argv) > 2:
     pvs.Connect("localhost", int(sys.argv[2]))
 load_plugin()
-scenes = [("surfaces", False, False), ("cells", True, False)]
-if servermanager.vtkProcessModule.GetProcessModule().GetNumberOfLocalPartitions() == 1:
-    scenes.append(("sky", False, True))
-for name, medium, background in scenes:
-    view = make_view(medium)
-    add_haze(view, background)
+ranks = servermanager.vtkProcessModule.GetProcessModule().GetNumberOfLocalPartitions()
+for name in ("clear sky", "hazed sky")[:2 if ranks == 1 else 1]:
+    view = make_view(medium=name == "clear sky")
+    add_haze(view, background=name == "hazed sky")
     np.save(f"{sys.argv[1]}-{name}.npy", image(view))
     pvs.Delete(view)
 passed()

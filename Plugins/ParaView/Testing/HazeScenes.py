@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: The Nephoscope authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""A view of three things that are drawn in three ways, from near to far, and its haze."""
+"""A view of opaque and translucent surfaces and of cells, from near to far, and its haze."""
 from PluginTesting import new_view, pvs, set_background, solid
 
 REACH = 40.0  # visual range
@@ -17,16 +17,15 @@ def show(source, view, color, representation="Surface", opacity=1.0):
 
 
 def make_view(medium=True):
-    """Ground and boxes (opaque), a sheet (translucent), and a medium of cells among them; heights are y, metres are units."""
+    """Ground and balls (opaque), a sheet (translucent), and a medium of cells among them; heights are y."""
     view = new_view((120, 90))
     ground = pvs.Plane(Origin=[-30, 0, 10], Point1=[30, 0, 10], Point2=[-30, 0, -60], XResolution=20, YResolution=20)
     show(ground, view, [0.2, 0.5, 0.1])
     for k in range(4):
         show(pvs.Sphere(Center=[6 * k - 9, 2, 2 - 10 * k], Radius=2, ThetaResolution=40, PhiResolution=40), view, [0.8, 0.2, 0.1])
-    if not medium:
-        sheet = pvs.Plane(Origin=[-4, 0.5, -5], Point1=[4, 0.5, -5], Point2=[-4, 5, -5], XResolution=10, YResolution=10)
-        show(sheet, view, [0.9, 0.9, 0.2], opacity=0.5)
-    else:
+    sheet = pvs.Plane(Origin=[-4, 0.5, -5], Point1=[4, 0.5, -5], Point2=[-4, 5, -5], XResolution=10, YResolution=10)
+    show(sheet, view, [0.9, 0.9, 0.2], opacity=0.5)
+    if medium:
         wavelet = pvs.Wavelet(WholeExtent=[-4, 4, -3, 3, -4, 4])
         place = pvs.Transform(Input=wavelet)
         place.Transform.Translate = [8.0, 4.0, -14.0]

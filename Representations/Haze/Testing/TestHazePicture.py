@@ -7,6 +7,9 @@ import nephoscope
 import numpy as np
 from haze_scenes import BLENDED, STEP, HazeTestCase, Square
 from nephoscope_testing.haze import Haze
+from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkCommonDataModel import vtkSelectionNode
+from vtkmodules.vtkRenderingCore import vtkHardwareSelector, vtkWindowToImageFilter
 
 EARTH = 6.371e6
 
@@ -161,6 +164,32 @@ class Switch(HazeTestCase):
         self.assertEqual(window.messages.all, [])
         self.assertGreater(scene.rgb()[30, 20, 2], 0.9)
         np.testing.assert_allclose(other.rgb()[30, 20], (0.9, 0.3, 0.1), atol=0.51 * STEP)
+
+    def test_picked_through_thick_haze(self):
+        window, scene = self.window([wall(30000, (0.9, 0.3, 0.1))], Haze(1, 1500), towards_walls((0, 0, 500)), sky=True)
+        window.render()
+        selector = vtkHardwareSelector()
+        selector.SetRenderer(scene.renderer)
+        selector.SetArea(20, 20, 60, 40)
+        selection = selector.Select()
+        self.assertEqual(selection.GetNumberOfNodes(), 1)
+        prop = selection.GetNode(0).GetProperties().Get(vtkSelectionNode.PROP())
+        self.assertIs(prop, scene.renderer.GetActors().GetLastActor())
+
+    def test_drawn_in_tiles(self):
+        """A picture of twice the size, four tiles one after another, is that of a window of twice the size."""
+        def draw(size):
+            squares = [wall(30000, (0.9, 0.3, 0.1), half=4000)]
+            window, _ = self.window(squares, Haze(1e-4, 1500), towards_walls((0, 0, 500), 30), size=size, sky=True)
+            window.render()
+            return window
+        grab = vtkWindowToImageFilter()
+        grab.SetInput(draw((80, 60)).window)
+        grab.SetScale(2)
+        grab.ReadFrontBufferOff()
+        grab.Update()
+        tiles = vtk_to_numpy(grab.GetOutput().GetPointData().GetScalars()).reshape(120, 160, -1) / 255.0
+        np.testing.assert_allclose(tiles[..., :3], draw((160, 120)).rgba()[..., :3], atol=1.01 * STEP)
 
 
 if __name__ == "__main__":

@@ -108,6 +108,18 @@ class Cells(ImageTestCase):
             np.testing.assert_array_equal(plain, off)
 
 
+    def test_earlier_methods_say_that_they_have_none(self):
+        for method in ("Faces", "TrianglesTable", "TrianglesLinear"):
+            data = meshes.with_field(meshes.image((2, 2, 2)), lambda p: np.full(len(p), 0.5))
+            mapper = nephoscope.vtkCellCompositingMapper()
+            getattr(mapper, "SetMethodTo" + method)()
+            window, _, _ = hazed_scene(mapper, data, constant(1.0, COLOR), LOOKS["perspective"], HAZES["flat"])
+            for _ in range(2):
+                window.render()
+            self.assertEqual(len(window.messages.all), 1, window.messages.all)
+            self.assertIn("without the haze", window.messages.all[0])
+
+
 class Splats(ImageTestCase):
     def draw(self, look, haze, vectors=False, extinctions=(0.4, 1.6)):
         data = meshes.with_field(meshes.image((4, 3, 3), (0.5, 0.66, 0.66), (-1, -1, -1)), lambda p: 0.5 + 0.4 * np.sin(4 * p[:, 0] + p[:, 1]))
