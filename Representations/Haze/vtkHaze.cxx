@@ -17,7 +17,7 @@ vtkStandardNewMacro(vtkHaze);
 
 namespace
 {
-constexpr double visibilityTimesExtinction = 3.912; // -ln 0.02, Koschmieder
+constexpr double visibilityTimesExtinction = 3.912; // -ln 0.02, Koschmieder1924
 
 nephoscope::HazeLink* linkOf(vtkRenderer* renderer)
 {

@@ -59,7 +59,7 @@ public:
 
   ///@{
   /**
-   * Meteorological visibility at altitude 0: the length of level air that lets 2 % of the contrast through (Koschmieder 1924), so that the
+   * Meteorological visibility at altitude 0: the length of level air that lets 2 % of the contrast through (Koschmieder1924), so that the
    * extinction there is 3.912 / Visibility. > 0 and finite, default: 1e6. Real air has 1e4 to 3e5 m; views of weather span thousands of
    * kilometres.
    */
