@@ -3,7 +3,10 @@
 #include "SplatSamples.h"
 
 #include "vtkBoundingBox.h"
+#include "vtkDataArray.h"
+#include "vtkDataObject.h"
 #include "vtkDataSet.h"
+#include "vtkFieldData.h"
 #include "vtkSMPTools.h"
 
 #include <algorithm>
@@ -41,8 +44,30 @@ SplatSamples::Jacobian toFloat(const SplatMatrix& matrix)
   return result;
 }
 
-// Drops what is nowhere, and brings the rest into the order of places.
-void sortByPlace(std::vector<vtkIdType>& ids, std::vector<SplatVector>& places)
+// Less than 0, 0, or more: the values of two samples, array by array. Values that are not numbers come last.
+int compareValues(vtkFieldData* arrays, vtkIdType a, vtkIdType b)
+{
+  for (int i = 0; i < arrays->GetNumberOfArrays(); ++i)
+  {
+    vtkDataArray* array = arrays->GetArray(i); // null: of something else than numbers
+    for (int c = 0; array && c < array->GetNumberOfComponents(); ++c)
+    {
+      const double x = array->GetComponent(a, c), y = array->GetComponent(b, c);
+      if (std::isnan(x) != std::isnan(y))
+      {
+        return std::isnan(y) ? -1 : 1;
+      }
+      if (x < y || x > y)
+      {
+        return x < y ? -1 : 1;
+      }
+    }
+  }
+  return 0;
+}
+
+// Drops what is nowhere, and brings the rest into the order of places; in one place, of values, so that the input's order is without effect.
+void sortByPlace(vtkFieldData* arrays, std::vector<vtkIdType>& ids, std::vector<SplatVector>& places)
 {
   std::vector<std::size_t> order;
   for (std::size_t i = 0; i < ids.size(); ++i)
@@ -53,7 +78,12 @@ void sortByPlace(std::vector<vtkIdType>& ids, std::vector<SplatVector>& places)
     }
   }
   vtkSMPTools::Sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
-    return places[a] != places[b] ? places[a] < places[b] : ids[a] < ids[b];
+    if (places[a] != places[b])
+    {
+      return places[a] < places[b];
+    }
+    const int values = compareValues(arrays, ids[a], ids[b]);
+    return values != 0 ? values < 0 : ids[a] < ids[b];
   });
   std::vector<vtkIdType> sortedIds(order.size());
   std::vector<SplatVector> sortedPlaces(order.size());
@@ -98,32 +128,47 @@ void FindPlaceBounds(vtkDataSet* data, double bounds[6])
   box.GetBounds(bounds);
 }
 
+namespace
+{
+bool hasExtent(const double bounds[6], int axis)
+{
+  const double longest =
+    std::max({ bounds[1] - bounds[0], bounds[3] - bounds[2], bounds[5] - bounds[4] });
+  return bounds[2 * axis + 1] - bounds[2 * axis] > 1e-6 * longest;
+}
+}
+
+int NumberOfAxes(const double bounds[6])
+{
+  return int(hasExtent(bounds, 0)) + int(hasExtent(bounds, 1)) + int(hasExtent(bounds, 2));
+}
+
 double MeanSpacing(const double bounds[6], std::size_t count)
 {
-  const double extent[3] = { bounds[1] - bounds[0], bounds[3] - bounds[2], bounds[5] - bounds[4] };
-  const double longest = std::max({ extent[0], extent[1], extent[2] });
   double volume = 1;
-  int axes = 0;
-  for (const double e : extent)
+  for (int axis = 0; axis < 3; ++axis)
   {
-    if (e > 1e-6 * longest)
-    {
-      volume *= e;
-      ++axes;
-    }
+    volume *= hasExtent(bounds, axis) ? bounds[2 * axis + 1] - bounds[2 * axis] : 1.0;
   }
+  const int axes = NumberOfAxes(bounds);
   return axes > 0 ? std::pow(volume / static_cast<double>(count), 1.0 / axes) : 1.0;
 }
 
 SplatSamples FindSplatSamples(vtkDataSet* data, const SplatSampling& sampling, std::string& error)
 {
   SplatSamples samples;
+  error = SplatShapes::Check(data, sampling);
+  if (!error.empty())
+  {
+    return samples;
+  }
   const SplatShapes shapes(data, sampling);
   std::copy_n(shapes.GetGrid().GetDimensions(), 3, samples.Dimensions);
   samples.Ids = visibleIds(shapes);
   std::vector<SplatVector> places(samples.Ids.size());
   forAll(places.size(), [&](std::size_t i) { places[i] = shapes.Place(samples.Ids[i]); });
-  sortByPlace(samples.Ids, places);
+  const int kind = sampling.OnCells ? vtkDataObject::CELL : vtkDataObject::POINT;
+  sortByPlace(data->GetAttributesAsFieldData(kind), samples.Ids, places);
   if (samples.Ids.empty())
   {
     error = "The input has no visible points to draw.";

@@ -5,9 +5,9 @@
  *
  * A sample is a point, or the centre of a cell where the data are on cells. Its shape is the Jacobian of its grid cell: three
  * edge vectors, by central differences on structured grids. Where there is no grid (particles, unstructured points) it is a
- * ball of the cell size that is asked for, or of the mean spacing.
+ * ball of the cell size that is asked for, or of the mean spacing; samples of unstructured cells have the shape of those (CellSamples.h).
  *
- * Samples stand in an order that does not depend on the order of the input: by x, then y, then z.
+ * Samples stand in an order that does not depend on the order of the input: by x, then y, then z, then their values.
  */
 #ifndef SplatSamples_h
 #define SplatSamples_h
@@ -57,6 +57,9 @@ void FindPlaceBounds(vtkDataSet* data, double bounds[6]);
 /** Edge of a cube that each of so many samples would have if they filled the bounds; 1 where they are all in one place. */
 VTKNEPHOSCOPEREPRESENTATIONSTEXTUREDSPLATS_EXPORT double MeanSpacing(
   const double bounds[6], std::size_t count);
+
+/** Along which the bounds have an extent. */
+int NumberOfAxes(const double bounds[6]);
 
 /** Hidden and duplicate samples, and those that are not at a finite place, are left out. Empty result or `error`. */
 SplatSamples FindSplatSamples(vtkDataSet* data, const SplatSampling& sampling, std::string& error);

@@ -19,7 +19,8 @@ namespace
 auto keyOf(vtkDataSet* input, const SplatSampling& sampling)
 {
   return std::make_tuple(input, input->GetMTime(), sampling.OnCells, sampling.CellSize,
-    sampling.ShapeArrayName, sampling.RadiusFactor, sampling.Frame);
+    sampling.ShapeArrayName, sampling.RadiusFactor, sampling.Frame, sampling.SizeArrayName,
+    sampling.SizesAreVolumes, sampling.FromNeighbors);
 }
 }
 
@@ -61,7 +62,7 @@ std::string SplatScene::Update(vtkDataSet* input, const SplatSampling& sampling,
       this->VectorScene.ForgetUpload();
     }
   });
-  this->SampledFrom = samples;
+  this->SampledFrom = error.empty() ? samples : SampleKey(); // what is wrong is told again
   this->ClassifiedBy = classes;
   return error.empty() && haveVectors
     ? this->VectorScene.Update(input, sampling.OnCells, this->Samples, vectors)

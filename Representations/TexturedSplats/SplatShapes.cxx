@@ -10,7 +10,9 @@
 #include "vtkDataSet.h"
 #include "vtkDataSetAttributes.h"
 #include "vtkFieldData.h"
+#include "vtkIdList.h"
 #include "vtkMath.h"
+#include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkSMPThreadLocal.h"
 #include "vtkSMPTools.h"
@@ -37,12 +39,32 @@ vtkFieldData* attributesOf(vtkDataSet* data, bool onCells)
   return onCells ? static_cast<vtkFieldData*>(data->GetCellData()) : data->GetPointData();
 }
 
+// The mean of its corners.
 SplatVector centerOfCell(vtkDataSet* data, vtkIdType id)
 {
-  double bounds[6];
-  data->GetCellBounds(id, bounds);
-  return { { 0.5 * (bounds[0] + bounds[1]), 0.5 * (bounds[2] + bounds[3]),
-    0.5 * (bounds[4] + bounds[5]) } };
+  vtkNew<vtkIdList> corners;
+  data->GetCellPoints(id, corners);
+  SplatVector sum{};
+  for (vtkIdType i = 0; i < corners->GetNumberOfIds(); ++i)
+  {
+    double x[3];
+    data->GetPoint(corners->GetId(i), x);
+    for (std::size_t c = 0; c < 3; ++c)
+    {
+      sum[c] += x[c] / static_cast<double>(corners->GetNumberOfIds());
+    }
+  }
+  return sum;
+}
+
+vtkDataArray* sizeArrayOf(vtkDataSet* data, const SplatSampling& sampling)
+{
+  vtkDataArray* array = sampling.SizeArrayName.empty()
+    ? nullptr
+    : attributesOf(data, sampling.OnCells)->GetArray(sampling.SizeArrayName.c_str());
+  const vtkIdType count = sampling.OnCells ? data->GetNumberOfCells() : data->GetNumberOfPoints();
+  const bool fits = array && array->GetNumberOfComponents() == 1 && array->GetNumberOfTuples() == count;
+  return fits ? array : nullptr;
 }
 
 using Bounds = std::array<double, 6>;
@@ -65,6 +87,7 @@ SplatShapes::SplatShapes(vtkDataSet* data, const SplatSampling& sampling)
   , OnCells(sampling.OnCells)
   , WithDuplicates(sampling.Frame.WithNeighbors)
   , Grid(data, sampling.OnCells)
+  , SizesAreVolumes(sampling.SizesAreVolumes)
   , Ghosts(sampling.OnCells ? data->GetCellGhostArray() : data->GetPointGhostArray())
   , Count(sampling.OnCells ? data->GetNumberOfCells() : data->GetNumberOfPoints())
   , CellSize(sampling.CellSize)
@@ -86,9 +109,40 @@ SplatShapes::SplatShapes(vtkDataSet* data, const SplatSampling& sampling)
   {
     return;
   }
-  this->Spaced = !(this->CellSize > 0);
+  this->SizeArray = sizeArrayOf(data, sampling);
+  if (this->SizeArray)
+  {
+    return;
+  }
+  if (!(this->CellSize > 0))
+  {
+    this->Cells.Find(data, this->OnCells);
+  }
+  this->Spaced = !(this->CellSize > 0) && this->Cells.IsEmpty();
+  if (this->Spaced && sampling.FromNeighbors && !this->OnCells)
+  {
+    this->Spacing = FindNeighborSpacing(data);
+  }
   const double edge = this->CellSize > 0 ? this->CellSize : this->FindMeanSpacing();
-  this->Voxel = { { { { edge, 0, 0 } }, { { 0, edge, 0 } }, { { 0, 0, edge } } } };
+  this->Voxel = BallOfEdge(edge);
+}
+
+std::string SplatShapes::Check(vtkDataSet* data, const SplatSampling& sampling)
+{
+  const bool asked = !sampling.SizeArrayName.empty() && !GridSamples(data, sampling.OnCells).IsGrid();
+  if (!asked || sizeArrayOf(data, sampling))
+  {
+    return std::string();
+  }
+  const std::string kind = sampling.OnCells ? "cell" : "point";
+  return "No " + kind + " array of one component named '" + sampling.SizeArrayName +
+    "' for the size of splats: give its name with SetCellSizeArrayName, or an empty one for sizes from the data.";
+}
+
+double SplatShapes::SizeOf(vtkIdType id) const
+{
+  const double size = this->SizeArray->GetComponent(id, 0);
+  return this->SizesAreVolumes ? std::cbrt(size) : size;
 }
 
 // Whether the samples are voxels of a sparse volume; then their shape is found.
@@ -129,7 +183,8 @@ bool SplatShapes::IsVisible(vtkIdType id) const
   const int duplicate = this->OnCells ? int(vtkDataSetAttributes::DUPLICATECELL)
                                       : int(vtkDataSetAttributes::DUPLICATEPOINT);
   const int left = this->WithDuplicates ? hidden : hidden | duplicate;
-  return !this->Ghosts || !(this->Ghosts->GetValue(id) & left);
+  const bool sized = !this->SizeArray || (this->SizeOf(id) > 0 && std::isfinite(this->SizeOf(id)));
+  return sized && (!this->Ghosts || !(this->Ghosts->GetValue(id) & left));
 }
 
 SplatVector PlaceOf(vtkDataSet* data, const GridSamples& grid, bool onCells, vtkIdType id)
@@ -147,9 +202,28 @@ SplatVector PlaceOf(vtkDataSet* data, const GridSamples& grid, bool onCells, vtk
   return place;
 }
 
+// Without an array of shapes, and not lengthened.
+SplatMatrix SplatShapes::OwnJacobian(vtkIdType id) const
+{
+  if (this->Grid.IsGrid())
+  {
+    return this->Grid.Jacobian(id);
+  }
+  if (this->SizeArray)
+  {
+    return BallOfEdge(this->SizeOf(id));
+  }
+  if (!this->Spacing.empty())
+  {
+    return BallOfEdge(this->Spacing[static_cast<std::size_t>(id)]);
+  }
+  SplatMatrix jacobian;
+  return this->Cells.Get(id, jacobian) ? jacobian : this->Voxel;
+}
+
 SplatMatrix SplatShapes::Jacobian(vtkIdType id) const
 {
-  SplatMatrix jacobian = this->Grid.IsGrid() ? this->Grid.Jacobian(id) : this->Voxel;
+  SplatMatrix jacobian = this->OwnJacobian(id);
   double scale = this->RadiusFactor;
   if (this->ShapeArray)
   {

@@ -9,6 +9,7 @@
 #ifndef SplatShapes_h
 #define SplatShapes_h
 
+#include "CellSamples.h"
 #include "GridSamples.h"
 #include "SplatMatrix.h"
 #include "SplatRegion.h"
@@ -17,6 +18,7 @@
 #include "vtkType.h"
 
 #include <string>
+#include <vector>
 
 class vtkDataArray;
 class vtkDataSet;
@@ -34,6 +36,9 @@ struct SplatSampling
     ShapeArrayName = {}; ///< of nine components: the columns of every sample's Jacobian; empty: none
   double RadiusFactor = 1; ///< on every Jacobian: splats that are so many times as wide
   SplatFrame Frame = {};
+  std::string SizeArrayName = {}; ///< of one component: every sample's edge, or volume; empty: none
+  bool SizesAreVolumes = false;
+  bool FromNeighbors = false; ///< instead of the mean spacing: that of a point's neighbours
 };
 
 /** Where a sample is: a point, or the centre of a cell. `grid`: of the same data. */
@@ -47,6 +52,8 @@ public:
    * sample, to find the mean spacing.
    */
   SplatShapes(vtkDataSet* data, const SplatSampling& sampling);
+  /** Empty, or what is wrong with the array of sizes. */
+  static std::string Check(vtkDataSet* data, const SplatSampling& sampling);
 
   /** Of points or cells, hidden ones too. */
   vtkIdType GetNumberOfIds() const { return this->Count; }
@@ -61,7 +68,8 @@ public:
   SplatMatrix Jacobian(vtkIdType id) const;
   bool HaveOneShape() const
   {
-    return !this->ShapeArray && (this->Grid.IsGrid() ? this->Grid.IsUniform() : !this->Scale);
+    return !this->ShapeArray && !this->SizeArray && this->Cells.IsEmpty() && this->Spacing.empty() &&
+      (this->Grid.IsGrid() ? this->Grid.IsUniform() : !this->Scale);
   }
   /** Samples without shapes of their own, grid, voxels or cell size. */
   bool HaveMeanSpacing() const { return this->Spaced; }
@@ -74,6 +82,8 @@ public:
 
 private:
   double FindMeanSpacing() const;
+  double SizeOf(vtkIdType id) const;
+  SplatMatrix OwnJacobian(vtkIdType id) const;
   bool FindVoxels();
 
   vtkDataSet* Data;
@@ -81,6 +91,10 @@ private:
   bool WithDuplicates;
   GridSamples Grid;
   vtkDataArray* ShapeArray = nullptr;
+  vtkDataArray* SizeArray = nullptr;
+  bool SizesAreVolumes;
+  CellSamples Cells;
+  std::vector<float> Spacing; // of neighbours
   bool Spaced = false;
   vtkUnsignedCharArray* Ghosts;
   vtkIdType Count;

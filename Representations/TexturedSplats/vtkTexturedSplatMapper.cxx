@@ -327,6 +327,9 @@ void vtkTexturedSplatMapper::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Kernel: " << kernels[this->Kernel] << "\n";
   os << indent << "CellSize: " << this->CellSize << "\n";
   os << indent << "RadiusFactor: " << this->RadiusFactor << "\n";
+  os << indent << "CellSizeArrayName: " << this->CellSizeArrayName
+     << (this->CellSizeArrayHoldsVolumes ? " (volumes)\n" : " (lengths)\n");
+  os << indent << "CellSizeFromNeighbors: " << this->CellSizeFromNeighbors << "\n";
   os << indent << "ShapeArrayName: " << this->ShapeArrayName << "\n";
   os << indent << "OpacityScale: " << this->OpacityScale << "\n";
   os << indent << "OpacityArrayName: " << this->OpacityArrayName << "\n";

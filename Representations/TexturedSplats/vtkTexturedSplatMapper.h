@@ -77,10 +77,36 @@ public:
   ///@{
   /**
    * For samples without a grid: edge of the cube that each stands for, in units of length of the data; the splat's own radius is 1.56
-   * times as long. 0 (default): the mean spacing of the samples. Ignored on structured grids.
+   * times as long. 0 (default): found from the data. Points of unstructured cells then have an ellipsoid with their share of the cells
+   * around them, cells one of their own volume and proportions (of surfaces: a ball of that area); without cells it is the mean
+   * spacing of all samples, or that of their neighbours. Ignored on structured grids.
    */
   vtkSetClampMacro(CellSize, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(CellSize, double);
+  ///@}
+
+  ///@{
+  /**
+   * Name of an array (one component, on points or cells as the coloured array) that gives every sample a CellSize of its own, in units of
+   * length of the data, or a volume where CellSizeArrayHoldsVolumes is on (default: off). Samples whose size is not a positive number
+   * are not drawn. Empty (default): none. Ignored on structured grids.
+   */
+  vtkSetMacro(CellSizeArrayName, std::string);
+  vtkGetMacro(CellSizeArrayName, std::string);
+  vtkSetMacro(CellSizeArrayHoldsVolumes, bool);
+  vtkGetMacro(CellSizeArrayHoldsVolumes, bool);
+  vtkBooleanMacro(CellSizeArrayHoldsVolumes, bool);
+  ///@}
+
+  ///@{
+  /**
+   * For points without cells and sizes: whether each has the mean spacing of its twelve nearest neighbours, so that a field which is sampled
+   * densely in one place and sparsely in another is drawn evenly. Off (default): all have the mean spacing, and where there are more
+   * particles it is denser.
+   */
+  vtkSetMacro(CellSizeFromNeighbors, bool);
+  vtkGetMacro(CellSizeFromNeighbors, bool);
+  vtkBooleanMacro(CellSizeFromNeighbors, bool);
   ///@}
 
   ///@{
@@ -386,6 +412,9 @@ protected:
   vtkIdType InteractiveMaximumNumberOfSplats = 100000;
   double InteractiveUpdateRate = 1.0;
   std::string ShapeArrayName;
+  std::string CellSizeArrayName;
+  bool CellSizeArrayHoldsVolumes = false;
+  bool CellSizeFromNeighbors = false;
   double OpacityScale = 1.0;
   std::string OpacityArrayName;
   std::string VectorArrayName;

@@ -47,6 +47,9 @@ nephoscope::SplatSampling vtkTexturedSplatMapper::GetSampling(bool onCells) cons
 {
   nephoscope::SplatSampling sampling{ onCells, this->CellSize, this->ShapeArrayName,
     this->RadiusFactor };
+  sampling.SizeArrayName = this->CellSizeArrayName;
+  sampling.SizesAreVolumes = this->CellSizeArrayHoldsVolumes;
+  sampling.FromNeighbors = this->CellSizeFromNeighbors;
   if (nephoscope::IsRegion(toRegion(this->Region)))
   {
     const double* o = this->CommonOrigin;

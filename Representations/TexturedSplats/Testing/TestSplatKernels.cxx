@@ -133,6 +133,12 @@ TEST(CubicKernel, LatticeSumIsFlat)
   EXPECT_NEAR(high, 1.005335, 2e-5);
 }
 
+TEST(CubicKernel, ColumnsOfALatticeSeenAlongAnAxis)
+{
+  EXPECT_NEAR(sheetSum(SplatKernel::Cubic, 0, 0), 1.0010322982424198, 1e-6);
+  EXPECT_NEAR(sheetSum(SplatKernel::Cubic, 0.5, 0.5), 1.002491337, 1e-6);
+}
+
 TEST(CubicKernel, VarianceIsThatOfTheKernel)
 {
   using namespace nephoscope::cubic_kernel;

@@ -81,6 +81,15 @@ class BadInput(unittest.TestCase):
                 mapper.AdvancePhases(1.0)
         self.expect("no vectors to move", self.cube(), configure)
 
+    def test_missing_and_wrong_sizes(self):
+        data = meshes.particles(np.eye(3))
+        meshes.add_array(data.GetPointData(), np.zeros(3))
+        meshes.add_array(data.GetPointData(), np.zeros((3, 2)), "pair")
+        meshes.add_array(data.GetPointData(), -np.ones(3), "negative")
+        for name in ("q", "pair"):
+            self.expect(f"No point array of one component named '{name}'", data, lambda m, s: m.SetCellSizeArrayName(name))
+        self.expect("no visible points", data, lambda m, s: m.SetCellSizeArrayName("negative"))
+
     def test_unit_distance(self):
         def configure(mapper, scene):
             scene.renderer.GetVolumes().GetItemAsObject(0).GetProperty().SetScalarOpacityUnitDistance(0)

@@ -93,6 +93,38 @@ class Flatness(ImageTestCase):
         self.assertGreater(pictures[0][..., 3].max(), 0.3)
         np.testing.assert_array_equal(pictures[0], pictures[1])
 
+    def test_points_in_one_place_are_in_the_order_of_their_values(self):
+        rng = np.random.default_rng(9)
+        points = np.repeat(rng.uniform(-1, 1, (40, 3)), 4, axis=0)
+        values = rng.uniform(0, 1, 160)
+        transfer = Transfer([(0, 1, 0, 0), (1, 0, 0, 1)], [(0, 6), (1, 9)])
+        pictures = []
+        for order in (np.arange(160), rng.permutation(160), np.arange(160)[::-1]):
+            data = meshes.particles(points[order])
+            meshes.add_array(data.GetPointData(), values[order])
+            pictures.append(self.draw(data, transfer, (0, 0, 1), 1.5))
+        self.assertGreater(pictures[0][..., 3].max(), 0.3)
+        for picture in pictures[1:]:
+            np.testing.assert_array_equal(picture, pictures[0])
+
+    def test_transparency_does_not_depend_on_the_order_of_the_splats(self):
+        """Seen from the opposite side, along the same rays, other splats are in front: the transparency is the same to rounding, and so is the
+        light where all have one colour; of several colours it is another."""
+        rng = np.random.default_rng(12)
+        data = meshes.particles(rng.uniform(-1, 1, (300, 3)))
+        meshes.add_array(data.GetPointData(), rng.uniform(0, 1, 300))
+        opacities = [(0, 1), (1, 6)]
+        one = Transfer([(0, 0.4, 0.6, 0.8), (1, 0.4, 0.6, 0.8)], opacities)
+        two = Transfer([(0, 1, 0, 0), (1, 0, 0, 1)], opacities)
+        for transfer, commutes in ((one, True), (two, False)):
+            front = self.draw(data, transfer, (0, 0, 1), 1.5)
+            back = self.draw(data, transfer, (0, 0, -1), 1.5)[:, ::-1]
+            self.assertGreater(front[..., 3].max(), 0.5)
+            np.testing.assert_allclose(back[..., 3], front[..., 3], atol=3e-6)
+            difference = np.abs(back[..., :3] - front[..., :3]).max()
+            print(f"  {'one colour' if commutes else 'two colours'}: light differs by {difference:.1e}")
+            (self.assertLess if commutes else self.assertGreater)(difference, 3e-6 if commutes else 0.1)
+
     def test_tiny_splats_keep_their_mass(self):
         """Far below a pixel, the light of all pixels together stays that of the splats."""
         points = np.random.default_rng(2).uniform(-1, 1, (60, 3))

@@ -1,0 +1,307 @@
+// SPDX-FileCopyrightText: The Nephoscope authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "CellSamples.h"
+
+#include "SplatSamples.h"
+
+#include "vtkCell.h"
+#include "vtkCellData.h"
+#include "vtkCellType.h"
+#include "vtkDataSet.h"
+#include "vtkDataSetAttributes.h"
+#include "vtkGenericCell.h"
+#include "vtkIdList.h"
+#include "vtkMath.h"
+#include "vtkNew.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkSMPTools.h"
+#include "vtkStaticPointLocator.h"
+#include "vtkUnsignedCharArray.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace nephoscope
+{
+namespace
+{
+constexpr double sphere = 12.566370614359172;
+constexpr double circle = 6.283185307179586;
+// On a cubic lattice a ball of as many neighbours is 0.99 cells for each.
+constexpr vtkIdType neighbors = 12;
+constexpr double unitBall[3] = { 2.0, 0.5 * circle, sphere / 3.0 };
+
+// Which corners each corner has an edge to, and tetrahedra that fill the cell.
+struct CellKind
+{
+  int Corners;
+  int Neighbors[8][3];
+  int NumberOfTetrahedra;
+  int Tetrahedra[6][4];
+};
+
+constexpr CellKind tetrahedron{ 4, { { 1, 2, 3 }, { 0, 2, 3 }, { 0, 1, 3 }, { 0, 1, 2 } }, 1, { { 0, 1, 2, 3 } } };
+constexpr CellKind hexahedron{ 8,
+  { { 1, 3, 4 }, { 0, 2, 5 }, { 1, 3, 6 }, { 0, 2, 7 }, { 0, 5, 7 }, { 1, 4, 6 }, { 2, 5, 7 }, { 3, 4, 6 } }, 6,
+  { { 0, 1, 2, 6 }, { 0, 2, 3, 6 }, { 0, 3, 7, 6 }, { 0, 7, 4, 6 }, { 0, 4, 5, 6 }, { 0, 5, 1, 6 } } };
+constexpr CellKind wedge{ 6, { { 1, 2, 3 }, { 0, 2, 4 }, { 0, 1, 5 }, { 0, 4, 5 }, { 1, 3, 5 }, { 2, 3, 4 } }, 3,
+  { { 0, 1, 2, 5 }, { 0, 1, 5, 4 }, { 0, 4, 5, 3 } } };
+
+using Shares = std::vector<CellShare>;
+
+// Of one cell: its share for each of its corners, and all of it.
+class CellShares
+{
+public:
+  CellShares(vtkDataSet* data, Shares& shares, bool onCells)
+    : Data(data)
+    , All(shares)
+    , OnCells(onCells)
+  {
+  }
+
+  void Add(vtkIdType id)
+  {
+    this->Id = id;
+    const int type = this->Data->GetCellType(id);
+    if (type == VTK_EMPTY_CELL || type == VTK_VERTEX || type == VTK_POLY_VERTEX || type == VTK_LINE || type == VTK_POLY_LINE)
+    {
+      return;
+    }
+    this->Data->GetCellPoints(id, this->Points);
+    if (type == VTK_TETRA)
+    {
+      this->AddSolid(tetrahedron, this->Points->GetPointer(0));
+    }
+    else if (type == VTK_HEXAHEDRON)
+    {
+      this->AddSolid(hexahedron, this->Points->GetPointer(0));
+    }
+    else if (type == VTK_VOXEL)
+    {
+      const vtkIdType* p = this->Points->GetPointer(0);
+      const vtkIdType corners[8] = { p[0], p[1], p[3], p[2], p[4], p[5], p[7], p[6] };
+      this->AddSolid(hexahedron, corners);
+    }
+    else if (type == VTK_WEDGE)
+    {
+      this->AddSolid(wedge, this->Points->GetPointer(0));
+    }
+    else
+    {
+      this->AddByParts();
+    }
+  }
+
+private:
+  SplatVector Place(vtkIdType point) const
+  {
+    SplatVector x;
+    this->Data->GetPoint(point, x.data());
+    return x;
+  }
+
+  void Give(vtkIdType point, const CellShare& share)
+  {
+    if (!this->OnCells)
+    {
+      this->All[static_cast<std::size_t>(point)].Add(share);
+      return;
+    }
+    CellShare whole = share;
+    whole.Angle = whole.MeanAngle = 0; // the share of all corners is the cell
+    this->All[static_cast<std::size_t>(this->Id)].Add(whole);
+  }
+
+  void AddSolid(const CellKind& kind, const vtkIdType* points)
+  {
+    SplatVector x[8];
+    for (int i = 0; i < kind.Corners; ++i)
+    {
+      x[i] = this->Place(points[i]);
+    }
+    double volume = 0;
+    for (int t = 0; t < kind.NumberOfTetrahedra; ++t)
+    {
+      const int* c = kind.Tetrahedra[t];
+      volume += TetrahedronVolume(x[c[0]], x[c[1]], x[c[2]], x[c[3]]);
+    }
+    CellShare shares[8];
+    double angle = 0;
+    for (int i = 0; i < kind.Corners; ++i)
+    {
+      SplatVector e[3];
+      for (int k = 0; k < 3; ++k)
+      {
+        e[k] = Minus(x[kind.Neighbors[i][k]], x[i]);
+        AddOuterProduct(shares[i].Edges, e[k]);
+      }
+      shares[i].Angle = SolidAngle(e[0], e[1], e[2]) / sphere;
+      angle += shares[i].Angle;
+    }
+    for (int i = 0; i < kind.Corners; ++i)
+    {
+      shares[i].Dimension = 3;
+      shares[i].Size = volume / kind.Corners;
+      shares[i].MeanAngle = kind.Corners == 4 ? shares[i].Angle : angle / kind.Corners;
+      this->Give(points[i], shares[i]);
+    }
+  }
+
+  // Of two dimensions, one edge after the other.
+  void AddPolygon(const std::vector<vtkIdType>& points)
+  {
+    const std::size_t count = points.size();
+    double area = 0;
+    const SplatVector first = this->Place(points[0]);
+    for (std::size_t i = 2; i < count; ++i)
+    {
+      area += 0.5 * Length(Cross(Minus(this->Place(points[i - 1]), first), Minus(this->Place(points[i]), first)));
+    }
+    for (std::size_t i = 0; i < count; ++i)
+    {
+      const SplatVector x = this->Place(points[i]);
+      const SplatVector a = Minus(this->Place(points[(i + 1) % count]), x);
+      const SplatVector b = Minus(this->Place(points[(i + count - 1) % count]), x);
+      CellShare share;
+      share.Dimension = 2;
+      share.Size = area / static_cast<double>(count);
+      share.Angle = std::atan2(Length(Cross(a, b)), Dot(a, b)) / circle;
+      share.MeanAngle = 0.5 * (static_cast<double>(count) - 2) / static_cast<double>(count);
+      this->Give(points[i], share);
+    }
+  }
+
+  // Other cells are tetrahedra or triangles.
+  void AddByParts()
+  {
+    this->Data->GetCell(this->Id, this->Cell);
+    const int dimension = this->Cell->GetCellDimension();
+    if (dimension < 2 || !this->Cell->Triangulate(0, this->Points, this->Coordinates))
+    {
+      return;
+    }
+    const vtkIdType step = dimension + 1;
+    for (vtkIdType i = 0; i + step <= this->Points->GetNumberOfIds(); i += step)
+    {
+      const vtkIdType* part = this->Points->GetPointer(i);
+      if (dimension == 3)
+      {
+        this->AddSolid(tetrahedron, part);
+      }
+      else
+      {
+        this->AddPolygon({ part, part + 3 });
+      }
+    }
+  }
+
+  vtkDataSet* Data;
+  Shares& All;
+  bool OnCells;
+  vtkIdType Id = 0;
+  vtkNew<vtkIdList> Points;
+  vtkNew<vtkPoints> Coordinates;
+  vtkNew<vtkGenericCell> Cell;
+};
+}
+
+void CellSamples::Find(vtkDataSet* data, bool onCells)
+{
+  const vtkIdType count = onCells ? data->GetNumberOfCells() : data->GetNumberOfPoints();
+  Shares shares(static_cast<std::size_t>(count));
+  CellShares cells(data, shares, onCells);
+  vtkUnsignedCharArray* ghosts = data->GetCellGhostArray();
+  for (vtkIdType id = 0; id < data->GetNumberOfCells(); ++id)
+  {
+    if (!ghosts || !(ghosts->GetValue(id) & vtkDataSetAttributes::HIDDENCELL))
+    {
+      cells.Add(id);
+    }
+  }
+  this->Shapes.clear();
+  for (std::size_t i = 0; i < shares.size(); ++i)
+  {
+    CellShare& share = shares[i];
+    share.Angle = onCells && share.Dimension > 0 ? 1 : share.Angle; // nothing around it counts
+    if (!(share.EdgeLength() > 0) || !std::isfinite(share.EdgeLength()))
+    {
+      continue;
+    }
+    this->Shapes.resize(shares.size(), std::array<float, 9>{});
+    const SplatMatrix jacobian = share.Jacobian();
+    for (std::size_t c = 0; c < 9; ++c)
+    {
+      this->Shapes[i][c] = static_cast<float>(jacobian[c / 3][c % 3]);
+    }
+  }
+}
+
+bool CellSamples::Get(vtkIdType id, SplatMatrix& jacobian) const
+{
+  const auto i = static_cast<std::size_t>(id);
+  if (this->Shapes.empty() || this->Shapes[i][0] == 0)
+  {
+    return false;
+  }
+  for (std::size_t c = 0; c < 9; ++c)
+  {
+    jacobian[c / 3][c % 3] = this->Shapes[i][c];
+  }
+  return true;
+}
+
+std::vector<float> FindNeighborSpacing(vtkDataSet* data)
+{
+  const vtkIdType count = data->GetNumberOfPoints();
+  std::vector<float> spacing(static_cast<std::size_t>(count), 0.0f);
+  std::vector<vtkIdType> ids;
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  for (vtkIdType id = 0; id < count; ++id)
+  {
+    double x[3];
+    data->GetPoint(id, x);
+    if (std::isfinite(x[0] + x[1] + x[2]))
+    {
+      points->InsertNextPoint(x);
+      ids.push_back(id);
+    }
+  }
+  if (ids.empty())
+  {
+    return spacing;
+  }
+  vtkNew<vtkPolyData> cloud;
+  cloud->SetPoints(points);
+  const double* bounds = cloud->GetBounds();
+  const double mean = MeanSpacing(bounds, ids.size());
+  const int axes = std::max(1, NumberOfAxes(bounds));
+  vtkNew<vtkStaticPointLocator> locator;
+  locator->SetDataSet(cloud);
+  locator->BuildLocator();
+  const auto others = std::min<vtkIdType>(neighbors, static_cast<vtkIdType>(ids.size()) - 1);
+  vtkSMPTools::For(0, static_cast<vtkIdType>(ids.size()), [&](vtkIdType begin, vtkIdType end) {
+    vtkNew<vtkIdList> nearest;
+    for (vtkIdType i = begin; i < end; ++i)
+    {
+      double place[3];
+      points->GetPoint(i, place);
+      double farthest = 0;
+      locator->FindClosestNPoints(static_cast<int>(others) + 1, place, nearest);
+      for (vtkIdType n = 0; n < nearest->GetNumberOfIds(); ++n)
+      {
+        double other[3];
+        points->GetPoint(nearest->GetId(n), other);
+        farthest = std::max(farthest, std::sqrt(vtkMath::Distance2BetweenPoints(place, other)));
+      }
+      const double ball = unitBall[axes - 1] * std::pow(farthest, axes);
+      spacing[static_cast<std::size_t>(ids[static_cast<std::size_t>(i)])] =
+        static_cast<float>(farthest > 0 ? std::pow(ball / static_cast<double>(others), 1.0 / axes) : mean);
+    }
+  });
+  return spacing;
+}
+
+} // namespace nephoscope

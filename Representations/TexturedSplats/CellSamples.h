@@ -1,0 +1,42 @@
+// SPDX-FileCopyrightText: The Nephoscope authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * Shapes of the samples of unstructured cells. A point stands for its share of the cells around it, a cell's centre for the cell: an
+ * ellipsoid of that volume, as long in every direction as the edges are in the mean. On hexahedra that are those of a structured
+ * grid it is the same as there, on the boundary too.
+ */
+#ifndef CellSamples_h
+#define CellSamples_h
+
+#include "CellShape.h"
+
+#include "vtkType.h"
+
+#include <array>
+#include <vector>
+
+class vtkDataSet;
+
+namespace nephoscope
+{
+
+class CellSamples
+{
+public:
+  /** Looks at every cell once. Hidden cells and lines do not count. */
+  void Find(vtkDataSet* data, bool onCells);
+
+  bool IsEmpty() const { return this->Shapes.empty(); }
+  /** False where there are no cells around a point. */
+  bool Get(vtkIdType id, SplatMatrix& jacobian) const;
+
+private:
+  std::vector<std::array<float, 9>> Shapes; // empty if the data have no cells
+};
+
+/** The edge of a cube for each point, by the ball that its neighbours fill: its volume over their number; 0 at no finite place. */
+std::vector<float> FindNeighborSpacing(vtkDataSet* data);
+
+} // namespace nephoscope
+
+#endif

@@ -1,0 +1,140 @@
+// SPDX-FileCopyrightText: The Nephoscope authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Size and shape of linear cells, and the share of them that falls to each corner. Plain C++17.
+#ifndef nephoscope_CellShape_h
+#define nephoscope_CellShape_h
+
+#include "SplatMatrix.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+
+namespace nephoscope
+{
+// Solid angle between three edges from one corner (VanOosteromStrackee1983).
+inline double SolidAngle(const SplatVector& a, const SplatVector& b, const SplatVector& c)
+{
+  const double x = Length(a), y = Length(b), z = Length(c);
+  const double below = x * y * z + Dot(a, b) * z + Dot(b, c) * x + Dot(c, a) * y;
+  const double angle = 2.0 * std::atan2(std::abs(Dot(a, Cross(b, c))), below);
+  return std::isfinite(angle) ? angle : 0.0;
+}
+
+inline double TetrahedronVolume(
+  const SplatVector& a, const SplatVector& b, const SplatVector& c, const SplatVector& d)
+{
+  return std::abs(Dot(Minus(b, a), Cross(Minus(c, a), Minus(d, a)))) / 6.0;
+}
+
+// Adds e e^T.
+inline void AddOuterProduct(SplatMatrix& sum, const SplatVector& e)
+{
+  for (std::size_t column = 0; column < 3; ++column)
+  {
+    for (std::size_t row = 0; row < 3; ++row)
+    {
+      sum[column][row] += e[column] * e[row];
+    }
+  }
+}
+
+// A lower triangle L with L L^T = m (Cholesky): the kernel of a splat depends on nothing else of its Jacobian. Columns are 0 where m has no
+// extent of its own.
+inline SplatMatrix TriangularRoot(const SplatMatrix& m)
+{
+  const double least = 1e-12 * (m[0][0] + m[1][1] + m[2][2]);
+  SplatMatrix root{};
+  for (std::size_t column = 0; column < 3; ++column)
+  {
+    double pivot = m[column][column];
+    for (std::size_t k = 0; k < column; ++k)
+    {
+      pivot -= root[k][column] * root[k][column];
+    }
+    if (!(pivot > least))
+    {
+      continue;
+    }
+    root[column][column] = std::sqrt(pivot);
+    for (std::size_t row = column + 1; row < 3; ++row)
+    {
+      double rest = m[column][row];
+      for (std::size_t k = 0; k < column; ++k)
+      {
+        rest -= root[k][column] * root[k][row];
+      }
+      root[column][row] = rest / root[column][column];
+    }
+  }
+  return root;
+}
+
+inline SplatMatrix BallOfEdge(double edge)
+{
+  return { { { { edge, 0, 0 } }, { { 0, edge, 0 } }, { { 0, 0, edge } } } };
+}
+
+// What cells give to a sample: a corner, or their middle.
+struct CellShare
+{
+  int Dimension = 0;     // of the cells; those of fewer dimensions do not count
+  double Size = 0;       // volume or area
+  double Angle = 0;      // share of all directions that the cells lie in
+  double MeanAngle = 0;  // the same, if all corners of a hexahedron or wedge were alike
+  SplatMatrix Edges{};   // sum over corners of e e^T over the three edges there
+
+  void Add(const CellShare& other)
+  {
+    if (other.Dimension > this->Dimension)
+    {
+      *this = other;
+      return;
+    }
+    if (other.Dimension < this->Dimension)
+    {
+      return;
+    }
+    this->Size += other.Size;
+    this->Angle += other.Angle;
+    this->MeanAngle += other.MeanAngle;
+    for (std::size_t i = 0; i < 9; ++i)
+    {
+      this->Edges[i / 3][i % 3] += other.Edges[i / 3][i % 3];
+    }
+  }
+
+  // The edge of a ball's cell that is as large; 0 if there is no cell. On a boundary cells lie on one side: as much is added on the other;
+  // there cells that go on beyond it count, as in a lattice, whose corners at an oblique edge are not alike.
+  double EdgeLength() const
+  {
+    const double around = this->Angle > 0.999 ? this->Angle : this->MeanAngle;
+    const double size = around > 0 ? this->Size / around : 0.0;
+    return this->Dimension == 3 ? std::cbrt(size) : std::sqrt(size);
+  }
+
+  // Jacobian of the sample: the mean of the corners' edges, scaled to the volume. Of surfaces a ball.
+  SplatMatrix Jacobian() const
+  {
+    const double edge = this->EdgeLength();
+    SplatMatrix root = TriangularRoot(this->Edges);
+    const double volume = Determinant(root);
+    if (this->Dimension < 3 || !(volume > 0))
+    {
+      return BallOfEdge(edge);
+    }
+    const double scale = edge / std::cbrt(volume);
+    for (SplatVector& column : root)
+    {
+      for (double& component : column)
+      {
+        component *= scale;
+      }
+    }
+    return root;
+  }
+};
+}
+
+#endif

@@ -1,0 +1,141 @@
+# SPDX-FileCopyrightText: The Nephoscope authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Sizes of splats without a grid: from cells, arrays and neighbours; how flat constant data are then."""
+import unittest
+
+import nephoscope
+import numpy as np
+from nephoscope_testing import meshes
+from nephoscope_testing.checks import ImageTestCase
+from nephoscope_testing.offscreen import Window, float_image
+from nephoscope_testing.transfer import Transfer, constant
+from vtkmodules.vtkCommonDataModel import VTK_HEXAHEDRON
+
+COLORS = Transfer([(0, 1, 0.2, 0.1), (1, 0.1, 0.3, 1)], [(0, 0.4), (1, 1.6)])
+N = 14  # samples along an edge of the unit cube, less one
+
+
+def wave(points):
+    return (np.sin(5 * points[:, 0]) * np.cos(4 * points[:, 1] + points[:, 2]) + 1) / 2
+
+
+def graded(points):
+    """Cells from half to twice the mean length."""
+    return points**np.array([1.6, 1, 1]) + 0.04 * np.sin(6 * points[:, [1, 2, 0]]) * points * (1 - points)
+
+
+class Cells(ImageTestCase):
+    def draw(self, data, transfer=COLORS, association="point", configure=None, scale=0.8, direction=(0.4, 0.5, 0.77)):
+        window = Window((64, 64))
+        scene = window.add_scene()
+        mapper = nephoscope.vtkTexturedSplatMapper()
+        if configure:
+            configure(mapper)
+        scene.add_volume(mapper, data, transfer, association=association)
+        scene.look(np.array((0.5,) * 3) + 10 * np.array(direction), (0.5,) * 3, parallel_scale=scale)
+        window.render()
+        self.fail_on_messages(window)
+        return float_image(mapper)
+
+    def ripple(self, data, configure=None, association="point", exact=(N + 1) / N):
+        """Root of the mean square of what the optical depth of constant data is off by, through the middle; and its mean, over `exact`."""
+        image = self.draw(data, constant(1.0), association, configure, scale=0.25, direction=(0, 0, 1))
+        depth = -np.log1p(-image[..., 3])
+        return np.sqrt(((depth / exact - 1)**2).mean()), depth.mean() / exact
+
+    def check_flat(self, label, data, rms, mean, **options):
+        found, middle = self.ripple(data, **options)
+        print(f"  {label}: deviation {100 * found:.1f} %, mean {middle:.3f}", flush=True)
+        self.assertLess(found, rms, label)
+        self.assertLess(abs(middle - 1), mean, label)
+        return found
+
+    def scattered(self, count=3000, clustered=False):
+        rng = np.random.default_rng(6)
+        points = rng.uniform(-0.2, 1.2, (count, 3))
+        if clustered:
+            points[:, 0] = 1.4 * rng.uniform(0, 1, count)**2 - 0.2
+        data = meshes.particles(points)
+        meshes.add_array(data.GetPointData(), np.full(count, 0.5))
+        return data
+
+    def test_hexahedra_are_the_structured_grid(self):
+        blocks = (6, 5, 4)
+        for warp in (lambda p: p * (1, 0.7, 0.4), lambda p: p @ np.array([[1, 0.3, 0], [0, 0.8, 0.1], [0.2, 0, 0.5]])):
+            for association in ("point", "cell"):
+                for kind in ("hexahedron", "voxel"):
+                    grid = meshes.with_field(meshes.structured(blocks, warp), wave, association)
+                    mesh = meshes.with_field(meshes.Lattice(blocks).mesh(kind, warp), wave, association)
+                    expected = self.draw(grid, association=association)
+                    self.assertGreater(expected[..., 3].max(), 0.2)
+                    np.testing.assert_allclose(self.draw(mesh, association=association), expected, atol=2e-5)
+
+    def test_constant_data_on_cells_of_every_kind(self):
+        rng = np.random.default_rng(2)
+        for kind, rms, mean in (("hexahedron", 0.01, 0.005), ("wedge", 0.01, 0.005), ("tetra", 0.01, 0.005), ("mixed", 0.015, 0.005),
+                                ("pyramid", 0.07, 0.02)):  # corners and middles of pyramids have unequal shares
+            mesh = meshes.with_field(meshes.Lattice(N).mesh(kind, graded), lambda p: 0 * p[:, 0])
+            self.check_flat(kind, mesh, rms, mean)
+        cloud = meshes.with_field(meshes.delaunay(rng, 0, rng.uniform(-0.2, 1.2, (2500, 3))), lambda p: 0 * p[:, 0])
+        one, _ = self.ripple(cloud, lambda m: m.SetCellSize(1.4 / 2500**(1 / 3)), exact=1.4)
+        local, mean = self.ripple(cloud, exact=1.4)
+        print(f"  Delaunay: deviation {100 * local:.1f} %, mean {mean:.3f}, with one size {100 * one:.1f} %")
+        self.assertLess(local, 0.6 * one)
+
+    def test_cells_keep_their_volume(self):
+        """The mass of the splats of cells is that of the cells, of whatever kind."""
+        for kind in ("hexahedron", "wedge", "tetra", "pyramid"):
+            mesh = meshes.with_field(meshes.Lattice(5).mesh(kind, graded), lambda p: 0 * p[:, 0], "cell")
+            scale = 1.4
+            image = self.draw(mesh, constant(1e-3), "cell", scale=scale)
+            mass = -np.log1p(-image[..., 3]).sum() * (2 * scale / 64)**2 / 1e-3
+            self.assertAlmostEqual(mass, 1, delta=0.01, msg=kind)
+
+    def test_sizes_by_an_array(self):
+        points = np.array([(0.2, 0.5, 0.5), (0.7, 0.5, 0.5)])
+        data = meshes.particles(points)
+        meshes.add_array(data.GetPointData(), np.zeros(2))
+        meshes.add_array(data.GetPointData(), np.array([0.1, 0.2]), "length")
+        meshes.add_array(data.GetPointData(), np.array([0.001, 0.008]), "volume")
+        meshes.add_array(data.GetPointData(), np.concatenate([np.diag([h] * 3).reshape(1, 9) for h in (0.1, 0.2)]), "shape")
+        lengths = self.draw(data, configure=lambda m: m.SetCellSizeArrayName("length"))
+        shapes = self.draw(data, configure=lambda m: m.SetShapeArrayName("shape"))
+        volumes = self.draw(data, configure=lambda m: (m.SetCellSizeArrayName("volume"), m.CellSizeArrayHoldsVolumesOn()))
+        self.assertGreater(lengths[..., 3].max(), 0.04)
+        np.testing.assert_allclose(lengths, shapes, atol=1e-7)
+        np.testing.assert_allclose(volumes, lengths, atol=1e-6)
+
+    def test_samples_without_a_size_are_left_out(self):
+        data = meshes.particles(np.array([(0.2, 0.5, 0.5), (0.7, 0.5, 0.5), (0.4, 0.4, 0.4), (0.3, 0.3, 0.3)]))
+        meshes.add_array(data.GetPointData(), np.zeros(4))
+        meshes.add_array(data.GetPointData(), np.array([0.1, -1, np.nan, 0]), "length")
+        alone = meshes.particles(np.array([(0.2, 0.5, 0.5)]))
+        meshes.add_array(alone.GetPointData(), np.zeros(1))
+        np.testing.assert_allclose(self.draw(data, configure=lambda m: m.SetCellSizeArrayName("length")),
+                                   self.draw(alone, configure=lambda m: m.SetCellSize(0.1)), atol=1e-6)
+
+    def test_sizes_by_neighbours(self):
+        even, _ = self.ripple(self.scattered(), lambda m: m.CellSizeFromNeighborsOn(), exact=1.4)
+        one, _ = self.ripple(self.scattered(), exact=1.4)
+        clustered, _ = self.ripple(self.scattered(clustered=True), lambda m: m.CellSizeFromNeighborsOn(), exact=1.4)
+        one_clustered, _ = self.ripple(self.scattered(clustered=True), exact=1.4)
+        print(f"  random points: deviation {100 * even:.1f} %, with one size {100 * one:.1f} %; "
+              f"clustered {100 * clustered:.1f} and {100 * one_clustered:.1f} %")
+        self.assertLess(even, one)
+        self.assertLess(clustered, 0.5 * one_clustered)
+        lattice = meshes.particles(meshes.Lattice(N).points)
+        meshes.add_array(lattice.GetPointData(), np.zeros(lattice.GetNumberOfPoints()))
+        self.check_flat("points of a lattice", lattice, 0.03, 0.02, configure=lambda m: m.CellSizeFromNeighborsOn())
+
+    def test_hidden_cells_do_not_count(self):
+        mesh = meshes.grid(np.vstack([meshes.Lattice(1).points, meshes.Lattice(1).points * (3, 1, 1) + (1, 0, 0)]),
+                           [(VTK_HEXAHEDRON, meshes.Lattice(1).ids((0, 0, 0))), (VTK_HEXAHEDRON, np.add(meshes.Lattice(1).ids((0, 0, 0)), 8))])
+        meshes.add_array(mesh.GetPointData(), np.zeros(16))
+        alone = meshes.with_field(meshes.Lattice(1).mesh("hexahedron"), lambda p: 0 * p[:, 0])
+        meshes.add_array(mesh.GetCellData(), np.array([0, 32], np.uint8), "vtkGhostType")
+        meshes.add_array(mesh.GetPointData(), np.repeat(np.array([0, 2], np.uint8), 8), "vtkGhostType")
+        np.testing.assert_allclose(self.draw(mesh), self.draw(alone), atol=1e-6)
+
+
+if __name__ == "__main__":
+    unittest.main()
