@@ -21,6 +21,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 namespace nephoscope
 {
@@ -41,11 +42,16 @@ struct CellKind
   int Tetrahedra[6][4];
 };
 
-constexpr CellKind tetrahedron{ 4, { { 1, 2, 3 }, { 0, 2, 3 }, { 0, 1, 3 }, { 0, 1, 2 } }, 1, { { 0, 1, 2, 3 } } };
+constexpr CellKind tetrahedron{ 4, { { 1, 2, 3 }, { 0, 2, 3 }, { 0, 1, 3 }, { 0, 1, 2 } }, 1,
+  { { 0, 1, 2, 3 } } };
 constexpr CellKind hexahedron{ 8,
-  { { 1, 3, 4 }, { 0, 2, 5 }, { 1, 3, 6 }, { 0, 2, 7 }, { 0, 5, 7 }, { 1, 4, 6 }, { 2, 5, 7 }, { 3, 4, 6 } }, 6,
-  { { 0, 1, 2, 6 }, { 0, 2, 3, 6 }, { 0, 3, 7, 6 }, { 0, 7, 4, 6 }, { 0, 4, 5, 6 }, { 0, 5, 1, 6 } } };
-constexpr CellKind wedge{ 6, { { 1, 2, 3 }, { 0, 2, 4 }, { 0, 1, 5 }, { 0, 4, 5 }, { 1, 3, 5 }, { 2, 3, 4 } }, 3,
+  { { 1, 3, 4 }, { 0, 2, 5 }, { 1, 3, 6 }, { 0, 2, 7 }, { 0, 5, 7 }, { 1, 4, 6 }, { 2, 5, 7 },
+    { 3, 4, 6 } },
+  6,
+  { { 0, 1, 2, 6 }, { 0, 2, 3, 6 }, { 0, 3, 7, 6 }, { 0, 7, 4, 6 }, { 0, 4, 5, 6 },
+    { 0, 5, 1, 6 } } };
+constexpr CellKind wedge{ 6,
+  { { 1, 2, 3 }, { 0, 2, 4 }, { 0, 1, 5 }, { 0, 4, 5 }, { 1, 3, 5 }, { 2, 3, 4 } }, 3,
   { { 0, 1, 2, 5 }, { 0, 1, 5, 4 }, { 0, 4, 5, 3 } } };
 
 using Shares = std::vector<CellShare>;
@@ -65,7 +71,8 @@ public:
   {
     this->Id = id;
     const int type = this->Data->GetCellType(id);
-    if (type == VTK_EMPTY_CELL || type == VTK_VERTEX || type == VTK_POLY_VERTEX || type == VTK_LINE || type == VTK_POLY_LINE)
+    if (type == VTK_EMPTY_CELL || type == VTK_VERTEX || type == VTK_POLY_VERTEX ||
+      type == VTK_LINE || type == VTK_POLY_LINE)
     {
       return;
     }
@@ -127,25 +134,31 @@ private:
       const int* c = kind.Tetrahedra[t];
       volume += TetrahedronVolume(x[c[0]], x[c[1]], x[c[2]], x[c[3]]);
     }
-    CellShare shares[8];
-    double angle = 0;
+    SplatMatrix edges[8] = {};
+    double angles[8], all = 0;
     for (int i = 0; i < kind.Corners; ++i)
     {
       SplatVector e[3];
       for (int k = 0; k < 3; ++k)
       {
         e[k] = Minus(x[kind.Neighbors[i][k]], x[i]);
-        AddOuterProduct(shares[i].Edges, e[k]);
+        AddOuterProduct(edges[i], e[k]);
       }
-      shares[i].Angle = SolidAngle(e[0], e[1], e[2]) / sphere;
-      angle += shares[i].Angle;
+      angles[i] = SolidAngle(e[0], e[1], e[2]) / sphere;
+      all += angles[i];
     }
-    for (int i = 0; i < kind.Corners; ++i)
+    for (int i = 0; i < kind.Corners && all > 0; ++i)
     {
-      shares[i].Dimension = 3;
-      shares[i].Size = volume / kind.Corners;
-      shares[i].MeanAngle = kind.Corners == 4 ? shares[i].Angle : angle / kind.Corners;
-      this->Give(points[i], shares[i]);
+      // Corners of tetrahedra have shares by their angles: what falls to a point then depends little on how space is cut into them.
+      const double even = all / kind.Corners;
+      CellShare share;
+      share.Dimension = 3;
+      share.Angle = angles[i];
+      share.Tetrahedra = kind.Corners == 4;
+      share.MeanAngle = kind.Corners == 4 ? angles[i] : even;
+      share.Size = volume * share.MeanAngle / all;
+      AddWeighted(share.Edges, edges[i], share.MeanAngle);
+      this->Give(points[i], share);
     }
   }
 
@@ -157,7 +170,9 @@ private:
     const SplatVector first = this->Place(points[0]);
     for (std::size_t i = 2; i < count; ++i)
     {
-      area += 0.5 * Length(Cross(Minus(this->Place(points[i - 1]), first), Minus(this->Place(points[i]), first)));
+      area += 0.5 *
+        Length(
+          Cross(Minus(this->Place(points[i - 1]), first), Minus(this->Place(points[i]), first)));
     }
     for (std::size_t i = 0; i < count; ++i)
     {
@@ -207,6 +222,36 @@ private:
 };
 }
 
+namespace
+{
+// One-sided points take the shape of the others of their cells.
+void shareShapes(vtkDataSet* data, Shares& shares)
+{
+  std::map<vtkIdType, SplatMatrix> shapes;
+  vtkNew<vtkIdList> points;
+  for (vtkIdType id = 0; id < data->GetNumberOfCells(); ++id)
+  {
+    data->GetCellPoints(id, points);
+    for (const vtkIdType a : *points)
+    {
+      for (const vtkIdType b : *points)
+      {
+        const CellShare& other = shares[static_cast<std::size_t>(b)];
+        if (shares[static_cast<std::size_t>(a)].IsOneSided() && other.Dimension == 3 &&
+          !other.IsOneSided())
+        {
+          AddWeighted(shapes[a], other.Edges, 1 / other.MeanAngle);
+        }
+      }
+    }
+  }
+  for (const auto& shape : shapes)
+  {
+    shares[static_cast<std::size_t>(shape.first)].Edges = shape.second;
+  }
+}
+}
+
 void CellSamples::Find(vtkDataSet* data, bool onCells)
 {
   const vtkIdType count = onCells ? data->GetNumberOfCells() : data->GetNumberOfPoints();
@@ -219,6 +264,10 @@ void CellSamples::Find(vtkDataSet* data, bool onCells)
     {
       cells.Add(id);
     }
+  }
+  if (!onCells)
+  {
+    shareShapes(data, shares);
   }
   this->Shapes.clear();
   for (std::size_t i = 0; i < shares.size(); ++i)
@@ -297,8 +346,8 @@ std::vector<float> FindNeighborSpacing(vtkDataSet* data)
         farthest = std::max(farthest, std::sqrt(vtkMath::Distance2BetweenPoints(place, other)));
       }
       const double ball = unitBall[axes - 1] * std::pow(farthest, axes);
-      spacing[static_cast<std::size_t>(ids[static_cast<std::size_t>(i)])] =
-        static_cast<float>(farthest > 0 ? std::pow(ball / static_cast<double>(others), 1.0 / axes) : mean);
+      spacing[static_cast<std::size_t>(ids[static_cast<std::size_t>(i)])] = static_cast<float>(
+        farthest > 0 ? std::pow(ball / static_cast<double>(others), 1.0 / axes) : mean);
     }
   });
   return spacing;

@@ -40,6 +40,14 @@ inline void AddOuterProduct(SplatMatrix& sum, const SplatVector& e)
   }
 }
 
+inline void AddWeighted(SplatMatrix& sum, const SplatMatrix& m, double weight)
+{
+  for (std::size_t i = 0; i < 9; ++i)
+  {
+    sum[i / 3][i % 3] += weight * m[i / 3][i % 3];
+  }
+}
+
 // A lower triangle L with L L^T = m (Cholesky): the kernel of a splat depends on nothing else of its Jacobian. Columns are 0 where m has no
 // extent of its own.
 inline SplatMatrix TriangularRoot(const SplatMatrix& m)
@@ -79,11 +87,12 @@ inline SplatMatrix BallOfEdge(double edge)
 // What cells give to a sample: a corner, or their middle.
 struct CellShare
 {
-  int Dimension = 0;     // of the cells; those of fewer dimensions do not count
-  double Size = 0;       // volume or area
-  double Angle = 0;      // share of all directions that the cells lie in
-  double MeanAngle = 0;  // the same, if all corners of a hexahedron or wedge were alike
-  SplatMatrix Edges{};   // sum over corners of e e^T over the three edges there
+  int Dimension = 0;       // of the cells; those of fewer dimensions do not count
+  double Size = 0;         // volume or area
+  double Angle = 0;        // share of all directions that the cells lie in
+  double MeanAngle = 0;    // the same, if all corners of a hexahedron or wedge were alike
+  bool Tetrahedra = false; // some of the cells are tetrahedra
+  SplatMatrix Edges{};     // sum over corners of e e^T over the three edges there, weighted
 
   void Add(const CellShare& other)
   {
@@ -99,11 +108,12 @@ struct CellShare
     this->Size += other.Size;
     this->Angle += other.Angle;
     this->MeanAngle += other.MeanAngle;
-    for (std::size_t i = 0; i < 9; ++i)
-    {
-      this->Edges[i / 3][i % 3] += other.Edges[i / 3][i % 3];
-    }
+    this->Tetrahedra |= other.Tetrahedra;
+    AddWeighted(this->Edges, other.Edges, 1);
   }
+
+  // Tetrahedra at an edge or corner of the data lie in so few directions that their edges do not tell of a shape.
+  bool IsOneSided() const { return this->Dimension == 3 && this->Tetrahedra && this->Angle < 0.45; }
 
   // The edge of a ball's cell that is as large; 0 if there is no cell. On a boundary cells lie on one side: as much is added on the other;
   // there cells that go on beyond it count, as in a lattice, whose corners at an oblique edge are not alike.

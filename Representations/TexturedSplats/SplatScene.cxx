@@ -20,7 +20,7 @@ auto keyOf(vtkDataSet* input, const SplatSampling& sampling)
 {
   return std::make_tuple(input, input->GetMTime(), sampling.OnCells, sampling.CellSize,
     sampling.ShapeArrayName, sampling.RadiusFactor, sampling.Frame, sampling.SizeArrayName,
-    sampling.SizesAreVolumes, sampling.FromNeighbors);
+    sampling.SizesAreVolumes, sampling.FromCells, sampling.FromNeighbors);
 }
 }
 

@@ -114,7 +114,7 @@ SplatShapes::SplatShapes(vtkDataSet* data, const SplatSampling& sampling)
   {
     return;
   }
-  if (!(this->CellSize > 0))
+  if (sampling.FromCells && !(this->CellSize > 0))
   {
     this->Cells.Find(data, this->OnCells);
   }

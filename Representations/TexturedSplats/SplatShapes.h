@@ -38,6 +38,7 @@ struct SplatSampling
   SplatFrame Frame = {};
   std::string SizeArrayName = {}; ///< of one component: every sample's edge, or volume; empty: none
   bool SizesAreVolumes = false;
+  bool FromCells = false; ///< shapes of the cells around, where no cell size is asked for
   bool FromNeighbors = false; ///< instead of the mean spacing: that of a point's neighbours
 };
 

@@ -329,6 +329,7 @@ void vtkTexturedSplatMapper::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "RadiusFactor: " << this->RadiusFactor << "\n";
   os << indent << "CellSizeArrayName: " << this->CellSizeArrayName
      << (this->CellSizeArrayHoldsVolumes ? " (volumes)\n" : " (lengths)\n");
+  os << indent << "CellSizeFromCells: " << this->CellSizeFromCells << "\n";
   os << indent << "CellSizeFromNeighbors: " << this->CellSizeFromNeighbors << "\n";
   os << indent << "ShapeArrayName: " << this->ShapeArrayName << "\n";
   os << indent << "OpacityScale: " << this->OpacityScale << "\n";

@@ -77,9 +77,8 @@ public:
   ///@{
   /**
    * For samples without a grid: edge of the cube that each stands for, in units of length of the data; the splat's own radius is 1.56
-   * times as long. 0 (default): found from the data. Points of unstructured cells then have an ellipsoid with their share of the cells
-   * around them, cells one of their own volume and proportions (of surfaces: a ball of that area); without cells it is the mean
-   * spacing of all samples, or that of their neighbours. Ignored on structured grids.
+   * times as long. 0 (default): found from the data, see CellSizeFromCells and CellSizeFromNeighbors, or else the mean spacing of all
+   * samples. Ignored on structured grids.
    */
   vtkSetClampMacro(CellSize, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(CellSize, double);
@@ -96,6 +95,17 @@ public:
   vtkSetMacro(CellSizeArrayHoldsVolumes, bool);
   vtkGetMacro(CellSizeArrayHoldsVolumes, bool);
   vtkBooleanMacro(CellSizeArrayHoldsVolumes, bool);
+  ///@}
+
+  ///@{
+  /**
+   * For unstructured cells without sizes: whether each point is an ellipsoid of its share of the cells around it, and each cell one of its own
+   * volume and proportions (of surfaces: a ball of that area). On (default): constant data are flat on cells of any size. Off: all
+   * have the mean spacing.
+   */
+  vtkSetMacro(CellSizeFromCells, bool);
+  vtkGetMacro(CellSizeFromCells, bool);
+  vtkBooleanMacro(CellSizeFromCells, bool);
   ///@}
 
   ///@{
@@ -414,6 +424,7 @@ protected:
   std::string ShapeArrayName;
   std::string CellSizeArrayName;
   bool CellSizeArrayHoldsVolumes = false;
+  bool CellSizeFromCells = true;
   bool CellSizeFromNeighbors = false;
   double OpacityScale = 1.0;
   std::string OpacityArrayName;

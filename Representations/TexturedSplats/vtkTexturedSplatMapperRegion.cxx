@@ -49,6 +49,7 @@ nephoscope::SplatSampling vtkTexturedSplatMapper::GetSampling(bool onCells) cons
     this->RadiusFactor };
   sampling.SizeArrayName = this->CellSizeArrayName;
   sampling.SizesAreVolumes = this->CellSizeArrayHoldsVolumes;
+  sampling.FromCells = this->CellSizeFromCells;
   sampling.FromNeighbors = this->CellSizeFromNeighbors;
   if (nephoscope::IsRegion(toRegion(this->Region)))
   {

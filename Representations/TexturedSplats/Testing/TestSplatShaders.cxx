@@ -32,24 +32,27 @@ std::string readShader(const std::string& name)
   return text.str();
 }
 
-std::vector<Float4> evaluateFootprint(SplatKernel kernel, const std::vector<Float4>& list, const std::string& body)
+std::vector<Float4> evaluateFootprint(
+  SplatKernel kernel, const std::vector<Float4>& list, const std::string& body)
 {
   ShaderRunner runner;
   const std::string constants = "const int kernel = " + std::to_string(static_cast<int>(kernel)) +
     ";\nconst bool cutByOpaque = false;\n" + KernelConstants();
-  return runner.Run(constants + readShader("SplatFootprint.glsl"), body, list, none(), [&](vtkShaderProgram* program) {
-    program->SetUniformf("kernelRadius", static_cast<float>(KernelRadius(kernel)));
-  });
+  return runner.Run(constants + readShader("SplatFootprint.glsl"), body, list, none(),
+    [&](vtkShaderProgram* program) {
+      program->SetUniformf("kernelRadius", static_cast<float>(KernelRadius(kernel)));
+    });
 }
 
-std::vector<Float4> evaluateTexture(
-  double spacing, const std::vector<Float4>& shapes, const std::vector<Float4>& places, const std::string& body)
+std::vector<Float4> evaluateTexture(double spacing, const std::vector<Float4>& shapes,
+  const std::vector<Float4>& places, const std::string& body)
 {
   ShaderRunner runner;
   std::ostringstream shape;
-  shape << std::showpoint << "StreakShape shape = StreakShape(first.x, first.y, first.z, " << spacing << ", first.w);\n  ";
-  return runner.Run(VectorTextureConstants(1.0) + readShader("VectorTexture.glsl"), shape.str() + body, shapes, places,
-    [](vtkShaderProgram*) {});
+  shape << std::showpoint << "StreakShape shape = StreakShape(first.x, first.y, first.z, "
+        << spacing << ", first.w);\n  ";
+  return runner.Run(VectorTextureConstants(1.0) + readShader("VectorTexture.glsl"),
+    shape.str() + body, shapes, places, [](vtkShaderProgram*) {});
 }
 
 streaks::Shape shapeOf(const Float4& list, double spacing)
@@ -64,10 +67,10 @@ void makeStreaks(Random& random, std::vector<Float4>& shapes, std::vector<Float4
   {
     const double width = random.LogUniform(0.02, 0.5);
     const double period = width * random.LogUniform(2, 60);
-    shapes.push_back({ { float(period), float(std::max(random.Uniform(0.1, 0.6) * period, width)), float(width),
-      float(i % 4 == 0 ? 1e-6 : width * random.LogUniform(0.02, 10)) } });
-    places.push_back({ { float(random.Uniform(-2, 2) * period), float(random.Uniform(-4, 4)), float(random.Uniform()),
-      float(random.Uniform()) } });
+    shapes.push_back({ { float(period), float(std::max(random.Uniform(0.1, 0.6) * period, width)),
+      float(width), float(i % 4 == 0 ? 1e-6 : width * random.LogUniform(0.02, 10)) } });
+    places.push_back({ { float(random.Uniform(-2, 2) * period), float(random.Uniform(-4, 4)),
+      float(random.Uniform()), float(random.Uniform()) } });
   }
 }
 }
@@ -79,7 +82,8 @@ TEST(SplatFootprintShader, Footprint)
   {
     list.push_back({ { float(i / 4000.0), 0, 0, 0 } });
   }
-  for (const SplatKernel kernel : { SplatKernel::Cubic, SplatKernel::Quadratic, SplatKernel::Gaussian })
+  for (const SplatKernel kernel :
+    { SplatKernel::Cubic, SplatKernel::Quadratic, SplatKernel::Gaussian })
   {
     const double radius = KernelRadius(kernel);
     const auto results = evaluateFootprint(kernel, list, "result = vec4(footprint(first.x));");
@@ -89,10 +93,12 @@ TEST(SplatFootprintShader, Footprint)
       const double q = list[i][0];
       const double exact = KernelFootprint(kernel, radius * std::sqrt(q));
       largest = std::max(largest, std::abs(results[i][0] - exact));
-      const double expected = kernel == SplatKernel::Cubic ? cubic_kernel::FootprintPolynomial(q) : exact;
+      const double expected =
+        kernel == SplatKernel::Cubic ? cubic_kernel::FootprintPolynomial(q) : exact;
       EXPECT_NEAR(results[i][0], expected, 5e-7) << q;
     }
-    std::cout << "kernel " << static_cast<int>(kernel) << ", largest error on the GPU " << largest << std::endl;
+    std::cout << "kernel " << static_cast<int>(kernel) << ", largest error on the GPU " << largest
+              << std::endl;
   }
 }
 
@@ -106,10 +112,12 @@ TEST(SplatFootprintShader, ShareBeforeACut)
   }
   list.push_back({ { -1e37f, 0.5f, 0, 0 } });
   list.push_back({ { 1e37f, 0.5f, 0, 0 } });
-  const auto results = evaluateFootprint(SplatKernel::Cubic, list, "result = vec4(shareBefore(first.x, first.y));");
+  const auto results =
+    evaluateFootprint(SplatKernel::Cubic, list, "result = vec4(shareBefore(first.x, first.y));");
   for (std::size_t i = 0; i < list.size(); ++i)
   {
-    EXPECT_NEAR(results[i][0], cubic_kernel::ShareBefore(list[i][0], list[i][1]), 5e-7) << list[i][0] << " " << list[i][1];
+    EXPECT_NEAR(results[i][0], cubic_kernel::ShareBefore(list[i][0], list[i][1]), 5e-7)
+      << list[i][0] << " " << list[i][1];
   }
 }
 
@@ -120,8 +128,8 @@ TEST(VectorTextureShader, Streaks)
   makeStreaks(random, shapes, places);
   for (const double spacing : { 0.4, 1.0 })
   {
-    const auto results =
-      evaluateTexture(spacing, shapes, places, "result = vec4(streakTexture(shape, second.xy, second.z, second.w));");
+    const auto results = evaluateTexture(spacing, shapes, places,
+      "result = vec4(streakTexture(shape, second.xy, second.z, second.w));");
     double largest = 0;
     for (std::size_t i = 0; i < shapes.size(); ++i)
     {
@@ -162,18 +170,22 @@ TEST(VectorTextureShader, Segments)
   std::vector<Float4> sizes, places;
   for (int i = 0; i < 20000; ++i)
   {
-    sizes.push_back({ { float(random.LogUniform(0.01, 60)), float(random.LogUniform(0.05, 8)), 0, 0 } });
-    places.push_back({ { float(random.Uniform(-0.7, 0.7) * (sizes.back()[0] + 3)), float(random.Uniform(-6, 6)), 0, 0 } });
+    sizes.push_back(
+      { { float(random.LogUniform(0.01, 60)), float(random.LogUniform(0.05, 8)), 0, 0 } });
+    places.push_back({ { float(random.Uniform(-0.7, 0.7) * (sizes.back()[0] + 3)),
+      float(random.Uniform(-6, 6)), 0, 0 } });
   }
   places[0] = Float4{};
   sizes[0] = { { 3.0f, 0.7f, 0, 0 } };
   ShaderRunner runner;
   const auto results = runner.Run(VectorTextureConstants(1.0) + readShader("VectorTexture.glsl"),
-    "result = vec4(segmentCoverage(second.xy, first.x, first.y));", sizes, places, [](vtkShaderProgram*) {});
+    "result = vec4(segmentCoverage(second.xy, first.x, first.y));", sizes, places,
+    [](vtkShaderProgram*) {});
   EXPECT_NEAR(results[0][0], 0.514679405, 1e-6);
   for (std::size_t i = 0; i < sizes.size(); ++i)
   {
     const LineSegment segment{ sizes[i][0], sizes[i][1], LineSegment().FilterWidth };
-    EXPECT_NEAR(results[i][0], SegmentCoverage(segment, places[i][0], places[i][1]), 1e-6) << i; // 2e-7 for each error function
+    EXPECT_NEAR(results[i][0], SegmentCoverage(segment, places[i][0], places[i][1]), 1e-6)
+      << i; // 2e-7 for each error function
   }
 }
