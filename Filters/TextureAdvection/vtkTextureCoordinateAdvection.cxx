@@ -38,6 +38,26 @@ void vtkTextureCoordinateAdvection::SetPointsConnection(vtkAlgorithmOutput* poin
   this->SetInputConnection(1, points);
 }
 
+void vtkTextureCoordinateAdvection::SetName(std::string& member, const std::string& name)
+{
+  const std::string given = name == "None" ? std::string() : name;
+  if (given != member)
+  {
+    member = given;
+    this->Modified();
+  }
+}
+
+void vtkTextureCoordinateAdvection::SetPressureArrayName(const std::string& name)
+{
+  this->SetName(this->PressureArrayName, name);
+}
+
+void vtkTextureCoordinateAdvection::SetOmegaArrayName(const std::string& name)
+{
+  this->SetName(this->OmegaArrayName, name);
+}
+
 void vtkTextureCoordinateAdvection::SetPressureArrayNames(
   const std::string& pressure, const std::string& omega)
 {

@@ -185,12 +185,12 @@ public:
   /**
    * On a globe or map: names of point arrays of pressure (falling upwards) and of omega, its rate following the air, in the same unit per
    * second. With both, air follows its pressure instead of its displayed height: exact on pressure and on hybrid levels. Default
-   * "" and "".
+   * "" and ""; "None", which ParaView's menus say, is "" too.
    */
   void SetPressureArrayNames(const std::string& pressure, const std::string& omega);
-  vtkSetMacro(PressureArrayName, std::string);
+  void SetPressureArrayName(const std::string& name);
   vtkGetMacro(PressureArrayName, std::string);
-  vtkSetMacro(OmegaArrayName, std::string);
+  void SetOmegaArrayName(const std::string& name);
   vtkGetMacro(OmegaArrayName, std::string);
   ///@}
 
@@ -268,6 +268,7 @@ private:
   void WriteSets(const std::vector<float> displacements[2], vtkDataSet* output);
   void WriteStretch(const std::vector<float> displacements[2], vtkDataSet* output);
   bool NeedsStretch() const;
+  void SetName(std::string& member, const std::string& name);
   bool Report(double share);
 
   double Period = 86400.0;

@@ -18,6 +18,7 @@
 #include "vtkPVView.h"
 #include "vtkPolyData.h"
 
+#include <string>
 #include <vector>
 
 vtkStandardNewMacro(vtkCloudTextureRepresentation);
@@ -26,6 +27,12 @@ namespace
 {
 // Travels with the data as a field array, so that every time step in ParaView's cache keeps its own.
 const char* const lengthName = "NephoscopeSurfaceLength";
+
+// "None" is what the menu says.
+const char* ArrayName(const char* chosen)
+{
+  return chosen && std::string(chosen) != "None" ? chosen : "";
+}
 
 std::vector<vtkPolyData*> SurfacesOf(vtkDataObject* data)
 {
@@ -203,7 +210,7 @@ void vtkCloudTextureRepresentation::SetCoverage(double value)
 
 void vtkCloudTextureRepresentation::SetCoverageArrayName(const char* name)
 {
-  this->CloudMapper->SetCoverageArrayName(name);
+  this->CloudMapper->SetCoverageArrayName(ArrayName(name));
 }
 
 void vtkCloudTextureRepresentation::SetSoftness(double value)
@@ -238,7 +245,7 @@ void vtkCloudTextureRepresentation::SetExtinction(double value)
 
 void vtkCloudTextureRepresentation::SetDensityArrayName(const char* name)
 {
-  this->CloudMapper->SetDensityArrayName(name);
+  this->CloudMapper->SetDensityArrayName(ArrayName(name));
 }
 
 void vtkCloudTextureRepresentation::SetMaximumNumberOfLayers(int value)

@@ -75,7 +75,10 @@ def check_cover_array():
     display.CloudTextureTextureScale = 60
     display.CloudTextureCoverageArrayName = "Cover"
     columns = color_and_alpha(view)[1].mean(axis=0) / (1 - math.exp(-3))
+    display.CloudTextureDensityArrayName = "None"  # as the menu says it
     slope = np.polyfit(np.arange(len(columns)) / len(columns), columns, 1)
+    display.CloudTextureCoverageArrayName = "None"
+    check(abs(color_and_alpha(view)[1].mean() / (1 - math.exp(-3)) - 0.5) < 0.02, "None is taken for an array")
     check(abs(slope[0] - 1) < 0.03 and abs(slope[1]) < 0.02, f"cover across the sheet is {slope}, expected 1, 0")
 
 

@@ -5,7 +5,7 @@ import os
 
 import nephoscope
 import numpy as np
-from PluginDefinitions import definition, nested, own_properties
+from PluginDefinitions import compare_default, definition, nested, own_properties
 from PluginTesting import DATA, GFS, check, load_plugin, passed, pvs, servermanager
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
@@ -24,8 +24,7 @@ def check_definition():
     expected = (settable - inherited) | {"SelectInputVectors"}
     check(expected == set(properties) - INFORMATION, f"C++ and XML differ in {sorted(expected ^ (set(properties) - INFORMATION))}")
     for name in settable - inherited:
-        text, value = properties[name].GetAttribute("default_values"), getattr(filter_, "Get" + name)()
-        check((text if isinstance(value, str) else float(text)) == value, f"{name}: XML {text!r}, C++ {value!r}")
+        compare_default(NAME, name, properties[name], getattr(filter_, "Get" + name)())
     for name, property_ in properties.items():
         check(nested(property_, "Documentation"), f"{name} has no help")
     labels = [g.GetAttribute("label") for g in nested(element, "PropertyGroup")]
@@ -78,6 +77,8 @@ def main():
     check(list(weights) == [0, 1], f"weights {weights} at the start")
     moved, weights = fetched(texture, first + 0.25)
     check(np.allclose(weights, 0.5) and not np.array_equal(start, moved), "the texture does not move")
+    texture.PressureArrayName = texture.OmegaArrayName = "None"  # as the menu says it
+    check(np.array_equal(moved, fetched(texture, first + 0.25)[0]), "None is taken for an array")
     texture.Integrator = "Euler"
     euler, _ = fetched(texture, first + 0.25)
     check(not np.array_equal(euler, moved), "Integrator does not arrive")
