@@ -139,7 +139,7 @@ nephoscope::SmoothingSettings vtkStructuredSmoothing::GetSettings() const
   settings.Conservative = this->Conservative;
   settings.Isotropic = this->Isotropic;
   settings.Coordinates = static_cast<nephoscope::GridCoordinates>(this->Coordinates);
-  settings.MassArrayName = this->MassArrayName;
+  settings.MassArrayName = this->MassArrayName == "None" ? "" : this->MassArrayName; // as ParaView's menus say it
   return settings;
 }
 

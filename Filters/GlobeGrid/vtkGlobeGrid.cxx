@@ -25,6 +25,12 @@ vtkStandardNewMacro(vtkGlobeGrid);
 
 namespace
 {
+// "None" is how ParaView's menus say it.
+std::string ArrayName(const std::string& chosen)
+{
+  return chosen == "None" ? std::string() : chosen;
+}
+
 nephoscope::GlobeGridSettings SettingsOf(vtkGlobeGrid* self)
 {
   nephoscope::GlobeGridSettings settings;
@@ -33,16 +39,16 @@ nephoscope::GlobeGridSettings SettingsOf(vtkGlobeGrid* self)
   settings.UseCentralMeridian = self->GetUseCentralMeridian();
   settings.CentralMeridian = self->GetCentralMeridian();
   settings.Units = static_cast<nephoscope::LevelUnits>(self->GetLevelUnits());
-  settings.Height = self->GetHeightArrayName();
-  settings.Eastward = self->GetEastwardWindArrayName();
-  settings.Northward = self->GetNorthwardWindArrayName();
-  settings.Vertical = self->GetVerticalWindArrayName();
+  settings.Height = ArrayName(self->GetHeightArrayName());
+  settings.Eastward = ArrayName(self->GetEastwardWindArrayName());
+  settings.Northward = ArrayName(self->GetNorthwardWindArrayName());
+  settings.Vertical = ArrayName(self->GetVerticalWindArrayName());
   settings.VerticalIsOmega = self->GetVerticalWindIsOmega();
-  settings.Temperature = self->GetTemperatureArrayName();
+  settings.Temperature = ArrayName(self->GetTemperatureArrayName());
   settings.CloseSeam = self->GetCloseSeam();
   settings.MaskBelowGround = self->GetMaskBelowGround();
-  settings.SurfacePressure = self->GetSurfacePressureArrayName();
-  settings.TerrainHeight = self->GetTerrainHeightArrayName();
+  settings.SurfacePressure = ArrayName(self->GetSurfacePressureArrayName());
+  settings.TerrainHeight = ArrayName(self->GetTerrainHeightArrayName());
   return settings;
 }
 

@@ -61,6 +61,7 @@ def check_smoothing():
         setattr(proxy, name, value)
         now = array_of(data_of(proxy), "RTData")
         check(np.array_equal(last, now) == (name == "ArrayNames"), f"{name} does not arrive")
+    proxy.SMProxy.GetProperty("MassArrayName").SetElement(0, "None")  # as the menu says it
     proxy.GenerateMassArray = 1
     check(abs(array_of(data_of(proxy), "Mass").sum() - 20 * 21 * 20) < 1e-6, "the masses are not the volume")
     proxy.ArrayNames = []
