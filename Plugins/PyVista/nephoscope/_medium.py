@@ -19,14 +19,20 @@ def require_plotter(plotter: Any) -> None:
         raise TypeError(f"plotter is a {type(plotter).__name__}; it must be a pyvista.Plotter.")
 
 
-def require_dataset(data: Any, argument: str, needs: str, merge_points: bool) -> pyvista.DataSet:
-    """`data` as one PyVista dataset, blocks combined; TypeError if it cannot be one. `needs` ends the message."""
+def wrapped(data: Any, merge_points: bool) -> Any:
+    """`data` as a PyVista object, blocks as one dataset; as it was if it cannot be one."""
     try:
         data = pyvista.wrap(data)
     except (TypeError, NotImplementedError):
         pass
     if isinstance(data, pyvista.MultiBlock):
         return data.combine(merge_points=merge_points) if data.n_blocks else pyvista.UnstructuredGrid()
+    return data
+
+
+def require_dataset(data: Any, argument: str, needs: str, merge_points: bool) -> pyvista.DataSet:
+    """`data` as one PyVista dataset, blocks combined; TypeError if it cannot be one. `needs` ends the message."""
+    data = wrapped(data, merge_points)
     if not isinstance(data, pyvista.DataSet):
         raise TypeError(f"{argument} is a {type(data).__name__}; it must be a pyvista dataset or MultiBlock{needs}.")
     return data
