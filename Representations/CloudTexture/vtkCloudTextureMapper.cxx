@@ -8,11 +8,16 @@
 #include "CloudShaderCode.h"
 #include "CloudThicknessPass.h"
 #include "CoverageThreshold.h"
+#include "JoinedSurfaces.h"
+#include "KeepPeeling.h"
 #include "TexturedSurface.h"
 
 #include "vtkActor.h"
+#include "vtkAlgorithm.h"
 #include "vtkCamera.h"
+#include "vtkCompositeDataSet.h"
 #include "vtkDataObject.h"
+#include "vtkInformation.h"
 #include "vtkMatrix4x4.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
@@ -41,10 +46,14 @@ struct vtkCloudTextureMapper::vtkInternals
   using Key = std::tuple<vtkPolyData*, vtkMTimeType, std::string, std::string, std::string, double,
     double, std::string, bool>;
 
+  nephoscope::JoinedSurfaces Blocks;
+  vtkSmartPointer<vtkCloudTextureMapper> ForBlocks;
+  vtkMTimeType ForBlocksTime = 0;
   nephoscope::TexturedSurface Surface;
   Key MadeFrom{ nullptr, 0, "", "", "", 0.0, 0.0, "", false };
   std::string LastError, LastWarning, LastThickness;
   nephoscope::CloudThicknessPass Thickness;
+  nephoscope::KeepPeeling Peels;
   int Drawings = 0; // of layers, that the shader is made for
   vtkSmartPointer<vtkTextureObject> Thresholds;
 
@@ -146,6 +155,79 @@ void vtkCloudTextureMapper::MapArrays()
   }
 }
 
+int vtkCloudTextureMapper::FillInputPortInformation(int port, vtkInformation* info)
+{
+  const int result = this->Superclass::FillInputPortInformation(port, info);
+  info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkCompositeDataSet");
+  return result;
+}
+
+void vtkCloudTextureMapper::ComputeBounds()
+{
+  auto* composite = vtkCompositeDataSet::SafeDownCast(this->GetInputDataObject(0, 0));
+  if (!composite)
+  {
+    this->Superclass::ComputeBounds();
+    return;
+  }
+  this->Internals->Blocks.Join(composite)->GetBounds(this->Bounds);
+}
+
+void vtkCloudTextureMapper::ShallowCopy(vtkAbstractMapper* other)
+{
+  this->Superclass::ShallowCopy(other);
+  if (auto* mapper = vtkCloudTextureMapper::SafeDownCast(other))
+  {
+    this->SetCoverage(mapper->Coverage);
+    this->SetCoverageArrayName(mapper->GetCoverageArrayName());
+    this->SetSoftness(mapper->Softness);
+    this->SetTextureScale(mapper->TextureScale);
+    this->SetTextureLength(mapper->TextureLength);
+    this->SetOpticalDepth(mapper->OpticalDepth);
+    this->SetUseThickness(mapper->UseThickness);
+    this->SetExtinction(mapper->Extinction);
+    this->SetDensityArrayName(mapper->GetDensityArrayName());
+    this->SetMaximumNumberOfLayers(mapper->MaximumNumberOfLayers);
+    this->SetRelief(mapper->Relief);
+    this->SetFirstCoordinatesName(mapper->GetFirstCoordinatesName());
+    this->SetSecondCoordinatesName(mapper->GetSecondCoordinatesName());
+  }
+}
+
+// The superclass draws polygonal data only: another mapper of this kind does, with the blocks as one.
+void vtkCloudTextureMapper::RenderPiece(vtkRenderer* renderer, vtkActor* actor)
+{
+  vtkInternals& own = *this->Internals;
+  if (!vtkCompositeDataSet::SafeDownCast(this->GetInputDataObject(0, 0)))
+  {
+    this->Superclass::RenderPiece(renderer, actor);
+    return;
+  }
+  if (!this->Static)
+  {
+    this->GetInputAlgorithm()->Update();
+  }
+  vtkPolyData* joined = own.Blocks.Join(vtkCompositeDataSet::SafeDownCast(this->GetInputDataObject(0, 0)));
+  if (!own.ForBlocks)
+  {
+    own.ForBlocks = vtkSmartPointer<vtkCloudTextureMapper>::New();
+  }
+  if (own.ForBlocksTime < this->GetMTime())
+  {
+    own.ForBlocks->ShallowCopy(this);
+    own.ForBlocks->SetInputData(joined);
+    own.ForBlocksTime = this->GetMTime();
+  }
+  if (own.ForBlocks->GetInput() != joined)
+  {
+    own.ForBlocks->SetInputData(joined);
+  }
+  if (joined->GetNumberOfPoints() > 0)
+  {
+    own.ForBlocks->RenderPiece(renderer, actor);
+  }
+}
+
 // The superclass has set CurrentInput to the input, updated; what follows draws the prepared surface in its place.
 void vtkCloudTextureMapper::RenderPieceStart(vtkRenderer* renderer, vtkActor* actor)
 {
@@ -178,6 +260,7 @@ void vtkCloudTextureMapper::RenderPieceDraw(vtkRenderer* renderer, vtkActor* act
     state->vtkglEnable(GL_CULL_FACE);
     state->vtkglCullFace(own.Thickness.FrontFacesAreFront() ? GL_BACK : GL_FRONT);
   }
+  own.Peels.BeforeDrawing(static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow()), actor);
   this->Superclass::RenderPieceDraw(renderer, actor);
   own.Thickness.Deactivate();
   own.Thresholds->Deactivate();
@@ -345,6 +428,10 @@ void vtkCloudTextureMapper::ReleaseGraphicsResources(vtkWindow* window)
     this->Internals->Thresholds = nullptr;
   }
   this->Internals->Thickness.ReleaseGraphicsResources(window);
+  if (this->Internals->ForBlocks)
+  {
+    this->Internals->ForBlocks->ReleaseGraphicsResources(window);
+  }
   this->Superclass::ReleaseGraphicsResources(window);
 }
 

@@ -132,6 +132,9 @@ public:
   const char* GetSecondCoordinatesName() const { return this->CoordinatesNames[1].c_str(); }
   ///@}
 
+  /** Also draws composite data sets: all their polygonal blocks as one surface. */
+  void RenderPiece(vtkRenderer* renderer, vtkActor* actor) override;
+  void ShallowCopy(vtkAbstractMapper* other) override;
   bool HasOpaqueGeometry() override { return false; }
   bool HasTranslucentPolygonalGeometry() override { return true; }
   void ReleaseGraphicsResources(vtkWindow* window) override;
@@ -140,6 +143,8 @@ protected:
   vtkCloudTextureMapper();
   ~vtkCloudTextureMapper() override;
 
+  int FillInputPortInformation(int port, vtkInformation* info) override;
+  void ComputeBounds() override;
   void RenderPieceStart(vtkRenderer* renderer, vtkActor* actor) override;
   void RenderPieceFinish(vtkRenderer* renderer, vtkActor* actor) override;
   void RenderPieceDraw(vtkRenderer* renderer, vtkActor* actor) override;

@@ -7,8 +7,11 @@ import os
 import unittest
 
 import numpy as np
-from cloud_bodies import BodyTestCase, box, opacity, sphere, stay_in_box, together, torus, wall
+from cloud_bodies import FACES, BodyTestCase, box, opacity, sphere, stay_in_box, together, torus, wall
 from cloud_sheets import sheet
+from nephoscope_testing import meshes
+from vtkmodules.vtkCommonDataModel import vtkImageData, vtkMultiBlockDataSet
+from vtkmodules.vtkCommonTransforms import vtkTransform
 
 LOW, HIGH = (-1.0, -0.8, -0.6), (0.9, 0.7, 0.5)
 
@@ -98,6 +101,28 @@ class Thickness(BodyTestCase):
                 self.assertTrue(all("MaximumNumberOfLayers" in m for m in window.messages.all))
 
 
+class Blocks(BodyTestCase):
+    def test_composite(self):
+        """Two halves of a box, each open where they meet, are one body; blocks of other kinds are left out."""
+        whole = box(LOW, HIGH)
+        data = vtkMultiBlockDataSet()
+        for i, faces in enumerate((FACES[:2], FACES[2:])):
+            data.SetBlock(i, meshes.surface(meshes.points_of(whole), faces))
+        data.SetBlock(2, vtkImageData())
+        window, scene, mapper, _ = self.bodies(whole)
+        mapper.SetInputDataObject(data)
+        for peeling in (False, True):
+            scene.renderer.SetUseDepthPeeling(peeling)
+            origins, directions, _ = self.rays(scene)
+            self.compare(self.draw(window), opacity(np.subtract(*stay_in_box(origins, directions, LOW, HIGH)[::-1])))
+        np.testing.assert_allclose(mapper.GetBounds(), np.stack([LOW, HIGH], -1).ravel())
+
+    def test_nothing(self):
+        window, _, mapper, _ = self.bodies(box(LOW, HIGH))
+        mapper.SetInputDataObject(vtkMultiBlockDataSet())
+        self.assertEqual(self.draw(window).max(), 0)
+
+
 class Density(BodyTestCase):
     def test_linear(self):
         """Exactly integrated where the density is linear in the body: also up to an opaque wall."""
@@ -151,7 +176,6 @@ class WhichSide(BodyTestCase):
             np.testing.assert_allclose(drawn, expected, atol=1.01 / 255, err_msg=way)
 
     def test_mirrored_camera(self):
-        from vtkmodules.vtkCommonTransforms import vtkTransform
         window, scene, _, _ = self.bodies(box(LOW, HIGH))
         expected = self.draw(window)
         mirror = vtkTransform()
