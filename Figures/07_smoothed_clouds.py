@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Figure 7: the surface of figure 6 after the 3 x 3 x 3 filter, with the same reach in metres at all latitudes.
 
-After figure 7 of Max, Crawfis and Becker (1993), without its haze. Writes the picture and the ParaView state that shows it again.
+After figure 7 of Max, Crawfis and Becker (1993). Writes the picture and the ParaView state that shows it again.
 """
 import os
 import sys

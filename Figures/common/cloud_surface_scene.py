@@ -49,12 +49,11 @@ def show_haze(view):
     return shown
 
 
-def picture(name, title, caption, iterations, haze=False):
+def picture(name, title, caption, iterations):
     pvs._DisableFirstRenderCameraReset()
     view = make_view(title)
     globe_scene.show_terrain(view, ambient=0.5, diffuse=1.0)
     show_surface(cloud_surface(globe_scene.read_forecast(EXAGGERATION), iterations), view)
     show_caption(view, caption)
-    if haze:
-        show_haze(view)
+    show_haze(view)
     globe_scene.save(name, view, SIZE)

@@ -75,7 +75,7 @@ float parameterAt(float depth)
   return (zFromDepth(depth) - positionVCGSOutput.z) / towardsEye;
 }
 
-// Light of the part of the ray between two parameters, without haze in front of it.
+// Light of the part of the ray between two parameters; without haze in front of it, but where there are contours.
 vec4 clearLightBetween(float uFront, float uBack, vec4 slope)
 {
   // (colour, opacity)
@@ -113,8 +113,11 @@ vec4 lightBetween(float uFront, float uBack, vec4 slope)
 {
   vec4 light = clearLightBetween(uFront, uBack, slope);
 #ifdef NEPHOSCOPE_HAZE
-  vec3 towardsEye = eyeVC.xyz - eyeVC.w * positionVCGSOutput;
-  light = hazedSegment(light, positionVCGSOutput + uFront * towardsEye, positionVCGSOutput + uBack * towardsEye);
+  if (!useContours)
+  {
+    vec3 towardsEye = eyeVC.xyz - eyeVC.w * positionVCGSOutput;
+    light = hazedSegment(light, positionVCGSOutput + uFront * towardsEye, positionVCGSOutput + uBack * towardsEye);
+  }
 #endif
   return light;
 }

@@ -175,12 +175,21 @@ vec4 integrateSegmentWithContours(vec2 front, vec2 back, float opticalScale, Con
     {
       end.x = value; // where a transfer function may jump
     }
-    result += (1.0 - result.a) * integrateSegment(start, end, (to - from) * opticalScale);
+    vec4 medium = integrateSegment(start, end, (to - from) * opticalScale);
+#ifdef NEPHOSCOPE_HAZE
+    vec3 endVC = mix(segment.positionFrontVC, segment.positionBackVC, to);
+    medium = hazedSegment(medium, mix(segment.positionFrontVC, segment.positionBackVC, from), endVC);
+#endif
+    result += (1.0 - result.a) * medium;
     if (atEnd)
     {
       break;
     }
-    result += (1.0 - result.a) * contourSurface(contour, segment, end, to);
+    vec4 surface = contourSurface(contour, segment, end, to);
+#ifdef NEPHOSCOPE_HAZE
+    surface = hazedLight(surface, endVC);
+#endif
+    result += (1.0 - result.a) * surface;
     current += direction;
     start = end;
     from = to;

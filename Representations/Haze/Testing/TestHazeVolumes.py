@@ -108,6 +108,33 @@ class Cells(ImageTestCase):
             np.testing.assert_array_equal(plain, off)
 
 
+    def test_contour_surfaces_where_they_are(self):
+        """A plane in cells of a quarter of the cube; what is drawn without haze is hazed at their distances."""
+        haze = HAZES["globe"]
+
+        def draw(hazed):
+            data = meshes.with_field(meshes.image((4,) * 3, (0.5,) * 3, (-1, -1, -1)), lambda p: 0.5 + 0.5 * p[:, 2])
+            mapper = nephoscope.vtkCellCompositingMapper()
+            mapper.SetContourValue(0, 0.55)
+            mapper.SetContourOpacity(0, 0.6)
+            mapper.SetContourColor(0, *COLOR)
+            mapper.ContourLightingOff()
+            window, scene, _ = hazed_scene(mapper, data, constant(0.0, COLOR), LOOKS["perspective"], haze if hazed else None)
+            window.render()
+            self.fail_on_messages(window)
+            return scene.view(), float_image(mapper)
+
+        view, plain = draw(False)
+        _, hazed = draw(True)
+        origins, directions, *_ = view.rays()
+        distance = (0.1 - origins[:, 2]) / directions[:, 2]
+        transparency = haze.transparency(origins, directions, distance).reshape(view.height, view.width)
+        alpha = plain[..., 3]
+        self.assertGreater((alpha > 0.5).sum(), 200)
+        expected = np.concatenate([alpha[..., None] * haze.over(plain[..., :3] / np.maximum(alpha, 1e-9)[..., None], transparency),
+                                   alpha[..., None]], axis=2)
+        self.check_float(hazed, expected, "contour", 2e-4)
+
     def test_earlier_methods_say_that_they_have_none(self):
         for method in ("Faces", "TrianglesTable", "TrianglesLinear"):
             data = meshes.with_field(meshes.image((2, 2, 2)), lambda p: np.full(len(p), 0.5))
