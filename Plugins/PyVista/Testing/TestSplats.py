@@ -63,6 +63,14 @@ class Accepted(Splats):
         wider = self.add(pyvista.PolyData([(1.0, 2, 3)]), None, color="white", radius=0.5, radius_factor=2)
         np.testing.assert_allclose(wider.bounds, (0, 2, 1, 3, 2, 4), atol=1e-3)
 
+    def test_sizes_of_particles(self):
+        pair = pyvista.PolyData([(0.0, 0, 0), (10.0, 0, 0)])
+        pair["edge"], pair["volume"] = [1.0, 2.0], [1.0, 8.0]
+        for options in ({"sizes": "edge"}, {"volumes": "volume"}):
+            bounds = self.add(pair, None, color="white", **options).bounds
+            np.testing.assert_allclose((bounds[0], bounds[1] - 10), (-1.556228, 2 * 1.556228), rtol=1e-4)
+        self.assertTrue(self.add(particles(), "mass", radius="neighbors").mapper.GetCellSizeFromNeighbors())
+
     def test_arrays(self):
         self.assertEqual(self.add(scalars="layer").mapper.GetScalarModeAsString(), "UseCellFieldData")
         self.assertEqual(self.add(scalars="layer", vectors="cell_wind").mapper.GetVectorArrayName(), "cell_wind")
@@ -111,6 +119,9 @@ class Refused(Splats):
         self.fails(ValueError, "without vector_scalars", vectors="wind", vector_cmap="jet")
         self.fails(ValueError, "both given", vectors="wind", vector_scalars="x", vector_color="red")
         self.fails(ValueError, "use radius_factor", radius=1)
+        self.fails(ValueError, "radius and sizes are both given", particles(), "mass", radius=1, sizes="mass")
+        self.fails(MissingDataError, "volumes: no array 'v'", particles(), "mass", volumes="v")
+        self.fails(ValueError, "radius is 'large'; it must be one of 'neighbors'", particles(), "mass", radius="large")
 
     def test_numbers_and_choices(self):
         for bad in (0, -1, np.nan, np.inf):

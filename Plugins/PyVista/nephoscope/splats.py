@@ -36,8 +36,8 @@ def add_splats(plotter: pyvista.BasePlotter, mesh: Any, scalars: str | np.ndarra
                clim: float | Sequence[float] | None = None, n_colors: int = 256, flip_scalars: bool = False,
                log_scale: bool = False, opacity_scalars: str | None = None,
                opacity_clim: float | Sequence[float] | None = None, opacity_scale: float = 1.0,
-               unit_distance: float | None = None, kernel: str = "cubic", radius: float | None = None,
-               radius_factor: float = 1.0, error_tolerance: float = 0.0, error_unit: str = "image",
+               unit_distance: float | None = None, kernel: str = "cubic", radius: float | str | None = None,
+               sizes: str | None = None, volumes: str | None = None, radius_factor: float = 1.0, error_tolerance: float = 0.0, error_unit: str = "image",
                error_measure: str = "picture", interactive_splats: int = 100_000,
                vectors: str | None = None, vector_style: str = "streaks", vector_placement: str = "middle",
                vector_opacity: float = 2.0, vector_color: Any = None, vector_scalars: str | None = None,
@@ -72,9 +72,12 @@ def add_splats(plotter: pyvista.BasePlotter, mesh: Any, scalars: str | np.ndarra
         the number of samples.
     kernel : {"cubic", "quadratic", "gaussian"}, default: "cubic"
         Cubic for samples in space, quadratic for one flat sheet that is seen from the front, gaussian for comparison.
-    radius : float, optional
-        Of the splats of particles and unstructured points, in units of length, > 0. Default: 1.56 times the mean spacing. An
-        error on structured grids, whose splats have the shape of their cells.
+    radius : float or "neighbors", optional
+        Of the splats of particles and unstructured points, in units of length, > 0; or 1.56 times the mean spacing of each point's nearest
+        neighbours. Default: as large as the cells around, without cells 1.56 times the mean spacing of all. An error on
+        structured grids, whose splats have the shape of their cells.
+    sizes, volumes : str, optional
+        In place of `radius`: array, on points or cells as the scalars are, of the edge or the volume of the cube that each sample stands for.
     radius_factor : float, default: 1.0
         How many times as wide as for its cell a splat is, on any data, 0.01 to 100. Its mass stays.
     error_tolerance : float, default: 0.0
@@ -142,7 +145,10 @@ def add_splats(plotter: pyvista.BasePlotter, mesh: Any, scalars: str | np.ndarra
     if opacity_scalars is not None:
         require_beside_scalars(mesh, opacity_scalars, association, "opacity_scalars")
     mapper = TexturedSplatMapper()
-    _set_shape(mapper, mesh, kernel, radius, radius_factor)
+    choose({"cubic": mapper.SetKernelToCubic, "quadratic": mapper.SetKernelToQuadratic,
+            "gaussian": mapper.SetKernelToGaussian}, kernel, "kernel")
+    mapper.SetRadiusFactor(require_number(radius_factor, "radius_factor", least=0.01, most=100))
+    _set_sizes(mapper, mesh, association, {"radius": radius, "sizes": sizes, "volumes": volumes}, KERNEL_RADII[kernel])
     _set_hierarchy(mapper, error_tolerance, error_unit, error_measure, interactive_splats)
     Vectors(vectors, vector_style, vector_placement, vector_opacity, vector_color, vector_scalars, vector_cmap, vector_clim,
             greatest_speed, streak_period, phase_cycles).apply(mapper, plotter, mesh, association)
@@ -167,16 +173,26 @@ def _spacing(mesh: pyvista.DataSet, association: str) -> float:
     return mesh.length / np.cbrt(mesh.n_points if association == "point" else mesh.n_cells)
 
 
-def _set_shape(mapper: TexturedSplatMapper, mesh: pyvista.DataSet, kernel: str, radius: float | None, factor: float) -> None:
-    choose({"cubic": mapper.SetKernelToCubic, "quadratic": mapper.SetKernelToQuadratic,
-            "gaussian": mapper.SetKernelToGaussian}, kernel, "kernel")
-    mapper.SetRadiusFactor(require_number(factor, "radius_factor", least=0.01, most=100))
-    if radius is None:
+def _set_sizes(mapper: TexturedSplatMapper, mesh: pyvista.DataSet, association: str, options: dict[str, Any], kernel_radius: float) -> None:
+    given = {name: value for name, value in options.items() if value is not None}
+    if not given:
         return
+    if len(given) > 1:
+        raise ValueError(f"{' and '.join(given)} are both given; splats have one size.")
+    name, value = given.popitem()
     if isinstance(mesh, (vtkImageData, vtkRectilinearGrid, vtkStructuredGrid)):
-        raise ValueError(f"radius is {radius!r}, but splats of a {type(mesh).__name__} have the shape of its cells: "
+        raise ValueError(f"{name} is {value!r}, but splats of a {type(mesh).__name__} have the shape of its cells: "
                          "use radius_factor, in cells.")
-    mapper.SetCellSize(require_number(radius, "radius", above=0) / KERNEL_RADII[kernel])
+    if name == "radius":
+        if isinstance(value, str):
+            choose({"neighbors": mapper.CellSizeFromNeighborsOn}, value, "radius")
+            mapper.CellSizeFromCellsOff()
+        else:
+            mapper.SetCellSize(require_number(value, "radius", above=0) / kernel_radius)
+        return
+    require_beside_scalars(mesh, value, association, name)
+    mapper.SetCellSizeArrayName(value)
+    mapper.SetCellSizeArrayHoldsVolumes(name == "volumes")
 
 
 def _set_hierarchy(mapper: TexturedSplatMapper, tolerance: float, unit: str, measure: str, interactive_splats: int) -> None:
