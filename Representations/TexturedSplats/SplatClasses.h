@@ -27,7 +27,7 @@ struct SplatClasses
 
 /**
  * `scalars.Array` gives the colour, `opacity.Array`, or the same one if it is null, the extinction. Values that are not finite are
- * not seen. `keepTransparent`: samples without extinction stay too, for their vectors.
+ * not seen, nor samples with at most a millionth of the greatest extinction. `keepTransparent`: samples without extinction stay too, for their vectors.
  */
 SplatClasses ClassifySplats(vtkDataSet* data, const SplatSamples& samples,
   const ScalarSelection& scalars, const ScalarSelection& opacity, vtkVolumeProperty* property,

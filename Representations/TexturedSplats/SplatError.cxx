@@ -111,6 +111,8 @@ public:
     , Rule(rule)
     , View(view)
   {
+    const SplatVector eye = Times(view.ToWorld, SplatVector{ { view.Eye[0], view.Eye[1], view.Eye[2] } });
+    std::copy(eye.begin(), eye.end(), this->View.Eye.begin());
   }
 
   std::vector<float> Find() const
@@ -133,6 +135,16 @@ public:
   }
 
 private:
+  SplatVector Place(const std::array<float, 3>& place) const
+  {
+    return Times(this->View.ToWorld, toDouble(place));
+  }
+
+  SplatMatrix Cell(const std::array<std::array<float, 3>, 3>& jacobian) const
+  {
+    return Product(this->View.ToWorld, toDouble(jacobian));
+  }
+
   template <typename Body>
   void ForNodes(Body body) const
   {
@@ -150,20 +162,20 @@ private:
     if (!this->Tree.IsLeaf(splat))
     {
       const SplatTreeNode& node = this->Tree.Node(splat);
-      return screen.PictureOf(toDouble(node.Position), toDouble(node.Jacobian), node.Color);
+      return screen.PictureOf(this->Place(node.Position), this->Cell(node.Jacobian), node.Color);
     }
     const auto leaf = static_cast<std::size_t>(splat);
     const auto sample = static_cast<std::size_t>(this->Classes.Samples[leaf]);
-    return screen.PictureOf(toDouble(this->Samples.Positions[sample]),
-      toDouble(this->Samples.JacobianOf(sample)), this->Classes.Colors[leaf]);
+    return screen.PictureOf(this->Place(this->Samples.Positions[sample]),
+      this->Cell(this->Samples.JacobianOf(sample)), this->Classes.Colors[leaf]);
   }
 
   // The integral over the screen of the square of what a node differs from its children.
   double OwnSquare(const SplatTreeNode& node) const
   {
-    const Screen screen(toDouble(node.Position), this->View);
+    const Screen screen(this->Place(node.Position), this->View);
     const Picture one =
-      screen.PictureOf(toDouble(node.Position), toDouble(node.Jacobian), node.Color);
+      screen.PictureOf(this->Place(node.Position), this->Cell(node.Jacobian), node.Color);
     std::array<Picture, 8> pictures;
     std::vector<Picture> more; // of many samples in one place
     const std::int32_t* begin = this->Tree.BeginChildren(node);
@@ -197,9 +209,9 @@ private:
 
   double OfImage(const SplatTreeNode& node, double square) const
   {
-    const Screen screen(toDouble(node.Position), this->View);
-    const SplatMatrix jacobian = toDouble(node.Jacobian);
-    const Picture picture = screen.PictureOf(toDouble(node.Position), jacobian, node.Color);
+    const Screen screen(this->Place(node.Position), this->View);
+    const SplatMatrix jacobian = this->Cell(node.Jacobian);
+    const Picture picture = screen.PictureOf(this->Place(node.Position), jacobian, node.Color);
     const double perArea = Overlap(picture, picture);
     const bool greatest = this->Rule.As == SplatErrorRule::Measure::Greatest;
     const double vector = this->Rule.Vector * node.Span *
@@ -226,8 +238,8 @@ private:
 
   float InView(const SplatTreeNode& node, double error) const
   {
-    const Screen screen(toDouble(node.Position), this->View);
-    const double reach = this->Rule.KernelRadius * node.LongestEdge;
+    const Screen screen(this->Place(node.Position), this->View);
+    const double reach = this->Rule.KernelRadius * LargestStretch(this->Cell(node.Jacobian));
     if (this->View.Eye[3] != 0)
     {
       const double outside = (screen.Distance / (aroundEye * reach) - 1) / transition;
@@ -246,7 +258,7 @@ private:
   const SplatSamples& Samples;
   const SplatClasses& Classes;
   const SplatErrorRule& Rule;
-  const SplatCutView& View;
+  SplatCutView View; // with the eye in the world
 };
 }
 

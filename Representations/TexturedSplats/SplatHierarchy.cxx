@@ -3,6 +3,7 @@
 #include "SplatHierarchy.h"
 
 #include "SplatClasses.h"
+#include "SplatRanges.h"
 #include "SplatSamples.h"
 #include "SplatVectorScene.h"
 #include "ViewState.h"
@@ -27,20 +28,14 @@ auto asTuple(const SplatCutRule& r)
 
 auto asTuple(const SplatCutView& v)
 {
-  return std::make_tuple(v.Eye, v.Pixel);
+  return std::make_tuple(v.Eye, v.Pixel, v.ToWorld);
 }
 }
 
-double WorldPerModel(const ViewState& state)
-{
-  return std::cbrt(std::abs(state.ModelToView->Determinant()));
-}
-
-SplatCutView FindCutView(const ViewState& state, int pixelsHigh)
+SplatCutView FindCutView(const ViewState& state, vtkMatrix4x4* modelToWorld, int pixelsHigh)
 {
   const double perUnit = std::abs(state.ViewToDevice->GetElement(1, 1)) * pixelsHigh / 2;
-  const bool parallel = state.EyeModel[3] == 0;
-  return { state.EyeModel, 1 / (parallel ? perUnit * WorldPerModel(state) : perUnit) };
+  return { state.EyeModel, 1 / perUnit, LinearPart(modelToWorld) };
 }
 
 void SplatHierarchy::Invalidate()

@@ -13,6 +13,8 @@
 #include <string>
 #include <vector>
 
+class vtkMatrix4x4;
+
 namespace nephoscope
 {
 
@@ -21,10 +23,7 @@ class SplatVectorScene;
 struct SplatSamples;
 struct ViewState;
 
-/** Length in the world of a length of 1 of the volume's own coordinates. */
-double WorldPerModel(const ViewState& state);
-
-SplatCutView FindCutView(const ViewState& state, int pixelsHigh);
+SplatCutView FindCutView(const ViewState& state, vtkMatrix4x4* modelToWorld, int pixelsHigh);
 
 class SplatHierarchy
 {

@@ -44,6 +44,11 @@ inline SplatVector Times(const SplatMatrix& m, const SplatVector& v)
   return product;
 }
 
+inline SplatMatrix Product(const SplatMatrix& m, const SplatMatrix& n)
+{
+  return { { Times(m, n[0]), Times(m, n[1]), Times(m, n[2]) } };
+}
+
 inline double Determinant(const SplatMatrix& m)
 {
   return Dot(m[0], Cross(m[1], m[2]));

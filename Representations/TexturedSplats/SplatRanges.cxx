@@ -58,18 +58,22 @@ double largestSlope(vtkMatrix4x4* viewToDevice)
 }
 }
 
-SplatMatrix ToViewMatrix(const SceneView& view)
+SplatMatrix LinearPart(vtkMatrix4x4* from)
 {
   SplatMatrix matrix;
   for (std::size_t column = 0; column < 3; ++column)
   {
     for (std::size_t row = 0; row < 3; ++row)
     {
-      matrix[column][row] =
-        view.ModelToView->GetElement(static_cast<int>(row), static_cast<int>(column));
+      matrix[column][row] = from->GetElement(static_cast<int>(row), static_cast<int>(column));
     }
   }
   return matrix;
+}
+
+SplatMatrix ToViewMatrix(const SceneView& view)
+{
+  return LinearPart(view.ModelToView);
 }
 
 SplatMetric MetricOf(const SplatMatrix& toView)

@@ -13,6 +13,8 @@
 #include <cstdint>
 #include <vector>
 
+class vtkMatrix4x4;
+
 namespace nephoscope
 {
 
@@ -70,7 +72,8 @@ inline double SquareExcess(const SplatMatrix& jacobian)
   return determinant > 0.0 ? std::max(xx, yy) / std::sqrt(determinant) : 1.0;
 }
 
-/** The linear part of the transform to view coordinates. */
+/** The linear part of a transform, and of that to view coordinates. */
+SplatMatrix LinearPart(vtkMatrix4x4* matrix);
 SplatMatrix ToViewMatrix(const SceneView& view);
 
 /** Of the world, for positions that such a matrix takes there. */

@@ -6,10 +6,12 @@
 #include "SplatKernel.h"
 #include "SplatLayers.h"
 #include "SplatPass.h"
+#include "SplatVectorBounds.h"
 #include "ViewState.h"
 
 #include "vtkDataArray.h"
 #include "vtkDataSet.h"
+#include "vtkDataSetAttributes.h"
 #include "vtkVolumeProperty.h"
 
 namespace nephoscope
@@ -24,15 +26,26 @@ auto keyOf(vtkDataSet* input, const SplatSampling& sampling)
 }
 }
 
-const double* SplatScene::UpdateBounds(vtkDataSet* input, const SplatSampling& sampling, int kernel)
+const double* SplatScene::UpdateBounds(vtkDataSet* input, const SplatSampling& sampling, int kernel,
+  const std::string& vectorArrayName, const VectorLook& look)
 {
-  const BoundsKey key(keyOf(input, sampling), kernel);
+  const BoundsKey key(keyOf(input, sampling), kernel, vectorArrayName, look.Segments, look.Unit,
+    look.StreakPeriod, look.SegmentLength);
   if (key != this->BoundsOf)
   {
     this->BoundsOf = key;
     withThreads([&]() {
-      FindSplatBounds(
-        SplatShapes(input, sampling), KernelRadius(static_cast<SplatKernel>(kernel)), this->Bounds);
+      const SplatShapes shapes(input, sampling);
+      const double radius = KernelRadius(static_cast<SplatKernel>(kernel));
+      FindSplatBounds(shapes, radius, this->Bounds);
+      vtkDataArray* vectors = vectorArrayName.empty()
+        ? nullptr
+        : input->GetAttributes(sampling.OnCells ? vtkDataObject::CELL : vtkDataObject::POINT)
+            ->GetArray(vectorArrayName.c_str());
+      VectorLook found = look;
+      found.Unit =
+        look.Unit > 0 ? look.Unit : SumVectors(shapes, vectors).MeanCell() / sampling.RadiusFactor;
+      AddVectorBounds(shapes, vectors, found, radius, this->Bounds);
     });
   }
   return this->Bounds;

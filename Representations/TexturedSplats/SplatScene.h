@@ -12,6 +12,7 @@
 #include "SplatHierarchy.h"
 #include "SplatOrder.h"
 #include "SplatRanges.h"
+#include "SplatReach.h"
 #include "SplatSamples.h"
 #include "SplatVectorScene.h"
 
@@ -40,8 +41,9 @@ struct SplatFields
 class SplatScene
 {
 public:
-  /** Bounds of all that is drawn. */
-  const double* UpdateBounds(vtkDataSet* input, const SplatSampling& sampling, int kernel);
+  /** Bounds of all that is drawn. The unit of `look` may be 0: it is found as for drawing. */
+  const double* UpdateBounds(vtkDataSet* input, const SplatSampling& sampling, int kernel,
+    const std::string& vectorArrayName, const VectorLook& look);
 
   /** Samples, classes and vectors. Returns an empty string, or what is wrong. */
   std::string Update(vtkDataSet* input, const SplatSampling& sampling, const SplatFields& fields,
@@ -84,7 +86,7 @@ private:
   using SampleKey =
     std::tuple<vtkDataSet*, vtkMTimeType, bool, double, std::string, double, SplatFrame, std::string, bool, bool, bool>;
   using ClassKey = std::tuple<vtkDataArray*, vtkDataArray*, int, vtkMTimeType, vtkMTimeType, bool>;
-  using BoundsKey = std::tuple<SampleKey, int>;
+  using BoundsKey = std::tuple<SampleKey, int, std::string, bool, double, double, double>;
   using LayerKey = std::tuple<bool, int, std::size_t>;
 
   // Places, and the numbers of those among them that are drawn.

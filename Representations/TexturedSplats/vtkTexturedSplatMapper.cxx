@@ -78,8 +78,11 @@ double* vtkTexturedSplatMapper::GetBounds()
     vtkAbstractMapper::GetScalars(
       input, this->ScalarMode, this->ArrayAccessMode, this->ArrayId, this->ArrayName, cellFlag);
     const nephoscope::SplatSampling sampling = this->GetSampling(cellFlag == 1);
-    std::copy_n(
-      this->Internals->Scene.UpdateBounds(input, sampling, this->Kernel), 6, this->Bounds);
+    const nephoscope::VectorLook look{ this->VectorStyle == SEGMENTS, this->VectorUnit,
+      this->StreakPeriod, this->SegmentLength };
+    std::copy_n(this->Internals->Scene.UpdateBounds(
+                  input, sampling, this->Kernel, this->VectorArrayName, look),
+      6, this->Bounds);
   }
   return this->Bounds;
 }
@@ -255,7 +258,7 @@ void vtkTexturedSplatMapper::SelectSplats(
   errors.As = static_cast<nephoscope::SplatErrorRule::Measure>(this->ErrorMeasure);
   errors.OfImage = this->ErrorToleranceUnit == UNIT_OF_IMAGE;
   errors.Extinction = errors.OfImage
-    ? this->GetExtinctionFactor() * nephoscope::WorldPerModel(state)
+    ? this->GetExtinctionFactor()
     : this->OpacityScale * volume->GetProperty()->GetScalarOpacityUnitDistance();
   errors.KernelRadius =
     nephoscope::KernelRadius(static_cast<nephoscope::SplatKernel>(this->Kernel));
@@ -270,7 +273,7 @@ void vtkTexturedSplatMapper::SelectSplats(
   rule.Blend = this->LevelBlending;
   rule.MostSplats = static_cast<std::size_t>(most);
   this->Internals->Scene.DrawNodes(
-    errors, rule, nephoscope::FindCutView(state, renderer->GetSize()[1]), this->VectorArrayName);
+    errors, rule, nephoscope::FindCutView(state, volume->GetMatrix(), renderer->GetSize()[1]), this->VectorArrayName);
 }
 
 std::string vtkTexturedSplatMapper::DrawScene(

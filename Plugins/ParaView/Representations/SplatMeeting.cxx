@@ -4,6 +4,7 @@
 
 #include "SplatPieces.h"
 #include "SplatShapes.h"
+#include "SplatVectorBounds.h"
 
 #include "vtkAppendFilter.h"
 #include "vtkBoundingBox.h"
@@ -37,34 +38,6 @@ vtkMultiProcessController* world()
 SplatShapes shapesOf(vtkDataSet* vertices)
 {
   return SplatShapes(vertices, { true, 1.0, splatShapeName }); // the size is not used
-}
-
-// Speed and cells along the vectors of this rank.
-struct VectorSums
-{
-  double Greatest = 0, Cells = 0, Count = 0;
-};
-
-VectorSums sumVectors(const SplatShapes& shapes, vtkDataArray* vectors)
-{
-  VectorSums sums;
-  if (!vectors || vectors->GetNumberOfComponents() != 3)
-  {
-    return sums;
-  }
-  for (vtkIdType id = 0; id < shapes.GetNumberOfIds(); ++id)
-  {
-    SplatVector v;
-    vectors->GetTuple(id, v.data());
-    const double speed = Length(v);
-    if (speed > 0 && std::isfinite(speed))
-    {
-      sums.Greatest = std::max(sums.Greatest, speed);
-      sums.Cells += ReachAlong(shapes.Jacobian(id), v);
-      ++sums.Count;
-    }
-  }
-  return sums;
 }
 
 bool fillsBox(const std::vector<vtkBoundingBox>& boxes, const vtkBoundingBox& all)
@@ -204,7 +177,7 @@ SplatCommons findSplatCommons(vtkDataSet* vertices, const std::string& vectors)
     mine.AddPoint(shapes.Place(id).data());
     longest = std::max(longest, LargestStretch(shapes.Jacobian(id)));
   }
-  const VectorSums sums = sumVectors(
+  const VectorSums sums = SumVectors(
     shapes, vectors.empty() ? nullptr : vertices->GetCellData()->GetArray(vectors.c_str()));
   const double local[3] = { longest, sums.Greatest, static_cast<double>(shapes.GetNumberOfIds()) };
   const double localSums[2] = { sums.Cells, sums.Count };

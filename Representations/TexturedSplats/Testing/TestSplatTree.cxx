@@ -261,6 +261,46 @@ TEST(SplatTree, SplatsOneBehindTheOtherMakeNoError)
   EXPECT_EQ(errorFrom({ { 0, 0, 2, 1 } }), std::numeric_limits<float>::infinity());
 }
 
+// An actor that stretches: the errors are those of stretched data.
+TEST(SplatTree, ErrorsAreThoseOfTheWorld)
+{
+  Random random(40);
+  const SplatMatrix stretch{ { { { 0.7, 0, 0 } }, { { 0.2, 1.6, 0 } }, { { 0, -0.3, 1.1 } } } };
+  const auto stretched = [&](const std::array<float, 3>& v) {
+    const SplatVector w = Times(stretch, SplatVector{ { v[0], v[1], v[2] } });
+    return std::array<float, 3>{ { float(w[0]), float(w[1]), float(w[2]) } };
+  };
+  Scene scene = makeScene(random, { { 1, 2, 1 } }, true, 0.0); // one node, whatever the shape
+  const SplatTree tree = treeOf(scene);
+  Scene other = scene;
+  for (auto& place : other.Samples.Positions)
+  {
+    place = stretched(place);
+  }
+  for (auto& column : other.Samples.Jacobians[0])
+  {
+    column = stretched(column);
+  }
+  const SplatTree otherTree = treeOf(other);
+  const SplatVector eye{ { 3, 7, 12 } };
+  const SplatVector otherEye = Times(stretch, eye);
+  for (const double place : { 0.0, 1.0 }) // at infinity or not
+  {
+    SplatErrorRule rule;
+    for (const auto as : { SplatErrorRule::Measure::Greatest, SplatErrorRule::Measure::RootMeanSquare,
+           SplatErrorRule::Measure::Picture })
+    {
+      rule.As = as;
+      const float found = FindSplatErrors(tree, scene.Samples, scene.Classes, rule,
+        { { { eye[0], eye[1], eye[2], place } }, 0.01, stretch })[0];
+      const float expected = FindSplatErrors(otherTree, other.Samples, other.Classes, rule,
+        { { { otherEye[0], otherEye[1], otherEye[2], place } }, 0.01 })[0];
+      EXPECT_GT(expected, 0.01);
+      EXPECT_NEAR(found / expected, 1.0, 1e-4);
+    }
+  }
+}
+
 TEST(SplatTree, EveryCutKeepsMassAndEmissionAndHoldsEveryLeafOnce)
 {
   Random random(32);

@@ -1,0 +1,76 @@
+// SPDX-FileCopyrightText: The Nephoscope authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "SplatVectorBounds.h"
+
+#include "vtkDataArray.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace nephoscope
+{
+namespace
+{
+// Calls work(id, vector) for all samples that have one.
+template <typename Work>
+void forVectors(const SplatShapes& shapes, vtkDataArray* vectors, Work work)
+{
+  if (!vectors || vectors->GetNumberOfComponents() != 3 ||
+    vectors->GetNumberOfTuples() != shapes.GetNumberOfIds())
+  {
+    return;
+  }
+  for (vtkIdType id = 0; id < shapes.GetNumberOfIds(); ++id)
+  {
+    SplatVector v;
+    vectors->GetTuple(id, v.data());
+    const double speed = Length(v);
+    if (speed > 0 && std::isfinite(speed) && shapes.IsVisible(id))
+    {
+      work(id, v);
+    }
+  }
+}
+
+// From the centre of a sample along an axis.
+double reachOf(const SplatMatrix& jacobian, const SplatVector& v, const VectorLook& look,
+  double kernelRadius, std::size_t axis)
+{
+  if (look.Segments)
+  {
+    const double cell =
+      std::abs(jacobian[0][axis]) + std::abs(jacobian[1][axis]) + std::abs(jacobian[2][axis]);
+    return 0.5 * (cell + look.SegmentLength * look.Unit * std::abs(v[axis]) / Length(v));
+  }
+  const SplatMatrix j = LengthenedCell(jacobian, v, look);
+  return kernelRadius * Length({ { j[0][axis], j[1][axis], j[2][axis] } });
+}
+}
+
+VectorSums SumVectors(const SplatShapes& shapes, vtkDataArray* vectors)
+{
+  VectorSums sums;
+  forVectors(shapes, vectors, [&](vtkIdType id, const SplatVector& v) {
+    sums.Greatest = std::max(sums.Greatest, Length(v));
+    sums.Cells += ReachAlong(shapes.Jacobian(id), v);
+    ++sums.Count;
+  });
+  return sums;
+}
+
+void AddVectorBounds(const SplatShapes& shapes, vtkDataArray* vectors, const VectorLook& look,
+  double kernelRadius, double bounds[6])
+{
+  forVectors(shapes, vectors, [&](vtkIdType id, const SplatVector& v) {
+    const SplatVector place = shapes.Place(id);
+    const SplatMatrix jacobian = shapes.Jacobian(id);
+    for (std::size_t axis = 0; axis < 3 && std::isfinite(place[0] + place[1] + place[2]); ++axis)
+    {
+      const double reach = reachOf(jacobian, v, look, kernelRadius, axis);
+      bounds[2 * axis] = std::min(bounds[2 * axis], place[axis] - reach);
+      bounds[2 * axis + 1] = std::max(bounds[2 * axis + 1], place[axis] + reach);
+    }
+  });
+}
+
+} // namespace nephoscope

@@ -1,0 +1,130 @@
+# SPDX-FileCopyrightText: The Nephoscope authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""What of the input is drawn, where and how far it reaches: transparent samples, actors that stretch, bounds."""
+import unittest
+
+import nephoscope
+import numpy as np
+from nephoscope_testing import meshes
+from nephoscope_testing.checks import ImageTestCase
+from nephoscope_testing.offscreen import Window, float_image
+from nephoscope_testing.transfer import Transfer
+
+RAMP = Transfer([(0, 1, 0.2, 0.1), (1, 0.1, 0.3, 1)], [(0, 0), (1, 0.8)])
+STRETCH = np.array([[0.4, 0, 0, 1], [0, 2.5, 0, -2], [0.3, 0, 1, 0.5], [0, 0, 0, 1.0]])
+SIZE = (11, 9, 8)
+
+
+def winds(points):
+    x, y, z = points.T
+    return np.stack([1 + 0.1 * y, 0.7 * np.sin(x), 0.3 + 0.1 * z], 1)
+
+
+def block(bend=None, size=SIZE):
+    """A structured grid, and what it holds; `bend` moves its points and turns its vectors."""
+    data = meshes.structured(size, lambda p: p * (np.array(size) - 1) - (np.array(size) - 1) / 2)
+    points = meshes.points_of(data)
+    values = np.maximum(0, np.sin(points[:, 0]) * np.cos(0.7 * points[:, 1] + points[:, 2]))
+    vectors = winds(points)
+    if bend is not None:
+        data = meshes.structured(size, lambda p: bend[:3, 3] + (p * (np.array(size) - 1) - (np.array(size) - 1) / 2) @ bend[:3, :3].T)
+        vectors = vectors @ bend[:3, :3].T
+    meshes.add_array(data.GetPointData(), values)
+    meshes.add_array(data.GetPointData(), vectors, "v")
+    return data
+
+
+class Scenes(ImageTestCase):
+    def draw(self, data, configure=None, matrix=None, look=None, transfer=RAMP):
+        window = Window((120, 100))
+        scene = window.add_scene()
+        mapper = nephoscope.vtkTexturedSplatMapper()
+        if configure:
+            configure(mapper)
+        scene.add_volume(mapper, data, transfer, matrix=matrix)
+        (look or (lambda s: s.look((14, 18, 22), (0, 0, 0), angle=50)))(scene)
+        window.render()
+        self.fail_on_messages(window)
+        return mapper, float_image(mapper)
+
+    def test_transparent_samples_are_not_drawn(self):
+        """At the foot of a ramp of opacity samples cost nothing, and the picture is that of the others alone."""
+        for least in (0.0, -0.1, -0.3, -0.45, -0.7, -1.1):  # the ramp's foot is amid the range
+            self.check_foot_of_ramp(least, RAMP)
+            self.check_foot_of_ramp(least, Transfer([(0, 1, 0.2, 0.1), (1, 0.1, 0.3, 1)], [(-2, 0), (0, 0), (1, 0.8)]))
+
+    def check_foot_of_ramp(self, least, transfer):
+        data = block()
+        array = data.GetPointData().GetArray("s")
+        array.SetValue(0, least)
+        values = np.array([array.GetValue(i) for i in range(data.GetNumberOfPoints())])
+        for i in np.flatnonzero(values == 0)[::2]:
+            array.SetValue(i, 1e-7)  # half of a millionth of the greatest
+        mapper, image = self.draw(data, transfer=transfer)
+        self.assertEqual(mapper.GetNumberOfSamples(), np.count_nonzero(values > 0))
+        self.assertLess(mapper.GetNumberOfSamples(), 0.7 * len(values))
+        ghosts = data.AllocatePointGhostArray()
+        for i, value in enumerate(values):
+            ghosts.SetValue(i, 0 if value > 0 else 2)  # hidden
+        _, alone = self.draw(data, transfer=transfer)
+        self.check_float(image, alone, "without the transparent", 1e-6)
+
+    def test_transparent_samples_keep_their_vectors(self):
+        data = block()
+        mapper, _ = self.draw(data, lambda m: m.SetVectorArrayName("v"))
+        self.assertEqual(mapper.GetNumberOfSamples(), data.GetNumberOfPoints())
+
+    def test_bounds_hold_streaks_and_segments(self):
+        """Nothing is drawn outside of the bounds as the camera sees them, and something near each side."""
+        points = np.array([[0, 0, 0], [1, 0.3, 0.2]])
+        for style in (0, 1):
+            data = meshes.particles(points)
+            meshes.add_array(data.GetPointData(), np.ones(2))
+            meshes.add_array(data.GetPointData(), np.array([[1, 2, 0.5], [1, 2, 0.5]]), "v")
+
+            def vectors(mapper):
+                mapper.SetVectorArrayName("v")
+                mapper.SetVectorStyle(style)
+                mapper.SetCellSize(0.2)
+                mapper.SetStreakPeriod(12)
+                mapper.SetSegmentLength(10)
+                mapper.SetVectorOpacity(50)
+            mapper, image = self.draw(data, vectors, look=lambda s: s.look((0, 0, 20), (0, 0, 0), parallel_scale=3))
+            shown = np.argwhere(image[..., 3] > 1e-3)
+            pixel = 6 / image.shape[0]
+            seen = np.array([shown[:, 1].min() - 60, shown[:, 1].max() - 59, shown[:, 0].min() - 50, shown[:, 0].max() - 49]) * pixel
+            bounds = np.array(mapper.GetBounds())[:4]
+            print(f"  style {style}: seen {seen}, bounds {bounds}")
+            outside = (bounds - seen) * np.array([1, -1, 1, -1])
+            self.assertLess(outside.max(), 3 * pixel)  # lines are some pixels wide
+            self.assertGreater(outside.min(), -0.35)
+
+    def check_stretch(self, label, configure=None, tolerance=2e-5):
+        """An actor that stretches and shears is the data stretched and sheared."""
+        for view, look in (("perspective", lambda s: s.look((9, 15, 18), (1, -2, 0.5), angle=50)),
+                           ("parallel", lambda s: s.look((9, 15, 18), (1, -2, 0.5), parallel_scale=9))):
+            first, by_actor = self.draw(block(), configure, STRETCH, look)
+            second, by_data = self.draw(block(STRETCH), configure, None, look)
+            self.assertGreater(by_data[..., 3].max(), 0.5)
+            self.check_float(by_actor, by_data, f"{label}, {view}", tolerance)
+            self.assertLessEqual(abs(first.GetNumberOfDrawnSplats() - second.GetNumberOfDrawnSplats()),
+                                 0.01 * second.GetNumberOfDrawnSplats())
+        return second
+
+    def test_stretched_actor(self):
+        self.check_stretch("samples")
+
+    def test_stretched_actor_in_layers(self):
+        """The stretch decides which axis faces the eye."""
+        def segments(mapper):
+            mapper.SetVectorArrayName("v")
+            mapper.SetVectorStyleToSegments()
+            mapper.SetVectorPlacementToLayers()
+            mapper.SetSegmentLength(1e-6)  # vectors are stretched, too: dots are alike
+            mapper.SetGreatestSpeed(1e-3)
+            mapper.SetVectorUnit(1)
+        self.check_stretch("layers", segments, 1e-4)
+
+
+if __name__ == "__main__":
+    unittest.main()
