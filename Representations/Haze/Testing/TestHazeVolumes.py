@@ -32,9 +32,13 @@ def box_ends(origins, directions):
 
 
 def expected_cube(view, extinction, haze):
-    """Emission of one colour all along the ray, each piece dimmed by the medium in front and hazed where it is."""
+    near, far = box_ends(*view.rays()[:2])
+    return expected_medium(view, extinction, haze, near, far)
+
+
+def expected_medium(view, extinction, haze, near, far):
+    """Emission of one colour from near to far, each piece dimmed by the medium in front and hazed where it is."""
     origins, directions, *_ = view.rays()
-    near, far = box_ends(origins, directions)
     nodes, weights = np.polynomial.legendre.leggauss(48)
     light = np.zeros((len(near), 3))
     for node, weight in zip(nodes, weights):
@@ -107,6 +111,32 @@ class Cells(ImageTestCase):
             plain, off = (self.draw(3, 0.7, LOOKS["perspective"], haze, method)[1] for haze in (None, Haze(0.0, 1.0)))
             np.testing.assert_array_equal(plain, off)
 
+
+    def test_around_a_peeled_surface(self):
+        """As ParaView draws: the medium in front of a translucent surface, the surface, and the medium behind it."""
+        haze, color, opacity = HAZES["flat"], np.array((0.1, 0.8, 0.3)), 0.5
+        for method in ("Rays", "Cells"):
+            data = meshes.with_field(meshes.image((8,) * 3, (0.25,) * 3, (-1, -1, -1)), lambda p: np.full(len(p), 0.5))
+            mapper = nephoscope.vtkCellCompositingMapper()
+            getattr(mapper, "SetMethodTo" + method)()
+            window, scene, _ = hazed_scene(mapper, data, constant(0.7, COLOR), LOOKS["perspective"], haze)
+            corners = np.array([(-5, -5, 0.1), (5, -5, 0.1), (5, 5, 0.1), (-5, 5, 0.1)])
+            scene.add_opaque(meshes.surface(corners, np.array([[0, 1, 2, 3]])), color).GetProperty().SetOpacity(opacity)
+            scene.renderer.UseDepthPeelingOn()
+            scene.renderer.UseDepthPeelingForVolumesOn()
+            scene.renderer.SetMaximumNumberOfPeels(20)
+            scene.renderer.SetOcclusionRatio(0)
+            window.render()
+            self.fail_on_messages(window)
+            view = scene.view()
+            origins, directions, *_ = view.rays()
+            near, far = box_ends(origins, directions)
+            at = (0.1 - origins[:, 2]) / directions[:, 2]
+            front = expected_medium(view, 0.7, haze, near, np.clip(at, near, far))
+            back = expected_medium(view, 0.7, haze, np.clip(at, near, far), far)
+            surface = opacity * haze.over(color, haze.transparency(origins, directions, at)).reshape(view.height, view.width, 3)
+            expected = front[..., :3] + (1 - front[..., 3:]) * (surface + (1 - opacity) * back[..., :3])
+            self.check_bytes(scene.rgb(), expected, f"peeled, {method}", ~self.inside(view), 2.5 / 255)
 
     def test_contour_surfaces_where_they_are(self):
         """A plane in cells of a quarter of the cube; what is drawn without haze is hazed at their distances."""
