@@ -56,7 +56,7 @@ std::string shaderConstants(const SplatDrawingOptions& options, const SplatPass:
 {
   const bool nearEye = variant.As == SplatPass::Way::Viewport;
   const bool firstOrder = variant.As == SplatPass::Way::FarPoints && !variant.Parallel;
-  const bool vectors = options.Vectors && !nearEye;
+  const bool vectors = options.Vectors;
   std::ostringstream text;
   text.precision(9);
   text << std::showpoint
@@ -68,7 +68,7 @@ std::string shaderConstants(const SplatDrawingOptions& options, const SplatPass:
        << "const bool nearEye = " << (nearEye ? "true" : "false") << ";\n"
        << "const bool drawSegments = " << (options.Segments ? "true" : "false") << ";\n"
        << "const bool mediaApart = " << (options.MediaApart ? "true" : "false") << ";\n"
-       << "#define MAX_VERTICES " << (vectors && !options.MediaApart ? 12 : 4) << "\n"
+       << "#define MAX_VERTICES " << (vectors && (nearEye || !options.MediaApart) ? 12 : 4) << "\n"
        << (variant.Fade ? "#define FADE\n" : "")
        << (variant.Region ? "#define DRAW_REGION\n" : "")
        << "const float dotSize = " << dotSize << ";\n"

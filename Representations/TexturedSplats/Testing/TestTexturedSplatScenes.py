@@ -99,6 +99,33 @@ class Scenes(ImageTestCase):
             self.assertLess(outside.max(), 3 * pixel)  # lines are some pixels wide
             self.assertGreater(outside.min(), -0.35)
 
+    def test_vectors_around_the_eye(self):
+        """With the eye in a splat its vector is drawn, too: what medium and vector let through is multiplied."""
+        for style, placement in ((0, 0), (1, 0), (1, 1)):
+            data = meshes.particles(np.zeros((1, 3)))
+            meshes.add_array(data.GetPointData(), np.ones(1))
+            meshes.add_array(data.GetPointData(), np.array([[1, 0.5, 0]]), "v")
+
+            def vectors(mapper):
+                mapper.SetVectorArrayName("v")
+                mapper.SetVectorStyle(style)
+                mapper.SetVectorPlacement(placement)
+                mapper.SetStreakPeriod(0.4)
+                mapper.SetStreakWidth(0.05)
+                mapper.SetSegmentWidth(5)
+                mapper.SetCellSize(2)
+
+            def look(scene):
+                scene.look((0.1, 0.2, 3.6 if style == 0 else 2.5), (0, 0, 0), angle=70, near=0.01, far=20)
+            clear = Transfer([(0, 1, 1, 1), (1, 1, 1, 1)], [(0, 0), (1, 0)])
+            _, medium = self.draw(data, lambda m: m.SetCellSize(2), look=look)
+            _, alone = self.draw(data, vectors, look=look, transfer=clear)
+            _, both = self.draw(data, vectors, look=look)
+            self.assertGreater(alone[..., 3].max(), 0.3)
+            self.assertGreater(medium[..., 3].max(), 0.3)
+            expected = 1 - (1 - medium[..., 3:]) * (1 - alone[..., 3:])
+            self.check_float(both[..., 3:], expected, f"vector of style {style}, placement {placement} around the eye", 1e-5)
+
     def check_stretch(self, label, configure=None, tolerance=2e-5):
         """An actor that stretches and shears is the data stretched and sheared."""
         for view, look in (("perspective", lambda s: s.look((9, 15, 18), (1, -2, 0.5), angle=50)),

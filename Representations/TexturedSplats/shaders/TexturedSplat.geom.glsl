@@ -184,7 +184,16 @@ void emitViewport(vec3 center, vec3 w, mat3 inverseJ, vec4 color)
 
 void emitMedium(vec3 center, mat3 J, vec4 color, int kind)
 {
-  if (color.a > 0.0)
+  vec3 w = inCells(center, J);
+  if (!(color.a > 0.0))
+  {
+    return;
+  }
+  if (nearEye && dot(w, w) < 1.69 * kernelRadius * kernelRadius)
+  {
+    emitViewport(center, w, inverse(J), kind == HALF_MEDIUM ? vec4(color.rgb, 0.5 * color.a) : color);
+  }
+  else
   {
     emitKernel(center, J, SplatLook(kind, color, 1.0, vec4(0.0), vec4(0.0), center, false));
   }
@@ -204,15 +213,9 @@ void main()
 #ifdef FADE
   color.a *= weightVSOutput[0];
 #endif
-  vec3 w = inCells(center, J);
-  if (nearEye && dot(w, w) < 1.69 * kernelRadius * kernelRadius)
-  {
-    emitViewport(center, w, inverse(J), color);
-    return;
-  }
 #ifdef DRAW_VECTORS
   SplatVector vector;
-  if ((vectorAlone || !mediaApart) && readVector(splat, vector))
+  if ((vectorAlone || !mediaApart || nearEye) && readVector(splat, vector)) // around the eye there are no layers
   {
 #ifdef NEPHOSCOPE_HAZE
     vector.color.rgb = hazedColor(vector.color.rgb, center);
