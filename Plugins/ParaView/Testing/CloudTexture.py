@@ -2,13 +2,14 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Cloud Texture: offered for surfaces, defaults and help, the cover that is asked for, texture that moves with the time, blocks."""
 import math
+import os
 
 import nephoscope
 import numpy as np
 from CloudTextureScenes import CLOUDS, moving_clouds, sheet, sheet_view
 from PluginDefinitions import compare_default, definition, nested, own_properties
-from PluginTesting import (check, check_same, color_and_alpha, compose, image, inside_mean_alpha, load_plugin, look, new_view, passed, pvs,
-                           solid)
+from PluginTesting import (OUTPUT, SIZE, check, check_same, color_and_alpha, compose, image, inside_mean_alpha, load_plugin, look,
+                           new_view, passed, pvs, solid)
 
 NOT_OF_THE_MAPPER = {"Input"}
 
@@ -138,6 +139,30 @@ def check_blocks():
     check_same(*pictures, "blocks", largest=8, mean=0.05)
 
 
+def check_state():
+    """A saved state draws the same picture: all settings are in it."""
+    pvs.ResetSession()  # without the other views
+    load_plugin()
+    view = new_view()
+    display = pvs.Show(moving_clouds()[1], view)
+    display.SetRepresentationType(CLOUDS)
+    solid(display, [1, 1, 0.9])
+    for name, value in (("Coverage", 0.3), ("TextureScale", 5), ("Softness", 0.3), ("Relief", 0.04), ("OpticalDepth", 2)):
+        setattr(display, "CloudTexture" + name, value)
+    view.ViewTime = 0.2
+    pvs.ResetCamera(view)
+    expected = image(view)
+    state = os.path.join(OUTPUT, "CloudTexture.pvsm")
+    pvs.SaveState(state)
+    pvs.ResetSession()
+    load_plugin()
+    pvs.LoadState(state)
+    again, = pvs.GetViews()
+    again.ViewSize, again.UseFXAA, again.ViewTime = list(SIZE), 0, 0.2  # ParaView does not keep them
+    check(expected.mean() > 2, "nothing is drawn")
+    check_same(expected, image(again), "after loading the state", largest=2, mean=0.01)
+
+
 def check_colors():
     view = sheet_view()
     display = compose(pvs.Elevation(Input=sheet(), LowPoint=[-0.5, 0, 0], HighPoint=[0.5, 0, 0]), view, ("POINTS", "Elevation"), CLOUDS)
@@ -157,7 +182,7 @@ def check_colors():
 if __name__ == "__main__":
     load_plugin()
     for check_one in (check_definition, check_offered, check_first_picture, check_cover, check_cover_array, check_moves_with_time,
-                      check_thickness, check_blocks, check_colors):
+                      check_thickness, check_blocks, check_colors, check_state):
         print(check_one.__name__, flush=True)
         check_one()
     passed()
