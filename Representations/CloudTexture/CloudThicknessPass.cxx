@@ -67,6 +67,7 @@ void CloudThicknessPass::FindView(const Request& request)
     nearest = std::min(nearest, -p[2]);
   }
   this->EyeMayBeInside = nearest <= this->Near;
+  this->IsClosed = request.IsClosed;
   for (int i = 0; i < 2; ++i)
   {
     this->Origin[i] = static_cast<float>(request.Scene.Viewport[i]);
@@ -95,7 +96,7 @@ std::string CloudThicknessPass::Draw(const Request& request)
   layers.Limit = LimitDrawings(request.Clouds, request.WithDensities);
   layers.WithDensities = this->WithDensities = request.WithDensities;
   layers.OpaqueDepth = this->Opaque;
-  layers.OnlyFaces = this->EyeMayBeInside ? 0 : this->FrontIsFront ? GL_BACK : GL_FRONT;
+  layers.OnlyFaces = this->EyeMayBeInside || !this->IsClosed ? 0 : this->FrontIsFront ? GL_BACK : GL_FRONT;
   this->HasLists = layers.Limit == 0;
   if (this->HasLists)
   {
@@ -202,6 +203,7 @@ void CloudThicknessPass::SetUniforms(vtkShaderProgram* program, double extinctio
   program->SetUniform2f("cloudOrigin", this->Origin);
   program->SetUniformf("cloudExtinction", static_cast<float>(extinction));
   program->SetUniformf("cloudNear", this->Near);
+  program->SetUniformi("cloudEyeMayBeInside", this->EyeMayBeInside);
   program->SetUniformi("cloudIsParallel", this->IsParallel);
   program->SetUniformi("cloudFrontIsFront", this->FrontIsFront);
   if (!this->IsKnown)

@@ -32,7 +32,7 @@ public:
     vtkActor* Actor = nullptr;
     double Center[3] = { 0, 0, 0 }; ///< of the places
     double Bounds[6] = { 0, 0, 0, 0, 0, 0 }; ///< of the places
-    bool IsInsideOut = false;
+    bool IsClosed = false, IsInsideOut = false; ///< the surface
     bool WithDensities = false;
     int Clouds = 2;                                      ///< behind one another, at most
     std::string Constants;                               ///< of the shaders
@@ -46,8 +46,8 @@ public:
   std::string Draw(const Request& request);
   /** Thickness is not known: the cloud is a layer. */
   void Forget() { this->IsKnown = false; }
-  /** Whether back faces start no cloud: the near plane is before all of the surface. */
-  bool OnlyFrontFaces() const { return this->IsKnown && !this->EyeMayBeInside; }
+  /** Whether back faces start no cloud: the near plane is before all of the surface, and the surface is closed. */
+  bool OnlyFrontFaces() const { return this->IsKnown && !this->EyeMayBeInside && this->IsClosed; }
   /** Which of them OpenGL takes for front faces. */
   bool FrontFacesAreFront() const { return this->FrontIsFront; }
   bool HasMore() const { return this->IsKnown && !this->HasLists && this->Layers.HasMore(); }
@@ -71,7 +71,7 @@ private:
   vtkOpenGLHelper Helper;
   vtkTextureObject* Opaque = nullptr;
   vtkProp* KnownProp = nullptr; // not to be looked into
-  bool IsKnown = false, HasLists = false, EyeMayBeInside = true, WithDensities = false, IsParallel = false, FrontIsFront = true;
+  bool IsKnown = false, HasLists = false, EyeMayBeInside = true, IsClosed = false, WithDensities = false, IsParallel = false, FrontIsFront = true;
   float PlaceToView[16], DepthToView[4], Origin[2], Near = 0;
 };
 

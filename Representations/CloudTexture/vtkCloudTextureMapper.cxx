@@ -289,6 +289,7 @@ void vtkCloudTextureMapper::FindThickness(vtkRenderer* renderer, vtkActor* actor
   {
     request.Bounds[i] -= request.Center[i / 2];
   }
+  request.IsClosed = own.Surface.Chord.IsClosed();
   request.IsInsideOut = own.Surface.Chord.IsInsideOut();
   request.WithDensities = own.Surface.HasDensity;
   request.Clouds = this->MaximumNumberOfLayers;

@@ -212,6 +212,15 @@ class Default(BodyTestCase):
             expected = opacity(0.5 * 0.8 if opaque else 0.4 / math.cos(math.radians(40)))
             self.assertAlmostEqual(self.draw(window)[32, 32], expected, delta=1.5 / 255)
 
+    def test_through_an_opening(self):
+        """A box without its lid: its floor is seen from inside, as a layer; where a side is before it, nothing is added."""
+        for peeling in (False, True):
+            window, scene, mapper, _ = self.bodies(meshes.surface(meshes.points_of(box(LOW, HIGH)), FACES[:1] + FACES[2:]), size=(65, 65),
+                                                   position=(0, 0, 5))
+            mapper.SetOpticalDepth(0.4)
+            scene.renderer.SetUseDepthPeeling(peeling)
+            self.assertAlmostEqual(self.draw(window)[32, 32], opacity(0.4), delta=1.5 / 255)
+
     def test_off(self):
         window, scene, mapper, _ = self.bodies(box(LOW, HIGH), size=(65, 65), position=(0, 0, 5))
         mapper.UseThicknessOff()

@@ -3,13 +3,15 @@
 // Optical depth of the cloud that a ray enters at a front face, up to the next back face or to what is opaque.
 //   in:  place of the fragment in view coordinates, density there, which way the face looks; the layers of the surface
 //   out: optical depth; noThickness where nothing ends the cloud; < 0 where the fragment is not the start of one
-// A back face without a front face before it ends a cloud that the eye is in: it starts at the near plane.
+// A back face without a front face before it ends a cloud that the eye is in: it starts at the near plane. Where the eye is in none, the
+// surface is open before it.
 // Constants: hasDensity. What looks at the layers is generated: considerLayers(pixel).
 uniform sampler2D cloudOpaqueDepth;
 uniform vec4 cloudDepthToView; // z = (x + y e) / (z + w e), e = 1 - depth
 uniform vec2 cloudOrigin;      // of the viewport, in pixels
 uniform float cloudExtinction; // per length
 uniform float cloudNear;       // depth of the near plane
+uniform int cloudEyeMayBeInside;
 uniform int cloudIsParallel;
 uniform int cloudFrontIsFront;
 uniform int cloudDrawings;     // of layers; 0: layers are not known
@@ -56,7 +58,8 @@ float cloudOpticalDepth(vec3 view, float density, bool isFront)
   considerLayers(pixel);
   if (!isFront)
   {
-    return cloudHasFrontBefore ? -1.0 : max(depth - cloudNear, 0.0) * lengthPerDepth * density;
+    float inside = cloudEyeMayBeInside != 0 ? max(depth - cloudNear, 0.0) * lengthPerDepth * density : noThickness;
+    return cloudHasFrontBefore ? -1.0 : inside;
   }
   float e = 1.0 - texelFetch(cloudOpaqueDepth, pixel, 0).r;
   float opaque = e > 0.0 ? -(cloudDepthToView.x + cloudDepthToView.y * e) / (cloudDepthToView.z + cloudDepthToView.w * e) : noThickness;
