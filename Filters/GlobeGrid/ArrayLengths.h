@@ -21,13 +21,14 @@ inline std::string LengthProblem(
   vtkAbstractArray* array, const std::string& what, vtkIdType expected, const char* ofWhat)
 {
   const vtkIdType found = array ? array->GetNumberOfTuples() : 0;
-  return found == expected
-    ? std::string()
-    : what + " has " + std::to_string(found) + " values for " + std::to_string(expected) + " " +
-      ofWhat + ": the input has not been read whole. Check the reader's file and the time asked for.";
+  return found == expected ? std::string()
+                           : what + " has " + std::to_string(found) + " values for " +
+      std::to_string(expected) + " " + ofWhat +
+      ": the input has not been read whole. Check the reader's file and the time asked for.";
 }
 
-inline std::string LengthProblem(vtkDataSetAttributes* arrays, vtkIdType expected, const char* ofWhat)
+inline std::string LengthProblem(
+  vtkDataSetAttributes* arrays, vtkIdType expected, const char* ofWhat)
 {
   std::string problem;
   for (int a = 0; a < arrays->GetNumberOfArrays() && problem.empty(); ++a)
@@ -64,7 +65,9 @@ inline std::string ArrayLengthProblem(vtkDataSet* grid)
   {
     const vtkIdType expected = vtkStructuredData::GetNumberOfPoints(structured->GetExtent());
     vtkPoints* points = structured->GetPoints();
-    problem = problem.empty() && points ? LengthProblem(points->GetData(), "The grid", expected, "points") : problem;
+    problem = problem.empty() && points
+      ? LengthProblem(points->GetData(), "The grid", expected, "points")
+      : problem;
   }
   return problem;
 }

@@ -54,7 +54,8 @@ bool vtkTextureCoordinateAdvection::CheckSettings()
   }
   if (this->MaximumStretch > 0.0 && this->MaximumStretch <= 1.0)
   {
-    vtkErrorMacro("MaximumStretch is " << this->MaximumStretch << "; it must be greater than 1, or 0 for none.");
+    vtkErrorMacro("MaximumStretch is " << this->MaximumStretch
+                                       << "; it must be greater than 1, or 0 for none.");
     return false;
   }
   if (this->PressureArrayName.empty() != this->OmegaArrayName.empty())
@@ -83,7 +84,8 @@ bool vtkTextureCoordinateAdvection::CheckSeries()
   {
     if (!std::isfinite(times[i]) || (i > 0 && !(times[i] > times[i - 1])))
     {
-      vtkErrorMacro("Times must rise, but time step " << i << " is at " << times[i] << (i > 0 ? " after " : "")
+      vtkErrorMacro("Times must rise, but time step "
+        << i << " is at " << times[i] << (i > 0 ? " after " : "")
         << (i > 0 ? std::to_string(times[i - 1]) : std::string()) << ". Sort the time steps.");
       return false;
     }
@@ -117,8 +119,9 @@ bool vtkTextureCoordinateAdvection::ReadTimeStep(vtkDataSet* input, vtkInformati
     if (step.Wind->Missing > 0 && !state.HasToldOfMissing)
     {
       state.HasToldOfMissing = true;
-      vtkWarningMacro("The wind array '" << state.Arrays.Velocity.Name << "' is not a finite number at "
-        << step.Wind->Missing << " of " << input->GetNumberOfPoints()
+      vtkWarningMacro("The wind array '"
+        << state.Arrays.Velocity.Name << "' is not a finite number at " << step.Wind->Missing
+        << " of " << input->GetNumberOfPoints()
         << " points. They take the wind of the nearest level of their column; a "
            "column without any is calm.");
     }
@@ -150,7 +153,8 @@ bool vtkTextureCoordinateAdvection::CheckExtent(vtkDataSet* input, vtkInformatio
     }
     if (points != input->GetNumberOfPoints())
     {
-      vtkErrorMacro("Only " << input->GetNumberOfPoints() << " of the " << points
+      vtkErrorMacro("Only "
+        << input->GetNumberOfPoints() << " of the " << points
         << " points of the grid have been delivered. Paths need all the winds: let a reader or Globe Grid, which deliver "
            "the whole grid on request, be the input.");
       return false;
@@ -175,15 +179,17 @@ bool vtkTextureCoordinateAdvection::MakeFlow(vtkDataSet* input)
   settings.Method = static_cast<nephoscope::PathMethod>(this->Integrator);
   settings.TimeStep = this->TimeStep;
   settings.Tolerance = this->Tolerance;
-  const double radius =
-    this->PlanetRadius > 0.0 ? this->PlanetRadius : this->Grid == MAP ? 6371000.0 : 0.0;
+  const double radius = this->PlanetRadius > 0.0 ? this->PlanetRadius
+    : this->Grid == MAP                          ? 6371000.0
+                                                 : 0.0;
   nephoscope::GlobeShape shape;
   if (this->Grid != CARTESIAN &&
     shape.Recognize(input, static_cast<nephoscope::GridKind>(this->Grid), radius, problem))
   {
     if (state.Arrays.Velocity.OnCells)
     {
-      vtkErrorMacro("The velocity '" << state.Arrays.Velocity.Name
+      vtkErrorMacro("The velocity '"
+        << state.Arrays.Velocity.Name
         << "' is on cells; on a globe it is needed on points. Apply Cell Data to Point Data first.");
       return false;
     }
@@ -195,10 +201,10 @@ bool vtkTextureCoordinateAdvection::MakeFlow(vtkDataSet* input)
   }
   if (this->Grid == GLOBE || this->Grid == MAP)
   {
-    vtkErrorMacro("Grid is " << (this->Grid == GLOBE ? "Globe" : "Map") << ", but the input is not. " << problem);
+    vtkErrorMacro("Grid is " << (this->Grid == GLOBE ? "Globe" : "Map")
+                             << ", but the input is not. " << problem);
     return false;
   }
-  state.Flow =
-    std::make_unique<nephoscope::CartesianFlow>(input, settings, this->TextureLength);
+  state.Flow = std::make_unique<nephoscope::CartesianFlow>(input, settings, this->TextureLength);
   return true;
 }

@@ -145,18 +145,21 @@ void vtkCloudTextureRepresentation::WarnOfRanks()
 {
   auto* controller = vtkMultiProcessController::GetGlobalController();
   const bool hasRanks = controller && controller->GetNumberOfProcesses() > 1;
-  if (hasRanks && this->CloudMapper->GetUseThickness() && !this->HasToldOfRanks && controller->GetLocalProcessId() == 0)
+  if (hasRanks && this->CloudMapper->GetUseThickness() && !this->HasToldOfRanks &&
+    controller->GetLocalProcessId() == 0)
   {
     this->HasToldOfRanks = true;
-    vtkWarningMacro("Each rank finds the thickness of its own part of the clouds only: at the borders of ranks they are drawn too thin or too thick. "
-                    "Draw with one process, or without Use Thickness.");
+    vtkWarningMacro(
+      "Each rank finds the thickness of its own part of the clouds only: at the borders of ranks they are drawn too thin or too thick. "
+      "Draw with one process, or without Use Thickness.");
   }
 }
 
 // One surface of all blocks, made anew only for new data.
 void vtkCloudTextureRepresentation::TakeSurface(vtkDataObject* delivered)
 {
-  if (this->Surface && delivered == this->TakenFrom && (!delivered || delivered->GetMTime() == this->TakenTime))
+  if (this->Surface && delivered == this->TakenFrom &&
+    (!delivered || delivered->GetMTime() == this->TakenTime))
   {
     return;
   }
@@ -191,15 +194,18 @@ void vtkCloudTextureRepresentation::UpdateColoringParameters()
   this->CloudMapper->SetColorMode(this->Mapper->GetColorMode());
   this->CloudMapper->SetLookupTable(this->Mapper->GetLookupTable());
   this->CloudMapper->SetUseLookupTableScalarRange(this->Mapper->GetUseLookupTableScalarRange());
-  this->CloudMapper->SetInterpolateScalarsBeforeMapping(this->Mapper->GetInterpolateScalarsBeforeMapping());
+  this->CloudMapper->SetInterpolateScalarsBeforeMapping(
+    this->Mapper->GetInterpolateScalarsBeforeMapping());
   this->CloudMapper->SelectColorArray(this->Mapper->GetArrayName());
 }
 
 void vtkCloudTextureRepresentation::SetTextureLength(double value)
 {
   this->TextureLength = value;
-  vtkDataArray* stored = this->Surface ? this->Surface->GetFieldData()->GetArray(lengthName) : nullptr;
-  const double automatic = stored && stored->GetNumberOfTuples() > 0 ? stored->GetComponent(0, 0) : 0.0;
+  vtkDataArray* stored =
+    this->Surface ? this->Surface->GetFieldData()->GetArray(lengthName) : nullptr;
+  const double automatic =
+    stored && stored->GetNumberOfTuples() > 0 ? stored->GetComponent(0, 0) : 0.0;
   this->CloudMapper->SetTextureLength(value > 0.0 ? value : automatic);
 }
 

@@ -28,7 +28,8 @@ public:
   vtkTypeMacro(vtkCloudTextureRepresentation, vtkGeometryRepresentation);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  int ProcessViewRequest(vtkInformationRequestKey* request, vtkInformation* inInfo, vtkInformation* outInfo) override;
+  int ProcessViewRequest(
+    vtkInformationRequestKey* request, vtkInformation* inInfo, vtkInformation* outInfo) override;
 
   ///@{
   /** What vtkCloudTextureMapper says of them. */
