@@ -147,16 +147,18 @@ vtkSmartPointer<vtkDataSet> sampledPart(vtkDataObject* input)
   return appendedBlocks(input, [](vtkDataSet* data) { return data->GetNumberOfPoints() > 0; });
 }
 
-vtkSmartPointer<vtkDataSet> splatVertices(vtkDataSet* piece, bool onCells, double cellSize)
+vtkSmartPointer<vtkDataSet> splatVertices(vtkDataSet* piece, const SplatSampling& sampling)
 {
   vtkNew<vtkPolyData> nothing; // a rank without data takes part all the same
   vtkDataSet* data = piece ? piece : nothing.Get();
-  const SplatShapes own(data, { onCells, cellSize });
-  vtkSmartPointer<vtkIdList> ids = ownIds(data, own, onCells);
+  const SplatShapes own(data, sampling);
+  vtkSmartPointer<vtkIdList> ids = ownIds(data, own, sampling.OnCells);
   const double spacing = meanSpacingOverRanks(own, ids); // of all ranks, not of this one
-  const SplatShapes shapes(data, { onCells, own.HaveMeanSpacing() ? spacing : cellSize });
+  SplatSampling ofAll = sampling;
+  ofAll.CellSize = own.HaveMeanSpacing() ? spacing : sampling.CellSize;
+  const SplatShapes shapes(data, ofAll);
   vtkSmartPointer<vtkDataSet> vertices = verticesOf(
-    shapes, ids, data->GetAttributes(onCells ? vtkDataObject::CELL : vtkDataObject::POINT));
+    shapes, ids, data->GetAttributes(sampling.OnCells ? vtkDataObject::CELL : vtkDataObject::POINT));
   vertices->GetCellData()->AddArray(shapesOf(shapes, ids));
   vertices->GetFieldData()->ShallowCopy(data->GetFieldData());
   return vertices;

@@ -12,6 +12,7 @@ class vtkIdList;
 
 namespace nephoscope
 {
+struct SplatSampling;
 
 /** The dataset to draw: `input` itself (a shallow copy), or the blocks of a composite that have points. Null without any. */
 vtkSmartPointer<vtkDataSet> sampledPart(vtkDataObject* input);
@@ -21,10 +22,10 @@ extern const char* const splatShapeName;
 
 /**
  * The visible samples as single vertices with their shapes, which can be given to any rank without loss: nothing of the grid is needed
- * any more. A sample that several ranks have stays on one. Its arrays, those of points or of cells as `onCells` says, become cell
- * arrays. `cellSize` is of balls; 0: the mean spacing of the samples of all ranks. `piece` may be null. Collective.
+ * any more. A sample that several ranks have stays on one. Its arrays, those of points or of cells as the sampling says, become
+ * cell arrays. Without a cell size it is the mean spacing of the samples of all ranks. `piece` may be null. Collective.
  */
-vtkSmartPointer<vtkDataSet> splatVertices(vtkDataSet* piece, bool onCells, double cellSize);
+vtkSmartPointer<vtkDataSet> splatVertices(vtkDataSet* piece, const SplatSampling& sampling);
 
 /** Some of such vertices, with their arrays. */
 vtkSmartPointer<vtkDataSet> chosenVertices(vtkDataSet* vertices, vtkIdList* ids);

@@ -55,17 +55,26 @@ bool vtkTexturedSplatsRepresentation::DrawsCells()
   return name && name[0] && info->Get(vtkDataObject::FIELD_ASSOCIATION()) == vtkDataObject::CELL;
 }
 
+nephoscope::SplatSampling vtkTexturedSplatsRepresentation::GetSampling(bool onCells) const
+{
+  nephoscope::SplatSampling sampling{ onCells, this->CellSize };
+  sampling.SizeArrayName = this->Mapper->GetCellSizeArrayName();
+  sampling.SizesAreVolumes = this->Mapper->GetCellSizeArrayHoldsVolumes();
+  return sampling;
+}
+
 void vtkTexturedSplatsRepresentation::PreparePiece(vtkDataObject* input)
 {
   const bool onCells = this->DrawsCells();
   this->Piece = nephoscope::sampledPart(input);
   if (GetNumberOfRanks() > 1)
   {
-    this->Piece = nephoscope::splatVertices(this->Piece, onCells, this->CellSize);
+    this->Piece = nephoscope::splatVertices(this->Piece, this->GetSampling(onCells));
   }
   const bool inCells =
     this->GetAssociationInPiece(onCells ? vtkDataObject::CELL : vtkDataObject::POINT) == vtkDataObject::CELL;
-  const nephoscope::SplatSampling sampling{ inCells, this->CellSize, nephoscope::splatShapeName };
+  nephoscope::SplatSampling sampling = this->GetSampling(inCells);
+  sampling.ShapeArrayName = nephoscope::splatShapeName;
   int association = vtkDataObject::POINT;
   vtkDataArray* scalars = this->Piece ? this->FindOpacityArray(this->Piece, association) : nullptr;
   const bool together = (association == vtkDataObject::CELL) == inCells;
@@ -79,9 +88,8 @@ void vtkTexturedSplatsRepresentation::PreparePiece(vtkDataObject* input)
   if (this->Piece && this->Piece->GetNumberOfPoints() > 0)
   {
     const auto kernel = static_cast<nephoscope::SplatKernel>(this->Mapper->GetKernel());
-    const nephoscope::SplatSampling drawn{ inCells, this->CellSize, nephoscope::splatShapeName,
-      this->Mapper->GetRadiusFactor() };
-    nephoscope::FindSplatBounds(nephoscope::SplatShapes(this->Piece, drawn),
+    sampling.RadiusFactor = this->Mapper->GetRadiusFactor();
+    nephoscope::FindSplatBounds(nephoscope::SplatShapes(this->Piece, sampling),
       nephoscope::KernelRadius(kernel), this->DataBounds);
   }
   if (!this->Piece)
@@ -155,6 +163,25 @@ void vtkTexturedSplatsRepresentation::SetCellSize(double size)
     this->CellSize = size;
     this->Mapper->SetCellSize(size);
     this->MarkModified(); // so do the bounds and the automatic unit distance
+  }
+}
+
+void vtkTexturedSplatsRepresentation::SetCellSizeArray(const char* name)
+{
+  const std::string chosen = name && std::string(name) != "None" ? name : "";
+  if (chosen != this->Mapper->GetCellSizeArrayName())
+  {
+    this->Mapper->SetCellSizeArrayName(chosen);
+    this->MarkModified();
+  }
+}
+
+void vtkTexturedSplatsRepresentation::SetCellSizeArrayHoldsVolumes(bool volumes)
+{
+  if (volumes != this->Mapper->GetCellSizeArrayHoldsVolumes())
+  {
+    this->Mapper->SetCellSizeArrayHoldsVolumes(volumes);
+    this->MarkModified();
   }
 }
 

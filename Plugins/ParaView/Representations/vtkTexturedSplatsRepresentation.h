@@ -24,6 +24,7 @@
 class vtkScalarsToColors;
 namespace nephoscope
 {
+struct SplatSampling;
 struct SplatReaches;
 }
 class vtkTexturedSplatMapper;
@@ -44,6 +45,7 @@ public:
   /** Forwarded to the mapper; see there. */
   void SetKernel(int kernel);
   void SetCellSize(double size);
+  void SetCellSizeArrayHoldsVolumes(bool volumes);
   void SetRadiusFactor(double factor);
   void SetErrorTolerance(double tolerance);
   void SetErrorToleranceUnit(int unit);
@@ -68,6 +70,9 @@ public:
 
   /** Colours for the array that colours the vectors. None (default): ParaView's default colours, over the range of the array. */
   void SetVectorColorFunction(vtkScalarsToColors* function);
+
+  /** Array that gives each sample without a grid a cell size of its own; empty or "None" (default): CellSize for all. */
+  void SetCellSizeArray(const char* name);
 
   /** Array that gives the vectors a colour of their own; empty or "None" (default): as the splats, or VectorColor. */
   void SetVectorColorArray(const char* name);
@@ -107,6 +112,7 @@ private:
   void operator=(const vtkTexturedSplatsRepresentation&) = delete;
 
   bool DrawsCells(); // else points
+  nephoscope::SplatSampling GetSampling(bool onCells) const;
   double GetPhaseNow();
   void UseCommons(const std::vector<std::array<double, 6>>& regions);
   nephoscope::SplatReaches GetReaches();

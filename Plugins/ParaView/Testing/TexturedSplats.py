@@ -104,6 +104,29 @@ def check_vectors_and_time(source):
     return view, display
 
 
+def check_sizes():
+    """An array of sizes, or of volumes, gives the picture of the size itself; a larger one reaches further."""
+    source = pvs.Calculator(Input=particles(), ResultArrayName="Edge", Function="0.5")
+    source = pvs.Calculator(Input=source, ResultArrayName="Volume", Function="0.125")
+    view = new_view()
+    display = compose(source, view, ("POINTS", "Elevation"), SPLATS)
+    look(view)
+    display.TexturedSplatsAutomaticUnitDistance = 0
+    display.TexturedSplatsUnitDistance = 0.1
+    mean_spacing = image(view)
+    display.TexturedSplatsCellSize = 0.5
+    expected = image(view)
+    check(np.abs(expected - mean_spacing).max() > 20, "Cell Size does not arrive")
+    display.TexturedSplatsCellSize = 0
+    display.TexturedSplatsCellSizeArray = "Edge"
+    check_same(expected, image(view), "array of edges")
+    display.TexturedSplatsCellSizeArray = "Volume"
+    display.TexturedSplatsCellSizeArrayHoldsVolumes = 1
+    check_same(expected, image(view), "array of volumes", largest=1, mean=0.01)
+    display.TexturedSplatsCellSizeArray = "None"
+    check_same(mean_spacing, image(view), "without the array again")
+
+
 def check_vector_colors(source):
     """An array alone colours the vectors, from blue to red; a colour map takes its place, and can be taken away again."""
     view = new_view()
@@ -191,4 +214,5 @@ check_solid_color()
 check_bounds_hold_splats()
 check_hierarchy_and_radius()
 check_vector_colors(flow())
+check_sizes()
 passed()
