@@ -124,4 +124,4 @@ def scene(size, file):
 def add_caption(renderer, words):
     renderer.AddViewProp(vtk_globe.text(
         "%s\nWinds and clouds: barotropic forecast from GFS, 2011-10-11 00 UTC\nHeights exaggerated %d times" % (words, EXAGGERATION),
-        (28, 24), 24, spacing=1.15))
+        (28, 960), 24, spacing=1.15))  # in the sky, in pictures of 1920 x 1080
