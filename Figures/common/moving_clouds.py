@@ -35,7 +35,8 @@ PEELS = 8  # surfaces behind one another that are drawn
 
 class ColumnCover(VTKPythonAlgorithmBase):
     """Adds ColumnCover, the share of the sky that the texture is to fill: from 0, where the greatest cloud fraction above and below a
-    point is that of the surface's edge, to 1. So clouds thin out towards the edges of the surface."""
+    point is that of the surface's edge, to 1. So clouds thin out towards the edges of the surface. And there is none at the lowest and
+    the highest level, so that the surface is closed, as clouds with a thickness must be."""
 
     def __init__(self, source):
         VTKPythonAlgorithmBase.__init__(self, inputType="vtkStructuredGrid", outputType="vtkStructuredGrid")
@@ -49,6 +50,9 @@ class ColumnCover(VTKPythonAlgorithmBase):
         clouds = numpy.asarray(points["cloud_fraction"]).reshape(k, j * i)
         share = numpy.clip((clouds.max(axis=0) - COVER) / (FULL_COVER - COVER), 0, 1)
         points.append(numpy.tile(share, k).astype(numpy.float32), "ColumnCover")
+        closed = clouds.copy()
+        closed[[0, -1]] = 0
+        points.append(closed.ravel(), "cloud_fraction")
         return 1
 
 
