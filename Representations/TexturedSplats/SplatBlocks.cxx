@@ -16,11 +16,6 @@ namespace
 constexpr double largestNode = 4096; // of a sparse volume's tree, in voxels
 constexpr std::uint32_t most = 1u << BlockOrder::mostBits;
 
-SplatVector toDouble(const std::array<float, 3>& v)
-{
-  return { { v[0], v[1], v[2] } };
-}
-
 // Lengths of the cells of some of the samples, in the mean.
 std::array<double, 3> meanEdges(const SplatSamples& samples, const SplatClasses& classes)
 {
@@ -31,7 +26,7 @@ std::array<double, 3> meanEdges(const SplatSamples& samples, const SplatClasses&
     const auto& j = samples.JacobianOf(static_cast<std::size_t>(classes.Samples[i]));
     for (std::size_t c = 0; c < 3; ++c)
     {
-      edges[c] += Length(toDouble(j[c]));
+      edges[c] += Length(ToDouble(j[c]));
     }
   }
   return edges;
@@ -75,7 +70,7 @@ void SplatBlocks::FindRange(Place placeOf, SplatVector& low, SplatVector& high) 
 std::array<double, 3> SplatBlocks::VoxelIndex(std::size_t sample) const
 {
   SplatVector index = Times(
-    this->ToVoxels, Minus(toDouble(this->Samples.Positions[sample]), this->Samples.FirstVoxel));
+    this->ToVoxels, Minus(ToDouble(this->Samples.Positions[sample]), this->Samples.FirstVoxel));
   for (double& i : index)
   {
     i = std::floor(i + 0.5);
@@ -110,7 +105,7 @@ bool SplatBlocks::UseVoxels()
 void SplatBlocks::UseSpace()
 {
   SplatVector high;
-  this->FindRange([&](std::size_t sample) { return toDouble(this->Samples.Positions[sample]); },
+  this->FindRange([&](std::size_t sample) { return ToDouble(this->Samples.Positions[sample]); },
     this->Corner, high);
   const double edge =
     std::max({ high[0] - this->Corner[0], high[1] - this->Corner[1], high[2] - this->Corner[2] });
@@ -129,7 +124,7 @@ BlockOrder::Index SplatBlocks::IndexOf(std::size_t sample) const
   }
   const bool voxels = this->As == Kind::Voxels;
   const SplatVector place = Minus(
-    voxels ? this->VoxelIndex(sample) : toDouble(this->Samples.Positions[sample]), this->Corner);
+    voxels ? this->VoxelIndex(sample) : ToDouble(this->Samples.Positions[sample]), this->Corner);
   const double scale = voxels ? 1.0 : this->BlocksPerLength;
   return { { static_cast<std::uint32_t>(place[0] * scale),
     static_cast<std::uint32_t>(place[1] * scale), static_cast<std::uint32_t>(place[2] * scale) } };

@@ -2,14 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SplatError.h"
 
+#include "ForAll.h"
 #include "SplatClasses.h"
 #include "SplatGaussian.h"
 #include "SplatKernel.h"
 #include "SplatSamples.h"
 #include "SplatTree.h"
-
-#include "vtkSMPTools.h"
-#include "vtkType.h"
 
 #include <algorithm>
 #include <array>
@@ -25,16 +23,6 @@ using Picture = SplatGaussian<2>;
 constexpr double aroundEye = 1.3; // of the kernel's reach: the eye is in it, or it fills the view
 constexpr double pixelVariance = 1.0 / 12.0;
 constexpr double transition = 0.25; // beyond those bounds, over which errors grow and fall
-
-SplatVector toDouble(const std::array<float, 3>& v)
-{
-  return { { v[0], v[1], v[2] } };
-}
-
-SplatMatrix toDouble(const std::array<std::array<float, 3>, 3>& m)
-{
-  return { { toDouble(m[0]), toDouble(m[1]), toDouble(m[2]) } };
-}
 
 // The plane at right angles to the line of sight to a place, as it is seen from the eye.
 struct Screen
@@ -111,7 +99,8 @@ public:
     , Rule(rule)
     , View(view)
   {
-    const SplatVector eye = Times(view.ToWorld, SplatVector{ { view.Eye[0], view.Eye[1], view.Eye[2] } });
+    const SplatVector eye =
+      Times(view.ToWorld, SplatVector{ { view.Eye[0], view.Eye[1], view.Eye[2] } });
     std::copy(eye.begin(), eye.end(), this->View.Eye.begin());
   }
 
@@ -137,24 +126,18 @@ public:
 private:
   SplatVector Place(const std::array<float, 3>& place) const
   {
-    return Times(this->View.ToWorld, toDouble(place));
+    return Times(this->View.ToWorld, ToDouble(place));
   }
 
   SplatMatrix Cell(const std::array<std::array<float, 3>, 3>& jacobian) const
   {
-    return Product(this->View.ToWorld, toDouble(jacobian));
+    return Product(this->View.ToWorld, ToDouble(jacobian));
   }
 
   template <typename Body>
   void ForNodes(Body body) const
   {
-    vtkSMPTools::For(
-      0, static_cast<vtkIdType>(this->Tree.Nodes().size()), [&](vtkIdType begin, vtkIdType end) {
-        for (vtkIdType n = begin; n < end; ++n)
-        {
-          body(static_cast<std::size_t>(n));
-        }
-      });
+    ForAll(this->Tree.Nodes().size(), body);
   }
 
   Picture PictureOf(std::int32_t splat, const Screen& screen) const

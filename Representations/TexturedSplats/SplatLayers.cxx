@@ -18,11 +18,6 @@ constexpr std::uint32_t middle = 0x80000000u; // of the numbers of layers
 constexpr double clearly =
   1.2; // by this factor another axis must point at the eye better than the last one
 
-SplatVector toDouble(const SplatSamples::Float3& v)
-{
-  return { { v[0], v[1], v[2] } };
-}
-
 // Not of unit length.
 SplatVector towardsEye(const SplatSamples::Float3& place, const SplatEye& eye)
 {
@@ -51,7 +46,7 @@ int facingAxis(const SplatSamples& samples, const SplatEye& eye, const SplatMetr
     const SplatVector covector = Times(metric, d);
     for (std::size_t axis = 0; axis < 3; ++axis)
     {
-      const SplatVector edge = toDouble(samples.JacobianOf(i)[axis]);
+      const SplatVector edge = ToDouble(samples.JacobianOf(i)[axis]);
       const double length = lengthOf(edge, metric) * lengthOf(d, metric);
       facing[axis] += length > 0 ? std::abs(Dot(edge, covector)) / length : 0;
     }
@@ -82,13 +77,13 @@ void SplatLayers::Find(vtkDataSet* data, bool onCells, const SplatSamples& sampl
     {
       const auto index = static_cast<std::uint32_t>(grid.Index(samples.Ids[i], along));
       const auto& edge = samples.JacobianOf(i)[static_cast<std::size_t>(along)];
-      const bool towards = Dot(toDouble(edge), covector) >= 0;
+      const bool towards = Dot(ToDouble(edge), covector) >= 0;
       this->Layers[i] = towards ? middle + index : middle - 1 - index;
       continue;
     }
     const double distance = lengthOf(d, metric);
     const double nearness =
-      eye[3] == 0 ? Dot(toDouble(samples.Positions[i]), covector) / distance : -distance;
+      eye[3] == 0 ? Dot(ToDouble(samples.Positions[i]), covector) / distance : -distance;
     const double layer = std::floor(nearness / thickness);
     this->Layers[i] =
       static_cast<std::uint32_t>(std::clamp(layer, -2.0e9, 2.0e9) + static_cast<double>(middle));

@@ -14,6 +14,16 @@ namespace nephoscope
 using SplatVector = std::array<double, 3>;
 using SplatMatrix = std::array<SplatVector, 3>; // columns
 
+inline SplatVector ToDouble(const std::array<float, 3>& v)
+{
+  return { { v[0], v[1], v[2] } };
+}
+
+inline SplatMatrix ToDouble(const std::array<std::array<float, 3>, 3>& m)
+{
+  return { { ToDouble(m[0]), ToDouble(m[1]), ToDouble(m[2]) } };
+}
+
 inline double Dot(const SplatVector& a, const SplatVector& b)
 {
   return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];

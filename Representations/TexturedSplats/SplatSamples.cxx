@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SplatSamples.h"
 
+#include "ForAll.h"
+
 #include "vtkBoundingBox.h"
 #include "vtkDataArray.h"
 #include "vtkDataObject.h"
@@ -96,16 +98,6 @@ void sortByPlace(vtkFieldData* arrays, std::vector<vtkIdType>& ids, std::vector<
   places.swap(sortedPlaces);
 }
 
-template <typename Body>
-void forAll(std::size_t count, Body body)
-{
-  vtkSMPTools::For(0, static_cast<vtkIdType>(count), [&](vtkIdType begin, vtkIdType end) {
-    for (vtkIdType i = begin; i < end; ++i)
-    {
-      body(static_cast<std::size_t>(i));
-    }
-  });
-}
 }
 
 void FindPlaceBounds(vtkDataSet* data, double bounds[6])
@@ -166,7 +158,7 @@ SplatSamples FindSplatSamples(vtkDataSet* data, const SplatSampling& sampling, s
   std::copy_n(shapes.GetGrid().GetDimensions(), 3, samples.Dimensions);
   samples.Ids = visibleIds(shapes);
   std::vector<SplatVector> places(samples.Ids.size());
-  forAll(places.size(), [&](std::size_t i) { places[i] = shapes.Place(samples.Ids[i]); });
+  ForAll(places.size(), [&](std::size_t i) { places[i] = shapes.Place(samples.Ids[i]); });
   const int kind = sampling.OnCells ? vtkDataObject::CELL : vtkDataObject::POINT;
   sortByPlace(data->GetAttributesAsFieldData(kind), samples.Ids, places);
   if (samples.Ids.empty())
@@ -187,14 +179,14 @@ SplatSamples FindSplatSamples(vtkDataSet* data, const SplatSampling& sampling, s
   samples.FirstVoxel =
     Minus(shapes.GetFirstVoxel(), { { samples.Center[0], samples.Center[1], samples.Center[2] } });
   samples.Positions.resize(places.size());
-  forAll(places.size(), [&](std::size_t i) {
+  ForAll(places.size(), [&](std::size_t i) {
     for (std::size_t c = 0; c < 3; ++c)
     {
       samples.Positions[i][c] = static_cast<float>(places[i][c] - samples.Center[c]);
     }
   });
   samples.Jacobians.resize(shapes.HaveOneShape() ? 1 : places.size());
-  forAll(samples.Jacobians.size(),
+  ForAll(samples.Jacobians.size(),
     [&](std::size_t i) { samples.Jacobians[i] = toFloat(shapes.Jacobian(samples.Ids[i])); });
   samples.LongestEdge = sampling.Frame.LongestEdge;
   for (const SplatSamples::Jacobian& jacobian : samples.Jacobians)

@@ -36,11 +36,11 @@ struct SplatSamples
   std::vector<vtkIdType> Ids;      ///< of the point or cell
 
   double LongestEdge = 0; ///< largest factor by which any Jacobian stretches a length
-  int Dimensions[3] = { 0, 0,
-    0 }; ///< of the structured grid whose samples these are: Ids count along x, y, z
+  /** Of the structured grid whose samples these are: Ids count along x, y, z. */
+  int Dimensions[3] = { 0, 0, 0 };
 
-  bool AreVoxels =
-    false; ///< of a sparse volume: with the edges Voxel, and the place FirstVoxel (relative to the centre) where indices are 0
+  /** Of a sparse volume: with the edges Voxel, and the place FirstVoxel (relative to the centre) where indices are 0. */
+  bool AreVoxels = false;
   SplatMatrix Voxel{};
   SplatVector FirstVoxel{};
 

@@ -3,6 +3,7 @@
 #include "SplatTree.h"
 
 #include "BlockOrder.h"
+#include "ForAll.h"
 #include "SplatBlocks.h"
 #include "SplatClasses.h"
 #include "SplatSamples.h"
@@ -17,22 +18,6 @@ namespace nephoscope
 {
 namespace
 {
-template <typename Body>
-void forAll(std::size_t count, Body body)
-{
-  vtkSMPTools::For(0, static_cast<vtkIdType>(count), [&](vtkIdType begin, vtkIdType end) {
-    for (vtkIdType i = begin; i < end; ++i)
-    {
-      body(static_cast<std::size_t>(i));
-    }
-  });
-}
-
-SplatVector toDouble(const std::array<float, 3>& v)
-{
-  return { { v[0], v[1], v[2] } };
-}
-
 std::array<float, 3> toFloat(const SplatVector& v)
 {
   return { { static_cast<float>(v[0]), static_cast<float>(v[1]), static_cast<float>(v[2]) } };
@@ -93,7 +78,7 @@ private:
     const SplatBlocks blocks(this->Samples, this->Classes);
     this->Blocks = blocks.GetOrder();
     this->Items.resize(this->Tree.LeafCount);
-    forAll(this->Items.size(), [&](std::size_t i) {
+    ForAll(this->Items.size(), [&](std::size_t i) {
       const auto leaf = static_cast<std::int32_t>(i);
       this->Items[i] = { this->Blocks.CodeOf(blocks.IndexOf(this->SampleOf(leaf))), leaf };
     });
@@ -122,8 +107,7 @@ private:
     const auto& color = this->Classes.Colors[static_cast<std::size_t>(item.Splat)];
     const auto& j = this->Samples.JacobianOf(sample);
     return BranchOfLeaf({ { color[0], color[1], color[2], color[3] } }, this->VectorOf(item.Splat),
-      toDouble(this->Samples.Positions[sample]),
-      { { toDouble(j[0]), toDouble(j[1]), toDouble(j[2]) } }, this->ByVolume);
+      ToDouble(this->Samples.Positions[sample]), ToDouble(j), this->ByVolume);
   }
 
   void MakeNode(const Group& group, std::size_t number, std::uint32_t firstChild)
@@ -197,7 +181,7 @@ private:
     this->Tree.NodeList.resize(nodes);
     this->Tree.Children.resize(children);
     std::vector<Item> merged(groups.size());
-    forAll(groups.size(), [&](std::size_t g) {
+    ForAll(groups.size(), [&](std::size_t g) {
       merged[g] = this->Items[groups[g].Begin];
       if (groups[g].Size > 1)
       {

@@ -24,14 +24,9 @@ float lengthOf(const std::array<float, 3>& v)
   return std::sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
 }
 
-SplatVector toDouble(const std::array<float, 3>& v)
-{
-  return { { v[0], v[1], v[2] } };
-}
-
 double cellAlong(const SplatSamples::Jacobian& j, const std::array<float, 3>& v)
 {
-  return ReachAlong({ { toDouble(j[0]), toDouble(j[1]), toDouble(j[2]) } }, toDouble(v));
+  return ReachAlong({ { ToDouble(j[0]), ToDouble(j[1]), ToDouble(j[2]) } }, ToDouble(v));
 }
 
 std::array<float, 3> finiteVector(vtkDataArray* vectors, vtkIdType id)

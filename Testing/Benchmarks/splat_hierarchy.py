@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: The Nephoscope authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Quality of the hierarchy of splats against the number of splats: clouds of the forecast on the globe, and a smooth cloud of 128^3
-samples, in pictures of 512 x 512 and 1024 x 1024 pixels.
+"""Quality of the hierarchy of splats against the number of splats: clouds of the forecast on the globe, a smooth cloud of 128^3 samples, and a
+cube of 32^3 equal ones, in pictures of 512 x 512 and 1024 x 1024 pixels; and the processor time of frames while the camera turns.
 
     ./nephoscope bench
     ./nephoscope python Testing/Benchmarks/splat_hierarchy.py --plot file.png
@@ -10,6 +10,7 @@ PSNR is that of the float picture, colour over black, against the one of every s
 where there is cloud. Only samples that can be seen, of non-zero opacity, count as splats. The plot needs matplotlib.
 """
 import sys
+import time
 
 import numpy as np
 
@@ -36,13 +37,18 @@ def synthetic():
     return data, "s", transfer.volume_property()
 
 
+def equal():
+    data = meshes.with_field(meshes.image((31,) * 3, (1 / 31,) * 3), lambda p: 0.5 + 0 * p[:, 0])
+    return data, "s", Transfer([(0, 0.6, 0.7, 1), (1, 1, 1, 1)], [(0, 0), (1, 12)]).volume_property()
+
+
 def forecast():
     mapper = nephoscope.vtkTexturedSplatMapper()
     return forecast_globe(), "cloud_fraction", cloud_volume(mapper, 3e5).GetProperty()
 
 
 def decibels(difference):
-    return -10 * np.log10(np.mean(difference**2))
+    return -10 * np.log10(max(np.mean(difference**2), 1e-20))
 
 
 class Quality:
@@ -82,6 +88,18 @@ class Quality:
             low, high = (middle, high) if self.measure(name, middle)[channel] >= TARGET else (low, middle)
         self.report(name, low)
 
+    def report_time(self, tolerance):
+        self.mapper.SetErrorMeasureToPicture()
+        self.mapper.SetErrorTolerance(tolerance)
+        self.window.render()
+        seconds = []
+        for _ in range(3):
+            self.window.window.GetRenderers().GetFirstRenderer().GetActiveCamera().Azimuth(1)
+            start = time.process_time()
+            self.window.render()
+            seconds.append(time.process_time() - start)
+        print(f"{self.label}, {self.size} pixels, tolerance {tolerance}: {min(seconds):.2f} s of processor time a frame", flush=True)
+
 
 def plot(path, curves):
     import matplotlib
@@ -102,13 +120,17 @@ def plot(path, curves):
 def main():
     print("| data | pixels | error measure | tolerance | share | PSNR, dB | where there is cloud |\n|---|---|---|---|---|---|---|")
     curves = {}
-    for label, make in (("smooth cloud", synthetic), ("forecast", forecast)):
+    for label, make in (("smooth cloud", synthetic), ("equal samples", equal), ("forecast", forecast)):
         for size in SIZES:
             quality = Quality(label, size, *make())
             for channel in (1, 2):
                 quality.report_target("Picture", channel)
+        if make is equal:
+            continue
         for measure, tolerances in MEASURES.items():
             curves[label, measure] = [quality.report(measure, tolerance) for tolerance in tolerances]
+        for tolerance in (0, 0.3, 3):
+            quality.report_time(tolerance)
     if sys.argv[1:2] == ["--plot"]:
         plot(sys.argv[2], curves)
 

@@ -61,6 +61,20 @@ class Splats(VdbTestCase, ImageTestCase):
             self.assertGreater(dense[..., 3].max(), 0.5)
             self.check_float(sparse, dense, "sparse and dense", 2e-4)
 
+    def test_a_tile_is_one_large_splat(self):
+        """Of the mass of its voxels, and blocks of the hierarchy have it within."""
+        values = np.zeros((24, 24, 24), "f4")
+        values[:16, 8:16, 8:16] = 1
+        values[20:, 3, 3] = 0.5
+        self.write(vf.image({"s": values.ravel()}, (24, 24, 24), spacing=(0.05, 0.05, 0.05)))
+        depths = []
+        for split, tolerance, splats in ((True, 0, 1028), (False, 0, 6), (False, 1000, 1)):
+            points = self.read(lambda r: r.SetSplitTiles(split))
+            picture, mapper = self.draw(points, tolerance)
+            self.assertEqual(mapper.GetNumberOfDrawnSplats(), splats)
+            depths.append(-np.log1p(-picture[..., 3]).sum())
+        np.testing.assert_allclose(depths[1:], depths[0], rtol=0.02)
+
 
 if __name__ == "__main__":
     unittest.main()

@@ -8,7 +8,7 @@ begin()
 wavelet = pvs.Wavelet()
 draw("image", wavelet)
 draw("again", wavelet)  # by now the transfer functions have their range
-draw("hierarchy", wavelet, ErrorTolerance=0.05)
+draw("hierarchy", wavelet, ErrorTolerance=3)
 draw("cells", pvs.PointDatatoCellData(Input=wavelet), ("CELLS", "RTData"))
 rotated = pvs.Transform(Input=wavelet)
 rotated.Transform.Rotate = [10, 20, 30]
