@@ -322,12 +322,12 @@ public:
   ///@{
   /**
    * What of a block is compared with ErrorTolerance, in units of optical depth:
-   * - Picture (default): root of the sum, over the pixels, of the squares of the error. Small blocks may be less exact than large ones: of all
-   *   pictures with as many splats it is the best in the mean square. 0.1 is hard to see, 1 clearly visible. Of the data: the root of
-   *   the mean square.
+   * - Picture (default): root of the sum, over the pixels, of the squares of the error. Small blocks may be less exact than large ones:
+   *   the fewest splats for clouds that change from sample to sample. 0.3 is hard to see, 3 clearly visible. Of the data: the
+   *   root of the mean square.
    * - Root mean square: of the error over the block.
    * - Greatest: deviation of a sample from the block's mean (Laur and Hanrahan 1991), along the ray through the block; or the root mean
-   *   square if it is more.
+   *   square if it is more. Better than the others where the field is smooth and much is asked for.
    */
   enum ErrorMeasureType
   {

@@ -86,7 +86,7 @@ def add_splats(plotter: pyvista.BasePlotter, mesh: Any, scalars: str | np.ndarra
     error_unit : {"image", "data"}, default: "image"
         Optical depth along the ray through the block; or value of the opacity function, or share of the greatest speed.
     error_measure : {"picture", "rms", "greatest"}, default: "picture"
-        What of a block counts: the root of the sum of the squares over its pixels, the best for a number of splats; the root of the mean
+        What of a block counts: the root of the sum of the squares over its pixels, mostly the fewest splats; the root of the mean
         square over the block; or the greatest deviation of a sample.
     interactive_splats : int, default: 100_000
         No more are drawn while the camera moves in an interactive window. 0: no limit.
