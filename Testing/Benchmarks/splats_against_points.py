@@ -7,7 +7,10 @@
 Both draw the same points with the same widths in one run: random points in a cube, each with the share of the cube that falls to it; the
 peer's gaussian has the standard deviation of the splats' kernel. Seconds are processor time of the whole process, software OpenGL
 included; the ratio is what to quote. A moving frame sorts anew. The second table gives each splat a cell of its own (a bent grid)
-or shares one (points), and says what a splat needs in memory: what the process grows by, software OpenGL's buffers included.
+or shares one (points), in a smaller picture, so that the number of splats counts; seconds are for a million splats. It says what a splat
+needs in memory: what the process grows by, software OpenGL's buffers included, and the share of buffers that a GPU would hold.
+
+    ./nephoscope python Testing/Benchmarks/splats_against_points.py growth
 """
 import os
 import subprocess
@@ -25,6 +28,8 @@ from vtkmodules.vtkCommonDataModel import vtkPiecewiseFunction, vtkPolyData, vtk
 from vtkmodules.vtkRenderingCore import vtkActor, vtkColorTransferFunction, vtkPointGaussianMapper, vtkRenderer, vtkRenderWindow, vtkVolume
 
 SIZE = 1024
+GROWTH_SIZE = 256
+BUFFERS = {"points": 36, "cells": 68}  # bytes: place or cell and place, colour and extinction, order
 MOVES = 4
 DEVIATION = 0.199406**0.5  # of the cubic kernel, in cells
 
@@ -64,12 +69,12 @@ def color_map():
     return color
 
 
-def view(prop):
+def view(prop, size=SIZE):
     renderer, window = vtkRenderer(), vtkRenderWindow()
     renderer.AddViewProp(prop)
     window.SetOffScreenRendering(1)
     window.SetMultiSamples(0)
-    window.SetSize(SIZE, SIZE)
+    window.SetSize(size, size)
     window.AddRenderer(renderer)
     renderer.ResetCamera(-1, 1, -1, 1, -1, 1)
     renderer.GetActiveCamera().Elevation(20)
@@ -107,9 +112,9 @@ def seconds(window):
     return time.process_time() - start
 
 
-def frames(prop):
+def frames(prop, size=SIZE):
     """First frame, median moving frame, and a frame that changes nothing."""
-    renderer, window = view(prop)
+    renderer, window = view(prop, size)
     first = seconds(window)
     moving = []
     for _ in range(MOVES):
@@ -135,23 +140,32 @@ def compare(count):
 
 
 def grow(kind, count):
-    view(splats(bent_grid(8)))[1].Render()  # what OpenGL and the images need once
+    view(splats(bent_grid(1000) if kind == "cells" else points_in_a_cube(1000)), GROWTH_SIZE)[1].Render()  # what OpenGL and the images need once
     data = points_in_a_cube(count) if kind == "points" else bent_grid(count)
     before = resident()
-    first, moving, still = frames(splats(data))
+    millions = data.GetNumberOfPoints() / 1e6
+    first, moving, still = (t / millions for t in frames(splats(data), GROWTH_SIZE))
     memory = (resident() - before) / data.GetNumberOfPoints()
-    print(f"| {data.GetNumberOfPoints()} | {kind} | {first:.2f} | {moving:.2f} | {still:.2f} | {memory:.0f} |", flush=True)
+    print(f"| {data.GetNumberOfPoints()} | {kind} | {first:.2f} | {moving:.2f} | {still:.2f} | {memory:.0f} | {BUFFERS[kind]} |", flush=True)
 
 
-def main():
-    if len(sys.argv) > 1:
-        compare(10**6) if sys.argv[1] == "compare" else grow(sys.argv[1], int(sys.argv[2]))
-        return
-    subprocess.run([sys.executable, __file__, "compare"], check=True)
-    print("| splats | shape | first s | moving s | still s | bytes per splat |\n|---|---|---|---|---|---|", flush=True)
+def growth():
+    print("| splats | shape | first | moving | still | bytes | of them buffers |\n|---|---|---|---|---|---|---|", flush=True)
     for kind in ("points", "cells"):
         for power in (4, 5, 6, 7):
             subprocess.run([sys.executable, __file__, kind, str(10**power)], check=True)
+
+
+def main():
+    if sys.argv[1:] == ["compare"]:
+        compare(10**6)
+    elif sys.argv[1:] == ["growth"]:
+        growth()
+    elif sys.argv[1:]:
+        grow(sys.argv[1], int(sys.argv[2]))
+    else:
+        subprocess.run([sys.executable, __file__, "compare"], check=True)
+        growth()
 
 
 main()

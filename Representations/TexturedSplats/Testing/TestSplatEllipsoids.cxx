@@ -37,6 +37,19 @@ TEST(EllipsoidSplat, OracleOfAStretchedCell)
     passage.Thickness * cubic_kernel::Footprint(passage.Distance), 0.4361847905839568, 1e-9);
 }
 
+TEST(EllipsoidSplat, OraclesOfRaysThroughTheMiddle)
+{
+  const double n = 1.0 / std::sqrt(3.0);
+  const SplatMatrix inverse = Inverse({ { { { 2, 0, 0 } }, { { 0, 1, 0 } }, { { 0, 0, 0.5 } } } });
+  const auto depthAlong = [&](const SplatVector& direction) {
+    const SplatPassage passage = PassSplat(inverse, {}, direction);
+    return passage.Thickness * cubic_kernel::Footprint(passage.Distance);
+  };
+  EXPECT_NEAR(depthAlong({ { 0, 0, 1 } }), 0.349971713, 1e-9);
+  EXPECT_NEAR(depthAlong({ { 1, 0, 0 } }), 1.399886851, 1e-9);
+  EXPECT_NEAR(depthAlong({ { n, n, n } }), 0.5291074958, 1e-9);
+}
+
 TEST(EllipsoidSplat, EveryRayThroughEveryCellIsExact)
 {
   std::mt19937 random(7);
@@ -81,6 +94,8 @@ TEST(SplatOpacity, MediumAndVectorHideEachOther)
   const SplatLight both = MediumAndVector(0.5, { { 1, 1, 1 } }, 0.3, { { 1, 1, 1 } });
   EXPECT_NEAR(both.Transparency, 0.42457146179884336, 1e-12);
   EXPECT_NEAR(both.Light[0], 1.0 - both.Transparency, 1e-12) << "of one colour, light is opacity";
+  const SplatLight dark = MediumAndVector(0.5, { { 1, 1, 1 } }, 0.3, { { 0, 0, 0 } });
+  EXPECT_NEAR(dark.Light[0], 0.341788303, 1e-9);
   const SplatLight medium = MediumAndVector(0.5, { { 0.2, 0.4, 0.6 } }, 0.0, {});
   EXPECT_NEAR(medium.Light[1], 0.4 * SplatAlpha(0.5), 1e-12);
   const SplatLight vector = MediumAndVector(0.0, {}, 0.3, { { 0.2, 0.4, 0.6 } });

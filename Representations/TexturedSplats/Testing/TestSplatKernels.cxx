@@ -137,6 +137,7 @@ TEST(CubicKernel, ColumnsOfALatticeSeenAlongAnAxis)
 {
   EXPECT_NEAR(sheetSum(SplatKernel::Cubic, 0, 0), 1.0010322982424198, 1e-6);
   EXPECT_NEAR(sheetSum(SplatKernel::Cubic, 0.5, 0.5), 1.002491337, 1e-6);
+  EXPECT_NEAR(-std::expm1(-sheetSum(SplatKernel::Cubic, 0.5, 0.5)), 0.633035930, 1e-6);
 }
 
 TEST(CubicKernel, VarianceIsThatOfTheKernel)
