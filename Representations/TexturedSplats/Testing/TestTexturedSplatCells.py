@@ -97,6 +97,15 @@ class Cells(ImageTestCase):
             mass = -np.log1p(-image[..., 3]).sum() * (2 * scale / 64)**2 / 1e-3
             self.assertAlmostEqual(mass, 1, delta=0.01, msg=kind)
 
+    def test_cells_are_drawn_in_their_middle(self):
+        """The light of a tetrahedron's splat is centred at the mean of its corners, not in the middle of its bounds."""
+        mesh = meshes.tetrahedra(np.array([(0, 0, 0), (1, 0, 0), (0, 1, 0), (0, 0, 1.0)]), [(0, 1, 2, 3)])
+        meshes.add_array(mesh.GetCellData(), np.zeros(1))
+        alpha = self.draw(mesh, constant(1e-2), "cell", scale=1.2, direction=(0, 0, 1))[..., 3]
+        at = 2.4 * (np.arange(64) + 0.5) / 64 - 1.2 + 0.5
+        self.assertAlmostEqual((alpha.sum(axis=0) * at).sum() / alpha.sum(), 0.25, delta=1e-3)
+        self.assertAlmostEqual((alpha.sum(axis=1) * at).sum() / alpha.sum(), 0.25, delta=1e-3)
+
     def test_sizes_by_an_array(self):
         points = np.array([(0.2, 0.5, 0.5), (0.7, 0.5, 0.5)])
         data = meshes.particles(points)
