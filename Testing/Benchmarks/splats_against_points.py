@@ -12,6 +12,7 @@ needs in memory: what the process grows by, software OpenGL's buffers included, 
 
     ./nephoscope python Testing/Benchmarks/splats_against_points.py growth
 """
+import ctypes
 import os
 import subprocess
 import sys
@@ -124,6 +125,7 @@ def frames(prop, size=SIZE):
 
 
 def resident():
+    ctypes.CDLL(None).malloc_trim(0)  # what is free does not count
     with open("/proc/self/statm") as file:
         return int(file.read().split()[1]) * os.sysconf("SC_PAGE_SIZE")
 

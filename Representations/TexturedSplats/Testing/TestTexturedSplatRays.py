@@ -73,10 +73,6 @@ class Rays(ImageTestCase):
         """Close to the splats, where the eye sees each cell from another side."""
         self.check("structured", "close", lambda s: s.look((2.2, 1.6, 3.2), (0, 0, 0), angle=80))
 
-    def test_far_and_narrow(self):
-        """So far that splats are drawn to first order in their size over the distance."""
-        self.check("structured", "far", lambda s: s.look((50, 40, 900), (0, 0, 0), angle=0.4))
-
     def test_eye_among_the_splats(self):
         """Part of each kernel lies behind the eye; the share that is seen is a polynomial, up to 8e-4 of a splat."""
         data = scene_data("structured")

@@ -64,6 +64,10 @@ class Views(ImageTestCase):
     def test_wide_angles(self):
         self.check("wide angle beside", lambda s: s.look((3.6, 1.9, 2.5), (0.3, 0, 0), angle=115, near=1e-2, far=50), NEAR_TOLERANCE)
 
+    def test_far(self):
+        """Drawn to first order in the size of splats over their distance, from about the nearest place where they are."""
+        self.check("far", lambda s: s.look(45 * EYE, (0, 0, 0), angle=0.78), tolerance=1.5e-4)
+
     def test_eye_anywhere_inside(self):
         rng = np.random.default_rng(8)
         for i in range(3):
