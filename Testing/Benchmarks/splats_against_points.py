@@ -113,9 +113,12 @@ def seconds(window):
     return time.process_time() - start
 
 
-def frames(prop, size=SIZE):
+def frames(prop):
+    return times(*view(prop))
+
+
+def times(renderer, window):
     """First frame, median moving frame, and a frame that changes nothing."""
-    renderer, window = view(prop, size)
     first = seconds(window)
     moving = []
     for _ in range(MOVES):
@@ -146,7 +149,8 @@ def grow(kind, count):
     data = points_in_a_cube(count) if kind == "points" else bent_grid(count)
     before = resident()
     millions = data.GetNumberOfPoints() / 1e6
-    first, moving, still = (t / millions for t in frames(splats(data), GROWTH_SIZE))
+    scene = view(splats(data), GROWTH_SIZE)  # which holds what is measured
+    first, moving, still = (t / millions for t in times(*scene))
     memory = (resident() - before) / data.GetNumberOfPoints()
     print(f"| {data.GetNumberOfPoints()} | {kind} | {first:.2f} | {moving:.2f} | {still:.2f} | {memory:.0f} | {BUFFERS[kind]} |", flush=True)
 
