@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "GridSamples.h"
 
+#include "SplatSeam.h"
+
 #include "vtkDataSet.h"
 #include "vtkImageData.h"
 #include "vtkRectilinearGrid.h"
@@ -38,6 +40,22 @@ GridSamples::GridSamples(vtkDataSet* data, bool onCells)
     this->Dimensions[axis] =
       onCells ? std::max(1, this->PointDimensions[axis] - 1) : this->PointDimensions[axis];
   }
+  this->Closed = !onCells && vtkStructuredGrid::SafeDownCast(data) && this->ComesBack();
+}
+
+bool GridSamples::ComesBack() const
+{
+  const int columns = this->Dimensions[0];
+  SplatSeam seam;
+  for (int k = 0; k < this->Dimensions[2] && columns >= SplatSeam::FewestColumns; ++k)
+  {
+    for (int j = 0; j < this->Dimensions[1]; ++j)
+    {
+      const int first[3] = { 0, j, k }, second[3] = { 1, j, k }, last[3] = { columns - 1, j, k };
+      seam.Compare(this->At(first), this->At(second), this->At(last));
+    }
+  }
+  return seam.IsClosed();
 }
 
 void GridSamples::IndexOf(vtkIdType id, int index[3]) const
@@ -89,7 +107,13 @@ SplatMatrix GridSamples::Jacobian(vtkIdType id) const
     int after[3] = { index[0], index[1], index[2] };
     before[axis] = std::max(index[axis] - 1, 0);
     after[axis] = std::min(index[axis] + 1, this->Dimensions[axis] - 1);
-    const int steps = after[axis] - before[axis];
+    int steps = after[axis] - before[axis];
+    if (this->Closed && axis == 0 && steps == 1) // across the seam
+    {
+      before[0] = index[0] == 0 ? this->Dimensions[0] - 2 : index[0] - 1;
+      after[0] = 1;
+      steps = 2;
+    }
     if (steps > 0)
     {
       const SplatVector difference = Minus(this->At(after), this->At(before));

@@ -36,16 +36,23 @@ public:
     this->IndexOf(id, index);
     return index[axis];
   }
+  /** Whether the point is in the last column of a grid that comes back to where it began along its first axis (SplatSeam.h). */
+  bool IsRepeated(vtkIdType id) const
+  {
+    return this->Closed && id % this->Dimensions[0] == this->Dimensions[0] - 1;
+  }
   /** Columns of no length where the grid is one sample thick. */
   SplatMatrix Jacobian(vtkIdType id) const;
 
 private:
   SplatVector At(const int index[3]) const;
+  bool ComesBack() const;
   void IndexOf(vtkIdType id, int index[3]) const;
 
   vtkDataSet* Data;
   bool OnCells;
   bool Uniform = false;
+  bool Closed = false;
   int Dimensions[3] = { 0, 0, 0 }; // of the samples
   int PointDimensions[3] = { 0, 0, 0 };
 };

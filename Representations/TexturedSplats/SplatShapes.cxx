@@ -184,7 +184,8 @@ bool SplatShapes::IsVisible(vtkIdType id) const
                                       : int(vtkDataSetAttributes::DUPLICATEPOINT);
   const int left = this->WithDuplicates ? hidden : hidden | duplicate;
   const bool sized = !this->SizeArray || (this->SizeOf(id) > 0 && std::isfinite(this->SizeOf(id)));
-  return sized && (!this->Ghosts || !(this->Ghosts->GetValue(id) & left));
+  return sized && !this->Grid.IsRepeated(id) &&
+    (!this->Ghosts || !(this->Ghosts->GetValue(id) & left));
 }
 
 SplatVector PlaceOf(vtkDataSet* data, const GridSamples& grid, bool onCells, vtkIdType id)

@@ -58,7 +58,7 @@ public:
 
   /** Of points or cells, hidden ones too. */
   vtkIdType GetNumberOfIds() const { return this->Count; }
-  /** Not hidden, and not a duplicate of what another rank has, unless those are wanted. */
+  /** Not hidden, not the repeated column of a closed grid, and not a duplicate of what another rank has, unless those are wanted. */
   bool IsVisible(vtkIdType id) const;
   /** It may be at no finite place. */
   SplatVector Place(vtkIdType id) const

@@ -3,6 +3,7 @@
 #include "SplatPieces.h"
 
 #include "DataBlocks.h"
+#include "SplatGridSeam.h"
 #include "SplatOwners.h"
 #include "SplatSamples.h"
 
@@ -21,6 +22,7 @@
 #include "vtkUnstructuredGrid.h"
 
 #include <cmath>
+#include <memory>
 #include <vector>
 
 namespace nephoscope
@@ -50,7 +52,8 @@ std::vector<bool> ownedByExtent(
 }
 
 // Visible samples, each on one rank only.
-vtkSmartPointer<vtkIdList> ownIds(vtkDataSet* data, const SplatShapes& shapes, bool onCells)
+vtkSmartPointer<vtkIdList> ownIds(
+  vtkDataSet* data, const SplatShapes& shapes, bool onCells, std::unique_ptr<SplatGridSeam>& seam)
 {
   std::vector<vtkIdType> ids;
   std::vector<SplatVector> places;
@@ -65,13 +68,14 @@ vtkSmartPointer<vtkIdList> ownIds(vtkDataSet* data, const SplatShapes& shapes, b
   }
   std::vector<int> extents;
   const bool structured = findExtentsOfRanks(data, extents);
+  seam.reset(structured && !onCells ? new SplatGridSeam(data, extents) : nullptr);
   const std::vector<bool> owned = onCells ? std::vector<bool>(ids.size(), true)
     : structured                          ? ownedByExtent(data, ids, extents)
                                           : ownedByThisRank(places);
   auto own = vtkSmartPointer<vtkIdList>::New();
   for (std::size_t i = 0; i < ids.size(); ++i)
   {
-    if (owned[i])
+    if (owned[i] && !(seam && seam->IsRepeated(ids[i])))
     {
       own->InsertNextId(ids[i]);
     }
@@ -121,7 +125,8 @@ vtkSmartPointer<vtkDataSet> verticesOf(
   return vertices;
 }
 
-vtkSmartPointer<vtkDataArray> shapesOf(const SplatShapes& shapes, vtkIdList* ids)
+vtkSmartPointer<vtkDataArray> shapesOf(
+  const SplatShapes& shapes, vtkIdList* ids, const SplatGridSeam* seam)
 {
   auto array = vtkSmartPointer<vtkFloatArray>::New();
   array->SetName(splatShapeName);
@@ -129,7 +134,11 @@ vtkSmartPointer<vtkDataArray> shapesOf(const SplatShapes& shapes, vtkIdList* ids
   array->SetNumberOfTuples(ids->GetNumberOfIds());
   for (vtkIdType i = 0; i < ids->GetNumberOfIds(); ++i)
   {
-    const SplatMatrix jacobian = shapes.Jacobian(ids->GetId(i));
+    SplatMatrix jacobian = shapes.Jacobian(ids->GetId(i));
+    if (seam)
+    {
+      seam->MendEdge(ids->GetId(i), jacobian);
+    }
     for (int c = 0; c < 9; ++c)
     {
       const auto at = static_cast<std::size_t>(c);
@@ -152,14 +161,15 @@ vtkSmartPointer<vtkDataSet> splatVertices(vtkDataSet* piece, const SplatSampling
   vtkNew<vtkPolyData> nothing; // a rank without data takes part all the same
   vtkDataSet* data = piece ? piece : nothing.Get();
   const SplatShapes own(data, sampling);
-  vtkSmartPointer<vtkIdList> ids = ownIds(data, own, sampling.OnCells);
+  std::unique_ptr<SplatGridSeam> seam;
+  vtkSmartPointer<vtkIdList> ids = ownIds(data, own, sampling.OnCells, seam);
   const double spacing = meanSpacingOverRanks(own, ids); // of all ranks, not of this one
   SplatSampling ofAll = sampling;
   ofAll.CellSize = own.HaveMeanSpacing() ? spacing : sampling.CellSize;
   const SplatShapes shapes(data, ofAll);
   vtkSmartPointer<vtkDataSet> vertices = verticesOf(
     shapes, ids, data->GetAttributes(sampling.OnCells ? vtkDataObject::CELL : vtkDataObject::POINT));
-  vertices->GetCellData()->AddArray(shapesOf(shapes, ids));
+  vertices->GetCellData()->AddArray(shapesOf(shapes, ids, seam.get()));
   vertices->GetFieldData()->ShallowCopy(data->GetFieldData());
   return vertices;
 }

@@ -126,6 +126,25 @@ class Scenes(ImageTestCase):
             expected = 1 - (1 - medium[..., 3:]) * (1 - alone[..., 3:])
             self.check_float(both[..., 3:], expected, f"vector of style {style}, placement {placement} around the eye", 1e-5)
 
+    def test_seam_of_a_closed_grid(self):
+        """A ring whose last column is its first once more: constant density is as flat across the seam as elsewhere."""
+        columns = 36
+
+        def ring(points):
+            angle = 2 * np.pi * points[:, 0]
+            radius = 5 + 3 * points[:, 1]
+            return np.stack([radius * np.cos(angle), radius * np.sin(angle), points[:, 2]], 1)
+        data = meshes.structured((columns, 8, 8), ring)
+        meshes.add_array(data.GetPointData(), np.ones(data.GetNumberOfPoints()))
+        constant = Transfer([(0, 1, 1, 1), (2, 1, 1, 1)], [(0, 0.5), (2, 0.5)])
+        mapper, image = self.draw(data, look=lambda s: s.look((0, 0, 30), (0, 0, 0), parallel_scale=9), transfer=constant)
+        self.assertEqual(mapper.GetNumberOfSamples(), columns * 81)
+        depth = -np.log1p(-image[..., 3])
+        y, x = (np.mgrid[0:100, 0:120] - np.array([49.5, 59.5])[:, None, None]) * 0.18
+        inside = depth[np.abs(np.hypot(x, y) - 6.5) < 0.2]
+        print(f"  ring: {inside.min():.4f} to {inside.max():.4f}")
+        self.assertLess(inside.max() / inside.min(), 1.02)
+
     def check_stretch(self, label, configure=None, tolerance=2e-5):
         """An actor that stretches and shears is the data stretched and sheared."""
         for view, look in (("perspective", lambda s: s.look((9, 15, 18), (1, -2, 0.5), angle=50)),
