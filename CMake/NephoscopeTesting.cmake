@@ -1,10 +1,11 @@
 # SPDX-FileCopyrightText: The Nephoscope authors
 # SPDX-License-Identifier: BSD-3-Clause
-# Three ways to declare a test. Every test gets one or more labels: math, filter, image, plugin, parallel.
+# Four ways to declare a test. Every test gets one or more labels: math, filter, image, plugin, parallel.
 # Tests that draw need a display: `./nephoscope test` gives them a virtual one.
 #
 #   nephoscope_add_math_test(NAME SOURCE.cxx)            GoogleTest on headers alone
 #   nephoscope_add_cxx_test(NAME SOURCES... MODULES... LABELS...)   GoogleTest with VTK modules
+#   nephoscope_add_shader_test(NAME FOLDER SOURCES... MODULES...)   GoogleTest with Testing/Cxx/ShaderRunner.h; FOLDER has the shaders
 #   nephoscope_add_python_test(SCRIPT.py LABELS... [ARGS...])       plain Python, package on its path; exit 0 passes
 find_package(GTest REQUIRED)
 include(GoogleTest)
@@ -43,6 +44,20 @@ function (nephoscope_add_cxx_test name)
   endif ()
   set_tests_properties(${name} PROPERTIES
     LABELS "${arg_LABELS}" TIMEOUT 300 ENVIRONMENT "${NEPHOSCOPE_TEST_ENVIRONMENT};${leaks}")
+endfunction ()
+
+function (nephoscope_add_shader_test name folder)
+  cmake_parse_arguments(PARSE_ARGV 2 arg "" "" "SOURCES;MODULES")
+  set(modules ${arg_MODULES} VTK::RenderingOpenGL2)
+  foreach (module IN ITEMS glad glew opengl) # the OpenGL functions, as this VTK has them
+    if (TARGET VTK::${module})
+      list(APPEND modules VTK::${module})
+    endif ()
+  endforeach ()
+  nephoscope_add_cxx_test(${name} SOURCES ${arg_SOURCES} MODULES ${modules} LABELS image)
+  target_include_directories(${name} PRIVATE "${PROJECT_SOURCE_DIR}/Representations/Common") # OpenGLFunctions.h
+  target_compile_definitions(${name} PRIVATE NEPHOSCOPE_SHADER_FOLDER="${folder}")
+  set_tests_properties(${name} PROPERTIES SKIP_RETURN_CODE 125)
 endfunction ()
 
 function (nephoscope_add_python_test script)

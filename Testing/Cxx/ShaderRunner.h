@@ -4,7 +4,7 @@
  * Evaluates GLSL functions on lists of numbers: item i of two input lists is given to the shader as vec4 `first` and `second`,
  * and what it writes to vec4 `result` comes back, all in 32-bit float. For tests of shaders against C++.
  *
- * Link VTK::RenderingOpenGL2 and the module that has the OpenGL functions. Without a display the test exits with 125.
+ * Declare such a test with nephoscope_add_shader_test. Without a display it exits with 125.
  */
 #ifndef ShaderRunner_h
 #define ShaderRunner_h
@@ -27,8 +27,10 @@
 
 #include <array>
 #include <cstdlib>
+#include <fstream>
 #include <functional>
 #include <iostream>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -36,6 +38,16 @@ namespace nephoscope_test
 {
 
 using Float4 = std::array<float, 4>;
+
+/** The text of a shader file of the technique under test. */
+inline std::string readShader(const std::string& name)
+{
+  std::ifstream file(NEPHOSCOPE_SHADER_FOLDER "/" + name);
+  std::stringstream text;
+  text << file.rdbuf();
+  EXPECT_FALSE(text.str().empty()) << name;
+  return text.str();
+}
 
 class ShaderRunner
 {

@@ -7,24 +7,15 @@
 #include "TestRandom.h"
 
 #include <cmath>
-#include <fstream>
-#include <sstream>
 
 using namespace nephoscope;
 using nephoscope_test::Float4;
 using nephoscope_test::Random;
+using nephoscope_test::readShader;
 using nephoscope_test::ShaderRunner;
 
 namespace
 {
-std::string shaderText(const char* name)
-{
-  std::ifstream file(std::string(NEPHOSCOPE_SHADER_FOLDER "/") + name);
-  std::stringstream text;
-  text << file.rdbuf();
-  return text.str();
-}
-
 /** first: a place above (0, 0, radius) and its altitude; second: a step. */
 struct Segments
 {
@@ -55,7 +46,7 @@ protected:
   std::vector<Float4> Run(const std::string& body)
   {
     static ShaderRunner runner;
-    return runner.Run(shaderText("Haze.glsl"), body, this->Items.First, this->Items.Second,
+    return runner.Run(readShader("Haze.glsl"), body, this->Items.First, this->Items.Second,
       [](vtkShaderProgram*) {});
   }
 

@@ -23,15 +23,6 @@ const std::vector<Float4>& none()
   return list;
 }
 
-std::string readShader(const std::string& name)
-{
-  std::ifstream file(NEPHOSCOPE_SHADER_FOLDER "/" + name);
-  std::stringstream text;
-  text << file.rdbuf();
-  EXPECT_FALSE(text.str().empty()) << name;
-  return text.str();
-}
-
 std::vector<Float4> evaluateFootprint(
   SplatKernel kernel, const std::vector<Float4>& list, const std::string& body)
 {

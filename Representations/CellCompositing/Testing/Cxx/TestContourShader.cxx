@@ -10,8 +10,6 @@
 #include "TestRandom.h"
 
 #include <algorithm>
-#include <fstream>
-#include <sstream>
 
 using namespace nephoscope;
 using namespace nephoscope_test;
@@ -20,15 +18,6 @@ namespace
 {
 using Double4 = std::array<long double, 4>;
 constexpr int numberOfContours = 4;
-
-std::string readShader(const std::string& name)
-{
-  std::ifstream file(NEPHOSCOPE_SHADER_FOLDER "/" + name);
-  std::stringstream text;
-  text << file.rdbuf();
-  EXPECT_FALSE(text.str().empty()) << name;
-  return text.str();
-}
 
 /** A medium with one ramp per layer: constant colour, extinction a + b s. */
 struct Layer

@@ -11,23 +11,12 @@
 #include "TestRandom.h"
 
 #include <algorithm>
-#include <fstream>
-#include <sstream>
 
 using namespace nephoscope;
 using namespace nephoscope_test;
 
 namespace
 {
-std::string readShader(const std::string& name)
-{
-  std::ifstream file(NEPHOSCOPE_SHADER_FOLDER "/" + name);
-  std::stringstream text;
-  text << file.rdbuf();
-  EXPECT_FALSE(text.str().empty()) << name;
-  return text.str();
-}
-
 std::string constant(const char* name, bool value)
 {
   return std::string("const bool ") + name + (value ? " = true;\n" : " = false;\n");

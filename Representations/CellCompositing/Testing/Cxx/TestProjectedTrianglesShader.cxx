@@ -8,23 +8,12 @@
 #include "TestRandom.h"
 
 #include <cmath>
-#include <fstream>
-#include <sstream>
 
 using namespace nephoscope;
 using namespace nephoscope_test;
 
 namespace
 {
-std::string readShader(const std::string& name)
-{
-  std::ifstream file(NEPHOSCOPE_SHADER_FOLDER "/" + name);
-  std::stringstream text;
-  text << file.rdbuf();
-  EXPECT_FALSE(text.str().empty()) << name;
-  return text.str();
-}
-
 /** All signs, zeros included, with random magnitudes. */
 std::vector<Float4> eyeCoordinateGrid(Random& random)
 {
