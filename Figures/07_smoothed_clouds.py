@@ -10,4 +10,4 @@ import sys
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "common"))
 import cloud_surface_scene  # noqa: E402
 
-cloud_surface_scene.picture("07_smoothed_clouds", "Smoothed clouds", "15 % cloud cover, smoothed once", iterations=1, haze=True)
+cloud_surface_scene.picture("07_smoothed_clouds", "Smoothed clouds", "15 % cloud cover, smoothed once", iterations=1)

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: The Nephoscope authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""What the figures of cloud surfaces (6 to 9) share: one view, low over the ocean, and the surface of 15 % cloud cover in it."""
+"""What the figures of cloud surfaces (6 and 7) share: one view, low over the ocean, and the surface of 15 % cloud cover in it."""
 from paraview import simple as pvs
 
 import globe_scene

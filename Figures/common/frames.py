@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Frames of an animation as PNG files, made once and kept, and films of them.
 
-    wanted = options("Winds over the globe").parse_args()
+    wanted = options("Winds over the globe", frames=36, size=(960, 540)).parse_args()
     make_film("02_winds", wanted, draw, 80, settings)   draw(i, file) draws frame i of wanted.frames into a file
 
 or step by step

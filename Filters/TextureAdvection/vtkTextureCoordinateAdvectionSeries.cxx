@@ -58,7 +58,10 @@ void AskForSamePiece(vtkInformation* output, vtkInformation* input)
   input->CopyEntry(output, SDDP::UPDATE_PIECE_NUMBER());
   input->CopyEntry(output, SDDP::UPDATE_NUMBER_OF_PIECES());
   input->CopyEntry(output, SDDP::UPDATE_NUMBER_OF_GHOST_LEVELS());
-  if (input->Has(SDDP::WHOLE_EXTENT()) && output->Has(SDDP::UPDATE_EXTENT()))
+  // The output may be on points of other extents, or of none.
+  const bool sameGrid = input->Has(SDDP::WHOLE_EXTENT()) && output->Has(SDDP::WHOLE_EXTENT()) &&
+    std::equal(input->Get(SDDP::WHOLE_EXTENT()), input->Get(SDDP::WHOLE_EXTENT()) + 6, output->Get(SDDP::WHOLE_EXTENT()));
+  if (sameGrid && output->Has(SDDP::UPDATE_EXTENT()))
   {
     input->CopyEntry(output, SDDP::UPDATE_EXTENT());
   }

@@ -188,7 +188,7 @@ void addCloudCode(std::map<vtkShader::Type, vtkShader*>& shaders, const Textured
   const std::string opacity = depth + "  opacity *= cloudOpacity(cloudTexture1VSOutput, " + second +
     ", " + input(attributes, "cloudWeights", "textureWeights") + ", " +
     input(attributes, "cloudCover", "coverage") +
-    ", cloudDepthOnRay);\n  if (opacity <= 0.0)\n  {\n    }\n";
+    ", cloudDepthOnRay);\n";
   vtkShaderProgram::Substitute(
     source, "//VTK::Color::Impl", "//VTK::Color::Impl\n" + opacity, false);
   fragment->SetSource(source);

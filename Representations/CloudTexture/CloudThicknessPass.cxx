@@ -28,6 +28,8 @@ namespace
 {
 // The superclass and the passes need some: colours, environment, thresholds, peels.
 constexpr int reservedUnits = 8;
+// For a sampler that is not read: samplers of two types may not share a unit, and 0 is somebody's.
+constexpr int unusedUnit = 15;
 }
 
 int CloudThicknessPass::LimitDrawings(int clouds, bool withDensities)
@@ -187,6 +189,12 @@ void CloudThicknessPass::Activate()
   }
 }
 
+void CloudThicknessPass::Forget(const Request& request)
+{
+  this->FindView(request);
+  this->IsKnown = false;
+}
+
 void CloudThicknessPass::Deactivate()
 {
   for (vtkTextureObject* texture : this->Textures())
@@ -208,6 +216,7 @@ void CloudThicknessPass::SetUniforms(vtkShaderProgram* program, double extinctio
   program->SetUniformi("cloudFrontIsFront", this->FrontIsFront);
   if (!this->IsKnown)
   {
+    program->SetUniformi("cloudHeads", unusedUnit);
     return;
   }
   program->SetUniformi("cloudOpaqueDepth", this->Opaque->GetTextureUnit());

@@ -44,8 +44,8 @@ public:
 
   /** Draws the layers if this is the time: empty, or what went wrong. */
   std::string Draw(const Request& request);
-  /** Thickness is not known: the cloud is a layer. */
-  void Forget() { this->IsKnown = false; }
+  /** Thickness is not known in this view: the cloud is a layer. */
+  void Forget(const Request& request);
   /** Whether back faces start no cloud: the near plane is before all of the surface, and the surface is closed. */
   bool OnlyFrontFaces() const { return this->IsKnown && !this->EyeMayBeInside && this->IsClosed; }
   /** Which of them OpenGL takes for front faces. */
@@ -72,7 +72,7 @@ private:
   vtkTextureObject* Opaque = nullptr;
   vtkProp* KnownProp = nullptr; // not to be looked into
   bool IsKnown = false, HasLists = false, EyeMayBeInside = true, IsClosed = false, WithDensities = false, IsParallel = false, FrontIsFront = true;
-  float PlaceToView[16], DepthToView[4], Origin[2], Near = 0;
+  float PlaceToView[16] = {}, DepthToView[4] = {}, Origin[2] = {}, Near = 0;
 };
 
 } // namespace nephoscope

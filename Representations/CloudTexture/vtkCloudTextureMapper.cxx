@@ -35,6 +35,7 @@
 #include "vtkSmartPointer.h"
 #include "vtkTextureObject.h"
 
+#include <algorithm>
 #include <cmath>
 #include <tuple>
 #include <vector>
@@ -207,7 +208,13 @@ void vtkCloudTextureMapper::RenderPiece(vtkRenderer* renderer, vtkActor* actor)
   {
     this->GetInputAlgorithm()->Update();
   }
-  vtkPolyData* joined = own.Blocks.Join(vtkCompositeDataSet::SafeDownCast(this->GetInputDataObject(0, 0)));
+  vtkCompositeDataSet* blocks = vtkCompositeDataSet::SafeDownCast(this->GetInputDataObject(0, 0));
+  if (!blocks) // updated, it is no longer one
+  {
+    this->Superclass::RenderPiece(renderer, actor);
+    return;
+  }
+  vtkPolyData* joined = own.Blocks.Join(blocks);
   if (!own.ForBlocks)
   {
     own.ForBlocks = vtkSmartPointer<vtkCloudTextureMapper>::New();
@@ -271,11 +278,6 @@ void vtkCloudTextureMapper::FindThickness(vtkRenderer* renderer, vtkActor* actor
   vtkInternals& own = *this->Internals;
   own.Drawings = nephoscope::CloudThicknessPass::LimitDrawings(
     this->MaximumNumberOfLayers, own.Surface.HasDensity);
-  if (actor->GetProperty()->GetRepresentation() != VTK_SURFACE || renderer->GetSelector())
-  {
-    own.Thickness.Forget(); // lines and points have none, and who asks what is there needs none
-    return;
-  }
   nephoscope::CloudThicknessPass::Request request;
   request.Scene.Window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
   request.Scene.Mapper = this;
@@ -297,6 +299,11 @@ void vtkCloudTextureMapper::FindThickness(vtkRenderer* renderer, vtkActor* actor
   request.DrawTriangles = [&](vtkOpenGLHelper& helper) {
     this->DrawTriangles(helper, renderer, actor);
   };
+  if (actor->GetProperty()->GetRepresentation() != VTK_SURFACE || renderer->GetSelector())
+  {
+    own.Thickness.Forget(request); // lines and points have none, and who asks what is there needs none
+    return;
+  }
   const std::string error = own.Thickness.Draw(request);
   this->TellThickness(error);
 }

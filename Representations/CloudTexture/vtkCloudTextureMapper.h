@@ -108,8 +108,8 @@ public:
 
   ///@{
   /**
-   * How many clouds behind one another UseThickness finds in a pixel, nearest and farthest first; a warning says where there are more. Every two
-   * cost one drawing of depths, where they are there. 2 ... 16, default: 8. OpenGL's number of textures may allow less.
+   * Where OpenGL is older than 4.2: how many clouds behind one another UseThickness finds in a pixel, nearest and farthest first; a warning
+   * says where there are more. Every two cost one drawing of depths, where they are there. Later OpenGL finds all. 2 ... 16, default: 8. OpenGL's number of textures may allow less.
    */
   vtkSetClampMacro(MaximumNumberOfLayers, int, 2, 16);
   vtkGetMacro(MaximumNumberOfLayers, int);

@@ -15,6 +15,7 @@
 #include "vtkRenderer.h"
 #include "vtkShaderProgram.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace nephoscope

@@ -159,17 +159,14 @@ private:
     const Screen screen(this->Place(node.Position), this->View);
     const Picture one =
       screen.PictureOf(this->Place(node.Position), this->Cell(node.Jacobian), node.Color);
-    std::array<Picture, 8> pictures;
-    std::vector<Picture> more; // of many samples in one place
+    std::array<Picture, 8> pictures; // a node has at most eight children
     const std::int32_t* begin = this->Tree.BeginChildren(node);
     const auto count = static_cast<std::size_t>(this->Tree.EndChildren(node) - begin);
-    more.resize(count > pictures.size() ? count : 0);
-    Picture* children = more.empty() ? pictures.data() : more.data();
     for (std::size_t i = 0; i < count; ++i)
     {
-      children[i] = this->PictureOf(begin[i], screen);
+      pictures[i] = this->PictureOf(begin[i], screen);
     }
-    return SquareDistance(one, children, children + count);
+    return SquareDistance(one, pictures.begin(), pictures.begin() + static_cast<std::ptrdiff_t>(count));
   }
 
   // From its children and from theirs; nodes come after their children.

@@ -126,6 +126,7 @@ void SplatScene::UpdateOrder(const ViewState& state)
   this->Metric = metric;
   this->OrderUploaded = false;
   this->LayeredBy = LayerKey();
+  this->Items.clear(); // LayerKey() is also the key of no layers
 }
 
 void SplatScene::UpdateLayers(bool layers, vtkDataSet* input, int axis, std::size_t near)

@@ -105,12 +105,12 @@ SplatShapes::SplatShapes(vtkDataSet* data, const SplatSampling& sampling)
       this->ShapeArray->GetNumberOfTuples() == this->Count;
     this->ShapeArray = fits ? this->ShapeArray : nullptr;
   }
-  if (this->ShapeArray || this->Grid.IsGrid() || (!(this->CellSize > 0) && this->FindVoxels()))
+  if (this->ShapeArray || this->Grid.IsGrid())
   {
     return;
   }
   this->SizeArray = sizeArrayOf(data, sampling);
-  if (this->SizeArray)
+  if (this->SizeArray || (!(this->CellSize > 0) && this->FindVoxels()))
   {
     return;
   }

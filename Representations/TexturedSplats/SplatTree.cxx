@@ -51,6 +51,10 @@ public:
     {
       this->Merge(level);
     }
+    while (this->Items.size() > 1) // samples in one place, too many for one node at every level
+    {
+      this->Merge(this->Blocks.GetNumberOfLevels() - 1);
+    }
     this->Tree.RootNumber = this->Items[0].Splat;
   }
 
@@ -146,7 +150,8 @@ private:
     std::vector<Group> groups;
     for (std::size_t i = 0; i < this->Items.size(); ++i)
     {
-      if (i > 0 &&
+      // More than eight are samples in one place: the error of a node costs the square of their number.
+      if (i > 0 && groups.back().Size < 8 &&
         this->Blocks.BlockOf(this->Items[i].Code, level) ==
           this->Blocks.BlockOf(this->Items[i - 1].Code, level))
       {

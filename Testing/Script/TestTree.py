@@ -69,8 +69,15 @@ def check_verbs(_files):
 
 
 def check_references(files):
-    """Every key of the form NameYear in a source is in references.bib."""
-    known = set(re.findall(r"^@\w+\{(\w+),", text_of(TOP / "Documentation/references.bib"), re.MULTILINE))
+    """Every key of the form NameYear in a source is in references.bib, once; its braces are in pairs."""
+    references = text_of(TOP / "Documentation/references.bib")
+    keys = re.findall(r"^@\w+\{(\w+),", references, re.MULTILINE)
+    known = set(keys)
+    for repeated in sorted(known):
+        if keys.count(repeated) > 1:
+            yield f"Documentation/references.bib: {repeated} is there {keys.count(repeated)} times"
+    if references.count("{") != references.count("}"):
+        yield "Documentation/references.bib: braces are not in pairs"
     key = re.compile(r"\b((?:[A-Z][a-z]+){1,4}(?:19|20)\d\d)\b")
     for path in files:
         if path.suffix in (".cxx", ".h", ".glsl", ".md"):

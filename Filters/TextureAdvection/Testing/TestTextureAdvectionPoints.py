@@ -7,7 +7,7 @@ import numpy as np
 from nephoscope_testing.texture import DAY, Globe, add, advection, update
 from vtkmodules.vtkCommonDataModel import vtkDataObject, vtkStructuredGrid
 from vtkmodules.vtkCommonExecutionModel import vtkStreamingDemandDrivenPipeline as SDDP
-from vtkmodules.vtkFiltersCore import vtkContourFilter
+from vtkmodules.vtkFiltersCore import vtkContourFilter, vtkResampleToImage
 from vtkmodules.vtkFiltersParallel import vtkPieceRequestFilter
 
 HOUR = 3600.0
@@ -117,6 +117,15 @@ class SharedSource(unittest.TestCase):
             expected, _ = update(connected(source(), clouds(source(Swelling))), time)
             check_same(self, texture, expected)
             np.testing.assert_allclose(texture.point_array("Swell"), 0.3, atol=1e-6)
+
+    def test_an_image_with_more_points_along_an_axis_than_the_grid(self):
+        winds = source()
+        image = vtkResampleToImage()
+        image.SetInputConnection(winds.GetOutputPort())
+        image.SetSamplingDimensions(60, 5, 5)
+        texture, messages = update(connected(winds, image), 7.25 * HOUR)
+        self.assertEqual(messages, [])
+        self.assertEqual(texture.output.GetNumberOfPoints(), 60 * 5 * 5)
 
     def test_after_the_last_time_and_before_the_first(self):
         winds = source(Swelling)

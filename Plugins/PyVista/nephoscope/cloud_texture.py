@@ -137,6 +137,8 @@ def add_cloud_texture(plotter: pyvista.BasePlotter, mesh: Any, scalars: str | np
     mapper.SelectColorArray(drawn.GetArrayName())  # which ShallowCopy leaves out
     mapper.SetInputConnection(drawn.GetInputConnection(0, 0))
     actor.SetMapper(mapper)
+    for mappers in plotter.scalar_bars._scalar_bar_mappers.values():  # a bar goes with the actor of its mapper
+        mappers[:] = [mapper if one is drawn else one for one in mappers]
     if plotter.mapper is drawn:
         plotter.mapper = mapper
     if peels > 0:

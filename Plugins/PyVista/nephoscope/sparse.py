@@ -135,7 +135,7 @@ def write_vdb(mesh: pyvista.DataSet, path: str | Path, arrays: str | Sequence[st
     for name in [arrays] if isinstance(arrays, str) else arrays or ():
         writer.AddArrayName(_array(mesh, name, "arrays"))
     for name, grid in (names or {}).items():
-        writer.SetGridName(name if name == "density" else _array(mesh, name, "names"), str(grid))
+        writer.SetGridName(name if name == "density" and not isinstance(mesh, pyvista.ImageData) else _array(mesh, name, "names"), str(grid))
     writer.SetTolerance(require_number(tolerance, "tolerance", least=0))
     choose({"input": writer.SetPrecisionToInput, "single": writer.SetPrecisionToSingle, "half": writer.SetPrecisionToHalf},
            precision, "precision")

@@ -14,7 +14,7 @@ uniform float cloudNear;       // depth of the near plane
 uniform int cloudEyeMayBeInside;
 uniform int cloudIsParallel;
 uniform int cloudFrontIsFront;
-uniform int cloudDrawings;     // of layers; 0: layers are not known
+uniform int cloudDrawings;     // of layers; 1: lists; < 0: layers are not known
 
 const float noLayer = -1.0e30;
 const float noThickness = 1.0e30;

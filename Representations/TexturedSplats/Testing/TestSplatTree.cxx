@@ -431,6 +431,24 @@ TEST(SplatTree, TheSameForAnyNumberOfThreads)
   EXPECT_EQ(cuts[0], cuts[1]);
 }
 
+// The error of a node costs the square of the number of its children.
+TEST(SplatTree, NodesAreSmallWhereManySamplesAreInOnePlace)
+{
+  Random random(29);
+  Scene scene = makeScene(random, { { 40, 25, 20 } }, false, 0.0);
+  for (std::size_t i = 0; i + 10 < scene.Samples.Positions.size(); ++i)
+  {
+    scene.Samples.Positions[i] = { { 3, 4, 5 } };
+  }
+  const SplatTree tree = treeOf(scene);
+  for (std::size_t n = 0; n < tree.Nodes().size(); ++n)
+  {
+    const SplatTreeNode& node = tree.Nodes()[n];
+    ASSERT_LE(tree.EndChildren(node) - tree.BeginChildren(node), 8);
+  }
+  EXPECT_EQ(leavesBelow(tree, tree.Root()).size(), scene.Classes.Samples.size());
+}
+
 TEST(SplatTree, OneAndNoSplat)
 {
   Random random(36);

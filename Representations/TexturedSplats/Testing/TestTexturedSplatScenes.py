@@ -160,6 +160,32 @@ class Scenes(ImageTestCase):
     def test_stretched_actor(self):
         self.check_stretch("samples")
 
+    def test_no_layers_once_there_are_no_vectors(self):
+        """Layers that are switched off, by the placement or with the vectors, leave nothing behind."""
+        data = block()
+
+        def layered(mapper):
+            mapper.SetVectorArrayName("v")
+            mapper.SetLayerAxis(0)
+            mapper.SetVectorPlacementToLayers()
+
+        def plain(mapper):
+            mapper.SetLayerAxis(0)
+
+        window = Window((120, 100))
+        scene = window.add_scene()
+        mapper = nephoscope.vtkTexturedSplatMapper()
+        layered(mapper)
+        scene.add_volume(mapper, data, RAMP)
+        scene.look((14, 18, 22), (0, 0, 0), angle=50)
+        window.render()
+        mapper.SetVectorArrayName("")
+        scene.look((15, 17, 22), (0, 0, 0), angle=50)
+        window.render()
+        self.fail_on_messages(window)
+        fresh = self.draw(data, plain, look=lambda s: s.look((15, 17, 22), (0, 0, 0), angle=50))[1]
+        np.testing.assert_allclose(float_image(mapper), fresh, atol=1e-6)
+
     def test_stretched_actor_in_layers(self):
         """The stretch decides which axis faces the eye."""
         def segments(mapper):
