@@ -64,20 +64,21 @@ def colour_table(array, points):
     return table
 
 
-def show_clouds(grid, view, opacity_points, unit_distance, colour_array, colours):
-    """Cell compositing of the cloud fraction, coloured by an array; returns what is shown and its colour table."""
+def show_clouds(grid, view, opacity_points, unit_distance, colour_array, colours, representation="Cell Compositing"):
+    """The cloud fraction as a volume of cells or splats, coloured by an array; returns what is shown and its colour table."""
     shown = pvs.Show(grid, view)
     pvs.ColorBy(shown, ("POINTS", colour_array))
-    shown.SetRepresentationType("Cell Compositing")
+    shown.SetRepresentationType(representation)
     shown.LookupTable = colour_table(colour_array, colours)
     shown.SetScalarBarVisibility(view, False)
+    prefix = representation.replace(" ", "")  # of its properties
     if colour_array != "cloud_fraction":
-        shown.CellCompositingOpacityArray = "cloud_fraction"
+        setattr(shown, prefix + "OpacityArray", "cloud_fraction")
     opacity = pvs.GetOpacityTransferFunction("cloud_fraction")
     opacity.Points = opacity_points
     shown.ScalarOpacityFunction = opacity
-    shown.CellCompositingAutomaticUnitDistance = 0
-    shown.CellCompositingUnitDistance = unit_distance
+    setattr(shown, prefix + "AutomaticUnitDistance", 0)
+    setattr(shown, prefix + "UnitDistance", unit_distance)
     return shown, shown.LookupTable
 
 

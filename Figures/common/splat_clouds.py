@@ -22,20 +22,8 @@ def view_of_north_america(name):
 def show_clouds(forecast, view, colour):
     """`colour`: "height", or "white"."""
     globe_scene.show_terrain(view, ambient=0.5, diffuse=0.75)
-    shown = pvs.Show(forecast, view)
-    array = "Height" if colour == "height" else "cloud_fraction"
-    pvs.ColorBy(shown, ("POINTS", array))
-    shown.SetRepresentationType("Textured Splats")
-    shown.LookupTable = globe_scene.colour_table(array, ALTITUDE_COLOURS if colour == "height" else WHITE)
-    shown.SetScalarBarVisibility(view, False)
-    if colour == "height":
-        shown.TexturedSplatsOpacityArray = "cloud_fraction"
-    opacity = pvs.GetOpacityTransferFunction("cloud_fraction")
-    opacity.Points = CLOUD_OPACITY
-    shown.ScalarOpacityFunction = opacity
-    shown.TexturedSplatsAutomaticUnitDistance = 0
-    shown.TexturedSplatsUnitDistance = UNIT_DISTANCE
-    return shown
+    array, colours = ("Height", ALTITUDE_COLOURS) if colour == "height" else ("cloud_fraction", WHITE)
+    return globe_scene.show_clouds(forecast, view, CLOUD_OPACITY, UNIT_DISTANCE, array, colours, "Textured Splats")[0]
 
 
 def caption(view, text, place=(0.012, 0.935), colour=(0.78, 0.83, 0.90)):
