@@ -1,6 +1,11 @@
 # SPDX-FileCopyrightText: The Nephoscope authors
 # SPDX-License-Identifier: BSD-3-Clause
 # The ParaView plugin `Nephoscope`.
+include(NephoscopeHelp) # sets NEPHOSCOPE_HELP
+set(nephoscope_no_help ON)
+if (NEPHOSCOPE_HELP)
+  set(nephoscope_no_help OFF)
+endif ()
 set(NEPHOSCOPE_PLUGIN_SUBDIRECTORY "nephoscope-plugins")
 set(NEPHOSCOPE_PLUGIN_PATH
   "${PROJECT_BINARY_DIR}/${CMAKE_INSTALL_LIBDIR}/${NEPHOSCOPE_PLUGIN_SUBDIRECTORY}/Nephoscope")
@@ -13,5 +18,5 @@ paraview_plugin_build(
   PLUGINS              ${nephoscope_plugins}
   PLUGINS_FILE_NAME    "nephoscope.xml"
   LIBRARY_SUBDIRECTORY "${NEPHOSCOPE_PLUGIN_SUBDIRECTORY}"
-  DISABLE_XML_DOCUMENTATION ON
+  DISABLE_XML_DOCUMENTATION ${nephoscope_no_help}
   INSTALL_HEADERS      OFF)

@@ -55,8 +55,9 @@ foreach (target IN LISTS nephoscope_wheel_targets)
   set_property(TARGET ${target} PROPERTY INSTALL_RPATH_USE_LINK_PATH ON)
 endforeach ()
 
-# The pure-Python part is copied whenever it changes.
+# The pure-Python part, and the presets that it shares with the plugin, are copied whenever they change.
 file(GLOB nephoscope_python_sources CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/Plugins/PyVista/nephoscope/*.py")
+list(APPEND nephoscope_python_sources "${PROJECT_SOURCE_DIR}/Plugins/Presets/nephoscope_presets.json")
 set(nephoscope_python_outputs)
 foreach (source IN LISTS nephoscope_python_sources)
   get_filename_component(name "${source}" NAME)

@@ -1,12 +1,13 @@
 # SPDX-FileCopyrightText: The Nephoscope authors
 # SPDX-License-Identifier: BSD-3-Clause
-# Four ways to declare a test. Every test gets one or more labels: math, filter, image, plugin, parallel.
+# Five ways to declare a test. Every test gets one or more labels: math, filter, image, plugin, parallel.
 # Tests that draw need a display: `./nephoscope test` gives them a virtual one.
 #
 #   nephoscope_add_math_test(NAME SOURCE.cxx)            GoogleTest on headers alone
 #   nephoscope_add_cxx_test(NAME SOURCES... MODULES... LABELS...)   GoogleTest with VTK modules
 #   nephoscope_add_shader_test(NAME FOLDER SOURCES... MODULES...)   GoogleTest with Testing/Cxx/ShaderRunner.h; FOLDER has the shaders
 #   nephoscope_add_python_test(SCRIPT.py LABELS... [ARGS...])       plain Python, package on its path; exit 0 passes
+#   nephoscope_add_softpipe_test(SCRIPT.py [CASES...])              those cases once more, on Mesa's software OpenGL 3.3 (slow: small pictures)
 find_package(GTest REQUIRED)
 include(GoogleTest)
 
@@ -66,4 +67,11 @@ function (nephoscope_add_python_test script)
   add_test(NAME ${name} COMMAND "${Python3_EXECUTABLE}" "${CMAKE_CURRENT_SOURCE_DIR}/${script}" ${arg_ARGS})
   set_tests_properties(${name} PROPERTIES
     LABELS "${arg_LABELS}" TIMEOUT 300 ENVIRONMENT "${NEPHOSCOPE_TEST_ENVIRONMENT}")
+endfunction ()
+
+function (nephoscope_add_softpipe_test script)
+  get_filename_component(name "${script}" NAME_WE)
+  add_test(NAME ${name}OnSoftpipe COMMAND "${Python3_EXECUTABLE}" "${script}" ${ARGN})
+  set_tests_properties(${name}OnSoftpipe PROPERTIES LABELS "image" TIMEOUT 300
+    ENVIRONMENT "${NEPHOSCOPE_TEST_ENVIRONMENT};LIBGL_ALWAYS_SOFTWARE=1;GALLIUM_DRIVER=softpipe")
 endfunction ()

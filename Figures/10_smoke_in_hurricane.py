@@ -57,7 +57,7 @@ def release(forecast, degrees, height, directions, hours):
         place = (CENTRE[0] + degrees * east / math.cos(math.radians(CENTRE[1])), CENTRE[1] + degrees * north, height)
         volumes.append(pvs.FlowVolume(Input=forecast, Center=in_air(*place), Radius=POLYGON_RADIUS, Duration=hours * HOUR,
                                       TimeStep=HOUR, PolygonEdgeLength=POLYGON_RADIUS, MaximumEdgeLength=LONGEST_EDGE,
-                                      MinimumEdgeLength=SHORTEST_EDGE))
+                                      MinimumEdgeLength=SHORTEST_EDGE, MaximumNumberOfTetrahedra=1_000_000))
     return pvs.AppendDatasets(Input=volumes)
 
 

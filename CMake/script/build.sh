@@ -39,12 +39,21 @@ configure()
     fail 1 "could not configure the preset $PRESET"
 }
 
-build()
+# build_targets [TARGET...]: all without any.
+# shellcheck disable=SC2120 # the gallery passes some
+build_targets()
 {
-  step "Build"
   # One at a time: two hosts started together must not both build.
   exec 9>"$BUILD/.lock"
   flock 9
-  run_logged "build-$PRESET" cmake --build "$BUILD" -j "$(nproc)" || fail 1 "could not build the preset $PRESET"
+  run_logged "build-$PRESET" cmake --build "$BUILD" -j "$(nproc)" ${1:+--target "$@"} ||
+    fail 1 "could not build the preset $PRESET"
   exec 9>&-
+}
+
+build()
+{
+  step "Build"
+  # shellcheck disable=SC2119
+  build_targets
 }

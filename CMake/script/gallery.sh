@@ -18,6 +18,34 @@ select_figures()
   done
 }
 
+# Whether a figure, or a module of Figures/common that it takes, directly or not, uses the Python package.
+uses_python_package()
+{
+  local seen=" " todo=("$1") file module
+  while [ ${#todo[@]} -gt 0 ]; do
+    file=${todo[0]}
+    todo=("${todo[@]:1}")
+    while read -r module; do
+      [ "$module" != nephoscope ] || return 0
+      if [[ "$seen" != *" $module "* && -f "$TOP/Figures/common/$module.py" ]]; then
+        seen+="$module "
+        todo+=("$TOP/Figures/common/$module.py")
+      fi
+    done < <(sed -nE 's/^ *(import|from) ([a-z_]+).*/\2/p' "$file")
+  done
+  return 1
+}
+
+# The first picture comes soon: a figure waits only for what it needs, ParaView's plugin, or the Python package as well.
+build_for_figure()
+{
+  if uses_python_package "$1"; then
+    build_targets
+  else
+    build_targets Nephoscope
+  fi
+}
+
 # Runs one figure; shows its `wrote` lines as they come and checks that these files were written just now.
 render_figure()
 {
@@ -39,17 +67,25 @@ render_figure()
   done < <(sed -n 's/^wrote //p' "$log")
 }
 
+# render_gallery [--films] [FIGURE...]: films of the figures that are named, or of all with --films; else pictures.
 render_gallery()
 {
+  export NEPHOSCOPE_FILMS=yes
+  if [ "${1:-}" = --films ]; then
+    shift
+  elif [ $# -eq 0 ]; then
+    NEPHOSCOPE_FILMS=no
+  fi
   local figure figures
   mapfile -t figures < <(select_figures "$@")
-  step "Gallery (${#figures[@]} figures)"
+  step "Build and gallery (${#figures[@]} figures)"
   [ ${#figures[@]} -gt 0 ] || fail 1 "no figure to render: Figures/ has none${*:+ whose name begins with $*}"
   host_environment
   export PYTHONUNBUFFERED=1
   mkdir -p "$NEPHOSCOPE_GALLERY" "$LOGS"
   for figure in "${figures[@]}"; do
     say "      ${figure##*/}  ($(elapsed $SECONDS))"
+    build_for_figure "$figure"
     ! grep -q NEPHOSCOPE_FORECAST "$figure" || ensure_forecast
     render_figure "$figure"
   done

@@ -4,17 +4,30 @@
 # The Debian packages that are needed, and how the missing ones get installed.
 # shellcheck disable=SC2034 # read by the verbs
 BUILD_PACKAGES=(
-  g++ cmake ninja-build
-  paraview-dev python3-paraview # ParaView 5.11 with its VTK; they bring the program `paraview` as well
+  g++ cmake ninja-build python3-dev
+  paraview-dev python3-paraview # ParaView with its VTK; they bring the program `paraview` as well
   # What ParaView's CMake package looks for, and paraview-dev does not depend on:
-  libopenmpi-dev libdouble-conversion-dev libx11-dev libgl-dev libglew-dev libfreetype-dev
-  libtet1.5-dev  # TetGen (GNU AGPL 3), optional: CMake/NephoscopeTetGen.cmake
-  libopenvdb-dev) # OpenVDB (MPL 2.0), optional: CMake/NephoscopeOpenVDB.cmake
+  libopenmpi-dev libdouble-conversion-dev libx11-dev libgl-dev libfreetype-dev
+  libopenvdb-dev      # OpenVDB (MPL 2.0), optional: CMake/NephoscopeOpenVDB.cmake
+  qhelpgenerator-qt5) # the help pages in ParaView, optional: CMake/NephoscopeHelp.cmake
 RUN_PACKAGES=(
   xvfb xauth  # the virtual display
   openmpi-bin # mpiexec
   python3-numpy python3-matplotlib python3-pil python3-venv) # of what pyvista imports, all that Debian has fit
-TEST_PACKAGES=(libgtest-dev)
+TEST_PACKAGES=(
+  libgtest-dev
+  glslang-tools) # the reference compiler of shaders
+
+# The name of this Debian; of other systems made from it, theirs.
+debian_codename() { (. /etc/os-release 2>/dev/null && printf '%s' "${VERSION_CODENAME:-}"); }
+
+# What differs between releases: Qt's plugin for ParaView's icons; TetGen (GNU AGPL 3, optional: CMake/NephoscopeTetGen.cmake);
+# glew before VTK 9.4; whether ParaView has a VTK of its own.
+case $(debian_codename) in
+  bookworm) BUILD_PACKAGES+=(libtet1.5-dev libglew-dev); RUN_PACKAGES+=(libqt5svg5) ;;
+  trixie) BUILD_PACKAGES+=(libtet1.5-dev libglew-dev); RUN_PACKAGES+=(qt6-svg-plugins) ;;
+  *) BUILD_PACKAGES+=(libtet-dev libvtk9-dev python3-vtk9); RUN_PACKAGES+=(qt6-svg-plugins) ;;
+esac
 
 # Prints those of the named packages that are not installed.
 missing_packages()

@@ -30,6 +30,8 @@ COMMON = os.path.dirname(os.path.abspath(__file__))
 def options(description, frames, size):
     """The arguments of a figure with a film, for parse_args."""
     parser = argparse.ArgumentParser(description=description + ": a picture and a film.")
+    if os.environ.get("NEPHOSCOPE_FILMS") == "no":  # ./nephoscope demo
+        frames = 0
     parser.add_argument("--frames", type=int, default=frames, help="frames of the film; 0: the picture only")
     parser.add_argument("--size", type=int, nargs=2, default=list(size), help="width and height of the film, pixels")
     parser.add_argument("--no-picture", action="store_true", help="the film only")

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "CellTetrahedra.h"
 
+#include "HigherOrderCells.h"
 #include "LinearCellFaces.h"
 
 #include "vtkDataSetAttributes.h"
@@ -378,7 +379,7 @@ bool CellTetrahedra::DivideLinear()
 bool CellTetrahedra::DivideByVTK()
 {
   this->Data->GetCell(this->Cell, this->AnyCell);
-  if (!this->AnyCell->Triangulate(0, this->Stream, this->TrianglePoints))
+  if (!triangulateCell(this->AnyCell, this->Stream, this->TrianglePoints))
   {
     return false;
   }

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkContourCellSplitter.h"
 
+#include "ChosenPointArray.h"
 #include "ContourScalars.h"
 #include "CutNumbering.h"
 #include "SplitAssembly.h"
@@ -11,6 +12,7 @@
 
 #include "vtkBitArray.h"
 #include "vtkCellData.h"
+#include "vtkCommand.h"
 #include "vtkDataArray.h"
 #include "vtkDataSet.h"
 #include "vtkInformation.h"
@@ -20,10 +22,12 @@
 #include "vtkPointSet.h"
 #include "vtkPoints.h"
 #include "vtkSMPTools.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkUnstructuredGrid.h"
 
 #include <algorithm>
 #include <cmath>
+#include <sstream>
 #include <string>
 
 using nephoscope::CellCount;
@@ -79,6 +83,8 @@ vtkContourCellSplitter::vtkContourCellSplitter()
 {
   this->SetInputArrayToProcess(
     0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, vtkDataSetAttributes::SCALARS);
+  this->AddObserver(vtkCommand::StartEvent, this, &vtkContourCellSplitter::BeginExecution);
+  this->AddObserver(vtkCommand::EndEvent, this, &vtkContourCellSplitter::EndExecution);
 }
 
 vtkMTimeType vtkContourCellSplitter::GetMTime()
@@ -123,6 +129,12 @@ int vtkContourCellSplitter::RequestData(
     return 1;
   }
   this->Warn(input, array, batches);
+  using SDDP = vtkStreamingDemandDrivenPipeline;
+  vtkInformation* outInfo = outputs->GetInformationObject(0);
+  const bool isPiece = outInfo->Has(SDDP::UPDATE_NUMBER_OF_PIECES()) && outInfo->Get(SDDP::UPDATE_NUMBER_OF_PIECES()) > 1;
+  const bool silent = isPiece || output->GetNumberOfCells() == 0; // other pieces may be divided; what has no cells has been told
+  this->Reason = silent ? std::string() : this->ReasonOfWholeness(array);
+  this->HasDivided = this->HasDivided || this->Reason.empty();
   this->UpdateProgress(1.0);
   return 1;
 }
@@ -130,7 +142,8 @@ int vtkContourCellSplitter::RequestData(
 vtkDataArray* vtkContourCellSplitter::FindScalars(vtkDataSet* input, vtkInformationVector** inputs)
 {
   int association = vtkDataObject::FIELD_ASSOCIATION_POINTS;
-  vtkAbstractArray* found = this->GetInputAbstractArrayToProcess(0, inputs, association);
+  vtkAbstractArray* found = nephoscope::IsNoArrayChosen(this) ? nephoscope::DefaultPointArray(input->GetPointData())
+                                                              : this->GetInputAbstractArrayToProcess(0, inputs, association);
   vtkInformation* wanted = this->GetInputArrayInformation(0);
   const char* name = wanted->Get(vtkDataObject::FIELD_NAME());
   const std::string called =
@@ -185,8 +198,48 @@ bool vtkContourCellSplitter::FindLevels(vtkDataArray* scalars, nephoscope::Conto
     values.push_back(
       scalars->GetDataType() == VTK_FLOAT ? static_cast<double>(static_cast<float>(value)) : value);
   }
+  if (!this->AreValuesGiven && nephoscope::IsNoArrayChosen(this))
+  {
+    values = { nephoscope::MiddleOfRange(scalars) };
+  }
   levels = nephoscope::ContourLevels(values);
   return true;
+}
+
+// Empty if the array passes a value, or there is none.
+std::string vtkContourCellSplitter::ReasonOfWholeness(vtkDataArray* array)
+{
+  double range[2];
+  array->GetFiniteRange(range, 0);
+  for (int i = 0; i < this->GetNumberOfContours(); ++i)
+  {
+    if (this->GetValue(i) >= range[0] && this->GetValue(i) <= range[1])
+    {
+      return std::string();
+    }
+  }
+  std::ostringstream reason;
+  reason << "the values of the array " << NameOf(array) << " are " << range[0] << " to " << range[1]
+         << ", and no contour value is within that range. Choose other contour values, or another array.";
+  return this->GetNumberOfContours() > 0 ? reason.str() : std::string();
+}
+
+// Around the execution for all blocks of composite data: one of them with a divided cell is enough.
+void vtkContourCellSplitter::BeginExecution()
+{
+  if (this->ExecutionDepth++ == 0) // blocks begin and end within the whole
+  {
+    this->Reason.clear();
+    this->HasDivided = false;
+  }
+}
+
+void vtkContourCellSplitter::EndExecution()
+{
+  if (--this->ExecutionDepth == 0 && !this->HasDivided && !this->Reason.empty())
+  {
+    vtkWarningMacro("No cell is divided: " << this->Reason);
+  }
 }
 
 bool vtkContourCellSplitter::SplitCells(vtkDataSet* input,

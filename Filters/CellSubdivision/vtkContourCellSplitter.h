@@ -58,6 +58,7 @@
 #include "vtkNew.h"                                    // for the values
 #include "vtkUnstructuredGridAlgorithm.h"
 
+#include <string> // for messages
 #include <vector> // for batches
 
 namespace nephoscope
@@ -82,11 +83,11 @@ public:
    * vtkContourFilter, there is one at first, 0. Without any value all cells are left whole, in layer 0. The scalar is
    * chosen by SetInputArrayToProcess (a point array of one component); by default the active point scalars.
    */
-  void SetValue(int i, double value) { this->ContourValues->SetValue(i, value); }
+  void SetValue(int i, double value) { this->GivenValues()->SetValue(i, value); }
   double GetValue(int i) { return this->ContourValues->GetValue(i); }
   double* GetValues() { return this->ContourValues->GetValues(); }
   void GetValues(double* contourValues) { this->ContourValues->GetValues(contourValues); }
-  void SetNumberOfContours(int number) { this->ContourValues->SetNumberOfContours(number); }
+  void SetNumberOfContours(int number) { this->GivenValues()->SetNumberOfContours(number); }
   vtkIdType GetNumberOfContours() { return this->ContourValues->GetNumberOfContours(); }
   ///@}
 
@@ -96,11 +97,11 @@ public:
    */
   void GenerateValues(int numContours, double range[2])
   {
-    this->ContourValues->GenerateValues(numContours, range);
+    this->GivenValues()->GenerateValues(numContours, range);
   }
   void GenerateValues(int numContours, double rangeStart, double rangeEnd)
   {
-    this->ContourValues->GenerateValues(numContours, rangeStart, rangeEnd);
+    this->GivenValues()->GenerateValues(numContours, rangeStart, rangeEnd);
   }
   ///@}
 
@@ -155,13 +156,30 @@ private:
     std::vector<nephoscope::SplitBatch>& batches);
   void Assemble(vtkDataSet* input, vtkDataArray* array, const nephoscope::ContourScalars& scalars,
     std::vector<nephoscope::SplitBatch>& batches, vtkUnstructuredGrid* output);
+  std::string ReasonOfWholeness(vtkDataArray* array);
+  void BeginExecution();
+  void EndExecution();
   void Warn(
     vtkDataSet* input, vtkDataArray* array, const std::vector<nephoscope::SplitBatch>& batches);
 
+  vtkContourValues* GivenValues()
+  {
+    if (!this->AreValuesGiven)
+    {
+      this->AreValuesGiven = true;
+      this->Modified();
+    }
+    return this->ContourValues;
+  }
+
   vtkNew<vtkContourValues> ContourValues;
+  bool AreValuesGiven = false;
   bool GenerateSurfaces = true;
   bool PolyhedralTransitions = false;
   int OutputPointsPrecision = DOUBLE_PRECISION;
+  std::string Reason; // why no cell is divided
+  bool HasDivided = false;
+  int ExecutionDepth = 0;
 };
 
 #endif

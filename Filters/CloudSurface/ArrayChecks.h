@@ -80,9 +80,12 @@ inline int IndexOfPointArray(vtkDataSet* data, vtkAbstractArray* array)
 inline void AskForWholeExtent(vtkInformation* info)
 {
   using SDDP = vtkStreamingDemandDrivenPipeline;
-  int whole[6];
-  info->Get(SDDP::WHOLE_EXTENT(), whole);
-  info->Set(SDDP::UPDATE_EXTENT(), whole, 6);
+  if (info->Has(SDDP::WHOLE_EXTENT())) // a group of grids has none
+  {
+    int whole[6];
+    info->Get(SDDP::WHOLE_EXTENT(), whole);
+    info->Set(SDDP::UPDATE_EXTENT(), whole, 6);
+  }
   info->Set(SDDP::UPDATE_PIECE_NUMBER(), 0);
   info->Set(SDDP::UPDATE_NUMBER_OF_PIECES(), 1);
   info->Set(SDDP::UPDATE_NUMBER_OF_GHOST_LEVELS(), 0);

@@ -3,10 +3,12 @@
 #include "vtkCloudSurface.h"
 
 #include "ArrayChecks.h"
+#include "ChosenPointArray.h"
 #include "FieldSmoother.h"
 #include "IndexSpaceContour.h"
 #include "SurfaceAssembly.h"
 
+#include "vtkCommand.h"
 #include "vtkExtentTranslator.h"
 #include "vtkInformationVector.h"
 #include "vtkObjectFactory.h"
@@ -15,6 +17,7 @@
 #include <algorithm>
 #include <limits>
 #include <numeric>
+#include <sstream>
 
 using SDDP = vtkStreamingDemandDrivenPipeline;
 
@@ -22,6 +25,16 @@ vtkStandardNewMacro(vtkCloudSurface);
 
 namespace
 {
+int NumberOfPieces(vtkInformation* outInfo)
+{
+  return outInfo->Has(SDDP::UPDATE_NUMBER_OF_PIECES()) ? outInfo->Get(SDDP::UPDATE_NUMBER_OF_PIECES()) : 1;
+}
+
+bool IsFirstPiece(vtkInformation* outInfo)
+{
+  return !outInfo->Has(SDDP::UPDATE_PIECE_NUMBER()) || outInfo->Get(SDDP::UPDATE_PIECE_NUMBER()) == 0;
+}
+
 constexpr double smoothingShare = 0.5; // of the time, about
 
 // The cells that the asked piece has a share of, first and last along each axis. False if there is none.
@@ -33,7 +46,7 @@ bool CellsOfPiece(const nephoscope::SmoothingPlan& plan, vtkInformation* outInfo
     whole[2 * axis] = 0;
     whole[2 * axis + 1] = nephoscope::CellsAlong(plan, axis);
   }
-  const int pieces = outInfo->Has(SDDP::UPDATE_NUMBER_OF_PIECES()) ? outInfo->Get(SDDP::UPDATE_NUMBER_OF_PIECES()) : 1;
+  const int pieces = NumberOfPieces(outInfo);
   const int piece = outInfo->Has(SDDP::UPDATE_PIECE_NUMBER()) ? outInfo->Get(SDDP::UPDATE_PIECE_NUMBER()) : 0;
   int extent[6];
   std::copy(whole, whole + 6, extent);
@@ -62,6 +75,8 @@ vtkCloudSurface::vtkCloudSurface()
 {
   this->SetInputArrayToProcess(
     0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, vtkDataSetAttributes::SCALARS);
+  this->AddObserver(vtkCommand::StartEvent, this, &vtkCloudSurface::BeginExecution);
+  this->AddObserver(vtkCommand::EndEvent, this, &vtkCloudSurface::EndExecution);
 }
 
 vtkMTimeType vtkCloudSurface::GetMTime()
@@ -133,7 +148,20 @@ bool vtkCloudSurface::BuildSurface(vtkDataSet* input, const nephoscope::Smoothin
   std::vector<double> values;
   std::vector<int> indices;
   std::array<int, 6> cells;
-  if (!this->FindValues(values, indices) || values.empty() || !CellsOfPiece(plan, outInfo, cells))
+  if (!this->FindValues(values, indices))
+  {
+    return false;
+  }
+  if (!this->AreValuesGiven && nephoscope::IsNoArrayChosen(this))
+  {
+    values = { nephoscope::MiddleOfRange(scalars) };
+    indices = { 0 };
+  }
+  if (values.empty() && IsFirstPiece(outInfo))
+  {
+    this->Reason = "there are no contour values. Add one.";
+  }
+  if (values.empty() || !CellsOfPiece(plan, outInfo, cells))
   {
     return false;
   }
@@ -166,10 +194,17 @@ bool vtkCloudSurface::BuildSurface(vtkDataSet* input, const nephoscope::Smoothin
   const auto contour = nephoscope::ContourInIndexSpace(
     input, plan, field, cells, values, nephoscope::IndexOfPointArray(input, scalars));
   this->UpdateProgress(0.7);
-  if (contour.Surface->GetNumberOfPoints() == 0 || this->CheckAbort())
+  if (this->CheckAbort())
   {
     return false;
   }
+  if (contour.Surface->GetNumberOfPoints() == 0)
+  {
+    const bool told = gaps == scalars->GetNumberOfTuples(); // that all are missing
+    this->Reason = told ? std::string() : this->ReasonOfEmptiness(scalars, field, values, outInfo);
+    return false;
+  }
+  this->HasSurface = true;
   nephoscope::SurfaceAssembly assembly(input, plan, contour, missing);
   assembly.JoinSeams(this->JoinSeams);
   assembly.Build(scalars, values, indices, output);
@@ -179,10 +214,68 @@ bool vtkCloudSurface::BuildSurface(vtkDataSet* input, const nephoscope::Smoothin
   return !this->CheckAbort();
 }
 
+// `field`: smoothed, not a number where nothing is contoured. All pieces know it whole, so the first one speaks.
+std::string vtkCloudSurface::ReasonOfEmptiness(
+  vtkDataArray* scalars, const std::vector<double>& field, const std::vector<double>& values, vtkInformation* outInfo)
+{
+  std::ostringstream reason;
+  double low = std::numeric_limits<double>::infinity();
+  double high = -low;
+  for (const double value : field)
+  {
+    low = value < low ? value : low; // both false for what is not a number
+    high = value > high ? value : high;
+  }
+  const std::string array = nephoscope::Quoted(scalars) + (this->GetNumberOfSmoothingIterations() > 0 ? " after smoothing" : "");
+  if (!IsFirstPiece(outInfo))
+  {
+    return std::string();
+  }
+  if (low > high)
+  {
+    reason << "no visible point has a number in the array " << array << ". Choose another array, or check what hides the points.";
+  }
+  else if (values.back() < low || values.front() > high)
+  {
+    reason << "the values of the array " << array << " are " << low << " to " << high << ", and the contour value"
+           << (values.size() == 1 ? " is " : "s are ") << values.front();
+    if (values.size() > 1)
+    {
+      reason << " to " << values.back();
+    }
+    reason << ". Choose contour values within that range, or another array.";
+  }
+  else if (NumberOfPieces(outInfo) == 1)
+  {
+    reason << "in the visible cells the array " << array << " does not cross a contour value. Its values are " << low << " to " << high
+           << ". Choose other contour values.";
+  }
+  return reason.str();
+}
+
+// Around the execution for all blocks of composite data: one of them with a surface is enough.
+void vtkCloudSurface::BeginExecution()
+{
+  if (this->ExecutionDepth++ == 0) // blocks begin and end within the whole
+  {
+    this->Reason.clear();
+    this->HasSurface = false;
+  }
+}
+
+void vtkCloudSurface::EndExecution()
+{
+  if (--this->ExecutionDepth == 0 && !this->HasSurface && !this->Reason.empty())
+  {
+    vtkWarningMacro("There is no surface: " << this->Reason);
+  }
+}
+
 vtkDataArray* vtkCloudSurface::FindScalars(vtkDataSet* input, vtkInformationVector** inputs)
 {
   int association = vtkDataObject::FIELD_ASSOCIATION_POINTS;
-  vtkAbstractArray* found = this->GetInputAbstractArrayToProcess(0, inputs, association);
+  vtkAbstractArray* found = nephoscope::IsNoArrayChosen(this) ? nephoscope::DefaultPointArray(input->GetPointData())
+                                                              : this->GetInputAbstractArrayToProcess(0, inputs, association);
   if (!found || association != vtkDataObject::FIELD_ASSOCIATION_POINTS)
   {
     vtkErrorMacro(<< nephoscope::NoPointArray(

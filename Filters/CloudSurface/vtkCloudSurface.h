@@ -61,11 +61,11 @@ public:
    * The contour values, in the unit of the scalar, in any order; values that are given twice count once. Finite. As in vtkContourFilter, there
    * is one at first, 0. The scalar is chosen by SetInputArrayToProcess (a point array of one component); by default the active point scalars.
    */
-  void SetValue(int i, double value) { this->ContourValues->SetValue(i, value); }
+  void SetValue(int i, double value) { this->GivenValues()->SetValue(i, value); }
   double GetValue(int i) { return this->ContourValues->GetValue(i); }
   double* GetValues() { return this->ContourValues->GetValues(); }
   void GetValues(double* contourValues) { this->ContourValues->GetValues(contourValues); }
-  void SetNumberOfContours(int number) { this->ContourValues->SetNumberOfContours(number); }
+  void SetNumberOfContours(int number) { this->GivenValues()->SetNumberOfContours(number); }
   vtkIdType GetNumberOfContours() { return this->ContourValues->GetNumberOfContours(); }
   ///@}
 
@@ -73,10 +73,10 @@ public:
   /**
    * So many values at equal steps, from the first to the last of the range.
    */
-  void GenerateValues(int numContours, double range[2]) { this->ContourValues->GenerateValues(numContours, range); }
+  void GenerateValues(int numContours, double range[2]) { this->GivenValues()->GenerateValues(numContours, range); }
   void GenerateValues(int numContours, double rangeStart, double rangeEnd)
   {
-    this->ContourValues->GenerateValues(numContours, rangeStart, rangeEnd);
+    this->GivenValues()->GenerateValues(numContours, rangeStart, rangeEnd);
   }
   ///@}
 
@@ -151,15 +151,33 @@ private:
   vtkCloudSurface(const vtkCloudSurface&) = delete;
   void operator=(const vtkCloudSurface&) = delete;
 
+  std::string ReasonOfEmptiness(
+    vtkDataArray* scalars, const std::vector<double>& field, const std::vector<double>& values, vtkInformation* outInfo);
+  void BeginExecution();
+  void EndExecution();
   vtkDataArray* FindScalars(vtkDataSet* input, vtkInformationVector** inputs);
   bool FindValues(std::vector<double>& values, std::vector<int>& indices);
   bool BuildSurface(vtkDataSet* input, const nephoscope::SmoothingPlan& plan, vtkDataArray* scalars,
     vtkInformation* outInfo, vtkPolyData* output);
 
+  vtkContourValues* GivenValues()
+  {
+    if (!this->AreValuesGiven)
+    {
+      this->AreValuesGiven = true;
+      this->Modified();
+    }
+    return this->ContourValues;
+  }
+
   vtkNew<vtkContourValues> ContourValues;
+  bool AreValuesGiven = false;
   vtkNew<vtkStructuredSmoothing> Smoothing; // holds the settings
   bool ComputeNormals = true;
   bool JoinSeams = true;
+  std::string Reason; // why there is no surface
+  bool HasSurface = false;
+  int ExecutionDepth = 0;
 };
 
 #endif

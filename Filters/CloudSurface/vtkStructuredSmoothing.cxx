@@ -3,6 +3,7 @@
 #include "vtkStructuredSmoothing.h"
 
 #include "ArrayChecks.h"
+#include "ChosenPointArray.h"
 #include "FieldSmoother.h"
 
 #include "vtkDoubleArray.h"
@@ -237,7 +238,8 @@ bool vtkStructuredSmoothing::FindArrays(vtkDataSet* input, vtkInformationVector*
   else
   {
     int association = vtkDataObject::FIELD_ASSOCIATION_POINTS;
-    vtkAbstractArray* array = this->GetInputAbstractArrayToProcess(0, inputs, association);
+    vtkAbstractArray* array = nephoscope::IsNoArrayChosen(this) ? nephoscope::DefaultPointArray(input->GetPointData())
+                                                                : this->GetInputAbstractArrayToProcess(0, inputs, association);
     if (!array || association != vtkDataObject::FIELD_ASSOCIATION_POINTS)
     {
       vtkErrorMacro(<< nephoscope::NoPointArray(

@@ -40,6 +40,8 @@ struct StreakState
   int LastRead = -1;
   std::unique_ptr<StreakVolume> Volume; // null before the start time
   Vector3 Normal{};
+  double PolygonEdgeLength = 0.0;
+  bool IsCoarser = false; // polygon or time step, than asked for
   vtkMTimeType MTime = 0; // of the pipeline when it was begun
 };
 

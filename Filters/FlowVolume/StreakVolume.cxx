@@ -227,9 +227,21 @@ void StreakVolume::EndSmoke()
 
 void StreakVolume::BisectTetrahedra()
 {
-  const BisectionLimits limits = { this->Settings.MaximumEdgeLength,
-    this->Settings.MaximumNumberOfTetrahedra, this->FirstOfLayer, this->Polygon.Points.size() };
-  this->Full = this->Full || !BisectLongEdges(this->Smoke, limits);
+  const BisectionLimits limits = { this->Settings.MaximumEdgeLength, this->Allowed(),
+    this->FirstOfLayer, this->Polygon.Points.size() };
+  this->Coarser = !BisectLongEdges(this->Smoke, limits) || this->Coarser;
+}
+
+// Every release may have as many tetrahedra as the others, and what the early ones do not need is left to the later ones.
+std::size_t StreakVolume::Allowed() const
+{
+  const std::size_t all = this->Settings.MaximumNumberOfTetrahedra;
+  if (this->Layer >= this->Settings.Releases)
+  {
+    return all;
+  }
+  const double share = static_cast<double>(this->Layer) / this->Settings.Releases;
+  return static_cast<std::size_t>(share * static_cast<double>(all));
 }
 
 void StreakVolume::TurnHints()

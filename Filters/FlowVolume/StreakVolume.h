@@ -29,6 +29,7 @@ struct StreakSettings
   bool Adaptive = false;
   double Tolerance = 1e-6; // of the adaptive method, a length
   std::size_t MaximumNumberOfTetrahedra = 1000000;
+  int Releases = 0; // that will be in the volume together; their share of the tetrahedra is kept for them. 0: unknown
 };
 
 class StreakVolume
@@ -55,6 +56,10 @@ public:
   SmokeMesh Mesh() const;
 
   double TimeStep() const { return this->Settings.TimeStep; }
+  double MaximumEdgeLength() const { return this->Settings.MaximumEdgeLength; }
+
+  // Whether longer edges have been left whole, for want of tetrahedra.
+  bool IsCoarser() const { return this->Coarser; }
 
 private:
   double EmittedMass() const;
@@ -67,6 +72,7 @@ private:
   double JoinLayers(StreakMesh& smoke, PointId newer) const;
   void EndSmoke();
   void BisectTetrahedra();
+  std::size_t Allowed() const;
 
   PolygonMesh Polygon;
   std::vector<unsigned char> PolygonInside; // in all samples since the last release
@@ -80,6 +86,7 @@ private:
   double Lost = 0.0;
   double Expired = 0.0;
   bool Full = false;
+  bool Coarser = false;
 };
 }
 

@@ -10,7 +10,6 @@
 #include "PolygonFlow.h"
 #include "PolygonShape.h"
 #include "SmokeOutput.h"
-#include "SteadyVolume.h"
 #include "VelocityChoice.h"
 
 #include "vtkInformation.h"
@@ -29,7 +28,6 @@ vtkStandardNewMacro(vtkFlowVolume);
 
 namespace
 {
-constexpr double maximumNumberOfSteps = 1e6;
 constexpr double buildingShare = 0.9; // of the time, about; the rest is interpolating arrays
 }
 
@@ -95,45 +93,6 @@ int vtkFlowVolume::RequestData(
   return 1;
 }
 
-void vtkFlowVolume::MakeSteadyVolume(
-  vtkDataObject* input, vtkPolyData* given, vtkUnstructuredGrid* output)
-{
-  constexpr double anyTime = 0.0;
-  const auto field = this->MakeField(input);
-  nephoscope::PolygonMesh polygon;
-  if (!field || !this->MakePolygon(*field, *field->Field, anyTime, given, polygon))
-  {
-    return;
-  }
-  const nephoscope::PolygonFlow flow(*field->Field, polygon, anyTime);
-  nephoscope::FlowVolumeSettings settings;
-  if (!this->CheckPlace(*field, polygon, flow) || !this->CheckFlow(*field, flow) ||
-    !this->FindSettings(*field, flow, settings))
-  {
-    return;
-  }
-  const auto mesh = nephoscope::BuildSteadyVolume(*field->Field, polygon, settings, anyTime,
-    [this](double share) { return this->Report(buildingShare * share); });
-  const nephoscope::SmokeReport& report = mesh.Report;
-  if (report.LimitReached)
-  {
-    this->WarnOfLimit();
-  }
-  else if (mesh.Tetrahedra.empty() && !report.Stopped)
-  {
-    this->WarnOfNothing(report);
-  }
-  this->EmittedMass = this->InitialDensity * report.EmittedMass;
-  this->LostMass = this->InitialDensity * report.LostMass;
-  this->WriteOutput(
-    mesh,
-    [&](const nephoscope::SmokeMesh& smoke, vtkPointData* arrays) {
-      field->Field->SampleArrays(
-        smoke.Points.size(), smoke.Points.data(), smoke.Hints.data(), arrays);
-    },
-    output);
-}
-
 std::shared_ptr<const nephoscope::FlowField> vtkFlowVolume::MakeField(vtkDataObject* input)
 {
   auto& last = this->State->Field;
@@ -177,8 +136,7 @@ bool vtkFlowVolume::MakePolygon(const nephoscope::FlowField& field,
   nephoscope::PolygonMesh& polygon)
 {
   const auto make = [&](double edge) {
-    return given ? this->MakeGivenPolygon(field, velocity, time, given, edge, polygon)
-                 : this->MakeRegularPolygon(field, velocity, time, edge, polygon);
+    return this->TriangulatePolygon(field, velocity, time, given, edge, polygon);
   };
   if (!make(this->PolygonEdgeLength))
   {
@@ -187,6 +145,14 @@ bool vtkFlowVolume::MakePolygon(const nephoscope::FlowField& field,
   // The edges of unsteady smoke cannot become shorter than those of the polygon.
   const double longest = this->HasTimeSteps() ? this->MaximumEdgeLength : 0.0;
   return longest == 0.0 || nephoscope::LongestEdge(polygon) <= longest || make(longest);
+}
+
+bool vtkFlowVolume::TriangulatePolygon(const nephoscope::FlowField& field,
+  const nephoscope::VelocityField& velocity, double time, vtkPolyData* given, double edge,
+  nephoscope::PolygonMesh& polygon)
+{
+  return given ? this->MakeGivenPolygon(field, velocity, time, given, edge, polygon)
+               : this->MakeRegularPolygon(field, velocity, time, edge, polygon);
 }
 
 bool vtkFlowVolume::MakeGivenPolygon(const nephoscope::FlowField& field,
@@ -201,7 +167,7 @@ bool vtkFlowVolume::MakeGivenPolygon(const nephoscope::FlowField& field,
   }
   nephoscope::Vector3 direction{};
   const nephoscope::Vector3 center = nephoscope::Center(polygon);
-  if (this->NormalToFlow)
+  if (this->NormalToFlow == NORMAL_TO_FLOW)
   {
     if (!this->FindDirection(field, velocity, time, center, direction))
     {
@@ -221,7 +187,7 @@ bool vtkFlowVolume::MakeRegularPolygon(const nephoscope::FlowField& field,
   std::copy_n(this->Normal, 3, regular.Normal.begin());
   regular.Radius = this->Radius > 0.0 ? this->Radius : field.Diagonal / 50.0;
   regular.Sides = this->NumberOfSides;
-  if (this->NormalToFlow &&
+  if (this->NormalToFlow != AS_GIVEN &&
     !this->FindDirection(field, velocity, time, regular.Center, regular.Normal))
   {
     return false;
@@ -361,27 +327,6 @@ bool vtkFlowVolume::CheckSettings()
   return true;
 }
 
-bool vtkFlowVolume::FindSettings(const nephoscope::FlowField& field,
-  const nephoscope::PolygonFlow& flow, nephoscope::FlowVolumeSettings& settings)
-{
-  const double crossing = field.Diagonal / flow.MeanSpeed;
-  settings.Duration = this->Duration > 0.0 ? this->Duration : 0.5 * crossing;
-  // However long the duration is, a step must not lead out of the data at once.
-  const double automaticStep = std::max(std::min(settings.Duration / 64.0, crossing / 32.0),
-    1.000001 * settings.Duration / maximumNumberOfSteps);
-  settings.TimeStep = this->TimeStep > 0.0 ? this->TimeStep : automaticStep;
-  settings.MaximumEdgeLength =
-    this->MaximumEdgeLength > 0.0 ? this->MaximumEdgeLength : 3.0 * flow.LongestEdge;
-  settings.MinimumEdgeLength = this->MinimumEdgeLength;
-  settings.MaximumTurnAngle = vtkMath::RadiansFromDegrees(this->MaximumTurnAngle);
-  settings.Adaptive = this->Integrator == RUNGE_KUTTA_45;
-  settings.Tolerance = this->Tolerance;
-  settings.MaximumNumberOfTetrahedra = static_cast<std::size_t>(this->MaximumNumberOfTetrahedra);
-  this->DurationUsed = settings.Duration;
-  this->TimeStepUsed = settings.TimeStep;
-  return this->CheckNumberOfSteps(settings.Duration, settings.TimeStep);
-}
-
 bool vtkFlowVolume::CheckNumberOfSteps(double duration, double timeStep)
 {
   if (!(duration / timeStep <= maximumNumberOfSteps))
@@ -391,35 +336,6 @@ bool vtkFlowVolume::CheckNumberOfSteps(double duration, double timeStep)
     return false;
   }
   return true;
-}
-
-void vtkFlowVolume::WarnOfLimit()
-{
-  vtkWarningMacro("The volume ends early, at MaximumNumberOfTetrahedra ("
-    << this->MaximumNumberOfTetrahedra
-    << "). Lengthen TimeStep, PolygonEdgeLength or MaximumEdgeLength, or allow more.");
-}
-
-void vtkFlowVolume::WarnOfNothing(const nephoscope::SmokeReport& report)
-{
-  if (!(report.Flux > 0.0))
-  {
-    vtkWarningMacro(
-      "No smoke comes from the generating polygon: none of its triangles is wholly inside the data, and crossed by the flow one "
-      "way. Shorten PolygonEdgeLength, make the polygon smaller or move it.");
-  }
-  else if (report.EndedTriangles == 0)
-  {
-    vtkWarningMacro(
-      "The volume is too thin for the precision of the coordinates, so there is no smoke. Make the generating polygon wider or "
-      "TimeStep longer.");
-  }
-  else
-  {
-    vtkWarningMacro(
-      "The volume has ended at once: within the first time step the flow leads out of the data, into blanked cells or to values "
-      "that are not numbers. Shorten TimeStep or move the generating polygon.");
-  }
 }
 
 bool vtkFlowVolume::Report(double share)
@@ -449,6 +365,7 @@ void vtkFlowVolume::ResetResults()
   std::fill_n(this->NormalUsed, 3, 0.0);
   this->DurationUsed = 0.0;
   this->TimeStepUsed = 0.0;
+  this->MaximumEdgeLengthUsed = 0.0;
   this->EmittedMass = 0.0;
   this->LostMass = 0.0;
   this->ExpiredMass = 0.0;
@@ -484,6 +401,7 @@ void vtkFlowVolume::PrintSelf(ostream& os, vtkIndent indent)
   printVector("NormalUsed", this->NormalUsed);
   print("DurationUsed", this->DurationUsed);
   print("TimeStepUsed", this->TimeStepUsed);
+  print("MaximumEdgeLengthUsed", this->MaximumEdgeLengthUsed);
   print("EmittedMass", this->EmittedMass);
   print("LostMass", this->LostMass);
   print("ExpiredMass", this->ExpiredMass);

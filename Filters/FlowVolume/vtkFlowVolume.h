@@ -42,8 +42,8 @@
  *
  * An error, and an empty output, come of: no velocity; negative or infinite settings; more than a million time steps; a
  * polygon without area, wholly outside the data, in blanked cells or where the velocity is not a number, without flow, or
- * along which the flow is parallel. Warnings tell of a polygon that is partly outside, and of a volume that ended at
- * MaximumNumberOfTetrahedra or at once.
+ * along which the flow is parallel. Warnings tell of a polygon that is partly outside, of a volume that is coarser than asked for, to
+ * have no more than MaximumNumberOfTetrahedra, and of one that ended at once.
  */
 #ifndef vtkFlowVolume_h
 #define vtkFlowVolume_h
@@ -73,6 +73,7 @@ struct PolygonMesh;
 struct SmokeMesh;
 struct SmokeReport;
 class VelocityField;
+struct WholeVolume;
 }
 
 class VTKNEPHOSCOPEFILTERSFLOWVOLUME_EXPORT vtkFlowVolume : public vtkUnstructuredGridAlgorithm
@@ -118,11 +119,21 @@ public:
   vtkGetVector3Macro(Normal, double);
   ///@}
 
+  enum NormalToFlowType
+  {
+    AS_GIVEN = 0,
+    NORMAL_TO_FLOW = 1,
+    NORMAL_UNLESS_GIVEN = 2
+  };
+
   ///@{
-  /** Turn the generating polygon, of either kind, about its centre until its normal is the direction of the flow there. On by default. */
-  vtkSetMacro(NormalToFlow, bool);
-  vtkGetMacro(NormalToFlow, bool);
-  vtkBooleanMacro(NormalToFlow, bool);
+  /**
+   * Turn the generating polygon about its centre until its normal is the direction of the flow there: on (1), off (0), or, the
+   * default (2), the regular polygon only, while a polygon from port 1 stays as it is.
+   */
+  vtkSetClampMacro(NormalToFlow, int, AS_GIVEN, NORMAL_UNLESS_GIVEN);
+  vtkGetMacro(NormalToFlow, int);
+  vtkBooleanMacro(NormalToFlow, int);
   ///@}
 
   ///@{
@@ -143,7 +154,8 @@ public:
   ///@{
   /**
    * Time between two layers, in seconds; 0 (default): 1/64 of the duration, and no longer than the flow at the polygon takes for
-   * 1/32 of the diagonal of the bounds; unsteady: 1/64 of the time from the start to the last time step. Cost grows as its inverse.
+   * 1/32 of the diagonal of the bounds; unsteady: 1/64 of the time from the start to the last time step. Longer if
+   * MaximumNumberOfTetrahedra asks for it. Cost grows as its inverse.
    */
   vtkSetMacro(TimeStep, double);
   vtkGetMacro(TimeStep, double);
@@ -152,7 +164,7 @@ public:
   ///@{
   /**
    * Edges of a layer longer than this are divided; 0 (default): three times the polygon's longest edge; unsteady: or three times
-   * the way of the flow in a time step, if that is more.
+   * the way of the flow in a time step, if that is more. Longer if MaximumNumberOfTetrahedra asks for it.
    */
   vtkSetMacro(MaximumEdgeLength, double);
   vtkGetMacro(MaximumEdgeLength, double);
@@ -222,7 +234,11 @@ public:
   ///@}
 
   ///@{
-  /** The volume ends, with a warning, before it has more tetrahedra than this. Default 1 million. */
+  /**
+   * The volume has no more tetrahedra than this. Where it would have more, it is made again with longer edges of the layers, a polygon of
+   * fewer triangles or longer steps, so that all of the duration is there; a warning tells, unless these were automatic and this is at least
+   * the default. Unsteady: fewer edges are divided. Default 100,000, some tenths of a second.
+   */
   vtkSetClampMacro(MaximumNumberOfTetrahedra, vtkIdType, 1, VTK_ID_MAX);
   vtkGetMacro(MaximumNumberOfTetrahedra, vtkIdType);
   ///@}
@@ -230,11 +246,12 @@ public:
   ///@{
   /**
    * Results of the last update: the mean normal of the generating polygon after NormalToFlow; duration and time step in
-   * seconds, also where they were chosen automatically. Zero after an error.
+   * seconds, and the longest edge that was not divided, also where they were chosen automatically or coarsened. Zero after an error.
    */
   vtkGetVector3Macro(NormalUsed, double);
   vtkGetMacro(DurationUsed, double);
   vtkGetMacro(TimeStepUsed, double);
+  vtkGetMacro(MaximumEdgeLengthUsed, double);
   ///@}
 
   ///@{
@@ -269,6 +286,10 @@ protected:
   int RequestUpdateExtent(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
+  double Center[3] = { 0.0, 0.0, 0.0 };
+  double Radius = 0.0;
+  double Normal[3] = { 0.0, 0.0, 1.0 };
+
 private:
   vtkFlowVolume(const vtkFlowVolume&) = delete;
   void operator=(const vtkFlowVolume&) = delete;
@@ -280,6 +301,9 @@ private:
   std::shared_ptr<const nephoscope::FlowField> MakeField(vtkDataObject* input);
   bool MakePolygon(const nephoscope::FlowField& field, const nephoscope::VelocityField& velocity,
     double time, vtkPolyData* given, nephoscope::PolygonMesh& polygon);
+  bool TriangulatePolygon(const nephoscope::FlowField& field,
+    const nephoscope::VelocityField& velocity, double time, vtkPolyData* given, double edge,
+    nephoscope::PolygonMesh& polygon);
   bool MakeRegularPolygon(const nephoscope::FlowField& field,
     const nephoscope::VelocityField& velocity, double time, double edge,
     nephoscope::PolygonMesh& polygon);
@@ -291,9 +315,18 @@ private:
   bool CheckPlace(const nephoscope::FlowField& field, const nephoscope::PolygonMesh& polygon,
     const nephoscope::PolygonFlow& flow);
   bool CheckFlow(const nephoscope::FlowField& field, const nephoscope::PolygonFlow& flow);
+
+  // In vtkFlowVolumeSteady.cxx.
+  void MakeSteadyVolume(vtkDataObject* input, vtkPolyData* given, vtkUnstructuredGrid* output);
   bool FindSettings(const nephoscope::FlowField& field, const nephoscope::PolygonFlow& flow,
     nephoscope::FlowVolumeSettings& settings);
-  void MakeSteadyVolume(vtkDataObject* input, vtkPolyData* given, vtkUnstructuredGrid* output);
+  void ReportSteady(const nephoscope::WholeVolume& whole);
+  bool IsSizeAutomatic() const;
+  void WarnOfCoarsening(double polygonEdgeLength);
+  void WarnOfLongEdges();
+  void WarnOfLimit();
+  void WarnOfMissing(const nephoscope::FlowField& field);
+  void WarnOfNothing(const nephoscope::SmokeReport& report);
 
   // Of a time series; in vtkFlowVolumeUnsteady.cxx.
   bool CheckSeries();
@@ -314,19 +347,17 @@ private:
   nephoscope::SmokeMesh StreakMeshAt(double seconds);
   void WriteStreak(vtkUnstructuredGrid* output);
 
-  void WarnOfLimit();
-  void WarnOfNothing(const nephoscope::SmokeReport& report);
   bool Report(double share);
   void WriteOutput(const nephoscope::SmokeMesh& mesh,
     const std::function<void(const nephoscope::SmokeMesh&, vtkPointData*)>& sampleArrays,
     vtkUnstructuredGrid* output);
 
+  static constexpr double maximumNumberOfSteps = 1e6;
+  static constexpr vtkIdType moderateNumberOfTetrahedra = 100000;
+
   vtkMultiProcessController* Controller = nullptr;
-  double Center[3] = { 0.0, 0.0, 0.0 };
-  double Radius = 0.0;
   int NumberOfSides = 12;
-  double Normal[3] = { 0.0, 0.0, 1.0 };
-  bool NormalToFlow = true;
+  int NormalToFlow = NORMAL_UNLESS_GIVEN;
   double PolygonEdgeLength = 0.0;
   double Duration = 0.0;
   double TimeStep = 0.0;
@@ -339,11 +370,12 @@ private:
   double StartTime = VTK_DOUBLE_MIN;
   double TimeScale = 1.0;
   double InitialDensity = 1.0;
-  vtkIdType MaximumNumberOfTetrahedra = 1000000;
+  vtkIdType MaximumNumberOfTetrahedra = moderateNumberOfTetrahedra;
 
   double NormalUsed[3] = { 0.0, 0.0, 0.0 };
   double DurationUsed = 0.0;
   double TimeStepUsed = 0.0;
+  double MaximumEdgeLengthUsed = 0.0;
   double EmittedMass = 0.0;
   double LostMass = 0.0;
   double ExpiredMass = 0.0;

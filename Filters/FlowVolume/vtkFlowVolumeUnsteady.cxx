@@ -13,6 +13,7 @@
 #include "FlowVolumeState.h"
 #include "SmokeOutput.h"
 #include "TemporalField.h"
+#include "WholeVolume.h"
 
 #include "vtkDemandDrivenPipeline.h"
 #include "vtkInformation.h"
@@ -286,8 +287,7 @@ bool vtkFlowVolume::BeginStreak(vtkPolyData* given)
   {
     return false;
   }
-  const nephoscope::PolygonFlow flow(*velocity, polygon, start);
-  if (!this->CheckPlace(*streak.Second, polygon, flow))
+  if (!this->CheckPlace(*streak.Second, polygon, nephoscope::PolygonFlow(*velocity, polygon, start)))
   {
     return false;
   }
@@ -298,16 +298,28 @@ bool vtkFlowVolume::BeginStreak(vtkPolyData* given)
     : followed > 0.0                       ? followed / 64.0
                                            : 1.0;
   settings.Duration = this->Duration;
+  settings.MaximumNumberOfTetrahedra = static_cast<std::size_t>(this->MaximumNumberOfTetrahedra);
+  if (!this->CheckNumberOfSteps(followed, settings.TimeStep))
+  {
+    return false;
+  }
+  const auto coarser = [&](double edge) {
+    nephoscope::PolygonMesh remade;
+    this->TriangulatePolygon(*streak.Second, *velocity, start, given, edge, remade);
+    return remade;
+  };
+  streak.IsCoarser = nephoscope::FitReleases(polygon, settings, followed, coarser);
+  const nephoscope::PolygonFlow flow(*velocity, polygon, start);
+  streak.PolygonEdgeLength = flow.LongestEdge;
   // Edges of the polygon are not divided, so tetrahedra beside them cannot get shorter edges.
   settings.MaximumEdgeLength = this->MaximumEdgeLength > 0.0
     ? std::max(this->MaximumEdgeLength, flow.LongestEdge)
     : 3.0 * std::max(flow.LongestEdge, flow.MeanSpeed * settings.TimeStep);
   settings.Adaptive = this->Integrator == RUNGE_KUTTA_45;
   settings.Tolerance = this->Tolerance * flow.LongestEdge;
-  settings.MaximumNumberOfTetrahedra = static_cast<std::size_t>(this->MaximumNumberOfTetrahedra);
   streak.Normal = flow.Normal;
   streak.Volume = std::make_unique<nephoscope::StreakVolume>(polygon, settings);
-  return this->CheckNumberOfSteps(followed, settings.TimeStep);
+  return true;
 }
 
 std::unique_ptr<nephoscope::VelocityField> vtkFlowVolume::StreakVelocity() const
@@ -374,13 +386,22 @@ void vtkFlowVolume::WriteStreak(vtkUnstructuredGrid* output)
     vtkWarningMacro(
       "All smoke has left the data, met blanked cells or values that are not numbers, or is older than Duration.");
   }
+  std::copy_n(streak.Normal.begin(), 3, this->NormalUsed);
+  this->DurationUsed = mesh.Report.FollowedTime;
+  this->TimeStepUsed = streak.Volume->TimeStep();
+  this->MaximumEdgeLengthUsed = streak.Volume->MaximumEdgeLength();
   if (mesh.Report.LimitReached)
   {
     this->WarnOfLimit();
   }
-  std::copy_n(streak.Normal.begin(), 3, this->NormalUsed);
-  this->DurationUsed = mesh.Report.FollowedTime;
-  this->TimeStepUsed = streak.Volume->TimeStep();
+  else if (streak.IsCoarser)
+  {
+    this->WarnOfCoarsening(streak.PolygonEdgeLength);
+  }
+  else if (streak.Volume->IsCoarser())
+  {
+    this->WarnOfLongEdges();
+  }
   this->EmittedMass = this->InitialDensity * mesh.Report.EmittedMass;
   this->LostMass = this->InitialDensity * mesh.Report.LostMass;
   this->ExpiredMass = this->InitialDensity * mesh.Report.ExpiredMass;

@@ -67,7 +67,7 @@ vtkDataArray* FindArray(vtkDataSetAttributes* attributes, const char* elements, 
   if (!array)
   {
     text << "There is no numeric array '" << name << "' on " << elements << ". Arrays on "
-         << elements << ": " << ArrayNames(attributes) << ". Connect the output of vtkFlowVolume.";
+         << elements << ": " << ArrayNames(attributes) << ". Connect a flow volume.";
   }
   else if (array->GetNumberOfComponents() != 1 || array->GetNumberOfTuples() != count)
   {

@@ -2,10 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "GlobeGridBuilder.h"
 
+#include "ActiveField.h"
 #include "CarryArrays.h"
 #include "GlobeGridRows.h"
 #include "HidePoints.h"
 #include "MissingValue.h"
+#include "PoleRows.h"
 
 #include "vtkCellData.h"
 #include "vtkFloatArray.h"
@@ -17,6 +19,7 @@
 #include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace nephoscope
 {
@@ -35,7 +38,9 @@ bool GlobeGridBuilder::Build(
     return false;
   }
   CarryPointArrays(this->Grid, this->Order_, extent, output->GetPointData()); // PASS 2
+  FillPoleRows(this->Grid, this->Order_, extent, output->GetPointData());
   CarryCellArrays(this->Grid, this->Order_, extent, output->GetCellData());
+  ChooseActiveScalars(output->GetPointData()); // of those that are carried
   output->GetPointData()->AddArray(this->HeightArray);
   if (!keepGoing(0.6))
   {
@@ -66,13 +71,16 @@ void GlobeGridBuilder::PlacePoints(const int extent[6], vtkStructuredGrid* outpu
   float* heights = this->HeightArray->GetPointer(0);
   this->Hidden.assign(count, 0);
   ForEachRow(extent, [&](const OutputRow& row) {
+    const bool added = this->Order_.AddedPole(row.j) != 0;
+    bool ringMissing = false;
+    const double ringHeight = added ? this->RingHeight(row.j, row.k, ringMissing) : 0.0;
     for (int i = extent[0]; i <= extent[1]; ++i)
     {
       const vtkIdType id = row.firstId + i - extent[0];
       const std::array<int, 3> input = this->Order_.InputPoint(i, row.j, row.k);
-      const std::array<double, 3> x = this->Grid.Coordinates(input);
-      bool missing = false;
-      const double height = this->HeightOf(this->Grid.Id(input), x[2], missing);
+      const std::array<double, 3> x = this->CoordinatesOf({ i, row.j, row.k });
+      bool missing = ringMissing;
+      const double height = added ? ringHeight : this->HeightOf(this->Grid.Id(input), x[2], missing);
       this->Hidden[id] = missing ? HEIGHT_MISSING : 0;
       heights[id] = static_cast<float>(height);
       const double longitude =
@@ -86,6 +94,37 @@ void GlobeGridBuilder::PlacePoints(const int extent[6], vtkStructuredGrid* outpu
   });
   this->MissingHeights = CountWith(this->Hidden, HEIGHT_MISSING);
   output->SetPoints(points);
+}
+
+// Those of the input point, but the latitude of an added pole.
+std::array<double, 3> GlobeGridBuilder::CoordinatesOf(const std::array<int, 3>& output) const
+{
+  std::array<double, 3> x = this->Grid.Coordinates(this->Order_.InputPoint(output[0], output[1], output[2]));
+  if (const int pole = this->Order_.AddedPole(output[1]))
+  {
+    x[1] = 90.0 * pole;
+  }
+  return x;
+}
+
+// The height of an added pole: the mean of its ring's. Missing if all of those are.
+double GlobeGridBuilder::RingHeight(int j, int k, bool& missing) const
+{
+  std::vector<double> found;
+  double fallback = 0.0;
+  for (int i = 0; i < DistinctColumns(this->Order_); ++i)
+  {
+    const std::array<int, 3> input = this->Order_.InputPoint(i, j, k);
+    bool oneMissing = false;
+    const double height = this->HeightOf(this->Grid.Id(input), this->Grid.Coordinates(input)[2], oneMissing);
+    fallback = height;
+    if (!oneMissing)
+    {
+      found.push_back(height);
+    }
+  }
+  missing = found.empty();
+  return missing ? fallback : RingValue(found, true);
 }
 
 double GlobeGridBuilder::HeightOf(vtkIdType id, double level, bool& missing) const
@@ -113,10 +152,12 @@ void GlobeGridBuilder::AddMask(const int extent[6], vtkStructuredGrid* output)
   {
     auto below = NewPointArray<vtkUnsignedCharArray>(output, "BelowGround", 1);
     ForEachRow(extent, [&](const OutputRow& row) {
+      const bool added = this->Order_.AddedPole(row.j) != 0; // one place, one answer
+      const bool poleHidden = added && this->IsBelowGround({ 0, row.j, row.k });
       for (int i = extent[0]; i <= extent[1]; ++i)
       {
         const vtkIdType id = row.firstId + i - extent[0];
-        const bool hidden = this->IsBelowGround({ i, row.j, row.k });
+        const bool hidden = added ? poleHidden : this->IsBelowGround({ i, row.j, row.k });
         below->SetValue(id, hidden ? 1 : 0);
         this->Hidden[id] |= hidden ? BELOW_GROUND : 0;
       }
@@ -130,23 +171,44 @@ bool GlobeGridBuilder::IsBelowGround(const std::array<int, 3>& index) const
   const std::array<int, 3> input = this->Order_.InputPoint(index[0], index[1], index[2]);
   const double level = this->Grid.Coordinates(input)[2];
   bool missing = false;
-  const double height = this->HeightOf(this->Grid.Id(input), level, missing);
+  const double height = this->Order_.AddedPole(index[1]) != 0
+    ? this->RingHeight(index[1], index[2], missing)
+    : this->HeightOf(this->Grid.Id(input), level, missing);
   if (!this->SurfaceGrid)
   {
     const bool heightsAreOfTheAir = this->Heights || IsPressure(this->Units);
     return heightsAreOfTheAir && !missing && height < 0.0;
   }
-  const bool flat = this->SurfaceGrid->Dimensions()[2] == 1;
-  const vtkIdType id = this->SurfaceGrid->Id(
-    this->SurfaceOrder.InputPoint(index[0], index[1], flat ? 0 : index[2]));
   if (this->SurfacePressures)
   {
-    const double surface = this->SurfacePressures->GetComponent(id, 0);
+    const double surface = this->SurfaceValue(this->SurfacePressures, index);
     return !IsMissing(surface) &&
       LevelPressure(this->Units, level) > surface * this->SurfacePressureScale;
   }
-  const double terrain = this->TerrainHeights->GetComponent(id, 0);
+  const double terrain = this->SurfaceValue(this->TerrainHeights, index);
   return !IsMissing(terrain) && height < terrain;
+}
+
+// At an added pole the mean of its ring's, not a number if all are missing.
+double GlobeGridBuilder::SurfaceValue(vtkDataArray* values, const std::array<int, 3>& index) const
+{
+  const int level = this->SurfaceGrid->Dimensions()[2] == 1 ? 0 : index[2];
+  const auto at = [&](int column) {
+    return values->GetComponent(this->SurfaceGrid->Id(this->SurfaceOrder.InputPoint(column, index[1], level)), 0);
+  };
+  if (this->Order_.AddedPole(index[1]) == 0)
+  {
+    return at(index[0]);
+  }
+  std::vector<double> ring;
+  for (int column = 0; column < DistinctColumns(this->SurfaceOrder); ++column)
+  {
+    if (!IsMissing(at(column)))
+    {
+      ring.push_back(at(column));
+    }
+  }
+  return ring.empty() ? std::nan("") : RingValue(ring, true);
 }
 
 std::vector<std::string> GlobeGridBuilder::Warnings() const

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Builds the points, the winds and the mask of vtkGlobeGrid, row by row in parallel.
 //
-//   Plan()       units of the levels, order of the axes, seam    -> GridOrder
+//   Plan()       units of levels and heights, order of the axes, seam, poles    -> GridOrder
 //   Build()      pass 1 points and heights, pass 2 carried arrays, pass 3 winds, pass 4 mask
 //   Warnings()   what was missing, counted, with the remedy
 #ifndef nephoscope_GlobeGridBuilder_h
@@ -10,6 +10,7 @@
 
 #include "Geodesy.h"
 #include "GridOrder.h"
+#include "HeightUnits.h"
 #include "LevelAxis.h"
 #include "LonLatLevelGrid.h"
 
@@ -28,6 +29,14 @@ class vtkStructuredGrid;
 
 namespace nephoscope
 {
+// Which way the two horizontal wind arrays point.
+enum class WindComponents
+{
+  Automatic, // east and north, unless their names say otherwise
+  EastNorth,
+  AlongGrid
+};
+
 struct GlobeGridSettings
 {
   bool OnMap = false;
@@ -35,14 +44,23 @@ struct GlobeGridSettings
   bool UseCentralMeridian = false;
   double CentralMeridian = 0.0;
   LevelUnits Units = LevelUnits::Automatic;
+  HeightUnits HeightsIn = HeightUnits::Automatic;
+  WindComponents Components = WindComponents::Automatic;
   std::string Height, Eastward, Northward, Vertical, Temperature, SurfacePressure, TerrainHeight;
   bool VerticalIsOmega = true;
   bool CloseSeam = true;
+  bool ClosePoles = true;
   bool MaskBelowGround = true;
 };
 
-// The columns alone: enough to know the extent of the output before any field is read.
+// The columns alone, from any rows: enough to know their number in the output before any field is read.
 GridOrder PlanColumns(const LonLatLevelGrid& grid, const GlobeGridSettings& settings);
+
+// Whether the columns of the middle row go round the globe, so that poles can be closed.
+bool GoesRound(const LonLatLevelGrid& grid);
+
+// The columns, the direction of the rows and the rows added at the poles.
+GridOrder PlanRows(const LonLatLevelGrid& grid, const GlobeGridSettings& settings);
 
 class GlobeGridBuilder
 {
@@ -65,18 +83,30 @@ public:
 
 private:
   void FindHeights(vtkFieldData* units);
+  void FindLevelUnits();
+  void FindHeightUnits(vtkFieldData* units);
+  double RatioToStandardAtmosphere() const;
+  void CheckAxes();
+  void CheckHeights();
+  void FindWindComponents();
   std::string FindWinds(vtkFieldData* units);
   void FindSurface(const LonLatLevelGrid* surface);
   bool SurfaceMatches(const LonLatLevelGrid& surface, const GridOrder& order) const;
   void OrderLevels();
   HeightTrend TrendOfHeights() const;
 
+  std::array<double, 3> CoordinatesOf(const std::array<int, 3>& output) const;
   double HeightOf(vtkIdType id, double level, bool& missing) const;
+  double RingHeight(int j, int k, bool& missing) const;
   double PressureOf(double level, double height) const;
   bool UpwardWind(vtkIdType id, double level, double height, double& w) const;
   bool WindOf(const std::array<int, 3>& input, const geodesy::Basis& basis, geodesy::Vector& wind) const;
+  void WritePoleWind(
+    vtkStructuredGrid* output, vtkIdType id, const geodesy::Vector& wind, const geodesy::Basis& basis) const;
+  void TurnFromGrid(const std::array<int, 3>& input, double& u, double& v) const;
   bool PoleWind(int j, int k, geodesy::Vector& wind) const;
   bool IsBelowGround(const std::array<int, 3>& index) const;
+  double SurfaceValue(vtkDataArray* values, const std::array<int, 3>& index) const;
 
   void PlacePoints(const int extent[6], vtkStructuredGrid* output);
   void AddWinds(const int extent[6], vtkStructuredGrid* output);
@@ -88,6 +118,7 @@ private:
   LevelUnits Units = LevelUnits::Metre;
   vtkDataArray* Heights = nullptr;
   double HeightScale = 1.0;
+  bool WindsAlongGrid = false;
   vtkDataArray* U = nullptr;
   vtkDataArray* V = nullptr;
   vtkDataArray* W = nullptr;

@@ -1,40 +1,19 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The planning half of GlobeGridBuilder: arrays, units, order of the axes, seam.
+// The half of GlobeGridBuilder's plan that finds arrays, the order of the axes, seam and poles.
 #include "GlobeGridBuilder.h"
 
+#include "FieldUnits.h"
 #include "LongitudeRow.h"
 #include "MissingValue.h"
+#include "PoleRows.h"
 
 #include "vtkDataArray.h"
-#include "vtkFieldData.h"
-#include "vtkStringArray.h"
 
 #include <algorithm>
 
 namespace nephoscope
 {
-namespace
-{
-// The CF reader writes the units of variable x into the field data array x_units.
-std::string UnitsOf(vtkFieldData* fieldData, const std::string& name)
-{
-  auto* units = fieldData
-    ? vtkStringArray::SafeDownCast(fieldData->GetAbstractArray((name + "_units").c_str()))
-    : nullptr;
-  std::string text = units && units->GetNumberOfValues() > 0 ? units->GetValue(0) : std::string();
-  text.erase(std::remove_if(text.begin(), text.end(),
-               [](char c) { return c == ' ' || c == '*' || c == '^' || c == '.'; }),
-    text.end());
-  return text;
-}
-
-bool IsGeopotential(const std::string& units)
-{
-  return units == "m2s-2" || units == "m2/s2" || units == "Jkg-1" || units == "J/kg";
-}
-}
-
 GridOrder PlanColumns(const LonLatLevelGrid& grid, const GlobeGridSettings& settings)
 {
   GridOrder order;
@@ -65,22 +44,34 @@ GridOrder PlanColumns(const LonLatLevelGrid& grid, const GlobeGridSettings& sett
   return order;
 }
 
+bool GoesRound(const LonLatLevelGrid& grid)
+{
+  const Coverage coverage = JudgeCoverage(grid.MiddleRow());
+  return coverage == Coverage::Open || coverage == Coverage::Closed;
+}
+
+GridOrder PlanRows(const LonLatLevelGrid& grid, const GlobeGridSettings& settings)
+{
+  GridOrder order = PlanColumns(grid, settings);
+  const int last = order.InputDimensions[1] - 1;
+  const int middle = order.InputDimensions[0] / 2;
+  order.Reversed[1] = grid.Coordinates({ middle, last, 0 })[1] < grid.Coordinates({ middle, 0, 0 })[1];
+  if (settings.ClosePoles && GoesRound(grid))
+  {
+    order.AddPoles(MissingPoles(grid));
+  }
+  return order;
+}
+
 std::string GlobeGridBuilder::Plan(vtkFieldData* units, const LonLatLevelGrid* surface)
 {
-  this->Order_ = PlanColumns(this->Grid, this->Settings);
-  std::vector<double> row = this->Grid.MiddleRow();
-  if (JudgeCoverage(row) == Coverage::Overlap)
-  {
-    this->Notes.push_back("The longitudes cover more than one turn, so cells overlap. Extract one turn "
-                          "(Extract Subset) before this filter.");
-  }
-  const int last = this->Order_.InputDimensions[1] - 1;
-  const int middle = this->Order_.InputDimensions[0] / 2;
-  this->Order_.Reversed[1] =
-    this->Grid.Coordinates({ middle, last, 0 })[1] < this->Grid.Coordinates({ middle, 0, 0 })[1];
+  this->Order_ = PlanRows(this->Grid, this->Settings);
+  this->CheckAxes();
   this->FindHeights(units);
   this->OrderLevels();
+  this->CheckHeights();
   const std::string error = this->FindWinds(units);
+  this->FindWindComponents();
   if (error.empty() && this->Settings.MaskBelowGround)
   {
     this->FindSurface(surface);
@@ -92,10 +83,6 @@ void GlobeGridBuilder::FindHeights(vtkFieldData* units)
 {
   const std::string& name = this->Settings.Height;
   this->Heights = this->Grid.Array(name);
-  if (this->Heights && IsGeopotential(UnitsOf(units, name)))
-  {
-    this->HeightScale = 1.0 / atmosphere::GRAVITY;
-  }
   if (!this->Heights && !name.empty() && name != "gh")
   {
     this->Notes.push_back("There is no one-component point array '" + name +
@@ -103,20 +90,10 @@ void GlobeGridBuilder::FindHeights(vtkFieldData* units)
       this->Grid.ArrayNames() + ".");
   }
   this->Temperatures = this->Grid.Array(this->Settings.Temperature);
-  this->Units = this->Settings.Units;
-  if (this->Units == LevelUnits::Automatic)
+  this->FindLevelUnits();
+  if (this->Heights)
   {
-    const int last = this->Grid.Dimensions()[2] - 1;
-    const double first = this->Grid.Coordinates({ 0, 0, 0 })[2];
-    const double end = this->Grid.Coordinates({ 0, 0, last })[2];
-    this->Units =
-      GuessLevelUnits(std::min(first, end), std::max(first, end), this->TrendOfHeights());
-  }
-  if (this->Units == LevelUnits::Sigma && !this->Heights)
-  {
-    this->Notes.push_back("The levels end near 1, as sigma and hybrid ones do, whose pressures depend on the place and are not "
-                          "in the input. The heights are those over a ground at 1013.25 hPa. Load an array of heights in metres "
-                          "and set HeightArrayName, or set LevelUnits if these are pressures.");
+    this->FindHeightUnits(units);
   }
 }
 
@@ -189,7 +166,7 @@ std::string GlobeGridBuilder::FindWinds(vtkFieldData* units)
   }
   const std::string unitsOfW = UnitsOf(units, names.Vertical);
   const bool isSpeed = unitsOfW == "ms-1" || unitsOfW == "m/s";
-  const bool isOmega = unitsOfW == "Pas-1" || unitsOfW == "Pa/s";
+  const bool isOmega = unitsOfW == "pas-1" || unitsOfW == "pa/s";
   if (this->W && (names.VerticalIsOmega ? isSpeed : isOmega))
   {
     this->Notes.push_back("The units of '" + names.Vertical + "' are " + unitsOfW +
@@ -219,12 +196,7 @@ void GlobeGridBuilder::FindSurface(const LonLatLevelGrid* surface)
       }
       continue;
     }
-    const GridOrder order = [&]() {
-      GridOrder columns = PlanColumns(*grid, names);
-      columns.Reversed[1] = grid->Coordinates({ 0, grid->Dimensions()[1] - 1, 0 })[1] <
-        grid->Coordinates({ 0, 0, 0 })[1];
-      return columns;
-    }();
+    const GridOrder order = PlanRows(*grid, names);
     if (grid == surface && !this->SurfaceMatches(*grid, order))
     {
       this->Notes.push_back("The longitudes and latitudes of the surface input are not those of the first "

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 namespace nephoscope
 {
@@ -18,7 +19,8 @@ enum class LevelUnits
   Pascal,
   Metre,
   Kilometre,
-  Sigma // or hybrid: from about 1 at the ground to 0; found by Automatic only
+  Sigma, // or hybrid: from about 1 at the ground to 0; found by Automatic only
+  Index  // numbers of levels, taken as metres; found by Automatic only
 };
 
 // How a height array, where there is one, runs along the level axis.
@@ -28,6 +30,31 @@ enum class HeightTrend
   GrowsWithLevel,
   FallsWithLevel
 };
+
+// True for 0 or 1, 2, 3, ... in either order, with the sign of an axis that points down or without it.
+inline bool AreIndices(const std::vector<double>& levels)
+{
+  const double first = std::min(std::abs(levels.front()), std::abs(levels.back()));
+  if (levels.size() < 4 || !(first == 0.0 || first == 1.0))
+  {
+    return false;
+  }
+  for (size_t k = 1; k < levels.size(); ++k)
+  {
+    if (std::abs(levels[k] - levels[k - 1]) != 1.0)
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+// True if the largest pressure of an axis is that of the air not far from the ground.
+inline bool EndsNearGround(LevelUnits units, double largest)
+{
+  const double hectopascal = units == LevelUnits::Pascal ? 0.01 * largest : largest;
+  return hectopascal >= 500.0 && hectopascal <= 1100.0;
+}
 
 // Pressure by its range; a negative axis is a pressure that the reader negated since it points down.
 inline LevelUnits GuessLevelUnits(double lowest, double highest, HeightTrend trend)

@@ -316,6 +316,20 @@ bool LonLatLevelGrid::IsPoleRow(int j, int k) const
   return true;
 }
 
+bool LonLatLevelGrid::RowLatitude(int j, double& latitude) const
+{
+  latitude = this->Coordinates({ 0, j, 0 })[1];
+  const int columns = this->Points ? this->Size[0] : 1;
+  for (int i = 1; i < columns; ++i)
+  {
+    if (std::abs(this->Coordinates({ i, j, 0 })[1] - latitude) > LATITUDE_TOLERANCE)
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
 vtkDataArray* LonLatLevelGrid::Array(const std::string& name) const
 {
   vtkDataArray* array = name.empty() ? nullptr : this->OnPoints->GetArray(name.c_str());

@@ -43,6 +43,12 @@ public:
 
   bool IsPoleRow(int j, int k) const;
 
+  // False if the row is not at one latitude (on the lowest level).
+  bool RowLatitude(int j, double& latitude) const;
+
+  // True if longitude and latitude are given point by point.
+  bool IsCurvilinear() const { return this->Points != nullptr; }
+
   // The data on the points of this view; and, without cell centres, those on the cells (else null).
   vtkDataSetAttributes* PointAttributes() const { return this->OnPoints; }
   vtkDataSetAttributes* CellAttributes() const { return this->OnCells; }

@@ -3,6 +3,7 @@
 #include "vtkGlobeGrid.h"
 
 #include "GlobeGridBuilder.h"
+#include "PoleRows.h"
 
 #include "vtkCompositeDataSet.h"
 #include "vtkDataSet.h"
@@ -45,7 +46,10 @@ nephoscope::GlobeGridSettings SettingsOf(vtkGlobeGrid* self)
   settings.Vertical = ArrayName(self->GetVerticalWindArrayName());
   settings.VerticalIsOmega = self->GetVerticalWindIsOmega();
   settings.Temperature = ArrayName(self->GetTemperatureArrayName());
+  settings.HeightsIn = static_cast<nephoscope::HeightUnits>(self->GetHeightUnits());
+  settings.Components = static_cast<nephoscope::WindComponents>(self->GetWindComponents());
   settings.CloseSeam = self->GetCloseSeam();
+  settings.ClosePoles = self->GetClosePoles();
   settings.MaskBelowGround = self->GetMaskBelowGround();
   settings.SurfacePressure = ArrayName(self->GetSurfacePressureArrayName());
   settings.TerrainHeight = ArrayName(self->GetTerrainHeightArrayName());
@@ -65,19 +69,28 @@ std::vector<std::string> FieldNames(const nephoscope::GlobeGridSettings& setting
   return { settings.Height, settings.Eastward, settings.Northward };
 }
 
-// Two rows of two levels, all columns: whether the seam must be closed shows in the longitudes, and no
-// reader tells them before it reads.
-vtkDataSet* PeekAtRows(vtkAlgorithm* producer, int port, vtkInformation* inInfo, const int whole[6])
+// Whether this runs for one block after the other: the block stands in the place of the producer's output then. ParaView puts
+// a filter of its own between, which does not bear to be updated meanwhile.
+bool IsOfBlocks(vtkAlgorithm* producer, int port)
 {
-  auto* produced = producer->GetOutputDataObject(port);
-  if (vtkCompositeDataSet::SafeDownCast(produced))
+  const bool hasInput = producer->GetNumberOfInputPorts() > 0 && producer->GetNumberOfInputConnections(0) > 0;
+  return vtkCompositeDataSet::SafeDownCast(producer->GetOutputDataObject(port)) ||
+    (hasInput && vtkCompositeDataSet::SafeDownCast(producer->GetInputDataObject(0, 0)));
+}
+
+// Some rows of two levels, all columns: whether seam and poles must be closed shows in longitudes and latitudes, and no
+// reader tells them before it reads.
+vtkDataSet* PeekAtRows(vtkAlgorithm* producer, int port, vtkInformation* inInfo, const int whole[6], int first, int last)
+{
+  auto* block = vtkDataSet::SafeDownCast(vtkDataObject::GetData(inInfo));
+  if (IsOfBlocks(producer, port) && block && block->GetNumberOfPoints() > 0)
   {
-    return vtkDataSet::SafeDownCast(vtkDataObject::GetData(inInfo)); // a block: it is there already
+    return block; // it is there already
   }
   int rows[6];
   std::copy(whole, whole + 6, rows);
-  rows[2] = (whole[2] + whole[3]) / 2;
-  rows[3] = std::min(rows[2] + 1, whole[3]);
+  rows[2] = std::max(first, whole[2]);
+  rows[3] = std::min(last, whole[3]);
   rows[5] = std::min(whole[4] + 1, whole[5]);
   vtkNew<vtkInformationVector> requests;
   requests->SetNumberOfInformationObjects(port + 1);
@@ -87,6 +100,34 @@ vtkDataSet* PeekAtRows(vtkAlgorithm* producer, int port, vtkInformation* inInfo,
     return nullptr;
   }
   return vtkDataSet::SafeDownCast(producer->GetOutputDataObject(port));
+}
+
+// What PeekAtRows sees there; false if it is no grid (RequestData tells what is wrong).
+bool PeekAtGrid(vtkAlgorithm* producer, int port, vtkInformation* inInfo, const int whole[6], int first, int last,
+  const nephoscope::GlobeGridSettings& settings, nephoscope::LonLatLevelGrid& grid, bool& onCells)
+{
+  std::string error;
+  vtkDataSet* rows = PeekAtRows(producer, port, inInfo, whole, first, last);
+  onCells = rows && rows->GetNumberOfPoints() > 0 && nephoscope::DataAreOnCells(rows, FieldNames(settings));
+  return rows && rows->GetNumberOfPoints() > 0 && ReadGrid(rows, FieldNames(settings), grid, error);
+}
+
+// The rows that will be added at the poles; three rows at each end make two rows of cells.
+int CountPoles(vtkAlgorithm* producer, int port, vtkInformation* inInfo, const int whole[6],
+  const nephoscope::GlobeGridSettings& settings)
+{
+  std::array<bool, 2> missing = { false, false };
+  for (const int first : { whole[2], whole[3] - 2 })
+  {
+    nephoscope::LonLatLevelGrid grid;
+    bool onCells = false;
+    if (PeekAtGrid(producer, port, inInfo, whole, first, first + 2, settings, grid, onCells))
+    {
+      const std::array<bool, 2> here = nephoscope::MissingPoles(grid);
+      missing = { missing[0] || here[0], missing[1] || here[1] };
+    }
+  }
+  return (missing[0] ? 1 : 0) + (missing[1] ? 1 : 0);
 }
 }
 
@@ -117,28 +158,27 @@ int vtkGlobeGrid::RequestInformation(
   vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
   vtkInformation* inInfo = inputs[0]->GetInformationObject(0);
+  if (!inInfo->Has(SDDP::WHOLE_EXTENT()))
+  {
+    return 1; // a group of grids; each is asked by itself
+  }
   int whole[6];
   inInfo->Get(SDDP::WHOLE_EXTENT(), whole);
-  vtkDataSet* rows = nullptr;
-  if (whole[0] <= whole[1] && whole[2] <= whole[3] && whole[4] <= whole[5])
+  int port = 0;
+  vtkAlgorithm* producer = this->GetInputAlgorithm(0, 0, port);
+  const auto settings = SettingsOf(this);
+  nephoscope::LonLatLevelGrid grid;
+  bool onCells = false;
+  const int middle = (whole[2] + whole[3]) / 2;
+  if (producer && whole[0] <= whole[1] && whole[2] <= whole[3] && whole[4] <= whole[5] &&
+    PeekAtGrid(producer, port, inInfo, whole, middle, middle + 1, settings, grid, onCells))
   {
-    int port = 0;
-    vtkAlgorithm* producer = this->GetInputAlgorithm(0, 0, port);
-    rows = producer ? PeekAtRows(producer, port, inInfo, whole) : nullptr;
-  }
-  if (rows && rows->GetNumberOfPoints() > 0)
-  {
-    const auto settings = SettingsOf(this);
-    nephoscope::LonLatLevelGrid grid;
-    std::string error;
-    if (ReadGrid(rows, FieldNames(settings), grid, error)) // RequestData tells what is wrong
-    {
-      const bool onCells = nephoscope::DataAreOnCells(rows, FieldNames(settings));
-      const int columns = nephoscope::PlanColumns(grid, settings).OutputDimensions[0];
-      whole[1] = whole[0] + columns - 1;
-      whole[3] -= onCells && whole[3] > whole[2] ? 1 : 0;
-      whole[5] -= onCells && whole[5] > whole[4] ? 1 : 0;
-    }
+    const bool closed = settings.ClosePoles && nephoscope::GoesRound(grid);
+    const int columns = nephoscope::PlanColumns(grid, settings).OutputDimensions[0];
+    const int poles = closed ? CountPoles(producer, port, inInfo, whole, settings) : 0;
+    whole[1] = whole[0] + columns - 1;
+    whole[3] += poles - (onCells && whole[3] > whole[2] ? 1 : 0);
+    whole[5] -= onCells && whole[5] > whole[4] ? 1 : 0;
   }
   vtkInformation* outInfo = outputs->GetInformationObject(0);
   outInfo->Set(SDDP::WHOLE_EXTENT(), whole, 6);
@@ -156,9 +196,12 @@ int vtkGlobeGrid::RequestUpdateExtent(
       continue;
     }
     vtkInformation* inInfo = inputs[port]->GetInformationObject(0);
-    int whole[6];
-    inInfo->Get(SDDP::WHOLE_EXTENT(), whole);
-    inInfo->Set(SDDP::UPDATE_EXTENT(), whole, 6);
+    if (inInfo->Has(SDDP::WHOLE_EXTENT())) // a group of grids has none
+    {
+      int whole[6];
+      inInfo->Get(SDDP::WHOLE_EXTENT(), whole);
+      inInfo->Set(SDDP::UPDATE_EXTENT(), whole, 6);
+    }
     inInfo->Set(SDDP::UPDATE_PIECE_NUMBER(), 0);
     inInfo->Set(SDDP::UPDATE_NUMBER_OF_PIECES(), 1);
     inInfo->Set(SDDP::UPDATE_NUMBER_OF_GHOST_LEVELS(), 0);
@@ -272,6 +315,9 @@ void vtkGlobeGrid::PrintSelf(ostream& os, vtkIndent indent)
      << indent << "VerticalWindArrayName: " << this->VerticalWindArrayName << "\n"
      << indent << "VerticalWindIsOmega: " << this->VerticalWindIsOmega << "\n"
      << indent << "TemperatureArrayName: " << this->TemperatureArrayName << "\n"
+     << indent << "HeightUnits: " << this->HeightUnits << "\n"
+     << indent << "WindComponents: " << this->WindComponents << "\n"
+     << indent << "ClosePoles: " << this->ClosePoles << "\n"
      << indent << "CloseSeam: " << this->CloseSeam << "\n"
      << indent << "MaskBelowGround: " << this->MaskBelowGround << "\n"
      << indent << "SurfacePressureArrayName: " << this->SurfacePressureArrayName << "\n"

@@ -14,7 +14,8 @@
  * 1. Read the axes: units of the levels, order of every axis, whether the longitudes close.
  * 2. Place the points. Globe: radius PlanetRadius + VerticalExaggeration * height. Map (plate carree):
  *    x = R * longitude, y = R * latitude (radians), z = VerticalExaggeration * height. Metres.
- * 3. Carry every point and cell array, with one more column where the seam is closed.
+ * 3. Carry every point and cell array, with one more column where the seam is closed, and rows at the poles where
+ *    they are missing.
  * 4. Turn the winds into vectors; 5. mark points below the ground.
  *
  * The output is always ordered west to east, south to north, bottom to top, whatever the order of the
@@ -137,9 +138,51 @@ public:
   void SetLevelUnitsToHeightKilometre() { this->SetLevelUnits(HEIGHT_KM); }
   ///@}
 
+  enum HeightUnitsType
+  {
+    AUTOMATIC_HEIGHT = 0,
+    METRE = 1,
+    KILOMETRE = 2,
+    GEOPOTENTIAL = 3
+  };
+
+  enum WindComponentsType
+  {
+    AUTOMATIC_WIND = 0,
+    EAST_NORTH = 1,
+    ALONG_GRID = 2
+  };
+
   ///@{
   /**
-   * Name of the point array of heights in metres above the sea. Default "gh". If the input has no such
+   * What the values of the height array are: metres, kilometres, or a geopotential in m2 s-2, which is divided by
+   * 9.80665 m s-2. Automatic (default): what the reader says the units are; without a word of them, on levels of
+   * pressure, what comes next to the standard atmosphere, with a warning if that is not metres; else metres.
+   */
+  vtkSetClampMacro(HeightUnits, int, AUTOMATIC_HEIGHT, GEOPOTENTIAL);
+  vtkGetMacro(HeightUnits, int);
+  void SetHeightUnitsToAutomatic() { this->SetHeightUnits(AUTOMATIC_HEIGHT); }
+  void SetHeightUnitsToMetre() { this->SetHeightUnits(METRE); }
+  void SetHeightUnitsToKilometre() { this->SetHeightUnits(KILOMETRE); }
+  void SetHeightUnitsToGeopotential() { this->SetHeightUnits(GEOPOTENTIAL); }
+  ///@}
+
+  ///@{
+  /**
+   * Where the two horizontal wind arrays point: to the east and the north, or along the rows of a curvilinear grid
+   * and across them (GRIB: uvRelativeToGrid). Automatic (default): along the grid if the eastward one is called
+   * x_wind or grid_eastward_wind, else east and north, with a warning if the rows leave the parallels.
+   */
+  vtkSetClampMacro(WindComponents, int, AUTOMATIC_WIND, ALONG_GRID);
+  vtkGetMacro(WindComponents, int);
+  void SetWindComponentsToAutomatic() { this->SetWindComponents(AUTOMATIC_WIND); }
+  void SetWindComponentsToEastNorth() { this->SetWindComponents(EAST_NORTH); }
+  void SetWindComponentsToAlongGrid() { this->SetWindComponents(ALONG_GRID); }
+  ///@}
+
+  ///@{
+  /**
+   * Name of the point array of heights above the sea, in HeightUnits. Default "gh". If the input has no such
    * array the level axis gives the heights.
    */
   vtkSetMacro(HeightArrayName, std::string);
@@ -188,6 +231,18 @@ public:
   vtkSetMacro(CloseSeam, bool);
   vtkGetMacro(CloseSeam, bool);
   vtkBooleanMacro(CloseSeam, bool);
+  ///@}
+
+  ///@{
+  /**
+   * On (default): a grid round the globe whose last row is a spacing or less before a pole, as Gaussian grids and cell
+   * centres are, gets a row at the pole, so that there is no hole. Its scalars are the mean of the last ring, the
+   * middle one of integers; its wind is the mean vector, the horizontal wind arrays that vector seen from each
+   * meridian. Arrays of several components are taken as Cartesian.
+   */
+  vtkSetMacro(ClosePoles, bool);
+  vtkGetMacro(ClosePoles, bool);
+  vtkBooleanMacro(ClosePoles, bool);
   ///@}
 
   ///@{
@@ -242,12 +297,15 @@ private:
   double CentralMeridian = 0.0;
   int LevelUnits = AUTOMATIC;
   std::string HeightArrayName = "gh";
+  int HeightUnits = AUTOMATIC_HEIGHT;
+  int WindComponents = AUTOMATIC_WIND;
   std::string EastwardWindArrayName = "u";
   std::string NorthwardWindArrayName = "v";
   std::string VerticalWindArrayName = "w";
   bool VerticalWindIsOmega = true;
   std::string TemperatureArrayName = "t";
   bool CloseSeam = true;
+  bool ClosePoles = true;
   bool MaskBelowGround = true;
   std::string SurfacePressureArrayName = "sp";
   std::string TerrainHeightArrayName = "orog";

@@ -316,9 +316,14 @@ std::string WriteVdb(
   }
   Volume volume{ {}, {}, warnings };
   std::string error = checkChoice(settings, data);
-  if (error.empty())
+  try
   {
-    error = addAll(settings, data, volume);
+    error = error.empty() ? addAll(settings, data, volume) : error;
+  }
+  catch (const std::exception& exception) // OpenVDB takes a matrix of voxels of 1e-9 for singular
+  {
+    return "OpenVDB rejects these voxels: " + Reason(exception) +
+      ". Scale the data, so that the volume of a voxel is neither 0 nor very small.";
   }
   if (error.empty())
   {

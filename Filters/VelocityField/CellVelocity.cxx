@@ -147,6 +147,13 @@ bool CellVelocity::WeightsByFormula(Search& search, int type) const
 
 bool CellVelocity::WeightsByCell(Search& search, vtkIdType cell, bool nearToo) const
 {
+  // VTK's polyhedra draw from its one sequence of random numbers to tell inside from outside, which threads must not do at the same time.
+  static std::mutex oneAtATime;
+  std::unique_lock<std::mutex> alone(oneAtATime, std::defer_lock);
+  if (this->Data->GetCellType(cell) == VTK_POLYHEDRON)
+  {
+    alone.lock();
+  }
   this->Data->GetCell(cell, search.Cell);
   if (search.Cell->GetCellDimension() != 3)
   {

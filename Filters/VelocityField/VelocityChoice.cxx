@@ -24,9 +24,10 @@ vtkDataSetAttributes* Attributes(vtkDataSet* set, bool onCells)
   return onCells ? static_cast<vtkDataSetAttributes*>(set->GetCellData()) : set->GetPointData();
 }
 
+// Three bytes are a colour.
 bool IsVector(vtkDataArray* array)
 {
-  return array && array->GetName() && array->GetNumberOfComponents() == 3;
+  return array && array->GetName() && array->GetNumberOfComponents() == 3 && array->GetDataType() != VTK_UNSIGNED_CHAR;
 }
 
 std::string Listed(const std::set<std::string>& names)
@@ -155,8 +156,8 @@ bool ChooseDefault(
     }
     if (names.size() > 1)
     {
-      problem = "The input has several arrays that may be the velocity: choose one with "
-                "SetInputArrayToProcess. " +
+      problem = "The input has several arrays that may be the velocity: choose one of "
+                "them. " +
         ListOfAll(sets);
       return false;
     }

@@ -59,8 +59,8 @@ set(nephoscope_extensions "")
 # Newer releases give rectilinear grids a representation of their own. Its definition is text inside ParaView's library.
 get_target_property(remoting_views ParaView::RemotingViews LOCATION)
 file(STRINGS "${remoting_views}" rectilinear_grids REGEX "RectilinearGridRepresentation" LIMIT_COUNT 1)
-# Images and rectilinear grids, structured grids, unstructured grids, and composite datasets of these.
-set(grids UniformGrid StructuredGrid UnstructuredGrid)
+# Images and rectilinear grids, structured grids, unstructured grids, and composite datasets of these; adaptive meshes of images.
+set(grids UniformGrid StructuredGrid UnstructuredGrid AMR)
 if (rectilinear_grids)
   list(APPEND grids RectilinearGrid)
 endif ()
@@ -70,13 +70,15 @@ foreach (grid IN LISTS grids)
   nephoscope_extend_representation(${grid}Representation TexturedSplats "Textured Splats" nephoscope_extensions
     SHARE SurfaceRepresentation VolumeRepresentation)
 endforeach ()
-# Particles, surfaces, and composites of mixed kinds. This one has no volume rendering of its own, hence no opacity function either: ours
-# have one in common.
-nephoscope_extend_representation(GeometryRepresentation CellCompositing "Cell Compositing" nephoscope_extensions
-  EXPOSE_OPACITY_FUNCTION SHARE SurfaceRepresentation)
-nephoscope_extend_representation(GeometryRepresentation TexturedSplats "Textured Splats" nephoscope_extensions
-  SHARE SurfaceRepresentation CellCompositingRepresentation
-  OWN OpacityScale OpacityArray AutomaticUnitDistance UnitDistance)
+# Particles, surfaces, explicit structured grids, and composites of mixed kinds; hyper tree grids. These have no volume rendering of their
+# own, hence no opacity function either: ours have one in common.
+foreach (host IN ITEMS Geometry HyperTreeGrid)
+  nephoscope_extend_representation(${host}Representation CellCompositing "Cell Compositing" nephoscope_extensions
+    EXPOSE_OPACITY_FUNCTION SHARE SurfaceRepresentation)
+  nephoscope_extend_representation(${host}Representation TexturedSplats "Textured Splats" nephoscope_extensions
+    SHARE SurfaceRepresentation CellCompositingRepresentation
+    OWN OpacityScale OpacityArray AutomaticUnitDistance UnitDistance)
+endforeach ()
 # Surfaces only.
 nephoscope_configure_text(CloudTexture.xml.in cloud_texture_representation)
 nephoscope_extend_representation(GeometryRepresentation CloudTexture "Cloud Texture" nephoscope_extensions

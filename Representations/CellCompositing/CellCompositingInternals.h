@@ -29,17 +29,23 @@ struct vtkCellCompositingMapper::vtkInternals
   std::int64_t UploadedContours = -1;
   nephoscope::ScalarSelection Contoured; // array of the contours, if not the coloured one
   bool WarnedOfUnprojected = false;
-  bool WarnedOfHaze = false;
-  nephoscope::ResourceWindow Window;
-  nephoscope::ReportedError LastError;
+  nephoscope::ReportedError LastError, LastWarning, RayWarning;
   bool OneColor = false; // of the medium in the last render
   bool Peeled = false;   // the last render drew between translucent surfaces
+  bool RaysAreWrong = false; // on the window's OpenGL
   bool Busy = false;     // who hears of progress may call in between
   nephoscope::ScalarSelection Scalars, Opacity; // of the geometry, and what keeps them
   vtkSmartPointer<vtkDataArray> Arrays[2];
 
   nephoscope::CellScene::Cycles CountCycles(vtkCellCompositingMapper* self);
   bool IsUploadNeeded() const { return this->Uploaded != this->Scene.GetVersions(); }
+
+  nephoscope::ResourceWindow Window{ [this](vtkWindow* window) {
+    this->Pass.ReleaseGraphicsResources(window);
+    this->Faces.ReleaseGraphicsResources(window);
+    this->Uploaded = nephoscope::CellScene::Versions();
+    this->UploadedContours = -1;
+  } };
 };
 
 #endif

@@ -5,6 +5,7 @@
 #include "ArraySelection.h"
 #include "CellCompositingInternals.h"
 #include "ContourSettings.h"
+#include "MapperSettings.h"
 #include "OrderView.h"
 #include "SceneLights.h"
 #include "TrianglePass.h"
@@ -61,6 +62,11 @@ vtkIdType vtkCellCompositingMapper::GetNumberOfTetrahedra()
   return static_cast<vtkIdType>(this->Internals->Scene.GetGeometry().NumberOfTetrahedra());
 }
 
+int vtkCellCompositingMapper::GetNumberOfRayLayers()
+{
+  return this->Internals->Pass.GetNumberOfRayLayers();
+}
+
 vtkIdType vtkCellCompositingMapper::GetNumberOfDrawnTetrahedra()
 {
   return static_cast<vtkIdType>(this->Internals->Scene.GetNumberOfVisible());
@@ -94,7 +100,8 @@ void vtkCellCompositingMapper::Render(vtkRenderer* renderer, vtkVolume* volume)
     return !this->GetAbortExecute() && !window->CheckAbortStatus();
   });
   this->Internals->Busy = true;
-  std::string error = this->UpdateGeometry(input, volume, progress.Part(0, 0.5));
+  std::string error = this->ChooseWayOfDrawing(window);
+  error = error.empty() ? this->UpdateGeometry(input, volume, progress.Part(0, 0.5)) : error;
   if (error.empty() && this->GetNumberOfTetrahedra() > 0)
   {
     error = this->DrawScene(window, renderer, volume, progress.Part(0.5, 1));
@@ -144,7 +151,7 @@ std::string vtkCellCompositingMapper::UpdateGeometry(
   this->Internals->Arrays[1] = opacity.Array;
   if (built && error.empty())
   {
-    this->WarnAboutGeometry(scene.GetGeometry(), scalars, opacity);
+    this->WarnAboutGeometry(input, scene.GetGeometry(), scalars, opacity);
   }
   return error;
 }
@@ -174,6 +181,11 @@ std::string vtkCellCompositingMapper::DrawScene(
     {
       return "ScalarOpacityUnitDistance of the property of layer " + std::to_string(layer.first) + " must be positive.";
     }
+  }
+  const std::string wrongPlanes = nephoscope::ClippingPlanes::Check(this);
+  if (!wrongPlanes.empty())
+  {
+    return wrongPlanes;
   }
   const nephoscope::ViewState state(renderer, volume, scene.GetGeometry().Center);
   int width, height, lowerLeft[2];
@@ -210,6 +222,7 @@ std::string vtkCellCompositingMapper::DrawScene(
   options.Eye = &scene.GetEyeTetrahedron();
   options.ExtinctionScale = this->OpacityScale / unitDistance;
   options.Haze = nephoscope::HazeView(renderer);
+  options.Planes = nephoscope::ClippingPlanes(this, renderer);
   options.ContourLayers = scene.ContoursMakeLayers();
   options.ContourLighting = this->Contours->Lighting;
   if (scene.GetContours().IsUsed())
@@ -226,13 +239,15 @@ std::string vtkCellCompositingMapper::DrawScene(
       : std::string("Projected triangles and faces cannot be drawn between peeled surfaces: choose another method, or call "
                     "UseDepthPeelingForVolumesOff() of the renderer.");
   }
-  const bool ignoresHaze =
-    options.Haze.IsOn() && (options.Method == CellMethod::Faces || nephoscope::drawsTriangles(options.Method));
-  if (ignoresHaze && !this->Internals->WarnedOfHaze) // once, not once per frame
+  const bool earlier = options.Method == CellMethod::Faces || nephoscope::drawsTriangles(options.Method);
+  const std::string ignored = std::string(options.Haze.IsOn() ? "the haze of the renderer" : "") +
+    (options.Haze.IsOn() && !options.Planes.IsEmpty() ? " and " : "") + (options.Planes.IsEmpty() ? "" : "the clipping planes");
+  const std::string warning =
+    earlier && !ignored.empty() ? "Triangles and faces are drawn without " + ignored + ": choose another method." : "";
+  if (this->Internals->LastWarning.IsNew(warning)) // once, not once per frame
   {
-    vtkWarningMacro("Triangles and faces are drawn without the haze of the renderer: choose another method.");
+    vtkWarningMacro(<< warning);
   }
-  this->Internals->WarnedOfHaze = ignoresHaze;
   if (options.Method == CellMethod::Faces)
   {
     return this->Internals->Pass.DrawLayer(window, [&](const int*, nephoscope::OpaqueDepth& opaqueDepth) {
@@ -265,7 +280,7 @@ void vtkCellCompositingMapper::WarnAboutUnprojected(vtkIdType count)
 std::string vtkCellCompositingMapper::Upload(vtkOpenGLRenderWindow* window)
 {
   vtkInternals& self = *this->Internals;
-  self.Window.Enter(window, this);
+  self.Window.Enter(window);
   const CellScene::Versions& now = self.Scene.GetVersions();
   std::string error;
   const CellScene::Versions& before = self.Uploaded;
@@ -318,14 +333,31 @@ bool vtkCellCompositingMapper::CopyFloatImage(vtkImageData* image)
 
 void vtkCellCompositingMapper::ReleaseGraphicsResources(vtkWindow* window)
 {
-  if (this->Internals->Window.Leave(window))
-  {
-    this->Internals->Pass.ReleaseGraphicsResources(window);
-    this->Internals->Faces.ReleaseGraphicsResources(window);
-    this->Internals->Uploaded = CellScene::Versions();
-    this->Internals->UploadedContours = -1;
-  }
+  this->Internals->Window.Leave(window);
   this->Superclass::ReleaseGraphicsResources(window);
+}
+
+void vtkCellCompositingMapper::ShallowCopy(vtkAbstractMapper* other)
+{
+  auto* mapper = vtkCellCompositingMapper::SafeDownCast(other);
+  if (mapper == this)
+  {
+    return;
+  }
+  this->Superclass::ShallowCopy(other);
+  if (mapper)
+  {
+    nephoscope::copyVolumeSettings(mapper, this);
+    this->SetBlendMode(mapper->BlendMode);
+    this->SetMethod(mapper->Method);
+    this->SetIntegration(mapper->Integration);
+    this->SetVisibilityOrder(mapper->VisibilityOrder);
+    this->SetOpacityScale(mapper->OpacityScale);
+    this->SetOpacityArrayName(mapper->OpacityArrayName);
+    this->SetSplitAtControlPoints(mapper->SplitAtControlPoints);
+    *this->Contours = *mapper->Contours;
+    this->Modified();
+  }
 }
 
 void vtkCellCompositingMapper::PrintSelf(ostream& os, vtkIndent indent)
@@ -342,6 +374,7 @@ void vtkCellCompositingMapper::PrintSelf(ostream& os, vtkIndent indent)
   this->PrintContours(os, indent);
   os << indent << "NumberOfTetrahedra: " << this->GetNumberOfTetrahedra() << "\n";
   os << indent << "NumberOfDrawnTetrahedra: " << this->GetNumberOfDrawnTetrahedra() << "\n";
+  os << indent << "NumberOfRayLayers: " << this->GetNumberOfRayLayers() << "\n";
   os << indent << "OrderIndependent: " << this->GetOrderIndependent() << "\n";
   if (!this->UsesRays() && !this->NeedsNoOrder()) // which would have to make an order for it
   {

@@ -261,6 +261,9 @@ public:
   void SetLayerProperty(int layer, vtkVolumeProperty* property);
   vtkVolumeProperty* GetLayerProperty(int layer);
   void RemoveAllLayerProperties();
+  /** How many layers have a property, and which ones: `i` counts from 0, layers ascend. 0 where `i` is out of range. */
+  int GetNumberOfLayerProperties() const;
+  int GetLayerWithProperty(int i) const;
   ///@}
 
   ///@{
@@ -285,6 +288,11 @@ public:
   vtkIdType GetNumberOfTetrahedra();
   /** Tetrahedra drawn in the last render: those that the transfer function does not make fully transparent. */
   vtkIdType GetNumberOfDrawnTetrahedra();
+  /**
+   * Passes over the picture that rays took in the last render: as often as one of them entered the mesh, at least. Meshes with many
+   * gaps behind one another take long. 0: rays were not used, or none entered.
+   */
+  int GetNumberOfRayLayers();
   ///@{
   /**
    * Cycles of visibility in the last view, whether or not they were drawn right: groups of tetrahedra in which each hides
@@ -315,6 +323,8 @@ public:
    */
   void Render(vtkRenderer* renderer, vtkVolume* volume) override;
   void ReleaseGraphicsResources(vtkWindow* window) override;
+  /** Takes over the input and all settings. Clipping planes and properties of layers are shared, their lists are not. */
+  void ShallowCopy(vtkAbstractMapper* other) override;
 
 protected:
   vtkCellCompositingMapper();
@@ -330,6 +340,7 @@ protected:
 
 private:
   bool MayUseRays() const;
+  std::string ChooseWayOfDrawing(vtkOpenGLRenderWindow* window);
   bool UsesRays() const;
   bool NeedsNoOrder() const;
   std::string UpdateGeometry(vtkDataSet* input, vtkVolume* volume, const nephoscope::Progress& progress);
@@ -337,8 +348,8 @@ private:
   std::string SelectLayers(vtkDataSet* input, vtkDataArray*& layers);
   bool CheckContour(int i);
   void PrintContours(ostream& os, vtkIndent indent);
-  void WarnAboutGeometry(const nephoscope::CellGeometry& geometry, const nephoscope::ScalarSelection& scalars,
-    const nephoscope::ScalarSelection& opacity);
+  void WarnAboutGeometry(vtkDataSet* input, const nephoscope::CellGeometry& geometry,
+    const nephoscope::ScalarSelection& scalars, const nephoscope::ScalarSelection& opacity);
   std::string DrawScene(vtkOpenGLRenderWindow* window, vtkRenderer* renderer, vtkVolume* volume,
     const nephoscope::Progress& progress);
   bool UpdateOrder(const double eye[4], const nephoscope::Progress& progress);

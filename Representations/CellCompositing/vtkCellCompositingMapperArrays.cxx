@@ -12,7 +12,9 @@
 #include "vtkColorTransferFunction.h"
 #include "vtkDataArray.h"
 #include "vtkDataSet.h"
+#include "vtkDataSetAttributes.h"
 #include "vtkPointData.h"
+#include "vtkUnsignedCharArray.h"
 #include "vtkVolumeProperty.h"
 
 #if __has_include("vtkCellTypeUtilities.h") // VTK 9.6 deprecates the name lookup of vtkCellTypes
@@ -63,8 +65,21 @@ std::string vtkCellCompositingMapper::SelectLayers(vtkDataSet* input, vtkDataArr
   return checkLength(input, { layers, true, 0 });
 }
 
+namespace
+{
+bool hasCopies(vtkUnsignedCharArray* ghosts)
+{
+  bool has = false;
+  for (vtkIdType cell = 0; ghosts && cell < ghosts->GetNumberOfValues(); ++cell)
+  {
+    has = has || (ghosts->GetValue(cell) & vtkDataSetAttributes::DUPLICATECELL) != 0;
+  }
+  return has;
+}
+}
+
 void vtkCellCompositingMapper::WarnAboutGeometry(
-  const CellGeometry& geometry, const ScalarSelection& scalars, const ScalarSelection& opacity)
+  vtkDataSet* input, const CellGeometry& geometry, const ScalarSelection& scalars, const ScalarSelection& opacity)
 {
   const auto quoted = [](vtkDataArray* array) {
     return std::string("'") + (array->GetName() ? array->GetName() : "(unnamed)") + "'";
@@ -87,5 +102,12 @@ void vtkCellCompositingMapper::WarnAboutGeometry(
     vtkWarningMacro(<< geometry.NumberOfNonConvexCells
                     << (geometry.NumberOfNonConvexCells == 1 ? " polyhedron is" : " polyhedra are")
                     << " not convex and drawn wrong: run vtkPolyhedronToTetrahedra first.");
+  }
+  // On several processes one may have copies of the others' cells alone.
+  const bool isTold = geometry.NumberOfInvalidCells + geometry.NumberOfUnsupportedCells > 0;
+  if (geometry.NumberOfTetrahedra() == 0 && input->GetNumberOfCells() > 0 && !isTold &&
+    !hasCopies(input->GetCellGhostArray()))
+  {
+    vtkWarningMacro(<< "Nothing is drawn: of " << input->GetNumberOfCells() << " cells, all are hidden or have no volume.");
   }
 }

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 using nephoscope::ContourSettings;
 
@@ -193,6 +194,16 @@ void vtkCellCompositingMapper::RemoveAllLayerProperties()
 {
   this->Contours->LayerProperties.clear();
   this->Modified();
+}
+
+int vtkCellCompositingMapper::GetNumberOfLayerProperties() const
+{
+  return static_cast<int>(this->Contours->LayerProperties.size());
+}
+
+int vtkCellCompositingMapper::GetLayerWithProperty(int i) const
+{
+  return i >= 0 && i < this->GetNumberOfLayerProperties() ? std::next(this->Contours->LayerProperties.begin(), i)->first : 0;
 }
 
 void vtkCellCompositingMapper::SetLayerArrayName(const std::string& name)

@@ -6,6 +6,7 @@
 #include "ArraySelection.h"
 #include "CellCompositingInternals.h"
 #include "ContourSettings.h"
+#include "DrawingCheck.h"
 
 #include "vtkDataSet.h"
 
@@ -67,8 +68,32 @@ vtkIdType vtkCellCompositingMapper::GetNumberOfBrokenRelations()
 bool vtkCellCompositingMapper::MayUseRays() const
 {
   const bool surfaces = this->GetNumberOfContourValues() > 0 || this->Contours->LayersAreUsed();
-  return !surfaces &&
+  return !surfaces && !this->Internals->RaysAreWrong &&
     (this->Method == RAY_METHOD || (this->Method == AUTOMATIC_METHOD && this->VisibilityOrder == EXACT_ORDER));
+}
+
+// Where this OpenGL does not draw right ray by ray, cells are projected; an error where that is not right either.
+std::string vtkCellCompositingMapper::ChooseWayOfDrawing(vtkOpenGLRenderWindow* window)
+{
+  using nephoscope::DrawnBy;
+  if (this->Method == FACES_METHOD)
+  {
+    return std::string(); // drawn by the processor
+  }
+  this->Internals->RaysAreWrong = false;
+  if (this->MayUseRays())
+  {
+    const std::string wrong = nephoscope::checkDrawing(window, DrawnBy::Rays);
+    if (this->Internals->RayWarning.IsNew(wrong))
+    {
+      vtkWarningMacro("This OpenGL driver does not draw rays correctly: " << wrong << ". Cells are projected instead, more slowly.");
+    }
+    this->Internals->RaysAreWrong = !wrong.empty();
+  }
+  const std::string wrong = this->MayUseRays() ? std::string() : nephoscope::checkDrawing(window, DrawnBy::Projection);
+  return wrong.empty() ? wrong
+                       : "This OpenGL driver does not draw cells correctly: " + wrong +
+      ". Use another driver; the environment variable LIBGL_ALWAYS_SOFTWARE=1 selects Mesa's software driver.";
 }
 
 // Where no order is needed, rays are only faster, and that through grids.

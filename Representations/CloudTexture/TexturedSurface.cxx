@@ -346,11 +346,28 @@ void addCoordinates(TexturedSurface& result, vtkPolyData* input, const TextureCh
     }
   }
 }
+
+/** Empty where there are polygons, and of an empty piece, which is no mistake. */
+std::string describeMissingSurface(vtkPolyData* input)
+{
+  if (input->GetNumberOfPolys() > 0 || input->GetNumberOfStrips() > 0 || input->GetNumberOfPoints() == 0)
+  {
+    return std::string();
+  }
+  return "Nothing is drawn: the input has " + std::to_string(input->GetNumberOfPoints()) +
+    " points but no polygons to put a texture on. Make a surface of them (Cloud Surface, Contour, Delaunay 2D), or draw them as "
+    "Textured Splats.";
+}
 }
 
 TexturedSurface prepareTexturedSurface(vtkPolyData* input, const TextureChoice& choice)
 {
   TexturedSurface result;
+  result.Error = describeMissingSurface(input);
+  if (!result.Error.empty())
+  {
+    return result;
+  }
   result.Surface = vtkSmartPointer<vtkPolyData>::New();
   result.Surface->DeepCopy(input); // points may be added
   input->GetCenter(result.Center);

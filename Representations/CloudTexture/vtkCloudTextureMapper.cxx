@@ -10,6 +10,7 @@
 #include "CoverageThreshold.h"
 #include "JoinedSurfaces.h"
 #include "KeepPeeling.h"
+#include "ResourceWindow.h"
 #include "TexturedSurface.h"
 
 #include "vtkActor.h"
@@ -58,9 +59,15 @@ struct vtkCloudTextureMapper::vtkInternals
   int Drawings = 0; // of layers, that the shader is made for
   vtkSmartPointer<vtkTextureObject> Thresholds;
 
-  void UploadThresholds(vtkOpenGLRenderWindow* window)
+  nephoscope::ResourceWindow Window{ [this](vtkWindow* window) {
+    this->Thresholds = nullptr;
+    this->Thickness.ReleaseGraphicsResources(window);
+  } };
+
+  void Enter(vtkOpenGLRenderWindow* window)
   {
-    if (this->Thresholds && this->Thresholds->GetContext() == window)
+    this->Window.Enter(window);
+    if (this->Thresholds)
     {
       return;
     }
@@ -253,7 +260,7 @@ void vtkCloudTextureMapper::RenderPieceDraw(vtkRenderer* renderer, vtkActor* act
     return;
   }
   vtkInternals& own = *this->Internals;
-  own.UploadThresholds(vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow()));
+  own.Enter(vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow()));
   if (this->UseThickness)
   {
     this->FindThickness(renderer, actor);
@@ -430,12 +437,7 @@ void vtkCloudTextureMapper::SetMapperShaderParameters(
 
 void vtkCloudTextureMapper::ReleaseGraphicsResources(vtkWindow* window)
 {
-  if (this->Internals->Thresholds)
-  {
-    this->Internals->Thresholds->ReleaseGraphicsResources(window);
-    this->Internals->Thresholds = nullptr;
-  }
-  this->Internals->Thickness.ReleaseGraphicsResources(window);
+  this->Internals->Window.Leave(window);
   if (this->Internals->ForBlocks)
   {
     this->Internals->ForBlocks->ReleaseGraphicsResources(window);

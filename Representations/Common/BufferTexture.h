@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
-/** An array on the GPU that shaders read with texelFetch. */
+/** An array on the GPU, which shaders read as ShaderArrays.h says: a buffer texture, or where these are small a 2-D texture. */
 #ifndef BufferTexture_h
 #define BufferTexture_h
 
@@ -39,7 +39,10 @@ public:
   void Release(vtkWindow* window);
 
 private:
-  vtkNew<vtkOpenGLBufferObject> Buffer;
+  void UploadBuffer(const void* data, std::size_t tuples, int components, int type);
+  void UploadRows(const void* data, std::size_t tuples, int components, int type, int rowBits);
+
+  vtkNew<vtkOpenGLBufferObject> Buffer; // not used with rows
   vtkNew<vtkTextureObject> Texture;
 };
 

@@ -13,6 +13,10 @@
 
 namespace nephoscope
 {
+namespace
+{
+const char* const noFloatImages = "this OpenGL cannot draw into 32-bit float images";
+}
 
 void FloatLayer::SetBlending(vtkOpenGLState* state)
 {
@@ -42,7 +46,7 @@ std::string FloatLayer::Draw(vtkOpenGLRenderWindow* window, const Painter& paint
   window->GetState()->vtkglGetIntegerv(GL_VIEWPORT, viewport);
   const SavedState saved(window->GetState());
   this->Depth.Copy(window, viewport);
-  std::string error = "this OpenGL cannot draw into 32-bit float images";
+  std::string error = noFloatImages;
   if (this->Accumulation.Begin(window, viewport))
   {
     SetBlending(window->GetState());
@@ -55,6 +59,35 @@ std::string FloatLayer::Draw(vtkOpenGLRenderWindow* window, const Painter& paint
     error = CheckOpenGL("while drawing translucent layers");
   }
   return error;
+}
+
+std::string FloatLayer::DrawPeel(vtkOpenGLRenderWindow* window, VolumePeel& peel, const VolumePeel::Request& request,
+  const std::function<std::string(const int viewport[4])>& paint)
+{
+  int viewport[4];
+  vtkOpenGLState* state = window->GetState();
+  state->vtkglGetIntegerv(GL_VIEWPORT, viewport);
+  const SavedState saved(state);
+  if (!peel.FindRanges(window, request, viewport))
+  {
+    return CheckOpenGL("while asking for a peel");
+  }
+  std::string error = noFloatImages;
+  if (this->Accumulation.Begin(window, viewport, 2, peel.GetNearestDepth()))
+  {
+    SetBlending(state);
+    state->vtkglEnable(GL_DEPTH_TEST);
+    state->vtkglDepthFunc(GL_GREATER);
+    error = paint(viewport);
+  }
+  this->Accumulation.End(window);
+  if (!error.empty())
+  {
+    return error;
+  }
+  state->vtkglViewport(viewport[0], viewport[1], viewport[2], viewport[3]);
+  peel.Deliver(window, request, viewport, this->Accumulation.GetTexture(0), this->Accumulation.GetTexture(1));
+  return CheckOpenGL("while peeling");
 }
 
 void FloatLayer::ReleaseGraphicsResources(vtkWindow* window)

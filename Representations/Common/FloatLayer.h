@@ -9,6 +9,7 @@
 
 #include "FloatAccumulation.h"
 #include "OpaqueDepth.h"
+#include "VolumePeel.h"
 #include "vtkNephoscopeRepresentationsCommonModule.h" // for export macro
 
 #include <functional>
@@ -30,6 +31,13 @@ public:
 
   /** Returns an empty string, or what went wrong. All state of OpenGL is restored. */
   std::string Draw(vtkOpenGLRenderWindow* window, const Painter& paint);
+
+  /**
+   * Answers a depth peeling pass: both ranges of `peel` are drawn at once, gl_FragData[0] and [1], over a depth buffer in which
+   * fragments pass that may lie in a range (VolumePeel::GetNearestDepth).
+   */
+  std::string DrawPeel(vtkOpenGLRenderWindow* window, VolumePeel& peel, const VolumePeel::Request& request,
+    const std::function<std::string(const int viewport[4])>& paint);
 
   ///@{
   /** For those who draw into the image in another way. */

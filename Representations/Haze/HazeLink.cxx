@@ -3,6 +3,7 @@
 #include "HazeLink.h"
 
 #include "vtkCommand.h"
+#include "vtkInformation.h"
 #include "vtkInformationObjectBaseKey.h"
 #include "vtkObjectFactory.h"
 #include "vtkRenderer.h"
@@ -31,9 +32,32 @@ void HazeLink::Untie()
   this->Renderer->RemoveViewProp(this->Sky);
 }
 
+HazeLink* HazeLink::Of(vtkRenderer* renderer)
+{
+  vtkInformation* information = renderer ? renderer->GetInformation() : nullptr;
+  return information ? HazeLink::SafeDownCast(information->Get(HazeLink::KEY())) : nullptr;
+}
+
+// Told once, not once per frame.
+void HazeLink::Place()
+{
+  HazeScene scene(this->Renderer);
+  this->Haze->CompleteScene(scene);
+  this->Placement = HazePlacement(this->Haze, scene);
+  if (!this->Placement.Problem.empty() && this->Placement.Problem != this->Told)
+  {
+    vtkGenericWarningMacro(<< this->Placement.Problem);
+  }
+  this->Told = this->Placement.Problem;
+}
+
 void HazeLink::OnStart()
 {
   this->OnEnd(); // of a drawing that was given up
+  if (this->Haze->IsSeen())
+  {
+    this->Place();
+  }
   const bool hasSky = this->Renderer->HasViewProp(this->Sky) != 0;
   const bool wantsSky = this->Haze->IsSeen() && this->Haze->GetBackground();
   if (wantsSky && !hasSky)

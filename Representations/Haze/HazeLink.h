@@ -4,6 +4,7 @@
 #ifndef HazeLink_h
 #define HazeLink_h
 
+#include "HazePlacement.h"
 #include "HazeShaderPass.h"
 #include "HazeSky.h"
 
@@ -11,6 +12,8 @@
 #include "vtkNew.h"
 #include "vtkObject.h"
 #include "vtkSmartPointer.h"
+
+#include <string>
 
 class vtkInformationObjectBaseKey;
 class vtkRenderer;
@@ -30,6 +33,11 @@ public:
   void Tie(vtkRenderer* renderer, vtkHaze* haze);
   void Untie();
   vtkHaze* GetHaze() const { return this->Haze; }
+  /** As it was found when the renderer began to draw. */
+  const HazePlacement& GetPlacement() const { return this->Placement; }
+
+  /** Of the renderer, or null. */
+  static HazeLink* Of(vtkRenderer* renderer);
 
 protected:
   HazeLink() = default;
@@ -41,10 +49,13 @@ private:
 
   void OnStart();
   void OnEnd();
+  void Place();
 
   vtkRenderer* Renderer = nullptr;
   unsigned long Observers[2] = { 0, 0 };
   bool Entered = false;
+  HazePlacement Placement;
+  std::string Told;
   vtkSmartPointer<vtkHaze> Haze;
   vtkNew<HazeShaderPass> Shaders;
   vtkNew<HazeSky> Sky;

@@ -44,6 +44,7 @@ std::string fragmentShader()
 }
 
 HazeSky::HazeSky()
+  : Window([this](vtkWindow*) { this->VertexArray->ReleaseGraphicsResources(); })
 {
   this->PickableOff();
   this->UseBoundsOff();
@@ -65,6 +66,7 @@ int HazeSky::RenderOpaqueGeometry(vtkViewport* viewport)
   {
     return 0;
   }
+  this->Window.Enter(window);
   vtkShaderProgram* program =
     window->GetShaderCache()->ReadyShaderProgram(vertexShader, fragmentShader().c_str(), "");
   if (!program)
@@ -90,7 +92,7 @@ int HazeSky::RenderOpaqueGeometry(vtkViewport* viewport)
 
 void HazeSky::ReleaseGraphicsResources(vtkWindow* window)
 {
-  this->VertexArray->ReleaseGraphicsResources();
+  this->Window.Leave(window);
   this->Superclass::ReleaseGraphicsResources(window);
 }
 

@@ -4,6 +4,8 @@
 #ifndef HazeSky_h
 #define HazeSky_h
 
+#include "ResourceWindow.h"
+
 #include "vtkNew.h"
 #include "vtkProp.h"
 
@@ -30,6 +32,7 @@ private:
   void operator=(const HazeSky&) = delete;
 
   vtkNew<vtkOpenGLVertexArrayObject> VertexArray; // without attributes
+  ResourceWindow Window;
 };
 
 } // namespace nephoscope

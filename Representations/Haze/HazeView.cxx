@@ -5,6 +5,7 @@
 #include "HazeView.h"
 
 #include "HazeFunctions.h"
+#include "HazeLink.h"
 #include "ViewState.h"
 #include "vtkHaze.h"
 
@@ -33,9 +34,10 @@ void toView(vtkMatrix4x4* worldToView, const double in[3], double w, double out[
 
 HazeView::HazeView(vtkRenderer* renderer)
 {
-  vtkHaze* haze = vtkHaze::GetHaze(renderer);
+  HazeLink* link = HazeLink::Of(renderer);
+  vtkHaze* haze = link ? link->GetHaze() : nullptr;
   auto* camera = vtkOpenGLCamera::SafeDownCast(renderer->GetActiveCamera());
-  if (!haze || !haze->IsSeen() || !camera)
+  if (!haze || !haze->IsSeen() || !link->GetPlacement().Exists || !camera)
   {
     return;
   }
@@ -47,10 +49,11 @@ HazeView::HazeView(vtkRenderer* renderer)
   vtkMatrix4x4::Transpose(viewToDevice, device);
 
   this->On = true;
-  this->OnGlobe = haze->GetProjection() == vtkHaze::GLOBE;
+  const HazePlacement& placement = link->GetPlacement();
+  this->OnGlobe = placement.OnGlobe;
   this->Parallel = isParallel(device);
-  this->Unit = static_cast<float>(1 / haze->GetDisplayedScaleHeight());
-  this->Extinction = static_cast<float>(haze->GetExtinction() * haze->GetDisplayedScaleHeight());
+  this->Unit = static_cast<float>(1 / placement.ScaleHeight);
+  this->Extinction = static_cast<float>(placement.Extinction * placement.ScaleHeight);
   Vector4 eye = findEye(device);
   double start[3] = { 0, 0, 0 }; // the camera
   for (int c = 0; c < 3; ++c)
@@ -60,14 +63,15 @@ HazeView::HazeView(vtkRenderer* renderer)
     start[c] = this->Parallel ? 0 : eye[axis] / eye[3];
     this->Eye[c] = static_cast<float>(this->Parallel ? -eye[axis] / std::abs(eye[2]) : start[c]);
   }
-  this->SetPlace(*haze, world, start);
+  this->SetPlace(*haze, placement, world, start);
   this->SetDevice(device);
 }
 
 // In double: the eye may be close to the ground and far from the planet's centre.
-void HazeView::SetPlace(vtkHaze& haze, vtkMatrix4x4* worldToView, const double start[3])
+void HazeView::SetPlace(
+  vtkHaze& haze, const HazePlacement& placement, vtkMatrix4x4* worldToView, const double start[3])
 {
-  const double scaleHeight = haze.GetDisplayedScaleHeight();
+  const double scaleHeight = placement.ScaleHeight;
   double frame[3], place[3];
   vtkNew<vtkMatrix4x4> viewToWorld;
   vtkMatrix4x4::Invert(worldToView, viewToWorld);
@@ -82,7 +86,7 @@ void HazeView::SetPlace(vtkHaze& haze, vtkMatrix4x4* worldToView, const double s
     }
     toView(worldToView, fromCenter, 0, frame);
     this->Height[0] = static_cast<float>(std::sqrt(squares));
-    this->Height[1] = static_cast<float>(std::sqrt(squares) - haze.GetPlanetRadius() / scaleHeight);
+    this->Height[1] = static_cast<float>(std::sqrt(squares) - placement.Radius / scaleHeight);
   }
   else
   {
@@ -90,8 +94,8 @@ void HazeView::SetPlace(vtkHaze& haze, vtkMatrix4x4* worldToView, const double s
     const double length = std::sqrt(up[0] * up[0] + up[1] * up[1] + up[2] * up[2]);
     const double unit[3] = { up[0] / length, up[1] / length, up[2] / length };
     toView(worldToView, unit, 0, frame);
-    const double altitude =
-      unit[0] * place[0] + unit[1] * place[1] + unit[2] * place[2] - haze.GetBaseLevel();
+    const double level = unit[0] * place[0] + unit[1] * place[1] + unit[2] * place[2];
+    const double altitude = placement.MovesDown ? std::max(0.0, level - placement.BaseLevel) : level - placement.BaseLevel;
     this->Height[0] = 0;
     this->Height[1] = static_cast<float>(altitude / scaleHeight);
   }

@@ -16,6 +16,8 @@ class vtkShaderProgram;
 namespace nephoscope
 {
 
+struct HazePlacement;
+
 class VTKNEPHOSCOPEREPRESENTATIONSHAZE_EXPORT HazeView
 {
 public:
@@ -34,7 +36,7 @@ public:
   void SetUniforms(vtkShaderProgram* program) const;
 
 private:
-  void SetPlace(vtkHaze& haze, vtkMatrix4x4* worldToView, const double start[3]);
+  void SetPlace(vtkHaze& haze, const HazePlacement& placement, vtkMatrix4x4* worldToView, const double start[3]);
   void SetDevice(vtkMatrix4x4* viewToDevice);
 
   bool On = false;

@@ -19,14 +19,6 @@ namespace
 {
 constexpr double visibilityTimesExtinction = 3.912; // -ln 0.02, Koschmieder1924
 
-nephoscope::HazeLink* linkOf(vtkRenderer* renderer)
-{
-  vtkInformation* information = renderer ? renderer->GetInformation() : nullptr;
-  return information
-    ? nephoscope::HazeLink::SafeDownCast(information->Get(nephoscope::HazeLink::KEY()))
-    : nullptr;
-}
-
 bool isFinite(const double v[3])
 {
   return std::isfinite(v[0]) && std::isfinite(v[1]) && std::isfinite(v[2]);
@@ -44,7 +36,7 @@ void vtkHaze::SetHaze(vtkRenderer* renderer, vtkHaze* haze)
   {
     return;
   }
-  if (nephoscope::HazeLink* old = linkOf(renderer))
+  if (nephoscope::HazeLink* old = nephoscope::HazeLink::Of(renderer))
   {
     old->Untie();
     renderer->GetInformation()->Remove(nephoscope::HazeLink::KEY());
@@ -64,15 +56,15 @@ void vtkHaze::SetHaze(vtkRenderer* renderer, vtkHaze* haze)
 
 vtkHaze* vtkHaze::GetHaze(vtkRenderer* renderer)
 {
-  nephoscope::HazeLink* link = linkOf(renderer);
+  nephoscope::HazeLink* link = nephoscope::HazeLink::Of(renderer);
   return link ? link->GetHaze() : nullptr;
 }
 
 void vtkHaze::SetPositive(double& member, const char* name, double value)
 {
-  if (!(value > 0) || !std::isfinite(value))
+  if (!(value >= 0) || !std::isfinite(value))
   {
-    vtkErrorMacro(<< name << " must be greater than 0 and finite, not " << value << ": it stays "
+    vtkErrorMacro(<< name << " must be finite and not negative (0: from the scene), not " << value << ": it stays "
                   << member << ".");
   }
   else if (value != member)
@@ -100,8 +92,10 @@ void vtkHaze::SetVector(
 void vtkHaze::SetVisibility(double visibility)
 {
   this->SetPositive(this->Visibility, "Visibility", visibility);
-  this->Extinction =
-    visibility == this->Visibility ? visibilityTimesExtinction / visibility : this->Extinction;
+  if (visibility == this->Visibility)
+  {
+    this->Extinction = visibility > 0 ? visibilityTimesExtinction / visibility : -1;
+  }
 }
 
 void vtkHaze::SetExtinction(double extinction)
@@ -115,7 +109,7 @@ void vtkHaze::SetExtinction(double extinction)
   }
   this->SetPositive(this->Extinction, "Extinction", extinction);
   this->Visibility =
-    extinction == this->Extinction ? visibilityTimesExtinction / extinction : this->Visibility;
+    extinction > 0 && extinction == this->Extinction ? visibilityTimesExtinction / extinction : this->Visibility;
 }
 
 void vtkHaze::SetScaleHeight(double height)
@@ -172,7 +166,7 @@ void vtkHaze::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Enabled: " << this->Enabled << "\n"
-     << indent << "Projection: " << (this->Projection == GLOBE ? "Globe" : "Map") << "\n"
+     << indent << "Projection: " << (this->Projection == GLOBE ? "Globe" : this->Projection == MAP ? "Map" : "Automatic") << "\n"
      << indent << "Visibility: " << this->Visibility << "\n"
      << indent << "Extinction: " << this->Extinction << "\n"
      << indent << "ScaleHeight: " << this->ScaleHeight << "\n"

@@ -13,7 +13,8 @@
  *
  * Hazed are: all that vtkOpenGLPolyDataMapper and its subclasses draw, opaque or translucent, vtkCloudTextureMapper among them;
  * vtkCellCompositingMapper and vtkTexturedSplatMapper; and, if wanted, the background. Not hazed: volumes that VTK's own volume mappers
- * draw, and what is drawn in two dimensions. Lengths are those of the scene, metres behind vtkGlobeGrid. Several renderers may share a haze.
+ * draw, and what is drawn in two dimensions. Lengths are those of the scene, metres behind vtkGlobeGrid; settings that are 0 or
+ * automatic are found from what is drawn. Several renderers may share a haze.
  */
 #ifndef vtkHaze_h
 #define vtkHaze_h
@@ -21,7 +22,15 @@
 #include "vtkNephoscopeRepresentationsHazeModule.h" // for export macro
 #include "vtkObject.h"
 
+#include <functional> // for the completion of scenes
+#include <utility>
+
 class vtkRenderer;
+
+namespace nephoscope
+{
+struct HazeScene;
+}
 
 class VTKNEPHOSCOPEREPRESENTATIONSHAZE_EXPORT vtkHaze : public vtkObject
 {
@@ -46,45 +55,56 @@ public:
   enum ProjectionType
   {
     GLOBE = 0,
-    MAP = 1
+    MAP = 1,
+    AUTOMATIC = 2
   };
 
   ///@{
-  /** What altitude is: height over the sphere of PlanetRadius about Center (globe, default), or over BaseLevel along UpDirection (map). */
-  vtkSetClampMacro(Projection, int, GLOBE, MAP);
+  /**
+   * What altitude is: height over the sphere of PlanetRadius about Center (globe), or over BaseLevel along UpDirection (map). Automatic
+   * (default): a globe if PlanetRadius is given, as vtkGlobeGrid says in field data of what is drawn, or if the scene has the size of the Earth
+   * about the origin in m or km; else a map, on the ground under the scene, which BaseLevel is added to.
+   */
+  vtkSetClampMacro(Projection, int, GLOBE, AUTOMATIC);
   vtkGetMacro(Projection, int);
   void SetProjectionToGlobe() { this->SetProjection(GLOBE); }
   void SetProjectionToMap() { this->SetProjection(MAP); }
+  void SetProjectionToAutomatic() { this->SetProjection(AUTOMATIC); }
   ///@}
 
   ///@{
   /**
    * Meteorological visibility at altitude 0: the length of level air that lets 2 % of the contrast through (Koschmieder1924), so that the
-   * extinction there is 3.912 / Visibility. > 0 and finite, default: 1e6. Real air has 1e4 to 3e5 m; views of weather span thousands of
-   * kilometres.
+   * extinction there is 3.912 / Visibility. >= 0 and finite; 0 (default): 24.5 displayed scale heights. Real air has 1e4 to 3e5 m; views of weather span thousands of kilometres.
    */
   void SetVisibility(double visibility);
   vtkGetMacro(Visibility, double);
   ///@}
 
   ///@{
-  /** The same, as extinction per length at altitude 0. >= 0 and finite; 0: no haze. */
+  /** The same, as extinction per length at altitude 0. >= 0 and finite; 0: no haze. -1 where Visibility is from the scene. */
   void SetExtinction(double extinction);
   vtkGetMacro(Extinction, double);
   ///@}
 
   ///@{
-  /** Height over which density falls to 1/e, not exaggerated. > 0 and finite, default: 8000, that of air; smoke and dust have 1000 to 2000. */
+  /**
+   * Height over which density falls to 1/e, not exaggerated. >= 0 and finite; 0 (default): 8000, that of air, behind vtkGlobeGrid, 0.5 % of the
+   * radius of another globe, else a third of the height of the scene. Smoke and dust have 1000 to 2000 m.
+   */
   void SetScaleHeight(double height);
   vtkGetMacro(ScaleHeight, double);
   ///@}
 
   ///@{
-  /** Of the heights in the scene, such as that of vtkGlobeGrid: the scale height is as much larger. > 0 and finite, default: 1. */
+  /**
+   * Vertical exaggeration of the scene; it multiplies the scale height. >= 0 and finite; 0 (default): as vtkGlobeGrid says in field data of what is
+   * drawn, else 1.
+   */
   void SetVerticalExaggeration(double factor);
   vtkGetMacro(VerticalExaggeration, double);
   ///@}
-  /** ScaleHeight times VerticalExaggeration. */
+  /** ScaleHeight times VerticalExaggeration: 0 where either is found from the scene. */
   double GetDisplayedScaleHeight() const { return this->ScaleHeight * this->VerticalExaggeration; }
 
   ///@{
@@ -108,7 +128,7 @@ public:
   ///@}
 
   ///@{
-  /** Globe: radius where altitude is 0. > 0 and finite, default: 6371000, as vtkGlobeGrid. */
+  /** Globe: radius where altitude is 0. >= 0 and finite; 0 (default): as vtkGlobeGrid says in field data of what is drawn, else 6371000 m. */
   void SetPlanetRadius(double radius);
   vtkGetMacro(PlanetRadius, double);
   ///@}
@@ -137,7 +157,25 @@ public:
   ///@}
 
   /** Switched on, and with an extinction. */
-  bool IsSeen() const { return this->Enabled && this->Extinction > 0; }
+  bool IsSeen() const { return this->Enabled && this->Extinction != 0; }
+
+  /** Some setting is left to the scene. */
+  bool NeedsScene() const
+  {
+    return this->Projection == AUTOMATIC || !(this->Visibility > 0 && this->ScaleHeight > 0 && this->VerticalExaggeration > 0);
+  }
+
+#ifndef __VTK_WRAP__
+  /** Called before each drawing, to add what a renderer does not have: the scenes of other ranks. */
+  void SetSceneCompletion(std::function<void(nephoscope::HazeScene&)> completion) { this->Completion = std::move(completion); }
+  void CompleteScene(nephoscope::HazeScene& scene) const
+  {
+    if (this->Completion)
+    {
+      this->Completion(scene);
+    }
+  }
+#endif
 
 protected:
   vtkHaze() = default;
@@ -153,16 +191,19 @@ private:
 
   bool Enabled = true;
   bool Background = true;
-  int Projection = GLOBE;
-  double Visibility = 1e6;
-  double Extinction = 3.912e-6;
-  double ScaleHeight = 8000;
-  double VerticalExaggeration = 1;
+  int Projection = AUTOMATIC;
+  double Visibility = 0;
+  double Extinction = -1;
+  double ScaleHeight = 0;
+  double VerticalExaggeration = 0;
   double Color[3] = { 0.72, 0.8, 0.9 };
   double Center[3] = { 0, 0, 0 };
-  double PlanetRadius = 6371000;
+  double PlanetRadius = 0;
   double UpDirection[3] = { 0, 0, 1 };
   double BaseLevel = 0;
+#ifndef __VTK_WRAP__
+  std::function<void(nephoscope::HazeScene&)> Completion;
+#endif
 };
 
 #endif

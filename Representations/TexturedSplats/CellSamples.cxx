@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "CellSamples.h"
 
+#include "HigherOrderCells.h"
 #include "SplatSamples.h"
 
 #include "vtkCell.h"
@@ -22,6 +23,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <numeric>
 
 namespace nephoscope
 {
@@ -31,6 +33,8 @@ constexpr double sphere = 12.566370614359172;
 constexpr double circle = 6.283185307179586;
 // On a cubic lattice a ball of as many neighbours is 0.99 cells for each.
 constexpr vtkIdType neighbors = 12;
+// Points closer than this fraction of the bounds' diagonal coincide, to the rounding of float.
+constexpr double samePlace = 2e-7;
 constexpr double unitBall[3] = { 2.0, 0.5 * circle, sphere / 3.0 };
 
 // Which corners each corner has an edge to, and tetrahedra that fill the cell.
@@ -56,13 +60,72 @@ constexpr CellKind wedge{ 6,
 
 using Shares = std::vector<CellShare>;
 
+vtkIdType placeOf(const std::vector<vtkIdType>& places, vtkIdType point)
+{
+  return places.empty() ? point : places[static_cast<std::size_t>(point)];
+}
+
+// Particles in one place stay apart: each is a sample of its own.
+bool hasExtendedCells(vtkDataSet* data)
+{
+  for (vtkIdType id = 0; id < data->GetNumberOfCells(); ++id)
+  {
+    const int type = data->GetCellType(id);
+    if (type != VTK_VERTEX && type != VTK_POLY_VERTEX && type != VTK_EMPTY_CELL)
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+// For every point the first that lies in its place; empty if all lie apart.
+std::vector<vtkIdType> findPlaces(vtkDataSet* data)
+{
+  std::vector<vtkIdType> ids;
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  for (vtkIdType id = 0; id < data->GetNumberOfPoints(); ++id)
+  {
+    double x[3];
+    data->GetPoint(id, x);
+    if (std::isfinite(x[0] + x[1] + x[2]))
+    {
+      points->InsertNextPoint(x);
+      ids.push_back(id);
+    }
+  }
+  if (ids.empty())
+  {
+    return {};
+  }
+  vtkNew<vtkPolyData> cloud;
+  cloud->SetPoints(points);
+  vtkNew<vtkStaticPointLocator> locator;
+  locator->SetDataSet(cloud);
+  locator->BuildLocator();
+  std::vector<vtkIdType> merged(ids.size());
+  locator->MergePoints(samePlace * cloud->GetLength(), merged.data());
+  std::vector<vtkIdType> places(static_cast<std::size_t>(data->GetNumberOfPoints()));
+  std::iota(places.begin(), places.end(), 0);
+  bool apart = true;
+  for (std::size_t i = 0; i < ids.size(); ++i)
+  {
+    const vtkIdType first = merged[i] >= 0 ? ids[static_cast<std::size_t>(merged[i])] : ids[i];
+    places[static_cast<std::size_t>(ids[i])] = first;
+    apart = apart && first == ids[i];
+  }
+  return apart ? std::vector<vtkIdType>() : places;
+}
+
 // Of one cell: its share for each of its corners, and all of it.
 class CellShares
 {
 public:
-  CellShares(vtkDataSet* data, Shares& shares, bool onCells)
+  CellShares(vtkDataSet* data, Shares& shares, const std::vector<vtkIdType>& places, bool onCells)
     : Data(data)
     , All(shares)
+    , Places(places)
     , OnCells(onCells)
   {
   }
@@ -113,7 +176,7 @@ private:
   {
     if (!this->OnCells)
     {
-      this->All[static_cast<std::size_t>(point)].Add(share);
+      this->All[static_cast<std::size_t>(placeOf(this->Places, point))].Add(share);
       return;
     }
     CellShare whole = share;
@@ -193,7 +256,7 @@ private:
   {
     this->Data->GetCell(this->Id, this->Cell);
     const int dimension = this->Cell->GetCellDimension();
-    if (dimension < 2 || !this->Cell->Triangulate(0, this->Points, this->Coordinates))
+    if (dimension < 2 || !triangulateCell(this->Cell, this->Points, this->Coordinates))
     {
       return;
     }
@@ -214,6 +277,7 @@ private:
 
   vtkDataSet* Data;
   Shares& All;
+  const std::vector<vtkIdType>& Places;
   bool OnCells;
   vtkIdType Id = 0;
   vtkNew<vtkIdList> Points;
@@ -225,17 +289,19 @@ private:
 namespace
 {
 // One-sided points take the shape of the others of their cells.
-void shareShapes(vtkDataSet* data, Shares& shares)
+void shareShapes(vtkDataSet* data, Shares& shares, const std::vector<vtkIdType>& places)
 {
   std::map<vtkIdType, SplatMatrix> shapes;
   vtkNew<vtkIdList> points;
   for (vtkIdType id = 0; id < data->GetNumberOfCells(); ++id)
   {
     data->GetCellPoints(id, points);
-    for (const vtkIdType a : *points)
+    for (const vtkIdType first : *points)
     {
-      for (const vtkIdType b : *points)
+      const vtkIdType a = placeOf(places, first);
+      for (const vtkIdType second : *points)
       {
+        const vtkIdType b = placeOf(places, second);
         const CellShare& other = shares[static_cast<std::size_t>(b)];
         if (shares[static_cast<std::size_t>(a)].IsOneSided() && other.Dimension == 3 &&
           !other.IsOneSided())
@@ -256,18 +322,19 @@ void CellSamples::Find(vtkDataSet* data, bool onCells)
 {
   const vtkIdType count = onCells ? data->GetNumberOfCells() : data->GetNumberOfPoints();
   Shares shares(static_cast<std::size_t>(count));
-  CellShares cells(data, shares, onCells);
+  this->Places = onCells || !hasExtendedCells(data) ? std::vector<vtkIdType>() : findPlaces(data);
+  CellShares cells(data, shares, this->Places, onCells);
   vtkUnsignedCharArray* ghosts = data->GetCellGhostArray();
   for (vtkIdType id = 0; id < data->GetNumberOfCells(); ++id)
   {
-    if (!ghosts || !(ghosts->GetValue(id) & vtkDataSetAttributes::HIDDENCELL))
+    if (!ghosts || !(ghosts->GetValue(id) & (vtkDataSetAttributes::HIDDENCELL | vtkDataSetAttributes::REFINEDCELL)))
     {
       cells.Add(id);
     }
   }
   if (!onCells)
   {
-    shareShapes(data, shares);
+    shareShapes(data, shares, this->Places);
   }
   this->Shapes.clear();
   for (std::size_t i = 0; i < shares.size(); ++i)

@@ -27,11 +27,17 @@ public:
   void Find(vtkDataSet* data, bool onCells);
 
   bool IsEmpty() const { return this->Shapes.empty(); }
+  /** A point in the place of another that stands for both: at a seam, a pole, or where every cell has points of its own. */
+  bool IsRepeated(vtkIdType id) const
+  {
+    return !this->Places.empty() && this->Places[static_cast<std::size_t>(id)] != id;
+  }
   /** False where there are no cells around a point. */
   bool Get(vtkIdType id, SplatMatrix& jacobian) const;
 
 private:
   std::vector<std::array<float, 9>> Shapes; // empty if the data have no cells
+  std::vector<vtkIdType> Places;            // of each point the first one in its place; empty: all are apart
 };
 
 /** The edge of a cube for each point, by the ball that its neighbours fill: its volume over their number; 0 at no finite place. */

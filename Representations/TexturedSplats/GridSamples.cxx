@@ -10,9 +10,72 @@
 #include "vtkStructuredGrid.h"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 
 namespace nephoscope
 {
+namespace
+{
+SplatVector scaled(const SplatVector& v, double factor)
+{
+  return { { v[0] * factor, v[1] * factor, v[2] * factor } };
+}
+
+// At right angles to v, of length 1.
+SplatVector acrossOf(const SplatVector& v)
+{
+  std::size_t least = 0;
+  for (std::size_t c = 1; c < 3; ++c)
+  {
+    least = std::abs(v[c]) < std::abs(v[least]) ? c : least;
+  }
+  SplatVector axis{};
+  axis[least] = 1;
+  const SplatVector across = Cross(v, axis);
+  return scaled(across, 1 / Length(across));
+}
+
+// Gives the axes along which there is one sample alone the geometric mean of the other edges, at right angles to them.
+void thicken(SplatMatrix& columns, const std::array<bool, 3>& missing)
+{
+  double logarithms = 0;
+  int known = 0;
+  std::size_t last = 0;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    if (!missing[axis])
+    {
+      logarithms += std::log(Length(columns[axis])); // -infinity at a pole: WithoutFlatColumns does it
+      last = axis;
+      ++known;
+    }
+  }
+  const double edge = known > 0 ? std::exp(logarithms / known) : 1;
+  if (known == 3 || !(edge > 0) || !std::isfinite(edge))
+  {
+    return;
+  }
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    const SplatVector &a = columns[(axis + 1) % 3], &b = columns[(axis + 2) % 3];
+    const SplatVector normal = Cross(a, b);
+    if (!missing[axis])
+    {
+      continue;
+    }
+    columns[axis] = {};
+    if (known == 0)
+    {
+      columns[axis][axis] = edge;
+    }
+    else
+    {
+      columns[axis] = Length(normal) > 0 ? scaled(normal, edge / Length(normal)) : scaled(acrossOf(columns[last]), edge);
+    }
+  }
+}
+}
 
 GridSamples::GridSamples(vtkDataSet* data, bool onCells)
   : Data(data)
@@ -65,6 +128,18 @@ void GridSamples::IndexOf(vtkIdType id, int index[3]) const
   index[2] = static_cast<int>(id / this->Dimensions[0] / this->Dimensions[1]);
 }
 
+// A corner of a cell; the last point where there are no more.
+vtkIdType GridSamples::CornerOf(const int index[3], int corner) const
+{
+  vtkIdType point = 0;
+  for (int axis = 2; axis >= 0; --axis)
+  {
+    const int last = this->PointDimensions[axis] - 1;
+    point = point * this->PointDimensions[axis] + std::min(index[axis] + (corner >> axis & 1), last);
+  }
+  return point;
+}
+
 // A point, or the mean of a cell's corners.
 SplatVector GridSamples::At(const int index[3]) const
 {
@@ -72,15 +147,8 @@ SplatVector GridSamples::At(const int index[3]) const
   const int corners = this->OnCells ? 8 : 1;
   for (int corner = 0; corner < corners; ++corner)
   {
-    vtkIdType point = 0;
-    for (int axis = 2; axis >= 0; --axis)
-    {
-      const int last = this->PointDimensions[axis] - 1;
-      point =
-        point * this->PointDimensions[axis] + std::min(index[axis] + (corner >> axis & 1), last);
-    }
     double x[3];
-    this->Data->GetPoint(point, x);
+    this->Data->GetPoint(this->CornerOf(index, corner), x);
     for (std::size_t c = 0; c < 3; ++c)
     {
       sum[c] += x[c] / corners;
@@ -96,9 +164,26 @@ SplatVector GridSamples::Position(vtkIdType id) const
   return this->At(index);
 }
 
+// From the middle of one face of a cell to that of the face on the other side.
+SplatVector GridSamples::EdgeOfCell(const int index[3], int axis) const
+{
+  SplatVector edge{};
+  for (int corner = 0; corner < 8; ++corner)
+  {
+    double x[3];
+    this->Data->GetPoint(this->CornerOf(index, corner), x);
+    for (std::size_t c = 0; c < 3; ++c)
+    {
+      edge[c] += (corner >> axis & 1 ? x[c] : -x[c]) / 4;
+    }
+  }
+  return edge;
+}
+
 SplatMatrix GridSamples::Jacobian(vtkIdType id) const
 {
   SplatMatrix columns{};
+  std::array<bool, 3> missing{};
   int index[3];
   this->IndexOf(id, index);
   for (std::size_t axis = 0; axis < 3; ++axis)
@@ -119,7 +204,16 @@ SplatMatrix GridSamples::Jacobian(vtkIdType id) const
       const SplatVector difference = Minus(this->At(after), this->At(before));
       columns[axis] = { { difference[0] / steps, difference[1] / steps, difference[2] / steps } };
     }
+    else if (this->OnCells && this->PointDimensions[axis] > 1)
+    {
+      columns[axis] = this->EdgeOfCell(index, static_cast<int>(axis));
+    }
+    else
+    {
+      missing[axis] = true;
+    }
   }
+  thicken(columns, missing);
   return columns;
 }
 

@@ -41,11 +41,13 @@ public:
   {
     return this->Closed && id % this->Dimensions[0] == this->Dimensions[0] - 1;
   }
-  /** Columns of no length where the grid is one sample thick. */
+  /** Where the grid is one sample thick, it is as thick as its other edges are long, in the geometric mean; a single sample has the edge 1. */
   SplatMatrix Jacobian(vtkIdType id) const;
 
 private:
+  vtkIdType CornerOf(const int index[3], int corner) const;
   SplatVector At(const int index[3]) const;
+  SplatVector EdgeOfCell(const int index[3], int axis) const;
   bool ComesBack() const;
   void IndexOf(vtkIdType id, int index[3]) const;
 

@@ -62,6 +62,7 @@ SplatClasses ClassifySplats(vtkDataSet* data, const SplatSamples& samples,
     {
       all[i][3] = 0.0f;
     }
+    classes.NumberWithoutValue += all[i][3] < 0.0f ? 1 : 0;
     if (all[i][3] > (keepTransparent ? -1.0f : 0.0f)) // without a value: -1
     {
       classes.Samples.push_back(static_cast<std::int32_t>(i));

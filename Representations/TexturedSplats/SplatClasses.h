@@ -23,6 +23,7 @@ struct SplatClasses
 {
   std::vector<std::int32_t> Samples;        ///< numbers of the samples, ascending
   std::vector<std::array<float, 4>> Colors; ///< one for each of them
+  std::size_t NumberWithoutValue = 0;       ///< of the samples left out: a value is not finite
 };
 
 /**

@@ -33,36 +33,42 @@ inline double Value(double r)
                           : d * d * (outerSquare + d * outerCube);
 }
 
-// The integrals of r^0 .. r^3 over half of a chord of the ball of radius R that passes its centre at distance rho.
-inline std::array<double, 4> ChordMoments(double R, double rho)
+// The integrals of r^0 .. r^3 along a line at distance rho of the centre, from the point nearest to it to z ahead.
+inline std::array<double, 4> LineMoments(double rho, double z)
 {
-  if (rho >= R)
-  {
-    return { { 0.0, 0.0, 0.0, 0.0 } };
-  }
-  const double z = std::sqrt((R - rho) * (R + rho));
   const double square = rho * rho;
-  const double logarithm = rho > 0.0 ? square * std::log((z + R) / rho) : 0.0;
-  const double first = 0.5 * (z * R + logarithm);
-  return { { z, first, (z * R * R + 2.0 * square * z) / 3.0,
-    (z * R * R * R + 3.0 * square * first) / 4.0 } };
+  const double r = std::sqrt(square + z * z);
+  const double logarithm = rho > 0.0 ? square * std::log((z + r) / rho) : 0.0;
+  const double first = 0.5 * (z * r + logarithm);
+  return { { z, first, z * (z * z / 3.0 + square), (z * r * r * r + 3.0 * square * first) / 4.0 } };
 }
 
-// The integral of the kernel along a line at distance rho of its centre, in closed form.
-inline double Footprint(double rho)
+constexpr std::array<double, 4> outerPowers = { { outerSquare * radius * radius + outerCube * radius * radius * radius,
+  -2.0 * outerSquare * radius - 3.0 * outerCube * radius * radius, outerSquare + 3.0 * outerCube * radius, -outerCube } };
+
+// Half of a chord of the ball of radius R.
+inline double HalfChord(double R, double rho)
 {
-  constexpr double t = radius;
-  constexpr double outer[4] = { outerSquare * t * t + outerCube * t * t * t,
-    -2.0 * outerSquare * t - 3.0 * outerCube * t * t, outerSquare + 3.0 * outerCube * t,
-    -outerCube };
-  const auto all = ChordMoments(radius, rho);
-  const auto core = ChordMoments(innerRadius, rho);
+  return rho < R ? std::sqrt((R - rho) * (R + rho)) : 0.0;
+}
+
+// The integral of the kernel along a line at distance rho of its centre, from the point nearest to it to z >= 0 ahead.
+inline double FootprintUpTo(double rho, double z)
+{
+  const auto all = LineMoments(rho, std::min(z, HalfChord(radius, rho)));
+  const auto core = LineMoments(rho, std::min(z, HalfChord(innerRadius, rho)));
   double sum = 0.0;
   for (std::size_t n = 0; n < 4; ++n)
   {
-    sum += outer[n] * all[n] + (inner[n] - outer[n]) * core[n];
+    sum += outerPowers[n] * all[n] + (inner[n] - outerPowers[n]) * core[n];
   }
-  return std::max(0.0, 2.0 * sum);
+  return rho < radius ? std::max(0.0, sum) : 0.0;
+}
+
+// The integral of the kernel along a whole line at distance rho of its centre.
+inline double Footprint(double rho)
+{
+  return 2.0 * FootprintUpTo(rho, radius);
 }
 
 // The footprint as (1 - q)^3 times a polynomial of 2 q - 1, where q = (rho / radius)^2, to 1.5e-5: without roots and logarithms,
@@ -81,7 +87,7 @@ inline double FootprintPolynomial(double q)
   return q < 1.0 ? (1.0 - q) * (1.0 - q) * (1.0 - q) * sum : 0.0;
 }
 
-// The share of the kernel along a ray that lies before a cut, in half chords from -1 to 1, for shaders: with x = |cut| it is
+// The share of the kernel along a ray that lies before a cut, in half chords from -1 to 1, for shaders that have no time for KernelShareBefore: with x = |cut| it is
 // (1 - x)^3 (1/2 + x (c0 + c1 q + x (c2 + c3 q))) on the far side, to 8e-4 of a splat's peak.
 constexpr std::array<double, 4> shareCoefficients = { { 0.265042, 0.417971, -0.843034, 0.106023 } };
 
@@ -137,6 +143,12 @@ inline double Footprint(double rho)
   constexpr double twoPi = 6.283185307179586;
   return rho >= radius ? 0.0 : std::exp(-0.5 * rho * rho / variance) / (twoPi * variance);
 }
+
+// Along a line it is not cut off.
+inline double ShareBefore(double z)
+{
+  return 0.5 * std::erfc(-z / std::sqrt(2.0 * variance));
+}
 }
 
 enum class SplatKernel
@@ -158,6 +170,20 @@ inline double KernelFootprint(SplatKernel kernel, double rho)
   return kernel == SplatKernel::Cubic  ? cubic_kernel::Footprint(rho)
     : kernel == SplatKernel::Quadratic ? quadratic_kernel::Footprint(rho)
                                        : gaussian_kernel::Footprint(rho);
+}
+
+// The share of the kernel's mass along a line at distance rho of its centre that lies before z, counted from the point nearest to the
+// centre. The quadratic kernel, a footprint without depth, is as deep as the cubic one of the same radius.
+inline double KernelShareBefore(SplatKernel kernel, double rho, double z)
+{
+  if (kernel == SplatKernel::Gaussian)
+  {
+    return gaussian_kernel::ShareBefore(z);
+  }
+  const double scale = cubic_kernel::radius / KernelRadius(kernel);
+  const double half = cubic_kernel::FootprintUpTo(scale * rho, cubic_kernel::radius);
+  const double part = half > 0.0 ? cubic_kernel::FootprintUpTo(scale * rho, scale * std::abs(z)) / half : 1.0;
+  return z < 0.0 ? 0.5 - 0.5 * part : 0.5 + 0.5 * part;
 }
 }
 

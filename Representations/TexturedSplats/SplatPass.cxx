@@ -5,6 +5,8 @@
 #include "SplatPass.h"
 
 #include "PointMargin.h"
+#include "SamplersApart.h"
+#include "ShaderArrays.h"
 #include "ShaderParts.h"
 #include "SplatClasses.h"
 #include "SplatReach.h"
@@ -63,6 +65,7 @@ std::string shaderConstants(const SplatDrawingOptions& options, const SplatPass:
        << "const bool jacobianPerSplat = " << (variant.JacobianPerSplat ? "true" : "false") << ";\n"
        << "const bool parallelRays = " << (variant.Parallel ? "true" : "false") << ";\n"
        << "const bool cutByOpaque = " << (variant.Cut ? "true" : "false") << ";\n"
+       << "const bool peeled = " << (variant.Peeled ? "true" : "false") << ";\n"
        << "const bool firstOrder = " << (firstOrder ? "true" : "false") << ";\n"
        << "const int kernel = " << static_cast<int>(options.Kernel) << ";\n"
        << "const bool nearEye = " << (nearEye ? "true" : "false") << ";\n"
@@ -77,7 +80,7 @@ std::string shaderConstants(const SplatDrawingOptions& options, const SplatPass:
   text << "#define FOOTPRINT_PEAK " << KernelFootprint(options.Kernel, 0.0) << "\n"
        << "#define MEDIUM 0\n#define HALF_MEDIUM 1\n#define STREAKS 2\n#define SEGMENT 3\n#define VIEWPORT 4\n";
   // Where vectors are not drawn, their shaders are left out.
-  return text.str() + KernelConstants() + options.Haze.Definition() +
+  return text.str() + KernelConstants() + options.Haze.Definition() + options.Planes.Definition() +
     (vectors ? "#define DRAW_VECTORS\n" + VectorTextureConstants(streakSpacing) : std::string());
 }
 
@@ -87,6 +90,7 @@ std::string specialized(const char* shader, const std::string& constants)
     { { "VectorSplat", VectorSplatGeometry },
       { "VectorTexture", VectorTextureShader },
       { "Constants", constants },
+      { "Arrays", arrayDeclarations(currentArrayLayout()) },
       { "Cell", SplatCell },
       { "Footprint", SplatFootprint },
       { "Region", SplatRegionShader },
@@ -168,37 +172,44 @@ std::string SplatPass::UploadVectorColors(
   return this->VectorColors.Upload(window, colors.data(), colors.size(), 4, VTK_FLOAT);
 }
 
-std::string SplatPass::UploadOrder(vtkOpenGLRenderWindow* window,
-  const std::vector<std::int32_t>& order, const std::vector<float>& weights)
+void SplatPass::UploadOrder(const std::vector<std::int32_t>& order, const std::vector<float>& weights)
 {
   this->Count = order.size();
   this->Fade = !weights.empty();
-  const std::string error = this->Order.Upload(window, order.data(), order.size(), 1, VTK_INT);
-  return error.empty() ? this->Weights.Upload(window, weights.data(), weights.size(), 1, VTK_FLOAT)
-                       : error;
+  this->Order.Upload(order);
+  this->Weights.Upload(weights);
 }
 
 std::string SplatPass::Draw(
   vtkOpenGLRenderWindow* window, const SceneView& view, const SplatDrawingOptions& options)
 {
+  this->Peeled = false;
   return this->Layer.Draw(window, [&](const int viewport[4], OpaqueDepth& opaqueDepth) {
-    this->PixelsPerDevice[0] = 0.5f * static_cast<float>(viewport[2]);
-    this->PixelsPerDevice[1] = 0.5f * static_cast<float>(viewport[3]);
-    opaqueDepth.GetTexture()->Activate();
-    this->DepthUnit = opaqueDepth.GetTexture()->GetTextureUnit();
-    const std::string error = this->DrawAll(window, view, options);
-    opaqueDepth.GetTexture()->Deactivate();
-    return error;
+    return this->DrawAll(window, view, options, viewport, opaqueDepth.GetTexture());
   });
 }
 
-std::string SplatPass::DrawAll(
-  vtkOpenGLRenderWindow* window, const SceneView& view, const SplatDrawingOptions& options)
+std::string SplatPass::DrawPeel(vtkOpenGLRenderWindow* window, const SceneView& view,
+  const SplatDrawingOptions& options, const VolumePeel::Request& request)
 {
+  this->Peeled = true;
+  return this->Layer.DrawPeel(window, this->Peel, request, [&](const int viewport[4]) {
+    return this->DrawAll(window, view, options, viewport, this->Peel.GetRanges());
+  });
+}
+
+std::string SplatPass::DrawAll(vtkOpenGLRenderWindow* window, const SceneView& view,
+  const SplatDrawingOptions& options, const int viewport[4], vtkTextureObject* depths)
+{
+  this->PixelsPerDevice[0] = 0.5f * static_cast<float>(viewport[2]);
+  this->PixelsPerDevice[1] = 0.5f * static_cast<float>(viewport[3]);
+  depths->Activate();
+  this->DepthUnit = depths->GetTextureUnit();
   Variant variant;
   variant.JacobianPerSplat = this->JacobianPerSplat;
   variant.Parallel = view.EyeView[3] == 0;
-  variant.Cut = this->HasOpaquePixels(window);
+  variant.Peeled = this->Peeled;
+  variant.Cut = !this->Peeled && this->HasOpaquePixels(window);
   variant.Fade = this->Fade;
   variant.Region = IsRegion(options.Region);
   const std::size_t ends[] = { options.CloserSplats, options.LargeSplats, options.NearSplats, 0 };
@@ -215,6 +226,7 @@ std::string SplatPass::DrawAll(
       begin = end;
     }
   }
+  depths->Deactivate();
   return error;
 }
 
@@ -264,11 +276,12 @@ std::string SplatPass::DrawRange(vtkOpenGLRenderWindow* window, const SceneView&
     return "the shaders did not compile";
   }
   this->Bind(program);
+  setSamplersApart(program);
   this->SetUniforms(program, view, options);
   program->SetUniformi("splats", this->Splats.Activate());
   program->SetUniformi("splatColors", this->Colors.Activate());
-  program->SetUniformi("drawingOrder", this->Order.Activate());
-  program->SetUniformi("drawingWeights", this->Weights.Activate());
+  this->Order.Activate(program, "splatNumber");
+  this->Weights.Activate(program, "splatWeight");
   program->SetUniformi("splatVectors", this->Vectors.Activate());
   program->SetUniformi("vectorColors", this->VectorColors.Activate());
   {
@@ -279,10 +292,10 @@ std::string SplatPass::DrawRange(vtkOpenGLRenderWindow* window, const SceneView&
     glDrawArrays(
       GL_POINTS, static_cast<GLint>(range[0]), static_cast<GLsizei>(range[1] - range[0]));
   }
-  this->Splats.Deactivate();
-  this->Colors.Deactivate();
   this->Order.Deactivate();
   this->Weights.Deactivate();
+  this->Splats.Deactivate();
+  this->Colors.Deactivate();
   this->Vectors.Deactivate();
   this->VectorColors.Deactivate();
   this->VertexArray->Release();
@@ -293,6 +306,7 @@ void SplatPass::SetUniforms(
   vtkShaderProgram* program, const SceneView& view, const SplatDrawingOptions& options) const
 {
   options.Haze.SetUniforms(program);
+  options.Planes.SetUniforms(program);
   vtkNew<vtkMatrix4x4> transposed; // as OpenGL wants it
   vtkMatrix4x4::Transpose(view.ModelToView, transposed);
   program->SetUniformMatrix("modelToVC", transposed);
@@ -317,6 +331,7 @@ void SplatPass::SetUniforms(
   program->SetUniform2f("withinMargin", within);
   program->SetUniform4f("rayOfPixel", RayOfPixel(view.ViewToDevice, this->PixelsPerDevice).data());
   program->SetUniformi("opaqueDepth", this->DepthUnit);
+  program->SetUniformi("depthRanges", this->DepthUnit);
   program->SetUniform4f("depthToVC", depthToView(view.ViewToDevice).data());
   SetRegionUniforms(program, view, options, this->PixelsPerDevice);
 }
@@ -325,11 +340,12 @@ void SplatPass::ReleaseGraphicsResources(vtkWindow* window)
 {
   this->Splats.Release(window);
   this->Colors.Release(window);
-  this->Order.Release(window);
-  this->Weights.Release(window);
+  this->Order.Release();
+  this->Weights.Release();
   this->Vectors.Release(window);
   this->VectorColors.Release(window);
   this->Layer.ReleaseGraphicsResources(window);
+  this->Peel.ReleaseGraphicsResources(window);
   this->VertexArray->ReleaseGraphicsResources();
   this->Program = nullptr;
 }

@@ -5,10 +5,13 @@
 #define SplatPass_h
 
 #include "BufferTexture.h"
+#include "ClippingPlanes.h"
 #include "FloatLayer.h"
+#include "VertexNumbers.h"
 #include "HazeView.h"
 #include "SplatKernel.h"
 #include "SplatRegion.h"
+#include "VolumePeel.h"
 
 #include "vtkNew.h"
 
@@ -22,6 +25,7 @@ class vtkImageData;
 class vtkOpenGLRenderWindow;
 class vtkOpenGLVertexArrayObject;
 class vtkShaderProgram;
+class vtkTextureObject;
 class vtkWindow;
 
 namespace nephoscope
@@ -53,6 +57,7 @@ struct SplatDrawingOptions
   double SegmentWidth = 1.5;       // pixels
   SplatRegion Region = WholeSpace; // relative to the samples' centre
   HazeView Haze;
+  ClippingPlanes Planes;
   double LayerThickness = 0.0; // of layers at right angles to the line of sight; 0: there are none
 };
 
@@ -72,14 +77,17 @@ public:
   std::string UploadVectorColors(
     vtkOpenGLRenderWindow* window, const std::vector<std::array<float, 4>>& colors);
   /** From back to front; ~n for the vector of splat n, where media are apart. `weights`, one for each, of its extinction; empty: all 1. */
-  std::string UploadOrder(vtkOpenGLRenderWindow* window, const std::vector<std::int32_t>& order,
-    const std::vector<float>& weights);
+  void UploadOrder(const std::vector<std::int32_t>& order, const std::vector<float>& weights);
   std::string Draw(
     vtkOpenGLRenderWindow* window, const SceneView& view, const SplatDrawingOptions& options);
+  /** Draws only what a depth peeling pass asks for, into its targets. */
+  std::string DrawPeel(vtkOpenGLRenderWindow* window, const SceneView& view,
+    const SplatDrawingOptions& options, const VolumePeel::Request& request);
 
+  /** False when nothing was drawn yet, or what was drawn last was a peel. */
   bool CopyFloatImage(vtkOpenGLRenderWindow* window, vtkImageData* image)
   {
-    return this->Layer.CopyTo(window, image);
+    return !this->Peeled && this->Layer.CopyTo(window, image);
   }
   void ReleaseGraphicsResources(vtkWindow* window);
 
@@ -99,13 +107,14 @@ public:
     bool JacobianPerSplat = false;
     bool Parallel = false;
     bool Cut = true;     ///< by opaque geometry
+    bool Peeled = false; ///< into the ranges of a peel
     bool Region = false; ///< not all of space
     bool Fade = false;   ///< there are weights
   };
 
 private:
-  std::string DrawAll(
-    vtkOpenGLRenderWindow* window, const SceneView& view, const SplatDrawingOptions& options);
+  std::string DrawAll(vtkOpenGLRenderWindow* window, const SceneView& view,
+    const SplatDrawingOptions& options, const int viewport[4], vtkTextureObject* depths);
   std::string DrawRange(vtkOpenGLRenderWindow* window, const SceneView& view,
     const SplatDrawingOptions& options, const Variant& variant,
     const std::array<std::size_t, 2>& range);
@@ -118,18 +127,20 @@ private:
   BufferTexture Colors;
   BufferTexture Vectors;
   BufferTexture VectorColors;
-  BufferTexture Order;
-  BufferTexture Weights;
+  VertexNumbers Order;
+  VertexNumbers Weights;
   std::size_t Count = 0;
   bool Fade = false; // there are weights
   bool JacobianPerSplat = false;
   int FirstNode = 0; // the first splat with a Jacobian of its own, where others share one
   float SharedJacobian[9] = { 1, 0, 0, 0, 1, 0, 0, 0, 1 }; // columns
   float PixelsPerDevice[2] = { 1, 1 };
-  int DepthUnit = 0;
+  int DepthUnit = 0; // of the opaque depth, or of the ranges of a peel
   FloatLayer Layer;
-  vtkNew<vtkOpenGLVertexArrayObject> VertexArray; // without attributes
-  vtkShaderProgram* Program = nullptr;            // owned by the window's shader cache
+  VolumePeel Peel;
+  bool Peeled = false;
+  vtkNew<vtkOpenGLVertexArrayObject> VertexArray;
+  vtkShaderProgram* Program = nullptr; // owned by the window's shader cache
 };
 
 } // namespace nephoscope

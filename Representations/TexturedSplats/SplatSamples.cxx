@@ -25,7 +25,7 @@ std::vector<vtkIdType> visibleIds(const SplatShapes& shapes)
   ids.reserve(static_cast<std::size_t>(shapes.GetNumberOfIds()));
   for (vtkIdType id = 0; id < shapes.GetNumberOfIds(); ++id)
   {
-    if (shapes.IsVisible(id))
+    if (shapes.IsVisible(id) && !shapes.IsRepeated(id))
     {
       ids.push_back(id);
     }
@@ -157,10 +157,16 @@ SplatSamples FindSplatSamples(vtkDataSet* data, const SplatSampling& sampling, s
   const SplatShapes shapes(data, sampling);
   std::copy_n(shapes.GetGrid().GetDimensions(), 3, samples.Dimensions);
   samples.Ids = visibleIds(shapes);
-  std::vector<SplatVector> places(samples.Ids.size());
+  const std::size_t visible = samples.Ids.size();
+  for (vtkIdType id = 0; id < shapes.GetNumberOfIds(); ++id)
+  {
+    samples.NumberOfWrongSizes += shapes.HasWrongSize(id) ? 1 : 0;
+  }
+  std::vector<SplatVector> places(visible);
   ForAll(places.size(), [&](std::size_t i) { places[i] = shapes.Place(samples.Ids[i]); });
   const int kind = sampling.OnCells ? vtkDataObject::CELL : vtkDataObject::POINT;
   sortByPlace(data->GetAttributesAsFieldData(kind), samples.Ids, places);
+  samples.NumberNowhere = visible - places.size();
   if (samples.Ids.empty())
   {
     error = "The input has no visible points to draw.";

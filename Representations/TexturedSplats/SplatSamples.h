@@ -44,6 +44,10 @@ struct SplatSamples
   SplatMatrix Voxel{};
   SplatVector FirstVoxel{};
 
+  // Left out, for the mapper to report.
+  std::size_t NumberNowhere = 0;      ///< a coordinate is not finite
+  std::size_t NumberOfWrongSizes = 0; ///< of the array of sizes: not positive or not finite
+
   std::size_t Size() const { return this->Positions.size(); }
   const Jacobian& JacobianOf(std::size_t i) const
   {

@@ -82,6 +82,31 @@ std::string SplatScene::Update(vtkDataSet* input, const SplatSampling& sampling,
     : error;
 }
 
+std::string SplatScene::DescribeLeftOut(const SplatFields& fields, const std::string& sizeArrayName) const
+{
+  const auto quoted = [](vtkDataArray* array) {
+    return std::string("'") + (array->GetName() ? array->GetName() : "(unnamed)") + "'";
+  };
+  const auto counted = [&](std::size_t count) {
+    const std::string kind = fields.Scalars.OnCells ? " cell" : " point";
+    return std::to_string(count) + kind + (count == 1 ? " is" : "s are") + " not drawn because array ";
+  };
+  std::string text;
+  const std::size_t notFinite = this->Samples.NumberNowhere + this->Classes.NumberWithoutValue;
+  if (notFinite > 0)
+  {
+    text = counted(notFinite) + quoted(fields.Scalars.Array) +
+      (fields.Opacity.Array ? ", " + quoted(fields.Opacity.Array) : "") +
+      " or a coordinate is not finite there. Blank such points, or replace the values.";
+  }
+  if (this->Samples.NumberOfWrongSizes > 0)
+  {
+    text += (text.empty() ? "" : " ") + counted(this->Samples.NumberOfWrongSizes) + "'" + sizeArrayName +
+      "' is not positive or not finite there. Sizes must be positive.";
+  }
+  return text;
+}
+
 void SplatScene::ForgetOrder()
 {
   this->Order.clear();
@@ -155,11 +180,12 @@ double SplatScene::GetLayerThickness() const
 }
 
 // By the numbers of splats that the pass knows.
-std::string SplatScene::UploadOrder(vtkOpenGLRenderWindow* window, SplatPass& pass) const
+void SplatScene::UploadOrder(SplatPass& pass) const
 {
   if (!this->DrawsHierarchy)
   {
-    return pass.UploadOrder(window, this->Items.empty() ? this->Order : this->Items, {});
+    pass.UploadOrder(this->Items.empty() ? this->Order : this->Items, {});
+    return;
   }
   const std::vector<float>& all = this->Hierarchy.Weights();
   std::vector<std::int32_t> splats;
@@ -174,7 +200,7 @@ std::string SplatScene::UploadOrder(vtkOpenGLRenderWindow* window, SplatPass& pa
       weights.push_back(all[static_cast<std::size_t>(item)]);
     }
   }
-  return pass.UploadOrder(window, splats, weights);
+  pass.UploadOrder(splats, weights);
 }
 
 std::string SplatScene::Upload(
@@ -192,7 +218,7 @@ std::string SplatScene::Upload(
   }
   if (error.empty() && !this->OrderUploaded)
   {
-    error = this->UploadOrder(window, pass);
+    this->UploadOrder(pass);
   }
   this->SplatsUploaded = this->OrderUploaded = error.empty();
   return error;

@@ -69,6 +69,8 @@ public:
   std::size_t GetNumberOfSamples() const { return this->Classes.Samples.size(); }
   std::size_t GetNumberOfDrawn() const { return this->Drawn().size(); }
   const SplatSamples& GetSamples() const { return this->Samples; }
+  /** Which samples are left out because of a value, a coordinate or a size; empty if there are none. */
+  std::string DescribeLeftOut(const SplatFields& fields, const std::string& sizeArrayName) const;
   /** Of the layers that are at right angles to the line of sight; 0 where they are those of a grid. */
   double GetLayerThickness() const;
   SortedSplats GetSorted() const
@@ -105,7 +107,7 @@ private:
   }
   void SetDrawsHierarchy(bool hierarchy);
   void ForgetOrder();
-  std::string UploadOrder(vtkOpenGLRenderWindow* window, SplatPass& pass) const;
+  void UploadOrder(SplatPass& pass) const;
 
   SampleKey SampledFrom;
   ClassKey ClassifiedBy{ nullptr, nullptr, 0, 0, 0, false };

@@ -8,6 +8,8 @@
 #include "SplatKernel.h"
 #include "VectorTexture.h"
 
+#include <cmath>
+#include <iterator>
 #include <sstream>
 #include <string>
 
@@ -25,7 +27,7 @@ public:
   template <typename List>
   void AddList(const std::string& name, const List& values)
   {
-    for (std::size_t i = 0; i < values.size(); ++i)
+    for (std::size_t i = 0; i < std::size(values); ++i)
     {
       this->Add(name + std::to_string(i), values[i]);
     }
@@ -41,12 +43,17 @@ inline std::string KernelConstants()
   ShaderConstants constants;
   constants.AddList("CUBIC", cubic_kernel::footprintCoefficients);
   constants.AddList("SHARE", cubic_kernel::shareCoefficients);
+  constants.Add("CUBIC_RADIUS", cubic_kernel::radius);
+  constants.Add("CUBIC_INNER_RADIUS", cubic_kernel::innerRadius);
+  constants.AddList("CUBIC_INNER", cubic_kernel::inner);
+  constants.AddList("CUBIC_OUTER", cubic_kernel::outerPowers);
   constants.Add("QUADRATIC_INNER_RADIUS", quadratic_kernel::innerRadius);
   constants.Add("QUADRATIC_INNER", quadratic_kernel::inner);
   constants.Add("QUADRATIC_OUTER", quadratic_kernel::outer);
   constants.Add("GAUSSIAN_PEAK", gaussian_kernel::Footprint(0.0));
   constants.Add("GAUSSIAN_DECAY",
     0.5 * gaussian_kernel::radius * gaussian_kernel::radius / gaussian_kernel::variance);
+  constants.Add("GAUSSIAN_DEPTH", std::sqrt(2.0 * gaussian_kernel::variance));
   return constants.Get();
 }
 

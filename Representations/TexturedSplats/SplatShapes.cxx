@@ -3,12 +3,12 @@
 #include "SplatShapes.h"
 
 #include "EllipsoidSplat.h"
+#include "HiddenSamples.h"
 #include "SplatSamples.h"
 
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
 #include "vtkDataSet.h"
-#include "vtkDataSetAttributes.h"
 #include "vtkFieldData.h"
 #include "vtkIdList.h"
 #include "vtkMath.h"
@@ -16,7 +16,6 @@
 #include "vtkPointData.h"
 #include "vtkSMPThreadLocal.h"
 #include "vtkSMPTools.h"
-#include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
 #include <array>
@@ -27,7 +26,7 @@ namespace nephoscope
 namespace
 {
 constexpr double flatShare =
-  0.02; // of the longest edge: cells at the poles, and grids one sample thick, keep a thickness
+  0.02; // of the longest edge: cells at the poles, and the like, keep a thickness
 
 bool isFinite(const SplatVector& place)
 {
@@ -85,10 +84,9 @@ void addSplat(Bounds& bounds, const SplatVector& place, const SplatMatrix& jacob
 SplatShapes::SplatShapes(vtkDataSet* data, const SplatSampling& sampling)
   : Data(data)
   , OnCells(sampling.OnCells)
-  , WithDuplicates(sampling.Frame.WithNeighbors)
   , Grid(data, sampling.OnCells)
   , SizesAreVolumes(sampling.SizesAreVolumes)
-  , Ghosts(sampling.OnCells ? data->GetCellGhostArray() : data->GetPointGhostArray())
+  , Hidden(FindHiddenSamples(data, sampling.OnCells, sampling.Frame.WithNeighbors))
   , Count(sampling.OnCells ? data->GetNumberOfCells() : data->GetNumberOfPoints())
   , CellSize(sampling.CellSize)
   , RadiusFactor(sampling.RadiusFactor)
@@ -178,14 +176,18 @@ bool SplatShapes::FindVoxels()
 
 bool SplatShapes::IsVisible(vtkIdType id) const
 {
-  const int hidden =
-    this->OnCells ? int(vtkDataSetAttributes::HIDDENCELL) : int(vtkDataSetAttributes::HIDDENPOINT);
-  const int duplicate = this->OnCells ? int(vtkDataSetAttributes::DUPLICATECELL)
-                                      : int(vtkDataSetAttributes::DUPLICATEPOINT);
-  const int left = this->WithDuplicates ? hidden : hidden | duplicate;
-  const bool sized = !this->SizeArray || (this->SizeOf(id) > 0 && std::isfinite(this->SizeOf(id)));
-  return sized && !this->Grid.IsRepeated(id) &&
-    (!this->Ghosts || !(this->Ghosts->GetValue(id) & left));
+  return this->IsSized(id) && this->IsShown(id);
+}
+
+bool SplatShapes::IsSized(vtkIdType id) const
+{
+  return !this->SizeArray || (this->SizeOf(id) > 0 && std::isfinite(this->SizeOf(id)));
+}
+
+// Neither hidden nor repeated.
+bool SplatShapes::IsShown(vtkIdType id) const
+{
+  return !this->Grid.IsRepeated(id) && (this->Hidden.empty() || !this->Hidden[static_cast<std::size_t>(id)]);
 }
 
 SplatVector PlaceOf(vtkDataSet* data, const GridSamples& grid, bool onCells, vtkIdType id)

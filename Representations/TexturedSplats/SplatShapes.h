@@ -22,7 +22,6 @@
 
 class vtkDataArray;
 class vtkDataSet;
-class vtkUnsignedCharArray;
 
 namespace nephoscope
 {
@@ -60,6 +59,8 @@ public:
   vtkIdType GetNumberOfIds() const { return this->Count; }
   /** Not hidden, not the repeated column of a closed grid, and not a duplicate of what another rank has, unless those are wanted. */
   bool IsVisible(vtkIdType id) const;
+  /** Visible but for its size, which is not positive or not finite. */
+  bool HasWrongSize(vtkIdType id) const { return !this->IsSized(id) && this->IsShown(id); }
   /** It may be at no finite place. */
   SplatVector Place(vtkIdType id) const
   {
@@ -67,6 +68,8 @@ public:
   }
   /** Edges of the sample's cell, times the radius factor; none is so short that the splat would be flat. */
   SplatMatrix Jacobian(vtkIdType id) const;
+  /** In the place of another point, whose splat stands for both. */
+  bool IsRepeated(vtkIdType id) const { return this->Cells.IsRepeated(id); }
   bool HaveOneShape() const
   {
     return !this->ShapeArray && !this->SizeArray && this->Cells.IsEmpty() && this->Spacing.empty() &&
@@ -84,12 +87,13 @@ public:
 private:
   double FindMeanSpacing() const;
   double SizeOf(vtkIdType id) const;
+  bool IsSized(vtkIdType id) const;
+  bool IsShown(vtkIdType id) const;
   SplatMatrix OwnJacobian(vtkIdType id) const;
   bool FindVoxels();
 
   vtkDataSet* Data;
   bool OnCells;
-  bool WithDuplicates;
   GridSamples Grid;
   vtkDataArray* ShapeArray = nullptr;
   vtkDataArray* SizeArray = nullptr;
@@ -97,7 +101,7 @@ private:
   CellSamples Cells;
   std::vector<float> Spacing; // of neighbours
   bool Spaced = false;
-  vtkUnsignedCharArray* Ghosts;
+  std::vector<unsigned char> Hidden;
   vtkIdType Count;
   double CellSize;
   double RadiusFactor;

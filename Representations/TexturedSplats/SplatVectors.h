@@ -52,6 +52,9 @@ public:
   /** Moves all patterns on by a time, in the units of the vectors' speed; `period`: length of the pattern. */
   void Advance(double time, double period);
 
+  /** Points or cells of the same number go on from where the patterns of `other` are. */
+  void GoOnFrom(const SplatVectors& other) { this->Moved = other.Moved; }
+
   float GreatestSpeed() const { return this->Greatest; }
 
   /** Mean length of a sample's cell along its vector; 1 without vectors. */

@@ -3,6 +3,7 @@
 #include "vtkTexturedSplatMapper.h"
 
 #include "ArraySelection.h"
+#include "MapperSettings.h"
 #include "ReportedError.h"
 #include "ResourceWindow.h"
 #include "SplatKernel.h"
@@ -31,8 +32,11 @@ struct vtkTexturedSplatMapper::vtkInternals
 {
   nephoscope::SplatScene Scene;
   nephoscope::SplatPass Pass;
-  nephoscope::ResourceWindow Window;
-  nephoscope::ReportedError LastError, LastWarning;
+  nephoscope::ReportedError LastError, LastWarning, LeftOut;
+  nephoscope::ResourceWindow Window{ [this](vtkWindow* window) {
+    this->Pass.ReleaseGraphicsResources(window);
+    this->Scene.ForgetUpload();
+  } };
 };
 
 vtkTexturedSplatMapper::vtkTexturedSplatMapper()
@@ -101,12 +105,6 @@ void vtkTexturedSplatMapper::Render(vtkRenderer* renderer, vtkVolume* volume)
     this->ReportOnce("The input has no points: there is nothing to draw.");
     return;
   }
-  if (nephoscope::VolumePeel::IsRequested(volume))
-  {
-    this->ReportOnce(
-      "Splats cannot be drawn between peeled surfaces: call UseDepthPeelingForVolumesOff() of the renderer.");
-    return;
-  }
   this->WithNeighbors = this->DrawsRegion(renderer);
   std::string error = this->UpdateSplats(input, volume);
   if (error.empty())
@@ -130,6 +128,10 @@ std::string vtkTexturedSplatMapper::UpdateSplats(vtkDataSet* input, vtkVolume* v
   std::string error = nephoscope::checkUnitDistance(fields.Property);
   if (error.empty())
   {
+    error = nephoscope::ClippingPlanes::Check(this);
+  }
+  if (error.empty())
+  {
     error = nephoscope::selectScalars(this, input, fields.Property, fields.Scalars);
   }
   if (error.empty())
@@ -148,7 +150,14 @@ std::string vtkTexturedSplatMapper::UpdateSplats(vtkDataSet* input, vtkVolume* v
     return error;
   }
   const nephoscope::SplatSampling sampling = this->GetSampling(fields.Scalars.OnCells);
-  return this->Internals->Scene.Update(input, sampling, fields, this->GetVectorSettings());
+  error = this->Internals->Scene.Update(input, sampling, fields, this->GetVectorSettings());
+  const std::string leftOut =
+    error.empty() ? this->Internals->Scene.DescribeLeftOut(fields, sampling.SizeArrayName) : std::string();
+  if (this->Internals->LeftOut.IsNew(leftOut))
+  {
+    vtkWarningMacro(<< leftOut);
+  }
+  return error;
 }
 
 nephoscope::SplatVectorSettings vtkTexturedSplatMapper::GetVectorSettings()
@@ -285,6 +294,7 @@ std::string vtkTexturedSplatMapper::DrawScene(
   scene.UpdateOrder(state);
   nephoscope::SplatDrawingOptions options;
   options.Haze = nephoscope::HazeView(renderer);
+  options.Planes = nephoscope::ClippingPlanes(this, renderer);
   options.Kernel = static_cast<nephoscope::SplatKernel>(this->Kernel);
   options.ExtinctionScale = this->GetExtinctionFactor();
   this->SetVectorOptions(options);
@@ -294,11 +304,15 @@ std::string vtkTexturedSplatMapper::DrawScene(
     options.MediaApart, this->GetDataSetInput(), this->LayerAxis, options.NearSplats);
   this->SetRegionOptions(options);
   options.LayerThickness = options.MediaApart ? scene.GetLayerThickness() : 0.0;
-  this->Internals->Window.Enter(window, this);
+  this->Internals->Window.Enter(window);
   const std::string error = scene.Upload(window, this->Internals->Pass, this->GetVectorSettings());
-  return error.empty() && scene.GetNumberOfDrawn() > 0
-    ? this->Internals->Pass.Draw(window, state.View, options)
-    : error;
+  if (!error.empty() || scene.GetNumberOfDrawn() == 0)
+  {
+    return error;
+  }
+  return nephoscope::VolumePeel::IsRequested(volume)
+    ? this->Internals->Pass.DrawPeel(window, state.View, options, { this, volume })
+    : this->Internals->Pass.Draw(window, state.View, options);
 }
 
 bool vtkTexturedSplatMapper::CopyFloatImage(vtkImageData* image)
@@ -306,7 +320,7 @@ bool vtkTexturedSplatMapper::CopyFloatImage(vtkImageData* image)
   vtkOpenGLRenderWindow* window = this->Internals->Window.Get();
   if (!window || !this->Internals->Pass.CopyFloatImage(window, image))
   {
-    vtkErrorMacro("There is no float image: render first.");
+    vtkErrorMacro("There is no float image: render first, without peeling volumes.");
     return false;
   }
   return true;
@@ -314,56 +328,26 @@ bool vtkTexturedSplatMapper::CopyFloatImage(vtkImageData* image)
 
 void vtkTexturedSplatMapper::ReleaseGraphicsResources(vtkWindow* window)
 {
-  if (this->Internals->Window.Leave(window))
-  {
-    this->Internals->Pass.ReleaseGraphicsResources(window);
-    this->Internals->Scene.ForgetUpload();
-  }
+  this->Internals->Window.Leave(window);
   this->Superclass::ReleaseGraphicsResources(window);
 }
 
-void vtkTexturedSplatMapper::PrintSelf(ostream& os, vtkIndent indent)
+void vtkTexturedSplatMapper::ShallowCopy(vtkAbstractMapper* other)
 {
-  this->Superclass::PrintSelf(os, indent);
-  const char* kernels[] = { "Cubic", "Quadratic", "Gaussian" };
-  const char* measures[] = { "Greatest", "Root mean square", "Picture" };
-  os << indent << "Kernel: " << kernels[this->Kernel] << "\n";
-  os << indent << "CellSize: " << this->CellSize << "\n";
-  os << indent << "RadiusFactor: " << this->RadiusFactor << "\n";
-  os << indent << "CellSizeArrayName: " << this->CellSizeArrayName
-     << (this->CellSizeArrayHoldsVolumes ? " (volumes)\n" : " (lengths)\n");
-  os << indent << "CellSizeFromCells: " << this->CellSizeFromCells << "\n";
-  os << indent << "CellSizeFromNeighbors: " << this->CellSizeFromNeighbors << "\n";
-  os << indent << "ShapeArrayName: " << this->ShapeArrayName << "\n";
-  os << indent << "OpacityScale: " << this->OpacityScale << "\n";
-  os << indent << "OpacityArrayName: " << this->OpacityArrayName << "\n";
-  os << indent << "VectorArrayName: " << this->VectorArrayName << "\n";
-  os << indent << "VectorOpacity: " << this->VectorOpacity << "\n";
-  os << indent << "GreatestSpeed: " << this->GreatestSpeed << "\n";
-  os << indent << "StreakPeriod: " << this->StreakPeriod << "\n";
-  os << indent << "VectorStyle: " << (this->VectorStyle == SEGMENTS ? "Segments" : "Streaks")
-     << "\n";
-  os << indent << "VectorPlacement: " << (this->VectorPlacement == IN_LAYERS ? "Layers" : "Middle")
-     << "\n";
-  os << indent << "LayerAxis: " << this->LayerAxis << "\n";
-  os << indent << "VectorUnit: " << this->VectorUnit << "\n";
-  os << indent << "StreakWidth: " << this->StreakWidth << "\n";
-  os << indent << "SegmentLength: " << this->SegmentLength << "\n";
-  os << indent << "SegmentWidth: " << this->SegmentWidth << "\n";
-  os << indent << "VectorColorArrayName: " << this->VectorColorArrayName << "\n";
-  os << indent << "VectorColorFunction: " << this->VectorColorFunction.Get() << "\n";
-  os << indent << "PhaseSteps: " << this->PhaseSteps << "\n";
-  os << indent << "VectorColor: " << this->VectorColor[0] << " " << this->VectorColor[1] << " "
-     << this->VectorColor[2] << "\n";
-  os << indent << "UseVectorColor: " << this->UseVectorColor << "\n";
-  os << indent << "Phase: " << this->Phase << "\n";
-  os << indent << "PhaseCycles: " << this->PhaseCycles << "\n";
-  os << indent << "ErrorTolerance: " << this->ErrorTolerance
-     << (this->ErrorToleranceUnit == UNIT_OF_IMAGE ? " of the image\n" : " of the data\n");
-  os << indent << "ErrorMeasure: " << measures[this->ErrorMeasure] << "\n";
-  os << indent << "LevelBlending: " << this->LevelBlending << "\n";
-  os << indent << "InteractiveMaximumNumberOfSplats: " << this->InteractiveMaximumNumberOfSplats
-     << "\n";
-  os << indent << "InteractiveUpdateRate: " << this->InteractiveUpdateRate << "\n";
-  os << indent << "NumberOfDrawnSplats: " << this->GetNumberOfDrawnSplats() << "\n";
+  auto* mapper = vtkTexturedSplatMapper::SafeDownCast(other);
+  if (mapper == this)
+  {
+    return;
+  }
+  this->Superclass::ShallowCopy(other);
+  if (!mapper)
+  {
+    return;
+  }
+  nephoscope::copyVolumeSettings(mapper, this);
+  this->CopySettings(mapper);
+  nephoscope::SplatVectorScene& scene = this->Internals->Scene.GetVectorScene();
+  scene.GetVectors().GoOnFrom(mapper->Internals->Scene.GetVectorScene().GetVectors());
+  scene.ForgetSamples();
+  this->Modified();
 }

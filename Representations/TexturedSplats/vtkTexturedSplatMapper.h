@@ -406,6 +406,8 @@ public:
 
   void Render(vtkRenderer* renderer, vtkVolume* volume) override;
   void ReleaseGraphicsResources(vtkWindow* window) override;
+  /** Takes over the input, all settings, and how far patterns have moved. The clipping planes and VectorColorFunction are shared. */
+  void ShallowCopy(vtkAbstractMapper* other) override;
 
 protected:
   vtkTexturedSplatMapper();
@@ -453,6 +455,7 @@ protected:
   int PhaseSteps = 0;
 
 private:
+  void CopySettings(vtkTexturedSplatMapper* mapper);
   nephoscope::SplatVectorSettings GetVectorSettings();
   void SetVectorOptions(nephoscope::SplatDrawingOptions& options);
   double GetStreakUnit();

@@ -40,6 +40,7 @@ def flow_volume(globe, edge):
     made.SetPolygonEdgeLength(edge)
     made.SetDuration(DURATION)
     made.SetTimeStep(TIME_STEP)
+    made.SetMaximumNumberOfTetrahedra(10_000_000)
     return made
 
 

@@ -10,6 +10,7 @@
 #define ShaderRunner_h
 
 #include "OpenGLFunctions.h"
+#include "ShaderArrays.h"
 
 #include "vtkNew.h"
 #include "vtkOpenGLBufferObject.h"
@@ -78,7 +79,7 @@ public:
     }
   }
 
-  /** Makes a samplerBuffer of this name. */
+  /** Makes an array of this name. */
   void AddBuffer(const std::string& name, const std::vector<float>& values, int components)
   {
     Buffer buffer;
@@ -107,6 +108,7 @@ public:
 
     const std::string source = "//VTK::System::Dec\n//VTK::Output::Dec\nuniform sampler2D firstInput;\n"
                                "uniform sampler2D secondInput;\nin vec2 texCoord;\n" +
+      nephoscope::arrayDeclarations(nephoscope::ArrayLayout()) +
       functions +
       "\nvoid main()\n{\n  ivec2 item = ivec2(texCoord * vec2(textureSize(firstInput, 0)));\n"
       "  vec4 first = texelFetch(firstInput, item, 0);\n"

@@ -15,13 +15,24 @@ DOCUMENTS = ("README.md", "LICENSE", "CONTRIBUTING.md", "CHANGELOG.md", "CITATIO
 MACHINE_PATHS = re.compile("|".join((r"(?<![\w.])/" + folder + "/") for folder in ("work", "tmp", "root", "home")))
 
 
+def listed_by_git():
+    """What git has of the project; None where there is no git, or TOP is not the top of a checkout but an unpacked archive."""
+    try:
+        top = subprocess.run(["git", "-C", TOP, "rev-parse", "--show-toplevel"], capture_output=True, text=True)
+        if top.returncode != 0 or pathlib.Path(top.stdout.rstrip("\n")).resolve() != TOP:
+            return None
+        listed = subprocess.run(["git", "-C", TOP, "ls-files", "-z"], capture_output=True, text=True, check=True)
+    except FileNotFoundError:
+        return None
+    return [TOP / name for name in listed.stdout.split("\0") if name]
+
+
 def tracked_files():
-    """The files of the project that are there; without git, all but what the build made."""
-    listed = subprocess.run(["git", "-C", TOP, "ls-files", "-z"], capture_output=True, text=True)
-    if listed.returncode == 0:
-        files = [TOP / name for name in listed.stdout.split("\0") if name]
-    else:
-        files = [f for f in TOP.rglob("*") if f.relative_to(TOP).parts[0] not in ("build", "Gallery", ".git")]
+    """The files of the project that are there; without git, all but what the build and Python made."""
+    files = listed_by_git()
+    if files is None:
+        made = {"build", "Gallery", ".git"}
+        files = [f for f in TOP.rglob("*") if f.relative_to(TOP).parts[0] not in made and f.parent.name != "__pycache__"]
     return [f for f in files if f.is_file()]
 
 

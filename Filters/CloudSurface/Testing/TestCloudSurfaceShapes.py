@@ -197,8 +197,8 @@ class Degenerate(unittest.TestCase):
         self.assertTrue((cg.values(out, "Normals") @ np.ones(3) > 0).all())
 
     def test_no_surface(self):
-        for values in ([7.0], []):
-            out = cg.surface(cg.image(ball(lattice(4)[0])), values)
+        for values, why in (([7.0], "the contour value is 7"), ([], "no contour values")):
+            out = cg.surface(cg.image(ball(lattice(4)[0])), values, expect=(why,))
             self.assertEqual((out.GetNumberOfPoints(), out.GetNumberOfCells()), (0, 0))
 
 

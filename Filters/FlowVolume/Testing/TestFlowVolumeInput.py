@@ -6,7 +6,7 @@ import unittest
 import numpy as np
 from nephoscope_testing import meshes
 from nephoscope_testing.flow import area_of, flow_volume, update
-from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkDataSetAttributes, vtkMultiBlockDataSet, vtkPolyData
 from vtkmodules.vtkCommonExecutionModel import vtkTrivialProducer
 from vtkmodules.vtkFiltersCore import vtkThreshold
@@ -100,7 +100,9 @@ class Datasets(unittest.TestCase):
         v = vtk_to_numpy(data.GetPointData().GetArray("Flow"))
         v[meshes.points_of(data)[:, 2] > 0.3] = np.nan
         smoke, messages = update(flow_volume(data, **{**SETTINGS, "Duration": 2.0}))
-        self.assertEqual(messages, [])
+        missing = int(np.isnan(v[:, 0]).sum())
+        self.assertEqual(len(messages), 1)
+        self.assertRegex(messages[0], rf"'Flow'\) is not a finite number at {missing} of {len(v)} points")
         self.assertTrue(np.isfinite(smoke.points).all())
         self.assertLessEqual(smoke.points[:, 2].max(), 0.25 + 1e-9)
 
@@ -136,6 +138,9 @@ class Velocity(unittest.TestCase):
         data = with_wind(cube(), "Normals", wind=self.OTHER)
         data.GetPointData().SetActiveNormals("Normals")
         meshes.add_array(data.GetPointData(), np.ones(data.GetNumberOfPoints()), "scalar")
+        colors = numpy_to_vtk(np.full((data.GetNumberOfPoints(), 3), 200, np.uint8), deep=True)
+        colors.SetName("Color")
+        data.GetPointData().AddArray(colors)
         self.expect(data, WIND)
 
     def test_points_before_cells(self):
@@ -209,6 +214,47 @@ class Settings(unittest.TestCase):
             self.assertAlmostEqual(abs(smoke.made.GetNormalUsed()[2]), 1, places=12)
 
 
+def sheared(rate, turn=0.0):
+    """A wind along x that grows with y, in a wide box: it stretches everything, without end."""
+    data = meshes.image((8, 8, 8), (1000, 1, 1), (-4000, -4, -4))
+    points = meshes.points_of(data)
+    meshes.add_array(data.GetPointData(), np.column_stack([2 + rate * points[:, 1], turn * points[:, 2], -turn * points[:, 1]]), "Flow")
+    return data
+
+
+class WholeDuration(unittest.TestCase):
+    """However few tetrahedra there may be, the smoke lasts as long as it is asked to, and it is said where it is coarser than asked for."""
+
+    def check(self, smoke, limit, duration):
+        self.assertLessEqual(len(smoke.cells), limit)
+        self.assertAlmostEqual(smoke.age.max() / duration, 1, places=9)
+        self.assertGreater(smoke.volumes().min(), 0)
+        self.assertAlmostEqual(smoke.mass() / smoke.made.GetEmittedMass(), 1, places=9)
+        self.assertTrue(smoke.is_one_piece())
+
+    def test_automatic(self):
+        """Nothing but a duration is set: nothing is to be told."""
+        smoke, messages = update(flow_volume(sheared(1.8, 0.02), Radius=1, Duration=150.0))
+        self.assertEqual(messages, [])
+        self.check(smoke, 100_000, 150.0)
+        self.assertGreater(smoke.made.GetMaximumEdgeLengthUsed(), 10, "this flow does not test anything: it has not been coarsened")
+
+    def test_all_automatic(self):
+        smoke, messages = update(flow_volume(sheared(1.5, 0.02), Radius=1, Center=(-3500, 0, 0)))
+        self.assertEqual(messages, [])
+        self.check(smoke, 100_000, smoke.made.GetDurationUsed())
+
+    def test_asked_for(self):
+        rng = np.random.default_rng(5)
+        for limit in (1000, 3000, 20_000):
+            for name, value in (("MaximumEdgeLength", 0.3), ("TimeStep", 0.01), ("PolygonEdgeLength", 0.1)):
+                with self.subTest(limit=limit, setting=name):
+                    data = sheared(rng.uniform(0.5, 1.8), rng.uniform(0, 0.1))
+                    smoke, messages = update(flow_volume(data, Radius=1, Duration=20.0, MaximumNumberOfTetrahedra=limit, **{name: value}))
+                    self.assertTrue(len(messages) == 1 and "coarser than requested" in messages[0] and "Allow more" in messages[0], messages)
+                    self.check(smoke, limit, 20.0)
+
+
 class Polygons(unittest.TestCase):
     """An L that is not convex: 3/4 of a square of side 0.4."""
     CORNERS = np.array([(0, 0, 0), (0.4, 0, 0), (0.4, 0.2, 0), (0.2, 0.2, 0), (0.2, 0.4, 0), (0, 0.4, 0)]) + (-0.2, -0.2, -0.8)
@@ -228,8 +274,16 @@ class Polygons(unittest.TestCase):
         first = smoke.points[smoke.age == 0]
         self.assertTrue(((first[:, 0] <= 1e-9) | (first[:, 1] <= 1e-9)).all())
 
-    def test_turned(self):
+    def test_stays_as_it_is(self):
+        """Unless NormalToFlow is set, a polygon of one's own is not turned; a regular one is."""
         smoke, _ = self.smoke()
+        self.assertAlmostEqual(smoke.mass(), 0.12 * WIND[2], places=10)
+        np.testing.assert_allclose(np.abs(smoke.made.GetNormalUsed()), (0, 0, 1), atol=1e-12)
+        regular = update(flow_volume(cube(), **SETTINGS))[0]
+        np.testing.assert_allclose(regular.made.GetNormalUsed(), WIND / np.linalg.norm(WIND), atol=1e-9)
+
+    def test_turned(self):
+        smoke, _ = self.smoke(NormalToFlow=True)
         self.assertAlmostEqual(smoke.mass(), 0.12 * np.linalg.norm(WIND), places=10)
         np.testing.assert_allclose(smoke.made.GetNormalUsed(), WIND / np.linalg.norm(WIND), atol=1e-9)
 

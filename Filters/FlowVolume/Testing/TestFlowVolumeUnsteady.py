@@ -167,7 +167,9 @@ class Bisection(unittest.TestCase):
         smoke = follow(series(growing), MaximumEdgeLength=self.LIMIT, TimeStep=0.05, Radius=0.1, MaximumNumberOfTetrahedra=500,
                        messages=["MaximumNumberOfTetrahedra (500)"])
         self.assertLessEqual(len(smoke.cells), 500)
-        self.assertGreater(len(smoke.cells), 450)
+        self.assertGreater(len(smoke.cells), 150)
+        self.assertAlmostEqual(smoke.age.max(), smoke.made.GetDurationUsed(), places=9, msg="smoke of the start is missing")
+        self.assertAlmostEqual(smoke.age.min(), 0, places=9, msg="smoke of the end is missing")
         self.assertAlmostEqual(smoke.mass() / smoke.made.GetEmittedMass(), 1, places=12)
 
 

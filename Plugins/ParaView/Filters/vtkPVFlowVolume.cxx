@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkPVFlowVolume.h"
 
+#include "LabelsInMessages.h"
+
 #include "vtkFlowVolumePlacement.h"
 
 #include "vtkBoundingBox.h"
@@ -15,12 +17,15 @@
 #include "vtkObjectFactory.h"
 
 #include <algorithm>
+#include <cmath>
 #include <vector>
 
 vtkStandardNewMacro(vtkPVFlowVolume);
 
 namespace
 {
+constexpr double otherData = 0.01; // change of the diagonal; time steps of one series differ by less
+
 double DiagonalOfAllRanks(vtkDataObject* data)
 {
   double bounds[6];
@@ -66,17 +71,61 @@ void TakeBestOfAllRanks(std::vector<double>& place)
 }
 }
 
+vtkPVFlowVolume::vtkPVFlowVolume()
+  : Labels(std::make_unique<nephoscope::LabelsInMessages>(this,
+      nephoscope::LabelsInMessages::Labels{
+        { "MaximumNumberOfTetrahedra", "Maximum Number Of Tetrahedra" },
+        { "PolygonEdgeLength", "Polygon Edge Length" }, { "MaximumEdgeLength", "Maximum Edge Length" },
+        { "MinimumEdgeLength", "Minimum Edge Length" }, { "NormalToFlow", "Normal To Flow" },
+        { "TimeStep", "Time Step" }, { "TimeScale", "Time Scale" }, { "StartTime", "Start Time" },
+        { "InitialDensity", "Initial Density" } }))
+{
+}
+
+vtkPVFlowVolume::~vtkPVFlowVolume() = default;
+
+int vtkPVFlowVolume::RequestData(
+  vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs)
+{
+  vtkDataObject* input = vtkDataObject::GetData(inputs[0], 0);
+  const double diagonal = DiagonalOfAllRanks(input);
+  const bool isOther = std::abs(diagonal - this->Diagonal) > otherData * this->Diagonal;
+  if (this->FollowData && isOther && this->GetNumberOfInputConnections(1) == 0 && this->IsWhereItWasPlaced())
+  {
+    this->FindPlaceIn(input);
+    if (this->PlaceRadius > 0.0) // not Set...: an update does not modify what is updated
+    {
+      std::copy_n(this->PlaceCenter, 3, this->Center);
+      std::copy_n(this->PlaceNormal, 3, this->Normal);
+      this->Radius = this->PlaceRadius;
+    }
+  }
+  return this->Superclass::RequestData(request, inputs, outputs);
+}
+
+bool vtkPVFlowVolume::IsWhereItWasPlaced()
+{
+  return std::equal(this->Center, this->Center + 3, this->PlaceCenter) && this->Radius == this->PlaceRadius &&
+    std::equal(this->Normal, this->Normal + 3, this->PlaceNormal);
+}
+
 void vtkPVFlowVolume::FindPlace()
 {
-  vtkDataObject* input =
-    this->GetNumberOfInputConnections(0) > 0 ? this->GetInputDataObject(0, 0) : nullptr;
+  this->FindPlaceIn(
+    this->GetNumberOfInputConnections(0) > 0 ? this->GetInputDataObject(0, 0) : nullptr);
+}
+
+void vtkPVFlowVolume::FindPlaceIn(vtkDataObject* input)
+{
   vtkInformation* wanted = this->GetInputArrayInformation(0);
   const char* name = wanted->Get(vtkDataObject::FIELD_NAME());
   const bool onCells = wanted->Has(vtkDataObject::FIELD_ASSOCIATION()) &&
     wanted->Get(vtkDataObject::FIELD_ASSOCIATION()) == vtkDataObject::FIELD_ASSOCIATION_CELLS;
   vtkNew<vtkFlowVolumePlacement> finder;
-  finder->SetDiagonal(DiagonalOfAllRanks(input));
+  this->Diagonal = DiagonalOfAllRanks(input);
+  finder->SetDiagonal(this->Diagonal);
   std::vector<double> place(8, 0.0); // radius, speed, centre, normal
+  place[7] = 1.0;
   if (input && finder->Find(input, name ? name : "", onCells))
   {
     place[0] = finder->GetRadius();

@@ -4,13 +4,22 @@
  * @class vtkPVFlowVolume
  * @brief vtkFlowVolume, with a place to start from for ParaView's panel
  *
- * The smoke is that of vtkFlowVolume. On several ranks FindPlace must be called on all of them, as ParaView does.
+ * The smoke is that of vtkFlowVolume. As long as nobody has put the polygon elsewhere it stays in fast flow: an update whose input has
+ * other bounds than the one it was placed in places it anew. On several ranks FindPlace must be called on all of them, as ParaView does.
+ * Errors and warnings name the properties as the panel does.
  */
 #ifndef vtkPVFlowVolume_h
 #define vtkPVFlowVolume_h
 
 #include "vtkFlowVolume.h"
 #include "vtkNephoscopeParaViewFiltersModule.h" // for export macro
+
+#include <memory> // for labels
+
+namespace nephoscope
+{
+class LabelsInMessages;
+}
 
 class VTKNEPHOSCOPEPARAVIEWFILTERS_EXPORT vtkPVFlowVolume : public vtkFlowVolume
 {
@@ -23,6 +32,12 @@ public:
   void FindPlace();
 
   ///@{
+  /** Place the polygon anew where the bounds of the input change, as long as Center, Radius and Normal are those found. Default: on. */
+  void SetFollowData(bool follow) { this->FollowData = follow; }
+  bool GetFollowData() const { return this->FollowData; }
+  ///@}
+
+  ///@{
   /** The place that FindPlace found. Radius 0: none, because there are no data yet or nothing flows. */
   vtkGetVector3Macro(PlaceCenter, double);
   vtkGetVector3Macro(PlaceNormal, double);
@@ -30,13 +45,21 @@ public:
   ///@}
 
 protected:
-  vtkPVFlowVolume() = default;
-  ~vtkPVFlowVolume() override = default;
+  vtkPVFlowVolume();
+  ~vtkPVFlowVolume() override;
+
+  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
 private:
   vtkPVFlowVolume(const vtkPVFlowVolume&) = delete;
   void operator=(const vtkPVFlowVolume&) = delete;
 
+  void FindPlaceIn(vtkDataObject* input);
+  bool IsWhereItWasPlaced();
+
+  std::unique_ptr<nephoscope::LabelsInMessages> Labels;
+  bool FollowData = true;
+  double Diagonal = 0.0; // of the data in which it was placed; 0: not yet
   double PlaceCenter[3] = { 0.0, 0.0, 0.0 };
   double PlaceNormal[3] = { 0.0, 0.0, 1.0 };
   double PlaceRadius = 0.0;

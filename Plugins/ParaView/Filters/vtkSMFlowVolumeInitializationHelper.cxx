@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkSMFlowVolumeInitializationHelper.h"
 
+#include "vtkCallbackCommand.h"
+#include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkSMProperty.h"
 #include "vtkSMPropertyHelper.h"
@@ -13,15 +15,48 @@ vtkStandardNewMacro(vtkSMFlowVolumeInitializationHelper);
 
 namespace
 {
-void CopyUnlessSet(
-  vtkSMProxy* proxy, const char* from, const char* to, vtkMTimeType initializationTime)
+struct Placed
 {
-  vtkSMProperty* target = proxy->GetProperty(to);
-  if (target->GetMTime() <= initializationTime)
+  const char* Found;
+  const char* Property;
+};
+constexpr Placed placedProperties[] = { { "PlaceRadius", "Radius" }, { "PlaceCenter", "Center" },
+  { "PlaceNormal", "Normal" } };
+
+void Copy(vtkSMProxy* proxy, const Placed& placed)
+{
+  const auto values = vtkSMPropertyHelper(proxy, placed.Found).GetDoubleArray();
+  vtkSMPropertyHelper(proxy, placed.Property).Set(values.data(), static_cast<unsigned int>(values.size()));
+}
+
+bool IsPlaced(vtkSMProxy* proxy)
+{
+  return vtkSMPropertyHelper(proxy, "PlaceRadius").GetAsDouble() > 0.0;
+}
+
+// Shows, after an update, where the server has placed the polygon anew.
+void ShowPlace(vtkObject* caller, unsigned long, void*, void*)
+{
+  auto proxy = vtkSMProxy::SafeDownCast(caller);
+  std::vector<std::vector<double>> before;
+  for (const Placed& placed : placedProperties)
   {
-    const auto values = vtkSMPropertyHelper(proxy, from).GetDoubleArray();
-    vtkSMPropertyHelper(target).Set(values.data(), static_cast<unsigned int>(values.size()));
+    before.push_back(vtkSMPropertyHelper(proxy, placed.Found).GetDoubleArray());
+    if (vtkSMPropertyHelper(proxy, placed.Property).GetDoubleArray() != before.back())
+    {
+      return; // somebody has put it elsewhere
+    }
   }
+  proxy->UpdatePropertyInformation();
+  std::size_t i = 0;
+  for (const Placed& placed : placedProperties)
+  {
+    if (IsPlaced(proxy) && vtkSMPropertyHelper(proxy, placed.Found).GetDoubleArray() != before[i++])
+    {
+      Copy(proxy, placed);
+    }
+  }
+  proxy->UpdateVTKObjects();
 }
 }
 
@@ -39,11 +74,24 @@ void vtkSMFlowVolumeInitializationHelper::PostInitializeProxy(
   proxy->UpdateVTKObjects();
   proxy->InvokeCommand("FindPlace");
   proxy->UpdatePropertyInformation();
-  if (vtkSMPropertyHelper(proxy, "PlaceRadius").GetAsDouble() <= 0.0)
+  bool isSet = false;
+  for (const Placed& placed : placedProperties)
   {
-    return; // no data yet, or nothing flows
+    if (proxy->GetProperty(placed.Property)->GetMTime() > initializationTime)
+    {
+      isSet = true;
+    }
+    else if (IsPlaced(proxy)) // else: no data yet, or nothing flows
+    {
+      Copy(proxy, placed);
+    }
   }
-  CopyUnlessSet(proxy, "PlaceRadius", "Radius", initializationTime);
-  CopyUnlessSet(proxy, "PlaceCenter", "Center", initializationTime);
-  CopyUnlessSet(proxy, "PlaceNormal", "Normal", initializationTime);
+  if (isSet)
+  {
+    vtkSMPropertyHelper(proxy, "FollowData").Set(0);
+    return;
+  }
+  vtkNew<vtkCallbackCommand> showPlace;
+  showPlace->SetCallback(ShowPlace);
+  proxy->AddObserver(vtkCommand::UpdateDataEvent, showPlace);
 }

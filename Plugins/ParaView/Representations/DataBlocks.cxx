@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "DataBlocks.h"
 
+#include "AdaptiveCells.h"
+
 #include "vtkAppendFilter.h"
 #include "vtkCompositeDataIterator.h"
 #include "vtkCompositeDataSet.h"
@@ -9,6 +11,7 @@
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
 #include "vtkNew.h"
+#include "vtkUniformGridAMR.h"
 #include "vtkUnstructuredGrid.h"
 
 #include <vector>
@@ -16,39 +19,56 @@
 namespace nephoscope
 {
 
+namespace
+{
+std::vector<vtkSmartPointer<vtkDataSet>> blocksOf(
+  vtkDataObject* input, const std::function<bool(vtkDataSet*)>& counts)
+{
+  std::vector<vtkSmartPointer<vtkDataSet>> blocks;
+  const auto add = [&](vtkDataObject* leaf) {
+    vtkSmartPointer<vtkDataSet> cells = leafCells(leaf);
+    if (cells && counts(cells))
+    {
+      blocks.push_back(cells);
+    }
+  };
+  if (auto composite = vtkCompositeDataSet::SafeDownCast(input))
+  {
+    auto iterator = vtkSmartPointer<vtkCompositeDataIterator>::Take(composite->NewIterator());
+    for (iterator->InitTraversal(); !iterator->IsDoneWithTraversal(); iterator->GoToNextItem())
+    {
+      add(iterator->GetCurrentDataObject());
+    }
+  }
+  else
+  {
+    add(input);
+  }
+  return blocks;
+}
+} // namespace
+
 vtkSmartPointer<vtkDataSet> appendedBlocks(
   vtkDataObject* input, const std::function<bool(vtkDataSet*)>& counts)
 {
-  if (auto data = vtkDataSet::SafeDownCast(input))
+  auto blocks = blocksOf(input, counts);
+  const bool adaptive = vtkUniformGridAMR::SafeDownCast(input) != nullptr;
+  if (adaptive)
   {
-    if (!counts(data))
-    {
-      return nullptr;
-    }
-    auto copy = vtkSmartPointer<vtkDataSet>::Take(data->NewInstance());
-    copy->ShallowCopy(data);
-    return copy;
-  }
-  auto composite = vtkCompositeDataSet::SafeDownCast(input);
-  if (!composite)
-  {
-    return nullptr;
-  }
-  std::vector<vtkDataSet*> blocks;
-  auto iterator = vtkSmartPointer<vtkCompositeDataIterator>::Take(composite->NewIterator());
-  for (iterator->InitTraversal(); !iterator->IsDoneWithTraversal(); iterator->GoToNextItem())
-  {
-    auto block = vtkDataSet::SafeDownCast(iterator->GetCurrentDataObject());
-    if (block && counts(block))
-    {
-      blocks.push_back(block);
-    }
+    hideCoveredCells(blocks);
   }
   if (blocks.size() < 2)
   {
-    return blocks.empty() ? nullptr : appendedBlocks(blocks.front(), counts);
+    if (blocks.empty())
+    {
+      return nullptr;
+    }
+    auto copy = vtkSmartPointer<vtkDataSet>::Take(blocks.front()->NewInstance());
+    copy->ShallowCopy(blocks.front());
+    return copy;
   }
   vtkNew<vtkAppendFilter> append;
+  append->SetMergePoints(adaptive); // neighbours share a face
   for (vtkDataSet* block : blocks)
   {
     append->AddInputData(block);

@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkHazeRepresentation.h"
 
+#include "HazeScene.h"
+
+#include "vtkCommunicator.h"
 #include "vtkHaze.h"
 #include "vtkInformation.h"
 #include "vtkMultiProcessController.h"
@@ -11,9 +14,41 @@
 
 vtkStandardNewMacro(vtkHazeRepresentation);
 
+namespace
+{
+// All ranks draw at once, each what it has: what haze finds out is that of all.
+void joinScenes(nephoscope::HazeScene& scene)
+{
+  vtkMultiProcessController* ranks = vtkMultiProcessController::GetGlobalController();
+  if (!ranks || ranks->GetNumberOfProcesses() < 2)
+  {
+    return;
+  }
+  double mine[9], most[9];
+  for (int c = 0; c < 3; ++c)
+  {
+    mine[c] = -scene.Low[c];
+    mine[3 + c] = scene.High[c];
+  }
+  mine[6] = scene.GlobeGridProjection;
+  mine[7] = scene.PlanetRadius;
+  mine[8] = scene.VerticalExaggeration;
+  ranks->AllReduce(mine, most, 9, vtkCommunicator::MAX_OP);
+  for (int c = 0; c < 3; ++c)
+  {
+    scene.Low[c] = -most[c];
+    scene.High[c] = most[3 + c];
+  }
+  scene.GlobeGridProjection = most[6];
+  scene.PlanetRadius = most[7];
+  scene.VerticalExaggeration = most[8];
+}
+}
+
 vtkHazeRepresentation::vtkHazeRepresentation()
 {
   this->SetHazeBackground(true);
+  this->Haze->SetSceneCompletion(joinScenes);
 }
 
 vtkHazeRepresentation::~vtkHazeRepresentation()

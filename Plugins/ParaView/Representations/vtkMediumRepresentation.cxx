@@ -7,6 +7,7 @@
 
 #include "vtkAbstractVolumeMapper.h"
 #include "vtkAlgorithmOutput.h"
+#include "vtkBoundingBox.h"
 #include "vtkCellData.h"
 #include "vtkColorTransferFunction.h"
 #include "vtkCommunicator.h"
@@ -29,13 +30,14 @@ namespace
 {
 // Travels with the data as a field array, so that every time step in ParaView's cache keeps its own.
 const char* const unitDistanceName = "NephoscopeUnitDistance";
+const char* const largestSideName = "NephoscopeLargestSide";
 const char* const uniformName = "NephoscopeUniform";
 
 constexpr double uniformOpacity = 0.5; // under Solid Color
 
-double storedUnitDistance(vtkDataSet* data)
+double storedNumber(vtkDataSet* data, const char* name)
 {
-  vtkDataArray* array = data->GetFieldData()->GetArray(unitDistanceName);
+  vtkDataArray* array = data->GetFieldData()->GetArray(name);
   return array && array->GetNumberOfTuples() > 0 ? array->GetComponent(0, 0) : 0.0;
 }
 
@@ -95,9 +97,23 @@ void vtkMediumRepresentation::StoreUnitDistance(vtkDataSet* data, double distanc
   nephoscope::storeNumbers(data, unitDistanceName, { distance });
 }
 
+// Of the bounds of all ranks; also called by ranks without data.
+void vtkMediumRepresentation::StoreLargestSide()
+{
+  const vtkBoundingBox mine(this->DataBounds);
+  vtkBoundingBox all(mine);
+  if (GetNumberOfRanks() > 1)
+  {
+    vtkMultiProcessController::GetGlobalController()->AllReduce(mine, all);
+  }
+  nephoscope::storeNumbers(
+    this->Piece, largestSideName, { all.IsValid() ? all.GetMaxLength() : 0.0 });
+}
+
 int vtkMediumRepresentation::FillInputPortInformation(int, vtkInformation* info)
 {
   info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataSet");
+  info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkHyperTreeGrid");
   info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkCompositeDataSet");
   info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1); // a client without data
   return 1;
@@ -120,6 +136,7 @@ int vtkMediumRepresentation::RequestData(
   if (inputVector[0]->GetNumberOfInformationObjects() == 1)
   {
     this->PreparePiece(vtkDataObject::GetData(inputVector[0], 0));
+    this->StoreLargestSide();
   }
   else
   {
@@ -189,9 +206,10 @@ void vtkMediumRepresentation::PrepareMapper(vtkDataSet* data)
   {
     this->ColorUniformly(data);
   }
-  const double automatic = storedUnitDistance(data);
-  this->ActualUnitDistance =
-    this->AutomaticUnitDistance && automatic > 0.0 ? automatic : this->UnitDistance;
+  const double automatic = storedNumber(data, unitDistanceName);
+  const double side = storedNumber(data, largestSideName);
+  const double given = this->UnitDistance > 0.0 ? this->UnitDistance : side > 0.0 ? 0.1 * side : 1.0;
+  this->ActualUnitDistance = this->AutomaticUnitDistance && automatic > 0.0 ? automatic : given;
   this->Property->SetScalarOpacityUnitDistance(this->ActualUnitDistance);
   this->UniformProperty->SetScalarOpacityUnitDistance(this->ActualUnitDistance);
 }

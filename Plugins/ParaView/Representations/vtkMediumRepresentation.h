@@ -44,7 +44,10 @@ public:
   ///@}
 
   ///@{
-  /** Length over which an opacity of 1 gives an optical depth of 1, in units of the data, > 0. Default: 1. */
+  /**
+   * Length over which an opacity of 1 gives an optical depth of 1, in units of the data. 0 or less, by default: a tenth of the largest
+   * side of the bounds of the data.
+   */
   void SetUnitDistance(double distance) { this->UnitDistance = distance; }
   double GetUnitDistance() const { return this->UnitDistance; }
   ///@}
@@ -108,6 +111,7 @@ protected:
   static int LeastOverRanks(int mine);
   /** Stores the automatic unit distance with the data, so that every time step in ParaView's cache keeps its own. */
   static void StoreUnitDistance(vtkDataSet* data, double distance);
+  void StoreLargestSide();
   vtkAbstractVolumeMapper* GetMapper() const;
   std::string GetOpacityArrayName() const; // empty for "None"
   vtkDataArray* FindColorArray(vtkDataSet* data, int& association, const char*& name);
@@ -133,7 +137,7 @@ private:
   vtkDataSet* UniformDataSource = nullptr; // only compared
 
   bool AutomaticUnitDistance = true;
-  double UnitDistance = 1.0;
+  double UnitDistance = 0.0;
   std::string OpacityArray = "None";
 };
 

@@ -4,8 +4,9 @@
 import os
 
 import numpy as np
-from PluginTesting import NAME, OUTPUT, check, check_same, color_and_alpha, image, load_plugin, look, new_view, passed, pvs, servermanager
+from PluginTesting import GFS, NAME, OUTPUT, check, check_same, color_and_alpha, image, load_plugin, look, new_view, passed, pvs, servermanager
 from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkCommonCore import vtkOutputWindow, vtkStringOutputWindow
 
 EXTENT = [-10, 10, -10, 10, -10, 10]
 AREA = 12 / 2 * np.sin(2 * np.pi / 12)  # of the regular polygon of radius 1
@@ -82,10 +83,62 @@ def check_place():
     check(list(chosen.Center) == [1, 2, 3] and chosen.Radius == 0.5, "a place from a script is overridden")
 
 
+def check_place_follows():
+    """Before there are data nothing is made up; when there are, and when they change, the place is found anew, unless it has been touched."""
+    weather = pvs.NetCDFReader(FileName=[GFS], SphericalCoordinates=0)
+    globe = pvs.GlobeGrid(Input=weather, VerticalExaggeration=50)
+    smoke = pvs.FlowVolume(Input=globe)
+    check(smoke.Radius >= 0, f"without data the radius is {smoke.Radius}")
+    seen = []
+    for exaggeration in (50, 1, 20):
+        globe.VerticalExaggeration = exaggeration
+        cells = output_of(smoke).GetNumberOfCells()
+        seen.append((*smoke.Center, smoke.Radius))
+        check(1000 < cells <= 100_000, f"{cells} tetrahedra at an exaggeration of {exaggeration}")
+        check(smoke.Radius > 0, f"radius {smoke.Radius}")
+    check(len(set(seen)) == 3, f"the place has not followed the data: {seen}")
+    smoke.Radius = 12345
+    globe.VerticalExaggeration = 1
+    smoke.UpdatePipeline()
+    check(smoke.Radius == 12345 and (*smoke.Center,) == seen[-1][:3], "a place that has been touched has moved")
+    chosen = pvs.FlowVolume(Input=pvs.Calculator(Input=pvs.Wavelet(), ResultArrayName="v", Function="coordsX*jHat+2*kHat"), Center=[0, 0, 0], Radius=1)
+    chosen.UpdatePipeline()
+    check(list(chosen.Center) == [0, 0, 0] and chosen.Radius == 1, "a place chosen before there were data has moved")
+
+
+def messages_of(update):
+    """What ParaView's output window gets."""
+    window, before = vtkStringOutputWindow(), vtkOutputWindow.GetInstance()
+    vtkOutputWindow.SetInstance(window)
+    try:
+        update()
+    finally:
+        vtkOutputWindow.SetInstance(before)
+    return window.GetOutput()
+
+
+def check_messages():
+    """They name properties as the panel does, and each is told once."""
+    smoke = pvs.FlowVolume(Input=wind("2"), Velocity=["POINTS", "wind"], Center=[-5, 0, 0], Radius=1, TimeStep=0.01,
+                           MaximumNumberOfTetrahedra=500)
+    text = messages_of(smoke.UpdatePipeline)
+    for label in ("Maximum Number Of Tetrahedra (500)", "Time Step of", "Polygon Edge Length of", "Maximum Edge Length of"):
+        check(text.count(label) == 1, f"{label!r} is {text.count(label)} times in {text!r}")
+    smoke.NormalToFlow, smoke.Normal = 0, [0, 1, 0]
+    text = messages_of(smoke.UpdatePipeline)
+    check("Normal To Flow" in text and "NormalToFlow" not in text, text)
+
+
 def check_polygon():
+    """A polygon of one's own stays as it is, unless Normal To Flow is set."""
     square = pvs.Plane(Origin=[-5, -1, -1], Point1=[-5, 1, -1], Point2=[-5, -1, 1])
     smoke = pvs.FlowVolumeFromPolygon(Input=wind("2"), Polygon=square, Velocity=["POINTS", "wind"], Duration=2)
     check_number(volume_and_mass(smoke)[0], 4 * 4, "volume from a square")
+    oblique = pvs.Plane(Origin=[-5, -1, -1], Point1=[-5, 1, -1], Point2=[-3, -1, 1])
+    smoke = pvs.FlowVolumeFromPolygon(Input=wind("2"), Polygon=oblique, Velocity=["POINTS", "wind"], Duration=2)
+    check_number(volume_and_mass(smoke)[0], 4 * 4, "volume from an oblique rectangle")
+    smoke.NormalToFlow = 1
+    check_number(volume_and_mass(smoke)[0], 4 * 4 * np.sqrt(2), "volume from a rectangle that has been turned")
 
 
 def check_unsteady():
@@ -219,6 +272,8 @@ pvs._DisableFirstRenderCameraReset()
 check_uniform()
 check_expanding()
 check_place()
+check_place_follows()
+check_messages()
 check_polygon()
 check_unsteady()
 beam = pvs.FlowVolume(Input=wind("2"), Velocity=["POINTS", "wind"], Center=[-8, 0, 0], Radius=1, Duration=8, TimeStep=0.125)

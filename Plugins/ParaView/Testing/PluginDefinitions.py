@@ -114,13 +114,36 @@ def check_offered(view):
         "unstructured": pvs.Tetrahedralize(Input=wavelet),
         "particles": pvs.PointSource(NumberOfPoints=100),
         "multiblock": pvs.GroupDatasets(Input=[wavelet, pvs.Tetrahedralize(Input=wavelet)]),
+        "surface beside cells": pvs.GroupDatasets(Input=[pvs.Sphere(), wavelet]),
+        "AMR": pvs.AMRGaussianPulseSource(),
+        "hyper tree grid": pvs.HyperTreeGridRandom(),
     }
     for kind, source in sources.items():
         display = pvs.Show(source, view)
         offered = display.GetProperty("Representation").GetAvailable()
         for name in (NAME, "Textured Splats"):
+            if kind == "particles" and name == NAME:
+                continue
             check(name in offered, f"{name} is not offered for {kind} data: {offered}")
             display.SetRepresentationType(name)
+
+
+def check_not_offered(view):
+    """Cell Compositing draws 3-D cells only: it is not offered for data without any, and comes and goes with them."""
+    sheet = pvs.Wavelet(WholeExtent=[-3, 3, -3, 3, 0, 0])
+    for kind, source in (("a surface", pvs.Sphere()), ("particles", pvs.PointSource()), ("a sheet", sheet),
+                         ("blocks of surfaces", pvs.GroupDatasets(Input=[pvs.Sphere(), pvs.Cone()]))):
+        offered = pvs.Show(source, view).GetProperty("Representation").GetAvailable()
+        check(NAME not in offered, f"{NAME} is offered for {kind}")
+    display = pvs.Show(sheet, view)
+    sheet.WholeExtent = [-3, 3, -3, 3, -3, 3]
+    sheet.UpdatePipeline()
+    pvs.Render(view)
+    check(NAME in display.GetProperty("Representation").GetAvailable(), f"{NAME} is not offered when cells have come")
+    display.SetRepresentationType(NAME)
+    sheet.WholeExtent = [-3, 3, -3, 3, 0, 0]
+    pvs.Render(view)
+    check(NAME in display.GetProperty("Representation").GetAvailable(), f"{NAME} was taken away while it was chosen")
 
 
 if __name__ == "__main__":
@@ -132,4 +155,5 @@ if __name__ == "__main__":
     check_representation()
     check_splats()
     check_offered(pvs.CreateRenderView())
+    check_not_offered(pvs.CreateRenderView())
     passed()

@@ -7,6 +7,7 @@ import os
 import nephoscope  # noqa: F401: so that the mapper has its own methods in Python
 import numpy as np
 from FirstPictures import SENSIBLE, check_first_picture, check_first_pictures
+from nephoscope_testing.messages import Messages
 from PluginTesting import (OUTPUT, check, check_same, color_and_alpha, compose, image, inside_mean_alpha, load_plugin, look,
                            new_view, passed, pvs, solid)
 
@@ -185,6 +186,37 @@ def check_hierarchy_and_radius():
     check_same(exact, image(view), "radius factor back at 1")
 
 
+def check_beside_translucent_surface():
+    """A translucent surface elsewhere in the view leaves the splats as they are."""
+    view = new_view()
+    compose(pvs.Wavelet(), view, ("POINTS", "RTData"), SPLATS)
+    look(view, position=(0, 0, 100))
+    alone = image(view)
+    sheet = pvs.Plane(Origin=[14, -4, 0], Point1=[24, -4, 0], Point2=[14, 4, 0])
+    display = pvs.Show(sheet, view)
+    display.Opacity = 0.5
+    beside = image(view)
+    same = np.abs(beside.astype(int) - alone).max(axis=2) <= 3
+    middle = same[:, 90:210]
+    check(middle.mean() > 0.99 and same.mean() < 0.995, f"beside a surface: {middle.mean():.3f} of the splats as they were")
+
+
+def check_reports():
+    """What mappers report reaches the output window, which ParaView shows: once, not with every picture."""
+    source = pvs.ProgrammableFilter(Input=pvs.Wavelet())
+    source.Script = ("values = inputs[0].PointData['RTData'].astype(float)\nvalues[:50] = float('nan')\n"
+                     "output.PointData.append(values, 'holes')")
+    for representation, samples in ((SPLATS, "50 points"), ("Cell Compositing", "48 cells")):
+        view = new_view()
+        with Messages() as messages:
+            compose(source, view, ("POINTS", "holes"), representation)
+            look(view)
+            check(image(view).mean() > 5, "nothing is drawn")
+            image(view)
+        check(not messages.errors and len(messages.warnings) == 1 and f"{samples} are not drawn because array 'holes'" in messages.warnings[0],
+              f"{representation} reports {messages.all}")
+
+
 def check_state():
     check_vectors_and_time(flow())
     before = image(pvs.GetActiveView())
@@ -215,4 +247,6 @@ check_bounds_hold_splats()
 check_hierarchy_and_radius()
 check_vector_colors(flow())
 check_sizes()
+check_beside_translucent_surface()
+check_reports()
 passed()

@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """nephoscope.advect_texture against uniform winds and rotations, series in every form, arguments that arrive, errors."""
 import unittest
+import warnings
 
 import nephoscope
 import numpy as np
@@ -96,13 +97,45 @@ class Series(unittest.TestCase):
         np.testing.assert_allclose(hours.point_data["TextureCoordinates1"], seconds.point_data["TextureCoordinates1"], atol=1e-6)
 
 
+class Periods(unittest.TestCase):
+    def test_follow_size_and_speed(self):
+        """The fastest air crosses a quarter of the diagonal, whatever the units; steps are 1/24 of it."""
+        for length, speed in ((1e-3, 0.3), (1.0, 1.0), (1.0, 1e-3), (1e7, 40.0)):
+            mesh = box(speed)
+            mesh.spacing = (length,) * 3
+            mesh["wind"][0] = (0, 2 * speed, 0)
+            period = mesh.length / (2 * speed) / 4
+            moved = mesh.nephoscope.advect_texture(vectors="wind")
+            np.testing.assert_allclose(moved.field_data["TextureAges"], [period / 2, 0], rtol=1e-6, atol=1e-6 * period)
+            given = mesh.nephoscope.advect_texture(vectors="wind", period=period, time_step=period / 24)
+            np.testing.assert_array_equal(moved["TextureCoordinates1"], given["TextureCoordinates1"])
+        mesh = box()
+        for name in ("wind", "other"):
+            mesh.point_data.pop(name)
+        mesh.cell_data["only"] = np.tile((0.5, 0.0, 0.0), (mesh.n_cells, 1))
+        np.testing.assert_allclose(mesh.nephoscope.advect_texture().field_data["TextureAges"][0], mesh.length / 0.5 / 8)
+
+    def test_a_day_on_a_globe_and_where_air_is_calm(self):
+        for mesh, options in ((globe(30), {}), (box(0.0), {"vectors": "wind"})):
+            np.testing.assert_allclose(mesh.nephoscope.advect_texture(**options).field_data["TextureAges"], [DAY / 2, 0], atol=1e-6)
+
+    def test_too_long(self):
+        with self.assertWarnsRegex(RuntimeWarning, r"period is 1000 s, .* crosses the data 93 times.* give about 2\.7") as caught:
+            box().nephoscope.advect_texture(0, vectors="wind", period=1000, time_step=100)
+        self.assertEqual(caught.filename, __file__)
+        with warnings.catch_warnings():
+            warnings.simplefilter("error")
+            box().nephoscope.advect_texture(0, **BOX)
+            globe().nephoscope.advect_texture(0, period=DAY)
+
+
 class Errors(unittest.TestCase):
     def test_numbers_and_choices(self):
         for options in ({"period": 0}, {"time_step": -1}, {"tolerance": 0}, {"time_scale": np.nan}, {"key_frame_interval": -1},
                         {"integrator": "midpoint"}, {"grid": "torus"}, {"texture_length": -1}, {"planet_radius": np.inf}):
             with self.assertRaisesRegex(ValueError, next(iter(options)), msg=options):
                 nephoscope.advect_texture(box(), 1, **{**BOX, **options})
-        with self.assertRaisesRegex(RuntimeError, "MaximumStretch"):
+        with self.assertRaisesRegex(RuntimeError, "maximum_stretch"):
             nephoscope.advect_texture(box(), 1, maximum_stretch=0.5, **BOX)
 
     def test_arrays(self):
@@ -118,6 +151,8 @@ class Errors(unittest.TestCase):
             nephoscope.advect_texture([], 1, times=[], **BOX)
         with self.assertRaisesRegex(RuntimeError, "Times must rise"):
             nephoscope.advect_texture([box(), box()], 1, times=[1, 0], **BOX)
+        with self.assertRaisesRegex(TypeError, "mesh is a MultiBlock; it must be a dataset, not blocks"):
+            nephoscope.advect_texture(pyvista.MultiBlock([pyvista.ImageData(dimensions=(3, 3, 3))] * 2), 1)
         with self.assertRaisesRegex(TypeError, "must be a dataset"):
             nephoscope.advect_texture(lambda time: pyvista.MultiBlock([box()]), 1, times=[0], **BOX)
 

@@ -8,6 +8,9 @@ import numpy as np
 import pyvista
 from plotters import PlotterTestCase
 from pyvista.core.errors import MissingDataError
+from vtkmodules.vtkCommonDataModel import vtkPartitionedDataSet, vtkPartitionedDataSetCollection
+from vtkmodules.vtkFiltersAMR import vtkAMRGaussianPulseSource
+from vtkmodules.vtkFiltersSources import vtkRandomHyperTreeGridSource
 
 
 def cube(n=3):
@@ -35,7 +38,7 @@ class Accepted(Cells):
         self.assertAlmostEqual(volume.prop.opacity_unit_distance, np.sqrt(12) / 2)
 
     def test_choices_and_numbers(self):
-        volume = self.add(integration="average", order="centroid", opacity_scale=2.5, unit_distance=7)
+        volume = self.add(integration="average", order="centroid", opacity_scale=2.5, opacity_unit_distance=7)
         self.assertEqual(volume.mapper.GetIntegration(), 1)
         self.assertEqual(volume.mapper.GetVisibilityOrder(), 1)
         self.assertEqual(volume.mapper.GetOpacityScale(), 2.5)
@@ -120,6 +123,52 @@ class Accepted(Cells):
         self.assertEqual(len(self.plotter.scalar_bars), 0)
 
 
+class AnyData(Cells):
+    """Data as it comes from other readers and sources."""
+
+    def test_without_active_scalars_the_first_array_of_numbers_is_drawn(self):
+        grid = cube()
+        grid.clear_data()
+        grid.point_data["wind"] = grid.points
+        grid.point_data["words"] = ["a"] * 27
+        grid.cell_data["cover"] = np.arange(8) > 3
+        grid.set_active_scalars(None)
+        self.assertEqual(self.add(grid, None).mapper.GetArrayName(), "cover")
+        grid.point_data["x"] = grid.points[:, 0]
+        grid.set_active_scalars(None)
+        self.assertEqual(self.add(grid, None).mapper.GetArrayName(), "x")
+
+    def test_truth_values(self):
+        grid = cube()
+        grid.point_data["inside"] = grid.points[:, 0] > 0.5
+        self.assertEqual(self.add(grid, "inside").mapper.scalar_range, (0, 1))
+
+    def test_unit_distance_from_finite_points(self):
+        mesh = cube().cast_to_unstructured_grid()
+        expected = self.add(mesh.copy(), "x").prop.opacity_unit_distance
+        points = mesh.points.copy()
+        points[13] = np.inf
+        mesh.points = points
+        self.assertAlmostEqual(self.add(mesh, "x").prop.opacity_unit_distance, expected)
+
+    def test_adaptive_and_partitioned_grids(self):
+        amr = vtkAMRGaussianPulseSource()
+        amr.Update()
+        drawn = self.add(amr.GetOutput(), None).mapper.dataset
+        covered = sum(pyvista.ImageData(amr.GetOutput().GetDataSet(0, k)).volume for k in range(amr.GetOutput().GetNumberOfDataSets(0)))
+        self.assertAlmostEqual(drawn.volume, covered, delta=1e-6 * covered, msg="coarse cells below fine ones are drawn too")
+        tree = vtkRandomHyperTreeGridSource()
+        tree.Update()
+        box = np.prod(np.ptp(np.reshape(tree.GetOutputDataObject(0).GetBounds(), (3, 2)), axis=1))
+        self.assertAlmostEqual(self.add(tree.GetOutputDataObject(0), None).mapper.dataset.volume, box, delta=1e-5 * box)
+        parts, parts_of_parts = vtkPartitionedDataSet(), vtkPartitionedDataSetCollection()
+        for k, data in enumerate((cube(), cube().translate((2, 0, 0)))):
+            parts.SetPartition(k, data)
+            parts_of_parts.SetPartition(k, 0, data)
+        for data in (parts, parts_of_parts):
+            self.assertEqual(self.add(data, "x").mapper.dataset.n_cells, 16)
+
+
 class Refused(Cells):
     def test_arrays(self):
         self.fails(MissingDataError, "no array 'cloud'. Point arrays: 'x', 'wind'; cell arrays: 'layer'", scalars="cloud")
@@ -133,11 +182,11 @@ class Refused(Cells):
         words.cell_data["words"] = ["a"] * 8
         self.fails(TypeError, "'words' is of type", words, "words")
         bare = pyvista.ImageData(dimensions=(2, 2, 2))
-        self.fails(MissingDataError, "no active scalars", bare, None)
+        self.fails(MissingDataError, "no array of one number for each point or cell", bare, None)
 
     def test_numbers_and_choices(self):
         for bad in (0, -1, np.nan, np.inf):
-            self.fails(ValueError, "unit_distance is .*greater than 0", unit_distance=bad)
+            self.fails(ValueError, "opacity_unit_distance is .*greater than 0", opacity_unit_distance=bad)
         self.fails(ValueError, "opacity_scale is -1.*at least 0", opacity_scale=-1)
         self.fails(ValueError, "integration is 'simpson'.*'exact', 'average'", integration="simpson")
         self.fails(ValueError, "order is 'random'.*'exact', 'centroid', 'none'", order="random")

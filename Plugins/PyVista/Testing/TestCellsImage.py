@@ -2,6 +2,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Pictures of nephoscope.add_cells in a plotter against closed forms: transparency exp(-extinction * length)."""
 import os
+import re
+import textwrap
 import unittest
 from pathlib import Path
 
@@ -27,7 +29,7 @@ class Picture(unittest.TestCase):
         self.addCleanup(self.plotter.close)
 
     def add(self, grid, scalars="one", **options):
-        options = {"cmap": ["white", "white"], "opacity": 1.0, "unit_distance": 0.5, "show_scalar_bar": False, **options}
+        options = {"cmap": ["white", "white"], "opacity": 1.0, "opacity_unit_distance": 0.5, "show_scalar_bar": False, **options}
         return nephoscope.add_cells(self.plotter, grid, scalars, **options)
 
     def screenshot(self):
@@ -125,6 +127,28 @@ class Picture(unittest.TestCase):
         image = self.screenshot()
         np.testing.assert_allclose(image[60, 120], 1 - np.exp(-2), atol=1.5 / 255)
         self.assertEqual(image[60, 40].max(), 0)
+
+
+class Translucent(unittest.TestCase):
+    """A red sheet of opacity 1/2 in the middle of a white cube of optical depth 2: the closed form, in the default theme."""
+
+    def test_recipe_of_the_documentation(self):
+        page = Path(os.environ["NEPHOSCOPE_DATA"]).parent / "Documentation" / "pyvista.md"
+        recipe = textwrap.dedent(re.search(r"<!-- snippet: translucent -->\s*?\n *```python\n(.*?)```", page.read_text(), re.DOTALL)[1])
+        half = 1 - np.exp(-1)
+        expected = half + (1 - half) * (0.5 * np.array([1, 0, 0]) + 0.5 * half)
+        for add in (nephoscope.add_cells, nephoscope.add_splats):
+            plotter = pyvista.Plotter(off_screen=True, window_size=(80, 80))
+            plotter.background_color = "black"
+            add(plotter, cube(9), "one", cmap=["white", "white"], opacity=1.0, opacity_unit_distance=0.5, show_scalar_bar=False)
+            plotter.add_mesh(pyvista.Plane(center=(0.5, 0.5, 0.5), i_size=3, j_size=3), color="red", opacity=0.5, lighting=False)
+            exec(recipe, {"plotter": plotter})
+            plotter.enable_parallel_projection()
+            plotter.view_xy()
+            middle = plotter.screenshot()[36:44, 36:44, :3].mean(axis=(0, 1)) / 255
+            plotter.close()
+            with self.subTest(add.__name__):
+                np.testing.assert_allclose(middle, expected, atol=0.02 if add is nephoscope.add_cells else 0.06)
 
 
 if __name__ == "__main__":

@@ -104,7 +104,7 @@ class Arguments(Picture):
             nephoscope.add_cloud_texture(None, pyvista.Sphere())
         with self.assertRaisesRegex(TypeError, "surface"):
             self.add("clouds")
-        with self.assertRaisesRegex(ValueError, "no cells"):
+        with self.assertRaisesRegex(ValueError, "no polygons"):
             self.add(pyvista.PolyData())
         for name in ("coverage", "density"):
             with self.assertRaisesRegex(MissingDataError, f"{name}.*'share'"):

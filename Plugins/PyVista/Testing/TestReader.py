@@ -2,13 +2,39 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """nephoscope.read_cf against what is known of the Earth and of the file."""
 import os
+import sys
+import tempfile
 import unittest
+import warnings
 from pathlib import Path
 
 import nephoscope
 import numpy as np
 
-PATH = Path(os.environ["NEPHOSCOPE_DATA"]) / "gfs_2p5deg_2011101100.nc"
+DATA = Path(os.environ["NEPHOSCOPE_DATA"])
+PATH = DATA / "gfs_2p5deg_2011101100.nc"
+sys.path.insert(0, str(DATA / "scripts"))
+from forecast.netcdf_classic import Variable, Writer  # noqa: E402
+
+
+def series(path, times, units="hours since 2011-10-11 00:00:00", calendar=None):
+    """A file of some times: t is the index of the time everywhere, as is the cloud fraction."""
+    lat, lon = np.linspace(-60, 60, 5), np.arange(8) * 45.0
+    attributes = {"units": units, **({"calendar": calendar} if calendar else {})}
+    file = Writer(path, {"time": None, "lev": 3, "lat": 5, "lon": 8}, [
+        Variable("time", ("time",), "f8", attributes), Variable("lev", ("lev",), "f8", {"units": "hPa", "positive": "down"}),
+        Variable("lat", ("lat",), "f8", {"units": "degrees_north"}), Variable("lon", ("lon",), "f8", {"units": "degrees_east"}),
+        Variable("t", ("time", "lev", "lat", "lon"), "f4", {"units": "K"}),
+        Variable("cc", ("time", "lev", "lat", "lon"), "f4", {"units": "1"})], {"Conventions": "CF-1.6"})
+    for name, values in (("lev", [1000.0, 500, 200]), ("lat", lat), ("lon", lon)):
+        file.write(name, values)
+    for i, time in enumerate(times):
+        file.write("time", [time], i)
+        for name in ("t", "cc"):
+            file.write(name, np.full((3, 5, 8), float(i)), i)
+        file.finish_record(i)
+    file.close()
+    return path
 
 
 class Reader(unittest.TestCase):
@@ -39,6 +65,43 @@ class Reader(unittest.TestCase):
     def test_not_a_netcdf_file(self):
         with self.assertRaisesRegex((RuntimeError, ValueError), "vtkNetCDFCFReader|no variable"):
             nephoscope.read_cf(__file__)
+
+
+class Times(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.path = Path(folder.name) / "series.nc"
+
+    def test_told_unless_chosen(self):
+        series(self.path, [0, 6, 12])
+        with self.assertWarnsRegex(UserWarning, r"3 times, 2011-10-11 00:00 to 2011-10-11 12:00; the first was read.*time_step, 0 to 2"):
+            first = nephoscope.read_cf(self.path)
+        self.assertEqual((first["t"][0], first.field_data["TimeValue"][0]), (0, 0))
+        with warnings.catch_warnings():
+            warnings.simplefilter("error")
+            for step, index in ((0, 0), (1, 1), (-1, 2), (-3, 0)):
+                mesh = nephoscope.read_cf(self.path, time_step=step)
+                self.assertEqual((mesh["t"][0], mesh.field_data["TimeValue"][0]), (index, 6 * index))
+            nephoscope.read_cf(PATH)  # one time
+        for step in (3, -4):
+            with self.assertRaisesRegex(ValueError, f"time_step is {step}; .* has 3 time steps"):
+                nephoscope.read_cf(self.path, time_step=step)
+
+    def test_list(self):
+        for units, expected in (("hours since 2011-10-11 00:00:00", ["2011-10-11 00:00", "2011-10-11 18:00"]),
+                                ("days since 2011-1-1", ["2011-01-01 00:00", "2011-01-19 00:00"]),
+                                ("minutes since 2011-10-11T06:00:00Z", ["2011-10-11 06:00", "2011-10-11 06:18"]),
+                                ("seconds since 2011-10-11 00:00:00.0 UTC", ["2011-10-11 00:00", "2011-10-11 00:00"])):
+            self.assertEqual(nephoscope.cf_times(series(self.path, [0, 18], units)), expected)
+
+    def test_calendars_of_models_are_not_dates(self):
+        times = nephoscope.cf_times(series(self.path, [0, 59], "days since 2011-01-01", "360_day"))
+        self.assertEqual(times[1][:4], "59 d", times)
+
+    def test_active_scalars(self):
+        self.assertEqual(nephoscope.read_cf(series(self.path, [0])).active_scalars_name, "cc")
+        self.assertEqual(nephoscope.read_cf(self.path, variables="t").active_scalars_name, "t")
 
 
 if __name__ == "__main__":

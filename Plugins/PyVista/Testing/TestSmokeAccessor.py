@@ -1,7 +1,9 @@
 # SPDX-FileCopyrightText: The Nephoscope authors
 # SPDX-License-Identifier: BSD-3-Clause
 """mesh.nephoscope.flow_volume and smoke_puffs: closed-form volumes, arguments, errors."""
+import os
 import unittest
+import warnings
 
 import nephoscope
 import numpy as np
@@ -43,6 +45,32 @@ class FlowVolume(unittest.TestCase):
         square = pyvista.Plane(center=(-5, 0, 0), direction=(1, 0, 0), i_size=2, j_size=2, i_resolution=1, j_resolution=1)
         smoke = uniform().nephoscope.flow_volume(square, duration=2, time_step=0.5, integrator="rk45")
         self.assertAlmostEqual(smoke.volume, 4 * 4, places=9)
+        oblique = pyvista.Plane(center=(-5, 0, 0), direction=(1, 0, 1), i_size=2, j_size=2, i_resolution=1, j_resolution=1)
+        for normal, area in ((None, 4 / np.sqrt(2)), ("flow", 4)):  # as it is, or turned
+            smoke = uniform().nephoscope.flow_volume(oblique, duration=2, time_step=0.5, normal=normal)
+            self.assertAlmostEqual(smoke.volume, area * 4, places=5)  # pyvista.Plane is in single precision
+
+    def test_messages_name_arguments(self):
+        with self.assertWarnsRegex(RuntimeWarning, r"max_tetrahedra \(500\).* time_step of .* polygon_edge_length of .* max_edge_length of"):
+            smoke = uniform().nephoscope.flow_volume(center=(-5, 0, 0), radius=1, time_step=0.01, max_tetrahedra=500)
+        self.assertLessEqual(smoke.n_cells, 500)
+        with self.assertRaisesRegex(RuntimeError, r"turn it \(normal\), or leave normal out"):
+            uniform().nephoscope.flow_volume(center=(0, 0, 0), normal=(0, 1, 0))
+        mesh = uniform()
+        mesh["other"] = mesh["wind"]
+        with self.assertRaisesRegex(RuntimeError, "choose one of them"):
+            mesh.nephoscope.flow_volume(center=(0, 0, 0))
+
+    def test_weather(self):
+        """The first smoke is whole, and small enough to turn, whatever the exaggeration."""
+        weather = nephoscope.read_cf(os.environ["NEPHOSCOPE_DATA"] + "/gfs_2p5deg_2011101100.nc")
+        for exaggeration in (1, 20, 50):
+            globe = weather.nephoscope.globe(vertical_exaggeration=exaggeration)
+            with warnings.catch_warnings():
+                warnings.simplefilter("error")
+                smoke = globe.nephoscope.flow_volume()
+            steps = np.bincount(smoke["EmissionStep"])
+            self.assertTrue(1000 < smoke.n_cells <= 100_000 and steps.min() > 0, (exaggeration, smoke.n_cells, steps))
 
     def test_cells_and_blocks(self):
         mesh = uniform()
@@ -85,8 +113,11 @@ class FlowVolume(unittest.TestCase):
             nephoscope.flow_volume([1])
         with self.assertRaisesRegex(TypeError, "polygon is a ImageData"):
             mesh.nephoscope.flow_volume(mesh)
-        with self.assertRaisesRegex(ValueError, "'radius' as well"):
-            mesh.nephoscope.flow_volume(pyvista.Plane(), radius=1)
+        for other in ({"radius": 1}, {"normal": (0, 0, 1)}):
+            with self.assertRaisesRegex(ValueError, f"'{list(other)[0]}' as well"):
+                mesh.nephoscope.flow_volume(pyvista.Plane(), **other)
+        with self.assertRaisesRegex(ValueError, "normal is 'wind'; it must be three finite numbers or 'flow'"):
+            mesh.nephoscope.flow_volume(normal="wind")
 
 
 class Puffs(unittest.TestCase):
@@ -116,7 +147,7 @@ class Puffs(unittest.TestCase):
                 self.puffs(**{argument: value})
         with self.assertRaisesRegex(TypeError, "UnstructuredGrid"):
             nephoscope.smoke_puffs(uniform())
-        with self.assertRaisesRegex(RuntimeError, "Connect the output of vtkFlowVolume"):
+        with self.assertRaisesRegex(RuntimeError, "Connect a flow volume"):
             nephoscope.smoke_puffs(uniform().cast_to_unstructured_grid())
 
 

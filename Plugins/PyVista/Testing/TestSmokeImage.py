@@ -1,18 +1,13 @@
 # SPDX-FileCopyrightText: The Nephoscope authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""nephoscope.add_smoke: the transparency is that of the closed form, the colour that of the argument; and the snippet of the page runs."""
-import os
+"""nephoscope.add_smoke: the transparency is that of the closed form, the colour that of the argument, and it is seen."""
 import unittest
-from pathlib import Path
+import warnings
 
 import nephoscope
 import numpy as np
-import pages
 import pyvista
 from pyvista.core.errors import MissingDataError
-
-OUTPUT = Path(os.environ["NEPHOSCOPE_TEST_OUTPUT"])
-
 
 def beam(density=1.0):
     """A round beam of smoke along x, of radius 1."""
@@ -70,23 +65,40 @@ class Drawing(unittest.TestCase):
         self.assertEqual(dict(plotter.actors), {})
 
 
-class Snippets(unittest.TestCase):
-    """The Python of the page runs as it stands."""
+class Colours(unittest.TestCase):
+    """Smoke is seen before any background, or it is said that it is not."""
 
-    def test_page(self):
-        self.assertEqual(list(pages.snippets("flow-volumes.md")), ["pyvista", "vtk"])
+    def added(self, background, **options):
+        plotter = pyvista.Plotter(off_screen=True, window_size=(60, 60))
+        self.addCleanup(plotter.close)
+        plotter.set_background(background)
+        with warnings.catch_warnings(record=True) as told:
+            warnings.simplefilter("always")
+            nephoscope.add_smoke(plotter, beam(), **options)
+        plotter.view_xy()
+        picture = plotter.screenshot(return_img=True)[..., :3].astype(float)
+        return np.ptp(picture, axis=(0, 1)).max(), [str(w.message) for w in told if w.category is UserWarning]
 
-    def test_pyvista(self):
-        with pages.run("flow-volumes.md", "pyvista"):
-            picture = pyvista.read("smoke.png")
-        picture.save(OUTPUT / "TestSmokeImage.png")
-        pixels = np.asarray(picture.active_scalars, float)
-        self.assertGreater(np.mean(pixels.min(axis=1) > 100), 0.01, "no smoke is to be seen")
+    def test_default(self):
+        for background in ("white", "black", "lightgray", "#303060", (0.5, 0.5, 0.5)):
+            with self.subTest(background):
+                contrast, told = self.added(background)
+                self.assertGreater(contrast, 25)
+                self.assertEqual(told, [])
 
-    def test_vtk(self):
-        names = {}
-        with pages.run("flow-volumes.md", "vtk", names):
-            self.assertGreater(names["smoke"].GetOutput().GetNumberOfCells(), 1000)
+    def test_camouflage_is_told(self):
+        for background in ("white", "black", "#808080"):
+            contrast, told = self.added(background, color=background)
+            self.assertLess(contrast, 3)
+            self.assertTrue(len(told) == 1 and "colour of the background" in told[0] and "set_background" in told[0], told)
+
+    def test_white_before_something_else_is_not(self):
+        plotter = pyvista.Plotter(off_screen=True)
+        self.addCleanup(plotter.close)
+        plotter.add_mesh(pyvista.Sphere())
+        with warnings.catch_warnings():
+            warnings.simplefilter("error", UserWarning)
+            nephoscope.add_smoke(plotter, beam(), color="white")
 
 
 if __name__ == "__main__":

@@ -112,7 +112,7 @@ class Refused(Splats):
         self.fails(MissingDataError, "opacity_scalars: no array 'q'", opacity_scalars="q")
         self.fails(ValueError, "opacity_scalars: the array 'layer' must be on points", opacity_scalars="layer")
         self.fails(ValueError, "'wind' has 3 components", scalars="wind")
-        self.fails(MissingDataError, "no active scalars", pyvista.PolyData(np.eye(3)), None)
+        self.fails(MissingDataError, "no array of one number for each point or cell", pyvista.PolyData(np.eye(3)), None)
 
     def test_combinations(self):
         self.fails(ValueError, "without vectors", vector_color="red")
@@ -125,7 +125,7 @@ class Refused(Splats):
 
     def test_numbers_and_choices(self):
         for bad in (0, -1, np.nan, np.inf):
-            self.fails(ValueError, "unit_distance is .*greater than 0", unit_distance=bad)
+            self.fails(ValueError, "opacity_unit_distance is .*greater than 0", opacity_unit_distance=bad)
             self.fails(ValueError, "radius is .*greater than 0", particles(), "mass", radius=bad)
         for name in ("error_tolerance", "vector_opacity", "opacity_scale", "interactive_splats"):
             self.fails(ValueError, f"{name} is -1.*at least 0", **{name: -1})

@@ -32,7 +32,7 @@ class Picture(unittest.TestCase):
         self.addCleanup(self.plotter.close)
 
     def add(self, mesh, *args, **options):
-        return nephoscope.add_splats(self.plotter, mesh, *args, **{"color": "white", "unit_distance": 8, **options})
+        return nephoscope.add_splats(self.plotter, mesh, *args, **{"color": "white", "opacity_unit_distance": 8, **options})
 
     def picture(self, half_height=6):
         """Along z in parallel projection, 0 to 1, row 0 at the top."""
@@ -45,6 +45,43 @@ class Picture(unittest.TestCase):
 
     def expect_flat(self, value):
         np.testing.assert_allclose(self.picture(), np.broadcast_to(value, (SIZE, SIZE, 3)), atol=2.5 / 255)
+
+
+class Messages(Picture):
+    def draw(self):
+        self.plotter.render()
+        self.plotter.screenshot()  # which draws the first picture
+
+    def test_hidden_cells_are_not_drawn(self):
+        for scalars in ("point", "cell"):
+            self.plotter.clear()
+            mesh = slab(9, 6).cast_to_structured_grid()
+            mesh.cell_data["c"] = np.ones(mesh.n_cells)
+            with self.assertWarnsRegex(RuntimeWarning, "no visible points to draw"):
+                self.add(mesh.hide_cells(np.arange(mesh.n_cells)), "one" if scalars == "point" else "c")
+                self.draw()
+
+    def test_what_mappers_report_when_they_draw(self):
+        """Python warns at the line that draws."""
+        mesh = slab(4, 6)
+        mesh.point_data["holes"] = np.where(mesh.points[:, 0] > 1, np.nan, 1.0)
+        nephoscope.add_cells(self.plotter, mesh, "holes", clim=(0, 2))
+        with self.assertWarnsRegex(RuntimeWarning, "vtkCellCompositingMapper: .* cells are not drawn because array 'holes'") as caught:
+            self.draw()
+        self.assertEqual(os.path.realpath(caught.filename), os.path.realpath(__file__))
+        splats = self.add(mesh, "one")
+        splats.mapper.SetVectorArrayName("nowhere")
+        with self.assertWarnsRegex(RuntimeWarning, "vtkTexturedSplatMapper: .*'nowhere'"):
+            self.draw()
+
+    def test_clip_plane_of_the_plotter(self):
+        """add_volume_clip_plane leaves half of the slab: half of its optical depth along the normal."""
+        volume = self.add(slab(8))
+        self.plotter.enable_parallel_projection()
+        widget = self.plotter.add_volume_clip_plane(volume, normal="z", origin=(0, 0, 0), interaction_event="always")
+        widget.Off()
+        # The footprint has no ripple along z where all layers overlap in the middle.
+        self.expect_flat(1 - np.exp(-0.5))
 
 
 class Media(Picture):
@@ -72,7 +109,7 @@ class Media(Picture):
     def test_one_particle_hides_another(self):
         pair = pyvista.PolyData([(0.0, 0, 0), (0.0, 0, 9)])
         pair["side"] = [0.0, 1.0]
-        self.add(pair, "side", color=None, cmap=["red", "blue"], opacity=1.0, radius=3.0, unit_distance=1, show_scalar_bar=False)
+        self.add(pair, "side", color=None, cmap=["red", "blue"], opacity=1.0, radius=3.0, opacity_unit_distance=1, show_scalar_bar=False)
         picture = self.picture()
         alpha = 1 - np.exp(-FOOTPRINT_PEAK * 3.0 / 1.556228)
         middle = picture[SIZE // 2 - 1:SIZE // 2 + 1, SIZE // 2 - 1:SIZE // 2 + 1].mean(axis=(0, 1))
@@ -85,7 +122,7 @@ class Media(Picture):
     def test_tolerance_draws_fewer(self):
         mesh = slab(24)
         mesh.point_data["hill"] = np.exp(-np.sum(mesh.points ** 2, axis=1) / 25)
-        volume = self.add(mesh, "hill", unit_distance=4)
+        volume = self.add(mesh, "hill", opacity_unit_distance=4)
         exact = self.picture(12)
         samples = volume.mapper.GetNumberOfDrawnSplats()
         volume.mapper.SetErrorTolerance(0.05)

@@ -49,6 +49,28 @@ class SplitCells(unittest.TestCase):
         split = block().nephoscope.split_cells(0.5, "r", polyhedral_transitions=True)
         self.assertIn(pyvista.CellType.POLYHEDRON, split.celltypes)
 
+    def test_blocks(self):
+        """Each for itself, at values that are those of all; names and empty blocks stay."""
+        left, right = block(), block()
+        right.origin = (1, -1, -1)
+        right["x"] = right.points[:, 0]
+        for data in (left, right):
+            data.set_active_scalars("x")
+        blocks = pyvista.MultiBlock({"left": left, "nested": pyvista.MultiBlock({"right": right}), "none": None})
+        split = nephoscope.split_cells(blocks, 4)  # -1, 1/3, 5/3 and 3
+        self.assertEqual(split.keys(), ["left", "nested", "none"])
+        self.assertIsNone(split["none"])
+        for data, index, other in ((split["left"], 1, 2), (split["nested"]["right"], 2, 1)):
+            self.assertIn(index, data.cell_data["ContourIndex"])
+            self.assertNotIn(other, data.cell_data["ContourIndex"])
+        halves = nephoscope.split_cells(blocks, [0.0, 2.0], "x")
+        self.assertEqual([sorted(set(b.cell_data["Layer"])) for b in (halves["left"], halves["nested"]["right"])], [[0, 1], [1, 2]])
+        if hasattr(pyvista.MultiBlock, "nephoscope"):
+            self.assertEqual(blocks.nephoscope.split_cells(3).keys(), split.keys())
+        with self.assertRaisesRegex(MissingDataError, "no point array 'q'"):
+            nephoscope.split_cells(blocks, 3, "q")
+        self.assertEqual(nephoscope.split_cells(pyvista.MultiBlock(), 3).n_blocks, 0)
+
     def test_errors(self):
         mesh = block()
         with self.assertRaisesRegex(MissingDataError, "no point array 'q'. Point arrays: .*'r'"):
@@ -66,8 +88,10 @@ class SplitCells(unittest.TestCase):
             mesh.nephoscope.split_cells(0.5, "v")
         with self.assertWarnsRegex(RuntimeWarning, "not three-dimensional"):
             pyvista.Sphere().elevation().nephoscope.split_cells(0.1)
+        mesh.set_active_scalars(None)
+        self.assertGreater(mesh.nephoscope.split_cells(3).n_cells, 0)  # of the first array of numbers
         empty = pyvista.ImageData(dimensions=(2, 2, 2))
-        with self.assertRaisesRegex(MissingDataError, "no active scalars"):
+        with self.assertRaisesRegex(MissingDataError, "no array of one number for each point"):
             empty.nephoscope.split_cells(0.5)
 
 

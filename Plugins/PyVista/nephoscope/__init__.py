@@ -8,6 +8,7 @@ and import it on first use; so does the dataset accessor ``mesh.nephoscope``.
 """
 import importlib as _importlib
 import sys as _sys
+from importlib.util import find_spec as _find_spec
 from typing import TYPE_CHECKING as _TYPE_CHECKING
 
 from ._modules import MODULES as _MODULES
@@ -20,7 +21,7 @@ if _TYPE_CHECKING:
     from .clouds import cloud_surface, smooth
     from .globe import globe_surface, to_globe
     from .haze import add_haze
-    from .reader import read_cf
+    from .reader import cf_times, read_cf
     from .smoke import flow_volume, smoke_puffs
     from .smoke_drawing import add_smoke
     from .sparse import read_vdb, write_vdb
@@ -30,6 +31,7 @@ if _TYPE_CHECKING:
 # Function -> the file of its technique. A new technique adds its line here and its method in accessor.py.
 PYVISTA_FUNCTIONS = {
     "read_cf": "reader",
+    "cf_times": "reader",
     "to_globe": "globe",
     "globe_surface": "globe",
     "add_cells": "cells",
@@ -58,7 +60,16 @@ def _wrapped_classes():
 
 _CLASSES = _wrapped_classes()
 globals().update(_CLASSES)
-__all__ = sorted(_CLASSES)  # `import *` must not need PyVista
+
+
+def _has_pyvista():
+    try:
+        return _find_spec("pyvista") is not None
+    except (ImportError, ValueError):
+        return False
+
+
+__all__ = sorted([*_CLASSES, *(PYVISTA_FUNCTIONS if _has_pyvista() else ())])  # `import *` must not need PyVista
 
 
 def __getattr__(name):

@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import math
+import warnings
 from typing import Callable, Mapping, Sequence
 
 import pyvista
@@ -42,6 +43,16 @@ def choose(choices: Mapping[str, Callable[[], None]], value: str, argument: str)
     if not isinstance(value, str) or value not in choices:
         raise ValueError(f"{argument} is {value!r}; it must be one of {listed(list(choices))}.")
     choices[value]()
+
+
+def renamed_argument(value: float | None, name: str, old_value: float | None, old_name: str) -> float | None:
+    """`value`, or that of the argument's old name, with a DeprecationWarning for who called the package's function."""
+    if old_value is None:
+        return value
+    if value is not None:
+        raise ValueError(f"{name} and {old_name} are both given; {old_name} is the old name of {name}.")
+    warnings.warn(f"{old_name} is now called {name}, as in pyvista.Plotter.add_volume.", DeprecationWarning, stacklevel=3)
+    return old_value
 
 
 def require_number(value: float, argument: str, *, above: float | None = None, least: float | None = None,

@@ -3,14 +3,23 @@
 """What the functions that add a volume to a plotter share: arrays, transfer functions, the actor and its scalar bar."""
 from __future__ import annotations
 
+import warnings
 from dataclasses import dataclass
-from typing import Any, Sequence
+from typing import Any, Mapping, Sequence
 
 import numpy as np
 import pyvista
 from pyvista.core.errors import MissingDataError
+from vtkmodules.vtkCommonDataModel import vtkCompositeDataSet, vtkHyperTreeGrid
 
+from ._blocks import fitting, named_blocks
 from ._checks import arrays_of, require_number
+from ._copies import MediumVolume, copied_mapper
+from ._exports import warn_when_exported
+from ._fields import find_preset, is_bright, presets
+from ._frames import warn_of_other_frames
+from ._seen import seen_distance
+from ._pipeline import level_of_caller, warn_when_drawing
 from .transfer import OpacityLike, colour_function, opacity_function, opacity_values
 
 
@@ -19,20 +28,24 @@ def require_plotter(plotter: Any) -> None:
         raise TypeError(f"plotter is a {type(plotter).__name__}; it must be a pyvista.Plotter.")
 
 
-def wrapped(data: Any, merge_points: bool) -> Any:
-    """`data` as a PyVista object, blocks as one dataset; as it was if it cannot be one."""
+def wrapped(data: Any, merge_points: bool, arrays: Mapping[str, Any] | None = None) -> Any:
+    """`data` as a PyVista object, blocks of any kind and hyper tree grids as one dataset; as it was if it cannot be one.
+
+    With `arrays` (argument: name) it is of the blocks alone that fit; see `fitting`.
+    """
+    if isinstance(data, (vtkCompositeDataSet, vtkHyperTreeGrid)):
+        blocks = [(name, block) for name, block in named_blocks(data) if block.n_points]
+        used = [block for _, block in blocks] if arrays is None else fitting(blocks, arrays, points_fit=not merge_points)
+        return pyvista.MultiBlock(used).combine(merge_points=merge_points) if used else pyvista.UnstructuredGrid()
     try:
-        data = pyvista.wrap(data)
+        return pyvista.wrap(data)
     except (TypeError, NotImplementedError):
-        pass
-    if isinstance(data, pyvista.MultiBlock):
-        return data.combine(merge_points=merge_points) if data.n_blocks else pyvista.UnstructuredGrid()
-    return data
+        return data
 
 
-def require_dataset(data: Any, argument: str, needs: str, merge_points: bool) -> pyvista.DataSet:
-    """`data` as one PyVista dataset, blocks combined; TypeError if it cannot be one. `needs` ends the message."""
-    data = wrapped(data, merge_points)
+def require_dataset(data: Any, argument: str, needs: str, merge_points: bool, arrays: Mapping[str, Any]) -> pyvista.DataSet:
+    """`data` as one PyVista dataset, blocks that have the arrays combined; TypeError if it cannot be one. `needs` ends the message."""
+    data = wrapped(data, merge_points, arrays)
     if not isinstance(data, pyvista.DataSet):
         raise TypeError(f"{argument} is a {type(data).__name__}; it must be a pyvista dataset or MultiBlock{needs}.")
     return data
@@ -57,9 +70,20 @@ class MediumMapper:
 
         `opacity_clim` is the range of the opacities where another array than that of the colours gives them.
         """
-        self._prop, self.lookup_table = prop, table
+        self.lookup_table = table
         self._opacities, self._opacity_clim = opacities, opacity_clim
-        self.scalar_range = table.scalar_range
+        self.write_to(prop)
+
+    def write_to(self, prop: pyvista.VolumeProperty) -> None:
+        """Write colours and opacities to `prop` from now on."""
+        self._prop = prop
+        self.scalar_range = self.lookup_table.scalar_range
+
+    def copy(self) -> MediumMapper:
+        """A mapper of the same data and settings, independent of this one but for the data."""
+        mapper = copied_mapper(self)
+        mapper._prop, mapper._opacities, mapper._opacity_clim = self._prop, self._opacities, self._opacity_clim
+        return mapper
 
     @property
     def dataset(self) -> pyvista.DataSet:
@@ -87,13 +111,35 @@ def scalar_array(grid: pyvista.DataSet, scalars: str | np.ndarray | None,
     if preference not in ("point", "cell"):
         raise ValueError(f"preference is {preference!r}; it must be 'point' or 'cell'.")
     if scalars is None:
-        association, scalars = grid.active_scalars_info
-        if scalars is None:
-            raise MissingDataError(f"grid has no active scalars; name an array: {arrays_of(grid)}")
-        preference = association.name.lower()
+        preference, scalars = default_scalars(grid)
     if not isinstance(scalars, str):
         grid, scalars, preference = _with_values(grid, scalars, preference)
     return grid, scalars, association_of(grid, scalars, preference, "scalars")
+
+
+def default_scalars(grid: pyvista.DataSet) -> tuple[str, str]:
+    """The active scalars; without, the first array of one number each."""
+    association, name = grid.active_scalars_info
+    if name is not None:
+        return association.name.lower(), name
+    for kind, data in (("point", grid.point_data), ("cell", grid.cell_data)):
+        for name in data:
+            if data[name].ndim == 1 and _are_numbers(data[name]) and not name.startswith("vtk"):
+                return kind, name
+    raise MissingDataError(f"there is no array of one number for each point or cell. {arrays_of(grid)}")
+
+
+def _are_numbers(values: np.ndarray) -> bool:
+    return np.issubdtype(values.dtype, np.number) and not np.iscomplexobj(values) or values.dtype == bool
+
+
+def diagonal(grid: pyvista.DataSet) -> float:
+    """Of the bounds, of the finite points alone where not all are."""
+    if np.isfinite(grid.length):
+        return float(grid.length)
+    points = np.asarray(grid.points, float)
+    points = points[np.isfinite(points).all(axis=1)]
+    return float(np.linalg.norm(np.ptp(points, axis=0))) if len(points) else 0.0
 
 
 def association_of(grid: pyvista.DataSet, name: str, preference: str, argument: str) -> str:
@@ -124,7 +170,7 @@ def _with_values(grid: pyvista.DataSet, values: Any, preference: str) -> tuple[p
 
 
 def _require_scalars(values: np.ndarray, name: str, argument: str) -> None:
-    if not np.issubdtype(values.dtype, np.number):
+    if not _are_numbers(values):
         raise TypeError(f"{argument}: the array {name!r} is of type {values.dtype}; numbers are needed.")
     if values.ndim != 1:
         raise ValueError(f"{argument}: the array {name!r} has {values.shape[1]} components; one is needed. "
@@ -156,7 +202,7 @@ def _scalar_range(values: np.ndarray, name: str, clim: float | Sequence[float] |
 class Functions:
     """The arguments of `add_cells` that give colour and opacity; see there."""
     cmap: Any = None
-    opacity: OpacityLike = "linear"
+    opacity: OpacityLike | None = None
     clim: float | Sequence[float] | None = None
     n_colors: int = 256
     flip_scalars: bool = False
@@ -164,10 +210,15 @@ class Functions:
     opacity_scalars: str | None = None
     opacity_clim: float | Sequence[float] | None = None
     opacity_scale: float = 1.0
+    preset: str | bool | None = None
 
     def attach(self, mapper: MediumMapper, plotter: pyvista.BasePlotter, grid: pyvista.DataSet, name: str, association: str,
-               preference: str, unit_distance: float) -> pyvista.VolumeProperty:
-        """The property of a volume of the array `name`, which `mapper` will draw."""
+               preference: str, unit_distance: float | None, usual_distance: float) -> pyvista.VolumeProperty:
+        """The property of a volume of the array `name`, which `mapper` will draw.
+
+        Without a `unit_distance` it is the usual one, or, where a preset gives the opacities, such that they are seen.
+        """
+        fitted = self._take_preset(plotter, grid, name, association) and unit_distance is None
         table = self._lookup_table(plotter, array_values(grid, name, association), name)
         opacities = self._opacities(table)
         opacity_range = self._opacity_range(grid, preference)
@@ -179,9 +230,27 @@ class Functions:
             mapper.SetScalarModeToUseCellFieldData()
         mapper.SetOpacityArrayName(self.opacity_scalars or "")
         mapper.SetOpacityScale(require_number(self.opacity_scale, "opacity_scale", least=0))
-        prop = pyvista.VolumeProperty(opacity_unit_distance=require_number(unit_distance, "unit_distance", above=0))
+        if unit_distance is None:
+            seen = fitted and seen_distance(grid, array_values(grid, name, association), association, table.scalar_range, opacities)
+            unit_distance = seen or usual_distance
+        prop = pyvista.VolumeProperty(opacity_unit_distance=require_number(unit_distance, "opacity_unit_distance", above=0))
         mapper.attach(prop, table, opacities, opacity_range)
         return prop
+
+    def _take_preset(self, plotter: pyvista.BasePlotter, grid: pyvista.DataSet, name: str, association: str) -> bool:
+        """Colours, opacities and range of the preset, where the user has not set them. True if the opacities are the preset's."""
+        if isinstance(self.cmap, str) and self.cmap in presets():
+            self.cmap = presets()[self.cmap].colour_map(is_bright(plotter.background_color))
+        chosen = find_preset(self.preset, name, grid)
+        if self.preset is None and (self.cmap is not None or self.log_scale or plotter.theme.cmap != pyvista.themes.Theme().cmap):
+            chosen = None
+        ours = chosen is not None and self.opacity is None and self.opacity_scalars is None
+        if chosen is not None:
+            self.cmap = chosen.colour_map(is_bright(plotter.background_color)) if self.cmap is None else self.cmap
+            self.clim = chosen.clim(array_values(grid, name, association)) if self.clim is None else self.clim
+        if self.opacity is None:
+            self.opacity = chosen.opacity_values() if ours else "linear"
+        return ours
 
     def _lookup_table(self, plotter: pyvista.BasePlotter, values: np.ndarray, name: str) -> pyvista.LookupTable:
         if isinstance(self.cmap, pyvista.LookupTable):
@@ -220,14 +289,32 @@ def lookup_table(plotter: pyvista.BasePlotter, values: np.ndarray, name: str, cm
     return table
 
 
+def is_light(plotter: pyvista.BasePlotter) -> bool:
+    """Whether dark grey stands out better than white from the background of the active renderer."""
+    return float(np.dot(plotter.background_color.float_rgb, (0.2126, 0.7152, 0.0722))) > 0.7
+
+
+def _warn_of_camouflage(plotter: pyvista.BasePlotter, table: pyvista.LookupTable) -> None:
+    """A medium of the background's own colour is not to be seen, unless something else is behind it."""
+    colours = np.asarray(table.values, float)[:, :3] / 255.0
+    contrast = np.abs(colours - plotter.background_color.float_rgb).max()
+    if contrast < 0.1 and not plotter.renderer.actors:
+        warnings.warn("The volume has the colour of the background, so it will be invisible: choose another colour (color or cmap), or "
+                      "call plotter.set_background('black') first.", UserWarning, stacklevel=level_of_caller())
+
+
 def add_medium(plotter: pyvista.BasePlotter, mapper: MediumMapper, prop: pyvista.VolumeProperty, title: str, *, user_matrix: Any,
                show_scalar_bar: bool | None, scalar_bar_args: dict | None, **actor_options: Any) -> pyvista.Volume:
     """Adds the volume and its scalar bar to the plotter."""
-    volume = pyvista.Volume()
+    warn_of_other_frames(plotter, mapper.dataset)
+    warn_when_drawing(mapper)
+    volume = MediumVolume()
     volume.prop, volume.mapper = prop, mapper
     if user_matrix is not None:
         volume.user_matrix = user_matrix
+    _warn_of_camouflage(plotter, mapper.lookup_table)
     plotter.add_actor(volume, **actor_options)
+    warn_when_exported(plotter)
     plotter.mapper = mapper  # as add_volume does: later calls without a mapper mean the last one added
     if plotter.theme.show_scalar_bar if show_scalar_bar is None else show_scalar_bar:
         plotter.add_scalar_bar(**{"title": title, **(scalar_bar_args or {}), "mapper": mapper})

@@ -25,11 +25,11 @@ def _method(function: Callable) -> Callable:
 
 
 class NephoscopeAccessor:
-    """Nephoscope's filters as methods of a PyVista dataset.
+    """Nephoscope's filters as methods of a PyVista dataset or MultiBlock.
 
     Parameters
     ----------
-    mesh : pyvista.DataSet
+    mesh : pyvista.DataSet or pyvista.MultiBlock
         The dataset the methods work on; it is not changed.
     """
 
@@ -49,3 +49,4 @@ class NephoscopeAccessor:
 # Before 0.48 PyVista has no accessors; the functions of the package work without them.
 if hasattr(pyvista, "register_dataset_accessor"):
     pyvista.register_dataset_accessor("nephoscope", pyvista.DataSet)(NephoscopeAccessor)
+    pyvista.register_dataset_accessor("nephoscope", pyvista.MultiBlock)(NephoscopeAccessor)

@@ -3,6 +3,7 @@
 """Texture coordinates that move with the wind (`vtkTextureCoordinateAdvection`), of one grid or a time series of them."""
 from __future__ import annotations
 
+import warnings
 from typing import Any, Callable, Iterator, Literal, Sequence
 
 import numpy as np
@@ -14,14 +15,23 @@ from vtkmodules.vtkCommonExecutionModel import vtkStreamingDemandDrivenPipeline 
 
 from . import vtkTextureCoordinateAdvection
 from ._checks import arrays_of, choose, require_number
-from ._pipeline import vtk_messages
+from ._pipeline import level_of_caller, vtk_messages
+
+DAY = 86400.0
+MANY = 10  # crossings of the data in a period, beyond which nothing of the texture is left
 
 Grids = "pyvista.DataSet | Sequence[pyvista.DataSet] | Callable[[float], pyvista.DataSet]"
 
 
-def advect_texture(mesh: Grids, time: float | Sequence[float] = 43200.0, *, times: Sequence[float] | None = None,
-                   vectors: str | None = None, points: pyvista.DataSet | None = None, period: float = 86400.0,
-                   time_scale: float = 1.0, integrator: Literal["euler", "rk4", "rk45"] = "rk4", time_step: float = 3600.0,
+# What the messages of vtkTextureCoordinateAdvection say, and what it is called here.
+_NAMES = {"PressureArrayName": "pressure", "OmegaArrayName": "omega", "PlanetRadius": "planet_radius", "TextureLength": "texture_length",
+          "KeyFrameInterval": "key_frame_interval", "MaximumStretch": "maximum_stretch", "TimeStep": "time_step", "TimeScale": "time_scale",
+          "Period": "period", "ComputeLyapunovExponent": "lyapunov", "CartesianCoordinates": "cartesian_coordinates",
+          "SetInputArrayToProcess": "vectors"}
+
+def advect_texture(mesh: Grids, time: float | Sequence[float] | None = None, *, times: Sequence[float] | None = None,
+                   vectors: str | None = None, points: pyvista.DataSet | None = None, period: float | None = None,
+                   time_scale: float = 1.0, integrator: Literal["euler", "rk4", "rk45"] = "rk4", time_step: float | None = None,
                    tolerance: float = 1e-6, key_frame_interval: float = 0.0,
                    grid: Literal["automatic", "globe", "map", "cartesian"] = "automatic", planet_radius: float = 0.0,
                    cartesian_coordinates: bool = False, texture_length: float = 0.0, pressure: str | None = None,
@@ -37,8 +47,8 @@ def advect_texture(mesh: Grids, time: float | Sequence[float] = 43200.0, *, time
     mesh : pyvista.DataSet, sequence of pyvista.DataSet, or callable
         A grid with winds, which is steady; or one for each of `times`; or a function that is called with a time of `times` and
         returns the grid, so that not all are in memory. They are not changed.
-    time : float or sequence of float, default: 43200.0
-        When the coordinates are wanted, in the unit of `times`. A sequence gives an iterator of grids: each field is read once while
+    time : float or sequence of float, optional
+        When the coordinates are wanted, in the unit of `times`. Default: half a period after 0. A sequence gives an iterator of grids: each field is read once while
         times rise, and one period of winds is in memory.
     times : sequence of float, optional
         The times of the grids, rising. Before the first and after the last the wind is steady. Default: one grid, at 0.
@@ -46,14 +56,15 @@ def advect_texture(mesh: Grids, time: float | Sequence[float] = 43200.0, *, time
         Array of the velocity in lengths of the grid per second. Default: ``DisplayVelocity`` if there is one, else the active vectors.
     points : pyvista.DataSet, optional
         Points that are followed in place of those of the grid; they are then the result.
-    period : float, default: 86400.0
-        Life of a set in seconds, > 0.
+    period : float, optional
+        Life of a set in seconds, > 0. Default: 86400 for the data of Globe Grid, otherwise the time in which the fastest air of the first
+        grid crosses a quarter of the diagonal of the bounds.
     time_scale : float, default: 1.0
         Seconds in the unit of `time` and `times`, > 0: 3600 for hours.
     integrator : {"rk4", "euler", "rk45"}, default: "rk4"
         Runge-Kutta of fourth order; of first order, as in the paper; of order 5 (4) with error control by `tolerance`.
-    time_step : float, default: 3600.0
-        Longest step in seconds, > 0.
+    time_step : float, optional
+        Longest step in seconds, > 0. Default: 1/24 of the default period.
     tolerance : float, default: 1e-6
         Error of one step of ``"rk45"``: radians on a globe, else lengths, > 0.
     key_frame_interval : float, default: 0.0
@@ -93,7 +104,7 @@ def advect_texture(mesh: Grids, time: float | Sequence[float] = 43200.0, *, time
     Warns
     -----
     RuntimeWarning
-        Points without a wind.
+        Points without a wind; a `period` in which the air crosses the data many times.
     """
     series = _Series(mesh, times)
     filter_ = vtkTextureCoordinateAdvection()
@@ -101,6 +112,8 @@ def advect_texture(mesh: Grids, time: float | Sequence[float] = 43200.0, *, time
     _set_vectors(filter_, series.first, vectors)
     if points is not None:
         filter_.SetInputData(1, _dataset(points, "points"))
+    usual = _usual_period(series.first, vectors, period)
+    period, time_step = (usual if period is None else period), (usual / 24 if time_step is None else time_step)
     for set_value, value, name in ((filter_.SetPeriod, period, "period"), (filter_.SetTimeScale, time_scale, "time_scale"),
                                    (filter_.SetTimeStep, time_step, "time_step"), (filter_.SetTolerance, tolerance, "tolerance")):
         set_value(require_number(value, name, above=0))
@@ -119,15 +132,42 @@ def advect_texture(mesh: Grids, time: float | Sequence[float] = 43200.0, *, time
             raise MissingDataError(f"pressure and omega: no point array {name!r}. {arrays_of(series.first)}")
     filter_.SetPressureArrayNames(pressure or "", omega or "")
     filter_.SetComputeLyapunovExponent(lyapunov)
+    if time is None:
+        time = 0.5 * period / time_scale
     if np.ndim(time) == 0:
         return _at(filter_, series, require_number(time, "time"))
     wanted = [require_number(one, "time") for one in time]
     return (_at(filter_, series, one) for one in wanted)
 
 
+def _usual_period(first: pyvista.DataSet, vectors: str | None, given: float | None) -> float:
+    """The period for the size and the speed of the data, with a warning if `given` is far too long for them."""
+    crossing = _crossing_time(first, vectors)
+    if crossing is None:
+        return DAY
+    if given is not None and given > MANY * crossing:
+        warnings.warn(f"period is {given:g} s, in which the fastest air crosses the data {given / crossing:.0f} times: the texture will be torn. "
+                      f"Leave period out, or give about {0.25 * crossing:.2g}; time_scale has the seconds in the unit of time.",
+                      RuntimeWarning, stacklevel=level_of_caller())
+    return DAY if "GlobeGridProjection" in first.field_data else 0.25 * crossing
+
+
+def _crossing_time(mesh: pyvista.DataSet, vectors: str | None) -> float | None:
+    """Seconds in which the fastest air crosses the diagonal; None without a velocity."""
+    for data in (mesh.point_data, mesh.cell_data):
+        triples = [name for name, values in data.items() if values.ndim == 2 and values.shape[1] == 3 and not name.startswith("vtk")]
+        name = vectors or next((one for one in ("DisplayVelocity", data.active_vectors_name) if one in triples),
+                               triples[0] if len(triples) == 1 else None)
+        if name in triples:
+            speeds = np.linalg.norm(np.asarray(data[name], float), axis=1)
+            fastest = speeds[np.isfinite(speeds)].max(initial=0.0)
+            return mesh.length / fastest if fastest > 0 and 0 < mesh.length < np.inf else None
+    return None
+
+
 def _at(filter_: vtkTextureCoordinateAdvection, series: "_Series", time: float) -> pyvista.DataSet:
     try:
-        with vtk_messages(filter_):
+        with vtk_messages(filter_, _NAMES):
             filter_.UpdateTimeStep(time)
     finally:
         if series.failure is not None:
@@ -164,7 +204,9 @@ class _Series(VTKPythonAlgorithmBase):
         if callable(mesh):
             self._read = mesh
         else:
-            grids = [mesh] if isinstance(mesh, vtkDataSet) else list(mesh) if isinstance(mesh, Sequence) else [mesh]
+            # A MultiBlock is a sequence too, but of one time.
+            is_series = isinstance(mesh, Sequence) and not isinstance(mesh, vtkDataObject)
+            grids = list(mesh) if is_series else [mesh]
             if len(grids) != len(self.times):
                 raise ValueError(f"There are {len(grids)} grids and {len(self.times)} times; there must be as many.")
             self._read = lambda time: grids[self.times.index(time)]

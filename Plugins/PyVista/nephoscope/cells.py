@@ -3,15 +3,15 @@
 """Cell compositing: any 3-D cells as a volume in a PyVista plotter, with the exact ray integral."""
 from __future__ import annotations
 
-from typing import Any, Sequence
+from typing import Any, Mapping, Sequence
 
 import numpy as np
 import pyvista
-from vtkmodules.vtkCommonDataModel import vtkGenericCell
 
 from . import vtkCellCompositingMapper
-from ._checks import choose
-from ._medium import Functions, MediumMapper, add_medium, require_dataset, require_plotter, scalar_array
+from ._blocks import cell_dimension
+from ._checks import choose, renamed_argument
+from ._medium import Functions, MediumMapper, add_medium, diagonal, require_dataset, require_plotter, scalar_array
 from ._surfaces import Surfaces
 from .transfer import OpacityLike
 
@@ -19,22 +19,31 @@ from .transfer import OpacityLike
 class CellCompositingMapper(MediumMapper, vtkCellCompositingMapper):
     """The mapper with what PyVista asks of one."""
 
+    def copy(self) -> CellCompositingMapper:
+        mapper = super().copy()
+        for layer in map(self.GetLayerWithProperty, range(self.GetNumberOfLayerProperties())):
+            prop = pyvista.VolumeProperty()
+            prop.DeepCopy(self.GetLayerProperty(layer))
+            mapper.SetLayerProperty(layer, prop)
+        return mapper
+
 
 def add_cells(plotter: pyvista.BasePlotter, grid: Any, scalars: str | np.ndarray | None = None, *,
-              cmap: Any = None, opacity: OpacityLike = "linear", clim: float | Sequence[float] | None = None,
+              cmap: Any = None, opacity: OpacityLike | None = None, clim: float | Sequence[float] | None = None,
               n_colors: int = 256, flip_scalars: bool = False, log_scale: bool = False,
               opacity_scalars: str | None = None, opacity_clim: float | Sequence[float] | None = None,
-              opacity_scale: float = 1.0, unit_distance: float | None = None,
+              opacity_scale: float = 1.0, opacity_unit_distance: float | None = None,
               integration: str = "exact", order: str = "exact", preference: str = "point",
               contours: int | Sequence[float] | None = None, contour_opacity: float | Sequence[float] = 0.3,
               contour_color: Any = None, contour_scalars: str | None = None, contour_lighting: bool = True,
               smooth_contours: bool = True, layers: dict | None = None, layer_scalars: str | None = None,
               name: str | None = None, show_scalar_bar: bool | None = None, scalar_bar_args: dict | None = None,
               reset_camera: bool | None = None, pickable: bool = True, user_matrix: Any = None,
-              render: bool = True) -> pyvista.Volume:
+              render: bool = True, unit_distance: float | None = None,
+              preset: str | bool | None = None) -> pyvista.Volume:
     """Add a grid of 3-D cells to a plotter as a volume drawn by `vtkCellCompositingMapper`.
 
-    Extinction per unit length is opacity * `opacity_scale` / `unit_distance`; it and the colour vary linearly inside each
+    Extinction per unit length is opacity * `opacity_scale` / `opacity_unit_distance`; it and the colour vary linearly inside each
     tetrahedron of a cell. Arguments that `pyvista.Plotter.add_volume` has mean the same here unless noted.
 
     Parameters
@@ -43,18 +52,20 @@ def add_cells(plotter: pyvista.BasePlotter, grid: Any, scalars: str | np.ndarray
         The plotter; its active renderer gets the volume.
     grid : pyvista.DataSet or pyvista.MultiBlock
         Tetrahedra, hexahedra, voxels, wedges, pyramids or convex polyhedra, structured or not. A MultiBlock is combined into
-        one grid, coincident points merged; arrays that not all blocks have are lost. A 3-D numpy array becomes an image.
+        one grid, coincident points merged; blocks without 3-D cells or without the arrays asked for are left out, with a warning. A 3-D numpy array becomes an image.
     scalars : str or numpy.ndarray, optional
-        Name of a point or cell array, or values of shape (n_points,) or (n_cells,). Default: the active scalars.
+        Name of a point or cell array, or values of shape (n_points,) or (n_cells,). Default: the active scalars, else the first array of numbers.
         Unlike `add_volume`, this does not change `grid`.
     cmap : str, list or pyvista.LookupTable, optional
-        Colour map, the source colour of the medium. Default: the theme's. A LookupTable also sets range and scale.
-    opacity : str, float or sequence of float, default: "linear"
+        Colour map, the source colour of the medium; the name of a `preset` selects its colours. Default: the preset's, else the theme's.
+        A LookupTable also sets range and scale.
+    opacity : str, float or sequence of float, optional
+        Default: the preset's if there is one, else ``'linear'``.
         ``'linear'``, ``'geom'``, ``'sigmoid'``, ``'sigmoid_5'``, ... each also with ``'_r'``, or ``'foreground'``;
         one value; or values in 0 to 1 at equal steps over `clim`. Evaluated in floating point, not in 8 bits.
     clim : sequence of float or float, optional
-        Scalars of the first and last colour; one number c means (-c, c). Default: the range of the finite scalars, half a
-        unit to either side when they are all the same.
+        Scalars of the first and last colour; one number c means (-c, c). Default: the preset's, else the range
+        of the finite scalars, half a unit to either side when they are all the same.
     n_colors : int, default: 256
         Entries of the colour table.
     flip_scalars : bool, default: False
@@ -68,9 +79,9 @@ def add_cells(plotter: pyvista.BasePlotter, grid: Any, scalars: str | np.ndarray
         Values of `opacity_scalars` of the first and last opacity. Default: its range. Only with `opacity_scalars`.
     opacity_scale : float, default: 1.0
         Factor on the extinction, >= 0.
-    unit_distance : float, optional
-        Length in world units over which a medium of opacity 1 has optical depth 1 (`add_volume` calls it
-        `opacity_unit_distance`), > 0. Default: diagonal of the bounds / cube root of the number of cells.
+    opacity_unit_distance : float, optional
+        Length in world units over which a medium of opacity 1 has optical depth 1, > 0. Default: diagonal of the bounds / cube root of
+        the number of cells. With the opacities of a preset: the length that gives a mean optical depth of 2.
     integration : {"exact", "average"}, default: "exact"
         Along a ray inside a tetrahedron: the closed-form integral, or the mean colour of the two ends.
     order : {"exact", "centroid", "none"}, default: "exact"
@@ -103,6 +114,13 @@ def add_cells(plotter: pyvista.BasePlotter, grid: Any, scalars: str | np.ndarray
         Passed on to `pyvista.Plotter.add_actor`.
     user_matrix : array_like, optional
         Transformation of the volume, shape (4, 4).
+    unit_distance : float, optional
+        The old name of `opacity_unit_distance`.
+    preset : str or False, optional
+        Colours, opacities and range for a weather field, each unless it is given: ``'clouds'``, ``'cloud water'``,
+        ``'wind speed'``, ``'wind component'``, ``'temperature'``, ``'humidity'``, ``'rain'`` or ``'smoke'``. Default: found by the
+        name of `scalars`, a CF standard name or an unmistakable one, in data of Globe Grid and `read_cf` also a short one, unless `cmap`
+        or `log_scale` is given or the theme's colour map has been changed. False: none.
 
     Returns
     -------
@@ -124,12 +142,14 @@ def add_cells(plotter: pyvista.BasePlotter, grid: Any, scalars: str | np.ndarray
     >>> nephoscope.add_cells(plotter, clouds, scalars="cloud_fraction", cmap=["white", "white"])  # doctest: +SKIP
     """
     require_plotter(plotter)
-    grid, array_name, association = scalar_array(_solid_grid(grid), scalars, preference)
-    if unit_distance is None:
-        unit_distance = grid.length / np.cbrt(grid.n_cells)
+    grid, array_name, association = scalar_array(
+        _solid_grid(grid, {"scalars": scalars, "opacity_scalars": opacity_scalars, "contour_scalars": contour_scalars,
+                           "layer_scalars": layer_scalars}), scalars, preference)
+    opacity_unit_distance = renamed_argument(opacity_unit_distance, "opacity_unit_distance", unit_distance, "unit_distance")
     mapper = CellCompositingMapper()
     prop = Functions(cmap, opacity, clim, n_colors, flip_scalars, log_scale, opacity_scalars, opacity_clim,
-                     opacity_scale).attach(mapper, plotter, grid, array_name, association, preference, unit_distance)
+                     opacity_scale, preset).attach(mapper, plotter, grid, array_name, association, preference, opacity_unit_distance,
+                                                   diagonal(grid) / np.cbrt(grid.n_cells) or 1.0)
     choose({"exact": mapper.SetIntegrationToExact, "average": mapper.SetIntegrationToAverage}, integration, "integration")
     choose({"exact": mapper.SetVisibilityOrderToExact, "centroid": mapper.SetVisibilityOrderToCentroid,
             "none": mapper.SetVisibilityOrderToNone}, order, "order")
@@ -139,23 +159,12 @@ def add_cells(plotter: pyvista.BasePlotter, grid: Any, scalars: str | np.ndarray
                       scalar_bar_args=scalar_bar_args, reset_camera=reset_camera, name=name, pickable=pickable, render=render)
 
 
-def _solid_grid(grid: Any) -> pyvista.DataSet:
-    """`grid` as one PyVista dataset that has 3-D cells."""
-    grid = require_dataset(grid, "grid", " with 3-D cells", merge_points=True)
+def _solid_grid(grid: Any, arrays: Mapping[str, Any]) -> pyvista.DataSet:
+    """`grid` as one PyVista dataset that has 3-D cells; of blocks those that have them and the `arrays`."""
+    grid = require_dataset(grid, "grid", " with 3-D cells", merge_points=True, arrays=arrays)
     if grid.n_cells == 0:
         raise ValueError(f"grid, a {type(grid).__name__} of {grid.n_points} points, has no cells.")
-    if not _has_solid_cells(grid):
+    if cell_dimension(grid) < 3:
         raise ValueError(f"grid, a {type(grid).__name__} of {grid.n_cells} cells, has no 3-D cells. "
                          "Volumes need tetrahedra, hexahedra, voxels, wedges, pyramids or polyhedra.")
     return grid
-
-
-def _has_solid_cells(grid: pyvista.DataSet) -> bool:
-    if not isinstance(grid, pyvista.UnstructuredGrid):
-        return min(getattr(grid, "dimensions", (1,))) > 1  # not by a cell: a hidden one is an empty cell
-    cell = vtkGenericCell()
-    for cell_type in np.unique(grid.celltypes):
-        cell.SetCellType(int(cell_type))
-        if cell.GetCellDimension() == 3:
-            return True
-    return False

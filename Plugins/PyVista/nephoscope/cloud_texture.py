@@ -12,7 +12,10 @@ from vtkmodules.vtkFiltersGeometry import vtkDataSetSurfaceFilter
 
 from . import vtkCloudTextureMapper
 from ._checks import arrays_of, require_number
+from ._copies import copied_mapper
+from ._exports import warn_when_exported
 from ._medium import require_plotter, wrapped
+from ._pipeline import warn_when_drawing
 
 
 class CloudTextureMapper(vtkCloudTextureMapper):
@@ -40,6 +43,12 @@ class CloudTextureMapper(vtkCloudTextureMapper):
         self.SetScalarRange(*clim)
         if hasattr(self.GetLookupTable(), "scalar_range"):
             self.GetLookupTable().scalar_range = tuple(clim)
+
+    def copy(self) -> CloudTextureMapper:
+        """A mapper of the same data and settings, independent of this one but for the data."""
+        mapper = copied_mapper(self)
+        mapper.SelectColorArray(self.GetArrayName())  # which ShallowCopy leaves out
+        return mapper
 
     @property
     def bounds(self) -> tuple[float, ...]:
@@ -105,11 +114,12 @@ def add_cloud_texture(plotter: pyvista.BasePlotter, mesh: Any, scalars: str | np
     pyvista.core.errors.MissingDataError
         (a ValueError) If there is no such point array; the message lists those that are there.
     ValueError
-        If a number is out of range, or there is no surface.
+        If a number is out of range, or there is no surface: no polygons.
     """
     require_plotter(plotter)
     surface = _surface(mesh)
     mapper = CloudTextureMapper()
+    warn_when_drawing(mapper)
     if isinstance(coverage, str):
         mapper.SetCoverageArrayName(_point_array(surface, coverage, "coverage"))
     else:
@@ -131,7 +141,8 @@ def add_cloud_texture(plotter: pyvista.BasePlotter, mesh: Any, scalars: str | np
     peels = int(require_number(peels, "peels", least=0))
     if scalars is None:
         options["color"] = color
-    actor = plotter.add_mesh(surface, scalars=scalars, **options)
+    render = options.pop("render", True)
+    actor = plotter.add_mesh(surface, scalars=scalars, render=False, **options)  # its mapper is not ours yet
     drawn = actor.mapper
     mapper.ShallowCopy(drawn)  # colours, as add_mesh has set them
     mapper.SelectColorArray(drawn.GetArrayName())  # which ShallowCopy leaves out
@@ -141,9 +152,12 @@ def add_cloud_texture(plotter: pyvista.BasePlotter, mesh: Any, scalars: str | np
         mappers[:] = [mapper if one is drawn else one for one in mappers]
     if plotter.mapper is drawn:
         plotter.mapper = mapper
+    warn_when_exported(plotter)
     if peels > 0:
         plotter.enable_depth_peeling(peels)
         plotter.render_window.SetMultiSamples(0)  # VTK peels nothing into a window of several samples
+    if render:
+        plotter.render()
     return actor
 
 
@@ -156,8 +170,9 @@ def _surface(mesh: Any) -> pyvista.PolyData:
         surface.SetInputData(mesh)
         surface.Update()
         mesh = pyvista.wrap(surface.GetOutput())
-    if mesh.n_cells == 0:
-        raise ValueError("mesh has no cells: there is no surface to draw.")
+    if mesh.GetNumberOfPolys() + mesh.GetNumberOfStrips() == 0:
+        raise ValueError(f"mesh has {mesh.n_points} points but no polygons: there is no surface to draw. Make one (cloud_surface, contour, "
+                         "delaunay_2d, reconstruct_surface), or draw points with add_splats.")
     return mesh
 
 

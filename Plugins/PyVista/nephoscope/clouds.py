@@ -14,6 +14,9 @@ from ._checks import arrays_of, choose
 from ._pipeline import vtk_messages
 from .splitting import _point_array, _values
 
+# What the messages of the two filters say, and what it is called here.
+_NAMES = {"Clear MassArrayName": "Leave masses out", "MassArrayName": "masses", "Contour value": "isosurfaces: value", "contour values": "isosurfaces", "contour value": "value of isosurfaces",
+          "(Calculator)": "(a column, or numpy.linalg.norm)"}
 AXES = {"i": 0, "j": 1, "k": 2}
 
 
@@ -33,7 +36,7 @@ def smooth(mesh: pyvista.DataSet, iterations: int = 1, scalars: str | Sequence[s
     iterations : int, default: 1
         How often the filter is applied, >= 0.
     scalars : str or sequence of str, optional
-        Point arrays to smooth. Default: the active scalars.
+        Point arrays to smooth. Default: the active scalars, else the first array of numbers.
     all_arrays : bool, default: False
         Smooth all point arrays of float and double; `scalars` does not count then.
     periodic : str or sequence of 3 bool, default: ""
@@ -83,7 +86,7 @@ def smooth(mesh: pyvista.DataSet, iterations: int = 1, scalars: str | Sequence[s
             smoothing.AddArrayName(_point_array(mesh, name))
     smoothing.SetGenerateMassArray(mass_array)
     _set_up(smoothing, mesh, periodic, conservative, masses, isotropic, coordinates, find_seam)
-    with vtk_messages(smoothing):
+    with vtk_messages(smoothing, _NAMES):
         smoothing.Update()
     return pyvista.wrap(smoothing.GetOutput())
 
@@ -105,7 +108,7 @@ def cloud_surface(mesh: pyvista.DataSet, isosurfaces: int | float | Sequence[flo
         The values, in any order; or, if a whole number, how many values, at equal steps from the first to the last of `rng`. As in
         `pyvista.DataSetFilters.contour`.
     scalars : str, optional
-        Point array of one number each that is smoothed and contoured. Default: the active scalars.
+        Point array of one number each that is smoothed and contoured. Default: the active scalars, else the first array of numbers.
     smoothing : int, default: 1
         How often the 3 x 3 x 3 filter is applied first, >= 0.
     rng : sequence of 2 float, optional
@@ -145,7 +148,7 @@ def cloud_surface(mesh: pyvista.DataSet, isosurfaces: int | float | Sequence[flo
     surface.SetComputeNormals(normals)
     surface.SetJoinSeams(join_seams)
     _set_up(surface, mesh, periodic, conservative, masses, isotropic, coordinates, find_seam)
-    with vtk_messages(surface):
+    with vtk_messages(surface, _NAMES):
         surface.Update()
     return pyvista.wrap(surface.GetOutput())
 

@@ -15,6 +15,15 @@ from ._pipeline import vtk_messages
 
 EARTH_RADIUS = 6371000.0  # metres, mean radius
 DEFAULT_WINDS = ("u", "v", "w")
+# What the messages of vtkGlobeGrid say, and what it is called here.
+_NAMES = {"set the wind array names to those of the input": "name those of the input by wind", "HeightArrayName": "height",
+          "HeightUnits": "height_units", "LevelUnits": "level_units", "WindComponents": "wind_components",
+          "set WindComponents to Along Grid; else set it to East And North": "pass wind_components='along-grid', else 'east-north'",
+          "switch VerticalWindIsOmega off": "pass vertical_wind_is_omega=False",
+          "switch VerticalWindIsOmega on": "pass vertical_wind_is_omega=True", "PlanetRadius": "radius",
+          "VerticalExaggeration": "vertical_exaggeration", "(Extract Subset)": "(extract_subset)",
+          "or set its name empty to say so": "or leave it out of wind",
+          "with the NetCDF CF reader switch 'Spherical Coordinates' off": "read the file by nephoscope.read_cf"}
 DEGREES_PER_CELL = 1.0    # of globe_surface: its chords are at most 0.25 km below the sphere of the Earth
 
 
@@ -22,6 +31,8 @@ def to_globe(mesh: pyvista.DataSet, *, projection: Literal["globe", "map"] = "gl
              vertical_exaggeration: float = 1.0, height: str | Literal[False] | None = None,
              wind: Sequence[str] | Literal[False] | None = None, vertical_wind_is_omega: bool = True,
              level_units: Literal["automatic", "hPa", "Pa", "m", "km"] = "automatic", close_seam: bool = True,
+             close_poles: bool = True, height_units: Literal["automatic", "m", "km", "geopotential"] = "automatic",
+             wind_components: Literal["automatic", "east-north", "along-grid"] = "automatic",
              central_meridian: float | None = None, mask_below_ground: bool = True,
              surface: pyvista.DataSet | None = None) -> pyvista.StructuredGrid:
     """Place a longitude-latitude-level grid on a globe or a map, with the winds as vectors.
@@ -40,7 +51,7 @@ def to_globe(mesh: pyvista.DataSet, *, projection: Literal["globe", "map"] = "gl
     vertical_exaggeration : float, default: 1.0
         Factor on the height, >= 0. 20 to 100 makes weather visible on a whole globe.
     height : str or False, optional
-        Array of heights above the sea in metres. Default: ``"gh"`` if the mesh has it. Without one, or with False, the
+        Array of heights above the sea. Default: ``"gh"`` if the mesh has it. Without one, or with False, the
         level axis gives the heights.
     wind : sequence of 2 or 3 str, or False, optional
         Arrays of the eastward, northward (m/s) and vertical wind. Default: ``("u", "v", "w")``, those that are there.
@@ -51,6 +62,16 @@ def to_globe(mesh: pyvista.DataSet, *, projection: Literal["globe", "map"] = "gl
         What the z axis of `mesh` means. Automatic guesses from sign and size.
     close_seam : bool, default: True
         Repeat the first column of a global grid after the last, so that no gap stays.
+    close_poles : bool, default: True
+        Add a row at each pole if a global grid ends at most one spacing before it, as Gaussian grids and cell
+        centres do. Its values are the mean of the last row; its winds are the mean vector.
+    height_units : {"automatic", "m", "km", "geopotential"}, default: "automatic"
+        Units of `height`; a geopotential is in m2 s-2. Automatic: those in the file. If the file has none, on pressure
+        levels, the units that fit the standard atmosphere best, with a warning if these are not metres.
+    wind_components : {"automatic", "east-north", "along-grid"}, default: "automatic"
+        Directions of the horizontal wind arrays: east and north, or along and across the rows of a curvilinear grid (GRIB:
+        uvRelativeToGrid). Automatic: along the grid if they are named x_wind and y_wind; else east and north, with a warning
+        if the rows leave the parallels.
     central_meridian : float, optional
         Map only: longitude in the middle, degrees east. Default: the longitudes of the mesh are kept.
     mask_below_ground : bool, default: True
@@ -89,19 +110,25 @@ def to_globe(mesh: pyvista.DataSet, *, projection: Literal["globe", "map"] = "gl
     choose({"automatic": globe.SetLevelUnitsToAutomatic, "hPa": globe.SetLevelUnitsToPressureHectopascal,
             "Pa": globe.SetLevelUnitsToPressurePascal, "m": globe.SetLevelUnitsToHeightMetre,
             "km": globe.SetLevelUnitsToHeightKilometre}, level_units, "level_units")
+    choose({"automatic": globe.SetHeightUnitsToAutomatic, "m": globe.SetHeightUnitsToMetre,
+            "km": globe.SetHeightUnitsToKilometre, "geopotential": globe.SetHeightUnitsToGeopotential}, height_units,
+           "height_units")
+    choose({"automatic": globe.SetWindComponentsToAutomatic, "east-north": globe.SetWindComponentsToEastNorth,
+            "along-grid": globe.SetWindComponentsToAlongGrid}, wind_components, "wind_components")
     globe.SetPlanetRadius(require_number(radius, "radius", above=0))
     globe.SetVerticalExaggeration(require_number(vertical_exaggeration, "vertical_exaggeration", least=0))
     _name_height(globe, mesh, height)
     _name_winds(globe, mesh, wind)
     globe.SetVerticalWindIsOmega(vertical_wind_is_omega)
     globe.SetCloseSeam(close_seam)
+    globe.SetClosePoles(close_poles)
     globe.SetMaskBelowGround(mask_below_ground)
     if central_meridian is not None:
         globe.SetUseCentralMeridian(True)
         globe.SetCentralMeridian(require_number(central_meridian, "central_meridian"))
     if surface is not None:
         globe.SetSurfaceData(_structured(surface, "surface"))
-    with vtk_messages(globe):
+    with vtk_messages(globe, _NAMES):
         globe.Update()
     return pyvista.wrap(globe.GetOutput())
 

@@ -9,17 +9,20 @@ import pyvista
 
 from . import vtkHaze
 from ._checks import choose, require_number
-from .globe import EARTH_RADIUS
+from ._exports import warn_when_exported
 
 PROJECTIONS = ("globe", "map")  # as the field data GlobeGridProjection numbers them
 
 
-def add_haze(plotter: pyvista.Plotter, mesh: pyvista.DataSet | None = None, *, visibility: float = 1e6, scale_height: float = 8000.0,
+def add_haze(plotter: pyvista.Plotter, mesh: pyvista.DataSet | None = None, *, visibility: float | None = None, scale_height: float | None = None,
              color: str | Sequence[float] | None = None, background: bool = True,
              vertical_exaggeration: float | None = None, projection: Literal["globe", "map"] | None = None,
              radius: float | None = None, center: Sequence[float] = (0, 0, 0), up: Sequence[float] = (0, 0, 1),
-             base_level: float = 0.0) -> vtkHaze:
+             base_level: float = 0.0, render: bool = True) -> vtkHaze:
     """Put haze that is thinner with altitude before everything in the active renderer of a plotter, in place of what haze it had.
+
+    What is not given is found from what the plotter draws: the ground and exaggeration of `mesh.nephoscope.globe(...)`, a globe where the scene has
+    the size of the Earth about the origin, else flat ground under the scene.
 
     Take it away by ``nephoscope.vtkHaze.SetHaze(plotter.renderer, None)``.
 
@@ -30,27 +33,30 @@ def add_haze(plotter: pyvista.Plotter, mesh: pyvista.DataSet | None = None, *, v
     mesh : pyvista.DataSet, optional
         A result of ``mesh.nephoscope.globe(...)``, or of filters that keep its field data: says where the ground is, and how much
         heights are exaggerated.
-    visibility : float, default: 1e6
+    visibility : float, optional
         Meteorological visibility at altitude 0, in lengths of the scene, > 0: what length of level air lets 2 % of the contrast through.
-        Real air has 1e4 to 3e5 m.
-    scale_height : float, default: 8000.0
-        Height, not exaggerated, over which density falls to 1/e, > 0.
+        Real air has 1e4 to 3e5 m. Default: 24.5 displayed scale heights.
+    scale_height : float, optional
+        Height, not exaggerated, over which density falls to 1/e, > 0. Default: 8000 m with a
+        result of ``mesh.nephoscope.globe(...)``, 0.5 % of the radius of another globe, else a third of the height of the scene.
     color : color_like, optional
         Colour of thick haze. Default: a pale blue, (0.72, 0.8, 0.9).
     background : bool, default: True
         Haze the background too.
     vertical_exaggeration : float, optional
-        Factor on the heights in the scene, > 0. Default: that of `mesh`, else 1.
+        Factor on the heights in the scene, > 0. Default: that of `mesh`, or of what is drawn, else 1.
     projection : {"globe", "map"}, optional
-        Altitude is height over a sphere, or over flat ground. Default: that of `mesh`, else ``"globe"``.
+        Altitude is height over a sphere, or over flat ground. Default: that of `mesh`, or of what is drawn.
     radius : float, optional
-        Globe: radius where altitude is 0, > 0. Default: that of `mesh`, else 6371000.
+        Globe: radius where altitude is 0, > 0. Default: that of `mesh`, or of what is drawn, else 6371000.
     center : sequence of 3 float, default: (0, 0, 0)
         Globe: its centre.
     up : sequence of 3 float, default: (0, 0, 1)
         Map: upwards.
     base_level : float, default: 0.0
-        Map: coordinate along `up` where altitude is 0.
+        Map: coordinate along `up` where altitude is 0; from the lowest place of the scene where the ground is found from it.
+    render : bool, default: True
+        Draw the plotter again, if it has been drawn before.
 
     Returns
     -------
@@ -64,13 +70,17 @@ def add_haze(plotter: pyvista.Plotter, mesh: pyvista.DataSet | None = None, *, v
     """
     told = _told_by(mesh)
     haze = vtkHaze()
-    choose({"globe": haze.SetProjectionToGlobe, "map": haze.SetProjectionToMap},
-           projection if projection is not None else told.get("projection", "globe"), "projection")
-    haze.SetVisibility(require_number(visibility, "visibility", above=0))
-    haze.SetScaleHeight(require_number(scale_height, "scale_height", above=0))
-    exaggeration = told.get("exaggeration", 1.0) if vertical_exaggeration is None else vertical_exaggeration
-    haze.SetVerticalExaggeration(require_number(exaggeration, "vertical_exaggeration", above=0))
-    haze.SetPlanetRadius(require_number(told.get("radius", EARTH_RADIUS) if radius is None else radius, "radius", above=0))
+    projection = told.get("projection") if projection is None else projection
+    if projection is not None:
+        choose({"globe": haze.SetProjectionToGlobe, "map": haze.SetProjectionToMap}, projection, "projection")
+    lengths = {"visibility": (haze.SetVisibility, visibility),
+               "scale_height": (haze.SetScaleHeight, scale_height),
+               "vertical_exaggeration": (haze.SetVerticalExaggeration,
+                                         told.get("exaggeration") if vertical_exaggeration is None else vertical_exaggeration),
+               "radius": (haze.SetPlanetRadius, told.get("radius") if radius is None else radius)}
+    for name, (set_value, value) in lengths.items():
+        if value is not None:
+            set_value(require_number(value, name, above=0))
     if color is not None:
         haze.SetColor(*pyvista.Color(color).float_rgb)
     haze.SetBackground(bool(background))
@@ -81,6 +91,9 @@ def add_haze(plotter: pyvista.Plotter, mesh: pyvista.DataSet | None = None, *, v
     haze.SetUpDirection(*up)
     haze.SetBaseLevel(require_number(base_level, "base_level"))
     vtkHaze.SetHaze(plotter.renderer, haze)
+    warn_when_exported(plotter)
+    if render:
+        plotter.render()
     return haze
 
 

@@ -14,14 +14,20 @@ from . import vtkFlowVolume, vtkFlowVolumePlacement, vtkSmokePuffs
 from ._checks import arrays_of, choose, listed, require_number
 from ._pipeline import vtk_messages
 
+# What the messages of vtkFlowVolume say, and what it is called here.
+_NAMES = {"switch NormalToFlow off": "give normal", "switch NormalToFlow on": "leave normal out", "Center": "center", "Radius": "radius",
+          "Normal": "normal", "Duration": "duration", "TimeStep": "time_step", "PolygonEdgeLength": "polygon_edge_length",
+          "MaximumEdgeLength": "max_edge_length", "MinimumEdgeLength": "min_edge_length", "InitialDensity": "initial_density",
+          "MaximumNumberOfTetrahedra": "max_tetrahedra"}
+
 
 def flow_volume(mesh: pyvista.DataSet, polygon: pyvista.PolyData | None = None, *, vectors: str | None = None,
                 center: Sequence[float] | None = None, radius: float | None = None,
-                normal: Sequence[float] | None = None, n_sides: int = 12, duration: float | None = None,
+                normal: Sequence[float] | Literal["flow"] | None = None, n_sides: int = 12, duration: float | None = None,
                 time_step: float | None = None, initial_density: float = 1.0, polygon_edge_length: float | None = None,
                 max_edge_length: float | None = None, min_edge_length: float = 0.0, max_turn_angle: float = 15.0,
                 integrator: Literal["rk4", "rk45"] = "rk4", tolerance: float = 1e-6,
-                max_tetrahedra: int = 1_000_000) -> pyvista.UnstructuredGrid:
+                max_tetrahedra: int = 100_000) -> pyvista.UnstructuredGrid:
     """Smoke: the volume that a steady flow sweeps through a polygon, as tetrahedra.
 
     Also the accessor method ``mesh.nephoscope.flow_volume(...)``. Lengths are in the unit of the mesh, times in seconds.
@@ -31,7 +37,8 @@ def flow_volume(mesh: pyvista.DataSet, polygon: pyvista.PolyData | None = None, 
     mesh : pyvista.DataSet or pyvista.MultiBlock
         Any mesh with a velocity; it is not changed.
     polygon : pyvista.PolyData, optional
-        The generating polygon: planar polygons, convex or not. Default: the regular one that the following arguments describe.
+        The generating polygon: planar polygons, convex or not. It keeps its orientation unless `normal` is ``"flow"``. Default: the regular
+        one that the following arguments describe.
     vectors : str, optional
         Array of three components, of points or cells: the velocity in lengths of the mesh per second. Default:
         ``"DisplayVelocity"`` if there is one, else the active vectors, else the only array of three components.
@@ -40,21 +47,25 @@ def flow_volume(mesh: pyvista.DataSet, polygon: pyvista.PolyData | None = None, 
     radius : float, optional
         Distance of the corners from the centre, > 0. Default: 1/50 of the diagonal of the bounds; without a `center` less where
         that does not fit in.
-    normal : sequence of 3 float, optional
-        Direction that the polygon faces. Default: that of the flow at its centre.
+    normal : sequence of 3 float or "flow", optional
+        Direction that the regular polygon faces. ``"flow"``: the direction of the flow at the centre of the polygon, regular or given.
+        Default: ``"flow"`` for the regular polygon.
     n_sides : int, default: 12
         Number of sides, >= 3.
     duration : float, optional
-        How long the smoke flows, in seconds, > 0. Default: until the flow at the polygon has crossed half the diagonal of the bounds.
+        How long the smoke flows, in seconds, > 0. Default: until the flow at the polygon has crossed half the diagonal of the bounds;
+        less if `max_tetrahedra` does not allow that.
     time_step : float, optional
         Time between two layers, in seconds, > 0. Default: 1/64 of the duration, or the time in which the flow crosses 1/32 of the
-        diagonal of the bounds if that is shorter.
+        diagonal of the bounds if that is shorter; longer if `max_tetrahedra` requires it.
     initial_density : float, default: 1.0
         Density at the polygon.
     polygon_edge_length : float, optional
-        Longest edge of the triangles that the polygon is divided into, > 0. Default: a quarter of its extent.
+        Longest edge of the triangles that the polygon is divided into, > 0. Default: a quarter of its extent; longer if
+        `max_tetrahedra` requires it.
     max_edge_length : float, optional
-        Longer edges of a layer are divided, > 0. Default: three times the longest edge of the polygon's triangles.
+        Longer edges of a layer are divided, > 0. Default: three times the longest edge of the polygon's triangles, or the distance
+        the flow covers in a time step if that is more; longer if `max_tetrahedra` requires it.
     min_edge_length : float, default: 0.0
         Shorter edges of a layer are merged. 0: never.
     max_turn_angle : float, default: 15.0
@@ -63,8 +74,8 @@ def flow_volume(mesh: pyvista.DataSet, polygon: pyvista.PolyData | None = None, 
         Fixed steps of fourth order, or steps with control of their error.
     tolerance : float, default: 1e-6
         Error of one step of ``"rk45"``, relative to the longest edge of the polygon's triangles; 1e-14 to 1.
-    max_tetrahedra : int, default: 1_000_000
-        The volume ends before it has more.
+    max_tetrahedra : int, default: 100_000
+        Maximum number of tetrahedra. The volume is made coarser until the whole duration fits, with a warning if it is then coarser than requested.
 
     Returns
     -------
@@ -79,14 +90,14 @@ def flow_volume(mesh: pyvista.DataSet, polygon: pyvista.PolyData | None = None, 
     pyvista.core.errors.MissingDataError
         (a ValueError) If there is no such array of three components; the message lists those that are there.
     ValueError
-        If an argument is out of range, or without a `center` the mesh has no place with a flow.
+        If an argument is out of range or contradicts another one, or without a `center` the mesh has no place with a flow.
     RuntimeError
         If the filter cannot make a volume, with its message.
 
     Warns
     -----
     RuntimeWarning
-        What the filter warns of: a polygon partly outside, a volume that ended early.
+        What the filter warns of: a polygon partly outside, smoke coarser than requested.
 
     Examples
     --------
@@ -104,9 +115,11 @@ def flow_volume(mesh: pyvista.DataSet, polygon: pyvista.PolyData | None = None, 
         _place(smoke, mesh, (name, on_cells), center, radius)
         smoke.SetNumberOfSides(int(require_number(n_sides, "n_sides", least=3)))
     else:
-        _take_polygon(smoke, polygon, {"center": center, "radius": radius})
-    if normal is not None:
-        smoke.SetNormalToFlow(False)
+        _take_polygon(smoke, polygon, {"center": center, "radius": radius, "normal": None if _is_flow(normal) else normal})
+    if _is_flow(normal):
+        smoke.NormalToFlowOn()
+    elif normal is not None:
+        smoke.NormalToFlowOff()
         smoke.SetNormal(_vector(normal, "normal"))
     for setter, value, argument in ((smoke.SetDuration, duration, "duration"), (smoke.SetTimeStep, time_step, "time_step"),
                                     (smoke.SetPolygonEdgeLength, polygon_edge_length, "polygon_edge_length"),
@@ -118,7 +131,7 @@ def flow_volume(mesh: pyvista.DataSet, polygon: pyvista.PolyData | None = None, 
     choose({"rk4": smoke.SetIntegratorToRungeKutta4, "rk45": smoke.SetIntegratorToRungeKutta45}, integrator, "integrator")
     smoke.SetTolerance(require_number(tolerance, "tolerance", above=0))
     smoke.SetMaximumNumberOfTetrahedra(int(require_number(max_tetrahedra, "max_tetrahedra", least=1)))
-    with vtk_messages(smoke):
+    with vtk_messages(smoke, _NAMES):
         smoke.Update()
     return pyvista.wrap(smoke.GetOutput())
 
@@ -217,6 +230,12 @@ def _take_polygon(smoke: vtkFlowVolume, polygon: Any, others: dict[str, Any]) ->
     if superfluous:
         raise ValueError(f"polygon is given, and {listed(superfluous)} as well: they describe another polygon; leave them out.")
     smoke.SetInputDataObject(1, polygon)
+
+
+def _is_flow(normal: Any) -> bool:
+    if isinstance(normal, str) and normal != "flow":
+        raise ValueError(f"normal is {normal!r}; it must be three finite numbers or 'flow'.")
+    return isinstance(normal, str)
 
 
 def _vector(values: Sequence[float], argument: str) -> tuple[float, ...]:

@@ -10,11 +10,12 @@ import pyvista
 from pyvista.core.errors import MissingDataError
 
 from ._checks import arrays_of, require_number
+from ._medium import is_light, require_plotter
 from .cells import add_cells
 
 
 def add_smoke(plotter: pyvista.BasePlotter, volume: pyvista.UnstructuredGrid, scalars: str | None = None, *,
-              color: Any = "white", density: str | None = None, optical_depth: float = 1.0,
+              color: Any = None, density: str | None = None, optical_depth: float = 1.0,
               **options: Any) -> pyvista.Volume:
     """Add smoke to a plotter: extinction in proportion to its density, one colour or that of an array.
 
@@ -27,8 +28,8 @@ def add_smoke(plotter: pyvista.BasePlotter, volume: pyvista.UnstructuredGrid, sc
     scalars : str, optional
         Point or cell array that colours the smoke, ``"Age"`` say. Default: none, the smoke has one colour, and no order of its
         cells is needed.
-    color : ColorLike, default: "white"
-        The colour without `scalars`.
+    color : ColorLike, optional
+        The colour without `scalars`. Default: white, or dark grey before a light background.
     density : str, optional
         Point or cell array that the extinction is proportional to. Default: ``"SmokeDensity"`` if there is one, else ``"Density"``.
     optical_depth : float, default: 1.0
@@ -55,9 +56,13 @@ def add_smoke(plotter: pyvista.BasePlotter, volume: pyvista.UnstructuredGrid, sc
     density = _density_name(volume, density)
     highest = _highest(volume, density)
     options.setdefault("opacity", "linear")
-    options.setdefault("unit_distance", _unit_distance(volume, density) / highest / require_number(optical_depth, "optical_depth", above=0))
+    depth = require_number(optical_depth, "optical_depth", above=0)
+    if "unit_distance" not in options:  # the old name
+        options.setdefault("opacity_unit_distance", _unit_distance(volume, density) / highest / depth)
     if scalars is None:
-        one = pyvista.Color(color).hex_rgb
+        require_plotter(plotter)
+        default = "dimgray" if is_light(plotter) else "white"
+        one = pyvista.Color(default if color is None else color).hex_rgb
         return add_cells(plotter, volume, density, cmap=[one, one], clim=(0.0, highest),
                          show_scalar_bar=options.pop("show_scalar_bar", False), **options)
     return add_cells(plotter, volume, scalars, opacity_scalars=density, opacity_clim=(0.0, highest), **options)

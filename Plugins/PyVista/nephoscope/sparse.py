@@ -14,6 +14,10 @@ from ._checks import arrays_of, choose, listed, require_array, require_number
 from ._pipeline import vtk_messages
 
 
+# What the messages of reader and writer say, and what it is called here.
+_NAMES = {"MemoryLimit": "memory_limit", "SplitTiles off": "split_tiles=False", "a VoxelSize": "a voxel_size", "VoxelSize": "voxel_size",
+          "SetGridName": "names", "MassArrayName": "masses", "SetFileName": "path"}
+
 def read_vdb(path: str | Path, grids: str | Sequence[str] | None = None, *, image: bool = False, split_tiles: bool = True,
              memory_limit: float = 4.0) -> pyvista.PolyData | pyvista.ImageData:
     """Read the grids of a .vdb file: a point for each active voxel, or an image of their bounding box.
@@ -64,11 +68,11 @@ def read_vdb(path: str | Path, grids: str | Sequence[str] | None = None, *, imag
     reader.SetOutputType(reader.IMAGE if image else reader.POINTS)
     reader.SetSplitTiles(split_tiles)
     reader.SetMemoryLimit(require_number(memory_limit, "memory_limit", above=0))
-    with vtk_messages(reader):
+    with vtk_messages(reader, _NAMES):
         reader.UpdateInformation()
     if grids is not None:
         _select(reader, path, [grids] if isinstance(grids, str) else list(grids))
-    with vtk_messages(reader):
+    with vtk_messages(reader, _NAMES):
         reader.Update()
     mesh = pyvista.wrap(reader.GetOutputDataObject(0))
     if mesh.active_scalars_name is None and mesh.point_data.keys():
@@ -147,7 +151,7 @@ def write_vdb(mesh: pyvista.DataSet, path: str | Path, arrays: str | Sequence[st
         if masses not in mesh.point_data:
             raise MissingDataError(f"masses: no point array {masses!r}. {arrays_of(mesh)}")
         writer.SetMassArrayName(masses)
-    with vtk_messages(writer):
+    with vtk_messages(writer, _NAMES):
         writer.Write()
 
 

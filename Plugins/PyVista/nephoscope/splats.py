@@ -3,15 +3,16 @@
 """Textured splats: the samples of any dataset as splats in the shape of their cells, with vectors as moving streaks."""
 from __future__ import annotations
 
-from typing import Any, Sequence
+from typing import Any, Mapping, Sequence
 
 import numpy as np
 import pyvista
 from vtkmodules.vtkCommonDataModel import vtkImageData, vtkRectilinearGrid, vtkStructuredGrid
 
 from . import vtkTexturedSplatMapper
-from ._checks import choose, require_beside_scalars, require_number
-from ._medium import Functions, MediumMapper, add_medium, require_dataset, require_plotter, scalar_array
+from ._checks import choose, renamed_argument, require_beside_scalars, require_number
+from ._copies import copied_table
+from ._medium import Functions, MediumMapper, add_medium, diagonal, require_dataset, require_plotter, scalar_array
 from ._vectors import Vectors
 from .transfer import OpacityLike
 
@@ -20,6 +21,12 @@ KERNEL_RADII = {"cubic": 1.556228, "quadratic": 1.37790, "gaussian": 1.916}  # c
 
 class TexturedSplatMapper(MediumMapper, vtkTexturedSplatMapper):
     """The mapper with what PyVista asks of one, and the phase as a property."""
+
+    def copy(self) -> TexturedSplatMapper:
+        mapper = super().copy()
+        if self.GetVectorColorFunction() is not None:
+            mapper.SetVectorColorFunction(copied_table(self.GetVectorColorFunction()))
+        return mapper
 
     @property
     def phase(self) -> float:
@@ -32,11 +39,11 @@ class TexturedSplatMapper(MediumMapper, vtkTexturedSplatMapper):
 
 
 def add_splats(plotter: pyvista.BasePlotter, mesh: Any, scalars: str | np.ndarray | None = None, *,
-               color: Any = None, cmap: Any = None, opacity: OpacityLike = "linear",
+               color: Any = None, cmap: Any = None, opacity: OpacityLike | None = None,
                clim: float | Sequence[float] | None = None, n_colors: int = 256, flip_scalars: bool = False,
                log_scale: bool = False, opacity_scalars: str | None = None,
                opacity_clim: float | Sequence[float] | None = None, opacity_scale: float = 1.0,
-               unit_distance: float | None = None, kernel: str = "cubic", radius: float | str | None = None,
+               opacity_unit_distance: float | None = None, kernel: str = "cubic", radius: float | str | None = None,
                sizes: str | None = None, volumes: str | None = None, radius_factor: float = 1.0, error_tolerance: float = 0.0, error_unit: str = "image",
                error_measure: str = "picture", interactive_splats: int = 100_000,
                vectors: str | None = None, vector_style: str = "streaks", vector_placement: str = "middle",
@@ -46,11 +53,12 @@ def add_splats(plotter: pyvista.BasePlotter, mesh: Any, scalars: str | np.ndarra
                phase_cycles: int = 4, preference: str = "point", name: str | None = None,
                show_scalar_bar: bool | None = None, scalar_bar_args: dict | None = None,
                reset_camera: bool | None = None, pickable: bool = True, user_matrix: Any = None,
-               render: bool = True) -> pyvista.Volume:
+               render: bool = True, unit_distance: float | None = None,
+               preset: str | bool | None = None) -> pyvista.Volume:
     """Add the points or cells of a dataset to a plotter as splats drawn by `vtkTexturedSplatMapper`.
 
     Every sample is a kernel in the shape of its grid cell, or a ball where there is no grid; its extinction per unit length is
-    opacity * `opacity_scale` / `unit_distance`, integrated exactly along every ray. Vectors are streaks on the splats.
+    opacity * `opacity_scale` / `opacity_unit_distance`, integrated exactly along every ray. Vectors are streaks on the splats.
 
     Parameters
     ----------
@@ -58,18 +66,18 @@ def add_splats(plotter: pyvista.BasePlotter, mesh: Any, scalars: str | np.ndarra
         The plotter; its active renderer gets the splats.
     mesh : pyvista.DataSet, pyvista.MultiBlock or numpy.ndarray
         Any dataset with points: particles too, as a PolyData or an array of shape (n, 3). Blocks are combined into one dataset,
-        whose splats are balls; arrays that not all of them have are lost. It is not changed.
+        whose splats are balls; surfaces beside 3-D cells and blocks without the arrays asked for are left out, with a warning. It is not changed.
     scalars : str or numpy.ndarray, optional
         Name of a point or cell array, or values for all points or all cells. A cell array makes a splat for every cell. Default: the
-        active scalars; none if there is a `color`.
+        active scalars, else the first array of numbers; none if there is a `color`.
     color : ColorLike, optional
         One colour for all splats; `scalars` give only the opacity then. Without `scalars` the medium is uniform.
     cmap, opacity, clim, n_colors, flip_scalars, log_scale, opacity_scalars, opacity_clim, opacity_scale
         As in `add_cells`. ``opacity=0`` draws vectors alone, coloured by `scalars`. `opacity_scalars` must be on points, or on cells, as
         `scalars` are.
-    unit_distance : float, optional
+    opacity_unit_distance : float, optional
         Length in world units over which a medium of opacity 1 has optical depth 1, > 0. Default: diagonal of the bounds / cube root of
-        the number of samples.
+        the number of samples. With the opacities of a preset: the length that gives a mean optical depth of 2.
     kernel : {"cubic", "quadratic", "gaussian"}, default: "cubic"
         Cubic for samples in space, quadratic for one flat sheet that is seen from the front, gaussian for comparison.
     radius : float or "neighbors", optional
@@ -113,7 +121,7 @@ def add_splats(plotter: pyvista.BasePlotter, mesh: Any, scalars: str | np.ndarra
         How many periods the fastest pattern moves in a loop, 1 to 1000.
     preference : {"point", "cell"}, default: "point"
         Which array is meant when points and cells have one of the same name, or are equally many.
-    name, show_scalar_bar, scalar_bar_args, reset_camera, pickable, user_matrix, render
+    name, show_scalar_bar, scalar_bar_args, reset_camera, pickable, user_matrix, render, unit_distance, preset
         As in `add_cells`. With a `color` there is no scalar bar unless one is asked for.
 
     Returns
@@ -136,7 +144,8 @@ def add_splats(plotter: pyvista.BasePlotter, mesh: Any, scalars: str | np.ndarra
     >>> volume.mapper.phase = 0.25  # doctest: +SKIP
     """
     require_plotter(plotter)
-    mesh = _sampled_mesh(mesh)
+    mesh = _sampled_mesh(mesh, {**({"scalars": scalars} if color is None or scalars is not None else {}), "opacity_scalars": opacity_scalars,
+                                "vectors": vectors, "vector_scalars": vector_scalars, "sizes": sizes, "volumes": volumes})
     if color is not None:
         cmap, show_scalar_bar = [pyvista.Color(color).hex_rgb] * 2, bool(show_scalar_bar)
         if scalars is None:
@@ -153,24 +162,25 @@ def add_splats(plotter: pyvista.BasePlotter, mesh: Any, scalars: str | np.ndarra
     Vectors(vectors, vector_style, vector_placement, vector_opacity, vector_color, vector_scalars, vector_cmap, vector_clim,
             greatest_speed, streak_period, phase_cycles).apply(mapper, plotter, mesh, association)
     mapper.phase = phase
-    if unit_distance is None:
-        unit_distance = _spacing(mesh, association) or mapper.GetCellSize() or 1.0
+    opacity_unit_distance = renamed_argument(opacity_unit_distance, "opacity_unit_distance", unit_distance, "unit_distance")
+    usual_distance = _spacing(mesh, association) or mapper.GetCellSize() or 1.0
     prop = Functions(cmap, opacity, clim, n_colors, flip_scalars, log_scale, opacity_scalars, opacity_clim,
-                     opacity_scale).attach(mapper, plotter, mesh, array_name, association, association, unit_distance)
+                     opacity_scale, preset).attach(mapper, plotter, mesh, array_name, association, association, opacity_unit_distance,
+                                                   usual_distance)
     return add_medium(plotter, mapper, prop, array_name, user_matrix=user_matrix, show_scalar_bar=show_scalar_bar,
                       scalar_bar_args=scalar_bar_args, reset_camera=reset_camera, name=name, pickable=pickable, render=render)
 
 
-def _sampled_mesh(mesh: Any) -> pyvista.DataSet:
-    """`mesh` as one PyVista dataset that has points."""
-    mesh = require_dataset(mesh, "mesh", ", or points of shape (n, 3)", merge_points=False)
+def _sampled_mesh(mesh: Any, arrays: Mapping[str, Any]) -> pyvista.DataSet:
+    """`mesh` as one PyVista dataset that has points; of blocks those that have the `arrays`."""
+    mesh = require_dataset(mesh, "mesh", ", or points of shape (n, 3)", merge_points=False, arrays=arrays)
     if mesh.n_points == 0:
         raise ValueError(f"mesh, a {type(mesh).__name__}, has no points.")
     return mesh
 
 
 def _spacing(mesh: pyvista.DataSet, association: str) -> float:
-    return mesh.length / np.cbrt(mesh.n_points if association == "point" else mesh.n_cells)
+    return diagonal(mesh) / np.cbrt(mesh.n_points if association == "point" else mesh.n_cells)
 
 
 def _set_sizes(mapper: TexturedSplatMapper, mesh: pyvista.DataSet, association: str, options: dict[str, Any], kernel_radius: float) -> None:

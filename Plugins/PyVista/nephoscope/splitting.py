@@ -3,7 +3,7 @@
 """Cells divided at contour values (`vtkContourCellSplitter`)."""
 from __future__ import annotations
 
-from typing import Sequence
+from typing import Iterator, Sequence
 
 import numpy as np
 import pyvista
@@ -12,25 +12,31 @@ from vtkmodules.vtkCommonDataModel import vtkDataObject
 
 from . import vtkContourCellSplitter
 from ._checks import arrays_of
+from ._medium import default_scalars
 from ._pipeline import vtk_messages
 
 
-def split_cells(mesh: pyvista.DataSet, isosurfaces: int | float | Sequence[float] = 10, scalars: str | None = None, *,
+# What the messages of vtkContourCellSplitter say, and what it is called here.
+_NAMES = {"Choose one with SetInputArrayToProcess": "Name one by scalars", "Contour value": "isosurfaces: value", "contour values": "isosurfaces", "contour value": "value of isosurfaces",
+          "(Calculator)": "(a column, or numpy.linalg.norm)", "GenerateSurfaces": "surfaces", "PolyhedralTransitions": "polyhedral_transitions"}
+
+
+def split_cells(mesh: pyvista.DataSet | pyvista.MultiBlock, isosurfaces: int | float | Sequence[float] = 10, scalars: str | None = None, *,
                 rng: Sequence[float] | None = None, surfaces: bool = True,
-                polyhedral_transitions: bool = False) -> pyvista.UnstructuredGrid:
+                polyhedral_transitions: bool = False) -> pyvista.UnstructuredGrid | pyvista.MultiBlock:
     """Divide the 3-D cells that contour values cross into convex pieces on one side of every value.
 
     Also the accessor method ``mesh.nephoscope.split_cells(...)``. Cells that no value crosses stay as they are.
 
     Parameters
     ----------
-    mesh : pyvista.DataSet
-        Any mesh with 3-D cells; it is not changed.
+    mesh : pyvista.DataSet or pyvista.MultiBlock
+        Any mesh with 3-D cells; it is not changed. The blocks of a MultiBlock are divided at the same values, each separately.
     isosurfaces : int, float or sequence of float, default: 10
         The values, in any order; or how many values, at equal steps from the first to the last of `rng`. As in
         `pyvista.DataSetFilters.contour`.
     scalars : str, optional
-        Point array of one number each. Default: the active scalars.
+        Point array of one number each. Default: the active scalars, else the first array of numbers.
     rng : sequence of 2 float, optional
         Range of the values if `isosurfaces` is a number of them. Default: the range of the finite scalars.
     surfaces : bool, default: True
@@ -40,7 +46,7 @@ def split_cells(mesh: pyvista.DataSet, isosurfaces: int | float | Sequence[float
 
     Returns
     -------
-    pyvista.UnstructuredGrid
+    pyvista.UnstructuredGrid, or pyvista.MultiBlock of them
         Pieces, then polygons. Cell arrays: those of the cell each was cut from; ``Layer``, the number of values below; and
         ``ContourIndex``, for polygons the index of their value, else -1. Point arrays are interpolated; `scalars` is exactly
         the value on a cut.
@@ -61,28 +67,46 @@ def split_cells(mesh: pyvista.DataSet, isosurfaces: int | float | Sequence[float
     RuntimeWarning
         What the filter warns of: scalars that are not numbers, cells that are not three-dimensional, convex or linear.
     """
-    if not isinstance(mesh, pyvista.DataSet):
-        raise TypeError(f"mesh is a {type(mesh).__name__}; it must be a pyvista dataset.")
-    name = _point_array(mesh, scalars)
+    if isinstance(mesh, pyvista.MultiBlock):
+        name, array = _array_of_blocks(mesh, scalars)
+    elif isinstance(mesh, pyvista.DataSet):
+        name = _point_array(mesh, scalars)
+        array = mesh.point_data[name]
+    else:
+        raise TypeError(f"mesh is a {type(mesh).__name__}; it must be a pyvista dataset or MultiBlock.")
     splitter = vtkContourCellSplitter()
-    splitter.SetInputData(mesh)
+    splitter.SetInputDataObject(mesh)
     splitter.SetInputArrayToProcess(0, 0, 0, vtkDataObject.FIELD_ASSOCIATION_POINTS, name)
-    values = _values(mesh.point_data[name], isosurfaces, rng)
+    values = _values(array, isosurfaces, rng)
     splitter.SetNumberOfContours(len(values))
     for i, value in enumerate(values):
         splitter.SetValue(i, value)
     splitter.SetGenerateSurfaces(surfaces)
     splitter.SetPolyhedralTransitions(polyhedral_transitions)
-    with vtk_messages(splitter):
+    with vtk_messages(splitter, _NAMES):
         splitter.Update()
-    return pyvista.wrap(splitter.GetOutput())
+    return pyvista.wrap(splitter.GetOutputDataObject(0))
+
+
+def _array_of_blocks(blocks: pyvista.MultiBlock, scalars: str | None) -> tuple[str, np.ndarray]:
+    """The name, and the values of all blocks, which all have it."""
+    meshes = [mesh for mesh in _leaves(blocks) if mesh.n_points]
+    name = scalars if scalars is not None else _point_array(meshes[0], None) if meshes else ""
+    arrays = [np.asarray(mesh.point_data[_point_array(mesh, name)], float).ravel() for mesh in meshes]
+    return name, np.concatenate(arrays or [np.empty(0)])
+
+
+def _leaves(blocks: pyvista.MultiBlock) -> Iterator[pyvista.DataSet]:
+    for block in blocks:
+        if isinstance(block, pyvista.MultiBlock):
+            yield from _leaves(block)
+        elif isinstance(block, pyvista.DataSet):
+            yield block
 
 
 def _point_array(mesh: pyvista.DataSet, scalars: str | None) -> str:
     if scalars is None:
-        association, scalars = mesh.active_scalars_info
-        if scalars is None:
-            raise MissingDataError(f"mesh has no active scalars; name a point array: {arrays_of(mesh)}")
+        scalars = default_scalars(mesh)[1]
     if scalars not in mesh.point_data:
         remedy = " It is on cells: use mesh.cell_data_to_point_data() first." if scalars in mesh.cell_data else ""
         raise MissingDataError(f"scalars: no point array {scalars!r}.{remedy} {arrays_of(mesh)}")

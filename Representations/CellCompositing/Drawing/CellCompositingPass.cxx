@@ -33,9 +33,13 @@ std::string CellCompositingPass::UploadGeometry(
 
 std::string CellCompositingPass::UploadDrawn(vtkOpenGLRenderWindow* window, const CellScene& scene)
 {
-  return this->UseRays ? this->Rays.UploadBoundary(window, scene.GetBoundaryFaces(), scene.GetVisibleBox(),
-                           scene.GetOpacityFunction().LongestTransparentRange())
-                       : this->Projected.UploadOrder(window, scene.GetDrawn());
+  if (!this->UseRays)
+  {
+    this->Projected.UploadOrder(scene.GetDrawn());
+    return std::string();
+  }
+  return this->Rays.UploadBoundary(window, scene.GetBoundaryFaces(), scene.GetGeometry(), scene.GetVisibleBox(),
+    scene.GetOpacityFunction().LongestTransparentRange());
 }
 
 std::string CellCompositingPass::Draw(
@@ -56,39 +60,32 @@ std::string CellCompositingPass::DrawLayer(vtkOpenGLRenderWindow* window, const 
 std::string CellCompositingPass::DrawPeel(vtkOpenGLRenderWindow* window, const CellView& view,
   const CellDrawingOptions& options, const VolumePeel::Request& request)
 {
+  this->Peeled = true;
+  if (!this->UseRays) // both ranges at once
+  {
+    return this->Layer.DrawPeel(window, this->Peel, request, [&](const int viewport[4]) {
+      return this->Projected.Draw(
+        { window, viewport, view, options, this->Buffers, this->Contours, this->Layer.GetDepth(), &this->Peel });
+    });
+  }
   int viewport[4];
   window->GetState()->vtkglGetIntegerv(GL_VIEWPORT, viewport);
   const SavedState saved(window->GetState());
-  this->Peeled = true;
   if (!this->Peel.FindRanges(window, request, viewport))
   {
     return FloatLayer::CheckOpenGL("while asking for a peel");
   }
   FloatLayer::SetBlending(window->GetState());
   CellDrawing drawing = { window, viewport, view, options, this->Buffers, this->Contours, this->Layer.GetDepth(), &this->Peel };
-  const std::string error = this->UseRays ? this->CastRanges(drawing) : this->ProjectRanges(drawing);
+  const std::string error = this->CastRanges(drawing);
   if (!error.empty())
   {
     return error;
   }
   window->GetState()->vtkglViewport(viewport[0], viewport[1], viewport[2], viewport[3]);
   this->Peel.Deliver(window, request, viewport, this->Layer.GetAccumulation().GetTexture(0),
-    this->UseRays ? this->SecondAccumulation.GetTexture(0) : this->Layer.GetAccumulation().GetTexture(1));
+    this->SecondAccumulation.GetTexture(0));
   return FloatLayer::CheckOpenGL("while peeling cells");
-}
-
-// Both ranges at once. A depth test spares the shader pixels without a range, and cells in front of the ranges.
-std::string CellCompositingPass::ProjectRanges(CellDrawing& drawing)
-{
-  std::string error = noFloatImages;
-  if (this->Layer.GetAccumulation().Begin(drawing.Window, drawing.Viewport, 2, this->Peel.GetNearestDepth()))
-  {
-    drawing.Window->GetState()->vtkglEnable(GL_DEPTH_TEST);
-    drawing.Window->GetState()->vtkglDepthFunc(GL_GREATER);
-    error = this->Projected.Draw(drawing);
-  }
-  this->Layer.GetAccumulation().End(drawing.Window);
-  return error;
 }
 
 std::string CellCompositingPass::CastRanges(CellDrawing& drawing)

@@ -70,10 +70,10 @@ public:
 
   /** False when nothing was drawn yet, or what was drawn last was a peel. */
   bool CopyFloatImage(vtkOpenGLRenderWindow* window, vtkImageData* image);
+  int GetNumberOfRayLayers() const { return this->UseRays ? this->Rays.GetNumberOfLayers() : 0; }
   void ReleaseGraphicsResources(vtkWindow* window);
 
 private:
-  std::string ProjectRanges(CellDrawing& drawing);
   std::string CastRanges(CellDrawing& drawing);
 
   CellBuffers Buffers;

@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include "OpenGLFunctions.h"
+
 #include "CellDrawing.h"
 
 #include "CellBuffers.h"
@@ -7,6 +9,7 @@
 #include "OpaqueDepth.h"
 #include "VolumePeel.h"
 #include "OpticalSegment.h"
+#include "SamplersApart.h"
 #include "ShaderText.h"
 
 #include "vtkMatrix4x4.h"
@@ -26,7 +29,7 @@ std::string CellDrawing::ShaderConstants() const
     shaderConstant("consistentFaces", this->Buffers.HasNarrowIntervals() || this->Contours.IsUsed()) +
     shaderConstant("averageIntegration", this->Options.AverageIntegration) +
     shaderConstant("splitAtControlPoints", this->Options.SplitAtControlPoints) +
-    shaderConstant("useDepthRanges", this->Peel != nullptr) + this->Options.Haze.Definition();
+    shaderConstant("useDepthRanges", this->Peel != nullptr) + this->Options.Haze.Definition() + this->Options.Planes.Definition();
 }
 
 // Where rays end: at the opaque depth, or at the ends of the ranges of a peel.
@@ -52,7 +55,9 @@ void CellDrawing::SetDepths(vtkShaderProgram* program) const
 
 void CellDrawing::SetUniforms(vtkShaderProgram* program) const
 {
+  setSamplersApart(program);
   this->Options.Haze.SetUniforms(program);
+  this->Options.Planes.SetUniforms(program);
   this->Buffers.Activate(program);
   this->Contours.Activate(*this, program);
   this->SetDepths(program);

@@ -5,6 +5,7 @@
 #define CellDrawing_h
 
 #include "CellMethod.h"
+#include "ClippingPlanes.h"
 #include "HazeView.h"
 #include "SceneLights.h"
 #include "ViewState.h"
@@ -39,6 +40,7 @@ struct CellDrawingOptions
   std::vector<SceneLight> Lights; ///< of contour surfaces
   const EyeTetrahedron* Eye = nullptr; ///< where rays start
   HazeView Haze;
+  ClippingPlanes Planes;
 };
 
 struct CellDrawing

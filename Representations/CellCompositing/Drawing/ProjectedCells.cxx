@@ -85,10 +85,10 @@ std::string ProjectedCells::UploadGeometry(
   return this->Tetrahedra.Upload(window, all.data(), all.size(), 4, VTK_INT);
 }
 
-std::string ProjectedCells::UploadOrder(vtkOpenGLRenderWindow* window, const std::vector<std::int32_t>& order)
+void ProjectedCells::UploadOrder(const std::vector<std::int32_t>& order)
 {
   this->OrderSize = order.size();
-  return this->Order.Upload(window, order.data(), order.size(), 1, VTK_INT);
+  this->Order.Upload(order);
 }
 
 std::string ProjectedCells::Draw(const CellDrawing& drawing)
@@ -112,7 +112,7 @@ std::string ProjectedCells::Draw(const CellDrawing& drawing)
   this->VertexArray->Bind();
   drawing.SetUniforms(program);
   program->SetUniformi("tetrahedra", this->Tetrahedra.Activate());
-  program->SetUniformi("drawingOrder", this->Order.Activate());
+  this->Order.Activate(program, "tetrahedron");
   program->SetUniformi("alphaTable", this->AlphaTable.Activate());
   program->SetUniformf("alphaTableEnd", static_cast<float>(opacityTableEnd));
   program->SetUniformf(
@@ -121,6 +121,8 @@ std::string ProjectedCells::Draw(const CellDrawing& drawing)
   vtkNew<vtkMatrix3x3> rays;
   pixelToRay(drawing.View, drawing.Viewport + 2, rays);
   program->SetUniformMatrix("pixelToRay", rays);
+  const float halfViewport[2] = { 0.5f * static_cast<float>(drawing.Viewport[2]), 0.5f * static_cast<float>(drawing.Viewport[3]) };
+  program->SetUniform2f("halfViewport", halfViewport);
   program->SetUniform4f("eyeVC", toFloat(drawing.View.EyeView).data());
 
   // Back faces in front of the near plane or behind the far plane still end segments inside: clamp, do not clip.
@@ -133,9 +135,9 @@ std::string ProjectedCells::Draw(const CellDrawing& drawing)
   {
     glDisable(GL_DEPTH_CLAMP);
   }
+  this->Order.Deactivate();
   this->VertexArray->Release();
   this->Tetrahedra.Deactivate();
-  this->Order.Deactivate();
   this->AlphaTable.Deactivate();
   drawing.Finish();
   return std::string();
@@ -144,7 +146,7 @@ std::string ProjectedCells::Draw(const CellDrawing& drawing)
 void ProjectedCells::ReleaseGraphicsResources(vtkWindow* window)
 {
   this->Tetrahedra.Release(window);
-  this->Order.Release(window);
+  this->Order.Release();
   this->AlphaTable.Release(window);
   this->VertexArray->ReleaseGraphicsResources();
   this->Program = nullptr;

@@ -5,6 +5,7 @@
 #define ProjectedCells_h
 
 #include "BufferTexture.h"
+#include "VertexNumbers.h"
 
 #include "vtkNew.h"
 
@@ -32,14 +33,14 @@ public:
 
   // Each returns an empty string, or what went wrong.
   std::string UploadGeometry(vtkOpenGLRenderWindow* window, const CellGeometry& geometry, const CellPieces& pieces);
-  std::string UploadOrder(vtkOpenGLRenderWindow* window, const std::vector<std::int32_t>& order);
+  void UploadOrder(const std::vector<std::int32_t>& order);
   std::string Draw(const CellDrawing& drawing);
 
   void ReleaseGraphicsResources(vtkWindow* window);
 
 private:
   BufferTexture Tetrahedra;
-  BufferTexture Order;
+  VertexNumbers Order;
   BufferTexture AlphaTable; // of the triangles
   std::size_t OrderSize = 0;
   vtkNew<vtkOpenGLVertexArrayObject> VertexArray;

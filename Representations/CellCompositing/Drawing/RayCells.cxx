@@ -32,6 +32,8 @@
 #include "vtkTextureObject.h"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
 namespace nephoscope
 {
@@ -40,6 +42,31 @@ namespace
 // Layers of mesh that a ray may enter; and tetrahedra between entering and leaving.
 constexpr int maximumLayers = 1024;
 constexpr int maximumSteps = 1 << 16;
+
+// Instead of numbers of entries: rays start at the eye.
+constexpr int fromEye = -1;
+// The entries that hold the last ones of the unsliced layers, while slices are drawn.
+constexpr int passedEntries = 1;
+
+// The view from where the rays start instead of from the eye.
+struct MovedView
+{
+  vtkNew<vtkMatrix4x4> ModelToView;
+  CellView View;
+
+  MovedView(const CellView& view, const EyeTetrahedron& eye)
+    : View(view)
+  {
+    vtkNew<vtkMatrix4x4> shift;
+    for (int axis = 0; eye.Found && axis < 3; ++axis)
+    {
+      shift->SetElement(axis, 3, view.EyeModel[axis] - eye.Start[axis]);
+      this->View.EyeModel[axis] = eye.Start[axis];
+    }
+    vtkMatrix4x4::Multiply4x4(view.ModelToView, shift, this->ModelToView);
+    this->View.ModelToView = this->ModelToView;
+  }
+};
 
 std::string withParts(const char* shader, const std::string& constants, bool structured)
 {
@@ -60,6 +87,7 @@ std::string RayCells::UploadGeometry(
   this->Grid = geometry.Grid;
   this->Radius = geometry.Radius();
   this->HasHiddenCells = !geometry.HiddenCells.empty();
+  this->NumberOfJumps = neighbors.NumberOfJumps;
   std::string error;
   const auto upload = [&](BufferTexture& buffer, const auto& values, int components, int type) {
     if (error.empty())
@@ -67,31 +95,34 @@ std::string RayCells::UploadGeometry(
       error = buffer.Upload(window, values.data(), values.size(), components, type);
     }
   };
-  upload(this->Neighbors, neighbors.Neighbors, 1, VTK_INT);
+  upload(this->Neighbors, neighbors.WithNextVertices(geometry), 2, VTK_INT);
   upload(this->VertexSums, neighbors.VertexSums, 1, VTK_INT);
   upload(this->HiddenCells, geometry.HiddenCells, 1, VTK_UNSIGNED_CHAR);
   return error;
 }
 
 std::string RayCells::UploadBoundary(vtkOpenGLRenderWindow* window, const std::vector<BoundaryFace>& faces,
-  const CellBox& box, const std::array<float, 2>& clearRange)
+  const CellGeometry& geometry, const CellBox& box, const std::array<float, 2>& clearRange)
 {
   constexpr std::size_t exactInFloat = std::size_t(1) << 24;
-  if (faces.size() >= exactInFloat)
+  this->NumberOfBoundaryFaces = faces.size() - this->NumberOfJumps;
+  if (this->NumberOfBoundaryFaces >= exactInFloat)
   {
     return "the mesh has more boundary faces than can be numbered; distribute it over more ranks";
   }
   this->Box = box;
   this->ClearRange = clearRange;
-  this->NumberOfBoundaryFaces = faces.size();
   std::vector<std::int32_t> vertices;
-  vertices.reserve(3 * faces.size());
-  for (const BoundaryFace& face : faces)
+  vertices.reserve(6 * this->NumberOfBoundaryFaces);
+  for (std::size_t i = 0; i < this->NumberOfBoundaryFaces; ++i)
   {
-    vertices.insert(vertices.end(), face.begin(), face.begin() + 3);
+    for (std::size_t corner = 0; corner < 3; ++corner)
+    {
+      vertices.insert(vertices.end(), { faces[i][corner], static_cast<std::int32_t>(i) });
+    }
   }
-  this->BoundaryVertices->ReleaseGraphicsResources();
-  this->BoundaryVertices->Upload(vertices, vtkOpenGLBufferObject::ElementArrayBuffer);
+  this->EntryVertices.Upload(vertices, 2);
+  this->Slices.SetFaces(geometry, faces, this->NumberOfBoundaryFaces);
   return this->BoundaryFaces.Upload(window, faces.data(), faces.size(), 4, VTK_INT);
 }
 
@@ -121,16 +152,26 @@ std::string RayCells::ReadyPrograms(const CellDrawing& drawing)
 {
   const bool structured = !this->Grid.IsEmpty();
   const std::string constants = drawing.Buffers.SmallTableDefinition() + drawing.ShaderConstants() +
-    shaderConstant("hasHiddenCells", this->HasHiddenCells) +
+    shaderConstant("hasHiddenCells", this->HasHiddenCells) + shaderConstant("hasJumps", this->NumberOfJumps > 0) +
     shaderConstant("closedGrid", this->Box.IsClosed(this->Grid));
   vtkOpenGLShaderCache* cache = drawing.Window->GetShaderCache();
-  this->EntryProgram = cache->ReadyShaderProgram(EntryFacesVertex, EntryFacesFragment, "");
+  this->EntryProgram = cache->ReadyShaderProgram(
+    specializedShader(EntryFacesVertex, std::string()).c_str(),
+    specializedShader(EntryFacesFragment, shaderConstant("useDepthRanges", drawing.Peel != nullptr)).c_str(), "");
   this->SegmentProgram = cache->ReadyShaderProgram(
     RayCellsVertex, withParts(RayCellsFragment, constants, structured).c_str(), "");
   return this->EntryProgram && this->SegmentProgram ? std::string() : "the shaders did not compile";
 }
 
 std::string RayCells::Draw(const CellDrawing& drawing)
+{
+  const MovedView moved(drawing.View, *drawing.Options.Eye);
+  const CellDrawing fromStart = { drawing.Window, drawing.Viewport, moved.View, drawing.Options, drawing.Buffers, drawing.Contours,
+    drawing.Depth, drawing.Peel, drawing.Range };
+  return this->DrawFrom(fromStart);
+}
+
+std::string RayCells::DrawFrom(const CellDrawing& drawing)
 {
   this->Allocate(drawing);
   const std::string error = this->ReadyPrograms(drawing);
@@ -145,16 +186,71 @@ std::string RayCells::Draw(const CellDrawing& drawing)
   this->EntryFramebuffer->ActivateDrawBuffer(0);
   glClearBufferfv(GL_COLOR, 0, none); // no last entries
   drawing.Window->GetState()->PopFramebufferBindings();
+  // Pixels without a new entry fail the depth test against the entries, before their shader starts.
+  glFramebufferTexture2D(GL_DRAW_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D, this->EntryDepth->GetHandle(), 0);
   if (drawing.Options.Eye->Found)
   {
-    this->DrawSegments(drawing, -1);
+    this->DrawSegments(drawing, fromEye);
   }
-  for (int layer = 0; layer < maximumLayers && this->DrawEntries(drawing, layer); ++layer)
-  {
-    this->DrawSegments(drawing, layer);
-  }
+  this->DrawLayers(drawing);
+  glFramebufferTexture2D(GL_DRAW_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D, 0, 0);
   drawing.Finish();
   return std::string();
+}
+
+// The first layers from all faces; where there are more, slice by slice.
+void RayCells::DrawLayers(const CellDrawing& drawing)
+{
+  this->NumberOfLayers = 0;
+  constexpr int unsliced = 4; // even: the last one's entries are then those of number 1
+  for (int layer = 0; layer < unsliced; ++layer)
+  {
+    const int into = layer % 2;
+    if (!this->DrawEntries(drawing, into, 1 - into, nullptr))
+    {
+      return;
+    }
+    this->DrawSegments(drawing, into);
+    ++this->NumberOfLayers;
+  }
+  this->SliceFaces(drawing);
+  for (const FaceSlices::Slice& slice : this->Slices.GetSlices())
+  {
+    int into = 0, last = passedEntries;
+    for (int layer = 0; layer < maximumLayers && this->DrawEntries(drawing, into, last, &slice); ++layer)
+    {
+      this->DrawSegments(drawing, into);
+      ++this->NumberOfLayers;
+      last = into;
+      into = 2 - into;
+    }
+  }
+}
+
+void RayCells::SliceFaces(const CellDrawing& drawing)
+{
+  const std::array<float, 2> range = RayGeometry(drawing.View).DepthRange(this->Radius);
+  const double scale = -1.0 / (double(range[1]) - range[0]);
+  const vtkMatrix4x4* toView = drawing.View.ModelToView;
+  const auto toZ = [&](int column) { return toView->GetElement(2, column); };
+  const double rounding = 8.0 * std::numeric_limits<float>::epsilon() * std::max(std::abs(range[0]), std::abs(range[1]));
+  this->Slices.Sort(
+    { { scale * toZ(0), scale * toZ(1), scale * toZ(2), scale * (toZ(3) + range[0]) } }, -scale * rounding);
+  this->SliceVertices->ReleaseGraphicsResources();
+  this->SliceVertices->Upload(this->Slices.GetVertices(), vtkOpenGLBufferObject::ElementArrayBuffer);
+}
+
+void RayCells::DrawFaces(const FaceSlices::Slice* slice)
+{
+  if (!slice)
+  {
+    glDrawArrays(GL_TRIANGLES, 0, static_cast<GLsizei>(3 * this->NumberOfBoundaryFaces));
+    return;
+  }
+  this->SliceVertices->Bind();
+  glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(slice->Count), GL_UNSIGNED_INT,
+    reinterpret_cast<const void*>(sizeof(std::uint32_t) * slice->First));
+  this->SliceVertices->Release();
 }
 
 void RayCells::SetTopology(vtkShaderProgram* program)
@@ -177,13 +273,13 @@ void RayCells::SetTopology(vtkShaderProgram* program)
   program->SetUniformi("wrapCells", this->Grid.WrapCells);
 }
 
-// Returns false when no ray enters any more.
-bool RayCells::DrawEntries(const CellDrawing& drawing, int layer)
+// Those behind the last ones; returns false when no ray enters any more.
+bool RayCells::DrawEntries(const CellDrawing& drawing, int into, int lastNumber, const FaceSlices::Slice* slice)
 {
   vtkOpenGLState* state = drawing.Window->GetState();
   state->PushFramebufferBindings();
   this->EntryFramebuffer->Bind();
-  this->EntryFramebuffer->AddColorAttachment(0, this->Entries[layer % 2]);
+  this->EntryFramebuffer->AddColorAttachment(0, this->Entries[into]);
   this->EntryFramebuffer->AddDepthAttachment(this->EntryDepth);
   this->EntryFramebuffer->ActivateDrawBuffer(0);
   state->vtkglEnable(GL_DEPTH_TEST);
@@ -197,13 +293,23 @@ bool RayCells::DrawEntries(const CellDrawing& drawing, int layer)
 
   vtkShaderProgram* program = this->EntryProgram;
   drawing.Window->GetShaderCache()->ReadyShaderProgram(program);
-  this->VertexArray->Bind(); // without attributes
+  this->VertexArray->Bind();
   drawing.SetUniforms(program);
   const RayGeometry rays(drawing.View);
   program->SetUniform2f("depthRange", rays.DepthRange(this->Radius).data());
-  vtkTextureObject* last = this->Entries[1 - layer % 2];
+  vtkTextureObject* last = this->Entries[lastNumber];
   last->Activate();
   program->SetUniformi("lastEntries", last->GetTextureUnit());
+  vtkTextureObject* passed = this->Entries[slice ? passedEntries : lastNumber];
+  if (passed != last)
+  {
+    passed->Activate();
+  }
+  program->SetUniformi("passedEntries", passed->GetTextureUnit());
+  program->SetUniformi("isSliced", slice ? 1 : 0);
+  const float range[2] = { slice ? slice->Low : 0.0f, slice ? slice->High : 0.0f };
+  program->SetUniform2f("slice", range);
+  this->EntryVertices.Activate(program, "pointAndFace");
 
   const bool clamped = glIsEnabled(GL_DEPTH_CLAMP) == GL_TRUE;
   glEnable(GL_DEPTH_CLAMP); // rays enter in front of the near plane too
@@ -213,9 +319,7 @@ bool RayCells::DrawEntries(const CellDrawing& drawing, int layer)
   GLuint query = 0, any = 0;
   glGenQueries(1, &query);
   glBeginQuery(GL_SAMPLES_PASSED, query);
-  this->BoundaryVertices->Bind();
-  glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(3 * this->NumberOfBoundaryFaces), GL_UNSIGNED_INT, nullptr);
-  this->BoundaryVertices->Release();
+  this->DrawFaces(slice);
   glEndQuery(GL_SAMPLES_PASSED);
   glGetQueryObjectuiv(query, GL_QUERY_RESULT, &any);
   glDeleteQueries(1, &query);
@@ -225,16 +329,22 @@ bool RayCells::DrawEntries(const CellDrawing& drawing, int layer)
   {
     glDisable(GL_DEPTH_CLAMP);
   }
+  this->EntryVertices.Deactivate();
   this->VertexArray->Release();
   last->Deactivate();
+  if (passed != last)
+  {
+    passed->Deactivate();
+  }
   state->PopFramebufferBindings();
   return any != 0;
 }
 
-void RayCells::DrawSegments(const CellDrawing& drawing, int layer)
+void RayCells::DrawSegments(const CellDrawing& drawing, int from)
 {
   vtkOpenGLState* state = drawing.Window->GetState();
-  state->vtkglDisable(GL_DEPTH_TEST);
+  from == fromEye ? state->vtkglDisable(GL_DEPTH_TEST) : state->vtkglEnable(GL_DEPTH_TEST);
+  state->vtkglDepthFunc(GL_GREATER);
   state->vtkglDepthMask(GL_FALSE);
   state->vtkglEnable(GL_BLEND);
   // Under what is there already.
@@ -246,9 +356,9 @@ void RayCells::DrawSegments(const CellDrawing& drawing, int layer)
   this->SetTopology(program);
   drawing.Buffers.SetSmallTable(program);
   this->SetRays(drawing, program);
-  program->SetUniformi("startsAtEye", layer < 0);
+  program->SetUniformi("startsAtEye", from == fromEye);
   this->SetEye(*drawing.Options.Eye, program);
-  vtkTextureObject* entries = this->Entries[layer < 0 ? 0 : layer % 2];
+  vtkTextureObject* entries = this->Entries[from == fromEye ? 0 : from];
   entries->Activate();
   program->SetUniformi("entryFaces", entries->GetTextureUnit());
   program->SetUniformi("hiddenCells", this->HiddenCells.Activate());
@@ -290,9 +400,10 @@ void RayCells::ReleaseGraphicsResources(vtkWindow* window)
   {
     entries->ReleaseGraphicsResources(window);
   }
+  this->EntryVertices.Release();
+  this->SliceVertices->ReleaseGraphicsResources();
   this->EntryDepth->ReleaseGraphicsResources(window);
   this->EntryFramebuffer->ReleaseGraphicsResources(window);
-  this->BoundaryVertices->ReleaseGraphicsResources();
   this->VertexArray->ReleaseGraphicsResources();
   this->EntryProgram = this->SegmentProgram = nullptr;
   this->Size[0] = this->Size[1] = 0;

@@ -6,7 +6,9 @@
  * The order of the tetrahedra is then exact by construction, whatever the mesh: cycles, holes, separate parts. First the
  * boundary triangles through which rays enter the mesh are drawn, the nearest per pixel kept; then every pixel walks from there
  * until its ray leaves the mesh. Where rays enter again (holes, other parts), the next nearest triangles are drawn, and so on until
- * none is left: as depth peeling goes through layers, but a layer is a whole stretch of mesh.
+ * none is left: as depth peeling goes through layers, but a layer is a whole stretch of mesh. A layer costs what the pixels cost that
+ * have it: a depth test ends the others; after some layers, the triangles are drawn in slices of depth (FaceSlices.h), and those that lie
+ * behind what is opaque never.
  */
 #ifndef RayCells_h
 #define RayCells_h
@@ -14,6 +16,8 @@
 #include "BoundaryFaces.h"
 #include "BufferTexture.h"
 #include "ChessboardGrid.h"
+#include "FaceSlices.h"
+#include "VertexNumbers.h"
 
 #include "vtkNew.h"
 
@@ -48,19 +52,27 @@ public:
   std::string UploadGeometry(
     vtkOpenGLRenderWindow* window, const CellGeometry& geometry, const TetrahedronNeighbors& neighbors);
   /** Where rays enter, the box of a grid's cells that can be seen, and the scalars between which nothing is seen. */
-  std::string UploadBoundary(vtkOpenGLRenderWindow* window, const std::vector<BoundaryFace>& faces, const CellBox& box,
-    const std::array<float, 2>& clearRange);
+  std::string UploadBoundary(vtkOpenGLRenderWindow* window, const std::vector<BoundaryFace>& faces, const CellGeometry& geometry,
+    const CellBox& box, const std::array<float, 2>& clearRange);
   /** Draws into the bound framebuffer, which holds a transparent image. */
   std::string Draw(const CellDrawing& drawing);
+
+  /** Passes over the picture that the last drawing took: as often as one of the rays entered the mesh, at least. */
+  int GetNumberOfLayers() const { return this->NumberOfLayers; }
 
   void ReleaseGraphicsResources(vtkWindow* window);
 
 private:
+  std::string DrawFrom(const CellDrawing& drawing);
   void Allocate(const CellDrawing& drawing);
   std::string ReadyPrograms(const CellDrawing& drawing);
-  bool DrawEntries(const CellDrawing& drawing, int layer);
-  /** From the entries of a layer; layer -1: from the eye. */
-  void DrawSegments(const CellDrawing& drawing, int layer);
+  void DrawLayers(const CellDrawing& drawing);
+  void SliceFaces(const CellDrawing& drawing);
+  void DrawFaces(const FaceSlices::Slice* slice);
+  /** Numbers are those of Entries. */
+  bool DrawEntries(const CellDrawing& drawing, int into, int lastNumber, const FaceSlices::Slice* slice);
+  /** From the entries of that number, or from the eye. */
+  void DrawSegments(const CellDrawing& drawing, int from);
   void SetEye(const EyeTetrahedron& eye, vtkShaderProgram* program);
   void SetTopology(vtkShaderProgram* program);
   void SetRays(const CellDrawing& drawing, vtkShaderProgram* program);
@@ -69,13 +81,18 @@ private:
   ChessboardGrid Grid; // empty: another mesh
   CellBox Box;
   std::array<float, 2> ClearRange = { { 1, 0 } };
-  vtkNew<vtkOpenGLBufferObject> BoundaryVertices;
-  std::size_t NumberOfBoundaryFaces = 0;
+  VertexNumbers EntryVertices;
+  std::size_t NumberOfBoundaryFaces = 0; // where rays enter
+  std::size_t NumberOfJumps = 0;         // faces after them, where rays go on
   bool HasHiddenCells = false;
   double Radius = 0; // of the points about their centre
 
-  // Boundary triangle and depth where each pixel's ray enters: this time, and last time.
-  vtkNew<vtkTextureObject> Entries[2];
+  FaceSlices Slices;
+  vtkNew<vtkOpenGLBufferObject> SliceVertices;
+  int NumberOfLayers = 0;
+
+  // Boundary triangle and depth where each pixel's ray enters: this time, last time, and before the slices.
+  vtkNew<vtkTextureObject> Entries[3];
   vtkNew<vtkTextureObject> EntryDepth;
   vtkNew<vtkOpenGLFramebufferObject> EntryFramebuffer;
   int Size[2] = { 0, 0 };

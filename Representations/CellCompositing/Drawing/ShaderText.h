@@ -11,6 +11,7 @@
 #include "FaceScalarsShader.h"
 #include "OpaqueDepthShader.h"
 #include "OpticalSegmentShader.h"
+#include "ShaderArrays.h"
 #include "ShaderParts.h"
 #include "TetrahedronInputShader.h"
 #include "TransferFunctionShader.h"
@@ -29,6 +30,7 @@ inline std::string specializedShader(const std::string& shader, const std::strin
 {
   return withShaderParts(shader,
     { { "Constants", constants },
+      { "Arrays", arrayDeclarations(currentArrayLayout()) },
       { "TetrahedronInput", TetrahedronInputShader },
       { "OpaqueDepth", OpaqueDepthShader },
       { "OpticalSegment", OpticalSegmentShader },

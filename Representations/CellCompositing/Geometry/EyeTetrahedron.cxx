@@ -2,28 +2,31 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "EyeTetrahedron.h"
 
+#include "ClearStart.h"
+
 #include "vtkSMPThreadLocal.h"
 #include "vtkSMPTools.h"
 
 #include <algorithm>
-#include <cmath>
+#include <tuple>
 
 namespace nephoscope
 {
 namespace
 {
-/** The tetrahedron in which the eye lies deepest: its least barycentric coordinate is largest. The lowest number of equals. */
+/** The tetrahedron, among those that touch the eye, with the clearest start for rays; the nearest of equals, then the lowest number. */
 struct Candidate
 {
   std::int64_t Number = -1;
-  double Depth = -1e-12;
+  ClearStart Start;
 
-  void Offer(std::int64_t number, double depth)
+  void Offer(std::int64_t number, const ClearStart& start)
   {
-    if (depth > this->Depth || (depth == this->Depth && (this->Number < 0 || number < this->Number)))
+    const auto key = [](std::int64_t n, const ClearStart& s) { return std::make_tuple(-s.Clearance, s.Moved, n); };
+    if (this->Number < 0 || key(number, start) < key(this->Number, this->Start))
     {
       this->Number = number;
-      this->Depth = depth;
+      this->Start = start;
     }
   }
 };
@@ -37,12 +40,12 @@ std::array<Vector3, 4> positions(const CellGeometry& geometry, const Vertices& v
 }
 
 // False, at little cost, for nearly all tetrahedra.
-bool isInBox(const std::array<Vector3, 4>& p, const Vector4& eye)
+bool isNearBox(const std::array<Vector3, 4>& p, const Vector4& eye, double margin)
 {
   for (std::size_t axis = 0; axis < 3; ++axis)
   {
     const auto range = std::minmax({ p[0][axis], p[1][axis], p[2][axis], p[3][axis] });
-    if (eye[axis] < range.first || eye[axis] > range.second)
+    if (eye[axis] < range.first - margin || eye[axis] > range.second + margin)
     {
       return false;
     }
@@ -61,7 +64,7 @@ Vertices verticesOf(const CellGeometry& geometry, std::int64_t number)
   return geometry.Grid.Tetrahedra(number / perCell)[std::size_t(number % perCell)];
 }
 
-Candidate search(const CellGeometry& geometry, const Vector4& eye)
+Candidate search(const CellGeometry& geometry, const Vector4& eye, double clearance)
 {
   const std::int64_t count = geometry.Grid.IsEmpty()
     ? std::int64_t(geometry.Tetrahedra.size())
@@ -72,13 +75,12 @@ Candidate search(const CellGeometry& geometry, const Vector4& eye)
     for (vtkIdType i = begin; i < end; ++i)
     {
       const std::array<Vector3, 4> p = positions(geometry, verticesOf(geometry, i));
-      if (isInBox(p, eye))
+      if (isNearBox(p, eye, clearance))
       {
-        const Vector4 coordinates = eyeCoordinates(p, eye);
-        const double depth = *std::min_element(coordinates.begin(), coordinates.end());
-        if (std::isfinite(depth))
+        const ClearStart start = findClearStart(p, eye, clearance);
+        if (start.Found)
         {
-          candidate.Offer(i, depth);
+          candidate.Offer(i, start);
         }
       }
     }
@@ -88,7 +90,7 @@ Candidate search(const CellGeometry& geometry, const Vector4& eye)
   {
     if (candidate.Number >= 0)
     {
-      best.Offer(candidate.Number, candidate.Depth);
+      best.Offer(candidate.Number, candidate.Start);
     }
   }
   return best;
@@ -99,19 +101,21 @@ EyeTetrahedron findEyeTetrahedron(
   const CellGeometry& geometry, const TetrahedronNeighbors& neighbors, const Vector4& eye)
 {
   EyeTetrahedron result;
-  const double radius = geometry.Radius();
-  if (eye[3] == 0 || eye[0] * eye[0] + eye[1] * eye[1] + eye[2] * eye[2] > radius * radius)
+  const double clearance = eyeClearance * geometry.Radius();
+  const double reach = geometry.Radius() + clearance;
+  if (eye[3] == 0 || eye[0] * eye[0] + eye[1] * eye[1] + eye[2] * eye[2] > reach * reach)
   {
     return result;
   }
-  const Candidate found = search(geometry, eye);
+  const Candidate found = search(geometry, eye, clearance);
   if (found.Number < 0)
   {
     return result;
   }
   result.Found = true;
   const Vertices vertices = verticesOf(geometry, found.Number);
-  const Vector4 weights = eyeCoordinates(positions(geometry, vertices), eye);
+  result.Start = found.Start.Position;
+  const Vector4& weights = found.Start.Weights;
   const bool second = geometry.HasOpacityScalars && !geometry.OpacityOnCells;
   for (std::size_t k = 0; k < 4; ++k)
   {

@@ -1,6 +1,12 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
-/** The tetrahedron that holds the eye, where all rays start when the camera is inside the mesh. */
+/**
+ * The tetrahedron that holds the eye, where all rays start when the camera is inside the mesh.
+ *
+ * A camera often stands exactly on a face, an edge or a vertex: on a plane of the grid, at a pole, on the boundary. Then no single
+ * tetrahedron holds the eye. All rays therefore start at a position that lies inside one of the tetrahedra that touch the eye, by
+ * `eyeClearance` of the mesh's radius from each of its faces: too near to be seen, yet far enough for float to tell the sides apart.
+ */
 #ifndef EyeTetrahedron_h
 #define EyeTetrahedron_h
 
@@ -13,17 +19,22 @@
 namespace nephoscope
 {
 
+/** Distance that the start of the rays keeps from the faces around it, as a fraction of the mesh's radius: 64 roundings to float. */
+constexpr double eyeClearance = 1.0 / (1 << 18);
+
 struct EyeTetrahedron
 {
   bool Found = false;
+  /** Where the rays start: the eye itself, unless it lies nearer to a face. */
+  std::array<double, 3> Start = { { 0, 0, 0 } };
   std::array<std::int32_t, 4> Vertices = { { 0, 0, 0, 0 } };
   /** Where a walk is: the tetrahedron (x); or the cell of a grid, and its odd vertex or -1 (w). */
   std::array<std::int32_t, 4> Place = { { 0, 0, 0, 0 } };
-  float Scalar = 0;  ///< at the eye
-  float Opacity = 0; ///< second scalar at the eye, where there is one per point
+  float Scalar = 0;  ///< at the start
+  float Opacity = 0; ///< second scalar at the start, where there is one per point
 };
 
-/** Looks at all tetrahedra, in parallel, unless the eye is outside of all points or infinitely far (eye w = 0). */
+/** Looks at all tetrahedra, in parallel, unless the eye is outside of all points or infinitely far (eye w = 0): then nothing is found. */
 EyeTetrahedron findEyeTetrahedron(
   const CellGeometry& geometry, const TetrahedronNeighbors& neighbors, const Vector4& eye);
 

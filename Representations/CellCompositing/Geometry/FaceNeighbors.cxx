@@ -4,12 +4,11 @@
 
 #include "BoundarySurface.h"
 #include "Buckets.h"
+#include "CoincidentPoints.h"
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 #include <limits>
-#include <numeric>
 #include <tuple>
 
 namespace nephoscope
@@ -33,20 +32,6 @@ struct OpenFace
   }
 };
 
-std::size_t hashOfPlace(const CellGeometry::Point& p)
-{
-  std::uint64_t hash = 0;
-  for (const float x : { p.X, p.Y, p.Z })
-  {
-    const float positive = x + 0.0f; // -0 is at the same place
-    std::uint32_t bits;
-    std::memcpy(&bits, &positive, sizeof(bits));
-    hash = (hash ^ bits) * 0x9E3779B97F4A7C15u;
-    hash ^= hash >> 29;
-  }
-  return static_cast<std::size_t>(hash);
-}
-
 std::array<std::int32_t, 3> sortedPlaces(
   const Tetrahedron& t, int opposite, const std::vector<std::int32_t>& places)
 {
@@ -59,52 +44,25 @@ std::array<std::int32_t, 3> sortedPlaces(
   return points;
 }
 
-/** The vertex of the second tetrahedron that is not in the face that it shares with the first. */
-Vector3 vertexAcross(
-  const std::array<Vector3, 4>& p, int opposite, const std::array<Vector3, 4>& other)
+/** The vertex of a tetrahedron that is not in the face of these places. */
+Vector3 vertexAcross(const CellGeometry& geometry, const Tetrahedron& other, const std::array<std::int32_t, 3>& face,
+  const std::vector<std::int32_t>& places)
 {
-  const auto& f = tetrahedronFaces[opposite];
-  return *std::find_if(other.begin(), other.begin() + 3,
-    [&](const Vector3& x) { return x != p[f[0]] && x != p[f[1]] && x != p[f[2]]; });
-}
+  return geometry.Position(*std::find_if(other.begin(), other.begin() + 3, [&](std::int32_t p) {
+    return std::find(face.begin(), face.end(), places[static_cast<std::size_t>(p)]) == face.end();
+  }));
 }
 
-std::vector<std::int32_t> findPlaces(const CellGeometry& geometry, const Progress& progress)
+/** What the rounding of these coordinates may be. */
+double roundingOf(const std::array<Vector3, 4>& p, const Vector3& q)
 {
-  const auto& points = geometry.Points;
-  const auto place = [&points](std::int32_t i) {
-    const CellGeometry::Point& p = points[static_cast<std::size_t>(i)];
-    return std::tie(p.X, p.Y, p.Z);
-  };
-  std::vector<std::int32_t> places(points.size());
-  std::iota(places.begin(), places.end(), 0);
-  Buckets<std::int32_t> buckets;
-  const std::size_t size = std::max<std::size_t>(points.size(), 1);
-  const bool done =
-    buckets.Fill(points.size(), size, progress.Part(0, 0.5), [&](std::size_t i, auto add) {
-      const CellGeometry::Point& p = points[i];
-      if (p.X == p.X && p.Y == p.Y && p.Z == p.Z) // NaN has no place in an order, and is in no tetrahedron
-      {
-        add(hashOfPlace(p) % size, static_cast<std::int32_t>(i));
-      }
-    }) &&
-    buckets.ForEach(progress.Part(0.5, 1), [&](std::int32_t* begin, std::int32_t* end) {
-      std::sort(begin, end, [&](std::int32_t a, std::int32_t b) {
-        return std::tuple_cat(place(a), std::tie(a)) < std::tuple_cat(place(b), std::tie(b));
-      });
-      for (std::int32_t* i = begin; i != end && i + 1 != end; ++i)
-      {
-        if (place(i[0]) == place(i[1]))
-        {
-          places[static_cast<std::size_t>(i[1])] = places[static_cast<std::size_t>(i[0])];
-        }
-      }
-    });
-  if (!done)
+  double largest = 0;
+  for (const Vector3& x : { p[0], p[1], p[2], p[3], q })
   {
-    places.clear();
+    largest = std::max({ largest, std::abs(x[0]), std::abs(x[1]), std::abs(x[2]) });
   }
-  return places;
+  return largest * std::numeric_limits<float>::epsilon();
+}
 }
 
 double findCoordinateError(const CellGeometry& geometry)
@@ -132,8 +90,9 @@ bool FaceNeighbors::Connect(const CellGeometry& geometry, const Progress& progre
 {
   *this = FaceNeighbors();
   this->CoordinateError = findCoordinateError(geometry);
-  this->Places = findPlaces(geometry, progress.Part(0, 0.15));
-  if (this->Places.size() != geometry.Points.size() || !this->MatchFaces(geometry, progress.Part(0.15, 0.7)) ||
+  this->Places = findPlaces(geometry, progress.Part(0, 0.1));
+  if (this->Places.size() != geometry.Points.size() || !weldPlaces(geometry, this->Places, progress.Part(0.1, 0.2)) ||
+    !this->MatchFaces(geometry, progress.Part(0.2, 0.7)) ||
     !this->FindFolds(geometry, progress.Part(0.7, 0.9)))
   {
     *this = FaceNeighbors();
@@ -174,40 +133,53 @@ bool FaceNeighbors::MatchFaces(const CellGeometry& geometry, const Progress& pro
     });
 }
 
+// What to store for a face: the tetrahedron across, or how it is folded there.
+std::int32_t FaceNeighbors::FindFold(const CellGeometry& geometry, std::size_t tetrahedron, int face) const
+{
+  const std::int32_t other = this->Get(tetrahedron, face);
+  if (other < 0)
+  {
+    return other;
+  }
+  const std::array<Vector3, 4> p = geometry.Vertices(tetrahedron);
+  const auto& f = tetrahedronFaces[face];
+  const Vector3& near = p[static_cast<std::size_t>(face)];
+  const Vector3 far = vertexAcross(geometry, geometry.Tetrahedra[static_cast<std::size_t>(other)],
+    sortedPlaces(geometry.Tetrahedra[tetrahedron], face, this->Places), this->Places);
+  const auto areOnOneSide = [&](double error) {
+    const auto side = [&](const Vector3& x) {
+      return planeSideWithin(p[f[0]], p[f[1]], p[f[2]], { { x[0], x[1], x[2], 1.0 } }, error);
+    };
+    return side(near) == side(far) && (error == 0 || side(near) != 0);
+  };
+  if (!areOnOneSide(0))
+  {
+    return other;
+  }
+  return areOnOneSide(roundingOf(p, far)) ? std::int32_t(Folded) : foldCode(other);
+}
+
 // Marks faces whose two owners lie on one side, and lists those with one owner.
 bool FaceNeighbors::FindFolds(const CellGeometry& geometry, const Progress& progress)
 {
-  const auto sideOf = [&](const std::array<Vector3, 4>& p, int face, const Vector3& x) {
-    const auto& f = tetrahedronFaces[face];
-    const double side = planeSide(p[f[0]], p[f[1]], p[f[2]], { { x[0], x[1], x[2], 1.0 } });
-    return (side > 0) - (side < 0);
-  };
   const std::size_t n = geometry.Tetrahedra.size();
-  std::vector<std::uint8_t> folded(n, 0); // bit per face: marks are made only after all neighbours were read
-  return forEach(n, progress.Part(0, 0.6),
-           [&](std::size_t i) {
-             const std::array<Vector3, 4> p = geometry.Vertices(i);
-             for (int face = 0; face < 4; ++face)
-             {
-               const std::int32_t other = this->Get(i, face);
-               if (other >= 0)
-               {
-                 const Vector3 far = vertexAcross(p, face, geometry.Vertices(static_cast<std::size_t>(other)));
-                 folded[i] |= (sideOf(p, face, p[static_cast<std::size_t>(face)]) == sideOf(p, face, far)) << face;
-               }
-             }
-           }) &&
-    forEachInTurn(n, progress.Part(0.6, 1), [&](std::size_t i) {
-      for (int face = 0; face < 4; ++face)
+  std::vector<std::int32_t> found(this->Neighbors.size());
+  const bool done = forEach(n, progress.Part(0, 0.7), [&](std::size_t i) {
+    for (int face = 0; face < 4; ++face)
+    {
+      found[4 * i + static_cast<std::size_t>(face)] = this->FindFold(geometry, i, face);
+    }
+  });
+  this->Neighbors.swap(found);
+  return done && forEachInTurn(n, progress.Part(0.7, 1), [&](std::size_t i) {
+    for (int face = 0; face < 4; ++face)
+    {
+      if (this->Get(i, face) == None)
       {
-        std::int32_t& neighbor = this->Neighbors[4 * i + static_cast<std::size_t>(face)];
-        neighbor = (folded[i] >> face) & 1 ? std::int32_t(Folded) : neighbor;
-        if (neighbor == None)
-        {
-          this->Boundary.push_back({ static_cast<std::int32_t>(i), face });
-        }
+        this->Boundary.push_back({ static_cast<std::int32_t>(i), face });
       }
-    });
+    }
+  });
 }
 
 std::int64_t FaceNeighbors::GetNumberOfInteriorFaces() const

@@ -3,9 +3,9 @@
 /**
  * Which tetrahedra share faces, and what the surface of the mesh is like.
  *
- * Faces are matched by coordinates, not by point numbers: blocks that repeat their boundary points fit together. Points and
- * faces are thrown into buckets and meet their equals there; each bucket is sorted, so that nothing depends on the order in
- * which threads filled it.
+ * Faces are matched by the places of their points (CoincidentPoints.h), not by point numbers: blocks that repeat their boundary
+ * points fit together. Points and faces are thrown into buckets and meet their equals there; each bucket is sorted, so that nothing
+ * depends on the order in which threads filled it.
  */
 #ifndef FaceNeighbors_h
 #define FaceNeighbors_h
@@ -13,6 +13,7 @@
 #include "CellGeometry.h"
 #include "ProgressLoop.h"
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <vector>
@@ -36,7 +37,13 @@ public:
   /** Across the face opposite a vertex (0 to 3): a tetrahedron, None or Folded. */
   std::int32_t Get(std::size_t tetrahedron, int face) const
   {
-    return this->Neighbors[4 * tetrahedron + static_cast<std::size_t>(face)];
+    return std::max<std::int32_t>(this->Neighbors[4 * tetrahedron + static_cast<std::size_t>(face)], Folded);
+  }
+  /** The same for those who go from face to face and ask for no side: a fold that rounding could make is none. */
+  std::int32_t GetWithinRounding(std::size_t tetrahedron, int face) const
+  {
+    const std::int32_t stored = this->Neighbors[4 * tetrahedron + static_cast<std::size_t>(face)];
+    return stored < Folded ? foldCode(stored) : stored;
   }
 
   /** First of the points at the same place. */
@@ -57,6 +64,9 @@ public:
   std::int64_t GetNumberOfInteriorFaces() const;
 
 private:
+  // A tetrahedron across a fold that rounding could make is kept as a number below Folded; the same function takes it back.
+  static std::int32_t foldCode(std::int32_t tetrahedron) { return Folded - 1 - tetrahedron; }
+
   std::vector<std::int32_t> Neighbors; // 4 per tetrahedron
   std::vector<std::int32_t> Places;    // per point
   std::vector<Face> Boundary;
@@ -66,10 +76,8 @@ private:
 
   bool MatchFaces(const CellGeometry& geometry, const Progress& progress);
   bool FindFolds(const CellGeometry& geometry, const Progress& progress);
+  std::int32_t FindFold(const CellGeometry& geometry, std::size_t tetrahedron, int face) const;
 };
-
-/** For each point the first of the points at the same place; empty when stopped. */
-std::vector<std::int32_t> findPlaces(const CellGeometry& geometry, const Progress& progress = {});
 
 /** Bound on the rounding of a point's coordinates: half a unit in the last place of the largest, twice. */
 double findCoordinateError(const CellGeometry& geometry);

@@ -3,66 +3,68 @@
 #include "TetrahedronNeighbors.h"
 
 #include "BoundaryFaces.h"
-#include "CellGeometry.h"
 #include "VisibilityOrder.h"
 
 #include "vtkSMPTools.h"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <tuple>
 
 namespace nephoscope
 {
 namespace
 {
-/** Vertex numbers of tetrahedra after coincident points with equal scalars have become one. */
-class MergedVertices
+/** How a face is on record where values jump, until the faces are numbered: the tetrahedron across. The function is its own inverse. */
+constexpr std::int32_t jumpTo(std::int32_t tetrahedron)
 {
-public:
-  MergedVertices(const CellGeometry& geometry, const VisibilityOrder& connected)
-    : Geometry(geometry)
-    , Connected(connected)
-  {
-  }
+  return TetrahedronNeighbors::Jump - tetrahedron;
+}
 
-  std::int32_t Merged(std::int32_t point) const
-  {
-    const std::int32_t first = this->Connected.CanonicalPoint(point);
-    const bool same = this->Geometry.Points[std::size_t(first)].Scalar == this->Geometry.Points[std::size_t(point)].Scalar &&
-      (!this->Geometry.HasOpacityScalars || this->Geometry.OpacityOnCells ||
-        this->Geometry.OpacityScalars[std::size_t(first)] == this->Geometry.OpacityScalars[std::size_t(point)]);
-    return same ? first : point;
-  }
-
-  Tetrahedron Vertices(std::size_t tetrahedron) const
-  {
-    Tetrahedron t = this->Geometry.Tetrahedra[tetrahedron];
-    std::transform(t.begin(), t.end(), t.begin(), [this](std::int32_t p) { return this->Merged(p); });
-    return t;
-  }
-
-  /** The tetrahedron across the face opposite vertex `face`, if it has the same three vertices. */
-  std::int32_t Neighbor(std::size_t tetrahedron, const Tetrahedron& vertices, int face) const
-  {
-    const std::int32_t neighbor = this->Connected.UnfoldedNeighbor(tetrahedron, face);
-    if (neighbor < 0)
-    {
-      return -1;
-    }
-    const Tetrahedron other = this->Vertices(std::size_t(neighbor));
-    for (int k = 0; k < 4; ++k)
-    {
-      if (k != face && std::find(other.begin(), other.end(), vertices[std::size_t(k)]) == other.end())
-      {
-        return -1;
-      }
-    }
-    return neighbor;
-  }
-
-private:
-  const CellGeometry& Geometry;
-  const VisibilityOrder& Connected;
+struct JumpFace
+{
+  BoundaryFace Face;
+  std::int32_t To;   // the tetrahedron across
+  std::size_t Place; // in the list of neighbours
 };
+
+/** The same face seen from the other tetrahedron, if it is one for sure. `jumps` are in the order of their tetrahedra. */
+const JumpFace* findPartner(const std::vector<JumpFace>& jumps, const JumpFace& jump)
+{
+  const auto isBefore = [](const JumpFace& j, std::int32_t tetrahedron) { return j.Face[3] < tetrahedron; };
+  const JumpFace* found = nullptr;
+  for (auto i = std::lower_bound(jumps.begin(), jumps.end(), jump.To, isBefore); i != jumps.end() && i->Face[3] == jump.To; ++i)
+  {
+    if (i->To == jump.Face[3])
+    {
+      if (found)
+      {
+        return nullptr;
+      }
+      found = &*i;
+    }
+  }
+  return found;
+}
+
+// False for a face that neither pixels nor float tell from an edge.
+bool hasExtent(const CellGeometry& geometry, const BoundaryFace& face)
+{
+  const Vector3 a = geometry.Position(face[0]), b = geometry.Position(face[1]), c = geometry.Position(face[2]);
+  const Vector3 edges[3] = { difference(b, a), difference(c, b), difference(a, c) };
+  const Vector3 normal = cross(edges[0], edges[1]);
+  const double longest = std::max({ dot(edges[0], edges[0]), dot(edges[1], edges[1]), dot(edges[2], edges[2]) });
+  double largest = 0;
+  for (const Vector3& p : { a, b, c })
+  {
+    largest = std::max({ largest, std::abs(p[0]), std::abs(p[1]), std::abs(p[2]) });
+  }
+  constexpr double thinnest = 1e-6; // height by length
+  const double rounding = 0.5 * std::numeric_limits<float>::epsilon() * largest;
+  return dot(normal, normal) > longest * std::min(rounding * rounding, thinnest * thinnest * longest);
+}
 }
 
 void TetrahedronNeighbors::Clear()
@@ -72,49 +74,165 @@ void TetrahedronNeighbors::Clear()
 
 void TetrahedronNeighbors::Build(const CellGeometry& geometry, const VisibilityOrder& connected)
 {
-  const std::size_t n = geometry.Tetrahedra.size();
-  const MergedVertices merged(geometry, connected);
-  this->MergedPoints.resize(geometry.Points.size());
-  vtkSMPTools::For(0, static_cast<vtkIdType>(geometry.Points.size()), [&](vtkIdType begin, vtkIdType end) {
-    for (vtkIdType i = begin; i < end; ++i)
-    {
-      this->MergedPoints[std::size_t(i)] = merged.Merged(std::int32_t(i));
-    }
-  });
-  this->DependOnValues = false;
-  for (std::size_t i = 0; i < geometry.Points.size() && !this->DependOnValues; ++i)
+  this->MergePoints(geometry, connected);
+  this->FindNeighbors(geometry, connected);
+  this->ListBoundary(geometry);
+}
+
+// Of the points at one place with equal values, the first.
+void TetrahedronNeighbors::MergePoints(const CellGeometry& geometry, const VisibilityOrder& connected)
+{
+  const std::size_t n = geometry.Points.size();
+  this->MergedPoints.resize(n);
+  std::iota(this->MergedPoints.begin(), this->MergedPoints.end(), 0);
+  std::vector<std::int32_t> coincident; // all but the first of each place
+  for (std::size_t i = 0; i < n; ++i)
   {
-    this->DependOnValues = connected.CanonicalPoint(std::int32_t(i)) != std::int32_t(i);
+    if (connected.CanonicalPoint(std::int32_t(i)) != std::int32_t(i))
+    {
+      coincident.push_back(std::int32_t(i));
+    }
   }
-  this->Neighbors.assign(4 * n, -1);
+  this->DependOnValues = !coincident.empty();
+  const bool second = geometry.HasOpacityScalars && !geometry.OpacityOnCells;
+  const auto values = [&](std::int32_t p) {
+    const float scalar = geometry.CellScalars.empty() ? geometry.Points[std::size_t(p)].Scalar : 0.0f;
+    return std::make_tuple(scalar, second ? geometry.OpacityScalars[std::size_t(p)] : 0.0f);
+  };
+  const auto key = [&](std::int32_t p) { return std::tuple_cat(std::make_tuple(connected.CanonicalPoint(p)), values(p)); };
+  // Points with values that are not finite belong to no tetrahedron, and would break the order.
+  coincident.erase(std::remove_if(coincident.begin(), coincident.end(),
+                     [&](std::int32_t p) { return !std::isfinite(std::get<0>(values(p))) || !std::isfinite(std::get<1>(values(p))); }),
+    coincident.end());
+  vtkSMPTools::Sort(coincident.begin(), coincident.end(),
+    [&](std::int32_t a, std::int32_t b) { return std::tuple_cat(key(a), std::tie(a)) < std::tuple_cat(key(b), std::tie(b)); });
+  for (std::size_t i = 0; i < coincident.size(); ++i)
+  {
+    const std::int32_t p = coincident[i];
+    const std::int32_t first = connected.CanonicalPoint(p);
+    this->MergedPoints[std::size_t(p)] = values(p) == values(first) ? first
+      : i > 0 && key(p) == key(coincident[i - 1])                   ? this->MergedPoints[std::size_t(coincident[i - 1])]
+                                                                    : p;
+  }
+}
+
+Tetrahedron TetrahedronNeighbors::MergedVertices(const CellGeometry& geometry, std::size_t tetrahedron) const
+{
+  Tetrahedron t = geometry.Tetrahedra[tetrahedron];
+  std::transform(t.begin(), t.end(), t.begin(), [this](std::int32_t p) { return this->Merged(p); });
+  return t;
+}
+
+// The tetrahedron across the face opposite vertex `face`; jumpTo it where it has other vertices there.
+std::int32_t TetrahedronNeighbors::FindNeighbor(
+  const CellGeometry& geometry, const VisibilityOrder& connected, std::size_t tetrahedron, const Tetrahedron& vertices, int face) const
+{
+  const std::int32_t neighbor = connected.UnfoldedNeighbor(tetrahedron, face);
+  if (neighbor < 0)
+  {
+    return None;
+  }
+  const Tetrahedron other = this->MergedVertices(geometry, std::size_t(neighbor));
+  for (int k = 0; k < 4; ++k)
+  {
+    if (k != face && std::find(other.begin(), other.end(), vertices[std::size_t(k)]) == other.end())
+    {
+      return jumpTo(neighbor);
+    }
+  }
+  return neighbor;
+}
+
+void TetrahedronNeighbors::FindNeighbors(const CellGeometry& geometry, const VisibilityOrder& connected)
+{
+  const std::size_t n = geometry.Tetrahedra.size();
+  this->Neighbors.assign(4 * n, None);
   this->VertexSums.assign(n, 0);
   vtkSMPTools::For(0, static_cast<vtkIdType>(n), [&](vtkIdType begin, vtkIdType end) {
     for (std::size_t i = std::size_t(begin); i < std::size_t(end); ++i)
     {
-      const Tetrahedron t = merged.Vertices(i);
+      const Tetrahedron t = this->MergedVertices(geometry, i);
       for (int face = 0; face < 4; ++face)
       {
         const std::int32_t opposite = t[std::size_t(face)];
         const auto rank = std::count_if(t.begin(), t.end(), [opposite](std::int32_t v) { return v < opposite; });
-        this->Neighbors[4 * i + std::size_t(rank)] = merged.Neighbor(i, t, face);
+        this->Neighbors[4 * i + std::size_t(rank)] = this->FindNeighbor(geometry, connected, i, t, face);
         this->VertexSums[i] ^= opposite;
       }
     }
   });
+}
+
+std::vector<std::array<std::int32_t, 2>> TetrahedronNeighbors::WithNextVertices(const CellGeometry& geometry) const
+{
+  std::vector<std::array<std::int32_t, 2>> result(this->Neighbors.size());
+  vtkSMPTools::For(0, static_cast<vtkIdType>(this->VertexSums.size()), [&](vtkIdType begin, vtkIdType end) {
+    for (std::size_t i = std::size_t(begin); i < std::size_t(end); ++i)
+    {
+      Tetrahedron t = this->MergedVertices(geometry, i);
+      std::sort(t.begin(), t.end());
+      for (std::size_t k = 0; k < 4; ++k)
+      {
+        const std::int32_t neighbor = this->Neighbors[4 * i + k];
+        const std::int32_t faceSum = this->VertexSums[i] ^ t[k];
+        result[4 * i + k] = { { neighbor, neighbor >= 0 ? this->VertexSums[std::size_t(neighbor)] ^ faceSum : 0 } };
+      }
+    }
+  });
+  return result;
+}
+
+void TetrahedronNeighbors::ListBoundary(const CellGeometry& geometry)
+{
+  std::vector<JumpFace> jumps;
   this->BoundaryFaces.clear();
-  for (std::size_t i = 0; i < n; ++i)
+  const auto addEntry = [&](const BoundaryFace& face) {
+    if (hasExtent(geometry, face))
+    {
+      this->BoundaryFaces.push_back(face);
+    }
+  };
+  for (std::size_t i = 0; i < geometry.Tetrahedra.size(); ++i)
   {
-    Tetrahedron t = merged.Vertices(i);
+    const std::int32_t* neighbors = &this->Neighbors[4 * i];
+    if (std::min({ neighbors[0], neighbors[1], neighbors[2], neighbors[3] }) >= 0)
+    {
+      continue;
+    }
+    Tetrahedron t = this->MergedVertices(geometry, i);
     std::sort(t.begin(), t.end());
     for (std::size_t k = 0; k < 4; ++k)
     {
-      if (this->Neighbors[4 * i + k] < 0)
+      if (neighbors[k] < 0)
       {
         BoundaryFace face = { { t[(k + 1) % 4], t[(k + 2) % 4], t[(k + 3) % 4], t[k] } };
         turnOutwards(geometry, face);
         face[3] = std::int32_t(i);
-        this->BoundaryFaces.push_back(face);
+        neighbors[k] == None ? addEntry(face) : jumps.push_back({ face, jumpTo(neighbors[k]), 4 * i + k });
       }
+    }
+  }
+  // Those that do not find each other are boundary as all others.
+  std::vector<const JumpFace*> partners(jumps.size());
+  std::vector<std::int32_t> numbers(jumps.size());
+  this->NumberOfJumps = 0;
+  for (std::size_t i = 0; i < jumps.size(); ++i)
+  {
+    partners[i] = findPartner(jumps, jumps[i]);
+    numbers[i] = partners[i] ? std::int32_t(this->NumberOfJumps++) : -1;
+    if (!partners[i])
+    {
+      addEntry(jumps[i].Face);
+    }
+  }
+  const std::int32_t entries = std::int32_t(this->BoundaryFaces.size());
+  for (std::size_t i = 0; i < jumps.size(); ++i)
+  {
+    this->Neighbors[jumps[i].Place] = None;
+    if (partners[i])
+    {
+      this->Neighbors[jumps[i].Place] = Jump - entries - numbers[std::size_t(partners[i] - jumps.data())];
+      this->BoundaryFaces.push_back(jumps[i].Face);
     }
   }
 }

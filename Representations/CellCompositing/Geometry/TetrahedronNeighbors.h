@@ -1,42 +1,64 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * A mesh of tetrahedra as a ray walks through it: 20 bytes per tetrahedron (in the manner of AmanDemirciGudukbay2021).
+ * A mesh of tetrahedra as a ray walks through it (in the manner of AmanDemirciGudukbay2021): 20 bytes per tetrahedron here, 36 on the GPU.
  *
  * A walk knows three vertices of the tetrahedron that it enters; the exclusive-or of the four gives the fourth. The neighbours stand
  * in the order of the vertices that they do not have, by ascending number, so that which of them lies ahead follows from the number
  * of the vertex left behind. Faces without a neighbour are the boundary, where rays enter.
+ *
+ * Points at one place (CoincidentPoints.h) with equal values become one point. Where values jump between points at one place, each
+ * side keeps its own, and its own face: the ray that leaves through the one goes on from the other.
  */
 #ifndef TetrahedronNeighbors_h
 #define TetrahedronNeighbors_h
 
+#include "CellGeometry.h"
+
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
 namespace nephoscope
 {
 
-class CellGeometry;
 class VisibilityOrder;
 
 struct TetrahedronNeighbors
 {
-  std::vector<std::int32_t> Neighbors;  ///< four per tetrahedron; -1: none
+  enum : std::int32_t
+  {
+    None = -1,
+    Jump = -2 ///< minus n: the ray goes on from boundary face n
+  };
+  std::vector<std::int32_t> Neighbors;  ///< four per tetrahedron: a tetrahedron, None, or Jump - n
   std::vector<std::int32_t> VertexSums; ///< exclusive-or of the four vertex numbers
-  std::vector<std::array<std::int32_t, 4>> BoundaryFaces; ///< three vertices, seen counterclockwise from outside, and the tetrahedron
+  /**
+   * Three vertices, seen counterclockwise from outside, and the tetrahedron. First those where rays enter; then those where values
+   * jump. Faces without extent are left out: lower than the rounding of their coordinates, and a million times longer.
+   */
+  std::vector<std::array<std::int32_t, 4>> BoundaryFaces;
+  std::size_t NumberOfJumps = 0; ///< at the end of them
 
   std::vector<std::int32_t> MergedPoints; ///< number that stands for each point
   bool DependOnValues = false; ///< there are points at the same place, which are merged where their values are equal
 
   std::int32_t Merged(std::int64_t point) const { return this->MergedPoints[static_cast<std::size_t>(point)]; }
 
-  /**
-   * Points that coincide and have equal scalars become one. `connected` knows the neighbours by place; where values jump between
-   * two blocks, or the mesh is folded, the ray leaves the one tetrahedron and enters the other anew.
-   */
+  /** `connected` knows the neighbours by place; where the mesh is folded, the ray leaves the one tetrahedron and enters the other anew. */
   void Build(const CellGeometry& geometry, const VisibilityOrder& connected);
   void Clear();
+  /** Neighbours, each with the vertex that it has behind the face, so that a step of a walk needs no other number. */
+  std::vector<std::array<std::int32_t, 2>> WithNextVertices(const CellGeometry& geometry) const;
+
+private:
+  void MergePoints(const CellGeometry& geometry, const VisibilityOrder& connected);
+  void FindNeighbors(const CellGeometry& geometry, const VisibilityOrder& connected);
+  void ListBoundary(const CellGeometry& geometry);
+  Tetrahedron MergedVertices(const CellGeometry& geometry, std::size_t tetrahedron) const;
+  std::int32_t FindNeighbor(
+    const CellGeometry& geometry, const VisibilityOrder& connected, std::size_t tetrahedron, const Tetrahedron& vertices, int face) const;
 };
 
 } // namespace nephoscope

@@ -41,7 +41,7 @@ struct TetrahedronWalk
 {
   WalkVertex<Real> A, B, C;
   Real AB, BC, CA;
-  /** The ray ran within a face or along an edge, to within rounding, where there are no sides to tell apart. */
+  /** The ray passed the first face by, or ran within a face or along an edge, to within rounding: there are no sides to tell apart. */
   bool IsLost = false;
 
   /** Starts at a face; its vertices are exchanged where it is seen from the wrong side. Returns true if so (B and C). */
@@ -51,10 +51,13 @@ struct TetrahedronWalk
     this->A = a;
     this->B = turned ? c : b;
     this->C = turned ? b : c;
-    // A rasterizer may give the face a pixel whose ray passes it by, within its rounding.
-    this->AB = std::max(edgeFunction(this->A, this->B), Real(0));
-    this->BC = std::max(edgeFunction(this->B, this->C), Real(0));
-    this->CA = std::max(edgeFunction(this->C, this->A), Real(0));
+    this->AB = edgeFunction(this->A, this->B);
+    this->BC = edgeFunction(this->B, this->C);
+    this->CA = edgeFunction(this->C, this->A);
+    this->IsLost = std::min({ this->AB, this->BC, this->CA }) < 0; // a rasterizer may give the face a pixel whose ray passes it by
+    this->AB = std::max(this->AB, Real(0));
+    this->BC = std::max(this->BC, Real(0));
+    this->CA = std::max(this->CA, Real(0));
     return turned;
   }
 

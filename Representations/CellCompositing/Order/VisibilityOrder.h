@@ -42,10 +42,10 @@ public:
   // For others that go from neighbour to neighbour, once connected.
   /** First of the points at the same place. */
   std::int32_t CanonicalPoint(std::int32_t point) const { return this->Faces.GetPlace(point); }
-  /** The tetrahedron across a face, unless both lie on the same side of it; -1: none. */
+  /** The tetrahedron across a face, unless both lie on the same side of it by more than rounding; -1: none. */
   std::int32_t UnfoldedNeighbor(std::size_t tetrahedron, int face) const
   {
-    return std::max<std::int32_t>(this->Faces.Get(tetrahedron, face), -1);
+    return std::max<std::int32_t>(this->Faces.GetWithinRounding(tetrahedron, face), -1);
   }
 
   struct Sorted

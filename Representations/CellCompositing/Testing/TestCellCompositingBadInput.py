@@ -226,6 +226,17 @@ class Ghosts(BadInputCase):
         self.assertEqual(drawn[0].GetNumberOfTetrahedra() % 23, 0, "23 of 27 cells, divided alike")
         self.check(self.ghosted(), constant(2.0), "without ghosts")
 
+    def test_nothing_left_to_draw(self):
+        hidden = meshes.with_field(self.ghosted(cells={i: 32 for i in range(27)}), lambda p: p[:, 0])
+        flat = meshes.with_field(meshes.tetrahedra(np.array(CORNERS) * (1, 1, 0), [(0, 1, 2, 3)]), lambda p: p[:, 0])
+        for data in (hidden, flat):
+            window = Window()
+            scene = window.add_scene()
+            scene.look_at(scene.add_volume(mapper(), data, constant(2.0)))
+            window.render()
+            self.assertEqual(len(window.messages.all), 1)
+            self.assertIn("all are hidden or have no volume", window.messages.all[0])
+
     def test_cells_of_hidden_points(self):
         data = self.ghosted(points={0: 2, 63: 2, 21: 2})
         hidden = {i for i in range(27) if {0, 63, 21} & {data.GetCell(i).GetPointId(k) for k in range(8)}}

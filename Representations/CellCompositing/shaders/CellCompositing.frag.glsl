@@ -3,22 +3,28 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
 // Light that one tetrahedron adds to one pixel: premultiplied colour and alpha.
-//   in:  a point of the back face (barycentric coordinates and view coordinates), the eye's coordinates q, scalars
+//   in:  the back face (its corners in view coordinates, the vertex opposite), the eye's coordinates q, scalars
 //   out: integral of emission and extinction between the front face and the back face, clipped to what lies
-//        between the near plane and the opaque geometry, or in each of two depth ranges
+//        between the near plane and the opaque geometry, or in each of two depth ranges, in front of the clipping planes
 // u runs from the back face (0) towards the eye: a fraction of that way in perspective, a length in a parallel projection.
 uniform sampler2D depthRanges; // near and far depth of two ranges, empty where near >= far
 uniform vec4 eyeVC;            // (position, 1) or (direction towards the eye, 0)
 uniform float extinctionScale; // extinction per world length at opacity 1
 
-in vec4 barycentricGSOutput;
-in vec3 positionVCGSOutput;
+uniform mat4 VCDCMatrix;
+uniform vec2 halfViewport;     // pixels
+
+flat in vec3 cornerAGSOutput;
+flat in vec3 cornerBGSOutput;
+flat in vec3 cornerCGSOutput;
+flat in int oppositeGSOutput;
 flat in vec4 eyeBarycentricGSOutput;
 flat in vec4 scalarsGSOutput;
 flat in vec4 opacityScalarsGSOutput;
 flat in vec4 contourScalarsGSOutput;
 flat in ivec2 tetrahedronGSOutput; // number, layer
 
+//NEPHOSCOPE::Arrays
 //NEPHOSCOPE::Constants
 //NEPHOSCOPE::OpaqueDepth
 //NEPHOSCOPE::OpticalSegment
@@ -26,8 +32,38 @@ flat in ivec2 tetrahedronGSOutput; // number, layer
 //NEPHOSCOPE::FaceScalars
 //NEPHOSCOPE::ContourSurfaces
 
+// Where the pixel's ray passes the back face.
+vec4 barycentric = vec4(0.0);
+vec3 positionVC = vec3(0.0);
+
+float cross2(vec2 a, vec2 b)
+{
+  return a.x * b.y - a.y * b.x;
+}
+
+// From the corners and the pixel: what rasterizers interpolate between corners errs by some 1/256 pixel, to which they round them.
+// Outside the face by as much, its nearest point is taken. False where a face is seen edge-on: then nothing is a number.
+bool findBackFace()
+{
+  vec2 place = gl_FragCoord.xy / halfViewport - 1.0;
+  mat4 toDC = transpose(VCDCMatrix);
+  vec4 planeX = toDC[0] - place.x * toDC[3]; // the ray is where the two planes meet
+  vec4 planeY = toDC[1] - place.y * toDC[3];
+  vec4 corners[3] = vec4[3](vec4(cornerAGSOutput, 1.0), vec4(cornerBGSOutput, 1.0), vec4(cornerCGSOutput, 1.0));
+  vec2 a = vec2(dot(planeX, corners[0]), dot(planeY, corners[0]));
+  vec2 b = vec2(dot(planeX, corners[1]), dot(planeY, corners[1]));
+  vec2 c = vec2(dot(planeX, corners[2]), dot(planeY, corners[2]));
+  vec3 weights = vec3(cross2(b, c), cross2(c, a), cross2(a, b));
+  weights = clamp(weights / (weights.x + weights.y + weights.z), 0.0, 1.0);
+  weights /= weights.x + weights.y + weights.z;
+  positionVC = weights.x * cornerAGSOutput + weights.y * cornerBGSOutput + weights.z * cornerCGSOutput;
+  barycentric = oppositeGSOutput == 0 ? vec4(0.0, weights) : oppositeGSOutput == 1 ? vec4(weights.x, 0.0, weights.yz)
+    : oppositeGSOutput == 2 ? vec4(weights.xy, 0.0, weights.z) : vec4(weights, 0.0);
+  return all(lessThanEqual(weights, vec3(1.0)));
+}
+
 // Where the ray reaches the first front face.
-float frontParameter(vec4 barycentric, vec4 slope)
+float frontParameter(vec4 slope)
 {
   float u = 3.0e38;
   for (int i = 0; i < 4; ++i)
@@ -46,13 +82,13 @@ float change(vec4 barycentricChange, vec4 values)
 {
   return dot(barycentricChange.xyz, values.xyz - values.w);
 }
-float interpolate(vec4 barycentric, vec4 values)
+float interpolate(vec4 coordinates, vec4 values)
 {
-  return values.w + change(barycentric, values);
+  return values.w + change(coordinates, values);
 }
 
 // Colour, opacity and contour scalar at u; exactly those of a face if u is where the ray crosses it.
-vec3 scalarsAt(float u, vec4 barycentric, vec4 slope)
+vec3 scalarsAt(float u, vec4 slope)
 {
   vec4 coordinates = barycentric + u * slope;
   vec3 s = vec3(interpolate(coordinates, scalarsGSOutput), interpolate(coordinates, opacityScalarsGSOutput),
@@ -71,26 +107,26 @@ vec3 scalarsAt(float u, vec4 barycentric, vec4 slope)
 // Where the ray has a depth, as a parameter from the back face towards the eye.
 float parameterAt(float depth)
 {
-  float towardsEye = eyeVC.z - eyeVC.w * positionVCGSOutput.z;
-  return (zFromDepth(depth) - positionVCGSOutput.z) / towardsEye;
+  float towardsEye = eyeVC.z - eyeVC.w * positionVC.z;
+  return (zFromDepth(depth) - positionVC.z) / towardsEye;
 }
 
 // Light of the part of the ray between two parameters; without haze in front of it, but where there are contours.
 vec4 clearLightBetween(float uFront, float uBack, vec4 slope)
 {
   // (colour, opacity)
-  vec2 scalarAtFace = vec2(interpolate(barycentricGSOutput, scalarsGSOutput),
-    interpolate(barycentricGSOutput, opacityScalarsGSOutput));
+  vec2 scalarAtFace = vec2(interpolate(barycentric, scalarsGSOutput),
+    interpolate(barycentric, opacityScalarsGSOutput));
   vec2 scalarSlope = vec2(change(slope, scalarsGSOutput), change(slope, opacityScalarsGSOutput));
-  vec3 towardsEye = eyeVC.xyz - eyeVC.w * positionVCGSOutput;
+  vec3 towardsEye = eyeVC.xyz - eyeVC.w * positionVC;
   float opticalScale = (uFront - uBack) * length(towardsEye) * extinctionScale;
   vec2 front = scalarAtFace + uFront * scalarSlope;
   vec2 back = scalarAtFace + uBack * scalarSlope;
   vec2 contourEnds = vec2(0.0);
   if (consistentFaces)
   {
-    vec3 atFront = scalarsAt(uFront, barycentricGSOutput, slope);
-    vec3 atBack = scalarsAt(uBack, barycentricGSOutput, slope);
+    vec3 atFront = scalarsAt(uFront, slope);
+    vec3 atBack = scalarsAt(uBack, slope);
     front = atFront.xy;
     back = atBack.xy;
     contourEnds = vec2(atFront.z, atBack.z);
@@ -98,8 +134,8 @@ vec4 clearLightBetween(float uFront, float uBack, vec4 slope)
   if (useContours)
   {
     ContourSegment segment = ContourSegment(tetrahedronGSOutput.x, contourScalarsGSOutput, contourEnds,
-      barycentricGSOutput + uFront * slope, barycentricGSOutput + uBack * slope,
-      positionVCGSOutput + uFront * towardsEye, positionVCGSOutput + uBack * towardsEye);
+      barycentric + uFront * slope, barycentric + uBack * slope,
+      positionVC + uFront * towardsEye, positionVC + uBack * towardsEye);
     return integrateSegmentWithContours(front, back, opticalScale, segment, tetrahedronGSOutput.y);
   }
   if (useLayers)
@@ -115,19 +151,30 @@ vec4 lightBetween(float uFront, float uBack, vec4 slope)
 #ifdef NEPHOSCOPE_HAZE
   if (!useContours)
   {
-    vec3 towardsEye = eyeVC.xyz - eyeVC.w * positionVCGSOutput;
-    light = hazedSegment(light, positionVCGSOutput + uFront * towardsEye, positionVCGSOutput + uBack * towardsEye);
+    vec3 towardsEye = eyeVC.xyz - eyeVC.w * positionVC;
+    light = hazedSegment(light, positionVC + uFront * towardsEye, positionVC + uBack * towardsEye);
   }
 #endif
   return light;
+}
+
+// The parameters that the clipping planes leave.
+vec2 betweenPlanes()
+{
+#ifdef CLIPPING_PLANES
+  return clippedRay(positionVC, eyeVC.xyz - eyeVC.w * positionVC);
+#else
+  return vec2(-3.0e38, 3.0e38);
+#endif
 }
 
 // What lies in front of the opaque geometry.
 void drawWhole(float uFace, vec4 slope)
 {
   float opaque = texelFetch(opaqueDepth, ivec2(gl_FragCoord.xy), 0).r;
-  float uFront = min(uFace, parameterAt(0.0));
-  float uBack = max(0.0, parameterAt(opaque));
+  vec2 between = betweenPlanes();
+  float uFront = min(min(uFace, between.y), parameterAt(0.0));
+  float uBack = max(max(0.0, between.x), parameterAt(opaque));
   if (!(uFront > uBack))
   {
     discard;
@@ -139,8 +186,9 @@ void drawWhole(float uFace, vec4 slope)
 void drawRanges(float uFace, vec4 slope)
 {
   vec4 depths = texelFetch(depthRanges, ivec2(gl_FragCoord.xy), 0);
-  vec2 uFront = min(vec2(uFace), vec2(parameterAt(depths.x), parameterAt(depths.z)));
-  vec2 uBack = max(vec2(0.0), vec2(parameterAt(depths.y), parameterAt(depths.w)));
+  vec2 between = betweenPlanes();
+  vec2 uFront = min(vec2(min(uFace, between.y)), vec2(parameterAt(depths.x), parameterAt(depths.z)));
+  vec2 uBack = max(vec2(max(0.0, between.x)), vec2(parameterAt(depths.y), parameterAt(depths.w)));
   bvec2 inside = greaterThan(uFront, uBack);
   if (!any(inside))
   {
@@ -167,13 +215,12 @@ void drawRanges(float uFace, vec4 slope)
 
 void main()
 {
-  vec4 slope = eyeBarycentricGSOutput - eyeVC.w * barycentricGSOutput;
-  float uFace = frontParameter(barycentricGSOutput, slope);
-  // A back face that is seen edge-on may be too narrow for a rasteriser to interpolate over: then nothing is a number.
-  if (!all(lessThan(abs(barycentricGSOutput), vec4(1.0e30))))
+  if (!findBackFace())
   {
     discard;
   }
+  vec4 slope = eyeBarycentricGSOutput - eyeVC.w * barycentric;
+  float uFace = frontParameter(slope);
   if (useDepthRanges)
   {
     drawRanges(uFace, slope);

@@ -3,8 +3,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The back faces of one tetrahedron: each pixel that the tetrahedron covers is covered by exactly one of them.
 //   in:  the number of the tetrahedron
-//   out: per vertex, barycentric coordinates and position in view coordinates (VC);
+//   out: per face, its corners in view coordinates (VC) and the vertex opposite;
 //        per tetrahedron, its number, layer and scalars, and the coordinates q of the eye (TetrahedronRay.h)
+//NEPHOSCOPE::Arrays
 //NEPHOSCOPE::Constants
 //NEPHOSCOPE::TetrahedronInput
 layout(points) in;
@@ -15,8 +16,10 @@ uniform sampler2D tileRanges; // with depth ranges: nearest and farthest depth t
 uniform vec2 tilesPerUnit;    // tiles per unit of device coordinates
 
 flat in int tetrahedronVSOutput[];
-out vec4 barycentricGSOutput;
-out vec3 positionVCGSOutput;
+flat out vec3 cornerAGSOutput;
+flat out vec3 cornerBGSOutput;
+flat out vec3 cornerCGSOutput;
+flat out int oppositeGSOutput;
 flat out vec4 eyeBarycentricGSOutput;
 flat out vec4 scalarsGSOutput;
 flat out vec4 opacityScalarsGSOutput;
@@ -25,10 +28,12 @@ flat out ivec2 tetrahedronGSOutput;
 
 vec4 positionDC[4];
 
-void emitVertex(int i)
+void emitVertex(int i, ivec4 face)
 {
-  barycentricGSOutput = vec4(equal(ivec4(i), ivec4(0, 1, 2, 3)));
-  positionVCGSOutput = positionVC[i].xyz;
+  cornerAGSOutput = positionVC[face.x].xyz;
+  cornerBGSOutput = positionVC[face.y].xyz;
+  cornerCGSOutput = positionVC[face.z].xyz;
+  oppositeGSOutput = face.w;
   eyeBarycentricGSOutput = eyeBarycentric;
   scalarsGSOutput = scalars;
   opacityScalarsGSOutput = secondScalars;
@@ -77,13 +82,14 @@ bool isOutsideRanges()
   return true;
 }
 
-void emitBackFace(float q, int a, int b, int c)
+// Three corners, and the vertex opposite.
+void emitBackFace(float q, ivec4 face)
 {
   if (q > 0.0)
   {
-    emitVertex(a);
-    emitVertex(b);
-    emitVertex(c);
+    emitVertex(face.x, face);
+    emitVertex(face.y, face);
+    emitVertex(face.z, face);
     EndPrimitive();
   }
 }
@@ -102,8 +108,8 @@ void main()
   {
     return;
   }
-  emitBackFace(eyeBarycentric[0], 1, 2, 3);
-  emitBackFace(eyeBarycentric[1], 0, 2, 3);
-  emitBackFace(eyeBarycentric[2], 0, 1, 3);
-  emitBackFace(eyeBarycentric[3], 0, 1, 2);
+  emitBackFace(eyeBarycentric[0], ivec4(1, 2, 3, 0));
+  emitBackFace(eyeBarycentric[1], ivec4(0, 2, 3, 1));
+  emitBackFace(eyeBarycentric[2], ivec4(0, 1, 3, 2));
+  emitBackFace(eyeBarycentric[3], ivec4(0, 1, 2, 3));
 }

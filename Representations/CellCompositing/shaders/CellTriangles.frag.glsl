@@ -13,6 +13,7 @@ in vec2 slopeGSOutput;
 in vec4 frontGSOutput;
 in vec4 backGSOutput;
 
+//NEPHOSCOPE::Arrays
 //NEPHOSCOPE::Constants
 //NEPHOSCOPE::OpaqueDepth
 //NEPHOSCOPE::OpacityTable

@@ -8,6 +8,7 @@
 //        in parallel:    z_front, z_back - z_front, attributes
 // Vertices leave with w = 1, so that all outputs are interpolated linearly on the screen. A tetrahedron that reaches
 // the plane of the eye has no such projection and is left out (TrianglePass.h counts them).
+//NEPHOSCOPE::Arrays
 //NEPHOSCOPE::Constants
 //NEPHOSCOPE::TetrahedronInput
 //NEPHOSCOPE::ProjectedTriangles

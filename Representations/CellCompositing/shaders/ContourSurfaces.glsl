@@ -7,8 +7,8 @@
 // scalar of a face is the same in both tetrahedra that share it, so that a surface that lies in the face belongs to just one of them.
 // Constants: contourLayers, contourLighting, contourOfColor, smoothContourNormals.
 uniform mat4 MCVCMatrix;
-uniform samplerBuffer contours; // two texels each, ascending: (value, layer below, layer above, 0), (colour, opacity); red < 0: function's
-uniform samplerBuffer contourGradients; // per point, in model coordinates
+uniform FloatArray contours; // two texels each, ascending: (value, layer below, layer above, 0), (colour, opacity); red < 0: function's
+uniform FloatArray contourGradients; // per point, in model coordinates
 uniform int numberOfContours;
 uniform mat3 gradientMatrix;            // of gradients, from model to view coordinates
 uniform vec4 contourShading;            // ambient, diffuse, specular, specular power
@@ -39,7 +39,7 @@ int contourLayer(float s)
   while (low < high)
   {
     int middle = (low + high) / 2;
-    if (texelFetch(contours, 2 * middle).r <= s)
+    if (element(contours, 2 * middle).r <= s)
     {
       low = middle + 1;
     }
@@ -55,7 +55,7 @@ void selectContourLayer(int layer)
 {
   if (contourLayers)
   {
-    vec4 contour = texelFetch(contours, 2 * max(layer - 1, 0));
+    vec4 contour = element(contours, 2 * max(layer - 1, 0));
     selectLayer(int(layer == 0 ? contour.y : contour.z));
   }
 }
@@ -63,21 +63,21 @@ void selectContourLayer(int layer)
 // Normal to the level sets of a linear field over the tetrahedron, in view coordinates; its sign and length do not matter.
 vec3 flatNormal(int tetrahedron, vec4 scalars)
 {
-  ivec4 ids = texelFetch(tetrahedra, tetrahedron);
-  vec3 a = texelFetch(points, ids.x).xyz;
+  ivec4 ids = element(tetrahedra, tetrahedron);
+  vec3 a = element(points, ids.x).xyz;
   mat3 edges = mat3(MCVCMatrix) *
-    mat3(texelFetch(points, ids.y).xyz - a, texelFetch(points, ids.z).xyz - a, texelFetch(points, ids.w).xyz - a);
+    mat3(element(points, ids.y).xyz - a, element(points, ids.z).xyz - a, element(points, ids.w).xyz - a);
   vec3 change = scalars.yzw - scalars.x;
   return change.x * cross(edges[1], edges[2]) + change.y * cross(edges[2], edges[0]) + change.z * cross(edges[0], edges[1]);
 }
 
 vec3 smoothNormal(int tetrahedron, vec4 barycentric)
 {
-  ivec4 ids = texelFetch(tetrahedra, tetrahedron);
+  ivec4 ids = element(tetrahedra, tetrahedron);
   vec3 gradient = vec3(0.0);
   for (int i = 0; i < 4; ++i)
   {
-    gradient += barycentric[i] * texelFetch(contourGradients, ids[i]).xyz;
+    gradient += barycentric[i] * element(contourGradients, ids[i]).xyz;
   }
   return gradientMatrix * gradient;
 }
@@ -122,7 +122,7 @@ vec3 light(vec3 color, vec3 normalVC, vec3 positionVC)
 // Premultiplied colour and alpha of a contour surface at a place of the segment.
 vec4 contourSurface(int contour, ContourSegment segment, vec2 s, float place)
 {
-  vec4 surface = texelFetch(contours, 2 * contour + 1);
+  vec4 surface = element(contours, 2 * contour + 1);
   if (surface.a <= 0.0)
   {
     return vec4(0.0);
@@ -168,7 +168,7 @@ vec4 integrateSegmentWithContours(vec2 front, vec2 back, float opticalScale, Con
     selectContourLayer(current);
     bool atEnd = current == last;
     int contour = direction > 0 ? current : current - 1;
-    float value = atEnd ? 0.0 : texelFetch(contours, 2 * contour).r;
+    float value = atEnd ? 0.0 : element(contours, 2 * contour).r;
     float to = atEnd ? 1.0 : clamp((value - segment.ends.x) / (segment.ends.y - segment.ends.x), from, 1.0);
     vec2 end = atEnd ? back : mix(front, back, to);
     if (contourOfColor && !atEnd)

@@ -2,8 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The tetrahedra of any mesh (TetrahedronNeighbors.h): their neighbours, and the four vertex numbers as one exclusive-or, which
 // gives the fourth vertex when three are known.
-uniform isamplerBuffer neighbors;     // four per tetrahedron, across from its vertices in ascending order; -1: none
-uniform isamplerBuffer vertexSums;    // exclusive-or of the vertex numbers
+// Constants: hasJumps.
+// Four per tetrahedron, across from its vertices in ascending order: tetrahedron, -1 for none or -2 - n for boundary face n; its next vertex.
+uniform IntegerArray neighbors;
+uniform IntegerArray vertexSums; // exclusive-or of the vertex numbers
 
 int cellOf = 0; // the present tetrahedron
 
@@ -16,7 +18,7 @@ int cellNumber()
 
 int fourthVertex(ivec3 face)
 {
-  return texelFetch(vertexSums, cellOf).r ^ face.x ^ face.y ^ face.z;
+  return element(vertexSums, cellOf).r ^ face.x ^ face.y ^ face.z;
 }
 
 // A boundary face is given by its vertices and the tetrahedron.
@@ -34,13 +36,14 @@ void enterPlace(ivec4 place)
 bool crossFace(inout ivec3 face, int left, out int next)
 {
   ivec3 smaller = ivec3(lessThan(face, ivec3(left)));
-  int neighbor = texelFetch(neighbors, 4 * cellOf + smaller.x + smaller.y + smaller.z).r;
-  next = 0;
+  ivec2 across = element(neighbors, 4 * cellOf + smaller.x + smaller.y + smaller.z).rg;
+  int neighbor = across.x;
+  next = across.y;
   if (neighbor < 0)
   {
+    jumpFace = hasJumps ? -2 - neighbor : -1; // -1: there is nothing across
     return false;
   }
   cellOf = neighbor;
-  next = fourthVertex(face);
   return true;
 }

@@ -5,11 +5,12 @@
 // Light of all tetrahedra that a pixel's ray crosses from where it enters the mesh to where it leaves it.
 //   in:  the boundary triangle through which the ray enters
 //   out: premultiplied colour and alpha, front to back
-uniform samplerBuffer points; // position, scalar
-uniform samplerBuffer cellScalars;
-uniform samplerBuffer opacityScalars;
-uniform samplerBuffer hiddenCells;
-uniform isamplerBuffer boundaryFaces;
+//NEPHOSCOPE::Arrays
+uniform FloatArray points; // position, scalar
+uniform FloatArray cellScalars;
+uniform FloatArray opacityScalars;
+uniform FloatArray hiddenCells;
+uniform IntegerArray boundaryFaces;
 uniform sampler2D entryFaces; // boundary face (-1: none), depth
 uniform sampler2D depthRanges; // where VTK peels surfaces: near and far depth of two ranges, empty where near >= far
 uniform int rangeNumber;       // the one to draw
@@ -33,7 +34,9 @@ float unity = 0.0;      // 1
 vec2 clear = vec2(0.0); // clearRange
 
 //NEPHOSCOPE::Constants
-// further: hasHiddenCells, closedGrid
+// further: hasHiddenCells, closedGrid, hasJumps
+int jumpFace = -1; // boundary face from which a ray goes on that has left the mesh, where there is one: values jump there
+
 //NEPHOSCOPE::OpaqueDepth
 //NEPHOSCOPE::OpticalSegment
 //NEPHOSCOPE::TransferFunction
@@ -46,11 +49,11 @@ vec3 pointStep[2], directionStep[2]; // from pixel to pixel
 
 Seen seen(int point)
 {
-  vec4 p = texelFetch(points, point);
+  vec4 p = element(points, point);
   vec3 q = p.xyz - origin;
   vec4 place = vec4(dot(q, across1), dot(q, across2), dot(q, along), p.w);
 #ifdef SECOND_SCALAR
-  return Seen(place, texelFetch(opacityScalars, point).r);
+  return Seen(place, element(opacityScalars, point).r);
 #else
   return Seen(place);
 #endif
@@ -69,15 +72,61 @@ void makeRay(vec2 beside)
   across2 = vec3(b, s + along.y * along.y * a, -along.y);
 }
 
+// Fraction of the way to the point with these weights after which the ray passes inside the triangle.
+float wayInside(vec2 a, vec2 b, vec2 c, vec3 weights)
+{
+  const float margin = 3.0e-5;
+  vec3 place = vec3(b.x * c.y - b.y * c.x, c.x * a.y - c.y * a.x, a.x * b.y - a.y * b.x);
+  float area = place.x + place.y + place.z;
+  vec3 coordinates = place / (area == 0.0 ? 1.0 : area);
+  vec3 way = max((vec3(margin) - coordinates) / (weights - min(coordinates, vec3(margin))), 0.0);
+  return max(way.x, max(way.y, way.z));
+}
+
+// Where an attempt passes its pixel's centre: first at it; then up to 0.002 pixels beside; then 0.001, 0.01, 0.05 and 0.25 pixels towards the inside of
+// the face through which the ray enters, or farther where it must to pass there; at last at the centre again: a ray that is still lost has
+// the least wrong way there.
+const int lastAttempt = 8;
+vec2 besideCentre(int attempt, ivec3 entered)
+{
+  if (attempt == 0 || attempt == lastAttempt)
+  {
+    return vec2(0.0);
+  }
+  if (attempt < 4)
+  {
+    return (attempt == 1 ? 2.5e-4 : attempt == 2 ? -7.5e-4 : 0.002) * vec2(0.85, 0.53);
+  }
+  float reach = attempt == 4 ? 0.001 : attempt == 5 ? 0.01 : attempt == 6 ? 0.05 : 0.25;
+  if (startsAtEye != 0)
+  {
+    return reach * (attempt % 2 == 0 ? vec2(0.85, 0.53) : vec2(-0.53, 0.85));
+  }
+  makeRay(vec2(0.0));
+  // Not towards the middle: the planes of grids often halve their faces.
+  vec3 weights = attempt == 4 ? vec3(0.5, 0.3, 0.2) : attempt == 5 ? vec3(0.2, 0.5, 0.3) : vec3(0.3, 0.2, 0.5);
+  vec3 a = seen(entered.x).place.xyz, b = seen(entered.y).place.xyz, c = seen(entered.z).place.xyz;
+  vec3 inside = mat3(a, b, c) * weights;
+  float way = inside.z / length(rayDirectionVSOutput);
+  vec3 right = pointStep[0] + way * directionStep[0];
+  vec3 up = pointStep[1] + way * directionStep[1];
+  mat2 toPixels = inverse(mat2(dot(right, across1), dot(right, across2), dot(up, across1), dot(up, across2)));
+  vec2 beside = toPixels * inside.xy;
+  return beside * min(0.9, max(wayInside(a.xy, b.xy, c.xy, weights), reach / length(beside)));
+}
+
 vec2 visibleDepths()
 {
   ivec2 pixel = ivec2(gl_FragCoord.xy);
-  if (!useDepthRanges)
+  if (useDepthRanges)
+  {
+    vec4 ranges = texelFetch(depthRanges, pixel, 0);
+    return rangeNumber == 0 ? ranges.xy : ranges.zw;
+  }
+  else
   {
     return vec2(0.0, texelFetch(opaqueDepth, pixel, 0).r);
   }
-  vec4 ranges = texelFetch(depthRanges, pixel, 0);
-  return rangeNumber == 0 ? ranges.xy : ranges.zw;
 }
 
 // Distances along the ray between which it is seen.
@@ -87,7 +136,12 @@ vec2 visibleRange()
   float atOrigin = dot(toZ, vec4(origin, 1.0));
   float slope = dot(toZ.xyz, along);
   vec2 depths = visibleDepths();
-  return (vec2(zFromDepth(depths.x), zFromDepth(depths.y)) - atOrigin) / slope;
+  vec2 range = (vec2(zFromDepth(depths.x), zFromDepth(depths.y)) - atOrigin) / slope;
+#ifdef CLIPPING_PLANES
+  vec2 between = clippedRay((MCVCMatrix * vec4(origin, 1.0)).xyz, mat3(MCVCMatrix) * along);
+  range = vec2(max(range.x, between.x), min(range.y, between.y));
+#endif
+  return range;
 }
 
 ivec3 face = ivec3(0); // vertices of the face that the ray is passing
@@ -108,7 +162,7 @@ bool isClear(Seen ahead)
   vec4 s = vec4(opacityScalar(walkA), opacityScalar(walkB), opacityScalar(walkC), opacityScalar(ahead));
   if (separateOpacity ? opacityOnCells : useCellScalars)
   {
-    s = vec4(separateOpacity ? texelFetch(opacityScalars, cellNumber()).r : texelFetch(cellScalars, cellNumber()).r);
+    s = vec4(separateOpacity ? element(opacityScalars, cellNumber()).r : element(cellScalars, cellNumber()).r);
   }
   float low = lesser(lesser(s.x, s.y), lesser(s.z, s.w));
   float high = greater(greater(s.x, s.y), greater(s.z, s.w));
@@ -132,7 +186,7 @@ void hazeAdded(vec4 before, vec2 z)
 void addVisiblePart(vec3 front, vec3 back, vec2 range)
 {
   vec2 z = vec2(max(front.x, range.x), min(back.x, range.y));
-  bool hidden = hasHiddenCells && texelFetch(hiddenCells, cellNumber()).r > 0.0;
+  bool hidden = hasHiddenCells && element(hiddenCells, cellNumber()).r > 0.0;
   if (z.y > z.x && !hidden)
   {
 #ifdef NEPHOSCOPE_HAZE
@@ -143,11 +197,11 @@ void addVisiblePart(vec3 front, vec3 back, vec2 range)
     vec2 to = mix(front.yz, back.yz, t.y);
     if (useCellScalars)
     {
-      from.x = to.x = texelFetch(cellScalars, cellNumber()).r;
+      from.x = to.x = element(cellScalars, cellNumber()).r;
     }
     if (separateOpacity && opacityOnCells)
     {
-      from.y = to.y = texelFetch(opacityScalars, cellNumber()).r;
+      from.y = to.y = element(opacityScalars, cellNumber()).r;
     }
     addSegment(from, to, z.y - z.x);
 #ifdef NEPHOSCOPE_HAZE
@@ -165,6 +219,23 @@ void startAtFace(ivec4 boundaryFace)
   {
     face = face.xzy;
   }
+}
+
+// Goes into the next tetrahedron. False: there is none.
+bool goOn(int left)
+{
+  if (crossFace(face, left, next))
+  {
+    return true;
+  }
+  if (!hasJumps || jumpFace < 0)
+  {
+    return false;
+  }
+  bool lost = walkIsLost;
+  startAtFace(element(boundaryFaces, jumpFace));
+  walkIsLost = lost;
+  return true;
 }
 
 // Which of the faces of the eye's tetrahedron, across from its vertices, the ray leaves through: where it is deepest inside, ahead.
@@ -193,7 +264,7 @@ bool startInEyeTetrahedron(vec2 range)
     face = face.xzy;
   }
   addVisiblePart(vec3(eyeZ, eyeScalars), passFace(), range);
-  return crossFace(face, left, next);
+  return goOn(left);
 }
 
 // From there to where the ray leaves the mesh, or is lost.
@@ -216,7 +287,7 @@ void walk(vec2 range)
         break;
       }
       int left = leaveTetrahedron(ahead);
-      inside = crossFace(face, left, next) && !walkIsLost &&
+      inside = goOn(left) && !walkIsLost &&
         lesser(walkA.place.z, lesser(walkB.place.z, walkC.place.z)) < range.y;
       if (!inside)
       {
@@ -235,7 +306,7 @@ void walk(vec2 range)
     int left = leaveTetrahedron(ahead);
     vec3 back = passFace();
     addVisiblePart(front, back, range);
-    if (back.x >= range.y || walkIsLost || isOpaque() || !crossFace(face, left, next))
+    if (back.x >= range.y || walkIsLost || isOpaque() || !goOn(left))
     {
       break;
     }
@@ -266,12 +337,11 @@ void main()
   clear = clearRange * unity;
   keepTopology();
   keepTable();
-  ivec4 boundaryFace = texelFetch(boundaryFaces, max(int(entry), 0));
+  ivec4 boundaryFace = element(boundaryFaces, max(int(entry), 0));
   // Cameras look along axes and grids lie along them: a ray that is lost in a face tries again a little beside.
-  vec2 beside = vec2(0.0);
-  for (int attempt = 0; attempt < 4; ++attempt)
+  for (int attempt = 0; attempt <= lastAttempt; ++attempt)
   {
-    makeRay(beside);
+    makeRay(besideCentre(attempt, boundaryFace.xyz));
     vec2 range = visibleRange();
     startSegments(length(mat3(MCVCMatrix) * along) * extinctionScale);
     bool goesOn = true;
@@ -291,7 +361,6 @@ void main()
     {
       break;
     }
-    beside = beside * -4.0 + vec2(0.00021, 0.00013);
   }
   gl_FragData[0] = accumulatedLight();
 }

@@ -14,5 +14,5 @@ void main()
   vec2 corner = vec2(gl_VertexID == 1 ? 3.0 : -1.0, gl_VertexID == 2 ? 3.0 : -1.0);
   rayPointVSOutput = rayPoint * vec3(1.0, corner);
   rayDirectionVSOutput = rayDirection * vec3(1.0, corner);
-  gl_Position = vec4(corner, 0.0, 1.0);
+  gl_Position = vec4(corner, 1.0, 1.0); // behind every entry, for the depth test
 }

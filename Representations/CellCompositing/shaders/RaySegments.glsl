@@ -14,8 +14,7 @@ vec4 high[9];
 
 #define KEEP_INTERVAL(k) low[k] = smallLow[k] * unity; high[k] = smallHigh[k] * unity;
 #define KEEP_NODE(k) nodes[k] = smallNodes[k] * unity; nodes[k + 1] = 3.0e38; KEEP_INTERVAL(k + 1)
-#define PASS_NODE(k) if (up ? s >= nodes[k] : s > nodes[k]) \
-  { result = Interval(nodes[k], nodes[k + 1], nodes[k + 1] - nodes[k], low[k + 1], high[k + 1]); }
+#define PASS_NODE(k) if (up ? s >= nodes[k] : s > nodes[k]) { result = Interval(nodes[k], nodes[k + 1], nodes[k + 1] - nodes[k], low[k + 1], high[k + 1]); }
 
 #if SMALL_TABLE > 1
 #define NODE_1(DO) DO(1)
@@ -84,10 +83,10 @@ Interval intervalFrom(float s, bool up, int number)
 #else
   bool below = number == 0;
   bool above = number == numberOfTransferNodes;
-  return Interval(below ? -3.0e38 : texelFetch(transferNodes, number - 1).r,
-    above ? 3.0e38 : texelFetch(transferNodes, number).r,
-    below || above ? 3.0e38 : texelFetch(transferNodes, number - 1).g, texelFetch(transferIntervals, 2 * number),
-    texelFetch(transferIntervals, 2 * number + 1));
+  return Interval(below ? -3.0e38 : element(transferNodes, number - 1).r,
+    above ? 3.0e38 : element(transferNodes, number).r,
+    below || above ? 3.0e38 : element(transferNodes, number - 1).g, element(transferIntervals, 2 * number),
+    element(transferIntervals, 2 * number + 1));
 #endif
 }
 

@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What a geometry shader reads of one tetrahedron. Positions in the buffers are model coordinates (MC) less the centre of the data.
 // Constants: useCellScalars, separateOpacity, opacityOnCells, useContours, contourOfColor, useLayers, contourLayers.
-uniform isamplerBuffer tetrahedra; // four point numbers
-uniform samplerBuffer points;      // position, scalar
-uniform samplerBuffer cellScalars;
-uniform samplerBuffer opacityScalars; // where opacity comes from another array than colour
-uniform samplerBuffer contourScalars; // where contours are of another array than colour
-uniform isamplerBuffer tetrahedronLayers;
+uniform IntegerArray tetrahedra; // four point numbers
+uniform FloatArray points;      // position, scalar
+uniform FloatArray cellScalars;
+uniform FloatArray opacityScalars; // where opacity comes from another array than colour
+uniform FloatArray contourScalars; // where contours are of another array than colour
+uniform IntegerArray tetrahedronLayers;
 uniform vec4 eyeMC; // w = 1; or the direction towards the eye, w = 0, in a parallel projection
 uniform mat4 MCVCMatrix;
 
@@ -29,26 +29,26 @@ float eyeCoordinate(vec3 v, vec3 a, vec3 b, vec3 c)
 bool readTetrahedron(int tetrahedron)
 {
   vec3 positionMC[4];
-  ivec4 ids = texelFetch(tetrahedra, tetrahedron);
+  ivec4 ids = element(tetrahedra, tetrahedron);
   for (int i = 0; i < 4; ++i)
   {
-    vec4 point = texelFetch(points, ids[i]);
+    vec4 point = element(points, ids[i]);
     positionMC[i] = point.xyz;
     positionVC[i] = MCVCMatrix * vec4(point.xyz, 1.0);
     scalars[i] = point.w;
-    secondScalars[i] = separateOpacity ? texelFetch(opacityScalars, opacityOnCells ? tetrahedron : ids[i]).r : 0.0;
-    thirdScalars[i] = useContours && !contourOfColor ? texelFetch(contourScalars, ids[i]).r : 0.0;
+    secondScalars[i] = separateOpacity ? element(opacityScalars, opacityOnCells ? tetrahedron : ids[i]).r : 0.0;
+    thirdScalars[i] = useContours && !contourOfColor ? element(contourScalars, ids[i]).r : 0.0;
   }
   if (useCellScalars)
   {
-    scalars = vec4(texelFetch(cellScalars, tetrahedron).r);
+    scalars = vec4(element(cellScalars, tetrahedron).r);
   }
   if (useContours)
   {
     thirdScalars = contourOfColor ? scalars : thirdScalars;
     thirdScalars = any(isnan(thirdScalars)) ? vec4(0.0) : thirdScalars; // no surface where a value is missing
   }
-  tetrahedronAndLayer = ivec2(tetrahedron, useLayers && !contourLayers ? texelFetch(tetrahedronLayers, tetrahedron).r : 0);
+  tetrahedronAndLayer = ivec2(tetrahedron, useLayers && !contourLayers ? element(tetrahedronLayers, tetrahedron).r : 0);
   vec3 a = positionMC[0], b = positionMC[1], c = positionMC[2], d = positionMC[3];
   eyeBarycentric = vec4(eyeCoordinate(a, b, c, d), eyeCoordinate(b, a, c, d), eyeCoordinate(c, a, b, d),
     eyeCoordinate(d, a, b, c));

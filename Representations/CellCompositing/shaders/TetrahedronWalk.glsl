@@ -11,7 +11,7 @@ struct Seen
 };
 Seen walkA, walkB, walkC;     // the face that the ray is passing
 float walkAB, walkBC, walkCA; // edge functions of its edges
-bool walkIsLost; // the ray ran within a face or along an edge, to within rounding, where there are no sides to tell apart
+bool walkIsLost; // the ray passed the first face by, or ran within a face or along an edge, to within rounding
 
 float edgeFunction(Seen p, Seen q)
 {
@@ -49,14 +49,17 @@ float greater(float a, float b)
 // Returns true if b and c were exchanged.
 bool startWalk(Seen a, Seen b, Seen c)
 {
-  walkIsLost = false;
   bool turned = edgeFunction(a, b) + edgeFunction(b, c) + edgeFunction(c, a) < 0.0;
   walkA = a;
   walkB = choose(turned, c, b);
   walkC = choose(turned, b, c);
-  walkAB = max(edgeFunction(walkA, walkB), 0.0);
-  walkBC = max(edgeFunction(walkB, walkC), 0.0);
-  walkCA = max(edgeFunction(walkC, walkA), 0.0);
+  walkAB = edgeFunction(walkA, walkB);
+  walkBC = edgeFunction(walkB, walkC);
+  walkCA = edgeFunction(walkC, walkA);
+  walkIsLost = min(walkAB, min(walkBC, walkCA)) < 0.0; // a rasterizer may give the face a pixel whose ray passes it by
+  walkAB = max(walkAB, 0.0);
+  walkBC = max(walkBC, 0.0);
+  walkCA = max(walkCA, 0.0);
   return turned;
 }
 

@@ -4,11 +4,11 @@
 // A sample has two scalars: x is read by the colour function (and by the opacity function, unless opacity comes from an
 // array of its own), y by the opacity function of that array. Constants: separateOpacity, splitAtControlPoints, useLayers.
 // With layers the buffers hold the tables of all layers one after the other, and selectLayer chooses the ones in force.
-uniform samplerBuffer transferNodes;     // position, ascending; width of the interval above it, which is more exact than a difference
-uniform samplerBuffer transferIntervals; // two texels per interval: colour and opacity at its low and high end
-uniform samplerBuffer opacityNodes;
-uniform samplerBuffer opacityIntervals;
-uniform samplerBuffer layerTables; // per layer: first node and number of nodes of the colour, then of the opacity table
+uniform FloatArray transferNodes;     // position, ascending; width of the interval above it, which is more exact than a difference
+uniform FloatArray transferIntervals; // two texels per interval: colour and opacity at its low and high end
+uniform FloatArray opacityNodes;
+uniform FloatArray opacityIntervals;
+uniform FloatArray layerTables; // per layer: first node and number of nodes of the colour, then of the opacity table
 uniform int numberOfTransferNodes;
 uniform int numberOfOpacityNodes;
 
@@ -18,21 +18,21 @@ ivec3 opacityTable = ivec3(0, numberOfOpacityNodes, 0);
 
 void selectLayer(int layer)
 {
-  ivec4 tables = ivec4(texelFetch(layerTables, layer));
+  ivec4 tables = ivec4(element(layerTables, layer));
   // A table has one interval more than nodes.
   transferTable = ivec3(tables.xy, tables.x + layer);
   opacityTable = ivec3(tables.zw, tables.z + layer);
 }
 
 // Number of nodes at or below s, which is the interval that contains s.
-int findInterval(samplerBuffer nodes, ivec3 table, float s)
+int findInterval(FloatArray nodes, ivec3 table, float s)
 {
   int low = 0;
   int high = table.y;
   while (low < high)
   {
     int middle = (low + high) / 2;
-    if (texelFetch(nodes, table.x + middle).r <= s)
+    if (element(nodes, table.x + middle).r <= s)
     {
       low = middle + 1;
     }
@@ -44,17 +44,17 @@ int findInterval(samplerBuffer nodes, ivec3 table, float s)
   return low;
 }
 
-vec4 evaluateInInterval(samplerBuffer nodes, samplerBuffer intervals, ivec3 table, int interval, float s)
+vec4 evaluateInInterval(FloatArray nodes, FloatArray intervals, ivec3 table, int interval, float s)
 {
   int texel = 2 * (table.z + interval);
-  vec4 atLow = texelFetch(intervals, texel);
+  vec4 atLow = element(intervals, texel);
   if (interval == 0 || interval == table.y)
   {
     return atLow;
   }
-  vec2 node = texelFetch(nodes, table.x + interval - 1).rg;
+  vec2 node = element(nodes, table.x + interval - 1).rg;
   float t = node.y > 0.0 ? clamp((s - node.x) / node.y, 0.0, 1.0) : 0.0;
-  return mix(atLow, texelFetch(intervals, texel + 1), t);
+  return mix(atLow, element(intervals, texel + 1), t);
 }
 
 vec4 evaluateColor(int interval, float s)
@@ -85,20 +85,20 @@ ivec2 findIntervals(vec2 s)
 }
 
 // Where along the segment the scalar leaves this interval on its way to the last one; beyond the end if it is there.
-float leaveInterval(samplerBuffer nodes, ivec3 table, int interval, int last, float front, float back)
+float leaveInterval(FloatArray nodes, ivec3 table, int interval, int last, float front, float back)
 {
   if (interval == last)
   {
     return 2.0;
   }
-  float node = texelFetch(nodes, table.x + (last > interval ? interval : interval - 1)).r;
+  float node = element(nodes, table.x + (last > interval ? interval : interval - 1)).r;
   return clamp((node - front) / (back - front), 0.0, 1.0);
 }
 
 // Length of a segment's piece that spans a whole interval, as a fraction.
-float crossingLength(samplerBuffer nodes, ivec3 table, int interval, float front, float back)
+float crossingLength(FloatArray nodes, ivec3 table, int interval, float front, float back)
 {
-  return texelFetch(nodes, table.x + interval - 1).g / abs(back - front);
+  return element(nodes, table.x + interval - 1).g / abs(back - front);
 }
 
 // Colour and opacity where a node of one function is reached: its limit from inside the interval; the other function's value.
@@ -107,13 +107,13 @@ vec4 limit(bool ofColor, ivec2 interval, bool high, vec2 s)
   int end = high ? 1 : 0;
   if (!separateOpacity)
   {
-    return texelFetch(transferIntervals, 2 * (transferTable.z + interval.x) + end);
+    return element(transferIntervals, 2 * (transferTable.z + interval.x) + end);
   }
   if (ofColor)
   {
-    return vec4(texelFetch(transferIntervals, 2 * (transferTable.z + interval.x) + end).rgb, evaluateOpacity(interval.y, s.y));
+    return vec4(element(transferIntervals, 2 * (transferTable.z + interval.x) + end).rgb, evaluateOpacity(interval.y, s.y));
   }
-  return vec4(evaluateColor(interval.x, s.x).rgb, texelFetch(opacityIntervals, 2 * (opacityTable.z + interval.y) + end).a);
+  return vec4(evaluateColor(interval.x, s.x).rgb, element(opacityIntervals, 2 * (opacityTable.z + interval.y) + end).a);
 }
 
 // Segment over which colour and opacity are linear; opticalScale is its length times the extinction at opacity 1.

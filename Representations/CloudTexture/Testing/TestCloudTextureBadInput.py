@@ -8,7 +8,7 @@ import nephoscope
 import numpy as np
 from cloud_sheets import TextureTestCase, sheet
 from nephoscope_testing import meshes
-from vtkmodules.vtkCommonDataModel import vtkPolyData
+from vtkmodules.vtkCommonDataModel import vtkMultiBlockDataSet, vtkPolyData
 
 CORNERS = ((0, 0, 0), (2, 2, 1))
 ONE_SET = [((0, 0, 0), 1.0)]
@@ -81,6 +81,20 @@ class BadInput(TextureTestCase):
         for data in (vtkPolyData(), meshes.particles(np.zeros((0, 3))), meshes.surface(np.zeros((3, 3)), [(0, 1, 2)])):
             messages, brightest = self.messages(data)
             self.assertEqual((messages.all, brightest), ([], 0))
+
+    def test_no_polygons(self):
+        """Vertices or lines alone, by themselves and as blocks."""
+        corners = np.array(((0, 0, 0), (1, 0, 0), (1, 1, 0.5), (0, 1, 0)), float)
+        points, lines = meshes.particles(corners), meshes.particles(corners)
+        points.SetVerts(meshes.surface(corners, [(i,) for i in range(4)]).GetPolys())
+        lines.SetLines(meshes.surface(corners, [(0, 1), (2, 3)]).GetPolys())
+        blocks = vtkMultiBlockDataSet()
+        blocks.SetBlock(0, points)
+        for data in (points, lines, blocks):
+            self.expect("4 points but no polygons", data)
+        mixed = sheet(CORNERS, ONE_SET)
+        mixed.SetVerts(points.GetVerts())
+        self.assertEqual(self.messages(mixed)[0].all, [])
 
     def test_no_input(self):
         window, mapper, _ = self.scene(sheet(CORNERS, ONE_SET), (32, 32))

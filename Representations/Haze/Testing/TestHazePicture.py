@@ -148,7 +148,7 @@ class Switch(HazeTestCase):
                 scene.window.render()
                 change(haze)
             return prepare
-        for change in (lambda h: h.SetVisibility(2e4), lambda h: h.SetColor(1, 0, 0), lambda h: h.SetProjectionToGlobe(),
+        for change in (lambda h: h.SetVisibility(2e4), lambda h: h.SetColor(1, 0, 0), lambda h: (h.SetProjectionToGlobe(), h.SetPlanetRadius(1e3)),
                        lambda h: h.BackgroundOff(), lambda h: h.SetVerticalExaggeration(5)):
             np.testing.assert_array_equal(self.hazed(later(change)), self.hazed(lambda scene, haze: change(haze)))
 

@@ -28,7 +28,7 @@ std::vector<Float4> evaluateFootprint(
 {
   ShaderRunner runner;
   const std::string constants = "const int kernel = " + std::to_string(static_cast<int>(kernel)) +
-    ";\nconst bool cutByOpaque = false;\n" + KernelConstants();
+    ";\nconst bool cutByOpaque = false;\nconst bool peeled = false;\n" + KernelConstants();
   return runner.Run(constants + readShader("SplatFootprint.glsl"), body, list, none(),
     [&](vtkShaderProgram* program) {
       program->SetUniformf("kernelRadius", static_cast<float>(KernelRadius(kernel)));
@@ -99,16 +99,35 @@ TEST(SplatFootprintShader, ShareBeforeACut)
   std::vector<Float4> list;
   for (int i = 0; i < 8000; ++i)
   {
-    list.push_back({ { float(random.Uniform(-1.2, 1.2)), float(random.Uniform()), 0, 0 } });
+    const double q = i % 5 == 0 ? 1 - random.LogUniform(1e-7, 1) : i % 5 == 1 ? random.LogUniform(1e-14, 1) : random.Uniform();
+    list.push_back({ { float(random.Uniform(-2.2, 2.2)), float(q), 0, 0 } });
   }
-  list.push_back({ { -1e37f, 0.5f, 0, 0 } });
-  list.push_back({ { 1e37f, 0.5f, 0, 0 } });
-  const auto results =
-    evaluateFootprint(SplatKernel::Cubic, list, "result = vec4(shareBefore(first.x, first.y));");
-  for (std::size_t i = 0; i < list.size(); ++i)
+  for (const float q : { 0.0f, 0.5f, 0.99999994f })
   {
-    EXPECT_NEAR(results[i][0], cubic_kernel::ShareBefore(list[i][0], list[i][1]), 5e-7)
-      << list[i][0] << " " << list[i][1];
+    for (const float z : { -1e37f, -0.0f, 0.0f, 1e37f, 1e-30f })
+    {
+      list.push_back({ { z, q, 0, 0 } });
+    }
+  }
+  for (const SplatKernel kernel : { SplatKernel::Cubic, SplatKernel::Quadratic, SplatKernel::Gaussian })
+  {
+    const auto results = evaluateFootprint(kernel, list,
+      "float share = exactShareBefore(first.x, first.y); result = vec4(share, share * footprint(first.y), "
+      "quickShareBefore(first.x, first.y), 0.0);");
+    double largest = 0;
+    for (std::size_t i = 0; i < list.size(); ++i)
+    {
+      const double rho = KernelRadius(kernel) * std::sqrt(double(list[i][1]));
+      const double share = KernelShareBefore(kernel, rho, list[i][0]);
+      const double part = share * KernelFootprint(kernel, rho);
+      largest = std::max(largest, std::abs(results[i][1] - part));
+      EXPECT_NEAR(results[i][1], part, 2e-5) << list[i][0] << " " << list[i][1]; // the footprint's polynomial is 1.5e-5 off
+      EXPECT_GE(results[i][0], 0.0f) << list[i][0] << " " << list[i][1];
+      EXPECT_LE(results[i][0], 1.0f) << list[i][0] << " " << list[i][1];
+      const double cut = list[i][0] / (KernelRadius(kernel) * std::sqrt(1.0 - list[i][1]));
+      EXPECT_NEAR(results[i][2], cubic_kernel::ShareBefore(cut, list[i][1]), 2e-6) << list[i][0] << " " << list[i][1];
+    }
+    std::cout << "kernel " << static_cast<int>(kernel) << ", largest error of a part on the GPU " << largest << std::endl;
   }
 }
 

@@ -103,6 +103,36 @@ class BadInput(unittest.TestCase):
         self.assertEqual(messages.errors, [])
         self.assertEqual(mapper.GetNumberOfDrawnSplats(), 2)
         self.assertTrue(np.isfinite(float_image(mapper)).all())
+        self.assertEqual(len(messages.warnings), 1, messages.all)
+        self.assertIn("2 points are not drawn because array 's' or a coordinate is not finite there. Blank", messages.warnings[0])
+
+    def test_what_is_left_out_is_reported(self):
+        """Once, with the number: by value, by the array of opacity and by size, at points and cells; hidden samples are not counted."""
+        random = np.random.default_rng(3)
+        for on_cells in (False, True):
+            for trial in range(4):
+                data = meshes.image((4, 3, 5))
+                attributes, kind = (data.GetCellData(), "cell") if on_cells else (data.GetPointData(), "point")
+                count = data.GetNumberOfCells() if on_cells else data.GetNumberOfPoints()
+                value, dense = random.random(count), random.random(count)
+                value[random.random(count) < 0.3] = np.nan
+                dense[random.random(count) < 0.3] = np.inf
+                hidden = random.random(count) < (0.4 if trial % 2 else 0)
+                meshes.add_array(attributes, value)
+                meshes.add_array(attributes, dense, "dense")
+                meshes.add_array(attributes, hidden * np.uint8(32 if on_cells else 2), "vtkGhostType")
+                wrong = ~np.isfinite(value + dense) & ~hidden
+                window = Window((20, 20))
+                scene = window.add_scene()
+                mapper = nephoscope.vtkTexturedSplatMapper()
+                mapper.SetOpacityArrayName("dense")
+                scene.add_volume(mapper, data, constant(), association="cell" if on_cells else "point")
+                scene.look((3, 4, 9), (0.5, 0.5, 0.5))
+                window.render()
+                mapper.SetRadiusFactor(1.5)
+                window.render()
+                self.assertEqual(len(window.messages.all), 1, window.messages.all)
+                self.assertIn(f"{wrong.sum()} {kind}{' is' if wrong.sum() == 1 else 's are'} not drawn because array 's', 'dense' or", window.messages.warnings[0])
 
     def test_hierarchy_of_vectors_in_layers(self):
         data = self.cube()
@@ -138,14 +168,6 @@ class BadInput(unittest.TestCase):
             pictures.append(float_image(mapper))
         self.assertGreater(pictures[0][..., 3].max(), 0.5)
         np.testing.assert_allclose(pictures[1], pictures[0], atol=1e-5)
-
-    def test_peeling_is_refused(self):
-        def configure(mapper, scene):
-            scene.renderer.UseDepthPeelingOn()
-            scene.renderer.UseDepthPeelingForVolumesOn()
-            actor = scene.add_opaque(meshes.surface(np.eye(3), [(0, 1, 2)]), (1, 0, 0))
-            actor.GetProperty().SetOpacity(0.5)
-        self.expect("peeled", self.cube(), configure)
 
 
 if __name__ == "__main__":

@@ -9,6 +9,8 @@ from nephoscope_testing import meshes
 from nephoscope_testing.checks import ImageTestCase
 from nephoscope_testing.offscreen import Window, float_image
 from nephoscope_testing.transfer import Transfer
+from vtkmodules.vtkCommonDataModel import vtkUnstructuredGrid
+from vtkmodules.vtkFiltersCore import vtkAppendFilter
 
 RAMP = Transfer([(0, 1, 0.2, 0.1), (1, 0.1, 0.3, 1)], [(0, 0), (1, 0.8)])
 STRETCH = np.array([[0.4, 0, 0, 1], [0, 2.5, 0, -2], [0.3, 0, 1, 0.5], [0, 0, 0, 1.0]])
@@ -35,13 +37,13 @@ def block(bend=None, size=SIZE):
 
 
 class Scenes(ImageTestCase):
-    def draw(self, data, configure=None, matrix=None, look=None, transfer=RAMP):
+    def draw(self, data, configure=None, matrix=None, look=None, transfer=RAMP, association="point"):
         window = Window((120, 100))
         scene = window.add_scene()
         mapper = nephoscope.vtkTexturedSplatMapper()
         if configure:
             configure(mapper)
-        scene.add_volume(mapper, data, transfer, matrix=matrix)
+        scene.add_volume(mapper, data, transfer, association=association, matrix=matrix)
         (look or (lambda s: s.look((14, 18, 22), (0, 0, 0), angle=50)))(scene)
         window.render()
         self.fail_on_messages(window)
@@ -125,6 +127,39 @@ class Scenes(ImageTestCase):
             self.assertGreater(medium[..., 3].max(), 0.3)
             expected = 1 - (1 - medium[..., 3:]) * (1 - alone[..., 3:])
             self.check_float(both[..., 3:], expected, f"vector of style {style}, placement {placement} around the eye", 1e-5)
+
+    def test_ghosts(self):
+        """Hidden, refined and duplicate cells, given for cells or points, draw nothing; points do if all of their cells are such."""
+        hide, shown = {}, {}
+        points = np.array([p for p in np.ndindex(SIZE[2] + 1, SIZE[1] + 1, SIZE[0] + 1)])[:, ::-1]
+        cells = np.array([c for c in np.ndindex(SIZE[2], SIZE[1], SIZE[0])])[:, ::-1]
+        for name, flag in (("hidden", 32), ("refined", 8), ("duplicate", 1)):
+            hide[name] = lambda data, flag=flag: ghost(data.AllocateCellGhostArray(), cells[:, 0] >= 5, flag)
+            shown[name] = {"cell": int((cells[:, 0] < 5).sum()), "point": int((points[:, 0] <= 5).sum())}
+        hide["hidden point"] = lambda data: ghost(data.AllocatePointGhostArray(), points[:, 0] >= 5, 2)
+        shown["hidden point"] = {"cell": int((cells[:, 0] < 4).sum()), "point": int((points[:, 0] < 5).sum())}
+
+        def ghost(array, flags, flag):
+            for i in np.flatnonzero(flags):
+                array.SetValue(i, flag)
+        opaque = Transfer([(0, 1, 1, 1), (2, 1, 1, 1)], [(0, 0.5), (2, 0.5)])
+        for name, set_ghosts in hide.items():
+            for association in ("cell", "point"):
+                for unstructured in (False, True):
+                    data = meshes.structured(SIZE, lambda p: p * (np.array(SIZE) - 1) - (np.array(SIZE) - 1) / 2)
+                    if unstructured:
+                        grid = vtkUnstructuredGrid()
+                        append = vtkAppendFilter()
+                        append.SetInputData(data)
+                        append.Update()
+                        grid.ShallowCopy(append.GetOutput())
+                        data = grid
+                    attributes = data.GetPointData() if association == "point" else data.GetCellData()
+                    meshes.add_array(attributes, np.ones(len(points) if association == "point" else len(cells)))
+                    set_ghosts(data)
+                    mapper, image = self.draw(data, transfer=opaque, association=association)
+                    self.assertEqual(mapper.GetNumberOfSamples(), shown[name][association], (name, association, unstructured))
+                    self.assertGreater(image[..., 3].max(), 0.3)
 
     def test_seam_of_a_closed_grid(self):
         """A ring whose last column is its first once more: constant density is as flat across the seam as elsewhere."""

@@ -3,7 +3,7 @@
 // Where a splat is and which shape it has, in view coordinates.
 // Splats without a Jacobian of their own are (centre, -), others the columns of J with the centre in the fourth components: all, or the
 // nodes of the hierarchy, which follow those that share one.
-uniform samplerBuffer splats;
+uniform FloatArray splats;
 uniform int firstNode;
 uniform mat4 modelToVC;
 uniform mat3 sharedJacobian;
@@ -15,15 +15,15 @@ void readSplat(int splat, out vec3 centerVC, out mat3 jacobianVC)
   if (jacobianPerSplat || splat >= firstNode)
   {
     int first = jacobianPerSplat ? 3 * splat : firstNode + 3 * (splat - firstNode);
-    vec4 x = texelFetch(splats, first);
-    vec4 y = texelFetch(splats, first + 1);
-    vec4 z = texelFetch(splats, first + 2);
+    vec4 x = element(splats, first);
+    vec4 y = element(splats, first + 1);
+    vec4 z = element(splats, first + 2);
     center = vec3(x.w, y.w, z.w);
     jacobian = mat3(x.xyz, y.xyz, z.xyz);
   }
   else
   {
-    center = texelFetch(splats, splat).xyz;
+    center = element(splats, splat).xyz;
   }
   centerVC = (modelToVC * vec4(center, 1.0)).xyz;
   jacobianVC = mat3(modelToVC) * jacobian;

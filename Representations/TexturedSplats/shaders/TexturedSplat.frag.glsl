@@ -6,8 +6,7 @@
 //   in:  st, a point of the ray in the plane through the centre, in cells; w, the centre seen from the eye in cells
 //   out: the exact integral along the ray of the kernel in the shape of the cell (EllipsoidSplat.h): with k = w + st, at right
 //        angles to each other, the ray passes the centre at the distance |st| |w| / |k|, and a cell is |ray| / |k| thick
-// What lies behind opaque geometry is left out: the share of the kernel in front of it along the ray is taken as a polynomial
-// of the place where it is cut.
+// What opaque geometry, peeled surfaces and clipping planes cut off along the ray is left out: SplatFootprint.glsl.
 uniform float extinctionScale;
 uniform float vectorScale; // optical depth of a vector at full strength
 uniform vec3 streakShape;  // length of the pattern, of the longest tail, and width, in units of the vectors
@@ -48,11 +47,9 @@ void drawNear()
   {
     discard;
   }
-  float halfChord = kernelRadius * sqrt(1.0 - q) * inversesqrt(along);
-  float share = shareBefore((-opaqueZ() - middle) / halfChord, q) - shareBefore(-middle / halfChord, q);
-  float opticalDepth = extinctionScale * colorGSOutput.a * share * footprint(q) * length(positionVCGSOutput) * inversesqrt(along);
-  float alpha = 1.0 - exp(-opticalDepth);
-  gl_FragData[0] = vec4(alpha * colorGSOutput.rgb, alpha);
+  float cell = inversesqrt(along);
+  float opticalDepth = extinctionScale * colorGSOutput.a * footprint(q) * length(positionVCGSOutput) * cell;
+  putLight(opticalDepth * seenShares(-middle, cell, q, 0.0), colorGSOutput.rgb);
 }
 
 #ifdef DRAW_VECTORS
@@ -73,12 +70,19 @@ float streaksHere()
 
 void drawSegment()
 {
-  if (opaqueZ() > positionVCGSOutput.z)
+  vec4 range = seenRanges();
+  float z = positionVCGSOutput.z;
+  vec2 alpha = vec2(range.y <= z && z <= range.x, range.w <= z && z < range.z) *
+    segmentCoverage(stGSOutput, detailGSOutput.x, detailGSOutput.y) * (1.0 - exp(-vectorScale)) * colorGSOutput.a;
+  if (!any(greaterThan(alpha, vec2(0.0))))
   {
     discard;
   }
-  float alpha = segmentCoverage(stGSOutput, detailGSOutput.x, detailGSOutput.y) * (1.0 - exp(-vectorScale)) * colorGSOutput.a;
-  gl_FragData[0] = vec4(alpha * colorGSOutput.rgb, alpha);
+  gl_FragData[0] = vec4(alpha.x * colorGSOutput.rgb, alpha.x);
+  if (peeled)
+  {
+    gl_FragData[1] = vec4(alpha.y * colorGSOutput.rgb, alpha.y);
+  }
 }
 
 #endif
@@ -113,12 +117,11 @@ void main()
   }
   float ray = parallelRays ? 1.0 : length(positionVCGSOutput);
   float cell = inversesqrt(along); // 1 / |k|
-  // Depth of the point nearest to the centre, and half the chord through the kernel, as z in view coordinates.
+  // Depth of the point nearest to the centre, and a cell along the ray, as z in view coordinates.
   float slope = parallelRays ? 1.0 : -positionVCGSOutput.z;
   float middle = parallelRays ? positionVCGSOutput.z : positionVCGSOutput.z * square / along;
-  float halfChord = slope * kernelRadius * sqrt(1.0 - q) * cell;
-  float window = splatGSOutput.y * footprint(q) * shareBefore((middle - opaqueZ()) / halfChord, q);
-  float opticalDepth = extinctionScale * colorGSOutput.a * window * ray * cell;
+  vec2 window = splatGSOutput.y * footprint(q) * seenShares(middle, slope * cell, q, farAway);
+  vec2 opticalDepth = extinctionScale * colorGSOutput.a * window * ray * cell;
 #ifdef DRAW_VECTORS
   if (kindGSOutput == STREAKS)
   {
@@ -129,6 +132,5 @@ void main()
     opticalDepth *= 0.5;
   }
 #endif
-  float alpha = 1.0 - exp(-opticalDepth);
-  gl_FragData[0] = vec4(alpha * colorGSOutput.rgb, alpha);
+  putLight(opticalDepth, colorGSOutput.rgb);
 }

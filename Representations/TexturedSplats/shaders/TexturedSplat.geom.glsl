@@ -8,11 +8,12 @@
 // In cell coordinates the eye sees a ball of the kernel's radius from the place -w: its silhouette cone cuts the plane through
 // the centre at right angles to w in a circle, of radius R |w| / sqrt(|w|^2 - R^2). Any two unit vectors in that plane give a
 // parallelogram around the ellipse in the world, all of the same area.
+//NEPHOSCOPE::Arrays
 //NEPHOSCOPE::Constants
 layout(points) in;
 layout(triangle_strip, max_vertices = MAX_VERTICES) out;
 
-uniform samplerBuffer splatColors; // colour, extinction per world length
+uniform FloatArray splatColors; // colour, extinction per world length
 uniform mat4 VCToDC;
 uniform float kernelRadius; // cells
 uniform vec2 pixelsPerDC;   // half the size of the viewport
@@ -67,7 +68,8 @@ void emitCorner(vec2 st, vec3 positionVC, vec3 centerVC, float square, SplatLook
   regionGSOutput = inRegion(look.center, look.small);
 #endif
   gl_Position = positionDC;
-  gl_Position.z = 0.0; // the near and the far plane cut nothing
+  // The near and the far plane cut nothing. Where surfaces are peeled, pixels without a range fail the depth test.
+  gl_Position.z = peeled ? gl_Position.w : 0.0;
   EmitVertex();
 }
 
@@ -176,7 +178,7 @@ void emitViewport(vec3 center, vec3 w, mat3 inverseJ, vec4 color)
 #ifdef DRAW_REGION
     regionGSOutput = inRegion(center, false);
 #endif
-    gl_Position = vec4(place, 0.0, 1.0);
+    gl_Position = vec4(place, peeled ? 1.0 : 0.0, 1.0);
     EmitVertex();
   }
   EndPrimitive();
@@ -206,7 +208,7 @@ void main()
   vec3 center;
   mat3 J;
   readSplat(splat, center, J);
-  vec4 color = texelFetch(splatColors, splat);
+  vec4 color = element(splatColors, splat);
 #ifdef NEPHOSCOPE_HAZE
   color.rgb = hazedColor(color.rgb, center); // a splat is small, and so is what haze changes across it
 #endif

@@ -6,8 +6,6 @@
 //   in:  of the splat: see the vertex shader
 //   out: the exact integral along the ray of the kernel in the shape of the cell, as in TexturedSplat.frag.glsl, by fewer operations.
 //        Far splats: to first order in their size over the distance, SplatRanges.h says how far
-uniform vec4 rayOfPixel; // X = x + z px, Y = y + w py of the ray (X, Y, -1) through a pixel
-
 //NEPHOSCOPE::Constants
 
 flat in vec4 colorVSOutput;
@@ -22,11 +20,11 @@ flat in vec4 depthVSOutput;
 flat in vec4 regionVSOutput;
 #endif
 
-// Share of the kernel in front of opaque geometry; |k|^2 and 1 + h over those of the ray through the centre.
-float shareInFront(float q, float inverseK, float along)
+// Shares of the kernel that are seen; |k|^2 and 1 + h over those of the ray through the centre.
+vec2 sharesOfPixel(float q, float inverseK, float along)
 {
   float middle = parallelRays ? depthVSOutput.x + along - 1.0 : depthVSOutput.x * along * inverseK;
-  return shareBefore((middle - opaqueZ()) / (depthVSOutput.y * sqrt((1.0 - q) * inverseK)), q);
+  return seenShares(middle, depthVSOutput.y * sqrt(inverseK), q, farAway);
 }
 
 void main()
@@ -61,10 +59,13 @@ void main()
   {
     discard;
   }
-  if (cutByOpaque)
+  opticalDepth *= footprint(q);
+  if (cutByOpaque || peeled || clipped)
   {
-    opticalDepth *= shareInFront(q, firstOrder ? 1.0 - 2.0 * lean : inverseK, along);
+    const float fromBaseTwo = 0.6931471805599453;
+    putLight(fromBaseTwo * opticalDepth * sharesOfPixel(q, firstOrder ? 1.0 - 2.0 * lean : inverseK, along), colorVSOutput.rgb);
+    return;
   }
-  float alpha = 1.0 - exp2(-opticalDepth * footprint(q));
+  float alpha = 1.0 - exp2(-opticalDepth);
   gl_FragData[0] = vec4(alpha * colorVSOutput.rgb, alpha);
 }

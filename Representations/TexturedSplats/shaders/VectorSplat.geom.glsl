@@ -3,8 +3,8 @@
 // The quadrangle on which the vector of a splat is drawn.
 //   streaks: the kernel of a cell that is lengthened along the vector, so that they are not cut short, with its lattice sum still flat
 //   segments: a rectangle around the projected segment, in pixels
-uniform samplerBuffer splatVectors; // vector, phase
-uniform samplerBuffer vectorColors; // colour, seed
+uniform FloatArray splatVectors; // vector, phase
+uniform FloatArray vectorColors; // colour, seed
 uniform float greatestSpeed;        // where vectors are fully drawn
 uniform float vectorUnit;           // of streakLength and segmentLength, in units of the data
 uniform float streakLength;         // of the kernel along the vector
@@ -23,7 +23,7 @@ struct SplatVector
 
 bool readVector(int splat, out SplatVector vector)
 {
-  vec4 texel = texelFetch(splatVectors, splat);
+  vec4 texel = element(splatVectors, splat);
   vec3 v = mat3(modelToVC) * texel.xyz;
   float speed = length(texel.xyz);
   float magnitude = length(v);
@@ -36,7 +36,7 @@ bool readVector(int splat, out SplatVector vector)
   vector.unit = vectorUnit * magnitude / speed;
   vector.phase = texel.w;
   vector.weight = 1.0;
-  vector.color = texelFetch(vectorColors, splat);
+  vector.color = element(vectorColors, splat);
   return true;
 }
 

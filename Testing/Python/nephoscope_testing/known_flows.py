@@ -132,7 +132,8 @@ def sampled(flow, blocks=2):
 def smoke_of(flow, steps, n, data=None, **settings):
     """t = 1 of smoke in `steps` layers, from n x n triangles; neither steps nor edges are divided further."""
     made = flow_volume(data or sampled(flow), **{"NormalToFlow": False, "PolygonEdgeLength": 10, "MaximumEdgeLength": 100,
-                                                 "MaximumTurnAngle": 0, "Duration": 1, "TimeStep": 1 / steps, **settings})
+                                                 "MaximumTurnAngle": 0, "Duration": 1, "TimeStep": 1 / steps,
+                                                 "MaximumNumberOfTetrahedra": 10_000_000, **settings})
     producer = vtkTrivialProducer()
     producer.SetOutput(polygons(*lattice(flow.corners, n)))
     made.SetPolygonConnection(producer.GetOutputPort())

@@ -59,6 +59,14 @@ def clip(planes, origins, directions, start, end):
     return t_in, t_out
 
 
+def between_planes(view, planes):
+    """World lengths along every ray between which it lies in front of all planes, given as (origin, normal)."""
+    origins, directions, _, _ = view.rays()
+    everywhere = np.full(len(origins), np.inf)
+    outward = [(*-np.asarray(normal, float), -np.dot(normal, origin)) for origin, normal in planes]
+    return clip(outward, origins, directions, -everywhere, everywhere)
+
+
 def _clipped(cells, view, origins, directions, start, end):
     for i in range(len(cells)):
         if len(cells.planes[i]) < 4:

@@ -13,15 +13,21 @@ def cubic(r):
     return np.where(r <= INNER, near, 0.067599 * rest**2 + 0.282474 * rest**3)
 
 
-def optical_depths(view, position, jacobian, stop=None, nodes=192):
-    """Integral of the kernel along every ray (world length), up to the world length `stop`."""
+def gaussian(r):
+    """Of the same variance; along a ray it is not cut off."""
+    return np.exp(-0.5 * r**2 / 0.199406) / (2 * np.pi * 0.199406)**1.5
+
+
+def optical_depths(view, position, jacobian, stop=None, nodes=192, begin=None, kernel=cubic, radius=OUTER):
+    """Integral of the kernel along every ray (world length), from the world length `begin` to `stop`."""
     origins, directions, _, _ = view.rays()
     inverse = np.linalg.inv(jacobian)
-    reach = OUTER * np.linalg.norm(jacobian, 2)
+    reach = radius * np.linalg.norm(jacobian, 2)
     middle = np.einsum("ij,ij->i", position - origins, directions)
     x, w = np.polynomial.legendre.leggauss(nodes)
     low = middle - reach
     high = middle + reach if stop is None else np.clip(stop, low, middle + reach)
+    low = low if begin is None else np.clip(begin, low, high)
     low = np.maximum(low, 0.0) if not view.parallel else low
     half = 0.5 * np.maximum(high - low, 0)
     t = (low + half)[:, None] + half[:, None] * x
@@ -32,19 +38,19 @@ def optical_depths(view, position, jacobian, stop=None, nodes=192):
     rows = np.flatnonzero(near & ~miss)
     for chunk in np.array_split(rows, max(1, len(rows) // 4096)):
         points = origins[chunk, None] + t[chunk, :, None] * directions[chunk, None] - position
-        total[chunk] = half[chunk] * (cubic(np.linalg.norm(points @ inverse.T, axis=2)) @ w)
+        total[chunk] = half[chunk] * (kernel(np.linalg.norm(points @ inverse.T, axis=2)) @ w)
     return total
 
 
-def render(view, positions, jacobians, colors, extinctions, stop=None):
-    """(height, width, 4) premultiplied: splats over each other, nearest to the eye last."""
+def render(view, positions, jacobians, colors, extinctions, stop=None, begin=None):
+    """(height, width, 4) premultiplied: splats over each other, nearest to the eye last; what lies between two world lengths."""
     if view.parallel:
         order = np.argsort(-((positions - view.eye) @ view.forward), kind="stable")
     else:
         order = np.argsort(-np.linalg.norm(positions - view.eye, axis=1), kind="stable")
     image = np.zeros((view.height * view.width, 4))
     for i in order:
-        alpha = -np.expm1(-extinctions[i] * optical_depths(view, positions[i], jacobians[i], stop))
+        alpha = -np.expm1(-extinctions[i] * optical_depths(view, positions[i], jacobians[i], stop, begin=begin))
         image = np.concatenate([alpha[:, None] * colors[i], alpha[:, None]], axis=1) + (1 - alpha[:, None]) * image
     return image.reshape(view.height, view.width, 4)
 

@@ -30,8 +30,8 @@ class Layer:
 
 
 def composite(volumes, view, layers, opaque=None, background=(0, 0, 0)):
-    """The picture (height, width, 3). volumes: (cells, transfer) pairs, each laid over those before it; opaque: (triangles,
-    colour)."""
+    """The picture (height, width, 3). volumes: (cells, transfer) pairs, or functions of (view, begin, end) that return light, each laid over
+    those before it; opaque: (triangles, colour)."""
     end, under = np.full(view.width * view.height, np.inf), np.asarray(background, float)
     if opaque:
         end = reference.opaque_distance(opaque[0], view)
@@ -56,8 +56,9 @@ def _between(volumes, view, begin, end):
     total = np.zeros((view.width * view.height, 4))
     if not (begin < end).any():
         return total
-    for cells, transfer in volumes:
-        light = reference.render(cells, view, transfer, end, begin=begin).reshape(-1, 4)
+    for volume in volumes:
+        light = volume(view, begin, end) if callable(volume) else reference.render(volume[0], view, volume[1], end, begin=begin)
+        light = light.reshape(-1, 4)
         total = light + (1 - light[:, 3:]) * total
     return total
 

@@ -133,7 +133,7 @@ std::string shaderSource()
   {
     constants += std::string("const bool ") + off + " = false;\n";
   }
-  return constants + "uniform vec4 eyeVC;\nuniform isamplerBuffer tetrahedra;\nuniform samplerBuffer points;\n" + readShader("OpticalSegment.glsl") + readShader("TransferFunction.glsl") +
+  return constants + "uniform vec4 eyeVC;\nuniform IntegerArray tetrahedra;\nuniform FloatArray points;\n" + readShader("OpticalSegment.glsl") + readShader("TransferFunction.glsl") +
     readShader("ContourSurfaces.glsl");
 }
 

@@ -245,3 +245,13 @@ TEST(TetrahedronWalk, IsLostWithinAFace)
   walk.Step({ 1, 0, 1, 0 });
   EXPECT_TRUE(walk.IsLost);
 }
+
+// A start at a face that the ray passes by is a wrong start, which must be said.
+TEST(TetrahedronWalk, IsLostBesideTheFirstFace)
+{
+  TetrahedronWalk<float> walk;
+  walk.Start({ -1, 0.001f, 0, 0 }, { 1, 0.001f, 0, 0 }, { 0, 1, 0, 0 });
+  EXPECT_TRUE(walk.IsLost);
+  walk.Start({ -1, -0.001f, 0, 0 }, { 1, -0.001f, 0, 0 }, { 0, 1, 0, 0 });
+  EXPECT_FALSE(walk.IsLost);
+}

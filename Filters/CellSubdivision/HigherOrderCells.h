@@ -1,0 +1,218 @@
+// SPDX-FileCopyrightText: The Nephoscope authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * Higher-order cells as linear cells between their points, for the kinds whose neighbours do not agree on the diagonals of common
+ * faces when VTK divides them: quadratic pyramids, and Lagrange and Bezier hexahedra and wedges; and for those that VTK 9.2 does not divide
+ * into tetrahedra at all: its Triangulate gives nothing, or wedges, for the four kinds of splitQuadraticSolid.
+ *
+ * Each linear cell goes through decomposeCell, so that faces are cut by the same rule from both sides.
+ */
+#ifndef HigherOrderCells_h
+#define HigherOrderCells_h
+
+#include "CellDecomposition.h"
+
+#include "vtkCell.h"
+#include "vtkCellType.h"
+#include "vtkHigherOrderHexahedron.h"
+#include "vtkHigherOrderWedge.h"
+#include "vtkIdList.h"
+#include "vtkPoints.h"
+
+#include <algorithm>
+#include <array>
+#include <initializer_list>
+#include <numeric>
+
+namespace nephoscope
+{
+
+/** The middle of a quadratic pyramid, between the middles of its edges: two squares and eight triangles. */
+constexpr int pyramidCoreFaceList[] = { 4, 0, 1, 2, 3, 4, 4, 5, 6, 7, 3, 0, 4, 5, 3, 1, 5, 6, 3, 2,
+  6, 7, 3, 3, 7, 4, 3, 0, 3, 4, 3, 1, 0, 5, 3, 2, 1, 6, 3, 3, 2, 7 };
+
+/** Calls emit(faces, points): a linear cell, and its points as the numbers that they have in the quadratic pyramid. */
+template <typename Emit>
+void splitQuadraticPyramid(Emit emit)
+{
+  const FaceList<int> tetrahedron = makeFaceList(tetrahedronFaceList);
+  const int corners[4][4] = { { 0, 5, 8, 9 }, { 1, 6, 5, 10 }, { 2, 7, 6, 11 }, { 3, 8, 7, 12 } };
+  for (const auto& corner : corners)
+  {
+    emit(tetrahedron, corner);
+  }
+  const int top[] = { 9, 10, 11, 12, 4 };
+  emit(makeFaceList(pyramidFaceList), top);
+  const int core[] = { 5, 6, 7, 8, 9, 10, 11, 12 };
+  emit(makeFaceList(pyramidCoreFaceList), core);
+}
+
+/** Eight hexahedra between the 27 points of a triquadratic one. */
+template <typename Emit>
+void splitTriquadraticHexahedron(Emit emit)
+{
+  constexpr int lattice[3][3][3] = { { { 0, 8, 1 }, { 11, 24, 9 }, { 3, 10, 2 } },
+    { { 16, 22, 17 }, { 20, 26, 21 }, { 19, 23, 18 } }, { { 4, 12, 5 }, { 15, 25, 13 }, { 7, 14, 6 } } };
+  for (int part = 0; part < 8; ++part)
+  {
+    const int i = part & 1, j = part >> 1 & 1, k = part >> 2;
+    auto at = [&](int a, int b, int c) { return lattice[k + c][j + b][i + a]; };
+    const int points[] = { at(0, 0, 0), at(1, 0, 0), at(1, 1, 0), at(0, 1, 0), at(0, 0, 1), at(1, 0, 1), at(1, 1, 1), at(0, 1, 1) };
+    emit(makeFaceList(hexahedronFaceList), points);
+  }
+}
+
+/** A hexahedron with points in the middle of its edges and of four faces: one cell, of triangles and quadrilaterals. */
+template <typename Emit>
+void splitBiquadraticHexahedron(Emit emit)
+{
+  constexpr int corners[6][9] = { { 0, 16, 4, 15, 7, 19, 3, 11, 20 }, { 1, 9, 2, 18, 6, 13, 5, 17, 21 }, { 0, 8, 1, 17, 5, 12, 4, 16, 22 },
+    { 3, 19, 7, 14, 6, 18, 2, 10, 23 }, { 0, 11, 3, 10, 2, 9, 1, 8, -1 }, { 4, 12, 5, 13, 6, 14, 7, 15, -1 } };
+  int faces[4 * 4 * 5 + 2 * (4 * 4 + 5)], length = 0;
+  auto add = [&](std::initializer_list<int> face) {
+    faces[length++] = static_cast<int>(face.size());
+    length += static_cast<int>(std::copy(face.begin(), face.end(), faces + length) - (faces + length));
+  };
+  for (const auto& f : corners)
+  {
+    for (int c = 0; c < 8; c += 2)
+    {
+      f[8] < 0 ? add({ f[c], f[c + 1], f[(c + 7) % 8] }) : add({ f[c], f[c + 1], f[8], f[(c + 7) % 8] });
+    }
+    if (f[8] < 0)
+    {
+      add({ f[1], f[3], f[5], f[7] });
+    }
+  }
+  int own[24];
+  std::iota(own, own + 24, 0);
+  emit(FaceList<int>{ faces, faces + length }, own);
+}
+
+template <typename Emit>
+void splitQuadraticWedge(bool linearUpwards, Emit emit)
+{
+  constexpr int linear[4][6] = { { 0, 6, 8, 3, 9, 11 }, { 6, 7, 8, 9, 10, 11 }, { 6, 1, 7, 9, 4, 10 }, { 8, 7, 2, 11, 10, 5 } };
+  constexpr int quadratic[8][6] = { { 0, 6, 8, 12, 15, 17 }, { 6, 7, 8, 15, 16, 17 }, { 6, 1, 7, 15, 13, 16 }, { 8, 7, 2, 17, 16, 14 },
+    { 12, 15, 17, 3, 9, 11 }, { 15, 16, 17, 9, 10, 11 }, { 15, 13, 16, 9, 4, 10 }, { 17, 16, 14, 11, 10, 5 } };
+  for (int part = 0; part < (linearUpwards ? 4 : 8); ++part)
+  {
+    emit(makeFaceList(wedgeFaceList), linearUpwards ? linear[part] : quadratic[part]);
+  }
+}
+
+/** Those that VTK does not divide into tetrahedra; false for all other cells. */
+template <typename Emit>
+bool splitQuadraticSolid(int cellType, Emit emit)
+{
+  switch (cellType)
+  {
+    case VTK_TRIQUADRATIC_HEXAHEDRON:
+      splitTriquadraticHexahedron(emit);
+      return true;
+    case VTK_BIQUADRATIC_QUADRATIC_HEXAHEDRON:
+      splitBiquadraticHexahedron(emit);
+      return true;
+    case VTK_QUADRATIC_LINEAR_WEDGE:
+    case VTK_BIQUADRATIC_QUADRATIC_WEDGE:
+      splitQuadraticWedge(cellType == VTK_QUADRATIC_LINEAR_WEDGE, emit);
+      return true;
+    default:
+      return false;
+  }
+}
+
+/** vtkCell::Triangulate, for cells of all kinds. */
+inline bool triangulateCell(vtkCell* cell, vtkIdList* ids, vtkPoints* points)
+{
+  vtkIdList* own = cell->GetPointIds();
+  auto part = [&](FaceList<int> faces, const int* vertices) {
+    decomposeCell(
+      faces, [&](int a, int b) { return own->GetId(vertices[a]) < own->GetId(vertices[b]); },
+      [&](const std::array<int, 4>& tetrahedron) {
+        for (int vertex : tetrahedron)
+        {
+          ids->InsertNextId(own->GetId(vertices[vertex]));
+          points->InsertNextPoint(cell->GetPoints()->GetPoint(vertices[vertex]));
+        }
+      });
+  };
+  ids->Reset();
+  points->Reset();
+  return splitQuadraticSolid(cell->GetCellType(), part) || cell->Triangulate(0, ids, points) != 0;
+}
+
+template <typename Emit>
+void splitHexahedron(vtkHigherOrderHexahedron* cell, Emit emit)
+{
+  const int* order = cell->GetOrder();
+  for (int k = 0; k < order[2]; ++k)
+  {
+    for (int j = 0; j < order[1]; ++j)
+    {
+      for (int i = 0; i < order[0]; ++i)
+      {
+        auto at = [&](int a, int b, int c) { return cell->PointIndexFromIJK(i + a, j + b, k + c); };
+        const int points[] = { at(0, 0, 0), at(1, 0, 0), at(1, 1, 0), at(0, 1, 0), at(0, 0, 1),
+          at(1, 0, 1), at(1, 1, 1), at(0, 1, 1) };
+        emit(makeFaceList(hexahedronFaceList), points);
+      }
+    }
+  }
+}
+
+template <typename Emit>
+void splitWedge(vtkHigherOrderWedge* cell, Emit emit)
+{
+  const int* order = cell->GetOrder();
+  for (int k = 0; k < order[2]; ++k)
+  {
+    for (int j = 0; j < order[0]; ++j)
+    {
+      for (int i = 0; i + j < order[0]; ++i)
+      {
+        auto at = [&](int a, int b, int c) { return cell->PointIndexFromIJK(i + a, j + b, k + c); };
+        const int upright[] = { at(0, 0, 0), at(1, 0, 0), at(0, 1, 0), at(0, 0, 1), at(1, 0, 1),
+          at(0, 1, 1) };
+        emit(makeFaceList(wedgeFaceList), upright);
+        if (i + j + 1 < order[0])
+        {
+          const int turned[] = { at(1, 0, 0), at(1, 1, 0), at(0, 1, 0), at(1, 0, 1), at(1, 1, 1),
+            at(0, 1, 1) };
+          emit(makeFaceList(wedgeFaceList), turned);
+        }
+      }
+    }
+  }
+}
+
+/** False for all other cells. */
+template <typename Emit>
+bool splitHigherOrderCell(vtkCell* cell, Emit emit)
+{
+  if (cell->GetCellType() == VTK_QUADRATIC_PYRAMID)
+  {
+    splitQuadraticPyramid(emit);
+    return true;
+  }
+  if (splitQuadraticSolid(cell->GetCellType(), emit))
+  {
+    return true;
+  }
+  if (auto* hexahedron = vtkHigherOrderHexahedron::SafeDownCast(cell))
+  {
+    splitHexahedron(hexahedron, emit);
+    return true;
+  }
+  auto* wedge = vtkHigherOrderWedge::SafeDownCast(cell);
+  if (wedge && wedge->GetNumberOfPoints() != 21) // a special wedge, which has no lattice
+  {
+    splitWedge(wedge, emit);
+    return true;
+  }
+  return false;
+}
+
+} // namespace nephoscope
+
+#endif

@@ -1,0 +1,198 @@
+// SPDX-FileCopyrightText: The Nephoscope authors
+// SPDX-License-Identifier: BSD-3-Clause
+// The part of vtkFlowVolume that makes the volume of a steady flow, and says how it was coarsened.
+#include "vtkFlowVolume.h"
+
+#include "DataSets.h"
+#include "FlowVolumeState.h"
+#include "PolygonFlow.h"
+#include "WholeVolume.h"
+
+#include "vtkCellData.h"
+#include "vtkDataArray.h"
+#include "vtkDataSet.h"
+#include "vtkMath.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+#include "vtkUnstructuredGrid.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace
+{
+constexpr double buildingShare = 0.9; // of the time, about; the rest is interpolating arrays
+}
+
+void vtkFlowVolume::MakeSteadyVolume(
+  vtkDataObject* input, vtkPolyData* given, vtkUnstructuredGrid* output)
+{
+  constexpr double anyTime = 0.0;
+  const auto field = this->MakeField(input);
+  nephoscope::PolygonMesh polygon;
+  if (!field || !this->MakePolygon(*field, *field->Field, anyTime, given, polygon))
+  {
+    return;
+  }
+  const nephoscope::PolygonFlow flow(*field->Field, polygon, anyTime);
+  nephoscope::FlowVolumeSettings settings;
+  if (!this->CheckPlace(*field, polygon, flow) || !this->CheckFlow(*field, flow) ||
+    !this->FindSettings(*field, flow, settings))
+  {
+    return;
+  }
+  const auto coarser = [&](double edge) {
+    nephoscope::PolygonMesh remade;
+    this->TriangulatePolygon(*field, *field->Field, anyTime, given, edge, remade);
+    return remade;
+  };
+  const auto whole = nephoscope::BuildWholeVolume(*field->Field, polygon, settings, anyTime,
+    this->Duration == 0.0, coarser, [this](double share) { return this->Report(buildingShare * share); });
+  this->ReportSteady(whole);
+  this->WarnOfMissing(*field);
+  this->WriteOutput(
+    whole.Mesh,
+    [&](const nephoscope::SmokeMesh& smoke, vtkPointData* arrays) {
+      field->Field->SampleArrays(
+        smoke.Points.size(), smoke.Points.data(), smoke.Hints.data(), arrays);
+    },
+    output);
+}
+
+bool vtkFlowVolume::FindSettings(const nephoscope::FlowField& field,
+  const nephoscope::PolygonFlow& flow, nephoscope::FlowVolumeSettings& settings)
+{
+  const double crossing = field.Diagonal / flow.MeanSpeed;
+  settings.Duration = this->Duration > 0.0 ? this->Duration : 0.5 * crossing;
+  // However long the duration is, a step must not lead out of the data at once.
+  const double automaticStep = std::max(std::min(settings.Duration / 64.0, crossing / 32.0),
+    1.000001 * settings.Duration / maximumNumberOfSteps);
+  settings.TimeStep = this->TimeStep > 0.0 ? this->TimeStep : automaticStep;
+  settings.MaximumEdgeLength = this->MaximumEdgeLength > 0.0
+    ? this->MaximumEdgeLength
+    : std::max(3.0 * flow.LongestEdge, flow.MeanSpeed * settings.TimeStep);
+  settings.MinimumEdgeLength = this->MinimumEdgeLength;
+  settings.MaximumTurnAngle = vtkMath::RadiansFromDegrees(this->MaximumTurnAngle);
+  settings.Adaptive = this->Integrator == RUNGE_KUTTA_45;
+  settings.Tolerance = this->Tolerance;
+  settings.MaximumNumberOfTetrahedra = static_cast<std::size_t>(this->MaximumNumberOfTetrahedra);
+  return this->CheckNumberOfSteps(settings.Duration, settings.TimeStep);
+}
+
+void vtkFlowVolume::ReportSteady(const nephoscope::WholeVolume& whole)
+{
+  const nephoscope::SmokeReport& report = whole.Mesh.Report;
+  this->DurationUsed = whole.Settings.Duration;
+  this->TimeStepUsed = whole.Settings.TimeStep;
+  this->MaximumEdgeLengthUsed = whole.Settings.MaximumEdgeLength;
+  this->EmittedMass = this->InitialDensity * report.EmittedMass;
+  this->LostMass = this->InitialDensity * report.LostMass;
+  if (report.LimitReached)
+  {
+    this->WarnOfLimit();
+  }
+  else if (report.Stopped)
+  {
+    return;
+  }
+  else if (whole.Mesh.Tetrahedra.empty())
+  {
+    this->WarnOfNothing(report);
+  }
+  else if (whole.IsCoarser)
+  {
+    this->WarnOfCoarsening(whole.PolygonEdgeLength);
+  }
+}
+
+// What is automatic is chosen so that the volume has a moderate size; only what was asked for and is not given is told.
+bool vtkFlowVolume::IsSizeAutomatic() const
+{
+  return this->TimeStep == 0.0 && this->PolygonEdgeLength == 0.0 && this->MaximumEdgeLength == 0.0 &&
+    this->MaximumNumberOfTetrahedra >= moderateNumberOfTetrahedra;
+}
+
+void vtkFlowVolume::WarnOfCoarsening(double polygonEdgeLength)
+{
+  if (this->IsSizeAutomatic())
+  {
+    return;
+  }
+  vtkWarningMacro("The smoke is coarser than requested, so that its whole duration fits into MaximumNumberOfTetrahedra ("
+    << this->MaximumNumberOfTetrahedra << "). It has a TimeStep of "
+    << this->TimeStepUsed << ", a PolygonEdgeLength of " << polygonEdgeLength
+    << " and a MaximumEdgeLength of " << this->MaximumEdgeLengthUsed
+    << ". Allow more tetrahedra, or shorten the Duration.");
+}
+
+void vtkFlowVolume::WarnOfLongEdges()
+{
+  if (!this->IsSizeAutomatic())
+  {
+    vtkWarningMacro("The smoke is coarser than requested, so that its whole duration fits into MaximumNumberOfTetrahedra ("
+      << this->MaximumNumberOfTetrahedra << "). Some edges are longer than MaximumEdgeLength ("
+      << this->MaximumEdgeLengthUsed << "). Allow more tetrahedra, or lengthen MaximumEdgeLength.");
+  }
+}
+
+void vtkFlowVolume::WarnOfLimit()
+{
+  vtkWarningMacro("The volume ends early: even the coarsest volume has more tetrahedra than MaximumNumberOfTetrahedra ("
+    << this->MaximumNumberOfTetrahedra << "). Allow more, or make the generating polygon simpler.");
+}
+
+void vtkFlowVolume::WarnOfMissing(const nephoscope::FlowField& field)
+{
+  if (!(this->LostMass > 0.0))
+  {
+    return; // no smoke can have met one
+  }
+  vtkIdType missing = 0, all = 0;
+  for (vtkDataSet* set : nephoscope::DataSetsOf(field.Data))
+  {
+    auto* attributes = field.Velocity.OnCells
+      ? static_cast<vtkDataSetAttributes*>(set->GetCellData())
+      : static_cast<vtkDataSetAttributes*>(set->GetPointData());
+    vtkDataArray* velocity = attributes->GetArray(field.Velocity.Name.c_str());
+    if (!velocity || velocity->GetNumberOfComponents() != 3)
+    {
+      continue;
+    }
+    all += velocity->GetNumberOfTuples();
+    for (vtkIdType i = 0; i < velocity->GetNumberOfTuples(); ++i)
+    {
+      double v[3];
+      velocity->GetTuple(i, v);
+      missing += std::isfinite(v[0] + v[1] + v[2]) ? 0 : 1;
+    }
+  }
+  if (missing > 0)
+  {
+    vtkWarningMacro("The velocity (array '"
+      << field.Velocity.Name << "') is not a finite number at " << missing << " of " << all
+      << (field.Velocity.OnCells ? " cells" : " points")
+      << ". Smoke that reaches them ends there. Replace the missing values if it should go on.");
+  }
+}
+
+void vtkFlowVolume::WarnOfNothing(const nephoscope::SmokeReport& report)
+{
+  if (!(report.Flux > 0.0))
+  {
+    vtkWarningMacro(
+      "No smoke comes from the generating polygon: none of its triangles is entirely inside the data and crossed by the flow in "
+      "one direction. Shorten PolygonEdgeLength, make the polygon smaller or move it.");
+  }
+  else if (report.EndedTriangles == 0)
+  {
+    vtkWarningMacro(
+      "The volume is too thin for the precision of the coordinates, so there is no smoke. Make the generating polygon wider or "
+      "TimeStep longer.");
+  }
+  else
+  {
+    vtkWarningMacro(
+      "The volume ended at once: within the first time step the flow leaves the data, or reaches blanked cells or values "
+      "that are not numbers. Shorten TimeStep or move the generating polygon.");
+  }
+}

@@ -1,0 +1,35 @@
+# SPDX-FileCopyrightText: The Nephoscope authors
+# SPDX-License-Identifier: BSD-3-Clause
+# NephoscopePresets.h in the build folder: the presets as ParaView's list takes them, and which array begins with which.
+set(nephoscope_presets_file "${PROJECT_SOURCE_DIR}/Plugins/Presets/nephoscope_presets.json")
+set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS "${nephoscope_presets_file}")
+file(READ "${nephoscope_presets_file}" presets)
+string(JSON count LENGTH "${presets}")
+math(EXPR last "${count} - 1")
+set(entries "")
+set(standard "")
+foreach (index RANGE ${last})
+  string(JSON preset GET "${presets}" ${index})
+  string(JSON name GET "${preset}" Name)
+  string(JSON arrays GET "${preset}" NephoscopeArrays)
+  string(JSON arrays_count LENGTH "${arrays}")
+  math(EXPR arrays_last "${arrays_count} - 1")
+  foreach (array_index RANGE ${arrays_last})
+    string(JSON array GET "${arrays}" ${array_index})
+    string(APPEND standard "\"${array}\": \"${name}\",\n")
+  endforeach ()
+  string(APPEND entries "  { \"${name}\", R\"preset(${preset})preset\" },\n")
+endforeach ()
+string(REGEX REPLACE ",\n$" "\n" standard "${standard}")
+file(CONFIGURE OUTPUT "${CMAKE_CURRENT_BINARY_DIR}/NephoscopePresets.h" @ONLY CONTENT
+"// Made from Plugins/Presets/nephoscope_presets.json.
+struct Preset
+{
+  const char* name;
+  const char* json;
+};
+static const Preset PRESETS[] = {
+@entries@};
+static const char* const STANDARD_PRESETS = R\"settings({ \"standard_presets\": {
+@standard@} })settings\";
+")

@@ -1,0 +1,204 @@
+// SPDX-FileCopyrightText: The Nephoscope authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkCloudsOverGlobe.h"
+
+#include "vtkCellArray.h"
+#include "vtkExecutive.h"
+#include "vtkGlobeGrid.h"
+#include "vtkImageData.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkJPEGReader.h"
+#include "vtkMath.h"
+#include "vtkNetCDFCFReader.h"
+#include "vtkObjectFactory.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkResourceFileLocator.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
+#include "vtkStructuredGrid.h"
+#include "vtkUnsignedCharArray.h"
+
+#include <vtksys/SystemTools.hxx>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+using SDDP = vtkStreamingDemandDrivenPipeline;
+
+vtkStandardNewMacro(vtkCloudsOverGlobe);
+
+// A name to find this library by.
+extern "C" VTKNEPHOSCOPEPARAVIEWFILTERS_EXPORT const char* NephoscopeDataFolder()
+{
+  return "share/nephoscope";
+}
+
+namespace
+{
+constexpr const char* forecastFile = "gfs_2p5deg_2011101100.nc";
+constexpr const char* earthFile = "blue_marble_2048.jpg";
+constexpr int columns = 720; // of the Earth's points, half a degree apart
+constexpr int rows = 360;
+}
+
+vtkCloudsOverGlobe::vtkCloudsOverGlobe()
+{
+  this->SetNumberOfInputPorts(0);
+  this->SetNumberOfOutputPorts(2);
+  this->Reader->SphericalCoordinatesOff();
+  this->Globe->SetInputConnection(this->Reader->GetOutputPort());
+}
+
+vtkCloudsOverGlobe::~vtkCloudsOverGlobe() = default;
+
+int vtkCloudsOverGlobe::FillOutputPortInformation(int port, vtkInformation* info)
+{
+  info->Set(vtkDataObject::DATA_TYPE_NAME(), port == 0 ? "vtkStructuredGrid" : "vtkPolyData");
+  return 1;
+}
+
+vtkTypeBool vtkCloudsOverGlobe::ProcessRequest(vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs)
+{
+  if (request->Has(SDDP::REQUEST_INFORMATION()))
+  {
+    return this->Inform(outputs);
+  }
+  if (request->Has(SDDP::REQUEST_DATA()))
+  {
+    return this->MakeOutputs(outputs);
+  }
+  return this->Superclass::ProcessRequest(request, inputs, outputs);
+}
+
+std::string vtkCloudsOverGlobe::FindFile(const char* name)
+{
+  std::string folder = this->Folder;
+  if (folder.empty())
+  {
+    const std::string library = vtksys::SystemTools::GetRealPath(vtkGetLibraryPathForSymbol(NephoscopeDataFolder));
+    vtkNew<vtkResourceFileLocator> locator;
+    folder = locator->Locate(vtksys::SystemTools::GetFilenamePath(library), std::vector<std::string>{ NephoscopeDataFolder() }, name);
+  }
+  if (folder.empty())
+  {
+    vtksys::SystemTools::GetEnv("NEPHOSCOPE_DATA", folder);
+  }
+  const std::string file = folder + "/" + name;
+  if (vtksys::SystemTools::FileExists(file, true))
+  {
+    return file;
+  }
+  vtkErrorMacro("There is no file " << name << " in "
+                                    << (folder.empty() ? std::string(NephoscopeDataFolder()) + " beside the plugin" : folder)
+                                    << ". Set Folder to the folder Data of Nephoscope's sources.");
+  return std::string();
+}
+
+int vtkCloudsOverGlobe::Inform(vtkInformationVector* outputs)
+{
+  const std::string file = this->FindFile(forecastFile);
+  if (file.empty())
+  {
+    return 0;
+  }
+  if (!this->Reader->GetFileName() || file != this->Reader->GetFileName())
+  {
+    this->Reader->SetFileName(file.c_str());
+    this->Reader->UpdateMetaData();
+    this->Reader->SetDimensions("(lev, lat, lon)"); // without the fields at the ground
+  }
+  this->Globe->SetVerticalExaggeration(this->VerticalExaggeration);
+  this->Globe->UpdateInformation();
+  vtkInformation* globe = this->Globe->GetOutputInformation(0);
+  if (!globe->Has(SDDP::WHOLE_EXTENT()))
+  {
+    vtkErrorMacro("The file '" << file << "' holds no grid of longitudes, latitudes and levels.");
+    return 0;
+  }
+  int whole[6];
+  globe->Get(SDDP::WHOLE_EXTENT(), whole);
+  outputs->GetInformationObject(0)->Set(SDDP::WHOLE_EXTENT(), whole, 6);
+  outputs->GetInformationObject(0)->Set(vtkAlgorithm::CAN_PRODUCE_SUB_EXTENT(), 1);
+  outputs->GetInformationObject(1)->Set(vtkAlgorithm::CAN_HANDLE_PIECE_REQUEST(), 1);
+  return 1;
+}
+
+int vtkCloudsOverGlobe::MakeOutputs(vtkInformationVector* outputs)
+{
+  vtkInformation* earth = outputs->GetInformationObject(1);
+  this->MakeClouds(outputs->GetInformationObject(0), vtkStructuredGrid::GetData(outputs, 0));
+  if (!earth->Has(SDDP::UPDATE_PIECE_NUMBER()) || earth->Get(SDDP::UPDATE_PIECE_NUMBER()) == 0)
+  {
+    this->MakeEarth(vtkPolyData::GetData(outputs, 1));
+  }
+  return 1;
+}
+
+void vtkCloudsOverGlobe::MakeClouds(vtkInformation* outInfo, vtkStructuredGrid* clouds)
+{
+  this->Globe->UpdateWholeExtent();
+  clouds->ShallowCopy(this->Globe->GetOutputDataObject(0));
+  if (outInfo->Has(SDDP::UPDATE_EXTENT()))
+  {
+    clouds->Crop(outInfo->Get(SDDP::UPDATE_EXTENT()));
+  }
+}
+
+// The picture runs from 180 degrees west to 180 degrees east, its first row is the south.
+void vtkCloudsOverGlobe::MakeEarth(vtkPolyData* earth)
+{
+  const std::string file = this->FindFile(earthFile);
+  if (file.empty())
+  {
+    return;
+  }
+  vtkNew<vtkJPEGReader> picture;
+  picture->SetFileName(file.c_str());
+  picture->Update();
+  vtkImageData* image = picture->GetOutput();
+  const int* size = image->GetDimensions();
+  vtkNew<vtkPoints> points;
+  vtkNew<vtkUnsignedCharArray> colours;
+  colours->SetName("Earth");
+  colours->SetNumberOfComponents(3);
+  for (int j = 0; j <= rows; ++j)
+  {
+    const double latitude = vtkMath::Pi() * (static_cast<double>(j) / rows - 0.5);
+    for (int i = 0; i <= columns; ++i)
+    {
+      const double longitude = vtkMath::Pi() * (2.0 * (i % columns) / columns - 1.0);
+      const double radius = this->Globe->GetPlanetRadius();
+      const double across = j % rows == 0 ? 0.0 : radius * std::cos(latitude);
+      points->InsertNextPoint(across * std::cos(longitude), across * std::sin(longitude), radius * std::sin(latitude));
+      for (int c = 0; c < 3; ++c)
+      {
+        const int x = std::min((i % columns) * size[0] / columns, size[0] - 1);
+        const double value = image->GetScalarComponentAsDouble(x, std::min(j * size[1] / rows, size[1] - 1), 0, c);
+        colours->InsertNextValue(static_cast<unsigned char>(value));
+      }
+    }
+  }
+  vtkNew<vtkCellArray> quads;
+  for (vtkIdType j = 0; j < rows; ++j)
+  {
+    for (vtkIdType i = 0; i < columns; ++i)
+    {
+      const vtkIdType first = j * (columns + 1) + i;
+      const vtkIdType corners[4] = { first, first + 1, first + columns + 2, first + columns + 1 };
+      quads->InsertNextCell(4, corners);
+    }
+  }
+  earth->SetPoints(points);
+  earth->SetPolys(quads);
+  earth->GetPointData()->SetScalars(colours);
+}
+
+void vtkCloudsOverGlobe::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "VerticalExaggeration: " << this->VerticalExaggeration << "\n"
+     << indent << "Folder: " << this->Folder << "\n";
+}

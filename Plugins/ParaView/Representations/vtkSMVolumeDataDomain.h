@@ -1,0 +1,48 @@
+// SPDX-FileCopyrightText: The Nephoscope authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class vtkSMVolumeDataDomain
+ * @brief offers a representation only for data that may hold 3-D cells
+ *
+ * ParaView's list of representations depends on the kind of dataset at most, and one kind serves surfaces as well as composite data. This
+ * domain belongs to a property of a representation that draws 3-D cells only, and requires its input. Whenever the input changes it takes
+ * the name of the representation, its attribute `representation`, out of the list, or puts it back. A name that is chosen stays. It
+ * allows every value.
+ */
+#ifndef vtkSMVolumeDataDomain_h
+#define vtkSMVolumeDataDomain_h
+
+#include "vtkNephoscopeParaViewRepresentationsModule.h" // for export macro
+#include "vtkSMStringListDomain.h"
+
+#include <string> // for RepresentationName
+
+class vtkPVDataInformation;
+
+class VTKNEPHOSCOPEPARAVIEWREPRESENTATIONS_EXPORT vtkSMVolumeDataDomain : public vtkSMStringListDomain
+{
+public:
+  static vtkSMVolumeDataDomain* New();
+  vtkTypeMacro(vtkSMVolumeDataDomain, vtkSMStringListDomain);
+
+  int IsInDomain(vtkSMProperty*) override { return 1; }
+  void Update(vtkSMProperty* property) override;
+  int SetDefaultValues(vtkSMProperty*, bool) override { return 0; }
+
+  /** Whether there may be 3-D cells: no polygonal data alone, no grid one cell thick. True where this can not be known. */
+  static bool MayHoldVolumes(vtkPVDataInformation* data);
+
+protected:
+  vtkSMVolumeDataDomain() = default;
+  ~vtkSMVolumeDataDomain() override = default;
+
+  int ReadXMLAttributes(vtkSMProperty* property, vtkPVXMLElement* element) override;
+
+private:
+  vtkSMVolumeDataDomain(const vtkSMVolumeDataDomain&) = delete;
+  void operator=(const vtkSMVolumeDataDomain&) = delete;
+
+  std::string RepresentationName;
+};
+
+#endif

@@ -1,0 +1,78 @@
+# SPDX-FileCopyrightText: The Nephoscope authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Which blocks add_cells and add_splats draw: those with 3-D cells and the array; a warning names the others."""
+import unittest
+import warnings
+
+import nephoscope
+import numpy as np
+import pyvista
+from pyvista.core.errors import MissingDataError
+
+
+def cube(x=0.0, **arrays):
+    grid = pyvista.ImageData(dimensions=(4, 4, 4), spacing=(1 / 3,) * 3, origin=(x, 0, 0))
+    for name in arrays.get("names", ("density",)):
+        grid.point_data[name] = np.linspace(0, 1, grid.n_points)
+    return grid
+
+
+def patch(*names):
+    surface = pyvista.Plane(i_resolution=3, j_resolution=3)
+    for name in names:
+        surface.point_data[name] = np.full(surface.n_points, 7.0)
+    return surface
+
+
+class Blocks(unittest.TestCase):
+    def setUp(self):
+        self.plotter = pyvista.Plotter(off_screen=True, window_size=(40, 40))
+        self.addCleanup(self.plotter.close)
+
+    def add(self, add, blocks, *args, **options):
+        """The dataset drawn, and the warnings."""
+        with warnings.catch_warnings(record=True) as caught:
+            warnings.simplefilter("always")
+            volume = add(self.plotter, pyvista.MultiBlock(blocks), *args, show_scalar_bar=False, **options)
+        for warning in caught:
+            self.assertEqual(warning.filename, __file__)
+        return volume.mapper.dataset, " ".join(str(warning.message) for warning in caught)
+
+    def test_a_patch_without_the_array(self):
+        for add in (nephoscope.add_cells, nephoscope.add_splats):
+            for scalars in (("density",), ()):
+                drawn, told = self.add(add, {"internalMesh": cube(), "wall": patch()}, *scalars)
+                self.assertEqual((drawn.n_points, "density" in drawn.point_data), (64, True))
+                self.assertRegex(told, r"not drawn: 'wall' \(no 3-D cells\)")
+
+    def test_a_patch_with_the_array(self):
+        for add in (nephoscope.add_cells, nephoscope.add_splats):
+            drawn, told = self.add(add, {"internalMesh": cube(), "boundary": pyvista.MultiBlock({"inlet": patch("density")})}, "density")
+            self.assertEqual((drawn.n_points, drawn["density"].max()), (64, 1))
+            self.assertIn("'inlet' (no 3-D cells)", told)
+
+    def test_a_volume_without_the_array(self):
+        for add in (nephoscope.add_cells, nephoscope.add_splats):
+            blocks = {"air": cube(), "solid": cube(5.0, names=("T",)), "more air": cube(9.0)}
+            for scalars in (("density",), ()):
+                drawn, told = self.add(add, blocks, *scalars)
+                self.assertEqual(drawn.n_points, 128)
+                self.assertIn("'solid' (no point array 'density')", told)
+            with self.assertRaisesRegex(MissingDataError, "no block has an array 'dens'. Point arrays: 'T', 'density'"):
+                add(self.plotter, pyvista.MultiBlock(blocks), "dens")
+
+    def test_what_fits_says_nothing(self):
+        for add in (nephoscope.add_cells, nephoscope.add_splats):
+            drawn, told = self.add(add, {"a": cube(names=("density", "T")), "b": cube(5.0)})
+            self.assertEqual((drawn.n_points, told), (128, ""))
+        particles = {"dust": pyvista.PolyData(np.random.default_rng(2).random((9, 3))), "wall": patch()}
+        drawn, told = self.add(nephoscope.add_splats, particles, color="red", opacity=0.5)
+        self.assertEqual((drawn.n_points, told), (25, ""))
+
+    def test_nothing_left(self):
+        with self.assertRaisesRegex(ValueError, "no 3-D cells"):
+            nephoscope.add_cells(self.plotter, pyvista.MultiBlock({"wall": patch("density")}), "density")
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,90 @@
+# SPDX-FileCopyrightText: The Nephoscope authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""A plotter that exports says what it leaves out, each time, and what it shows is as before."""
+import gc
+import os
+import tempfile
+import unittest
+import warnings
+import weakref
+
+import nephoscope
+import numpy as np
+import pyvista
+
+
+def grid():
+    data = pyvista.ImageData(dimensions=(4, 4, 4))
+    data["a"] = np.arange(data.n_points, dtype=float)
+    return data
+
+
+class Exports(unittest.TestCase):
+    def setUp(self):
+        self.folder = tempfile.TemporaryDirectory()
+        self.addCleanup(self.folder.cleanup)
+
+    def plotter(self, *adds):
+        plotter = pyvista.Plotter(off_screen=True, window_size=(60, 60))
+        self.addCleanup(plotter.close)
+        plotter.add_mesh(pyvista.Sphere())
+        for add in adds:
+            add(plotter)
+        return plotter
+
+    def said(self, plotter, kind, name=None):
+        with warnings.catch_warnings(record=True) as caught:
+            warnings.simplefilter("always")
+            try:
+                getattr(plotter, f"export_{kind}")(name or os.path.join(self.folder.name, f"scene.{kind}"))
+            except ImportError:
+                self.assertIn(kind, ("html", "vtksz"))  # without trame
+        ours = [w for w in caught if "leaves out" in str(w.message)]
+        self.assertTrue(all(w.filename == __file__ for w in ours))
+        return [str(w.message) for w in ours]
+
+    def test_every_kind(self):
+        plotter = self.plotter(lambda p: nephoscope.add_cells(p, grid()))
+        for kind in ("gltf", "obj", "vrml", "html", "vtksz"):
+            for _ in range(2):
+                with self.subTest(kind):
+                    said = self.said(plotter, kind)
+                    self.assertEqual(len(said), 1)
+                    self.assertRegex(said[0], f"^export_{kind} leaves out 1 volume of cells or splats, ")
+        self.assertTrue(os.path.exists(os.path.join(self.folder.name, "scene.obj")))
+
+    def test_what_is_left_out(self):
+        cells, splats = (lambda p: nephoscope.add_cells(p, grid())), (lambda p: nephoscope.add_splats(p, grid()))
+        clouds, haze = (lambda p: nephoscope.add_cloud_texture(p, pyvista.Sphere())), (lambda p: nephoscope.add_haze(p, render=False))
+        for adds, words in (((cells, splats), "2 volumes of cells or splats"), ((clouds,), "the textures of clouds"), ((haze,), "the haze"),
+                            ((haze, splats), "1 volume of cells or splats and the haze")):
+            self.assertRegex(self.said(self.plotter(*adds), "obj")[0], f"leaves out {words}, which")
+
+    def test_nothing_is_left_out(self):
+        self.assertEqual(self.said(self.plotter(), "obj"), [])
+        plotter = self.plotter(lambda p: nephoscope.add_cells(p, grid(), name="x"))
+        plotter.remove_actor("x")
+        self.assertEqual(self.said(plotter, "obj"), [])
+
+    def test_plotter_is_as_before(self):
+        """PyVista puts the surfaces of all data into their mappers for export_gltf."""
+        plotter = self.plotter(lambda p: nephoscope.add_cells(p, grid()), lambda p: nephoscope.add_splats(p, grid()))
+        plotter.camera_position = [(9, 9, 9), (1, 1, 1), (0, 0, 1)]
+        plotter.show(auto_close=False)
+        before = plotter.screenshot(return_img=True)
+        self.said(plotter, "gltf")
+        plotter.render()
+        np.testing.assert_allclose(plotter.screenshot(return_img=True), before.astype(int), atol=2)
+
+    def test_plotter_is_freed(self):
+        plotter = pyvista.Plotter(off_screen=True)
+        nephoscope.add_cells(plotter, grid())
+        reference = weakref.ref(plotter)
+        plotter.close()
+        del plotter
+        gc.collect()
+        self.assertIsNone(reference())
+
+
+if __name__ == "__main__":
+    unittest.main()

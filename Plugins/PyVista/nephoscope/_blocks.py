@@ -1,0 +1,120 @@
+# SPDX-FileCopyrightText: The Nephoscope authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""The datasets in blocks of any kind, and which of them a volume is made of."""
+from __future__ import annotations
+
+import warnings
+from typing import Any, Iterator, Mapping
+
+import numpy as np
+import pyvista
+from pyvista.core.errors import MissingDataError
+from vtkmodules.vtkCommonDataModel import (vtkAMRUtilities, vtkCompositeDataSet, vtkDataSetAttributes, vtkGenericCell, vtkHyperTreeGrid,
+                                           vtkOverlappingAMR, vtkUniformGrid)
+
+from ._checks import listed
+from ._pipeline import level_of_caller
+
+
+def named_blocks(data: Any, name: str = "block") -> Iterator[tuple[str, pyvista.DataSet]]:
+    """The datasets in it with their names, without the cells that finer ones cover."""
+    if isinstance(data, vtkHyperTreeGrid):
+        from vtkmodules.vtkFiltersHyperTree import vtkHyperTreeGridToUnstructuredGrid
+        cells = vtkHyperTreeGridToUnstructuredGrid()
+        cells.SetInputData(data)
+        cells.Update()
+        yield name, pyvista.wrap(cells.GetOutput())
+    elif isinstance(data, vtkCompositeDataSet):
+        amr = isinstance(data, vtkOverlappingAMR)
+        if amr:
+            data = _with_covered_cells_marked(data)
+        blocks = data.NewIterator()
+        while not blocks.IsDoneWithTraversal():
+            for its_name, block in named_blocks(blocks.GetCurrentDataObject(), _current_name(blocks)):
+                yield its_name, _uncovered(block) if amr else block
+            blocks.GoToNextItem()
+    else:
+        data = pyvista.ImageData(data) if isinstance(data, vtkUniformGrid) else pyvista.wrap(data)
+        if isinstance(data, pyvista.DataSet):
+            yield name, data
+
+
+def _current_name(blocks: Any) -> str:
+    name = blocks.GetCurrentMetaData().Get(vtkCompositeDataSet.NAME()) if blocks.HasCurrentMetaData() else None
+    return name or f"block {blocks.GetCurrentFlatIndex()}"
+
+
+def _with_covered_cells_marked(data: vtkOverlappingAMR) -> vtkOverlappingAMR:
+    marked = vtkOverlappingAMR()
+    # What copies the arrays of every block was called otherwise before there was CompositeShallowCopy.
+    (marked.ShallowCopy if hasattr(marked, "CompositeShallowCopy") else marked.RecursiveShallowCopy)(data)
+    vtkAMRUtilities.BlankCells(marked)
+    return marked
+
+
+def _uncovered(block: pyvista.DataSet) -> pyvista.DataSet:
+    ghosts = block.cell_data.get("vtkGhostType")
+    if ghosts is None:
+        return block
+    return block.extract_cells(np.flatnonzero(ghosts & (vtkDataSetAttributes.REFINEDCELL | vtkDataSetAttributes.HIDDENCELL) == 0))
+
+
+def cell_dimension(mesh: pyvista.DataSet) -> int:
+    """The greatest of its cells, 0 without any."""
+    if not isinstance(mesh, (pyvista.UnstructuredGrid, pyvista.PolyData)):
+        return sum(count > 1 for count in getattr(mesh, "dimensions", ()))  # not by a cell: a hidden one is an empty cell
+    if isinstance(mesh, pyvista.PolyData):
+        return 2 if mesh.GetNumberOfPolys() + mesh.GetNumberOfStrips() else 1 if mesh.GetNumberOfLines() else 0
+    cell, greatest = vtkGenericCell(), 0
+    for cell_type in np.unique(mesh.celltypes):
+        cell.SetCellType(int(cell_type))
+        greatest = max(greatest, cell.GetCellDimension())
+    return greatest
+
+
+def fitting(blocks: list[tuple[str, pyvista.DataSet]], arrays: Mapping[str, Any], points_fit: bool) -> list[pyvista.DataSet]:
+    """The blocks that one volume of these `arrays` (argument: name) is made of; a warning names the others.
+
+    Beside blocks with 3-D cells others are left out: the patches of a boundary, for example, but not particles where `points_fit`.
+    Blocks without one of the arrays are left out too. MissingDataError if no block has it.
+    """
+    left_out: dict[str, str] = {}
+    dimensions = [cell_dimension(block) for _, block in blocks]
+    if 3 in dimensions:
+        fit = [dimension == 3 or points_fit and dimension == 0 for dimension in dimensions]
+        left_out.update({name: "no 3-D cells" for (name, _), fits in zip(blocks, fit) if not fits})
+        blocks = [named for named, fits in zip(blocks, fit) if fits]
+    elif not points_fit:
+        return [block for _, block in blocks]  # the caller says what is wrong
+    default = _array_of_some(blocks) if arrays.get("scalars", "") is None else {}
+    for argument, name in {**arrays, **default}.items():
+        if not isinstance(name, str):
+            continue
+        kind = "point_data" if any(name in block.point_data for _, block in blocks) else "cell_data"
+        having = [(its_name, block) for its_name, block in blocks if name in getattr(block, kind)]
+        if blocks and not having:
+            raise MissingDataError(f"{argument}: no block has an array {name!r}. {_arrays_of_all(blocks)}")
+        left_out.update({its_name: f"no {kind[:-5]} array {name!r}" for its_name, block in blocks if name not in getattr(block, kind)})
+        blocks = having
+    if left_out:
+        told = ", ".join(f"{name!r} ({why})" for name, why in left_out.items())
+        warnings.warn(f"Blocks that are not drawn: {told}.", UserWarning, stacklevel=level_of_caller())
+    return [block for _, block in blocks]
+
+
+def _array_of_some(blocks: list[tuple[str, pyvista.DataSet]]) -> dict[str, str]:
+    """Where no array is asked for, and the blocks have none in common: the first that there is."""
+    kinds = ("point_data", "cell_data")
+    numbers = [{(kind, name) for kind in kinds for name, values in getattr(block, kind).items() if values.ndim == 1 and not name.startswith("vtk")}
+               for _, block in blocks]
+    if not numbers or set.intersection(*numbers) or not set.union(*numbers):
+        return {}
+    _, block = next(one for one, its in zip(blocks, numbers) if its)
+    names = [name for kind in kinds for name in getattr(block, kind).keys() if (kind, name) in set.union(*numbers)]
+    active = block.active_scalars_name
+    return {"scalars": active if active in names else names[0]}
+
+
+def _arrays_of_all(blocks: list[tuple[str, pyvista.DataSet]]) -> str:
+    points, cells = (sorted({name for _, block in blocks for name in getattr(block, kind).keys()}) for kind in ("point_data", "cell_data"))
+    return f"Point arrays: {listed(points)}; cell arrays: {listed(cells)}."

@@ -1,0 +1,130 @@
+# SPDX-FileCopyrightText: The Nephoscope authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""What the fields of the weather are called, and the presets of colour, opacity and range that suit them.
+
+The presets are those that ParaView lists: `nephoscope_presets.json`.
+"""
+from __future__ import annotations
+
+import json
+from dataclasses import dataclass
+from functools import lru_cache
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pyvista
+
+from ._checks import listed
+
+SAMPLES = 256
+BRIGHT = 0.6  # luminance of a background that white clouds would not be seen on
+HELPERS = {"belowground", "globegridprojection", "planetradius", "verticalexaggeration", "time", "timevalue", "crs", "lat", "latitude",
+           "lon", "longitude", "lev", "level", "plev", "normals", "tcoords", "texturecoordinates", "texture coordinates"}
+
+
+@dataclass(frozen=True)
+class Preset:
+    """Colours (n, 4) and opacities (m, 2) at fractions of the range, and how the range follows from the values."""
+    name: str
+    range_rule: str
+    colours: np.ndarray
+    colours_on_bright: np.ndarray
+    opacities: np.ndarray
+
+    def colour_map(self, bright: bool, samples: int = SAMPLES) -> list[str]:
+        """Colours at equal steps, as `pyvista.LookupTable.apply_cmap` takes them."""
+        points = self.colours_on_bright if bright else self.colours
+        steps = np.linspace(0, 1, samples)
+        rgb = np.stack([np.interp(steps, points[:, 0], points[:, c]) for c in (1, 2, 3)], axis=1)
+        return [pyvista.Color(row).hex_rgb for row in rgb]
+
+    def opacity_values(self) -> np.ndarray:
+        """Opacities at equal steps."""
+        return np.interp(np.linspace(0, 1, SAMPLES + 1), self.opacities[:, 0], self.opacities[:, 1])
+
+    def clim(self, values: np.ndarray) -> tuple[float, float] | None:
+        """The range for these values; None: that of the values."""
+        finite = values[np.isfinite(values)]
+        low, high = (float(finite.min()), float(finite.max())) if finite.size else (0.0, 0.0)
+        if self.range_rule == "fraction" and low >= -0.01 and 0 < high <= 100.5:
+            return 0.0, 1.0 if high <= 1.01 else 100.0
+        if self.range_rule in ("fraction", "from zero") and low >= 0 and high > 0:
+            return 0.0, high
+        if self.range_rule == "symmetric" and max(-low, high) > 0:
+            return -max(-low, high), max(-low, high)
+        return None
+
+
+@lru_cache(maxsize=None)
+def presets() -> dict[str, Preset]:
+    """By the name that Python uses: "clouds", "wind speed", ..."""
+    return {entry["NephoscopeName"]: _preset(entry) for entry in _entries()}
+
+
+@lru_cache(maxsize=None)
+def _entries() -> list[dict[str, Any]]:
+    return json.loads((Path(__file__).parent / "nephoscope_presets.json").read_text(encoding="utf-8"))
+
+
+def _preset(entry: dict[str, Any]) -> Preset:
+    colours = np.reshape(entry["RGBPoints"], (-1, 4))
+    bright = np.reshape(entry.get("NephoscopeColorsOnBright", entry["RGBPoints"]), (-1, 4))
+    return Preset(entry["NephoscopeName"], entry["NephoscopeRange"], colours, bright, np.reshape(entry["Points"], (-1, 4))[:, :2])
+
+
+@lru_cache(maxsize=None)
+def _names(key: str) -> dict[str, str]:
+    return {array: entry["NephoscopeName"] for entry in _entries() for array in entry.get(key, ())}
+
+
+def _is_weather(mesh: pyvista.DataSet, name: str) -> bool:
+    """True for what Globe Grid has made, and for what the NetCDF reader has read: it notes the units of every array."""
+    return "GlobeGridProjection" in mesh.field_data or f"{name}_units" in mesh.field_data
+
+
+def preset_of_field(name: str, mesh: pyvista.DataSet | None = None) -> Preset | None:
+    """The preset of the array `name`: its own, or that of the CF standard name or usual name that it is; None if there is none.
+
+    "t", "u", "Density" and others that are usual elsewhere too are known only in a `mesh` that is marked as weather.
+    """
+    found = _names("NephoscopeArrays").get(name) or (_names("NephoscopeArrays").get(name.lower()) if len(name) > 2 else None)
+    if not found and mesh is not None and _is_weather(mesh, name):
+        found = _names("NephoscopeWeatherArrays").get(name)
+    return presets()[found] if found else None
+
+
+def find_preset(preset: str | bool | None, name: str, mesh: pyvista.DataSet) -> Preset | None:
+    """What the argument `preset` of a plotter function means for the array `name` of `mesh`."""
+    if preset is False:
+        return None
+    if preset is None or preset is True:
+        return preset_of_field(name, mesh)
+    if not isinstance(preset, str) or preset not in presets():
+        raise ValueError(f"preset is {preset!r}; it must be False or one of {listed(list(presets()))}.")
+    return presets()[preset]
+
+
+def is_bright(background: Any) -> bool:
+    red, green, blue = pyvista.Color(background).float_rgb
+    return 0.2126 * red + 0.7152 * green + 0.0722 * blue > BRIGHT
+
+
+def is_helper(name: str) -> bool:
+    """True for coordinates, masks and numbers: no field of the weather."""
+    lower = name.lower()
+    return lower in HELPERS or lower.startswith("vtk") or lower.endswith(("_units", "_bnds", "_bounds", "ids"))
+
+
+def choose_active_scalars(mesh: pyvista.DataSet) -> None:
+    """Make cloud fraction, cloud water or the first field of one number per point the active scalars."""
+    fields = [name for name in mesh.point_data if mesh.point_data[name].ndim == 1 and not is_helper(name)]
+    order = ("clouds", "cloud water")
+    for wanted in order:
+        for name in fields:
+            found = preset_of_field(name, mesh)
+            if found and found.name == wanted:
+                mesh.set_active_scalars(name)
+                return
+    if fields:
+        mesh.set_active_scalars(fields[0])

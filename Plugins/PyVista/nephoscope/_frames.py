@@ -1,0 +1,67 @@
+# SPDX-FileCopyrightText: The Nephoscope authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Warns of data in one plotter that do not match the others: globe and map, other radii, other longitudes."""
+from __future__ import annotations
+
+import warnings
+from typing import Any, Iterator
+
+import numpy as np
+import pyvista
+
+LEVEL = 4  # of the stack: the caller of add_cells or add_splats
+
+
+def warn_of_other_frames(plotter: pyvista.BasePlotter, data: pyvista.DataSet) -> None:
+    """One RuntimeWarning for each way in which `data` from `to_globe` does not fit what the plotter shows already."""
+    problems = {problem for other in _shown(plotter) for problem in _differences(data, other)}
+    for problem in sorted(problems):
+        warnings.warn(problem, RuntimeWarning, stacklevel=LEVEL)
+
+
+def _shown(plotter: pyvista.BasePlotter) -> Iterator[pyvista.DataSet]:
+    for actor in getattr(getattr(plotter, "renderer", None), "actors", {}).values():
+        dataset = getattr(getattr(actor, "mapper", None), "dataset", None)
+        if isinstance(dataset, pyvista.DataSet) and dataset.n_points:
+            yield dataset
+
+
+def _differences(data: pyvista.DataSet, other: pyvista.DataSet) -> Iterator[str]:
+    here, there = (_number(mesh, "GlobeGridProjection") for mesh in (data, other))
+    if here is None or there is None:
+        return
+    if here != there:
+        names = ("a globe", "a map")
+        yield (f"The data are on {names[int(here)]}, but the data shown already are on {names[int(there)]}. "
+               "Use the same projection for to_globe and globe_surface.")
+        return
+    radius, other_radius = (_number(mesh, "PlanetRadius") for mesh in (data, other))
+    if radius and other_radius and abs(radius / other_radius - 1) > 1e-6:
+        yield (f"The data are on a planet with a radius of {radius:g} m, but the data shown already on one of {other_radius:g} m. "
+               "Use the same radius for to_globe and globe_surface.")
+    elif here == 1 and radius:
+        yield from _other_longitudes(data, other, radius)
+    scales = [_number(mesh, "VerticalExaggeration") for mesh in (data, other)]
+    if None not in scales and scales[0] != scales[1] and all(_has_height(mesh) for mesh in (data, other)):
+        yield (f"The vertical exaggeration of the data is {scales[0]:g}, but that of the data shown already is {scales[1]:g}. "
+               "Use the same vertical_exaggeration in to_globe for both.")
+
+
+def _other_longitudes(data: pyvista.DataSet, other: pyvista.DataSet, radius: float) -> Iterator[str]:
+    """On maps: one goes round the globe, and the other reaches beyond its edges."""
+    spans = [np.degrees(np.array(mesh.bounds[:2]) / radius) for mesh in (data, other)]
+    for (west, east), (left, right) in (spans, spans[::-1]):
+        if right - left > 300 and (west < left - 1 or east > right + 1) and (east - west) < 361:
+            yield (f"On the map one dataset has the longitudes {spans[0][0]:.4g} to {spans[0][1]:.4g}, the other {spans[1][0]:.4g} to "
+                   f"{spans[1][1]:.4g}. Use the same central_meridian, in degrees east, for to_globe and globe_surface.")
+            return
+
+
+def _has_height(mesh: pyvista.DataSet) -> bool:
+    heights = mesh.point_data.get("Height")
+    return heights is not None and float(np.nanmax(np.abs(heights))) > 0
+
+
+def _number(mesh: pyvista.DataSet, name: str) -> float | None:
+    values: Any = mesh.field_data.get(name)
+    return None if values is None or len(values) == 0 else float(values[0])

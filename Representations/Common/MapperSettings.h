@@ -1,0 +1,41 @@
+// SPDX-FileCopyrightText: The Nephoscope authors
+// SPDX-License-Identifier: BSD-3-Clause
+/** What ShallowCopy() of a volume mapper copies beside its own settings: vtkAbstractMapper has the clipping planes alone. */
+#ifndef MapperSettings_h
+#define MapperSettings_h
+
+#include "vtkAbstractVolumeMapper.h"
+#include "vtkNew.h"
+#include "vtkPlane.h"
+#include "vtkPlaneCollection.h"
+
+namespace nephoscope
+{
+
+/** The input, the choice of scalars, and a list of its own of the same clipping planes. */
+inline void copyVolumeSettings(vtkAbstractVolumeMapper* from, vtkAbstractVolumeMapper* to)
+{
+  to->SetInputConnection(0, from->GetNumberOfInputConnections(0) > 0 ? from->GetInputConnection(0, 0) : nullptr);
+  to->SetScalarMode(from->GetScalarMode());
+  if (from->GetArrayAccessMode() == VTK_GET_ARRAY_BY_NAME)
+  {
+    to->SelectScalarArray(from->GetArrayName());
+  }
+  else
+  {
+    to->SelectScalarArray(from->GetArrayId());
+  }
+  if (from->GetClippingPlanes())
+  {
+    vtkNew<vtkPlaneCollection> planes;
+    for (int i = 0; i < from->GetNumberOfClippingPlanes(); ++i)
+    {
+      planes->AddItem(from->GetClippingPlanes()->GetItem(i));
+    }
+    to->SetClippingPlanes(planes);
+  }
+}
+
+} // namespace nephoscope
+
+#endif

@@ -1,0 +1,132 @@
+// SPDX-FileCopyrightText: The Nephoscope authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "HazePlacement.h"
+
+#include "vtkHaze.h"
+
+#include <sstream>
+
+namespace nephoscope
+{
+namespace
+{
+constexpr double earthRadius = 6371000;
+constexpr double airHeight = 8000;
+constexpr double visibilityTimesExtinction = 3.912; // -ln 0.02, Koschmieder1924
+constexpr double visibleHeights = 24.5;
+constexpr double coarseness = 0.005;
+constexpr double heightsInScene = 3;
+constexpr double deepest = 10; // scale heights under the ground, where air is 22,000 times as dense
+
+/** 1 if the scene has the size of the Earth in metres about the origin, 1000 if in kilometres; else 0. */
+double metresPerUnitOfEarth(const HazeScene& scene)
+{
+  for (const double metres : { 1.0, 1000.0 })
+  {
+    const double radii = scene.Reach() * metres / earthRadius;
+    double offset = 0;
+    for (int c = 0; c < 3; ++c)
+    {
+      offset = std::max(offset, std::abs(scene.Low[c] + scene.High[c]) * metres / earthRadius);
+    }
+    if (radii > 0.95 && radii < 1.6 && offset < 0.3)
+    {
+      return metres;
+    }
+  }
+  return 0;
+}
+
+/** Along `up`, of all corners of the bounds. */
+void levels(const HazeScene& scene, const double up[3], double& low, double& high)
+{
+  const double length = std::hypot(up[0], up[1], up[2]);
+  low = high = 0;
+  for (int c = 0; c < 3; ++c)
+  {
+    const double ends[2] = { up[c] / length * scene.Low[c], up[c] / length * scene.High[c] };
+    low += std::min(ends[0], ends[1]);
+    high += std::max(ends[0], ends[1]);
+  }
+}
+
+/** Of the eye or the highest corner of the bounds over the ground, in scale heights. */
+double highestAltitude(const HazePlacement& place, vtkHaze* haze, const HazeScene& scene)
+{
+  if (!place.OnGlobe)
+  {
+    double low, high;
+    HazeScene seen = scene;
+    for (int c = 0; c < 3; ++c)
+    {
+      seen.Low[c] = std::min(seen.Low[c], scene.Eye[c]);
+      seen.High[c] = std::max(seen.High[c], scene.Eye[c]);
+    }
+    levels(seen, haze->GetUpDirection(), low, high);
+    return (high - place.BaseLevel) / place.ScaleHeight;
+  }
+  double farthest[3];
+  for (int c = 0; c < 3; ++c)
+  {
+    farthest[c] =
+      std::max(std::abs(scene.Low[c] - haze->GetCenter()[c]), std::abs(scene.High[c] - haze->GetCenter()[c]));
+  }
+  const double eye = std::hypot(
+    scene.Eye[0] - haze->GetCenter()[0], scene.Eye[1] - haze->GetCenter()[1], scene.Eye[2] - haze->GetCenter()[2]);
+  return (std::max(eye, std::hypot(farthest[0], farthest[1], farthest[2])) - place.Radius) / place.ScaleHeight;
+}
+
+std::string describe(const HazePlacement& place, vtkHaze* haze)
+{
+  std::ostringstream text;
+  text << "Haze hides everything: eye and scene lie deep under the ground, ";
+  if (place.OnGlobe)
+  {
+    const double* center = haze->GetCenter();
+    text << "a globe of radius " << place.Radius << " about (" << center[0] << ", " << center[1] << ", " << center[2]
+         << "). Set Projection to Map or Automatic, or Planet Radius and Center to those of the scene.";
+  }
+  else
+  {
+    text << "which is flat, at Base Level " << place.BaseLevel << ". Set Base Level to the lowest height of the scene, or Projection to Automatic.";
+  }
+  return text.str();
+}
+}
+
+HazePlacement::HazePlacement(vtkHaze* haze, const HazeScene& scene)
+{
+  const double metres = scene.IsEmpty() ? 0 : metresPerUnitOfEarth(scene);
+  const bool told = scene.GlobeGridProjection >= 0;
+  const bool automatic = haze->GetProjection() == vtkHaze::AUTOMATIC;
+  this->Exists = !scene.IsEmpty() || !haze->NeedsScene();
+  this->OnGlobe = automatic ? haze->GetPlanetRadius() > 0 || (told ? scene.GlobeGridProjection == 0 : metres > 0)
+                            : haze->GetProjection() == vtkHaze::GLOBE;
+  this->Radius = haze->GetPlanetRadius() > 0 ? haze->GetPlanetRadius()
+    : scene.PlanetRadius > 0                 ? scene.PlanetRadius
+    : metres > 0                             ? earthRadius / metres
+                                             : earthRadius;
+  double low = 0, high = 0;
+  levels(scene, haze->GetUpDirection(), low, high);
+  const bool found = automatic && !this->OnGlobe && !told && !scene.IsEmpty();
+  this->BaseLevel = haze->GetBaseLevel() + (found ? low : 0);
+  this->MovesDown = found;
+
+  const double height = haze->GetScaleHeight() > 0 ? haze->GetScaleHeight()
+    : told || scene.IsEmpty()                      ? airHeight
+    : this->OnGlobe                                ? coarseness * this->Radius
+    : high > low                                   ? (high - low) / heightsInScene
+                                                   : scene.Diagonal() / heightsInScene;
+  this->ScaleHeight = (height > 0 ? height : 1) *
+    (haze->GetVerticalExaggeration() > 0 ? haze->GetVerticalExaggeration()
+        : scene.VerticalExaggeration > 0 ? scene.VerticalExaggeration
+                                         : 1);
+  this->Extinction =
+    haze->GetVisibility() > 0 ? haze->GetExtinction() : visibilityTimesExtinction / (visibleHeights * this->ScaleHeight);
+  if (this->Exists && !scene.IsEmpty() && highestAltitude(*this, haze, scene) < -deepest)
+  {
+    this->Problem = describe(*this, haze);
+  }
+}
+
+} // namespace nephoscope
