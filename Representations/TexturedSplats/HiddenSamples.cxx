@@ -68,11 +68,11 @@ void hidePointsOfCells(vtkDataSet* data, const Flags& cells, Flags& points)
 
 std::vector<unsigned char> FindHiddenSamples(vtkDataSet* data, bool onCells, bool withDuplicates)
 {
-  const int hiddenCell = vtkDataSetAttributes::HIDDENCELL | vtkDataSetAttributes::REFINEDCELL |
-    (withDuplicates ? 0 : int(vtkDataSetAttributes::DUPLICATECELL));
-  Flags cells = flagsOf(data->GetCellGhostArray(), hiddenCell);
+  constexpr int hiddenCell = vtkDataSetAttributes::HIDDENCELL | vtkDataSetAttributes::REFINEDCELL;
+  const int duplicateCell = withDuplicates ? 0 : int(vtkDataSetAttributes::DUPLICATECELL);
   if (onCells)
   {
+    Flags cells = flagsOf(data->GetCellGhostArray(), hiddenCell | duplicateCell);
     const Flags corners = flagsOf(data->GetPointGhostArray(), vtkDataSetAttributes::HIDDENPOINT);
     if (!corners.empty())
     {
@@ -83,9 +83,14 @@ std::vector<unsigned char> FindHiddenSamples(vtkDataSet* data, bool onCells, boo
   const int hiddenPoint =
     vtkDataSetAttributes::HIDDENPOINT | (withDuplicates ? 0 : int(vtkDataSetAttributes::DUPLICATEPOINT));
   Flags points = flagsOf(data->GetPointGhostArray(), hiddenPoint);
-  if (!cells.empty())
+  // One after the other: a point between a hidden cell of this process and a shown one of another is shown.
+  for (const int mask : { hiddenCell, duplicateCell })
   {
-    hidePointsOfCells(data, cells, points);
+    const Flags cells = flagsOf(data->GetCellGhostArray(), mask);
+    if (!cells.empty())
+    {
+      hidePointsOfCells(data, cells, points);
+    }
   }
   return points;
 }

@@ -14,8 +14,8 @@ namespace nephoscope
 {
 
 /**
- * One flag for each sample; empty if all are drawn. A cell is left out by its own vtkGhostType or by a hidden corner, a point by its own or if
- * all of its cells are left out by theirs. `withDuplicates`: those are drawn.
+ * One flag for each sample; empty if all are drawn. A cell is left out by its own vtkGhostType or by a hidden corner, a point by its own, if
+ * all of its cells are hidden or refined, or if all are duplicates. `withDuplicates`: those are drawn.
  */
 std::vector<unsigned char> FindHiddenSamples(vtkDataSet* data, bool onCells, bool withDuplicates);
 

@@ -136,6 +136,9 @@ class Scenes(ImageTestCase):
         for name, flag in (("hidden", 32), ("refined", 8), ("duplicate", 1)):
             hide[name] = lambda data, flag=flag: ghost(data.AllocateCellGhostArray(), cells[:, 0] >= 5, flag)
             shown[name] = {"cell": int((cells[:, 0] < 5).sum()), "point": int((points[:, 0] <= 5).sum())}
+        hidden = (cells[:, 0] == 4) & (cells[:, 1] < 2)  # at the border of two processes, where the other one's are shown
+        hide["border"] = lambda data: ghost(data.AllocateCellGhostArray(), cells[:, 0] >= 5, 1) or ghost(data.GetCellGhostArray(), hidden, 32)
+        shown["border"] = {"cell": int(((cells[:, 0] < 5) & ~hidden).sum()), "point": int((points[:, 0] <= 5).sum())}
         hide["hidden point"] = lambda data: ghost(data.AllocatePointGhostArray(), points[:, 0] >= 5, 2)
         shown["hidden point"] = {"cell": int((cells[:, 0] < 4).sum()), "point": int((points[:, 0] < 5).sum())}
 
