@@ -1,12 +1,14 @@
 # SPDX-FileCopyrightText: The Nephoscope authors
 # SPDX-License-Identifier: BSD-3-Clause
 # Finds, builds and wraps every VTK module of the project. A new technique needs no line here: a folder
-# with a vtk.module below Filters/ or Representations/ is enough.
+# with a vtk.module below Filters/ or Representations/ is enough; what a technique adds for ParaView is its folder ParaView/.
 file(GLOB nephoscope_module_files CONFIGURE_DEPENDS
   "${PROJECT_SOURCE_DIR}/Filters/*/vtk.module"
   "${PROJECT_SOURCE_DIR}/Representations/*/vtk.module")
 if (NEPHOSCOPE_USE_PARAVIEW)
-  file(GLOB nephoscope_paraview_module_files CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/Plugins/ParaView/*/vtk.module")
+  file(GLOB nephoscope_paraview_module_files CONFIGURE_DEPENDS
+    "${PROJECT_SOURCE_DIR}/Plugins/ParaView/*/vtk.module"
+    "${PROJECT_SOURCE_DIR}/Representations/*/ParaView/vtk.module")
   list(APPEND nephoscope_module_files ${nephoscope_paraview_module_files})
 endif ()
 

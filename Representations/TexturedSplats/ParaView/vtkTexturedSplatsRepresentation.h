@@ -12,7 +12,7 @@
 #define vtkTexturedSplatsRepresentation_h
 
 #include "vtkMediumRepresentation.h"
-#include "vtkNephoscopeParaViewRepresentationsModule.h" // for export macro
+#include "vtkNephoscopeParaViewTexturedSplatsModule.h" // for export macro
 #include "vtkSmartPointer.h"                            // for the colour function
 
 #include <memory> // for std::unique_ptr
@@ -33,7 +33,7 @@ namespace nephoscope
 class DefaultVectorColors;
 }
 
-class VTKNEPHOSCOPEPARAVIEWREPRESENTATIONS_EXPORT vtkTexturedSplatsRepresentation
+class VTKNEPHOSCOPEPARAVIEWTEXTUREDSPLATS_EXPORT vtkTexturedSplatsRepresentation
   : public vtkMediumRepresentation
 {
 public:

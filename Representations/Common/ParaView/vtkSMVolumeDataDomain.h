@@ -12,14 +12,14 @@
 #ifndef vtkSMVolumeDataDomain_h
 #define vtkSMVolumeDataDomain_h
 
-#include "vtkNephoscopeParaViewRepresentationsModule.h" // for export macro
+#include "vtkNephoscopeParaViewCommonModule.h" // for export macro
 #include "vtkSMStringListDomain.h"
 
 #include <string> // for RepresentationName
 
 class vtkPVDataInformation;
 
-class VTKNEPHOSCOPEPARAVIEWREPRESENTATIONS_EXPORT vtkSMVolumeDataDomain : public vtkSMStringListDomain
+class VTKNEPHOSCOPEPARAVIEWCOMMON_EXPORT vtkSMVolumeDataDomain : public vtkSMStringListDomain
 {
 public:
   static vtkSMVolumeDataDomain* New();

@@ -10,7 +10,7 @@
 #ifndef vtkHazeRepresentation_h
 #define vtkHazeRepresentation_h
 
-#include "vtkNephoscopeParaViewRepresentationsModule.h" // for export macro
+#include "vtkNephoscopeParaViewHazeModule.h" // for export macro
 #include "vtkNew.h"
 #include "vtkPVDataRepresentation.h"
 #include "vtkWeakPointer.h" // for the renderer
@@ -18,7 +18,7 @@
 class vtkHaze;
 class vtkRenderer;
 
-class VTKNEPHOSCOPEPARAVIEWREPRESENTATIONS_EXPORT vtkHazeRepresentation
+class VTKNEPHOSCOPEPARAVIEWHAZE_EXPORT vtkHazeRepresentation
   : public vtkPVDataRepresentation
 {
 public:

@@ -10,10 +10,10 @@
 #ifndef vtkMediumVolume_h
 #define vtkMediumVolume_h
 
-#include "vtkNephoscopeParaViewRepresentationsModule.h" // for export macro
+#include "vtkNephoscopeParaViewCommonModule.h" // for export macro
 #include "vtkPVLODVolume.h"
 
-class VTKNEPHOSCOPEPARAVIEWREPRESENTATIONS_EXPORT vtkMediumVolume : public vtkPVLODVolume
+class VTKNEPHOSCOPEPARAVIEWCOMMON_EXPORT vtkMediumVolume : public vtkPVLODVolume
 {
 public:
   static vtkMediumVolume* New();

@@ -13,14 +13,14 @@
 #define vtkCloudTextureRepresentation_h
 
 #include "vtkGeometryRepresentation.h"
-#include "vtkNephoscopeParaViewRepresentationsModule.h" // for export macro
-#include "vtkNew.h"                                     // for members
-#include "vtkSmartPointer.h"                            // for members
+#include "vtkNephoscopeParaViewCloudTextureModule.h" // for export macro
+#include "vtkNew.h"                             // for members
+#include "vtkSmartPointer.h"                    // for members
 
 class vtkCloudTextureMapper;
 class vtkPolyData;
 
-class VTKNEPHOSCOPEPARAVIEWREPRESENTATIONS_EXPORT vtkCloudTextureRepresentation
+class VTKNEPHOSCOPEPARAVIEWCLOUDTEXTURE_EXPORT vtkCloudTextureRepresentation
   : public vtkGeometryRepresentation
 {
 public:

@@ -6,6 +6,7 @@
 #ifndef CellMeasures_h
 #define CellMeasures_h
 
+#include "vtkNephoscopeParaViewCommonModule.h" // for export macro
 #include "vtkType.h"
 
 class vtkDataArray;
@@ -24,24 +25,24 @@ struct CellMeasures
 };
 
 /** A value of an array of scalars; the magnitude of a vector. */
-double scalarOf(vtkDataArray* scalars, vtkIdType tuple);
+VTKNEPHOSCOPEPARAVIEWCOMMON_EXPORT double scalarOf(vtkDataArray* scalars, vtkIdType tuple);
 
 /**
  * Of a piece. `scalars` may be null; vectors count by their magnitude. Integrals come from about 1e5 evenly chosen cells.
  */
-CellMeasures measureCells(vtkDataSet* data, vtkDataArray* scalars, bool onCells);
+VTKNEPHOSCOPEPARAVIEWCOMMON_EXPORT CellMeasures measureCells(vtkDataSet* data, vtkDataArray* scalars, bool onCells);
 
 /** Of all ranks together. Collective. */
-CellMeasures reduceOverRanks(const CellMeasures& mine);
+VTKNEPHOSCOPEPARAVIEWCOMMON_EXPORT CellMeasures reduceOverRanks(const CellMeasures& mine);
 
 /**
  * Mean length of a ray inside the cells: their volume divided by the mean projected area of their bounding box, which is
  * a quarter of its surface (Cauchy). 0 without 3-D cells.
  */
-double meanChord(const CellMeasures& measures);
+VTKNEPHOSCOPEPARAVIEWCOMMON_EXPORT double meanChord(const CellMeasures& measures);
 
 /** Mean over the volume of a ramp from 0 to 1 over the scalar's range; 0.5 when the scalar is constant or missing. */
-double meanRamp(const CellMeasures& measures);
+VTKNEPHOSCOPEPARAVIEWCOMMON_EXPORT double meanRamp(const CellMeasures& measures);
 
 } // namespace nephoscope
 

@@ -9,10 +9,10 @@
 #ifndef vtkHazeSource_h
 #define vtkHazeSource_h
 
-#include "vtkNephoscopeParaViewRepresentationsModule.h" // for export macro
+#include "vtkNephoscopeParaViewHazeModule.h" // for export macro
 #include "vtkPolyDataAlgorithm.h"
 
-class VTKNEPHOSCOPEPARAVIEWREPRESENTATIONS_EXPORT vtkHazeSource : public vtkPolyDataAlgorithm
+class VTKNEPHOSCOPEPARAVIEWHAZE_EXPORT vtkHazeSource : public vtkPolyDataAlgorithm
 {
 public:
   static vtkHazeSource* New();

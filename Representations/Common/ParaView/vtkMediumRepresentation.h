@@ -14,7 +14,7 @@
 #ifndef vtkMediumRepresentation_h
 #define vtkMediumRepresentation_h
 
-#include "vtkNephoscopeParaViewRepresentationsModule.h" // for export macro
+#include "vtkNephoscopeParaViewCommonModule.h" // for export macro
 #include "vtkNew.h"
 #include "vtkVolumeRepresentation.h"
 
@@ -24,7 +24,7 @@ class vtkAbstractVolumeMapper;
 class vtkDataArray;
 class vtkDataSet;
 
-class VTKNEPHOSCOPEPARAVIEWREPRESENTATIONS_EXPORT vtkMediumRepresentation
+class VTKNEPHOSCOPEPARAVIEWCOMMON_EXPORT vtkMediumRepresentation
   : public vtkVolumeRepresentation
 {
 public:

@@ -17,7 +17,7 @@
 #define vtkCellCompositingRepresentation_h
 
 #include "vtkMediumRepresentation.h"
-#include "vtkNephoscopeParaViewRepresentationsModule.h" // for export macro
+#include "vtkNephoscopeParaViewCellCompositingModule.h" // for export macro
 
 #include <array>  // for ContourColors
 #include <vector> // for ContourColors
@@ -27,7 +27,7 @@ class vtkDataArray;
 class vtkDataSet;
 class vtkPiecewiseFunction;
 
-class VTKNEPHOSCOPEPARAVIEWREPRESENTATIONS_EXPORT vtkCellCompositingRepresentation
+class VTKNEPHOSCOPEPARAVIEWCELLCOMPOSITING_EXPORT vtkCellCompositingRepresentation
   : public vtkMediumRepresentation
 {
 public:

@@ -4,6 +4,7 @@
 #ifndef DataBlocks_h
 #define DataBlocks_h
 
+#include "vtkNephoscopeParaViewCommonModule.h" // for export macro
 #include "vtkSmartPointer.h"
 
 #include <functional>
@@ -16,11 +17,11 @@ namespace nephoscope
 {
 
 /** `input` itself (a shallow copy) if it is a dataset that counts, or the blocks of a composite that do, appended. Null without any. */
-vtkSmartPointer<vtkDataSet> appendedBlocks(
+VTKNEPHOSCOPEPARAVIEWCOMMON_EXPORT vtkSmartPointer<vtkDataSet> appendedBlocks(
   vtkDataObject* input, const std::function<bool(vtkDataSet*)>& counts);
 
 /** Stores numbers with the data, so that every time step in ParaView's cache keeps its own. */
-void storeNumbers(vtkDataSet* data, const char* name, const std::vector<double>& values);
+VTKNEPHOSCOPEPARAVIEWCOMMON_EXPORT void storeNumbers(vtkDataSet* data, const char* name, const std::vector<double>& values);
 
 } // namespace nephoscope
 
