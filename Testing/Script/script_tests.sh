@@ -160,6 +160,72 @@ test_releases()
   expect "the VTK that ParaView shares" contains "$OUT" " libtet-dev libvtk9-dev python3-vtk9 "
 }
 
+# Fakes by which a root can be made and entered, in $NEPHOSCOPE_ROOTS, without rights.
+fake_roots()
+{
+  export NEPHOSCOPE_ROOTS="$WORK/roots"
+  fake id <<<'echo 0'
+  fake apt-config <<<'echo "Acquire::Check-Date \"false\";"; echo "Acquire::AllowWeakRepositories \"0\";"'
+  fake apt-get <<<'printf "http://mirror.example/%s\n" debian-security/ debian/ other/'
+  fake debootstrap <<'E'
+echo "debootstrap $*" >>"$CALLS"
+mkdir -p "$4/etc/apt/apt.conf.d" "$4/etc/ssl" "$4/usr/sbin"
+E
+  fake unshare <<'E'
+[[ "$*" == *chroot* ]] || exit 0
+printf '%s ' "$@" | tr '\n' ' ' >>"$CALLS"
+exit "${ROOT_STATUS:-0}"
+E
+}
+
+test_root()
+{
+  fake_roots
+  nephoscope --root trixie test -L math
+  expect "status 0" [ $STATUS -eq 0 ]
+  expect "made from this system's mirror" grep -q "debootstrap .* trixie .*/trixie.partial http://mirror.example/debian$" "$CALLS"
+  expect "the root under its name, with the tree" [ -x "$WORK/roots/trixie/nephoscope/nephoscope" ]
+  expect "without what this system has built" [ ! -e "$WORK/roots/trixie/nephoscope/build" ]
+  expect "the script runs there" grep -q "roots/trixie .*exec ./nephoscope .* --preset [a-z]* test -L math $" "$CALLS"
+  expect "packages and their security updates" [ "$(cat "$WORK/roots/trixie/etc/apt/sources.list")" = \
+    "deb http://mirror.example/debian trixie main"$'\n'"deb http://mirror.example/debian-security trixie-security main" ]
+  expect "the setting of the dates alone" [ "$(cat "$WORK/roots/trixie/etc/apt/apt.conf.d/50host")" = 'Acquire::Check-Date "false";' ]
+  mkdir "$WORK/roots/trixie/nephoscope/build"
+  touch "$WORK/roots/trixie/nephoscope/removed"
+  : >"$CALLS"
+  ROOT_STATUS=8 nephoscope test --root=trixie
+  expect "the exit status of the tests there" [ $STATUS -eq 8 ]
+  expect "on which release" contains "$ERR" "on Debian trixie: exit status 8"
+  expect "the root is used again" lacks "$(cat "$CALLS")" debootstrap
+  expect "what it has built stays" [ -d "$WORK/roots/trixie/nephoscope/build" ]
+  expect "what the tree no longer has is gone" [ ! -e "$WORK/roots/trixie/nephoscope/removed" ]
+  nephoscope test --root trixie --fresh
+  expect "a fresh root when asked for" grep -q debootstrap "$CALLS"
+  expect "nothing built there" [ ! -e "$WORK/roots/trixie/nephoscope/build" ]
+}
+
+test_root_refused()
+{
+  fake_roots
+  nephoscope test --root sarge
+  expect "status 2 for another release" [ $STATUS -eq 2 ]
+  expect "those that there are" contains "$ERR" "bookworm trixie forky"
+  nephoscope --root trixie python -c pass
+  expect "status 2 for a verb without roots" [ $STATUS -eq 2 ]
+  NEPHOSCOPE_ROOTS="$TOP/roots" nephoscope test --root trixie
+  expect "status 2 for a folder in the source tree" [ $STATUS -eq 2 ]
+  fake unshare <<<'exit 1'
+  nephoscope test --root trixie
+  expect "status 3 where nothing can be mounted" [ $STATUS -eq 3 ]
+  expect "the reason" contains "$ERR" "allowed to mount"
+  fake id <<<'echo 1000'
+  fake sudo <<<'exit 1'
+  nephoscope test --root trixie
+  expect "status 3 without root rights" [ $STATUS -eq 3 ]
+  expect "the reason" contains "$ERR" "needs root rights"
+  expect "nothing made" [ ! -e "$WORK/roots" ]
+}
+
 # The tree of an unpacked archive, on a machine without git.
 test_no_git()
 {
