@@ -71,7 +71,7 @@ def check_verbs(_files):
     usage = subprocess.run([TOP / "nephoscope", "help"], capture_output=True, text=True, check=True).stdout
     verbs = set(re.findall(r"^  ([a-z]+) ", usage, re.MULTILINE))
     for name in ("README.md", "CONTRIBUTING.md"):
-        for verb in re.findall(r"\./nephoscope (?:--preset \S+ |--no-install )*([a-z]+)", text_of(TOP / name)):
+        for verb in re.findall(r"\./nephoscope (?:--preset \S+ |--no-install |--root \S+ )*([a-z]+)", text_of(TOP / name)):
             if verb not in verbs:
                 yield f"{name}: ./nephoscope has no verb {verb}"
     commands = re.findall(r"^\./nephoscope .*$", text_of(TOP / "README.md"), re.MULTILINE)
