@@ -3,6 +3,7 @@
 """Cells divided at contour values (`vtkContourCellSplitter`)."""
 from __future__ import annotations
 
+import warnings
 from typing import Iterator, Sequence
 
 import numpy as np
@@ -65,7 +66,8 @@ def split_cells(mesh: pyvista.DataSet | pyvista.MultiBlock, isosurfaces: int | f
     Warns
     -----
     RuntimeWarning
-        What the filter warns of: scalars that are not numbers, cells that are not three-dimensional, convex or linear.
+        What the filter warns of: scalars that are not numbers, cells that are not three-dimensional, convex or linear; a
+        MultiBlock without points.
     """
     if isinstance(mesh, pyvista.MultiBlock):
         name, array = _array_of_blocks(mesh, scalars)
@@ -91,6 +93,8 @@ def split_cells(mesh: pyvista.DataSet | pyvista.MultiBlock, isosurfaces: int | f
 def _array_of_blocks(blocks: pyvista.MultiBlock, scalars: str | None) -> tuple[str, np.ndarray]:
     """The name, and the values of all blocks, which all have it."""
     meshes = [mesh for mesh in _leaves(blocks) if mesh.n_points]
+    if not meshes:
+        warnings.warn("The MultiBlock has no block with points: there is nothing to divide.", RuntimeWarning, stacklevel=3)
     name = scalars if scalars is not None else _point_array(meshes[0], None) if meshes else ""
     arrays = [np.asarray(mesh.point_data[_point_array(mesh, name)], float).ravel() for mesh in meshes]
     return name, np.concatenate(arrays or [np.empty(0)])
