@@ -13,6 +13,8 @@ foreach (module IN LISTS nephoscope_modules)
   endif ()
 endforeach ()
 
+set(NEPHOSCOPE_WHEEL_TAG "" CACHE STRING "Tag of the wheel, such as cp311-cp311-linux_x86_64; empty: that of Python3_EXECUTABLE")
+
 set(NEPHOSCOPE_PYTHON_DESTINATION "${CMAKE_INSTALL_LIBDIR}/python3/dist-packages")
 set(NEPHOSCOPE_PYTHONPATH "${PROJECT_BINARY_DIR}/${NEPHOSCOPE_PYTHON_DESTINATION}")
 vtk_module_wrap_python(
@@ -41,18 +43,43 @@ foreach (module IN LISTS nephoscope_wrapped_modules)
   list(APPEND nephoscope_wheel_targets "${library}Python")
 endforeach ()
 list(JOIN nephoscope_module_names ", " nephoscope_module_names)
+set(nephoscope_vtk_module_names)
+foreach (module IN LISTS nephoscope_required_modules)
+  _vtk_module_get_module_property("${module}" PROPERTY "exclude_wrap" VARIABLE excluded)
+  if (NOT excluded AND NOT module MATCHES "^ParaView::")
+    _vtk_module_get_module_property("${module}" PROPERTY "library_name" VARIABLE library)
+    list(APPEND nephoscope_vtk_module_names "\"${library}\"")
+  endif ()
+endforeach ()
+list(JOIN nephoscope_vtk_module_names ", " nephoscope_vtk_module_names)
+set(nephoscope_from_pypi False)
+if (NEPHOSCOPE_FOR_PYPI)
+  set(nephoscope_from_pypi True)
+endif ()
 configure_file("${PROJECT_SOURCE_DIR}/Plugins/PyVista/packaging/_modules.py.in"
   "${NEPHOSCOPE_PYTHONPATH}/nephoscope/_modules.py" @ONLY)
 
-# A VTK outside the system's library folders is found again after installation; in a wheel the libraries lie beside the modules.
+# In a wheel the libraries lie beside the modules, and those of VTK's wheel in the folder of its modules. Another VTK, outside the
+# system's library folders, is found again after installation.
 if (APPLE)
-  set(nephoscope_origin "@loader_path")
+  set(nephoscope_rpath "@loader_path")
 else ()
-  set(nephoscope_origin "$ORIGIN")
+  set(nephoscope_rpath "$ORIGIN")
+endif ()
+set(nephoscope_link_path ON)
+if (NEPHOSCOPE_FOR_PYPI)
+  list(APPEND nephoscope_rpath "${nephoscope_rpath}/../vtkmodules")
+  set(nephoscope_link_path OFF)
+  add_library(nephoscope_older_symbols STATIC "${PROJECT_SOURCE_DIR}/CMake/wheel/older_symbols.c")
+  set_target_properties(nephoscope_older_symbols PROPERTIES POSITION_INDEPENDENT_CODE ON C_VISIBILITY_PRESET hidden)
 endif ()
 foreach (target IN LISTS nephoscope_wheel_targets)
-  set_property(TARGET ${target} APPEND PROPERTY INSTALL_RPATH "${nephoscope_origin}")
-  set_property(TARGET ${target} PROPERTY INSTALL_RPATH_USE_LINK_PATH ON)
+  if (NEPHOSCOPE_FOR_PYPI)
+    target_link_libraries(${target} PRIVATE $<BUILD_INTERFACE:nephoscope_older_symbols>)
+    set_property(TARGET ${target} PROPERTY INSTALL_RPATH "") # VTK sets one for the layout of an installation
+  endif ()
+  set_property(TARGET ${target} APPEND PROPERTY INSTALL_RPATH ${nephoscope_rpath})
+  set_property(TARGET ${target} PROPERTY INSTALL_RPATH_USE_LINK_PATH ${nephoscope_link_path})
 endforeach ()
 
 # The pure-Python part, and the presets that it shares with the plugin, are copied whenever they change.
@@ -70,13 +97,22 @@ add_custom_target(NephoscopePythonSources ALL DEPENDS ${nephoscope_python_output
 
 # Package metadata: by its entry point PyVista finds the accessor although nephoscope was imported first, or not at all.
 set(nephoscope_dist_info "nephoscope-${PROJECT_VERSION}.dist-info")
+file(READ "${PROJECT_SOURCE_DIR}/Plugins/PyVista/packaging/description.md" nephoscope_description)
+set(nephoscope_requirements "Requires-Python: >=3.9")
+if (NEPHOSCOPE_FOR_PYPI)
+  string(CONCAT nephoscope_requirements "Requires-Python: >=3.11\nRequires-Dist: vtk==${VTK_VERSION}\n"
+    "Provides-Extra: pyvista\nRequires-Dist: pyvista>=0.48; extra == 'pyvista'")
+endif ()
 foreach (name IN ITEMS METADATA entry_points.txt)
   configure_file("${PROJECT_SOURCE_DIR}/Plugins/PyVista/packaging/${name}.in"
     "${NEPHOSCOPE_PYTHONPATH}/${nephoscope_dist_info}/${name}" @ONLY)
 endforeach ()
-execute_process(COMMAND "${Python3_EXECUTABLE}" -c
-  "import re, sys, sysconfig; v = 'cp%d%d' % sys.version_info[:2]; print(v, v, re.sub('[-.]', '_', sysconfig.get_platform()), sep='-')"
-  OUTPUT_VARIABLE nephoscope_wheel_tag OUTPUT_STRIP_TRAILING_WHITESPACE)
+set(nephoscope_wheel_tag "${NEPHOSCOPE_WHEEL_TAG}")
+if (NOT nephoscope_wheel_tag)
+  execute_process(COMMAND "${Python3_EXECUTABLE}" -c
+    "import re, sys, sysconfig; v = 'cp%d%d' % sys.version_info[:2]; print(v, v, re.sub('[-.]', '_', sysconfig.get_platform()), sep='-')"
+    OUTPUT_VARIABLE nephoscope_wheel_tag OUTPUT_STRIP_TRAILING_WHITESPACE)
+endif ()
 if (NOT nephoscope_wheel_tag)
   message(FATAL_ERROR "The Python interpreter '${Python3_EXECUTABLE}' does not run. Set Python3_EXECUTABLE.")
 endif ()
@@ -91,6 +127,7 @@ function (nephoscope_install_python folder)
     "${NEPHOSCOPE_PYTHONPATH}/${nephoscope_dist_info}/METADATA"
     "${NEPHOSCOPE_PYTHONPATH}/${nephoscope_dist_info}/entry_points.txt"
     DESTINATION "${folder}${nephoscope_dist_info}" ${ARGN})
+  install(FILES "${PROJECT_SOURCE_DIR}/LICENSE" DESTINATION "${folder}${nephoscope_dist_info}/licenses" ${ARGN})
 endfunction ()
 nephoscope_install_python("${NEPHOSCOPE_PYTHON_DESTINATION}/")
 nephoscope_install_python("" COMPONENT nephoscope_wheel EXCLUDE_FROM_ALL)

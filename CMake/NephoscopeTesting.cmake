@@ -8,13 +8,21 @@
 #   nephoscope_add_shader_test(NAME FOLDER SOURCES... MODULES...)   GoogleTest with Testing/Cxx/ShaderRunner.h; FOLDER has the shaders
 #   nephoscope_add_python_test(SCRIPT.py LABELS... [ARGS...])       plain Python, package on its path; exit 0 passes
 #   nephoscope_add_softpipe_test(SCRIPT.py [CASES...])              those cases once more, on Mesa's software OpenGL 3.3 (slow: small pictures)
-find_package(GTest REQUIRED)
-include(GoogleTest)
+#
+# A build for VTK's wheel has the same Python tests, run by an environment in which the wheel is installed
+# (NEPHOSCOPE_PYVISTA_PYTHON; the tests run that, and not Python3_EXECUTABLE). It has no tests in C++.
+if (NEPHOSCOPE_FOR_PYPI)
+  set(Python3_EXECUTABLE "${NEPHOSCOPE_PYVISTA_PYTHON}")
+else ()
+  find_package(GTest REQUIRED)
+  include(GoogleTest)
+  set(nephoscope_package_path "${NEPHOSCOPE_PYTHONPATH}:")
+endif ()
 
 set(NEPHOSCOPE_TEST_OUTPUT "${PROJECT_BINARY_DIR}/Testing/Output")
 file(MAKE_DIRECTORY "${NEPHOSCOPE_TEST_OUTPUT}")
 set(NEPHOSCOPE_TEST_ENVIRONMENT
-  "PYTHONPATH=${NEPHOSCOPE_PYTHONPATH}:${PROJECT_SOURCE_DIR}/Testing/Python"
+  "PYTHONPATH=${nephoscope_package_path}${PROJECT_SOURCE_DIR}/Testing/Python"
   "NEPHOSCOPE_DATA=${PROJECT_SOURCE_DIR}/Data"
   "NEPHOSCOPE_TEST_OUTPUT=${NEPHOSCOPE_TEST_OUTPUT}"
   "PV_PLUGIN_PATH=${NEPHOSCOPE_PLUGIN_PATH}"
@@ -30,6 +38,9 @@ function (nephoscope_add_math_test name source)
 endfunction ()
 
 function (nephoscope_add_cxx_test name)
+  if (NEPHOSCOPE_FOR_PYPI)
+    return ()
+  endif ()
   cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "SOURCES;MODULES;LABELS")
   add_executable(${name} ${arg_SOURCES})
   target_include_directories(${name} PRIVATE "${CMAKE_CURRENT_SOURCE_DIR}/.." "${PROJECT_SOURCE_DIR}/Testing/Cxx")
@@ -48,6 +59,9 @@ function (nephoscope_add_cxx_test name)
 endfunction ()
 
 function (nephoscope_add_shader_test name folder)
+  if (NEPHOSCOPE_FOR_PYPI)
+    return ()
+  endif ()
   cmake_parse_arguments(PARSE_ARGV 2 arg "" "" "SOURCES;MODULES")
   set(modules ${arg_MODULES} VTK::RenderingOpenGL2)
   foreach (module IN ITEMS glad glew opengl) # the OpenGL functions, as this VTK has them

@@ -11,8 +11,11 @@ import sys as _sys
 from importlib.util import find_spec as _find_spec
 from typing import TYPE_CHECKING as _TYPE_CHECKING
 
+from . import _modules
 from ._modules import MODULES as _MODULES
 from ._modules import VERSION as __version__
+from ._vtk import require_backend as _require_backend
+from ._vtk import require_wheel as _require_wheel
 
 if _TYPE_CHECKING:
     from .advection import advect_texture
@@ -51,6 +54,8 @@ PYVISTA_FUNCTIONS = {
 
 
 def _wrapped_classes():
+    if _modules.FROM_PYPI:
+        _require_wheel(_modules.VTK_VERSION, _modules.VTK_MODULES)
     classes = {}
     for name in _MODULES:
         module = _importlib.import_module("." + name, __name__)
@@ -72,6 +77,12 @@ def _has_pyvista():
 __all__ = sorted([*_CLASSES, *(PYVISTA_FUNCTIONS if _has_pyvista() else ())])  # `import *` must not need PyVista
 
 
+def _pyvista_remedy():
+    if _modules.FROM_PYPI:
+        return f"Run: {_sys.executable} -m pip install pyvista"
+    return "Install the pinned set without its own VTK: python -m pip install --no-deps -r Plugins/PyVista/requirements.txt"
+
+
 def __getattr__(name):
     if name not in PYVISTA_FUNCTIONS:
         raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
@@ -80,9 +91,8 @@ def __getattr__(name):
     except ModuleNotFoundError as missing:
         raise ModuleNotFoundError(
             f"nephoscope.{name} needs PyVista, and {missing.name!r} is not installed for {_sys.executable}. "
-            "Install the pinned set without its own VTK: "
-            "python -m pip install --no-deps -r Plugins/PyVista/requirements.txt",
-            name=missing.name) from missing
+            + _pyvista_remedy(), name=missing.name) from missing
+    _require_backend()
     _importlib.import_module(".accessor", __name__)
     function = getattr(_importlib.import_module("." + PYVISTA_FUNCTIONS[name], __name__), name)
     globals()[name] = function
@@ -96,4 +106,5 @@ def __dir__():
 # PyVista imported first: attach the accessor now. PyVista imported later: it finds the accessor by the
 # entry point `pyvista.accessors` of this package.
 if hasattr(_sys.modules.get("pyvista"), "register_dataset_accessor"):
+    _require_backend()
     _importlib.import_module(".accessor", __name__)

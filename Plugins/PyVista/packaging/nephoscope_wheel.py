@@ -16,18 +16,20 @@ import subprocess
 import tempfile
 import zipfile
 from pathlib import Path
+from typing import Callable
 
 SOURCE_ROOT = Path(__file__).resolve().parents[3]
 
 
-def make_wheel(build: Path, output: Path) -> Path:
-    """Write the wheel of the build tree `build` into the folder `output`; return its path."""
+def make_wheel(build: Path, output: Path, finish: Callable[[Path], None] = lambda staging: None) -> Path:
+    """Write the wheel of the build tree `build` into the folder `output`; return its path. `finish` may add to its content."""
     build = SOURCE_ROOT / build
     if not (build / "cmake_install.cmake").is_file():
         raise SystemExit(f"{build} is not a configured build tree. Build first, or name it: --config-settings build=FOLDER")
     with tempfile.TemporaryDirectory() as staging:
-        subprocess.run(["cmake", "--install", str(build), "--component", "nephoscope_wheel", "--prefix", staging],
+        subprocess.run(["cmake", "--install", str(build), "--component", "nephoscope_wheel", "--prefix", staging, "--strip"],
                        check=True, stdout=subprocess.DEVNULL)
+        finish(Path(staging))
         return _zip(Path(staging), output)
 
 
@@ -43,9 +45,16 @@ def _zip(staging: Path, output: Path) -> Path:
             data = path.read_bytes()
             digest = base64.urlsafe_b64encode(hashlib.sha256(data).digest()).rstrip(b"=").decode()
             record.append(f"{name},sha256={digest},{len(data)}")
-            archive.write(path, name)
-        archive.writestr(f"{dist_info.name}/RECORD", "\n".join([*record, f"{dist_info.name}/RECORD,,", ""]))
+            archive.writestr(_entry(name), data)
+        archive.writestr(_entry(f"{dist_info.name}/RECORD"), "\n".join([*record, f"{dist_info.name}/RECORD,,", ""]))
     return wheel
+
+
+def _entry(name: str) -> zipfile.ZipInfo:
+    """A file in the wheel, with a fixed time: the same content makes the same wheel."""
+    entry = zipfile.ZipInfo(name)
+    entry.compress_type, entry.external_attr = zipfile.ZIP_DEFLATED, 0o644 << 16
+    return entry
 
 
 # The hooks of PEP 517 that pip calls.

@@ -1,0 +1,94 @@
+# shellcheck shell=bash
+# SPDX-FileCopyrightText: The Nephoscope authors
+# SPDX-License-Identifier: BSD-3-Clause
+# The wheel for `pip install`: built for VTK's wheel of the Python package index, with an SDK made from Debian's packages
+# (CMake/wheel), and tested in a fresh environment.
+# shellcheck disable=SC2034 # read by the verb
+WHEEL_PACKAGES=(g++ cmake ninja-build python3-venv)
+# shellcheck disable=SC2034
+WHEEL_TEST_PACKAGES=(xvfb xauth libgl1 libegl1 libxrender1)
+WHEEL_WORK="$TOP/build/wheel"
+
+# parse_wheel_arguments ARGUMENT...: sets WHEEL_PYTHONS and WHEEL_TEST; leaves the arguments of ctest in ARGUMENTS.
+# shellcheck disable=SC2034
+parse_wheel_arguments()
+{
+  WHEEL_PYTHONS=() WHEEL_TEST=no
+  while [ $# -gt 0 ]; do
+    case $1 in
+      --python)
+        [[ "${2:-}" =~ ^3\.1[1-4]$ ]] || usage_error "wheel --python wants 3.11, 3.12, 3.13 or 3.14"
+        WHEEL_PYTHONS+=("$2")
+        shift 2 ;;
+      --test) WHEEL_TEST=yes; shift; break ;;
+      *) usage_error "wheel takes --python and --test, not $1" ;;
+    esac
+  done
+  ARGUMENTS=("$@")
+  [ ${#WHEEL_PYTHONS[@]} -gt 0 ] || WHEEL_PYTHONS=("$(wheel_own_python)")
+}
+
+# The version of the system's Python, whose wheel also makes the stubs of all the others.
+wheel_own_python() { "$SYSTEM_PYTHON" -c 'import sys; print("%d.%d" % sys.version_info[:2])'; }
+
+# wheel_tools: an environment that has pip, to fetch VTK's wheel.
+wheel_tools()
+{
+  WHEEL_TOOLS="$WHEEL_WORK/tools/bin/python"
+  [ -x "$WHEEL_TOOLS" ] || "$SYSTEM_PYTHON" -m venv "$WHEEL_WORK/tools"
+}
+
+# make_wheel VERSION: sets WHEEL to the file.
+make_wheel()
+{
+  local python=$1 tag=cp${1/./} options=()
+  wheel_tools
+  step "SDK of VTK's wheel for Python $python"
+  run_logged "wheel-sdk-$tag" "$WHEEL_TOOLS" "$TOP/CMake/wheel/make_sdk.py" --python "$python" --work "$WHEEL_WORK" ||
+    fail 1 "could not make the SDK"
+  step "Configure and build for Python $python"
+  if command -v ccache >/dev/null; then
+    options+=(-DCMAKE_C_COMPILER_LAUNCHER=ccache -DCMAKE_CXX_COMPILER_LAUNCHER=ccache)
+  fi
+  run_logged "wheel-configure-$tag" cmake -S "$TOP" -B "$WHEEL_WORK/$tag" -C "$TOP/CMake/wheel/options.cmake" \
+    -G Ninja -DVTK_DIR="$(tail -n 1 "$LOGS/wheel-sdk-$tag.log")" -DNEPHOSCOPE_WHEEL_TAG="$tag-$tag-manylinux_2_34_x86_64" \
+    -DPython3_EXECUTABLE="$WHEEL_TOOLS" -DNEPHOSCOPE_PYVISTA_PYTHON="$WHEEL_WORK/venv-$tag/bin/python" "${options[@]}" ||
+    fail 1 "could not configure the build for Python $python"
+  run_logged "wheel-build-$tag" cmake --build "$WHEEL_WORK/$tag" -j "$(nproc)" || fail 1 "could not build for Python $python"
+  step "Wheel for Python $python"
+  run_logged "wheel-pack-$tag" "$WHEEL_TOOLS" "$TOP/CMake/wheel/pack.py" --python "$python" --work "$WHEEL_WORK" --output "$TOP/dist" ||
+    fail 1 "could not pack the wheel"
+  WHEEL=$(tail -n 1 "$LOGS/wheel-pack-$tag.log")
+  say "      ${WHEEL#"$TOP"/}"
+}
+
+# Prints the interpreter of a version; fails where there is none.
+wheel_interpreter()
+{
+  if [ "$1" = "$(wheel_own_python)" ]; then
+    printf '%s' "$SYSTEM_PYTHON"
+  else
+    command -v "python$1"
+  fi
+}
+
+make_wheel_venv()
+{
+  rm -rf "$3"
+  "$1" -m venv "$3" &&
+    "$3/bin/python" -m pip install --no-input "$2" -r "$TOP/CMake/wheel/test-requirements.txt"
+}
+
+# test_wheel VERSION [CTEST-ARGUMENT...]: installs the wheel in a fresh environment and runs the Python tests there.
+test_wheel()
+{
+  local python=$1 tag=cp${1/./} venv="$WHEEL_WORK/venv-cp${1/./}" interpreter status=0
+  shift
+  step "A fresh environment with Python $python"
+  interpreter=$(wheel_interpreter "$python") || fail 1 "there is no python$python on the path to test the wheel with"
+  run_logged "wheel-venv-$tag" make_wheel_venv "$interpreter" "$WHEEL" "$venv" || fail 1 "could not install the wheel"
+  step "Tests of the wheel for Python $python"
+  on_virtual_display env -u PYTHONPATH WHEEL="$WHEEL" PATH="$venv/bin:$PATH" ctest --test-dir "$WHEEL_WORK/$tag" \
+    --output-on-failure --no-tests=error -j 2 "$@" || status=$?
+  [ $status -eq 0 ] || fail $status "tests of the wheel failed (exit status $status)"
+}

@@ -1,0 +1,161 @@
+# SPDX-FileCopyrightText: The Nephoscope authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""The parts of CMake/wheel, without network and without making a wheel: what is pinned, what is refused, how CMake files are rewritten."""
+import hashlib
+import os
+import re
+import sys
+import tempfile
+import unittest
+from pathlib import Path
+from unittest import mock
+
+TOP = Path(__file__).resolve().parents[2]
+sys.path.insert(0, str(TOP / "CMake/wheel"))
+import cmake_package  # noqa: E402
+import inputs  # noqa: E402
+import pack  # noqa: E402
+
+TARGETS = """# Create imported target VTK::vtkplatform
+add_library(VTK::vtkplatform INTERFACE IMPORTED)
+
+# Create imported target VTK::CommonCore
+add_library(VTK::CommonCore SHARED IMPORTED)
+
+set_target_properties(VTK::CommonCore PROPERTIES
+  INTERFACE_INCLUDE_DIRECTORIES "${_IMPORT_PREFIX}/include/vtk-9.6"
+  INTERFACE_LINK_LIBRARIES "VTK::vtkplatform;TBB::tbb;VTK::IOMPI;Threads::Threads;\\$<LINK_ONLY:dl>"
+)
+
+# Create imported target VTK::IOMPI
+add_library(VTK::IOMPI SHARED IMPORTED)
+
+# Load information for each installed configuration.
+include("VTK-targets-none.cmake")
+"""
+FILES = "\n".join(f'set_target_properties(VTK::{name} PROPERTIES\n  IMPORTED_LOCATION_NONE "${{_IMPORT_PREFIX}}/lib/libvtk{name}-9.6.so.9.6"\n'
+                  f'  IMPORTED_SONAME_NONE "libvtk{name}-9.6.so.1"\n  )\n' for name in ("CommonCore", "IOMPI"))
+PROPERTIES = """set_property(TARGET "VTK::CommonCore" PROPERTY "INTERFACE_vtk_module_depends" "VTK::vtkplatform;VTK::IOMPI")
+set_property(TARGET "VTK::IOMPI" PROPERTY "INTERFACE_vtk_module_depends" "VTK::CommonCore")
+"""
+CONFIG = """set("X_AVAILABLE_COMPONENTS" "CommonCore;IOMPI")
+set("X_SMP_BACKENDS" "TBB;STDThread;Sequential")
+set("X_HAS_VISKORES" "ON")
+  include("${CMAKE_CURRENT_LIST_DIR}/VTKPython-targets.cmake")
+"""
+NEEDS = """Version definition section '.gnu.version_d' contains 1 entry:
+  000000: Rev: 1  Flags: none  Index: 2  Cnt: 1  Name: GLIBC_2.99
+Version needs section '.gnu.version_r' contains 2 entries:
+  000000: Version: 1  File: libm.so.6  Cnt: 2
+  0x0010:   Name: GLIBC_2.35  Flags: none  Version: 9
+  0x0020:   Name: GLIBC_2.2.5  Flags: none  Version: 8
+  0x0030: Version: 1  File: libstdc++.so.6  Cnt: 2
+  0x0040:   Name: GLIBCXX_3.4.29  Flags: none  Version: 7
+  0x0050:   Name: CXXABI_1.3.14  Flags: none  Version: 6
+"""
+
+
+class Pins(unittest.TestCase):
+    def test_every_package_has_a_digest_and_a_version(self):
+        for purpose in ("sdk", "cp311", "cp313", "cp314"):
+            packages = inputs.debian_packages(purpose)
+            self.assertTrue(packages, purpose)
+            for digest, path in packages:
+                self.assertRegex(digest, "^[0-9a-f]{64}$")
+                self.assertRegex(path, r"^pool/main/[a-z0-9.]+/[a-z0-9.]+/[a-z0-9.-]+_\d[^_/]*_amd64\.deb$")
+
+    def test_one_version_of_vtk(self):
+        version = inputs.vtk_version()
+        for _, path in inputs.debian_packages("sdk"):
+            if "/vtk9/" in path:
+                self.assertIn(f"_{version}+", path)
+        text = (TOP / "CMake/wheel/vtk.txt").read_text()
+        self.assertEqual(len(set(re.findall(r"--hash=sha256:[0-9a-f]{64}\b", text))), len(inputs.PYTHONS))
+
+    def test_pages_name_that_version(self):
+        for page in ("Documentation/pip.md",):
+            self.assertIn(f"vtk=={inputs.vtk_version()}", (TOP / page).read_text(), page)
+
+
+class Fetching(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = Path(folder.name)
+        self.archive = self.folder / "archive/pool/main/x/x"
+        self.archive.mkdir(parents=True)
+        digest = hashlib.sha256(b"the package").hexdigest()
+        (self.folder / "debian.txt").write_text(f"# comment\n\nsdk  {digest}  pool/main/x/x/x-dev_1-1_amd64.deb\n")
+        for change in (mock.patch.object(inputs, "HERE", self.folder),
+                       mock.patch.dict(os.environ, NEPHOSCOPE_DEBIAN_ARCHIVE=f"file://{self.folder}/archive/")):
+            change.start()
+            self.addCleanup(change.stop)
+
+    def test_right_file_is_taken_and_kept(self):
+        (self.archive / "x-dev_1-1_amd64.deb").write_bytes(b"the package")
+        files = inputs.fetch_debian("sdk", self.folder / "inputs")
+        self.assertEqual(files["x-dev"].read_bytes(), b"the package")
+        (self.archive / "x-dev_1-1_amd64.deb").unlink()
+        self.assertEqual(inputs.fetch_debian("sdk", self.folder / "inputs"), files)
+
+    def test_changed_file_is_refused(self):
+        (self.archive / "x-dev_1-1_amd64.deb").write_bytes(b"another")
+        with self.assertRaisesRegex(SystemExit, "its SHA-256 is not [0-9a-f]{64}\nSet NEPHOSCOPE_DEBIAN_ARCHIVE"):
+            inputs.fetch_debian("sdk", self.folder / "inputs")
+        self.assertFalse(list((self.folder / "inputs").iterdir()))
+
+    def test_missing_file_is_named(self):
+        with self.assertRaisesRegex(SystemExit, "x-dev_1-1_amd64.deb"):
+            inputs.fetch_debian("sdk", self.folder / "inputs")
+
+    def test_python_without_headers(self):
+        with mock.patch.dict(os.environ, PATH=str(self.folder)), \
+                self.assertRaisesRegex(SystemExit, "Debian has no headers of Python 3.12, and no python3.12 with headers is on the path. Install"):
+            inputs.python_headers("3.12", self.folder / "inputs")
+
+
+class Rewriting(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = Path(folder.name)
+        for name, text in (("VTK-targets", TARGETS), ("VTK-targets-none", FILES), ("VTK-vtk-module-properties", PROPERTIES),
+                           ("vtkmodules-vtk-python-module-properties", ""), ("vtk-config", CONFIG), ("VTKPython-targets", "")):
+            (self.folder / f"{name}.cmake").write_text(text)
+
+    def package(self, least=0):
+        def file_of(path):
+            return Path("wheel/libvtkCommonCore.so") if "CommonCore" in path else None
+        return cmake_package.CMakePackage(self.folder, Path("sdk"), file_of, least)
+
+    def text(self, name):
+        return (self.folder / f"{name}.cmake").read_text()
+
+    def test_targets_are_those_of_the_wheel(self):
+        package = self.package()
+        self.assertEqual(package.kept(), ["VTK::vtkplatform", "VTK::CommonCore"])
+        package.rewrite("3.13", ["headers", "more"])
+        targets = self.text("VTK-targets")
+        self.assertIn('INTERFACE_LINK_LIBRARIES "VTK::vtkplatform;Threads::Threads"', targets)
+        self.assertIn('set_target_properties(VTK::CommonCore PROPERTIES IMPORTED_LOCATION "wheel/libvtkCommonCore.so" '
+                      'IMPORTED_SONAME "libvtkCommonCore.so")', targets)
+        self.assertIn("_GLIBCXX_USE_CXX11_ABI=0", targets)
+        self.assertNotIn("IOMPI", targets + self.text("VTK-vtk-module-properties") + self.text("vtk-config"))
+        self.assertIn('"X_SMP_BACKENDS" "STDThread;Sequential"', self.text("vtk-config"))
+        self.assertIn('INTERFACE_INCLUDE_DIRECTORIES "headers;more"', self.text("VTK-vtk-module-find-packages"))
+
+    def test_another_layout_is_noticed(self):
+        with self.assertRaisesRegex(SystemExit, "is not as expected: 2 targets"):
+            self.package(least=3)
+        (self.folder / "vtk-config.cmake").write_text("")
+        with self.assertRaisesRegex(SystemExit, "vtk-config.cmake is not as expected"):
+            self.package().rewrite("3.13", [])
+
+
+class Symbols(unittest.TestCase):
+    def test_symbols_newer_than_the_platform(self):
+        self.assertEqual(pack.newer_versions(NEEDS), ["CXXABI_1.3.14", "GLIBC_2.35"])
+
+
+if __name__ == "__main__":
+    unittest.main()
