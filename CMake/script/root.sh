@@ -72,7 +72,7 @@ tree_files()
     git -C "$TOP" ls-files -z --cached --others --exclude-standard |
       while IFS= read -r -d '' file; do [ ! -e "$TOP/$file" ] || printf '%s\0' "$file"; done
   else
-    (cd "$TOP" && find . \( -path './build*' -o -path ./Gallery -o -name __pycache__ -o -path ./.git \) -prune -o ! -type d -print0)
+    (cd "$TOP" && find . \( -path './build*' -o -path ./Gallery -o -path ./dist -o -name __pycache__ -o -path ./.git \) -prune -o ! -type d -print0)
   fi
 }
 
@@ -80,7 +80,7 @@ tree_files()
 copy_tree_to_root()
 {
   "${AS_ROOT[@]}" mkdir -p "$ROOT/nephoscope"
-  "${AS_ROOT[@]}" find "$ROOT/nephoscope" -mindepth 1 -maxdepth 1 ! -name build ! -name Gallery -exec rm -rf {} +
+  "${AS_ROOT[@]}" find "$ROOT/nephoscope" -mindepth 1 -maxdepth 1 ! -name build ! -name dist ! -name Gallery -exec rm -rf {} +
   tree_files | tar -C "$TOP" --null --no-recursion -T - -cf - | "${AS_ROOT[@]}" tar -C "$ROOT/nephoscope" --no-same-owner -xf -
 }
 

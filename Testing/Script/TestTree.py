@@ -31,7 +31,7 @@ def tracked_files():
     """The files of the project that are there; without git, all but what the build and Python made."""
     files = listed_by_git()
     if files is None:
-        made = {"build", "Gallery", ".git"}
+        made = {"build", "dist", "Gallery", ".git"}
         files = [f for f in TOP.rglob("*") if f.relative_to(TOP).parts[0] not in made and f.parent.name != "__pycache__"]
     return [f for f in files if f.is_file()]
 

@@ -65,9 +65,14 @@ test_usage()
   nephoscope help
   expect "status 0 for help" [ $STATUS -eq 0 ]
   local verb
-  for verb in demo test build python pvpython pvbatch paraview bench baselines; do
+  for verb in demo test build python pvpython pvbatch paraview bench baselines wheel; do
     expect "help on $verb" contains "$OUT" $'\n'"  $verb "
   done
+  nephoscope wheel --python 2.7
+  expect "status 2 for a Python that there is no wheel for" [ $STATUS -eq 2 ]
+  expect "the versions are named" contains "$ERR" "wheel --python wants 3.11, 3.12, 3.13 or 3.14"
+  nephoscope wheel 3.13
+  expect "the options are named" contains "$ERR" "wheel takes --python and --test, not 3.13"
   nephoscope test --preset
   expect "status 2 for an option without its value" [ $STATUS -eq 2 ]
 }
