@@ -1,0 +1,198 @@
+// SPDX-FileCopyrightText: The Nephoscope authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkSMFirstLook.h"
+
+#include "FirstCamera.h"
+
+#include "vtkCallbackCommand.h"
+#include "vtkDataObject.h"
+#include "vtkDataSetAttributes.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkPVArrayInformation.h"
+#include "vtkPVDataInformation.h"
+#include "vtkPVDataSetAttributesInformation.h"
+#include "vtkPVXMLElement.h"
+#include "vtkSMPVRepresentationProxy.h"
+#include "vtkSMPropertyHelper.h"
+#include "vtkSMProxyManager.h"
+#include "vtkSMSessionProxyManager.h"
+#include "vtkSMSettings.h"
+#include "vtkSMSourceProxy.h"
+#include "vtkSMTransferFunctionPresets.h"
+#include "vtkSMTransferFunctionProxy.h"
+
+#include <string>
+
+vtkStandardNewMacro(vtkSMFirstLook);
+
+namespace
+{
+const std::string ourPresets = "Nephoscope ";
+constexpr const char* presetsOfClouds[] = { "Nephoscope Clouds", "Nephoscope Cloud Water" };
+
+// The name of the preset that an array begins with, or an empty one.
+std::string PresetOf(const std::string& array)
+{
+  vtkSMSettings* settings = vtkSMSettings::GetInstance();
+  const std::string key = ".standard_presets." + array;
+  return settings->HasSetting(key.c_str()) ? settings->GetSettingAsString(key.c_str(), 0, "") : std::string();
+}
+
+// The point array that clouds are coloured by; an empty name where there is none.
+std::string ArrayOfClouds(vtkPVDataInformation* data)
+{
+  vtkPVDataSetAttributesInformation* arrays = data->GetAttributeInformation(vtkDataObject::POINT);
+  for (const char* preset : presetsOfClouds)
+  {
+    for (int i = 0; i < arrays->GetNumberOfArrays(); ++i)
+    {
+      const char* name = arrays->GetArrayInformation(i)->GetName();
+      if (name && PresetOf(name) == preset)
+      {
+        return name;
+      }
+    }
+  }
+  return std::string();
+}
+
+struct ColoredArray
+{
+  std::string Name;
+  int Association = vtkDataObject::POINT;
+};
+
+// The active scalars, of points first; else the first array of one component.
+ColoredArray ActiveScalars(vtkPVDataInformation* data)
+{
+  for (const bool active : { true, false })
+  {
+    for (const int association : { vtkDataObject::POINT, vtkDataObject::CELL })
+    {
+      vtkPVDataSetAttributesInformation* arrays = data->GetAttributeInformation(association);
+      vtkPVArrayInformation* scalars = active ? arrays->GetAttributeInformation(vtkDataSetAttributes::SCALARS) : nullptr;
+      for (int i = 0; !active && !scalars && i < arrays->GetNumberOfArrays(); ++i)
+      {
+        vtkPVArrayInformation* array = arrays->GetArrayInformation(i);
+        const std::string name = array->GetName() ? array->GetName() : "";
+        const bool fits = array->GetNumberOfComponents() == 1 && name != vtkDataSetAttributes::GhostArrayName();
+        scalars = fits ? array : nullptr;
+      }
+      if (scalars && scalars->GetName())
+      {
+        return { scalars->GetName(), association };
+      }
+    }
+  }
+  return {};
+}
+
+// A surface at one value of an array has one colour in the colours of that array, and not the best one.
+bool IsColoredByContouredArray(vtkSMProxy* display, vtkSMProxy* source, vtkPVDataInformation* data)
+{
+  const vtkSMPropertyHelper colored(display, "ColorArrayName", true), contoured(source, "SelectInputScalars", true);
+  std::string name = contoured.GetNumberOfElements() == 5 && contoured.GetAsString(4) ? contoured.GetAsString(4) : "";
+  name = name.empty() ? ActiveScalars(data).Name : name; // as a filter does that was made before there were data
+  return colored.GetNumberOfElements() == 5 && name == colored.GetAsString(4);
+}
+
+void Color(vtkSMPVRepresentationProxy* display, vtkSMSourceProxy* source, int port, const std::string& how)
+{
+  vtkPVDataInformation* data = source->GetDataInformation(port);
+  if (how == "solid" || (how == "surface" && IsColoredByContouredArray(display, source, data)))
+  {
+    display->SetScalarColoring(nullptr, vtkDataObject::POINT);
+    return;
+  }
+  ColoredArray array{ how, vtkDataObject::CELL };
+  const bool given = data->GetArrayInformation(how.c_str(), array.Association) != nullptr;
+  if (!given && display->GetUsingScalarColoring()) // as its input is, for one
+  {
+    return;
+  }
+  if (!given)
+  {
+    array = { how == "clouds" ? ArrayOfClouds(data) : std::string() };
+    array = array.Name.empty() ? ActiveScalars(data) : array;
+  }
+  if (!array.Name.empty())
+  {
+    display->SetScalarColoring(array.Name.c_str(), array.Association);
+    display->RescaleTransferFunctionToDataRange(true, false);
+  }
+}
+
+// The hint of the source for one of its ports.
+vtkPVXMLElement* FindHint(vtkSMProxy* source, int port)
+{
+  vtkPVXMLElement* hints = source->GetHints();
+  for (unsigned int i = 0; hints && i < hints->GetNumberOfNestedElements(); ++i)
+  {
+    vtkPVXMLElement* hint = hints->GetNestedElement(i);
+    int itsPort = port;
+    hint->GetScalarAttribute("port", &itsPort);
+    if (std::string(hint->GetName()) == "NephoscopeFirstLook" && itsPort == port)
+    {
+      return hint;
+    }
+  }
+  return nullptr;
+}
+
+void PrepareDisplay(vtkSMPVRepresentationProxy* display)
+{
+  const vtkSMPropertyHelper input(display, "Input", true);
+  auto* source = vtkSMSourceProxy::SafeDownCast(input.GetNumberOfElements() > 0 ? input.GetAsProxy() : nullptr);
+  const int port = source ? static_cast<int>(input.GetOutputPort()) : 0;
+  vtkPVXMLElement* hint = source ? FindHint(source, port) : nullptr;
+  if (hint)
+  {
+    Color(display, source, port, hint->GetAttributeOrDefault("color", "active"));
+    display->UpdateVTKObjects();
+    nephoscope::resetCameraWhereShown(display);
+  }
+}
+
+void PrepareOpacities(vtkSMProxy* opacities, const std::string& registeredAs)
+{
+  const std::string array = registeredAs.substr(0, registeredAs.rfind('.')); // without ".PiecewiseFunction"
+  const std::string preset = PresetOf(array);
+  const bool saved = vtkSMSettings::GetInstance()->HasSetting((".array_lookup_tables." + array).c_str());
+  auto* presets = vtkSMTransferFunctionPresets::GetInstance();
+  if (!saved && preset.compare(0, ourPresets.size(), ourPresets) == 0 && presets->HasPreset(preset.c_str()))
+  {
+    vtkSMTransferFunctionProxy::ApplyPreset(opacities, preset.c_str(), false);
+  }
+}
+
+void OnRegistered(vtkObject*, unsigned long, void*, void* data)
+{
+  const auto* registered = static_cast<vtkSMProxyManager::RegisteredProxyInformation*>(data);
+  vtkSMProxy* proxy = registered ? registered->Proxy : nullptr;
+  if (!proxy || !registered->GroupName || !registered->ProxyName || proxy->GetSessionProxyManager()->GetInLoadXMLState())
+  {
+    return;
+  }
+  if (auto* display = vtkSMPVRepresentationProxy::SafeDownCast(proxy))
+  {
+    PrepareDisplay(display);
+  }
+  else if (std::string(registered->GroupName) == "piecewise_functions")
+  {
+    PrepareOpacities(proxy, registered->ProxyName);
+  }
+}
+}
+
+void vtkSMFirstLook::Load()
+{
+  static bool isLoaded = false;
+  if (!isLoaded && vtkSMProxyManager::IsInitialized())
+  {
+    isLoaded = true;
+    vtkNew<vtkCallbackCommand> command;
+    command->SetCallback(OnRegistered);
+    vtkSMProxyManager::GetProxyManager()->AddObserver(vtkCommand::RegisterEvent, command);
+  }
+}

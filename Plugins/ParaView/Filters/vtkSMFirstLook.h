@@ -1,0 +1,39 @@
+// SPDX-FileCopyrightText: The Nephoscope authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class vtkSMFirstLook
+ * @brief how data of the plugin's sources and filters look when they are first shown
+ *
+ * ParaView gives structured data a solid colour at first, whatever representation the hints of their source ask for; knows presets of colours
+ * by the name of an array, but none of opacities; and resets the camera only for the first data in a view. Load, which the plugin calls once,
+ * listens for what is registered:
+ * - displays of sources with the hint NephoscopeFirstLook get the colours that it asks for with `color`: "clouds", the first array whose preset
+ *   is one of clouds, else the active scalars; "solid", none; "surface", none if the array is the contoured one; else the cell array of that name;
+ * - opacity functions of arrays that begin with the colours of a preset of this project get its opacities too;
+ * - where such a display comes into a view whose camera suits other data, of another place or scale, the camera is reset to it.
+ * Nothing is changed while a state is loaded, nor what a user has set or saved.
+ */
+#ifndef vtkSMFirstLook_h
+#define vtkSMFirstLook_h
+
+#include "vtkNephoscopeParaViewFiltersModule.h" // for export macro
+#include "vtkObject.h"
+
+class VTKNEPHOSCOPEPARAVIEWFILTERS_EXPORT vtkSMFirstLook : public vtkObject
+{
+public:
+  static vtkSMFirstLook* New();
+  vtkTypeMacro(vtkSMFirstLook, vtkObject);
+
+  static void Load();
+
+protected:
+  vtkSMFirstLook() = default;
+  ~vtkSMFirstLook() override = default;
+
+private:
+  vtkSMFirstLook(const vtkSMFirstLook&) = delete;
+  void operator=(const vtkSMFirstLook&) = delete;
+};
+
+#endif

@@ -1,0 +1,114 @@
+# SPDX-FileCopyrightText: The Nephoscope authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""The first picture of every filter and source, nothing set: representation, colours, opacities and camera."""
+import math
+
+from PluginTesting import GFS, SIZE, check, image, load_plugin, new_view, passed, pvs, save_image
+
+
+def shown(view, name):
+    """The share of the picture that shows anything."""
+    picture = image(view)
+    save_image(picture, f"FirstLook-{name}")
+    return (abs(picture - picture[0, 0]).max(axis=2) > 8).mean()
+
+
+def apply(source, view, earlier=None):
+    """What Apply does in the window, but for the camera: shows a filter in place of its input."""
+    display = pvs.Show(source, view)
+    if earlier:
+        pvs.Hide(earlier, view)
+    return display
+
+
+def look_first(source):
+    view = new_view(SIZE)
+    display = pvs.Show(source, view)
+    pvs.ResetCamera(view)
+    pvs.Render(view)
+    return view, display
+
+
+def check_display(display, what, representation, array, association="POINTS"):
+    name = list(display.ColorArrayName)
+    check(display.Representation == representation, f"{what} is shown as {display.Representation}")
+    check(name[1] == array and (not array or name[0] == association), f"{what} is coloured by {name}")
+
+
+def globe():
+    weather = pvs.ExtractSubset(Input=pvs.NetCDFReader(FileName=[GFS], SphericalCoordinates=0), VOI=[0, 10**6] * 3, SampleRateI=3, SampleRateJ=3)
+    return weather, pvs.GlobeGrid(Input=weather, VerticalExaggeration=30)
+
+
+def check_camera():
+    """From degrees to metres, with a camera that nobody touches, and with one that somebody does."""
+    weather, clouds = globe()
+    view, _ = look_first(weather)
+    degrees = list(view.CameraPosition)
+    display = apply(clouds, view, weather)
+    check_display(display, "Globe Grid", "Cell Compositing", "cloud_fraction")
+    share = shown(view, "globe")
+    check(0.1 < share < 0.9, f"{share:.1%} of the picture of a globe after one in degrees show anything")
+    metres = list(view.CameraPosition)
+    check(math.hypot(*metres) > 1e7, f"the camera is at {metres}")
+    # Between data of one place and scale it stays.
+    pvs.Show(pvs.StructuredSmoothing(Input=clouds), view)
+    pvs.Render(view)
+    check(list(view.CameraPosition) == metres, "the camera has moved between data of one scale")
+    pvs.Delete(view)
+
+    view, _ = look_first(weather)
+    apply(pvs.GlobeGrid(Input=weather), view, weather)
+    view.CameraPosition = [x + 1 for x in degrees]
+    pvs.Render(view)
+    check(list(view.CameraPosition) == [x + 1 for x in degrees], "the camera has moved although it had been set")
+    pvs.Delete(view)
+
+
+def check_smoke():
+    """Smoke is white, and no dot in the picture of the globe it was made in."""
+    _, clouds = globe()
+    view, _ = look_first(clouds)
+    smoke = pvs.FlowVolume(Input=clouds)
+    check_display(apply(smoke, view, clouds), "Flow Volume", "Cell Compositing", "")
+    share = shown(view, "smoke")
+    check(share > 0.01, f"{share:.2%} of the picture are smoke")
+    check_display(apply(pvs.SmokePuffs(Input=smoke), view, smoke), "Smoke Puffs", "Cell Compositing", "")
+    pvs.Delete(view)
+
+
+def check_filters():
+    wavelet = pvs.Wavelet(WholeExtent=[-6, 6] * 3)
+    view, _ = look_first(wavelet)
+    for make, representation, array, association in ((pvs.CloudSurface, "Surface", "", "POINTS"), (pvs.ContourCellSplitter, "Surface", "Layer", "CELLS"),
+                                                     (pvs.StructuredSmoothing, "Cell Compositing", "RTData", "POINTS")):
+        source = make(Input=wavelet)
+        check_display(apply(source, view, wavelet), source.GetXMLName(), representation, array, association)
+        share = shown(view, source.GetXMLName())
+        check(share > 0.05, f"{source.GetXMLName()}: {share:.1%} of the picture show anything")
+        pvs.Hide(source, view)
+    other = pvs.CloudSurface(Input=pvs.Calculator(Input=wavelet, ResultArrayName="x", Function="coordsX"), ContourBy=["POINTS", "RTData"])
+    display = apply(other, view)
+    check(display.ColorArrayName[1] != "RTData", f"a surface of one value is coloured by {display.ColorArrayName}")
+    wind = pvs.Calculator(Input=wavelet, ResultArrayName="v", Function="-coordsY*iHat+coordsX*jHat")
+    texture = pvs.TextureCoordinateAdvection(Input=wind)
+    check_display(apply(texture, view), "Texture Coordinate Advection", "Cell Compositing", "RTData")
+    pvs.Delete(view)
+
+
+def check_opacities():
+    """Arrays that begin with the colours of a preset have its opacities too."""
+    for array, opacities in (("cloud_fraction", [0, 0.05, 1]), ("clwmr", [0, 0.01, 0.3, 1]), ("RTData", [0, 1])):
+        points = list(pvs.GetOpacityTransferFunction(array).Points)
+        scaled = [(x - points[0]) / (points[-4] - points[0]) for x in points[::4]]
+        check(len(scaled) == len(opacities) and all(math.isclose(a, b, abs_tol=1e-6) for a, b in zip(scaled, opacities)),
+              f"opacities of {array}: {points}")
+
+
+load_plugin()
+pvs._DisableFirstRenderCameraReset()
+check_camera()
+check_smoke()
+check_filters()
+check_opacities()
+passed()
