@@ -115,6 +115,7 @@ std::string ProjectedCells::Draw(const CellDrawing& drawing)
   this->Order.Activate(program, "tetrahedron");
   program->SetUniformi("alphaTable", this->AlphaTable.Activate());
   program->SetUniformf("alphaTableEnd", static_cast<float>(opacityTableEnd));
+  program->SetUniformi("alphaTableLast", opacityTableEntries - 1);
   program->SetUniformf(
     "smallestEyeDepth", static_cast<float>(smallestEyeDepth(drawing.View.EyeView, drawing.View.ViewToDevice)));
   program->SetUniform4f("eyeMC", toFloat(drawing.View.EyeModel).data());

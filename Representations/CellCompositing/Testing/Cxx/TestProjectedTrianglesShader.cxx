@@ -95,7 +95,10 @@ TEST(OpacityTableShader, LookUp)
     depths.push_back({ { float(random.LogUniform(1e-6, 40)), 0, 0, 0 } });
   }
   const auto results = runner.Run(readShader("OpacityTable.glsl"), "result = vec4(lookUpOpacity(first.x));", depths, depths,
-    [](vtkShaderProgram* program) { program->SetUniformf("alphaTableEnd", float(opacityTableEnd)); });
+    [](vtkShaderProgram* program) {
+      program->SetUniformf("alphaTableEnd", float(opacityTableEnd));
+      program->SetUniformi("alphaTableLast", opacityTableEntries - 1);
+    });
   double largest = 0;
   for (std::size_t i = 0; i < depths.size(); ++i)
   {

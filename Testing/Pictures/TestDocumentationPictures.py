@@ -5,30 +5,11 @@
 On a failure the new picture, and old, new and difference side by side, are kept in the output folder of the tests and named.
 `./nephoscope baselines` refreshes the baselines.
 """
-import os
 import sys
-from pathlib import Path
 
+import judge
 import pictures
 import render
-
-OUTPUT = Path(os.environ["NEPHOSCOPE_TEST_OUTPUT"])
-
-
-def problem_of(name):
-    picture, why = render.render(name)
-    if picture is None:
-        return why
-    stored = render.baseline(name)
-    why = pictures.emptiness(picture)
-    if why is None and stored is None:
-        why = "there is no baseline: make one by ./nephoscope baselines " + name
-    why = why or pictures.disagreement(picture, stored)
-    if why is None:
-        return None
-    pictures.save(picture, OUTPUT / f"{name}.png")
-    pictures.save(pictures.side_by_side(picture, stored), OUTPUT / f"{name}.difference.png")
-    return f"{why}. Kept: {OUTPUT / name}.png; old, new, difference: {OUTPUT / name}.difference.png"
 
 
 def check_checks():
@@ -48,16 +29,7 @@ def check_checks():
 def main(host, chosen):
     check_checks()
     names = [name for name in render.names_for(host) if not chosen or name in chosen]
-    known = {path.stem for path in render.BASELINES.glob("*.png")}
-    problems = {name: f"Testing/Baselines/{name}.png belongs to no snippet: delete it" for name in known - set(render.snippets())}
-    for name in names:
-        why = problem_of(name)
-        print(f"{name}: {why or 'as stored'}", flush=True)
-        if why:
-            problems[name] = why
-    for name, why in problems.items():
-        print(f"FAILED {name}: {why}", flush=True)
-    return 1 if problems or not names else 0
+    return judge.report(names, lambda name: judge.problem_of(name, *render.render(name)))
 
 
 if __name__ == "__main__":

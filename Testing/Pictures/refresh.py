@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: The Nephoscope authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""refresh.py FOLDER [--yes] [NAME...]: makes the pictures of the documentation anew and, after showing them, stores those that have changed.
+"""refresh.py FOLDER [--yes] [NAME...]: makes the pictures of the documentation and of the mappers anew and, after showing them, stores those that have changed.
 
 For every one that has: FOLDER/NAME.png with old, new and five times their difference side by side. Asks before it writes, unless --yes is given.
 """
@@ -14,11 +14,11 @@ import render
 def main(folder, arguments):
     folder.mkdir(parents=True, exist_ok=True)
     chosen = [name for name in arguments if name != "--yes"]
-    unknown = sorted(set(chosen) - set(render.snippets()))
+    unknown = sorted(set(chosen) - set(render.all_names()))
     if unknown:
-        sys.exit(f"There is no snippet {', '.join(unknown)}. There are: {', '.join(render.snippets())}.")
+        sys.exit(f"There is no picture {', '.join(unknown)}. There are: {', '.join(render.all_names())}.")
     changed, failed = {}, 0
-    for name in chosen or render.snippets():
+    for name in chosen or render.all_names():
         picture, why = render.render(name)
         stored = render.baseline(name)
         why = why or pictures.emptiness(picture)
@@ -28,7 +28,7 @@ def main(folder, arguments):
             if picture is not None:
                 pictures.save(picture, folder / f"{name}.png")
             continue
-        told = "new" if stored is None else pictures.disagreement(picture, stored)
+        told = "new" if stored is None else render.problem(name, picture, stored)
         print(f"{name}: {told or 'as stored'}", flush=True)
         if told:
             changed[name] = picture
@@ -41,8 +41,8 @@ def main(folder, arguments):
                 pictures.store(picture, render.BASELINES / f"{name}.png")
             print(f"Stored in {render.BASELINES}.", flush=True)
     for path in render.BASELINES.glob("*.png"):
-        if path.stem not in render.snippets():
-            print(f"{path} belongs to no snippet: delete it.", flush=True)
+        if path.stem not in render.all_names():
+            print(f"{path} belongs to no snippet and no scene: delete it.", flush=True)
     return 1 if failed else 0
 
 
