@@ -5,6 +5,7 @@
 #include "ArrayChecks.h"
 #include "ChosenPointArray.h"
 #include "FieldSmoother.h"
+#include "ToldOnce.h"
 
 #include "vtkDoubleArray.h"
 #include "vtkImageData.h"
@@ -172,6 +173,7 @@ int vtkStructuredSmoothing::RequestData(
 {
   vtkDataSet* input = vtkDataSet::GetData(inputs[0], 0);
   vtkDataSet* output = vtkDataSet::GetData(outputs, 0);
+  nephoscope::ToldOnce telling(this, this->Failed);
   nephoscope::SmoothingPlan plan;
   std::string error;
   nephoscope::WithThreads([&]() { error = plan.Read(input, this->GetSettings()); });
@@ -179,10 +181,12 @@ int vtkStructuredSmoothing::RequestData(
   if (!error.empty())
   {
     vtkErrorMacro(<< error);
+    telling.End(false);
     return 1; // other blocks go on
   }
   if (!this->FindArrays(input, inputs, arrays))
   {
+    telling.End(false);
     return 1;
   }
   if (plan.PointsWithoutMass() > 0)
@@ -191,6 +195,7 @@ int vtkStructuredSmoothing::RequestData(
                     << " points have no mass (cells without volume or turned inside out, or masses that are not positive). They "
                        "keep their values. Repair the grid, or switch Conservative off.");
   }
+  telling.End(true);
   output->ShallowCopy(input);
   bool finished = false;
   nephoscope::WithThreads([&]() { finished = this->SmoothArrays(input, plan, arrays, output); });

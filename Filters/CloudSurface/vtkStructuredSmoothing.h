@@ -192,6 +192,7 @@ private:
   int Coordinates = AUTOMATIC;
   std::vector<std::string> ArrayNames;
   bool AllFloatArrays = false;
+  vtkMTimeType Failed = 0; // for ToldOnce
 };
 
 #endif

@@ -4,6 +4,7 @@
 
 #include "GlobeGridBuilder.h"
 #include "PoleRows.h"
+#include "ToldOnce.h"
 
 #include "vtkCompositeDataSet.h"
 #include "vtkDataSet.h"
@@ -212,13 +213,25 @@ int vtkGlobeGrid::RequestUpdateExtent(
 int vtkGlobeGrid::RequestData(
   vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
+  nephoscope::ToldOnce telling(this, this->Failed);
+  const bool made = this->MakeGrid(inputs, outputs);
+  telling.End(made);
+  if (!made)
+  {
+    vtkStructuredGrid::GetData(outputs, 0)->Initialize(); // without the executive's own errors, and those of all filters behind
+  }
+  return 1;
+}
+
+bool vtkGlobeGrid::MakeGrid(vtkInformationVector** inputs, vtkInformationVector* outputs)
+{
   vtkDataSet* input = vtkDataSet::GetData(inputs[0], 0);
   vtkStructuredGrid* output = vtkStructuredGrid::GetData(outputs, 0);
   if (!(this->PlanetRadius > 0.0) || !(this->VerticalExaggeration >= 0.0))
   {
     vtkErrorMacro("PlanetRadius must be greater than 0 and VerticalExaggeration 0 or more; they are "
       << this->PlanetRadius << " and " << this->VerticalExaggeration << ".");
-    return 0;
+    return false;
   }
   const auto settings = SettingsOf(this);
   std::string error;
@@ -226,7 +239,7 @@ int vtkGlobeGrid::RequestData(
   if (!ReadGrid(input, FieldNames(settings), grid, error))
   {
     vtkErrorMacro(<< error);
-    return 0;
+    return false;
   }
   vtkDataSet* surfaceData = vtkDataSet::GetData(inputs[1], 0);
   nephoscope::LonLatLevelGrid surface;
@@ -241,12 +254,13 @@ int vtkGlobeGrid::RequestData(
   if (!error.empty())
   {
     vtkErrorMacro(<< error);
-    return 0;
+    return false;
   }
-  return this->BuildPiece(&builder, grid.FirstIndex().data(), outputs->GetInformationObject(0), output);
+  this->BuildPiece(&builder, grid.FirstIndex().data(), outputs->GetInformationObject(0), output);
+  return true;
 }
 
-int vtkGlobeGrid::BuildPiece(nephoscope::GlobeGridBuilder* builder, const int first[3],
+void vtkGlobeGrid::BuildPiece(nephoscope::GlobeGridBuilder* builder, const int first[3],
   vtkInformation* outInfo, vtkStructuredGrid* output)
 {
   const std::array<int, 3>& size = builder->Order().OutputDimensions;
@@ -263,7 +277,7 @@ int vtkGlobeGrid::BuildPiece(nephoscope::GlobeGridBuilder* builder, const int fi
     if (extent[2 * axis] > extent[2 * axis + 1])
     {
       output->Initialize(); // a piece with nothing in it
-      return 1;
+      return;
     }
     indices[2 * axis] = extent[2 * axis] - first[axis];
     indices[2 * axis + 1] = extent[2 * axis + 1] - first[axis];
@@ -275,7 +289,7 @@ int vtkGlobeGrid::BuildPiece(nephoscope::GlobeGridBuilder* builder, const int fi
   if (!finished)
   {
     output->Initialize(); // aborted: nothing rather than a part
-    return 1;
+    return;
   }
   output->SetExtent(extent);
   this->AddProjection(output);
@@ -283,7 +297,6 @@ int vtkGlobeGrid::BuildPiece(nephoscope::GlobeGridBuilder* builder, const int fi
   {
     vtkWarningMacro(<< warning);
   }
-  return 1;
 }
 
 // So that other filters can tell longitudes, latitudes and heights from positions.

@@ -287,7 +287,8 @@ private:
   void operator=(const vtkGlobeGrid&) = delete;
 
   void AddProjection(vtkStructuredGrid* output);
-  int BuildPiece(nephoscope::GlobeGridBuilder* builder, const int first[3], vtkInformation* outInfo,
+  bool MakeGrid(vtkInformationVector** inputs, vtkInformationVector* outputs);
+  void BuildPiece(nephoscope::GlobeGridBuilder* builder, const int first[3], vtkInformation* outInfo,
     vtkStructuredGrid* output);
 
   int Projection = GLOBE;
@@ -309,6 +310,7 @@ private:
   bool MaskBelowGround = true;
   std::string SurfacePressureArrayName = "sp";
   std::string TerrainHeightArrayName = "orog";
+  vtkMTimeType Failed = 0; // for ToldOnce
 };
 
 #endif

@@ -71,6 +71,7 @@ struct TextureState
   bool ReadsPoints = false;  // this pass is for the points only
   bool HasToldOfMissing = false;
   bool AwaitsData = false; // between RequestUpdateExtent and RequestData
+  vtkMTimeType Failed = 0; // for ToldOnce
 
   void Forget()
   {

@@ -12,6 +12,7 @@
 
 #include "SharedSource.h"
 #include "TextureState.h"
+#include "ToldOnce.h"
 
 #include "vtkDataSet.h"
 #include "vtkDemandDrivenPipeline.h"
@@ -336,19 +337,23 @@ int vtkTextureCoordinateAdvection::RequestData(
   output->Initialize();
   vtkDataObject* input = vtkDataObject::GetData(inputs[0], 0);
   vtkDataSet* data = vtkDataSet::SafeDownCast(input);
+  nephoscope::ToldOnce telling(this, state.Failed);
   if (!data)
   {
     vtkErrorMacro("The input is " << (input ? input->GetClassName() : "missing")
       << "; one grid is needed. Merge or extract blocks first.");
+    telling.End(false);
     this->Stop(request);
     return 1;
   }
   if (!this->CheckSettings() || !this->CheckSeries() ||
     (!state.ReadsPoints && !this->ReadTimeStep(data, inputs[0]->GetInformationObject(0))))
   {
+    telling.End(false);
     this->Stop(request);
     return 1;
   }
+  telling.End(true);
   if (!this->Report(0.0))
   {
     this->Stop(request);

@@ -21,6 +21,8 @@
 #include "vtkSMSourceProxy.h"
 #include "vtkSMTransferFunctionPresets.h"
 #include "vtkSMTransferFunctionProxy.h"
+#include "vtkSMViewProxy.h"
+#include "vtkWeakPointer.h"
 
 #include <string>
 
@@ -124,7 +126,7 @@ void Color(vtkSMPVRepresentationProxy* display, vtkSMSourceProxy* source, int po
 }
 
 // The hint of the source for one of its ports.
-vtkPVXMLElement* FindHint(vtkSMProxy* source, int port)
+vtkPVXMLElement* FindHint(vtkSMProxy* source, int port, const std::string& name)
 {
   vtkPVXMLElement* hints = source->GetHints();
   for (unsigned int i = 0; hints && i < hints->GetNumberOfNestedElements(); ++i)
@@ -132,7 +134,7 @@ vtkPVXMLElement* FindHint(vtkSMProxy* source, int port)
     vtkPVXMLElement* hint = hints->GetNestedElement(i);
     int itsPort = port;
     hint->GetScalarAttribute("port", &itsPort);
-    if (std::string(hint->GetName()) == "NephoscopeFirstLook" && itsPort == port)
+    if (name == hint->GetName() && itsPort == port)
     {
       return hint;
     }
@@ -140,13 +142,99 @@ vtkPVXMLElement* FindHint(vtkSMProxy* source, int port)
   return nullptr;
 }
 
+bool IsEmpty(vtkSMSourceProxy* source, int port)
+{
+  vtkPVDataInformation* data = source->GetDataInformation(port);
+  return data->GetNumberOfPoints() == 0 && data->GetNumberOfCells() == 0;
+}
+
+void PrepareDisplay(vtkSMPVRepresentationProxy* display);
+
+// Waits for the first data of a source whose Apply has failed, and then gives its display the looks of a first one, if nobody else has.
+class FirstData
+{
+public:
+  FirstData(vtkSMPVRepresentationProxy* display, vtkSMSourceProxy* source, int port)
+    : Display(display)
+    , Source(source)
+    , Port(port)
+    , Type(vtkSMPropertyHelper(display, "Representation", true).GetAsString())
+  {
+    this->Observe(source, &FirstData::OnData);
+  }
+
+private:
+  void Observe(vtkSMProxy* proxy, void (FirstData::*onUpdate)(vtkObject*, unsigned long, void*))
+  {
+    this->Observed = proxy;
+    this->Tag = proxy->AddObserver(vtkCommand::UpdateDataEvent, this, onUpdate);
+    this->End = proxy->AddObserver(vtkCommand::DeleteEvent, this, &FirstData::OnDelete);
+  }
+
+  void Ignore()
+  {
+    this->Observed->RemoveObserver(this->End);
+    this->Observed->RemoveObserver(this->Tag);
+  }
+
+  // The view is in the midst of an update: what is changed now it would draw without one.
+  void OnData(vtkObject*, unsigned long, void*)
+  {
+    if (this->Display && IsEmpty(this->Source, this->Port))
+    {
+      return;
+    }
+    this->Ignore();
+    vtkSMViewProxy* view = this->Display ? vtkSMViewProxy::FindView(this->Display) : nullptr;
+    if (view)
+    {
+      this->Observe(view, &FirstData::OnView);
+      return;
+    }
+    this->Prepare();
+    delete this;
+  }
+
+  void OnView(vtkObject* caller, unsigned long, void*)
+  {
+    this->Ignore();
+    this->Prepare();
+    vtkSMViewProxy::SafeDownCast(caller)->Update();
+    delete this;
+  }
+
+  void OnDelete(vtkObject*, unsigned long, void*) { delete this; }
+
+  void Prepare()
+  {
+    if (this->Display && this->Source && this->Type == vtkSMPropertyHelper(this->Display, "Representation", true).GetAsString())
+    {
+      vtkPVXMLElement* hint = FindHint(this->Source, this->Port, "RepresentationType");
+      this->Display->SetRepresentationType(hint ? hint->GetAttributeOrEmpty("type") : this->Type.c_str());
+      PrepareDisplay(this->Display);
+    }
+  }
+
+  vtkWeakPointer<vtkSMPVRepresentationProxy> Display;
+  vtkWeakPointer<vtkSMSourceProxy> Source;
+  vtkWeakPointer<vtkSMProxy> Observed;
+  int Port;
+  std::string Type;
+  unsigned long Tag = 0;
+  unsigned long End = 0;
+};
+
 void PrepareDisplay(vtkSMPVRepresentationProxy* display)
 {
   const vtkSMPropertyHelper input(display, "Input", true);
   auto* source = vtkSMSourceProxy::SafeDownCast(input.GetNumberOfElements() > 0 ? input.GetAsProxy() : nullptr);
   const int port = source ? static_cast<int>(input.GetOutputPort()) : 0;
-  vtkPVXMLElement* hint = source ? FindHint(source, port) : nullptr;
-  if (hint)
+  vtkPVXMLElement* hint = source ? FindHint(source, port, "NephoscopeFirstLook") : nullptr;
+  if (hint && IsEmpty(source, port))
+  {
+    new FirstData(display, source, port); // deletes itself
+  }
+  else if (hint)
   {
     Color(display, source, port, hint->GetAttributeOrDefault("color", "active"));
     display->UpdateVTKObjects();

@@ -47,7 +47,7 @@ void vtkCellCompositingRepresentation::PreparePiece(vtkDataObject* input)
       nephoscope::smokeThickness(this->Piece) * all.ScalarIntegral / all.Volume / smokeOpticalDepth;
   }
 
-  if (all.Volume <= 0.0 && IsFirstRank())
+  if (HoldsAnything(input) && all.Volume <= 0.0 && IsFirstRank())
   {
     vtkWarningMacro("Cell Compositing draws 3-D cells, and the input has none with a volume: nothing is drawn. "
                     "Show it as Surface, or apply a filter that makes cells (Delaunay 3D, Tetrahedralize).");

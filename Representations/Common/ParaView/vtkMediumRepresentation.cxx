@@ -92,6 +92,13 @@ int vtkMediumRepresentation::LeastOverRanks(int mine)
   return least;
 }
 
+bool vtkMediumRepresentation::HoldsAnything(vtkDataObject* input)
+{
+  const bool here = input &&
+    (input->GetNumberOfElements(vtkDataObject::POINT) > 0 || input->GetNumberOfElements(vtkDataObject::CELL) > 0);
+  return LeastOverRanks(here ? 0 : 1) == 0;
+}
+
 void vtkMediumRepresentation::StoreUnitDistance(vtkDataSet* data, double distance)
 {
   nephoscope::storeNumbers(data, unitDistanceName, { distance });

@@ -109,6 +109,8 @@ protected:
   static bool IsFirstRank();
   /** The least of what the ranks have. Called by all ranks. */
   static int LeastOverRanks(int mine);
+  /** Whether the input of any rank, which may be null, has points or cells; what has not is reported by whoever made it. Called by all ranks. */
+  static bool HoldsAnything(vtkDataObject* input);
   /** Stores the automatic unit distance with the data, so that every time step in ParaView's cache keeps its own. */
   static void StoreUnitDistance(vtkDataSet* data, double distance);
   void StoreLargestSide();

@@ -80,7 +80,7 @@ void vtkTexturedSplatsRepresentation::PreparePiece(vtkDataObject* input)
   const bool together = (association == vtkDataObject::CELL) == inCells;
   const nephoscope::CellMeasures all = nephoscope::reduceOverRanks(
     nephoscope::measureSplats(this->Piece, together ? scalars : nullptr, sampling));
-  if (all.Volume <= 0.0 && IsFirstRank())
+  if (HoldsAnything(input) && all.Volume <= 0.0 && IsFirstRank())
   {
     vtkWarningMacro("Textured Splats draws points or cells, and the input has none: nothing is drawn.");
   }
