@@ -126,7 +126,11 @@ void CloudThicknessPass::Paint(const Request& request, const char* shader, const
   program->SetUniformi("frontIsFront", this->FrontIsFront);
   program->SetUniformMatrix4x4("placeToView", this->PlaceToView);
   prepare(program);
-  this->Helper.Program = program;
+  if (program != this->Helper.Program)
+  {
+    this->Helper.Program = program;
+    this->Helper.VAO->ShaderProgramChanged();
+  }
   request.DrawTriangles(this->Helper);
 }
 

@@ -1,0 +1,86 @@
+# SPDX-FileCopyrightText: The Nephoscope authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Any property of the cloud texture may be set at any time, in any order: the picture is that of a mapper that had it from the start."""
+import unittest
+
+import nephoscope
+import numpy as np
+from cloud_bodies import box, sphere, together
+from nephoscope_testing import meshes
+from nephoscope_testing.offscreen import Window
+from vtkmodules.vtkRenderingCore import vtkActor
+
+SIZE = (64, 48)
+VALUES = {
+    "Coverage": [0.3, 0.7], "Softness": [0.0, 0.4], "TextureScale": [1.0, 4.0], "TextureLength": [0.0, 1.5], "OpticalDepth": [1.0, 8.0],
+    "UseThickness": [True, False], "Extinction": [0.0, 2.0], "DensityArrayName": ["", "density"], "CoverageArrayName": ["", "cover"],
+    "MaximumNumberOfLayers": [2, 6], "Relief": [0.0, 0.05],
+}
+
+
+def bodies():
+    data = together(sphere(0.8, 24), box((0.3, -0.6, -0.5), (1.4, 0.6, 0.5)))
+    points = meshes.points_of(data)
+    meshes.add_array(data.GetPointData(), 1 + points[:, 0] ** 2, "density")
+    meshes.add_array(data.GetPointData(), 0.5 + 0.3 * np.sin(3 * points[:, 1]), "cover")
+    return data
+
+
+class Properties(unittest.TestCase):
+    def setUp(self):
+        self.data = bodies()
+
+    def scene(self):
+        window = Window(SIZE)
+        scene = window.add_scene(background=(0.1, 0.2, 0.4))
+        mapper, actor = nephoscope.vtkCloudTextureMapper(), vtkActor()
+        mapper.SetInputDataObject(self.data)
+        mapper.ScalarVisibilityOff()
+        actor.SetMapper(mapper)
+        scene.renderer.AddActor(actor)
+        scene.renderer.SetUseDepthPeeling(1)
+        scene.look((1.5, 1, 5), near=1, far=20)
+        return window, mapper
+
+    def draw(self, window, why):
+        window.render()
+        self.assertEqual(window.messages.all, [], why)
+        self.assertEqual(window.gl_errors(), [], why)
+        return window.rgba()[..., :3]
+
+    def fresh(self, settings, why):
+        window, mapper = self.scene()
+        for name, value in settings.items():
+            getattr(mapper, "Set" + name)(value)
+        return self.draw(window, why)
+
+    def play(self, steps):
+        """Sets one property after another between frames."""
+        window, mapper = self.scene()
+        settings, said = {}, []
+        self.draw(window, "nothing set")
+        for name, value in steps:
+            getattr(mapper, "Set" + name)(value)
+            settings[name] = value
+            said.append(f"{name}={value}")
+            why = ", ".join(said)
+            difference = np.abs(self.draw(window, why) - self.fresh(settings, why)).max()
+            self.assertLessEqual(255 * difference, 1.01, why)
+
+    def test_density_after_thickness(self):
+        self.play([("UseThickness", True), ("DensityArrayName", "density"), ("DensityArrayName", ""), ("UseThickness", False),
+                   ("DensityArrayName", "density"), ("UseThickness", True)])
+
+    def test_arrays_after_relief(self):
+        self.play([("Relief", 0.05), ("CoverageArrayName", "cover"), ("UseThickness", True), ("DensityArrayName", "density"),
+                   ("Relief", 0.0), ("CoverageArrayName", ""), ("MaximumNumberOfLayers", 2)])
+
+    def test_any_order(self):
+        rng = np.random.default_rng(5)
+        for _ in range(3):
+            names = rng.choice(list(VALUES), 12)
+            self.play([(str(name), VALUES[name][rng.integers(2)]) for name in names])
+
+
+if __name__ == "__main__":
+    unittest.main()
