@@ -73,6 +73,9 @@ struct TextureState
   bool AwaitsData = false; // between RequestUpdateExtent and RequestData
   vtkMTimeType Failed = 0; // for ToldOnce
 
+  double UsualPeriod = 0.0;     // of the first time step
+  vtkMTimeType UsualPeriodOf = 0; // MTime of the pipeline when it was found
+
   void Forget()
   {
     this->Flow.reset();

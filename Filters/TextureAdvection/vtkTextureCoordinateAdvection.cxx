@@ -106,7 +106,7 @@ nephoscope::SetPlan vtkTextureCoordinateAdvection::PlanSet(int set, double time)
   nephoscope::SetPlan plan;
   plan.Birth = sets.Birth(set, time);
   const auto ages = nephoscope::KeyAgesAround(
-    time - plan.Birth, hasKeys ? this->KeyFrameInterval : 0.0, this->Period);
+    time - plan.Birth, hasKeys ? this->KeyFrameInterval : 0.0, this->GetPeriodUsed());
   plan.Times[0] = plan.Birth + ages.First;
   plan.Times[1] = plan.Birth + ages.Second;
   plan.Weight = ages.Weight;
@@ -250,7 +250,7 @@ bool vtkTextureCoordinateAdvection::FollowFrom(double start, const std::vector<i
       this->State->Keys[nephoscope::DisplacementKey(sets[s], births[s], start)]);
   };
   flow.Begin(points, this->PresentStep(series.Find(start)));
-  return nephoscope::FollowBack(series, start, births, this->TimeStep, take, arrive);
+  return nephoscope::FollowBack(series, start, births, this->GetTimeStepUsed(), take, arrive);
 }
 
 std::vector<float> vtkTextureCoordinateAdvection::DisplacementsOf(

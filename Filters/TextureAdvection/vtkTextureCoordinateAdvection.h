@@ -101,9 +101,25 @@ public:
   void SetPointsConnection(vtkAlgorithmOutput* points);
 
   ///@{
-  /** Life of a set, in seconds; greater than 0. Default 86400, 24 hours. The second set is born half a period after the first. */
+  /**
+   * Life of a set, in seconds, 0 or more. The second set is born half a period after the first. 0, the default: FindPeriod of the first time step.
+   */
   vtkSetMacro(Period, double);
   vtkGetMacro(Period, double);
+  ///@}
+
+  /**
+   * The period that suits winds: 86400 s, 24 hours, for the data of Globe Grid and for those without a wind, else the time in which the fastest
+   * air crosses a quarter of the diagonal of the bounds.
+   */
+  double FindPeriod(vtkDataSet* winds);
+  /** Seconds in which the fastest air crosses the diagonal of the bounds; 0 without a wind. */
+  double FindCrossingTime(vtkDataSet* winds);
+
+  ///@{
+  /** Of the last update, in seconds: Period and TimeStep, also where they are automatic. */
+  double GetPeriodUsed() const;
+  double GetTimeStepUsed() const;
   ///@}
 
   ///@{
@@ -120,8 +136,8 @@ public:
 
   ///@{
   /**
-   * Longest step, in seconds; greater than 0. Default 3600. Steps end at the time steps of the series, so they are no longer
-   * than those are apart. Cost grows as its inverse.
+   * Longest step, in seconds, 0 or more. Steps end at the time steps of the series, so they are no longer than those are apart. Cost grows as
+   * its inverse. 0, the default: 1/24 of FindPeriod of the first time step, 3600 for the data of Globe Grid.
    */
   vtkSetMacro(TimeStep, double);
   vtkGetMacro(TimeStep, double);
@@ -250,6 +266,9 @@ private:
   // Settings and a time step; in vtkTextureCoordinateAdvectionInput.cxx.
   bool CheckSettings();
   bool CheckSeries();
+  vtkMTimeType PipelineMTime();
+  bool KnowsPeriod();
+  void TakePeriodOf(vtkDataSet* winds);
   bool ReadTimeStep(vtkDataSet* input, vtkInformation* inInfo);
   bool MakeFlow(vtkDataSet* input);
   bool CheckExtent(vtkDataSet* input, vtkInformation* inInfo);
@@ -271,9 +290,9 @@ private:
   void SetName(std::string& member, const std::string& name);
   bool Report(double share);
 
-  double Period = 86400.0;
+  double Period = 0.0;
   int Integrator = RUNGE_KUTTA_4;
-  double TimeStep = 3600.0;
+  double TimeStep = 0.0;
   double Tolerance = 1e-6;
   double TimeScale = 1.0;
   double KeyFrameInterval = 0.0;

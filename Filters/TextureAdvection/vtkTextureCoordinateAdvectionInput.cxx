@@ -9,12 +9,18 @@
 #include "TextureState.h"
 #include "VelocityChoice.h"
 
+#include "vtkCellData.h"
+#include "vtkDataArray.h"
+#include "vtkDemandDrivenPipeline.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
+#include "vtkMath.h"
+#include "vtkPointData.h"
 #include "vtkRectilinearGrid.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkStructuredGrid.h"
 
+#include <algorithm>
 #include <cmath>
 
 using SDDP = vtkStreamingDemandDrivenPipeline;
@@ -22,12 +28,73 @@ using SDDP = vtkStreamingDemandDrivenPipeline;
 namespace
 {
 constexpr double maximumNumberOfSteps = 1e6; // of a path
+constexpr double day = 86400.0;              // s
+constexpr double crossingsInPeriod = 0.25;
+constexpr double stepsInPeriod = 24.0;
 
 bool IsStructured(vtkDataObject* data)
 {
   return vtkImageData::SafeDownCast(data) || vtkRectilinearGrid::SafeDownCast(data) ||
     vtkStructuredGrid::SafeDownCast(data);
 }
+}
+
+double vtkTextureCoordinateAdvection::FindCrossingTime(vtkDataSet* winds)
+{
+  nephoscope::VelocityArray velocity;
+  std::string problem;
+  if (!winds || !nephoscope::ChooseVelocity(winds, this->GetInputArrayInformation(0), velocity, problem))
+  {
+    return 0.0;
+  }
+  vtkFieldData* arrays = velocity.OnCells ? static_cast<vtkFieldData*>(winds->GetCellData()) : winds->GetPointData();
+  vtkDataArray* values = arrays->GetArray(velocity.Name.c_str());
+  double fastest = 0.0;
+  for (vtkIdType id = 0; values && id < values->GetNumberOfTuples(); ++id)
+  {
+    double v[3];
+    values->GetTuple(id, v);
+    const double speed = vtkMath::Norm(v);
+    fastest = std::isfinite(speed) ? std::max(fastest, speed) : fastest;
+  }
+  const double crossing = fastest > 0.0 ? winds->GetLength() / fastest : 0.0;
+  return nephoscope::IsPositive(crossing) ? crossing : 0.0;
+}
+
+double vtkTextureCoordinateAdvection::FindPeriod(vtkDataSet* winds)
+{
+  const double crossing = this->FindCrossingTime(winds);
+  return crossing > 0.0 && !winds->GetFieldData()->HasArray("GlobeGridProjection") ? crossingsInPeriod * crossing : day;
+}
+
+double vtkTextureCoordinateAdvection::GetPeriodUsed() const
+{
+  const double usual = this->State->UsualPeriod > 0.0 ? this->State->UsualPeriod : day;
+  return this->Period != 0.0 ? this->Period : usual;
+}
+
+double vtkTextureCoordinateAdvection::GetTimeStepUsed() const
+{
+  const double usual = this->State->UsualPeriod > 0.0 ? this->State->UsualPeriod : day;
+  return this->TimeStep != 0.0 ? this->TimeStep : usual / stepsInPeriod;
+}
+
+vtkMTimeType vtkTextureCoordinateAdvection::PipelineMTime()
+{
+  auto* pipeline = vtkDemandDrivenPipeline::SafeDownCast(this->GetExecutive());
+  return pipeline ? pipeline->GetPipelineMTime() : this->GetMTime();
+}
+
+// Whether nothing is automatic, or what is has been found in these data.
+bool vtkTextureCoordinateAdvection::KnowsPeriod()
+{
+  return (this->Period != 0.0 && this->TimeStep != 0.0) || this->State->UsualPeriodOf == this->PipelineMTime();
+}
+
+void vtkTextureCoordinateAdvection::TakePeriodOf(vtkDataSet* winds)
+{
+  this->State->UsualPeriod = this->FindPeriod(winds);
+  this->State->UsualPeriodOf = this->PipelineMTime();
 }
 
 bool vtkTextureCoordinateAdvection::CheckSettings()
@@ -38,8 +105,8 @@ bool vtkTextureCoordinateAdvection::CheckSettings()
     double Value;
     bool MayBeZero;
   };
-  const Setting settings[] = { { "Period", this->Period, false },
-    { "TimeStep", this->TimeStep, false }, { "Tolerance", this->Tolerance, false },
+  const Setting settings[] = { { "Period", this->Period, true },
+    { "TimeStep", this->TimeStep, true }, { "Tolerance", this->Tolerance, false },
     { "TimeScale", this->TimeScale, false }, { "KeyFrameInterval", this->KeyFrameInterval, true },
     { "PlanetRadius", this->PlanetRadius, true }, { "TextureLength", this->TextureLength, true },
     { "MaximumStretch", this->MaximumStretch, true } };
@@ -63,9 +130,9 @@ bool vtkTextureCoordinateAdvection::CheckSettings()
     vtkErrorMacro("PressureArrayName and OmegaArrayName go together: set both, or neither.");
     return false;
   }
-  if (this->Period / this->TimeStep > maximumNumberOfSteps)
+  if (this->KnowsPeriod() && this->GetPeriodUsed() / this->GetTimeStepUsed() > maximumNumberOfSteps)
   {
-    vtkErrorMacro("A Period of " << this->Period << " s in time steps of " << this->TimeStep
+    vtkErrorMacro("A Period of " << this->GetPeriodUsed() << " s in time steps of " << this->GetTimeStepUsed()
                                  << " s is more than a million steps. Choose a longer TimeStep.");
     return false;
   }
@@ -177,7 +244,7 @@ bool vtkTextureCoordinateAdvection::MakeFlow(vtkDataSet* input)
   }
   nephoscope::PathSettings settings;
   settings.Method = static_cast<nephoscope::PathMethod>(this->Integrator);
-  settings.TimeStep = this->TimeStep;
+  settings.TimeStep = this->GetTimeStepUsed();
   settings.Tolerance = this->Tolerance;
   const double radius = this->PlanetRadius > 0.0 ? this->PlanetRadius
     : this->Grid == MAP                          ? 6371000.0

@@ -161,11 +161,16 @@ int vtkTextureCoordinateAdvection::RequestInformation(
     output->CopyEntry(points ? points : input, SDDP::WHOLE_EXTENT());
     output->Set(vtkAlgorithm::CAN_PRODUCE_SUB_EXTENT(), 1);
   }
+  vtkDataSet* winds = vtkDataSet::GetData(input);
+  if (times.size() < 2 && winds && winds->GetNumberOfPoints() > 0)
+  {
+    this->TakePeriodOf(winds);
+  }
   if (times.size() < 2 && nephoscope::IsPositive(this->TimeScale))
   {
     // A steady wind moves a texture all the same: something to animate.
     const double first = times.empty() ? 0.0 : times.front();
-    const double range[2] = { first, first + this->Period / this->TimeScale };
+    const double range[2] = { first, first + this->GetPeriodUsed() / this->TimeScale };
     output->Set(SDDP::TIME_RANGE(), range, 2);
     output->Remove(SDDP::TIME_STEPS()); // of one step ParaView would make no animation
   }
@@ -191,7 +196,7 @@ nephoscope::TimeSeries vtkTextureCoordinateAdvection::Series() const
 nephoscope::TextureSets vtkTextureCoordinateAdvection::Sets() const
 {
   nephoscope::TextureSets sets;
-  sets.Period = this->Period;
+  sets.Period = this->GetPeriodUsed();
   return sets;
 }
 
@@ -222,9 +227,15 @@ int vtkTextureCoordinateAdvection::RequestUpdateExtent(
       output->Has(SDDP::UPDATE_TIME_STEP()) ? output->Get(SDDP::UPDATE_TIME_STEP()) : first;
   }
   state.AwaitsData = true;
-  if ((readable || times.empty()) && nephoscope::IsPositive(this->TimeScale) && nephoscope::IsPositive(this->Period))
+  if ((readable || times.empty()) && nephoscope::IsPositive(this->TimeScale) && nephoscope::IsPositive(this->GetPeriodUsed()) &&
+    this->KnowsPeriod())
   {
     this->PlanReading();
+  }
+  else if (!state.Continuing && !this->KnowsPeriod())
+  {
+    state.Needed = { 0, 0, 0 }; // RequestData finds the period in the first time step
+    state.Next = 0;
   }
   if (readable)
   {
@@ -277,8 +288,7 @@ void vtkTextureCoordinateAdvection::PlanReading()
   {
     return; // the next one has been chosen
   }
-  auto* pipeline = vtkDemandDrivenPipeline::SafeDownCast(this->GetExecutive());
-  vtkMTimeType newest = pipeline ? pipeline->GetPipelineMTime() : this->GetMTime();
+  const vtkMTimeType newest = this->PipelineMTime();
   if (state.MTime != newest)
   {
     state.Forget();
@@ -346,7 +356,19 @@ int vtkTextureCoordinateAdvection::RequestData(
     this->Stop(request);
     return 1;
   }
-  if (!this->CheckSettings() || !this->CheckSeries() ||
+  const bool checked = this->CheckSettings() && this->CheckSeries();
+  if (checked && !this->KnowsPeriod())
+  {
+    this->TakePeriodOf(data);
+    this->PlanReading();
+    if (state.Next != 0)
+    {
+      state.Continuing = true;
+      request->Set(SDDP::CONTINUE_EXECUTING(), 1);
+      return 1;
+    }
+  }
+  if (!checked ||
     (!state.ReadsPoints && !this->ReadTimeStep(data, inputs[0]->GetInformationObject(0))))
   {
     telling.End(false);

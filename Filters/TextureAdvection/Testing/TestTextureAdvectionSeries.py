@@ -197,6 +197,24 @@ class Boxes(unittest.TestCase):
             expected = (np.column_stack([x, points[:, 1] - 0.1 * age, points[:, 2]]) - [-1, -1, 0]) / 2
             np.testing.assert_allclose(coordinates, expected, atol=2e-6)
 
+    def test_period_from_the_data(self):
+        """A quarter of the time in which the fastest air of the first time step crosses the data, whatever time is asked for first."""
+        def source():
+            return TimeSeries(np.linspace(0, 30, 31), lambda p, t: (0.2 + 0.02 * t, 0.1, 0), bounds=(-1, 1, -1, 1, 0, 1))
+        period = 0.25 * 3 / np.hypot(0.2, 0.1)
+        for time in (0, 20):
+            made = advection(source())
+            texture, messages = update(made, time)
+            self.assertEqual(messages, [])
+            self.assertAlmostEqual(made.GetPeriodUsed(), period, places=9)
+            self.assertAlmostEqual(made.GetTimeStepUsed(), period / 24, places=9)
+            expected, _ = update(advection(source(), Period=made.GetPeriodUsed(), TimeStep=made.GetTimeStepUsed()), time)
+            self.assertEqual(texture.digest(), expected.digest())
+        self.assertEqual(advection(source()).FindPeriod(None), DAY)
+        made = advection(series())
+        update(made, 30 * HOUR)
+        self.assertEqual((made.GetPeriodUsed(), made.GetTimeStepUsed()), (DAY, HOUR))
+
     def test_exponent_of_a_saddle(self):
         source = TimeSeries([0.0], lambda p, t: p * [0.3, -0.3, 0], bounds=(-1, 1, -1, 1, 0, 1), dimensions=(9, 9, 3))
         texture, _ = update(advection(source, Period=2, TimeStep=0.05, ComputeLyapunovExponent=True), 1.6)
@@ -221,7 +239,7 @@ class Bad(unittest.TestCase):
         self.assertIsNone(texture.sets[0])
 
     def test_settings(self):
-        for name, value in (("Period", 0), ("Period", np.nan), ("TimeStep", -1), ("TimeStep", 0), ("TimeScale", 0),
+        for name, value in (("Period", -1), ("Period", np.nan), ("TimeStep", -1), ("TimeStep", np.nan), ("TimeScale", 0),
                             ("Tolerance", 0), ("KeyFrameInterval", -1), ("MaximumStretch", 0.5)):
             self.expect(f"{name} is", series(), **{name: value})
         self.expect("go together", series(), PressureArrayName="p")

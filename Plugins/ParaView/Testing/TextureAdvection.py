@@ -11,6 +11,7 @@ from vtkmodules.util.numpy_support import vtk_to_numpy
 
 NAME = "TextureCoordinateAdvection"
 INFORMATION = {"TimestepValues", "TimeRange"}
+RESULTS = {"PeriodUsed", "TimeStepUsed"}  # in the panel, not to be set
 UNITS = ("(times in s)", "(velocity in length/s, times in s, pressure in Pa)", "(lengths)", "(1/s)")  # of the groups
 
 
@@ -22,7 +23,8 @@ def check_definition():
     settable = {n[3:] for n in dir(filter_) if n.startswith("Get") and hasattr(filter_, "Set" + n[3:])}
     inherited = {n[3:] for n in dir(nephoscope.vtkTextureCoordinateAdvection.__bases__[0]) if n.startswith("Get")}
     expected = (settable - inherited) | {"SelectInputVectors"}
-    check(expected == set(properties) - INFORMATION, f"C++ and XML differ in {sorted(expected ^ (set(properties) - INFORMATION))}")
+    own = set(properties) - INFORMATION - RESULTS
+    check(expected == own, f"C++ and XML differ in {sorted(expected ^ own)}")
     for name in settable - inherited:
         compare_default(NAME, name, properties[name], getattr(filter_, "Get" + name)())
     for name, property_ in properties.items():
@@ -60,9 +62,25 @@ def check_points(series):
         check(np.median(difference) < 1e-4, f"coordinates differ by {np.median(difference)} at {time}")
 
 
+def check_period():
+    """From the size and the speed of the data, where they are not of Globe Grid; a steady wind is animated for as long."""
+    wind = pvs.Calculator(Input=pvs.Wavelet(WholeExtent=[-6, 6] * 3), ResultArrayName="v", Function="3*iHat+4*jHat")
+    wind.UpdatePipeline()
+    texture = pvs.TextureCoordinateAdvection(Input=wind)
+    texture.UpdatePipeline()
+    texture.SMProxy.UpdatePropertyInformation()
+    expected = 0.25 * 12 * 3**0.5 / 5
+    for name, value in (("PeriodUsed", expected), ("TimeStepUsed", expected / 24)):
+        found = texture.SMProxy.GetProperty(name).GetElement(0)
+        check(abs(found - value) < 1e-9, f"{name} is {found}, not {value}")
+    first, last = (texture.SMProxy.GetProperty("TimeRange").GetElement(i) for i in (0, 1))
+    check(abs(last - first - expected) < 1e-9, f"a steady wind has the range {first} to {last}, not {expected}")
+
+
 def main():
     load_plugin()
     check_definition()
+    check_period()
     weather = pvs.NetCDFReader(FileName=[GFS], SphericalCoordinates=0)
     weather.Dimensions = "(lev, lat, lon)"
     globe = pvs.GlobeGrid(Input=weather, VerticalExaggeration=40)

@@ -17,7 +17,6 @@ from . import vtkTextureCoordinateAdvection
 from ._checks import arrays_of, choose, require_number
 from ._pipeline import level_of_caller, vtk_messages
 
-DAY = 86400.0
 MANY = 10  # crossings of the data in a period, beyond which nothing of the texture is left
 
 Grids = "pyvista.DataSet | Sequence[pyvista.DataSet] | Callable[[float], pyvista.DataSet]"
@@ -112,7 +111,7 @@ def advect_texture(mesh: Grids, time: float | Sequence[float] | None = None, *, 
     _set_vectors(filter_, series.first, vectors)
     if points is not None:
         filter_.SetInputData(1, _dataset(points, "points"))
-    usual = _usual_period(series.first, vectors, period)
+    usual = _usual_period(filter_, series.first, period)
     period, time_step = (usual if period is None else period), (usual / 24 if time_step is None else time_step)
     for set_value, value, name in ((filter_.SetPeriod, period, "period"), (filter_.SetTimeScale, time_scale, "time_scale"),
                                    (filter_.SetTimeStep, time_step, "time_step"), (filter_.SetTolerance, tolerance, "tolerance")):
@@ -140,29 +139,14 @@ def advect_texture(mesh: Grids, time: float | Sequence[float] | None = None, *, 
     return (_at(filter_, series, one) for one in wanted)
 
 
-def _usual_period(first: pyvista.DataSet, vectors: str | None, given: float | None) -> float:
+def _usual_period(filter_: vtkTextureCoordinateAdvection, first: pyvista.DataSet, given: float | None) -> float:
     """The period for the size and the speed of the data, with a warning if `given` is far too long for them."""
-    crossing = _crossing_time(first, vectors)
-    if crossing is None:
-        return DAY
-    if given is not None and given > MANY * crossing:
+    crossing = filter_.FindCrossingTime(first)
+    if given is not None and crossing > 0 and given > MANY * crossing:
         warnings.warn(f"period is {given:g} s, in which the fastest air crosses the data {given / crossing:.0f} times: the texture will be torn. "
                       f"Leave period out, or give about {0.25 * crossing:.2g}; time_scale has the seconds in the unit of time.",
                       RuntimeWarning, stacklevel=level_of_caller())
-    return DAY if "GlobeGridProjection" in first.field_data else 0.25 * crossing
-
-
-def _crossing_time(mesh: pyvista.DataSet, vectors: str | None) -> float | None:
-    """Seconds in which the fastest air crosses the diagonal; None without a velocity."""
-    for data in (mesh.point_data, mesh.cell_data):
-        triples = [name for name, values in data.items() if values.ndim == 2 and values.shape[1] == 3 and not name.startswith("vtk")]
-        name = vectors or next((one for one in ("DisplayVelocity", data.active_vectors_name) if one in triples),
-                               triples[0] if len(triples) == 1 else None)
-        if name in triples:
-            speeds = np.linalg.norm(np.asarray(data[name], float), axis=1)
-            fastest = speeds[np.isfinite(speeds)].max(initial=0.0)
-            return mesh.length / fastest if fastest > 0 and 0 < mesh.length < np.inf else None
-    return None
+    return filter_.FindPeriod(first)
 
 
 def _at(filter_: vtkTextureCoordinateAdvection, series: "_Series", time: float) -> pyvista.DataSet:
