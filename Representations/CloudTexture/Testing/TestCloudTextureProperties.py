@@ -7,6 +7,7 @@ import nephoscope
 import numpy as np
 from cloud_bodies import box, sphere, together
 from nephoscope_testing import meshes
+from nephoscope_testing.any_time import AnyTime
 from nephoscope_testing.offscreen import Window
 from vtkmodules.vtkRenderingCore import vtkActor
 
@@ -26,7 +27,7 @@ def bodies():
     return data
 
 
-class Properties(unittest.TestCase):
+class Properties(AnyTime, unittest.TestCase):
     def setUp(self):
         self.data = bodies()
 
@@ -42,31 +43,6 @@ class Properties(unittest.TestCase):
         scene.look((1.5, 1, 5), near=1, far=20)
         return window, mapper
 
-    def draw(self, window, why):
-        window.render()
-        self.assertEqual(window.messages.all, [], why)
-        self.assertEqual(window.gl_errors(), [], why)
-        return window.rgba()[..., :3]
-
-    def fresh(self, settings, why):
-        window, mapper = self.scene()
-        for name, value in settings.items():
-            getattr(mapper, "Set" + name)(value)
-        return self.draw(window, why)
-
-    def play(self, steps):
-        """Sets one property after another between frames."""
-        window, mapper = self.scene()
-        settings, said = {}, []
-        self.draw(window, "nothing set")
-        for name, value in steps:
-            getattr(mapper, "Set" + name)(value)
-            settings[name] = value
-            said.append(f"{name}={value}")
-            why = ", ".join(said)
-            difference = np.abs(self.draw(window, why) - self.fresh(settings, why)).max()
-            self.assertLessEqual(255 * difference, 1.01, why)
-
     def test_density_after_thickness(self):
         self.play([("UseThickness", True), ("DensityArrayName", "density"), ("DensityArrayName", ""), ("UseThickness", False),
                    ("DensityArrayName", "density"), ("UseThickness", True)])
@@ -76,10 +52,7 @@ class Properties(unittest.TestCase):
                    ("Relief", 0.0), ("CoverageArrayName", ""), ("MaximumNumberOfLayers", 2)])
 
     def test_any_order(self):
-        rng = np.random.default_rng(5)
-        for _ in range(3):
-            names = rng.choice(list(VALUES), 12)
-            self.play([(str(name), VALUES[name][rng.integers(2)]) for name in names])
+        self.play_at_random(VALUES, seed=5, plays=3, steps=12)
 
 
 if __name__ == "__main__":
