@@ -31,7 +31,7 @@ def show_terrain(view):
     pvs.RenameSource("Terrain", plane)
     shown = pvs.Show(plane, view)
     shown.ColorArrayName = ["POINTS", ""]
-    shown.Texture = pvs.CreateTexture(os.path.join(globe_scene.DATA, "blue_marble_2048.jpg"))
+    shown.Texture = globe_scene.load_texture(os.path.join(globe_scene.DATA, "blue_marble_2048.jpg"))
     shown.Ambient, shown.Diffuse = 0.4, 0.45
 
 

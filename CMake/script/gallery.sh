@@ -59,6 +59,11 @@ render_figure()
     show_failure "$name" $status
     exit 1
   fi
+  # VTK reports errors, and goes on: what it draws then is no picture to keep.
+  if grep -q ' ERR| ' "$log"; then
+    grep ' ERR| ' "$log" | head -n 20 >&2
+    fail 1 "$name has reported errors, so its picture may be wrong; the whole log: ${log#"$TOP"/}"
+  fi
   grep -q '^wrote ' "$log" || fail 1 "$name wrote nothing; its log: ${log#"$TOP"/}"
   while IFS= read -r file; do
     if [ ! -s "$file" ] || [ "$file" -ot "$LOGS/figure-started" ]; then

@@ -32,6 +32,18 @@ def make_view(name, position, focus, up, angle, sun, size=(1920, 1080), backgrou
     return view
 
 
+def load_texture(path):
+    """A texture that has its image: ParaView 5.13 does not read the file when it makes the texture, but when all is sent once more."""
+    texture = pvs.CreateTexture(path)
+    texture.SMProxy.MarkAllPropertiesAsModified()
+    texture.SMProxy.UpdateVTKObjects()
+    image = texture.SMProxy.GetClientSideObject().GetInputAlgorithm()
+    image.Update()
+    if image.GetOutput().GetNumberOfPoints() == 0:
+        raise RuntimeError(f"ParaView has not read the texture {path}")
+    return texture
+
+
 def show_terrain(view, ambient, diffuse, specular=0.12):
     """A plate carree plane bent into a sphere; its texture coordinates come along."""
     plane = pvs.Plane(Origin=[-180, -90, 0], Point1=[180, -90, 0], Point2=[-180, 90, 0], XResolution=360, YResolution=180)
@@ -43,7 +55,7 @@ def show_terrain(view, ambient, diffuse, specular=0.12):
     pvs.RenameSource("Terrain", globe)
     shown = pvs.Show(globe, view)
     shown.ColorArrayName = ["POINTS", ""]
-    shown.Texture = pvs.CreateTexture(os.path.join(DATA, "blue_marble_2048.jpg"))
+    shown.Texture = load_texture(os.path.join(DATA, "blue_marble_2048.jpg"))
     shown.InterpolateTextures = 1  # near the ground the pixels of the texture would be seen
     shown.Ambient, shown.Diffuse, shown.Specular, shown.SpecularPower = ambient, diffuse, specular, 20
 

@@ -327,6 +327,11 @@ test_gallery()
   echo 'print("done")' >"$WORK/Figures/03_silent.py"
   gallery 03_s
   expect "failure of a figure that writes nothing" [ $STATUS -ne 0 ]
+  printf '%s; print("(   1.0s) [pvbatch         ]   vtkOpenGLTexture.cxx:195    ERR| vtkOpenGLTexture: no image")\n' \
+    "${write/FILE/e.png}" >"$WORK/Figures/03_errors.py"
+  gallery 03_e
+  expect "failure of a figure that reports an error and goes on" [ $STATUS -ne 0 ]
+  expect "the error" contains "$ERR" "vtkOpenGLTexture: no image"
   echo 'print("wrote /nowhere/x.png")' >"$WORK/Figures/03_liar.py"
   gallery 03_l
   expect "failure of a figure that does not write what it says" [ $STATUS -ne 0 ]
