@@ -101,7 +101,8 @@ give_network_to_root()
   fi
 }
 
-# Runs the script in the root. The mounts are in a namespace of their own and end with it, however it ends.
+# Runs the script in the root. The mounts are in a namespace of their own and end with it, however it ends. The folder for temporary files is
+# this system's: the numbers of virtual displays are taken there, and the displays of both systems share the network.
 run_in_root()
 {
   # shellcheck disable=SC2016 # expanded by the inner shells
@@ -109,7 +110,7 @@ run_in_root()
     set -e
     root=$1
     shift
-    for folder in proc sys dev; do
+    for folder in proc sys dev tmp; do
       mkdir -p "$root/$folder"
       mount --rbind "/$folder" "$root/$folder"
     done
