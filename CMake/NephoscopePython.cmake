@@ -99,7 +99,14 @@ add_custom_target(NephoscopePythonSources ALL DEPENDS ${nephoscope_python_output
 set(nephoscope_dist_info "nephoscope-${PROJECT_VERSION}.dist-info")
 file(READ "${PROJECT_SOURCE_DIR}/Plugins/PyVista/packaging/description.md" nephoscope_description)
 set(nephoscope_requirements "Requires-Python: >=3.9")
+set(nephoscope_licence "License-Expression: BSD-3-Clause\nLicense-File: LICENSE")
 if (NEPHOSCOPE_FOR_PYPI)
+  if (NEPHOSCOPE_USE_OPENVDB) # that of CMake/wheel/openvdb
+    set(nephoscope_licence "License-Expression: BSD-3-Clause AND MPL-2.0 AND Apache-2.0 AND BSD-2-Clause AND MIT\nLicense-File: LICENSE")
+    foreach (name IN ITEMS third-party OpenVDB oneTBB Blosc Bitshuffle FastLZ LZ4)
+      string(APPEND nephoscope_licence "\nLicense-File: ${name}.txt")
+    endforeach ()
+  endif ()
   string(CONCAT nephoscope_requirements "Requires-Python: >=3.11\nRequires-Dist: vtk==${VTK_VERSION}\n"
     "Provides-Extra: pyvista\nRequires-Dist: pyvista>=0.48; extra == 'pyvista'")
 endif ()

@@ -8,6 +8,11 @@ WHEEL_PACKAGES=(g++ cmake ninja-build python3-venv)
 # shellcheck disable=SC2034
 WHEEL_TEST_PACKAGES=(xvfb xauth libgl1 libegl1 libxrender1)
 WHEEL_WORK="$TOP/build/wheel"
+WHEEL_TREE="$WHEEL_WORK/tree" # one for all versions of Python: what is not wrapping is compiled once
+WHEEL_OPTIONS=()
+if command -v ccache >/dev/null; then
+  WHEEL_OPTIONS=(-DCMAKE_C_COMPILER_LAUNCHER=ccache -DCMAKE_CXX_COMPILER_LAUNCHER=ccache)
+fi
 
 # parse_wheel_arguments ARGUMENT...: sets WHEEL_PYTHONS and WHEEL_TEST; leaves the arguments of ctest in ARGUMENTS.
 # shellcheck disable=SC2034
@@ -38,25 +43,33 @@ wheel_tools()
   [ -x "$WHEEL_TOOLS" ] || "$SYSTEM_PYTHON" -m venv "$WHEEL_WORK/tools"
 }
 
+# What all versions of Python share.
+make_wheel_openvdb()
+{
+  wheel_tools
+  step "OpenVDB for the wheel"
+  run_logged wheel-openvdb "$WHEEL_TOOLS" "$TOP/CMake/wheel/make_openvdb.py" --work "$WHEEL_WORK" -- "${WHEEL_OPTIONS[@]}" ||
+    fail 1 "could not build OpenVDB"
+}
+
 # make_wheel VERSION: sets WHEEL to the file.
 make_wheel()
 {
-  local python=$1 tag=cp${1/./} options=()
-  wheel_tools
+  local python=$1 tag=cp${1/./} openvdb="$WHEEL_WORK/openvdb/prefix"
   step "SDK of VTK's wheel for Python $python"
   run_logged "wheel-sdk-$tag" "$WHEEL_TOOLS" "$TOP/CMake/wheel/make_sdk.py" --python "$python" --work "$WHEEL_WORK" ||
     fail 1 "could not make the SDK"
   step "Configure and build for Python $python"
-  if command -v ccache >/dev/null; then
-    options+=(-DCMAKE_C_COMPILER_LAUNCHER=ccache -DCMAKE_CXX_COMPILER_LAUNCHER=ccache)
-  fi
-  run_logged "wheel-configure-$tag" cmake -S "$TOP" -B "$WHEEL_WORK/$tag" -C "$TOP/CMake/wheel/options.cmake" \
+  run_logged "wheel-configure-$tag" cmake -S "$TOP" -B "$WHEEL_TREE" -C "$TOP/CMake/wheel/options.cmake" \
     -G Ninja -DVTK_DIR="$(tail -n 1 "$LOGS/wheel-sdk-$tag.log")" -DNEPHOSCOPE_WHEEL_TAG="$tag-$tag-manylinux_2_34_x86_64" \
-    -DPython3_EXECUTABLE="$WHEEL_TOOLS" -DNEPHOSCOPE_PYVISTA_PYTHON="$WHEEL_WORK/venv-$tag/bin/python" "${options[@]}" ||
+    -DPython3_EXECUTABLE="$WHEEL_TOOLS" -DNEPHOSCOPE_PYVISTA_PYTHON="$WHEEL_WORK/venv-$tag/bin/python" \
+    -DOpenVDB_INCLUDE_DIR="$openvdb/include" -DOpenVDB_LIBRARY="$openvdb/lib/libopenvdb.a" -DTBB_DIR="$openvdb/lib/cmake/TBB" \
+    "${WHEEL_OPTIONS[@]}" ||
     fail 1 "could not configure the build for Python $python"
-  run_logged "wheel-build-$tag" cmake --build "$WHEEL_WORK/$tag" -j "$(nproc)" || fail 1 "could not build for Python $python"
+  run_logged "wheel-build-$tag" cmake --build "$WHEEL_TREE" -j "$(nproc)" || fail 1 "could not build for Python $python"
   step "Wheel for Python $python"
-  run_logged "wheel-pack-$tag" "$WHEEL_TOOLS" "$TOP/CMake/wheel/pack.py" --python "$python" --work "$WHEEL_WORK" --output "$TOP/dist" ||
+  run_logged "wheel-pack-$tag" "$WHEEL_TOOLS" "$TOP/CMake/wheel/pack.py" --python "$python" --work "$WHEEL_WORK" --build "$WHEEL_TREE" \
+    --output "$TOP/dist" ||
     fail 1 "could not pack the wheel"
   WHEEL=$(tail -n 1 "$LOGS/wheel-pack-$tag.log")
   say "      ${WHEEL#"$TOP"/}"
@@ -88,7 +101,7 @@ test_wheel()
   interpreter=$(wheel_interpreter "$python") || fail 1 "there is no python$python on the path to test the wheel with"
   run_logged "wheel-venv-$tag" make_wheel_venv "$interpreter" "$WHEEL" "$venv" || fail 1 "could not install the wheel"
   step "Tests of the wheel for Python $python"
-  on_virtual_display env -u PYTHONPATH WHEEL="$WHEEL" PATH="$venv/bin:$PATH" ctest --test-dir "$WHEEL_WORK/$tag" \
+  on_virtual_display env -u PYTHONPATH WHEEL="$WHEEL" PATH="$venv/bin:$PATH" ctest --test-dir "$WHEEL_TREE" \
     --output-on-failure --no-tests=error -j 2 "$@" || status=$?
   [ $status -eq 0 ] || fail $status "tests of the wheel failed (exit status $status)"
 }

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-FileCopyrightText: The Nephoscope authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Builds the OpenVDB that goes into the wheel, from Debian's sources. Prints its prefix, the OpenVDB_ROOT of the project's CMake."""
+"""Builds the OpenVDB that goes into the wheel, from Debian's sources, in openvdb/prefix of the work folder."""
 import argparse
 import os
 import subprocess
@@ -37,7 +37,6 @@ def main():
                     f"-DCMAKE_INSTALL_PREFIX={prefix}", *arguments.options], check=True)
     subprocess.run(["cmake", "--build", build, "-j", str(os.cpu_count())], check=True)
     subprocess.run(["cmake", "--install", build], check=True, stdout=subprocess.DEVNULL)
-    print(prefix)
 
 
 if __name__ == "__main__":

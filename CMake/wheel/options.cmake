@@ -5,5 +5,5 @@ set(CMAKE_BUILD_TYPE Release CACHE STRING "")
 set(NEPHOSCOPE_FOR_PYPI ON CACHE BOOL "")
 set(NEPHOSCOPE_USE_PARAVIEW OFF CACHE BOOL "")
 set(NEPHOSCOPE_USE_TETGEN OFF CACHE STRING "") # GNU AGPL 3
-set(NEPHOSCOPE_USE_OPENVDB OFF CACHE STRING "") # Debian's has the strings of another C++ library than VTK's wheel
+set(NEPHOSCOPE_USE_OPENVDB ON CACHE STRING "") # of make_openvdb.py
 set(BUILD_TESTING ON CACHE BOOL "") # the Python tests, run with the wheel

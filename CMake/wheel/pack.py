@@ -6,6 +6,7 @@ import argparse
 import json
 import os
 import re
+import shutil
 import subprocess
 import sys
 from pathlib import Path
@@ -18,7 +19,7 @@ from nephoscope_wheel import make_wheel  # noqa: E402
 
 # The newest symbols of the system's libraries that manylinux_2_34 allows (PEP 600; auditwheel's policy).
 PLATFORM = "manylinux_2_34_x86_64"
-ALLOWED = {"GLIBC": (2, 34), "GLIBCXX": (3, 4, 29), "CXXABI": (1, 3, 13), "GCC": (11, 0)}
+ALLOWED = {"GLIBC": (2, 34), "GLIBCXX": (3, 4, 29), "CXXABI": (1, 3, 13), "GCC": (11, 0), "ZLIB": (1, 2, 9)}
 DESCRIBE = """
 import json, sys
 import nephoscope
@@ -63,7 +64,8 @@ def make_stubs(staging, vtk, stubs):
 def main():
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--python", choices=PYTHONS, default="3.11", help="version of Python (default: 3.11)")
-    parser.add_argument("--work", type=Path, required=True, help="folder of make_sdk.py, and of the build in cp3N")
+    parser.add_argument("--work", type=Path, required=True, help="folder of make_sdk.py")
+    parser.add_argument("--build", type=Path, required=True, help="the build for that Python")
     parser.add_argument("--output", type=Path, default=Path("dist"), help="folder of the wheel (default: dist)")
     arguments = parser.parse_args()
     work, tag = arguments.work.resolve(), cpython(arguments.python)
@@ -79,8 +81,10 @@ def main():
         for stub in stubs.glob("*.pyi"):
             (package / stub.name).write_bytes(stub.read_bytes())
         (package / "py.typed").touch()
+        for licence in (work / "openvdb/prefix/licenses").glob("*.txt"):
+            shutil.copy(licence, next(staging.glob("*.dist-info")) / "licenses")
 
-    print(make_wheel(work / tag, arguments.output.resolve(), finish))
+    print(make_wheel(arguments.build.resolve(), arguments.output.resolve(), finish))
 
 
 if __name__ == "__main__":

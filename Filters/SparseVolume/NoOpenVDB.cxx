@@ -9,13 +9,8 @@ namespace nephoscope
 namespace
 {
 constexpr const char* remedy =
-#ifdef NEPHOSCOPE_FOR_PYPI
-  "nephoscope as pip installs it has no OpenVDB, so .vdb files can be neither read nor written: build Nephoscope from its sources, "
-  "where OpenVDB is installed (in Debian libopenvdb-dev), and run ./nephoscope python.";
-#else
   "This build has no OpenVDB, so .vdb files can be neither read nor written: install it (in Debian libopenvdb-dev) and build again "
   "with NEPHOSCOPE_USE_OPENVDB=ON.";
-#endif
 }
 
 bool HasOpenVDB()

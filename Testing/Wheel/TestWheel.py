@@ -35,16 +35,27 @@ class Wheel(unittest.TestCase):
 
     def test_metadata(self):
         metadata = importlib.metadata.metadata("nephoscope")
-        self.assertEqual(metadata["License-Expression"], "BSD-3-Clause")
+        self.assertEqual(metadata["License-Expression"], "BSD-3-Clause AND MPL-2.0 AND Apache-2.0 AND BSD-2-Clause AND MIT")
         self.assertIn(f"vtk=={_modules.VTK_VERSION}", metadata.get_all("Requires-Dist"))
         self.assertIn("Typing :: Typed", metadata.get_all("Classifier"))
         self.assertIn("pip install nephoscope", metadata.get_payload())
         files = {str(file) for file in importlib.metadata.files("nephoscope")}
         licence = next(file for file in files if file.endswith(".dist-info/licenses/LICENSE"))
+        licences = {Path(file).name for file in files if "/licenses/" in file}
+        self.assertEqual(set(metadata.get_all("License-File")), licences)
         self.assertEqual((PACKAGE.parent / licence).read_text(), (TOP / "LICENSE").read_text())
 
     def test_pip_finds_nothing_missing(self):
         self.assertIn("No broken requirements", output(sys.executable, "-m", "pip", "check"))
+
+    def test_openvdb_is_in_it_and_keeps_to_itself(self):
+        self.assertTrue(nephoscope.vtkSparseVolumeReader.HasOpenVDB())
+        library = PACKAGE / "libvtkNephoscopeFiltersSparseVolume.so"
+        exported = [line for line in output("readelf", "--dyn-syms", "-W", "-C", library).splitlines()
+                    if " UND " not in line and re.search(r"\b(tbb::|blosc_|LZ4_)", line)]
+        self.assertEqual(exported, [])
+        foreign = [line for line in output("readelf", "--dyn-syms", "-W", library).splitlines() if "7openvdb" in line and "nephoscope" not in line]
+        self.assertEqual(foreign, [])
 
     def test_stubs(self):
         self.assertTrue((PACKAGE / "py.typed").is_file())

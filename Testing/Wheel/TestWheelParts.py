@@ -57,12 +57,12 @@ Version needs section '.gnu.version_r' contains 2 entries:
 
 class Pins(unittest.TestCase):
     def test_every_package_has_a_digest_and_a_version(self):
-        for purpose in ("sdk", "cp311", "cp313", "cp314"):
+        for purpose in ("sdk", "cp311", "cp313", "cp314", "openvdb"):
             packages = inputs.debian_packages(purpose)
             self.assertTrue(packages, purpose)
             for digest, path in packages:
                 self.assertRegex(digest, "^[0-9a-f]{64}$")
-                self.assertRegex(path, r"^pool/main/[a-z0-9.]+/[a-z0-9.]+/[a-z0-9.-]+_\d[^_/]*_amd64\.deb$")
+                self.assertRegex(path, r"^pool/main/[a-z0-9.]+/[a-z0-9.-]+/[a-z0-9.-]+_\d[^_/]*(_amd64\.deb|\.orig\.tar\.[gx]z)$")
 
     def test_one_version_of_vtk(self):
         version = inputs.vtk_version()
@@ -73,8 +73,17 @@ class Pins(unittest.TestCase):
         self.assertEqual(len(set(re.findall(r"--hash=sha256:[0-9a-f]{64}\b", text))), len(inputs.PYTHONS))
 
     def test_pages_name_that_version(self):
-        for page in ("Documentation/pip.md",):
-            self.assertIn(f"vtk=={inputs.vtk_version()}", (TOP / page).read_text(), page)
+        self.assertIn(f"vtk=={inputs.vtk_version()}", (TOP / "Documentation/pip.md").read_text())
+        self.assertIn(f"vtk {inputs.vtk_version()}", (TOP / "README.md").read_text())
+
+    def test_sources_of_openvdb_are_those_that_its_build_names(self):
+        build = "".join((TOP / "CMake/wheel/openvdb" / name).read_text() for name in ("CMakeLists.txt", "third-party.txt"))
+        for _, path in inputs.debian_packages("openvdb"):
+            name, version = re.match(r".*/(.*?)_([0-9.]*[0-9])", path).groups()
+            if path.endswith(".deb"):
+                continue
+            self.assertEqual(set(re.findall(rf"{name.replace('onetbb', 'oneTBB')}-(\d+\.[0-9.]*\d)", build)), {version}, name)
+            self.assertRegex(build, f" {version} +[A-Z]")
 
 
 class Fetching(unittest.TestCase):
