@@ -71,6 +71,13 @@ void SplatVectors::Read(
   this->Cell = moving > 0 && cells > 0 ? cells / static_cast<double>(moving) : 1.0;
 }
 
+// By a number that does not depend on the other two, which the pattern is made of.
+bool SplatVectors::IsShown(std::size_t sample, double share) const
+{
+  const double mixed = 7919.0 * this->Seeds[sample].Phase + 104729.0 * this->Seeds[sample].Rest;
+  return share >= 1 || mixed - std::floor(mixed) < share;
+}
+
 void SplatVectors::Advance(double time, double period)
 {
   for (std::size_t i = 0; i < this->Vectors.size(); ++i)
@@ -89,7 +96,8 @@ std::vector<std::array<float, 4>> SplatVectors::Pack(
   for (const std::int32_t sample : classes.Samples)
   {
     const auto i = static_cast<std::size_t>(sample);
-    const auto& v = this->Vectors[i];
+    const std::array<float, 3> v =
+      this->IsShown(i, loop.VectorShare) ? this->Vectors[i] : std::array<float, 3>{ { 0, 0, 0 } };
     const double looped =
       greatest > 0 ? loop.Share * std::round(loop.Cycles * lengthOf(v) / greatest) : 0.0;
     const double phase =

@@ -33,10 +33,12 @@ struct SplatLoop
   int Cycles = 4;   ///< periods that the fastest pattern moves in a loop
   int Steps = 0;    ///< stored patterns in a period; 0: any phase
   double GreatestSpeed = 0; ///< that counts as the fastest; 0: that of the data
+  double VectorShare = 1;   ///< of the samples whose vectors are drawn
   bool operator==(const SplatLoop& other) const
   {
     return this->Share == other.Share && this->Cycles == other.Cycles &&
-      this->Steps == other.Steps && this->GreatestSpeed == other.GreatestSpeed;
+      this->Steps == other.Steps && this->GreatestSpeed == other.GreatestSpeed &&
+      this->VectorShare == other.VectorShare;
   }
 };
 
@@ -67,6 +69,8 @@ public:
   float SeedOf(std::size_t sample) const { return this->Seeds[sample].Rest; }
 
 private:
+  bool IsShown(std::size_t sample, double share) const;
+
   std::vector<std::array<float, 3>> Vectors;
   std::vector<SplatSeed> Seeds;
   std::vector<vtkIdType> Ids;

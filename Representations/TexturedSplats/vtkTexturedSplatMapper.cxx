@@ -168,7 +168,7 @@ nephoscope::SplatVectorSettings vtkTexturedSplatMapper::GetVectorSettings()
   settings.ColorFunction = this->VectorColorFunction;
   settings.OneColor = this->UseVectorColor;
   std::copy_n(this->VectorColor, 3, settings.Color.begin());
-  settings.Loop = { this->Phase, this->PhaseCycles, this->PhaseSteps, this->GreatestSpeed };
+  settings.Loop = { this->Phase, this->PhaseCycles, this->PhaseSteps, this->GreatestSpeed, this->VectorShare };
   return settings;
 }
 
@@ -190,7 +190,8 @@ double vtkTexturedSplatMapper::GetStreakUnit()
 {
   return this->VectorUnit > 0
     ? this->VectorUnit
-    : this->Internals->Scene.GetVectorScene().GetVectors().MeanCell() / this->RadiusFactor;
+    : this->Internals->Scene.GetVectorScene().GetVectors().MeanCell() /
+      (this->RadiusFactor * std::cbrt(std::max(this->VectorShare, 1e-6)));
 }
 
 // Wider splats overlap more: in the mean the medium stays.
@@ -222,7 +223,8 @@ void vtkTexturedSplatMapper::SetVectorOptions(nephoscope::SplatDrawingOptions& o
   options.Vectors = !this->VectorArrayName.empty();
   options.Segments = this->VectorStyle == SEGMENTS;
   options.MediaApart = options.Vectors && this->VectorPlacement == IN_LAYERS;
-  options.VectorScale = this->VectorOpacity;
+  // Lengthened splats share the opacity among more of them, of which only some are drawn.
+  options.VectorScale = this->VectorOpacity / std::cbrt(std::max(this->VectorShare, 1e-6));
   const double greatest = this->GreatestSpeed > 0
     ? this->GreatestSpeed
     : this->Internals->Scene.GetVectorScene().GetVectors().GreatestSpeed();

@@ -30,6 +30,7 @@ void vtkTexturedSplatMapper::CopySettings(vtkTexturedSplatMapper* mapper)
   this->SetVectorPlacement(mapper->VectorPlacement);
   this->SetLayerAxis(mapper->LayerAxis);
   this->SetVectorUnit(mapper->VectorUnit);
+  this->SetVectorShare(mapper->VectorShare);
   this->SetStreakPeriod(mapper->StreakPeriod);
   this->SetStreakWidth(mapper->StreakWidth);
   this->SetSegmentLength(mapper->SegmentLength);
@@ -71,6 +72,7 @@ void vtkTexturedSplatMapper::PrintSelf(ostream& os, vtkIndent indent)
      << "\n";
   os << indent << "LayerAxis: " << this->LayerAxis << "\n";
   os << indent << "VectorUnit: " << this->VectorUnit << "\n";
+  os << indent << "VectorShare: " << this->VectorShare << "\n";
   os << indent << "StreakWidth: " << this->StreakWidth << "\n";
   os << indent << "SegmentLength: " << this->SegmentLength << "\n";
   os << indent << "SegmentWidth: " << this->SegmentWidth << "\n";

@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """nephoscope.add_cells: arguments reach mapper and property, bad ones are named. Draws nothing."""
 import unittest
+import warnings
 
 import nephoscope
 import numpy as np
@@ -34,8 +35,8 @@ class Accepted(Cells):
         self.assertEqual(volume.mapper.GetVisibilityOrder(), nephoscope.vtkCellCompositingMapper.EXACT_ORDER)
         self.assertEqual(volume.mapper.GetOpacityScale(), 1)
         self.assertEqual(volume.mapper.scalar_range, (0, 2))
-        # as add_volume has it for a cube of n^3 points: length / (n - 1)
-        self.assertAlmostEqual(volume.prop.opacity_unit_distance, np.sqrt(12) / 2)
+        # mean chord of the cube, 4/3, times the mean of the ramp, for a mean optical depth of 2
+        self.assertAlmostEqual(volume.prop.opacity_unit_distance, 4 / 3 * 0.5 / 2)
 
     def test_choices_and_numbers(self):
         volume = self.add(integration="average", order="centroid", opacity_scale=2.5, opacity_unit_distance=7)
@@ -86,6 +87,7 @@ class Accepted(Cells):
 
     def test_constant_and_partly_missing_values(self):
         self.assertEqual(self.add(scalars=np.full(27, 4.0)).mapper.scalar_range, (3.5, 4.5))
+        self.assertEqual(self.add(scalars=np.full(27, 4.0), log_scale=True, show_scalar_bar=False).mapper.scalar_range, (2, 8))
         self.assertEqual(self.add(scalars=np.r_[np.nan, np.arange(26.0)]).mapper.scalar_range, (0, 25))
 
     def test_grids_of_every_kind(self):
@@ -100,6 +102,17 @@ class Accepted(Cells):
         grid = cube().cast_to_structured_grid()
         grid.hide_points([0])
         self.assertEqual(self.add(grid).mapper.dataset.n_cells, 8)
+
+    def test_values_without_opacity_are_told(self):
+        for options, told in (({"clim": (5, 6)}, r"'x' is 0 to 2, where the opacity function is 0. Choose another clim"),
+                              ({"opacity_scalars": "layer", "opacity_clim": (9, 10)}, r"'layer' is 0 to 7.*another opacity_clim"),
+                              ({"scalars": np.zeros(27), "preset": "wind component"}, r"'Data' is 0 everywhere")):
+            with self.assertWarnsRegex(UserWarning, "Nothing will be visible: the array " + told):
+                self.add(**options)
+        with warnings.catch_warnings():
+            warnings.simplefilter("error")
+            self.add(opacity=0)  # as the user wants
+            self.add(clim=(1, 6))
 
     def test_plotter_knows_the_grid(self):
         grid = cube()
@@ -149,7 +162,8 @@ class AnyData(Cells):
         points = mesh.points.copy()
         points[13] = np.inf
         mesh.points = points
-        self.assertAlmostEqual(self.add(mesh, "x").prop.opacity_unit_distance, expected)
+        found = self.add(mesh, "x").prop.opacity_unit_distance  # parts of cells at that point have no volume
+        self.assertTrue(0.5 * expected < found < expected, (found, expected))
 
     def test_adaptive_and_partitioned_grids(self):
         amr = vtkAMRGaussianPulseSource()

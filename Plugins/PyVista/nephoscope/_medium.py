@@ -10,7 +10,7 @@ from typing import Any, Mapping, Sequence
 import numpy as np
 import pyvista
 from pyvista.core.errors import MissingDataError
-from vtkmodules.vtkCommonDataModel import vtkCompositeDataSet, vtkHyperTreeGrid
+from vtkmodules.vtkCommonDataModel import vtkCompositeDataSet, vtkHyperTreeGrid, vtkPiecewiseFunction
 
 from ._blocks import fitting, named_blocks
 from ._checks import arrays_of, require_number
@@ -18,7 +18,6 @@ from ._copies import MediumVolume, copied_mapper
 from ._exports import warn_when_exported
 from ._fields import find_preset, is_bright, presets
 from ._frames import warn_of_other_frames
-from ._seen import seen_distance
 from ._pipeline import level_of_caller, warn_when_drawing
 from .transfer import OpacityLike, colour_function, opacity_function, opacity_values
 
@@ -96,7 +95,8 @@ class MediumMapper:
     @scalar_range.setter
     def scalar_range(self, clim: Sequence[float]) -> None:
         table = self.lookup_table
-        table.scalar_range = tuple(clim)
+        low, high = clim
+        table.scalar_range = (low if low > 0 or not table.log_scale else table.scalar_range[0], high)
         self._prop.SetColor(colour_function(table))
         if self._opacity_clim is None:
             opacity = opacity_function(self._opacities, table.scalar_range, table.log_scale)
@@ -184,8 +184,8 @@ def _scalar_range(values: np.ndarray, name: str, clim: float | Sequence[float] |
     finite = values[np.isfinite(values)]
     if clim is None:
         low, high = float(finite.min()), float(finite.max())
-        if low == high and not log_scale:
-            low, high = low - 0.5, high + 0.5
+        if low == high:
+            low, high = _around(low, log_scale)
     else:
         low, high = (-clim, clim) if np.isscalar(clim) else clim
     if log_scale and low <= 0:
@@ -196,6 +196,27 @@ def _scalar_range(values: np.ndarray, name: str, clim: float | Sequence[float] |
     if not (np.isfinite(low) and np.isfinite(high) and low < high):
         raise ValueError(f"clim is ({low:g}, {high:g}) for the array {name!r}; it must be two finite numbers, ascending.")
     return float(low), float(high)
+
+
+def _around(value: float, log_scale: bool) -> tuple[float, float]:
+    """A range with the only value there is in its middle, so that it is drawn."""
+    if log_scale and value > 0:
+        return value / 2, value * 2
+    half = max(0.5, 1e-6 * abs(value))
+    return value - half, value + half
+
+
+def _warn_of_transparency(values: np.ndarray, name: str, function: vtkPiecewiseFunction, limits: str) -> None:
+    """Where the opacity function lets nothing be seen of any value. `limits`: the argument that gives its range."""
+    finite = np.asarray(values, float)[np.isfinite(values)]
+    nodes = np.zeros((function.GetSize(), 4))
+    for i, node in enumerate(nodes):
+        function.GetNodeValue(i, node)
+    if nodes[:, 1].any() and not np.interp(finite, nodes[:, 0], nodes[:, 1]).any():
+        low, high = finite.min(), finite.max()
+        told = f"is {low:g} everywhere" if low == high else f"is {low:g} to {high:g}"
+        warnings.warn(f"Nothing will be visible: the array {name!r} {told}, where the opacity function is 0. Choose another {limits} or opacity.",
+                      UserWarning, stacklevel=level_of_caller())
 
 
 @dataclass
@@ -213,12 +234,9 @@ class Functions:
     preset: str | bool | None = None
 
     def attach(self, mapper: MediumMapper, plotter: pyvista.BasePlotter, grid: pyvista.DataSet, name: str, association: str,
-               preference: str, unit_distance: float | None, usual_distance: float) -> pyvista.VolumeProperty:
-        """The property of a volume of the array `name`, which `mapper` will draw.
-
-        Without a `unit_distance` it is the usual one, or, where a preset gives the opacities, such that they are seen.
-        """
-        fitted = self._take_preset(plotter, grid, name, association) and unit_distance is None
+               preference: str, unit_distance: float | None) -> pyvista.VolumeProperty:
+        """The property of a volume of the array `name`, which `mapper` will draw. Without a `unit_distance` it is such that the medium is seen."""
+        self._take_preset(plotter, grid, name, association)
         table = self._lookup_table(plotter, array_values(grid, name, association), name)
         opacities = self._opacities(table)
         opacity_range = self._opacity_range(grid, preference)
@@ -230,15 +248,19 @@ class Functions:
             mapper.SetScalarModeToUseCellFieldData()
         mapper.SetOpacityArrayName(self.opacity_scalars or "")
         mapper.SetOpacityScale(require_number(self.opacity_scale, "opacity_scale", least=0))
-        if unit_distance is None:
-            seen = fitted and seen_distance(grid, array_values(grid, name, association), association, table.scalar_range, opacities)
-            unit_distance = seen or usual_distance
-        prop = pyvista.VolumeProperty(opacity_unit_distance=require_number(unit_distance, "opacity_unit_distance", above=0))
+        given = 1.0 if unit_distance is None else require_number(unit_distance, "opacity_unit_distance", above=0)
+        prop = pyvista.VolumeProperty(opacity_unit_distance=given)
         mapper.attach(prop, table, opacities, opacity_range)
+        read = name if self.opacity_scalars is None else self.opacity_scalars
+        read_at = association if self.opacity_scalars is None else association_of(grid, read, preference, "opacity_scalars")
+        _warn_of_transparency(array_values(grid, read, read_at), read, prop.GetScalarOpacity(),
+                              "clim" if self.opacity_scalars is None else "opacity_clim")
+        if unit_distance is None:
+            prop.opacity_unit_distance = mapper.FindUnitDistance(prop) or diagonal(grid) or 1.0
         return prop
 
-    def _take_preset(self, plotter: pyvista.BasePlotter, grid: pyvista.DataSet, name: str, association: str) -> bool:
-        """Colours, opacities and range of the preset, where the user has not set them. True if the opacities are the preset's."""
+    def _take_preset(self, plotter: pyvista.BasePlotter, grid: pyvista.DataSet, name: str, association: str) -> None:
+        """Colours, opacities and range of the preset, where the user has not set them."""
         if isinstance(self.cmap, str) and self.cmap in presets():
             self.cmap = presets()[self.cmap].colour_map(is_bright(plotter.background_color))
         chosen = find_preset(self.preset, name, grid)
@@ -250,7 +272,6 @@ class Functions:
             self.clim = chosen.clim(array_values(grid, name, association)) if self.clim is None else self.clim
         if self.opacity is None:
             self.opacity = chosen.opacity_values() if ours else "linear"
-        return ours
 
     def _lookup_table(self, plotter: pyvista.BasePlotter, values: np.ndarray, name: str) -> pyvista.LookupTable:
         if isinstance(self.cmap, pyvista.LookupTable):

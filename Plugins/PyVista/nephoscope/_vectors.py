@@ -14,13 +14,29 @@ from ._medium import array_values, lookup_table
 from .transfer import colour_function
 
 
+ALONE = 2.0  # optical depth of the fastest streaks
+COLOURS = ("black", "white", "orangered")
+
+
+def _is_drawn(opacity: Any) -> bool:
+    node = [0.0] * 4
+    return any(opacity.GetNodeValue(i, node) and node[1] > 0 for i in range(opacity.GetSize()))
+
+
+def _contrasting(background: Sequence[float], colours: np.ndarray) -> tuple[float, float, float]:
+    """That of `COLOURS` which stands out best, from the background and from the mean of the medium's colours."""
+    others = np.array([background, colours.mean(axis=0)])
+    choices = [pyvista.Color(name).float_rgb for name in COLOURS]
+    return max(choices, key=lambda choice: np.linalg.norm(others - choice, axis=1).min())
+
+
 @dataclass
 class Vectors:
     """The arguments of `add_splats` about vectors; see there. Checked when applied."""
     name: str | None = None
     style: str = "streaks"
     placement: str = "middle"
-    opacity: float = 2.0
+    opacity: float | None = None
     color: Any = None
     scalars: str | None = None
     cmap: Any = None
@@ -28,12 +44,14 @@ class Vectors:
     greatest_speed: float | None = None
     streak_period: float = 4.0
     phase_cycles: int = 4
+    share: float | None = None
 
     def apply(self, mapper: Any, plotter: pyvista.BasePlotter, mesh: pyvista.DataSet, association: str) -> None:
         choose({"streaks": mapper.SetVectorStyleToStreaks, "segments": mapper.SetVectorStyleToSegments}, self.style, "vector_style")
         choose({"middle": mapper.SetVectorPlacementToMiddle, "layers": mapper.SetVectorPlacementToLayers}, self.placement,
                "vector_placement")
-        mapper.SetVectorOpacity(require_number(self.opacity, "vector_opacity", least=0))
+        mapper.SetVectorOpacity(ALONE if self.opacity is None else require_number(self.opacity, "vector_opacity", least=0))
+        mapper.SetVectorShare(1.0 if self.share is None else require_number(self.share, "vector_share", above=0, most=1))
         mapper.SetStreakPeriod(require_number(self.streak_period, "streak_period", least=0.01, most=1000))
         mapper.SetPhaseCycles(int(require_number(self.phase_cycles, "phase_cycles", least=1, most=1000)))
         if self.greatest_speed is not None:
@@ -47,6 +65,15 @@ class Vectors:
             mapper.SetVectorColor(pyvista.Color(self.color).float_rgb)
             mapper.SetUseVectorColor(True)
         self._apply_colours(mapper, plotter, mesh, association)
+
+    def suit(self, mapper: Any, plotter: pyvista.BasePlotter, prop: pyvista.VolumeProperty) -> None:
+        """Where a medium is drawn too, and the user has not said how: so that both can be read. After everything else is set."""
+        if self.name is None or not _is_drawn(prop.GetScalarOpacity()):
+            return
+        mapper.SuitVectorsToMedium(self.opacity is None, self.share is None and self.style == "streaks")
+        if self.color is None and self.scalars is None:
+            mapper.SetVectorColor(_contrasting(plotter.background_color.float_rgb, np.asarray(mapper.lookup_table.values)[:, :3] / 255.0))
+            mapper.SetUseVectorColor(True)
 
     def _require_vectors(self, mesh: pyvista.DataSet, association: str) -> None:
         require_beside_scalars(mesh, self.name, association, "vectors")

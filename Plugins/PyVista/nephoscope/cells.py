@@ -11,7 +11,7 @@ import pyvista
 from . import vtkCellCompositingMapper
 from ._blocks import cell_dimension
 from ._checks import choose, renamed_argument
-from ._medium import Functions, MediumMapper, add_medium, diagonal, require_dataset, require_plotter, scalar_array
+from ._medium import Functions, MediumMapper, add_medium, require_dataset, require_plotter, scalar_array
 from ._surfaces import Surfaces
 from .transfer import OpacityLike
 
@@ -80,8 +80,9 @@ def add_cells(plotter: pyvista.BasePlotter, grid: Any, scalars: str | np.ndarray
     opacity_scale : float, default: 1.0
         Factor on the extinction, >= 0.
     opacity_unit_distance : float, optional
-        Length in world units over which a medium of opacity 1 has optical depth 1, > 0. Default: diagonal of the bounds / cube root of
-        the number of cells. With the opacities of a preset: the length that gives a mean optical depth of 2.
+        Length in world units over which a medium of opacity 1 has optical depth 1, > 0. Default: the length that gives rays through the
+        grid a mean optical depth of 2, with opacities scaled to reach 1. It follows from the size of the grid, its thickness too, and from how
+        opaque it is; not from the number of its cells.
     integration : {"exact", "average"}, default: "exact"
         Along a ray inside a tetrahedron: the closed-form integral, or the mean colour of the two ends.
     order : {"exact", "centroid", "none"}, default: "exact"
@@ -148,8 +149,7 @@ def add_cells(plotter: pyvista.BasePlotter, grid: Any, scalars: str | np.ndarray
     opacity_unit_distance = renamed_argument(opacity_unit_distance, "opacity_unit_distance", unit_distance, "unit_distance")
     mapper = CellCompositingMapper()
     prop = Functions(cmap, opacity, clim, n_colors, flip_scalars, log_scale, opacity_scalars, opacity_clim,
-                     opacity_scale, preset).attach(mapper, plotter, grid, array_name, association, preference, opacity_unit_distance,
-                                                   diagonal(grid) / np.cbrt(grid.n_cells) or 1.0)
+                     opacity_scale, preset).attach(mapper, plotter, grid, array_name, association, preference, opacity_unit_distance)
     choose({"exact": mapper.SetIntegrationToExact, "average": mapper.SetIntegrationToAverage}, integration, "integration")
     choose({"exact": mapper.SetVisibilityOrderToExact, "centroid": mapper.SetVisibilityOrderToCentroid,
             "none": mapper.SetVisibilityOrderToNone}, order, "order")

@@ -12,7 +12,7 @@ from vtkmodules.vtkCommonDataModel import vtkImageData, vtkRectilinearGrid, vtkS
 from . import vtkTexturedSplatMapper
 from ._checks import choose, renamed_argument, require_beside_scalars, require_number
 from ._copies import copied_table
-from ._medium import Functions, MediumMapper, add_medium, diagonal, require_dataset, require_plotter, scalar_array
+from ._medium import Functions, MediumMapper, add_medium, require_dataset, require_plotter, scalar_array
 from ._vectors import Vectors
 from .transfer import OpacityLike
 
@@ -47,14 +47,14 @@ def add_splats(plotter: pyvista.BasePlotter, mesh: Any, scalars: str | np.ndarra
                sizes: str | None = None, volumes: str | None = None, radius_factor: float = 1.0, error_tolerance: float = 0.0, error_unit: str = "image",
                error_measure: str = "picture", interactive_splats: int = 100_000,
                vectors: str | None = None, vector_style: str = "streaks", vector_placement: str = "middle",
-               vector_opacity: float = 2.0, vector_color: Any = None, vector_scalars: str | None = None,
+               vector_opacity: float | None = None, vector_color: Any = None, vector_scalars: str | None = None,
                vector_cmap: Any = None, vector_clim: float | Sequence[float] | None = None,
                greatest_speed: float | None = None, streak_period: float = 4.0, phase: float = 0.0,
                phase_cycles: int = 4, preference: str = "point", name: str | None = None,
                show_scalar_bar: bool | None = None, scalar_bar_args: dict | None = None,
                reset_camera: bool | None = None, pickable: bool = True, user_matrix: Any = None,
                render: bool = True, unit_distance: float | None = None,
-               preset: str | bool | None = None) -> pyvista.Volume:
+               preset: str | bool | None = None, vector_share: float | None = None) -> pyvista.Volume:
     """Add the points or cells of a dataset to a plotter as splats drawn by `vtkTexturedSplatMapper`.
 
     Every sample is a kernel in the shape of its grid cell, or a ball where there is no grid; its extinction per unit length is
@@ -76,8 +76,8 @@ def add_splats(plotter: pyvista.BasePlotter, mesh: Any, scalars: str | np.ndarra
         As in `add_cells`. ``opacity=0`` draws vectors alone, coloured by `scalars`. `opacity_scalars` must be on points, or on cells, as
         `scalars` are.
     opacity_unit_distance : float, optional
-        Length in world units over which a medium of opacity 1 has optical depth 1, > 0. Default: diagonal of the bounds / cube root of
-        the number of samples. With the opacities of a preset: the length that gives a mean optical depth of 2.
+        Length in world units over which a medium of opacity 1 has optical depth 1, > 0. Default: the length that gives rays through the
+        splats a mean optical depth of 2, with opacities scaled to reach 1, as in `add_cells`.
     kernel : {"cubic", "quadratic", "gaussian"}, default: "cubic"
         Cubic for samples in space, quadratic for one flat sheet that is seen from the front, gaussian for comparison.
     radius : float or "neighbors", optional
@@ -104,10 +104,11 @@ def add_splats(plotter: pyvista.BasePlotter, mesh: Any, scalars: str | np.ndarra
         Comets with a sharp head in front, which move with `phase`; or anti-aliased line segments, which do not move.
     vector_placement : {"middle", "layers"}, default: "middle"
         In the middle of the medium of their splats; or layer by layer of the grid, first the scalars and then the vectors.
-    vector_opacity : float, default: 2.0
-        Optical depth of the streaks where the vectors are greatest, >= 0; elsewhere in proportion to their length.
+    vector_opacity : float, optional
+        Optical depth of the streaks where the vectors are greatest, >= 0; elsewhere in proportion to their length. Default: in a
+        medium such that those of mean length have 0.6, but 0.8 to 2; 2 where vectors are drawn alone.
     vector_color : ColorLike, optional
-        One colour for all vectors. Default: that of their splats.
+        One colour for all vectors. Default: in a medium black, white or orange, whichever stands out; of vectors alone that of their splats.
     vector_scalars, vector_cmap, vector_clim
         Array that gives the vectors a colour of their own, altitude say; of several components their magnitude counts. Colour map and
         range of it, as `cmap` and `clim`.
@@ -119,6 +120,9 @@ def add_splats(plotter: pyvista.BasePlotter, mesh: Any, scalars: str | np.ndarra
         Where in their loop the streaks are, 0 to 1; 1 is 0 again. Change it with ``volume.mapper.phase``.
     phase_cycles : int, default: 4
         How many periods the fastest pattern moves in a loop, 1 to 1000.
+    vector_share : float, optional
+        Share of the samples whose vectors are drawn, chosen at random, above 0 up to 1. Streaks are longer and wider where they are fewer. Default:
+        in a medium so many that a line of sight meets streaks as dense as of 7 of the longest vectors, otherwise all.
     preference : {"point", "cell"}, default: "point"
         Which array is meant when points and cells have one of the same name, or are equally many.
     name, show_scalar_bar, scalar_bar_args, reset_camera, pickable, user_matrix, render, unit_distance, preset
@@ -159,14 +163,14 @@ def add_splats(plotter: pyvista.BasePlotter, mesh: Any, scalars: str | np.ndarra
     mapper.SetRadiusFactor(require_number(radius_factor, "radius_factor", least=0.01, most=100))
     _set_sizes(mapper, mesh, association, {"radius": radius, "sizes": sizes, "volumes": volumes}, KERNEL_RADII[kernel])
     _set_hierarchy(mapper, error_tolerance, error_unit, error_measure, interactive_splats)
-    Vectors(vectors, vector_style, vector_placement, vector_opacity, vector_color, vector_scalars, vector_cmap, vector_clim,
-            greatest_speed, streak_period, phase_cycles).apply(mapper, plotter, mesh, association)
+    streaks = Vectors(vectors, vector_style, vector_placement, vector_opacity, vector_color, vector_scalars, vector_cmap, vector_clim,
+            greatest_speed, streak_period, phase_cycles, vector_share)
+    streaks.apply(mapper, plotter, mesh, association)
     mapper.phase = phase
     opacity_unit_distance = renamed_argument(opacity_unit_distance, "opacity_unit_distance", unit_distance, "unit_distance")
-    usual_distance = _spacing(mesh, association) or mapper.GetCellSize() or 1.0
     prop = Functions(cmap, opacity, clim, n_colors, flip_scalars, log_scale, opacity_scalars, opacity_clim,
-                     opacity_scale, preset).attach(mapper, plotter, mesh, array_name, association, association, opacity_unit_distance,
-                                                   usual_distance)
+                     opacity_scale, preset).attach(mapper, plotter, mesh, array_name, association, association, opacity_unit_distance)
+    streaks.suit(mapper, plotter, prop)
     return add_medium(plotter, mapper, prop, array_name, user_matrix=user_matrix, show_scalar_bar=show_scalar_bar,
                       scalar_bar_args=scalar_bar_args, reset_camera=reset_camera, name=name, pickable=pickable, render=render)
 
@@ -177,10 +181,6 @@ def _sampled_mesh(mesh: Any, arrays: Mapping[str, Any]) -> pyvista.DataSet:
     if mesh.n_points == 0:
         raise ValueError(f"mesh, a {type(mesh).__name__}, has no points.")
     return mesh
-
-
-def _spacing(mesh: pyvista.DataSet, association: str) -> float:
-    return diagonal(mesh) / np.cbrt(mesh.n_points if association == "point" else mesh.n_cells)
 
 
 def _set_sizes(mapper: TexturedSplatMapper, mesh: pyvista.DataSet, association: str, options: dict[str, Any], kernel_radius: float) -> None:

@@ -3,6 +3,7 @@
 #include "vtkCellCompositingRepresentation.h"
 
 #include "CellMeasures.h"
+#include "RankMeasures.h"
 #include "SmokeCells.h"
 #include "VolumetricCells.h"
 #include "vtkCellCompositingMapper.h"
@@ -36,10 +37,12 @@ void vtkCellCompositingRepresentation::PreparePiece(vtkDataObject* input)
   this->Piece = nephoscope::withConvexCells(nephoscope::volumetricPart(input));
   int association = 0;
   vtkDataArray* scalars = this->Piece ? this->FindOpacityArray(this->Piece, association) : nullptr;
-  const nephoscope::CellMeasures mine = nephoscope::measureCells(
-    this->Piece, scalars, association == vtkDataObject::FIELD_ASSOCIATION_CELLS);
-  const nephoscope::CellMeasures all = nephoscope::reduceOverRanks(mine);
-  std::copy(mine.Bounds, mine.Bounds + 6, this->DataBounds);
+  const nephoscope::CellMedium medium{ scalars, association == vtkDataObject::FIELD_ASSOCIATION_CELLS };
+  const nephoscope::MediumBounds mine = nephoscope::boundsOfCells(this->Piece);
+  const nephoscope::MediumBounds common = nephoscope::reduceOverRanks(mine);
+  const nephoscope::MediumMeasures all =
+    nephoscope::reduceOverRanks(nephoscope::measureCells(this->Piece, medium, common));
+  std::copy(mine.begin(), mine.end(), this->DataBounds);
   double smokeDistance = 0.0;
   if (this->GetOpacityArrayName().empty() && nephoscope::isSmoke(this->Piece) && all.Volume > 0.0)
   {
@@ -66,10 +69,10 @@ void vtkCellCompositingRepresentation::PreparePiece(vtkDataObject* input)
       this->Piece = nephoscope::tetrahedralize(this->Piece);
     }
   }
-  StoreUnitDistance(this->Piece,
+  StoreMeasures(this->Piece,
     smokeDistance > 0.0
       ? smokeDistance
-      : nephoscope::meanChord(all) * nephoscope::meanRamp(all) / MeanOpticalDepth);
+      : nephoscope::defaultUnitDistance(all, common, true), all.ScalarRange);
 }
 
 void vtkCellCompositingRepresentation::DescribePiece(vtkInformation* inInfo)

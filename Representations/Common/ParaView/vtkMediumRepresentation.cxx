@@ -26,19 +26,30 @@
 #include "vtkUnstructuredGrid.h"
 #include "vtkVolumeProperty.h"
 
+#include <cmath>
+#include <sstream>
+
 namespace
 {
 // Travels with the data as a field array, so that every time step in ParaView's cache keeps its own.
 const char* const unitDistanceName = "NephoscopeUnitDistance";
 const char* const largestSideName = "NephoscopeLargestSide";
 const char* const uniformName = "NephoscopeUniform";
+const char* const scalarRangeName = "NephoscopeOpacityRange";
 
-constexpr double uniformOpacity = 0.5; // under Solid Color
+constexpr double uniformOpacity = 0.5; // under Solid Color, and where all values are the same
 
-double storedNumber(vtkDataSet* data, const char* name)
+double storedNumber(vtkDataSet* data, const char* name, vtkIdType index = 0)
 {
   vtkDataArray* array = data->GetFieldData()->GetArray(name);
-  return array && array->GetNumberOfTuples() > 0 ? array->GetComponent(0, 0) : 0.0;
+  return array && array->GetNumberOfTuples() > index ? array->GetComponent(index, 0) : 0.0;
+}
+
+// ParaView makes the range of equal values wider by 2.4e-4 of the value: a ramp over it is transparent at the values.
+bool isOverOneValue(vtkPiecewiseFunction* function, double value)
+{
+  const double* range = function->GetRange();
+  return range[1] - range[0] <= 1e-3 * std::abs(value) + 1e-30;
 }
 
 vtkDataSetAttributes* attributesOf(vtkDataSet* data, int association)
@@ -59,6 +70,9 @@ vtkMediumRepresentation::vtkMediumRepresentation()
   opacity->AddPoint(0.0, uniformOpacity);
   opacity->AddPoint(2.0, uniformOpacity);
   this->UniformProperty->SetScalarOpacity(opacity);
+  vtkNew<vtkPiecewiseFunction> constant;
+  constant->AddPoint(0.0, uniformOpacity);
+  this->ConstantProperty->SetScalarOpacity(constant);
   this->SetDiffuseColor(1.0, 1.0, 1.0);
 }
 
@@ -99,9 +113,10 @@ bool vtkMediumRepresentation::HoldsAnything(vtkDataObject* input)
   return LeastOverRanks(here ? 0 : 1) == 0;
 }
 
-void vtkMediumRepresentation::StoreUnitDistance(vtkDataSet* data, double distance)
+void vtkMediumRepresentation::StoreMeasures(vtkDataSet* data, double distance, const double range[2])
 {
   nephoscope::storeNumbers(data, unitDistanceName, { distance });
+  nephoscope::storeNumbers(data, scalarRangeName, { range[0], range[1] });
 }
 
 // Of the bounds of all ranks; also called by ranks without data.
@@ -202,7 +217,7 @@ void vtkMediumRepresentation::PrepareMapper(vtkDataSet* data)
   const char* name = nullptr;
   if (this->FindColorArray(data, association, name))
   {
-    this->Actor->SetProperty(this->Property);
+    this->Actor->SetProperty(this->ChooseProperty(data, name));
     this->GetMapper()->SetInputDataObject(data);
     this->GetMapper()->SelectScalarArray(name);
     this->GetMapper()->SetScalarMode(association == vtkDataObject::FIELD_ASSOCIATION_CELLS
@@ -219,6 +234,42 @@ void vtkMediumRepresentation::PrepareMapper(vtkDataSet* data)
   this->ActualUnitDistance = this->AutomaticUnitDistance && automatic > 0.0 ? automatic : given;
   this->Property->SetScalarOpacityUnitDistance(this->ActualUnitDistance);
   this->UniformProperty->SetScalarOpacityUnitDistance(this->ActualUnitDistance);
+  this->ConstantProperty->SetScalarOpacityUnitDistance(this->ActualUnitDistance);
+}
+
+// Equal values are a uniform medium, unless the user has made an opacity function for them: then a warning tells why nothing is drawn.
+vtkVolumeProperty* vtkMediumRepresentation::ChooseProperty(vtkDataSet* data, const char* name)
+{
+  vtkPiecewiseFunction* opacity = this->Property->GetScalarOpacity();
+  const double value = storedNumber(data, scalarRangeName);
+  const bool constant = data->GetFieldData()->HasArray(scalarRangeName) && value == storedNumber(data, scalarRangeName, 1);
+  const bool invisible = constant && opacity->GetSize() > 0 && !(opacity->GetValue(value) > 0.0);
+  const bool uniform = invisible && isOverOneValue(opacity, value);
+  const std::string read = this->GetOpacityArrayName().empty() ? name : this->GetOpacityArrayName();
+  std::ostringstream warning;
+  if (invisible && !uniform)
+  {
+    warning << "Nothing is drawn: all values of '" << read << "' are " << value
+            << ", where the opacity function is 0. Raise it there in the Color Map Editor, or choose Solid Color.";
+  }
+  if (warning.str() != this->LastWarning && !warning.str().empty() && IsFirstRank())
+  {
+    vtkWarningMacro(<< warning.str());
+  }
+  this->LastWarning = warning.str();
+  if (!uniform)
+  {
+    return this->Property;
+  }
+  if (this->Property->GetColorChannels() == 3)
+  {
+    this->ConstantProperty->SetColor(this->Property->GetRGBTransferFunction());
+  }
+  else
+  {
+    this->ConstantProperty->SetColor(this->Property->GetGrayTransferFunction());
+  }
+  return this->ConstantProperty;
 }
 
 vtkDataArray* vtkMediumRepresentation::FindColorArray(

@@ -111,16 +111,17 @@ protected:
   static int LeastOverRanks(int mine);
   /** Whether the input of any rank, which may be null, has points or cells; what has not is reported by whoever made it. Called by all ranks. */
   static bool HoldsAnything(vtkDataObject* input);
-  /** Stores the automatic unit distance with the data, so that every time step in ParaView's cache keeps its own. */
-  static void StoreUnitDistance(vtkDataSet* data, double distance);
+  /**
+   * Stores the automatic unit distance, and the range of what decides how opaque the medium is, with the data, so that every time step in
+   * ParaView's cache keeps its own.
+   */
+  static void StoreMeasures(vtkDataSet* data, double distance, const double range[2]);
   void StoreLargestSide();
   vtkAbstractVolumeMapper* GetMapper() const;
   std::string GetOpacityArrayName() const; // empty for "None"
   vtkDataArray* FindColorArray(vtkDataSet* data, int& association, const char*& name);
   /** The array that decides how opaque the medium is: the one chosen for it, else the coloured one. */
   virtual vtkDataArray* FindOpacityArray(vtkDataSet* data, int& association);
-
-  static constexpr double MeanOpticalDepth = 2.0; // what the automatic unit distance aims at
 
   vtkNew<vtkVolumeProperty> UniformProperty;
   vtkSmartPointer<vtkDataSet> Piece; // this rank's, as handed to the view
@@ -133,7 +134,10 @@ private:
   void operator=(const vtkMediumRepresentation&) = delete;
 
   void ColorUniformly(vtkDataSet* data);
+  vtkVolumeProperty* ChooseProperty(vtkDataSet* data, const char* name);
 
+  vtkNew<vtkVolumeProperty> ConstantProperty; // where all values are the same
+  std::string LastWarning;
   vtkSmartPointer<vtkDataSet> UniformData; // a delivered piece with a uniform array
   vtkMTimeType UniformDataTime = 0;
   vtkDataSet* UniformDataSource = nullptr; // only compared

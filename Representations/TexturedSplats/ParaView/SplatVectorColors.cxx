@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SplatVectorColors.h"
 
-#include "CellMeasures.h"
 #include "DataBlocks.h"
+#include "RankMeasures.h"
 
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
@@ -20,19 +20,18 @@ const char* const rangeName = "NephoscopeVectorColorRange";
 
 void storeVectorColorRange(vtkDataSet* data, bool onCells, const std::string& array)
 {
-  CellMeasures measures; // of which the range of a scalar is one
+  double range[2] = { 1.0, -1.0 }; // empty
   vtkDataArray* values = array.empty()
     ? nullptr
     : data->GetAttributes(onCells ? vtkDataObject::CELL : vtkDataObject::POINT)
         ->GetArray(array.c_str());
   if (values && values->GetNumberOfTuples() > 0)
   {
-    values->GetFiniteRange(measures.ScalarRange, values->GetNumberOfComponents() > 1 ? -1 : 0);
+    values->GetFiniteRange(range, values->GetNumberOfComponents() > 1 ? -1 : 0);
   }
-  measures = reduceOverRanks(measures);
-  const bool found = measures.ScalarRange[0] <= measures.ScalarRange[1];
-  storeNumbers(data, rangeName,
-    { found ? measures.ScalarRange[0] : 0.0, found ? measures.ScalarRange[1] : 1.0 });
+  reduceRange(range);
+  const bool found = range[0] <= range[1];
+  storeNumbers(data, rangeName, { found ? range[0] : 0.0, found ? range[1] : 1.0 });
 }
 
 vtkColorTransferFunction* DefaultVectorColors::Over(vtkDataSet* data)

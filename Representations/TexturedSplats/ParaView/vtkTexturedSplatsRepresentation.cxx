@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkTexturedSplatsRepresentation.h"
 
+#include "RankMeasures.h"
 #include "SplatKernel.h"
 #include "SplatMeasures.h"
 #include "SplatPieces.h"
@@ -78,8 +79,10 @@ void vtkTexturedSplatsRepresentation::PreparePiece(vtkDataObject* input)
   int association = vtkDataObject::POINT;
   vtkDataArray* scalars = this->Piece ? this->FindOpacityArray(this->Piece, association) : nullptr;
   const bool together = (association == vtkDataObject::CELL) == inCells;
-  const nephoscope::CellMeasures all = nephoscope::reduceOverRanks(
-    nephoscope::measureSplats(this->Piece, together ? scalars : nullptr, sampling));
+  const nephoscope::MediumBounds common =
+    nephoscope::reduceOverRanks(nephoscope::boundsOfSamples(this->Piece, sampling));
+  const nephoscope::MediumMeasures all = nephoscope::reduceOverRanks(
+    nephoscope::measureSplats(this->Piece, sampling, together ? scalars : nullptr, {}, common));
   if (HoldsAnything(input) && all.Volume <= 0.0 && IsFirstRank())
   {
     vtkWarningMacro("Textured Splats draws points or cells, and the input has none: nothing is drawn.");
@@ -96,8 +99,7 @@ void vtkTexturedSplatsRepresentation::PreparePiece(vtkDataObject* input)
   {
     this->Piece = vtkSmartPointer<vtkPolyData>::New();
   }
-  StoreUnitDistance(
-    this->Piece, nephoscope::meanChord(all) * nephoscope::meanRamp(all) / MeanOpticalDepth);
+  StoreMeasures(this->Piece, nephoscope::defaultUnitDistance(all, common, true), all.ScalarRange);
   nephoscope::storeVectorColorRange(this->Piece, inCells, this->Mapper->GetVectorColorArrayName());
 }
 

@@ -1,0 +1,33 @@
+// SPDX-FileCopyrightText: The Nephoscope authors
+// SPDX-License-Identifier: BSD-3-Clause
+/** The size of a dataset's 3-D cells, and how a scalar fills them. */
+#ifndef CellMeasures_h
+#define CellMeasures_h
+
+#include "MediumMeasures.h"
+
+#include "vtkNephoscopeRepresentationsCellCompositingModule.h" // for export macro
+
+class vtkDataSet;
+
+namespace nephoscope
+{
+
+/** Of the finite points of the cells that are shown. `data` may be null. */
+VTKNEPHOSCOPEREPRESENTATIONSCELLCOMPOSITING_EXPORT MediumBounds boundsOfCells(vtkDataSet* data);
+
+/** What is measured of cells. Scalars may be null; vectors count by their magnitude. The opacity may be empty. */
+struct CellMedium
+{
+  vtkDataArray* Scalars = nullptr;
+  bool OnCells = false;
+  std::function<double(double)> Opacity = {};
+};
+
+/** Of a piece, which may be null, in the bounds of all pieces. Integrals come from about 1e5 cells. */
+VTKNEPHOSCOPEREPRESENTATIONSCELLCOMPOSITING_EXPORT MediumMeasures measureCells(
+  vtkDataSet* data, const CellMedium& medium, const MediumBounds& common);
+
+} // namespace nephoscope
+
+#endif

@@ -1,0 +1,67 @@
+// SPDX-FileCopyrightText: The Nephoscope authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "RankMeasures.h"
+
+#include "vtkCommunicator.h"
+#include "vtkMultiProcessController.h"
+
+namespace nephoscope
+{
+namespace
+{
+vtkMultiProcessController* otherRanks()
+{
+  auto controller = vtkMultiProcessController::GetGlobalController();
+  return controller && controller->GetNumberOfProcesses() > 1 ? controller : nullptr;
+}
+
+// Several intervals at once; an empty one must not count.
+void reduceRanges(double* ranges, int count)
+{
+  auto controller = otherRanks();
+  if (!controller)
+  {
+    return;
+  }
+  for (int i = 0; i < count; ++i)
+  {
+    double* range = ranges + 2 * i;
+    const bool empty = range[0] > range[1];
+    const double low = empty ? VTK_DOUBLE_MAX : range[0];
+    const double high = empty ? -VTK_DOUBLE_MAX : range[1];
+    controller->AllReduce(&low, range, 1, vtkCommunicator::MIN_OP);
+    controller->AllReduce(&high, range + 1, 1, vtkCommunicator::MAX_OP);
+  }
+}
+} // namespace
+
+MediumBounds reduceOverRanks(const MediumBounds& mine)
+{
+  MediumBounds all = mine;
+  reduceRanges(all.data(), 3);
+  return all;
+}
+
+MediumMeasures reduceOverRanks(const MediumMeasures& mine)
+{
+  MediumMeasures all = mine;
+  if (auto controller = otherRanks())
+  {
+    const double sums[3] = { mine.Volume, mine.ScalarIntegral, mine.OpacityIntegral };
+    double allSums[3];
+    controller->AllReduce(sums, allSums, 3, vtkCommunicator::SUM_OP);
+    all.Volume = allSums[0];
+    all.ScalarIntegral = allSums[1];
+    all.OpacityIntegral = allSums[2];
+    controller->AllReduce(mine.Reach.data(), all.Reach.data(), 8, vtkCommunicator::MAX_OP);
+    reduceRange(all.ScalarRange);
+  }
+  return all;
+}
+
+void reduceRange(double range[2])
+{
+  reduceRanges(range, 1);
+}
+
+} // namespace nephoscope

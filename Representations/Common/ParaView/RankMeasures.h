@@ -1,0 +1,24 @@
+// SPDX-FileCopyrightText: The Nephoscope authors
+// SPDX-License-Identifier: BSD-3-Clause
+/** Measures of a medium, and ranges of arrays, of all ranks together. All are collective. */
+#ifndef RankMeasures_h
+#define RankMeasures_h
+
+#include "MediumMeasures.h"
+
+#include "vtkNephoscopeParaViewCommonModule.h" // for export macro
+
+namespace nephoscope
+{
+
+VTKNEPHOSCOPEPARAVIEWCOMMON_EXPORT MediumBounds reduceOverRanks(const MediumBounds& mine);
+
+/** Integrals, range and reach are of all; the bounds stay those of this rank. */
+VTKNEPHOSCOPEPARAVIEWCOMMON_EXPORT MediumMeasures reduceOverRanks(const MediumMeasures& mine);
+
+/** Replaces a range, empty where its lower end exceeds the upper one, by that of all ranks. */
+VTKNEPHOSCOPEPARAVIEWCOMMON_EXPORT void reduceRange(double range[2]);
+
+} // namespace nephoscope
+
+#endif

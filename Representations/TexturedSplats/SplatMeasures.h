@@ -1,0 +1,25 @@
+// SPDX-FileCopyrightText: The Nephoscope authors
+// SPDX-License-Identifier: BSD-3-Clause
+/** How much space splats stand for, and how a scalar fills it. */
+#ifndef SplatMeasures_h
+#define SplatMeasures_h
+
+#include "MediumMeasures.h"
+#include "SplatShapes.h"
+
+namespace nephoscope
+{
+
+/** Of the cells that the visible samples stand for. `data` may be null. */
+VTKNEPHOSCOPEREPRESENTATIONSTEXTUREDSPLATS_EXPORT MediumBounds boundsOfSamples(vtkDataSet* data, const SplatSampling& sampling);
+
+/**
+ * Of a piece, which may be null, whose samples are points or cells, in the bounds of all pieces. `scalars` may be null, vectors count by
+ * their magnitude; `opacity` may be empty. Integrals come from about 1e5 samples.
+ */
+VTKNEPHOSCOPEREPRESENTATIONSTEXTUREDSPLATS_EXPORT MediumMeasures measureSplats(vtkDataSet* data, const SplatSampling& sampling,
+  vtkDataArray* scalars, const std::function<double(double)>& opacity, const MediumBounds& common);
+
+} // namespace nephoscope
+
+#endif

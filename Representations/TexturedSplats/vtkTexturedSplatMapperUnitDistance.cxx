@@ -1,0 +1,78 @@
+// SPDX-FileCopyrightText: The Nephoscope authors
+// SPDX-License-Identifier: BSD-3-Clause
+// The unit distance that makes splats visible, whatever their size and number, and streaks that leave them readable.
+#include "vtkTexturedSplatMapper.h"
+
+#include "ArraySelection.h"
+#include "SplatMeasures.h"
+
+#include "vtkDataArray.h"
+#include "vtkDataSet.h"
+#include "vtkDataSetAttributes.h"
+#include "vtkVolumeProperty.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace
+{
+constexpr double readableLayers = 7.0;   // of streaks of the greatest speed, one behind the other
+constexpr double readableOpacity = 0.6;  // of streaks of the mean speed
+constexpr double leastOpacity = 0.8, greatestOpacity = 2.0;
+}
+
+void vtkTexturedSplatMapper::SuitVectorsToMedium(bool opacity, bool share)
+{
+  vtkDataSet* input = this->GetDataSetInput();
+  int cellFlag = 0;
+  if (!input || !vtkAbstractMapper::GetScalars(
+                  input, this->ScalarMode, this->ArrayAccessMode, this->ArrayId, this->ArrayName, cellFlag))
+  {
+    return;
+  }
+  const int association = cellFlag == 1 ? vtkDataObject::CELL : vtkDataObject::POINT;
+  vtkDataArray* vectors = input->GetAttributes(association)->GetArray(this->VectorArrayName.c_str());
+  if (!vectors || vectors->GetNumberOfComponents() != 3)
+  {
+    return;
+  }
+  nephoscope::SplatSampling sampling = this->GetSampling(cellFlag == 1);
+  sampling.RadiusFactor = 1.0;
+  const nephoscope::MediumBounds bounds = nephoscope::boundsOfSamples(input, sampling);
+  const nephoscope::MediumMeasures measures = nephoscope::measureSplats(input, sampling, vectors, {}, bounds);
+  const double greatest = this->GreatestSpeed > 0.0 ? this->GreatestSpeed : measures.ScalarRange[1];
+  const double mean =
+    greatest > 0.0 && measures.Volume > 0.0 ? std::min(measures.ScalarIntegral / measures.Volume / greatest, 1.0) : 1.0;
+  if (share)
+  {
+    const double layers = mean * nephoscope::meanSamples(measures, bounds);
+    this->SetVectorShare(layers > readableLayers ? std::pow(readableLayers / layers, 3.0) : 1.0);
+  }
+  if (opacity)
+  {
+    this->SetVectorOpacity(
+      mean > 0.0 ? std::min(std::max(readableOpacity / mean, leastOpacity), greatestOpacity) : greatestOpacity);
+  }
+}
+
+double vtkTexturedSplatMapper::FindUnitDistance(vtkVolumeProperty* property)
+{
+  vtkDataSet* input = this->GetDataSetInput();
+  nephoscope::ScalarSelection scalars, opacity;
+  if (!input || !property || !nephoscope::selectScalars(this, input, property, scalars).empty() ||
+    !nephoscope::selectOpacity(this->OpacityArrayName, input, scalars, opacity).empty())
+  {
+    return 0.0;
+  }
+  const nephoscope::ScalarSelection& read = opacity.Array ? opacity : scalars;
+  if (read.OnCells != scalars.OnCells)
+  {
+    return 0.0; // drawing will tell
+  }
+  nephoscope::SplatSampling sampling = this->GetSampling(scalars.OnCells);
+  sampling.RadiusFactor = 1.0; // the mass of wider splats is the same
+  const nephoscope::MediumBounds bounds = nephoscope::boundsOfSamples(input, sampling);
+  return nephoscope::defaultUnitDistance(nephoscope::measureSplats(input, sampling, read.Array,
+                                           nephoscope::fullOpacity(property->GetScalarOpacity()), bounds),
+    bounds, false);
+}
