@@ -3,6 +3,7 @@
 #include "vtkFlowVolumePlacement.h"
 
 #include "DataSets.h"
+#include "FlowReach.h"
 #include "VelocityChoice.h"
 #include "VelocityFields.h"
 
@@ -28,16 +29,18 @@ using nephoscope::Vector3;
 
 constexpr vtkIdType mostCandidates = 2000;
 constexpr int mostHalvings = 7;
-constexpr double speedStep = 0.05; // of the greatest speed: speeds closer than this are as good
-constexpr double leastSpeed = 0.5; // of the greatest
+constexpr std::size_t mostTraced = 400;
+constexpr std::size_t mostWithRim = 24;
+constexpr double qualityStep = 0.05; // of the best quality: those closer than this are as good
 
 struct Candidate
 {
   Vector3 Place{};
   Vector3 Velocity{};
   double Speed = 0.0;
-  double Rank = 0.0;     // speed in steps
   double Distance = 0.0; // squared, from the middle
+  double Radius = 0.0;   // that fits in
+  double Quality = 0.0;
 };
 
 // The choice that vtkFlowVolume makes.
@@ -102,7 +105,7 @@ std::vector<unsigned char> SampleAt(
   return inside;
 }
 
-// Places with flow, the best first.
+// Places with flow.
 std::vector<Candidate> Candidates(
   const DataSetField& field, const std::vector<Vector3>& places, const vtkBoundingBox& box)
 {
@@ -111,37 +114,24 @@ std::vector<Candidate> Candidates(
   double middle[3];
   box.GetCenter(middle);
   std::vector<Candidate> candidates;
-  double greatest = 0.0;
   for (std::size_t i = 0; i < places.size(); ++i)
   {
-    Candidate c{ places[i], velocities[i], vtkMath::Norm(velocities[i].data()), 0.0,
+    Candidate c{ places[i], velocities[i], vtkMath::Norm(velocities[i].data()),
       vtkMath::Distance2BetweenPoints(places[i].data(), middle) };
     if (inside[i] && c.Speed > 0.0 && std::isfinite(c.Speed))
     {
       candidates.push_back(c);
-      greatest = std::max(greatest, c.Speed);
     }
   }
-  for (Candidate& c : candidates)
-  {
-    c.Rank = std::round(c.Speed / (speedStep * greatest));
-  }
-  candidates.erase(std::remove_if(candidates.begin(), candidates.end(),
-                     [&](const Candidate& c) { return c.Speed < leastSpeed * greatest; }),
-    candidates.end());
-  std::stable_sort(
-    candidates.begin(), candidates.end(), [](const Candidate& a, const Candidate& b) {
-      return a.Rank != b.Rank ? a.Rank > b.Rank : a.Distance < b.Distance;
-    });
   return candidates;
 }
 
-// Is the rim of a disc across the flow inside the data, eight points of it?
-bool Fits(const DataSetField& field, const Candidate& candidate, double radius)
+// Eight points on the rim of a disc across the flow.
+std::vector<Vector3> Rim(const Candidate& candidate, double radius)
 {
   double across[3], along[3];
   vtkMath::Perpendiculars(candidate.Velocity.data(), across, along, 0.0);
-  std::vector<Vector3> rim, velocities;
+  std::vector<Vector3> rim;
   for (int i = 0; i < 8; ++i)
   {
     const double angle = i * vtkMath::Pi() / 4.0;
@@ -152,15 +142,87 @@ bool Fits(const DataSetField& field, const Candidate& candidate, double radius)
     }
     rim.push_back(x);
   }
-  const auto inside = SampleAt(field, rim, velocities);
-  return std::all_of(inside.begin(), inside.end(), [](unsigned char i) { return i != 0; });
+  return rim;
+}
+
+// The greatest of the radii, halved up to 7 times, whose rim is inside the data; else the least.
+double FittingRadius(const DataSetField& field, const Candidate& candidate, double radius)
+{
+  for (int halving = 0; halving < mostHalvings; ++halving, radius *= 0.5)
+  {
+    std::vector<Vector3> velocities;
+    const auto inside = SampleAt(field, Rim(candidate, radius), velocities);
+    if (std::all_of(inside.begin(), inside.end(), [](unsigned char i) { return i != 0; }))
+    {
+      return radius;
+    }
+  }
+  return radius;
+}
+
+// The best first; among those that are as good the one nearest to the middle.
+void SortByQuality(std::vector<Candidate>& candidates)
+{
+  double best = 0.0;
+  for (const Candidate& c : candidates)
+  {
+    best = std::max(best, c.Quality);
+  }
+  const double unit = best > 0.0 ? qualityStep * best : 1.0;
+  std::stable_sort(candidates.begin(), candidates.end(), [unit](const Candidate& a, const Candidate& b) {
+    const double first = std::round(a.Quality / unit), second = std::round(b.Quality / unit);
+    return first != second ? first > second : a.Distance < b.Distance;
+  });
+}
+
+// Evenly chosen ones of a list.
+void Thin(std::vector<Candidate>& candidates, std::size_t most)
+{
+  const std::size_t count = candidates.size();
+  for (std::size_t i = 0; count > most && i < most; ++i)
+  {
+    candidates[i] = candidates[i * count / most];
+  }
+  candidates.resize(std::min(count, most));
+}
+
+// How far smoke from the middle goes, times the speed.
+void JudgeByMiddle(const DataSetField& field, double length, std::vector<Candidate>& candidates)
+{
+  std::vector<Vector3> places;
+  for (const Candidate& c : candidates)
+  {
+    places.push_back(c.Place);
+  }
+  const std::vector<double> reaches = nephoscope::FlowReaches(field, places, length);
+  for (std::size_t i = 0; i < candidates.size(); ++i)
+  {
+    candidates[i].Quality = reaches[i] * candidates[i].Speed;
+  }
+}
+
+// With the rim too, and the share of the radius that fits in.
+void JudgeByRim(const DataSetField& field, double radius, double length, std::vector<Candidate>& candidates)
+{
+  for (Candidate& c : candidates)
+  {
+    c.Radius = FittingRadius(field, c, radius);
+    std::vector<Vector3> places = Rim(c, c.Radius);
+    places.push_back(c.Place);
+    double sum = 0.0;
+    for (const double reach : nephoscope::FlowReaches(field, places, length))
+    {
+      sum += reach / static_cast<double>(places.size());
+    }
+    c.Quality = sum * c.Speed * c.Radius / radius;
+  }
 }
 }
 
 bool vtkFlowVolumePlacement::Find(vtkDataObject* data, const std::string& velocity, bool onCells)
 {
   this->Problem.clear();
-  this->Speed = 0.0;
+  this->Speed = this->Quality = 0.0;
   const auto leaves = nephoscope::DataSetsOf(data);
   nephoscope::VelocityArray array;
   if (leaves.empty() || !Choose(data, velocity, onCells, array, this->Problem))
@@ -177,20 +239,21 @@ bool vtkFlowVolumePlacement::Find(vtkDataObject* data, const std::string& veloci
   {
     box.AddBounds(leaf->GetBounds());
   }
-  const auto candidates = Candidates(*field, Middles(leaves), box);
+  auto candidates = Candidates(*field, Middles(leaves), box);
   if (candidates.empty())
   {
     return false;
   }
-  this->Radius = (this->Diagonal > 0.0 ? this->Diagonal : box.GetDiagonalLength()) / 50.0;
-  auto best = candidates.end();
-  for (int halving = 0; halving <= mostHalvings && best == candidates.end(); ++halving)
-  {
-    this->Radius *= halving > 0 ? 0.5 : 1.0;
-    best = std::find_if(candidates.begin(), candidates.end(),
-      [&](const Candidate& c) { return Fits(*field, c, this->Radius); });
-  }
-  const Candidate& chosen = best == candidates.end() ? candidates.front() : *best;
+  const double diagonal = this->Diagonal > 0.0 ? this->Diagonal : box.GetDiagonalLength();
+  Thin(candidates, mostTraced);
+  JudgeByMiddle(*field, 0.5 * diagonal, candidates);
+  SortByQuality(candidates);
+  candidates.resize(std::min(candidates.size(), mostWithRim));
+  JudgeByRim(*field, diagonal / 50.0, 0.5 * diagonal, candidates);
+  SortByQuality(candidates);
+  const Candidate& chosen = candidates.front();
+  this->Radius = chosen.Radius;
+  this->Quality = chosen.Quality;
   std::copy_n(chosen.Place.begin(), 3, this->Center);
   std::copy_n(chosen.Velocity.begin(), 3, this->Normal);
   vtkMath::Normalize(this->Normal);

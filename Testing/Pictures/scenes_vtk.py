@@ -232,6 +232,7 @@ def flow(names):
     made.SetInputConnection(data.GetOutputPort())
     made.SetCenter(place.GetCenter())
     made.SetRadius(place.GetRadius())
+    names["center"] = place.GetCenter()
 
 
 def sparse(names):
@@ -281,7 +282,7 @@ def show_smoke(names):
 
 
 def show_puffs(names):
-    show(medium(smoke_volume(names["puffs"].GetOutputPort(), "SmokeDensity"), distance=2e5), earth(), look=(-1, -5, 4))
+    show(medium(smoke_volume(names["puffs"].GetOutputPort(), "SmokeDensity"), distance=2e5), earth(), look=names["center"])
 
 
 def show_layers(names):

@@ -47,7 +47,7 @@ double DiagonalOfAllRanks(vtkDataObject* data)
   return all.IsValid() ? all.GetDiagonalLength() : 0.0;
 }
 
-// What the rank found with the largest polygon, then the fastest flow. Collective.
+// What the rank found that has the best place. Collective.
 void TakeBestOfAllRanks(std::vector<double>& place)
 {
   auto controller = vtkMultiProcessController::GetGlobalController();
@@ -61,9 +61,7 @@ void TakeBestOfAllRanks(std::vector<double>& place)
   controller->AllGather(place.data(), all.data(), length);
   for (std::size_t i = 0; i < all.size(); i += place.size())
   {
-    if (std::lexicographical_compare(place.begin(), place.begin() + 2,
-          all.begin() + static_cast<std::ptrdiff_t>(i),
-          all.begin() + static_cast<std::ptrdiff_t>(i) + 2))
+    if (place[0] < all[i])
     {
       std::copy_n(all.begin() + static_cast<std::ptrdiff_t>(i), place.size(), place.begin());
     }
@@ -124,17 +122,17 @@ void vtkPVFlowVolume::FindPlaceIn(vtkDataObject* input)
   vtkNew<vtkFlowVolumePlacement> finder;
   this->Diagonal = DiagonalOfAllRanks(input);
   finder->SetDiagonal(this->Diagonal);
-  std::vector<double> place(8, 0.0); // radius, speed, centre, normal
+  std::vector<double> place(8, 0.0); // quality, radius, centre, normal
   place[7] = 1.0;
   if (input && finder->Find(input, name ? name : "", onCells))
   {
-    place[0] = finder->GetRadius();
-    place[1] = finder->GetSpeed();
+    place[0] = finder->GetQuality();
+    place[1] = finder->GetRadius();
     std::copy_n(finder->GetCenter(), 3, place.begin() + 2);
     std::copy_n(finder->GetNormal(), 3, place.begin() + 5);
   }
   TakeBestOfAllRanks(place);
-  this->PlaceRadius = place[0];
+  this->PlaceRadius = place[1];
   std::copy_n(place.begin() + 2, 3, this->PlaceCenter);
   std::copy_n(place.begin() + 5, 3, this->PlaceNormal);
 }

@@ -1,0 +1,93 @@
+# SPDX-FileCopyrightText: The Nephoscope authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""The place that hosts start smoke from: the flow goes far from there, and does not leave the data at once."""
+import unittest
+
+import numpy as np
+from nephoscope import vtkFlowVolume, vtkFlowVolumePlacement
+from nephoscope_testing import meshes
+from vtkmodules.util.numpy_support import vtk_to_numpy
+
+
+def box(velocity, cells=(24, 24, 12), size=(2.0, 2.0, 1.0), origin=(-1.0, -1.0, -0.5)):
+    data = meshes.image(cells, [s / n for s, n in zip(size, cells)], origin)
+    places = np.array([data.GetPoint(i) for i in range(data.GetNumberOfPoints())])
+    meshes.add_array(data.GetPointData(), velocity(*places.T).T, "Flow")
+    return data
+
+
+def whirl(x, y, z):
+    """Fastest in the corners, where it leaves the data at once."""
+    return np.array([-y, x, 0 * z])
+
+
+def channel(x, y, z):
+    return np.array([1 - y ** 2, 0 * y, 0 * z])
+
+
+def outlet(x, y, z):
+    """Ten times as fast just before the outlet."""
+    return np.array([1 + 9 * (x > 0.8), 0 * y, 0 * z])
+
+
+def eye(x, y, z):
+    """A small vortex, by far the fastest, in a slow flow along y."""
+    near = np.exp(-((x - 0.5) ** 2 + y ** 2) / 0.003)
+    return np.array([-40 * y * near, 1 + 40 * (x - 0.5) * near, 0 * z])
+
+
+def saddle(x, y, z):
+    return np.array([x, -y, 0.05 + 0 * z])
+
+
+FLOWS = {"whirl": (whirl, 0.9), "channel": (channel, 1.0), "outlet": (outlet, 0.8), "eye": (eye, 0.7), "saddle": (saddle, 0.7)}
+
+
+class Placement(unittest.TestCase):
+    def extent(self, data):
+        """Diagonal of the bounds of the smoke, as a share of half the diagonal of the data."""
+        place = vtkFlowVolumePlacement()
+        self.assertTrue(place.Find(data))
+        self.assertGreater(place.GetQuality(), 0)
+        smoke = vtkFlowVolume()
+        smoke.SetInputData(data)
+        smoke.SetCenter(place.GetCenter())
+        smoke.SetRadius(place.GetRadius())
+        smoke.Update()
+        bounds = np.reshape(smoke.GetOutput().GetBounds(), (3, 2))
+        ages = vtk_to_numpy(smoke.GetOutput().GetCellData().GetArray("Age"))
+        return np.linalg.norm(np.ptp(bounds, axis=1)) / (data.GetLength() / 2), ages.max()
+
+    def test_smoke_goes_far(self):
+        for name, (velocity, least) in FLOWS.items():
+            with self.subTest(name):
+                extent, _ = self.extent(box(velocity))
+                self.assertGreater(extent, least)
+
+    def test_no_faster_place_is_left_for_nothing(self):
+        """In a channel the smoke is in its middle, where the flow is fastest."""
+        place = vtkFlowVolumePlacement()
+        self.assertTrue(place.Find(box(channel)))
+        self.assertLess(abs(place.GetCenter()[1]), 0.3)
+        self.assertAlmostEqual(place.GetRadius(), 3 / 50)  # the diagonal is 3
+
+    def test_narrow_data_have_a_small_polygon(self):
+        place = vtkFlowVolumePlacement()
+        self.assertTrue(place.Find(box(lambda x, y, z: np.array([1 + 0 * x, 0 * y, 0 * z]), (40, 4, 2), (4.0, 0.1, 0.05), (0.0, 0.0, 0.0))))
+        self.assertLess(place.GetRadius(), 0.025)
+
+    def test_same_place_again(self):
+        data = box(saddle)
+        places = []
+        for _ in range(2):
+            place = vtkFlowVolumePlacement()
+            place.Find(data)
+            places.append((place.GetCenter(), place.GetRadius()))
+        self.assertEqual(*places)
+
+    def test_calm(self):
+        self.assertFalse(vtkFlowVolumePlacement().Find(box(lambda x, y, z: np.zeros((3, len(x))))))
+
+
+if __name__ == "__main__":
+    unittest.main()
