@@ -4,6 +4,8 @@
 
 #include "LabelsInMessages.h"
 
+#include "VelocityChoice.h"
+#include "VelocityFields.h"
 #include "vtkFlowVolumePlacement.h"
 
 #include "vtkBoundingBox.h"
@@ -15,6 +17,7 @@
 #include "vtkMultiProcessController.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
+#include "vtkSmartPointer.h"
 
 #include <algorithm>
 #include <cmath>
@@ -68,6 +71,40 @@ void TakeBestOfAllRanks(std::vector<double>& place)
   }
 }
 }
+
+// The field of the data as they were last, kept while a polygon is dragged.
+class nephoscope::FlowPreview
+{
+public:
+  Vector3 At(vtkDataObject* data, vtkInformation* wanted, const Vector3& place)
+  {
+    if (data != this->Data || data->GetMTime() != this->MTime)
+    {
+      std::string problem;
+      VelocityArray array;
+      this->Field.reset();
+      this->Data = data;
+      this->MTime = data->GetMTime();
+      if (ChooseVelocity(data, wanted, array, problem))
+      {
+        this->Field = MakeVelocityField(data, array, problem);
+      }
+    }
+    Vector3 velocity{};
+    unsigned char inside = 0;
+    CellHint hint;
+    if (this->Field)
+    {
+      this->Field->Sample({ 1, &place, 0.0, &velocity, &inside, &hint });
+    }
+    return inside ? velocity : Vector3{};
+  }
+
+private:
+  vtkSmartPointer<vtkDataObject> Data; // must outlive the field
+  vtkMTimeType MTime = 0;
+  std::unique_ptr<DataSetField> Field;
+};
 
 vtkPVFlowVolume::vtkPVFlowVolume()
   : Labels(std::make_unique<nephoscope::LabelsInMessages>(this,
@@ -135,6 +172,25 @@ void vtkPVFlowVolume::FindPlaceIn(vtkDataObject* input)
   this->PlaceRadius = place[1];
   std::copy_n(place.begin() + 2, 3, this->PlaceCenter);
   std::copy_n(place.begin() + 5, 3, this->PlaceNormal);
+}
+
+void vtkPVFlowVolume::SetPreviewCenter(double x, double y, double z)
+{
+  vtkDataObject* input = this->GetNumberOfInputConnections(0) > 0 ? this->GetInputDataObject(0, 0) : nullptr;
+  nephoscope::Vector3 flow{};
+  if (input && input->GetNumberOfElements(vtkDataObject::POINT) > 0)
+  {
+    this->Preview = this->Preview ? std::move(this->Preview) : std::make_unique<nephoscope::FlowPreview>();
+    flow = this->Preview->At(input, this->GetInputArrayInformation(0), { { x, y, z } });
+  }
+  std::vector<double> best = { vtkMath::Norm(flow.data()), 0.0, flow[0], flow[1], flow[2] };
+  if (!std::isfinite(best[0]))
+  {
+    best.assign(5, 0.0);
+  }
+  TakeBestOfAllRanks(best);
+  std::copy_n(best.begin() + 2, 3, this->PreviewNormal);
+  vtkMath::Normalize(this->PreviewNormal);
 }
 
 void vtkPVFlowVolume::PrintSelf(ostream& os, vtkIndent indent)

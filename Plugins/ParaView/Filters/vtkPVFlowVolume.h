@@ -18,6 +18,7 @@
 
 namespace nephoscope
 {
+class FlowPreview;
 class LabelsInMessages;
 }
 
@@ -44,6 +45,12 @@ public:
   vtkGetMacro(PlaceRadius, double);
   ///@}
 
+  ///@{
+  /** The direction of the flow at a place, for a polygon that is being dragged there; 0 0 0 where nothing flows. The filter is not modified. */
+  void SetPreviewCenter(double x, double y, double z);
+  vtkGetVector3Macro(PreviewNormal, double);
+  ///@}
+
 protected:
   vtkPVFlowVolume();
   ~vtkPVFlowVolume() override;
@@ -63,6 +70,8 @@ private:
   double PlaceCenter[3] = { 0.0, 0.0, 0.0 };
   double PlaceNormal[3] = { 0.0, 0.0, 1.0 };
   double PlaceRadius = 0.0;
+  double PreviewNormal[3] = { 0.0, 0.0, 0.0 };
+  std::unique_ptr<nephoscope::FlowPreview> Preview;
 };
 
 #endif

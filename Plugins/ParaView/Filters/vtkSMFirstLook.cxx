@@ -3,6 +3,7 @@
 #include "vtkSMFirstLook.h"
 
 #include "FirstCamera.h"
+#include "FlowVolumePolygon.h"
 
 #include "vtkCallbackCommand.h"
 #include "vtkDataObject.h"
@@ -258,6 +259,11 @@ void OnRegistered(vtkObject*, unsigned long, void*, void* data)
 {
   const auto* registered = static_cast<vtkSMProxyManager::RegisteredProxyInformation*>(data);
   vtkSMProxy* proxy = registered ? registered->Proxy : nullptr;
+  if (proxy && registered->GroupName && std::string(registered->GroupName) == "views")
+  {
+    nephoscope::drawPolygonsOfWidgets(proxy);
+    return;
+  }
   if (!proxy || !registered->GroupName || !registered->ProxyName || proxy->GetSessionProxyManager()->GetInLoadXMLState())
   {
     return;

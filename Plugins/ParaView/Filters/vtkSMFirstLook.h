@@ -11,6 +11,7 @@
  *   is one of clouds, else the active scalars; "solid", none; "surface", none if the array is the contoured one; else the cell array of that name;
  * - opacity functions of arrays that begin with the colours of a preset of this project get its opacities too;
  * - where such a display comes into a view whose camera suits other data, of another place or scale, the camera is reset to it.
+ * - in every render view the polygon of Flow Volume is drawn in place of the widget's cylinder.
  * Displays that are made by an Apply that fails get these looks when their source first has data.
  * Nothing is changed while a state is loaded, nor what a user has set or saved.
  */

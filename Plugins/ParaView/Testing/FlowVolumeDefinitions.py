@@ -14,9 +14,9 @@ BEYOND = {"InitialDensity", "TimeScale"}  # C++ takes others too, or checks them
 SELECTION = "SelectInputVectors"        # an array, not a member
 RENAMED = {SELECTION: "Velocity"}       # XML name -> name in Python, where it is another one
 RESULTS = {"NormalUsed", "DurationUsed", "TimeStepUsed", "MaximumEdgeLengthUsed", "EmittedMass", "LostMass"}
-OWN = {"FollowData"}                    # of ParaView's class alone
+OWN = {"FollowData", "PreviewCenter"}                    # of ParaView's class alone
 BY_POLYGON = {"NormalToFlow"}           # C++: by which polygon it is; one filter each here
-INFORMATION = {"FlowVolume": RESULTS | {"PlaceCenter", "PlaceNormal", "PlaceRadius"}, "FlowVolumeFromPolygon": RESULTS,
+INFORMATION = {"FlowVolume": RESULTS | {"PlaceCenter", "PlaceNormal", "PlaceRadius", "PreviewNormal"}, "FlowVolumeFromPolygon": RESULTS,
                "SmokePuffs": {"ActualPeriod", "TimestepValues", "TimeRange"}}
 UNITS = {"FlowVolume": ("(length/s)", "(times in s)", "(length)"), "FlowVolumeFromPolygon": ("(length/s)", "(times in s)", "(length)"),
          "SmokePuffs": ("Time (s)", "(shares)")}
