@@ -2,13 +2,16 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Velocity fields and particles from Python, through the C interface that the tests build (field_driver.cxx)."""
 import ctypes
+import os
 import pathlib
 
 import nephoscope
 import numpy as np
 from vtkmodules.vtkCommonDataModel import vtkPointData
 
-LIBRARY = pathlib.Path(nephoscope.__file__).resolve().parents[3] / "libnephoscope_field_driver.so"
+# In the build tree, also where the package is installed elsewhere.
+LIBRARIES = os.environ.get("NEPHOSCOPE_TEST_LIBRARIES") or pathlib.Path(nephoscope.__file__).resolve().parents[3]
+LIBRARY = pathlib.Path(LIBRARIES) / "libnephoscope_field_driver.so"
 
 
 def _driver():
