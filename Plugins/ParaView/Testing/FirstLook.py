@@ -3,7 +3,8 @@
 """The first picture of every filter and source, nothing set: representation, colours, opacities and camera."""
 import math
 
-from PluginTesting import GFS, SIZE, check, image, load_plugin, new_view, passed, pvs, save_image
+import numpy as np
+from PluginTesting import GFS, SIZE, check, compose, image, load_plugin, new_view, passed, pvs, save_image
 
 
 def shown(view, name):
@@ -67,12 +68,16 @@ def check_camera():
 
 def check_smoke():
     """Smoke is white, and no dot in the picture of the globe it was made in."""
-    _, clouds = globe()
+    weather, _ = globe()
+    clouds = pvs.GlobeGrid(Input=weather)
     view, _ = look_first(clouds)
     smoke = pvs.FlowVolume(Input=clouds)
     check_display(apply(smoke, view, clouds), "Flow Volume", "Cell Compositing", "")
-    share = shown(view, "smoke")
-    check(share > 0.01, f"{share:.2%} of the picture are smoke")
+    check(shown(view, "smoke") > 0, "there is no smoke")
+    picture = image(view)
+    rows, columns = (abs(picture - picture[0, 0]).max(axis=2) > 8).nonzero()
+    size = max(np.ptp(rows), np.ptp(columns)) / SIZE[0]
+    check(size > 0.2, f"smoke is {size:.2f} of the picture long")
     check_display(apply(pvs.SmokePuffs(Input=smoke), view, smoke), "Smoke Puffs", "Cell Compositing", "")
     pvs.Delete(view)
 
@@ -96,6 +101,19 @@ def check_filters():
     pvs.Delete(view)
 
 
+def check_constant_fields():
+    """A field of one value is drawn, too, be it 0."""
+    for value in (0, 1):
+        source = pvs.Calculator(Input=pvs.Wavelet(WholeExtent=[-3, 3] * 3), ResultArrayName="constant", Function=f"{value}+0*coordsX")
+        for representation in ("Cell Compositing", "Textured Splats"):
+            view = new_view(SIZE)
+            compose(source, view, ("POINTS", "constant"), representation)
+            pvs.ResetCamera(view)
+            share = shown(view, f"constant-{value}-{representation}".replace(" ", "-"))
+            check(share > 0.1, f"a field of {value}, by {representation}: {share:.1%} of the picture show anything")
+            pvs.Delete(view)
+
+
 def check_opacities():
     """Arrays that begin with the colours of a preset have its opacities too."""
     for array, opacities in (("cloud_fraction", [0, 0.05, 1]), ("clwmr", [0, 0.01, 0.3, 1]), ("RTData", [0, 1])):
@@ -110,5 +128,6 @@ pvs._DisableFirstRenderCameraReset()
 check_camera()
 check_smoke()
 check_filters()
+check_constant_fields()
 check_opacities()
 passed()
