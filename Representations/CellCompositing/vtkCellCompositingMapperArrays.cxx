@@ -67,6 +67,23 @@ std::string vtkCellCompositingMapper::SelectLayers(vtkDataSet* input, vtkDataArr
 
 namespace
 {
+std::string cellsAre(vtkIdType count)
+{
+  return std::to_string(count) + (count == 1 ? " cell is" : " cells are");
+}
+
+// The polygons that vtkContourCellSplitter adds to the pieces of cells; they are no mistake.
+vtkIdType countContourPolygons(vtkDataSet* input)
+{
+  vtkDataArray* contours = input->GetCellData()->GetArray("ContourIndex");
+  vtkIdType count = 0;
+  for (vtkIdType cell = 0; contours && cell < contours->GetNumberOfTuples(); ++cell)
+  {
+    count += contours->GetComponent(cell, 0) >= 0 ? 1 : 0;
+  }
+  return count;
+}
+
 bool hasCopies(vtkUnsignedCharArray* ghosts)
 {
   bool has = false;
@@ -88,14 +105,14 @@ void vtkCellCompositingMapper::WarnAboutGeometry(
 
   if (geometry.NumberOfInvalidCells > 0)
   {
-    vtkWarningMacro(<< geometry.NumberOfInvalidCells << " cells are not drawn because array "
+    vtkWarningMacro(<< cellsAre(geometry.NumberOfInvalidCells) << " not drawn because array "
                     << names << " or a coordinate is not finite there. Blank such points, or replace the values.");
   }
-  if (geometry.NumberOfUnsupportedCells > 0)
+  if (geometry.NumberOfUnsupportedCells > countContourPolygons(input))
   {
     const char* type = CellTypeNames::GetClassNameFromTypeId(geometry.UnsupportedCellType);
-    vtkWarningMacro(<< geometry.NumberOfUnsupportedCells << " cells are not drawn (" << type
-                    << ", for example): only 3-D cells can be composited.");
+    vtkWarningMacro(<< cellsAre(geometry.NumberOfUnsupportedCells) << " not drawn (" << type
+                    << (geometry.NumberOfUnsupportedCells == 1 ? "" : ", for example") << "): only 3-D cells can be composited.");
   }
   if (geometry.NumberOfNonConvexCells > 0)
   {
@@ -108,6 +125,9 @@ void vtkCellCompositingMapper::WarnAboutGeometry(
   if (geometry.NumberOfTetrahedra() == 0 && input->GetNumberOfCells() > 0 && !isTold &&
     !hasCopies(input->GetCellGhostArray()))
   {
-    vtkWarningMacro(<< "Nothing is drawn: of " << input->GetNumberOfCells() << " cells, all are hidden or have no volume.");
+    const vtkIdType count = input->GetNumberOfCells();
+    const std::string which = count == 1 ? "the only cell is hidden or has no volume."
+                                         : "of " + std::to_string(count) + " cells, all are hidden or have no volume.";
+    vtkWarningMacro(<< "Nothing is drawn: " << which);
   }
 }

@@ -6,6 +6,7 @@
 #include "MapperSettings.h"
 #include "ReportedError.h"
 #include "ResourceWindow.h"
+#include "SplatCost.h"
 #include "SplatKernel.h"
 #include "SplatPass.h"
 #include "SplatScene.h"
@@ -32,7 +33,7 @@ struct vtkTexturedSplatMapper::vtkInternals
 {
   nephoscope::SplatScene Scene;
   nephoscope::SplatPass Pass;
-  nephoscope::ReportedError LastError, LastWarning, LeftOut;
+  nephoscope::ReportedError LastError, LastWarning, LeftOut, Cost;
   nephoscope::ResourceWindow Window{ [this](vtkWindow* window) {
     this->Pass.ReleaseGraphicsResources(window);
     this->Scene.ForgetUpload();
@@ -148,6 +149,13 @@ std::string vtkTexturedSplatMapper::UpdateSplats(vtkDataSet* input, vtkVolume* v
   if (!error.empty())
   {
     return error;
+  }
+  const std::string cost = this->ErrorTolerance > 0
+    ? std::string()
+    : nephoscope::TellSplatCost(static_cast<long long>(fields.Scalars.Array->GetNumberOfTuples()));
+  if (this->Internals->Cost.IsNew(cost))
+  {
+    vtkWarningMacro(<< cost);
   }
   const nephoscope::SplatSampling sampling = this->GetSampling(fields.Scalars.OnCells);
   error = this->Internals->Scene.Update(input, sampling, fields, this->GetVectorSettings());

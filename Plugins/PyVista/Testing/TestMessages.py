@@ -1,13 +1,16 @@
 # SPDX-FileCopyrightText: The Nephoscope authors
 # SPDX-License-Identifier: BSD-3-Clause
 """What a user of Python reads when a filter fails or warns: one sentence, in the words of the function that was called."""
+import os
 import re
 import unittest
 import warnings
+from pathlib import Path
 
 import nephoscope
 import numpy as np
 import pyvista
+from nephoscope import _pipeline, advection, clouds, globe, smoke, sparse, splitting
 
 
 def weather(lat=(0.0, 10.0), lev=(0.0, 1000.0), **arrays):
@@ -25,6 +28,44 @@ FAILURES = {
 }
 
 
+# Folder of C++ sources, the classes whose messages they are, what their words become, and properties that Python has no argument for.
+SOURCES = (("Filters/GlobeGrid", ["vtkGlobeGrid"], globe._NAMES, ()),
+           ("Filters/FlowVolume", ["vtkFlowVolume", "vtkSmokePuffs"], smoke._NAMES, ("Unsteady", "StartTime", "TimeScale")),
+           ("Filters/CloudSurface", ["vtkCloudSurface", "vtkStructuredSmoothing"], clouds._NAMES, ("Periodic",)),
+           ("Filters/CellSubdivision", ["vtkContourCellSplitter"], splitting._NAMES, ()),
+           ("Filters/TextureAdvection", ["vtkTextureCoordinateAdvection"], advection._NAMES, ()),
+           ("Filters/SparseVolume", ["vtkSparseVolumeReader", "vtkSparseVolumeWriter"], sparse._NAMES, ()),
+           ("Representations/CellCompositing", ["vtkCellCompositingMapper"], _pipeline._NAMES_OF_MAPPERS,
+            ("NumberOfContourValues", "ContourValue", "MethodToCells", "ScalarOpacityUnitDistance")),
+           ("Representations/TexturedSplats", ["vtkTexturedSplatMapper"], _pipeline._NAMES_OF_MAPPERS, ()),
+           ("Representations/CloudTexture", ["vtkCloudTextureMapper"], _pipeline._NAMES_OF_MAPPERS, ()))
+
+
+def sentences(folder):
+    """String literals of the C++ sources with more than one word; adjacent ones are one."""
+    for path in sorted(folder.glob("*.cxx")) + sorted(folder.glob("*.h")):
+        text = "\n".join(line for line in path.read_text().splitlines() if "indent" not in line and "#include" not in line)
+        for literals in re.findall(r'"(?:[^"\\\n]|\\.)*"(?:\s*"(?:[^"\\\n]|\\.)*")*', text):
+            joined = "".join(re.findall(r'"((?:[^"\\]|\\.)*)"', literals))
+            if " " in joined.strip():
+                yield path.name, joined
+
+
+class Sources(unittest.TestCase):
+    def test_no_properties_of_vtk(self):
+        """No sentence of a class names one of its properties, once the words of Python are in it."""
+        top = Path(os.environ["NEPHOSCOPE_DATA"]).parent
+        for folder, classes, names, without in SOURCES:
+            properties = {name[3:] for one in classes for name in vars(getattr(nephoscope, one)) if name.startswith("Set")}
+            properties = {name for name in properties - set(without) if re.search("[a-z][A-Z]", name)}
+            found = 0
+            for file, sentence in sentences(top / folder):
+                found += 1
+                left = set(re.findall(r"\w+", _pipeline._renamed(sentence, names))) & (properties | {"Set" + name for name in properties})
+                self.assertFalse(left, f"{folder}/{file}: {sentence!r} names {left}, which Python does not have")
+            self.assertGreater(found, 0 if (top / folder).is_dir() else -1, folder)
+
+
 class Messages(unittest.TestCase):
     def test_no_dumps(self):
         for what, call in FAILURES.items():
@@ -34,6 +75,35 @@ class Messages(unittest.TestCase):
             self.assertLess(len(text), 400, text)
             self.assertNotRegex(text, r"0x[0-9a-f]{6}|Debug:|Modified Time|returned failure|vtkInformation")
             self.assertEqual(len(set(text.splitlines())), len(text.splitlines()), text)
+
+    def drawn(self, grid, name, add=nephoscope.add_cells, **options):
+        plotter = pyvista.Plotter(off_screen=True, window_size=(30, 30))
+        self.addCleanup(plotter.close)
+        with warnings.catch_warnings(record=True) as caught:
+            warnings.simplefilter("always")
+            add(plotter, grid, name, show_scalar_bar=False, **options)
+            plotter.screenshot()
+        return [str(w.message) for w in caught if w.category is RuntimeWarning]
+
+    def test_polygons_of_split_cells_are_no_mistake(self):
+        grid = pyvista.ImageData(dimensions=(4, 4, 4))
+        grid["x"] = grid.points[:, 0] + 0.1 * grid.points[:, 1]
+        pieces = grid.nephoscope.split_cells([1.3, 2.1], "x")
+        self.assertEqual(self.drawn(pieces, "x"), [])
+        pieces.cell_data.remove("ContourIndex")
+        self.assertRegex(" ".join(self.drawn(pieces, "x")), r"\d+ cells are not drawn \(vtk\w+, for example\)")
+
+    def test_one_cell(self):
+        grid = pyvista.ImageData(dimensions=(3, 2, 2)).cast_to_unstructured_grid()
+        grid["x"] = [0.0, 1.0, np.nan] * 4
+        self.assertRegex(" ".join(self.drawn(grid, "x")), "1 cell is not drawn because array 'x'")
+
+    def test_words_of_mappers(self):
+        grid = pyvista.ImageData(dimensions=(3, 3, 3))
+        grid["x"], grid["v"] = grid.points[:, 0], grid.points
+        text = " ".join(self.drawn(grid, "x", nephoscope.add_splats, vectors="v", vector_placement="layers", error_tolerance=0.1))
+        self.assertIn("error_tolerance is ignored", text)
+        self.assertIn("Pass vector_placement='middle'", text)
 
     def test_own_words(self):
         """Names of properties that Python does not have are not in what it says."""

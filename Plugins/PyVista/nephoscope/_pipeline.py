@@ -25,10 +25,18 @@ def _is_echo(message: str) -> bool:
     return "returned failure for request" in message
 
 
+# Filters of ParaView that messages recommend, and what does the same here.
+_REMEDIES = {"Apply Cell Data to Point Data": "Use mesh.cell_data_to_point_data()", "apply Cell Data to Point Data": "use mesh.cell_data_to_point_data()",
+             "(Tetrahedralize)": "(mesh.triangulate)", "(Calculator)": "(a column, or numpy.linalg.norm)",
+             "put together with the Calculator: u*iHat + v*jHat + w*kHat": "put together by numpy.column_stack((u, v, w))",
+             "use vtkTriangleFilter": "use mesh.triangulate()"}
+
+
 def _renamed(message: str, names: Mapping[str, str]) -> str:
-    """The message with the words of VTK that are keys of `names` replaced; longer ones first."""
+    """The message with the words of VTK that are keys of `names`, and filters of ParaView, replaced; longer ones first."""
+    names = {**_REMEDIES, **names}
     keys = "|".join(re.escape(key) for key in sorted(names, key=len, reverse=True))
-    return re.sub(rf"\b({keys})\b", lambda match: names[match[1]], message) if keys else message
+    return re.sub(rf"(?<!\w)({keys})(?!\w)", lambda match: names[match[1]], message)
 
 
 def level_of_caller(*others: str) -> int:
@@ -41,16 +49,35 @@ def level_of_caller(*others: str) -> int:
     return level
 
 
+# What the messages of the mappers say, and what it is called in the functions that add them to a plotter.
+_NAMES_OF_MAPPERS = {
+    "Choose an array with SelectScalarArray and SetScalarMode": "Choose an array by scalars",
+    "ScalarOpacityUnitDistance of the property": "opacity_unit_distance", "ScalarOpacityUnitDistance": "opacity_unit_distance",
+    "The scalar opacity function has no points, so that everything is transparent: add some with AddPoint":
+        "The scalar opacity function has no points, so that everything is transparent: give opacity",
+    "add some with AddRGBPoint": "give cmap", "run vtkPolyhedronToTetrahedra first": "divide them by vtkPolyhedronToTetrahedra or mesh.triangulate() first",
+    "call SetMethodToCells()": "call volume.mapper.SetMethodToCells()",
+    "UseDepthPeelingForVolumesOff() of the renderer": "plotter.renderer.UseDepthPeelingForVolumesOff()",
+    "Choose one with SetVectorArrayName": "Choose one by vectors", "Choose one with SetVectorColorArrayName": "Choose one by vector_scalars",
+    "VectorColorArrayName": "vector_scalars", "VectorArrayName": "vectors", "call SetVectorColorFunction": "give vector_cmap",
+    "set ErrorTolerance to 0.3": "pass error_tolerance=0.3", "ErrorTolerance": "error_tolerance",
+    "Call SetVectorPlacementToMiddle()": "Pass vector_placement='middle'",
+    "give its name with SetCellSizeArrayName, or an empty one for sizes from the data": "name it by sizes or volumes, or leave these out",
+    "Raise MaximumNumberOfLayers": "Raise layers", "CoverageArrayName": "coverage", "DensityArrayName": "density",
+    "TextureScale": "texture_scale", "TextureLength": "texture_length",
+}
+
+
 def warn_when_drawing(mapper: vtkAlgorithm) -> None:
     """From now on whatever `mapper` reports, which it does when it draws, is a RuntimeWarning at the line that made the plotter draw.
 
-    Errors are warnings too: an exception cannot pass through VTK's rendering.
+    Properties of VTK have the names of arguments in it. Errors are warnings too: an exception cannot pass through VTK's rendering.
     """
     name = mapper.GetClassName()
 
     @calldata_type(VTK_STRING)
     def on_message(_caller: object, _event: str, message: str) -> None:
-        warnings.warn(f"{name}: {_text(message)}", RuntimeWarning, stacklevel=level_of_caller(*_drawing_folders()))
+        warnings.warn(f"{name}: {_renamed(_text(message), _NAMES_OF_MAPPERS)}", RuntimeWarning, stacklevel=level_of_caller(*_drawing_folders()))
 
     for event in ("ErrorEvent", "WarningEvent"):
         mapper.AddObserver(event, on_message)

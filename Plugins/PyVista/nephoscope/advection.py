@@ -26,7 +26,8 @@ Grids = "pyvista.DataSet | Sequence[pyvista.DataSet] | Callable[[float], pyvista
 _NAMES = {"PressureArrayName": "pressure", "OmegaArrayName": "omega", "PlanetRadius": "planet_radius", "TextureLength": "texture_length",
           "KeyFrameInterval": "key_frame_interval", "MaximumStretch": "maximum_stretch", "TimeStep": "time_step", "TimeScale": "time_scale",
           "Period": "period", "ComputeLyapunovExponent": "lyapunov", "CartesianCoordinates": "cartesian_coordinates",
-          "SetInputArrayToProcess": "vectors"}
+          "SetInputArrayToProcess": "vectors", "Tolerance": "tolerance", "Choose a velocity:": "Choose a velocity by vectors:",
+          "Leave the points input empty": "Leave points out"}
 
 def advect_texture(mesh: Grids, time: float | Sequence[float] | None = None, *, times: Sequence[float] | None = None,
                    vectors: str | None = None, points: pyvista.DataSet | None = None, period: float | None = None,

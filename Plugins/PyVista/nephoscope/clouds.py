@@ -15,8 +15,7 @@ from ._pipeline import vtk_messages
 from .splitting import _point_array, _values
 
 # What the messages of the two filters say, and what it is called here.
-_NAMES = {"Clear MassArrayName": "Leave masses out", "MassArrayName": "masses", "Contour value": "isosurfaces: value", "contour values": "isosurfaces", "contour value": "value of isosurfaces",
-          "(Calculator)": "(a column, or numpy.linalg.norm)"}
+_NAMES = {"Clear MassArrayName": "Leave masses out", "switch Conservative off": "pass conservative=False", "MassArrayName": "masses", "Contour value": "isosurfaces: value", "contour values": "isosurfaces", "contour value": "value of isosurfaces"}
 AXES = {"i": 0, "j": 1, "k": 2}
 
 

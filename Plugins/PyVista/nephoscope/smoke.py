@@ -18,7 +18,8 @@ from ._pipeline import vtk_messages
 _NAMES = {"switch NormalToFlow off": "give normal", "switch NormalToFlow on": "leave normal out", "Center": "center", "Radius": "radius",
           "Normal": "normal", "Duration": "duration", "TimeStep": "time_step", "PolygonEdgeLength": "polygon_edge_length",
           "MaximumEdgeLength": "max_edge_length", "MinimumEdgeLength": "min_edge_length", "InitialDensity": "initial_density",
-          "MaximumNumberOfTetrahedra": "max_tetrahedra"}
+          "MaximumNumberOfTetrahedra": "max_tetrahedra", "Tolerance": "tolerance", "MaximumTurnAngle": "max_turn_angle",
+          "Choose a velocity:": "Choose a velocity by vectors:"}
 
 
 def flow_volume(mesh: pyvista.DataSet, polygon: pyvista.PolyData | None = None, *, vectors: str | None = None,

@@ -153,7 +153,8 @@ def add_splats(plotter: pyvista.BasePlotter, mesh: Any, scalars: str | np.ndarra
     if color is not None:
         cmap, show_scalar_bar = [pyvista.Color(color).hex_rgb] * 2, bool(show_scalar_bar)
         if scalars is None:
-            scalars, clim = np.ones(mesh.n_points), (0, 1)
+            on_cells = not mesh.point_data and mesh.cell_data  # as of hyper tree grids: each cell has its own size
+            scalars, clim, preference = np.ones(mesh.n_cells if on_cells else mesh.n_points), (0, 1), "cell" if on_cells else "point"
     mesh, array_name, association = scalar_array(mesh, scalars, preference)
     if opacity_scalars is not None:
         require_beside_scalars(mesh, opacity_scalars, association, "opacity_scalars")

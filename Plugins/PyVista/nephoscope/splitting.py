@@ -19,7 +19,7 @@ from ._pipeline import vtk_messages
 
 # What the messages of vtkContourCellSplitter say, and what it is called here.
 _NAMES = {"Choose one with SetInputArrayToProcess": "Name one by scalars", "Contour value": "isosurfaces: value", "contour values": "isosurfaces", "contour value": "value of isosurfaces",
-          "(Calculator)": "(a column, or numpy.linalg.norm)", "GenerateSurfaces": "surfaces", "PolyhedralTransitions": "polyhedral_transitions"}
+          "GenerateSurfaces": "surfaces", "PolyhedralTransitions": "polyhedral_transitions"}
 
 
 def split_cells(mesh: pyvista.DataSet | pyvista.MultiBlock, isosurfaces: int | float | Sequence[float] = 10, scalars: str | None = None, *,

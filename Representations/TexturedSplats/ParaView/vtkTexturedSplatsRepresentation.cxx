@@ -61,12 +61,15 @@ nephoscope::SplatSampling vtkTexturedSplatsRepresentation::GetSampling(bool onCe
   nephoscope::SplatSampling sampling{ onCells, this->CellSize };
   sampling.SizeArrayName = this->Mapper->GetCellSizeArrayName();
   sampling.SizesAreVolumes = this->Mapper->GetCellSizeArrayHoldsVolumes();
+  sampling.FromCells = onCells;
   return sampling;
 }
 
 void vtkTexturedSplatsRepresentation::PreparePiece(vtkDataObject* input)
 {
   const bool onCells = this->DrawsCells();
+  // Each cell has its own size, as those of adaptive meshes do. Points do not: ranks may cut cells into tetrahedra in several ways.
+  this->Mapper->SetCellSizeFromCells(onCells);
   this->Piece = nephoscope::sampledPart(input);
   if (GetNumberOfRanks() > 1)
   {

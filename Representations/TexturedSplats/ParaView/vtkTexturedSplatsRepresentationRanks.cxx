@@ -45,7 +45,6 @@ vtkTexturedSplatsRepresentation::vtkTexturedSplatsRepresentation()
 {
   this->Actor->SetMapper(this->Mapper);
   this->Mapper->SetShapeArrayName(nephoscope::splatShapeName); // where there is one
-  this->Mapper->SetCellSizeFromCells(false); // ranks may cut cells into tetrahedra in several ways
 }
 
 vtkTexturedSplatsRepresentation::~vtkTexturedSplatsRepresentation() = default;

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
 /** Kernels and footprints against quadrature, published values and lattice sums. */
+#include "SplatCost.h"
 #include "SplatKernel.h"
 
 #include <gtest/gtest.h>
@@ -192,4 +193,12 @@ TEST(AllKernels, HaveUnitIntegral)
   EXPECT_NEAR(diskIntegral(SplatKernel::Cubic), 0.9999992, 2e-6);
   EXPECT_NEAR(diskIntegral(SplatKernel::Quadratic), 1.0, 2e-6);
   EXPECT_NEAR(diskIntegral(SplatKernel::Gaussian), 1.0 - 1e-4, 2e-6);
+}
+
+TEST(SplatCost, IsToldOfVeryManySplats)
+{
+  EXPECT_EQ(nephoscope::TellSplatCost(1000000), "");
+  const std::string told = nephoscope::TellSplatCost(12000000);
+  EXPECT_EQ(told.find("12.0 million splats take about 3.4 GB"), 0u);
+  EXPECT_NE(told.find("ErrorTolerance"), std::string::npos);
 }
