@@ -5,8 +5,9 @@
  * @brief   finds a place for a generating polygon: where the flow is fast, goes far, and the polygon fits in
  *
  * The centre of the bounds, which other filters start from, is no place for smoke in a shell of air around a globe or in a
- * bent pipe: there is no flow. The fastest place is none where the flow leaves the data at once. This follows the flow from up to 400 cells,
- * evenly chosen, and from the rims of polygons around the 24 best. It takes the place with the greatest product of
+ * bent pipe: there is no flow. The fastest place in which the largest polygon fits is taken if smoke from there goes far: on average at least 0.35 of
+ * half the diagonal of the bounds. Where it leaves the data sooner, this follows the flow from up to 400 cells, evenly chosen, and from
+ * the rims of polygons around the 24 best, and takes the place with the greatest product of
  * 1. the speed;
  * 2. the length of the path inside the data, up to half of the diagonal of the bounds, in the time that the flow takes for that at its first
  *    speed; less where the path stays in one place, within an eighth of the diagonal;

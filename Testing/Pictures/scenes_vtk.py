@@ -232,7 +232,6 @@ def flow(names):
     made.SetInputConnection(data.GetOutputPort())
     made.SetCenter(place.GetCenter())
     made.SetRadius(place.GetRadius())
-    names["center"] = place.GetCenter()
 
 
 def sparse(names):
@@ -282,7 +281,7 @@ def show_smoke(names):
 
 
 def show_puffs(names):
-    show(medium(smoke_volume(names["puffs"].GetOutputPort(), "SmokeDensity"), distance=2e5), earth(), look=names["center"])
+    show(medium(smoke_volume(names["puffs"].GetOutputPort(), "SmokeDensity"), distance=2e5), earth(), look=(-1, -5, 4))
 
 
 def show_layers(names):

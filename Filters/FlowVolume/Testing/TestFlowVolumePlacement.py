@@ -40,7 +40,7 @@ def saddle(x, y, z):
     return np.array([x, -y, 0.05 + 0 * z])
 
 
-FLOWS = {"whirl": (whirl, 0.9), "channel": (channel, 1.0), "outlet": (outlet, 0.8), "eye": (eye, 0.7), "saddle": (saddle, 0.7)}
+FLOWS = {"whirl": (whirl, 0.9), "channel": (channel, 0.6), "outlet": (outlet, 0.8), "eye": (eye, 0.7), "saddle": (saddle, 0.7)}
 
 
 class Placement(unittest.TestCase):
