@@ -123,7 +123,12 @@ std::string vtkCellCompositingMapper::UpdateGeometry(
 {
   CellScene& scene = this->Internals->Scene;
   ScalarSelection scalars, opacity;
-  std::string error = nephoscope::selectScalars(this, input, volume->GetProperty(), scalars);
+  constexpr double longest = 1e16; // of data that rays and projection draw
+  std::string error = nephoscope::checkLengths(input, longest);
+  if (error.empty())
+  {
+    error = nephoscope::selectScalars(this, input, volume->GetProperty(), scalars);
+  }
   if (error.empty())
   {
     error = nephoscope::selectOpacity(this->OpacityArrayName, input, scalars, opacity);

@@ -105,8 +105,10 @@ void vtkCellCompositingMapper::WarnAboutGeometry(
 
   if (geometry.NumberOfInvalidCells > 0)
   {
-    vtkWarningMacro(<< cellsAre(geometry.NumberOfInvalidCells) << " not drawn because array "
-                    << names << " or a coordinate is not finite there. Blank such points, or replace the values.");
+    const bool none = geometry.NumberOfTetrahedra() == 0;
+    vtkWarningMacro(<< (none ? "Nothing is drawn: " : "") << cellsAre(geometry.NumberOfInvalidCells)
+                    << (none ? " left out" : " not drawn") << " because array " << names
+                    << " or a coordinate is not finite there. Blank such points, or replace the values.");
   }
   if (geometry.NumberOfUnsupportedCells > countContourPolygons(input))
   {

@@ -10,6 +10,9 @@
 #include "vtkPointData.h"
 #include "vtkVolumeProperty.h"
 
+#include <cmath>
+#include <sstream>
+
 namespace nephoscope
 {
 namespace
@@ -99,6 +102,19 @@ std::string checkUnitDistance(vtkVolumeProperty* property)
     ? std::string()
     : "ScalarOpacityUnitDistance must be positive: it is the length over which an opacity function of 1 "
       "gives an optical depth of 1.";
+}
+
+std::string checkLengths(vtkDataSet* input, double largest)
+{
+  const double length = input->GetLength();
+  if (!(length > largest) || !std::isfinite(length))
+  {
+    return std::string();
+  }
+  std::ostringstream message;
+  message << "The data are " << length << " long, too long for the single precision of graphics cards. Choose a larger unit, so that they are at most "
+          << largest << " long.";
+  return message.str();
 }
 
 } // namespace nephoscope

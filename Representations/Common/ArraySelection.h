@@ -34,6 +34,9 @@ VTKNEPHOSCOPEREPRESENTATIONSCOMMON_EXPORT std::string selectOpacity(
 /** Empty when the property's ScalarOpacityUnitDistance is a length. */
 VTKNEPHOSCOPEREPRESENTATIONSCOMMON_EXPORT std::string checkUnitDistance(vtkVolumeProperty* property);
 
+/** Empty when the sides of the data are at most `largest` long: graphics cards calculate in single precision, up to 3e38. */
+VTKNEPHOSCOPEREPRESENTATIONSCOMMON_EXPORT std::string checkLengths(vtkDataSet* input, double largest);
+
 } // namespace nephoscope
 
 #endif

@@ -126,7 +126,12 @@ void vtkTexturedSplatMapper::ReportOnce(const std::string& error)
 std::string vtkTexturedSplatMapper::UpdateSplats(vtkDataSet* input, vtkVolume* volume)
 {
   nephoscope::SplatFields fields{ {}, {}, volume->GetProperty() };
-  std::string error = nephoscope::checkUnitDistance(fields.Property);
+  constexpr double longest = 1e12; // whose volume is a number in single precision
+  std::string error = nephoscope::checkLengths(input, longest);
+  if (error.empty())
+  {
+    error = nephoscope::checkUnitDistance(fields.Property);
+  }
   if (error.empty())
   {
     error = nephoscope::ClippingPlanes::Check(this);

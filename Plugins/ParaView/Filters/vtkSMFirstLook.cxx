@@ -243,6 +243,25 @@ void PrepareDisplay(vtkSMPVRepresentationProxy* display)
   }
 }
 
+// As ParaView does for Volume: a medium of one colour says nothing about its data.
+void OnDisplayProperty(vtkObject* caller, unsigned long, void*, void* data)
+{
+  auto* display = vtkSMPVRepresentationProxy::SafeDownCast(caller);
+  const char* property = static_cast<const char*>(data); // null for those of displays inside this one
+  if (!display || !property || std::string(property) != "Representation" || display->GetUsingScalarColoring() ||
+    display->GetSessionProxyManager()->GetInLoadXMLState())
+  {
+    return;
+  }
+  const std::string type = vtkSMPropertyHelper(display, "Representation", true).GetAsString();
+  const vtkSMPropertyHelper input(display, "Input", true);
+  auto* source = vtkSMSourceProxy::SafeDownCast(input.GetNumberOfElements() > 0 ? input.GetAsProxy() : nullptr);
+  if (source && (type == "Cell Compositing" || type == "Textured Splats"))
+  {
+    Color(display, source, static_cast<int>(input.GetOutputPort()), "active");
+  }
+}
+
 void PrepareOpacities(vtkSMProxy* opacities, const std::string& registeredAs)
 {
   const std::string array = registeredAs.substr(0, registeredAs.rfind('.')); // without ".PiecewiseFunction"
@@ -271,6 +290,9 @@ void OnRegistered(vtkObject*, unsigned long, void*, void* data)
   if (auto* display = vtkSMPVRepresentationProxy::SafeDownCast(proxy))
   {
     PrepareDisplay(display);
+    vtkNew<vtkCallbackCommand> command;
+    command->SetCallback(OnDisplayProperty);
+    display->AddObserver(vtkCommand::PropertyModifiedEvent, command);
   }
   else if (std::string(registered->GroupName) == "piecewise_functions")
   {

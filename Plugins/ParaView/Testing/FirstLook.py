@@ -114,6 +114,19 @@ def check_constant_fields():
             pvs.Delete(view)
 
 
+def check_switched():
+    """A display that becomes a medium gets an array, as it does for Volume; one colour may be chosen afterwards."""
+    source, view = pvs.Wavelet(WholeExtent=[-3, 3] * 3), new_view(SIZE)
+    display = pvs.Show(source, view)
+    pvs.ColorBy(display, None)
+    for representation in ("Cell Compositing", "Textured Splats"):
+        display.Representation = representation
+        check(list(display.ColorArrayName) == ["POINTS", "RTData"], f"{representation} is coloured by {list(display.ColorArrayName)}")
+        pvs.ColorBy(display, None)
+        check(not display.ColorArrayName[1], f"{representation} cannot have one colour")
+    pvs.Delete(view)
+
+
 def check_opacities():
     """Arrays that begin with the colours of a preset have its opacities too."""
     for array, opacities in (("cloud_fraction", [0, 0.05, 1]), ("clwmr", [0, 0.01, 0.3, 1]), ("RTData", [0, 1])):
@@ -130,4 +143,5 @@ check_smoke()
 check_filters()
 check_constant_fields()
 check_opacities()
+check_switched()
 passed()

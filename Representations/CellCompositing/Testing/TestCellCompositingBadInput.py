@@ -71,6 +71,12 @@ class Missing(BadInputCase):
         self.nothing_drawn(picture, "points without cells")
         self.complaint("points without cells", messages, "cell")
 
+    def test_too_long(self):
+        data = meshes.with_field(meshes.image((4, 4, 4), (1e17,) * 3), lambda p: 1e-17 * p[:, 0])
+        messages, picture, *_ = self.draw(data)
+        self.nothing_drawn(picture, "4e17 long")
+        self.complaint("4e17 long", messages, "single precision")
+
     def test_no_scalars(self):
         data = meshes.tetrahedra(CORNERS, [(0, 1, 2, 3)])
         window = Window((48, 48))

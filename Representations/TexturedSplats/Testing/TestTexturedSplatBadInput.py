@@ -35,6 +35,9 @@ class BadInput(unittest.TestCase):
     def test_nothing_to_draw(self):
         self.expect("no points", meshes.particles(np.zeros((0, 3))))
 
+    def test_too_long(self):
+        self.expect("single precision", meshes.with_field(meshes.image((2, 2, 2), (1e13,) * 3), lambda p: p[:, 0]))
+
     def test_missing_array(self):
         self.expect("No point array named 'q'", self.cube(), lambda m, s: m.SelectScalarArray("q"))
 
