@@ -53,6 +53,57 @@ class Globe(unittest.TestCase):
         np.testing.assert_allclose(grid.point_data["Wind"][at], (0, 20, 0), atol=1e-4)
         self.assertNotIn("Wind", globe(wind=False).point_data)
 
+    def test_usual_names_of_winds(self):
+        flat = pyvista.RectilinearGrid(np.arange(0, 360, 30.0), np.linspace(-90, 90, 7), [100000.0, 50000.0])
+        flat.clear_data()
+        for names, units, upward in ((("u", "v", "w"), "", False), (("u", "v", "w"), "m s**-1", True), (("ua", "va", "wa"), "", True),
+                                     (("ua", "va", "wa"), "Pa s-1", False), (("ua", "va", "wap"), "", False), (("U", "V", "W"), "", True),
+                                     (("U", "V", "OMEGA"), "Pa/s", False), (("ua", "va"), "", None)):
+            mesh = flat.copy()
+            for name, value in zip(names, (20.0, 0.0, 1.0)):
+                mesh[name] = np.full(mesh.n_points, value)
+            if units:
+                mesh.field_data[f"{names[2]}_units"] = [units]
+            with warnings.catch_warnings():
+                warnings.simplefilter("error")
+                grid = mesh.nephoscope.globe(mask_below_ground=False)
+            at = self.distance_to(grid, (R, 0, 0)).argmin()
+            wind = grid["Wind"][at]
+            np.testing.assert_allclose(wind[1:], (20, 0), atol=1e-4)
+            self.assertTrue(abs(wind[0] - 1) < 1e-4 if upward else abs(wind[0]) < 1e-4 if upward is None else wind[0] < 0, (names, units, wind))
+        flat["U"] = flat.points
+        flat["V"] = flat.points
+        self.assertNotIn("Wind", flat.nephoscope.globe(level_units="Pa").array_names)
+
+    def test_temperature_of_omega(self):
+        mesh = pyvista.RectilinearGrid(np.arange(0, 360, 30.0), np.linspace(-90, 90, 7), [100000.0, 50000.0])
+        for name, value in (("ua", 0.0), ("va", 0.0), ("wap", -1.0), ("ta", 300.0)):
+            mesh[name] = np.full(mesh.n_points, value)
+        grid = mesh.nephoscope.globe(mask_below_ground=False)
+        at = self.distance_to(grid, (R, 0, 0)).argmin()
+        np.testing.assert_allclose(grid["Wind"][at][0], 287.05 * 300 / (9.80665 * 100000), rtol=1e-3)
+
+    def test_usual_names_of_heights(self):
+        for name, units, factor, used in (("zg", "", 1.0, True), ("z", "m**2 s**-2", 9.80665, True), ("z", "m", 1.0, True), ("z", "", 1.0, False)):
+            mesh = pyvista.RectilinearGrid(np.arange(0, 360, 30.0), np.linspace(-90, 90, 7), [100000.0, 50000.0])
+            mesh[name] = np.where(mesh.points[:, 2] > 60000, 200.0, 5400.0) * factor
+            if units:
+                mesh.field_data[f"{name}_units"] = [units]
+            heights = mesh.nephoscope.globe(mask_below_ground=False)["Height"]
+            self.assertEqual(bool(abs(heights.max() - 5400) < 1), used, (name, units, heights.max()))
+
+    def test_without_winds(self):
+        """What needs them tells how to name them."""
+        mesh = weather()
+        mesh.rename_array("u", "eastwards")
+        grid = mesh.nephoscope.globe(level_units="m")
+        for call in (lambda: nephoscope.flow_volume(grid), lambda: nephoscope.flow_volume(grid, vectors="DisplayVelocity"),
+                     lambda: nephoscope.advect_texture(grid), lambda: nephoscope.advect_texture(grid, vectors="Wind"),
+                     lambda: nephoscope.add_splats(pyvista.Plotter(off_screen=True), grid, vectors="DisplayVelocity"),
+                     lambda: nephoscope.add_cells(pyvista.Plotter(off_screen=True), grid, "Wind")):
+            with self.assertRaisesRegex(MissingDataError, r'globe\(wind=\("ua", "va"\)\)'):
+                call()
+
     def test_nothing_is_warned_of_that_was_not_asked_for(self):
         with warnings.catch_warnings():
             warnings.simplefilter("error")

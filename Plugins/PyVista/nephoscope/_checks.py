@@ -16,15 +16,31 @@ def listed(names: Sequence[str]) -> str:
     return ", ".join(repr(name) for name in names) or "none"
 
 
-def arrays_of(mesh: pyvista.DataSet) -> str:
-    """The sentence that ends a message about a missing array."""
-    return f"Point arrays: {listed(mesh.point_data.keys())}; cell arrays: {listed(mesh.cell_data.keys())}."
+WINDS = ("Wind", "DisplayVelocity")  # what globe() makes of the winds
+NO_WINDS = 'globe() has found no winds in the data: name them, globe(wind=("ua", "va")) for example.'
+
+
+def arrays_of(mesh: pyvista.DataSet, wanted: str = "") -> str:
+    """The sentence that ends a message about a missing array, `wanted`."""
+    arrays = f"Point arrays: {listed(mesh.point_data.keys())}; cell arrays: {listed(mesh.cell_data.keys())}."
+    return f"{arrays} {NO_WINDS}" if wanted in WINDS and _is_without_winds(mesh) else arrays
+
+
+def _is_without_winds(mesh: pyvista.DataSet) -> bool:
+    return "GlobeGridProjection" in mesh.field_data and not any(name in mesh.array_names for name in WINDS)
+
+
+def require_winds(mesh: pyvista.DataSet) -> None:
+    """MissingDataError for what globe() has made of data without winds, and that has no other vectors."""
+    vectors = [name for data in (mesh.point_data, mesh.cell_data) for name in data.keys() if data[name].ndim == 2 and data[name].shape[1] == 3]
+    if _is_without_winds(mesh) and not vectors:
+        raise MissingDataError(f"mesh has no velocity. {NO_WINDS} {arrays_of(mesh)}")
 
 
 def require_array(mesh: pyvista.DataSet, name: str, argument: str) -> None:
     """Raises MissingDataError (a ValueError) unless `mesh` has a point or cell array `name`."""
     if name not in mesh.point_data and name not in mesh.cell_data:
-        raise MissingDataError(f"{argument}: no array {name!r}. {arrays_of(mesh)}")
+        raise MissingDataError(f"{argument}: no array {name!r}. {arrays_of(mesh, name)}")
 
 
 def require_beside_scalars(mesh: pyvista.DataSet, name: str, association: str, argument: str) -> None:
@@ -35,7 +51,7 @@ def require_beside_scalars(mesh: pyvista.DataSet, name: str, association: str, a
     if name in there:
         remedy = "cell_data_to_point_data()" if association == "point" else "point_data_to_cell_data()"
         raise ValueError(f"{argument}: the array {name!r} must be on {association}s, as the scalars are: use mesh.{remedy}.")
-    raise MissingDataError(f"{argument}: no array {name!r}. {arrays_of(mesh)}")
+    raise MissingDataError(f"{argument}: no array {name!r}. {arrays_of(mesh, name)}")
 
 
 def choose(choices: Mapping[str, Callable[[], None]], value: str, argument: str) -> None:

@@ -14,7 +14,7 @@ from vtkmodules.vtkCommonDataModel import vtkDataObject, vtkDataSet
 from vtkmodules.vtkCommonExecutionModel import vtkStreamingDemandDrivenPipeline as SDDP
 
 from . import vtkTextureCoordinateAdvection
-from ._checks import arrays_of, choose, require_number
+from ._checks import arrays_of, choose, require_number, require_winds
 from ._pipeline import level_of_caller, vtk_messages
 
 MANY = 10  # crossings of the data in a period, beyond which nothing of the texture is left
@@ -170,12 +170,13 @@ def _dataset(mesh: Any, argument: str) -> pyvista.DataSet:
 
 def _set_vectors(filter_: vtkTextureCoordinateAdvection, first: pyvista.DataSet, vectors: str | None) -> None:
     if vectors is None:
+        require_winds(first)
         return  # the filter has a rule
     for association, data in ((vtkDataObject.FIELD_ASSOCIATION_POINTS, first.point_data), (vtkDataObject.FIELD_ASSOCIATION_CELLS, first.cell_data)):
         if vectors in data:
             filter_.SetInputArrayToProcess(0, 0, 0, association, vectors)
             return
-    raise MissingDataError(f"vectors: no array {vectors!r}. {arrays_of(first)}")
+    raise MissingDataError(f"vectors: no array {vectors!r}. {arrays_of(first, vectors)}")
 
 
 class _Series(VTKPythonAlgorithmBase):

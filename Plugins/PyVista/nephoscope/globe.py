@@ -3,6 +3,7 @@
 """Longitude-latitude-level fields on a globe or a map (`vtkGlobeGrid`), and the surface below them."""
 from __future__ import annotations
 
+import re
 from typing import Any, Literal, Sequence
 
 import numpy as np
@@ -14,7 +15,11 @@ from ._checks import choose, require_array, require_number
 from ._pipeline import vtk_messages
 
 EARTH_RADIUS = 6371000.0  # metres, mean radius
-DEFAULT_WINDS = ("u", "v", "w")
+# Usual names of the winds: eastward, northward, and of the vertical wind those there may be. "w" of ERA5 and "wap" of CMIP are omega.
+USUAL_WINDS = (("u", "v", ("w",)), ("ua", "va", ("wa", "wap")), ("U", "V", ("W", "OMEGA")))
+UPWARD = ("wa", "W")  # in m/s, unless their units tell another thing
+SPEED, OMEGA = ("ms-1", "m/s"), ("pas-1", "pa/s")
+HEIGHTS = ("m2s-2", "m2/s2", "m", "gpm")  # units of an array "z" that gives heights
 # What the messages of vtkGlobeGrid say, and what it is called here.
 _NAMES = {"set the wind array names to those of the input": "name those of the input by wind", "HeightArrayName": "height",
           "HeightUnits": "height_units", "LevelUnits": "level_units", "WindComponents": "wind_components",
@@ -29,7 +34,7 @@ DEGREES_PER_CELL = 1.0    # of globe_surface: its chords are at most 0.25 km bel
 
 def to_globe(mesh: pyvista.DataSet, *, projection: Literal["globe", "map"] = "globe", radius: float = EARTH_RADIUS,
              vertical_exaggeration: float = 1.0, height: str | Literal[False] | None = None,
-             wind: Sequence[str] | Literal[False] | None = None, vertical_wind_is_omega: bool = True,
+             wind: Sequence[str] | Literal[False] | None = None, vertical_wind_is_omega: bool | None = None,
              level_units: Literal["automatic", "hPa", "Pa", "m", "km"] = "automatic", close_seam: bool = True,
              close_poles: bool = True, height_units: Literal["automatic", "m", "km", "geopotential"] = "automatic",
              wind_components: Literal["automatic", "east-north", "along-grid"] = "automatic",
@@ -51,13 +56,15 @@ def to_globe(mesh: pyvista.DataSet, *, projection: Literal["globe", "map"] = "gl
     vertical_exaggeration : float, default: 1.0
         Factor on the height, >= 0. 20 to 100 makes weather visible on a whole globe.
     height : str or False, optional
-        Array of heights above the sea. Default: ``"gh"`` if the mesh has it. Without one, or with False, the
-        level axis gives the heights.
+        Array of heights above the sea. Default: ``"gh"``, ``"zg"``, or ``"z"`` if its units are known (m, gpm or m2 s-2; `read_cf`
+        notes them). Without one, or with False, the level axis gives the heights.
     wind : sequence of 2 or 3 str, or False, optional
-        Arrays of the eastward, northward (m/s) and vertical wind. Default: ``("u", "v", "w")``, those that are there.
-        False: no wind.
-    vertical_wind_is_omega : bool, default: True
-        The vertical wind is omega = dp/dt in Pa/s, positive downwards; False: upward wind in m/s.
+        Arrays of the eastward, northward (m/s) and vertical wind. Default: the first of ``("u", "v", "w")``, ``("ua", "va", "wa")``,
+        ``("ua", "va", "wap")``, ``("U", "V", "W")`` and ``("U", "V", "OMEGA")`` whose first two are there, of one number each. False: no wind.
+    vertical_wind_is_omega : bool, optional
+        The vertical wind is omega = dp/dt in Pa/s, positive downwards; False: upward wind in m/s. Default: by its units, where they are
+        known (`read_cf` notes them); without, False for ``"wa"`` and ``"W"`` and True for others. Omega becomes upward wind by the temperature
+        ``"t"`` or ``"ta"`` (K), without by the standard atmosphere.
     level_units : {"automatic", "hPa", "Pa", "m", "km"}, default: "automatic"
         What the z axis of `mesh` means. Automatic guesses from sign and size.
     close_seam : bool, default: True
@@ -118,8 +125,10 @@ def to_globe(mesh: pyvista.DataSet, *, projection: Literal["globe", "map"] = "gl
     globe.SetPlanetRadius(require_number(radius, "radius", above=0))
     globe.SetVerticalExaggeration(require_number(vertical_exaggeration, "vertical_exaggeration", least=0))
     _name_height(globe, mesh, height)
-    _name_winds(globe, mesh, wind)
-    globe.SetVerticalWindIsOmega(vertical_wind_is_omega)
+    vertical = _name_winds(globe, mesh, wind)
+    globe.SetVerticalWindIsOmega(_is_omega(mesh, vertical) if vertical_wind_is_omega is None else vertical_wind_is_omega)
+    if "ta" in mesh.array_names and "t" not in mesh.array_names:
+        globe.SetTemperatureArrayName("ta")
     globe.SetCloseSeam(close_seam)
     globe.SetClosePoles(close_poles)
     globe.SetMaskBelowGround(mask_below_ground)
@@ -184,17 +193,45 @@ def _name_height(globe: vtkGlobeGrid, mesh: pyvista.DataSet, height: str | Liter
     elif height is not None:
         require_array(mesh, height, "height")
         globe.SetHeightArrayName(height)
+    elif not _is_scalar(mesh, "gh"):
+        if _is_scalar(mesh, "zg"):
+            globe.SetHeightArrayName("zg")
+        elif _is_scalar(mesh, "z") and _units(mesh, "z") in HEIGHTS:
+            globe.SetHeightArrayName("z")
 
 
-def _name_winds(globe: vtkGlobeGrid, mesh: pyvista.DataSet, wind: Sequence[str] | Literal[False] | None) -> None:
+def _is_scalar(mesh: pyvista.DataSet, name: str) -> bool:
+    return name in mesh.array_names and mesh[name].ndim == 1
+
+
+def _units(mesh: pyvista.DataSet, name: str) -> str:
+    """What the reader has noted, in small letters, without spaces, stars, carets and dots; empty if it has not."""
+    units = mesh.field_data[f"{name}_units"] if f"{name}_units" in mesh.field_data else ""
+    return re.sub(r"[\s*^.]", "", str(np.ravel(units)[0]) if np.size(units) else "").lower()
+
+
+def _is_omega(mesh: pyvista.DataSet, vertical: str) -> bool:
+    units = _units(mesh, vertical)
+    return units not in SPEED and (units in OMEGA or vertical not in UPWARD)
+
+
+def _usual_winds(mesh: pyvista.DataSet) -> list[str]:
+    for east, north, verticals in USUAL_WINDS:
+        if _is_scalar(mesh, east) and _is_scalar(mesh, north):
+            return [east, north, *[name for name in verticals if _is_scalar(mesh, name)][:1]]
+    return []
+
+
+def _name_winds(globe: vtkGlobeGrid, mesh: pyvista.DataSet, wind: Sequence[str] | Literal[False] | None) -> str:
+    """The name of the vertical wind, empty if there is none."""
     if wind is None:
-        names = [name for name in DEFAULT_WINDS if name in mesh.array_names]
-        if names[:2] != list(DEFAULT_WINDS[:2]):
-            names = []
+        names = _usual_winds(mesh)
     else:
         names = [] if wind is False else [wind] if isinstance(wind, str) else list(wind)
         if wind is not False and len(names) not in (2, 3):
             raise ValueError(f"wind is {wind!r}; it must name two or three arrays: eastward, northward and, optionally, vertical.")
         for name in names:
             require_array(mesh, name, "wind")
-    globe.SetWindArrayNames(*names, *[""] * (3 - len(names)))  # an empty name: there is none, and no warning of it
+    names = [*names, *[""] * (3 - len(names))]  # an empty name: there is none, and no warning of it
+    globe.SetWindArrayNames(*names)
+    return names[2]

@@ -11,8 +11,8 @@ from pyvista.core.errors import MissingDataError
 from vtkmodules.vtkCommonDataModel import vtkDataObject
 
 from . import vtkFlowVolume, vtkFlowVolumePlacement, vtkSmokePuffs
-from ._checks import arrays_of, choose, listed, require_number
-from ._pipeline import vtk_messages
+from ._checks import arrays_of, choose, listed, require_number, require_winds
+from ._pipeline import _renamed, vtk_messages
 
 # What the messages of vtkFlowVolume say, and what it is called here.
 _NAMES = {"switch NormalToFlow off": "give normal", "switch NormalToFlow on": "leave normal out", "Center": "center", "Radius": "radius",
@@ -201,11 +201,13 @@ def _velocity(mesh: pyvista.DataSet | pyvista.MultiBlock, name: str | None) -> t
     """Name of the velocity and whether it is of the cells; an empty name leaves the choice to the filter."""
     blocks = [mesh] if isinstance(mesh, pyvista.DataSet) else [b for b in mesh.recursive_iterator() if b is not None]
     if name is None:
+        for block in blocks[:1]:
+            require_winds(block)
         return "", False
     for on_cells in (False, True):
         if any(_has_vectors(b.cell_data if on_cells else b.point_data, name) for b in blocks):
             return name, on_cells
-    arrays = arrays_of(blocks[0]) if blocks else "The mesh is empty."
+    arrays = arrays_of(blocks[0], name) if blocks else "The mesh is empty."
     raise MissingDataError(f"vectors: no array {name!r} of three components. {arrays}")
 
 
@@ -218,7 +220,7 @@ def _place(smoke: vtkFlowVolume, mesh: Any, velocity: tuple[str, bool], center: 
         return
     place = vtkFlowVolumePlacement()
     if not place.Find(mesh, *velocity):
-        raise ValueError(place.GetProblem() or "center: no place with a flow was found in the mesh; say where the polygon shall be.")
+        raise ValueError(_renamed(place.GetProblem(), _NAMES) or "center: no place with a flow was found in the mesh; say where the polygon shall be.")
     smoke.SetCenter(place.GetCenter())
     if radius is None:
         smoke.SetRadius(place.GetRadius())
