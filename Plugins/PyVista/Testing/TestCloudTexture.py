@@ -75,6 +75,26 @@ class Colours(Picture):
         np.testing.assert_allclose(self.picture().mean(), 0.5 * SEEN, atol=0.02)
 
 
+class Background(Picture):
+    def test_seen_before_any(self):
+        for background in ("white", "lightyellow", "black", pyvista.themes.Theme().background, pyvista.themes.DarkTheme().background):
+            self.plotter.clear()
+            self.plotter.background_color = background
+            self.add(pyvista.Sphere(radius=0.45), coverage=1.0, lighting=True)
+            middle = self.picture()[SIZE // 2 - 20:SIZE // 2 + 20, SIZE // 2 - 20:SIZE // 2 + 20].mean(axis=(0, 1))
+            self.assertGreater(np.abs(middle - pyvista.Color(background).float_rgb).max(), 0.3, background)
+
+    def test_white_before_ground(self):
+        self.plotter.background_color = "white"
+        grey = self.add().prop.color.float_rgb
+        self.assertEqual(self.add().prop.color.float_rgb, grey)  # others of ours are no ground
+        self.plotter.add_mesh(pyvista.Line())
+        self.assertEqual(self.add().prop.color.float_rgb, grey)
+        self.plotter.add_mesh(pyvista.Plane(), color="navy")
+        self.assertEqual(self.add().prop.color.float_rgb, (1, 1, 1))
+        self.assertEqual(self.add(color="red").prop.color.float_rgb, (1, 0, 0))
+
+
 class Arguments(Picture):
     def test_they_arrive(self):
         actor = self.add(coverage=0.3, texture_scale=7, texture_length=2, softness=0.4, relief=0.1, optical_depth=5, use_thickness=True, extinction=0.1, layers=4,
@@ -104,8 +124,10 @@ class Arguments(Picture):
             nephoscope.add_cloud_texture(None, pyvista.Sphere())
         with self.assertRaisesRegex(TypeError, "surface"):
             self.add("clouds")
-        with self.assertRaisesRegex(ValueError, "no polygons"):
+        with self.assertRaisesRegex(ValueError, "mesh is empty.*no polygons.*isosurfaces"):
             self.add(pyvista.PolyData())
+        with self.assertRaisesRegex(ValueError, "has 2 points but no polygons"):
+            self.add(pyvista.Line())
         for name in ("coverage", "density"):
             with self.assertRaisesRegex(MissingDataError, f"{name}.*'share'"):
                 self.add(**{name: "share"})

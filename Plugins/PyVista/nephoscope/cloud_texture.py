@@ -8,12 +8,15 @@ from typing import Any, Sequence
 import numpy as np
 import pyvista
 from pyvista.core.errors import MissingDataError
+from vtkmodules.vtkCommonDataModel import vtkPolyData
 from vtkmodules.vtkFiltersGeometry import vtkDataSetSurfaceFilter
+from vtkmodules.vtkRenderingCore import vtkActor
 
 from . import vtkCloudTextureMapper
 from ._checks import arrays_of, require_number
 from ._copies import copied_mapper
 from ._exports import warn_when_exported
+from ._fields import is_bright, presets
 from ._medium import require_plotter, wrapped
 from ._pipeline import warn_when_drawing
 
@@ -56,7 +59,7 @@ class CloudTextureMapper(vtkCloudTextureMapper):
 
 
 def add_cloud_texture(plotter: pyvista.BasePlotter, mesh: Any, scalars: str | np.ndarray | None = None, *,
-                      color: Any = "white", coverage: float | str = 0.5, texture_scale: float = 3.0, texture_length: float = 0.0,
+                      color: Any = None, coverage: float | str = 0.5, texture_scale: float = 3.0, texture_length: float = 0.0,
                       softness: float = 0.15, relief: float = 0.0, optical_depth: float = 3.0, use_thickness: bool = False, extinction: float = 0.0,
                       density: str | None = None, layers: int = 8,
                       coordinates: Sequence[str] = ("TextureCoordinates1", "TextureCoordinates2"), peels: int = 8,
@@ -72,8 +75,9 @@ def add_cloud_texture(plotter: pyvista.BasePlotter, mesh: Any, scalars: str | np
         of `advect_texture` the texture is where the wind has carried it, without them it follows positions.
     scalars : str or numpy.ndarray, optional
         Point or cell array that colours the clouds. Default: none, they have one colour.
-    color : ColorLike, default: "white"
-        The colour without `scalars`.
+    color : ColorLike, optional
+        The colour without `scalars`. Default: white; the middle grey of the preset ``'clouds'`` of `add_cells` where a bright background would hide
+        white clouds, unless another surface is in the plotter, such as the ground.
     coverage : float or str, default: 0.5
         Share of the surface that is cloud, 0 to 1; or the point array of it, such as a model's cloud fraction.
     texture_scale : float, default: 3.0
@@ -140,7 +144,7 @@ def add_cloud_texture(plotter: pyvista.BasePlotter, mesh: Any, scalars: str | np
     mapper.SetSecondCoordinatesName(coordinates[1])
     peels = int(require_number(peels, "peels", least=0))
     if scalars is None:
-        options["color"] = color
+        options["color"] = _default_color(plotter) if color is None else color
     render = options.pop("render", True)
     actor = plotter.add_mesh(surface, scalars=scalars, render=False, **options)  # its mapper is not ours yet
     drawn = actor.mapper
@@ -161,6 +165,20 @@ def add_cloud_texture(plotter: pyvista.BasePlotter, mesh: Any, scalars: str | np
     return actor
 
 
+def _default_color(plotter: pyvista.BasePlotter) -> Any:
+    """White, or what is seen on a bright background."""
+    if not is_bright(plotter.background_color) or any(_is_ground(actor) for actor in plotter.renderer.actors.values()):
+        return "white"
+    return presets()["clouds"].colour_map(bright=True, samples=3)[1]
+
+
+def _is_ground(actor: Any) -> bool:
+    """True for a surface that is not one of ours."""
+    data = actor.GetMapper().GetInputDataObject(0, 0) if isinstance(actor, vtkActor) and actor.GetMapper() else None
+    ours = data is None or isinstance(actor.GetMapper(), vtkCloudTextureMapper)
+    return not ours and (not isinstance(data, vtkPolyData) or data.GetNumberOfPolys() + data.GetNumberOfStrips() > 0)
+
+
 def _surface(mesh: Any) -> pyvista.PolyData:
     mesh = wrapped(mesh, merge_points=False)
     if not isinstance(mesh, pyvista.DataSet):
@@ -171,6 +189,9 @@ def _surface(mesh: Any) -> pyvista.PolyData:
         surface.Update()
         mesh = pyvista.wrap(surface.GetOutput())
     if mesh.GetNumberOfPolys() + mesh.GetNumberOfStrips() == 0:
+        if mesh.n_points == 0:
+            raise ValueError("mesh is empty: it has no points and no polygons, so there is no surface to draw. If it comes from cloud_surface "
+                             "or contour, choose isosurfaces within the range of their array.")
         raise ValueError(f"mesh has {mesh.n_points} points but no polygons: there is no surface to draw. Make one (cloud_surface, contour, "
                          "delaunay_2d, reconstruct_surface), or draw points with add_splats.")
     return mesh
