@@ -151,6 +151,24 @@ class AnyData(Cells):
         grid.set_active_scalars(None)
         self.assertEqual(self.add(grid, None).mapper.GetArrayName(), "x")
 
+    def test_vectors_first(self):
+        """As OpenFOAM writes them: the active scalars are vectors, and the first array of one number each is drawn."""
+        grid = pyvista.ImageData(dimensions=(4, 4, 4))
+        grid["U"] = np.tile((1.0, 0, 0), (grid.n_points, 1))
+        grid["pointIds"] = np.arange(grid.n_points)
+        grid.cell_data["vtkGhostType"] = np.zeros(grid.n_cells, np.uint8)
+        magnitude = r'scalars=numpy.linalg.norm\(mesh\["U"\], axis=1\)'
+        with self.assertRaisesRegex(MissingDataError, magnitude):
+            nephoscope.add_cells(self.plotter, grid)
+        grid["T"] = grid.points[:, 0]
+        grid["p"] = grid.points[:, 1]
+        self.assertEqual(grid.active_scalars_name, "U")
+        for add in (nephoscope.add_cells, nephoscope.add_splats):
+            for data in (grid, pyvista.MultiBlock([grid, grid.copy()])):
+                self.assertEqual(add(self.plotter, data, render=False).mapper.GetArrayName(), "T")
+            with self.assertRaisesRegex(ValueError, "'U' has 3 components.*Point arrays of one component: 'pointIds', 'T', 'p'; cell arrays: none"):
+                add(self.plotter, grid, "U")
+
     def test_truth_values(self):
         grid = cube()
         grid.point_data["inside"] = grid.points[:, 0] > 0.5

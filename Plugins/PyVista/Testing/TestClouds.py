@@ -3,6 +3,7 @@
 """mesh.nephoscope.smooth and mesh.nephoscope.cloud_surface: every argument arrives; errors."""
 import os
 import unittest
+import warnings
 
 import nephoscope
 import numpy as np
@@ -91,6 +92,33 @@ class CloudSurface(unittest.TestCase):
             made = mesh.nephoscope.cloud_surface(0.5, **options)
             self.assertFalse(np.array_equal(made.points, plain.points), options)
 
+    def test_usual_value(self):
+        """0.15 of cloud fractions, else the middle of what there is: a surface wherever the array varies."""
+        mesh = pyvista.ImageData(dimensions=(9, 9, 9))
+        near = np.exp(-0.2 * np.linalg.norm(mesh.points - 4.0, axis=1) ** 2)
+        spike = (mesh.points == 4.0).all(axis=1)
+        for name, values, low, high in (("cloud_fraction", near, 0.15, 0.15), ("cloud_fraction", 100 * near, 15, 15), ("cloud_fraction", 0.1 * near, 0.01, 0.09),
+                                        ("clwmr", 1e-4 * near, 3e-5, 6e-5), ("rho", 1e21 * near, 3e20, 6e20), ("T", 290 + near, 290.3, 290.6),
+                                        ("T", -near, -0.6, -0.3), ("one", spike.astype(np.uint8), 0.05, 0.1)):
+            grid = pyvista.ImageData(dimensions=(9, 9, 9))
+            grid["U"] = grid.points  # active
+            grid[name] = values
+            for smoothing in (0, 1):
+                surface = grid.nephoscope.cloud_surface(smoothing=smoothing)
+                self.assertGreater(surface.n_cells, 0, name)
+            self.assertTrue(low - 1e-6 <= surface[name][0] <= high + 1e-6, (name, surface[name][0]))
+        self.assertIs(grid.nephoscope.smooth()["U"].ndim, 2)
+
+    def test_usual_value_of_what_is_visible(self):
+        grid = pyvista.ImageData(dimensions=(12, 9, 9))
+        grid["q"] = np.where(grid.points[:, 0] > 8, 1000.0, np.sin(grid.points[:, 0]))
+        grid["q"][:3] = (np.nan, 1e35, -1e35)
+        grid.cell_data["vtkGhostType"] = np.where(grid.cell_centers().points[:, 0] > 8, 32, 0).astype(np.uint8)
+        self.assertTrue(grid.point_data.active_scalars_name == "q")
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore")
+            self.assertGreater(grid.nephoscope.cloud_surface(smoothing=0).n_cells, 0)
+
     def test_seams(self):
         globe = nephoscope.read_cf(FILE).nephoscope.globe(vertical_exaggeration=30, mask_below_ground=False)
         edges = lambda **options: globe.nephoscope.cloud_surface(0.15, "cloud_fraction", **options).n_open_edges
@@ -108,7 +136,7 @@ class CloudSurface(unittest.TestCase):
         with self.assertRaisesRegex(ValueError, "smoothing is -1"):
             mesh.nephoscope.cloud_surface(0.5, smoothing=-1)
         mesh["vector"] = np.zeros((mesh.n_points, 3))
-        with self.assertRaisesRegex(RuntimeError, "3 components"):
+        with self.assertRaisesRegex(ValueError, "3 components.*one component: 'noise', 'other', 'weight'"):
             mesh.nephoscope.cloud_surface(0.5, "vector")
 
 

@@ -51,7 +51,21 @@ def sentences(folder):
                 yield path.name, joined
 
 
+# Filters, menus and panels of ParaView in the sentences; those of VTK's classes and of what Python has too are none.
+PARAVIEW = (r"Calculator|Merge Vector|Cell Data to Point Data|Extract Subset|Tetrahedralize|\(Triangulate\)|Delaunay|Cloud Surface|Textured Splats|\bApply\b|"
+            r"\b[Pp]anel\b|Properties|Connect a|(Tools|Filters|Sources|Edit|View) >|Pass Arrays|Flow Volume|Smoke Puffs|Globe Grid")
+
+
 class Sources(unittest.TestCase):
+    def test_no_words_of_paraview(self):
+        top = Path(os.environ["NEPHOSCOPE_DATA"]).parent
+        for folder, _, names, _ in (*SOURCES, ("Filters/VelocityField", [], smoke._NAMES, ())):
+            for file, sentence in sentences(top / folder):
+                self.assertNotRegex(_pipeline._renamed(sentence, names), PARAVIEW, f"{folder}/{file}")
+        for path in Path(nephoscope.__file__).parent.glob("*.py"):
+            told = re.findall(r"(?:Error|warn)\(.*(?:\n +f?\".*)*", path.read_text())
+            self.assertNotRegex("\n".join(told), PARAVIEW, path.name)
+
     def test_no_properties_of_vtk(self):
         """No sentence of a class names one of its properties, once the words of Python are in it."""
         top = Path(os.environ["NEPHOSCOPE_DATA"]).parent

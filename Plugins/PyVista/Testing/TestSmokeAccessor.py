@@ -147,7 +147,7 @@ class Puffs(unittest.TestCase):
                 self.puffs(**{argument: value})
         with self.assertRaisesRegex(TypeError, "UnstructuredGrid"):
             nephoscope.smoke_puffs(uniform())
-        with self.assertRaisesRegex(RuntimeError, "Connect a flow volume"):
+        with self.assertRaisesRegex(RuntimeError, "Pass the smoke that flow_volume has made"):
             nephoscope.smoke_puffs(uniform().cast_to_unstructured_grid())
 
 

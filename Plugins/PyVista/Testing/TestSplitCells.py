@@ -45,6 +45,16 @@ class SplitCells(unittest.TestCase):
         self.assertEqual(set(nephoscope.split_cells(mesh, 0.5).cell_data["Layer"]), {0, 1})
         self.assertEqual(mesh.active_scalars_name, "r")
 
+    def test_vectors_first(self):
+        mesh = pyvista.ImageData(dimensions=(4, 4, 4))
+        mesh["U"] = mesh.points
+        with self.assertRaisesRegex(MissingDataError, r'mesh\["magnitude"\] = numpy.linalg.norm\(mesh\["U"\], axis=1\)'):
+            mesh.nephoscope.split_cells(3)
+        mesh["T"] = mesh.points[:, 0]
+        for data in (mesh, pyvista.MultiBlock([mesh])):
+            pieces = data.nephoscope.split_cells([1.5])
+            self.assertEqual(set((pieces if data is mesh else pieces[0]).cell_data["Layer"]), {0, 1})
+
     def test_transitions(self):
         split = block().nephoscope.split_cells(0.5, "r", polyhedral_transitions=True)
         self.assertIn(pyvista.CellType.POLYHEDRON, split.celltypes)
@@ -84,7 +94,7 @@ class SplitCells(unittest.TestCase):
         with self.assertRaisesRegex(TypeError, "mesh is a list"):
             nephoscope.split_cells([1])
         mesh.point_data["v"] = mesh.points
-        with self.assertRaisesRegex(RuntimeError, "3 components"):
+        with self.assertRaisesRegex(ValueError, "'v' has 3 components.*Point arrays of one component: 'r', 'x'"):
             mesh.nephoscope.split_cells(0.5, "v")
         with self.assertWarnsRegex(RuntimeWarning, "not three-dimensional"):
             pyvista.Sphere().elevation().nephoscope.split_cells(0.1)

@@ -13,6 +13,7 @@ from vtkmodules.vtkCommonDataModel import (vtkAMRUtilities, vtkCompositeDataSet,
                                            vtkOverlappingAMR, vtkUniformGrid)
 
 from ._checks import listed
+from ._fields import is_helper
 from ._pipeline import level_of_caller
 
 
@@ -105,7 +106,7 @@ def fitting(blocks: list[tuple[str, pyvista.DataSet]], arrays: Mapping[str, Any]
 def _array_of_some(blocks: list[tuple[str, pyvista.DataSet]]) -> dict[str, str]:
     """Where no array is asked for, and the blocks have none in common: the first that there is."""
     kinds = ("point_data", "cell_data")
-    numbers = [{(kind, name) for kind in kinds for name, values in getattr(block, kind).items() if values.ndim == 1 and not name.startswith("vtk")}
+    numbers = [{(kind, name) for kind in kinds for name, values in getattr(block, kind).items() if values.ndim == 1 and not is_helper(name)}
                for _, block in blocks]
     if not numbers or set.intersection(*numbers) or not set.union(*numbers):
         return {}

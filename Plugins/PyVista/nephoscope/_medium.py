@@ -13,10 +13,10 @@ from pyvista.core.errors import MissingDataError
 from vtkmodules.vtkCommonDataModel import vtkCompositeDataSet, vtkHyperTreeGrid, vtkPiecewiseFunction
 
 from ._blocks import fitting, named_blocks
-from ._checks import arrays_of, require_number
+from ._checks import arrays_of, listed, require_number
 from ._copies import MediumVolume, copied_mapper
 from ._exports import warn_when_exported
-from ._fields import find_preset, is_bright, presets
+from ._fields import find_preset, is_bright, is_helper, presets
 from ._frames import warn_of_other_frames
 from ._pipeline import level_of_caller, warn_when_drawing
 from .transfer import OpacityLike, colour_function, opacity_function, opacity_values
@@ -117,16 +117,34 @@ def scalar_array(grid: pyvista.DataSet, scalars: str | np.ndarray | None,
     return grid, scalars, association_of(grid, scalars, preference, "scalars")
 
 
-def default_scalars(grid: pyvista.DataSet) -> tuple[str, str]:
-    """The active scalars; without, the first array of one number each."""
+def default_scalars(grid: pyvista.DataSet, by_name: bool = False) -> tuple[str, str]:
+    """ "point" or "cell", and the active scalars; where they are not one number each, the first array that is.
+
+    Coordinates, masks and numbers are taken last, and not beside vectors. `by_name`: the caller's `scalars` is a name, not values.
+    """
     association, name = grid.active_scalars_info
-    if name is not None:
+    arrays = [(kind, name, data[name]) for kind, data in (("point", grid.point_data), ("cell", grid.cell_data)) for name in data
+              if not name.startswith("vtk")]
+    if name is not None and any(its == name and kind == association.name.lower() and _is_scalar(values) for kind, its, values in arrays):
         return association.name.lower(), name
-    for kind, data in (("point", grid.point_data), ("cell", grid.cell_data)):
-        for name in data:
-            if data[name].ndim == 1 and _are_numbers(data[name]) and not name.startswith("vtk"):
-                return kind, name
-    raise MissingDataError(f"there is no array of one number for each point or cell. {arrays_of(grid)}")
+    vectors = next((name for _, name, values in arrays if values.ndim == 2 and _are_numbers(values) and not is_helper(name)), None)
+    scalars = [(kind, name) for kind, name, values in arrays if _is_scalar(values) and not (vectors and is_helper(name))]
+    if not scalars:
+        raise MissingDataError(f"there is no array of one number for each point or cell.{_magnitude(vectors, by_name)} {arrays_of(grid)}")
+    return next((array for array in scalars if not is_helper(array[1])), scalars[0])
+
+
+def _magnitude(vectors: str | None, by_name: bool) -> str:
+    if vectors is None:
+        return ""
+    norm = f'numpy.linalg.norm(mesh["{vectors}"], axis=1)'
+    if by_name:
+        return f' Make one of the magnitude, mesh["magnitude"] = {norm}, and pass scalars="magnitude".'
+    return f" For the magnitude pass scalars={norm}."
+
+
+def _is_scalar(values: np.ndarray) -> bool:
+    return values.ndim == 1 and _are_numbers(values)
 
 
 def _are_numbers(values: np.ndarray) -> bool:
@@ -146,9 +164,9 @@ def association_of(grid: pyvista.DataSet, name: str, preference: str, argument: 
     """ "point" or "cell", where the array `name` of one number each is; `preference` if both have it."""
     for association in (preference, "cell" if preference == "point" else "point"):
         if name in (grid.point_data if association == "point" else grid.cell_data):
-            _require_scalars(array_values(grid, name, association), name, argument)
+            require_scalars(grid, array_values(grid, name, association), name, argument)
             return association
-    raise MissingDataError(f"{argument}: no array {name!r}. {arrays_of(grid)}")
+    raise MissingDataError(f"{argument}: no array {name!r}. {arrays_of(grid, name)}")
 
 
 def array_values(grid: pyvista.DataSet, name: str, association: str) -> np.ndarray:
@@ -169,14 +187,21 @@ def _with_values(grid: pyvista.DataSet, values: Any, preference: str) -> tuple[p
     return grid, "Data", kind
 
 
-def _require_scalars(values: np.ndarray, name: str, argument: str) -> None:
+def require_scalars(grid: pyvista.DataSet, values: np.ndarray, name: str, argument: str) -> None:
+    """TypeError or ValueError unless the `values` of the array `name` are numbers, one each, and some finite."""
     if not _are_numbers(values):
         raise TypeError(f"{argument}: the array {name!r} is of type {values.dtype}; numbers are needed.")
     if values.ndim != 1:
         raise ValueError(f"{argument}: the array {name!r} has {values.shape[1]} components; one is needed. "
-                         "Pass a column, or numpy.linalg.norm(array, axis=1).")
+                         f"{_arrays_of_one_component(grid)} Name one of these, or make one: a column, or "
+                         f'numpy.linalg.norm(mesh["{name}"], axis=1).')
     if not np.isfinite(values).any():
         raise ValueError(f"{argument}: the array {name!r} has no finite value.")
+
+
+def _arrays_of_one_component(grid: pyvista.DataSet) -> str:
+    points, cells = ([name for name in data if _is_scalar(data[name]) and not name.startswith("vtk")] for data in (grid.point_data, grid.cell_data))
+    return f"Point arrays of one component: {listed(points)}; cell arrays: {listed(cells)}."
 
 
 def _scalar_range(values: np.ndarray, name: str, clim: float | Sequence[float] | None,

@@ -27,7 +27,13 @@ def _is_echo(message: str) -> bool:
 
 # Filters of ParaView that messages recommend, and what does the same here.
 _REMEDIES = {"Apply Cell Data to Point Data": "Use mesh.cell_data_to_point_data()", "apply Cell Data to Point Data": "use mesh.cell_data_to_point_data()",
-             "(Tetrahedralize)": "(mesh.triangulate)", "(Calculator)": "(a column, or numpy.linalg.norm)",
+             "(Tetrahedralize)": "(mesh.triangulate)", "(Triangulate)": "(polygon.triangulate)", "(Calculator)": "(a column, or numpy.linalg.norm)",
+             "(Merge Vector Components, Calculator)": "(numpy.column_stack((u, v, w)))", "make one with Delaunay 3D": "make one by delaunay_3d",
+             "(Cloud Surface, Contour, Delaunay 2D)": "(cloud_surface, contour, delaunay_2d)", "draw them as Textured Splats": "draw them by add_splats",
+             "Connect a flow volume": "Pass the smoke that flow_volume has made", "Connect a dataset with cells": "Pass a mesh with cells",
+             "Connect a grid with winds": "Pass a grid with winds", "Put the fields through Globe Grid first": "Make one by to_globe first",
+             "as Globe Grid makes it": "as to_globe makes it",
+             "let a reader or Globe Grid, which deliver the whole grid on request, be the input": "pass the whole grid",
              "put together with the Calculator: u*iHat + v*jHat + w*kHat": "put together by numpy.column_stack((u, v, w))",
              "use vtkTriangleFilter": "use mesh.triangulate()"}
 

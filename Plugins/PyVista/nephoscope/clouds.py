@@ -3,20 +3,25 @@
 """Smoothed fields on structured grids (`vtkStructuredSmoothing`) and the surfaces of clouds (`vtkCloudSurface`)."""
 from __future__ import annotations
 
+import warnings
 from typing import Any, Literal, Sequence
 
+import numpy as np
 import pyvista
 from pyvista.core.errors import MissingDataError
-from vtkmodules.vtkCommonDataModel import vtkDataObject, vtkImageData, vtkRectilinearGrid, vtkStructuredGrid
+from vtkmodules.vtkCommonDataModel import vtkDataObject, vtkDataSetAttributes, vtkImageData, vtkRectilinearGrid, vtkStructuredGrid
 
 from . import vtkCloudSurface, vtkStructuredSmoothing
 from ._checks import arrays_of, choose
+from ._fields import preset_of_field
 from ._pipeline import vtk_messages
-from .splitting import _point_array, _values
+from .splitting import _point_array, _scalar_point_array, _values
 
 # What the messages of the two filters say, and what it is called here.
 _NAMES = {"Clear MassArrayName": "Leave masses out", "switch Conservative off": "pass conservative=False", "MassArrayName": "masses", "Contour value": "isosurfaces: value", "contour values": "isosurfaces", "contour value": "value of isosurfaces"}
 AXES = {"i": 0, "j": 1, "k": 2}
+EDGE = 0.15     # cloud fraction of the surface of clouds
+FILL = 1e30     # and more: no value
 
 
 def smooth(mesh: pyvista.DataSet, iterations: int = 1, scalars: str | Sequence[str] | None = None, *, all_arrays: bool = False,
@@ -35,7 +40,7 @@ def smooth(mesh: pyvista.DataSet, iterations: int = 1, scalars: str | Sequence[s
     iterations : int, default: 1
         How often the filter is applied, >= 0.
     scalars : str or sequence of str, optional
-        Point arrays to smooth. Default: the active scalars, else the first array of numbers.
+        Point arrays to smooth. Default: the active scalars, or the first array of one number each if they are not, else vectors.
     all_arrays : bool, default: False
         Smooth all point arrays of float and double; `scalars` does not count then.
     periodic : str or sequence of 3 bool, default: ""
@@ -80,7 +85,7 @@ def smooth(mesh: pyvista.DataSet, iterations: int = 1, scalars: str | Sequence[s
     smoothing.SetNumberOfIterations(_count(iterations, "iterations"))
     smoothing.SetAllFloatArrays(all_arrays)
     if not all_arrays:
-        names = [scalars] if scalars is None or isinstance(scalars, str) else list(scalars)
+        names = [_default_name(mesh) if scalars is None else scalars] if scalars is None or isinstance(scalars, str) else list(scalars)
         for name in names:
             smoothing.AddArrayName(_point_array(mesh, name))
     smoothing.SetGenerateMassArray(mass_array)
@@ -90,7 +95,7 @@ def smooth(mesh: pyvista.DataSet, iterations: int = 1, scalars: str | Sequence[s
     return pyvista.wrap(smoothing.GetOutput())
 
 
-def cloud_surface(mesh: pyvista.DataSet, isosurfaces: int | float | Sequence[float] = 0.15, scalars: str | None = None, *,
+def cloud_surface(mesh: pyvista.DataSet, isosurfaces: int | float | Sequence[float] | None = None, scalars: str | None = None, *,
                   smoothing: int = 1, rng: Sequence[float] | None = None, normals: bool = True, join_seams: bool = True,
                   periodic: str | Sequence[bool] = "", conservative: bool = False, masses: str | None = None,
                   isotropic: bool = False, coordinates: Literal["automatic", "cartesian", "lonlat"] = "automatic",
@@ -103,11 +108,13 @@ def cloud_surface(mesh: pyvista.DataSet, isosurfaces: int | float | Sequence[flo
     ----------
     mesh : pyvista.ImageData, pyvista.RectilinearGrid or pyvista.StructuredGrid
         The grid; it is not changed.
-    isosurfaces : int, float or sequence of float, default: 0.15
+    isosurfaces : int, float or sequence of float, optional
         The values, in any order; or, if a whole number, how many values, at equal steps from the first to the last of `rng`. As in
-        `pyvista.DataSetFilters.contour`.
+        `pyvista.DataSetFilters.contour`. Default: for a cloud fraction 0.15, or 15 in percent, if the smoothed values are below and above
+        it; otherwise, for cloud water and all other arrays, the middle of the range of the smoothed values that are visible and finite.
     scalars : str, optional
-        Point array of one number each that is smoothed and contoured. Default: the active scalars, else the first array of numbers.
+        Point array of one number each that is smoothed and contoured. Default: the active scalars, or the first array of one number each
+        if they are not.
     smoothing : int, default: 1
         How often the 3 x 3 x 3 filter is applied first, >= 0.
     rng : sequence of 2 float, optional
@@ -137,7 +144,13 @@ def cloud_surface(mesh: pyvista.DataSet, isosurfaces: int | float | Sequence[flo
     """
     surface = vtkCloudSurface()
     surface.SetInputData(_structured(mesh))
-    name = _point_array(mesh, scalars)
+    name = _scalar_point_array(mesh, scalars)
+    if isosurfaces is None:
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore")  # cloud_surface tells the same
+            smoothed = smooth(mesh, smoothing, name, periodic=periodic, conservative=conservative, masses=masses, isotropic=isotropic,
+                              coordinates=coordinates, find_seam=find_seam)
+        isosurfaces = _usual_value(smoothed, name)
     surface.SetInputArrayToProcess(0, 0, 0, vtkDataObject.FIELD_ASSOCIATION_POINTS, name)
     values = _values(mesh.point_data[name], isosurfaces, rng)
     surface.SetNumberOfContours(len(values))
@@ -156,6 +169,39 @@ def _structured(mesh: Any) -> pyvista.DataSet:
     if not isinstance(mesh, (vtkImageData, vtkRectilinearGrid, vtkStructuredGrid)):
         raise TypeError(f"mesh is a {type(mesh).__name__}; it must be an ImageData, a RectilinearGrid or a StructuredGrid.")
     return mesh
+
+
+def _default_name(mesh: pyvista.DataSet) -> str:
+    try:
+        return _point_array(mesh, None)
+    except MissingDataError:
+        if mesh.active_scalars_name in mesh.point_data.keys():
+            return mesh.active_scalars_name  # vectors: each component is smoothed
+        raise
+
+
+def _usual_value(smoothed: pyvista.DataSet, name: str) -> float:
+    """A value that the array crosses where it varies; that of the edge of clouds in cloud fractions."""
+    values = np.asarray(smoothed.point_data[name], float)[_visible_points(smoothed)]
+    values = values[np.abs(values) < FILL]  # nor what is not a number
+    if not values.size:
+        return EDGE  # the filter says what is wrong
+    low, high = float(values.min()), float(values.max())
+    preset = preset_of_field(name, smoothed)
+    edge = EDGE if high <= 1.01 else 100 * EDGE
+    return edge if preset is not None and preset.name == "clouds" and low < edge < high else 0.5 * (low + high)
+
+
+def _visible_points(mesh: pyvista.DataSet) -> np.ndarray:
+    """Of each point whether it is a corner of a visible cell and not hidden itself."""
+    visible = np.ones(mesh.n_points, bool)
+    if "vtkGhostType" in mesh.cell_data.keys():
+        cells = np.flatnonzero(mesh.cell_data["vtkGhostType"] & vtkDataSetAttributes.HIDDENCELL == 0)
+        visible[:] = False
+        visible[mesh.extract_cells(cells).point_data["vtkOriginalPointIds"]] = True
+    if "vtkGhostType" in mesh.point_data.keys():
+        visible &= mesh.point_data["vtkGhostType"] & vtkDataSetAttributes.HIDDENPOINT == 0
+    return visible
 
 
 def _count(value: int, argument: str) -> int:

@@ -13,7 +13,7 @@ from vtkmodules.vtkCommonDataModel import vtkDataObject
 
 from . import vtkContourCellSplitter
 from ._checks import arrays_of
-from ._medium import default_scalars
+from ._medium import array_values, default_scalars, require_scalars
 from ._pipeline import vtk_messages
 
 
@@ -37,7 +37,7 @@ def split_cells(mesh: pyvista.DataSet | pyvista.MultiBlock, isosurfaces: int | f
         The values, in any order; or how many values, at equal steps from the first to the last of `rng`. As in
         `pyvista.DataSetFilters.contour`.
     scalars : str, optional
-        Point array of one number each. Default: the active scalars, else the first array of numbers.
+        Point array of one number each. Default: the active scalars, or the first array of one number each if they are not.
     rng : sequence of 2 float, optional
         Range of the values if `isosurfaces` is a number of them. Default: the range of the finite scalars.
     surfaces : bool, default: True
@@ -59,7 +59,7 @@ def split_cells(mesh: pyvista.DataSet | pyvista.MultiBlock, isosurfaces: int | f
     pyvista.core.errors.MissingDataError
         (a ValueError) If there is no such point array; the message lists those that are there.
     ValueError
-        If a value is not a finite number, or their number is negative.
+        If a value is not a finite number, or their number is negative, or the scalars are not one number per point.
     RuntimeError
         If the filter cannot use the mesh, with its message.
 
@@ -72,7 +72,7 @@ def split_cells(mesh: pyvista.DataSet | pyvista.MultiBlock, isosurfaces: int | f
     if isinstance(mesh, pyvista.MultiBlock):
         name, array = _array_of_blocks(mesh, scalars)
     elif isinstance(mesh, pyvista.DataSet):
-        name = _point_array(mesh, scalars)
+        name = _scalar_point_array(mesh, scalars)
         array = mesh.point_data[name]
     else:
         raise TypeError(f"mesh is a {type(mesh).__name__}; it must be a pyvista dataset or MultiBlock.")
@@ -95,8 +95,8 @@ def _array_of_blocks(blocks: pyvista.MultiBlock, scalars: str | None) -> tuple[s
     meshes = [mesh for mesh in _leaves(blocks) if mesh.n_points]
     if not meshes:
         warnings.warn("The MultiBlock has no block with points: there is nothing to divide.", RuntimeWarning, stacklevel=3)
-    name = scalars if scalars is not None else _point_array(meshes[0], None) if meshes else ""
-    arrays = [np.asarray(mesh.point_data[_point_array(mesh, name)], float).ravel() for mesh in meshes]
+    name = scalars if scalars is not None else _scalar_point_array(meshes[0], None) if meshes else ""
+    arrays = [np.asarray(mesh.point_data[_scalar_point_array(mesh, name)], float) for mesh in meshes]
     return name, np.concatenate(arrays or [np.empty(0)])
 
 
@@ -110,11 +110,20 @@ def _leaves(blocks: pyvista.MultiBlock) -> Iterator[pyvista.DataSet]:
 
 def _point_array(mesh: pyvista.DataSet, scalars: str | None) -> str:
     if scalars is None:
-        scalars = default_scalars(mesh)[1]
+        scalars = default_scalars(mesh, by_name=True)[1]
     if scalars not in mesh.point_data:
         remedy = " It is on cells: use mesh.cell_data_to_point_data() first." if scalars in mesh.cell_data else ""
-        raise MissingDataError(f"scalars: no point array {scalars!r}.{remedy} {arrays_of(mesh)}")
+        raise MissingDataError(f"scalars: no point array {scalars!r}.{remedy} {arrays_of(mesh, scalars)}")
     return scalars
+
+
+def _scalar_point_array(mesh: pyvista.DataSet, scalars: str | None) -> str:
+    """The name of a point array of one number each."""
+    name = _point_array(mesh, scalars)
+    values = array_values(mesh, name, "point")
+    if values.ndim > 1:
+        require_scalars(mesh, values, name, "scalars")
+    return name
 
 
 def _values(array: np.ndarray, isosurfaces: int | float | Sequence[float], rng: Sequence[float] | None) -> np.ndarray:
