@@ -5,6 +5,7 @@
 A snippet that draws by itself leaves a file, a window or a list of frames, and needs no entry.
 """
 import glob
+import os
 
 import nephoscope
 import numpy as np
@@ -189,8 +190,19 @@ def columns(names):
     plot = pyvista.DataSet.plot if hasattr(pyvista.DataSet, "plot") else None
     assert plot
     pyvista.global_theme.show_scalar_bar = False
+    keep_shown()
+
+
+def keep_shown():
+    """Plotters keep the picture that their window shows."""
     show_plotter = pyvista.Plotter.show
     pyvista.Plotter.show = lambda plotter, **options: show_plotter(plotter, **{**options, "screenshot": "plot.png"})
+
+
+def forecast(_names):
+    """The user's file of the page for PyPI."""
+    os.symlink(GFS, "forecast.nc")
+    keep_shown()
 
 
 def polyhedra(names):
@@ -255,6 +267,7 @@ BEFORE = {
     "cloud-surface-1": lambda names: names.update(globe=globe(30)),
     "cloud-texture-1": textured,
     "cloud-texture-2": textured,
+    "description-1": forecast,
     "contour-cell-splitter-1": lambda names: names.update(source=producer(ball())),
     "globe-grid-2": columns,
     "haze-1": lambda names: names.update(renderer=vtkRenderer()),

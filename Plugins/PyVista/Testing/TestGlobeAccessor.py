@@ -167,6 +167,7 @@ class Globe(unittest.TestCase):
 class Surface(unittest.TestCase):
     def test_texture_coordinates_are_longitude_and_latitude(self):
         surface = nephoscope.globe_surface()
+        self.assertIsNone(surface.active_scalars_name, "it is coloured by its texture coordinates")
         points, texture = np.asarray(surface.points, float), np.asarray(surface.active_texture_coordinates)
         radius = np.linalg.norm(points, axis=1)
         np.testing.assert_allclose(radius, R, rtol=1e-6)

@@ -177,6 +177,7 @@ def globe_surface(*, projection: Literal["globe", "map"] = "globe", radius: floa
     surface = to_globe(flat, projection=projection, radius=radius, level_units="m", wind=False, close_seam=False,
                        mask_below_ground=False)
     surface.active_texture_coordinates = np.asarray(surface.point_data["TextureCoordinates"])
+    surface.set_active_scalars(None)  # without a texture it has one colour
     return surface
 
 
