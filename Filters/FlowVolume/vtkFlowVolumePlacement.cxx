@@ -149,17 +149,19 @@ std::vector<Vector3> Rim(const Candidate& candidate, double radius)
   return rim;
 }
 
+bool RimIsInside(const DataSetField& field, const Candidate& candidate, double radius)
+{
+  std::vector<Vector3> velocities;
+  const auto inside = SampleAt(field, Rim(candidate, radius), velocities);
+  return std::all_of(inside.begin(), inside.end(), [](unsigned char i) { return i != 0; });
+}
+
 // The greatest of the radii, halved up to 7 times, whose rim is inside the data; else the least.
 double FittingRadius(const DataSetField& field, const Candidate& candidate, double radius)
 {
-  for (int halving = 0; halving < mostHalvings; ++halving, radius *= 0.5)
+  for (int halving = 0; halving < mostHalvings && !RimIsInside(field, candidate, radius); ++halving)
   {
-    std::vector<Vector3> velocities;
-    const auto inside = SampleAt(field, Rim(candidate, radius), velocities);
-    if (std::all_of(inside.begin(), inside.end(), [](unsigned char i) { return i != 0; }))
-    {
-      return radius;
-    }
+    radius *= 0.5;
   }
   return radius;
 }
@@ -192,9 +194,7 @@ Candidate Fastest(const DataSetField& field, std::vector<Candidate> candidates, 
   {
     for (Candidate& c : candidates)
     {
-      std::vector<Vector3> velocities;
-      const auto inside = SampleAt(field, Rim(c, radius), velocities);
-      if (std::all_of(inside.begin(), inside.end(), [](unsigned char i) { return i != 0; }))
+      if (RimIsInside(field, c, radius))
       {
         c.Radius = radius;
         return c;
@@ -252,14 +252,7 @@ void JudgeByRim(const DataSetField& field, double radius, double length, std::ve
   for (Candidate& c : candidates)
   {
     c.Radius = FittingRadius(field, c, radius);
-    std::vector<Vector3> places = Rim(c, c.Radius);
-    places.push_back(c.Place);
-    double sum = 0.0;
-    for (const double reach : nephoscope::FlowReaches(field, places, length))
-    {
-      sum += reach / static_cast<double>(places.size());
-    }
-    c.Quality = sum * c.Speed * c.Radius / radius;
+    c.Quality = MeanReach(field, c, length) * c.Speed * c.Radius / radius;
   }
 }
 
