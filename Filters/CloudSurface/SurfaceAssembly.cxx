@@ -195,7 +195,7 @@ bool SurfaceAssembly::IsCellVisible(const GridIndex& cell) const
   }
   const vtkIdType id = cell[0] + static_cast<vtkIdType>(t.Size[0] - 1) *
       (cell[1] + static_cast<vtkIdType>(t.Size[1] - 1) * cell[2]);
-  return (ghosts->GetValue(id) & vtkDataSetAttributes::HIDDENCELL) == 0;
+  return (ghosts->GetValue(id) & (vtkDataSetAttributes::HIDDENCELL | vtkDataSetAttributes::DUPLICATECELL)) == 0;
 }
 
 void SurfaceAssembly::NumberPoints()

@@ -3,6 +3,7 @@
 #include "vtkCloudSurface.h"
 
 #include "ArrayChecks.h"
+#include "BlockNeighbours.h"
 #include "ChosenPointArray.h"
 #include "FieldSmoother.h"
 #include "IndexSpaceContour.h"
@@ -73,11 +74,14 @@ bool CellsOfPiece(const nephoscope::SmoothingPlan& plan, vtkInformation* outInfo
 
 vtkCloudSurface::vtkCloudSurface()
 {
+  this->Neighbours = std::make_unique<nephoscope::BlockNeighbours>();
   this->SetInputArrayToProcess(
     0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, vtkDataSetAttributes::SCALARS);
   this->AddObserver(vtkCommand::StartEvent, this, &vtkCloudSurface::BeginExecution);
   this->AddObserver(vtkCommand::EndEvent, this, &vtkCloudSurface::EndExecution);
 }
+
+vtkCloudSurface::~vtkCloudSurface() = default;
 
 vtkMTimeType vtkCloudSurface::GetMTime()
 {
@@ -107,7 +111,8 @@ int vtkCloudSurface::RequestUpdateExtent(vtkInformation*, vtkInformationVector**
 
 int vtkCloudSurface::RequestData(vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
-  vtkDataSet* input = vtkDataSet::GetData(inputs[0], 0);
+  vtkDataSet* block = vtkDataSet::GetData(inputs[0], 0);
+  vtkDataSet* input = this->Neighbours->Extended(block);
   vtkPolyData* output = vtkPolyData::GetData(outputs, 0);
   nephoscope::SmoothingPlan plan;
   std::string error;
@@ -127,7 +132,8 @@ int vtkCloudSurface::RequestData(vtkInformation*, vtkInformationVector** inputs,
       return 1;
     }
   }
-  vtkDataArray* scalars = this->FindScalars(input, inputs);
+  vtkDataArray* scalars = this->FindScalars(block, inputs);
+  scalars = scalars ? input->GetPointData()->GetArray(nephoscope::IndexOfPointArray(block, scalars)) : nullptr;
   if (!scalars)
   {
     return 1;
@@ -260,12 +266,19 @@ void vtkCloudSurface::BeginExecution()
   {
     this->Reason.clear();
     this->HasSurface = false;
+    // A layer for every pass, one for the gradients, and one for masses, which are less at the end of a grid.
+    this->Neighbours->Find(this->GetInputDataObject(0, 0), this->GetNumberOfSmoothingIterations() + 2);
   }
 }
 
 void vtkCloudSurface::EndExecution()
 {
-  if (--this->ExecutionDepth == 0 && !this->HasSurface && !this->Reason.empty())
+  if (--this->ExecutionDepth > 0)
+  {
+    return;
+  }
+  this->Neighbours->Find(nullptr, 0);
+  if (!this->HasSurface && !this->Reason.empty())
   {
     vtkWarningMacro("There is no surface: " << this->Reason);
   }

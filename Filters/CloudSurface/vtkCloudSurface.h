@@ -16,7 +16,8 @@
  * 1. Smooth, in double precision. Points in one place (the seam and the poles of vtkGlobeGrid's output) get one value.
  * 2. Contour in the space of the indices, where every structured grid is an image and the fastest of VTK's filters can be used; positions
  *    and arrays are interpolated along the edges of the grid.
- * 3. Drop the triangles in cells that are hidden (HIDDENCELL, or a corner HIDDENPOINT) or have a corner without a value.
+ * 3. Drop the triangles in cells that are hidden (HIDDENCELL, or a corner HIDDENPOINT), are ghosts of another piece (DUPLICATECELL) or have a
+ *    corner without a value.
  * 4. Points on both sides of a seam, and those of a row at a pole, become one: the surface is closed there. Arrays that jump at the seam,
  *    such as a longitude, keep the value of the first column.
  * 5. Normals: against the gradient of the smoothed field in the space of the grid, so out of the cloud, where the field is higher inside;
@@ -26,6 +27,9 @@
  * numbers interpolated linearly (whole numbers as VTK does it, to float), text, bits and ids from the nearer point; Normals, float, 3 components,
  * of length 1. vtkGhostType is not carried. Cell array written: ContourIndex, int, the index i of the value, as in SetValue(i, v).
  * Coordinates are of the precision of the input's points; double for images and rectilinear grids.
+ *
+ * Grids of a group that abut are smoothed and contoured as one: each is given ghost cells from its neighbours (those on the same process that
+ * have the same arrays), and the surface has no crack between them.
  *
  * In parallel each process asks for the whole input and contours its share of the cells: the pieces fit, with the same normals.
  * The result does not depend on the number of threads.
@@ -39,6 +43,7 @@
 #include "vtkPolyDataAlgorithm.h"
 #include "vtkStructuredSmoothing.h" // for inline methods
 
+#include <memory> // for members
 #include <string> // for array names
 #include <vector> // for values
 
@@ -46,6 +51,7 @@ class vtkDataArray;
 
 namespace nephoscope
 {
+class BlockNeighbours;
 class SmoothingPlan;
 }
 
@@ -140,7 +146,7 @@ public:
 
 protected:
   vtkCloudSurface();
-  ~vtkCloudSurface() override = default;
+  ~vtkCloudSurface() override;
 
   int FillInputPortInformation(int port, vtkInformation* info) override;
   int RequestInformation(vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs) override;
@@ -178,6 +184,7 @@ private:
   std::string Reason; // why there is no surface
   bool HasSurface = false;
   int ExecutionDepth = 0;
+  std::unique_ptr<nephoscope::BlockNeighbours> Neighbours; // while a group is executed
 };
 
 #endif

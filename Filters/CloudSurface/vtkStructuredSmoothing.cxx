@@ -3,10 +3,12 @@
 #include "vtkStructuredSmoothing.h"
 
 #include "ArrayChecks.h"
+#include "BlockNeighbours.h"
 #include "ChosenPointArray.h"
 #include "FieldSmoother.h"
 #include "ToldOnce.h"
 
+#include "vtkCommand.h"
 #include "vtkDoubleArray.h"
 #include "vtkImageData.h"
 #include "vtkInformationVector.h"
@@ -90,8 +92,30 @@ void Replace(vtkDataSet* output, vtkDataArray* from, vtkDataArray* to)
 
 vtkStructuredSmoothing::vtkStructuredSmoothing()
 {
+  this->Neighbours = std::make_unique<nephoscope::BlockNeighbours>();
   this->SetInputArrayToProcess(
     0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, vtkDataSetAttributes::SCALARS);
+  this->AddObserver(vtkCommand::StartEvent, this, &vtkStructuredSmoothing::BeginExecution);
+  this->AddObserver(vtkCommand::EndEvent, this, &vtkStructuredSmoothing::EndExecution);
+}
+
+vtkStructuredSmoothing::~vtkStructuredSmoothing() = default;
+
+void vtkStructuredSmoothing::BeginExecution()
+{
+  if (this->ExecutionDepth++ == 0) // blocks begin and end within the whole
+  {
+    // A layer for every pass, and one for masses, which are less at the end of a grid.
+    this->Neighbours->Find(this->GetInputDataObject(0, 0), this->NumberOfIterations + 1);
+  }
+}
+
+void vtkStructuredSmoothing::EndExecution()
+{
+  if (--this->ExecutionDepth == 0)
+  {
+    this->Neighbours->Find(nullptr, 0);
+  }
 }
 
 void vtkStructuredSmoothing::SetPeriodic(int axis, bool periodic)
@@ -171,7 +195,8 @@ int vtkStructuredSmoothing::RequestUpdateExtent(
 int vtkStructuredSmoothing::RequestData(
   vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
-  vtkDataSet* input = vtkDataSet::GetData(inputs[0], 0);
+  vtkDataSet* block = vtkDataSet::GetData(inputs[0], 0);
+  vtkDataSet* input = this->Neighbours->Extended(block);
   vtkDataSet* output = vtkDataSet::GetData(outputs, 0);
   nephoscope::ToldOnce telling(this, this->Failed);
   nephoscope::SmoothingPlan plan;
@@ -184,7 +209,7 @@ int vtkStructuredSmoothing::RequestData(
     telling.End(false);
     return 1; // other blocks go on
   }
-  if (!this->FindArrays(input, inputs, arrays))
+  if (!this->FindArrays(block, inputs, arrays))
   {
     telling.End(false);
     return 1;
@@ -196,9 +221,9 @@ int vtkStructuredSmoothing::RequestData(
                        "keep their values. Repair the grid, or switch Conservative off.");
   }
   telling.End(true);
-  output->ShallowCopy(input);
+  output->ShallowCopy(block);
   bool finished = false;
-  nephoscope::WithThreads([&]() { finished = this->SmoothArrays(input, plan, arrays, output); });
+  nephoscope::WithThreads([&]() { finished = this->SmoothArrays(block, input, plan, arrays, output); });
   if (!finished)
   {
     output->Initialize(); // nothing rather than a part
@@ -206,7 +231,7 @@ int vtkStructuredSmoothing::RequestData(
   }
   if (this->GenerateMassArray)
   {
-    this->AddMasses(plan, output);
+    this->AddMasses(block, input, plan, output);
   }
   Crop(output, outputs->GetInformationObject(0));
   return 1;
@@ -270,8 +295,9 @@ bool vtkStructuredSmoothing::FindArrays(vtkDataSet* input, vtkInformationVector*
   return true;
 }
 
-bool vtkStructuredSmoothing::SmoothArrays(
-  vtkDataSet* input, const nephoscope::SmoothingPlan& plan, const std::vector<int>& arrays, vtkDataSet* output)
+// `input`: the block, or the block with ghost cells from its neighbours.
+bool vtkStructuredSmoothing::SmoothArrays(vtkDataSet* block, vtkDataSet* input, const nephoscope::SmoothingPlan& plan,
+  const std::vector<int>& arrays, vtkDataSet* output)
 {
   if (this->NumberOfIterations == 0)
   {
@@ -315,12 +341,13 @@ bool vtkStructuredSmoothing::SmoothArrays(
     {
       vtkWarningMacro(<< nephoscope::ValuesMissing(from, missing) << " They stay as they are, and the others are smoothed without them.");
     }
-    Replace(output, from, to);
+    Replace(output, block->GetPointData()->GetArray(arrays[a]), nephoscope::WithoutGhosts(block, input, to));
   }
   return true;
 }
 
-void vtkStructuredSmoothing::AddMasses(const nephoscope::SmoothingPlan& plan, vtkDataSet* output)
+void vtkStructuredSmoothing::AddMasses(
+  vtkDataSet* block, vtkDataSet* input, const nephoscope::SmoothingPlan& plan, vtkDataSet* output)
 {
   vtkNew<vtkDoubleArray> masses;
   masses->SetName("Mass");
@@ -330,7 +357,7 @@ void vtkStructuredSmoothing::AddMasses(const nephoscope::SmoothingPlan& plan, vt
   {
     vtkWarningMacro("The point array 'Mass' of the input has been replaced. Rename it to keep it.");
   }
-  output->GetPointData()->AddArray(masses);
+  output->GetPointData()->AddArray(nephoscope::WithoutGhosts(block, input, masses));
 }
 
 void vtkStructuredSmoothing::PrintSelf(ostream& os, vtkIndent indent)

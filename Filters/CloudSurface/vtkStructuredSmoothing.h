@@ -23,6 +23,8 @@
  * Arrays of float and double keep their type, whole numbers become double. All components of an array are smoothed, each by itself. All other
  * arrays are passed. The order of the computation is fixed: the result does not depend on the number of threads.
  *
+ * Grids of a group that abut are smoothed as one grid: values at common faces agree. So are those of one process with the same arrays.
+ *
  * In parallel each process asks for the whole input, since seam and poles join places that are far apart in the indices, and gives its piece.
  */
 #ifndef vtkStructuredSmoothing_h
@@ -31,6 +33,7 @@
 #include "vtkDataSetAlgorithm.h"
 #include "vtkNephoscopeFiltersCloudSurfaceModule.h" // for export macro
 
+#include <memory> // for members
 #include <string> // for array names
 #include <vector> // for array names
 
@@ -38,6 +41,7 @@ class vtkDataArray;
 
 namespace nephoscope
 {
+class BlockNeighbours;
 class SmoothingPlan;
 struct SmoothingSettings;
 }
@@ -166,7 +170,7 @@ public:
 
 protected:
   vtkStructuredSmoothing();
-  ~vtkStructuredSmoothing() override = default;
+  ~vtkStructuredSmoothing() override;
 
   int FillInputPortInformation(int port, vtkInformation* info) override;
   int RequestInformation(vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs) override;
@@ -178,9 +182,11 @@ private:
   void operator=(const vtkStructuredSmoothing&) = delete;
 
   bool FindArrays(vtkDataSet* input, vtkInformationVector** inputs, std::vector<int>& arrays);
-  bool SmoothArrays(
-    vtkDataSet* input, const nephoscope::SmoothingPlan& plan, const std::vector<int>& arrays, vtkDataSet* output);
-  void AddMasses(const nephoscope::SmoothingPlan& plan, vtkDataSet* output);
+  bool SmoothArrays(vtkDataSet* block, vtkDataSet* input, const nephoscope::SmoothingPlan& plan, const std::vector<int>& arrays,
+    vtkDataSet* output);
+  void AddMasses(vtkDataSet* block, vtkDataSet* input, const nephoscope::SmoothingPlan& plan, vtkDataSet* output);
+  void BeginExecution();
+  void EndExecution();
 
   int NumberOfIterations = 1;
   bool Periodic[3] = { false, false, false };
@@ -193,6 +199,8 @@ private:
   std::vector<std::string> ArrayNames;
   bool AllFloatArrays = false;
   vtkMTimeType Failed = 0; // for ToldOnce
+  int ExecutionDepth = 0;
+  std::unique_ptr<nephoscope::BlockNeighbours> Neighbours; // while a group is executed
 };
 
 #endif

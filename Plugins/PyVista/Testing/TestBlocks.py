@@ -69,6 +69,14 @@ class Blocks(unittest.TestCase):
         drawn, told = self.add(nephoscope.add_splats, particles, color="red", opacity=0.5)
         self.assertEqual((drawn.n_points, told), (25, ""))
 
+    def test_a_block_without_vectors_keeps_its_scalars(self):
+        windy = cube()
+        windy["Wind"] = np.ones((64, 3), np.float32)
+        drawn, told = self.add(nephoscope.add_splats, {"windy": windy, "calm": cube(5.0)}, "density", vectors="Wind")
+        self.assertEqual((drawn.n_points, told), (128, ""))
+        calm = drawn.points[:, 0] > 2
+        self.assertEqual((drawn["density"][calm].max(), np.ptp(drawn["Wind"][calm]), drawn["Wind"][~calm].min()), (1, 0, 1))
+
     def test_nothing_left(self):
         with self.assertRaisesRegex(ValueError, "no 3-D cells"):
             nephoscope.add_cells(self.plotter, pyvista.MultiBlock({"wall": patch("density")}), "density")

@@ -77,7 +77,7 @@ def fitting(blocks: list[tuple[str, pyvista.DataSet]], arrays: Mapping[str, Any]
     """The blocks that one volume of these `arrays` (argument: name) is made of; a warning names the others.
 
     Beside blocks with 3-D cells others are left out: the patches of a boundary, for example, but not particles where `points_fit`.
-    Blocks without one of the arrays are left out too. MissingDataError if no block has it.
+    Blocks without one of the arrays are left out too; blocks without vectors get vectors of length 0. MissingDataError if no block has it.
     """
     left_out: dict[str, str] = {}
     dimensions = [cell_dimension(block) for _, block in blocks]
@@ -95,12 +95,25 @@ def fitting(blocks: list[tuple[str, pyvista.DataSet]], arrays: Mapping[str, Any]
         having = [(its_name, block) for its_name, block in blocks if name in getattr(block, kind)]
         if blocks and not having:
             raise MissingDataError(f"{argument}: no block has an array {name!r}. {_arrays_of_all(blocks)}")
+        if argument in ("vectors", "vector_scalars"):
+            blocks = [(its_name, _with_zeros(block, kind, name, getattr(having[0][1], kind)[name])) for its_name, block in blocks]
+            continue
         left_out.update({its_name: f"no {kind[:-5]} array {name!r}" for its_name, block in blocks if name not in getattr(block, kind)})
         blocks = having
     if left_out:
         told = ", ".join(f"{name!r} ({why})" for name, why in left_out.items())
         warnings.warn(f"Blocks that are not drawn: {told}.", UserWarning, stacklevel=level_of_caller())
     return [block for _, block in blocks]
+
+
+def _with_zeros(block: pyvista.DataSet, kind: str, name: str, model: np.ndarray) -> pyvista.DataSet:
+    """`block` with the array; where it has none, with zeros in the shape and type of `model`."""
+    if name in getattr(block, kind):
+        return block
+    block = block.copy(deep=False)
+    count = block.n_points if kind == "point_data" else block.n_cells
+    getattr(block, kind)[name] = np.zeros((count, *model.shape[1:]), model.dtype)
+    return block
 
 
 def _array_of_some(blocks: list[tuple[str, pyvista.DataSet]]) -> dict[str, str]:
