@@ -81,6 +81,18 @@ class Applied(unittest.TestCase):
             volume = self.add(box(**{name: ramp(low, high)}), name)
             np.testing.assert_allclose(volume.mapper.scalar_range, expected, err_msg=name)
 
+    def test_spikes_do_not_pale_the_rest(self):
+        """Symmetric ranges: a peak of any width keeps its height, and 3 of 4096 values a hundred times the rest do not set the range."""
+        away = np.linalg.norm(box(17).points - 0.5, axis=1)
+        for width in (0.1, 0.2, 0.4):
+            peak = 7 * np.exp(-(away / width) ** 2)
+            np.testing.assert_allclose(self.add(box(17, vorticity=peak), "vorticity").mapper.scalar_range, (-7, 7), rtol=1e-6)
+        waves = np.sin(20 * box(17).points[:, 0])
+        waves[[100, 2000, 4000]] = 100, -100, 100
+        low, high = self.add(box(17, vorticity=waves), "vorticity").mapper.scalar_range
+        self.assertEqual(low, -high)
+        self.assertTrue(1 < high < 40, high)
+
     def test_mean_optical_depth_whatever_the_scale(self):
         """A cube of any size, with clouds in a part of it: its light is dimmed alike."""
         away = np.linalg.norm(box(17).points - 0.45, axis=1)

@@ -52,8 +52,17 @@ class Preset:
         if self.range_rule in ("fraction", "from zero") and low >= 0 and high > 0:
             return 0.0, high
         if self.range_rule == "symmetric" and max(-low, high) > 0:
-            return -max(-low, high), max(-low, high)
+            greatest = _greatest_but_spikes(finite)
+            return -greatest, greatest
         return None
+
+
+def _greatest_but_spikes(values: np.ndarray) -> float:
+    """Greatest magnitude, at most 3 sum(v^2)/sum|v|: a Gaussian peak of any width keeps its own (1.06 of it), a few spikes do not pale the rest."""
+    magnitudes = np.abs(values.astype(float)).ravel()
+    greatest = magnitudes.max()
+    shares = magnitudes / greatest  # squares that fit
+    return greatest * min(1.0, 3 * np.sum(shares * shares) / np.sum(shares))
 
 
 @lru_cache(maxsize=None)
