@@ -60,6 +60,21 @@ def show_terrain(view, ambient, diffuse, specular=0.12):
     shown.Ambient, shown.Diffuse, shown.Specular, shown.SpecularPower = ambient, diffuse, specular, 20
 
 
+def show_ground(view, exaggeration, ambient, diffuse, **projection):
+    """Mountains at their height, coloured by it; returns what is shown."""
+    fields = pvs.NetCDFReader(FileName=[os.path.join(DATA, "gfs_2p5deg_2011101100.nc")], SphericalCoordinates=0, Dimensions="(lat, lon)")
+    ground = pvs.GlobeTerrain(Input=fields, VerticalExaggeration=exaggeration, **projection)
+    pvs.RenameSource("Terrain", ground)
+    shown = pvs.Show(ground, view)
+    pvs.ColorBy(shown, ("POINTS", "Terrain"))
+    shown.LookupTable.ApplyPreset("Nephoscope Terrain", False)
+    shown.LookupTable.AutomaticRescaleRangeMode = "Never"
+    shown.LookupTable.NumberOfTableValues = 2048  # the coast is a jump in it
+    shown.InterpolateScalarsBeforeMapping = 1
+    shown.Ambient, shown.Diffuse, shown.Specular = ambient, diffuse, 0.05
+    return shown
+
+
 def read_forecast(exaggeration, name="Forecast", **projection):
     forecast = pvs.NetCDFReader(FileName=[os.path.join(DATA, "gfs_2p5deg_2011101100.nc")], SphericalCoordinates=0)
     forecast.Dimensions = "(lev, lat, lon)"

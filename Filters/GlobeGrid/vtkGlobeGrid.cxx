@@ -190,7 +190,7 @@ int vtkGlobeGrid::RequestInformation(
 int vtkGlobeGrid::RequestUpdateExtent(
   vtkInformation*, vtkInformationVector** inputs, vtkInformationVector*)
 {
-  for (int port = 0; port < 2; ++port)
+  for (int port = 0; port < this->GetNumberOfInputPorts(); ++port)
   {
     if (inputs[port]->GetNumberOfInformationObjects() == 0)
     {
@@ -241,7 +241,7 @@ bool vtkGlobeGrid::MakeGrid(vtkInformationVector** inputs, vtkInformationVector*
     vtkErrorMacro(<< error);
     return false;
   }
-  vtkDataSet* surfaceData = vtkDataSet::GetData(inputs[1], 0);
+  vtkDataSet* surfaceData = this->GetNumberOfInputPorts() > 1 ? vtkDataSet::GetData(inputs[1], 0) : nullptr;
   nephoscope::LonLatLevelGrid surface;
   const bool hasSurface = surfaceData &&
     ReadGrid(surfaceData, { settings.SurfacePressure, settings.TerrainHeight }, surface, error);

@@ -20,6 +20,7 @@
 #include "vtkSMSessionProxyManager.h"
 #include "vtkSMSettings.h"
 #include "vtkSMSourceProxy.h"
+#include "vtkSMTransferFunctionManager.h"
 #include "vtkSMTransferFunctionPresets.h"
 #include "vtkSMTransferFunctionProxy.h"
 #include "vtkSMViewProxy.h"
@@ -123,6 +124,20 @@ void Color(vtkSMPVRepresentationProxy* display, vtkSMSourceProxy* source, int po
   {
     display->SetScalarColoring(array.Name.c_str(), array.Association);
     display->RescaleTransferFunctionToDataRange(true, false);
+  }
+}
+
+// The colours of a preset that is in the unit of its array: its range stays.
+void ColorByPreset(vtkSMPVRepresentationProxy* display, vtkSMSourceProxy* source, int port, const char* preset)
+{
+  const ColoredArray array = ActiveScalars(source->GetDataInformation(port));
+  display->SetScalarColoring(array.Name.c_str(), array.Association); // it is, but has no colors yet
+  vtkSMProxy* colors = vtkSMPropertyHelper(display, "LookupTable", true).GetAsProxy();
+  if (colors && vtkSMTransferFunctionPresets::GetInstance()->HasPreset(preset))
+  {
+    vtkSMTransferFunctionProxy::ApplyPreset(colors, preset, false);
+    vtkSMPropertyHelper(colors, "AutomaticRescaleRangeMode", true).Set(vtkSMTransferFunctionManager::NEVER);
+    colors->UpdateVTKObjects();
   }
 }
 
@@ -238,6 +253,10 @@ void PrepareDisplay(vtkSMPVRepresentationProxy* display)
   else if (hint)
   {
     Color(display, source, port, hint->GetAttributeOrDefault("color", "active"));
+    if (const char* preset = hint->GetAttribute("preset"))
+    {
+      ColorByPreset(display, source, port, preset);
+    }
     display->UpdateVTKObjects();
     nephoscope::resetCameraWhereShown(display);
   }

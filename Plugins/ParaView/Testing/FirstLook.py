@@ -82,6 +82,20 @@ def check_smoke():
     pvs.Delete(view)
 
 
+def check_terrain():
+    """The ground in the colours of its altitude, in metres, the sea apart."""
+    fields = pvs.NetCDFReader(FileName=[GFS], SphericalCoordinates=0, Dimensions="(lat, lon)")
+    terrain = pvs.GlobeTerrain(Input=fields)
+    view, display = look_first(terrain)
+    check_display(display, "Globe Terrain", "Surface", "Terrain")
+    points = list(display.LookupTable.RGBPoints)
+    check((points[0], points[-4]) == (-100, 6000), f"the colours of terrain go from {points[0]} to {points[-4]}")
+    red, green, blue = (image(view)[..., c].astype(float) for c in range(3))
+    sea, land = (blue > 1.3 * green).mean(), ((green > 1.2 * blue) & (green > 40)).mean()
+    check(sea > 0.05 and land > 0.05, f"{sea:.1%} of the picture are sea, {land:.1%} land")
+    pvs.Delete(view)
+
+
 def check_filters():
     wavelet = pvs.Wavelet(WholeExtent=[-6, 6] * 3)
     view, _ = look_first(wavelet)
@@ -141,6 +155,7 @@ pvs._DisableFirstRenderCameraReset()
 check_camera()
 check_smoke()
 check_filters()
+check_terrain()
 check_constant_fields()
 check_opacities()
 check_switched()

@@ -50,11 +50,19 @@ class Names(unittest.TestCase):
         entries = json.loads((Path(_fields.__file__).parent / "nephoscope_presets.json").read_text())
         names = [array for entry in entries for array in entry["NephoscopeArrays"]]
         self.assertEqual(len(names), len(set(names)), "an array of two presets")
-        for entry in entries:
+        for entry in filter(lambda entry: "NephoscopeName" in entry, entries):
             for key, width in (("RGBPoints", 4), ("Points", 4)):
                 points = np.reshape(entry[key], (-1, width))
                 self.assertTrue((np.diff(points[:, 0]) > 0).all() and points[0, 0] == 0 and points[-1, 0] == 1, entry["Name"])
                 self.assertTrue((points[:, 1:] >= 0).all() and (points[:, 1:] <= 1).all())
+
+    def test_terrain_is_in_metres(self):
+        """The one preset with a range of its own: the sea below 0, the coast a jump."""
+        (low, high), colours = _fields.terrain_preset(6101)
+        self.assertEqual((low, high, len(colours)), (-100, 6000, 6101))
+        sea, land = (np.array(pyvista.Color(colours[100 + step]).float_rgb) for step in (-1, 1))
+        self.assertGreater(sea[2], sea[1])
+        self.assertGreater(land[1], land[2])
 
 
 class Applied(unittest.TestCase):

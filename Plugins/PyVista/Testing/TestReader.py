@@ -48,7 +48,8 @@ class Reader(unittest.TestCase):
         self.assertEqual(nephoscope.read_cf(PATH, variables="u").point_data.keys(), ["u"])
 
     def test_surface_fields(self):
-        surface = nephoscope.read_cf(PATH, dimensions=("lat", "lon"), variables=["sp", "orog"])
+        surface = nephoscope.read_cf(PATH, dimensions="(lat, lon)", variables=["sp", "orog"])
+        self.assertEqual(surface, nephoscope.read_cf(PATH, dimensions=("lat", "lon"), variables=["sp", "orog"]))
         self.assertEqual(set(surface.point_data), {"sp", "orog"})
         self.assertEqual(surface.n_points, 144 * 73)
         longitude, latitude, _ = surface.points[np.argmax(surface.point_data["orog"])]

@@ -30,6 +30,7 @@ if _TYPE_CHECKING:
     from .sparse import read_vdb, write_vdb
     from .splats import add_splats
     from .splitting import split_cells
+    from .terrain import add_terrain, terrain_surface
 
 # Function -> the file of its technique. A new technique adds its line here and its method in accessor.py.
 PYVISTA_FUNCTIONS = {
@@ -37,6 +38,8 @@ PYVISTA_FUNCTIONS = {
     "cf_times": "reader",
     "to_globe": "globe",
     "globe_surface": "globe",
+    "terrain_surface": "terrain",
+    "add_terrain": "terrain",
     "add_cells": "cells",
     "add_haze": "haze",
     "add_splats": "splats",

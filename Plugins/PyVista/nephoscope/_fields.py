@@ -68,7 +68,16 @@ def _greatest_but_spikes(values: np.ndarray) -> float:
 @lru_cache(maxsize=None)
 def presets() -> dict[str, Preset]:
     """By the name that Python uses: "clouds", "wind speed", ..."""
-    return {entry["NephoscopeName"]: _preset(entry) for entry in _entries()}
+    return {entry["NephoscopeName"]: _preset(entry) for entry in _entries() if "NephoscopeName" in entry}
+
+
+def terrain_preset(count: int) -> tuple[tuple[float, float], list[str]]:
+    """First and last height of the colours of terrain, in metres, and so many colours between."""
+    entry = next(entry for entry in _entries() if entry["Name"] == "Nephoscope Terrain")
+    points = np.reshape(entry["RGBPoints"], (-1, 4))
+    heights = np.linspace(points[0, 0], points[-1, 0], count)
+    rgb = np.stack([np.interp(heights, points[:, 0], points[:, c]) for c in (1, 2, 3)], axis=1)
+    return (float(points[0, 0]), float(points[-1, 0])), [pyvista.Color(row).hex_rgb for row in rgb]
 
 
 @lru_cache(maxsize=None)

@@ -12,6 +12,7 @@ from .globe import to_globe
 from .smoke import flow_volume, smoke_puffs
 from .sparse import write_vdb
 from .splitting import split_cells
+from .terrain import terrain_surface
 
 
 def _method(function: Callable) -> Callable:
@@ -37,6 +38,7 @@ class NephoscopeAccessor:
         self._mesh = mesh
 
     globe = _method(to_globe)
+    terrain = _method(terrain_surface)
     split_cells = _method(split_cells)
     smooth = _method(smooth)
     cloud_surface = _method(cloud_surface)

@@ -19,7 +19,7 @@ from ._fields import choose_active_scalars
 from ._pipeline import vtk_messages
 
 
-def read_cf(path: str | Path, *, dimensions: Sequence[str] | None = None, variables: Sequence[str] | None = None,
+def read_cf(path: str | Path, *, dimensions: str | Sequence[str] | None = None, variables: Sequence[str] | None = None,
             time_step: int | None = None) -> pyvista.DataSet:
     """Read the variables of one shape from a NetCDF file with CF conventions.
 
@@ -27,8 +27,8 @@ def read_cf(path: str | Path, *, dimensions: Sequence[str] | None = None, variab
     ----------
     path : str or pathlib.Path
         The file, NetCDF classic or NetCDF-4.
-    dimensions : sequence of str, optional
-        Names of the dimensions of the variables to read, slowest first, as the file has them:
+    dimensions : str or sequence of str, optional
+        Names of the dimensions of the variables to read, slowest first, as the file has them, separated by commas or one by one:
         ``("lev", "lat", "lon")``. Default: the longest combination in the file.
     variables : sequence of str, optional
         Names of the variables to read. Default: all on these dimensions.
@@ -80,7 +80,7 @@ def read_cf(path: str | Path, *, dimensions: Sequence[str] | None = None, variab
     return mesh
 
 
-def cf_times(path: str | Path, *, dimensions: Sequence[str] | None = None) -> list[str]:
+def cf_times(path: str | Path, *, dimensions: str | Sequence[str] | None = None) -> list[str]:
     """The times in a NetCDF file with CF conventions, in the order of the `time_step` of `read_cf`.
 
     Parameters
@@ -164,13 +164,14 @@ def _strings(array: object) -> list[str]:
     return [array.GetValue(i) for i in range(array.GetNumberOfValues())]
 
 
-def _shape(reader: vtkNetCDFCFReader, path: Path, dimensions: Sequence[str] | None) -> str:
+def _shape(reader: vtkNetCDFCFReader, path: Path, dimensions: str | Sequence[str] | None) -> str:
     available = _strings(reader.GetAllDimensions())
     if not available:
         raise ValueError(f"{path} has no variable with dimensions.")
     if dimensions is None:
         return max(available, key=lambda text: text.count(","))
-    shape = "(" + ", ".join(dimensions) + ")"
+    names = dimensions.strip(" ()").split(",") if isinstance(dimensions, str) else dimensions
+    shape = "(" + ", ".join(name.strip() for name in names) + ")"
     if shape not in available:
         raise ValueError(f"dimensions: no variable of {path} has {shape}. There are: {'; '.join(available)}.")
     return shape

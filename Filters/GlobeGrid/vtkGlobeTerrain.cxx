@@ -1,0 +1,103 @@
+// SPDX-FileCopyrightText: The Nephoscope authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkGlobeTerrain.h"
+
+#include "TerrainSurface.h"
+#include "ToldOnce.h"
+
+#include "vtkCellData.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkObjectFactory.h"
+#include "vtkPointData.h"
+#include "vtkStructuredGrid.h"
+
+#include <cmath>
+
+vtkStandardNewMacro(vtkGlobeTerrain);
+
+namespace
+{
+std::string ArraysOf(vtkDataSet* data)
+{
+  std::string names;
+  for (vtkDataSetAttributes* attributes : { static_cast<vtkDataSetAttributes*>(data->GetPointData()),
+         static_cast<vtkDataSetAttributes*>(data->GetCellData()) })
+  {
+    for (int a = 0; a < attributes->GetNumberOfArrays(); ++a)
+    {
+      if (attributes->GetArrayName(a))
+      {
+        names += (names.empty() ? "'" : ", '") + std::string(attributes->GetArrayName(a)) + "'";
+      }
+    }
+  }
+  return names.empty() ? "none" : names;
+}
+
+int FlatAxes(vtkDataSet* data)
+{
+  double bounds[6];
+  data->GetBounds(bounds);
+  return (bounds[0] < bounds[1] ? 0 : 1) + (bounds[2] < bounds[3] ? 0 : 1) + (bounds[4] < bounds[5] ? 0 : 1);
+}
+}
+
+vtkGlobeTerrain::vtkGlobeTerrain()
+{
+  this->SetNumberOfInputPorts(1);
+  this->SetHeightArrayName("orog");
+  this->SetWindArrayNames("", "", "");
+  this->SetLevelUnits(HEIGHT_M);
+  this->SetMaskBelowGround(false);
+}
+
+bool vtkGlobeTerrain::IsTerrain(vtkDataSet* input)
+{
+  const std::string name = this->GetHeightArrayName();
+  if (!input->GetPointData()->HasArray(name.c_str()) && !input->GetCellData()->HasArray(name.c_str()))
+  {
+    vtkErrorMacro("There is no array '" << name << "' of the height of the ground; arrays: " << ArraysOf(input)
+                                        << ". Set HeightArrayName to one of them.");
+    return false;
+  }
+  if (input->GetNumberOfPoints() == 0 || FlatAxes(input) != 1)
+  {
+    vtkErrorMacro("Terrain is one level of longitudes and latitudes, and the input is not. Choose the fields of one level (Extract Subset).");
+    return false;
+  }
+  return true;
+}
+
+int vtkGlobeTerrain::RequestData(vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs)
+{
+  auto* terrain = vtkStructuredGrid::GetData(outputs, 0);
+  {
+    nephoscope::ToldOnce telling(this, this->Untold);
+    const bool isTerrain = this->IsTerrain(vtkDataSet::GetData(inputs[0], 0));
+    telling.End(isTerrain);
+    if (!isTerrain)
+    {
+      terrain->Initialize();
+      return 1;
+    }
+  }
+  this->Superclass::RequestData(request, inputs, outputs);
+  if (terrain->GetNumberOfPoints() == 0)
+  {
+    return 1;
+  }
+  const nephoscope::TerrainPlace place = { this->GetProjection() == GLOBE, this->GetPlanetRadius() };
+  vtkDataArray* land = terrain->GetPointData()->GetArray(this->LandArrayName.c_str());
+  nephoscope::FlattenSea(terrain, land, place);
+  nephoscope::AddTerrainScale(terrain, land, this->SeaDepth);
+  nephoscope::AddTerrainNormals(terrain, place);
+  nephoscope::AddTerrainTextureCoordinates(terrain, place);
+  return 1;
+}
+
+void vtkGlobeTerrain::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "LandArrayName: " << this->LandArrayName << "\n" << indent << "SeaDepth: " << this->SeaDepth << "\n";
+}

@@ -1,0 +1,141 @@
+# SPDX-FileCopyrightText: The Nephoscope authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Heights of the ground on a globe or a map (`vtkGlobeTerrain`), and their colours."""
+from __future__ import annotations
+
+from typing import Any, Literal
+
+import numpy as np
+import pyvista
+from pyvista.core.errors import MissingDataError
+
+from . import vtkGlobeTerrain
+from ._checks import choose, listed, require_number
+from ._fields import terrain_preset
+from ._medium import require_plotter
+from ._pipeline import vtk_messages
+from .globe import EARTH_RADIUS, _NAMES, _structured
+
+# Usual names of the height of the ground and of the fraction of land, CF standard names among them.
+USUAL_HEIGHTS = ("orog", "surface_altitude", "orography", "topo", "topography", "elevation", "terrain", "HGT", "HSURF", "hsurf", "zs", "zsurf")
+USUAL_LAND = ("lsm", "land_area_fraction", "land_binary_mask", "sftlf", "LANDMASK", "LANDFRAC", "FR_LAND", "land")
+COLOURS = 2048  # of the table: the coast is a jump in it
+
+
+def terrain_surface(mesh: pyvista.DataSet, height: str | None = None, *, land: str | Literal[False] | None = None,
+                    projection: Literal["globe", "map"] = "globe", radius: float = EARTH_RADIUS, vertical_exaggeration: float = 1.0,
+                    height_units: Literal["automatic", "m", "km", "geopotential"] = "automatic",
+                    central_meridian: float | None = None, sea_depth: float = 100.0) -> pyvista.StructuredGrid:
+    """The ground as a surface on a globe or a map: mountains at their height, the sea flat.
+
+    Also the accessor method ``mesh.nephoscope.terrain(...)``. Draw it by `add_terrain`, or with a texture, as `globe_surface`.
+
+    Parameters
+    ----------
+    mesh : pyvista.ImageData, pyvista.RectilinearGrid or pyvista.StructuredGrid
+        One level: axes x longitude and y latitude in degrees, as `read_cf` gives fields without levels.
+    height : str, optional
+        Point or cell array of heights above the sea. Default: the first usual name that is there: ``"orog"``, ``"surface_altitude"``, ``"topo"``,
+        ``"elevation"``, ``"HGT"``, ``"HSURF"``, ...
+    land : str or False, optional
+        Array of the fraction of land, 0 to 1; 0.5 and more is land. Default: ``"lsm"`` or another usual name; where there is none, or with False,
+        land is what is above sea level.
+    projection, radius, vertical_exaggeration, central_meridian
+        As in `to_globe`. 20 to 50 makes mountains visible on a whole globe.
+    height_units : {"automatic", "m", "km", "geopotential"}, default: "automatic"
+        Units of `height`. Automatic: those in the file, else metres.
+    sea_depth : float, default: 100.0
+        Value, with a minus, of the array ``Terrain`` in the open sea, in metres, 0 to 20000: for colours alone.
+
+    Returns
+    -------
+    pyvista.StructuredGrid
+        Points in metres. Point arrays: those of `mesh`; ``Height`` (m), 0 in the sea; the active scalars ``Terrain`` (m), on land the height, in the
+        sea 0 at the coast to -`sea_depth`; ``Normals``; texture coordinates of a plate carrée picture from 180° W to 180° E.
+
+    Raises
+    ------
+    TypeError
+        If `mesh` is not a structured dataset.
+    pyvista.core.errors.MissingDataError
+        (a ValueError) If there is no such array; the message lists those that are there.
+    ValueError
+        If a number or a choice is out of range.
+    RuntimeError
+        If the filter cannot use the grid, with its message.
+    """
+    mesh = _structured(mesh, "mesh")
+    terrain = vtkGlobeTerrain()
+    terrain.SetInputData(mesh)
+    terrain.SetHeightArrayName(_height_name(mesh, height))
+    terrain.SetLandArrayName(_land_name(mesh, land))
+    terrain.SetSeaDepth(require_number(sea_depth, "sea_depth", least=0, most=20000))
+    choose({"globe": terrain.SetProjectionToGlobe, "map": terrain.SetProjectionToMap}, projection, "projection")
+    choose({"automatic": terrain.SetHeightUnitsToAutomatic, "m": terrain.SetHeightUnitsToMetre, "km": terrain.SetHeightUnitsToKilometre,
+            "geopotential": terrain.SetHeightUnitsToGeopotential}, height_units, "height_units")
+    terrain.SetPlanetRadius(require_number(radius, "radius", above=0))
+    terrain.SetVerticalExaggeration(require_number(vertical_exaggeration, "vertical_exaggeration", least=0))
+    if central_meridian is not None:
+        terrain.SetUseCentralMeridian(True)
+        terrain.SetCentralMeridian(require_number(central_meridian, "central_meridian"))
+    with vtk_messages(terrain, {**_NAMES, "Set HeightArrayName to": "Set height to"}):
+        terrain.Update()
+    return pyvista.wrap(terrain.GetOutput())
+
+
+def add_terrain(plotter: pyvista.BasePlotter, terrain: pyvista.DataSet, *, cmap: Any = None, clim: Any = None, **options: Any) -> pyvista.Actor:
+    """Add the ground to a plotter, coloured by its altitude: the sea blue, land green, brown and white.
+
+    Parameters
+    ----------
+    plotter : pyvista.Plotter
+        The plotter.
+    terrain : pyvista.DataSet
+        What `terrain_surface` gives, or any surface with an array ``Terrain`` in metres.
+    cmap, clim
+        As in `pyvista.Plotter.add_mesh`. Default: the preset *Nephoscope Terrain*, -100 to 6000 m.
+    **options
+        Passed on to `pyvista.Plotter.add_mesh`.
+
+    Returns
+    -------
+    pyvista.Actor
+        The actor in the plotter.
+
+    Raises
+    ------
+    TypeError
+        If `plotter` is no plotter.
+    pyvista.core.errors.MissingDataError
+        (a ValueError) If `terrain` has no array ``Terrain``.
+    """
+    require_plotter(plotter)
+    if "Terrain" not in getattr(terrain, "point_data", ()):
+        raise MissingDataError("terrain has no point array 'Terrain'. Make it by terrain_surface.")
+    limits, colours = terrain_preset(COLOURS)
+    defaults = {"scalars": "Terrain", "clim": limits if clim is None else clim, "cmap": colours if cmap is None else cmap,
+                "scalar_bar_args": {"title": "Height (m)"}}
+    return plotter.add_mesh(terrain, **{**defaults, **options})
+
+
+def _height_name(mesh: pyvista.DataSet, height: str | None) -> str:
+    if height is None:
+        height = next((name for name in USUAL_HEIGHTS if name in mesh.array_names), None)
+        if height is None:
+            raise MissingDataError("mesh has no array with a usual name of the height of the ground; name one by height. "
+                                   f"Its arrays: {listed(_arrays(mesh))}.")
+    elif height not in _arrays(mesh):
+        raise MissingDataError(f"height: there is no array {height!r}. The arrays: {listed(_arrays(mesh))}.")
+    return height
+
+
+def _land_name(mesh: pyvista.DataSet, land: str | Literal[False] | None) -> str:
+    if land is None:
+        return next((name for name in USUAL_LAND if name in mesh.array_names), "")
+    if land is not False and land not in _arrays(mesh):
+        raise MissingDataError(f"land: there is no array {land!r}. The arrays: {listed(_arrays(mesh))}.")
+    return land or ""
+
+
+def _arrays(mesh: pyvista.DataSet) -> list[str]:
+    return [*mesh.point_data.keys(), *mesh.cell_data.keys()]
