@@ -150,11 +150,13 @@ vtkDataArray* vtkContourCellSplitter::FindScalars(vtkDataSet* input, vtkInformat
     name && *name ? "'" + std::string(name) + "'" : std::string("of the active scalars");
   if (!found)
   {
-    const bool onCells = name && input->GetCellData()->HasArray(name);
+    const bool onCells = input->GetCellData()->HasArray(name ? name : "") ||
+      (input->GetPointData()->GetNumberOfArrays() == 0 && input->GetCellData()->GetNumberOfArrays() > 0);
     vtkErrorMacro("There is no point array "
       << called << " to split cells at. "
-      << (onCells ? "It is on cells: apply Cell Data to Point Data first. " : "")
-      << "Choose one with SetInputArrayToProcess. Point arrays: " << Listed(input->GetPointData())
+      << (onCells ? "It is on cells: apply Cell Data to Point Data first. "
+                  : "Choose one with SetInputArrayToProcess. ")
+      << "Point arrays: " << Listed(input->GetPointData())
       << ".");
     return nullptr;
   }
@@ -200,7 +202,8 @@ bool vtkContourCellSplitter::FindLevels(vtkDataArray* scalars, nephoscope::Conto
   }
   if (!this->AreValuesGiven && nephoscope::IsNoArrayChosen(this))
   {
-    values = { nephoscope::MiddleOfRange(scalars) };
+    const double value = nephoscope::DefaultContourValue(this->DefaultRange);
+    values = { scalars->GetDataType() == VTK_FLOAT ? static_cast<double>(static_cast<float>(value)) : value };
   }
   levels = nephoscope::ContourLevels(values);
   return true;
@@ -209,6 +212,10 @@ bool vtkContourCellSplitter::FindLevels(vtkDataArray* scalars, nephoscope::Conto
 // Empty if the array passes a value, or there is none.
 std::string vtkContourCellSplitter::ReasonOfWholeness(vtkDataArray* array)
 {
+  if (!this->AreValuesGiven && nephoscope::IsNoArrayChosen(this))
+  {
+    return std::string(); // the middle of the range of all blocks
+  }
   double range[2];
   array->GetFiniteRange(range, 0);
   for (int i = 0; i < this->GetNumberOfContours(); ++i)
@@ -231,6 +238,10 @@ void vtkContourCellSplitter::BeginExecution()
   {
     this->Reason.clear();
     this->HasDivided = false;
+    if (!this->AreValuesGiven && nephoscope::IsNoArrayChosen(this))
+    {
+      this->DefaultRange = nephoscope::RangeOfDefaultArrays(this->GetInputDataObject(0, 0));
+    }
   }
 }
 

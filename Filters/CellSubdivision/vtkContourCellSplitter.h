@@ -58,6 +58,7 @@
 #include "vtkNew.h"                                    // for the values
 #include "vtkUnstructuredGridAlgorithm.h"
 
+#include <array> // for members
 #include <string> // for messages
 #include <vector> // for batches
 
@@ -178,6 +179,7 @@ private:
   bool PolyhedralTransitions = false;
   int OutputPointsPrecision = DOUBLE_PRECISION;
   std::string Reason; // why no cell is divided
+  std::array<double, 2> DefaultRange = { 0.0, 0.0 }; // of the scalars of all blocks, where no value is given
   bool HasDivided = false;
   int ExecutionDepth = 0;
 };

@@ -45,7 +45,11 @@ inline std::string NoPointArray(vtkDataSet* data, const char* name)
   const bool onPoints = name && data->GetPointData()->HasArray(name);
   const std::string called = name && *name ? "'" + std::string(name) + "'" : std::string("of the active scalars");
   return "There is no point array " + called + ". " +
-    (onCells && !onPoints ? "It is on cells: apply Cell Data to Point Data first. " : "Choose another one. ") + PointArrayNames(data);
+    (onCells && !onPoints         ? "It is on cells: apply Cell Data to Point Data first. "
+        : data->GetPointData()->GetNumberOfArrays() == 0 && data->GetCellData()->GetNumberOfArrays() > 0
+        ? "The input has cell arrays alone: apply Cell Data to Point Data first. "
+        : "Choose another one. ") +
+    PointArrayNames(data);
 }
 
 // What keeps a point array from being used as numbers; empty if nothing does.

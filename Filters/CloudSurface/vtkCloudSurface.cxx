@@ -160,7 +160,7 @@ bool vtkCloudSurface::BuildSurface(vtkDataSet* input, const nephoscope::Smoothin
   }
   if (!this->AreValuesGiven && nephoscope::IsNoArrayChosen(this))
   {
-    values = { nephoscope::MiddleOfRange(scalars) };
+    values = { this->DefaultValue };
     indices = { 0 };
   }
   if (values.empty() && IsFirstPiece(outInfo))
@@ -266,6 +266,10 @@ void vtkCloudSurface::BeginExecution()
   {
     this->Reason.clear();
     this->HasSurface = false;
+    if (!this->AreValuesGiven && nephoscope::IsNoArrayChosen(this))
+    {
+      this->DefaultValue = nephoscope::DefaultContourValue(nephoscope::RangeOfDefaultArrays(this->GetInputDataObject(0, 0)));
+    }
     // A layer for every pass, one for the gradients, and one for masses, which are less at the end of a grid.
     this->Neighbours->Find(this->GetInputDataObject(0, 0), this->GetNumberOfSmoothingIterations() + 2);
   }

@@ -178,6 +178,7 @@ private:
 
   vtkNew<vtkContourValues> ContourValues;
   bool AreValuesGiven = false;
+  double DefaultValue = 0.0; // of all blocks, where no value is given
   vtkNew<vtkStructuredSmoothing> Smoothing; // holds the settings
   bool ComputeNormals = true;
   bool JoinSeams = true;

@@ -11,12 +11,37 @@
 #include "vtkSmartPointer.h"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <vector>
 
 namespace nephoscope
 {
 namespace
 {
+constexpr double fillValue = 1e30;
+
+// Values of 1e30 and more, netCDF's own 9.97e36 among them, stand for missing ones: NaN.
+void EraseFillValues(vtkDataArray* array)
+{
+  if (!array || (array->GetDataType() != VTK_FLOAT && array->GetDataType() != VTK_DOUBLE))
+  {
+    return;
+  }
+  for (int c = 0; c < array->GetNumberOfComponents(); ++c)
+  {
+    double range[2];
+    array->GetFiniteRange(range, c);
+    for (vtkIdType id = 0; (range[0] <= -fillValue || range[1] >= fillValue) && id < array->GetNumberOfTuples(); ++id)
+    {
+      if (std::abs(array->GetComponent(id, c)) >= fillValue)
+      {
+        array->SetComponent(id, c, std::numeric_limits<double>::quiet_NaN());
+      }
+    }
+  }
+}
+
 // sources[i]: the input tuple of output tuple i.
 void CarryArrays(
   vtkDataSetAttributes* input, const std::vector<vtkIdType>& sources, vtkDataSetAttributes* output)
@@ -45,6 +70,7 @@ void CarryArrays(
     {
       copy(0, count); // neighbouring bits share a byte; variant and string arrays are not for threads
     }
+    EraseFillValues(vtkDataArray::SafeDownCast(to));
     output->AddArray(to);
     // Ids are no longer unique once the seam is closed, so they stay plain arrays.
     const int attribute = input->IsArrayAnAttribute(a);

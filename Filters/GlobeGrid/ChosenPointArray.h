@@ -8,10 +8,18 @@
 #include "FieldNames.h"
 
 #include "vtkAlgorithm.h"
+#include "vtkCompositeDataIterator.h"
+#include "vtkCompositeDataSet.h"
 #include "vtkDataArray.h"
 #include "vtkDataSet.h"
 #include "vtkInformation.h"
 #include "vtkPointData.h"
+#include "vtkSmartPointer.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
 
 namespace nephoscope
 {
@@ -43,12 +51,39 @@ inline vtkDataArray* DefaultPointArray(vtkPointData* data)
   return nullptr;
 }
 
-// A contour value where neither array nor value has been chosen.
-inline double MiddleOfRange(vtkDataArray* array)
+// Of the default point arrays of a dataset or of all in a group, without fill values (1e30 or more); the first one above the last if there is none.
+inline std::array<double, 2> RangeOfDefaultArrays(vtkDataObject* data)
 {
-  double range[2];
-  array->GetFiniteRange(range, 0);
-  return 0.5 * (range[0] + range[1]);
+  std::array<double, 2> range = { std::numeric_limits<double>::max(), std::numeric_limits<double>::lowest() };
+  const auto add = [&](vtkDataSet* part) {
+    vtkDataArray* array = part ? DefaultPointArray(part->GetPointData()) : nullptr;
+    for (vtkIdType id = 0; array && id < array->GetNumberOfTuples(); ++id)
+    {
+      const double value = array->GetComponent(id, 0);
+      if (std::abs(value) < 1e30)
+      {
+        range = { std::min(range[0], value), std::max(range[1], value) };
+      }
+    }
+  };
+  auto* group = vtkCompositeDataSet::SafeDownCast(data);
+  if (!group)
+  {
+    add(vtkDataSet::SafeDownCast(data));
+    return range;
+  }
+  auto parts = vtkSmartPointer<vtkCompositeDataIterator>::Take(group->NewIterator());
+  for (parts->InitTraversal(); !parts->IsDoneWithTraversal(); parts->GoToNextItem())
+  {
+    add(vtkDataSet::SafeDownCast(parts->GetCurrentDataObject()));
+  }
+  return range;
+}
+
+// A contour value where neither array nor value has been chosen: the middle of the range.
+inline double DefaultContourValue(const std::array<double, 2>& range)
+{
+  return range[0] <= range[1] ? 0.5 * (range[0] + range[1]) : 0.0;
 }
 }
 

@@ -257,6 +257,8 @@ bool isStraight(const Sampler& sample, double low, double high)
   return true;
 }
 
+constexpr float leastDistance = 1e-30f;
+
 /** Adds the inner nodes that the curve between two places needs, ascending. */
 void refine(const Sampler& sample, double low, double high, int depth, std::vector<double>& nodes)
 {
@@ -305,7 +307,11 @@ void TransferFunctionTable::Build(vtkVolumeProperty* property, const double rang
   for (std::size_t k = 0; k < nodes.size(); ++k)
   {
     const double above = k + 1 < nodes.size() ? nodes[k + 1] : nodes[k];
-    this->Nodes.push_back(static_cast<float>(normalizedValue(nodes[k], range)));
+    const float node = static_cast<float>(normalizedValue(nodes[k], range));
+    // Nodes too near for floats are no jump: what lies on the first has its color, not that of the last. Shaders take 1e-38 for 0.
+    const bool merged = k > 0 && nodes[k] > nodes[k - 1] && node < this->Nodes.back() + leastDistance;
+    this->Nodes.push_back(
+      merged ? std::max(std::nextafter(this->Nodes.back(), std::numeric_limits<float>::max()), this->Nodes.back() + leastDistance) : node);
     this->Widths.push_back(static_cast<float>((0.5 * above - 0.5 * nodes[k]) / (0.5 * range[1] - 0.5 * range[0])));
   }
 

@@ -77,6 +77,32 @@ class Blocks(unittest.TestCase):
         calm = drawn.points[:, 0] > 2
         self.assertEqual((drawn["density"][calm].max(), np.ptp(drawn["Wind"][calm]), drawn["Wind"][~calm].min()), (1, 0, 1))
 
+    def test_types_that_differ(self):
+        for add in (nephoscope.add_cells, nephoscope.add_splats):
+            for types in ((np.float32, np.float64), (np.int32, np.float64), (np.uint8, np.float32), (np.float64, np.int16)):
+                blocks = [cube(), cube(1.0)]
+                for block, its in zip(blocks, types):
+                    block["density"] = (100 * block["density"]).astype(its)
+                drawn, told = self.add(add, blocks, "density")
+                self.assertEqual((told, drawn["density"].min(), drawn["density"].max()), ("", 0, 100))
+                self.assertEqual(blocks[0]["density"].dtype, types[0])  # the blocks are left alone
+
+    def test_flags_that_only_some_have(self):
+        """A coarse block whose covered cells are marked, beside a fine one that has no flags."""
+        coarse = cube()
+        coarse.cell_data["vtkGhostType"] = np.where(np.arange(coarse.n_cells) < 9, 8, 0).astype(np.uint8)  # refined
+        for add in (nephoscope.add_cells, nephoscope.add_splats):
+            drawn, _ = self.add(add, {"coarse": coarse, "fine": cube(5.0)}, "density")
+            self.assertEqual((drawn.cell_data["vtkGhostType"] == 8).sum(), 9)
+
+    def test_points_of_a_common_face_are_drawn_once(self):
+        drawn, _ = self.add(nephoscope.add_splats, [cube(), cube(1.0)], "density")
+        self.assertEqual(drawn.n_points, 64 + 48)
+        particles = pyvista.PolyData(np.zeros((5, 3)))
+        particles["density"] = np.ones(5)
+        drawn, _ = self.add(nephoscope.add_splats, [particles, particles], "density")
+        self.assertEqual(drawn.n_points, 10)  # particles in one place are several
+
     def test_nothing_left(self):
         with self.assertRaisesRegex(ValueError, "no 3-D cells"):
             nephoscope.add_cells(self.plotter, pyvista.MultiBlock({"wall": patch("density")}), "density")

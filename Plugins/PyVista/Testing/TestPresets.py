@@ -89,6 +89,16 @@ class Applied(unittest.TestCase):
             volume = self.add(box(**{name: ramp(low, high)}), name)
             np.testing.assert_allclose(volume.mapper.scalar_range, expected, err_msg=name)
 
+    def test_what_thins_fades(self):
+        """In limits of the user's the unit distance does not follow the values; without, it does."""
+        values = np.exp(-4 * np.linalg.norm(box(9).points - 0.5, axis=1))
+        for add in (nephoscope.add_cells, nephoscope.add_splats):
+            distances = [self.add(box(9, s=factor * values), "s", add=add, clim=(0, 1)).prop.opacity_unit_distance for factor in (1, 0.1, 0.01)]
+            np.testing.assert_allclose(distances, distances[0], rtol=1e-9)
+            alone = [self.add(box(9, s=factor * values), "s", add=add).prop.opacity_unit_distance for factor in (1, 0.1)]
+            np.testing.assert_allclose(alone, alone[0], rtol=1e-9)  # limits and values are scaled alike
+            np.testing.assert_allclose(distances[0], alone[0], rtol=1e-9)
+
     def test_spikes_do_not_pale_the_rest(self):
         """Symmetric ranges: a peak of any width keeps its height, and 3 of 4096 values a hundred times the rest do not set the range."""
         away = np.linalg.norm(box(17).points - 0.5, axis=1)

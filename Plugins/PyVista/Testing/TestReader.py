@@ -1,7 +1,9 @@
 # SPDX-FileCopyrightText: The Nephoscope authors
 # SPDX-License-Identifier: BSD-3-Clause
 """nephoscope.read_cf against what is known of the Earth and of the file."""
+import itertools
 import os
+import re
 import sys
 import tempfile
 import unittest
@@ -10,6 +12,7 @@ from pathlib import Path
 
 import nephoscope
 import numpy as np
+from nephoscope.reader import _missing_of
 
 DATA = Path(os.environ["NEPHOSCOPE_DATA"])
 PATH = DATA / "gfs_2p5deg_2011101100.nc"
@@ -66,6 +69,66 @@ class Reader(unittest.TestCase):
     def test_not_a_netcdf_file(self):
         with self.assertRaisesRegex((RuntimeError, ValueError), "vtkNetCDFCFReader|no variable"):
             nephoscope.read_cf(__file__)
+
+
+def level_file(path, dimensions, attributes=None, levels=(1000.0, 500, 200), missing=None):
+    """cc = lon + 1000 lat + 0.01 lev, on the dimensions in their order; the first value is `missing`."""
+    axes = {"lev": np.array(levels), "lat": np.linspace(-60, 60, 5), "lon": np.arange(8) * 45.0}
+    file = Writer(path, {"record": None, **{name: len(values) for name, values in axes.items()}}, [
+        Variable("number", ("record",), "f8", {}), Variable("lev", ("lev",), "f8", {"units": "hPa", "positive": "down"}), Variable("lat", ("lat",), "f8", {"units": "degrees_north"}),
+        Variable("lon", ("lon",), "f8", {"units": "degrees_east"}), Variable("cc", dimensions, "f8", attributes or {"units": "1"})],
+        {"Conventions": "CF-1.6"})
+    for name, values in axes.items():
+        file.write(name, values)
+    lev, lat, lon = (axes[name].reshape([-1 if name == its else 1 for its in dimensions]) for name in ("lev", "lat", "lon"))
+    values = lon + 1000 * lat + 0.01 * lev
+    if missing is not None:
+        values = np.abs(values) / 1e5
+        values.ravel()[::7] = missing
+    file.write("cc", values)
+    file.write("number", [0.0], 0)
+    file.finish_record(0)
+    file.close()
+    return path
+
+
+class Axes(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.path = Path(folder.name) / "levels.nc"
+
+    def test_any_order_of_dimensions(self):
+        for dimensions in itertools.permutations(("lev", "lat", "lon")):
+            mesh = nephoscope.read_cf(level_file(self.path, dimensions))
+            self.assertEqual(tuple(mesh.dimensions), (8, 5, 3), dimensions)
+            x, y, z = mesh.points.T
+            np.testing.assert_allclose(mesh["cc"], x + 1000 * y - 0.01 * z, err_msg=str(dimensions))
+            self.assertEqual(mesh.nephoscope.globe().dimensions, (9, 5, 3))
+
+    def test_one_level(self):
+        mesh = nephoscope.read_cf(level_file(self.path, ("lev", "lat", "lon"), levels=(500.0,)))
+        self.assertTrue(np.isfinite(mesh.bounds).all() and np.isfinite(mesh.points).all())
+        self.assertEqual(mesh.nephoscope.globe().dimensions, (9, 5, 1))
+
+    def test_missing_values_that_the_file_does_not_declare(self):
+        for missing in (-999.0, -9999.0, 1e20, 9999.0):
+            path = level_file(self.path, ("lev", "lat", "lon"), missing=missing)
+            with self.assertWarnsRegex(UserWarning, re.escape(f"18 of 'cc' are {missing:g}") + ".*missing_values"):
+                mesh = nephoscope.read_cf(path)
+            self.assertEqual(np.isnan(mesh["cc"]).sum(), 18)
+            self.assertLess(np.nanmax(np.abs(mesh["cc"])), 1)
+            with warnings.catch_warnings():
+                warnings.simplefilter("error")
+                self.assertEqual(np.isnan(nephoscope.read_cf(path, missing_values=[missing])["cc"]).sum(), 18)
+                self.assertEqual(np.isnan(nephoscope.read_cf(path, missing_values=())["cc"]).sum(), 0)
+
+    def test_values_that_only_look_missing(self):
+        """999 among pressures near it, and -999 among -1500 to 200."""
+        self.assertEqual(_missing_of(np.array([999.0, 998, 990, 1000, 1013])), [])
+        self.assertEqual(_missing_of(np.array([-999.0, -980, -500, 200])), [])
+        self.assertEqual(_missing_of(np.array([-999.0, 190, 310])), [-999])
+        self.assertEqual(_missing_of(np.array([np.nan, 5.0])), [])
 
 
 class Times(unittest.TestCase):

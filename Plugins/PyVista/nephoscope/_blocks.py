@@ -106,6 +106,24 @@ def fitting(blocks: list[tuple[str, pyvista.DataSet]], arrays: Mapping[str, Any]
     return [block for _, block in blocks]
 
 
+def alike(blocks: list[pyvista.DataSet]) -> list[pyvista.DataSet]:
+    """The blocks, ready to be combined: what only some have, or in another type, would be lost. Arrays of one name get one type; blocks without
+    ghost flags, beside some with them, get flags of 0."""
+    blocks = [block.copy(deep=False) for block in blocks]
+    for kind in ("point_data", "cell_data"):
+        arrays = [getattr(block, kind) for block in blocks]
+        if any("vtkGhostType" in data for data in arrays):
+            for block, data in zip(blocks, arrays):
+                if "vtkGhostType" not in data:
+                    data["vtkGhostType"] = np.zeros(block.n_points if kind == "point_data" else block.n_cells, np.uint8)
+        for name in set.intersection(*(set(data.keys()) for data in arrays)):
+            types = {data[name].dtype for data in arrays}
+            if len(types) > 1 and all(np.issubdtype(its, np.number) or its == bool for its in types):
+                for data in arrays:
+                    data[name] = data[name].astype(np.result_type(*types))
+    return blocks
+
+
 def _with_zeros(block: pyvista.DataSet, kind: str, name: str, model: np.ndarray) -> pyvista.DataSet:
     """`block` with the array; where it has none, with zeros in the shape and type of `model`."""
     if name in getattr(block, kind):

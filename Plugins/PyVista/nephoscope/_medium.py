@@ -11,8 +11,9 @@ import numpy as np
 import pyvista
 from pyvista.core.errors import MissingDataError
 from vtkmodules.vtkCommonDataModel import vtkCompositeDataSet, vtkHyperTreeGrid, vtkPiecewiseFunction
+from vtkmodules.vtkRenderingCore import vtkVolumeProperty
 
-from ._blocks import fitting, named_blocks
+from ._blocks import alike, cell_dimension, fitting, named_blocks
 from ._checks import arrays_of, listed, require_number
 from ._copies import MediumVolume, copied_mapper
 from ._exports import warn_when_exported
@@ -35,7 +36,8 @@ def wrapped(data: Any, merge_points: bool, arrays: Mapping[str, Any] | None = No
     if isinstance(data, (vtkCompositeDataSet, vtkHyperTreeGrid)):
         blocks = [(name, block) for name, block in named_blocks(data) if block.n_points]
         used = [block for _, block in blocks] if arrays is None else fitting(blocks, arrays, points_fit=not merge_points)
-        return pyvista.MultiBlock(used).combine(merge_points=merge_points) if used else pyvista.UnstructuredGrid()
+        merge_points = merge_points or all(cell_dimension(block) == 3 for block in used)  # splats of points on a common face would count twice
+        return pyvista.MultiBlock(alike(used)).combine(merge_points=merge_points) if used else pyvista.UnstructuredGrid()
     try:
         return pyvista.wrap(data)
     except (TypeError, NotImplementedError):
@@ -244,6 +246,18 @@ def _warn_of_transparency(values: np.ndarray, name: str, function: vtkPiecewiseF
                       UserWarning, stacklevel=level_of_caller())
 
 
+def _ramp(values: np.ndarray) -> vtkVolumeProperty:
+    """Opacities from 0 to 1 over the range of the values: what they are multiplied by does not matter, so that a medium in limits of the user's
+    fades as its values do."""
+    low, high = _scalar_range(np.asarray(values, float), "", None, False)
+    opacities = vtkPiecewiseFunction()
+    opacities.AddPoint(low, 0)
+    opacities.AddPoint(high, 1)
+    prop = vtkVolumeProperty()
+    prop.SetScalarOpacity(opacities)
+    return prop
+
+
 @dataclass
 class Functions:
     """The arguments of `add_cells` that give colour and opacity; see there."""
@@ -261,6 +275,7 @@ class Functions:
     def attach(self, mapper: MediumMapper, plotter: pyvista.BasePlotter, grid: pyvista.DataSet, name: str, association: str,
                preference: str, unit_distance: float | None) -> pyvista.VolumeProperty:
         """The property of a volume of the array `name`, which `mapper` will draw. Without a `unit_distance` it is such that the medium is seen."""
+        limits_given = (self.clim if self.opacity_scalars is None else self.opacity_clim) is not None
         self._take_preset(plotter, grid, name, association)
         table = self._lookup_table(plotter, array_values(grid, name, association), name)
         opacities = self._opacities(table)
@@ -281,7 +296,8 @@ class Functions:
         _warn_of_transparency(array_values(grid, read, read_at), read, prop.GetScalarOpacity(),
                               "clim" if self.opacity_scalars is None else "opacity_clim")
         if unit_distance is None:
-            prop.opacity_unit_distance = mapper.FindUnitDistance(prop) or diagonal(grid) or 1.0
+            measured = _ramp(array_values(grid, read, read_at)) if limits_given else prop
+            prop.opacity_unit_distance = mapper.FindUnitDistance(measured) or diagonal(grid) or 1.0
         return prop
 
     def _take_preset(self, plotter: pyvista.BasePlotter, grid: pyvista.DataSet, name: str, association: str) -> None:
@@ -309,7 +325,7 @@ class Functions:
         if table is self.cmap:
             return np.resize(np.asarray(table.values)[:, 3] / 255.0, max(table.n_values, 2))
         opacities = opacity_values(self.opacity, self.n_colors)
-        if self.opacity_scalars is None:
+        if self.opacity_scalars is None and np.any(opacities):  # vectors alone: their colours are in the bar
             steps = np.linspace(0, 1, table.n_values)
             table.values[:, 3] = np.rint(255 * np.interp(steps, np.linspace(0, 1, len(opacities)), opacities))
         return opacities

@@ -83,6 +83,8 @@ def add_cells(plotter: pyvista.BasePlotter, grid: Any, scalars: str | np.ndarray
         Length in world units over which a medium of opacity 1 has optical depth 1, > 0. Default: the length that gives rays through the
         grid a mean optical depth of 2, with opacities scaled to reach 1. It follows from the size of the grid, its thickness too, and from how
         opaque it is; not from the number of its cells.
+        With `clim` (or `opacity_clim`) opacities are taken to be linear over the range of the scalars, so that in a series a
+        medium fades as its values do. For pictures to be compared, give one distance to all.
     integration : {"exact", "average"}, default: "exact"
         Along a ray inside a tetrahedron: the closed-form integral, or the mean colour of the two ends.
     order : {"exact", "centroid", "none"}, default: "exact"

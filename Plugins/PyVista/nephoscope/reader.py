@@ -20,7 +20,7 @@ from ._pipeline import vtk_messages
 
 
 def read_cf(path: str | Path, *, dimensions: str | Sequence[str] | None = None, variables: Sequence[str] | None = None,
-            time_step: int | None = None) -> pyvista.DataSet:
+            time_step: int | None = None, missing_values: Sequence[float] | None = None) -> pyvista.DataSet:
     """Read the variables of one shape from a NetCDF file with CF conventions.
 
     Parameters
@@ -35,12 +35,15 @@ def read_cf(path: str | Path, *, dimensions: str | Sequence[str] | None = None, 
     time_step : int, optional
         Index of the time step, from 0; negative counts from the end. Ignored if the file has no time. Default: the first, with a
         warning that reports the range if there are several. See `cf_times`.
+    missing_values : sequence of float, optional
+        Values that mean "missing" and become NaN, beside the ``_FillValue`` of the file; an empty sequence: none. Default: values such as -999, -9999 or
+        1e20 that are the least or greatest of a variable and far from all others, with a warning.
 
     Returns
     -------
     pyvista.ImageData or pyvista.RectilinearGrid or pyvista.StructuredGrid
         Points at the coordinates as the file has them: x longitude and y latitude in degrees, z the level (negated by the
-        reader where the file says ``positive: down``). One point array per variable, fill values as NaN.
+        reader where the file says ``positive: down``), in whatever order the file has its dimensions. One point array per variable, fill values as NaN.
         The active scalars are cloud fraction, cloud water or the first variable. If the file has times, the field array
         ``TimeValue`` is the time that was read, in ``time_units``.
 
@@ -56,19 +59,22 @@ def read_cf(path: str | Path, *, dimensions: str | Sequence[str] | None = None, 
     Warns
     -----
     UserWarning
-        If the file has several times and `time_step` is not given.
+        If the file has several times and `time_step` is not given, or if values are taken to be missing.
 
     Examples
     --------
     >>> weather = nephoscope.read_cf("Data/gfs_2p5deg_2011101100.nc")  # doctest: +SKIP
     """
     reader, path = _opened(path)
-    _select_variables(reader, path, _shape(reader, path, dimensions), variables)
+    shape = _shape(reader, path, dimensions)
+    _select_variables(reader, path, shape, variables)
     times = _times(reader)
     index = _time_index(times, time_step, path)
     with vtk_messages(reader):
         reader.UpdateTimeStep(times[index]) if times else reader.Update()
     mesh = pyvista.wrap(reader.GetOutputDataObject(0))
+    mesh = _axes_in_order(_with_spacing(mesh), shape)
+    _mark_missing(mesh, missing_values)
     if mesh.active_scalars_name is None or mesh.active_scalars_name not in mesh.point_data:
         choose_active_scalars(mesh)
     if times:
@@ -187,3 +193,80 @@ def _select_variables(reader: vtkNetCDFCFReader, path: Path, shape: str, variabl
     for name in names:  # SetDimensions() is left alone: it would undo the choice at the next update
         reader.SetVariableArrayStatus(name, int(name in wanted))
 
+
+# Usual names of the dimensions along x and y; z is what is left.
+_X = ("lon", "longitude", "lons", "long", "rlon", "x", "west_east", "xc", "nlon", "ni")
+_Y = ("lat", "latitude", "lats", "rlat", "y", "south_north", "yc", "nlat", "nj")
+
+
+def _with_spacing(mesh: pyvista.DataSet) -> pyvista.DataSet:
+    """The reader divides by 0 for the spacing of an axis of one value."""
+    if isinstance(mesh, pyvista.ImageData):
+        mesh.spacing = [step if np.isfinite(step) else 1.0 for step in mesh.spacing]
+        mesh.origin = [start if np.isfinite(start) else 0.0 for start in mesh.origin]
+    return mesh
+
+
+def _axes_in_order(mesh: pyvista.DataSet, shape: str) -> pyvista.DataSet:
+    """Longitudes along x and latitudes along y, where the names of the dimensions tell that they are not."""
+    names = [name.strip().lower() for name in shape.strip("()").split(",")][::-1]  # fastest first
+    names = names[:3] if len(names) < 4 else names
+    along_x = next((axis for axis, name in enumerate(names) if name in _X), None)
+    along_y = next((axis for axis, name in enumerate(names) if name in _Y), None)
+    if along_x is None or along_y is None or (along_x, along_y) == (0, 1) or len(names) > 3 or isinstance(mesh, pyvista.StructuredGrid):
+        return mesh
+    order = [along_x, along_y] + [axis for axis in range(3) if axis not in (along_x, along_y)]
+    grid = mesh if isinstance(mesh, pyvista.RectilinearGrid) else mesh.cast_to_rectilinear_grid()
+    axes = (grid.x, grid.y, grid.z)
+    turned = pyvista.RectilinearGrid(*(np.array(axes[axis]) for axis in order))
+    for kind, sizes in (("point_data", grid.dimensions), ("cell_data", [max(1, size - 1) for size in grid.dimensions])):
+        for name, values in getattr(grid, kind).items():
+            values = np.asarray(values).reshape((*sizes[::-1], *np.shape(values)[1:]))
+            order_back = [2 - axis for axis in order[::-1]]
+            getattr(turned, kind)[name] = np.ascontiguousarray(values.transpose(order_back + list(range(3, values.ndim)))).reshape(
+                -1, *values.shape[3:])
+    for name, values in grid.field_data.items():
+        turned.field_data[name] = values
+    if mesh.active_scalars_name in turned.point_data:
+        turned.set_active_scalars(mesh.active_scalars_name)
+    return turned
+
+
+# What files without a _FillValue write where there are no data.
+_USUAL_MISSING = tuple(sign * value for value in (999, 999.9, 9999, 9999.9, 99999, 999999, 32767, 32768, 1e20, 1e30, 9.96921e36) for sign in (1, -1))
+
+
+def _mark_missing(mesh: pyvista.DataSet, missing: Sequence[float] | None) -> None:
+    """NaN for values that mean "missing"."""
+    taken = []
+    for data in (mesh.point_data, mesh.cell_data):
+        for name, values in data.items():
+            if not np.issubdtype(values.dtype, np.floating):
+                continue
+            for value in _missing_of(values) if missing is None else missing:
+                here = np.isclose(values, value, rtol=1e-6, atol=0)
+                if here.any():
+                    data[name] = np.where(here, np.nan, values)
+                    values = data[name]
+                    taken.append(f"{int(here.sum())} of {name!r} are {value:g}")
+    if taken and missing is None:
+        warnings.warn(f"Values that are taken to be missing: {'; '.join(taken)}. Name those that are by missing_values, () for none.", UserWarning,
+                      stacklevel=3)
+
+
+def _missing_of(values: np.ndarray) -> list[float]:
+    """Usual values at an end of the range, far from all others: negative ones half their size, positive ones more than the others' range."""
+    found = []
+    finite = values[np.isfinite(values)]
+    for end, others in ((np.min, np.greater), (np.max, np.less)):
+        if finite.size == 0:
+            break
+        value = float(end(finite))
+        rest = finite[others(finite, value)]
+        if rest.size == 0 or not any(np.isclose(value, usual, rtol=1e-6, atol=0) for usual in _USUAL_MISSING):
+            continue
+        nearest = np.abs(rest - value).min()
+        if nearest > (0.5 * abs(value) if value < 0 else np.ptp(rest)):
+            found.append(value)
+            finite = rest
+    return found

@@ -78,6 +78,8 @@ def add_splats(plotter: pyvista.BasePlotter, mesh: Any, scalars: str | np.ndarra
     opacity_unit_distance : float, optional
         Length in world units over which a medium of opacity 1 has optical depth 1, > 0. Default: the length that gives rays through the
         splats a mean optical depth of 2, with opacities scaled to reach 1, as in `add_cells`.
+        With `clim` (or `opacity_clim`) opacities are taken to be linear over the range of the scalars, so that in a series a
+        medium fades as its values do. For pictures to be compared, give one distance to all.
     kernel : {"cubic", "quadratic", "gaussian"}, default: "cubic"
         Cubic for samples in space, quadratic for one flat sheet that is seen from the front, gaussian for comparison.
     radius : float or "neighbors", optional

@@ -5,15 +5,23 @@
 #include "AdaptiveCells.h"
 
 #include "vtkAppendFilter.h"
+#include "vtkBitArray.h"
+#include "vtkCellData.h"
+#include "vtkCellTypes.h"
 #include "vtkCompositeDataIterator.h"
 #include "vtkCompositeDataSet.h"
 #include "vtkDataSet.h"
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
+#include "vtkGenericCell.h"
 #include "vtkNew.h"
+#include "vtkPointData.h"
 #include "vtkUniformGridAMR.h"
+#include "vtkUnsignedCharArray.h"
 #include "vtkUnstructuredGrid.h"
 
+#include <algorithm>
+#include <string>
 #include <vector>
 
 namespace nephoscope
@@ -48,8 +56,117 @@ std::vector<vtkSmartPointer<vtkDataSet>> blocksOf(
 }
 } // namespace
 
+namespace
+{
+using Attributes = vtkDataSetAttributes* (*)(vtkDataSet*);
+
+vtkDataSetAttributes* pointData(vtkDataSet* data)
+{
+  return data->GetPointData();
+}
+
+vtkDataSetAttributes* cellData(vtkDataSet* data)
+{
+  return data->GetCellData();
+}
+
+// vtkAppendFilter drops arrays that differ in type from block to block: they become double.
+void giveOneType(const std::vector<vtkSmartPointer<vtkDataSet>>& blocks, const std::string& name, Attributes attributes)
+{
+  const auto arrayOf = [&](vtkDataSet* block) { return attributes(block)->GetArray(name.c_str()); };
+  const auto isNumbers = [&](vtkDataSet* block) { return arrayOf(block) && !vtkBitArray::SafeDownCast(arrayOf(block)); };
+  if (!std::all_of(blocks.begin(), blocks.end(), isNumbers))
+  {
+    return;
+  }
+  const int type = arrayOf(blocks.front())->GetDataType();
+  if (std::all_of(blocks.begin(), blocks.end(), [&](vtkDataSet* block) { return arrayOf(block)->GetDataType() == type; }))
+  {
+    return;
+  }
+  for (vtkDataSet* block : blocks)
+  {
+    vtkDataArray* array = arrayOf(block);
+    const bool isScalars = attributes(block)->GetScalars() == array;
+    vtkNew<vtkDoubleArray> numbers;
+    numbers->DeepCopy(array);
+    numbers->SetName(name.c_str());
+    attributes(block)->AddArray(numbers);
+    if (isScalars)
+    {
+      attributes(block)->SetActiveScalars(name.c_str());
+    }
+  }
+}
+
+// It drops the flags of hidden cells and ghosts, too, where only some blocks have them.
+void completeFlags(const std::vector<vtkSmartPointer<vtkDataSet>>& blocks, Attributes attributes, vtkIdType (vtkDataSet::*count)())
+{
+  const char* name = vtkDataSetAttributes::GhostArrayName();
+  const auto has = [&](vtkDataSet* block) { return attributes(block)->HasArray(name) != 0; };
+  if (!std::any_of(blocks.begin(), blocks.end(), has))
+  {
+    return;
+  }
+  for (vtkDataSet* block : blocks)
+  {
+    if (!has(block))
+    {
+      vtkNew<vtkUnsignedCharArray> flags;
+      flags->SetName(name);
+      flags->SetNumberOfValues((block->*count)());
+      flags->FillValue(0);
+      attributes(block)->AddArray(flags);
+    }
+  }
+}
+
+// Copies that have arrays of one type and the same flags.
+void makeAlike(std::vector<vtkSmartPointer<vtkDataSet>>& blocks)
+{
+  for (auto& block : blocks)
+  {
+    auto copy = vtkSmartPointer<vtkDataSet>::Take(block->NewInstance());
+    copy->ShallowCopy(block);
+    block = copy;
+  }
+  completeFlags(blocks, pointData, &vtkDataSet::GetNumberOfPoints);
+  completeFlags(blocks, cellData, &vtkDataSet::GetNumberOfCells);
+  for (const Attributes attributes : { pointData, cellData })
+  {
+    std::vector<std::string> names;
+    for (int i = 0; i < attributes(blocks.front())->GetNumberOfArrays(); ++i)
+    {
+      const char* name = attributes(blocks.front())->GetArrayName(i);
+      names.emplace_back(name ? name : "");
+    }
+    for (const std::string& name : names)
+    {
+      giveOneType(blocks, name, attributes);
+    }
+  }
+}
+
+// Whether it is a part of a mesh, and no cloud of particles or surface.
+bool hasVolumes(vtkDataSet* data)
+{
+  vtkNew<vtkCellTypes> types;
+  data->GetCellTypes(types);
+  vtkNew<vtkGenericCell> cell;
+  for (vtkIdType i = 0; i < types->GetNumberOfTypes(); ++i)
+  {
+    cell->SetCellType(types->GetCellType(i));
+    if (cell->GetCellDimension() == 3)
+    {
+      return true;
+    }
+  }
+  return false;
+}
+} // namespace
+
 vtkSmartPointer<vtkDataSet> appendedBlocks(
-  vtkDataObject* input, const std::function<bool(vtkDataSet*)>& counts)
+  vtkDataObject* input, const std::function<bool(vtkDataSet*)>& counts, BorderPoints border)
 {
   auto blocks = blocksOf(input, counts);
   const bool adaptive = vtkUniformGridAMR::SafeDownCast(input) != nullptr;
@@ -68,7 +185,10 @@ vtkSmartPointer<vtkDataSet> appendedBlocks(
     return copy;
   }
   vtkNew<vtkAppendFilter> append;
-  append->SetMergePoints(adaptive); // neighbours share a face
+  // Neighbours share a face. Splats of points on it would count twice.
+  const bool meshes = border == BorderPoints::Merged && std::all_of(blocks.begin(), blocks.end(), hasVolumes);
+  append->SetMergePoints(adaptive || meshes);
+  makeAlike(blocks);
   for (vtkDataSet* block : blocks)
   {
     append->AddInputData(block);

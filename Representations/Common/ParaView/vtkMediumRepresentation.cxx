@@ -46,8 +46,13 @@ double storedNumber(vtkDataSet* data, const char* name, vtkIdType index = 0)
 }
 
 // ParaView makes the range of equal values wider by 2.4e-4 of the value: a ramp over it is transparent at the values.
+// The ramp over one value that ParaView makes; what has more nodes somebody has chosen: 0 of rain is no rain.
 bool isOverOneValue(vtkPiecewiseFunction* function, double value)
 {
+  if (function->GetSize() > 2)
+  {
+    return false;
+  }
   const double* range = function->GetRange();
   return range[1] - range[0] <= 1e-3 * std::abs(value) + 1e-30;
 }

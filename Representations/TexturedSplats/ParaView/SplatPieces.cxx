@@ -153,7 +153,8 @@ const char* const splatShapeName = "NephoscopeSplatShape";
 
 vtkSmartPointer<vtkDataSet> sampledPart(vtkDataObject* input)
 {
-  return appendedBlocks(input, [](vtkDataSet* data) { return data->GetNumberOfPoints() > 0; });
+  return appendedBlocks(
+    input, [](vtkDataSet* data) { return data->GetNumberOfPoints() > 0; }, BorderPoints::Merged);
 }
 
 vtkSmartPointer<vtkDataSet> splatVertices(vtkDataSet* piece, const SplatSampling& sampling)

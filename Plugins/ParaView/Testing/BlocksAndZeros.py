@@ -1,0 +1,81 @@
+# SPDX-FileCopyrightText: The Nephoscope authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""A grid in blocks looks as the whole one does, and rain that is 0 everywhere is no rain; nothing set."""
+import numpy as np
+from PluginTesting import check, compose, image, load_plugin, new_view, passed, pvs
+from paraview.servermanager import Fetch
+
+SIZE = [120, 90]
+CELLS, PARTS = 12, 4
+
+
+def wavelet():
+    return pvs.Wavelet(WholeExtent=[0, CELLS] * 2 + [0, 6], Center=[CELLS / 2] * 2 + [3])
+
+
+def in_blocks(whole, steps=PARTS):
+    width = CELLS // steps
+    return pvs.GroupDatasets(Input=[pvs.ExtractSubset(Input=whole, VOI=[i * width, (i + 1) * width, j * width, (j + 1) * width, 0, 6])
+                                    for i in range(steps) for j in range(steps)])
+
+
+def scalars_of(source):
+    data = Fetch(pvs.MergeBlocks(Input=source))
+    array = data.GetPointData().GetArray("RTData")
+    return np.array([array.GetValue(i) for i in range(array.GetNumberOfTuples())])
+
+
+def picture(source, representation, array):
+    view = new_view(SIZE)
+    display = compose(source, view, array, representation)
+    view.CameraPosition, view.CameraFocalPoint, view.CameraViewUp = [20, -18, 16], [CELLS / 2, CELLS / 2, 3], [0, 0, 1]
+    pvs.Render(view)
+    return view, display, image(view).astype(float)
+
+
+def check_contour_value():
+    """One value for all blocks, that of the whole grid, made before there are data."""
+    value = scalars_of(pvs.CloudSurface(Input=wavelet()))
+    blocks = scalars_of(pvs.CloudSurface(Input=in_blocks(wavelet())))
+    check(np.ptp(value) == 0 and np.ptp(blocks) == 0 and blocks[0] == value[0], f"values {set(value)} and {set(blocks)}")
+
+
+def check_splats():
+    """No bright bands where blocks abut: as the whole grid, in cells of no grid as the blocks are."""
+    whole = wavelet()
+    _, _, expected = picture(pvs.AppendDatasets(Input=[whole]), "Textured Splats", ("POINTS", "RTData"))
+    _, _, found = picture(in_blocks(whole), "Textured Splats", ("POINTS", "RTData"))
+    worst = abs(found - expected).max()
+    check(worst <= 3, f"splats of blocks differ by {worst} of 255")
+
+
+def check_types():
+    """One block has another type: both are drawn."""
+    halves = [pvs.Calculator(Input=pvs.ExtractSubset(Input=wavelet(), VOI=[0, 6, 0, CELLS, 0, 6] if i == 0 else [6, CELLS, 0, CELLS, 0, 6]),
+                             ResultArrayName="p", Function="RTData", ResultArrayType=kind) for i, kind in enumerate(("Float", "Double"))]
+    view, _, _ = picture(pvs.GroupDatasets(Input=halves), "Cell Compositing", ("POINTS", "p"))
+    _, _, expected = picture(pvs.Calculator(Input=wavelet(), ResultArrayName="p", Function="RTData"), "Cell Compositing", ("POINTS", "p"))
+    worst = abs(image(view).astype(float) - expected).max()
+    check(worst <= 3, f"blocks of two types differ by {worst} of 255")
+
+
+def check_no_rain():
+    for name, is_drawn in (("rain", False), ("cloud_fraction", False), ("anything", True)):
+        source = pvs.Calculator(Input=wavelet(), ResultArrayName=name, Function="0*coordsX")
+        for representation in ("Cell Compositing", "Textured Splats"):
+            view, display, _ = picture(source, representation, ("POINTS", name))
+            pixels = image(view).reshape(-1, 3).astype(float)
+            drawn = pixels[abs(pixels - pixels[0]).max(axis=1) > 8]
+            share = len(drawn) / len(pixels)
+            check((share > 0.05) == is_drawn, f"{name} of 0, by {representation}: {share:.1%} of the picture show anything")
+            if is_drawn:  # in the first colour of its map, which is blue, and not in the last
+                check(drawn[:, 2].mean() > drawn[:, 0].mean(), f"0 has the last colour of {display.LookupTable.RGBPoints[:4]}")
+
+
+load_plugin()
+pvs._DisableFirstRenderCameraReset()
+check_contour_value()
+check_splats()
+check_types()
+check_no_rain()
+passed()
