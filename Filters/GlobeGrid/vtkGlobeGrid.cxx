@@ -6,6 +6,7 @@
 #include "PoleRows.h"
 #include "ToldOnce.h"
 
+#include "vtkCellData.h"
 #include "vtkCompositeDataSet.h"
 #include "vtkDataSet.h"
 #include "vtkDoubleArray.h"
@@ -15,6 +16,7 @@
 #include "vtkInformationVector.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
+#include "vtkPointData.h"
 #include "vtkRectilinearGrid.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkStructuredGrid.h"
@@ -55,6 +57,48 @@ nephoscope::GlobeGridSettings SettingsOf(vtkGlobeGrid* self)
   settings.SurfacePressure = ArrayName(self->GetSurfacePressureArrayName());
   settings.TerrainHeight = ArrayName(self->GetTerrainHeightArrayName());
   return settings;
+}
+
+bool Holds(vtkDataSet* data, const std::string& name)
+{
+  return data->GetPointData()->HasArray(name.c_str()) || data->GetCellData()->HasArray(name.c_str());
+}
+
+struct UsualWinds
+{
+  const char* Eastward;
+  const char* Northward;
+  const char* Omega;
+  const char* Upward;
+};
+
+// Names of CMIP and of other models in the place of default names that the data do not have.
+void TakeUsualNames(vtkDataSet* data, nephoscope::GlobeGridSettings& settings)
+{
+  const auto replace = [&](std::string& name, const char* ours, std::initializer_list<const char*> others) {
+    for (const char* other : others)
+    {
+      name = name == ours && !Holds(data, name) && Holds(data, other) ? other : name;
+    }
+  };
+  replace(settings.Height, "gh", { "zg" });
+  replace(settings.Temperature, "t", { "ta" });
+  const bool asked = settings.Eastward == "u" && settings.Northward == "v";
+  for (const UsualWinds& winds : { UsualWinds{ "ua", "va", "wap", "wa" }, UsualWinds{ "U", "V", "OMEGA", "W" } })
+  {
+    if (!asked || Holds(data, "u") || !Holds(data, winds.Eastward) || !Holds(data, winds.Northward))
+    {
+      continue;
+    }
+    settings.Eastward = winds.Eastward;
+    settings.Northward = winds.Northward;
+    if (settings.Vertical == "w" && !Holds(data, "w"))
+    {
+      settings.VerticalIsOmega = Holds(data, winds.Omega);
+      settings.Vertical = Holds(data, winds.Omega) ? winds.Omega : Holds(data, winds.Upward) ? winds.Upward : "";
+    }
+    return;
+  }
 }
 
 bool ReadGrid(vtkDataSet* data, const std::vector<std::string>& names, nephoscope::LonLatLevelGrid& grid,
@@ -105,12 +149,17 @@ vtkDataSet* PeekAtRows(vtkAlgorithm* producer, int port, vtkInformation* inInfo,
 
 // What PeekAtRows sees there; false if it is no grid (RequestData tells what is wrong).
 bool PeekAtGrid(vtkAlgorithm* producer, int port, vtkInformation* inInfo, const int whole[6], int first, int last,
-  const nephoscope::GlobeGridSettings& settings, nephoscope::LonLatLevelGrid& grid, bool& onCells)
+  nephoscope::GlobeGridSettings settings, nephoscope::LonLatLevelGrid& grid, bool& onCells)
 {
   std::string error;
   vtkDataSet* rows = PeekAtRows(producer, port, inInfo, whole, first, last);
-  onCells = rows && rows->GetNumberOfPoints() > 0 && nephoscope::DataAreOnCells(rows, FieldNames(settings));
-  return rows && rows->GetNumberOfPoints() > 0 && ReadGrid(rows, FieldNames(settings), grid, error);
+  if (!rows || rows->GetNumberOfPoints() == 0)
+  {
+    return false;
+  }
+  TakeUsualNames(rows, settings);
+  onCells = nephoscope::DataAreOnCells(rows, FieldNames(settings));
+  return ReadGrid(rows, FieldNames(settings), grid, error);
 }
 
 // The rows that will be added at the poles; three rows at each end make two rows of cells.
@@ -233,9 +282,13 @@ bool vtkGlobeGrid::MakeGrid(vtkInformationVector** inputs, vtkInformationVector*
       << this->PlanetRadius << " and " << this->VerticalExaggeration << ".");
     return false;
   }
-  const auto settings = SettingsOf(this);
+  auto settings = SettingsOf(this);
   std::string error;
   nephoscope::LonLatLevelGrid grid;
+  if (input)
+  {
+    TakeUsualNames(input, settings);
+  }
   if (!ReadGrid(input, FieldNames(settings), grid, error))
   {
     vtkErrorMacro(<< error);

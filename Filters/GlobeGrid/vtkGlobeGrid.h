@@ -182,8 +182,8 @@ public:
 
   ///@{
   /**
-   * Name of the point array of heights above the sea, in HeightUnits. Default "gh". If the input has no such
-   * array the level axis gives the heights.
+   * Name of the point array of heights above the sea, in HeightUnits. Default "gh", or "zg" where the input has no
+   * "gh". Without either the level axis gives the heights.
    */
   vtkSetMacro(HeightArrayName, std::string);
   vtkGetMacro(HeightArrayName, std::string);
@@ -192,7 +192,8 @@ public:
   ///@{
   /**
    * Names of the wind arrays: eastward and northward (m/s) and vertical (Pa/s or m/s, see
-   * VerticalWindIsOmega). Default "u", "v", "w". An empty vertical name means no vertical wind.
+   * VerticalWindIsOmega). Default "u", "v", "w"; where the input has no such arrays, "ua", "va" and "wap" (omega) or "wa" (m/s), or "U", "V"
+   * and "OMEGA" or "W", as CMIP and other models name them. An empty vertical name means no vertical wind.
    */
   void SetWindArrayNames(
     const std::string& eastward, const std::string& northward, const std::string& vertical);
@@ -217,7 +218,7 @@ public:
   ///@{
   /**
    * Name of the point array of temperatures in kelvin, for the density in the conversion of omega.
-   * Default "t". Without it the standard atmosphere gives the temperature.
+   * Default "t", or "ta" where there is no "t". Without it the standard atmosphere gives the temperature.
    */
   vtkSetMacro(TemperatureArrayName, std::string);
   vtkGetMacro(TemperatureArrayName, std::string);

@@ -66,9 +66,9 @@ class BadInput(unittest.TestCase):
         self.expect(gf.structured(x, y, z, (3, 2, 2)), "Point 4")
 
     def test_arrays(self):
-        grid = self.grid(ua=1.0, va=1.0)
+        grid = self.grid(east=1.0, north=1.0)
         self.expect(grid, "no wind arrays 'u' and 'v'", points=12)
-        self.expect(grid, "ua, va", points=12)
+        self.expect(grid, "east, north", points=12)
         self.expect(self.grid(u=1.0), "'v' is missing")
         self.expect(self.grid(u=1.0, v=1.0), "no vertical wind array 'w'", points=12)
         self.assertEqual(gf.globe(self.grid(u=1.0, v=1.0), VerticalWindArrayName="").messages, [])

@@ -12,6 +12,16 @@ LON, LAT, LEV = np.arange(12) * 30.0, np.linspace(-90.0, 90.0, 7), np.array([0.0
 
 
 class Carry(unittest.TestCase):
+    def test_fill_values_become_nan(self):
+        x, _, _ = gf.mesh(LON, LAT, LEV)
+        for kind in ("f4", "f8"):
+            values = (0 * x + 1e20).astype(kind)  # large, as number densities are
+            values[5], values[6], values[7] = 9.96921e36, -1e30, np.nan
+            out = gf.values(gf.globe(gf.rectilinear(LON, LAT, LEV, {"q": values, "number": np.full(len(x), 2**31 - 1, "i4")})).GetOutput(), "q")
+            row = out.reshape(3, 7, 13)[0, 0]
+            self.assertEqual(np.isnan(row).nonzero()[0].tolist(), [5, 6, 7])
+            self.assertEqual(np.isnan(out).sum(), 3)
+
     def test_every_type_of_array(self):
         x, y, z = gf.mesh(LON, LAT, LEV)
         ids = np.arange(len(x))

@@ -101,6 +101,19 @@ class Pointwise(unittest.TestCase):
         out = gf.globe(gf.rectilinear(lon, lat, [500.0, 400.0], arrays)).GetOutput()
         self.assertAlmostEqual(np.linalg.norm(gf.values(out, "Wind")[0]), 0.146356 * 251.92 / 250.0, 5)
 
+    def test_usual_names(self):
+        """Winds of CMIP and of other models, where there are no u and v: the same vectors; omega or m/s by its name."""
+        lon, lat = [0.0, 10.0, 20.0], [0.0, 10.0]
+        x, y, _ = gf.mesh(lon, lat, [500.0, 400.0])
+        for names, lift in ((("u", "v", "w"), -1.0), (("ua", "va", "wap"), -1.0), (("U", "V", "OMEGA"), -1.0), (("ua", "va", "wa"), 0.146356),
+                            (("U", "V", "W"), 0.146356)):
+            arrays = dict(zip(names, (5 + 0 * x, y, lift + 0 * x)))
+            out = gf.globe(gf.rectilinear(lon, lat, [500.0, 400.0], {**arrays, "ta": 0 * x + 250.0})).GetOutput()
+            wind = gf.values(out, "Wind")[0]  # at 0, 0: up is x, east is y, north is z
+            np.testing.assert_allclose(wind, (0.146356, 5, 0), atol=2e-6, err_msg=str(names))
+        out = gf.globe(gf.rectilinear(lon, lat, [500.0, 400.0], {"u": 0 * x, "v": 0 * x, "w": 0 * x, "ua": 0 * x + 9, "va": 0 * x})).GetOutput()
+        self.assertEqual(np.abs(gf.values(out, "Wind")).max(), 0)  # its own names come first
+
     def test_missing_values_are_hidden_and_counted_once(self):
         lon = np.arange(12) * 30.0
         x, _, z = gf.mesh(lon, LAT, [100.0, 1000.0])
