@@ -87,6 +87,7 @@ class CloudSurface(unittest.TestCase):
         plain = mesh.nephoscope.cloud_surface(0.5)
         self.assertEqual(set(mesh.nephoscope.cloud_surface([0.6, 0.5])["ContourIndex"]), {0, 1})
         self.assertEqual(set(mesh.nephoscope.cloud_surface(3, rng=(0.4, 0.6))["ContourIndex"]), {0, 1, 2})
+        self.assertEqual(set(mesh.nephoscope.cloud_surface(3, smoothing=0)["ContourIndex"]), {0, 1, 2})  # none at an end of the range
         for options in ({"smoothing": 2}, {"periodic": "i"}, {"conservative": True}, {"isotropic": True}, {"scalars": "other"},
                         {"coordinates": "lonlat"}, {"conservative": True, "masses": "weight"}):
             made = mesh.nephoscope.cloud_surface(0.5, **options)

@@ -109,8 +109,8 @@ def cloud_surface(mesh: pyvista.DataSet, isosurfaces: int | float | Sequence[flo
     mesh : pyvista.ImageData, pyvista.RectilinearGrid or pyvista.StructuredGrid
         The grid; it is not changed.
     isosurfaces : int, float or sequence of float, optional
-        The values, in any order; or, if a whole number, how many values, at equal steps from the first to the last of `rng`. As in
-        `pyvista.DataSetFilters.contour`. Default: for a cloud fraction 0.15, or 15 in percent, if the smoothed values are below and above
+        The values, in any order; or, if a whole number, how many values, at equal steps from the first to the last of `rng`, or inside the
+        range of the scalars. Default: for a cloud fraction 0.15, or 15 in percent, if the smoothed values are below and above
         it; otherwise, for cloud water and all other arrays, the middle of the range of the smoothed values that are visible and finite.
     scalars : str, optional
         Point array of one number each that is smoothed and contoured. Default: the active scalars, or the first array of one number each
@@ -118,7 +118,7 @@ def cloud_surface(mesh: pyvista.DataSet, isosurfaces: int | float | Sequence[flo
     smoothing : int, default: 1
         How often the 3 x 3 x 3 filter is applied first, >= 0.
     rng : sequence of 2 float, optional
-        Range of the values if `isosurfaces` is a number of them. Default: the range of the finite scalars.
+        First and last value if `isosurfaces` is a number of them. Default: values inside the range of the finite scalars.
     normals : bool, default: True
         Add ``Normals``, from the gradient of the smoothed field, out of where it is higher.
     join_seams : bool, default: True
@@ -152,7 +152,7 @@ def cloud_surface(mesh: pyvista.DataSet, isosurfaces: int | float | Sequence[flo
                               coordinates=coordinates, find_seam=find_seam)
         isosurfaces = _usual_value(smoothed, name)
     surface.SetInputArrayToProcess(0, 0, 0, vtkDataObject.FIELD_ASSOCIATION_POINTS, name)
-    values = _values(mesh.point_data[name], isosurfaces, rng)
+    values = _values(mesh.point_data[name], isosurfaces, rng, inside=True)
     surface.SetNumberOfContours(len(values))
     for i, value in enumerate(values):
         surface.SetValue(i, value)

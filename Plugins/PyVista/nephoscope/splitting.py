@@ -126,13 +126,16 @@ def _scalar_point_array(mesh: pyvista.DataSet, scalars: str | None) -> str:
     return name
 
 
-def _values(array: np.ndarray, isosurfaces: int | float | Sequence[float], rng: Sequence[float] | None) -> np.ndarray:
+def _values(array: np.ndarray, isosurfaces: int | float | Sequence[float], rng: Sequence[float] | None, inside: bool = False) -> np.ndarray:
+    """The values; `inside`: so many that none is an end of the range of the array, where there would be no surface."""
     if isinstance(isosurfaces, (int, np.integer)) and not isinstance(isosurfaces, bool):
         if isosurfaces < 0:
             raise ValueError(f"isosurfaces is {isosurfaces}; a number of values must be at least 0.")
         if rng is None:
             finite = array[np.isfinite(array)]
             rng = (finite.min(), finite.max()) if finite.size else (0.0, 0.0)
+            if inside:
+                return np.linspace(*rng, isosurfaces + 2)[1:-1]
         values = np.linspace(rng[0], rng[1], isosurfaces)
     else:
         values = np.atleast_1d(np.asarray(isosurfaces, float))
