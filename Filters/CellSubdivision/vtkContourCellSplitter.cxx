@@ -5,6 +5,7 @@
 #include "ChosenPointArray.h"
 #include "ContourScalars.h"
 #include "CutNumbering.h"
+#include "RequiredInput.h"
 #include "SplitAssembly.h"
 #include "SplitBatch.h"
 #include "SplitPoints.h"
@@ -94,8 +95,18 @@ vtkMTimeType vtkContourCellSplitter::GetMTime()
 
 int vtkContourCellSplitter::FillInputPortInformation(int, vtkInformation* info)
 {
-  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataSet");
+  nephoscope::takeAnyData(info);
   return 1;
+}
+
+vtkTypeBool vtkContourCellSplitter::ProcessRequest(vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs)
+{
+  if (nephoscope::hasOtherInput(this, this->ToldOfInput, request, inputs, outputs, { "vtkDataSet" },
+        "It must be a dataset with cells."))
+  {
+    return 1;
+  }
+  return this->Superclass::ProcessRequest(request, inputs, outputs);
 }
 
 int vtkContourCellSplitter::RequestData(

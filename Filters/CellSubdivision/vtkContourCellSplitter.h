@@ -139,6 +139,8 @@ public:
   /** Later of this filter's and its values' modification. */
   vtkMTimeType GetMTime() override;
 
+  vtkTypeBool ProcessRequest(vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs) override;
+
 protected:
   vtkContourCellSplitter();
   ~vtkContourCellSplitter() override = default;
@@ -182,6 +184,7 @@ private:
   std::array<double, 2> DefaultRange = { 0.0, 0.0 }; // of the scalars of all blocks, where no value is given
   bool HasDivided = false;
   int ExecutionDepth = 0;
+  vtkMTimeType ToldOfInput = 0; // for hasOtherInput
 };
 
 #endif

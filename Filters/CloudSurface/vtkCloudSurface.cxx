@@ -7,6 +7,7 @@
 #include "ChosenPointArray.h"
 #include "FieldSmoother.h"
 #include "IndexSpaceContour.h"
+#include "RequiredInput.h"
 #include "SurfaceAssembly.h"
 
 #include "vtkCommand.h"
@@ -90,11 +91,18 @@ vtkMTimeType vtkCloudSurface::GetMTime()
 
 int vtkCloudSurface::FillInputPortInformation(int, vtkInformation* info)
 {
-  info->Remove(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE());
-  info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkImageData");
-  info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkRectilinearGrid");
-  info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkStructuredGrid");
+  nephoscope::takeAnyData(info);
   return 1;
+}
+
+vtkTypeBool vtkCloudSurface::ProcessRequest(vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs)
+{
+  if (nephoscope::hasOtherInput(this, this->ToldOfInput, request, inputs, outputs, { "vtkImageData", "vtkRectilinearGrid", "vtkStructuredGrid" },
+        "It must be a grid with rows: an image, a rectilinear or a structured grid."))
+  {
+    return 1;
+  }
+  return this->Superclass::ProcessRequest(request, inputs, outputs);
 }
 
 int vtkCloudSurface::RequestInformation(vtkInformation*, vtkInformationVector**, vtkInformationVector* outputs)

@@ -144,6 +144,8 @@ public:
   /** Latest of this filter's, its values' and its smoothing's modification. */
   vtkMTimeType GetMTime() override;
 
+  vtkTypeBool ProcessRequest(vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs) override;
+
 protected:
   vtkCloudSurface();
   ~vtkCloudSurface() override;
@@ -186,6 +188,7 @@ private:
   bool HasSurface = false;
   int ExecutionDepth = 0;
   std::unique_ptr<nephoscope::BlockNeighbours> Neighbours; // while a group is executed
+  vtkMTimeType ToldOfInput = 0; // for hasOtherInput
 };
 
 #endif

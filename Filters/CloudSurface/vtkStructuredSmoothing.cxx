@@ -6,6 +6,7 @@
 #include "BlockNeighbours.h"
 #include "ChosenPointArray.h"
 #include "FieldSmoother.h"
+#include "RequiredInput.h"
 #include "ToldOnce.h"
 
 #include "vtkCommand.h"
@@ -171,11 +172,18 @@ nephoscope::SmoothingSettings vtkStructuredSmoothing::GetSettings() const
 
 int vtkStructuredSmoothing::FillInputPortInformation(int, vtkInformation* info)
 {
-  info->Remove(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE());
-  info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkImageData");
-  info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkRectilinearGrid");
-  info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkStructuredGrid");
+  nephoscope::takeAnyData(info);
   return 1;
+}
+
+vtkTypeBool vtkStructuredSmoothing::ProcessRequest(vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs)
+{
+  if (nephoscope::hasOtherInput(this, this->ToldOfInput, request, inputs, outputs, { "vtkImageData", "vtkRectilinearGrid", "vtkStructuredGrid" },
+        "It must be a grid with rows: an image, a rectilinear or a structured grid."))
+  {
+    return 1;
+  }
+  return this->Superclass::ProcessRequest(request, inputs, outputs);
 }
 
 int vtkStructuredSmoothing::RequestInformation(

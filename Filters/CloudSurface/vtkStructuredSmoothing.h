@@ -168,6 +168,8 @@ public:
   nephoscope::SmoothingSettings GetSettings() const;
 #endif
 
+  vtkTypeBool ProcessRequest(vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs) override;
+
 protected:
   vtkStructuredSmoothing();
   ~vtkStructuredSmoothing() override;
@@ -201,6 +203,7 @@ private:
   vtkMTimeType Failed = 0; // for ToldOnce
   int ExecutionDepth = 0;
   std::unique_ptr<nephoscope::BlockNeighbours> Neighbours; // while a group is executed
+  vtkMTimeType ToldOfInput = 0; // for hasOtherInput
 };
 
 #endif

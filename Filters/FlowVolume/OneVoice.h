@@ -10,8 +10,7 @@
 
 namespace nephoscope
 {
-// While it lives, errors and warnings of an object are printed only if it `speaks`. An observer hears them on every
-// rank: VTK prints what nobody observes.
+// While it lives, errors and warnings of an object are told only if it `speaks`.
 class OneVoice
 {
 public:
@@ -21,8 +20,9 @@ public:
     if (!speaks)
     {
       this->Silence->SetCallback([](vtkObject*, unsigned long, void*, void*) {});
-      object->AddObserver(vtkCommand::ErrorEvent, this->Silence);
-      object->AddObserver(vtkCommand::WarningEvent, this->Silence);
+      this->Silence->SetAbortFlagOnExecute(1); // before all others that listen
+      object->AddObserver(vtkCommand::ErrorEvent, this->Silence, 1.0f);
+      object->AddObserver(vtkCommand::WarningEvent, this->Silence, 1.0f);
     }
   }
 

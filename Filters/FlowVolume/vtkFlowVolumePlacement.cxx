@@ -4,6 +4,8 @@
 
 #include "DataSets.h"
 #include "FlowReach.h"
+#include "GeneratingPolygon.h"
+#include "SmokeGeometry.h"
 #include "VelocityChoice.h"
 #include "VelocityFields.h"
 
@@ -17,6 +19,7 @@
 #include "vtkPoints.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numeric>
 #include <vector>
@@ -26,6 +29,8 @@ vtkStandardNewMacro(vtkFlowVolumePlacement);
 namespace
 {
 using nephoscope::DataSetField;
+using nephoscope::operator+;
+using nephoscope::operator*;
 using nephoscope::Vector3;
 
 constexpr vtkIdType mostCandidates = 2000;
@@ -149,17 +154,42 @@ std::vector<Vector3> Rim(const Candidate& candidate, double radius)
   return rim;
 }
 
-bool RimIsInside(const DataSetField& field, const Candidate& candidate, double radius)
+// The points of the triangles that vtkFlowVolume divides its regular polygon into.
+class PolygonPoints
 {
-  std::vector<Vector3> velocities;
-  const auto inside = SampleAt(field, Rim(candidate, radius), velocities);
-  return std::all_of(inside.begin(), inside.end(), [](unsigned char i) { return i != 0; });
-}
+public:
+  explicit PolygonPoints(int sides)
+  {
+    const nephoscope::RegularPolygon unit{ {}, 1.0, sides, across };
+    const Vector3 u = nephoscope::Perpendicular(across), v = nephoscope::Cross(across, u);
+    for (const Vector3& point : nephoscope::TriangulateRegularPolygon(unit, 0.0).Points)
+    {
+      this->Points.push_back({ { nephoscope::Dot(point, u), nephoscope::Dot(point, v) } });
+    }
+  }
 
-// The greatest of the radii, halved up to 7 times, whose rim is inside the data; else the least.
-double FittingRadius(const DataSetField& field, const Candidate& candidate, double radius)
+  bool AreInside(const DataSetField& field, const Candidate& candidate, double radius) const
+  {
+    const Vector3 normal = nephoscope::Direction(candidate.Velocity), u = nephoscope::Perpendicular(normal), v = nephoscope::Cross(normal, u);
+    std::vector<Vector3> places, velocities;
+    for (const auto& [a, b] : this->Points)
+    {
+      places.push_back(candidate.Place + (rounding * radius * a) * u + (rounding * radius * b) * v);
+    }
+    const auto inside = SampleAt(field, places, velocities);
+    return std::all_of(inside.begin(), inside.end(), [](unsigned char i) { return i != 0; });
+  }
+
+private:
+  static constexpr Vector3 across = { { 0.0, 0.0, 1.0 } };
+  static constexpr double rounding = 1.0 + 1e-6;
+  std::vector<std::array<double, 2>> Points; // of a polygon of radius 1, in its plane
+};
+
+// The greatest of the radii, halved up to 7 times, whose polygon is inside the data; else the least.
+double FittingRadius(const DataSetField& field, const PolygonPoints& polygon, const Candidate& candidate, double radius)
 {
-  for (int halving = 0; halving < mostHalvings && !RimIsInside(field, candidate, radius); ++halving)
+  for (int halving = 0; halving < mostHalvings && !polygon.AreInside(field, candidate, radius); ++halving)
   {
     radius *= 0.5;
   }
@@ -176,7 +206,7 @@ double MeanReach(const DataSetField& field, const Candidate& candidate, double l
 }
 
 // The fastest place, in steps of 5 %, that holds the largest polygon; of those that are as fast the nearest to the middle.
-Candidate Fastest(const DataSetField& field, std::vector<Candidate> candidates, double radius)
+Candidate Fastest(const DataSetField& field, const PolygonPoints& polygon, std::vector<Candidate> candidates, double radius)
 {
   double greatest = 0.0;
   for (const Candidate& c : candidates)
@@ -194,7 +224,7 @@ Candidate Fastest(const DataSetField& field, std::vector<Candidate> candidates, 
   {
     for (Candidate& c : candidates)
     {
-      if (RimIsInside(field, c, radius))
+      if (polygon.AreInside(field, c, radius))
       {
         c.Radius = radius;
         return c;
@@ -247,23 +277,24 @@ void JudgeByMiddle(const DataSetField& field, double length, std::vector<Candida
 }
 
 // With the rim too, and the share of the radius that fits in.
-void JudgeByRim(const DataSetField& field, double radius, double length, std::vector<Candidate>& candidates)
+void JudgeByRim(
+  const DataSetField& field, const PolygonPoints& polygon, double radius, double length, std::vector<Candidate>& candidates)
 {
   for (Candidate& c : candidates)
   {
-    c.Radius = FittingRadius(field, c, radius);
+    c.Radius = FittingRadius(field, polygon, c, radius);
     c.Quality = MeanReach(field, c, length) * c.Speed * c.Radius / radius;
   }
 }
 
 // Where the product of speed, reach and radius is greatest.
-Candidate BestTraced(const DataSetField& field, std::vector<Candidate> candidates, double diagonal)
+Candidate BestTraced(const DataSetField& field, const PolygonPoints& polygon, std::vector<Candidate> candidates, double diagonal)
 {
   Thin(candidates, mostTraced);
   JudgeByMiddle(field, 0.5 * diagonal, candidates);
   SortByQuality(candidates);
   candidates.resize(std::min(candidates.size(), mostWithRim));
-  JudgeByRim(field, diagonal / 50.0, 0.5 * diagonal, candidates);
+  JudgeByRim(field, polygon, diagonal / 50.0, 0.5 * diagonal, candidates);
   SortByQuality(candidates);
   return candidates.front();
 }
@@ -295,12 +326,13 @@ bool vtkFlowVolumePlacement::Find(vtkDataObject* data, const std::string& veloci
     return false;
   }
   const double diagonal = this->Diagonal > 0.0 ? this->Diagonal : box.GetDiagonalLength();
-  Candidate chosen = Fastest(*field, candidates, diagonal / 50.0);
+  const PolygonPoints polygon(this->NumberOfSides);
+  Candidate chosen = Fastest(*field, polygon, candidates, diagonal / 50.0);
   const double reach = MeanReach(*field, chosen, 0.5 * diagonal);
   chosen.Quality = reach * chosen.Speed * chosen.Radius / (diagonal / 50.0);
   if (reach < farEnough)
   {
-    chosen = BestTraced(*field, candidates, diagonal);
+    chosen = BestTraced(*field, polygon, candidates, diagonal);
   }
   this->Radius = chosen.Radius;
   this->Quality = chosen.Quality;

@@ -11,7 +11,7 @@
  * 1. the speed;
  * 2. the length of the path inside the data, up to half of the diagonal of the bounds, in the time that the flow takes for that at its first
  *    speed; less where the path stays in one place, within an eighth of the diagonal;
- * 3. the radius: 1/50 of the diagonal, or half, a quarter, ... 1/128 of that, such that the rim of the disc across the flow is inside the data;
+ * 3. the radius: 1/50 of the diagonal, or half, a quarter, ... 1/128 of that, such that all points of the polygon across the flow are inside the data;
  * and among places that differ by 5 % the one that is nearest to the middle of the bounds.
  * The same data give the same place. Hosts use it for their defaults; vtkFlowVolume itself stays where it is put.
  */
@@ -43,6 +43,10 @@ public:
   vtkSetMacro(Diagonal, double);
   vtkGetMacro(Diagonal, double);
 
+  /** Sides of the polygon that must fit in, 3 or more. Default: 12. */
+  vtkSetClampMacro(NumberOfSides, int, 3, VTK_INT_MAX);
+  vtkGetMacro(NumberOfSides, int);
+
   ///@{
   /**
    * What was found: centre, unit vector along the flow, radius, speed, and how good it is (the product; the greater the better, for choosing between
@@ -67,6 +71,7 @@ private:
   void operator=(const vtkFlowVolumePlacement&) = delete;
 
   double Diagonal = 0.0;
+  int NumberOfSides = 12;
   double Center[3] = { 0.0, 0.0, 0.0 };
   double Normal[3] = { 0.0, 0.0, 1.0 };
   double Radius = 0.0;

@@ -4,6 +4,7 @@
 
 #include "PointDensity.h"
 #include "PuffPulse.h"
+#include "RequiredInput.h"
 
 #include "vtkCellData.h"
 #include "vtkDoubleArray.h"
@@ -163,9 +164,20 @@ vtkSmokePuffs::vtkSmokePuffs()
 
 vtkSmokePuffs::~vtkSmokePuffs() = default;
 
+int vtkSmokePuffs::FillInputPortInformation(int, vtkInformation* info)
+{
+  nephoscope::takeAnyData(info);
+  return 1;
+}
+
 vtkTypeBool vtkSmokePuffs::ProcessRequest(
   vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
+  if (nephoscope::hasOtherInput(this, this->ToldOfInput, request, inputs, outputs, { "vtkUnstructuredGrid" },
+        "Puffs are made of smoke. Connect a flow volume."))
+  {
+    return 1;
+  }
   if (request->Has(SDDP::REQUEST_UPDATE_TIME()))
   {
     this->AskForTime(inputs[0]->GetInformationObject(0), outputs->GetInformationObject(0));

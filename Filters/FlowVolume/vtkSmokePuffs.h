@@ -137,6 +137,8 @@ protected:
   vtkSmokePuffs();
   ~vtkSmokePuffs() override;
 
+  int FillInputPortInformation(int port, vtkInformation* info) override;
+
   int RequestInformation(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
   int RequestUpdateExtent(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
@@ -160,6 +162,7 @@ private:
   void AddSmokeDensity(vtkUnstructuredGrid* output, const nephoscope::PuffPulse& pulse, double time);
 
   std::unique_ptr<nephoscope::PointDensity> Averages;
+  vtkMTimeType ToldOfInput = 0; // for hasOtherInput
 };
 
 #endif

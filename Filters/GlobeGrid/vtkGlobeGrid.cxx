@@ -4,6 +4,7 @@
 
 #include "GlobeGridBuilder.h"
 #include "PoleRows.h"
+#include "RequiredInput.h"
 #include "ToldOnce.h"
 
 #include "vtkCellData.h"
@@ -201,7 +202,21 @@ int vtkGlobeGrid::FillInputPortInformation(int port, vtkInformation* info)
   info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkImageData");
   info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkStructuredGrid");
   info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), port == 1 ? 1 : 0);
+  if (port == 0)
+  {
+    nephoscope::takeAnyData(info);
+  }
   return 1;
+}
+
+vtkTypeBool vtkGlobeGrid::ProcessRequest(vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs)
+{
+  if (nephoscope::hasOtherInput(this, this->ToldOfInput, request, inputs, outputs, { "vtkImageData", "vtkRectilinearGrid", "vtkStructuredGrid" },
+        "It must be a grid of longitudes, latitudes and levels: an image, a rectilinear or a structured grid."))
+  {
+    return 1;
+  }
+  return this->Superclass::ProcessRequest(request, inputs, outputs);
 }
 
 int vtkGlobeGrid::RequestInformation(

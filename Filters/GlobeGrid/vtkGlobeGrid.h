@@ -271,6 +271,8 @@ public:
   void SetSurfaceData(vtkDataObject* data) { this->SetInputData(1, data); }
   ///@}
 
+  vtkTypeBool ProcessRequest(vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs) override;
+
 protected:
   vtkGlobeGrid();
   ~vtkGlobeGrid() override = default;
@@ -312,6 +314,7 @@ private:
   std::string SurfacePressureArrayName = "sp";
   std::string TerrainHeightArrayName = "orog";
   vtkMTimeType Failed = 0; // for ToldOnce
+  vtkMTimeType ToldOfInput = 0; // for hasOtherInput
 };
 
 #endif

@@ -5,12 +5,17 @@
 #include "vtkDataArray.h"
 #include "vtkDataSet.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace nephoscope
 {
 namespace
 {
+constexpr double readableLayers = 7.0;  // of streaks of the greatest speed, one behind the other
+constexpr double readableOpacity = 0.6; // of streaks of the mean speed
+constexpr double leastOpacity = 0.8, greatestOpacity = 2.0;
+
 bool isPlace(const SplatVector& place)
 {
   return std::isfinite(place[0] + place[1] + place[2]);
@@ -101,6 +106,17 @@ MediumMeasures measureSplats(vtkDataSet* data, const SplatSampling& sampling, vt
     scalars->GetFiniteRange(measures.ScalarRange, scalars->GetNumberOfComponents() > 1 ? -1 : 0);
   }
   return measures;
+}
+
+SuitedVectors suitVectors(const MediumMeasures& vectors, const MediumBounds& common, double greatestSpeed)
+{
+  const double greatest = greatestSpeed > 0.0 ? greatestSpeed : vectors.ScalarRange[1];
+  const double mean = greatest > 0.0 && vectors.Volume > 0.0 ? std::min(vectors.ScalarIntegral / vectors.Volume / greatest, 1.0) : 1.0;
+  const double layers = mean * meanSamples(vectors, common);
+  SuitedVectors suited;
+  suited.Share = layers > readableLayers ? std::pow(readableLayers / layers, 3.0) : 1.0;
+  suited.Opacity = mean > 0.0 ? std::min(std::max(readableOpacity / mean, leastOpacity), greatestOpacity) : greatestOpacity;
+  return suited;
 }
 
 } // namespace nephoscope

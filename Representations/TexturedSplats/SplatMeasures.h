@@ -20,6 +20,20 @@ VTKNEPHOSCOPEREPRESENTATIONSTEXTUREDSPLATS_EXPORT MediumBounds boundsOfSamples(v
 VTKNEPHOSCOPEREPRESENTATIONSTEXTUREDSPLATS_EXPORT MediumMeasures measureSplats(vtkDataSet* data, const SplatSampling& sampling,
   vtkDataArray* scalars, const std::function<double(double)>& opacity, const MediumBounds& common);
 
+/** How opaque vectors are drawn, and of which share of the samples. */
+struct SuitedVectors
+{
+  double Opacity = 2.0;
+  double Share = 1.0;
+};
+
+/**
+ * Such that streaks and the medium can both be seen, from the measures of the vectors: streaks of the mean speed get an optical depth of 0.6, the fastest
+ * at least 0.8 and at most 2, and a ray meets as many streaks as of 7 samples with the greatest speed, at most. `greatestSpeed` 0: that of the measures.
+ */
+VTKNEPHOSCOPEREPRESENTATIONSTEXTUREDSPLATS_EXPORT SuitedVectors suitVectors(
+  const MediumMeasures& vectors, const MediumBounds& common, double greatestSpeed);
+
 } // namespace nephoscope
 
 #endif

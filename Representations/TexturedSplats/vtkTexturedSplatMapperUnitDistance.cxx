@@ -11,16 +11,6 @@
 #include "vtkDataSetAttributes.h"
 #include "vtkVolumeProperty.h"
 
-#include <algorithm>
-#include <cmath>
-
-namespace
-{
-constexpr double readableLayers = 7.0;   // of streaks of the greatest speed, one behind the other
-constexpr double readableOpacity = 0.6;  // of streaks of the mean speed
-constexpr double leastOpacity = 0.8, greatestOpacity = 2.0;
-}
-
 void vtkTexturedSplatMapper::SuitVectorsToMedium(bool opacity, bool share)
 {
   vtkDataSet* input = this->GetDataSetInput();
@@ -40,18 +30,14 @@ void vtkTexturedSplatMapper::SuitVectorsToMedium(bool opacity, bool share)
   sampling.RadiusFactor = 1.0;
   const nephoscope::MediumBounds bounds = nephoscope::boundsOfSamples(input, sampling);
   const nephoscope::MediumMeasures measures = nephoscope::measureSplats(input, sampling, vectors, {}, bounds);
-  const double greatest = this->GreatestSpeed > 0.0 ? this->GreatestSpeed : measures.ScalarRange[1];
-  const double mean =
-    greatest > 0.0 && measures.Volume > 0.0 ? std::min(measures.ScalarIntegral / measures.Volume / greatest, 1.0) : 1.0;
+  const nephoscope::SuitedVectors suited = nephoscope::suitVectors(measures, bounds, this->GreatestSpeed);
   if (share)
   {
-    const double layers = mean * nephoscope::meanSamples(measures, bounds);
-    this->SetVectorShare(layers > readableLayers ? std::pow(readableLayers / layers, 3.0) : 1.0);
+    this->SetVectorShare(suited.Share);
   }
   if (opacity)
   {
-    this->SetVectorOpacity(
-      mean > 0.0 ? std::min(std::max(readableOpacity / mean, leastOpacity), greatestOpacity) : greatestOpacity);
+    this->SetVectorOpacity(suited.Opacity);
   }
 }
 

@@ -26,7 +26,7 @@ class BadInput(unittest.TestCase):
             made = nephoscope.vtkCloudSurface()
             made.SetInputDataObject(vtkPolyData())
             made.Update()
-        self.assertIn("vtkPolyData", " ".join(messages.all))
+        self.assertIn("The input is a surface or points. It must be a grid with rows", " ".join(messages.all))
 
     def test_flat(self):
         self.nothing(cg.image(FIELD[:1]), "one point along axis 2")

@@ -27,7 +27,7 @@ class BadInput(unittest.TestCase):
             made = nephoscope.vtkStructuredSmoothing()
             made.SetInputDataObject(vtkUnstructuredGrid())
             made.Update()
-        self.assertIn("vtkUnstructuredGrid", " ".join(messages.all))
+        self.assertIn("The input is an unstructured grid. It must be a grid with rows", " ".join(messages.all))
 
     def test_missing_arrays(self):
         named = lambda name: {"setup": lambda m: m.SetInputArrayToProcess(0, 0, 0, 0, name)}

@@ -7,6 +7,7 @@ import numpy as np
 from nephoscope import vtkFlowVolume, vtkFlowVolumePlacement
 from nephoscope_testing import meshes
 from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkCommonDataModel import vtkDataSetAttributes
 
 
 def box(velocity, cells=(24, 24, 12), size=(2.0, 2.0, 1.0), origin=(-1.0, -1.0, -0.5)):
@@ -75,6 +76,27 @@ class Placement(unittest.TestCase):
         place = vtkFlowVolumePlacement()
         self.assertTrue(place.Find(box(lambda x, y, z: np.array([1 + 0 * x, 0 * y, 0 * z]), (40, 4, 2), (4.0, 0.1, 0.05), (0.0, 0.0, 0.0))))
         self.assertLess(place.GetRadius(), 0.025)
+
+    def test_all_points_of_the_polygon_are_inside(self):
+        """Whatever the number of its sides, also where cells are hidden: there is nothing to warn of in a place that was chosen."""
+        for name, (velocity, _) in FLOWS.items():
+            for sides, holes in ((12, 0), (3, 0), (7, 40), (100, 120)):
+                data = box(velocity)
+                hidden = np.zeros(data.GetNumberOfCells(), np.uint8)
+                hidden[np.random.default_rng(sides).choice(len(hidden), holes, replace=False)] = vtkDataSetAttributes.HIDDENCELL
+                meshes.add_array(data.GetCellData(), hidden, vtkDataSetAttributes.GhostArrayName())
+                place = vtkFlowVolumePlacement()
+                place.SetNumberOfSides(sides)
+                self.assertTrue(place.Find(data))
+                smoke = vtkFlowVolume()
+                warnings = []
+                smoke.AddObserver("WarningEvent", lambda *_: warnings.append(1))
+                smoke.SetInputData(data)
+                smoke.SetNumberOfSides(sides)
+                smoke.SetCenter(place.GetCenter())
+                smoke.SetRadius(place.GetRadius())
+                smoke.Update()
+                self.assertFalse(warnings, f"{name}, {sides} sides, {holes} hidden cells")
 
     def test_same_place_again(self):
         data = box(saddle)

@@ -30,7 +30,7 @@ class BadInput(unittest.TestCase):
     def test_types(self):
         sphere = vtkSphereSource()
         sphere.Update()
-        self.expect(sphere.GetOutput(), "vtkRectilinearGrid is required")
+        self.expect(sphere.GetOutput(), "The input is a surface or points. It must be a grid of longitudes")
         self.expect(vtkRectilinearGrid(), "empty")
         image = vtkImageData()
         image.SetDimensions(3, 3, 3)

@@ -5,9 +5,11 @@
 #include "vtkBoundingBox.h"
 #include "vtkCamera.h"
 #include "vtkCommand.h"
+#include "vtkDataObject.h"
 #include "vtkMath.h"
 #include "vtkNew.h"
 #include "vtkObject.h"
+#include "vtkPVArrayInformation.h"
 #include "vtkPVDataInformation.h"
 #include "vtkSMPropertyHelper.h"
 #include "vtkSMProxy.h"
@@ -24,6 +26,7 @@ namespace nephoscope
 namespace
 {
 constexpr double farOff = 30.0; // scales and places that differ by this factor are not of one picture
+constexpr double regional = 0.2; // further from the axis than this part of their extent, data are on one side of the globe
 constexpr double small = 8.0;   // of this part of a picture not much is seen, where there is nothing else
 
 struct Sphere
@@ -43,11 +46,17 @@ Sphere SeenBy(vtkCamera* camera)
   return seen;
 }
 
+vtkSMProxy* SourceOf(vtkSMProxy* display)
+{
+  const vtkSMPropertyHelper input(display, "Input", true);
+  return input.GetNumberOfElements() > 0 ? input.GetAsProxy() : nullptr;
+}
+
 // Of what a display shows; without extent where there is nothing.
 Sphere ShownBy(vtkSMProxy* display)
 {
   const vtkSMPropertyHelper input(display, "Input", true);
-  auto* source = vtkSMSourceProxy::SafeDownCast(input.GetNumberOfElements() > 0 ? input.GetAsProxy() : nullptr);
+  auto* source = vtkSMSourceProxy::SafeDownCast(SourceOf(display));
   vtkBoundingBox box;
   if (source && source->GetObjectsCreated())
   {
@@ -87,6 +96,53 @@ bool Has(vtkSMProxy* view, vtkSMProxy* display)
   return false;
 }
 
+// Of data that Globe Grid has put on a globe.
+bool IsGlobe(vtkSMProxy* display)
+{
+  const vtkSMPropertyHelper input(display, "Input", true);
+  auto* source = vtkSMSourceProxy::SafeDownCast(SourceOf(display));
+  vtkPVArrayInformation* projection = source && source->GetObjectsCreated()
+    ? source->GetDataInformation(input.GetOutputPort())->GetArrayInformation("GlobeGridProjection", vtkDataObject::FIELD)
+    : nullptr;
+  return projection && projection->GetComponentRange(0)[1] == 0.0;
+}
+
+// As ParaView's cameras look at first: at the pole of a globe.
+bool LooksDown(vtkCamera* camera)
+{
+  const double *along = camera->GetDirectionOfProjection(), *up = camera->GetViewUp();
+  return along[2] < -0.999999 && up[1] > 0.999999;
+}
+
+// Where the eye is above the middle of the data; above all longitudes at a place in middle latitudes.
+std::array<double, 3> EyeAbove(const Sphere& shown)
+{
+  const double length = vtkMath::Norm(shown.Center.data());
+  if (length > regional * shown.Radius)
+  {
+    return { shown.Center[0] / length, shown.Center[1] / length, shown.Center[2] / length };
+  }
+  const double longitude = vtkMath::RadiansFromDegrees(-75.0), latitude = vtkMath::RadiansFromDegrees(25.0);
+  return { std::cos(latitude) * std::cos(longitude), std::cos(latitude) * std::sin(longitude), std::sin(latitude) };
+}
+
+// Turns the camera so that it looks down there, with north above.
+void LookFromAbove(vtkSMRenderViewProxy* view, const Sphere& shown)
+{
+  const auto above = EyeAbove(shown);
+  const bool atPole = std::abs(above[2]) > 0.99;
+  const double up[3] = { 0.0, atPole ? 1.0 : 0.0, atPole ? 0.0 : 1.0 };
+  std::array<double, 3> eye;
+  for (std::size_t k = 0; k < 3; ++k)
+  {
+    eye[k] = shown.Center[k] + 4.0 * shown.Radius * above[k];
+  }
+  vtkSMPropertyHelper(view, "CameraFocalPoint").Set(shown.Center.data(), 3);
+  vtkSMPropertyHelper(view, "CameraPosition").Set(eye.data(), 3);
+  vtkSMPropertyHelper(view, "CameraViewUp").Set(up, 3);
+  view->UpdateVTKObjects();
+}
+
 bool IsSmall(const Sphere& seen, const Sphere& shown)
 {
   return small * shown.Radius < seen.Radius;
@@ -100,7 +156,7 @@ bool AnyOther(vtkSMProxy* view, vtkSMProxy* display, Test test)
   for (unsigned int i = 0; i < all.GetNumberOfElements(); ++i)
   {
     vtkSMProxy* other = all.GetAsProxy(i);
-    if (other && other != display && IsVisible(other) && test(ShownBy(other)))
+    if (other && other != display && IsVisible(other) && SourceOf(other) != SourceOf(display) && test(ShownBy(other)))
     {
       return true;
     }
@@ -126,7 +182,13 @@ private:
   void OnUpdate(vtkObject*, unsigned long, void*)
   {
     vtkSMRenderViewProxy* view = this->View;
-    if (this->Display && Has(view, this->Display) && IsVisible(this->Display) && this->IsWhereItWas() && this->IsNotSeen())
+    const bool isMine = this->Display && Has(view, this->Display) && IsVisible(this->Display) && this->IsWhereItWas();
+    const bool turns = isMine && this->IsAlone() && IsGlobe(this->Display) && LooksDown(view->GetActiveCamera());
+    if (turns)
+    {
+      LookFromAbove(view, ShownBy(this->Display));
+    }
+    if (turns || (isMine && this->IsNotSeen()))
     {
       double bounds[6];
       const vtkSMPropertyHelper input(this->Display.Get(), "Input");
@@ -140,11 +202,16 @@ private:
 
   void OnDelete(vtkObject*, unsigned long, void*) { delete this; }
 
+  // But for other outputs of the same source.
+  bool IsAlone()
+  {
+    return !AnyOther(this->View, this->Display, [](const Sphere& other) { return other.Radius > 0.0; });
+  }
+
   bool IsNotSeen()
   {
     const Sphere shown = ShownBy(this->Display);
-    const bool alone = !AnyOther(this->View, this->Display, [](const Sphere& other) { return other.Radius > 0.0; });
-    return !Suits(this->Seen, shown) || (alone && IsSmall(this->Seen, shown));
+    return !Suits(this->Seen, shown) || (this->IsAlone() && IsSmall(this->Seen, shown));
   }
 
   bool IsWhereItWas()
@@ -178,7 +245,8 @@ void resetCameraWhereShown(vtkSMProxy* display)
     {
       const Sphere seen = SeenBy(view->GetActiveCamera());
       const auto suitsCamera = [&](const Sphere& other) { return Suits(seen, other); };
-      if ((!Suits(seen, shown) || IsSmall(seen, shown)) && AnyOther(view, display, suitsCamera))
+      const bool shallTurn = LooksDown(view->GetActiveCamera()) && IsGlobe(display);
+      if (shallTurn || ((!Suits(seen, shown) || IsSmall(seen, shown)) && AnyOther(view, display, suitsCamera)))
       {
         new Watch(view, display); // deletes itself
       }

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkCloudsOverGlobe.h"
 
+#include "ForwardedMessages.h"
+
 #include "vtkCellArray.h"
 #include "vtkExecutive.h"
 #include "vtkGlobeGrid.h"
@@ -48,6 +50,8 @@ vtkCloudsOverGlobe::vtkCloudsOverGlobe()
 {
   this->SetNumberOfInputPorts(0);
   this->SetNumberOfOutputPorts(2);
+  nephoscope::forwardMessages(this->Reader, this);
+  nephoscope::forwardMessages(this->Globe, this);
   this->Reader->SphericalCoordinatesOff();
   this->Globe->SetInputConnection(this->Reader->GetOutputPort());
 }

@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkPVFlowVolume.h"
 
-#include "LabelsInMessages.h"
-
 #include "VelocityChoice.h"
 #include "VelocityFields.h"
 #include "vtkFlowVolumePlacement.h"
@@ -106,16 +104,7 @@ private:
   std::unique_ptr<DataSetField> Field;
 };
 
-vtkPVFlowVolume::vtkPVFlowVolume()
-  : Labels(std::make_unique<nephoscope::LabelsInMessages>(this,
-      nephoscope::LabelsInMessages::Labels{
-        { "MaximumNumberOfTetrahedra", "Maximum Number Of Tetrahedra" },
-        { "PolygonEdgeLength", "Polygon Edge Length" }, { "MaximumEdgeLength", "Maximum Edge Length" },
-        { "MinimumEdgeLength", "Minimum Edge Length" }, { "NormalToFlow", "Normal To Flow" },
-        { "TimeStep", "Time Step" }, { "TimeScale", "Time Scale" }, { "StartTime", "Start Time" },
-        { "InitialDensity", "Initial Density" } }))
-{
-}
+vtkPVFlowVolume::vtkPVFlowVolume() = default;
 
 vtkPVFlowVolume::~vtkPVFlowVolume() = default;
 
@@ -159,6 +148,7 @@ void vtkPVFlowVolume::FindPlaceIn(vtkDataObject* input)
   vtkNew<vtkFlowVolumePlacement> finder;
   this->Diagonal = DiagonalOfAllRanks(input);
   finder->SetDiagonal(this->Diagonal);
+  finder->SetNumberOfSides(this->GetNumberOfSides());
   std::vector<double> place(8, 0.0); // quality, radius, centre, normal
   place[7] = 1.0;
   if (input && finder->Find(input, name ? name : "", onCells))

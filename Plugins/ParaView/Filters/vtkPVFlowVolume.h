@@ -6,7 +6,6 @@
  *
  * The smoke is that of vtkFlowVolume. As long as nobody has put the polygon elsewhere it stays in fast flow: an update whose input has
  * other bounds than the one it was placed in places it anew. On several ranks FindPlace must be called on all of them, as ParaView does.
- * Errors and warnings name the properties as the panel does.
  */
 #ifndef vtkPVFlowVolume_h
 #define vtkPVFlowVolume_h
@@ -14,12 +13,11 @@
 #include "vtkFlowVolume.h"
 #include "vtkNephoscopeParaViewFiltersModule.h" // for export macro
 
-#include <memory> // for labels
+#include <memory> // for the preview
 
 namespace nephoscope
 {
 class FlowPreview;
-class LabelsInMessages;
 }
 
 class VTKNEPHOSCOPEPARAVIEWFILTERS_EXPORT vtkPVFlowVolume : public vtkFlowVolume
@@ -64,7 +62,6 @@ private:
   void FindPlaceIn(vtkDataObject* input);
   bool IsWhereItWasPlaced();
 
-  std::unique_ptr<nephoscope::LabelsInMessages> Labels;
   bool FollowData = true;
   double Diagonal = 0.0; // of the data in which it was placed; 0: not yet
   double PlaceCenter[3] = { 0.0, 0.0, 0.0 };

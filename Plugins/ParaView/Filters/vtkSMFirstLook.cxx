@@ -4,6 +4,7 @@
 
 #include "FirstCamera.h"
 #include "FlowVolumePolygon.h"
+#include "ValuesInDomains.h"
 
 #include "vtkCallbackCommand.h"
 #include "vtkDataObject.h"
@@ -301,6 +302,10 @@ void OnRegistered(vtkObject*, unsigned long, void*, void* data)
   {
     nephoscope::drawPolygonsOfWidgets(proxy);
     return;
+  }
+  if (proxy)
+  {
+    nephoscope::keepValuesInDomains(proxy);
   }
   if (!proxy || !registered->GroupName || !registered->ProxyName || proxy->GetSessionProxyManager()->GetInLoadXMLState())
   {

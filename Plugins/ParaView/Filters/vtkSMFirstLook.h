@@ -11,7 +11,9 @@
  *   is one of clouds, else the active scalars; "solid", none; "surface", none if the array is the contoured one; else the cell array of that name;
  * - displays without an array get the active scalars when their representation becomes Cell Compositing or Textured Splats, as Volume does;
  * - opacity functions of arrays that begin with the colours of a preset of this project get its opacities too;
- * - where such a display comes into a view whose camera suits other data, of another place or scale, the camera is reset to it.
+ * - where such a display comes into a view whose camera suits other data, of another place or scale, the camera is reset to it;
+ * - where it is alone in a view, shows a globe, and the camera looks as ParaView's do at first, at the pole, it is turned to the side;
+ * - numbers outside the range of a property of this project are kept in it, with a warning.
  * - in every render view the polygon of Flow Volume is drawn in place of the widget's cylinder.
  * Displays that are made by an Apply that fails get these looks when their source first has data.
  * Nothing is changed while a state is loaded, nor what a user has set or saved.

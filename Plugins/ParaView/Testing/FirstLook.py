@@ -66,6 +66,48 @@ def check_camera():
     pvs.Delete(view)
 
 
+def eye_over(view):
+    """Longitude and latitude in degrees that the camera looks down on, and the height of north in the picture, -1 to 1."""
+    eye = np.subtract(view.CameraPosition, view.CameraFocalPoint)
+    eye /= np.linalg.norm(eye)
+    right = np.cross(view.CameraViewUp, eye)
+    up = np.cross(eye, right / np.linalg.norm(right))
+    return math.degrees(math.atan2(eye[1], eye[0])), math.degrees(math.asin(eye[2])), up[2] / max(math.cos(math.asin(eye[2])), 1e-9)
+
+
+def check_globe_camera():
+    """A globe is first seen from above middle latitudes, a region from above itself, north up; a camera that somebody has turned stays."""
+    view = new_view(SIZE)
+    pvs.Show(pvs.CloudsovertheGlobe(), view)
+    share = shown(view, "globe-from-the-side")
+    _, latitude, north = eye_over(view)
+    check(15 < latitude < 50 and north > 0.999, f"the example is seen from latitude {latitude:.0f}, north {north:.2f}")
+    check(0.2 < share < 0.9, f"{share:.1%} of the picture of the example show anything")
+    pvs.Delete(view)
+
+    for (west, east), (south, north) in (((100, 120), (42, 62)), ((4, 20), (4, 20)), ((0, 143), (68, 72))):
+        weather = pvs.NetCDFReader(FileName=[GFS], SphericalCoordinates=0)
+        weather.UpdatePipeline()
+        region = pvs.ExtractSubset(Input=weather, VOI=[west, east, south, north, 0, 20])
+        clouds = pvs.GlobeGrid(Input=region, VerticalExaggeration=30)
+        clouds.UpdatePipeline()
+        view = new_view(SIZE)
+        pvs.Show(clouds, view)
+        share = shown(view, f"region-{west}-{south}")
+        check(share > 0.1, f"{share:.1%} of the picture of a region show anything")
+        bounds = np.reshape(clouds.GetDataInformation().GetBounds(), (3, 2)).mean(axis=1)
+        eye = np.subtract(view.CameraPosition, view.CameraFocalPoint)
+        check(bounds @ eye > 0.99 * np.linalg.norm(bounds) * np.linalg.norm(eye), f"region {west} {south}: seen from {eye}, is at {bounds}")
+        pvs.Delete(view)
+
+    view = new_view(SIZE)
+    view.CameraPosition, view.CameraViewUp = [3e7, 0, 0], [0, 1, 0]
+    pvs.Show(pvs.CloudsovertheGlobe(), view)
+    pvs.Render(view)
+    check(list(view.CameraPosition) == [3e7, 0, 0], "the camera has turned although it had been set")
+    pvs.Delete(view)
+
+
 def check_smoke():
     """Smoke is white, and no dot in the picture of the globe it was made in."""
     weather, _ = globe()
@@ -153,6 +195,7 @@ def check_opacities():
 load_plugin()
 pvs._DisableFirstRenderCameraReset()
 check_camera()
+check_globe_camera()
 check_smoke()
 check_filters()
 check_terrain()

@@ -90,7 +90,7 @@ def check_representation():
         check(nested(properties[name], "Documentation"), f"Cell Compositing.{name} has no help")
 
 
-SPLAT_MAPPER_PROPERTIES = ("OpacityScale", "Kernel", "CellSize", "CellSizeArrayHoldsVolumes", "VectorOpacity", "GreatestSpeed", "StreakPeriod", "UseVectorColor",
+SPLAT_MAPPER_PROPERTIES = ("OpacityScale", "Kernel", "CellSize", "CellSizeArrayHoldsVolumes", "GreatestSpeed", "StreakPeriod",
                            "VectorColor", "Phase", "PhaseCycles", "PhaseSteps", "VectorStyle", "VectorPlacement", "LayerAxis", "VectorUnit",
                            "StreakWidth", "SegmentLength", "SegmentWidth", "RadiusFactor", "ErrorTolerance", "ErrorToleranceUnit",
                            "ErrorMeasure", "LevelBlending", "InteractiveMaximumNumberOfSplats")

@@ -7,7 +7,10 @@ import sys
 import numpy as np
 from paraview import servermanager
 from paraview import simple as pvs
+from vtkmodules.util.misc import calldata_type
 from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.util.vtkConstants import VTK_STRING
+from vtkmodules.vtkCommonCore import vtkOutputWindow
 
 DATA = os.environ["NEPHOSCOPE_DATA"]
 OUTPUT = os.environ["NEPHOSCOPE_TEST_OUTPUT"]
@@ -118,6 +121,18 @@ def check_same(first, second, name, largest=0.0, mean=0.0):
         for values, suffix in ((first, "first"), (second, "second"), (difference * 20, "difference")):
             save_image(values, f"{name}.{suffix}".replace(" ", "_"))
         check(False, f"{name}: more than max {largest}, mean {mean}; pictures in {OUTPUT}")
+
+
+def listen():
+    """A list that gets the text of every error and warning from now on."""
+    messages = []
+
+    @calldata_type(VTK_STRING)
+    def hear(_, __, text):
+        messages.append(text)
+    for event in ("ErrorEvent", "WarningEvent"):
+        vtkOutputWindow.GetInstance().AddObserver(event, hear)
+    return messages
 
 
 def passed():

@@ -11,6 +11,7 @@ import nephoscope
 import numpy as np
 import pyvista
 from nephoscope import _pipeline, advection, clouds, globe, smoke, sparse, splitting
+from nephoscope_testing.sources import sentences
 
 
 def weather(lat=(0.0, 10.0), lev=(0.0, 1000.0), **arrays):
@@ -39,16 +40,6 @@ SOURCES = (("Filters/GlobeGrid", ["vtkGlobeGrid"], globe._NAMES, ()),
             ("NumberOfContourValues", "ContourValue", "MethodToCells", "ScalarOpacityUnitDistance")),
            ("Representations/TexturedSplats", ["vtkTexturedSplatMapper"], _pipeline._NAMES_OF_MAPPERS, ()),
            ("Representations/CloudTexture", ["vtkCloudTextureMapper"], _pipeline._NAMES_OF_MAPPERS, ()))
-
-
-def sentences(folder):
-    """String literals of the C++ sources with more than one word; adjacent ones are one."""
-    for path in sorted(folder.glob("*.cxx")) + sorted(folder.glob("*.h")):
-        text = "\n".join(line for line in path.read_text().splitlines() if "indent" not in line and "#include" not in line)
-        for literals in re.findall(r'"(?:[^"\\\n]|\\.)*"(?:\s*"(?:[^"\\\n]|\\.)*")*', text):
-            joined = "".join(re.findall(r'"((?:[^"\\]|\\.)*)"', literals))
-            if " " in joined.strip():
-                yield path.name, joined
 
 
 # Filters, menus and panels of ParaView in the sentences; those of VTK's classes and of what Python has too are none.

@@ -113,8 +113,8 @@ def flow_volume(mesh: pyvista.DataSet, polygon: pyvista.PolyData | None = None, 
         association = vtkDataObject.FIELD_ASSOCIATION_CELLS if on_cells else vtkDataObject.FIELD_ASSOCIATION_POINTS
         smoke.SetInputArrayToProcess(0, 0, 0, association, name)
     if polygon is None:
-        _place(smoke, mesh, (name, on_cells), center, radius)
         smoke.SetNumberOfSides(int(require_number(n_sides, "n_sides", least=3)))
+        _place(smoke, mesh, (name, on_cells), center, radius)
     else:
         _take_polygon(smoke, polygon, {"center": center, "radius": radius, "normal": None if _is_flow(normal) else normal})
     if _is_flow(normal):
@@ -219,6 +219,7 @@ def _place(smoke: vtkFlowVolume, mesh: Any, velocity: tuple[str, bool], center: 
         smoke.SetCenter(_vector(center, "center"))
         return
     place = vtkFlowVolumePlacement()
+    place.SetNumberOfSides(smoke.GetNumberOfSides())
     if not place.Find(mesh, *velocity):
         raise ValueError(_renamed(place.GetProblem(), _NAMES) or "center: no place with a flow was found in the mesh; say where the polygon shall be.")
     smoke.SetCenter(place.GetCenter())

@@ -3,6 +3,7 @@
 #include "vtkCellCompositingRepresentation.h"
 
 #include "CellMeasures.h"
+#include "ForwardedMessages.h"
 #include "RankMeasures.h"
 #include "SmokeCells.h"
 #include "VolumetricCells.h"
@@ -28,6 +29,7 @@ constexpr double smokeOpticalDepth = 1.0; // of smoke, through the generating po
 vtkCellCompositingRepresentation::vtkCellCompositingRepresentation()
 {
   this->Actor->SetMapper(this->Mapper);
+  nephoscope::forwardMessages(this->Mapper, this);
 }
 
 vtkCellCompositingRepresentation::~vtkCellCompositingRepresentation() = default;

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkCloudTextureRepresentation.h"
 
+#include "ForwardedMessages.h"
 #include "SurfaceLength.h"
 #include "vtkCloudTextureMapper.h"
 
@@ -102,6 +103,7 @@ vtkCloudTextureRepresentation::vtkCloudTextureRepresentation()
 {
   // The superclass sets what colours on its own mapper, which is never drawn: the cloud mapper takes one surface, not blocks.
   this->Actor->SetMapper(this->CloudMapper);
+  nephoscope::forwardMessages(this->CloudMapper, this);
   this->SuppressLOD = true;
 }
 

@@ -47,12 +47,13 @@ MediumMeasures reduceOverRanks(const MediumMeasures& mine)
   MediumMeasures all = mine;
   if (auto controller = otherRanks())
   {
-    const double sums[3] = { mine.Volume, mine.ScalarIntegral, mine.OpacityIntegral };
-    double allSums[3];
-    controller->AllReduce(sums, allSums, 3, vtkCommunicator::SUM_OP);
+    const double sums[4] = { mine.Volume, mine.ScalarIntegral, mine.OpacityIntegral, mine.Silhouettes };
+    double allSums[4];
+    controller->AllReduce(sums, allSums, 4, vtkCommunicator::SUM_OP);
     all.Volume = allSums[0];
     all.ScalarIntegral = allSums[1];
     all.OpacityIntegral = allSums[2];
+    all.Silhouettes = allSums[3];
     controller->AllReduce(mine.Reach.data(), all.Reach.data(), 8, vtkCommunicator::MAX_OP);
     reduceRange(all.ScalarRange);
   }

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkHazeRepresentation.h"
 
+#include "ForwardedMessages.h"
 #include "HazeScene.h"
 
 #include "vtkCommunicator.h"
@@ -47,6 +48,7 @@ void joinScenes(nephoscope::HazeScene& scene)
 
 vtkHazeRepresentation::vtkHazeRepresentation()
 {
+  nephoscope::forwardMessages(this->Haze, this);
   this->SetHazeBackground(true);
   this->Haze->SetSceneCompletion(joinScenes);
 }

@@ -103,6 +103,7 @@ void vtkTexturedSplatsRepresentation::PreparePiece(vtkDataObject* input)
     this->Piece = vtkSmartPointer<vtkPolyData>::New();
   }
   StoreMeasures(this->Piece, nephoscope::defaultUnitDistance(all, common, true), all.ScalarRange);
+  this->StoreSuited(sampling, common);
   nephoscope::storeVectorColorRange(this->Piece, inCells, this->Mapper->GetVectorColorArrayName());
 }
 
@@ -136,6 +137,7 @@ void vtkTexturedSplatsRepresentation::PrepareMapper(vtkDataSet* data)
   this->Mapper->SetOpacityArrayName(this->GetOpacityArrayName());
   this->Mapper->SetOpacityScale(this->OpacityScale * this->Opacity);
   this->Mapper->SetPhase(this->GetPhaseNow());
+  this->SuitVectors(data);
   this->Mapper->SetVectorColorFunction(
     this->VectorColorFunction ? this->VectorColorFunction.Get() : this->DefaultColors->Over(data));
 }
@@ -226,34 +228,27 @@ void vtkTexturedSplatsRepresentation::SetInteractiveMaximumNumberOfSplats(vtkIdT
 
 void vtkTexturedSplatsRepresentation::SetVectorArray(const char* name)
 {
-  const std::string chosen = name ? name : "";
-  this->Mapper->SetVectorArrayName(chosen == "None" ? std::string() : chosen);
-}
-
-void vtkTexturedSplatsRepresentation::SetVectorOpacity(double opacity)
-{
-  this->Mapper->SetVectorOpacity(opacity);
+  const std::string chosen = name && std::string(name) != "None" ? name : "";
+  if (chosen != this->Mapper->GetVectorArrayName())
+  {
+    this->Mapper->SetVectorArrayName(chosen);
+    this->MarkModified(); // what suits them is of all ranks
+  }
 }
 
 void vtkTexturedSplatsRepresentation::SetGreatestSpeed(double speed)
 {
-  this->GreatestSpeed = speed;
-  this->Mapper->SetGreatestSpeed(speed); // several ranks decide anew
+  if (speed != this->GreatestSpeed)
+  {
+    this->GreatestSpeed = speed;
+    this->Mapper->SetGreatestSpeed(speed); // several ranks decide anew
+    this->MarkModified();                  // so does what suits them
+  }
 }
 
 void vtkTexturedSplatsRepresentation::SetStreakPeriod(double units)
 {
   this->Mapper->SetStreakPeriod(units);
-}
-
-void vtkTexturedSplatsRepresentation::SetUseVectorColor(bool use)
-{
-  this->Mapper->SetUseVectorColor(use);
-}
-
-void vtkTexturedSplatsRepresentation::SetVectorColor(double red, double green, double blue)
-{
-  this->Mapper->SetVectorColor(red, green, blue);
 }
 
 void vtkTexturedSplatsRepresentation::SetPhaseCycles(int cycles)

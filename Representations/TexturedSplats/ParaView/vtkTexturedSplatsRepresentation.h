@@ -52,11 +52,8 @@ public:
   void SetErrorMeasure(int measure);
   void SetLevelBlending(double share);
   void SetInteractiveMaximumNumberOfSplats(vtkIdType count);
-  void SetVectorOpacity(double opacity);
   void SetGreatestSpeed(double speed);
   void SetStreakPeriod(double units);
-  void SetUseVectorColor(bool use);
-  void SetVectorColor(double red, double green, double blue);
   void SetPhaseCycles(int cycles);
   void SetVectorStyle(int style);
   void SetVectorPlacement(int placement);
@@ -76,6 +73,27 @@ public:
 
   /** Array that gives the vectors a colour of their own; empty or "None" (default): as the splats, or VectorColor. */
   void SetVectorColorArray(const char* name);
+
+  ///@{
+  /**
+   * Optical depth of the streaks of the greatest vectors, and share of the samples whose vectors are drawn. 0 (default): beside a medium such that
+   * both can be seen, see vtkTexturedSplatMapper::SuitVectorsToMedium; of vectors alone 2, and all.
+   */
+  void SetVectorOpacity(double opacity);
+  void SetVectorShare(double share);
+  ///@}
+
+  ///@{
+  /** Draw all vectors in VectorColor. Automatic (default): beside a medium in black, white or orange, whichever stands out. */
+  enum VectorColorChoice
+  {
+    COLOR_OF_SPLATS = 0,
+    ONE_COLOR = 1,
+    AUTOMATIC_COLOR = 2
+  };
+  void SetUseVectorColor(int use);
+  void SetVectorColor(double red, double green, double blue);
+  ///@}
 
   /** Array of vectors that are drawn as streaks; empty or "None" (default): no streaks. */
   void SetVectorArray(const char* name);
@@ -114,6 +132,10 @@ private:
   bool DrawsCells(); // else points
   nephoscope::SplatSampling GetSampling(bool onCells) const;
   double GetPhaseNow();
+  bool DrawsMedium();
+  void StoreSuited(const nephoscope::SplatSampling& sampling, const std::array<double, 6>& common);
+  double GetShareOf(vtkDataSet* data);
+  void SuitVectors(vtkDataSet* data);
   void UseCommons(const std::vector<std::array<double, 6>>& regions);
   nephoscope::SplatReaches GetReaches();
 
@@ -121,6 +143,10 @@ private:
   vtkSmartPointer<vtkScalarsToColors> VectorColorFunction;
   std::unique_ptr<nephoscope::DefaultVectorColors> DefaultColors;
   double CellSize = 0.0;
+  double VectorOpacity = 0.0; // 0: suited to the medium
+  double VectorShare = 0.0;   // likewise
+  int UseVectorColor = AUTOMATIC_COLOR;
+  std::array<double, 3> VectorColor = { { 1.0, 1.0, 1.0 } };
   double GreatestSpeed = 0.0; // 0: of the data of all ranks
   double VectorUnit = 0.0;    // likewise
 

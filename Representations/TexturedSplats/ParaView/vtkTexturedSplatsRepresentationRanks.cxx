@@ -3,6 +3,7 @@
 // How several ranks draw one picture: each in its region, with the splats of others that reach into it, and by common measures.
 #include "vtkTexturedSplatsRepresentation.h"
 
+#include "ForwardedMessages.h"
 #include "SplatKernel.h"
 #include "SplatMeeting.h"
 #include "SplatPieces.h"
@@ -20,6 +21,8 @@
 #include "vtkPVRenderViewDataDeliveryManager.h"
 #include "vtkUnstructuredGrid.h"
 
+#include <algorithm>
+#include <cmath>
 #include <tuple>
 #include <vector>
 
@@ -35,6 +38,7 @@ struct vtkTexturedSplatsRepresentation::vtkMeeting
   CommonsKey MetFor;
   Reaches ReachedFor;
   nephoscope::SplatCommons Commons;
+  double Share = 1.0; // of the samples whose vectors are drawn
   vtkSmartPointer<vtkDataSet> Complete;
   vtkNew<vtkUnstructuredGrid> Nothing; // of a rank to which nothing was delivered
 };
@@ -44,6 +48,7 @@ vtkTexturedSplatsRepresentation::vtkTexturedSplatsRepresentation()
   , Meeting(new vtkMeeting)
 {
   this->Actor->SetMapper(this->Mapper);
+  nephoscope::forwardMessages(this->Mapper, this);
   this->Mapper->SetShapeArrayName(nephoscope::splatShapeName); // where there is one
 }
 
@@ -71,6 +76,13 @@ bool onAnyRank(bool here)
     &mine, &any, 1, vtkCommunicator::MAX_OP);
   return any != 0;
 }
+
+double leastOverRanks(double mine)
+{
+  double least = mine;
+  vtkMultiProcessController::GetGlobalController()->AllReduce(&mine, &least, 1, vtkCommunicator::MIN_OP);
+  return least;
+}
 }
 
 vtkDataSet* vtkTexturedSplatsRepresentation::CompletePiece(vtkDataSet* data, vtkInformation*)
@@ -90,6 +102,7 @@ vtkDataSet* vtkTexturedSplatsRepresentation::CompletePiece(vtkDataSet* data, vtk
     meeting.Commons = nephoscope::findSplatCommons(piece, this->Mapper->GetVectorArrayName());
     meeting.MetFor = key;
   }
+  meeting.Share = leastOverRanks(this->GetShareOf(piece)); // 1 where nothing was delivered
   this->UseCommons(regions);
   const nephoscope::SplatReaches reaches = this->GetReaches();
   const vtkMeeting::Reaches reached(reaches.KernelRadius, reaches.RadiusFactor, reaches.Vectors,
@@ -115,7 +128,8 @@ void vtkTexturedSplatsRepresentation::UseCommons(
   this->Mapper->SetCommonFrame(commons.Origin, commons.LongestEdge, commons.MostSamples);
   this->Mapper->SetGreatestSpeed(
     this->GreatestSpeed > 0.0 ? this->GreatestSpeed : commons.GreatestSpeed);
-  this->Mapper->SetVectorUnit(this->VectorUnit > 0.0 ? this->VectorUnit : commons.MeanCell);
+  const double unit = commons.MeanCell / std::cbrt(std::max(this->Meeting->Share, 1e-6)); // as the mapper does
+  this->Mapper->SetVectorUnit(this->VectorUnit > 0.0 ? this->VectorUnit : unit);
 }
 
 nephoscope::SplatReaches vtkTexturedSplatsRepresentation::GetReaches()

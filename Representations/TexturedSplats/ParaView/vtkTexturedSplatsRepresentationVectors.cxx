@@ -1,13 +1,148 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
-// How vectors look on the splats: all of it is the mapper's.
+// How vectors look on the splats: what the mapper does, and what suits them to a medium.
 #include "vtkTexturedSplatsRepresentation.h"
 
+#include "DataBlocks.h"
+#include "RankMeasures.h"
+#include "SplatMeasures.h"
+#include "SplatShapes.h"
 #include "vtkTexturedSplatMapper.h"
 
+#include "vtkColorTransferFunction.h"
+#include "vtkDataArray.h"
+#include "vtkDataSet.h"
+#include "vtkDataSetAttributes.h"
+#include "vtkFieldData.h"
+#include "vtkInformation.h"
+#include "vtkMath.h"
+#include "vtkPVLODVolume.h"
+#include "vtkPVRenderView.h"
+#include "vtkPiecewiseFunction.h"
+#include "vtkRenderer.h"
 #include "vtkScalarsToColors.h"
+#include "vtkVolumeProperty.h"
 
+#include <algorithm>
 #include <string>
+
+namespace
+{
+using Color = std::array<double, 3>;
+
+// Travels with the data, so that every time step keeps its own.
+const char* const suitedName = "NephoscopeSuitedVectors";
+
+double storedNumber(vtkDataSet* data, vtkIdType index, double otherwise)
+{
+  vtkDataArray* numbers = data ? data->GetFieldData()->GetArray(suitedName) : nullptr;
+  return numbers && numbers->GetNumberOfTuples() > index ? numbers->GetComponent(index, 0) : otherwise;
+}
+
+Color meanColor(vtkVolumeProperty* property)
+{
+  constexpr int samples = 16;
+  auto* function = property->GetColorChannels() == 3 ? property->GetRGBTransferFunction() : nullptr;
+  Color mean{};
+  double range[2] = { 0.0, 1.0 };
+  if (function)
+  {
+    function->GetRange(range);
+  }
+  for (int i = 0; i < samples && function; ++i)
+  {
+    double color[3];
+    function->GetColor(range[0] + (range[1] - range[0]) * i / (samples - 1), color);
+    std::transform(mean.begin(), mean.end(), color, mean.begin(), [](double a, double b) { return a + b / samples; });
+  }
+  return mean;
+}
+
+// Black, white or orange: that which stands out best from both.
+Color contrasting(const Color& background, const Color& medium)
+{
+  const Color choices[] = { { { 0.0, 0.0, 0.0 } }, { { 1.0, 1.0, 1.0 } }, { { 1.0, 69.0 / 255.0, 0.0 } } };
+  const auto contrast = [&](const Color& color) {
+    return std::min(vtkMath::Distance2BetweenPoints(color.data(), background.data()), vtkMath::Distance2BetweenPoints(color.data(), medium.data()));
+  };
+  return *std::max_element(std::begin(choices), std::end(choices), [&](const Color& a, const Color& b) { return contrast(a) < contrast(b); });
+}
+}
+
+void vtkTexturedSplatsRepresentation::SetVectorOpacity(double opacity)
+{
+  this->VectorOpacity = opacity;
+}
+
+void vtkTexturedSplatsRepresentation::SetVectorShare(double share)
+{
+  this->VectorShare = share;
+}
+
+void vtkTexturedSplatsRepresentation::SetUseVectorColor(int use)
+{
+  this->UseVectorColor = use;
+}
+
+void vtkTexturedSplatsRepresentation::SetVectorColor(double red, double green, double blue)
+{
+  this->VectorColor = { { red, green, blue } };
+}
+
+bool vtkTexturedSplatsRepresentation::DrawsMedium()
+{
+  vtkInformation* info = this->GetInputArrayInformation(0);
+  const char* name = info && info->Has(vtkDataObject::FIELD_NAME()) ? info->Get(vtkDataObject::FIELD_NAME()) : "";
+  vtkPiecewiseFunction* opacity = this->Property->GetScalarOpacity();
+  bool isDrawn = !name || !*name; // of one colour
+  for (int i = 0; i < opacity->GetSize(); ++i)
+  {
+    double node[4];
+    opacity->GetNodeValue(i, node);
+    isDrawn = isDrawn || node[1] > 0.0;
+  }
+  return isDrawn && this->Opacity * this->OpacityScale > 0.0;
+}
+
+// Called by all ranks.
+void vtkTexturedSplatsRepresentation::StoreSuited(const nephoscope::SplatSampling& sampling, const std::array<double, 6>& common)
+{
+  const std::string name = this->Mapper->GetVectorArrayName();
+  if (name.empty())
+  {
+    return;
+  }
+  vtkDataSetAttributes* attributes = this->Piece->GetAttributes(sampling.OnCells ? vtkDataObject::CELL : vtkDataObject::POINT);
+  vtkDataArray* vectors = attributes->GetArray(name.c_str());
+  const auto all = nephoscope::reduceOverRanks(nephoscope::measureSplats(this->Piece, sampling, vectors, {}, common));
+  const auto suited = nephoscope::suitVectors(all, common, this->GreatestSpeed);
+  nephoscope::storeNumbers(this->Piece, suitedName, { suited.Opacity, suited.Share });
+}
+
+double vtkTexturedSplatsRepresentation::GetShareOf(vtkDataSet* data)
+{
+  const bool isSuited = this->Mapper->GetVectorStyle() == vtkTexturedSplatMapper::STREAKS && this->DrawsMedium();
+  return this->VectorShare > 0.0 ? this->VectorShare : isSuited ? storedNumber(data, 1, 1.0) : 1.0;
+}
+
+void vtkTexturedSplatsRepresentation::SuitVectors(vtkDataSet* data)
+{
+  constexpr double alone = 2.0;
+  const bool medium = this->DrawsMedium();
+  this->Mapper->SetVectorShare(this->GetShareOf(data));
+  this->Mapper->SetVectorOpacity(this->VectorOpacity > 0.0 ? this->VectorOpacity : medium ? storedNumber(data, 0, alone) : alone);
+  const bool contrasts = this->UseVectorColor == AUTOMATIC_COLOR && medium && this->Mapper->GetVectorColorArrayName().empty();
+  Color color = this->VectorColor;
+  auto* view = vtkPVRenderView::SafeDownCast(this->GetView());
+  if (contrasts && view)
+  {
+    Color background;
+    view->GetRenderer()->GetBackground(background.data());
+    color = contrasting(background, meanColor(this->Actor->GetProperty()));
+  }
+  this->Mapper->SetUseVectorColor(contrasts || this->UseVectorColor == ONE_COLOR);
+  this->Mapper->SetVectorColor(color.data());
+}
 
 void vtkTexturedSplatsRepresentation::SetVectorStyle(int style)
 {

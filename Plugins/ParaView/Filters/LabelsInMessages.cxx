@@ -1,0 +1,72 @@
+// SPDX-FileCopyrightText: The Nephoscope authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "LabelsInMessages.h"
+
+#include "ClassesOfSuite.h"
+#include "PanelWords.h"
+
+#include "vtkCellCompositingRepresentation.h"
+#include "vtkCloudSurface.h"
+#include "vtkCloudTextureRepresentation.h"
+#include "vtkCloudsOverGlobe.h"
+#include "vtkContourCellSplitter.h"
+#include "vtkGlobeGrid.h"
+#include "vtkHazeRepresentation.h"
+#include "vtkPVFlowVolume.h"
+#include "vtkPolyhedronToTetrahedra.h"
+#include "vtkSmokePuffs.h"
+#include "vtkSparseVolumeReader.h"
+#include "vtkSparseVolumeWriter.h"
+#include "vtkStructuredSmoothing.h"
+#include "vtkTextureCoordinateAdvection.h"
+#include "vtkTexturedSplatsRepresentation.h"
+
+#include "vtkCallbackCommand.h"
+#include "vtkClientServerInterpreter.h"
+#include "vtkClientServerInterpreterInitializer.h"
+#include "vtkNew.h"
+#include "vtkOutputWindow.h"
+
+namespace nephoscope
+{
+namespace
+{
+void Print(vtkObject* caller, unsigned long event, void*, void* message)
+{
+  const std::string text = inWordsOfPanel(message ? static_cast<const char*>(message) : "", caller->GetClassName());
+  if (event == vtkCommand::ErrorEvent)
+  {
+    vtkOutputWindow::GetInstance()->DisplayErrorText(text.c_str());
+  }
+  else
+  {
+    vtkOutputWindow::GetInstance()->DisplayWarningText(text.c_str());
+  }
+}
+
+// What proxies call to make an object.
+template <class Class>
+vtkObjectBase* Make(void*)
+{
+  Class* object = Class::New();
+  vtkNew<vtkCallbackCommand> printer;
+  printer->SetCallback(Print);
+  object->AddObserver(vtkCommand::ErrorEvent, printer);
+  object->AddObserver(vtkCommand::WarningEvent, printer);
+  return object;
+}
+
+void Register(vtkClientServerInterpreter* interpreter)
+{
+#define NEPHOSCOPE_MAKE(CLASS) interpreter->AddNewInstanceFunction(#CLASS "WithLabels", Make<CLASS>);
+  NEPHOSCOPE_FOR_CLASSES_OF_SUITE(NEPHOSCOPE_MAKE)
+#undef NEPHOSCOPE_MAKE
+}
+}
+
+void sayLabelsInMessages()
+{
+  vtkClientServerInterpreterInitializer::GetInitializer()->RegisterCallback(Register);
+}
+
+} // namespace nephoscope

@@ -1,0 +1,63 @@
+# SPDX-FileCopyrightText: The Nephoscope authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""An input that a filter cannot use: one message, with the remedy, however often the pipeline asks, and an empty result."""
+import re
+
+from PluginTesting import check, listen, load_plugin, new_view, passed, pvs
+
+FILTERS = ("GlobeGrid", "FlowVolume", "SmokePuffs", "CloudSurface", "StructuredSmoothing", "ContourCellSplitter", "PolyhedrontoTetrahedra",
+           "TextureCoordinateAdvection")
+GRIDS = "an image, a rectilinear or a structured grid"
+# What is said of which input; where nothing is written, nothing is wrong.
+NO_VELOCITY, NO_VOLUME, EMPTY = "no velocity", "no cells with a volume", "empty|no cells|no points"
+EXPECTED = {
+    "an image": {"GlobeGrid": "heights run from|no wind arrays", "FlowVolume": NO_VELOCITY, "SmokePuffs": "is an image. .*Connect a flow volume",
+                 "TextureCoordinateAdvection": NO_VELOCITY},
+    "a surface": {"GlobeGrid": GRIDS, "FlowVolume": NO_VOLUME, "SmokePuffs": "is a surface or points", "CloudSurface": GRIDS, "StructuredSmoothing": GRIDS,
+                  "ContourCellSplitter": "no point array", "TextureCoordinateAdvection": NO_VOLUME},
+    "tetrahedra": {"GlobeGrid": GRIDS, "FlowVolume": NO_VELOCITY, "SmokePuffs": "'Density'", "CloudSurface": GRIDS, "StructuredSmoothing": GRIDS,
+                   "TextureCoordinateAdvection": NO_VELOCITY},
+    "blocks": {"GlobeGrid": ".", "FlowVolume": "No block", "SmokePuffs": "flow volume", "CloudSurface": GRIDS, "StructuredSmoothing": ".",
+               "ContourCellSplitter": "no point array", "TextureCoordinateAdvection": "one grid"},
+    "nothing": {"GlobeGrid": GRIDS, "FlowVolume": EMPTY, "CloudSurface": GRIDS, "StructuredSmoothing": GRIDS, "TextureCoordinateAdvection": EMPTY},
+}
+MOST = {("GlobeGrid", "an image"): 2, ("GlobeGrid", "blocks"): 4, ("SmokePuffs", "blocks"): 2, ("StructuredSmoothing", "blocks"): 2}
+
+
+def kinds():
+    wavelet = pvs.Wavelet(WholeExtent=[-4, 4] * 3)
+    return {"an image": wavelet, "a surface": pvs.Sphere(), "tetrahedra": pvs.Tetrahedralize(Input=wavelet),
+            "blocks": pvs.GroupDatasets(Input=[wavelet, pvs.Sphere()]),
+            "nothing": pvs.Threshold(Input=wavelet, Scalars=["POINTS", "RTData"], LowerThreshold=1e9, UpperThreshold=2e9)}
+
+
+def check_filter(name, kind, source, messages):
+    messages.clear()
+    result = getattr(pvs, name)(Input=source)
+    view = new_view((40, 40))
+    pvs.Show(result, view)
+    for _ in range(2):
+        pvs.Render(view)
+        result.UpdatePipeline()
+    what, expected = f"{name} of {kind}", EXPECTED[kind].get(name)
+    told = [message.split("): ", 1)[-1].strip() for message in messages]
+    check(len(told) <= (MOST.get((name, kind), 1) if expected else 0), f"{what}: {len(told)} messages: {messages}")
+    check(not expected or any(re.search(expected, text) for text in told), f"{what}: {told}, not {expected!r}")
+    for text in messages:
+        check("vtkExecutive" not in text and "from null" not in text, f"{what}: {text}")
+    pvs.Delete(view)
+    pvs.Delete(result)
+
+
+def main():
+    messages = listen()
+    for kind, source in kinds().items():
+        source.UpdatePipeline()
+        for name in FILTERS:
+            check_filter(name, kind, source, messages)
+
+
+load_plugin()
+pvs._DisableFirstRenderCameraReset()
+main()
+passed()
