@@ -83,8 +83,9 @@ double* vtkTexturedSplatMapper::GetBounds()
     vtkAbstractMapper::GetScalars(
       input, this->ScalarMode, this->ArrayAccessMode, this->ArrayId, this->ArrayName, cellFlag);
     const nephoscope::SplatSampling sampling = this->GetSampling(cellFlag == 1);
+    const double growth = this->VectorUnit > 0 ? 1.0 : std::cbrt(1.0 / std::max(this->VectorShare, 1e-6)); // see GetStreakUnit
     const nephoscope::VectorLook look{ this->VectorStyle == SEGMENTS, this->VectorUnit,
-      this->StreakPeriod, this->SegmentLength };
+      growth * this->StreakPeriod, growth * this->SegmentLength };
     std::copy_n(this->Internals->Scene.UpdateBounds(
                   input, sampling, this->Kernel, this->VectorArrayName, look),
       6, this->Bounds);
