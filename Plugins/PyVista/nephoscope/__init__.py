@@ -24,6 +24,7 @@ if _TYPE_CHECKING:
     from .clouds import cloud_surface, smooth
     from .globe import globe_surface, to_globe
     from .haze import add_haze
+    from .polyhedra import divide_polyhedra
     from .reader import cf_times, read_cf
     from .smoke import flow_volume, smoke_puffs
     from .smoke_drawing import add_smoke
@@ -44,6 +45,7 @@ PYVISTA_FUNCTIONS = {
     "add_haze": "haze",
     "add_splats": "splats",
     "split_cells": "splitting",
+    "divide_polyhedra": "polyhedra",
     "smooth": "clouds",
     "cloud_surface": "clouds",
     "advect_texture": "advection",

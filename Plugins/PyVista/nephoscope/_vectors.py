@@ -45,6 +45,12 @@ class Vectors:
     streak_period: float = 4.0
     phase_cycles: int = 4
     share: float | None = None
+    streak_width: float = 0.1
+    segment_length: float = 2.0
+    segment_width: float = 1.5
+    unit: float | None = None
+    layer_axis: str | int = "eye"
+    phase_steps: int = 0
 
     def apply(self, mapper: Any, plotter: pyvista.BasePlotter, mesh: pyvista.DataSet, association: str) -> None:
         choose({"streaks": mapper.SetVectorStyleToStreaks, "segments": mapper.SetVectorStyleToSegments}, self.style, "vector_style")
@@ -54,6 +60,15 @@ class Vectors:
         mapper.SetVectorShare(1.0 if self.share is None else require_number(self.share, "vector_share", above=0, most=1))
         mapper.SetStreakPeriod(require_number(self.streak_period, "streak_period", least=0.01, most=1000))
         mapper.SetPhaseCycles(int(require_number(self.phase_cycles, "phase_cycles", least=1, most=1000)))
+        mapper.SetPhaseSteps(int(require_number(self.phase_steps, "phase_steps", least=0, most=1000)))
+        mapper.SetStreakWidth(require_number(self.streak_width, "streak_width", least=0.001, most=10))
+        mapper.SetSegmentLength(require_number(self.segment_length, "segment_length", least=0, most=1000))
+        mapper.SetSegmentWidth(require_number(self.segment_width, "segment_width", least=0.1, most=100))
+        if self.layer_axis not in ("eye", 0, 1, 2):
+            raise ValueError(f"layer_axis is {self.layer_axis!r}; it must be one of 'eye', 0, 1, 2.")
+        mapper.SetLayerAxis(-1 if self.layer_axis == "eye" else int(self.layer_axis))
+        if self.unit is not None:
+            mapper.SetVectorUnit(require_number(self.unit, "vector_unit", above=0))
         if self.greatest_speed is not None:
             mapper.SetGreatestSpeed(require_number(self.greatest_speed, "greatest_speed", above=0))
         if self.name is not None:

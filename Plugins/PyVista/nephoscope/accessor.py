@@ -9,6 +9,7 @@ import pyvista
 from .advection import advect_texture
 from .clouds import cloud_surface, smooth
 from .globe import to_globe
+from .polyhedra import divide_polyhedra
 from .smoke import flow_volume, smoke_puffs
 from .sparse import write_vdb
 from .splitting import split_cells
@@ -40,6 +41,7 @@ class NephoscopeAccessor:
     globe = _method(to_globe)
     terrain = _method(terrain_surface)
     split_cells = _method(split_cells)
+    divide_polyhedra = _method(divide_polyhedra)
     smooth = _method(smooth)
     cloud_surface = _method(cloud_surface)
     advect_texture = _method(advect_texture)

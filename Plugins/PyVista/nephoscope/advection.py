@@ -9,17 +9,14 @@ from typing import Any, Callable, Iterator, Literal, Sequence
 import numpy as np
 import pyvista
 from pyvista.core.errors import MissingDataError
-from vtkmodules.util.vtkAlgorithm import VTKPythonAlgorithmBase
-from vtkmodules.vtkCommonDataModel import vtkDataObject, vtkDataSet
-from vtkmodules.vtkCommonExecutionModel import vtkStreamingDemandDrivenPipeline as SDDP
+from vtkmodules.vtkCommonDataModel import vtkDataObject
 
 from . import vtkTextureCoordinateAdvection
 from ._checks import arrays_of, choose, require_number, require_winds
 from ._pipeline import level_of_caller, vtk_messages
+from ._series import Grids, Series, dataset
 
 MANY = 10  # crossings of the data in a period, beyond which nothing of the texture is left
-
-Grids = "pyvista.DataSet | Sequence[pyvista.DataSet] | Callable[[float], pyvista.DataSet]"
 
 
 # What the messages of vtkTextureCoordinateAdvection say, and what it is called here.
@@ -106,12 +103,12 @@ def advect_texture(mesh: Grids, time: float | Sequence[float] | None = None, *, 
     RuntimeWarning
         Points without a wind; a `period` in which the air crosses the data many times.
     """
-    series = _Series(mesh, times)
+    series = Series(mesh, times)
     filter_ = vtkTextureCoordinateAdvection()
     filter_.SetInputConnection(series.GetOutputPort())
     _set_vectors(filter_, series.first, vectors)
     if points is not None:
-        filter_.SetInputData(1, _dataset(points, "points"))
+        filter_.SetInputData(1, dataset(points, "points"))
     usual = _usual_period(filter_, series.first, period)
     period, time_step = (usual if period is None else period), (usual / 24 if time_step is None else time_step)
     for set_value, value, name in ((filter_.SetPeriod, period, "period"), (filter_.SetTimeScale, time_scale, "time_scale"),
@@ -150,22 +147,11 @@ def _usual_period(filter_: vtkTextureCoordinateAdvection, first: pyvista.DataSet
     return filter_.FindPeriod(first)
 
 
-def _at(filter_: vtkTextureCoordinateAdvection, series: "_Series", time: float) -> pyvista.DataSet:
-    try:
-        with vtk_messages(filter_, _NAMES):
-            filter_.UpdateTimeStep(time)
-    finally:
-        if series.failure is not None:
-            failure, series.failure = series.failure, None
-            raise failure
+def _at(filter_: vtkTextureCoordinateAdvection, series: Series, time: float) -> pyvista.DataSet:
+    with series.raising(), vtk_messages(filter_, _NAMES):
+        filter_.UpdateTimeStep(time)
     result = filter_.GetOutputDataObject(0)
     return pyvista.wrap(result).copy(deep=False)
-
-
-def _dataset(mesh: Any, argument: str) -> pyvista.DataSet:
-    if not isinstance(mesh, vtkDataSet):
-        raise TypeError(f"{argument} is a {type(mesh).__name__}; it must be a dataset, not blocks of them.")
-    return pyvista.wrap(mesh)
 
 
 def _set_vectors(filter_: vtkTextureCoordinateAdvection, first: pyvista.DataSet, vectors: str | None) -> None:
@@ -177,52 +163,3 @@ def _set_vectors(filter_: vtkTextureCoordinateAdvection, first: pyvista.DataSet,
             filter_.SetInputArrayToProcess(0, 0, 0, association, vectors)
             return
     raise MissingDataError(f"vectors: no array {vectors!r}. {arrays_of(first, vectors)}")
-
-
-class _Series(VTKPythonAlgorithmBase):
-    """The grids as a source that has time steps. `failure`: what the user's function raised."""
-
-    def __init__(self, mesh: Any, times: Sequence[float] | None) -> None:
-        self.times = [0.0] if times is None else [require_number(one, "times") for one in times]
-        self.failure: BaseException | None = None
-        if not self.times:
-            raise ValueError("times is empty; it must name the time of each grid.")
-        if callable(mesh):
-            self._read = mesh
-        else:
-            # A MultiBlock is a sequence too, but of one time.
-            is_series = isinstance(mesh, Sequence) and not isinstance(mesh, vtkDataObject)
-            grids = list(mesh) if is_series else [mesh]
-            if len(grids) != len(self.times):
-                raise ValueError(f"There are {len(grids)} grids and {len(self.times)} times; there must be as many.")
-            self._read = lambda time: grids[self.times.index(time)]
-        self.first = _dataset(self._read(self.times[0]), "mesh")
-        self._waiting = self.first
-        super().__init__(nInputPorts=0, nOutputPorts=1, outputType=self.first.GetClassName())
-        self.GetExecutive().AddObserver("ErrorEvent", lambda *_: None)  # what has failed is raised
-
-    def RequestInformation(self, _request: Any, _inputs: Any, outputs: Any) -> int:
-        info = outputs.GetInformationObject(0)
-        if hasattr(self.first, "GetExtent"):
-            info.Set(SDDP.WHOLE_EXTENT(), self.first.GetExtent(), 6)
-        if len(self.times) > 1:
-            info.Set(SDDP.TIME_STEPS(), self.times, len(self.times))
-            info.Set(SDDP.TIME_RANGE(), [self.times[0], self.times[-1]], 2)
-        return 1
-
-    def RequestData(self, _request: Any, _inputs: Any, outputs: Any) -> int:
-        info = outputs.GetInformationObject(0)
-        time = self.times[0]
-        if len(self.times) > 1 and info.Has(SDDP.UPDATE_TIME_STEP()):
-            asked = info.Get(SDDP.UPDATE_TIME_STEP())
-            time = min(self.times, key=lambda one: abs(one - asked))
-        try:
-            read, self._waiting = self._waiting if time == self.times[0] else None, None
-            read = _dataset(self._read(time), "mesh") if read is None else read
-        except Exception as failure:  # raised again by the caller of the pipeline
-            self.failure = failure
-            return 0
-        output = vtkDataSet.GetData(outputs)
-        output.ShallowCopy(read)
-        output.GetInformation().Set(vtkDataObject.DATA_TIME_STEP(), time)
-        return 1

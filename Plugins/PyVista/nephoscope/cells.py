@@ -33,7 +33,7 @@ def add_cells(plotter: pyvista.BasePlotter, grid: Any, scalars: str | np.ndarray
               n_colors: int = 256, flip_scalars: bool = False, log_scale: bool = False,
               opacity_scalars: str | None = None, opacity_clim: float | Sequence[float] | None = None,
               opacity_scale: float = 1.0, opacity_unit_distance: float | None = None,
-              integration: str = "exact", order: str = "exact", preference: str = "point",
+              integration: str = "exact", order: str = "exact", method: str = "automatic", split_at_control_points: bool = True, preference: str = "point",
               contours: int | Sequence[float] | None = None, contour_opacity: float | Sequence[float] = 0.3,
               contour_color: Any = None, contour_scalars: str | None = None, contour_lighting: bool = True,
               smooth_contours: bool = True, layers: dict | None = None, layer_scalars: str | None = None,
@@ -89,6 +89,11 @@ def add_cells(plotter: pyvista.BasePlotter, grid: Any, scalars: str | np.ndarray
         Along a ray inside a tetrahedron: the closed-form integral, or the mean colour of the two ends.
     order : {"exact", "centroid", "none"}, default: "exact"
         Visibility order of the tetrahedra: topological, by distance of the centroid, as stored.
+    method : {"automatic", "rays", "cells", "triangles-linear", "triangles-table", "faces"}, default: "automatic"
+        How cells are drawn: a ray through the mesh for each pixel; cell after cell in the visibility order; or, to compare with, by earlier methods:
+        projected tetrahedra with interpolated opacities or with a table, and faces. Automatic: rays for exact order, else cells.
+    split_at_control_points : bool, default: True
+        Integrate exactly where `cmap` or `opacity` bend inside a cell. False: both are linear between the ends of a ray in a cell, which is faster.
     preference : {"point", "cell"}, default: "point"
         Which array is meant when points and cells have one of the same name, or are equally many.
     contours : int or sequence of float, optional
@@ -155,6 +160,10 @@ def add_cells(plotter: pyvista.BasePlotter, grid: Any, scalars: str | np.ndarray
     choose({"exact": mapper.SetIntegrationToExact, "average": mapper.SetIntegrationToAverage}, integration, "integration")
     choose({"exact": mapper.SetVisibilityOrderToExact, "centroid": mapper.SetVisibilityOrderToCentroid,
             "none": mapper.SetVisibilityOrderToNone}, order, "order")
+    choose({"automatic": mapper.SetMethodToAutomatic, "rays": mapper.SetMethodToRays, "cells": mapper.SetMethodToCells,
+            "triangles-linear": mapper.SetMethodToTrianglesLinear, "triangles-table": mapper.SetMethodToTrianglesTable,
+            "faces": mapper.SetMethodToFaces}, method, "method")
+    mapper.SetSplitAtControlPoints(bool(split_at_control_points))
     Surfaces(contours, contour_scalars, contour_opacity, contour_color, contour_lighting, smooth_contours, layers,
              layer_scalars).apply(mapper, grid, array_name, association)
     return add_medium(plotter, mapper, prop, array_name, user_matrix=user_matrix, show_scalar_bar=show_scalar_bar,

@@ -39,7 +39,8 @@ def to_globe(mesh: pyvista.DataSet, *, projection: Literal["globe", "map"] = "gl
              close_poles: bool = True, height_units: Literal["automatic", "m", "km", "geopotential"] = "automatic",
              wind_components: Literal["automatic", "east-north", "along-grid"] = "automatic",
              central_meridian: float | None = None, mask_below_ground: bool = True,
-             surface: pyvista.DataSet | None = None) -> pyvista.StructuredGrid:
+             surface: pyvista.DataSet | None = None, temperature: str | None = None, surface_pressure: str = "sp",
+             terrain_height: str = "orog") -> pyvista.StructuredGrid:
     """Place a longitude-latitude-level grid on a globe or a map, with the winds as vectors.
 
     Also the accessor method ``mesh.nephoscope.globe(...)``.
@@ -84,8 +85,12 @@ def to_globe(mesh: pyvista.DataSet, *, projection: Literal["globe", "map"] = "gl
     mask_below_ground : bool, default: True
         Hide the points below the ground; see `surface`.
     surface : pyvista.DataSet, optional
-        One level with the longitudes and latitudes of `mesh` and the surface pressure ``"sp"`` (Pa or hPa) or the terrain
-        height ``"orog"`` (m). Default: looked for in `mesh`; without either the ground is at sea level.
+        One level with the longitudes and latitudes of `mesh` and the surface pressure (Pa or hPa) or the terrain
+        height (m). Default: looked for in `mesh`; without either the ground is at sea level.
+    temperature : str, optional
+        Array of the temperature in K, by which omega becomes upward wind. Default: ``"t"`` or ``"ta"``, where it is there.
+    surface_pressure, terrain_height : str, default: "sp", "orog"
+        What the arrays of `surface`, or of `mesh`, are called.
 
     Returns
     -------
@@ -127,8 +132,13 @@ def to_globe(mesh: pyvista.DataSet, *, projection: Literal["globe", "map"] = "gl
     _name_height(globe, mesh, height)
     vertical = _name_winds(globe, mesh, wind)
     globe.SetVerticalWindIsOmega(_is_omega(mesh, vertical) if vertical_wind_is_omega is None else vertical_wind_is_omega)
-    if "ta" in mesh.array_names and "t" not in mesh.array_names:
+    if temperature is not None:
+        require_array(mesh, temperature, "temperature")
+        globe.SetTemperatureArrayName(temperature)
+    elif "ta" in mesh.array_names and "t" not in mesh.array_names:
         globe.SetTemperatureArrayName("ta")
+    globe.SetSurfacePressureArrayName(surface_pressure)
+    globe.SetTerrainHeightArrayName(terrain_height)
     globe.SetCloseSeam(close_seam)
     globe.SetClosePoles(close_poles)
     globe.SetMaskBelowGround(mask_below_ground)

@@ -13,30 +13,33 @@ from vtkmodules.vtkCommonDataModel import vtkDataObject
 from . import vtkFlowVolume, vtkFlowVolumePlacement, vtkSmokePuffs
 from ._checks import arrays_of, choose, listed, require_number, require_winds
 from ._pipeline import _renamed, vtk_messages
+from ._series import Grids, Series
 
 # What the messages of vtkFlowVolume say, and what it is called here.
 _NAMES = {"switch NormalToFlow off": "give normal", "switch NormalToFlow on": "leave normal out", "Center": "center", "Radius": "radius",
           "Normal": "normal", "Duration": "duration", "TimeStep": "time_step", "PolygonEdgeLength": "polygon_edge_length",
           "MaximumEdgeLength": "max_edge_length", "MinimumEdgeLength": "min_edge_length", "InitialDensity": "initial_density",
-          "MaximumNumberOfTetrahedra": "max_tetrahedra", "Tolerance": "tolerance", "MaximumTurnAngle": "max_turn_angle",
+          "MaximumNumberOfTetrahedra": "max_tetrahedra", "StartTime": "start_time", "TimeScale": "time_scale", "or switch Unsteady off": "or leave times out", "Tolerance": "tolerance", "MaximumTurnAngle": "max_turn_angle",
           "Choose a velocity:": "Choose a velocity by vectors:"}
 
 
-def flow_volume(mesh: pyvista.DataSet, polygon: pyvista.PolyData | None = None, *, vectors: str | None = None,
+def flow_volume(mesh: Grids, polygon: pyvista.PolyData | None = None, *, vectors: str | None = None,
                 center: Sequence[float] | None = None, radius: float | None = None,
                 normal: Sequence[float] | Literal["flow"] | None = None, n_sides: int = 12, duration: float | None = None,
                 time_step: float | None = None, initial_density: float = 1.0, polygon_edge_length: float | None = None,
                 max_edge_length: float | None = None, min_edge_length: float = 0.0, max_turn_angle: float = 15.0,
                 integrator: Literal["rk4", "rk45"] = "rk4", tolerance: float = 1e-6,
-                max_tetrahedra: int = 100_000) -> pyvista.UnstructuredGrid:
-    """Smoke: the volume that a steady flow sweeps through a polygon, as tetrahedra.
+                max_tetrahedra: int = 100_000, times: Sequence[float] | None = None, time: float | None = None,
+                start_time: float | None = None, time_scale: float = 1.0) -> pyvista.UnstructuredGrid:
+    """Smoke: the volume that a steady flow sweeps through a polygon, as tetrahedra; with `times` smoke released all along an unsteady flow.
 
     Also the accessor method ``mesh.nephoscope.flow_volume(...)``. Lengths are in the unit of the mesh, times in seconds.
 
     Parameters
     ----------
-    mesh : pyvista.DataSet or pyvista.MultiBlock
-        Any mesh with a velocity; it is not changed.
+    mesh : pyvista.DataSet, pyvista.MultiBlock, sequence of pyvista.DataSet, or callable
+        Any mesh with a velocity; or one for each of `times`; or a function that is called with a time of `times` and returns the mesh, so that not all
+        are in memory. They are not changed.
     polygon : pyvista.PolyData, optional
         The generating polygon: planar polygons, convex or not. It keeps its orientation unless `normal` is ``"flow"``. Default: the regular
         one that the following arguments describe.
@@ -76,7 +79,16 @@ def flow_volume(mesh: pyvista.DataSet, polygon: pyvista.PolyData | None = None, 
     tolerance : float, default: 1e-6
         Error of one step of ``"rk45"``, relative to the longest edge of the polygon's triangles; 1e-14 to 1.
     max_tetrahedra : int, default: 100_000
-        Maximum number of tetrahedra. The volume is made coarser until the whole duration fits, with a warning if it is then coarser than requested.
+        Maximum number of tetrahedra, >= 1. The volume is made coarser until the whole duration fits, with a warning if it is then coarser than requested.
+    times : sequence of float, optional
+        The times of the meshes, two or more, rising: the flow is unsteady, linear between them. Smoke older than `duration` is dropped, by default none;
+        `min_edge_length` and `max_turn_angle` are not used. Default: one mesh, a steady flow.
+    time : float, optional
+        With `times`: when the smoke is wanted, in the unit of `times`. Default: the last time.
+    start_time : float, optional
+        With `times`: when the smoke begins to flow, in the unit of `times`. Default: the first time.
+    time_scale : float, default: 1.0
+        With `times`: seconds in their unit, > 0: 3600 for hours.
 
     Returns
     -------
@@ -104,10 +116,17 @@ def flow_volume(mesh: pyvista.DataSet, polygon: pyvista.PolyData | None = None, 
     --------
     >>> smoke = mesh.nephoscope.flow_volume(center=(0, 0, 1), radius=0.2, duration=10)  # doctest: +SKIP
     """
-    if not isinstance(mesh, (pyvista.DataSet, pyvista.MultiBlock)):
-        raise TypeError(f"mesh is a {type(mesh).__name__}; it must be a pyvista dataset or MultiBlock.")
     smoke = vtkFlowVolume()
-    smoke.SetInputDataObject(mesh)
+    series = None
+    if times is None:
+        if time is not None or start_time is not None:
+            raise ValueError("time or start_time is given without times, the times of the meshes of an unsteady flow.")
+        if not isinstance(mesh, (pyvista.DataSet, pyvista.MultiBlock)):
+            raise TypeError(f"mesh is a {type(mesh).__name__}; it must be a pyvista dataset or MultiBlock, or several meshes with times.")
+        smoke.SetInputDataObject(mesh)
+    else:
+        series = _unsteady(smoke, mesh, times, start_time, time_scale)
+        mesh = series.first
     name, on_cells = _velocity(mesh, vectors)
     if name:
         association = vtkDataObject.FIELD_ASSOCIATION_CELLS if on_cells else vtkDataObject.FIELD_ASSOCIATION_POINTS
@@ -132,9 +151,28 @@ def flow_volume(mesh: pyvista.DataSet, polygon: pyvista.PolyData | None = None, 
     choose({"rk4": smoke.SetIntegratorToRungeKutta4, "rk45": smoke.SetIntegratorToRungeKutta45}, integrator, "integrator")
     smoke.SetTolerance(require_number(tolerance, "tolerance", above=0))
     smoke.SetMaximumNumberOfTetrahedra(int(require_number(max_tetrahedra, "max_tetrahedra", least=1)))
-    with vtk_messages(smoke, _NAMES):
-        smoke.Update()
-    return pyvista.wrap(smoke.GetOutput())
+    if series is None:
+        with vtk_messages(smoke, _NAMES):
+            smoke.Update()
+        return pyvista.wrap(smoke.GetOutput())
+    with series.raising(), vtk_messages(smoke, _NAMES):
+        smoke.UpdateTimeStep(series.times[-1] if time is None else require_number(time, "time"))
+    return pyvista.wrap(smoke.GetOutput()).copy(deep=False)
+
+
+def _unsteady(smoke: vtkFlowVolume, mesh: Any, times: Sequence[float], start_time: float | None, time_scale: float) -> Series:
+    """The meshes as input of the filter."""
+    if len(times) < 2:
+        raise ValueError(f"times has {len(times)} values; an unsteady flow needs two or more. Leave times out for a steady flow.")
+    series = Series(mesh, times)
+    if any(b <= a for a, b in zip(series.times, series.times[1:])):
+        raise ValueError(f"times is {times!r}; they must rise.")
+    smoke.SetInputConnection(series.GetOutputPort())
+    smoke.UnsteadyOn()
+    if start_time is not None:
+        smoke.SetStartTime(require_number(start_time, "start_time"))
+    smoke.SetTimeScale(require_number(time_scale, "time_scale", above=0))
+    return series
 
 
 def smoke_puffs(volume: pyvista.UnstructuredGrid, time: float = 0.0, *, period: float | None = None, width: float = 0.5,

@@ -45,12 +45,13 @@ def add_splats(plotter: pyvista.BasePlotter, mesh: Any, scalars: str | np.ndarra
                opacity_clim: float | Sequence[float] | None = None, opacity_scale: float = 1.0,
                opacity_unit_distance: float | None = None, kernel: str = "cubic", radius: float | str | None = None,
                sizes: str | None = None, volumes: str | None = None, radius_factor: float = 1.0, error_tolerance: float = 0.0, error_unit: str = "image",
-               error_measure: str = "picture", interactive_splats: int = 100_000,
+               error_measure: str = "picture", interactive_splats: int = 100_000, level_blending: float = 0.1,
                vectors: str | None = None, vector_style: str = "streaks", vector_placement: str = "middle",
                vector_opacity: float | None = None, vector_color: Any = None, vector_scalars: str | None = None,
                vector_cmap: Any = None, vector_clim: float | Sequence[float] | None = None,
-               greatest_speed: float | None = None, streak_period: float = 4.0, phase: float = 0.0,
-               phase_cycles: int = 4, preference: str = "point", name: str | None = None,
+               greatest_speed: float | None = None, streak_period: float = 4.0, streak_width: float = 0.1, segment_length: float = 2.0,
+               segment_width: float = 1.5, vector_unit: float | None = None, layer_axis: str | int = "eye", phase: float = 0.0,
+               phase_cycles: int = 4, phase_steps: int = 0, preference: str = "point", name: str | None = None,
                show_scalar_bar: bool | None = None, scalar_bar_args: dict | None = None,
                reset_camera: bool | None = None, pickable: bool = True, user_matrix: Any = None,
                render: bool = True, unit_distance: float | None = None,
@@ -100,6 +101,8 @@ def add_splats(plotter: pyvista.BasePlotter, mesh: Any, scalars: str | np.ndarra
         square over the block; or the greatest deviation of a sample.
     interactive_splats : int, default: 100_000
         No more are drawn while the camera moves in an interactive window. 0: no limit.
+    level_blending : float, default: 0.1
+        With `error_tolerance`: share of the tolerance over which a block fades in while its samples fade out, so that nothing pops, 0 to 0.9.
     vectors : str, optional
         Array of three components, of points or cells as the scalars are, to be drawn on the splats.
     vector_style : {"streaks", "segments"}, default: "streaks"
@@ -117,11 +120,24 @@ def add_splats(plotter: pyvista.BasePlotter, mesh: Any, scalars: str | np.ndarra
     greatest_speed : float, optional
         Length of a vector, in its own unit, at and above which streaks are fully drawn, > 0. Default: the greatest of the data.
     streak_period : float, default: 4.0
-        Distance from streak to streak along a vector, in mean lengths of a cell along its vector, 0.01 to 1000.
+        Distance from streak to streak along a vector, in vector units, 0.01 to 1000.
+    streak_width : float, default: 0.1
+        Standard deviation of a streak's brightness across it, in vector units, 0.001 to 10.
+    segment_length : float, default: 2.0
+        Length of the segment of a vector of the greatest speed, in vector units, 0 to 1000; of others in proportion.
+    segment_width : float, default: 1.5
+        Width of segments in pixels, 0.1 to 100.
+    vector_unit : float, optional
+        The vector unit in lengths of the mesh, > 0. Default: the mean length of a cell along its vector, longer where `vector_share` is below 1. Give it,
+        and `greatest_speed`, where several time steps must look alike.
+    layer_axis : {"eye", 0, 1, 2}, default: "eye"
+        With ``vector_placement="layers"``: the axis of a structured grid whose index numbers them. ``"eye"``: the one that points most towards the eye.
     phase : float, default: 0.0
         Where in their loop the streaks are, 0 to 1; 1 is 0 again. Change it with ``volume.mapper.phase``.
     phase_cycles : int, default: 4
         How many periods the fastest pattern moves in a loop, 1 to 1000.
+    phase_steps : int, default: 0
+        Places of the pattern along its period, 0 to 1000. 0: any, for smooth motion; 16: those of the textures that were stored in 1993.
     vector_share : float, optional
         Share of the samples whose vectors are drawn, chosen at random, above 0 up to 1. Streaks are longer and wider where they are fewer. Default:
         in a medium so many that a line of sight meets streaks as dense as of 7 of the longest vectors, otherwise all.
@@ -165,9 +181,9 @@ def add_splats(plotter: pyvista.BasePlotter, mesh: Any, scalars: str | np.ndarra
             "gaussian": mapper.SetKernelToGaussian}, kernel, "kernel")
     mapper.SetRadiusFactor(require_number(radius_factor, "radius_factor", least=0.01, most=100))
     _set_sizes(mapper, mesh, association, {"radius": radius, "sizes": sizes, "volumes": volumes}, KERNEL_RADII[kernel])
-    _set_hierarchy(mapper, error_tolerance, error_unit, error_measure, interactive_splats)
+    _set_hierarchy(mapper, error_tolerance, error_unit, error_measure, interactive_splats, level_blending)
     streaks = Vectors(vectors, vector_style, vector_placement, vector_opacity, vector_color, vector_scalars, vector_cmap, vector_clim,
-            greatest_speed, streak_period, phase_cycles, vector_share)
+            greatest_speed, streak_period, phase_cycles, vector_share, streak_width, segment_length, segment_width, vector_unit, layer_axis, phase_steps)
     streaks.apply(mapper, plotter, mesh, association)
     mapper.phase = phase
     opacity_unit_distance = renamed_argument(opacity_unit_distance, "opacity_unit_distance", unit_distance, "unit_distance")
@@ -208,9 +224,11 @@ def _set_sizes(mapper: TexturedSplatMapper, mesh: pyvista.DataSet, association: 
     mapper.SetCellSizeArrayHoldsVolumes(name == "volumes")
 
 
-def _set_hierarchy(mapper: TexturedSplatMapper, tolerance: float, unit: str, measure: str, interactive_splats: int) -> None:
+def _set_hierarchy(mapper: TexturedSplatMapper, tolerance: float, unit: str, measure: str, interactive_splats: int,
+                   blending: float) -> None:
     mapper.SetErrorTolerance(require_number(tolerance, "error_tolerance", least=0))
     choose({"image": mapper.SetErrorToleranceUnitToImage, "data": mapper.SetErrorToleranceUnitToData}, unit, "error_unit")
     choose({"picture": mapper.SetErrorMeasureToPicture, "rms": mapper.SetErrorMeasureToRootMeanSquare,
             "greatest": mapper.SetErrorMeasureToGreatest}, measure, "error_measure")
+    mapper.SetLevelBlending(require_number(blending, "level_blending", least=0, most=0.9))
     mapper.SetInteractiveMaximumNumberOfSplats(int(require_number(interactive_splats, "interactive_splats", least=0)))

@@ -4,18 +4,20 @@
 from __future__ import annotations
 
 import warnings
-from typing import Iterator, Sequence
+from typing import Iterator, Literal, Sequence
 
 import numpy as np
 import pyvista
 from pyvista.core.errors import MissingDataError
 from vtkmodules.vtkCommonDataModel import vtkDataObject
+from vtkmodules.vtkCommonExecutionModel import vtkAlgorithm
 
 from . import vtkContourCellSplitter
-from ._checks import arrays_of
+from ._checks import arrays_of, choose
 from ._medium import array_values, default_scalars, require_scalars
 from ._pipeline import vtk_messages
 
+PRECISIONS = {"double": vtkAlgorithm.DOUBLE_PRECISION, "single": vtkAlgorithm.SINGLE_PRECISION, "input": vtkAlgorithm.DEFAULT_PRECISION}
 
 # What the messages of vtkContourCellSplitter say, and what it is called here.
 _NAMES = {"Choose one with SetInputArrayToProcess": "Name one by scalars", "Contour value": "isosurfaces: value", "contour values": "isosurfaces", "contour value": "value of isosurfaces",
@@ -24,7 +26,7 @@ _NAMES = {"Choose one with SetInputArrayToProcess": "Name one by scalars", "Cont
 
 def split_cells(mesh: pyvista.DataSet | pyvista.MultiBlock, isosurfaces: int | float | Sequence[float] = 10, scalars: str | None = None, *,
                 rng: Sequence[float] | None = None, surfaces: bool = True,
-                polyhedral_transitions: bool = False) -> pyvista.UnstructuredGrid | pyvista.MultiBlock:
+                polyhedral_transitions: bool = False, precision: Literal["double", "single", "input"] = "double") -> pyvista.UnstructuredGrid | pyvista.MultiBlock:
     """Divide the 3-D cells that contour values cross into convex pieces on one side of every value.
 
     Also the accessor method ``mesh.nephoscope.split_cells(...)``. Cells that no value crosses stay as they are.
@@ -44,6 +46,8 @@ def split_cells(mesh: pyvista.DataSet | pyvista.MultiBlock, isosurfaces: int | f
         Add the polygons of the contour surfaces.
     polyhedral_transitions : bool, default: False
         Turn whole cells beside divided ones into polyhedra that have the triangles of their neighbours.
+    precision : {"double", "single", "input"}, default: "double"
+        Of the coordinates; ``"input"``: that of the points of `mesh`. With single precision thin pieces can be turned inside out by rounding.
 
     Returns
     -------
@@ -85,6 +89,7 @@ def split_cells(mesh: pyvista.DataSet | pyvista.MultiBlock, isosurfaces: int | f
         splitter.SetValue(i, value)
     splitter.SetGenerateSurfaces(surfaces)
     splitter.SetPolyhedralTransitions(polyhedral_transitions)
+    choose({name: lambda value=value: splitter.SetOutputPointsPrecision(value) for name, value in PRECISIONS.items()}, precision, "precision")
     with vtk_messages(splitter, _NAMES):
         splitter.Update()
     return pyvista.wrap(splitter.GetOutputDataObject(0))

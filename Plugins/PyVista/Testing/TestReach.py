@@ -1,0 +1,272 @@
+# SPDX-FileCopyrightText: The Nephoscope authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""What can be set in VTK can be set in ParaView and in PyVista too, but for what a table below tells, with the reason."""
+import contextlib
+import importlib
+import inspect
+import os
+import re
+import tempfile
+import unittest
+import warnings
+from pathlib import Path
+
+import nephoscope
+import numpy as np
+import pyvista
+
+TOP = Path(os.environ["NEPHOSCOPE_DATA"]).parent
+PARAVIEW = TOP / "Plugins/ParaView"
+
+# Class, the definitions of its proxies, and the modules of Python that set it. A new property of a class needs no line here.
+CLASSES = {
+    "vtkGlobeGrid": (["Filters.xml"], ["globe"]),
+    "vtkStructuredSmoothing": (["Filters.xml"], ["clouds"]),
+    "vtkCloudSurface": (["Filters.xml"], ["clouds"]),
+    "vtkContourCellSplitter": (["Filters.xml"], ["splitting"]),
+    "vtkPolyhedronToTetrahedra": (["Filters.xml"], ["polyhedra"]),
+    "vtkFlowVolume": (["FlowVolume.xml.in", "FlowVolumeProperties.xml.in"], ["smoke"]),
+    "vtkSmokePuffs": (["SmokePuffs.xml"], ["smoke:smoke_puffs"]),
+    "vtkTextureCoordinateAdvection": (["TextureAdvection.xml"], ["advection"]),
+    "vtkSparseVolumeReader": (["SparseVolume.xml"], ["sparse"]),
+    "vtkSparseVolumeWriter": (["SparseVolume.xml"], ["sparse"]),
+    "vtkCellCompositingMapper": (["Representations.xml.in", "MediumProperties.xml.in"], ["cells", "_medium", "_surfaces"]),
+    "vtkTexturedSplatMapper": (["TexturedSplats.xml.in", "MediumProperties.xml.in"], ["splats", "_medium", "_vectors"]),
+    "vtkCloudTextureMapper": (["CloudTexture.xml.in"], ["cloud_texture"]),
+    "vtkHaze": (["Haze.xml"], ["haze"]),
+}
+# What the same property is called in the definition of the proxy, where that is another name.
+NAMES_IN_PARAVIEW = {
+    **{("vtkCellCompositingMapper", name + "Name"): name for name in ("ContourArray", "LayerArray", "OpacityArray")},
+    **{("vtkTexturedSplatMapper", name + "Name"): name for name in ("CellSizeArray", "OpacityArray", "VectorArray", "VectorColorArray")},
+    ("vtkCellCompositingMapper", "LayerProperty"): "LayerOpacityScale",
+    ("vtkHaze", "Background"): "HazeBackground", ("vtkHaze", "Color"): "HazeColor", ("vtkHaze", "Visibility"): "VisualRange",
+    ("vtkGlobeGrid", "SurfaceConnection"): "InputConnection", ("vtkTextureCoordinateAdvection", "PointsConnection"): "InputConnection",
+}
+# Where a host does not reach a property: why.
+DATA = "how data come in is the host's: connections in ParaView, arguments in PyVista"
+SHORTER = "a setter of several properties at once, which are there one by one"
+AXES = "one setter for three properties, which are there one by one, or the other way round"
+BY_REPRESENTATION = "ParaView's representation sets it, for several ranks"
+EXCEPTIONS = {
+    ("ParaView", "vtkCellCompositingMapper", "InputData"): DATA,
+    ("ParaView", "vtkTexturedSplatMapper", "InputData"): DATA,
+    ("ParaView", "vtkGlobeGrid", "SurfaceData"): DATA,
+    ("PyVista", "vtkGlobeGrid", "SurfaceConnection"): DATA,
+    ("PyVista", "vtkFlowVolume", "PolygonConnection"): DATA,
+    ("PyVista", "vtkTextureCoordinateAdvection", "PointsConnection"): DATA,
+    ("ParaView", "vtkGlobeGrid", "WindArrayNames"): SHORTER,
+    ("PyVista", "vtkGlobeGrid", "EastwardWindArrayName"): SHORTER,
+    ("PyVista", "vtkGlobeGrid", "NorthwardWindArrayName"): SHORTER,
+    ("PyVista", "vtkGlobeGrid", "VerticalWindArrayName"): SHORTER,
+    ("ParaView", "vtkTextureCoordinateAdvection", "PressureArrayNames"): SHORTER,
+    ("PyVista", "vtkTextureCoordinateAdvection", "OmegaArrayName"): SHORTER,
+    ("ParaView", "vtkSparseVolumeReader", "OutputToImage"): "OutputType, by its values",
+    ("ParaView", "vtkSparseVolumeReader", "OutputToPoints"): "OutputType, by its values",
+    ("PyVista", "vtkSparseVolumeReader", "OutputToImage"): "OutputType, by its values",
+    ("PyVista", "vtkSparseVolumeReader", "OutputToPoints"): "OutputType, by its values",
+    **{("ParaView", name, "Periodic"): AXES for name in ("vtkCloudSurface", "vtkStructuredSmoothing")},
+    **{("PyVista", name, "Periodic" + axis): AXES for name in ("vtkCloudSurface", "vtkStructuredSmoothing") for axis in "IJK"},
+    ("PyVista", "vtkCellCompositingMapper", "NumberOfContourValues"): "the length of the list of contours",
+    ("ParaView", "vtkCellCompositingMapper", "LayersFromContours"): "on by itself, unless there is a Layer Array",
+    ("ParaView", "vtkFlowVolume", "Controller"): "the host's ranks",
+    ("PyVista", "vtkFlowVolume", "Controller"): "the host's ranks, of which there is one",
+    ("ParaView", "vtkHaze", "Enabled"): "the eye in the pipeline browser is the switch",
+    ("PyVista", "vtkHaze", "Enabled"): "vtkHaze.SetHaze(renderer, None) takes haze away",
+    ("ParaView", "vtkHaze", "Extinction"): "the same as the visibility, by another measure",
+    ("PyVista", "vtkHaze", "Extinction"): "the same as the visibility, by another measure",
+    ("ParaView", "vtkHaze", "Haze"): "no property: puts haze into a renderer",
+    ("PyVista", "vtkSmokePuffs", "TimeScale"): "the time is in seconds: there is no animation whose unit could be another",
+    ("ParaView", "vtkTexturedSplatMapper", "CellSizeFromCells"): "cells always have splats of their own size, points of one: ranks divide cells differently",
+    ("ParaView", "vtkTexturedSplatMapper", "CellSizeFromNeighbors"): "neighbours on other ranks are not known",
+    **{("ParaView", "vtkTexturedSplatMapper", name): BY_REPRESENTATION for name in ("CommonFrame", "Region", "ShapeArrayName")},
+    **{("PyVista", "vtkTexturedSplatMapper", name): "for several ranks, of which there is one" for name in ("CommonFrame", "Region", "ShapeArrayName")},
+    ("ParaView", "vtkTexturedSplatMapper", "InteractiveUpdateRate"): "of the host: above which frame rate a picture counts as interactive",
+    ("PyVista", "vtkTexturedSplatMapper", "InteractiveUpdateRate"): "of the host: above which frame rate a picture counts as interactive",
+}
+
+
+def properties(name):
+    """Own ones of a class: SetX, without those of SetXToY and of the pipeline."""
+    own = [method[3:] for one in getattr(nephoscope, name).__mro__ if one.__name__.startswith("vtk") and one.__name__ in dir(nephoscope)
+           for method in vars(one) if method.startswith("Set")]
+    return sorted({one for one in own if not any(one != other and one.startswith(other + "To") for other in own)})
+
+
+def commands(name, files):
+    """What the definitions of a class set; a file without a proxy of its own is put into another one."""
+    found = set()
+    for text in ((PARAVIEW / file).read_text() for file in files):
+        proxies = re.finditer(rf'(?s)<(\w+Proxy)\s[^>]*?class="vtk(?:PV)?{name[3:]}(?:WithLabels)?".*?</\1>', text)
+        for block in [match[0] for match in proxies] or [text]:
+            found |= set(re.findall(r'command="(?:Set|Add)(\w+)"', block))
+    return found
+
+
+def calls(places):
+    """Names that modules use, or, after a colon, one function of them."""
+    found = set()
+    for place in places:
+        module, _, function = place.partition(":")
+        module = importlib.import_module("nephoscope." + module)
+        found |= set(re.findall(r"\.(?:Set|Add)?(\w+)", inspect.getsource(getattr(module, function) if function else module)))
+    return found
+
+
+def is_reached(name, found):
+    return any(one == name or re.fullmatch(name + r"(To\w+|On|Off|s)", one) for one in found)
+
+
+class Reach(unittest.TestCase):
+    def missing(self):
+        for name, (files, modules) in CLASSES.items():
+            in_paraview, in_python = commands(name, files), calls(modules)
+            for prop in properties(name):
+                if not is_reached(NAMES_IN_PARAVIEW.get((name, prop), prop), in_paraview):
+                    yield "ParaView", name, prop
+                if not is_reached(prop, in_python):
+                    yield "PyVista", name, prop
+
+    def test_hosts(self):
+        missing = set(self.missing())
+        self.assertEqual(sorted(missing - set(EXCEPTIONS)), [])
+        self.assertEqual(sorted(set(EXCEPTIONS) - missing), [], "reached, so no longer exceptions")
+
+    def test_reasons(self):
+        for exception, reason in EXCEPTIONS.items():
+            self.assertGreater(len(reason.split()), 2, exception)
+
+    def test_arguments_are_documented(self):
+        """Every argument of every function is in its docstring, with a default where it has one."""
+        for name in nephoscope.PYVISTA_FUNCTIONS:
+            function = getattr(nephoscope, name)
+            for argument in inspect.signature(function).parameters.values():
+                listed = rf"(?m)^    (?:\*\*|[\w, ]*\b){argument.name}\b[\w, ]*(?: : .*)?$"
+                self.assertRegex(function.__doc__, listed, f"{name}: {argument.name}")
+
+
+def whirl(time=0.0):
+    """A flow that turns and rises, faster with time."""
+    mesh = pyvista.ImageData(dimensions=(16, 16, 16), origin=(-7.5, -7.5, 0))
+    x, y, _ = mesh.points.T
+    mesh["q"], mesh["v"] = mesh.points[:, 2], np.column_stack((-y, x, np.full(len(x), 1 + time)))
+    return mesh
+
+
+def filled(mesh, on_points):
+    """With scalars "q" and vectors "v" on points or cells, and nothing else."""
+    mesh = mesh.copy()
+    mesh.clear_data()
+    places = np.asarray(mesh.points if on_points else mesh.cell_centers().points, float)
+    data = mesh.point_data if on_points else mesh.cell_data
+    data["q"], data["v"] = places @ (0.1, 0.0, 1.0), np.tile((1.0, 0.0, 0.5), (len(places), 1))
+    data.active_scalars_name = "q"
+    return mesh
+
+
+def meshes(on_points):
+    image = pyvista.ImageData(dimensions=(6, 6, 6))
+    steps = np.arange(6.0)
+    kinds = {"images": [image], "structured": [pyvista.RectilinearGrid(steps, steps, steps), image.cast_to_structured_grid()],
+             "unstructured": [image.cast_to_unstructured_grid(), image.cast_to_structured_grid().cast_to_explicit_structured_grid()],
+             "surface": [pyvista.Sphere(theta_resolution=8, phi_resolution=8)], "particles": [pyvista.PolyData(np.random.default_rng(1).random((50, 3)))]}
+    kinds = {kind: [filled(mesh, on_points) for mesh in of_kind] for kind, of_kind in kinds.items()}
+    return {**kinds, "MultiBlock": [pyvista.MultiBlock([filled(image, on_points), filled(image.translate((5, 0, 0)), on_points)])]}
+
+
+class Kinds(unittest.TestCase):
+    """The table of Documentation/pyvista.md."""
+
+    def drawn(self, add):
+        plotter = pyvista.Plotter(off_screen=True, window_size=(20, 20))
+        self.addCleanup(plotter.close)
+        add(plotter)
+        plotter.screenshot()
+
+    def calls(self):
+        with_arguments = {"cloud_surface": (2.2,), "split_cells": ([2.2],)}
+        file = os.path.join(self.folder, "kinds.vdb")
+        yield from ((name, lambda mesh, name=name: getattr(nephoscope, name)(mesh, *with_arguments.get(name, ())))
+                    for name in ("smooth", "cloud_surface", "split_cells", "divide_polyhedra", "flow_volume", "advect_texture"))
+        yield "globe", nephoscope.to_globe
+        yield "write_vdb", lambda mesh: nephoscope.write_vdb(mesh, file, "q")
+        for name, options in (("add_cells", {}), ("add_splats", {}), ("add_cloud_texture", {"coverage": "q"})):
+            yield name, lambda mesh, name=name, options=options: self.drawn(lambda plotter: getattr(nephoscope, name)(plotter, mesh, **options))
+        yield "add_haze", lambda mesh: self.drawn(lambda plotter: (plotter.add_mesh(mesh), nephoscope.add_haze(plotter)))
+
+    def test_table(self):
+        lines = (TOP / "Documentation/pyvista.md").read_text().split("| function | ", 1)[1].split("\n\n")[0].splitlines()
+        columns = [column.strip() for column in ("function | " + lines[0]).strip("| ").split("|")]
+        rows = {row[0].strip("`"): dict(zip(columns, row)) for row in ([cell.strip() for cell in line.strip("|").split("|")] for line in lines[2:])}
+        self.folder = self.enterContext(tempfile.TemporaryDirectory())
+        calls = dict(self.calls())
+        if not nephoscope.vtkSparseVolumeReader.HasOpenVDB():
+            del calls["write_vdb"], rows["write_vdb"]
+        self.assertEqual(set(rows), set(calls))
+        for on_points in (True, False):
+            for kind, of_kind in meshes(on_points).items():
+                for name, call in calls.items():
+                    told = rows[name]["structured" if kind == "images" else kind]
+                    takes = told == "yes" or told == kind
+                    takes = takes and (on_points or rows[name]["array on"] != "points")
+                    for mesh in of_kind:
+                        with self.subTest(f"{name} of {mesh.__class__.__name__} ({kind}), {'points' if on_points else 'cells'}"), warnings.catch_warnings():
+                            warnings.simplefilter("ignore")
+                            with contextlib.nullcontext() if takes else self.assertRaises((TypeError, ValueError, RuntimeError)):
+                                call(mesh)
+
+
+class Arguments(unittest.TestCase):
+    """What the later arguments set, and what they refuse."""
+
+    def plotter(self):
+        plotter = pyvista.Plotter(off_screen=True, window_size=(30, 30))
+        self.addCleanup(plotter.close)
+        return plotter
+
+    def test_cells(self):
+        for number, method in enumerate(("cells", "rays", "triangles-linear", "triangles-table", "faces", "automatic")):
+            mapper = nephoscope.add_cells(self.plotter(), whirl(), "q", method=method, split_at_control_points=False).mapper
+            self.assertEqual((mapper.GetMethod(), mapper.GetSplitAtControlPoints()), (number, False))
+        with self.assertRaisesRegex(ValueError, "method is 'fast'"):
+            nephoscope.add_cells(self.plotter(), whirl(), "q", method="fast")
+
+    def test_splats(self):
+        values = {"streak_width": 0.2, "segment_length": 3.0, "segment_width": 2.5, "vector_unit": 0.5, "layer_axis": 1, "phase_steps": 16, "level_blending": 0.3}
+        mapper = nephoscope.add_splats(self.plotter(), whirl(), "q", vectors="v", **values).mapper
+        found = [getattr(mapper, "Get" + "".join(word.capitalize() for word in name.split("_")))() for name in values]
+        self.assertEqual(found, list(values.values()))
+        for name in values:
+            for wrong in (float("nan"), float("inf"), -1):
+                with self.subTest(f"{name}={wrong}"), self.assertRaisesRegex(ValueError, name):
+                    nephoscope.add_splats(self.plotter(), whirl(), "q", vectors="v", **{name: wrong})
+
+    def test_unsteady_smoke(self):
+        times = [0.0, 1.0, 2.0]
+        smoke = nephoscope.flow_volume(whirl, times=times, vectors="v", center=(0, 0, 3), radius=1.0, normal=(0, 0, 1), time_step=0.25)
+        listed = nephoscope.flow_volume([whirl(t) for t in times], times=times, time=2.0, vectors="v", center=(0, 0, 3), radius=1.0, normal=(0, 0, 1),
+                                        time_step=0.25)
+        self.assertEqual(smoke.n_cells, listed.n_cells)
+        self.assertAlmostEqual(smoke.points[:, 2].max(), 3 + 2 + 2 ** 2 / 2, 3)  # the integral of 1 + t from 0 to 2
+        late = nephoscope.flow_volume(whirl, times=times, start_time=1.0, vectors="v", center=(0, 0, 3), radius=1.0, normal=(0, 0, 1), time_step=0.25)
+        self.assertAlmostEqual(late.points[:, 2].max(), 3 + 1 + (2 ** 2 - 1) / 2, 3)
+        for wrong in ({"times": [0.0]}, {"times": [1.0, 0.0]}, {"time": 1.0}, {"times": times, "time_scale": 0}, {"times": times, "time": float("nan")}):
+            with self.subTest(wrong), self.assertRaisesRegex(ValueError, "time"):
+                nephoscope.flow_volume(whirl if "times" in wrong else whirl(), vectors="v", **wrong)
+
+    def test_others(self):
+        self.assertEqual(whirl().nephoscope.split_cells(3, "q", precision="single").points.dtype, np.float32)
+        self.assertEqual(whirl().nephoscope.split_cells(3, "q").points.dtype, np.float64)
+        self.assertEqual(whirl().nephoscope.divide_polyhedra().n_cells, whirl().n_cells)
+        with self.assertRaisesRegex(ValueError, "warp_tolerance"):
+            nephoscope.divide_polyhedra(whirl(), warp_tolerance=2)
+        weather = pyvista.RectilinearGrid([0.0, 10.0, 20.0], [0.0, 10.0], [100000.0, 50000.0])
+        for name, value in (("u", 1.0), ("v", 1.0), ("w", -1.0), ("heat", 300.0), ("t", 200.0), ("pressure", 70000.0)):
+            weather[name] = np.full(weather.n_points, value)
+        warm, cold = weather.nephoscope.globe(temperature="heat"), weather.nephoscope.globe()
+        self.assertGreater(np.linalg.norm(warm["Wind"], axis=1).max(), np.linalg.norm(cold["Wind"], axis=1).max())
+        self.assertEqual(weather.nephoscope.globe(surface_pressure="pressure")["BelowGround"].sum(), 6)
+
+
+if __name__ == "__main__":
+    unittest.main()
