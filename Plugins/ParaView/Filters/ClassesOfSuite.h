@@ -14,6 +14,7 @@
   DO(vtkCloudsOverGlobe)                                                                                                                   \
   DO(vtkContourCellSplitter)                                                                                                               \
   DO(vtkGlobeGrid)                                                                                                                         \
+  DO(vtkGlobeTerrain)                                                                                                                      \
   DO(vtkHazeRepresentation)                                                                                                                \
   DO(vtkPVFlowVolume)                                                                                                                      \
   DO(vtkPolyhedronToTetrahedra)                                                                                                            \

@@ -11,6 +11,7 @@
 #include "vtkCloudsOverGlobe.h"
 #include "vtkContourCellSplitter.h"
 #include "vtkGlobeGrid.h"
+#include "vtkGlobeTerrain.h"
 #include "vtkHazeRepresentation.h"
 #include "vtkPVFlowVolume.h"
 #include "vtkPolyhedronToTetrahedra.h"

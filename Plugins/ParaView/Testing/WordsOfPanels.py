@@ -38,6 +38,17 @@ def check_sentences(folders, speaker, files=""):
     print(f"{speaker.GetClassName()}: {said} sentences with names of properties")
 
 
+# Classes of ParaView, and a source without properties.
+OTHERS = {"vtkFileSeriesReader", "vtkGeometryRepresentationWithFaces", "vtkHazeSource"}
+
+
+def check_definitions():
+    """Every proxy makes an object that says labels."""
+    for path in sorted((TOP / "Plugins/ParaView").glob("*.xml*")):
+        for name in re.findall(r'Proxy\s[^>]*?\sclass="(\w+)"', path.read_text()):
+            check(name.endswith("WithLabels") or name in OTHERS, f"{path.name}: add {name} to ClassesOfSuite.h, and call it {name}WithLabels here")
+
+
 def check_provoked(what, source, *labels):
     messages.clear()
     source.UpdatePipeline()
@@ -77,6 +88,7 @@ def check_displays(wavelet):
 
 
 def main():
+    check_definitions()
     wavelet = pvs.Wavelet(WholeExtent=[-6, 6] * 3)
     wind = pvs.Calculator(Input=wavelet, ResultArrayName="v", Function="-coordsY*iHat+coordsX*jHat+3*kHat")
     wind.UpdatePipeline()
@@ -92,6 +104,7 @@ def main():
                             (["Filters/TextureAdvection", *velocity], pvs.TextureCoordinateAdvection(Input=wind)),
                             (["Plugins/ParaView/Filters"], pvs.CloudsovertheGlobe())):
         check_sentences(folders, object_of(source))
+    check_sentences(["Filters/GlobeGrid"], object_of(pvs.GlobeTerrain(Input=weather)), ("vtkGlobeTerrain", "TerrainSurface"))
     check_sentences(["Filters/FlowVolume"], object_of(pvs.SmokePuffs(Input=smoke)), "vtkSmokePuffs")
     manager = servermanager.ProxyManager()
     for group, name, files in (("internal_sources", "SparseVolumeReaderCore", ("VdbR", "VdbG", "VdbPo", "VdbI", "vtkSparseVolumeR")),
