@@ -106,6 +106,17 @@ class Axes(unittest.TestCase):
             np.testing.assert_allclose(mesh["cc"], x + 1000 * y - 0.01 * z, err_msg=str(dimensions))
             self.assertEqual(mesh.nephoscope.globe().dimensions, (9, 5, 3))
 
+    def test_more_dimensions_than_the_reader_takes(self):
+        """As of an ensemble, and of models without a coordinate of time."""
+        file = Writer(self.path, {"record": None, "number": 2, "lev": 3, "lat": 5, "lon": 8}, [
+            Variable("r", ("record",), "f8", {}), Variable("q", ("number", "lev", "lat", "lon"), "f8", {})], {"Conventions": "CF-1.6"})
+        file.write("q", np.zeros((2, 3, 5, 8)))
+        file.write("r", [0.0], 0)
+        file.finish_record(0)
+        file.close()
+        with self.assertRaisesRegex(RuntimeError, "three dimensions.*ncks -d.* The variable is q"):
+            nephoscope.read_cf(self.path)
+
     def test_one_level(self):
         mesh = nephoscope.read_cf(level_file(self.path, ("lev", "lat", "lon"), levels=(500.0,)))
         self.assertTrue(np.isfinite(mesh.bounds).all() and np.isfinite(mesh.points).all())

@@ -19,6 +19,12 @@ from ._fields import choose_active_scalars
 from ._pipeline import vtk_messages
 
 
+_REMEDY = ("VTK's reader takes three dimensions, and one of time if it has a coordinate with units. Write a file without the others first: "
+           "ncks -d Time,0 IN OUT for the first index of the dimension Time, or xarray.open_dataset(IN).isel(Time=0).to_netcdf(OUT). "
+           "The variable is")
+_WORDS = {"More than 3 dims without time not supported in variable": _REMEDY, "More than 3 dims + time not supported in variable": _REMEDY}
+
+
 def read_cf(path: str | Path, *, dimensions: str | Sequence[str] | None = None, variables: Sequence[str] | None = None,
             time_step: int | None = None, missing_values: Sequence[float] | None = None) -> pyvista.DataSet:
     """Read the variables of one shape from a NetCDF file with CF conventions.
@@ -70,7 +76,7 @@ def read_cf(path: str | Path, *, dimensions: str | Sequence[str] | None = None, 
     _select_variables(reader, path, shape, variables)
     times = _times(reader)
     index = _time_index(times, time_step, path)
-    with vtk_messages(reader):
+    with vtk_messages(reader, _WORDS):
         reader.UpdateTimeStep(times[index]) if times else reader.Update()
     mesh = pyvista.wrap(reader.GetOutputDataObject(0))
     mesh = _axes_in_order(_with_spacing(mesh), shape)
@@ -111,7 +117,7 @@ def cf_times(path: str | Path, *, dimensions: str | Sequence[str] | None = None)
     times = _times(reader)
     if not times:
         return []
-    with vtk_messages(reader):
+    with vtk_messages(reader, _WORDS):
         reader.UpdateTimeStep(times[0])  # the units come with the data
     return cf_dates(times, _time_units(pyvista.wrap(reader.GetOutputDataObject(0))))
 
@@ -143,7 +149,7 @@ def _opened(path: str | Path) -> tuple[vtkNetCDFCFReader, Path]:
     reader.SetFileName(str(path))
     reader.SphericalCoordinatesOff()
     reader.ReplaceFillValueWithNanOn()
-    with vtk_messages(reader):
+    with vtk_messages(reader, _WORDS):
         reader.UpdateInformation()
     return reader, path
 
