@@ -6,7 +6,7 @@ set(nephoscope_vtk_components
   FiltersCore FiltersGeneral FiltersSources ImagingCore IOImage
   InteractionStyle RenderingCore RenderingFreeType RenderingOpenGL2 RenderingVolume RenderingVolumeOpenGL2)
 # glew (up to VTK 9.3) or glad (from 9.4) give the OpenGL entry points.
-set(nephoscope_vtk_optional_components TestingCore TestingRendering glew glad opengl)
+set(nephoscope_vtk_optional_components FiltersParallelDIY2 TestingCore TestingRendering glew glad opengl)
 if (NEPHOSCOPE_WRAP_PYTHON)
   list(APPEND nephoscope_vtk_components WrappingPythonCore Python)
   # Programs, not modules: VTK 9.6 gives their targets, yet calls them missing when they are required.

@@ -7,7 +7,6 @@
 #include "vtkCompositeDataSet.h"
 #include "vtkDataSetAttributes.h"
 #include "vtkDoubleArray.h"
-#include "vtkGhostCellsGenerator.h"
 #include "vtkIdTypeArray.h"
 #include "vtkImageData.h"
 #include "vtkNew.h"
@@ -18,6 +17,9 @@
 #include "vtkStructuredGrid.h"
 #include "vtkUniformGridAMR.h"
 #include "vtkUnsignedCharArray.h"
+#if VTK_MODULE_ENABLE_VTK_FiltersParallelDIY2
+#include "vtkGhostCellsGenerator.h"
+#endif
 
 #include <algorithm>
 #include <array>
@@ -188,6 +190,7 @@ vtkSmartPointer<vtkPartitionedDataSet> ExtendGeometry(const std::vector<vtkDataS
     cells += grid->GetNumberOfCells();
     partitions->SetPartition(static_cast<unsigned int>(i), grid);
   }
+#if VTK_MODULE_ENABLE_VTK_FiltersParallelDIY2
   vtkNew<vtkGhostCellsGenerator> generator;
   generator->SetController(nullptr); // the blocks of other ranks are theirs
   generator->SetInputData(partitions);
@@ -195,6 +198,10 @@ vtkSmartPointer<vtkPartitionedDataSet> ExtendGeometry(const std::vector<vtkDataS
   generator->SetNumberOfGhostLayers(layers);
   generator->Update();
   return vtkPartitionedDataSet::SafeDownCast(generator->GetOutputDataObject(0));
+#else
+  (void)layers;
+  return partitions; // a VTK without that module: every grid stays alone
+#endif
 }
 
 // vtkGhostCellsGenerator of VTK 9.2 ends the program where a grid is thinner than the layers asked of it.
