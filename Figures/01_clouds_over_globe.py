@@ -1,9 +1,10 @@
 # SPDX-FileCopyrightText: The Nephoscope authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Figure 1: clouds of a weather forecast wrapped around the globe, coloured by altitude, over terrain coloured by its own.
+"""Figure 1: clouds of a weather forecast wrapped around the globe, coloured by altitude, over Blue Marble, and over terrain.
 
 After figure 1 of Max, Crawfis and Becker (1993). Heights are exaggerated 45 times. Opacity comes from the cloud fraction,
-colour from the height. Writes the picture (1920 x 1080) and the ParaView state that shows it again.
+colour from the height; the terrain of the second picture is as high as in the forecast model, exaggerated alike, and has colours of its own.
+Writes the pictures (1920 x 1080) and the ParaView states that show them again.
 """
 import os
 import sys
@@ -52,10 +53,13 @@ pvs._DisableFirstRenderCameraReset()
 view = globe_scene.make_view(
     "Clouds over the globe", position=globe_scene.on_globe(-108, 16, 3.3),  # over the eastern Pacific, where two hurricanes are
     focus=[0, 0, 0], up=[0, 0, 1], angle=40, sun=globe_scene.on_globe(-92, 32, 10))
-ground = globe_scene.show_ground(view, EXAGGERATION, ambient=0.35, diffuse=0.9)
+photograph = globe_scene.show_terrain(view, ambient=0.35, diffuse=0.9)
 forecast = globe_scene.read_forecast(EXAGGERATION, "Clouds")
 clouds = globe_scene.show_clouds(forecast, view, CLOUD_OPACITY, UNIT_DISTANCE, "Height", ALTITUDE_COLOURS)[1]
 show_legend(view, clouds, "Clouds (m)", 0.52, [0, 5000, 10000, 15000])
-show_legend(view, ground.LookupTable, "Ground (m)", 0.12, [0, 2000, 4000, 6000])
 show_caption(view)
 globe_scene.save("01_clouds_over_globe", view)
+photograph.Visibility = 0
+ground = globe_scene.show_ground(view, EXAGGERATION, ambient=0.35, diffuse=0.9)
+show_legend(view, ground.LookupTable, "Ground (m)", 0.12, [0, 2000, 4000, 6000])
+globe_scene.save("01_terrain_under_clouds", view)

@@ -58,6 +58,7 @@ def show_terrain(view, ambient, diffuse, specular=0.12):
     shown.Texture = load_texture(os.path.join(DATA, "blue_marble_2048.jpg"))
     shown.InterpolateTextures = 1  # near the ground the pixels of the texture would be seen
     shown.Ambient, shown.Diffuse, shown.Specular, shown.SpecularPower = ambient, diffuse, specular, 20
+    return shown
 
 
 def show_ground(view, exaggeration, ambient, diffuse, **projection):
