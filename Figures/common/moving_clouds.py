@@ -79,6 +79,8 @@ class MovingClouds:
         self.mapper.SetCoverageArrayName("ColumnCover")
         self.mapper.SetTextureScale(TEXTURE_SCALE)
         self.mapper.SetSoftness(SOFTNESS)
+        self.mapper.SetWavesToPaper()
+        self.mapper.SetThinColor(1, 1, 1)
         self.mapper.SetRelief(RELIEF)
         self.mapper.UseThicknessOn()
         self.mapper.SetExtinction(EXTINCTION)

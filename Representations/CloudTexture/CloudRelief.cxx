@@ -11,6 +11,8 @@
 #include "vtkShader.h"
 #include "vtkShaderProgram.h"
 
+#include <algorithm>
+#include <cmath>
 #include <string>
 
 namespace nephoscope
@@ -35,17 +37,22 @@ void addReliefCode(vtkShader* fragment, bool hasSecondSet, const char* weights)
   fragment->SetSource(source);
 }
 
-double textureRepetition(vtkPolyData* surface, double given, double scale)
+double largestWaveLength(vtkPolyData* surface, double given, double scale, const GardnerWaves& waves)
 {
   vtkDataArray* told = surface->GetFieldData()->GetArray("TextureLength");
   double length = told && told->GetNumberOfTuples() > 0 ? told->GetComponent(0, 0) : given;
   if (!(length > 0))
   {
-    SurfaceLength own;
-    own.Add(surface);
-    length = own.Get();
+    length = SurfaceLength::Of(surface).Get();
   }
-  return length / scale;
+  const auto largest = std::max_element(waves.begin(), waves.end(),
+    [](const GardnerWave& a, const GardnerWave& b) { return std::abs(a.Amplitude) < std::abs(b.Amplitude); });
+  double frequency = 0;
+  for (int c = 0; largest != waves.end() && c < 3; ++c)
+  {
+    frequency = std::max(frequency, std::abs(largest->Frequency[c]));
+  }
+  return frequency > 0 ? length / (scale * frequency) : 0;
 }
 
 } // namespace nephoscope

@@ -4,6 +4,8 @@
 #ifndef CloudRelief_h
 #define CloudRelief_h
 
+#include "GardnerWaves.h"
+
 class vtkPolyData;
 class vtkShader;
 
@@ -16,8 +18,8 @@ namespace nephoscope
  */
 void addReliefCode(vtkShader* fragment, bool hasSecondSet, const char* weights);
 
-/** Length of one repetition of the texture on the surface: that of its field data, else "given", else that of the surface. */
-double textureRepetition(vtkPolyData* surface, double given, double scale);
+/** Length of the largest waves on the surface. Of one unit of texture: that of its field data, else "given", else that of the surface. */
+double largestWaveLength(vtkPolyData* surface, double given, double scale, const GardnerWaves& waves);
 
 } // namespace nephoscope
 

@@ -22,10 +22,10 @@ const char* word(bool value)
   return value ? "true" : "false";
 }
 
-std::string constantsOf(const TexturedSurface& surface)
+std::string constantsOf(const TexturedSurface& surface, bool hasColors)
 {
   return gardnerConstants() + "const bool hasSecondSet = " + word(surface.HasSecondSet) + ";\n" +
-    "const bool hasNormals = " + word(!surface.Normals.empty()) + ";\n";
+    "const bool hasNormals = " + word(!surface.Normals.empty()) + ";\n" + "const bool hasColors = " + word(hasColors) + ";\n";
 }
 
 /** Looks at the list of the pixel, or at as many layers as were found. */
@@ -158,11 +158,11 @@ void addCloudCode(std::map<vtkShader::Type, vtkShader*>& shaders, const Textured
   {
     dec += choice.UseThickness && a.Name == "cloudPlace" ? "" : "in " + a.Type + " " + a.Name + "VSOutput;\n";
   }
-  dec += "uniform float coverage;\nuniform vec2 textureWeights;\n" + constantsOf(surface) +
+  dec += "uniform float coverage;\nuniform vec2 textureWeights;\n" + constantsOf(surface, choice.HasColors) +
     GardnerTextureFunctions + CloudOpacityFunction;
   const std::string normal = input(attributes, "cloudNormal", "vec3(0.0)");
   std::string depth =
-    "  float cloudDepthOnRay = opticalDepthOfLayer(" + place + ", " + normal + ");\n";
+    "  float cloudAdded = 0.0;\n  float cloudDepthOnRay = opticalDepthOfLayer(" + place + ", " + normal + ");\n";
   if (choice.UseThickness)
   {
     std::string thickness = CloudThicknessFunction;
@@ -176,6 +176,8 @@ void addCloudCode(std::map<vtkShader::Type, vtkShader*>& shaders, const Textured
       "  if (cloudThickness < 0.0)\n  {\n    discard;\n  }\n";
     depth +=
       "  cloudDepthOnRay = cloudThickness < noThickness ? cloudThickness : cloudDepthOnRay;\n";
+    dec += choice.ThicknessIsAdded ? "uniform float thicknessWeight;\n" : "";
+    depth += choice.ThicknessIsAdded ? "  cloudAdded = thicknessWeight * cloudDepthOnRay;\n  cloudDepthOnRay = opticalDepth;\n" : "";
   }
   const std::string second = input(attributes, "cloudTexture2", "vec3(0.0)");
   vtkShader* fragment = shaders[vtkShader::Fragment];
@@ -185,10 +187,11 @@ void addCloudCode(std::map<vtkShader::Type, vtkShader*>& shaders, const Textured
   // What starts no cloud is no layer for depth peeling either.
   addBefore(fragment, "//VTK::DepthPeeling::PreColor", early);
   std::string source = fragment->GetSource();
-  const std::string opacity = depth + "  opacity *= cloudOpacity(cloudTexture1VSOutput, " + second +
+  const std::string opacity = depth + "  vec4 cloudLooks = cloudLook(cloudTexture1VSOutput, " + second +
     ", " + input(attributes, "cloudWeights", "textureWeights") + ", " +
     input(attributes, "cloudCover", "coverage") +
-    ", cloudDepthOnRay);\n";
+    ", cloudDepthOnRay, cloudAdded);\n" +
+    "  opacity *= cloudLooks.a;\n  ambientColor *= cloudLooks.rgb;\n  diffuseColor *= cloudLooks.rgb;\n";
   vtkShaderProgram::Substitute(
     source, "//VTK::Color::Impl", "//VTK::Color::Impl\n" + opacity, false);
   fragment->SetSource(source);

@@ -32,6 +32,8 @@ struct CloudShaderChoice
 {
   bool UseThickness = false;
   int Drawings = 0; ///< of layers, at most; 0: lists
+  bool ThicknessIsAdded = false; ///< to the texture, instead of multiplying the opacity
+  bool HasColors = false;
 };
 
 /** Names of the uniforms of layer i. */
@@ -41,7 +43,7 @@ std::string densitiesUniform(int i);
 /** Constant hasDensity of the shaders of layers. */
 std::string layerConstants(const TexturedSurface& surface);
 
-/** Multiplies the opacity of the fragment by that of the cloud. */
+/** Multiplies the opacity of the fragment by that of the cloud, and its colours by those of the texture. */
 void addCloudCode(std::map<vtkShader::Type, vtkShader*>& shaders, const TexturedSurface& surface,
   const CloudShaderChoice& choice);
 

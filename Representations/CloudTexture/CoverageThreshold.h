@@ -34,7 +34,7 @@ Real normalShare(Real x)
 class BlendDistribution
 {
 public:
-  explicit BlendDistribution(double fourth)
+  explicit BlendDistribution(double fourth, const GardnerWaves& waves = paperWaves())
   {
     // From 1/2 on: two textures with weights whose fourth powers add up to it. Below: two in equal parts, and a Gaussian.
     const double split = fourth >= 0.5 ? std::sqrt(2 * std::min(1.0, fourth) - 1) : 0;
@@ -47,10 +47,9 @@ public:
     {
       const double t = (k + 0.5) * step;
       double phi = std::exp(-rest * t * t / 2);
-      double amplitude = gardnerAmplitude;
-      for (int i = 0; i < numberOfGardnerTerms; ++i, amplitude *= gardnerRatio)
+      for (const GardnerWave& wave : waves)
       {
-        phi *= besselJ(0, w1 * amplitude * t) * besselJ(0, w2 * amplitude * t);
+        phi *= besselJ(0, w1 * wave.Amplitude * t) * besselJ(0, w2 * wave.Amplitude * t);
       }
       this->Terms[k] = phi * step / (gardnerPi * t);
     }
@@ -82,12 +81,12 @@ public:
   static constexpr int rows = 9;
   static constexpr double farthest = 4.0; ///< threshold of cover 0, beyond all values
 
-  CoverageThresholds()
+  explicit CoverageThresholds(const GardnerWaves& waves = paperWaves())
   {
     this->Values.reserve(columns * rows);
     for (int row = 0; row < rows; ++row)
     {
-      this->AppendRow(BlendDistribution(row / double(rows - 1)));
+      this->AppendRow(BlendDistribution(row / double(rows - 1), waves));
     }
   }
 
@@ -140,6 +139,21 @@ private:
   std::vector<float> Values;
 };
 
+/** Threshold above which the share "cover" of a texture lies, with soft edges. "fourth": sum of the fourth powers of its amplitudes, over that of all waves. */
+inline double thresholdOfCover(const CoverageThresholds& thresholds, double cover, double softness, double fourth = 1)
+{
+  const double variance = 1 + softness * softness;
+  return std::sqrt(variance) * thresholds.Find(cover, fourth / (variance * variance));
+}
+
+/** Its inverse, of one set of waves: share of the texture that lies above a threshold. */
+inline double coverOfThreshold(const GardnerWaves& waves, double threshold, double softness)
+{
+  const double variance = 1 + softness * softness;
+  const double t = threshold / std::sqrt(variance);
+  return std::abs(t) >= CoverageThresholds::farthest ? double(t < 0) : BlendDistribution(1 / (variance * variance), waves).Above(t);
+}
+
 /**
  * Share of a pixel that is cloud, 0 ... 1. Its mean over the texture is the cover, at every distance and for every blend.
  * "softness" is the standard deviation of the soft edge, in units of the texture.
@@ -151,9 +165,7 @@ inline double cloudShare(
   {
     return cover <= 0 ? 0 : 1;
   }
-  const double variance = 1 + softness * softness;
-  const double threshold =
-    std::sqrt(variance) * thresholds.Find(cover, texture.Fourth / (gardnerFourth() * variance * variance));
+  const double threshold = thresholdOfCover(thresholds, cover, softness, texture.Fourth / gardnerFourth());
   const double width = std::sqrt(std::max(texture.Lost, 0.0) + softness * softness);
   return width > 0 ? normalShare((texture.Mean - threshold) / width) : double(texture.Mean > threshold);
 }

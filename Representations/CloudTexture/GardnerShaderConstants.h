@@ -7,45 +7,46 @@
 #include "CoverageThreshold.h"
 #include "GardnerTexture.h"
 
+#include "vtkShaderProgram.h"
+
+#include <algorithm>
+#include <array>
 #include <cmath>
-#include <iomanip>
-#include <sstream>
 #include <string>
+#include <vector>
 
 namespace nephoscope
 {
 
-/** Numbers that differ from term to term, as elements of an array. */
-template <typename Value>
-std::string listOfTerms(const Value& value)
-{
-  std::ostringstream result;
-  result << std::scientific << std::setprecision(9);
-  for (int i = 0; i < numberOfGardnerTerms; ++i)
-  {
-    result << (i ? ", " : "");
-    value(result, i);
-  }
-  return result.str();
-}
-
 inline std::string gardnerConstants()
 {
-  const std::string waves = listOfTerms([](std::ostream& os, int i) {
-    const auto wave = gardnerWave<double>(i);
-    const double turn = 2 * gardnerPi;
-    os << "vec3(" << wave[0] / turn << ", " << wave[1] / turn << ", " << wave[2] / turn << ")";
-  });
-  const std::string amplitudes =
-    listOfTerms([](std::ostream& os, int i) { os << gardnerAmplitude * std::pow(gardnerRatio, i); });
-  std::ostringstream result;
-  result << std::scientific << std::setprecision(9);
-  result << "const vec3 gardnerWaves[7] = vec3[7](" << waves << ");\n"
-         << "const float gardnerAmplitudes[7] = float[7](" << amplitudes << ");\n"
-         << "const float gardnerFourth = " << gardnerFourth() << ";\n"
-         << "const float thresholdColumns = " << double(CoverageThresholds::columns) << ";\n"
-         << "const float thresholdRows = " << double(CoverageThresholds::rows) << ";\n";
-  return result.str();
+  return "const int mostWaves = " + std::to_string(mostGardnerWaves) + ";\n" +
+    "const float thresholdColumns = " + std::to_string(CoverageThresholds::columns) + ".0;\n" +
+    "const float thresholdRows = " + std::to_string(CoverageThresholds::rows) + ".0;\n";
+}
+
+inline void setGardnerUniforms(vtkShaderProgram* program, const GardnerWaves& given)
+{
+  std::array<float[4], mostGardnerWaves> waves{}, shifts{};
+  std::array<float, mostGardnerWaves> turns{};
+  const std::size_t count = std::min<std::size_t>(given.size(), mostGardnerWaves);
+  double largest = 0;
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    const GardnerWave& wave = given[i];
+    std::copy(wave.Frequency.begin(), wave.Frequency.end(), waves[i]);
+    std::copy(wave.ShiftFrequency.begin(), wave.ShiftFrequency.end(), shifts[i]);
+    waves[i][3] = static_cast<float>(wave.Amplitude);
+    shifts[i][3] = static_cast<float>(wave.Phase);
+    turns[i] = static_cast<float>(wave.Shift / (2 * gardnerPi));
+    largest = std::max(largest, std::abs(wave.Amplitude));
+  }
+  program->SetUniformi("numberOfWaves", static_cast<int>(count));
+  program->SetUniform4fv("gardnerWaves", mostGardnerWaves, waves.data());
+  program->SetUniform4fv("gardnerShifts", mostGardnerWaves, shifts.data());
+  program->SetUniform1fv("gardnerTurns", mostGardnerWaves, turns.data());
+  program->SetUniformf("gardnerFourth", static_cast<float>(gardnerFourth(given)));
+  program->SetUniformf("largestAmplitude", static_cast<float>(largest));
 }
 
 } // namespace nephoscope

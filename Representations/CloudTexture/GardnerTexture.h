@@ -1,35 +1,20 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * The texture of clouds: a sum of cosines whose phases are modulated across their direction (Gardner1985, as in MaxCrawfisBecker1993
- * section 4),
- *   f(u, v, w) = sum of a_i cos(b_i u + c_i v + d_i w + 2 sin(chi_i)),   chi_i = (c_i u - b_i v) / 2.
- * The printed phase, 2 sin((b_i u - a_i v) / 2), has an amplitude in the place of a frequency; this one has half the frequency of its
- * term and a direction at right angles to it, as the text asks. With b_i = 2 pi m_i and c_i = 4 pi n_i, m and n whole
- * numbers, f has period 1 in u and 2 in v. The variance of f is 1, its mean 0.
- *
+ * The texture of clouds: a sum of cosines whose phases are shifted to and fro (Gardner1985, as in MaxCrawfisBecker1993 section 4):
+ * GardnerWaves.h. The variance of the sum is 1, its mean 0.
  */
 #ifndef GardnerTexture_h
 #define GardnerTexture_h
 
+#include "GardnerWaves.h"
+
+#include <algorithm>
 #include <array>
 #include <cmath>
 
 namespace nephoscope
 {
-
-constexpr int numberOfGardnerTerms = 7;
-constexpr double gardnerPi = 3.14159265358979323846;
-/** Amplitude of the first term, so that the sum of a_i^2 / 2 is 1; each term has gardnerRatio times the one before. */
-constexpr double gardnerAmplitude = 1.013393;
-constexpr double gardnerRatio = 0.7;
-
-/** m, n and d / 2 pi of each term. */
-constexpr double gardnerTerms[numberOfGardnerTerms][3] = { { 3, 1, 2.1 }, { -5, 2, -3.3 }, { 8, -3, 5.2 },
-  { 11, 6, -7.9 }, { -19, 8, 11.3 }, { 27, -13, 15.1 }, { 41, 21, -22.7 } };
-
-template <typename Real>
-using Point3 = std::array<Real, 3>;
 
 template <typename Real>
 Real dot(const Point3<Real>& a, const Point3<Real>& b)
@@ -37,12 +22,11 @@ Real dot(const Point3<Real>& a, const Point3<Real>& b)
   return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
-/** b, c, d of term i. */
+/** In radians per unit. */
 template <typename Real>
-Point3<Real> gardnerWave(int i)
+Point3<Real> radians(const Point3<double>& turns)
 {
-  return { { Real(2 * gardnerPi * gardnerTerms[i][0]), Real(4 * gardnerPi * gardnerTerms[i][1]),
-    Real(2 * gardnerPi * gardnerTerms[i][2]) } };
+  return { { Real(2 * gardnerPi * turns[0]), Real(2 * gardnerPi * turns[1]), Real(2 * gardnerPi * turns[2]) } };
 }
 
 /** A pixel on the texture: how far (u, v, w) change over one standard deviation of the pixel's filter, across and up. */
@@ -72,15 +56,13 @@ struct FilteredTexture
 
 /** Without a filter. */
 template <typename Real>
-Real gardnerTexture(const Point3<Real>& p)
+Real gardnerTexture(const Point3<Real>& p, const GardnerWaves& waves = paperWaves())
 {
   Real sum = 0;
-  Real amplitude = Real(gardnerAmplitude);
-  for (int i = 0; i < numberOfGardnerTerms; ++i, amplitude *= Real(gardnerRatio))
+  for (const GardnerWave& wave : waves)
   {
-    const Point3<Real> wave = gardnerWave<Real>(i);
-    const Real modulation = 2 * std::sin((wave[1] * p[0] - wave[0] * p[1]) / 2);
-    sum += amplitude * std::cos(dot(wave, p) + modulation);
+    const Real shift = Real(wave.Shift) * std::sin(dot(radians<Real>(wave.ShiftFrequency), p));
+    sum += Real(wave.Amplitude) * std::cos(dot(radians<Real>(wave.Frequency), p) + Real(2 * gardnerPi * wave.Phase) + shift);
   }
   return sum;
 }
@@ -90,18 +72,23 @@ Real gardnerTexture(const Point3<Real>& p)
  * mean differs from the exact one by some hundredths; its variance and that which is lost still add up to 1.
  */
 template <typename Real>
-FilteredTexture<Real> filteredGardnerTexture(const Point3<Real>& p, const TextureFootprint<Real>& footprint)
+FilteredTexture<Real> filteredGardnerTexture(
+  const Point3<Real>& p, const TextureFootprint<Real>& footprint, const GardnerWaves& waves = paperWaves())
 {
   FilteredTexture<Real> result;
-  Real amplitude = Real(gardnerAmplitude);
-  for (int i = 0; i < numberOfGardnerTerms; ++i, amplitude *= Real(gardnerRatio))
+  for (const GardnerWave& wave : waves)
   {
-    const Point3<Real> wave = gardnerWave<Real>(i);
-    const Real chi = (wave[1] * p[0] - wave[0] * p[1]) / 2;
-    const Real slope = std::cos(chi);
-    const Point3<Real> local{ { wave[0] + wave[1] * slope, wave[1] - wave[0] * slope, wave[2] } };
+    Point3<Real> local = radians<Real>(wave.Frequency);
+    const Point3<Real> across = radians<Real>(wave.ShiftFrequency);
+    const Real chi = dot(across, p);
+    const Real phase = dot(local, p) + Real(2 * gardnerPi * wave.Phase) + Real(wave.Shift) * std::sin(chi);
+    for (int c = 0; c < 3; ++c)
+    {
+      local[c] += Real(wave.Shift) * std::cos(chi) * across[c];
+    }
+    const Real amplitude = Real(wave.Amplitude);
     const Real kept = amplitude * std::exp(-footprint.PhaseVariance(local) / 2);
-    result.Mean += kept * std::cos(dot(wave, p) + 2 * std::sin(chi));
+    result.Mean += kept * std::cos(phase);
     result.Lost += (amplitude * amplitude - kept * kept) / 2;
     result.Fourth += kept * kept * kept * kept;
   }
@@ -122,25 +109,29 @@ inline double besselJ(int k, double x)
 }
 
 /**
- * Exactly, for a Gaussian filter: cos(theta + 2 sin chi) is the sum over k of J_k(2) cos(theta + k chi), plane waves, each of which
+ * Exactly, for a Gaussian filter: cos(theta + s sin chi) is the sum over k of J_k(s) cos(theta + k chi), plane waves, each of which
  * the filter damps by exp(-(phase variance) / 2).
  */
 inline FilteredTexture<double> exactlyFilteredGardnerTexture(
-  const Point3<double>& p, const TextureFootprint<double>& footprint)
+  const Point3<double>& p, const TextureFootprint<double>& footprint, const GardnerWaves& waves = paperWaves())
 {
   constexpr int highest = 12;
   FilteredTexture<double> result;
-  double amplitude = gardnerAmplitude;
-  for (int i = 0; i < numberOfGardnerTerms; ++i, amplitude *= gardnerRatio)
+  for (const GardnerWave& wave : waves)
   {
-    const Point3<double> wave = gardnerWave<double>(i);
+    const double amplitude = wave.Amplitude;
+    const Point3<double> across = radians<double>(wave.ShiftFrequency);
     double keptVariance = 0;
     for (int k = -highest; k <= highest; ++k)
     {
-      const Point3<double> partial{ { wave[0] + k * wave[1] / 2, wave[1] - k * wave[0] / 2, wave[2] } };
-      const double bessel = besselJ(k, 2);
+      Point3<double> partial = radians<double>(wave.Frequency);
+      for (int c = 0; c < 3; ++c)
+      {
+        partial[c] += k * across[c];
+      }
+      const double bessel = besselJ(k, wave.Shift);
       const double damping = std::exp(-footprint.PhaseVariance(partial) / 2);
-      result.Mean += amplitude * bessel * damping * std::cos(dot(partial, p));
+      result.Mean += amplitude * bessel * damping * std::cos(dot(partial, p) + 2 * gardnerPi * wave.Phase);
       keptVariance += bessel * bessel * damping * damping;
     }
     result.Lost += amplitude * amplitude / 2 * (1 - keptVariance);
@@ -150,13 +141,12 @@ inline FilteredTexture<double> exactlyFilteredGardnerTexture(
 }
 
 /** The fourth powers of all amplitudes, unfiltered. */
-constexpr double gardnerFourth()
+inline double gardnerFourth(const GardnerWaves& waves = paperWaves())
 {
   double sum = 0;
-  double amplitude = gardnerAmplitude;
-  for (int i = 0; i < numberOfGardnerTerms; ++i, amplitude *= gardnerRatio)
+  for (const GardnerWave& wave : waves)
   {
-    sum += amplitude * amplitude * amplitude * amplitude;
+    sum += std::pow(wave.Amplitude, 4);
   }
   return sum;
 }

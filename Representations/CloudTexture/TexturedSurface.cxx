@@ -10,13 +10,16 @@
 #include "vtkFieldData.h"
 #include "vtkFloatArray.h"
 #include "vtkIdList.h"
+#include "vtkMath.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <functional>
 #include <map>
 #include <utility>
 
@@ -68,13 +71,11 @@ vtkSmartPointer<vtkFloatArray> positions(
 }
 
 vtkSmartPointer<vtkFloatArray> coordinatesFromPositions(
-  vtkPolyData* data, const TextureChoice& choice, const char* name)
+  vtkPolyData* data, const TextureChoice& choice, double scale, const char* name)
 {
   // The texture repeats itself after 10 units in all three: leaving them out keeps far places exact in float.
   constexpr double period = 10;
-  SurfaceLength length;
-  length.Add(data);
-  const double factor = choice.Scale / (choice.Length > 0 ? choice.Length : length.Get());
+  const double factor = scale / (choice.Length > 0 ? choice.Length : SurfaceLength::Of(data).Get());
   double origin[3];
   data->GetCenter(origin);
   for (double& x : origin)
@@ -292,11 +293,69 @@ void measureChord(TexturedSurface& result, vtkPolyData* input)
   }
 }
 
+/** The third coordinate: 0 at the low end of the range that is given, or else that of the data, 1 at the high end. */
+void setAltitudes(
+  vtkFloatArray* coordinates, const std::function<double(vtkIdType)>& altitude, const double given[2], const double ofData[2])
+{
+  const double* range = given[0] < given[1] ? given : ofData;
+  const double height = range[1] > range[0] ? range[1] - range[0] : 1;
+  for (vtkIdType i = 0; i < coordinates->GetNumberOfTuples(); ++i)
+  {
+    coordinates->SetComponent(i, 2, (altitude(i) - range[0]) / height);
+  }
+}
+
+/** Longitude and latitude in turns, or positions, and altitudes. */
+void addPlacesWithAltitude(TexturedSurface& result, vtkPolyData* input, const TextureChoice& choice)
+{
+  const SurfaceLength length = SurfaceLength::Of(input);
+  vtkSmartPointer<vtkFloatArray> places = coordinatesFromPositions(input, choice, result.Scale, textureArrayNames[0]);
+  const auto point = [input](vtkIdType i) {
+    std::array<double, 3> p;
+    input->GetPoint(i, p.data());
+    return p;
+  };
+  result.GoesRound = length.IsGlobe();
+  for (vtkIdType i = 0; result.GoesRound && i < places->GetNumberOfTuples(); ++i)
+  {
+    const auto p = point(i);
+    const double turn = 2 * vtkMath::Pi();
+    places->SetComponent(i, 0, result.Scale * std::atan2(p[1], p[0]) / turn);
+    places->SetComponent(i, 1, result.Scale * std::atan2(p[2], std::hypot(p[0], p[1])) / turn);
+  }
+  const double ofData[2] = { result.GoesRound ? length.SmallestRadius : length.Low[2], result.GoesRound ? length.LargestRadius : length.High[2] };
+  setAltitudes(
+    places, [&](vtkIdType i) { return result.GoesRound ? vtkMath::Norm(point(i).data()) : point(i)[2]; }, choice.AltitudeRange, ofData);
+  result.Surface->GetPointData()->AddArray(places);
+}
+
+void addPlaces(TexturedSurface& result, vtkPolyData* input, const TextureChoice& choice)
+{
+  if (choice.UseAltitude)
+  {
+    addPlacesWithAltitude(result, input, choice);
+    return;
+  }
+  result.Surface->GetPointData()->AddArray(
+    coordinatesFromPositions(input, choice, result.Scale, textureArrayNames[0]));
+}
+
+void cutWhereTextureGoesRound(TexturedSurface& result, vtkPolyData* input, int sets)
+{
+  if (input->GetNumberOfStrips() > 0)
+  {
+    result.Warning += "Triangle strips are not cut where longitudes go round: use vtkTriangleFilter. ";
+  }
+  SeamCutter cutter(result.Surface, result.Scale);
+  for (int i = 0; i < sets; ++i)
+  {
+    cutter.Cut(textureArrayNames[i]);
+  }
+}
+
 void addCoordinates(TexturedSurface& result, vtkPolyData* input, const TextureChoice& choice)
 {
-  // On longitudes the texture goes round: whole numbers of repetitions only.
   const bool isCartesian = fieldValue(input, "TextureFrame", 0, 0) != 0;
-  const double scale = isCartesian ? choice.Scale : std::max(1.0, std::round(choice.Scale));
   int sets = 0;
   for (const std::string& name : choice.Coordinates)
   {
@@ -311,7 +370,12 @@ void addCoordinates(TexturedSurface& result, vtkPolyData* input, const TextureCh
         "\" are not used: they need 3 components, all of them finite. ";
       continue;
     }
-    result.Surface->GetPointData()->AddArray(scaled(array, scale, textureArrayNames[sets]));
+    auto coordinates = scaled(array, result.Scale, textureArrayNames[sets]);
+    if (choice.UseAltitude)
+    {
+      setAltitudes(coordinates, [array](vtkIdType i) { return array->GetComponent(i, 2); }, choice.AltitudeRange, array->GetRange(2));
+    }
+    result.Surface->GetPointData()->AddArray(coordinates);
     result.Weights[sets] =
       fieldValue(input, "TextureWeights", name == choice.Coordinates[0] ? 0 : 1, 0.5);
     ++sets;
@@ -327,24 +391,26 @@ void addCoordinates(TexturedSurface& result, vtkPolyData* input, const TextureCh
     result.Warning +=
       areWeights ? "" : "TextureWeights must be >= 0, and not all 0: both sets count the same. ";
   }
+  result.GoesRound = sets > 0 && !isCartesian;
   if (sets == 0)
   {
-    result.Surface->GetPointData()->AddArray(
-      coordinatesFromPositions(input, choice, textureArrayNames[0]));
+    addPlaces(result, input, choice);
   }
-  else if (!isCartesian)
+  if (result.GoesRound)
   {
-    if (input->GetNumberOfStrips() > 0)
-    {
-      result.Warning +=
-        "Triangle strips are not cut where longitudes go round: use vtkTriangleFilter. ";
-    }
-    SeamCutter cutter(result.Surface, scale);
-    for (int i = 0; i < sets; ++i)
-    {
-      cutter.Cut(textureArrayNames[i]);
-    }
+    cutWhereTextureGoesRound(result, input, std::max(sets, 1));
   }
+}
+
+/** On longitudes the texture goes round: whole numbers of repetitions only. */
+double scaleOf(vtkPolyData* input, const TextureChoice& choice)
+{
+  const SurfaceLength length = SurfaceLength::Of(input);
+  const auto isThere = [&](const std::string& name) { return input->GetPointData()->GetArray(name.c_str()) != nullptr; };
+  const bool hasCoordinates = isThere(choice.Coordinates[0]) || isThere(choice.Coordinates[1]);
+  const bool hasLongitudes = hasCoordinates ? fieldValue(input, "TextureFrame", 0, 0) == 0 : choice.UseAltitude && length.IsGlobe();
+  const double scale = choice.Scale > 0 ? choice.Scale : length.Repetitions();
+  return hasLongitudes ? std::max(1.0, std::round(scale)) : scale;
 }
 
 /** Empty where there are polygons, and of an empty piece, which is no mistake. */
@@ -386,6 +452,7 @@ TexturedSurface prepareTexturedSurface(vtkPolyData* input, const TextureChoice& 
   }
   // By thickness only open surfaces have a cosine, and that of the triangles will do.
   result.Normals = normals && !choice.MeasureChord ? normals->GetName() : "";
+  result.Scale = scaleOf(input, choice);
   addCoordinates(result, input, choice);
   if (choice.MeasureChord)
   {

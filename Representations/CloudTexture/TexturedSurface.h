@@ -20,6 +20,8 @@ struct TexturedSurface
   vtkSmartPointer<vtkPolyData> Surface; ///< null: nothing can be drawn
   double Center[3] = { 0, 0, 0 };       ///< what places are given from
   double Weights[2] = { 1, 0 };
+  double Scale = 1; ///< repetitions of the texture in one unit of the coordinates
+  bool GoesRound = false; ///< u is a longitude
   bool HasSecondSet = false;
   bool HasWeights = false; ///< of points
   bool HasCover = false;
@@ -30,15 +32,17 @@ struct TexturedSurface
   std::string Warning; ///< what was put right
 };
 
-/** Names of arrays that may be missing are empty. Length 0: from the surface itself. */
+/** Names of arrays that may be missing are empty. Length and scale 0: from the surface itself. */
 struct TextureChoice
 {
   std::string Coordinates[2];
   std::string Cover;
   std::string Density;
-  double Scale = 1;
+  double Scale = 0;
   double Length = 0;
   bool MeasureChord = false;
+  bool UseAltitude = false;
+  double AltitudeRange[2] = { 0, 0 }; ///< not in order: that of the surface
 };
 
 /** Names of the arrays of the surface as drawn. */

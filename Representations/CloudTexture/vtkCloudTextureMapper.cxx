@@ -8,6 +8,7 @@
 #include "CloudShaderCode.h"
 #include "CloudThicknessPass.h"
 #include "CoverageThreshold.h"
+#include "GardnerShaderConstants.h"
 #include "JoinedSurfaces.h"
 #include "KeepPeeling.h"
 #include "ResourceWindow.h"
@@ -46,14 +47,18 @@ vtkStandardNewMacro(vtkCloudTextureMapper);
 struct vtkCloudTextureMapper::vtkInternals
 {
   using Key = std::tuple<vtkPolyData*, vtkMTimeType, std::string, std::string, std::string, double,
-    double, std::string, bool>;
+    double, std::string, bool, bool, double, double>;
 
+  nephoscope::GardnerWaves Custom = nephoscope::cloudWaves();
+  nephoscope::GardnerWaves InUse = nephoscope::cloudWaves();
+  std::vector<double> TableAmplitudes;
+  std::unique_ptr<nephoscope::CoverageThresholds> Table;
   nephoscope::JoinedSurfaces Blocks;
   vtkSmartPointer<vtkCloudTextureMapper> ForBlocks;
   vtkMTimeType ForBlocksTime = 0;
   nephoscope::TexturedSurface Surface;
-  Key MadeFrom{ nullptr, 0, "", "", "", 0.0, 0.0, "", false };
-  std::string LastError, LastWarning, LastThickness;
+  Key MadeFrom{ nullptr, 0, "", "", "", 0.0, 0.0, "", false, false, 0.0, 0.0 };
+  std::string LastError, LastWarning, LastThickness, LastWavesError;
   nephoscope::CloudThicknessPass Thickness;
   nephoscope::KeepPeeling Peels;
   int Drawings = 0; // of layers, that the shader is made for
@@ -64,14 +69,32 @@ struct vtkCloudTextureMapper::vtkInternals
     this->Thickness.ReleaseGraphicsResources(window);
   } };
 
+  /** Only amplitudes count. */
+  const nephoscope::CoverageThresholds& ThresholdTable()
+  {
+    std::vector<double> amplitudes;
+    for (const nephoscope::GardnerWave& wave : this->InUse)
+    {
+      amplitudes.push_back(wave.Amplitude);
+    }
+    if (!this->Table || amplitudes != this->TableAmplitudes)
+    {
+      this->Table.reset(new nephoscope::CoverageThresholds(this->InUse));
+      this->TableAmplitudes = amplitudes;
+      this->Thresholds = nullptr;
+    }
+    return *this->Table;
+  }
+
   void Enter(vtkOpenGLRenderWindow* window)
   {
     this->Window.Enter(window);
+    this->ThresholdTable();
     if (this->Thresholds)
     {
       return;
     }
-    static const nephoscope::CoverageThresholds table;
+    const nephoscope::CoverageThresholds& table = this->ThresholdTable();
     std::vector<float> values = table.GetValues();
     this->Thresholds = vtkSmartPointer<vtkTextureObject>::New();
     this->Thresholds->SetContext(window);
@@ -126,7 +149,7 @@ void vtkCloudTextureMapper::PrepareSurface(vtkPolyData* input)
   vtkInternals& own = *this->Internals;
   const vtkInternals::Key key(input, input->GetMTime(), this->CoverageArrayName,
     this->CoordinatesNames[0], this->CoordinatesNames[1], this->TextureScale, this->TextureLength,
-    this->DensityArrayName, this->UseThickness);
+    this->DensityArrayName, this->UseThickness, this->UseAltitude, this->AltitudeRange[0], this->AltitudeRange[1]);
   if (key == own.MadeFrom)
   {
     return;
@@ -135,7 +158,7 @@ void vtkCloudTextureMapper::PrepareSurface(vtkPolyData* input)
   own.Surface = nephoscope::prepareTexturedSurface(input,
     { { this->CoordinatesNames[0], this->CoordinatesNames[1] }, this->CoverageArrayName,
       this->UseThickness ? this->DensityArrayName : std::string(), this->TextureScale,
-      this->TextureLength, this->UseThickness });
+      this->TextureLength, this->UseThickness, this->UseAltitude, { this->AltitudeRange[0], this->AltitudeRange[1] } });
   this->MapArrays();
   if (!own.Surface.Error.empty() && own.Surface.Error != own.LastError)
   {
@@ -188,6 +211,16 @@ void vtkCloudTextureMapper::ShallowCopy(vtkAbstractMapper* other)
   {
     this->SetCoverage(mapper->Coverage);
     this->SetCoverageArrayName(mapper->GetCoverageArrayName());
+    this->SetUseThreshold(mapper->UseThreshold);
+    this->SetThreshold(mapper->Threshold);
+    this->SetUseAltitude(mapper->UseAltitude);
+    this->SetAltitudeRange(mapper->AltitudeRange);
+    this->SetThinColor(mapper->ThinColor);
+    this->SetThickColor(mapper->ThickColor);
+    this->SetColorRange(mapper->ColorRange);
+    this->SetThicknessEffect(mapper->ThicknessEffect);
+    this->SetThicknessWeight(mapper->ThicknessWeight);
+    this->CopyWaves(mapper);
     this->SetSoftness(mapper->Softness);
     this->SetTextureScale(mapper->TextureScale);
     this->SetTextureLength(mapper->TextureLength);
@@ -246,6 +279,7 @@ void vtkCloudTextureMapper::RenderPiece(vtkRenderer* renderer, vtkActor* actor)
 void vtkCloudTextureMapper::RenderPieceStart(vtkRenderer* renderer, vtkActor* actor)
 {
   this->PrepareSurface(this->CurrentInput);
+  this->ChooseWaves();
   this->CurrentInput = this->Internals->Surface.Surface;
   if (this->CurrentInput)
   {
@@ -386,8 +420,9 @@ void vtkCloudTextureMapper::RenderPieceFinish(vtkRenderer* renderer, vtkActor* a
 void vtkCloudTextureMapper::ReplaceShaderColor(
   std::map<vtkShader::Type, vtkShader*> shaders, vtkRenderer* renderer, vtkActor* actor)
 {
+  const bool isAdded = this->UseThickness && this->ThicknessEffect == THICKNESS_IS_ADDED_TO_TEXTURE;
   nephoscope::addCloudCode(
-    shaders, this->Internals->Surface, { this->UseThickness, this->Internals->Drawings });
+    shaders, this->Internals->Surface, { this->UseThickness, this->Internals->Drawings, isAdded, this->HasColors() });
   this->Superclass::ReplaceShaderColor(shaders, renderer, actor);
 }
 
@@ -424,8 +459,7 @@ void vtkCloudTextureMapper::SetMapperShaderParameters(
   this->SetReliefHeight(program, actor);
   program->SetUniformi("coverageThresholds", this->Internals->Thresholds->GetTextureUnit());
   program->SetUniform2f("textureWeights", weights);
-  program->SetUniformf("coverage", static_cast<float>(this->Coverage));
-  program->SetUniformf("softness", static_cast<float>(this->Softness));
+  this->SetTextureUniforms(program);
   program->SetUniformf("opticalDepth", static_cast<float>(this->OpticalDepth));
   this->SetEye(program, renderer, actor);
   if (this->UseThickness)
@@ -450,6 +484,17 @@ void vtkCloudTextureMapper::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Coverage: " << this->Coverage << "\n"
      << indent << "CoverageArrayName: " << this->CoverageArrayName << "\n"
+     << indent << "UseThreshold: " << this->UseThreshold << "\n"
+     << indent << "Threshold: " << this->Threshold << "\n"
+     << indent << "UseAltitude: " << this->UseAltitude << "\n"
+     << indent << "AltitudeRange: " << this->AltitudeRange[0] << " " << this->AltitudeRange[1] << "\n"
+     << indent << "ThinColor: " << this->ThinColor[0] << " " << this->ThinColor[1] << " " << this->ThinColor[2] << "\n"
+     << indent << "ThickColor: " << this->ThickColor[0] << " " << this->ThickColor[1] << " " << this->ThickColor[2] << "\n"
+     << indent << "ColorRange: " << this->ColorRange << "\n"
+     << indent << "Waves: " << this->Waves << "\n"
+     << indent << "NumberOfCustomWaves: " << this->GetNumberOfCustomWaves() << "\n"
+     << indent << "ThicknessEffect: " << this->ThicknessEffect << "\n"
+     << indent << "ThicknessWeight: " << this->ThicknessWeight << "\n"
      << indent << "Softness: " << this->Softness << "\n"
      << indent << "TextureScale: " << this->TextureScale << "\n"
      << indent << "TextureLength: " << this->TextureLength << "\n"
@@ -474,15 +519,123 @@ void vtkCloudTextureMapper::ReplaceShaderNormal(
   }
 }
 
+bool vtkCloudTextureMapper::HasColors() const
+{
+  const auto isWhite = [](const double color[3]) { return color[0] == 1 && color[1] == 1 && color[2] == 1; };
+  return !isWhite(this->ThinColor) || !isWhite(this->ThickColor);
+}
+
+void vtkCloudTextureMapper::SetTextureUniforms(vtkShaderProgram* program)
+{
+  nephoscope::setGardnerUniforms(program, this->Internals->InUse);
+  program->SetUniformf("coverage", static_cast<float>(this->Coverage));
+  program->SetUniformi("hasThreshold", this->UseThreshold);
+  program->SetUniformf("givenThreshold", static_cast<float>(this->Threshold));
+  program->SetUniformf("softness", static_cast<float>(this->Softness));
+  program->SetUniformf("thicknessWeight", static_cast<float>(this->ThicknessWeight));
+  program->SetUniform3f("thinColor", this->ThinColor);
+  program->SetUniform3f("thickColor", this->ThickColor);
+  program->SetUniformf("colorRange", static_cast<float>(this->ColorRange));
+}
+
+double vtkCloudTextureMapper::GetTextureScaleUsed() const
+{
+  return this->Internals->Surface.Scale;
+}
+
+double vtkCloudTextureMapper::GetCoverageUsed()
+{
+  this->ChooseWaves();
+  return this->UseThreshold ? nephoscope::coverOfThreshold(this->Internals->InUse, this->Threshold, this->Softness)
+                            : this->Coverage;
+}
+
+double vtkCloudTextureMapper::GetThresholdUsed()
+{
+  this->ChooseWaves();
+  return this->UseThreshold
+    ? this->Threshold
+    : nephoscope::thresholdOfCover(this->Internals->ThresholdTable(), this->Coverage, this->Softness);
+}
+
+void vtkCloudTextureMapper::CopyWaves(vtkCloudTextureMapper* other)
+{
+  this->SetWaves(other->Waves);
+  this->Internals->Custom = other->Internals->Custom;
+}
+
+void vtkCloudTextureMapper::SetNumberOfCustomWaves(int count)
+{
+  const std::size_t size = static_cast<std::size_t>(std::max(0, std::min(count, nephoscope::mostGardnerWaves)));
+  if (size != this->Internals->Custom.size())
+  {
+    this->Internals->Custom.resize(size);
+    this->Modified();
+  }
+}
+
+int vtkCloudTextureMapper::GetNumberOfCustomWaves() const
+{
+  return static_cast<int>(this->Internals->Custom.size());
+}
+
+void vtkCloudTextureMapper::SetCustomWave(
+  int i, double amplitude, double b, double c, double d, double shift, double e, double g, double h, double phase)
+{
+  if (i < 0 || i >= nephoscope::mostGardnerWaves)
+  {
+    vtkErrorMacro("There is no wave " << i << ": count them from 0, and set " << nephoscope::mostGardnerWaves << " at most.");
+    return;
+  }
+  this->SetNumberOfCustomWaves(std::max(i + 1, this->GetNumberOfCustomWaves()));
+  this->Internals->Custom[static_cast<std::size_t>(i)] = { amplitude, { { b, c, d } }, shift, { { e, g, h } }, phase };
+  this->Modified();
+}
+
+void vtkCloudTextureMapper::GetCustomWave(int i, double values[9]) const
+{
+  nephoscope::listWave(this->Internals->Custom, i, values);
+}
+
+int vtkCloudTextureMapper::GetNumberOfWavesUsed() const
+{
+  return static_cast<int>(this->Internals->InUse.size());
+}
+
+void vtkCloudTextureMapper::GetWaveUsed(int i, double values[9]) const
+{
+  nephoscope::listWave(this->Internals->InUse, i, values);
+}
+
+void vtkCloudTextureMapper::ChooseWaves()
+{
+  vtkInternals& own = *this->Internals;
+  own.InUse = nephoscope::normalized(this->Waves == WAVES_CUSTOM ? own.Custom : nephoscope::presetWaves(this->Waves));
+  const std::string error = this->Waves == WAVES_CUSTOM ? nephoscope::describeUnusable(own.Custom) : std::string();
+  if (!error.empty())
+  {
+    own.InUse = nephoscope::cloudWaves();
+  }
+  if (own.Surface.GoesRound)
+  {
+    nephoscope::closeOnLongitudes(own.InUse);
+  }
+  if (!error.empty() && error != own.LastWavesError)
+  {
+    vtkWarningMacro(<< error);
+  }
+  own.LastWavesError = error;
+}
+
 void vtkCloudTextureMapper::SetReliefHeight(vtkShaderProgram* program, vtkActor* actor)
 {
   if (!program->IsUniformUsed("reliefHeight"))
   {
     return;
   }
-  constexpr double largestWaves = 3; // in one repetition
-  const double repetition =
-    nephoscope::textureRepetition(this->Internals->Surface.Surface, this->TextureLength, this->TextureScale);
+  const vtkInternals& own = *this->Internals;
+  const double length =
+    nephoscope::largestWaveLength(own.Surface.Surface, this->TextureLength, own.Surface.Scale, own.InUse);
   const double scale = std::cbrt(std::abs(actor->GetMatrix()->Determinant()));
-  program->SetUniformf("reliefHeight", static_cast<float>(this->Relief * scale * repetition / largestWaves));
+  program->SetUniformf("reliefHeight", static_cast<float>(this->Relief * scale * length));
 }

@@ -294,6 +294,52 @@ def _(made):
     cloud(made, relief)
 
 
+@scene("clouds-colours")
+def _(made):
+    def colours(mapper):
+        mapper.SetThinColor(0.9, 0.35, 0.2)
+        mapper.SetThickColor(1, 1, 0.7)
+        mapper.SetColorRange(1.0)
+    cloud(made, colours)
+
+
+@scene("clouds-added-thickness")
+def _(made):
+    def added(mapper):
+        mapper.UseThicknessOn()
+        mapper.SetThicknessEffectToAddToTexture()
+        mapper.SetCoverage(0.05)
+    cloud(made, added)
+
+
+@scene("clouds-threshold")
+def _(made):
+    def threshold(mapper):
+        mapper.UseThresholdOn()
+        mapper.SetThreshold(1.0)
+    cloud(made, threshold)
+
+
+@scene("clouds-waves-paper")
+def _(made):
+    cloud(made, lambda m: m.SetWavesToPaper())
+
+
+@scene("clouds-waves-printed")
+def _(made):
+    cloud(made, lambda m: m.SetWavesToPrinted())
+
+
+@scene("clouds-waves-gardner")
+def _(made):
+    cloud(made, lambda m: m.SetWavesToGardner())
+
+
+@scene("clouds-altitude")
+def _(made):
+    cloud(made, lambda m: m.UseAltitudeOn())
+
+
 def haze(made, configure):
     veil = nephoscope.vtkHaze()
     configure(veil)

@@ -11,7 +11,8 @@ from PluginDefinitions import compare_default, definition, nested, own_propertie
 from PluginTesting import (OUTPUT, SIZE, check, check_same, color_and_alpha, compose, image, inside_mean_alpha, load_plugin, look,
                            new_view, passed, pvs, solid)
 
-NOT_OF_THE_MAPPER = {"Input"}
+NOT_OF_THE_MAPPER = {"Input", "CustomWaves"}
+IN_CUSTOM_WAVES = {"CustomWave", "NumberOfCustomWaves"}
 
 
 def check_definition():
@@ -20,7 +21,7 @@ def check_definition():
     mapper = nephoscope.vtkCloudTextureMapper()
     settable = {n[3:] for n in dir(mapper) if n.startswith("Get") and hasattr(mapper, "Set" + n[3:])}
     inherited = {n[3:] for n in dir(nephoscope.vtkCloudTextureMapper.__bases__[0]) if n.startswith("Get")}
-    expected = settable - inherited
+    expected = settable - inherited - IN_CUSTOM_WAVES
     check(expected == set(properties) - NOT_OF_THE_MAPPER, f"C++ and XML differ in {sorted(expected ^ set(properties))}")
     for name in expected:
         compare_default("Cloud Texture", name, properties[name], getattr(mapper, "Get" + name)())
@@ -104,6 +105,32 @@ def check_moves_with_time():
     pvs.Delete(texture)
 
 
+def check_threshold_and_waves():
+    """The cover of a threshold, of waves that are set: two, 90 degrees apart in the same phase of a lattice of 50 % each."""
+    view = sheet_view()
+    display = compose(sheet(), view, ("POINTS", ""), CLOUDS)
+    solid(display, [1, 1, 1])
+    display.CloudTextureTextureScale = 60
+    display.CloudTextureUseThreshold = 1
+    opaque = 1 - math.exp(-3)
+    for threshold, cover in ((-1, 0.8413), (0, 0.5), (1, 0.1587)):
+        display.CloudTextureThreshold = threshold
+        spread = math.sqrt(1 + 0.4 ** 2)
+        cover = 0.5 * math.erfc(threshold / spread / math.sqrt(2))  # the sum of many waves is nearly Gaussian
+        found = color_and_alpha(view)[1].mean() / opaque
+        print(f"threshold {threshold}: cover {found:.4f}, Gaussian {cover:.4f}")
+        check(abs(found - cover) < 0.02, f"threshold {threshold}: cover {found}, expected {cover}")
+    display.CloudTextureTextureScale = 1
+    display.CloudTextureThreshold = 0
+    display.CloudTextureSoftness = 0
+    display.CloudTextureWaves = "Custom"
+    display.CloudTextureCustomWaves = [1, 4, 0, 0, 0, 0, 0, 0, 0.25]  # 4 stripes across
+    columns = color_and_alpha(view)[1].mean(axis=0) > 0.5 * opaque
+    check(np.count_nonzero(np.diff(columns.astype(int)) == 1) in (3, 4), "custom waves are not drawn")
+    display.CloudTextureThinColor = display.CloudTextureThickColor = [0, 1, 0]
+    check(color_and_alpha(view)[0][:, :, [0, 2]].max() < 0.02, "the colours of the texture are not drawn")
+
+
 def check_thickness():
     """Along the ray through the middle of a ball of given extinction; at the default, thinner towards the rim."""
     view = new_view()
@@ -182,7 +209,7 @@ def check_colors():
 if __name__ == "__main__":
     load_plugin()
     for check_one in (check_definition, check_offered, check_first_picture, check_cover, check_cover_array, check_moves_with_time,
-                      check_thickness, check_blocks, check_colors, check_state):
+                      check_threshold_and_waves, check_thickness, check_blocks, check_colors, check_state):
         print(check_one.__name__, flush=True)
         check_one()
     passed()

@@ -1,6 +1,7 @@
 # SPDX-FileCopyrightText: The Nephoscope authors
 # SPDX-License-Identifier: BSD-3-Clause
 """nephoscope.add_cloud_texture: the cover drawn, colours of add_mesh, arguments that arrive, errors, and the snippet of the page."""
+import math
 import os
 import shutil
 import unittest
@@ -27,7 +28,7 @@ class Picture(unittest.TestCase):
 
     def add(self, mesh=None, *args, **options):
         mesh = pyvista.Plane(i_resolution=30, j_resolution=30) if mesh is None else mesh
-        return nephoscope.add_cloud_texture(self.plotter, mesh, *args, **{"texture_scale": 40, "lighting": False, **options})
+        return nephoscope.add_cloud_texture(self.plotter, mesh, *args, **{"texture_scale": 40, "lighting": False, "thin_color": "white", **options})
 
     def picture(self):
         """The sheet fills it, 0 to 1, row 0 at the top."""
@@ -56,9 +57,32 @@ class Cover(Picture):
         np.testing.assert_allclose(slope, (1, 0), atol=0.05)
 
 
+    def test_threshold(self):
+        """Above 0 lies one half, above the standard deviation about one sixth: as with edges, whose variance adds up."""
+        for threshold, cover in ((0, 0.5), (1, 0.5 * math.erfc(1 / np.sqrt(2 * 1.16)))):
+            self.plotter.clear()
+            actor = self.add(threshold=threshold)
+            self.assertAlmostEqual(self.picture().mean() / SEEN, cover, delta=0.02)
+            self.assertAlmostEqual(actor.mapper.GetCoverageUsed(), cover, delta=0.01)
+
+    def test_waves(self):
+        """Stripes, four on the sheet."""
+        self.add(waves=[[1, 4, 0, 0, 0, 0, 0, 0, 0.25]], texture_scale=1, softness=0, coverage=0.5)
+        row = self.picture()[SIZE // 2, :, 0] > 0.5 * SEEN
+        self.assertEqual(np.count_nonzero(np.diff(row.astype(int)) == 1) + row[0], 4)
+
+
 class Colours(Picture):
+    def test_of_the_texture(self):
+        """Red where it is thin, blue where it is thick, nothing else."""
+        self.add(thin_color="red", thick_color=(0.0, 0.0, 1.0), color_range=0.5)
+        picture = self.picture()
+        self.assertLess(picture[..., 1].max(), 0.01)
+        self.assertGreater(picture[..., 2].mean(), 0.1)
+        self.assertGreater(picture[..., 0].mean(), 0.02)
+
     def test_one_colour(self):
-        self.add(color="lime", coverage=1.0)
+        self.add(color="lime", coverage=1.0, thin_color=None)
         np.testing.assert_allclose(self.picture().mean(axis=(0, 1)), (0, SEEN, 0), atol=0.02)
 
     def test_array_with_a_map(self):
@@ -97,11 +121,14 @@ class Background(Picture):
 
 class Arguments(Picture):
     def test_they_arrive(self):
-        actor = self.add(coverage=0.3, texture_scale=7, texture_length=2, softness=0.4, relief=0.1, optical_depth=5, use_thickness=True, extinction=0.1, layers=4,
+        actor = self.add(coverage=0.3, texture_scale=7, texture_length=2, softness=0.3, relief=0.1, threshold=0.2, waves="gardner", use_altitude=True,
+                         altitude_range=(2, 3), thin_color="red", thick_color="blue", color_range=2, thickness_effect="threshold", thickness_weight=0.5, optical_depth=5, use_thickness=True, extinction=0.1, layers=4,
                          coordinates=("a", "b"), name="clouds", specular=0.5)
         mapper = actor.mapper
         self.assertIsInstance(mapper, nephoscope.vtkCloudTextureMapper)
-        for name, value in (("Coverage", 0.3), ("TextureScale", 7), ("TextureLength", 2), ("Softness", 0.4), ("Relief", 0.1), ("OpticalDepth", 5), ("UseThickness", 1),
+        for name, value in (("Coverage", 0.3), ("TextureScale", 7), ("TextureLength", 2), ("Softness", 0.3), ("UseThreshold", 1), ("Threshold", 0.2),
+                            ("Waves", 3), ("UseAltitude", 1), ("AltitudeRange", (2, 3)), ("ThinColor", (1, 0, 0)), ("ThickColor", (0, 0, 1)), ("ColorRange", 2),
+                            ("ThicknessEffect", 1), ("ThicknessWeight", 0.5), ("Relief", 0.1), ("OpticalDepth", 5), ("UseThickness", 1),
                             ("Extinction", 0.1), ("MaximumNumberOfLayers", 4), ("FirstCoordinatesName", "a"), ("SecondCoordinatesName", "b")):
             self.assertEqual(getattr(mapper, "Get" + name)(), value, name)
         self.assertEqual(actor.prop.specular, 0.5)
@@ -110,7 +137,8 @@ class Arguments(Picture):
 
     def test_defaults_are_those_of_the_mapper(self):
         mapper, fresh = nephoscope.add_cloud_texture(self.plotter, pyvista.Sphere()).mapper, nephoscope.vtkCloudTextureMapper()
-        for name in ("Coverage", "CoverageArrayName", "TextureScale", "TextureLength", "Softness", "Relief", "OpticalDepth", "UseThickness", "Extinction",
+        for name in ("UseThreshold", "Threshold", "Waves", "UseAltitude", "AltitudeRange", "ThinColor", "ThickColor", "ColorRange", "ThicknessEffect",
+                     "ThicknessWeight", "Coverage", "CoverageArrayName", "TextureScale", "TextureLength", "Softness", "Relief", "OpticalDepth", "UseThickness", "Extinction",
                      "DensityArrayName", "MaximumNumberOfLayers", "FirstCoordinatesName", "SecondCoordinatesName"):
             self.assertEqual(getattr(mapper, "Get" + name)(), getattr(fresh, "Get" + name)(), name)
 
@@ -131,7 +159,9 @@ class Arguments(Picture):
         for name in ("coverage", "density"):
             with self.assertRaisesRegex(MissingDataError, f"{name}.*'share'"):
                 self.add(**{name: "share"})
-        for name, value in (("coverage", 1.5), ("texture_scale", 0), ("softness", 3), ("relief", 2), ("optical_depth", -1), ("extinction", np.nan), ("layers", 1),
+        for name, value in (("coverage", 1.5), ("texture_scale", -1), ("threshold", np.nan), ("waves", "sine"), ("waves", [1, 2]),
+                            ("waves", np.ones((17, 9))), ("altitude_range", (1,)), ("altitude_range", (0, np.inf)), ("color_range", 0),
+                            ("thickness_effect", "both"), ("thickness_weight", -1), ("softness", 3), ("relief", 2), ("optical_depth", -1), ("extinction", np.nan), ("layers", 1),
                             ("texture_length", -1), ("peels", -1)):
             with self.assertRaisesRegex(ValueError, name):
                 self.add(**{name: value})

@@ -13,7 +13,7 @@ from vtkmodules.vtkFiltersGeometry import vtkDataSetSurfaceFilter
 from vtkmodules.vtkRenderingCore import vtkActor
 
 from . import vtkCloudTextureMapper
-from ._checks import arrays_of, require_number
+from ._checks import arrays_of, choose, require_number
 from ._copies import copied_mapper
 from ._exports import warn_when_exported
 from ._fields import is_bright, presets
@@ -59,9 +59,11 @@ class CloudTextureMapper(vtkCloudTextureMapper):
 
 
 def add_cloud_texture(plotter: pyvista.BasePlotter, mesh: Any, scalars: str | np.ndarray | None = None, *,
-                      color: Any = None, coverage: float | str = 0.5, texture_scale: float = 3.0, texture_length: float = 0.0,
-                      softness: float = 0.15, relief: float = 0.0, optical_depth: float = 3.0, use_thickness: bool = False, extinction: float = 0.0,
-                      density: str | None = None, layers: int = 8,
+                      color: Any = None, coverage: float | str = 0.5, threshold: float | None = None, texture_scale: float = 0.0,
+                      texture_length: float = 0.0, waves: str | Any = "clouds", use_altitude: bool = False,
+                      altitude_range: Sequence[float] = (0.0, 0.0), softness: float = 0.4, relief: float = 0.03, thin_color: Any = None,
+                      thick_color: Any = None, color_range: float = 1.5, optical_depth: float = 3.0, use_thickness: bool = False,
+                      thickness_effect: str = "opacity", thickness_weight: float = 1.0, extinction: float = 0.0, density: str | None = None, layers: int = 8,
                       coordinates: Sequence[str] = ("TextureCoordinates1", "TextureCoordinates2"), peels: int = 8,
                       **options: Any) -> pyvista.Actor:
     """Add a surface of clouds to a plotter, with a texture of broken cloud that covers the share asked for.
@@ -80,18 +82,38 @@ def add_cloud_texture(plotter: pyvista.BasePlotter, mesh: Any, scalars: str | np
         white clouds, unless another surface is in the plotter, such as the ground.
     coverage : float or str, default: 0.5
         Share of the surface that is cloud, 0 to 1; or the point array of it, such as a model's cloud fraction.
-    texture_scale : float, default: 3.0
-        Repetitions of the texture around the equator, or along the longest side of what is not a globe, 1e-6 to 1e6.
+    threshold : float, optional
+        Cloud is where the texture exceeds it, in standard deviations; instead of `coverage`, which then follows from it.
+    texture_scale : float, default: 0.0
+        Repetitions of the texture around the equator, or along the longest side of what is not a globe, up to 1e6; 0: by the shape of the surface.
     texture_length : float, default: 0.0
         Length of a unit of texture where positions are the coordinates, >= 0; 0: from the surface.
-    softness : float, default: 0.15
+    waves : str or array_like, default: "clouds"
+        What the texture is the sum of: ``"clouds"``, in all directions; ``"paper"``, 7 waves that shift across themselves; ``"printed"``, by the formula
+        that the paper prints; ``"gardner"``, along the axes; or up to 16 rows of 9 numbers, as `vtkCloudTextureMapper.SetCustomWave` takes them.
+    use_altitude : bool, default: False
+        The third coordinate of the texture is the altitude, 0 to 1, and on a globe the others are longitude and latitude, as in the paper.
+    altitude_range : sequence of 2 float, default: (0.0, 0.0)
+        Altitudes that are 0 and 1, with `use_altitude`; not in order: those of the data.
+    softness : float, default: 0.4
         Standard deviation of the edges, in units of the texture, 0 to 2.
-    relief : float, default: 0.0
-        Height of bumps that only the lights see, as a share of the length of the largest waves, 0 to 1; 0.02 to 0.05 look like clouds.
+    relief : float, default: 0.03
+        Height of bumps that only the lights see, as a share of the length of the largest waves, 0 to 1.
+    thin_color : ColorLike, optional
+        Colour where the texture just exceeds its threshold; it multiplies that of the surface. Default: a bluish grey.
+    thick_color : ColorLike, optional
+        Colour where the texture exceeds its threshold by `color_range` or more; mixed in between. Default: white.
+    color_range : float, default: 1.5
+        In standard deviations of the texture, > 0.
     optical_depth : float, default: 3.0
         Of the cloud across the surface, >= 0.
     use_thickness : bool, default: False
         Clouds are as opaque as they are thick: from each front face to the next back face, or to what is opaque.
+    thickness_effect : str, default: "opacity"
+        With `use_thickness`: ``"opacity"``, or ``"threshold"``: `thickness_weight` times the optical depth is added to the texture before the threshold, so
+        that thin edges break up.
+    thickness_weight : float, default: 1.0
+        With ``thickness_effect="threshold"``, >= 0.
     extinction : float, default: 0.0
         Optical depth per length, with `use_thickness`, >= 0; 0: `optical_depth` on average.
     density : str, optional
@@ -128,12 +150,27 @@ def add_cloud_texture(plotter: pyvista.BasePlotter, mesh: Any, scalars: str | np
         mapper.SetCoverageArrayName(_point_array(surface, coverage, "coverage"))
     else:
         mapper.SetCoverage(require_number(coverage, "coverage", least=0, most=1))
-    mapper.SetTextureScale(require_number(texture_scale, "texture_scale", least=1e-6, most=1e6))
+    if threshold is not None:
+        mapper.UseThresholdOn()
+        mapper.SetThreshold(require_number(threshold, "threshold"))
+    mapper.SetTextureScale(require_number(texture_scale, "texture_scale", least=0, most=1e6))
     mapper.SetTextureLength(require_number(texture_length, "texture_length", least=0))
     mapper.SetSoftness(require_number(softness, "softness", least=0, most=2))
     mapper.SetRelief(require_number(relief, "relief", least=0, most=1))
+    _set_waves(mapper, waves)
+    mapper.SetUseAltitude(use_altitude)
+    if len(altitude_range) != 2:
+        raise ValueError(f"altitude_range is {altitude_range!r}; it must be two altitudes.")
+    mapper.SetAltitudeRange([require_number(altitude, "altitude_range") for altitude in altitude_range])
+    for given, setter in ((thin_color, mapper.SetThinColor), (thick_color, mapper.SetThickColor)):
+        if given is not None:
+            setter(pyvista.Color(given).float_rgb)
+    mapper.SetColorRange(require_number(color_range, "color_range", least=1e-6, most=1e6))
     mapper.SetOpticalDepth(require_number(optical_depth, "optical_depth", least=0))
     mapper.SetUseThickness(use_thickness)
+    choose({"opacity": mapper.SetThicknessEffectToMultiplyOpacity, "threshold": mapper.SetThicknessEffectToAddToTexture}, thickness_effect,
+           "thickness_effect")
+    mapper.SetThicknessWeight(require_number(thickness_weight, "thickness_weight", least=0))
     mapper.SetExtinction(require_number(extinction, "extinction", least=0))
     if density is not None:
         mapper.SetDensityArrayName(_point_array(surface, density, "density"))
@@ -163,6 +200,20 @@ def add_cloud_texture(plotter: pyvista.BasePlotter, mesh: Any, scalars: str | np
     if render:
         plotter.render()
     return actor
+
+
+def _set_waves(mapper: CloudTextureMapper, waves: Any) -> None:
+    if isinstance(waves, str):
+        choose({"clouds": mapper.SetWavesToClouds, "paper": mapper.SetWavesToPaper, "printed": mapper.SetWavesToPrinted,
+                "gardner": mapper.SetWavesToGardner}, waves, "waves")
+        return
+    table = np.asarray(waves, dtype=float)
+    if table.ndim != 2 or table.shape[1] != 9 or not 1 <= len(table) <= 16 or not np.isfinite(table).all():
+        raise ValueError(f"waves has the shape {table.shape}; it must be 1 to 16 rows of 9 finite numbers, or the name of a preset.")
+    mapper.SetWavesToCustom()
+    mapper.SetNumberOfCustomWaves(len(table))
+    for i, row in enumerate(table):
+        mapper.SetCustomWave(i, *row)
 
 
 def _default_color(plotter: pyvista.BasePlotter) -> Any:

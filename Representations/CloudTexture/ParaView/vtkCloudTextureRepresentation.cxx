@@ -10,7 +10,6 @@
 #include "vtkCommunicator.h"
 #include "vtkCompositeDataIterator.h"
 #include "vtkCompositeDataSet.h"
-#include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
 #include "vtkInformation.h"
 #include "vtkMultiProcessController.h"
@@ -26,9 +25,6 @@ vtkStandardNewMacro(vtkCloudTextureRepresentation);
 
 namespace
 {
-// Travels with the data as a field array, so that every time step in ParaView's cache keeps its own.
-const char* const lengthName = "NephoscopeSurfaceLength";
-
 // "None" is what the menu says.
 const char* ArrayName(const char* chosen)
 {
@@ -60,7 +56,7 @@ std::vector<vtkPolyData*> SurfacesOf(vtkDataObject* data)
 }
 
 // Collective.
-double LengthOverRanks(vtkDataObject* data)
+nephoscope::SurfaceLength LengthOverRanks(vtkDataObject* data)
 {
   nephoscope::SurfaceLength length;
   for (vtkPolyData* surface : SurfacesOf(data))
@@ -84,17 +80,15 @@ double LengthOverRanks(vtkDataObject* data)
     length.SmallestRadius = low[3];
     length.LargestRadius = high[3];
   }
-  return length.Get();
+  return length;
 }
 
-void StoreLength(vtkPolyData* surface, double length)
+// Travels with the data as a field array, so that every time step in ParaView's cache keeps its own.
+void StoreLength(vtkPolyData* surface, const nephoscope::SurfaceLength& length)
 {
-  vtkNew<vtkDoubleArray> array;
-  array->SetName(lengthName);
-  array->InsertNextValue(length);
   vtkNew<vtkFieldData> own; // the input shares its field data with the copy
   own->ShallowCopy(surface->GetFieldData());
-  own->AddArray(array);
+  length.Tell(own);
   surface->SetFieldData(own);
 }
 }
@@ -119,7 +113,7 @@ int vtkCloudTextureRepresentation::RequestData(
 {
   const int made = this->Superclass::RequestData(request, inputs, outputs);
   vtkDataObject* surfaces = this->MultiBlockMaker->GetOutputDataObject(0);
-  const double length = LengthOverRanks(surfaces);
+  const nephoscope::SurfaceLength length = LengthOverRanks(surfaces);
   for (vtkPolyData* surface : SurfacesOf(surfaces))
   {
     StoreLength(surface, length);
@@ -185,7 +179,6 @@ void vtkCloudTextureRepresentation::TakeSurface(vtkDataObject* delivered)
     this->Surface->GetFieldData()->ShallowCopy(surfaces.front()->GetFieldData());
   }
   this->CloudMapper->SetInputData(this->Surface);
-  this->SetTextureLength(this->TextureLength);
 }
 
 void vtkCloudTextureRepresentation::UpdateColoringParameters()
@@ -203,12 +196,7 @@ void vtkCloudTextureRepresentation::UpdateColoringParameters()
 
 void vtkCloudTextureRepresentation::SetTextureLength(double value)
 {
-  this->TextureLength = value;
-  vtkDataArray* stored =
-    this->Surface ? this->Surface->GetFieldData()->GetArray(lengthName) : nullptr;
-  const double automatic =
-    stored && stored->GetNumberOfTuples() > 0 ? stored->GetComponent(0, 0) : 0.0;
-  this->CloudMapper->SetTextureLength(value > 0.0 ? value : automatic);
+  this->CloudMapper->SetTextureLength(value);
 }
 
 void vtkCloudTextureRepresentation::SetCoverage(double value)
@@ -229,6 +217,67 @@ void vtkCloudTextureRepresentation::SetSoftness(double value)
 void vtkCloudTextureRepresentation::SetTextureScale(double value)
 {
   this->CloudMapper->SetTextureScale(value);
+}
+
+void vtkCloudTextureRepresentation::SetUseThreshold(bool value)
+{
+  this->CloudMapper->SetUseThreshold(value);
+}
+
+void vtkCloudTextureRepresentation::SetThreshold(double value)
+{
+  this->CloudMapper->SetThreshold(value);
+}
+
+void vtkCloudTextureRepresentation::SetThinColor(double red, double green, double blue)
+{
+  this->CloudMapper->SetThinColor(red, green, blue);
+}
+
+void vtkCloudTextureRepresentation::SetThickColor(double red, double green, double blue)
+{
+  this->CloudMapper->SetThickColor(red, green, blue);
+}
+
+void vtkCloudTextureRepresentation::SetColorRange(double value)
+{
+  this->CloudMapper->SetColorRange(value);
+}
+
+void vtkCloudTextureRepresentation::SetThicknessEffect(int value)
+{
+  this->CloudMapper->SetThicknessEffect(value);
+}
+
+void vtkCloudTextureRepresentation::SetThicknessWeight(double value)
+{
+  this->CloudMapper->SetThicknessWeight(value);
+}
+
+void vtkCloudTextureRepresentation::SetUseAltitude(bool value)
+{
+  this->CloudMapper->SetUseAltitude(value);
+}
+
+void vtkCloudTextureRepresentation::SetAltitudeRange(double low, double high)
+{
+  this->CloudMapper->SetAltitudeRange(low, high);
+}
+
+void vtkCloudTextureRepresentation::SetWaves(int value)
+{
+  this->CloudMapper->SetWaves(value);
+}
+
+void vtkCloudTextureRepresentation::SetNumberOfCustomWaves(int value)
+{
+  this->CloudMapper->SetNumberOfCustomWaves(value);
+}
+
+void vtkCloudTextureRepresentation::SetCustomWave(int i, double amplitude, double b, double c, double d, double shift,
+  double e, double g, double h, double phase)
+{
+  this->CloudMapper->SetCustomWave(i, amplitude, b, c, d, shift, e, g, h, phase);
 }
 
 void vtkCloudTextureRepresentation::SetOpticalDepth(double value)

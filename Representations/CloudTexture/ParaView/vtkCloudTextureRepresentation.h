@@ -35,12 +35,24 @@ public:
   /** What vtkCloudTextureMapper says of them. */
   void SetCoverage(double value);
   void SetCoverageArrayName(const char* name);
+  void SetUseThreshold(bool value);
+  void SetThreshold(double value);
   void SetSoftness(double value);
   void SetTextureScale(double value);
   void SetTextureLength(double value);
   void SetOpticalDepth(double value);
   void SetRelief(double value);
+  void SetThinColor(double red, double green, double blue);
+  void SetThickColor(double red, double green, double blue);
+  void SetColorRange(double value);
+  void SetUseAltitude(bool value);
+  void SetAltitudeRange(double low, double high);
+  void SetWaves(int value);
+  void SetNumberOfCustomWaves(int value);
+  void SetCustomWave(int i, double amplitude, double b, double c, double d, double shift, double e, double g, double h, double phase);
   void SetUseThickness(bool value);
+  void SetThicknessEffect(int value);
+  void SetThicknessWeight(double value);
   void SetExtinction(double value);
   void SetDensityArrayName(const char* name);
   void SetMaximumNumberOfLayers(int value);
@@ -70,7 +82,6 @@ private:
   vtkSmartPointer<vtkPolyData> Surface; // what is drawn
   vtkDataObject* TakenFrom = nullptr;   // only compared
   vtkMTimeType TakenTime = 0;
-  double TextureLength = 0.0; // as the user has set it
   bool HasToldOfRanks = false;
 };
 

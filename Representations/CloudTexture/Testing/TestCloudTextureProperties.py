@@ -15,7 +15,10 @@ SIZE = (64, 48)
 VALUES = {
     "Coverage": [0.3, 0.7], "Softness": [0.0, 0.4], "TextureScale": [1.0, 4.0], "TextureLength": [0.0, 1.5], "OpticalDepth": [1.0, 8.0],
     "UseThickness": [True, False], "Extinction": [0.0, 2.0], "DensityArrayName": ["", "density"], "CoverageArrayName": ["", "cover"],
-    "MaximumNumberOfLayers": [2, 6], "Relief": [0.0, 0.05],
+    "MaximumNumberOfLayers": [2, 6], "Relief": [0.0, 0.05], "UseThreshold": [True, False], "Threshold": [-0.5, 1.0], "Waves": [0, 1, 2, 3, 4],
+    "NumberOfCustomWaves": [1, 3], "CustomWave": [(0, 1.0, 3, 1, 0, 0, 0, 0, 0, 0.2), (0, 2.0, 0, 4, 0, 1.0, 1, 0, 0, 0)], "UseAltitude": [True, False],
+    "AltitudeRange": [(0.0, 0.0), (-1.0, 3.0)], "ThinColor": [(1.0, 1.0, 1.0), (1.0, 0.0, 0.0)], "ThickColor": [(1.0, 1.0, 1.0), (0.0, 0.0, 1.0)],
+    "ColorRange": [0.5, 3.0], "ThicknessEffect": [0, 1], "ThicknessWeight": [0.0, 2.0],
 }
 
 
@@ -50,6 +53,11 @@ class Properties(AnyTime, unittest.TestCase):
     def test_arrays_after_relief(self):
         self.play([("Relief", 0.05), ("CoverageArrayName", "cover"), ("UseThickness", True), ("DensityArrayName", "density"),
                    ("Relief", 0.0), ("CoverageArrayName", ""), ("MaximumNumberOfLayers", 2)])
+
+    def test_waves_and_colours(self):
+        self.play([("Waves", 3), ("ThinColor", (1.0, 0.0, 0.0)), ("Waves", 4), ("CustomWave", (0, 2.0, 0, 4, 0, 1.0, 1, 0, 0, 0)), ("UseThreshold", True),
+                   ("NumberOfCustomWaves", 1), ("Threshold", 1.0), ("UseThickness", True), ("ThicknessEffect", 1), ("ThicknessWeight", 2.0),
+                   ("ThinColor", (1.0, 1.0, 1.0)), ("UseAltitude", True), ("AltitudeRange", (-1.0, 3.0)), ("Waves", 0)])
 
     def test_any_order(self):
         self.play_at_random(VALUES, seed=5, plays=3, steps=12)

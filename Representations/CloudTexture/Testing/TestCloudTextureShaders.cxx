@@ -12,8 +12,14 @@
 using namespace nephoscope;
 using namespace nephoscope_test;
 
-TEST(CloudTextureShaders, FilteredTexture)
+class Waves : public testing::TestWithParam<int>
 {
+};
+INSTANTIATE_TEST_SUITE_P(CloudTextureShaders, Waves, testing::Range(0, 4));
+
+TEST_P(Waves, FilteredTexture)
+{
+  const GardnerWaves waves = presetWaves(GetParam());
   Random random(7);
   std::vector<Float4> places, footprints;
   for (int i = 0; i < 2000; ++i)
@@ -26,15 +32,51 @@ TEST(CloudTextureShaders, FilteredTexture)
   ShaderRunner runner;
   const auto results = runner.Run(gardnerConstants() + readShader("GardnerTexture.glsl"),
     "result = vec4(filteredTexture(first.xyz, vec3(second.xy, 0.0), vec3(0.0, second.zw)), 0.0);", places, footprints,
-    [](vtkShaderProgram*) {});
+    [&waves](vtkShaderProgram* program) { setGardnerUniforms(program, waves); });
   for (std::size_t i = 0; i < results.size(); ++i)
   {
     const Float4 &p = places[i], &f = footprints[i];
-    const auto expected = filteredGardnerTexture<double>({ { p[0], p[1], p[2] } }, { { { f[0], f[1], 0 } }, { { 0, f[2], f[3] } } });
+    const auto expected =
+      filteredGardnerTexture<double>({ { p[0], p[1], p[2] } }, { { { f[0], f[1], 0 } }, { { 0, f[2], f[3] } } }, waves);
     // Phases of some 10^3 radians are good to 1e-4 in float; cosines to 7e-5.
     EXPECT_NEAR(results[i][0], expected.Mean, 1.5e-3) << i;
     EXPECT_NEAR(results[i][1], expected.Lost, 1e-3) << i;
     EXPECT_NEAR(results[i][2], expected.Fourth, 1e-3) << i;
+  }
+}
+
+// Share and colour of what exceeds the threshold, against a sum over a Gaussian.
+TEST(CloudTextureShaders, ShareAndExcess)
+{
+  std::vector<Float4> list;
+  for (const float width : { 0.05f, 0.4f, 1.2f })
+  {
+    for (float excess = -0.9f; excess < 3; excess += 0.3f)
+    {
+      list.push_back({ { excess, width, 1.5f, 0 } });
+    }
+  }
+  ShaderRunner runner;
+  const auto results = runner.Run(gardnerConstants() + readShader("GardnerTexture.glsl"),
+    "result = vec4(cloudShare(first.x, first.y), cloudExcess(first.x, first.y, first.z), 0.0, 0.0);", list, {},
+    [](vtkShaderProgram*) {});
+  for (std::size_t i = 0; i < results.size(); ++i)
+  {
+    double share = 0, sum = 0;
+    const int steps = 20000;
+    for (int k = 0; k < steps; ++k)
+    {
+      const double t = -6 + 12 * (k + 0.5) / steps;
+      const double weight = std::exp(-t * t / 2) / std::sqrt(2 * gardnerPi) * 12 / steps;
+      const double x = list[i][0] + list[i][1] * t;
+      share += x > 0 ? weight : 0;
+      sum += x > 0 ? weight * std::min(1.0, x / list[i][2]) : 0;
+    }
+    EXPECT_NEAR(results[i][0], share, 2.1e-3) << i; // less than 0.002 is none
+    if (share > 0.05)
+    {
+      EXPECT_NEAR(results[i][1], sum / share, 4e-3) << i;
+    }
   }
 }
 

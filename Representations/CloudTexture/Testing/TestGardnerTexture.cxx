@@ -182,6 +182,86 @@ TEST(CoverageThreshold, CoverStaysWithWeightsDistanceAndSoftness)
   std::cout << "worst cover: off by " << worst << std::endl;
 }
 
+// Every preset: variance, exact filter, period on longitudes, and the cover of a threshold by counting; and the threshold of that cover.
+class Presets : public testing::TestWithParam<int>
+{
+};
+INSTANTIATE_TEST_SUITE_P(GardnerWaves, Presets, testing::Range(0, 4));
+
+TEST_P(Presets, HaveTheirDistribution)
+{
+  const GardnerWaves waves = presetWaves(GetParam());
+  const CoverageThresholds table(waves);
+  Random random(8);
+  const int samples = 200000;
+  const double levels[4] = { -1.2, -0.3, 0.4, 1.5 };
+  for (const double softness : { 0.0, 0.4 })
+  {
+    double above[4] = {}, square = 0;
+    for (int i = 0; i < samples; ++i)
+    {
+      const Point p{ { random.Uniform(0, 10), random.Uniform(0, 100), random.Uniform(0, 10) } };
+      const double f = gardnerTexture(p, waves);
+      square += f * f / samples;
+      for (int k = 0; k < 4; ++k)
+      {
+        above[k] += (f + softness * random.Normal() > levels[k]) / double(samples);
+      }
+    }
+    EXPECT_NEAR(square, 1, 0.01);
+    for (int k = 0; k < 4; ++k)
+    {
+      const double cover = coverOfThreshold(waves, levels[k], softness);
+      EXPECT_NEAR(cover, above[k], 0.006) << levels[k];
+      EXPECT_NEAR(thresholdOfCover(table, cover, softness), levels[k], 0.01);
+    }
+  }
+}
+
+TEST_P(Presets, AreFilteredAndGoRound)
+{
+  GardnerWaves waves = presetWaves(GetParam());
+  Random random(9);
+  const TextureFootprint<double> footprint{ { { 0.01, 0.002, 0 } }, { { -0.001, 0.005, 0.01 } } };
+  const Point p = randomPoint(random);
+  double mean = 0;
+  const int samples = 60000;
+  for (int i = 0; i < samples; ++i)
+  {
+    mean += gardnerTexture(inFootprint(random, p, footprint), waves) / samples;
+  }
+  EXPECT_NEAR(exactlyFilteredGardnerTexture(p, footprint, waves).Mean, mean, 0.02);
+  closeOnLongitudes(waves);
+  EXPECT_NEAR(gardnerTexture<double>({ { p[0] + 3, p[1], p[2] } }, waves), gardnerTexture(p, waves), 1e-10);
+}
+
+TEST(GardnerWaves, PrintedPhaseIsThatOfTheFormula)
+{
+  const GardnerWaves waves = printedWaves();
+  const Point p{ { 0.3, 0.7, 0.2 } };
+  double sum = 0;
+  for (const GardnerWave& wave : waves)
+  {
+    const double turn = 2 * gardnerPi;
+    const double b = turn * wave.Frequency[0], c = turn * wave.Frequency[1], d = turn * wave.Frequency[2];
+    const double q = 2 * std::sin(0.5 * b * p[0] - 0.5 * wave.Amplitude * p[1]);
+    sum += wave.Amplitude * std::cos(b * p[0] + c * p[1] + d * p[2] + q);
+  }
+  EXPECT_NEAR(gardnerTexture(p, waves), sum, 1e-12);
+}
+
+TEST(GardnerWaves, UnusableOnesAreDescribed)
+{
+  EXPECT_EQ(describeUnusable(cloudWaves()), "");
+  EXPECT_NE(describeUnusable({}).find("at least one amplitude"), std::string::npos);
+  GardnerWaves waves(2);
+  EXPECT_NE(describeUnusable(waves).find("at least one amplitude"), std::string::npos);
+  waves[1].Amplitude = 1;
+  EXPECT_NE(describeUnusable(waves).find("Custom wave 1 has no frequency"), std::string::npos);
+  waves[1].Frequency[2] = std::nan("");
+  EXPECT_NE(describeUnusable(waves).find("not finite"), std::string::npos);
+}
+
 TEST(CoverageThreshold, NothingAndEverything)
 {
   const auto texture = filteredGardnerTexture<double>({ { 0, 0, 0 } }, {});

@@ -61,12 +61,16 @@ def coordinates_of_pixels(corners, pixels):
 
 class TextureTestCase(unittest.TestCase):
     def add_sheet(self, scene, data, color=(1, 1, 1)):
-        """Opaque where there is cloud, without lights."""
+        """Opaque where there is cloud, in one colour, without lights and with edges that are nearly sharp."""
         mapper = nephoscope.vtkCloudTextureMapper()
         mapper.SetInputDataObject(data)
         mapper.ScalarVisibilityOff()
         mapper.SetTextureScale(1)
         mapper.SetOpticalDepth(1e6)
+        mapper.SetWavesToPaper()
+        mapper.SetSoftness(0.15)
+        mapper.SetRelief(0)
+        mapper.SetThinColor(1, 1, 1)
         actor = vtkActor()
         actor.SetMapper(mapper)
         actor.GetProperty().SetColor(*color)

@@ -58,6 +58,9 @@ class Pipeline:
         self.mapper = nephoscope.vtkCloudTextureMapper()
         self.mapper.ScalarVisibilityOff()
         self.mapper.SetOpticalDepth(1e6)  # opaque where there is cloud
+        self.mapper.SetTextureScale(3)
+        self.mapper.SetSoftness(0.15)
+        self.mapper.SetThinColor(1, 1, 1)
         actor = vtkActor()
         actor.SetMapper(self.mapper)
         actor.GetProperty().LightingOff()

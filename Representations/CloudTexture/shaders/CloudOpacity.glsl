@@ -1,13 +1,16 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
-// How opaque a fragment of a cloud's surface is: the share of it that is cloud, times the opacity of that cloud along the ray.
+// How opaque a fragment of a cloud's surface is: the share of it that is cloud, times the opacity of that cloud along the ray; and its colour.
 //   in:  place and (where hasNormals) normal of the fragment in the surface's own coordinates, texture coordinates, weights of the two
-//        sets, cover, optical depth along the ray
-//   out: opacity, 0 ... 1
-// Constants: hasSecondSet, hasNormals.
+//        sets, cover, optical depth along the ray, what thickness adds to the texture
+//   out: opacity, 0 ... 1; colour, by which that of the surface is multiplied
+// Constants: hasSecondSet, hasNormals, hasColors.
 uniform float softness;
 uniform float opticalDepth; // across the surface
 uniform vec4 eyePlace;      // homogeneous: w = 0 for parallel rays
+uniform vec3 thinColor;     // where the texture is at its threshold
+uniform vec3 thickColor;    // where it exceeds it by colorRange
+uniform float colorRange;
 
 const float pixelDeviation = 0.5; // standard deviation of the pixel's filter, in pixels
 
@@ -40,18 +43,33 @@ float opticalDepthOfLayer(vec3 place, vec3 normal)
   return opticalDepth / max(cosine, 1.0e-3);
 }
 
-float cloudOpacity(vec3 first, vec3 second, vec2 weights, float cover, float depthOnRay)
+vec3 cloudTexture(vec3 first, vec3 second, vec2 weights)
 {
-  float alongRay = 1.0 - exp(-depthOnRay);
-  if (cover <= 0.0 || cover >= 1.0 || alongRay <= 0.0)
-  {
-    return cover <= 0.0 ? 0.0 : alongRay;
-  }
   vec3 tex = filteredTexture(first, footprints[0], footprints[1]);
   if (hasSecondSet)
   {
     vec3 other = filteredTexture(placeInSecondSet(second), footprints[2], footprints[3]);
     tex = blendTextures(tex, other, weights);
   }
-  return cloudShare(tex, cover, softness) * alongRay;
+  return tex;
+}
+
+// Colour and opacity.
+vec4 cloudLook(vec3 first, vec3 second, vec2 weights, float givenCover, float depthOnRay, float added)
+{
+  float cover = hasThreshold != 0 ? 0.5 : givenCover;
+  vec4 look = vec4(hasColors ? thickColor : vec3(1.0), 1.0 - exp(-depthOnRay));
+  if (cover <= 0.0 || cover >= 1.0 || look.a <= 0.0)
+  {
+    return cover <= 0.0 ? vec4(0.0) : look;
+  }
+  vec3 tex = cloudTexture(first, second, weights);
+  float excess = tex.x + added - cloudThreshold(tex.z, cover, softness);
+  float width = max(sqrt(max(tex.y, 0.0) + softness * softness), 1.0e-4);
+  look.a *= cloudShare(excess, width);
+  if (hasColors)
+  {
+    look.rgb = mix(thinColor, thickColor, cloudExcess(excess, width, colorRange));
+  }
+  return look;
 }

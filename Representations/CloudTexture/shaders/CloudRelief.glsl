@@ -3,7 +3,8 @@
 // Bumps of cloud for the lights: the normal of a surface that the texture has raised, which is not moved itself (Blinn1978).
 //   in:  footprints, takeRelief; normal in view coordinates, texture coordinates, weights of the two sets
 //   out: unit normal
-// Constants, from the header: gardnerWaves (in turns), gardnerAmplitudes, hasSecondSet.
+// Constant: hasSecondSet. The waves are those of GardnerTexture.glsl.
+uniform float largestAmplitude;
 uniform float reliefHeight; // of the largest wave, in view coordinates
 
 const float reliefLimit = 0.6; // steep slopes tend to 1 / reliefLimit, 59 degrees
@@ -21,15 +22,16 @@ void takeRelief(vec3 place)
 vec2 bumpChange(vec3 p, vec3 across, vec3 up)
 {
   vec2 result = vec2(0.0);
-  for (int i = 0; i < 7; ++i)
+  for (int i = 0; i < numberOfWaves; ++i)
   {
-    vec3 wave = 6.28318531 * gardnerWaves[i];
-    float chi = 0.5 * (wave.y * p.x - wave.x * p.y);
-    float bend = cos(chi);
-    vec3 local = vec3(wave.x + wave.y * bend, wave.y - wave.x * bend, wave.z);
+    vec4 wave = fullTurn * gardnerWaves[i];
+    vec4 shift = fullTurn * gardnerShifts[i];
+    float turns = fullTurn * gardnerTurns[i];
+    float chi = dot(shift.xyz, p);
+    vec3 local = wave.xyz + turns * cos(chi) * shift.xyz;
     vec2 change = vec2(dot(local, across), dot(local, up));
-    float height = gardnerAmplitudes[i] / gardnerAmplitudes[0];
-    result -= height * height * exp(-0.5 * dot(change, change)) * sin(dot(wave, p) + 2.0 * sin(chi)) * change;
+    float height = gardnerWaves[i].w / largestAmplitude;
+    result -= height * height * exp(-0.5 * dot(change, change)) * sin(dot(wave.xyz, p) + shift.w + turns * sin(chi)) * change;
   }
   return result / pixelDeviation;
 }

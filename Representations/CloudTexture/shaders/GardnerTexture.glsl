@@ -3,11 +3,18 @@
 // The cloud texture through the footprint of a pixel, as GardnerTexture.h and CoverageThreshold.h have it.
 //   in:  texture coordinates p; how far they change over one standard deviation of the pixel's filter, across and up
 //   out: mean of f, variance lost to the filter, sum of the fourth powers of the amplitudes that are left
-// Constants, from the headers: gardnerWaves (in turns), gardnerAmplitudes, gardnerFourth, thresholdColumns, thresholdRows.
+// Constants, from the headers: mostWaves, thresholdColumns, thresholdRows.
+uniform int numberOfWaves;
+uniform vec4 gardnerWaves[mostWaves];  // frequencies, amplitude
+uniform vec4 gardnerShifts[mostWaves]; // frequencies of what shifts the phase, phase; all in turns
+uniform float gardnerTurns[mostWaves]; // by how much it shifts
+uniform float gardnerFourth;           // sum of the fourth powers of the amplitudes
+uniform int hasThreshold;              // instead of a cover
+uniform float givenThreshold;
 uniform sampler2D coverageThresholds;
 
 const float squaredTurn = 39.4784176; // of 2 pi
-const float twoOverTurn = 0.318309886;
+const float fullTurn = 6.28318531;
 
 // cos(2 pi x), to 7e-5 and what x is rounded by.
 float cosineOfTurns(float x)
@@ -20,19 +27,17 @@ float cosineOfTurns(float x)
 vec3 filteredTexture(vec3 p, vec3 across, vec3 up)
 {
   vec3 result = vec3(0.0);
-  for (int i = 0; i < 7; ++i)
+  for (int i = 0; i < numberOfWaves; ++i)
   {
-    vec3 wave = gardnerWaves[i]; // in turns
-    float chi = 0.5 * (wave.y * p.x - wave.x * p.y);
-    float slope = cosineOfTurns(chi);
-    vec3 local = vec3(wave.x + wave.y * slope, wave.y - wave.x * slope, wave.z);
+    vec4 wave = gardnerWaves[i];
+    vec4 shift = gardnerShifts[i];
+    float chi = dot(shift.xyz, p);
+    vec3 local = wave.xyz + fullTurn * gardnerTurns[i] * cosineOfTurns(chi) * shift.xyz;
     vec2 change = vec2(dot(local, across), dot(local, up));
-    float amplitude = gardnerAmplitudes[i];
-    float kept = amplitude * exp(-0.5 * squaredTurn * dot(change, change));
+    float kept = wave.w * exp(-0.5 * squaredTurn * dot(change, change));
     float square = kept * kept;
-    float modulation = twoOverTurn * cosineOfTurns(chi - 0.25);
-    float height = cosineOfTurns(dot(wave, p) + modulation);
-    result += vec3(kept * height, 0.5 * (amplitude * amplitude - square), square * square);
+    float phase = dot(wave.xyz, p) + shift.w + gardnerTurns[i] * cosineOfTurns(chi - 0.25);
+    result += vec3(kept * cosineOfTurns(phase), 0.5 * (wave.w * wave.w - square), square * square);
   }
   return result;
 }
@@ -63,16 +68,34 @@ float coverageThreshold(float cover, float fourth)
   return texture(coverageThresholds, (place + 0.5) / vec2(thresholdColumns, thresholdRows)).r;
 }
 
-// Share of a pixel that is cloud; its mean over the texture is the cover.
-float cloudShare(vec3 tex, float cover, float softness)
+// Above which there is cloud.
+float cloudThreshold(float fourth, float cover, float softness)
 {
-  if (cover <= 0.0 || cover >= 1.0)
+  if (hasThreshold != 0)
   {
-    return cover <= 0.0 ? 0.0 : 1.0;
+    return givenThreshold;
   }
   float variance = 1.0 + softness * softness;
-  float threshold = sqrt(variance) * coverageThreshold(cover, clamp(tex.z / (gardnerFourth * variance * variance), 0.0, 1.0));
-  float width = sqrt(max(tex.y, 0.0) + softness * softness);
-  float share = normalShare((tex.x - threshold) / max(width, 1.0e-4));
+  return sqrt(variance) * coverageThreshold(cover, clamp(fourth / (gardnerFourth * variance * variance), 0.0, 1.0));
+}
+
+// Of what exceeds the threshold and its standard deviation in the pixel: share that is cloud. Its mean over the texture is the cover.
+float cloudShare(float excess, float width)
+{
+  float share = normalShare(excess / width);
   return share < 0.002 ? 0.0 : share;
+}
+
+float normalDensity(float x)
+{
+  return 0.39894228 * exp(-0.5 * x * x);
+}
+
+// Mean over the cloud in the pixel of the excess, in units of a range, at most 1.
+float cloudExcess(float excess, float width, float range)
+{
+  float low = excess / width;
+  float high = (excess - range) / width;
+  float sum = excess * (normalShare(low) - normalShare(high)) + width * (normalDensity(low) - normalDensity(high));
+  return clamp((sum / range + normalShare(high)) / max(normalShare(low), 1.0e-3), 0.0, 1.0);
 }
