@@ -99,7 +99,7 @@ struct SurfaceLength
   /** Repetitions along this length where none are asked for. Layers have smaller clouds than bodies, the more so the flatter they are. */
   double Repetitions() const
   {
-    constexpr double ofBodies = 2.5, ofLayers = 4, ofGlobes = 10;
+    constexpr double ofBodies = 2.5, ofLayers = 4, ofGlobes = 8;
     const double flat = this->Longest() > 0 ? this->Shortest() / this->Longest() : 1;
     return this->IsGlobe() ? ofGlobes : ofLayers + std::min(1.0, 2 * flat) * (ofBodies - ofLayers);
   }

@@ -53,7 +53,7 @@ class Scale(unittest.TestCase):
         actor.SetMapper(mapper)
         scene.renderer.AddActor(actor)
         window.render()
-        self.assertEqual(mapper.GetTextureScaleUsed(), 10)
+        self.assertEqual(mapper.GetTextureScaleUsed(), 8)
         mapper.SetTextureScale(2.5)
         window.render()
         self.assertEqual(mapper.GetTextureScaleUsed(), 2.5)
