@@ -59,6 +59,9 @@ class Properties(AnyTime, unittest.TestCase):
                    ("NumberOfCustomWaves", 1), ("Threshold", 1.0), ("UseThickness", True), ("ThicknessEffect", 1), ("ThicknessWeight", 2.0),
                    ("ThinColor", (1.0, 1.0, 1.0)), ("UseAltitude", True), ("AltitudeRange", (-1.0, 3.0)), ("Waves", 0)])
 
+    def test_altitude(self):
+        self.play([("UseAltitude", True), ("AltitudeRange", (-1.0, 3.0)), ("TextureScale", 4.0), ("UseAltitude", False)])
+
     def test_any_order(self):
         self.play_at_random(VALUES, seed=5, plays=3, steps=12)
 
