@@ -540,7 +540,8 @@ void vtkCloudTextureMapper::SetTextureUniforms(vtkShaderProgram* program)
 
 double vtkCloudTextureMapper::GetTextureScaleUsed() const
 {
-  return this->Internals->Surface.Scale;
+  const bool hasBlocks = vtkCompositeDataSet::SafeDownCast(const_cast<vtkCloudTextureMapper*>(this)->GetInputDataObject(0, 0)) != nullptr;
+  return hasBlocks && this->Internals->ForBlocks ? this->Internals->ForBlocks->GetTextureScaleUsed() : this->Internals->Surface.Scale;
 }
 
 double vtkCloudTextureMapper::GetCoverageUsed()

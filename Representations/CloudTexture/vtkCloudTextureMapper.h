@@ -125,7 +125,7 @@ public:
 
   ///@{
   /**
-   * The waves that the texture is the sum of. Clouds (default): 12 octaves and parts of them in all directions. Paper: 7 waves whose phases shift across them, as
+   * The waves that the texture is the sum of. Clouds (default): 12 in all directions. Paper: 7 waves whose phases shift across them, as
    * the text of the paper asks. Printed: by its printed formula. Gardner: along the axes, with frequencies doubled. Custom: those that are set.
    */
   vtkSetClampMacro(Waves, int, WAVES_CLOUDS, WAVES_CUSTOM);

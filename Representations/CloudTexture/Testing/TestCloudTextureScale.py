@@ -8,6 +8,7 @@ import numpy as np
 from cloud_bodies import box, sphere
 from nephoscope_testing import meshes
 from nephoscope_testing.offscreen import Window
+from vtkmodules.vtkCommonDataModel import vtkMultiBlockDataSet
 from vtkmodules.vtkRenderingCore import vtkActor
 
 SIZE = (160, 120)
@@ -57,6 +58,18 @@ class Scale(unittest.TestCase):
         mapper.SetTextureScale(2.5)
         window.render()
         self.assertEqual(mapper.GetTextureScaleUsed(), 2.5)
+
+    def test_of_blocks(self):
+        blocks = vtkMultiBlockDataSet()
+        blocks.SetBlock(0, box(*LAYER))
+        window = Window((32, 32))
+        scene = window.add_scene()
+        mapper, actor = nephoscope.vtkCloudTextureMapper(), vtkActor()
+        mapper.SetInputDataObject(blocks)
+        actor.SetMapper(mapper)
+        scene.renderer.AddActor(actor)
+        window.render()
+        self.assertAlmostEqual(mapper.GetTextureScaleUsed(), picture(*LAYER)[1].GetTextureScaleUsed())
 
     def test_looks(self):
         """Neither closed nor empty, with many tones; it has parts of many sizes: halving the picture takes little of its contrast."""
