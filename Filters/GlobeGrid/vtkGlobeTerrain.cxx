@@ -10,9 +10,10 @@
 #include "vtkInformationVector.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkStructuredGrid.h"
 
-#include <cmath>
+#include <array>
 
 vtkStandardNewMacro(vtkGlobeTerrain);
 
@@ -82,7 +83,21 @@ int vtkGlobeTerrain::RequestData(vtkInformation* request, vtkInformationVector**
       return 1;
     }
   }
+  // Normals need neighbours: every piece makes the whole level, and gives its part of it.
+  using SDDP = vtkStreamingDemandDrivenPipeline;
+  vtkInformation* outInfo = outputs->GetInformationObject(0);
+  const bool isPart = outInfo->Has(SDDP::UPDATE_EXTENT()) && outInfo->Has(SDDP::WHOLE_EXTENT());
+  std::array<int, 6> part{};
+  if (isPart)
+  {
+    outInfo->Get(SDDP::UPDATE_EXTENT(), part.data());
+    outInfo->Set(SDDP::UPDATE_EXTENT(), outInfo->Get(SDDP::WHOLE_EXTENT()), 6);
+  }
   this->Superclass::RequestData(request, inputs, outputs);
+  if (isPart)
+  {
+    outInfo->Set(SDDP::UPDATE_EXTENT(), part.data(), 6);
+  }
   if (terrain->GetNumberOfPoints() == 0)
   {
     return 1;
@@ -93,6 +108,10 @@ int vtkGlobeTerrain::RequestData(vtkInformation* request, vtkInformationVector**
   nephoscope::AddTerrainScale(terrain, land, this->SeaDepth);
   nephoscope::AddTerrainNormals(terrain, place);
   nephoscope::AddTerrainTextureCoordinates(terrain, place);
+  if (isPart && part[0] <= part[1] && part[2] <= part[3] && part[4] <= part[5])
+  {
+    terrain->Crop(part.data());
+  }
   return 1;
 }
 

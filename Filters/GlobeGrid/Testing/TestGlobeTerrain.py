@@ -150,6 +150,7 @@ class GlobeTerrain(unittest.TestCase):
             part = terrain.GetOutput()
             at = [whole.FindPoint(part.GetPoint(i)) for i in range(part.GetNumberOfPoints())]
             np.testing.assert_array_equal(array(part, "Terrain"), array(whole, "Terrain")[at])
+            np.testing.assert_allclose(array(part, "Normals"), array(whole, "Normals")[at], atol=1e-6)
 
     def test_wrong_input(self):
         deep = globe()
