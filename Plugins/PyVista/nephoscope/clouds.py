@@ -12,7 +12,7 @@ from pyvista.core.errors import MissingDataError
 from vtkmodules.vtkCommonDataModel import vtkDataObject, vtkDataSetAttributes, vtkImageData, vtkRectilinearGrid, vtkStructuredGrid
 
 from . import vtkCloudSurface, vtkStructuredSmoothing
-from ._checks import arrays_of, choose
+from ._checks import arrays_of, choose, require_number
 from ._fields import preset_of_field
 from ._pipeline import vtk_messages
 from .splitting import _point_array, _scalar_point_array, _values
@@ -22,6 +22,7 @@ _NAMES = {"Clear MassArrayName": "Leave masses out", "switch Conservative off": 
 AXES = {"i": 0, "j": 1, "k": 2}
 EDGE = 0.15     # cloud fraction of the surface of clouds
 FILL = 1e30     # and more: no value
+MOST = 1000     # times that the filter is applied: with more, hours may pass
 
 
 def smooth(mesh: pyvista.DataSet, iterations: int = 1, scalars: str | Sequence[str] | None = None, *, all_arrays: bool = False,
@@ -38,7 +39,7 @@ def smooth(mesh: pyvista.DataSet, iterations: int = 1, scalars: str | Sequence[s
     mesh : pyvista.ImageData, pyvista.RectilinearGrid or pyvista.StructuredGrid
         The grid; it is not changed.
     iterations : int, default: 1
-        How often the filter is applied, >= 0.
+        How often the filter is applied, 0 to 1000.
     scalars : str or sequence of str, optional
         Point arrays to smooth. Default: the active scalars, or the first array of one number each if they are not, else vectors.
     all_arrays : bool, default: False
@@ -116,7 +117,7 @@ def cloud_surface(mesh: pyvista.DataSet, isosurfaces: int | float | Sequence[flo
         Point array of one number each that is smoothed and contoured. Default: the active scalars, or the first array of one number each
         if they are not.
     smoothing : int, default: 1
-        How often the 3 x 3 x 3 filter is applied first, >= 0.
+        How often the 3 x 3 x 3 filter is applied first, 0 to 1000.
     rng : sequence of 2 float, optional
         First and last value if `isosurfaces` is a number of them. Default: values inside the range of the finite scalars.
     normals : bool, default: True
@@ -205,8 +206,8 @@ def _visible_points(mesh: pyvista.DataSet) -> np.ndarray:
 
 
 def _count(value: int, argument: str) -> int:
-    if isinstance(value, bool) or int(value) != value or value < 0:
-        raise ValueError(f"{argument} is {value!r}; it must be a whole number of at least 0.")
+    if isinstance(value, bool) or require_number(value, argument, least=0, most=MOST) != int(value):
+        raise ValueError(f"{argument} is {value!r}; it must be a whole number, 0 to {MOST}.")
     return int(value)
 
 
