@@ -62,7 +62,7 @@ public:
 
   ///@{
   /**
-   * How often the filter is applied, 0 or more. Default 1. 0 passes the input. n iterations smooth over about sqrt(n/2) points on either side
+   * How often the filter is applied, 0 to 1000. Default 1. 0 passes the input. n iterations smooth over about sqrt(n/2) points on either side
    * (standard deviation); the cost is proportional.
    */
   vtkSetClampMacro(NumberOfIterations, int, 0, 1000);
