@@ -274,5 +274,57 @@ class Arguments(unittest.TestCase):
         self.assertEqual(weather.nephoscope.globe(surface_pressure="pressure")["BelowGround"].sum(), 6)
 
 
+class Numbers(unittest.TestCase):
+    """Numbers that an argument cannot be are a ValueError with its name; with others nothing crashes or hangs."""
+
+    VALUES = (float("nan"), float("inf"), -1, 0, 1e30)
+    MANY = ("clim", "vector_clim", "opacity_clim", "contours", "contour_opacity", "opacity", "render", "n_colors", "isosurfaces", "coverage", "peels")  # also of other kinds
+
+    def functions(self):
+        wind = whirl()
+        clouds = filled(pyvista.ImageData(dimensions=(6, 6, 6)), True)
+        surface = clouds.contour([2.5], scalars="q")
+        for name, mesh, options in (("to_globe", clouds, {}), ("smooth", clouds, {}), ("divide_polyhedra", clouds, {}),
+                                    ("flow_volume", wind, {"vectors": "v", "max_tetrahedra": 2000}), ("advect_texture", wind, {"vectors": "v"})):
+            yield name, lambda name=name, mesh=mesh, options=options, **one: getattr(nephoscope, name)(mesh, **{**options, **one})
+        smoke = nephoscope.flow_volume(wind, vectors="v", max_tetrahedra=2000)
+        yield "smoke_puffs", lambda **one: nephoscope.smoke_puffs(smoke, **one)
+        for name, mesh, options in (("add_cells", wind, {"scalars": "q"}), ("add_splats", wind, {"scalars": "q", "vectors": "v"}),
+                                    ("add_smoke", smoke, {}), ("add_cloud_texture", surface, {}), ("add_haze", wind, {})):
+            yield name, lambda name=name, mesh=mesh, options=options, **one: self.drawn(name, mesh, {**options, **one})
+
+    def drawn(self, name, mesh, options):
+        plotter = pyvista.Plotter(off_screen=True, window_size=(20, 20))
+        try:
+            plotter.add_mesh(pyvista.Sphere())
+            getattr(nephoscope, name)(plotter, mesh, **options)
+            plotter.screenshot()
+        finally:
+            plotter.close()
+
+    def arguments(self, name):
+        """Those of numbers: by their default, or by the annotation where there is none."""
+        for argument in inspect.signature(getattr(nephoscope, name)).parameters.values():
+            number = isinstance(argument.default, (int, float)) and not isinstance(argument.default, bool)
+            if argument.name not in self.MANY and (number or re.match(r"float \| None$", str(argument.annotation))):
+                yield argument.name
+
+    def test_all(self):
+        swept = 0
+        for name, call in self.functions():
+            for argument in self.arguments(name):
+                for value in self.VALUES:
+                    with self.subTest(f"{name}({argument}={value})"), warnings.catch_warnings():
+                        warnings.simplefilter("ignore")
+                        swept += 1
+                        try:
+                            call(**{argument: value})
+                        except (ValueError, RuntimeError) as error:
+                            self.assertIn(argument.replace("unit_distance", ""), str(error))
+                        else:
+                            self.assertTrue(np.isfinite(value), "is taken")
+        self.assertGreater(swept, 200)
+
+
 if __name__ == "__main__":
     unittest.main()

@@ -55,7 +55,7 @@ def flow_volume(mesh: Grids, polygon: pyvista.PolyData | None = None, *, vectors
         Direction that the regular polygon faces. ``"flow"``: the direction of the flow at the centre of the polygon, regular or given.
         Default: ``"flow"`` for the regular polygon.
     n_sides : int, default: 12
-        Number of sides, >= 3.
+        Number of sides, 3 to 1000.
     duration : float, optional
         How long the smoke flows, in seconds, > 0. Default: until the flow at the polygon has crossed half the diagonal of the bounds;
         less if `max_tetrahedra` does not allow that.
@@ -117,6 +117,7 @@ def flow_volume(mesh: Grids, polygon: pyvista.PolyData | None = None, *, vectors
     >>> smoke = mesh.nephoscope.flow_volume(center=(0, 0, 1), radius=0.2, duration=10)  # doctest: +SKIP
     """
     smoke = vtkFlowVolume()
+    smoke.SetTimeScale(require_number(time_scale, "time_scale", above=0))
     series = None
     if times is None:
         if time is not None or start_time is not None:
@@ -125,14 +126,14 @@ def flow_volume(mesh: Grids, polygon: pyvista.PolyData | None = None, *, vectors
             raise TypeError(f"mesh is a {type(mesh).__name__}; it must be a pyvista dataset or MultiBlock, or several meshes with times.")
         smoke.SetInputDataObject(mesh)
     else:
-        series = _unsteady(smoke, mesh, times, start_time, time_scale)
+        series = _unsteady(smoke, mesh, times, start_time)
         mesh = series.first
     name, on_cells = _velocity(mesh, vectors)
     if name:
         association = vtkDataObject.FIELD_ASSOCIATION_CELLS if on_cells else vtkDataObject.FIELD_ASSOCIATION_POINTS
         smoke.SetInputArrayToProcess(0, 0, 0, association, name)
     if polygon is None:
-        smoke.SetNumberOfSides(int(require_number(n_sides, "n_sides", least=3)))
+        smoke.SetNumberOfSides(int(require_number(n_sides, "n_sides", least=3, most=1000)))
         _place(smoke, mesh, (name, on_cells), center, radius)
     else:
         _take_polygon(smoke, polygon, {"center": center, "radius": radius, "normal": None if _is_flow(normal) else normal})
@@ -150,7 +151,7 @@ def flow_volume(mesh: Grids, polygon: pyvista.PolyData | None = None, *, vectors
     smoke.SetInitialDensity(require_number(initial_density, "initial_density"))
     choose({"rk4": smoke.SetIntegratorToRungeKutta4, "rk45": smoke.SetIntegratorToRungeKutta45}, integrator, "integrator")
     smoke.SetTolerance(require_number(tolerance, "tolerance", above=0))
-    smoke.SetMaximumNumberOfTetrahedra(int(require_number(max_tetrahedra, "max_tetrahedra", least=1)))
+    smoke.SetMaximumNumberOfTetrahedra(int(require_number(max_tetrahedra, "max_tetrahedra", least=1, most=1e15)))
     if series is None:
         with vtk_messages(smoke, _NAMES):
             smoke.Update()
@@ -160,7 +161,7 @@ def flow_volume(mesh: Grids, polygon: pyvista.PolyData | None = None, *, vectors
     return pyvista.wrap(smoke.GetOutput()).copy(deep=False)
 
 
-def _unsteady(smoke: vtkFlowVolume, mesh: Any, times: Sequence[float], start_time: float | None, time_scale: float) -> Series:
+def _unsteady(smoke: vtkFlowVolume, mesh: Any, times: Sequence[float], start_time: float | None) -> Series:
     """The meshes as input of the filter."""
     if len(times) < 2:
         raise ValueError(f"times has {len(times)} values; an unsteady flow needs two or more. Leave times out for a steady flow.")
@@ -171,7 +172,6 @@ def _unsteady(smoke: vtkFlowVolume, mesh: Any, times: Sequence[float], start_tim
     smoke.UnsteadyOn()
     if start_time is not None:
         smoke.SetStartTime(require_number(start_time, "start_time"))
-    smoke.SetTimeScale(require_number(time_scale, "time_scale", above=0))
     return series
 
 

@@ -231,4 +231,4 @@ def _set_hierarchy(mapper: TexturedSplatMapper, tolerance: float, unit: str, mea
     choose({"picture": mapper.SetErrorMeasureToPicture, "rms": mapper.SetErrorMeasureToRootMeanSquare,
             "greatest": mapper.SetErrorMeasureToGreatest}, measure, "error_measure")
     mapper.SetLevelBlending(require_number(blending, "level_blending", least=0, most=0.9))
-    mapper.SetInteractiveMaximumNumberOfSplats(int(require_number(interactive_splats, "interactive_splats", least=0)))
+    mapper.SetInteractiveMaximumNumberOfSplats(int(require_number(interactive_splats, "interactive_splats", least=0, most=1e15)))
