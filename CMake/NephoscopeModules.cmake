@@ -25,13 +25,17 @@ foreach (required IN LISTS nephoscope_required_modules)
   endif ()
 endforeach ()
 
+set(nephoscope_wrapping OFF)
+if (NEPHOSCOPE_WRAP_PYTHON OR NEPHOSCOPE_USE_PARAVIEW) # for the plugin too
+  set(nephoscope_wrapping ON)
+endif ()
 vtk_module_build(
   MODULES              ${nephoscope_modules}
   PACKAGE              Nephoscope
   INSTALL_EXPORT       Nephoscope
   HEADERS_DESTINATION  "${CMAKE_INSTALL_INCLUDEDIR}/nephoscope"
   CMAKE_DESTINATION    "${CMAKE_INSTALL_LIBDIR}/cmake/Nephoscope"
-  ENABLE_WRAPPING      "${NEPHOSCOPE_WRAP_PYTHON}")
+  ENABLE_WRAPPING      "${nephoscope_wrapping}")
 
 if (NEPHOSCOPE_WRAP_PYTHON)
   include(NephoscopePython)

@@ -5,10 +5,17 @@
 
 cache_value() { sed -n "s/^$1:[^=]*=//p" "$BUILD/CMakeCache.txt"; }
 
+# Whether a package of this verb was perhaps not there when the build folder was configured, and so not found.
+made_without_packages()
+{
+  [ ! -f "$BUILD/packages" ] || printf '%s\n' "${PACKAGES[@]}" | grep -qvxFf "$BUILD/packages"
+}
+
 # Whether the build folder must be configured (again); later changes of CMake files are seen by the build itself.
 configure_needed()
 {
   [ -f "$BUILD/build.ninja" ] || return 0
+  ! made_without_packages || return 0
   [ ! "$TOP/CMakePresets.json" -nt "$BUILD/CMakeCache.txt" ] || return 0
   [ "$1" = ON ] && [ "$(cache_value BUILD_TESTING)" != ON ]
 }
@@ -31,12 +38,16 @@ configure()
   if [ $testing = ON ] || [ ! -f "$BUILD/CMakeCache.txt" ]; then
     options+=("-DBUILD_TESTING=$testing")
   fi
+  # Several sources compiled at a time need a third of the processor time; but of them, one that changes makes ccache forget all.
   if command -v ccache >/dev/null; then
-    options+=(-DCMAKE_C_COMPILER_LAUNCHER=ccache -DCMAKE_CXX_COMPILER_LAUNCHER=ccache)
+    options+=(-DCMAKE_C_COMPILER_LAUNCHER=ccache -DCMAKE_CXX_COMPILER_LAUNCHER=ccache -DCMAKE_UNITY_BUILD=OFF)
+  else
+    options+=(-DCMAKE_UNITY_BUILD=ON)
   fi
   # CMake reads the presets of the current folder.
   (cd "$TOP" && run_logged "configure-$PRESET" cmake --preset "$PRESET" -B "$BUILD" "${options[@]}") ||
     fail 1 "could not configure the preset $PRESET"
+  printf '%s\n' "${PACKAGES[@]}" >"$BUILD/packages"
 }
 
 # build_targets [TARGET...]: all without any.

@@ -7,7 +7,9 @@ BUILD_PACKAGES=(
   g++ cmake ninja-build python3-dev
   paraview-dev python3-paraview # ParaView with its VTK; they bring the program `paraview` as well
   # What ParaView's CMake package looks for, and paraview-dev does not depend on:
-  libopenmpi-dev libdouble-conversion-dev libx11-dev libgl-dev libfreetype-dev
+  libopenmpi-dev libdouble-conversion-dev libx11-dev libgl-dev libfreetype-dev)
+# What no figure needs; `demo` does without it unless it is there, because OpenVDB takes as long to compile as all the rest.
+MORE_PACKAGES=(
   libopenvdb-dev      # OpenVDB (MPL 2.0), optional: CMake/NephoscopeOpenVDB.cmake
   qhelpgenerator-qt5) # the help pages in ParaView, optional: CMake/NephoscopeHelp.cmake
 RUN_PACKAGES=(
@@ -57,9 +59,10 @@ apt()
     apt-get -o Acquire::Retries=3 -o DPkg::Lock::Timeout=300 "$@"
 }
 
-# ensure_packages NAME...: installs what is missing, or names it and exits with status 3.
+# ensure_packages NAME...: installs what is missing, or names it and exits with status 3. Sets PACKAGES to the names.
 ensure_packages()
 {
+  PACKAGES=("$@")
   step "Debian packages"
   command -v dpkg-query >/dev/null ||
     fail 3 "this is no Debian: there is no dpkg-query. What is needed, by the names of Debian's packages: $*." \

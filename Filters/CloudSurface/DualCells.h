@@ -13,6 +13,10 @@ namespace nephoscope
 {
 using Point3 = std::array<double, 3>;
 
+inline Point3 Sum(const Point3& a, const Point3& b)
+{
+  return { { a[0] + b[0], a[1] + b[1], a[2] + b[2] } };
+}
 inline Point3 Difference(const Point3& a, const Point3& b)
 {
   return { { a[0] - b[0], a[1] - b[1], a[2] - b[2] } };

@@ -14,11 +14,6 @@ Point3 Unit(const Point3& a)
   return length > 0.0 ? Point3{ { a[0] / length, a[1] / length, a[2] / length } } : Point3{ { 0.0, 0.0, 0.0 } };
 }
 
-Point3 Sum(const Point3& a, const Point3& b)
-{
-  return { { a[0] + b[0], a[1] + b[1], a[2] + b[2] } };
-}
-
 // Some unit vector across `a`.
 Point3 AnyNormal(const Point3& a)
 {

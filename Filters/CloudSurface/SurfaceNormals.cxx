@@ -16,11 +16,6 @@ Point3 Scaled(const Point3& a, double factor)
   return { { factor * a[0], factor * a[1], factor * a[2] } };
 }
 
-Point3 Sum(const Point3& a, const Point3& b)
-{
-  return { { a[0] + b[0], a[1] + b[1], a[2] + b[2] } };
-}
-
 Point3 Blend(const Point3& first, const Point3& second, double share)
 {
   return Sum(Scaled(first, 1.0 - share), Scaled(second, share));

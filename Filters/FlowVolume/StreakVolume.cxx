@@ -14,13 +14,13 @@ namespace nephoscope
 {
 namespace
 {
-struct Prism
+struct DividedPrism
 {
   std::array<TetrahedronPoints, 3> Tetrahedra;
   std::array<double, 3> Volumes;
   double Volume = 0.0;
 
-  Prism(const PrismPoints& corners, const std::vector<Vector3>& points)
+  DividedPrism(const PrismPoints& corners, const std::vector<Vector3>& points)
     : Tetrahedra(PrismTetrahedra(corners))
   {
     for (std::size_t i = 0; i < 3; ++i)
@@ -189,7 +189,7 @@ double StreakVolume::JoinLayers(StreakMesh& smoke, PointId newer) const
       older + corners[0], older + corners[1], older + corners[2] };
     const bool inside = std::all_of(points.begin(), points.end(),
       [&](PointId id) { return smoke.Inside[static_cast<std::size_t>(id)]; });
-    const Prism prism(points, smoke.Positions);
+    const DividedPrism prism(points, smoke.Positions);
     if (!inside || prism.Volume == 0.0)
     {
       lost += this->Emitting[t];

@@ -26,11 +26,6 @@
 
 vtkStandardNewMacro(vtkFlowVolume);
 
-namespace
-{
-constexpr double buildingShare = 0.9; // of the time, about; the rest is interpolating arrays
-}
-
 vtkFlowVolume::vtkFlowVolume()
   : State(std::make_unique<nephoscope::FlowVolumeState>())
 {
@@ -347,7 +342,7 @@ bool vtkFlowVolume::Report(double share)
 void vtkFlowVolume::WriteOutput(const nephoscope::SmokeMesh& mesh,
   const nephoscope::ArraySampler& sampleArrays, vtkUnstructuredGrid* output)
 {
-  if (!this->Report(buildingShare))
+  if (!this->Report(nephoscope::buildingShare))
   {
     return;
   }

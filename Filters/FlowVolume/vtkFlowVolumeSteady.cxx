@@ -19,11 +19,6 @@
 #include <algorithm>
 #include <cmath>
 
-namespace
-{
-constexpr double buildingShare = 0.9; // of the time, about; the rest is interpolating arrays
-}
-
 void vtkFlowVolume::MakeSteadyVolume(
   vtkDataObject* input, vtkPolyData* given, vtkUnstructuredGrid* output)
 {
@@ -47,7 +42,7 @@ void vtkFlowVolume::MakeSteadyVolume(
     return remade;
   };
   const auto whole = nephoscope::BuildWholeVolume(*field->Field, polygon, settings, anyTime,
-    this->Duration == 0.0, coarser, [this](double share) { return this->Report(buildingShare * share); });
+    this->Duration == 0.0, coarser, [this](double share) { return this->Report(nephoscope::buildingShare * share); });
   this->ReportSteady(whole);
   this->WarnOfMissing(*field);
   this->WriteOutput(

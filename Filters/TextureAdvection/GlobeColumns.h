@@ -237,6 +237,8 @@ private:
   std::vector<Row> Rows;
   bool Closed = false;
 };
+
+constexpr double TURN = 2.0 * GlobeColumns::PI;
 }
 
 #endif

@@ -23,7 +23,6 @@ namespace nephoscope
 {
 namespace
 {
-constexpr double TURN = 2.0 * GlobeColumns::PI;
 constexpr double ON_AXIS = 1e-12; // distance from the axis of the unit sphere where a longitude means nothing
 constexpr vtkIdType JOB_SIZE = 2048;
 

@@ -15,7 +15,6 @@ namespace nephoscope
 namespace
 {
 constexpr double PI = GlobeColumns::PI;
-constexpr double TURN = 2.0 * PI;
 // Radians; single precision coordinates are good to 1e-7.
 constexpr double ANGLE_TOLERANCE = 2e-6;
 

@@ -34,7 +34,7 @@ LocalFrame FrameAt(double longitude, double sine, double cosine)
 }
 
 template <typename Function>
-void InParallel(vtkIdType count, const Function& function)
+void OverRows(vtkIdType count, const Function& function)
 {
   vtkSMPTools::LocalScope(vtkSMPTools::Config(0, "STDThread", false),
     [&]() { vtkSMPTools::For(0, count, function); });
@@ -102,9 +102,9 @@ GlobeAir GlobeShape::MakeAir(const GlobeInput& input, std::int64_t& missing) con
     }
     unknown += found;
   };
-  InParallel(static_cast<vtkIdType>(this->Size[1]) * this->Size[2], read);
+  OverRows(static_cast<vtkIdType>(this->Size[1]) * this->Size[2], read);
   missing = unknown;
-  InParallel(this->Size[1], [&](vtkIdType begin, vtkIdType end) {
+  OverRows(this->Size[1], [&](vtkIdType begin, vtkIdType end) {
     for (vtkIdType j = begin; j < end; ++j)
     {
       for (int i = 0; i < this->Size[0]; ++i)

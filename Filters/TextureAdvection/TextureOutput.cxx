@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "TextureOutput.h"
 
+#include "GlobeColumns.h"
 #include "GridStretch.h"
 
 #include "vtkDataSet.h"
@@ -24,8 +25,6 @@ namespace nephoscope
 {
 namespace
 {
-constexpr double TURN = 6.28318530717958647693;
-
 bool ExtentOf(vtkDataSet* data, std::array<int, 6>& extent)
 {
   const auto get = [&](auto* grid) {

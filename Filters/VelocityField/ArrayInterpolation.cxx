@@ -19,7 +19,7 @@ namespace nephoscope
 {
 namespace
 {
-constexpr vtkIdType BATCH_SIZE = 1024; // a multiple of 8: no two threads write to one byte of a bit array
+constexpr vtkIdType TUPLES_PER_JOB = 1024; // a multiple of 8: no two threads write to one byte of a bit array
 
 template <typename Value>
 Value FromSum(double sum)
@@ -150,8 +150,8 @@ void InterpolateArrays(vtkPointData* input, std::size_t count, vtkPointData* out
     Stencils stencils;
     for (vtkIdType batch = firstBatch; batch < endBatch; ++batch)
     {
-      const vtkIdType begin = batch * BATCH_SIZE;
-      const vtkIdType end = std::min(begin + BATCH_SIZE, static_cast<vtkIdType>(count));
+      const vtkIdType begin = batch * TUPLES_PER_JOB;
+      const vtkIdType end = std::min(begin + TUPLES_PER_JOB, static_cast<vtkIdType>(count));
       stencils.Clear();
       fill(static_cast<std::size_t>(begin), static_cast<std::size_t>(end), stencils);
       const InterpolateWorker worker{ stencils, begin };
@@ -164,7 +164,7 @@ void InterpolateArrays(vtkPointData* input, std::size_t count, vtkPointData* out
       }
     }
   };
-  const vtkIdType batches = (static_cast<vtkIdType>(count) + BATCH_SIZE - 1) / BATCH_SIZE;
+  const vtkIdType batches = (static_cast<vtkIdType>(count) + TUPLES_PER_JOB - 1) / TUPLES_PER_JOB;
   if (batches <= 1 || pairs.empty())
   {
     work(0, pairs.empty() ? 0 : batches);

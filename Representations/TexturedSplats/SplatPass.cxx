@@ -50,7 +50,7 @@ namespace
 // Pixels: splats whose cell is smaller are spread over a pixel, whose own variance is that of a box, 1/12, over the kernel's.
 constexpr double largeEnough = 1.0;
 constexpr double dotSize = 3.0; // square pixels: the sum of the squares of two half axes of a cell, below which splats are dots
-constexpr double pixelVariance = 1.0 / 12.0 / cubic_kernel::variance;
+constexpr double pixelVarianceOfKernels = 1.0 / 12.0 / cubic_kernel::variance;
 constexpr float tailShare = 0.6f; // of a streak's period, at full speed
 constexpr double streakSpacing = 1.0; // from row to row, in units of the vectors
 
@@ -76,7 +76,7 @@ std::string shaderConstants(const SplatDrawingOptions& options, const SplatPass:
        << (variant.Region ? "#define DRAW_REGION\n" : "")
        << "const float dotSize = " << dotSize << ";\n"
        << "const float largeEnough = " << largeEnough << ";\n"
-       << "const float pixelVariance = " << pixelVariance << ";\n";
+       << "const float pixelVariance = " << pixelVarianceOfKernels << ";\n";
   text << "#define FOOTPRINT_PEAK " << KernelFootprint(options.Kernel, 0.0) << "\n"
        << "#define MEDIUM 0\n#define HALF_MEDIUM 1\n#define STREAKS 2\n#define SEGMENT 3\n#define VIEWPORT 4\n";
   // Where vectors are not drawn, their shaders are left out.

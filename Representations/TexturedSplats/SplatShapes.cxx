@@ -33,11 +33,6 @@ bool isFinite(const SplatVector& place)
   return std::isfinite(place[0] + place[1] + place[2]);
 }
 
-vtkFieldData* attributesOf(vtkDataSet* data, bool onCells)
-{
-  return onCells ? static_cast<vtkFieldData*>(data->GetCellData()) : data->GetPointData();
-}
-
 // The mean of its corners.
 SplatVector centerOfCell(vtkDataSet* data, vtkIdType id)
 {
@@ -79,6 +74,11 @@ void addSplat(Bounds& bounds, const SplatVector& place, const SplatMatrix& jacob
     bounds[2 * axis + 1] = std::max(bounds[2 * axis + 1], place[axis] + radius * row);
   }
 }
+}
+
+vtkFieldData* attributesOf(vtkDataSet* data, bool onCells)
+{
+  return onCells ? static_cast<vtkFieldData*>(data->GetCellData()) : data->GetPointData();
 }
 
 SplatShapes::SplatShapes(vtkDataSet* data, const SplatSampling& sampling)

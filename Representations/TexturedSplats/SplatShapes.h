@@ -22,6 +22,7 @@
 
 class vtkDataArray;
 class vtkDataSet;
+class vtkFieldData;
 
 namespace nephoscope
 {
@@ -40,6 +41,9 @@ struct SplatSampling
   bool FromCells = false; ///< shapes of the cells around, where no cell size is asked for
   bool FromNeighbors = false; ///< instead of the mean spacing: that of a point's neighbours
 };
+
+/** The arrays on cells, or those on points. */
+vtkFieldData* attributesOf(vtkDataSet* data, bool onCells);
 
 /** Where a sample is: a point, or the centre of a cell. `grid`: of the same data. */
 VTKNEPHOSCOPEREPRESENTATIONSTEXTUREDSPLATS_EXPORT SplatVector PlaceOf(vtkDataSet* data, const GridSamples& grid, bool onCells, vtkIdType id);

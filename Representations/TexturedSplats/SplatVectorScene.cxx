@@ -20,11 +20,6 @@ namespace nephoscope
 {
 namespace
 {
-vtkFieldData* attributesOf(vtkDataSet* data, bool onCells)
-{
-  return onCells ? static_cast<vtkFieldData*>(data->GetCellData()) : data->GetPointData();
-}
-
 // One number of a tuple: the value, or of several components their magnitude.
 double magnitudeOf(vtkDataArray* array, vtkIdType id)
 {

@@ -149,7 +149,7 @@ packages_of()
   run env CODENAME="$1" SOURCE="$TOP" bash -euo pipefail -c '
     .() { VERSION_CODENAME=$CODENAME; }
     source "$SOURCE/CMake/script/packages.sh"
-    echo " ${BUILD_PACKAGES[*]} ${RUN_PACKAGES[*]} ${TEST_PACKAGES[*]} "'
+    echo " ${BUILD_PACKAGES[*]} ${MORE_PACKAGES[*]} ${RUN_PACKAGES[*]} ${TEST_PACKAGES[*]} "'
 }
 
 test_releases()
@@ -288,6 +288,47 @@ gallery()
     build_targets() { echo "built ${*:-all}"; }
     host_environment() { WITH_PRELOAD=(); }
     render_gallery "$@"' gallery "$@"
+}
+
+# configured PACKAGE...: the step `configure` of a verb that needs these packages; the fake of cmake notes its calls.
+configured()
+{
+  # shellcheck disable=SC2016 # expanded by the inner shell
+  run env PATH="$WORK/fakes:$PATH" SOURCE="$TOP" TREE="$WORK" bash -euo pipefail -c '
+    TOP=$TREE PRESET=default PACKAGES=("$@")
+    source "$SOURCE/CMake/script/progress.sh"
+    source "$SOURCE/CMake/script/build.sh"
+    configure' configured "$@"
+  expect "success" [ $STATUS -eq 0 ]
+}
+
+test_configured()
+{
+  fake cmake <<'E'
+echo "$*" >>"$CALLS"
+mkdir -p "$TREE/build"
+echo "CMAKE_HOME_DIRECTORY:INTERNAL=$TREE" >"$TREE/build/CMakeCache.txt"
+touch "$TREE/build/build.ninja"
+E
+  fake ccache </dev/null
+  configured compiler
+  expect "one call" [ "$(wc -l <"$CALLS")" -eq 1 ]
+  expect "ccache" grep -q LAUNCHER=ccache "$CALLS"
+  configured compiler
+  expect "no second call" [ "$(wc -l <"$CALLS")" -eq 1 ]
+  configured compiler library
+  expect "a call for a package that was not asked for before" [ "$(wc -l <"$CALLS")" -eq 2 ]
+  configured compiler
+  expect "no call for fewer packages" [ "$(wc -l <"$CALLS")" -eq 2 ]
+}
+
+# Compiles what a build without ccache does, several sources at a time, as far as it takes to find the errors; links nothing.
+test_unity()
+{
+  cmake -S "$TOP" -B "$WORK/unity" -G Ninja -DPython3_EXECUTABLE=/usr/bin/python3 -DBUILD_TESTING=OFF -DNEPHOSCOPE_WRAP_PYTHON=OFF \
+    -DCMAKE_UNITY_BUILD=ON -DCMAKE_BUILD_TYPE=MinSizeRel -DCMAKE_CXX_FLAGS_MINSIZEREL=-fsyntax-only \
+    -DCMAKE_CXX_CREATE_SHARED_LIBRARY=: -DCMAKE_CXX_CREATE_SHARED_MODULE=: >/dev/null
+  ninja -C "$WORK/unity" -k 0 | tail -n 100
 }
 
 test_gallery()

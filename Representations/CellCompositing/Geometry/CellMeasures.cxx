@@ -13,11 +13,11 @@ namespace nephoscope
 {
 namespace
 {
-using Tetrahedron = std::array<vtkIdType, 4>;
+using PointIds = std::array<vtkIdType, 4>;
 
 constexpr double noExtent[3] = { 0.0, 0.0, 0.0 };
 
-double volumeOf(vtkDataSet* data, const Tetrahedron& tetrahedron)
+double volumeOf(vtkDataSet* data, const PointIds& tetrahedron)
 {
   double x[4][3];
   for (std::size_t i = 0; i < 4; ++i)
@@ -30,7 +30,7 @@ double volumeOf(vtkDataSet* data, const Tetrahedron& tetrahedron)
 
 /** Adds one tetrahedron, with mean values of its corners; 0 where a value is not finite, as such cells are not drawn. */
 void addTetrahedron(
-  MediumMeasures& measures, vtkDataSet* data, const CellMedium& medium, vtkIdType cell, const Tetrahedron& tetrahedron)
+  MediumMeasures& measures, vtkDataSet* data, const CellMedium& medium, vtkIdType cell, const PointIds& tetrahedron)
 {
   const double volume = volumeOf(data, tetrahedron);
   measures.Volume += volume;
@@ -108,7 +108,7 @@ MediumMeasures measureCells(vtkDataSet* data, const CellMedium& medium, const Me
     {
       ++sampled;
       source.EmitTetrahedra(
-        cell, [&](const Tetrahedron& t) { addTetrahedron(measures, data, medium, cell, t); });
+        cell, [&](const PointIds& t) { addTetrahedron(measures, data, medium, cell, t); });
     }
   }
   const double scale = sampled > 0 ? static_cast<double>(shown) / static_cast<double>(sampled) : 0.0;
