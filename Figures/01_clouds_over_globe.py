@@ -13,6 +13,7 @@ from paraview import simple as pvs
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "common"))
 import globe_scene  # noqa: E402
+import pictures  # noqa: E402
 
 EXAGGERATION = 45
 # Height in metres: warm below, white in the middle, cold above.
@@ -38,7 +39,7 @@ def show_legend(view, colours, title, height, labels):
     bar.Position, bar.ScalarBarLength, bar.ScalarBarThickness = [0.9, height], 0.36, 14
     bar.TitleFontSize = bar.LabelFontSize = 18
     bar.UseCustomLabels, bar.CustomLabels = 1, labels
-    bar.AddRangeLabels, bar.AutomaticLabelFormat, bar.LabelFormat = 0, 0, "%.0f"
+    bar.AddRangeLabels, bar.AutomaticLabelFormat, bar.LabelFormat = 0, 0, pictures.whole_number_format(bar.LabelFormat)
     bar.TitleColor = bar.LabelColor = TEXT_COLOUR
 
 

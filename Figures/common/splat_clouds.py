@@ -4,6 +4,7 @@
 from paraview import simple as pvs
 
 import globe_scene
+import pictures
 
 EXAGGERATION = 30
 # Cloud fraction: little below 40 %, everything above 85 %. Value, opacity, ParaView's midpoint and sharpness.
@@ -39,4 +40,5 @@ def altitude_bar(view, table):
     bar.WindowLocation, bar.Position, bar.ScalarBarLength = "Any Location", [0.925, 0.70], 0.22
     bar.TitleFontSize = bar.LabelFontSize = 16
     bar.TitleColor = bar.LabelColor = [0.78, 0.83, 0.90]
-    bar.AutomaticLabelFormat, bar.LabelFormat, bar.RangeLabelFormat = 0, "%.0f", "%.0f"
+    bar.AutomaticLabelFormat = 0
+    bar.LabelFormat = bar.RangeLabelFormat = pictures.whole_number_format(bar.LabelFormat)

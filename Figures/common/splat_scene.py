@@ -14,6 +14,7 @@ splats, the terrain, a window with a sun, colours of altitude, caption and colou
 import globe_scene
 import nephoscope
 import numpy
+import pictures
 import vtk_globe
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkLookupTable
@@ -158,7 +159,7 @@ def add_altitude_bar(renderer, top=12000, labels=5, place=(0.905, 0.28), size=(0
     bar.SetLookupTable(range_of(colors, top / 1000))
     bar.SetTitle("Altitude (km)\n ")
     bar.SetNumberOfLabels(labels)
-    bar.SetLabelFormat("%.0f")
+    bar.SetLabelFormat(pictures.whole_number_format(bar.GetLabelFormat()))
     bar.UnconstrainedFontSizeOn()
     bar.SetPosition(*place)
     bar.SetPosition2(*size)
