@@ -2,9 +2,11 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The first picture of every filter and source, nothing set: representation, colours, opacities and camera."""
 import math
+import re
 
+import nephoscope
 import numpy as np
-from PluginTesting import GFS, SIZE, check, compose, image, load_plugin, new_view, passed, pvs, save_image
+from PluginTesting import GFS, SIZE, check, compose, image, load_plugin, new_view, passed, pvs, save_image, servermanager
 
 
 def shown(view, name):
@@ -183,6 +185,35 @@ def check_switched():
     pvs.Delete(view)
 
 
+def settings_of(display, *names):
+    """Of the mapper, as it has drawn last."""
+    text = str(display.SMProxy.GetProperty("TexturedSplatsVectorOpacity").GetParent().GetClientSideObject())
+    return [float(re.search(rf"{name}: ([-+.e0-9]+)", text)[1]) for name in names]
+
+
+def check_vectors():
+    """Vectors suit the medium that they are chosen beside, as in Python; what is set stays."""
+    source = pvs.Calculator(Input=pvs.Wavelet(WholeExtent=[-12, 12] * 3), ResultArrayName="v", Function="-coordsY*iHat+coordsX*jHat+3*kHat")
+    view = new_view(SIZE)
+    display = compose(source, view, representation="Textured Splats")
+    display.TexturedSplatsVectorArray = "v"
+    pvs.ResetCamera(view)
+    suited = image(view)
+    mapper = nephoscope.vtkTexturedSplatMapper()
+    mapper.SetInputDataObject(servermanager.Fetch(source))
+    mapper.SetScalarModeToUsePointFieldData()
+    mapper.SelectScalarArray("RTData")
+    mapper.SetVectorArrayName("v")
+    mapper.SuitVectorsToMedium()
+    found = settings_of(display, "VectorOpacity", "VectorShare", "UseVectorColor")
+    expected = [mapper.GetVectorOpacity(), mapper.GetVectorShare(), 1]
+    check(expected[1] < 0.9 and all(math.isclose(a, b, rel_tol=0.01) for a, b in zip(found, expected)), f"vectors: {found}, in Python {expected}")
+    display.TexturedSplatsVectorOpacity, display.TexturedSplatsVectorShare, display.TexturedSplatsUseVectorColor = 1.5, 1, 0
+    check(abs(image(view) - suited).mean() > 0.5, "vectors look the same whatever is set")
+    check(settings_of(display, "VectorOpacity", "VectorShare", "UseVectorColor") == [1.5, 1, 0], "what is set does not stay")
+    pvs.Delete(view)
+
+
 def check_opacities():
     """Arrays that begin with the colours of a preset have its opacities too."""
     for array, opacities in (("cloud_fraction", [0, 0.05, 1]), ("clwmr", [0, 0.01, 0.3, 1]), ("RTData", [0, 1])):
@@ -200,6 +231,7 @@ check_smoke()
 check_filters()
 check_terrain()
 check_constant_fields()
+check_vectors()
 check_opacities()
 check_switched()
 passed()
