@@ -22,9 +22,9 @@ const char* word(bool value)
   return value ? "true" : "false";
 }
 
-std::string constantsOf(const TexturedSurface& surface, bool hasColors)
+std::string constantsOf(const TexturedSurface& surface, bool hasColors, const GardnerWaves& waves)
 {
-  return gardnerConstants() + "const bool hasSecondSet = " + word(surface.HasSecondSet) + ";\n" +
+  return gardnerConstants(waves) + "const bool hasSecondSet = " + word(surface.HasSecondSet) + ";\n" +
     "const bool hasNormals = " + word(!surface.Normals.empty()) + ";\n" + "const bool hasColors = " + word(hasColors) + ";\n";
 }
 
@@ -158,7 +158,7 @@ void addCloudCode(std::map<vtkShader::Type, vtkShader*>& shaders, const Textured
   {
     dec += choice.UseThickness && a.Name == "cloudPlace" ? "" : "in " + a.Type + " " + a.Name + "VSOutput;\n";
   }
-  dec += "uniform float coverage;\nuniform vec2 textureWeights;\n" + constantsOf(surface, choice.HasColors) +
+  dec += "uniform float coverage;\nuniform vec2 textureWeights;\n" + constantsOf(surface, choice.HasColors, choice.Waves) +
     GardnerTextureFunctions + CloudOpacityFunction;
   const std::string normal = input(attributes, "cloudNormal", "vec3(0.0)");
   std::string depth =

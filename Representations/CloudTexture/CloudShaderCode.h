@@ -4,6 +4,7 @@
 #ifndef CloudShaderCode_h
 #define CloudShaderCode_h
 
+#include "GardnerWaves.h"
 #include "TexturedSurface.h"
 
 #include "vtkShader.h"
@@ -34,6 +35,7 @@ struct CloudShaderChoice
   int Drawings = 0; ///< of layers, at most; 0: lists
   bool ThicknessIsAdded = false; ///< to the texture, instead of multiplying the opacity
   bool HasColors = false;
+  GardnerWaves Waves;
 };
 
 /** Names of the uniforms of layer i. */

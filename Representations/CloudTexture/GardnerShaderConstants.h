@@ -7,46 +7,56 @@
 #include "CoverageThreshold.h"
 #include "GardnerTexture.h"
 
-#include "vtkShaderProgram.h"
-
 #include <algorithm>
-#include <array>
 #include <cmath>
+#include <iomanip>
+#include <sstream>
 #include <string>
-#include <vector>
 
 namespace nephoscope
 {
 
-inline std::string gardnerConstants()
+/** Constants, not uniforms: software OpenGL fetches those anew for every pixel, at the cost of a texture. */
+template <typename Value>
+std::string arrayOfWaves(const std::string& type, const std::string& name, const GardnerWaves& waves, const Value& value)
 {
-  return "const int mostWaves = " + std::to_string(mostGardnerWaves) + ";\n" +
-    "const float thresholdColumns = " + std::to_string(CoverageThresholds::columns) + ".0;\n" +
-    "const float thresholdRows = " + std::to_string(CoverageThresholds::rows) + ".0;\n";
+  std::ostringstream result;
+  result << std::scientific << std::setprecision(9);
+  const std::string array = type + "[" + std::to_string(waves.size()) + "]";
+  result << "const " << type << " " << name << "[" << waves.size() << "] = " << array << "(";
+  for (std::size_t i = 0; i < waves.size(); ++i)
+  {
+    result << (i ? ", " : "");
+    value(result, waves[i]);
+  }
+  result << ");\n";
+  return result.str();
 }
 
-inline void setGardnerUniforms(vtkShaderProgram* program, const GardnerWaves& given)
+inline std::string gardnerConstants(const GardnerWaves& waves)
 {
-  std::array<float[4], mostGardnerWaves> waves{}, shifts{};
-  std::array<float, mostGardnerWaves> turns{};
-  const std::size_t count = std::min<std::size_t>(given.size(), mostGardnerWaves);
+  const auto vector = [](std::ostream& os, const Point3<double>& frequency, double fourth) {
+    os << "vec4(" << frequency[0] << ", " << frequency[1] << ", " << frequency[2] << ", " << fourth << ")";
+  };
   double largest = 0;
-  for (std::size_t i = 0; i < count; ++i)
+  for (const GardnerWave& wave : waves)
   {
-    const GardnerWave& wave = given[i];
-    std::copy(wave.Frequency.begin(), wave.Frequency.end(), waves[i]);
-    std::copy(wave.ShiftFrequency.begin(), wave.ShiftFrequency.end(), shifts[i]);
-    waves[i][3] = static_cast<float>(wave.Amplitude);
-    shifts[i][3] = static_cast<float>(wave.Phase);
-    turns[i] = static_cast<float>(wave.Shift / (2 * gardnerPi));
     largest = std::max(largest, std::abs(wave.Amplitude));
   }
-  program->SetUniformi("numberOfWaves", static_cast<int>(count));
-  program->SetUniform4fv("gardnerWaves", mostGardnerWaves, waves.data());
-  program->SetUniform4fv("gardnerShifts", mostGardnerWaves, shifts.data());
-  program->SetUniform1fv("gardnerTurns", mostGardnerWaves, turns.data());
-  program->SetUniformf("gardnerFourth", static_cast<float>(gardnerFourth(given)));
-  program->SetUniformf("largestAmplitude", static_cast<float>(largest));
+  std::ostringstream result;
+  result << std::scientific << std::setprecision(9);
+  result << "const int numberOfWaves = " << waves.size() << ";\n"
+         << arrayOfWaves("vec4", "gardnerWaves", waves,
+              [&](std::ostream& os, const GardnerWave& wave) { vector(os, wave.Frequency, wave.Amplitude); })
+         << arrayOfWaves("vec4", "gardnerShifts", waves,
+              [&](std::ostream& os, const GardnerWave& wave) { vector(os, wave.ShiftFrequency, wave.Phase); })
+         << arrayOfWaves("float", "gardnerTurns", waves,
+              [](std::ostream& os, const GardnerWave& wave) { os << wave.Shift / (2 * gardnerPi); })
+         << "const float gardnerFourth = " << gardnerFourth(waves) << ";\n"
+         << "const float largestAmplitude = " << largest << ";\n"
+         << "const float thresholdColumns = " << double(CoverageThresholds::columns) << ";\n"
+         << "const float thresholdRows = " << double(CoverageThresholds::rows) << ";\n";
+  return result.str();
 }
 
 } // namespace nephoscope

@@ -8,7 +8,6 @@
 #include "CloudShaderCode.h"
 #include "CloudThicknessPass.h"
 #include "CoverageThreshold.h"
-#include "GardnerShaderConstants.h"
 #include "JoinedSurfaces.h"
 #include "KeepPeeling.h"
 #include "ResourceWindow.h"
@@ -422,7 +421,7 @@ void vtkCloudTextureMapper::ReplaceShaderColor(
 {
   const bool isAdded = this->UseThickness && this->ThicknessEffect == THICKNESS_IS_ADDED_TO_TEXTURE;
   nephoscope::addCloudCode(
-    shaders, this->Internals->Surface, { this->UseThickness, this->Internals->Drawings, isAdded, this->HasColors() });
+    shaders, this->Internals->Surface, { this->UseThickness, this->Internals->Drawings, isAdded, this->HasColors(), this->Internals->InUse });
   this->Superclass::ReplaceShaderColor(shaders, renderer, actor);
 }
 
@@ -527,7 +526,6 @@ bool vtkCloudTextureMapper::HasColors() const
 
 void vtkCloudTextureMapper::SetTextureUniforms(vtkShaderProgram* program)
 {
-  nephoscope::setGardnerUniforms(program, this->Internals->InUse);
   program->SetUniformf("coverage", static_cast<float>(this->Coverage));
   program->SetUniformi("hasThreshold", this->UseThreshold);
   program->SetUniformf("givenThreshold", static_cast<float>(this->Threshold));

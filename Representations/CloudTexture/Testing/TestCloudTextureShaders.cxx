@@ -30,9 +30,9 @@ TEST_P(Waves, FilteredTexture)
       float(size * random.Uniform(-1, 1)), float(size * random.Uniform(-1, 1)) } });
   }
   ShaderRunner runner;
-  const auto results = runner.Run(gardnerConstants() + readShader("GardnerTexture.glsl"),
+  const auto results = runner.Run(gardnerConstants(waves) + readShader("GardnerTexture.glsl"),
     "result = vec4(filteredTexture(first.xyz, vec3(second.xy, 0.0), vec3(0.0, second.zw)), 0.0);", places, footprints,
-    [&waves](vtkShaderProgram* program) { setGardnerUniforms(program, waves); });
+    [](vtkShaderProgram*) {});
   for (std::size_t i = 0; i < results.size(); ++i)
   {
     const Float4 &p = places[i], &f = footprints[i];
@@ -57,7 +57,7 @@ TEST(CloudTextureShaders, ShareAndExcess)
     }
   }
   ShaderRunner runner;
-  const auto results = runner.Run(gardnerConstants() + readShader("GardnerTexture.glsl"),
+  const auto results = runner.Run(gardnerConstants(cloudWaves()) + readShader("GardnerTexture.glsl"),
     "result = vec4(cloudShare(first.x, first.y), cloudExcess(first.x, first.y, first.z), 0.0, 0.0);", list, {},
     [](vtkShaderProgram*) {});
   for (std::size_t i = 0; i < results.size(); ++i)
@@ -84,7 +84,7 @@ TEST(CloudTextureShaders, Blend)
 {
   ShaderRunner runner;
   const std::vector<Float4> weights{ { { 1, 0, 0, 0 } }, { { 0, 2, 0, 0 } }, { { 0.3f, 0.7f, 0, 0 } } };
-  const auto results = runner.Run(gardnerConstants() + readShader("GardnerTexture.glsl"),
+  const auto results = runner.Run(gardnerConstants(cloudWaves()) + readShader("GardnerTexture.glsl"),
     "result = vec4(blendTextures(vec3(0.4, 0.1, 0.2), vec3(-1.1, 0.5, 0.05), first.xy), 0.0);", weights, {}, [](vtkShaderProgram*) {});
   for (std::size_t i = 0; i < results.size(); ++i)
   {

@@ -3,8 +3,7 @@
 // Bumps of cloud for the lights: the normal of a surface that the texture has raised, which is not moved itself (Blinn1978).
 //   in:  footprints, takeRelief; normal in view coordinates, texture coordinates, weights of the two sets
 //   out: unit normal
-// Constant: hasSecondSet. The waves are those of GardnerTexture.glsl.
-uniform float largestAmplitude;
+// Constants: hasSecondSet, largestAmplitude, and the waves of GardnerTexture.glsl.
 uniform float reliefHeight; // of the largest wave, in view coordinates
 
 const float reliefLimit = 0.6; // steep slopes tend to 1 / reliefLimit, 59 degrees
@@ -24,14 +23,14 @@ vec2 bumpChange(vec3 p, vec3 across, vec3 up)
   vec2 result = vec2(0.0);
   for (int i = 0; i < numberOfWaves; ++i)
   {
-    vec4 wave = fullTurn * gardnerWaves[i];
-    vec4 shift = fullTurn * gardnerShifts[i];
-    float turns = fullTurn * gardnerTurns[i];
+    vec4 wave = gardnerWaves[i];
+    vec4 shift = gardnerShifts[i];
     float chi = dot(shift.xyz, p);
-    vec3 local = wave.xyz + turns * cos(chi) * shift.xyz;
-    vec2 change = vec2(dot(local, across), dot(local, up));
-    float height = gardnerWaves[i].w / largestAmplitude;
-    result -= height * height * exp(-0.5 * dot(change, change)) * sin(dot(wave.xyz, p) + shift.w + turns * sin(chi)) * change;
+    vec3 local = wave.xyz + fullTurn * gardnerTurns[i] * cosineOfTurns(chi) * shift.xyz;
+    vec2 change = fullTurn * vec2(dot(local, across), dot(local, up));
+    float height = wave.w / largestAmplitude;
+    float phase = dot(wave.xyz, p) + shift.w + gardnerTurns[i] * cosineOfTurns(chi - 0.25);
+    result -= height * height * exp(-0.5 * dot(change, change)) * cosineOfTurns(phase - 0.25) * change;
   }
   return result / pixelDeviation;
 }

@@ -3,13 +3,9 @@
 // The cloud texture through the footprint of a pixel, as GardnerTexture.h and CoverageThreshold.h have it.
 //   in:  texture coordinates p; how far they change over one standard deviation of the pixel's filter, across and up
 //   out: mean of f, variance lost to the filter, sum of the fourth powers of the amplitudes that are left
-// Constants, from the headers: mostWaves, thresholdColumns, thresholdRows.
-uniform int numberOfWaves;
-uniform vec4 gardnerWaves[mostWaves];  // frequencies, amplitude
-uniform vec4 gardnerShifts[mostWaves]; // frequencies of what shifts the phase, phase; all in turns
-uniform float gardnerTurns[mostWaves]; // by how much it shifts
-uniform float gardnerFourth;           // sum of the fourth powers of the amplitudes
-uniform int hasThreshold;              // instead of a cover
+// Constants, from the headers: thresholdColumns, thresholdRows, and of the waves, in turns: numberOfWaves, gardnerWaves (frequencies, amplitude), gardnerShifts
+// (frequencies of what shifts the phase, phase), gardnerTurns (by how much), gardnerFourth (sum of the fourth powers of the amplitudes).
+uniform int hasThreshold; // instead of a cover
 uniform float givenThreshold;
 uniform sampler2D coverageThresholds;
 
