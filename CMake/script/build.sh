@@ -41,7 +41,7 @@ configure()
   # Several sources compiled at a time need a third of the processor time; but of them, one that changes makes ccache forget all.
   if command -v ccache >/dev/null; then
     options+=(-DCMAKE_C_COMPILER_LAUNCHER=ccache -DCMAKE_CXX_COMPILER_LAUNCHER=ccache -DCMAKE_UNITY_BUILD=OFF)
-  else
+  elif [ "$PRESET" = default ]; then # the others look for warnings and errors, source by source
     options+=(-DCMAKE_UNITY_BUILD=ON)
   fi
   # CMake reads the presets of the current folder.
