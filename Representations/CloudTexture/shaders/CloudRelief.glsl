@@ -37,6 +37,12 @@ vec2 bumpChange(vec3 p, vec3 across, vec3 up)
 
 vec3 raisedNormal(vec3 normal, vec3 first, vec3 second, vec2 weights)
 {
+  float square = dot(normal, normal);
+  if (!(square > 0.5 && square < 2.0)) // what VTK makes of facets with pixels of 1e-10: the square of their area is 0
+  {
+    vec3 facet = normalize(cross(normalize(reliefAcross), normalize(reliefUp)));
+    normal = facet.z < 0.0 ? -facet : facet;
+  }
   vec2 change = bumpChange(first, footprints[0], footprints[1]);
   if (hasSecondSet)
   {
