@@ -31,6 +31,15 @@ class Splats(PlotterTestCase):
 
 
 class Accepted(Splats):
+    def test_the_bar_of_vectors_alone_has_colours(self):
+        """With opacity 0 the medium is not drawn, and its colours are those of the vectors."""
+        grid = pyvista.ImageData(dimensions=(4, 4, 4))
+        grid["height"] = np.linspace(0, 1, 64)
+        grid["wind"] = np.ones((64, 3))
+        for opacity, alphas in ((0, [255]), (1, [255])):
+            volume = nephoscope.add_splats(pyvista.Plotter(off_screen=True), grid, "height", opacity=opacity, vectors="wind")
+            self.assertEqual(np.unique(np.asarray(volume.mapper.lookup_table.values)[:, 3]).tolist(), alphas)
+
     def test_defaults_are_those_of_the_mapper(self):
         volume, fresh = self.add(), nephoscope.vtkTexturedSplatMapper()
         self.assertIsInstance(volume.mapper, nephoscope.vtkTexturedSplatMapper)
