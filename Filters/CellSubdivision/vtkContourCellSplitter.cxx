@@ -196,25 +196,32 @@ vtkDataArray* vtkContourCellSplitter::FindScalars(vtkDataSet* input, vtkInformat
   return array;
 }
 
+// Where neither array nor value is given: one value, from the data.
+bool vtkContourCellSplitter::TakesDefaultValue()
+{
+  return !this->AreValuesGiven && nephoscope::IsNoArrayChosen(this);
+}
+
 bool vtkContourCellSplitter::FindLevels(vtkDataArray* scalars, nephoscope::ContourLevels& levels)
 {
   std::vector<double> values;
   for (int i = 0; i < this->GetNumberOfContours(); ++i)
   {
-    const double value = this->GetValue(i);
-    if (!std::isfinite(value))
+    values.push_back(this->GetValue(i));
+    if (!std::isfinite(values.back()))
     {
-      vtkErrorMacro("Contour value " << i << " is " << value << "; it must be a finite number.");
+      vtkErrorMacro("Contour value " << i << " is " << values.back() << "; it must be a finite number.");
       return false;
     }
-    // What a float array can hold, so that the scalar on the cuts equals the value by which cells are judged.
-    values.push_back(
-      scalars->GetDataType() == VTK_FLOAT ? static_cast<double>(static_cast<float>(value)) : value);
   }
-  if (!this->AreValuesGiven && nephoscope::IsNoArrayChosen(this))
+  if (this->TakesDefaultValue())
   {
-    const double value = nephoscope::DefaultContourValue(this->DefaultRange);
-    values = { scalars->GetDataType() == VTK_FLOAT ? static_cast<double>(static_cast<float>(value)) : value };
+    values = { nephoscope::DefaultContourValue(this->DefaultRange) };
+  }
+  for (double& value : values)
+  {
+    // What a float array can hold, so that the scalar on the cuts equals the value by which cells are judged.
+    value = scalars->GetDataType() == VTK_FLOAT ? static_cast<double>(static_cast<float>(value)) : value;
   }
   levels = nephoscope::ContourLevels(values);
   return true;
@@ -223,7 +230,7 @@ bool vtkContourCellSplitter::FindLevels(vtkDataArray* scalars, nephoscope::Conto
 // Empty if the array passes a value, or there is none.
 std::string vtkContourCellSplitter::ReasonOfWholeness(vtkDataArray* array)
 {
-  if (!this->AreValuesGiven && nephoscope::IsNoArrayChosen(this))
+  if (this->TakesDefaultValue())
   {
     return std::string(); // the middle of the range of all blocks
   }
@@ -249,7 +256,7 @@ void vtkContourCellSplitter::BeginExecution()
   {
     this->Reason.clear();
     this->HasDivided = false;
-    if (!this->AreValuesGiven && nephoscope::IsNoArrayChosen(this))
+    if (this->TakesDefaultValue())
     {
       this->DefaultRange = nephoscope::RangeOfDefaultArrays(this->GetInputDataObject(0, 0));
     }

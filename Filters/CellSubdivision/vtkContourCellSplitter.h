@@ -159,6 +159,7 @@ private:
     std::vector<nephoscope::SplitBatch>& batches);
   void Assemble(vtkDataSet* input, vtkDataArray* array, const nephoscope::ContourScalars& scalars,
     std::vector<nephoscope::SplitBatch>& batches, vtkUnstructuredGrid* output);
+  bool TakesDefaultValue();
   std::string ReasonOfWholeness(vtkDataArray* array);
   void BeginExecution();
   void EndExecution();

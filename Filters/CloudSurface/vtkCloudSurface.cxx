@@ -166,7 +166,7 @@ bool vtkCloudSurface::BuildSurface(vtkDataSet* input, const nephoscope::Smoothin
   {
     return false;
   }
-  if (!this->AreValuesGiven && nephoscope::IsNoArrayChosen(this))
+  if (this->TakesDefaultValue())
   {
     values = { this->DefaultValue };
     indices = { 0 };
@@ -267,6 +267,12 @@ std::string vtkCloudSurface::ReasonOfEmptiness(
   return reason.str();
 }
 
+// Where neither array nor value is given: one value, from the data.
+bool vtkCloudSurface::TakesDefaultValue()
+{
+  return !this->AreValuesGiven && nephoscope::IsNoArrayChosen(this);
+}
+
 // Around the execution for all blocks of composite data: one of them with a surface is enough.
 void vtkCloudSurface::BeginExecution()
 {
@@ -274,7 +280,7 @@ void vtkCloudSurface::BeginExecution()
   {
     this->Reason.clear();
     this->HasSurface = false;
-    if (!this->AreValuesGiven && nephoscope::IsNoArrayChosen(this))
+    if (this->TakesDefaultValue())
     {
       this->DefaultValue = nephoscope::DefaultContourValue(nephoscope::RangeOfDefaultArrays(this->GetInputDataObject(0, 0)));
     }

@@ -161,6 +161,7 @@ private:
 
   std::string ReasonOfEmptiness(
     vtkDataArray* scalars, const std::vector<double>& field, const std::vector<double>& values, vtkInformation* outInfo);
+  bool TakesDefaultValue();
   void BeginExecution();
   void EndExecution();
   vtkDataArray* FindScalars(vtkDataSet* input, vtkInformationVector** inputs);

@@ -6,12 +6,7 @@
 
 #include "CloudRelief.h"
 #include "CloudShaderCode.h"
-#include "CloudThicknessPass.h"
-#include "CoverageThreshold.h"
-#include "JoinedSurfaces.h"
-#include "KeepPeeling.h"
-#include "ResourceWindow.h"
-#include "TexturedSurface.h"
+#include "vtkCloudTextureMapperInternals.h"
 
 #include "vtkActor.h"
 #include "vtkAlgorithm.h"
@@ -33,78 +28,11 @@
 #include "vtkRenderer.h"
 #include "vtkShader.h"
 #include "vtkShaderProgram.h"
-#include "vtkSmartPointer.h"
-#include "vtkTextureObject.h"
 
 #include <algorithm>
 #include <cmath>
-#include <tuple>
-#include <vector>
 
 vtkStandardNewMacro(vtkCloudTextureMapper);
-
-struct vtkCloudTextureMapper::vtkInternals
-{
-  using Key = std::tuple<vtkPolyData*, vtkMTimeType, std::string, std::string, std::string, double,
-    double, std::string, bool, bool, double, double>;
-
-  nephoscope::GardnerWaves Custom = nephoscope::cloudWaves();
-  nephoscope::GardnerWaves InUse = nephoscope::cloudWaves();
-  std::vector<double> TableAmplitudes;
-  std::unique_ptr<nephoscope::CoverageThresholds> Table;
-  nephoscope::JoinedSurfaces Blocks;
-  vtkSmartPointer<vtkCloudTextureMapper> ForBlocks;
-  vtkMTimeType ForBlocksTime = 0;
-  nephoscope::TexturedSurface Surface;
-  Key MadeFrom{ nullptr, 0, "", "", "", 0.0, 0.0, "", false, false, 0.0, 0.0 };
-  std::string LastError, LastWarning, LastThickness, LastWavesError;
-  nephoscope::CloudThicknessPass Thickness;
-  nephoscope::KeepPeeling Peels;
-  int Drawings = 0; // of layers, that the shader is made for
-  vtkSmartPointer<vtkTextureObject> Thresholds;
-
-  nephoscope::ResourceWindow Window{ [this](vtkWindow* window) {
-    this->Thresholds = nullptr;
-    this->Thickness.ReleaseGraphicsResources(window);
-  } };
-
-  /** Only amplitudes count. */
-  const nephoscope::CoverageThresholds& ThresholdTable()
-  {
-    std::vector<double> amplitudes;
-    for (const nephoscope::GardnerWave& wave : this->InUse)
-    {
-      amplitudes.push_back(wave.Amplitude);
-    }
-    if (!this->Table || amplitudes != this->TableAmplitudes)
-    {
-      this->Table.reset(new nephoscope::CoverageThresholds(this->InUse));
-      this->TableAmplitudes = amplitudes;
-      this->Thresholds = nullptr;
-    }
-    return *this->Table;
-  }
-
-  void Enter(vtkOpenGLRenderWindow* window)
-  {
-    this->Window.Enter(window);
-    this->ThresholdTable();
-    if (this->Thresholds)
-    {
-      return;
-    }
-    const nephoscope::CoverageThresholds& table = this->ThresholdTable();
-    std::vector<float> values = table.GetValues();
-    this->Thresholds = vtkSmartPointer<vtkTextureObject>::New();
-    this->Thresholds->SetContext(window);
-    this->Thresholds->Create2DFromRaw(static_cast<unsigned int>(table.columns),
-      static_cast<unsigned int>(table.rows), 1, VTK_FLOAT, values.data());
-    this->Thresholds->SetMinificationFilter(vtkTextureObject::Linear);
-    this->Thresholds->SetMagnificationFilter(vtkTextureObject::Linear);
-    this->Thresholds->SetWrapS(vtkTextureObject::ClampToEdge);
-    this->Thresholds->SetWrapT(vtkTextureObject::ClampToEdge);
-  }
-};
 
 vtkCloudTextureMapper::vtkCloudTextureMapper()
   : Internals(new vtkInternals)
@@ -540,90 +468,6 @@ double vtkCloudTextureMapper::GetTextureScaleUsed() const
 {
   const bool hasBlocks = vtkCompositeDataSet::SafeDownCast(const_cast<vtkCloudTextureMapper*>(this)->GetInputDataObject(0, 0)) != nullptr;
   return hasBlocks && this->Internals->ForBlocks ? this->Internals->ForBlocks->GetTextureScaleUsed() : this->Internals->Surface.Scale;
-}
-
-double vtkCloudTextureMapper::GetCoverageUsed()
-{
-  this->ChooseWaves();
-  return this->UseThreshold ? nephoscope::coverOfThreshold(this->Internals->InUse, this->Threshold, this->Softness)
-                            : this->Coverage;
-}
-
-double vtkCloudTextureMapper::GetThresholdUsed()
-{
-  this->ChooseWaves();
-  return this->UseThreshold
-    ? this->Threshold
-    : nephoscope::thresholdOfCover(this->Internals->ThresholdTable(), this->Coverage, this->Softness);
-}
-
-void vtkCloudTextureMapper::CopyWaves(vtkCloudTextureMapper* other)
-{
-  this->SetWaves(other->Waves);
-  this->Internals->Custom = other->Internals->Custom;
-}
-
-void vtkCloudTextureMapper::SetNumberOfCustomWaves(int count)
-{
-  const std::size_t size = static_cast<std::size_t>(std::max(0, std::min(count, nephoscope::mostGardnerWaves)));
-  if (size != this->Internals->Custom.size())
-  {
-    this->Internals->Custom.resize(size);
-    this->Modified();
-  }
-}
-
-int vtkCloudTextureMapper::GetNumberOfCustomWaves() const
-{
-  return static_cast<int>(this->Internals->Custom.size());
-}
-
-void vtkCloudTextureMapper::SetCustomWave(
-  int i, double amplitude, double b, double c, double d, double shift, double e, double g, double h, double phase)
-{
-  if (i < 0 || i >= nephoscope::mostGardnerWaves)
-  {
-    vtkErrorMacro("There is no wave " << i << ": count them from 0, and set " << nephoscope::mostGardnerWaves << " at most.");
-    return;
-  }
-  this->SetNumberOfCustomWaves(std::max(i + 1, this->GetNumberOfCustomWaves()));
-  this->Internals->Custom[static_cast<std::size_t>(i)] = { amplitude, { { b, c, d } }, shift, { { e, g, h } }, phase };
-  this->Modified();
-}
-
-void vtkCloudTextureMapper::GetCustomWave(int i, double values[9]) const
-{
-  nephoscope::listWave(this->Internals->Custom, i, values);
-}
-
-int vtkCloudTextureMapper::GetNumberOfWavesUsed() const
-{
-  return static_cast<int>(this->Internals->InUse.size());
-}
-
-void vtkCloudTextureMapper::GetWaveUsed(int i, double values[9]) const
-{
-  nephoscope::listWave(this->Internals->InUse, i, values);
-}
-
-void vtkCloudTextureMapper::ChooseWaves()
-{
-  vtkInternals& own = *this->Internals;
-  own.InUse = nephoscope::normalized(this->Waves == WAVES_CUSTOM ? own.Custom : nephoscope::presetWaves(this->Waves));
-  const std::string error = this->Waves == WAVES_CUSTOM ? nephoscope::describeUnusable(own.Custom) : std::string();
-  if (!error.empty())
-  {
-    own.InUse = nephoscope::cloudWaves();
-  }
-  if (own.Surface.GoesRound)
-  {
-    nephoscope::closeOnLongitudes(own.InUse);
-  }
-  if (!error.empty() && error != own.LastWavesError)
-  {
-    vtkWarningMacro(<< error);
-  }
-  own.LastWavesError = error;
 }
 
 void vtkCloudTextureMapper::SetReliefHeight(vtkShaderProgram* program, vtkActor* actor)

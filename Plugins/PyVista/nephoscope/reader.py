@@ -216,7 +216,6 @@ def _with_spacing(mesh: pyvista.DataSet) -> pyvista.DataSet:
 def _axes_in_order(mesh: pyvista.DataSet, shape: str) -> pyvista.DataSet:
     """Longitudes along x and latitudes along y, where the names of the dimensions tell that they are not."""
     names = [name.strip().lower() for name in shape.strip("()").split(",")][::-1]  # fastest first
-    names = names[:3] if len(names) < 4 else names
     along_x = next((axis for axis, name in enumerate(names) if name in _X), None)
     along_y = next((axis for axis, name in enumerate(names) if name in _Y), None)
     if along_x is None or along_y is None or (along_x, along_y) == (0, 1) or len(names) > 3 or isinstance(mesh, pyvista.StructuredGrid):
