@@ -168,7 +168,7 @@ void AddNumbers(vtkDataSetAttributes* data, const char* name, vtkIdType first, v
   data->AddArray(numbers);
 }
 
-constexpr const char* sources = "Sources"; // of points and cells, counted through all grids
+constexpr const char* sourceName = "Sources"; // of points and cells, counted through all grids
 
 // vtkGhostCellsGenerator loses flags of hidden cells, and arrays that are not numbers. It is told the geometry alone.
 vtkSmartPointer<vtkPartitionedDataSet> ExtendGeometry(const std::vector<vtkDataSet*>& grids, int layers)
@@ -184,8 +184,8 @@ vtkSmartPointer<vtkPartitionedDataSet> ExtendGeometry(const std::vector<vtkDataS
     {
       grid->CopyStructure(grids[i]);
     }
-    AddNumbers(grid->GetPointData(), sources, points, grid->GetNumberOfPoints());
-    AddNumbers(grid->GetCellData(), sources, cells, grid->GetNumberOfCells());
+    AddNumbers(grid->GetPointData(), sourceName, points, grid->GetNumberOfPoints());
+    AddNumbers(grid->GetCellData(), sourceName, cells, grid->GetNumberOfCells());
     points += grid->GetNumberOfPoints();
     cells += grid->GetNumberOfCells();
     partitions->SetPartition(static_cast<unsigned int>(i), grid);
@@ -226,7 +226,7 @@ std::size_t GridOf(const std::vector<vtkIdType>& first, vtkIdType source)
 
 void CopyPointArrays(const std::vector<vtkDataSet*>& grids, const std::vector<vtkIdType>& first, std::size_t own, vtkDataSet* extended)
 {
-  auto* from = vtkIdTypeArray::SafeDownCast(extended->GetPointData()->GetAbstractArray(sources));
+  auto* from = vtkIdTypeArray::SafeDownCast(extended->GetPointData()->GetAbstractArray(sourceName));
   vtkPointData* ownData = grids[own]->GetPointData();
   vtkNew<vtkPointData> data;
   data->CopyAllOn();
@@ -246,7 +246,7 @@ void CopyPointArrays(const std::vector<vtkDataSet*>& grids, const std::vector<vt
 
 void CopyCellFlags(const std::vector<vtkDataSet*>& grids, const std::vector<vtkIdType>& first, vtkDataSet* extended)
 {
-  auto* from = vtkIdTypeArray::SafeDownCast(extended->GetCellData()->GetAbstractArray(sources));
+  auto* from = vtkIdTypeArray::SafeDownCast(extended->GetCellData()->GetAbstractArray(sourceName));
   vtkUnsignedCharArray* flags = extended->GetCellGhostArray();
   for (vtkIdType id = 0; id < from->GetNumberOfValues(); ++id)
   {
@@ -256,7 +256,7 @@ void CopyCellFlags(const std::vector<vtkDataSet*>& grids, const std::vector<vtkI
       flags->SetValue(id, flags->GetValue(id) | its->GetValue(from->GetValue(id) - first[grid]));
     }
   }
-  extended->GetCellData()->RemoveArray(sources);
+  extended->GetCellData()->RemoveArray(sourceName);
 }
 }
 
