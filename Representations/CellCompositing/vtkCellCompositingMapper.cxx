@@ -33,6 +33,22 @@ using nephoscope::withThreads;
 
 vtkStandardNewMacro(vtkCellCompositingMapper);
 
+namespace
+{
+std::string ignoredByEarlierMethods(const nephoscope::CellDrawingOptions& options, const CellScene& scene)
+{
+  std::string list;
+  const auto add = [&list](bool ignored, const char* what) {
+    list += ignored ? (list.empty() ? "" : " and ") + std::string(what) : std::string();
+  };
+  add(options.Haze.IsOn(), "the haze of the renderer");
+  add(!options.Planes.IsEmpty(), "the clipping planes");
+  add(scene.GetContours().DrawsAny(), "the contour surfaces");
+  add(scene.ContoursMakeLayers(), "the layers between contour values");
+  return list;
+}
+}
+
 vtkCellCompositingMapper::vtkCellCompositingMapper()
   : Internals(new vtkInternals)
   , Contours(new nephoscope::ContourSettings)
@@ -245,10 +261,9 @@ std::string vtkCellCompositingMapper::DrawScene(
                     "UseDepthPeelingForVolumesOff() of the renderer.");
   }
   const bool earlier = options.Method == CellMethod::Faces || nephoscope::drawsTriangles(options.Method);
-  const std::string ignored = std::string(options.Haze.IsOn() ? "the haze of the renderer" : "") +
-    (options.Haze.IsOn() && !options.Planes.IsEmpty() ? " and " : "") + (options.Planes.IsEmpty() ? "" : "the clipping planes");
+  const std::string ignored = earlier ? ignoredByEarlierMethods(options, scene) : std::string();
   const std::string warning =
-    earlier && !ignored.empty() ? "Triangles and faces are drawn without " + ignored + ": choose another method." : "";
+    ignored.empty() ? "" : "Triangles and faces are drawn without " + ignored + ": choose another method.";
   if (this->Internals->LastWarning.IsNew(warning)) // once, not once per frame
   {
     vtkWarningMacro(<< warning);

@@ -80,6 +80,7 @@ public:
    * - Rays: every pixel walks through the mesh from cell to cell, front to back. The order is exact for every mesh, with cycles, holes
    *   and separate parts, whatever VisibilityOrder says. Where cells overlap in space, each part of a ray between entering and leaving
    *   the mesh is composited whole, in the order of entering; an eye inside several overlapping parts sees one of them.
+   *   Where there are contour surfaces or layers, cells are projected.
    * - Projection, or Cells: cell after cell in the order that VisibilityOrder tells, each over the pixels that it covers.
    * - Automatic: rays where VisibilityOrder is exact, projection otherwise; and projection, in no order, where none is needed
    *   (GetOrderIndependent()), unless the data are structured: it is right for cells that overlap in space too, whatever the view.
@@ -93,7 +94,8 @@ public:
    * - Faces: faces in the order of their centroids, on the processor, each compositing the segment to the one drawn before it
    *   at a pixel, of negative length where the order is wrong (Lucas 1992; MaxCrawfisBecker1993 section 2). Exact in any order for one
    *   colour and extinction. VisibilityOrder None: input order, else centroids. SplitAtControlPoints is taken as off.
-   * With triangles, tetrahedra that reach the plane of the eye are left out, with a warning.
+   * With triangles, tetrahedra that reach the plane of the eye are left out, with a warning. These three draw layers of cells, but neither
+   * contour surfaces nor the layers between contour values, and say so in a warning.
    */
   virtual void SetMethod(int method);
   vtkGetMacro(Method, int);

@@ -108,10 +108,40 @@ def check_layers(source):
     check_same(color_and_alpha(view)[1] * 255, whole * 255, "layers and back")
 
 
+def check_layer_colors(source):
+    """Colours that jump between layers: what each layer adds is its own colour, and the opacity stays."""
+    view = new_view()
+    display = compose(source, view)
+    display.CellCompositingContourValues = VALUES
+    display.CellCompositingContourOpacity = 0.0
+    image(view)
+    look(view)
+    _, whole = color_and_alpha(view)
+    display.CellCompositingLayerColors = [1, 0, 0, 0, 1, 0, 0, 0, 1]
+    rgb, alpha = color_and_alpha(view)
+    save_image(rgb, "LayerColors")
+    check((rgb.max(axis=(0, 1)) > 10).all(), "a layer's colour is missing")
+    check(np.abs(rgb.sum(axis=2) - 255 * alpha).max() <= 3, "something has another colour than those of the layers")
+    check(np.abs(alpha - whole).max() < 2 / 255, "colours change the opacity")
+    display.CellCompositingLayerOpacityScales = [0.0, 1.0, 0.0]
+    check(image(view)[..., [0, 2]].max() == 0, "layer 1 is not green alone")
+    display.CellCompositingLayerOpacityScales = []
+    maps = [pvs.CreateLookupTable(RGBPoints=[0, *color, 300, *color]) for color in ([1, 0, 0], [0, 1, 0], [0, 0, 1])]
+    display.CellCompositingLayerColors = []
+    display.CellCompositingLayerLookupTables = maps
+    check_same(image(view), rgb, "layer colour maps", 1, 0.1)
+    display.CellCompositingLayerColors = [-1, 0, 0, 0, 0, 1]
+    check(image(view)[..., 1].max() < image(view)[..., 0].max(), "a colour must go before a colour map, and a negative red is none")
+    display.CellCompositingLayerLookupTables = []
+    display.CellCompositingLayerColors = []
+    check_same(color_and_alpha(view)[1] * 255, whole * 255, "layer colours and back")
+
+
 load_plugin()
 wavelet = pvs.Wavelet()
 check_against_polygons(wavelet)
 check_properties(wavelet)
 check_contour_array(wavelet)
 check_layers(wavelet)
+check_layer_colors(wavelet)
 passed()

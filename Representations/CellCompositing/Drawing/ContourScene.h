@@ -47,6 +47,8 @@ public:
     const ContourSettings& settings, vtkVolumeProperty* property, const std::vector<int>& tables);
 
   bool IsUsed() const { return !this->Contours.empty(); }
+  /** Some surface is not transparent. */
+  bool DrawsAny() const { return !this->Drawn.empty(); }
   /** A surface with some opacity is crossed between the least and the greatest scalar. */
   bool DrawsBetween(float low, float high) const;
   /** Number of values at or below s. */

@@ -28,6 +28,17 @@ std::array<std::int32_t, 3> outwardFace(const CellGeometry& geometry, const Tetr
   }
   return points;
 }
+
+std::array<std::int32_t, 3> pointsOf(const Tetrahedron& t, std::array<std::int32_t, 3> face, const FaceNeighbors& neighbors)
+{
+  for (std::int32_t& point : face)
+  {
+    const auto same = std::find_if(
+      t.begin(), t.end(), [&](std::int32_t p) { return neighbors.GetPlace(p) == neighbors.GetPlace(point); });
+    point = same == t.end() ? point : *same;
+  }
+  return face;
+}
 }
 
 void FaceMesh::Build(const CellGeometry& geometry)
@@ -47,7 +58,9 @@ void FaceMesh::Build(const CellGeometry& geometry)
       {
         continue; // the neighbour has listed it
       }
-      this->Faces.push_back({ outwardFace(geometry, geometry.Tetrahedra[i], face), self, neighbor });
+      const auto points = outwardFace(geometry, geometry.Tetrahedra[i], face);
+      this->Faces.push_back({ points, self, neighbor,
+        neighbor < 0 ? points : pointsOf(geometry.Tetrahedra[static_cast<std::size_t>(neighbor)], points, neighbors) });
     }
   }
 }

@@ -59,8 +59,9 @@ std::string FacePass::Draw(vtkOpenGLRenderWindow* window, const CellScene& scene
   const std::vector<float> depth = readDepth(opaqueDepth, width, height);
   FaceSweep::Scene sweep;
   sweep.Geometry = &geometry;
-  sweep.Color = &scene.GetTransferFunction();
-  sweep.Opacity = &scene.GetOpacityFunction();
+  sweep.Color = scene.GetTransferFunctions().data();
+  sweep.Opacity = scene.GetOpacityFunctions().data();
+  sweep.TablesOfTetrahedra = &scene.GetTablesOfTetrahedra();
   sweep.ExtinctionScale = options.ExtinctionScale;
   sweep.AverageIntegration = options.AverageIntegration;
   sweep.OpaqueDepth = depth.data();

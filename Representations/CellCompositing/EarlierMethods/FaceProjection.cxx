@@ -138,11 +138,12 @@ public:
     {
       return;
     }
-    std::array<std::int32_t, 4> polygon;
-    const int corners = this->Clip(face.Points, polygon);
+    std::array<std::int32_t, 4> polygon, other;
+    const int corners = this->Clip(face, polygon, other);
     for (int k = 2; k < corners; ++k)
     {
-      this->AddTriangle({ { polygon[0], polygon[k - 1], polygon[k] } }, first, second, this->Distance(face.Points));
+      this->AddTriangle({ { polygon[0], polygon[k - 1], polygon[k] } }, { { other[0], other[k - 1], other[k] } }, first, second,
+        this->Distance(face.Points));
     }
   }
 
@@ -171,7 +172,7 @@ public:
       {
         std::swap(triangle[1], triangle[2]);
       }
-      this->Append(triangle, tetrahedron, -1, std::numeric_limits<float>::lowest()); // in front of everything
+      this->Append({ triangle, tetrahedron, -1, triangle, false }, std::numeric_limits<float>::lowest()); // in front of everything
     }
   }
 
@@ -242,20 +243,25 @@ private:
     return static_cast<std::int32_t>(this->Self.Points.size() - 1);
   }
 
-  /** The part of a face beyond the near plane: 0, 3 or 4 corners. */
-  int Clip(const std::array<std::int32_t, 3>& face, std::array<std::int32_t, 4>& polygon)
+  /** The part of a face beyond the near plane: 0, 3 or 4 corners, with the points of its first and of its second tetrahedron. */
+  int Clip(const MeshFace& face, std::array<std::int32_t, 4>& polygon, std::array<std::int32_t, 4>& other)
   {
+    const bool same = face.Points == face.SecondPoints;
     int corners = 0;
     for (int k = 0; k < 3; ++k)
     {
-      const std::int32_t from = face[k], to = face[(k + 1) % 3];
+      const int l = (k + 1) % 3;
+      const std::int32_t from = face.Points[k], to = face.Points[l];
       if (!this->IsNearer(from))
       {
-        polygon[corners++] = from;
+        polygon[corners] = from;
+        other[corners++] = face.SecondPoints[k];
       }
       if (this->IsNearer(from) != this->IsNearer(to))
       {
-        polygon[corners++] = this->Cut(from, to);
+        polygon[corners] = this->Cut(from, to);
+        other[corners] = same ? polygon[corners] : this->Cut(face.SecondPoints[k], face.SecondPoints[l]);
+        ++corners;
       }
     }
     return corners;
@@ -263,7 +269,8 @@ private:
 
   // A face that turns its outside to the eye is a front face of its first tetrahedron. The sign comes from the numbers that the
   // pixels are found with, so that at each of them the marks of a tetrahedron's faces cancel.
-  void AddTriangle(std::array<std::int32_t, 3> points, std::int32_t first, std::int32_t second, float distance)
+  void AddTriangle(std::array<std::int32_t, 3> points, std::array<std::int32_t, 3> ofSecond, std::int32_t first,
+    std::int32_t second, float distance)
   {
     const std::int64_t area = this->View.IsMirrored() ? -this->Area(points) : this->Area(points);
     const bool frontFace = area > 0;
@@ -274,13 +281,14 @@ private:
     if (this->Area(points) < 0)
     {
       std::swap(points[1], points[2]);
+      std::swap(ofSecond[1], ofSecond[2]);
     }
-    this->Append(points, frontFace ? first : second, frontFace ? second : first, distance);
+    this->Append({ points, frontFace ? first : second, frontFace ? second : first, ofSecond, frontFace }, distance);
   }
 
-  void Append(const std::array<std::int32_t, 3>& points, std::int32_t behind, std::int32_t inFront, float distance)
+  void Append(const ScreenFace& face, float distance)
   {
-    this->Self.Faces.push_back({ points, behind, inFront });
+    this->Self.Faces.push_back(face);
     this->Distances.push_back(distance);
   }
 

@@ -72,6 +72,9 @@ struct ScreenFace
   std::array<std::int32_t, 3> Points; ///< counterclockwise on the screen
   std::int32_t Behind;                ///< the visible tetrahedron behind the face, or -1
   std::int32_t InFront;               ///< the visible tetrahedron on the eye's side, or -1
+  /** The same places with the values of the other side, where these may be others. */
+  std::array<std::int32_t, 3> OtherPoints;
+  bool OtherIsInFront;                ///< which side that is
   /** What the face adds to the count of crossings: 1 where a ray leaves the volume, -1 where it enters, seen from the eye. */
   int Mark() const { return (this->InFront >= 0) - (this->Behind >= 0); }
 };

@@ -47,16 +47,24 @@ struct Pixel
   std::array<double, 4> Light = { { 0, 0, 0, 0 } };
 };
 
+/** What a face's points say at a pixel. */
+struct Scalars
+{
+  float Color, Opacity;
+};
+
 /** A triangle set up for a walk over pixels. */
 class Raster
 {
 public:
   Raster(const FaceProjection& projection, const ScreenFace& face, bool perspective)
     : Perspective(perspective)
+    , Jumps(face.Points != face.OtherPoints)
   {
     for (std::size_t k = 0; k < 3; ++k)
     {
       this->Corners[k] = &projection.GetPoints()[static_cast<std::size_t>(face.Points[k])];
+      this->Others[k] = &projection.GetPoints()[static_cast<std::size_t>(face.OtherPoints[k])];
       this->Snapped[k] = snapped(this->Corners[k]->Place);
     }
     for (std::size_t k = 0; k < 3; ++k)
@@ -93,26 +101,40 @@ public:
     return true;
   }
 
-  /** Sets z and the scalars where the ray through the pixel's centre meets the face's plane, but never outside the face. */
-  void Interpolate(int x, int y, double& z, float& scalar, float& opacity) const
+  /**
+   * Returns z, and sets the scalars of either side, where the ray through the pixel's centre meets the face's plane, but never outside
+   * the face.
+   */
+  double Interpolate(int x, int y, Scalars& scalars, Scalars& ofOthers) const
   {
-    const std::array<double, 3> weights = this->Weights(x + 0.5, y + 0.5);
-    double sumOfWeights = 0, s = 0, o = 0, depth = 0;
+    std::array<double, 3> weights = this->Weights(x + 0.5, y + 0.5);
+    double sumOfWeights = 0, depth = 0;
     for (std::size_t k = 0; k < 3; ++k)
     {
       // 1 / z is linear on the screen, and so are attributes divided by z.
-      const double w = this->Perspective ? weights[k] / this->Corners[k]->Place.Z : weights[k];
-      sumOfWeights += w;
-      depth += w * this->Corners[k]->Place.Z;
-      s += w * this->Corners[k]->Scalar;
-      o += w * this->Corners[k]->Opacity;
+      weights[k] = this->Perspective ? weights[k] / this->Corners[k]->Place.Z : weights[k];
+      sumOfWeights += weights[k];
+      depth += weights[k] * this->Corners[k]->Place.Z;
     }
-    z = depth / sumOfWeights;
-    scalar = static_cast<float>(s / sumOfWeights);
-    opacity = static_cast<float>(o / sumOfWeights);
+    scalars = mean(this->Corners, weights, sumOfWeights);
+    ofOthers = this->Jumps ? mean(this->Others, weights, sumOfWeights) : scalars;
+    return depth / sumOfWeights;
   }
 
 private:
+  using Points = std::array<const ScreenPoint*, 3>;
+
+  static Scalars mean(const Points& points, const std::array<double, 3>& weights, double sumOfWeights)
+  {
+    double s = 0, o = 0;
+    for (std::size_t k = 0; k < 3; ++k)
+    {
+      s += weights[k] * points[k]->Scalar;
+      o += weights[k] * points[k]->Opacity;
+    }
+    return { static_cast<float>(s / sumOfWeights), static_cast<float>(o / sumOfWeights) };
+  }
+
   std::array<double, 3> Weights(double x, double y) const
   {
     std::array<double, 3> weights;
@@ -130,8 +152,8 @@ private:
     return weights;
   }
 
-  bool Perspective;
-  std::array<const ScreenPoint*, 3> Corners;
+  bool Perspective, Jumps;
+  Points Corners, Others;
   std::array<std::array<std::int64_t, 2>, 3> Snapped, Along;
   std::array<std::int64_t, 3> Bias;
 };
@@ -215,10 +237,10 @@ public:
       {
         if (raster.Covers(x, y))
         {
-          double z;
-          float scalar, opacity;
-          raster.Interpolate(x, y, z, scalar, opacity);
-          this->Advance(this->At(x, y), face, z, scalar, opacity);
+          Scalars scalars, ofOthers;
+          const double z = raster.Interpolate(x, y, scalars, ofOthers);
+          const bool other = face.OtherIsInFront;
+          this->Advance(this->At(x, y), face, z, other ? scalars : ofOthers, other ? ofOthers : scalars);
         }
       }
     }
@@ -255,33 +277,36 @@ private:
   }
 
   /** Colour and extinction on the side of a face where this tetrahedron lies. */
-  Medium Classify(std::int32_t tetrahedron, float scalar, float opacityScalar) const
+  Medium Classify(std::int32_t tetrahedron, const Scalars& scalars) const
   {
     const CellGeometry& geometry = *this->Scene.Geometry;
     const std::size_t cell = static_cast<std::size_t>(tetrahedron);
-    const float s = geometry.CellScalars.empty() ? scalar : geometry.CellScalars[cell];
-    const TransferFunctionTable::Value value = this->Scene.Color->Evaluate(s);
+    const float s = geometry.CellScalars.empty() ? scalars.Color : geometry.CellScalars[cell];
+    const std::vector<std::int32_t>* tables = this->Scene.TablesOfTetrahedra;
+    const std::size_t table = tables && !tables->empty() ? static_cast<std::size_t>((*tables)[cell]) : 0;
+    const TransferFunctionTable::Value value = this->Scene.Color[table].Evaluate(s);
     Medium medium;
     std::copy_n(value.begin(), 3, medium.Color.begin());
     double opacity = value[3];
     if (geometry.HasOpacityScalars)
     {
-      opacity = this->Scene.Opacity->Evaluate(geometry.OpacityOnCells ? geometry.OpacityScalars[cell] : opacityScalar)[3];
+      opacity =
+        this->Scene.Opacity[table].Evaluate(geometry.OpacityOnCells ? geometry.OpacityScalars[cell] : scalars.Opacity)[3];
     }
     medium.Extinction = opacity * this->Scene.ExtinctionScale;
     return medium;
   }
 
-  // The heart of the method.
-  void Advance(Pixel& pixel, const ScreenFace& face, double z, float scalar, float opacityScalar) const
+  // The heart of the method. Where the medium jumps at a face, the segment behind ends with the one value and the next begins with the
+  // other.
+  void Advance(Pixel& pixel, const ScreenFace& face, double z, const Scalars& behind, const Scalars& inFront) const
   {
     if (pixel.Crossings != 0)
     {
-      const std::int32_t behind = face.Behind >= 0 ? face.Behind : face.InFront;
-      this->Composite(pixel, z, this->Classify(behind, scalar, opacityScalar));
+      this->Composite(pixel, z, face.Behind >= 0 ? this->Classify(face.Behind, behind) : this->Classify(face.InFront, inFront));
     }
     pixel.Z = z;
-    pixel.Last = this->Classify(face.InFront >= 0 ? face.InFront : face.Behind, scalar, opacityScalar);
+    pixel.Last = face.InFront >= 0 ? this->Classify(face.InFront, inFront) : this->Classify(face.Behind, behind);
     pixel.Crossings += face.Mark();
   }
 

@@ -23,9 +23,11 @@
 #include <vector> // for ContourColors
 
 class vtkCellCompositingMapper;
+class vtkColorTransferFunction;
 class vtkDataArray;
 class vtkDataSet;
 class vtkPiecewiseFunction;
+class vtkScalarsToColors;
 
 class VTKNEPHOSCOPEPARAVIEWCELLCOMPOSITING_EXPORT vtkCellCompositingRepresentation
   : public vtkMediumRepresentation
@@ -64,12 +66,17 @@ public:
 
   ///@{
   /**
-   * Factors on the extinction of layers 0, 1, ...; layers beyond the list have 1. Layers are those of a cell array, or with "None" those
-   * between the contour values.
+   * Layers are those of a cell array, or with "None" those between the contour values. Each has a factor on the extinction, and colours
+   * of its own: one colour, or where that is not given a colour map, of the coloured array. Of each list, entry i is that of layer i;
+   * layers beyond the list, those with a negative red and those with a null colour map are coloured as everything else.
    */
   void SetLayerArray(const char* name);
   void SetLayerOpacityScale(int layer, double scale);
   void SetNumberOfLayerOpacityScales(int number);
+  void SetLayerColor(int layer, double red, double green, double blue);
+  void SetNumberOfLayerColors(int number);
+  void AddLayerColorFunction(vtkScalarsToColors* function);
+  void RemoveAllLayerColorFunctions() { this->LayerColorFunctions.clear(); }
   ///@}
 
 protected:
@@ -89,6 +96,8 @@ private:
 
   void PrepareContours();
   void PrepareLayers();
+  std::size_t CountLayers() const;
+  vtkColorTransferFunction* FindLayerColors(std::size_t layer);
   void PrepareOpacity(vtkDataSet* cells);
   bool DrawsSmoke(vtkDataSet* cells) const;
 
@@ -102,6 +111,9 @@ private:
   std::vector<double> ContourOpacities;
   std::vector<std::array<double, 3>> ContourColors;
   std::vector<double> LayerOpacityScales;
+  std::vector<std::array<double, 3>> LayerColors;
+  std::vector<vtkSmartPointer<vtkColorTransferFunction>> LayerColorFunctions; // some are null
+  std::vector<vtkSmartPointer<vtkColorTransferFunction>> LayerConstants;      // made of LayerColors
   std::vector<vtkSmartPointer<vtkVolumeProperty>> LayerProperties; // kept, so that they only change when they must
 };
 

@@ -35,11 +35,15 @@ std::size_t sizeOf(int number)
   return static_cast<std::size_t>(std::max(number, 0));
 }
 
-/** A property with the functions of another and a factor on its extinction. */
-void imitate(vtkVolumeProperty* layer, vtkVolumeProperty* volume, double scale)
+/** A property with the functions of another, but for the colours where there are some, and a factor on its extinction. */
+void imitate(vtkVolumeProperty* layer, vtkVolumeProperty* volume, double scale, vtkColorTransferFunction* colors)
 {
   layer->SetScalarOpacity(volume->GetScalarOpacity());
-  if (volume->GetColorChannels() == 3)
+  if (colors)
+  {
+    layer->SetColor(colors);
+  }
+  else if (volume->GetColorChannels() == 3)
   {
     layer->SetColor(volume->GetRGBTransferFunction());
   }
@@ -112,6 +116,21 @@ void vtkCellCompositingRepresentation::SetNumberOfLayerOpacityScales(int number)
   this->LayerOpacityScales.resize(sizeOf(number), 1.0);
 }
 
+void vtkCellCompositingRepresentation::SetLayerColor(int layer, double red, double green, double blue)
+{
+  setItem(this->LayerColors, layer, std::array<double, 3>{ { red, green, blue } });
+}
+
+void vtkCellCompositingRepresentation::SetNumberOfLayerColors(int number)
+{
+  this->LayerColors.resize(sizeOf(number), { { -1.0, -1.0, -1.0 } });
+}
+
+void vtkCellCompositingRepresentation::AddLayerColorFunction(vtkScalarsToColors* function)
+{
+  this->LayerColorFunctions.emplace_back(vtkColorTransferFunction::SafeDownCast(function));
+}
+
 void vtkCellCompositingRepresentation::PrepareContours()
 {
   for (int i = 0; i < this->Mapper->GetNumberOfContourValues(); ++i)
@@ -131,10 +150,38 @@ void vtkCellCompositingRepresentation::PrepareContours()
   }
 }
 
+std::size_t vtkCellCompositingRepresentation::CountLayers() const
+{
+  return std::max({ this->LayerOpacityScales.size(), this->LayerColors.size(), this->LayerColorFunctions.size() });
+}
+
+// Null: those of the volume.
+vtkColorTransferFunction* vtkCellCompositingRepresentation::FindLayerColors(std::size_t layer)
+{
+  if (layer >= this->LayerColors.size() || this->LayerColors[layer][0] < 0.0)
+  {
+    return layer < this->LayerColorFunctions.size() ? this->LayerColorFunctions[layer].Get() : nullptr;
+  }
+  this->LayerConstants.resize(std::max(this->LayerConstants.size(), layer + 1));
+  vtkSmartPointer<vtkColorTransferFunction>& constant = this->LayerConstants[layer];
+  const std::array<double, 3>& rgb = this->LayerColors[layer];
+  double known[3] = { -1.0, -1.0, -1.0 };
+  if (constant)
+  {
+    constant->GetColor(0.0, known);
+  }
+  if (!std::equal(rgb.begin(), rgb.end(), known)) // else nothing is made again for it
+  {
+    constant = vtkSmartPointer<vtkColorTransferFunction>::New();
+    constant->AddRGBPoint(0.0, rgb[0], rgb[1], rgb[2]);
+  }
+  return constant;
+}
+
 void vtkCellCompositingRepresentation::PrepareLayers()
 {
   this->Mapper->SetLayersFromContours(this->Mapper->GetLayerArrayName().empty());
-  const std::size_t count = this->LayerOpacityScales.size();
+  const std::size_t count = this->CountLayers();
   for (std::size_t i = count; i < this->LayerProperties.size(); ++i)
   {
     this->Mapper->SetLayerProperty(static_cast<int>(i), nullptr);
@@ -147,6 +194,7 @@ void vtkCellCompositingRepresentation::PrepareLayers()
       this->LayerProperties[i] = vtkSmartPointer<vtkVolumeProperty>::New();
       this->Mapper->SetLayerProperty(static_cast<int>(i), this->LayerProperties[i]);
     }
-    imitate(this->LayerProperties[i], this->Actor->GetProperty(), this->LayerOpacityScales[i]);
+    const double scale = i < this->LayerOpacityScales.size() ? this->LayerOpacityScales[i] : 1.0;
+    imitate(this->LayerProperties[i], this->Actor->GetProperty(), scale, this->FindLayerColors(i));
   }
 }

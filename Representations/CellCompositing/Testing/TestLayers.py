@@ -11,6 +11,7 @@ from nephoscope_testing.compare import Difference, edge_mask
 from nephoscope_testing.contours import Jumps, Surface
 from nephoscope_testing.offscreen import Window, float_image
 from nephoscope_testing.transfer import Transfer, constant, random_transfer
+from vtkmodules.vtkCommonDataModel import VTK_HEXAHEDRON
 
 TOLERANCE = 1e-4
 
@@ -189,6 +190,73 @@ class BetweenContours(LayerTestCase):
             _, _, image = self.draw(data, constant(0.0), configure, dict(direction=(0, 0, side), parallel=True))
             alpha = -math.expm1(-1.5)
             np.testing.assert_allclose(image[48, 48], [alpha, 0, 0, alpha], atol=2e-6)
+
+
+class EarlierMethods(LayerTestCase):
+    """Cells of different layers side by side, or one before the other where centroids have an order: no order to mistake."""
+    LOOK = dict(direction=(0.05, 0.02, 1), parallel=True)
+
+    def lattice(self):
+        data = meshes.with_field(meshes.Lattice((4, 4, 1)).mesh("hexahedron"), lambda p: (p[:, 0] + p[:, 2]) / 2)
+        numbers = np.arange(16, dtype=np.int32) % 3
+        meshes.add_array(data.GetCellData(), numbers, "Layer")
+        return data, numbers
+
+    def test_layers_of_cells(self):
+        data, numbers = self.lattice()
+        ramps = {n: Transfer([(0, 1, n == 1, 0), (1, 0, 1, n == 2)], [(0, 0.5), (1, 1 + 2 * n)]) for n in (1, 2)}
+        constants = {n: constant(n, (0, n == 1, n == 2)) for n in (1, 2)}
+        for method, layers, tolerance in (("Faces", ramps, 2e-5), ("TrianglesTable", constants, 2e-4)):
+            def configure(ours):
+                getattr(ours, "SetMethodTo" + method)()
+                ours.SetLayerArrayName("Layer")
+                for number, function in layers.items():
+                    ours.SetLayerProperty(number, function.volume_property())
+            transfer = constant(0.7, (1, 0, 0))
+            _, view, image = self.draw(data, transfer, configure, self.LOOK)
+            cells = cells_of(data)
+            self.compare(image, lambda v: contours.render(cells, v, transfer, (), None, layers, numbers), view, cells,
+                         f"layers of cells, {method}", tolerance)
+
+    def two_blocks(self, low, high):
+        """One on the other, with points of their own where they touch."""
+        points = np.array([(x, y, z) for z in (0, 1, 1, 2) for y in (0, 1) for x in (0, 1)], float)
+        cube = [0, 1, 3, 2, 4, 5, 7, 6]
+        data = meshes.grid(points, [(VTK_HEXAHEDRON, cube), (VTK_HEXAHEDRON, [8 + i for i in cube])])
+        below = np.arange(16) < 8
+        return meshes.with_field(data, lambda p: np.where(below, low[0] + (low[1] - low[0]) * p[:, 2],
+                                                          high[0] + (high[1] - high[0]) * (p[:, 2] - 1)))
+
+    def test_two_values_at_a_face(self):
+        """The scalar jumps at a face: each of the segments that meet there has its own value."""
+        data = self.two_blocks((0.0, 0.3), (1.0, 0.6))
+        transfer = Transfer([(0, 1, 0, 0), (1, 0, 0, 1)], [(0, 0.2), (1, 3)])
+        for side in (1, -1):
+            def configure(ours):
+                ours.SetMethodToFaces()
+            _, view, image = self.draw(data, transfer, configure, dict(direction=(0.04, 0.03, side), parallel=True))
+            cells = cells_of(data)
+            self.compare(image, lambda v: contours.render(cells, v, transfer), view, cells, f"two values at a face, side {side}", 2e-5)
+
+    def test_what_is_ignored_is_said_once(self):
+        data = meshes.with_field(meshes.Lattice(1).mesh("hexahedron"), lambda p: p[:, 2])
+        for method in ("Faces", "TrianglesLinear", "TrianglesTable"):
+            window = Window((16, 16))
+            scene = window.add_scene()
+            ours = mapper()
+            scene.look_at(scene.add_volume(ours, data, constant()))
+            getattr(ours, "SetMethodTo" + method)()
+            ours.SetContourValue(0, 0.5)
+            ours.LayersFromContoursOn()
+            ours.SetLayerProperty(1, constant(2).volume_property())
+            window.render()
+            window.render()
+            said = [m for m in window.messages.all if "without the contour surfaces and the layers between contour values" in m]
+            self.assertEqual(len(said), 1, window.messages.all)
+            ours.SetContourOpacity(0.0)
+            ours.RemoveAllLayerProperties()
+            window.render()
+            self.assertEqual(len(window.messages.all), 1, "nothing is ignored")
 
 
 class JumpingFunctions(LayerTestCase):

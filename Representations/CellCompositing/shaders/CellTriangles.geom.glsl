@@ -105,6 +105,10 @@ void main()
   {
     return;
   }
+  if (useLayers && !contourLayers)
+  {
+    selectLayer(tetrahedronAndLayer.y);
+  }
   FanVertex corners[4];
   for (int i = 0; i < 4; ++i)
   {
