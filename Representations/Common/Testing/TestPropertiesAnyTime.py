@@ -53,6 +53,8 @@ class MapperCase(AnyTime):
 
 
 class Cells(MapperCase, unittest.TestCase):
+    expected = "Triangles and faces are drawn without the contour surfaces"
+
     def mapper(self):
         mapper = M()
         mapper.SetNumberOfContourValues(2)
