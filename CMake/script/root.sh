@@ -76,12 +76,27 @@ tree_files()
   fi
 }
 
-# The tree as it is now, in place of the earlier copy; what the root has built stays.
+# keep_times OLD NEW: files of NEW that are as in OLD get their time there.
+keep_times()
+{
+  # shellcheck disable=SC2016 # expanded by the inner shell
+  "${AS_ROOT[@]}" bash -c 'cd "$2" && find . -type f -print0 | while IFS= read -r -d "" file; do
+    ! cmp -s "$1/$file" "$file" || touch -r "$1/$file" "$file"
+  done' bash "$1" "$2"
+}
+
+# The tree as it is now, in place of the earlier copy; what the root has built stays. A build looks at times: what differs from the earlier
+# copy is of now, whatever its time is here, where branches are changed.
 copy_tree_to_root()
 {
-  "${AS_ROOT[@]}" mkdir -p "$ROOT/nephoscope"
-  "${AS_ROOT[@]}" find "$ROOT/nephoscope" -mindepth 1 -maxdepth 1 ! -name build ! -name dist ! -name Gallery -exec rm -rf {} +
-  tree_files | tar -C "$TOP" --null --no-recursion -T - -cf - | "${AS_ROOT[@]}" tar -C "$ROOT/nephoscope" --no-same-owner -xf -
+  local copy="$ROOT/nephoscope" new="$ROOT/nephoscope.new"
+  "${AS_ROOT[@]}" rm -rf "$new"
+  "${AS_ROOT[@]}" mkdir -p "$copy" "$new"
+  tree_files | tar -C "$TOP" --null --no-recursion -T - -cf - | "${AS_ROOT[@]}" tar -C "$new" --no-same-owner -xmf -
+  keep_times "$copy" "$new"
+  "${AS_ROOT[@]}" find "$copy" -mindepth 1 -maxdepth 1 ! -name build ! -name dist ! -name Gallery -exec rm -rf {} +
+  "${AS_ROOT[@]}" find "$new" -mindepth 1 -maxdepth 1 -exec mv -t "$copy" {} +
+  "${AS_ROOT[@]}" rmdir "$new"
 }
 
 # Names, proxies and certificates by which this system reaches the network. Sets NETWORK to words for `env`.

@@ -197,12 +197,17 @@ test_root()
   expect "the setting of the dates alone" [ "$(cat "$WORK/roots/trixie/etc/apt/apt.conf.d/50host")" = 'Acquire::Check-Date "false";' ]
   mkdir "$WORK/roots/trixie/nephoscope/build"
   touch "$WORK/roots/trixie/nephoscope/removed"
+  echo "an earlier one" >"$WORK/roots/trixie/nephoscope/LICENSE"
+  touch -d 2001-01-01 "$WORK/roots/trixie/nephoscope/README.md" "$WORK/begin"
+  touch -d 2037-01-01 "$WORK/roots/trixie/nephoscope/LICENSE"
   : >"$CALLS"
   ROOT_STATUS=8 nephoscope test --root=trixie
   expect "the exit status of the tests there" [ $STATUS -eq 8 ]
   expect "on which release" contains "$ERR" "on Debian trixie: exit status 8"
   expect "the root is used again" lacks "$(cat "$CALLS")" debootstrap
   expect "what it has built stays" [ -d "$WORK/roots/trixie/nephoscope/build" ]
+  expect "a file that is the same keeps its time" [ ! "$WORK/roots/trixie/nephoscope/README.md" -nt "$WORK/begin" ]
+  expect "one that differs is new to the build" [ -n "$(find "$WORK/roots/trixie/nephoscope/LICENSE" -mmin -5 ! -newermt "now + 1 day")" ]
   expect "what the tree no longer has is gone" [ ! -e "$WORK/roots/trixie/nephoscope/removed" ]
   nephoscope test --root trixie --fresh
   expect "a fresh root when asked for" grep -q debootstrap "$CALLS"
