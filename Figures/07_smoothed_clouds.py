@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: The Nephoscope authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Figure 7: the surface of figure 6 after the 3 x 3 x 3 filter, with the same reach in metres at all latitudes.
+"""Figure 7: the surface of figure 6 smoothed once by the 3 x 3 x 3 filter.
 
 After figure 7 of Max, Crawfis and Becker (1993). Writes the picture and the ParaView state that shows it again.
 """

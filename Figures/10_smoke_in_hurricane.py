@@ -1,11 +1,11 @@
 # SPDX-FileCopyrightText: The Nephoscope authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Figure 10: smoke in hurricane Jova, over the globe and the clouds of the same forecast, and puffs that move with the wind.
+"""Figure 10: smoke in hurricane Jova, in and behind the clouds of the same forecast and over its mountains, and puffs that move with the wind.
 
-After the figure of flow volumes in Max, Crawfis and Becker (1993). Smoke is released from small polygons that face the wind: orange
-around the storm, near the sea, where the air flows in and spirals up; blue inside the storm, at 7 km, where it rises on and leaves
-in two streams. Heights are exaggerated 45 times. Every volume has one colour, so its cells need no order; the smoke is drawn
-over the clouds, whichever is nearer.
+After the figure of flow volumes in Max, Crawfis and Becker (1993). Smoke is released from one polygon that faces the wind, south-west of the
+storm and 1.5 km above the sea: part of it is drawn round the storm and up, part goes on to the east. Cells of clouds and of smoke are one
+mesh, drawn in the order of their centroids as in the paper, so that each hides what is behind it; the mountains are opaque. Heights
+are exaggerated 45 times.
 
 Writes the picture (1920 x 1080), the ParaView state that shows it again, and a short film that loops. A longer and larger one:
     ./nephoscope pvbatch Figures/10_smoke_in_hurricane.py --frames 240 --size 1920 1080
@@ -26,21 +26,21 @@ EXAGGERATION = 45
 HOUR = 3600.0  # seconds
 DAY = 86400.0  # the unit of the forecast's time, in seconds
 CENTRE = (-105.0, 17.0)  # of the storm, degrees
-POLYGON_RADIUS = 3.2e4  # metres of the display
-# Name, colour, degrees from the centre, metres above the sea, directions from the centre (degrees from east), hours, and the metres
-# of the display over which smoke as dense as at the polygon has optical depth 1.
-RELEASES = (
-    ("Inflow", [1.0, 0.40, 0.05], 5.0, 1100, range(140, 280, 20), 30, 4.5e4),
-    ("Outflow", [0.50, 0.92, 1.0], 2.2, 7000, range(0, 360, 40), 28, 6.0e4),
-)
-LONGEST_EDGE, SHORTEST_EDGE = 2.6e5, 8.0e4  # metres of the display: longer ones are divided, shorter ones merged
+SMOKE_FROM = (-106.4, 12.2, 1800)  # degrees, metres above the sea
+POLYGON_RADIUS = 7e4  # metres of the display
+DURATION = 40 * HOUR
+LONGEST_EDGE, SHORTEST_EDGE = 2.0e5, 4.0e4  # metres of the display: longer ones are divided, shorter ones merged
 MAXIMUM_DENSITY = 3.0  # of that at the polygon: where the flow converges, smoke would become opaque
 PERIOD = 6 * HOUR  # from puff to puff
 PICTURE_FLOOR, FILM_FLOOR = 0.4, 0.1  # what stays between puffs
-CLOUD_COLOURS = [0.0, 0.72, 0.75, 0.80, 1.0, 0.95, 0.96, 0.97]
-# Cloud fraction: value, opacity, midpoint, sharpness.
-CLOUD_OPACITY = [0.0, 0.0, 0.5, 0.0, 0.4, 0.0, 0.5, 0.0, 0.7, 0.3, 0.5, 0.0, 1.0, 1.0, 0.5, 0.0]
-CLOUD_UNIT_DISTANCE = 6.0e5  # metres over which opacity 1 gives optical depth 1
+UNIT_DISTANCE = 2.0e4  # metres of the display over which opacity 1 gives optical depth 1: through the densest smoke
+THIN_CLOUD, CLOUD_OPACITY = 0.4, 0.05  # least fraction that is seen; opacity of full cloud
+# The array Medium is the cloud fraction in the cells of clouds, and from 2 on the density in those of smoke.
+COLOURS = [0.0, 0.72, 0.75, 0.80, 1.0, 0.95, 0.96, 0.97, 1.5, 1.0, 0.40, 0.05, 2.0 + MAXIMUM_DENSITY, 1.0, 0.40, 0.05]
+# Value, opacity, midpoint, sharpness.
+OPACITY = [0.0, 0.0, 0.5, 0.0, THIN_CLOUD, 0.0, 0.5, 0.0, 0.7, 0.3 * CLOUD_OPACITY, 0.5, 0.0, 1.0, CLOUD_OPACITY, 0.5, 0.0,
+           2.0, 0.0, 0.5, 0.0, 2.0 + MAXIMUM_DENSITY, 1.0, 0.5, 0.0]
+IN_SIGHT = [76, 128, 12, 72, 0, 20]  # longitudes 170 to 40 degrees west, latitudes from 60 south, all levels
 MILLISECONDS = 80  # a frame is shown
 
 
@@ -49,39 +49,35 @@ def in_air(longitude, latitude, height):
     return globe_scene.on_globe(longitude, latitude, height=EXAGGERATION * height)
 
 
-def release(forecast, degrees, height, directions, hours):
-    """Smoke from polygons on a circle around the storm, as one volume."""
-    volumes = []
-    for direction in directions:
-        east, north = math.cos(math.radians(direction)), math.sin(math.radians(direction))
-        place = (CENTRE[0] + degrees * east / math.cos(math.radians(CENTRE[1])), CENTRE[1] + degrees * north, height)
-        volumes.append(pvs.FlowVolume(Input=forecast, Center=in_air(*place), Radius=POLYGON_RADIUS, Duration=hours * HOUR,
-                                      TimeStep=HOUR, PolygonEdgeLength=POLYGON_RADIUS, MaximumEdgeLength=LONGEST_EDGE,
-                                      MinimumEdgeLength=SHORTEST_EDGE, MaximumNumberOfTetrahedra=1_000_000))
-    return pvs.AppendDatasets(Input=volumes)
+def smoke_puffs(forecast):
+    smoke = pvs.FlowVolume(Input=forecast, Center=in_air(*SMOKE_FROM), Radius=POLYGON_RADIUS, Duration=DURATION, TimeStep=HOUR,
+                           PolygonEdgeLength=POLYGON_RADIUS / 4, MaximumEdgeLength=LONGEST_EDGE, MinimumEdgeLength=SHORTEST_EDGE,
+                           MaximumNumberOfTetrahedra=1_000_000)
+    return pvs.SmokePuffs(Input=smoke, Period=PERIOD, TimeScale=DAY, Floor=PICTURE_FLOOR, MaximumDensity=MAXIMUM_DENSITY,
+                          Association="Points")
 
 
-def show_smoke(forecast, view):
-    """Returns the filters that make the puffs."""
-    puffs = []
-    for name, colour, *where, unit_distance in RELEASES:
-        smoke = pvs.SmokePuffs(Input=release(forecast, *where), Period=PERIOD, TimeScale=DAY, Floor=PICTURE_FLOOR,
-                               MaximumDensity=MAXIMUM_DENSITY, Association="Points")
-        pvs.RenameSource(name, smoke)
-        shown = pvs.Show(smoke, view)
-        shown.SetRepresentationType("Cell Compositing")
-        shown.ColorArrayName = ["POINTS", ""]
-        shown.DiffuseColor = shown.AmbientColor = colour
-        shown.CellCompositingAutomaticUnitDistance = 0
-        shown.CellCompositingUnitDistance = unit_distance
-        puffs.append(smoke)
-    return puffs
+def cloudy_cells(forecast):
+    near = pvs.ExtractSubset(Input=forecast, VOI=IN_SIGHT)
+    cells = pvs.Threshold(Input=near, Scalars=["POINTS", "cloud_fraction"], AllScalars=0)
+    cells.LowerThreshold, cells.UpperThreshold = THIN_CLOUD, 1.0
+    return cells
+
+
+def show_media(forecast, puffs, view):
+    """Clouds and smoke as one mesh."""
+    media = pvs.AppendDatasets(Input=[
+        pvs.Calculator(Input=cloudy_cells(forecast), ResultArrayName="Medium", Function="cloud_fraction"),
+        pvs.Calculator(Input=puffs, ResultArrayName="Medium", Function="2+SmokeDensity")])
+    pvs.RenameSource("Clouds and smoke", media)
+    shown = globe_scene.show_volume(media, view, "Medium", COLOURS, OPACITY, UNIT_DISTANCE)
+    shown.CellCompositingMethod, shown.CellCompositingVisibilityOrder = "Cells", "Centroid"
 
 
 def show_caption(view):
     caption = pvs.Text(Text="GFS forecast for 2011-10-11 00 UTC: hurricane Jova\n"
-                            "Puffs of smoke every %.0f hours, from low around the storm (orange)\n"
-                            "and high inside it (blue). Heights exaggerated %d times" % (PERIOD / HOUR, EXAGGERATION))
+                            "Smoke from one polygon, in puffs every %.0f hours\n"
+                            "Heights exaggerated %d times" % (PERIOD / HOUR, EXAGGERATION))
     shown = pvs.Show(caption, view)
     shown.WindowLocation, shown.FontSize, shown.Justification = "Lower Left Corner", 18, "Left"
     shown.Color = [0.75, 0.80, 0.88]
@@ -90,11 +86,9 @@ def show_caption(view):
 
 def save_film(view, puffs):
     """Over one period: the frame after the last is the first."""
-    for smoke in puffs:
-        smoke.Floor = FILM_FLOOR
+    puffs.Floor = FILM_FLOOR
     start = view.ViewTime
     view.ViewSize = wanted.size
-    view.CameraViewAngle = 15  # closer: frames are small
 
     def draw(i, file):
         view.ViewTime = start + i / wanted.frames * PERIOD / DAY
@@ -106,12 +100,12 @@ def save_film(view, puffs):
 wanted = frames.options("Smoke in a hurricane", frames=24, size=(480, 270)).parse_args()
 pvs._DisableFirstRenderCameraReset()
 view = globe_scene.make_view(
-    "Smoke in a hurricane", position=globe_scene.on_globe(-112, -2, 2.1), focus=globe_scene.on_globe(-104.0, 19, 1.03),
-    up=globe_scene.on_globe(*CENTRE), angle=20, sun=globe_scene.on_globe(-125, 25, 10))
-globe_scene.show_terrain(view, ambient=0.2, diffuse=0.6, specular=0.1)
+    "Smoke in a hurricane", position=globe_scene.on_globe(-112, -2, 2.1), focus=globe_scene.on_globe(-103, 18.5, 1.04),
+    up=globe_scene.on_globe(*CENTRE), angle=17, sun=globe_scene.on_globe(-125, 25, 10))
+globe_scene.show_ground(view, EXAGGERATION, ambient=0.3, diffuse=0.75)
 forecast = globe_scene.read_forecast(EXAGGERATION)
-globe_scene.show_clouds(forecast, view, CLOUD_OPACITY, CLOUD_UNIT_DISTANCE, "cloud_fraction", CLOUD_COLOURS)
-puffs = show_smoke(forecast, view)
+puffs = smoke_puffs(forecast)
+show_media(forecast, puffs, view)
 caption = show_caption(view)
 if not wanted.no_picture:
     globe_scene.save(NAME, view)

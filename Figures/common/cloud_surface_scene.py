@@ -1,12 +1,14 @@
 # SPDX-FileCopyrightText: The Nephoscope authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""What the figures of cloud surfaces (6 and 7) share: one view, low over the ocean, and the surface of 15 % cloud cover in it."""
+"""What figures 6, 7 and 8 share: one view, low over the ocean, and the surface of 15 % cloud cover of one analysis in it. The figures
+differ in the smoothing and in how the surface is drawn, in nothing else."""
 from paraview import simple as pvs
 
 import globe_scene
 
 EXAGGERATION = 20
 COVER = 0.15
+TOP = 15000  # metres, between the two highest levels
 SIZE = (1920, 1080)
 VISIBILITY = 4e6  # metres of level air at the ground that leave 2 % of the contrast
 
@@ -19,7 +21,10 @@ def make_view(name):
 
 
 def cloud_surface(grid, iterations):
-    surface = pvs.CloudSurface(Input=grid, NumberOfSmoothingIterations=iterations, SameReachNearPoles=1)
+    """Closed above: the smoothed clouds end below the highest level, 100 hPa."""
+    smooth = pvs.StructuredSmoothing(Input=grid, SmoothArray=["POINTS", "cloud_fraction"], NumberOfIterations=iterations)
+    closed = pvs.Calculator(Input=smooth, ResultArrayName="cloud_fraction", Function=f"cloud_fraction*(Height < {TOP})")
+    surface = pvs.CloudSurface(Input=closed, NumberOfSmoothingIterations=0)
     surface.ContourBy = ["POINTS", "cloud_fraction"]
     surface.ContourValues = [COVER]
     return surface
@@ -49,11 +54,11 @@ def show_haze(view):
     return shown
 
 
-def picture(name, title, caption, iterations):
+def picture(name, title, caption, iterations, show=show_surface):
     pvs._DisableFirstRenderCameraReset()
     view = make_view(title)
     globe_scene.show_terrain(view, ambient=0.5, diffuse=1.0)
-    show_surface(cloud_surface(globe_scene.read_forecast(EXAGGERATION), iterations), view)
+    show(cloud_surface(globe_scene.read_forecast(EXAGGERATION), iterations), view)
     show_caption(view, caption)
     show_haze(view)
     globe_scene.save(name, view, SIZE)

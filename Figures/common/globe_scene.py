@@ -94,20 +94,25 @@ def colour_table(array, points):
 
 def show_clouds(grid, view, opacity_points, unit_distance, colour_array, colours, representation="Cell Compositing"):
     """The cloud fraction as a volume of cells or splats, coloured by an array; returns what is shown and its colour table."""
-    shown = pvs.Show(grid, view)
+    shown = show_volume(grid, view, colour_array, colours, opacity_points, unit_distance, representation, "cloud_fraction")
+    return shown, shown.LookupTable
+
+
+def show_volume(data, view, colour_array, colours, opacity_points, unit_distance, representation="Cell Compositing", opacity_array=None):
+    shown = pvs.Show(data, view)
     pvs.ColorBy(shown, ("POINTS", colour_array))
     shown.SetRepresentationType(representation)
     shown.LookupTable = colour_table(colour_array, colours)
     shown.SetScalarBarVisibility(view, False)
     prefix = representation.replace(" ", "")  # of its properties
-    if colour_array != "cloud_fraction":
-        setattr(shown, prefix + "OpacityArray", "cloud_fraction")
-    opacity = pvs.GetOpacityTransferFunction("cloud_fraction")
+    if opacity_array not in (None, colour_array):
+        setattr(shown, prefix + "OpacityArray", opacity_array)
+    opacity = pvs.GetOpacityTransferFunction(opacity_array or colour_array)
     opacity.Points = opacity_points
     shown.ScalarOpacityFunction = opacity
     setattr(shown, prefix + "AutomaticUnitDistance", 0)
     setattr(shown, prefix + "UnitDistance", unit_distance)
-    return shown, shown.LookupTable
+    return shown
 
 
 def save(name, view, size=(1920, 1080)):

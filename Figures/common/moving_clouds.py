@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: The Nephoscope authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""What figures 8 and 9 share: textured clouds in the wind of a forecast, at any hour of a day that comes back to its beginning.
+"""Textured clouds of figure 9 in the wind of a forecast, at any hour of a day that comes back to its beginning.
 
     window, renderer, clouds = scene((1920, 1080), os.environ["NEPHOSCOPE_FORECAST"])
     clouds.update(12)

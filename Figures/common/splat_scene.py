@@ -122,6 +122,14 @@ def altitude_colors():
     return colors
 
 
+def show_segments(mapper, greatest_speed, opacity, length, pixels, unit):
+    """The array Shown as line segments, coloured by altitude; `length` in units, `pixels` wide."""
+    show_winds(mapper, greatest_speed, opacity, unit=unit)
+    mapper.SetVectorStyleToSegments()
+    mapper.SetSegmentLength(length)
+    mapper.SetSegmentWidth(pixels)
+
+
 def show_winds(mapper, greatest_speed, opacity=4.0, width=0.08, period=4.0, unit=0.0):
     """The array Shown as streaks, coloured by altitude."""
     mapper.SetVectorArrayName("Shown")
@@ -147,7 +155,9 @@ def make_window(size, eye, focus, up, angle, sun):
 
 
 def add_caption(renderer, text, font_size=24, place=(28, 24)):
-    renderer.AddViewProp(vtk_globe.text(text, place, font_size, spacing=1.15))
+    caption = vtk_globe.text(text, place, font_size, spacing=1.15)
+    renderer.AddViewProp(caption)
+    return caption
 
 
 def add_altitude_bar(renderer, top=12000, labels=5, place=(0.905, 0.28), size=(0.08, 0.44), font_size=22):

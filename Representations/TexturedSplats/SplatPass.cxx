@@ -54,6 +54,14 @@ constexpr double pixelVarianceOfKernels = 1.0 / 12.0 / cubic_kernel::variance;
 constexpr float tailShare = 0.6f; // of a streak's period, at full speed
 constexpr double streakSpacing = 1.0; // from row to row, in units of the vectors
 
+// Of quadrangles: the medium, or its halves behind and in front of streaks, or of two segments.
+int verticesOfSplat(const SplatDrawingOptions& options, bool nearEye)
+{
+  const bool both = nearEye || !options.MediaApart;
+  const int vectors = options.Segments ? 2 : 1;
+  return 4 * (options.Vectors ? vectors + (both ? 2 : 0) : 1);
+}
+
 std::string shaderConstants(const SplatDrawingOptions& options, const SplatPass::Variant& variant)
 {
   const bool nearEye = variant.As == SplatPass::Way::Viewport;
@@ -71,7 +79,7 @@ std::string shaderConstants(const SplatDrawingOptions& options, const SplatPass:
        << "const bool nearEye = " << (nearEye ? "true" : "false") << ";\n"
        << "const bool drawSegments = " << (options.Segments ? "true" : "false") << ";\n"
        << "const bool mediaApart = " << (options.MediaApart ? "true" : "false") << ";\n"
-       << "#define MAX_VERTICES " << (vectors && (nearEye || !options.MediaApart) ? 12 : 4) << "\n"
+       << "#define MAX_VERTICES " << verticesOfSplat(options, nearEye) << "\n"
        << (variant.Fade ? "#define FADE\n" : "")
        << (variant.Region ? "#define DRAW_REGION\n" : "")
        << "const float dotSize = " << dotSize << ";\n"

@@ -5,6 +5,7 @@
 #define nephoscope_SplatReach_h
 
 #include "EllipsoidSplat.h"
+#include "VectorTexture.h"
 
 #include <algorithm>
 #include <cmath>
@@ -13,6 +14,9 @@ namespace nephoscope
 {
 // The kernel on which streaks are drawn has, along the vector, cells of this share of the streaks' period at least.
 constexpr double streakKernelShare = 0.5;
+
+// From the place of a segment to the end of it, or of the one that fades out, in segments: half of one, and the way it moves.
+constexpr double segmentReach = 0.5 + 0.5 * (1.0 + segmentFade);
 
 // Lengths in units of the data.
 struct VectorLook
@@ -48,7 +52,7 @@ inline double VectorReach(const VectorLook& look, double kernelRadius, double st
 {
   constexpr double halfDiagonal = 0.866026;
   return look.Segments
-    ? halfDiagonal * stretch + 0.5 * look.SegmentLength * look.Unit
+    ? halfDiagonal * stretch + segmentReach * look.SegmentLength * look.Unit
     : kernelRadius * std::hypot(stretch, streakKernelShare * look.StreakPeriod * look.Unit);
 }
 }

@@ -71,6 +71,7 @@ inline std::string VectorTextureConstants(double spacing)
   constants.Add("STREAK_STEEP", streaks::steep);
   constants.Add("STREAK_FLAT", streaks::flat);
   constants.Add("SEGMENT_FILTER", LineSegment().FilterWidth);
+  constants.Add("SEGMENT_FADE", segmentFade);
   return constants.Get();
 }
 }

@@ -40,7 +40,7 @@ double reachOf(const SplatMatrix& jacobian, const SplatVector& v, const VectorLo
   {
     const double cell =
       std::abs(jacobian[0][axis]) + std::abs(jacobian[1][axis]) + std::abs(jacobian[2][axis]);
-    return 0.5 * (cell + look.SegmentLength * look.Unit * std::abs(v[axis]) / Length(v));
+    return 0.5 * cell + segmentReach * look.SegmentLength * look.Unit * std::abs(v[axis]) / Length(v);
   }
   const SplatMatrix j = LengthenedCell(jacobian, v, look);
   return kernelRadius * Length({ { j[0][axis], j[1][axis], j[2][axis] } });

@@ -133,10 +133,25 @@ inline double SegmentCoverage(const LineSegment& segment, double x, double y)
   return 0.25 * along * across;
 }
 
+// A segment that moves along its vector: in one period by the travel, about the place of its splat. In the first part of a period it
+// fades in, while the one before it, a travel ahead, fades out: together they are as opaque as one, always.
+struct MovingSegment
+{
+  double Offset = 0.0; // along the vector, in travels
+  double Weight = 1.0; // that of the one before, a travel ahead, is the rest of 1
+};
+
+constexpr double segmentFade = 0.25; // of a period
+
+inline MovingSegment MoveSegment(double phase)
+{
+  return { phase - 0.5 * (1.0 + segmentFade), std::min(phase / segmentFade, 1.0) };
+}
+
 // Phase of a splat after a step of time: accumulated, so that it does not jump when the speed changes. In [0, 1).
 inline double AdvancePhase(double phase, double speed, double period, double step)
 {
-  const double next = phase + speed * step / period;
+  const double next = phase + (period > 0.0 ? speed * step / period : 0.0);
   return next - std::floor(next);
 }
 

@@ -227,7 +227,8 @@ void vtkTexturedSplatMapper::AdvancePhases(double time)
     vtkErrorMacro("Phases cannot be advanced by a time of " << time << ": it must be finite.");
     return;
   }
-  scene.GetVectors().Advance(time, this->StreakPeriod * this->GetStreakUnit());
+  const double period = this->VectorStyle == SEGMENTS ? this->SegmentLength : this->StreakPeriod;
+  scene.GetVectors().Advance(time, period * this->GetStreakUnit());
   scene.ForgetUpload();
   this->Modified();
 }

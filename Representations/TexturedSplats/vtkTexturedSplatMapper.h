@@ -174,8 +174,9 @@ public:
    * How vectors are drawn. Default: streaks.
    * - Streaks: like comets, with a sharp head in front and a tail that fades, longer where it is faster; they move with Phase and
    *   AdvancePhases. A vector that points at the eye is a round dot; patterns finer than a pixel are their mean.
-   * - Segments: an anti-aliased line each (Crawfis and Max 1993), longer where it is faster, somewhere in its cell: where does
-   *   not depend on the frame or on the order of the input. They do not move.
+   * - Segments: an anti-aliased line each (Crawfis and Max 1993), longer and more opaque where it is faster, somewhere in its cell: where
+   *   does not depend on the order of the input. They move with Phase and AdvancePhases, in a period by SegmentLength. In the first
+   *   quarter of the next period one fades in as far back as the one before it fades out ahead, so that their opacities add up to that of one.
    */
   enum VectorStyleType
   {
@@ -308,7 +309,7 @@ public:
 
   ///@{
   /**
-   * Number of patterns in a period between which streaks step, 0 to 1000: 16 is as Crawfis and Max stored them. 0 (default): streaks
+   * Number of patterns in a period between which streaks and segments step, 0 to 1000: 16 is as Crawfis and Max stored them. 0 (default): they
    * move continuously.
    */
   vtkSetClampMacro(PhaseSteps, int, 0, 1000);

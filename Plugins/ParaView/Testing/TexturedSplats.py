@@ -90,14 +90,17 @@ def check_vectors_and_time(source):
     display.TexturedSplatsVectorArray = "Flow"
     display.TexturedSplatsUseVectorColor = 1
     display.TexturedSplatsVectorColor = [0, 0, 0]
-    start = image(view)
-    check(np.abs(start - plain).max() > 20, "no streaks")
     scene = pvs.GetAnimationScene()
-    scene.AnimationTime = 0.25
-    moved = image(view)
-    check(np.abs(start - moved).max() > 20, "streaks do not move with the time")
-    scene.AnimationTime = 1.0
-    check_same(start, image(view), "a whole loop")
+    for style in ("Segments", "Streaks"):
+        display.TexturedSplatsVectorStyle = style
+        start = image(view)
+        check(np.abs(start - plain).max() > 20, f"no {style}")
+        scene.AnimationTime = 0.25
+        moved = image(view)
+        check(np.abs(start - moved).max() > 20, f"{style} do not move with the time")
+        scene.AnimationTime = 1.0
+        check_same(start, image(view), f"a whole loop of {style}")
+        scene.AnimationTime = 0.0
     display.TexturedSplatsMoveWithTime = 0
     display.TexturedSplatsPhase = 0.25
     check_same(moved, image(view), "phase instead of time")

@@ -106,7 +106,7 @@ def add_splats(plotter: pyvista.BasePlotter, mesh: Any, scalars: str | np.ndarra
     vectors : str, optional
         Array of three components, of points or cells as the scalars are, to be drawn on the splats.
     vector_style : {"streaks", "segments"}, default: "streaks"
-        Comets with a sharp head in front, which move with `phase`; or anti-aliased line segments, which do not move.
+        Comets with a sharp head in front, or anti-aliased line segments; both move with `phase`.
     vector_placement : {"middle", "layers"}, default: "middle"
         In the middle of the medium of their splats; or layer by layer of the grid, first the scalars and then the vectors.
     vector_opacity : float, optional

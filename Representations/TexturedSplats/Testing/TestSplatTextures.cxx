@@ -50,6 +50,30 @@ TEST(LineSegment, CoverageIntegratesToItsArea)
   EXPECT_NEAR(sum, 3.0 * 0.7, 1e-6);
 }
 
+// As a density along the vector: segments of a travel's length, each with its weight.
+TEST(LineSegment, MovesByATravelAndGoesOnWithoutAJump)
+{
+  const auto ink = [](double phase, double x) {
+    const MovingSegment moved = MoveSegment(phase);
+    const auto inside = [&](double from) { return std::abs(x - moved.Offset - from) < 0.5 ? 1.0 : 0.0; };
+    return moved.Weight * inside(0.0) + (1.0 - moved.Weight) * inside(1.0);
+  };
+  for (double x = -1.6; x < 1.6; x += 0.0371)
+  {
+    EXPECT_NEAR(ink(0.0, x), ink(1.0 - 1e-12, x), 1e-9) << x;
+  }
+  for (double phase = 0.0; phase < 1.0; phase += 0.01)
+  {
+    double sum = 0.0;
+    for (double x = -1.9995; x < 2.0; x += 0.001)
+    {
+      sum += 0.001 * ink(phase, x);
+    }
+    EXPECT_NEAR(sum, 1.0, 2e-3) << phase;
+    EXPECT_NEAR(MoveSegment(phase).Offset, MoveSegment(0.0).Offset + phase, 1e-12);
+  }
+}
+
 TEST(LineSegment, ErrorFunctionOfShadersIsAccurate)
 {
   for (double x = -6.0; x < 6.0; x += 0.01)

@@ -25,6 +25,20 @@ def grid(wind, size=24, layers=0):
     return data
 
 
+def start_phase(place):
+    """SplatSeed.h: 24 bits of a hash of the place."""
+    mask = (1 << 64) - 1
+
+    def mix(x):
+        for shift, factor in ((30, 0xbf58476d1ce4e5b9), (27, 0x94d049bb133111eb)):
+            x = ((x ^ (x >> shift)) * factor) & mask
+        return x ^ (x >> 31)
+    total = 0x9e3779b97f4a7c15
+    for coordinate in place:
+        total = (mix(total ^ int(np.float64(coordinate).view(np.uint64))) + 0x9e3779b97f4a7c15) & mask
+    return (mix(total) >> 40) / (1 << 24)
+
+
 def uniform(vector):
     return lambda points: np.tile(np.asarray(vector, float), (len(points), 1))
 
@@ -88,24 +102,53 @@ class Vectors(ImageTestCase):
             self.assertLess(abs(angle), 2)
             self.assertLess(abs(ratio - 1), 0.05)
 
-    def test_one_segment_is_its_coverage(self):
+    def segment(self, length=2.5, width=1.7):
+        """One segment, of the greatest speed, in a cell of a thousandth."""
         data = meshes.particles(np.zeros((1, 3)))
         meshes.add_array(data.GetPointData(), np.zeros(1))
         meshes.add_array(data.GetPointData(), np.array([[3.0, 4.0, 0.0]]), "v")
-        mapper = self.scene(data, lambda m: (m.SetVectorStyleToSegments(), m.SetSegmentLength(2.5), m.SetSegmentWidth(1.7),
-                                             m.SetVectorOpacity(50), m.SetCellSize(1e-3)))
-        alpha = self.picture(mapper)[..., 3]
-        per_unit = PIXELS / (2 * SCALE)
+        return self.scene(data, lambda m: (m.SetVectorStyleToSegments(), m.SetSegmentLength(length), m.SetSegmentWidth(width),
+                                           m.SetVectorOpacity(50), m.SetCellSize(1e-3), m.SetPhaseCycles(1)))
+
+    def test_a_segment_is_its_coverage_and_moves_by_its_length(self):
+        length, width = 2.5 * PIXELS / (2 * SCALE), 1.7
         x, y = np.meshgrid(*(np.arange(PIXELS) + 0.5 - PIXELS / 2,) * 2)
         along, across = 0.6 * x + 0.8 * y, -0.8 * x + 0.6 * y
-        erf = np.vectorize(math.erf)
+        erf, fade = np.vectorize(math.erf), 0.25
 
-        def covered(at, width):
+        def covered(at, size):
             s = 1 / (0.5 * math.sqrt(2))
-            return 0.5 * (erf((at + width / 2) * s) - erf((at - width / 2) * s))
-        expected = covered(along, 2.5 * per_unit) * covered(across, 1.7)
-        self.assertLess(np.abs(alpha - expected).max(), 0.01)  # the place in the cell, of a thousandth, is random
-        self.assertAlmostEqual(alpha.sum() / (2.5 * per_unit * 1.7), 1, delta=2e-3)
+            return 0.5 * (erf((at + size / 2) * s) - erf((at - size / 2) * s))
+        mapper = self.segment()
+        for phase in np.arange(0, 1, 0.09):
+            mapper.SetPhase(phase)
+            alpha = self.picture(mapper)[..., 3]
+            place = (start_phase((0, 0, 0)) + phase) % 1
+            weight, at = min(place / fade, 1), (place - (1 + fade) / 2) * length
+            one, other = covered(along - at, length), covered(along - at - length, length)
+            expected = 1 - (1 - weight * covered(across, width) * one) * (1 - (1 - weight) * covered(across, width) * other)
+            self.assertLess(np.abs(alpha - expected).max(), 0.01)  # the place in the cell, of a thousandth, is random
+            self.assertAlmostEqual(alpha.sum() / (length * width), 1, delta=4e-3)  # as opaque at every phase
+
+    def test_a_segment_after_a_loop_is_where_it_was(self):
+        mapper = self.segment()
+        pictures = []
+        for phase in (0, 0.3, 1, 1 - 1e-4):
+            mapper.SetPhase(phase)
+            pictures.append(self.picture(mapper))
+        np.testing.assert_array_equal(pictures[0], pictures[2])
+        self.assertGreater(np.abs(pictures[1] - pictures[0]).max(), 0.4)
+        self.assertLess(np.abs(pictures[3] - pictures[0]).max(), 2e-3)
+
+    def test_segments_move_at_the_speed_of_their_vector(self):
+        """AdvancePhases by the time in which the wind, 5, crosses a tenth of the segment is a phase of a tenth."""
+        mapper = self.segment()
+        self.picture(mapper)  # the vectors are those of the last render
+        mapper.AdvancePhases(0.1 * 2.5 / 5)
+        moved = self.picture(mapper)
+        mapper = self.segment()
+        mapper.SetPhase(0.1)
+        self.assertLess(np.abs(moved - self.picture(mapper)).max(), 1e-4)
 
     def test_picture_does_not_depend_on_the_order_of_the_input(self):
         rng = np.random.default_rng(7)

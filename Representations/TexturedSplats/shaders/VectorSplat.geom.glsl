@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The quadrangle on which the vector of a splat is drawn.
 //   streaks: the kernel of a cell that is lengthened along the vector, so that they are not cut short, with its lattice sum still flat
-//   segments: a rectangle around the projected segment, in pixels
+//   segments: a rectangle around the projected segment, in pixels, and around the one before it while that fades out
 uniform FloatArray splatVectors; // vector, phase
 uniform FloatArray vectorColors; // colour, seed
 uniform float greatestSpeed;        // where vectors are fully drawn
@@ -65,16 +65,14 @@ void emitStreaks(SplatVector vector, vec3 centerVC, mat3 jacobianVC)
   emitKernel(centerVC, lengthened, look);
 }
 
-void emitSegment(SplatVector vector, vec3 centerVC, mat3 jacobianVC)
+// half_: from the middle of the segment to its end.
+void emitSegmentAt(vec3 middle, vec3 half_, float weight, SplatVector vector, vec3 centerVC)
 {
-  vec3 jitter = fract(vector.color.a * vec3(1.0, 61.0, 3721.0)) - 0.5;
-  vec3 middle = centerVC + jacobianVC * jitter;
-  if (!parallelRays && middle.z >= 0.0)
+  if (!(weight > 0.0) || (!parallelRays && middle.z >= 0.0))
   {
     return;
   }
   vec4 middleDC = VCToDC * vec4(middle, 1.0);
-  vec3 half_ = (0.5 * segmentLength * vector.unit * vector.strength) * vector.direction;
   vec2 pixels = toPixels(half_, middleDC);
   float reach = length(pixels);
   vec2 along = reach > 1.0e-4 ? pixels / reach : vec2(1.0, 0.0);
@@ -83,7 +81,7 @@ void emitSegment(SplatVector vector, vec3 centerVC, mat3 jacobianVC)
   look.kind = SEGMENT;
   look.center = centerVC;
   look.small = false;
-  look.color = vec4(vector.color.rgb, vector.weight * vector.strength);
+  look.color = vec4(vector.color.rgb, weight * vector.weight * vector.strength);
   look.vector = vec4(0.0);
   look.detail = vec4(2.0 * reach, segmentWidth, 0.0, 0.0);
   look.factor = 1.0;
@@ -95,6 +93,18 @@ void emitSegment(SplatVector vector, vec3 centerVC, mat3 jacobianVC)
     emitCorner(at, positionVC, middle, 1.0, look, vec4(middleDC.xy + offset * middleDC.w, middleDC.zw));
   }
   EndPrimitive();
+}
+
+// Somewhere in the cell, moved on along the vector: MoveSegment of VectorTexture.h.
+void emitSegment(SplatVector vector, vec3 centerVC, mat3 jacobianVC)
+{
+  vec3 jitter = fract(vector.color.a * vec3(1.0, 61.0, 3721.0)) - 0.5;
+  vec3 travel = (segmentLength * vector.unit) * vector.direction;
+  float weight = min(vector.phase / SEGMENT_FADE, 1.0);
+  vec3 middle = centerVC + jacobianVC * jitter + (vector.phase - 0.5 * (1.0 + SEGMENT_FADE)) * travel;
+  vec3 half_ = (0.5 * vector.strength) * travel;
+  emitSegmentAt(middle, half_, weight, vector, centerVC);
+  emitSegmentAt(middle + travel, half_, 1.0 - weight, vector, centerVC);
 }
 
 void emitVector(SplatVector vector, vec3 centerVC, mat3 jacobianVC)
