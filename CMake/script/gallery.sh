@@ -72,6 +72,21 @@ render_figure()
   done < <(sed -n 's/^wrote //p' "$log")
 }
 
+# render_film DAYS [ARGUMENT of the figure...]: moving clouds over so many days, in the size of the paper's video.
+render_film()
+{
+  local days=$1 figure="$TOP/Figures/09_moving_clouds.py"
+  shift
+  step "Build and film of $days days"
+  host_environment
+  export PYTHONUNBUFFERED=1
+  mkdir -p "$NEPHOSCOPE_GALLERY" "$LOGS"
+  build_for_figure "$figure"
+  ensure_forecast --hours $((24 * days))
+  on_virtual_display "${WITH_PRELOAD[@]}" pvbatch "$figure" --no-picture --days "$days" --size 1920 1035 --life 24 "$@" </dev/null ||
+    fail 1 "the film is not complete; the same command goes on with it"
+}
+
 # render_gallery [--films] [FIGURE...]: films of the figures that are named, or of all with --films; else pictures.
 render_gallery()
 {

@@ -12,6 +12,8 @@ or step by step
     make_gif(frames.files, "a.gif")   with Pillow or ImageMagick
     make_mp4(frames.files, "a.mp4")   with ffmpeg
 
+A GIF of more than 100 frames would be too large: it has fewer frames, 480 pixels wide.
+
 Frames that are there are kept, so that an interrupted animation goes on where it stopped; frames made with other settings, or by
 other scripts, are made anew. A film that no program of this machine can make is left out, with a message.
 """
@@ -24,6 +26,8 @@ import subprocess
 import sys
 import time
 
+LARGEST_GIF = 100  # frames
+SMALL = 480  # pixels
 COMMON = os.path.dirname(os.path.abspath(__file__))
 
 
@@ -52,15 +56,18 @@ def scripts():
     return total.hexdigest()
 
 
-def make_film(name, wanted, draw, milliseconds, settings=()):
-    """Into the gallery; `wanted` has been parsed by options(), `settings` are all that frames depend on besides scripts and size."""
+def make_film(name, wanted, draw, milliseconds, settings=(), loops=3):
+    """Into the gallery; `wanted` has been parsed by options(), `settings` are all that frames depend on besides scripts and size. The MP4 has
+    the frames `loops` times over."""
     path = os.path.join(os.environ["NEPHOSCOPE_GALLERY"], name)
     folder = "%s_%dx%d_%d_frames" % (path, *wanted.size, wanted.frames)
     film = Frames(folder, wanted.frames, [scripts(), wanted.frames, wanted.size, *settings])
     film.make(draw)
-    for make, ending in ((make_gif, "gif"), (make_mp4, "mp4")):
-        if make(film.files, "%s.%s" % (path, ending), milliseconds):
-            print("wrote %s.%s" % (path, ending), flush=True)
+    some = film.files[:: 1 + (len(film.files) - 1) // LARGEST_GIF]
+    if make_gif(some, path + ".gif", milliseconds * len(film.files) // len(some), SMALL if len(film.files) > LARGEST_GIF else None):
+        print("wrote %s.gif" % path, flush=True)
+    if make_mp4(film.files, path + ".mp4", milliseconds, loops):
+        print("wrote %s.mp4" % path, flush=True)
 
 
 class Frames:
@@ -102,13 +109,14 @@ class Frames:
             print("frame %d of %d, %.0f s left" % (i + 1, len(self.files), left), flush=True)
 
 
-def make_gif(files, name, milliseconds=80):
-    """A GIF that loops for ever; True if it could be made."""
+def make_gif(files, name, milliseconds=80, width=None):
+    """A GIF that loops for ever; True if it could be made. `width`: in pixels, that of the files without it."""
     try:
         from PIL import Image
     except ImportError:
-        return run("convert", ["-delay", str(milliseconds // 10), "-loop", "0", *files, "-layers", "optimize", name])
-    pictures = [Image.open(file).convert("RGB") for file in files]
+        resize = ["-resize", "%dx" % width] if width else []
+        return run("convert", ["-delay", str(milliseconds // 10), "-loop", "0", *files, *resize, "-layers", "optimize", name])
+    pictures = [of_width(Image.open(file).convert("RGB"), width) for file in files]
     # One palette for all frames, taken from some of them side by side, or still parts would flicker.
     some = pictures[:: max(1, len(pictures) // 6)]
     sheet = Image.new("RGB", (some[0].width, some[0].height * len(some)))
@@ -119,6 +127,10 @@ def make_gif(files, name, milliseconds=80):
     first, *others = [picture.quantize(palette=palette) for picture in pictures]
     first.save(name, save_all=True, append_images=others, duration=milliseconds, loop=0, optimize=False)
     return True
+
+
+def of_width(picture, width):
+    return picture.resize((width, round(picture.height * width / picture.width))) if width else picture
 
 
 def make_mp4(files, name, milliseconds=80, loops=3):

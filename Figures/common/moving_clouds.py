@@ -5,12 +5,15 @@
     window, renderer, clouds = scene((1920, 1080), os.environ["NEPHOSCOPE_FORECAST"])
     clouds.update(12)
     window.Render()
+
+or, with loop=False, at any hour of the series, where both sets of texture coordinates start from the grid at its beginning.
 """
 import nephoscope
 import numpy
 from vtkmodules.numpy_interface import dataset_adapter
 from vtkmodules.util.vtkAlgorithm import VTKPythonAlgorithmBase
 from vtkmodules.vtkCommonDataModel import vtkStructuredGrid
+from vtkmodules.vtkCommonExecutionModel import vtkStreamingDemandDrivenPipeline as Pipeline
 from vtkmodules.vtkRenderingCore import vtkRenderer
 
 import globe_scene
@@ -59,13 +62,19 @@ class ColumnCover(VTKPythonAlgorithmBase):
 class MovingClouds:
     """The pipeline; update(hour) makes `actor` that of an hour, `watch` tells where the time has gone."""
 
-    def __init__(self, file):
-        self.series = looped_series.LoopedSeries(vtk_globe.read_fields(file), DAY, FADE)
+    def __init__(self, file, life=PERIOD, loop=True):
+        self.series, self.loop = vtk_globe.read_fields(file), loop
+        if loop:
+            self.series = looped_series.LoopedSeries(self.series, DAY, FADE)
+        self.series.Update()
+        self.times = self.series.GetOutputInformation(0).Get(Pipeline.TIME_STEPS()) or [0.0]
+        self.unit = 1.0 if loop else looped_series.hours_of_unit(self.series.GetOutput())
         self.grid = vtk_globe.on_globe_grid(self.series, EXAGGERATION)
         self.texture = nephoscope.vtkTextureCoordinateAdvection()
         self.texture.SetInputConnection(self.grid.GetOutputPort())
-        self.texture.SetTimeScale(3600)
-        self.texture.SetPeriod(3600 * PERIOD)
+        self.texture.SetTimeScale(3600 * self.unit)
+        self.texture.SetPeriod(3600 * life)
+        self.texture.SetStartFromGrid(not loop)
         self.texture.SetKeyFrameInterval(3600)
         self.smooth = nephoscope.vtkStructuredSmoothing()
         self.smooth.SetInputConnection(self.texture.GetOutputPort())
@@ -91,9 +100,13 @@ class MovingClouds:
                                 ("smoothing", self.columns), ("surface", self.surface)):
             self.watch.follow(name, algorithm)
 
+    def hours(self):
+        """The length of the series."""
+        return (self.times[-1] - self.times[0]) * self.unit
+
     def update(self, hour):
-        # The second round: paths lead back into the first one.
-        self.surface.UpdateTimeStep(DAY + hour % DAY)
+        # In a loop the second round: paths lead back into the first one.
+        self.surface.UpdateTimeStep(DAY + hour % DAY if self.loop else self.times[0] + hour / self.unit)
 
 
 def haze():
@@ -103,10 +116,10 @@ def haze():
     return result
 
 
-def scene(size, file):
+def scene(size, file, life=PERIOD, loop=True):
     """From the south over the eastern Pacific, a hurricane in the middle and North America behind, the sun in the west; returns the
     window and the clouds."""
-    clouds = MovingClouds(file)
+    clouds = MovingClouds(file, life, loop)
     window, renderer = vtk_globe.make_window(size), vtkRenderer()
     window.SetAlphaBitPlanes(1)  # for peeling
     window.AddRenderer(renderer)

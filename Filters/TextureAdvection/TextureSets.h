@@ -16,6 +16,7 @@ struct TextureSets
 {
   double Start = 0.0;
   double Period = 86400.0;
+  bool FromGrid = false; // at Start the air stands still before: coordinates of both sets start there, weights do not change
 
   // The birth of the set that is alive at a time; a time of birth, up to rounding, is of the new life.
   double Birth(int set, double time) const
@@ -26,6 +27,13 @@ struct TextureSets
   }
 
   double Age(int set, double time) const { return time - this->Birth(set, time); }
+
+  // When the coordinates of a set were those of the grid: at its birth, or at Start if that is later and they start from the grid.
+  double Origin(int set, double time) const
+  {
+    const double birth = this->Birth(set, time);
+    return this->FromGrid ? std::fmax(birth, std::fmin(this->Start, time)) : birth;
+  }
 
   int Older(double time) const { return this->Age(0, time) >= this->Age(1, time) ? 0 : 1; }
 

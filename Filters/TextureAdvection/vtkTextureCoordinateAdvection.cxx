@@ -104,9 +104,9 @@ nephoscope::SetPlan vtkTextureCoordinateAdvection::PlanSet(int set, double time)
   const nephoscope::TextureSets sets = this->Sets();
   const bool hasKeys = this->KeyFrameInterval > 0.0 && this->GetNumberOfInputConnections(1) == 0;
   nephoscope::SetPlan plan;
-  plan.Birth = sets.Birth(set, time);
-  const auto ages = nephoscope::KeyAgesAround(
-    time - plan.Birth, hasKeys ? this->KeyFrameInterval : 0.0, this->GetPeriodUsed());
+  plan.Birth = sets.Origin(set, time);
+  const double life = this->GetPeriodUsed() - (plan.Birth - sets.Birth(set, time));
+  const auto ages = nephoscope::KeyAgesAround(time - plan.Birth, hasKeys ? this->KeyFrameInterval : 0.0, life);
   plan.Times[0] = plan.Birth + ages.First;
   plan.Times[1] = plan.Birth + ages.Second;
   plan.Weight = ages.Weight;
@@ -285,7 +285,7 @@ void vtkTextureCoordinateAdvection::WriteSets(
   {
     nephoscope::AddCoordinates(
       set == 0 ? "TextureCoordinates1" : "TextureCoordinates2", places, displacements[set], output);
-    ages[set] = sets.Age(set, time);
+    ages[set] = time - sets.Origin(set, time);
     weights[set] = sets.Weight(set, time);
   }
   nephoscope::AddFieldValues("TextureWeights", weights, 2, output);
@@ -308,7 +308,7 @@ void vtkTextureCoordinateAdvection::WriteStretch(
   if (this->ComputeLyapunovExponent)
   {
     const int older = sets.Older(time);
-    writer.AddExponents(writer.Stretches(displacements[older]), sets.Age(older, time));
+    writer.AddExponents(writer.Stretches(displacements[older]), time - sets.Origin(older, time));
   }
   if (this->MaximumStretch > 0.0)
   {
@@ -346,6 +346,7 @@ void vtkTextureCoordinateAdvection::PrintSelf(ostream& os, vtkIndent indent)
   print("Grid", grids[this->Grid]);
   print("PlanetRadius", this->PlanetRadius);
   print("CartesianCoordinates", this->CartesianCoordinates);
+  print("StartFromGrid", this->StartFromGrid);
   print("TextureLength", this->TextureLength);
   print("PressureArrayName", this->PressureArrayName);
   print("OmegaArrayName", this->OmegaArrayName);

@@ -192,6 +192,16 @@ public:
   ///@}
 
   ///@{
+  /**
+   * What was before the first time step. Off (default): the wind of the first time step. On: the air stood still, so that at the first time step the
+   * coordinates of both sets are the places of the points, as in the paper; the weights are the same.
+   */
+  vtkSetMacro(StartFromGrid, bool);
+  vtkGetMacro(StartFromGrid, bool);
+  vtkBooleanMacro(StartFromGrid, bool);
+  ///@}
+
+  ///@{
   /** In Cartesian grids: the length of one texture unit; 0 (default): the width of the grid along x. */
   vtkSetMacro(TextureLength, double);
   vtkGetMacro(TextureLength, double);
@@ -299,6 +309,7 @@ private:
   int Grid = AUTOMATIC;
   double PlanetRadius = 0.0;
   bool CartesianCoordinates = false;
+  bool StartFromGrid = false;
   double TextureLength = 0.0;
   std::string PressureArrayName;
   std::string OmegaArrayName;

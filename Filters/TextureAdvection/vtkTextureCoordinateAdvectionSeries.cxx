@@ -197,6 +197,7 @@ nephoscope::TextureSets vtkTextureCoordinateAdvection::Sets() const
 {
   nephoscope::TextureSets sets;
   sets.Period = this->GetPeriodUsed();
+  sets.FromGrid = this->StartFromGrid;
   return sets;
 }
 

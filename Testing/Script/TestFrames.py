@@ -61,6 +61,12 @@ class Frames(unittest.TestCase):
                 red = film.convert("RGB").getpixel((3, 2))[0]
                 self.assertLess(abs(red - 40 * i), 8)
 
+    def test_gif_of_a_long_film_is_small(self):
+        name = os.path.join(self.folder.name, "film.gif")
+        self.assertTrue(frames.make_gif(self.make().files, name, 80, width=4))
+        with Image.open(name) as film:
+            self.assertEqual((film.n_frames, film.size), (5, (4, 2)))
+
     def make_mp4(self):
         """With the programs of the test's folder alone."""
         path, os.environ["PATH"] = os.environ["PATH"], self.folder.name

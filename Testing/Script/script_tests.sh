@@ -65,9 +65,12 @@ test_usage()
   nephoscope help
   expect "status 0 for help" [ $STATUS -eq 0 ]
   local verb
-  for verb in demo test build python pvpython pvbatch paraview bench baselines wheel; do
+  for verb in demo film test build python pvpython pvbatch paraview bench baselines wheel; do
     expect "help on $verb" contains "$OUT" $'\n'"  $verb "
   done
+  nephoscope film --days 0
+  expect "status 2 for a film of no days" [ $STATUS -eq 2 ]
+  expect "the wish is named" contains "$ERR" "film --days wants a whole number of days, at least 1"
   nephoscope wheel --python 2.7
   expect "status 2 for a Python that there is no wheel for" [ $STATUS -eq 2 ]
   expect "the versions are named" contains "$ERR" "wheel --python wants 3.11, 3.12, 3.13 or 3.14"
@@ -75,6 +78,19 @@ test_usage()
   expect "the options are named" contains "$ERR" "wheel takes --python and --test, not 3.13"
   nephoscope test --preset
   expect "status 2 for an option without its value" [ $STATUS -eq 2 ]
+}
+
+# Each grid and length of the time series has a file of its own.
+test_forecast_files()
+{
+  # shellcheck source=/dev/null
+  source "$TOP/CMake/script/forecast.sh"
+  local arguments=("" "--hours 240" "--grid=paper --hours=72" "--grid test") names=(gfs_48h gfs_240h paper_72h test_6h) i
+  for i in 0 1 2 3; do
+    # shellcheck disable=SC2086 # words
+    run forecast_file ${arguments[i]}
+    expect "the file of '${arguments[i]}'" [ "$OUT" = "$TOP/build/forecast/${names[i]}.nc" ]
+  done
 }
 
 test_no_install()

@@ -90,6 +90,19 @@ class Births(unittest.TestCase):
             self.assertEqual(texture.ages[born], 0)
             np.testing.assert_array_equal(texture.sets[born], own)
 
+    def test_both_sets_start_from_the_grid(self):
+        """With StartFromGrid; half a period later the second set is born, and there is no difference any more."""
+        made = advection(series(), StartFromGrid=True, KeyFrameInterval=4 * HOUR)
+        first, second = np.copy(update(made, 0)[0].sets)
+        np.testing.assert_array_equal(first, second)
+        later, _ = update(made, 3 * HOUR)
+        np.testing.assert_array_equal(*later.sets)
+        self.assertGreater(np.abs(later.sets[1] - second).max(), 1e-3)
+        self.assertEqual(list(later.weights), [0.25, 0.75])
+        self.assertEqual(list(later.ages), [3 * HOUR, 3 * HOUR])
+        self.assertNotEqual(digest(3 * HOUR), digest(3 * HOUR, StartFromGrid=True))
+        self.assertEqual(digest(12 * HOUR), digest(12 * HOUR, StartFromGrid=True))
+
     def test_weights_add_up_to_one(self):
         made = advection(series())
         for time in np.linspace(0, 60 * HOUR, 17):

@@ -69,6 +69,19 @@ TEST(TextureSets, OddPeriodsHaveAgesWithinThem)
   }
 }
 
+TEST(TextureSets, StartFromTheGridWhereTheyAreToldTo)
+{
+  TextureSets sets{ 100.0, 1000.0, true };
+  EXPECT_EQ(sets.Origin(0, 100.0), 100.0);
+  EXPECT_EQ(sets.Origin(1, 100.0), 100.0); // half a period old, and the grid itself
+  EXPECT_EQ(sets.Weight(1, 100.0), TextureSets{ 100.0 }.Weight(1, 100.0));
+  EXPECT_EQ(sets.Origin(1, 599.0), 100.0);
+  EXPECT_EQ(sets.Origin(1, 600.0), 600.0); // its next birth
+  EXPECT_EQ(sets.Origin(0, 50.0), 50.0);   // before the start nothing has moved
+  sets.FromGrid = false;
+  EXPECT_EQ(sets.Origin(1, 100.0), -400.0);
+}
+
 TEST(KeyAges, WithoutAnIntervalEveryAgeIsAKey)
 {
   const KeyAges keys = KeyAgesAround(123.0, 0.0, 1000.0);

@@ -23,6 +23,7 @@ MANY = 10  # crossings of the data in a period, beyond which nothing of the text
 _NAMES = {"PressureArrayName": "pressure", "OmegaArrayName": "omega", "PlanetRadius": "planet_radius", "TextureLength": "texture_length",
           "KeyFrameInterval": "key_frame_interval", "MaximumStretch": "maximum_stretch", "TimeStep": "time_step", "TimeScale": "time_scale",
           "Period": "period", "ComputeLyapunovExponent": "lyapunov", "CartesianCoordinates": "cartesian_coordinates",
+          "StartFromGrid": "start_from_grid",
           "SetInputArrayToProcess": "vectors", "Tolerance": "tolerance", "Choose a velocity:": "Choose a velocity by vectors:",
           "Leave the points input empty": "Leave points out"}
 
@@ -33,7 +34,7 @@ def advect_texture(mesh: Grids, time: float | Sequence[float] | None = None, *, 
                    grid: Literal["automatic", "globe", "map", "cartesian"] = "automatic", planet_radius: float = 0.0,
                    cartesian_coordinates: bool = False, texture_length: float = 0.0, pressure: str | None = None,
                    omega: str | None = None, lyapunov: bool = False,
-                   maximum_stretch: float = 0.0) -> pyvista.DataSet | Iterator[pyvista.DataSet]:
+                   maximum_stretch: float = 0.0, start_from_grid: bool = False) -> pyvista.DataSet | Iterator[pyvista.DataSet]:
     """Give every point the places where its air was when two sets of texture coordinates were born, half a period apart.
 
     Also the accessor method ``mesh.nephoscope.advect_texture(...)``, for a steady wind. Contour the result with `cloud_surface`, and
@@ -80,6 +81,8 @@ def advect_texture(mesh: Grids, time: float | Sequence[float] | None = None, *, 
         Add ``FiniteTimeLyapunovExponent`` (1/s) of the older set.
     maximum_stretch : float, default: 0.0
         Give way to the younger set where the older one has been stretched by this factor, > 1; 0: never.
+    start_from_grid : bool, default: False
+        Before the first time the air stood still, so that both sets start from the grid; else its wind was that of the first time.
 
     Returns
     -------
@@ -124,6 +127,7 @@ def advect_texture(mesh: Grids, time: float | Sequence[float] | None = None, *, 
     choose({"automatic": filter_.SetGridToAutomatic, "globe": filter_.SetGridToGlobe, "map": filter_.SetGridToMap,
             "cartesian": filter_.SetGridToCartesian}, grid, "grid")
     filter_.SetCartesianCoordinates(cartesian_coordinates)
+    filter_.SetStartFromGrid(start_from_grid)
     for name in (pressure, omega):
         if name is not None and name not in series.first.point_data:
             raise MissingDataError(f"pressure and omega: no point array {name!r}. {arrays_of(series.first)}")
