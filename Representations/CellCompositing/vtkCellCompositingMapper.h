@@ -170,7 +170,8 @@ public:
   /**
    * The ScalarOpacityUnitDistance that gives rays through the input a mean optical depth of 2 with the property's opacity function, taken as if it
    * reached up to 1: the mean length of a ray inside the data times the mean opacity over their volume, divided by 2. It depends on the size
-   * of the data, their thickness too, and hardly on how many cells there are. 0 if nothing is opaque, or there is nothing to draw.
+   * of the data, their thickness too, and hardly on how many cells there are. Parts that are few and far away
+   * do not count. 0 if nothing is opaque, or there is nothing to draw.
    * Hosts use it where the user has set no length. Cost: as of one pass over the cells.
    */
   double FindUnitDistance(vtkVolumeProperty* property);

@@ -22,6 +22,6 @@ double vtkCellCompositingMapper::FindUnitDistance(vtkVolumeProperty* property)
   const nephoscope::ScalarSelection& read = opacity.Array ? opacity : scalars;
   const nephoscope::CellMedium medium{ read.Array, read.OnCells,
     nephoscope::fullOpacity(property->GetScalarOpacity()) };
-  const nephoscope::MediumBounds bounds = nephoscope::boundsOfCells(input);
+  const nephoscope::MediumBounds bounds = nephoscope::robustBoundsOfCells(input);
   return nephoscope::defaultUnitDistance(nephoscope::measureCells(input, medium, bounds), bounds, false);
 }

@@ -39,12 +39,12 @@ struct VTKNEPHOSCOPEREPRESENTATIONSCOMMON_EXPORT MediumMeasures
 /** The box with a place in it; places that are not finite do not count. */
 VTKNEPHOSCOPEREPRESENTATIONSCOMMON_EXPORT void addPlace(MediumBounds& bounds, const double place[3]);
 
-/** Which of the samples are measured, where there are many: about 1e5, evenly spread, but not at the same place of every row of a grid. */
+/** Which of the samples are measured, where there are many: about 1e5, or `most`, evenly spread, but not at the same place of every row of a grid. */
 class SampleChoice
 {
 public:
-  explicit SampleChoice(vtkIdType count)
-    : Stride(1 + count / 100000)
+  explicit SampleChoice(vtkIdType count, vtkIdType most = 100000)
+    : Stride(1 + count / most)
   {
   }
   /** Whether the sample with this number is one of them. */
@@ -54,6 +54,9 @@ public:
     const auto mixed = (group * 0x9E3779B97F4A7C15ULL) >> 33;
     return number % this->Stride == static_cast<vtkIdType>(mixed % static_cast<unsigned long long>(this->Stride));
   }
+
+  /** For how many each of them stands. */
+  vtkIdType Standing() const { return this->Stride; }
 
 private:
   vtkIdType Stride;

@@ -3,6 +3,7 @@
 #include "CellSamples.h"
 
 #include "HigherOrderCells.h"
+#include "RobustBounds.h"
 #include "SplatSamples.h"
 
 #include "vtkCell.h"
@@ -79,6 +80,20 @@ bool hasExtendedCells(vtkDataSet* data)
   return false;
 }
 
+// Of the points that are at finite places, without those that are few and far away.
+MediumBounds bulkOf(vtkDataSet* data)
+{
+  return robustBoundsOfPlaces(data->GetNumberOfPoints(), [&](vtkIdType id, double* x) {
+    data->GetPoint(id, x);
+    return std::isfinite(x[0] + x[1] + x[2]);
+  });
+}
+
+double diagonalOf(const MediumBounds& b)
+{
+  return std::hypot(b[1] - b[0], b[3] - b[2], b[5] - b[4]);
+}
+
 // For every point the first that lies in its place; empty if all lie apart.
 std::vector<vtkIdType> findPlaces(vtkDataSet* data)
 {
@@ -105,7 +120,7 @@ std::vector<vtkIdType> findPlaces(vtkDataSet* data)
   locator->SetDataSet(cloud);
   locator->BuildLocator();
   std::vector<vtkIdType> merged(ids.size());
-  locator->MergePoints(samePlace * cloud->GetLength(), merged.data());
+  locator->MergePoints(samePlace * diagonalOf(bulkOf(data)), merged.data());
   std::vector<vtkIdType> places(static_cast<std::size_t>(data->GetNumberOfPoints()));
   std::iota(places.begin(), places.end(), 0);
   bool apart = true;
@@ -373,13 +388,14 @@ std::vector<float> FindNeighborSpacing(vtkDataSet* data)
   const vtkIdType count = data->GetNumberOfPoints();
   std::vector<float> spacing(static_cast<std::size_t>(count), 0.0f);
   std::vector<vtkIdType> ids;
+  const MediumBounds bulk = bulkOf(data);
   vtkNew<vtkPoints> points;
   points->SetDataTypeToDouble();
   for (vtkIdType id = 0; id < count; ++id)
   {
     double x[3];
     data->GetPoint(id, x);
-    if (std::isfinite(x[0] + x[1] + x[2]))
+    if (holdsPlace(bulk, x)) // the locator could not tell those apart that lie together far from others
     {
       points->InsertNextPoint(x);
       ids.push_back(id);
@@ -391,9 +407,8 @@ std::vector<float> FindNeighborSpacing(vtkDataSet* data)
   }
   vtkNew<vtkPolyData> cloud;
   cloud->SetPoints(points);
-  const double* bounds = cloud->GetBounds();
-  const double mean = MeanSpacing(bounds, ids.size());
-  const int axes = std::max(1, NumberOfAxes(bounds));
+  const double mean = MeanSpacing(bulk.data(), ids.size());
+  const int axes = std::max(1, NumberOfAxes(bulk.data()));
   vtkNew<vtkStaticPointLocator> locator;
   locator->SetDataSet(cloud);
   locator->BuildLocator();
@@ -417,6 +432,13 @@ std::vector<float> FindNeighborSpacing(vtkDataSet* data)
         farthest > 0 ? std::pow(ball / static_cast<double>(others), 1.0 / axes) : mean);
     }
   });
+  for (vtkIdType id = 0; id < count; ++id)
+  {
+    double x[3];
+    data->GetPoint(id, x);
+    const bool far = std::isfinite(x[0] + x[1] + x[2]) && !holdsPlace(bulk, x);
+    spacing[static_cast<std::size_t>(id)] = far ? static_cast<float>(mean) : spacing[static_cast<std::size_t>(id)];
+  }
   return spacing;
 }
 

@@ -40,7 +40,8 @@ private:
   std::vector<vtkIdType> Places;            // of each point the first one in its place; empty: all are apart
 };
 
-/** The edge of a cube for each point, by the ball that its neighbours fill: its volume over their number; 0 at no finite place. */
+/** The edge of a cube for each point, by the ball that its neighbours fill: its volume over their number; far from all
+ * others their mean spacing; 0 at no finite place. */
 std::vector<float> FindNeighborSpacing(vtkDataSet* data);
 
 } // namespace nephoscope

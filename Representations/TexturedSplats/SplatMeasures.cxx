@@ -33,15 +33,32 @@ SplatVector halfExtent(const SplatMatrix& jacobian)
   return half;
 }
 
+double weightOf(const SplatMatrix& jacobian)
+{
+  return weightOfCell(
+    std::abs(Determinant(jacobian)), std::max({ Length(jacobian[0]), Length(jacobian[1]), Length(jacobian[2]) }));
+}
+
+struct SampleBox
+{
+  double Low[3], High[3];
+
+  SampleBox(const SplatVector& place, const SplatMatrix& jacobian)
+  {
+    const SplatVector half = halfExtent(jacobian);
+    for (std::size_t axis = 0; axis < 3; ++axis)
+    {
+      this->Low[axis] = place[axis] - half[axis];
+      this->High[axis] = place[axis] + half[axis];
+    }
+  }
+  bool LiesIn(const MediumBounds& bounds) const { return holdsPlace(bounds, this->Low) && holdsPlace(bounds, this->High); }
+};
+
 // Calls visit(id, place, jacobian) for all visible samples.
 template <typename Visit>
-void forEachSample(vtkDataSet* data, const SplatSampling& sampling, const Visit& visit)
+void forEachSample(const SplatShapes& shapes, const Visit& visit)
 {
-  if (!data || data->GetNumberOfPoints() == 0)
-  {
-    return;
-  }
-  const SplatShapes shapes(data, sampling);
   SplatMatrix jacobian{};
   bool found = false;
   for (vtkIdType id = 0; id < shapes.GetNumberOfIds(); ++id)
@@ -55,30 +72,65 @@ void forEachSample(vtkDataSet* data, const SplatSampling& sampling, const Visit&
     }
   }
 }
-} // namespace
 
-MediumBounds boundsOfSamples(vtkDataSet* data, const SplatSampling& sampling)
+// Of the samples' cells that lie in a box.
+MediumBounds boundsWithin(const SplatShapes& shapes, const MediumBounds& box)
 {
   MediumBounds bounds = NoMediumBounds;
-  forEachSample(data, sampling, [&](vtkIdType, const SplatVector& place, const SplatMatrix& jacobian) {
-    const SplatVector half = halfExtent(jacobian);
-    const double low[3] = { place[0] - half[0], place[1] - half[1], place[2] - half[2] };
-    const double high[3] = { place[0] + half[0], place[1] + half[1], place[2] + half[2] };
-    addPlace(bounds, low);
-    addPlace(bounds, high);
+  forEachSample(shapes, [&](vtkIdType, const SplatVector& place, const SplatMatrix& jacobian) {
+    const SampleBox cell(place, jacobian);
+    if (cell.LiesIn(box))
+    {
+      addPlace(bounds, cell.Low);
+      addPlace(bounds, cell.High);
+    }
   });
   return bounds;
+}
+
+std::vector<WeightedPlace> weightedPlaces(const SplatShapes& shapes)
+{
+  std::vector<WeightedPlace> places;
+  const SampleChoice choice(shapes.GetNumberOfIds(), enoughPlaces);
+  vtkIdType shown = 0;
+  forEachSample(shapes, [&](vtkIdType, const SplatVector& place, const SplatMatrix& jacobian) {
+    if (choice.Takes(shown++))
+    {
+      places.push_back({ { place[0], place[1], place[2] }, weightOf(jacobian) * static_cast<double>(choice.Standing()) });
+    }
+  });
+  return places;
+}
+} // namespace
+
+MediumBounds boundsOfSamples(vtkDataSet* data, const SplatSampling& sampling, const MediumReduction& over)
+{
+  if (!data || data->GetNumberOfPoints() == 0)
+  {
+    return robustBounds({}, [](const MediumBounds&) { return NoMediumBounds; }, over);
+  }
+  const SplatShapes shapes(data, sampling);
+  return robustBounds(
+    weightedPlaces(shapes), [&](const MediumBounds& box) { return boundsWithin(shapes, box); }, over);
 }
 
 MediumMeasures measureSplats(vtkDataSet* data, const SplatSampling& sampling, vtkDataArray* scalars,
   const std::function<double(double)>& opacity, const MediumBounds& common)
 {
   MediumMeasures measures;
-  const SampleChoice choice(
-    data ? sampling.OnCells ? data->GetNumberOfCells() : data->GetNumberOfPoints() : 0);
+  if (!data || data->GetNumberOfPoints() == 0)
+  {
+    return measures;
+  }
+  const SplatShapes shapes(data, sampling);
+  const SampleChoice choice(shapes.GetNumberOfIds());
   vtkIdType shown = 0, sampled = 0;
-  forEachSample(data, sampling, [&](vtkIdType id, const SplatVector& place, const SplatMatrix& jacobian) {
+  forEachSample(shapes, [&](vtkIdType id, const SplatVector& place, const SplatMatrix& jacobian) {
     addPlace(measures.Bounds, place.data());
+    if (!SampleBox(place, jacobian).LiesIn(common))
+    {
+      return;
+    }
     measures.AddPlace(common, place.data(), halfExtent(jacobian).data());
     if (!choice.Takes(shown++))
     {

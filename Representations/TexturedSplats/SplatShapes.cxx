@@ -4,6 +4,7 @@
 
 #include "EllipsoidSplat.h"
 #include "HiddenSamples.h"
+#include "RobustBounds.h"
 #include "SplatSamples.h"
 
 #include "vtkCellData.h"
@@ -250,16 +251,19 @@ SplatMatrix SplatShapes::Jacobian(vtkIdType id) const
   return WithoutFlatColumns(jacobian, flatShare);
 }
 
+// Parts that are few and far away do not count: else all splats would grow with their distance.
 double SplatShapes::FindMeanSpacing() const
 {
-  double bounds[6];
-  FindPlaceBounds(this->Data, bounds);
+  const MediumBounds bounds = robustBoundsOfPlaces(this->Data->GetNumberOfPoints(), [&](vtkIdType point, double* x) {
+    this->Data->GetPoint(point, x);
+    return std::isfinite(x[0] + x[1] + x[2]);
+  });
   std::size_t count = 0;
   for (vtkIdType id = 0; id < this->Count; ++id)
   {
-    count += this->IsVisible(id) && isFinite(this->Place(id)) ? 1 : 0;
+    count += this->IsVisible(id) && holdsPlace(bounds, this->Place(id).data()) ? 1 : 0;
   }
-  return MeanSpacing(bounds, std::max<std::size_t>(count, 1));
+  return MeanSpacing(bounds.data(), std::max<std::size_t>(count, 1));
 }
 
 void FindSplatBounds(const SplatShapes& shapes, double kernelRadius, double bounds[6])

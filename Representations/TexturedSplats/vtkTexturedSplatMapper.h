@@ -79,7 +79,7 @@ public:
   /**
    * For samples without a grid: edge of the cube that each stands for, in units of length of the data; the splat's own radius is 1.56
    * times as long. 0 (default): found from the data, see CellSizeFromCells and CellSizeFromNeighbors, or else the mean spacing of all
-   * samples. Ignored on structured grids.
+   * samples but those few that are far away. Ignored on structured grids.
    */
   vtkSetClampMacro(CellSize, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(CellSize, double);
@@ -149,7 +149,8 @@ public:
   /**
    * The ScalarOpacityUnitDistance that gives rays through the input a mean optical depth of 2 with the property's opacity function, taken as if it
    * reached up to 1: the mean length of a ray inside the data times the mean opacity over their volume, divided by 2. It depends on the size
-   * of the data, their thickness too, and hardly on how many samples there are. 0 if nothing is opaque, or there is nothing to draw.
+   * of the data, their thickness too, and hardly on how many samples there are. Parts that are few and far away
+   * do not count. 0 if nothing is opaque, or there is nothing to draw.
    * Hosts use it where the user has set no length. Cost: as of one pass over the samples.
    */
   double FindUnitDistance(vtkVolumeProperty* property);

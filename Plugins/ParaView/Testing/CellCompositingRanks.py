@@ -4,7 +4,7 @@
 from RankPictures import compare, run_ranks, run_with_server
 
 SCRIPT = "CellCompositingRun.py"
-PICTURES = ("image", "tetrahedra", "structured", "cells", "coarse", "coarse-cells")
+PICTURES = ("image", "tetrahedra", "structured", "cells", "coarse", "coarse-cells", "stray")
 PEELED = ("surfaces", "surfaces-tetrahedra")  # every rank peels on its own, and rounds to 8 bits at every peel
 
 one = run_ranks(SCRIPT, PICTURES + PEELED, 1)

@@ -39,6 +39,9 @@ coarse.Transform.Rotate = [10, 20, 30]
 coarse.Transform.Scale = [3, 3, 3]
 draw("coarse", coarse, opacity_scale=5)
 draw("coarse-cells", pvs.PointDatatoCellData(Input=coarse), ("CELLS", "RTData"), opacity_scale=20)
+# The eight corners are far away: lengths that follow the data must not.
+stray = pvs.Calculator(Input=pvs.Tetrahedralize(Input=wavelet), CoordinateResults=1, Function="if(mag(coords)>17.3, 100*coords, coords)")
+draw("stray", stray)
 # Translucent surfaces inside: a contour of the same data, and a plane across all ranks, as triangles: where a border between ranks cuts
 # quadrilaterals, ParaView 5.13 by itself loses parts of them.
 contour = pvs.Contour(Input=wavelet, ContourBy=["POINTS", "RTData"], Isosurfaces=[130, 200])

@@ -7,6 +7,7 @@
 #include "vtkDataArray.h"
 #include "vtkTetra.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace nephoscope
@@ -15,24 +16,51 @@ namespace
 {
 using PointIds = std::array<vtkIdType, 4>;
 
+constexpr vtkIdType enoughCells = 100000; // for integrals
 constexpr double noExtent[3] = { 0.0, 0.0, 0.0 };
 
-double volumeOf(vtkDataSet* data, const PointIds& tetrahedron)
+struct TetrahedronCorners
 {
-  double x[4][3];
-  for (std::size_t i = 0; i < 4; ++i)
+  double X[4][3];
+
+  TetrahedronCorners(vtkDataSet* data, const PointIds& tetrahedron)
   {
-    data->GetPoint(tetrahedron[i], x[i]);
+    for (std::size_t i = 0; i < 4; ++i)
+    {
+      data->GetPoint(tetrahedron[i], this->X[i]);
+    }
   }
-  const double volume = std::abs(vtkTetra::ComputeVolume(x[0], x[1], x[2], x[3]));
-  return std::isfinite(volume) ? volume : 0.0;
+  double Volume()
+  {
+    const double volume = std::abs(vtkTetra::ComputeVolume(this->X[0], this->X[1], this->X[2], this->X[3]));
+    return std::isfinite(volume) ? volume : 0.0;
+  }
+  bool LieIn(const MediumBounds& box) const
+  {
+    return std::all_of(this->X, this->X + 4, [&](const double* x) { return holdsPlace(box, x); });
+  }
+};
+
+/** Its middle. */
+WeightedPlace weightedPlaceOf(TetrahedronCorners corners)
+{
+  WeightedPlace place = {};
+  double length = 0.0;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    const double x[4] = { corners.X[0][axis], corners.X[1][axis], corners.X[2][axis], corners.X[3][axis] };
+    place.Place[axis] = 0.25 * (x[0] + x[1] + x[2] + x[3]);
+    length = std::max(length, *std::max_element(x, x + 4) - *std::min_element(x, x + 4));
+  }
+  place.Weight = weightOfCell(corners.Volume(), length);
+  return place;
 }
 
-/** Adds one tetrahedron, with mean values of its corners; 0 where a value is not finite, as such cells are not drawn. */
+/** Adds one tetrahedron of that volume, with mean values of its corners; 0 where a value is not finite, as such cells are not drawn. */
 void addTetrahedron(
-  MediumMeasures& measures, vtkDataSet* data, const CellMedium& medium, vtkIdType cell, const PointIds& tetrahedron)
+  MediumMeasures& measures, vtkDataSet* data, const CellMedium& medium, vtkIdType cell, const PointIds& tetrahedron,
+  double volume)
 {
-  const double volume = volumeOf(data, tetrahedron);
   measures.Volume += volume;
   double scalar = 0.0, opacity = 0.0;
   for (const vtkIdType point : tetrahedron)
@@ -73,16 +101,52 @@ void forEachPlace(vtkDataSet* data, const Visit& visit)
     }
   }
 }
+/** Calls visit(cell, tetrahedron) for about `most` of the cells that are shown. Returns for how many each of them stands. */
+template <typename Visit>
+double forChosenTetrahedra(vtkDataSet* data, vtkIdType most, const Visit& visit)
+{
+  const SampleChoice choice(data->GetNumberOfCells(), most);
+  TetrahedronSource source(data);
+  vtkIdType shown = 0, chosen = 0;
+  for (vtkIdType cell = 0; cell < data->GetNumberOfCells(); ++cell)
+  {
+    if (!source.IsHidden(cell) && choice.Takes(shown++))
+    {
+      ++chosen;
+      source.EmitTetrahedra(cell, [&](const PointIds& t) { visit(cell, t); });
+    }
+  }
+  return chosen > 0 ? static_cast<double>(shown) / static_cast<double>(chosen) : 0.0;
+}
 } // namespace
 
-MediumBounds boundsOfCells(vtkDataSet* data)
+MediumBounds boundsOfCells(vtkDataSet* data, const MediumBounds& box)
 {
   MediumBounds bounds = NoMediumBounds;
   if (data && data->GetNumberOfCells() > 0)
   {
-    forEachPlace(data, [&](const double* place) { addPlace(bounds, place); });
+    forEachPlace(data, [&](const double* place) {
+      if (holdsPlace(box, place))
+      {
+        addPlace(bounds, place);
+      }
+    });
   }
   return bounds;
+}
+
+MediumBounds robustBoundsOfCells(vtkDataSet* data, const MediumReduction& over)
+{
+  std::vector<WeightedPlace> places;
+  if (data)
+  {
+    const double standing = static_cast<double>(SampleChoice(data->GetNumberOfCells(), enoughPlaces).Standing());
+    forChosenTetrahedra(data, enoughPlaces, [&](vtkIdType, const PointIds& tetrahedron) {
+      places.push_back(weightedPlaceOf({ data, tetrahedron }));
+      places.back().Weight *= standing;
+    });
+  }
+  return robustBounds(places, [&](const MediumBounds& box) { return boundsOfCells(data, box); }, over);
 }
 
 MediumMeasures measureCells(vtkDataSet* data, const CellMedium& medium, const MediumBounds& common)
@@ -94,28 +158,22 @@ MediumMeasures measureCells(vtkDataSet* data, const CellMedium& medium, const Me
   }
   forEachPlace(data, [&](const double* place) {
     addPlace(measures.Bounds, place);
-    if (std::isfinite(place[0] + place[1] + place[2]))
+    if (holdsPlace(common, place))
     {
       measures.AddPlace(common, place, noExtent);
     }
   });
-  const SampleChoice choice(data->GetNumberOfCells());
-  TetrahedronSource source(data);
-  vtkIdType shown = 0, sampled = 0;
-  for (vtkIdType cell = 0; cell < data->GetNumberOfCells(); ++cell)
-  {
-    if (!source.IsHidden(cell) && choice.Takes(shown++))
+  const double scale = forChosenTetrahedra(data, enoughCells, [&](vtkIdType cell, const PointIds& tetrahedron) {
+    TetrahedronCorners corners(data, tetrahedron);
+    if (corners.LieIn(common))
     {
-      ++sampled;
-      source.EmitTetrahedra(
-        cell, [&](const PointIds& t) { addTetrahedron(measures, data, medium, cell, t); });
+      addTetrahedron(measures, data, medium, cell, tetrahedron, corners.Volume());
     }
-  }
-  const double scale = sampled > 0 ? static_cast<double>(shown) / static_cast<double>(sampled) : 0.0;
+  });
   measures.Volume *= scale;
   measures.ScalarIntegral *= scale;
   measures.OpacityIntegral *= scale;
-  if (medium.Scalars && shown > 0)
+  if (medium.Scalars && scale > 0.0)
   {
     medium.Scalars->GetFiniteRange(measures.ScalarRange, medium.Scalars->GetNumberOfComponents() > 1 ? -1 : 0);
   }

@@ -5,6 +5,7 @@
 #define CellMeasures_h
 
 #include "MediumMeasures.h"
+#include "RobustBounds.h"
 
 #include "vtkNephoscopeRepresentationsCellCompositingModule.h" // for export macro
 
@@ -13,8 +14,11 @@ class vtkDataSet;
 namespace nephoscope
 {
 
-/** Of the finite points of the cells that are shown. `data` may be null. */
-VTKNEPHOSCOPEREPRESENTATIONSCELLCOMPOSITING_EXPORT MediumBounds boundsOfCells(vtkDataSet* data);
+/** Of the finite points in a box of the cells that are shown. `data` may be null. */
+VTKNEPHOSCOPEREPRESENTATIONSCELLCOMPOSITING_EXPORT MediumBounds boundsOfCells(vtkDataSet* data, const MediumBounds& box = WholeMedium);
+
+/** The same of all processes, without parts that are few and far away. */
+VTKNEPHOSCOPEREPRESENTATIONSCELLCOMPOSITING_EXPORT MediumBounds robustBoundsOfCells(vtkDataSet* data, const MediumReduction& over = {});
 
 /** What is measured of cells. Scalars may be null; vectors count by their magnitude. The opacity may be empty. */
 struct CellMedium
@@ -24,7 +28,7 @@ struct CellMedium
   std::function<double(double)> Opacity = {};
 };
 
-/** Of a piece, which may be null, in the bounds of all pieces. Integrals come from about 1e5 cells. */
+/** Of a piece, which may be null, as far as it lies in the bounds, of all pieces. Integrals come from about 1e5 cells. */
 VTKNEPHOSCOPEREPRESENTATIONSCELLCOMPOSITING_EXPORT MediumMeasures measureCells(
   vtkDataSet* data, const CellMedium& medium, const MediumBounds& common);
 

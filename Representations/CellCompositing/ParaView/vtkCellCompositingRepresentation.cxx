@@ -41,7 +41,7 @@ void vtkCellCompositingRepresentation::PreparePiece(vtkDataObject* input)
   vtkDataArray* scalars = this->Piece ? this->FindOpacityArray(this->Piece, association) : nullptr;
   const nephoscope::CellMedium medium{ scalars, association == vtkDataObject::FIELD_ASSOCIATION_CELLS };
   const nephoscope::MediumBounds mine = nephoscope::boundsOfCells(this->Piece);
-  const nephoscope::MediumBounds common = nephoscope::reduceOverRanks(mine);
+  const nephoscope::MediumBounds common = nephoscope::robustBoundsOfCells(this->Piece, nephoscope::reductionOverRanks());
   const nephoscope::MediumMeasures all =
     nephoscope::reduceOverRanks(nephoscope::measureCells(this->Piece, medium, common));
   std::copy(mine.begin(), mine.end(), this->DataBounds);

@@ -5,6 +5,8 @@
 #include "vtkCommunicator.h"
 #include "vtkMultiProcessController.h"
 
+#include <vector>
+
 namespace nephoscope
 {
 namespace
@@ -40,6 +42,18 @@ MediumBounds reduceOverRanks(const MediumBounds& mine)
   MediumBounds all = mine;
   reduceRanges(all.data(), 3);
   return all;
+}
+
+MediumReduction reductionOverRanks()
+{
+  const auto sum = [](double* numbers, int count) {
+    const std::vector<double> mine(numbers, numbers + count);
+    if (auto controller = otherRanks())
+    {
+      controller->AllReduce(mine.data(), numbers, count, vtkCommunicator::SUM_OP);
+    }
+  };
+  return { sum, [](const MediumBounds& mine) { return reduceOverRanks(mine); } };
 }
 
 MediumMeasures reduceOverRanks(const MediumMeasures& mine)

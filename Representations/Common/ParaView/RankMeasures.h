@@ -5,6 +5,7 @@
 #define RankMeasures_h
 
 #include "MediumMeasures.h"
+#include "RobustBounds.h"
 
 #include "vtkNephoscopeParaViewCommonModule.h" // for export macro
 
@@ -12,6 +13,9 @@ namespace nephoscope
 {
 
 VTKNEPHOSCOPEPARAVIEWCOMMON_EXPORT MediumBounds reduceOverRanks(const MediumBounds& mine);
+
+/** For robust bounds of the medium of all ranks. */
+VTKNEPHOSCOPEPARAVIEWCOMMON_EXPORT MediumReduction reductionOverRanks();
 
 /** Integrals, range and reach are of all; the bounds stay those of this rank. */
 VTKNEPHOSCOPEPARAVIEWCOMMON_EXPORT MediumMeasures reduceOverRanks(const MediumMeasures& mine);

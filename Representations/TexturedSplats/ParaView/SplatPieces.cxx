@@ -3,14 +3,13 @@
 #include "SplatPieces.h"
 
 #include "DataBlocks.h"
+#include "RankMeasures.h"
 #include "SplatGridSeam.h"
 #include "SplatOwners.h"
 #include "SplatSamples.h"
 
-#include "vtkBoundingBox.h"
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
-#include "vtkCommunicator.h"
 #include "vtkDataSet.h"
 #include "vtkFloatArray.h"
 #include "vtkIdList.h"
@@ -21,6 +20,7 @@
 #include "vtkUnsignedCharArray.h"
 #include "vtkUnstructuredGrid.h"
 
+#include <algorithm>
 #include <cmath>
 #include <memory>
 #include <vector>
@@ -85,20 +85,20 @@ vtkSmartPointer<vtkIdList> ownIds(
 
 double meanSpacingOverRanks(const SplatShapes& shapes, vtkIdList* ids)
 {
-  vtkBoundingBox mine, all;
+  const auto placeOf = [&](vtkIdType i, double* x) {
+    const SplatVector place = shapes.Place(ids->GetId(i));
+    std::copy(place.begin(), place.end(), x);
+    return true; // all are finite
+  };
+  const MediumReduction over = reductionOverRanks();
+  const MediumBounds bounds = robustBoundsOfPlaces(ids->GetNumberOfIds(), placeOf, over);
+  double count = 0;
   for (vtkIdType i = 0; i < ids->GetNumberOfIds(); ++i)
   {
-    const SplatVector place = shapes.Place(ids->GetId(i));
-    mine.AddPoint(place[0], place[1], place[2]);
+    count += holdsPlace(bounds, shapes.Place(ids->GetId(i)).data()) ? 1 : 0;
   }
-  const long long count = ids->GetNumberOfIds();
-  long long sum = count;
-  vtkMultiProcessController* controller = vtkMultiProcessController::GetGlobalController();
-  controller->AllReduce(mine, all);
-  controller->AllReduce(&count, &sum, 1, vtkCommunicator::SUM_OP);
-  double bounds[6] = { 0, 0, 0, 0, 0, 0 };
-  all.GetBounds(bounds);
-  return all.IsValid() ? MeanSpacing(bounds, static_cast<std::size_t>(sum)) : 1.0;
+  over.Sum(&count, 1);
+  return count > 0 ? MeanSpacing(bounds.data(), static_cast<std::size_t>(count)) : 1.0;
 }
 
 // Without marks of ghosts. The arrays are those of cells: the view merges points in one place, not cells.

@@ -83,7 +83,7 @@ void vtkTexturedSplatsRepresentation::PreparePiece(vtkDataObject* input)
   vtkDataArray* scalars = this->Piece ? this->FindOpacityArray(this->Piece, association) : nullptr;
   const bool together = (association == vtkDataObject::CELL) == inCells;
   const nephoscope::MediumBounds common =
-    nephoscope::reduceOverRanks(nephoscope::boundsOfSamples(this->Piece, sampling));
+    nephoscope::boundsOfSamples(this->Piece, sampling, nephoscope::reductionOverRanks());
   const nephoscope::MediumMeasures all = nephoscope::reduceOverRanks(
     nephoscope::measureSplats(this->Piece, sampling, together ? scalars : nullptr, {}, common));
   if (HoldsAnything(input) && all.Volume <= 0.0 && IsFirstRank())
