@@ -71,17 +71,20 @@ class Reader(unittest.TestCase):
             nephoscope.read_cf(__file__)
 
 
-def level_file(path, dimensions, attributes=None, levels=(1000.0, 500, 200), missing=None):
-    """cc = lon + 1000 lat + 0.01 lev, on the dimensions in their order; the first value is `missing`."""
-    axes = {"lev": np.array(levels), "lat": np.linspace(-60, 60, 5), "lon": np.arange(8) * 45.0}
+def level_file(path, dimensions, attributes=None, levels=(1000.0, 500, 200), missing=None, times=()):
+    """cc = lon + 1000 lat + 0.01 lev + 100 time, on the dimensions in their order; the first value is `missing`."""
+    axes = {"lev": np.array(levels), "lat": np.linspace(-60, 60, 5), "lon": np.arange(8) * 45.0, **({"time": np.array(times)} if times else {})}
+    time = [Variable("time", ("time",), "f8", {"units": "hours since 2011-10-11 00:00:00"})] if times else []
     file = Writer(path, {"record": None, **{name: len(values) for name, values in axes.items()}}, [
-        Variable("number", ("record",), "f8", {}), Variable("lev", ("lev",), "f8", {"units": "hPa", "positive": "down"}), Variable("lat", ("lat",), "f8", {"units": "degrees_north"}),
+        *time, Variable("number", ("record",), "f8", {}), Variable("lev", ("lev",), "f8", {"units": "hPa", "positive": "down"}), Variable("lat", ("lat",), "f8", {"units": "degrees_north"}),
         Variable("lon", ("lon",), "f8", {"units": "degrees_east"}), Variable("cc", dimensions, "f8", attributes or {"units": "1"})],
         {"Conventions": "CF-1.6"})
     for name, values in axes.items():
         file.write(name, values)
     lev, lat, lon = (axes[name].reshape([-1 if name == its else 1 for its in dimensions]) for name in ("lev", "lat", "lon"))
     values = lon + 1000 * lat + 0.01 * lev
+    if times:
+        values = values + 100 * axes["time"].reshape([-1 if its == "time" else 1 for its in dimensions])
     if missing is not None:
         values = np.abs(values) / 1e5
         values.ravel()[::7] = missing
@@ -105,6 +108,20 @@ class Axes(unittest.TestCase):
             x, y, z = mesh.points.T
             np.testing.assert_allclose(mesh["cc"], x + 1000 * y - 0.01 * z, err_msg=str(dimensions))
             self.assertEqual(mesh.nephoscope.globe().dimensions, (9, 5, 3))
+
+    def test_time_before_any_order_of_dimensions(self):
+        for dimensions in itertools.permutations(("lev", "lat", "lon")):
+            path = level_file(self.path, ("time", *dimensions), times=(0.0, 6.0))
+            for step in (0, 1):
+                mesh = nephoscope.read_cf(path, time_step=step)
+                self.assertEqual(tuple(mesh.dimensions), (8, 5, 3), dimensions)
+                x, y, z = mesh.points.T
+                np.testing.assert_allclose(mesh["cc"], x + 1000 * y - 0.01 * z + 600 * step, err_msg=str(dimensions))
+
+    def test_time_that_is_not_first(self):
+        for dimensions in (("lev", "time", "lat", "lon"), ("lev", "lat", "lon", "time")):
+            with self.assertRaisesRegex(RuntimeError, "ncpdq -a time,lev,lat,lon.* The variable is cc"):
+                nephoscope.read_cf(level_file(self.path, dimensions, times=(0.0, 6.0)))
 
     def test_more_dimensions_than_the_reader_takes(self):
         """As of an ensemble, and of models without a coordinate of time."""
@@ -147,6 +164,12 @@ class Times(unittest.TestCase):
         folder = tempfile.TemporaryDirectory()
         self.addCleanup(folder.cleanup)
         self.path = Path(folder.name) / "series.nc"
+
+    def test_no_times(self):
+        """VTK's reader ends the process."""
+        for read in (nephoscope.read_cf, nephoscope.cf_times):
+            with self.assertRaisesRegex(ValueError, "series.nc: the unlimited dimension 'time' has length 0.*Write at least one record"):
+                read(series(self.path, []))
 
     def test_told_unless_chosen(self):
         series(self.path, [0, 6, 12])

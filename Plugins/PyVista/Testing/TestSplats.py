@@ -90,6 +90,19 @@ class Accepted(Splats):
         self.add(mesh, None, color="white")
         self.assertEqual(mesh.array_names, names, "the mesh was changed")
 
+    def test_bar_of_vector_scalars(self):
+        mesh = box()
+        mesh["speed"] = np.linspace(0, 9, mesh.n_points)
+        for options, titles in (({}, {"x", "speed"}), ({"opacity": 0}, {"speed"}), ({"color": "red"}, {"speed"}), ({"show_scalar_bar": False}, set()),
+                                ({"scalars": "speed"}, {"speed", "speed of wind"})):
+            self.plotter.clear()
+            self.add(mesh, vectors="wind", vector_scalars="speed", vector_cmap=["black", "white"], vector_clim=(0, 4),
+                     **{"scalar_bar_args": {"n_labels": 3}, **options})
+            self.assertEqual(set(self.plotter.scalar_bars.keys()), titles, options)
+            if "speed" in titles and "scalars" not in options:
+                bar = self.plotter.scalar_bars["speed"]
+                self.assertEqual((*bar.GetLookupTable().GetRange(), bar.GetNumberOfLabels()), (0, 4, 3))
+
     def test_colours(self):
         volume = self.add(color="red")
         np.testing.assert_allclose(volume.prop.GetRGBTransferFunction().GetColor(1), (1, 0, 0))

@@ -18,7 +18,7 @@ ALONE = 2.0  # optical depth of the fastest streaks
 COLOURS = ("black", "white", "orangered")
 
 
-def _is_drawn(opacity: Any) -> bool:
+def is_drawn(opacity: Any) -> bool:
     node = [0.0] * 4
     return any(opacity.GetNodeValue(i, node) and node[1] > 0 for i in range(opacity.GetSize()))
 
@@ -51,6 +51,7 @@ class Vectors:
     unit: float | None = None
     layer_axis: str | int = "eye"
     phase_steps: int = 0
+    table: pyvista.LookupTable | None = None  # of the colours by `scalars`, found when applied
 
     def apply(self, mapper: Any, plotter: pyvista.BasePlotter, mesh: pyvista.DataSet, association: str) -> None:
         choose({"streaks": mapper.SetVectorStyleToStreaks, "segments": mapper.SetVectorStyleToSegments}, self.style, "vector_style")
@@ -83,12 +84,23 @@ class Vectors:
 
     def suit(self, mapper: Any, plotter: pyvista.BasePlotter, prop: pyvista.VolumeProperty) -> None:
         """Where a medium is drawn too, and the user has not said how: so that both can be read. After everything else is set."""
-        if self.name is None or not _is_drawn(prop.GetScalarOpacity()):
+        if self.name is None or not is_drawn(prop.GetScalarOpacity()):
             return
         mapper.SuitVectorsToMedium(self.opacity is None, self.share is None and self.style == "streaks")
         if self.color is None and self.scalars is None:
             mapper.SetVectorColor(_contrasting(plotter.background_color.float_rgb, np.asarray(mapper.lookup_table.values)[:, :3] / 255.0))
             mapper.SetUseVectorColor(True)
+
+    def add_bar(self, plotter: pyvista.BasePlotter, bar_args: dict | None) -> None:
+        """The colours of the vectors, where they have an array of their own. Beside a bar that lies it stands: PyVista's lie too close for their titles."""
+        if self.table is None:
+            return
+        shown = pyvista.DataSetMapper()
+        shown.lookup_table, shown.scalar_range = self.table, self.table.scalar_range
+        own = {name: value for name, value in (bar_args or {}).items() if name not in ("title", "mapper", "position_x", "position_y")}
+        title = self.scalars if self.scalars not in plotter.scalar_bars else f"{self.scalars} of {self.name}"
+        upright = {"vertical": True, "position_y": 0.28} if len(plotter.scalar_bars) else {}
+        plotter.add_scalar_bar(**{**upright, **own, "title": title, "mapper": shown})
 
     def _require_vectors(self, mesh: pyvista.DataSet, association: str) -> None:
         require_beside_scalars(mesh, self.name, association, "vectors")
@@ -111,3 +123,4 @@ class Vectors:
             plotter, values, self.scalars, self.cmap, self.clim)
         mapper.SetVectorColorArrayName(self.scalars)
         mapper.SetVectorColorFunction(colour_function(table))
+        self.table = table

@@ -19,7 +19,8 @@ from ._fields import choose_active_scalars
 from ._pipeline import vtk_messages
 
 
-_REMEDY = ("VTK's reader takes three dimensions, and one of time if it has a coordinate with units. Write a file without the others first: "
+_REMEDY = ("VTK's reader takes three dimensions, and before them one of time if it has a coordinate with units. Time that is not the first: "
+           "ncpdq -a time,lev,lat,lon IN OUT, or .transpose('time', ...) in xarray. More dimensions: write a file without the others first: "
            "ncks -d Time,0 IN OUT for the first index of the dimension Time, or xarray.open_dataset(IN).isel(Time=0).to_netcdf(OUT). "
            "The variable is")
 _WORDS = {"More than 3 dims without time not supported in variable": _REMEDY, "More than 3 dims + time not supported in variable": _REMEDY}
@@ -60,7 +61,8 @@ def read_cf(path: str | Path, *, dimensions: str | Sequence[str] | None = None, 
     RuntimeError
         If the file is not NetCDF.
     ValueError
-        If the dimensions, a variable or the time step are not in the file; the message lists what is.
+        If the dimensions, a variable or the time step are not in the file; the message lists what is. If the unlimited dimension of a NetCDF classic
+        file has length 0.
 
     Warns
     -----
@@ -145,6 +147,7 @@ def _opened(path: str | Path) -> tuple[vtkNetCDFCFReader, Path]:
     path = Path(path)
     if not path.is_file():
         raise FileNotFoundError(f"No such file: {path}")
+    _require_records(path)
     reader = vtkNetCDFCFReader()
     reader.SetFileName(str(path))
     reader.SphericalCoordinatesOff()
@@ -152,6 +155,23 @@ def _opened(path: str | Path) -> tuple[vtkNetCDFCFReader, Path]:
     with vtk_messages(reader, _WORDS):
         reader.UpdateInformation()
     return reader, path
+
+
+def _require_records(path: Path) -> None:
+    """An error where the unlimited dimension of a NetCDF classic file has length 0: VTK's reader would end the process."""
+    with path.open("rb") as file:
+        version = file.read(4)
+        width = {b"CDF\x01": 4, b"CDF\x02": 4, b"CDF\x05": 8}.get(version, 0)  # of a count
+        if not width:
+            return
+        number = lambda size=width: int.from_bytes(file.read(size), "big")
+        records, tag, dimensions = number(), number(4), number()
+        for _ in range(dimensions if tag == 10 and records == 0 else 0):
+            length = number()
+            name = file.read(length + -length % 4)[:length].decode(errors="replace")
+            if number() == 0:
+                raise ValueError(f"{path}: the unlimited dimension {name!r} has length 0, so that there are no data along it. Write at least one "
+                                 "record, or leave the dimension out.")
 
 
 def _times(reader: vtkNetCDFCFReader) -> tuple[float, ...]:
@@ -215,7 +235,7 @@ def _with_spacing(mesh: pyvista.DataSet) -> pyvista.DataSet:
 
 def _axes_in_order(mesh: pyvista.DataSet, shape: str) -> pyvista.DataSet:
     """Longitudes along x and latitudes along y, where the names of the dimensions tell that they are not."""
-    names = [name.strip().lower() for name in shape.strip("()").split(",")][::-1]  # fastest first
+    names = [name.strip().lower() for name in shape.strip("()").split(",")][::-1]  # fastest first, without time
     along_x = next((axis for axis, name in enumerate(names) if name in _X), None)
     along_y = next((axis for axis, name in enumerate(names) if name in _Y), None)
     if along_x is None or along_y is None or (along_x, along_y) == (0, 1) or len(names) > 3 or isinstance(mesh, pyvista.StructuredGrid):

@@ -13,7 +13,7 @@ from . import vtkTexturedSplatMapper
 from ._checks import choose, renamed_argument, require_beside_scalars, require_number
 from ._copies import copied_table
 from ._medium import Functions, MediumMapper, add_medium, require_dataset, require_plotter, scalar_array
-from ._vectors import Vectors
+from ._vectors import Vectors, is_drawn
 from .transfer import OpacityLike
 
 KERNEL_RADII = {"cubic": 1.556228, "quadratic": 1.37790, "gaussian": 1.916}  # cells; SplatKernel.h
@@ -144,7 +144,8 @@ def add_splats(plotter: pyvista.BasePlotter, mesh: Any, scalars: str | np.ndarra
     preference : {"point", "cell"}, default: "point"
         Which array is meant when points and cells have one of the same name, or are equally many.
     name, show_scalar_bar, scalar_bar_args, reset_camera, pickable, user_matrix, render, unit_distance, preset
-        As in `add_cells`. With a `color` there is no scalar bar unless one is asked for.
+        As in `add_cells`. With a `color` there is no scalar bar unless one is asked for. `vector_scalars` have one of their own; alone where
+        only the vectors are drawn.
 
     Returns
     -------
@@ -168,6 +169,7 @@ def add_splats(plotter: pyvista.BasePlotter, mesh: Any, scalars: str | np.ndarra
     require_plotter(plotter)
     mesh = _sampled_mesh(mesh, {**({"scalars": scalars} if color is None or scalars is not None else {}), "opacity_scalars": opacity_scalars,
                                 "vectors": vectors, "vector_scalars": vector_scalars, "sizes": sizes, "volumes": volumes})
+    shows_bars = plotter.theme.show_scalar_bar if show_scalar_bar is None else show_scalar_bar
     if color is not None:
         cmap, show_scalar_bar = [pyvista.Color(color).hex_rgb] * 2, bool(show_scalar_bar)
         if scalars is None:
@@ -190,8 +192,13 @@ def add_splats(plotter: pyvista.BasePlotter, mesh: Any, scalars: str | np.ndarra
     prop = Functions(cmap, opacity, clim, n_colors, flip_scalars, log_scale, opacity_scalars, opacity_clim,
                      opacity_scale, preset).attach(mapper, plotter, mesh, array_name, association, association, opacity_unit_distance)
     streaks.suit(mapper, plotter, prop)
-    return add_medium(plotter, mapper, prop, array_name, user_matrix=user_matrix, show_scalar_bar=show_scalar_bar,
-                      scalar_bar_args=scalar_bar_args, reset_camera=reset_camera, name=name, pickable=pickable, render=render)
+    if streaks.table is not None and not is_drawn(prop.GetScalarOpacity()):
+        show_scalar_bar = False  # nothing has its colours
+    volume = add_medium(plotter, mapper, prop, array_name, user_matrix=user_matrix, show_scalar_bar=show_scalar_bar,
+                        scalar_bar_args=scalar_bar_args, reset_camera=reset_camera, name=name, pickable=pickable, render=render)
+    if shows_bars:
+        streaks.add_bar(plotter, scalar_bar_args)
+    return volume
 
 
 def _sampled_mesh(mesh: Any, arrays: Mapping[str, Any]) -> pyvista.DataSet:
