@@ -28,6 +28,7 @@ if _TYPE_CHECKING:
     from .reader import cf_times, read_cf
     from .smoke import flow_volume, smoke_puffs
     from .smoke_drawing import add_smoke
+    from .smoke_widget import add_smoke_widget
     from .sparse import read_vdb, write_vdb
     from .splats import add_splats
     from .splitting import split_cells
@@ -53,6 +54,7 @@ PYVISTA_FUNCTIONS = {
     "flow_volume": "smoke",
     "smoke_puffs": "smoke",
     "add_smoke": "smoke_drawing",
+    "add_smoke_widget": "smoke_widget",
     "read_vdb": "sparse",
     "write_vdb": "sparse",
 }

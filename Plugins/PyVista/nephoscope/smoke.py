@@ -116,6 +116,21 @@ def flow_volume(mesh: Grids, polygon: pyvista.PolyData | None = None, *, vectors
     --------
     >>> smoke = mesh.nephoscope.flow_volume(center=(0, 0, 1), radius=0.2, duration=10)  # doctest: +SKIP
     """
+    smoke, series = _filter(**locals())
+    if series is None:
+        with vtk_messages(smoke, _NAMES):
+            smoke.Update()
+        return pyvista.wrap(smoke.GetOutput())
+    with series.raising(), vtk_messages(smoke, _NAMES):
+        smoke.UpdateTimeStep(series.times[-1] if time is None else require_number(time, "time"))
+    return pyvista.wrap(smoke.GetOutput()).copy(deep=False)
+
+
+def _filter(mesh: Any, polygon: Any = None, *, vectors: Any, center: Any, radius: Any, normal: Any, n_sides: Any, duration: Any, time_step: Any,
+            initial_density: Any, polygon_edge_length: Any, max_edge_length: Any, min_edge_length: Any, max_turn_angle: Any,
+            integrator: Any, tolerance: Any, max_tetrahedra: Any, times: Any, time: Any, start_time: Any,
+            time_scale: Any) -> tuple[vtkFlowVolume, Series | None]:
+    """The filter that the arguments of flow_volume describe, and the meshes of an unsteady flow."""
     smoke = vtkFlowVolume()
     smoke.SetTimeScale(require_number(time_scale, "time_scale", above=0))
     series = None
@@ -152,13 +167,7 @@ def flow_volume(mesh: Grids, polygon: pyvista.PolyData | None = None, *, vectors
     choose({"rk4": smoke.SetIntegratorToRungeKutta4, "rk45": smoke.SetIntegratorToRungeKutta45}, integrator, "integrator")
     smoke.SetTolerance(require_number(tolerance, "tolerance", above=0))
     smoke.SetMaximumNumberOfTetrahedra(int(require_number(max_tetrahedra, "max_tetrahedra", least=1, most=1e15)))
-    if series is None:
-        with vtk_messages(smoke, _NAMES):
-            smoke.Update()
-        return pyvista.wrap(smoke.GetOutput())
-    with series.raising(), vtk_messages(smoke, _NAMES):
-        smoke.UpdateTimeStep(series.times[-1] if time is None else require_number(time, "time"))
-    return pyvista.wrap(smoke.GetOutput()).copy(deep=False)
+    return smoke, series
 
 
 def _unsteady(smoke: vtkFlowVolume, mesh: Any, times: Sequence[float], start_time: float | None) -> Series:

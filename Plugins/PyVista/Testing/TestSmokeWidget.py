@@ -1,0 +1,85 @@
+# SPDX-FileCopyrightText: The Nephoscope authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""nephoscope.add_smoke_widget: the polygon faces the flow where the ball is dragged, and the smoke flows from there."""
+import unittest
+
+import nephoscope
+import numpy as np
+import pyvista
+
+
+def whirl():
+    """About the z axis, one radian a second."""
+    mesh = pyvista.ImageData(dimensions=(21, 21, 11), origin=(-10, -10, -5))
+    x, y, _ = mesh.points.T
+    mesh["v"] = np.column_stack((-y, x, 0 * x))
+    return mesh
+
+
+class Widget(unittest.TestCase):
+    def setUp(self):
+        self.plotter = pyvista.Plotter(off_screen=True, window_size=(120, 90))
+        self.addCleanup(self.plotter.close)
+
+    def add(self, **options):
+        made = nephoscope.add_smoke_widget(self.plotter, whirl(), center=(5, 0, 0), radius=0.6, duration=1, **options)
+        self.plotter.camera_position = "xy"
+        self.plotter.show(auto_close=False, interactive=False)
+        self.widget, self.volume = made.ball, made.volume
+        return made.polygon
+
+    def drag(self, *place, end=True):
+        self.widget.SetCenter(place)
+        self.widget.InvokeEvent("InteractionEvent")
+        if end:
+            self.widget.InvokeEvent("EndInteractionEvent")
+
+    def check(self, line, center, angle):
+        """The polygon is around the centre and across the flow there; the smoke goes round by a radian."""
+        points = np.array(line.mapper.dataset.points)
+        np.testing.assert_allclose(points.mean(axis=0), center, atol=1e-6)
+        flow = np.array((-center[1], center[0], 0)) / np.hypot(*center[:2])
+        np.testing.assert_allclose((points - center) @ flow, 0, atol=1e-6)
+        np.testing.assert_allclose(np.linalg.norm(points - center, axis=1), 0.6, atol=1e-6)
+        smoke = self.volume.mapper.dataset
+        age = smoke.point_data["Age"]
+        youngest, oldest = (np.array(smoke.points[age == wanted]).mean(axis=0) for wanted in (0, age.max()))
+        np.testing.assert_allclose(youngest, center, atol=0.05)
+        turned = np.arctan2(oldest[1], oldest[0]) - angle
+        self.assertAlmostEqual(np.angle(np.exp(1j * turned)), 1, delta=0.02)
+
+    def test_polygon_and_smoke_follow_the_ball(self):
+        line = self.add()
+        self.check(line, (5, 0, 0), 0)
+        before = self.plotter.screenshot(return_img=True)
+        self.drag(0, 4, 1, end=False)
+        self.check(line, (0, 4, 1), np.pi / 2)
+        self.plotter.render()
+        self.assertGreater(np.abs(self.plotter.screenshot(return_img=True).astype(int) - before).max(), 50)
+
+    def test_smoke_waits_for_the_end_of_the_drag(self):
+        line = self.add(while_dragging=False)
+        self.drag(0, 4, 1, end=False)
+        np.testing.assert_allclose(np.array(line.mapper.dataset.points).mean(axis=0), (0, 4, 1), atol=1e-6)
+        self.assertGreater(self.volume.mapper.dataset.bounds[1], 4)  # still where it was
+        self.drag(0, 4, 1)
+        self.check(line, (0, 4, 1), np.pi / 2)
+
+    def test_outside_nothing_is_drawn_and_back_it_is(self):
+        line = self.add()
+        self.drag(40, 0, 0)
+        self.assertFalse(self.volume.GetVisibility() or line.GetVisibility())
+        self.drag(0, 4, 1)
+        self.assertTrue(self.volume.GetVisibility() and line.GetVisibility())
+        self.check(line, (0, 4, 1), np.pi / 2)
+
+    def test_wrong_arguments(self):
+        for options, error, text in (({"times": [0, 1]}, ValueError, "steady"), ({"vectors": "w"}, ValueError, "'w'")):
+            with self.assertRaisesRegex(error, text):
+                nephoscope.add_smoke_widget(self.plotter, whirl(), **options)
+        with self.assertRaisesRegex(TypeError, "plotter"):
+            nephoscope.add_smoke_widget(None, whirl())
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,115 @@
+# SPDX-FileCopyrightText: The Nephoscope authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Smoke from a polygon that is dragged: the polygon turns across the flow, and the smoke follows."""
+from __future__ import annotations
+
+import warnings
+from typing import Any, Sequence
+
+import pyvista
+
+from ._medium import require_plotter
+from .smoke import _NAMES, _filter, flow_volume
+from .smoke_drawing import add_smoke
+from ._pipeline import vtk_messages
+
+
+def add_smoke_widget(plotter: pyvista.Plotter, mesh: pyvista.DataSet | pyvista.MultiBlock, *, color: Any = None,
+                     polygon_color: Any = "orange", while_dragging: bool = True, **options: Any) -> SmokeWidget:
+    """Add smoke whose generating polygon is dragged by a ball in the window: the polygon turns across the flow, and the smoke follows.
+
+    Where the ball is outside the data, or there is no flow, nothing but the ball is drawn.
+
+    Parameters
+    ----------
+    plotter : pyvista.Plotter
+        The plotter; its active renderer gets smoke, polygon and ball.
+    mesh : pyvista.DataSet or pyvista.MultiBlock
+        Any mesh with a velocity, as for `flow_volume`.
+    color : ColorLike, optional
+        Of the smoke, see `add_smoke`.
+    polygon_color : ColorLike, default: "orange"
+        Of the polygon and of the ball.
+    while_dragging : bool, default: True
+        Make the smoke anew all the while; else when the ball is let go, and until then the polygon alone.
+    **options
+        Arguments of `flow_volume` for a steady flow (`center`, `radius`, `duration`, ...), and of `add_smoke` (`optical_depth`, ...).
+
+    Returns
+    -------
+    SmokeWidget
+        With the attributes `volume`, the smoke as `add_smoke` returns it, whose ``mapper.dataset`` is the present flow volume; `polygon`, the
+        actor of the polygon; and `ball`, VTK's widget.
+
+    Raises
+    ------
+    TypeError, ValueError, RuntimeError
+        As `flow_volume` and `add_smoke` do.
+
+    Examples
+    --------
+    >>> nephoscope.add_smoke_widget(plotter, wind, radius=2e5, color="white")  # doctest: +SKIP
+    """
+    require_plotter(plotter)
+    known = set(flow_volume.__kwdefaults__)
+    flow = {name: options.pop(name) for name in list(options) if name in known}
+    unsteady = [name for name in ("times", "time", "start_time", "time_scale") if flow.get(name) is not None]
+    if unsteady:
+        raise ValueError(f"{unsteady[0]}: the smoke that is dragged is that of a steady flow; leave it out.")
+    dragged = SmokeWidget(plotter, mesh, flow, {"color": color, **options}, polygon_color)
+    dragged.ball = plotter.add_sphere_widget(dragged.move if while_dragging else dragged.move_polygon, center=dragged.filter.GetCenter(),
+                                             radius=0.25 * dragged.radius, color=polygon_color, test_callback=False, interaction_event="always")
+    if not while_dragging:
+        dragged.ball.AddObserver("EndInteractionEvent", lambda widget, _: dragged.move(widget.GetCenter()))
+    return dragged
+
+
+class SmokeWidget:
+    """Ball, polygon and smoke; `move` takes polygon and smoke to another place."""
+
+    def __init__(self, plotter: pyvista.Plotter, mesh: Any, flow: dict[str, Any], drawing: dict[str, Any], polygon_color: Any) -> None:
+        self.filter = _filter(mesh, **{**flow_volume.__kwdefaults__, **flow})[0]
+        with vtk_messages(self.filter, _NAMES):
+            self.filter.Update()
+        self.mesh, self.plotter = mesh, plotter
+        self.radius = self.filter.GetRadius() or pyvista.wrap(mesh).length / 50
+        self.volume = add_smoke(plotter, pyvista.wrap(self.filter.GetOutput()).copy(deep=False), **drawing)
+        self.outline = self._across(self.filter.GetNormalUsed())
+        self.polygon = plotter.add_mesh(self.outline, color=polygon_color, style="wireframe", line_width=3, lighting=False, pickable=False,
+                                     reset_camera=False)
+
+    def move(self, center: Sequence[float]) -> None:
+        self.filter.SetCenter(*center)
+        found = self._update()
+        if found:
+            self.volume.mapper.SetInputDataObject(pyvista.wrap(self.filter.GetOutput()).copy(deep=False))
+        self._show(found)
+        self.volume.SetVisibility(found)
+
+    def move_polygon(self, center: Sequence[float]) -> None:
+        """The polygon alone: a volume of one short step tells how it is turned."""
+        duration, step = self.filter.GetDuration(), self.filter.GetTimeStep()
+        self.filter.SetCenter(*center)
+        self.filter.SetDuration(1e-3 * self.filter.GetDurationUsed())
+        self.filter.SetTimeStep(self.filter.GetDuration())
+        self._show(self._update())
+        self.filter.SetDuration(duration)
+        self.filter.SetTimeStep(step)
+
+    def _update(self) -> bool:
+        """False where there is no smoke to be had; a polygon partly outside gives what it has."""
+        try:
+            with warnings.catch_warnings(), vtk_messages(self.filter, _NAMES):
+                warnings.simplefilter("ignore")
+                self.filter.Update()
+        except (RuntimeError, ValueError):
+            return False
+        return self.filter.GetOutput().GetNumberOfCells() > 0
+
+    def _show(self, found: bool) -> None:
+        if found:
+            self.outline.copy_from(self._across(self.filter.GetNormalUsed()))
+        self.polygon.SetVisibility(found)
+
+    def _across(self, normal: Sequence[float]) -> pyvista.PolyData:
+        return pyvista.Polygon(center=self.filter.GetCenter(), radius=self.radius, normal=normal, n_sides=self.filter.GetNumberOfSides())
