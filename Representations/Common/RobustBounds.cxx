@@ -85,6 +85,19 @@ MediumBounds bulkOf(const std::vector<WeightedPlace>& places, const MediumBounds
   return { { low[0], high[1], low[2], high[3], low[4], high[5] } };
 }
 
+double shareOutside(const std::vector<WeightedPlace>& places, const MediumBounds& box, const MediumReduction& over)
+{
+  double numbers[2] = {};
+  for (const WeightedPlace& p : places)
+  {
+    const double number = counts(p) ? p.Number : 0.0;
+    numbers[0] += holdsPlace(box, p.Place) ? 0.0 : number;
+    numbers[1] += number;
+  }
+  sumOver(over, numbers, 2);
+  return numbers[0] / numbers[1];
+}
+
 MediumBounds widened(const MediumBounds& box, double margin)
 {
   return { { box[0] - margin, box[1] + margin, box[2] - margin, box[3] + margin, box[4] - margin, box[5] + margin } };
@@ -115,7 +128,8 @@ MediumBounds robustBounds(const std::vector<WeightedPlace>& places,
     return all;
   }
   const MediumBounds kept = boundsOver(widened(bulk, diagonalOf(bulk)));
-  return !isEmpty(kept) && shrinkage * diagonalOf(kept) <= diagonalOf(all) ? kept : all;
+  const bool farther = !isEmpty(kept) && shrinkage * diagonalOf(kept) <= diagonalOf(all);
+  return farther && shareOutside(places, kept, over) <= share ? kept : all;
 }
 
 MediumBounds robustBoundsOfPlaces(
@@ -125,7 +139,8 @@ MediumBounds robustBoundsOfPlaces(
   std::vector<WeightedPlace> places;
   for (vtkIdType i = 0; i < count; ++i)
   {
-    WeightedPlace one = { {}, static_cast<double>(choice.Standing()) };
+    const auto standing = static_cast<double>(choice.Standing()); // processes choose from different numbers
+    WeightedPlace one = { {}, standing, standing };
     if (choice.Takes(i) && place(i, one.Place))
     {
       places.push_back(one);

@@ -14,11 +14,12 @@
 namespace nephoscope
 {
 
-/** A place of the medium, and how much of the medium it stands for. Those that are not finite do not count. */
+/** A place of the medium, how much of the medium it stands for, and for how many places. Those that are not finite do not count. */
 struct WeightedPlace
 {
   double Place[3];
   double Weight;
+  double Number;
 };
 
 /**
@@ -43,8 +44,8 @@ VTKNEPHOSCOPEREPRESENTATIONSCOMMON_EXPORT bool holdsPlace(const MediumBounds& bo
 
 /**
  * The bounds of the medium, or of what lies near its bulk, if their diagonal is at most a quarter as long. The bulk is the box that leaves a tenth
- * of the weight on either side of every axis; near means no farther from it than its own diagonal (after Tukey's fences). Uniform and normal
- * distributions have no stray part. `boundsWithin` gives the bounds of this process inside a box; all processes must call.
+ * of the weight on either side of every axis; near means no farther from it than its own diagonal (after Tukey's fences), as nine tenths of all
+ * places must be. Uniform and normal distributions have no stray part. `boundsWithin` gives the bounds of this process inside a box; all processes must call.
  */
 VTKNEPHOSCOPEREPRESENTATIONSCOMMON_EXPORT MediumBounds robustBounds(const std::vector<WeightedPlace>& places,
   const std::function<MediumBounds(const MediumBounds& box)>& boundsWithin, const MediumReduction& over = {});

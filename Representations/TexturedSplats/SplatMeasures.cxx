@@ -96,7 +96,8 @@ std::vector<WeightedPlace> weightedPlaces(const SplatShapes& shapes)
   forEachSample(shapes, [&](vtkIdType, const SplatVector& place, const SplatMatrix& jacobian) {
     if (choice.Takes(shown++))
     {
-      places.push_back({ { place[0], place[1], place[2] }, weightOf(jacobian) * static_cast<double>(choice.Standing()) });
+      const auto standing = static_cast<double>(choice.Standing()); // processes choose from different numbers
+      places.push_back({ { place[0], place[1], place[2] }, standing * weightOf(jacobian), standing });
     }
   });
   return places;

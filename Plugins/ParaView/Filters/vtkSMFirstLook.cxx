@@ -28,6 +28,7 @@
 #include "vtkWeakPointer.h"
 
 #include <string>
+#include <vector>
 
 vtkStandardNewMacro(vtkSMFirstLook);
 
@@ -37,11 +38,18 @@ const std::string ourPresets = "Nephoscope ";
 constexpr const char* presetsOfClouds[] = { "Nephoscope Clouds", "Nephoscope Cloud Water" };
 
 // The name of the preset that an array begins with, or an empty one.
-std::string PresetOf(const std::string& array)
+std::string PresetOf(const std::string& array, const std::string& list = "standard_presets")
 {
   vtkSMSettings* settings = vtkSMSettings::GetInstance();
-  const std::string key = ".standard_presets." + array;
+  const std::string key = "." + list + "." + array;
   return settings->HasSetting(key.c_str()) ? settings->GetSettingAsString(key.c_str(), 0, "") : std::string();
+}
+
+// Of a name that is usual elsewhere too, in data of the weather: those of Globe Grid.
+std::string WeatherPresetOf(const std::string& array, vtkPVDataInformation* data)
+{
+  const bool weather = PresetOf(array).empty() && data->GetArrayInformation("GlobeGridProjection", vtkDataObject::FIELD);
+  return weather ? PresetOf(array, "nephoscope_weather_presets") : std::string();
 }
 
 // The point array that clouds are coloured by; an empty name where there is none.
@@ -53,13 +61,57 @@ std::string ArrayOfClouds(vtkPVDataInformation* data)
     for (int i = 0; i < arrays->GetNumberOfArrays(); ++i)
     {
       const char* name = arrays->GetArrayInformation(i)->GetName();
-      if (name && PresetOf(name) == preset)
+      if (name && (PresetOf(name) == preset || WeatherPresetOf(name, data) == preset))
       {
         return name;
       }
     }
   }
   return std::string();
+}
+
+// Without their values.
+std::vector<double> ColorsOf(vtkSMProxy* function)
+{
+  std::vector<double> colors = vtkSMPropertyHelper(function, "RGBPoints").GetDoubleArray();
+  for (std::size_t i = 0; i < colors.size(); i += 4)
+  {
+    colors[i] = 0.0;
+  }
+  return colors;
+}
+
+// That ParaView gives to an array without a preset.
+std::vector<double> ColorsOfAnyArray(vtkSMSessionProxyManager* manager)
+{
+  vtkNew<vtkSMTransferFunctionManager> functions;
+  vtkSMProxy* any = functions->GetColorTransferFunction("NephoscopeAnyArray", manager);
+  const std::vector<double> colors = any ? ColorsOf(any) : std::vector<double>();
+  manager->UnRegisterProxy(any);
+  return colors;
+}
+
+void ApplyPreset(vtkSMProxy* display, const char* property, const std::string& preset)
+{
+  vtkSMProxy* function = vtkSMPropertyHelper(display, property, true).GetAsProxy();
+  if (function && vtkSMTransferFunctionPresets::GetInstance()->HasPreset(preset.c_str()))
+  {
+    vtkSMTransferFunctionProxy::ApplyPreset(function, preset.c_str(), false);
+    function->UpdateVTKObjects();
+  }
+}
+
+// Colours and opacities of a name that is usual elsewhere too, unless somebody has chosen others.
+void UseWeatherPreset(vtkSMProxy* display, const std::string& array, vtkPVDataInformation* data)
+{
+  const std::string preset = WeatherPresetOf(array, data);
+  vtkSMProxy* colors = vtkSMPropertyHelper(display, "LookupTable", true).GetAsProxy();
+  const bool saved = vtkSMSettings::GetInstance()->HasSetting((".array_lookup_tables." + array).c_str());
+  if (!preset.empty() && colors && !saved && ColorsOf(colors) == ColorsOfAnyArray(display->GetSessionProxyManager()))
+  {
+    ApplyPreset(display, "LookupTable", preset);
+    ApplyPreset(display, "ScalarOpacityFunction", preset);
+  }
 }
 
 struct ColoredArray
@@ -114,6 +166,8 @@ void Color(vtkSMPVRepresentationProxy* display, vtkSMSourceProxy* source, int po
   const bool given = data->GetArrayInformation(how.c_str(), array.Association) != nullptr;
   if (!given && display->GetUsingScalarColoring()) // as its input is, for one
   {
+    const vtkSMPropertyHelper colored(display, "ColorArrayName", true);
+    UseWeatherPreset(display, colored.GetNumberOfElements() == 5 && colored.GetAsString(4) ? colored.GetAsString(4) : "", data);
     return;
   }
   if (!given)
@@ -124,6 +178,7 @@ void Color(vtkSMPVRepresentationProxy* display, vtkSMSourceProxy* source, int po
   if (!array.Name.empty())
   {
     display->SetScalarColoring(array.Name.c_str(), array.Association);
+    UseWeatherPreset(display, array.Name, data);
     display->RescaleTransferFunctionToDataRange(true, false);
   }
 }

@@ -140,10 +140,11 @@ MediumBounds robustBoundsOfCells(vtkDataSet* data, const MediumReduction& over)
   std::vector<WeightedPlace> places;
   if (data)
   {
-    const double standing = static_cast<double>(SampleChoice(data->GetNumberOfCells(), enoughPlaces).Standing());
+    const auto standing = static_cast<double>(SampleChoice(data->GetNumberOfCells(), enoughPlaces).Standing()); // differs between processes
     forChosenTetrahedra(data, enoughPlaces, [&](vtkIdType, const PointIds& tetrahedron) {
       places.push_back(weightedPlaceOf({ data, tetrahedron }));
       places.back().Weight *= standing;
+      places.back().Number = standing;
     });
   }
   return robustBounds(places, [&](const MediumBounds& box) { return boundsOfCells(data, box); }, over);

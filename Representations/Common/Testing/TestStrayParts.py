@@ -98,6 +98,13 @@ class TestStrayParts(unittest.TestCase):
         found = unit_distance(nephoscope.vtkCellCompositingMapper, data)
         self.assertGreater(found, 0.9 * 200 * 2 / 3 * 0.5 / 2, "mean chord of the cube of coarse cells, half its opacity, a depth of 2")
 
+    def test_tail_counts(self):
+        """Smoke thins out to long cells: so many are no stray part."""
+        points, cells = cubes(CUBE, (6, (0, 0, 0), 1))
+        points[11 ** 3:, 2] *= 100
+        cube, all_of_it = (unit_distance(nephoscope.vtkCellCompositingMapper, mesh(*some)) for some in (cubes(CUBE), (points, cells)))
+        self.assertGreater(abs(all_of_it / cube - 1), 0.2)
+
     def test_picture(self):
         """Particles with one far away are drawn as those without: neither blank nor one blob."""
         pictures = []
