@@ -69,7 +69,7 @@ void vtkCellCompositingMapper::SetInputData(vtkUnstructuredGridBase* data)
 
 int vtkCellCompositingMapper::FillInputPortInformation(int, vtkInformation* info)
 {
-  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataSet");
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataObject"); // drawing tells what is no dataset
   return 1;
 }
 
@@ -107,7 +107,8 @@ void vtkCellCompositingMapper::Render(vtkRenderer* renderer, vtkVolume* volume)
   if (!input || input->GetNumberOfCells() == 0)
   {
     this->Internals->Scene.Clear();
-    this->ReportOnce("The input has no cells: there is nothing to draw.");
+    const std::string error = nephoscope::checkIsDataSet(this->GetInputDataObject(0, 0));
+    this->ReportOnce(error.empty() ? "The input has no cells: there is nothing to draw." : error);
     return;
   }
   this->SetAbortExecute(0); // as filters do when they start

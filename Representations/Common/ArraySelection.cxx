@@ -96,6 +96,20 @@ std::string selectOpacity(
   return missingArray("point or cell", name.c_str(), input);
 }
 
+std::string checkIsDataSet(vtkDataObject* input)
+{
+  if (!input || input->IsA("vtkDataSet"))
+  {
+    return std::string();
+  }
+  const std::string kind = input->GetClassName();
+  const std::string remedy = input->IsA("vtkCompositeDataSet")
+    ? "Make one dataset of its blocks first: add each of them to a vtkAppendFilter (AddInputData)."
+    : input->IsA("vtkHyperTreeGrid") ? "Apply vtkHyperTreeGridToUnstructuredGrid first."
+                                     : "Apply a filter that makes a dataset of it first.";
+  return "The input is a " + kind + "; one dataset is needed. " + remedy;
+}
+
 std::string checkUnitDistance(vtkVolumeProperty* property)
 {
   return property->GetScalarOpacityUnitDistance() > 0

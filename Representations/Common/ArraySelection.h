@@ -31,6 +31,9 @@ VTKNEPHOSCOPEREPRESENTATIONSCOMMON_EXPORT std::string selectScalars(vtkAbstractV
 VTKNEPHOSCOPEREPRESENTATIONSCOMMON_EXPORT std::string selectOpacity(
   const std::string& name, vtkDataSet* input, const ScalarSelection& scalars, ScalarSelection& opacity);
 
+/** Empty where the input is a dataset; else what to make one with. */
+VTKNEPHOSCOPEREPRESENTATIONSCOMMON_EXPORT std::string checkIsDataSet(vtkDataObject* input);
+
 /** Empty when the property's ScalarOpacityUnitDistance is a length. */
 VTKNEPHOSCOPEREPRESENTATIONSCOMMON_EXPORT std::string checkUnitDistance(vtkVolumeProperty* property);
 

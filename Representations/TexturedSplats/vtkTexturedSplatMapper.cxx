@@ -54,7 +54,7 @@ void vtkTexturedSplatMapper::SetInputData(vtkDataSet* data)
 
 int vtkTexturedSplatMapper::FillInputPortInformation(int, vtkInformation* info)
 {
-  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataSet");
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataObject"); // drawing tells what is no dataset
   return 1;
 }
 
@@ -104,7 +104,8 @@ void vtkTexturedSplatMapper::Render(vtkRenderer* renderer, vtkVolume* volume)
   vtkDataSet* input = this->GetDataSetInput();
   if (!input || input->GetNumberOfPoints() == 0)
   {
-    this->ReportOnce("The input has no points: there is nothing to draw.");
+    const std::string error = nephoscope::checkIsDataSet(this->GetInputDataObject(0, 0));
+    this->ReportOnce(error.empty() ? "The input has no points: there is nothing to draw." : error);
     return;
   }
   this->WithNeighbors = this->DrawsRegion(renderer);

@@ -11,7 +11,7 @@ from nephoscope_testing.compare import edge_mask
 from nephoscope_testing.messages import Messages
 from nephoscope_testing.offscreen import Window, float_image
 from nephoscope_testing.transfer import Transfer, constant, random_transfer
-from vtkmodules.vtkCommonDataModel import (VTK_QUADRATIC_TETRA, VTK_TRIANGLE, vtkImageData, vtkPiecewiseFunction,
+from vtkmodules.vtkCommonDataModel import (VTK_QUADRATIC_TETRA, VTK_TRIANGLE, vtkHyperTreeGrid, vtkImageData, vtkMultiBlockDataSet, vtkPiecewiseFunction,
                                            vtkPolyData, vtkUniformGrid, vtkUnstructuredGrid)
 from vtkmodules.vtkFiltersSources import vtkSphereSource
 from vtkmodules.vtkRenderingCore import vtkColorTransferFunction, vtkVolume, vtkVolumeProperty
@@ -91,6 +91,19 @@ class Missing(BadInputCase):
         window.render()
         self.nothing_drawn(scene.rgb(), "no scalars")
         self.complaint("no scalars", window.messages, ("scalar", "array"))
+
+    def test_input_that_is_no_dataset(self):
+        blocks, tree = vtkMultiBlockDataSet(), vtkHyperTreeGrid()
+        blocks.SetBlock(0, corner())
+        for data, remedy in ((blocks, "vtkAppendFilter"), (tree, "vtkHyperTreeGridToUnstructuredGrid")):
+            window = Window((32, 32))
+            scene = window.add_scene()
+            ours = mapper()
+            ours.SetInputDataObject(data)
+            scene.add_volume(ours, None, constant())
+            window.render()
+            self.complaint(type(data).__name__, window.messages, (type(data).__name__,), (remedy,))
+            self.assertEqual(len(window.messages.all), 1, window.messages.all)
 
     def test_array_that_is_not_there(self):
         for association in ("point", "cell"):

@@ -8,6 +8,7 @@ import numpy as np
 from nephoscope_testing import meshes
 from nephoscope_testing.offscreen import Window, float_image
 from nephoscope_testing.transfer import constant
+from vtkmodules.vtkCommonDataModel import vtkMultiBlockDataSet
 
 
 class BadInput(unittest.TestCase):
@@ -83,6 +84,17 @@ class BadInput(unittest.TestCase):
             with scene.window.messages:
                 mapper.AdvancePhases(1.0)
         self.expect("no vectors to move", self.cube(), configure)
+
+    def test_input_that_is_no_dataset(self):
+        blocks = vtkMultiBlockDataSet()
+        blocks.SetBlock(0, self.cube())
+        window = Window((32, 32))
+        mapper = nephoscope.vtkTexturedSplatMapper()
+        mapper.SetInputDataObject(blocks)
+        window.add_scene().add_volume(mapper, None, constant())
+        window.render()
+        self.assertEqual(len(window.messages.all), 1, window.messages.all)
+        self.assertRegex(window.messages.all[0], "vtkMultiBlockDataSet.*vtkAppendFilter")
 
     def test_missing_and_wrong_sizes(self):
         data = meshes.particles(np.eye(3))
