@@ -122,6 +122,36 @@ class Overlap(SmokeTestCase):
                 self.assertLessEqual(np.abs(image - expected).max(), TOLERANCE, method)
 
 
+    def test_smoke_in_and_behind_clouds_before_a_wall(self):
+        """Cells of clouds with thin smoke in them, one mesh, in the order of centroids: each is before or behind a cloud as a whole."""
+        clouds = [((0, 0, z), (1, 1, z + 1)) for z in (0, 1, 2)]
+        thin = [((0, 0, 0.02), (1, 1, 0.08)), ((0, 0, 1.92), (1, 1, 1.98)), ((0, 0, 2.5), (1, 1, 2.6))]
+        data = smoke.boxes(clouds + thin)
+        part = meshes.vtk_to_numpy(data.GetCellData().GetArray("part"))
+        meshes.add_array(data.GetCellData(), np.where(part < len(clouds), 0.5, 2.5), "medium")
+        white, orange, green = np.array((0.9, 0.9, 1)), np.array((1, 0.4, 0)), np.array((0, 0.5, 0))
+        transfer = Transfer([(0, *white), (1, *white), (1.5, *orange), (3, *orange)], [(0, 0), (1, 1), (2, 0), (3, 24)])
+        wall = vtkPlaneSource()
+        wall.SetOrigin(-1, -1, 2.2)
+        wall.SetPoint1(2, -1, 2.2)
+        wall.SetPoint2(-1, 2, 2.2)
+        wall.Update()
+        seen = [(orange, 12 * 0.06), (white, 0.5), (white, 0.5), (orange, 12 * 0.06), (white, 0.5 * 0.2)]  # the third smoke is behind the wall
+        expected = green
+        for color, depth in seen[::-1]:
+            expected = -math.expm1(-depth) * color + math.exp(-depth) * expected
+        window = Window((64, 64))
+        scene, ours = window.add_scene(), mapper()
+        ours.SetMethodToCells()
+        ours.SetVisibilityOrderToCentroid()
+        scene.add_volume(ours, data, transfer, "medium", "cell")
+        scene.add_opaque(wall.GetOutput(), green)
+        along_z(scene)
+        window.render()
+        self.fail_on_messages(window)
+        self.assertLessEqual(np.abs(middle(scene.rgb()) - expected).max(), 2 / 255)  # the window's 8 bits
+
+
 class Decision(ImageTestCase):
     def setUp(self):
         data = meshes.delaunay(np.random.default_rng(1), 40)
