@@ -67,6 +67,8 @@ def add_smoke_widget(plotter: pyvista.Plotter, mesh: pyvista.DataSet | pyvista.M
 class SmokeWidget:
     """Ball, polygon and smoke; `move` takes polygon and smoke to another place."""
 
+    ball: Any = None
+
     def __init__(self, plotter: pyvista.Plotter, mesh: Any, flow: dict[str, Any], drawing: dict[str, Any], polygon_color: Any) -> None:
         self.filter = _filter(mesh, **{**flow_volume.__kwdefaults__, **flow})[0]
         with vtk_messages(self.filter, _NAMES):
