@@ -26,10 +26,10 @@ struct vtkCellCompositingMapper::vtkInternals
   nephoscope::CellCompositingPass Pass;
   nephoscope::FacePass Faces;
   nephoscope::CellScene::Versions Uploaded;
-  std::int64_t UploadedContours = -1;
+  std::int64_t UploadedContours = -1, UploadedPolygons = -1;
   nephoscope::ScalarSelection Contoured; // array of the contours, if not the coloured one
   bool WarnedOfUnprojected = false;
-  nephoscope::ReportedError LastError, LastWarning, RayWarning;
+  nephoscope::ReportedError LastError, LastWarning, RayWarning, PolygonWarnings[2];
   bool OneColor = false; // of the medium in the last render
   bool Peeled = false;   // the last render drew between translucent surfaces
   bool RaysAreWrong = false; // on the window's OpenGL
@@ -44,7 +44,7 @@ struct vtkCellCompositingMapper::vtkInternals
     this->Pass.ReleaseGraphicsResources(window);
     this->Faces.ReleaseGraphicsResources(window);
     this->Uploaded = nephoscope::CellScene::Versions();
-    this->UploadedContours = -1;
+    this->UploadedContours = this->UploadedPolygons = -1;
   } };
 };
 

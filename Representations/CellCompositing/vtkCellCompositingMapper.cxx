@@ -44,6 +44,7 @@ std::string ignoredByEarlierMethods(const nephoscope::CellDrawingOptions& option
   add(options.Haze.IsOn(), "the haze of the renderer");
   add(!options.Planes.IsEmpty(), "the clipping planes");
   add(scene.GetContours().DrawsAny(), "the contour surfaces");
+  add(scene.GetPolygons().IsUsed(), "the polygons");
   add(scene.ContoursMakeLayers(), "the layers between contour values");
   return list;
 }
@@ -117,6 +118,7 @@ void vtkCellCompositingMapper::Render(vtkRenderer* renderer, vtkVolume* volume)
     return !this->GetAbortExecute() && !window->CheckAbortStatus();
   });
   this->Internals->Busy = true;
+  this->Internals->Scene.ReadPolygons(input, *this->Contours);
   std::string error = this->ChooseWayOfDrawing(window);
   error = error.empty() ? this->UpdateGeometry(input, volume, progress.Part(0, 0.5)) : error;
   if (error.empty() && this->GetNumberOfTetrahedra() > 0)
@@ -215,6 +217,7 @@ std::string vtkCellCompositingMapper::DrawScene(
   scene.UpdateView(nephoscope::orderView(state, width, height));
   bool ready = true;
   withThreads([&]() {
+    scene.UpdatePolygons(this->Internals->Scalars, *this->Contours, property);
     scene.UpdateTransferFunction(property, *this->Contours, this->GetDataSetInput(), this->Internals->Contoured);
     this->Internals->OneColor = scene.HasOneColor();
     ready = this->UpdateOrder(state.EyeModel.data(), progress.Part(0, 0.9));
@@ -223,6 +226,7 @@ std::string vtkCellCompositingMapper::DrawScene(
       scene.UpdateDrawn();
     }
   });
+  this->WarnAboutPolygons();
   const bool upload = this->Internals->IsUploadNeeded();
   if (!ready || window->CheckAbortStatus() || (upload && !progress.Report(0.92)))
   {
@@ -247,7 +251,7 @@ std::string vtkCellCompositingMapper::DrawScene(
   options.Planes = nephoscope::ClippingPlanes(this, renderer);
   options.ContourLayers = scene.ContoursMakeLayers();
   options.ContourLighting = this->Contours->Lighting;
-  if (scene.GetContours().IsUsed())
+  if (scene.GetContours().IsUsed() || scene.GetPolygons().IsUsed())
   {
     options.ContourShading = { { static_cast<float>(property->GetAmbient()), static_cast<float>(property->GetDiffuse()),
       static_cast<float>(property->GetSpecular()), static_cast<float>(property->GetSpecularPower()) } };
@@ -332,12 +336,19 @@ std::string vtkCellCompositingMapper::Upload(vtkOpenGLRenderWindow* window)
     error = self.Pass.UploadContours(window, self.Scene.GetContours());
     self.UploadedContours = self.Scene.GetContours().Version;
   }
+  const std::int64_t polygons = self.Scene.GetPolygons().Version;
+  if (error.empty() && (self.UploadedPolygons != polygons || self.Uploaded.Pieces != now.Pieces))
+  {
+    error = self.Pass.UploadPolygons(window, self.Scene.GetPolygons(), self.Scene.GetGeometry(), self.Scene.GetPieces());
+    self.UploadedPolygons = polygons;
+  }
   if (error.empty() && self.Uploaded.Drawn != now.Drawn)
   {
     error = self.Pass.UploadDrawn(window, self.Scene);
   }
   self.Uploaded = error.empty() ? now : CellScene::Versions();
   self.UploadedContours = error.empty() ? self.UploadedContours : -1;
+  self.UploadedPolygons = error.empty() ? self.UploadedPolygons : -1;
   return error;
 }
 

@@ -264,6 +264,46 @@ public:
   void SmoothContourNormalsOff() { this->SetSmoothContourNormals(false); }
   ///@}
 
+  enum PolygonsType
+  {
+    NO_POLYGONS = 0,
+    CONTOUR_POLYGONS = 1,
+    ALL_POLYGONS = 2
+  };
+  ///@{
+  /**
+   * Polygons of an unstructured grid that are composited with its cells, as lit, translucent surfaces at their place in the order. They must
+   * lie in faces of cells, as those of vtkContourCellSplitter do; what does not is left out, with a warning. Default: contours.
+   * - Contours: polygons whose cell array ContourIndex is 0 or more, as vtkContourCellSplitter and vtkCloudSurface write it.
+   * - All: other polygons too, such as the boundary that files of meshes may hold beside the cells.
+   * Lighting and normals are those of the contour surfaces. Cells are projected then, ray by ray or not. Costs 16 bytes per tetrahedron on
+   * the GPU, and 64 per triangle.
+   */
+  virtual void SetPolygons(int polygons);
+  int GetPolygons();
+  void SetPolygonsToNone() { this->SetPolygons(NO_POLYGONS); }
+  void SetPolygonsToContours() { this->SetPolygons(CONTOUR_POLYGONS); }
+  void SetPolygonsToAll() { this->SetPolygons(ALL_POLYGONS); }
+  ///@}
+
+  ///@{
+  /**
+   * Opacity of the polygons with a ContourIndex (0 without such an array), 0 to 1 (clamped). Default: 0.3. 0: not drawn. A negative number: of
+   * the contours for which nothing has been set. Without a number: of all polygons.
+   */
+  void SetPolygonOpacity(int contour, double opacity);
+  void SetPolygonOpacity(double opacity);
+  double GetPolygonOpacity(int contour);
+  ///@}
+
+  ///@{
+  /** Colour of those polygons, 0 to 1 each. Default, or after SetPolygonColorToFunction: what the colour function gives there. */
+  void SetPolygonColor(int contour, double red, double green, double blue);
+  void SetPolygonColorToFunction(int contour);
+  /** -1, -1, -1 where the colour function gives it. */
+  void GetPolygonColor(int contour, double rgb[3]);
+  ///@}
+
   ///@{
   /**
    * Colour function, opacity function and unit distance of one layer; layers without a property have the volume's. Layers are
@@ -350,6 +390,7 @@ protected:
   bool SplitAtControlPoints = true;
 
 private:
+  bool HasSurfacesOrLayers() const;
   bool MayUseRays() const;
   std::string ChooseWayOfDrawing(vtkOpenGLRenderWindow* window);
   bool UsesRays() const;
@@ -361,6 +402,7 @@ private:
   void PrintContours(ostream& os, vtkIndent indent);
   void WarnAboutGeometry(vtkDataSet* input, const nephoscope::CellGeometry& geometry,
     const nephoscope::ScalarSelection& scalars, const nephoscope::ScalarSelection& opacity);
+  void WarnAboutPolygons();
   std::string DrawScene(vtkOpenGLRenderWindow* window, vtkRenderer* renderer, vtkVolume* volume,
     const nephoscope::Progress& progress);
   bool UpdateOrder(const double eye[4], const nephoscope::Progress& progress);

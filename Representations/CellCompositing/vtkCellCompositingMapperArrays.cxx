@@ -4,6 +4,7 @@
 #include "vtkCellCompositingMapper.h"
 
 #include "ArraySelection.h"
+#include "CellCompositingInternals.h"
 #include "CellGeometry.h"
 #include "ContourSettings.h"
 
@@ -16,6 +17,8 @@
 #include "vtkPointData.h"
 #include "vtkUnsignedCharArray.h"
 #include "vtkVolumeProperty.h"
+
+#include <algorithm>
 
 #if __has_include("vtkCellTypeUtilities.h") // VTK 9.6 deprecates the name lookup of vtkCellTypes
 #include "vtkCellTypeUtilities.h"
@@ -110,11 +113,15 @@ void vtkCellCompositingMapper::WarnAboutGeometry(
                     << (none ? " left out" : " not drawn") << " because array " << names
                     << " or a coordinate is not finite there. Blank such points, or replace the values.");
   }
-  if (geometry.NumberOfUnsupportedCells > countContourPolygons(input))
+  // Polygons beside 3-D cells have messages of their own.
+  const vtkIdType others = geometry.NumberOfUnsupportedCells -
+    std::max<vtkIdType>(countContourPolygons(input),
+      geometry.NumberOfTetrahedra() > 0 ? this->Internals->Scene.GetPolygons().GetPolygons().NumberOfPolygons : 0);
+  if (others > 0)
   {
     const char* type = CellTypeNames::GetClassNameFromTypeId(geometry.UnsupportedCellType);
-    vtkWarningMacro(<< cellsAre(geometry.NumberOfUnsupportedCells) << " not drawn (" << type
-                    << (geometry.NumberOfUnsupportedCells == 1 ? "" : ", for example") << "): only 3-D cells can be composited.");
+    vtkWarningMacro(<< cellsAre(others) << " not drawn (" << type << (others == 1 ? "" : ", for example")
+                    << "): only 3-D cells can be composited.");
   }
   if (geometry.NumberOfNonConvexCells > 0)
   {
@@ -131,5 +138,29 @@ void vtkCellCompositingMapper::WarnAboutGeometry(
     const std::string which = count == 1 ? "the only cell is hidden or has no volume."
                                          : "of " + std::to_string(count) + " cells, all are hidden or have no volume.";
     vtkWarningMacro(<< "Nothing is drawn: " << which);
+  }
+}
+
+void vtkCellCompositingMapper::WarnAboutPolygons()
+{
+  const nephoscope::CellPolygons& polygons = this->Internals->Scene.GetPolygons().GetPolygons();
+  const auto notDrawn = [](vtkIdType count) {
+    return std::to_string(count) + (count == 1 ? " polygon is" : " polygons are") + " not drawn: ";
+  };
+  const bool asked = this->GetPolygons() == CONTOUR_POLYGONS;
+  const std::string others = asked && polygons.NumberOfOthers > 0
+    ? notDrawn(polygons.NumberOfOthers) + "call SetPolygonsToAll() to composite those that lie in faces of cells."
+    : "";
+  const std::string apart = polygons.NumberApart > 0
+    ? notDrawn(polygons.NumberApart) + (polygons.NumberApart == 1 ? "it does" : "they do") +
+      " not lie in faces of cells. Show such polygons apart, as a surface: where volumes are peeled, it has its place among the cells."
+    : "";
+  if (this->Internals->PolygonWarnings[0].IsNew(others))
+  {
+    vtkWarningMacro(<< others);
+  }
+  if (this->Internals->PolygonWarnings[1].IsNew(apart))
+  {
+    vtkWarningMacro(<< apart);
   }
 }

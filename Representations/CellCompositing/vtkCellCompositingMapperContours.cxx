@@ -171,6 +171,69 @@ bool vtkCellCompositingMapper::GetSmoothContourNormals()
   return this->Contours->SmoothNormals;
 }
 
+void vtkCellCompositingMapper::SetPolygons(int polygons)
+{
+  const int which = std::min(std::max(polygons, int(NO_POLYGONS)), int(ALL_POLYGONS));
+  if (replace(this->Contours->Polygons, static_cast<nephoscope::CellPolygons::Which>(which)))
+  {
+    this->Modified();
+  }
+}
+
+int vtkCellCompositingMapper::GetPolygons()
+{
+  return static_cast<int>(this->Contours->Polygons);
+}
+
+void vtkCellCompositingMapper::SetPolygonOpacity(int contour, double opacity)
+{
+  if (replace(this->Contours->ChangePolygon(contour).Opacity, clampToUnit(opacity)))
+  {
+    this->Modified();
+  }
+}
+
+void vtkCellCompositingMapper::SetPolygonOpacity(double opacity)
+{
+  bool changed = replace(this->Contours->Polygon.Opacity, clampToUnit(opacity));
+  for (auto& polygon : this->Contours->PolygonsOfContour)
+  {
+    changed = replace(polygon.second.Opacity, clampToUnit(opacity)) || changed;
+  }
+  if (changed)
+  {
+    this->Modified();
+  }
+}
+
+double vtkCellCompositingMapper::GetPolygonOpacity(int contour)
+{
+  return this->Contours->FindPolygon(contour).Opacity;
+}
+
+void vtkCellCompositingMapper::SetPolygonColor(int contour, double red, double green, double blue)
+{
+  const std::array<double, 3> color = { { clampToUnit(red), clampToUnit(green), clampToUnit(blue) } };
+  if (replace(this->Contours->ChangePolygon(contour).Color, color))
+  {
+    this->Modified();
+  }
+}
+
+void vtkCellCompositingMapper::SetPolygonColorToFunction(int contour)
+{
+  if (replace(this->Contours->ChangePolygon(contour).Color, ContourSettings::Surface().Color))
+  {
+    this->Modified();
+  }
+}
+
+void vtkCellCompositingMapper::GetPolygonColor(int contour, double rgb[3])
+{
+  const ContourSettings::Surface& polygon = this->Contours->FindPolygon(contour);
+  std::copy(polygon.Color.begin(), polygon.Color.end(), rgb);
+}
+
 void vtkCellCompositingMapper::SetLayerProperty(int layer, vtkVolumeProperty* property)
 {
   if (property)
@@ -242,7 +305,13 @@ void vtkCellCompositingMapper::PrintContours(ostream& os, vtkIndent indent)
   os << "\n" << indent << "ContourArrayName: " << this->Contours->ArrayName << "\n";
   os << indent << "ContourLighting: " << this->Contours->Lighting << "\n";
   os << indent << "SmoothContourNormals: " << this->Contours->SmoothNormals << "\n";
-  os << indent << "LayerArrayName: " << this->Contours->LayerArrayName << "\n";
+  const char* const polygons[] = { "None", "Contours", "All" };
+  os << indent << "Polygons: " << polygons[this->GetPolygons()] << " (opacity " << this->Contours->Polygon.Opacity;
+  for (const auto& polygon : this->Contours->PolygonsOfContour)
+  {
+    os << ", " << polygon.first << ": " << polygon.second.Opacity;
+  }
+  os << ")\n" << indent << "LayerArrayName: " << this->Contours->LayerArrayName << "\n";
   os << indent << "LayersFromContours: " << this->Contours->LayersFromContours << "\n";
   os << indent << "Layers with a property: " << this->Contours->LayerProperties.size() << "\n";
 }

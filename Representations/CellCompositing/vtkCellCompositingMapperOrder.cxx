@@ -65,10 +65,14 @@ vtkIdType vtkCellCompositingMapper::GetNumberOfBrokenRelations()
   return this->UsesRays() || this->NeedsNoOrder() ? 0 : static_cast<vtkIdType>(this->Internals->CountCycles(this).BrokenRelations);
 }
 
+bool vtkCellCompositingMapper::HasSurfacesOrLayers() const
+{
+  return this->GetNumberOfContourValues() > 0 || this->Contours->LayersAreUsed() || this->Internals->Scene.GetPolygons().IsUsed();
+}
+
 bool vtkCellCompositingMapper::MayUseRays() const
 {
-  const bool surfaces = this->GetNumberOfContourValues() > 0 || this->Contours->LayersAreUsed();
-  return !surfaces && !this->Internals->RaysAreWrong &&
+  return !this->HasSurfacesOrLayers() && !this->Internals->RaysAreWrong &&
     (this->Method == RAY_METHOD || (this->Method == AUTOMATIC_METHOD && this->VisibilityOrder == EXACT_ORDER));
 }
 
@@ -105,8 +109,7 @@ bool vtkCellCompositingMapper::UsesRays() const
 
 bool vtkCellCompositingMapper::NeedsNoOrder() const
 {
-  return this->Internals->OneColor && this->GetNumberOfContourValues() == 0 && !this->Contours->LayersAreUsed() &&
-    this->Method != FACES_METHOD;
+  return this->Internals->OneColor && !this->HasSurfacesOrLayers() && this->Method != FACES_METHOD;
 }
 
 bool vtkCellCompositingMapper::GetOrderIndependent()

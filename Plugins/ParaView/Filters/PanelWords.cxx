@@ -27,6 +27,7 @@ const Words remedies = {
   { "add some with AddRGBPoint", "add some in the Color Map Editor" },
   { "call SetVectorColorFunction", "set Vector Color Map" },
   { "call SetMethodToCells()", "set Method to Cells" },
+  { "call SetPolygonsToAll()", "set Polygons to All" },
   { "Call SetVectorPlacementToMiddle()", "Set Vector Placement to Middle" },
   { "call UseDepthPeelingForVolumesOff() of the renderer", "hide the translucent surfaces" },
   { "Call SetNumberOfContourValues or SetContourValue first", "Add Contour Values first" },

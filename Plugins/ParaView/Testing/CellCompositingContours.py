@@ -137,6 +137,31 @@ def check_layer_colors(source):
     check_same(color_and_alpha(view)[1] * 255, whole * 255, "layer colours and back")
 
 
+def check_polygons(source):
+    """The pieces of Contour Cell Splitter with the polygons between them: the picture of contour surfaces in whole cells."""
+    tetrahedra = pvs.Tetrahedralize(Input=source)
+    pictures, shown = [], []
+    for pieces in (pvs.ContourCellSplitter(Input=tetrahedra, ContourBy=["POINTS", "RTData"], ContourValues=VALUES), tetrahedra):
+        view = new_view()
+        display = compose(pieces, view)
+        if pieces is tetrahedra:
+            display.CellCompositingContourValues = VALUES
+        display.CellCompositingContourOpacities = [0.8, 0.5]
+        display.CellCompositingContourColors = [1, 0, 0]
+        display.CellCompositingSmoothContourNormals = 0
+        image(view)
+        look(view)
+        pictures.append(image(view))
+        shown.append((view, display))
+    save_image(pictures[0], "Polygons")
+    different = (np.abs(pictures[0] - pictures[1]).max(axis=2) > 2).mean()
+    print(f"polygons against contours: {different:.3%} of the pixels differ", flush=True)
+    check(different < 0.005, "polygons of the splitter are not drawn as contour surfaces are")
+    split_view, split_display = shown[0]
+    split_display.CellCompositingPolygons = "None"
+    check(np.abs(image(split_view) - pictures[0]).max() > 20, "without polygons the picture is the same")
+
+
 load_plugin()
 wavelet = pvs.Wavelet()
 check_against_polygons(wavelet)
@@ -144,4 +169,5 @@ check_properties(wavelet)
 check_contour_array(wavelet)
 check_layers(wavelet)
 check_layer_colors(wavelet)
+check_polygons(wavelet)
 passed()

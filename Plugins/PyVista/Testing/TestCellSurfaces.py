@@ -58,6 +58,20 @@ class Surfaces(unittest.TestCase):
         mapper = self.add(layers={7: prop}, layer_scalars="layer")
         self.assertEqual((mapper.GetLayerArrayName(), mapper.GetLayersFromContours()), ("layer", False))
 
+    def test_polygons(self):
+        mapper = self.add()
+        self.assertEqual((mapper.GetPolygons(), mapper.GetPolygonOpacity(0)), (mapper.CONTOUR_POLYGONS, 0.3))
+        mapper = self.add(polygons="all", polygon_opacity=[0.2, 0.9], polygon_color="red")
+        self.assertEqual([mapper.GetPolygonOpacity(i) for i in range(3)], [0.2, 0.9, 0.3])
+        rgb = [0.0] * 3
+        mapper.GetPolygonColor(1, rgb)
+        self.assertEqual((mapper.GetPolygons(), rgb), (mapper.ALL_POLYGONS, [1, 0, 0]))
+        mapper = self.add(polygons="none", polygon_opacity=0.7, polygon_color=["red", None])
+        self.assertEqual([mapper.GetPolygonOpacity(i) for i in range(2)], [0.7, 0.7])
+        self.plotter.clear()
+        self.fails(ValueError, "polygons", polygons="some")
+        self.fails(ValueError, "polygon_opacity is 2", polygon_opacity=2)
+
     def test_errors(self):
         self.fails(ValueError, "contour_opacity is 1.5", contours=[1], contour_opacity=1.5)
         self.fails(ValueError, "contour_opacity has 2 values for 1", contours=[1], contour_opacity=[0.1, 0.2])

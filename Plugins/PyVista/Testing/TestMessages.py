@@ -96,7 +96,8 @@ class Messages(unittest.TestCase):
         pieces = grid.nephoscope.split_cells([1.3, 2.1], "x")
         self.assertEqual(self.drawn(pieces, "x"), [])
         pieces.cell_data.remove("ContourIndex")
-        self.assertRegex(" ".join(self.drawn(pieces, "x")), r"\d+ cells are not drawn \(vtk\w+, for example\)")
+        self.assertRegex(" ".join(self.drawn(pieces, "x")), r"\d+ polygons are not drawn: pass polygons='all'")
+        self.assertEqual(self.drawn(pieces, "x", polygons="all"), [])
 
     def test_one_cell(self):
         grid = pyvista.ImageData(dimensions=(3, 2, 2)).cast_to_unstructured_grid()

@@ -42,6 +42,7 @@ NAMES_IN_PARAVIEW = {
     **{("vtkCellCompositingMapper", name + "Name"): name for name in ("ContourArray", "LayerArray", "OpacityArray")},
     **{("vtkTexturedSplatMapper", name + "Name"): name for name in ("CellSizeArray", "OpacityArray", "VectorArray", "VectorColorArray")},
     ("vtkCellCompositingMapper", "LayerProperty"): "LayerOpacityScale",
+    ("vtkCellCompositingMapper", "PolygonColor"): "ContourColors", ("vtkCellCompositingMapper", "PolygonOpacity"): "ContourOpacity",
     ("vtkHaze", "Background"): "HazeBackground", ("vtkHaze", "Color"): "HazeColor", ("vtkHaze", "Visibility"): "VisualRange",
     ("vtkGlobeGrid", "SurfaceConnection"): "InputConnection", ("vtkTextureCoordinateAdvection", "PointsConnection"): "InputConnection",
 }
@@ -70,6 +71,7 @@ EXCEPTIONS = {
     **{("ParaView", name, "Periodic"): AXES for name in ("vtkCloudSurface", "vtkStructuredSmoothing")},
     **{("PyVista", name, "Periodic" + axis): AXES for name in ("vtkCloudSurface", "vtkStructuredSmoothing") for axis in "IJK"},
     ("PyVista", "vtkCellCompositingMapper", "NumberOfContourValues"): "the length of the list of contours",
+    ("ParaView", "vtkCloudTextureMapper", "DensityVolume"): "a second input, which ParaView's representations do not have",
     ("ParaView", "vtkCellCompositingMapper", "LayersFromContours"): "on by itself, unless there is a Layer Array",
     ("ParaView", "vtkFlowVolume", "Controller"): "the host's ranks",
     ("PyVista", "vtkFlowVolume", "Controller"): "the host's ranks, of which there is one",

@@ -62,7 +62,7 @@ _NAMES_OF_MAPPERS = {
     "The scalar opacity function has no points, so that everything is transparent: add some with AddPoint":
         "The scalar opacity function has no points, so that everything is transparent: give opacity",
     "add some with AddRGBPoint": "give cmap", "run vtkPolyhedronToTetrahedra first": "divide them by mesh.nephoscope.divide_polyhedra() or mesh.triangulate() first",
-    "call SetMethodToCells()": "call volume.mapper.SetMethodToCells()",
+    "call SetMethodToCells()": "call volume.mapper.SetMethodToCells()", "call SetPolygonsToAll()": "pass polygons='all'",
     "UseDepthPeelingForVolumesOff() of the renderer": "plotter.renderer.UseDepthPeelingForVolumesOff()",
     "Choose one with SetVectorArrayName": "Choose one by vectors", "Choose one with SetVectorColorArrayName": "Choose one by vector_scalars",
     "VectorColorArrayName": "vector_scalars", "VectorArrayName": "vectors", "call SetVectorColorFunction": "give vector_cmap",

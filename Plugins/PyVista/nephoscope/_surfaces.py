@@ -14,6 +14,33 @@ from vtkmodules.vtkRenderingCore import vtkVolumeProperty
 from ._checks import arrays_of, require_number
 
 
+def _require_opacity(opacity: Any, argument: str) -> None:
+    require_number(opacity, argument, least=0)
+    if opacity > 1:
+        raise ValueError(f"{argument} is {opacity:g}; it must be from 0 to 1.")
+
+
+def _is_one_color(color: Any) -> bool:
+    return color is None or isinstance(color, str) or (len(color) > 2 and np.isscalar(color[0]) and not isinstance(color[0], str))
+
+
+def paint_polygons(mapper: Any, opacity: float | Sequence[float], color: Any) -> None:
+    """One opacity and colour for all polygons, or one for each contour."""
+    one_opacity, one_color = np.isscalar(opacity), _is_one_color(color)
+    opacities, colors = [opacity] if one_opacity else list(opacity), [color] if one_color else list(color)
+    for value in opacities:
+        _require_opacity(value, "polygon_opacity")
+    rgb = [None if value is None else pyvista.Color(value).float_rgb for value in colors]
+    if one_opacity:
+        mapper.SetPolygonOpacity(-1, float(opacities[0]))
+    if one_color and rgb[0]:
+        mapper.SetPolygonColor(-1, *rgb[0])
+    for i, value in enumerate([] if one_opacity else opacities):
+        mapper.SetPolygonOpacity(i, float(value))
+    for i, value in enumerate([] if one_color else rgb):
+        mapper.SetPolygonColor(i, *value) if value else mapper.SetPolygonColorToFunction(i)
+
+
 @dataclass
 class Surfaces:
     """The arguments of `add_cells` that begin with contour, and the layers; see there. Checked when applied."""
@@ -65,15 +92,11 @@ class Surfaces:
         if len(opacities) != count:
             raise ValueError(f"contour_opacity has {len(opacities)} values for {count} contours.")
         for opacity in opacities:
-            require_number(opacity, "contour_opacity", least=0)
-            if opacity > 1:
-                raise ValueError(f"contour_opacity is {opacity:g}; it must be from 0 to 1.")
+            _require_opacity(opacity, "contour_opacity")
         return opacities
 
     def _colors(self, count: int) -> list[Any]:
-        one = self.color is None or isinstance(self.color, str) or (len(self.color) > 2 and np.isscalar(self.color[0])
-                                                                    and not isinstance(self.color[0], str))
-        colors = [self.color] * count if one else list(self.color)
+        colors = [self.color] * count if _is_one_color(self.color) else list(self.color)
         if len(colors) != count:
             raise ValueError(f"contour_color has {len(colors)} colours for {count} contours.")
         return colors

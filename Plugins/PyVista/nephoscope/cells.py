@@ -12,7 +12,7 @@ from . import vtkCellCompositingMapper
 from ._blocks import cell_dimension
 from ._checks import choose, renamed_argument
 from ._medium import Functions, MediumMapper, add_medium, require_dataset, require_plotter, scalar_array
-from ._surfaces import Surfaces
+from ._surfaces import Surfaces, paint_polygons
 from .transfer import OpacityLike
 
 
@@ -36,7 +36,8 @@ def add_cells(plotter: pyvista.BasePlotter, grid: Any, scalars: str | np.ndarray
               integration: str = "exact", order: str = "exact", method: str = "automatic", split_at_control_points: bool = True, preference: str = "point",
               contours: int | Sequence[float] | None = None, contour_opacity: float | Sequence[float] = 0.3,
               contour_color: Any = None, contour_scalars: str | None = None, contour_lighting: bool = True,
-              smooth_contours: bool = True, layers: dict | None = None, layer_scalars: str | None = None,
+              smooth_contours: bool = True,
+              polygons: str = "contours", polygon_opacity: float | Sequence[float] = 0.3, polygon_color: Any = None, layers: dict | None = None, layer_scalars: str | None = None,
               name: str | None = None, show_scalar_bar: bool | None = None, scalar_bar_args: dict | None = None,
               reset_camera: bool | None = None, pickable: bool = True, user_matrix: Any = None,
               render: bool = True, unit_distance: float | None = None,
@@ -107,6 +108,13 @@ def add_cells(plotter: pyvista.BasePlotter, grid: Any, scalars: str | np.ndarray
         Point array that `contours` are values of, where it is not `scalars`.
     contour_lighting, smooth_contours : bool, default: True
         Light the surfaces by the plotter's lights; interpolate their normals between points.
+    polygons : {"contours", "all", "none"}, default: "contours"
+        Which polygons of the grid are drawn between its cells, as translucent surfaces in exact order, lit as `contours` are: those that
+        `split_cells` adds, all, or none. They must lie in faces of cells.
+    polygon_opacity : float or sequence of float, default: 0.3
+        Of all polygons, or by their ``ContourIndex``, 0 to 1. 0: not drawn.
+    polygon_color : color or sequence of color, optional
+        Of all polygons, or by their ``ContourIndex``. Default: the colour map's where they are.
     layers : dict of int to pyvista.VolumeProperty, optional
         Colour function, opacity function and unit distance of single layers, which may jump at their borders. The layer of a
         point is the number of `contours` at or below its scalar, unless `layer_scalars` is given.
@@ -166,6 +174,9 @@ def add_cells(plotter: pyvista.BasePlotter, grid: Any, scalars: str | np.ndarray
     mapper.SetSplitAtControlPoints(bool(split_at_control_points))
     Surfaces(contours, contour_scalars, contour_opacity, contour_color, contour_lighting, smooth_contours, layers,
              layer_scalars).apply(mapper, grid, array_name, association)
+    choose({"contours": mapper.SetPolygonsToContours, "all": mapper.SetPolygonsToAll, "none": mapper.SetPolygonsToNone}, polygons,
+           "polygons")
+    paint_polygons(mapper, polygon_opacity, polygon_color)
     return add_medium(plotter, mapper, prop, array_name, user_matrix=user_matrix, show_scalar_bar=show_scalar_bar,
                       scalar_bar_args=scalar_bar_args, reset_camera=reset_camera, name=name, pickable=pickable, render=render)
 

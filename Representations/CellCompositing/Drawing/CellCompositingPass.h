@@ -33,6 +33,7 @@ class CellScene;
 struct CellPieces;
 struct TetrahedronNeighbors;
 class ContourScene;
+class PolygonScene;
 
 class CellCompositingPass
 {
@@ -57,6 +58,11 @@ public:
   std::string UploadContours(vtkOpenGLRenderWindow* window, const ContourScene& contours)
   {
     return this->Contours.Upload(window, contours);
+  }
+  std::string UploadPolygons(
+    vtkOpenGLRenderWindow* window, const PolygonScene& polygons, const CellGeometry& geometry, const CellPieces& pieces)
+  {
+    return this->Contours.UploadPolygons(window, polygons, geometry, pieces);
   }
   /** What the scene's transfer function and view let be seen. */
   std::string UploadDrawn(vtkOpenGLRenderWindow* window, const CellScene& scene);

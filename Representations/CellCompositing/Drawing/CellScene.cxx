@@ -300,7 +300,7 @@ void CellScene::UpdateDrawn()
   const Versions& now = this->Current;
   const bool grid = !this->Geometry.Grid.IsEmpty();
   const bool visible =
-    changes(this->VisibleKey, { now.Geometry, now.Colors, now.Opacities, now.Transfer, this->Contours.Version });
+    changes(this->VisibleKey, { now.Geometry, now.Colors, now.Opacities, now.Transfer, this->Contours.Version, this->Polygons.Version });
   if (visible)
   {
     grid ? this->FindVisibleOfGrid() : this->FindVisible();
@@ -387,12 +387,12 @@ std::pair<float, float> CellScene::ContourRange(std::size_t tetrahedron) const
   return { *range.first, *range.second };
 }
 
-// No surface, and for the scalars from low to high no opacity in any of the layers that the tetrahedron may touch.
+// No surface, within or in a face, and for the scalars from low to high no opacity in any of the layers that the tetrahedron may touch.
 bool CellScene::IsTransparent(std::size_t tetrahedron, float low, float high) const
 {
   const bool contoured = this->Contours.IsUsed();
   const std::pair<float, float> range = contoured ? this->ContourRange(tetrahedron) : std::pair<float, float>();
-  if (contoured && this->Contours.DrawsBetween(range.first, range.second))
+  if (this->Polygons.HasSurface(tetrahedron) || (contoured && this->Contours.DrawsBetween(range.first, range.second)))
   {
     return false;
   }

@@ -15,6 +15,7 @@
 #include "ContourScene.h"
 #include "DataIdentity.h"
 #include "EyeTetrahedron.h"
+#include "PolygonScene.h"
 #include "TetrahedronNeighbors.h"
 #include "TransferFunctionTable.h"
 #include "VisibilityOrder.h"
@@ -100,6 +101,14 @@ public:
   const std::vector<TransferFunctionTable>& GetOpacityFunctions() const { return this->Opacities; }
   ///@}
   const ContourScene& GetContours() const { return this->Contours; }
+  const PolygonScene& GetPolygons() const { return this->Polygons; }
+  /** To be called first of all: what is drawn of the data besides 3-D cells, and with it how these may be drawn. */
+  void ReadPolygons(vtkDataSet* data, const ContourSettings& settings) { this->Polygons.Read(data, settings); }
+  /** To be called after the geometry was updated. */
+  void UpdatePolygons(const ScalarSelection& scalars, const ContourSettings& settings, vtkVolumeProperty* property)
+  {
+    this->Polygons.Update(this->Geometry, this->Current.Geometry, scalars, settings, property);
+  }
   /** Number of the tables that each tetrahedron reads; empty where that does not depend on the tetrahedron. */
   const std::vector<std::int32_t>& GetTablesOfTetrahedra() const { return this->TablesOfTetrahedra; }
   bool ContoursMakeLayers() const { return this->LayersOfContours; }
@@ -160,6 +169,7 @@ private:
   std::vector<TransferFunctionTable> Opacities = std::vector<TransferFunctionTable>(1);
   std::vector<std::int32_t> TablesOfTetrahedra;
   ContourScene Contours;
+  PolygonScene Polygons;
   bool LayersOfContours = false;
   bool ColorIsOne = false;
   VisibilityOrder Order;
@@ -182,7 +192,7 @@ private:
   SortKey OrderKey;
   SortKey CountedKey;
   std::tuple<std::int64_t, std::int64_t, std::int64_t, std::int64_t, Vector4> EyeKey;
-  std::tuple<std::int64_t, std::int64_t, std::int64_t, std::int64_t, std::int64_t> VisibleKey;
+  std::tuple<std::int64_t, std::int64_t, std::int64_t, std::int64_t, std::int64_t, std::int64_t> VisibleKey;
   std::tuple<std::int64_t, std::int64_t> DrawnKey;
   std::tuple<std::int64_t, std::int64_t> RaysKey;
 };

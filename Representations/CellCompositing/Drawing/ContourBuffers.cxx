@@ -4,6 +4,7 @@
 
 #include "CellDrawing.h"
 #include "ContourScene.h"
+#include "PolygonScene.h"
 #include "ShaderText.h"
 
 #include "vtkMatrix3x3.h"
@@ -32,20 +33,32 @@ std::string ContourBuffers::Upload(vtkOpenGLRenderWindow* window, const ContourS
   return error;
 }
 
+std::string ContourBuffers::UploadPolygons(
+  vtkOpenGLRenderWindow* window, const PolygonScene& polygons, const CellGeometry& geometry, const CellPieces& pieces)
+{
+  auto ofTetrahedra = polygons.OfTetrahedra;
+  auto surfaces = polygons.Surfaces;
+  polygons.AddPieces(geometry, pieces, ofTetrahedra, surfaces);
+  this->UsePolygons = !surfaces.empty();
+  const std::string error = this->Buffers[OfTetrahedra].Upload(window, ofTetrahedra.data(), ofTetrahedra.size(), 4, VTK_INT);
+  return error.empty() ? this->Buffers[Polygons].Upload(window, surfaces.data(), 4 * surfaces.size(), 4, VTK_FLOAT) : error;
+}
+
 std::string ContourBuffers::ShaderConstants() const
 {
-  return shaderConstant("useContours", this->IsUsed()) + shaderConstant("contourOfColor", this->OfColor) +
+  return shaderConstant("usePolygons", this->UsePolygons) + shaderConstant("useContours", this->IsUsed()) + shaderConstant("contourOfColor", this->OfColor) +
     shaderConstant("smoothContourNormals", this->Smooth);
 }
 
 void ContourBuffers::Activate(const CellDrawing& drawing, vtkShaderProgram* program)
 {
-  static const char* const names[NumberOfBuffers] = { "contourScalars", "contours", "contourGradients" };
+  static const char* const names[NumberOfBuffers] = { "contourScalars", "contours", "contourGradients", "tetrahedronSurfaces",
+    "polygonSurfaces" };
   for (int i = 0; i < NumberOfBuffers; ++i)
   {
     program->SetUniformi(names[i], this->Buffers[i].Activate());
   }
-  if (this->IsUsed())
+  if (this->IsUsed() || this->UsePolygons)
   {
     program->SetUniformi("numberOfContours", this->NumberOfContours);
     this->SetLights(drawing, program);

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
-/** Contour surfaces inside the volume, on the GPU. */
+/** Surfaces inside the volume, on the GPU: contours, and polygons in faces of cells. */
 #ifndef ContourBuffers_h
 #define ContourBuffers_h
 
@@ -16,7 +16,10 @@ class vtkWindow;
 namespace nephoscope
 {
 
+class CellGeometry;
 class ContourScene;
+class PolygonScene;
+struct CellPieces;
 struct CellDrawing;
 
 class ContourBuffers
@@ -24,6 +27,8 @@ class ContourBuffers
 public:
   /** Returns an empty string, or what went wrong. */
   std::string Upload(vtkOpenGLRenderWindow* window, const ContourScene& contours);
+  std::string UploadPolygons(
+    vtkOpenGLRenderWindow* window, const PolygonScene& polygons, const CellGeometry& geometry, const CellPieces& pieces);
 
   bool IsUsed() const { return this->NumberOfContours > 0; }
   std::string ShaderConstants() const;
@@ -38,6 +43,8 @@ private:
     Scalars,
     Contours,
     Gradients,
+    OfTetrahedra,
+    Polygons,
     NumberOfBuffers
   };
   void SetLights(const CellDrawing& drawing, vtkShaderProgram* program) const;
@@ -46,6 +53,7 @@ private:
   int NumberOfContours = 0;
   bool OfColor = true;
   bool Smooth = false;
+  bool UsePolygons = false;
 };
 
 } // namespace nephoscope

@@ -19,26 +19,6 @@ namespace nephoscope
 {
 namespace
 {
-vtkMTimeType colorMTime(vtkVolumeProperty* property)
-{
-  return property->GetColorChannels() == 3 ? property->GetRGBTransferFunction()->GetMTime()
-                                           : property->GetGrayTransferFunction()->GetMTime();
-}
-
-std::array<float, 3> functionColor(vtkVolumeProperty* property, double value)
-{
-  double rgb[3];
-  if (property->GetColorChannels() == 3)
-  {
-    property->GetRGBTransferFunction()->GetColor(value, rgb);
-  }
-  else
-  {
-    rgb[0] = rgb[1] = rgb[2] = property->GetGrayTransferFunction()->GetValue(value);
-  }
-  return { { static_cast<float>(rgb[0]), static_cast<float>(rgb[1]), static_cast<float>(rgb[2]) } };
-}
-
 std::vector<float> normalizedScalars(const ScalarSelection& selection, const double range[2])
 {
   std::vector<float> scalars(static_cast<std::size_t>(selection.Array->GetNumberOfTuples()));
@@ -62,6 +42,26 @@ std::vector<float> colorScalars(const CellGeometry& geometry)
   }
   return scalars;
 }
+}
+
+vtkMTimeType colorMTime(vtkVolumeProperty* property)
+{
+  return property->GetColorChannels() == 3 ? property->GetRGBTransferFunction()->GetMTime()
+                                           : property->GetGrayTransferFunction()->GetMTime();
+}
+
+std::array<float, 3> functionColor(vtkVolumeProperty* property, double value)
+{
+  double rgb[3];
+  if (property->GetColorChannels() == 3)
+  {
+    property->GetRGBTransferFunction()->GetColor(value, rgb);
+  }
+  else
+  {
+    rgb[0] = rgb[1] = rgb[2] = property->GetGrayTransferFunction()->GetValue(value);
+  }
+  return { { static_cast<float>(rgb[0]), static_cast<float>(rgb[1]), static_cast<float>(rgb[2]) } };
 }
 
 void ContourScene::Update(const CellGeometry& geometry, std::int64_t geometryVersion, vtkDataSet* data,

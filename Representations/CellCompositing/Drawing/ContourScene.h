@@ -27,6 +27,12 @@ namespace nephoscope
 
 struct ContourSettings;
 
+///@{
+/** What the colour function gives for a value, and when it was changed. */
+std::array<float, 3> functionColor(vtkVolumeProperty* property, double value);
+vtkMTimeType colorMTime(vtkVolumeProperty* property);
+///@}
+
 class ContourScene
 {
 public:

@@ -4,6 +4,8 @@
 #ifndef ContourSettings_h
 #define ContourSettings_h
 
+#include "CellPolygons.h"
+
 #include "vtkSmartPointer.h"
 #include "vtkVolumeProperty.h"
 
@@ -31,6 +33,22 @@ struct ContourSettings
   std::map<int, vtkSmartPointer<vtkVolumeProperty>> LayerProperties;
   std::string LayerArrayName;
   bool LayersFromContours = false;
+
+  CellPolygons::Which Polygons = CellPolygons::Which::Contours;
+  Surface Polygon;                        ///< how those are drawn that have no entry below
+  std::map<int, Surface> PolygonsOfContour; ///< by ContourIndex
+
+  const Surface& FindPolygon(int contour) const
+  {
+    const auto found = this->PolygonsOfContour.find(contour);
+    return found == this->PolygonsOfContour.end() ? this->Polygon : found->second;
+  }
+
+  /** A negative number: of those that have not been changed. */
+  Surface& ChangePolygon(int contour)
+  {
+    return contour < 0 ? this->Polygon : this->PolygonsOfContour.emplace(contour, this->Polygon).first->second;
+  }
 
   bool LayersAreUsed() const
   {

@@ -11,6 +11,7 @@
 #include "FaceScalarsShader.h"
 #include "OpaqueDepthShader.h"
 #include "OpticalSegmentShader.h"
+#include "PolygonSurfacesShader.h"
 #include "ShaderArrays.h"
 #include "ShaderParts.h"
 #include "TetrahedronInputShader.h"
@@ -36,7 +37,8 @@ inline std::string specializedShader(const std::string& shader, const std::strin
       { "OpticalSegment", OpticalSegmentShader },
       { "TransferFunction", TransferFunctionShader },
       { "FaceScalars", FaceScalarsShader },
-      { "ContourSurfaces", ContourSurfacesShader } });
+      { "ContourSurfaces", ContourSurfacesShader },
+      { "PolygonSurfaces", PolygonSurfacesShader } });
 }
 
 } // namespace nephoscope

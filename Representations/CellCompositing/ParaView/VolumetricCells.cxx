@@ -34,6 +34,12 @@ void copyPoints(vtkDataSet* data, vtkUnstructuredGrid* grid)
   }
   grid->SetPoints(points);
 }
+
+bool isPolygon(int type)
+{
+  return type == VTK_TRIANGLE || type == VTK_QUAD || type == VTK_POLYGON || type == VTK_PIXEL;
+}
+
 void copyCellData(vtkDataSet* data, vtkIdList* parents, vtkUnstructuredGrid* grid)
 {
   vtkCellData* out = grid->GetCellData();
@@ -84,7 +90,16 @@ vtkSmartPointer<vtkUnstructuredGrid> tetrahedralize(vtkDataSet* data)
   grid->Allocate(6 * numberOfCells);
   for (vtkIdType cell = 0; cell < numberOfCells; ++cell)
   {
-    if (!source.IsHidden(cell))
+    if (source.IsHidden(cell))
+    {
+      continue;
+    }
+    if (isPolygon(data->GetCellType(cell)))
+    {
+      grid->InsertNextCell(data->GetCellType(cell), source.GetPoints());
+      parents->InsertNextId(cell);
+    }
+    else
     {
       source.EmitTetrahedra(cell, [&](const std::array<vtkIdType, 4>& t) {
         grid->InsertNextCell(VTK_TETRA, 4, t.data());

@@ -110,6 +110,7 @@ void vtkCellCompositingRepresentation::PrepareMapper(vtkDataSet* cells)
   this->Mapper->SetOpacityScale(this->OpacityScale * this->Opacity);
   this->Mapper->SetVisibilityOrder(this->VisibilityOrder); // while the camera moves too: rays need no sorting
   this->PrepareContours();
+  this->PreparePolygons();
   this->PrepareLayers();
 }
 

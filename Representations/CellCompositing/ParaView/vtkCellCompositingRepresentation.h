@@ -64,6 +64,9 @@ public:
   void SetSmoothContourNormals(bool smooth);
   ///@}
 
+  /** Polygons beside the cells; see the mapper. That of contour i has the opacity and the colour that entry i of the lists above gives. */
+  void SetPolygons(int polygons);
+
   ///@{
   /**
    * Layers are those of a cell array, or with "None" those between the contour values. Each has a factor on the extinction, and colours
@@ -95,6 +98,8 @@ private:
   void operator=(const vtkCellCompositingRepresentation&) = delete;
 
   void PrepareContours();
+  void PreparePolygons();
+  double FindContourOpacity(std::size_t i) const;
   void PrepareLayers();
   std::size_t CountLayers() const;
   vtkColorTransferFunction* FindLayerColors(std::size_t layer);
@@ -108,6 +113,7 @@ private:
   bool AxisAligned = false;
   int VisibilityOrder = 0;
   double ContourOpacity = 0.3;
+  std::size_t NumberOfPolygonLooks = 0;
   std::vector<double> ContourOpacities;
   std::vector<std::array<double, 3>> ContourColors;
   std::vector<double> LayerOpacityScales;

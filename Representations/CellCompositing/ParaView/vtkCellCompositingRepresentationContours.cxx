@@ -131,13 +131,17 @@ void vtkCellCompositingRepresentation::AddLayerColorFunction(vtkScalarsToColors*
   this->LayerColorFunctions.emplace_back(vtkColorTransferFunction::SafeDownCast(function));
 }
 
+double vtkCellCompositingRepresentation::FindContourOpacity(std::size_t i) const
+{
+  return (i < this->ContourOpacities.size() ? this->ContourOpacities[i] : this->ContourOpacity) * this->Opacity;
+}
+
 void vtkCellCompositingRepresentation::PrepareContours()
 {
   for (int i = 0; i < this->Mapper->GetNumberOfContourValues(); ++i)
   {
     const std::size_t k = static_cast<std::size_t>(i);
-    const double opacity = k < this->ContourOpacities.size() ? this->ContourOpacities[k] : this->ContourOpacity;
-    this->Mapper->SetContourOpacity(i, opacity * this->Opacity);
+    this->Mapper->SetContourOpacity(i, this->FindContourOpacity(k));
     if (k < this->ContourColors.size())
     {
       const std::array<double, 3>& rgb = this->ContourColors[k];
@@ -146,6 +150,31 @@ void vtkCellCompositingRepresentation::PrepareContours()
     else
     {
       this->Mapper->SetContourColorToFunction(i);
+    }
+  }
+}
+
+void vtkCellCompositingRepresentation::SetPolygons(int polygons)
+{
+  this->Mapper->SetPolygons(polygons);
+}
+
+void vtkCellCompositingRepresentation::PreparePolygons()
+{
+  this->Mapper->SetPolygonOpacity(-1, this->ContourOpacity * this->Opacity);
+  // What the lists had before is as what they never had.
+  this->NumberOfPolygonLooks = std::max({ this->NumberOfPolygonLooks, this->ContourOpacities.size(), this->ContourColors.size() });
+  for (std::size_t i = 0; i < this->NumberOfPolygonLooks; ++i)
+  {
+    const int contour = static_cast<int>(i);
+    this->Mapper->SetPolygonOpacity(contour, this->FindContourOpacity(i));
+    if (i < this->ContourColors.size())
+    {
+      this->Mapper->SetPolygonColor(contour, this->ContourColors[i][0], this->ContourColors[i][1], this->ContourColors[i][2]);
+    }
+    else
+    {
+      this->Mapper->SetPolygonColorToFunction(contour);
     }
   }
 }

@@ -31,6 +31,7 @@ flat in ivec2 tetrahedronGSOutput; // number, layer
 //NEPHOSCOPE::TransferFunction
 //NEPHOSCOPE::FaceScalars
 //NEPHOSCOPE::ContourSurfaces
+//NEPHOSCOPE::PolygonSurfaces
 
 // Where the pixel's ray passes the back face.
 vec4 barycentric = vec4(0.0);
@@ -145,7 +146,33 @@ vec4 clearLightBetween(float uFront, float uBack, vec4 slope)
   return integrateSegment(front, back, opticalScale);
 }
 
-vec4 lightBetween(float uFront, float uBack, vec4 slope)
+// The surface in a face, where the ray crosses it.
+vec4 surfaceAt(float u, int face, vec4 slope)
+{
+  vec4 coordinates = barycentric + u * slope;
+  return polygonSurface(tetrahedronGSOutput.x, face, coordinates, interpolate(coordinates, scalarsGSOutput),
+    positionVC + u * (eyeVC.xyz - eyeVC.w * positionVC));
+}
+
+// With the surfaces in the faces where the part begins and ends, if that is not before.
+vec4 withSurfaces(vec4 light, float uFront, float uBack, float uFace, vec4 slope)
+{
+  if (uBack == 0.0)
+  {
+    light += (1.0 - light.a) * surfaceAt(0.0, oppositeGSOutput, slope);
+  }
+  for (int i = 0; i < 4 && uFront == uFace; ++i)
+  {
+    if (slope[i] < 0.0 && max(barycentric[i], 0.0) / -slope[i] == uFace)
+    {
+      vec4 surface = surfaceAt(uFace, i, slope);
+      return surface + (1.0 - surface.a) * light;
+    }
+  }
+  return light;
+}
+
+vec4 lightBetween(float uFront, float uBack, float uFace, vec4 slope)
 {
   vec4 light = clearLightBetween(uFront, uBack, slope);
 #ifdef NEPHOSCOPE_HAZE
@@ -155,6 +182,10 @@ vec4 lightBetween(float uFront, float uBack, vec4 slope)
     light = hazedSegment(light, positionVC + uFront * towardsEye, positionVC + uBack * towardsEye);
   }
 #endif
+  if (usePolygons)
+  {
+    light = withSurfaces(light, uFront, uBack, uFace, slope);
+  }
   return light;
 }
 
@@ -179,7 +210,7 @@ void drawWhole(float uFace, vec4 slope)
   {
     discard;
   }
-  gl_FragData[0] = lightBetween(uFront, uBack, slope);
+  gl_FragData[0] = lightBetween(uFront, uBack, uFace, slope);
 }
 
 // What lies in each of the two ranges.
@@ -200,7 +231,7 @@ void drawRanges(float uFace, vec4 slope)
   int last = inside[1] ? 1 : 0;
   do
   {
-    vec4 light = lightBetween(uFront[range], uBack[range], slope);
+    vec4 light = lightBetween(uFront[range], uBack[range], uFace, slope);
     if (range == 0)
     {
       gl_FragData[0] = light;

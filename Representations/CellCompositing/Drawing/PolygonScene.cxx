@@ -1,0 +1,202 @@
+// SPDX-FileCopyrightText: The Nephoscope authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "PolygonScene.h"
+
+#include "CoincidentPoints.h"
+#include "ContourScene.h"
+#include "ContourSettings.h"
+#include "TetrahedronRay.h"
+
+#include "vtkDataSet.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace nephoscope
+{
+namespace
+{
+/** Replaces `value`; true when it was different. */
+template <typename Value>
+bool replaces(Value& value, Value now)
+{
+  const bool changed = value != now;
+  value = std::move(now);
+  return changed;
+}
+
+/** Barycentric coordinates of a point in a tetrahedron. */
+Vector4 weightsIn(const std::array<Vector3, 4>& p, const Vector3& x)
+{
+  Vector4 weights;
+  for (std::size_t k = 0; k < 4; ++k)
+  {
+    const auto& f = tetrahedronFaces[k];
+    const Vector3 a = p[std::size_t(f[0])];
+    const Vector3 normal = cross(difference(p[std::size_t(f[1])], a), difference(p[std::size_t(f[2])], a));
+    weights[k] = dot(normal, difference(x, a)) / dot(normal, difference(p[k], a));
+  }
+  return weights;
+}
+}
+
+void PolygonScene::Read(vtkDataSet* data, const ContourSettings& settings)
+{
+  if (replaces(this->ReadKey, { data, data->GetMTime(), settings.Polygons }))
+  {
+    this->Polygons = CellPolygons::Read(data, settings.Polygons);
+    ++this->ReadVersion;
+  }
+  const auto& triangles = this->Polygons.Triangles;
+  this->Used = std::any_of(triangles.begin(), triangles.end(),
+    [&](const CellPolygons::Triangle& t) { return settings.FindPolygon(t.Contour).Opacity > 0; });
+}
+
+void PolygonScene::FindFaces(const CellGeometry& geometry, std::int64_t geometryVersion, bool smooth)
+{
+  if (!replaces(this->FacesKey, { geometryVersion, this->ReadVersion, smooth }))
+  {
+    return;
+  }
+  std::vector<std::int32_t> places = findPlaces(geometry);
+  this->Faces = this->Polygons.Match(geometry, places);
+  const std::int64_t apart = this->Polygons.NumberApart;
+  if (apart > 0) // they may have points of their own that differ by rounding
+  {
+    std::vector<std::int32_t> welded = places;
+    weldPlaces(geometry, welded);
+    std::vector<CellPolygons::Face> faces = this->Polygons.Match(geometry, welded);
+    this->Polygons.NumberApart < apart ? this->Faces.swap(faces) : void(this->Polygons.NumberApart = apart);
+  }
+  this->Normals = this->Polygons.Normals(geometry, places, smooth);
+}
+
+std::array<float, 4> PolygonScene::ColorOf(const CellPolygons::Triangle& triangle, const ScalarSelection& scalars,
+  const ContourSettings& settings, vtkVolumeProperty* property) const
+{
+  const ContourSettings::Surface& look = settings.FindPolygon(triangle.Contour);
+  std::array<float, 3> rgb = { { -1, -1, -1 } };
+  if (look.Color[0] >= 0)
+  {
+    std::copy(look.Color.begin(), look.Color.end(), rgb.begin());
+  }
+  else if (scalars.OnCells) // its own value, not that of a cell beside it
+  {
+    rgb = functionColor(property, scalarValue(scalars, triangle.Cell));
+  }
+  return { { rgb[0], rgb[1], rgb[2], static_cast<float>(look.Opacity) } };
+}
+
+std::vector<double> PolygonScene::DescribeLook(
+  std::int64_t geometryVersion, const ScalarSelection& scalars, const ContourSettings& settings, vtkVolumeProperty* property) const
+{
+  if (!this->Used)
+  {
+    return {};
+  }
+  const bool ofCells = scalars.OnCells && scalars.Array;
+  std::vector<double> key = { double(geometryVersion), double(this->ReadVersion), double(settings.SmoothNormals),
+    ofCells ? double(scalars.Array->GetMTime()) : 0.0, ofCells ? double(colorMTime(property)) : 0.0 };
+  const auto add = [&key](double contour, const ContourSettings::Surface& look) {
+    key.insert(key.end(), { contour, look.Opacity, look.Color[0], look.Color[1], look.Color[2] });
+  };
+  add(-1, settings.Polygon);
+  for (const auto& look : settings.PolygonsOfContour)
+  {
+    add(look.first, look.second);
+  }
+  return key;
+}
+
+void PolygonScene::Update(const CellGeometry& geometry, std::int64_t geometryVersion, const ScalarSelection& scalars,
+  const ContourSettings& settings, vtkVolumeProperty* property)
+{
+  if (!replaces(this->LookKey, this->DescribeLook(geometryVersion, scalars, settings, property)))
+  {
+    return;
+  }
+  std::vector<std::array<std::int32_t, 4>> ofTetrahedra;
+  std::vector<Surface> surfaces;
+  if (this->Used)
+  {
+    this->FindFaces(geometry, geometryVersion, settings.SmoothNormals);
+    ofTetrahedra.assign(geometry.Tetrahedra.size(), { { 0, 0, 0, 0 } });
+    for (const CellPolygons::Face& face : this->Faces)
+    {
+      const std::size_t number = static_cast<std::size_t>(face.Triangle);
+      const CellPolygons::Triangle& triangle = this->Polygons.Triangles[number];
+      Surface surface;
+      surface.Color = this->ColorOf(triangle, scalars, settings, property);
+      if (surface.Color[3] <= 0)
+      {
+        continue;
+      }
+      const Tetrahedron& t = geometry.Tetrahedra[static_cast<std::size_t>(face.Tetrahedron)];
+      for (std::size_t k = 0; k < 3; ++k)
+      {
+        const Vector3 x = geometry.Position(t[std::size_t(tetrahedronFaces[face.Opposite][k])]);
+        const auto distance = [&](std::size_t corner) {
+          const Vector3 d = difference(geometry.Position(triangle.Points[corner]), x);
+          return dot(d, d);
+        };
+        const std::size_t nearest = distance(0) <= distance(1) ? (distance(0) <= distance(2) ? 0 : 2) : (distance(1) <= distance(2) ? 1 : 2);
+        const Vector3& n = this->Normals[number][nearest];
+        surface.Normals[k] = { { float(n[0]), float(n[1]), float(n[2]), 0.0f } };
+      }
+      surfaces.push_back(surface);
+      ofTetrahedra[static_cast<std::size_t>(face.Tetrahedron)][static_cast<std::size_t>(face.Opposite)] =
+        static_cast<std::int32_t>(surfaces.size());
+    }
+  }
+  this->Surfaces.swap(surfaces);
+  this->OfTetrahedra.swap(ofTetrahedra);
+  ++this->Version;
+}
+
+// A face of a piece that lies in a face of its owner has the owner's surface.
+void PolygonScene::AddPieces(const CellGeometry& geometry, const CellPieces& pieces,
+  std::vector<std::array<std::int32_t, 4>>& ofTetrahedra, std::vector<Surface>& surfaces) const
+{
+  constexpr double rounding = 1e-5;
+  for (std::size_t i = 0; i < pieces.Owners.size() && !this->OfTetrahedra.empty(); ++i)
+  {
+    const std::size_t owner = static_cast<std::size_t>(pieces.Owners[i]);
+    ofTetrahedra.push_back({ { 0, 0, 0, 0 } });
+    std::array<Vector4, 4> weights;
+    for (std::size_t k = 0; k < 4; ++k)
+    {
+      const CellGeometry::Point& p = pieces.Points[static_cast<std::size_t>(pieces.Tetrahedra[i][k]) - geometry.Points.size()];
+      weights[k] = weightsIn(geometry.Vertices(owner), { { p.X, p.Y, p.Z } });
+    }
+    for (std::size_t face = 0; face < 4; ++face)
+    {
+      const std::int32_t number = this->OfTetrahedra[owner][face];
+      for (std::size_t opposite = 0; opposite < 4 && number > 0; ++opposite)
+      {
+        const auto& corners = tetrahedronFaces[opposite];
+        if (!std::all_of(corners, corners + 3, [&](int k) { return std::abs(weights[std::size_t(k)][face]) < rounding; }))
+        {
+          continue;
+        }
+        Surface surface = this->Surfaces[static_cast<std::size_t>(number) - 1];
+        const auto whole = surface.Normals;
+        for (std::size_t k = 0; k < 3; ++k)
+        {
+          for (std::size_t c = 0; c < 3; ++c)
+          {
+            double sum = 0;
+            for (std::size_t j = 0; j < 3; ++j)
+            {
+              sum += weights[std::size_t(corners[k])][std::size_t(tetrahedronFaces[face][j])] * whole[j][c];
+            }
+            surface.Normals[k][c] = static_cast<float>(sum);
+          }
+        }
+        surfaces.push_back(surface);
+        ofTetrahedra.back()[opposite] = static_cast<std::int32_t>(surfaces.size());
+      }
+    }
+  }
+}
+
+} // namespace nephoscope
