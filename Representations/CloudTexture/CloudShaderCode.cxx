@@ -4,6 +4,7 @@
 
 #include "CloudOpacityFunction.h"
 #include "CloudThicknessFunction.h"
+#include "CloudVolumeFunction.h"
 #include "GardnerShaderConstants.h"
 #include "GardnerTextureFunctions.h"
 #include "SurfaceLists.h"
@@ -168,7 +169,9 @@ void addCloudCode(std::map<vtkShader::Type, vtkShader*>& shaders, const Textured
     std::string thickness = CloudThicknessFunction;
     vtkShaderProgram::Substitute(
       thickness, "//NEPHOSCOPE::Layers", layerLookups(surface.HasDensity, choice.Drawings));
-    dec += "in vec3 cloudViewVSOutput;\n" + thickness;
+    vtkShaderProgram::Substitute(thickness, "//NEPHOSCOPE::DensityVolume",
+      choice.HasDensityVolume ? CloudVolumeFunction : "float meanDensityOfVolume(vec3 a, vec3 b) { return 1.0; }\n");
+    dec += std::string("const bool hasDensityVolume = ") + word(choice.HasDensityVolume) + ";\nin vec3 cloudViewVSOutput;\n" + thickness;
     early =
       "  float cloudThickness = cloudDrawings < 0 ? noThickness\n    : cloudOpticalDepth(cloudViewVSOutput, " +
       input(attributes, "cloudDensity", "1.0") +

@@ -35,6 +35,7 @@ struct CloudShaderChoice
   int Drawings = 0; ///< of layers, at most; 0: lists
   bool ThicknessIsAdded = false; ///< to the texture, instead of multiplying the opacity
   bool HasColors = false;
+  bool HasDensityVolume = false;
   GardnerWaves Waves;
 };
 

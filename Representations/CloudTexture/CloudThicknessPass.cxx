@@ -55,6 +55,11 @@ void CloudThicknessPass::FindView(const Request& request)
       this->PlaceToView[4 * j + i] = static_cast<float>(view.ModelToView->GetElement(i, j));
     }
   }
+  vtkMatrix4x4::Invert(view.ModelToView, this->ViewToData);
+  for (int i = 0; i < 3; ++i) // places are relative to the center
+  {
+    this->ViewToData->SetElement(i, 3, this->ViewToData->GetElement(i, 3) + request.Center[i]);
+  }
   const auto toView = depthToView(view.ViewToDevice);
   std::copy(toView.begin(), toView.end(), this->DepthToView);
   this->Near = static_cast<float>(request.Renderer->GetActiveCamera()->GetClippingRange()[0]);

@@ -8,6 +8,8 @@
 #include "SurfaceLayers.h"
 #include "SurfaceLists.h"
 
+#include "vtkMatrix4x4.h"
+#include "vtkNew.h"
 #include "vtkOpenGLHelper.h"
 
 #include <functional>
@@ -56,6 +58,9 @@ public:
   void Deactivate();
   void SetUniforms(vtkShaderProgram* program, double extinction, int drawings);
 
+  /** From view coordinates to those of the surface's data. */
+  vtkMatrix4x4* GetViewToData() const { return this->ViewToData; }
+
   void ReleaseGraphicsResources(vtkWindow* window);
 
 private:
@@ -72,6 +77,7 @@ private:
   vtkTextureObject* Opaque = nullptr;
   vtkProp* KnownProp = nullptr; // not to be looked into
   bool IsKnown = false, HasLists = false, EyeMayBeInside = true, IsClosed = false, WithDensities = false, IsParallel = false, FrontIsFront = true;
+  vtkNew<vtkMatrix4x4> ViewToData;
   float PlaceToView[16] = {}, DepthToView[4] = {}, Origin[2] = {}, Near = 0;
 };
 

@@ -13,6 +13,7 @@
 #include "vtkCamera.h"
 #include "vtkCompositeDataSet.h"
 #include "vtkDataObject.h"
+#include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkMatrix4x4.h"
 #include "vtkNew.h"
@@ -61,6 +62,44 @@ void vtkCloudTextureMapper::SetDensityArrayName(const char* name)
   this->SetName(this->DensityArrayName, name);
 }
 
+void vtkCloudTextureMapper::SetDensityVolume(vtkImageData* volume)
+{
+  if (this->DensityVolume != volume)
+  {
+    this->DensityVolume = volume;
+    this->Modified();
+  }
+}
+
+vtkImageData* vtkCloudTextureMapper::GetDensityVolume() const
+{
+  return this->DensityVolume;
+}
+
+void vtkCloudTextureMapper::PrepareVolume()
+{
+  vtkInternals& own = *this->Internals;
+  if (own.Volume.Prepare(this->UseThickness ? this->DensityVolume.Get() : nullptr, this->DensityArrayName))
+  {
+    this->Modified(); // the shader depends on it
+    this->TellVolume(own.Volume.GetError(), own.Volume.GetWarning());
+  }
+}
+
+void vtkCloudTextureMapper::TellVolume(const std::string& error, const std::string& warning)
+{
+  std::string& last = this->Internals->LastVolume;
+  if (!error.empty() && error != last)
+  {
+    vtkErrorMacro(<< "Clouds are drawn with the same density everywhere: DensityVolume " << error << ".");
+  }
+  if (!warning.empty() && warning != last)
+  {
+    vtkWarningMacro(<< "DensityVolume " << warning << ".");
+  }
+  last = error + warning;
+}
+
 void vtkCloudTextureMapper::SetFirstCoordinatesName(const char* name)
 {
   this->SetName(this->CoordinatesNames[0], name);
@@ -74,9 +113,10 @@ void vtkCloudTextureMapper::SetSecondCoordinatesName(const char* name)
 void vtkCloudTextureMapper::PrepareSurface(vtkPolyData* input)
 {
   vtkInternals& own = *this->Internals;
+  const std::string density = this->UseThickness && !this->DensityVolume ? this->DensityArrayName : std::string();
   const vtkInternals::Key key(input, input->GetMTime(), this->CoverageArrayName,
     this->CoordinatesNames[0], this->CoordinatesNames[1], this->TextureScale, this->TextureLength,
-    this->DensityArrayName, this->UseThickness, this->UseAltitude, this->AltitudeRange[0], this->AltitudeRange[1]);
+    density, this->UseThickness, this->UseAltitude, this->AltitudeRange[0], this->AltitudeRange[1]);
   if (key == own.MadeFrom)
   {
     return;
@@ -84,7 +124,7 @@ void vtkCloudTextureMapper::PrepareSurface(vtkPolyData* input)
   own.MadeFrom = key;
   own.Surface = nephoscope::prepareTexturedSurface(input,
     { { this->CoordinatesNames[0], this->CoordinatesNames[1] }, this->CoverageArrayName,
-      this->UseThickness ? this->DensityArrayName : std::string(), this->TextureScale,
+      density, this->TextureScale,
       this->TextureLength, this->UseThickness, this->UseAltitude, { this->AltitudeRange[0], this->AltitudeRange[1] } });
   this->MapArrays();
   if (!own.Surface.Error.empty() && own.Surface.Error != own.LastError)
@@ -155,6 +195,7 @@ void vtkCloudTextureMapper::ShallowCopy(vtkAbstractMapper* other)
     this->SetUseThickness(mapper->UseThickness);
     this->SetExtinction(mapper->Extinction);
     this->SetDensityArrayName(mapper->GetDensityArrayName());
+    this->SetDensityVolume(mapper->DensityVolume);
     this->SetMaximumNumberOfLayers(mapper->MaximumNumberOfLayers);
     this->SetRelief(mapper->Relief);
     this->SetFirstCoordinatesName(mapper->GetFirstCoordinatesName());
@@ -206,6 +247,7 @@ void vtkCloudTextureMapper::RenderPiece(vtkRenderer* renderer, vtkActor* actor)
 void vtkCloudTextureMapper::RenderPieceStart(vtkRenderer* renderer, vtkActor* actor)
 {
   this->PrepareSurface(this->CurrentInput);
+  this->PrepareVolume();
   this->ChooseWaves();
   this->CurrentInput = this->Internals->Surface.Surface;
   if (this->CurrentInput)
@@ -225,9 +267,16 @@ void vtkCloudTextureMapper::RenderPieceDraw(vtkRenderer* renderer, vtkActor* act
   if (this->UseThickness)
   {
     this->FindThickness(renderer, actor);
+    const std::string error = own.Volume.Upload(vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow()));
+    if (!error.empty())
+    {
+      this->TellVolume(error, "");
+      this->Modified(); // the shader is one without it
+    }
   }
   own.Thresholds->Activate();
   own.Thickness.Activate();
+  own.Volume.Activate();
   vtkOpenGLState* state = static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow())->GetState();
   const vtkOpenGLState::ScopedglEnableDisable culling(state, GL_CULL_FACE);
   if (this->UseThickness && own.Thickness.OnlyFrontFaces())
@@ -237,6 +286,7 @@ void vtkCloudTextureMapper::RenderPieceDraw(vtkRenderer* renderer, vtkActor* act
   }
   own.Peels.BeforeDrawing(static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow()), actor);
   this->Superclass::RenderPieceDraw(renderer, actor);
+  own.Volume.Deactivate();
   own.Thickness.Deactivate();
   own.Thresholds->Deactivate();
 }
@@ -332,7 +382,8 @@ double vtkCloudTextureMapper::GetExtinctionInUse(vtkActor* actor) const
   const double length = chord.Length() > 0 ? chord.Length()
     : surface                              ? surface->GetLength() / 100
                                            : 0;
-  const double optical = length * scale * chord.MeanWeight();
+  const nephoscope::DensityVolume& volume = this->Internals->Volume;
+  const double optical = length * scale * (volume.IsUsed() ? volume.GetMeanDensity() : chord.MeanWeight());
   return optical > 0 ? this->OpticalDepth / optical : 0;
 }
 
@@ -349,7 +400,8 @@ void vtkCloudTextureMapper::ReplaceShaderColor(
 {
   const bool isAdded = this->UseThickness && this->ThicknessEffect == THICKNESS_IS_ADDED_TO_TEXTURE;
   nephoscope::addCloudCode(
-    shaders, this->Internals->Surface, { this->UseThickness, this->Internals->Drawings, isAdded, this->HasColors(), this->Internals->InUse });
+    shaders, this->Internals->Surface, { this->UseThickness, this->Internals->Drawings, isAdded, this->HasColors(),
+                                          this->Internals->Volume.IsUsed(), this->Internals->InUse });
   this->Superclass::ReplaceShaderColor(shaders, renderer, actor);
 }
 
@@ -393,6 +445,7 @@ void vtkCloudTextureMapper::SetMapperShaderParameters(
   {
     this->Internals->Thickness.SetUniforms(
       program, this->GetExtinctionInUse(actor), this->Internals->Drawings);
+    this->Internals->Volume.SetUniforms(program, this->Internals->Thickness.GetViewToData());
   }
 }
 
@@ -430,6 +483,7 @@ void vtkCloudTextureMapper::PrintSelf(ostream& os, vtkIndent indent)
      << indent << "UseThickness: " << this->UseThickness << "\n"
      << indent << "Extinction: " << this->Extinction << "\n"
      << indent << "DensityArrayName: " << this->DensityArrayName << "\n"
+     << indent << "DensityVolume: " << this->DensityVolume.Get() << "\n"
      << indent << "MaximumNumberOfLayers: " << this->MaximumNumberOfLayers << "\n"
      << indent << "FirstCoordinatesName: " << this->CoordinatesNames[0] << "\n"
      << indent << "SecondCoordinatesName: " << this->CoordinatesNames[1] << "\n";

@@ -8,6 +8,7 @@
 
 #include "CloudThicknessPass.h"
 #include "CoverageThreshold.h"
+#include "DensityVolume.h"
 #include "JoinedSurfaces.h"
 #include "KeepPeeling.h"
 #include "ResourceWindow.h"
@@ -37,8 +38,9 @@ struct vtkCloudTextureMapper::vtkInternals
   vtkMTimeType ForBlocksTime = 0;
   nephoscope::TexturedSurface Surface;
   Key MadeFrom{ nullptr, 0, "", "", "", 0.0, 0.0, "", false, false, 0.0, 0.0 };
-  std::string LastError, LastWarning, LastThickness, LastWavesError;
+  std::string LastError, LastWarning, LastThickness, LastWavesError, LastVolume;
   nephoscope::CloudThicknessPass Thickness;
+  nephoscope::DensityVolume Volume;
   nephoscope::KeepPeeling Peels;
   int Drawings = 0; // of layers, that the shader is made for
   vtkSmartPointer<vtkTextureObject> Thresholds;
@@ -46,6 +48,7 @@ struct vtkCloudTextureMapper::vtkInternals
   nephoscope::ResourceWindow Window{ [this](vtkWindow* window) {
     this->Thresholds = nullptr;
     this->Thickness.ReleaseGraphicsResources(window);
+    this->Volume.ReleaseGraphicsResources(window);
   } };
 
   /** Only amplitudes count. */

@@ -135,11 +135,27 @@ class Arguments(Picture):
         self.assertIs(self.plotter.actors["clouds"], actor)
         self.assertTrue(self.plotter.renderer.GetUseDepthPeeling())
 
+    def test_density_volume(self):
+        volume = pyvista.ImageData(dimensions=(3, 3, 3))
+        volume["water"], volume["other"] = np.ones(27), np.zeros(27)
+        mapper = self.add(use_thickness=True, density_volume=volume, density="water").mapper
+        self.assertIs(mapper.GetDensityVolume(), volume)
+        self.assertEqual(mapper.GetDensityArrayName(), "water")
+        volume.set_active_scalars("other")
+        self.assertEqual(self.add(use_thickness=True, density_volume=volume).mapper.GetDensityArrayName(), "other")
+        self.assertIsNone(self.add().mapper.GetDensityVolume())
+        self.plotter.clear()
+        with self.assertRaisesRegex(TypeError, "density_volume is a UnstructuredGrid.*create_grid"):
+            self.add(density_volume=volume.cast_to_unstructured_grid())
+        with self.assertRaisesRegex(MissingDataError, "density.*'share'"):
+            self.add(density_volume=volume, density="share")
+        self.assertEqual(len(self.plotter.actors), 0)
+
     def test_defaults_are_those_of_the_mapper(self):
         mapper, fresh = nephoscope.add_cloud_texture(self.plotter, pyvista.Sphere()).mapper, nephoscope.vtkCloudTextureMapper()
         for name in ("UseThreshold", "Threshold", "Waves", "UseAltitude", "AltitudeRange", "ThinColor", "ThickColor", "ColorRange", "ThicknessEffect",
                      "ThicknessWeight", "Coverage", "CoverageArrayName", "TextureScale", "TextureLength", "Softness", "Relief", "OpticalDepth", "UseThickness", "Extinction",
-                     "DensityArrayName", "MaximumNumberOfLayers", "FirstCoordinatesName", "SecondCoordinatesName"):
+                     "DensityArrayName", "DensityVolume", "MaximumNumberOfLayers", "FirstCoordinatesName", "SecondCoordinatesName"):
             self.assertEqual(getattr(mapper, "Get" + name)(), getattr(fresh, "Get" + name)(), name)
 
     def test_other_meshes(self):

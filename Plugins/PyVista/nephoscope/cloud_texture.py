@@ -8,7 +8,7 @@ from typing import Any, Sequence
 import numpy as np
 import pyvista
 from pyvista.core.errors import MissingDataError
-from vtkmodules.vtkCommonDataModel import vtkPolyData
+from vtkmodules.vtkCommonDataModel import vtkImageData, vtkPolyData
 from vtkmodules.vtkFiltersGeometry import vtkDataSetSurfaceFilter
 from vtkmodules.vtkRenderingCore import vtkActor
 
@@ -17,7 +17,7 @@ from ._checks import arrays_of, choose, require_number
 from ._copies import copied_mapper
 from ._exports import warn_when_exported
 from ._fields import is_bright, presets
-from ._medium import require_plotter, wrapped
+from ._medium import default_scalars, require_plotter, wrapped
 from ._pipeline import warn_when_drawing
 
 
@@ -58,12 +58,26 @@ class CloudTextureMapper(vtkCloudTextureMapper):
         return self.GetBounds()
 
 
+def _density_volume(volume: Any, name: str | None) -> tuple[pyvista.ImageData, str]:
+    """The image, and the name of its array of densities."""
+    if not isinstance(volume, vtkImageData):
+        raise TypeError(f"density_volume is a {type(volume).__name__}; it must be a pyvista.ImageData. "
+                        "pyvista.create_grid(surface).sample(grid) makes one of another grid.")
+    volume = pyvista.wrap(volume)
+    if name is None:
+        association, name = default_scalars(volume)
+        if association == "cell":
+            raise ValueError(f"density_volume: {name!r} is a cell array; use cell_data_to_point_data(), or name a point array as density.")
+    return volume, _point_array(volume, name, "density")
+
+
 def add_cloud_texture(plotter: pyvista.BasePlotter, mesh: Any, scalars: str | np.ndarray | None = None, *,
                       color: Any = None, coverage: float | str = 0.5, threshold: float | None = None, texture_scale: float = 0.0,
                       texture_length: float = 0.0, waves: str | Any = "clouds", use_altitude: bool = False,
                       altitude_range: Sequence[float] = (0.0, 0.0), softness: float = 0.4, relief: float = 0.03, thin_color: Any = None,
                       thick_color: Any = None, color_range: float = 1.5, optical_depth: float = 3.0, use_thickness: bool = False,
-                      thickness_effect: str = "opacity", thickness_weight: float = 1.0, extinction: float = 0.0, density: str | None = None, layers: int = 8,
+                      thickness_effect: str = "opacity", thickness_weight: float = 1.0, extinction: float = 0.0, density: str | None = None,
+                      density_volume: Any = None, layers: int = 8,
                       coordinates: Sequence[str] = ("TextureCoordinates1", "TextureCoordinates2"), peels: int = 8,
                       **options: Any) -> pyvista.Actor:
     """Add a surface of clouds to a plotter, with a texture of broken cloud that covers the share asked for.
@@ -117,7 +131,10 @@ def add_cloud_texture(plotter: pyvista.BasePlotter, mesh: Any, scalars: str | np
     extinction : float, default: 0.0
         Optical depth per length, with `use_thickness`, >= 0; 0: `optical_depth` on average.
     density : str, optional
-        Point array that multiplies `extinction`, with `use_thickness`.
+        Point array that multiplies `extinction`, with `use_thickness`: of the surface, linear along rays between its faces, or of `density_volume`.
+    density_volume : pyvista.ImageData, optional
+        Density of cloud in space, integrated exactly along rays inside of the surface, with `use_thickness`. ``pyvista.create_grid(surface).sample(grid)`` makes an
+        image of another grid. Default of `density` is then its active array, else the first one.
     layers : int, default: 8
         How many clouds behind one another `use_thickness` tells apart, 2 to 16.
     coordinates : sequence of 2 str, default: ("TextureCoordinates1", "TextureCoordinates2")
@@ -172,7 +189,11 @@ def add_cloud_texture(plotter: pyvista.BasePlotter, mesh: Any, scalars: str | np
            "thickness_effect")
     mapper.SetThicknessWeight(require_number(thickness_weight, "thickness_weight", least=0))
     mapper.SetExtinction(require_number(extinction, "extinction", least=0))
-    if density is not None:
+    if density_volume is not None:
+        volume, name = _density_volume(density_volume, density)
+        mapper.SetDensityVolume(volume)
+        mapper.SetDensityArrayName(name)
+    elif density is not None:
         mapper.SetDensityArrayName(_point_array(surface, density, "density"))
     mapper.SetMaximumNumberOfLayers(int(require_number(layers, "layers", least=2, most=16)))
     if isinstance(coordinates, str) or len(coordinates) != 2:

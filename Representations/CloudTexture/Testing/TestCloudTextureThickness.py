@@ -101,6 +101,111 @@ class Thickness(BodyTestCase):
                 self.assertTrue(all("MaximumNumberOfLayers" in m for m in window.messages.all))
 
 
+def image(low, high, size, density, name="density"):
+    """A density at the points of an image."""
+    data = meshes.image([n - 1 for n in size], np.subtract(high, low) / np.maximum(np.array(size) - 1, 1), low)
+    meshes.add_array(data.GetPointData(), np.asarray(density(meshes.points_of(data)), float), name)
+    return data
+
+
+class DensityInSpace(BodyTestCase):
+    """Density of an image, integrated along the ray inside of the surface."""
+
+    def test_constant(self):
+        """As a density of the surface; box and sphere, in both projections, with and without peeling; 0 outside of the image."""
+        for body, parallel, peeling in itertools.product((box(LOW, HIGH), sphere(0.8)), (False, True), (False, True)):
+            pictures = []
+            for volume in (False, True):
+                window, scene, mapper, _ = self.bodies(body, extinction=0.7 if not volume else 1.0, parallel_scale=1.5 if parallel else None)
+                mapper.SetDensityVolume(image((-2, -2, -2), (2, 2, 2), (5, 6, 7), lambda p: 0.7 + 0 * p[:, 0]) if volume else None)
+                mapper.SetDensityArrayName("density" if volume else None)
+                scene.renderer.SetUseDepthPeeling(peeling)
+                pictures.append(self.draw(window))
+            with self.subTest(parallel=parallel, peeling=peeling):
+                self.assertLessEqual(np.abs(pictures[0] - pictures[1]).max(), 1.01 / 255)
+
+    def test_linear(self):
+        """Up to an opaque wall, too; the extent of the image does not begin at 0."""
+        density = np.array((0.6, 0.5, 0.4))
+        for z, parallel in itertools.product((None, -0.2, 0.3), (False, True)):
+            volume = image((-1.5, -1, -1.2), (1.1, 1.4, 0.9), (9, 4, 13), lambda p: 2.5 + p @ density)
+            volume.SetExtent(3, 11, -2, 1, 5, 17)
+            spacing = np.array(volume.GetSpacing())
+            volume.SetOrigin(*(np.array((-1.5, -1, -1.2)) - np.array((3, -2, 5)) * spacing))
+            window, scene, mapper, _ = self.bodies(box(LOW, HIGH), extinction=0.5, parallel_scale=1.5 if parallel else None)
+            mapper.SetDensityVolume(volume)
+            mapper.SetDensityArrayName("density")
+            if z is not None:
+                scene.add_opaque(wall(z), (0, 0, 0))
+            drawn = self.draw(window)
+            origins, directions, _ = self.rays(scene)
+            near, far = stay_in_box(origins, directions, LOW, HIGH)
+            stop = np.inf if z is None else (z - origins[:, 2]) / directions[:, 2]
+            end = np.maximum(near, np.minimum(far, stop))
+            middle = origins + (0.5 * (near + end))[:, None] * directions
+            with self.subTest(z=z, parallel=parallel):
+                self.compare(drawn, opacity(0.5 * (end - near) * (2.5 + middle @ density)), share=0.999)
+
+    def test_what_the_faces_do_not_know(self):
+        """A sheet of cloud amid the body: 0 at its faces, 3 in the middle, linear between the points. The actor is stretched and turned."""
+        window, scene, mapper, actor = self.bodies(box((-1, -1, -1), (1, 1, 1)))
+        mapper.SetDensityVolume(image((-1, -1, -1), (1, 1, 1), (2, 2, 5), lambda p: np.where(np.abs(p[:, 2]) < 0.1, 3.0, 0.0)))
+        mapper.SetDensityArrayName("density")
+        origins, directions, _ = self.rays(scene)
+        near, far = stay_in_box(origins, directions, (-1, -1, -1), (1, 1, 1))
+        first, last = (origins[:, 2] + t * directions[:, 2] for t in (near, far))
+        below = lambda z: np.where(z < 0, 0.5 * np.clip(z + 0.5, 0, None) ** 2 * 6, 1.5 - 0.5 * np.clip(0.5 - z, 0, None) ** 2 * 6)
+        expected = opacity(np.where(far > near, np.abs(below(last) - below(first)) / np.abs(directions[:, 2]), 0))
+        self.compare(self.draw(window), expected, share=0.999)
+        turn = vtkTransform()
+        turn.RotateZ(90)
+        turn.Scale(1, 1, 2)
+        actor.SetUserTransform(turn)
+        origins, directions, _ = self.rays(scene)
+        near, far = stay_in_box(origins, directions, (-1, -1, -2), (1, 1, 2))
+        first, last = (0.5 * (origins[:, 2] + t * directions[:, 2]) for t in (near, far))
+        expected = opacity(np.where(far > near, 2 * np.abs(below(last) - below(first)) / np.abs(directions[:, 2]), 0))
+        self.compare(self.draw(window), expected, share=0.999)
+
+    def test_eye_in_the_cloud(self):
+        density = np.array((0.1, 0.2, 0.3))
+        window, scene, mapper, _ = self.bodies(box((-2, -2, -1), (2, 2, 2)), extinction=0.4, position=(0.2, 0.1, 1), near=0.3, far=8, angle=60)
+        mapper.SetDensityVolume(image((-2, -2, -2), (2, 2, 2), (3, 4, 5), lambda p: 1.5 + p @ density))
+        mapper.SetDensityArrayName("density")
+        origins, directions, near = self.rays(scene)
+        _, leave = stay_in_box(origins, directions, (-2, -2, -1), (2, 2, 2))
+        middle = origins + (0.5 * (near + leave))[:, None] * directions
+        self.compare(self.draw(window), opacity(0.4 * (leave - near) * (1.5 + middle @ density)), share=0.999)
+
+    def test_changes_and_messages(self):
+        window, scene, mapper, _ = self.bodies(box(LOW, HIGH), extinction=0)
+        plain = self.draw(window)
+        volume = image((-2, -2, -2), (2, 2, 2), (3, 3, 3), lambda p: 0.01 + 0 * p[:, 0])
+        mapper.SetDensityVolume(volume)
+        mapper.SetDensityArrayName("density")
+        self.assertLessEqual(np.abs(self.draw(window) - plain).max(), 1.01 / 255, "the default extinction follows the density")
+        values = volume.GetPointData().GetArray("density")
+        values.Fill(0)
+        values.Modified()
+        volume.Modified()
+        self.assertEqual(self.draw(window).max(), 0)
+        mapper.SetDensityVolume(None)
+        mapper.SetDensityArrayName(None)
+        np.testing.assert_array_equal(self.draw(window), plain)
+        for bad, words in ((image((0, 0, 0), (1, 1, 1), (2, 2, 2), lambda p: p[:, 0], "other"), "no point array 'density'"),
+                           (image((0, 0, 0), (1, 1, 1), (2, 2, 1), lambda p: p[:, 0]), "two points or more along each axis"),
+                           (image((-2, -2, -2), (2, 2, 2), (2, 2, 2), lambda p: p[:, 0]), "4 values that are not a density")):
+            mapper.SetDensityVolume(bad)
+            mapper.SetDensityArrayName("density")
+            before = len(window.messages.all)
+            window.render()
+            window.render()
+            said = window.messages.all[before:]
+            self.assertEqual(len(said), 1, said)
+            self.assertIn(words, said[0])
+        self.assertEqual(window.gl_errors(), [])
+
+
 class Blocks(BodyTestCase):
     def test_composite(self):
         """Two halves of a box, each open where they meet, are one body; blocks of other kinds are left out."""

@@ -5,7 +5,7 @@
 //   out: optical depth; noThickness where nothing ends the cloud; < 0 where the fragment is not the start of one
 // A back face without a front face before it ends a cloud that the eye is in: it starts at the near plane. Where the eye is in none, the
 // surface is open before it.
-// Constants: hasDensity. What looks at the layers is generated: considerLayers(pixel).
+// Constants: hasDensity, hasDensityVolume. What looks at the layers is generated: considerLayers(pixel).
 uniform sampler2D cloudOpaqueDepth;
 uniform vec4 cloudDepthToView; // z = (x + y e) / (z + w e), e = 1 - depth
 uniform vec2 cloudOrigin;      // of the viewport, in pixels
@@ -40,11 +40,17 @@ void considerLayer(vec4 depths, vec4 densities)
 }
 
 //NEPHOSCOPE::Layers
+//NEPHOSCOPE::DensityVolume
 
 // Mean density from the first end to a share of the way to the second, where it changes linearly.
 float meanDensity(float first, float second, float share)
 {
   return first + 0.5 * share * (second - first);
+}
+
+vec3 placeOnRay(vec3 view, float depth)
+{
+  return cloudIsParallel != 0 ? vec3(view.xy, -depth) : view * (depth / -view.z);
 }
 
 float cloudOpticalDepth(vec3 view, float density, bool isFront)
@@ -58,7 +64,8 @@ float cloudOpticalDepth(vec3 view, float density, bool isFront)
   considerLayers(pixel);
   if (!isFront)
   {
-    float inside = cloudEyeMayBeInside != 0 ? max(depth - cloudNear, 0.0) * lengthPerDepth * density : noThickness;
+    float mean = hasDensityVolume ? meanDensityOfVolume(placeOnRay(view, cloudNear), view) : density;
+    float inside = cloudEyeMayBeInside != 0 ? max(depth - cloudNear, 0.0) * lengthPerDepth * mean : noThickness;
     return cloudHasFrontBefore ? -1.0 : inside;
   }
   float e = 1.0 - texelFetch(cloudOpaqueDepth, pixel, 0).r;
@@ -70,5 +77,9 @@ float cloudOpticalDepth(vec3 view, float density, bool isFront)
   }
   float whole = cloudNext.x < noThickness ? max(cloudNext.x - depth, 0.0) : 0.0;
   float part = max(end - depth, 0.0);
+  if (hasDensityVolume)
+  {
+    return part * lengthPerDepth * meanDensityOfVolume(view, placeOnRay(view, end));
+  }
   return part * lengthPerDepth * meanDensity(density, cloudNext.y, whole > 0.0 ? part / whole : 0.0);
 }
