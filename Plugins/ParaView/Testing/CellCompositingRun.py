@@ -10,9 +10,12 @@ import numpy as np
 from PluginTesting import compose, image, load_plugin, look, new_view, passed, pvs, solid
 
 
-def draw(name, source, array=("POINTS", "RTData"), opacity_scale=1, surfaces=()):
+def draw(name, source, array=("POINTS", "RTData"), opacity_scale=1, surfaces=(), **properties):
     view = new_view()
-    compose(source, view, array).CellCompositingOpacityScale = opacity_scale
+    display = compose(source, view, array)
+    display.CellCompositingOpacityScale = opacity_scale
+    for property_name, value in properties.items():
+        setattr(display, property_name, value)
     for surface in surfaces:
         shown = pvs.Show(surface, view)
         solid(shown, [1, 0, 0])
@@ -48,4 +51,7 @@ contour = pvs.Contour(Input=wavelet, ContourBy=["POINTS", "RTData"], Isosurfaces
 plane = pvs.Triangulate(Input=pvs.Plane(Origin=[-12, -12, 2], Point1=[12, -12, -2], Point2=[-12, 12, 6]))
 draw("surfaces", wavelet, surfaces=[contour, plane])
 draw("surfaces-tetrahedra", pvs.Tetrahedralize(Input=wavelet), surfaces=[contour, plane])
+# Polygons between the pieces of cells; where a border cuts them, it cuts the faces that they lie in.
+pieces = pvs.ContourCellSplitter(Input=rotated, ContourBy=["POINTS", "RTData"], ContourValues=[130, 200])
+draw("polygons", pieces, CellCompositingContourOpacities=[0.4, 0.8], CellCompositingSmoothContourNormals=0)
 passed()

@@ -12,34 +12,16 @@
 #include <algorithm>
 #include <cmath>
 #include <set>
-#include <tuple>
 #include <unordered_map>
 
 namespace nephoscope
 {
 namespace
 {
-bool isPolygon(int type)
+// The usual ones, which need not be looked at.
+bool isSolid(int type)
 {
-  return type == VTK_TRIANGLE || type == VTK_QUAD || type == VTK_POLYGON || type == VTK_PIXEL;
-}
-
-/** Around the polygon from its least vertex. */
-std::vector<vtkIdType> fromLeastVertex(vtkDataSet* data, vtkIdList* points, int type)
-{
-  std::vector<vtkIdType> ids(points->begin(), points->end());
-  if (type == VTK_PIXEL)
-  {
-    std::swap(ids[2], ids[3]);
-  }
-  const auto place = [data](vtkIdType id) {
-    double x[3];
-    data->GetPoint(id, x);
-    return std::make_tuple(x[0], x[1], x[2], id);
-  };
-  std::rotate(ids.begin(),
-    std::min_element(ids.begin(), ids.end(), [&](vtkIdType a, vtkIdType b) { return place(a) < place(b); }), ids.end());
-  return ids;
+  return type >= VTK_TETRA && type <= VTK_HEXAGONAL_PRISM;
 }
 
 using Corners = std::array<std::int32_t, 3>;
@@ -85,24 +67,21 @@ CellPolygons CellPolygons::Read(vtkDataSet* data, Which which)
   vtkDataArray* contours = data->GetCellData()->GetArray("ContourIndex");
   for (vtkIdType cell = 0; cell < grid->GetNumberOfCells(); ++cell)
   {
-    const int type = grid->GetCellType(cell);
-    if (!isPolygon(type) || source.IsHidden(cell))
+    if (isSolid(grid->GetCellType(cell)) || source.IsHidden(cell))
     {
       continue;
     }
-    ++result.NumberOfPolygons;
     const double contour = contours ? contours->GetComponent(cell, 0) : -1;
-    if (which == Which::None || (which == Which::Contours && !(contour >= 0)))
-    {
-      result.NumberOfOthers += which == Which::Contours;
-      continue;
-    }
-    const std::vector<vtkIdType> ids = fromLeastVertex(data, source.GetPoints(), type);
-    for (std::size_t k = 1; k + 1 < ids.size(); ++k)
-    {
-      const auto id = [&ids](std::size_t i) { return static_cast<std::int32_t>(ids[i]); };
-      result.Triangles.push_back({ { { id(0), id(k), id(k + 1) } }, static_cast<std::int32_t>(std::max(contour, 0.0)), cell });
-    }
+    const bool asked = which == Which::All || (which == Which::Contours && contour >= 0);
+    const bool polygon = source.EmitTriangles([&](const std::array<vtkIdType, 3>& t) {
+      if (asked)
+      {
+        result.Triangles.push_back({ { { std::int32_t(t[0]), std::int32_t(t[1]), std::int32_t(t[2]) } },
+          static_cast<std::int32_t>(std::max(contour, 0.0)), cell });
+      }
+    });
+    result.NumberOfPolygons += polygon;
+    result.NumberOfOthers += polygon && which == Which::Contours && !asked;
   }
   return result;
 }

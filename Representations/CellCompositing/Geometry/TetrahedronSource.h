@@ -125,6 +125,35 @@ public:
   }
 
   /**
+   * Calls emit({a, b, c}) for each triangle of the polygon that IsHidden was asked about last, divided as faces of cells are. Returns
+   * false when it is no polygon of an unstructured grid.
+   */
+  template <typename Emit>
+  bool EmitTriangles(Emit emit)
+  {
+    if (!this->Grid ||
+      (this->Type != VTK_TRIANGLE && this->Type != VTK_QUAD && this->Type != VTK_POLYGON && this->Type != VTK_PIXEL))
+    {
+      return false;
+    }
+    std::vector<Place> around;
+    for (const vtkIdType id : *this->Points)
+    {
+      around.push_back(this->PlaceOf(id));
+    }
+    if (this->Type == VTK_PIXEL)
+    {
+      std::swap(around[2], around[3]);
+    }
+    std::rotate(around.begin(), std::min_element(around.begin(), around.end()), around.end());
+    for (std::size_t k = 1; k + 1 < around.size(); ++k)
+    {
+      emit(std::array<vtkIdType, 3>{ { std::get<3>(around[0]), std::get<3>(around[k]), std::get<3>(around[k + 1]) } });
+    }
+    return true;
+  }
+
+  /**
    * Whether those tetrahedra fill the cell. Asked of polyhedra, after EmitTetrahedra: one that is not convex should be divided
    * by vtkPolyhedronToTetrahedra first. True where the faces do not close, so that there is no inside.
    */

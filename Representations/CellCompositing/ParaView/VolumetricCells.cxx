@@ -34,12 +34,6 @@ void copyPoints(vtkDataSet* data, vtkUnstructuredGrid* grid)
   }
   grid->SetPoints(points);
 }
-
-bool isPolygon(int type)
-{
-  return type == VTK_TRIANGLE || type == VTK_QUAD || type == VTK_POLYGON || type == VTK_PIXEL;
-}
-
 void copyCellData(vtkDataSet* data, vtkIdList* parents, vtkUnstructuredGrid* grid)
 {
   vtkCellData* out = grid->GetCellData();
@@ -94,12 +88,11 @@ vtkSmartPointer<vtkUnstructuredGrid> tetrahedralize(vtkDataSet* data)
     {
       continue;
     }
-    if (isPolygon(data->GetCellType(cell)))
-    {
-      grid->InsertNextCell(data->GetCellType(cell), source.GetPoints());
+    const bool polygon = source.EmitTriangles([&](const std::array<vtkIdType, 3>& t) {
+      grid->InsertNextCell(VTK_TRIANGLE, 3, t.data());
       parents->InsertNextId(cell);
-    }
-    else
+    });
+    if (!polygon)
     {
       source.EmitTetrahedra(cell, [&](const std::array<vtkIdType, 4>& t) {
         grid->InsertNextCell(VTK_TETRA, 4, t.data());

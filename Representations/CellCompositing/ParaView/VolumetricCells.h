@@ -28,7 +28,7 @@ vtkSmartPointer<vtkDataSet> volumetricPart(vtkDataObject* input);
 vtkSmartPointer<vtkDataSet> withConvexCells(vtkDataSet* data);
 
 /**
- * The cells as tetrahedra, divided as the mapper divides them, and the polygons between them, without those that a ghost array hides.
+ * The cells as tetrahedra, divided as the mapper divides them, and the polygons between them as triangles, without those that a ghost array hides.
  * A cut through a tetrahedron keeps the linear interpolant, a cut through a hexahedron does not: this is what makes a
  * picture independent of where the data is cut for several ranks.
  */
