@@ -57,8 +57,9 @@ void SplatVectors::Read(
   std::size_t moving = 0;
   for (std::size_t i = 0; i < count; ++i)
   {
-    // The place in the file, bit for bit: as it is relative to a centre it differs between ranks.
-    this->Seeds[i] = nephoscope::SeedOf(PlaceOf(data, grid, onCells, samples.Ids[i]).data());
+    // The place in the file: as it is relative to a centre it differs between ranks.
+    const double cell = lengthOf(samples.JacobianOf(i)[0]);
+    this->Seeds[i] = nephoscope::SeedOf(PlaceOf(data, grid, onCells, samples.Ids[i]).data(), cell);
     this->Vectors[i] = finiteVector(vectors, samples.Ids[i]);
     const float speed = lengthOf(this->Vectors[i]);
     if (speed > 0 && std::isfinite(speed))

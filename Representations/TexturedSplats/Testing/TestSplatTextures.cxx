@@ -214,6 +214,21 @@ TEST(Phase, IsOneOfSixteenStoredOnes)
   EXPECT_NEAR(StoredPhase(1.3, 0), 0.3, 1e-12);
 }
 
+// A mean of corners added up in another order.
+TEST(Seed, DoesNotDependOnRounding)
+{
+  int others = 0;
+  for (int n = 0; n < 16000; ++n)
+  {
+    const double x = (n % 40 - 20) * 0.25, y = n / 40 / 7.0, z = 1e6 * std::sin(n);
+    const double place[3] = { x, y, z }, rounded[3] = { std::nextafter(x, 1e9), std::nextafter(y, -1e9), z * (1 + 2e-16) };
+    others += SeedOf(place).Phase != SeedOf(rounded).Phase ? 1 : 0;
+  }
+  EXPECT_LE(others, 3);
+  const double here[3] = { 1e6, 0, 0 }, there[3] = { 1e6 + 0.001, 0, 0 };
+  EXPECT_NE(SeedOf(here).Phase, SeedOf(there).Phase);
+}
+
 TEST(Seed, IsUniformAndDependsOnThePlaceAlone)
 {
   std::vector<int> phases(16), rests(16);
@@ -232,6 +247,8 @@ TEST(Seed, IsUniformAndDependsOnThePlaceAlone)
   }
   const double plus[3] = { 0.0, 1.0, 2.0 }, minus[3] = { -0.0, 1.0, 2.0 };
   EXPECT_EQ(SeedOf(plus).Rest, SeedOf(minus).Rest);
+  const double origin[3] = { 0.0, 0.0, 0.0 }, nearly[3] = { 1e-17, 0.0, -3e-17 };
+  EXPECT_EQ(SeedOf(origin, 0.1).Phase, SeedOf(nearly, 0.1).Phase);
   for (const double j : JitterOf(0.73f))
   {
     EXPECT_LE(std::abs(j), 0.5);
