@@ -102,7 +102,7 @@ pvs._DisableFirstRenderCameraReset()
 view = globe_scene.make_view(
     "Smoke in a hurricane", position=globe_scene.on_globe(-112, -2, 2.1), focus=globe_scene.on_globe(-103, 18.5, 1.04),
     up=globe_scene.on_globe(*CENTRE), angle=17, sun=globe_scene.on_globe(-125, 25, 10))
-globe_scene.show_ground(view, EXAGGERATION, ambient=0.3, diffuse=0.75)
+globe_scene.drape_picture(globe_scene.show_ground(view, EXAGGERATION, ambient=0.3, diffuse=1.0))
 forecast = globe_scene.read_forecast(EXAGGERATION)
 puffs = smoke_puffs(forecast)
 show_media(forecast, puffs, view)

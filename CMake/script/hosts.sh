@@ -64,6 +64,7 @@ run_host()
   local command=("$host")
   shift
   host_environment
+  [[ "${*:-}" != *Figures/* ]] || mkdir -p "$NEPHOSCOPE_GALLERY" # into which figures write
   case $host in
     python)
       ensure_venv

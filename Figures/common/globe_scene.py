@@ -76,6 +76,13 @@ def show_ground(view, exaggeration, ambient, diffuse, **projection):
     return shown
 
 
+def drape_picture(shown):
+    """Shows terrain under the satellite picture, whose coasts are finer than those of the forecast, in place of its colours by height."""
+    shown.ColorArrayName = ["POINTS", ""]
+    shown.Texture = load_texture(os.path.join(DATA, "blue_marble_2048.jpg"))
+    shown.InterpolateTextures = shown.RepeatTextures = 1
+
+
 def read_forecast(exaggeration, name="Forecast", **projection):
     forecast = pvs.NetCDFReader(FileName=[os.path.join(DATA, "gfs_2p5deg_2011101100.nc")], SphericalCoordinates=0)
     forecast.Dimensions = "(lev, lat, lon)"
