@@ -15,7 +15,9 @@ endforeach ()
 
 set(NEPHOSCOPE_WHEEL_TAG "" CACHE STRING "Tag of the wheel, such as cp311-cp311-linux_x86_64; empty: that of Python3_EXECUTABLE")
 
-set(NEPHOSCOPE_PYTHON_DESTINATION "${CMAKE_INSTALL_LIBDIR}/python3/dist-packages")
+set(NEPHOSCOPE_PYTHON_DESTINATION "${CMAKE_INSTALL_LIBDIR}/python3/dist-packages" CACHE STRING
+  "Folder of the Python package below the prefix")
+mark_as_advanced(NEPHOSCOPE_PYTHON_DESTINATION)
 set(NEPHOSCOPE_PYTHONPATH "${PROJECT_BINARY_DIR}/${NEPHOSCOPE_PYTHON_DESTINATION}")
 vtk_module_wrap_python(
   MODULES             ${nephoscope_wrapped_modules}

@@ -1,0 +1,48 @@
+# shellcheck shell=bash
+# SPDX-FileCopyrightText: The Nephoscope authors
+# SPDX-License-Identifier: BSD-3-Clause
+# The Debian package for the release that this system is, and its test: ParaView and Python as they come, with the package installed.
+# shellcheck disable=SC2034 # read by the verb
+PACKAGE_PACKAGES=(dpkg-dev file lintian)
+PACKAGE_TREE="$TOP/build/package"
+
+# Without TetGen, whose licence, the GNU AGPL 3, would be that of the package.
+configure_package()
+{
+  local options=(-DCMAKE_UNITY_BUILD=ON)
+  if command -v ccache >/dev/null; then
+    options=(-DCMAKE_C_COMPILER_LAUNCHER=ccache -DCMAKE_CXX_COMPILER_LAUNCHER=ccache)
+  fi
+  cmake -S "$TOP" -B "$PACKAGE_TREE" -G Ninja -DCMAKE_BUILD_TYPE=Release -DCMAKE_INSTALL_PREFIX=/usr -DBUILD_TESTING=OFF \
+    -DPython3_EXECUTABLE="$SYSTEM_PYTHON" -DNEPHOSCOPE_FOR_DEBIAN="$(debian_codename)" -DNEPHOSCOPE_USE_TETGEN=OFF \
+    -DNEPHOSCOPE_PYTHON_DESTINATION=lib/python3/dist-packages "${options[@]}"
+}
+
+# Sets PACKAGE to the file.
+make_package()
+{
+  step "Configure and build the package"
+  run_logged package-configure configure_package || fail 1 "could not configure the package"
+  run_logged package-build cmake --build "$PACKAGE_TREE" -j "$(nproc)" || fail 1 "could not build the package"
+  step "Debian package"
+  run_logged package-pack cpack --config "$PACKAGE_TREE/CPackConfig.cmake" -B "$TOP/dist" || fail 1 "could not make the package"
+  PACKAGE=$(sed -n 's/^CPack: - package: \(.*[.]deb\) generated[.]$/\1/p' "$LOGS/package-pack.log")
+  [ -f "$PACKAGE" ] || fail 1 "CPack made no package"
+  say "      ${PACKAGE#"$TOP"/}"
+  run_logged package-lintian lintian --fail-on error "$PACKAGE" || fail 1 "lintian finds errors in the package"
+}
+
+# Installs the package and starts the hosts without any of the variables by which this script leads them to a build.
+test_package()
+{
+  local test="$TOP/Testing/Package/TestInstalled.py" folder="$TOP/build/package/test"
+  step "Test of the installed package"
+  find_root || fail 3 "installing the package needs root rights: run it as root, or with sudo set up, or with --root"
+  run_logged package-install apt install -y --no-install-recommends "$PACKAGE" || fail 1 "could not install ${PACKAGE#"$TOP"/}"
+  rm -rf "$folder"
+  mkdir -p "$folder"
+  (cd "$folder" && on_virtual_display pvpython "$test" pvpython && on_virtual_display paraview --script="$test" &&
+    on_virtual_display "$SYSTEM_PYTHON" "$test" python) || fail 1 "the installed package does not work"
+  [ -s "$folder/paraview.png" ] || fail 1 "ParaView's window has drawn nothing"
+  say "      ParaView, pvpython and Python draw; pictures in ${folder#"$TOP"/}"
+}

@@ -1,0 +1,32 @@
+# SPDX-FileCopyrightText: The Nephoscope authors
+# SPDX-License-Identifier: BSD-3-Clause
+# cmake -DBUILD=... -DFOLDER=... -DCOMPILER=... -DGENERATOR=... -P TestPackage.cmake
+# Installs BUILD below FOLDER, moves that, builds the example with it and runs it: its picture must show something.
+function (run)
+  execute_process(COMMAND ${ARGN} WORKING_DIRECTORY "${FOLDER}" RESULT_VARIABLE status OUTPUT_VARIABLE said ERROR_VARIABLE said)
+  if (status)
+    message(FATAL_ERROR "exit status ${status} of ${ARGN}\n${said}")
+  endif ()
+endfunction ()
+
+file(READ "${CMAKE_CURRENT_LIST_DIR}/../../Documentation/cpp.md" page)
+foreach (name IN ITEMS CMakeLists.txt clouds.cxx)
+  file(READ "${CMAKE_CURRENT_LIST_DIR}/example/${name}" text)
+  string(FIND "${page}" "${text}" place)
+  if (place EQUAL -1)
+    message(FATAL_ERROR "Documentation/cpp.md shows another ${name} than Testing/Package/example has")
+  endif ()
+endforeach ()
+
+file(REMOVE_RECURSE "${FOLDER}")
+file(MAKE_DIRECTORY "${FOLDER}")
+run("${CMAKE_COMMAND}" --install "${BUILD}" --prefix "${FOLDER}/first place" --strip)
+file(RENAME "${FOLDER}/first place" "${FOLDER}/prefix")
+run("${CMAKE_COMMAND}" -G "${GENERATOR}" -S "${CMAKE_CURRENT_LIST_DIR}/example" -B example -DCMAKE_BUILD_TYPE=Release
+  "-DCMAKE_CXX_COMPILER=${COMPILER}" "-DCMAKE_PREFIX_PATH=${FOLDER}/prefix")
+run("${CMAKE_COMMAND}" --build example)
+run(example/clouds)
+file(SIZE "${FOLDER}/clouds.png" size)
+if (size LESS 5000) # a plain background has some 600 bytes
+  message(FATAL_ERROR "${FOLDER}/clouds.png is blank")
+endif ()
