@@ -1,6 +1,7 @@
 # SPDX-FileCopyrightText: The Nephoscope authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""The pictures of all snippets and scenes, each made in a process and a folder of its own."""
+"""The pictures of all snippets, scenes and figures, each made in a process and a folder of its own."""
+import functools
 import os
 import re
 import subprocess
@@ -13,16 +14,24 @@ from snippets import ROOT, is_for_paraview, snippets
 
 BASELINES = ROOT / "Testing" / "Baselines"
 HERE = Path(__file__).resolve().parent
+FIGURES = ROOT / "Figures"
+SECOND_PICTURES = {"01_terrain_under_clouds": "01_clouds_over_globe"}  # of figures that write two: the script
 TIMEOUT = 240  # s
 
 
-def scenes():
-    """Names of the scenes of the mappers."""
-    return re.findall(r'^@scene\("([^"]+)"', (HERE / "mapper_scenes.py").read_text(encoding="utf-8"), re.MULTILINE)
+def scenes(of="mapper"):
+    """Names of the scenes of the mappers, or of="representation"s in ParaView."""
+    return re.findall(r'^@scene\("([^"]+)"', (HERE / f"{of}_scenes.py").read_text(encoding="utf-8"), re.MULTILINE)
+
+
+def figures():
+    """{name in the gallery: script}"""
+    scripts = {path.stem: path for path in sorted(FIGURES.glob("*.py"))}
+    return {**scripts, **{name: scripts[first] for name, first in SECOND_PICTURES.items()}}
 
 
 def all_names():
-    return [*snippets(), *scenes()]
+    return [*snippets(), *scenes(), *scenes("representation"), *figures()]
 
 
 def names_for(host):
@@ -39,22 +48,65 @@ def command(name):
 def interpreter(name):
     if not is_for_paraview(name, snippets()[name]):
         return [sys.executable]
-    return [os.environ.get("NEPHOSCOPE_PVPYTHON") or "pvpython", "--dr"]
+    return [paraview_python(), "--dr"]
+
+
+def paraview_python():
+    return os.environ.get("NEPHOSCOPE_PVPYTHON") or "pvpython"
+
+
+def run(command, folder):
+    """What it printed, and why it failed: None if it did not."""
+    environment = {**os.environ, "NEPHOSCOPE_GALLERY": folder, "NEPHOSCOPE_FILMS": "no", "NEPHOSCOPE_DATA": str(ROOT / "Data"),
+                   "NEPHOSCOPE_FORECAST": os.path.join(folder, "forecast.nc")}
+    try:
+        made = subprocess.run(command, cwd=folder, env=environment, capture_output=True, text=True, timeout=TIMEOUT,
+                              stdin=subprocess.DEVNULL)
+    except subprocess.TimeoutExpired:
+        return "", f"it takes more than {TIMEOUT} s"
+    told = f":\n{made.stdout[-1500:]}{made.stderr[-3000:]}"
+    if " ERR| " in made.stderr:
+        return made.stdout, "it reports errors" + told
+    return made.stdout, f"it fails (exit status {made.returncode})" + told if made.returncode else None
+
+
+def written(*commands):
+    """({name: picture}, None) of a script that says which it wrote, or ({}, why there are none). Others may run before it."""
+    with tempfile.TemporaryDirectory() as folder:
+        os.symlink(ROOT / "Data", Path(folder) / "Data")
+        why = None
+        for command in commands:
+            printed, why = ("", why) if why else run(command, folder)
+        files = [Path(folder) / file for file in re.findall(r"^wrote (.*[.]png)$", printed, re.MULTILINE)]
+        return ({}, why) if why else ({file.stem: pictures.load(file) for file in files}, None)
+
+
+@functools.lru_cache(maxsize=None)
+def run_figure(script):
+    """A figure that moves has a series of 10 degrees in place of that of `./nephoscope forecast`, which takes minutes."""
+    before = []
+    if "NEPHOSCOPE_FORECAST" in script.read_text(encoding="utf-8"):
+        before = [[sys.executable, str(ROOT / "Data/scripts/make_forecast.py"), "forecast.nc", "--grid", "test", "--hours", "48"]]
+    return written(*before, [str(Path(paraview_python()).with_name("pvbatch")), str(script)])
+
+
+@functools.lru_cache(maxsize=None)
+def run_representations():
+    return written([paraview_python(), "--dr", str(HERE / "representation_scenes.py"), *scenes("representation")])
 
 
 def render(name):
     """(picture, None), or (None, why there is none)."""
+    if name in figures() or name in scenes("representation"):
+        made, why = run_figure(figures()[name]) if name in figures() else run_representations()
+        return made.get(name), why or (None if name in made else f"the script does not write {name}.png")
     with tempfile.TemporaryDirectory() as folder:
         os.symlink(ROOT / "Data", Path(folder) / "Data")
-        try:
-            made = subprocess.run(command(name), cwd=folder, capture_output=True, text=True,
-                                  timeout=TIMEOUT, stdin=subprocess.DEVNULL)
-        except subprocess.TimeoutExpired:
-            return None, f"it takes more than {TIMEOUT} s"
+        printed, why = run(command(name), folder)
         file = Path(folder) / "picture.png"
-        if made.returncode or "NEPHOSCOPE-PICTURE" not in made.stdout or not file.is_file():
-            return None, f"it fails (exit status {made.returncode}):\n{made.stdout[-1500:]}{made.stderr[-3000:]}"
-        return pictures.load(file), None
+        if not why and ("NEPHOSCOPE-PICTURE" not in printed or not file.is_file()):
+            why = "it leaves no picture.png"
+        return (None, why) if why else (pictures.load(file), None)
 
 
 def baseline(name):
@@ -65,4 +117,4 @@ def baseline(name):
 def problem(name, picture, stored):
     """The sentence that says how a picture differs from its baseline; None if they agree."""
     why = pictures.disagreement(picture, stored)
-    return why or (pictures.light_disagreement(picture, stored) if name in scenes() else None)
+    return why or (pictures.light_disagreement(picture, stored) if name in [*scenes(), *scenes("representation")] else None)

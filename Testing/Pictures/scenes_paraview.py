@@ -18,30 +18,43 @@ def plugin():
 
 
 plugin()
-view = pvs.CreateRenderView(ViewSize=SIZE, OrientationAxesVisibility=0)
-view.UseColorPaletteForBackground, view.UseFXAA, view.MultiSamples = 0, 0, 1
-if hasattr(view, "BackgroundColorMode"):
-    view.BackgroundColorMode = "Single Color"
-view.Background = [0.32, 0.34, 0.43]
 
 
-def keep_picture(_names):
+def new_view():
+    view = pvs.CreateRenderView(ViewSize=SIZE, OrientationAxesVisibility=0)
+    view.UseColorPaletteForBackground, view.UseFXAA, view.MultiSamples = 0, 0, 1
+    if hasattr(view, "BackgroundColorMode"):
+        view.BackgroundColorMode = "Single Color"
+    view.Background = [0.32, 0.34, 0.43]
+    return view
+
+
+view = new_view()
+
+
+def keep_picture(_names, file="picture.png"):
     """Seen from the side, with the whole in view."""
+    view = pvs.GetActiveView()
     for display in view.Representations:
         if hasattr(display, "SetScalarBarVisibility") and display.Visibility:
             display.SetScalarBarVisibility(view, False)
     view.CameraPosition, view.CameraFocalPoint, view.CameraViewUp = [-3, -5, 3.4], [0, 0, 0], [0, 0, 1]
     pvs.ResetCamera(view)
     pvs.Render(view)
-    pvs.SaveScreenshot("picture.png", view, ImageResolution=SIZE)
+    pvs.SaveScreenshot(file, view, ImageResolution=SIZE)
+
+
+def globe_grid():
+    weather = pvs.NetCDFReader(FileName=["Data/gfs_2p5deg_2011101100.nc"], SphericalCoordinates=0)
+    grid = pvs.GlobeGrid(Input=weather, VerticalExaggeration=50)
+    grid.UpdatePipeline()
+    return grid
 
 
 def globe(names):
     names.update(vars(pvs))
     names["view"] = view
-    weather = pvs.NetCDFReader(FileName=["Data/gfs_2p5deg_2011101100.nc"], SphericalCoordinates=0)
-    names["globe"] = pvs.GlobeGrid(Input=weather, VerticalExaggeration=50)
-    names["globe"].UpdatePipeline()
+    names["globe"] = globe_grid()
 
 
 def earth(names):
