@@ -5,6 +5,7 @@ include(NephoscopeHelp) # sets NEPHOSCOPE_HELP
 set(nephoscope_no_help ON)
 if (NEPHOSCOPE_HELP)
   set(nephoscope_no_help OFF)
+  set(PARAVIEW_QT_MAJOR_VERSION 5) # ParaView 5.13 makes no help pages with a later one. Nothing else here depends on Qt
 endif ()
 set(NEPHOSCOPE_PLUGIN_SUBDIRECTORY "nephoscope-plugins")
 set(NEPHOSCOPE_PLUGIN_PATH

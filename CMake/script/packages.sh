@@ -18,7 +18,8 @@ RUN_PACKAGES=(
   python3-numpy python3-matplotlib python3-pil python3-venv) # of what pyvista imports, all that Debian has fit
 TEST_PACKAGES=(
   libgtest-dev
-  glslang-tools) # the reference compiler of shaders
+  glslang-tools # the reference compiler of shaders
+  shellcheck)
 
 # The name of this Debian; of other systems made from it, theirs.
 debian_codename() { (. /etc/os-release 2>/dev/null && printf '%s' "${VERSION_CODENAME:-}"); }

@@ -149,8 +149,8 @@ class Reach(unittest.TestCase):
         for name in nephoscope.PYVISTA_FUNCTIONS:
             function = getattr(nephoscope, name)
             for argument in inspect.signature(function).parameters.values():
-                listed = rf"(?m)^    (?:\*\*|[\w, ]*\b){argument.name}\b[\w, ]*(?: : .*)?$"
-                self.assertRegex(function.__doc__, listed, f"{name}: {argument.name}")
+                listed = rf"(?m)^(?:\*\*|[\w, ]*\b){argument.name}\b[\w, ]*(?: : .*)?$"
+                self.assertRegex(inspect.getdoc(function), listed, f"{name}: {argument.name}")
 
 
 def whirl(time=0.0):
