@@ -230,9 +230,12 @@ bool vtkContourCellSplitter::FindLevels(vtkDataArray* scalars, nephoscope::Conto
 // Empty if the array passes a value, or there is none.
 std::string vtkContourCellSplitter::ReasonOfWholeness(vtkDataArray* array)
 {
+  std::ostringstream reason;
   if (this->TakesDefaultValue())
   {
-    return std::string(); // the middle of the range of all blocks
+    const std::array<double, 2>& all = this->DefaultRange; // of all blocks; the value is in the middle
+    reason << "the values of the array " << NameOf(array) << " are all " << all[0] << ", so that no value is between them. Choose another array.";
+    return all[0] == all[1] ? reason.str() : std::string();
   }
   double range[2];
   array->GetFiniteRange(range, 0);
@@ -243,7 +246,6 @@ std::string vtkContourCellSplitter::ReasonOfWholeness(vtkDataArray* array)
       return std::string();
     }
   }
-  std::ostringstream reason;
   reason << "the values of the array " << NameOf(array) << " are " << range[0] << " to " << range[1]
          << ", and no contour value is within that range. Choose other contour values, or another array.";
   return this->GetNumberOfContours() > 0 ? reason.str() : std::string();

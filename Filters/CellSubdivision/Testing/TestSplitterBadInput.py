@@ -3,13 +3,15 @@
 """Each bad input gets its own message, which names the array or the cell and the remedy; nothing crashes."""
 import unittest
 
+import nephoscope
 import numpy as np
 from nephoscope_testing import meshes
 from nephoscope_testing.meshes import Lattice
+from nephoscope_testing.messages import Messages
 from split_checks import Cells, split
 from split_meshes import centred, grid_of, wavy
 from vtkmodules.vtkCommonCore import vtkStringArray
-from vtkmodules.vtkCommonDataModel import (VTK_HEXAHEDRON, VTK_LINE, VTK_POLYHEDRON, VTK_QUAD, VTK_VERTEX, vtkImageData,
+from vtkmodules.vtkCommonDataModel import (VTK_HEXAHEDRON, VTK_LINE, VTK_POLYHEDRON, VTK_QUAD, VTK_VERTEX, vtkImageData, vtkMultiBlockDataSet,
                                            vtkUnstructuredGrid)
 from vtkmodules.vtkFiltersSources import vtkSphereSource
 
@@ -59,6 +61,23 @@ class BadInput(unittest.TestCase):
         data = self.block(s=np.arange(27))
         self.nothing(data, "Contour value 1 is nan", values=(1, np.nan))
         self.nothing(data, "Contour value 0 is inf", values=(np.inf,))
+
+    def test_default_value_of_equal_values(self):
+        """Nothing is chosen: one value, that of the field everywhere, divides nothing, which is told; once for all blocks."""
+        def nothing_chosen(block, expect):
+            filter_ = nephoscope.vtkContourCellSplitter()
+            filter_.SetInputDataObject(block)
+            with Messages() as messages:
+                filter_.Update()
+            self.assertEqual([expect in m for m in messages.all], [True] * bool(expect), messages.all)
+        constant = meshes.with_field(meshes.image((2, 2, 2)), lambda p: 5 + 0 * p[:, 0])
+        blocks = vtkMultiBlockDataSet()
+        for i in range(2):
+            blocks.SetBlock(i, constant)
+        for data in (constant, blocks):
+            nothing_chosen(data, "No cell is divided: the values of the array 's' are all 5, so that no value is between them. Choose another array.")
+        blocks.SetBlock(2, meshes.with_field(meshes.image((2, 2, 2)), lambda p: p[:, 0]))
+        nothing_chosen(blocks, "")
 
     def test_cells_that_are_not_solid(self):
         sphere = vtkSphereSource()
