@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # The Debian package of `./nephoscope package`, made by CPack: ParaView plugin, Python package, VTK modules with headers.
 # ParaView loads at its start what lies in the folder `plugins` beside its program, on the server's side too.
+set(nephoscope_maintainer "The Nephoscope authors <nephoscope@nephoscope.invalid>")
 set(nephoscope_debian "${PROJECT_BINARY_DIR}/debian")
 set(nephoscope_debian_documents "${CMAKE_INSTALL_DATAROOTDIR}/doc/nephoscope-paraview")
 file(MAKE_DIRECTORY "${nephoscope_debian}")
@@ -14,24 +15,32 @@ string(REGEX REPLACE "\n" "\n " nephoscope_licence "${nephoscope_licence}")
 configure_file("${CMAKE_CURRENT_LIST_DIR}/debian/copyright.in" "${nephoscope_debian}/copyright" @ONLY)
 install(FILES "${nephoscope_debian}/copyright" DESTINATION "${nephoscope_debian_documents}")
 
+# A change log in the form that Debian asks for, and the step after which the linker finds the libraries.
+string(TIMESTAMP nephoscope_debian_date "%a, %d %b %Y %H:%M:%S +0000" UTC)
+configure_file("${CMAKE_CURRENT_LIST_DIR}/debian/changelog.in" "${nephoscope_debian}/changelog.Debian" @ONLY)
+execute_process(COMMAND gzip -9nf "${nephoscope_debian}/changelog.Debian" COMMAND_ERROR_IS_FATAL ANY)
+install(FILES "${nephoscope_debian}/changelog.Debian.gz" DESTINATION "${nephoscope_debian_documents}")
+file(WRITE "${nephoscope_debian}/triggers" "activate-noawait ldconfig\n")
+set(CPACK_DEBIAN_PACKAGE_CONTROL_EXTRA "${nephoscope_debian}/triggers")
+
 # ParaView loads only plugins made with its own version.
 string(REGEX REPLACE "^([0-9]+)[.]([0-9]+).*" "\\1.\\2" nephoscope_paraview_version "${ParaView_VERSION}")
 math(EXPR nephoscope_next_minor "${ParaView_VERSION_MINOR} + 1")
 
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_NAME nephoscope-paraview)
-set(CPACK_PACKAGE_CONTACT "The Nephoscope authors <nephoscope@nephoscope.invalid>")
+set(CPACK_PACKAGE_CONTACT "${nephoscope_maintainer}")
 set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "clouds, smoke and wind for VTK and ParaView")
-set(CPACK_PACKAGE_DESCRIPTION "Filters, OpenGL mappers and ParaView representations for clouds, smoke and wind:
-volumes of polyhedral cells with the exact ray integral, textured splats,
-cloud surfaces with a moving texture, haze, terrain and flow volumes.
+set(CPACK_PACKAGE_DESCRIPTION "Filters, OpenGL mappers and ParaView representations for clouds, smoke and
+wind: volumes of polyhedral cells with the exact ray integral, textured
+splats, cloud surfaces with a moving texture, haze, terrain, flow volumes.
 ParaView loads the plugin when it starts; Python has the package nephoscope.")
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_PACKAGE_RELEASE "1~${NEPHOSCOPE_FOR_DEBIAN}")
 set(CPACK_DEBIAN_PACKAGE_SECTION science)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
 set(CPACK_DEBIAN_PACKAGE_DEPENDS
-  "paraview (>= ${nephoscope_paraview_version}~), paraview (<< ${ParaView_VERSION_MAJOR}.${nephoscope_next_minor}~), python3-paraview")
+  "paraview (>= ${nephoscope_paraview_version}~), paraview (<< ${ParaView_VERSION_MAJOR}.${nephoscope_next_minor}~), python3-paraview, python3")
 set(CPACK_STRIP_FILES ON)
 set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
 set(CPACK_INSTALL_DEFAULT_DIRECTORY_PERMISSIONS OWNER_READ OWNER_WRITE OWNER_EXECUTE GROUP_READ GROUP_EXECUTE WORLD_READ WORLD_EXECUTE)
