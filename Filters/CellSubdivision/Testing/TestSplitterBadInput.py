@@ -70,13 +70,17 @@ class BadInput(unittest.TestCase):
             with Messages() as messages:
                 filter_.Update()
             self.assertEqual([expect in m for m in messages.all], [True] * bool(expect), messages.all)
-        constant = meshes.with_field(meshes.image((2, 2, 2)), lambda p: 5 + 0 * p[:, 0])
+        def field(function):
+            data = meshes.with_field(meshes.image((2, 2, 2)), function)
+            data.GetPointData().SetActiveScalars("s")
+            return data
+        constant = field(lambda p: 5 + 0 * p[:, 0])
         blocks = vtkMultiBlockDataSet()
         for i in range(2):
             blocks.SetBlock(i, constant)
         for data in (constant, blocks):
             nothing_chosen(data, "No cell is divided: the values of the array 's' are all 5, so that no value is between them. Choose another array.")
-        blocks.SetBlock(2, meshes.with_field(meshes.image((2, 2, 2)), lambda p: p[:, 0]))
+        blocks.SetBlock(2, field(lambda p: p[:, 0]))
         nothing_chosen(blocks, "")
 
     def test_cells_that_are_not_solid(self):
