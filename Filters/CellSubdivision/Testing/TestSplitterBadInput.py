@@ -67,6 +67,7 @@ class BadInput(unittest.TestCase):
         def nothing_chosen(block, expect):
             filter_ = nephoscope.vtkContourCellSplitter()
             filter_.SetInputDataObject(block)
+            filter_.SetInputArrayToProcess(0, 0, 0, 0, "")
             with Messages() as messages:
                 filter_.Update()
             self.assertEqual([expect in m for m in messages.all], [True] * bool(expect), messages.all)
