@@ -49,7 +49,9 @@ class ColumnCover(VTKPythonAlgorithmBase):
         output = vtkStructuredGrid.GetData(outputs)
         output.ShallowCopy(vtkStructuredGrid.GetData(inputs[0]))
         points = dataset_adapter.WrapDataObject(output).PointData
-        i, j, k = output.GetDimensions()
+        size = [0, 0, 0]
+        output.GetDimensions(size)  # VTK 9.6 has no other form
+        i, j, k = size
         clouds = numpy.asarray(points["cloud_fraction"]).reshape(k, j * i)
         share = numpy.clip((clouds.max(axis=0) - COVER) / (FULL_COVER - COVER), 0, 1)
         points.append(numpy.tile(share, k).astype(numpy.float32), "ColumnCover")

@@ -12,8 +12,10 @@ def main():
     globe.UpdatePipeline()
     blocks = servermanager.Fetch(globe)
     check(blocks.IsA("vtkCompositeDataSet"), f"the output is a {blocks.GetClassName()}")
-    sizes = [blocks.GetBlock(k).GetDimensions() for k in range(2)]
-    check(sizes == [(21, 21, 4)] * 2, f"the blocks have {sizes} points")
+    sizes = [[0, 0, 0], [0, 0, 0]]
+    for k in range(2):
+        blocks.GetBlock(k).GetDimensions(sizes[k])
+    check(sizes == [[21, 21, 4]] * 2, f"the blocks have {sizes} points")
     passed()
 
 
