@@ -91,11 +91,11 @@ void vtkCloudTextureMapper::TellVolume(const std::string& error, const std::stri
   std::string& last = this->Internals->LastVolume;
   if (!error.empty() && error != last)
   {
-    vtkErrorMacro(<< "Clouds are drawn with the same density everywhere: DensityVolume " << error << ".");
+    vtkErrorMacro(<< "Clouds are drawn with the same density everywhere: the density volume " << error << ".");
   }
   if (!warning.empty() && warning != last)
   {
-    vtkWarningMacro(<< "DensityVolume " << warning << ".");
+    vtkWarningMacro(<< "The density volume " << warning << ".");
   }
   last = error + warning;
 }

@@ -24,9 +24,9 @@ bool isSolid(int type)
   return type >= VTK_TETRA && type <= VTK_HEXAGONAL_PRISM;
 }
 
-using Corners = std::array<std::int32_t, 3>;
+using TriangleCorners = std::array<std::int32_t, 3>;
 
-Corners sorted(Corners corners, const std::vector<std::int32_t>& places)
+TriangleCorners sorted(TriangleCorners corners, const std::vector<std::int32_t>& places)
 {
   for (std::int32_t& point : corners)
   {
@@ -36,7 +36,7 @@ Corners sorted(Corners corners, const std::vector<std::int32_t>& places)
   return corners;
 }
 
-Vector3 areaVector(const CellGeometry& geometry, const Corners& corners)
+Vector3 areaVector(const CellGeometry& geometry, const TriangleCorners& corners)
 {
   const Vector3 a = geometry.Position(corners[0]);
   return cross(difference(geometry.Position(corners[1]), a), difference(geometry.Position(corners[2]), a));
@@ -88,7 +88,7 @@ CellPolygons CellPolygons::Read(vtkDataSet* data, Which which)
 
 std::vector<CellPolygons::Face> CellPolygons::Match(const CellGeometry& geometry, const std::vector<std::int32_t>& places)
 {
-  std::vector<std::pair<Corners, std::int32_t>> wanted;
+  std::vector<std::pair<TriangleCorners, std::int32_t>> wanted;
   std::vector<std::uint8_t> touched(places.size(), 0);
   for (std::size_t i = 0; i < this->Triangles.size(); ++i)
   {
@@ -106,7 +106,7 @@ std::vector<CellPolygons::Face> CellPolygons::Match(const CellGeometry& geometry
     const Tetrahedron& tetrahedron = geometry.Tetrahedra[t];
     for (int opposite = 0; opposite < 4; ++opposite)
     {
-      Corners corners;
+      TriangleCorners corners;
       for (std::size_t k = 0; k < 3; ++k)
       {
         corners[k] = tetrahedron[static_cast<std::size_t>(tetrahedronFaces[opposite][k])];
@@ -137,7 +137,7 @@ std::vector<CellPolygons::Face> CellPolygons::Match(const CellGeometry& geometry
   std::set<vtkIdType> apart;
   for (std::size_t i = 0; i < wanted.size(); ++i)
   {
-    const Corners& c = wanted[i].first;
+    const TriangleCorners& c = wanted[i].first;
     const bool repeated = c[0] == c[1] || c[1] == c[2] || (i > 0 && wanted[i - 1].first == c);
     if (found[i] < 0 && !repeated)
     {
