@@ -3,6 +3,7 @@
 #include "MediumMeasures.h"
 
 #include "vtkDataArray.h"
+#include "vtkSmartPointer.h"
 #include "vtkPiecewiseFunction.h"
 
 #include <algorithm>
@@ -100,6 +101,13 @@ double meanRamp(const MediumMeasures& measures)
     return 0.5;
   }
   return std::min(std::max((measures.ScalarIntegral / measures.Volume - low) / (high - low), 0.0), 1.0);
+}
+
+void findFiniteRange(vtkDataArray* array, double range[2])
+{
+  const auto values = vtkSmartPointer<vtkDataArray>::Take(array->NewInstance());
+  values->ShallowCopy(array); // without what is known of it
+  values->GetFiniteRange(range, values->GetNumberOfComponents() > 1 ? -1 : 0);
 }
 
 std::function<double(double)> fullOpacity(vtkPiecewiseFunction* function)

@@ -81,6 +81,12 @@ VTKNEPHOSCOPEREPRESENTATIONSCOMMON_EXPORT double meanRamp(const MediumMeasures& 
 /** Mean optical depth that the default unit distance aims at. */
 constexpr double meanOpticalDepth = 2.0;
 
+/**
+ * The range of the finite values, or magnitudes, of an array. The array's own is not used: VTK keeps it with the array, and vtkPointDataToCellData
+ * hands that of the points on to the cells.
+ */
+VTKNEPHOSCOPEREPRESENTATIONSCOMMON_EXPORT void findFiniteRange(vtkDataArray* array, double range[2]);
+
 /** The opacity function's value at a scalar divided by its greatest value; none without a function or without opacity. */
 VTKNEPHOSCOPEREPRESENTATIONSCOMMON_EXPORT std::function<double(double)> fullOpacity(vtkPiecewiseFunction* function);
 

@@ -156,7 +156,7 @@ MediumMeasures measureSplats(vtkDataSet* data, const SplatSampling& sampling, vt
   measures.OpacityIntegral *= scale;
   if (scalars && shown > 0)
   {
-    scalars->GetFiniteRange(measures.ScalarRange, scalars->GetNumberOfComponents() > 1 ? -1 : 0);
+    findFiniteRange(scalars, measures.ScalarRange);
   }
   return measures;
 }

@@ -176,7 +176,7 @@ MediumMeasures measureCells(vtkDataSet* data, const CellMedium& medium, const Me
   measures.OpacityIntegral *= scale;
   if (medium.Scalars && scale > 0.0)
   {
-    medium.Scalars->GetFiniteRange(measures.ScalarRange, medium.Scalars->GetNumberOfComponents() > 1 ? -1 : 0);
+    findFiniteRange(medium.Scalars, measures.ScalarRange);
   }
   return measures;
 }

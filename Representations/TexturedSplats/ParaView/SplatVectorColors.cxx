@@ -27,7 +27,7 @@ void storeVectorColorRange(vtkDataSet* data, bool onCells, const std::string& ar
         ->GetArray(array.c_str());
   if (values && values->GetNumberOfTuples() > 0)
   {
-    values->GetFiniteRange(range, values->GetNumberOfComponents() > 1 ? -1 : 0);
+    findFiniteRange(values, range);
   }
   reduceRange(range);
   const bool found = range[0] <= range[1];

@@ -10,6 +10,7 @@ from nephoscope_testing import meshes
 from nephoscope_testing.checks import ImageTestCase
 from nephoscope_testing.offscreen import Window, float_image
 from nephoscope_testing.transfer import Transfer
+from vtkmodules.vtkFiltersCore import vtkPointDataToCellData
 
 PIXELS = 128
 SCALE = 6.0  # half the height of the view
@@ -61,6 +62,27 @@ class Vectors(ImageTestCase):
         self.window.render()
         self.fail_on_messages(self.window)
         return float_image(mapper)
+
+    def test_range_that_cells_have_from_points(self):
+        """VTK hands the known range of the points' vectors on to the means in the cells, which are slower."""
+        points = grid(lambda p: np.column_stack([-p[:, 1], p[:, 0], 0 * p[:, 0]]), size=6, layers=6)
+        shares = []
+        for known in (True, False):
+            vectors = points.GetPointData().GetArray("v")
+            vectors.Modified()
+            if known:
+                vectors.GetFiniteRange([0, 0], -1)
+            cells = vtkPointDataToCellData()
+            cells.SetInputData(points)
+            cells.Update()
+            cells.GetOutput().GetCellData().SetActiveScalars("s")
+            mapper = nephoscope.vtkTexturedSplatMapper()
+            mapper.SetInputData(cells.GetOutput())
+            mapper.SetScalarModeToUseCellData()
+            mapper.SetVectorArrayName("v")
+            mapper.SuitVectorsToMedium()
+            shares.append((mapper.GetVectorShare(), mapper.GetVectorOpacity()))
+        self.assertEqual(*shares)
 
     def velocity(self, frames, window, step):
         """Least squares of the brightness that is constant along the motion; the window, which stands still, is divided out."""
