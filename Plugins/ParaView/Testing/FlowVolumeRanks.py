@@ -35,7 +35,7 @@ def run(ranks):
     prefix = os.path.join(OUTPUT, f"flow-volume-{ranks}")
     command = [program("MPIEXEC"), "-np", str(ranks), program("PVBATCH"), "--dr", "--symmetric", SCRIPT, prefix]
     try:
-        done = subprocess.run(command, env=ENVIRONMENT, capture_output=True, text=True, timeout=100)
+        done = subprocess.run(command, env=ENVIRONMENT, capture_output=True, text=True, timeout=300)
     except subprocess.TimeoutExpired as late:
         sys.exit(f"FAILED: {ranks} ranks hang\n{late.stdout}\n{late.stderr}")
     text = done.stdout + done.stderr
