@@ -65,6 +65,7 @@ def earth(names):
 
 def sparse(names):
     import nephoscope
+    pvs.GetColorTransferFunction("RTData").ApplyPreset("Cool to Warm", True)  # its first colours depend on the version of ParaView
     wavelet = pvs.Wavelet(WholeExtent=[-10, 10] * 3)
     pvs.RenameSource("Wavelet1", wavelet)
     wavelet.UpdatePipeline()
