@@ -20,6 +20,16 @@ configure_needed()
   [ "$1" = ON ] && [ "$(cache_value BUILD_TESTING)" != ON ]
 }
 
+# Several sources compiled at a time need a third of the processor time; but of them, one that changes makes ccache forget all.
+compiler_options()
+{
+  if command -v ccache >/dev/null; then
+    printf '%s\n' -DCMAKE_C_COMPILER_LAUNCHER=ccache -DCMAKE_CXX_COMPILER_LAUNCHER=ccache -DCMAKE_UNITY_BUILD=OFF
+  elif [ "$PRESET" = default ]; then # the others look for warnings and errors, source by source
+    printf '%s\n' -DCMAKE_UNITY_BUILD=ON
+  fi
+}
+
 # configure [with-tests]. Without the word tests stay as they are: off in a new build folder.
 configure()
 {
@@ -38,14 +48,10 @@ configure()
   if [ $testing = ON ] || [ ! -f "$BUILD/CMakeCache.txt" ]; then
     options+=("-DBUILD_TESTING=$testing")
   fi
-  # Several sources compiled at a time need a third of the processor time; but of them, one that changes makes ccache forget all.
-  if command -v ccache >/dev/null; then
-    options+=(-DCMAKE_C_COMPILER_LAUNCHER=ccache -DCMAKE_CXX_COMPILER_LAUNCHER=ccache -DCMAKE_UNITY_BUILD=OFF)
-  elif [ "$PRESET" = default ]; then # the others look for warnings and errors, source by source
-    options+=(-DCMAKE_UNITY_BUILD=ON)
-  fi
+  local compiler
+  mapfile -t compiler < <(compiler_options)
   # CMake reads the presets of the current folder.
-  (cd "$TOP" && run_logged "configure-$PRESET" cmake --preset "$PRESET" -B "$BUILD" "${options[@]}") ||
+  (cd "$TOP" && run_logged "configure-$PRESET" cmake --preset "$PRESET" -B "$BUILD" "${options[@]}" "${compiler[@]}") ||
     fail 1 "could not configure the preset $PRESET"
   printf '%s\n' "${PACKAGES[@]}" >"$BUILD/packages"
 }

@@ -9,13 +9,11 @@ PACKAGE_TREE="$TOP/build/package"
 # Without TetGen, whose licence, the GNU AGPL 3, would be that of the package.
 configure_package()
 {
-  local options=(-DCMAKE_UNITY_BUILD=ON)
-  if command -v ccache >/dev/null; then
-    options=(-DCMAKE_C_COMPILER_LAUNCHER=ccache -DCMAKE_CXX_COMPILER_LAUNCHER=ccache)
-  fi
+  local compiler
+  mapfile -t compiler < <(compiler_options)
   cmake -S "$TOP" -B "$PACKAGE_TREE" -G Ninja -DCMAKE_BUILD_TYPE=Release -DCMAKE_INSTALL_PREFIX=/usr -DBUILD_TESTING=OFF \
     -DPython3_EXECUTABLE="$SYSTEM_PYTHON" -DNEPHOSCOPE_FOR_DEBIAN="$(debian_codename)" -DNEPHOSCOPE_USE_TETGEN=OFF \
-    -DNEPHOSCOPE_PYTHON_DESTINATION=lib/python3/dist-packages "${options[@]}"
+    -DNEPHOSCOPE_PYTHON_DESTINATION=lib/python3/dist-packages "${compiler[@]}"
 }
 
 # Sets PACKAGE to the file.
@@ -44,5 +42,5 @@ test_package()
   (cd "$folder" && on_virtual_display pvpython "$test" pvpython && on_virtual_display paraview --script="$test" &&
     on_virtual_display "$SYSTEM_PYTHON" "$test" python) || fail 1 "the installed package does not work"
   [ -s "$folder/paraview.png" ] || fail 1 "ParaView's window has drawn nothing"
-  say "      ParaView, pvpython and Python draw; pictures in ${folder#"$TOP"/}"
+  say "      ParaView and pvpython draw, Python has the package; pictures in ${folder#"$TOP"/}"
 }

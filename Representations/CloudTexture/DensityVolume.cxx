@@ -13,7 +13,6 @@
 #include "vtkTextureObject.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace nephoscope
 {

@@ -3,8 +3,8 @@
 #include "MediumMeasures.h"
 
 #include "vtkDataArray.h"
-#include "vtkSmartPointer.h"
 #include "vtkPiecewiseFunction.h"
+#include "vtkSmartPointer.h"
 
 #include <algorithm>
 #include <cmath>

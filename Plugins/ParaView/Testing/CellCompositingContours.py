@@ -86,15 +86,20 @@ def check_contour_array(source):
             check((picture[150, 150] == [0, 255, 0]).all(), f"the surface is {picture[150, 150]}, not green")
 
 
-def check_layers(source):
-    """With layer 1 emptied, only what lies outside the two values is left."""
+def show_layers(source):
+    """View, display and opacity of the layers between the two values, without surfaces."""
     view = new_view()
     display = compose(source, view)
     display.CellCompositingContourValues = VALUES
     display.CellCompositingContourOpacity = 0.0
     image(view)
     look(view)
-    _, whole = color_and_alpha(view)
+    return view, display, color_and_alpha(view)[1]
+
+
+def check_layers(source):
+    """With layer 1 emptied, only what lies outside the two values is left."""
+    view, display, whole = show_layers(source)
     display.CellCompositingLayerOpacityScales = [1.0, 0.0, 1.0]
     _, hollow = color_and_alpha(view)
     display.CellCompositingLayerOpacityScales = [0.0, 1.0, 0.0]
@@ -110,13 +115,7 @@ def check_layers(source):
 
 def check_layer_colors(source):
     """Colours that jump between layers: what each layer adds is its own colour, and the opacity stays."""
-    view = new_view()
-    display = compose(source, view)
-    display.CellCompositingContourValues = VALUES
-    display.CellCompositingContourOpacity = 0.0
-    image(view)
-    look(view)
-    _, whole = color_and_alpha(view)
+    view, display, whole = show_layers(source)
     display.CellCompositingLayerColors = [1, 0, 0, 0, 1, 0, 0, 0, 1]
     rgb, alpha = color_and_alpha(view)
     save_image(rgb, "LayerColors")
