@@ -96,10 +96,24 @@ def check_references(files):
                 yield f"{path.relative_to(TOP)}: {found} is not in Documentation/references.bib"
 
 
+def check_changelog(_files):
+    """CHANGELOG.md has the form of Keep a Changelog: what is unreleased first, each kind of change once a version."""
+    versions = re.split(r"^## ", text_of(TOP / "CHANGELOG.md"), flags=re.MULTILINE)[1:]
+    kinds = ["Added", "Changed", "Deprecated", "Removed", "Fixed", "Security"]
+    for number, version in enumerate(versions):
+        title, *rest = version.splitlines()
+        form = r"\[Unreleased\]" if number == 0 else r"\[\d+\.\d+\.\d+\] - \d{4}-\d\d-\d\d"
+        if not re.fullmatch(form, title):
+            yield f"CHANGELOG.md: the heading '{title}' should have the form {form}"
+        found = [line[4:] for line in rest if line.startswith("### ")]
+        if found != [kind for kind in kinds if kind in found]:
+            yield f"CHANGELOG.md: {title}: the kinds of changes should be {kinds}, in this order, not {found}"
+
+
 def main():
     files = tracked_files()
     problems = []
-    for check in (check_licence_lines, check_machine_paths, check_documents, check_verbs, check_references):
+    for check in (check_licence_lines, check_machine_paths, check_documents, check_verbs, check_references, check_changelog):
         problems += check(files)
     print("\n".join(problems) or f"{len(files)} files: nothing to complain of")
     return 1 if problems or not files else 0
