@@ -4,6 +4,7 @@
 import os
 from pathlib import Path
 
+import coverage
 import pictures
 import render
 
@@ -15,7 +16,7 @@ def problem_of(name, picture, why=None):
     stored = render.baseline(name)
     why = pictures.emptiness(picture)
     if why is None and stored is None:
-        why = "there is no baseline: make one by ./nephoscope baselines " + name
+        why = without_baseline(name)
     why = why or render.problem(name, picture, stored)
     if why is None:
         return None
@@ -25,10 +26,21 @@ def problem_of(name, picture, why=None):
     return f"{why}. Kept: {output / name}.png; old, new, difference: {output / name}.difference.png"
 
 
+def without_baseline(name):
+    return "there is no baseline: make one by ./nephoscope baselines " + name
+
+
+def problems_of_baselines():
+    """{name: sentence}: baselines without a picture, pictures without a baseline, and what none of the pictures shows."""
+    known, names = {path.stem for path in render.BASELINES.glob("*.png")}, set(render.all_names())
+    return {**{name: f"Testing/Baselines/{name}.png belongs to no snippet and no scene: delete it" for name in known - names},
+            **{name: without_baseline(name) for name in names - known},
+            **{name: "no snippet, no scene and no figure shows it: add a scene to Testing/Pictures" for name in coverage.without_picture()}}
+
+
 def report(names, problem):
-    """Prints the verdict of every name and of baselines without a picture; the exit status."""
-    known = {path.stem for path in render.BASELINES.glob("*.png")}
-    problems = {name: f"Testing/Baselines/{name}.png belongs to no snippet and no scene: delete it" for name in known - set(render.all_names())}
+    """Prints the verdict of every name and what is wrong with the baselines as a whole; the exit status."""
+    problems = problems_of_baselines()
     for name in names:
         why = problem(name)
         print(f"{name}: {why or 'as stored'}", flush=True)

@@ -12,7 +12,8 @@ import pictures
 from nephoscope_testing import meshes
 from nephoscope_testing.offscreen import Window
 from nephoscope_testing.transfer import Transfer
-from vtkmodules.vtkCommonDataModel import vtkPlane
+from vtkmodules.vtkCommonDataModel import vtkDataObject, vtkPlane
+from vtkmodules.vtkFiltersCore import vtkCellCenters
 from vtkmodules.vtkFiltersGeneral import vtkDataSetTriangleFilter
 from vtkmodules.vtkFiltersSources import vtkSphereSource
 from vtkmodules.vtkRenderingCore import vtkActor, vtkPolyDataMapper
@@ -160,6 +161,35 @@ def _(made):
     cells(made, image(), layered, thick)
 
 
+@scene("cells-polygons")
+def _(made):
+    """The splitter's surfaces between the pieces of cells, each of another opacity."""
+    splitter = nephoscope.vtkContourCellSplitter()
+    splitter.SetInputData(cells_of("tetra", 6))
+    splitter.SetInputArrayToProcess(0, 0, 0, vtkDataObject.FIELD_ASSOCIATION_POINTS, "s")
+    splitter.SetNumberOfContours(2)
+    splitter.SetValue(0, 0.3)
+    splitter.SetValue(1, 0.7)
+    splitter.Update()
+
+    def polygons(mapper):
+        mapper.SetPolygonOpacity(0, 0.4)
+        mapper.SetPolygonOpacity(1, 0.8)
+        mapper.SetPolygonColor(1, 1, 0.9, 0.3)
+    cells(made, splitter.GetOutput(), polygons)
+
+
+@scene("cells-smoke")
+def _(made):
+    """Opacity from an array of the cells, as of smoke; colour from another of the points."""
+    data = cells_of("tetra", 6)
+    centers = vtkCellCenters()
+    centers.SetInputData(data)
+    centers.Update()
+    meshes.add_array(data.GetCellData(), values(meshes.points_of(centers.GetOutput())), "density")
+    cells(made, data, lambda m: m.SetOpacityArrayName("density"))
+
+
 @scene("cells-from-inside", zoom=8.0, direction=(-1, 0, 0))
 def _(made):
     cells(made, image(), transfer=Transfer(WARM, [(0, 0.05), (1, 1.5)]))
@@ -218,6 +248,20 @@ def _(made):
 @scene("splats-gaussian")
 def _(made):
     splats(made, image(10), lambda m: m.SetKernelToGaussian())
+
+
+@scene("splats-quadratic")
+def _(made):
+    splats(made, image(10), lambda m: m.SetKernelToQuadratic())
+
+
+@scene("splats-clipped")
+def _(made):
+    def clip(mapper):
+        plane = vtkPlane()
+        plane.SetNormal(0.3, 1, 0.2)
+        mapper.AddClippingPlane(plane)
+    splats(made, image(), clip)
 
 
 @scene("splats-hierarchy")

@@ -15,7 +15,6 @@ from snippets import ROOT, is_for_paraview, snippets
 BASELINES = ROOT / "Testing" / "Baselines"
 HERE = Path(__file__).resolve().parent
 FIGURES = ROOT / "Figures"
-SECOND_PICTURES = {"01_terrain_under_clouds": "01_clouds_over_globe"}  # of figures that write two: the script
 TIMEOUT = 240  # s
 
 
@@ -25,9 +24,9 @@ def scenes(of="mapper"):
 
 
 def figures():
-    """{name in the gallery: script}"""
-    scripts = {path.stem: path for path in sorted(FIGURES.glob("*.py"))}
-    return {**scripts, **{name: scripts[first] for name, first in SECOND_PICTURES.items()}}
+    """{name in the gallery: script}. Pictures have the number of their script; a script that writes several names them in its text."""
+    named = {path: re.findall(rf'"({path.stem[:3]}\w+)(?:[.]png)?"', path.read_text(encoding="utf-8")) for path in sorted(FIGURES.glob("*.py"))}
+    return {name: path for path, names in named.items() for name in [path.stem, *names]}
 
 
 def all_names():
@@ -95,11 +94,20 @@ def run_representations():
     return written([paraview_python(), "--dr", str(HERE / "representation_scenes.py"), *scenes("representation")])
 
 
+def problem_of_names(name, made):
+    """The sentence that says that a script does not write a picture, or one that would have no baseline; None if it does neither."""
+    unknown = sorted(set(made) - set(all_names()))
+    if unknown:
+        return f"the script writes {unknown[0]}.png as well: its text must name it in quotes, and the name begin with the number of the script"
+    return None if name in made else f"the script does not write {name}.png"
+
+
 def render(name):
     """(picture, None), or (None, why there is none)."""
     if name in figures() or name in scenes("representation"):
         made, why = run_figure(figures()[name]) if name in figures() else run_representations()
-        return made.get(name), why or (None if name in made else f"the script does not write {name}.png")
+        why = why or problem_of_names(name, made)
+        return (None, why) if why else (made[name], None)
     with tempfile.TemporaryDirectory() as folder:
         os.symlink(ROOT / "Data", Path(folder) / "Data")
         printed, why = run(command(name), folder)

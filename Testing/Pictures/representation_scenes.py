@@ -78,6 +78,25 @@ def cells_globe():
     show(globe_grid(), "Cell Compositing")
 
 
+@scene("representation-cells-divided")
+def cells_divided():
+    pieces = pvs.ContourCellSplitter(Input=wavelet(), ContourBy=["POINTS", "RTData"], ContourValues=[150], PolyhedralTransitions=1)
+    show(pvs.PolyhedrontoTetrahedra(Input=pieces, DivideConvexPolyhedra=1), "Cell Compositing")
+
+
+@scene("representation-clouds-over-the-globe")
+def clouds_over_the_globe():
+    clouds = pvs.CloudsovertheGlobe(Folder="Data")
+    pvs.Show(clouds)
+    pvs.Show(pvs.OutputPort(clouds, 1))
+
+
+@scene("representation-smoke-of-polygon")
+def smoke_of_polygon():
+    square = pvs.Plane(Origin=[2, -1, -6], Point1=[6, -1, -6], Point2=[2, -1, -4])
+    pvs.ColorBy(show(pvs.FlowVolumeFromPolygon(Input=whirl(), Polygon=square, Duration=6), "Cell Compositing"), None)
+
+
 @scene("representation-smoke")
 def smoke():
     pvs.ColorBy(show(pvs.FlowVolume(Input=whirl(), Center=[4, 0, -6], Radius=1.5, Duration=6), "Cell Compositing"), None)
