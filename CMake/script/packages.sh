@@ -21,6 +21,8 @@ TEST_PACKAGES=(
   glslang-tools # the reference compiler of shaders
   shellcheck)
 
+DOCUMENTATION_PACKAGES=(python3-sphinx python3-myst-parser furo python3-sphinx-copybutton python3-pil)
+
 # The name of this Debian; of other systems made from it, theirs.
 debian_codename() { (. /etc/os-release 2>/dev/null && printf '%s' "${VERSION_CODENAME:-}"); }
 

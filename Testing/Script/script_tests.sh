@@ -65,7 +65,7 @@ test_usage()
   nephoscope help
   expect "status 0 for help" [ $STATUS -eq 0 ]
   local verb
-  for verb in demo film test build python pvpython pvbatch paraview bench baselines wheel; do
+  for verb in demo film test build python pvpython pvbatch paraview bench baselines wheel docs; do
     expect "help on $verb" contains "$OUT" $'\n'"  $verb "
   done
   nephoscope film --days 0
@@ -76,6 +76,8 @@ test_usage()
   expect "the versions are named" contains "$ERR" "wheel --python wants 3.11, 3.12, 3.13 or 3.14"
   nephoscope wheel 3.13
   expect "the options are named" contains "$ERR" "wheel takes --python and --test, not 3.13"
+  nephoscope docs --links
+  expect "the option is named" contains "$ERR" "docs takes --check-links, not --links"
   nephoscope test --preset
   expect "status 2 for an option without its value" [ $STATUS -eq 2 ]
 }
@@ -398,6 +400,20 @@ test_gallery()
   echo 'print("wrote /nowhere/x.png")' >"$WORK/Figures/03_liar.py"
   gallery 03_l
   expect "failure of a figure that does not write what it says" [ $STATUS -ne 0 ]
+}
+
+test_docs()
+{
+  /usr/bin/python3 -c 'import sphinx, myst_parser, furo, sphinx_copybutton' 2>"$WORK/why" || { cat "$WORK/why"; exit 125; }
+  nephoscope --no-install docs
+  expect "status 0" [ $STATUS -eq 0 ]
+  local page
+  for page in index search Documentation/haze gallery/01_clouds_over_globe api/python/plotters api/vtk/vtkHaze api/paraview; do
+    expect "the page $page" [ -s "$TOP/build/docs/html/$page.html" ]
+  done
+  expect "the docstring of a function" grep -q "Meteorological visibility" "$TOP/build/docs/html/api/python/plotters.html"
+  expect "a script to download" grep -q 'href="[^"]*/01_clouds_over_globe.py"' "$TOP/build/docs/html/gallery/01_clouds_over_globe.html"
+  expect "what the search finds" grep -q SetScaleHeight "$TOP/build/docs/html/searchindex.js"
 }
 
 test_python()

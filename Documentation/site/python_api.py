@@ -1,0 +1,48 @@
+# SPDX-FileCopyrightText: The Nephoscope authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Reference pages of the Python package: its functions by what they are for, taken from the package's own list."""
+import ast
+import pathlib
+
+TOP = pathlib.Path(__file__).resolve().parents[2]
+PACKAGE = TOP / "Plugins/PyVista/nephoscope"
+GROUPS = {  # title: (page, what the names of its functions begin with, introduction)
+    "Functions for plotters": ("plotters", ("add_",), "They draw in a ``pyvista.Plotter`` and return what they have added."),
+    "Files": ("files", ("read_", "write_", "cf_"), "Readers and writers."),
+    "Filters": ("filters", ("",), "They take a mesh and return one. Most are methods of meshes too: "
+                "``mesh.nephoscope.smooth(...)`` is ``nephoscope.smooth(mesh, ...)``, and ``mesh.nephoscope.globe(...)`` is ``to_globe``, "
+                "``mesh.nephoscope.terrain(...)`` is ``terrain_surface``."),
+}
+
+
+def functions():
+    """{name: module}, as the package lists them."""
+    for node in ast.parse((PACKAGE / "__init__.py").read_text(encoding="utf-8")).body:
+        if isinstance(node, ast.Assign) and node.targets[0].id == "PYVISTA_FUNCTIONS":
+            return ast.literal_eval(node.value)
+    raise LookupError("PYVISTA_FUNCTIONS is not in the package")
+
+
+def summary(name, module):
+    tree = ast.parse((PACKAGE / f"{module}.py").read_text(encoding="utf-8"))
+    function = next(node for node in tree.body if isinstance(node, ast.FunctionDef) and node.name == name)
+    return " ".join(ast.get_docstring(function).split("\n\n")[0].split())
+
+
+def page(title, introduction, chosen):
+    rows = [f":func:`~nephoscope.{name}`\n   {summary(name, module)}\n" for name, module in chosen.items()]
+    documented = [f".. autofunction:: nephoscope.{name}\n" for name in chosen]
+    return "\n".join([title, "=" * len(title), "", introduction, "", *rows, *documented])
+
+
+def files():
+    """{path on the site: text}"""
+    left, made = functions(), {}
+    for title, (name, beginnings, introduction) in GROUPS.items():
+        chosen = {function: module for function, module in left.items() if function.startswith(beginnings)}
+        left = {function: module for function, module in left.items() if function not in chosen}
+        made[f"api/python/{name}.rst"] = page(title, introduction, chosen)
+    made["api/python.rst"] = "\n".join([
+        "Python", "======", "", "``import nephoscope`` gives these functions, which need PyVista, and every :doc:`VTK class <vtk>`.",
+        "", ".. toctree::", "   :maxdepth: 1", "", *[f"   python/{name}" for name, _, _ in GROUPS.values()], ""])
+    return made
