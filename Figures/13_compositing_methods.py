@@ -73,7 +73,7 @@ def text(renderer, words, x, y, size, color=(0.85, 0.89, 0.95), justify="Centere
     prop.SetColor(*color)
     getattr(prop, "SetJustificationTo" + justify)()
     actor.SetPosition(x, y)
-    renderer.AddActor2D(actor)
+    renderer.AddViewProp(actor)
 
 
 def show(canvas, labels, name):
@@ -83,7 +83,7 @@ def show(canvas, labels, name):
     mapper2d.SetColorWindow(255)
     mapper2d.SetColorLevel(127.5)
     actor.SetMapper(mapper2d)
-    renderer.AddActor2D(actor)
+    renderer.AddViewProp(actor)
     for label in labels:
         text(renderer, *label)
     window.SetOffScreenRendering(1)

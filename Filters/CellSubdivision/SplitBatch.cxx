@@ -4,6 +4,7 @@
 
 #include "vtkCellType.h"
 #include "vtkDataSet.h"
+#include "vtkWedge.h"
 
 #include <utility>
 
@@ -11,6 +12,13 @@ namespace nephoscope
 {
 namespace
 {
+// VTK 9.7 turned its wedges: the points of their first triangle were counter-clockwise seen from outside.
+bool WedgeBeginsOutside()
+{
+  static const bool beginsOutside = vtkWedge::GetFaceArray(0)[1] == 1;
+  return beginsOutside;
+}
+
 int TypeOf(PieceShape shape)
 {
   constexpr int types[] = { VTK_EMPTY_CELL, VTK_EMPTY_CELL, VTK_EMPTY_CELL, VTK_TRIANGLE, VTK_QUAD,
@@ -18,8 +26,13 @@ int TypeOf(PieceShape shape)
   return types[static_cast<int>(shape)];
 }
 
-void AddPiece(SplitCells& cells, const Piece<vtkIdType>& piece, vtkIdType source, int layer)
+void AddPiece(SplitCells& cells, Piece<vtkIdType> piece, vtkIdType source, int layer)
 {
+  if (piece.Shape == PieceShape::Wedge && !WedgeBeginsOutside())
+  {
+    std::swap(piece.Corners[1], piece.Corners[2]);
+    std::swap(piece.Corners[4], piece.Corners[5]);
+  }
   cells.Corners.insert(cells.Corners.end(), piece.Corners.begin(),
     piece.Corners.begin() + numberOfCorners(piece.Shape));
   cells.EndCell(TypeOf(piece.Shape), source, layer);

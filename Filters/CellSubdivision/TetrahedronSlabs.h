@@ -44,7 +44,7 @@ constexpr int numberOfCorners(PieceShape shape)
   return corners[static_cast<int>(shape)];
 }
 
-/** Corners in VTK's order. A wedge's first triangle faces away from the second one, as VTK's documentation has it. */
+/** Corners in VTK's order; those of a wedge in the order before VTK 9.7: its first triangle faces away from the second one. */
 template <typename Corner>
 struct Piece
 {

@@ -23,6 +23,7 @@ def datasets():
     for kind in ("tetra", "hexahedron", "wedge", "pyramid", "mixed"):
         yield kind, Lattice(3).mesh(kind, centred)
         yield kind + ", warped", Lattice(3).mesh(kind, warped)
+    yield "wedges in the other order", meshes.turned_wedges(Lattice(3).mesh("wedge", warped))
     yield "voxels", Lattice(3).mesh("voxel", centred)
     yield "Delaunay", meshes.delaunay(rng, 50)
     yield "image", meshes.image((4, 3, 3), (0.5, 0.6, 0.7), (-1, -1, -1))

@@ -5,6 +5,7 @@ from collections import defaultdict
 
 import nephoscope
 import numpy as np
+from nephoscope_testing import meshes
 from nephoscope_testing.messages import Messages
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import (VTK_HEXAGONAL_PRISM, VTK_HEXAHEDRON, VTK_POLYHEDRON, VTK_PYRAMID, VTK_QUAD, VTK_TETRA, VTK_TRIANGLE,
@@ -15,7 +16,7 @@ FACES = {
     VTK_TETRA: [(0, 1, 3), (1, 2, 3), (2, 0, 3), (0, 2, 1)],
     VTK_HEXAHEDRON: [(0, 4, 7, 3), (1, 2, 6, 5), (0, 1, 5, 4), (3, 7, 6, 2), (0, 3, 2, 1), (4, 5, 6, 7)],
     VTK_VOXEL: [(0, 4, 6, 2), (1, 3, 7, 5), (0, 1, 5, 4), (2, 6, 7, 3), (0, 2, 3, 1), (4, 5, 7, 6)],
-    VTK_WEDGE: [(0, 1, 2), (3, 5, 4), (0, 3, 4, 1), (1, 4, 5, 2), (2, 5, 3, 0)],
+    VTK_WEDGE: meshes.wedge_faces(),
     VTK_HEXAGONAL_PRISM: [(0, 5, 4, 3, 2, 1), (6, 7, 8, 9, 10, 11), (0, 1, 7, 6), (1, 2, 8, 7), (2, 3, 9, 8), (3, 4, 10, 9),
                           (4, 5, 11, 10), (5, 0, 6, 11)],
     VTK_PYRAMID: [(0, 3, 2, 1), (0, 1, 4), (1, 2, 4), (2, 3, 4), (3, 0, 4)],

@@ -11,6 +11,7 @@
 #include "vtkPartitionedDataSet.h"
 #include "vtkPartitionedDataSetCollection.h"
 #include "vtkPolyData.h"
+#include "vtkStructuredData.h"
 #include "vtkTable.h"
 #include "vtkUniformGrid.h"
 
@@ -88,18 +89,19 @@ vtkSmartPointer<vtkOverlappingAMR> Refined(bool blank)
   amr->Initialize(2, blocks);
   const double origin[3] = { 0, 0, 0 };
   amr->SetOrigin(origin);
-  amr->SetGridDescription(VTK_XYZ_GRID);
+  int points[3] = { 9, 9, 9 };
+  const int solid = vtkStructuredData::GetDataDescription(points); // its name is another from VTK 9.5 on
+  amr->SetGridDescription(solid);
   for (unsigned int level = 0; level < 2; ++level)
   {
     const double h = level == 0 ? 1.0 : 0.5;
     const double low[3] = { level * 2.0, level * 2.0, level * 2.0 };
-    const int dimensions[3] = { 9, 9, 9 };
     const double spacing[3] = { h, h, h };
     amr->SetSpacing(level, spacing);
     vtkNew<vtkUniformGrid> grid;
     grid->SetOrigin(low);
     grid->SetSpacing(h, h, h);
-    grid->SetDimensions(dimensions);
+    grid->SetDimensions(points);
     AddPointVectors(grid.Get(), [level](const Vector3&) { return Vector3{ level + 1.0, 0, 0 }; });
     if (level == 0 && blank)
     {
@@ -112,7 +114,7 @@ vtkSmartPointer<vtkOverlappingAMR> Refined(bool blank)
         ghosts->SetValue(i, covered ? vtkDataSetAttributes::REFINEDCELL : 0);
       }
     }
-    amr->SetAMRBox(level, 0, vtkAMRBox(low, dimensions, spacing, origin, VTK_XYZ_GRID));
+    amr->SetAMRBox(level, 0, vtkAMRBox(low, points, spacing, origin, solid));
     amr->SetDataSet(level, 0, grid);
   }
   return amr;

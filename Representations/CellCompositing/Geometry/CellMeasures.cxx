@@ -58,7 +58,7 @@ WeightedPlace weightedPlaceOf(TetrahedronCorners corners)
 
 /** Adds one tetrahedron of that volume, with mean values of its corners; 0 where a value is not finite, as such cells are not drawn. */
 void addTetrahedron(
-  MediumMeasures& measures, vtkDataSet* data, const CellMedium& medium, vtkIdType cell, const PointIds& tetrahedron,
+  MediumMeasures& measures, const CellMedium& medium, vtkIdType cell, const PointIds& tetrahedron,
   double volume)
 {
   measures.Volume += volume;
@@ -168,7 +168,7 @@ MediumMeasures measureCells(vtkDataSet* data, const CellMedium& medium, const Me
     TetrahedronCorners corners(data, tetrahedron);
     if (corners.LieIn(common))
     {
-      addTetrahedron(measures, data, medium, cell, tetrahedron, corners.Volume());
+      addTetrahedron(measures, medium, cell, tetrahedron, corners.Volume());
     }
   });
   measures.Volume *= scale;

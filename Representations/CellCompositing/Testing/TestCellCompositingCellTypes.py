@@ -86,6 +86,13 @@ class CellTypes(ImageTestCase):
         for seed, name in enumerate(("LAGRANGE_HEXAHEDRON", "LAGRANGE_WEDGE")):
             self.fills_a_cube(name + " of order 3", higher_order(name, 3), 200 + seed)
 
+    def test_wedges_in_both_orders(self):
+        """That of VTK before 9.7 and the one from then on."""
+        wedges = meshes.Lattice(2).mesh("wedge", meshes.projective(np.random.default_rng(400), 0.2))
+        meshes.with_field(wedges, meshes.linear_field(np.random.default_rng(401), wedges))
+        for label, data in (("wedges", wedges), ("turned wedges", meshes.turned_wedges(wedges))):
+            self.check(data, random_transfer(np.random.default_rng(402), 5, max_extinction=3), label)
+
     def test_convex_point_sets(self):
         """Cells whose points are not the first of the mesh: VTK 9.2 numbers the tetrahedra within the cell."""
         lattice = meshes.Lattice(3)

@@ -7,7 +7,7 @@
 #include "vtkAppendFilter.h"
 #include "vtkBitArray.h"
 #include "vtkCellData.h"
-#include "vtkCellTypes.h"
+#include "vtkCellType.h"
 #include "vtkCompositeDataIterator.h"
 #include "vtkCompositeDataSet.h"
 #include "vtkDataSet.h"
@@ -21,7 +21,9 @@
 #include "vtkUnstructuredGrid.h"
 
 #include <algorithm>
+#include <array>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace nephoscope
@@ -150,12 +152,16 @@ void makeAlike(std::vector<vtkSmartPointer<vtkDataSet>>& blocks)
 // Whether it is a part of a mesh, and no cloud of particles or surface.
 bool hasVolumes(vtkDataSet* data)
 {
-  vtkNew<vtkCellTypes> types;
-  data->GetCellTypes(types);
+  std::array<bool, VTK_NUMBER_OF_CELL_TYPES> seen{};
   vtkNew<vtkGenericCell> cell;
-  for (vtkIdType i = 0; i < types->GetNumberOfTypes(); ++i)
+  for (vtkIdType i = 0; i < data->GetNumberOfCells(); ++i)
   {
-    cell->SetCellType(types->GetCellType(i));
+    const int type = data->GetCellType(i);
+    if (type < 0 || type >= VTK_NUMBER_OF_CELL_TYPES || std::exchange(seen[static_cast<std::size_t>(type)], true))
+    {
+      continue;
+    }
+    cell->SetCellType(type);
     if (cell->GetCellDimension() == 3)
     {
       return true;

@@ -69,6 +69,10 @@ class Cells(ImageTestCase):
         meshes.add_array(data.GetPointData(), np.full(count, 0.5))
         return data
 
+    def test_wedges_in_both_orders(self):
+        wedges = meshes.with_field(meshes.Lattice(5).mesh("wedge"), wave)  # with plane faces, whose diagonals do not matter
+        np.testing.assert_allclose(self.draw(meshes.turned_wedges(wedges)), self.draw(wedges), atol=1e-6)
+
     def test_hexahedra_are_the_structured_grid(self):
         blocks = (6, 5, 4)
         for warp in (lambda p: p * (1, 0.7, 0.4), lambda p: p @ np.array([[1, 0.3, 0], [0, 0.8, 0.1], [0.2, 0, 0.5]])):

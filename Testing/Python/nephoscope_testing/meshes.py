@@ -8,7 +8,7 @@ from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkIdList, vtkPoints
 from vtkmodules.vtkCommonDataModel import (VTK_HEXAHEDRON, VTK_POLYHEDRON, VTK_PYRAMID, VTK_TETRA, VTK_VOXEL, VTK_WEDGE,
                                            vtkCellArray, vtkImageData, vtkPointSet, vtkPolyData, vtkRectilinearGrid, vtkStructuredGrid,
-                                           vtkUnstructuredGrid)
+                                           vtkUnstructuredGrid, vtkWedge)
 from vtkmodules.vtkFiltersCore import vtkDelaunay3D
 
 
@@ -98,6 +98,23 @@ def delaunay(rng, count, points=None):
 
 
 HEXAHEDRON = ((0, 0, 0), (1, 0, 0), (1, 1, 0), (0, 1, 0), (0, 0, 1), (1, 0, 1), (1, 1, 1), (0, 1, 1))
+
+
+def wedge_faces():
+    """The faces of a wedge from outside, counter-clockwise, as this VTK has them: 9.7 turned the order of the points."""
+    wedge = vtkWedge()
+    for i in range(6):
+        wedge.GetPointIds().SetId(i, i)
+    return [tuple(wedge.GetFace(i).GetPointId(k) for k in range(wedge.GetFace(i).GetNumberOfPoints())) for i in range(5)]
+
+
+def turned_wedges(data):
+    """The same wedges with their points in the other order: that of files written before VTK 9.7, or after."""
+    turned = grid(points_of(data), [(VTK_WEDGE, [data.GetCell(i).GetPointId(k) for k in (0, 2, 1, 3, 5, 4)])
+                                    for i in range(data.GetNumberOfCells())])
+    turned.GetPointData().ShallowCopy(data.GetPointData())
+    turned.GetCellData().ShallowCopy(data.GetCellData())
+    return turned
 
 
 class Lattice:
