@@ -134,6 +134,14 @@ run_in_root()
     bash -c 'cd /nephoscope && exec ./nephoscope "$@"' nephoscope "$@"
 }
 
+# keep_made VERB: the files that the verb is there to make, here too.
+keep_made()
+{
+  [[ "$1" =~ ^(wheel|package)$ ]] || return 0
+  mkdir -p "$TOP/dist"
+  cp "$ROOT/nephoscope/dist"/* "$TOP/dist"
+}
+
 # in_root RELEASE VERB [ARGUMENT...]
 in_root()
 {
@@ -155,5 +163,6 @@ in_root()
   say "      running there, after $(elapsed $SECONDS): ./nephoscope $*"
   run_in_root "${options[@]}" "$@" || status=$?
   [ $status -eq 0 ] || fail $status "on Debian $RELEASE: exit status $status; its tree with build/logs is $ROOT/nephoscope"
+  keep_made "$1"
   finish "Done on Debian $RELEASE; its tree is $ROOT/nephoscope."
 }

@@ -14,23 +14,24 @@ if command -v ccache >/dev/null; then
   WHEEL_OPTIONS=(-DCMAKE_C_COMPILER_LAUNCHER=ccache -DCMAKE_CXX_COMPILER_LAUNCHER=ccache)
 fi
 
-# parse_wheel_arguments ARGUMENT...: sets WHEEL_PYTHONS and WHEEL_TEST; leaves the arguments of ctest in ARGUMENTS.
+# parse_wheel_arguments ARGUMENT...: sets WHEEL_PYTHONS, WHEEL_TEST and WHEEL_SOURCE; leaves the arguments of ctest in ARGUMENTS.
 # shellcheck disable=SC2034
 parse_wheel_arguments()
 {
-  WHEEL_PYTHONS=() WHEEL_TEST=no
+  WHEEL_PYTHONS=() WHEEL_TEST=no WHEEL_SOURCE=no
   while [ $# -gt 0 ]; do
     case $1 in
       --python)
         [[ "${2:-}" =~ ^3\.1[1-4]$ ]] || usage_error "wheel --python wants 3.11, 3.12, 3.13 or 3.14"
         WHEEL_PYTHONS+=("$2")
         shift 2 ;;
+      --sdist) WHEEL_SOURCE=yes; shift ;;
       --test) WHEEL_TEST=yes; shift; break ;;
-      *) usage_error "wheel takes --python and --test, not $1" ;;
+      *) usage_error "wheel takes --python, --sdist and --test, not $1" ;;
     esac
   done
   ARGUMENTS=("$@")
-  [ ${#WHEEL_PYTHONS[@]} -gt 0 ] || WHEEL_PYTHONS=("$(wheel_own_python)")
+  [ ${#WHEEL_PYTHONS[@]} -gt 0 ] || [ "$WHEEL_SOURCE" = yes ] || WHEEL_PYTHONS=("$(wheel_own_python)")
 }
 
 # The version of the system's Python, whose wheel also makes the stubs of all the others.
@@ -73,6 +74,17 @@ make_wheel()
     fail 1 "could not pack the wheel"
   WHEEL=$(tail -n 1 "$LOGS/wheel-pack-$tag.log")
   say "      ${WHEEL#"$TOP"/}"
+}
+
+pack_sdist() { tree_files | "$SYSTEM_PYTHON" "$TOP/CMake/wheel/make_sdist.py" --output "$TOP/dist"; }
+
+# The source distribution, which pip builds where VTK's SDK can be had.
+make_sdist()
+{
+  step "Source distribution"
+  run_logged wheel-sdist pack_sdist || fail 1 "could not pack the source distribution"
+  SDIST=$(tail -n 1 "$LOGS/wheel-sdist.log")
+  say "      ${SDIST#"$TOP"/}"
 }
 
 # Prints the interpreter of a version; fails where there is none.

@@ -65,7 +65,7 @@ test_usage()
   nephoscope help
   expect "status 0 for help" [ $STATUS -eq 0 ]
   local verb
-  for verb in demo film test build python pvpython pvbatch paraview bench baselines wheel docs; do
+  for verb in demo film test build python pvpython pvbatch paraview bench baselines wheel package docs release; do
     expect "help on $verb" contains "$OUT" $'\n'"  $verb "
   done
   nephoscope film --days 0
@@ -75,7 +75,9 @@ test_usage()
   expect "status 2 for a Python that there is no wheel for" [ $STATUS -eq 2 ]
   expect "the versions are named" contains "$ERR" "wheel --python wants 3.11, 3.12, 3.13 or 3.14"
   nephoscope wheel 3.13
-  expect "the options are named" contains "$ERR" "wheel takes --python and --test, not 3.13"
+  expect "the options are named" contains "$ERR" "wheel takes --python, --sdist and --test, not 3.13"
+  nephoscope release --draft rpms
+  expect "the parts are named" contains "$ERR" "release makes sdist wheels debs docs, not rpms"
   nephoscope docs --links
   expect "the option is named" contains "$ERR" "docs takes --check-links, not --links"
   nephoscope test --preset
@@ -400,6 +402,39 @@ test_gallery()
   echo 'print("wrote /nowhere/x.png")' >"$WORK/Figures/03_liar.py"
   gallery 03_l
   expect "failure of a figure that does not write what it says" [ $STATUS -ne 0 ]
+}
+
+test_release()
+{
+  local copy="$WORK/tree" first
+  mkdir "$copy"
+  (cd "$TOP" && find . \( -path './build*' -o -path ./Gallery -o -path ./dist -o -name __pycache__ -o -path ./.git \) -prune -o ! -type d -print0) |
+    tar -C "$TOP" --null --no-recursion -T - -cf - | tar -C "$copy" -xf -
+  release() { run "$copy/nephoscope" release "$@"; }
+  release sdist
+  expect "failure without a section of the changelog" [ $STATUS -ne 0 ]
+  expect "which one" contains "$ERR" "CHANGELOG.md has no section [0.1.0] with its date"
+  release --draft sdist
+  expect "status 0 of a draft" [ $STATUS -eq 0 ]
+  expect "checksums" grep -q " nephoscope-0.1.0.tar.gz$" "$copy/dist/SHA256SUMS"
+  first=$(cat "$copy/dist/SHA256SUMS")
+  sed -i 's/^## \[Unreleased\]/## [0.1.0] - 2026-12-01/' "$copy/CHANGELOG.md"
+  release --draft sdist
+  expect "another tree has another sum" [ "$first" != "$(cat "$copy/dist/SHA256SUMS")" ]
+  first=$(cat "$copy/dist/SHA256SUMS")
+  touch "$copy/LICENSE"
+  release sdist
+  expect "status 0 with a section of the changelog" [ $STATUS -eq 0 ]
+  expect "the same tree makes the same file" [ "$first" = "$(cat "$copy/dist/SHA256SUMS")" ]
+  tar -C "$WORK" -xzf "$copy/dist/nephoscope-0.1.0.tar.gz"
+  expect "what pip reads" ls "$WORK"/nephoscope-0.1.0/{pyproject.toml,PKG-INFO,LICENSE}
+  expect "no tests" [ ! -e "$WORK/nephoscope-0.1.0/Testing" ]
+  expect "no data" [ ! -e "$WORK/nephoscope-0.1.0/Data" ]
+  run env -u VTK_DIR PYTHONPATH="$WORK/nephoscope-0.1.0/CMake/wheel/source" /usr/bin/python3 -S -c 'import build_backend as b
+print(b.get_requires_for_build_wheel())
+b.find_vtk()'
+  expect "VTK's SDK is required" contains "$OUT" "vtk-sdk=="
+  expect "where it can be had" contains "$ERR" "VTK's SDK is not there: add its index, pip install --extra-index-url https://vtk.org/"
 }
 
 test_docs()

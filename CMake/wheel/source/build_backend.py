@@ -1,0 +1,51 @@
+# SPDX-FileCopyrightText: The Nephoscope authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""The hooks of PEP 517 by which pip builds the source distribution with the project's own CMake.
+
+VTK is that of the package `vtk-sdk` (https://docs.vtk.org/en/latest/advanced/wheel_sdks.html), or the one whose CMake package the
+environment variable VTK_DIR names. It must be the VTK of the `vtk` wheel that the package will meet.
+"""
+import importlib.metadata
+import importlib.resources
+import os
+import re
+import subprocess
+import sys
+import tempfile
+from pathlib import Path
+
+TOP = Path(__file__).resolve().parents[3]
+sys.path.insert(0, str(TOP / "Plugins/PyVista/packaging"))
+from nephoscope_wheel import make_wheel  # noqa: E402
+
+INDEX = "https://vtk.org/files/wheel-sdks"
+
+
+def vtk_version():
+    return re.search(r"^vtk==(\S+)", (TOP / "CMake/wheel/vtk.txt").read_text(), re.MULTILINE)[1]
+
+
+def get_requires_for_build_wheel(config_settings=None):
+    return [] if "VTK_DIR" in os.environ else [f"vtk-sdk=={vtk_version()}"]
+
+
+def find_vtk():
+    """Words for CMake. The SDK tells where it is as packages tell scikit-build-core: by an entry point `cmake.prefix`."""
+    if "VTK_DIR" in os.environ:
+        return [f"-DVTK_DIR={os.environ['VTK_DIR']}"]
+    prefixes = [str(importlib.resources.files(point.load())) for point in importlib.metadata.entry_points(group="cmake.prefix")]
+    if not prefixes:
+        raise SystemExit(f"VTK's SDK is not there: add its index, pip install --extra-index-url {INDEX}, or set VTK_DIR")
+    return ["-DCMAKE_PREFIX_PATH=" + ";".join(prefixes)]
+
+
+def build_wheel(wheel_directory, config_settings=None, metadata_directory=None):
+    with tempfile.TemporaryDirectory() as build:
+        subprocess.run(["cmake", "-S", TOP, "-B", build, "-C", TOP / "CMake/wheel/options.cmake", "-DBUILD_TESTING=OFF",
+                        "-DNEPHOSCOPE_USE_OPENVDB=OFF", f"-DPython3_EXECUTABLE={sys.executable}", *find_vtk()], check=True)
+        subprocess.run(["cmake", "--build", build, "--parallel"], check=True)
+        return make_wheel(Path(build), Path(wheel_directory)).name
+
+
+def build_sdist(sdist_directory, config_settings=None):
+    raise SystemExit("A source distribution is made by: ./nephoscope wheel --sdist")
