@@ -41,7 +41,7 @@ class Series:
         return values
 
     def mean(self, values):
-        """Of each level, over the sphere."""
+        """The mean of each level over the sphere."""
         return (values.mean(axis=2) * self.weights).sum(axis=1)
 
     def look(self, time):

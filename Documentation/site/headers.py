@@ -12,7 +12,7 @@ MACRO = re.compile(r"vtk(Set|Get|Boolean)(Clamp|Vector\d|Object|)Macro\((.*)\)",
 
 
 def paths():
-    """Of the classes that users meet: not those of ParaView, and no internals."""
+    """The headers of the classes that users meet: not those of ParaView, and no internals."""
     found = [*TOP.glob("Filters/*/vtk*.h"), *TOP.glob("Representations/*/vtk*.h")]
     return sorted((path for path in found if not path.stem.endswith("Internals")), key=lambda path: path.stem)
 

@@ -60,7 +60,7 @@ class LoopedSeries(VTKPythonAlgorithmBase):
         return self.reader.GetOutput()
 
     def number(self, hour):
-        """Of the time step at an hour."""
+        """The number of the time step at an hour."""
         number = min(range(len(self.hours)), key=lambda i: abs(self.hours[i] - hour))
         if abs(self.hours[number] - hour) > 0.01:
             raise ValueError("a loop of %g hours that fades for %g needs %g hours of a series, with fields %g hours apart; there is none at "
@@ -68,7 +68,7 @@ class LoopedSeries(VTKPythonAlgorithmBase):
         return number
 
     def share(self, hour):
-        """Of the earlier day, smooth at both ends of the fade."""
+        """The weight of the earlier day, smooth at both ends of the fade."""
         x = min(1.0, hour / self.fade)
         return x * x * (3 - 2 * x)
 

@@ -12,7 +12,7 @@ namespace nephoscope
 {
 namespace
 {
-// Of the diagonal of the grid: coordinates in single precision.
+// A fraction of the grid's diagonal: coordinates in single precision.
 constexpr double samePlace = 1e-6;
 
 Point3 PositionOf(vtkDataSet* grid, const GridTopology& topology, const GridIndex& at)

@@ -46,7 +46,7 @@ public:
   // True where the first and the last place of a ring are neighbours in space too: on a globe, not on a map.
   bool ClosesInSpace(int axis) const { return this->ClosedInSpace[axis]; }
 
-  // Of every stored point; 0 for points that repeat others, so that sums count each place once.
+  // The mass of every stored point; 0 for points that repeat others, so that sums count each place once.
   const std::vector<double>& Masses() const { return this->Masses_; }
   vtkIdType PointsWithoutMass() const { return this->WithoutMass; }
 

@@ -20,8 +20,8 @@ struct RegularPolygon
   Vector3 Normal{ { 0.0, 0.0, 1.0 } }; // of any length
 };
 
-// Well-shaped triangles with edges that are not longer; 0: a quarter of the diameter. Of an edge length that would give
-// more than a million triangles, or a radius or a normal that is zero or not finite, comes an empty mesh.
+// Well-shaped triangles with edges that are not longer; 0: a quarter of the diameter. The mesh is
+// empty where there would be more than a million triangles, and where the radius or the normal is zero or not finite.
 PolygonMesh TriangulateRegularPolygon(const RegularPolygon& polygon, double maximumEdgeLength);
 
 // The polygons (and triangles, quadrilaterals and strips) of a dataset; 0: a quarter of their longest extent. They may be concave, have

@@ -11,7 +11,7 @@
 
 namespace nephoscope
 {
-// Of triangle t: area times unit normal.
+// Area times unit normal of triangle t.
 inline Vector3 AreaVector(const PolygonMesh& polygon, std::size_t t)
 {
   const auto corner = [&](std::size_t c) -> const Vector3& {

@@ -328,7 +328,7 @@ private:
   void WarnOfMissing(const nephoscope::FlowField& field);
   void WarnOfNothing(const nephoscope::SmokeReport& report);
 
-  // Of a time series; in vtkFlowVolumeUnsteady.cxx.
+  // For a time series; in vtkFlowVolumeUnsteady.cxx.
   bool CheckSeries();
   double Seconds(double time) const;
   double StartSeconds() const;

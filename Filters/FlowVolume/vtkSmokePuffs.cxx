@@ -121,7 +121,7 @@ vtkIdType Fill(vtkDoubleArray* out, const Numbers& ages, const Densities& densit
   return bad;
 }
 
-// Of the cells; 0 without any.
+// The oldest age of the cells; 0 without any.
 double OldestAge(vtkUnstructuredGrid* grid)
 {
   vtkDataArray* ages = grid ? grid->GetCellData()->GetArray("Age") : nullptr;
@@ -260,7 +260,7 @@ int vtkSmokePuffs::RequestData(
   this->ActualPeriod = pulse.Period;
   this->AnnounceTime(inputs[0]->GetInformationObject(0), outInfo); // a period found just now
 
-  // Of an input that has puffs itself; never two arrays of that name.
+  // An input may have puffs itself; there are never two arrays of that name.
   output->GetCellData()->RemoveArray("SmokeDensity");
   output->GetPointData()->RemoveArray("SmokeDensity");
   if (output->GetNumberOfCells() > 0)

@@ -51,7 +51,7 @@ inline vtkDataArray* DefaultPointArray(vtkPointData* data)
   return nullptr;
 }
 
-// Of the default point arrays of a dataset or of all in a group, without fill values (1e30 or more); the first one above the last if there is none.
+// The range of the default point arrays of a dataset or of all in a group, without fill values (1e30 or more); the first one above the last if there is none.
 inline std::array<double, 2> RangeOfDefaultArrays(vtkDataObject* data)
 {
   std::array<double, 2> range = { std::numeric_limits<double>::max(), std::numeric_limits<double>::lowest() };

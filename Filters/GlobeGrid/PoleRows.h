@@ -32,7 +32,7 @@ inline int DistinctColumns(const GridOrder& order)
   return order.Period > 0 ? order.Period : order.OutputDimensions[0];
 }
 
-// Of floating-point values the mean, of others (codes, counts) the lower median, which is one of them. `values` is
+// The mean of floating-point values, the lower median of others (codes, counts), which is one of them. `values` is
 // not empty and is sorted for the median.
 inline double RingValue(std::vector<double>& values, bool floating)
 {

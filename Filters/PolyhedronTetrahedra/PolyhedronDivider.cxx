@@ -9,8 +9,8 @@ namespace nephoscope
 {
 namespace
 {
-// Of the cell's size: a vertex is taken as apex if it lies so far behind every triangle. Lower, and the middle of the kernel makes
-// better tetrahedra.
+// A fraction of the cell's size: a vertex is taken as apex if it lies so far behind every triangle. Where none does, the middle of the
+// kernel makes better tetrahedra.
 constexpr double goodHeight = 0.01;
 
 // Height of the apex below the plane of an outward triangle.
@@ -128,7 +128,7 @@ bool PolyhedronDivider::WarpedFacesAreFans(double slack)
   return true;
 }
 
-// Of a vertex below the triangles that do not have it.
+// The lowest height of a vertex behind the triangles that do not have it.
 double PolyhedronDivider::LowestHeight(int apex) const
 {
   double lowest = this->Surface.Size();

@@ -59,8 +59,8 @@ public:
   static int CanReadFile(VTK_FILEPATH const char* name);
 
   /**
-   * Which grids to read. UpdateInformation() fills in the names; all that can be read are chosen at first. Of several
-   * grids of one name, each is followed by a number in brackets; a grid without a name is "unnamed".
+   * Which grids to read. UpdateInformation() fills in the names; all that can be read are chosen at first. Where
+   * several grids have one name, a number in brackets follows each; a grid without a name is "unnamed".
    */
   vtkDataArraySelection* GetGridSelection();
 

@@ -74,7 +74,7 @@ public:
   };
   ///@{
   /**
-   * Of numbers that are not integers: as they are, in 32 bits, or in 16 (11 bits of precision, up to 65504; half the size).
+   * Precision of floating-point numbers: as they are, 32 bits, or 16 bits (11 bits of precision, up to 65504; half the size).
    * Default: as they are.
    */
   vtkSetClampMacro(Precision, int, INPUT_PRECISION, HALF_PRECISION);

@@ -72,7 +72,7 @@ public:
     return parts <= 0.0 ? begin : begin + span * parts / count;
   }
 
-  // Of the way through an interval, exactly 0 and 1 at its ends.
+  // The fraction of an interval that has passed, exactly 0 and 1 at its ends.
   double ShareOf(double time, const PlaceInSeries& interval) const
   {
     if (interval.Earlier == interval.Later || time <= this->Time(interval.Earlier))

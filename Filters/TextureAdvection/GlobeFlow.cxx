@@ -268,7 +268,7 @@ double GlobeFlow::LongitudeGone(const Start& start, const GlobeParcel& parcel)
                                  : angle - start.Angle + TURN * parcel.Turns;
 }
 
-// Of the points of the grid, those of its columns: the one that closes it is a turn beyond the first. Of other points, in
+// Points of the grid have the longitude of their column: the one that closes it is a turn beyond the first. Other points have it in
 // the turn that begins with the grid's first column.
 std::vector<double> GlobeFlow::Longitudes(vtkDataSet* points) const
 {

@@ -54,7 +54,7 @@ public:
   int Levels() const { return this->Size[2]; }
   bool IsMap() const { return this->OnMap; }
   double Radius() const { return this->Radius_; } // displayed, of height 0
-  // Of a column of the whole extent, radians, as the grid counts them, not reduced to one turn.
+  // The longitude of a column of the whole extent, radians, as the grid counts them, not reduced to one turn.
   double LongitudeOf(int column) const;
 
 private:

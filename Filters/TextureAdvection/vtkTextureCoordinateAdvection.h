@@ -117,7 +117,7 @@ public:
   double FindCrossingTime(vtkDataSet* winds);
 
   ///@{
-  /** Of the last update, in seconds: Period and TimeStep, also where they are automatic. */
+  /** Period and TimeStep of the last update, in seconds, also where they are automatic. */
   double GetPeriodUsed() const;
   double GetTimeStepUsed() const;
   ///@}

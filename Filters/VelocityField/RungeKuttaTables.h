@@ -6,7 +6,7 @@
 
 namespace nephoscope
 {
-// Of first order: one slope, that of the start.
+// First order: one slope, that of the start.
 struct EulerMethod
 {
   static constexpr int StageCount = 1;

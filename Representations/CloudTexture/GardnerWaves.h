@@ -36,7 +36,7 @@ struct GardnerWave
 
 using GardnerWaves = std::vector<GardnerWave>;
 
-/** Of the same proportions, and variance 1. Empty where there is no wave. */
+/** Waves of the same proportions, and variance 1. Empty where there is no wave. */
 inline GardnerWaves normalized(GardnerWaves waves)
 {
   double variance = 0;

@@ -24,7 +24,7 @@ struct SurfaceLength
   double SmallestRadius = std::numeric_limits<double>::max();
   double LargestRadius = 0;
 
-  /** Of a surface, or of the whole that it is said to be a part of. */
+  /** The length of a surface, or of the whole that it is said to be a part of. */
   static SurfaceLength Of(vtkPolyData* data)
   {
     SurfaceLength result;

@@ -223,7 +223,7 @@ void addDensity(TexturedSurface& result, vtkPolyData* input, const std::string& 
   }
 }
 
-/** Of points, where they are there: true, and they are used. */
+/** Adds the weights of points, where they are there: true, and they are used. */
 bool addWeights(TexturedSurface& result, vtkPolyData* input)
 {
   vtkDataArray* array = input->GetPointData()->GetArray("TextureWeights");

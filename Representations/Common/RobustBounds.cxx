@@ -36,7 +36,7 @@ bool counts(const WeightedPlace& p)
   return p.Weight > 0.0 && std::isfinite(p.Weight + p.Place[0] + p.Place[1] + p.Place[2]);
 }
 
-// Of every axis the weight up to its two numbers, and all of it last.
+// The weight below the two numbers of every axis, and all of it last.
 std::array<double, 7> weightsBelow(
   const std::vector<WeightedPlace>& places, const MediumBounds& box, const MediumReduction& over)
 {

@@ -23,7 +23,7 @@ struct WeightedPlace
 };
 
 /**
- * Of a cell, from its volume and its greatest length: its volume, but next to nothing for a needle. One point far away makes needles of all cells
+ * Weight of a cell, from its volume and its greatest length: its volume, but next to nothing for a needle. One point far away makes needles of all cells
  * around it, which would outweigh the others.
  */
 VTKNEPHOSCOPEREPRESENTATIONSCOMMON_EXPORT double weightOfCell(double volume, double length);

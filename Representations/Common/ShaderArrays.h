@@ -25,7 +25,7 @@ struct ArrayLayout
   std::size_t Capacity = 0;
 };
 
-/** Of the current context. */
+/** The layout of the current context. */
 inline ArrayLayout currentArrayLayout()
 {
   constexpr GLint large = 1 << 24;

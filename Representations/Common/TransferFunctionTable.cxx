@@ -19,7 +19,7 @@ namespace nephoscope
 {
 namespace
 {
-// At the places looked at; 1 / 2000 then holds between them. Of opacity it is a part of the opacity itself, down to a small part of the
+// At the places looked at; 1 / 2000 then holds between them. For opacity it is a fraction of the opacity itself, down to a small fraction of the
 // largest: however large the scale, the error of the optical depth is a small part of it.
 constexpr double curveTolerance = 1.0 / 2500;
 constexpr float leastOpacity = 1e-6f;

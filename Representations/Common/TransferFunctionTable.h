@@ -7,7 +7,7 @@
  * points (midpoint, sharpness, colour spaces other than RGB), so that the table follows it to within
  * 1/2000 (of opacity: 1/2000 of itself).
  * Values are kept separately left and right of each node: a jump stays a jump. Colours of a discretised lookup with fewer than
- * 256 values are kept as its steps. Of indexed (categorical) colours each scalar has that of the nearest annotated value.
+ * 256 values are kept as its steps. With indexed (categorical) colours each scalar has that of the nearest annotated value.
  *
  * Interval k lies between node k-1 and node k; interval 0 is all that lies below the first node and interval n all that lies above
  * the last, both constant.

@@ -36,7 +36,7 @@ public:
   /** As it was found when the renderer began to draw. */
   const HazePlacement& GetPlacement() const { return this->Placement; }
 
-  /** Of the renderer, or null. */
+  /** The link of the renderer, or null. */
   static HazeLink* Of(vtkRenderer* renderer);
 
 protected:

@@ -50,7 +50,7 @@ void levels(const HazeScene& scene, const double up[3], double& low, double& hig
   }
 }
 
-/** Of the eye or the highest corner of the bounds over the ground, in scale heights. */
+/** The altitude over the ground of the eye or the highest corner of the bounds, in scale heights. */
 double highestAltitude(const HazePlacement& place, vtkHaze* haze, const HazeScene& scene)
 {
   if (!place.OnGlobe)

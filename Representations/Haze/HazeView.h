@@ -23,7 +23,7 @@ class VTKNEPHOSCOPEREPRESENTATIONSHAZE_EXPORT HazeView
 public:
   /** No haze. */
   HazeView() = default;
-  /** Of the renderer as it draws now; its haze may be none, or off. */
+  /** The view of the renderer as it draws now; its haze may be none, or off. */
   explicit HazeView(vtkRenderer* renderer);
 
   bool IsOn() const { return this->On; }

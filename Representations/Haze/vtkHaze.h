@@ -134,7 +134,7 @@ public:
   ///@}
 
   ///@{
-  /** Map: upwards. Of any length > 0, default: (0, 0, 1). */
+  /** Map: the direction upwards, with any length > 0. Default: (0, 0, 1). */
   void SetUpDirection(double x, double y, double z);
   void SetUpDirection(const double up[3]) VTK_SIZEHINT(3)
   {

@@ -80,7 +80,7 @@ bool hasExtendedCells(vtkDataSet* data)
   return false;
 }
 
-// Of the points that are at finite places, without those that are few and far away.
+// Bounds of the points that are at finite places, without those that are few and far away.
 MediumBounds bulkOf(vtkDataSet* data)
 {
   return robustBoundsOfPlaces(data->GetNumberOfPoints(), [&](vtkIdType id, double* x) {
@@ -133,7 +133,7 @@ std::vector<vtkIdType> findPlaces(vtkDataSet* data)
   return apart ? std::vector<vtkIdType>() : places;
 }
 
-// Of one cell: its share for each of its corners, and all of it.
+// The shares of one cell for its corners, and the whole cell.
 class CellShares
 {
 public:
@@ -240,7 +240,7 @@ private:
     }
   }
 
-  // Of two dimensions, one edge after the other.
+  // A cell of two dimensions, one edge after the other.
   void AddPolygon(const std::vector<vtkIdType>& points)
   {
     const std::size_t count = points.size();

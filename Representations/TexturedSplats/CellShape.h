@@ -124,7 +124,7 @@ struct CellShare
     return this->Dimension == 3 ? std::cbrt(size) : std::sqrt(size);
   }
 
-  // Jacobian of the sample: the mean of the corners' edges, scaled to the volume. Of surfaces a ball.
+  // Jacobian of the sample: the mean of the corners' edges, scaled to the volume. A surface has a ball.
   SplatMatrix Jacobian() const
   {
     const double edge = this->EdgeLength();

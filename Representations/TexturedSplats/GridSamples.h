@@ -22,7 +22,7 @@ public:
 
   bool IsGrid() const { return this->Dimensions[0] > 0; }
   bool IsUniform() const { return this->Uniform; }
-  /** Of the samples; all 0 if this is not a grid. */
+  /** Dimensions of the samples; all 0 if this is not a grid. */
   const int* GetDimensions() const { return this->Dimensions; }
   vtkIdType Size() const
   {

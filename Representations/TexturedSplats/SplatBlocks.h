@@ -26,7 +26,7 @@ struct SplatSamples;
 class SplatBlocks
 {
 public:
-  /** Of the samples that are in the classes. */
+  /** Blocks of the samples that are in the classes. */
   SplatBlocks(const SplatSamples& samples, const SplatClasses& classes);
 
   const BlockOrder& GetOrder() const { return this->Order; }

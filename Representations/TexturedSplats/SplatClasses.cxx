@@ -16,7 +16,7 @@ namespace nephoscope
 
 namespace
 {
-// Of the greatest extinction: samples with no more are transparent. The table of the transfer function holds no smaller share, so that at the
+// A fraction of the greatest extinction: samples with no more are transparent. The table of the transfer function holds no smaller share, so that at the
 // foot of a ramp there is rounding in place of 0. On a lattice those on a ray add up to this share of the ray's length at the greatest
 // extinction, by the ripple of the kernel 1.006 times as much: where a ray through nothing but the densest medium has an optical
 // depth of t, alpha is at most 1.006e-6 t too small.

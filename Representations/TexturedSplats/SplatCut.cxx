@@ -69,7 +69,7 @@ public:
 private:
   static constexpr std::size_t enoughParts = 256;
 
-  // Of a splat that is reached: 0 to 1.
+  // The share of a splat that is reached: 0 to 1.
   float ShareOf(std::int32_t splat) const
   {
     if (this->Tree.IsLeaf(splat))

@@ -44,10 +44,10 @@ struct SplatCutView
 };
 
 /**
- * Of all nodes of the tree: infinite around the eye, where only leaves can be drawn, and 0 for a node smaller than a pixel; the error
+ * Errors of all nodes of the tree: infinite around the eye, where only leaves can be drawn, and 0 for a node smaller than a pixel; the error
  * grows and falls steadily on the way there.
  *
- * Of the image: a node and those below it are gaussians on the screen; the squares of their differences add up from level to level. It is
+ * Error of the image: a node and those below it are gaussians on the screen; the squares of their differences add up from level to level. It is
  * thus seen from which side parts may be put together: those one behind the other make no error.
  *
  * The same whatever the number of threads.

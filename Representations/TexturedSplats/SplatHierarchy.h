@@ -42,9 +42,9 @@ public:
   const SplatTree& Tree() const { return this->Nodes; }
   /** The splats to draw. */
   const std::vector<std::int32_t>& Cut() const { return this->Drawn.Splats; }
-  /** Of their extinction, or empty: all 1. */
+  /** Weights of their extinction, or empty: all 1. */
   const std::vector<float>& Weights() const { return this->Drawn.Weights; }
-  /** Of leaves and nodes, by their numbers. */
+  /** Places of leaves and nodes, by their numbers. */
   const std::vector<std::array<float, 3>>& Positions() const { return this->Places; }
   /** The greatest stretch of a Jacobian of what is drawn, that of the samples at least. */
   double LongestDrawn(const SplatSamples& samples) const;

@@ -72,7 +72,7 @@ inline double Footprint(double rho)
 }
 
 // The footprint as (1 - q)^3 times a polynomial of 2 q - 1, where q = (rho / radius)^2, to 1.5e-5: without roots and logarithms,
-// for shaders. Of all such polynomials the one of the least greatest deviation.
+// for shaders. The polynomial has the least greatest deviation.
 constexpr std::array<double, 12> footprintCoefficients = { { 0.32783254, -0.189764633, 0.128078513,
   0.00415959703, 0.280323296, -0.40178336, -1.30090379, 0.814175339, 2.8502731, 0.327845877,
   -2.03252278, -1.00148049 } };

@@ -30,7 +30,7 @@ public:
   void Find(vtkDataSet* data, bool onCells, const SplatSamples& samples, const SplatEye& eye,
     const SplatMetric& metric, int axis);
 
-  /** Of the layers of samples without a grid, in the world. */
+  /** Thickness of the layers of samples without a grid, in the world. */
   static double Thickness(const SplatSamples& samples, const SplatMetric& metric);
 
   /**

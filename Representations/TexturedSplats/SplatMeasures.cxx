@@ -73,7 +73,7 @@ void forEachSample(const SplatShapes& shapes, const Visit& visit)
   }
 }
 
-// Of the samples' cells that lie in a box.
+// Bounds of the samples' cells that lie in a box.
 MediumBounds boundsWithin(const SplatShapes& shapes, const MediumBounds& box)
 {
   MediumBounds bounds = NoMediumBounds;

@@ -12,14 +12,14 @@ namespace nephoscope
 {
 
 /**
- * Of the cells that the visible samples of all processes stand for, without parts that are few and far away. `data`, the piece of this one, may
+ * Bounds of the cells that the visible samples of all processes stand for, without parts that are few and far away. `data`, the piece of this one, may
  * be null.
  */
 VTKNEPHOSCOPEREPRESENTATIONSTEXTUREDSPLATS_EXPORT MediumBounds boundsOfSamples(
   vtkDataSet* data, const SplatSampling& sampling, const MediumReduction& over = {});
 
 /**
- * Of a piece, which may be null, whose samples are points or cells, as far as it lies in the bounds, of all pieces. `scalars` may be null, vectors count by
+ * Measures a piece, which may be null, whose samples are points or cells, as far as it lies in the bounds of all pieces. `scalars` may be null, vectors count by
  * their magnitude; `opacity` may be empty. Integrals come from about 1e5 samples.
  */
 VTKNEPHOSCOPEREPRESENTATIONSTEXTUREDSPLATS_EXPORT MediumMeasures measureSplats(vtkDataSet* data, const SplatSampling& sampling,

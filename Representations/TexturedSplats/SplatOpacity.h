@@ -18,7 +18,7 @@ struct SplatLight
   double Transparency = 1.0;
 };
 
-// Of an optical depth (extinction times footprint). The product over splats is the exact transparency of the
+// Opacity of an optical depth (extinction times footprint). The product over splats is the exact transparency of the
 // reconstructed field, in any order; with an opacity that is linear in the footprint it is not.
 inline double SplatAlpha(double opticalDepth)
 {

@@ -54,7 +54,7 @@ constexpr double pixelVarianceOfKernels = 1.0 / 12.0 / cubic_kernel::variance;
 constexpr float tailShare = 0.6f; // of a streak's period, at full speed
 constexpr double streakSpacing = 1.0; // from row to row, in units of the vectors
 
-// Of quadrangles: the medium, or its halves behind and in front of streaks, or of two segments.
+// Vertices of quadrangles: the medium, or its halves behind and in front of streaks, or of two segments.
 int verticesOfSplat(const SplatDrawingOptions& options, bool nearEye)
 {
   const bool both = nearEye || !options.MediaApart;

@@ -40,7 +40,7 @@ struct SplatDrawingOptions
 {
   SplatKernel Kernel = SplatKernel::Cubic;
   double ExtinctionScale = 1.0;
-  // Of the order, the last ones, each number with those before it (SplatRanges.h): so near that the eye may be inside; too large to be
+  // Numbers of splats at the end of the order, each with those before it (SplatRanges.h): so near that the eye may be inside; too large to be
   // points; too close to be drawn to first order. The default: all are drawn as parallelograms.
   std::size_t NearSplats = 0;
   std::size_t LargeSplats = std::numeric_limits<std::size_t>::max();

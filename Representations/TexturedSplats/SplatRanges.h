@@ -76,7 +76,7 @@ inline double SquareExcess(const SplatMatrix& jacobian)
 SplatMatrix LinearPart(vtkMatrix4x4* matrix);
 SplatMatrix ToViewMatrix(const SceneView& view);
 
-/** Of the world, for positions that such a matrix takes there. */
+/** The metric of the world, for positions that such a matrix takes there. */
 SplatMetric MetricOf(const SplatMatrix& toView);
 
 /** What is drawn, from back to front: the places of the items, in an order, and the greatest stretch of their Jacobians. */

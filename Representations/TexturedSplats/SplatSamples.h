@@ -36,10 +36,10 @@ struct SplatSamples
   std::vector<vtkIdType> Ids;      ///< of the point or cell
 
   double LongestEdge = 0; ///< largest factor by which any Jacobian stretches a length
-  /** Of the structured grid whose samples these are: Ids count along x, y, z. */
+  /** Dimensions of the structured grid whose samples these are: Ids count along x, y, z. */
   int Dimensions[3] = { 0, 0, 0 };
 
-  /** Of a sparse volume: with the edges Voxel, and the place FirstVoxel (relative to the centre) where indices are 0. */
+  /** Whether these are voxels of a sparse volume, with the edges Voxel; FirstVoxel (relative to the centre) is where indices are 0. */
   bool AreVoxels = false;
   SplatMatrix Voxel{};
   SplatVector FirstVoxel{};
@@ -55,7 +55,7 @@ struct SplatSamples
   }
 };
 
-/** Of the points that are at finite places. */
+/** Bounds of the points that are at finite places. */
 void FindPlaceBounds(vtkDataSet* data, double bounds[6]);
 
 /** Edge of a cube that each of so many samples would have if they filled the bounds; 1 where they are all in one place. */

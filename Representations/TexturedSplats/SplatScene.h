@@ -71,7 +71,7 @@ public:
   const SplatSamples& GetSamples() const { return this->Samples; }
   /** Which samples are left out because of a value, a coordinate or a size; empty if there are none. */
   std::string DescribeLeftOut(const SplatFields& fields, const std::string& sizeArrayName) const;
-  /** Of the layers that are at right angles to the line of sight; 0 where they are those of a grid. */
+  /** Thickness of the layers at right angles to the line of sight; 0 where they are those of a grid. */
   double GetLayerThickness() const;
   SortedSplats GetSorted() const
   {

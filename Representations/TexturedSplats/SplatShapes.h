@@ -59,7 +59,7 @@ public:
   /** Empty, or what is wrong with the array of sizes. */
   static std::string Check(vtkDataSet* data, const SplatSampling& sampling);
 
-  /** Of points or cells, hidden ones too. */
+  /** Number of points or cells, hidden ones too. */
   vtkIdType GetNumberOfIds() const { return this->Count; }
   /** Not hidden, not the repeated column of a closed grid, and not a duplicate of what another rank has, unless those are wanted. */
   bool IsVisible(vtkIdType id) const;

@@ -12,7 +12,7 @@ class vtkDataArray;
 namespace nephoscope
 {
 
-/** Of visible samples whose vectors are finite and not 0. */
+/** Sums over visible samples whose vectors are finite and not 0. */
 struct VectorSums
 {
   double Greatest = 0; ///< speed

@@ -350,8 +350,8 @@ public:
   /**
    * What of a block is compared with ErrorTolerance, in units of optical depth:
    * - Picture (default): root of the sum, over the pixels, of the squares of the error. Small blocks may be less exact than large ones:
-   *   the fewest splats for clouds that change from sample to sample. 0.3 is hard to see, 3 clearly visible. Of the data: the
-   *   root of the mean square.
+   *   the fewest splats for clouds that change from sample to sample. 0.3 is hard to see, 3 clearly visible. With the
+   *   error of the data: the root of the mean square.
    * - Root mean square: of the error over the block.
    * - Greatest: deviation of a sample from the block's mean (Laur and Hanrahan 1991), along the ray through the block; or the root mean
    *   square if it is more. Better than the others where the field is smooth and much is asked for.
@@ -419,7 +419,7 @@ public:
   /** Splats drawn in the last render. */
   vtkIdType GetNumberOfDrawnSplats();
 
-  /** Samples that can be seen: splats drawn without a hierarchy. Of the last render. */
+  /** Samples that could be seen in the last render: splats drawn without a hierarchy. */
   vtkIdType GetNumberOfSamples();
 
   /** The tolerance that the last render was drawn with; above ErrorTolerance where InteractiveMaximumNumberOfSplats made it grow. */

@@ -89,7 +89,7 @@ def by_mapper(configure, data=None, look=LOOK):
 
 
 def ripple(configure):
-    """Of the optical depth of a constant seen along an axis of the lattice, in percent of its mean: root mean square, greatest."""
+    """Deviation of a constant's optical depth, seen along an axis of the lattice, in percent of its mean: root mean square, greatest."""
     made, mapper = by_mapper(configure, lattice(lambda points: np.ones(len(points))), Transfer([(0, 1, 1, 1), (1, 1, 1, 1)], [(0, 0.5), (1, 0.5)]))
     made.scene.look((0, 0, 10), parallel_scale=1.2, near=5, far=15)
     made.picture()

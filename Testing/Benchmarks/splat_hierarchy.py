@@ -52,7 +52,7 @@ def decibels(difference):
 
 
 class Quality:
-    """Of one data set in pictures of one size: share of the splats that a tolerance draws, PSNR of picture and of cloud."""
+    """One data set in pictures of one size: fraction of the splats that a tolerance draws, PSNR of picture and of cloud."""
 
     def __init__(self, label, size, data, array, properties):
         self.label, self.size = label, size

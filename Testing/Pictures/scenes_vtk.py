@@ -57,7 +57,7 @@ def show(*props, renderer=None, look=(-3, -5, 3.4), up=(0, 0, 1), zoom=1.3):
 
 
 def keep_picture(names):
-    """Of a snippet that draws: its frames, its file or its window."""
+    """Keeps the picture of a snippet that draws: its frames, its file or its window."""
     if "frames" in names:
         names["frames"][-1].save("picture.png")
         return

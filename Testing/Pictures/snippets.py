@@ -17,7 +17,7 @@ def pages():
 
 
 def name_of(page):
-    """Of a README: that of its folder."""
+    """The page's name; a README has that of its folder."""
     folder = page.parent.name if page.parent != ROOT else ""
     return (folder or "README") if page.stem == "README" else page.stem
 

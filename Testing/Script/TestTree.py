@@ -110,10 +110,20 @@ def check_changelog(_files):
             yield f"CHANGELOG.md: {title}: the kinds of changes should be {kinds}, in this order, not {found}"
 
 
+def check_sentences(files):
+    """No sentence begins with "Of": it says what it is about too late."""
+    begins = re.compile(r'''(^\s*(//|/\*\*|\*|\#|- |"""|<!--|<Documentation>)?|[^.\s][.:;])\s+Of [a-z]|"""Of [a-z]''')
+    for path in files:
+        if path.suffix in SOURCE_SUFFIXES | {".md", ".in"} or path.name in SOURCE_NAMES:
+            for number, line in enumerate(text_of(path).splitlines(), 1):
+                if begins.search(line):
+                    yield f"{path.relative_to(TOP)}:{number}: a sentence begins with 'Of': {line.strip()[:80]}"
+
+
 def main():
     files = tracked_files()
     problems = []
-    for check in (check_licence_lines, check_machine_paths, check_documents, check_verbs, check_references, check_changelog):
+    for check in (check_licence_lines, check_machine_paths, check_documents, check_verbs, check_references, check_changelog, check_sentences):
         problems += check(files)
     print("\n".join(problems) or f"{len(files)} files: nothing to complain of")
     return 1 if problems or not files else 0

@@ -66,7 +66,7 @@ class Harmonics:
         return self.divergence(north, -east)
 
     def inverse_laplacian(self, coefficients):
-        """Of the unit sphere; the mean, which has none, becomes 0."""
+        """The inverse Laplacian on the unit sphere; the mean, which has none, becomes 0."""
         n = np.maximum(self.degrees, 1)
         factor = np.where(self.degrees > 0, -1.0 / (n * (n + 1)), 0.0)
         return coefficients * factor[None, :, None]

@@ -62,7 +62,7 @@ class Splats(VdbTestCase, ImageTestCase):
             self.check_float(sparse, dense, "sparse and dense", 2e-4)
 
     def test_a_tile_is_one_large_splat(self):
-        """Of the mass of its voxels, and blocks of the hierarchy have it within."""
+        """It has the mass of its voxels, and blocks of the hierarchy contain it."""
         values = np.zeros((24, 24, 24), "f4")
         values[:16, 8:16, 8:16] = 1
         values[20:, 3, 3] = 0.5

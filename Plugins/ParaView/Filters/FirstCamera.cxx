@@ -52,7 +52,7 @@ vtkSMProxy* SourceOf(vtkSMProxy* display)
   return input.GetNumberOfElements() > 0 ? input.GetAsProxy() : nullptr;
 }
 
-// Of what a display shows; without extent where there is nothing.
+// The sphere around what a display shows; without extent where there is nothing.
 Sphere ShownBy(vtkSMProxy* display)
 {
   const vtkSMPropertyHelper input(display, "Input", true);
@@ -96,7 +96,7 @@ bool Has(vtkSMProxy* view, vtkSMProxy* display)
   return false;
 }
 
-// Of data that Globe Grid has put on a globe.
+// Whether Globe Grid has put the data on a globe.
 bool IsGlobe(vtkSMProxy* display)
 {
   const vtkSMPropertyHelper input(display, "Input", true);

@@ -45,7 +45,7 @@ std::string PresetOf(const std::string& array, const std::string& list = "standa
   return settings->HasSetting(key.c_str()) ? settings->GetSettingAsString(key.c_str(), 0, "") : std::string();
 }
 
-// Of a name that is usual elsewhere too, in data of the weather: those of Globe Grid.
+// The preset of a name that is usual elsewhere too; only for data of the weather, those of Globe Grid.
 std::string WeatherPresetOf(const std::string& array, vtkPVDataInformation* data)
 {
   const bool weather = PresetOf(array).empty() && data->GetArrayInformation("GlobeGridProjection", vtkDataObject::FIELD);

@@ -186,7 +186,7 @@ def check_switched():
 
 
 def settings_of(display, *names):
-    """Of the mapper, as it has drawn last."""
+    """The mapper's settings, as it has drawn last."""
     text = str(display.SMProxy.GetProperty("TexturedSplatsVectorOpacity").GetParent().GetClientSideObject())
     return [float(re.search(rf"{name}: ([-+.e0-9]+)", text)[1]) for name in names]
 

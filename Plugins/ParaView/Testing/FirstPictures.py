@@ -42,7 +42,7 @@ def check_thin(representation):
 
 
 def check_first_pictures(representation, wavelet):
-    """Of points, cells, unstructured cells, layers, constants and weather, in degrees and on the globe."""
+    """First pictures of points, cells, unstructured cells, layers, constants and weather, in degrees and on the globe."""
     check_constants(representation)
     check_thin(representation)
     check_first_picture(representation, "the wavelet", wavelet)

@@ -95,7 +95,7 @@ class Copies(unittest.TestCase):
             np.testing.assert_array_equal(self.picture(plotter), expected)
 
     def test_moved_planes_and_colours(self):
-        """Of the original, which the copy does not follow; its own scalar range it does."""
+        """The copy does not follow the planes and colours of the original; it follows its own scalar range."""
         for name, _, volume, expected in self.originals():
             copy = volume.copy()
             volume.mapper.scalar_range = (-9, 9)

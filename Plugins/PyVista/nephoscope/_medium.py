@@ -154,7 +154,7 @@ def _are_numbers(values: np.ndarray) -> bool:
 
 
 def diagonal(grid: pyvista.DataSet) -> float:
-    """Of the bounds, of the finite points alone where not all are."""
+    """The diagonal of the bounds, of the finite points alone where not all are."""
     if np.isfinite(grid.length):
         return float(grid.length)
     points = np.asarray(grid.points, float)

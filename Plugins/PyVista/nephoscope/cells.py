@@ -101,9 +101,9 @@ def add_cells(plotter: pyvista.BasePlotter, grid: Any, scalars: str | np.ndarray
         Values of lit, translucent surfaces inside the volume, drawn without geometry and in exact order with it; or their
         number, at equal steps inside the range.
     contour_opacity : float or sequence of float, default: 0.3
-        Of all surfaces or of each, 0 to 1. 0: not drawn.
+        Opacity of all surfaces or of each, 0 to 1. 0: not drawn.
     contour_color : color or sequence of color, optional
-        Of all surfaces or of each. Default: the colour map's where the surface is.
+        Colour of all surfaces or of each. Default: the colour map's where the surface is.
     contour_scalars : str, optional
         Point array that `contours` are values of, where it is not `scalars`.
     contour_lighting, smooth_contours : bool, default: True
@@ -112,9 +112,9 @@ def add_cells(plotter: pyvista.BasePlotter, grid: Any, scalars: str | np.ndarray
         Which polygons of the grid are drawn between its cells, as translucent surfaces in exact order, lit as `contours` are: those that
         `split_cells` adds, all, or none. They must lie in faces of cells.
     polygon_opacity : float or sequence of float, default: 0.3
-        Of all polygons, or by their ``ContourIndex``, 0 to 1. 0: not drawn.
+        Opacity of all polygons, or by their ``ContourIndex``, 0 to 1. 0: not drawn.
     polygon_color : color or sequence of color, optional
-        Of all polygons, or by their ``ContourIndex``. Default: the colour map's where they are.
+        Colour of all polygons, or by their ``ContourIndex``. Default: the colour map's where they are.
     layers : dict of int to pyvista.VolumeProperty, optional
         Colour function, opacity function and unit distance of single layers, which may jump at their borders. The layer of a
         point is the number of `contours` at or below its scalar, unless `layer_scalars` is given.

@@ -120,7 +120,7 @@ def add_cloud_texture(plotter: pyvista.BasePlotter, mesh: Any, scalars: str | np
     color_range : float, default: 1.5
         In standard deviations of the texture, > 0.
     optical_depth : float, default: 3.0
-        Of the cloud across the surface, >= 0.
+        Optical depth of the cloud across the surface, >= 0.
     use_thickness : bool, default: False
         Clouds are as opaque as they are thick: from each front face to the next back face, or to what is opaque.
     thickness_effect : str, default: "opacity"

@@ -194,7 +194,7 @@ def _usual_value(smoothed: pyvista.DataSet, name: str) -> float:
 
 
 def _visible_points(mesh: pyvista.DataSet) -> np.ndarray:
-    """Of each point whether it is a corner of a visible cell and not hidden itself."""
+    """For each point whether it is a corner of a visible cell and not hidden itself."""
     visible = np.ones(mesh.n_points, bool)
     if "vtkGhostType" in mesh.cell_data.keys():
         cells = np.flatnonzero(mesh.cell_data["vtkGhostType"] & vtkDataSetAttributes.HIDDENCELL == 0)

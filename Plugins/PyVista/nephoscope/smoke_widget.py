@@ -27,9 +27,9 @@ def add_smoke_widget(plotter: pyvista.Plotter, mesh: pyvista.DataSet | pyvista.M
     mesh : pyvista.DataSet or pyvista.MultiBlock
         Any mesh with a velocity, as for `flow_volume`.
     color : ColorLike, optional
-        Of the smoke, see `add_smoke`.
+        Colour of the smoke, see `add_smoke`.
     polygon_color : ColorLike, default: "orange"
-        Of the polygon and of the ball.
+        Colour of the polygon and of the ball.
     while_dragging : bool, default: True
         Make the smoke anew all the while; else when the ball is let go, and until then the polygon alone.
     **options

@@ -103,7 +103,7 @@ def write_vdb(mesh: pyvista.DataSet, path: str | Path, arrays: str | Sequence[st
     tolerance : float, default: 0.0
         Values of images up to this are background and take no space, >= 0.
     precision : {"input", "single", "half"}, default: "input"
-        Of numbers that are not integers: as they are, 32 bits, or 16.
+        Precision of floating-point numbers: as they are, 32 bits, or 16 bits.
     compression : {"blosc", "zip", "none"}, default: "blosc"
         Zip is not applied to fog volumes by OpenVDB.
     voxel_size : float, optional

@@ -84,8 +84,8 @@ def add_splats(plotter: pyvista.BasePlotter, mesh: Any, scalars: str | np.ndarra
     kernel : {"cubic", "quadratic", "gaussian"}, default: "cubic"
         Cubic for samples in space, quadratic for one flat sheet that is seen from the front, gaussian for comparison.
     radius : float or "neighbors", optional
-        Of the splats of particles and unstructured points, in units of length, > 0; or 1.56 times the mean spacing of each point's nearest
-        neighbours. Default: as large as the cells around, without cells 1.56 times the mean spacing of all. An error on
+        Radius of the splats of particles and unstructured points, in units of length, > 0; ``"neighbors"``: 1.56 times the mean spacing of each
+        point's nearest neighbours. Default: as large as the cells around, without cells 1.56 times the mean spacing of all. An error on
         structured grids, whose splats have the shape of their cells.
     sizes, volumes : str, optional
         In place of `radius`: array, on points or cells as the scalars are, of the edge or the volume of the cube that each sample stands for.

@@ -47,7 +47,7 @@ def split_cells(mesh: pyvista.DataSet | pyvista.MultiBlock, isosurfaces: int | f
     polyhedral_transitions : bool, default: False
         Turn whole cells beside divided ones into polyhedra that have the triangles of their neighbours.
     precision : {"double", "single", "input"}, default: "double"
-        Of the coordinates; ``"input"``: that of the points of `mesh`. With single precision thin pieces can be turned inside out by rounding.
+        Precision of the coordinates; ``"input"``: that of the points of `mesh`. With single precision thin pieces can be turned inside out by rounding.
 
     Returns
     -------

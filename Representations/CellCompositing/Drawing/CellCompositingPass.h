@@ -43,7 +43,7 @@ public:
   std::string UploadGeometry(
     vtkOpenGLRenderWindow* window, const CellGeometry& geometry, const CellPieces& pieces,
     const TetrahedronNeighbors* neighbors);
-  /** Of the geometry that was uploaded last, only the values of colour, of opacity or of both. */
+  /** Only the values of colour, of opacity or of both; the geometry is that of the last upload. */
   std::string UploadValues(vtkOpenGLRenderWindow* window, const CellGeometry& geometry, const CellPieces& pieces, bool ofColor,
     bool ofOpacity)
   {

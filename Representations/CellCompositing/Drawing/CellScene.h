@@ -117,7 +117,7 @@ public:
   {
     return this->CurrentMethod == Method::Rays ? &this->Neighbors : nullptr;
   }
-  /** Of a grid: the cells that can be seen lie in it. */
+  /** For a grid: the cells that can be seen lie in it. */
   const CellBox& GetVisibleBox() const { return this->VisibleBox; }
   /** For rays: where they enter what can be seen. */
   const std::vector<BoundaryFace>& GetBoundaryFaces() const

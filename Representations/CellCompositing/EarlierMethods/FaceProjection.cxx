@@ -213,7 +213,7 @@ private:
     return screenArea(this->Point(p[0]).Place, this->Point(p[1]).Place, this->Point(p[2]).Place);
   }
 
-  /** Of the centroid, as the rule of the method has it. */
+  /** The distance of the centroid, as the rule of the method has it. */
   float Distance(const std::array<std::int32_t, 3>& face) const
   {
     Vector3 sum = { { 0, 0, 0 } };

@@ -76,7 +76,7 @@ public:
   std::vector<float> OpacityScalars;  ///< one per point, or per tetrahedron if OpacityOnCells; normalised
   double OpacityRange[2] = { 0, 1 };
 
-  /** Of the dataset, for each tetrahedron; empty where tetrahedron i is that of cell i, and for a grid. */
+  /** The cell of the dataset for each tetrahedron; empty where tetrahedron i is that of cell i, and for a grid. */
   std::vector<std::int32_t> Cells;
   std::vector<std::int32_t> Layers; ///< of each tetrahedron's cell; empty without a layer array
 

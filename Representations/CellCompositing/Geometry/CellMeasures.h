@@ -14,7 +14,7 @@ class vtkDataSet;
 namespace nephoscope
 {
 
-/** Of the finite points in a box of the cells that are shown. `data` may be null. */
+/** Bounds of the finite points, in a box, of the cells that are shown. `data` may be null. */
 VTKNEPHOSCOPEREPRESENTATIONSCELLCOMPOSITING_EXPORT MediumBounds boundsOfCells(vtkDataSet* data, const MediumBounds& box = WholeMedium);
 
 /** The same of all processes, without parts that are few and far away. */
@@ -28,7 +28,7 @@ struct CellMedium
   std::function<double(double)> Opacity = {};
 };
 
-/** Of a piece, which may be null, as far as it lies in the bounds, of all pieces. Integrals come from about 1e5 cells. */
+/** Measures a piece, which may be null, as far as it lies in the bounds of all pieces. Integrals come from about 1e5 cells. */
 VTKNEPHOSCOPEREPRESENTATIONSCELLCOMPOSITING_EXPORT MediumMeasures measureCells(
   vtkDataSet* data, const CellMedium& medium, const MediumBounds& common);
 

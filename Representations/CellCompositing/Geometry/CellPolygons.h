@@ -53,11 +53,11 @@ struct CellPolygons
     std::int32_t Opposite; ///< the vertex (0 to 3) that is not in the face
     std::int32_t Triangle;
   };
-  /** Faces match where points are at the same place. Of several triangles at one face the first counts. */
+  /** Faces match where points are at the same place. Where several triangles lie at one face, the first counts. */
   std::vector<Face> Match(const CellGeometry& geometry, const std::vector<std::int32_t>& places);
   std::int64_t NumberApart = 0; ///< polygons of which Match found a part in no face
 
-  /** Of each triangle's corners: mean over the triangles of one contour that meet there, with any length and sign. */
+  /** Normals at each triangle's corners: mean over the triangles of one contour that meet there, with any length and sign. */
   std::vector<std::array<Vector3, 3>> Normals(const CellGeometry& geometry, const std::vector<std::int32_t>& places, bool smooth) const;
 };
 

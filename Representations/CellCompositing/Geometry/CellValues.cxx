@@ -44,7 +44,7 @@ bool CellGeometry::CopyOpacityScalars(
   });
 }
 
-// Of each tetrahedron the value of its cell.
+// Each tetrahedron has the value of its cell.
 bool CellGeometry::CopyCellValues(
   const ScalarSelection& scalars, const double range[2], std::vector<float>& values, const Progress& progress) const
 {

@@ -57,7 +57,7 @@ public:
     return supported ? CellOutcome::Decomposed : CellOutcome::Unsupported;
   }
 
-  /** Of the cell that was walked last. */
+  /** Whether those of the cell that was walked last do. */
   bool TetrahedraFillCell() { return this->Source.TetrahedraFillCell(); }
 
 private:

@@ -70,7 +70,7 @@ std::uint64_t bitsOf(double value)
   return bits;
 }
 
-/** Of what a mesh consists of; null members do not exist. */
+/** What a mesh consists of; null members do not exist. */
 struct MeshParts
 {
   explicit MeshParts(vtkUnstructuredGrid* grid)

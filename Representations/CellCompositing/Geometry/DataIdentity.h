@@ -60,7 +60,7 @@ private:
   bool Known = false;
 };
 
-/** Of an array's values, without its name; 0 for none. The same for any number of threads. */
+/** Fingerprint of an array's values, without its name; 0 for none. The same for any number of threads. */
 std::uint64_t fingerprint(vtkDataArray* array);
 
 } // namespace nephoscope

@@ -79,7 +79,7 @@ void TetrahedronNeighbors::Build(const CellGeometry& geometry, const VisibilityO
   this->ListBoundary(geometry);
 }
 
-// Of the points at one place with equal values, the first.
+// Points at one place with equal values become the first of them.
 void TetrahedronNeighbors::MergePoints(const CellGeometry& geometry, const VisibilityOrder& connected)
 {
   const std::size_t n = geometry.Points.size();

@@ -23,7 +23,7 @@ struct CellPieces
 
   void Clear() { *this = CellPieces(); }
 
-  /** Of values per tetrahedron those of the pieces. */
+  /** Values of the pieces, from those of the tetrahedra. */
   std::vector<float> OfOwners(const std::vector<float>& values) const
   {
     std::vector<float> result;

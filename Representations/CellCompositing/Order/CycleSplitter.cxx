@@ -196,7 +196,7 @@ Plane CycleSplitter::FindPlane(const Relation& relation) const
   return { normal, dot(normal, p[f[0]]) };
 }
 
-// Of a few relations the one whose plane cuts little and divides well.
+// The plane of that relation, among a few, which cuts little and divides well.
 Plane CycleSplitter::ChoosePlane(const Group& group) const
 {
   constexpr std::size_t candidates = 24;

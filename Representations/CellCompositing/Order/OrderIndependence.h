@@ -3,7 +3,7 @@
 /**
  * Whether a medium looks the same in whatever order its cells are composited.
  *
- * Of one source colour C, cells of transmittances T1, T2, ... laid over each other give C (1 - T1 T2 ...) and alpha 1 - T1 T2 ...,
+ * Cells of one source colour C with transmittances T1, T2, ... laid over each other give C (1 - T1 T2 ...) and alpha 1 - T1 T2 ...,
  * and a product has no order (MaxCrawfisBecker1993, section 6: smoke). It does not matter either whether the cells overlap in
  * space: extinctions add up, and transmittances multiply.
  */
@@ -62,7 +62,7 @@ inline bool hasOneColor(const TransferFunctionTable& table, float low, float hig
     {
       continue;
     }
-    // Of an interval that reaches beyond low or high, only what lies between them counts.
+    // Where an interval reaches beyond low or high, only what lies between them counts.
     const bool first = k == table.FindInterval(low), last = k == table.FindInterval(high);
     colors.Add(first ? table.Evaluate(low) : interval.Low);
     colors.Add(last ? table.Evaluate(high) : interval.High);

@@ -29,7 +29,7 @@ struct OrderView
   bool operator!=(const OrderView& other) const { return !(*this == other); }
 };
 
-/** Of a picture of so many pixels. */
+/** The view of a picture of so many pixels. */
 inline OrderView orderView(const ViewState& state, int width, int height)
 {
   OrderView view;

@@ -3,8 +3,8 @@
 /**
  * Strongly connected components of a relation, in topological order, without recursion (Pearce2016, after Tarjan1972).
  *
- * Of the relation "is behind", a component of one tetrahedron is a tetrahedron that an order can place; in a greater one, each
- * hides another and is hidden itself.
+ * Where the relation is "is behind", an order can place a tetrahedron that is a component by itself; in a greater component each
+ * tetrahedron hides another and is hidden itself.
  */
 #ifndef StrongComponents_h
 #define StrongComponents_h

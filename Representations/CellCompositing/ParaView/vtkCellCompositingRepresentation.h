@@ -48,8 +48,8 @@ public:
   ///@{
   /**
    * Contour surfaces inside the volume, of the coloured array or of the named point array ("None": the coloured one); see the mapper.
-   * Opacity multiplies their opacities, and colours left out are those of the colour map. Of each list, entry i is that of contour
-   * value i.
+   * Opacity multiplies their opacities, and colours left out are those of the colour map. Entry i of each list is that of
+   * contour value i.
    */
   void SetContourValue(int i, double value);
   void SetNumberOfContourValues(int number);
@@ -70,7 +70,7 @@ public:
   ///@{
   /**
    * Layers are those of a cell array, or with "None" those between the contour values. Each has a factor on the extinction, and colours
-   * of its own: one colour, or where that is not given a colour map, of the coloured array. Of each list, entry i is that of layer i;
+   * of its own: one colour, or where that is not given a colour map, of the coloured array. Entry i of each list is that of layer i;
    * layers beyond the list, those with a negative red and those with a null colour map are coloured as everything else.
    */
   void SetLayerArray(const char* name);

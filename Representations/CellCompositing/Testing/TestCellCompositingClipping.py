@@ -104,7 +104,7 @@ class Clipping(ImageTestCase):
             self.check(grid(), [plane], "inside, " + label, view)
 
     def test_slab_in_closed_form(self):
-        """Of a constant medium seen along an axis a slab is left: alpha = 1 - exp(-extinction thickness), exactly."""
+        """A slab of a constant medium is left, seen along an axis: alpha = 1 - exp(-extinction thickness), exactly."""
         data = meshes.with_field(grid(), lambda p: 0 * p[:, 0])
         planes = [((0, 0, -0.35), (0, 0, 1)), ((0, 0, 0.3), (0, 0, -1))]
         for method in METHODS:

@@ -26,7 +26,7 @@ def slab(layers=4):
         meshes.with_field(data, lambda p: np.round(p[:, 2] * layers - (association == "cell") * 0.5) / layers, association)
         z = meshes.vtk_to_numpy(attributes.GetArray("s"))
         attributes.GetArray("s").SetName(f"{association} colour")
-        # Of a cell the layer's mean: centres of tetrahedra lie anywhere within it.
+        # A cell has its layer's mean: centres of tetrahedra lie anywhere within it.
         meshes.add_array(attributes, 0.2 + 0.6 * z, f"{association} density")
     return data
 

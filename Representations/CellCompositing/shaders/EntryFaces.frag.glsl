@@ -2,7 +2,7 @@
 //VTK::Output::Dec
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Of the boundary faces through which a pixel's ray enters the mesh, the next one behind the last.
+// The next boundary face, behind the last one, through which a pixel's ray enters the mesh.
 //   out: number of the face, depth; the depth test keeps the nearest, and the lowest number of those at one depth: where parts of the
 //        mesh overlap, their faces may lie in the same place
 //        Those behind the opaque geometry are left out, and where only a slice of the depths is looked through, those outside.

@@ -27,7 +27,7 @@ def height(p):
 
 
 def lambert(weights):
-    """Of the raised sheet: slopes by central differences over a thousandth of a pixel."""
+    """Lambert's cosine on the raised sheet: slopes by central differences over a thousandth of a pixel."""
     middle = (np.arange(PIXELS) + 0.5) / PIXELS
     s, t = np.meshgrid(middle, middle)
     step = 1e-3 / PIXELS

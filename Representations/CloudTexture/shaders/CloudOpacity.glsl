@@ -33,7 +33,7 @@ void takeFootprints(vec3 place, vec3 first, vec3 second)
   }
 }
 
-// Of a layer that is as thick everywhere.
+// Optical depth of a layer that is as thick everywhere.
 float opticalDepthOfLayer(vec3 place, vec3 normal)
 {
   vec3 across = hasNormals ? normal : facet;

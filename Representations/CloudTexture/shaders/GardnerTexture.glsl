@@ -75,7 +75,7 @@ float cloudThreshold(float fourth, float cover, float softness)
   return sqrt(variance) * coverageThreshold(cover, clamp(fourth / (gardnerFourth * variance * variance), 0.0, 1.0));
 }
 
-// Of what exceeds the threshold and its standard deviation in the pixel: share that is cloud. Its mean over the texture is the cover.
+// The fraction of the pixel that is cloud, from what exceeds the threshold and its standard deviation there. Its mean over the texture is the cover.
 float cloudShare(float excess, float width)
 {
   float share = normalShare(excess / width);

@@ -124,7 +124,7 @@ void vtkMediumRepresentation::StoreMeasures(vtkDataSet* data, double distance, c
   nephoscope::storeNumbers(data, scalarRangeName, { range[0], range[1] });
 }
 
-// Of the bounds of all ranks; also called by ranks without data.
+// The largest side of the bounds of all ranks; also called by ranks without data.
 void vtkMediumRepresentation::StoreLargestSide()
 {
   const vtkBoundingBox mine(this->DataBounds);

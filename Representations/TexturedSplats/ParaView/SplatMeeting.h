@@ -19,7 +19,7 @@ class vtkDataSet;
 namespace nephoscope
 {
 
-/** Of the samples of all ranks. */
+/** What the samples of all ranks have in common. */
 struct SplatCommons
 {
   double Origin[3] = { 0, 0, 0 }; ///< the middle of their places
@@ -29,7 +29,7 @@ struct SplatCommons
   double MeanCell = 1;            ///< length of a sample's cell along its vector
 };
 
-/** Of vertices with the array of shapes that splatVertices makes; `vectors`: name of a cell array, or empty. Collective. */
+/** From vertices with the array of shapes that splatVertices makes; `vectors`: name of a cell array, or empty. Collective. */
 SplatCommons findSplatCommons(vtkDataSet* vertices, const std::string& vectors);
 
 /**

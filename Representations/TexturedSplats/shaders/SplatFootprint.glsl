@@ -158,7 +158,7 @@ vec2 seenShares(float middle, float cell, float q, float from)
   return shares;
 }
 
-// Of two optical depths, that of each range.
+// The light of two optical depths, one for each range.
 void putLight(vec2 opticalDepths, vec3 color)
 {
   vec2 alpha = 1.0 - exp(-opticalDepths);

@@ -144,7 +144,7 @@ def smoke_of(flow, steps, n, data=None, **settings):
 
 
 def layer_volumes(smoke):
-    """Of the tetrahedra, by emission step."""
+    """Volume of the tetrahedra, by emission step."""
     return np.bincount(smoke.cell_array("EmissionStep"), smoke.volumes())
 
 
@@ -154,7 +154,7 @@ def fronts_of(smoke, steps):
 
 
 def triangles_of(smoke, points):
-    """Of the first front, which has so many points, as the first prisms show them."""
+    """The triangles of the first front, which has so many points, as the first prisms show them."""
     first = smoke.cells[smoke.cell_array("EmissionStep") == 0] % points
     return np.array([np.unique(prism) for prism in first.reshape(-1, 12)])
 

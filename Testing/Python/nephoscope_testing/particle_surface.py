@@ -41,7 +41,7 @@ def boundary_of(smoke, subdivisions):
 
 
 def hausdorff_distance(smoke, particles, subdivisions=2):
-    """Of the points of either surface from the triangles of the other, the largest."""
+    """The largest distance of a point of either surface from the triangles of the other."""
     distance = vtkHausdorffDistancePointSetFilter()
     distance.SetInputData(0, boundary_of(smoke, subdivisions))
     distance.SetInputData(1, particles)

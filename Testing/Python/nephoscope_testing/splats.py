@@ -14,7 +14,7 @@ def cubic(r):
 
 
 def gaussian(r):
-    """Of the same variance; along a ray it is not cut off."""
+    """The Gaussian of the same variance; along a ray it is not cut off."""
     return np.exp(-0.5 * r**2 / 0.199406) / (2 * np.pi * 0.199406)**1.5
 
 

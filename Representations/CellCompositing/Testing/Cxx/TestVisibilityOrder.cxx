@@ -26,7 +26,7 @@ Vector4 eyeAt(const CellGeometry& geometry, double x, double y, double z)
   return { { x - geometry.Center[0], y - geometry.Center[1], z - geometry.Center[2], 1 } };
 }
 
-/** Of a mesh without cycles. No picture: convex meshes need none. */
+/** For a mesh without cycles. No picture: convex meshes need none. */
 std::vector<std::int32_t> sortExactly(const CellGeometry& geometry, const VisibilityOrder& visibility, const Vector4& eye)
 {
   OrderView view;
