@@ -2,7 +2,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The gallery: one page a figure and one a snippet that writes a picture, with the picture, the script to download and how to run it.
 
-Pictures are those of Gallery/, if `./nephoscope demo` has rendered them, else the ones that the project keeps.
+Pictures are those of Gallery/, if they have been rendered (figures by `./nephoscope demo`, snippets by render_scripts.py), else the ones that
+the project keeps.
 """
 import ast
 import io
@@ -13,12 +14,16 @@ import sys
 
 TOP = pathlib.Path(__file__).resolve().parents[2]
 IMAGES = TOP / "Documentation/images"
+RENDERED = pathlib.Path(os.environ.get("NEPHOSCOPE_GALLERY", TOP / "Gallery"))
 sys.path.insert(0, str(TOP / "Testing/Pictures"))
 import snippets  # noqa: E402
 
 # Figures whose picture in Documentation/images has not their own name.
 KEPT = {"01_clouds_over_globe": ["clouds-over-globe.jpg", "terrain-under-clouds.jpg"], "07_smoothed_clouds": ["smoothed-cloud-surface.jpg"],
         "13_compositing_methods": ["cell-compositing-methods.jpg"]}
+TITLES = {"README-1": "Clouds over the globe", "flow-volumes-1": "Smoke in the wind", "flow-volumes-4": "Smoke in ParaView",
+          "flow-volumes-5": "Smoke that is dragged", "globe-grid-3": "Clouds over terrain", "pyvista-1": "Winds on textured splats",
+          "pyvista-2": "Clouds that move with the wind"}  # of snippets
 WRITES = re.compile(r"^(?!#).*(?:show\(screenshot=|\.screenshot\(\"|\.save\(\"|SaveScreenshot\()", re.MULTILINE)
 WIDTH = 1400  # pixels, of rendered pictures on the site
 THUMBNAIL = 480
@@ -35,8 +40,7 @@ def kept_pictures(figure):
 
 def pictures(figure):
     """Those of Gallery/ first; the one that has the name of the figure before others."""
-    folder = pathlib.Path(os.environ.get("NEPHOSCOPE_GALLERY", TOP / "Gallery"))
-    rendered = sorted(folder.glob(figure.stem[:3] + "*.png"), key=lambda path: (path.stem != figure.stem, path.name))
+    rendered = sorted(RENDERED.glob(figure.stem[:3] + "*.png"), key=lambda path: (path.stem != figure.stem, path.name))
     return rendered or kept_pictures(figure)
 
 
@@ -101,11 +105,11 @@ def blocks(text):
                   text, flags=re.MULTILINE)
 
 
-def title_of(page, code):
-    """The title of the page and the heading above the snippet."""
+def title_of(name, page, code):
+    """The given one, else the title of the page and the heading above the snippet."""
     text = page.read_text(encoding="utf-8")
     headings = re.findall(r"^#+ (.*)$", text[:text.index(code)], re.MULTILINE)
-    return ": ".join(dict.fromkeys([headings[0], headings[-1]])).replace("`", "")
+    return TITLES.get(name) or ": ".join(dict.fromkeys([headings[0], headings[-1]])).replace("`", "")
 
 
 def of_snippets():
@@ -114,13 +118,13 @@ def of_snippets():
     for page in snippets.pages():
         for number, code in enumerate(snippets.BLOCK.findall(page.read_text(encoding="utf-8")), 1):
             name = f"{snippets.name_of(page)}-{number}"
-            picture = TOP / f"Testing/Baselines/{name}.png"
-            if WRITES.search(code) and picture.is_file() and code not in seen:
+            found = [path for path in (RENDERED / f"{name}.png", TOP / f"Testing/Baselines/{name}.png") if path.is_file()]
+            if WRITES.search(code) and found and code not in seen:
                 seen.add(code)
                 host = "pvpython" if snippets.is_for_paraview(name, code) else "python"
                 where = os.path.relpath(page, TOP / "gallery")
-                yield Example(name, title_of(page, code), f"From [{page.relative_to(TOP)}]({where}). It reads `Data/`: run it in the top folder of the project.",
-                              code, f"./nephoscope {host} {name}.py", [picture])
+                yield Example(name, title_of(name, page, code), f"From [{page.relative_to(TOP)}]({where}). It reads `Data/`: run it in the top folder of the project.",
+                              code, f"./nephoscope {host} {name}.py", found[:1])
 
 
 def grid(examples):

@@ -145,7 +145,7 @@ def page(path, names):
     return summary, "\n".join([
         name, "=" * len(name), "", f".. cpp:class:: {name} : public {head[1]}", "", f"   {summary}", "",
         f"Header ``{folder}/{path.name}``; in Python ``nephoscope.{name}()``, with the methods below under the same names. "
-        f"Methods of {head[1]} are in VTK's own documentation.", "",
+        f"Methods of {head[1]} are in VTK's own documentation. How it works: :doc:`/{folder}/README`.", "",
         paragraphs(text_of(brief[2]), names), "", "Methods", "-------", "",
         f".. cpp:namespace:: {name}", "", *[member(comment, declared, names) for comment, declared in members]])
 

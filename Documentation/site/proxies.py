@@ -5,6 +5,7 @@
 The pages are those of ParaView's own help window (Plugins/ParaView/Help/make_help.py), in another form.
 """
 import pathlib
+import re
 import sys
 
 TOP = pathlib.Path(__file__).resolve().parents[2]
@@ -42,15 +43,25 @@ def page(title, proxy):
     return "\n".join([title, "=" * len(title), "", escaped(make_help.text_of(proxy.find("Documentation"))), "", *listed])
 
 
+def title_of(group, proxy):
+    kind = {"filters": " (filter)", "sources": " (source)", "writers": " (writer)"}.get(group, "")
+    return make_help.title_of(group, proxy) + kind
+
+
+def summary(proxy):
+    return escaped(re.split(r"(?<=[.]) ", make_help.text_of(proxy.find("Documentation")))[0])
+
+
 def files(build):
     """{path on the site: text}"""
     paths = definitions(build)
     if paths is None:
         return {"api/paraview.rst": WITHOUT_A_BUILD}
-    found = sorted((make_help.title_of(group, proxy), f"{group}.{name}", proxy) for (group, name), proxy in make_help.proxies(paths).items())
+    found = sorted((title_of(group, proxy), f"{group}.{name}", proxy) for (group, name), proxy in make_help.proxies(paths).items())
     made = {f"api/paraview/{name}.rst": page(title, proxy) for title, name, proxy in found}
     made["api/paraview.rst"] = "\n".join([
         "ParaView", "========", "",
         "What the plugin adds, with the properties as the panel shows them; in brackets their names in Python. ParaView shows the same pages behind \"?\".",
-        "", ".. toctree::", "   :maxdepth: 1", "", *[f"   paraview/{name}" for _, name, _ in found], ""])
+        "", *[f":doc:`{title} <paraview/{name}>`\n   {summary(proxy)}\n" for title, name, proxy in found],
+        ".. toctree::", "   :hidden:", "", *[f"   paraview/{name}" for _, name, _ in found], ""])
     return made

@@ -21,6 +21,8 @@ FOLDERS = ("Data", "Documentation", "Filters", "Plugins", "Representations", "Te
 LEFT_OUT = ("Plugins/PyVista/packaging/description.md",)  # the page of the Python package index
 FENCE = re.compile(r"^```.*?^```", re.DOTALL | re.MULTILINE)
 COMMENT = re.compile(r"^<!--.*?-->\n", re.DOTALL | re.MULTILINE)
+CODE = re.compile(r"(?<![\[`])`(\w+)`(?![\]`])")
+LISTED = re.compile(r"README\.md$|^Documentation/decisions/")  # by folders.md and decisions.md
 LINK = re.compile(r"(?P<image>!?)\[(?P<text>[^\]]*)\]\((?P<target>[^)\s#:]+)(?P<anchor>#[^)\s]*)?\)")
 
 
@@ -29,7 +31,7 @@ def pages():
     found = [path for path in sorted(TOP.glob("*.md"))] + [path for folder in FOLDERS for path in sorted((TOP / folder).rglob("*.md"))]
     names = [path.relative_to(TOP).as_posix() for path in found if not path.is_relative_to(SITE)]
     placed = {name: name for name in names if name not in LEFT_OUT}
-    return {**placed, "Documentation/site/index.md": "index.md"}
+    return {**placed, **{path.relative_to(TOP).as_posix(): path.name for path in SITE.glob("*.md")}}
 
 
 class Site:
@@ -37,6 +39,8 @@ class Site:
         self.folder = folder
         self.pages = pages()
         self.pictures = gallery.pages_of_pictures()
+        self.roles = {**{name: "{py:func}`%s <nephoscope.%s>`" % (name, name) for name in python_api.functions()},
+                      **{path.stem: "{cpp:class}`%s`" % path.stem for path in headers.paths()}}
         self.problems = []
 
     def write(self, name, data):
@@ -64,13 +68,19 @@ class Site:
         target = os.path.relpath(name, os.path.dirname(self.pages[page]) or ".")
         return f"{match['image']}[{match['text']}]({target}{match['anchor'] or ''})"
 
+    def with_reference(self, text):
+        """Names of our classes and functions are links to the reference, but for those in headings, whose anchors they are in."""
+        return "\n".join(line if line.startswith("#") else CODE.sub(lambda match: self.roles.get(match[1], match[0]), line)
+                         for line in text.split("\n"))
+
     def add_page(self, page):
         text = COMMENT.sub("", (TOP / page).read_text(encoding="utf-8"))
         fences = FENCE.findall(text)
-        parts = [LINK.sub(lambda match: self.place(page, match), part) for part in FENCE.split(text)]
+        parts = [self.with_reference(LINK.sub(lambda match: self.place(page, match), part)) for part in FENCE.split(text)]
         text = "".join(part + fence for part, fence in zip(parts, [*fences, ""]))
         if self.pages[page] == "index.md":
-            text = text.replace("%others%", "\n".join(sorted(name for name in self.pages.values() if name != "index.md" and name not in text)))
+            others = [name for name in self.pages.values() if name.removesuffix(".md") not in text and not LISTED.search(name)]
+            text = text.replace("%others%", "\n".join(sorted(others)))
         self.write(self.pages[page], text)
 
 

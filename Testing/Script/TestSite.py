@@ -62,7 +62,7 @@ class Gallery(unittest.TestCase):
             self.assertEqual(made[f"gallery/scripts/{figure.stem}.py"], figure.read_text(encoding="utf-8"))
 
     def test_pictures_that_were_rendered_come_first(self):
-        with tempfile.TemporaryDirectory() as folder, unittest.mock.patch.dict("os.environ", NEPHOSCOPE_GALLERY=folder):
+        with tempfile.TemporaryDirectory() as folder, unittest.mock.patch.object(gallery, "RENDERED", pathlib.Path(folder)):
             figure = TOP / "Figures/03_winds_and_clouds.py"
             self.assertEqual([path.name for path in gallery.pictures(figure)], ["winds-and-clouds.jpg"])
             rendered = pathlib.Path(folder, "03_winds_and_clouds.png")
@@ -110,6 +110,13 @@ class Links(unittest.TestCase):
                 ("Documentation/haze.md", "[a](../Testing/Cxx)", "a")):
             self.assertEqual(self.placed(page, link), (expected, []))
         self.assertEqual(self.placed("README.md", "[a](Nowhere.md)")[1], ["README.md: there is no Nowhere.md"])
+
+    def test_names_lead_to_the_reference(self):
+        site = sources.Site(pathlib.Path("unused"))
+        self.assertEqual(site.with_reference("`add_haze`, `vtkHaze` and `vtkObject`"),
+                         "{py:func}`add_haze <nephoscope.add_haze>`, {cpp:class}`vtkHaze` and `vtkObject`")
+        self.assertEqual(site.with_reference("# `vtkHaze`"), "# `vtkHaze`")
+        self.assertEqual(site.with_reference("``vtkHaze`` [`vtkHaze`](a.md)"), "``vtkHaze`` [`vtkHaze`](a.md)")
 
 
 if __name__ == "__main__":
