@@ -28,6 +28,7 @@ import time
 
 LARGEST_GIF = 100  # frames
 SMALL = 480  # pixels
+PACKAGES = {"ffmpeg": "ffmpeg", "convert": "imagemagick"}  # of Debian
 COMMON = os.path.dirname(os.path.abspath(__file__))
 
 
@@ -144,6 +145,7 @@ def make_mp4(files, name, milliseconds=80, loops=3):
 
 def run(program, arguments):
     if not shutil.which(program):
-        print("no %s: %s is not made" % (program, os.path.basename(arguments[-1])), flush=True)
+        print("no %s: %s is not made. The frames are kept: install %s (Debian: apt install %s) and run the same command again" % (
+            program, os.path.basename(arguments[-1]), program, PACKAGES[program]), flush=True)
         return False
     return subprocess.run([program, *arguments], check=False).returncode == 0

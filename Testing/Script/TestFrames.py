@@ -1,6 +1,8 @@
 # SPDX-FileCopyrightText: The Nephoscope authors
 # SPDX-License-Identifier: BSD-3-Clause
 """Frames of the figures' films: made once, kept, made anew where settings change, and put into a GIF that loops."""
+import contextlib
+import io
 import os
 import sys
 import tempfile
@@ -76,7 +78,10 @@ class Frames(unittest.TestCase):
             os.environ["PATH"] = path
 
     def test_a_missing_program_is_told_and_no_error(self):
-        self.assertFalse(self.make_mp4())
+        told = io.StringIO()
+        with contextlib.redirect_stdout(told):
+            self.assertFalse(self.make_mp4())
+        self.assertIn("no ffmpeg: film.mp4 is not made. The frames are kept: install ffmpeg (Debian: apt install ffmpeg)", told.getvalue())
 
     def test_ffmpeg_gets_all_frames(self):
         """A program that writes down what it is called with, in the place of ffmpeg."""

@@ -123,6 +123,17 @@ def smoke(plotter, data, later=lambda volume: volume):
     return nephoscope.add_smoke(plotter, later(nephoscope.flow_volume(data)))
 
 
+def dragged_smoke(plotter, data):
+    """The ball goes out of the data and back to where it was, and is hidden, so that smoke and polygon are judged."""
+    made = nephoscope.add_smoke_widget(plotter, data)
+    start = np.array(made.ball.GetCenter())
+    for place in (start + 2 * max(data.length, 1e-3), start):
+        made.ball.SetCenter(place)
+        made.ball.InvokeEvent("InteractionEvent")
+    made.ball.Off()
+    return made.volume
+
+
 def vdb(data):
     name = os.path.join(tempfile.mkdtemp(), "trial.vdb")
     nephoscope.write_vdb(data, name)
@@ -171,6 +182,7 @@ add("add_cloud_texture", "s", texture)
 add("add_haze", "", lambda p, d: nephoscope.add_haze(p, d if isinstance(d, pv.DataSet) else None), "not_erased", scenery=surface)
 add("add_smoke", "v", smoke, "methods")
 add("add_smoke-puffs", "v", lambda p, d: smoke(p, d, nephoscope.smoke_puffs), "methods")
+add("add_smoke_widget", "v", dragged_smoke, "methods")
 add("to_globe", is_lonlat, filtered(nephoscope.to_globe))
 add("split_cells", "f", filtered(nephoscope.split_cells))
 add("smooth", is_structured, filtered(nephoscope.smooth))
