@@ -89,13 +89,23 @@ class Example:
         return f"[![{self.title}]({self.thumbnail})]({self.name}.md)\n[{self.title}]({self.name}.md)"
 
 
+def pages_about(figure):
+    """Links to the pages that show a figure, or link to it."""
+    names = {f"images/{path.name}" for path in kept_pictures(figure)}
+    for page in sorted((TOP / "Documentation").glob("*.md")):
+        text = page.read_text(encoding="utf-8")
+        if any(name in text for name in names):
+            yield f"[{re.search('^# (.*)$', text, re.MULTILINE)[1]}](../Documentation/{page.name})"
+
+
 def of_figure(figure):
     code = figure.read_text(encoding="utf-8")
     first, _, rest = ast.get_docstring(ast.parse(code)).partition("\n\n")
     title, colon, more = first.partition(": ")
     headline, _, more = " ".join(more.split()).partition(". ")
     name = figure.stem[3:].replace("_", " ").capitalize()
-    text = f"{headline[0].upper()}{headline[1:].rstrip('.')}.\n{more}\n\n{rest}"
+    about = ", ".join(pages_about(figure))
+    text = f"{headline[0].upper()}{headline[1:].rstrip('.')}.\n{more}\n\n{rest}" + (f"\n\nMore: {about}." if about else "")
     return Example(figure.stem, f"{title}: {name}", blocks(text), code, f"./nephoscope demo {figure.stem[:2]}", pictures(figure))
 
 

@@ -128,11 +128,19 @@ def paragraphs(text, names):
 
 
 def member(comment, declared, names):
-    first, *others = declared
-    if first.startswith("enum"):
-        return f".. code-block:: cpp\n\n   {first}\n\n{paragraphs(comment, names)}\n"
-    signatures_ = "\n".join([f".. cpp:function:: {first}"] + [" " * 18 + other for other in others if not other.startswith("enum")])
-    return signatures_ + "\n\n" + textwrap.indent(paragraphs(comment, names), "   ") + "\n"
+    """A comment, below the methods that it is of; enumerations that it is of are shown word for word."""
+    methods = [one for one in declared if not one.startswith("enum")]
+    enums = [f".. code-block:: cpp\n\n   {one}\n" for one in declared if one.startswith("enum")]
+    text = "\n".join([*enums, paragraphs(comment, names), ""])
+    return f".. cpp:function:: {(chr(10) + ' ' * 18).join(methods)}\n\n{textwrap.indent(text, '   ')}" if methods else text
+
+
+def properties(name, members):
+    """Links to all that can be set, by its name, in one line."""
+    declared = [one for _, signatures_ in members for one in signatures_]
+    found = dict.fromkeys(re.findall(r"\bvoid Set(\w+)\(", "\n".join(declared)))
+    chosen = [one for one in found if not any(one.startswith(other + "To") for other in found)]
+    return ["**Properties:** " + ", ".join(f":cpp:func:`{one} <{name}::Set{one}>`" for one in chosen) + ".", ""] if chosen else []
 
 
 def page(path, names):
@@ -142,11 +150,12 @@ def page(path, names):
     head = re.search(r"^class \w+ " + name + r"(?:\s+final)?\s*:\s*public (\w+)\s*\{", text, re.MULTILINE)
     members = [entry for entry in Members(text[head.end():body_end(text, head.end())]).found if entry[1]]
     summary = escaped(text_of(brief[1]).replace("\n", " "))
+    summary = summary[0].upper() + summary[1:]
     return summary, "\n".join([
         name, "=" * len(name), "", f".. cpp:class:: {name} : public {head[1]}", "", f"   {summary}", "",
         f"Header ``{folder}/{path.name}``; in Python ``nephoscope.{name}()``, with the methods below under the same names. "
         f"Methods of {head[1]} are in VTK's own documentation. How it works: :doc:`/{folder}/README`.", "",
-        paragraphs(text_of(brief[2]), names), "", "Methods", "-------", "",
+        paragraphs(text_of(brief[2]), names), "", *properties(name, members), "Methods", "-------", "",
         f".. cpp:namespace:: {name}", "", *[member(comment, declared, names) for comment, declared in members]])
 
 
@@ -157,7 +166,7 @@ def files():
     for path in paths():
         summary, text = page(path, names)
         made[f"api/vtk/{path.stem}.rst"] = text
-        rows.append(f":doc:`{path.stem} <vtk/{path.stem}>`\n   {summary[0].upper()}{summary[1:]}\n")
+        rows.append(f":doc:`{path.stem} <vtk/{path.stem}>`\n   {summary}\n")
     made["api/vtk.rst"] = "\n".join([
         "VTK classes", "===========", "",
         "For C++ and, under the same names, for Python: ``import nephoscope`` gives every class.", "",

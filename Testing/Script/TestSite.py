@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The parts of the site that are not Sphinx's: reading headers, placing links, finding those that lead nowhere."""
 import pathlib
+import re
 import sys
 import tempfile
 import unittest
@@ -45,7 +46,14 @@ class Headers(unittest.TestCase):
     def test_every_class_has_a_page_with_methods(self):
         made = headers.files()
         for path in headers.paths():
-            self.assertIn(".. cpp:function::", made[f"api/vtk/{path.stem}.rst"], path)
+            page = made[f"api/vtk/{path.stem}.rst"]
+            self.assertIn(".. cpp:function::", page, path)
+            for name in re.findall(r"`\w+ <\w+::(\w+)>`", page):
+                self.assertRegex(page, rf"(?m)(cpp:function::|^ {{18}}).*\b{name}\(", path)
+
+    def test_enumerations_are_shown_with_their_methods(self):
+        self.assertEqual(headers.member("Why.", ["enum A { B, C }", "void SetA(int a)", "int GetA()"], set()),
+                         ".. cpp:function:: void SetA(int a)\n                  int GetA()\n\n   .. code-block:: cpp\n\n      enum A { B, C }\n\n   Why.\n")
 
     def test_lists_and_preformatted_text(self):
         text = headers.paragraphs("One:\n- a_b\n  more\nTwo of vtkHaze.\n    x = y", {"vtkHaze"})

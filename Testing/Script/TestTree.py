@@ -102,7 +102,7 @@ def check_changelog(_files):
     kinds = ["Added", "Changed", "Deprecated", "Removed", "Fixed", "Security"]
     for number, version in enumerate(versions):
         title, *rest = version.splitlines()
-        form = r"\[Unreleased\]" if number == 0 else r"\[\d+\.\d+\.\d+\] - \d{4}-\d\d-\d\d"
+        form = (r"\[Unreleased\]|" if number == 0 else "") + r"\[\d+\.\d+\.\d+\] - \d{4}-\d\d-\d\d"
         if not re.fullmatch(form, title):
             yield f"CHANGELOG.md: the heading '{title}' should have the form {form}"
         found = [line[4:] for line in rest if line.startswith("### ")]
