@@ -4,12 +4,12 @@
 # The documentation as a site, by Sphinx: Documentation/site has its settings and what makes pages of figures, headers and docstrings.
 SITE="$TOP/build/docs"
 
-# sphinx BUILDER ARGUMENT...: a warning is an error, and does not keep others from being told.
+# sphinx BUILDER ARGUMENT...: a warning is an error, and does not keep others from being told; nothing else is.
 sphinx()
 {
   local builder=$1
   shift
-  "$SYSTEM_PYTHON" -m sphinx -b "$builder" -W --keep-going -c "$TOP/Documentation/site" -d "$SITE/doctrees" "$SITE/source" "$SITE/$builder" "$@"
+  "$SYSTEM_PYTHON" -m sphinx -q -b "$builder" -W --keep-going -c "$TOP/Documentation/site" -d "$SITE/doctrees" "$SITE/source" "$SITE/$builder" "$@"
 }
 
 # From nothing each time: else Sphinx tells of pages that have changed only.

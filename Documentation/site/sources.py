@@ -17,18 +17,19 @@ import python_api
 
 TOP = pathlib.Path(__file__).resolve().parents[2]
 SITE = pathlib.Path(__file__).resolve().parent
-FOLDERS = ("Data", "Documentation", "Filters", "Plugins", "Representations", "Testing")
+MADE = re.compile(r"build.*|dist|Gallery|\..*")  # folders that are not the project's
 LEFT_OUT = ("Plugins/PyVista/packaging/description.md",)  # the page of the Python package index
 FENCE = re.compile(r"^```.*?^```", re.DOTALL | re.MULTILINE)
 COMMENT = re.compile(r"^<!--.*?-->\n", re.DOTALL | re.MULTILINE)
 CODE = re.compile(r"(?<![\[`])`(\w+)`(?![\]`])")
-LISTED = re.compile(r"README\.md$|^Documentation/decisions/")  # by folders.md and decisions.md
+LISTS = {"%folders%": r".+/README\.md", "%decisions%": r"Documentation/decisions/.*", "%others%": r"(?!.+/README\.md|Documentation/decisions/).*"}
 LINK = re.compile(r"(?P<image>!?)\[(?P<text>[^\]]*)\]\((?P<target>[^)\s#:]+)(?P<anchor>#[^)\s]*)?\)")
 
 
 def pages():
     """Path in the project: path on the site."""
-    found = [path for path in sorted(TOP.glob("*.md"))] + [path for folder in FOLDERS for path in sorted((TOP / folder).rglob("*.md"))]
+    folders = [path for path in sorted(TOP.iterdir()) if path.is_dir() and not MADE.fullmatch(path.name)]
+    found = [*sorted(TOP.glob("*.md")), *(path for folder in folders for path in sorted(folder.rglob("*.md")))]
     names = [path.relative_to(TOP).as_posix() for path in found if not path.is_relative_to(SITE)]
     placed = {name: name for name in names if name not in LEFT_OUT}
     return {**placed, **{path.relative_to(TOP).as_posix(): path.name for path in SITE.glob("*.md")}}
@@ -78,9 +79,11 @@ class Site:
         fences = FENCE.findall(text)
         parts = [self.with_reference(LINK.sub(lambda match: self.place(page, match), part)) for part in FENCE.split(text)]
         text = "".join(part + fence for part, fence in zip(parts, [*fences, ""]))
-        if self.pages[page] == "index.md":
-            others = [name for name in self.pages.values() if name.removesuffix(".md") not in text and not LISTED.search(name)]
-            text = text.replace("%others%", "\n".join(sorted(others)))
+        named = {*re.findall(r"[\w./-]+\.md", text), "index.md"}
+        for word, pattern in LISTS.items():
+            if word in text:
+                names = [name for name in self.pages.values() if re.fullmatch(pattern, name) and name not in named]
+                text = text.replace(word, "\n".join("/" + name for name in sorted(names)))
         self.write(self.pages[page], text)
 
 
