@@ -24,6 +24,7 @@ make_package()
   run_logged package-build cmake --build "$PACKAGE_TREE" -j "$(nproc)" || fail 1 "could not build the package"
   step "Debian package"
   run_logged package-pack cpack --config "$PACKAGE_TREE/CPackConfig.cmake" -B "$TOP/dist" || fail 1 "could not make the package"
+  rm -rf "$TOP/dist/_CPack_Packages"
   PACKAGE=$(sed -n 's/^CPack: - package: \(.*[.]deb\) generated[.]$/\1/p' "$LOGS/package-pack.log")
   [ -f "$PACKAGE" ] || fail 1 "CPack made no package"
   say "      ${PACKAGE#"$TOP"/}"

@@ -139,7 +139,7 @@ keep_made()
 {
   [[ "$1" =~ ^(wheel|package)$ ]] || return 0
   mkdir -p "$TOP/dist"
-  cp "$ROOT/nephoscope/dist"/* "$TOP/dist"
+  find "$ROOT/nephoscope/dist" -maxdepth 1 -type f -exec cp -t "$TOP/dist" {} +
 }
 
 # in_root RELEASE VERB [ARGUMENT...]

@@ -229,6 +229,12 @@ test_root()
   expect "a file that is the same keeps its time" [ ! "$WORK/roots/trixie/nephoscope/README.md" -nt "$WORK/begin" ]
   expect "one that differs is new to the build" [ -n "$(find "$WORK/roots/trixie/nephoscope/LICENSE" -mmin -5 ! -newermt "now + 1 day")" ]
   expect "what the tree no longer has is gone" [ ! -e "$WORK/roots/trixie/nephoscope/removed" ]
+  mkdir "$WORK/tree"
+  cp -a "$TOP/nephoscope" "$TOP/CMake" "$WORK/tree"
+  mkdir -p "$WORK/roots/trixie/nephoscope/dist/folder"
+  touch "$WORK/roots/trixie/nephoscope/dist/made.deb"
+  run env PATH="$WORK/fakes:$PATH" "$WORK/tree/nephoscope" package --root trixie
+  expect "what a verb has made there is here too" [ -f "$WORK/tree/dist/made.deb" ]
   nephoscope test --root trixie --fresh
   expect "a fresh root when asked for" grep -q debootstrap "$CALLS"
   expect "nothing built there" [ ! -e "$WORK/roots/trixie/nephoscope/build" ]
