@@ -22,6 +22,7 @@ SIZE = (200, 150)
 BACKGROUND = (0.2, 0.3, 0.45)
 WARM = [(0, 0.1, 0.3, 1), (0.5, 1, 1, 1), (1, 1, 0.3, 0.1)]
 CLOUD = Transfer(WARM, [(0.1, 0), (1, 2.0)])
+CLEAR = Transfer(WARM, [(0, 0)])
 SCENES = {}
 
 
@@ -133,11 +134,11 @@ def _(made):
     cells(made, tetrahedra(6), lambda m: m.SetMethodToFaces())
 
 
-def contours(mapper):
+def contours(mapper, opacity=0.6):
     mapper.SetNumberOfContourValues(2)
     for i, value in enumerate((0.3, 0.7)):
         mapper.SetContourValue(i, value)
-        mapper.SetContourOpacity(i, 0.6)
+        mapper.SetContourOpacity(i, opacity)
 
 
 @scene("cells-average-integration")
@@ -148,6 +149,12 @@ def _(made):
 @scene("cells-contours")
 def _(made):
     cells(made, image(), contours)
+
+
+@scene("cells-contours-alone")
+def _(made):
+    """So thin that 2 % more opacity is 2 % more light."""
+    cells(made, image(), lambda m: contours(m, 0.15), CLEAR)
 
 
 @scene("cells-layers")
@@ -161,9 +168,17 @@ def _(made):
     cells(made, image(), layered, thick)
 
 
-@scene("cells-polygons")
+@scene("cells-layers-alone")
 def _(made):
-    """The splitter's surfaces between the pieces of cells, each of another opacity."""
+    def layered(mapper):
+        contours(mapper, 0)
+        mapper.SetLayersFromContours(True)
+        mapper.SetLayerProperty(1, Transfer([(0, 0.2, 0.9, 0.4)], [(0, 0.2)]).volume_property())
+    cells(made, image(), layered, Transfer(WARM, [(0, 0), (1, 0.3)]))
+
+
+def pieces():
+    """Pieces of cells, and the surfaces between them."""
     splitter = nephoscope.vtkContourCellSplitter()
     splitter.SetInputData(cells_of("tetra", 6))
     splitter.SetInputArrayToProcess(0, 0, 0, vtkDataObject.FIELD_ASSOCIATION_POINTS, "s")
@@ -171,12 +186,21 @@ def _(made):
     splitter.SetValue(0, 0.3)
     splitter.SetValue(1, 0.7)
     splitter.Update()
+    return splitter.GetOutput()
 
+
+@scene("cells-polygons")
+def _(made):
     def polygons(mapper):
         mapper.SetPolygonOpacity(0, 0.4)
         mapper.SetPolygonOpacity(1, 0.8)
         mapper.SetPolygonColor(1, 1, 0.9, 0.3)
-    cells(made, splitter.GetOutput(), polygons)
+    cells(made, pieces(), polygons)
+
+
+@scene("cells-polygons-alone")
+def _(made):
+    cells(made, pieces(), lambda m: m.SetPolygonOpacity(0.15), CLEAR)
 
 
 @scene("cells-smoke")
@@ -287,6 +311,17 @@ def _(made):
     splats(made, winds(), segments)
 
 
+@scene("splats-streaks-alone")
+def _(made):
+    """So thin that 2 % more is 2 % more light; also below."""
+    splats(made, winds(), lambda m: (streaks(m), m.SetVectorOpacity(0.2)), CLEAR)
+
+
+@scene("splats-segments-alone")
+def _(made):
+    splats(made, winds(), lambda m: (streaks(m), m.SetVectorStyleToSegments(), m.SetVectorOpacity(0.2)), CLEAR)
+
+
 @scene("splats-in-layers")
 def _(made):
     def layers(mapper):
@@ -395,12 +430,27 @@ def thick(veil):
     veil.SetColor(0.8, 0.85, 0.9)
 
 
-@scene("haze-surfaces")
-def _(made):
+def even(*color):
+    """As dense everywhere, with an optical depth above 1 before what is drawn: what is seen of that changes by more than 2 % where haze does by 2 %."""
+    def configure(veil):
+        veil.SetProjectionToMap()
+        veil.SetBaseLevel(-1000)
+        veil.SetScaleHeight(1e5)
+        veil.SetExtinction(0.25)
+        veil.SetColor(*color)
+    return configure
+
+
+def balls(made):
     for x in (-0.6, 0.0, 0.6):
         actor = ball(0.35)
         actor.SetPosition(x, 2 * x, 0)
         made.renderer.AddActor(actor)
+
+
+@scene("haze-surfaces")
+def _(made):
+    balls(made)
     haze(made, thick)
 
 
@@ -414,6 +464,36 @@ def _(made):
 def _(made):
     splats(made, image())
     haze(made, thick)
+
+
+@scene("haze-even-surfaces")
+def _(made):
+    balls(made)
+    haze(made, even(0.2, 0.4, 1))
+
+
+@scene("haze-even-cells")
+def _(made):
+    cells(made, image())
+    haze(made, even(0.4, 0.4, 0.4))
+
+
+@scene("haze-even-splats")
+def _(made):
+    splats(made, image())
+    haze(made, even(0.4, 0.4, 0.4))
+
+
+@scene("haze-sky")
+def _(made):
+    """Above a planet that is not drawn, so thin that its light is in proportion to it."""
+    def shell(veil):
+        veil.SetProjectionToGlobe()
+        veil.SetPlanetRadius(0.8)
+        veil.SetScaleHeight(0.08)
+        veil.SetExtinction(0.5)
+    made.renderer.AddActor(ball(0.1))
+    haze(made, shell)
 
 
 if __name__ == "__main__":

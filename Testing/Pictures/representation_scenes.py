@@ -154,6 +154,8 @@ def haze():
 
 @scene("representation-terrain")
 def terrain():
+    """Before black, where 2 % less colour is 2 % less light."""
+    pvs.GetActiveView().Background = [0, 0, 0]
     reader = pvs.NetCDFReader(FileName=["Data/gfs_2p5deg_2011101100.nc"], SphericalCoordinates=0, Dimensions="(lat, lon)")
     pvs.Show(pvs.GlobeTerrain(Input=reader))
 
