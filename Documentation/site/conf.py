@@ -9,6 +9,7 @@ import types
 TOP = pathlib.Path(__file__).resolve().parents[2]
 sys.path[:0] = [str(TOP / "Plugins/PyVista"), str(TOP / "Documentation/site")]
 import headers  # noqa: E402
+import python_api  # noqa: E402
 
 
 def stand_in(name, **contents):
@@ -51,3 +52,11 @@ copybutton_prompt_text = ""
 
 linkcheck_timeout = 20
 linkcheck_retries = 2
+
+
+def link_names(_app, _what, _name, _object, _options, lines):
+    lines[:] = python_api.linked("\n".join(lines)).split("\n")
+
+
+def setup(app):
+    app.connect("autodoc-process-docstring", link_names)

@@ -80,8 +80,8 @@ class Example:
         self.thumbnail = f"thumbnails/{name}"
         shown = "\n\n".join(f"![{self.title}](pictures/{name})" for name in names)
         made[f"gallery/{self.name}.md"] = (
-            f"# {self.title}\n\n{shown}\n\n{self.text}\n\n```sh\n{self.command}\n```\n\n"
-            f"{{download}}`Download {self.name}.py <scripts/{self.name}.py>`\n\n"
+            f"# {self.title}\n\n{shown}\n\n```sh\n{self.command}\n```\n\n"
+            f"{{download}}`Download {self.name}.py <scripts/{self.name}.py>`\n\n{self.text}\n\n"
             f"```{{literalinclude}} scripts/{self.name}.py\n:language: python\n```\n")
         return made
 

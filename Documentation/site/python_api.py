@@ -3,6 +3,9 @@
 """Reference pages of the Python package: its functions by what they are for, taken from the package's own list."""
 import ast
 import pathlib
+import re
+
+import headers
 
 TOP = pathlib.Path(__file__).resolve().parents[2]
 PACKAGE = TOP / "Plugins/PyVista/nephoscope"
@@ -23,10 +26,16 @@ def functions():
     raise LookupError("PYVISTA_FUNCTIONS is not in the package")
 
 
+def linked(text):
+    """Names of classes and functions in a docstring as links, like those in Markdown (sources.py)."""
+    roles = {**{name: f":func:`~nephoscope.{name}`" for name in functions()}, **{path.stem: f":cpp:class:`{path.stem}`" for path in headers.paths()}}
+    return re.sub(r"(?<![`:])`(\w+)`(?!`)", lambda match: roles.get(match[1], match[0]), text)
+
+
 def summary(name, module):
     tree = ast.parse((PACKAGE / f"{module}.py").read_text(encoding="utf-8"))
     function = next(node for node in tree.body if isinstance(node, ast.FunctionDef) and node.name == name)
-    return " ".join(ast.get_docstring(function).split("\n\n")[0].split())
+    return linked(" ".join(ast.get_docstring(function).split("\n\n")[0].split()))
 
 
 def page(title, introduction, chosen):
