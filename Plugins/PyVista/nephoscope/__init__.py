@@ -2,9 +2,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Clouds, smoke and wind for VTK, PyVista and ParaView.
 
-``import nephoscope`` gives every wrapped class (``nephoscope.vtkGlobeGrid()``) and needs nothing but
-the ``vtkmodules`` the project was built against. The functions listed in `PYVISTA_FUNCTIONS` need PyVista
-and import it on first use; so does the dataset accessor ``mesh.nephoscope``.
+``import nephoscope`` provides every wrapped class (``nephoscope.vtkGlobeGrid()``) and needs only the ``vtkmodules`` that the project was built
+against. The functions listed in `PYVISTA_FUNCTIONS` need PyVista and import it on first use; so does the dataset accessor ``mesh.nephoscope``.
 """
 import importlib as _importlib
 import sys as _sys

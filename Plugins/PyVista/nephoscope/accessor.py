@@ -32,7 +32,7 @@ class NephoscopeAccessor:
     Parameters
     ----------
     mesh : pyvista.DataSet or pyvista.MultiBlock
-        The dataset the methods work on; it is not changed.
+        The dataset that the methods process; it is not changed.
     """
 
     def __init__(self, mesh: pyvista.DataSet) -> None:

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: The Nephoscope authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Texture coordinates that move with the wind (`vtkTextureCoordinateAdvection`), of one grid or a time series of them."""
+"""Texture coordinates that move with the wind (`vtkTextureCoordinateAdvection`), for one grid or a time series of grids."""
 from __future__ import annotations
 
 import warnings
@@ -35,76 +35,79 @@ def advect_texture(mesh: Grids, time: float | Sequence[float] | None = None, *, 
                    cartesian_coordinates: bool = False, texture_length: float = 0.0, pressure: str | None = None,
                    omega: str | None = None, lyapunov: bool = False,
                    maximum_stretch: float = 0.0, start_from_grid: bool = False) -> pyvista.DataSet | Iterator[pyvista.DataSet]:
-    """Give every point the places where its air was when two sets of texture coordinates were born, half a period apart.
+    """Compute two sets of texture coordinates: the positions of each point's air at two start times, half a period apart.
 
-    Also the accessor method ``mesh.nephoscope.advect_texture(...)``, for a steady wind. Contour the result with `cloud_surface`, and
-    draw the surface with `add_cloud_texture`.
+    Also the accessor method ``mesh.nephoscope.advect_texture(...)``, for a steady wind. Contour the result with `cloud_surface` and draw the
+    surface with `add_cloud_texture`.
 
     Parameters
     ----------
     mesh : pyvista.DataSet, sequence of pyvista.DataSet, or callable
-        A grid with winds, which is steady; or one for each of `times`; or a function that is called with a time of `times` and
-        returns the grid, so that not all are in memory. They are not changed.
+        One grid with a steady wind; one grid for each of `times`; or a function that takes one of `times` and returns the grid, so that not all
+        grids are in memory. The grids are not changed.
     time : float or sequence of float, optional
-        When the coordinates are wanted, in the unit of `times`. Default: half a period after 0. A sequence gives an iterator of grids: each field is read once while
-        times rise, and one period of winds is in memory.
+        Time, or times, of the result, in the unit of `times`. Default: half a period after 0. A sequence gives an iterator of grids: if its
+        times increase, each field is read once, and one period of winds is in memory.
     times : sequence of float, optional
-        The times of the grids, rising. Before the first and after the last the wind is steady. Default: one grid, at 0.
+        The times of the grids, increasing. The wind is held constant before the first and after the last time. Default: one grid, at time 0.
     vectors : str, optional
-        Array of the velocity in lengths of the grid per second. Default: ``DisplayVelocity`` if there is one, else the active vectors.
+        Array of the velocity, in units of length of the grid per second. Default: ``DisplayVelocity`` if it exists, otherwise the active
+        vectors.
     points : pyvista.DataSet, optional
-        Points that are followed in place of those of the grid; they are then the result.
+        Points to trace instead of the points of the grid; they are then the result.
     period : float, optional
-        Life of a set in seconds, > 0. Default: 86400 for the data of Globe Grid, otherwise the time in which the fastest air of the first
-        grid crosses a quarter of the diagonal of the bounds.
+        Lifetime of a set of coordinates in seconds, > 0. Default: 86400 for data from Globe Grid, otherwise the time in which the fastest air of
+        the first grid crosses a quarter of the diagonal of the bounds.
     time_scale : float, default: 1.0
-        Seconds in the unit of `time` and `times`, > 0: 3600 for hours.
+        Seconds per unit of `time` and `times`, > 0: 3600 for hours.
     integrator : {"rk4", "euler", "rk45"}, default: "rk4"
-        Runge-Kutta of fourth order; of first order, as in the paper; of order 5 (4) with error control by `tolerance`.
+        Runge-Kutta of fourth order; Euler, of first order, as in the paper; or Runge-Kutta 4-5 with adaptive steps, controlled by `tolerance`.
     time_step : float, optional
-        Longest step in seconds, > 0. Default: 1/24 of the default period.
+        Longest integration step in seconds, > 0. Default: 1/24 of the default period.
     tolerance : float, default: 1e-6
-        Error of one step of ``"rk45"``: radians on a globe, else lengths, > 0.
+        Error tolerance of one step of ``"rk45"``, > 0: in radians on a globe, otherwise in units of length.
     key_frame_interval : float, default: 0.0
-        Compute only every so many seconds of a set's age and interpolate between, >= 0; 0: compute all.
+        Interval of a set's age, in seconds, at which coordinates are computed, >= 0. Times in between are interpolated. 0: all are computed.
     grid : {"automatic", "globe", "map", "cartesian"}, default: "automatic"
-        What the grid is. Automatic: what `to_globe` says, else a globe if the points are on one, else Cartesian.
+        Geometry of the grid. Automatic: the projection of `to_globe`; without it a globe if the points lie on one, otherwise Cartesian.
     planet_radius : float, default: 0.0
-        Displayed radius of height 0 if `to_globe` has not told it, >= 0; 0: that of the first point, on a map 6371000.
+        Displayed radius at height 0, for grids that do not come from `to_globe`, >= 0. 0: the radius of the first point; on a map 6371000.
     cartesian_coordinates : bool, default: False
-        On a globe, coordinates without seam and poles.
+        On a globe: writes Cartesian coordinates, which have no seam and no poles.
     texture_length : float, default: 0.0
-        Length of a texture unit in Cartesian grids, >= 0; 0: the width along x.
+        Length of a texture unit in Cartesian grids, >= 0. 0: the width of the grid along x.
     pressure, omega : str, optional
-        Point arrays of pressure and of its rate following the air: air on a globe then follows its pressure. Both or neither.
+        Point arrays of pressure and of its rate of change following the air. Pass both: vertical motion on a globe is then integrated in
+        pressure instead of height.
     lyapunov : bool, default: False
-        Add ``FiniteTimeLyapunovExponent`` (1/s) of the older set.
+        Adds ``FiniteTimeLyapunovExponent`` (1/s) of the older set.
     maximum_stretch : float, default: 0.0
-        Give way to the younger set where the older one has been stretched by this factor, > 1; 0: never.
+        Fades to the younger set where the older set is stretched by more than this factor, > 1; 0: never.
     start_from_grid : bool, default: False
-        Before the first time the air stood still, so that both sets start from the grid; else its wind was that of the first time.
+        True: there is no wind before the first time, so that both sets start from the grid. False: the wind of the first time is held constant
+        before it.
 
     Returns
     -------
     pyvista.DataSet, or iterator of pyvista.DataSet
-        The grid at `time` with the point arrays ``TextureCoordinates1`` and ``TextureCoordinates2`` and the field arrays
-        ``TextureWeights``, ``TextureAges`` and ``TextureFrame``; the meaning of all is in Filters/TextureAdvection/README.md.
+        The grid at `time` with the point arrays ``TextureCoordinates1`` and ``TextureCoordinates2`` and the field arrays ``TextureWeights``,
+        ``TextureAges`` and ``TextureFrame``; Filters/TextureAdvection/README.md describes all of them.
 
     Raises
     ------
     TypeError
         If a grid is not a dataset.
     pyvista.core.errors.MissingDataError
-        (a ValueError) If there is no such array; the message lists those that are there.
+        (a ValueError) If an array does not exist; the message lists the arrays that do.
     ValueError
-        If a number or a choice is out of range, or grids and times are not equally many.
+        If a number or a choice is out of range, or the numbers of grids and times differ.
     RuntimeError
         If the filter cannot use the grids, with its message.
 
     Warns
     -----
     RuntimeWarning
-        Points without a wind; a `period` in which the air crosses the data many times.
+        If points have no wind, or the air crosses the data many times in one `period`.
     """
     series = Series(mesh, times)
     filter_ = vtkTextureCoordinateAdvection()

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: The Nephoscope authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Cell compositing: any 3-D cells as a volume in a PyVista plotter, with the exact ray integral."""
+"""Cell compositing: volume rendering of any 3-D cells in a PyVista plotter, with the exact ray integral."""
 from __future__ import annotations
 
 from typing import Any, Mapping, Sequence
@@ -44,84 +44,86 @@ def add_cells(plotter: pyvista.BasePlotter, grid: Any, scalars: str | np.ndarray
               preset: str | bool | None = None) -> pyvista.Volume:
     """Add a grid of 3-D cells to a plotter as a volume drawn by `vtkCellCompositingMapper`.
 
-    Extinction per unit length is opacity * `opacity_scale` / `opacity_unit_distance`; it and the colour vary linearly inside each
-    tetrahedron of a cell. Arguments that `pyvista.Plotter.add_volume` has mean the same here unless noted.
+    The extinction coefficient is opacity * `opacity_scale` / `opacity_unit_distance`. Extinction and colour vary linearly inside each
+    tetrahedron of a cell. Arguments that `pyvista.Plotter.add_volume` also has mean the same here unless noted.
 
     Parameters
     ----------
     plotter : pyvista.Plotter
         The plotter; its active renderer gets the volume.
     grid : pyvista.DataSet or pyvista.MultiBlock
-        Tetrahedra, hexahedra, voxels, wedges, pyramids or convex polyhedra, structured or not. A MultiBlock is combined into
-        one grid, coincident points merged; blocks without 3-D cells or without the arrays asked for are left out, with a warning. A 3-D numpy array becomes an image.
+        Tetrahedra, hexahedra, voxels, wedges, pyramids or convex polyhedra, structured or not. A MultiBlock is combined into one grid with
+        coincident points merged; blocks without 3-D cells or without the requested arrays are skipped, with a warning. A 3-D numpy array becomes
+        an ImageData.
     scalars : str or numpy.ndarray, optional
-        Name of a point or cell array, or values of shape (n_points,) or (n_cells,). Default: the active scalars, else the first array of numbers.
-        Unlike `add_volume`, this does not change `grid`.
+        Name of a point or cell array, or values of shape (n_points,) or (n_cells,). Default: the active scalars, otherwise the first numeric
+        array. Unlike `add_volume`, this does not change `grid`.
     cmap : str, list or pyvista.LookupTable, optional
-        Colour map, the source colour of the medium; the name of a `preset` selects its colours. Default: the preset's, else the theme's.
-        A LookupTable also sets range and scale.
+        Colour map of the medium's emission; the name of a `preset` selects its colours. Default: the preset's, otherwise the theme's. A
+        LookupTable also sets range and scale.
     opacity : str, float or sequence of float, optional
-        Default: the preset's if there is one, else ``'linear'``.
-        ``'linear'``, ``'geom'``, ``'sigmoid'``, ``'sigmoid_5'``, ... each also with ``'_r'``, or ``'foreground'``;
-        one value; or values in 0 to 1 at equal steps over `clim`. Evaluated in floating point, not in 8 bits.
+        A name: ``'linear'``, ``'geom'``, ``'sigmoid'``, ``'sigmoid_5'``, ..., each also with ``'_r'``, or ``'foreground'``; one value; or values
+        from 0 to 1 at equal steps over `clim`. Evaluated in floating point, not in 8 bits. Default: the preset's if there is one, otherwise
+        ``'linear'``.
     clim : sequence of float or float, optional
-        Scalars of the first and last colour; one number c means (-c, c). Default: the preset's, else the range
-        of the finite scalars, half a unit to either side when they are all the same.
+        Scalars of the first and last colour; one number c means (-c, c). Default: the preset's, otherwise the range of the finite scalars,
+        widened by half a unit on either side if all are equal.
     n_colors : int, default: 256
         Entries of the colour table.
     flip_scalars : bool, default: False
-        Reverse the colour map.
+        Reverses the colour map.
     log_scale : bool, default: False
-        Colours and opacities at equal steps of the logarithm. A lower limit that is not positive is replaced by the
-        smallest positive scalar.
+        Maps colours and opacities to the logarithm of the scalars. A lower limit that is not positive is replaced by the smallest positive
+        scalar.
     opacity_scalars : str, optional
-        Point or cell array that `opacity` is a function of, where it is not `scalars`: clouds coloured by height, say.
+        Point or cell array for `opacity`, if it differs from `scalars`: for example clouds coloured by height.
     opacity_clim : sequence of float or float, optional
-        Values of `opacity_scalars` of the first and last opacity. Default: its range. Only with `opacity_scalars`.
+        With `opacity_scalars`: values of that array for the first and last opacity. Default: its range.
     opacity_scale : float, default: 1.0
-        Factor on the extinction, >= 0.
+        Multiplies the extinction coefficient, >= 0.
     opacity_unit_distance : float, optional
-        Length in world units over which a medium of opacity 1 has optical depth 1, > 0. Default: the length that gives rays through the
-        grid a mean optical depth of 2, with opacities scaled to reach 1. It follows from the size of the grid, its thickness too, and from how
-        opaque it is; not from the number of its cells.
-        With `clim` (or `opacity_clim`) opacities are taken to be linear over the range of the scalars, so that in a series a
-        medium fades as its values do. For pictures to be compared, give one distance to all.
+        Length in world units over which a medium of opacity 1 has an optical depth of 1, > 0. Default: the length that gives rays through the
+        grid a mean optical depth of 2, with opacities scaled to reach 1. It depends on the size and thickness of the grid and on its opacities,
+        but not on the number of cells. With `clim` (or `opacity_clim`) it assumes opacities that are linear over the range of the scalars, so
+        that in a time series the medium fades as its values do. To compare pictures, pass the same distance for all.
     integration : {"exact", "average"}, default: "exact"
-        Along a ray inside a tetrahedron: the closed-form integral, or the mean colour of the two ends.
+        Integration along a ray inside a tetrahedron: in closed form, or with the mean colour of the two ends.
     order : {"exact", "centroid", "none"}, default: "exact"
-        Visibility order of the tetrahedra: topological, by distance of the centroid, as stored.
+        Visibility order of the tetrahedra: topological, by distance of the centroid, or as stored.
     method : {"automatic", "rays", "cells", "triangles-linear", "triangles-table", "faces"}, default: "automatic"
-        How cells are drawn: a ray through the mesh for each pixel; cell after cell in the visibility order; or, to compare with, by earlier methods:
-        projected tetrahedra with interpolated opacities or with a table, and faces. Automatic: rays for exact order, else cells.
+        Rendering method. Rays: each pixel traverses the mesh. Cells: the cells are drawn one after another in visibility order. The others are
+        earlier methods, for comparison: projected tetrahedra with interpolated opacities or with a table, and faces. Automatic: rays if `order`
+        is exact, otherwise cells.
     split_at_control_points : bool, default: True
-        Integrate exactly where `cmap` or `opacity` bend inside a cell. False: both are linear between the ends of a ray in a cell, which is faster.
+        Splits rays where `cmap` or `opacity` has a control point inside a cell, so that the integral is exact. False: both are linear between
+        the ends of a ray in a cell, which is faster.
     preference : {"point", "cell"}, default: "point"
-        Which array is meant when points and cells have one of the same name, or are equally many.
+        Which array to use if points and cells both have an array of that name, or if their numbers are equal.
     contours : int or sequence of float, optional
-        Values of lit, translucent surfaces inside the volume, drawn without geometry and in exact order with it; or their
-        number, at equal steps inside the range.
+        Values of lit, translucent contour surfaces inside the volume, or the number of values at equal steps inside the range. The surfaces are
+        drawn in exact order with the volume; no geometry is extracted.
     contour_opacity : float or sequence of float, default: 0.3
-        Opacity of all surfaces or of each, 0 to 1. 0: not drawn.
+        Opacity of all surfaces or of each surface, 0 to 1. 0: not drawn.
     contour_color : color or sequence of color, optional
-        Colour of all surfaces or of each. Default: the colour map's where the surface is.
+        Colour of all surfaces or of each surface. Default: the colour map's colour at the surface.
     contour_scalars : str, optional
-        Point array that `contours` are values of, where it is not `scalars`.
+        Point array to contour, if it differs from `scalars`.
     contour_lighting, smooth_contours : bool, default: True
-        Light the surfaces by the plotter's lights; interpolate their normals between points.
+        Light the surfaces with the plotter's lights; interpolate their normals between points.
     polygons : {"contours", "all", "none"}, default: "contours"
-        Which polygons of the grid are drawn between its cells, as translucent surfaces in exact order, lit as `contours` are: those that
-        `split_cells` adds, all, or none. They must lie in faces of cells.
+        Which polygons of the grid to draw between its cells: those that `split_cells` adds, all, or none. They are translucent surfaces in exact
+        order, lit like `contours`, and must lie in faces of cells.
     polygon_opacity : float or sequence of float, default: 0.3
-        Opacity of all polygons, or by their ``ContourIndex``, 0 to 1. 0: not drawn.
+        Opacity of all polygons, or one for each ``ContourIndex``, 0 to 1. 0: not drawn.
     polygon_color : color or sequence of color, optional
-        Colour of all polygons, or by their ``ContourIndex``. Default: the colour map's where they are.
+        Colour of all polygons, or one for each ``ContourIndex``. Default: the colour map's colour at the polygon.
     layers : dict of int to pyvista.VolumeProperty, optional
-        Colour function, opacity function and unit distance of single layers, which may jump at their borders. The layer of a
-        point is the number of `contours` at or below its scalar, unless `layer_scalars` is given.
+        Colour function, opacity function and unit distance of each layer; they may be discontinuous between layers. The layer of a point is the
+        number of `contours` at or below its scalar, unless `layer_scalars` is given.
     layer_scalars : str, optional
-        Cell array that numbers the layers.
+        Cell array with the layer number of each cell.
     name : str, optional
-        An actor of that name in the plotter is replaced.
+        Name of the actor. It replaces an actor of the same name in the plotter.
     show_scalar_bar : bool, optional
         Default: the theme's.
     scalar_bar_args : dict, optional
@@ -129,14 +131,14 @@ def add_cells(plotter: pyvista.BasePlotter, grid: Any, scalars: str | np.ndarray
     reset_camera, pickable, render : bool, optional
         Passed on to `pyvista.Plotter.add_actor`.
     user_matrix : array_like, optional
-        Transformation of the volume, shape (4, 4).
+        Transformation matrix of the volume, shape (4, 4).
     unit_distance : float, optional
         The old name of `opacity_unit_distance`.
     preset : str or False, optional
-        Colours, opacities and range for a weather field, each unless it is given: ``'clouds'``, ``'cloud water'``,
-        ``'wind speed'``, ``'wind component'``, ``'temperature'``, ``'humidity'``, ``'rain'`` or ``'smoke'``. Default: found by the
-        name of `scalars`, a CF standard name or an unmistakable one, in data of Globe Grid and `read_cf` also a short one, unless `cmap`
-        or `log_scale` is given or the theme's colour map has been changed. False: none.
+        Default colours, opacities and range for a weather field: ``'clouds'``, ``'cloud water'``, ``'wind speed'``, ``'wind component'``,
+        ``'temperature'``, ``'humidity'``, ``'rain'`` or ``'smoke'``. Arguments that you pass take precedence. Default: chosen by the name of
+        `scalars`: a CF standard name, an unambiguous name or, in data from Globe Grid and `read_cf`, a short name. No preset is chosen if `cmap`
+        or `log_scale` is given or the theme's colour map has been changed. False: no preset.
 
     Returns
     -------
@@ -146,11 +148,11 @@ def add_cells(plotter: pyvista.BasePlotter, grid: Any, scalars: str | np.ndarray
     Raises
     ------
     TypeError
-        If `plotter` or `grid` is not what it should be, or the scalars are not numbers.
+        If `plotter` or `grid` has the wrong type, or the scalars are not numeric.
     pyvista.core.errors.MissingDataError
-        (a ValueError) If there is no such array; the message lists those that are there.
+        (a ValueError) If an array does not exist; the message lists the arrays that do.
     ValueError
-        If an argument is out of range, the grid has no 3-D cells, or the scalars are not one number per point or cell.
+        If an argument is out of range, the grid has no 3-D cells, or the scalars do not have one value per point or cell.
 
     Examples
     --------

@@ -80,68 +80,72 @@ def add_cloud_texture(plotter: pyvista.BasePlotter, mesh: Any, scalars: str | np
                       density_volume: Any = None, layers: int = 8,
                       coordinates: Sequence[str] = ("TextureCoordinates1", "TextureCoordinates2"), peels: int = 8,
                       **options: Any) -> pyvista.Actor:
-    """Add a surface of clouds to a plotter, with a texture of broken cloud that covers the share asked for.
+    """Add a cloud surface to a plotter, with a texture of broken cloud whose cloud fraction you choose.
 
     Parameters
     ----------
     plotter : pyvista.Plotter
         The plotter; its active renderer gets the surface.
     mesh : pyvista.PolyData, pyvista.MultiBlock or pyvista.DataSet
-        The surface, that of `cloud_surface` say; blocks are drawn as one, of other data the outer surface. With the coordinates
-        of `advect_texture` the texture is where the wind has carried it, without them it follows positions.
+        The surface, for example from `cloud_surface`. Blocks are combined; for other data the outer surface is drawn. With the coordinates of
+        `advect_texture` the texture moves with the wind; without them it is fixed to positions.
     scalars : str or numpy.ndarray, optional
-        Point or cell array that colours the clouds. Default: none, they have one colour.
+        Point or cell array that colours the clouds. Default: none, the clouds have one colour.
     color : ColorLike, optional
-        The colour without `scalars`. Default: white; the middle grey of the preset ``'clouds'`` of `add_cells` where a bright background would hide
-        white clouds, unless another surface is in the plotter, such as the ground.
+        The colour without `scalars`. Default: white; on a bright background the middle grey of the preset ``'clouds'`` of `add_cells`, unless
+        the plotter has another surface, such as the ground.
     coverage : float or str, default: 0.5
-        Share of the surface that is cloud, 0 to 1; or the point array of it, such as a model's cloud fraction.
+        Fraction of the surface that is cloud, 0 to 1, or the name of a point array with it, such as the cloud fraction of a model.
     threshold : float, optional
-        Cloud is where the texture exceeds it, in standard deviations; instead of `coverage`, which then follows from it.
+        Instead of `coverage`: texture value above which there is cloud, in standard deviations. The cover then follows from it.
     texture_scale : float, default: 0.0
-        Repetitions of the texture around the equator, or along the longest side of what is not a globe, up to 1e6; 0: by the shape of the surface.
+        Number of texture periods around the equator, or along the longest side of a surface that is not a globe, up to 1e6. 0: chosen from the
+        shape of the surface.
     texture_length : float, default: 0.0
-        Length of a unit of texture where positions are the coordinates, >= 0; 0: from the surface.
+        Length of one texture unit if positions are the texture coordinates, >= 0. 0: chosen from the surface.
     waves : str or array_like, default: "clouds"
-        What the texture is the sum of: ``"clouds"``, in all directions; ``"paper"``, 7 waves that shift across themselves; ``"printed"``, by the formula
-        that the paper prints; ``"gardner"``, along the axes; or up to 16 rows of 9 numbers, as `vtkCloudTextureMapper.SetCustomWave` takes them.
+        The waves that add up to the texture: ``"clouds"``, in all directions; ``"paper"``, 7 waves with a phase shift across each wave;
+        ``"printed"``, the formula as the paper prints it; ``"gardner"``, along the axes; or up to 16 rows of 9 numbers, as in
+        `vtkCloudTextureMapper.SetCustomWave`.
     use_altitude : bool, default: False
-        The third coordinate of the texture is the altitude, 0 to 1, and on a globe the others are longitude and latitude, as in the paper.
+        True: the third texture coordinate is the altitude, 0 to 1; on a globe the other two are longitude and latitude, as in the paper.
     altitude_range : sequence of 2 float, default: (0.0, 0.0)
-        Altitudes that are 0 and 1, with `use_altitude`; not in order: those of the data.
+        With `use_altitude`: the altitudes that map to 0 and 1. If they are not in increasing order: the range of the data.
     softness : float, default: 0.4
-        Standard deviation of the edges, in units of the texture, 0 to 2.
+        Width of cloud edges, in standard deviations of the texture, 0 to 2.
     relief : float, default: 0.03
-        Height of bumps that only the lights see, as a share of the length of the largest waves, 0 to 1.
+        Height of the bump map that shades the clouds, as a fraction of the longest wavelength of the texture, 0 to 1.
     thin_color : ColorLike, optional
-        Colour where the texture just exceeds its threshold; it multiplies that of the surface. Default: a bluish grey.
+        Colour where the texture just exceeds the threshold; it multiplies the colour of the surface. Default: a bluish grey.
     thick_color : ColorLike, optional
-        Colour where the texture exceeds its threshold by `color_range` or more; mixed in between. Default: white.
+        Colour where the texture exceeds the threshold by `color_range` or more; smaller values blend it with `thin_color`. Default: white.
     color_range : float, default: 1.5
-        In standard deviations of the texture, > 0.
+        Interval of texture values from `thin_color` to `thick_color`, in standard deviations of the texture, > 0.
     optical_depth : float, default: 3.0
-        Optical depth of the cloud across the surface, >= 0.
+        Optical depth of the clouds at normal incidence, >= 0.
     use_thickness : bool, default: False
-        Clouds are as opaque as they are thick: from each front face to the next back face, or to what is opaque.
+        Opacity follows the thickness of the clouds: from each front face to the next back face, or to an opaque object.
     thickness_effect : str, default: "opacity"
-        With `use_thickness`: ``"opacity"``, or ``"threshold"``: `thickness_weight` times the optical depth is added to the texture before the threshold, so
-        that thin edges break up.
+        With `use_thickness`. ``"opacity"``: the thickness sets the opacity. ``"threshold"``: `thickness_weight` times the optical depth is added
+        to the texture before the threshold, so that thin edges break up.
     thickness_weight : float, default: 1.0
-        With ``thickness_effect="threshold"``, >= 0.
+        With ``thickness_effect="threshold"``: weight of the optical depth, >= 0.
     extinction : float, default: 0.0
-        Optical depth per length, with `use_thickness`, >= 0; 0: `optical_depth` on average.
+        With `use_thickness`: extinction coefficient, per unit of length, >= 0. 0: rays have `optical_depth` on average.
     density : str, optional
-        Point array that multiplies `extinction`, with `use_thickness`: of the surface, linear along rays between its faces, or of `density_volume`.
+        With `use_thickness`: point array that multiplies `extinction`. It belongs to the surface, and varies linearly along rays between its
+        faces, or to `density_volume`.
     density_volume : pyvista.ImageData, optional
-        Density of cloud in space, integrated exactly along rays inside of the surface, with `use_thickness`. ``pyvista.create_grid(surface).sample(grid)`` makes an
-        image of another grid. Default of `density` is then its active array, else the first one.
+        With `use_thickness`: cloud density in space, integrated exactly along rays inside the surface.
+        ``pyvista.create_grid(surface).sample(grid)`` resamples another grid to an image. `density` is then by default its active array,
+        otherwise its first array.
     layers : int, default: 8
-        How many clouds behind one another `use_thickness` tells apart, 2 to 16.
+        With `use_thickness`: greatest number of clouds behind one another in a pixel, 2 to 16.
     coordinates : sequence of 2 str, default: ("TextureCoordinates1", "TextureCoordinates2")
-        Point arrays of texture coordinates. Those that are not there are not read.
+        Point arrays of texture coordinates. Missing arrays are ignored.
     peels : int, default: 8
-        Depth peeling of the renderer, so that clouds behind one another are drawn in order; multi-sampling is
-        switched off for it. 0 leaves the plotter as it is.
+        Number of depth peels of the renderer, which draw clouds behind one another in order. Multi-sampling is turned off for it. 0: the plotter
+        is not changed.
     **options
         Other arguments of `pyvista.Plotter.add_mesh`: `cmap`, `clim`, `opacity`, `lighting`, `specular`, `name`, ...
 
@@ -155,9 +159,9 @@ def add_cloud_texture(plotter: pyvista.BasePlotter, mesh: Any, scalars: str | np
     TypeError
         If `plotter` is not a plotter.
     pyvista.core.errors.MissingDataError
-        (a ValueError) If there is no such point array; the message lists those that are there.
+        (a ValueError) If a point array does not exist; the message lists the arrays that do.
     ValueError
-        If a number is out of range, or there is no surface: no polygons.
+        If a number is out of range, or the mesh has no polygons.
     """
     require_plotter(plotter)
     surface = _surface(mesh)

@@ -31,46 +31,46 @@ def smooth(mesh: pyvista.DataSet, iterations: int = 1, scalars: str | Sequence[s
            mass_array: bool = False) -> pyvista.DataSet:
     """Smooth point arrays of a structured grid with a 3 x 3 x 3 filter, across seams and poles.
 
-    Also the accessor method ``mesh.nephoscope.smooth(...)``. Hidden points, values that are not finite and fill values (1e30 or more)
-    keep their values and take no part.
+    Also the accessor method ``mesh.nephoscope.smooth(...)``. Hidden points, non-finite values and fill values (1e30 or more) are ignored and
+    keep their values.
 
     Parameters
     ----------
     mesh : pyvista.ImageData, pyvista.RectilinearGrid or pyvista.StructuredGrid
         The grid; it is not changed.
     iterations : int, default: 1
-        How often the filter is applied, 0 to 1000.
+        Number of times the filter is applied, 0 to 1000.
     scalars : str or sequence of str, optional
-        Point arrays to smooth. Default: the active scalars, or the first array of one number each if they are not, else vectors.
+        Point arrays to smooth. Default: the active scalars; if they do not have one component, the first array that does, otherwise vectors.
     all_arrays : bool, default: False
-        Smooth all point arrays of float and double; `scalars` does not count then.
+        Smooths all point arrays of type float and double; `scalars` is then ignored.
     periodic : str or sequence of 3 bool, default: ""
-        Axes along which the grid closes: ``"i"`` for longitudes, ``"ij"``, ... The seam of a globe is found without it.
+        Axes along which the grid is periodic: ``"i"`` for longitudes, ``"ij"``, ... The seam of a globe is detected without it.
     conservative : bool, default: False
-        Keep the sum of mass times field, to rounding.
+        Conserves the sum of mass times field, to rounding error.
     masses : str, optional
-        Point array of masses. Default: volumes; longitude, sin(latitude) and level steps on longitudes and latitudes.
+        Point array of masses. Default: volumes; on longitude-latitude grids the product of the steps in longitude, sin(latitude) and level.
     isotropic : bool, default: False
-        Smooth rows near a pole more often, so that the reach in metres is the same in both directions.
+        Smooths rows near a pole more often, so that the smoothing length in metres is the same in both directions.
     coordinates : {"automatic", "cartesian", "lonlat"}, default: "automatic"
-        What x and y of `mesh` are: lengths, or longitude and latitude in degrees. Automatic: lengths, but degrees for images and
-        rectilinear grids with ``periodic="i"`` that go round in 360.
+        Meaning of x and y of `mesh`: lengths, or longitude and latitude in degrees. Automatic: lengths, but degrees for image data and
+        rectilinear grids with ``periodic="i"`` that span 360.
     find_seam : bool, default: True
-        Take the last points of a structured grid that lie in the place of the first ones as one with them.
+        Detects a structured grid that closes on itself: last points at the position of the first points are treated as the same points.
     mass_array : bool, default: False
-        Add the masses as the point array ``Mass``.
+        Adds the masses as the point array ``Mass``.
 
     Returns
     -------
     pyvista.DataSet
-        The same grid with smoothed arrays; float and double keep their type, whole numbers become double.
+        The same grid with smoothed arrays. Float and double arrays keep their type; integer arrays become double.
 
     Raises
     ------
     TypeError
         If `mesh` is not a structured dataset.
     pyvista.core.errors.MissingDataError
-        (a ValueError) If there is no such point array; the message lists those that are there.
+        (a ValueError) If a point array does not exist; the message lists the arrays that do.
     ValueError
         If a number or a choice is out of range.
     RuntimeError
@@ -79,7 +79,7 @@ def smooth(mesh: pyvista.DataSet, iterations: int = 1, scalars: str | Sequence[s
     Warns
     -----
     RuntimeWarning
-        What the filter warns of: values that are missing, points without mass.
+        The warnings of the filter: missing values, points without mass.
     """
     smoothing = vtkStructuredSmoothing()
     smoothing.SetInputData(_structured(mesh))
@@ -101,37 +101,37 @@ def cloud_surface(mesh: pyvista.DataSet, isosurfaces: int | float | Sequence[flo
                   periodic: str | Sequence[bool] = "", conservative: bool = False, masses: str | None = None,
                   isotropic: bool = False, coordinates: Literal["automatic", "cartesian", "lonlat"] = "automatic",
                   find_seam: bool = True) -> pyvista.PolyData:
-    """Contour a smoothed point array of a structured grid; closed across seam and poles, with every point array.
+    """Smooth a point array of a structured grid and contour it. The surface is closed across seam and poles and carries every point array.
 
-    Also the accessor method ``mesh.nephoscope.cloud_surface(...)``. Nothing is contoured in hidden cells.
+    Also the accessor method ``mesh.nephoscope.cloud_surface(...)``. Hidden cells are not contoured.
 
     Parameters
     ----------
     mesh : pyvista.ImageData, pyvista.RectilinearGrid or pyvista.StructuredGrid
         The grid; it is not changed.
     isosurfaces : int, float or sequence of float, optional
-        The values, in any order; or, if a whole number, how many values, at equal steps from the first to the last of `rng`, or inside the
-        range of the scalars. Default: for a cloud fraction 0.15, or 15 in percent, if the smoothed values are below and above
-        it; otherwise, for cloud water and all other arrays, the middle of the range of the smoothed values that are visible and finite.
+        The contour values, in any order; or, if an int, the number of values at equal steps from the first to the last of `rng`, or inside the
+        range of the scalars. Default for a cloud fraction: 0.15, or 15 in percent, if the smoothed values lie on both sides of it. Default
+        otherwise, for cloud water and all other arrays: the middle of the range of the visible, finite smoothed values.
     scalars : str, optional
-        Point array of one number each that is smoothed and contoured. Default: the active scalars, or the first array of one number each
-        if they are not.
+        Point array with one component to smooth and contour. Default: the active scalars; if they do not have one component, the first array
+        that does.
     smoothing : int, default: 1
-        How often the 3 x 3 x 3 filter is applied first, 0 to 1000.
+        Number of times the 3 x 3 x 3 filter is applied first, 0 to 1000.
     rng : sequence of 2 float, optional
-        First and last value if `isosurfaces` is a number of them. Default: values inside the range of the finite scalars.
+        First and last value if `isosurfaces` is an int. Default: values inside the range of the finite scalars.
     normals : bool, default: True
-        Add ``Normals``, from the gradient of the smoothed field, out of where it is higher.
+        Adds ``Normals`` from the gradient of the smoothed field. They point towards lower values.
     join_seams : bool, default: True
-        Points at a seam or a pole that share a place become one.
+        Merges points of a seam or a pole that have the same position.
     periodic, conservative, masses, isotropic, coordinates, find_seam
-        As in `smooth`. A structured grid that is periodic and whose last points are next to the first ones is closed there.
+        As in `smooth`. A periodic structured grid whose last points are neighbours of the first is closed there.
 
     Returns
     -------
     pyvista.PolyData
-        Triangles. Point arrays: all of `mesh`, interpolated linearly (`scalars` is the value), and ``Normals``. Cell array:
-        ``ContourIndex``, the index of the value.
+        Triangles. Point arrays: all arrays of `mesh`, interpolated linearly (`scalars` is the contour value), and ``Normals``. Cell array:
+        ``ContourIndex``, the index of the contour value.
 
     Raises
     ------
@@ -141,7 +141,7 @@ def cloud_surface(mesh: pyvista.DataSet, isosurfaces: int | float | Sequence[flo
     Warns
     -----
     RuntimeWarning
-        What the filter warns of: values that are missing.
+        The warnings of the filter: missing values.
     """
     surface = vtkCloudSurface()
     surface.SetInputData(_structured(mesh))

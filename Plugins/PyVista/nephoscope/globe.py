@@ -55,42 +55,42 @@ def to_globe(mesh: pyvista.DataSet, *, projection: Literal["globe", "map"] = "gl
     radius : float, default: 6371000.0
         Radius of the planet in metres, > 0.
     vertical_exaggeration : float, default: 1.0
-        Factor on the height, >= 0. 20 to 100 makes weather visible on a whole globe.
+        Multiplies heights, >= 0. Values from 20 to 100 make weather visible on a whole globe.
     height : str or False, optional
-        Array of heights above the sea. Default: ``"gh"``, ``"zg"``, or ``"z"`` if its units are known (m, gpm or m2 s-2; `read_cf`
-        notes them). Without one, or with False, the level axis gives the heights.
+        Array of heights above sea level. Default: ``"gh"``, ``"zg"``, or ``"z"`` if its units are known (m, gpm or m2 s-2; `read_cf` records
+        them). Without such an array, or with False, the level axis gives the heights.
     wind : sequence of 2 or 3 str, or False, optional
-        Arrays of the eastward, northward (m/s) and vertical wind. Default: the first of ``("u", "v", "w")``, ``("ua", "va", "wa")``,
-        ``("ua", "va", "wap")``, ``("U", "V", "W")`` and ``("U", "V", "OMEGA")`` whose first two are there, of one number each. False: no wind.
+        Arrays of the eastward, northward (m/s) and vertical wind. Default: the first of ``("u", "v", "w")``, ``("ua", "va", "wa")``, ``("ua",
+        "va", "wap")``, ``("U", "V", "W")`` and ``("U", "V", "OMEGA")`` whose first two arrays exist and have one component each. False: no wind.
     vertical_wind_is_omega : bool, optional
-        The vertical wind is omega = dp/dt in Pa/s, positive downwards; False: upward wind in m/s. Default: by its units, where they are
-        known (`read_cf` notes them); without, False for ``"wa"`` and ``"W"`` and True for others. Omega becomes upward wind by the temperature
-        ``"t"`` or ``"ta"`` (K), without by the standard atmosphere.
+        True: the vertical wind is omega = dp/dt in Pa/s, positive downwards. False: it is upward wind in m/s. Default: chosen by its units, if
+        they are known (`read_cf` records them); otherwise False for ``"wa"`` and ``"W"`` and True for other names. Omega is converted to upward
+        wind with the temperature ``"t"`` or ``"ta"`` (K), or without it by the standard atmosphere.
     level_units : {"automatic", "hPa", "Pa", "m", "km"}, default: "automatic"
-        What the z axis of `mesh` means. Automatic guesses from sign and size.
+        Meaning of the z axis of `mesh`. Automatic: guessed from the sign and size of the values.
     close_seam : bool, default: True
-        Repeat the first column of a global grid after the last, so that no gap stays.
+        Repeats the first column of a global grid after the last, which closes the gap at the seam.
     close_poles : bool, default: True
-        Add a row at each pole if a global grid ends at most one spacing before it, as Gaussian grids and cell
-        centres do. Its values are the mean of the last row; its winds are the mean vector.
+        Adds a row at each pole if a global grid ends within one grid spacing of it, as Gaussian and cell-centred grids do. Its values are the
+        mean of the last row; its winds are the mean vector.
     height_units : {"automatic", "m", "km", "geopotential"}, default: "automatic"
-        Units of `height`; a geopotential is in m2 s-2. Automatic: those in the file. If the file has none, on pressure
-        levels, the units that fit the standard atmosphere best, with a warning if these are not metres.
+        Units of `height`; a geopotential is in m2 s-2. Automatic: the units in the file. If the file has no units and the levels are pressures:
+        the units that fit the standard atmosphere best, with a warning if these are not metres.
     wind_components : {"automatic", "east-north", "along-grid"}, default: "automatic"
-        Directions of the horizontal wind arrays: east and north, or along and across the rows of a curvilinear grid (GRIB:
-        uvRelativeToGrid). Automatic: along the grid if they are named x_wind and y_wind; else east and north, with a warning
-        if the rows leave the parallels.
+        Directions of the horizontal wind arrays: east and north, or along and across the rows of a curvilinear grid (GRIB: uvRelativeToGrid).
+        Automatic: along the grid if the arrays are named x_wind and y_wind, otherwise east and north, with a warning if the rows do not follow
+        parallels.
     central_meridian : float, optional
-        Map only: longitude in the middle, degrees east. Default: the longitudes of the mesh are kept.
+        Map only: longitude of the middle of the map, in degrees east. Default: the map keeps the longitudes of the mesh.
     mask_below_ground : bool, default: True
-        Hide the points below the ground; see `surface`.
+        Hides points below the ground; see `surface`.
     surface : pyvista.DataSet, optional
-        One level with the longitudes and latitudes of `mesh` and the surface pressure (Pa or hPa) or the terrain
-        height (m). Default: looked for in `mesh`; without either the ground is at sea level.
+        One level with the longitudes and latitudes of `mesh` and the surface pressure (Pa or hPa) or the terrain height (m). Default: arrays of
+        `mesh`. Without either array the ground is at sea level.
     temperature : str, optional
-        Array of the temperature in K, by which omega becomes upward wind. Default: ``"t"`` or ``"ta"``, where it is there.
+        Array of the temperature in K, used to convert omega to upward wind. Default: ``"t"`` or ``"ta"``, if present.
     surface_pressure, terrain_height : str, default: "sp", "orog"
-        What the arrays of `surface`, or of `mesh`, are called.
+        Names of these arrays in `surface` or `mesh`.
 
     Returns
     -------
@@ -104,7 +104,7 @@ def to_globe(mesh: pyvista.DataSet, *, projection: Literal["globe", "map"] = "gl
     TypeError
         If `mesh` is not a structured dataset.
     pyvista.core.errors.MissingDataError
-        (a ValueError) If a named array is not there; the message lists those that are.
+        (a ValueError) If a named array does not exist; the message lists the arrays that do.
     ValueError
         If a number or a choice is out of range.
     RuntimeError
@@ -113,7 +113,7 @@ def to_globe(mesh: pyvista.DataSet, *, projection: Literal["globe", "map"] = "gl
     Warns
     -----
     RuntimeWarning
-        What the filter warns of.
+        The warnings of the filter.
     """
     globe = vtkGlobeGrid()
     mesh = _structured(mesh, "mesh")
@@ -154,7 +154,7 @@ def to_globe(mesh: pyvista.DataSet, *, projection: Literal["globe", "map"] = "gl
 
 def globe_surface(*, projection: Literal["globe", "map"] = "globe", radius: float = EARTH_RADIUS,
                   central_meridian: float = 0.0) -> pyvista.StructuredGrid:
-    """The surface of the planet at height 0, with texture coordinates for a plate carrée picture.
+    """Make the surface of the planet at height 0, with texture coordinates for a plate carrée picture.
 
     The picture spans longitude -180 to 180 from its left to its right edge and latitude -90 to 90 from bottom to top,
     as NASA's Blue Marble does.
@@ -166,7 +166,7 @@ def globe_surface(*, projection: Literal["globe", "map"] = "globe", radius: floa
     radius : float, default: 6371000.0
         Radius of the planet in metres, > 0.
     central_meridian : float, default: 0.0
-        Longitude in the middle of the map, degrees east; 180 for data that run from 0 to 360. No matter on the globe.
+        Longitude of the middle of the map, in degrees east; 180 for data from 0 to 360. It has no effect on a globe.
 
     Returns
     -------

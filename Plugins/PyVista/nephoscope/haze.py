@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: The Nephoscope authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Haze before everything that a plotter draws (`vtkHaze`)."""
+"""Haze in front of everything that a plotter draws (`vtkHaze`)."""
 from __future__ import annotations
 
 from typing import Literal, Sequence
@@ -19,49 +19,49 @@ def add_haze(plotter: pyvista.Plotter, mesh: pyvista.DataSet | None = None, *, v
              vertical_exaggeration: float | None = None, projection: Literal["globe", "map"] | None = None,
              radius: float | None = None, center: Sequence[float] = (0, 0, 0), up: Sequence[float] = (0, 0, 1),
              base_level: float = 0.0, render: bool = True) -> vtkHaze:
-    """Put haze that is thinner with altitude before everything in the active renderer of a plotter, in place of what haze it had.
+    """Add haze, thinner with altitude, in front of everything in the active renderer of a plotter. It replaces earlier haze.
 
-    What is not given is found from what the plotter draws: the ground and exaggeration of `mesh.nephoscope.globe(...)`, a globe where the scene has
-    the size of the Earth about the origin, else flat ground under the scene.
+    Defaults come from the scene: the ground and exaggeration of `mesh.nephoscope.globe(...)`; without it a globe if the scene lies around the
+    origin and is as large as the Earth, otherwise flat ground under the scene.
 
-    Take it away by ``nephoscope.vtkHaze.SetHaze(plotter.renderer, None)``.
+    Remove the haze with ``nephoscope.vtkHaze.SetHaze(plotter.renderer, None)``.
 
     Parameters
     ----------
     plotter : pyvista.Plotter
-        Its active renderer is hazed.
+        The plotter; its active renderer gets the haze.
     mesh : pyvista.DataSet, optional
-        A result of ``mesh.nephoscope.globe(...)``, or of filters that keep its field data: says where the ground is, and how much
-        heights are exaggerated.
+        A result of ``mesh.nephoscope.globe(...)``, or of filters that keep its field data. It provides the position of the ground and the
+        vertical exaggeration.
     visibility : float, optional
-        Meteorological visibility at altitude 0, in lengths of the scene, > 0: what length of level air lets 2 % of the contrast through.
-        Real air has 1e4 to 3e5 m. Default: 24.5 displayed scale heights.
+        Meteorological visibility: the distance, along the ground at altitude 0, at which 2 % of the contrast is left, in units of the scene, >
+        0. Real air has 1e4 to 3e5 m. Default: 24.5 displayed scale heights.
     scale_height : float, optional
-        Height, not exaggerated, over which density falls to 1/e, > 0. Default: 8000 m with a
-        result of ``mesh.nephoscope.globe(...)``, 0.5 % of the radius of another globe, else a third of the height of the scene.
+        Height, before exaggeration, over which the haze density falls to 1/e, > 0. Default: 8000 m with a result of
+        ``mesh.nephoscope.globe(...)``, 0.5 % of the radius on any other globe, otherwise a third of the height of the scene.
     color : color_like, optional
         Colour of thick haze. Default: a pale blue, (0.72, 0.8, 0.9).
     background : bool, default: True
-        Haze the background too.
+        Draws haze over the background too.
     vertical_exaggeration : float, optional
-        Factor on the heights in the scene, > 0. Default: that of `mesh`, or of what is drawn, else 1.
+        Vertical exaggeration of the scene, > 0. Default: that of `mesh` or of the scene, otherwise 1.
     projection : {"globe", "map"}, optional
-        Altitude is height over a sphere, or over flat ground. Default: that of `mesh`, or of what is drawn.
+        Altitude is the height above a sphere, or above flat ground. Default: the projection of `mesh` or of the scene.
     radius : float, optional
-        Globe: radius where altitude is 0, > 0. Default: that of `mesh`, or of what is drawn, else 6371000.
+        Globe: radius at altitude 0, > 0. Default: that of `mesh` or of the scene, otherwise 6371000.
     center : sequence of 3 float, default: (0, 0, 0)
-        Globe: its centre.
+        Globe: centre of the globe.
     up : sequence of 3 float, default: (0, 0, 1)
-        Map: upwards.
+        Map: the upward direction.
     base_level : float, default: 0.0
-        Map: coordinate along `up` where altitude is 0; from the lowest place of the scene where the ground is found from it.
+        Map: coordinate along `up` at altitude 0. If the ground is found from the scene, it is measured from the lowest point of the scene.
     render : bool, default: True
-        Draw the plotter again, if it has been drawn before.
+        Renders again if the plotter has rendered before.
 
     Returns
     -------
     vtkHaze
-        Its settings may be changed at any time.
+        The haze. You can change its settings at any time.
 
     Raises
     ------

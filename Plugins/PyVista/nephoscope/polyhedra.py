@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: The Nephoscope authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Polyhedra that are not convex, divided into tetrahedra (`vtkPolyhedronToTetrahedra`)."""
+"""Non-convex polyhedra, divided into tetrahedra (`vtkPolyhedronToTetrahedra`)."""
 from __future__ import annotations
 
 import pyvista
@@ -14,26 +14,26 @@ _NAMES = {"Set UseTetGen on": "Pass tetgen=True", "UseTetGen": "tetgen", "FaceWa
 
 
 def divide_polyhedra(mesh: pyvista.DataSet, *, convex: bool = False, warp_tolerance: float = 0.1, tetgen: bool = True) -> pyvista.DataSet:
-    """Divide the polyhedra that are not convex into tetrahedra, so that `add_cells` draws them right. Everything else stays as it is.
+    """Divide non-convex polyhedra into tetrahedra, so that `add_cells` draws them correctly. All other cells stay unchanged.
 
     Also the accessor method ``mesh.nephoscope.divide_polyhedra(...)``.
 
     Parameters
     ----------
     mesh : pyvista.DataSet
-        The mesh, that of OpenFOAM or MPAS say; it is not changed.
+        The mesh, for example from OpenFOAM or MPAS; it is not changed.
     convex : bool, default: False
-        Divide convex polyhedra too, so that none is left.
+        Divides convex polyhedra too, so that none is left.
     warp_tolerance : float, default: 0.1
-        Largest distance of the corners of a face from its plane that counts as warp and not as a fold, as a share of the diagonal of the cell's
-        bounds, 0 to 1. A cell that would be drawn wrong is divided whatever it is.
+        Largest distance of a face's corners from its mean plane, as a fraction of the diagonal of the cell's bounds, at which the face still
+        counts as planar, 0 to 1. Cells that would be drawn wrong are always divided.
     tetgen : bool, default: True
-        Use TetGen for cells that no single point sees the whole of, where the build has it.
+        Uses TetGen, if the build has it, for polyhedra that are not star-shaped (no inner point sees all of the boundary).
 
     Returns
     -------
     pyvista.DataSet
-        The mesh, an UnstructuredGrid if it was one. Points are added where a cell is divided around its middle; point arrays are interpolated there.
+        The mesh, an UnstructuredGrid if it was one. A cell that is divided around its middle gets a new point, with interpolated point arrays.
 
     Raises
     ------

@@ -35,39 +35,37 @@ def read_cf(path: str | Path, *, dimensions: str | Sequence[str] | None = None, 
     path : str or pathlib.Path
         The file, NetCDF classic or NetCDF-4.
     dimensions : str or sequence of str, optional
-        Names of the dimensions of the variables to read, slowest first, as the file has them, separated by commas or one by one:
-        ``("lev", "lat", "lon")``. Default: the longest combination in the file.
+        Names of the dimensions of the variables to read, slowest first as in the file, in one string with commas or as a sequence: ``("lev",
+        "lat", "lon")``. Default: the longest combination in the file.
     variables : sequence of str, optional
-        Names of the variables to read. Default: all on these dimensions.
+        Names of the variables to read. Default: all variables on these dimensions.
     time_step : int, optional
-        Index of the time step, from 0; negative counts from the end. Ignored if the file has no time. Default: the first, with a
-        warning that reports the range if there are several. See `cf_times`.
+        Index of the time step, from 0; negative indices count from the end. Ignored if the file has no time. Default: the first time step, with
+        a warning that reports the range if there are several. See `cf_times`.
     missing_values : sequence of float, optional
-        Values that mean "missing" and become NaN, beside the ``_FillValue`` of the file; an empty sequence: none. Default: values such as -999, -9999 or
-        1e20 that are the least or greatest of a variable and far from all others, with a warning.
+        Values that mean "missing" and become NaN, in addition to the ``_FillValue`` of the file. An empty sequence: no such values. Default:
+        values such as -999, -9999 or 1e20 that are the minimum or maximum of a variable and far from all other values, with a warning.
 
     Returns
     -------
     pyvista.ImageData or pyvista.RectilinearGrid or pyvista.StructuredGrid
-        Points at the coordinates as the file has them: x longitude and y latitude in degrees, z the level (negated by the
-        reader where the file says ``positive: down``), in whatever order the file has its dimensions. One point array per variable, fill values as NaN.
-        The active scalars are cloud fraction, cloud water or the first variable. If the file has times, the field array
-        ``TimeValue`` is the time that was read, in ``time_units``.
+        Points at the coordinates of the file: x longitude and y latitude in degrees, z the level (negated if the file has ``positive: down``),
+        whatever the order of the dimensions in the file. One point array per variable, with fill values as NaN. The active scalars are cloud
+        fraction, cloud water or the first variable. If the file has times, the field array ``TimeValue`` is the time that was read, in
+        ``time_units``.
 
     Raises
     ------
     FileNotFoundError
-        If there is no such file.
-    RuntimeError
-        If the file is not NetCDF.
+        If the file does not exist. RuntimeError If the file is not NetCDF.
     ValueError
-        If the dimensions, a variable or the time step are not in the file; the message lists what is. If the unlimited dimension of a NetCDF classic
-        file has length 0.
+        If the dimensions, a variable or the time step are not in the file; the message lists what the file has. If the unlimited dimension of a
+        NetCDF classic file has length 0.
 
     Warns
     -----
     UserWarning
-        If the file has several times and `time_step` is not given, or if values are taken to be missing.
+        If the file has several times and `time_step` is not given, or if values are treated as missing.
 
     Examples
     --------
@@ -95,7 +93,7 @@ def read_cf(path: str | Path, *, dimensions: str | Sequence[str] | None = None, 
 
 
 def cf_times(path: str | Path, *, dimensions: str | Sequence[str] | None = None) -> list[str]:
-    """The times in a NetCDF file with CF conventions, in the order of the `time_step` of `read_cf`.
+    """List the times in a NetCDF file with CF conventions, in the order of `time_step` of `read_cf`.
 
     Parameters
     ----------

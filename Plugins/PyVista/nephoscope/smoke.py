@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: The Nephoscope authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Flow volumes: the smoke that a flow carries through a polygon (`vtkFlowVolume`), and its puffs (`vtkSmokePuffs`)."""
+"""Flow volumes: the smoke that a flow carries from a polygon (`vtkFlowVolume`), and its puffs (`vtkSmokePuffs`)."""
 from __future__ import annotations
 
 from typing import Any, Literal, Sequence
@@ -31,64 +31,65 @@ def flow_volume(mesh: Grids, polygon: pyvista.PolyData | None = None, *, vectors
                 integrator: Literal["rk4", "rk45"] = "rk4", tolerance: float = 1e-6,
                 max_tetrahedra: int = 100_000, times: Sequence[float] | None = None, time: float | None = None,
                 start_time: float | None = None, time_scale: float = 1.0) -> pyvista.UnstructuredGrid:
-    """Smoke: the volume that a steady flow sweeps through a polygon, as tetrahedra; with `times` smoke released all along an unsteady flow.
+    """Compute smoke: the volume that a flow sweeps from a polygon, as tetrahedra. With `times` the flow is unsteady.
 
-    Also the accessor method ``mesh.nephoscope.flow_volume(...)``. Lengths are in the unit of the mesh, times in seconds.
+    Also the accessor method ``mesh.nephoscope.flow_volume(...)``. Lengths are in units of length of the mesh, times in seconds.
 
     Parameters
     ----------
     mesh : pyvista.DataSet, pyvista.MultiBlock, sequence of pyvista.DataSet, or callable
-        Any mesh with a velocity; or one for each of `times`; or a function that is called with a time of `times` and returns the mesh, so that not all
-        are in memory. They are not changed.
+        Any mesh with a velocity; one mesh for each of `times`; or a function that takes one of `times` and returns the mesh, so that not all
+        meshes are in memory. The meshes are not changed.
     polygon : pyvista.PolyData, optional
         The generating polygon: planar polygons, convex or not. It keeps its orientation unless `normal` is ``"flow"``. Default: the regular
-        one that the following arguments describe.
+        polygon that the following arguments describe.
     vectors : str, optional
-        Array of three components, of points or cells: the velocity in lengths of the mesh per second. Default:
-        ``"DisplayVelocity"`` if there is one, else the active vectors, else the only array of three components.
+        Point or cell array of three components: the velocity, in units of length of the mesh per second. Default: ``"DisplayVelocity"`` if it
+        exists, otherwise the active vectors or the only array of three components.
     center : sequence of 3 float, optional
-        Centre of the polygon. Default: a place where the flow is fast and the polygon fits in.
+        Centre of the polygon. Default: a position where the flow is fast and the polygon fits into the data.
     radius : float, optional
-        Distance of the corners from the centre, > 0. Default: 1/50 of the diagonal of the bounds; without a `center` less where
-        that does not fit in.
+        Circumradius of the polygon, > 0. Default: 1/50 of the diagonal of the bounds; less if `center` is not given and such a polygon does not
+        fit.
     normal : sequence of 3 float or "flow", optional
-        Direction that the regular polygon faces. ``"flow"``: the direction of the flow at the centre of the polygon, regular or given.
+        Normal of the regular polygon. ``"flow"``: the direction of the flow at the centre of the polygon, for a regular or a given polygon.
         Default: ``"flow"`` for the regular polygon.
     n_sides : int, default: 12
         Number of sides, 3 to 1000.
     duration : float, optional
-        How long the smoke flows, in seconds, > 0. Default: until the flow at the polygon has crossed half the diagonal of the bounds;
-        less if `max_tetrahedra` does not allow that.
+        Time for which the smoke flows, in seconds, > 0. Default: the time in which the flow at the polygon crosses half the diagonal of the
+        bounds; less if `max_tetrahedra` requires it.
     time_step : float, optional
         Time between two layers, in seconds, > 0. Default: 1/64 of the duration, or the time in which the flow crosses 1/32 of the
         diagonal of the bounds if that is shorter; longer if `max_tetrahedra` requires it.
     initial_density : float, default: 1.0
         Density at the polygon.
     polygon_edge_length : float, optional
-        Longest edge of the triangles that the polygon is divided into, > 0. Default: a quarter of its extent; longer if
+        Greatest edge length of the triangles into which the polygon is divided, > 0. Default: a quarter of the polygon's extent; longer if
         `max_tetrahedra` requires it.
     max_edge_length : float, optional
-        Longer edges of a layer are divided, > 0. Default: three times the longest edge of the polygon's triangles, or the distance
-        the flow covers in a time step if that is more; longer if `max_tetrahedra` requires it.
+        Longer edges of a layer are split, > 0. Default: three times the longest edge of the polygon's triangles, or the distance that the flow
+        covers in a time step if that is longer; longer still if `max_tetrahedra` requires it.
     min_edge_length : float, default: 0.0
-        Shorter edges of a layer are merged. 0: never.
+        Shorter edges of a layer are collapsed. 0: never.
     max_turn_angle : float, default: 15.0
-        Steps in which a path turns by more, in degrees, are halved. 0: never.
+        A time step is halved if a path turns by more than this angle, in degrees. 0: never.
     integrator : {"rk4", "rk45"}, default: "rk4"
-        Fixed steps of fourth order, or steps with control of their error.
+        Runge-Kutta of fourth order with fixed steps, or Runge-Kutta 4-5 with adaptive steps.
     tolerance : float, default: 1e-6
-        Error of one step of ``"rk45"``, relative to the longest edge of the polygon's triangles; 1e-14 to 1.
+        Error tolerance of one step of ``"rk45"``, relative to the longest edge of the polygon's triangles; 1e-14 to 1.
     max_tetrahedra : int, default: 100_000
-        Maximum number of tetrahedra, >= 1. The volume is made coarser until the whole duration fits, with a warning if it is then coarser than requested.
+        Greatest number of tetrahedra, >= 1. The filter coarsens the volume until the whole duration fits, and warns if the result is coarser
+        than requested.
     times : sequence of float, optional
-        The times of the meshes, two or more, rising: the flow is unsteady, linear between them. Smoke older than `duration` is dropped, by default none;
-        `min_edge_length` and `max_turn_angle` are not used. Default: one mesh, a steady flow.
+        The times of the meshes, two or more, increasing. The flow is unsteady and interpolated linearly in time. Smoke older than `duration` is
+        dropped; by default none is. `min_edge_length` and `max_turn_angle` are not used. Default: one mesh, a steady flow.
     time : float, optional
-        With `times`: when the smoke is wanted, in the unit of `times`. Default: the last time.
+        With `times`: time of the result, in the unit of `times`. Default: the last time.
     start_time : float, optional
-        With `times`: when the smoke begins to flow, in the unit of `times`. Default: the first time.
+        With `times`: time of the first release, in the unit of `times`. Default: the first time.
     time_scale : float, default: 1.0
-        With `times`: seconds in their unit, > 0: 3600 for hours.
+        With `times`: seconds per unit of `times`, > 0: 3600 for hours.
 
     Returns
     -------
@@ -99,18 +100,18 @@ def flow_volume(mesh: Grids, polygon: pyvista.PolyData | None = None, *, vectors
     Raises
     ------
     TypeError
-        If `mesh` or `polygon` is not what it should be.
+        If `mesh` or `polygon` has the wrong type.
     pyvista.core.errors.MissingDataError
-        (a ValueError) If there is no such array of three components; the message lists those that are there.
+        (a ValueError) If an array of three components does not exist; the message lists the arrays that do.
     ValueError
-        If an argument is out of range or contradicts another one, or without a `center` the mesh has no place with a flow.
+        If an argument is out of range or contradicts another, or if `center` is not given and the mesh has no flow.
     RuntimeError
         If the filter cannot make a volume, with its message.
 
     Warns
     -----
     RuntimeWarning
-        What the filter warns of: a polygon partly outside, smoke coarser than requested.
+        The warnings of the filter: a polygon partly outside the data, smoke coarser than requested.
 
     Examples
     --------
@@ -187,7 +188,7 @@ def _unsteady(smoke: vtkFlowVolume, mesh: Any, times: Sequence[float], start_tim
 def smoke_puffs(volume: pyvista.UnstructuredGrid, time: float = 0.0, *, period: float | None = None, width: float = 0.5,
                 floor: float = 0.1, normalization: Literal["peak", "mean"] = "peak", max_density: float | None = None,
                 on_points: bool = False) -> pyvista.UnstructuredGrid:
-    """Smoke released in puffs, as it is at a time: they move along the volume with the flow.
+    """Compute the smoke at one time if it is released in puffs, which move along the volume with the flow.
 
     Also the accessor method ``volume.nephoscope.smoke_puffs(...)``.
 
@@ -196,19 +197,19 @@ def smoke_puffs(volume: pyvista.UnstructuredGrid, time: float = 0.0, *, period: 
     volume : pyvista.UnstructuredGrid
         The result of `flow_volume`; it is not changed.
     time : float, default: 0.0
-        In seconds. Times that differ by a period give the same puffs.
+        Time of the result, in seconds. Times that differ by a period give the same puffs.
     period : float, optional
-        Time from one puff to the next, in seconds, > 0. Default: a quarter of the oldest age.
+        Time from one puff to the next, in seconds, > 0. Default: a quarter of the greatest age.
     width : float, default: 0.5
-        Length of a puff, as a share of the period, up to 1.
+        Length of a puff, as a fraction of the period, up to 1.
     floor : float, default: 0.1
-        How much smoke stays between puffs, 0 to 1.
+        Smoke between puffs, as a fraction of the peak, 0 to 1.
     normalization : {"peak", "mean"}, default: "peak"
-        What a pulse has of 1: its crest, or its mean, so that the mass stays.
+        Peak: the peak of a pulse is 1. Mean: the mean of a pulse is 1, which conserves the mass.
     max_density : float, optional
-        Density above it is cut, > 0.
+        Higher densities are clamped to this value, > 0.
     on_points : bool, default: False
-        Values on points, which vary evenly within cells, instead of cells.
+        Writes values on points, which vary smoothly within cells, instead of values on cells.
 
     Returns
     -------

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: The Nephoscope authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Smoke in a plotter: a flow volume by cell compositing, opaque by its density."""
+"""Smoke in a plotter: a flow volume drawn by cell compositing, with opacity from its density."""
 from __future__ import annotations
 
 from typing import Any
@@ -17,7 +17,7 @@ from .cells import add_cells
 def add_smoke(plotter: pyvista.BasePlotter, volume: pyvista.UnstructuredGrid, scalars: str | None = None, *,
               color: Any = None, density: str | None = None, optical_depth: float = 1.0,
               **options: Any) -> pyvista.Volume:
-    """Add smoke to a plotter: extinction in proportion to its density, one colour or that of an array.
+    """Add smoke to a plotter. Its extinction coefficient is proportional to its density; its colour is uniform or comes from an array.
 
     Parameters
     ----------
@@ -26,14 +26,16 @@ def add_smoke(plotter: pyvista.BasePlotter, volume: pyvista.UnstructuredGrid, sc
     volume : pyvista.UnstructuredGrid
         The result of `flow_volume` or `smoke_puffs`.
     scalars : str, optional
-        Point or cell array that colours the smoke, ``"Age"`` say. Default: none, the smoke has one colour, and no order of its
-        cells is needed.
+        Point or cell array that colours the smoke, for example ``"Age"``. Default: none; the smoke has one colour, and its cells need no
+        sorting.
     color : ColorLike, optional
-        The colour without `scalars`. Default: white, or dark grey before a light background.
+        The colour without `scalars`. Default: white, or dark grey on a light background.
     density : str, optional
-        Point or cell array that the extinction is proportional to. Default: ``"SmokeDensity"`` if there is one, else ``"Density"``.
+        Point or cell array that the extinction coefficient is proportional to. Default: ``"SmokeDensity"`` if it exists, otherwise
+        ``"Density"``.
     optical_depth : float, default: 1.0
-        Through as much smoke of the mean ``Density`` as the generating polygon is wide, > 0: 1 lets exp(-1) of the light through.
+        Optical depth of a path as long as the generating polygon is wide, through smoke of the mean ``Density``, > 0. 1 transmits exp(-1) of the
+        light.
     **options
         The other arguments of `add_cells`: `cmap`, `clim`, `name`, `show_scalar_bar`, ...
 
@@ -47,7 +49,7 @@ def add_smoke(plotter: pyvista.BasePlotter, volume: pyvista.UnstructuredGrid, sc
     TypeError
         If `volume` is not an UnstructuredGrid.
     pyvista.core.errors.MissingDataError
-        (a ValueError) If there is no such array; the message lists those that are there.
+        (a ValueError) If an array does not exist; the message lists the arrays that do.
     ValueError
         If an argument is out of range, or the volume has no cells.
     """

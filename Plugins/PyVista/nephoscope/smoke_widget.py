@@ -16,9 +16,9 @@ from ._pipeline import vtk_messages
 
 def add_smoke_widget(plotter: pyvista.Plotter, mesh: pyvista.DataSet | pyvista.MultiBlock, *, color: Any = None,
                      polygon_color: Any = "orange", while_dragging: bool = True, **options: Any) -> SmokeWidget:
-    """Add smoke whose generating polygon is dragged by a ball in the window: the polygon turns across the flow, and the smoke follows.
+    """Add smoke whose generating polygon you drag by a ball in the window. The polygon turns to face the flow, and the smoke follows.
 
-    Where the ball is outside the data, or there is no flow, nothing but the ball is drawn.
+    If the ball is outside the data, or there is no flow, only the ball is drawn.
 
     Parameters
     ----------
@@ -31,14 +31,14 @@ def add_smoke_widget(plotter: pyvista.Plotter, mesh: pyvista.DataSet | pyvista.M
     polygon_color : ColorLike, default: "orange"
         Colour of the polygon and of the ball.
     while_dragging : bool, default: True
-        Make the smoke anew all the while; else when the ball is let go, and until then the polygon alone.
+        True: updates the smoke while you drag. False: shows only the polygon while you drag, and updates the smoke when you release the ball.
     **options
         Arguments of `flow_volume` for a steady flow (`center`, `radius`, `duration`, ...), and of `add_smoke` (`optical_depth`, ...).
 
     Returns
     -------
     SmokeWidget
-        With the attributes `volume`, the smoke as `add_smoke` returns it, whose ``mapper.dataset`` is the present flow volume; `polygon`, the
+        With the attributes `volume`, the smoke as returned by `add_smoke`, whose ``mapper.dataset`` is the current flow volume; `polygon`, the
         actor of the polygon; and `ball`, VTK's widget.
 
     Raises
@@ -65,7 +65,7 @@ def add_smoke_widget(plotter: pyvista.Plotter, mesh: pyvista.DataSet | pyvista.M
 
 
 class SmokeWidget:
-    """Ball, polygon and smoke; `move` takes polygon and smoke to another place."""
+    """Ball, polygon and smoke; `move` moves polygon and smoke to another position."""
 
     ball: Any = None
 

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: The Nephoscope authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Sparse volumes: .vdb files read as points or images, and images, voxels and particles written to them."""
+"""Sparse volumes: reads .vdb files as points or images, and writes images, voxels and particles as .vdb files."""
 from __future__ import annotations
 
 from pathlib import Path
@@ -27,14 +27,14 @@ def read_vdb(path: str | Path, grids: str | Sequence[str] | None = None, *, imag
     path : str or pathlib.Path
         The file.
     grids : str or sequence of str, optional
-        Which grids. Default: all that can be read.
+        Names of the grids to read. Default: all readable grids.
     image : bool, default: False
-        An image in place of points. It takes memory for every voxel of the bounding box, and sheared voxels cannot be one.
+        Returns an image instead of points. It takes memory for every voxel of the bounding box. Sheared voxels cannot become an image.
     split_tiles : bool, default: True
-        Points: one for every voxel of a tile, a cube of voxels that is stored with one value; else, if a single grid is read, one for
-        the tile, with the point array ``VoxelScale``.
+        A tile is a cube of voxels with one stored value. True: one point for every voxel of a tile. False: one point for each tile, with the
+        point array ``VoxelScale``, if a single grid is read.
     memory_limit : float, default: 4.0
-        More memory than this, in GiB, is refused, > 0.
+        Greatest memory of the output, in GiB, > 0. A larger output raises an error.
 
     Returns
     -------
@@ -46,14 +46,14 @@ def read_vdb(path: str | Path, grids: str | Sequence[str] | None = None, *, imag
     FileNotFoundError
         If there is no such file.
     ValueError
-        If a grid is not in the file; the message lists those that are. If a number is out of range.
+        If a grid is not in the file; the message lists the grids that are. If a number is out of range.
     RuntimeError
-        If the file is no .vdb file or damaged, the output would be too large, or the package was built without OpenVDB.
+        If the file is damaged or not a .vdb file, the output would be too large, or the package was built without OpenVDB.
 
     Warns
     -----
     RuntimeWarning
-        For grids that cannot be read, and for those without active voxels.
+        For grids that cannot be read, and for grids without active voxels.
 
     Examples
     --------
@@ -84,48 +84,48 @@ def write_vdb(mesh: pyvista.DataSet, path: str | Path, arrays: str | Sequence[st
               names: Mapping[str, str] | None = None, tolerance: float = 0.0,
               precision: Literal["input", "single", "half"] = "input", compression: Literal["blosc", "zip", "none"] = "blosc",
               voxel_size: float | None = None, masses: str | None = None) -> None:
-    """Write an image, voxels that were read, or particles as a .vdb file, for Blender, Houdini and others.
+    """Write an image, voxels of `read_vdb`, or particles as a .vdb file, for Blender, Houdini and other programs.
 
     Also the accessor method ``mesh.nephoscope.write_vdb(path, ...)``.
 
     Parameters
     ----------
     mesh : pyvista.ImageData, pyvista.PolyData or pyvista.UnstructuredGrid
-        An image becomes a grid for every array; points of `read_vdb` become the same voxels; other points are particles, whose mass over
-        volume becomes the grid ``density``, other arrays means weighted with the mass.
+        Every array of an image becomes a grid. Points of `read_vdb` become the same voxels again. Other points are particles: their mass per
+        volume becomes the grid ``density``, and their other arrays become mass-weighted means.
     path : str or pathlib.Path
-        The file; one that is there is replaced.
+        The file. An existing file is overwritten.
     arrays : str or sequence of str, optional
-        Which arrays, of one or three components. Default: all.
+        Names of the arrays to write; they have one or three components. Default: all.
     names : dict of str to str, optional
-        What the grids of arrays are called: Blender looks for ``density``, ``temperature``, ``velocity``, Houdini for ``density``,
-        ``temperature``, ``vel``. Default: as the arrays.
+        Names of the grids, by array name. Blender expects ``density``, ``temperature`` and ``velocity``; Houdini expects ``density``,
+        ``temperature`` and ``vel``. Default: the names of the arrays.
     tolerance : float, default: 0.0
-        Values of images up to this are background and take no space, >= 0.
+        Image values up to this one become background, which takes no space, >= 0.
     precision : {"input", "single", "half"}, default: "input"
-        Precision of floating-point numbers: as they are, 32 bits, or 16 bits.
+        Precision of floating-point numbers: that of the input, 32 bits or 16 bits.
     compression : {"blosc", "zip", "none"}, default: "blosc"
-        Zip is not applied to fog volumes by OpenVDB.
+        Compression of the file. OpenVDB does not apply zip to fog volumes.
     voxel_size : float, optional
-        Particles: edge of a voxel, > 0. Default: their mean spacing.
+        Particles: edge length of a voxel, > 0. Default: the mean spacing of the particles.
     masses : str, optional
-        Particles: point array of their masses. Default: 1 each.
+        Particles: point array of their masses. Default: each mass is 1.
 
     Raises
     ------
     TypeError
-        If `mesh` is no dataset.
+        If `mesh` is not a dataset.
     pyvista.core.errors.MissingDataError
-        (a ValueError) If there is no such array; the message lists those that are there.
+        (a ValueError) If an array does not exist; the message lists the arrays that do.
     ValueError
         If a number or a choice is out of range.
     RuntimeError
-        If the mesh is of another kind, the file cannot be written, or the package was built without OpenVDB.
+        If the mesh has another type, the file cannot be written, or the package was built without OpenVDB.
 
     Warns
     -----
     RuntimeWarning
-        What the writer warns of.
+        The warnings of the writer.
 
     Examples
     --------

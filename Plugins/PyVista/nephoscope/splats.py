@@ -30,7 +30,7 @@ class TexturedSplatMapper(MediumMapper, vtkTexturedSplatMapper):
 
     @property
     def phase(self) -> float:
-        """Where in their loop the streaks are, 0 to 1; 1 is 0 again. Set it and render for the next frame of an animation."""
+        """Position of the streaks in their loop, 0 to 1; 1 is the same as 0. Set it and render the next frame of an animation."""
         return self.GetPhase()
 
     @phase.setter
@@ -58,106 +58,113 @@ def add_splats(plotter: pyvista.BasePlotter, mesh: Any, scalars: str | np.ndarra
                preset: str | bool | None = None, vector_share: float | None = None) -> pyvista.Volume:
     """Add the points or cells of a dataset to a plotter as splats drawn by `vtkTexturedSplatMapper`.
 
-    Every sample is a kernel in the shape of its grid cell, or a ball where there is no grid; its extinction per unit length is
-    opacity * `opacity_scale` / `opacity_unit_distance`, integrated exactly along every ray. Vectors are streaks on the splats.
+    Every sample is a kernel in the shape of its grid cell, or a ball if there is no grid. Its extinction coefficient is opacity *
+    `opacity_scale` / `opacity_unit_distance`, integrated exactly along every ray. Vectors are streaks on the splats.
 
     Parameters
     ----------
     plotter : pyvista.Plotter
         The plotter; its active renderer gets the splats.
     mesh : pyvista.DataSet, pyvista.MultiBlock or numpy.ndarray
-        Any dataset with points: particles too, as a PolyData or an array of shape (n, 3). Blocks are combined into one dataset,
-        whose splats are balls; surfaces beside 3-D cells and blocks without the arrays asked for are left out, with a warning. It is not changed.
+        Any dataset with points, including particles as a PolyData or an array of shape (n, 3). Blocks are combined into one dataset, whose
+        splats are balls. Surface blocks next to blocks of 3-D cells, and blocks without the requested arrays, are skipped, with a warning. It is
+        not changed.
     scalars : str or numpy.ndarray, optional
-        Name of a point or cell array, or values for all points or all cells. A cell array makes a splat for every cell. Default: the
-        active scalars, else the first array of numbers; none if there is a `color`.
+        Name of a point or cell array, or values for all points or all cells. A cell array makes one splat per cell. Default: the active scalars,
+        otherwise the first numeric array; none if `color` is given.
     color : ColorLike, optional
-        One colour for all splats; `scalars` give only the opacity then. Without `scalars` the medium is uniform.
+        One colour for all splats; `scalars` then set the opacity only. Without `scalars` the medium is uniform.
     cmap, opacity, clim, n_colors, flip_scalars, log_scale, opacity_scalars, opacity_clim, opacity_scale
-        As in `add_cells`. ``opacity=0`` draws vectors alone, coloured by `scalars`. `opacity_scalars` must be on points, or on cells, as
-        `scalars` are.
+        As in `add_cells`. ``opacity=0`` draws the vectors only, coloured by `scalars`. `opacity_scalars` must be on points or cells, like
+        `scalars`.
     opacity_unit_distance : float, optional
-        Length in world units over which a medium of opacity 1 has optical depth 1, > 0. Default: the length that gives rays through the
-        splats a mean optical depth of 2, with opacities scaled to reach 1, as in `add_cells`.
-        With `clim` (or `opacity_clim`) opacities are taken to be linear over the range of the scalars, so that in a series a
-        medium fades as its values do. For pictures to be compared, give one distance to all.
+        Length in world units over which a medium of opacity 1 has an optical depth of 1, > 0. Default: the length that gives rays through the
+        splats a mean optical depth of 2, with opacities scaled to reach 1, as in `add_cells`. With `clim` (or `opacity_clim`) it assumes
+        opacities that are linear over the range of the scalars, so that in a time series the medium fades as its values do. To compare pictures,
+        pass the same distance for all.
     kernel : {"cubic", "quadratic", "gaussian"}, default: "cubic"
-        Cubic for samples in space, quadratic for one flat sheet that is seen from the front, gaussian for comparison.
+        Shape of a splat: cubic for samples in space, quadratic for one flat sheet seen from the front, gaussian for comparison.
     radius : float or "neighbors", optional
-        Radius of the splats of particles and unstructured points, in units of length, > 0; ``"neighbors"``: 1.56 times the mean spacing of each
-        point's nearest neighbours. Default: as large as the cells around, without cells 1.56 times the mean spacing of all. An error on
-        structured grids, whose splats have the shape of their cells.
+        Radius of the splats of particles and unstructured points, in units of length, > 0. ``"neighbors"``: 1.56 times the mean distance to each
+        point's nearest neighbours. Default: the size of the surrounding cells or, without cells, 1.56 times the mean spacing of all points.
+        Structured grids raise a ValueError, because their splats have the shape of their cells.
     sizes, volumes : str, optional
-        In place of `radius`: array, on points or cells as the scalars are, of the edge or the volume of the cube that each sample stands for.
+        Instead of `radius`: array, on points or cells like the scalars, with the edge length or the volume of the cube that each sample
+        represents.
     radius_factor : float, default: 1.0
-        How many times as wide as for its cell a splat is, on any data, 0.01 to 100. Its mass stays.
+        Multiplies the width of splats, on any data, 0.01 to 100. Their mass is conserved.
     error_tolerance : float, default: 0.0
-        Blocks of samples are drawn as one splat each where this makes an error of at most this much, >= 0. 0: every sample is
-        drawn. Does not count with ``vector_placement="layers"``.
+        Level of detail: a block of samples is drawn as one splat if its error is at most this value, >= 0. 0: every sample is drawn. Ignored
+        with ``vector_placement="layers"``.
     error_unit : {"image", "data"}, default: "image"
-        Optical depth along the ray through the block; or value of the opacity function, or share of the greatest speed.
+        Image: error of the optical depth along the ray through the block. Data: error of the opacity function's value, or of the speed as a
+        fraction of the greatest speed.
     error_measure : {"picture", "rms", "greatest"}, default: "picture"
-        What of a block counts: the root of the sum of the squares over its pixels, mostly the fewest splats; the root of the mean
-        square over the block; or the greatest deviation of a sample.
+        Error of a block: root of the sum of the squared errors over its pixels, which usually gives the fewest splats; root mean square over the
+        block; or greatest deviation of a sample.
     interactive_splats : int, default: 100_000
-        No more are drawn while the camera moves in an interactive window. 0: no limit.
+        Greatest number of splats while the camera moves in an interactive window. 0: no limit.
     level_blending : float, default: 0.1
-        With `error_tolerance`: share of the tolerance over which a block fades in while its samples fade out, so that nothing pops, 0 to 0.9.
+        With `error_tolerance`: fraction of the tolerance, 0 to 0.9, over which a block fades in while its samples fade out, so that levels of
+        detail do not pop.
     vectors : str, optional
-        Array of three components, of points or cells as the scalars are, to be drawn on the splats.
+        Array of three components, on points or cells like the scalars, to draw on the splats.
     vector_style : {"streaks", "segments"}, default: "streaks"
-        Comets with a sharp head in front, or anti-aliased line segments; both move with `phase`.
+        Comets with a sharp head, or anti-aliased line segments. Both move with `phase`.
     vector_placement : {"middle", "layers"}, default: "middle"
-        In the middle of the medium of their splats; or layer by layer of the grid, first the scalars and then the vectors.
+        Depth of the vectors. Middle: half of a splat's medium lies in front of its vector. Layers: for each layer of the grid, the scalars are
+        drawn first and then the vectors.
     vector_opacity : float, optional
-        Optical depth of the streaks where the vectors are greatest, >= 0; elsewhere in proportion to their length. Default: in a
-        medium such that those of mean length have 0.6, but 0.8 to 2; 2 where vectors are drawn alone.
+        Optical depth of the streaks of the longest vectors, >= 0; other streaks are proportional to the length of their vectors. Default: 2 for
+        vectors alone; in a medium the value that gives vectors of mean length 0.6, clamped to 0.8 to 2.
     vector_color : ColorLike, optional
-        One colour for all vectors. Default: in a medium black, white or orange, whichever stands out; of vectors alone that of their splats.
+        One colour for all vectors. Default: in a medium black, white or orange, whichever contrasts best; without a medium the colour of the
+        splats.
     vector_scalars, vector_cmap, vector_clim
-        Array that gives the vectors a colour of their own, altitude say; of several components their magnitude counts. Colour map and
-        range of it, as `cmap` and `clim`.
+        Array that colours the vectors independently of the splats, for example altitude; its magnitude if it has several components. Its colour
+        map and range are as `cmap` and `clim`.
     greatest_speed : float, optional
-        Length of a vector, in its own unit, at and above which streaks are fully drawn, > 0. Default: the greatest of the data.
+        Length of a vector, in its own unit, at and above which streaks have full opacity, > 0. Default: the greatest length in the data.
     streak_period : float, default: 4.0
-        Distance from streak to streak along a vector, in vector units, 0.01 to 1000.
+        Distance between streaks along a vector, in vector units, 0.01 to 1000.
     streak_width : float, default: 0.1
         Standard deviation of a streak's brightness across it, in vector units, 0.001 to 10.
     segment_length : float, default: 2.0
-        Length of the segment of a vector of the greatest speed, in vector units, 0 to 1000; of others in proportion.
+        Length of the segment of a vector with `greatest_speed`, in vector units, 0 to 1000. Other segments are proportional to their vectors.
     segment_width : float, default: 1.5
         Width of segments in pixels, 0.1 to 100.
     vector_unit : float, optional
-        The vector unit in lengths of the mesh, > 0. Default: the mean length of a cell along its vector, longer where `vector_share` is below 1. Give it,
-        and `greatest_speed`, where several time steps must look alike.
+        Length of the vector unit, in units of length of the mesh, > 0. Default: the mean length of a cell along its vector, longer if
+        `vector_share` is below 1. To make time steps comparable, pass it and `greatest_speed`.
     layer_axis : {"eye", 0, 1, 2}, default: "eye"
-        With ``vector_placement="layers"``: the axis of a structured grid whose index numbers them. ``"eye"``: the one that points most towards the eye.
+        With ``vector_placement="layers"``: the axis of a structured grid whose index numbers the layers. ``"eye"``: the axis that points most
+        towards the camera.
     phase : float, default: 0.0
-        Where in their loop the streaks are, 0 to 1; 1 is 0 again. Change it with ``volume.mapper.phase``.
+        Position of the streaks in their loop, 0 to 1; 1 is the same as 0. Change it with ``volume.mapper.phase``.
     phase_cycles : int, default: 4
-        How many periods the fastest pattern moves in a loop, 1 to 1000.
+        Number of periods by which the fastest pattern moves in a loop, 1 to 1000.
     phase_steps : int, default: 0
-        Places of the pattern along its period, 0 to 1000. 0: any, for smooth motion; 16: those of the textures that were stored in 1993.
+        Number of positions of the pattern along its period, 0 to 1000. 0: continuous, for smooth motion; 16: as in the stored textures of 1993.
     vector_share : float, optional
-        Share of the samples whose vectors are drawn, chosen at random, above 0 up to 1. Streaks are longer and wider where they are fewer. Default:
-        in a medium so many that a line of sight meets streaks as dense as of 7 of the longest vectors, otherwise all.
+        Fraction of the samples whose vectors are drawn, chosen at random, > 0 and <= 1. Fewer streaks are longer and wider. Default: all vectors
+        if there is no medium; in a medium, as many as give a line of sight the density of 7 streaks of the longest vectors.
     preference : {"point", "cell"}, default: "point"
-        Which array is meant when points and cells have one of the same name, or are equally many.
+        Which array to use if points and cells both have an array of that name, or if their numbers are equal.
     name, show_scalar_bar, scalar_bar_args, reset_camera, pickable, user_matrix, render, unit_distance, preset
-        As in `add_cells`. With a `color` there is no scalar bar unless one is asked for. `vector_scalars` have one of their own; alone where
-        only the vectors are drawn.
+        As in `add_cells`. With `color` there is no scalar bar unless `show_scalar_bar` is True. `vector_scalars` get their own scalar bar, which
+        is the only one if only the vectors are drawn.
 
     Returns
     -------
     pyvista.Volume
-        The volume in the plotter: `.mapper` is the `vtkTexturedSplatMapper`, with all its other settings, `.prop` the volume property.
+        The volume in the plotter: `.mapper` is the `vtkTexturedSplatMapper` with all its other settings, `.prop` the volume property.
 
     Raises
     ------
     TypeError
-        If `plotter` or `mesh` is not what it should be, or the scalars are not numbers.
+        If `plotter` or `mesh` has the wrong type, or the scalars are not numeric.
     pyvista.core.errors.MissingDataError
-        (a ValueError) If there is no such array; the message lists those that are there.
+        (a ValueError) If an array does not exist; the message lists the arrays that do.
     ValueError
         If an argument is out of range, the mesh has no points, or an array has the wrong number of components.
 

@@ -27,51 +27,50 @@ _NAMES = {"Choose one with SetInputArrayToProcess": "Name one by scalars", "Cont
 def split_cells(mesh: pyvista.DataSet | pyvista.MultiBlock, isosurfaces: int | float | Sequence[float] = 10, scalars: str | None = None, *,
                 rng: Sequence[float] | None = None, surfaces: bool = True,
                 polyhedral_transitions: bool = False, precision: Literal["double", "single", "input"] = "double") -> pyvista.UnstructuredGrid | pyvista.MultiBlock:
-    """Divide the 3-D cells that contour values cross into convex pieces on one side of every value.
+    """Divide the 3-D cells that contour values cross into convex pieces, each on one side of every value.
 
-    Also the accessor method ``mesh.nephoscope.split_cells(...)``. Cells that no value crosses stay as they are.
+    Also the accessor method ``mesh.nephoscope.split_cells(...)``. Cells that no value crosses stay unchanged.
 
     Parameters
     ----------
     mesh : pyvista.DataSet or pyvista.MultiBlock
         Any mesh with 3-D cells; it is not changed. The blocks of a MultiBlock are divided at the same values, each separately.
     isosurfaces : int, float or sequence of float, default: 10
-        The values, in any order; or how many values, at equal steps from the first to the last of `rng`. As in
+        The contour values, in any order; or, if an int, the number of values at equal steps from the first to the last of `rng`. As in
         `pyvista.DataSetFilters.contour`.
     scalars : str, optional
-        Point array of one number each. Default: the active scalars, or the first array of one number each if they are not.
+        Point array with one component. Default: the active scalars; if they do not have one component, the first array that does.
     rng : sequence of 2 float, optional
-        Range of the values if `isosurfaces` is a number of them. Default: the range of the finite scalars.
+        Range of the values if `isosurfaces` is an int. Default: the range of the finite scalars.
     surfaces : bool, default: True
-        Add the polygons of the contour surfaces.
+        Adds the polygons of the contour surfaces.
     polyhedral_transitions : bool, default: False
-        Turn whole cells beside divided ones into polyhedra that have the triangles of their neighbours.
+        Turns undivided neighbours of divided cells into polyhedra with the same triangles, so that the mesh is conforming.
     precision : {"double", "single", "input"}, default: "double"
-        Precision of the coordinates; ``"input"``: that of the points of `mesh`. With single precision thin pieces can be turned inside out by rounding.
+        Precision of the coordinates; ``"input"``: that of the points of `mesh`. Rounding to single precision can invert thin pieces.
 
     Returns
     -------
     pyvista.UnstructuredGrid, or pyvista.MultiBlock of them
-        Pieces, then polygons. Cell arrays: those of the cell each was cut from; ``Layer``, the number of values below; and
-        ``ContourIndex``, for polygons the index of their value, else -1. Point arrays are interpolated; `scalars` is exactly
-        the value on a cut.
+        Pieces, then polygons. Cell arrays: those of the original cell; ``Layer``, the number of contour values below the piece; and
+        ``ContourIndex``, the index of the contour value for polygons and -1 for pieces. Point arrays are interpolated; on a cut `scalars` is
+        exactly the contour value.
 
     Raises
     ------
     TypeError
         If `mesh` is not a dataset.
     pyvista.core.errors.MissingDataError
-        (a ValueError) If there is no such point array; the message lists those that are there.
+        (a ValueError) If a point array does not exist; the message lists the arrays that do.
     ValueError
-        If a value is not a finite number, or their number is negative, or the scalars are not one number per point.
+        If a value is not finite, the number of values is negative, or the scalars do not have one value per point.
     RuntimeError
         If the filter cannot use the mesh, with its message.
 
     Warns
     -----
     RuntimeWarning
-        What the filter warns of: scalars that are not numbers, cells that are not three-dimensional, convex or linear; a
-        MultiBlock without points.
+        The warnings of the filter: scalars that are NaN; cells that are not three-dimensional, convex or linear; a MultiBlock without points.
     """
     if isinstance(mesh, pyvista.MultiBlock):
         name, array = _array_of_blocks(mesh, scalars)

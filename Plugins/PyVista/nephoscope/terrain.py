@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: The Nephoscope authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Heights of the ground on a globe or a map (`vtkGlobeTerrain`), and their colours."""
+"""Terrain on a globe or a map (`vtkGlobeTerrain`), and its colours."""
 from __future__ import annotations
 
 from typing import Any, Literal
@@ -26,39 +26,39 @@ def terrain_surface(mesh: pyvista.DataSet, height: str | None = None, *, land: s
                     projection: Literal["globe", "map"] = "globe", radius: float = EARTH_RADIUS, vertical_exaggeration: float = 1.0,
                     height_units: Literal["automatic", "m", "km", "geopotential"] = "automatic",
                     central_meridian: float | None = None, sea_depth: float = 100.0) -> pyvista.StructuredGrid:
-    """The ground as a surface on a globe or a map: mountains at their height, the sea flat.
+    """Make the terrain as a surface on a globe or a map, with mountains at their height and a flat sea.
 
-    Also the accessor method ``mesh.nephoscope.terrain(...)``. Draw it by `add_terrain`, or with a texture, as `globe_surface`.
+    Also the accessor method ``mesh.nephoscope.terrain(...)``. Draw it with `add_terrain`, or with a texture like `globe_surface`.
 
     Parameters
     ----------
     mesh : pyvista.ImageData, pyvista.RectilinearGrid or pyvista.StructuredGrid
         One level: axes x longitude and y latitude in degrees, as `read_cf` gives fields without levels.
     height : str, optional
-        Point or cell array of heights above the sea. Default: the first usual name that is there: ``"orog"``, ``"surface_altitude"``, ``"topo"``,
-        ``"elevation"``, ``"HGT"``, ``"HSURF"``, ...
+        Point or cell array of heights above sea level. Default: the first of these usual names that exists: ``"orog"``, ``"surface_altitude"``,
+        ``"topo"``, ``"elevation"``, ``"HGT"``, ``"HSURF"``, ...
     land : str or False, optional
-        Array of the fraction of land, 0 to 1; 0.5 and more is land. Default: ``"lsm"`` or another usual name; where there is none, or with False,
-        land is what is above sea level.
+        Array of the land fraction, 0 to 1; 0.5 and more is land. Default: ``"lsm"`` or another usual name. Without such an array, or with False,
+        points above sea level are land.
     projection, radius, vertical_exaggeration, central_meridian
-        As in `to_globe`. 20 to 50 makes mountains visible on a whole globe.
+        As in `to_globe`. An exaggeration of 20 to 50 makes mountains visible on a whole globe.
     height_units : {"automatic", "m", "km", "geopotential"}, default: "automatic"
-        Units of `height`. Automatic: those in the file, else metres.
+        Units of `height`. Automatic: the units in the file; metres if there are none.
     sea_depth : float, default: 100.0
-        Value, with a minus, of the array ``Terrain`` in the open sea, in metres, 0 to 20000: for colours alone.
+        Depth below 0 of the array ``Terrain`` in the open sea, in metres, 0 to 20000. It affects the colour only.
 
     Returns
     -------
     pyvista.StructuredGrid
-        Points in metres. Point arrays: those of `mesh`; ``Height`` (m), 0 in the sea; the active scalars ``Terrain`` (m), on land the height, in the
-        sea 0 at the coast to -`sea_depth`; ``Normals``; texture coordinates of a plate carrée picture from 180° W to 180° E.
+        Points in metres. Point arrays: those of `mesh`; ``Height`` (m), 0 in the sea; the active scalars ``Terrain`` (m), the height on land,
+        and in the sea from 0 at the coast to -`sea_depth`; ``Normals``; texture coordinates for a plate carrée picture from 180° W to 180° E.
 
     Raises
     ------
     TypeError
         If `mesh` is not a structured dataset.
     pyvista.core.errors.MissingDataError
-        (a ValueError) If there is no such array; the message lists those that are there.
+        (a ValueError) If an array does not exist; the message lists the arrays that do.
     ValueError
         If a number or a choice is out of range.
     RuntimeError
@@ -84,14 +84,14 @@ def terrain_surface(mesh: pyvista.DataSet, height: str | None = None, *, land: s
 
 
 def add_terrain(plotter: pyvista.BasePlotter, terrain: pyvista.DataSet, *, cmap: Any = None, clim: Any = None, **options: Any) -> pyvista.Actor:
-    """Add the ground to a plotter, coloured by its altitude: the sea blue, land green, brown and white.
+    """Add terrain to a plotter, coloured by altitude: blue sea; green, brown and white land.
 
     Parameters
     ----------
     plotter : pyvista.Plotter
         The plotter.
     terrain : pyvista.DataSet
-        What `terrain_surface` gives, or any surface with an array ``Terrain`` in metres.
+        A result of `terrain_surface`, or any surface with an array ``Terrain`` in metres.
     cmap, clim
         As in `pyvista.Plotter.add_mesh`. Default: the preset *Nephoscope Terrain*, -100 to 6000 m.
     **options
@@ -105,7 +105,7 @@ def add_terrain(plotter: pyvista.BasePlotter, terrain: pyvista.DataSet, *, cmap:
     Raises
     ------
     TypeError
-        If `plotter` is no plotter.
+        If `plotter` is not a plotter.
     pyvista.core.errors.MissingDataError
         (a ValueError) If `terrain` has no array ``Terrain``.
     """

@@ -2,8 +2,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Colour maps and opacity names of PyVista as VTK transfer functions in floating point.
 
-PyVista's own way goes through a table of 8-bit entries, which loses opacities under 1/255 and has 256 control points
-where two would do. A mapper that integrates exactly between control points is faster with fewer.
+PyVista itself uses a table of 8-bit entries, which loses opacities below 1/255 and has 256 control points where two are enough. A mapper that
+integrates exactly between control points is faster with fewer control points.
 """
 from __future__ import annotations
 
@@ -33,8 +33,8 @@ def opacity_values(opacity: OpacityLike, n_colors: int = SAMPLES) -> np.ndarray:
     Parameters
     ----------
     opacity : str, float or sequence of float
-        A name as `pyvista.opacity_transfer_function` has it, one value for all scalars, or values at equal steps
-        over the scalar range. 0 to 1; an array of type uint8 is divided by 255.
+        A name that `pyvista.opacity_transfer_function` knows, one value for all scalars, or values at equal steps over the scalar range. 0 to 1;
+        an array of type uint8 is divided by 255.
     n_colors : int, default: 256
         Number of steps of ``'foreground'``: its first step is transparent.
 
