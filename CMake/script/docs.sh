@@ -16,18 +16,14 @@ sphinx()
 make_site()
 {
   rm -rf "$SITE"
-  "$SYSTEM_PYTHON" "$TOP/Documentation/site/sources.py" "$SITE/source" "$BUILD" && sphinx html &&
+  "$SYSTEM_PYTHON" "$TOP/Documentation/site/sources.py" "$SITE/source" && sphinx html &&
     "$SYSTEM_PYTHON" "$TOP/Documentation/site/check.py" "$SITE/html"
 }
 
 build_site()
 {
-  BUILD="$TOP/build"
-  [ "$PRESET" = default ] || BUILD="$TOP/build/$PRESET"
   step "Site"
   run_logged docs make_site || fail 1 "could not make the site"
-  [ -f "$BUILD/Plugins/ParaView/Representations.xml" ] ||
-    note "the properties of ParaView's filters are not on the site: for them run ./nephoscope build, then ./nephoscope docs"
 }
 
 check_links()

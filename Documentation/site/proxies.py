@@ -4,6 +4,7 @@
 
 The pages are those of ParaView's own help window (Plugins/ParaView/Help/make_help.py), in another form.
 """
+import io
 import pathlib
 import re
 import sys
@@ -14,18 +15,26 @@ sys.path.insert(0, str(PLUGIN / "Help"))
 import make_help  # noqa: E402
 from headers import escaped  # noqa: E402
 
-WITHOUT_A_BUILD = """ParaView
-========
-
-The properties of filters, sources and representations are not on this copy of the site: it was made without a configured build, which writes a
-part of them. For all of it: ``./nephoscope build``, then ``./nephoscope docs``.
-"""
+STEP = re.compile(r'^(?:set\((\w+) (?:"((?:\\.|[^"\\])*)"|(\w+))\)|nephoscope_configure_text\((\S+) (\w+)\))', re.MULTILINE)
 
 
-def definitions(build):
-    """The XML files of the plugin; None where those that CMake writes are missing."""
-    made = [build / "Plugins/ParaView" / name for name in ("FlowVolume.xml", "Representations.xml")]
-    return [*sorted(PLUGIN.glob("*.xml")), *made] if all(path.is_file() for path in made) else None
+def filled(name, variables):
+    """A template with its variables put in, as CMake does."""
+    return re.sub(r"@(\w+)@", lambda match: variables.get(match[1], ""), (PLUGIN / name).read_text(encoding="utf-8"))
+
+
+def representations():
+    """Representations.xml, but for what it adds to ParaView's own: the steps of RepresentationXML.cmake, which need ParaView there."""
+    variables = {}
+    for name, text, word, file, made in STEP.findall((PLUGIN / "RepresentationXML.cmake").read_text(encoding="utf-8")):
+        variables[name or made] = filled(file, variables) if file else word or text.replace('\\"', '"')
+    return filled("Representations.xml.in", variables)
+
+
+def definitions():
+    """The XML of the plugin, as files."""
+    smoke = filled("FlowVolume.xml.in", {"flow_volume_properties": (PLUGIN / "FlowVolumeProperties.xml.in").read_text(encoding="utf-8")})
+    return [*sorted(PLUGIN.glob("*.xml")), io.StringIO(smoke), io.StringIO(representations())]
 
 
 def row(prop):
@@ -52,12 +61,9 @@ def summary(proxy):
     return escaped(re.split(r"(?<=[.]) ", make_help.text_of(proxy.find("Documentation")))[0])
 
 
-def files(build):
+def files():
     """{path on the site: text}"""
-    paths = definitions(build)
-    if paths is None:
-        return {"api/paraview.rst": WITHOUT_A_BUILD}
-    found = sorted((title_of(group, proxy), f"{group}.{name}", proxy) for (group, name), proxy in make_help.proxies(paths).items())
+    found = sorted((title_of(group, proxy), f"{group}.{name}", proxy) for (group, name), proxy in make_help.proxies(definitions()).items())
     made = {f"api/paraview/{name}.rst": page(title, proxy) for title, name, proxy in found}
     made["api/paraview.rst"] = "\n".join([
         "ParaView", "========", "",

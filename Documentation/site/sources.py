@@ -87,11 +87,11 @@ class Site:
         self.write(self.pages[page], text)
 
 
-def main(folder, build):
+def main(folder):
     site = Site(pathlib.Path(folder).resolve())
     for page in site.pages:
         site.add_page(page)
-    for made in (gallery.files(), python_api.files(), headers.files(), proxies.files(pathlib.Path(build).resolve())):
+    for made in (gallery.files(), python_api.files(), headers.files(), proxies.files()):
         for name, data in made.items():
             site.write(name, data)
     print("\n".join(site.problems) or "All pages are gathered.")
