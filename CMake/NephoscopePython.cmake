@@ -110,7 +110,9 @@ if (NEPHOSCOPE_FOR_PYPI)
     endforeach ()
   endif ()
   string(CONCAT nephoscope_requirements "Requires-Python: >=3.11\nRequires-Dist: vtk==${VTK_VERSION}\n"
-    "Provides-Extra: pyvista\nRequires-Dist: pyvista>=0.48; extra == 'pyvista'")
+    "Provides-Extra: pyvista\nRequires-Dist: pyvista>=0.48; extra == 'pyvista'\n"
+    "Provides-Extra: web\nRequires-Dist: pyvista[jupyter]>=0.48; extra == 'web'\nRequires-Dist: trame>=3; extra == 'web'\n"
+    "Requires-Dist: trame-vtk>=2.8; extra == 'web'\nRequires-Dist: trame-vuetify>=2.8; extra == 'web'")
 endif ()
 foreach (name IN ITEMS METADATA entry_points.txt)
   configure_file("${PROJECT_SOURCE_DIR}/Plugins/PyVista/packaging/${name}.in"

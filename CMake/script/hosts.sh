@@ -69,6 +69,10 @@ run_host()
     python)
       ensure_venv
       command=("$(python_interpreter)") ;;
+    viewer)
+      ensure_venv
+      ensure_web
+      command=("$(python_interpreter)" -m nephoscope.viewing) ;;
     pvbatch)
       if [ "${1:-}" = -n ]; then
         [[ "${2:-}" =~ ^[1-9][0-9]*$ ]] || usage_error "pvbatch -n wants a number of ranks"

@@ -22,6 +22,7 @@ TEST_PACKAGES=(
   shellcheck)
 
 DOCUMENTATION_PACKAGES=(python3-sphinx python3-myst-parser furo python3-sphinx-copybutton python3-pil)
+WEB_TEST_PACKAGES=(chromium) # the browser of the tests of pages and notebooks
 
 # The name of this Debian; of other systems made from it, theirs.
 debian_codename() { (. /etc/os-release 2>/dev/null && printf '%s' "${VERSION_CODENAME:-}"); }

@@ -5,6 +5,7 @@
 # Debian's VTK modules are built for, whatever else is on PATH.
 SYSTEM_PYTHON=/usr/bin/python3
 REQUIREMENTS="$TOP/Plugins/PyVista/requirements.txt"
+WEB_REQUIREMENTS="$TOP/Plugins/PyVista/requirements-web.txt"
 export NEPHOSCOPE_VENV="$TOP/build/venv"
 
 venv_is_current() { cmp -s "$REQUIREMENTS" "$NEPHOSCOPE_VENV/requirements.txt"; }
@@ -46,6 +47,25 @@ ensure_venv()
   elif ! run_logged venv make_venv 2>/dev/null; then
     rm -rf "$NEPHOSCOPE_VENV"
     note "pyvista could not be installed (build/logs/venv.log says why); going on without it"
+  fi
+}
+
+make_web()
+{
+  PIP_DISABLE_PIP_VERSION_CHECK=1 PIP_ROOT_USER_ACTION=ignore "$NEPHOSCOPE_VENV/bin/python3" -m pip install \
+    --no-input --retries 1 --timeout 15 -r "$WEB_REQUIREMENTS" &&
+    cp "$WEB_REQUIREMENTS" "$NEPHOSCOPE_VENV/requirements-web.txt"
+}
+
+# What pictures in a browser need, in the environment of ensure_venv. Fails where it cannot be had: nobody asks for it by the way.
+ensure_web()
+{
+  step "Python packages for the browser"
+  venv_is_current || fail 1 "the browser needs PyVista"
+  if cmp -s "$WEB_REQUIREMENTS" "$NEPHOSCOPE_VENV/requirements-web.txt"; then
+    say_unless_quiet "      are up to date"
+  else
+    run_logged web make_web || fail 1 "trame and JupyterLab could not be installed"
   fi
 }
 

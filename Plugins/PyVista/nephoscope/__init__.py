@@ -25,6 +25,7 @@ if _TYPE_CHECKING:
     from .haze import add_haze
     from .polyhedra import divide_polyhedra
     from .reader import cf_times, read_cf
+    from .serving import serve
     from .smoke import flow_volume, smoke_puffs
     from .smoke_drawing import add_smoke
     from .smoke_widget import add_smoke_widget
@@ -32,6 +33,7 @@ if _TYPE_CHECKING:
     from .splats import add_splats
     from .splitting import split_cells
     from .terrain import add_terrain, terrain_surface
+    from .viewing import viewer
 
 # Function -> the file of its technique. A new technique adds its line here and its method in accessor.py.
 PYVISTA_FUNCTIONS = {
@@ -56,6 +58,8 @@ PYVISTA_FUNCTIONS = {
     "add_smoke_widget": "smoke_widget",
     "read_vdb": "sparse",
     "write_vdb": "sparse",
+    "serve": "serving",
+    "viewer": "viewing",
 }
 
 

@@ -194,6 +194,11 @@ def _strings(array: object) -> list[str]:
     return [array.GetValue(i) for i in range(array.GetNumberOfValues())]
 
 
+def cf_shapes(path: str | Path) -> list[str]:
+    """The dimensions of the variables of a file, but for time, as ``"(lev, lat, lon)"``; each once."""
+    return _strings(_opened(path)[0].GetAllDimensions())
+
+
 def _shape(reader: vtkNetCDFCFReader, path: Path, dimensions: str | Sequence[str] | None) -> str:
     available = _strings(reader.GetAllDimensions())
     if not available:

@@ -1,0 +1,142 @@
+# SPDX-FileCopyrightText: The Nephoscope authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""What the viewer finds in files of many kinds, what it draws of them, and what it says of those that it cannot."""
+import os
+import subprocess
+import sys
+import tempfile
+import unittest
+from dataclasses import replace
+from pathlib import Path
+
+import nephoscope
+import numpy as np
+import pyvista
+
+nephoscope.read_cf  # the accessor and PyVista's part are there
+from nephoscope.viewer_scene import Scene, camera_of, draw  # noqa: E402
+from nephoscope.viewer_state import View, checked  # noqa: E402
+
+FORECAST = Path(os.environ["NEPHOSCOPE_DATA"], "forecast_10deg_6h.nc")
+
+
+def image(vectors=True):
+    mesh = pyvista.ImageData(dimensions=(8, 8, 8))
+    x, y, z = mesh.points.T
+    mesh["q"] = z
+    if vectors:
+        mesh["flow"] = np.column_stack((3.5 - y, x - 3.5, np.ones_like(x)))
+    mesh.set_active_scalars("q")
+    return mesh
+
+
+class Files(unittest.TestCase):
+    def setUp(self):
+        self.folder = Path(self.enterContext(tempfile.TemporaryDirectory()))
+
+    def scene(self, mesh, name):
+        mesh.save(self.folder / name)
+        return Scene(self.folder / name)
+
+    def picture(self, scene, **items):
+        view, problems = checked(replace(View(), **items), scene.choices)
+        self.assertEqual(problems, [])
+        plotter = pyvista.Plotter(off_screen=True, window_size=(120, 90), theme=pyvista.themes.DarkTheme())
+        self.addCleanup(plotter.close)
+        self.assertEqual(draw(plotter, scene, view), [])
+        return np.asarray(plotter.screenshot(), float)
+
+    def test_forecast(self):
+        choices = Scene(FORECAST).choices
+        self.assertEqual(choices.fields[0], "cloud_fraction")
+        self.assertNotIn("gh_units", choices.fields)
+        self.assertEqual(choices.techniques, ("cells", "splats", "surface", "winds", "smoke"))
+        self.assertEqual(len(choices.times), 7)
+        self.assertEqual((choices.globe, choices.terrain), (True, True))
+
+    def test_every_item_changes_the_picture(self):
+        scene = Scene(FORECAST)
+        first = self.picture(scene)
+        self.assertGreater(first.std(), 20)
+        others = {"field": "u", "technique": "surface", "time": 6, "exaggeration": 60.0, "opacity": 0.2, "preset": "temperature", "terrain": False,
+                  "camera": (0, -3e7, 0, 0, 0, 0, 0, 0, 1)}
+        for name, value in others.items():
+            with self.subTest(name):
+                self.assertGreater(np.abs(self.picture(scene, **{name: value}) - first).mean(), 0.3)
+        np.testing.assert_array_equal(self.picture(scene), first)
+
+    def test_techniques_follow_one_another_in_one_plotter(self):
+        scene = Scene(FORECAST)
+        plotter = pyvista.Plotter(off_screen=True, window_size=(120, 90), theme=pyvista.themes.DarkTheme())
+        self.addCleanup(plotter.close)
+        for technique in (*scene.choices.techniques, "cells"):
+            with self.subTest(technique):
+                draw(plotter, scene, checked(View(technique=technique), scene.choices)[0])
+                drawn = np.asarray(plotter.screenshot(), float)
+                self.assertLess(np.abs(drawn - self.picture(scene, technique=technique)).mean(), 0.5)
+
+    def test_camera_is_what_it_was(self):
+        scene = Scene(FORECAST)
+        camera = (1e7, 2e7, 3e7, 1.0, 2.0, 3.0, 0.0, 0.0, 1.0)
+        plotter = pyvista.Plotter(off_screen=True, window_size=(60, 60))
+        self.addCleanup(plotter.close)
+        draw(plotter, scene, checked(View(camera=camera), scene.choices)[0])
+        np.testing.assert_allclose(camera_of(plotter), camera)
+        for technique in ("cells", "smoke"):  # the usual one is seen again from its numbers
+            draw(plotter, scene, checked(View(technique=technique), scene.choices)[0])
+            usual = np.asarray(plotter.screenshot(), float)
+            self.assertEqual(plotter.camera.view_angle, 30.0)
+            draw(plotter, scene, checked(View(technique=technique, camera=camera_of(plotter)), scene.choices)[0])
+            np.testing.assert_allclose(np.asarray(plotter.screenshot(), float), usual, atol=1)
+
+    def test_other_files(self):
+        for name, mesh, techniques in (
+                ("image.vti", image(), ("cells", "splats", "surface", "winds", "smoke")),
+                ("still.vti", image(vectors=False), ("cells", "splats", "surface")),
+                ("cells.vtu", image().cast_to_unstructured_grid(), ("cells", "splats", "winds", "smoke")),
+                ("blocks.vtm", pyvista.MultiBlock([image(), image().translate((7, 0, 0))]), ("cells", "splats", "winds", "smoke")),
+                ("cellwise.vti", image(vectors=False).point_data_to_cell_data(), ("cells", "splats", "surface")),
+                ("surface.vtp", pyvista.Sphere().elevation(), ("mesh", "splats")),
+                ("bare.vtp", pyvista.Sphere().copy(), ("mesh",)),
+                ("bare.stl", pyvista.Sphere(), ("mesh",))):
+            with self.subTest(name):
+                if name.startswith("bare.vtp"):
+                    mesh.clear_data()
+                scene = self.scene(mesh, name)
+                self.assertEqual(scene.choices.techniques, techniques)
+                self.assertEqual((scene.choices.globe, scene.choices.terrain, scene.choices.times), (False, False, ()))
+                for technique in techniques:
+                    self.assertGreater(self.picture(scene, technique=technique).std(), 2, technique)
+
+    def test_files_that_cannot_be_drawn(self):
+        for name, content, message in (("nothing.nc", None, "There is no file"), ("wrong.nc", b"no NetCDF", "wrong.nc"), ("wrong.vtu", b"<", "wrong.vtu"),
+                                       ("what.xyzzy", b"?", "what.xyzzy cannot be read")):
+            with self.subTest(name):
+                if content is not None:
+                    (self.folder / name).write_bytes(content)
+                with self.assertRaisesRegex((ValueError, RuntimeError, FileNotFoundError), message):
+                    Scene(self.folder / name)
+        with self.assertRaisesRegex(ValueError, "no points"):
+            self.scene(pyvista.UnstructuredGrid(), "empty.vtu")
+
+
+class Command(unittest.TestCase):
+    def run_with(self, *arguments, code="import sys; from nephoscope.viewing import main; sys.exit(main())"):
+        return subprocess.run([sys.executable, "-c", code, *map(str, arguments)], capture_output=True, text=True)
+
+    def test_without_trame(self):
+        hidden = ("import sys, importlib.util as u; find = u.find_spec\n"
+                  "u.find_spec = lambda name, *rest: None if name == 'trame' else find(name, *rest)\n"
+                  "from nephoscope.viewing import main; sys.exit(main())")
+        done = self.run_with(FORECAST, code=hidden)
+        self.assertEqual(done.returncode, 1)
+        self.assertRegex(done.stderr, r"^nephoscope-viewer: Pictures in the browser need .*trame.* Run: \S+ -m pip install .*\n$")
+
+    def test_help_names_every_item(self):
+        told = self.run_with("--help").stdout
+        for name in ("field", "technique", "time", "exaggeration", "opacity", "preset", "no-terrain", "port", "host", "no-browser"):
+            self.assertIn(f"--{name}", told)
+
+
+if __name__ == "__main__":
+    unittest.main()

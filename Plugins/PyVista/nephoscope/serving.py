@@ -1,0 +1,103 @@
+# SPDX-FileCopyrightText: The Nephoscope authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Plotters in a browser, drawn here (trame, server-side rendering): the mappers of the suite have no counterpart in a browser's WebGL."""
+from __future__ import annotations
+
+import asyncio
+import importlib.util
+import logging
+import sys
+from typing import Any
+
+import pyvista
+
+from . import _modules
+from ._checks import require_number
+from ._medium import require_plotter
+
+PORT = 8080
+PACKAGES = ("trame", "trame_vtk", "trame_vuetify")
+
+
+def serve(plotter: pyvista.Plotter, *, port: int = PORT, host: str = "127.0.0.1", open_browser: bool = True, title: str = "Nephoscope") -> None:
+    """Show a plotter in the browser until Ctrl-C: it is drawn here, and the browser gets pictures.
+
+    In a notebook use ``plotter.show(jupyter_backend="server")``.
+
+    Parameters
+    ----------
+    plotter : pyvista.Plotter
+        The plotter; it is not shown yet. ``off_screen=True`` keeps its own window away.
+    port : int, default: 8080
+        Of the web server, 0 to 65535. 0: any that is free.
+    host : str, default: "127.0.0.1"
+        Address that the server listens at; ``"0.0.0.0"`` for all of this machine. Who reaches it can turn the picture.
+    open_browser : bool, default: True
+        Open the page in the default browser, where there is one.
+    title : str, default: "Nephoscope"
+        Of the page.
+
+    Raises
+    ------
+    ModuleNotFoundError
+        If trame is not installed; the message has the line that installs it.
+    TypeError, ValueError
+        If an argument is none of the above.
+    RuntimeError
+        If an event loop is running already, as in a notebook.
+    """
+    require_plotter(plotter)
+    server = make_server("nephoscope-serve")
+    from trame.ui.vuetify3 import VAppLayout
+    with VAppLayout(server, full_height=True):
+        add_view(plotter, style="height: 100vh")
+    server.state.trame__title = title
+    run(server, port, host, open_browser)
+
+
+def require_packages() -> None:
+    """ModuleNotFoundError with the line that installs what is missing."""
+    missing = [name for name in PACKAGES if importlib.util.find_spec(name) is None]
+    if missing:
+        what = "'trame>=3' trame-vtk trame-vuetify" if _modules.FROM_PYPI else "-r Plugins/PyVista/requirements-web.txt"
+        raise ModuleNotFoundError(f"Pictures in the browser need {', '.join(missing)}, not installed for {sys.executable}. "
+                                  f"Run: {sys.executable} -m pip install {what}", name=missing[0])
+
+
+def make_server(name: str) -> Any:
+    """A trame server of Vue 3 that runs alone."""
+    require_packages()
+    try:
+        asyncio.get_running_loop()
+    except RuntimeError:
+        from trame.app import get_server
+        return get_server(name, client_type="vue3")
+    raise RuntimeError('An event loop is running, as in a notebook: there use plotter.show(jupyter_backend="server").')
+
+
+def add_view(plotter: pyvista.Plotter, **options: Any) -> Any:
+    """The view of a plotter, in the layout that is being made."""
+    from pyvista.trame import PyVistaRemoteView
+    return PyVistaRemoteView(plotter, interactive_ratio=1, **options)
+
+
+def run(server: Any, port: int, host: str, open_browser: bool) -> None:
+    """Serves until Ctrl-C; says where."""
+    port = int(require_number(port, "port", least=0, most=65535))
+
+    @server.controller.add("on_server_ready")
+    def say(**_: Any) -> None:
+        print(f"Nephoscope: http://{host}:{server.port}/ (Ctrl-C ends it)", flush=True)
+
+    for name in ("wslink", "aiohttp.server"):  # they report browsers that leave while a picture is drawn
+        logging.getLogger(name).setLevel(logging.CRITICAL)
+    logging.getLogger("asyncio").addFilter(lambda record: not (record.exc_info and isinstance(record.exc_info[1], ConnectionError)))
+    arguments, sys.argv = sys.argv, sys.argv[:1]  # trame reads them too
+    try:
+        server.start(port=port, host=host, open_browser=open_browser, show_connection_info=False, disable_logging=True, timeout=0, exec_mode="main")
+    except OSError as error:
+        raise OSError(f"Port {port} of {host} cannot be used: {error.strerror or error}. Choose another one, 0 for any that is free.") from error
+    except KeyboardInterrupt:
+        pass
+    finally:
+        sys.argv = arguments

@@ -1,0 +1,230 @@
+# SPDX-FileCopyrightText: The Nephoscope authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""A file as the viewer draws it: the choices that its data allow, and each technique with its defaults."""
+from __future__ import annotations
+
+import logging
+import warnings
+from contextlib import contextmanager
+from functools import lru_cache
+from pathlib import Path
+from typing import Any, Callable, Iterator
+
+import numpy as np
+import pyvista
+
+from ._blocks import cell_dimension
+from ._fields import is_helper, presets
+from ._medium import wrapped
+from .cells import add_cells
+from .cloud_texture import add_cloud_texture
+from .clouds import cloud_surface
+from .globe import globe_surface, to_globe
+from .reader import cf_shapes, cf_times, read_cf
+from .smoke import flow_volume
+from .smoke_drawing import add_smoke
+from .sparse import read_vdb
+from .splats import add_splats
+from .terrain import add_terrain, terrain_surface
+from .viewer_state import Choices, View
+
+NETCDF = (".nc", ".nc4", ".cdf", ".netcdf")
+EARTH = "#33506b"  # of the sphere where there is no terrain
+KEPT = 3           # grids: times and exaggerations seen last
+BAR = {"width": 0.25, "height": 0.08, "position_x": 0.72, "position_y": 0.02, "n_labels": 3, "fmt": "%g", "title_font_size": 16, "label_font_size": 14}
+GLOBE_ZOOM = 1.4    # nearer than PyVista's camera, which has room for the corners of a box
+OPTICAL_DEPTH = 3   # of a cloud surface, as add_cloud_texture has it
+
+
+class Scene:
+    """The data of a file, and what can be chosen of them, `choices`. Raises one sentence for a file that cannot be drawn."""
+
+    def __init__(self, path: str | Path) -> None:
+        self.path = Path(path)
+        if not self.path.is_file():
+            raise FileNotFoundError(f"There is no file {self.path}.")
+        self._read = lru_cache(KEPT)(self._read_file)
+        self._grid = lru_cache(KEPT)(self._make_grid)
+        self._is_globe = _is_on_a_globe(self.path, self._read(0))
+        self._ground = _ground_of(self.path)
+        mesh = self.grid(View())
+        fields = _fields(mesh)
+        self.choices = Choices(fields, _techniques(mesh, fields), tuple(presets()), _times(self.path), self._is_globe,
+                               self._is_globe and self._terrain(View()) is not None)
+
+    def grid(self, view: View) -> pyvista.DataSet:
+        """The data at the time of the view: on a globe of its exaggeration, or as they are in the file."""
+        return self._grid(view.time, view.exaggeration)
+
+    def add_to(self, plotter: pyvista.BasePlotter, view: View) -> None:
+        """Adds what the view shows to an empty plotter."""
+        grid = self.grid(view)
+        if self._is_globe:
+            self._add_ground(plotter, view)
+        _ADD[view.technique](plotter, grid, view)
+
+    def _read_file(self, time: int) -> pyvista.DataSet:
+        try:
+            with _silence():
+                mesh = _reader(self.path)(time)
+        except Exception as error:  # readers raise what they like
+            raise ValueError(f"{self.path} cannot be read: {one_sentence(error)}") from error
+        mesh = wrapped(mesh, merge_points=False)
+        if not isinstance(mesh, pyvista.DataSet) or mesh.n_points == 0:
+            raise ValueError(f"{self.path} cannot be read, or has no points to draw.")
+        return mesh
+
+    def _make_grid(self, time: int, exaggeration: float) -> pyvista.DataSet:
+        mesh = self._read(time)
+        return to_globe(mesh, vertical_exaggeration=exaggeration, surface=self._ground) if self._is_globe else mesh
+
+    def _terrain(self, view: View) -> pyvista.DataSet | None:
+        try:
+            return None if self._ground is None else terrain_surface(self._ground, vertical_exaggeration=view.exaggeration)
+        except ValueError:  # no height of the ground
+            return None
+
+    def _add_ground(self, plotter: pyvista.BasePlotter, view: View) -> None:
+        if view.terrain and self.choices.terrain:
+            add_terrain(plotter, self._terrain(view), show_scalar_bar=False, render=False)
+        else:
+            plotter.add_mesh(globe_surface(), color=EARTH, show_scalar_bar=False, render=False)
+
+
+def draw(plotter: pyvista.BasePlotter, scene: Scene, view: View) -> list[str]:
+    """Draws the view into a plotter in place of what it shows; the sentences of the warnings. An empty camera is the usual one."""
+    plotter.scalar_bars.clear()
+    plotter.clear_actors()
+    plotter.disable_depth_peeling()  # which the cloud texture switches on, and the samples off
+    plotter.render_window.SetMultiSamples(plotter.theme.multi_samples)
+    with warnings.catch_warnings(record=True) as caught:
+        warnings.simplefilter("always")
+        scene.add_to(plotter, view)
+        _look(plotter, scene, view)
+        plotter.render()
+    return list(dict.fromkeys(one_sentence(warning.message) for warning in caught if issubclass(warning.category, (UserWarning, RuntimeWarning))))
+
+
+def _look(plotter: pyvista.BasePlotter, scene: Scene, view: View) -> None:
+    """The camera of the view, or the usual one: of smoke on a globe the side that it is on."""
+    if view.camera:
+        plotter.camera_position = np.reshape(view.camera, (3, 3)).tolist()
+    elif scene.choices.globe:
+        smoke = [actor for actor in plotter.actors.values() if isinstance(actor, pyvista.Volume)] if view.technique == "smoke" else []
+        plotter.view_vector(smoke[0].center if smoke else (1, 1, 0.6), viewup=(0, 0, 1))
+        plotter.camera.Dolly(GLOBE_ZOOM)  # a zoom would change the angle, which a link does not tell
+    else:
+        plotter.view_isometric()
+    plotter.reset_camera_clipping_range()
+
+
+def one_sentence(message: object) -> str:
+    """The message on one line."""
+    return " ".join(str(message).split())
+
+
+def camera_of(plotter: pyvista.BasePlotter) -> tuple[float, ...]:
+    """As View has it."""
+    return tuple(float(number) for vector in plotter.camera_position for number in vector)
+
+
+@contextmanager
+def _silence() -> Iterator[None]:
+    """What the readers of VTK print of a file is told in one sentence."""
+    with warnings.catch_warnings(), pyvista.vtk_verbosity("off"):
+        warnings.simplefilter("ignore")
+        disabled = logging.root.manager.disable
+        logging.disable(logging.CRITICAL)
+        try:
+            yield
+        finally:
+            logging.disable(disabled)
+
+
+def _reader(path: Path) -> Callable[[int], Any]:
+    """Reads the file at a time step."""
+    if _is_netcdf(path):
+        return lambda time: read_cf(path, time_step=time)
+    if path.suffix.lower() == ".vdb":
+        return lambda time: read_vdb(path)
+    return lambda time: pyvista.read(path)
+
+
+def _is_netcdf(path: Path) -> bool:
+    return path.suffix.lower() in NETCDF
+
+
+def _times(path: Path) -> tuple[str, ...]:
+    return tuple(cf_times(path)) if _is_netcdf(path) else ()
+
+
+def _dimensions(path: Path) -> list[list[str]]:
+    """Of the variables of a NetCDF file, the longest first."""
+    shapes = [shape.strip("()").replace(" ", "").split(",") for shape in cf_shapes(path)]
+    return sorted(shapes, key=len, reverse=True)
+
+
+def _is_on_a_globe(path: Path, mesh: pyvista.DataSet) -> bool:
+    """True for longitudes and latitudes: axes with their names, or curved rows, whose coordinates the reader takes from two variables."""
+    if not _is_netcdf(path) or not isinstance(mesh, (pyvista.ImageData, pyvista.RectilinearGrid, pyvista.StructuredGrid)):
+        return False
+    named = any(name.lower().startswith("lat") for name in _dimensions(path)[0])
+    low, high = mesh.bounds[2:4]
+    return (named or isinstance(mesh, pyvista.StructuredGrid)) and -90.1 <= low <= high <= 90.1
+
+
+def _ground_of(path: Path) -> pyvista.DataSet | None:
+    """The fields without levels, on the last two dimensions of the others; None where there are none."""
+    shapes = _dimensions(path) if _is_netcdf(path) else []
+    if not shapes or len(shapes[0]) < 3 or shapes[0][-2:] not in shapes:
+        return None
+    return read_cf(path, dimensions=shapes[0][-2:], time_step=0)
+
+
+def _fields(mesh: pyvista.DataSet) -> tuple[str, ...]:
+    """Arrays of one number, the active one first."""
+    names = [name for data in (mesh.point_data, mesh.cell_data) for name in data
+             if data[name].ndim == 1 and np.issubdtype(data[name].dtype, np.number) and not is_helper(name)]
+    return tuple(dict.fromkeys(sorted(names, key=lambda name: name != mesh.active_scalars_name)))
+
+
+def _vectors(mesh: pyvista.DataSet) -> str | None:
+    """The winds of a globe, the active vectors, or the first array of three components."""
+    names = [name for data in (mesh.point_data, mesh.cell_data) for name in data if data[name].ndim == 2 and data[name].shape[1] == 3
+             and not is_helper(name)]
+    wanted = ("DisplayVelocity", mesh.active_vectors_name)
+    return next((name for name in wanted if name in names), names[0] if names else None)
+
+
+def _techniques(mesh: pyvista.DataSet, fields: tuple[str, ...]) -> tuple[str, ...]:
+    solid = cell_dimension(mesh) == 3
+    structured = isinstance(mesh, (pyvista.ImageData, pyvista.RectilinearGrid, pyvista.StructuredGrid))
+    wind = _vectors(mesh) is not None
+    there = {"mesh": not solid and cell_dimension(mesh) > 0 or not fields, "cells": solid, "splats": True, "surface": solid and structured,
+             "winds": wind, "smoke": solid and wind}
+    return tuple(name for name, fits in there.items() if fits and (fields or name == "mesh"))
+
+
+def _medium(view: View) -> dict[str, Any]:
+    return {"scalars": view.field, "opacity_scale": view.opacity, "preset": view.preset or None, "scalar_bar_args": dict(BAR), "render": False, "reset_camera": False}
+
+
+def _add_surface(plotter: pyvista.BasePlotter, grid: pyvista.DataSet, view: View) -> None:
+    if view.field not in grid.point_data:
+        grid = grid.cell_data_to_point_data()
+    add_cloud_texture(plotter, cloud_surface(grid, scalars=view.field), optical_depth=OPTICAL_DEPTH * view.opacity, render=False)
+
+
+def _add_smoke(plotter: pyvista.BasePlotter, grid: pyvista.DataSet, view: View) -> None:
+    smoke = flow_volume(grid, vectors=_vectors(grid))
+    add_smoke(plotter, smoke, view.field, optical_depth=view.opacity, preset=view.preset or None, scalar_bar_args=dict(BAR), render=False)
+
+
+_ADD: dict[str, Callable[[pyvista.BasePlotter, pyvista.DataSet, View], Any]] = {
+    "cells": lambda plotter, grid, view: add_cells(plotter, grid, **_medium(view)),
+    "splats": lambda plotter, grid, view: add_splats(plotter, grid, **_medium(view)),
+    "winds": lambda plotter, grid, view: add_splats(plotter, grid, vectors=_vectors(grid), **_medium(view)),
+    "surface": _add_surface,
+    "smoke": _add_smoke,
+    "mesh": lambda plotter, grid, view: plotter.add_mesh(grid, scalars=view.field or None, scalar_bar_args=dict(BAR), render=False),
+}
