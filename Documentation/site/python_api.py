@@ -12,6 +12,7 @@ PACKAGE = TOP / "Plugins/PyVista/nephoscope"
 GROUPS = {  # title: (page, what the names of its functions begin with, introduction)
     "Functions for plotters": ("plotters", ("add_",), "They draw in a ``pyvista.Plotter`` and return what they have added."),
     "Files": ("files", ("read_", "write_", "cf_"), "Readers and writers."),
+    "In the browser": ("browser", ("serve", "viewer"), "They draw here and send pictures to a page; :doc:`how </Documentation/web>`."),
     "Filters": ("filters", ("",), "They take a mesh and return one. Most are methods of meshes too: "
                 "``mesh.nephoscope.smooth(...)`` is ``nephoscope.smooth(mesh, ...)``, and ``mesh.nephoscope.globe(...)`` is ``to_globe``, "
                 "``mesh.nephoscope.terrain(...)`` is ``terrain_surface``."),
