@@ -29,13 +29,13 @@ def serve(plotter: pyvista.Plotter, *, port: int = PORT, host: str = "127.0.0.1"
     plotter : pyvista.Plotter
         The plotter; it is not shown yet. ``off_screen=True`` keeps its own window away.
     port : int, default: 8080
-        Of the web server, 0 to 65535. 0: any that is free.
+        Port of the web server, 0 to 65535. 0: any that is free.
     host : str, default: "127.0.0.1"
         Address that the server listens at; ``"0.0.0.0"`` for all of this machine. Who reaches it can turn the picture.
     open_browser : bool, default: True
         Open the page in the default browser, where there is one.
     title : str, default: "Nephoscope"
-        Of the page.
+        Title of the page.
 
     Raises
     ------

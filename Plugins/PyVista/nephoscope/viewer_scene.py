@@ -159,7 +159,7 @@ def _times(path: Path) -> tuple[str, ...]:
 
 
 def _dimensions(path: Path) -> list[list[str]]:
-    """Of the variables of a NetCDF file, the longest first."""
+    """Dimensions of the variables of a NetCDF file, the longest first."""
     shapes = [shape.strip("()").replace(" ", "").split(",") for shape in cf_shapes(path)]
     return sorted(shapes, key=len, reverse=True)
 
