@@ -13,17 +13,13 @@
 #include "vtkCamera.h"
 #include "vtkCompositeDataSet.h"
 #include "vtkDataObject.h"
-#include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkMatrix4x4.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkOpenGLHelper.h"
-#include "vtkOpenGLIndexBufferObject.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLState.h"
-#include "vtkOpenGLVertexArrayObject.h"
-#include "vtkOpenGLVertexBufferObjectGroup.h"
 #include "vtkPolyData.h"
 #include "vtkProperty.h"
 #include "vtkRenderer.h"
@@ -55,49 +51,6 @@ void vtkCloudTextureMapper::SetName(std::string& member, const char* name)
 void vtkCloudTextureMapper::SetCoverageArrayName(const char* name)
 {
   this->SetName(this->CoverageArrayName, name);
-}
-
-void vtkCloudTextureMapper::SetDensityArrayName(const char* name)
-{
-  this->SetName(this->DensityArrayName, name);
-}
-
-void vtkCloudTextureMapper::SetDensityVolume(vtkImageData* volume)
-{
-  if (this->DensityVolume != volume)
-  {
-    this->DensityVolume = volume;
-    this->Modified();
-  }
-}
-
-vtkImageData* vtkCloudTextureMapper::GetDensityVolume() const
-{
-  return this->DensityVolume;
-}
-
-void vtkCloudTextureMapper::PrepareVolume()
-{
-  vtkInternals& own = *this->Internals;
-  if (own.Volume.Prepare(this->UseThickness ? this->DensityVolume.Get() : nullptr, this->DensityArrayName))
-  {
-    this->Modified(); // the shader depends on it
-    this->TellVolume(own.Volume.GetError(), own.Volume.GetWarning());
-  }
-}
-
-void vtkCloudTextureMapper::TellVolume(const std::string& error, const std::string& warning)
-{
-  std::string& last = this->Internals->LastVolume;
-  if (!error.empty() && error != last)
-  {
-    vtkErrorMacro(<< "Clouds are drawn with the same density everywhere: the density volume " << error << ".");
-  }
-  if (!warning.empty() && warning != last)
-  {
-    vtkWarningMacro(<< "The density volume " << warning << ".");
-  }
-  last = error + warning;
 }
 
 void vtkCloudTextureMapper::SetFirstCoordinatesName(const char* name)
@@ -289,102 +242,6 @@ void vtkCloudTextureMapper::RenderPieceDraw(vtkRenderer* renderer, vtkActor* act
   own.Volume.Deactivate();
   own.Thickness.Deactivate();
   own.Thresholds->Deactivate();
-}
-
-void vtkCloudTextureMapper::FindThickness(vtkRenderer* renderer, vtkActor* actor)
-{
-  vtkInternals& own = *this->Internals;
-  own.Drawings = nephoscope::CloudThicknessPass::LimitDrawings(
-    this->MaximumNumberOfLayers, own.Surface.HasDensity);
-  nephoscope::CloudThicknessPass::Request request;
-  request.Scene.Window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
-  request.Scene.Mapper = this;
-  request.Scene.Prop = actor;
-  request.Scene.Window->GetState()->vtkglGetIntegerv(GL_VIEWPORT, request.Scene.Viewport);
-  request.Renderer = renderer;
-  request.Actor = actor;
-  std::copy_n(own.Surface.Center, 3, request.Center);
-  own.Surface.Surface->GetBounds(request.Bounds);
-  for (int i = 0; i < 6; ++i)
-  {
-    request.Bounds[i] -= request.Center[i / 2];
-  }
-  request.IsClosed = own.Surface.Chord.IsClosed();
-  request.IsInsideOut = own.Surface.Chord.IsInsideOut();
-  request.WithDensities = own.Surface.HasDensity;
-  request.Clouds = this->MaximumNumberOfLayers;
-  request.Constants = nephoscope::layerConstants(own.Surface);
-  request.DrawTriangles = [&](vtkOpenGLHelper& helper) {
-    this->DrawTriangles(helper, renderer, actor);
-  };
-  if (actor->GetProperty()->GetRepresentation() != VTK_SURFACE || renderer->GetSelector())
-  {
-    own.Thickness.Forget(request); // lines and points have none, and who asks what is there needs none
-    return;
-  }
-  const std::string error = own.Thickness.Draw(request);
-  this->TellThickness(error);
-}
-
-void vtkCloudTextureMapper::TellThickness(const std::string& error)
-{
-  vtkInternals& own = *this->Internals;
-  std::string message = error;
-  if (error.empty() && own.Thickness.HasMore())
-  {
-    message =
-      "In some pixels more clouds are behind one another than are looked at: the thickness of those in between is not right. Raise "
-      "MaximumNumberOfLayers.";
-  }
-  if (!message.empty() && message != own.LastThickness)
-  {
-    if (error.empty())
-    {
-      vtkWarningMacro(<< message);
-    }
-    else
-    {
-      vtkErrorMacro(<< "Clouds are drawn without their thickness: " << message << ".");
-    }
-  }
-  own.LastThickness = message;
-}
-
-void vtkCloudTextureMapper::DrawTriangles(
-  vtkOpenGLHelper& helper, vtkRenderer* renderer, vtkActor* actor)
-{
-  this->SetCameraShaderParameters(helper, renderer, actor);
-  helper.VAO->Bind();
-  this->VBOs->AddAllAttributesToVAO(helper.Program, helper.VAO);
-  for (const int type : { PrimitiveTris, PrimitiveTriStrips })
-  {
-    vtkOpenGLIndexBufferObject* indices = this->Primitives[type].IBO;
-    if (indices->IndexCount > 0)
-    {
-      indices->Bind();
-      glDrawElements(
-        GL_TRIANGLES, static_cast<GLsizei>(indices->IndexCount), GL_UNSIGNED_INT, nullptr);
-      indices->Release();
-    }
-  }
-  helper.VAO->Release();
-}
-
-double vtkCloudTextureMapper::GetExtinctionInUse(vtkActor* actor) const
-{
-  if (this->Extinction > 0)
-  {
-    return this->Extinction;
-  }
-  const nephoscope::MeanChord& chord = this->Internals->Surface.Chord;
-  vtkPolyData* surface = this->Internals->Surface.Surface;
-  const double scale = std::cbrt(std::abs(actor->GetMatrix()->Determinant()));
-  const double length = chord.Length() > 0 ? chord.Length()
-    : surface                              ? surface->GetLength() / 100
-                                           : 0;
-  const nephoscope::DensityVolume& volume = this->Internals->Volume;
-  const double optical = length * scale * (volume.IsUsed() ? volume.GetMeanDensity() : chord.MeanWeight());
-  return optical > 0 ? this->OpticalDepth / optical : 0;
 }
 
 void vtkCloudTextureMapper::RenderPieceFinish(vtkRenderer* renderer, vtkActor* actor)
