@@ -14,7 +14,7 @@
 #define PolyhedronSurface_h
 
 #include "CellDecomposition.h"
-#include "TetrahedronRay.h"
+#include "Vector3.h"
 
 #include <algorithm>
 #include <cmath>

@@ -4,7 +4,6 @@
 
 #include "CloudOpacityFunction.h"
 #include "CloudThicknessFunction.h"
-#include "CloudVolumeFunction.h"
 #include "GardnerShaderConstants.h"
 #include "GardnerTextureFunctions.h"
 #include "SurfaceLists.h"
@@ -170,8 +169,8 @@ void addCloudCode(std::map<vtkShader::Type, vtkShader*>& shaders, const Textured
     vtkShaderProgram::Substitute(
       thickness, "//NEPHOSCOPE::Layers", layerLookups(surface.HasDensity, choice.Drawings));
     vtkShaderProgram::Substitute(thickness, "//NEPHOSCOPE::DensityVolume",
-      choice.HasDensityVolume ? CloudVolumeFunction : "float meanDensityOfVolume(vec3 a, vec3 b) { return 1.0; }\n");
-    dec += std::string("const bool hasDensityVolume = ") + word(choice.HasDensityVolume) + ";\nin vec3 cloudViewVSOutput;\n" + thickness;
+      choice.DensityVolume.empty() ? "float meanDensityOfVolume(vec3 a, vec3 b) { return 1.0; }\n" : choice.DensityVolume);
+    dec += std::string("const bool hasDensityVolume = ") + word(!choice.DensityVolume.empty()) + ";\nin vec3 cloudViewVSOutput;\n" + thickness;
     early =
       "  float cloudThickness = cloudDrawings < 0 ? noThickness\n    : cloudOpticalDepth(cloudViewVSOutput, " +
       input(attributes, "cloudDensity", "1.0") +

@@ -35,7 +35,7 @@ struct CloudShaderChoice
   int Drawings = 0; ///< of layers, at most; 0: lists
   bool ThicknessIsAdded = false; ///< to the texture, instead of multiplying the opacity
   bool HasColors = false;
-  bool HasDensityVolume = false;
+  std::string DensityVolume; ///< code of meanDensityOfVolume, empty: there is none
   GardnerWaves Waves;
 };
 

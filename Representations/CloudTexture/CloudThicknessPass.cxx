@@ -26,8 +26,8 @@ namespace nephoscope
 {
 namespace
 {
-// The superclass and the passes need some: colours, environment, thresholds, peels.
-constexpr int reservedUnits = 8;
+// The superclass and the passes need some: colours, environment, thresholds, peels, density volume.
+constexpr int reservedUnits = 10;
 // For a sampler that is not read: samplers of two types may not share a unit, and 0 is somebody's.
 constexpr int unusedUnit = 15;
 }

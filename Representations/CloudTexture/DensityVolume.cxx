@@ -1,149 +1,149 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "OpenGLFunctions.h"
-
 #include "DensityVolume.h"
 
+#include "DensityCells.h"
+#include "DensityImage.h"
+
+#include "vtkCellData.h"
+#include "vtkCompositeDataIterator.h"
+#include "vtkCompositeDataSet.h"
 #include "vtkDataArray.h"
+#include "vtkDataSet.h"
 #include "vtkImageData.h"
-#include "vtkMatrix4x4.h"
-#include "vtkOpenGLRenderWindow.h"
 #include "vtkPointData.h"
-#include "vtkShaderProgram.h"
-#include "vtkTextureObject.h"
+#include "vtkSmartPointer.h"
 
 #include <algorithm>
+#include <vector>
 
 namespace nephoscope
 {
-
-DensityVolume::DensityVolume() = default;
-DensityVolume::~DensityVolume() = default;
-
-bool DensityVolume::Prepare(vtkImageData* image, const std::string& name)
+namespace
 {
-  const decltype(this->MadeFrom) key(image, image ? image->GetMTime() : 0, name);
-  if (key == this->MadeFrom)
+std::vector<vtkDataSet*> blocksOf(vtkDataObject* data)
+{
+  std::vector<vtkDataSet*> blocks;
+  const auto take = [&](vtkDataObject* object) {
+    auto* block = vtkDataSet::SafeDownCast(object);
+    if (block && block->GetNumberOfCells() > 0)
+    {
+      blocks.push_back(block);
+    }
+  };
+  auto* composite = vtkCompositeDataSet::SafeDownCast(data);
+  if (!composite)
   {
-    return false;
+    take(data);
+    return blocks;
   }
-  this->MadeFrom = key;
-  this->Values.clear();
-  this->Error.clear();
-  this->Warning.clear();
-  this->IsUploaded = false;
-  if (!image)
+  auto each = vtk::TakeSmartPointer(composite->NewIterator());
+  for (each->InitTraversal(); !each->IsDoneWithTraversal(); each->GoToNextItem())
   {
-    return true;
+    take(each->GetCurrentDataObject());
   }
-  vtkDataArray* array = name.empty() ? image->GetPointData()->GetScalars() : image->GetPointData()->GetArray(name.c_str());
+  return blocks;
+}
+
+vtkDataArray* arrayOf(vtkDataSetAttributes* attributes, const std::string& name)
+{
+  return name.empty() ? attributes->GetScalars() : attributes->GetArray(name.c_str());
+}
+
+/** Of the points where there is such an array, else of the cells. */
+DensityBlock densityOf(vtkDataSet* block, const std::string& name)
+{
+  vtkDataArray* ofPoints = arrayOf(block->GetPointData(), name);
+  return { block, ofPoints ? ofPoints : arrayOf(block->GetCellData(), name), !ofPoints };
+}
+
+std::string errorOf(const DensityBlock& block, const std::string& name)
+{
+  if (!block.Densities)
+  {
+    return name.empty() ? "has no active scalars: name an array with SetDensityArrayName"
+                        : "has no point array '" + name + "' of the density, and no such cell array";
+  }
+  const char* its = block.Densities->GetName();
+  const int components = block.Densities->GetNumberOfComponents();
+  return components == 1 ? std::string()
+                         : "needs an array of one component: " + std::string(its ? its : "its scalars") + " has " +
+      std::to_string(components);
+}
+
+bool isPlainImage(const DensityBlock& block)
+{
+  return !block.OnCells && vtkImageData::SafeDownCast(block.Data) && !block.Data->GetCellGhostArray() &&
+    !block.Data->GetPointGhostArray();
+}
+
+std::unique_ptr<DensityVolume> makeImage(const DensityBlock& block, std::string& error)
+{
+  auto* image = vtkImageData::SafeDownCast(block.Data);
   const int* size = image->GetDimensions();
-  if (!array)
+  if (std::min({ size[0], size[1], size[2] }) < 2)
   {
-    this->Error = name.empty() ? "has no active point scalars: name an array with SetDensityArrayName"
-                               : "has no point array '" + name + "' of the density";
+    error = "needs two points or more along each axis";
+    return nullptr;
   }
-  else if (array->GetNumberOfComponents() != 1)
-  {
-    this->Error = "needs an array of one component: " + std::string(array->GetName() ? array->GetName() : "its scalars") + " has " +
-      std::to_string(array->GetNumberOfComponents());
-  }
-  else if (std::min({ size[0], size[1], size[2] }) < 2)
-  {
-    this->Error = "needs two points or more along each axis";
-  }
-  else
-  {
-    this->Read(image, array);
-  }
-  return true;
+  return std::unique_ptr<DensityVolume>(new DensityImage(image, block.Densities));
+}
 }
 
-void DensityVolume::Read(vtkImageData* image, vtkDataArray* array)
+std::unique_ptr<DensityVolume> makeDensityVolume(vtkDataObject* data, const std::string& name, std::string& error)
 {
-  image->GetDimensions(this->Size);
-  const int* extent = image->GetExtent();
-  this->ToIndex->DeepCopy(image->GetPhysicalToIndexMatrix());
-  for (int axis = 0; axis < 3; ++axis)
+  error.clear();
+  if (!data)
   {
-    this->ToIndex->SetElement(axis, 3, this->ToIndex->GetElement(axis, 3) - extent[2 * axis]);
+    return nullptr;
   }
-  this->Values.resize(static_cast<std::size_t>(array->GetNumberOfTuples()));
-  double sum = 0;
-  std::size_t count = 0, wrong = 0;
-  for (std::size_t i = 0; i < this->Values.size(); ++i)
+  std::vector<DensityBlock> blocks;
+  std::size_t without = 0;
+  for (vtkDataSet* block : blocksOf(data))
   {
-    const double value = array->GetComponent(static_cast<vtkIdType>(i), 0);
-    const bool isDensity = value >= 0 && value < 1e30;
-    wrong += !isDensity;
-    this->Values[i] = isDensity ? static_cast<float>(value) : 0.0f;
-    sum += this->Values[i];
-    count += this->Values[i] > 0;
+    const DensityBlock density = densityOf(block, name);
+    const std::string wrong = errorOf(density, name);
+    without += !wrong.empty();
+    error = wrong.empty() ? error : wrong;
+    if (wrong.empty())
+    {
+      blocks.push_back(density);
+    }
   }
-  this->MeanDensity = count > 0 ? sum / static_cast<double>(count) : 1;
-  this->Warning = wrong > 0 ? "has " + std::to_string(wrong) + " values that are not a density, >= 0 and finite: they count as 0" : "";
+  if (blocks.empty())
+  {
+    error = !error.empty() ? error
+      : vtkDataSet::SafeDownCast(data) || vtkCompositeDataSet::SafeDownCast(data)
+      ? "has no cells"
+      : "is a " + std::string(data->GetClassName()) + ", which has no cells to integrate in: convert it to an unstructured grid";
+    return nullptr;
+  }
+  if (blocks.size() == 1 && without == 0 && isPlainImage(blocks.front()))
+  {
+    return makeImage(blocks.front(), error);
+  }
+  std::unique_ptr<DensityCells> cells(new DensityCells);
+  const std::string told = error;
+  error = cells->Take(blocks);
+  if (!error.empty())
+  {
+    return nullptr;
+  }
+  if (without > 0)
+  {
+    cells->Warning = "is incomplete: one of its blocks " + told + (cells->Warning.empty() ? "" : "; it " + cells->Warning);
+  }
+  return cells;
 }
 
-std::string DensityVolume::Upload(vtkOpenGLRenderWindow* window)
+vtkMTimeType timeOfData(vtkDataObject* data)
 {
-  if (!this->IsUsed() || this->IsUploaded)
+  vtkMTimeType time = data ? data->GetMTime() : 0;
+  for (vtkDataSet* block : blocksOf(data))
   {
-    return std::string();
+    time = std::max(time, block->GetMTime());
   }
-  GLint largest = 0;
-  glGetIntegerv(GL_MAX_3D_TEXTURE_SIZE, &largest);
-  if (std::max({ this->Size[0], this->Size[1], this->Size[2] }) > largest)
-  {
-    this->Values.clear();
-    return "has more than " + std::to_string(largest) + " points along an axis, the limit of this OpenGL: resample it to fewer";
-  }
-  this->Texture->SetContext(window);
-  this->Texture->SetDataType(GL_FLOAT);
-  this->Texture->SetMinificationFilter(vtkTextureObject::Nearest);
-  this->Texture->SetMagnificationFilter(vtkTextureObject::Nearest);
-  this->IsUploaded = this->Texture->Create3DFromRaw(static_cast<unsigned int>(this->Size[0]), static_cast<unsigned int>(this->Size[1]),
-    static_cast<unsigned int>(this->Size[2]), 1, VTK_FLOAT, this->Values.data());
-  if (!this->IsUploaded)
-  {
-    this->Values.clear();
-    return "does not fit into a texture of this OpenGL";
-  }
-  return std::string();
-}
-
-void DensityVolume::Activate()
-{
-  if (this->IsUploaded)
-  {
-    this->Texture->Activate();
-  }
-}
-
-void DensityVolume::Deactivate()
-{
-  if (this->IsUploaded)
-  {
-    this->Texture->Deactivate();
-  }
-}
-
-void DensityVolume::SetUniforms(vtkShaderProgram* program, vtkMatrix4x4* viewToData)
-{
-  if (!this->IsUploaded)
-  {
-    return;
-  }
-  vtkNew<vtkMatrix4x4> toIndex;
-  vtkMatrix4x4::Multiply4x4(this->ToIndex, viewToData, toIndex);
-  toIndex->Transpose(); // as OpenGL wants it
-  program->SetUniformMatrix("cloudViewToVolume", toIndex);
-  program->SetUniformi("cloudVolume", this->Texture->GetTextureUnit());
-}
-
-void DensityVolume::ReleaseGraphicsResources(vtkWindow* window)
-{
-  this->Texture->ReleaseGraphicsResources(window);
-  this->IsUploaded = false;
+  return time;
 }
 
 } // namespace nephoscope

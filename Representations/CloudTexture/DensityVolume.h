@@ -1,22 +1,21 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
-/** The density of clouds in an image, on the GPU, where the fragment shader integrates it voxel by voxel (CloudVolume.glsl). */
+/**
+ * The density of clouds in space on the GPU, where the fragment shader integrates it along rays: of an image voxel by voxel (DensityImage), of all
+ * other grids tetrahedron by tetrahedron (DensityCells).
+ */
 #ifndef DensityVolume_h
 #define DensityVolume_h
 
-#include "vtkNew.h"
 #include "vtkType.h"
 
+#include <memory>
 #include <string>
-#include <tuple>
-#include <vector>
 
-class vtkDataArray;
-class vtkImageData;
+class vtkDataObject;
 class vtkMatrix4x4;
 class vtkOpenGLRenderWindow;
 class vtkShaderProgram;
-class vtkTextureObject;
 class vtkWindow;
 
 namespace nephoscope
@@ -25,40 +24,38 @@ namespace nephoscope
 class DensityVolume
 {
 public:
-  DensityVolume();
-  ~DensityVolume();
-  DensityVolume(const DensityVolume&) = delete;
-  DensityVolume& operator=(const DensityVolume&) = delete;
+  virtual ~DensityVolume() = default;
 
-  /** Takes the image, or none, and a point array, or without a name the active scalars. False: it is that of the last time. */
-  bool Prepare(vtkImageData* image, const std::string& name);
-  bool IsUsed() const { return !this->Values.empty(); }
-  /** Why there is none, and what is wrong with its values; empty if nothing is. */
-  const std::string& GetError() const { return this->Error; }
-  const std::string& GetWarning() const { return this->Warning; }
-  /** Over the points where there is some. */
-  double GetMeanDensity() const { return this->MeanDensity; }
+  /** Declares meanDensityOfVolume(start, end), places in view coordinates. Needs the context. */
+  virtual std::string GetShaderCode() const = 0;
+  /** How many units of OpenGL it takes. */
+  virtual int GetNumberOfTextures() const = 0;
 
-  /** Empty, or what went wrong. */
-  std::string Upload(vtkOpenGLRenderWindow* window);
-  void Activate();
-  void Deactivate();
-  /** `viewToData`: from view coordinates to those of the image. */
-  void SetUniforms(vtkShaderProgram* program, vtkMatrix4x4* viewToData);
-  void ReleaseGraphicsResources(vtkWindow* window);
+  /** Empty, or what went wrong. Does nothing where it has been done. */
+  virtual std::string Upload(vtkOpenGLRenderWindow* window) = 0;
+  virtual void Activate() = 0;
+  virtual void Deactivate() = 0;
+  /** `viewToData`: from view coordinates to those of the data. */
+  virtual void SetUniforms(vtkShaderProgram* program, vtkMatrix4x4* viewToData) = 0;
+  virtual void ReleaseGraphicsResources(vtkWindow* window) = 0;
 
-private:
-  void Read(vtkImageData* image, vtkDataArray* array);
-
-  std::vector<float> Values;
-  int Size[3] = { 0, 0, 0 };
+  /** Where there is some. */
   double MeanDensity = 1;
-  std::string Error, Warning;
-  std::tuple<vtkImageData*, vtkMTimeType, std::string> MadeFrom{ nullptr, 0, "" };
-  vtkNew<vtkMatrix4x4> ToIndex;
-  vtkNew<vtkTextureObject> Texture;
-  bool IsUploaded = false;
+  /** What is wrong with the values; empty if nothing is. */
+  std::string Warning;
 };
+
+/** Values that are a density. */
+inline bool isDensity(double value)
+{
+  return value >= 0 && value < 1e30;
+}
+
+/** `name`: of a point or cell array; empty: active scalars. Null where there is no data, or else with the reason in `error`. */
+std::unique_ptr<DensityVolume> makeDensityVolume(vtkDataObject* data, const std::string& name, std::string& error);
+
+/** When the data, or one of its blocks, has changed last. */
+vtkMTimeType timeOfData(vtkDataObject* data);
 
 } // namespace nephoscope
 

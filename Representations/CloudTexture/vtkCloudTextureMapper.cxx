@@ -220,16 +220,12 @@ void vtkCloudTextureMapper::RenderPieceDraw(vtkRenderer* renderer, vtkActor* act
   if (this->UseThickness)
   {
     this->FindThickness(renderer, actor);
-    const std::string error = own.Volume.Upload(vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow()));
-    if (!error.empty())
-    {
-      this->TellVolume(error, "");
-      this->Modified(); // the shader is one without it
-    }
+    this->UploadVolume(renderer);
   }
   own.Thresholds->Activate();
   own.Thickness.Activate();
-  own.Volume.Activate();
+  const std::shared_ptr<nephoscope::DensityVolume> volume = own.Volume;
+  volume ? volume->Activate() : void();
   vtkOpenGLState* state = static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow())->GetState();
   const vtkOpenGLState::ScopedglEnableDisable culling(state, GL_CULL_FACE);
   if (this->UseThickness && own.Thickness.OnlyFrontFaces())
@@ -239,7 +235,7 @@ void vtkCloudTextureMapper::RenderPieceDraw(vtkRenderer* renderer, vtkActor* act
   }
   own.Peels.BeforeDrawing(static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow()), actor);
   this->Superclass::RenderPieceDraw(renderer, actor);
-  own.Volume.Deactivate();
+  volume ? volume->Deactivate() : void();
   own.Thickness.Deactivate();
   own.Thresholds->Deactivate();
 }
@@ -258,7 +254,7 @@ void vtkCloudTextureMapper::ReplaceShaderColor(
   const bool isAdded = this->UseThickness && this->ThicknessEffect == THICKNESS_IS_ADDED_TO_TEXTURE;
   nephoscope::addCloudCode(
     shaders, this->Internals->Surface, { this->UseThickness, this->Internals->Drawings, isAdded, this->HasColors(),
-                                          this->Internals->Volume.IsUsed(), this->Internals->InUse });
+                                          this->Internals->Volume ? this->Internals->Volume->GetShaderCode() : std::string(), this->Internals->InUse });
   this->Superclass::ReplaceShaderColor(shaders, renderer, actor);
 }
 
@@ -302,7 +298,10 @@ void vtkCloudTextureMapper::SetMapperShaderParameters(
   {
     this->Internals->Thickness.SetUniforms(
       program, this->GetExtinctionInUse(actor), this->Internals->Drawings);
-    this->Internals->Volume.SetUniforms(program, this->Internals->Thickness.GetViewToData());
+    if (this->Internals->Volume)
+    {
+      this->Internals->Volume->SetUniforms(program, this->Internals->Thickness.GetViewToData());
+    }
   }
 }
 

@@ -23,7 +23,7 @@
 #include <memory> // for vtkInternals
 #include <string> // for array names
 
-class vtkImageData;
+class vtkDataObject;
 class vtkShaderProgram;
 
 class VTKNEPHOSCOPEREPRESENTATIONSCLOUDTEXTURE_EXPORT vtkCloudTextureMapper
@@ -215,13 +215,14 @@ public:
 
   ///@{
   /**
-   * Density of cloud in space, >= 0, in the coordinates of the surface: point array DensityArrayName of an image, or without a name its active
-   * scalars. With UseThickness it is integrated along the ray inside of the surface, from voxel to voxel and exactly for trilinear voxels, in
-   * place of what is known at the two faces. Outside of the image it is 0. Other grids are to be resampled. Default: none. Costs 4 bytes per point
-   * on the GPU, and per pixel a step for every voxel that a ray crosses.
+   * Density of cloud in space, >= 0, in the coordinates of the surface: array DensityArrayName of any grid, or of composite data, or without a name
+   * its active scalars; of the points, or else of the cells. With UseThickness it is integrated along the ray inside of the surface in place of what is known at the
+   * two faces: exactly for trilinear voxels of images with a point array, and for the linear density in the tetrahedra that other cells are divided into. Density of cells
+   * is constant in each. Outside of the cells, and in hidden and ghost cells, it is 0. Default: none. Costs on the GPU 4 bytes per point of
+   * an image, about 60 bytes per tetrahedron elsewhere (cells without density cost nothing), and per pixel the way through voxels or tetrahedra.
    */
-  void SetDensityVolume(vtkImageData* volume);
-  vtkImageData* GetDensityVolume() const;
+  void SetDensityVolume(vtkDataObject* volume);
+  vtkDataObject* GetDensityVolume() const;
   ///@}
 
   ///@{
@@ -282,6 +283,7 @@ private:
   void FindThickness(vtkRenderer* renderer, vtkActor* actor);
   void TellThickness(const std::string& error);
   void PrepareVolume();
+  void UploadVolume(vtkRenderer* renderer);
   void TellVolume(const std::string& error, const std::string& warning);
   void DrawTriangles(vtkOpenGLHelper& helper, vtkRenderer* renderer, vtkActor* actor);
   double GetExtinctionInUse(vtkActor* actor) const;
@@ -313,7 +315,7 @@ private:
   double ThicknessWeight = 1;
   std::string CoverageArrayName;
   std::string DensityArrayName;
-  vtkSmartPointer<vtkImageData> DensityVolume;
+  vtkSmartPointer<vtkDataObject> DensityVolume;
   std::string CoordinatesNames[2] = { "TextureCoordinates1", "TextureCoordinates2" };
 
   struct vtkInternals;

@@ -40,7 +40,8 @@ struct vtkCloudTextureMapper::vtkInternals
   Key MadeFrom{ nullptr, 0, "", "", "", 0.0, 0.0, "", false, false, 0.0, 0.0 };
   std::string LastError, LastWarning, LastThickness, LastWavesError, LastVolume;
   nephoscope::CloudThicknessPass Thickness;
-  nephoscope::DensityVolume Volume;
+  std::shared_ptr<nephoscope::DensityVolume> Volume; // null: none is used
+  std::tuple<vtkDataObject*, vtkMTimeType, std::string> VolumeMadeFrom{ nullptr, 0, "" };
   nephoscope::KeepPeeling Peels;
   int Drawings = 0; // of layers, that the shader is made for
   vtkSmartPointer<vtkTextureObject> Thresholds;
@@ -48,7 +49,10 @@ struct vtkCloudTextureMapper::vtkInternals
   nephoscope::ResourceWindow Window{ [this](vtkWindow* window) {
     this->Thresholds = nullptr;
     this->Thickness.ReleaseGraphicsResources(window);
-    this->Volume.ReleaseGraphicsResources(window);
+    if (this->Volume)
+    {
+      this->Volume->ReleaseGraphicsResources(window);
+    }
   } };
 
   /** Only amplitudes count. */

@@ -7,7 +7,7 @@
 #include "vtkCloudTextureMapperInternals.h"
 
 #include "vtkActor.h"
-#include "vtkImageData.h"
+#include "vtkDataObject.h"
 #include "vtkMatrix4x4.h"
 #include "vtkOpenGLHelper.h"
 #include "vtkOpenGLIndexBufferObject.h"
@@ -25,7 +25,7 @@ void vtkCloudTextureMapper::SetDensityArrayName(const char* name)
   this->SetName(this->DensityArrayName, name);
 }
 
-void vtkCloudTextureMapper::SetDensityVolume(vtkImageData* volume)
+void vtkCloudTextureMapper::SetDensityVolume(vtkDataObject* volume)
 {
   if (this->DensityVolume != volume)
   {
@@ -34,7 +34,7 @@ void vtkCloudTextureMapper::SetDensityVolume(vtkImageData* volume)
   }
 }
 
-vtkImageData* vtkCloudTextureMapper::GetDensityVolume() const
+vtkDataObject* vtkCloudTextureMapper::GetDensityVolume() const
 {
   return this->DensityVolume;
 }
@@ -42,10 +42,29 @@ vtkImageData* vtkCloudTextureMapper::GetDensityVolume() const
 void vtkCloudTextureMapper::PrepareVolume()
 {
   vtkInternals& own = *this->Internals;
-  if (own.Volume.Prepare(this->UseThickness ? this->DensityVolume.Get() : nullptr, this->DensityArrayName))
+  vtkDataObject* data = this->UseThickness ? this->DensityVolume.Get() : nullptr;
+  const decltype(own.VolumeMadeFrom) key(data, nephoscope::timeOfData(data), this->DensityArrayName);
+  if (key == own.VolumeMadeFrom)
   {
-    this->Modified(); // the shader depends on it
-    this->TellVolume(own.Volume.GetError(), own.Volume.GetWarning());
+    return;
+  }
+  own.VolumeMadeFrom = key;
+  std::string error;
+  own.Volume = nephoscope::makeDensityVolume(data, this->DensityArrayName, error);
+  this->Modified(); // the shader depends on it
+  this->TellVolume(error, own.Volume ? own.Volume->Warning : "");
+}
+
+void vtkCloudTextureMapper::UploadVolume(vtkRenderer* renderer)
+{
+  vtkInternals& own = *this->Internals;
+  const std::string error =
+    own.Volume ? own.Volume->Upload(vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow())) : std::string();
+  if (!error.empty())
+  {
+    own.Volume = nullptr;
+    this->TellVolume(error, "");
+    this->Modified(); // the shader is one without it
   }
 }
 
@@ -154,7 +173,7 @@ double vtkCloudTextureMapper::GetExtinctionInUse(vtkActor* actor) const
   const double length = chord.Length() > 0 ? chord.Length()
     : surface                              ? surface->GetLength() / 100
                                            : 0;
-  const nephoscope::DensityVolume& volume = this->Internals->Volume;
-  const double optical = length * scale * (volume.IsUsed() ? volume.GetMeanDensity() : chord.MeanWeight());
+  const auto& volume = this->Internals->Volume;
+  const double optical = length * scale * (volume ? volume->MeanDensity : chord.MeanWeight());
   return optical > 0 ? this->OpticalDepth / optical : 0;
 }

@@ -145,8 +145,18 @@ class Arguments(Picture):
         self.assertEqual(self.add(use_thickness=True, density_volume=volume).mapper.GetDensityArrayName(), "other")
         self.assertIsNone(self.add().mapper.GetDensityVolume())
         self.plotter.clear()
-        with self.assertRaisesRegex(TypeError, "density_volume is a UnstructuredGrid.*create_grid"):
-            self.add(density_volume=volume.cast_to_unstructured_grid())
+        cells = volume.cast_to_unstructured_grid()
+        cells.cell_data["ice"] = np.ones(8)
+        for grid in (cells, volume.cast_to_rectilinear_grid(), volume.cast_to_structured_grid(), pyvista.MultiBlock([cells, None, volume])):
+            mapper = self.add(use_thickness=True, density_volume=grid, density="water").mapper
+            self.assertIs(mapper.GetDensityVolume(), grid)
+            self.assertEqual(mapper.GetDensityArrayName(), "water")
+        self.assertEqual(self.add(density_volume=cells, density="ice").mapper.GetDensityArrayName(), "ice")
+        self.plotter.clear()
+        with self.assertRaisesRegex(TypeError, "density_volume is a str.*grid"):
+            self.add(density_volume="water")
+        with self.assertRaisesRegex(ValueError, "no three-dimensional cells"):
+            self.add(density_volume=pyvista.Sphere())
         with self.assertRaisesRegex(MissingDataError, "density.*'share'"):
             self.add(density_volume=volume, density="share")
         self.assertEqual(len(self.plotter.actors), 0)

@@ -8,11 +8,12 @@ from typing import Any, Sequence
 import numpy as np
 import pyvista
 from pyvista.core.errors import MissingDataError
-from vtkmodules.vtkCommonDataModel import vtkImageData, vtkPolyData
+from vtkmodules.vtkCommonDataModel import vtkCompositeDataSet, vtkDataSet, vtkHyperTreeGrid, vtkOverlappingAMR, vtkPolyData
 from vtkmodules.vtkFiltersGeometry import vtkDataSetSurfaceFilter
 from vtkmodules.vtkRenderingCore import vtkActor
 
 from . import vtkCloudTextureMapper
+from ._blocks import cell_dimension, named_blocks
 from ._checks import arrays_of, choose, require_number
 from ._copies import copied_mapper
 from ._exports import warn_when_exported
@@ -58,17 +59,20 @@ class CloudTextureMapper(vtkCloudTextureMapper):
         return self.GetBounds()
 
 
-def _density_volume(volume: Any, name: str | None) -> tuple[pyvista.ImageData, str]:
-    """The image, and the name of its array of densities."""
-    if not isinstance(volume, vtkImageData):
-        raise TypeError(f"density_volume is a {type(volume).__name__}; it must be a pyvista.ImageData. "
-                        "pyvista.create_grid(surface).sample(grid) makes one of another grid.")
-    volume = pyvista.wrap(volume)
+def _density_volume(volume: Any, name: str | None) -> tuple[pyvista.DataObject, str]:
+    """The grid, or its blocks, and the name of the array of densities."""
+    if isinstance(volume, (vtkHyperTreeGrid, vtkOverlappingAMR)):  # cells that finer ones cover are left out
+        volume = wrapped(volume, merge_points=False)
+    if not isinstance(volume, (vtkDataSet, vtkCompositeDataSet)):
+        raise TypeError(f"density_volume is a {type(volume).__name__}; it must be a grid that PyVista knows, or blocks of such.")
+    blocks = [block for _, block in named_blocks(volume) if block.n_points] if isinstance(volume, vtkCompositeDataSet) else [pyvista.wrap(volume)]
+    if not any(cell_dimension(block) == 3 for block in blocks):
+        raise ValueError("density_volume has no three-dimensional cells.")
     if name is None:
-        association, name = default_scalars(volume)
-        if association == "cell":
-            raise ValueError(f"density_volume: {name!r} is a cell array; use cell_data_to_point_data(), or name a point array as density.")
-    return volume, _point_array(volume, name, "density")
+        name = default_scalars(blocks[0])[1]
+    if not any(name in block.point_data or name in block.cell_data for block in blocks):
+        raise MissingDataError(f"density: no array {name!r}. {arrays_of(blocks[0])}")
+    return volume, name
 
 
 def add_cloud_texture(plotter: pyvista.BasePlotter, mesh: Any, scalars: str | np.ndarray | None = None, *,
@@ -133,12 +137,11 @@ def add_cloud_texture(plotter: pyvista.BasePlotter, mesh: Any, scalars: str | np
     extinction : float, default: 0.0
         With `use_thickness`: extinction coefficient, per unit of length, >= 0. 0: rays have `optical_depth` on average.
     density : str, optional
-        With `use_thickness`: point array that multiplies `extinction`. It belongs to the surface, and varies linearly along rays between its
-        faces, or to `density_volume`.
-    density_volume : pyvista.ImageData, optional
-        With `use_thickness`: cloud density in space, integrated exactly along rays inside the surface.
-        ``pyvista.create_grid(surface).sample(grid)`` resamples another grid to an image. `density` is then by default its active array,
-        otherwise its first array.
+        With `use_thickness`: array that multiplies `extinction`. It is a point array of the surface, and varies linearly along rays between its
+        faces, or a point or cell array of `density_volume`.
+    density_volume : pyvista.DataSet or pyvista.MultiBlock, optional
+        With `use_thickness`: cloud density in space, integrated exactly along rays inside the surface; for example the grid from which the surface
+        was made. `density` is then by default its active array, or else the first one.
     layers : int, default: 8
         With `use_thickness`: greatest number of clouds behind one another in a pixel, 2 to 16.
     coordinates : sequence of 2 str, default: ("TextureCoordinates1", "TextureCoordinates2")

@@ -18,6 +18,8 @@
 #ifndef TetrahedronRay_h
 #define TetrahedronRay_h
 
+#include "Vector3.h"
+
 #include <algorithm>
 #include <array>
 #include <limits>
@@ -25,24 +27,10 @@
 namespace nephoscope
 {
 
-using Vector3 = std::array<double, 3>;
 using Vector4 = std::array<double, 4>;
 
 /** Vertices of the face opposite each vertex. */
 constexpr int tetrahedronFaces[4][3] = { { 1, 2, 3 }, { 0, 2, 3 }, { 0, 1, 3 }, { 0, 1, 2 } };
-
-inline Vector3 difference(const Vector3& a, const Vector3& b)
-{
-  return { a[0] - b[0], a[1] - b[1], a[2] - b[2] };
-}
-inline double dot(const Vector3& a, const Vector3& b)
-{
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-inline Vector3 cross(const Vector3& a, const Vector3& b)
-{
-  return { a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0] };
-}
 
 /**
  * Which side of the plane of triangle (a, b, c) the homogeneous point e lies on: a number whose sign tells, 0 on the plane.

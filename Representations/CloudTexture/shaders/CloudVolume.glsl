@@ -35,7 +35,7 @@ float meanDensityOfVolume(vec3 startVC, vec3 endVC)
   float from = max(0.0, max(entries.x, max(entries.y, entries.z)));
   float end = min(1.0, min(exits.x, min(exits.y, exits.z)));
   ivec3 voxel = clamp(ivec3(floor(start + from * way)), ivec3(0), last - 1);
-  ivec3 ahead = ivec3(greaterThan(way, vec3(0.0)));
+  ivec3 ahead = ivec3(greaterThan(perWay, vec3(0.0)));
   int steps = last.x + last.y + last.z + 3;
   float sum = 0.0;
   for (int i = 0; i < steps && from < end; ++i)

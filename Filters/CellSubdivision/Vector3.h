@@ -1,0 +1,29 @@
+// SPDX-FileCopyrightText: The Nephoscope authors
+// SPDX-License-Identifier: BSD-3-Clause
+/** Vectors in space. */
+#ifndef Vector3_h
+#define Vector3_h
+
+#include <array>
+
+namespace nephoscope
+{
+
+using Vector3 = std::array<double, 3>;
+
+inline Vector3 difference(const Vector3& a, const Vector3& b)
+{
+  return { a[0] - b[0], a[1] - b[1], a[2] - b[2] };
+}
+inline double dot(const Vector3& a, const Vector3& b)
+{
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+inline Vector3 cross(const Vector3& a, const Vector3& b)
+{
+  return { a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0] };
+}
+
+} // namespace nephoscope
+
+#endif

@@ -1,0 +1,47 @@
+// SPDX-FileCopyrightText: The Nephoscope authors
+// SPDX-License-Identifier: BSD-3-Clause
+/** The density of clouds in an image, on the GPU, where the fragment shader integrates it voxel by voxel (CloudVolume.glsl). */
+#ifndef DensityImage_h
+#define DensityImage_h
+
+#include "DensityVolume.h"
+
+#include "vtkMatrix4x4.h"
+#include "vtkNew.h"
+#include "vtkTextureObject.h"
+
+#include <vector>
+
+class vtkDataArray;
+class vtkImageData;
+
+namespace nephoscope
+{
+
+class DensityImage : public DensityVolume
+{
+public:
+  /** Two points or more along each axis; `array`: of one component, on the points. */
+  DensityImage(vtkImageData* image, vtkDataArray* array);
+
+  std::string GetShaderCode() const override;
+  int GetNumberOfTextures() const override { return 1; }
+  std::string Upload(vtkOpenGLRenderWindow* window) override;
+  void Activate() override;
+  void Deactivate() override;
+  void SetUniforms(vtkShaderProgram* program, vtkMatrix4x4* viewToData) override;
+  void ReleaseGraphicsResources(vtkWindow* window) override;
+
+private:
+  void Read(vtkDataArray* array);
+
+  std::vector<float> Values;
+  int Size[3] = { 0, 0, 0 };
+  vtkNew<vtkMatrix4x4> ToIndex;
+  vtkNew<vtkTextureObject> Texture;
+  bool IsUploaded = false;
+};
+
+} // namespace nephoscope
+
+#endif
