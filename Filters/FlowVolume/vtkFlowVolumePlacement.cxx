@@ -315,11 +315,7 @@ bool vtkFlowVolumePlacement::Find(vtkDataObject* data, const std::string& veloci
   {
     return false;
   }
-  vtkBoundingBox box;
-  for (vtkDataSet* leaf : leaves)
-  {
-    box.AddBounds(leaf->GetBounds());
-  }
+  const vtkBoundingBox box = nephoscope::BoundsOf(leaves);
   auto candidates = Candidates(*field, Middles(leaves), box);
   if (candidates.empty())
   {

@@ -4,8 +4,10 @@
 
 #include "ArrayInterpolation.h"
 #include "CellShapes.h"
+#include "DataSets.h"
 #include "GhostCells.h"
 
+#include "vtkBoundingBox.h"
 #include "vtkCellType.h"
 #include "vtkDataArray.h"
 #include "vtkDataSet.h"
@@ -42,9 +44,11 @@ CellVelocity::CellVelocity(vtkDataSet* data, vtkDataArray* velocity)
   , Hidden(data)
   , LargestCell(static_cast<std::size_t>(std::max(data->GetMaxCellSize(), 8)))
 {
+  data->GetLength(); // computed here, so that threads only read it
+  const vtkBoundingBox box = FiniteBounds(data);
   double bounds[6];
-  data->GetBounds(bounds); // computed here, so that threads only read it
-  double largest = data->GetLength();
+  box.GetBounds(bounds);
+  double largest = box.IsValid() ? box.GetDiagonalLength() : 0.0;
   for (const double bound : bounds)
   {
     largest = std::max(largest, std::abs(bound));

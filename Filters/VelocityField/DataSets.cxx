@@ -14,6 +14,7 @@
 #include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
+#include <cmath>
 #include <sstream>
 
 namespace nephoscope
@@ -87,12 +88,33 @@ std::vector<vtkDataSet*> DataSetsOf(vtkDataObject* data)
   return sets;
 }
 
+vtkBoundingBox FiniteBounds(vtkDataSet* set)
+{
+  double bounds[6];
+  set->GetBounds(bounds);
+  if (std::all_of(bounds, bounds + 6, [](double bound) { return std::isfinite(bound); }))
+  {
+    return vtkBoundingBox(bounds);
+  }
+  vtkBoundingBox box;
+  for (vtkIdType point = 0; point < set->GetNumberOfPoints(); ++point)
+  {
+    double place[3];
+    set->GetPoint(point, place);
+    if (std::isfinite(place[0]) && std::isfinite(place[1]) && std::isfinite(place[2]))
+    {
+      box.AddPoint(place);
+    }
+  }
+  return box;
+}
+
 vtkBoundingBox BoundsOf(const std::vector<vtkDataSet*>& sets)
 {
   vtkBoundingBox box;
   for (vtkDataSet* set : sets)
   {
-    box.AddBounds(set->GetBounds());
+    box.AddBox(FiniteBounds(set));
   }
   return box;
 }

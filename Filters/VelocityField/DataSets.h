@@ -22,6 +22,8 @@ namespace nephoscope
 // Those that have cells: the leaves of a composite dataset, or the dataset itself.
 VTKNEPHOSCOPEFILTERSVELOCITYFIELD_EXPORT std::vector<vtkDataSet*> DataSetsOf(vtkDataObject* data);
 
+// Bounds of the points at finite places; not valid where there are none.
+VTKNEPHOSCOPEFILTERSVELOCITYFIELD_EXPORT vtkBoundingBox FiniteBounds(vtkDataSet* set);
 VTKNEPHOSCOPEFILTERSVELOCITYFIELD_EXPORT vtkBoundingBox BoundsOf(const std::vector<vtkDataSet*>& sets);
 
 VTKNEPHOSCOPEFILTERSVELOCITYFIELD_EXPORT vtkMTimeType NewestMTime(vtkDataObject* data);

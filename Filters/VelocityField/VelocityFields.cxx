@@ -5,9 +5,11 @@
 #include "CellAverages.h"
 #include "CellVelocity.h"
 #include "CompositeVelocity.h"
+#include "DataSets.h"
 #include "StructuredFields.h"
 #include "VelocityProblem.h"
 
+#include "vtkBoundingBox.h"
 #include "vtkCompositeDataIterator.h"
 #include "vtkCompositeDataSet.h"
 #include "vtkDataArray.h"
@@ -86,7 +88,7 @@ std::unique_ptr<DataSetField> MakeComposite(
       leaf.Arrays = made.Arrays;
       leaf.Level = refined ? RefinementOf(block) : 0;
       double bounds[6];
-      block->GetBounds(bounds);
+      FiniteBounds(block).GetBounds(bounds);
       leaf.Bounds.Low = { bounds[0], bounds[2], bounds[4] };
       leaf.Bounds.High = { bounds[1], bounds[3], bounds[5] };
       leaves.push_back(std::move(leaf));

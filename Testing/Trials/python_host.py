@@ -127,7 +127,7 @@ def dragged_smoke(plotter, data):
     """The ball goes out of the data and back to where it was, and is hidden, so that smoke and polygon are judged."""
     made = nephoscope.add_smoke_widget(plotter, data)
     start = np.array(made.ball.GetCenter())
-    for place in (start + 2 * max(data.length, 1e-3), start):
+    for place in (start + 20 * max(made.volume.mapper.dataset.length, 1e-3), start):
         made.ball.SetCenter(place)
         made.ball.InvokeEvent("InteractionEvent")
     made.ball.Off()

@@ -9,6 +9,7 @@ import nephoscope
 import numpy as np
 import pyvista
 from pyvista.core.errors import MissingDataError
+from vtkmodules.vtkCommonDataModel import vtkPartitionedDataSet, vtkPartitionedDataSetCollection
 
 AREA = 12 / 2 * np.sin(2 * np.pi / 12)  # of the regular polygon of radius 1
 
@@ -80,6 +81,23 @@ class FlowVolume(unittest.TestCase):
         blocks = pyvista.MultiBlock([mesh.extract_subset((0, 4, 0, 8, 0, 8)), mesh.extract_subset((4, 8, 0, 8, 0, 8))])
         smoke = nephoscope.flow_volume(blocks, vectors="wind", center=(-5, 0, 0), radius=1, duration=5)
         self.assertAlmostEqual(smoke.volume, AREA * 10, places=9)
+
+    def test_partitions(self):
+        """Blocks of any kind, which PyVista's own filters do not take."""
+        parts = vtkPartitionedDataSet()
+        parts.SetPartition(0, uniform())
+        collection = vtkPartitionedDataSetCollection()
+        collection.SetPartitionedDataSet(0, parts)
+        for data in (parts, collection):
+            smoke = nephoscope.flow_volume(data, center=(-5, 0, 0), radius=1, duration=4, time_step=0.5)
+            self.assertAlmostEqual(smoke.volume, AREA * 2 * 4, places=9)
+
+    def test_points_that_are_nowhere(self):
+        mesh = uniform().cast_to_unstructured_grid()
+        expected = mesh.nephoscope.flow_volume(duration=4)
+        mesh.points = np.vstack([mesh.points, [[np.inf, 0, 0], [0, np.nan, 0]]])  # which no cell has
+        mesh.point_data["wind"] = np.tile((2.0, 0, 0), (mesh.n_points, 1))
+        self.assertAlmostEqual(nephoscope.flow_volume(mesh, vectors="wind", duration=4).volume, expected.volume, places=6)
 
     def test_place(self):
         """Without a centre the polygon is where the flow is fast, here a jet off the middle, and fits in."""

@@ -7,6 +7,7 @@ import nephoscope
 import numpy as np
 import pyvista
 from pyvista.core.errors import MissingDataError
+from vtkmodules.vtkCommonDataModel import vtkPartitionedDataSet
 
 
 def block(n=6):
@@ -80,6 +81,14 @@ class SplitCells(unittest.TestCase):
         with self.assertRaisesRegex(MissingDataError, "no point array 'q'"):
             nephoscope.split_cells(blocks, 3, "q")
         self.assertEqual(nephoscope.split_cells(pyvista.MultiBlock(), 3).n_blocks, 0)
+
+    def test_partitions(self):
+        """They become a MultiBlock."""
+        parts = vtkPartitionedDataSet()
+        parts.SetPartition(0, block())
+        split = nephoscope.split_cells(parts, [0.5], "r")
+        self.assertIsInstance(split, pyvista.MultiBlock)
+        self.assertEqual(set(split[0].cell_data["Layer"]), {0, 1})
 
     def test_errors(self):
         mesh = block()

@@ -8,9 +8,10 @@ from typing import Any, Literal, Sequence
 import numpy as np
 import pyvista
 from pyvista.core.errors import MissingDataError
-from vtkmodules.vtkCommonDataModel import vtkDataObject
+from vtkmodules.vtkCommonDataModel import vtkCompositeDataSet, vtkDataObject
 
 from . import vtkFlowVolume, vtkFlowVolumePlacement, vtkSmokePuffs
+from ._blocks import named_blocks
 from ._checks import arrays_of, choose, listed, require_number, require_winds
 from ._pipeline import _renamed, vtk_messages
 from ._series import Grids, Series
@@ -138,7 +139,7 @@ def _filter(mesh: Any, polygon: Any = None, *, vectors: Any, center: Any, radius
     if times is None:
         if time is not None or start_time is not None:
             raise ValueError("time or start_time is given without times, the times of the meshes of an unsteady flow.")
-        if not isinstance(mesh, (pyvista.DataSet, pyvista.MultiBlock)):
+        if not isinstance(mesh, (pyvista.DataSet, vtkCompositeDataSet)):
             raise TypeError(f"mesh is a {type(mesh).__name__}; it must be a pyvista dataset or MultiBlock, or several meshes with times.")
         smoke.SetInputDataObject(mesh)
     else:
@@ -245,9 +246,9 @@ def _has_vectors(data: Any, name: str) -> bool:
     return name in data and np.ndim(data[name]) == 2 and data[name].shape[1] == 3
 
 
-def _velocity(mesh: pyvista.DataSet | pyvista.MultiBlock, name: str | None) -> tuple[str, bool]:
+def _velocity(mesh: pyvista.DataSet | vtkCompositeDataSet, name: str | None) -> tuple[str, bool]:
     """Name of the velocity and whether it is of the cells; an empty name leaves the choice to the filter."""
-    blocks = [mesh] if isinstance(mesh, pyvista.DataSet) else [b for b in mesh.recursive_iterator() if b is not None]
+    blocks = [block for _, block in named_blocks(mesh)]
     if name is None:
         for block in blocks[:1]:
             require_winds(block)

@@ -4,15 +4,16 @@
 from __future__ import annotations
 
 import warnings
-from typing import Iterator, Literal, Sequence
+from typing import Literal, Sequence
 
 import numpy as np
 import pyvista
 from pyvista.core.errors import MissingDataError
-from vtkmodules.vtkCommonDataModel import vtkDataObject
+from vtkmodules.vtkCommonDataModel import vtkCompositeDataSet, vtkDataObject
 from vtkmodules.vtkCommonExecutionModel import vtkAlgorithm
 
 from . import vtkContourCellSplitter
+from ._blocks import named_blocks
 from ._checks import arrays_of, choose
 from ._medium import array_values, default_scalars, require_scalars
 from ._pipeline import vtk_messages
@@ -72,7 +73,9 @@ def split_cells(mesh: pyvista.DataSet | pyvista.MultiBlock, isosurfaces: int | f
     RuntimeWarning
         The warnings of the filter: scalars that are NaN; cells that are not three-dimensional, convex or linear; a MultiBlock without points.
     """
-    if isinstance(mesh, pyvista.MultiBlock):
+    if isinstance(mesh, vtkCompositeDataSet):
+        if not isinstance(mesh, pyvista.MultiBlock):
+            mesh = pyvista.MultiBlock([block for _, block in named_blocks(mesh)])
         name, array = _array_of_blocks(mesh, scalars)
     elif isinstance(mesh, pyvista.DataSet):
         name = _scalar_point_array(mesh, scalars)
@@ -94,22 +97,14 @@ def split_cells(mesh: pyvista.DataSet | pyvista.MultiBlock, isosurfaces: int | f
     return pyvista.wrap(splitter.GetOutputDataObject(0))
 
 
-def _array_of_blocks(blocks: pyvista.MultiBlock, scalars: str | None) -> tuple[str, np.ndarray]:
+def _array_of_blocks(blocks: vtkCompositeDataSet, scalars: str | None) -> tuple[str, np.ndarray]:
     """The name, and the values of all blocks, which all have it."""
-    meshes = [mesh for mesh in _leaves(blocks) if mesh.n_points]
+    meshes = [mesh for _, mesh in named_blocks(blocks) if mesh.n_points]
     if not meshes:
         warnings.warn("The MultiBlock has no block with points: there is nothing to divide.", RuntimeWarning, stacklevel=3)
     name = scalars if scalars is not None else _scalar_point_array(meshes[0], None) if meshes else ""
     arrays = [np.asarray(mesh.point_data[_scalar_point_array(mesh, name)], float) for mesh in meshes]
     return name, np.concatenate(arrays or [np.empty(0)])
-
-
-def _leaves(blocks: pyvista.MultiBlock) -> Iterator[pyvista.DataSet]:
-    for block in blocks:
-        if isinstance(block, pyvista.MultiBlock):
-            yield from _leaves(block)
-        elif isinstance(block, pyvista.DataSet):
-            yield block
 
 
 def _point_array(mesh: pyvista.DataSet, scalars: str | None) -> str:
