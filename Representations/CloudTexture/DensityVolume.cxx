@@ -50,7 +50,7 @@ vtkDataArray* arrayOf(vtkDataSetAttributes* attributes, const std::string& name)
   return name.empty() ? attributes->GetScalars() : attributes->GetArray(name.c_str());
 }
 
-/** Of the points where there is such an array, else of the cells. */
+/** The density of the points where there is such an array, else of the cells. */
 DensityBlock densityOf(vtkDataSet* block, const std::string& name)
 {
   vtkDataArray* ofPoints = arrayOf(block->GetPointData(), name);
