@@ -11,9 +11,9 @@
  *     vtkUnstructuredGrid: convex pieces in one layer each, Layer 0 | v0 | Layer 1 | v1 | Layer 2 ...
  *                          and the triangles and quadrilaterals of the contour surfaces
  *
- * Every 3-D cell that a value crosses is divided into tetrahedra, pyramids, wedges and hexahedra that lie on one side of every value,
- * as Max, Crawfis and Becker (1993), section 2, divide cells so that colour and opacity may jump at a contour surface. All other
- * 3-D cells stay as they are.
+ * Every 3-D cell that a value crosses is divided into tetrahedra, pyramids, wedges and hexahedra that lie on one side of every
+ * value, as Max, Crawfis and Becker (1993), section 2, divide cells so that colour and opacity may jump at a contour surface. All
+ * other 3-D cells stay unchanged.
  *
  * 1. Give each point a code: which values it is between, or on which one.
  * 2. Divide the crossed cells into tetrahedra; every face as a fan from its least vertex (by x, then y, then z), so that neighbours
@@ -21,17 +21,17 @@
  * 3. Divide the tetrahedra into slabs between the values.
  * 4. Give each cut of an edge one number; place it; interpolate the arrays.
  *
- * Two divided cells fit face to face, side to side. A cell left whole that has a quadrilateral in common with a divided one
- * has the two triangles of step 2 beside it: no point lies on an edge between, and where the four vertices are not in one plane, the
- * two triangles are what the face is meant to be. vtkCellCompositingMapper draws it so. PolyhedralTransitions writes it so.
+ * Neighbouring divided cells share whole faces. Where an undivided cell shares a quadrilateral with a divided cell, the divided
+ * cell has the two triangles of step 2: there is no hanging point, and if the four vertices are not coplanar, the two triangles
+ * define the face. vtkCellCompositingMapper draws the face so, and PolyhedralTransitions writes it so.
  *
- * Points 0 to n-1 of the output are those of the input. The cuts follow: exactly one for an edge and a value, and the scalar there is
- * exactly the value. A scalar array of whole numbers becomes double, and values are rounded to float for a float array. Other point
- * arrays are interpolated linearly along the edge (text and bits: from the nearer end; global and pedigree ids: -1, and the arrays
- * are no longer active). Where only the centre of a cell sees all its faces (polyhedra with faces in one plane, warped hexahedra),
- * it becomes a point too, with the mean of the vertices' values. A scalar that differs from a value by rounding alone
- * (1e-12 of what it spans in the cell, or so little that the coordinates of the cut would be nothing but rounding) is set to it. Two
- * values whose relative difference is below 1e-12 count as one.
+ * Points 0 to n-1 of the output are those of the input. The cuts follow: exactly one for each edge and value, where the scalar is
+ * exactly the value. An integer scalar array becomes double; for a float array, values are rounded to float. Other point arrays
+ * are interpolated linearly along the edge (text and bits: from the nearer end; global and pedigree ids: -1, and the arrays are
+ * no longer active). Where only the centre of a cell sees all its faces (polyhedra with faces in one plane, warped hexahedra), it
+ * becomes a point too, with the mean of the vertices' values. A scalar that differs from a value by rounding alone (1e-12 of what
+ * it spans in the cell, or so little that the coordinates of the cut would be nothing but rounding) is set to it. Two values
+ * whose relative difference is below 1e-12 count as one.
  *
  * Cell arrays are copied to the pieces. Cell arrays written:
  * - Layer, int, 1 component: the number of distinct values less than the largest scalar of the piece, 0 to n. All scalars of a piece in
@@ -80,9 +80,9 @@ public:
 
   ///@{
   /**
-   * The contour values, in the unit of the scalar, in any order; values that are given twice count once. Finite. As in
-   * vtkContourFilter, there is one at first, 0. Without any value all cells are left whole, in layer 0. The scalar is
-   * chosen by SetInputArrayToProcess (a point array of one component); by default the active point scalars.
+   * The contour values, finite, in the unit of the scalar, in any order; duplicates count once. As in vtkContourFilter, the
+   * default is the single value 0. Without any value all cells stay whole, in layer 0. SetInputArrayToProcess selects the scalar
+   * (a point array of one component); the default is the active point scalars.
    */
   void SetValue(int i, double value) { this->GivenValues()->SetValue(i, value); }
   double GetValue(int i) { return this->ContourValues->GetValue(i); }
@@ -94,7 +94,7 @@ public:
 
   ///@{
   /**
-   * So many values at equal steps, from the first to the last of the range.
+   * Sets this number of values at equal steps, from the first to the last of the range.
    */
   void GenerateValues(int numContours, double range[2])
   {
@@ -108,7 +108,7 @@ public:
 
   ///@{
   /**
-   * On (default): the polygons of the contour surfaces are in the output, after the 3-D cells.
+   * On (default): the output has the polygons of the contour surfaces after the 3-D cells.
    */
   vtkSetMacro(GenerateSurfaces, bool);
   vtkGetMacro(GenerateSurfaces, bool);
@@ -128,9 +128,9 @@ public:
 
   ///@{
   /**
-   * Coordinates of the output: vtkAlgorithm::DOUBLE_PRECISION (default), SINGLE_PRECISION, or DEFAULT_PRECISION, which is that of the
-   * input's points (image data and rectilinear grids: double). The volume is conserved to rounding with double only; with
-   * single precision thin pieces can be turned inside out by it.
+   * Coordinates of the output: vtkAlgorithm::DOUBLE_PRECISION (default), SINGLE_PRECISION, or DEFAULT_PRECISION, which is that of
+   * the input's points (image data and rectilinear grids: double). Only double conserves the volume to rounding error; single
+   * precision can invert thin pieces.
    */
   vtkSetClampMacro(OutputPointsPrecision, int, SINGLE_PRECISION, DEFAULT_PRECISION);
   vtkGetMacro(OutputPointsPrecision, int);

@@ -64,8 +64,9 @@ public:
 
   ///@{
   /**
-   * The contour values, in the unit of the scalar, in any order; values that are given twice count once. Finite. As in vtkContourFilter, there
-   * is one at first, 0. The scalar is chosen by SetInputArrayToProcess (a point array of one component); by default the active point scalars.
+   * The contour values, finite, in the unit of the scalar, in any order; duplicates count once. As in vtkContourFilter, the
+   * default is the single value 0. SetInputArrayToProcess selects the scalar (a point array of one component); the default is the
+   * active point scalars.
    */
   void SetValue(int i, double value) { this->GivenValues()->SetValue(i, value); }
   double GetValue(int i) { return this->ContourValues->GetValue(i); }
@@ -77,7 +78,7 @@ public:
 
   ///@{
   /**
-   * So many values at equal steps, from the first to the last of the range.
+   * Sets this number of values at equal steps, from the first to the last of the range.
    */
   void GenerateValues(int numContours, double range[2]) { this->GivenValues()->GenerateValues(numContours, range); }
   void GenerateValues(int numContours, double rangeStart, double rangeEnd)
@@ -88,7 +89,7 @@ public:
 
   ///@{
   /**
-   * How often the 3 x 3 x 3 filter is applied before contouring, 0 or more. Default 1. See vtkStructuredSmoothing.
+   * Number of times the 3 x 3 x 3 filter is applied before contouring, 0 or more. Default 1. See vtkStructuredSmoothing.
    */
   void SetNumberOfSmoothingIterations(int number) { this->Smoothing->SetNumberOfIterations(number); }
   int GetNumberOfSmoothingIterations() { return this->Smoothing->GetNumberOfIterations(); }
@@ -96,8 +97,8 @@ public:
 
   ///@{
   /**
-   * How the field is smoothed, and where the grid closes: as in vtkStructuredSmoothing. A structured grid that is periodic and whose last
-   * points are next to the first ones in space gets a row of cells between them.
+   * Settings of the smoothing and of periodic axes, as in vtkStructuredSmoothing. A periodic structured grid whose last points
+   * are neighbours of the first points in space gets a row of cells between them.
    */
   void SetPeriodic(int axis, bool periodic) { this->Smoothing->SetPeriodic(axis, periodic); }
   bool GetPeriodic(int axis) { return this->Smoothing->GetPeriodic(axis); }
@@ -124,7 +125,7 @@ public:
 
   ///@{
   /**
-   * On (default): write Normals, from the gradient of the smoothed field.
+   * On (default): writes Normals from the gradient of the smoothed field.
    */
   vtkSetMacro(ComputeNormals, bool);
   vtkGetMacro(ComputeNormals, bool);
@@ -133,8 +134,8 @@ public:
 
   ///@{
   /**
-   * On (default): points at a seam or a pole that share a place become one. Off: each column keeps its own, so that arrays that jump there, such
-   * as texture coordinates, are right on both sides.
+   * On (default): points of a seam or a pole with the same position are merged. Off: each column keeps its own points, so that
+   * arrays that are discontinuous there, such as texture coordinates, are correct on both sides.
    */
   vtkSetMacro(JoinSeams, bool);
   vtkGetMacro(JoinSeams, bool);

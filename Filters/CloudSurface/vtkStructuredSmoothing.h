@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkStructuredSmoothing
- * @brief   3 x 3 x 3 smoothing of fields on structured grids, across seams and poles, conservative if wanted
+ * @brief   3 x 3 x 3 smoothing of fields on structured grids, across seams and poles, optionally conserving mass
  *
  *     image, rectilinear or structured grid  ->  vtkStructuredSmoothing  ->  the same grid, arrays smoothed
  *
@@ -62,8 +62,8 @@ public:
 
   ///@{
   /**
-   * How often the filter is applied, 0 to 1000. Default 1. 0 passes the input. n iterations smooth over about sqrt(n/2) points on either side
-   * (standard deviation); the cost is proportional.
+   * Number of times the filter is applied, 0 to 1000. Default 1. 0 passes the input through. n iterations smooth over about
+   * sqrt(n/2) points on either side (standard deviation); the cost is proportional.
    */
   vtkSetClampMacro(NumberOfIterations, int, 0, 1000);
   vtkGetMacro(NumberOfIterations, int);
@@ -71,9 +71,9 @@ public:
 
   ///@{
   /**
-   * Whether the grid closes along an axis (0, 1, 2, also called I, J, K): the neighbour of the last point is the first. Off by default. Where the last point is
-   * the first one again (all point arrays repeat), that is seen. Not needed for a seam that the filter finds by itself (FindSeam), nor for
-   * longitudes if Coordinates says so.
+   * Whether the grid is periodic along an axis (0, 1, 2, also called I, J, K): the first point is the neighbour of the last. Off
+   * by default. The filter detects a last point that repeats the first (all point arrays repeat). Not needed for a seam that the
+   * filter detects (FindSeam), nor for longitudes that Coordinates declares.
    */
   void SetPeriodic(int axis, bool periodic);
   bool GetPeriodic(int axis);
@@ -87,7 +87,8 @@ public:
 
   ///@{
   /**
-   * On (default): the last points along an axis of a structured grid that lie in the place of the first ones are taken as one with them.
+   * On (default): last points along an axis of a structured grid at the position of the first points are treated as the same
+   * points.
    */
   vtkSetMacro(FindSeam, bool);
   vtkGetMacro(FindSeam, bool);
@@ -96,10 +97,11 @@ public:
 
   ///@{
   /**
-   * On: neighbours exchange in proportion to the smaller of their masses, so that the sum of mass times field stays. Off (default): all
-   * masses are equal. The mass of a point is the volume of the grid that is nearest to it in the indices: half of each step on either side.
-   * On longitudes and latitudes it is the difference of longitude, times that of sin(latitude) (up to the pole where it is within 0.8 of a
-   * step), times that of the level: with levels in pressure that is in proportion to the mass of air.
+   * On: neighbours exchange amounts proportional to the smaller of their masses, which conserves the sum of mass times field. Off
+   * (default): all masses are equal. The mass of a point is the volume of the grid that is nearest to it in the indices: half of
+   * each step on either side. On longitudes and latitudes it is the difference of longitude, times that of sin(latitude) (up to
+   * the pole where it is within 0.8 of a step), times that of the level: with levels in pressure that is in proportion to the
+   * mass of air.
    */
   vtkSetMacro(Conservative, bool);
   vtkGetMacro(Conservative, bool);
@@ -108,7 +110,7 @@ public:
 
   ///@{
   /**
-   * Name of a point array of masses, one component, 0 or more, to be used in place of volumes (Gauss weights, masses of a model's
+   * Name of a point array of masses, one component, 0 or more, to use instead of volumes (Gauss weights, masses of a model's
    * layers). Default "": none. Only with Conservative.
    */
   vtkSetMacro(MassArrayName, std::string);
@@ -117,8 +119,8 @@ public:
 
   ///@{
   /**
-   * On: add the masses as the point array Mass, double, 1 component (of points in one place at a seam only the first one's is not 0).
-   * Off by default. Unit: that of the volume, or of the given masses; 1 each if not Conservative.
+   * On: adds the masses as the point array Mass, double, 1 component (of points in one place at a seam only the first one's is
+   * not 0). Off by default. Unit: that of the volume, or of the given masses; 1 each if not Conservative.
    */
   vtkSetMacro(GenerateMassArray, bool);
   vtkGetMacro(GenerateMassArray, bool);
@@ -139,9 +141,9 @@ public:
 
   ///@{
   /**
-   * What the coordinates mean, for masses, poles and Isotropic. Cartesian: lengths. Longitude and latitude: degrees on axes 0 and 1; if the
-   * longitudes go round, axis 0 is periodic. Automatic (default): Cartesian, but longitude and latitude for images and rectilinear grids
-   * with SetPeriodic(0, true) whose axis 0 goes round in 360 and whose axis 1 stays within -90 to 90.
+   * Meaning of the coordinates, for masses, poles and Isotropic. Cartesian: lengths. Longitude and latitude: degrees on axes 0
+   * and 1; if the longitudes go round, axis 0 is periodic. Automatic (default): Cartesian, but longitude and latitude for images
+   * and rectilinear grids with SetPeriodic(0, true) whose axis 0 goes round in 360 and whose axis 1 stays within -90 to 90.
    */
   vtkSetClampMacro(Coordinates, int, AUTOMATIC, LONGITUDE_LATITUDE);
   vtkGetMacro(Coordinates, int);

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkFlowVolume
- * @brief   smoke: the volume swept by a flow through a generating polygon, as tetrahedra
+ * @brief   smoke: the volume that a flow sweeps from a generating polygon, as tetrahedra
  *
  *     port 0: any dataset with a velocity        port 1 (optional): generating polygon
  *                        |                                        |
@@ -102,7 +102,7 @@ public:
   ///@}
 
   ///@{
-  /** Distance of the corners of the regular polygon from its centre; 0 (default): 1/50 of the diagonal of the bounds of the input. */
+  /** Circumradius of the regular polygon; 0 (default): 1/50 of the diagonal of the bounds of the input. */
   vtkSetMacro(Radius, double);
   vtkGetMacro(Radius, double);
   ///@}
@@ -128,8 +128,8 @@ public:
 
   ///@{
   /**
-   * Turn the generating polygon about its centre until its normal is the direction of the flow there: on (1), off (0), or, the
-   * default (2), the regular polygon only, while a polygon from port 1 stays as it is.
+   * Turns the generating polygon about its centre until its normal is the direction of the flow there: on (1), off (0), or, the
+   * default (2), the regular polygon only, while a polygon from port 1 keeps its orientation.
    */
   vtkSetClampMacro(NormalToFlow, int, AS_GIVEN, NORMAL_UNLESS_GIVEN);
   vtkGetMacro(NormalToFlow, int);
@@ -137,15 +137,15 @@ public:
   ///@}
 
   ///@{
-  /** Length of the longest edge that the triangles of the generating polygon may have; 0 (default): a quarter of the polygon's longest extent. */
+  /** Greatest edge length of the triangles of the generating polygon; 0 (default): a quarter of the polygon's longest extent. */
   vtkSetMacro(PolygonEdgeLength, double);
   vtkGetMacro(PolygonEdgeLength, double);
   ///@}
 
   ///@{
   /**
-   * How long the smoke flows, in seconds; 0 (default): the time in which the flow at the polygon crosses half the diagonal of the bounds.
-   * Unsteady: smoke that is older is dropped; 0 keeps all.
+   * Time for which the smoke flows, in seconds; 0 (default): the time in which the flow at the polygon crosses half the diagonal
+   * of the bounds. Unsteady: older smoke is dropped; 0 keeps all smoke.
    */
   vtkSetMacro(Duration, double);
   vtkGetMacro(Duration, double);
@@ -155,7 +155,7 @@ public:
   /**
    * Time between two layers, in seconds; 0 (default): 1/64 of the duration, and no longer than the flow at the polygon takes for
    * 1/32 of the diagonal of the bounds; unsteady: 1/64 of the time from the start to the last time step. Longer if
-   * MaximumNumberOfTetrahedra asks for it. Cost grows as its inverse.
+   * MaximumNumberOfTetrahedra requires it. The cost is inversely proportional to it.
    */
   vtkSetMacro(TimeStep, double);
   vtkGetMacro(TimeStep, double);
@@ -163,30 +163,30 @@ public:
 
   ///@{
   /**
-   * Edges of a layer longer than this are divided; 0 (default): three times the polygon's longest edge; unsteady: or three times
-   * the way of the flow in a time step, if that is more. Longer if MaximumNumberOfTetrahedra asks for it.
+   * Longer edges of a layer are split; 0 (default): three times the polygon's longest edge; unsteady: or three times the distance
+   * that the flow covers in a time step, if that is longer. Longer if MaximumNumberOfTetrahedra requires it.
    */
   vtkSetMacro(MaximumEdgeLength, double);
   vtkGetMacro(MaximumEdgeLength, double);
   ///@}
 
   ///@{
-  /** Edges of a layer shorter than this are merged, where streamlines converge; 0 (default): never. Keep it below a third of MaximumEdgeLength. */
+  /** Shorter edges of a layer, where streamlines converge, are collapsed; 0 (default): never. Keep it below a third of MaximumEdgeLength. */
   vtkSetMacro(MinimumEdgeLength, double);
   vtkGetMacro(MinimumEdgeLength, double);
   ///@}
 
   ///@{
   /**
-   * A step in which the path of a corner turns by more than this, in degrees, is halved; 0 switches this off. Default 15,
-   * where the volume of a prism errs by some 1 % (1 - sin a / a).
+   * A time step is halved if the path of a vertex turns by more than this angle, in degrees; 0: never. Default 15, which gives an
+   * error of about 1 % (1 - sin a / a) in the volume of a prism.
    */
   vtkSetClampMacro(MaximumTurnAngle, double, 0.0, 180.0);
   vtkGetMacro(MaximumTurnAngle, double);
   ///@}
 
   ///@{
-  /** Fixed steps of fourth order (default), or steps of order 4 (5) with error control by Tolerance. */
+  /** Runge-Kutta of fourth order with fixed steps (default), or Runge-Kutta 4-5 with adaptive steps, controlled by Tolerance. */
   vtkSetClampMacro(Integrator, int, RUNGE_KUTTA_4, RUNGE_KUTTA_45);
   vtkGetMacro(Integrator, int);
   void SetIntegratorToRungeKutta4() { this->SetIntegrator(RUNGE_KUTTA_4); }
@@ -194,7 +194,7 @@ public:
   ///@}
 
   ///@{
-  /** Error of one step of RungeKutta45 relative to the polygon's longest edge. Default 1e-6. */
+  /** Error tolerance of one step of RungeKutta45, relative to the polygon's longest edge. Default 1e-6. */
   vtkSetClampMacro(Tolerance, double, 1e-14, 1.0);
   vtkGetMacro(Tolerance, double);
   ///@}
@@ -222,7 +222,7 @@ public:
   ///@}
 
   ///@{
-  /** Unsteady: seconds in the pipeline's unit of time, 3600 for time steps in hours. Greater than 0; default 1. */
+  /** Unsteady: seconds per unit of the pipeline's time, 3600 for time steps in hours. Greater than 0; default 1. */
   vtkSetMacro(TimeScale, double);
   vtkGetMacro(TimeScale, double);
   ///@}
@@ -235,9 +235,10 @@ public:
 
   ///@{
   /**
-   * The volume has no more tetrahedra than this. Where it would have more, it is made again with longer edges of the layers, a polygon of
-   * fewer triangles or longer steps, so that all of the duration is there; a warning tells, unless these were automatic and this is at least
-   * the default. Unsteady: fewer edges are divided. Default 100,000, some tenths of a second.
+   * Greatest number of tetrahedra in the volume. If it would have more, the filter computes it again with longer edges of the
+   * layers, a polygon of fewer triangles or longer steps, until the whole duration fits. It warns, unless these settings were
+   * automatic and this number is at least the default. Unsteady: fewer edges are split. Default 100,000, which take some tenths
+   * of a second.
    */
   vtkSetClampMacro(MaximumNumberOfTetrahedra, vtkIdType, 1, VTK_ID_MAX);
   vtkGetMacro(MaximumNumberOfTetrahedra, vtkIdType);

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkFlowVolumePlacement
- * @brief   finds a place for a generating polygon: where the flow is fast, goes far, and the polygon fits in
+ * @brief   finds a position for a generating polygon: where the flow is fast, goes far, and the polygon fits
  *
  * The centre of the bounds, which other filters start from, is no place for smoke in a shell of air around a globe or in a
  * bent pipe: there is no flow. The fastest place in which the largest polygon fits is taken if smoke from there goes far: on average at least 0.35 of
@@ -43,7 +43,7 @@ public:
   vtkSetMacro(Diagonal, double);
   vtkGetMacro(Diagonal, double);
 
-  /** Sides of the polygon that must fit in, 3 or more. Default: 12. */
+  /** Number of sides of the polygon that must fit, 3 or more. Default: 12. */
   vtkSetClampMacro(NumberOfSides, int, 3, VTK_INT_MAX);
   vtkGetMacro(NumberOfSides, int);
 
@@ -59,7 +59,7 @@ public:
   vtkGetMacro(Quality, double);
   ///@}
 
-  /** Why there is no array to be used; empty if there is. */
+  /** Why there is no usable array; empty if there is one. */
   std::string GetProblem() const { return this->Problem; }
 
 protected:

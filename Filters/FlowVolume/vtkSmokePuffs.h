@@ -67,8 +67,8 @@ public:
 
   ///@{
   /**
-   * Time from one puff to the next, in seconds of the flow. 0 (default): a quarter of the oldest Age of the input, so that
-   * some four puffs are on their way.
+   * Time from one puff to the next, in seconds of the flow. 0 (default): a quarter of the greatest Age of the input, so that
+   * about four puffs are visible.
    */
   vtkSetClampMacro(Period, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(Period, double);
@@ -78,21 +78,21 @@ public:
   double GetActualPeriod() const { return this->ActualPeriod; }
 
   ///@{
-  /** Length of a puff from end to end, as a share of the period: 1e-6 to 1. Default 0.5; at half its crest it is half as long. */
+  /** Length of a puff from end to end, as a fraction of the period: 1e-6 to 1. Default 0.5. At half its peak a puff is half as long. */
   vtkSetClampMacro(Width, double, 1e-6, 1.0);
   vtkGetMacro(Width, double);
   ///@}
 
   ///@{
-  /** How much smoke stays between puffs, as a share of the crest: 0 (none) to 1 (no puffs). Default 0.1, which lets the path be seen. */
+  /** Smoke between puffs, as a fraction of the peak: 0 (no smoke) to 1 (no puffs). Default 0.1, which keeps the path visible. */
   vtkSetClampMacro(Floor, double, 0.0, 1.0);
   vtkGetMacro(Floor, double);
   ///@}
 
   ///@{
   /**
-   * Peak (default): the crest of a pulse is 1, puffs take smoke away. Mean: the mean of a pulse is 1, so that as
-   * much smoke is released in a period as without puffs, and crests are denser.
+   * Peak (default): the peak of a pulse is 1, so that puffs have less smoke in total. Mean: the mean of a pulse is 1, so that a
+   * period releases as much smoke as without puffs, and peaks are denser.
    */
   vtkSetClampMacro(Normalization, int, PEAK, MEAN);
   vtkGetMacro(Normalization, int);
@@ -102,8 +102,8 @@ public:
 
   ///@{
   /**
-   * Density above this is cut to it before the pulse, so that smoke does not become opaque where the flow converges; the
-   * mass is then no longer exact. 0 (default): no cut. Unit of Density: 1 is the density at the polygon.
+   * Higher densities are clamped to this value before the pulse, so that smoke does not become opaque where the flow converges;
+   * the mass is then not conserved. 0 (default): no clamping. Unit of Density: 1 is the density at the polygon.
    */
   vtkSetClampMacro(MaximumDensity, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(MaximumDensity, double);
@@ -111,9 +111,9 @@ public:
 
   ///@{
   /**
-   * Cells (default): one value for a cell, true to the mass. Points: Density is averaged over the cells at a point (once, not
-   * in every frame) and the pulse taken at the Age of the point, so that smoke drawn varies evenly within the cells; fewer
-   * values than on cells, the mass is that of the cells but for interpolation.
+   * Cells (default): one value per cell, which conserves the mass. Points: Density is averaged over the cells at a point (once,
+   * not in every frame) and the pulse is evaluated at the Age of the point, so that smoke varies smoothly within the cells. There
+   * are fewer values than on cells; the mass agrees except for interpolation.
    */
   vtkSetClampMacro(Association, int, CELLS, POINTS);
   vtkGetMacro(Association, int);
@@ -122,13 +122,13 @@ public:
   ///@}
 
   ///@{
-  /** Time in seconds, used when the pipeline asks for no time. Default 0. */
+  /** Time in seconds, used when the pipeline requests no time. Default 0. */
   vtkSetMacro(Time, double);
   vtkGetMacro(Time, double);
   ///@}
 
   ///@{
-  /** Seconds of the flow in a unit of the pipeline's time: 3600 when the animation counts hours. Default 1. Time is not scaled. */
+  /** Seconds of the flow per unit of the pipeline's time: 3600 if the animation time is in hours. Default 1. Time is not scaled. */
   vtkSetClampMacro(TimeScale, double, 1e-12, 1e12);
   vtkGetMacro(TimeScale, double);
   ///@}

@@ -101,8 +101,8 @@ public:
 
   ///@{
   /**
-   * Factor on the height, in the display only; 0 or more, 0 flattens. Default 1. The atmosphere is thin:
-   * 20 to 100 makes clouds visible on a whole globe. DisplayVelocity follows it, Wind does not.
+   * Multiplies heights in the display only, 0 or more; 0 gives a flat grid. Default 1. The atmosphere is thin: values from 20 to
+   * 100 make clouds visible on a whole globe. DisplayVelocity includes it, Wind does not.
    */
   vtkSetMacro(VerticalExaggeration, double);
   vtkGetMacro(VerticalExaggeration, double);
@@ -110,9 +110,8 @@ public:
 
   ///@{
   /**
-   * Map only: put the meridian CentralMeridian (degrees east, default 0) in the middle of the map; the
-   * columns of a global grid are rotated, a regional grid is moved by whole turns. Off by default: the
-   * longitudes of the input are kept.
+   * Map only: centres the map on CentralMeridian (degrees east, default 0). The columns of a global grid are rotated; a regional
+   * grid is shifted by multiples of 360 degrees. Off by default: the map keeps the longitudes of the input.
    */
   vtkSetMacro(UseCentralMeridian, bool);
   vtkGetMacro(UseCentralMeridian, bool);
@@ -123,9 +122,9 @@ public:
 
   ///@{
   /**
-   * What the level axis means. Automatic (default): a negative axis is pressure that the reader negated;
-   * a positive one is pressure in hPa if its largest value is within 500 to 1100, in Pa within 50000 to
-   * 110000, unless the height array grows with it; else height in metres. A pressure axis that ends between
+   * Meaning of the level axis. Automatic (default): a negative axis is pressure that the reader negated; a positive one is
+   * pressure in hPa if its largest value is within 500 to 1100, in Pa within 50000 to 110000, unless the height array grows with
+   * it; else height in metres. A pressure axis that ends between
    * 0.9 and 1.1 is a sigma or hybrid one: its heights come from the height array, else, with a warning, from
    * the standard atmosphere over a ground at 1013.25 hPa, as does the density in the conversion of omega.
    */
@@ -155,9 +154,9 @@ public:
 
   ///@{
   /**
-   * What the values of the height array are: metres, kilometres, or a geopotential in m2 s-2, which is divided by
-   * 9.80665 m s-2. Automatic (default): what the reader says the units are; without a word of them, on levels of
-   * pressure, what comes next to the standard atmosphere, with a warning if that is not metres; else metres.
+   * What the values of the height array are: metres, kilometres, or a geopotential in m2 s-2, which is divided by 9.80665 m s-2.
+   * Automatic (default): the units that the reader reports; if it reports none and the levels are pressures, the units that fit
+   * the standard atmosphere best, with a warning if these are not metres; otherwise metres.
    */
   vtkSetClampMacro(HeightUnits, int, AUTOMATIC_HEIGHT, GEOPOTENTIAL);
   vtkGetMacro(HeightUnits, int);
@@ -169,9 +168,9 @@ public:
 
   ///@{
   /**
-   * Where the two horizontal wind arrays point: to the east and the north, or along the rows of a curvilinear grid
-   * and across them (GRIB: uvRelativeToGrid). Automatic (default): along the grid if the eastward one is called
-   * x_wind or grid_eastward_wind, else east and north, with a warning if the rows leave the parallels.
+   * Directions of the two horizontal wind arrays: east and north, or along and across the rows of a curvilinear grid (GRIB:
+   * uvRelativeToGrid). Automatic (default): along the grid if the eastward array is called x_wind or grid_eastward_wind,
+   * otherwise east and north, with a warning if the rows do not follow parallels.
    */
   vtkSetClampMacro(WindComponents, int, AUTOMATIC_WIND, ALONG_GRID);
   vtkGetMacro(WindComponents, int);
@@ -182,8 +181,8 @@ public:
 
   ///@{
   /**
-   * Name of the point array of heights above the sea, in HeightUnits. Default "gh", or "zg" where the input has no
-   * "gh". Without either the level axis gives the heights.
+   * Name of the point array of heights above sea level, in HeightUnits. Default "gh", or "zg" if the input has no "gh". Without
+   * either, the level axis gives the heights.
    */
   vtkSetMacro(HeightArrayName, std::string);
   vtkGetMacro(HeightArrayName, std::string);
@@ -226,8 +225,8 @@ public:
 
   ///@{
   /**
-   * On (default): a global grid gets one more column, the first one again, so that there is no gap at the
-   * seam; a grid that repeats its first column already, or is regional, is left alone.
+   * On (default): repeats the first column of a global grid at its end to close the gap at the seam. Regional grids, and grids
+   * that already repeat the column, stay unchanged.
    */
   vtkSetMacro(CloseSeam, bool);
   vtkGetMacro(CloseSeam, bool);
@@ -236,10 +235,10 @@ public:
 
   ///@{
   /**
-   * On (default): a grid round the globe whose last row is a spacing or less before a pole, as Gaussian grids and cell
-   * centres are, gets a row at the pole, so that there is no hole. Its scalars are the mean of the last ring, the
-   * middle one of integers; its wind is the mean vector, the horizontal wind arrays that vector seen from each
-   * meridian. Arrays of several components are taken as Cartesian.
+   * On (default): closes the hole at a pole. A global grid that ends within one grid spacing of the pole, as Gaussian and
+   * cell-centred grids do, gets a row there. Its scalars are the mean of the last row (the median for integers). Its wind is the
+   * mean vector; the horizontal wind arrays have the components of that vector at each meridian. Arrays of several components are
+   * treated as Cartesian.
    */
   vtkSetMacro(ClosePoles, bool);
   vtkGetMacro(ClosePoles, bool);
@@ -248,11 +247,10 @@ public:
 
   ///@{
   /**
-   * On (default): write BelowGround and hide the points below the ground. A point is below the ground if
-   * its pressure exceeds the surface pressure (SurfacePressureArrayName, Pa or hPa, default "sp"); without
-   * that array, if it is lower than the terrain (TerrainHeightArrayName, m, default "orog"); without that
-   * too, if it is below the sea level, except on a level axis of heights. The arrays are looked for on
-   * port 1, then on port 0.
+   * On (default): writes BelowGround and hides the points below the ground. A point is below the ground if its pressure exceeds
+   * the surface pressure (SurfacePressureArrayName, Pa or hPa, default "sp"); without that array, if it is lower than the terrain
+   * (TerrainHeightArrayName, m, default "orog"); without that too, if it is below the sea level, except on a level axis of
+   * heights. The arrays are looked for on port 1, then on port 0.
    */
   vtkSetMacro(MaskBelowGround, bool);
   vtkGetMacro(MaskBelowGround, bool);

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkGlobeTerrain
- * @brief   heights of the ground as a surface on a globe or a map, land and sea apart
+ * @brief   terrain heights as a surface on a globe or a map, with a flat sea
  *
  *     rectilinear, image or structured grid of one level: longitude deg, latitude deg, an array of heights
  *                                |
@@ -32,8 +32,8 @@ public:
 
   ///@{
   /**
-   * Name of the array of land fractions, on points or cells as the heights are; 0.5 and more is land. Default "lsm". Where there is none, land is
-   * what is above sea level.
+   * Name of the array of land fractions, on points or cells as the heights are; 0.5 and more is land. Default "lsm". Without such
+   * an array, points above sea level are land.
    */
   vtkSetMacro(LandArrayName, std::string);
   vtkGetMacro(LandArrayName, std::string);
@@ -41,7 +41,8 @@ public:
 
   ///@{
   /**
-   * How far below 0 the array Terrain goes in the open sea, in m, 0 or more: for colours alone, the sea is flat. Default 100.
+   * Depth below 0 of the array Terrain in the open sea, in m, 0 or more. It affects the colour only; the sea is flat. Default
+   * 100.
    */
   vtkSetClampMacro(SeaDepth, double, 0.0, 20000.0);
   vtkGetMacro(SeaDepth, double);

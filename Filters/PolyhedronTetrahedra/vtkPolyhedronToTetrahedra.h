@@ -48,7 +48,7 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
-  /** Divide convex polyhedra too, so that no polyhedron is left. Default: off. */
+  /** Divides convex polyhedra too, so that no polyhedron is left. Default: off. */
   vtkSetMacro(DivideConvexPolyhedra, bool);
   vtkGetMacro(DivideConvexPolyhedra, bool);
   vtkBooleanMacro(DivideConvexPolyhedra, bool);
@@ -56,16 +56,16 @@ public:
 
   ///@{
   /**
-   * The largest distance of a face's vertices from the face's mean plane that counts as warp and not as a fold, as a part of the
-   * diagonal of the cell's bounding box: 0 to 1, default 0.1. With 0 every cell with a warped face is divided.
-   * Whatever the value, a cell that would be drawn wrong as it is gets divided.
+   * Largest distance of a face's vertices from its mean plane, as a fraction of the diagonal of the cell's bounding box, at which
+   * the face still counts as planar: 0 to 1, default 0.1. 0: every cell with a warped face is divided. Cells that would be drawn
+   * wrong are always divided.
    */
   vtkSetClampMacro(FaceWarpTolerance, double, 0.0, 1.0);
   vtkGetMacro(FaceWarpTolerance, double);
   ///@}
 
   ///@{
-  /** Use TetGen for cells that no single point sees the whole of, where the build has it. Default: on. */
+  /** Uses TetGen, if the build has it, for cells that are not star-shaped (no inner point sees all of the interior). Default: on. */
   vtkSetMacro(UseTetGen, bool);
   vtkGetMacro(UseTetGen, bool);
   vtkBooleanMacro(UseTetGen, bool);

@@ -59,8 +59,8 @@ public:
   static int CanReadFile(VTK_FILEPATH const char* name);
 
   /**
-   * Which grids to read. UpdateInformation() fills in the names; all that can be read are chosen at first. Where
-   * several grids have one name, a number in brackets follows each; a grid without a name is "unnamed".
+   * Grids to read. UpdateInformation() fills in the names; all readable grids are selected by default. If several grids have the
+   * same name, a number in brackets follows each name; a grid without a name is "unnamed".
    */
   vtkDataArraySelection* GetGridSelection();
 
@@ -74,7 +74,7 @@ public:
   std::string GetGridClass(int grid);
   /** Active voxels, those of tiles included. */
   vtkTypeInt64 GetGridNumberOfActiveVoxels(int grid);
-  /** First and last index of the active voxels along each axis; last below first if there are none. */
+  /** First and last index of the active voxels along each axis; last is less than first if there are none. */
   void GetGridExtent(int grid, int extent[6]);
   /** Edges of a voxel, in units of length of the file. */
   void GetGridSpacing(int grid, double spacing[3]);
@@ -90,7 +90,7 @@ public:
     IMAGE = 1
   };
   ///@{
-  /** What becomes of the voxels. Default: points. */
+  /** Type of the output. Default: points. */
   vtkSetClampMacro(OutputType, int, POINTS, IMAGE);
   vtkGetMacro(OutputType, int);
   void SetOutputToPoints() { this->SetOutputType(POINTS); }
@@ -108,7 +108,7 @@ public:
   ///@}
 
   ///@{
-  /** Output that would need more memory is refused with a message, in GiB, > 0. Default: 4. */
+  /** Greatest memory of the output, in GiB, > 0. Larger output is rejected with a message. Default: 4. */
   vtkSetClampMacro(MemoryLimit, double, 1e-9, 1e9);
   vtkGetMacro(MemoryLimit, double);
   ///@}

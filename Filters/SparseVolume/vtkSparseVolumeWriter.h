@@ -40,27 +40,27 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
-  /** Path of the file; one that is there is replaced. */
+  /** Path of the file. An existing file is overwritten. */
   vtkSetMacro(FileName, std::string);
   vtkGetMacro(FileName, std::string);
   ///@}
 
   ///@{
-  /** Arrays to write, by name. Default: none named, which is all. */
+  /** Arrays to write, by name. If the list is empty (default): all arrays. */
   void AddArrayName(const char* name);
   void ClearArrayNames();
   ///@}
 
   ///@{
-  /** What the grid of an array is called. Default: as the array. "density" stands for the density of particles. */
+  /** Name of an array's grid. Default: the name of the array. "density" is the density of particles. */
   void SetGridName(const char* array, const char* grid);
   void ClearGridNames();
   ///@}
 
   ///@{
   /**
-   * Values of images up to this, lengths of vectors, are background, 0; in the unit of the arrays, >= 0. Default: 0, which
-   * loses nothing.
+   * Image values, and lengths of vectors, up to this value become background, 0. In the unit of the arrays, >= 0. Default: 0,
+   * which is lossless.
    */
   vtkSetClampMacro(Tolerance, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(Tolerance, double);
@@ -74,8 +74,8 @@ public:
   };
   ///@{
   /**
-   * Precision of floating-point numbers: as they are, 32 bits, or 16 bits (11 bits of precision, up to 65504; half the size).
-   * Default: as they are.
+   * Precision of floating-point numbers: that of the input, 32 bits, or 16 bits (11 bits of precision, up to 65504; half the
+   * size). Default: that of the input.
    */
   vtkSetClampMacro(Precision, int, INPUT_PRECISION, HALF_PRECISION);
   vtkGetMacro(Precision, int);
@@ -100,13 +100,13 @@ public:
   ///@}
 
   ///@{
-  /** Particles: edge of a voxel, in units of length. 0 (default): the mean spacing of the particles. */
+  /** Particles: edge length of a voxel, in units of length. 0 (default): the mean spacing of the particles. */
   vtkSetClampMacro(VoxelSize, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(VoxelSize, double);
   ///@}
 
   ///@{
-  /** Particles: point array of their masses, >= 0. Empty (default): 1 each, so that density is a number density. */
+  /** Particles: point array of their masses, >= 0. Empty (default): each mass is 1, so that density is a number density. */
   vtkSetMacro(MassArrayName, std::string);
   vtkGetMacro(MassArrayName, std::string);
   ///@}

@@ -95,29 +95,30 @@ public:
   };
 
   /**
-   * Port 1, optional: the points to be followed instead of those of the grid, such as a cloud surface at the requested
-   * time. The output is then this dataset.
+   * Port 1, optional: points to trace instead of the points of the grid, such as a cloud surface at the requested time. The
+   * output is then this dataset.
    */
   void SetPointsConnection(vtkAlgorithmOutput* points);
 
   ///@{
   /**
-   * Life of a set, in seconds, 0 or more. The second set is born half a period after the first. 0, the default: FindPeriod of the first time step.
+   * Lifetime of a set of coordinates, in seconds, 0 or more. The second set starts half a period after the first. 0, the default:
+   * FindPeriod of the first time step.
    */
   vtkSetMacro(Period, double);
   vtkGetMacro(Period, double);
   ///@}
 
   /**
-   * The period that suits winds: 86400 s, 24 hours, for the data of Globe Grid and for those without a wind, else the time in which the fastest
-   * air crosses a quarter of the diagonal of the bounds.
+   * The automatic period: 86400 s, 24 hours, for data from Globe Grid and for data without a wind, otherwise the time in which
+   * the fastest air crosses a quarter of the diagonal of the bounds.
    */
   double FindPeriod(vtkDataSet* winds);
   /** Seconds in which the fastest air crosses the diagonal of the bounds; 0 without a wind. */
   double FindCrossingTime(vtkDataSet* winds);
 
   ///@{
-  /** Period and TimeStep of the last update, in seconds, also where they are automatic. */
+  /** The Period and TimeStep in use, in seconds: your values or the automatic ones. */
   double GetPeriodUsed() const;
   double GetTimeStepUsed() const;
   ///@}
@@ -136,30 +137,29 @@ public:
 
   ///@{
   /**
-   * Longest step, in seconds, 0 or more. Steps end at the time steps of the series, so they are no longer than those are apart. Cost grows as
-   * its inverse. 0, the default: 1/24 of FindPeriod of the first time step, 3600 for the data of Globe Grid.
+   * Longest integration step, in seconds, 0 or more. Steps end at the time steps of the series. The cost is inversely
+   * proportional to it. 0, the default: 1/24 of FindPeriod of the first time step, 3600 for data from Globe Grid.
    */
   vtkSetMacro(TimeStep, double);
   vtkGetMacro(TimeStep, double);
   ///@}
 
   ///@{
-  /** Error of one step of RungeKutta45: radians on a globe, else in lengths of the dataset; greater than 0. Default 1e-6. */
+  /** Error tolerance of one step of RungeKutta45: in radians on a globe, otherwise in units of length of the data; greater than 0. Default 1e-6. */
   vtkSetMacro(Tolerance, double);
   vtkGetMacro(Tolerance, double);
   ///@}
 
   ///@{
-  /** Seconds in the pipeline's unit of time, 3600 for time steps in hours. Greater than 0; default 1. */
+  /** Seconds per unit of the pipeline's time, 3600 for time steps in hours. Greater than 0; default 1. */
   vtkSetMacro(TimeScale, double);
   vtkGetMacro(TimeScale, double);
   ///@}
 
   ///@{
   /**
-   * Compute coordinates only every so many seconds of a set's age, and interpolate those of the times between, which cost next
-   * to nothing; 0 (default): compute all. The last one before a birth is computed at the birth, so nothing is interpolated across
-   * it. Not used for the points of port 1.
+   * Interval of a set's age, in seconds, at which coordinates are computed. Times in between are interpolated, at almost no cost,
+   * but never across the start of a set. 0 (default): all are computed. Not used for the points of port 1.
    */
   vtkSetMacro(KeyFrameInterval, double);
   vtkGetMacro(KeyFrameInterval, double);
@@ -167,8 +167,8 @@ public:
 
   ///@{
   /**
-   * What the grid is. Automatic (default): what vtkGlobeGrid has written into the field data, else a globe if the points are
-   * on meridians and parallels about the origin, else Cartesian. Map: plate carree in lengths of PlanetRadius.
+   * Geometry of the grid. Automatic (default): from the field data of vtkGlobeGrid; without them a globe if the points lie on
+   * meridians and parallels around the origin, otherwise Cartesian. Map: plate carree in units of PlanetRadius.
    */
   vtkSetClampMacro(Grid, int, AUTOMATIC, CARTESIAN);
   vtkGetMacro(Grid, int);
@@ -179,13 +179,13 @@ public:
   ///@}
 
   ///@{
-  /** Displayed radius of height 0, where the field data do not tell it; 0 (default): that of the first point (map: 6371000). */
+  /** Displayed radius at height 0, for grids without the field data of vtkGlobeGrid; 0 (default): the radius of the first point (map: 6371000). */
   vtkSetMacro(PlanetRadius, double);
   vtkGetMacro(PlanetRadius, double);
   ///@}
 
   ///@{
-  /** On a globe or map, write Cartesian coordinates on the sphere in lengths of the equator, which have no seam and no poles. Off by default. */
+  /** On a globe or map: writes Cartesian coordinates on the sphere, in units of the equator's length, which have no seam and no poles. Off by default. */
   vtkSetMacro(CartesianCoordinates, bool);
   vtkGetMacro(CartesianCoordinates, bool);
   vtkBooleanMacro(CartesianCoordinates, bool);
@@ -193,8 +193,9 @@ public:
 
   ///@{
   /**
-   * What was before the first time step. Off (default): the wind of the first time step. On: the air stood still, so that at the first time step the
-   * coordinates of both sets are the places of the points, as in the paper; the weights are the same.
+   * The wind before the first time step. Off (default): the wind of the first time step is held constant. On: there is no wind,
+   * so that at the first time step the coordinates of both sets are the positions of the points, as in the paper; the weights are
+   * the same.
    */
   vtkSetMacro(StartFromGrid, bool);
   vtkGetMacro(StartFromGrid, bool);
@@ -202,16 +203,16 @@ public:
   ///@}
 
   ///@{
-  /** In Cartesian grids: the length of one texture unit; 0 (default): the width of the grid along x. */
+  /** In Cartesian grids: length of one texture unit; 0 (default): the width of the grid along x. */
   vtkSetMacro(TextureLength, double);
   vtkGetMacro(TextureLength, double);
   ///@}
 
   ///@{
   /**
-   * On a globe or map: names of point arrays of pressure (falling upwards) and of omega, its rate following the air, in the same unit per
-   * second. With both, air follows its pressure instead of its displayed height: exact on pressure and on hybrid levels. Default
-   * "" and ""; "None", which ParaView's menus say, is "" too.
+   * On a globe or map: names of point arrays of pressure (falling upwards) and of omega, its rate following the air, in the same
+   * unit per second. With both, vertical motion is integrated in pressure instead of displayed height, which is exact on pressure
+   * and hybrid levels. Default "" and ""; "None", from ParaView's menus, is the same as "".
    */
   void SetPressureArrayNames(const std::string& pressure, const std::string& omega);
   void SetPressureArrayName(const std::string& name);
@@ -222,7 +223,7 @@ public:
 
   ///@{
   /**
-   * Write FiniteTimeLyapunovExponent of the older set: the logarithm of the largest factor by which the backward map stretches
+   * Writes FiniteTimeLyapunovExponent of the older set: the logarithm of the largest factor by which the backward map stretches
    * lengths, over the age; horizontally on globes and maps. Grids only. Off by default.
    */
   vtkSetMacro(ComputeLyapunovExponent, bool);
@@ -232,9 +233,9 @@ public:
 
   ///@{
   /**
-   * Give way to the younger set where the older one has been deformed: where lengths have been stretched by this factor, a set has half
-   * its weight left, where by much more, next to none. Writes TextureWeights of points. Greater than 1; 0 (default): weights depend on the
-   * age alone. Grids only.
+   * Fades to the younger set where the older set is deformed: a set that is stretched by this factor has half its weight, and one
+   * stretched by much more has almost none. Writes TextureWeights on points. Greater than 1; 0 (default): weights depend on the
+   * age only. Grids only.
    */
   vtkSetMacro(MaximumStretch, double);
   vtkGetMacro(MaximumStretch, double);

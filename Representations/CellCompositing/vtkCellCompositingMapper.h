@@ -4,11 +4,10 @@
  * @class vtkCellCompositingMapper
  * @brief Direct volume rendering of polyhedral cells with the exact ray integral
  *
- * Every 3-D cell of the input is taken as convex and is divided, while drawing, into tetrahedra over
- * which the scalar is linear. For each pixel that a tetrahedron covers, the fragment shader finds where
- * the ray enters and leaves it, looks the transfer functions up in float, and integrates emission
- * and extinction between the two ends to float accuracy. The tetrahedra are composited back to front, in an
- * exact visibility order, into a 32-bit float image that is laid over the scene.
+ * The mapper assumes that every 3-D cell of the input is convex. While drawing it divides cells into tetrahedra with a linear
+ * scalar. For each pixel that a tetrahedron covers, the fragment shader finds where the ray enters and leaves it, looks the
+ * transfer functions up in float, and integrates emission and extinction between the two ends to float accuracy. The tetrahedra
+ * are composited back to front, in an exact visibility order, into a 32-bit float image that is laid over the scene.
  *
  * - Extinction per unit world length = opacity function value * OpacityScale / ScalarOpacityUnitDistance
  *   (a rate, as VTK's other unstructured volume mappers have it, not -log(1 - opacity)).
@@ -76,7 +75,7 @@ public:
   };
   ///@{
   /**
-   * How cells are drawn. Default: automatic. A value that is none of these is refused with an error.
+   * Rendering method. Default: automatic. Any other value is rejected with an error.
    * - Rays: every pixel walks through the mesh from cell to cell, front to back. The order is exact for every mesh, with cycles, holes
    *   and separate parts, whatever VisibilityOrder says. Where cells overlap in space, each part of a ray between entering and leaving
    *   the mesh is composited whole, in the order of entering; an eye inside several overlapping parts sees one of them.
@@ -115,7 +114,7 @@ public:
   };
   ///@{
   /**
-   * How a ray segment inside a tetrahedron is integrated. Default: exact.
+   * Integration of a ray segment inside a tetrahedron. Default: exact.
    * - Exact: extinction and colour vary linearly along the segment (Williams and Max); the error is that of
    *   float arithmetic, about 1e-6.
    * - Average: the paper's rule, colour = mean of the two ends. Its transparency is exact too; its colour is
@@ -161,7 +160,7 @@ public:
 
   ///@{
   /**
-   * Factor on the extinction, >= 0, dimensionless. Default: 1. Costs nothing to change.
+   * Multiplies the extinction coefficient, >= 0. Default: 1. Changes take effect without delay.
    */
   vtkSetClampMacro(OpacityScale, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(OpacityScale, double);
@@ -178,8 +177,8 @@ public:
 
   ///@{
   /**
-   * Name of the array that the opacity function reads, where it is not the one that gives the colour: clouds coloured by
-   * altitude, say. Point data or cell data, one component (the magnitude of a vector). Empty (default): the colour array.
+   * Name of the array for opacity, if it differs from the array for colour: for example clouds coloured by altitude. Point data
+   * or cell data, one component (the magnitude of a vector). Empty (default): the colour array.
    */
   vtkSetMacro(OpacityArrayName, std::string);
   vtkGetMacro(OpacityArrayName, std::string);
@@ -187,9 +186,9 @@ public:
 
   ///@{
   /**
-   * Split each ray segment where the scalar crosses a control point of the transfer functions, so that a
-   * piecewise-linear transfer function is integrated exactly. Default: on. Off: the transfer function is taken as
-   * linear between its values at the two ends of the segment, which is faster when it has many points.
+   * Splits each ray segment where the scalar crosses a control point of the transfer functions, so that a piecewise-linear
+   * transfer function is integrated exactly. Default: on. Off: the transfer function is assumed linear between its values at the
+   * two ends of the segment, which is faster if it has many points.
    */
   vtkSetMacro(SplitAtControlPoints, bool);
   vtkGetMacro(SplitAtControlPoints, bool);
@@ -208,7 +207,7 @@ public:
   double GetContourValue(int i);
   void SetNumberOfContourValues(int number);
   int GetNumberOfContourValues() const;
-  /** `number` values at equal steps from low to high, both included. */
+  /** Sets `number` values at equal steps from low to high, both included. */
   void GenerateContourValues(int number, double low, double high);
   ///@}
 
@@ -235,8 +234,8 @@ public:
 
   ///@{
   /**
-   * Name of the point array that is contoured: surfaces of equal temperature in clouds, say. Empty (default): the coloured array.
-   * A cell array has one value in each cell and no surface inside: with a coloured cell array and no name here, none is drawn.
+   * Name of the point array to contour: for example for isotherms in clouds. Empty (default): the coloured array. A cell array
+   * has one value in each cell and no surface inside: with a coloured cell array and no name here, none is drawn.
    */
   void SetContourArrayName(const std::string& name);
   std::string GetContourArrayName();
@@ -244,8 +243,8 @@ public:
 
   ///@{
   /**
-   * Light the contour surfaces by the renderer's lights as VTK lights surfaces (Phong), with ambient, diffuse, specular and specular
-   * power of the volume property, whatever its Shade says; the medium is not lit. Default: on. At most 16 lights count.
+   * Lights the contour surfaces with the renderer's lights, as VTK lights surfaces (Phong), with ambient, diffuse, specular and
+   * specular power of the volume property, whatever its Shade says; the medium is not lit. Default: on. At most 16 lights count.
    */
   void SetContourLighting(bool lighting);
   bool GetContourLighting();
@@ -326,8 +325,8 @@ public:
   ///@{
   /**
    * The contour values divide the volume into layers, drawn or not: the layer of a point is the number of values at or below its
-   * scalar. Colour and opacity may jump from one side of a surface to the other, also inside a cell, at no loss of accuracy.
-   * Default: off. Ignored where LayerArrayName is set.
+   * scalar. Colour and opacity may be discontinuous across a surface, also inside a cell, without loss of accuracy. Default: off.
+   * Ignored where LayerArrayName is set.
    */
   void SetLayersFromContours(bool layers);
   bool GetLayersFromContours();

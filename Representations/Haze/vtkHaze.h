@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class vtkHaze
- * @brief Haze between the eye and everything that a renderer draws, thinner with altitude
+ * @brief Haze in front of everything that a renderer draws, thinner with altitude
  *
  * Density falls exponentially with altitude h, exp(-h / ScaleHeight), on a globe or over flat ground. The optical depth tau of the air between the
  * eye and a fragment is its analytic integral along the ray, and a colour F becomes exp(-tau) F + (1 - exp(-tau)) Color (Max, Crawfis and
@@ -40,13 +40,13 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
-  /** The haze of a renderer, in place of the one it had. nullptr: none. The renderer keeps the haze. */
+  /** Sets the haze of a renderer and replaces earlier haze. nullptr: no haze. The renderer holds a reference to the haze. */
   static void SetHaze(vtkRenderer* renderer, vtkHaze* haze);
   static vtkHaze* GetHaze(vtkRenderer* renderer);
   ///@}
 
   ///@{
-  /** Switches it off without forgetting it. Default: on. Off, the picture is what it is without haze, bit for bit. */
+  /** Turns the haze on and off. Default: on. If it is off, the picture is bit-identical to the picture without haze. */
   vtkSetMacro(Enabled, bool);
   vtkGetMacro(Enabled, bool);
   vtkBooleanMacro(Enabled, bool);
@@ -74,23 +74,25 @@ public:
 
   ///@{
   /**
-   * Meteorological visibility at altitude 0: the length of level air that lets 2 % of the contrast through (Koschmieder1924), so that the
-   * extinction there is 3.912 / Visibility. >= 0 and finite; 0 (default): 24.5 displayed scale heights. Real air has 1e4 to 3e5 m; views of weather span thousands of kilometres.
+   * Meteorological visibility: the distance along the ground at altitude 0 at which 2 % of the contrast is left
+   * (Koschmieder1924). The extinction coefficient there is 3.912 / Visibility. >= 0 and finite; 0 (default): 24.5 displayed scale
+   * heights. Real air has 1e4 to 3e5 m; views of weather span thousands of kilometres.
    */
   void SetVisibility(double visibility);
   vtkGetMacro(Visibility, double);
   ///@}
 
   ///@{
-  /** The same, as extinction per length at altitude 0. >= 0 and finite; 0: no haze. -1 where Visibility is from the scene. */
+  /** Extinction coefficient at altitude 0, an alternative to Visibility. >= 0 and finite; 0: no haze. -1 if Visibility is chosen from the scene. */
   void SetExtinction(double extinction);
   vtkGetMacro(Extinction, double);
   ///@}
 
   ///@{
   /**
-   * Height over which density falls to 1/e, not exaggerated. >= 0 and finite; 0 (default): 8000, that of air, behind vtkGlobeGrid, 0.5 % of the
-   * radius of another globe, else a third of the height of the scene. Smoke and dust have 1000 to 2000 m.
+   * Height over which the density falls to 1/e, before exaggeration. >= 0 and finite; 0 (default): 8000, the value of air, with
+   * vtkGlobeGrid; 0.5 % of the radius on any other globe; otherwise a third of the height of the scene. Smoke and dust have 1000
+   * to 2000 m.
    */
   void SetScaleHeight(double height);
   vtkGetMacro(ScaleHeight, double);
@@ -104,7 +106,7 @@ public:
   void SetVerticalExaggeration(double factor);
   vtkGetMacro(VerticalExaggeration, double);
   ///@}
-  /** ScaleHeight times VerticalExaggeration: 0 where either is found from the scene. */
+  /** ScaleHeight times VerticalExaggeration; 0 if either is chosen from the scene. */
   double GetDisplayedScaleHeight() const { return this->ScaleHeight * this->VerticalExaggeration; }
 
   ///@{
@@ -118,7 +120,7 @@ public:
   ///@}
 
   ///@{
-  /** Globe: its centre. Default: the origin. Finite. */
+  /** Globe: centre of the globe, finite. Default: the origin. */
   void SetCenter(double x, double y, double z);
   void SetCenter(const double center[3]) VTK_SIZEHINT(3)
   {
@@ -128,7 +130,7 @@ public:
   ///@}
 
   ///@{
-  /** Globe: radius where altitude is 0. >= 0 and finite; 0 (default): as vtkGlobeGrid says in field data of what is drawn, else 6371000 m. */
+  /** Globe: radius at altitude 0. >= 0 and finite; 0 (default): as vtkGlobeGrid says in field data of what is drawn, else 6371000 m. */
   void SetPlanetRadius(double radius);
   vtkGetMacro(PlanetRadius, double);
   ///@}
@@ -144,13 +146,13 @@ public:
   ///@}
 
   ///@{
-  /** Map: coordinate along UpDirection where altitude is 0. Finite, default: 0. */
+  /** Map: coordinate along UpDirection at altitude 0, finite. Default: 0. */
   void SetBaseLevel(double level);
   vtkGetMacro(BaseLevel, double);
   ///@}
 
   ///@{
-  /** Whether the background is hazed too, along rays that end in the sky or at altitude 0. Default: on. */
+  /** Draws haze over the background too, along rays that end in the sky or at altitude 0. Default: on. */
   vtkSetMacro(Background, bool);
   vtkGetMacro(Background, bool);
   vtkBooleanMacro(Background, bool);

@@ -122,9 +122,9 @@ public:
 
   ///@{
   /**
-   * How many times as wide as its cell's a splat is, on any data; extinction falls by the third power, so that mass stays. 1 (default): constant
-   * data are flat. More blurs the field, costs more to draw, and fills gaps between particles; less shows single splats. The optical
-   * depth of vectors stays that of each splat. 0.01 to 100.
+   * Multiplies the width of splats, on any data; the extinction is divided by its cube, so that the mass is conserved. 1
+   * (default): constant data look constant. Larger values blur the field, fill gaps between particles and cost more; smaller
+   * values show individual splats. The optical depth of vectors stays that of each splat. 0.01 to 100.
    */
   vtkSetClampMacro(RadiusFactor, double, 0.01, 100.0);
   vtkGetMacro(RadiusFactor, double);
@@ -141,7 +141,7 @@ public:
   ///@}
 
   ///@{
-  /** Factor on the extinction, >= 0. Default: 1. Costs nothing to change. */
+  /** Multiplies the extinction coefficient, >= 0. Default: 1. Changes take effect without delay. */
   vtkSetClampMacro(OpacityScale, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(OpacityScale, double);
   ///@}
@@ -156,7 +156,7 @@ public:
   double FindUnitDistance(vtkVolumeProperty* property);
 
   ///@{
-  /** Name of the array that the opacity function reads, where it is not the one that gives the colour. Default: empty. */
+  /** Name of the array for opacity, if it differs from the array for colour. Default: empty. */
   vtkSetMacro(OpacityArrayName, std::string);
   vtkGetMacro(OpacityArrayName, std::string);
   ///@}
@@ -164,7 +164,7 @@ public:
   ///@{
   /**
    * Name of the array of vectors (three components, on points or cells as the coloured array) that are drawn on the splats, as
-   * streaks along their projection. Empty (default): no vectors. Give an opacity function of 0 to draw the vectors alone.
+   * streaks along their projection. Empty (default): no vectors. An opacity function of 0 draws only the vectors.
    */
   vtkSetMacro(VectorArrayName, std::string);
   vtkGetMacro(VectorArrayName, std::string);
@@ -192,7 +192,7 @@ public:
 
   ///@{
   /**
-   * Where vectors are among the scalars. Default: in the middle.
+   * Depth of vectors among the scalars. Default: in the middle.
    * - Middle: in the middle of its splat's medium: half of that hides the vector, which hides the other half.
    * - Layers: the splats are drawn in layers, in each of them first the scalars and then the vectors (Max, Crawfis and Becker 1993).
    */
@@ -218,14 +218,15 @@ public:
   ///@}
 
   ///@{
-  /** Optical depth of the streaks on the fastest splat, 0 or more; in proportion to the speed on others. Default: 2. */
+  /** Optical depth of the streaks of the longest vectors, 0 or more; other streaks are proportional to their vectors. Default: 2. */
   vtkSetClampMacro(VectorOpacity, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(VectorOpacity, double);
   ///@}
 
   ///@{
   /**
-   * Speed, in the units of the vectors, at and above which streaks are fully drawn. 0 (default): the greatest of the data.
+   * Speed, in the units of the vectors, at and above which streaks have full opacity. 0 (default): the greatest speed in the
+   * data.
    */
   vtkSetClampMacro(GreatestSpeed, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(GreatestSpeed, double);
@@ -233,8 +234,8 @@ public:
 
   ///@{
   /**
-   * The length that StreakPeriod, StreakWidth and SegmentLength count in, in units of the data. 0 (default): the mean length of a cell
-   * along its vector. Set it, and GreatestSpeed, where several parts of the data or time steps must look alike.
+   * The unit of StreakPeriod, StreakWidth and SegmentLength, in units of length of the data. 0 (default): the mean length of a
+   * cell along its vector. To make parts of the data or time steps comparable, set it and GreatestSpeed.
    */
   vtkSetClampMacro(VectorUnit, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(VectorUnit, double);
@@ -242,8 +243,9 @@ public:
 
   ///@{
   /**
-   * Share of the samples whose vector is drawn, 0 to 1, chosen evenly at random, but always alike. Where VectorUnit is found from the data
-   * it grows by the cube root of the samples for each vector, so that streaks look as on a coarser grid. Default: 1, all.
+   * Fraction of the samples whose vectors are drawn, 0 to 1, chosen uniformly at random, but always the same. Where VectorUnit is
+   * found from the data it grows by the cube root of the samples for each vector, so that streaks look as on a coarser grid.
+   * Default: 1, all.
    */
   vtkSetClampMacro(VectorShare, double, 0.0, 1.0);
   vtkGetMacro(VectorShare, double);
@@ -298,9 +300,9 @@ public:
 
   ///@{
   /**
-   * Where in a loop the patterns are, 0 to 1; 1 is 0 again. Over a loop each pattern moves a whole number of periods, nearest to
-   * PhaseCycles (default 4) times its share of GreatestSpeed: for pictures that repeat. For motion at exactly the speed of the data
-   * use AdvancePhases.
+   * Position of the patterns in their loop, 0 to 1; 1 is the same as 0. Over a loop each pattern moves a whole number of periods,
+   * nearest to PhaseCycles (default 4) times its share of GreatestSpeed: for pictures that repeat. For motion at exactly the
+   * speed of the data use AdvancePhases.
    */
   vtkSetMacro(Phase, double);
   vtkGetMacro(Phase, double);
@@ -325,9 +327,9 @@ public:
 
   ///@{
   /**
-   * Samples are put together in blocks, to be drawn as one splat each, where this makes an error of at most this much; parts smaller
-   * than a pixel always are. Cost falls with the number of splats. 0 (default): every sample is drawn. Blocks have
-   * the mean of their vectors. Ignored, with a warning, where vectors are in layers.
+   * Level of detail: a block of samples is drawn as one splat if its error is at most this value; blocks smaller than a pixel
+   * always are. The cost falls with the number of splats. 0 (default): every sample is drawn. Blocks have the mean of their
+   * vectors. Ignored, with a warning, where vectors are in layers.
    *
    * The splat of a block has the mass, the emission, the centre of mass and the covariance of what it stands for. Unit of the error:
    * - Image (default): optical depth along the ray, depending on the view. It is that of each block: those that a ray meets add up.
@@ -371,8 +373,8 @@ public:
 
   ///@{
   /**
-   * So that nothing pops when a block of samples becomes one splat as the camera or the tolerance moves: the share of the tolerance, 0 to 0.9,
-   * over which the block fades in while what it stands for fades out. 0: at once. Both are drawn in the meantime: more costs
+   * Fraction of the tolerance, 0 to 0.9, over which a block fades in while its samples fade out, so that levels of detail do not
+   * pop as the camera or the tolerance changes. 0: levels switch at once. Both are drawn in the meantime, so larger values cost
    * more. Default: 0.1.
    */
   vtkSetClampMacro(LevelBlending, double, 0.0, 0.9);
@@ -381,8 +383,8 @@ public:
 
   ///@{
   /**
-   * Splats that are drawn at the most while the camera moves: the tolerance grows until there are no more, and goes back to ErrorTolerance
-   * in the next still picture. 0: no limit. Default: 100000. Ignored where vectors are in layers.
+   * Greatest number of splats while the camera moves: the tolerance grows until the number fits, and returns to ErrorTolerance in
+   * the next still picture. 0: no limit. Default: 100000. Ignored where vectors are in layers.
    */
   vtkSetClampMacro(InteractiveMaximumNumberOfSplats, vtkIdType, 0, VTK_ID_MAX);
   vtkGetMacro(InteractiveMaximumNumberOfSplats, vtkIdType);
@@ -422,7 +424,7 @@ public:
   /** Samples that could be seen in the last render: splats drawn without a hierarchy. */
   vtkIdType GetNumberOfSamples();
 
-  /** The tolerance that the last render was drawn with; above ErrorTolerance where InteractiveMaximumNumberOfSplats made it grow. */
+  /** The tolerance of the last render; greater than ErrorTolerance if InteractiveMaximumNumberOfSplats increased it. */
   double GetDrawnErrorTolerance();
 
   /** Bounds of the splats, which reach beyond the samples. */
