@@ -77,8 +77,15 @@ def make_server(name: str) -> Any:
 
 def add_view(plotter: pyvista.Plotter, **options: Any) -> Any:
     """The view of a plotter, in the layout that is being made."""
-    from pyvista.trame import PyVistaRemoteView
-    return PyVistaRemoteView(plotter, interactive_ratio=1, **options)
+    from trame.widgets.vtk import VtkRemoteView  # PyVista's own has another name in 0.49
+    for renderer in plotter.renderers:
+        if not renderer.camera.is_set:
+            renderer.camera_position = renderer.get_default_cam_pos()
+            renderer.ResetCamera()
+    view = VtkRemoteView(plotter.render_window, interactive_ratio=1, **options)
+    view.server.controller.on_server_ready.add(view.update)
+    plotter.add_on_render_callback(lambda *_: view.update() if view.server.running else None, render_event=False)
+    return view
 
 
 def run(server: Any, port: int, host: str, open_browser: bool) -> None:
