@@ -61,7 +61,7 @@ std::string errorOf(const DensityBlock& block, const std::string& name)
 {
   if (!block.Densities)
   {
-    return name.empty() ? "has no active scalars: name an array with SetDensityArrayName"
+    return name.empty() ? "has no active scalars: choose one of its arrays as DensityArrayName"
                         : "has no point array '" + name + "' of the density, and no such cell array";
   }
   const char* its = block.Densities->GetName();

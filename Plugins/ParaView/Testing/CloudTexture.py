@@ -13,7 +13,7 @@ from PluginTesting import (OUTPUT, SIZE, check, check_same, color_and_alpha, com
 
 NOT_OF_THE_MAPPER = {"Input", "CustomWaves"}
 IN_CUSTOM_WAVES = {"CustomWave", "NumberOfCustomWaves"}
-OF_THE_MAPPER_ALONE = {"DensityVolume"}  # a second input
+INPUTS = {"DensityVolume"}
 
 
 def check_definition():
@@ -22,13 +22,13 @@ def check_definition():
     mapper = nephoscope.vtkCloudTextureMapper()
     settable = {n[3:] for n in dir(mapper) if n.startswith("Get") and hasattr(mapper, "Set" + n[3:])}
     inherited = {n[3:] for n in dir(nephoscope.vtkCloudTextureMapper.__bases__[0]) if n.startswith("Get")}
-    expected = settable - inherited - IN_CUSTOM_WAVES - OF_THE_MAPPER_ALONE
+    expected = settable - inherited - IN_CUSTOM_WAVES - INPUTS
     check(expected == set(properties) - NOT_OF_THE_MAPPER, f"C++ and XML differ in {sorted(expected ^ set(properties))}")
     for name in expected:
         compare_default("Cloud Texture", name, properties[name], getattr(mapper, "Get" + name)())
         check(nested(properties[name], "Documentation"), f"Cloud Texture.{name} has no help")
     display = pvs.GetRepresentation(pvs.Sphere(), new_view())
-    for name in expected:
+    for name in expected | INPUTS:
         check(display.GetProperty("CloudTexture" + name) is not None, f"{name} is not offered on the display")
 
 
@@ -150,6 +150,40 @@ def check_thickness():
     check(row[len(row) // 2] > row[len(row) // 20], "the ball is not thicker in the middle")
 
 
+def check_density_volume():
+    """A ball in grids of a linear density: through its middle by that of its centre. Back to none, and after a change of the volume."""
+    view = new_view()
+    ball = pvs.Sphere(Radius=1, ThetaResolution=200, PhiResolution=200)
+    display = compose(ball, view, ("POINTS", ""), CLOUDS)
+    solid(display, [1, 1, 1])
+    display.CloudTextureCoverage = 1
+    display.CloudTextureUseThickness = 1
+    display.CloudTextureExtinction = 1
+    wavelet = pvs.Wavelet(WholeExtent=[-5, 5, -5, 5, -5, 5])
+    grid = pvs.Calculator(Input=pvs.Transform(Input=wavelet), ResultArrayName="Water", Function="0.4 + 0.05*coordsX")
+    grid.Input.Transform.Scale = [0.4, 0.4, 0.4]
+    volumes = [grid, pvs.GroupDatasets(Input=[pvs.AppendDatasets(Input=grid)]), pvs.Tetrahedralize(Input=grid)]
+    look(view, (0, 0, 6))
+    plain = image(view)
+    for volume in volumes:
+        display.CloudTextureDensityVolume = volume
+        display.CloudTextureDensityArrayName = "Water"
+        alpha = color_and_alpha(view)[1]
+        expected = 1 - math.exp(-2 * 0.4)
+        print(f"density volume {volume.GetXMLName()}: {alpha[150, 150]:.4f}, expected {expected:.4f}")
+        check(abs(alpha[150, 150] - expected) < 0.01, f"alpha {alpha[150, 150]}, expected {expected}")
+        row = alpha[150]
+        check(row[200] > row[100], "the density does not grow to the right")
+        display.CloudTextureDensityVolume = None
+        display.CloudTextureDensityArrayName = "None"
+        check_same(plain, image(view), "without a volume again", largest=1, mean=0.01)
+    display.CloudTextureDensityVolume = grid
+    display.CloudTextureDensityArrayName = "Water"
+    grid.Function = "0.8"
+    after = color_and_alpha(view)[1]
+    check(abs(after[150, 150] - (1 - math.exp(-1.6))) < 0.01, "a volume that changes is not drawn anew")
+
+
 def check_blocks():
     """Blocks of a surface are drawn as the surface: one length for all."""
     pictures = []
@@ -210,7 +244,7 @@ def check_colors():
 if __name__ == "__main__":
     load_plugin()
     for check_one in (check_definition, check_offered, check_first_picture, check_cover, check_cover_array, check_moves_with_time,
-                      check_threshold_and_waves, check_thickness, check_blocks, check_colors, check_state):
+                      check_threshold_and_waves, check_thickness, check_density_volume, check_blocks, check_colors, check_state):
         print(check_one.__name__, flush=True)
         check_one()
     passed()

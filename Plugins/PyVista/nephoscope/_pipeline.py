@@ -69,7 +69,7 @@ _NAMES_OF_MAPPERS = {
     "set ErrorTolerance to 0.3": "pass error_tolerance=0.3", "ErrorTolerance": "error_tolerance",
     "Call SetVectorPlacementToMiddle()": "Pass vector_placement='middle'",
     "give its name with SetCellSizeArrayName, or an empty one for sizes from the data": "name it by sizes or volumes, or leave these out",
-    "Raise MaximumNumberOfLayers": "Raise layers", "CoverageArrayName": "coverage", "name an array with SetDensityArrayName": "name an array by density",
+    "Raise MaximumNumberOfLayers": "Raise layers", "CoverageArrayName": "coverage",
     "DensityVolume": "density_volume", "DensityArrayName": "density",
     "TextureScale": "texture_scale", "TextureLength": "texture_length",
 }

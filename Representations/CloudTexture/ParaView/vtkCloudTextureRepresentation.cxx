@@ -6,17 +6,22 @@
 #include "SurfaceLength.h"
 #include "vtkCloudTextureMapper.h"
 
+#include "vtkAlgorithm.h"
+#include "vtkAlgorithmOutput.h"
 #include "vtkAppendPolyData.h"
 #include "vtkCommunicator.h"
 #include "vtkCompositeDataIterator.h"
 #include "vtkCompositeDataSet.h"
 #include "vtkFieldData.h"
 #include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkMultiBlockDataSet.h"
 #include "vtkMultiProcessController.h"
 #include "vtkObjectFactory.h"
 #include "vtkPVLODActor.h"
 #include "vtkPVView.h"
 #include "vtkPolyData.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
 
 #include <string>
 #include <vector>
@@ -53,6 +58,17 @@ std::vector<vtkPolyData*> SurfacesOf(vtkDataObject* data)
     take(blocks->GetCurrentDataObject());
   }
   return surfaces;
+}
+
+bool IsEmpty(vtkCompositeDataSet* data)
+{
+  if (!data)
+  {
+    return true;
+  }
+  auto blocks = vtk::TakeSmartPointer(data->NewIterator());
+  blocks->InitTraversal();
+  return blocks->IsDoneWithTraversal();
 }
 
 // Collective.
@@ -99,6 +115,8 @@ vtkCloudTextureRepresentation::vtkCloudTextureRepresentation()
   this->Actor->SetMapper(this->CloudMapper);
   nephoscope::forwardMessages(this->CloudMapper, this);
   this->SuppressLOD = true;
+  this->SetNumberOfInputPorts(2);
+  this->Volume = vtkSmartPointer<vtkMultiBlockDataSet>::New();
 }
 
 vtkCloudTextureRepresentation::~vtkCloudTextureRepresentation() = default;
@@ -108,10 +126,68 @@ vtkCloudTextureMapper* vtkCloudTextureRepresentation::GetCloudMapper()
   return this->CloudMapper;
 }
 
+void vtkCloudTextureRepresentation::SetDensityVolumeConnection(vtkAlgorithmOutput* volume)
+{
+  this->SetInputConnection(1, volume);
+}
+
+void vtkCloudTextureRepresentation::RemoveDensityVolume()
+{
+  this->SetInputConnection(1, nullptr);
+}
+
+int vtkCloudTextureRepresentation::FillInputPortInformation(int port, vtkInformation* info)
+{
+  const int filled = this->Superclass::FillInputPortInformation(port, info);
+  if (port == 1)
+  {
+    info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataObject");
+    info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
+  }
+  return filled;
+}
+
+int vtkCloudTextureRepresentation::RequestUpdateExtent(
+  vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs)
+{
+  const int asked = this->Superclass::RequestUpdateExtent(request, inputs, outputs);
+  auto* controller = vtkMultiProcessController::GetGlobalController();
+  for (int i = 0; i < inputs[1]->GetNumberOfInformationObjects(); ++i)
+  {
+    vtkInformation* input = inputs[1]->GetInformationObject(i);
+    input->Set(vtkStreamingDemandDrivenPipeline::UPDATE_PIECE_NUMBER(), controller ? controller->GetLocalProcessId() : 0);
+    input->Set(vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_PIECES(), controller ? controller->GetNumberOfProcesses() : 1);
+    input->Set(vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_GHOST_LEVELS(), 0);
+  }
+  return asked;
+}
+
+// What is delivered is the same object while the data are: what the mapper makes of it takes time. It is of one type with all data, and where
+// there are none: a client that has none yet must know what it gets.
+void vtkCloudTextureRepresentation::ReadVolume(vtkInformationVector* inputs)
+{
+  vtkDataObject* given = inputs->GetNumberOfInformationObjects() > 0 ? vtkDataObject::GetData(inputs, 0) : nullptr;
+  const vtkMTimeType time = given ? given->GetMTime() : 0;
+  if (given == this->ReadFrom && time == this->ReadTime)
+  {
+    return;
+  }
+  this->ReadFrom = given;
+  this->ReadTime = time;
+  this->Volume = vtkSmartPointer<vtkMultiBlockDataSet>::New();
+  if (given)
+  {
+    auto copy = vtk::TakeSmartPointer(given->NewInstance());
+    copy->ShallowCopy(given);
+    this->Volume->SetBlock(0, copy);
+  }
+}
+
 int vtkCloudTextureRepresentation::RequestData(
   vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
   const int made = this->Superclass::RequestData(request, inputs, outputs);
+  this->ReadVolume(inputs[1]);
   vtkDataObject* surfaces = this->MultiBlockMaker->GetOutputDataObject(0);
   const nephoscope::SurfaceLength length = LengthOverRanks(surfaces);
   for (vtkPolyData* surface : SurfacesOf(surfaces))
@@ -128,8 +204,14 @@ int vtkCloudTextureRepresentation::ProcessViewRequest(
   {
     return 0;
   }
+  if (request == vtkPVView::REQUEST_UPDATE())
+  {
+    vtkPVView::SetPiece(inInfo, this, this->Volume, 0, 1);
+  }
   if (request == vtkPVView::REQUEST_RENDER())
   {
+    auto* volume = vtkCompositeDataSet::SafeDownCast(vtkPVView::GetDeliveredPiece(inInfo, this, 1));
+    this->CloudMapper->SetDensityVolume(IsEmpty(volume) ? nullptr : volume);
     this->TakeSurface(vtkPVView::GetDeliveredPiece(inInfo, this));
     this->WarnOfRanks();
   }
@@ -146,7 +228,8 @@ void vtkCloudTextureRepresentation::WarnOfRanks()
   {
     this->HasToldOfRanks = true;
     vtkWarningMacro(
-      "Each rank finds the thickness of its own part of the clouds only: at the borders of ranks they are drawn too thin or too thick. "
+      "Each rank finds the thickness of its own part of the clouds only, and has its own part of the Density Volume: at the borders of ranks clouds are drawn too thin or too "
+      "thick. "
       "Draw with one process, or without Use Thickness.");
   }
 }

@@ -18,6 +18,7 @@
 #include "vtkSmartPointer.h"                    // for members
 
 class vtkCloudTextureMapper;
+class vtkMultiBlockDataSet;
 class vtkPolyData;
 
 class VTKNEPHOSCOPEPARAVIEWCLOUDTEXTURE_EXPORT vtkCloudTextureRepresentation
@@ -60,6 +61,15 @@ public:
   void SetSecondCoordinatesName(const char* name);
   ///@}
 
+  ///@{
+  /**
+   * Input 1, optional: the grid that vtkCloudTextureMapper integrates the density of. It is drawn by the process that has it, of several ranks each with its
+   * part; a warning says so.
+   */
+  void SetDensityVolumeConnection(vtkAlgorithmOutput* volume);
+  void RemoveDensityVolume();
+  ///@}
+
   /** For tests. */
   vtkCloudTextureMapper* GetCloudMapper();
 
@@ -67,6 +77,8 @@ protected:
   vtkCloudTextureRepresentation();
   ~vtkCloudTextureRepresentation() override;
 
+  int FillInputPortInformation(int port, vtkInformation* info) override;
+  int RequestUpdateExtent(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
   bool NeedsOrderedCompositing() override { return true; }
   void UpdateColoringParameters() override;
@@ -76,11 +88,15 @@ private:
   void operator=(const vtkCloudTextureRepresentation&) = delete;
 
   void TakeSurface(vtkDataObject* delivered);
+  void ReadVolume(vtkInformationVector* inputs);
   void WarnOfRanks();
 
   vtkNew<vtkCloudTextureMapper> CloudMapper;
   vtkSmartPointer<vtkPolyData> Surface; // what is drawn
   vtkDataObject* TakenFrom = nullptr;   // only compared
+  vtkSmartPointer<vtkMultiBlockDataSet> Volume; // its one block, or none
+  vtkDataObject* ReadFrom = nullptr;     // only compared
+  vtkMTimeType ReadTime = 0;
   vtkMTimeType TakenTime = 0;
   bool HasToldOfRanks = false;
 };
