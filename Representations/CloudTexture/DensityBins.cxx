@@ -87,62 +87,6 @@ private:
 };
 }
 
-void DensityBins::ChooseSize(const DensityTetrahedra& cells)
-{
-  this->Number = cells.Tetrahedra.size();
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    this->Bounds[2 * axis] = HUGE_VAL;
-    this->Bounds[2 * axis + 1] = -HUGE_VAL;
-    this->Extents[axis] = 0;
-  }
-  for (const auto& corners : cells.Tetrahedra)
-  {
-    const Box box = boxOf(cells, corners);
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      this->Bounds[2 * axis] = std::min(this->Bounds[2 * axis], box[2 * axis]);
-      this->Bounds[2 * axis + 1] = std::max(this->Bounds[2 * axis + 1], box[2 * axis + 1]);
-      this->Extents[axis] += (box[2 * axis + 1] - box[2 * axis]) / static_cast<double>(this->Number);
-    }
-  }
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    const double all = this->Bounds[2 * axis + 1] - this->Bounds[2 * axis];
-    this->Size[axis] = static_cast<float>(std::max(this->Extents[axis], 1e-3 * all));
-  }
-  this->FindCounts();
-  while (double(this->Counts[0]) * this->Counts[1] * this->Counts[2] > 64 + mostBinsPerTetrahedron * this->Number ||
-    this->ExpectedEntries() > mostEntriesPerTetrahedron)
-  {
-    for (float& size : this->Size)
-    {
-      size *= 1.25f;
-    }
-    this->FindCounts();
-  }
-}
-
-void DensityBins::FindCounts()
-{
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    const double all = this->Bounds[2 * axis + 1] - this->Bounds[2 * axis];
-    this->Low[axis] = static_cast<float>(this->Bounds[2 * axis] - shift * this->Size[axis]);
-    this->Counts[axis] = 1 + static_cast<int>(all / this->Size[axis] + shift + 2 * slack);
-  }
-}
-
-double DensityBins::ExpectedEntries() const
-{
-  double entries = 1;
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    entries *= 1 + this->Extents[axis] / this->Size[axis];
-  }
-  return entries;
-}
-
 template <typename Visit>
 void DensityBins::VisitBins(const DensityTetrahedra& cells, std::size_t tetrahedron, Visit visit) const
 {
@@ -178,6 +122,64 @@ void DensityBins::VisitBins(const DensityTetrahedra& cells, std::size_t tetrahed
         }
       }
     }
+  }
+}
+
+// Of some of them.
+double DensityBins::EntriesPerTetrahedron(const DensityTetrahedra& cells) const
+{
+  const std::size_t step = 1 + this->Number / 1000;
+  std::size_t entries = 0, looked = 0;
+  for (std::size_t i = 0; i < this->Number; i += step, ++looked)
+  {
+    this->VisitBins(cells, i, [&entries](std::size_t) { ++entries; });
+  }
+  return static_cast<double>(entries) / static_cast<double>(looked);
+}
+
+void DensityBins::ChooseSize(const DensityTetrahedra& cells)
+{
+  this->Number = cells.Tetrahedra.size();
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    this->Bounds[2 * axis] = HUGE_VAL;
+    this->Bounds[2 * axis + 1] = -HUGE_VAL;
+    this->Extents[axis] = 0;
+  }
+  for (const auto& corners : cells.Tetrahedra)
+  {
+    const Box box = boxOf(cells, corners);
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      this->Bounds[2 * axis] = std::min(this->Bounds[2 * axis], box[2 * axis]);
+      this->Bounds[2 * axis + 1] = std::max(this->Bounds[2 * axis + 1], box[2 * axis + 1]);
+      this->Extents[axis] += (box[2 * axis + 1] - box[2 * axis]) / static_cast<double>(this->Number);
+    }
+  }
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const double all = this->Bounds[2 * axis + 1] - this->Bounds[2 * axis];
+    this->Size[axis] = static_cast<float>(std::max(std::min(this->Extents[axis], std::cbrt(cells.MeanBoxVolume)), 1e-3 * all));
+  }
+  this->FindCounts();
+  while (double(this->Counts[0]) * this->Counts[1] * this->Counts[2] > 64 + mostBinsPerTetrahedron * this->Number ||
+    this->EntriesPerTetrahedron(cells) > mostEntriesPerTetrahedron)
+  {
+    for (float& size : this->Size)
+    {
+      size *= 1.25f;
+    }
+    this->FindCounts();
+  }
+}
+
+void DensityBins::FindCounts()
+{
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const double all = this->Bounds[2 * axis + 1] - this->Bounds[2 * axis];
+    this->Low[axis] = static_cast<float>(this->Bounds[2 * axis] - shift * this->Size[axis]);
+    this->Counts[axis] = 1 + static_cast<int>(all / this->Size[axis] + shift + 2 * slack);
   }
 }
 

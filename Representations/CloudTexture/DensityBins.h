@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * A uniform grid of bins about tetrahedra, each with a list of those that may touch it, so that a ray that walks from bin to bin meets all
- * tetrahedra on its way. Bins are about as large as tetrahedra: neither is one in many lists, nor are lists long.
+ * tetrahedra on its way. Bins are about as large as tetrahedra, and where these are flat, in whatever direction, as cubes of their volume: neither is one in
+ * many lists, nor are lists long.
  */
 #ifndef DensityBins_h
 #define DensityBins_h
@@ -28,7 +29,7 @@ struct DensityBins
 private:
   void ChooseSize(const DensityTetrahedra& cells);
   void FindCounts();
-  double ExpectedEntries() const;
+  double EntriesPerTetrahedron(const DensityTetrahedra& cells) const;
   template <typename Visit>
   void VisitBins(const DensityTetrahedra& cells, std::size_t tetrahedron, Visit visit) const;
 

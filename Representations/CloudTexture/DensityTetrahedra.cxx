@@ -194,6 +194,7 @@ std::string DensityTetrahedra::Judge(const Counts& counts)
     return "has no three-dimensional cells";
   }
   this->MeanDensity = counts.Mass > 0 ? counts.Mass / counts.Volume : 1;
+  this->MeanBoxVolume = this->Tetrahedra.empty() ? 0 : counts.Volume / static_cast<double>(this->Tetrahedra.size());
   const auto tell = [this](std::size_t count, const char* what) {
     this->Warning += count == 0 ? "" : (this->Warning.empty() ? "has " : "; has ") + std::to_string(count) + what;
   };

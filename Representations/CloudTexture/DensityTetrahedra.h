@@ -35,6 +35,7 @@ struct DensityTetrahedra
   std::vector<Corners> Tetrahedra;
   std::vector<float> CellDensities; ///< one for each tetrahedron where densities are of cells, else none
   double MeanDensity = 1;
+  double MeanBoxVolume = 0; ///< six times the mean volume of a tetrahedron
   std::string Warning;
 
 private:

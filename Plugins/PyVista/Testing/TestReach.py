@@ -71,6 +71,7 @@ EXCEPTIONS = {
     **{("ParaView", name, "Periodic"): AXES for name in ("vtkCloudSurface", "vtkStructuredSmoothing")},
     **{("PyVista", name, "Periodic" + axis): AXES for name in ("vtkCloudSurface", "vtkStructuredSmoothing") for axis in "IJK"},
     ("PyVista", "vtkCellCompositingMapper", "NumberOfContourValues"): "the length of the list of contours",
+    ("ParaView", "vtkCloudTextureMapper", "DensityVolume"): "a second input, the property of that name",
     ("ParaView", "vtkCellCompositingMapper", "LayersFromContours"): "on by itself, unless there is a Layer Array",
     ("ParaView", "vtkFlowVolume", "Controller"): "the host's ranks",
     ("PyVista", "vtkFlowVolume", "Controller"): "the host's ranks, of which there is one",

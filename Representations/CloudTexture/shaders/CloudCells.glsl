@@ -42,9 +42,11 @@ float edgeArea(vec3 a, vec3 b, out bool left)
 {
   float first = a.x * b.y, second = a.y * b.x, area = first - second;
   left = area > 0.0;
-  if (abs(area) <= 3.0e-7 * (abs(first) + abs(second))) // rounding
+  bool isClose = abs(area) <= 3.0e-7 * (abs(first) + abs(second)); // by rounding
+  while (isClose) // at most once: software OpenGL does both sides of a condition, but no loop that nobody is in
   {
     left = isLeftExactly(ivec2(a.xy), ivec2(b.xy));
+    isClose = false;
   }
   return abs(area);
 }

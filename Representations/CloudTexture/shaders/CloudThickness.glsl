@@ -62,11 +62,14 @@ float cloudOpticalDepth(vec3 view, float density, bool isFront)
   cloudNext = vec2(noThickness, density);
   cloudHasFrontBefore = false;
   considerLayers(pixel);
+  if (!isFront && (cloudHasFrontBefore || cloudEyeMayBeInside == 0)) // known before the way through a density volume is walked
+  {
+    return cloudHasFrontBefore ? -1.0 : noThickness;
+  }
   if (!isFront)
   {
     float mean = hasDensityVolume ? meanDensityOfVolume(placeOnRay(view, cloudNear), view) : density;
-    float inside = cloudEyeMayBeInside != 0 ? max(depth - cloudNear, 0.0) * lengthPerDepth * mean : noThickness;
-    return cloudHasFrontBefore ? -1.0 : inside;
+    return max(depth - cloudNear, 0.0) * lengthPerDepth * mean;
   }
   float e = 1.0 - texelFetch(cloudOpaqueDepth, pixel, 0).r;
   float opaque = e > 0.0 ? -(cloudDepthToView.x + cloudDepthToView.y * e) / (cloudDepthToView.z + cloudDepthToView.w * e) : noThickness;
