@@ -219,7 +219,7 @@ public:
    * its active scalars; of the points, or else of the cells. With UseThickness it is integrated along the ray inside of the surface in place of what is known at the
    * two faces: exactly for trilinear voxels of images with a point array, and for the linear density in the tetrahedra that other cells are divided into. Density of cells
    * is constant in each. Outside of the cells, and in hidden and ghost cells, it is 0. Default: none. Costs on the GPU 4 bytes per point of
-   * an image, about 60 bytes per tetrahedron elsewhere (cells without density cost nothing), and per pixel the way through voxels or tetrahedra.
+   * an image, up to 100 bytes per tetrahedron elsewhere (cells without density cost nothing), and per pixel the way through voxels or tetrahedra.
    */
   void SetDensityVolume(vtkDataObject* volume);
   vtkDataObject* GetDensityVolume() const;

@@ -23,9 +23,9 @@ FRAMES = 9
 COVER = 0.15
 
 
-def clouds(grid):
+def clouds():
     contour = nephoscope.vtkCloudSurface()
-    contour.SetInputData(grid)
+    contour.SetInputData(forecast_globe())
     contour.SetInputArrayToProcess(0, 0, 0, 0, "cloud_fraction")
     contour.SetValue(0, COVER)
     contour.SetNumberOfSmoothingIterations(1)
@@ -47,13 +47,6 @@ def textured(surface, thickness):
     mapper.SetTextureScale(9)
     mapper.SetSoftness(0.5)
     mapper.SetUseThickness(thickness)
-    return mapper
-
-
-def by_density(surface, grid):
-    mapper = textured(surface, True)
-    mapper.SetDensityVolume(grid)
-    mapper.SetDensityArrayName("cloud_fraction")
     return mapper
 
 
@@ -100,9 +93,8 @@ def moving_frame(renderer, window):
     return time.process_time() - start
 
 
-def compare(surface, grid, radius, peeling):
-    ways = {"plain": plain(surface), "textured": textured(surface, False), "textured, by thickness": textured(surface, True),
-            "textured, by density volume": by_density(surface, grid)}
+def compare(surface, radius, peeling):
+    ways = {"plain": plain(surface), "textured": textured(surface, False), "textured, by thickness": textured(surface, True)}
     scenes = {name: scene(mapper, radius, peeling) for name, mapper in ways.items()}
     times = {name: [] for name in ways}
     for turn in range(FRAMES + 2):
@@ -116,11 +108,10 @@ def compare(surface, grid, radius, peeling):
 
 
 def main():
-    grid = forecast_globe()
-    surface, radius = clouds(grid)
-    print(f"{surface.GetNumberOfPolys()} triangles, {grid.GetNumberOfCells()} cells\n\n| | drawn | s per frame | times plain |\n|---|---|---|---|", flush=True)
+    surface, radius = clouds()
+    print(f"{surface.GetNumberOfPolys()} triangles\n\n| | drawn | s per frame | times plain |\n|---|---|---|---|", flush=True)
     for peeling in (False, True):
-        compare(surface, grid, radius, peeling)
+        compare(surface, radius, peeling)
 
 
 main()
