@@ -159,9 +159,9 @@ def check_density_volume():
     display.CloudTextureCoverage = 1
     display.CloudTextureUseThickness = 1
     display.CloudTextureExtinction = 1
-    wavelet = pvs.Wavelet(WholeExtent=[-5, 5, -5, 5, -5, 5])
+    wavelet = pvs.Wavelet(WholeExtent=[-3, 3, -3, 3, -3, 3])
     grid = pvs.Calculator(Input=pvs.Transform(Input=wavelet), ResultArrayName="Water", Function="0.4 + 0.05*coordsX")
-    grid.Input.Transform.Scale = [0.4, 0.4, 0.4]
+    grid.Input.Transform.Scale = [0.5, 0.5, 0.5]
     volumes = [grid, pvs.GroupDatasets(Input=[pvs.AppendDatasets(Input=grid)]), pvs.Tetrahedralize(Input=grid)]
     look(view, (0, 0, 6))
     plain = image(view)
