@@ -37,7 +37,7 @@ class Series(VTKPythonAlgorithmBase):
             is_series = isinstance(mesh, Sequence) and not isinstance(mesh, vtkDataObject)
             grids = list(mesh) if is_series else [mesh]
             if len(grids) != len(self.times):
-                raise ValueError(f"There are {len(grids)} grids and {len(self.times)} times; there must be as many.")
+                raise ValueError(f"There are {len(grids)} grids and {len(self.times)} times; the numbers must be equal.")
             self._read = lambda time: grids[self.times.index(time)]
         self.first = dataset(self._read(self.times[0]), "mesh")
         self._waiting = self.first

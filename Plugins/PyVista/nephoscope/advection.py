@@ -148,7 +148,7 @@ def _usual_period(filter_: vtkTextureCoordinateAdvection, first: pyvista.DataSet
     """The period for the size and the speed of the data, with a warning if `given` is far too long for them."""
     crossing = filter_.FindCrossingTime(first)
     if given is not None and crossing > 0 and given > MANY * crossing:
-        warnings.warn(f"period is {given:g} s, in which the fastest air crosses the data {given / crossing:.0f} times: the texture will be torn. "
+        warnings.warn(f"period is {given:g} s, in which the fastest air crosses the data {given / crossing:.0f} times: the texture will be distorted. "
                       f"Leave period out, or give about {0.25 * crossing:.2g}; time_scale has the seconds in the unit of time.",
                       RuntimeWarning, stacklevel=level_of_caller())
     return filter_.FindPeriod(first)

@@ -278,7 +278,7 @@ def _mark_missing(mesh: pyvista.DataSet, missing: Sequence[float] | None) -> Non
                     values = data[name]
                     taken.append(f"{int(here.sum())} of {name!r} are {value:g}")
     if taken and missing is None:
-        warnings.warn(f"Values that are taken to be missing: {'; '.join(taken)}. Name those that are by missing_values, () for none.", UserWarning,
+        warnings.warn(f"Values treated as missing: {'; '.join(taken)}. Choose others with missing_values, or () for none.", UserWarning,
                       stacklevel=3)
 
 

@@ -178,7 +178,7 @@ def _unsteady(smoke: vtkFlowVolume, mesh: Any, times: Sequence[float], start_tim
         raise ValueError(f"times has {len(times)} values; an unsteady flow needs two or more. Leave times out for a steady flow.")
     series = Series(mesh, times)
     if any(b <= a for a, b in zip(series.times, series.times[1:])):
-        raise ValueError(f"times is {times!r}; they must rise.")
+        raise ValueError(f"times is {times!r}; they must increase.")
     smoke.SetInputConnection(series.GetOutputPort())
     smoke.UnsteadyOn()
     if start_time is not None:
@@ -270,7 +270,7 @@ def _place(smoke: vtkFlowVolume, mesh: Any, velocity: tuple[str, bool], center: 
     place = vtkFlowVolumePlacement()
     place.SetNumberOfSides(smoke.GetNumberOfSides())
     if not place.Find(mesh, *velocity):
-        raise ValueError(_renamed(place.GetProblem(), _NAMES) or "center: no place with a flow was found in the mesh; say where the polygon shall be.")
+        raise ValueError(_renamed(place.GetProblem(), _NAMES) or "center: no place with a flow was found in the mesh; pass the centre of the polygon.")
     smoke.SetCenter(place.GetCenter())
     if radius is None:
         smoke.SetRadius(place.GetRadius())

@@ -55,7 +55,7 @@ def add_smoke_widget(plotter: pyvista.Plotter, mesh: pyvista.DataSet | pyvista.M
     flow = {name: options.pop(name) for name in list(options) if name in known}
     unsteady = [name for name in ("times", "time", "start_time", "time_scale") if flow.get(name) is not None]
     if unsteady:
-        raise ValueError(f"{unsteady[0]}: the smoke that is dragged is that of a steady flow; leave it out.")
+        raise ValueError(f"{unsteady[0]}: the widget works with a steady flow only; leave it out.")
     dragged = SmokeWidget(plotter, mesh, flow, {"color": color, **options}, polygon_color)
     dragged.ball = plotter.add_sphere_widget(dragged.move if while_dragging else dragged.move_polygon, center=dragged.filter.GetCenter(),
                                              radius=0.25 * dragged.radius, color=polygon_color, test_callback=False, interaction_event="always")
