@@ -125,7 +125,7 @@ void DensityBins::VisitBins(const DensityTetrahedra& cells, std::size_t tetrahed
   }
 }
 
-// Of some of them.
+// From a sample of the tetrahedra.
 double DensityBins::EntriesPerTetrahedron(const DensityTetrahedra& cells) const
 {
   const std::size_t step = 1 + this->Number / 1000;

@@ -9,6 +9,7 @@ import importlib.metadata
 import importlib.resources
 import os
 import re
+import shutil
 import subprocess
 import sys
 import tempfile
@@ -39,11 +40,24 @@ def find_vtk():
     return ["-DCMAKE_PREFIX_PATH=" + ";".join(prefixes)]
 
 
+def configure(build):
+    subprocess.run(["cmake", "-S", TOP, "-B", build, "-C", TOP / "CMake/wheel/options.cmake", "-DBUILD_TESTING=OFF",
+                    "-DNEPHOSCOPE_USE_OPENVDB=OFF", f"-DPython3_EXECUTABLE={sys.executable}", *find_vtk()], check=True)
+
+
+def prepare_metadata_for_build_wheel(metadata_directory, config_settings=None):
+    """What CMake writes when it configures; without this hook pip would build everything twice."""
+    with tempfile.TemporaryDirectory() as build:
+        configure(build)
+        written = next(Path(build).rglob("nephoscope-*.dist-info/METADATA")).parent
+        shutil.copytree(written, Path(metadata_directory) / written.name)
+        return written.name
+
+
 def build_wheel(wheel_directory, config_settings=None, metadata_directory=None):
     with tempfile.TemporaryDirectory() as build:
-        subprocess.run(["cmake", "-S", TOP, "-B", build, "-C", TOP / "CMake/wheel/options.cmake", "-DBUILD_TESTING=OFF",
-                        "-DNEPHOSCOPE_USE_OPENVDB=OFF", f"-DPython3_EXECUTABLE={sys.executable}", *find_vtk()], check=True)
-        subprocess.run(["cmake", "--build", build, "--parallel"], check=True)
+        configure(build)
+        subprocess.run(["cmake", "--build", build, "--parallel", str(os.cpu_count())], check=True)
         return make_wheel(Path(build), Path(wheel_directory)).name
 
 

@@ -135,6 +135,18 @@ class Arguments(Picture):
         self.assertIs(self.plotter.actors["clouds"], actor)
         self.assertTrue(self.plotter.renderer.GetUseDepthPeeling())
 
+    def test_thickness_is_used_where_an_argument_needs_it(self):
+        volume = pyvista.ImageData(dimensions=(3, 3, 3))
+        volume["water"] = np.ones(27)
+        for options, used, cover in (({}, False, 0.5), ({"thickness_effect": "threshold"}, True, 0.1), ({"thickness_effect": "opacity"}, True, 0.5),
+                                     ({"extinction": 2}, True, 0.5), ({"density_volume": volume}, True, 0.5), ({"use_thickness": True}, True, 0.5),
+                                     ({"thickness_effect": "threshold", "coverage": 0.7, "waves": "Paper"}, True, 0.7)):
+            mapper = self.add(**options).mapper
+            self.assertEqual((bool(mapper.GetUseThickness()), mapper.GetCoverage()), (used, cover), options)
+            self.plotter.clear()
+        with self.assertWarnsRegex(RuntimeWarning, "use_thickness is False: 'thickness_effect', 'extinction' will not be used"):
+            self.assertFalse(self.add(use_thickness=False, thickness_effect="threshold", extinction=1).mapper.GetUseThickness())
+
     def test_density_volume(self):
         volume = pyvista.ImageData(dimensions=(3, 3, 3))
         volume["water"], volume["other"] = np.ones(27), np.zeros(27)

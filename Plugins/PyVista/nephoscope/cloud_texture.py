@@ -3,6 +3,7 @@
 """Surfaces of clouds with a texture of broken cloud (`vtkCloudTextureMapper`)."""
 from __future__ import annotations
 
+import warnings
 from typing import Any, Sequence
 
 import numpy as np
@@ -14,7 +15,7 @@ from vtkmodules.vtkRenderingCore import vtkActor
 
 from . import vtkCloudTextureMapper
 from ._blocks import cell_dimension, named_blocks
-from ._checks import arrays_of, choose, require_number
+from ._checks import arrays_of, choose, listed, require_number
 from ._copies import copied_mapper
 from ._exports import warn_when_exported
 from ._fields import is_bright, presets
@@ -76,11 +77,11 @@ def _density_volume(volume: Any, name: str | None) -> tuple[pyvista.DataObject, 
 
 
 def add_cloud_texture(plotter: pyvista.BasePlotter, mesh: Any, scalars: str | np.ndarray | None = None, *,
-                      color: Any = None, coverage: float | str = 0.5, threshold: float | None = None, texture_scale: float = 0.0,
+                      color: Any = None, coverage: float | str | None = None, threshold: float | None = None, texture_scale: float = 0.0,
                       texture_length: float = 0.0, waves: str | Any = "clouds", use_altitude: bool = False,
                       altitude_range: Sequence[float] = (0.0, 0.0), softness: float = 0.4, relief: float = 0.03, thin_color: Any = None,
-                      thick_color: Any = None, color_range: float = 1.5, optical_depth: float = 3.0, use_thickness: bool = False,
-                      thickness_effect: str = "opacity", thickness_weight: float = 1.0, extinction: float = 0.0, density: str | None = None,
+                      thick_color: Any = None, color_range: float = 1.5, optical_depth: float = 3.0, use_thickness: bool | None = None,
+                      thickness_effect: str | None = None, thickness_weight: float = 1.0, extinction: float = 0.0, density: str | None = None,
                       density_volume: Any = None, layers: int = 8,
                       coordinates: Sequence[str] = ("TextureCoordinates1", "TextureCoordinates2"), peels: int = 8,
                       **options: Any) -> pyvista.Actor:
@@ -98,8 +99,9 @@ def add_cloud_texture(plotter: pyvista.BasePlotter, mesh: Any, scalars: str | np
     color : ColorLike, optional
         The colour without `scalars`. Default: white; on a bright background the middle grey of the preset ``'clouds'`` of `add_cells`, unless
         the plotter has another surface, such as the ground.
-    coverage : float or str, default: 0.5
-        Fraction of the surface that is cloud, 0 to 1, or the name of a point array with it, such as the cloud fraction of a model.
+    coverage : float or str, optional
+        Fraction of the surface that is cloud, 0 to 1, or the name of a point array with it, such as the cloud fraction of a model. Default: 0.5;
+        with ``thickness_effect="threshold"``, which adds cloud where it is thick, 0.1.
     threshold : float, optional
         Instead of `coverage`: texture value above which there is cloud, in standard deviations. The cover then follows from it.
     texture_scale : float, default: 0.0
@@ -127,10 +129,11 @@ def add_cloud_texture(plotter: pyvista.BasePlotter, mesh: Any, scalars: str | np
         Interval of texture values from `thin_color` to `thick_color`, in standard deviations of the texture, > 0.
     optical_depth : float, default: 3.0
         Optical depth of the clouds at normal incidence, >= 0.
-    use_thickness : bool, default: False
-        Opacity follows the thickness of the clouds: from each front face to the next back face, or to an opaque object.
-    thickness_effect : str, default: "opacity"
-        With `use_thickness`. ``"opacity"``: the thickness sets the opacity. ``"threshold"``: `thickness_weight` times the optical depth is added
+    use_thickness : bool, optional
+        Opacity follows the thickness of the clouds: from each front face to the next back face, or to an opaque object. Default: True if
+        `thickness_effect`, `extinction`, `density` or `density_volume` is given.
+    thickness_effect : str, optional
+        With `use_thickness`. ``"opacity"``, the default: the thickness sets the opacity. ``"threshold"``: `thickness_weight` times the optical depth is added
         to the texture before the threshold, so that thin edges break up.
     thickness_weight : float, default: 1.0
         With ``thickness_effect="threshold"``: weight of the optical depth, >= 0.
@@ -165,11 +168,20 @@ def add_cloud_texture(plotter: pyvista.BasePlotter, mesh: Any, scalars: str | np
         (a ValueError) If a point array does not exist; the message lists the arrays that do.
     ValueError
         If a number is out of range, or the mesh has no polygons.
+
+    Warns
+    -----
+    RuntimeWarning
+        If `use_thickness` is False and an argument that needs it is given.
     """
     require_plotter(plotter)
     surface = _surface(mesh)
     mapper = CloudTextureMapper()
     warn_when_drawing(mapper)
+    use_thickness = _needs_thickness(use_thickness, {"thickness_effect": thickness_effect, "extinction": extinction or None, "density": density,
+                                                     "density_volume": density_volume})
+    if coverage is None:
+        coverage = 0.1 if use_thickness and thickness_effect == "threshold" else 0.5
     if isinstance(coverage, str):
         mapper.SetCoverageArrayName(_point_array(surface, coverage, "coverage"))
     else:
@@ -192,8 +204,8 @@ def add_cloud_texture(plotter: pyvista.BasePlotter, mesh: Any, scalars: str | np
     mapper.SetColorRange(require_number(color_range, "color_range", least=1e-6, most=1e6))
     mapper.SetOpticalDepth(require_number(optical_depth, "optical_depth", least=0))
     mapper.SetUseThickness(use_thickness)
-    choose({"opacity": mapper.SetThicknessEffectToMultiplyOpacity, "threshold": mapper.SetThicknessEffectToAddToTexture}, thickness_effect,
-           "thickness_effect")
+    choose({"opacity": mapper.SetThicknessEffectToMultiplyOpacity, "threshold": mapper.SetThicknessEffectToAddToTexture},
+           thickness_effect or "opacity", "thickness_effect")
     mapper.SetThicknessWeight(require_number(thickness_weight, "thickness_weight", least=0))
     mapper.SetExtinction(require_number(extinction, "extinction", least=0))
     if density_volume is not None:
@@ -230,10 +242,20 @@ def add_cloud_texture(plotter: pyvista.BasePlotter, mesh: Any, scalars: str | np
     return actor
 
 
+def _needs_thickness(use_thickness: bool | None, settings: dict[str, Any]) -> bool:
+    """What was asked for, or whether a setting of the thickness is given; a warning where one is given in vain."""
+    given = [name for name, value in settings.items() if value is not None]
+    if use_thickness is None:
+        return bool(given)
+    if given and not use_thickness:
+        warnings.warn(f"use_thickness is False: {listed(given)} will not be used.", RuntimeWarning, stacklevel=3)
+    return use_thickness
+
+
 def _set_waves(mapper: CloudTextureMapper, waves: Any) -> None:
     if isinstance(waves, str):
         choose({"clouds": mapper.SetWavesToClouds, "paper": mapper.SetWavesToPaper, "printed": mapper.SetWavesToPrinted,
-                "gardner": mapper.SetWavesToGardner}, waves, "waves")
+                "gardner": mapper.SetWavesToGardner}, waves.lower(), "waves")
         return
     table = np.asarray(waves, dtype=float)
     if table.ndim != 2 or table.shape[1] != 9 or not 1 <= len(table) <= 16 or not np.isfinite(table).all():
