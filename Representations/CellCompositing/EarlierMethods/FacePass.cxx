@@ -24,11 +24,11 @@ const char* const copyShader = "//VTK::System::Dec\n"
                                "uniform sampler2D picture;\n"
                                "void main() { gl_FragData[0] = texture(picture, texCoord); }\n";
 
-std::vector<float> readDepth(vtkTextureObject* texture, int width, int height)
+std::vector<float> readDepth(vtkOpenGLState* state, vtkTextureObject* texture, int width, int height)
 {
   std::vector<float> depth(static_cast<std::size_t>(width) * height);
   texture->Activate();
-  glPixelStorei(GL_PACK_ALIGNMENT, 4);
+  state->vtkglPixelStorei(GL_PACK_ALIGNMENT, 4); // through VTK, which keeps the value and reads pictures with another
   glGetTexImage(GL_TEXTURE_2D, 0, GL_DEPTH_COMPONENT, GL_FLOAT, depth.data());
   texture->Deactivate();
   return depth;
@@ -56,7 +56,7 @@ std::string FacePass::Draw(vtkOpenGLRenderWindow* window, const CellScene& scene
   const FaceView faceView(view.ModelToView, view.ViewToDevice, view.EyeView, width, height);
   this->Projection.Build(geometry, this->Mesh, visible, faceView, sorted);
 
-  const std::vector<float> depth = readDepth(opaqueDepth, width, height);
+  const std::vector<float> depth = readDepth(window->GetState(), opaqueDepth, width, height);
   FaceSweep::Scene sweep;
   sweep.Geometry = &geometry;
   sweep.Color = scene.GetTransferFunctions().data();

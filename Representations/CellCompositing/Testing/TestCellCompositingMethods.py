@@ -273,6 +273,18 @@ class Scenes(MethodsTestCase):
         self.draw(scene, ours, "Faces")
         self.assertEqual(window.gl_errors(), [])
 
+    def test_pictures_of_any_size_can_be_read(self):
+        """Rows of bytes without alpha are no whole words: what a method leaves in OpenGL's pixel store must be what VTK takes it for."""
+        transfer = constant(1.0, (1, 0.5, 0.2))
+        for size in ((301, 203), (302, 201), (303, 202)):
+            scene, ours, cells, expected, mask = self.scene(random_mesh(14), transfer, dict(parallel=True), size)
+            for method in ("Rays", "TrianglesLinear") + self.METHODS:
+                getattr(ours, "SetMethodTo" + method)()
+                scene.window.render()
+                self.fail_on_messages(scene.window, method)
+                picture = laws.linear_opacity(cells, scene.view(), transfer) if method == "TrianglesLinear" else expected
+                self.check_bytes(scene.window.rgba(alpha=False), picture[..., :3], f"{size}, {method}", mask)
+
     def test_no_such_method(self):
         ours = mapper()
         before = ours.GetMethod()

@@ -36,11 +36,11 @@ class Window:
         with self.messages:
             self.window.Render()
 
-    def rgba(self):
-        """The window's 8-bit picture as floats in [0, 1]."""
+    def rgba(self, alpha=True):
+        """The window's 8-bit picture as floats in [0, 1]; three components without alpha."""
         grab = vtkWindowToImageFilter()
         grab.SetInput(self.window)
-        grab.SetInputBufferTypeToRGBA()
+        grab.SetInputBufferTypeToRGBA() if alpha else grab.SetInputBufferTypeToRGB()
         grab.ReadFrontBufferOff()
         grab.ShouldRerenderOff()
         grab.Update()
