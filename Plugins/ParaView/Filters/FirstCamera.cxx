@@ -27,6 +27,8 @@ namespace
 {
 constexpr double farOff = 30.0; // scales and places that differ by this factor are not of one picture
 constexpr double regional = 0.2; // further from the axis than this part of their extent, data are on one side of the globe
+constexpr double part = 0.02;    // of the globe's size: smaller things do not belong to it
+constexpr double roughly = 0.02; // bounds of displays, and of the data that they show
 constexpr double small = 8.0;   // of this part of a picture not much is seen, where there is nothing else
 
 struct Sphere
@@ -52,16 +54,18 @@ vtkSMProxy* SourceOf(vtkSMProxy* display)
   return input.GetNumberOfElements() > 0 ? input.GetAsProxy() : nullptr;
 }
 
-// The sphere around what a display shows; without extent where there is nothing.
-Sphere ShownBy(vtkSMProxy* display)
+// The box around what a display shows; not valid where there is nothing.
+vtkBoundingBox BoxOf(vtkSMProxy* display)
 {
   const vtkSMPropertyHelper input(display, "Input", true);
   auto* source = vtkSMSourceProxy::SafeDownCast(SourceOf(display));
-  vtkBoundingBox box;
-  if (source && source->GetObjectsCreated())
-  {
-    box = vtkBoundingBox(source->GetDataInformation(input.GetOutputPort())->GetBounds());
-  }
+  return source && source->GetObjectsCreated() ? vtkBoundingBox(source->GetDataInformation(input.GetOutputPort())->GetBounds())
+                                               : vtkBoundingBox();
+}
+
+// Without extent where there is nothing.
+Sphere SphereAround(const vtkBoundingBox& box)
+{
   Sphere shown{ { 0, 0, 0 }, 0 };
   if (box.IsValid())
   {
@@ -69,6 +73,11 @@ Sphere ShownBy(vtkSMProxy* display)
     shown.Radius = 0.5 * box.GetDiagonalLength();
   }
   return shown;
+}
+
+Sphere ShownBy(vtkSMProxy* display)
+{
+  return SphereAround(BoxOf(display));
 }
 
 bool Suits(const Sphere& seen, const Sphere& shown)
@@ -81,6 +90,29 @@ bool Suits(const Sphere& seen, const Sphere& shown)
 bool IsVisible(vtkSMProxy* display)
 {
   return vtkSMPropertyHelper(display, "Visibility", true).GetAsInt() != 0;
+}
+
+vtkBoundingBox BoxOfAll(vtkSMProxy* view)
+{
+  vtkBoundingBox box;
+  const vtkSMPropertyHelper all(view, "Representations");
+  for (unsigned int i = 0; i < all.GetNumberOfElements(); ++i)
+  {
+    if (all.GetAsProxy(i) && IsVisible(all.GetAsProxy(i)))
+    {
+      box.AddBox(BoxOf(all.GetAsProxy(i)));
+    }
+  }
+  return box;
+}
+
+// Whether a camera is as Reset Camera leaves it: that keeps the direction, and says nothing of what somebody wants to see.
+bool IsReset(vtkCamera* camera, const Sphere& shown)
+{
+  const Sphere seen = SeenBy(camera);
+  const double distance = shown.Radius / std::sin(0.5 * vtkMath::RadiansFromDegrees(camera->GetViewAngle()));
+  const double apart = std::sqrt(vtkMath::Distance2BetweenPoints(seen.Center.data(), shown.Center.data()));
+  return apart < roughly * shown.Radius && std::abs(camera->GetDistance() - distance) < roughly * distance;
 }
 
 bool Has(vtkSMProxy* view, vtkSMProxy* display)
@@ -182,18 +214,16 @@ private:
   void OnUpdate(vtkObject*, unsigned long, void*)
   {
     vtkSMRenderViewProxy* view = this->View;
-    const bool isMine = this->Display && Has(view, this->Display) && IsVisible(this->Display) && this->IsWhereItWas();
-    const bool turns = isMine && this->IsAlone() && IsGlobe(this->Display) && LooksDown(view->GetActiveCamera());
-    if (turns)
+    const bool isMine = this->Display && Has(view, this->Display) && IsVisible(this->Display);
+    if (isMine && this->Turns())
     {
-      LookFromAbove(view, ShownBy(this->Display));
+      const vtkBoundingBox all = BoxOfAll(view);
+      LookFromAbove(view, SphereAround(all));
+      Reset(view, all);
     }
-    if (turns || (isMine && this->IsNotSeen()))
+    else if (isMine && this->IsWhereItWas() && this->IsNotSeen())
     {
-      double bounds[6];
-      const vtkSMPropertyHelper input(this->Display.Get(), "Input");
-      vtkSMSourceProxy::SafeDownCast(input.GetAsProxy())->GetDataInformation(input.GetOutputPort())->GetBounds(bounds);
-      view->ResetCamera(bounds);
+      Reset(view, BoxOf(this->Display));
     }
     view->RemoveObserver(this->End);
     view->RemoveObserver(this->Tag);
@@ -201,6 +231,26 @@ private:
   }
 
   void OnDelete(vtkObject*, unsigned long, void*) { delete this; }
+
+  static void Reset(vtkSMRenderViewProxy* view, const vtkBoundingBox& box)
+  {
+    double bounds[6];
+    box.GetBounds(bounds);
+    view->ResetCamera(bounds);
+  }
+
+  // A globe, with what belongs to it, is not looked at from above its pole unless somebody has turned the camera there.
+  bool Turns()
+  {
+    vtkCamera* camera = this->View->GetActiveCamera();
+    const Sphere mine = ShownBy(this->Display);
+    const bool hasStrangers = AnyOther(this->View, this->Display, [&mine](const Sphere& other) {
+      const double apart = std::sqrt(vtkMath::Distance2BetweenPoints(other.Center.data(), mine.Center.data()));
+      return other.Radius > 0.0 && (apart > mine.Radius || other.Radius < part * mine.Radius || mine.Radius < part * other.Radius);
+    });
+    return !hasStrangers && IsGlobe(this->Display) && LooksDown(camera) &&
+      (this->IsWhereItWas() || IsReset(camera, SphereAround(BoxOfAll(this->View))));
+  }
 
   // But for other outputs of the same source.
   bool IsAlone()

@@ -87,6 +87,18 @@ def check_globe_camera():
     check(0.2 < share < 0.9, f"{share:.1%} of the picture of the example show anything")
     pvs.Delete(view)
 
+    for what in ("camera reset", "smoke too"):  # before the first picture, as the window does
+        view = new_view(SIZE)
+        clouds = pvs.CloudsovertheGlobe()
+        pvs.Show(clouds, view)
+        if what == "smoke too":
+            pvs.Show(pvs.FlowVolume(Input=clouds), view)
+        pvs.ResetCamera(view)
+        shown(view, f"globe-{what}".replace(" ", "-"))
+        _, latitude, north = eye_over(view)
+        check(15 < latitude < 50 and north > 0.999, f"{what}: the example is seen from latitude {latitude:.0f}, north {north:.2f}")
+        pvs.Delete(view)
+
     for (west, east), (south, north) in (((100, 120), (42, 62)), ((4, 20), (4, 20)), ((0, 143), (68, 72))):
         weather = pvs.NetCDFReader(FileName=[GFS], SphericalCoordinates=0)
         weather.UpdatePipeline()
@@ -107,6 +119,12 @@ def check_globe_camera():
     pvs.Show(pvs.CloudsovertheGlobe(), view)
     pvs.Render(view)
     check(list(view.CameraPosition) == [3e7, 0, 0], "the camera has turned although it had been set")
+    pvs.Delete(view)
+    view = new_view(SIZE)
+    pvs.Show(pvs.CloudsovertheGlobe(), view)
+    view.CameraPosition, view.CameraFocalPoint = [0, 0, 3e7], [0, 0, 0]
+    pvs.Render(view)
+    check(list(view.CameraPosition) == [0, 0, 3e7], "the camera has turned although it had been set above the pole")
     pvs.Delete(view)
 
 
