@@ -34,6 +34,8 @@ vtkStandardNewMacro(vtkSMFirstLook);
 
 namespace
 {
+constexpr double bright = 0.7; // luminance
+constexpr double darkSmoke[3] = { 0.35, 0.35, 0.35 };
 const std::string ourPresets = "Nephoscope ";
 constexpr const char* presetsOfClouds[] = { "Nephoscope Clouds", "Nephoscope Cloud Water" };
 
@@ -145,6 +147,21 @@ ColoredArray ActiveScalars(vtkPVDataInformation* data)
   return {};
 }
 
+// White smoke cannot be seen on the palette's background if that is bright.
+void DarkenOnBrightBackground(vtkSMProxy* display)
+{
+  vtkSMProxy* palette = display->GetSessionProxyManager()->GetProxy("settings", "ColorPalette");
+  const std::vector<double> background =
+    palette ? vtkSMPropertyHelper(palette, "BackgroundColor", true).GetDoubleArray() : std::vector<double>();
+  if (background.size() == 3 && 0.3 * background[0] + 0.59 * background[1] + 0.11 * background[2] > bright)
+  {
+    for (const char* property : { "AmbientColor", "DiffuseColor" })
+    {
+      vtkSMPropertyHelper(display, property, true).Set(darkSmoke, 3);
+    }
+  }
+}
+
 // A surface at one value of an array has one colour in the colours of that array, and not the best one.
 bool IsColoredByContouredArray(vtkSMProxy* display, vtkSMProxy* source, vtkPVDataInformation* data)
 {
@@ -160,6 +177,10 @@ void Color(vtkSMPVRepresentationProxy* display, vtkSMSourceProxy* source, int po
   if (how == "solid" || (how == "surface" && IsColoredByContouredArray(display, source, data)))
   {
     display->SetScalarColoring(nullptr, vtkDataObject::POINT);
+    if (how == "solid")
+    {
+      DarkenOnBrightBackground(display);
+    }
     return;
   }
   ColoredArray array{ how, vtkDataObject::CELL };

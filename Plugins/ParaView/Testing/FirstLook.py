@@ -144,6 +144,21 @@ def check_smoke():
     pvs.Delete(view)
 
 
+def check_smoke_on_white():
+    """Smoke is dark where the palette is bright: it would not be seen."""
+    pvs.LoadPalette("WhiteBackground")
+    wind = pvs.Calculator(Input=pvs.Wavelet(), Function="iHat + 0.1*jHat", ResultArrayName="wind")
+    view = new_view(SIZE)
+    view.UseColorPaletteForBackground = 1
+    pvs.Show(pvs.FlowVolume(Input=wind), view)
+    pvs.ResetCamera(view)
+    share = shown(view, "smoke-on-white")
+    check(image(view)[0, 0].min() > 250, "the background is not white")
+    check(share > 0.005, f"{share:.2%} of the picture of smoke on white show anything")
+    pvs.Delete(view)
+    pvs.LoadPalette("BlueGrayBackground")
+
+
 def check_terrain():
     """The ground in the colours of its altitude, in metres, the sea apart."""
     fields = pvs.NetCDFReader(FileName=[GFS], SphericalCoordinates=0, Dimensions="(lat, lon)")
@@ -246,6 +261,7 @@ pvs._DisableFirstRenderCameraReset()
 check_camera()
 check_globe_camera()
 check_smoke()
+check_smoke_on_white()
 check_filters()
 check_terrain()
 check_constant_fields()
