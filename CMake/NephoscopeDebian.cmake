@@ -15,13 +15,23 @@ string(REGEX REPLACE "\n" "\n " nephoscope_licence "${nephoscope_licence}")
 configure_file("${CMAKE_CURRENT_LIST_DIR}/debian/copyright.in" "${nephoscope_debian}/copyright" @ONLY)
 install(FILES "${nephoscope_debian}/copyright" DESTINATION "${nephoscope_debian_documents}")
 
+install(FILES "${PROJECT_SOURCE_DIR}/README.md" DESTINATION "${nephoscope_debian_documents}")
+install(DIRECTORY "${PROJECT_SOURCE_DIR}/Documentation/" DESTINATION "${nephoscope_debian_documents}/Documentation"
+  FILES_MATCHING PATTERN "*.md" PATTERN site EXCLUDE PATTERN decisions EXCLUDE PATTERN images EXCLUDE)
+
 # A change log in the form that Debian asks for, and the step after which the linker finds the libraries.
 string(TIMESTAMP nephoscope_debian_date "%a, %d %b %Y %H:%M:%S +0000" UTC)
 configure_file("${CMAKE_CURRENT_LIST_DIR}/debian/changelog.in" "${nephoscope_debian}/changelog.Debian" @ONLY)
 execute_process(COMMAND gzip -9nf "${nephoscope_debian}/changelog.Debian" COMMAND_ERROR_IS_FATAL ANY)
 install(FILES "${nephoscope_debian}/changelog.Debian.gz" DESTINATION "${nephoscope_debian_documents}")
 file(WRITE "${nephoscope_debian}/triggers" "activate-noawait ldconfig\n")
-set(CPACK_DEBIAN_PACKAGE_CONTROL_EXTRA "${nephoscope_debian}/triggers")
+file(WRITE "${nephoscope_debian}/prerm" "#!/bin/sh
+set -e
+# What Python has compiled beside the modules.
+rm -rf /usr/${NEPHOSCOPE_PYTHON_DESTINATION}/nephoscope/__pycache__
+")
+file(CHMOD "${nephoscope_debian}/prerm" PERMISSIONS OWNER_READ OWNER_WRITE OWNER_EXECUTE GROUP_READ GROUP_EXECUTE WORLD_READ WORLD_EXECUTE)
+set(CPACK_DEBIAN_PACKAGE_CONTROL_EXTRA "${nephoscope_debian}/triggers;${nephoscope_debian}/prerm")
 
 # ParaView loads only plugins made with its own version.
 string(REGEX REPLACE "^([0-9]+)[.]([0-9]+).*" "\\1.\\2" nephoscope_paraview_version "${ParaView_VERSION}")

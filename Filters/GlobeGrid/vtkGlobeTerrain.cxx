@@ -27,7 +27,7 @@ std::string ArraysOf(vtkDataSet* data)
   {
     for (int a = 0; a < attributes->GetNumberOfArrays(); ++a)
     {
-      if (attributes->GetArrayName(a))
+      if (attributes->GetArrayName(a) && std::string(attributes->GetArrayName(a)) != vtkDataSetAttributes::GhostArrayName())
       {
         names += (names.empty() ? "'" : ", '") + std::string(attributes->GetArrayName(a)) + "'";
       }
@@ -59,7 +59,7 @@ bool vtkGlobeTerrain::IsTerrain(vtkDataSet* input)
   if (!input->GetPointData()->HasArray(name.c_str()) && !input->GetCellData()->HasArray(name.c_str()))
   {
     vtkErrorMacro("There is no array '" << name << "' of the height of the ground; arrays: " << ArraysOf(input)
-                                        << ". Set HeightArrayName to one of them.");
+                                        << ". Set HeightArrayName to one of them, or read the file on the dimensions of the terrain: (lat, lon) alone.");
     return false;
   }
   if (input->GetNumberOfPoints() == 0 || FlatAxes(input) != 1)

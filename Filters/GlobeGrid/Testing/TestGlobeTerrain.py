@@ -161,7 +161,7 @@ class GlobeTerrain(unittest.TestCase):
             both = numpy_to_vtk(np.tile(vtk_to_numpy(deep.GetPointData().GetArray(name)), 2), deep=1)
             both.SetName(name)
             deep.GetPointData().AddArray(both)
-        for grid, options, expected in ((globe(), {"HeightArrayName": "topo"}, r"no array 'topo' of the height of the ground; arrays: 'orog'"),
+        for grid, options, expected in ((globe(), {"HeightArrayName": "topo"}, r"no array 'topo' of the height of the ground; arrays: 'orog'\. .* or read the file on"),
                                         (deep, {}, "one level of longitudes and latitudes")):
             terrain = vtkGlobeTerrain()
             terrain.SetInputData(grid)
