@@ -307,6 +307,8 @@ public:
   /**
    * Colour function, opacity function and unit distance of one layer; layers without a property have the volume's. Layers are
    * what LayerArrayName or LayersFromContours says. Null takes a property away.
+   * A property whose ScalarOpacityUnitDistance is exactly 1, VTK's default, has the volume's unit distance. Any other value is the
+   * layer's own; for a unit distance of 1 that differs from the volume's, set 1.0000001.
    */
   void SetLayerProperty(int layer, vtkVolumeProperty* property);
   vtkVolumeProperty* GetLayerProperty(int layer);

@@ -7,6 +7,7 @@ import nephoscope
 import numpy as np
 import pyvista
 from pyvista.core.errors import MissingDataError
+from vtkmodules.vtkRenderingCore import vtkColorTransferFunction
 
 
 def cube(n=5):
@@ -15,6 +16,15 @@ def cube(n=5):
     grid.point_data["z"] = grid.points[:, 2]
     grid.cell_data["layer"] = np.arange(grid.n_cells)
     return grid
+
+
+def opaque_property(color):
+    prop = pyvista.VolumeProperty()
+    prop.SetColor(vtkColorTransferFunction())
+    prop.GetRGBTransferFunction().AddRGBPoint(0, *pyvista.Color(color).float_rgb)
+    prop.GetScalarOpacity().RemoveAllPoints()
+    prop.GetScalarOpacity().AddPoint(0, 1)
+    return prop
 
 
 class Surfaces(unittest.TestCase):
@@ -58,6 +68,37 @@ class Surfaces(unittest.TestCase):
         mapper = self.add(layers={7: prop}, layer_scalars="layer")
         self.assertEqual((mapper.GetLayerArrayName(), mapper.GetLayersFromContours()), ("layer", False))
 
+    def test_colours_of_layers(self):
+        """A sequence or a dict of colours, colour maps and properties; the opacities are the volume's, also when its range changes."""
+        prop = pyvista.VolumeProperty()
+        for layers in (["red", None, "Blues", prop], {0: (1.0, 0.0, 0.0), 2: "Blues", np.int64(3): prop}):
+            mapper = self.add(contours=[1, 2, 3], layers=layers)
+            self.assertEqual([mapper.GetLayerWithProperty(i) for i in range(mapper.GetNumberOfLayerProperties())], [0, 2, 3])
+            red, blues = (mapper.GetLayerProperty(i).GetRGBTransferFunction() for i in (0, 2))
+            self.assertEqual([red.GetColor(s) for s in (0, 4)], [(1, 0, 0)] * 2)
+            np.testing.assert_allclose([blues.GetColor(s) for s in (0, 4)], pyvista.LookupTable("Blues").values[[0, -1], :3] / 255, atol=0.01)
+            self.assertIs(mapper.GetLayerProperty(3), prop)
+            mapper.scalar_range = 0, 8
+            self.assertAlmostEqual(mapper.GetLayerProperty(0).GetScalarOpacity().GetValue(4), 0.5)
+
+    def test_layers_of_any_size(self):
+        """Colours of layers do not hide that the unit distance follows the size of the data: the same picture at any scale."""
+        pictures = {}
+        for scale in (1e-6, 1.0, 1e5):
+            for layers in (["blue", "gold", "red"], {0: opaque_property("blue"), 1: opaque_property("gold"), 2: opaque_property("red")}):
+                self.plotter.clear()
+                grid = cube()
+                grid.origin, grid.spacing = (0.0, 0.0, 0.0), (scale,) * 3
+                nephoscope.add_cells(self.plotter, grid, "x", contours=[1.3, 2.7], contour_opacity=0, layers=layers, clim=(0, 4), opacity=1.0,
+                                     show_scalar_bar=False)
+                self.plotter.set_background("black")
+                self.plotter.view_xz()
+                pictures[scale, isinstance(layers, dict)] = self.plotter.screenshot(return_img=True).astype(int)
+        first = pictures[1.0, False]
+        self.assertGreater(first[32, 32].sum(), 100)
+        for key, picture in pictures.items():
+            np.testing.assert_allclose(picture, first, atol=1, err_msg=str(key))
+
     def test_polygons(self):
         mapper = self.add()
         self.assertEqual((mapper.GetPolygons(), mapper.GetPolygonOpacity(0)), (mapper.CONTOUR_POLYGONS, 0.3))
@@ -84,7 +125,13 @@ class Surfaces(unittest.TestCase):
         self.fails(ValueError, "give one of the two", layers={0: pyvista.VolumeProperty()})
         self.fails(ValueError, "without layers", layer_scalars="layer")
         self.fails(MissingDataError, "no cell array 'x'", layers={0: pyvista.VolumeProperty()}, layer_scalars="x")
-        self.fails(TypeError, "must be a volume property", contours=[1], layers={0: "red"})
+        self.fails(TypeError, r"layers\[0\] is 'no colour'; it must be a colour", contours=[1], layers={0: "no colour"})
+        self.fails(TypeError, r"layers\[1\] is 7; it must be a colour", contours=[1], layers=["red", 7])
+        self.fails(TypeError, "layers is 'red'; it must be a sequence", contours=[1], layers="red")
+        self.fails(TypeError, "layers is 3; it must be a sequence", contours=[1], layers=3)
+        self.fails(TypeError, "key 'low'; keys are the numbers", contours=[1], layers={"low": "red"})
+        self.fails(ValueError, "no layer 2; contours at 1 value divide the volume into the layers 0 to 1", contours=[1], layers=["r", "g", "b"])
+        self.fails(ValueError, "no layer -1", contours=[1], layers={-1: "red"})
 
     def test_picture(self):
         self.plotter.set_background("black")

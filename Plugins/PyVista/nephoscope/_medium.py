@@ -104,7 +104,7 @@ class MediumMapper:
             opacity = opacity_function(self._opacities, table.scalar_range, table.log_scale)
         else:
             opacity = opacity_function(self._opacities, self._opacity_clim, False)
-        self._prop.SetScalarOpacity(opacity)
+        self._prop.GetScalarOpacity().DeepCopy(opacity)  # layers may share it
 
 
 def scalar_array(grid: pyvista.DataSet, scalars: str | np.ndarray | None,

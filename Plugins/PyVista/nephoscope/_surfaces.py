@@ -9,9 +9,10 @@ from typing import Any, Mapping, Sequence
 import numpy as np
 import pyvista
 from pyvista.core.errors import MissingDataError
-from vtkmodules.vtkRenderingCore import vtkVolumeProperty
+from vtkmodules.vtkRenderingCore import vtkColorTransferFunction, vtkVolumeProperty
 
 from ._checks import arrays_of, require_number
+from .transfer import colour_function
 
 
 def _require_opacity(opacity: Any, argument: str) -> None:
@@ -41,6 +42,35 @@ def paint_polygons(mapper: Any, opacity: float | Sequence[float], color: Any) ->
         mapper.SetPolygonColor(i, *value) if value else mapper.SetPolygonColorToFunction(i)
 
 
+def _colours_of(look: Any, bar: pyvista.LookupTable, argument: str) -> vtkColorTransferFunction:
+    """One colour, or a colour map over the range of `bar`, which is the volume's; a name of both is a colour."""
+    function = vtkColorTransferFunction()
+    try:
+        function.AddRGBPoint(0.0, *pyvista.Color(look).float_rgb)
+        return function
+    except (ValueError, TypeError):
+        pass
+    table = look
+    if not isinstance(look, pyvista.LookupTable):
+        try:
+            table = pyvista.LookupTable()
+            table.apply_cmap(look, 256)
+        except (ValueError, TypeError, AttributeError) as error:
+            raise TypeError(f"{argument} is {look!r}; it must be a colour, the name of a colour map or a volume property.") from error
+        table.scalar_range, table.log_scale = bar.scalar_range, bar.log_scale
+    return colour_function(table)
+
+
+def _layer_property(look: Any, mapper: Any, volume: vtkVolumeProperty, argument: str) -> vtkVolumeProperty:
+    """`look` if it is a property; else a property of these colours with the opacities, and so the unit distance, of the volume."""
+    if isinstance(look, vtkVolumeProperty):
+        return look
+    prop = pyvista.VolumeProperty()
+    prop.SetColor(_colours_of(look, mapper.lookup_table, argument))
+    prop.SetScalarOpacity(volume.GetScalarOpacity())
+    return prop
+
+
 @dataclass
 class Surfaces:
     """The arguments of `add_cells` that begin with contour, and the layers; see there. Checked when applied."""
@@ -50,10 +80,10 @@ class Surfaces:
     color: Any = None
     lighting: bool = True
     smooth: bool = True
-    layers: Mapping[int, vtkVolumeProperty] | None = None
+    layers: Mapping[int, Any] | Sequence[Any] | None = None
     layer_scalars: str | None = None
 
-    def apply(self, mapper: Any, grid: pyvista.DataSet, array_name: str, association: str) -> None:
+    def apply(self, mapper: Any, grid: pyvista.DataSet, array_name: str, association: str, prop: vtkVolumeProperty) -> None:
         values = self._values(grid, array_name, association)
         opacities, colors = self._opacities(len(values)), self._colors(len(values))
         for i, value in enumerate(values):
@@ -64,7 +94,7 @@ class Surfaces:
         mapper.SetContourArrayName(self.scalars or "")
         mapper.SetContourLighting(self.lighting)
         mapper.SetSmoothContourNormals(self.smooth)
-        self._apply_layers(mapper, grid, len(values))
+        self._apply_layers(mapper, grid, len(values), prop)
 
     def _values(self, grid: pyvista.DataSet, array_name: str, association: str) -> list[float]:
         if self.values is None:
@@ -101,18 +131,33 @@ class Surfaces:
             raise ValueError(f"contour_color has {len(colors)} colours for {count} contours.")
         return colors
 
-    def _apply_layers(self, mapper: Any, grid: pyvista.DataSet, count: int) -> None:
+    def _looks(self) -> dict[int, Any]:
+        """How to draw each layer, by number."""
+        if isinstance(self.layers, (str, pyvista.Color, vtkVolumeProperty)) or not isinstance(self.layers, (Mapping, Sequence, np.ndarray)):
+            raise TypeError(f"layers is {self.layers!r}; it must be a sequence, or a dict by layer number, of colours or volume properties: one for "
+                            "each layer.")
+        looks = dict(self.layers) if isinstance(self.layers, Mapping) else dict(enumerate(self.layers))
+        for number in looks:
+            if not isinstance(number, (int, np.integer)) or isinstance(number, bool):
+                raise TypeError(f"layers has the key {number!r}; keys are the numbers of layers: 0, 1, ...")
+        return looks
+
+    def _apply_layers(self, mapper: Any, grid: pyvista.DataSet, count: int, volume: vtkVolumeProperty) -> None:
         if self.layers is None:
             if self.layer_scalars is not None:
-                raise ValueError("layer_scalars is given without layers, a dict of layer numbers and volume properties.")
+                raise ValueError("layer_scalars is given without layers, the colours or volume properties of the layers.")
             return
         if self.layer_scalars is not None and self.layer_scalars not in grid.cell_data:
             raise MissingDataError(f"layer_scalars: no cell array {self.layer_scalars!r}. {arrays_of(grid)}")
         if self.layer_scalars is None and count == 0:
             raise ValueError("layers lie between contours, or in cells that layer_scalars numbers: give one of the two.")
-        for number, prop in self.layers.items():
-            if not isinstance(prop, vtkVolumeProperty):
-                raise TypeError(f"layers[{number!r}] is a {type(prop).__name__}; it must be a volume property.")
-            mapper.SetLayerProperty(int(number), prop)
+        looks = self._looks()
+        beyond = [number for number in looks if not 0 <= number <= count] if self.layer_scalars is None else []
+        if beyond:
+            raise ValueError(f"layers: there is no layer {beyond[0]}; contours at {count} value{'s' * (count > 1)} divide the volume into the layers "
+                             f"0 to {count}.")
+        for number, look in looks.items():
+            if look is not None:
+                mapper.SetLayerProperty(int(number), _layer_property(look, mapper, volume, f"layers[{number}]"))
         mapper.SetLayerArrayName(self.layer_scalars or "")
         mapper.SetLayersFromContours(self.layer_scalars is None)

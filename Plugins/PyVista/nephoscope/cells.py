@@ -37,7 +37,8 @@ def add_cells(plotter: pyvista.BasePlotter, grid: Any, scalars: str | np.ndarray
               contours: int | Sequence[float] | None = None, contour_opacity: float | Sequence[float] = 0.3,
               contour_color: Any = None, contour_scalars: str | None = None, contour_lighting: bool = True,
               smooth_contours: bool = True,
-              polygons: str = "contours", polygon_opacity: float | Sequence[float] = 0.3, polygon_color: Any = None, layers: dict | None = None, layer_scalars: str | None = None,
+              polygons: str = "contours", polygon_opacity: float | Sequence[float] = 0.3, polygon_color: Any = None,
+              layers: Mapping[int, Any] | Sequence[Any] | None = None, layer_scalars: str | None = None,
               name: str | None = None, show_scalar_bar: bool | None = None, scalar_bar_args: dict | None = None,
               reset_camera: bool | None = None, pickable: bool = True, user_matrix: Any = None,
               render: bool = True, unit_distance: float | None = None,
@@ -117,9 +118,11 @@ def add_cells(plotter: pyvista.BasePlotter, grid: Any, scalars: str | np.ndarray
         Opacity of all polygons, or one for each ``ContourIndex``, 0 to 1. 0: not drawn.
     polygon_color : color or sequence of color, optional
         Colour of all polygons, or one for each ``ContourIndex``. Default: the colour map's colour at the polygon.
-    layers : dict of int to pyvista.VolumeProperty, optional
-        Colour function, opacity function and unit distance of each layer; they may be discontinuous between layers. The layer of a point is the
-        number of `contours` at or below its scalar, unless `layer_scalars` is given.
+    layers : sequence, or dict of int, optional
+        How each layer is drawn: a colour, the name of a colour map over `clim` (both with the opacities of the volume), a
+        `pyvista.VolumeProperty` with colours and opacities of its own, or None for a layer like the volume. An item of a sequence is for the
+        layer 0, 1, ... The layer of a point is the number of `contours` at or below its scalar, unless `layer_scalars` is given. A property
+        whose unit distance is 1, VTK's default, has that of the volume.
     layer_scalars : str, optional
         Cell array with the layer number of each cell.
     name : str, optional
@@ -175,7 +178,7 @@ def add_cells(plotter: pyvista.BasePlotter, grid: Any, scalars: str | np.ndarray
             "faces": mapper.SetMethodToFaces}, method, "method")
     mapper.SetSplitAtControlPoints(bool(split_at_control_points))
     Surfaces(contours, contour_scalars, contour_opacity, contour_color, contour_lighting, smooth_contours, layers,
-             layer_scalars).apply(mapper, grid, array_name, association)
+             layer_scalars).apply(mapper, grid, array_name, association, prop)
     choose({"contours": mapper.SetPolygonsToContours, "all": mapper.SetPolygonsToAll, "none": mapper.SetPolygonsToNone}, polygons,
            "polygons")
     paint_polygons(mapper, polygon_opacity, polygon_color)

@@ -181,7 +181,8 @@ void CellScene::BuildTables(const std::vector<vtkVolumeProperty*>& properties)
       properties[i], separate ? this->Geometry.OpacityRange : this->Geometry.ScalarRange, Channels::Opacity);
     if (i > 0)
     {
-      const double factor = properties[0]->GetScalarOpacityUnitDistance() / properties[i]->GetScalarOpacityUnitDistance();
+      const double distance = properties[i]->GetScalarOpacityUnitDistance(), ofVolume = properties[0]->GetScalarOpacityUnitDistance();
+      const double factor = distance == ContourSettings::DefaultUnitDistance ? 1.0 : ofVolume / distance;
       this->Transfers[i].ScaleOpacity(factor);
       this->Opacities[i].ScaleOpacity(factor);
     }

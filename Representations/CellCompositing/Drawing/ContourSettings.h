@@ -30,6 +30,8 @@ struct ContourSettings
   bool SmoothNormals = true;
   bool Lighting = true;
 
+  /** The unit distance of a new vtkVolumeProperty: a layer with it has that of the volume. */
+  static constexpr double DefaultUnitDistance = 1.0;
   std::map<int, vtkSmartPointer<vtkVolumeProperty>> LayerProperties;
   std::string LayerArrayName;
   bool LayersFromContours = false;

@@ -11,6 +11,7 @@
 #include "vtkVolumeProperty.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace
 {
@@ -51,8 +52,9 @@ void imitate(vtkVolumeProperty* layer, vtkVolumeProperty* volume, double scale, 
   {
     layer->SetColor(volume->GetGrayTransferFunction());
   }
-  layer->SetScalarOpacityUnitDistance(
-    scale > 0.0 ? volume->GetScalarOpacityUnitDistance() / scale : VTK_DOUBLE_MAX);
+  const double distance = scale > 0.0 ? volume->GetScalarOpacityUnitDistance() / scale : VTK_DOUBLE_MAX;
+  // To the mapper, exactly 1 means that of the volume.
+  layer->SetScalarOpacityUnitDistance(distance == 1.0 ? std::nextafter(1.0, 2.0) : distance);
 }
 }
 

@@ -124,6 +124,25 @@ class OfCells(LayerTestCase):
         ours.SetLayerProperty(5, None)
         self.assertAlmostEqual(look(), -math.expm1(-1), places=5)
 
+    def test_unit_distance_never_set(self):
+        """VTK's default of 1 means that of the volume, whatever the size of the data; what was set holds, and 1 next to it too."""
+        for size in (1e-6, 1.0, 1e5):
+            data = meshes.with_field(meshes.Lattice(1).mesh("hexahedron"), lambda p: p[:, 2])
+            for i in range(data.GetNumberOfPoints()):
+                data.GetPoints().SetPoint(i, *(size * np.array(data.GetPoint(i))))
+            meshes.add_array(data.GetCellData(), np.array([5], np.int32), "Layer")
+            volume = constant(0.1)
+            volume.unit_distance = size
+            for distance, depth in ((1.0, 3.0), (2 * size, 1.5), (size / 4, 12.0), (np.nextafter(1.0, 2.0), 3 * size)):
+                prop = constant(3.0).volume_property()
+                prop.SetScalarOpacityUnitDistance(distance)
+
+                def configure(ours):
+                    ours.SetLayerArrayName("Layer")
+                    ours.SetLayerProperty(5, prop)
+                _, _, image = self.draw(data, volume, configure, dict(direction=(0, 0, 1), parallel=True))
+                self.assertAlmostEqual(image[48, 48, 3], -math.expm1(-depth), delta=2e-5, msg=f"{size:g}, {distance:g}")
+
     def test_missing_array(self):
         data = meshes.with_field(meshes.Lattice(1).mesh("hexahedron"), lambda p: p[:, 2])
         window = Window((16, 16))
