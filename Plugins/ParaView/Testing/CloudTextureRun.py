@@ -17,6 +17,7 @@ def draw(name, source, time=0.0, representation=CLOUDS):
     display = pvs.Show(source, view)
     display.SetRepresentationType(representation)
     solid(display, [1, 1, 1])
+    view.CameraViewUp = [1, 0, 0]  # as somebody has turned it: it stays above the pole
     pvs.ResetCamera(view)
     np.save(f"{sys.argv[1]}-{name}.npy", image(view))
     pvs.Delete(view)
