@@ -9,58 +9,13 @@
 #include "vtkCellData.h"
 #include "vtkDataSet.h"
 #include "vtkDataSetAttributes.h"
-#include "vtkImageData.h"
-#include "vtkMatrix3x3.h"
 #include "vtkPointData.h"
-#include "vtkRectilinearGrid.h"
 #include "vtkSmartPointer.h"
-
-#include <algorithm>
 
 namespace nephoscope
 {
 namespace
 {
-// Whether the dataset fills its bounds.
-bool IsBox(vtkDataSet* data)
-{
-  if (auto* image = vtkImageData::SafeDownCast(data))
-  {
-    return image->GetDirectionMatrix()->IsIdentity();
-  }
-  return vtkRectilinearGrid::SafeDownCast(data) != nullptr;
-}
-
-// A field whose border goes on for ever.
-class HeldField : public VelocityField
-{
-public:
-  HeldField(const VelocityField& field, const double bounds[6])
-    : Field(field)
-  {
-    std::copy(bounds, bounds + 6, this->Bounds);
-  }
-
-  void Sample(const SampleBatch& batch) const override
-  {
-    std::vector<Vector3> positions(batch.Positions, batch.Positions + batch.Count);
-    for (Vector3& p : positions)
-    {
-      for (std::size_t c = 0; c < 3; ++c)
-      {
-        p[c] = std::min(std::max(p[c], this->Bounds[2 * c]), this->Bounds[2 * c + 1]);
-      }
-    }
-    SampleBatch held = batch;
-    held.Positions = positions.data();
-    this->Field.Sample(held);
-  }
-
-private:
-  const VelocityField& Field;
-  double Bounds[6];
-};
-
 // The grid with its velocity and its blanking alone.
 vtkSmartPointer<vtkDataSet> SlimCopy(vtkDataSet* data, const VelocityArray& velocity)
 {
@@ -95,13 +50,7 @@ IntegrationSettings SettingsOf(const PathSettings& settings)
 struct CartesianFlow::Field : public WindField
 {
   vtkSmartPointer<vtkDataSet> Data;
-  std::unique_ptr<DataSetField> Inner;
-  std::unique_ptr<HeldField> Held;
-
-  const VelocityField& Velocity() const
-  {
-    return this->Held ? static_cast<const VelocityField&>(*this->Held) : *this->Inner;
-  }
+  std::unique_ptr<VelocityField> Velocity;
 };
 
 CartesianFlow::CartesianFlow(vtkDataSet* first, const PathSettings& settings, double length)
@@ -124,16 +73,10 @@ std::unique_ptr<WindField> CartesianFlow::MakeField(
 {
   auto field = std::make_unique<Field>();
   field->Data = SlimCopy(data, arrays.Velocity);
-  field->Inner = MakeVelocityField(field->Data, arrays.Velocity, problem);
-  if (!field->Inner)
+  field->Velocity = MakeUnboundedField(field->Data, arrays.Velocity, problem);
+  if (!field->Velocity)
   {
     return nullptr;
-  }
-  if (IsBox(data))
-  {
-    double bounds[6];
-    data->GetBounds(bounds);
-    field->Held = std::make_unique<HeldField>(*field->Inner, bounds);
   }
   return field;
 }
@@ -154,7 +97,7 @@ void CartesianFlow::Begin(vtkDataSet* points, const FlowStep&)
 void CartesianFlow::Advance(const FlowStep& step)
 {
   const auto velocityOf = [](const WindField* field) -> const VelocityField& {
-    return static_cast<const Field*>(field)->Velocity();
+    return *static_cast<const Field*>(field)->Velocity;
   };
   const Particles particles{ this->Positions.data(), this->Hints.data(), this->Inside.data(),
     this->Positions.size(), nullptr };

@@ -8,6 +8,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <utility>
 #include <vector>
 
 namespace nephoscope
@@ -71,6 +73,16 @@ public:
     return this->Descend(top, 0, this->Levels[top].size(), x, found);
   }
 
+  // Calls `look(cell)`, which tells the square of the distance of the nearest thing seen so far, with every cell whose box
+  // is not farther.
+  template <typename Look>
+  void ForEachNear(const Vector3& x, const Look& look) const
+  {
+    const std::size_t top = this->Levels.size() - 1;
+    double reach = std::numeric_limits<double>::max();
+    this->DescendNear(top, 0, this->Levels[top].size(), x, reach, look);
+  }
+
 private:
   static constexpr std::size_t BRANCH = 8;
 
@@ -118,6 +130,29 @@ private:
       }
     }
     return false;
+  }
+
+  template <typename Look>
+  void DescendNear(std::size_t level, std::size_t begin, std::size_t end, const Vector3& x,
+    double& reach, const Look& look) const
+  {
+    std::array<std::pair<double, std::size_t>, BRANCH> order;
+    for (std::size_t i = begin; i < end; ++i)
+    {
+      order[i - begin] = { this->Levels[level][i].Distance2(x), i };
+    }
+    std::sort(order.begin(), order.begin() + static_cast<std::ptrdiff_t>(end - begin));
+    for (std::size_t n = 0; n < end - begin && order[n].first <= reach; ++n)
+    {
+      const std::size_t i = order[n].second;
+      if (level == 0)
+      {
+        reach = std::min(reach, look(this->Cells[i]));
+        continue;
+      }
+      const std::size_t last = std::min(BRANCH * (i + 1), this->Levels[level - 1].size());
+      this->DescendNear(level - 1, BRANCH * i, last, x, reach, look);
+    }
   }
 
   std::vector<std::int64_t> Cells;

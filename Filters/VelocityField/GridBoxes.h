@@ -48,6 +48,18 @@ struct Box
     }
     return holds;
   }
+
+  // Square of the distance; 0 inside.
+  double Distance2(const Vector3& x) const
+  {
+    double sum = 0.0;
+    for (std::size_t c = 0; c < 3; ++c)
+    {
+      const double beyond = std::max({ this->Low[c] - x[c], x[c] - this->High[c], 0.0 });
+      sum += beyond * beyond;
+    }
+    return sum;
+  }
 };
 
 class GridBoxes

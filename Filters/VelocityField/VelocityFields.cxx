@@ -7,6 +7,7 @@
 #include "CompositeVelocity.h"
 #include "DataSets.h"
 #include "StructuredFields.h"
+#include "UnboundedField.h"
 #include "VelocityProblem.h"
 
 #include "vtkBoundingBox.h"
@@ -27,7 +28,7 @@ namespace
 struct PreparedLeaf
 {
   std::unique_ptr<DataSetField> Field;
-  vtkPointData* Arrays = nullptr; // the field holds the dataset
+  vtkSmartPointer<vtkDataSet> OnPoints;
 };
 
 PreparedLeaf MakeLeaf(vtkDataSet* data, const VelocityArray& array, std::string& problem)
@@ -45,7 +46,7 @@ PreparedLeaf MakeLeaf(vtkDataSet* data, const VelocityArray& array, std::string&
   vtkDataArray* velocity = onPoints->GetPointData()->GetArray(array.Name.c_str());
   int dimensions[3];
   PreparedLeaf leaf;
-  leaf.Arrays = onPoints->GetPointData();
+  leaf.OnPoints = onPoints;
   if (StructuredSize(onPoints, dimensions))
   {
     leaf.Field = MakeStructuredField(onPoints, velocity);
@@ -85,7 +86,7 @@ std::unique_ptr<DataSetField> MakeComposite(
     {
       CompositeVelocity::Leaf leaf;
       leaf.Field = std::move(made.Field);
-      leaf.Arrays = made.Arrays;
+      leaf.Arrays = made.OnPoints->GetPointData(); // the field holds the dataset
       leaf.Level = refined ? RefinementOf(block) : 0;
       double bounds[6];
       FiniteBounds(block).GetBounds(bounds);
@@ -121,5 +122,17 @@ std::unique_ptr<DataSetField> MakeVelocityField(
       " has no cells, so no velocity field. Give a dataset or a composite of datasets."
                  : "There is no dataset. Connect one to the filter.";
   return nullptr;
+}
+
+std::unique_ptr<VelocityField> MakeUnboundedField(
+  vtkDataSet* data, const VelocityArray& array, std::string& problem)
+{
+  PreparedLeaf leaf = MakeLeaf(data, array, problem);
+  if (!leaf.Field)
+  {
+    return nullptr;
+  }
+  vtkDataArray* velocity = leaf.OnPoints->GetPointData()->GetArray(array.Name.c_str());
+  return std::make_unique<UnboundedField>(leaf.OnPoints, velocity, std::move(leaf.Field));
 }
 }

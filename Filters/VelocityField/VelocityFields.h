@@ -11,6 +11,7 @@
 #include <string>
 
 class vtkDataObject;
+class vtkDataSet;
 class vtkPointData;
 
 namespace nephoscope
@@ -39,6 +40,10 @@ struct VelocityArray
 // what is wrong and its remedy, if there is none. The data must outlive the field.
 VTKNEPHOSCOPEFILTERSVELOCITYFIELD_EXPORT std::unique_ptr<DataSetField> MakeVelocityField(
   vtkDataObject* data, const VelocityArray& array, std::string& problem);
+
+// The same for a dataset, and beyond it the velocity at its nearest place (UnboundedField.h).
+VTKNEPHOSCOPEFILTERSVELOCITYFIELD_EXPORT std::unique_ptr<VelocityField> MakeUnboundedField(
+  vtkDataSet* data, const VelocityArray& array, std::string& problem);
 }
 
 #endif
