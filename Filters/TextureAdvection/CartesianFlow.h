@@ -8,8 +8,8 @@
 
 namespace nephoscope
 {
-// Points in any dataset, moved along straight axes. Beyond the faces of image data and of rectilinear grids the wind is that on
-// the face; elsewhere, and at blanked cells, a path ends.
+// Points in any dataset, moved along straight axes. Beyond the border, and in holes, the wind is that at the nearest place of the
+// dataset that has one.
 class CartesianFlow : public TextureFlow
 {
 public:

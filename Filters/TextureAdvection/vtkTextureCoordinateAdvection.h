@@ -22,8 +22,8 @@
  * On the output of vtkGlobeGrid, globe or map, paths are on the sphere and the wind is interpolated as a Cartesian vector: poles and
  * seam are as any other place. Air follows its height, or its pressure, so the motion relative to sloping and moving levels is
  * right; it slides along the ground and under the top. Beyond the border of a regional grid the wind is that on the border. In
- * other datasets paths are Cartesian; they end at blanked cells and at borders, except of image data and rectilinear
- * grids, whose border wind goes on.
+ * other datasets paths are Cartesian; beyond the border, in holes and in blanked cells the wind is that at the nearest place
+ * that has one.
  *
  * Winds of one Period are in memory, each time step is read once while time goes forward, and a frame costs the paths of one
  * period, whatever has been before. The same frame comes out whatever frames have been asked for before it.

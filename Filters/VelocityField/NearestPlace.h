@@ -25,6 +25,7 @@ public:
     if (FootOn(k, u, v) && u >= 0.0 && v >= 0.0 && u + v <= 1.0)
     {
       this->Consider(p, { 1.0 - u - v, u, v, 0.0 });
+      return;
     }
     this->OnEdges(p, 3);
   }
