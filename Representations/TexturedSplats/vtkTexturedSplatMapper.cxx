@@ -261,9 +261,14 @@ bool vtkTexturedSplatMapper::UsesHierarchy(
   most = moving ? this->InteractiveMaximumNumberOfSplats : 0;
   const bool tooMany = most > 0 && samples > most;
   const bool layers = !this->VectorArrayName.empty() && this->VectorPlacement == IN_LAYERS;
-  const std::string warning = layers && this->ErrorTolerance > 0
+  const bool axisIgnored = layers && this->LayerAxis >= 0 && this->Internals->Scene.GetSamples().Dimensions[0] == 0;
+  std::string warning = layers && this->ErrorTolerance > 0
     ? "ErrorTolerance is ignored: layers are made of all samples. Call SetVectorPlacementToMiddle() to "
       "draw blocks of samples as one splat each, with their vectors."
+    : "";
+  warning += axisIgnored
+    ? std::string(warning.empty() ? "" : " ") + "LayerAxis (in ParaView, Layer Axis) is ignored: these samples lie on no structured grid. "
+      "Layers at right angles to the line of sight are drawn instead; set it to -1 (Towards the Eye) to ask for these."
     : "";
   if (this->Internals->LastWarning.IsNew(warning))
   {

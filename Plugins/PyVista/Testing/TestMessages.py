@@ -81,14 +81,14 @@ class Messages(unittest.TestCase):
             self.assertNotRegex(text, r"0x[0-9a-f]{6}|Debug:|Modified Time|returned failure|vtkInformation")
             self.assertEqual(len(set(text.splitlines())), len(text.splitlines()), text)
 
-    def drawn(self, grid, name, add=nephoscope.add_cells, **options):
+    def drawn(self, grid, name, add=nephoscope.add_cells, category=RuntimeWarning, **options):
         plotter = pyvista.Plotter(off_screen=True, window_size=(30, 30))
         self.addCleanup(plotter.close)
         with warnings.catch_warnings(record=True) as caught:
             warnings.simplefilter("always")
             add(plotter, grid, name, show_scalar_bar=False, **options)
             plotter.screenshot()
-        return [str(w.message) for w in caught if w.category is RuntimeWarning]
+        return [str(w.message) for w in caught if issubclass(w.category, category)]
 
     def test_polygons_of_split_cells_are_no_mistake(self):
         grid = pyvista.ImageData(dimensions=(4, 4, 4))
@@ -110,6 +110,21 @@ class Messages(unittest.TestCase):
         text = " ".join(self.drawn(grid, "x", nephoscope.add_splats, vectors="v", vector_placement="layers", error_tolerance=0.1))
         self.assertIn("error_tolerance is ignored", text)
         self.assertIn("Pass vector_placement='middle'", text)
+
+    def test_layers_without_a_grid(self):
+        """One warning, of all meshes without layers; none where vectors are in the middle, or the grid has layers."""
+        grid = pyvista.ImageData(dimensions=(3, 3, 3))
+        grid["x"], grid["v"] = grid.points[:, 0], grid.points
+        cells = grid.cast_to_unstructured_grid()
+        splats = lambda mesh, **options: self.drawn(mesh, "x", nephoscope.add_splats, (UserWarning, RuntimeWarning), vectors="v", **options)
+        for mesh in (cells, pyvista.MultiBlock([grid, cells])):
+            for options, ignored in (({}, False), ({"layer_axis": 1}, True)):
+                told = splats(mesh, vector_placement="layers", **options)
+                self.assertEqual(len(told), 1, told)
+                self.assertIn("only a structured grid", told[0])
+                self.assertEqual("layer_axis is ignored" in told[0], ignored)
+        self.assertEqual(splats(cells), [])
+        self.assertEqual(splats(grid, vector_placement="layers", layer_axis=1), [])
 
     def test_own_words(self):
         """Names of properties that Python does not have are not in what it says."""

@@ -3,6 +3,7 @@
 """Vectors of a textured splat mapper, from the arguments of `add_splats`."""
 from __future__ import annotations
 
+import warnings
 from dataclasses import dataclass
 from typing import Any, Sequence
 
@@ -11,6 +12,7 @@ import pyvista
 
 from ._checks import choose, require_beside_scalars, require_number
 from ._medium import array_values, lookup_table
+from ._pipeline import level_of_caller
 from .transfer import colour_function
 
 
@@ -67,7 +69,10 @@ class Vectors:
         mapper.SetSegmentWidth(require_number(self.segment_width, "segment_width", least=0.1, most=100))
         if self.layer_axis not in ("eye", 0, 1, 2):
             raise ValueError(f"layer_axis is {self.layer_axis!r}; it must be one of 'eye', 0, 1, 2.")
-        mapper.SetLayerAxis(-1 if self.layer_axis == "eye" else int(self.layer_axis))
+        on_grid = isinstance(mesh, (pyvista.ImageData, pyvista.RectilinearGrid, pyvista.StructuredGrid))
+        mapper.SetLayerAxis(int(self.layer_axis) if on_grid and self.layer_axis != "eye" else -1)
+        if self.name is not None and self.placement == "layers" and not on_grid:
+            self._warn_of_layers(mesh)
         if self.unit is not None:
             mapper.SetVectorUnit(require_number(self.unit, "vector_unit", above=0))
         if self.greatest_speed is not None:
@@ -81,6 +86,12 @@ class Vectors:
             mapper.SetVectorColor(pyvista.Color(self.color).float_rgb)
             mapper.SetUseVectorColor(True)
         self._apply_colours(mapper, plotter, mesh, association)
+
+    def _warn_of_layers(self, mesh: pyvista.DataSet) -> None:
+        ignored = "" if self.layer_axis == "eye" else "layer_axis is ignored, and "
+        warnings.warn(f"vector_placement='layers': only a structured grid (ImageData, RectilinearGrid, StructuredGrid) has layers; the mesh is drawn as "
+                      f"{type(mesh).__name__}. Instead, {ignored}layers at right angles to the line of sight are drawn. Pass vector_placement='middle' for "
+                      "pictures that change less with the view.", UserWarning, stacklevel=level_of_caller())
 
     def suit(self, mapper: Any, plotter: pyvista.BasePlotter, prop: pyvista.VolumeProperty) -> None:
         """Where a medium is drawn too, and the user has not said how: so that both can be read. After everything else is set."""

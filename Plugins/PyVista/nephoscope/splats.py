@@ -113,7 +113,7 @@ def add_splats(plotter: pyvista.BasePlotter, mesh: Any, scalars: str | np.ndarra
         Comets with a sharp head, or anti-aliased line segments. Both move with `phase`.
     vector_placement : {"middle", "layers"}, default: "middle"
         Depth of the vectors. Middle: half of a splat's medium lies in front of its vector. Layers: for each layer of the grid, the scalars are
-        drawn first and then the vectors.
+        drawn first and then the vectors; without a structured grid, for each layer at right angles to the line of sight, with a warning.
     vector_opacity : float, optional
         Optical depth of the streaks of the longest vectors, >= 0; other streaks are proportional to the length of their vectors. Default: 2 for
         vectors alone; in a medium the value that gives vectors of mean length 0.6, clamped to 0.8 to 2.

@@ -163,6 +163,20 @@ class BadInput(unittest.TestCase):
         self.assertIn("ErrorTolerance is ignored", messages.warnings[0])
         self.assertEqual(mapper.GetNumberOfDrawnSplats(), data.GetNumberOfPoints())
 
+    def test_axis_of_layers_without_a_grid(self):
+        for data, axis, told in ((meshes.particles(np.eye(3)), 1, 1), (meshes.particles(np.eye(3)), -1, 0), (self.cube(), 1, 0)):
+            meshes.add_array(data.GetPointData(), np.ones(data.GetNumberOfPoints()))
+            meshes.add_array(data.GetPointData(), np.ones((data.GetNumberOfPoints(), 3)), "wind")
+
+            def layers(mapper, _):
+                mapper.SetVectorArrayName("wind")
+                mapper.SetVectorPlacementToLayers()
+                mapper.SetLayerAxis(axis)
+
+            messages, _ = self.draw(data, layers)
+            self.assertEqual([m for m in messages.all if "is ignored: these samples lie on no structured grid" not in m], [])
+            self.assertEqual(len(messages.all), told, messages.all)
+
     def test_one_point_and_one_layer(self):
         for data in (meshes.particles(np.zeros((1, 3))), meshes.image((3, 3, 0))):
             data = meshes.with_field(data, lambda p: 0 * p[:, 0])
