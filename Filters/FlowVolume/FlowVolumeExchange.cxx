@@ -19,6 +19,7 @@
 #include "vtkPolyData.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 
+#include <numeric>
 #include <vector>
 
 namespace nephoscope
@@ -104,10 +105,32 @@ void FlowVolumeExchange::Unite(vtkBoundingBox& box) const
   }
 }
 
+std::vector<double> FlowVolumeExchange::Gather(const std::vector<double>& mine) const
+{
+  if (this->IsAlone())
+  {
+    return mine;
+  }
+  const auto ranks = static_cast<std::size_t>(this->Ranks);
+  const auto count = static_cast<vtkIdType>(mine.size());
+  std::vector<vtkIdType> counts(ranks), offsets(ranks, 0);
+  this->Controller->AllGather(&count, counts.data(), 1);
+  std::partial_sum(counts.begin(), counts.end() - 1, offsets.begin() + 1);
+  std::vector<double> all(static_cast<std::size_t>(offsets.back() + counts.back()));
+  this->Controller->AllGatherV(mine.data(), all.data(), count, counts.data(), offsets.data());
+  return all;
+}
+
+vtkBoundingBox FlowVolumeExchange::BoundsOf(const std::vector<vtkDataSet*>& sets) const
+{
+  vtkBoundingBox box = nephoscope::BoundsOf(sets);
+  this->Unite(box);
+  return box;
+}
+
 double FlowVolumeExchange::DiagonalOf(const std::vector<vtkDataSet*>& sets) const
 {
-  vtkBoundingBox box = BoundsOf(sets);
-  this->Unite(box);
+  const vtkBoundingBox box = this->BoundsOf(sets);
   return box.IsValid() ? box.GetDiagonalLength() : 0.0;
 }
 
@@ -166,8 +189,7 @@ std::string FlowVolumeExchange::WhyNoVelocity(
   const std::vector<vtkDataSet*>& sets, const Vector3& position) const
 {
   const std::string inside = this->AgreeOnProblem(WhyNoVelocityInside(sets, position));
-  vtkBoundingBox box = BoundsOf(sets);
-  this->Unite(box);
+  const vtkBoundingBox box = this->BoundsOf(sets);
   return inside.empty() ? WhyOutside(box, position) : inside;
 }
 

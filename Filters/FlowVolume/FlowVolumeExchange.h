@@ -49,7 +49,11 @@ public:
   // The lowest rank where it is true; the number of ranks if there is none.
   int FirstTrue(bool here) const;
 
-  // Diagonal of the bounds of the data of all ranks.
+  // The numbers of all ranks, in the order of the ranks.
+  std::vector<double> Gather(const std::vector<double>& mine) const;
+
+  // Bounds of the data of all ranks, and their diagonal; 0 where there are no data.
+  vtkBoundingBox BoundsOf(const std::vector<vtkDataSet*>& sets) const;
   double DiagonalOf(const std::vector<vtkDataSet*>& sets) const;
 
   // As the functions of these names (VelocityChoice.h, VelocityFields.h, DataSets.h) for the data of all ranks, of which some

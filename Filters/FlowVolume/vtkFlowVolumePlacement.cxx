@@ -3,20 +3,20 @@
 #include "vtkFlowVolumePlacement.h"
 
 #include "DataSets.h"
+#include "EvenChoice.h"
 #include "FlowReach.h"
+#include "FlowVolumeExchange.h"
 #include "GeneratingPolygon.h"
 #include "SmokeGeometry.h"
-#include "VelocityChoice.h"
 #include "VelocityFields.h"
 
 #include "vtkBoundingBox.h"
 #include "vtkDataSet.h"
-#include "vtkGenericCell.h"
 #include "vtkInformation.h"
 #include "vtkMath.h"
+#include "vtkMultiProcessController.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
-#include "vtkPoints.h"
 
 #include <algorithm>
 #include <array>
@@ -33,7 +33,8 @@ using nephoscope::operator+;
 using nephoscope::operator*;
 using nephoscope::Vector3;
 
-constexpr vtkIdType mostCandidates = 2000;
+constexpr std::size_t mostCandidates = 2000;
+constexpr std::size_t atOnce = 32; // candidates: ranks exchange them together
 constexpr int mostHalvings = 7;
 constexpr std::size_t mostTraced = 400;
 constexpr std::size_t mostWithRim = 24;
@@ -53,8 +54,8 @@ struct Candidate
 };
 
 // The choice that vtkFlowVolume makes.
-bool Choose(vtkDataObject* data, const std::string& name, bool onCells,
-  nephoscope::VelocityArray& choice, std::string& problem)
+bool Choose(const nephoscope::FlowVolumeExchange& exchange, vtkDataObject* data, const std::string& name,
+  bool onCells, nephoscope::VelocityArray& choice, std::string& problem)
 {
   vtkNew<vtkInformation> wanted;
   if (!name.empty())
@@ -63,44 +64,7 @@ bool Choose(vtkDataObject* data, const std::string& name, bool onCells,
     wanted->Set(vtkDataObject::FIELD_ASSOCIATION(),
       onCells ? vtkDataObject::FIELD_ASSOCIATION_CELLS : vtkDataObject::FIELD_ASSOCIATION_POINTS);
   }
-  return nephoscope::ChooseVelocity(data, wanted, choice, problem);
-}
-
-// The middles of evenly chosen cells.
-std::vector<Vector3> Middles(const std::vector<vtkDataSet*>& leaves)
-{
-  vtkIdType cells = 0;
-  for (vtkDataSet* leaf : leaves)
-  {
-    cells += leaf->GetNumberOfCells();
-  }
-  const double stride = std::max(1.0, static_cast<double>(cells) / mostCandidates);
-  std::vector<Vector3> middles;
-  vtkNew<vtkGenericCell> cell;
-  for (vtkDataSet* leaf : leaves)
-  {
-    for (double i = 0.5 * (stride - 1.0); i < static_cast<double>(leaf->GetNumberOfCells());
-         i += stride)
-    {
-      leaf->GetCell(static_cast<vtkIdType>(i), cell);
-      const vtkIdType corners = cell->GetNumberOfPoints();
-      Vector3 middle{};
-      for (vtkIdType c = 0; c < corners; ++c)
-      {
-        double x[3];
-        cell->Points->GetPoint(c, x);
-        for (std::size_t k = 0; k < 3; ++k)
-        {
-          middle[k] += x[k] / static_cast<double>(corners);
-        }
-      }
-      if (corners > 0)
-      {
-        middles.push_back(middle);
-      }
-    }
-  }
-  return middles;
+  return exchange.ChooseVelocity(data, wanted, choice, problem);
 }
 
 std::vector<unsigned char> SampleAt(
@@ -168,41 +132,104 @@ public:
     }
   }
 
-  bool AreInside(const DataSetField& field, const Candidate& candidate, double radius) const
+  // For each of the candidates, with its radius.
+  std::vector<bool> AreInside(const DataSetField& field, const std::vector<Candidate>& candidates) const
   {
-    const Vector3 normal = nephoscope::Direction(candidate.Velocity), u = nephoscope::Perpendicular(normal), v = nephoscope::Cross(normal, u);
     std::vector<Vector3> places, velocities;
-    for (const auto& [a, b] : this->Points)
+    for (const Candidate& c : candidates)
     {
-      places.push_back(candidate.Place + (rounding * radius * a) * u + (rounding * radius * b) * v);
+      this->AddPlaces(c, places);
     }
     const auto inside = SampleAt(field, places, velocities);
-    return std::all_of(inside.begin(), inside.end(), [](unsigned char i) { return i != 0; });
+    std::vector<bool> all;
+    for (auto first = inside.begin(); first != inside.end(); first += this->Count())
+    {
+      all.push_back(std::all_of(first, first + this->Count(), [](unsigned char i) { return i != 0; }));
+    }
+    return all;
   }
 
 private:
+  std::ptrdiff_t Count() const { return static_cast<std::ptrdiff_t>(this->Points.size()); }
+
+  void AddPlaces(const Candidate& c, std::vector<Vector3>& places) const
+  {
+    const Vector3 normal = nephoscope::Direction(c.Velocity), u = nephoscope::Perpendicular(normal), v = nephoscope::Cross(normal, u);
+    for (const auto& [a, b] : this->Points)
+    {
+      places.push_back(c.Place + (rounding * c.Radius * a) * u + (rounding * c.Radius * b) * v);
+    }
+  }
+
   static constexpr Vector3 across = { { 0.0, 0.0, 1.0 } };
   static constexpr double rounding = 1.0 + 1e-6;
   std::vector<std::array<double, 2>> Points; // of a polygon of radius 1, in its plane
 };
 
-// The greatest of the radii, halved up to 7 times, whose polygon is inside the data; else the least.
-double FittingRadius(const DataSetField& field, const PolygonPoints& polygon, const Candidate& candidate, double radius)
+// Gives each the greatest of the radii, halved up to 7 times, whose polygon is inside the data; else the least.
+void FitRadii(const DataSetField& field, const PolygonPoints& polygon, double radius, std::vector<Candidate>& candidates)
 {
-  for (int halving = 0; halving < mostHalvings && !polygon.AreInside(field, candidate, radius); ++halving)
+  for (Candidate& c : candidates)
   {
-    radius *= 0.5;
+    c.Radius = radius;
   }
-  return radius;
+  for (int halving = 0; halving < mostHalvings; ++halving)
+  {
+    const std::vector<bool> inside = polygon.AreInside(field, candidates);
+    for (std::size_t i = 0; i < candidates.size(); ++i)
+    {
+      candidates[i].Radius *= inside[i] ? 1.0 : 0.5;
+    }
+  }
 }
 
-// How far smoke from the middle and the rim goes on average.
-double MeanReach(const DataSetField& field, const Candidate& candidate, double length)
+// How far smoke from the middle and the rim of each goes on average.
+std::vector<double> MeanReaches(const DataSetField& field, const std::vector<Candidate>& candidates, double length)
 {
-  std::vector<Vector3> places = Rim(candidate, candidate.Radius);
-  places.push_back(candidate.Place);
+  std::vector<Vector3> places;
+  for (const Candidate& c : candidates)
+  {
+    const std::vector<Vector3> rim = Rim(c, c.Radius);
+    places.insert(places.end(), rim.begin(), rim.end());
+    places.push_back(c.Place);
+  }
   const std::vector<double> reaches = nephoscope::FlowReaches(field, places, length);
-  return std::accumulate(reaches.begin(), reaches.end(), 0.0) / static_cast<double>(places.size());
+  const std::size_t each = places.size() / std::max<std::size_t>(1, candidates.size());
+  std::vector<double> means;
+  for (auto first = reaches.begin(); first != reaches.end(); first += static_cast<std::ptrdiff_t>(each))
+  {
+    means.push_back(std::accumulate(first, first + static_cast<std::ptrdiff_t>(each), 0.0) / static_cast<double>(each));
+  }
+  return means;
+}
+
+// Rounded, and the same if it differs by rounding errors, as it does between numbers of ranks.
+double Step(double value)
+{
+  return std::floor(value + 0.5 + 1e-7);
+}
+
+// The first of the sorted candidates whose polygon is inside, with the greatest radius for which there is one.
+Candidate FirstThatFits(const DataSetField& field, const PolygonPoints& polygon, const std::vector<Candidate>& candidates, double radius)
+{
+  for (int halving = 0; halving <= mostHalvings; ++halving, radius *= 0.5)
+  {
+    for (std::size_t begin = 0; begin < candidates.size(); begin += atOnce)
+    {
+      const auto first = candidates.begin() + static_cast<std::ptrdiff_t>(begin);
+      std::vector<Candidate> some(first, first + static_cast<std::ptrdiff_t>(std::min(atOnce, candidates.size() - begin)));
+      std::for_each(some.begin(), some.end(), [radius](Candidate& c) { c.Radius = radius; });
+      const std::vector<bool> inside = polygon.AreInside(field, some);
+      const auto found = std::find(inside.begin(), inside.end(), true);
+      if (found != inside.end())
+      {
+        return some[static_cast<std::size_t>(found - inside.begin())];
+      }
+    }
+  }
+  Candidate least = candidates.front();
+  least.Radius = radius;
+  return least;
 }
 
 // The fastest place, in steps of 5 %, that holds the largest polygon; of those that are as fast the nearest to the middle.
@@ -216,23 +243,11 @@ Candidate Fastest(const DataSetField& field, const PolygonPoints& polygon, std::
   candidates.erase(std::remove_if(candidates.begin(), candidates.end(),
                      [&](const Candidate& c) { return c.Speed < leastSpeed * greatest; }),
     candidates.end());
-  const auto rank = [&](const Candidate& c) { return std::round(c.Speed / (speedStep * greatest)); };
+  const auto rank = [&](const Candidate& c) { return Step(c.Speed / (speedStep * greatest)); };
   std::stable_sort(candidates.begin(), candidates.end(), [&](const Candidate& a, const Candidate& b) {
     return rank(a) != rank(b) ? rank(a) > rank(b) : a.Distance < b.Distance;
   });
-  for (int halving = 0; halving <= mostHalvings; ++halving, radius *= 0.5)
-  {
-    for (Candidate& c : candidates)
-    {
-      if (polygon.AreInside(field, c, radius))
-      {
-        c.Radius = radius;
-        return c;
-      }
-    }
-  }
-  candidates.front().Radius = radius;
-  return candidates.front();
+  return FirstThatFits(field, polygon, candidates, radius);
 }
 
 // The best first; among those that are as good the one nearest to the middle.
@@ -245,7 +260,7 @@ void SortByQuality(std::vector<Candidate>& candidates)
   }
   const double unit = best > 0.0 ? qualityStep * best : 1.0;
   std::stable_sort(candidates.begin(), candidates.end(), [unit](const Candidate& a, const Candidate& b) {
-    const double first = std::round(a.Quality / unit), second = std::round(b.Quality / unit);
+    const double first = Step(a.Quality / unit), second = Step(b.Quality / unit);
     return first != second ? first > second : a.Distance < b.Distance;
   });
 }
@@ -280,10 +295,12 @@ void JudgeByMiddle(const DataSetField& field, double length, std::vector<Candida
 void JudgeByRim(
   const DataSetField& field, const PolygonPoints& polygon, double radius, double length, std::vector<Candidate>& candidates)
 {
-  for (Candidate& c : candidates)
+  FitRadii(field, polygon, radius, candidates);
+  const std::vector<double> reaches = MeanReaches(field, candidates, length);
+  for (std::size_t i = 0; i < candidates.size(); ++i)
   {
-    c.Radius = FittingRadius(field, polygon, c, radius);
-    c.Quality = MeanReach(field, c, length) * c.Speed * c.Radius / radius;
+    Candidate& c = candidates[i];
+    c.Quality = reaches[i] * c.Speed * c.Radius / radius;
   }
 }
 
@@ -300,23 +317,31 @@ Candidate BestTraced(const DataSetField& field, const PolygonPoints& polygon, st
 }
 }
 
+vtkFlowVolumePlacement::~vtkFlowVolumePlacement()
+{
+  this->SetController(nullptr);
+}
+
+vtkCxxSetObjectMacro(vtkFlowVolumePlacement, Controller, vtkMultiProcessController);
+
 bool vtkFlowVolumePlacement::Find(vtkDataObject* data, const std::string& velocity, bool onCells)
 {
   this->Problem.clear();
   this->Speed = this->Quality = 0.0;
   const auto leaves = nephoscope::DataSetsOf(data);
   nephoscope::VelocityArray array;
-  if (leaves.empty() || !Choose(data, velocity, onCells, array, this->Problem))
+  const nephoscope::FlowVolumeExchange exchange(this->Controller);
+  if (!exchange.AnyTrue(!leaves.empty()) || !Choose(exchange, data, velocity, onCells, array, this->Problem))
   {
     return false;
   }
-  const auto field = nephoscope::MakeVelocityField(data, array, this->Problem);
+  const auto field = exchange.MakeVelocityField(data, array, this->Problem);
   if (!field)
   {
     return false;
   }
-  const vtkBoundingBox box = nephoscope::BoundsOf(leaves);
-  auto candidates = Candidates(*field, Middles(leaves), box);
+  const vtkBoundingBox box = exchange.BoundsOf(leaves);
+  auto candidates = Candidates(*field, nephoscope::EvenlyChosenMiddles(data, box, mostCandidates, exchange), box);
   if (candidates.empty())
   {
     return false;
@@ -324,7 +349,7 @@ bool vtkFlowVolumePlacement::Find(vtkDataObject* data, const std::string& veloci
   const double diagonal = this->Diagonal > 0.0 ? this->Diagonal : box.GetDiagonalLength();
   const PolygonPoints polygon(this->NumberOfSides);
   Candidate chosen = Fastest(*field, polygon, candidates, diagonal / 50.0);
-  const double reach = MeanReach(*field, chosen, 0.5 * diagonal);
+  const double reach = MeanReaches(*field, { chosen }, 0.5 * diagonal).front();
   chosen.Quality = reach * chosen.Speed * chosen.Radius / (diagonal / 50.0);
   if (reach < farEnough)
   {

@@ -13,7 +13,7 @@
  *    speed; less where the path stays in one place, within an eighth of the diagonal;
  * 3. the radius: 1/50 of the diagonal, or half, a quarter, ... 1/128 of that, such that all points of the polygon across the flow are inside the data;
  * and among places that differ by 5 % the one that is nearest to the middle of the bounds.
- * The same data give the same place. Hosts use it for their defaults; vtkFlowVolume itself stays where it is put.
+ * The same data give the same place, on one process or spread over several. Hosts use it for their defaults; vtkFlowVolume itself stays where it is put.
  */
 #ifndef vtkFlowVolumePlacement_h
 #define vtkFlowVolumePlacement_h
@@ -24,6 +24,7 @@
 #include <string> // for names
 
 class vtkDataObject;
+class vtkMultiProcessController;
 
 class VTKNEPHOSCOPEFILTERSFLOWVOLUME_EXPORT vtkFlowVolumePlacement : public vtkObject
 {
@@ -39,7 +40,13 @@ public:
    */
   bool Find(vtkDataObject* data, const std::string& velocity = std::string(), bool onCells = false);
 
-  /** Diagonal that the radius is a fraction of, where `data` is a part of the whole; 0 (default): that of `data`. */
+  ///@{
+  /** The processes that the data are spread over; Find is then to be called on all of them, and all find the same. Null (default): one. */
+  virtual void SetController(vtkMultiProcessController*);
+  vtkGetObjectMacro(Controller, vtkMultiProcessController);
+  ///@}
+
+  /** Diagonal that the radius is a fraction of, where `data` is a part of the whole and there is no Controller; 0 (default): that of `data`. */
   vtkSetMacro(Diagonal, double);
   vtkGetMacro(Diagonal, double);
 
@@ -64,12 +71,13 @@ public:
 
 protected:
   vtkFlowVolumePlacement() = default;
-  ~vtkFlowVolumePlacement() override = default;
+  ~vtkFlowVolumePlacement() override;
 
 private:
   vtkFlowVolumePlacement(const vtkFlowVolumePlacement&) = delete;
   void operator=(const vtkFlowVolumePlacement&) = delete;
 
+  vtkMultiProcessController* Controller = nullptr;
   double Diagonal = 0.0;
   int NumberOfSides = 12;
   double Center[3] = { 0.0, 0.0, 0.0 };

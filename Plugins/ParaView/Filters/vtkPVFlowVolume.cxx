@@ -60,7 +60,8 @@ void TakeBestOfAllRanks(std::vector<double>& place)
   std::vector<double> all(
     place.size() * static_cast<std::size_t>(controller->GetNumberOfProcesses()));
   controller->AllGather(place.data(), all.data(), length);
-  for (std::size_t i = 0; i < all.size(); i += place.size())
+  std::copy_n(all.begin(), place.size(), place.begin()); // of the first rank, if others are as good
+  for (std::size_t i = place.size(); i < all.size(); i += place.size())
   {
     if (place[0] < all[i])
     {
@@ -147,21 +148,13 @@ void vtkPVFlowVolume::FindPlaceIn(vtkDataObject* input)
     wanted->Get(vtkDataObject::FIELD_ASSOCIATION()) == vtkDataObject::FIELD_ASSOCIATION_CELLS;
   vtkNew<vtkFlowVolumePlacement> finder;
   this->Diagonal = DiagonalOfAllRanks(input);
-  finder->SetDiagonal(this->Diagonal);
+  finder->SetController(this->GetController());
   finder->SetNumberOfSides(this->GetNumberOfSides());
-  std::vector<double> place(8, 0.0); // quality, radius, centre, normal
-  place[7] = 1.0;
-  if (input && finder->Find(input, name ? name : "", onCells))
-  {
-    place[0] = finder->GetQuality();
-    place[1] = finder->GetRadius();
-    std::copy_n(finder->GetCenter(), 3, place.begin() + 2);
-    std::copy_n(finder->GetNormal(), 3, place.begin() + 5);
-  }
-  TakeBestOfAllRanks(place);
-  this->PlaceRadius = place[1];
-  std::copy_n(place.begin() + 2, 3, this->PlaceCenter);
-  std::copy_n(place.begin() + 5, 3, this->PlaceNormal);
+  const bool found = finder->Find(input, name ? name : "", onCells);
+  const double nowhere[] = { 0.0, 0.0, 0.0 }, up[] = { 0.0, 0.0, 1.0 };
+  this->PlaceRadius = found ? finder->GetRadius() : 0.0;
+  std::copy_n(found ? finder->GetCenter() : nowhere, 3, this->PlaceCenter);
+  std::copy_n(found ? finder->GetNormal() : up, 3, this->PlaceNormal);
 }
 
 void vtkPVFlowVolume::SetPreviewCenter(double x, double y, double z)
