@@ -95,7 +95,7 @@ std::vector<NumberedMiddle> EveryNth(vtkDataSet* set, const Extent& part, const 
   return middles;
 }
 
-// Of a place, rounded so that rounding errors do not change it: 53 bits.
+// Hash of a place, rounded so that rounding errors do not change it: 53 bits.
 double HashOf(const double* place, const vtkBoundingBox& box)
 {
   constexpr double cells = 1048576.0, shift = 0.381966; // regular places are not at the borders of cells
@@ -143,7 +143,7 @@ std::vector<NumberedMiddle> SmallestHashes(
   return middles;
 }
 
-// Of all ranks, in the order of their numbers.
+// The middles of all ranks, in the order of their numbers.
 std::vector<NumberedMiddle> Gathered(const std::vector<NumberedMiddle>& mine, const FlowVolumeExchange& exchange)
 {
   std::vector<double> flat;

@@ -50,7 +50,7 @@ Vector3 Sum(const Vector3 (&p)[4], const std::array<double, 4>& weights)
   return sum;
 }
 
-// Of n x n places.
+// The least distance among n x n places.
 double LeastDistance(const Vector3 (&p)[4], bool triangle, int n)
 {
   double least = std::numeric_limits<double>::max();

@@ -68,6 +68,7 @@ _NAMES_OF_MAPPERS = {
     "VectorColorArrayName": "vector_scalars", "VectorArrayName": "vectors", "call SetVectorColorFunction": "give vector_cmap",
     "set ErrorTolerance to 0.3": "pass error_tolerance=0.3", "ErrorTolerance": "error_tolerance",
     "Call SetVectorPlacementToMiddle()": "Pass vector_placement='middle'",
+    "LayerAxis (in ParaView, Layer Axis)": "layer_axis", "set it to -1 (Towards the Eye) to ask for these": "pass layer_axis='eye' to ask for these",
     "give its name with SetCellSizeArrayName, or an empty one for sizes from the data": "name it by sizes or volumes, or leave these out",
     "Raise MaximumNumberOfLayers": "Raise layers", "CoverageArrayName": "coverage",
     "DensityVolume": "density_volume", "DensityArrayName": "density",
