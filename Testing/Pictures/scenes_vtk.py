@@ -167,14 +167,14 @@ def clouds_source(names):
 
 def peeling(names):
     ball_mapper(names)
-    names["renderer"] = vtkRenderer()
+    names["renderer"], names["window"] = vtkRenderer(), vtkRenderWindow()
     sphere = surface_actor(producer(pyvista.Sphere(radius=0.6)).GetOutputPort(), (0.2, 0.9, 0.3))
     sphere.GetProperty().SetOpacity(0.5)
     names["renderer"].AddActor(sphere)
 
 
 def textured(names):
-    names["clouds"], names["renderer"] = cloud_surface(), vtkRenderer()
+    names["clouds"], names["renderer"], names["window"] = cloud_surface(), vtkRenderer(), vtkRenderWindow()
     names["mapper"] = mapper = nephoscope.vtkCloudTextureMapper()
     mapper.SetInputConnection(names["clouds"].GetOutputPort())
     mapper.ScalarVisibilityOff()
