@@ -6,7 +6,7 @@ RELEASE_PYTHONS=(3.11 3.13 3.14) # of these Debian has the headers
 # shellcheck disable=SC2034 # read by the verb
 RELEASE_PARTS=(sdist wheels debs docs)
 
-# The version stands in CMakeLists.txt; two files repeat it.
+# The version stands in CMakeLists.txt; CITATION.cff repeats it.
 release_version() { sed -nE 's/^project\(Nephoscope VERSION ([0-9.]+) .*/\1/p' "$TOP/CMakeLists.txt"; }
 
 # A draft is of any tree; a release has its own section in the changelog, and nothing that is not committed.

@@ -4,10 +4,10 @@
 
 #include "GridCell.h"
 #include "HiddenCells.h"
+#include "LinearCellFaces.h"
 #include "StructuredFields.h"
 
 #include "vtkCell.h"
-#include "vtkCellType.h"
 #include "vtkDataArray.h"
 #include "vtkDataSet.h"
 #include "vtkGenericCell.h"
@@ -21,12 +21,6 @@ namespace nephoscope
 {
 namespace
 {
-constexpr int TETRAHEDRON_FACES[4][3] = { { 0, 1, 3 }, { 1, 2, 3 }, { 2, 0, 3 }, { 0, 2, 1 } };
-constexpr int HEXAHEDRON_FACES[6][4] = { { 0, 4, 7, 3 }, { 1, 2, 6, 5 }, { 0, 1, 5, 4 },
-  { 3, 7, 6, 2 }, { 0, 3, 2, 1 }, { 4, 5, 6, 7 } };
-constexpr int VOXEL_FACES[6][4] = { { 0, 4, 6, 2 }, { 1, 3, 7, 5 }, { 0, 1, 5, 4 }, { 2, 6, 7, 3 },
-  { 0, 2, 3, 1 }, { 4, 5, 7, 6 } };
-
 class FaceCollection
 {
 public:
@@ -37,21 +31,8 @@ public:
 
   void AddCell(vtkIdType cell)
   {
-    const int type = this->Data->GetCellType(cell);
-    switch (type)
-    {
-      case VTK_TETRA:
-        this->AddKnown(cell, TETRAHEDRON_FACES);
-        break;
-      case VTK_HEXAHEDRON:
-        this->AddKnown(cell, HEXAHEDRON_FACES);
-        break;
-      case VTK_VOXEL:
-        this->AddKnown(cell, VOXEL_FACES);
-        break;
-      default:
-        this->AddOther(cell);
-    }
+    const FaceList<int> faces = linearCellFaces(this->Data->GetCellType(cell));
+    faces.Begin ? this->AddLinear(cell, faces) : this->AddOther(cell);
   }
 
   // Without those that two cells share.
@@ -82,15 +63,14 @@ private:
     bool IsPolygon;
   };
 
-  template <std::size_t faces, std::size_t corners>
-  void AddKnown(vtkIdType cell, const int (&table)[faces][corners])
+  void AddLinear(vtkIdType cell, FaceList<int> faces)
   {
     this->Data->GetCellPoints(cell, this->Ids);
-    for (const auto& face : table)
+    for (const int* face = faces.Begin; face != faces.End; face += *face + 1)
     {
-      vtkIdType ids[corners];
-      std::transform(face, face + corners, ids, [this](int i) { return this->Ids->GetId(i); });
-      this->AddFace(ids, corners);
+      vtkIdType ids[6];
+      std::transform(face + 1, face + 1 + *face, ids, [this](int i) { return this->Ids->GetId(i); });
+      this->AddFace(ids, static_cast<std::size_t>(*face));
     }
   }
 

@@ -5,6 +5,7 @@
 #include "DensityCells.h"
 
 #include "CloudCellsFunction.h"
+#include "CloudGridWalkFunctions.h"
 #include "ShaderArrays.h"
 
 #include "vtkMatrix4x4.h"
@@ -41,7 +42,7 @@ std::string DensityCells::Take(const std::vector<DensityBlock>& blocks)
 
 std::string DensityCells::GetShaderCode() const
 {
-  return arrayDeclarations(currentArrayLayout()) + CloudCellsFunction;
+  return arrayDeclarations(currentArrayLayout()) + CloudGridWalkFunctions + CloudCellsFunction;
 }
 
 std::string DensityCells::Upload(vtkOpenGLRenderWindow* window)

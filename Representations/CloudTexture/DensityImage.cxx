@@ -4,6 +4,7 @@
 
 #include "DensityImage.h"
 
+#include "CloudGridWalkFunctions.h"
 #include "CloudVolumeFunction.h"
 
 #include "vtkDataArray.h"
@@ -47,7 +48,7 @@ void DensityImage::Read(vtkDataArray* array)
 
 std::string DensityImage::GetShaderCode() const
 {
-  return CloudVolumeFunction;
+  return std::string(CloudGridWalkFunctions) + CloudVolumeFunction;
 }
 
 std::string DensityImage::Upload(vtkOpenGLRenderWindow* window)

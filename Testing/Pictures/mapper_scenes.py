@@ -91,6 +91,12 @@ def ball(radius=0.45, color=(0.9, 0.6, 0.2), opacity=1.0):
 
 # ---- cells
 
+def clip(mapper):
+    plane = vtkPlane()
+    plane.SetNormal(0.3, 1, 0.2)
+    mapper.AddClippingPlane(plane)
+
+
 def cells(made, data, configure=None, transfer=CLOUD, **options):
     mapper = nephoscope.vtkCellCompositingMapper()
     if configure:
@@ -221,10 +227,6 @@ def _(made):
 
 @scene("cells-clipped")
 def _(made):
-    def clip(mapper):
-        plane = vtkPlane()
-        plane.SetNormal(0.3, 1, 0.2)
-        mapper.AddClippingPlane(plane)
     cells(made, image(), clip)
 
 
@@ -281,10 +283,6 @@ def _(made):
 
 @scene("splats-clipped")
 def _(made):
-    def clip(mapper):
-        plane = vtkPlane()
-        plane.SetNormal(0.3, 1, 0.2)
-        mapper.AddClippingPlane(plane)
     splats(made, image(), clip)
 
 

@@ -8,7 +8,6 @@ environment variable VTK_DIR names. It must be the VTK of the `vtk` wheel that t
 import importlib.metadata
 import importlib.resources
 import os
-import re
 import shutil
 import subprocess
 import sys
@@ -16,14 +15,11 @@ import tempfile
 from pathlib import Path
 
 TOP = Path(__file__).resolve().parents[3]
-sys.path.insert(0, str(TOP / "Plugins/PyVista/packaging"))
+sys.path[:0] = [str(TOP / "Plugins/PyVista/packaging"), str(TOP / "CMake/wheel")]
+from inputs import vtk_version  # noqa: E402
 from nephoscope_wheel import make_wheel  # noqa: E402
 
 INDEX = "https://vtk.org/files/wheel-sdks"
-
-
-def vtk_version():
-    return re.search(r"^vtk==(\S+)", (TOP / "CMake/wheel/vtk.txt").read_text(), re.MULTILINE)[1]
 
 
 def get_requires_for_build_wheel(config_settings=None):

@@ -132,14 +132,20 @@ def check_threshold_and_waves():
     check(color_and_alpha(view)[0][:, :, [0, 2]].max() < 0.02, "the colours of the texture are not drawn")
 
 
-def check_thickness():
-    """Along the ray through the middle of a ball of given extinction; at the default, thinner towards the rim."""
+def thick_ball():
+    """A view of a ball of cloud that is as opaque as it is thick, and its display."""
     view = new_view()
     ball = pvs.Sphere(Radius=1, ThetaResolution=200, PhiResolution=200)
     display = compose(ball, view, ("POINTS", ""), CLOUDS)
     solid(display, [1, 1, 1])
     display.CloudTextureCoverage = 1
     display.CloudTextureUseThickness = 1
+    return view, display
+
+
+def check_thickness():
+    """Along the ray through the middle of a ball of given extinction; at the default, thinner towards the rim."""
+    view, display = thick_ball()
     look(view, (0, 0, 6))
     for extinction in (0.3, 1.0):
         display.CloudTextureExtinction = extinction
@@ -152,12 +158,7 @@ def check_thickness():
 
 def check_density_volume():
     """A ball in grids of a linear density: through its middle by that of its centre. Back to none, and after a change of the volume."""
-    view = new_view()
-    ball = pvs.Sphere(Radius=1, ThetaResolution=200, PhiResolution=200)
-    display = compose(ball, view, ("POINTS", ""), CLOUDS)
-    solid(display, [1, 1, 1])
-    display.CloudTextureCoverage = 1
-    display.CloudTextureUseThickness = 1
+    view, display = thick_ball()
     display.CloudTextureExtinction = 1
     wavelet = pvs.Wavelet(WholeExtent=[-3, 3, -3, 3, -3, 3])
     grid = pvs.Calculator(Input=pvs.Transform(Input=wavelet), ResultArrayName="Water", Function="0.4 + 0.05*coordsX")

@@ -133,32 +133,12 @@ float meanDensityOfVolume(vec3 startVC, vec3 endVC)
   }
   lookAlong(startMC, wayMC);
   vec3 start = (startMC - cloudBinsLow) * cloudBinsPerLength, way = wayMC * cloudBinsPerLength; // in bins
-  ivec3 counts = ivec3(cloudBinCounts);
-  vec3 perWay = 1.0 / mix(way, vec3(1.0e-20), lessThan(abs(way), vec3(1.0e-20)));
-  vec3 toLow = -start * perWay, toHigh = (cloudBinCounts - start) * perWay;
-  vec3 entries = min(toLow, toHigh), exits = max(toLow, toHigh);
-  float from = max(0.0, max(entries.x, max(entries.y, entries.z)));
-  float end = min(1.0, min(exits.x, min(exits.y, exits.z)));
-  ivec3 bin = clamp(ivec3(floor(start + from * way)), ivec3(0), counts - 1);
-  ivec3 ahead = ivec3(greaterThan(perWay, vec3(0.0)));
-  int steps = counts.x + counts.y + counts.z + 3;
   float sum = 0.0;
-  for (int i = 0; i < steps && from < end; ++i)
+  for (GridWalk walk = beginWalk(start, way, ivec3(cloudBinCounts)); walk.from < walk.end; goOn(walk))
   {
-    vec3 leave = (vec3(bin + ahead) - start) * perWay;
-    float to = max(from, min(end, min(leave.x, min(leave.y, leave.z))));
-    if (to > from)
+    if (walk.to > walk.from)
     {
-      sum += integralInBin(bin, from, to);
-    }
-    from = to;
-    ivec3 side = 2 * ahead - 1;
-    bin += leave.x <= leave.y && leave.x <= leave.z ? ivec3(side.x, 0, 0)
-      : leave.y <= leave.z                          ? ivec3(0, side.y, 0)
-                                                    : ivec3(0, 0, side.z);
-    if (any(lessThan(bin, ivec3(0))) || any(greaterThanEqual(bin, counts)))
-    {
-      break;
+      sum += integralInBin(walk.box, walk.from, walk.to);
     }
   }
   return sum;
