@@ -25,7 +25,7 @@ import json, sys
 import nephoscope
 from nephoscope import _modules
 classes = {name: getattr(nephoscope, name).__module__.split(".")[-1] for name in nephoscope.__all__ if name.startswith("vtk")}
-json.dump({"modules": _modules.MODULES, "classes": classes, "functions": nephoscope.PYVISTA_FUNCTIONS}, sys.stdout)
+json.dump({"modules": _modules.MODULES, "classes": classes, "functions": {**nephoscope.VTK_FUNCTIONS, **nephoscope.PYVISTA_FUNCTIONS}}, sys.stdout)
 """
 
 
@@ -58,7 +58,7 @@ def make_stubs(staging, vtk, stubs):
                    env=environment, check=True)
     lines = [f"from .{module} import {name} as {name}" for name, module in sorted(content["classes"].items())]
     lines += [f"from .{file} import {name} as {name}" for name, file in sorted(content["functions"].items())]
-    (stubs / "__init__.pyi").write_text("\n".join([*lines, "", "__version__: str", "PYVISTA_FUNCTIONS: dict[str, str]", ""]))
+    (stubs / "__init__.pyi").write_text("\n".join([*lines, "", "__version__: str", "VTK_FUNCTIONS: dict[str, str]", "PYVISTA_FUNCTIONS: dict[str, str]", ""]))
 
 
 def main():

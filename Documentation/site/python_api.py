@@ -13,6 +13,7 @@ GROUPS = {  # title: (page, what the names of its functions begin with, introduc
     "Functions for plotters": ("plotters", ("add_",), "They draw in a ``pyvista.Plotter`` and return what they have added."),
     "Files": ("files", ("read_", "write_", "cf_"), "Readers and writers."),
     "In the browser": ("browser", ("serve", "viewer"), "They draw here and send pictures to a page; :doc:`how </Documentation/web>`."),
+    "VTK's mappers": ("override", ("override_",), "They need VTK alone, not PyVista."),
     "Filters": ("filters", ("",), "They take a mesh and return one. Most are methods of meshes too: "
                 "``mesh.nephoscope.smooth(...)`` is ``nephoscope.smooth(mesh, ...)``, and ``mesh.nephoscope.globe(...)`` is ``to_globe``, "
                 "``mesh.nephoscope.terrain(...)`` is ``terrain_surface``."),
@@ -21,10 +22,11 @@ GROUPS = {  # title: (page, what the names of its functions begin with, introduc
 
 def functions():
     """{name: module}, as the package lists them."""
+    listed = {}
     for node in ast.parse((PACKAGE / "__init__.py").read_text(encoding="utf-8")).body:
-        if isinstance(node, ast.Assign) and node.targets[0].id == "PYVISTA_FUNCTIONS":
-            return ast.literal_eval(node.value)
-    raise LookupError("PYVISTA_FUNCTIONS is not in the package")
+        if isinstance(node, ast.Assign) and node.targets[0].id in ("VTK_FUNCTIONS", "PYVISTA_FUNCTIONS"):
+            listed.update(ast.literal_eval(node.value))
+    return listed
 
 
 def linked(text):
@@ -53,6 +55,6 @@ def files():
         left = {function: module for function, module in left.items() if function not in chosen}
         made[f"api/python/{name}.rst"] = page(title, introduction, chosen)
     made["api/python.rst"] = "\n".join([
-        "Python", "======", "", "``import nephoscope`` gives these functions, which need PyVista, and every :doc:`VTK class <vtk>`.",
+        "Python", "======", "", "``import nephoscope`` gives these functions and every :doc:`VTK class <vtk>`.",
         "", ".. toctree::", "   :maxdepth: 1", "", *[f"   python/{name}" for name, _, _ in GROUPS.values()], ""])
     return made

@@ -12,8 +12,7 @@
 namespace nephoscope
 {
 
-/** The input, the choice of scalars, and a list of its own of the same clipping planes. */
-inline void copyVolumeSettings(vtkAbstractVolumeMapper* from, vtkAbstractVolumeMapper* to)
+inline void copyInputAndScalars(vtkAbstractVolumeMapper* from, vtkAbstractVolumeMapper* to)
 {
   to->SetInputConnection(0, from->GetNumberOfInputConnections(0) > 0 ? from->GetInputConnection(0, 0) : nullptr);
   to->SetScalarMode(from->GetScalarMode());
@@ -25,6 +24,12 @@ inline void copyVolumeSettings(vtkAbstractVolumeMapper* from, vtkAbstractVolumeM
   {
     to->SelectScalarArray(from->GetArrayId());
   }
+}
+
+/** The input, the choice of scalars, and a list of its own of the same clipping planes. */
+inline void copyVolumeSettings(vtkAbstractVolumeMapper* from, vtkAbstractVolumeMapper* to)
+{
+  copyInputAndScalars(from, to);
   if (from->GetClippingPlanes())
   {
     vtkNew<vtkPlaneCollection> planes;

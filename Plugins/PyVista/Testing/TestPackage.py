@@ -30,8 +30,8 @@ def declared_classes():
     """Classes that the headers of the module folders declare and export, other than those for C++ alone."""
     pattern = re.compile(r"class\s+VTKNEPHOSCOPE\w+_EXPORT\s+(vtk\w+)")
     headers = [header for kind in ("Filters", "Representations") for module in SOURCE.glob(f"{kind}/*/vtk.module")
-               if "EXCLUDE_WRAP" not in module.read_text() for header in module.parent.glob("*.h")
-               if module.parent != SOURCE / "Representations" / "Common"]
+               if "EXCLUDE_WRAP" not in module.read_text() for header in module.parent.rglob("*.h")
+               if not {"ParaView", "Testing"} & set(header.relative_to(module.parent).parts) and module.parent != SOURCE / "Representations" / "Common"]
     return {name for header in headers for name in pattern.findall(header.read_text())}
 
 

@@ -3,7 +3,7 @@
 """Clouds, smoke and wind for VTK, PyVista and ParaView.
 
 ``import nephoscope`` provides every wrapped class (``nephoscope.vtkGlobeGrid()``) and needs only the ``vtkmodules`` that the project was built
-against. The functions listed in `PYVISTA_FUNCTIONS` need PyVista and import it on first use; so does the dataset accessor ``mesh.nephoscope``.
+against. The functions listed in `VTK_FUNCTIONS` need no more; those in `PYVISTA_FUNCTIONS` need PyVista and import it on first use; so does the dataset accessor ``mesh.nephoscope``.
 """
 import importlib as _importlib
 import sys as _sys
@@ -23,6 +23,7 @@ if _TYPE_CHECKING:
     from .clouds import cloud_surface, smooth
     from .globe import globe_surface, to_globe
     from .haze import add_haze
+    from .override import override_vtk
     from .polyhedra import divide_polyhedra
     from .reader import cf_times, read_cf
     from .serving import serve
@@ -34,6 +35,8 @@ if _TYPE_CHECKING:
     from .splitting import split_cells
     from .terrain import add_terrain, terrain_surface
     from .viewing import viewer
+
+VTK_FUNCTIONS = {"override_vtk": "override"}  # those that need VTK alone
 
 # Function -> the file of its technique. A new technique adds its line here and its method in accessor.py.
 PYVISTA_FUNCTIONS = {
@@ -84,7 +87,7 @@ def _has_pyvista():
         return False
 
 
-__all__ = sorted([*_CLASSES, *(PYVISTA_FUNCTIONS if _has_pyvista() else ())])  # `import *` must not need PyVista
+__all__ = sorted([*_CLASSES, *VTK_FUNCTIONS, *(PYVISTA_FUNCTIONS if _has_pyvista() else ())])  # `import *` must not need PyVista
 
 
 def _pyvista_remedy():
@@ -94,6 +97,8 @@ def _pyvista_remedy():
 
 
 def __getattr__(name):
+    if name in VTK_FUNCTIONS:
+        return getattr(_importlib.import_module("." + VTK_FUNCTIONS[name], __name__), name)
     if name not in PYVISTA_FUNCTIONS:
         raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
     try:
@@ -110,8 +115,10 @@ def __getattr__(name):
 
 
 def __dir__():
-    return sorted({*globals(), *PYVISTA_FUNCTIONS})
+    return sorted({*globals(), *VTK_FUNCTIONS, *PYVISTA_FUNCTIONS})
 
+
+_importlib.import_module(".override", __name__).read_environment()
 
 # PyVista imported first: attach the accessor now. PyVista imported later: it finds the accessor by the
 # entry point `pyvista.accessors` of this package.

@@ -1,0 +1,44 @@
+// SPDX-FileCopyrightText: The Nephoscope authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkCellCompositingProjectedTetrahedraMapper.h"
+
+#include "CellsInPlace.h"
+
+#include "vtkObjectFactory.h"
+#include "vtkOpenGLRenderWindow.h"
+
+vtkStandardNewMacro(vtkCellCompositingProjectedTetrahedraMapper);
+
+vtkCellCompositingProjectedTetrahedraMapper::vtkCellCompositingProjectedTetrahedraMapper()
+  : Cells(new nephoscope::CellsInPlace)
+{
+}
+
+vtkCellCompositingProjectedTetrahedraMapper::~vtkCellCompositingProjectedTetrahedraMapper() = default;
+
+vtkCellCompositingMapper* vtkCellCompositingProjectedTetrahedraMapper::GetCellCompositingMapper()
+{
+  return this->Cells->GetMapper();
+}
+
+bool vtkCellCompositingProjectedTetrahedraMapper::IsSupported(vtkRenderWindow* window)
+{
+  return vtkOpenGLRenderWindow::SafeDownCast(window) != nullptr;
+}
+
+void vtkCellCompositingProjectedTetrahedraMapper::Render(vtkRenderer* renderer, vtkVolume* volume)
+{
+  this->Cells->Render(this, renderer, volume);
+}
+
+void vtkCellCompositingProjectedTetrahedraMapper::ReleaseGraphicsResources(vtkWindow* window)
+{
+  this->Cells->ReleaseGraphicsResources(window);
+  this->Superclass::ReleaseGraphicsResources(window);
+}
+
+void vtkCellCompositingProjectedTetrahedraMapper::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  this->Cells->GetMapper()->PrintSelf(os, indent.GetNextIndent());
+}
