@@ -35,6 +35,10 @@ set(CPACK_DEBIAN_PACKAGE_CONTROL_EXTRA "${nephoscope_debian}/triggers;${nephosco
 
 # ParaView loads only plugins made with its own version.
 string(REGEX REPLACE "^([0-9]+)[.]([0-9]+).*" "\\1.\\2" nephoscope_paraview_version "${ParaView_VERSION}")
+set(nephoscope_qt 5)
+if (PARAVIEW_QT_MAJOR_VERSION)
+  set(nephoscope_qt ${PARAVIEW_QT_MAJOR_VERSION})
+endif ()
 math(EXPR nephoscope_next_minor "${ParaView_VERSION_MINOR} + 1")
 
 set(CPACK_GENERATOR DEB)
@@ -49,8 +53,10 @@ set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_PACKAGE_RELEASE "1~${NEPHOSCOPE_FOR_DEBIAN}")
 set(CPACK_DEBIAN_PACKAGE_SECTION science)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
-set(CPACK_DEBIAN_PACKAGE_DEPENDS
-  "paraview (>= ${nephoscope_paraview_version}~), paraview (<< ${ParaView_VERSION_MAJOR}.${nephoscope_next_minor}~), python3-paraview, python3")
+string(CONCAT CPACK_DEBIAN_PACKAGE_DEPENDS
+  "paraview (>= ${nephoscope_paraview_version}~), paraview (<< ${ParaView_VERSION_MAJOR}.${nephoscope_next_minor}~), "
+  "libqt${nephoscope_qt}sql${nephoscope_qt}-sqlite, " # with which Qt opens help pages
+  "python3-paraview, python3")
 set(CPACK_STRIP_FILES ON)
 set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
 set(CPACK_INSTALL_DEFAULT_DIRECTORY_PERMISSIONS OWNER_READ OWNER_WRITE OWNER_EXECUTE GROUP_READ GROUP_EXECUTE WORLD_READ WORLD_EXECUTE)

@@ -4,8 +4,18 @@
 
 In ParaView's window: paraview --script=TestInstalled.py
 """
+import glob
 import os
+import re
 import sys
+import traceback
+
+
+def has_help():
+    """The "?" of ParaView's window opens pages only if its Qt has the driver for SQLite."""
+    with open("/proc/self/maps") as libraries:
+        qt = re.search("libQt([56])Help", libraries.read())[1]
+    return bool(glob.glob(f"/usr/lib/*/qt{qt}/plugins/sqldrivers/libqsqlite.so"))
 
 
 def in_paraview(name):
@@ -37,5 +47,11 @@ if len(sys.argv) > 1 and sys.argv[-1] == "python":
 elif len(sys.argv) > 1 and sys.argv[-1] == "pvpython":
     in_paraview("pvpython")
 else:
-    in_paraview("paraview")
-    os._exit(0)  # the window closes without asking
+    status = 1
+    try:
+        assert has_help(), "Qt's driver for SQLite is not there"
+        in_paraview("paraview")
+        status = 0
+    except BaseException:
+        traceback.print_exc()
+    os._exit(status)  # the window closes without asking

@@ -176,10 +176,10 @@ test_releases()
 {
   packages_of bookworm
   expect "Qt 5's pictures, TetGen 1.5" contains "$OUT" " libtet1.5-dev libglew-dev "
-  expect "Qt 5's pictures" contains "$OUT" " libqt5svg5 "
+  expect "Qt 5's pictures and help" contains "$OUT" " libqt5svg5 libqt5sql5-sqlite "
   expect "no VTK beside ParaView's own" lacks "$OUT" "libvtk9-dev"
   packages_of trixie
-  expect "Qt 6's pictures" contains "$OUT" " qt6-svg-plugins "
+  expect "Qt 6's pictures and help" contains "$OUT" " qt6-svg-plugins libqt6sql6-sqlite "
   expect "no VTK beside ParaView's own" lacks "$OUT" "python3-vtk9"
   packages_of forky
   expect "the VTK that ParaView shares" contains "$OUT" " libtet-dev libvtk9-dev python3-vtk9 "
