@@ -106,14 +106,16 @@ std::string CellBuffers::UploadTransferFunctions(vtkOpenGLRenderWindow* window,
   this->NumberOfOpacityNodes = static_cast<int>(opacity[0].Nodes.size());
   this->UseLayers = colorAndOpacity.size() > 1;
   this->NarrowIntervals = hasNarrowIntervals(colorAndOpacity) || hasNarrowIntervals(opacity);
-  const bool small = colorAndOpacity[0].Nodes.size() <= few && !this->NarrowIntervals;
+  const bool small = colorAndOpacity[0].Nodes.size() <= few && !this->NarrowIntervals && !this->UseLayers;
   this->SmallTable = small ? colorAndOpacity[0] : TransferFunctionTable();
-  std::vector<std::array<float, 4>> layers; // first node, number of nodes, of either table
+  std::vector<std::array<float, 4>> layers; // first node, number of nodes, of either table; clear range
   float first[2] = { 0, 0 };
   for (std::size_t i = 0; i < colorAndOpacity.size(); ++i)
   {
     const float sizes[2] = { float(colorAndOpacity[i].Nodes.size()), float(opacity[i].Nodes.size()) };
+    const std::array<float, 2> clear = opacity[i].LongestTransparentRange();
     layers.push_back({ { first[0], sizes[0], first[1], sizes[1] } });
+    layers.push_back({ { clear[0], clear[1], 0, 0 } });
     first[0] += sizes[0];
     first[1] += sizes[1];
   }
@@ -126,8 +128,7 @@ std::string CellBuffers::UploadTransferFunctions(vtkOpenGLRenderWindow* window,
 
 std::string CellBuffers::ShaderConstants() const
 {
-  return std::string(this->SeparateOpacity && !this->OpacityOnCells ? "#define SECOND_SCALAR\n" : "") +
-    shaderConstant("useCellScalars", this->UseCellScalars) +
+  return shaderConstant("useCellScalars", this->UseCellScalars) +
     shaderConstant("separateOpacity", this->SeparateOpacity) +
     shaderConstant("opacityOnCells", this->OpacityOnCells) + shaderConstant("useLayers", this->UseLayers);
 }

@@ -41,6 +41,7 @@ public:
   std::string SmallTableDefinition() const;
   void SetSmallTable(vtkShaderProgram* program) const;
 
+  bool HasPointOpacity() const { return this->SeparateOpacity && !this->OpacityOnCells; }
   bool HasLayers() const { return this->UseLayers; }
   bool HasNarrowIntervals() const { return this->NarrowIntervals; }
   /** Constants of the shaders that tell which of the buffers count. */

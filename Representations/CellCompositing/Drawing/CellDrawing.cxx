@@ -23,7 +23,8 @@ namespace nephoscope
 {
 std::string CellDrawing::ShaderConstants() const
 {
-  return this->Buffers.ShaderConstants() + this->Contours.ShaderConstants() +
+  const bool more = this->Buffers.HasPointOpacity() || this->Contours.HasScalars();
+  return std::string(more ? "#define MORE_SCALARS\n" : "") + this->Buffers.ShaderConstants() + this->Contours.ShaderConstants() +
     shaderConstant("contourLayers", this->Options.ContourLayers && this->Buffers.HasLayers()) +
     shaderConstant("contourLighting", this->Options.ContourLighting) +
     shaderConstant("consistentFaces", this->Buffers.HasNarrowIntervals() || this->Contours.IsUsed()) +

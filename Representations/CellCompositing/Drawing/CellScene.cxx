@@ -102,7 +102,8 @@ bool CellScene::UpdateValues(
 
 bool CellScene::UpdateMethod(Method method, const Progress& progress)
 {
-  if (!changes(this->TopologyKey, { this->Current.Geometry, method }))
+  const bool ofOther = this->Contours.IsUsed() && !this->Contours.OfColor;
+  if (!changes(this->TopologyKey, { this->Current.Geometry, method, ofOther ? this->Contours.FieldVersion : 0 }))
   {
     return true;
   }
@@ -116,7 +117,7 @@ bool CellScene::UpdateMethod(Method method, const Progress& progress)
       this->TopologyKey = {};
       return false;
     }
-    this->Neighbors.Build(this->Geometry, this->Order);
+    this->Neighbors.Build(this->Geometry, this->Order, ofOther ? this->Contours.Scalars : std::vector<float>());
     this->Order.Clear();
   }
   ++this->Current.Topology;
@@ -165,6 +166,12 @@ void CellScene::UpdateTransferFunction(vtkVolumeProperty* property, const Contou
   this->ContouredVersion += data && this->ContouredValues.Changes(data, contoured);
   this->Contours.Update(geometry, this->Current.Geometry + this->Current.Colors + this->ContouredVersion, data, contoured, settings,
     property, tables);
+  if (!this->Contours.ClosesWith(geometry)) // a boundary as any other
+  {
+    this->Geometry.Grid.WrapCells = 0;
+    ++this->Current.Topology;
+    this->VisibleKey = {};
+  }
 }
 
 void CellScene::BuildTables(const std::vector<vtkVolumeProperty*>& properties)
@@ -356,7 +363,8 @@ void CellScene::FindVisible()
         s[k] = onCells ? cellValues[i] : pointValue(geometry.Tetrahedra[i][k]);
       }
       const auto range = std::minmax_element(s.begin(), s.end());
-      this->Visible[i] = !this->IsTransparent(i, *range.first, *range.second);
+      const Tetrahedron& t = geometry.Tetrahedra[i];
+      this->Visible[i] = !this->IsTransparent(i, { { t[0], t[1], t[2], t[3] } }, *range.first, *range.second);
     }
   });
   this->NumberOfVisible = std::count(this->Visible.begin(), this->Visible.end(), std::uint8_t(1));
@@ -364,21 +372,25 @@ void CellScene::FindVisible()
 
 void CellScene::FindVisibleOfGrid()
 {
-  const VisibleGridCells::Result visible = VisibleGridCells(this->Geometry, this->Opacities[0]).Find();
+  const auto isTransparent = [this](std::size_t cell, const VertexNumbersOf& vertices, float low, float high) {
+    return this->IsTransparent(cell, vertices, low, high);
+  };
+  const auto visible = VisibleGridCells<decltype(isTransparent)>(this->Geometry, isTransparent).Find();
   this->NumberOfVisible = visible.Tetrahedra;
   this->VisibleBox = visible.Tetrahedra > 0 ? visible.Box : CellBox();
   this->GridBoundary = chessboardBoundary(this->Geometry, this->VisibleBox);
 }
 
-std::pair<float, float> CellScene::ContourRange(std::size_t tetrahedron) const
+// `number` is that of a tetrahedron, or of a cell of a grid.
+std::pair<float, float> CellScene::ContourRange(std::size_t number, const VertexNumbersOf& vertices) const
 {
   std::array<float, 4> s;
   for (std::size_t k = 0; k < 4; ++k)
   {
-    const std::size_t point = static_cast<std::size_t>(this->Geometry.Tetrahedra[tetrahedron][k]);
+    const std::size_t point = static_cast<std::size_t>(vertices[k]);
     s[k] = !this->Contours.OfColor          ? this->Contours.Scalars[point]
       : this->Geometry.CellScalars.empty() ? this->Geometry.Points[point].Scalar
-                                           : this->Geometry.CellScalars[tetrahedron];
+                                           : this->Geometry.CellScalars[number];
     if (std::isnan(s[k])) // as the shader has it
     {
       return { 0.0f, 0.0f };
@@ -389,18 +401,18 @@ std::pair<float, float> CellScene::ContourRange(std::size_t tetrahedron) const
 }
 
 // No surface, within or in a face, and for the scalars from low to high no opacity in any of the layers that the tetrahedron may touch.
-bool CellScene::IsTransparent(std::size_t tetrahedron, float low, float high) const
+bool CellScene::IsTransparent(std::size_t number, const VertexNumbersOf& vertices, float low, float high) const
 {
   const bool contoured = this->Contours.IsUsed();
-  const std::pair<float, float> range = contoured ? this->ContourRange(tetrahedron) : std::pair<float, float>();
-  if (this->Polygons.HasSurface(tetrahedron) || (contoured && this->Contours.DrawsBetween(range.first, range.second)))
+  const std::pair<float, float> range = contoured ? this->ContourRange(number, vertices) : std::pair<float, float>();
+  if (this->Polygons.HasSurface(number) || (contoured && this->Contours.DrawsBetween(range.first, range.second)))
   {
     return false;
   }
   if (!contoured || !this->LayersOfContours)
   {
     const std::size_t table =
-      this->TablesOfTetrahedra.empty() ? 0 : static_cast<std::size_t>(this->TablesOfTetrahedra[tetrahedron]);
+      this->TablesOfTetrahedra.empty() ? 0 : static_cast<std::size_t>(this->TablesOfTetrahedra[number]);
     return this->Opacities[table].IsTransparent(low, high);
   }
   const auto& contours = this->Contours.Contours;

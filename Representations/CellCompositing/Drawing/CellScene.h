@@ -155,8 +155,9 @@ private:
   void FindVisibleOfGrid();
   void BuildTables(const std::vector<vtkVolumeProperty*>& properties);
   void FindTablesOfTetrahedra(const std::vector<int>& layers);
-  bool IsTransparent(std::size_t tetrahedron, float low, float high) const;
-  std::pair<float, float> ContourRange(std::size_t tetrahedron) const;
+  using VertexNumbersOf = std::array<std::int64_t, 4>;
+  bool IsTransparent(std::size_t number, const VertexNumbersOf& vertices, float low, float high) const;
+  std::pair<float, float> ContourRange(std::size_t number, const VertexNumbersOf& vertices) const;
 
   Method CurrentMethod = Method::Projection;
   CellGeometry Geometry;
@@ -185,7 +186,7 @@ private:
   ValueIdentity ColorValues, OpacityValues, LayerValues, ContouredValues;
   CellGeometry::Form Form = CellGeometry::Form::Tetrahedra;
   std::int64_t ContouredVersion = 0;
-  std::tuple<std::int64_t, Method> TopologyKey;
+  std::tuple<std::int64_t, Method, std::int64_t> TopologyKey;
   using PropertyKey = std::tuple<int, vtkVolumeProperty*, vtkMTimeType>; // layer
   using Ranges = std::array<double, 4>; // of the colour's scalars, of the opacity's
   std::tuple<std::int64_t, Ranges, bool, bool, std::vector<PropertyKey>> TransferKey;

@@ -31,6 +31,7 @@ public:
     vtkOpenGLRenderWindow* window, const PolygonScene& polygons, const CellGeometry& geometry, const CellPieces& pieces);
 
   bool IsUsed() const { return this->NumberOfContours > 0; }
+  bool HasScalars() const { return this->IsUsed() && !this->OfColor; }
   std::string ShaderConstants() const;
   /** Binds the textures; tells the program their units, and how surfaces are lit. */
   void Activate(const CellDrawing& drawing, vtkShaderProgram* program);

@@ -155,6 +155,24 @@ bool ContourScene::DrawsBetween(float low, float high) const
   return above != this->Drawn.end() && *above <= high;
 }
 
+bool ContourScene::ClosesWith(const CellGeometry& geometry) const
+{
+  const ChessboardGrid& grid = geometry.Grid;
+  if (grid.WrapCells == 0 || this->OfColor || this->Contours.empty())
+  {
+    return true;
+  }
+  for (std::size_t first = 0; first < this->Scalars.size(); first += static_cast<std::size_t>(grid.Size[0]))
+  {
+    const float a = this->Scalars[first], b = this->Scalars[first + static_cast<std::size_t>(grid.WrapCells)];
+    if (a != b && !(std::isnan(a) && std::isnan(b)))
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
 std::size_t ContourScene::FindLayer(float s) const
 {
   const auto above = std::upper_bound(

@@ -57,6 +57,8 @@ public:
   bool DrawsAny() const { return !this->Drawn.empty(); }
   /** A surface with some opacity is crossed between the least and the greatest scalar. */
   bool DrawsBetween(float low, float high) const;
+  /** False where the grid closes on itself, but not the contoured array. */
+  bool ClosesWith(const CellGeometry& geometry) const;
   /** Number of values at or below s. */
   std::size_t FindLayer(float s) const;
 

@@ -18,6 +18,7 @@
 #include "NeighborTopologyShader.h"
 #include "RayCellsFragment.h"
 #include "RayCellsVertex.h"
+#include "RayContoursShader.h"
 #include "RaySegmentsShader.h"
 #include "TetrahedronWalkShader.h"
 
@@ -73,7 +74,8 @@ std::string withParts(const char* shader, const std::string& constants, bool str
   const std::string walk = withShaderParts(shader,
     { { "Topology", structured ? ChessboardTopologyShader : NeighborTopologyShader },
       { "TetrahedronWalk", TetrahedronWalkShader },
-      { "RaySegments", RaySegmentsShader } });
+      { "RaySegments", RaySegmentsShader },
+      { "RayContours", RayContoursShader } });
   return specializedShader(walk, constants);
 }
 }
@@ -188,7 +190,8 @@ std::string RayCells::DrawFrom(const CellDrawing& drawing)
   drawing.Window->GetState()->PopFramebufferBindings();
   // Pixels without a new entry fail the depth test against the entries, before their shader starts.
   glFramebufferTexture2D(GL_DRAW_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D, this->EntryDepth->GetHandle(), 0);
-  if (drawing.Options.Eye->Found)
+  const EyeTetrahedron& eye = *drawing.Options.Eye;
+  if (eye.Found && (this->Grid.IsEmpty() || this->Box.Contains(eye.Place))) // otherwise rays enter the box from outside
   {
     this->DrawSegments(drawing, fromEye);
   }
@@ -377,9 +380,11 @@ void RayCells::SetRays(const CellDrawing& drawing, vtkShaderProgram* program)
   RayGeometry rays(drawing.View);
   program->SetUniformMatrix3x3("rayPoint", rays.Point().data());
   program->SetUniformMatrix3x3("rayDirection", rays.Direction().data());
-  float eye[3];
+  float eye[3], eyeView[4];
   std::copy(drawing.View.EyeModel, drawing.View.EyeModel + 3, eye);
   program->SetUniform3f("eyeMC", eye);
+  std::copy(drawing.View.EyeView, drawing.View.EyeView + 4, eyeView);
+  program->SetUniform4f("eyeVC", eyeView);
 }
 
 void RayCells::SetEye(const EyeTetrahedron& eye, vtkShaderProgram* program)
@@ -388,6 +393,7 @@ void RayCells::SetEye(const EyeTetrahedron& eye, vtkShaderProgram* program)
   program->SetUniform1iv("eyePlace", 4, eye.Place.data());
   const float scalars[2] = { eye.Scalar, eye.Opacity };
   program->SetUniform2f("eyeScalars", scalars);
+  program->SetUniform4f("eyeWeights", eye.Weights.data());
 }
 
 void RayCells::ReleaseGraphicsResources(vtkWindow* window)

@@ -12,6 +12,7 @@
 #include "OpaqueDepthShader.h"
 #include "OpticalSegmentShader.h"
 #include "PolygonSurfacesShader.h"
+#include "ProjectedContoursShader.h"
 #include "ShaderArrays.h"
 #include "ShaderParts.h"
 #include "TetrahedronInputShader.h"
@@ -38,6 +39,7 @@ inline std::string specializedShader(const std::string& shader, const std::strin
       { "TransferFunction", TransferFunctionShader },
       { "FaceScalars", FaceScalarsShader },
       { "ContourSurfaces", ContourSurfacesShader },
+      { "ProjectedContours", ProjectedContoursShader },
       { "PolygonSurfaces", PolygonSurfacesShader } });
 }
 

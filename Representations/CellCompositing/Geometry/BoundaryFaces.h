@@ -37,6 +37,11 @@ struct CellBox
   int High[3] = { -1, -1, -1 };
 
   bool IsEmpty() const { return this->High[0] < this->Low[0]; }
+  bool Contains(const std::array<std::int32_t, 4>& cell) const
+  {
+    return cell[0] >= this->Low[0] && cell[0] <= this->High[0] && cell[1] >= this->Low[1] && cell[1] <= this->High[1] &&
+      cell[2] >= this->Low[2] && cell[2] <= this->High[2];
+  }
   /** It reaches all the way round a grid that closes along the first axis. */
   bool IsClosed(const ChessboardGrid& grid) const
   {

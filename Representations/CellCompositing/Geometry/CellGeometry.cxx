@@ -107,7 +107,7 @@ bool CellGeometry::Decompose(
   vtkDataSet* data, const ScalarSelection& scalars, const ScalarSelection& opacity, const Progress& progress)
 {
   std::vector<std::int64_t> first(static_cast<std::size_t>(data->GetNumberOfCells()) + 1, 0);
-  if (!this->CountTetrahedra(data, scalars, opacity, first, progress.Part(0, 0.5))) // PASS 1
+  if (!this->CountOfCells(data, scalars, opacity, first, progress.Part(0, 0.5))) // PASS 1
   {
     return false;
   }
@@ -124,7 +124,7 @@ bool CellGeometry::Decompose(
 }
 
 // counts[cell + 1]: tetrahedra of the cell.
-bool CellGeometry::CountTetrahedra(vtkDataSet* data, const ScalarSelection& scalars,
+bool CellGeometry::CountOfCells(vtkDataSet* data, const ScalarSelection& scalars,
   const ScalarSelection& opacity, std::vector<std::int64_t>& counts, const Progress& progress)
 {
   std::atomic<std::int64_t> unsupported(0), invalid(0), nonConvex(0), flat(0);

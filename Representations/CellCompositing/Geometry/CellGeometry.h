@@ -78,7 +78,7 @@ public:
 
   /** The cell of the dataset for each tetrahedron; empty where tetrahedron i is that of cell i, and for a grid. */
   std::vector<std::int32_t> Cells;
-  std::vector<std::int32_t> Layers; ///< of each tetrahedron's cell; empty without a layer array
+  std::vector<std::int32_t> Layers; ///< of each tetrahedron's cell, or of each cell of the grid; empty without a layer array
 
   // What was left out, for the mapper to report.
   std::int64_t NumberOfUnsupportedCells = 0; ///< not 3-D, or of a kind that cannot be decomposed
@@ -87,6 +87,12 @@ public:
   std::int64_t NumberOfNonConvexCells = 0;   ///< polyhedra that their tetrahedra do not fill: drawn, but wrong
   std::int64_t NumberOfFlatTetrahedra = 0;   ///< zero volume: nothing to draw, no error
 
+  ///@{
+  /** Tetrahedra numbered on from 0, listed or of the grid, hidden ones among them: how many, which points, and whether it is hidden. */
+  std::int64_t CountTetrahedra() const;
+  std::array<std::int64_t, 4> PointNumbers(std::int64_t tetrahedron) const;
+  bool IsHidden(std::int64_t tetrahedron) const;
+  ///@}
   /** Vertices relative to the centre. */
   std::array<Vector3, 4> Vertices(std::size_t tetrahedron) const;
   Vector3 Position(std::int32_t point) const
@@ -109,7 +115,7 @@ private:
   void CopyGridCells(const ScalarSelection& scalars, const ScalarSelection& opacity);
   bool Decompose(vtkDataSet* data, const ScalarSelection& scalars, const ScalarSelection& opacity,
     const Progress& progress);
-  bool CountTetrahedra(vtkDataSet* data, const ScalarSelection& scalars, const ScalarSelection& opacity,
+  bool CountOfCells(vtkDataSet* data, const ScalarSelection& scalars, const ScalarSelection& opacity,
     std::vector<std::int64_t>& counts, const Progress& progress);
   bool FillTetrahedra(vtkDataSet* data, const ScalarSelection& scalars, const ScalarSelection& opacity,
     const std::vector<std::int64_t>& first, const Progress& progress);

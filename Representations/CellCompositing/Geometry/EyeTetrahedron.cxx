@@ -53,28 +53,14 @@ bool isNearBox(const std::array<Vector3, 4>& p, const Vector4& eye, double margi
   return true;
 }
 
-Vertices verticesOf(const CellGeometry& geometry, std::int64_t number)
-{
-  if (geometry.Grid.IsEmpty())
-  {
-    const Tetrahedron& t = geometry.Tetrahedra[std::size_t(number)];
-    return { { t[0], t[1], t[2], t[3] } };
-  }
-  constexpr int perCell = ChessboardGrid::TetrahedraPerCell;
-  return geometry.Grid.Tetrahedra(number / perCell)[std::size_t(number % perCell)];
-}
-
 Candidate search(const CellGeometry& geometry, const Vector4& eye, double clearance)
 {
-  const std::int64_t count = geometry.Grid.IsEmpty()
-    ? std::int64_t(geometry.Tetrahedra.size())
-    : ChessboardGrid::TetrahedraPerCell * geometry.Grid.NumberOfCells();
   vtkSMPThreadLocal<Candidate> candidates;
-  vtkSMPTools::For(0, count, [&](vtkIdType begin, vtkIdType end) {
+  vtkSMPTools::For(0, geometry.CountTetrahedra(), [&](vtkIdType begin, vtkIdType end) {
     Candidate& candidate = candidates.Local();
     for (vtkIdType i = begin; i < end; ++i)
     {
-      const std::array<Vector3, 4> p = positions(geometry, verticesOf(geometry, i));
+      const std::array<Vector3, 4> p = positions(geometry, geometry.PointNumbers(i));
       if (isNearBox(p, eye, clearance))
       {
         const ClearStart start = findClearStart(p, eye, clearance);
@@ -113,7 +99,7 @@ EyeTetrahedron findEyeTetrahedron(
     return result;
   }
   result.Found = true;
-  const Vertices vertices = verticesOf(geometry, found.Number);
+  const Vertices vertices = geometry.PointNumbers(found.Number);
   result.Start = found.Start.Position;
   const Vector4& weights = found.Start.Weights;
   const bool second = geometry.HasOpacityScalars && !geometry.OpacityOnCells;
@@ -121,6 +107,7 @@ EyeTetrahedron findEyeTetrahedron(
   {
     const std::size_t point = std::size_t(vertices[k]);
     result.Vertices[k] = geometry.Grid.IsEmpty() ? neighbors.Merged(vertices[k]) : std::int32_t(vertices[k]);
+    result.Weights[k] = float(weights[k]);
     result.Scalar += float(weights[k] * geometry.Points[point].Scalar);
     result.Opacity += second ? float(weights[k] * geometry.OpacityScalars[point]) : 0.0f;
   }

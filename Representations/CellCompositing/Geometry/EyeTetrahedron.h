@@ -30,6 +30,7 @@ struct EyeTetrahedron
   std::array<std::int32_t, 4> Vertices = { { 0, 0, 0, 0 } };
   /** Where a walk is: the tetrahedron (x); or the cell of a grid, and its odd vertex or -1 (w). */
   std::array<std::int32_t, 4> Place = { { 0, 0, 0, 0 } };
+  std::array<float, 4> Weights = { { 0, 0, 0, 0 } }; ///< of the vertices, at the start
   float Scalar = 0;  ///< at the start
   float Opacity = 0; ///< second scalar at the start, where there is one per point
 };

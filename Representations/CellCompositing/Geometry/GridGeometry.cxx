@@ -5,6 +5,7 @@
 
 #include "CellWalker.h"
 
+#include "vtkDataArray.h"
 #include "vtkDataSet.h"
 #include "vtkSMPTools.h"
 
@@ -36,6 +37,29 @@ std::int64_t CellGeometry::NumberOfTetrahedra() const
   const std::int64_t hidden =
     std::count_if(this->HiddenCells.begin(), this->HiddenCells.end(), [](std::uint8_t h) { return h != 0; });
   return ChessboardGrid::TetrahedraPerCell * (this->Grid.NumberOfCells() - hidden);
+}
+
+std::int64_t CellGeometry::CountTetrahedra() const
+{
+  return this->Grid.IsEmpty() ? static_cast<std::int64_t>(this->Tetrahedra.size())
+                              : ChessboardGrid::TetrahedraPerCell * this->Grid.NumberOfCells();
+}
+
+std::array<std::int64_t, 4> CellGeometry::PointNumbers(std::int64_t tetrahedron) const
+{
+  if (this->Grid.IsEmpty())
+  {
+    const Tetrahedron& t = this->Tetrahedra[static_cast<std::size_t>(tetrahedron)];
+    return { { t[0], t[1], t[2], t[3] } };
+  }
+  constexpr int perCell = ChessboardGrid::TetrahedraPerCell;
+  return this->Grid.Tetrahedra(tetrahedron / perCell)[static_cast<std::size_t>(tetrahedron % perCell)];
+}
+
+bool CellGeometry::IsHidden(std::int64_t tetrahedron) const
+{
+  return !this->HiddenCells.empty() &&
+    this->HiddenCells[static_cast<std::size_t>(tetrahedron / ChessboardGrid::TetrahedraPerCell)] != 0;
 }
 
 double CellGeometry::Radius() const
@@ -106,10 +130,15 @@ void CellGeometry::CopyGridCells(const ScalarSelection& scalars, const ScalarSel
   {
     this->OpacityScalars.resize(static_cast<std::size_t>(cells));
   }
+  this->Layers.resize(this->LayerArray ? static_cast<std::size_t>(cells) : 0);
   vtkSMPTools::For(0, cells, [&](vtkIdType begin, vtkIdType end) {
     for (vtkIdType i = begin; i < end; ++i)
     {
       const std::size_t cell = static_cast<std::size_t>(i);
+      if (this->LayerArray)
+      {
+        this->Layers[cell] = static_cast<std::int32_t>(this->LayerArray->GetComponent(i, 0));
+      }
       if (scalars.OnCells)
       {
         this->CellScalars[cell] = normalized(scalars, i, this->ScalarRange);

@@ -56,28 +56,29 @@ std::vector<std::int32_t> findPlaces(const CellGeometry& geometry, std::size_t& 
 Corners findCorners(const CellGeometry& geometry)
 {
   Corners corners;
-  std::size_t count = 0;
-  corners.Place = findPlaces(geometry, count);
-  corners.First.assign(count + 1, 0);
-  const auto placeOf = [&](std::int32_t point) {
+  std::size_t places = 0;
+  corners.Place = findPlaces(geometry, places);
+  corners.First.assign(places + 1, 0);
+  const auto placeOf = [&](std::int64_t point) {
     return static_cast<std::size_t>(corners.Place[static_cast<std::size_t>(point)]);
   };
-  for (const Tetrahedron& t : geometry.Tetrahedra)
+  const std::int64_t count = geometry.CountTetrahedra();
+  for (std::int64_t t = 0; t < count; ++t)
   {
-    for (const std::int32_t point : t)
+    for (const std::int64_t point : geometry.PointNumbers(t))
     {
-      ++corners.First[placeOf(point) + 1];
+      corners.First[placeOf(point) + 1] += !geometry.IsHidden(t);
     }
   }
   std::partial_sum(corners.First.begin(), corners.First.end(), corners.First.begin());
-  corners.List.resize(4 * geometry.Tetrahedra.size());
+  corners.List.resize(static_cast<std::size_t>(corners.First.back()));
   std::vector<std::int64_t> next(corners.First.begin(), corners.First.end() - 1);
-  for (std::size_t t = 0; t < geometry.Tetrahedra.size(); ++t)
+  for (std::int64_t t = 0; t < count; ++t)
   {
-    for (std::size_t k = 0; k < 4; ++k)
+    const std::array<std::int64_t, 4> points = geometry.PointNumbers(t);
+    for (std::size_t k = 0; k < 4 && !geometry.IsHidden(t); ++k)
     {
-      std::int64_t& place = next[placeOf(geometry.Tetrahedra[t][k])];
-      corners.List[static_cast<std::size_t>(place++)] = static_cast<std::int64_t>(4 * t + k);
+      corners.List[static_cast<std::size_t>(next[placeOf(points[k])]++)] = 4 * t + static_cast<std::int64_t>(k);
     }
   }
   return corners;
@@ -132,11 +133,11 @@ Vector3 gradientAt(
   for (std::int64_t i = corners.First[place]; i < corners.First[place + 1]; ++i)
   {
     const std::int64_t corner = corners.List[static_cast<std::size_t>(i)];
-    const Tetrahedron& t = geometry.Tetrahedra[static_cast<std::size_t>(corner / 4)];
-    const std::int32_t center = t[static_cast<std::size_t>(corner % 4)];
-    for (const std::int32_t other : t)
+    const std::array<std::int64_t, 4> t = geometry.PointNumbers(corner / 4);
+    const std::int64_t center = t[static_cast<std::size_t>(corner % 4)];
+    for (const std::int64_t other : t)
     {
-      const Vector3 d = difference(geometry.Position(other), geometry.Position(center));
+      const Vector3 d = difference(geometry.Position(std::int32_t(other)), geometry.Position(std::int32_t(center)));
       const double change =
         double(scalars[static_cast<std::size_t>(other)]) - double(scalars[static_cast<std::size_t>(center)]);
       if (dot(d, d) > 0 && std::isfinite(change))

@@ -72,15 +72,17 @@ void TetrahedronNeighbors::Clear()
   *this = TetrahedronNeighbors();
 }
 
-void TetrahedronNeighbors::Build(const CellGeometry& geometry, const VisibilityOrder& connected)
+void TetrahedronNeighbors::Build(
+  const CellGeometry& geometry, const VisibilityOrder& connected, const std::vector<float>& third)
 {
-  this->MergePoints(geometry, connected);
+  this->MergePoints(geometry, connected, third);
   this->FindNeighbors(geometry, connected);
   this->ListBoundary(geometry);
 }
 
 // Points at one place with equal values become the first of them.
-void TetrahedronNeighbors::MergePoints(const CellGeometry& geometry, const VisibilityOrder& connected)
+void TetrahedronNeighbors::MergePoints(
+  const CellGeometry& geometry, const VisibilityOrder& connected, const std::vector<float>& third)
 {
   const std::size_t n = geometry.Points.size();
   this->MergedPoints.resize(n);
@@ -97,12 +99,13 @@ void TetrahedronNeighbors::MergePoints(const CellGeometry& geometry, const Visib
   const bool second = geometry.HasOpacityScalars && !geometry.OpacityOnCells;
   const auto values = [&](std::int32_t p) {
     const float scalar = geometry.CellScalars.empty() ? geometry.Points[std::size_t(p)].Scalar : 0.0f;
-    return std::make_tuple(scalar, second ? geometry.OpacityScalars[std::size_t(p)] : 0.0f);
+    return std::make_tuple(scalar, second ? geometry.OpacityScalars[std::size_t(p)] : 0.0f, third.empty() ? 0.0f : third[std::size_t(p)]);
   };
   const auto key = [&](std::int32_t p) { return std::tuple_cat(std::make_tuple(connected.CanonicalPoint(p)), values(p)); };
   // Points with values that are not finite belong to no tetrahedron, and would break the order.
   coincident.erase(std::remove_if(coincident.begin(), coincident.end(),
-                     [&](std::int32_t p) { return !std::isfinite(std::get<0>(values(p))) || !std::isfinite(std::get<1>(values(p))); }),
+                     [&](std::int32_t p) { return !std::isfinite(std::get<0>(values(p))) || !std::isfinite(std::get<1>(values(p))) ||
+                         !std::isfinite(std::get<2>(values(p))); }),
     coincident.end());
   vtkSMPTools::Sort(coincident.begin(), coincident.end(),
     [&](std::int32_t a, std::int32_t b) { return std::tuple_cat(key(a), std::tie(a)) < std::tuple_cat(key(b), std::tie(b)); });

@@ -1,12 +1,11 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
-/** Which cells of a structured grid an opacity function lets be seen: their tetrahedra's number, and the box that holds them. */
+/** Which cells of a structured grid can be seen: the number of their tetrahedra, and the box that holds them. */
 #ifndef VisibleGridCells_h
 #define VisibleGridCells_h
 
 #include "BoundaryFaces.h"
 #include "CellGeometry.h"
-#include "TransferFunctionTable.h"
 
 #include "vtkSMPThreadLocal.h"
 #include "vtkSMPTools.h"
@@ -17,6 +16,8 @@
 namespace nephoscope
 {
 
+/** `IsTransparent(cell, vertices, low, high)`: of a tetrahedron whose scalars of opacity lie between low and high. */
+template <typename IsTransparent>
 class VisibleGridCells
 {
 public:
@@ -36,9 +37,9 @@ public:
     }
   };
 
-  VisibleGridCells(const CellGeometry& geometry, const TransferFunctionTable& opacity)
+  VisibleGridCells(const CellGeometry& geometry, const IsTransparent& isTransparent)
     : Geometry(geometry)
-    , Opacity(opacity)
+    , Transparent(isTransparent)
   {
   }
 
@@ -78,27 +79,23 @@ private:
       return 0;
     }
     const bool separate = geometry.HasOpacityScalars;
-    if (separate ? geometry.OpacityOnCells : !geometry.CellScalars.empty())
-    {
-      const float s = separate ? geometry.OpacityScalars[number] : geometry.CellScalars[number];
-      return this->Opacity.IsTransparent(s, s) ? 0 : ChessboardGrid::TetrahedraPerCell;
-    }
+    const bool onCells = separate ? geometry.OpacityOnCells : !geometry.CellScalars.empty();
     int visible = 0;
     for (const auto& t : geometry.Grid.Tetrahedra(cell))
     {
       std::array<float, 4> s;
       std::transform(t.begin(), t.end(), s.begin(), [&](std::int64_t point) {
-        const std::size_t i = static_cast<std::size_t>(point);
-        return separate ? geometry.OpacityScalars[i] : geometry.Points[i].Scalar;
+        const std::size_t i = onCells ? number : static_cast<std::size_t>(point);
+        return separate ? geometry.OpacityScalars[i] : onCells ? geometry.CellScalars[i] : geometry.Points[i].Scalar;
       });
       const auto range = std::minmax_element(s.begin(), s.end());
-      visible += !this->Opacity.IsTransparent(*range.first, *range.second);
+      visible += !this->Transparent(number, t, *range.first, *range.second);
     }
     return visible;
   }
 
   const CellGeometry& Geometry;
-  const TransferFunctionTable& Opacity;
+  const IsTransparent& Transparent;
 };
 
 } // namespace nephoscope

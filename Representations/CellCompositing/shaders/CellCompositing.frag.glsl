@@ -31,6 +31,7 @@ flat in ivec2 tetrahedronGSOutput; // number, layer
 //NEPHOSCOPE::TransferFunction
 //NEPHOSCOPE::FaceScalars
 //NEPHOSCOPE::ContourSurfaces
+//NEPHOSCOPE::ProjectedContours
 //NEPHOSCOPE::PolygonSurfaces
 
 // Where the pixel's ray passes the back face.

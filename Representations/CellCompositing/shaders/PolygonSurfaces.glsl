@@ -28,7 +28,7 @@ vec4 polygonSurface(int tetrahedron, int face, vec4 coordinates, float s, vec3 c
     vec3 weights = face == 0 ? coordinates.yzw : face == 1 ? coordinates.xzw : face == 2 ? coordinates.xyw : coordinates.xyz;
     vec3 normal = weights.x * element(polygonSurfaces, texel + 1).xyz + weights.y * element(polygonSurfaces, texel + 2).xyz +
       weights.z * element(polygonSurfaces, texel + 3).xyz;
-    surface.rgb = light(surface.rgb, unit(gradientMatrix * normal), crossingVC);
+    surface.rgb = litColor(surface.rgb, unit(gradientMatrix * normal), crossingVC);
   }
   surface = vec4(surface.a * surface.rgb, surface.a);
 #ifdef NEPHOSCOPE_HAZE

@@ -25,13 +25,16 @@ uniform vec3 eyeMC;
 uniform int eyeVertices[4]; // of that tetrahedron
 uniform int eyePlace[4];
 uniform vec2 eyeScalars;    // at the eye
+uniform vec4 eyeWeights;    // of the vertices, there
+uniform vec4 eyeVC;         // (position, 1) or (direction towards the eye, 0)
 uniform vec2 clearRange; // scalars between which nothing is seen
+uniform IntegerArray tetrahedronLayers;
 
 // Software OpenGL (Mesa's llvmpipe) fetches a uniform anew for every pixel wherever it is used, at the cost of a texture: what loops
 // use is copied before, in a way that no compiler sees through.
 // Globals start at a value: Mesa warns of those that a function further down assigns.
 float unity = 0.0;      // 1
-vec2 clear = vec2(0.0); // clearRange
+vec2 clear = vec2(0.0); // clearRange, or that of the layer
 
 //NEPHOSCOPE::Constants
 // further: hasHiddenCells, closedGrid, hasJumps
@@ -41,8 +44,10 @@ int jumpFace = -1; // boundary face from which a ray goes on that has left the m
 //NEPHOSCOPE::OpticalSegment
 //NEPHOSCOPE::TransferFunction
 //NEPHOSCOPE::Topology
+//NEPHOSCOPE::ContourSurfaces
 //NEPHOSCOPE::TetrahedronWalk
 //NEPHOSCOPE::RaySegments
+//NEPHOSCOPE::RayContours
 
 vec3 origin = vec3(0.0), across1 = vec3(0.0), across2 = vec3(0.0), along = vec3(0.0);
 vec3 pointStep[2], directionStep[2]; // from pixel to pixel
@@ -52,8 +57,9 @@ Seen seen(int point)
   vec4 p = element(points, point);
   vec3 q = p.xyz - origin;
   vec4 place = vec4(dot(q, across1), dot(q, across2), dot(q, along), p.w);
-#ifdef SECOND_SCALAR
-  return Seen(place, element(opacityScalars, point).r);
+#ifdef MORE_SCALARS
+  return Seen(place, vec2(separateOpacity && !opacityOnCells ? element(opacityScalars, point).r : 0.0,
+    useContours && !contourOfColor ? element(contourScalars, point).r : 0.0));
 #else
   return Seen(place);
 #endif
@@ -146,19 +152,29 @@ vec2 visibleRange()
 
 ivec3 face = ivec3(0); // vertices of the face that the ray is passing
 int next = 0;          // the vertex behind it
+int left = 0;          // of the present tetrahedron, when the ray leaves it: the vertex that stays behind
 
-// Leaves the present tetrahedron through the face where the ray does; returns the vertex that stays behind.
+// Leaves the present tetrahedron through the face where the ray does; returns which vertex of the face before stays behind.
 int leaveTetrahedron(Seen ahead)
 {
   int behind = stepWalk(ahead);
-  int left = behind == 0 ? face.x : behind == 1 ? face.y : face.z;
+  left = behind == 0 ? face.x : behind == 1 ? face.y : face.z;
   face = ivec3(behind == 0 ? next : face.x, behind == 1 ? next : face.y, behind == 2 ? next : face.z);
-  return left;
+  return behind;
+}
+
+bool isHidden()
+{
+  return hasHiddenCells && element(hiddenCells, cellNumber()).r > 0.0;
 }
 
 // Nothing is seen between the face and the vertex ahead.
 bool isClear(Seen ahead)
 {
+  if (useLayers && !contourLayers)
+  {
+    enterLayer(element(tetrahedronLayers, cellNumber()).r);
+  }
   vec4 s = vec4(opacityScalar(walkA), opacityScalar(walkB), opacityScalar(walkC), opacityScalar(ahead));
   if (separateOpacity ? opacityOnCells : useCellScalars)
   {
@@ -166,7 +182,19 @@ bool isClear(Seen ahead)
   }
   float low = lesser(lesser(s.x, s.y), lesser(s.z, s.w));
   float high = greater(greater(s.x, s.y), greater(s.z, s.w));
-  return low >= clear.x && high < clear.y;
+  bool seesThrough = low >= clear.x && high < clear.y;
+  if (useContours)
+  {
+    vec4 c = vec4(contourScalar(walkA), contourScalar(walkB), contourScalar(walkC), contourScalar(ahead));
+    if (contourOfColor && useCellScalars)
+    {
+      c = vec4(element(cellScalars, cellNumber()).r);
+    }
+    low = lesser(lesser(c.x, c.y), lesser(c.z, c.w));
+    high = greater(greater(c.x, c.y), greater(c.z, c.w));
+    seesThrough = seesThrough && low >= layerReach.x && high < layerReach.y;
+  }
+  return seesThrough;
 }
 
 #ifdef NEPHOSCOPE_HAZE
@@ -182,12 +210,54 @@ void hazeAdded(vec4 before, vec2 z)
 }
 #endif
 
-// Adds the part of the segment that lies between the near plane and the opaque geometry.
-void addVisiblePart(vec3 front, vec3 back, vec2 range)
+// The part of the ray in one tetrahedron. Each end: distance, scalars of colour, opacity and contours.
+vec4 segmentFront = vec4(0.0), segmentBack = vec4(0.0);
+bool inSegment = false;
+vec4 frontWeights = vec4(0.0); // of the vertices of the face behind, and of the vertex left
+float passedPlace = 0.0;       // what is in front of this place is done, from 0 to 1
+float passedValue = 0.0;       // the contour value there, if there is one
+bool crossesNone = false;      // no surface is drawn in this tetrahedron
+
+// `sum`: of the contour scalars; no number where one is missing.
+void startSegment(vec4 front, vec4 back, float sum)
 {
-  vec2 z = vec2(max(front.x, range.x), min(back.x, range.y));
-  bool hidden = hasHiddenCells && element(hiddenCells, cellNumber()).r > 0.0;
-  if (z.y > z.x && !hidden)
+  segmentFront = front;
+  segmentBack = back;
+  inSegment = true;
+  passedPlace = 0.0;
+  if (useContours)
+  {
+    if (contourOfColor && useCellScalars)
+    {
+      segmentFront.w = segmentBack.w = element(cellScalars, cellNumber()).r;
+    }
+    crossesNone = isHidden() || isnan(sum);
+    segmentFront.w = crossesNone ? 0.0 : segmentFront.w;
+    layerIsKnown = (layerIsKnown && !crossesNone && !(contourOfColor && useCellScalars)) ||
+      (segmentFront.w >= layerReach.x && segmentFront.w < layerReach.y);
+  }
+}
+
+// From the face to where the ray leaves the tetrahedron behind it.
+void crossTetrahedron(Seen ahead)
+{
+  vec4 front = passFace();
+  vec3 entered = faceWeights();
+  float sum = contourScalar(walkA) + contourScalar(walkB) + contourScalar(walkC) + contourScalar(ahead);
+  int behind = leaveTetrahedron(ahead);
+  frontWeights = behind == 0 ? vec4(0.0, entered.yz, entered.x) : behind == 1 ? vec4(entered.x, 0.0, entered.z, entered.y)
+    : vec4(entered.xy, 0.0, entered.z);
+  startSegment(front, passFace(), sum);
+}
+
+// Adds what lies between two places of the segment, as far as it is seen: between the near plane and the opaque geometry. `value` is the
+// contour value at the second place, if one is crossed there.
+void addPart(float place, bool crosses, float value, vec2 range)
+{
+  vec4 front = segmentFront, back = segmentBack;
+  vec2 ends = useContours ? mix(front.xx, back.xx, vec2(passedPlace, place)) : vec2(front.x, back.x);
+  vec2 z = vec2(max(ends.x, range.x), min(ends.y, range.y));
+  if (z.y > z.x && !isHidden())
   {
 #ifdef NEPHOSCOPE_HAZE
     vec4 before = accumulatedLight();
@@ -195,6 +265,11 @@ void addVisiblePart(vec3 front, vec3 back, vec2 range)
     vec2 t = (z - front.x) / (back.x - front.x);
     vec2 from = mix(front.yz, back.yz, t.x);
     vec2 to = mix(front.yz, back.yz, t.y);
+    if (useContours && contourOfColor) // where a transfer function may jump
+    {
+      from.x = passedPlace > 0.0 && z.x == ends.x ? passedValue : from.x;
+      to.x = crosses && z.y == ends.y ? value : to.x;
+    }
     if (useCellScalars)
     {
       from.x = to.x = element(cellScalars, cellNumber()).r;
@@ -222,7 +297,7 @@ void startAtFace(ivec4 boundaryFace)
 }
 
 // Goes into the next tetrahedron. False: there is none.
-bool goOn(int left)
+bool goOn()
 {
   if (crossFace(face, left, next))
   {
@@ -235,6 +310,7 @@ bool goOn(int left)
   bool lost = walkIsLost;
   startAtFace(element(boundaryFaces, jumpFace));
   walkIsLost = lost;
+  layerIsKnown = false;
   return true;
 }
 
@@ -246,8 +322,7 @@ float depthInside(Seen a, Seen b, Seen c, float eyeZ)
   return passFace().x > eyeZ ? inside : -3.0e38;
 }
 
-// Adds what lies in that tetrahedron. False if the ray leaves the mesh there.
-bool startInEyeTetrahedron(vec2 range)
+void startInEyeTetrahedron()
 {
   ivec4 v = ivec4(eyeVertices[0], eyeVertices[1], eyeVertices[2], eyeVertices[3]);
   float eyeZ = dot(eyeMC - origin, along);
@@ -256,59 +331,147 @@ bool startInEyeTetrahedron(vec2 range)
     depthInside(p0, p1, p2, eyeZ));
   float deepest = max(max(inside.x, inside.y), max(inside.z, inside.w));
   int across = inside.x == deepest ? 0 : inside.y == deepest ? 1 : inside.z == deepest ? 2 : 3;
-  int left = across == 0 ? v.x : across == 1 ? v.y : across == 2 ? v.z : v.w;
+  left = across == 0 ? v.x : across == 1 ? v.y : across == 2 ? v.z : v.w;
   face = across == 0 ? v.yzw : across == 1 ? v.xzw : across == 2 ? v.xyw : v.xyz;
+  vec4 w = eyeWeights;
+  frontWeights = across == 0 ? w.yzwx : across == 1 ? w.xzwy : across == 2 ? w.xywz : w;
   enterPlace(ivec4(eyePlace[0], eyePlace[1], eyePlace[2], eyePlace[3]));
   if (startWalk(seen(face.x), seen(face.y), seen(face.z)))
   {
     face = face.xzy;
+    frontWeights = frontWeights.xzyw;
   }
-  addVisiblePart(vec3(eyeZ, eyeScalars), passFace(), range);
-  return goOn(left);
+  if (useLayers && !contourLayers)
+  {
+    enterLayer(element(tetrahedronLayers, cellNumber()).r);
+  }
+  vec4 contour = vec4(contourScalar(p0), contourScalar(p1), contourScalar(p2), contourScalar(p3));
+  startSegment(vec4(eyeZ, eyeScalars, dot(w, contour)), passFace(), contour.x + contour.y + contour.z + contour.w);
 }
 
-// From there to where the ray leaves the mesh, or is lost.
-void walk(vec2 range)
+// What has to be done before the walk goes on.
+const int rayEnds = 0;
+const int mayGoOn = 1;
+const int findsLayer = 2;
+const int crossesUp = 3;
+const int crossesDown = 4;
+
+// From there to where the ray leaves the mesh or is lost, or where there are contours, to the next surface, if it is near.
+int walk(vec2 range)
 {
-  // Two loops rather than a test in one: pixels that are computed together wait for each other before a segment is integrated, so that
-  // it is not integrated for a few of them at a time; but not for long.
+  // Loops rather than tests in one: pixels that are computed together wait for each other before a segment is integrated, so that
+  // it is not integrated for a few of them at a time; but not for long. So do they before a surface is lit.
   const int stepsAtOnce = 8;
-  for (int i = 0; i < maximumSteps; ++i)
+  int steps = useContours ? 6 * stepsAtOnce : maximumSteps;
+  int outcome = mayGoOn;
+  for (int i = 0; i < steps; ++i)
   {
-    Seen ahead;
-    bool inside = true;
-    bool found = false;
-    for (int k = 0; k < stepsAtOnce; ++k)
+    if (!inSegment)
     {
-      ahead = seen(next);
-      if (!isClear(ahead))
+      Seen ahead;
+      bool inside = true;
+      bool found = false;
+      for (int k = 0; k < stepsAtOnce; ++k)
       {
-        found = true;
-        break;
+        ahead = seen(next);
+        if (!isClear(ahead))
+        {
+          found = true;
+          break;
+        }
+        leaveTetrahedron(ahead);
+        inside = goOn() && !walkIsLost &&
+          lesser(walkA.place.z, lesser(walkB.place.z, walkC.place.z)) < range.y;
+        if (!inside)
+        {
+          break;
+        }
       }
-      int left = leaveTetrahedron(ahead);
-      inside = goOn(left) && !walkIsLost &&
-        lesser(walkA.place.z, lesser(walkB.place.z, walkC.place.z)) < range.y;
       if (!inside)
       {
+        outcome = rayEnds;
         break;
       }
+      if (!found)
+      {
+        continue;
+      }
+      crossTetrahedron(ahead);
     }
-    if (!inside)
+    float place = 1.0;
+    float value = 0.0;
+    bool crosses = false;
+    if (useContours)
+    {
+      if (!layerIsKnown)
+      {
+        outcome = findsLayer;
+        break;
+      }
+      bool up = segmentBack.w >= layerReach.y;
+      crosses = !crossesNone && (up || segmentBack.w < layerReach.x);
+      value = up ? layerReach.y : layerReach.x;
+      float change = segmentBack.w - segmentFront.w;
+      place = !crosses ? 1.0 : change == 0.0 ? passedPlace : clamp((value - segmentFront.w) / change, passedPlace, 1.0);
+      outcome = crosses ? (up ? crossesUp : crossesDown) : mayGoOn;
+    }
+    addPart(place, crosses, value, range);
+    passedPlace = place;
+    passedValue = value;
+    if (crosses)
     {
       break;
     }
-    if (!found)
+    inSegment = false;
+    if (useContours && crossesNone)
     {
-      continue;
+      layerIsKnown = false;
     }
-    vec3 front = passFace();
-    int left = leaveTetrahedron(ahead);
-    vec3 back = passFace();
-    addVisiblePart(front, back, range);
-    if (back.x >= range.y || walkIsLost || isOpaque() || !goOn(left))
+    if (segmentBack.x >= range.y || walkIsLost || isOpaque() || !goOn())
     {
+      outcome = rayEnds;
       break;
+    }
+  }
+  return outcome;
+}
+
+// The surface of this contour where the walk is.
+void addSurface(int contour, vec2 range)
+{
+  float z = mix(segmentFront.x, segmentBack.x, passedPlace);
+  if (z >= range.x && z < range.y)
+  {
+    vec4 weights = mix(frontWeights, vec4(faceWeights(), 0.0), passedPlace);
+    vec2 scalars = mix(segmentFront.yz, segmentBack.yz, passedPlace);
+    scalars.x = useCellScalars ? element(cellScalars, cellNumber()).r : scalars.x;
+    ivec3 table = transferTable;
+    vec4 surface =
+      contourSurface(contour, Crossing(ivec4(face, left), weights, scalars, (MCVCMatrix * vec4(origin + z * along, 1.0)).xyz));
+    transferTable = table;
+    light += (1.0 - light.a) * surface;
+  }
+}
+
+void walkThroughContours(vec2 range)
+{
+  int outcome = mayGoOn;
+  for (int i = 0; i < maximumSteps && outcome != rayEnds; ++i)
+  {
+    outcome = walk(range);
+    if (outcome == crossesUp || outcome == crossesDown)
+    {
+      bool up = outcome == crossesUp;
+      addSurface(up ? contourLayerOfRay : contourLayerOfRay - 1, range);
+      enterContourLayer(up ? contourLayerOfRay + 1 : contourLayerOfRay - 1);
+    }
+    if (outcome == findsLayer)
+    {
+      enterContourLayer(contourLayer(segmentFront.w));
+    }
+    if (isOpaque())
+    {
+      outcome = rayEnds;
     }
   }
 }
@@ -344,16 +507,22 @@ void main()
     makeRay(besideCentre(attempt, boundaryFace.xyz));
     vec2 range = visibleRange();
     startSegments(length(mat3(MCVCMatrix) * along) * extinctionScale);
-    bool goesOn = true;
+    inSegment = false;
+    layerIsKnown = false;
+    layerReach = vec2(0.0); // nothing is clear
     if (startsAtEye != 0)
     {
-      goesOn = startInEyeTetrahedron(range);
+      startInEyeTetrahedron();
     }
     else
     {
       startAtFace(boundaryFace);
     }
-    if (goesOn)
+    if (useContours)
+    {
+      walkThroughContours(range);
+    }
+    else
     {
       walk(range);
     }

@@ -82,11 +82,12 @@ Interval intervalFrom(float s, bool up, int number)
   return result;
 #else
   bool below = number == 0;
-  bool above = number == numberOfTransferNodes;
-  return Interval(below ? -3.0e38 : element(transferNodes, number - 1).r,
-    above ? 3.0e38 : element(transferNodes, number).r,
-    below || above ? 3.0e38 : element(transferNodes, number - 1).g, element(transferIntervals, 2 * number),
-    element(transferIntervals, 2 * number + 1));
+  bool above = number == transferTable.y;
+  int node = transferTable.x + number; // the one above
+  int texel = 2 * (transferTable.z + number);
+  return Interval(below ? -3.0e38 : element(transferNodes, node - 1).r, above ? 3.0e38 : element(transferNodes, node).r,
+    below || above ? 3.0e38 : element(transferNodes, node - 1).g, element(transferIntervals, texel),
+    element(transferIntervals, texel + 1));
 #endif
 }
 
@@ -124,7 +125,7 @@ void addAlongOneScalar(float front, float back, float depth)
   number = findInterval(transferNodes, transferTable, front);
   last = findInterval(transferNodes, transferTable, back);
 #endif
-  for (int i = 0; i <= numberOfTransferNodes; ++i)
+  for (int i = 0; i <= transferTable.y; ++i)
   {
     Interval interval = intervalFrom(from, up, number);
     float to = up ? min(back, interval.high) : max(back, interval.low);

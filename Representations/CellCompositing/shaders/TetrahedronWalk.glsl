@@ -1,12 +1,13 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
 // A ray on its way through tetrahedra, from face to face: TetrahedronWalk.h.
-// A vertex as the ray sees it: x and y across, z along the ray, w its scalar, and a second scalar.
+// A vertex as the ray sees it: x and y across, z along the ray, w its scalar; where there are MORE_SCALARS, those for opacity and contours.
+// Constants: separateOpacity, opacityOnCells, useContours, contourOfColor.
 struct Seen
 {
   vec4 place;
-#ifdef SECOND_SCALAR
-  float second;
+#ifdef MORE_SCALARS
+  vec2 more;
 #endif
 };
 Seen walkA, walkB, walkC;     // the face that the ray is passing
@@ -20,8 +21,8 @@ float edgeFunction(Seen p, Seen q)
 
 Seen choose(bool first, Seen p, Seen q)
 {
-#ifdef SECOND_SCALAR
-  return Seen(first ? p.place : q.place, first ? p.second : q.second);
+#ifdef MORE_SCALARS
+  return Seen(first ? p.place : q.place, first ? p.more : q.more);
 #else
   return Seen(first ? p.place : q.place);
 #endif
@@ -29,8 +30,17 @@ Seen choose(bool first, Seen p, Seen q)
 
 float opacityScalar(Seen p)
 {
-#ifdef SECOND_SCALAR
-  return p.second;
+#ifdef MORE_SCALARS
+  return separateOpacity && !opacityOnCells ? p.more.x : p.place.w;
+#else
+  return p.place.w;
+#endif
+}
+
+float contourScalar(Seen p)
+{
+#ifdef MORE_SCALARS
+  return contourOfColor ? p.place.w : p.more.y;
 #else
   return p.place.w;
 #endif
@@ -88,13 +98,27 @@ int stepWalk(Seen d)
   return exitABD ? 2 : exitADC ? 1 : 0;
 }
 
-// Where the ray passes the face: depth along the ray, and the two scalars. Where the face is seen edge-on, any of its points will do.
-vec3 passFace()
+// Of the face's vertices, where the ray passes it. Where the face is seen edge-on, any of its points will do.
+vec3 faceWeights()
 {
   vec3 weights = vec3(walkBC, walkCA, walkAB);
   float sum = weights.x + weights.y + weights.z;
-  weights = sum > 0.0 ? weights / sum : vec3(1.0 / 3.0);
+  return sum > 0.0 ? weights / sum : vec3(1.0 / 3.0);
+}
+
+// Of a face whose vertices are all on one side of a value, no point lies on the other, in spite of rounding.
+float contourScalarOnFace(vec3 weights)
+{
+  vec3 s = vec3(contourScalar(walkA), contourScalar(walkB), contourScalar(walkC));
+  return clamp(dot(weights, s), lesser(s.x, lesser(s.y, s.z)), greater(s.x, greater(s.y, s.z)));
+}
+
+// Where the ray passes the face: depth along the ray, and the scalars of colour, opacity and contours.
+vec4 passFace()
+{
+  vec3 weights = faceWeights();
   vec2 pass = weights.x * walkA.place.zw + weights.y * walkB.place.zw + weights.z * walkC.place.zw;
-  return vec3(pass,
-    weights.x * opacityScalar(walkA) + weights.y * opacityScalar(walkB) + weights.z * opacityScalar(walkC));
+  return vec4(pass,
+    weights.x * opacityScalar(walkA) + weights.y * opacityScalar(walkB) + weights.z * opacityScalar(walkC),
+    useContours ? contourScalarOnFace(weights) : 0.0);
 }

@@ -8,7 +8,8 @@ uniform FloatArray transferNodes;     // position, ascending; width of the inter
 uniform FloatArray transferIntervals; // two texels per interval: colour and opacity at its low and high end
 uniform FloatArray opacityNodes;
 uniform FloatArray opacityIntervals;
-uniform FloatArray layerTables; // per layer: first node and number of nodes of the colour, then of the opacity table
+// Two texels per layer: first node and number of nodes of the colour, then of the opacity table; (scalars between which nothing is seen, 0, 0)
+uniform FloatArray layerTables;
 uniform int numberOfTransferNodes;
 uniform int numberOfOpacityNodes;
 
@@ -18,7 +19,7 @@ ivec3 opacityTable = ivec3(0, numberOfOpacityNodes, 0);
 
 void selectLayer(int layer)
 {
-  ivec4 tables = ivec4(element(layerTables, layer));
+  ivec4 tables = ivec4(element(layerTables, 2 * layer));
   // A table has one interval more than nodes.
   transferTable = ivec3(tables.xy, tables.x + layer);
   opacityTable = ivec3(tables.zw, tables.z + layer);

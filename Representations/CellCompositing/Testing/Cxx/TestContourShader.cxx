@@ -52,7 +52,7 @@ void addBuffers(ShaderRunner& runner, const Scene& scene)
   for (const Layer& layer : scene.Layers)
   {
     const float n = float(nodes.size() / 2);
-    tables.insert(tables.end(), { n, 2, n, 2 });
+    tables.insert(tables.end(), { n, 2, n, 2, 0, 0, 0, 0 });
     nodes.insert(nodes.end(), { 0, 1, 1, 0 });
     for (const float a : { layer.Low, layer.Low, layer.Low, layer.High, layer.High, layer.High })
     {
@@ -134,7 +134,7 @@ std::string shaderSource()
     constants += std::string("const bool ") + off + " = false;\n";
   }
   return constants + "uniform vec4 eyeVC;\nuniform IntegerArray tetrahedra;\nuniform FloatArray points;\n" + readShader("OpticalSegment.glsl") + readShader("TransferFunction.glsl") +
-    readShader("ContourSurfaces.glsl");
+    readShader("ContourSurfaces.glsl") + readShader("ProjectedContours.glsl");
 }
 
 void setUniforms(vtkShaderProgram* program)
