@@ -98,8 +98,12 @@ endforeach ()
 file(GLOB nephoscope_python_sources CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/Plugins/PyVista/nephoscope/*.py")
 list(APPEND nephoscope_python_sources "${PROJECT_SOURCE_DIR}/Plugins/Presets/nephoscope_presets.json")
 set(nephoscope_python_outputs)
-foreach (source IN LISTS nephoscope_python_sources)
+file(GLOB nephoscope_weather_sources CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/Plugins/PyVista/nephoscope/weather/*.py")
+foreach (source IN LISTS nephoscope_python_sources nephoscope_weather_sources)
   get_filename_component(name "${source}" NAME)
+  if (source IN_LIST nephoscope_weather_sources)
+    string(PREPEND name "weather/")
+  endif ()
   set(copied "${NEPHOSCOPE_PYTHONPATH}/nephoscope/${name}")
   add_custom_command(OUTPUT "${copied}" DEPENDS "${source}"
     COMMAND ${CMAKE_COMMAND} -E copy "${source}" "${copied}" VERBATIM)
@@ -122,7 +126,10 @@ if (NEPHOSCOPE_FOR_PYPI)
   string(CONCAT nephoscope_requirements "Requires-Python: >=3.11\nRequires-Dist: vtk==${VTK_VERSION}\n"
     "Provides-Extra: pyvista\nRequires-Dist: pyvista>=0.48; extra == 'pyvista'\n"
     "Provides-Extra: web\nRequires-Dist: pyvista[jupyter]>=0.48; extra == 'web'\nRequires-Dist: trame>=3; extra == 'web'\n"
-    "Requires-Dist: trame-vtk>=2.8; extra == 'web'\nRequires-Dist: trame-vuetify>=2.8; extra == 'web'")
+    "Requires-Dist: trame-vtk>=2.8; extra == 'web'\nRequires-Dist: trame-vuetify>=2.8; extra == 'web'\n"
+    "Provides-Extra: data\nRequires-Dist: xarray>=2023.1; extra == 'data'\nRequires-Dist: eccodes>=2.39; extra == 'data'\n"
+    "Requires-Dist: eccodeslib; extra == 'data'\nRequires-Dist: netCDF4; extra == 'data'\nRequires-Dist: zarr; extra == 'data'\n"
+    "Requires-Dist: dask; extra == 'data'\nRequires-Dist: cfgrib>=0.9.15; extra == 'data'")
 endif ()
 foreach (name IN ITEMS METADATA entry_points.txt)
   configure_file("${PROJECT_SOURCE_DIR}/Plugins/PyVista/packaging/${name}.in"
@@ -144,6 +151,7 @@ configure_file("${PROJECT_SOURCE_DIR}/Plugins/PyVista/packaging/WHEEL.in"
 function (nephoscope_install_python folder)
   install(FILES ${nephoscope_python_sources} "${NEPHOSCOPE_PYTHONPATH}/nephoscope/_modules.py"
     DESTINATION "${folder}nephoscope" ${ARGN})
+  install(FILES ${nephoscope_weather_sources} DESTINATION "${folder}nephoscope/weather" ${ARGN})
   install(FILES
     "${NEPHOSCOPE_PYTHONPATH}/${nephoscope_dist_info}/METADATA"
     "${NEPHOSCOPE_PYTHONPATH}/${nephoscope_dist_info}/entry_points.txt"

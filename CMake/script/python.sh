@@ -6,6 +6,7 @@
 SYSTEM_PYTHON=/usr/bin/python3
 REQUIREMENTS="$TOP/Plugins/PyVista/requirements.txt"
 WEB_REQUIREMENTS="$TOP/Plugins/PyVista/requirements-web.txt"
+DATA_REQUIREMENTS="$TOP/Plugins/PyVista/requirements-data.txt"
 export NEPHOSCOPE_VENV="$TOP/build/venv"
 
 venv_is_current() { cmp -s "$REQUIREMENTS" "$NEPHOSCOPE_VENV/requirements.txt"; }
@@ -47,6 +48,22 @@ ensure_venv()
   elif ! run_logged venv make_venv 2>/dev/null; then
     rm -rf "$NEPHOSCOPE_VENV"
     note "pyvista could not be installed (build/logs/venv.log says why); going on without it"
+  fi
+}
+
+make_data()
+{
+  PIP_DISABLE_PIP_VERSION_CHECK=1 PIP_ROOT_USER_ACTION=ignore "$NEPHOSCOPE_VENV/bin/python3" -m pip install \
+    --no-input --no-deps --retries 1 --timeout 15 -r "$DATA_REQUIREMENTS" &&
+    cp "$DATA_REQUIREMENTS" "$NEPHOSCOPE_VENV/requirements-data.txt"
+}
+
+# What GRIB, NetCDF and Zarr need by way of xarray, in the environment of ensure_venv. Without it the rest still works.
+ensure_data()
+{
+  venv_is_current || return 0
+  if ! cmp -s "$DATA_REQUIREMENTS" "$NEPHOSCOPE_VENV/requirements-data.txt" && ! run_logged data make_data; then
+    note "xarray and eccodes could not be installed (build/logs/data.log says why); going on without them"
   fi
 }
 

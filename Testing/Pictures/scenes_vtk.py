@@ -259,7 +259,27 @@ def sparse(names):
     names["image"] = image
 
 
+def grib_of_gfs(names):
+    """forecast.grib2: the fields of the sample file, as GRIB."""
+    import sys
+    from pathlib import Path
+    sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "Plugins" / "PyVista" / "Testing"))
+    from weather_data import write_grib
+    gfs, ground = nephoscope.read_cf(GFS), nephoscope.read_cf(GFS, dimensions="(lat, lon)")
+    keys = {"gridType": "regular_ll", "Ni": 144, "Nj": 73, "latitudeOfFirstGridPointInDegrees": -90, "latitudeOfLastGridPointInDegrees": 90,
+            "longitudeOfFirstGridPointInDegrees": 0, "longitudeOfLastGridPointInDegrees": 357.5, "iDirectionIncrementInDegrees": 2.5, "jDirectionIncrementInDegrees": 2.5,
+            "jScansPositively": 1}
+    order = np.argsort(gfs.x % 360)
+    of = lambda mesh, array, level=0: np.asarray(mesh[array]).reshape(-1, 73, 144)[level][:, order]
+    fields = [(short, "isobaricInhPa", int(round(abs(pressure))), of(gfs, array, k)) for short, array in (("gh", "gh"), ("u", "u"), ("v", "v"), ("cc", "cloud_fraction"))
+              for k, pressure in enumerate(gfs.z)]
+    fields += [(name, "surface", 0, of(ground, name)) for name in ("sp", "orog", "lsm")]
+    write_grib("forecast.grib2", fields, keys)
+
+
 BEFORE = {
+    "weather-1": grib_of_gfs,
+    "weather-2": grib_of_gfs,
     "cell-compositing-1": clouds_source,
     "cell-compositing-2": ball_mapper,
     "cell-compositing-3": lambda names: ball_mapper(names, 2.0),

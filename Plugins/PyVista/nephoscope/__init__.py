@@ -35,6 +35,7 @@ if _TYPE_CHECKING:
     from .splitting import split_cells
     from .terrain import add_terrain, terrain_surface
     from .viewing import viewer
+    from .weather.opening import open  # noqa: A004
 
 VTK_FUNCTIONS = {"override_vtk": "override"}  # those that need VTK alone
 
@@ -63,6 +64,7 @@ PYVISTA_FUNCTIONS = {
     "write_vdb": "sparse",
     "serve": "serving",
     "viewer": "viewing",
+    "open": "weather.opening",
 }
 
 
@@ -87,7 +89,8 @@ def _has_pyvista():
         return False
 
 
-__all__ = sorted([*_CLASSES, *VTK_FUNCTIONS, *(PYVISTA_FUNCTIONS if _has_pyvista() else ())])  # `import *` must not need PyVista
+# `import *` must not need PyVista, and must leave Python's own `open` alone.
+__all__ = sorted([*_CLASSES, *VTK_FUNCTIONS, *(name for name in PYVISTA_FUNCTIONS if _has_pyvista() and name != "open")])
 
 
 def _pyvista_remedy():
@@ -125,3 +128,6 @@ _importlib.import_module(".override", __name__).read_environment()
 if hasattr(_sys.modules.get("pyvista"), "register_dataset_accessor"):
     _require_backend()
     _importlib.import_module(".accessor", __name__)
+
+# The accessor of xarray.Dataset, now or when xarray is imported: this package does not import it.
+_importlib.import_module("._later", __name__).when_imported("xarray", ".weather.accessor", "register")

@@ -1,0 +1,143 @@
+# SPDX-FileCopyrightText: The Nephoscope authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""The accessor ``dataset.nephoscope`` of xarray.Dataset."""
+from __future__ import annotations
+
+from typing import Any, Sequence
+
+import numpy as np
+
+from .roles import ROLES
+
+
+def _options(names: dict[str, Any]) -> tuple[dict[str, Any], dict[str, Any]]:
+    """Roles, and the other options, which are those of `to_globe`."""
+    return {k: v for k, v in names.items() if k in ROLES}, {k: v for k, v in names.items() if k not in ROLES}
+
+
+class WeatherAccessor:
+    """Weather on a globe or a map from an xarray.Dataset; nothing but what is drawn is loaded.
+
+    Parameters
+    ----------
+    dataset : xarray.Dataset
+        The dataset that the methods read; it is not changed.
+    """
+
+    def __init__(self, dataset) -> None:
+        self._dataset = dataset
+
+    def _understood(self, time, vertical, roles):
+        from .air import Air
+        from .prepare import prepared
+        from .reading import Reading
+        reading = Reading(prepared(self._dataset), time=time, vertical=vertical, names=roles)
+        return reading, Air(reading)
+
+    def globe(self, *, time: int | str | np.datetime64 | None = None, variables: Sequence[str] | None = None, vertical: str | None = None, **options: Any):
+        """Make the mesh of one time step on a globe or a map, at its heights, with winds as vectors.
+
+        Parameters
+        ----------
+        time : int, str or datetime, optional
+            Index of the time step, or its date. Default: the first, with a warning if there are several.
+        variables : sequence of str, optional
+            Variables to carry. Default: all on the grid. Winds and heights are read in any case.
+        vertical : str, optional
+            The vertical dimension. Default: found by axis, positive, standard_name, units, GRIB type of level or name.
+        **options
+            Names of variables for roles that were not found or not well: ``u``, ``v``, ``w``, ``temperature``, ``specific_humidity``,
+            ``relative_humidity``, ``pressure``, ``geopotential``, ``geopotential_height``, ``altitude``, ``surface_pressure``, ``terrain``, ``land``,
+            and the clouds. False: none. All others are those of `nephoscope.to_globe`, ``vertical_exaggeration`` for example.
+
+        Returns
+        -------
+        pyvista.StructuredGrid
+            As `nephoscope.to_globe` returns it.
+
+        Raises
+        ------
+        ValueError
+            If places, levels, heights or units cannot be found; the message names what was looked for and what there is.
+        """
+        from .placing import place
+        roles, rest = _options(options)
+        reading, air = self._understood(time, vertical, roles)
+        return place(reading, air, variables, {}, rest)
+
+    def terrain(self, *, time: int | str | np.datetime64 | None = None, vertical: str | None = None, **options: Any):
+        """Make the terrain as a surface, as `nephoscope.terrain_surface` does.
+
+        Parameters
+        ----------
+        time, vertical
+            As in `globe`.
+        **options
+            ``terrain`` and ``land`` name the variables; all others are those of `nephoscope.terrain_surface`.
+
+        Returns
+        -------
+        pyvista.StructuredGrid
+            As `nephoscope.terrain_surface` returns it.
+        """
+        from ..terrain import terrain_surface
+        from .placing import ground_mesh
+        roles, rest = _options(options)
+        reading, air = self._understood(0 if time is None else time, vertical, roles)
+        if air.terrain is None:
+            raise ValueError("terrain: no height of the ground was found (surface_altitude, orog, HGT, surface geopotential). Name it: terrain(terrain='...').")
+        return terrain_surface(ground_mesh(reading, air), "orog", **rest)
+
+    def plot(self, scalars: str | None = None, *, time: int | str | np.datetime64 | None = None, screenshot: str | None = None, vertical_exaggeration: float = 30.0,
+             opacity: Any = None, cmap: Any = None, **options: Any):
+        """Draw one field as a volume over the globe, in a window or into a file.
+
+        Parameters
+        ----------
+        scalars : str, optional
+            The variable. Default: cloud fraction, cloud water, or the first.
+        time : int, str or datetime, optional
+            As in `globe`.
+        screenshot : str, optional
+            File for the picture. Default: a window.
+        vertical_exaggeration : float, default: 30.0
+            Multiplies heights.
+        opacity, cmap : optional
+            As in `nephoscope.add_cells`.
+        **options
+            Those of `globe`.
+
+        Returns
+        -------
+        pyvista.Plotter
+            The plotter, after it has been shown.
+        """
+        from .picture import plotted
+        grid = self.globe(time=time, vertical_exaggeration=vertical_exaggeration, **options)
+        return plotted(grid, scalars, screenshot, {k: v for k, v in {"opacity": opacity, "cmap": cmap}.items() if v is not None})
+
+    def describe(self, *, time: int | str | np.datetime64 | None = None, vertical: str | None = None, **roles: Any) -> str:
+        """Tell what `globe` finds: grid, levels, heights, variables by their roles, and what it assumes.
+
+        Parameters
+        ----------
+        time, vertical, **roles
+            As in `globe`.
+
+        Returns
+        -------
+        str
+            Lines to print.
+        """
+        from .describing import described
+        reading, air = self._understood(0 if time is None else time, vertical, roles)
+        return described(reading, air, self._dataset)
+
+
+def register() -> None:
+    import warnings
+
+    import xarray
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore", xarray.core.extensions.AccessorRegistrationWarning)
+        xarray.register_dataset_accessor("nephoscope")(WeatherAccessor)

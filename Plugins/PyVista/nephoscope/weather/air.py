@@ -1,0 +1,274 @@
+# SPDX-FileCopyrightText: The Nephoscope authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Pressure, temperature and humidity of a reading, and the heights of its points by the best that it has."""
+from __future__ import annotations
+
+from functools import cached_property
+
+import numpy as np
+
+from .._checks import listed
+from .columns import from_half_levels, geometric, hypsometric, standard_height, standard_temperature, virtual_temperature
+from .reading import Reading
+from .units import GRAVITY
+from .vertical import VerticalError, formula_terms, usual_coefficients
+
+KAPPA = 0.2857  # R/cp of dry air
+SEA_LEVEL = 101325.0  # Pa
+
+
+class Air:
+    """What a reading says of the air; each quantity is loaded when it is first asked for. Levels in the dataset's order."""
+
+    def __init__(self, reading: Reading) -> None:
+        self.reading = reading
+
+    @cached_property
+    def shape(self) -> tuple[int, ...]:
+        reading = self.reading
+        return (reading.dataset.sizes[reading.vertical.dim], *(reading.dataset.sizes[dim] for dim in reading.horizontal.dims))
+
+    def _columns(self, values: np.ndarray) -> np.ndarray:
+        """Values by level at every place."""
+        return np.broadcast_to(values.reshape(-1, *[1] * (len(self.shape) - 1)), self.shape)
+
+    # The ground
+
+    @cached_property
+    def terrain(self) -> np.ndarray | None:
+        reading = self.reading
+        if reading.has("terrain"):
+            return reading.role("terrain").astype(float)
+        if reading.has("surface_geopotential"):
+            return geometric(reading.role("surface_geopotential").astype(float) / GRAVITY)
+        return None
+
+    @cached_property
+    def surface_pressure(self) -> np.ndarray | None:
+        reading = self.reading
+        if reading.has("surface_pressure"):
+            return reading.role("surface_pressure").astype(float)
+        if reading.has("log_surface_pressure"):
+            return np.exp(reading.role("log_surface_pressure").astype(float))
+        return None
+
+    # Levels
+
+    @cached_property
+    def pressure(self) -> np.ndarray | None:
+        """Pa."""
+        reading = self.reading
+        if reading.vertical is None:
+            return None
+        if reading.vertical.kind == "pressure":
+            return self._columns(reading.levels())
+        if reading.has("pressure"):
+            return reading.role("pressure").astype(float)
+        if reading.vertical.kind == "log pressure":
+            terms = formula_terms(reading.dataset, reading.vertical)
+            p0 = float(reading.dataset[terms["p0"]]) if terms.get("p0") in reading.dataset else 1e5
+            return self._columns(p0 * np.exp(-reading.levels()))
+        return self._hybrid_pressure()
+
+    def _hybrid_pressure(self) -> np.ndarray | None:
+        reading = self.reading
+        if reading.vertical.kind not in ("hybrid", "sigma"):
+            return None
+        a, b = hybrid_coefficients(reading)
+        if self.surface_pressure is None:
+            if np.any(b != 0):
+                raise VerticalError(f"Hybrid and sigma levels ({reading.vertical.dim!r}) need the pressure at the ground, and there is none: no surface_air_pressure, sp, ps or "
+                                    f"lnsp on {listed(reading.horizontal.dims)}. Add it, or name it: globe(surface_pressure='...').")
+            return self._columns(a)
+        return self._columns(a) + self._columns(b) * self.surface_pressure
+
+    @cached_property
+    def temperature(self) -> np.ndarray | None:
+        """K, from the potential temperature where there is no other."""
+        reading = self.reading
+        if reading.has("temperature"):
+            return reading.role("temperature").astype(float)
+        if reading.has("potential_temperature") and self.pressure is not None:
+            reading.note("temperature from the potential temperature and the pressure")
+            return reading.role("potential_temperature") * (self.pressure / 1e5) ** KAPPA
+        return None
+
+    @cached_property
+    def specific_humidity(self) -> np.ndarray | None:
+        reading = self.reading
+        if reading.has("specific_humidity"):
+            return reading.role("specific_humidity").astype(float)
+        if reading.has("mixing_ratio"):
+            ratio = reading.role("mixing_ratio").astype(float)
+            return ratio / (1 + ratio)
+        if reading.has("relative_humidity") and self.temperature is not None and self.pressure is not None:
+            from .humidity import specific_from_relative
+            return specific_from_relative(reading.role("relative_humidity").astype(float), self.temperature, self.pressure)
+        return None
+
+    @cached_property
+    def virtual_temperature(self) -> np.ndarray | None:
+        if self.temperature is None:
+            return None
+        self.reading.note("virtual temperature " + ("with the humidity" if self.specific_humidity is not None else "of dry air: no humidity was found"))
+        return virtual_temperature(self.temperature, self.specific_humidity)
+
+    # Heights
+
+    @cached_property
+    def heights(self) -> np.ndarray:
+        """Geometric heights above sea level, in m; `height_source` tells from what."""
+        for way in (self._given_heights, self._level_heights, self._hybrid_heights, self._model_heights, self._pressure_heights):
+            found = way()
+            if found is not None:
+                return found
+        vertical = self.reading.vertical
+        raise VerticalError(f"The heights of the levels {vertical.dim!r} ({vertical.kind}) were not found: there is no height, geopotential, pressure or formula_terms on them. "
+                            f"Variables on them: {listed([name for name, _ in self.reading.field_variables()])}. Name one: globe(altitude='...'), globe(geopotential='...') or "
+                            "globe(pressure='...').")
+
+    height_source = ""
+
+    def _given_heights(self) -> np.ndarray | None:
+        reading = self.reading
+        for role, made in (("altitude", lambda z: z), ("geopotential_height", geometric), ("geopotential", lambda z: geometric(z / GRAVITY))):
+            if reading.has(role):
+                values, quantity = reading.role_as(role)
+                values = values.astype(float)
+                self.height_source = f"{role.replace('_', ' ')} {reading.roles[role]!r}"
+                return geometric(values / GRAVITY) if quantity == "geopotential" else made(values)
+        return None
+
+    def _level_heights(self) -> np.ndarray | None:
+        kind = self.reading.vertical.kind
+        if kind not in ("height", "height above ground"):
+            return None
+        heights = self._columns(self.reading.levels())
+        self.height_source = "the levels"
+        if kind == "height":
+            return heights
+        if self.terrain is None:
+            self.reading.note("heights above the ground taken as above sea level: no height of the ground was found")
+            return heights
+        self.height_source = f"the levels, above the ground {self.reading.roles.get('terrain', self.reading.roles.get('surface_geopotential'))!r}"
+        return heights + self.terrain
+
+    def _hybrid_heights(self) -> np.ndarray | None:
+        """z = a + b orog (CF, appendix D)."""
+        reading = self.reading
+        if reading.vertical.kind != "hybrid height":
+            return None
+        terms = formula_terms(reading.dataset, reading.vertical)
+        a, b, orog = (reading.dataset[terms[term]] if terms.get(term) in reading.dataset.variables else None for term in ("a", "b", "orog"))
+        if a is None or b is None or (orog is None and self.terrain is None):
+            raise VerticalError(f"The levels {reading.vertical.name!r} are hybrid heights, a + b * orog, but of their formula_terms, {terms}, not all are in the dataset.")
+        ground = self.terrain if orog is None else reading.values(terms["orog"]).astype(float)
+        self.height_source = f"hybrid heights, {terms['a']} + {terms['b']} * {terms.get('orog', 'orog')}"
+        return self._columns(a.values.astype(float)) + self._columns(b.values.astype(float)) * ground
+
+    def _model_heights(self) -> np.ndarray | None:
+        """Hybrid sigma-pressure levels: the hypsometric equation over half levels where they are known, otherwise over full levels."""
+        reading = self.reading
+        if reading.vertical.kind not in ("hybrid", "sigma"):
+            return None
+        virtual = self._required_temperature()
+        ground = self._ground_for_hypsometry()
+        half = half_coefficients(reading)
+        if half is not None:
+            self.height_source = "the hypsometric equation over half levels"
+            a, b = (values.reshape(-1, *[1] * (len(self.shape) - 1)) for values in half)
+            order = np.argsort(self._columns_mean())  # top first
+            back = np.empty(self.shape)
+            back[order] = from_half_levels(a + b * self.surface_pressure, virtual[order], ground)
+            return geometric(back)
+        self.height_source = "the hypsometric equation over full levels"
+        return geometric(hypsometric(self.pressure, virtual, self.surface_pressure if self.surface_pressure is not None else np.full(self.shape[1:], SEA_LEVEL), ground))
+
+    def _columns_mean(self) -> np.ndarray:
+        return np.nanmean(self.pressure.reshape(self.shape[0], -1), axis=1)
+
+    def _required_temperature(self) -> np.ndarray:
+        if self.virtual_temperature is None:
+            raise VerticalError(f"The heights of the levels {self.reading.vertical.dim!r} need a temperature on them, and none was found among "
+                                f"{listed([name for name, _ in self.reading.field_variables()])}. Name it: globe(temperature='...').")
+        return self.virtual_temperature
+
+    def _ground_for_hypsometry(self) -> np.ndarray:
+        if self.terrain is None:
+            self.reading.warn("No height of the ground was found (orog, surface_altitude, surface geopotential): heights are counted from a ground at 0 m. Name it: "
+                              "globe(terrain='...').")
+            return np.zeros(self.shape[1:])
+        return self.terrain * 6371229.0 / (6371229.0 + self.terrain)  # as geopotential height
+
+    def _pressure_heights(self) -> np.ndarray | None:
+        reading = self.reading
+        if self.pressure is None:
+            return None
+        if self.virtual_temperature is not None and self.surface_pressure is not None and self.terrain is not None:
+            self.height_source = "the hypsometric equation from the ground"
+            return geometric(hypsometric(self.pressure, self.virtual_temperature, self.surface_pressure, self._ground_for_hypsometry()))
+        self.height_source = "the pressure by the standard atmosphere"
+        reading.note("no geopotential, and not all of temperature, surface pressure and height of the ground")
+        return geometric(standard_height(self.pressure))
+
+    @cached_property
+    def temperature_or_standard(self) -> np.ndarray:
+        if self.virtual_temperature is not None:
+            return self.virtual_temperature
+        self.reading.note("temperature of the standard atmosphere, for the conversion of Pa/s to m/s")
+        return standard_temperature(self.pressure)
+
+
+def hybrid_coefficients(reading: Reading) -> tuple[np.ndarray, np.ndarray]:
+    """a in Pa and b of the full levels: p = a + b ps."""
+    dataset, vertical = reading.dataset, reading.vertical
+    half = half_coefficients(reading)
+    if half is not None:
+        return tuple(0.5 * (values[:-1] + values[1:]) for values in half) if not _reversed(reading) else tuple(0.5 * (v[:-1] + v[1:])[::-1] for v in half)
+    terms = formula_terms(dataset, vertical) or usual_coefficients(dataset, vertical.dim) or {}
+    if vertical.kind == "sigma":
+        sigma = dataset[terms.get("sigma", vertical.name)].values.astype(float)
+        top = float(dataset[terms["ptop"]].values) if terms.get("ptop") in dataset.variables else 0.0
+        return top * (1 - sigma), sigma
+    b = _term(dataset, terms, "b")
+    if "ap" in terms:
+        return _pascal(dataset, terms["ap"]), b
+    a = _term(dataset, terms, "a")
+    if str(dataset[terms["a"]].attrs.get("units", "1")).lower() in ("pa", "hpa"):
+        return _pascal(dataset, terms["a"]), b
+    p0 = terms.get("p0") if terms.get("p0") in dataset.variables else next((name for name in ("P0", "p0") if name in dataset.variables), None)
+    if p0 is None and np.nanmax(np.abs(a)) > 2:  # no share of a reference pressure: in Pa
+        return a, b
+    return a * (_pascal(dataset, p0) if p0 else 1e5), b
+
+
+def _term(dataset, terms: dict, term: str) -> np.ndarray:
+    if terms.get(term) not in dataset.variables:
+        raise VerticalError(f"The hybrid levels' formula_terms, {terms}, need the variable {terms.get(term, term)!r} ({term}), which the dataset has not. There are: "
+                            f"{listed([str(name) for name in dataset.variables])}.")
+    return dataset[terms[term]].values.astype(float)
+
+
+def _pascal(dataset, name: str) -> np.ndarray:
+    from .units import converted
+    values = dataset[name].values.astype(float)
+    return converted(values, dataset[name].attrs.get("units", "Pa"), "pressure", name)[0]
+
+
+def half_coefficients(reading: Reading) -> tuple[np.ndarray, np.ndarray] | None:
+    """a and b of the half levels around the levels of the dataset, top first: from GRIB's list of vertical coordinate parameters, or from bounds."""
+    example = next((variable for _, variable in reading.field_variables() if "GRIB_pv" in variable.attrs), None)
+    if example is not None and reading.vertical.kind == "hybrid":
+        pv = np.asarray(example.attrs["GRIB_pv"], dtype=float)
+        a, b = pv[:len(pv) // 2], pv[len(pv) // 2:]
+        numbers = np.sort(reading.levels().astype(int))
+        if len(a) and np.all(np.diff(numbers) == 1) and numbers[-1] < len(a) and numbers[-1] == len(a) - 1:
+            return a[numbers[0] - 1:], b[numbers[0] - 1:]
+        if len(a):
+            return None if numbers[-1] >= len(a) else (a[numbers[0] - 1:numbers[-1] + 1], b[numbers[0] - 1:numbers[-1] + 1])
+    return None
+
+
+def _reversed(reading: Reading) -> bool:
+    levels = reading.levels()
+    return len(levels) > 1 and levels[0] > levels[-1]

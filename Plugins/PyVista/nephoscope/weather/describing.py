@@ -1,0 +1,42 @@
+# SPDX-FileCopyrightText: The Nephoscope authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""What was found in a dataset, in words."""
+from __future__ import annotations
+
+import numpy as np
+
+from .air import Air
+from .reading import Reading
+from .roles import ROLES
+from .times import listed_times
+from .winds import winds
+
+
+def described(reading: Reading, air: Air, dataset) -> str:
+    lines = [_grid(reading), *_levels(reading, air), _times(reading, dataset), *_roles(reading)]
+    winds(reading, air)
+    return "\n".join(lines + [f"note: {note}" for note in [*reading.horizontal.notes, *(reading.vertical.notes if reading.vertical else []), *reading.notes]])
+
+
+def _grid(reading: Reading) -> str:
+    grid = reading.horizontal
+    sizes = " x ".join(f"{dim} {reading.dataset.sizes[dim]}" for dim in grid.dims)
+    return (f"grid: {grid.kind}, {sizes}; longitude {np.nanmin(grid.longitude):g} to {np.nanmax(grid.longitude):g} ({grid.names[0]}), "
+            f"latitude {np.nanmin(grid.latitude):g} to {np.nanmax(grid.latitude):g} ({grid.names[1]})")
+
+
+def _levels(reading: Reading, air: Air) -> list[str]:
+    if reading.vertical is None:
+        return ["levels: none"]
+    heights = air.heights
+    return [f"levels: {reading.vertical.kind}, {reading.vertical.dim} {reading.dataset.sizes[reading.vertical.dim]}",
+            f"heights: {np.nanmin(heights):.0f} to {np.nanmax(heights):.0f} m, from {air.height_source}"]
+
+
+def _times(reading: Reading, dataset) -> str:
+    times = listed_times(dataset)
+    return f"time: {reading.time_text or 'none'}" + (f" (of {len(times)}, to {times[-1]})" if len(times) > 1 else "")
+
+
+def _roles(reading: Reading) -> list[str]:
+    return [f"{ROLES[role].meaning}: {name!r}" + (f" ({units})" if (units := reading.dataset[name].attrs.get("units")) else "") for role, name in reading.roles.items()]

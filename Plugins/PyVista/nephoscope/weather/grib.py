@@ -1,0 +1,302 @@
+# SPDX-FileCopyrightText: The Nephoscope authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""GRIB files, editions 1 and 2, as one lazy xarray.Dataset: the headers are read once, a field is decoded when it is used.
+
+Names, dimensions and attributes are those of cfgrib (``GRIB_shortName``, ``isobaricInhPa``, ...), but all types of level are in one dataset, and no index file is
+written beside the data.
+"""
+from __future__ import annotations
+
+import warnings
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+
+from .extras import need
+
+MISSING = 9.999e35
+LEVEL_UNITS = {"isobaricInhPa": ("hPa", "down"), "isobaricInPa": ("Pa", "down"), "heightAboveGround": ("m", "up"), "heightAboveSea": ("m", "up"), "hybrid": ("1", "down"),
+               "sigma": ("1", "down"), "generalVerticalLayer": ("1", "down"), "generalVertical": ("1", "down"), "depthBelowLand": ("m", "down")}
+# Of every message; then of the first of each variable.
+_HEADER = ("shortName", "typeOfLevel", "level", "md5GridSection", "gridType", "validityDate", "validityTime", "dataDate", "dataTime", "stepType", "paramId")
+_GRID = ("gridType", "uvRelativeToGrid", "Latin1InDegrees", "Latin2InDegrees", "LaDInDegrees", "LoVInDegrees", "orientationOfTheGridInDegrees", "projectionCentreFlag",
+         "southPoleOnProjectionPlane", "latitudeOfSouthernPoleInDegrees", "longitudeOfSouthernPoleInDegrees", "angleOfRotationInDegrees", "radius", "earthIsOblate",
+         "earthMajorAxisInMetres", "earthMinorAxisInMetres", "N", "isOctahedral", "Nside", "orderingConvention", "numberOfGridInReference")
+_ABOUT = ("shortName", "name", "units", "cfName", "cfVarName", "paramId", "typeOfLevel", "stepType", "edition", "centre")
+
+
+class GribError(ValueError):
+    """A GRIB file that cannot be read as one dataset; the message names the file, what is wrong and the remedy."""
+
+
+@dataclass(frozen=True)
+class Message:
+    offset: int
+    part: int  # among the fields of one message, which share its offset
+    variable: tuple  # short name, parameter, type of level, kind of step
+    level: float
+    time: np.datetime64
+    start: np.datetime64
+    number: int
+    grid: str
+    grid_type: str
+
+
+def open_grib(path: Path, grid: int | None):
+    xarray = need("xarray", "reading GRIB")
+    messages = _of_grid(path, scan(path), grid)
+    layout = Layout(path, messages)
+    dataset = xarray.Dataset(attrs={"Conventions": "CF-1.8", "source": str(path)}, coords=layout.coordinates(xarray))
+    for name, variable in _named(messages).items():
+        dataset[name] = layout.variable(xarray, variable)
+    return dataset
+
+
+# Headers
+
+def scan(path: Path) -> list[Message]:
+    ec = need("eccodes", "reading GRIB")
+    ec.codes_grib_multi_support_on()
+    found: list[Message] = []
+    with path.open("rb") as file:
+        try:
+            while (handle := ec.codes_grib_new_from_file(file)) is not None:
+                found.append(_message(ec, handle, found))
+                ec.codes_release(handle)
+        except ec.CodesInternalError as problem:
+            raise GribError(f"{path}: after {len(found)} whole fields the file ends early or is damaged ({problem}). Fetch it again"
+                            + (f", or keep what is whole: grib_copy -w count<{len(found) + 1} {path.name} OUT." if found else ".")) from problem
+        finally:
+            ec.codes_grib_multi_support_reset_file(file)
+    if not found:
+        raise GribError(f"{path} has no GRIB message.")
+    return found
+
+
+def _get(ec, handle, key: str, default=None):
+    try:
+        return ec.codes_get(handle, key)
+    except ec.CodesInternalError:
+        return default
+
+
+def _message(ec, handle, before: list[Message]) -> Message:
+    name, kind, level, grid, grid_type, date, hour, start_date, start_hour, step, parameter = (_get(ec, handle, key) for key in _HEADER)
+    offset = int(_get(ec, handle, "offset", 0))
+    part = before[-1].part + 1 if before and before[-1].offset == offset else 0
+    return Message(offset, part, (str(name), int(parameter or 0), str(kind), str(step)), float(level or 0), _date(date, hour), _date(start_date, start_hour),
+                   int(_get(ec, handle, "number", 0) or 0), str(grid), str(grid_type))
+
+
+def _date(date: int | None, hour: int | None) -> np.datetime64:
+    text = f"{int(date or 0):08d}"
+    try:
+        return np.datetime64(f"{text[:4]}-{text[4:6]}-{text[6:]}T{int(hour or 0) // 100:02d}:{int(hour or 0) % 100:02d}", "ns")
+    except ValueError:
+        return np.datetime64("NaT", "ns")
+
+
+def _of_grid(path: Path, messages: list[Message], grid: int | None) -> list[Message]:
+    grids = list(dict.fromkeys(message.grid for message in messages))
+    if grid is not None and not 0 <= grid < len(grids):
+        raise GribError(f"grid is {grid}; {path} has {len(grids)} grids, from 0.")
+    if len(grids) > 1 and grid is None:
+        told = "; ".join(f"{i}: {_told(messages, key)}" for i, key in enumerate(grids))
+        raise GribError(f"{path} has fields on {len(grids)} grids. Choose one with grid: {told}.")
+    return [message for message in messages if message.grid == grids[grid or 0]]
+
+
+def _told(messages: list[Message], grid: str) -> str:
+    here = [message for message in messages if message.grid == grid]
+    names = list(dict.fromkeys(message.variable[0] for message in here))
+    return f"{here[0].grid_type}, {len(here)} fields ({', '.join(names[:6])}{', ...' if len(names) > 6 else ''})"
+
+
+# Variables
+
+def _named(messages: list[Message]) -> dict[str, list[Message]]:
+    """Name -> messages. The type of level with most fields has the plain names; a single level of a type that has many is a variable of its own."""
+    groups: dict[tuple, list[Message]] = {}
+    for message in messages:
+        groups.setdefault(message.variable, []).append(message)
+    by_kind: dict[str, int] = {}
+    for variable, found in groups.items():
+        by_kind[variable[2]] = by_kind.get(variable[2], 0) + len(found)
+    order = sorted(groups, key=lambda variable: (-_several(groups[variable]), -by_kind[variable[2]], variable[2] not in ("surface", "meanSea")))
+    named: dict[str, list[Message]] = {}
+    for variable in order:
+        named[_free_name(named, variable, groups[variable])] = groups[variable]
+    return named
+
+
+def _several(messages: list[Message]) -> bool:
+    return len({message.level for message in messages}) > 1
+
+
+def _free_name(taken, variable: tuple, messages: list[Message]) -> str:
+    short = f"param{variable[1]}" if variable[0] in ("unknown", "~") else variable[0]
+    level = f"{messages[0].level:g}"
+    usual = {"2t": "t2m", "2d": "d2m", "2r": "r2", "2sh": "sh2"}.get(short) or (f"{short[2:]}10" if short[:2] == "10" else short)
+    for name in (usual, f"{usual}_{variable[2]}", f"{usual}_{variable[2]}_{level}", f"{usual}_{variable[2]}_{level}_{variable[3]}"):
+        if name not in taken:
+            return name
+    return f"{usual}_{variable[2]}_{variable[1]}_{len(taken)}"
+
+
+class Layout:
+    """Dimensions and coordinates that the variables of a file share."""
+
+    def __init__(self, path: Path, messages: list[Message]) -> None:
+        self.path = path
+        self.times = sorted({message.time for message in messages})
+        self.numbers = sorted({message.number for message in messages})
+        self.levels: dict[str, list[float]] = {}
+        for found in _named(messages).values():
+            if _several(found):
+                self.levels[found[0].variable[2]] = sorted({*self.levels.get(found[0].variable[2], []), *(message.level for message in found)})
+        self.start = messages[0].start
+        self.grid = Grid(path, messages[0])
+
+    def coordinates(self, xarray) -> dict:
+        found = {"time": (("time",) if len(self.times) > 1 else (), np.array(self.times) if len(self.times) > 1 else self.times[0], {"standard_name": "time"})}
+        if len(self.numbers) > 1:
+            found["number"] = (("number",), np.array(self.numbers), {"standard_name": "realization"})
+        for kind, values in self.levels.items():
+            units, positive = LEVEL_UNITS.get(kind, ("1", ""))
+            found[kind] = ((kind,), np.array(values), {"units": units, **({"positive": positive} if positive else {})})
+        return {**found, **self.grid.coordinates()}
+
+    def variable(self, xarray, messages: list[Message]):
+        axes = [("time", self.times, lambda m: m.time)] if len(self.times) > 1 else []
+        axes += [("number", self.numbers, lambda m: m.number)] if len(self.numbers) > 1 else []
+        kind = messages[0].variable[2]
+        axes += [(kind, self.levels[kind], lambda m: m.level)] if _several(messages) else []
+        table = np.full([len(values) for _, values, _ in axes], -1)
+        twice = 0
+        for i, message in enumerate(messages):
+            place = tuple(values.index(of(message)) for _, values, of in axes)
+            twice += table[place] >= 0
+            table[place] = i if table[place] < 0 else table[place]
+        if twice:
+            warnings.warn(f"{self.path}: {twice} fields of {messages[0].variable[0]!r} ({kind}) are there more than once for one time and level, as forecasts from several starts are; "
+                          "the first was taken.", UserWarning, stacklevel=5)
+        array = _lazy(self.path, messages, table, self.grid)
+        attributes = attributes_of(self.path, messages[0])
+        if not _several(messages):
+            attributes["GRIB_level"] = messages[0].level
+        return xarray.Variable([name for name, _, _ in axes] + list(self.grid.dims), array, attributes)
+
+
+class Grid:
+    """Places of the fields of one grid, and how their values lie in a message."""
+
+    def __init__(self, path: Path, message: Message) -> None:
+        if message.grid_type in ("sh", "lambert_bf", "bifourier"):
+            raise GribError(f"{path}: the fields are spectral coefficients (gridType {message.grid_type}). Transform them to a grid first: cdo sp2gpl IN OUT.")
+        ec = need("eccodes", "reading GRIB")
+        with _handle(path, message) as handle:
+            self.kind = message.grid_type
+            size = int(_get(ec, handle, "numberOfPoints", 0) or _get(ec, handle, "numberOfDataPoints", 0))
+            rows, columns = int(_get(ec, handle, "Nj", 0) or 0), int(_get(ec, handle, "Ni", 0) or 0)
+            self.is_list = rows * columns != size or rows * columns == 0
+            self.by_columns = bool(_get(ec, handle, "jPointsAreConsecutive", 0))
+            self.alternates = bool(_get(ec, handle, "alternativeRowScanning", 0))
+            self.shape = (size,) if self.is_list else (rows, columns)
+            try:
+                places = [ec.codes_get_array(handle, key) for key in ("latitudes", "longitudes")]
+            except ec.CodesInternalError:
+                places = None
+        self.latitude, self.longitude = (self.arranged(np.asarray(values)) for values in places) if places else (None, None)
+        self.is_regular = self.kind in ("regular_ll", "regular_gg", "mercator") and not self.is_list
+        self.dims = ("values",) if self.is_list else ("latitude", "longitude") if self.is_regular else ("y", "x")
+
+    def arranged(self, values: np.ndarray) -> np.ndarray:
+        if self.is_list:
+            return values
+        rows = values.reshape(self.shape[::-1] if self.by_columns else self.shape)
+        if self.alternates:
+            rows = rows.copy()
+            rows[1::2] = rows[1::2, ::-1]
+        return rows.T if self.by_columns else rows
+
+    def coordinates(self) -> dict:
+        if self.latitude is None:
+            return {}
+        degrees = {"latitude": {"units": "degrees_north", "standard_name": "latitude"}, "longitude": {"units": "degrees_east", "standard_name": "longitude"}}
+        if self.is_regular:
+            return {"latitude": (("latitude",), self.latitude[:, 0], degrees["latitude"]), "longitude": (("longitude",), self.longitude[0], degrees["longitude"])}
+        return {name: (self.dims, getattr(self, name), degrees[name]) for name in degrees}
+
+
+# Fields
+
+class _handle:
+    """The handle of one field, released at the end."""
+
+    def __init__(self, path: Path, message: Message) -> None:
+        self._ec, self._path, self._message = need("eccodes", "reading GRIB"), path, message
+
+    def __enter__(self):
+        self._file = self._path.open("rb")
+        self._file.seek(self._message.offset)
+        self._handle = None
+        for _ in range(self._message.part + 1):
+            if self._handle is not None:
+                self._ec.codes_release(self._handle)
+            self._handle = self._ec.codes_grib_new_from_file(self._file)
+        return self._handle
+
+    def __exit__(self, *problem) -> None:
+        self._ec.codes_release(self._handle)
+        self._ec.codes_grib_multi_support_reset_file(self._file)
+        self._file.close()
+
+
+def attributes_of(path: Path, message: Message) -> dict:
+    ec = need("eccodes", "reading GRIB")
+    with _handle(path, message) as handle:
+        keys = {key: _get(ec, handle, key) for key in (*_ABOUT, *_GRID)}
+        for key in ("pl", "pv"):
+            if _get(ec, handle, {"pl": "PLPresent", "pv": "NV"}[key], 0):
+                keys[key] = np.asarray(ec.codes_get_array(handle, key))
+    attributes = {f"GRIB_{key}": value for key, value in keys.items() if value is not None}
+    attributes |= {"long_name": keys["name"], "units": keys["units"]}
+    if keys["cfName"] not in (None, "unknown"):
+        attributes["standard_name"] = keys["cfName"]
+    return {key: value for key, value in attributes.items() if value is not None}
+
+
+def decode(path: Path, message: Message) -> np.ndarray:
+    ec = need("eccodes", "reading GRIB")
+    with _handle(path, message) as handle:
+        ec.codes_set(handle, "missingValue", MISSING)
+        try:
+            values = np.asarray(ec.codes_get_array(handle, "values"), dtype=np.float32)
+        except ec.CodesInternalError as problem:
+            raise GribError(f"{path}: the field {message.variable[0]!r} ({message.variable[2]} {message.level:g}) at byte {message.offset} cannot be decoded: {problem}") from problem
+    return np.where(values == np.float32(MISSING), np.float32(np.nan), values)
+
+
+def _lazy(path: Path, messages: list[Message], table: np.ndarray, grid: Grid):
+    """An array for xarray that decodes what is indexed."""
+    from xarray.backends import BackendArray
+    from xarray.core import indexing
+
+    class Fields(BackendArray):
+        shape = (*table.shape, *grid.shape)
+        dtype = np.dtype(np.float32)
+
+        def __getitem__(self, key):
+            return indexing.explicit_indexing_adapter(key, self.shape, indexing.IndexingSupport.BASIC, self._read)
+
+        def _read(self, key):
+            wanted = table[key[:table.ndim]]
+            inside = key[table.ndim:]
+            fields = [self._field(i)[inside] for i in np.ravel(wanted)]
+            return np.stack(fields).reshape(*np.shape(wanted), *fields[0].shape) if fields else np.empty((*np.shape(wanted), *np.empty(grid.shape)[inside].shape), np.float32)
+
+        def _field(self, i: int) -> np.ndarray:
+            return grid.arranged(decode(path, messages[i])) if i >= 0 else np.full(grid.shape, np.nan, np.float32)
+
+    return indexing.LazilyIndexedArray(Fields())

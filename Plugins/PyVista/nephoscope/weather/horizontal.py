@@ -1,0 +1,150 @@
+# SPDX-FileCopyrightText: The Nephoscope authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Where the columns of a dataset are: longitudes and latitudes of its points, and the direction of its rows."""
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+
+import numpy as np
+
+from .._checks import listed
+from .projections import Projection, find_projection, row_angles
+
+_LON = ("lon", "longitude", "lons", "long", "xlong", "nav_lon", "glon", "clon", "loncell", "lon_rho", "geolon", "tlong", "mesh2d_face_x", "xlong_m", "g0_lon_2", "g0_lon_3")
+_LAT = ("lat", "latitude", "lats", "xlat", "nav_lat", "glat", "clat", "latcell", "lat_rho", "geolat", "tlat", "mesh2d_face_y", "xlat_m", "g0_lat_1", "g0_lat_2")
+
+
+class GridError(ValueError):
+    """A dataset whose points cannot be placed; the message names what was looked for and what there is."""
+
+
+@dataclass
+class Horizontal:
+    """`dims`: those of the grid, rows first; of one dimension where the points are a list."""
+    dims: tuple[str, ...]
+    longitude: np.ndarray  # degrees; 1-D along the last dimension, 2-D, or 1-D along the only one
+    latitude: np.ndarray
+    kind: str
+    names: tuple[str, str]
+    projection: Projection | None = None
+    notes: list[str] = field(default_factory=list)
+
+    @property
+    def is_list(self) -> bool:
+        return len(self.dims) == 1
+
+    @property
+    def is_regular(self) -> bool:
+        return not self.is_list and self.longitude.ndim == 1
+
+    def places(self) -> tuple[np.ndarray, np.ndarray]:
+        """Longitude and latitude of every point, in the shape of the grid."""
+        if self.is_regular:
+            return tuple(np.meshgrid(self.longitude, self.latitude))
+        return self.longitude, self.latitude
+
+    def angles(self) -> np.ndarray:
+        """Of the rows' direction of growing x against east, counter-clockwise, in radians."""
+        lon, lat = self.places()
+        if self.is_regular:
+            return np.zeros(lon.shape)
+        return self.projection.angles(lon, lat) if self.projection else row_angles(lon, lat)
+
+
+def is_longitude(name: str, variable) -> bool:
+    return _is_axis(name, variable, "longitude", ("degrees_east", "degree_east", "degreee", "degreese"), _LON)
+
+
+def is_latitude(name: str, variable) -> bool:
+    return _is_axis(name, variable, "latitude", ("degrees_north", "degree_north", "degreen", "degreesn"), _LAT)
+
+
+def _is_axis(name: str, variable, standard: str, units: tuple[str, ...], names: tuple[str, ...]) -> bool:
+    if not np.issubdtype(variable.dtype, np.number):
+        return False
+    stated = str(variable.attrs.get("standard_name", ""))
+    if stated:
+        return stated == standard
+    return str(variable.attrs.get("units", "")).lower() in units or name.lower() in names
+
+
+def find_horizontal(dataset, variable, used: set[str]) -> Horizontal:
+    """The grid of `variable`, whose dimensions `used` are time, levels and the like."""
+    dims = tuple(dim for dim in variable.dims if dim not in used)
+    if len(dims) not in (1, 2):
+        raise GridError(f"{variable.name!r} has the dimensions {listed(variable.dims)}: besides time and levels one or two are wanted, and there are "
+                        f"{listed(dims)}. Choose a place of the others, ds.isel({dims[0] if dims else 'member'}=0), or name the levels: globe(vertical='...').")
+    projection = find_projection(dataset, variable)
+    lon = _coordinate(dataset, variable, dims, is_longitude)
+    lat = _coordinate(dataset, variable, dims, is_latitude)
+    if lon is not None and lat is not None:
+        return _given(dims, lon, lat, projection)
+    if projection and len(dims) == 2:
+        return _projected(dataset, dims, projection)
+    missing = "longitudes" if lon is None else "latitudes"
+    raise GridError(f"No {missing} were found for {variable.name!r}, whose grid is ({', '.join(dims)}). They are looked for by standard_name, by units (degrees_east, "
+                    f"degrees_north), by grid_mapping and by name. There are: {listed([str(name) for name in dataset.variables])}. "
+                    "Name them: ds[NAME].attrs['units'] = 'degrees_east'.")
+
+
+def _coordinate(dataset, variable, dims: tuple[str, ...], fits):
+    """The coordinate that `fits`, on some of `dims`; that of the variable before others."""
+    listed_names = str(variable.attrs.get("coordinates", variable.encoding.get("coordinates", ""))).split()
+    names = [*variable.coords, *listed_names, *dataset.variables]
+    for name in dict.fromkeys(names):
+        if name in dataset.variables and fits(str(name), dataset[name]):
+            found = dataset[name]
+            extra = [dim for dim in found.dims if dim not in dims]
+            found = found.isel({dim: 0 for dim in extra})  # WRF's have time
+            if found.ndim and set(found.dims) <= set(dims):
+                return found
+    return None
+
+
+def _given(dims, lon, lat, projection) -> Horizontal:
+    names = (str(lon.name), str(lat.name))
+    x, y = _degrees(lon), _degrees(lat)
+    if len(dims) == 1:
+        return Horizontal(dims, x, y, "list of points", names, projection)
+    if lon.ndim == 1 and lat.ndim == 1:
+        if lon.dims == lat.dims:
+            raise GridError(f"{names[0]!r} and {names[1]!r} are both along {lon.dims[0]!r}; a grid of the dimensions {listed(dims)} needs one along each, or both along both.")
+        return Horizontal((lat.dims[0], lon.dims[0]), x, y, _regular_kind(y), names)
+    x = np.broadcast_to(_on(lon, x, dims), _shape(lon, lat, dims))
+    y = np.broadcast_to(_on(lat, y, dims), x.shape)
+    kind = projection.name if projection else "curvilinear"
+    return Horizontal(dims, x, y, kind, names, projection)
+
+
+def _shape(lon, lat, dims) -> tuple[int, ...]:
+    return tuple({**lon.sizes, **lat.sizes}[dim] for dim in dims)
+
+
+def _on(coordinate, values: np.ndarray, dims) -> np.ndarray:
+    order = [coordinate.dims.index(dim) for dim in dims if dim in coordinate.dims]
+    return values.transpose(order).reshape([coordinate.sizes.get(dim, 1) for dim in dims])
+
+
+def _degrees(coordinate) -> np.ndarray:
+    values = np.asarray(coordinate.values, dtype=float)
+    return np.degrees(values) if str(coordinate.attrs.get("units", "")).lower() in ("radian", "radians", "rad") else values
+
+
+def _regular_kind(latitude: np.ndarray) -> str:
+    steps = np.diff(latitude)
+    return "longitude-latitude" if steps.size == 0 or np.allclose(steps, steps[0], rtol=1e-3) else "longitude-latitude, uneven (Gaussian or another)"
+
+
+def _projected(dataset, dims, projection: Projection) -> Horizontal:
+    axes = {}
+    for standard, axis in (("y", "Y"), ("x", "X")):
+        names = (f"projection_{standard}_coordinate", "grid_longitude" if axis == "X" else "grid_latitude")
+        usual = ("x", "xc", "rlon", "west_east") if axis == "X" else ("y", "yc", "rlat", "south_north")
+        axes[axis] = next((dim for dim in dims if dim in dataset.variables and (
+            dataset[dim].attrs.get("standard_name") in names or dataset[dim].attrs.get("axis") == axis or str(dim).lower() in usual)), None)
+    if None in axes.values() or axes["X"] == axes["Y"]:
+        raise GridError(f"The grid ({', '.join(dims)}) has the projection {projection.name}, but its x and y axes were not found. Say which they are: "
+                        "ds['...'].attrs['standard_name'] = 'projection_x_coordinate' and 'projection_y_coordinate'.")
+    x, y = np.meshgrid(projection.lengths(dataset[axes["X"]]), projection.lengths(dataset[axes["Y"]]))
+    lon, lat = projection.to_degrees(x, y)
+    return Horizontal((axes["Y"], axes["X"]), lon, lat, projection.name, (axes["X"], axes["Y"]), projection)

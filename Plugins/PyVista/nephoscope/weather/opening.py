@@ -1,0 +1,122 @@
+# SPDX-FileCopyrightText: The Nephoscope authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""A file, several, a Zarr store or a dataset, opened as one lazy xarray.Dataset."""
+from __future__ import annotations
+
+import glob
+from pathlib import Path
+from typing import Any, Sequence
+
+from .accessor import register
+from .extras import need
+
+GRIB_NAMES = (".grib", ".grib2", ".grb", ".grb2", ".gb2", ".gb", ".grib1", ".grb1")
+
+
+def open(path: Any, *, grid: int | None = None, chunks: Any = None, **options: Any):  # noqa: A001
+    """Open weather data as an xarray.Dataset whose accessor ``.nephoscope`` draws it.
+
+    Parameters
+    ----------
+    path : str, pathlib.Path, sequence of these, or xarray.Dataset
+        A GRIB file (edition 1 or 2), a NetCDF file, a Zarr store, a pattern such as ``"wrfout_d01_*"``, several files of one series, or a dataset,
+        which is returned as it is. The kind of a file is seen from its first bytes.
+    grid : int, optional
+        GRIB only: which grid of a file with several, from 0. Default: an error that lists them.
+    chunks : optional
+        As in `xarray.open_dataset`: dask arrays. Default: lazy arrays of xarray, without dask.
+    **options
+        For NetCDF and Zarr: those of `xarray.open_dataset`, `xarray.open_mfdataset` or `xarray.open_zarr`.
+
+    Returns
+    -------
+    xarray.Dataset
+        Lazy: values are read when they are used. ``.nephoscope.describe()`` tells what is in it, ``.nephoscope.globe()`` makes the mesh.
+
+    Raises
+    ------
+    FileNotFoundError
+        If there is no such file.
+    ValueError
+        If the file is of no known kind, or damaged.
+    ModuleNotFoundError
+        If a package is missing, with the line that installs it.
+
+    Examples
+    --------
+    >>> forecast = nephoscope.open("forecast.grib2")  # doctest: +SKIP
+    >>> print(forecast.nephoscope.describe())  # doctest: +SKIP
+    >>> clouds = forecast.nephoscope.globe(vertical_exaggeration=30)  # doctest: +SKIP
+    """
+    xarray = need("xarray", "opening weather data")
+    register()
+    if isinstance(path, xarray.Dataset):
+        return path
+    if isinstance(path, xarray.DataArray):
+        return path.to_dataset(name=path.name or "field")
+    paths = _paths(path)
+    kinds = {_kind(found) for found in paths}
+    if len(kinds) > 1:
+        raise ValueError(f"The files are of several kinds, {', '.join(sorted(kinds))}: open them one by one.")
+    dataset = {"GRIB": _open_grib, "NetCDF": _open_netcdf, "Zarr": _open_zarr}[kinds.pop()](paths, grid, chunks, options)
+    return dataset
+
+
+def _paths(path: Any) -> list[Path]:
+    if isinstance(path, (list, tuple)):
+        return [found for one in path for found in _paths(one)]
+    text = str(path)
+    found = sorted(glob.glob(text)) if any(c in text for c in "*?[") and not Path(text).exists() else [text]
+    missing = [one for one in found if not Path(one).exists()]
+    if missing or not found:
+        raise FileNotFoundError(f"No such file: {(missing or [text])[0]}")
+    return [Path(one) for one in found]
+
+
+def _kind(path: Path) -> str:
+    if path.is_dir():
+        if any((path / name).exists() for name in (".zgroup", ".zmetadata", "zarr.json")):
+            return "Zarr"
+        raise ValueError(f"{path} is a folder, and no Zarr store (it has no .zgroup and no zarr.json). Name a file or a pattern, {path}/*.nc for example.")
+    if path.suffix == ".zip":
+        return "Zarr"
+    with path.open("rb") as file:
+        start = file.read(4096)
+    if start[:3] == b"CDF" or start[:8] == b"\x89HDF\r\n\x1a\n":
+        return "NetCDF"
+    if b"GRIB" in start:
+        return "GRIB"
+    raise ValueError(f"{path} is neither GRIB nor NetCDF: it begins with {start[:8]!r}" + ("; the file is empty." if not start else ".")
+                     + (" By its name it should be GRIB: it is damaged, or not whole." if path.suffix.lower() in GRIB_NAMES else ""))
+
+
+def _open_grib(paths: Sequence[Path], grid, chunks, options):
+    from .grib import open_grib
+    if options:
+        raise TypeError(f"open: {', '.join(options)} is no option for GRIB.")
+    datasets = [open_grib(path, grid) for path in paths]
+    xarray = need("xarray", "opening weather data")
+    whole = datasets[0] if len(datasets) == 1 else xarray.concat(datasets, "time", data_vars="minimal", coords="minimal", compat="override", join="exact") \
+        if all("time" in d.coords for d in datasets) and len({str(d.time.values) for d in datasets}) == len(datasets) else xarray.merge(datasets, compat="override", join="exact")
+    return whole if chunks is None else whole.chunk(chunks)
+
+
+def _open_netcdf(paths: Sequence[Path], grid, chunks, options):
+    xarray = need("xarray", "opening weather data")
+    if len(paths) > 1:
+        need("dask", "opening several files")
+        return xarray.open_mfdataset([str(path) for path in paths], chunks=chunks or {}, **options)
+    try:
+        return xarray.open_dataset(paths[0], chunks=chunks, **options)
+    except ValueError as problem:
+        if "found the following matches" in str(problem) or "did not find a match" in str(problem):
+            need("netCDF4", "reading NetCDF")
+        if "decode" in str(problem) and "time" in str(problem):
+            return xarray.open_dataset(paths[0], chunks=chunks, **{**options, "decode_times": False})
+        raise
+
+
+def _open_zarr(paths: Sequence[Path], grid, chunks, options):
+    need("zarr", "reading Zarr")
+    xarray = need("xarray", "opening weather data")
+    return xarray.open_dataset(paths[0], engine="zarr", chunks=chunks, **options)

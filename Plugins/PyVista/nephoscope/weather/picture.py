@@ -1,0 +1,40 @@
+# SPDX-FileCopyrightText: The Nephoscope authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""The first picture of a mesh on the globe: one line for who has a file."""
+from __future__ import annotations
+
+import numpy as np
+import pyvista
+
+from ..cells import add_cells
+from ..globe import EARTH_RADIUS, globe_surface
+
+GROUND = "#3d5a73"  # of the globe, without a texture
+
+
+def plotted(grid: pyvista.DataSet, scalars: str | None, screenshot: str | None, options: dict) -> pyvista.Plotter:
+    plotter = pyvista.Plotter(off_screen=screenshot is not None, theme=pyvista.themes.DarkTheme(), window_size=(800, 800))
+    on_globe = str(np.ravel(grid.field_data.get("GlobeGridProjection", ["globe"]))[0]).lower() not in ("1", "map")
+    if on_globe:
+        plotter.add_mesh(globe_surface(), color=GROUND, lighting=True)
+    add_cells(plotter, grid, scalars, **options)
+    if on_globe:
+        _look_down(plotter, grid)
+    plotter.show(screenshot=screenshot or False, auto_close=False)
+    return plotter
+
+
+def _look_down(plotter: pyvista.Plotter, grid: pyvista.DataSet) -> None:
+    """From above the middle of the data, so far that all of them fit; north is up."""
+    points = np.asarray(grid.points)[:: max(1, grid.n_points // 5000)]
+    points = points[np.isfinite(points).all(axis=1)]
+    middle = points.mean(axis=0)
+    if np.linalg.norm(middle) < 0.2 * EARTH_RADIUS:  # all round the globe
+        middle = np.array([0.3, -1.0, 0.35]) * EARTH_RADIUS
+    centre = middle if np.linalg.norm(middle) > 0.6 * EARTH_RADIUS and np.ptp(points, axis=0).max() < 1.2 * EARTH_RADIUS else np.zeros(3)
+    size = np.linalg.norm(points - centre, axis=1).max()
+    upward = middle / np.linalg.norm(middle)
+    plotter.camera.focal_point = centre
+    plotter.camera.position = centre + upward * size * 4.3
+    plotter.camera.up = (0, 0, 1) if abs(upward[2]) < 0.95 else (1, 0, 0)
+    plotter.reset_camera_clipping_range()

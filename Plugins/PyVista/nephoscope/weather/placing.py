@@ -1,0 +1,124 @@
+# SPDX-FileCopyrightText: The Nephoscope authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""The mesh of a reading: longitude, latitude and level as points, then `to_globe`."""
+from __future__ import annotations
+
+from typing import Sequence
+
+import numpy as np
+import pyvista
+
+from .._checks import listed
+from .._fields import choose_active_scalars
+from ..globe import to_globe
+from .air import Air
+from .reading import Reading
+from .winds import winds
+
+HEIGHT = "geometric_height"  # the array that hands the heights to `to_globe`
+
+
+def place(reading: Reading, air: Air, variables: Sequence[str] | None, extra: dict[str, np.ndarray], options: dict) -> pyvista.StructuredGrid:
+    """`extra`: fields that have been computed, in the shape of the grid."""
+    mesh, order = structure(reading, air)
+    for name in chosen(reading, variables):
+        add(mesh, name, reading.values(name), order)
+        note_units(mesh, name, reading.dataset[name].attrs.get("units"))
+    for name, values in extra.items():
+        add(mesh, name, values, order)
+    names = _add_winds(mesh, reading, air, order)
+    choose_active_scalars(mesh)
+    if "units" in mesh.field_data:
+        mesh.field_data.remove("units")
+    grid = to_globe(mesh, height=HEIGHT, height_units="m", wind=names or False, vertical_wind_is_omega=False, wind_components="east-north", level_units=_level_units(reading),
+                    surface=ground_mesh(reading, air), **options)
+    del grid.point_data[HEIGHT]
+    return grid
+
+
+def chosen(reading: Reading, variables: Sequence[str] | None) -> list[str]:
+    """The variables to carry: those named, or all on the grid."""
+    there = reading.plain_variables()
+    fields = [name for name, _ in reading.field_variables()]
+    wanted = there if variables is None else [variables] if isinstance(variables, str) else list(variables)
+    missing = [name for name in wanted if name not in fields]
+    if missing:
+        raise ValueError(f"variables: {listed(missing)} not on the grid. There are: {listed(fields)}.")
+    return wanted
+
+
+def structure(reading: Reading, air: Air) -> tuple[pyvista.DataSet, np.ndarray]:
+    """The grid with its heights, and the order of its levels, from the bottom to the top."""
+    heights = _heights(reading, air)
+    flat = heights.reshape(len(heights), -1)
+    with np.errstate(invalid="ignore"):
+        order = np.argsort(_height_of_levels(flat), kind="stable")
+    levels = reading.levels()[order] if reading.vertical and reading.vertical.kind == "pressure" else np.arange(len(order), dtype=float)
+    mesh = _mesh(reading, levels)
+    add(mesh, HEIGHT, heights, order)
+    return mesh, order
+
+
+def _heights(reading: Reading, air: Air) -> np.ndarray:
+    if reading.vertical is not None:
+        return air.heights
+    reading.note("one level, at the height 0")
+    air.height_source = "none: one level"
+    return np.zeros((1, *(reading.dataset.sizes[dim] for dim in reading.horizontal.dims)))
+
+
+def _height_of_levels(flat: np.ndarray) -> np.ndarray:
+    """A height of each level by which they can be ordered: means over the columns that have all levels, or over those there are."""
+    whole = np.isfinite(flat).all(axis=0)
+    if whole.any():
+        return flat[:, whole].mean(axis=1)
+    count = np.isfinite(flat).sum(axis=1)
+    means = np.nansum(flat, axis=1) / np.maximum(count, 1)
+    return np.where(count, means, -np.inf)
+
+
+def _mesh(reading: Reading, levels: np.ndarray) -> pyvista.DataSet:
+    horizontal = reading.horizontal
+    if horizontal.is_regular:
+        return pyvista.RectilinearGrid(horizontal.longitude, horizontal.latitude, levels)
+    lon, lat = horizontal.places()
+    points = np.empty((len(levels), *lon.shape, 3))
+    points[..., 0], points[..., 1], points[..., 2] = lon, lat, levels[:, None, None]
+    grid = pyvista.StructuredGrid()
+    grid.points = points.reshape(-1, 3)
+    grid.dimensions = (lon.shape[1], lon.shape[0], len(levels))
+    return grid
+
+
+def add(mesh: pyvista.DataSet, name: str, values: np.ndarray, order: np.ndarray) -> None:
+    values = values[order] if values.ndim == 3 else values
+    mesh.point_data[name] = np.ascontiguousarray(values, dtype=np.float64 if name == HEIGHT else np.float32).ravel()
+
+
+def note_units(mesh: pyvista.DataSet, name: str, units) -> None:
+    if units is not None:
+        mesh.field_data[f"{name}_units"] = [str(units)]
+
+
+def _add_winds(mesh: pyvista.DataSet, reading: Reading, air: Air, order: np.ndarray) -> list[str]:
+    fields, names = winds(reading, air)
+    for name, values in zip(names, fields):
+        add(mesh, name, values, order)
+        note_units(mesh, name, "m s-1")
+    return names
+
+
+def _level_units(reading: Reading) -> str:
+    return "Pa" if reading.vertical and reading.vertical.kind == "pressure" else "m"
+
+
+def ground_mesh(reading: Reading, air: Air) -> pyvista.DataSet | None:
+    """One level with the pressure, height and land fraction of the ground, as there are."""
+    arrays = {"sp": air.surface_pressure, "orog": air.terrain, "lsm": reading.role("land") if reading.has("land") else None}
+    arrays = {name: values for name, values in arrays.items() if values is not None}
+    if not arrays:
+        return None
+    mesh = _mesh(reading, np.zeros(1))
+    for name, values in arrays.items():
+        mesh.point_data[name] = np.ascontiguousarray(values, dtype=np.float32).ravel()
+    return mesh

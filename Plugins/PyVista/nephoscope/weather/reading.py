@@ -1,0 +1,157 @@
+# SPDX-FileCopyrightText: The Nephoscope authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""A dataset understood: which dimensions are time, levels and places, and which variable has which role."""
+from __future__ import annotations
+
+import warnings
+from collections import Counter
+
+import numpy as np
+
+from .._checks import listed
+from .horizontal import GridError, find_horizontal, is_latitude, is_longitude
+from .roles import FIELDS, ROLES, SURFACE, candidates, quantity_of
+from .stagger import to_centres
+from .times import choose_time, time_dims
+from .units import converted
+from .vertical import VerticalError, find_vertical, level_values
+
+OTHER_HORIZONTAL = ("surface", "hybrid", "sigma", "unknown")  # typeOfLevel of variables on the ground; lnsp is said to be on a hybrid level
+
+
+class Reading:
+    """One time of a dataset. Values are loaded when they are asked for, and converted to the units of `units.py`."""
+
+    def __init__(self, dataset, *, time=None, vertical: str | None = None, names: dict | None = None) -> None:
+        self.notes: list[str] = []
+        self.times = time_dims(dataset)
+        self.dataset, self.time_text = choose_time(dataset, self.times, time)
+        self.dataset = self._without_single(self.dataset)
+        self._asked = {role: name for role, name in (names or {}).items() if name is not None}
+        self._check_asked()
+        self._find_levels(vertical)
+        self._find_grid()
+        self.roles = {role.name: found for role in FIELDS + SURFACE if (found := self._find(role))}
+
+    # Dimensions
+
+    def _without_single(self, dataset):
+        """Without dimensions of one member or the like, which say nothing; columns and rows of one point stay."""
+        alone = [dim for dim, size in dataset.sizes.items() if size == 1 and dim in ("number", "realization", "ensemble", "member", "step", "time", "Time", "valid_time",
+                                                                                      "forecast_reference_time", "surface", "expver")]
+        return dataset.isel({dim: 0 for dim in alone})
+
+    def _numbers(self):
+        return [(str(name), variable) for name, variable in self.dataset.data_vars.items() if variable.dtype.kind in "fiu" and variable.ndim]
+
+    def _find_levels(self, asked: str | None) -> None:
+        dims = Counter(dim for _, variable in self._numbers() for dim in variable.dims if variable.ndim > 1)
+        if not dims:
+            raise GridError(f"No variable of the dataset is a field of numbers. There are: {listed([str(name) for name in self.dataset.variables])}.")
+        self.vertical = None
+        ranked = sorted(dims, key=lambda dim: (-dims[dim], -self.dataset.sizes[dim]))
+        scored = [dim for dim in ranked if find_vertical(self.dataset, [dim], None) and not self._is_horizontal(dim)]
+        if asked is not None:
+            self.vertical = find_vertical(self.dataset, list(map(str, dims)), asked)
+        elif scored:
+            best = max(scored, key=lambda dim: (self.dataset.sizes[dim] > 1, dims[dim], self.dataset.sizes[dim]))
+            self.vertical = find_vertical(self.dataset, [best], None)
+        elif any(variable.ndim > 2 for _, variable in self._numbers()):
+            raise VerticalError(f"No vertical axis was found among the dimensions {listed([str(dim) for dim in dims])}: none has axis 'Z', positive up or down, a standard_name of "
+                                "levels, units of pressure, a GRIB type of level or a usual name. Name it: globe(vertical='...').")
+
+    def _is_horizontal(self, dim: str) -> bool:
+        return dim in self.dataset.variables and (is_longitude(dim, self.dataset[dim]) or is_latitude(dim, self.dataset[dim]))
+
+    def _find_grid(self) -> None:
+        level = {self.vertical.dim} if self.vertical else set()
+        shapes = Counter(tuple(dim for dim in variable.dims if dim not in level) for _, variable in self._numbers() if level <= set(variable.dims))
+        shapes = Counter({dims: count for dims, count in shapes.items() if dims}) or shapes
+        dims = max(shapes, key=lambda dims: (shapes[dims], -sum("stag" in str(dim) for dim in dims)))
+        name = next(name for name, variable in self._numbers() if level <= set(variable.dims) and tuple(dim for dim in variable.dims if dim not in level) == dims)
+        self.horizontal = find_horizontal(self.dataset, self.dataset[name], level)
+        self.example = name
+
+    # Roles
+
+    def _check_asked(self) -> None:
+        for role, name in self._asked.items():
+            if name is not False and name not in self.dataset.variables:
+                raise ValueError(f"{role}: no variable {name!r}. There are: {listed([str(known) for known in self.dataset.data_vars])}.")
+
+    def _find(self, role) -> str | None:
+        if role.name in self._asked:
+            return self._asked[role.name] or None
+        pool = self.field_variables() if role in FIELDS else self.ground_variables()
+        names = candidates(role, pool)
+        return next((name for name in names if quantity_of(role, self.dataset[name])), names[0] if names else None)
+
+    def field_variables(self):
+        """On levels, staggered ones among them."""
+        return [(name, variable) for name, variable in self._all_numbers() if self._is_field(variable)]
+
+    def _all_numbers(self):
+        return [(str(name), variable) for name, variable in self.dataset.variables.items() if variable.dtype.kind in "fiu" and variable.ndim]
+
+    def _is_field(self, variable) -> bool:
+        if self.vertical is None:
+            return set(self.horizontal.dims) <= set(variable.dims)
+        rest = [dim for dim in variable.dims if dim not in self.horizontal.dims and dim != self.vertical.dim]
+        return variable.ndim == 1 + len(self.horizontal.dims) and len(rest) < variable.ndim and all(
+            self._staggers(dim, variable.dims) for dim in rest) and (self.vertical.dim in variable.dims or any(self._near(dim, self.vertical.dim) for dim in rest))
+
+    def _staggers(self, dim, dims) -> bool:
+        """True if `dim` can stand for one of the grid's that is missing among `dims`."""
+        missing = [own for own in (*self.horizontal.dims, self.vertical.dim) if own not in dims]
+        return any(self._near(dim, own) for own in missing)
+
+    def _near(self, dim, own) -> bool:
+        return abs(self.dataset.sizes[dim] - self.dataset.sizes[own]) <= 1
+
+    def ground_variables(self):
+        return [(name, variable) for name, variable in self._all_numbers() if set(variable.dims) == set(self.horizontal.dims)
+                and variable.attrs.get("GRIB_typeOfLevel", "surface") in OTHER_HORIZONTAL]
+
+    def plain_variables(self) -> list[str]:
+        """Those exactly on the grid's points, which are carried as they are."""
+        wanted = set(self.horizontal.dims) | ({self.vertical.dim} if self.vertical else set())
+        coordinates = {*self.horizontal.names, *self.dataset.dims}
+        return [name for name, variable in self._all_numbers() if set(variable.dims) == wanted and name not in coordinates]
+
+    # Values
+
+    def has(self, role: str) -> bool:
+        return role in self.roles
+
+    def values(self, name: str) -> np.ndarray:
+        """(levels, rows, columns) or what there is of these, at the centres, in the units of the file."""
+        array = self.dataset[name]
+        wanted = [dim for dim in ((self.vertical.dim,) if self.vertical else ()) + self.horizontal.dims]
+        array, note = to_centres(self.dataset, array, wanted)
+        self.note(note)
+        order = [dim for dim in wanted if dim in array.dims]
+        found = np.asarray(array.transpose(*order).values)
+        return np.where(np.abs(found) > 1e30, np.nan, found) if found.dtype.kind == "f" else found.astype(np.float32)
+
+    def role(self, role: str) -> np.ndarray:
+        return self.role_as(role)[0]
+
+    def role_as(self, role: str) -> tuple[np.ndarray, str]:
+        """The values of a role, and which of its quantities they are."""
+        name = self.roles[role]
+        quantity = quantity_of(ROLES[role], self.dataset[name]) or ROLES[role].quantities[0]
+        values, note = converted(self.values(name), self.dataset[name].attrs.get("units"), quantity, name)
+        self.note(note)
+        return values, quantity
+
+    def levels(self) -> np.ndarray:
+        found = level_values(self.dataset, self.vertical)
+        return found
+
+    def note(self, text: str) -> None:
+        if text and text not in self.notes:
+            self.notes.append(text)
+
+    def warn(self, text: str) -> None:
+        self.note(text)
+        warnings.warn(text, UserWarning, stacklevel=6)

@@ -1,0 +1,58 @@
+# SPDX-FileCopyrightText: The Nephoscope authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Values on staggered grids (Arakawa C) brought to the centres of the cells."""
+from __future__ import annotations
+
+import numpy as np
+
+
+def to_centres(dataset, array, wanted: list[str]):
+    """`array` with each of its dimensions that stands for one in `wanted` averaged onto that one, and a note of it."""
+    strange = [dim for dim in array.dims if dim not in wanted]
+    missing = [dim for dim in wanted if dim not in array.dims]
+    notes = []
+    for dim in strange:
+        own = _partner(dataset, dim, missing)
+        if own is None:
+            raise ValueError(f"{array.name!r} has the dimension {dim!r}, which is none of {wanted}. Choose a place: ds.isel({dim}=0).")
+        missing.remove(own)
+        array = _averaged(dataset, array, dim, own)
+        notes.append(f"{array.name!r} averaged from {dim} to {own}")
+    return array, "; ".join(notes)
+
+
+def _partner(dataset, dim: str, missing: list[str]) -> str | None:
+    """Of the missing dimensions that of a similar name, else that of one step less or as many."""
+    fitting = [own for own in missing if abs(dataset.sizes[dim] - dataset.sizes[own]) <= 1]
+    return max(fitting, key=lambda own: (_common(dim, own), dataset.sizes[dim] - dataset.sizes[own]), default=None)
+
+
+def _common(a: str, b: str) -> int:
+    """Letters that both begin with, or end with."""
+    starts = next((i for i, (x, y) in enumerate(zip(a, b)) if x != y), min(len(a), len(b)))
+    ends = next((i for i, (x, y) in enumerate(zip(a[::-1], b[::-1])) if x != y), min(len(a), len(b)))
+    return max(starts, ends)
+
+
+def _averaged(dataset, array, dim: str, own: str):
+    if dataset.sizes[dim] == dataset.sizes[own] + 1:
+        lower, upper = array.isel({dim: slice(None, -1)}), array.isel({dim: slice(1, None)})
+        mean = 0.5 * (lower.drop_vars(dim, errors="ignore") + upper.drop_vars(dim, errors="ignore"))
+        return mean.rename({dim: own}).assign_attrs(array.attrs).rename(array.name)
+    if dim in dataset.variables and own in dataset.variables:
+        return _interpolated(dataset, array, dim, own)
+    raise ValueError(f"{array.name!r} is on {dim!r}, {dataset.sizes[dim]} places, and the grid on {own!r}, {dataset.sizes[own]}: without coordinates of both nobody knows which lie "
+                     "between which. Interpolate it first.")
+
+
+def _interpolated(dataset, array, dim: str, own: str):
+    """Linearly in the coordinate; the last half step of the border has the value of the border."""
+    here, there = np.asarray(dataset[dim].values, float), np.asarray(dataset[own].values, float)
+    order = np.argsort(here)
+    upper = np.clip(np.searchsorted(here[order], there), 1, len(here) - 1)
+    share = np.clip((there - here[order][upper - 1]) / (here[order][upper] - here[order][upper - 1]), 0, 1)
+    axis = array.dims.index(dim)
+    values = np.asarray(array.values)
+    weight = share.reshape([-1 if i == axis else 1 for i in range(values.ndim)]).astype(values.dtype)
+    mixed = np.take(values, order[upper - 1], axis) * (1 - weight) + np.take(values, order[upper], axis) * weight
+    return type(array)(mixed, dims=[own if d == dim else d for d in array.dims], name=array.name, attrs=array.attrs)

@@ -1,0 +1,76 @@
+# SPDX-FileCopyrightText: The Nephoscope authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Units of weather data, brought to those of this package."""
+from __future__ import annotations
+
+import re
+
+import numpy as np
+
+GRAVITY = 9.80665  # m/s2, standard
+
+# Quantity -> its unit here, and what other units mean: factor, and what is added after.
+_SPEED = {"ms-1": 1, "m/s": 1, "mps": 1, "meters/second": 1, "metresecond-1": 1, "kt": 0.514444, "kts": 0.514444, "knot": 0.514444, "knots": 0.514444,
+          "km/h": 1 / 3.6, "kmh-1": 1 / 3.6, "cm/s": 0.01, "cms-1": 0.01}
+_MASS = {"kgkg-1": 1, "kg/kg": 1, "1": 1, "": 1, "gg-1": 1, "g/g": 1, "gkg-1": 1e-3, "g/kg": 1e-3, "mg/kg": 1e-6, "mgkg-1": 1e-6, "kg/kg(dryair)": 1}
+_LENGTH = {"m": 1, "meter": 1, "meters": 1, "metre": 1, "metres": 1, "gpm": 1, "geopotentialmetre": 1, "geopotentialmeters": 1, "gpdm": 10, "dam": 10, "gpdam": 10, "km": 1000,
+           "kilometers": 1000, "kilometres": 1000, "ft": 0.3048, "feet": 0.3048, "foot": 0.3048, "cm": 0.01, "mmsl": 1, "masl": 1}
+UNITS = {
+    "temperature": ("K", {"k": 1, "kelvin": 1, "degk": 1, "degreesk": 1, "degree_kelvin": 1, "degc": (1, 273.15), "c": (1, 273.15), "celsius": (1, 273.15), "°c": (1, 273.15),
+                          "degreec": (1, 273.15), "degreesc": (1, 273.15), "deg_c": (1, 273.15), "degree_celsius": (1, 273.15), "degrees_celsius": (1, 273.15),
+                          "degf": (5 / 9, 459.67 * 5 / 9), "f": (5 / 9, 459.67 * 5 / 9), "fahrenheit": (5 / 9, 459.67 * 5 / 9)}),
+    "pressure": ("Pa", {"pa": 1, "pascal": 1, "pascals": 1, "nm-2": 1, "hpa": 100, "hectopascal": 100, "mb": 100, "mbar": 100, "millibar": 100, "millibars": 100, "hectopascals": 100,
+                        "kpa": 1000, "bar": 1e5, "dbar": 1e4, "atm": 101325}),
+    "height": ("m", _LENGTH),
+    "geopotential": ("m2 s-2", {"m2s-2": 1, "m2/s2": 1, "m+2s-2": 1, "jkg-1": 1, "j/kg": 1, "gpm": GRAVITY, "m": GRAVITY}),
+    "speed": ("m s-1", _SPEED),
+    "omega": ("Pa s-1", {"pas-1": 1, "pa/s": 1, "hpas-1": 100, "hpa/s": 100, "mb/s": 100, "mbs-1": 100, "pa/hour": 1 / 3600, "hpa/h": 100 / 3600}),
+    "mass fraction": ("kg kg-1", _MASS),
+    "fraction": ("1", {"1": 1, "": 1, "(0-1)": 1, "0-1": 1, "fraction": 1, "proportion": 1, "dimensionless": 1, "none": 1, "-": 1, "%": 0.01, "percent": 0.01, "per_cent": 0.01,
+                       "okta": 0.125, "oktas": 0.125}),
+    "log pressure": ("1", {"1": 1, "": 1, "~": 1, "numeric": 1, "dimensionless": 1, "-": 1}),
+}
+# What a quantity without units may be: the range that its unit here gives on Earth.
+_PLAUSIBLE = {"temperature": (90, 400), "pressure": (0, 1.2e5), "height": (-1000, 2e5), "geopotential": (-1e4, 2e6), "speed": (-350, 350), "omega": (-300, 300),
+              "mass fraction": (-0.01, 0.1), "fraction": (-0.1, 1.5), "log pressure": (8, 12)}
+
+
+class UnitsError(ValueError):
+    """Units that cannot be converted; the message names the variable and what is known."""
+
+
+def plain(units: object) -> str:
+    """``"m s**-1"``, ``"m s^-1"`` and ``"m.s-1"`` are ``"ms-1"``."""
+    text = "" if units is None else str(units).strip().lower()
+    return re.sub(r"[\s*^.·{}]", "", text) if text not in ("*", ".") else ""
+
+
+def knows(units: object, quantity: str) -> bool:
+    return plain(units) in UNITS[quantity][1]
+
+
+def converted(values: np.ndarray, units: object, quantity: str, name: str) -> tuple[np.ndarray, str]:
+    """`values` in the unit of `quantity` here, and a note of what was done ("" where nothing was).
+
+    Without units the values are taken as they are if they may be what they should be on Earth; otherwise an error.
+    """
+    target, table = UNITS[quantity]
+    text = plain(units)
+    if units is None or (text == "" and "" not in table):
+        _require_plausible(values, quantity, name)
+        return values, f"{name!r} has no units: taken as {target}"
+    if text not in table:
+        raise UnitsError(f"The units of {name!r} are {str(units)!r}, which is no unit of {quantity} known here: {', '.join(sorted(k for k in table if k))}. "
+                         f"Set them: ds[{name!r}].attrs['units'] = {target!r}, after converting the values.")
+    factor, added = table[text] if isinstance(table[text], tuple) else (table[text], 0)
+    if factor == 1 and added == 0:
+        return values, ""
+    return values * values.dtype.type(factor) + values.dtype.type(added), f"{name!r}: {units} converted to {target}"
+
+
+def _require_plausible(values: np.ndarray, quantity: str, name: str) -> None:
+    finite = values[np.isfinite(values)]
+    least, most = _PLAUSIBLE[quantity]
+    if finite.size and not (least <= finite.min() and finite.max() <= most):
+        raise UnitsError(f"{name!r} has no units, and its values, {finite.min():g} to {finite.max():g}, are no {quantity} in {UNITS[quantity][0]}. "
+                         f"Set them: ds[{name!r}].attrs['units'] = '...'.")

@@ -1,0 +1,122 @@
+# SPDX-FileCopyrightText: The Nephoscope authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Which dimension is the vertical one, what its levels are, and the pressures that formula terms and GRIB keys give."""
+from __future__ import annotations
+
+import re
+from dataclasses import dataclass, field
+
+import numpy as np
+
+from .._checks import listed
+from .units import UNITS, converted, knows, plain
+
+_NAMES = ("lev", "level", "levels", "plev", "pressure", "pressure_level", "model_level", "model_level_number", "bottom_top", "bottom_top_stag", "hybrid", "z", "height", "altitude",
+          "isobaric", "height_2", "nvertlevels", "nvertlevelsp1", "depth", "sigma", "ilev", "lev_2", "lv_isbl0", "level_pressure", "height_above_ground", "generalverticallayer", "levels_number")
+_GRIB_KINDS = {"isobaricInhPa": "pressure", "isobaricInPa": "pressure", "hybrid": "hybrid", "sigma": "sigma", "heightAboveSea": "height", "heightAboveGround": "height above ground",
+               "generalVerticalLayer": "levels", "generalVertical": "levels", "hybridLayer": "hybrid"}
+_FORMULAS = {"atmosphere_hybrid_sigma_pressure_coordinate": "hybrid", "atmosphere_sigma_coordinate": "sigma", "atmosphere_hybrid_height_coordinate": "hybrid height",
+             "atmosphere_ln_pressure_coordinate": "log pressure"}
+
+
+class VerticalError(ValueError):
+    """Levels that cannot be placed; the message names what was looked for and what there is."""
+
+
+@dataclass
+class Vertical:
+    """`kind`: pressure, height, height above ground, hybrid, sigma, hybrid height or levels (numbers that say nothing of heights)."""
+    dim: str
+    kind: str
+    name: str  # of the coordinate, "" if the dimension has none
+    notes: list[str] = field(default_factory=list)
+
+
+def find_vertical(dataset, dims: list[str], asked: str | None) -> Vertical | None:
+    """The vertical among `dims`; None if there is none."""
+    if asked is not None:
+        if asked not in dims:
+            raise VerticalError(f"vertical: no dimension {asked!r}. There are: {listed(dims)}.")
+        return _judged(dataset, asked)
+    scored = sorted(((_score(dataset, dim), -dataset.sizes[dim], dim) for dim in dims if _score(dataset, dim) is not None))
+    return _judged(dataset, scored[0][2]) if scored else None
+
+
+def _score(dataset, dim: str) -> int | None:
+    variables = [coordinate for coordinate in _coordinates(dataset, dim)]
+    for variable in variables:
+        if variable.attrs.get("axis") == "Z" or variable.attrs.get("positive") in ("up", "down") or variable.attrs.get("standard_name") in (*_FORMULAS, "air_pressure", "altitude", "height"):
+            return 0
+    if dim in _GRIB_KINDS:
+        return 1
+    if any(plain(variable.attrs.get("units")) in UNITS["pressure"][1] for variable in variables):
+        return 2
+    return 3 if str(dim).lower() in _NAMES or re.fullmatch(r"(height|lev|level|plev|isobaric|z|lv_\w+)_?\d*", str(dim).lower()) else None
+
+
+def _coordinates(dataset, dim: str):
+    """Variables along the dimension alone: the one of its name first."""
+    names = [dim] * (dim in dataset.variables) + [name for name in dataset.variables if name != dim and dataset[name].dims == (dim,)]
+    return [dataset[name] for name in names if np.issubdtype(dataset[name].dtype, np.number)]
+
+
+def _judged(dataset, dim: str) -> Vertical:
+    for variable in _coordinates(dataset, dim):
+        standard = variable.attrs.get("standard_name", "")
+        if standard in _FORMULAS and (variable.attrs.get("formula_terms") or standard == "atmosphere_sigma_coordinate"):
+            return Vertical(dim, _FORMULAS[standard], str(variable.name))
+    if dim in _GRIB_KINDS:
+        return Vertical(dim, _GRIB_KINDS[dim], dim)
+    for variable in _coordinates(dataset, dim):
+        kind = _kind(variable)
+        if kind:
+            return Vertical(dim, kind, str(variable.name))
+    return _by_coefficients(dataset, dim) or Vertical(dim, "levels", dim if dim in dataset.variables else "")
+
+
+def _kind(variable) -> str | None:
+    standard, units = variable.attrs.get("standard_name", ""), variable.attrs.get("units")
+    if standard == "air_pressure" or (units is not None and plain(units) and knows(units, "pressure")):
+        return "pressure"
+    if standard == "height":
+        return "height above ground"
+    if standard in ("altitude", "height_above_mean_sea_level"):
+        return "height"
+    if units is not None and plain(units) and knows(units, "height"):
+        return "height"
+    return None
+
+
+def _by_coefficients(dataset, dim: str) -> Vertical | None:
+    """Hybrid levels without formula terms, with coefficients of the usual names."""
+    return Vertical(dim, "hybrid", "") if usual_coefficients(dataset, dim) else None
+
+
+def usual_coefficients(dataset, dim: str) -> dict[str, str] | None:
+    for a, b in (("hyam", "hybm"), ("ap", "b"), ("a", "b"), ("hyai", "hybi"), ("akm", "bkm")):
+        if a in dataset.variables and b in dataset.variables and dataset[a].dims == (dim,):
+            return {"a": a, "b": b}
+    return None
+
+
+def level_values(dataset, vertical: Vertical) -> np.ndarray:
+    """Pressures in Pa, heights in m, or the numbers of the levels."""
+    if not vertical.name:
+        return np.arange(dataset.sizes[vertical.dim], dtype=float)
+    variable = dataset[vertical.name]
+    values = np.asarray(variable.values, dtype=float)
+    quantity = "pressure" if vertical.kind == "pressure" else "height" if vertical.kind.startswith("height") else None
+    if quantity is None:
+        return values
+    units = variable.attrs.get("units") or {"isobaricInhPa": "hPa", "isobaricInPa": "Pa"}.get(vertical.dim)
+    found, note = converted(values, units, quantity, vertical.name)
+    vertical.notes += [note] if note else []
+    return found
+
+
+def formula_terms(dataset, vertical: Vertical) -> dict[str, str]:
+    """Term -> variable."""
+    if not vertical.name:
+        return {}
+    text = str(dataset[vertical.name].attrs.get("formula_terms", ""))
+    return dict(re.findall(r"(\w+)\s*:\s*(\S+)", text))

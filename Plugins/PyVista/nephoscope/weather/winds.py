@@ -1,0 +1,64 @@
+# SPDX-FileCopyrightText: The Nephoscope authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Winds of a reading: eastward, northward and upward, in m/s."""
+from __future__ import annotations
+
+import numpy as np
+
+from .air import Air
+from .columns import upward_wind
+
+
+def along_grid(reading) -> bool:
+    """True if the wind's components are along the grid's rows and columns."""
+    variable = reading.dataset[reading.roles["u"]]
+    stated = variable.attrs.get("GRIB_uvRelativeToGrid")
+    if stated is not None:
+        return bool(int(stated))
+    standard = str(variable.attrs.get("standard_name", ""))
+    if standard in ("eastward_wind", "northward_wind"):
+        return False
+    if standard in ("x_wind", "grid_eastward_wind") or variable.attrs.get("nephoscope_along_grid"):
+        return True
+    if not reading.horizontal.is_regular and not standard:
+        reading.note(f"{reading.roles['u']!r} taken as eastward: nothing tells that it is along the grid (standard_name x_wind, GRIB_uvRelativeToGrid)")
+    return False
+
+
+def winds(reading, air: Air) -> tuple[list[np.ndarray], list[str]]:
+    """[u, v] or [u, v, w], and the names of their variables; empty lists without both horizontal winds."""
+    if not (reading.has("u") and reading.has("v")):
+        return [], []
+    u, v = reading.role("u"), reading.role("v")
+    if along_grid(reading) and not reading.horizontal.is_regular:
+        u, v = turned(u, v, *direction(reading))
+    found, names = [u, v], [reading.roles["u"], reading.roles["v"]]
+    w = _upward(reading, air) if reading.has("w") else None
+    return (found + [w], names + [reading.roles["w"]]) if w is not None else (found, names)
+
+
+def turned(u, v, cosine, sine):
+    return u * cosine - v * sine, u * sine + v * cosine
+
+
+def direction(reading) -> tuple[np.ndarray, np.ndarray]:
+    """Cosine and sine of the angle from east to the rows: the file's own, else by the projection, else from point to point."""
+    dataset = reading.dataset
+    if {"COSALPHA", "SINALPHA"} <= set(dataset.variables) and set(dataset["COSALPHA"].dims) == set(reading.horizontal.dims):
+        reading.note("winds turned from the grid to east and north by COSALPHA and SINALPHA")
+        return reading.values("COSALPHA"), reading.values("SINALPHA")
+    angles = reading.horizontal.angles()
+    by = reading.horizontal.projection.name if reading.horizontal.projection else "the places of neighbouring points"
+    reading.note(f"winds turned from the grid to east and north by {by}, {np.degrees(np.nanmin(angles)):.1f} to {np.degrees(np.nanmax(angles)):.1f} degrees")
+    return np.cos(angles), np.sin(angles)
+
+
+def _upward(reading, air: Air) -> np.ndarray | None:
+    values, quantity = reading.role_as("w")
+    if quantity == "speed":
+        return values
+    if air.pressure is None:
+        reading.note(f"{reading.roles['w']!r} is in Pa/s, and no pressure is known: the vertical wind is left out")
+        return None
+    reading.note(f"{reading.roles['w']!r} converted from Pa/s to m/s")
+    return upward_wind(values, air.pressure, air.temperature_or_standard)
