@@ -29,9 +29,8 @@ class WeatherAccessor:
 
     def _understood(self, time, vertical, roles):
         from .air import Air
-        from .prepare import prepared
         from .reading import Reading
-        reading = Reading(prepared(self._dataset), time=time, vertical=vertical, names=roles)
+        reading = Reading(self._dataset, time=time, vertical=vertical, names=roles)
         return reading, Air(reading)
 
     def globe(self, *, time: int | str | np.datetime64 | None = None, variables: Sequence[str] | None = None, vertical: str | None = None, **options: Any):

@@ -10,6 +10,7 @@ import numpy as np
 
 from .._checks import listed
 from .horizontal import GridError, find_horizontal, is_latitude, is_longitude
+from .prepare import prepared
 from .roles import FIELDS, ROLES, SURFACE, candidates, quantity_of
 from .stagger import to_centres
 from .times import choose_time, time_dims
@@ -26,7 +27,7 @@ class Reading:
         self.notes: list[str] = []
         self.times = time_dims(dataset)
         self.dataset, self.time_text = choose_time(dataset, self.times, time)
-        self.dataset = self._without_single(self.dataset)
+        self.dataset = prepared(self._without_single(self.dataset))
         self._asked = {role: name for role, name in (names or {}).items() if name is not None}
         self._check_asked()
         self._find_levels(vertical)
@@ -55,7 +56,8 @@ class Reading:
             self.vertical = find_vertical(self.dataset, list(map(str, dims)), asked)
         elif scored:
             best = max(scored, key=lambda dim: (self.dataset.sizes[dim] > 1, dims[dim], self.dataset.sizes[dim]))
-            self.vertical = find_vertical(self.dataset, [best], None)
+            full = [dim for dim in scored if self.dataset.sizes[dim] == self.dataset.sizes[best] - 1 and dims[dim] == dims[best]]  # between half levels
+            self.vertical = find_vertical(self.dataset, full[:1] or [best], None)
         elif any(variable.ndim > 2 for _, variable in self._numbers()):
             raise VerticalError(f"No vertical axis was found among the dimensions {listed([str(dim) for dim in dims])}: none has axis 'Z', positive up or down, a standard_name of "
                                 "levels, units of pressure, a GRIB type of level or a usual name. Name it: globe(vertical='...').")

@@ -27,15 +27,15 @@ def _role(name, meaning, quantities, standard, grib, names=""):
 
 # On levels.
 FIELDS = [
-    _role("altitude", "height above sea level", "height", "altitude height_above_mean_sea_level geometric_height_at_full_level_center height_above_reference_ellipsoid",
-          "h HHL", "altitude z_mc height_msl hhl z_agl_msl"),
+    _role("altitude", "height above sea level", "height", "altitude height_above_mean_sea_level geometric_height_at_full_level_center geometric_height_at_half_level_center height_above_reference_ellipsoid",
+          "h HHL", "altitude z_mc height_msl z_ifc hhl zgrid z_agl_msl"),
     _role("geopotential_height", "geopotential height", "height,geopotential", "geopotential_height", "gh", "gh zg hgt geopotential_height z3 height"),
     _role("geopotential", "geopotential", "geopotential", "geopotential", "z", "z geopotential phi fi geopot"),
     _role("temperature", "temperature", "temperature", "air_temperature", "t", "t ta tk tmp temp temperature air air_temperature tc"),
     _role("potential_temperature", "potential temperature", "temperature", "air_potential_temperature", "pt", "theta th pt pot potential_temperature air_potential_temperature"),
     _role("pressure", "pressure", "pressure", "air_pressure", "pres", "p pres pressure air_pressure pfull p_full pressure_full"),
-    _role("u", "wind along x", "speed", "eastward_wind x_wind grid_eastward_wind", "u", "u ua uwnd ugrd u-component_of_wind u_component_of_wind eastward_wind ureconstructzonal u_wind uu x_wind"),
-    _role("v", "wind along y", "speed", "northward_wind y_wind grid_northward_wind", "v", "v va vwnd vgrd v-component_of_wind v_component_of_wind northward_wind ureconstructmeridional v_wind vv y_wind"),
+    _role("u", "wind along x", "speed", "eastward_wind x_wind grid_eastward_wind", "u", "u ua uwnd ugrd u-component_of_wind u_component_of_wind eastward_wind ureconstructzonal u_wind uu x_wind wind_east"),
+    _role("v", "wind along y", "speed", "northward_wind y_wind grid_northward_wind", "v", "v va vwnd vgrd v-component_of_wind v_component_of_wind northward_wind ureconstructmeridional v_wind vv y_wind wind_north"),
     _role("w", "vertical wind", "speed,omega", "upward_air_velocity lagrangian_tendency_of_air_pressure", "w wz omega",
           "w wa wap omega vvel dzdt vertical_velocity vertical_velocity_pressure upward_air_velocity ww"),
     _role("specific_humidity", "specific humidity", "mass fraction", "specific_humidity", "q", "q hus qv spfh shum specific_humidity"),

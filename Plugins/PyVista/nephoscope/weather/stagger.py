@@ -39,6 +39,8 @@ def _averaged(dataset, array, dim: str, own: str):
         lower, upper = array.isel({dim: slice(None, -1)}), array.isel({dim: slice(1, None)})
         mean = 0.5 * (lower.drop_vars(dim, errors="ignore") + upper.drop_vars(dim, errors="ignore"))
         return mean.rename({dim: own}).assign_attrs(array.attrs).rename(array.name)
+    if dataset.sizes[dim] == dataset.sizes[own] and not (dim in dataset.variables and own in dataset.variables):
+        return array.rename({dim: own})  # full levels under another name, as ICON's height_2
     if dim in dataset.variables and own in dataset.variables:
         return _interpolated(dataset, array, dim, own)
     raise ValueError(f"{array.name!r} is on {dim!r}, {dataset.sizes[dim]} places, and the grid on {own!r}, {dataset.sizes[own]}: without coordinates of both nobody knows which lie "
