@@ -9,6 +9,7 @@
 #include "vtkDoubleArray.h"
 #include "vtkIdTypeArray.h"
 #include "vtkImageData.h"
+#include "vtkMath.h"
 #include "vtkNew.h"
 #include "vtkPartitionedDataSet.h"
 #include "vtkPointData.h"
@@ -23,6 +24,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <limits>
 #include <numeric>
 #include <string>
@@ -224,6 +226,74 @@ std::size_t GridOf(const std::vector<vtkIdType>& first, vtkIdType source)
   return static_cast<std::size_t>(std::upper_bound(first.begin(), first.end(), source) - first.begin()) - 1;
 }
 
+bool AreWithin(vtkIdTypeArray* numbers, vtkIdType count)
+{
+  return numbers && std::all_of(numbers->Begin(), numbers->End(), [count](vtkIdType i) { return i >= 0 && i < count; });
+}
+
+// vtkGhostCellsGenerator leaves numbers unset where blocks overlap rather than abut: every point must be where its source is.
+bool HasItsSources(const std::vector<vtkDataSet*>& grids, const std::vector<vtkIdType>& firstPoint,
+  const std::vector<vtkIdType>& firstCell, vtkDataSet* extended)
+{
+  auto* points = vtkIdTypeArray::SafeDownCast(extended->GetPointData()->GetAbstractArray(sourceName));
+  auto* cells = vtkIdTypeArray::SafeDownCast(extended->GetCellData()->GetAbstractArray(sourceName));
+  if (!AreWithin(points, firstPoint.back()) || !AreWithin(cells, firstCell.back()))
+  {
+    return false;
+  }
+  const double tolerance = 1e-6 * extended->GetLength();
+  for (vtkIdType id = 0; id < extended->GetNumberOfPoints(); ++id)
+  {
+    const std::size_t grid = GridOf(firstPoint, points->GetValue(id));
+    std::array<double, 3> place = {};
+    std::array<double, 3> source = {};
+    extended->GetPoint(id, place.data());
+    grids[grid]->GetPoint(points->GetValue(id) - firstPoint[grid], source.data());
+    if (std::sqrt(vtkMath::Distance2BetweenPoints(place.data(), source.data())) > tolerance)
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+// The volume spanned by the edges of a cell at its first corner, with its sign.
+double SignedVolume(vtkDataSet* grid, const Size& size, const Size& cell)
+{
+  const vtkIdType corner = cell[0] + size[0] * (cell[1] + size[1] * cell[2]);
+  const std::array<vtkIdType, 3> steps = { 1, size[0], size[0] * size[1] };
+  std::array<double, 3> origin = {};
+  grid->GetPoint(corner, origin.data());
+  double edges[3][3];
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    grid->GetPoint(corner + steps[axis], edges[axis]);
+    vtkMath::Subtract(edges[axis], origin.data(), edges[axis]);
+  }
+  return vtkMath::Determinant3x3(edges[0], edges[1], edges[2]);
+}
+
+// Where a grid overlaps its neighbour, the layers taken from that one turn back into the grid: cells of both orientations.
+bool IsFolded(vtkDataSet* extended)
+{
+  const Size size = SizeOf(extended);
+  double least = 0.0;
+  double most = 0.0;
+  for (vtkIdType k = 0; k < size[2] - 1; ++k)
+  {
+    for (vtkIdType j = 0; j < size[1] - 1; ++j)
+    {
+      for (vtkIdType i = 0; i < size[0] - 1; ++i)
+      {
+        const double volume = SignedVolume(extended, size, { i, j, k });
+        least = std::min(least, volume);
+        most = std::max(most, volume);
+      }
+    }
+  }
+  return std::min(-least, most) > 1e-9 * std::max(-least, most);
+}
+
 void CopyPointArrays(const std::vector<vtkDataSet*>& grids, const std::vector<vtkIdType>& first, std::size_t own, vtkDataSet* extended)
 {
   auto* from = vtkIdTypeArray::SafeDownCast(extended->GetPointData()->GetAbstractArray(sourceName));
@@ -291,7 +361,8 @@ void BlockNeighbours::FindAmong(const std::vector<vtkDataSet*>& grids, int layer
   for (std::size_t i = 0; i < grids.size(); ++i)
   {
     vtkSmartPointer<vtkDataSet> extended = partitions->GetPartition(static_cast<unsigned int>(i));
-    if (!extended || extended->GetNumberOfPoints() == grids[i]->GetNumberOfPoints())
+    if (!extended || extended->GetNumberOfPoints() == grids[i]->GetNumberOfPoints() ||
+      !HasItsSources(grids, firstPoint, firstCell, extended) || IsFolded(extended))
     {
       continue;
     }

@@ -62,7 +62,7 @@ bool vtkGlobeTerrain::IsTerrain(vtkDataSet* input)
                                         << ". Set HeightArrayName to one of them, or read the file on the dimensions of the terrain: (lat, lon) alone.");
     return false;
   }
-  if (input->GetNumberOfPoints() == 0 || FlatAxes(input) != 1)
+  if (input->GetNumberOfPoints() == 0 || FlatAxes(input) != 1 || !(input->GetBounds()[4] == input->GetBounds()[5]))
   {
     vtkErrorMacro("Terrain is one level of longitudes and latitudes, and the input is not. Choose the fields of one level (Extract Subset).");
     return false;

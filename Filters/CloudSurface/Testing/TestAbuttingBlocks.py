@@ -178,6 +178,26 @@ class AbuttingBlocks(unittest.TestCase):
         self.assertEqual(surfaces[0].GetNumberOfCells(), 0)
         self.assertTrue(all(surface.GetNumberOfCells() > 0 for surface in surfaces[1:]))
 
+    def test_blocks_that_overlap_stay_alone(self):
+        """Two grids of other steps in one box: each has the surface that it has by itself. It ended the program."""
+        grids = []
+        for size in ((5, 7, 5), (7, 5, 3)):
+            grid = vtkRectilinearGrid()
+            grid.SetDimensions(size)
+            for put, count in zip((grid.SetXCoordinates, grid.SetYCoordinates, grid.SetZCoordinates), size):
+                put(numpy_to_vtk(np.linspace(0, 1, count), deep=1))
+            cloud = numpy_to_vtk(np.array([1 - np.hypot(*np.array(grid.GetPoint(i))[:2]) for i in range(grid.GetNumberOfPoints())]), deep=1)
+            cloud.SetName("cloud")
+            grid.GetPointData().AddArray(cloud)
+            grids.append(grid)
+        both = vtkMultiBlockDataSet()
+        for number, grid in enumerate(grids):
+            both.SetBlock(number, grid)
+        for surface, grid in zip(leaves(surface_of(both)), grids):
+            alone = surface_of(grid)
+            self.assertGreater(alone.GetNumberOfPoints(), 10)
+            np.testing.assert_array_equal(vtk_to_numpy(surface.GetPoints().GetData()), vtk_to_numpy(alone.GetPoints().GetData()))
+
     def test_blocks_with_other_arrays_stay_alone(self):
         """Names, types and components differ: no value is made up."""
         blocks = in_blocks(structured, True)

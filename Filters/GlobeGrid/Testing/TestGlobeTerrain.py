@@ -161,7 +161,11 @@ class GlobeTerrain(unittest.TestCase):
             both = numpy_to_vtk(np.tile(vtk_to_numpy(deep.GetPointData().GetArray(name)), 2), deep=1)
             both.SetName(name)
             deep.GetPointData().AddArray(both)
-        for grid, options, expected in ((globe(), {"HeightArrayName": "topo"}, r"no array 'topo' of the height of the ground; arrays: 'orog'\. .* or read the file on"),
+        section = globe()  # one latitude, several levels
+        section.SetDimensions(72, 1, 37)
+        section.SetYCoordinates(numpy_to_vtk(np.array([0.0]), deep=1))
+        section.SetZCoordinates(numpy_to_vtk(np.linspace(1000, 100, 37), deep=1))
+        for grid, options, expected in ((section, {}, "one level of longitudes and latitudes"), (globe(), {"HeightArrayName": "topo"}, r"no array 'topo' of the height of the ground; arrays: 'orog'\. .* or read the file on"),
                                         (deep, {}, "one level of longitudes and latitudes")):
             terrain = vtkGlobeTerrain()
             terrain.SetInputData(grid)

@@ -23,7 +23,7 @@ print(pyvista.Plotter(off_screen=True).add_volume(mesh).mapper.GetClassName())
 """
 
 
-def ball(cells=12):
+def ball(cells=5):
     mesh = pyvista.ImageData(dimensions=(cells + 1,) * 3, origin=(-1,) * 3, spacing=(2 / cells,) * 3).cast_to_unstructured_grid()
     mesh["distance"] = np.linalg.norm(mesh.points, axis=1)
     return mesh
@@ -39,15 +39,15 @@ class OverridePyVista(unittest.TestCase):
 
     def draw(self, mesh, view="yz", **options):
         """The class that draws, and the picture."""
-        plotter = pyvista.Plotter(off_screen=True, window_size=(120, 120))
+        plotter = pyvista.Plotter(off_screen=True, window_size=(60, 60))
         self.addCleanup(plotter.close)
         plotter.set_background("black")
         volume = plotter.add_volume(mesh, show_scalar_bar=False, **options)
         plotter.camera_position = view
         return volume.mapper.GetClassName(), plotter.screenshot(return_img=True)[..., :3].astype(int)
 
-    def drawn_by_add_cells(self, mesh, view):
-        plotter = pyvista.Plotter(off_screen=True, window_size=(120, 120))
+    def drawn_by_the_mapper(self, mesh, view):
+        plotter = pyvista.Plotter(off_screen=True, window_size=(60, 60))
         self.addCleanup(plotter.close)
         plotter.set_background("black")
         volume = plotter.add_volume(mesh, show_scalar_bar=False)
@@ -58,18 +58,16 @@ class OverridePyVista(unittest.TestCase):
         return plotter.screenshot(return_img=True)[..., :3].astype(int)
 
     def test_volumes(self):
-        for mesh in (ball(), on_cells(ball()), ball(1), ball().delaunay_3d(), ball().clip("x", invert=False)):
-            for view in ("yz", "iso"):
-                name, theirs = self.draw(mesh, view)
-                self.assertEqual(name, "vtkUnstructuredGridVolumeRayCastMapper")
-                nephoscope.override_vtk()
-                name, ours = self.draw(mesh, view)
-                self.assertEqual(name, OURS)
-                nephoscope.override_vtk(False)
-                np.testing.assert_array_equal(self.draw(mesh, view)[1], theirs, "VTK's again")
-                np.testing.assert_array_equal(ours, self.drawn_by_add_cells(mesh, view))
-                self.assertLess(np.abs(ours - theirs).mean(), 5, "the same scene")
-                self.assertGreater(ours.max(), 20)
+        for mesh, view in ((ball(), "yz"), (on_cells(ball()), "iso"), (ball(1), "yz"), (ball().clip("x", invert=False), "iso")):
+            name, theirs = self.draw(mesh, view)
+            self.assertEqual(name, "vtkUnstructuredGridVolumeRayCastMapper")
+            nephoscope.override_vtk()
+            name, ours = self.draw(mesh, view)
+            self.assertEqual(name, OURS)
+            nephoscope.override_vtk(False)
+            np.testing.assert_array_equal(ours, self.drawn_by_the_mapper(mesh, view))
+            self.assertLess(np.abs(ours - theirs).mean(), 5, "the same scene")
+            self.assertGreater(ours.max(), 20)
 
     def test_settings_are_those_of_add_volume(self):
         nephoscope.override_vtk()

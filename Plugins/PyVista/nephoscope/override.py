@@ -8,8 +8,6 @@ from . import _CLASSES
 
 _RAY_CAST = "vtkUnstructuredGridVolumeRayCastMapper"
 _PYVISTA_RAY_CAST = "UnstructuredGridVolumeRayCastMapper"
-_OURS = _CLASSES["vtkCellCompositingRayCastMapper"]
-_THEIRS = next(base for base in _OURS.__mro__ if base.__name__ == _RAY_CAST)
 
 
 def override_vtk(enabled=True):
@@ -39,7 +37,9 @@ def override_vtk(enabled=True):
     >>> pyvista.Plotter().add_volume(pyvista.examples.load_hexbeam())
     """
     _CLASSES["vtkCellCompositingOverride"].SetEnabled(bool(enabled))
-    _replace(*((_THEIRS, _OURS) if enabled else (_OURS, _THEIRS)))
+    ours = _CLASSES["vtkCellCompositingRayCastMapper"]
+    theirs = next(base for base in ours.__mro__ if base.__name__ == _RAY_CAST)
+    _replace(*((theirs, ours) if enabled else (ours, theirs)))
 
 
 def read_environment():
