@@ -337,9 +337,10 @@ std::string vtkCellCompositingMapper::Upload(vtkOpenGLRenderWindow* window)
     self.UploadedContours = self.Scene.GetContours().Version;
   }
   const std::int64_t polygons = self.Scene.GetPolygons().Version;
-  if (error.empty() && (self.UploadedPolygons != polygons || self.Uploaded.Pieces != now.Pieces))
+  if (error.empty() && (self.UploadedPolygons != polygons || before.Pieces != now.Pieces || before.Topology != now.Topology))
   {
-    error = self.Pass.UploadPolygons(window, self.Scene.GetPolygons(), self.Scene.GetGeometry(), self.Scene.GetPieces());
+    error = self.Pass.UploadPolygons(
+      window, self.Scene.GetPolygons(), self.Scene.GetGeometry(), self.Scene.GetPieces(), self.Scene.GetNeighbors());
     self.UploadedPolygons = polygons;
   }
   if (error.empty() && self.Uploaded.Drawn != now.Drawn)

@@ -72,7 +72,7 @@ bool vtkCellCompositingMapper::HasSurfacesOrLayers() const
 
 bool vtkCellCompositingMapper::MayUseRays() const
 {
-  return !this->Internals->Scene.GetPolygons().IsUsed() && !this->Internals->RaysAreWrong &&
+  return !this->Internals->RaysAreWrong &&
     (this->Method == RAY_METHOD || (this->Method == AUTOMATIC_METHOD && this->VisibilityOrder == EXACT_ORDER));
 }
 

@@ -40,21 +40,31 @@ std::string FloatLayer::CheckOpenGL(const char* where)
   return text.str();
 }
 
-std::string FloatLayer::Draw(vtkOpenGLRenderWindow* window, const Painter& paint)
+std::string FloatLayer::Draw(vtkOpenGLRenderWindow* window, const Painter& paint, const PixelRegion* region)
 {
   int viewport[4];
-  window->GetState()->vtkglGetIntegerv(GL_VIEWPORT, viewport);
+  vtkOpenGLState* state = window->GetState();
+  state->vtkglGetIntegerv(GL_VIEWPORT, viewport);
+  const auto cutOff = [&](int x, int y) {
+    if (region)
+    {
+      state->vtkglEnable(GL_SCISSOR_TEST);
+      state->vtkglScissor(x + (*region)[0], y + (*region)[1], (*region)[2], (*region)[3]);
+    }
+  };
   const SavedState saved(window->GetState());
-  this->Depth.Copy(window, viewport);
+  this->Depth.Copy(window, viewport, region ? region->data() : nullptr);
   std::string error = noFloatImages;
   if (this->Accumulation.Begin(window, viewport))
   {
-    SetBlending(window->GetState());
+    SetBlending(state);
+    cutOff(0, 0);
     error = paint(viewport, this->Depth);
   }
   this->Accumulation.End(window);
   if (error.empty())
   {
+    cutOff(viewport[0], viewport[1]);
     this->Accumulation.Overlay(window, viewport);
     error = CheckOpenGL("while drawing translucent layers");
   }

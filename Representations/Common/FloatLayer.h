@@ -12,6 +12,7 @@
 #include "VolumePeel.h"
 #include "vtkNephoscopeRepresentationsCommonModule.h" // for export macro
 
+#include <array>
 #include <functional>
 #include <string>
 
@@ -23,14 +24,20 @@ class vtkWindow;
 namespace nephoscope
 {
 
+/** x, y, width, height in the viewport. */
+using PixelRegion = std::array<int, 4>;
+
 class VTKNEPHOSCOPEREPRESENTATIONSCOMMON_EXPORT FloatLayer
 {
 public:
   /** Draws into the bound image of the viewport's size; `opaqueDepth` is as large. Returns what went wrong. */
   using Painter = std::function<std::string(const int viewport[4], OpaqueDepth& opaqueDepth)>;
 
-  /** Returns an empty string, or what went wrong. All state of OpenGL is restored. */
-  std::string Draw(vtkOpenGLRenderWindow* window, const Painter& paint);
+  /**
+   * Returns an empty string, or what went wrong. All state of OpenGL is restored. Where a region of the viewport is given, the painter is
+   * cut off there, and the depth is copied and the image laid over the scene only there.
+   */
+  std::string Draw(vtkOpenGLRenderWindow* window, const Painter& paint, const PixelRegion* region = nullptr);
 
   /**
    * Answers a depth peeling pass: both ranges of `peel` are drawn at once, gl_FragData[0] and [1], over a depth buffer in which

@@ -78,7 +78,7 @@ void OpaqueDepth::Allocate(vtkOpenGLRenderWindow* window, const Format& format, 
   this->Size[1] = height;
 }
 
-void OpaqueDepth::Copy(vtkOpenGLRenderWindow* window, const int viewport[4])
+void OpaqueDepth::Copy(vtkOpenGLRenderWindow* window, const int viewport[4], const int* region)
 {
   const int width = viewport[2];
   const int height = viewport[3];
@@ -98,8 +98,11 @@ void OpaqueDepth::Copy(vtkOpenGLRenderWindow* window, const int viewport[4])
   GLint destination = 0;
   glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &destination);
   glBindFramebuffer(GL_READ_FRAMEBUFFER, static_cast<GLuint>(source));
-  glBlitFramebuffer(viewport[0], viewport[1], viewport[0] + width, viewport[1] + height, 0, 0, width, height,
-    GL_DEPTH_BUFFER_BIT, GL_NEAREST);
+  const int whole[4] = { 0, 0, width, height };
+  const int* part = region ? region : whole;
+  const int end[2] = { part[0] + part[2], part[1] + part[3] };
+  glBlitFramebuffer(viewport[0] + part[0], viewport[1] + part[1], viewport[0] + end[0], viewport[1] + end[1], part[0], part[1], end[0],
+    end[1], GL_DEPTH_BUFFER_BIT, GL_NEAREST);
   glBindFramebuffer(GL_READ_FRAMEBUFFER, static_cast<GLuint>(destination));
   state->PopFramebufferBindings();
 }

@@ -27,9 +27,9 @@ public:
 
   /**
    * Copies the depth of the bound draw framebuffer inside `viewport` (x, y, width, height in pixels) into a texture of
-   * that size. Framebuffer bindings are restored. Multisampled buffers are resolved.
+   * that size, or only a region of it (x, y, width, height in the viewport). Framebuffer bindings are restored. Multisampled buffers are resolved.
    */
-  void Copy(vtkOpenGLRenderWindow* window, const int viewport[4]);
+  void Copy(vtkOpenGLRenderWindow* window, const int viewport[4], const int* region = nullptr);
 
   /** Depth in [0, 1], one texel per pixel of the viewport. */
   vtkTextureObject* GetTexture() const { return this->Texture; }

@@ -45,10 +45,15 @@ std::string CellCompositingPass::UploadDrawn(vtkOpenGLRenderWindow* window, cons
 std::string CellCompositingPass::Draw(
   vtkOpenGLRenderWindow* window, const CellView& view, const CellDrawingOptions& options)
 {
-  return this->DrawLayer(window, [&](const int viewport[4], OpaqueDepth& opaqueDepth) {
+  int whole[4];
+  window->GetState()->vtkglGetIntegerv(GL_VIEWPORT, whole);
+  const PixelRegion region = this->Rays.FindRegion(view, *options.Eye, whole);
+  const auto paint = [&](const int viewport[4], OpaqueDepth& opaqueDepth) {
     const CellDrawing drawing = { window, viewport, view, options, this->Buffers, this->Contours, opaqueDepth };
     return this->UseRays ? this->Rays.Draw(drawing) : this->Projected.Draw(drawing);
-  });
+  };
+  this->Peeled = false;
+  return this->Layer.Draw(window, paint, this->UseRays ? &region : nullptr);
 }
 
 std::string CellCompositingPass::DrawLayer(vtkOpenGLRenderWindow* window, const FloatLayer::Painter& paint)

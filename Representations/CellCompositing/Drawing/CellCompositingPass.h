@@ -60,9 +60,10 @@ public:
     return this->Contours.Upload(window, contours);
   }
   std::string UploadPolygons(
-    vtkOpenGLRenderWindow* window, const PolygonScene& polygons, const CellGeometry& geometry, const CellPieces& pieces)
+    vtkOpenGLRenderWindow* window, const PolygonScene& polygons, const CellGeometry& geometry, const CellPieces& pieces,
+    const TetrahedronNeighbors* neighbors)
   {
-    return this->Contours.UploadPolygons(window, polygons, geometry, pieces);
+    return this->Contours.UploadPolygons(window, polygons, geometry, pieces, neighbors);
   }
   /** What the scene's transfer function and view let be seen. */
   std::string UploadDrawn(vtkOpenGLRenderWindow* window, const CellScene& scene);

@@ -34,11 +34,13 @@ std::string ContourBuffers::Upload(vtkOpenGLRenderWindow* window, const ContourS
 }
 
 std::string ContourBuffers::UploadPolygons(
-  vtkOpenGLRenderWindow* window, const PolygonScene& polygons, const CellGeometry& geometry, const CellPieces& pieces)
+  vtkOpenGLRenderWindow* window, const PolygonScene& polygons, const CellGeometry& geometry, const CellPieces& pieces,
+  const TetrahedronNeighbors* neighbors)
 {
   auto ofTetrahedra = polygons.OfTetrahedra;
   auto surfaces = polygons.Surfaces;
-  polygons.AddPieces(geometry, pieces, ofTetrahedra, surfaces);
+  neighbors && !surfaces.empty() ? polygons.ListForRays(geometry, *neighbors, ofTetrahedra, surfaces)
+                                 : polygons.AddPieces(geometry, pieces, ofTetrahedra, surfaces);
   this->UsePolygons = !surfaces.empty();
   const std::string error = this->Buffers[OfTetrahedra].Upload(window, ofTetrahedra.data(), ofTetrahedra.size(), 4, VTK_INT);
   return error.empty() ? this->Buffers[Polygons].Upload(window, surfaces.data(), 4 * surfaces.size(), 4, VTK_FLOAT) : error;

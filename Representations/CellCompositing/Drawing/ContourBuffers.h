@@ -19,6 +19,7 @@ namespace nephoscope
 class CellGeometry;
 class ContourScene;
 class PolygonScene;
+struct TetrahedronNeighbors;
 struct CellPieces;
 struct CellDrawing;
 
@@ -27,8 +28,10 @@ class ContourBuffers
 public:
   /** Returns an empty string, or what went wrong. */
   std::string Upload(vtkOpenGLRenderWindow* window, const ContourScene& contours);
+  /** With `neighbors` for rays, else for projection. */
   std::string UploadPolygons(
-    vtkOpenGLRenderWindow* window, const PolygonScene& polygons, const CellGeometry& geometry, const CellPieces& pieces);
+    vtkOpenGLRenderWindow* window, const PolygonScene& polygons, const CellGeometry& geometry, const CellPieces& pieces,
+    const TetrahedronNeighbors* neighbors);
 
   bool IsUsed() const { return this->NumberOfContours > 0; }
   bool HasScalars() const { return this->IsUsed() && !this->OfColor; }

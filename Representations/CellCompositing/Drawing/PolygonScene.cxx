@@ -5,6 +5,7 @@
 #include "CoincidentPoints.h"
 #include "ContourScene.h"
 #include "ContourSettings.h"
+#include "TetrahedronNeighbors.h"
 #include "TetrahedronRay.h"
 
 #include "vtkDataSet.h"
@@ -151,6 +152,68 @@ void PolygonScene::Update(const CellGeometry& geometry, std::int64_t geometryVer
   this->Surfaces.swap(surfaces);
   this->OfTetrahedra.swap(ofTetrahedra);
   ++this->Version;
+}
+
+void PolygonScene::ListForRays(const CellGeometry& geometry, const TetrahedronNeighbors& neighbors,
+  std::vector<std::array<std::int32_t, 4>>& ofTetrahedra, std::vector<Surface>& surfaces) const
+{
+  using Corners = std::array<std::int32_t, 3>;
+  ofTetrahedra.assign(this->OfTetrahedra.size(), { { 0, 0, 0, 0 } });
+  const auto rankIn = [&](std::size_t tetrahedron, std::int32_t vertex) {
+    const Tetrahedron& t = geometry.Tetrahedra[tetrahedron];
+    return static_cast<std::size_t>(
+      std::count_if(t.begin(), t.end(), [&](std::int32_t v) { return neighbors.Merged(v) < vertex; }));
+  };
+  // To the corners of a surface, whose normals have the order of `from`.
+  const auto add = [&](Surface surface, const Corners& from, Corners to, std::size_t tetrahedron, std::int32_t opposite) {
+    std::sort(to.begin(), to.end());
+    const auto normals = surface.Normals;
+    for (std::size_t k = 0; k < 3; ++k)
+    {
+      const auto distance = [&](std::int32_t corner) {
+        const Vector3 d = difference(geometry.Position(corner), geometry.Position(to[k]));
+        return dot(d, d);
+      };
+      const auto nearest = std::min_element(
+        from.begin(), from.end(), [&](std::int32_t a, std::int32_t b) { return distance(a) < distance(b); });
+      surface.Normals[k] = normals[static_cast<std::size_t>(nearest - from.begin())];
+    }
+    surfaces.push_back(surface);
+    ofTetrahedra[tetrahedron][rankIn(tetrahedron, opposite)] = static_cast<std::int32_t>(surfaces.size());
+  };
+  surfaces.clear();
+  for (std::size_t i = 0; i < this->OfTetrahedra.size(); ++i)
+  {
+    for (std::size_t face = 0; face < 4; ++face)
+    {
+      const std::int32_t number = this->OfTetrahedra[i][face];
+      if (number == 0)
+      {
+        continue;
+      }
+      const Surface& surface = this->Surfaces[static_cast<std::size_t>(number) - 1];
+      const Tetrahedron& t = geometry.Tetrahedra[i];
+      Corners corners, merged;
+      for (std::size_t k = 0; k < 3; ++k)
+      {
+        corners[k] = t[static_cast<std::size_t>(tetrahedronFaces[face][k])];
+        merged[k] = neighbors.Merged(corners[k]);
+      }
+      const std::int32_t opposite = neighbors.Merged(t[face]);
+      add(surface, corners, merged, i, opposite);
+      const std::int32_t across = neighbors.Neighbors[4 * i + rankIn(i, opposite)];
+      if (across != TetrahedronNeighbors::None)
+      {
+        const bool jumps = across < 0;
+        const std::array<std::int32_t, 4> there = jumps
+          ? neighbors.BoundaryFaces[static_cast<std::size_t>(TetrahedronNeighbors::Jump - across)]
+          : std::array<std::int32_t, 4>{ { merged[0], merged[1], merged[2], across } };
+        const std::size_t neighbor = static_cast<std::size_t>(there[3]);
+        add(surface, corners, { { there[0], there[1], there[2] } }, neighbor,
+          neighbors.VertexSums[neighbor] ^ there[0] ^ there[1] ^ there[2]);
+      }
+    }
+  }
 }
 
 // A face of a piece that lies in a face of its owner has the owner's surface.

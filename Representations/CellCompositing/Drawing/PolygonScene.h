@@ -24,6 +24,7 @@ namespace nephoscope
 {
 
 struct ContourSettings;
+struct TetrahedronNeighbors;
 
 class PolygonScene
 {
@@ -58,6 +59,10 @@ public:
   /** Adds those of the pieces of tetrahedra, after them, to copies of the two. */
   void AddPieces(const CellGeometry& geometry, const CellPieces& pieces, std::vector<std::array<std::int32_t, 4>>& ofTetrahedra,
     std::vector<Surface>& surfaces) const;
+
+  /** The two for rays: vertices ascend by their merged numbers, and both tetrahedra of a face have its surface. */
+  void ListForRays(const CellGeometry& geometry, const TetrahedronNeighbors& neighbors,
+    std::vector<std::array<std::int32_t, 4>>& ofTetrahedra, std::vector<Surface>& surfaces) const;
 
 private:
   std::array<float, 4> ColorOf(const CellPolygons::Triangle& triangle, const ScalarSelection& scalars,

@@ -114,6 +114,7 @@ std::string RayCells::UploadBoundary(vtkOpenGLRenderWindow* window, const std::v
   }
   this->Box = box;
   this->ClearRange = clearRange;
+  this->Bounds = PointBounds();
   std::vector<std::int32_t> vertices;
   vertices.reserve(6 * this->NumberOfBoundaryFaces);
   for (std::size_t i = 0; i < this->NumberOfBoundaryFaces; ++i)
@@ -121,11 +122,17 @@ std::string RayCells::UploadBoundary(vtkOpenGLRenderWindow* window, const std::v
     for (std::size_t corner = 0; corner < 3; ++corner)
     {
       vertices.insert(vertices.end(), { faces[i][corner], static_cast<std::int32_t>(i) });
+      this->Bounds.Add(geometry.Position(faces[i][corner]));
     }
   }
   this->EntryVertices.Upload(vertices, 2);
   this->Slices.SetFaces(geometry, faces, this->NumberOfBoundaryFaces);
   return this->BoundaryFaces.Upload(window, faces.data(), faces.size(), 4, VTK_INT);
+}
+
+PixelRegion RayCells::FindRegion(const SceneView& view, const EyeTetrahedron& eye, const int viewport[4]) const
+{
+  return eye.Found ? PixelRegion{ { 0, 0, viewport[2], viewport[3] } } : coveredPixels(view, this->Bounds, viewport);
 }
 
 void RayCells::Allocate(const CellDrawing& drawing)

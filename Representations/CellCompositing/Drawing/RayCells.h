@@ -16,6 +16,7 @@
 #include "BoundaryFaces.h"
 #include "BufferTexture.h"
 #include "ChessboardGrid.h"
+#include "CoveredPixels.h"
 #include "FaceSlices.h"
 #include "VertexNumbers.h"
 
@@ -54,6 +55,8 @@ public:
   /** Where rays enter, the box of a grid's cells that can be seen, and the scalars between which nothing is seen. */
   std::string UploadBoundary(vtkOpenGLRenderWindow* window, const std::vector<BoundaryFace>& faces, const CellGeometry& geometry,
     const CellBox& box, const std::array<float, 2>& clearRange);
+  /** Pixels that may be drawn: those of the boundary. */
+  PixelRegion FindRegion(const SceneView& view, const EyeTetrahedron& eye, const int viewport[4]) const;
   /** Draws into the bound framebuffer, which holds a transparent image. */
   std::string Draw(const CellDrawing& drawing);
 
@@ -85,7 +88,8 @@ private:
   std::size_t NumberOfBoundaryFaces = 0; // where rays enter
   std::size_t NumberOfJumps = 0;         // faces after them, where rays go on
   bool HasHiddenCells = false;
-  double Radius = 0; // of the points about their centre
+  PointBounds Bounds; // of the boundary
+  double Radius = 0;  // of the points about their centre
 
   FaceSlices Slices;
   vtkNew<vtkOpenGLBufferObject> SliceVertices;

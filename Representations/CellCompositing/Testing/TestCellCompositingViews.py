@@ -99,6 +99,33 @@ class Windows(ImageTestCase):
         self.fail_on_messages(window)
 
 
+class SmallInThePicture(ImageTestCase):
+    """Only the pixels that the boundary can cover are drawn: nothing is cut off, and nothing of an earlier picture is left."""
+
+    def test_far_and_near(self):
+        data, transfer = sample(8)
+        cut_off = 1e-3  # far less than what is cut off; a ray that runs in an edge passes beside its pixel's centre
+        shapes = {"mesh": data, "image": meshes.with_field(meshes.image((3, 3, 3), (0.3,) * 3), lambda p: p[:, 0])}
+        for label, shape in shapes.items():
+            for viewport in ((0, 0, 1, 1), (0.4, 0.3, 1, 0.9)):
+                background = (0.1, 0.3, 0.2)
+                ours, window, scene, _ = self.check(shape, transfer, f"{label} near, {viewport}", size=(150, 110), viewport=viewport,
+                                                    background=background, tolerance=cut_off)
+                for zoom, center in ((0.2, (0, 0)), (0.3, (0.8, -0.7)), (0.5, (1, 0.2)), (1, (0, 0)), (0.05, (0.3, 0.3)), (3, (0.5, 0))):
+                    scene.look_at(shape, zoom=zoom)
+                    scene.camera.SetWindowCenter(*center)
+                    window.render()
+                    self.verify(scene, ours, cells_of(shape, decompose=label == "image"), transfer, f"{label}, zoom {zoom} at {center}",
+                                background=background, tolerance=cut_off)
+
+    def test_out_of_the_picture(self):
+        data, transfer = sample(8)
+        ours, window, scene, _ = self.check(data, transfer, "before")
+        scene.camera.SetWindowCenter(3, 0)
+        window.render()
+        self.assertEqual(scene.rgb().max(), 0)
+
+
 class Cameras(ImageTestCase):
     def test_up_vectors_window_center_and_angles(self):
         data, transfer = sample(10)

@@ -191,6 +191,39 @@ class OfFaces(PolygonTestCase):
         image, _ = self.draw(data, coloured, lambda m: (m.SetPolygonsToAll(), m.SetPolygonOpacity(0.25)), look, association="cell")
         np.testing.assert_allclose(image[48, 48], [red, 0, blue, 1 - 0.75 ** 3 * clear ** 2], atol=2e-6)
 
+    def test_eyes_anywhere(self):
+        """Along an axis, in a plane of the grid, beside edges, and inside: each square that the ray passes once."""
+        data = self.stack()
+        transfer = constant(0.0)
+        configure = lambda m: (m.SetPolygonsToAll(), m.SetPolygonOpacity(0.25))
+        window, scene, ours = self.scene(data, transfer, configure)
+        for direction in ((0, 0, 1), (0, 0, -1), (0.1, 0, 1), (0, -0.2, 1)):
+            scene.look_at((0, 1, 0, 1, 0, 1), direction, (0, 1, 0), parallel=True)
+            window.render()
+            count = np.log1p(-float_image(ours)[44:52, 44:52, 3]) / np.log(0.75)
+            np.testing.assert_allclose(count, 3, atol=1e-4, err_msg=f"from {direction}")
+            self.assertEqual(ours.GetNumberOfRayLayers(), 1)
+            scene.camera.ParallelProjectionOff()
+        for eye, up, down in (((0.4, 0.3, 0.3), 2, 1), ((0.5, 0.5, 0.25), 2, 1), ((0.5, 0.5, 0.75), 1, 2), ((0.2, 0.5, 0.6), 1, 2)):
+            for side, expected in ((1, up), (-1, down)):
+                scene.look(eye, np.add(eye, (0, 0, side)), (0, 1, 0), 10, near=1e-3, far=10)
+                window.render()
+                count = np.log1p(-float_image(ours)[..., 3]) / np.log(0.75)
+                np.testing.assert_allclose(count, expected, atol=1e-4, err_msg=f"at {eye} towards {side}")
+        self.fail_on_messages(window)
+
+    def test_where_values_jump(self):
+        """Between blocks with points and values of their own."""
+        points = np.array([(x, y, z) for z in (0, 1, 1, 2) for y in (0, 1) for x in (0, 1)], float)
+        cube = [0, 1, 3, 2, 4, 5, 7, 6]
+        data = meshes.grid(points, [(12, cube), (12, [8 + i for i in cube]), (VTK_QUAD, [4, 5, 7, 6])])
+        meshes.with_field(data, lambda p: np.where(np.arange(16) < 8, 0.2, 0.9))
+        for side in (1, -1):
+            for lighting in (False, True):
+                image, _ = self.draw(data, constant(0.0), lambda m: (m.SetPolygonsToAll(), m.SetPolygonOpacity(0.25), m.SetContourLighting(lighting)),
+                                     dict(self.LOOK, direction=(0.02, 0.03, side)))
+                self.assertAlmostEqual(image[48, 48, 3], 0.25, places=5)
+
     def test_opaque_geometry_hides_them(self):
         """A ball between the second and the third square leaves two of three."""
         ball = vtkSphereSource()
@@ -230,7 +263,7 @@ class OfFaces(PolygonTestCase):
         def configure(ours):
             ours.SetPolygonsToAll()
             ours.SetPolygonOpacity(0.25)
-            ours.SetVisibilityOrderToExact()
+            ours.SetMethodToProjection()
             ours.SetPolygonColor(-1, *RED)
         image, view = self.draw(data, constant(0.0), configure, dict(direction=(0, 0, 1)))
         window, _, ours = self.kept

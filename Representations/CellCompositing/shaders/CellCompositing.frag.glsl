@@ -151,7 +151,8 @@ vec4 clearLightBetween(float uFront, float uBack, vec4 slope)
 vec4 surfaceAt(float u, int face, vec4 slope)
 {
   vec4 coordinates = barycentric + u * slope;
-  return polygonSurface(tetrahedronGSOutput.x, face, coordinates, interpolate(coordinates, scalarsGSOutput),
+  vec3 weights = face == 0 ? coordinates.yzw : face == 1 ? coordinates.xzw : face == 2 ? coordinates.xyw : coordinates.xyz;
+  return polygonSurface(element(tetrahedronSurfaces, tetrahedronGSOutput.x)[face], weights, interpolate(coordinates, scalarsGSOutput),
     positionVC + u * (eyeVC.xyz - eyeVC.w * positionVC));
 }
 

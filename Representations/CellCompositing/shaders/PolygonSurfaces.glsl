@@ -1,14 +1,14 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Polygons of the input that lie in faces of the tetrahedron, as translucent surfaces where its part of the ray begins or ends. Each is
-// drawn by one of the two tetrahedra that share the face. Lit as contour surfaces are (ContourSurfaces.glsl).
-uniform IntegerArray tetrahedronSurfaces; // for the face opposite each vertex the number of its surface, counted from 1; 0: none
+// Polygons of the input that lie in faces of tetrahedra, as translucent surfaces. Lit as contour surfaces are (ContourSurfaces.glsl).
+// For the face opposite each vertex the number of its surface, counted from 1, or 0 for none. For projection the vertices have the order of the
+// tetrahedron, and one of the two tetrahedra that share the face has the surface; for rays they ascend by their numbers, and both have it.
+uniform IntegerArray tetrahedronSurfaces;
 uniform FloatArray polygonSurfaces;       // four texels each: colour and opacity, red < 0: the function's; normals at the corners, MC
 
-// Premultiplied colour and alpha of the surface in a face, where the ray crosses it.
-vec4 polygonSurface(int tetrahedron, int face, vec4 coordinates, float s, vec3 crossingVC)
+// Premultiplied colour and alpha of the surface with a number, where the ray crosses it: weights of its corners, scalar of colour, place.
+vec4 polygonSurface(int number, vec3 weights, float s, vec3 crossingVC)
 {
-  int number = element(tetrahedronSurfaces, tetrahedron)[face];
   if (number == 0)
   {
     return vec4(0.0);
@@ -25,7 +25,6 @@ vec4 polygonSurface(int tetrahedron, int face, vec4 coordinates, float s, vec3 c
   }
   if (contourLighting)
   {
-    vec3 weights = face == 0 ? coordinates.yzw : face == 1 ? coordinates.xzw : face == 2 ? coordinates.xyw : coordinates.xyz;
     vec3 normal = weights.x * element(polygonSurfaces, texel + 1).xyz + weights.y * element(polygonSurfaces, texel + 2).xyz +
       weights.z * element(polygonSurfaces, texel + 3).xyz;
     surface.rgb = litColor(surface.rgb, unit(gradientMatrix * normal), crossingVC);

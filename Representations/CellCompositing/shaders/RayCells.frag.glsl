@@ -45,6 +45,7 @@ int jumpFace = -1; // boundary face from which a ray goes on that has left the m
 //NEPHOSCOPE::TransferFunction
 //NEPHOSCOPE::Topology
 //NEPHOSCOPE::ContourSurfaces
+//NEPHOSCOPE::PolygonSurfaces
 //NEPHOSCOPE::TetrahedronWalk
 //NEPHOSCOPE::RaySegments
 //NEPHOSCOPE::RayContours
@@ -166,6 +167,13 @@ int leaveTetrahedron(Seen ahead)
 bool isHidden()
 {
   return hasHiddenCells && element(hiddenCells, cellNumber()).r > 0.0;
+}
+
+// Number of the polygon in the face of the present tetrahedron that is across from a vertex.
+int polygonInFace(int opposite)
+{
+  ivec3 smaller = ivec3(lessThan(face, ivec3(opposite)));
+  return element(tetrahedronSurfaces, cellNumber())[smaller.x + smaller.y + smaller.z];
 }
 
 // Nothing is seen between the face and the vertex ahead.
@@ -355,14 +363,17 @@ const int mayGoOn = 1;
 const int findsLayer = 2;
 const int crossesUp = 3;
 const int crossesDown = 4;
+const int passesPolygon = 5; // in the face through which it leaves a tetrahedron
+const int entersMesh = 6;    // perhaps through a polygon
+const bool useSurfaces = useContours || usePolygons;
 
-// From there to where the ray leaves the mesh or is lost, or where there are contours, to the next surface, if it is near.
+// From there to where the ray leaves the mesh or is lost, or where there are surfaces, to the next one, if it is near.
 int walk(vec2 range)
 {
   // Loops rather than tests in one: pixels that are computed together wait for each other before a segment is integrated, so that
   // it is not integrated for a few of them at a time; but not for long. So do they before a surface is lit.
   const int stepsAtOnce = 8;
-  int steps = useContours ? 6 * stepsAtOnce : maximumSteps;
+  int steps = useSurfaces ? 6 * stepsAtOnce : maximumSteps;
   int outcome = mayGoOn;
   for (int i = 0; i < steps; ++i)
   {
@@ -371,6 +382,7 @@ int walk(vec2 range)
       Seen ahead;
       bool inside = true;
       bool found = false;
+      bool polygon = false;
       for (int k = 0; k < stepsAtOnce; ++k)
       {
         ahead = seen(next);
@@ -380,6 +392,11 @@ int walk(vec2 range)
           break;
         }
         leaveTetrahedron(ahead);
+        polygon = usePolygons && polygonInFace(left) > 0;
+        if (polygon)
+        {
+          break;
+        }
         inside = goOn() && !walkIsLost &&
           lesser(walkA.place.z, lesser(walkB.place.z, walkC.place.z)) < range.y;
         if (!inside)
@@ -390,6 +407,11 @@ int walk(vec2 range)
       if (!inside)
       {
         outcome = rayEnds;
+        break;
+      }
+      if (polygon)
+      {
+        outcome = passesPolygon;
         break;
       }
       if (!found)
@@ -427,6 +449,11 @@ int walk(vec2 range)
     {
       layerIsKnown = false;
     }
+    if (usePolygons && polygonInFace(left) > 0)
+    {
+      outcome = passesPolygon;
+      break;
+    }
     if (segmentBack.x >= range.y || walkIsLost || isOpaque() || !goOn())
     {
       outcome = rayEnds;
@@ -453,26 +480,51 @@ void addSurface(int contour, vec2 range)
   }
 }
 
-void walkThroughContours(vec2 range)
+// The polygon in the face that the ray is passing, across from this vertex.
+void addPolygon(int opposite, vec2 range)
 {
-  int outcome = mayGoOn;
+  vec4 pass = passFace();
+  if (pass.x >= range.x && pass.x < range.y)
+  {
+    vec3 weights = faceWeights();
+    ivec3 v = face;
+    weights = v.x > v.y ? weights.yxz : weights; // of ascending vertices
+    v = v.x > v.y ? v.yxz : v;
+    weights = v.y > v.z ? weights.xzy : weights;
+    v = v.y > v.z ? v.xzy : v;
+    weights = v.x > v.y ? weights.yxz : weights;
+    ivec3 table = transferTable;
+    light += (1.0 - light.a) *
+      polygonSurface(polygonInFace(opposite), weights, pass.y, (MCVCMatrix * vec4(origin + pass.x * along, 1.0)).xyz);
+    transferTable = table;
+  }
+}
+
+void walkThroughSurfaces(vec2 range)
+{
+  int outcome = usePolygons && startsAtEye == 0 ? entersMesh : mayGoOn;
   for (int i = 0; i < maximumSteps && outcome != rayEnds; ++i)
   {
-    outcome = walk(range);
-    if (outcome == crossesUp || outcome == crossesDown)
+    if (usePolygons && (outcome == passesPolygon || outcome == entersMesh))
+    {
+      bool leaves = outcome == passesPolygon;
+      addPolygon(leaves ? left : next, range);
+      if (leaves && (passFace().x >= range.y || walkIsLost || !goOn()))
+      {
+        outcome = rayEnds;
+      }
+    }
+    if (useContours && (outcome == crossesUp || outcome == crossesDown))
     {
       bool up = outcome == crossesUp;
       addSurface(up ? contourLayerOfRay : contourLayerOfRay - 1, range);
       enterContourLayer(up ? contourLayerOfRay + 1 : contourLayerOfRay - 1);
     }
-    if (outcome == findsLayer)
+    if (useContours && outcome == findsLayer)
     {
       enterContourLayer(contourLayer(segmentFront.w));
     }
-    if (isOpaque())
-    {
-      outcome = rayEnds;
-    }
+    outcome = outcome == rayEnds || isOpaque() ? rayEnds : walk(range);
   }
 }
 
@@ -518,9 +570,9 @@ void main()
     {
       startAtFace(boundaryFace);
     }
-    if (useContours)
+    if (useSurfaces)
     {
-      walkThroughContours(range);
+      walkThroughSurfaces(range);
     }
     else
     {

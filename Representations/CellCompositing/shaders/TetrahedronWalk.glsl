@@ -98,7 +98,7 @@ int stepWalk(Seen d)
   return exitABD ? 2 : exitADC ? 1 : 0;
 }
 
-// Of the face's vertices, where the ray passes it. Where the face is seen edge-on, any of its points will do.
+// Weights of the vertices of the face where the ray passes it. Where the face is seen edge-on, any of its points will do.
 vec3 faceWeights()
 {
   vec3 weights = vec3(walkBC, walkCA, walkAB);
@@ -106,7 +106,7 @@ vec3 faceWeights()
   return sum > 0.0 ? weights / sum : vec3(1.0 / 3.0);
 }
 
-// Of a face whose vertices are all on one side of a value, no point lies on the other, in spite of rounding.
+// Where all vertices of a face are on one side of a value, so is every point of it, in spite of rounding.
 float contourScalarOnFace(vec3 weights)
 {
   vec3 s = vec3(contourScalar(walkA), contourScalar(walkB), contourScalar(walkC));
