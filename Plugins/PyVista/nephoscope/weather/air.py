@@ -26,7 +26,7 @@ class Air:
     @cached_property
     def shape(self) -> tuple[int, ...]:
         reading = self.reading
-        return (reading.dataset.sizes[reading.vertical.dim], *(reading.dataset.sizes[dim] for dim in reading.horizontal.dims))
+        return (reading.dataset.sizes[reading.vertical.dim], *reading.horizontal.shape)
 
     def _columns(self, values: np.ndarray) -> np.ndarray:
         """Values by level at every place."""
@@ -128,6 +128,34 @@ class Air:
                             "globe(pressure='...').")
 
     height_source = ""
+
+    def interfaces(self, order: np.ndarray) -> np.ndarray:
+        """Heights of the surfaces between the levels, from the bottom to the top: the model's own where it has them, else half way."""
+        reading = self.reading
+        if reading.vertical is None:
+            return np.zeros((1, *reading.horizontal.shape))
+        own = self._own_interfaces()
+        if own is not None:
+            return own
+        heights = self.heights[order]
+        if len(heights) == 1:
+            return heights
+        middle = 0.5 * (heights[1:] + heights[:-1])
+        bottom, top = 1.5 * heights[0] - 0.5 * heights[1], 1.5 * heights[-1] - 0.5 * heights[-2]
+        if self.terrain is not None and reading.vertical.kind not in ("pressure", "height"):
+            bottom = np.minimum(self.terrain, heights[0])
+        return np.concatenate([bottom[None], middle, top[None]])
+
+    def _own_interfaces(self) -> np.ndarray | None:
+        reading = self.reading
+        if not reading.has("altitude") or reading.vertical.dim in reading.dataset[reading.roles["altitude"]].dims:
+            return None
+        array = reading.dataset[reading.roles["altitude"]]
+        dim = next(dim for dim in array.dims if dim not in reading.horizontal.dims)
+        if array.sizes[dim] != self.shape[0] + 1:
+            return None
+        found = array.transpose(dim, *reading.horizontal.dims).values.astype(float)
+        return found if np.nanmean(found[0]) < np.nanmean(found[-1]) else found[::-1]
 
     def _given_heights(self) -> np.ndarray | None:
         reading = self.reading

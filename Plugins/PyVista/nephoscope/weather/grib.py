@@ -20,7 +20,7 @@ LEVEL_UNITS = {"isobaricInhPa": ("hPa", "down"), "isobaricInPa": ("Pa", "down"),
                "sigma": ("1", "down"), "generalVerticalLayer": ("1", "down"), "generalVertical": ("1", "down"), "depthBelowLand": ("m", "down")}
 # Of every message; then of the first of each variable.
 _HEADER = ("shortName", "typeOfLevel", "level", "md5GridSection", "gridType", "validityDate", "validityTime", "dataDate", "dataTime", "stepType", "paramId")
-_GRID = ("gridType", "uvRelativeToGrid", "Latin1InDegrees", "Latin2InDegrees", "LaDInDegrees", "LoVInDegrees", "orientationOfTheGridInDegrees", "projectionCentreFlag",
+_GRID = ("gridType", "uvRelativeToGrid", "resolutionAndComponentFlags", "Latin1InDegrees", "Latin2InDegrees", "LaDInDegrees", "LoVInDegrees", "orientationOfTheGridInDegrees", "projectionCentreFlag",
          "southPoleOnProjectionPlane", "latitudeOfSouthernPoleInDegrees", "longitudeOfSouthernPoleInDegrees", "angleOfRotationInDegrees", "radius", "earthIsOblate",
          "earthMajorAxisInMetres", "earthMinorAxisInMetres", "N", "isOctahedral", "Nside", "orderingConvention", "numberOfGridInReference")
 _ABOUT = ("shortName", "name", "units", "cfName", "cfVarName", "paramId", "typeOfLevel", "stepType", "edition", "centre")
@@ -260,6 +260,8 @@ def attributes_of(path: Path, message: Message) -> dict:
         for key in ("pl", "pv"):
             if _get(ec, handle, {"pl": "PLPresent", "pv": "NV"}[key], 0):
                 keys[key] = np.asarray(ec.codes_get_array(handle, key))
+    if keys["uvRelativeToGrid"] is None and keys["resolutionAndComponentFlags"] is not None:  # polar stereographic grids of edition 2 have no key of this name
+        keys["uvRelativeToGrid"] = int(keys["resolutionAndComponentFlags"] & 8 > 0)
     attributes = {f"GRIB_{key}": value for key, value in keys.items() if value is not None}
     attributes |= {"long_name": keys["name"], "units": keys["units"]}
     if keys["cfName"] not in (None, "unknown"):

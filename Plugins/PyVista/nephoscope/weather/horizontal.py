@@ -8,6 +8,7 @@ from dataclasses import dataclass, field
 import numpy as np
 
 from .._checks import listed
+from .gaussian import Rows, find_rows
 from .projections import Projection, find_projection, row_angles
 
 _LON = ("lon", "longitude", "lons", "long", "xlong", "nav_lon", "glon", "clon", "loncell", "lon_rho", "geolon", "tlong", "mesh2d_face_x", "xlong_m", "g0_lon_2", "g0_lon_3")
@@ -28,14 +29,19 @@ class Horizontal:
     names: tuple[str, str]
     projection: Projection | None = None
     notes: list[str] = field(default_factory=list)
+    rows: Rows | None = None  # of a reduced Gaussian grid: from its list of points to even rows
 
     @property
     def is_list(self) -> bool:
-        return len(self.dims) == 1
+        return len(self.dims) == 1 and self.rows is None
 
     @property
     def is_regular(self) -> bool:
-        return not self.is_list and self.longitude.ndim == 1
+        return self.rows is not None or (len(self.dims) == 2 and self.longitude.ndim == 1)
+
+    @property
+    def shape(self) -> tuple[int, ...]:
+        return (len(self.latitude), len(self.longitude)) if self.is_regular else self.longitude.shape
 
     def places(self) -> tuple[np.ndarray, np.ndarray]:
         """Longitude and latitude of every point, in the shape of the grid."""
@@ -78,13 +84,35 @@ def find_horizontal(dataset, variable, used: set[str]) -> Horizontal:
     lon = _coordinate(dataset, variable, dims, is_longitude)
     lat = _coordinate(dataset, variable, dims, is_latitude)
     if lon is not None and lat is not None:
-        return _given(dims, lon, lat, projection)
+        return _given(dims, lon, lat, projection, variable)
+    if len(dims) == 1 and (found := _of_healpix(dataset, dims)) is not None:
+        return found
+    if len(dims) == 1 and (found := _of_mesh(dataset, dims)) is not None:
+        return found
     if projection and len(dims) == 2:
         return _projected(dataset, dims, projection)
     missing = "longitudes" if lon is None else "latitudes"
     raise GridError(f"No {missing} were found for {variable.name!r}, whose grid is ({', '.join(dims)}). They are looked for by standard_name, by units (degrees_east, "
                     f"degrees_north), by grid_mapping and by name. There are: {listed([str(name) for name in dataset.variables])}. "
                     "Name them: ds[NAME].attrs['units'] = 'degrees_east'.")
+
+
+def _of_healpix(dataset, dims) -> Horizontal | None:
+    from .polygons import healpix_centres, healpix_of
+    found = healpix_of(dataset, dims[0])
+    return Horizontal(dims, *healpix_centres(*found), "HEALPix", ("computed", "computed")) if found else None
+
+
+def _of_mesh(dataset, dims) -> Horizontal | None:
+    """The middles of the faces, or the nodes, of a mesh that has no coordinates of its own for them."""
+    from .polygons import find_polygons
+    try:
+        found = find_polygons(dataset, Horizontal(dims, np.empty(0), np.empty(0), "", ("", "")))
+    except GridError:
+        return None
+    places = found.corners if found.on_corners else (found.corners[np.maximum(found.faces, 0)] * (found.faces >= 0)[..., None]).sum(1)
+    lon, lat = np.degrees(np.arctan2(places[:, 1], places[:, 0])), np.degrees(np.arctan2(places[:, 2], np.hypot(places[:, 0], places[:, 1])))
+    return Horizontal(dims, lon, lat, "list of points", ("computed from the mesh",) * 2)
 
 
 def _coordinate(dataset, variable, dims: tuple[str, ...], fits):
@@ -101,14 +129,19 @@ def _coordinate(dataset, variable, dims: tuple[str, ...], fits):
     return None
 
 
-def _given(dims, lon, lat, projection) -> Horizontal:
+def _given(dims, lon, lat, projection, variable) -> Horizontal:
     names = (str(lon.name), str(lat.name))
     x, y = _degrees(lon), _degrees(lat)
     if len(dims) == 1:
+        found = find_rows(x, y, variable.attrs.get("GRIB_pl")) if variable.attrs.get("GRIB_gridType") != "healpix" else None
+        if found:
+            note = f"reduced Gaussian grid, {len(x)} points: rows interpolated to {len(found[0].longitude)} longitudes"
+            return Horizontal(dims, found[0].longitude, found[1], "reduced Gaussian", names, notes=[note], rows=found[0])
         return Horizontal(dims, x, y, "list of points", names, projection)
     if lon.ndim == 1 and lat.ndim == 1:
         if lon.dims == lat.dims:
             raise GridError(f"{names[0]!r} and {names[1]!r} are both along {lon.dims[0]!r}; a grid of the dimensions {listed(dims)} needs one along each, or both along both.")
+        x = np.degrees(np.unwrap(np.radians(x)))  # without a jump at 360
         return Horizontal((lat.dims[0], lon.dims[0]), x, y, _regular_kind(y), names)
     x = np.broadcast_to(_on(lon, x, dims), _shape(lon, lat, dims))
     y = np.broadcast_to(_on(lat, y, dims), x.shape)
@@ -127,7 +160,9 @@ def _on(coordinate, values: np.ndarray, dims) -> np.ndarray:
 
 def _degrees(coordinate) -> np.ndarray:
     values = np.asarray(coordinate.values, dtype=float)
-    return np.degrees(values) if str(coordinate.attrs.get("units", "")).lower() in ("radian", "radians", "rad") else values
+    units = str(coordinate.attrs.get("units", "")).lower()
+    cells = str(coordinate.name).lower() in ("loncell", "latcell", "clon", "clat") and not units and np.nanmax(np.abs(values)) <= 2 * np.pi + 1e-6
+    return np.degrees(values) if units in ("radian", "radians", "rad") or cells else values
 
 
 def _regular_kind(latitude: np.ndarray) -> str:

@@ -13,7 +13,7 @@ from .extras import need
 GRIB_NAMES = (".grib", ".grib2", ".grb", ".grb2", ".gb2", ".gb", ".grib1", ".grb1")
 
 
-def open(path: Any, *, grid: int | None = None, chunks: Any = None, **options: Any):  # noqa: A001
+def open(path: Any, *, grid: int | None = None, mesh: Any = None, chunks: Any = None, **options: Any):  # noqa: A001
     """Open weather data as an xarray.Dataset whose accessor ``.nephoscope`` draws it.
 
     Parameters
@@ -23,6 +23,8 @@ def open(path: Any, *, grid: int | None = None, chunks: Any = None, **options: A
         which is returned as it is. The kind of a file is seen from its first bytes.
     grid : int, optional
         GRIB only: which grid of a file with several, from 0. Default: an error that lists them.
+    mesh : str, pathlib.Path or xarray.Dataset, optional
+        The file of the mesh where the data do not have it: ICON's grid file, MPAS' init file, UGRID. Its dimensions are matched by their sizes.
     chunks : optional
         As in `xarray.open_dataset`: dask arrays. Default: lazy arrays of xarray, without dask.
     **options
@@ -59,7 +61,20 @@ def open(path: Any, *, grid: int | None = None, chunks: Any = None, **options: A
     if len(kinds) > 1:
         raise ValueError(f"The files are of several kinds, {', '.join(sorted(kinds))}: open them one by one.")
     dataset = {"GRIB": _open_grib, "NetCDF": _open_netcdf, "Zarr": _open_zarr}[kinds.pop()](paths, grid, chunks, options)
-    return dataset
+    return dataset if mesh is None else _with_mesh(dataset, open(mesh))
+
+
+MESH = ("clon", "clat", "clon_vertices", "clat_vertices", "lonCell", "latCell", "lonVertex", "latVertex", "verticesOnCell", "nEdgesOnCell", "zgrid", "z_ifc", "z_mc", "HHL", "HSURF", "topography_c")
+
+
+def _with_mesh(dataset, mesh):
+    """`dataset` with the variables of `mesh` that tell places and cells; dimensions of another name are matched by their sizes."""
+    topology = [name for name, variable in mesh.variables.items() if variable.attrs.get("cf_role") == "mesh_topology"]
+    wanted = [name for top in topology for key in ("face_node_connectivity", "node_coordinates", "face_coordinates") for name in str(mesh[top].attrs.get(key, "")).split()]
+    found = mesh[[name for name in dict.fromkeys([*MESH, *topology, *wanted]) if name in mesh.variables and name not in dataset.variables]]
+    unknown = [dim for dim in dataset.sizes if dim not in found.sizes]
+    names = {dim: next((own for own in unknown if dataset.sizes[own] == size), dim) for dim, size in found.sizes.items() if dim not in dataset.sizes}
+    return dataset.merge(found.reset_coords().rename({dim: own for dim, own in names.items() if own != dim}), compat="override")
 
 
 def _paths(path: Any) -> list[Path]:

@@ -20,6 +20,9 @@ HEIGHT = "geometric_height"  # the array that hands the heights to `to_globe`
 
 def place(reading: Reading, air: Air, variables: Sequence[str] | None, extra: dict[str, np.ndarray], options: dict) -> pyvista.StructuredGrid:
     """`extra`: fields that have been computed, in the shape of the grid."""
+    if reading.horizontal.is_list:
+        from .prisms import place_columns
+        return place_columns(reading, air, variables, extra, **options)
     mesh, order = structure(reading, air)
     for name in chosen(reading, variables):
         add(mesh, name, reading.values(name), order)
@@ -50,9 +53,7 @@ def chosen(reading: Reading, variables: Sequence[str] | None) -> list[str]:
 def structure(reading: Reading, air: Air) -> tuple[pyvista.DataSet, np.ndarray]:
     """The grid with its heights, and the order of its levels, from the bottom to the top."""
     heights = _heights(reading, air)
-    flat = heights.reshape(len(heights), -1)
-    with np.errstate(invalid="ignore"):
-        order = np.argsort(_height_of_levels(flat), kind="stable")
+    order = order_of_levels(heights)
     levels = reading.levels()[order] if reading.vertical and reading.vertical.kind == "pressure" else np.arange(len(order), dtype=float)
     mesh = _mesh(reading, levels)
     add(mesh, HEIGHT, heights, order)
@@ -64,7 +65,12 @@ def _heights(reading: Reading, air: Air) -> np.ndarray:
         return air.heights
     reading.note("one level, at the height 0")
     air.height_source = "none: one level"
-    return np.zeros((1, *(reading.dataset.sizes[dim] for dim in reading.horizontal.dims)))
+    return np.zeros((1, *reading.horizontal.shape))
+
+
+def order_of_levels(heights: np.ndarray) -> np.ndarray:
+    """From the bottom to the top."""
+    return np.argsort(_height_of_levels(heights.reshape(len(heights), -1)), kind="stable")
 
 
 def _height_of_levels(flat: np.ndarray) -> np.ndarray:

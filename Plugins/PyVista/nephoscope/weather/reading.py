@@ -133,6 +133,8 @@ class Reading:
         self.note(note)
         order = [dim for dim in wanted if dim in array.dims]
         found = np.asarray(array.transpose(*order).values)
+        if self.horizontal.rows is not None and self.horizontal.dims[0] in order:
+            found = self.horizontal.rows(found)
         return np.where(np.abs(found) > 1e30, np.nan, found) if found.dtype.kind == "f" else found.astype(np.float32)
 
     def role(self, role: str) -> np.ndarray:

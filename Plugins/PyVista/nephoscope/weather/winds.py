@@ -15,6 +15,10 @@ def along_grid(reading) -> bool:
     stated = variable.attrs.get("GRIB_uvRelativeToGrid")
     if stated is not None:
         return bool(int(stated))
+    if variable.attrs.get("GRIB_gridType") in ("polar_stereographic", "lambert", "rotated_ll"):  # cfgrib says nothing, and calls every u eastward_wind
+        reading.warn(f"{reading.roles['u']!r} taken as eastward: its dataset does not tell whether it is along the grid ({variable.attrs['GRIB_gridType']}). nephoscope.open of the file "
+                     f"does; or say so: ds[{reading.roles['u']!r}].attrs['GRIB_uvRelativeToGrid'] = 1.")
+        return False
     standard = str(variable.attrs.get("standard_name", ""))
     if standard in ("eastward_wind", "northward_wind"):
         return False

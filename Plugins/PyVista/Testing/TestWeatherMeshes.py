@@ -1,0 +1,220 @@
+# SPDX-FileCopyrightText: The Nephoscope authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Unstructured globes and other grids: the cells fill the shell, the winds are those of a solid rotation, projections are those of eccodes."""
+import tempfile
+import unittest
+from pathlib import Path
+
+import nephoscope
+import numpy as np
+import pyvista
+import xarray as xr
+from nephoscope.weather.polygons import healpix_centres
+from weather_data import AXIS, REGULAR, along_rows, rotation, write_grib
+
+HALF = np.array([0.0, 1000, 3000, 9000])  # m
+FULL = 0.5 * (HALF[1:] + HALF[:-1])
+
+
+def degrees(points):
+    return np.degrees(np.arctan2(points[:, 1], points[:, 0])), np.degrees(np.arcsin(points[:, 2] / np.linalg.norm(points, axis=1)))
+
+
+def fields(lon, lat, dims, height="z"):
+    """Winds of a solid rotation, and the longitude of the cell as a field."""
+    _, east, north = rotation(lon, lat)
+    wide = lambda field: np.repeat(field[None], 3, axis=0)
+    return {"u": ((height, dims), wide(east), {"units": "m/s", "standard_name": "eastward_wind"}), "v": ((height, dims), wide(north), {"units": "m/s", "standard_name": "northward_wind"}),
+            "where": ((height, dims), wide(lat), {"units": "degree"}), "z_ifc": (("z_2", dims), np.repeat(HALF[:, None], lon.size, axis=1), {"units": "m"})}
+
+
+def icosphere(subdivisions):
+    mesh = pyvista.Icosphere(nsub=subdivisions, radius=1.0)
+    return np.asarray(mesh.points, float), mesh.faces.reshape(-1, 4)[:, 1:]
+
+
+def icon(subdivisions=3):
+    """Triangles with bounds in radians."""
+    points, triangles = icosphere(subdivisions)
+    lon, lat = degrees(points[triangles].mean(1))
+    vertices = [np.radians(a)[triangles] for a in degrees(points)]
+    return xr.Dataset(fields(lon, lat, "ncells", "z") | {"clon_vertices": (("ncells", "vertices"), vertices[0]), "clat_vertices": (("ncells", "vertices"), vertices[1])},
+                      {"clon": ("ncells", np.radians(lon), {"units": "radian", "standard_name": "longitude", "bounds": "clon_vertices"}),
+                       "clat": ("ncells", np.radians(lat), {"units": "radian", "standard_name": "latitude", "bounds": "clat_vertices"})})
+
+
+def mpas(subdivisions=3):
+    """Pentagons and hexagons round the vertices of an icosphere; every second clockwise, and one spare column of zeros."""
+    points, triangles = icosphere(subdivisions)
+    corners = points[triangles].mean(1)
+    corners /= np.linalg.norm(corners, axis=1)[:, None]
+    cell, corner = triangles.ravel(), np.repeat(np.arange(len(triangles)), 3)
+    east, north = np.cross(AXIS, points), np.cross(points, np.cross(AXIS, points))
+    angle = np.arctan2((corners[corner] * north[cell]).sum(1), (corners[corner] * east[cell]).sum(1))
+    order = np.lexsort((angle, cell))
+    count = np.bincount(cell)
+    faces = np.zeros((len(points), 7), int)
+    faces[cell[order], np.arange(len(cell)) - np.repeat(np.cumsum(count) - count, count)] = corner[order] + 1
+    faces[::2, :5][count[::2] == 5] = faces[::2, :5][count[::2] == 5][:, ::-1]
+    lon, lat = degrees(points)
+    vertices = degrees(corners)
+    own = fields(lon, lat, "nCells", "nVertLevels")
+    z = own.pop("z_ifc")[1]
+    own = {name: (dims[::-1], values.T, attrs) for name, (dims, values, attrs) in own.items()}
+    return xr.Dataset(own | {"zgrid": (("nCells", "nVertLevelsP1"), z.T, {"units": "m"}), "verticesOnCell": (("nCells", "maxEdges"), faces), "nEdgesOnCell": ("nCells", count),
+                             "lonVertex": ("nVertices", np.radians(vertices[0])), "latVertex": ("nVertices", np.radians(vertices[1])),
+                             "lonCell": ("nCells", np.radians(lon)), "latCell": ("nCells", np.radians(lat))})
+
+
+def ugrid():
+    """Triangles and squares: a latitude-longitude mesh with poles."""
+    lon, lat = np.arange(0, 360, 10.0), np.arange(-80, 81, 10.0)
+    nodes = np.array([(x, y) for y in lat for x in lon] + [(0, -90), (0, 90)])
+    at = lambda j, i: j * 36 + i % 36
+    faces = [(at(j, i), at(j, i + 1), at(j + 1, i + 1), at(j + 1, i)) for j in range(16) for i in range(36)]
+    faces += [(612, at(0, i + 1), at(0, i), -999) for i in range(36)] + [(613, at(16, i), at(16, i + 1), -999) for i in range(36)]
+    faces = np.array(faces)
+    mesh = {"Mesh2": ((), 0, {"cf_role": "mesh_topology", "topology_dimension": 2, "node_coordinates": "node_x node_y", "face_node_connectivity": "face_nodes"}),
+            "node_x": ("node", nodes[:, 0], {"units": "degrees_east"}), "node_y": ("node", nodes[:, 1], {"units": "degrees_north"}),
+            "face_nodes": (("face", "corner"), np.where(faces < 0, -999, faces + 1), {"start_index": 1, "_FillValue": -999})}
+    corners = [np.radians(nodes[:, c]) for c in (0, 1)]
+    xyz = np.stack([np.cos(corners[1]) * np.cos(corners[0]), np.cos(corners[1]) * np.sin(corners[0]), np.sin(corners[1])], 1)
+    middle = (xyz[np.maximum(faces, 0)] * (faces >= 0)[..., None]).sum(1)
+    return mesh, degrees(middle), nodes.T
+
+
+class Shells(unittest.TestCase):
+    def check(self, dataset, cells, rtol):
+        grid = dataset.nephoscope.globe(radius=1e5, vertical_exaggeration=2.0)
+        self.assertEqual(grid.n_cells, 3 * cells)
+        volume = np.abs(grid.compute_cell_sizes()["Volume"]).reshape(3, -1).sum(1)
+        shell = 4 / 3 * np.pi * np.diff((1e5 + 2 * HALF) ** 3)
+        np.testing.assert_allclose(volume, shell, rtol=rtol)  # but for the chords of the cells
+        np.testing.assert_allclose(np.asarray(grid.cell_data["Height"]).reshape(3, -1), np.repeat(FULL[:, None], cells, 1))
+        lon, lat = degrees(grid.cell_centers().points)
+        np.testing.assert_allclose(np.asarray(grid.cell_data["where"]), lat, atol=3)
+        expected, _, _ = rotation(lon, lat)
+        np.testing.assert_allclose(np.asarray(grid.cell_data["Wind"]), expected, atol=2.0)  # centre of the prism against that of the file
+        return grid
+
+    def test_triangles_with_bounds(self):
+        self.check(icon(), 1280, 0.01)
+
+    def test_polygons_of_mpas(self):
+        grid = self.check(mpas(), 642, 0.02)
+        self.assertEqual(set(grid.celltypes), {15, 16})
+
+    def test_faces_and_nodes_of_ugrid(self):
+        mesh, (lon, lat), (x, y) = ugrid()
+        self.check(xr.Dataset(mesh | fields(lon, lat, "face")), 648, 0.02)
+        at_nodes = xr.Dataset(mesh | fields(x, y, "node"))
+        grid = at_nodes.nephoscope.globe()
+        self.assertEqual(grid.n_cells, 2 * 648)
+        np.testing.assert_allclose(np.linalg.norm(grid.points, axis=1) - 6371000, np.repeat(FULL, 614), atol=1)
+        np.testing.assert_allclose(np.asarray(grid.point_data["Wind"]), np.tile(rotation(x, y)[0], (3, 1)), atol=1e-4)
+
+    def test_healpix_of_both_orders(self):
+        for order, nested in (("nested", True), ("ring", False)):
+            lon, lat = healpix_centres(16, nested)
+            dataset = xr.Dataset(fields(lon, lat, "cell") | {"crs": ((), 0, {"grid_mapping_name": "healpix", "healpix_nside": 16, "healpix_order": order})})
+            self.check(dataset, 3072, 0.02)
+
+    def test_healpix_centres_are_those_of_eccodes(self):
+        with tempfile.TemporaryDirectory() as folder:
+            for order in ("ring", "nested"):
+                keys = {"gridType": "healpix", "Nside": 4, "orderingConvention": order, "longitudeOfFirstGridPointInDegrees": 45}
+                lat, lon = write_grib(Path(folder, "a"), [("t", "isobaricInhPa", 500, 1.0)], keys)
+                ours = healpix_centres(4, order == "nested")
+                np.testing.assert_allclose(ours, (np.mod(lon, 360), lat), atol=1e-6)
+
+    def test_a_list_without_a_mesh_names_the_remedy(self):
+        dataset = icon().drop_vars(["clon_vertices", "clat_vertices"])
+        with self.assertRaisesRegex(ValueError, r"list without cells.*open\(DATA, mesh=GRID\)"):
+            dataset.nephoscope.globe()
+
+    def test_the_mesh_in_a_file_of_its_own(self):
+        whole = mpas()
+        names = ["verticesOnCell", "nEdgesOnCell", "lonVertex", "latVertex", "lonCell", "latCell", "zgrid"]
+        with tempfile.TemporaryDirectory() as folder:
+            whole[names].rename(nCells="cells").to_netcdf(Path(folder, "mesh.nc"))
+            whole.drop_vars(names).to_netcdf(Path(folder, "data.nc"))
+            self.check(nephoscope.open(Path(folder, "data.nc"), mesh=Path(folder, "mesh.nc")), 642, 0.02)
+
+    def test_uneven_terrain(self):
+        """Neighbours share their corners: no gaps, the mean of what meets there."""
+        dataset = icon()
+        dataset["z_ifc"] = dataset.z_ifc * (1 + 0.2 * np.sin(3 * dataset.clon)).values
+        grid = dataset.nephoscope.globe(radius=1e5)
+        self.assertEqual(grid.n_points, 4 * 642)
+
+
+class Projections(unittest.TestCase):
+    CASES = {
+        "polar_stereographic": {"gridType": "polar_stereographic", "Nx": 30, "Ny": 30, "latitudeOfFirstGridPointInDegrees": 30, "longitudeOfFirstGridPointInDegrees": 230, "LaDInDegrees": 60,
+                                "orientationOfTheGridInDegrees": 280, "DxInMetres": 150000, "DyInMetres": 150000, "jScansPositively": 1, "shapeOfTheEarth": 6},
+        "mercator": {"gridType": "mercator", "Ni": 40, "Nj": 30, "latitudeOfFirstGridPointInDegrees": -30, "longitudeOfFirstGridPointInDegrees": 100,
+                     "latitudeOfLastGridPointInDegrees": 30, "longitudeOfLastGridPointInDegrees": 160, "LaDInDegrees": 20, "DiInMetres": 160000, "DjInMetres": 200000, "jScansPositively": 1, "shapeOfTheEarth": 6},
+        "rotated_latitude_longitude": {"gridType": "rotated_ll", "Ni": 40, "Nj": 30, "latitudeOfFirstGridPointInDegrees": -15, "latitudeOfLastGridPointInDegrees": 14,
+                                       "longitudeOfFirstGridPointInDegrees": 340, "longitudeOfLastGridPointInDegrees": 19, "iDirectionIncrementInDegrees": 1, "jDirectionIncrementInDegrees": 1,
+                                       "latitudeOfSouthernPoleInDegrees": -40, "longitudeOfSouthernPoleInDegrees": 15, "jScansPositively": 1},
+    }
+
+    def test_winds_along_the_grid(self):
+        for name, keys in self.CASES.items():
+            with self.subTest(name), tempfile.TemporaryDirectory() as folder:
+                path = Path(folder, "a.grib2")
+                keys = {**keys, "resolutionAndComponentFlags": 8 if "Nx" in keys else 56}
+                shape = (keys.get("Ny", keys.get("Nj")), keys.get("Nx", keys.get("Ni")))
+                lat, lon = (a.reshape(shape) for a in write_grib(path, [("gh", "isobaricInhPa", 500, 1.0)], keys))
+                wind, east, north = rotation(lon, lat)
+                u, v = along_rows(lon, lat, east, north)
+                write_grib(path, [f for level, z in ((850, 1500.0), (500, 5500.0)) for f in (("u", "isobaricInhPa", level, u), ("v", "isobaricInhPa", level, v), ("gh", "isobaricInhPa", level, z))], keys)
+                dataset = nephoscope.open(path)
+                got = np.asarray(dataset.nephoscope.globe()["Wind"]).reshape(2, *shape, 3)
+                np.testing.assert_allclose(got[0][:, 2:-2], wind[:, 2:-2], atol=0.02)
+                if name != "mercator":
+                    self.assertIn(name, dataset.nephoscope.describe())
+
+    def test_places_by_grid_mapping_alone(self):
+        """x and y in metres, no longitudes: the projection's own, as eccodes has them."""
+        from weather_data import LAMBERT
+        with tempfile.TemporaryDirectory() as folder:
+            lat, lon = (a.reshape(40, 60) for a in write_grib(Path(folder, "a"), [("gh", "isobaricInhPa", 500, 1.0)], LAMBERT))
+        from nephoscope.weather.projections import Conic
+        conic = Conic("lambert_conformal_conic", (265, 25), (25,))
+        turn, radius = np.radians(conic.n * (lon[0, 0] - 265)), conic._radius(np.radians(lat[0, 0]))
+        x, y = radius * np.sin(turn) + 8e4 * np.arange(60), conic._y0 - radius * np.cos(turn) + 8e4 * np.arange(40)
+        dataset = xr.Dataset({"t": (("z", "y", "x"), np.ones((2, 40, 60)), {"units": "K", "grid_mapping": "crs"}),
+                              "crs": ((), 0, {"grid_mapping_name": "lambert_conformal_conic", "standard_parallel": 25.0, "longitude_of_central_meridian": -95.0,
+                                              "latitude_of_projection_origin": 25.0, "earth_radius": 6371229.0})},
+                             {"z": ("z", [0.0, 1000], {"units": "m", "axis": "Z"}), "x": ("x", x / 1000, {"units": "km", "standard_name": "projection_x_coordinate"}),
+                              "y": ("y", y / 1000, {"units": "km", "standard_name": "projection_y_coordinate"})})
+        grid = dataset.nephoscope.globe()
+        found = degrees(np.asarray(grid.points, float)[:2400])
+        np.testing.assert_allclose(np.mod(found[0], 360), np.mod(lon.ravel(), 360), atol=1e-4)
+        np.testing.assert_allclose(found[1], lat.ravel(), atol=1e-4)
+
+    def test_reduced_gaussian_rows(self):
+        for octahedral in (False, True):
+            pl = np.array([20 + 4 * i if octahedral else 18 + 3 * i for i in range(8)])
+            pl = np.concatenate([pl, pl[::-1]])
+            keys = {"gridType": "reduced_gg", "N": 8, "Nj": 16, "pl": pl, "latitudeOfFirstGridPointInDegrees": 84, "latitudeOfLastGridPointInDegrees": -84,
+                    "longitudeOfFirstGridPointInDegrees": 0, "longitudeOfLastGridPointInDegrees": 352}
+            keys = {key: value for key, value in keys.items() if key not in ("Nj",)}
+            with tempfile.TemporaryDirectory() as folder:
+                path = Path(folder, "a.grib2")
+                write_grib(path, [("t", "isobaricInhPa", 500, 0.0)], keys, sample="reduced_gg_pl_32_grib2")
+                lat, lon = write_grib(path, [("t", "isobaricInhPa", 500, 0.0)], keys, sample="reduced_gg_pl_32_grib2")
+                values = 250 + 20 * np.sin(np.radians(lat)) + np.cos(np.radians(lon))
+                write_grib(path, [("t", "isobaricInhPa", level, values) for level in (500, 850)], keys, sample="reduced_gg_pl_32_grib2")
+                dataset = nephoscope.open(path)
+                grid = dataset.nephoscope.globe()
+                self.assertIn("reduced Gaussian", dataset.nephoscope.describe())
+            self.assertEqual(tuple(grid.dimensions), (pl.max() + 1, 18, 2))  # seam and poles are closed
+            x, y = degrees(np.asarray(grid.points, float))
+            inside = np.abs(y) < 85
+            np.testing.assert_allclose(np.asarray(grid["t"])[inside], (250 + 20 * np.sin(np.radians(y)) + np.cos(np.radians(x)))[inside], atol=0.03)
+
+
+if __name__ == "__main__":
+    unittest.main()

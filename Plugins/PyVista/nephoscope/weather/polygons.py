@@ -1,0 +1,173 @@
+# SPDX-FileCopyrightText: The Nephoscope authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""The polygons of unstructured globes: UGRID, MPAS, ICON and other cells with bounds, HEALPix."""
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from .horizontal import GridError
+
+
+@dataclass
+class Polygons:
+    """`corners`: unit vectors (m, 3); `faces`: their indices (n, k), -1 where a face has fewer, counter-clockwise from above."""
+    corners: np.ndarray
+    faces: np.ndarray
+    source: str
+    on_corners: bool = False  # True if the fields are at the corners
+
+
+def find_polygons(dataset, horizontal) -> Polygons:
+    for way in (_mpas, _ugrid, _healpix, _bounds):
+        found = way(dataset, horizontal)
+        if found is not None:
+            return _counter_clockwise(found)
+    raise GridError(f"The points of ({horizontal.dims[0]}) are a list without cells: there is no mesh (UGRID's mesh_topology, MPAS' verticesOnCell, bounds of {horizontal.names[0]!r}, a HEALPix "
+                    "grid_mapping). Give the file of the mesh: nephoscope.open(DATA, mesh=GRID).")
+
+
+def vectors(lon: np.ndarray, lat: np.ndarray) -> np.ndarray:
+    """Unit vectors of places in degrees."""
+    a, b = np.radians(lon), np.radians(lat)
+    return np.stack([np.cos(b) * np.cos(a), np.cos(b) * np.sin(a), np.sin(b)], -1)
+
+
+def _degrees(variable) -> np.ndarray:
+    values = np.asarray(variable.values, float)
+    units = str(variable.attrs.get("units", ""))
+    return np.degrees(values) if units.startswith("rad") or (not units and np.nanmax(np.abs(values)) <= 2 * np.pi + 1e-6) else values
+
+
+def _mpas(dataset, horizontal) -> Polygons | None:
+    if not {"verticesOnCell", "nEdgesOnCell", "lonVertex", "latVertex"} <= set(dataset.variables) or dataset["verticesOnCell"].dims[0] != horizontal.dims[0]:
+        return None
+    faces, count = dataset["verticesOnCell"].values.astype(int) - 1, dataset["nEdgesOnCell"].values
+    faces = np.where(np.arange(faces.shape[1]) < count[:, None], faces, -1)
+    places = [np.degrees(dataset[name].values.astype(float)) for name in ("lonVertex", "latVertex")]
+    return Polygons(vectors(*places), faces, "MPAS, verticesOnCell")
+
+
+def _ugrid(dataset, horizontal) -> Polygons | None:
+    for name, variable in dataset.variables.items():
+        if variable.attrs.get("cf_role") != "mesh_topology" or "face_node_connectivity" not in variable.attrs:
+            continue
+        connectivity = dataset[variable.attrs["face_node_connectivity"]]
+        x, y = (dataset[node] for node in variable.attrs["node_coordinates"].split()[:2])
+        if str(x.attrs.get("standard_name", x.name)).lower().startswith("lat"):
+            x, y = y, x
+        faces = connectivity.values
+        if connectivity.dims and dataset.sizes[connectivity.dims[0]] < 9 < dataset.sizes[connectivity.dims[-1]]:
+            faces = faces.T
+        start = int(connectivity.attrs.get("start_index", 0))
+        faces = np.where(np.isfinite(faces) & (np.nan_to_num(faces) >= start) & (np.nan_to_num(faces) < start + x.size), np.nan_to_num(faces) - start, -1).astype(int)
+        dim = horizontal.dims[0]
+        if dim not in (*connectivity.dims, *x.dims):
+            raise GridError(f"The fields are on {dim!r}, and the mesh {name!r} has faces on {connectivity.dims[0]!r} and nodes on {x.dims[0]!r}: fields on edges are not drawn. Average them to faces.")
+        return Polygons(vectors(_degrees(x), _degrees(y)), faces, f"UGRID, {connectivity.name}", on_corners=dim in x.dims)
+    return None
+
+
+_BOUNDS = (("clon_vertices", "clat_vertices"), ("clon_bnds", "clat_bnds"), ("lon_vertices", "lat_vertices"), ("lon_bnds", "lat_bnds"), ("lon_bounds", "lat_bounds"))
+
+
+def _bounds(dataset, horizontal) -> Polygons | None:
+    stated = tuple(dataset[name].attrs.get("bounds", "") if name in dataset.variables else "" for name in horizontal.names)
+    for x, y in (stated, *_BOUNDS):
+        if x in dataset.variables and y in dataset.variables and dataset[x].ndim == 2 and dataset[x].dims[0] == horizontal.dims[0]:
+            return merged(vectors(_degrees(dataset[x]), _degrees(dataset[y])), f"bounds {x}, {y}")
+    return None
+
+
+def merged(corners: np.ndarray, source: str) -> Polygons:
+    """From the corners of each face (n, k, 3); those at one place, to a metre or so, become one, and repeated ones of a face are left out."""
+    flat = np.nan_to_num(corners.reshape(-1, 3), nan=9.0)
+    _, first, inverse = np.unique(np.round(flat * 5e6).astype(np.int64), axis=0, return_index=True, return_inverse=True)
+    faces = inverse.reshape(corners.shape[:2])
+    gone = (faces == np.roll(faces, 1, axis=1)) | ~np.isfinite(corners).all(-1)
+    order = np.argsort(gone, axis=1, kind="stable")
+    faces = np.take_along_axis(np.where(gone, -1, faces), order, axis=1)
+    return Polygons(flat[first], faces, source)
+
+
+def _counter_clockwise(polygons: Polygons) -> Polygons:
+    """Turns the faces that are clockwise from above."""
+    faces = polygons.faces
+    count = (faces >= 0).sum(axis=1)
+    corners = polygons.corners[np.maximum(faces, 0)] * (faces >= 0)[..., None]
+    middle = corners.sum(1) / np.maximum(count, 1)[:, None]
+    following = np.where(np.arange(faces.shape[1]) + 1 < count[:, None], np.roll(np.arange(faces.shape[1]), -1)[None], 0)
+    after = np.take_along_axis(corners, following[..., None], axis=1)
+    area = (np.cross(corners, after) * middle[:, None]).sum((1, 2))
+    place = np.arange(faces.shape[1])[None]
+    turned = np.where(place < count[:, None], count[:, None] - 1 - place, place)
+    polygons.faces = np.where((area < 0)[:, None], np.take_along_axis(faces, turned, axis=1), faces)
+    return polygons
+
+
+# HEALPix (Gorski et al. 2005): pixel (x, y) of a face of nside x nside.
+
+def _healpix(dataset, horizontal) -> Polygons | None:
+    found = healpix_of(dataset, horizontal.dims[0])
+    return None if found is None else merged(healpix_corners(*found), f"HEALPix, nside {found[0]}, {'nested' if found[1] else 'ring'}")
+
+
+def healpix_of(dataset, dim: str) -> tuple[int, bool] | None:
+    """nside, and True if nested: by a grid mapping healpix, or by GRIB's keys."""
+    size = dataset.sizes[dim]
+    nside = int(round(np.sqrt(size / 12)))
+    if 12 * nside ** 2 != size:
+        return None
+    for variable in dataset.variables.values():
+        keys = variable.attrs
+        if keys.get("grid_mapping_name") == "healpix" or "healpix_nside" in keys:
+            order = str(keys.get("healpix_order", keys.get("indexing_scheme", "nest")))
+            return nside, order.startswith("nest")
+        if keys.get("GRIB_gridType") == "healpix":
+            return nside, str(keys.get("GRIB_orderingConvention", "ring")).startswith("nest")
+    return None
+
+
+def _interleaved(index: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    x, y = np.zeros_like(index), np.zeros_like(index)
+    for bit in range(30):
+        x |= ((index >> (2 * bit)) & 1) << bit
+        y |= ((index >> (2 * bit + 1)) & 1) << bit
+    return x, y
+
+
+def _on_sphere(face: np.ndarray, x: np.ndarray, y: np.ndarray, nside: int) -> np.ndarray:
+    """Unit vectors of places x, y (0 to nside, not only whole) of the faces."""
+    row, column = np.array([2, 2, 2, 2, 3, 3, 3, 3, 4, 4, 4, 4])[face], np.array([1, 3, 5, 7, 0, 2, 4, 6, 1, 3, 5, 7])[face]
+    ring = row - (x + y) / nside
+    north, south = ring < 1, ring > 3
+    width = np.where(north, ring, np.where(south, 4 - ring, 1.0))
+    z = np.where(north, 1 - width ** 2 / 3, np.where(south, width ** 2 / 3 - 1, (2 - ring) * 2 / 3))
+    with np.errstate(divide="ignore", invalid="ignore"):
+        turn = np.pi / 4 * np.where(width > 0, (column * width + (x - y) / nside) / width, 0.0)
+    flat = np.sqrt(np.maximum(0, 1 - z ** 2))
+    return np.stack([flat * np.cos(turn), flat * np.sin(turn), z], -1)
+
+
+def _pixels(nside: int, nested: bool) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    index = np.arange(12 * nside ** 2)
+    face, (x, y) = index // nside ** 2, _interleaved(index % nside ** 2)
+    if not nested:  # rings from north to south, each eastward from longitude 0
+        centre = _on_sphere(face, x + 0.5, y + 0.5, nside)
+        ring = (np.array([2, 2, 2, 2, 3, 3, 3, 3, 4, 4, 4, 4])[face] * nside - x - y)
+        order = np.lexsort((np.round(np.mod(np.arctan2(centre[:, 1], centre[:, 0]), 2 * np.pi), 9) % round(2 * np.pi, 9), ring))
+        face, x, y = face[order], x[order], y[order]
+    return face, x, y
+
+
+def healpix_corners(nside: int, nested: bool) -> np.ndarray:
+    face, x, y = _pixels(nside, nested)
+    return np.stack([_on_sphere(face, x + dx, y + dy, nside) for dx, dy in ((0, 0), (1, 0), (1, 1), (0, 1))], 1)
+
+
+def healpix_centres(nside: int, nested: bool) -> tuple[np.ndarray, np.ndarray]:
+    """Longitudes and latitudes in degrees."""
+    face, x, y = _pixels(nside, nested)
+    centre = _on_sphere(face, x + 0.5, y + 0.5, nside)
+    return np.mod(np.degrees(np.arctan2(centre[:, 1], centre[:, 0])), 360), np.degrees(np.arcsin(centre[:, 2]))

@@ -1,0 +1,150 @@
+# SPDX-FileCopyrightText: The Nephoscope authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Columns over the polygons of an unstructured globe, as wedges, hexahedra and prisms."""
+from __future__ import annotations
+
+import numpy as np
+import pyvista
+
+from .._checks import require_number
+from .._fields import choose_active_scalars
+from ..globe import EARTH_RADIUS
+from .air import Air
+from .placing import chosen, note_units, order_of_levels
+from .polygons import Polygons, find_polygons, vectors
+from .reading import Reading
+from .winds import winds
+
+HIDDEN_CELL, HIDDEN_POINT = 32, 2  # vtkDataSetAttributes
+LARGEST = 6  # sides of a prism of VTK; polygons of more are divided
+TYPES = {3: 13, 4: 12, 5: 15, 6: 16}  # VTK_WEDGE, VTK_HEXAHEDRON, VTK_PENTAGONAL_PRISM, VTK_HEXAGONAL_PRISM
+
+
+def place_columns(reading: Reading, air: Air, variables, extra: dict[str, np.ndarray], *, radius: float = EARTH_RADIUS, vertical_exaggeration: float = 1.0,
+                  mask_below_ground: bool = True, **others) -> pyvista.UnstructuredGrid:
+    if others:
+        raise ValueError(f"{', '.join(others)}: no option for an unstructured mesh, which is drawn on a globe with radius, vertical_exaggeration and mask_below_ground.")
+    planet = require_number(radius, "radius", above=0), require_number(vertical_exaggeration, "vertical_exaggeration", least=0)
+    polygons = find_polygons(reading.dataset, reading.horizontal)
+    reading.note(f"cells by {polygons.source}: fields at their {'corners' if polygons.on_corners else 'centres'}")
+    heights = air.heights if reading.vertical is not None else np.zeros((1, *reading.horizontal.shape))
+    order = order_of_levels(heights)
+    if polygons.on_corners:
+        surfaces = heights[order]
+    else:
+        surfaces = at_corners(air.interfaces(order), polygons)
+    faces, owner = divided(polygons.faces)
+    grid = columns(polygons.corners, faces, surfaces, *planet)
+    data = grid.point_data if polygons.on_corners else grid.cell_data
+    spread = (lambda values: values) if polygons.on_corners else (lambda values: values[..., owner])
+    _add_fields(grid, data, reading, air, chosen(reading, variables), extra, order, spread)
+    _add_winds(data, reading, air, heights, order, spread, planet)
+    data["Height"] = spread(heights[order]).astype(np.float32).ravel()
+    _hide(grid, data, reading, air, heights, order, spread, mask_below_ground, polygons.on_corners)
+    grid.field_data["GlobeGridProjection"], grid.field_data["PlanetRadius"], grid.field_data["VerticalExaggeration"] = [0], [planet[0]], [planet[1]]
+    choose_active_scalars(grid)
+    return grid
+
+
+def at_corners(heights: np.ndarray, polygons: Polygons) -> np.ndarray:
+    """Heights (levels, cells) at the corners: means over the cells that meet there."""
+    used = polygons.faces >= 0
+    corner, cell = polygons.faces[used], np.nonzero(used)[0]
+    result = np.empty((len(heights), len(polygons.corners)))
+    for k, row in enumerate(heights):
+        there = np.isfinite(row[cell])
+        sums = np.bincount(corner[there], row[cell[there]], len(polygons.corners))
+        counts = np.bincount(corner[there], minlength=len(polygons.corners))
+        result[k] = sums / np.maximum(counts, 1)
+    return result
+
+
+def divided(faces: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Faces of at most six sides, and the face that each is of."""
+    owner, parts = np.arange(len(faces)), [faces[:, :LARGEST]]
+    owners, rest = [owner], faces
+    while rest.shape[1] > LARGEST:
+        more = rest[:, LARGEST] >= 0
+        owner, rest = owner[more], np.concatenate([rest[more, :1], rest[more, LARGEST - 1:]], axis=1)
+        parts.append(rest[:, :LARGEST])
+        owners.append(owner)
+    width = max(part.shape[1] for part in parts)
+    return np.concatenate([np.pad(part, ((0, 0), (0, width - part.shape[1])), constant_values=-1) for part in parts]), np.concatenate(owners)
+
+
+def columns(corners: np.ndarray, faces: np.ndarray, heights: np.ndarray, radius: float, exaggeration: float) -> pyvista.UnstructuredGrid:
+    """Prisms between the surfaces `heights` (levels, corners), layer by layer; polygons where there is one surface."""
+    points = (corners[None] * (radius + exaggeration * heights)[..., None]).reshape(-1, 3)
+    count = (faces >= 0).sum(axis=1)
+    layers, sheet = len(heights) - 1, len(corners)
+    cells, types, places = [], [], []
+    for sides in np.unique(count[count > 2]):
+        here = np.flatnonzero(count == sides)
+        bottom = faces[here, :sides]
+        if layers == 0:
+            cells.append(np.insert(bottom, 0, sides, axis=1))
+            types.append(np.full(len(here), 7))  # VTK_POLYGON
+            places.append(here)
+            continue
+        if sides == 3:
+            bottom = bottom[:, ::-1]  # VTK's order of wedges until 9.6; readers of the package take both
+        prism = np.concatenate([bottom, bottom + sheet], axis=1)
+        every = (prism[None] + sheet * np.arange(layers)[:, None, None]).reshape(-1, 2 * sides)
+        cells.append(np.insert(every, 0, 2 * sides, axis=1))
+        types.append(np.full(len(every), TYPES[sides]))
+        places.append((here[None] + len(faces) * np.arange(layers)[:, None]).ravel())
+    grid = pyvista.UnstructuredGrid(*_in_order(cells, types, places), points)
+    return grid
+
+
+def _in_order(cells, types, places) -> tuple[np.ndarray, np.ndarray]:
+    """Cells of several sizes in the order of their places."""
+    places, types = np.concatenate(places), np.concatenate(types)
+    lengths = np.concatenate([np.full(len(part), part.shape[1]) for part in cells])
+    starts = np.concatenate([[0], np.cumsum(lengths)[:-1]])
+    flat = np.concatenate([part.ravel() for part in cells])
+    order = np.argsort(places)
+    inside = np.arange(lengths.sum()) - np.repeat(np.cumsum(lengths[order]) - lengths[order], lengths[order])
+    return flat[np.repeat(starts[order], lengths[order]) + inside], types[order]
+
+
+def _add_fields(grid, data, reading: Reading, air: Air, names, extra, order, spread) -> None:
+    fields = {name: reading.values(name) for name in names} | extra
+    for name, values in fields.items():
+        values = values[order] if values.ndim == 2 else values[None]
+        data[name] = spread(values).astype(np.float32).ravel()
+        note_units(grid, name, reading.dataset[name].attrs.get("units") if name in reading.dataset else None)
+    if reading.has("land"):
+        data["Land"] = np.tile(spread(reading.role("land")), len(order)).astype(np.float32)
+
+
+def _add_winds(data, reading: Reading, air: Air, heights, order, spread, planet) -> None:
+    found, names = winds(reading, air)
+    if not found:
+        return
+    lon, lat = reading.horizontal.places()
+    up = vectors(lon, lat)
+    east = vectors(lon + 90.0, np.zeros_like(lat))
+    level = np.cross(up, east)
+    u, v, w = (np.asarray(field)[order] for field in (*found, *[np.zeros_like(found[0])] * (3 - len(found))))
+    flat = u[..., None] * east + v[..., None] * level
+    wind = flat + w[..., None] * up
+    radius, exaggeration = planet
+    ratio = (radius + exaggeration * heights[order]) / (radius + heights[order])
+    display = flat * ratio[..., None] + exaggeration * w[..., None] * up
+    for name, values in (("Wind", wind), ("DisplayVelocity", display)):
+        data[name] = np.stack([spread(values[..., c]) for c in range(3)], -1).reshape(-1, 3).astype(np.float32)
+    data.active_vectors_name = "DisplayVelocity"
+
+
+def _hide(grid, data, reading: Reading, air: Air, heights, order, spread, mask: bool, on_corners: bool) -> None:
+    below = ~np.isfinite(heights)
+    if mask and reading.vertical is not None:
+        if reading.vertical.kind == "pressure" and air.surface_pressure is not None:
+            below |= air.pressure > air.surface_pressure
+        elif air.terrain is not None:
+            below |= heights < air.terrain - 1.0
+    data["BelowGround"] = spread(below[order]).astype(np.uint8).ravel()
+    hidden = np.asarray(data["BelowGround"]) * np.uint8(HIDDEN_POINT if on_corners else HIDDEN_CELL)
+    if hidden.any():
+        data["vtkGhostType"] = hidden
