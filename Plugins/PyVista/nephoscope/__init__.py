@@ -36,6 +36,7 @@ if _TYPE_CHECKING:
     from .terrain import add_terrain, terrain_surface
     from .viewing import viewer
     from .weather.opening import open  # noqa: A004
+    from .weather.series import animate
 
 VTK_FUNCTIONS = {"override_vtk": "override"}  # those that need VTK alone
 
@@ -65,6 +66,7 @@ PYVISTA_FUNCTIONS = {
     "serve": "serving",
     "viewer": "viewing",
     "open": "weather.opening",
+    "animate": "weather.series",
 }
 
 

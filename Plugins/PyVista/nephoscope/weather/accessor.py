@@ -33,7 +33,8 @@ class WeatherAccessor:
         reading = Reading(self._dataset, time=time, vertical=vertical, names=roles)
         return reading, Air(reading)
 
-    def globe(self, *, time: int | str | np.datetime64 | None = None, variables: Sequence[str] | None = None, vertical: str | None = None, **options: Any):
+    def globe(self, *, time: int | str | np.datetime64 | None = None, variables: Sequence[str] | None = None, vertical: str | None = None,
+              derive: str | Sequence[str] = (), **options: Any):
         """Make the mesh of one time step on a globe or a map, at its heights, with winds as vectors.
 
         Parameters
@@ -44,6 +45,9 @@ class WeatherAccessor:
             Variables to carry. Default: all on the grid. Winds and heights are read in any case.
         vertical : str, optional
             The vertical dimension. Default: found by axis, positive, standard_name, units, GRIB type of level or name.
+        derive : str or sequence of str, optional
+            Quantities to compute: ``"relative_humidity"`` (1), ``"potential_temperature"`` and ``"equivalent_potential_temperature"`` (K), ``"wind_speed"``
+            (m/s), ``"vorticity"`` (1/s), ``"cloud_content"`` and ``"water_vapour"`` (kg/m3), ``"cloud_fraction"`` (1, by the humidity if the model has none).
         **options
             Names of variables for roles that were not found or not well: ``u``, ``v``, ``w``, ``temperature``, ``specific_humidity``,
             ``relative_humidity``, ``pressure``, ``geopotential``, ``geopotential_height``, ``altitude``, ``surface_pressure``, ``terrain``, ``land``,
@@ -59,10 +63,50 @@ class WeatherAccessor:
         ValueError
             If places, levels, heights or units cannot be found; the message names what was looked for and what there is.
         """
+        from .derived import derived
         from .placing import place
         roles, rest = _options(options)
         reading, air = self._understood(time, vertical, roles)
-        return place(reading, air, variables, {}, rest)
+        return place(reading, air, variables, derived(derive, reading, air), rest)
+
+    def series(self, *, heights: bool = False, **options: Any):
+        """Make the meshes of all time steps, each when it is asked for.
+
+        Parameters
+        ----------
+        heights : bool, default: False
+            The points of ``mesh`` move with the heights of each step.
+        **options
+            Those of `globe`.
+
+        Returns
+        -------
+        nephoscope.weather.series.Series
+            A sequence of meshes with ``times``, ``seconds``, ``mesh`` and ``show(step)``, which gives ``mesh`` the values of a step.
+        """
+        from .series import Series
+        return Series(self._dataset, heights=heights, **options)
+
+    def column(self, quantity: str = "cloud_content", *, time: int | str | np.datetime64 | None = None, vertical: str | None = None, **options: Any):
+        """Integrate a quantity over height, for a map or the ground of a globe.
+
+        Parameters
+        ----------
+        quantity : str, default: "cloud_content"
+            ``"cloud_content"``, ``"water_vapour"``, or a variable that is a mass fraction.
+        time, vertical, **options
+            As in `globe`; heights are 0.
+
+        Returns
+        -------
+        pyvista.StructuredGrid or pyvista.UnstructuredGrid
+            One level, with the array ``column`` in kg/m2.
+        """
+        from .derived import column_of
+        from .placing import place_sheet
+        roles, rest = _options(options)
+        reading, air = self._understood(time, vertical, roles)
+        return place_sheet(reading, {"column": column_of(quantity, reading, air)}, rest)
 
     def terrain(self, *, time: int | str | np.datetime64 | None = None, vertical: str | None = None, **options: Any):
         """Make the terrain as a surface, as `nephoscope.terrain_surface` does.

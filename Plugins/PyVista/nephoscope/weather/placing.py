@@ -39,6 +39,17 @@ def place(reading: Reading, air: Air, variables: Sequence[str] | None, extra: di
     return grid
 
 
+def place_sheet(reading: Reading, fields: dict[str, np.ndarray], options: dict) -> pyvista.DataSet:
+    """Fields of one level, at the height 0."""
+    if reading.horizontal.is_list:
+        from .prisms import place_sheet_of_cells
+        return place_sheet_of_cells(reading, fields, **options)
+    mesh = _mesh(reading, np.zeros(1))
+    for name, values in fields.items():
+        mesh.point_data[name] = np.ascontiguousarray(values, dtype=np.float32).ravel()
+    return to_globe(mesh, height=False, wind=False, level_units="m", mask_below_ground=False, **options)
+
+
 def chosen(reading: Reading, variables: Sequence[str] | None) -> list[str]:
     """The variables to carry: those named, or all on the grid."""
     there = reading.plain_variables()

@@ -46,6 +46,15 @@ def place_columns(reading: Reading, air: Air, variables, extra: dict[str, np.nda
     return grid
 
 
+def place_sheet_of_cells(reading: Reading, fields: dict[str, np.ndarray], *, radius: float = EARTH_RADIUS) -> pyvista.UnstructuredGrid:
+    polygons = find_polygons(reading.dataset, reading.horizontal)
+    faces, owner = divided(polygons.faces)
+    grid = columns(polygons.corners, faces, np.zeros((1, len(polygons.corners))), radius, 1.0)
+    for name, values in fields.items():
+        (grid.point_data if polygons.on_corners else grid.cell_data)[name] = (values if polygons.on_corners else values[owner]).astype(np.float32)
+    return grid
+
+
 def at_corners(heights: np.ndarray, polygons: Polygons) -> np.ndarray:
     """Heights (levels, cells) at the corners: means over the cells that meet there."""
     used = polygons.faces >= 0

@@ -1,0 +1,61 @@
+# SPDX-FileCopyrightText: The Nephoscope authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Time: one mesh whose values follow, a film, smoke and textures from the same series."""
+import tempfile
+import unittest
+from pathlib import Path
+
+import nephoscope
+import numpy as np
+import pyvista
+import xarray as xr
+from weather_data import isothermal
+
+LON, LAT = np.arange(0, 40, 5.0), np.arange(20, 60, 5.0)
+
+
+def forecast(steps=3):
+    """Cloud fraction is 0.2, 0.5, ... everywhere; the wind is 10 m/s eastward; six hours between the steps."""
+    first = isothermal(LON, LAT)
+    times = np.datetime64("2020-01-01T00", "ns") + np.arange(steps) * np.timedelta64(6, "h")
+    dims, shape = ("time", *first.ta.dims), (steps, *first.ta.shape)
+    ones = np.ones(shape)
+    return first.assign(cl=(dims, ones * (0.2 + 0.3 * np.arange(steps).reshape(-1, 1, 1, 1)), {"units": "1"}), ua=(dims, 10 * ones, {"units": "m/s"}), va=(dims, 0 * ones, {"units": "m/s"}),
+                        time=("time", times))
+
+
+class Animation(unittest.TestCase):
+    def test_values_follow_and_the_mesh_stays(self):
+        series = forecast().nephoscope.series()
+        mesh, points = series.mesh, np.array(series.mesh.points)
+        self.assertEqual((len(series), series.times[1], list(series.seconds)), (3, "2020-01-01 06:00", [0, 21600, 43200]))
+        for step in (2, 0, 1):
+            before = mesh.GetMTime()
+            series.show(step)
+            self.assertIs(series.mesh, mesh)
+            self.assertGreater(mesh.GetMTime(), before)
+            np.testing.assert_allclose(mesh["cl"], 0.2 + 0.3 * step, rtol=1e-6)
+            np.testing.assert_array_equal(mesh.points, points)
+        np.testing.assert_allclose(series[-1]["cl"], 0.8, rtol=1e-6)
+
+    def test_film_and_slider(self):
+        with tempfile.TemporaryDirectory() as folder:
+            plotter = pyvista.Plotter(off_screen=True, window_size=(120, 90))
+            nephoscope.animate(plotter, forecast(), "cl", filename=Path(folder, "frames"), show_time=False, progress=False, projection="map", vertical_exaggeration=50)
+            pictures = [pyvista.read(name)["PNGImage"].astype(float).mean() for name in sorted(Path(folder, "frames").glob("*.png"))]
+            plotter.close()
+            self.assertEqual(len(pictures), 3)
+            self.assertGreater(min(abs(np.diff(pictures))), 1.0)
+            with self.assertRaisesRegex(ValueError, "ending must be .gif or .mp4"):
+                nephoscope.animate(pyvista.Plotter(off_screen=True), forecast(), "cl", filename="film.avi")
+
+    def test_textures_and_smoke_take_the_series(self):
+        series = forecast().nephoscope.series(projection="map")
+        moved = nephoscope.advect_texture(series.at, 3600.0, times=series.seconds)
+        self.assertEqual(moved.n_points, series.mesh.n_points)
+        smoke = nephoscope.flow_volume(series.at, times=series.seconds, time=3600.0)
+        self.assertGreater(smoke.n_cells, 0)
+
+
+if __name__ == "__main__":
+    unittest.main()

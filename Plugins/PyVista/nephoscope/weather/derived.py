@@ -1,0 +1,137 @@
+# SPDX-FileCopyrightText: The Nephoscope authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Physical quantities that follow from what a dataset has: ready to draw."""
+from __future__ import annotations
+
+import numpy as np
+
+from .._checks import listed
+from .air import KAPPA, Air
+from .columns import density
+from .humidity import relative_from_specific
+from .polygons import vectors
+from .reading import Reading
+from .winds import winds
+
+EARTH_RADIUS = 6371229.0  # metres
+CRITICAL_HUMIDITY = 0.8  # of Sundqvist's cloud fraction
+WATER = ("cloud_water", "cloud_ice", "rain", "snow", "graupel")
+
+
+def derived(names, reading: Reading, air: Air) -> dict[str, np.ndarray]:
+    """{name: field}, in the dataset's order of levels."""
+    wanted = [names] if isinstance(names, str) else list(names)
+    unknown = [name for name in wanted if name not in QUANTITIES]
+    if unknown:
+        raise ValueError(f"derive: {listed(unknown)} not known. There are: {listed(list(QUANTITIES))}.")
+    return {name: QUANTITIES[name](reading, air) for name in wanted}
+
+
+def _need(value, what: str, name: str):
+    if value is None:
+        raise ValueError(f"{name} needs {what}, which was not found. Name the variable: globe({what.replace(' ', '_')}='...'), as describe() lists them.")
+    return value
+
+
+def relative_humidity(reading: Reading, air: Air) -> np.ndarray:
+    """1 = saturated over water (Bolton 1980)."""
+    if reading.has("relative_humidity"):
+        return reading.role("relative_humidity")
+    specific = _need(air.specific_humidity, "specific humidity", "relative_humidity")
+    return relative_from_specific(specific, _need(air.temperature, "temperature", "relative_humidity"), _need(air.pressure, "pressure", "relative_humidity"))
+
+
+def potential_temperature(reading: Reading, air: Air) -> np.ndarray:
+    """K, to 1000 hPa."""
+    return _need(air.temperature, "temperature", "potential_temperature") * (1e5 / _need(air.pressure, "pressure", "potential_temperature")) ** KAPPA
+
+
+def equivalent_potential_temperature(reading: Reading, air: Air) -> np.ndarray:
+    """K (Bolton 1980, equations 22 and 43)."""
+    name = "equivalent_potential_temperature"
+    t, p = _need(air.temperature, "temperature", name), _need(air.pressure, "pressure", name)
+    specific = np.maximum(_need(air.specific_humidity, "specific humidity", name), 1e-9)
+    ratio = 1000 * specific / (1 - specific)  # g/kg
+    humidity = np.clip(relative_from_specific(specific, t, p), 1e-6, None)
+    condensation = 1 / (1 / (t - 55) - np.log(humidity) / 2840) + 55
+    return t * (1e5 / p) ** (0.2854 * (1 - 0.28e-3 * ratio)) * np.exp((3.376 / condensation - 0.00254) * ratio * (1 + 0.81e-3 * ratio))
+
+
+def wind_speed(reading: Reading, air: Air) -> np.ndarray:
+    """m/s, horizontal."""
+    return np.hypot(*_horizontal(reading, air, "wind_speed"))
+
+
+def _horizontal(reading: Reading, air: Air, name: str):
+    found, _ = winds(reading, air)
+    if not found:
+        raise ValueError(f"{name} needs both horizontal winds, which were not found. Name the variables: globe(u='...', v='...').")
+    return np.asarray(found[0], float), np.asarray(found[1], float)
+
+
+def vorticity(reading: Reading, air: Air) -> np.ndarray:
+    """1/s, relative, upward: the circulation round each point by its area, on any grid of rows and columns."""
+    if reading.horizontal.is_list:
+        raise ValueError("vorticity is computed on grids of rows and columns, and this one is a list of cells.")
+    u, v = _horizontal(reading, air, "vorticity")
+    lon, lat = reading.horizontal.places()
+    closed = reading.horizontal.is_regular and abs(np.ptp(lon[0]) + abs(lon[0, 1] - lon[0, 0]) - 360) < 1e-3
+    around = (lambda field, axis: np.concatenate([field.take([-1], axis), field, field.take([0], axis)], axis)) if closed else lambda field, axis: field
+    u, v, lon, lat = around(u, u.ndim - 1), around(v, v.ndim - 1), around(lon, 1), around(lat, 1)
+    up = vectors(lon, lat)
+    east = vectors(lon + 90.0, np.zeros_like(lat))
+    wind = u[..., None] * east + v[..., None] * np.cross(up, east)
+    along, across = (EARTH_RADIUS * np.gradient(up, axis=axis) for axis in (1, 0))
+    area = (np.cross(along, across) * up).sum(-1)
+    circulation = np.gradient((wind * across).sum(-1), axis=-1) - np.gradient((wind * along).sum(-1), axis=-2)
+    with np.errstate(divide="ignore", invalid="ignore"):
+        field = np.where(np.abs(area) > 1e-6 * np.abs(area).max(), circulation / area, np.nan)
+    return field[..., 1:-1] if closed else field
+
+
+def cloud_content(reading: Reading, air: Air) -> np.ndarray:
+    """kg/m3: cloud water, ice, rain, snow and graupel, those there are."""
+    there = [role for role in WATER if reading.has(role)]
+    if not there:
+        raise ValueError(f"cloud_content needs one of {listed(list(WATER))}, and none was found. Name the variable: globe(cloud_water='...').")
+    reading.note(f"cloud_content of {', '.join(reading.roles[role] for role in there)}")
+    return sum(reading.role(role).astype(float) for role in there) * _density(air, "cloud_content")
+
+
+def _density(air: Air, name: str) -> np.ndarray:
+    return density(_need(air.pressure, "pressure", name), _need(air.virtual_temperature, "temperature", name))
+
+
+def cloud_fraction(reading: Reading, air: Air) -> np.ndarray:
+    """The model's own; where it has none, 1 - sqrt((1 - RH) / (1 - 0.8)) (Sundqvist, Berge and Kristjansson 1989)."""
+    if reading.has("cloud_fraction"):
+        return reading.role("cloud_fraction")
+    reading.note(f"cloud_fraction from the relative humidity, critical at {CRITICAL_HUMIDITY:g} (Sundqvist et al. 1989)")
+    humidity = np.clip(relative_humidity(reading, air), CRITICAL_HUMIDITY, 1.0)
+    return 1 - np.sqrt((1 - humidity) / (1 - CRITICAL_HUMIDITY))
+
+
+def water_vapour(reading: Reading, air: Air) -> np.ndarray:
+    """kg/m3."""
+    return _need(air.specific_humidity, "specific humidity", "water_vapour") * _density(air, "water_vapour")
+
+
+QUANTITIES = {function.__name__: function for function in (relative_humidity, potential_temperature, equivalent_potential_temperature, wind_speed, vorticity, cloud_content, cloud_fraction,
+                                                           water_vapour)}
+
+
+def column_of(name: str, reading: Reading, air: Air) -> np.ndarray:
+    """Integral over height of a quantity per volume, or of a mass fraction times the density; above the ground, by the trapezoidal rule."""
+    if name in ("cloud_content", "water_vapour"):
+        field = QUANTITIES[name](reading, air)
+    elif name in [known for known, _ in reading.field_variables()]:
+        field = reading.values(name) * _density(air, name)
+    else:
+        raise ValueError(f"column: {name!r} is neither 'cloud_content', 'water_vapour' nor a variable on the levels: {listed([known for known, _ in reading.field_variables()])}.")
+    order = np.argsort(np.nanmean(air.heights.reshape(len(air.heights), -1), axis=1))
+    z, f = air.heights[order], np.asarray(field, float)[order]
+    ground = air.terrain if air.terrain is not None else np.full(z.shape[1:], -np.inf)
+    lower, upper = np.maximum(z[:-1], ground), np.maximum(z[1:], ground)
+    pieces = 0.5 * (f[:-1] + f[1:]) * (upper - lower)
+    total = np.nansum(pieces, axis=0)
+    return np.where(np.isfinite(pieces).any(axis=0), total, np.nan)
