@@ -1,9 +1,10 @@
 # SPDX-FileCopyrightText: The Nephoscope authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""What is fuzzed: every filter and mapper that the package wraps. A case is made from its number alone, so that it can be repeated."""
+"""What is fuzzed: every filter and mapper that the package wraps, and files. A case is made from its number alone, so that it can be repeated."""
 import hashlib
 import inspect
 
+import damaged_files
 import nephoscope
 import numpy as np
 import random_calls
@@ -188,12 +189,17 @@ def run_mapper(cls, seed, made):
 
 FILTERS = {name: cls for name, cls in classes(vtkAlgorithm).items() if not issubclass(cls, (vtkMapper, vtkAbstractVolumeMapper))}
 MAPPERS = {**classes(vtkAbstractVolumeMapper), **classes(vtkMapper)}
-NAMES = sorted([*FILTERS, *MAPPERS])
+NAMES = sorted([*FILTERS, *MAPPERS, *damaged_files.READERS])
+
+
+def run_reader(name, seed, made):
+    return [digest(damaged_files.run(name, seed, made))]
 
 
 def run(name, seed, made):
     """Runs a case twice; results must not differ. `made` gets the calls as text."""
-    run_one, cls = (run_filter, FILTERS[name]) if name in FILTERS else (run_mapper, MAPPERS[name])
-    first = run_one(cls, seed, made)
-    if first != run_one(cls, seed, []):
+    run_one, subject = ((run_filter, FILTERS[name]) if name in FILTERS else (run_mapper, MAPPERS[name]) if name in MAPPERS
+                        else (run_reader, name))
+    first = run_one(subject, seed, made)
+    if first != run_one(subject, seed, []):
         raise Finding("run twice, the results differ")
