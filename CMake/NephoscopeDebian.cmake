@@ -28,7 +28,7 @@ file(WRITE "${nephoscope_debian}/triggers" "activate-noawait ldconfig\n")
 file(WRITE "${nephoscope_debian}/prerm" "#!/bin/sh
 set -e
 # What Python has compiled beside the modules.
-rm -rf /usr/${NEPHOSCOPE_PYTHON_DESTINATION}/nephoscope/__pycache__
+rm -rf /usr/${NEPHOSCOPE_PYTHON_DESTINATION}/nephoscope/__pycache__ /usr/${NEPHOSCOPE_PYTHON_DESTINATION}/nephoscope/*/__pycache__
 ")
 file(CHMOD "${nephoscope_debian}/prerm" PERMISSIONS OWNER_READ OWNER_WRITE OWNER_EXECUTE GROUP_READ GROUP_EXECUTE WORLD_READ WORLD_EXECUTE)
 set(CPACK_DEBIAN_PACKAGE_CONTROL_EXTRA "${nephoscope_debian}/triggers;${nephoscope_debian}/prerm")

@@ -36,7 +36,7 @@ def linked(text):
 
 
 def summary(name, module):
-    tree = ast.parse((PACKAGE / f"{module}.py").read_text(encoding="utf-8"))
+    tree = ast.parse((PACKAGE / f"{module.replace('.', '/')}.py").read_text(encoding="utf-8"))
     function = next(node for node in tree.body if isinstance(node, ast.FunctionDef) and node.name == name)
     return linked(" ".join(ast.get_docstring(function).split("\n\n")[0].split()))
 
