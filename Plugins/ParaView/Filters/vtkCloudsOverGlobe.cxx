@@ -197,7 +197,7 @@ void vtkCloudsOverGlobe::MakeEarth(vtkPolyData* earth)
   }
   earth->SetPoints(points);
   earth->SetPolys(quads);
-  earth->GetPointData()->SetScalars(colours);
+  earth->GetPointData()->AddArray(colours); // no active scalars, which ParaView would colour by, with a scalar bar
 }
 
 void vtkCloudsOverGlobe::PrintSelf(ostream& os, vtkIndent indent)

@@ -5,7 +5,7 @@ that are made before there are data find the default array when there are."""
 import os
 
 import numpy as np
-from PluginTesting import GFS, check, image, load_plugin, new_view, passed, pvs, save_image, servermanager
+from PluginTesting import GFS, check, check_same, image, load_plugin, new_view, passed, pvs, save_image, servermanager
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
 
@@ -17,7 +17,8 @@ def check_example():
     check(clouds.Representation == "Cell Compositing", f"the clouds are shown as {clouds.Representation}")
     check(clouds.ColorArrayName[1] == "cloud_fraction", f"coloured by {clouds.ColorArrayName}")
     pvs.Hide(example, view)
-    pvs.Show(pvs.OutputPort(example, 1), view)
+    ground = pvs.Show(pvs.OutputPort(example, 1), view)
+    check(not ground.ColorArrayName[1], f"the window shows a scalar bar of {ground.ColorArrayName[1]}")
     view.CameraPosition, view.CameraFocalPoint, view.CameraViewUp = [0, -3e7, 0], [0, 0, 0], [0, 0, 1]  # the Americas
     pvs.ResetCamera(view)
     earth = image(view)
@@ -25,6 +26,9 @@ def check_example():
     check(brown > 0.005, f"{brown:.1%} of the picture are brown: not the colours of the Earth")
     blue = (earth[:, :, 2] > earth[:, :, 0] + 10).mean()
     check(blue > 0.1, f"{blue:.1%} of the picture are blue: no Earth")
+    ground.ColorArrayName = ["POINTS", "Earth"]
+    check_same(image(view), earth, "coloured by the array Earth")
+    ground.ColorArrayName = ["POINTS", ""]
     pvs.Show(example, view)
     both = image(view)
     save_image(both, "CloudsOverGlobe")
