@@ -377,7 +377,7 @@ int walk(vec2 range)
   int outcome = mayGoOn;
   for (int i = 0; i < steps; ++i)
   {
-    if (!inSegment)
+    if (!useSurfaces || !inSegment)
     {
       Seen ahead;
       bool inside = true;
@@ -576,7 +576,16 @@ void main()
     }
     else
     {
-      walk(range);
+      bool goesOn = true;
+      if (startsAtEye != 0)
+      {
+        addPart(1.0, false, 0.0, range);
+        goesOn = goOn();
+      }
+      if (goesOn)
+      {
+        walk(range);
+      }
     }
     if (!walkIsLost)
     {

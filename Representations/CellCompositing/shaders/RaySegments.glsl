@@ -121,11 +121,13 @@ void addAlongOneScalar(float front, float back, float depth)
   float perScalar = depth / abs(back - front);
   float from = front;
   int number = 0, last = 0;
+  int numberOfNodes = numberOfTransferNodes;
 #ifndef SMALL_TABLE
+  numberOfNodes = transferTable.y;
   number = findInterval(transferNodes, transferTable, front);
   last = findInterval(transferNodes, transferTable, back);
 #endif
-  for (int i = 0; i <= transferTable.y; ++i)
+  for (int i = 0; i <= numberOfNodes; ++i)
   {
     Interval interval = intervalFrom(from, up, number);
     float to = up ? min(back, interval.high) : max(back, interval.low);
