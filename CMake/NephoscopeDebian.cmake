@@ -35,11 +35,11 @@ set(CPACK_DEBIAN_PACKAGE_CONTROL_EXTRA "${nephoscope_debian}/triggers;${nephosco
 
 # ParaView loads only plugins made with its own version.
 string(REGEX REPLACE "^([0-9]+)[.]([0-9]+).*" "\\1.\\2" nephoscope_paraview_version "${ParaView_VERSION}")
-set(nephoscope_qt 5)
-if (PARAVIEW_QT_MAJOR_VERSION)
-  set(nephoscope_qt ${PARAVIEW_QT_MAJOR_VERSION})
-endif ()
 math(EXPR nephoscope_next_minor "${ParaView_VERSION_MINOR} + 1")
+set(nephoscope_qt 6) # that of Debian's ParaView
+if (ParaView_VERSION VERSION_LESS 5.13)
+  set(nephoscope_qt 5)
+endif ()
 
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_NAME nephoscope-paraview)
