@@ -26,11 +26,6 @@ constexpr double roundingShare = 1e-9;
 // Sine of the least angle of a triangle that is not flat.
 constexpr double flatAngle = 1e-8;
 
-double Square(const double v[3])
-{
-  return v[0] * v[0] + v[1] * v[1] + v[2] * v[2];
-}
-
 struct Volumes
 {
   double Sum = 0;
@@ -129,13 +124,9 @@ double CellTetrahedra::ShortestDistance() const
   return least;
 }
 
-double CellTetrahedra::Volume(const Place& a, const Place& b, const Place& c, const Place& d)
+double CellTetrahedra::Volume(const Vector3& a, const Vector3& b, const Vector3& c, const Vector3& d)
 {
-  const double u[3] = { b[0] - a[0], b[1] - a[1], b[2] - a[2] };
-  const double v[3] = { c[0] - a[0], c[1] - a[1], c[2] - a[2] };
-  const double w[3] = { d[0] - a[0], d[1] - a[1], d[2] - a[2] };
-  return w[0] * (u[1] * v[2] - u[2] * v[1]) + w[1] * (u[2] * v[0] - u[0] * v[2]) +
-    w[2] * (u[0] * v[1] - u[1] * v[0]);
+  return tripleProduct(b - a, c - a, d - a);
 }
 
 bool CellTetrahedra::Divide()
@@ -196,7 +187,7 @@ void CellTetrahedra::ReadPolyhedronFaces()
 double CellTetrahedra::Extent() const
 {
   double largest = 0;
-  for (const Place& place : this->Places)
+  for (const Vector3& place : this->Places)
   {
     for (int axis = 0; axis < 3; ++axis)
     {
@@ -272,9 +263,9 @@ void CellTetrahedra::MergeRepeatedVertices()
   this->FaceStream.resize(to);
 }
 
-CellTetrahedra::Place CellTetrahedra::Mean() const
+Vector3 CellTetrahedra::Mean() const
 {
-  Place sum = { { 0, 0, 0 } };
+  Vector3 sum = { { 0, 0, 0 } };
   for (int vertex : this->Order) // an order that does not depend on numbering
   {
     for (int axis = 0; axis < 3; ++axis)
@@ -323,17 +314,11 @@ bool CellTetrahedra::HasFlatTriangle(const int* begin, const int* end) const
 {
   bool flat = false;
   EmitFan(begin, end - begin > 3 ? end : begin + 1, [&](int a, int b, int c) {
-    const Place& x = this->Places[a];
-    double u[3];
-    double v[3];
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      u[axis] = this->Places[b][axis] - x[axis];
-      v[axis] = this->Places[c][axis] - x[axis];
-    }
-    const double n[3] = { u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2],
-      u[0] * v[1] - u[1] * v[0] };
-    flat = flat || !(Square(n) > flatAngle * flatAngle * Square(u) * Square(v));
+    const Vector3& x = this->Places[a];
+    const Vector3 u = this->Places[b] - x;
+    const Vector3 v = this->Places[c] - x;
+    const Vector3 n = cross(u, v);
+    flat = flat || !(dot(n, n) > flatAngle * flatAngle * dot(u, u) * dot(v, v));
   });
   return flat;
 }
@@ -419,7 +404,7 @@ bool CellTetrahedra::DivideByVTK()
 // Up to the rounding of points in float.
 bool CellTetrahedra::IsAt(int vertex, const double x[3]) const
 {
-  const Place& place = this->Places[vertex];
+  const Vector3& place = this->Places[vertex];
   return std::equal(place.begin(), place.end(), x,
     [](double a, double b) { return static_cast<float>(a) == static_cast<float>(b); });
 }

@@ -11,6 +11,8 @@
 #ifndef CellTetrahedra_h
 #define CellTetrahedra_h
 
+#include "Vector3.h"
+
 #include "vtkDataSet.h"
 #include "vtkGenericCell.h"
 #include "vtkIdList.h"
@@ -31,8 +33,6 @@ using FaceKey = std::array<vtkIdType, 4>;
 class CellTetrahedra
 {
 public:
-  using Place = std::array<double, 3>;
-
   enum class Kind
   {
     Solid,
@@ -56,7 +56,7 @@ public:
 
   /** Reads the coordinates, which only what follows needs. */
   void Locate();
-  const Place& PlaceOf(int vertex) const { return this->Places[vertex]; }
+  const Vector3& PlaceOf(int vertex) const { return this->Places[vertex]; }
   /** Least distance of two vertices that do not coincide; 0 if there are none. */
   double ShortestDistance() const;
 
@@ -77,7 +77,7 @@ public:
   {
     this->Locate();
     this->ReadFaces();
-    const Place middle = this->Mean();
+    const Vector3 middle = this->Mean();
     this->VisitFaces([&](const int* begin, const int* end) {
       if (wanted(begin, end))
       {
@@ -124,7 +124,7 @@ public:
   FaceKey KeyOf(const int* begin, const int* end) const;
 
 private:
-  static double Volume(const Place& a, const Place& b, const Place& c, const Place& d);
+  static double Volume(const Vector3& a, const Vector3& b, const Vector3& c, const Vector3& d);
   bool IsHidden() const;
   int DimensionOf(int cellType);
   void ReadFaces();
@@ -134,7 +134,7 @@ private:
   void TurnFaces();
   void TurnToFullFan(int* begin, int* end) const;
   bool HasFlatTriangle(const int* begin, const int* end) const;
-  Place Mean() const;
+  Vector3 Mean() const;
   double Extent() const;
   bool DivideLinear();
   bool ConeFrom(int apex);
@@ -153,7 +153,7 @@ private:
   vtkNew<vtkIdList> Stream;
   vtkNew<vtkPoints> TrianglePoints;
   vtkNew<vtkGenericCell> AnyCell;
-  std::vector<Place> Places;
+  std::vector<Vector3> Places;
   std::vector<int> Order; // vertices from the least to the largest
   std::vector<int> Ranks;
   std::vector<int> Representatives; // of vertices in one place, the one with the least number

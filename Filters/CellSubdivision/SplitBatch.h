@@ -48,7 +48,7 @@ struct SplitCells
 struct CellCentre
 {
   vtkIdType Cell;
-  CellTetrahedra::Place Place;
+  Vector3 Place;
   double Scalar;
 };
 

@@ -5,6 +5,7 @@
 #include "ChosenPointArray.h"
 #include "ContourScalars.h"
 #include "CutNumbering.h"
+#include "OwnThreads.h"
 #include "RequiredInput.h"
 #include "SplitAssembly.h"
 #include "SplitBatch.h"
@@ -41,12 +42,6 @@ namespace
 constexpr vtkIdType cellsPerBatch = 2048;
 constexpr vtkIdType progressSteps = 24;
 constexpr double splitShare = 0.7; // of the time, about; the rest is putting the output together
-
-template <typename Function>
-void WithThreads(Function&& function)
-{
-  vtkSMPTools::LocalScope(vtkSMPTools::Config(0, "STDThread", false), function);
-}
 
 std::string NameOf(vtkAbstractArray* array)
 {
@@ -126,7 +121,7 @@ int vtkContourCellSplitter::RequestData(
   }
   bool finished = false;
   std::vector<nephoscope::SplitBatch> batches;
-  WithThreads([&]() {
+  nephoscope::withThreads([&]() {
     const nephoscope::ContourScalars scalars(input, array, levels);
     finished = this->SplitCells(input, scalars, batches);
     if (finished)

@@ -10,19 +10,12 @@
 #include "vtkDataSet.h"
 #include "vtkInformation.h"
 #include "vtkPointData.h"
-#include "vtkSMPTools.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 
 #include <string>
 
 namespace nephoscope
 {
-template <typename Function>
-void WithThreads(Function&& function)
-{
-  vtkSMPTools::LocalScope(vtkSMPTools::Config(0, "STDThread", false), function);
-}
-
 inline std::string Quoted(vtkAbstractArray* array)
 {
   return array->GetName() ? "'" + std::string(array->GetName()) + "'" : std::string("without a name");

@@ -2,8 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "BlockNeighbours.h"
 
+#include "DataSets.h"
+
 #include "vtkCellData.h"
-#include "vtkCompositeDataIterator.h"
 #include "vtkCompositeDataSet.h"
 #include "vtkDataSetAttributes.h"
 #include "vtkDoubleArray.h"
@@ -149,11 +150,9 @@ std::string ArraysOf(vtkDataSet* grid)
 std::map<std::string, std::vector<vtkDataSet*>> GridsOf(vtkCompositeDataSet* group)
 {
   std::map<std::string, std::vector<vtkDataSet*>> grids;
-  auto blocks = vtkSmartPointer<vtkCompositeDataIterator>::Take(group->NewIterator());
-  for (blocks->InitTraversal(); !blocks->IsDoneWithTraversal(); blocks->GoToNextItem())
+  for (vtkDataSet* grid : DataSetsOf(group))
   {
-    auto* grid = vtkDataSet::SafeDownCast(blocks->GetCurrentDataObject());
-    if (grid && IsStructured(grid) && grid->GetNumberOfCells() > 0)
+    if (IsStructured(grid))
     {
       grids[ArraysOf(grid)].push_back(grid);
     }

@@ -4,6 +4,8 @@
 #ifndef nephoscope_DualCells_h
 #define nephoscope_DualCells_h
 
+#include "Vector3.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -11,29 +13,6 @@
 
 namespace nephoscope
 {
-using Point3 = std::array<double, 3>;
-
-inline Point3 Sum(const Point3& a, const Point3& b)
-{
-  return { { a[0] + b[0], a[1] + b[1], a[2] + b[2] } };
-}
-inline Point3 Difference(const Point3& a, const Point3& b)
-{
-  return { { a[0] - b[0], a[1] - b[1], a[2] - b[2] } };
-}
-inline double Dot(const Point3& a, const Point3& b)
-{
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-inline double Length(const Point3& a)
-{
-  return std::sqrt(Dot(a, a));
-}
-inline Point3 Cross(const Point3& a, const Point3& b)
-{
-  return { { a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0] } };
-}
-
 // Length of axis that is nearer to each point than to its neighbours, within the ends. `closingGap`: from the last point to the first of
 // a ring, 0 if the axis is open. One point alone: 1.
 inline std::vector<double> AxisWidths(const std::vector<double>& x, double closingGap = 0.0)
@@ -99,15 +78,15 @@ inline std::vector<double> LatitudeWidths(const std::vector<double>& latitude)
 class HexahedronOctants
 {
 public:
-  explicit HexahedronOctants(const std::array<Point3, 8>& corners)
+  explicit HexahedronOctants(const std::array<Vector3, 8>& corners)
   {
     for (int node = 0; node < 27; ++node)
     {
       const double u[3] = { 0.5 * (node % 3), 0.5 * (node / 3 % 3), 0.5 * (node / 9) };
-      const Point3 a = Tangent(corners, 0, u);
-      const Point3 b = Tangent(corners, 1, u);
-      const Point3 c = Tangent(corners, 2, u);
-      this->Determinants[node] = Dot(a, Cross(b, c));
+      const Vector3 a = Tangent(corners, 0, u);
+      const Vector3 b = Tangent(corners, 1, u);
+      const Vector3 c = Tangent(corners, 2, u);
+      this->Determinants[node] = tripleProduct(b, c, a);
     }
   }
 
@@ -125,10 +104,10 @@ public:
   }
 
 private:
-  static Point3 Tangent(const std::array<Point3, 8>& p, int axis, const double u[3])
+  static Vector3 Tangent(const std::array<Vector3, 8>& p, int axis, const double u[3])
   {
     const int one = 1 << axis;
-    Point3 sum = { { 0.0, 0.0, 0.0 } };
+    Vector3 sum = { { 0.0, 0.0, 0.0 } };
     for (int corner = 0; corner < 8; ++corner)
     {
       if (corner & one)
@@ -143,7 +122,7 @@ private:
           weight *= corner >> other & 1 ? u[other] : 1.0 - u[other];
         }
       }
-      const Point3 edge = Difference(p[corner | one], p[corner]);
+      const Vector3 edge = p[corner | one] - p[corner];
       for (int c = 0; c < 3; ++c)
       {
         sum[c] += weight * edge[c];

@@ -15,16 +15,16 @@ namespace
 // A fraction of the grid's diagonal: coordinates in single precision.
 constexpr double samePlace = 1e-6;
 
-Point3 PositionOf(vtkDataSet* grid, const GridTopology& topology, const GridIndex& at)
+Vector3 PositionOf(vtkDataSet* grid, const GridTopology& topology, const GridIndex& at)
 {
-  Point3 x;
+  Vector3 x;
   grid->GetPoint(static_cast<vtkIdType>(topology.Id(at)), x.data());
   return x;
 }
 
 double Distance(vtkDataSet* grid, const GridTopology& topology, const GridIndex& a, const GridIndex& b)
 {
-  return Length(Difference(PositionOf(grid, topology, a), PositionOf(grid, topology, b)));
+  return distance(PositionOf(grid, topology, a), PositionOf(grid, topology, b));
 }
 
 // Calls function(at) for the points with index `value` of the axis, until it returns false. True if it never did.

@@ -8,21 +8,15 @@ namespace nephoscope
 {
 namespace
 {
-Point3 Unit(const Point3& a)
-{
-  const double length = Length(a);
-  return length > 0.0 ? Point3{ { a[0] / length, a[1] / length, a[2] / length } } : Point3{ { 0.0, 0.0, 0.0 } };
-}
-
 // Some unit vector across `a`.
-Point3 AnyNormal(const Point3& a)
+Vector3 AnyNormal(const Vector3& a)
 {
-  const Point3 axis = std::abs(a[0]) <= std::abs(a[1]) ? Point3{ { 1.0, 0.0, 0.0 } } : Point3{ { 0.0, 1.0, 0.0 } };
-  return Unit(Cross(a, axis));
+  const Vector3 axis = std::abs(a[0]) <= std::abs(a[1]) ? Vector3{ { 1.0, 0.0, 0.0 } } : Vector3{ { 0.0, 1.0, 0.0 } };
+  return normalized(cross(a, axis));
 }
 
 // Gives the axes of a cell that have one point only the thickness 1, at right angles to the others.
-void ThickenFlatAxes(const std::array<bool, 3>& flat, std::array<Point3, 8>& corners)
+void ThickenFlatAxes(const std::array<bool, 3>& flat, std::array<Vector3, 8>& corners)
 {
   for (int axis = 0; axis < 3; ++axis)
   {
@@ -33,18 +27,18 @@ void ThickenFlatAxes(const std::array<bool, 3>& flat, std::array<Point3, 8>& cor
     const int b = 1 << (axis + 1) % 3;
     const int c = 1 << (axis + 2) % 3;
     // Diagonals, so that a face with a side that is one point has a normal too.
-    const Point3 one = Difference(corners[b | c], corners[0]);
-    const Point3 two = Difference(corners[c], corners[b]);
-    Point3 normal = Unit(Cross(one, two));
-    if (!(Length(normal) > 0.0))
+    const Vector3 one = corners[b | c] - corners[0];
+    const Vector3 two = corners[c] - corners[b];
+    Vector3 normal = normalized(cross(one, two));
+    if (!(norm(normal) > 0.0))
     {
-      normal = AnyNormal(Length(one) > 0.0 ? one : two);
+      normal = AnyNormal(norm(one) > 0.0 ? one : two);
     }
     for (int corner = 0; corner < 8; ++corner)
     {
       if (corner & 1 << axis)
       {
-        corners[corner] = Sum(corners[corner & ~(1 << axis)], normal);
+        corners[corner] = corners[corner & ~(1 << axis)] + normal;
       }
     }
   }
@@ -53,7 +47,7 @@ void ThickenFlatAxes(const std::array<bool, 3>& flat, std::array<Point3, 8>& cor
 class OctantSum
 {
 public:
-  OctantSum(const GridTopology& topology, const std::function<Point3(const GridIndex&)>& position)
+  OctantSum(const GridTopology& topology, const std::function<Vector3(const GridIndex&)>& position)
     : Topology(topology)
     , Position(position)
     , Masses(static_cast<std::size_t>(topology.Count()), 0.0)
@@ -102,7 +96,7 @@ private:
 
   void AddCell(const GridIndex& cell)
   {
-    std::array<Point3, 8> corners;
+    std::array<Vector3, 8> corners;
     std::array<std::int64_t, 8> ids;
     for (int corner = 0; corner < 8; ++corner)
     {
@@ -130,7 +124,7 @@ private:
   }
 
   const GridTopology& Topology;
-  const std::function<Point3(const GridIndex&)>& Position;
+  const std::function<Vector3(const GridIndex&)>& Position;
   std::vector<double> Masses;
   std::array<bool, 3> Flat;
   GridIndex Cells;
@@ -154,7 +148,7 @@ std::vector<double> ProductMasses(const GridTopology& topology, const std::array
 }
 
 std::vector<double> OctantMasses(
-  const GridTopology& topology, const std::function<Point3(const GridIndex&)>& position)
+  const GridTopology& topology, const std::function<Vector3(const GridIndex&)>& position)
 {
   return OctantSum(topology, position).Run();
 }

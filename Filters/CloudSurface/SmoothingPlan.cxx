@@ -203,14 +203,14 @@ bool SmoothingPlan::IsLongitudeLatitude(const SmoothingSettings& settings) const
     WithinPoles(this->Axes[1]);
 }
 
-Point3 SmoothingPlan::Position(const GridIndex& at) const
+Vector3 SmoothingPlan::Position(const GridIndex& at) const
 {
-  Point3 x;
+  Vector3 x;
   this->Grid->GetPoint(static_cast<vtkIdType>(this->Topology_.Id(at)), x.data());
   return x;
 }
 
-Point3 SmoothingPlan::PositionBeyond(const GridIndex& at) const
+Vector3 SmoothingPlan::PositionBeyond(const GridIndex& at) const
 {
   for (int axis = 0; axis < 3; ++axis)
   {
@@ -225,15 +225,15 @@ Point3 SmoothingPlan::PositionBeyond(const GridIndex& at) const
       return this->PositionBeyond(other);
     }
     other[axis] = this->Topology_.Size[axis] - 1;
-    const Point3 last = this->PositionBeyond(other);
+    const Vector3 last = this->PositionBeyond(other);
     --other[axis];
-    const Point3 before = this->PositionBeyond(other);
+    const Vector3 before = this->PositionBeyond(other);
     return { { 2.0 * last[0] - before[0], 2.0 * last[1] - before[1], 2.0 * last[2] - before[2] } };
   }
   return this->Position(at);
 }
 
-Point3 SmoothingPlan::Displacement(int axis, const GridIndex& at, int step) const
+Vector3 SmoothingPlan::Displacement(int axis, const GridIndex& at, int step) const
 {
   const int next = this->Topology_.Step(axis, at[axis], step);
   if (next == at[axis])
@@ -251,18 +251,18 @@ Point3 SmoothingPlan::Displacement(int axis, const GridIndex& at, int step) cons
     lower[axis] = next;
     upper[axis] = next + 1;
   }
-  const Point3 up = Difference(this->PositionBeyond(upper), this->PositionBeyond(lower));
-  return step > 0 ? up : Point3{ { -up[0], -up[1], -up[2] } };
+  const Vector3 up = this->PositionBeyond(upper) - this->PositionBeyond(lower);
+  return step > 0 ? up : Vector3{ { -up[0], -up[1], -up[2] } };
 }
 
 double SmoothingPlan::StepLength(int axis, const GridIndex& at, int step) const
 {
-  Point3 d = this->Displacement(axis, at, step);
+  Vector3 d = this->Displacement(axis, at, step);
   if (this->LongitudeLatitude)
   {
     d[0] = std::remainder(d[0], 360.0) * std::cos(this->Position(at)[1] * radiansPerDegree);
   }
-  return Length(d);
+  return norm(d);
 }
 
 void SmoothingPlan::FindRowRatios()
@@ -334,8 +334,8 @@ std::vector<double> SmoothingPlan::CurvilinearMasses() const
 {
   const bool degrees = this->LongitudeLatitude;
   return OctantMasses(this->Topology_, [this, degrees](const GridIndex& at) {
-    const Point3 x = this->PositionBeyond(at);
-    return degrees ? Point3{ { x[0] * radiansPerDegree, std::sin(x[1] * radiansPerDegree), x[2] } } : x;
+    const Vector3 x = this->PositionBeyond(at);
+    return degrees ? Vector3{ { x[0] * radiansPerDegree, std::sin(x[1] * radiansPerDegree), x[2] } } : x;
   });
 }
 

@@ -58,13 +58,13 @@ public:
     return this->RowRatios.empty() ? 1.0 : this->RowRatios[j + static_cast<std::size_t>(this->Topology_.Size[1]) * k];
   }
 
-  Point3 Position(const GridIndex& at) const;
+  Vector3 Position(const GridIndex& at) const;
 
   // From a point (distinct indices) to its neighbour, also across the seam. Zero where there is none.
-  Point3 Displacement(int axis, const GridIndex& at, int step) const;
+  Vector3 Displacement(int axis, const GridIndex& at, int step) const;
 
   // Position of a point, or of the one after the last of a ring.
-  Point3 PositionBeyond(const GridIndex& at) const;
+  Vector3 PositionBeyond(const GridIndex& at) const;
 
 private:
   std::string ReadShape(vtkDataSet* grid);

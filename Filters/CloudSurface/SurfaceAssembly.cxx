@@ -326,7 +326,7 @@ void SurfaceAssembly::AddTriangles(const std::vector<double>& field, bool withNo
     GridIndex b;
     double share;
     this->NearestEdge(this->Sources[i], a, b, share);
-    const Point3 normal = gradient.Outward(a, b, share);
+    const Vector3 normal = gradient.Outward(a, b, share);
     normals->SetTuple(i, normal.data());
   });
   const bool turn = this->FacesInwards(normals, output->GetPoints());
@@ -352,14 +352,14 @@ bool SurfaceAssembly::FacesInwards(vtkDataArray* normals, vtkPoints* points) con
   std::int64_t votes = 0;
   for (std::size_t t = 0; t < this->Triangles.size(); t += 3)
   {
-    Point3 corners[3];
-    Point3 normal;
+    Vector3 corners[3];
+    Vector3 normal;
     for (int c = 0; c < 3; ++c)
     {
       points->GetPoint(this->Triangles[t + c], corners[c].data());
     }
     normals->GetTuple(this->Triangles[t], normal.data());
-    const double facing = Dot(normal, Cross(Difference(corners[1], corners[0]), Difference(corners[2], corners[0])));
+    const double facing = dot(normal, cross(corners[1] - corners[0], corners[2] - corners[0]));
     votes += facing > 0.0 ? 1 : facing < 0.0 ? -1 : 0;
   }
   return votes < 0;

@@ -11,29 +11,23 @@ namespace
 {
 constexpr double flat = 1e-9; // of the product of three lengths: a box without volume
 
-Point3 Scaled(const Point3& a, double factor)
+Vector3 Blend(const Vector3& first, const Vector3& second, double share)
 {
-  return { { factor * a[0], factor * a[1], factor * a[2] } };
-}
-
-Point3 Blend(const Point3& first, const Point3& second, double share)
-{
-  return Sum(Scaled(first, 1.0 - share), Scaled(second, share));
+  return (1.0 - share) * first + share * second;
 }
 
 // Solves the symmetric system; zero if it has no single solution.
-Point3 Solve(const double m[3][3], const Point3& right)
+Vector3 Solve(const double m[3][3], const Vector3& right)
 {
-  const Point3 a = { { m[0][0], m[0][1], m[0][2] } };
-  const Point3 b = { { m[1][0], m[1][1], m[1][2] } };
-  const Point3 c = { { m[2][0], m[2][1], m[2][2] } };
-  const double determinant = Dot(a, Cross(b, c));
-  if (!(std::abs(determinant) > flat * Length(a) * Length(b) * Length(c)))
+  const Vector3 a = { { m[0][0], m[0][1], m[0][2] } };
+  const Vector3 b = { { m[1][0], m[1][1], m[1][2] } };
+  const Vector3 c = { { m[2][0], m[2][1], m[2][2] } };
+  const double determinant = dot(a, cross(b, c));
+  if (!(std::abs(determinant) > flat * norm(a) * norm(b) * norm(c)))
   {
     return { { 0.0, 0.0, 0.0 } };
   }
-  const Point3 sum = Sum(Sum(Scaled(Cross(b, c), right[0]), Scaled(Cross(c, a), right[1])), Scaled(Cross(a, b), right[2]));
-  return Scaled(sum, 1.0 / determinant);
+  return (1.0 / determinant) * (right[0] * cross(b, c) + right[1] * cross(c, a) + right[2] * cross(a, b));
 }
 }
 
@@ -48,7 +42,7 @@ FieldGradient::Neighbor FieldGradient::Look(int axis, const GridIndex& from, int
     return found;
   }
   found.Away = this->Plan.Displacement(axis, from, step);
-  found.Distance = Length(found.Away);
+  found.Distance = norm(found.Away);
   found.Rise = this->Field[id] - this->Field[this->Plan.Topology().Id(from)];
   found.IsThere = found.Distance > 0.0;
   return found;
@@ -68,12 +62,12 @@ FieldGradient::Slope FieldGradient::SlopeAlong(int axis, const GridIndex& at) co
   const double sign = after.IsThere ? 1.0 : -1.0; // of the step to the first neighbour
   const Neighbor& first = after.IsThere ? after : before;
   slope.Rise = sign * first.Rise / first.Distance;
-  slope.Tangent = Scaled(first.Away, sign / first.Distance);
+  slope.Tangent = (sign / first.Distance) * first.Away;
   if (before.IsThere && after.IsThere)
   {
     const double share = after.Distance / (after.Distance + before.Distance);
     slope.Rise = (1.0 - share) * slope.Rise - share * before.Rise / before.Distance;
-    slope.Tangent = Blend(slope.Tangent, Scaled(before.Away, -1.0 / before.Distance), share);
+    slope.Tangent = Blend(slope.Tangent, (-1.0 / before.Distance) * before.Away, share);
     return slope;
   }
   const Neighbor second = this->Look(axis, first.At, after.IsThere ? +1 : -1);
@@ -81,12 +75,12 @@ FieldGradient::Slope FieldGradient::SlopeAlong(int axis, const GridIndex& at) co
   {
     const double share = -first.Distance / (first.Distance + second.Distance);
     slope.Rise = (1.0 - share) * slope.Rise + share * sign * second.Rise / second.Distance;
-    slope.Tangent = Blend(slope.Tangent, Scaled(second.Away, sign / second.Distance), share);
+    slope.Tangent = Blend(slope.Tangent, (sign / second.Distance) * second.Away, share);
   }
   return slope;
 }
 
-Point3 FieldGradient::At(const GridIndex& at) const
+Vector3 FieldGradient::At(const GridIndex& at) const
 {
   if (const PoleRow* pole = this->Plan.Topology().PoleAt(at))
   {
@@ -101,7 +95,7 @@ Point3 FieldGradient::At(const GridIndex& at) const
   {
     if (!slopes[axis].HasValue) // nothing is known along this axis: as if nothing changed at right angles to the others
     {
-      slopes[axis].Tangent = Cross(slopes[(axis + 1) % 3].Tangent, slopes[(axis + 2) % 3].Tangent);
+      slopes[axis].Tangent = cross(slopes[(axis + 1) % 3].Tangent, slopes[(axis + 2) % 3].Tangent);
     }
   }
   const double rows[3][3] = { { slopes[0].Tangent[0], slopes[0].Tangent[1], slopes[0].Tangent[2] },
@@ -110,10 +104,10 @@ Point3 FieldGradient::At(const GridIndex& at) const
   return Solve(rows, { { slopes[0].Rise, slopes[1].Rise, slopes[2].Rise } });
 }
 
-Point3 FieldGradient::AtPole(const GridIndex& at, const PoleRow& pole) const
+Vector3 FieldGradient::AtPole(const GridIndex& at, const PoleRow& pole) const
 {
   double matrix[3][3] = {};
-  Point3 right = { { 0.0, 0.0, 0.0 } };
+  Vector3 right = { { 0.0, 0.0, 0.0 } };
   const auto add = [&](const Neighbor& n) {
     const double weight = n.IsThere ? 1.0 / (n.Distance * n.Distance) : 0.0;
     for (int r = 0; r < 3; ++r)
@@ -139,7 +133,7 @@ Point3 FieldGradient::AtPole(const GridIndex& at, const PoleRow& pole) const
   return Solve(matrix, right);
 }
 
-Point3 FieldGradient::SteepestStep(const GridIndex& at) const
+Vector3 FieldGradient::SteepestStep(const GridIndex& at) const
 {
   Neighbor best;
   double steepest = 0.0;
@@ -155,39 +149,39 @@ Point3 FieldGradient::SteepestStep(const GridIndex& at) const
       }
     }
   }
-  return Scaled(best.Away, best.Rise > 0.0 ? -1.0 : 1.0);
+  return (best.Rise > 0.0 ? -1.0 : 1.0) * best.Away;
 }
 
 // A field that rises and falls again within three points has a gradient at a grid point that says nothing of the edge beside it. Where
 // the two disagree in sign, and by much, the slope of the edge, which the surface crosses, is the truth. (By little they also disagree
 // where a smooth surface touches the edge; there the gradient is the better one.)
-Point3 FieldGradient::TurnedToEdge(const Point3& gradient, const GridIndex& a, const GridIndex& b) const
+Vector3 FieldGradient::TurnedToEdge(const Vector3& gradient, const GridIndex& a, const GridIndex& b) const
 {
   for (int axis = 0; axis < 3; ++axis)
   {
     const Neighbor end = a[axis] != b[axis] ? this->Look(axis, a, +1) : Neighbor();
     if (end.IsThere)
     {
-      const Point3 along = Scaled(end.Away, 1.0 / end.Distance);
+      const Vector3 along = (1.0 / end.Distance) * end.Away;
       const double slope = end.Rise / end.Distance;
-      const double found = Dot(gradient, along);
-      const bool opposed = found * slope <= 0.0 && std::abs(slope - found) > 0.5 * Length(gradient);
-      return opposed ? Sum(gradient, Scaled(along, slope - found)) : gradient;
+      const double found = dot(gradient, along);
+      const bool opposed = found * slope <= 0.0 && std::abs(slope - found) > 0.5 * norm(gradient);
+      return opposed ? gradient + (slope - found) * along : gradient;
     }
   }
   return gradient;
 }
 
-Point3 FieldGradient::Outward(const GridIndex& a, const GridIndex& b, double share) const
+Vector3 FieldGradient::Outward(const GridIndex& a, const GridIndex& b, double share) const
 {
-  const Point3 gradient = a == b ? this->At(a) : this->TurnedToEdge(Blend(this->At(a), this->At(b), share), a, b);
-  Point3 outward = Scaled(gradient, -1.0);
-  double length = Length(outward);
+  const Vector3 gradient = a == b ? this->At(a) : this->TurnedToEdge(Blend(this->At(a), this->At(b), share), a, b);
+  Vector3 outward = -1.0 * gradient;
+  double length = norm(outward);
   if (!(length > 0.0) || !std::isfinite(length))
   {
     outward = this->SteepestStep(a);
-    length = Length(outward);
+    length = norm(outward);
   }
-  return length > 0.0 ? Scaled(outward, 1.0 / length) : Point3{ { 0.0, 0.0, 1.0 } };
+  return length > 0.0 ? (1.0 / length) * outward : Vector3{ { 0.0, 0.0, 1.0 } };
 }
 }

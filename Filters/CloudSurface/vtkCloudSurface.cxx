@@ -7,6 +7,7 @@
 #include "ChosenPointArray.h"
 #include "FieldSmoother.h"
 #include "IndexSpaceContour.h"
+#include "OwnThreads.h"
 #include "RequiredInput.h"
 #include "SurfaceAssembly.h"
 
@@ -124,7 +125,7 @@ int vtkCloudSurface::RequestData(vtkInformation*, vtkInformationVector** inputs,
   vtkPolyData* output = vtkPolyData::GetData(outputs, 0);
   nephoscope::SmoothingPlan plan;
   std::string error;
-  nephoscope::WithThreads([&]() { error = plan.Read(input, this->Smoothing->GetSettings()); });
+  nephoscope::withThreads([&]() { error = plan.Read(input, this->Smoothing->GetSettings()); });
   if (!error.empty())
   {
     vtkErrorMacro(<< error);
@@ -147,7 +148,7 @@ int vtkCloudSurface::RequestData(vtkInformation*, vtkInformationVector** inputs,
     return 1;
   }
   bool finished = false;
-  nephoscope::WithThreads(
+  nephoscope::withThreads(
     [&]() { finished = this->BuildSurface(input, plan, scalars, outputs->GetInformationObject(0), output); });
   if (!finished)
   {

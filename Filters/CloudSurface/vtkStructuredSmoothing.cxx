@@ -6,6 +6,7 @@
 #include "BlockNeighbours.h"
 #include "ChosenPointArray.h"
 #include "FieldSmoother.h"
+#include "OwnThreads.h"
 #include "RequiredInput.h"
 #include "ToldOnce.h"
 
@@ -209,7 +210,7 @@ int vtkStructuredSmoothing::RequestData(
   nephoscope::ToldOnce telling(this, this->Failed);
   nephoscope::SmoothingPlan plan;
   std::string error;
-  nephoscope::WithThreads([&]() { error = plan.Read(input, this->GetSettings()); });
+  nephoscope::withThreads([&]() { error = plan.Read(input, this->GetSettings()); });
   std::vector<int> arrays;
   if (!error.empty())
   {
@@ -231,7 +232,7 @@ int vtkStructuredSmoothing::RequestData(
   telling.End(true);
   output->ShallowCopy(block);
   bool finished = false;
-  nephoscope::WithThreads([&]() { finished = this->SmoothArrays(block, input, plan, arrays, output); });
+  nephoscope::withThreads([&]() { finished = this->SmoothArrays(block, input, plan, arrays, output); });
   if (!finished)
   {
     output->Initialize(); // nothing rather than a part

@@ -3,6 +3,7 @@
 #include "FlowVolumeExchange.h"
 
 #include "DataSets.h"
+#include "VelocityProblem.h"
 #include "DistributedField.h"
 #include "MeshSlice.h"
 #include "PolygonUnion.h"

@@ -5,82 +5,27 @@
 #ifndef nephoscope_SmokeGeometry_h
 #define nephoscope_SmokeGeometry_h
 
+#include "Tetrahedron.h"
 #include "VelocityField.h"
-
-#include <cmath>
 
 namespace nephoscope
 {
-inline Vector3 operator+(const Vector3& a, const Vector3& b)
-{
-  return { { a[0] + b[0], a[1] + b[1], a[2] + b[2] } };
-}
-
-inline Vector3 operator-(const Vector3& a, const Vector3& b)
-{
-  return { { a[0] - b[0], a[1] - b[1], a[2] - b[2] } };
-}
-
-inline Vector3 operator*(double s, const Vector3& a)
-{
-  return { { s * a[0], s * a[1], s * a[2] } };
-}
-
-inline double Dot(const Vector3& a, const Vector3& b)
-{
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
-inline Vector3 Cross(const Vector3& a, const Vector3& b)
-{
-  return { { a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0] } };
-}
-
-inline double Length(const Vector3& a)
-{
-  return std::sqrt(Dot(a, a));
-}
-
-inline double Distance(const Vector3& a, const Vector3& b)
-{
-  return Length(a - b);
-}
-
 inline Vector3 Midpoint(const Vector3& a, const Vector3& b)
 {
   return 0.5 * (a + b);
 }
 
-inline bool IsFinite(const Vector3& a)
-{
-  return std::isfinite(a[0]) && std::isfinite(a[1]) && std::isfinite(a[2]);
-}
-
-// A direction of unit length; zero stays zero.
-inline Vector3 Direction(const Vector3& a)
-{
-  const double length = Length(a);
-  return length > 0.0 ? (1.0 / length) * a : Vector3{};
-}
-
 // Area times normal; the triangle is counter-clockwise seen from the normal's tip.
 inline Vector3 AreaVector(const Vector3& a, const Vector3& b, const Vector3& c)
 {
-  return 0.5 * Cross(b - a, c - a);
-}
-
-// Positive if b, c, d are counter-clockwise seen from a's far side, as VTK numbers a tetrahedron.
-inline double TetrahedronVolume(
-  const Vector3& a, const Vector3& b, const Vector3& c, const Vector3& d)
-{
-  return Dot(Cross(b - a, c - a), d - a) / 6.0;
+  return 0.5 * cross(b - a, c - a);
 }
 
 // Volume flow out of the side a b c d, taken from the origin, as the mean over both of its diagonals. That mean is the
 // centre of the corners times the vector area of the (skew) quadrilateral, 1/2 (c - a) x (d - b), over 3.
 inline double SideVolume(const Vector3& a, const Vector3& b, const Vector3& c, const Vector3& d)
 {
-  return Dot(a + b + c + d, Cross(c - a, d - b)) / 24.0;
+  return dot(a + b + c + d, cross(c - a, d - b)) / 24.0;
 }
 
 // Volume of a prism with bilinear sides, by the divergence theorem; second order in the step where the
@@ -91,7 +36,7 @@ inline double PrismVolume(const Vector3& p0, const Vector3& p1, const Vector3& p
   const Vector3 o{};
   const Vector3 a = p1 - p0, b = p2 - p0, c = p3 - p0, d = p4 - p0, e = p5 - p0;
   // The bottom contains the origin p0 and adds nothing.
-  return Dot(c, Cross(d, e)) / 6.0 + SideVolume(o, a, d, c) + SideVolume(a, b, e, d) +
+  return dot(c, cross(d, e)) / 6.0 + SideVolume(o, a, d, c) + SideVolume(a, b, e, d) +
     SideVolume(b, o, c, e);
 }
 }

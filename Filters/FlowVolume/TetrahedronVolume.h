@@ -16,7 +16,7 @@ inline double VolumeOf(const TetrahedronPoints& tetrahedron, const std::vector<V
   const auto corner = [&](std::size_t i) -> const Vector3& {
     return points[static_cast<std::size_t>(tetrahedron[i])];
   };
-  return TetrahedronVolume(corner(0), corner(1), corner(2), corner(3));
+  return signedVolume(corner(0), corner(1), corner(2), corner(3));
 }
 }
 

@@ -187,7 +187,7 @@ bool vtkFlowVolume::MakeRegularPolygon(const nephoscope::FlowField& field,
   {
     return false;
   }
-  if (!(nephoscope::Length(regular.Normal) > 0.0))
+  if (!(nephoscope::norm(regular.Normal) > 0.0))
   {
     vtkErrorMacro("Normal is (0, 0, 0): give the polygon a direction, or switch NormalToFlow on.");
     return false;
@@ -218,8 +218,8 @@ bool vtkFlowVolume::FindDirection(const nephoscope::FlowField& field,
     vtkErrorMacro("The generating polygon cannot be turned normal to the flow at its centre. " << why);
     return false;
   }
-  direction = nephoscope::Direction(found);
-  if (!(nephoscope::Length(direction) > 0.0))
+  direction = nephoscope::normalized(found);
+  if (!(nephoscope::norm(direction) > 0.0))
   {
     vtkErrorMacro("The flow (array '"
       << field.Velocity.Name << "') is zero at the centre of the generating polygon, (" << center[0]

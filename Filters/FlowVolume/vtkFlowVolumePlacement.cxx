@@ -125,10 +125,10 @@ public:
   explicit PolygonPoints(int sides)
   {
     const nephoscope::RegularPolygon unit{ {}, 1.0, sides, across };
-    const Vector3 u = nephoscope::Perpendicular(across), v = nephoscope::Cross(across, u);
+    const Vector3 u = nephoscope::Perpendicular(across), v = nephoscope::cross(across, u);
     for (const Vector3& point : nephoscope::TriangulateRegularPolygon(unit, 0.0).Points)
     {
-      this->Points.push_back({ { nephoscope::Dot(point, u), nephoscope::Dot(point, v) } });
+      this->Points.push_back({ { nephoscope::dot(point, u), nephoscope::dot(point, v) } });
     }
   }
 
@@ -154,7 +154,7 @@ private:
 
   void AddPlaces(const Candidate& c, std::vector<Vector3>& places) const
   {
-    const Vector3 normal = nephoscope::Direction(c.Velocity), u = nephoscope::Perpendicular(normal), v = nephoscope::Cross(normal, u);
+    const Vector3 normal = nephoscope::normalized(c.Velocity), u = nephoscope::Perpendicular(normal), v = nephoscope::cross(normal, u);
     for (const auto& [a, b] : this->Points)
     {
       places.push_back(c.Place + (rounding * c.Radius * a) * u + (rounding * c.Radius * b) * v);

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkSmokePuffs.h"
 
+#include "OwnThreads.h"
 #include "PointDensity.h"
 #include "PuffPulse.h"
 #include "RequiredInput.h"
@@ -14,7 +15,6 @@
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
-#include "vtkSMPTools.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkUnstructuredGrid.h"
 
@@ -106,17 +106,15 @@ vtkIdType Fill(vtkDoubleArray* out, const Numbers& ages, const Densities& densit
 {
   double* values = out->GetPointer(0);
   std::atomic<vtkIdType> bad{ 0 };
-  vtkSMPTools::LocalScope(vtkSMPTools::Config(0, "STDThread", false), [&]() {
-    vtkSMPTools::For(0, out->GetNumberOfTuples(), [&](vtkIdType first, vtkIdType last) {
-      vtkIdType badHere = 0;
-      for (vtkIdType i = first; i < last; ++i)
-      {
-        const bool good = std::isfinite(densities[i]) && std::isfinite(ages[i]);
-        values[i] = good ? std::min(densities[i], maximum) * pulse(ages[i], time) : 0.0;
-        badHere += good ? 0 : 1;
-      }
-      bad += badHere;
-    });
+  nephoscope::inParallel(out->GetNumberOfTuples(), [&](vtkIdType first, vtkIdType last) {
+    vtkIdType badHere = 0;
+    for (vtkIdType i = first; i < last; ++i)
+    {
+      const bool good = std::isfinite(densities[i]) && std::isfinite(ages[i]);
+      values[i] = good ? std::min(densities[i], maximum) * pulse(ages[i], time) : 0.0;
+      badHere += good ? 0 : 1;
+    }
+    bad += badHere;
   });
   return bad;
 }

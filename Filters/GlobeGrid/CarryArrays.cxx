@@ -3,11 +3,11 @@
 #include "CarryArrays.h"
 
 #include "LonLatLevelGrid.h"
+#include "OwnThreads.h"
 
 #include "vtkBitArray.h"
 #include "vtkDataArray.h"
 #include "vtkDataSetAttributes.h"
-#include "vtkSMPTools.h"
 #include "vtkSmartPointer.h"
 
 #include <algorithm>
@@ -63,8 +63,7 @@ void CarryArrays(
     };
     if (vtkDataArray::SafeDownCast(from) && !vtkBitArray::SafeDownCast(from))
     {
-      vtkSMPTools::LocalScope(vtkSMPTools::Config(0, "STDThread", false),
-        [&]() { vtkSMPTools::For(0, count, copy); });
+      inParallel(count, copy);
     }
     else
     {

@@ -7,16 +7,15 @@
 #ifndef nephoscope_Geodesy_h
 #define nephoscope_Geodesy_h
 
+#include "Vector3.h"
+
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 namespace nephoscope
 {
 namespace geodesy
 {
-using Vector = std::array<double, 3>;
-
 inline constexpr double RADIANS_PER_DEGREE = 0.017453292519943295769;
 
 // On the map the speed along x grows without bound towards a pole; cos(latitude) is held above this
@@ -48,9 +47,9 @@ inline Turn TurnFromDegrees(double degrees)
 // East, north and up at a longitude and latitude: a right-handed orthonormal frame.
 struct Basis
 {
-  Vector east;
-  Vector north;
-  Vector up;
+  Vector3 east;
+  Vector3 north;
+  Vector3 up;
 };
 
 inline Basis LocalBasis(const Turn& longitude, const Turn& latitude)
@@ -60,15 +59,10 @@ inline Basis LocalBasis(const Turn& longitude, const Turn& latitude)
     { latitude.cosine * longitude.cosine, latitude.cosine * longitude.sine, latitude.sine } };
 }
 
-inline double Dot(const Vector& a, const Vector& b)
-{
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
 // u east + v north + w up.
-inline Vector Combine(const Basis& basis, double u, double v, double w)
+inline Vector3 Combine(const Basis& basis, double u, double v, double w)
 {
-  Vector sum;
+  Vector3 sum;
   for (int c = 0; c < 3; ++c)
   {
     sum[c] = u * basis.east[c] + v * basis.north[c] + w * basis.up[c];
@@ -76,12 +70,12 @@ inline Vector Combine(const Basis& basis, double u, double v, double w)
   return sum;
 }
 
-inline Vector GlobePosition(const Planet& planet, const Basis& basis, double height)
+inline Vector3 GlobePosition(const Planet& planet, const Basis& basis, double height)
 {
   return Combine(basis, 0.0, 0.0, planet.radius + planet.exaggeration * height);
 }
 
-inline Vector MapPosition(const Planet& planet, double longitude, double latitude, double height)
+inline Vector3 MapPosition(const Planet& planet, double longitude, double latitude, double height)
 {
   return { planet.radius * longitude, planet.radius * latitude, planet.exaggeration * height };
 }
@@ -89,13 +83,13 @@ inline Vector MapPosition(const Planet& planet, double longitude, double latitud
 // A parcel at the physical radius R + h turns about the planet's centre at (u east + v north)/(R + h); the
 // display radius is r = R + E h, so d(position)/dt = r/(R + h) (u east + v north) + E w up. No division
 // by the cosine of the latitude: exact at the poles. `wind` is Cartesian.
-inline Vector GlobeDisplayVelocity(
-  const Planet& planet, const Basis& basis, double height, const Vector& wind)
+inline Vector3 GlobeDisplayVelocity(
+  const Planet& planet, const Basis& basis, double height, const Vector3& wind)
 {
-  const double w = Dot(wind, basis.up);
+  const double w = dot(wind, basis.up);
   const double ratio =
     (planet.radius + planet.exaggeration * height) / (planet.radius + height);
-  Vector velocity;
+  Vector3 velocity;
   for (int c = 0; c < 3; ++c)
   {
     velocity[c] = ratio * (wind[c] - w * basis.up[c]) + planet.exaggeration * w * basis.up[c];
@@ -104,7 +98,7 @@ inline Vector GlobeDisplayVelocity(
 }
 
 // x = R longitude, y = R latitude: dx/dt = R u / ((R + h) cos latitude), dy/dt = R v / (R + h).
-inline Vector MapDisplayVelocity(
+inline Vector3 MapDisplayVelocity(
   const Planet& planet, double cosineOfLatitude, double height, double u, double v, double w)
 {
   const double ratio = planet.radius / (planet.radius + height);

@@ -85,7 +85,7 @@ void GlobeGridBuilder::PlacePoints(const int extent[6], vtkStructuredGrid* outpu
       heights[id] = static_cast<float>(height);
       const double longitude =
         this->Grid.UnwrappedLongitude(input) + this->Order_.LongitudeOffset(i);
-      const geodesy::Vector position = this->Settings.OnMap
+      const Vector3 position = this->Settings.OnMap
         ? geodesy::MapPosition(this->Settings.Planet, longitude * geodesy::RADIANS_PER_DEGREE,
             x[1] * geodesy::RADIANS_PER_DEGREE, height)
         : geodesy::GlobePosition(this->Settings.Planet, BasisAt(x), height);

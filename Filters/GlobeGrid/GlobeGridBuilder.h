@@ -100,11 +100,11 @@ private:
   double RingHeight(int j, int k, bool& missing) const;
   double PressureOf(double level, double height) const;
   bool UpwardWind(vtkIdType id, double level, double height, double& w) const;
-  bool WindOf(const std::array<int, 3>& input, const geodesy::Basis& basis, geodesy::Vector& wind) const;
+  bool WindOf(const std::array<int, 3>& input, const geodesy::Basis& basis, Vector3& wind) const;
   void WritePoleWind(
-    vtkStructuredGrid* output, vtkIdType id, const geodesy::Vector& wind, const geodesy::Basis& basis) const;
+    vtkStructuredGrid* output, vtkIdType id, const Vector3& wind, const geodesy::Basis& basis) const;
   void TurnFromGrid(const std::array<int, 3>& input, double& u, double& v) const;
-  bool PoleWind(int j, int k, geodesy::Vector& wind) const;
+  bool PoleWind(int j, int k, Vector3& wind) const;
   bool IsBelowGround(const std::array<int, 3>& index) const;
   double SurfaceValue(vtkDataArray* values, const std::array<int, 3>& index) const;
 

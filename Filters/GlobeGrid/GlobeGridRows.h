@@ -5,9 +5,9 @@
 #define nephoscope_GlobeGridRows_h
 
 #include "Geodesy.h"
+#include "OwnThreads.h"
 
 #include "vtkPointData.h"
-#include "vtkSMPTools.h"
 #include "vtkSmartPointer.h"
 #include "vtkStructuredGrid.h"
 
@@ -46,8 +46,7 @@ void ForEachRow(const int extent[6], const Function& function)
         r * columns });
     }
   };
-  vtkSMPTools::LocalScope(vtkSMPTools::Config(0, "STDThread", false),
-    [&]() { vtkSMPTools::For(0, rows * levels, work); });
+  inParallel(rows * levels, work);
 }
 
 template <typename Array>

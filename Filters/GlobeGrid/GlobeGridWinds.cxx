@@ -25,7 +25,7 @@ void GlobeGridBuilder::AddWinds(const int extent[6], vtkStructuredGrid* output)
   auto winds = NewPointArray<vtkFloatArray>(output, "Wind", 3);
   auto velocities = NewPointArray<vtkFloatArray>(output, "DisplayVelocity", 3);
   ForEachRow(extent, [&](const OutputRow& row) {
-    geodesy::Vector poleWind = { 0.0, 0.0, 0.0 };
+    Vector3 poleWind = { 0.0, 0.0, 0.0 };
     const int inputRow = this->Order_.InputPoint(0, row.j, row.k)[1];
     const int inputLevel = this->Order_.InputPoint(0, row.j, row.k)[2];
     const bool added = this->Order_.AddedPole(row.j) != 0;
@@ -39,7 +39,7 @@ void GlobeGridBuilder::AddWinds(const int extent[6], vtkStructuredGrid* output)
       const std::array<int, 3> input = this->Order_.InputPoint(i, row.j, row.k);
       const std::array<double, 3> x = this->CoordinatesOf({ i, row.j, row.k });
       const geodesy::Basis basis = BasisAt(x);
-      geodesy::Vector wind = poleWind;
+      Vector3 wind = poleWind;
       const bool found = atPole ? poleFound : this->WindOf(input, basis, wind);
       if (!found)
       {
@@ -52,11 +52,11 @@ void GlobeGridBuilder::AddWinds(const int extent[6], vtkStructuredGrid* output)
       {
         this->WritePoleWind(output, id, wind, basis);
       }
-      geodesy::Vector velocity;
+      Vector3 velocity;
       if (this->Settings.OnMap)
       {
-        wind = { geodesy::Dot(wind, basis.east), geodesy::Dot(wind, basis.north),
-          geodesy::Dot(wind, basis.up) };
+        wind = { dot(wind, basis.east), dot(wind, basis.north),
+          dot(wind, basis.up) };
         velocity = geodesy::MapDisplayVelocity(this->Settings.Planet,
           std::cos(x[1] * geodesy::RADIANS_PER_DEGREE), height, wind[0], wind[1], wind[2]);
       }
@@ -77,7 +77,7 @@ void GlobeGridBuilder::AddWinds(const int extent[6], vtkStructuredGrid* output)
 
 // Cartesian on the globe; false if it is missing.
 bool GlobeGridBuilder::WindOf(
-  const std::array<int, 3>& input, const geodesy::Basis& basis, geodesy::Vector& wind) const
+  const std::array<int, 3>& input, const geodesy::Basis& basis, Vector3& wind) const
 {
   const vtkIdType id = this->Grid.Id(input);
   double u = this->U->GetComponent(id, 0);
@@ -123,15 +123,15 @@ void GlobeGridBuilder::TurnFromGrid(const std::array<int, 3>& input, double& u, 
 
 // The carried horizontal wind arrays at a point of an added pole: the wind there, seen from its meridian.
 void GlobeGridBuilder::WritePoleWind(
-  vtkStructuredGrid* output, vtkIdType id, const geodesy::Vector& wind, const geodesy::Basis& basis) const
+  vtkStructuredGrid* output, vtkIdType id, const Vector3& wind, const geodesy::Basis& basis) const
 {
-  const geodesy::Vector* const directions[2] = { &basis.east, &basis.north };
+  const Vector3* const directions[2] = { &basis.east, &basis.north };
   const std::string* const names[2] = { &this->Settings.Eastward, &this->Settings.Northward };
   for (int c = 0; c < 2; ++c)
   {
     if (auto* carried = output->GetPointData()->GetArray(names[c]->c_str()))
     {
-      carried->SetComponent(id, 0, geodesy::Dot(wind, *directions[c]));
+      carried->SetComponent(id, 0, dot(wind, *directions[c]));
     }
   }
 }
@@ -156,15 +156,15 @@ bool GlobeGridBuilder::UpwardWind(vtkIdType id, double level, double height, dou
 
 // All points of a row at a pole are one point: it has the Cartesian mean of their winds. To an added pole those of the
 // last ring are first moved along their meridians.
-bool GlobeGridBuilder::PoleWind(int j, int k, geodesy::Vector& wind) const
+bool GlobeGridBuilder::PoleWind(int j, int k, Vector3& wind) const
 {
   const int columns = DistinctColumns(this->Order_);
   int found = 0;
-  geodesy::Vector sum = { 0.0, 0.0, 0.0 };
+  Vector3 sum = { 0.0, 0.0, 0.0 };
   for (int i = 0; i < columns; ++i)
   {
     const std::array<int, 3> input = this->Order_.InputPoint(i, j, k);
-    geodesy::Vector one;
+    Vector3 one;
     if (this->WindOf(input, BasisAt(this->CoordinatesOf({ i, j, k })), one))
     {
       ++found;

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "TerrainSurface.h"
 
+#include "Vector3.h"
+
 #include "vtkDataArray.h"
 #include "vtkFloatArray.h"
 #include "vtkMath.h"
@@ -11,15 +13,12 @@
 #include "vtkStructuredGrid.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 namespace nephoscope
 {
 namespace
 {
-using Vector = std::array<double, 3>;
-
 struct Rows
 {
   explicit Rows(vtkStructuredGrid* terrain)
@@ -33,9 +32,9 @@ struct Rows
 
   vtkIdType Id(int i, int j) const { return i + static_cast<vtkIdType>(this->Columns) * j; }
 
-  Vector Point(int i, int j) const
+  Vector3 Point(int i, int j) const
   {
-    Vector x;
+    Vector3 x;
     this->Points->GetPoint(this->Id(i, j), x.data());
     return x;
   }
@@ -43,16 +42,16 @@ struct Rows
   // All points of the row are one.
   bool IsPole(int j) const
   {
-    const Vector first = this->Point(0, j);
-    const Vector middle = this->Point(this->Columns / 2, j);
-    return this->Columns > 2 && vtkMath::Distance2BetweenPoints(first.data(), middle.data()) <= 1e-12 * vtkMath::Dot(first.data(), first.data());
+    const Vector3 first = this->Point(0, j);
+    const Vector3 middle = this->Point(this->Columns / 2, j);
+    return this->Columns > 2 && distance(first, middle) <= 1e-6 * norm(first);
   }
 
   bool Closes(int j) const
   {
-    const Vector first = this->Point(0, j);
-    const Vector last = this->Point(this->Columns - 1, j);
-    return this->Columns > 3 && vtkMath::Distance2BetweenPoints(first.data(), last.data()) <= 1e-12 * vtkMath::Dot(first.data(), first.data());
+    const Vector3 first = this->Point(0, j);
+    const Vector3 last = this->Point(this->Columns - 1, j);
+    return this->Columns > 3 && distance(first, last) <= 1e-6 * norm(first);
   }
 
   vtkPoints* Points;
@@ -74,26 +73,18 @@ bool IsLand(vtkDataArray* land, double height, vtkIdType id)
   return land ? land->GetComponent(id, 0) >= 0.5 : height > 0.0;
 }
 
-Vector Difference(const Vector& a, const Vector& b)
-{
-  return { a[0] - b[0], a[1] - b[1], a[2] - b[2] };
-}
-
-Vector NormalAt(const Rows& rows, int i, int j, bool closes)
+Vector3 NormalAt(const Rows& rows, int i, int j, bool closes)
 {
   const int last = rows.Columns - 1;
   const int before = i > 0 ? i - 1 : closes ? last - 1 : 0;
   const int after = i < last ? i + 1 : closes ? 1 : last;
-  const Vector along = Difference(rows.Point(after, j), rows.Point(before, j));
-  const Vector across = Difference(rows.Point(i, std::min(j + 1, rows.Count - 1)), rows.Point(i, std::max(j - 1, 0)));
-  Vector normal;
-  vtkMath::Cross(along.data(), across.data(), normal.data());
-  vtkMath::Normalize(normal.data());
-  return normal;
+  const Vector3 along = rows.Point(after, j) - rows.Point(before, j);
+  const Vector3 across = rows.Point(i, std::min(j + 1, rows.Count - 1)) - rows.Point(i, std::max(j - 1, 0));
+  return normalized(cross(along, across));
 }
 
 // Degrees.
-void LongitudeLatitude(const Vector& x, const TerrainPlace& place, double& longitude, double& latitude)
+void LongitudeLatitude(const Vector3& x, const TerrainPlace& place, double& longitude, double& latitude)
 {
   longitude = vtkMath::DegreesFromRadians(place.OnGlobe ? std::atan2(x[1], x[0]) : x[0] / place.Radius);
   latitude = vtkMath::DegreesFromRadians(place.OnGlobe ? std::atan2(x[2], std::hypot(x[0], x[1])) : x[1] / place.Radius);
@@ -110,11 +101,11 @@ void FlattenSea(vtkStructuredGrid* terrain, vtkDataArray* land, const TerrainPla
     {
       continue;
     }
-    Vector x;
+    Vector3 x;
     points->GetPoint(id, x.data());
-    const double radius = vtkMath::Norm(x.data());
-    x = place.OnGlobe ? Vector{ x[0] * (place.Radius / radius), x[1] * (place.Radius / radius), x[2] * (place.Radius / radius) }
-                      : Vector{ x[0], x[1], 0.0 };
+    const double radius = norm(x);
+    x = place.OnGlobe ? Vector3{ x[0] * (place.Radius / radius), x[1] * (place.Radius / radius), x[2] * (place.Radius / radius) }
+                      : Vector3{ x[0], x[1], 0.0 };
     points->SetPoint(id, x.data());
     heights->SetComponent(id, 0, 0.0);
   }
@@ -143,10 +134,10 @@ void AddTerrainNormals(vtkStructuredGrid* terrain, const TerrainPlace& place)
     const bool pole = place.OnGlobe && rows.IsPole(j);
     const int its = !pole ? j : j == 0 ? std::min(1, rows.Count - 1) : j - 1;
     const bool closes = place.OnGlobe && rows.Closes(its);
-    Vector mean = { 0.0, 0.0, 0.0 };
+    Vector3 mean = { 0.0, 0.0, 0.0 };
     for (int i = 0; i < rows.Columns; ++i)
     {
-      const Vector normal = NormalAt(rows, i, its, closes);
+      const Vector3 normal = NormalAt(rows, i, its, closes);
       normals->SetTuple(rows.Id(i, j), normal.data());
       vtkMath::Add(mean.data(), normal.data(), mean.data());
     }

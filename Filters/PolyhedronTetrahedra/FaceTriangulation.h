@@ -18,7 +18,7 @@
 #ifndef FaceTriangulation_h
 #define FaceTriangulation_h
 
-#include "TetrahedronRay.h"
+#include "Tetrahedron.h"
 
 #include <algorithm>
 #include <array>

@@ -15,7 +15,7 @@
 #ifndef KernelPoint_h
 #define KernelPoint_h
 
-#include "TetrahedronRay.h"
+#include "Tetrahedron.h"
 
 #include <array>
 #include <cmath>

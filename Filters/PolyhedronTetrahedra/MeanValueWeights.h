@@ -17,7 +17,7 @@
 #ifndef MeanValueWeights_h
 #define MeanValueWeights_h
 
-#include "TetrahedronRay.h"
+#include "Tetrahedron.h"
 
 #include <array>
 #include <cmath>

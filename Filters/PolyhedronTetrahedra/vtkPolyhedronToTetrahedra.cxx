@@ -3,6 +3,7 @@
 #include "vtkPolyhedronToTetrahedra.h"
 
 #include "DividedGrid.h"
+#include "OwnThreads.h"
 #include "PolyhedronDivider.h"
 
 #include "vtkCellType.h"
@@ -209,8 +210,7 @@ void vtkPolyhedronToTetrahedra::DivideInParallel(vtkWork& work)
   for (vtkIdType first = 0; first < n && !this->CheckAbort(); first += chunk)
   {
     this->UpdateProgress(0.8 * static_cast<double>(first) / static_cast<double>(n));
-    vtkSMPTools::LocalScope(vtkSMPTools::Config(0, "STDThread", false),
-      [&]() { vtkSMPTools::For(first, std::min(first + chunk, n), divide); });
+    nephoscope::withThreads([&]() { vtkSMPTools::For(first, std::min(first + chunk, n), divide); });
   }
 }
 

@@ -4,6 +4,8 @@
 #ifndef nephoscope_AffineGrid_h
 #define nephoscope_AffineGrid_h
 
+#include "Vector3.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -13,16 +15,15 @@ namespace nephoscope
 {
 // Rows of a 4 x 4 matrix for column vectors; the last row is (0, 0, 0, 1).
 using AffineMatrix = std::array<double, 16>;
-using AffineVector = std::array<double, 3>;
 
-inline AffineVector Column(const AffineMatrix& m, std::size_t column)
+inline Vector3 Column(const AffineMatrix& m, std::size_t column)
 {
   return { { m[column], m[4 + column], m[8 + column] } };
 }
 
-inline AffineVector Apply(const AffineMatrix& m, const AffineVector& x)
+inline Vector3 Apply(const AffineMatrix& m, const Vector3& x)
 {
-  AffineVector y;
+  Vector3 y;
   for (std::size_t row = 0; row < 3; ++row)
   {
     y[row] = m[4 * row] * x[0] + m[4 * row + 1] * x[1] + m[4 * row + 2] * x[2] + m[4 * row + 3];
@@ -30,27 +31,15 @@ inline AffineVector Apply(const AffineMatrix& m, const AffineVector& x)
   return y;
 }
 
-inline double Product(const AffineVector& a, const AffineVector& b)
-{
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
-inline double Norm(const AffineVector& a)
-{
-  return std::sqrt(Product(a, a));
-}
-
 // Edge lengths of a voxel.
-inline AffineVector Spacing(const AffineMatrix& m)
+inline Vector3 Spacing(const AffineMatrix& m)
 {
-  return { { Norm(Column(m, 0)), Norm(Column(m, 1)), Norm(Column(m, 2)) } };
+  return { { norm(Column(m, 0)), norm(Column(m, 1)), norm(Column(m, 2)) } };
 }
 
 inline double VoxelVolume(const AffineMatrix& m)
 {
-  const AffineVector a = Column(m, 0), b = Column(m, 1), c = Column(m, 2);
-  return std::abs(a[0] * (b[1] * c[2] - b[2] * c[1]) + a[1] * (b[2] * c[0] - b[0] * c[2]) +
-    a[2] * (b[0] * c[1] - b[1] * c[0]));
+  return std::abs(tripleProduct(Column(m, 1), Column(m, 2), Column(m, 0)));
 }
 
 // Whether the edges of a voxel meet at right angles, to a share of 1e-6: what an image can hold.
@@ -58,8 +47,8 @@ inline bool IsRectangular(const AffineMatrix& m)
 {
   for (std::size_t a = 0; a < 3; ++a)
   {
-    const AffineVector u = Column(m, a), v = Column(m, (a + 1) % 3);
-    if (std::abs(Product(u, v)) > 1e-6 * Norm(u) * Norm(v))
+    const Vector3 u = Column(m, a), v = Column(m, (a + 1) % 3);
+    if (std::abs(dot(u, v)) > 1e-6 * norm(u) * norm(v))
     {
       return false;
     }
@@ -70,7 +59,7 @@ inline bool IsRectangular(const AffineMatrix& m)
 // Whether two lattices are the same: edges to a share of 1e-6, places to 1e-3 of a voxel.
 inline bool IsSameLattice(const AffineMatrix& a, const AffineMatrix& b)
 {
-  const AffineVector edges = Spacing(a);
+  const Vector3 edges = Spacing(a);
   const double longest = *std::max_element(edges.begin(), edges.end());
   const double shortest = *std::min_element(edges.begin(), edges.end());
   for (std::size_t i = 0; i < 12; ++i)

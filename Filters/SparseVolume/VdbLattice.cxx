@@ -205,10 +205,10 @@ LatticePoints FindLatticePoints(vtkDataSet* data)
   std::vector<openvdb::CoordBBox> boxes;
   for (vtkIdType id = 0; id < data->GetNumberOfPoints(); ++id)
   {
-    AffineVector place;
+    Vector3 place;
     data->GetPoint(id, place.data());
     const double edge = scale ? scale->GetComponent(id, 0) : 1;
-    const AffineVector index = Apply(toIndex, place);
+    const Vector3 index = Apply(toIndex, place);
     openvdb::Coord first;
     for (std::size_t axis = 0; axis < 3; ++axis)
     {

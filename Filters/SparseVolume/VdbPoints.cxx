@@ -5,6 +5,8 @@
 #include "VdbReading.h"
 #include "VdbValues.h"
 
+#include "OwnThreads.h"
+
 #include "vtkCellArray.h"
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
@@ -121,17 +123,17 @@ bool floatIsEnough(const VdbRequest& request, const Mask& active)
   const AffineMatrix& m = request.Grids[0].IndexToWorld;
   openvdb::CoordBBox box;
   active.evalActiveVoxelBoundingBox(box);
-  const AffineVector edges = Spacing(m);
+  const Vector3 edges = Spacing(m);
   double farthest = 0;
   for (int corner = 0; corner < 8; ++corner)
   {
-    AffineVector index;
+    Vector3 index;
     for (int axis = 0; axis < 3; ++axis)
     {
       index[static_cast<std::size_t>(axis)] =
         corner >> axis & 1 ? box.max()[axis] : box.min()[axis];
     }
-    const AffineVector place = Apply(m, index);
+    const Vector3 place = Apply(m, index);
     farthest = std::max({ farthest, std::abs(place[0]), std::abs(place[1]), std::abs(place[2]) });
   }
   return farthest * 6e-8 < 1e-3 * std::min({ edges[0], edges[1], edges[2] });
@@ -146,7 +148,7 @@ vtkSmartPointer<vtkPoints> placesOf(const Voxels& voxels, const AffineMatrix& la
     voxels, []() { return 0; },
     [&](vtkIdType point, const openvdb::Coord& first, int edge, int) {
       const double half = 0.5 * (edge - 1);
-      const AffineVector place =
+      const Vector3 place =
         Apply(lattice, { { first.x() + half, first.y() + half, first.z() + half } });
       points->SetPoint(point, place.data());
     });
@@ -219,12 +221,12 @@ void warnOfLost(const VdbRequest& request, const Mask& active, std::vector<std::
     bool outside = false;
     for (int corner = 0; corner < 8 && !info.IsEmpty(); ++corner)
     {
-      AffineVector index;
+      Vector3 index;
       for (std::size_t axis = 0; axis < 3; ++axis)
       {
         index[axis] = info.Extent[2 * axis + (corner >> axis & 1)];
       }
-      const AffineVector there = Apply(toIndex, Apply(info.IndexToWorld, index));
+      const Vector3 there = Apply(toIndex, Apply(info.IndexToWorld, index));
       for (std::size_t axis = 0; axis < 3; ++axis)
       {
         // A coarser grid's voxels reach half their edge beyond their centres.

@@ -122,12 +122,12 @@ private:
   /** In the indices of the grid. */
   openvdb::Vec3R Place(const openvdb::Coord& voxel) const
   {
-    const AffineVector index{ { double(voxel.x()), double(voxel.y()), double(voxel.z()) } };
+    const Vector3 index{ { double(voxel.x()), double(voxel.y()), double(voxel.z()) } };
     if (!this->Interpolated)
     {
       return openvdb::Vec3R(index.data());
     }
-    const AffineVector world = Apply(this->Lattice, index);
+    const Vector3 world = Apply(this->Lattice, index);
     return this->Grid.worldToIndex(openvdb::Vec3d(world.data()));
   }
 

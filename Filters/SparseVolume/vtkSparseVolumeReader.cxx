@@ -77,8 +77,8 @@ void decompose(const AffineMatrix& matrix, double origin[3], double spacing[3], 
   for (std::size_t axis = 0; axis < 3; ++axis)
   {
     origin[axis] = matrix[4 * axis + 3];
-    const nephoscope::AffineVector edge = nephoscope::Column(matrix, axis);
-    spacing[axis] = nephoscope::Norm(edge);
+    const nephoscope::Vector3 edge = nephoscope::Column(matrix, axis);
+    spacing[axis] = nephoscope::norm(edge);
     for (std::size_t row = 0; row < 3; ++row)
     {
       direction[3 * row + axis] = edge[row] / spacing[axis];
@@ -256,7 +256,7 @@ void vtkSparseVolumeReader::GetGridExtent(int grid, int extent[6])
 
 void vtkSparseVolumeReader::GetGridSpacing(int grid, double spacing[3])
 {
-  const nephoscope::AffineVector edges =
+  const nephoscope::Vector3 edges =
     nephoscope::Spacing(this->Internals->Grid(grid).IndexToWorld);
   std::copy(edges.begin(), edges.end(), spacing);
 }
@@ -276,7 +276,7 @@ std::string vtkSparseVolumeReader::GetGridDescription(int grid)
     text << "cannot be read, " << info.Refusal;
     return text.str();
   }
-  const nephoscope::AffineVector edges = nephoscope::Spacing(info.IndexToWorld);
+  const nephoscope::Vector3 edges = nephoscope::Spacing(info.IndexToWorld);
   text << info.Type << (info.Half ? " saved as half" : "") << ", " << info.Class << ", "
        << info.ActiveVoxels << " active voxels of " << edges[0] << " x " << edges[1] << " x "
        << edges[2];

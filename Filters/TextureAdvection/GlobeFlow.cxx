@@ -2,9 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "GlobeFlow.h"
 
+#include "OwnThreads.h"
+
 #include "vtkDataSet.h"
 #include "vtkPointData.h"
-#include "vtkSMPTools.h"
 #include "vtkStructuredGrid.h"
 
 #include <cmath>
@@ -29,8 +30,7 @@ constexpr vtkIdType JOB_SIZE = 2048;
 template <typename Function>
 void InParallel(std::size_t count, const Function& function)
 {
-  vtkSMPTools::LocalScope(vtkSMPTools::Config(0, "STDThread", false),
-    [&]() { vtkSMPTools::For(0, static_cast<vtkIdType>(count), JOB_SIZE, function); });
+  inParallel(static_cast<vtkIdType>(count), function, JOB_SIZE);
 }
 
 void MixArrays(const std::vector<float>& a, const std::vector<float>& b, float w, std::vector<float>& mixed)

@@ -3,11 +3,12 @@
 // The winds of a GlobeShape.
 #include "GlobeShape.h"
 
+#include "OwnThreads.h"
+
 #include "vtkDataArray.h"
 #include "vtkDataSet.h"
 #include "vtkDataSetAttributes.h"
 #include "vtkPointData.h"
-#include "vtkSMPTools.h"
 #include "vtkUnsignedCharArray.h"
 
 #include <atomic>
@@ -31,13 +32,6 @@ LocalFrame FrameAt(double longitude, double sine, double cosine)
   const double s = std::sin(longitude);
   const double c = std::cos(longitude);
   return { { -s, c, 0.0 }, { -sine * c, -sine * s, cosine }, { cosine * c, cosine * s, sine } };
-}
-
-template <typename Function>
-void OverRows(vtkIdType count, const Function& function)
-{
-  vtkSMPTools::LocalScope(vtkSMPTools::Config(0, "STDThread", false),
-    [&]() { vtkSMPTools::For(0, count, function); });
 }
 }
 
@@ -102,9 +96,9 @@ GlobeAir GlobeShape::MakeAir(const GlobeInput& input, std::int64_t& missing) con
     }
     unknown += found;
   };
-  OverRows(static_cast<vtkIdType>(this->Size[1]) * this->Size[2], read);
+  inParallel(static_cast<vtkIdType>(this->Size[1]) * this->Size[2], read);
   missing = unknown;
-  OverRows(this->Size[1], [&](vtkIdType begin, vtkIdType end) {
+  inParallel(this->Size[1], [&](vtkIdType begin, vtkIdType end) {
     for (vtkIdType j = begin; j < end; ++j)
     {
       for (int i = 0; i < this->Size[0]; ++i)

@@ -4,6 +4,7 @@
 
 #include "GlobeColumns.h"
 #include "GridStretch.h"
+#include "OwnThreads.h"
 
 #include "vtkDataSet.h"
 #include "vtkDoubleArray.h"
@@ -15,7 +16,6 @@
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkRectilinearGrid.h"
-#include "vtkSMPTools.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkStructuredGrid.h"
 
@@ -191,16 +191,14 @@ std::vector<double> StretchWriter::Stretches(const std::vector<float>& displacem
   }
   const GridStretch stretch({ this->Points, this->Horizontal ? 2 : 3, this->Closed }, from, to);
   std::vector<double> stretches(count);
-  vtkSMPTools::LocalScope(vtkSMPTools::Config(0, "STDThread", false), [&]() {
-    vtkSMPTools::For(0, static_cast<vtkIdType>(count), 2048, [&](vtkIdType begin, vtkIdType end) {
-      for (vtkIdType p = begin; p < end; ++p)
-      {
-        const vtkIdType row = p / this->Points[0];
-        stretches[static_cast<std::size_t>(p)] = stretch.At({ static_cast<int>(p % this->Points[0]),
-          static_cast<int>(row % this->Points[1]), static_cast<int>(row / this->Points[1]) });
-      }
-    });
-  });
+  inParallel(static_cast<vtkIdType>(count), [&](vtkIdType begin, vtkIdType end) {
+    for (vtkIdType p = begin; p < end; ++p)
+    {
+      const vtkIdType row = p / this->Points[0];
+      stretches[static_cast<std::size_t>(p)] = stretch.At({ static_cast<int>(p % this->Points[0]),
+        static_cast<int>(row % this->Points[1]), static_cast<int>(row / this->Points[1]) });
+    }
+  }, 2048);
   return stretches;
 }
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "AdvanceParticles.h"
 
+#include "OwnThreads.h"
 #include "ParticleIntegrator.h"
 
 #include "vtkSMPTools.h"
@@ -60,8 +61,6 @@ void AdvanceParticles(const VelocityField& field, const Particles& particles, do
       Part(particles, static_cast<std::size_t>(begin), static_cast<std::size_t>(end));
     AdvanceInBatches(field, part, time, step, settings);
   };
-  vtkSMPTools::LocalScope(vtkSMPTools::Config(settings.Threads, "STDThread", false), [&]() {
-    vtkSMPTools::For(0, static_cast<vtkIdType>(particles.Count), JOB_SIZE, work);
-  });
+  withThreads([&]() { vtkSMPTools::For(0, static_cast<vtkIdType>(particles.Count), JOB_SIZE, work); }, settings.Threads);
 }
 }

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ArrayInterpolation.h"
 
+#include "OwnThreads.h"
+
 #include "vtkArrayDispatch.h"
 #include "vtkDataArray.h"
 #include "vtkDataArrayRange.h"
@@ -170,7 +172,6 @@ void InterpolateArrays(vtkPointData* input, std::size_t count, vtkPointData* out
     work(0, pairs.empty() ? 0 : batches);
     return;
   }
-  vtkSMPTools::LocalScope(vtkSMPTools::Config(0, "STDThread", false),
-    [&]() { vtkSMPTools::For(0, batches, 1, work); });
+  inParallel(batches, work, 1);
 }
 }

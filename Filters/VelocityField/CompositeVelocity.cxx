@@ -3,6 +3,7 @@
 #include "CompositeVelocity.h"
 
 #include "ArrayInterpolation.h"
+#include "DataSets.h"
 
 #include "vtkDataArray.h"
 #include "vtkNew.h"

@@ -4,14 +4,13 @@
 #ifndef nephoscope_VelocityField_h
 #define nephoscope_VelocityField_h
 
-#include <array>
+#include "Vector3.h"
+
 #include <cstddef>
 #include <cstdint>
 
 namespace nephoscope
 {
-using Vector3 = std::array<double, 3>;
-
 // Where a particle was found last; the next search starts there. A hint changes the cost, never the result
 // beyond rounding. A field takes any hint, also one of another field: it is checked, not trusted.
 struct CellHint

@@ -4,14 +4,20 @@
 
 #include "StructuredFields.h"
 
+#include "vtkBoundingBox.h"
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
 #include "vtkDataSet.h"
+#include "vtkDataSetAttributes.h"
 #include "vtkGenericCell.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
+#include "vtkSmartPointer.h"
+#include "vtkUnsignedCharArray.h"
 
+#include <algorithm>
 #include <array>
+#include <sstream>
 
 namespace nephoscope
 {
@@ -114,11 +120,68 @@ std::string ShapeProblem(vtkDataSet* data)
                          : "The dataset has no cells with a volume, only surfaces, lines or points. Give "
                            "the volume mesh, or make one with Delaunay 3D.";
 }
+
+std::string Written(const Vector3& position)
+{
+  std::ostringstream place;
+  place << "(" << position[0] << ", " << position[1] << ", " << position[2] << ")";
+  return place.str();
+}
+
+// Blanked cells too: some versions of VTK do not find them.
+vtkIdType CellAt(vtkDataSet* blanked, const Vector3& position)
+{
+  auto set = vtkSmartPointer<vtkDataSet>::Take(blanked->NewInstance());
+  set->CopyStructure(blanked);
+  set->GetCellData()->RemoveArray(vtkDataSetAttributes::GhostArrayName());
+  vtkNew<vtkGenericCell> cell;
+  std::vector<double> weights(static_cast<std::size_t>(std::max(8, set->GetMaxCellSize())));
+  double point[3] = { position[0], position[1], position[2] };
+  double parametric[3];
+  int part = 0;
+  return set->FindCell(point, nullptr, cell, -1, 0.0, part, parametric, weights.data());
+}
+
+bool IsBlanked(vtkDataSet* set, vtkIdType cell)
+{
+  auto* ghosts = vtkUnsignedCharArray::SafeDownCast(
+    set->GetCellData()->GetArray(vtkDataSetAttributes::GhostArrayName()));
+  return ghosts && (ghosts->GetValue(cell) & vtkDataSetAttributes::HIDDENCELL);
+}
 }
 
 std::string VelocityProblem(vtkDataSet* data, const VelocityArray& array)
 {
   const std::string shape = ShapeProblem(data);
   return shape.empty() ? ArrayProblem(data, array) : shape;
+}
+
+std::string WhyNoVelocityInside(const std::vector<vtkDataSet*>& sets, const Vector3& position)
+{
+  for (vtkDataSet* set : sets)
+  {
+    const vtkIdType cell = CellAt(set, position);
+    if (cell >= 0 && !IsBlanked(set, cell))
+    {
+      return "The velocity at " + Written(position) + " is not a finite number (cell " +
+        std::to_string(cell) + "): move the polygon, or replace the missing values.";
+    }
+    if (cell >= 0)
+    {
+      return "The cell at " + Written(position) + " is blanked: move the polygon into visible cells.";
+    }
+  }
+  return {};
+}
+
+std::string WhyOutside(const vtkBoundingBox& box, const Vector3& position)
+{
+  double bounds[6];
+  box.GetBounds(bounds);
+  std::ostringstream sentence;
+  sentence << Written(position) << " is outside the data, which are within x " << bounds[0] << " to "
+           << bounds[1] << ", y " << bounds[2] << " to " << bounds[3] << ", z " << bounds[4] << " to "
+           << bounds[5] << ": move the polygon into them.";
+  return sentence.str();
 }
 }

@@ -2,17 +2,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "DensityVolume.h"
 
+#include "DataSets.h"
 #include "DensityCells.h"
 #include "DensityImage.h"
 
 #include "vtkCellData.h"
-#include "vtkCompositeDataIterator.h"
 #include "vtkCompositeDataSet.h"
 #include "vtkDataArray.h"
 #include "vtkDataSet.h"
 #include "vtkImageData.h"
 #include "vtkPointData.h"
-#include "vtkSmartPointer.h"
 
 #include <algorithm>
 #include <vector>
@@ -21,30 +20,6 @@ namespace nephoscope
 {
 namespace
 {
-std::vector<vtkDataSet*> blocksOf(vtkDataObject* data)
-{
-  std::vector<vtkDataSet*> blocks;
-  const auto take = [&](vtkDataObject* object) {
-    auto* block = vtkDataSet::SafeDownCast(object);
-    if (block && block->GetNumberOfCells() > 0)
-    {
-      blocks.push_back(block);
-    }
-  };
-  auto* composite = vtkCompositeDataSet::SafeDownCast(data);
-  if (!composite)
-  {
-    take(data);
-    return blocks;
-  }
-  auto each = vtk::TakeSmartPointer(composite->NewIterator());
-  for (each->InitTraversal(); !each->IsDoneWithTraversal(); each->GoToNextItem())
-  {
-    take(each->GetCurrentDataObject());
-  }
-  return blocks;
-}
-
 vtkDataArray* arrayOf(vtkDataSetAttributes* attributes, const std::string& name)
 {
   return name.empty() ? attributes->GetScalars() : attributes->GetArray(name.c_str());
@@ -99,7 +74,7 @@ std::unique_ptr<DensityVolume> makeDensityVolume(vtkDataObject* data, const std:
   }
   std::vector<DensityBlock> blocks;
   std::size_t without = 0;
-  for (vtkDataSet* block : blocksOf(data))
+  for (vtkDataSet* block : DataSetsOf(data))
   {
     const DensityBlock density = densityOf(block, name);
     const std::string wrong = errorOf(density, name);
@@ -134,16 +109,6 @@ std::unique_ptr<DensityVolume> makeDensityVolume(vtkDataObject* data, const std:
     cells->Warning = "is incomplete: one of its blocks " + told + (cells->Warning.empty() ? "" : "; it " + cells->Warning);
   }
   return cells;
-}
-
-vtkMTimeType timeOfData(vtkDataObject* data)
-{
-  vtkMTimeType time = data ? data->GetMTime() : 0;
-  for (vtkDataSet* block : blocksOf(data))
-  {
-    time = std::max(time, block->GetMTime());
-  }
-  return time;
 }
 
 } // namespace nephoscope

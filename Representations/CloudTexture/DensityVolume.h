@@ -54,9 +54,6 @@ inline bool isDensity(double value)
 /** `name`: of a point or cell array; empty: active scalars. Null where there is no data, or else with the reason in `error`. */
 std::unique_ptr<DensityVolume> makeDensityVolume(vtkDataObject* data, const std::string& name, std::string& error);
 
-/** When the data, or one of its blocks, has changed last. */
-vtkMTimeType timeOfData(vtkDataObject* data);
-
 } // namespace nephoscope
 
 #endif

@@ -4,6 +4,7 @@
 #include "OpenGLFunctions.h"
 
 #include "CloudShaderCode.h"
+#include "DataSets.h"
 #include "vtkCloudTextureMapperInternals.h"
 
 #include "vtkActor.h"
@@ -43,7 +44,7 @@ void vtkCloudTextureMapper::PrepareVolume()
 {
   vtkInternals& own = *this->Internals;
   vtkDataObject* data = this->UseThickness ? this->DensityVolume.Get() : nullptr;
-  const decltype(own.VolumeMadeFrom) key(data, nephoscope::timeOfData(data), this->DensityArrayName);
+  const decltype(own.VolumeMadeFrom) key(data, nephoscope::NewestMTime(data), this->DensityArrayName);
   if (key == own.VolumeMadeFrom)
   {
     return;

@@ -4,6 +4,8 @@
 #ifndef ViewState_h
 #define ViewState_h
 
+#include "Vector3.h"
+
 #include "vtkMatrix3x3.h"
 #include "vtkMatrix4x4.h"
 #include "vtkNew.h"
@@ -17,8 +19,6 @@
 
 namespace nephoscope
 {
-
-using Vector4 = std::array<double, 4>;
 
 /** What one drawing needs to know of the view; matrices as vtkMatrix4x4 multiplies columns. */
 struct SceneView

@@ -180,9 +180,9 @@ public:
   }
 
 private:
-  SplatVector Place(vtkIdType point) const
+  Vector3 Place(vtkIdType point) const
   {
-    SplatVector x;
+    Vector3 x;
     this->Data->GetPoint(point, x.data());
     return x;
   }
@@ -201,7 +201,7 @@ private:
 
   void AddSolid(const CellKind& kind, const vtkIdType* points)
   {
-    SplatVector x[8];
+    Vector3 x[8];
     for (int i = 0; i < kind.Corners; ++i)
     {
       x[i] = this->Place(points[i]);
@@ -210,16 +210,16 @@ private:
     for (int t = 0; t < kind.NumberOfTetrahedra; ++t)
     {
       const int* c = kind.Tetrahedra[t];
-      volume += TetrahedronVolume(x[c[0]], x[c[1]], x[c[2]], x[c[3]]);
+      volume += std::abs(signedVolume(x[c[0]], x[c[1]], x[c[2]], x[c[3]]));
     }
     SplatMatrix edges[8] = {};
     double angles[8], all = 0;
     for (int i = 0; i < kind.Corners; ++i)
     {
-      SplatVector e[3];
+      Vector3 e[3];
       for (int k = 0; k < 3; ++k)
       {
-        e[k] = Minus(x[kind.Neighbors[i][k]], x[i]);
+        e[k] = x[kind.Neighbors[i][k]] - x[i];
         AddOuterProduct(edges[i], e[k]);
       }
       angles[i] = SolidAngle(e[0], e[1], e[2]) / sphere;
@@ -245,22 +245,22 @@ private:
   {
     const std::size_t count = points.size();
     double area = 0;
-    const SplatVector first = this->Place(points[0]);
+    const Vector3 first = this->Place(points[0]);
     for (std::size_t i = 2; i < count; ++i)
     {
       area += 0.5 *
-        Length(
-          Cross(Minus(this->Place(points[i - 1]), first), Minus(this->Place(points[i]), first)));
+        norm(
+          cross(this->Place(points[i - 1]) - first, this->Place(points[i]) - first));
     }
     for (std::size_t i = 0; i < count; ++i)
     {
-      const SplatVector x = this->Place(points[i]);
-      const SplatVector a = Minus(this->Place(points[(i + 1) % count]), x);
-      const SplatVector b = Minus(this->Place(points[(i + count - 1) % count]), x);
+      const Vector3 x = this->Place(points[i]);
+      const Vector3 a = this->Place(points[(i + 1) % count]) - x;
+      const Vector3 b = this->Place(points[(i + count - 1) % count]) - x;
       CellShare share;
       share.Dimension = 2;
       share.Size = area / static_cast<double>(count);
-      share.Angle = std::atan2(Length(Cross(a, b)), Dot(a, b)) / circle;
+      share.Angle = std::atan2(norm(cross(a, b)), dot(a, b)) / circle;
       share.MeanAngle = 0.5 * (static_cast<double>(count) - 2) / static_cast<double>(count);
       this->Give(points[i], share);
     }

@@ -5,6 +5,7 @@
 #define nephoscope_CellShape_h
 
 #include "SplatMatrix.h"
+#include "Tetrahedron.h"
 
 #include <algorithm>
 #include <array>
@@ -14,22 +15,16 @@
 namespace nephoscope
 {
 // Solid angle between three edges from one corner (VanOosteromStrackee1983).
-inline double SolidAngle(const SplatVector& a, const SplatVector& b, const SplatVector& c)
+inline double SolidAngle(const Vector3& a, const Vector3& b, const Vector3& c)
 {
-  const double x = Length(a), y = Length(b), z = Length(c);
-  const double below = x * y * z + Dot(a, b) * z + Dot(b, c) * x + Dot(c, a) * y;
-  const double angle = 2.0 * std::atan2(std::abs(Dot(a, Cross(b, c))), below);
+  const double x = norm(a), y = norm(b), z = norm(c);
+  const double below = x * y * z + dot(a, b) * z + dot(b, c) * x + dot(c, a) * y;
+  const double angle = 2.0 * std::atan2(std::abs(dot(a, cross(b, c))), below);
   return std::isfinite(angle) ? angle : 0.0;
 }
 
-inline double TetrahedronVolume(
-  const SplatVector& a, const SplatVector& b, const SplatVector& c, const SplatVector& d)
-{
-  return std::abs(Dot(Minus(b, a), Cross(Minus(c, a), Minus(d, a)))) / 6.0;
-}
-
 // Adds e e^T.
-inline void AddOuterProduct(SplatMatrix& sum, const SplatVector& e)
+inline void AddOuterProduct(SplatMatrix& sum, const Vector3& e)
 {
   for (std::size_t column = 0; column < 3; ++column)
   {
@@ -135,7 +130,7 @@ struct CellShare
       return BallOfEdge(edge);
     }
     const double scale = edge / std::cbrt(volume);
-    for (SplatVector& column : root)
+    for (Vector3& column : root)
     {
       for (double& component : column)
       {

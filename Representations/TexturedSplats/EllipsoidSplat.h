@@ -21,23 +21,23 @@ struct SplatPassage
 
 // `direction` has unit length; `offset` is the ray's origin minus the splat's centre.
 inline SplatPassage PassSplat(
-  const SplatMatrix& inverseJacobian, const SplatVector& offset, const SplatVector& direction)
+  const SplatMatrix& inverseJacobian, const Vector3& offset, const Vector3& direction)
 {
-  const SplatVector k = Times(inverseJacobian, direction);
-  const SplatVector o = Times(inverseJacobian, offset);
-  const double length = Length(k);
-  return { Length(Cross(o, k)) / length, 1.0 / length, -Dot(o, k) / (length * length) };
+  const Vector3 k = Times(inverseJacobian, direction);
+  const Vector3 o = Times(inverseJacobian, offset);
+  const double length = norm(k);
+  return { norm(cross(o, k)) / length, 1.0 / length, -dot(o, k) / (length * length) };
 }
 
 // How far the ball of one cell reaches along a vector, which must not be 0.
-inline double ReachAlong(const SplatMatrix& jacobian, const SplatVector& vector)
+inline double ReachAlong(const SplatMatrix& jacobian, const Vector3& vector)
 {
   double sum = 0.0;
-  for (const SplatVector& edge : jacobian)
+  for (const Vector3& edge : jacobian)
   {
-    sum += Dot(edge, vector) * Dot(edge, vector);
+    sum += dot(edge, vector) * dot(edge, vector);
   }
-  return std::sqrt(sum) / Length(vector);
+  return std::sqrt(sum) / norm(vector);
 }
 
 // Columns shorter than `share` of the longest are lengthened, so that cells which degenerate (at a pole, or of a flat
@@ -47,7 +47,7 @@ inline SplatMatrix WithoutFlatColumns(SplatMatrix jacobian, double share)
   double lengths[3], longest = 0.0;
   for (std::size_t c = 0; c < 3; ++c)
   {
-    lengths[c] = Length(jacobian[c]);
+    lengths[c] = norm(jacobian[c]);
     longest = std::max(longest, lengths[c]);
   }
   for (std::size_t c = 0; c < 3; ++c)
@@ -56,12 +56,12 @@ inline SplatMatrix WithoutFlatColumns(SplatMatrix jacobian, double share)
     {
       continue;
     }
-    SplatVector direction = jacobian[c];
+    Vector3 direction = jacobian[c];
     if (lengths[c] == 0.0)
     {
-      direction = Cross(jacobian[(c + 1) % 3], jacobian[(c + 2) % 3]);
+      direction = cross(jacobian[(c + 1) % 3], jacobian[(c + 2) % 3]);
     }
-    const double length = Length(direction);
+    const double length = norm(direction);
     for (std::size_t i = 0; i < 3; ++i)
     {
       jacobian[c][i] =

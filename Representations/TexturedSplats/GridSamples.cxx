@@ -17,23 +17,23 @@ namespace nephoscope
 {
 namespace
 {
-SplatVector scaled(const SplatVector& v, double factor)
+Vector3 scaled(const Vector3& v, double factor)
 {
   return { { v[0] * factor, v[1] * factor, v[2] * factor } };
 }
 
 // At right angles to v, of length 1.
-SplatVector acrossOf(const SplatVector& v)
+Vector3 acrossOf(const Vector3& v)
 {
   std::size_t least = 0;
   for (std::size_t c = 1; c < 3; ++c)
   {
     least = std::abs(v[c]) < std::abs(v[least]) ? c : least;
   }
-  SplatVector axis{};
+  Vector3 axis{};
   axis[least] = 1;
-  const SplatVector across = Cross(v, axis);
-  return scaled(across, 1 / Length(across));
+  const Vector3 across = cross(v, axis);
+  return scaled(across, 1 / norm(across));
 }
 
 // Gives the axes along which there is one sample alone the geometric mean of the other edges, at right angles to them.
@@ -46,7 +46,7 @@ void thicken(SplatMatrix& columns, const std::array<bool, 3>& missing)
   {
     if (!missing[axis])
     {
-      logarithms += std::log(Length(columns[axis])); // -infinity at a pole: WithoutFlatColumns does it
+      logarithms += std::log(norm(columns[axis])); // -infinity at a pole: WithoutFlatColumns does it
       last = axis;
       ++known;
     }
@@ -58,8 +58,8 @@ void thicken(SplatMatrix& columns, const std::array<bool, 3>& missing)
   }
   for (std::size_t axis = 0; axis < 3; ++axis)
   {
-    const SplatVector &a = columns[(axis + 1) % 3], &b = columns[(axis + 2) % 3];
-    const SplatVector normal = Cross(a, b);
+    const Vector3 &a = columns[(axis + 1) % 3], &b = columns[(axis + 2) % 3];
+    const Vector3 normal = cross(a, b);
     if (!missing[axis])
     {
       continue;
@@ -71,7 +71,7 @@ void thicken(SplatMatrix& columns, const std::array<bool, 3>& missing)
     }
     else
     {
-      columns[axis] = Length(normal) > 0 ? scaled(normal, edge / Length(normal)) : scaled(acrossOf(columns[last]), edge);
+      columns[axis] = norm(normal) > 0 ? scaled(normal, edge / norm(normal)) : scaled(acrossOf(columns[last]), edge);
     }
   }
 }
@@ -141,9 +141,9 @@ vtkIdType GridSamples::CornerOf(const int index[3], int corner) const
 }
 
 // A point, or the mean of a cell's corners.
-SplatVector GridSamples::At(const int index[3]) const
+Vector3 GridSamples::At(const int index[3]) const
 {
-  SplatVector sum{};
+  Vector3 sum{};
   const int corners = this->OnCells ? 8 : 1;
   for (int corner = 0; corner < corners; ++corner)
   {
@@ -157,7 +157,7 @@ SplatVector GridSamples::At(const int index[3]) const
   return sum;
 }
 
-SplatVector GridSamples::Position(vtkIdType id) const
+Vector3 GridSamples::Position(vtkIdType id) const
 {
   int index[3];
   this->IndexOf(id, index);
@@ -165,9 +165,9 @@ SplatVector GridSamples::Position(vtkIdType id) const
 }
 
 // From the middle of one face of a cell to that of the face on the other side.
-SplatVector GridSamples::EdgeOfCell(const int index[3], int axis) const
+Vector3 GridSamples::EdgeOfCell(const int index[3], int axis) const
 {
-  SplatVector edge{};
+  Vector3 edge{};
   for (int corner = 0; corner < 8; ++corner)
   {
     double x[3];
@@ -201,8 +201,8 @@ SplatMatrix GridSamples::Jacobian(vtkIdType id) const
     }
     if (steps > 0)
     {
-      const SplatVector difference = Minus(this->At(after), this->At(before));
-      columns[axis] = { { difference[0] / steps, difference[1] / steps, difference[2] / steps } };
+      const Vector3 step = this->At(after) - this->At(before);
+      columns[axis] = { { step[0] / steps, step[1] / steps, step[2] / steps } };
     }
     else if (this->OnCells && this->PointDimensions[axis] > 1)
     {

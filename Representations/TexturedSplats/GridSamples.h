@@ -28,7 +28,7 @@ public:
   {
     return vtkIdType(this->Dimensions[0]) * this->Dimensions[1] * this->Dimensions[2];
   }
-  SplatVector Position(vtkIdType id) const;
+  Vector3 Position(vtkIdType id) const;
   /** Along an axis, 0 to 2. */
   int Index(vtkIdType id, int axis) const
   {
@@ -46,8 +46,8 @@ public:
 
 private:
   vtkIdType CornerOf(const int index[3], int corner) const;
-  SplatVector At(const int index[3]) const;
-  SplatVector EdgeOfCell(const int index[3], int axis) const;
+  Vector3 At(const int index[3]) const;
+  Vector3 EdgeOfCell(const int index[3], int axis) const;
   bool ComesBack() const;
   void IndexOf(vtkIdType id, int index[3]) const;
 

@@ -2,10 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * While points of several pixels are drawn: a viewport that is larger than the image, because a point is left out when its centre is
- * outside of the viewport. To be included after OpenGLFunctions.h.
+ * outside of the viewport.
  */
 #ifndef PointMargin_h
 #define PointMargin_h
+
+#include "OpenGLFunctions.h"
 
 #include "vtkOpenGLState.h"
 

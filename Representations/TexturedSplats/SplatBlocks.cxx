@@ -26,7 +26,7 @@ std::array<double, 3> meanEdges(const SplatSamples& samples, const SplatClasses&
     const auto& j = samples.JacobianOf(static_cast<std::size_t>(classes.Samples[i]));
     for (std::size_t c = 0; c < 3; ++c)
     {
-      edges[c] += Length(ToDouble(j[c]));
+      edges[c] += norm(ToDouble(j[c]));
     }
   }
   return edges;
@@ -51,13 +51,13 @@ SplatBlocks::SplatBlocks(const SplatSamples& samples, const SplatClasses& classe
 }
 
 template <typename Place>
-void SplatBlocks::FindRange(Place placeOf, SplatVector& low, SplatVector& high) const
+void SplatBlocks::FindRange(Place placeOf, Vector3& low, Vector3& high) const
 {
   low.fill(std::numeric_limits<double>::infinity());
   high.fill(-low[0]);
   for (const std::int32_t sample : this->Classes.Samples)
   {
-    const SplatVector p = placeOf(static_cast<std::size_t>(sample));
+    const Vector3 p = placeOf(static_cast<std::size_t>(sample));
     for (std::size_t c = 0; c < 3; ++c)
     {
       low[c] = std::min(low[c], p[c]);
@@ -69,8 +69,8 @@ void SplatBlocks::FindRange(Place placeOf, SplatVector& low, SplatVector& high) 
 // The middle of a tile is that of a voxel in it.
 std::array<double, 3> SplatBlocks::VoxelIndex(std::size_t sample) const
 {
-  SplatVector index = Times(
-    this->ToVoxels, Minus(ToDouble(this->Samples.Positions[sample]), this->Samples.FirstVoxel));
+  Vector3 index = Times(
+    this->ToVoxels, ToDouble(this->Samples.Positions[sample]) - this->Samples.FirstVoxel);
   for (double& i : index)
   {
     i = std::floor(i + 0.5);
@@ -82,7 +82,7 @@ std::array<double, 3> SplatBlocks::VoxelIndex(std::size_t sample) const
 bool SplatBlocks::UseVoxels()
 {
   this->ToVoxels = Inverse(this->Samples.Voxel);
-  SplatVector high;
+  Vector3 high;
   this->FindRange([&](std::size_t sample) { return this->VoxelIndex(sample); }, this->Corner, high);
   BlockOrder::Index sizes;
   std::array<double, 3> edges;
@@ -95,7 +95,7 @@ bool SplatBlocks::UseVoxels()
       return false;
     }
     sizes[c] = static_cast<std::uint32_t>(size);
-    edges[c] = Length(this->Samples.Voxel[c]);
+    edges[c] = norm(this->Samples.Voxel[c]);
   }
   this->As = Kind::Voxels;
   this->Order = BlockOrder(sizes, edges);
@@ -104,7 +104,7 @@ bool SplatBlocks::UseVoxels()
 
 void SplatBlocks::UseSpace()
 {
-  SplatVector high;
+  Vector3 high;
   this->FindRange([&](std::size_t sample) { return ToDouble(this->Samples.Positions[sample]); },
     this->Corner, high);
   const double edge =
@@ -123,8 +123,7 @@ BlockOrder::Index SplatBlocks::IndexOf(std::size_t sample) const
       static_cast<std::uint32_t>(id / nx / ny) } };
   }
   const bool voxels = this->As == Kind::Voxels;
-  const SplatVector place = Minus(
-    voxels ? this->VoxelIndex(sample) : ToDouble(this->Samples.Positions[sample]), this->Corner);
+  const Vector3 place = (voxels ? this->VoxelIndex(sample) : ToDouble(this->Samples.Positions[sample])) - this->Corner;
   const double scale = voxels ? 1.0 : this->BlocksPerLength;
   return { { static_cast<std::uint32_t>(place[0] * scale),
     static_cast<std::uint32_t>(place[1] * scale), static_cast<std::uint32_t>(place[2] * scale) } };

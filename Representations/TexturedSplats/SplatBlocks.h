@@ -44,14 +44,14 @@ private:
   void UseSpace();
   std::array<double, 3> VoxelIndex(std::size_t sample) const;
   template <typename Place>
-  void FindRange(Place placeOf, SplatVector& low, SplatVector& high) const;
+  void FindRange(Place placeOf, Vector3& low, Vector3& high) const;
 
   const SplatSamples& Samples;
   const SplatClasses& Classes;
   Kind As = Kind::Space;
   BlockOrder Order{ { { 1, 1, 1 } }, { { 1.0, 1.0, 1.0 } } };
   SplatMatrix ToVoxels{};
-  SplatVector Corner{}; // index of a voxel, or a place, that is block 0
+  Vector3 Corner{}; // index of a voxel, or a place, that is block 0
   double BlocksPerLength = 0.0;
 };
 

@@ -21,11 +21,11 @@ struct SplatBranch
 {
   std::array<SplatNode, 4> Light;  // red, green, blue emission and extinction; counted by volume
   std::array<SplatNode, 3> Vector; // counted by volume
-  SplatVector Color{};             // by volume, without regard to extinction
+  Vector3 Color{};             // by volume, without regard to extinction
   double Leaves = 0.0;
   double Weight =
     0.0; // mass, of which what follows are the moments: mean, and covariance over that of a kernel
-  SplatVector Place{};
+  Vector3 Place{};
   std::array<double, 6> Shape{}; // xx yy zz xy xz yz
   double SquareError = 0.0; // integral of the square of what the nodes below differ from theirs
 
@@ -34,7 +34,7 @@ struct SplatBranch
 
 namespace splat_branch
 {
-inline std::array<double, 6> Square(const SplatVector& v)
+inline std::array<double, 6> Square(const Vector3& v)
 {
   return { { v[0] * v[0], v[1] * v[1], v[2] * v[2], v[0] * v[1], v[0] * v[2], v[1] * v[2] } };
 }
@@ -58,8 +58,8 @@ std::array<double, n> Blend(
 }
 
 // A leaf of this colour and extinction (the fourth component of `light`), which counts by its volume where `byVolume`, else by its mass.
-inline SplatBranch BranchOfLeaf(const std::array<double, 4>& light, const SplatVector& vector,
-  const SplatVector& place, const SplatMatrix& jacobian, bool byVolume)
+inline SplatBranch BranchOfLeaf(const std::array<double, 4>& light, const Vector3& vector,
+  const Vector3& place, const SplatMatrix& jacobian, bool byVolume)
 {
   SplatBranch leaf;
   leaf.Leaves = 1.0;
@@ -108,7 +108,7 @@ inline SplatBranch Join(const SplatBranch& a, const SplatBranch& b)
   const double share = sum.Weight > 0.0 ? b.Weight / sum.Weight : 0.5;
   sum.Place = Blend(a.Place, b.Place, share);
   sum.Shape = Blend(a.Shape, b.Shape, share);
-  const auto apart = splat_branch::Square(Minus(b.Place, a.Place));
+  const auto apart = splat_branch::Square(b.Place - a.Place);
   for (std::size_t i = 0; i < 6; ++i)
   {
     sum.Shape[i] += apart[i] * share * (1.0 - share) / cubic_kernel::variance;

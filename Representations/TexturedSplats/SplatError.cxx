@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SplatError.h"
 
-#include "ForAll.h"
+#include "OwnThreads.h"
 #include "SplatClasses.h"
 #include "SplatGaussian.h"
 #include "SplatKernel.h"
@@ -27,29 +27,29 @@ constexpr double transition = 0.25; // beyond those bounds, over which errors gr
 // The plane at right angles to the line of sight to a place, as it is seen from the eye.
 struct Screen
 {
-  SplatVector Center, Right, Up;
+  Vector3 Center, Right, Up;
   double Distance = 1; // from the eye; 1 in a parallel projection
   double Pixel;        // its size there
 
-  Screen(const SplatVector& place, const SplatCutView& view)
+  Screen(const Vector3& place, const SplatCutView& view)
     : Center(place)
   {
-    SplatVector ray = { { view.Eye[0], view.Eye[1], view.Eye[2] } };
-    ray = view.Eye[3] != 0 ? Minus(place, ray) : ray;
-    const double length = Length(ray);
+    Vector3 ray = { { view.Eye[0], view.Eye[1], view.Eye[2] } };
+    ray = view.Eye[3] != 0 ? place - ray : ray;
+    const double length = norm(ray);
     this->Distance = view.Eye[3] != 0 ? length : 1;
     this->Pixel = view.Pixel * this->Distance;
     std::size_t least = std::abs(ray[0]) < std::abs(ray[1]) ? 0 : 1;
     least = std::abs(ray[2]) < std::abs(ray[least]) ? 2 : least;
-    SplatVector other{};
+    Vector3 other{};
     other[least] = 1;
-    this->Right = Cross(other, ray);
-    const double across = Length(this->Right);
+    this->Right = cross(other, ray);
+    const double across = norm(this->Right);
     for (double& e : this->Right)
     {
       e /= across > 0 ? across : 1;
     }
-    this->Up = Cross(ray, this->Right);
+    this->Up = cross(ray, this->Right);
     for (double& e : this->Up)
     {
       e /= length > 0 ? length : 1;
@@ -57,16 +57,16 @@ struct Screen
   }
 
   Picture PictureOf(
-    const SplatVector& place, const SplatMatrix& jacobian, const std::array<float, 4>& color) const
+    const Vector3& place, const SplatMatrix& jacobian, const std::array<float, 4>& color) const
   {
     Picture picture;
-    const SplatVector offset = Minus(place, this->Center);
-    picture.Place = { { Dot(offset, this->Right), Dot(offset, this->Up) } };
+    const Vector3 offset = place - this->Center;
+    picture.Place = { { dot(offset, this->Right), dot(offset, this->Up) } };
     const double spread = pixelVariance * this->Pixel * this->Pixel;
     double xx = 0, xy = 0, yy = 0;
-    for (const SplatVector& column : jacobian)
+    for (const Vector3& column : jacobian)
     {
-      const double x = Dot(column, this->Right), y = Dot(column, this->Up);
+      const double x = dot(column, this->Right), y = dot(column, this->Up);
       xx += x * x;
       xy += x * y;
       yy += y * y;
@@ -80,12 +80,12 @@ struct Screen
 };
 
 // The length of a ray of this direction (of any length) in a cell: 1 / |J^-1 e|.
-double thickness(const SplatMatrix& j, const SplatVector& direction)
+double thickness(const SplatMatrix& j, const Vector3& direction)
 {
-  const SplatVector rows[3] = { Cross(j[1], j[2]), Cross(j[2], j[0]), Cross(j[0], j[1]) };
-  const SplatVector cells = { { Dot(rows[0], direction), Dot(rows[1], direction),
-    Dot(rows[2], direction) } };
-  return std::abs(Dot(j[0], rows[0])) * Length(direction) / Length(cells);
+  const Vector3 rows[3] = { cross(j[1], j[2]), cross(j[2], j[0]), cross(j[0], j[1]) };
+  const Vector3 cells = { { dot(rows[0], direction), dot(rows[1], direction),
+    dot(rows[2], direction) } };
+  return std::abs(dot(j[0], rows[0])) * norm(direction) / norm(cells);
 }
 
 class ErrorFinder
@@ -99,8 +99,8 @@ public:
     , Rule(rule)
     , View(view)
   {
-    const SplatVector eye =
-      Times(view.ToWorld, SplatVector{ { view.Eye[0], view.Eye[1], view.Eye[2] } });
+    const Vector3 eye =
+      Times(view.ToWorld, Vector3{ { view.Eye[0], view.Eye[1], view.Eye[2] } });
     std::copy(eye.begin(), eye.end(), this->View.Eye.begin());
   }
 
@@ -124,7 +124,7 @@ public:
   }
 
 private:
-  SplatVector Place(const std::array<float, 3>& place) const
+  Vector3 Place(const std::array<float, 3>& place) const
   {
     return Times(this->View.ToWorld, ToDouble(place));
   }
@@ -137,7 +137,7 @@ private:
   template <typename Body>
   void ForNodes(Body body) const
   {
-    ForAll(this->Tree.Nodes().size(), body);
+    forAll(this->Tree.Nodes().size(), body);
   }
 
   Picture PictureOf(std::int32_t splat, const Screen& screen) const
@@ -200,7 +200,7 @@ private:
     if (greatest)
     {
       error =
-        std::max(error, node.GreatestError * thickness(jacobian, Cross(screen.Right, screen.Up)));
+        std::max(error, node.GreatestError * thickness(jacobian, cross(screen.Right, screen.Up)));
     }
     error = this->Rule.Extinction * error + vector;
     return this->Rule.As == SplatErrorRule::Measure::Picture

@@ -19,9 +19,9 @@ constexpr double clearly =
   1.2; // by this factor another axis must point at the eye better than the last one
 
 // Not of unit length.
-SplatVector towardsEye(const SplatSamples::Float3& place, const SplatEye& eye)
+Vector3 towardsEye(const SplatSamples::Float3& place, const SplatEye& eye)
 {
-  SplatVector d;
+  Vector3 d;
   for (std::size_t c = 0; c < 3; ++c)
   {
     d[c] = eye[3] == 0 ? eye[c] : eye[c] - place[c];
@@ -30,9 +30,9 @@ SplatVector towardsEye(const SplatSamples::Float3& place, const SplatEye& eye)
 }
 
 // In the world.
-double lengthOf(const SplatVector& d, const SplatMetric& metric)
+double lengthOf(const Vector3& d, const SplatMetric& metric)
 {
-  return std::sqrt(std::max(Dot(d, Times(metric, d)), 0.0));
+  return std::sqrt(std::max(dot(d, Times(metric, d)), 0.0));
 }
 
 // The axis whose edges point most towards the eye, on the mean.
@@ -42,13 +42,13 @@ int facingAxis(const SplatSamples& samples, const SplatEye& eye, const SplatMetr
   const std::size_t stride = std::max<std::size_t>(1, samples.Size() / 10000);
   for (std::size_t i = 0; i < samples.Size(); i += stride)
   {
-    const SplatVector d = towardsEye(samples.Positions[i], eye);
-    const SplatVector covector = Times(metric, d);
+    const Vector3 d = towardsEye(samples.Positions[i], eye);
+    const Vector3 covector = Times(metric, d);
     for (std::size_t axis = 0; axis < 3; ++axis)
     {
-      const SplatVector edge = ToDouble(samples.JacobianOf(i)[axis]);
+      const Vector3 edge = ToDouble(samples.JacobianOf(i)[axis]);
       const double length = lengthOf(edge, metric) * lengthOf(d, metric);
-      facing[axis] += length > 0 ? std::abs(Dot(edge, covector)) / length : 0;
+      facing[axis] += length > 0 ? std::abs(dot(edge, covector)) / length : 0;
     }
   }
   const int other = facing[0] > facing[1] ? 0 : 1;
@@ -71,19 +71,19 @@ void SplatLayers::Find(vtkDataSet* data, bool onCells, const SplatSamples& sampl
   this->Layers.resize(samples.Size());
   for (std::size_t i = 0; i < this->Layers.size(); ++i)
   {
-    const SplatVector d = towardsEye(samples.Positions[i], eye);
-    const SplatVector covector = Times(metric, d);
+    const Vector3 d = towardsEye(samples.Positions[i], eye);
+    const Vector3 covector = Times(metric, d);
     if (grid.IsGrid())
     {
       const auto index = static_cast<std::uint32_t>(grid.Index(samples.Ids[i], along));
       const auto& edge = samples.JacobianOf(i)[static_cast<std::size_t>(along)];
-      const bool towards = Dot(ToDouble(edge), covector) >= 0;
+      const bool towards = dot(ToDouble(edge), covector) >= 0;
       this->Layers[i] = towards ? middle + index : middle - 1 - index;
       continue;
     }
     const double distance = lengthOf(d, metric);
     const double nearness =
-      eye[3] == 0 ? Dot(ToDouble(samples.Positions[i]), covector) / distance : -distance;
+      eye[3] == 0 ? dot(ToDouble(samples.Positions[i]), covector) / distance : -distance;
     const double layer = std::floor(nearness / thickness);
     this->Layers[i] =
       static_cast<std::uint32_t>(std::clamp(layer, -2.0e9, 2.0e9) + static_cast<double>(middle));

@@ -4,17 +4,17 @@
 #ifndef nephoscope_SplatMatrix_h
 #define nephoscope_SplatMatrix_h
 
+#include "Vector3.h"
+
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 
 namespace nephoscope
 {
-using SplatVector = std::array<double, 3>;
-using SplatMatrix = std::array<SplatVector, 3>; // columns
+using SplatMatrix = std::array<Vector3, 3>; // columns
 
-inline SplatVector ToDouble(const std::array<float, 3>& v)
+inline Vector3 ToDouble(const std::array<float, 3>& v)
 {
   return { { v[0], v[1], v[2] } };
 }
@@ -24,29 +24,9 @@ inline SplatMatrix ToDouble(const std::array<std::array<float, 3>, 3>& m)
   return { { ToDouble(m[0]), ToDouble(m[1]), ToDouble(m[2]) } };
 }
 
-inline double Dot(const SplatVector& a, const SplatVector& b)
+inline Vector3 Times(const SplatMatrix& m, const Vector3& v)
 {
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
-inline SplatVector Cross(const SplatVector& a, const SplatVector& b)
-{
-  return { { a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0] } };
-}
-
-inline SplatVector Minus(const SplatVector& a, const SplatVector& b)
-{
-  return { { a[0] - b[0], a[1] - b[1], a[2] - b[2] } };
-}
-
-inline double Length(const SplatVector& a)
-{
-  return std::sqrt(Dot(a, a));
-}
-
-inline SplatVector Times(const SplatMatrix& m, const SplatVector& v)
-{
-  SplatVector product{};
+  Vector3 product{};
   for (std::size_t row = 0; row < 3; ++row)
   {
     product[row] = m[0][row] * v[0] + m[1][row] * v[1] + m[2][row] * v[2];
@@ -61,14 +41,14 @@ inline SplatMatrix Product(const SplatMatrix& m, const SplatMatrix& n)
 
 inline double Determinant(const SplatMatrix& m)
 {
-  return Dot(m[0], Cross(m[1], m[2]));
+  return tripleProduct(m[1], m[2], m[0]);
 }
 
 // Largest factor by which a matrix stretches a vector.
 inline double LargestStretch(const SplatMatrix& m)
 {
-  const double a = Dot(m[0], m[0]), b = Dot(m[1], m[1]), c = Dot(m[2], m[2]);
-  const double d = Dot(m[0], m[1]), e = Dot(m[1], m[2]), f = Dot(m[0], m[2]);
+  const double a = dot(m[0], m[0]), b = dot(m[1], m[1]), c = dot(m[2], m[2]);
+  const double d = dot(m[0], m[1]), e = dot(m[1], m[2]), f = dot(m[0], m[2]);
   const double mean = (a + b + c) / 3.0;
   const double square = ((a - mean) * (a - mean) + (b - mean) * (b - mean) + (c - mean) * (c - mean) +
                           2.0 * (d * d + e * e + f * f)) / 6.0;
@@ -88,7 +68,7 @@ inline double LargestStretch(const SplatMatrix& m)
 inline SplatMatrix Inverse(const SplatMatrix& m)
 {
   const double d = 1.0 / Determinant(m);
-  const SplatVector rows[3] = { Cross(m[1], m[2]), Cross(m[2], m[0]), Cross(m[0], m[1]) };
+  const Vector3 rows[3] = { cross(m[1], m[2]), cross(m[2], m[0]), cross(m[0], m[1]) };
   SplatMatrix inverse;
   for (std::size_t column = 0; column < 3; ++column)
   {

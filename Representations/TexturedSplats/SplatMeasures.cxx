@@ -16,15 +16,15 @@ constexpr double readableLayers = 7.0;  // of streaks of the greatest speed, one
 constexpr double readableOpacity = 0.6; // of streaks of the mean speed
 constexpr double leastOpacity = 0.8, greatestOpacity = 2.0;
 
-bool isPlace(const SplatVector& place)
+bool isPlace(const Vector3& place)
 {
   return std::isfinite(place[0] + place[1] + place[2]);
 }
 
 // Half of the sample's cell along each axis.
-SplatVector halfExtent(const SplatMatrix& jacobian)
+Vector3 halfExtent(const SplatMatrix& jacobian)
 {
-  SplatVector half{};
+  Vector3 half{};
   for (std::size_t axis = 0; axis < 3; ++axis)
   {
     half[axis] =
@@ -36,16 +36,16 @@ SplatVector halfExtent(const SplatMatrix& jacobian)
 double weightOf(const SplatMatrix& jacobian)
 {
   return weightOfCell(
-    std::abs(Determinant(jacobian)), std::max({ Length(jacobian[0]), Length(jacobian[1]), Length(jacobian[2]) }));
+    std::abs(Determinant(jacobian)), std::max({ norm(jacobian[0]), norm(jacobian[1]), norm(jacobian[2]) }));
 }
 
 struct SampleBox
 {
   double Low[3], High[3];
 
-  SampleBox(const SplatVector& place, const SplatMatrix& jacobian)
+  SampleBox(const Vector3& place, const SplatMatrix& jacobian)
   {
-    const SplatVector half = halfExtent(jacobian);
+    const Vector3 half = halfExtent(jacobian);
     for (std::size_t axis = 0; axis < 3; ++axis)
     {
       this->Low[axis] = place[axis] - half[axis];
@@ -63,7 +63,7 @@ void forEachSample(const SplatShapes& shapes, const Visit& visit)
   bool found = false;
   for (vtkIdType id = 0; id < shapes.GetNumberOfIds(); ++id)
   {
-    const SplatVector place = shapes.Place(id);
+    const Vector3 place = shapes.Place(id);
     if (shapes.IsVisible(id) && isPlace(place))
     {
       jacobian = found && shapes.HaveOneShape() ? jacobian : shapes.Jacobian(id);
@@ -77,7 +77,7 @@ void forEachSample(const SplatShapes& shapes, const Visit& visit)
 MediumBounds boundsWithin(const SplatShapes& shapes, const MediumBounds& box)
 {
   MediumBounds bounds = NoMediumBounds;
-  forEachSample(shapes, [&](vtkIdType, const SplatVector& place, const SplatMatrix& jacobian) {
+  forEachSample(shapes, [&](vtkIdType, const Vector3& place, const SplatMatrix& jacobian) {
     const SampleBox cell(place, jacobian);
     if (cell.LiesIn(box))
     {
@@ -93,7 +93,7 @@ std::vector<WeightedPlace> weightedPlaces(const SplatShapes& shapes)
   std::vector<WeightedPlace> places;
   const SampleChoice choice(shapes.GetNumberOfIds(), enoughPlaces);
   vtkIdType shown = 0;
-  forEachSample(shapes, [&](vtkIdType, const SplatVector& place, const SplatMatrix& jacobian) {
+  forEachSample(shapes, [&](vtkIdType, const Vector3& place, const SplatMatrix& jacobian) {
     if (choice.Takes(shown++))
     {
       const auto standing = static_cast<double>(choice.Standing()); // processes choose from different numbers
@@ -126,7 +126,7 @@ MediumMeasures measureSplats(vtkDataSet* data, const SplatSampling& sampling, vt
   const SplatShapes shapes(data, sampling);
   const SampleChoice choice(shapes.GetNumberOfIds());
   vtkIdType shown = 0, sampled = 0;
-  forEachSample(shapes, [&](vtkIdType id, const SplatVector& place, const SplatMatrix& jacobian) {
+  forEachSample(shapes, [&](vtkIdType id, const Vector3& place, const SplatMatrix& jacobian) {
     addPlace(measures.Bounds, place.data());
     if (!SampleBox(place, jacobian).LiesIn(common))
     {
@@ -140,7 +140,7 @@ MediumMeasures measureSplats(vtkDataSet* data, const SplatSampling& sampling, vt
     ++sampled;
     const double volume = std::abs(Determinant(jacobian));
     const double scalar = scalars ? scalarOf(scalars, id) : 0.0;
-    const double a = Length(jacobian[0]), b = Length(jacobian[1]), c = Length(jacobian[2]);
+    const double a = norm(jacobian[0]), b = norm(jacobian[1]), c = norm(jacobian[2]);
     measures.Silhouettes += 0.5 * (a * b + b * c + c * a);
     measures.Volume += volume;
     if (std::isfinite(scalar))

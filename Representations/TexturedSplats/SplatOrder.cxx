@@ -34,8 +34,8 @@ struct Keyed
 double squareDistance(
   const std::array<float, 3>& p, const SplatEye& eye, const SplatMetric& metric)
 {
-  const SplatVector d = { { p[0] - eye[0], p[1] - eye[1], p[2] - eye[2] } };
-  return Dot(d, Times(metric, d));
+  const Vector3 d = { { p[0] - eye[0], p[1] - eye[1], p[2] - eye[2] } };
+  return dot(d, Times(metric, d));
 }
 
 template <typename Body>
@@ -121,7 +121,7 @@ std::size_t CountNear(const std::vector<std::array<float, 3>>& positions,
 std::vector<std::int32_t> OrderSplats(const std::vector<std::array<float, 3>>& positions,
   const std::vector<std::int32_t>& samples, const SplatEye& eye, const SplatMetric& metric)
 {
-  const SplatVector towards = Times(metric, { { eye[0], eye[1], eye[2] } });
+  const Vector3 towards = Times(metric, { { eye[0], eye[1], eye[2] } });
   std::vector<std::uint32_t> keys(samples.size());
   forBlocks(keys.size(), [&](std::size_t, std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i)

@@ -83,7 +83,7 @@ SplatMetric MetricOf(const SplatMatrix& toView)
   {
     for (std::size_t row = 0; row < 3; ++row)
     {
-      metric[column][row] = Dot(toView[row], toView[column]);
+      metric[column][row] = dot(toView[row], toView[column]);
     }
   }
   return metric;

@@ -62,7 +62,7 @@ inline double FirstOrderDistance(const SplatReach& reach)
 inline double SquareExcess(const SplatMatrix& jacobian)
 {
   double xx = 0.0, xy = 0.0, yy = 0.0; // second moments on the screen
-  for (const SplatVector& column : jacobian)
+  for (const Vector3& column : jacobian)
   {
     xx += column[0] * column[0];
     xy += column[0] * column[1];

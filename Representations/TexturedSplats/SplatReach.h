@@ -29,16 +29,16 @@ struct VectorLook
 
 // The cell of the kernel on which the streaks of a vector are drawn; the vector must not be 0.
 inline SplatMatrix LengthenedCell(
-  const SplatMatrix& jacobian, const SplatVector& vector, const VectorLook& look)
+  const SplatMatrix& jacobian, const Vector3& vector, const VectorLook& look)
 {
   const double cell = ReachAlong(jacobian, vector);
   const double longer =
     std::max(1.0, streakKernelShare * look.StreakPeriod * look.Unit / cell) - 1.0;
-  const double square = Dot(vector, vector);
+  const double square = dot(vector, vector);
   SplatMatrix lengthened = jacobian;
-  for (SplatVector& column : lengthened)
+  for (Vector3& column : lengthened)
   {
-    const double along = longer * Dot(vector, column) / square;
+    const double along = longer * dot(vector, column) / square;
     for (std::size_t c = 0; c < 3; ++c)
     {
       column[c] += along * vector[c];

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SplatSamples.h"
 
-#include "ForAll.h"
+#include "OwnThreads.h"
 
 #include "vtkBoundingBox.h"
 #include "vtkDataArray.h"
@@ -69,7 +69,7 @@ int compareValues(vtkFieldData* arrays, vtkIdType a, vtkIdType b)
 }
 
 // Drops what is nowhere, and brings the rest into the order of places; in one place, of values, so that the input's order is without effect.
-void sortByPlace(vtkFieldData* arrays, std::vector<vtkIdType>& ids, std::vector<SplatVector>& places)
+void sortByPlace(vtkFieldData* arrays, std::vector<vtkIdType>& ids, std::vector<Vector3>& places)
 {
   std::vector<std::size_t> order;
   for (std::size_t i = 0; i < ids.size(); ++i)
@@ -88,7 +88,7 @@ void sortByPlace(vtkFieldData* arrays, std::vector<vtkIdType>& ids, std::vector<
     return values != 0 ? values < 0 : ids[a] < ids[b];
   });
   std::vector<vtkIdType> sortedIds(order.size());
-  std::vector<SplatVector> sortedPlaces(order.size());
+  std::vector<Vector3> sortedPlaces(order.size());
   for (std::size_t i = 0; i < order.size(); ++i)
   {
     sortedIds[i] = ids[order[i]];
@@ -162,8 +162,8 @@ SplatSamples FindSplatSamples(vtkDataSet* data, const SplatSampling& sampling, s
   {
     samples.NumberOfWrongSizes += shapes.HasWrongSize(id) ? 1 : 0;
   }
-  std::vector<SplatVector> places(visible);
-  ForAll(places.size(), [&](std::size_t i) { places[i] = shapes.Place(samples.Ids[i]); });
+  std::vector<Vector3> places(visible);
+  forAll(places.size(), [&](std::size_t i) { places[i] = shapes.Place(samples.Ids[i]); });
   const int kind = sampling.OnCells ? vtkDataObject::CELL : vtkDataObject::POINT;
   sortByPlace(data->GetAttributesAsFieldData(kind), samples.Ids, places);
   samples.NumberNowhere = visible - places.size();
@@ -182,17 +182,16 @@ SplatSamples FindSplatSamples(vtkDataSet* data, const SplatSampling& sampling, s
   }
   samples.AreVoxels = shapes.AreVoxels();
   samples.Voxel = shapes.GetVoxel();
-  samples.FirstVoxel =
-    Minus(shapes.GetFirstVoxel(), { { samples.Center[0], samples.Center[1], samples.Center[2] } });
+  samples.FirstVoxel = shapes.GetFirstVoxel() - Vector3{ samples.Center[0], samples.Center[1], samples.Center[2] };
   samples.Positions.resize(places.size());
-  ForAll(places.size(), [&](std::size_t i) {
+  forAll(places.size(), [&](std::size_t i) {
     for (std::size_t c = 0; c < 3; ++c)
     {
       samples.Positions[i][c] = static_cast<float>(places[i][c] - samples.Center[c]);
     }
   });
   samples.Jacobians.resize(shapes.HaveOneShape() ? 1 : places.size());
-  ForAll(samples.Jacobians.size(),
+  forAll(samples.Jacobians.size(),
     [&](std::size_t i) { samples.Jacobians[i] = toFloat(shapes.Jacobian(samples.Ids[i])); });
   samples.LongestEdge = sampling.Frame.LongestEdge;
   for (const SplatSamples::Jacobian& jacobian : samples.Jacobians)

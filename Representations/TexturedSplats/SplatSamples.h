@@ -42,7 +42,7 @@ struct SplatSamples
   /** Whether these are voxels of a sparse volume, with the edges Voxel; FirstVoxel (relative to the centre) is where indices are 0. */
   bool AreVoxels = false;
   SplatMatrix Voxel{};
-  SplatVector FirstVoxel{};
+  Vector3 FirstVoxel{};
 
   // Left out, for the mapper to report.
   std::size_t NumberNowhere = 0;      ///< a coordinate is not finite

@@ -17,10 +17,10 @@ class SplatSeam
 public:
   static constexpr int FewestColumns = 4;
 
-  void Compare(const SplatVector& first, const SplatVector& second, const SplatVector& last)
+  void Compare(const Vector3& first, const Vector3& second, const Vector3& last)
   {
-    this->LongestEdge = std::max(this->LongestEdge, Length(Minus(second, first)));
-    this->Farthest = std::max(this->Farthest, Length(Minus(last, first)));
+    this->LongestEdge = std::max(this->LongestEdge, norm(second - first));
+    this->Farthest = std::max(this->Farthest, norm(last - first));
   }
 
   // All of the last column lies where the first does, to a ten thousandth of the longest edge between columns.

@@ -29,17 +29,12 @@ namespace
 constexpr double flatShare =
   0.02; // of the longest edge: cells at the poles, and the like, keep a thickness
 
-bool isFinite(const SplatVector& place)
-{
-  return std::isfinite(place[0] + place[1] + place[2]);
-}
-
 // The mean of its corners.
-SplatVector centerOfCell(vtkDataSet* data, vtkIdType id)
+Vector3 centerOfCell(vtkDataSet* data, vtkIdType id)
 {
   vtkNew<vtkIdList> corners;
   data->GetCellPoints(id, corners);
-  SplatVector sum{};
+  Vector3 sum{};
   for (vtkIdType i = 0; i < corners->GetNumberOfIds(); ++i)
   {
     double x[3];
@@ -64,7 +59,7 @@ vtkDataArray* sizeArrayOf(vtkDataSet* data, const SplatSampling& sampling)
 
 using Bounds = std::array<double, 6>;
 
-void addSplat(Bounds& bounds, const SplatVector& place, const SplatMatrix& jacobian, double radius)
+void addSplat(Bounds& bounds, const Vector3& place, const SplatMatrix& jacobian, double radius)
 {
   for (std::size_t axis = 0; axis < 3; ++axis)
   {
@@ -191,7 +186,7 @@ bool SplatShapes::IsShown(vtkIdType id) const
   return !this->Grid.IsRepeated(id) && (this->Hidden.empty() || !this->Hidden[static_cast<std::size_t>(id)]);
 }
 
-SplatVector PlaceOf(vtkDataSet* data, const GridSamples& grid, bool onCells, vtkIdType id)
+Vector3 PlaceOf(vtkDataSet* data, const GridSamples& grid, bool onCells, vtkIdType id)
 {
   if (grid.IsGrid())
   {
@@ -201,7 +196,7 @@ SplatVector PlaceOf(vtkDataSet* data, const GridSamples& grid, bool onCells, vtk
   {
     return centerOfCell(data, id);
   }
-  SplatVector place;
+  Vector3 place;
   data->GetPoint(id, place.data());
   return place;
 }
@@ -241,7 +236,7 @@ SplatMatrix SplatShapes::Jacobian(vtkIdType id) const
   {
     scale *= this->Scale->GetComponent(id, 0);
   }
-  for (SplatVector& column : jacobian)
+  for (Vector3& column : jacobian)
   {
     for (double& component : column)
     {
@@ -275,7 +270,7 @@ void FindSplatBounds(const SplatShapes& shapes, double kernelRadius, double boun
     SplatMatrix jacobian = shapes.Jacobian(begin);
     for (vtkIdType id = begin; id < end; ++id)
     {
-      const SplatVector place = shapes.Place(id);
+      const Vector3 place = shapes.Place(id);
       if (shapes.IsVisible(id) && isFinite(place))
       {
         jacobian = shapes.HaveOneShape() ? jacobian : shapes.Jacobian(id);

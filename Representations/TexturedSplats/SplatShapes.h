@@ -46,7 +46,7 @@ struct SplatSampling
 vtkFieldData* attributesOf(vtkDataSet* data, bool onCells);
 
 /** Where a sample is: a point, or the centre of a cell. `grid`: of the same data. */
-VTKNEPHOSCOPEREPRESENTATIONSTEXTUREDSPLATS_EXPORT SplatVector PlaceOf(vtkDataSet* data, const GridSamples& grid, bool onCells, vtkIdType id);
+VTKNEPHOSCOPEREPRESENTATIONSTEXTUREDSPLATS_EXPORT Vector3 PlaceOf(vtkDataSet* data, const GridSamples& grid, bool onCells, vtkIdType id);
 
 class VTKNEPHOSCOPEREPRESENTATIONSTEXTUREDSPLATS_EXPORT SplatShapes
 {
@@ -66,7 +66,7 @@ public:
   /** Visible but for its size, which is not positive or not finite. */
   bool HasWrongSize(vtkIdType id) const { return !this->IsSized(id) && this->IsShown(id); }
   /** It may be at no finite place. */
-  SplatVector Place(vtkIdType id) const
+  Vector3 Place(vtkIdType id) const
   {
     return PlaceOf(this->Data, this->Grid, this->OnCells, id);
   }
@@ -86,7 +86,7 @@ public:
   /** Samples that are voxels of a sparse volume: edges of the voxels, and the place of the one whose indices are 0. */
   bool AreVoxels() const { return this->Voxels; }
   const SplatMatrix& GetVoxel() const { return this->Voxel; }
-  const SplatVector& GetFirstVoxel() const { return this->FirstVoxel; }
+  const Vector3& GetFirstVoxel() const { return this->FirstVoxel; }
 
 private:
   double FindMeanSpacing() const;
@@ -111,7 +111,7 @@ private:
   double RadiusFactor;
   SplatMatrix Voxel{}; // the shape of samples without a grid
   bool Voxels = false; // they are those of a sparse volume
-  SplatVector FirstVoxel{};
+  Vector3 FirstVoxel{};
   vtkDataArray* Scale = nullptr; // of voxels of several sizes
 };
 

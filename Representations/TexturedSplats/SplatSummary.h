@@ -14,11 +14,11 @@ namespace nephoscope
 {
 struct SplatSummary
 {
-  SplatVector Place{};
+  Vector3 Place{};
   SplatMatrix Jacobian{};
-  SplatVector Color{};
+  Vector3 Color{};
   double Extinction = 0.0;
-  SplatVector Vector{};
+  Vector3 Vector{};
   // Deviation of extinction or emission from the mean, whichever deviates more, and of vectors; in the mean square the field of the node from that
   // of what lies below, over the node.
   double GreatestError = 0.0, RootMeanSquareError = 0.0;

@@ -3,7 +3,7 @@
 #include "SplatTree.h"
 
 #include "BlockOrder.h"
-#include "ForAll.h"
+#include "OwnThreads.h"
 #include "SplatBlocks.h"
 #include "SplatClasses.h"
 #include "SplatSamples.h"
@@ -18,7 +18,7 @@ namespace nephoscope
 {
 namespace
 {
-std::array<float, 3> toFloat(const SplatVector& v)
+std::array<float, 3> toFloat(const Vector3& v)
 {
   return { { static_cast<float>(v[0]), static_cast<float>(v[1]), static_cast<float>(v[2]) } };
 }
@@ -82,7 +82,7 @@ private:
     const SplatBlocks blocks(this->Samples, this->Classes);
     this->Blocks = blocks.GetOrder();
     this->Items.resize(this->Tree.LeafCount);
-    ForAll(this->Items.size(), [&](std::size_t i) {
+    forAll(this->Items.size(), [&](std::size_t i) {
       const auto leaf = static_cast<std::int32_t>(i);
       this->Items[i] = { this->Blocks.CodeOf(blocks.IndexOf(this->SampleOf(leaf))), leaf };
     });
@@ -91,7 +91,7 @@ private:
     });
   }
 
-  SplatVector VectorOf(std::int32_t leaf) const
+  Vector3 VectorOf(std::int32_t leaf) const
   {
     if (this->Vectors.empty())
     {
@@ -186,7 +186,7 @@ private:
     this->Tree.NodeList.resize(nodes);
     this->Tree.Children.resize(children);
     std::vector<Item> merged(groups.size());
-    ForAll(groups.size(), [&](std::size_t g) {
+    forAll(groups.size(), [&](std::size_t g) {
       merged[g] = this->Items[groups[g].Begin];
       if (groups[g].Size > 1)
       {

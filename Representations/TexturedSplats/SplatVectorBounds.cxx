@@ -22,9 +22,9 @@ void forVectors(const SplatShapes& shapes, vtkDataArray* vectors, Work work)
   }
   for (vtkIdType id = 0; id < shapes.GetNumberOfIds(); ++id)
   {
-    SplatVector v;
+    Vector3 v;
     vectors->GetTuple(id, v.data());
-    const double speed = Length(v);
+    const double speed = norm(v);
     if (speed > 0 && std::isfinite(speed) && shapes.IsVisible(id))
     {
       work(id, v);
@@ -33,25 +33,25 @@ void forVectors(const SplatShapes& shapes, vtkDataArray* vectors, Work work)
 }
 
 // From the centre of a sample along an axis.
-double reachOf(const SplatMatrix& jacobian, const SplatVector& v, const VectorLook& look,
+double reachOf(const SplatMatrix& jacobian, const Vector3& v, const VectorLook& look,
   double kernelRadius, std::size_t axis)
 {
   if (look.Segments)
   {
     const double cell =
       std::abs(jacobian[0][axis]) + std::abs(jacobian[1][axis]) + std::abs(jacobian[2][axis]);
-    return 0.5 * cell + segmentReach * look.SegmentLength * look.Unit * std::abs(v[axis]) / Length(v);
+    return 0.5 * cell + segmentReach * look.SegmentLength * look.Unit * std::abs(v[axis]) / norm(v);
   }
   const SplatMatrix j = LengthenedCell(jacobian, v, look);
-  return kernelRadius * Length({ { j[0][axis], j[1][axis], j[2][axis] } });
+  return kernelRadius * norm({ { j[0][axis], j[1][axis], j[2][axis] } });
 }
 }
 
 VectorSums SumVectors(const SplatShapes& shapes, vtkDataArray* vectors)
 {
   VectorSums sums;
-  forVectors(shapes, vectors, [&](vtkIdType id, const SplatVector& v) {
-    sums.Greatest = std::max(sums.Greatest, Length(v));
+  forVectors(shapes, vectors, [&](vtkIdType id, const Vector3& v) {
+    sums.Greatest = std::max(sums.Greatest, norm(v));
     sums.Cells += ReachAlong(shapes.Jacobian(id), v);
     ++sums.Count;
   });
@@ -61,8 +61,8 @@ VectorSums SumVectors(const SplatShapes& shapes, vtkDataArray* vectors)
 void AddVectorBounds(const SplatShapes& shapes, vtkDataArray* vectors, const VectorLook& look,
   double kernelRadius, double bounds[6])
 {
-  forVectors(shapes, vectors, [&](vtkIdType id, const SplatVector& v) {
-    const SplatVector place = shapes.Place(id);
+  forVectors(shapes, vectors, [&](vtkIdType id, const Vector3& v) {
+    const Vector3 place = shapes.Place(id);
     const SplatMatrix jacobian = shapes.Jacobian(id);
     for (std::size_t axis = 0; axis < 3 && std::isfinite(place[0] + place[1] + place[2]); ++axis)
     {

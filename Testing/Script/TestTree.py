@@ -120,10 +120,104 @@ def check_sentences(files):
                     yield f"{path.relative_to(TOP)}:{number}: a sentence begins with 'Of': {line.strip()[:80]}"
 
 
+def module_of(path):
+    """The folder of the nearest vtk.module above a file, from TOP; None for what is in no module, and for tests."""
+    relative = path.relative_to(TOP)
+    if "Testing" in relative.parts:
+        return None
+    return next((str(folder.relative_to(TOP)) for folder in path.parents if (folder / "vtk.module").exists()), None)
+
+
+def declared_modules(folder):
+    """The name of the module in a folder, and the names below DEPENDS and PRIVATE_DEPENDS."""
+    name, used, section = "", set(), ""
+    for line in text_of(TOP / folder / "vtk.module").splitlines():
+        if not line.startswith((" ", "#")):
+            section = line.strip()
+        elif section == "NAME":
+            name = line.strip()
+        elif section in ("DEPENDS", "PRIVATE_DEPENDS"):
+            used.add(line.strip())
+    return name, used
+
+
+def includes_of(files):
+    """(file, header) for each header of the project that a file of a module includes."""
+    headers = {f.name: f for f in files if f.suffix == ".h"}
+    for path in files:
+        if path.suffix in (".h", ".cxx") and module_of(path):
+            for name in re.findall(r'^\s*#\s*include "([^"]+)"', text_of(path), re.MULTILINE):
+                if pathlib.Path(name).name in headers:
+                    yield path, headers[pathlib.Path(name).name]
+
+
+def find_cycle(edges):
+    """Names along a cycle of a graph {name: names}; empty if there is none."""
+    state = {}
+
+    def visit(name, way):
+        state[name] = "open"
+        for other in sorted(edges.get(name, ())):
+            if state.get(other) == "open":
+                return way[way.index(other):] + [other] if other in way else [other, name]
+            if other not in state:
+                found = visit(other, way + [other])
+                if found:
+                    return found
+        state[name] = "done"
+        return []
+
+    for name in sorted(edges):
+        found = [] if name in state else visit(name, [name])
+        if found:
+            return found
+    return []
+
+
+def layer_of(folder):
+    """The bottom layer, filters, the bottom of the mappers, mappers, hosts: a module may use those of a lower number, and of its own."""
+    if "ParaView" in folder:
+        return 4
+    return {"Filters/Common": 0, "Representations/Common": 2}.get(folder, 1 if folder.startswith("Filters/") else 3)
+
+
+def check_layers(files):
+    """A module includes headers of modules that its vtk.module declares, of none above it, and in no circle."""
+    folders = {module_of(f) for f in files} - {None}
+    declared = {folder: declared_modules(folder) for folder in folders}
+    used = {folder: set() for folder in folders}
+    included = {}
+    for path, header in includes_of(files):
+        its, other = module_of(path), module_of(header)
+        if path.suffix == ".h":
+            included.setdefault(path.name, set()).add(header.name)
+        if other and other != its:
+            used[its].add(other)
+            where = f"{path.relative_to(TOP)} includes {header.relative_to(TOP)}"
+            if layer_of(other) > layer_of(its):
+                yield f"{where}, which is in a layer above it"
+            if declared[other][0] not in declared[its][1]:
+                yield f"{where}, but {its}/vtk.module does not name {declared[other][0]}"
+    for kind, edges in (("modules", used), ("headers", included)):
+        cycle = find_cycle(edges)
+        if cycle:
+            yield f"{kind} that include each other: {' -> '.join(cycle)}"
+
+
+def check_include_paths(files):
+    """No module includes from folders of another by a path: CMake knows them by the modules it depends on."""
+    for path in files:
+        if path.name == "CMakeLists.txt" and module_of(path):
+            for call in re.findall(r"(?:target_include_directories|include_directories|vtk_module_include)\s*\([^)]*\)", text_of(path)):
+                if re.search(r"/\.\.|PROJECT_SOURCE_DIR", call):
+                    yield f"{path.relative_to(TOP)}: a path to another folder: {' '.join(call.split())}"
+
+
 def main():
     files = tracked_files()
     problems = []
-    for check in (check_licence_lines, check_machine_paths, check_documents, check_verbs, check_references, check_changelog, check_sentences):
+    for check in (check_licence_lines, check_machine_paths, check_documents, check_verbs, check_references, check_changelog, check_sentences,
+                  check_layers, check_include_paths):
         problems += check(files)
     print("\n".join(problems) or f"{len(files)} files: nothing to complain of")
     return 1 if problems or not files else 0

@@ -173,7 +173,7 @@ TEST(DualCells, LatitudesOfARegionEndHalfAStepBeyondIt)
 
 TEST(DualCells, OctantsOfABox)
 {
-  std::array<Point3, 8> corners;
+  std::array<Vector3, 8> corners;
   for (int c = 0; c < 8; ++c)
   {
     corners[c] = { { 2.0 * (c & 1), 3.0 * (c >> 1 & 1), 5.0 * (c >> 2) } };
@@ -189,14 +189,14 @@ TEST(DualCells, OctantsOfABox)
 TEST(DualCells, OctantsOfATwistedHexahedron)
 {
   nephoscope_test::Random random(8);
-  std::array<Point3, 8> p;
+  std::array<Vector3, 8> p;
   for (int c = 0; c < 8; ++c)
   {
     p[c] = { { (c & 1) + random.Uniform(-0.2, 0.2), (c >> 1 & 1) + random.Uniform(-0.2, 0.2),
       (c >> 2) + random.Uniform(-0.2, 0.2) } };
   }
   const auto at = [&](double u, double v, double w) {
-    Point3 x = { { 0, 0, 0 } };
+    Vector3 x = { { 0, 0, 0 } };
     for (int c = 0; c < 8; ++c)
     {
       const double weight = (c & 1 ? u : 1 - u) * (c & 2 ? v : 1 - v) * (c & 4 ? w : 1 - w);
@@ -219,10 +219,10 @@ TEST(DualCells, OctantsOfATwistedHexahedron)
       const double v = 0.5 * (c >> 1 & 1) + h * (cell / n % n + 0.5);
       const double w = 0.5 * (c >> 2) + h * (cell / n / n + 0.5);
       const double e = 1e-4;
-      const Point3 a = Difference(at(u + e, v, w), at(u - e, v, w));
-      const Point3 b = Difference(at(u, v + e, w), at(u, v - e, w));
-      const Point3 d = Difference(at(u, v, w + e), at(u, v, w - e));
-      volume += Dot(a, Cross(b, d)) / (8 * e * e * e) * h * h * h;
+      const Vector3 a = at(u + e, v, w) - at(u - e, v, w);
+      const Vector3 b = at(u, v + e, w) - at(u, v - e, w);
+      const Vector3 d = at(u, v, w + e) - at(u, v, w - e);
+      volume += dot(a, cross(b, d)) / (8 * e * e * e) * h * h * h;
     }
     EXPECT_NEAR(octants.Volume(c), volume, 1e-5);
   }

@@ -5,6 +5,8 @@
 #include "TestRandom.h"
 #include "ThreadScope.h"
 
+#include "OwnThreads.h"
+
 using namespace nephoscope_test;
 
 namespace

@@ -69,13 +69,13 @@ TEST(Geodesy, BasisIsRightHandedAndOrthonormal)
     for (double latitude = -90.0; latitude <= 90.0; latitude += 15.0)
     {
       const geodesy::Basis b = BasisAt(longitude, latitude);
-      EXPECT_NEAR(geodesy::Dot(b.east, b.east), 1.0, 1e-15);
-      EXPECT_NEAR(geodesy::Dot(b.north, b.north), 1.0, 1e-15);
-      EXPECT_NEAR(geodesy::Dot(b.east, b.north), 0.0, 1e-15);
-      const geodesy::Vector cross = { b.east[1] * b.north[2] - b.east[2] * b.north[1],
+      EXPECT_NEAR(dot(b.east, b.east), 1.0, 1e-15);
+      EXPECT_NEAR(dot(b.north, b.north), 1.0, 1e-15);
+      EXPECT_NEAR(dot(b.east, b.north), 0.0, 1e-15);
+      const Vector3 cross = { b.east[1] * b.north[2] - b.east[2] * b.north[1],
         b.east[2] * b.north[0] - b.east[0] * b.north[2],
         b.east[0] * b.north[1] - b.east[1] * b.north[0] };
-      EXPECT_NEAR(geodesy::Dot(cross, b.up), 1.0, 1e-15);
+      EXPECT_NEAR(dot(cross, b.up), 1.0, 1e-15);
     }
   }
 }
@@ -85,7 +85,7 @@ TEST(Geodesy, SeamAndPolesAreExact)
   for (double longitude : { 0.0, 45.0, 122.5, 180.0 })
   {
     EXPECT_EQ(BasisAt(longitude, 20.0).up, BasisAt(longitude + 360.0, 20.0).up);
-    const geodesy::Vector up = BasisAt(longitude, 90.0).up;
+    const Vector3 up = BasisAt(longitude, 90.0).up;
     EXPECT_EQ(std::abs(up[0]) + std::abs(up[1]), 0.0);
     EXPECT_EQ(up[2], 1.0);
   }
@@ -109,15 +109,15 @@ TEST(Geodesy, DisplayVelocityIsTheRateOfTheDisplayPosition)
     };
     const auto p = at(-seconds), q = at(seconds);
     const geodesy::Basis b = BasisAt(longitude, latitude);
-    const geodesy::Vector wind = geodesy::Combine(b, u, v, w);
-    const geodesy::Vector globe = geodesy::GlobeDisplayVelocity(planet, b, height, wind);
-    const geodesy::Vector map = geodesy::MapDisplayVelocity(
+    const Vector3 wind = geodesy::Combine(b, u, v, w);
+    const Vector3 globe = geodesy::GlobeDisplayVelocity(planet, b, height, wind);
+    const Vector3 map = geodesy::MapDisplayVelocity(
       planet, std::cos(latitude * perDegree), height, u, v, w);
-    const geodesy::Vector g0 = geodesy::GlobePosition(planet, BasisAt(p[0], p[1]), p[2]);
-    const geodesy::Vector g1 = geodesy::GlobePosition(planet, BasisAt(q[0], q[1]), q[2]);
-    const geodesy::Vector m0 =
+    const Vector3 g0 = geodesy::GlobePosition(planet, BasisAt(p[0], p[1]), p[2]);
+    const Vector3 g1 = geodesy::GlobePosition(planet, BasisAt(q[0], q[1]), q[2]);
+    const Vector3 m0 =
       geodesy::MapPosition(planet, p[0] * perDegree, p[1] * perDegree, p[2]);
-    const geodesy::Vector m1 =
+    const Vector3 m1 =
       geodesy::MapPosition(planet, q[0] * perDegree, q[1] * perDegree, q[2]);
     for (int c = 0; c < 3; ++c)
     {

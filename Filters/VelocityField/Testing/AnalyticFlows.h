@@ -79,11 +79,6 @@ inline Vector3 DoubleGyre(const Vector3& x, double t)
     0.1 * PI * std::cos(PI * f) * std::sin(PI * x[1]) * slope, 0.0 };
 }
 
-inline double Distance(const Vector3& a, const Vector3& b)
-{
-  return std::sqrt((a[0] - b[0]) * (a[0] - b[0]) + (a[1] - b[1]) * (a[1] - b[1]) +
-    (a[2] - b[2]) * (a[2] - b[2]));
-}
 }
 
 #endif

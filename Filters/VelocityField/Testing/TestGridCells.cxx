@@ -55,10 +55,6 @@ Vector3 Evaluate(const std::vector<double>& points, const GridSize& size, const 
     points.data() + 3 * size.PointId(cell.Index), size.CornerOffsets(), cell.Parametric);
 }
 
-double Distance(const Vector3& a, const Vector3& b)
-{
-  return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
-}
 }
 
 TEST(TrilinearMap, InverseOfDistortedCells)
@@ -80,7 +76,7 @@ TEST(TrilinearMap, InverseOfDistortedCells)
     Vector3 found = { unit(random), unit(random), unit(random) };
     const TrilinearMap map(points.data(), size.CornerOffsets(), x);
     ASSERT_EQ(map.Invert(found), InverseResult::Inside);
-    EXPECT_LT(Distance(found, r), shift > 0.0 ? 1e-8 : 1e-11);
+    EXPECT_LT(distance(found, r), shift > 0.0 ? 1e-8 : 1e-11);
   }
 }
 
@@ -138,7 +134,7 @@ TEST(CurvilinearCells, EveryPositionFromEveryHint)
       cell.Index[a] = static_cast<int>(unit(random) * globe.Size.Cells(a));
     }
     ASSERT_TRUE(globe.Cells.Find(x, trial % 3 != 0, cell)) << trial;
-    EXPECT_LT(Distance(Evaluate(globe.Points, globe.Size, cell), x), 1e-9);
+    EXPECT_LT(distance(Evaluate(globe.Points, globe.Size, cell), x), 1e-9);
     for (const double r : cell.Parametric)
     {
       EXPECT_TRUE(r >= 0.0 && r <= 1.0);

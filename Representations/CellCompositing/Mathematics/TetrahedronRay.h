@@ -18,7 +18,7 @@
 #ifndef TetrahedronRay_h
 #define TetrahedronRay_h
 
-#include "Vector3.h"
+#include "Tetrahedron.h"
 
 #include <algorithm>
 #include <array>
@@ -26,20 +26,6 @@
 
 namespace nephoscope
 {
-
-using Vector4 = std::array<double, 4>;
-
-/** Vertices of the face opposite each vertex. */
-constexpr int tetrahedronFaces[4][3] = { { 1, 2, 3 }, { 0, 2, 3 }, { 0, 1, 3 }, { 0, 1, 2 } };
-
-/**
- * Which side of the plane of triangle (a, b, c) the homogeneous point e lies on: a number whose sign tells, 0 on the plane.
- */
-inline double planeSide(const Vector3& a, const Vector3& b, const Vector3& c, const Vector4& e)
-{
-  const Vector3 normal = cross(difference(b, a), difference(c, a));
-  return dot(normal, { e[0] - e[3] * a[0], e[1] - e[3] * a[1], e[2] - e[3] * a[2] });
-}
 
 /** The q_i above. The tetrahedron must have a volume; its orientation does not matter. */
 inline Vector4 eyeCoordinates(const std::array<Vector3, 4>& p, const Vector4& eye)

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkCloudTextureRepresentation.h"
 
+#include "DataSets.h"
 #include "ForwardedMessages.h"
 #include "SurfaceLength.h"
 #include "vtkCloudTextureMapper.h"
@@ -10,7 +11,6 @@
 #include "vtkAlgorithmOutput.h"
 #include "vtkAppendPolyData.h"
 #include "vtkCommunicator.h"
-#include "vtkCompositeDataIterator.h"
 #include "vtkCompositeDataSet.h"
 #include "vtkFieldData.h"
 #include "vtkInformation.h"
@@ -39,23 +39,12 @@ const char* ArrayName(const char* chosen)
 std::vector<vtkPolyData*> SurfacesOf(vtkDataObject* data)
 {
   std::vector<vtkPolyData*> surfaces;
-  const auto take = [&](vtkDataObject* object) {
-    auto* surface = vtkPolyData::SafeDownCast(object);
-    if (surface && surface->GetNumberOfCells() > 0)
+  for (vtkDataSet* set : nephoscope::DataSetsOf(data))
+  {
+    if (auto* surface = vtkPolyData::SafeDownCast(set))
     {
       surfaces.push_back(surface);
     }
-  };
-  auto* composite = vtkCompositeDataSet::SafeDownCast(data);
-  if (!composite)
-  {
-    take(data);
-    return surfaces;
-  }
-  auto blocks = vtkSmartPointer<vtkCompositeDataIterator>::Take(composite->NewIterator());
-  for (blocks->InitTraversal(); !blocks->IsDoneWithTraversal(); blocks->GoToNextItem())
-  {
-    take(blocks->GetCurrentDataObject());
   }
   return surfaces;
 }

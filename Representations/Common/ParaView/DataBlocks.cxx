@@ -3,12 +3,12 @@
 #include "DataBlocks.h"
 
 #include "AdaptiveCells.h"
+#include "DataSets.h"
 
 #include "vtkAppendFilter.h"
 #include "vtkBitArray.h"
 #include "vtkCellData.h"
 #include "vtkCellType.h"
-#include "vtkCompositeDataIterator.h"
 #include "vtkCompositeDataSet.h"
 #include "vtkDataSet.h"
 #include "vtkDoubleArray.h"
@@ -35,25 +35,13 @@ std::vector<vtkSmartPointer<vtkDataSet>> blocksOf(
   vtkDataObject* input, const std::function<bool(vtkDataSet*)>& counts)
 {
   std::vector<vtkSmartPointer<vtkDataSet>> blocks;
-  const auto add = [&](vtkDataObject* leaf) {
+  ForEachLeaf(input, [&](vtkDataObject* leaf) {
     vtkSmartPointer<vtkDataSet> cells = leafCells(leaf);
     if (cells && counts(cells))
     {
       blocks.push_back(cells);
     }
-  };
-  if (auto composite = vtkCompositeDataSet::SafeDownCast(input))
-  {
-    auto iterator = vtkSmartPointer<vtkCompositeDataIterator>::Take(composite->NewIterator());
-    for (iterator->InitTraversal(); !iterator->IsDoneWithTraversal(); iterator->GoToNextItem())
-    {
-      add(iterator->GetCurrentDataObject());
-    }
-  }
-  else
-  {
-    add(input);
-  }
+  });
   return blocks;
 }
 } // namespace

@@ -83,7 +83,7 @@ std::size_t SplatGridSeam::Row(vtkIdType id) const
   return static_cast<std::size_t>(k * (this->Whole[3] - this->Whole[2] + 1) + j);
 }
 
-SplatVector SplatGridSeam::PlaceOf(std::size_t column, std::size_t row) const
+Vector3 SplatGridSeam::PlaceOf(std::size_t column, std::size_t row) const
 {
   const double* place = &this->Columns[3 * (column * (this->Columns.size() / 12) + row)];
   return { { place[0], place[1], place[2] } };
@@ -93,8 +93,8 @@ void SplatGridSeam::MendEdge(vtkIdType id, SplatMatrix& jacobian) const
 {
   if (this->Closed && this->Column(id) == this->Whole[0])
   {
-    const SplatVector across =
-      Minus(this->PlaceOf(1, this->Row(id)), this->PlaceOf(2, this->Row(id)));
+    const Vector3 across =
+      this->PlaceOf(1, this->Row(id)) - this->PlaceOf(2, this->Row(id));
     jacobian[0] = { { 0.5 * across[0], 0.5 * across[1], 0.5 * across[2] } };
   }
 }

@@ -29,7 +29,7 @@ public:
 private:
   int Column(vtkIdType id) const;
   std::size_t Row(vtkIdType id) const;
-  SplatVector PlaceOf(std::size_t column, std::size_t row) const;
+  Vector3 PlaceOf(std::size_t column, std::size_t row) const;
   void FillIn(vtkDataSet* piece);
 
   bool Closed = false;

@@ -98,7 +98,7 @@ std::vector<vtkSmartPointer<vtkIdList>> idsForRanks(
   const auto mine = static_cast<std::size_t>(world()->GetLocalProcessId());
   for (vtkIdType id = 0; id < shapes.GetNumberOfIds(); ++id)
   {
-    const SplatVector place = shapes.Place(id);
+    const Vector3 place = shapes.Place(id);
     const double reach =
       reachOf(reaches, reaches.RadiusFactor * LargestStretch(shapes.Jacobian(id)));
     for (std::size_t rank = 0; rank < regions.size(); ++rank)

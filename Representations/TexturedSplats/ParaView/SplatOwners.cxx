@@ -18,10 +18,10 @@ namespace nephoscope
 namespace
 {
 std::vector<vtkBoundingBox> boundsOfRanks(
-  vtkMultiProcessController* controller, const std::vector<SplatVector>& places)
+  vtkMultiProcessController* controller, const std::vector<Vector3>& places)
 {
   vtkBoundingBox box;
-  for (const SplatVector& place : places)
+  for (const Vector3& place : places)
   {
     box.AddPoint(place[0], place[1], place[2]);
   }
@@ -38,8 +38,8 @@ std::vector<vtkBoundingBox> boundsOfRanks(
 }
 
 // Sorted places of lower ranks that may be ours too.
-std::vector<SplatVector> placesOfLowerRanks(
-  vtkMultiProcessController* controller, const std::vector<SplatVector>& shared)
+std::vector<Vector3> placesOfLowerRanks(
+  vtkMultiProcessController* controller, const std::vector<Vector3>& shared)
 {
   const auto ranks = static_cast<std::size_t>(controller->GetNumberOfProcesses());
   const vtkIdType length = 3 * static_cast<vtkIdType>(shared.size());
@@ -51,12 +51,12 @@ std::vector<SplatVector> placesOfLowerRanks(
   }
   std::vector<double> mine, all(static_cast<std::size_t>(offsets[ranks]) + 1);
   mine.reserve(static_cast<std::size_t>(length) + 1);
-  for (const SplatVector& place : shared)
+  for (const Vector3& place : shared)
   {
     mine.insert(mine.end(), place.begin(), place.end());
   }
   controller->AllGatherV(mine.data(), all.data(), length, lengths.data(), offsets.data());
-  std::vector<SplatVector> lower;
+  std::vector<Vector3> lower;
   const auto end =
     static_cast<std::size_t>(offsets[static_cast<std::size_t>(controller->GetLocalProcessId())]);
   for (std::size_t i = 0; i < end; i += 3)
@@ -95,7 +95,7 @@ void leaveOutNeighbors(vtkDataSet* piece, int extent[6])
 }
 } // namespace
 
-std::vector<bool> ownedByThisRank(const std::vector<SplatVector>& places)
+std::vector<bool> ownedByThisRank(const std::vector<Vector3>& places)
 {
   std::vector<bool> owned(places.size(), true);
   vtkMultiProcessController* controller = vtkMultiProcessController::GetGlobalController();
@@ -104,7 +104,7 @@ std::vector<bool> ownedByThisRank(const std::vector<SplatVector>& places)
     return owned;
   }
   const std::vector<vtkBoundingBox> boxes = boundsOfRanks(controller, places);
-  std::vector<SplatVector> shared;
+  std::vector<Vector3> shared;
   std::vector<std::size_t> indices;
   for (std::size_t i = 0; i < places.size(); ++i)
   {
@@ -119,7 +119,7 @@ std::vector<bool> ownedByThisRank(const std::vector<SplatVector>& places)
       }
     }
   }
-  const std::vector<SplatVector> lower = placesOfLowerRanks(controller, shared);
+  const std::vector<Vector3> lower = placesOfLowerRanks(controller, shared);
   for (std::size_t i = 0; i < shared.size(); ++i)
   {
     owned[indices[i]] = !std::binary_search(lower.begin(), lower.end(), shared[i]);

@@ -17,7 +17,7 @@ namespace nephoscope
  * For each of this rank's places, whether no lower rank has a sample at exactly the same one: pieces of a grid share the points of
  * their borders. Only places inside the bounds of another rank are exchanged. Collective.
  */
-std::vector<bool> ownedByThisRank(const std::vector<SplatVector>& places);
+std::vector<bool> ownedByThisRank(const std::vector<Vector3>& places);
 
 /** The extent of an image, a rectilinear or a structured grid; false for other data. */
 bool extentOf(vtkDataSet* piece, int extent[6]);

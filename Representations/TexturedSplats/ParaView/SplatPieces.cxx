@@ -56,10 +56,10 @@ vtkSmartPointer<vtkIdList> ownIds(
   vtkDataSet* data, const SplatShapes& shapes, bool onCells, std::unique_ptr<SplatGridSeam>& seam)
 {
   std::vector<vtkIdType> ids;
-  std::vector<SplatVector> places;
+  std::vector<Vector3> places;
   for (vtkIdType id = 0; id < shapes.GetNumberOfIds(); ++id)
   {
-    const SplatVector place = shapes.Place(id);
+    const Vector3 place = shapes.Place(id);
     if (shapes.IsVisible(id) && std::isfinite(place[0] + place[1] + place[2]))
     {
       ids.push_back(id);
@@ -86,7 +86,7 @@ vtkSmartPointer<vtkIdList> ownIds(
 double meanSpacingOverRanks(const SplatShapes& shapes, vtkIdList* ids)
 {
   const auto placeOf = [&](vtkIdType i, double* x) {
-    const SplatVector place = shapes.Place(ids->GetId(i));
+    const Vector3 place = shapes.Place(ids->GetId(i));
     std::copy(place.begin(), place.end(), x);
     return true; // all are finite
   };

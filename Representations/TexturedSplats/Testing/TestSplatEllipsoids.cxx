@@ -13,7 +13,7 @@ namespace
 {
 using namespace nephoscope;
 
-double integrate(const SplatMatrix& inverse, const SplatVector& offset, const SplatVector& e)
+double integrate(const SplatMatrix& inverse, const Vector3& offset, const Vector3& e)
 {
   const int steps = 40000;
   const double reach = 12.0, h = 2.0 * reach / steps;
@@ -21,8 +21,8 @@ double integrate(const SplatMatrix& inverse, const SplatVector& offset, const Sp
   for (int i = 0; i < steps; ++i)
   {
     const double s = -reach + (i + 0.5) * h;
-    const SplatVector x = { { offset[0] + s * e[0], offset[1] + s * e[1], offset[2] + s * e[2] } };
-    sum += h * cubic_kernel::Value(Length(Times(inverse, x)));
+    const Vector3 x = { { offset[0] + s * e[0], offset[1] + s * e[1], offset[2] + s * e[2] } };
+    sum += h * cubic_kernel::Value(norm(Times(inverse, x)));
   }
   return sum;
 }
@@ -41,7 +41,7 @@ TEST(EllipsoidSplat, OraclesOfRaysThroughTheMiddle)
 {
   const double n = 1.0 / std::sqrt(3.0);
   const SplatMatrix inverse = Inverse({ { { { 2, 0, 0 } }, { { 0, 1, 0 } }, { { 0, 0, 0.5 } } } });
-  const auto depthAlong = [&](const SplatVector& direction) {
+  const auto depthAlong = [&](const Vector3& direction) {
     const SplatPassage passage = PassSplat(inverse, {}, direction);
     return passage.Thickness * cubic_kernel::Footprint(passage.Distance);
   };
@@ -55,7 +55,7 @@ TEST(EllipsoidSplat, EveryRayThroughEveryCellIsExact)
   std::mt19937 random(7);
   std::uniform_real_distribution<double> uniform(-1.0, 1.0);
   const auto vector = [&]() {
-    return SplatVector{ { uniform(random), uniform(random), uniform(random) } };
+    return Vector3{ { uniform(random), uniform(random), uniform(random) } };
   };
   for (int i = 0; i < 40; ++i)
   {
@@ -65,16 +65,16 @@ TEST(EllipsoidSplat, EveryRayThroughEveryCellIsExact)
       jacobian[c][c] += 1.5; // never near degenerate
     }
     const SplatMatrix inverse = Inverse(jacobian);
-    SplatVector e = vector();
-    const double length = Length(e);
+    Vector3 e = vector();
+    const double length = norm(e);
     e = { { e[0] / length, e[1] / length, e[2] / length } };
-    const SplatVector offset = vector();
+    const Vector3 offset = vector();
     const SplatPassage passage = PassSplat(inverse, offset, e);
     EXPECT_NEAR(passage.Thickness * cubic_kernel::Footprint(passage.Distance),
       integrate(inverse, offset, e), 2e-7);
-    const SplatVector nearest = { { offset[0] + passage.Depth * e[0],
+    const Vector3 nearest = { { offset[0] + passage.Depth * e[0],
       offset[1] + passage.Depth * e[1], offset[2] + passage.Depth * e[2] } };
-    EXPECT_NEAR(Length(Times(inverse, nearest)), passage.Distance, 1e-12);
+    EXPECT_NEAR(norm(Times(inverse, nearest)), passage.Distance, 1e-12);
   }
 }
 

@@ -174,8 +174,8 @@ TEST(Streaks, LengthenedKernelIsFlat)
   double worst = 0.0;
   for (int trial = 0; trial < 40; ++trial)
   {
-    SplatVector v{ { normal(random), normal(random), trial % 2 ? normal(random) : 0.0 } };
-    const double length = Length(v);
+    Vector3 v{ { normal(random), normal(random), trial % 2 ? normal(random) : 0.0 } };
+    const double length = norm(v);
     const double longer = 1.0 + 3.0 * uniform(random);
     const double at[3] = { uniform(random), uniform(random), uniform(random) };
     double sum = 0.0;

@@ -11,6 +11,8 @@
 #include "TestRandom.h"
 #include "ThreadScope.h"
 
+#include "OwnThreads.h"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -267,7 +269,7 @@ TEST(SplatTree, ErrorsAreThoseOfTheWorld)
   Random random(40);
   const SplatMatrix stretch{ { { { 0.7, 0, 0 } }, { { 0.2, 1.6, 0 } }, { { 0, -0.3, 1.1 } } } };
   const auto stretched = [&](const std::array<float, 3>& v) {
-    const SplatVector w = Times(stretch, SplatVector{ { v[0], v[1], v[2] } });
+    const Vector3 w = Times(stretch, Vector3{ { v[0], v[1], v[2] } });
     return std::array<float, 3>{ { float(w[0]), float(w[1]), float(w[2]) } };
   };
   Scene scene = makeScene(random, { { 1, 2, 1 } }, true, 0.0); // one node, whatever the shape
@@ -282,8 +284,8 @@ TEST(SplatTree, ErrorsAreThoseOfTheWorld)
     column = stretched(column);
   }
   const SplatTree otherTree = treeOf(other);
-  const SplatVector eye{ { 3, 7, 12 } };
-  const SplatVector otherEye = Times(stretch, eye);
+  const Vector3 eye{ { 3, 7, 12 } };
+  const Vector3 otherEye = Times(stretch, eye);
   for (const double place : { 0.0, 1.0 }) // at infinity or not
   {
     SplatErrorRule rule;

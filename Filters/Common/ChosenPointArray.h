@@ -5,16 +5,14 @@
 #ifndef nephoscope_ChosenPointArray_h
 #define nephoscope_ChosenPointArray_h
 
+#include "DataSets.h"
 #include "FieldNames.h"
 
 #include "vtkAlgorithm.h"
-#include "vtkCompositeDataIterator.h"
-#include "vtkCompositeDataSet.h"
 #include "vtkDataArray.h"
 #include "vtkDataSet.h"
 #include "vtkInformation.h"
 #include "vtkPointData.h"
-#include "vtkSmartPointer.h"
 
 #include <algorithm>
 #include <array>
@@ -55,7 +53,8 @@ inline vtkDataArray* DefaultPointArray(vtkPointData* data)
 inline std::array<double, 2> RangeOfDefaultArrays(vtkDataObject* data)
 {
   std::array<double, 2> range = { std::numeric_limits<double>::max(), std::numeric_limits<double>::lowest() };
-  const auto add = [&](vtkDataSet* part) {
+  const auto add = [&](vtkDataObject* leaf) {
+    auto* part = vtkDataSet::SafeDownCast(leaf);
     vtkDataArray* array = part ? DefaultPointArray(part->GetPointData()) : nullptr;
     for (vtkIdType id = 0; array && id < array->GetNumberOfTuples(); ++id)
     {
@@ -66,17 +65,7 @@ inline std::array<double, 2> RangeOfDefaultArrays(vtkDataObject* data)
       }
     }
   };
-  auto* group = vtkCompositeDataSet::SafeDownCast(data);
-  if (!group)
-  {
-    add(vtkDataSet::SafeDownCast(data));
-    return range;
-  }
-  auto parts = vtkSmartPointer<vtkCompositeDataIterator>::Take(group->NewIterator());
-  for (parts->InitTraversal(); !parts->IsDoneWithTraversal(); parts->GoToNextItem())
-  {
-    add(vtkDataSet::SafeDownCast(parts->GetCurrentDataObject()));
-  }
+  ForEachLeaf(data, add);
   return range;
 }
 
