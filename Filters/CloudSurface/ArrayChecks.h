@@ -8,9 +8,7 @@
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
 #include "vtkDataSet.h"
-#include "vtkInformation.h"
 #include "vtkPointData.h"
-#include "vtkStreamingDemandDrivenPipeline.h"
 
 #include <string>
 
@@ -71,21 +69,6 @@ inline int IndexOfPointArray(vtkDataSet* data, vtkAbstractArray* array)
     }
   }
   return -1;
-}
-
-// Asks for all of the input, whatever piece of the output is wanted.
-inline void AskForWholeExtent(vtkInformation* info)
-{
-  using SDDP = vtkStreamingDemandDrivenPipeline;
-  if (info->Has(SDDP::WHOLE_EXTENT())) // a group of grids has none
-  {
-    int whole[6];
-    info->Get(SDDP::WHOLE_EXTENT(), whole);
-    info->Set(SDDP::UPDATE_EXTENT(), whole, 6);
-  }
-  info->Set(SDDP::UPDATE_PIECE_NUMBER(), 0);
-  info->Set(SDDP::UPDATE_NUMBER_OF_PIECES(), 1);
-  info->Set(SDDP::UPDATE_NUMBER_OF_GHOST_LEVELS(), 0);
 }
 
 inline std::string ValuesMissing(vtkAbstractArray* array, vtkIdType count)

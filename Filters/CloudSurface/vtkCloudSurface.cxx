@@ -9,6 +9,7 @@
 #include "IndexSpaceContour.h"
 #include "OwnThreads.h"
 #include "RequiredInput.h"
+#include "SeriesReading.h"
 #include "SurfaceAssembly.h"
 
 #include "vtkCommand.h"

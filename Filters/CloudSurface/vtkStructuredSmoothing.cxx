@@ -8,6 +8,7 @@
 #include "FieldSmoother.h"
 #include "OwnThreads.h"
 #include "RequiredInput.h"
+#include "SeriesReading.h"
 #include "ToldOnce.h"
 
 #include "vtkCommand.h"

@@ -4,6 +4,7 @@
 #ifndef nephoscope_FlowVolumeState_h
 #define nephoscope_FlowVolumeState_h
 
+#include "SeriesReading.h"
 #include "StreakVolume.h"
 #include "VelocityFields.h"
 
@@ -47,17 +48,10 @@ struct StreakState
   vtkMTimeType MTime = 0; // of the pipeline when it was begun
 };
 
-struct FlowVolumeState
+struct FlowVolumeState : SeriesReading
 {
   std::shared_ptr<const FlowField> Field; // of the last input
-
-  std::vector<double> Times; // of the input's series, in the pipeline's unit
-  bool HasSeries = false;    // the input tells its time steps, be they none
   StreakState Streak;
-  double Requested = 0.0;  // time of the update that is being made
-  int Next = 0;            // time step to be read
-  bool Continuing = false; // in the middle of an update
-  bool AwaitsData = false; // between RequestUpdateExtent and RequestData
 };
 }
 

@@ -32,18 +32,6 @@ namespace
 {
 constexpr double advancingShare = 0.9; // of the time, about; the rest is interpolating arrays
 
-// What CONTINUE_EXECUTING has set, and only a successful REQUEST_DATA would clear.
-struct StopExecuting : SDDP
-{
-  static void Of(vtkExecutive* executive)
-  {
-    if (auto* pipeline = SDDP::SafeDownCast(executive))
-    {
-      pipeline->*(&StopExecuting::ContinueExecuting) = 0;
-    }
-  }
-};
-
 std::vector<nephoscope::CellHint> HintsOfSecond(std::vector<nephoscope::CellHint> hints)
 {
   for (nephoscope::CellHint& hint : hints)
@@ -58,19 +46,14 @@ std::vector<nephoscope::CellHint> HintsOfSecond(std::vector<nephoscope::CellHint
 vtkTypeBool vtkFlowVolume::ProcessRequest(
   vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
-  // An executive that is told to go on asks for ever, should the input fail in the meantime: an update begins anew, though the
-  // last one has not come to RequestData.
-  if (request->Has(SDDP::REQUEST_UPDATE_TIME()) && this->State->AwaitsData)
+  auto& state = *this->State;
+  if (state.BeginsAnew(request))
   {
-    this->State->AwaitsData = false;
-    this->State->Streak = {};
-    if (this->State->Continuing)
+    state.Streak = {};
+    if (state.Continuing)
     {
-      vtkErrorMacro("The input has not delivered the time step at "
-        << this->State->Times[static_cast<std::size_t>(this->State->Next)]
-        << ", so there is no volume at later times.");
-      this->State->Continuing = false;
-      StopExecuting::Of(this->GetExecutive());
+      vtkErrorMacro("The input has not delivered the time step at " << state.NextTime() << ", so there is no volume at later times.");
+      state.Stop(this->GetExecutive());
     }
   }
   return this->Superclass::ProcessRequest(request, inputs, outputs);
@@ -79,19 +62,9 @@ vtkTypeBool vtkFlowVolume::ProcessRequest(
 int vtkFlowVolume::RequestInformation(
   vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
-  vtkInformation* input = inputs[0]->GetInformationObject(0);
-  auto& state = *this->State;
-  std::vector<double> times;
-  state.HasSeries = input && input->Has(SDDP::TIME_STEPS());
-  if (state.HasSeries)
+  if (this->State->TakeTimes(inputs[0]->GetInformationObject(0)))
   {
-    const double* first = input->Get(SDDP::TIME_STEPS());
-    times.assign(first, first + input->Length(SDDP::TIME_STEPS()));
-  }
-  if (times != state.Times)
-  {
-    state.Times = times;
-    state.Streak = {};
+    this->State->Streak = {};
   }
   return this->Superclass::RequestInformation(request, inputs, outputs);
 }
@@ -117,15 +90,13 @@ bool vtkFlowVolume::CheckSeries()
       << ". The volume of the present, steady flow is made.");
     return true;
   }
-  for (std::size_t i = 1; i < times.size(); ++i)
+  const std::size_t i = this->State->FirstOutOfOrder();
+  if (i < times.size())
   {
-    if (!(times[i] > times[i - 1]) || !std::isfinite(times[i]))
-    {
-      vtkErrorMacro("The times of the input's time steps must rise, but time step "
-        << i << " is at " << times[i] << " after " << times[i - 1]
-        << ". Sort the time steps, or switch Unsteady off.");
-      return false;
-    }
+    vtkErrorMacro("The times of the input's time steps must rise, but time step "
+      << i << " is at " << times[i] << " after " << times[i > 0 ? i - 1 : 0]
+      << ". Sort the time steps, or switch Unsteady off.");
+    return false;
   }
   if (this->StartTime > times.back())
   {
@@ -163,7 +134,7 @@ int vtkFlowVolume::RequestUpdateExtent(
   {
     this->PlanReading(outputs->GetInformationObject(0));
     inputs[0]->GetInformationObject(0)->Set(
-      SDDP::UPDATE_TIME_STEP(), this->State->Times[static_cast<std::size_t>(this->State->Next)]);
+      SDDP::UPDATE_TIME_STEP(), this->State->NextTime());
   }
   this->Exchange().RequestParts(inputs);
   return this->Superclass::RequestUpdateExtent(request, inputs, outputs);
@@ -234,13 +205,11 @@ void vtkFlowVolume::MakeUnsteadyVolume(vtkInformation* request, vtkDataObject* i
   if (state.Requested > state.Times[read] && read + 1 < state.Times.size())
   {
     state.Next = streak.LastRead + 1;
-    state.Continuing = true;
     this->MakeRoom();
-    request->Set(SDDP::CONTINUE_EXECUTING(), 1);
+    state.GoOn(request);
     return;
   }
-  state.Continuing = false;
-  request->Remove(SDDP::CONTINUE_EXECUTING());
+  state.End(request);
   if (streak.Volume)
   {
     this->WriteStreak(output);
@@ -250,8 +219,7 @@ void vtkFlowVolume::MakeUnsteadyVolume(vtkInformation* request, vtkDataObject* i
 void vtkFlowVolume::EndSeries(vtkInformation* request)
 {
   this->State->Streak = {};
-  this->State->Continuing = false;
-  request->Remove(SDDP::CONTINUE_EXECUTING());
+  this->State->End(request);
 }
 
 bool vtkFlowVolume::ReadTimeStep(vtkDataObject* input)

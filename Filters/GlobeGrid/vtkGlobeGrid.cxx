@@ -5,6 +5,7 @@
 #include "GlobeGridBuilder.h"
 #include "PoleRows.h"
 #include "RequiredInput.h"
+#include "SeriesReading.h"
 #include "ToldOnce.h"
 
 #include "vtkCellData.h"
@@ -260,16 +261,7 @@ int vtkGlobeGrid::RequestUpdateExtent(
     {
       continue;
     }
-    vtkInformation* inInfo = inputs[port]->GetInformationObject(0);
-    if (inInfo->Has(SDDP::WHOLE_EXTENT())) // a group of grids has none
-    {
-      int whole[6];
-      inInfo->Get(SDDP::WHOLE_EXTENT(), whole);
-      inInfo->Set(SDDP::UPDATE_EXTENT(), whole, 6);
-    }
-    inInfo->Set(SDDP::UPDATE_PIECE_NUMBER(), 0);
-    inInfo->Set(SDDP::UPDATE_NUMBER_OF_PIECES(), 1);
-    inInfo->Set(SDDP::UPDATE_NUMBER_OF_GHOST_LEVELS(), 0);
+    nephoscope::AskForWholeExtent(inputs[port]->GetInformationObject(0));
   }
   return 1;
 }

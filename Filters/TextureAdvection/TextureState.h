@@ -5,6 +5,7 @@
 #define nephoscope_TextureState_h
 
 #include "BackwardPaths.h"
+#include "SeriesReading.h"
 #include "TextureFlow.h"
 #include "TextureSets.h"
 
@@ -51,11 +52,8 @@ inline bool IsPositive(double value)
   return value > 0.0 && std::isfinite(value);
 }
 
-struct TextureState
+struct TextureState : SeriesReading
 {
-  std::vector<double> PipelineTimes; // in the pipeline's unit
-  bool HasSeries = false;            // the input tells its time steps, be they none
-
   std::unique_ptr<TextureFlow> Flow;
   WindArrays Arrays;
   std::map<int, ReadStep> Steps;
@@ -63,14 +61,10 @@ struct TextureState
   std::array<int, 6> KeyExtent{};                // of the grid's points that they belong to
   vtkMTimeType MTime = 0;                        // of the pipeline when these were begun
 
-  double Requested = 0.0; // time of the update that is being made, in the pipeline's unit
   NeededSteps Needed;
-  int Next = 0;           // time step to be read
-  bool Continuing = false;
   bool SharesSource = false; // the points come of the same source as the winds
   bool ReadsPoints = false;  // this pass is for the points only
   bool HasToldOfMissing = false;
-  bool AwaitsData = false; // between RequestUpdateExtent and RequestData
   vtkMTimeType Failed = 0; // for ToldOnce
 
   double UsualPeriod = 0.0;     // of the first time step

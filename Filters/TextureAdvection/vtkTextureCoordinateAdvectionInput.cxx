@@ -141,21 +141,19 @@ bool vtkTextureCoordinateAdvection::CheckSettings()
 
 bool vtkTextureCoordinateAdvection::CheckSeries()
 {
-  const auto& times = this->State->PipelineTimes;
+  const auto& times = this->State->Times;
   if (this->State->HasSeries && times.empty())
   {
     vtkErrorMacro("The input's time series has no time steps. Check the reader's files.");
     return false;
   }
-  for (std::size_t i = 0; i < times.size(); ++i)
+  const std::size_t i = this->State->FirstOutOfOrder();
+  if (i < times.size())
   {
-    if (!std::isfinite(times[i]) || (i > 0 && !(times[i] > times[i - 1])))
-    {
-      vtkErrorMacro("Times must rise, but time step "
-        << i << " is at " << times[i] << (i > 0 ? " after " : "")
-        << (i > 0 ? std::to_string(times[i - 1]) : std::string()) << ". Sort the time steps.");
-      return false;
-    }
+    vtkErrorMacro("Times must rise, but time step "
+      << i << " is at " << times[i] << (i > 0 ? " after " : "")
+      << (i > 0 ? std::to_string(times[i - 1]) : std::string()) << ". Sort the time steps.");
+    return false;
   }
   return true;
 }

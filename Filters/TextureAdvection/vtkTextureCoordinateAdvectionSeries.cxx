@@ -29,31 +29,6 @@ using SDDP = vtkStreamingDemandDrivenPipeline;
 
 namespace
 {
-// What CONTINUE_EXECUTING has set, and only a successful REQUEST_DATA would clear.
-struct StopExecuting : SDDP
-{
-  static void Of(vtkExecutive* executive)
-  {
-    if (auto* pipeline = SDDP::SafeDownCast(executive))
-    {
-      pipeline->*(&StopExecuting::ContinueExecuting) = 0;
-    }
-  }
-};
-
-void AskForWhole(vtkInformation* input)
-{
-  if (input->Has(SDDP::WHOLE_EXTENT()))
-  {
-    int whole[6];
-    input->Get(SDDP::WHOLE_EXTENT(), whole);
-    input->Set(SDDP::UPDATE_EXTENT(), whole, 6);
-  }
-  input->Set(SDDP::UPDATE_PIECE_NUMBER(), 0);
-  input->Set(SDDP::UPDATE_NUMBER_OF_PIECES(), 1);
-  input->Set(SDDP::UPDATE_NUMBER_OF_GHOST_LEVELS(), 0);
-}
-
 void AskForSamePiece(vtkInformation* output, vtkInformation* input)
 {
   input->CopyEntry(output, SDDP::UPDATE_PIECE_NUMBER());
@@ -117,20 +92,15 @@ int vtkTextureCoordinateAdvection::RequestDataObject(
 vtkTypeBool vtkTextureCoordinateAdvection::ProcessRequest(
   vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
-  // An executive that is told to go on asks for ever, should the input fail in the meantime: an update begins anew, though the
-  // last one has not come to RequestData.
-  if (request->Has(SDDP::REQUEST_UPDATE_TIME()) && this->State->AwaitsData)
+  auto& state = *this->State;
+  if (state.BeginsAnew(request))
   {
-    this->State->AwaitsData = false;
-    if (this->State->Continuing)
+    if (state.Continuing)
     {
-      vtkErrorMacro("The input has not delivered the time step at "
-        << this->State->PipelineTimes[static_cast<std::size_t>(this->State->Next)]
-        << ", so there are no texture coordinates.");
-      this->State->Continuing = false;
-      StopExecuting::Of(this->GetExecutive());
+      vtkErrorMacro("The input has not delivered the time step at " << state.NextTime() << ", so there are no texture coordinates.");
+      state.Stop(this->GetExecutive());
     }
-    this->State->Forget();
+    state.Forget();
   }
   return this->Superclass::ProcessRequest(request, inputs, outputs);
 }
@@ -141,18 +111,11 @@ int vtkTextureCoordinateAdvection::RequestInformation(
   vtkInformation* input = inputs[0]->GetInformationObject(0);
   vtkInformation* output = outputs->GetInformationObject(0);
   auto& state = *this->State;
-  std::vector<double> times;
-  state.HasSeries = input->Has(SDDP::TIME_STEPS()) != 0;
-  if (state.HasSeries)
+  if (state.TakeTimes(input))
   {
-    const double* first = input->Get(SDDP::TIME_STEPS());
-    times.assign(first, first + input->Length(SDDP::TIME_STEPS()));
-  }
-  if (times != state.PipelineTimes)
-  {
-    state.PipelineTimes = times;
     state.Forget();
   }
+  const auto& times = state.Times;
   vtkInformation* points = inputs[1]->GetInformationObject(0);
   state.SharesSource = points && nephoscope::HaveSharedSource(this, 0, 1);
   output->Remove(SDDP::WHOLE_EXTENT());
@@ -179,12 +142,12 @@ int vtkTextureCoordinateAdvection::RequestInformation(
 
 bool vtkTextureCoordinateAdvection::HasSeries() const
 {
-  return this->State->PipelineTimes.size() > 1;
+  return this->State->Times.size() > 1;
 }
 
 nephoscope::TimeSeries vtkTextureCoordinateAdvection::Series() const
 {
-  const auto& times = this->State->PipelineTimes;
+  const auto& times = this->State->Times;
   std::vector<double> seconds(std::max<std::size_t>(times.size(), 1), 0.0);
   for (std::size_t i = 1; i < times.size(); ++i)
   {
@@ -203,7 +166,7 @@ nephoscope::TextureSets vtkTextureCoordinateAdvection::Sets() const
 
 double vtkTextureCoordinateAdvection::RequestedSeconds() const
 {
-  const auto& times = this->State->PipelineTimes;
+  const auto& times = this->State->Times;
   const double seconds =
     (this->State->Requested - (times.empty() ? 0.0 : times.front())) * this->TimeScale;
   // Times of a series in days or hours are not exact in seconds.
@@ -217,10 +180,8 @@ int vtkTextureCoordinateAdvection::RequestUpdateExtent(
   auto& state = *this->State;
   vtkInformation* input = inputs[0]->GetInformationObject(0);
   vtkInformation* output = outputs->GetInformationObject(0);
-  const auto& times = state.PipelineTimes;
-  const bool readable = !times.empty() &&
-    std::adjacent_find(times.begin(), times.end(), [](double a, double b) { return !(b > a); }) ==
-      times.end();
+  const auto& times = state.Times;
+  const bool readable = !times.empty() && state.FirstOutOfOrder() == times.size();
   const double first = times.empty() ? 0.0 : times.front();
   if (!state.Continuing)
   {
@@ -240,13 +201,13 @@ int vtkTextureCoordinateAdvection::RequestUpdateExtent(
   }
   if (readable)
   {
-    input->Set(SDDP::UPDATE_TIME_STEP(), times[static_cast<std::size_t>(state.Next)]);
+    input->Set(SDDP::UPDATE_TIME_STEP(), state.NextTime());
   }
   else
   {
     input->Remove(SDDP::UPDATE_TIME_STEP());
   }
-  AskForWhole(input); // everywhere the whole of the winds: a path may come from anywhere
+  nephoscope::AskForWholeExtent(input); // everywhere the whole of the winds: a path may come from anywhere
   if (vtkInformation* points = inputs[1]->GetInformationObject(0))
   {
     this->AskForPoints(input, points, output);
@@ -274,7 +235,7 @@ void vtkTextureCoordinateAdvection::AskForPoints(
   }
   else
   {
-    AskForWhole(points);
+    nephoscope::AskForWholeExtent(points);
     if (input->Has(SDDP::UPDATE_TIME_STEP()))
     {
       points->Set(SDDP::UPDATE_TIME_STEP(), input->Get(SDDP::UPDATE_TIME_STEP()));
@@ -333,7 +294,7 @@ bool vtkTextureCoordinateAdvection::ChooseNext()
       return true;
     }
   }
-  const int last = static_cast<int>(state.PipelineTimes.size()) - 1;
+  const int last = static_cast<int>(state.Times.size()) - 1;
   state.Next = std::clamp(state.Next, 0, std::max(last, 0)); // what has been read last, so that nothing is read
   return false;
 }
@@ -364,8 +325,7 @@ int vtkTextureCoordinateAdvection::RequestData(
     this->PlanReading();
     if (state.Next != 0)
     {
-      state.Continuing = true;
-      request->Set(SDDP::CONTINUE_EXECUTING(), 1);
+      state.GoOn(request);
       return 1;
     }
   }
@@ -386,12 +346,10 @@ int vtkTextureCoordinateAdvection::RequestData(
   if (this->ChooseNext() || needsPoints)
   {
     state.ReadsPoints = needsPoints && !this->ChooseNext();
-    state.Continuing = true;
-    request->Set(SDDP::CONTINUE_EXECUTING(), 1);
+    state.GoOn(request);
     return 1;
   }
-  state.Continuing = false;
-  request->Remove(SDDP::CONTINUE_EXECUTING());
+  state.End(request);
   this->NumberOfTimeStepsHeld = static_cast<int>(state.Steps.size());
   const bool hasPoints = this->GetNumberOfInputConnections(1) > 0;
   if (!this->MakeTexture(hasPoints ? vtkDataSet::GetData(inputs[1], 0) : nullptr, outInfo, output))
@@ -405,9 +363,8 @@ int vtkTextureCoordinateAdvection::RequestData(
 void vtkTextureCoordinateAdvection::Stop(vtkInformation* request)
 {
   this->State->Forget();
-  this->State->Continuing = false;
   this->State->ReadsPoints = false;
   this->NumberOfSteps = 0;
   this->NumberOfTimeStepsHeld = 0;
-  request->Remove(SDDP::CONTINUE_EXECUTING());
+  this->State->End(request);
 }

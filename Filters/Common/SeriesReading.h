@@ -1,0 +1,51 @@
+// SPDX-FileCopyrightText: The Nephoscope authors
+// SPDX-License-Identifier: BSD-3-Clause
+/** Reading of a time series by one filter: its update asks for one time step after another, in passes of its own (CONTINUE_EXECUTING). */
+#ifndef nephoscope_SeriesReading_h
+#define nephoscope_SeriesReading_h
+
+#include "vtkNephoscopeFiltersCommonModule.h" // for export macro
+
+#include <cstddef>
+#include <vector>
+
+class vtkExecutive;
+class vtkInformation;
+
+namespace nephoscope
+{
+
+struct VTKNEPHOSCOPEFILTERSCOMMON_EXPORT SeriesReading
+{
+  std::vector<double> Times; ///< of the time steps, in the pipeline's unit
+  bool HasSeries = false;    ///< the input tells its time steps, be they none
+  double Requested = 0.0;    ///< time of the update that is being made
+  int Next = 0;              ///< time step to be read
+  bool Continuing = false;   ///< in the middle of an update
+  bool AwaitsData = false;   ///< between RequestUpdateExtent and RequestData
+
+  /** For RequestInformation: reads the times of the input, which may be null. True if they have changed. */
+  bool TakeTimes(vtkInformation* input);
+
+  /** The first time step that is not finite, or not after the one before; the number of time steps if there is none. */
+  std::size_t FirstOutOfOrder() const;
+
+  /** For ProcessRequest: an update begins, although the last one has not come to RequestData. */
+  bool BeginsAnew(vtkInformation* request);
+
+  double NextTime() const { return this->Times[static_cast<std::size_t>(this->Next)]; }
+
+  /** For RequestData: asks for one more pass, or for none. */
+  void GoOn(vtkInformation* request);
+  void End(vtkInformation* request);
+
+  /** The same outside of RequestData: an executive that has been told to go on asks for ever, should the input fail in the meantime. */
+  void Stop(vtkExecutive* executive);
+};
+
+/** Asks for all of an input, whatever piece of the output is wanted. */
+VTKNEPHOSCOPEFILTERSCOMMON_EXPORT void AskForWholeExtent(vtkInformation* input);
+
+} // namespace nephoscope
+
+#endif
