@@ -25,6 +25,16 @@ foreach (required IN LISTS nephoscope_required_modules)
   endif ()
 endforeach ()
 
+# The folders of a module whose headers are included by their names alone: PUBLIC by modules that depend on it, too.
+function (nephoscope_module_folders module)
+  cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "PUBLIC;PRIVATE")
+  foreach (kind IN ITEMS PUBLIC PRIVATE)
+    foreach (folder IN LISTS arg_${kind})
+      vtk_module_include("${module}" ${kind} "$<BUILD_INTERFACE:${CMAKE_CURRENT_SOURCE_DIR}/${folder}>")
+    endforeach ()
+  endforeach ()
+endfunction ()
+
 set(nephoscope_wrapping OFF)
 if (NEPHOSCOPE_WRAP_PYTHON OR NEPHOSCOPE_USE_PARAVIEW) # for the plugin too
   set(nephoscope_wrapping ON)

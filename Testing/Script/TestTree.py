@@ -213,11 +213,51 @@ def check_include_paths(files):
                     yield f"{path.relative_to(TOP)}: a path to another folder: {' '.join(call.split())}"
 
 
+def reading_list(readme):
+    """The names in the first column of the tables below 'Reading order', in the folder that the head of their table names."""
+    folder, names, below = "", [], False
+    for line in readme.splitlines():
+        if line.startswith("#"):
+            below = line == "## Reading order"
+        elif below and line.startswith("|"):
+            quoted = re.findall(r"`([^`]+)`", line.split("|")[1])
+            if len(quoted) == 1 and quoted[0].endswith("/"):
+                folder = "" if quoted[0] == "Testing/" else quoted[0]
+            elif quoted:
+                names += [folder + name for name in quoted]
+            elif not set(line) <= set("|-: "):
+                folder = ""
+    return names
+
+
+def check_readmes(files):
+    """The README of every technique names each of its files once, and none that is not there. `Name` is Name.h and Name.cxx."""
+    for module in files:
+        technique = module.parent
+        if module.name != "vtk.module" or technique.parent.name not in ("Filters", "Representations"):
+            continue
+        sources = {str(f.relative_to(technique)) for f in files if technique in f.parents and f.suffix in (".h", ".cxx", ".glsl")}
+        sources = {name for name in sources if "Testing/" not in name}
+        readme = technique / "README.md"
+        if readme not in files:
+            yield f"{technique.relative_to(TOP)} has no README.md"
+            continue
+        named = []
+        for name in reading_list(text_of(readme)):
+            its = {name} if pathlib.Path(name).suffix else {name + ".h", name + ".cxx"} & sources
+            if not its <= sources or not its:
+                yield f"{readme.relative_to(TOP)}: {name} is not there"
+            named += its
+        for name in sorted(sources):
+            if named.count(name) != 1:
+                yield f"{readme.relative_to(TOP)}: {name} is named {named.count(name)} times in the reading order, not once"
+
+
 def main():
     files = tracked_files()
     problems = []
     for check in (check_licence_lines, check_machine_paths, check_documents, check_verbs, check_references, check_changelog, check_sentences,
-                  check_layers, check_include_paths):
+                  check_layers, check_include_paths, check_readmes):
         problems += check(files)
     print("\n".join(problems) or f"{len(files)} files: nothing to complain of")
     return 1 if problems or not files else 0

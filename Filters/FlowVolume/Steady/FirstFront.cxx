@@ -41,7 +41,7 @@ public:
   }
 
   // The flux through the triangle: with sign, and how much of it goes the other way at some corners.
-  void cross(const SmokeFront& front, const FrontTriangle& t, double& sum, double& against) const
+  void Cross(const SmokeFront& front, const FrontTriangle& t, double& sum, double& against) const
   {
     const Vector3 area = AreaVector(front.Corner(t, 0), front.Corner(t, 1), front.Corner(t, 2));
     double forth = 0.0, back = 0.0;
@@ -163,7 +163,7 @@ Emission EmitFrom(SmokeFront& front, const VelocityField& field, double time,
   emission.Parallel =
     Remove(front.Triangles, [&](const FrontTriangle& t) { return flow.IsParallel(front, t); });
   std::transform(
-    flow.Velocities.begin(), flow.Velocities.end(), front.Directions.begin(), Direction);
+    flow.Velocities.begin(), flow.Velocities.end(), front.Directions.begin(), normalized);
   for (FrontTriangle& triangle : front.Triangles)
   {
     double flux, against;

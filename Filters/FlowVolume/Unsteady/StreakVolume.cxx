@@ -4,7 +4,7 @@
 
 #include "AdvanceParticles.h"
 #include "EdgeBisection.h"
-#include "TetrahedronVolume.h"
+#include "SmokeGeometry.h"
 
 #include <algorithm>
 #include <cmath>

@@ -5,8 +5,11 @@
 #ifndef nephoscope_SmokeGeometry_h
 #define nephoscope_SmokeGeometry_h
 
+#include "PrismTetrahedra.h"
 #include "Tetrahedron.h"
 #include "VelocityField.h"
+
+#include <vector>
 
 namespace nephoscope
 {
@@ -19,6 +22,14 @@ inline Vector3 Midpoint(const Vector3& a, const Vector3& b)
 inline Vector3 AreaVector(const Vector3& a, const Vector3& b, const Vector3& c)
 {
   return 0.5 * cross(b - a, c - a);
+}
+
+inline double VolumeOf(const TetrahedronPoints& tetrahedron, const std::vector<Vector3>& points)
+{
+  const auto corner = [&](std::size_t i) -> const Vector3& {
+    return points[static_cast<std::size_t>(tetrahedron[i])];
+  };
+  return signedVolume(corner(0), corner(1), corner(2), corner(3));
 }
 
 // Volume flow out of the side a b c d, taken from the origin, as the mean over both of its diagonals. That mean is the

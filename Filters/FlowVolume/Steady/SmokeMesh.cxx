@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SmokeMesh.h"
 
-#include "TetrahedronVolume.h"
+#include "SmokeGeometry.h"
 
 namespace nephoscope
 {

@@ -86,7 +86,7 @@ inline double Rows(const Shape& shape, double x, double y, double phase, double 
 }
 
 // A vector that points at the eye.
-inline double dot(const Shape& shape, double x, double y)
+inline double Dot(const Shape& shape, double x, double y)
 {
   const double width = roundDot * shape.Width;
   const double blurred = Hypot(width, PixelFilter(shape));
@@ -98,7 +98,7 @@ inline double dot(const Shape& shape, double x, double y)
 inline double Value(const Shape& shape, double x, double y, double phase, double row)
 {
   const double streaked = SmoothStep(steep, flat, shape.Period / shape.Width);
-  const double pattern = streaked * Rows(shape, x, y, phase, row) + (1.0 - streaked) * dot(shape, x, y);
+  const double pattern = streaked * Rows(shape, x, y, phase, row) + (1.0 - streaked) * Dot(shape, x, y);
   const double resolved = shape.Pixel > 0.0
     ? SmoothStep(coarse, fine, std::min(std::max(shape.Period, shape.Width), shape.Spacing) / shape.Pixel)
     : 1.0;

@@ -24,7 +24,8 @@ struct AirMotion
 
 // The vertical coordinate is any that rises from level to level: height, radius, or pressure with its sign turned. Followed as
 // such, it needs no chain rule: the motion relative to the levels, however they slope and move, comes of looking the levels up
-// where the air is (LevelMotion.h has the rule).
+// where the air is. (For a coordinate q with the rate Dq/Dt following the air, the rate of the level k would be
+// (Dq/Dt - dq/dt|k - V . grad_k q) / (dq/dk).)
 struct GlobeAir
 {
   // Axis 0 (columns) fastest, then rows, then levels.
