@@ -266,84 +266,9 @@ void vtkCloudTextureRepresentation::UpdateColoringParameters()
   this->CloudMapper->SelectColorArray(this->Mapper->GetArrayName());
 }
 
-void vtkCloudTextureRepresentation::SetTextureLength(double value)
-{
-  this->CloudMapper->SetTextureLength(value);
-}
-
-void vtkCloudTextureRepresentation::SetCoverage(double value)
-{
-  this->CloudMapper->SetCoverage(value);
-}
-
 void vtkCloudTextureRepresentation::SetCoverageArrayName(const char* name)
 {
   this->CloudMapper->SetCoverageArrayName(ArrayName(name));
-}
-
-void vtkCloudTextureRepresentation::SetSoftness(double value)
-{
-  this->CloudMapper->SetSoftness(value);
-}
-
-void vtkCloudTextureRepresentation::SetTextureScale(double value)
-{
-  this->CloudMapper->SetTextureScale(value);
-}
-
-void vtkCloudTextureRepresentation::SetUseThreshold(bool value)
-{
-  this->CloudMapper->SetUseThreshold(value);
-}
-
-void vtkCloudTextureRepresentation::SetThreshold(double value)
-{
-  this->CloudMapper->SetThreshold(value);
-}
-
-void vtkCloudTextureRepresentation::SetThinColor(double red, double green, double blue)
-{
-  this->CloudMapper->SetThinColor(red, green, blue);
-}
-
-void vtkCloudTextureRepresentation::SetThickColor(double red, double green, double blue)
-{
-  this->CloudMapper->SetThickColor(red, green, blue);
-}
-
-void vtkCloudTextureRepresentation::SetColorRange(double value)
-{
-  this->CloudMapper->SetColorRange(value);
-}
-
-void vtkCloudTextureRepresentation::SetThicknessEffect(int value)
-{
-  this->CloudMapper->SetThicknessEffect(value);
-}
-
-void vtkCloudTextureRepresentation::SetThicknessWeight(double value)
-{
-  this->CloudMapper->SetThicknessWeight(value);
-}
-
-void vtkCloudTextureRepresentation::SetUseAltitude(bool value)
-{
-  this->CloudMapper->SetUseAltitude(value);
-}
-
-void vtkCloudTextureRepresentation::SetAltitudeRange(double low, double high)
-{
-  this->CloudMapper->SetAltitudeRange(low, high);
-}
-
-void vtkCloudTextureRepresentation::SetWaves(int value)
-{
-  this->CloudMapper->SetWaves(value);
-}
-
-void vtkCloudTextureRepresentation::SetNumberOfCustomWaves(int value)
-{
-  this->CloudMapper->SetNumberOfCustomWaves(value);
 }
 
 void vtkCloudTextureRepresentation::SetCustomWave(int i, double amplitude, double b, double c, double d, double shift,
@@ -352,44 +277,9 @@ void vtkCloudTextureRepresentation::SetCustomWave(int i, double amplitude, doubl
   this->CloudMapper->SetCustomWave(i, amplitude, b, c, d, shift, e, g, h, phase);
 }
 
-void vtkCloudTextureRepresentation::SetOpticalDepth(double value)
-{
-  this->CloudMapper->SetOpticalDepth(value);
-}
-
-void vtkCloudTextureRepresentation::SetRelief(double value)
-{
-  this->CloudMapper->SetRelief(value);
-}
-
-void vtkCloudTextureRepresentation::SetUseThickness(bool value)
-{
-  this->CloudMapper->SetUseThickness(value);
-}
-
-void vtkCloudTextureRepresentation::SetExtinction(double value)
-{
-  this->CloudMapper->SetExtinction(value);
-}
-
 void vtkCloudTextureRepresentation::SetDensityArrayName(const char* name)
 {
   this->CloudMapper->SetDensityArrayName(ArrayName(name));
-}
-
-void vtkCloudTextureRepresentation::SetMaximumNumberOfLayers(int value)
-{
-  this->CloudMapper->SetMaximumNumberOfLayers(value);
-}
-
-void vtkCloudTextureRepresentation::SetFirstCoordinatesName(const char* name)
-{
-  this->CloudMapper->SetFirstCoordinatesName(name);
-}
-
-void vtkCloudTextureRepresentation::SetSecondCoordinatesName(const char* name)
-{
-  this->CloudMapper->SetSecondCoordinatesName(name);
 }
 
 void vtkCloudTextureRepresentation::PrintSelf(ostream& os, vtkIndent indent)

@@ -14,10 +14,11 @@
 
 #include "vtkGeometryRepresentation.h"
 #include "vtkNephoscopeParaViewCloudTextureModule.h" // for export macro
+
+#include "vtkCloudTextureMapper.h"
 #include "vtkNew.h"                             // for members
 #include "vtkSmartPointer.h"                    // for members
 
-class vtkCloudTextureMapper;
 class vtkMultiBlockDataSet;
 class vtkPolyData;
 
@@ -34,31 +35,31 @@ public:
 
   ///@{
   /** What vtkCloudTextureMapper says of them. */
-  void SetCoverage(double value);
+  void SetCoverage(double value) { this->CloudMapper->SetCoverage(value); }
   void SetCoverageArrayName(const char* name);
-  void SetUseThreshold(bool value);
-  void SetThreshold(double value);
-  void SetSoftness(double value);
-  void SetTextureScale(double value);
-  void SetTextureLength(double value);
-  void SetOpticalDepth(double value);
-  void SetRelief(double value);
-  void SetThinColor(double red, double green, double blue);
-  void SetThickColor(double red, double green, double blue);
-  void SetColorRange(double value);
-  void SetUseAltitude(bool value);
-  void SetAltitudeRange(double low, double high);
-  void SetWaves(int value);
-  void SetNumberOfCustomWaves(int value);
+  void SetUseThreshold(bool value) { this->CloudMapper->SetUseThreshold(value); }
+  void SetThreshold(double value) { this->CloudMapper->SetThreshold(value); }
+  void SetSoftness(double value) { this->CloudMapper->SetSoftness(value); }
+  void SetTextureScale(double value) { this->CloudMapper->SetTextureScale(value); }
+  void SetTextureLength(double value) { this->CloudMapper->SetTextureLength(value); }
+  void SetOpticalDepth(double value) { this->CloudMapper->SetOpticalDepth(value); }
+  void SetRelief(double value) { this->CloudMapper->SetRelief(value); }
+  void SetThinColor(double red, double green, double blue) { this->CloudMapper->SetThinColor(red, green, blue); }
+  void SetThickColor(double red, double green, double blue) { this->CloudMapper->SetThickColor(red, green, blue); }
+  void SetColorRange(double value) { this->CloudMapper->SetColorRange(value); }
+  void SetUseAltitude(bool value) { this->CloudMapper->SetUseAltitude(value); }
+  void SetAltitudeRange(double low, double high) { this->CloudMapper->SetAltitudeRange(low, high); }
+  void SetWaves(int value) { this->CloudMapper->SetWaves(value); }
+  void SetNumberOfCustomWaves(int value) { this->CloudMapper->SetNumberOfCustomWaves(value); }
   void SetCustomWave(int i, double amplitude, double b, double c, double d, double shift, double e, double g, double h, double phase);
-  void SetUseThickness(bool value);
-  void SetThicknessEffect(int value);
-  void SetThicknessWeight(double value);
-  void SetExtinction(double value);
+  void SetUseThickness(bool value) { this->CloudMapper->SetUseThickness(value); }
+  void SetThicknessEffect(int value) { this->CloudMapper->SetThicknessEffect(value); }
+  void SetThicknessWeight(double value) { this->CloudMapper->SetThicknessWeight(value); }
+  void SetExtinction(double value) { this->CloudMapper->SetExtinction(value); }
   void SetDensityArrayName(const char* name);
-  void SetMaximumNumberOfLayers(int value);
-  void SetFirstCoordinatesName(const char* name);
-  void SetSecondCoordinatesName(const char* name);
+  void SetMaximumNumberOfLayers(int value) { this->CloudMapper->SetMaximumNumberOfLayers(value); }
+  void SetFirstCoordinatesName(const char* name) { this->CloudMapper->SetFirstCoordinatesName(name); }
+  void SetSecondCoordinatesName(const char* name) { this->CloudMapper->SetSecondCoordinatesName(name); }
   ///@}
 
   ///@{

@@ -191,7 +191,7 @@ SplatCommons findSplatCommons(vtkDataSet* vertices, const std::string& vectors)
     all.GetCenter(commons.Origin);
   }
   commons.LongestEdge = greatest[0];
-  commons.GreatestSpeed = greatest[1];
+  commons.MaximumSpeed = greatest[1];
   commons.MostSamples = static_cast<vtkIdType>(greatest[2]);
   commons.MeanCell = sum[1] > 0 && sum[0] > 0 ? sum[0] / sum[1] : 1.0;
   return commons;

@@ -201,31 +201,6 @@ void vtkTexturedSplatsRepresentation::SetRadiusFactor(double factor)
   }
 }
 
-void vtkTexturedSplatsRepresentation::SetErrorTolerance(double tolerance)
-{
-  this->Mapper->SetErrorTolerance(tolerance);
-}
-
-void vtkTexturedSplatsRepresentation::SetErrorToleranceUnit(int unit)
-{
-  this->Mapper->SetErrorToleranceUnit(unit);
-}
-
-void vtkTexturedSplatsRepresentation::SetErrorMeasure(int measure)
-{
-  this->Mapper->SetErrorMeasure(measure);
-}
-
-void vtkTexturedSplatsRepresentation::SetLevelBlending(double share)
-{
-  this->Mapper->SetLevelBlending(share);
-}
-
-void vtkTexturedSplatsRepresentation::SetInteractiveMaximumNumberOfSplats(vtkIdType count)
-{
-  this->Mapper->SetInteractiveMaximumNumberOfSplats(count);
-}
-
 void vtkTexturedSplatsRepresentation::SetVectorArray(const char* name)
 {
   const std::string chosen = name && std::string(name) != "None" ? name : "";
@@ -241,19 +216,9 @@ void vtkTexturedSplatsRepresentation::SetGreatestSpeed(double speed)
   if (speed != this->GreatestSpeed)
   {
     this->GreatestSpeed = speed;
-    this->Mapper->SetGreatestSpeed(speed); // several ranks decide anew
-    this->MarkModified();                  // so does what suits them
+    this->Mapper->SetMaximumSpeed(speed); // several ranks decide anew
+    this->MarkModified();                 // so does what suits them
   }
-}
-
-void vtkTexturedSplatsRepresentation::SetStreakPeriod(double units)
-{
-  this->Mapper->SetStreakPeriod(units);
-}
-
-void vtkTexturedSplatsRepresentation::SetPhaseCycles(int cycles)
-{
-  this->Mapper->SetPhaseCycles(cycles);
 }
 
 void vtkTexturedSplatsRepresentation::PrintSelf(ostream& os, vtkIndent indent)

@@ -13,6 +13,8 @@
 
 #include "vtkMediumRepresentation.h"
 #include "vtkNephoscopeParaViewTexturedSplatsModule.h" // for export macro
+
+#include "vtkTexturedSplatMapper.h"
 #include "vtkSmartPointer.h"                            // for the colour function
 
 #include <memory> // for std::unique_ptr
@@ -27,7 +29,6 @@ namespace nephoscope
 struct SplatSampling;
 struct SplatReaches;
 }
-class vtkTexturedSplatMapper;
 namespace nephoscope
 {
 class DefaultVectorColors;
@@ -47,22 +48,22 @@ public:
   void SetCellSize(double size);
   void SetCellSizeArrayHoldsVolumes(bool volumes);
   void SetRadiusFactor(double factor);
-  void SetErrorTolerance(double tolerance);
-  void SetErrorToleranceUnit(int unit);
-  void SetErrorMeasure(int measure);
-  void SetLevelBlending(double share);
-  void SetInteractiveMaximumNumberOfSplats(vtkIdType count);
+  void SetErrorTolerance(double tolerance) { this->Mapper->SetErrorTolerance(tolerance); }
+  void SetErrorToleranceUnit(int unit) { this->Mapper->SetErrorToleranceUnit(unit); }
+  void SetErrorMeasure(int measure) { this->Mapper->SetErrorMeasure(measure); }
+  void SetLevelBlending(double share) { this->Mapper->SetLevelBlending(share); }
+  void SetInteractiveMaximumNumberOfSplats(vtkIdType count) { this->Mapper->SetInteractiveMaximumNumberOfSplats(count); }
   void SetGreatestSpeed(double speed);
-  void SetStreakPeriod(double units);
-  void SetPhaseCycles(int cycles);
-  void SetVectorStyle(int style);
-  void SetVectorPlacement(int placement);
-  void SetLayerAxis(int axis);
+  void SetStreakPeriod(double units) { this->Mapper->SetStreakPeriod(units); }
+  void SetPhaseCycles(int cycles) { this->Mapper->SetPhaseCycles(cycles); }
+  void SetVectorStyle(int style) { this->Mapper->SetVectorStyle(style); }
+  void SetVectorPlacement(int placement) { this->Mapper->SetVectorPlacement(placement); }
+  void SetLayerAxis(int axis) { this->Mapper->SetLayerAxis(axis); }
   void SetVectorUnit(double length);
-  void SetStreakWidth(double width);
-  void SetSegmentLength(double length);
-  void SetSegmentWidth(double pixels);
-  void SetPhaseSteps(int steps);
+  void SetStreakWidth(double width) { this->Mapper->SetStreakWidth(width); }
+  void SetSegmentLength(double length) { this->Mapper->SetSegmentLength(length); }
+  void SetSegmentWidth(double pixels) { this->Mapper->SetSegmentWidth(pixels); }
+  void SetPhaseSteps(int steps) { this->Mapper->SetPhaseSteps(steps); }
   ///@}
 
   /** Colours for the array that colours the vectors. None (default): ParaView's default colours, over the range of the array. */

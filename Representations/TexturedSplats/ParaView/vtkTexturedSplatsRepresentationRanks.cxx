@@ -126,8 +126,8 @@ void vtkTexturedSplatsRepresentation::UseCommons(
   nephoscope::SplatRegion region = rank < regions.size() ? regions[rank] : nephoscope::WholeSpace;
   this->Mapper->SetRegion(region.data());
   this->Mapper->SetCommonFrame(commons.Origin, commons.LongestEdge, commons.MostSamples);
-  this->Mapper->SetGreatestSpeed(
-    this->GreatestSpeed > 0.0 ? this->GreatestSpeed : commons.GreatestSpeed);
+  this->Mapper->SetMaximumSpeed(
+    this->GreatestSpeed > 0.0 ? this->GreatestSpeed : commons.MaximumSpeed);
   const double unit = commons.MeanCell / std::cbrt(std::max(this->Meeting->Share, 1e-6)); // as the mapper does
   this->Mapper->SetVectorUnit(this->VectorUnit > 0.0 ? this->VectorUnit : unit);
 }

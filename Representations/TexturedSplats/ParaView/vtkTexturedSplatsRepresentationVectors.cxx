@@ -129,7 +129,7 @@ void vtkTexturedSplatsRepresentation::SuitVectors(vtkDataSet* data)
 {
   constexpr double alone = 2.0;
   const bool medium = this->DrawsMedium();
-  this->Mapper->SetVectorShare(this->GetShareOf(data));
+  this->Mapper->SetVectorFraction(this->GetShareOf(data));
   this->Mapper->SetVectorOpacity(this->VectorOpacity > 0.0 ? this->VectorOpacity : medium ? storedNumber(data, 0, alone) : alone);
   const bool contrasts = this->UseVectorColor == AUTOMATIC_COLOR && medium && this->Mapper->GetVectorColorArrayName().empty();
   Color color = this->VectorColor;
@@ -144,45 +144,10 @@ void vtkTexturedSplatsRepresentation::SuitVectors(vtkDataSet* data)
   this->Mapper->SetVectorColor(color.data());
 }
 
-void vtkTexturedSplatsRepresentation::SetVectorStyle(int style)
-{
-  this->Mapper->SetVectorStyle(style);
-}
-
-void vtkTexturedSplatsRepresentation::SetVectorPlacement(int placement)
-{
-  this->Mapper->SetVectorPlacement(placement);
-}
-
-void vtkTexturedSplatsRepresentation::SetLayerAxis(int axis)
-{
-  this->Mapper->SetLayerAxis(axis);
-}
-
 void vtkTexturedSplatsRepresentation::SetVectorUnit(double length)
 {
   this->VectorUnit = length;
   this->Mapper->SetVectorUnit(length); // several ranks decide anew
-}
-
-void vtkTexturedSplatsRepresentation::SetStreakWidth(double width)
-{
-  this->Mapper->SetStreakWidth(width);
-}
-
-void vtkTexturedSplatsRepresentation::SetSegmentLength(double length)
-{
-  this->Mapper->SetSegmentLength(length);
-}
-
-void vtkTexturedSplatsRepresentation::SetSegmentWidth(double pixels)
-{
-  this->Mapper->SetSegmentWidth(pixels);
-}
-
-void vtkTexturedSplatsRepresentation::SetPhaseSteps(int steps)
-{
-  this->Mapper->SetPhaseSteps(steps);
 }
 
 void vtkTexturedSplatsRepresentation::SetVectorColorFunction(vtkScalarsToColors* function)
