@@ -135,7 +135,7 @@ def show_winds(mapper, greatest_speed, opacity=4.0, width=0.08, period=4.0, unit
     mapper.SetVectorArrayName("Shown")
     mapper.SetVectorColorArrayName("Height")
     mapper.SetVectorColorFunction(altitude_colors())
-    mapper.SetGreatestSpeed(greatest_speed)
+    mapper.SetMaximumSpeed(greatest_speed)
     mapper.SetVectorOpacity(opacity)
     mapper.SetStreakWidth(width)
     mapper.SetStreakPeriod(period)

@@ -281,7 +281,7 @@ private:
   void PrepareSurface(vtkPolyData* input);
   void MapArrays();
   void FindThickness(vtkRenderer* renderer, vtkActor* actor);
-  void TellThickness(const std::string& error);
+  void ReportThicknessErrors(const std::string& error);
   void PrepareVolume();
   void UploadVolume(vtkRenderer* renderer);
   void TellVolume(const std::string& error, const std::string& warning);

@@ -115,10 +115,10 @@ void vtkCloudTextureMapper::FindThickness(vtkRenderer* renderer, vtkActor* actor
     return;
   }
   const std::string error = own.Thickness.Draw(request);
-  this->TellThickness(error);
+  this->ReportThicknessErrors(error);
 }
 
-void vtkCloudTextureMapper::TellThickness(const std::string& error)
+void vtkCloudTextureMapper::ReportThicknessErrors(const std::string& error)
 {
   vtkInternals& own = *this->Internals;
   std::string message = error;

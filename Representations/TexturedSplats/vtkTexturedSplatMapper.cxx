@@ -83,7 +83,7 @@ double* vtkTexturedSplatMapper::GetBounds()
     vtkAbstractMapper::GetScalars(
       input, this->ScalarMode, this->ArrayAccessMode, this->ArrayId, this->ArrayName, cellFlag);
     const nephoscope::SplatSampling sampling = this->GetSampling(cellFlag == 1);
-    const double growth = this->VectorUnit > 0 ? 1.0 : std::cbrt(1.0 / std::max(this->VectorShare, 1e-6)); // see GetStreakUnit
+    const double growth = this->VectorUnit > 0 ? 1.0 : std::cbrt(1.0 / std::max(this->VectorFraction, 1e-6)); // see GetStreakUnit
     const nephoscope::VectorLook look{ this->VectorStyle == SEGMENTS, this->VectorUnit,
       growth * this->StreakPeriod, growth * this->SegmentLength };
     std::copy_n(this->Internals->Scene.UpdateBounds(
@@ -183,7 +183,7 @@ nephoscope::SplatVectorSettings vtkTexturedSplatMapper::GetVectorSettings()
   settings.ColorFunction = this->VectorColorFunction;
   settings.OneColor = this->UseVectorColor;
   std::copy_n(this->VectorColor, 3, settings.Color.begin());
-  settings.Loop = { this->Phase, this->PhaseCycles, this->PhaseSteps, this->GreatestSpeed, this->VectorShare };
+  settings.Loop = { this->Phase, this->PhaseCycles, this->PhaseSteps, this->MaximumSpeed, this->VectorFraction };
   return settings;
 }
 
@@ -206,7 +206,7 @@ double vtkTexturedSplatMapper::GetStreakUnit()
   return this->VectorUnit > 0
     ? this->VectorUnit
     : this->Internals->Scene.GetVectorScene().GetVectors().MeanCell() /
-      (this->RadiusFactor * std::cbrt(std::max(this->VectorShare, 1e-6)));
+      (this->RadiusFactor * std::cbrt(std::max(this->VectorFraction, 1e-6)));
 }
 
 // Wider splats overlap more: in the mean the medium stays.
@@ -238,13 +238,13 @@ void vtkTexturedSplatMapper::SetVectorOptions(nephoscope::SplatDrawingOptions& o
 {
   options.Vectors = !this->VectorArrayName.empty();
   options.Segments = this->VectorStyle == SEGMENTS;
-  options.MediaApart = options.Vectors && this->VectorPlacement == IN_LAYERS;
+  options.MediaApart = options.Vectors && this->VectorPlacement == PLACEMENT_LAYERS;
   // Lengthened splats share the opacity among more of them, of which only some are drawn.
-  options.VectorScale = this->VectorOpacity / std::cbrt(std::max(this->VectorShare, 1e-6));
-  const double greatest = this->GreatestSpeed > 0
-    ? this->GreatestSpeed
-    : this->Internals->Scene.GetVectorScene().GetVectors().GreatestSpeed();
-  options.GreatestSpeed = greatest > 0 ? greatest : 1.0;
+  options.VectorScale = this->VectorOpacity / std::cbrt(std::max(this->VectorFraction, 1e-6));
+  const double greatest = this->MaximumSpeed > 0
+    ? this->MaximumSpeed
+    : this->Internals->Scene.GetVectorScene().GetVectors().MaximumSpeed();
+  options.MaximumSpeed = greatest > 0 ? greatest : 1.0;
   options.VectorUnit = this->GetStreakUnit();
   options.StreakPeriod = this->StreakPeriod;
   options.StreakWidth = this->StreakWidth;
@@ -260,7 +260,7 @@ bool vtkTexturedSplatMapper::UsesHierarchy(
     renderer->GetRenderWindow()->GetDesiredUpdateRate() >= this->InteractiveUpdateRate;
   most = moving ? this->InteractiveMaximumNumberOfSplats : 0;
   const bool tooMany = most > 0 && samples > most;
-  const bool layers = !this->VectorArrayName.empty() && this->VectorPlacement == IN_LAYERS;
+  const bool layers = !this->VectorArrayName.empty() && this->VectorPlacement == PLACEMENT_LAYERS;
   const bool axisIgnored = layers && this->LayerAxis >= 0 && this->Internals->Scene.GetSamples().Dimensions[0] == 0;
   std::string warning = layers && this->ErrorTolerance > 0
     ? "ErrorTolerance is ignored: layers are made of all samples. Call SetVectorPlacementToMiddle() to "
@@ -298,7 +298,7 @@ void vtkTexturedSplatMapper::SelectSplats(
   {
     nephoscope::SplatDrawingOptions options;
     this->SetVectorOptions(options);
-    errors.Vector = (errors.OfImage ? options.VectorScale : 1.0) / options.GreatestSpeed;
+    errors.Vector = (errors.OfImage ? options.VectorScale : 1.0) / options.MaximumSpeed;
   }
   nephoscope::SplatCutRule rule;
   rule.Tolerance = this->ErrorTolerance;

@@ -198,13 +198,15 @@ public:
    */
   enum VectorPlacementType
   {
-    IN_THE_MIDDLE = 0,
-    IN_LAYERS = 1
+    PLACEMENT_MIDDLE = 0,
+    PLACEMENT_LAYERS = 1,
+    IN_THE_MIDDLE = PLACEMENT_MIDDLE, ///< deprecated
+    IN_LAYERS = PLACEMENT_LAYERS      ///< deprecated
   };
-  vtkSetClampMacro(VectorPlacement, int, IN_THE_MIDDLE, IN_LAYERS);
+  vtkSetClampMacro(VectorPlacement, int, PLACEMENT_MIDDLE, PLACEMENT_LAYERS);
   vtkGetMacro(VectorPlacement, int);
-  void SetVectorPlacementToMiddle() { this->SetVectorPlacement(IN_THE_MIDDLE); }
-  void SetVectorPlacementToLayers() { this->SetVectorPlacement(IN_LAYERS); }
+  void SetVectorPlacementToMiddle() { this->SetVectorPlacement(PLACEMENT_MIDDLE); }
+  void SetVectorPlacementToLayers() { this->SetVectorPlacement(PLACEMENT_LAYERS); }
   ///@}
 
   ///@{
@@ -228,14 +230,16 @@ public:
    * Speed, in the units of the vectors, at and above which streaks have full opacity. 0 (default): the greatest speed in the
    * data.
    */
-  vtkSetClampMacro(GreatestSpeed, double, 0.0, VTK_DOUBLE_MAX);
-  vtkGetMacro(GreatestSpeed, double);
+  vtkSetClampMacro(MaximumSpeed, double, 0.0, VTK_DOUBLE_MAX);
+  vtkGetMacro(MaximumSpeed, double);
+  void SetGreatestSpeed(double speed) { this->SetMaximumSpeed(speed); } ///< deprecated
+  double GetGreatestSpeed() { return this->MaximumSpeed; }              ///< deprecated
   ///@}
 
   ///@{
   /**
    * The unit of StreakPeriod, StreakWidth and SegmentLength, in units of length of the data. 0 (default): the mean length of a
-   * cell along its vector. To make parts of the data or time steps comparable, set it and GreatestSpeed.
+   * cell along its vector. To make parts of the data or time steps comparable, set it and MaximumSpeed.
    */
   vtkSetClampMacro(VectorUnit, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(VectorUnit, double);
@@ -247,12 +251,14 @@ public:
    * found from the data it grows by the cube root of the samples for each vector, so that streaks look as on a coarser grid.
    * Default: 1, all.
    */
-  vtkSetClampMacro(VectorShare, double, 0.0, 1.0);
-  vtkGetMacro(VectorShare, double);
+  vtkSetClampMacro(VectorFraction, double, 0.0, 1.0);
+  vtkGetMacro(VectorFraction, double);
+  void SetVectorShare(double fraction) { this->SetVectorFraction(fraction); } ///< deprecated
+  double GetVectorShare() { return this->VectorFraction; }                    ///< deprecated
   ///@}
 
   /**
-   * Sets VectorOpacity or VectorShare, or both, so that streaks and the medium can both be seen: streaks of the mean speed get an optical depth of 0.6,
+   * Sets VectorOpacity or VectorFraction, or both, so that streaks and the medium can both be seen: streaks of the mean speed get an optical depth of 0.6,
    * the fastest at least 0.8 and at most 2, and a ray meets as many streaks as of 7 samples with the greatest speed, at most. Nothing without an
    * array of vectors.
    */
@@ -271,7 +277,7 @@ public:
   ///@}
 
   ///@{
-  /** Segments: length at GreatestSpeed in VectorUnits, default 2 (more than the distance of samples), and width in pixels, default 1.5. */
+  /** Segments: length at MaximumSpeed in VectorUnits, default 2 (more than the distance of samples), and width in pixels, default 1.5. */
   vtkSetClampMacro(SegmentLength, double, 0.0, 1000.0);
   vtkGetMacro(SegmentLength, double);
   vtkSetClampMacro(SegmentWidth, double, 0.1, 100.0);
@@ -301,7 +307,7 @@ public:
   ///@{
   /**
    * Position of the patterns in their loop, 0 to 1; 1 is the same as 0. Over a loop each pattern moves a whole number of periods,
-   * nearest to PhaseCycles (default 4) times its share of GreatestSpeed: for pictures that repeat. For motion at exactly the
+   * nearest to PhaseCycles (default 4) times its share of MaximumSpeed: for pictures that repeat. For motion at exactly the
    * speed of the data use AdvancePhases.
    */
   vtkSetMacro(Phase, double);
@@ -333,7 +339,7 @@ public:
    *
    * The splat of a block has the mass, the emission, the centre of mass and the covariance of what it stands for. Unit of the error:
    * - Image (default): optical depth along the ray, depending on the view. It is that of each block: those that a ray meets add up.
-   * - Data: value of the opacity function, or share of GreatestSpeed; the same in every view.
+   * - Data: value of the opacity function, or share of MaximumSpeed; the same in every view.
    */
   vtkSetClampMacro(ErrorTolerance, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(ErrorTolerance, double);
@@ -461,11 +467,11 @@ protected:
   std::string OpacityArrayName;
   std::string VectorArrayName;
   double VectorOpacity = 2.0;
-  double GreatestSpeed = 0.0;
+  double MaximumSpeed = 0.0;
   int VectorStyle = STREAKS;
-  int VectorPlacement = IN_THE_MIDDLE;
+  int VectorPlacement = PLACEMENT_MIDDLE;
   int LayerAxis = -1;
-  double VectorShare = 1.0;
+  double VectorFraction = 1.0;
   double VectorUnit = 0.0;
   double StreakPeriod = 4.0;
   double StreakWidth = 0.1;

@@ -25,12 +25,12 @@ void vtkTexturedSplatMapper::CopySettings(vtkTexturedSplatMapper* mapper)
   this->SetOpacityArrayName(mapper->OpacityArrayName);
   this->SetVectorArrayName(mapper->VectorArrayName);
   this->SetVectorOpacity(mapper->VectorOpacity);
-  this->SetGreatestSpeed(mapper->GreatestSpeed);
+  this->SetMaximumSpeed(mapper->MaximumSpeed);
   this->SetVectorStyle(mapper->VectorStyle);
   this->SetVectorPlacement(mapper->VectorPlacement);
   this->SetLayerAxis(mapper->LayerAxis);
   this->SetVectorUnit(mapper->VectorUnit);
-  this->SetVectorShare(mapper->VectorShare);
+  this->SetVectorFraction(mapper->VectorFraction);
   this->SetStreakPeriod(mapper->StreakPeriod);
   this->SetStreakWidth(mapper->StreakWidth);
   this->SetSegmentLength(mapper->SegmentLength);
@@ -64,15 +64,15 @@ void vtkTexturedSplatMapper::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "OpacityArrayName: " << this->OpacityArrayName << "\n";
   os << indent << "VectorArrayName: " << this->VectorArrayName << "\n";
   os << indent << "VectorOpacity: " << this->VectorOpacity << "\n";
-  os << indent << "GreatestSpeed: " << this->GreatestSpeed << "\n";
+  os << indent << "MaximumSpeed: " << this->MaximumSpeed << "\n";
   os << indent << "StreakPeriod: " << this->StreakPeriod << "\n";
   os << indent << "VectorStyle: " << (this->VectorStyle == SEGMENTS ? "Segments" : "Streaks")
      << "\n";
-  os << indent << "VectorPlacement: " << (this->VectorPlacement == IN_LAYERS ? "Layers" : "Middle")
+  os << indent << "VectorPlacement: " << (this->VectorPlacement == PLACEMENT_LAYERS ? "Layers" : "Middle")
      << "\n";
   os << indent << "LayerAxis: " << this->LayerAxis << "\n";
   os << indent << "VectorUnit: " << this->VectorUnit << "\n";
-  os << indent << "VectorShare: " << this->VectorShare << "\n";
+  os << indent << "VectorFraction: " << this->VectorFraction << "\n";
   os << indent << "StreakWidth: " << this->StreakWidth << "\n";
   os << indent << "SegmentLength: " << this->SegmentLength << "\n";
   os << indent << "SegmentWidth: " << this->SegmentWidth << "\n";

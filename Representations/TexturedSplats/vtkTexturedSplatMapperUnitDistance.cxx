@@ -30,10 +30,10 @@ void vtkTexturedSplatMapper::SuitVectorsToMedium(bool opacity, bool share)
   sampling.RadiusFactor = 1.0;
   const nephoscope::MediumBounds bounds = nephoscope::boundsOfSamples(input, sampling);
   const nephoscope::MediumMeasures measures = nephoscope::measureSplats(input, sampling, vectors, {}, bounds);
-  const nephoscope::SuitedVectors suited = nephoscope::suitVectors(measures, bounds, this->GreatestSpeed);
+  const nephoscope::SuitedVectors suited = nephoscope::suitVectors(measures, bounds, this->MaximumSpeed);
   if (share)
   {
-    this->SetVectorShare(suited.Share);
+    this->SetVectorFraction(suited.Share);
   }
   if (opacity)
   {

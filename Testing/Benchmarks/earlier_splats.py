@@ -243,7 +243,7 @@ def translations(steps=16, phases=24):
     """Root mean square and greatest difference of streaks that step through stored patterns from those that move continuously."""
     data = lattice(lambda points: np.zeros(len(points)))
     meshes.add_array(data.GetPointData(), np.tile((1.0, 0.5, 0.0), (SIDE**3, 1)), "v")
-    made, mapper = by_mapper(lambda m: (m.SetVectorArrayName("v"), m.SetVectorShare(0.2)), data)
+    made, mapper = by_mapper(lambda m: (m.SetVectorArrayName("v"), m.SetVectorFraction(0.2)), data)
     found = []
     for phase in np.arange(phases) / phases:
         mapper.SetPhase(phase)

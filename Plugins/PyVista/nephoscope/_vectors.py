@@ -60,7 +60,7 @@ class Vectors:
         choose({"middle": mapper.SetVectorPlacementToMiddle, "layers": mapper.SetVectorPlacementToLayers}, self.placement,
                "vector_placement")
         mapper.SetVectorOpacity(ALONE if self.opacity is None else require_number(self.opacity, "vector_opacity", least=0))
-        mapper.SetVectorShare(1.0 if self.share is None else require_number(self.share, "vector_share", above=0, most=1))
+        mapper.SetVectorFraction(1.0 if self.share is None else require_number(self.share, "vector_share", above=0, most=1))
         mapper.SetStreakPeriod(require_number(self.streak_period, "streak_period", least=0.01, most=1000))
         mapper.SetPhaseCycles(int(require_number(self.phase_cycles, "phase_cycles", least=1, most=1000)))
         mapper.SetPhaseSteps(int(require_number(self.phase_steps, "phase_steps", least=0, most=1000)))
@@ -76,7 +76,7 @@ class Vectors:
         if self.unit is not None:
             mapper.SetVectorUnit(require_number(self.unit, "vector_unit", above=0))
         if self.greatest_speed is not None:
-            mapper.SetGreatestSpeed(require_number(self.greatest_speed, "greatest_speed", above=0))
+            mapper.SetMaximumSpeed(require_number(self.greatest_speed, "greatest_speed", above=0))
         if self.name is not None:
             self._require_vectors(mesh, association)
             mapper.SetVectorArrayName(self.name)

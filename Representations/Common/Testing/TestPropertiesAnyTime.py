@@ -25,8 +25,8 @@ S = nephoscope.vtkTexturedSplatMapper
 SPLATS = {
     "Kernel": [S.CUBIC_KERNEL, S.QUADRATIC_KERNEL, S.GAUSSIAN_KERNEL], "RadiusFactor": [0.8, 1.5], "OpacityScale": [0.5, 2.0],
     "OpacityArrayName": ["", "other"], "VectorArrayName": ["", "wind"], "VectorStyle": [S.STREAKS, S.SEGMENTS],
-    "VectorPlacement": [S.IN_THE_MIDDLE, S.IN_LAYERS], "LayerAxis": [-1, 2], "VectorOpacity": [0.5, 2.0], "GreatestSpeed": [0.0, 3.0],
-    "StreakWidth": [0.1, 0.4], "SegmentLength": [0.0, 2.0], "Phase": [0.0, 0.4], "PhaseSteps": [0, 16], "UseVectorColor": [True, False],
+    "VectorPlacement": [S.PLACEMENT_MIDDLE, S.PLACEMENT_LAYERS], "LayerAxis": [-1, 2], "VectorOpacity": [0.5, 2.0], "MaximumSpeed": [0.0, 3.0],
+    "VectorFraction": [0.2, 1.0], "StreakWidth": [0.1, 0.4], "SegmentLength": [0.0, 2.0], "Phase": [0.0, 0.4], "PhaseSteps": [0, 16], "UseVectorColor": [True, False],
     "VectorColorArrayName": ["", "s"], "ErrorTolerance": [0.0, 0.05],
 }
 
@@ -69,6 +69,14 @@ class Splats(MapperCase, unittest.TestCase):
 
     def test_any_order(self):
         self.play_at_random(SPLATS, seed=2, plays=3, steps=12)
+
+    def test_old_names(self):
+        mapper = S()
+        mapper.SetGreatestSpeed(3)
+        mapper.SetVectorShare(0.25)
+        self.assertEqual((mapper.GetMaximumSpeed(), mapper.GetVectorFraction()), (3, 0.25))
+        self.assertEqual((mapper.GetGreatestSpeed(), mapper.GetVectorShare()), (3, 0.25))
+        self.assertEqual((S.IN_THE_MIDDLE, S.IN_LAYERS), (S.PLACEMENT_MIDDLE, S.PLACEMENT_LAYERS))
 
 
 if __name__ == "__main__":

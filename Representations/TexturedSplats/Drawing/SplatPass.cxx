@@ -324,7 +324,7 @@ void SplatPass::SetUniforms(
   program->SetUniformi("firstNode", this->FirstNode);
   program->SetUniformf("kernelRadius", static_cast<float>(KernelRadius(options.Kernel)));
   program->SetUniformf("extinctionScale", static_cast<float>(options.ExtinctionScale));
-  program->SetUniformf("greatestSpeed", static_cast<float>(options.GreatestSpeed));
+  program->SetUniformf("greatestSpeed", static_cast<float>(options.MaximumSpeed));
   program->SetUniformf("vectorScale", static_cast<float>(options.VectorScale));
   program->SetUniformf("vectorUnit", static_cast<float>(options.VectorUnit));
   const auto period = static_cast<float>(options.StreakPeriod);

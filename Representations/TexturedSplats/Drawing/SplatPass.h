@@ -48,7 +48,7 @@ struct SplatDrawingOptions
   bool Vectors = false;
   bool Segments = false;      // instead of streaks
   bool MediaApart = false;    // the order holds vectors as items of their own
-  double GreatestSpeed = 1.0; // where vectors are fully drawn
+  double MaximumSpeed = 1.0; // where vectors are fully drawn
   double VectorScale = 1.0;   // optical depth of vectors at full strength
   double VectorUnit = 1.0;    // of the lengths that follow, in units of the data
   double StreakPeriod = 1.5;

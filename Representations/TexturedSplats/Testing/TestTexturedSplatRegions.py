@@ -57,7 +57,7 @@ class Regions(ImageTestCase):
             mapper.SetVectorArrayName("v")
             mapper.SetVectorPlacement(vectors[0])
             mapper.SetVectorStyle(vectors[1])
-            mapper.SetGreatestSpeed(2)
+            mapper.SetMaximumSpeed(2)
             mapper.SetVectorUnit(CELL)
             mapper.SetStreakPeriod(3)
             mapper.UseVectorColorOn()

@@ -93,12 +93,12 @@ std::vector<std::array<float, 4>> SplatVectors::Pack(
 {
   std::vector<std::array<float, 4>> packed;
   packed.reserve(classes.Samples.size());
-  const double greatest = loop.GreatestSpeed > 0 ? loop.GreatestSpeed : this->Greatest;
+  const double greatest = loop.MaximumSpeed > 0 ? loop.MaximumSpeed : this->Greatest;
   for (const std::int32_t sample : classes.Samples)
   {
     const auto i = static_cast<std::size_t>(sample);
     const std::array<float, 3> v =
-      this->IsShown(i, loop.VectorShare) ? this->Vectors[i] : std::array<float, 3>{ { 0, 0, 0 } };
+      this->IsShown(i, loop.VectorFraction) ? this->Vectors[i] : std::array<float, 3>{ { 0, 0, 0 } };
     const double looped =
       greatest > 0 ? loop.Share * std::round(loop.Cycles * lengthOf(v) / greatest) : 0.0;
     const double phase =

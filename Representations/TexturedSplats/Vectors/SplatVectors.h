@@ -32,13 +32,13 @@ struct SplatLoop
   double Share = 0; ///< 0 to 1
   int Cycles = 4;   ///< periods that the fastest pattern moves in a loop
   int Steps = 0;    ///< stored patterns in a period; 0: any phase
-  double GreatestSpeed = 0; ///< that counts as the fastest; 0: that of the data
-  double VectorShare = 1;   ///< of the samples whose vectors are drawn
+  double MaximumSpeed = 0; ///< that counts as the fastest; 0: that of the data
+  double VectorFraction = 1;   ///< of the samples whose vectors are drawn
   bool operator==(const SplatLoop& other) const
   {
     return this->Share == other.Share && this->Cycles == other.Cycles &&
-      this->Steps == other.Steps && this->GreatestSpeed == other.GreatestSpeed &&
-      this->VectorShare == other.VectorShare;
+      this->Steps == other.Steps && this->MaximumSpeed == other.MaximumSpeed &&
+      this->VectorFraction == other.VectorFraction;
   }
 };
 
@@ -57,7 +57,7 @@ public:
   /** Points or cells of the same number go on from where the patterns of `other` are. */
   void GoOnFrom(const SplatVectors& other) { this->Moved = other.Moved; }
 
-  float GreatestSpeed() const { return this->Greatest; }
+  float MaximumSpeed() const { return this->Greatest; }
 
   /** Mean length of a sample's cell along its vector; 1 without vectors. */
   double MeanCell() const { return this->Cell; }
