@@ -95,7 +95,7 @@ def main():
     weather = pvs.ExtractSubset(Input=pvs.NetCDFReader(FileName=[GFS], SphericalCoordinates=0), VOI=[0, 10**6] * 3, SampleRateI=9, SampleRateJ=9)
     smoke = pvs.FlowVolume(Input=wind)
     velocity = ["Filters/VelocityField"]
-    for folders, source in ((["Filters/GlobeGrid"], pvs.GlobeGrid(Input=weather)),
+    for folders, source in ((["Filters/GlobeGrid", "Filters/Common"], pvs.GlobeGrid(Input=weather)),
                             (["Filters/FlowVolume", *velocity], smoke),
                             (["Filters/CloudSurface"], pvs.CloudSurface(Input=wavelet)),
                             (["Filters/CloudSurface"], pvs.StructuredSmoothing(Input=wavelet)),
