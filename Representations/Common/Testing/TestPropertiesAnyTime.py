@@ -26,7 +26,7 @@ SPLATS = {
     "Kernel": [S.CUBIC_KERNEL, S.QUADRATIC_KERNEL, S.GAUSSIAN_KERNEL], "RadiusFactor": [0.8, 1.5], "OpacityScale": [0.5, 2.0],
     "OpacityArrayName": ["", "other"], "VectorArrayName": ["", "wind"], "VectorStyle": [S.STREAKS, S.SEGMENTS],
     "VectorPlacement": [S.PLACEMENT_MIDDLE, S.PLACEMENT_LAYERS], "LayerAxis": [-1, 2], "VectorOpacity": [0.5, 2.0], "MaximumSpeed": [0.0, 3.0],
-    "VectorFraction": [0.2, 1.0], "StreakWidth": [0.1, 0.4], "SegmentLength": [0.0, 2.0], "Phase": [0.0, 0.4], "PhaseSteps": [0, 16], "UseVectorColor": [True, False],
+    "StreakWidth": [0.1, 0.4], "SegmentLength": [0.0, 2.0], "Phase": [0.0, 0.4], "PhaseSteps": [0, 16], "UseVectorColor": [True, False],
     "VectorColorArrayName": ["", "s"], "ErrorTolerance": [0.0, 0.05],
 }
 
