@@ -53,5 +53,5 @@ else:
         in_paraview("paraview")
         status = 0
     except BaseException:
-        traceback.print_exc()
+        os.write(2, traceback.format_exc().encode())  # ParaView keeps what Python prints
     os._exit(status)  # the window closes without asking
