@@ -18,7 +18,7 @@ from .extras import need
 MISSING = 9.999e35
 LEVEL_UNITS = {"isobaricInhPa": ("hPa", "down"), "isobaricInPa": ("Pa", "down"), "heightAboveGround": ("m", "up"), "heightAboveSea": ("m", "up"), "hybrid": ("1", "down"),
                "sigma": ("1", "down"), "generalVerticalLayer": ("1", "down"), "generalVertical": ("1", "down"), "depthBelowLand": ("m", "down")}
-# Of every message; then of the first of each variable.
+# Read from every message; then from the first of each variable.
 _HEADER = ("shortName", "typeOfLevel", "level", "md5GridSection", "gridType", "validityDate", "validityTime", "dataDate", "dataTime", "stepType", "paramId")
 _GRID = ("gridType", "uvRelativeToGrid", "resolutionAndComponentFlags", "Latin1InDegrees", "Latin2InDegrees", "LaDInDegrees", "LoVInDegrees", "orientationOfTheGridInDegrees", "projectionCentreFlag",
          "southPoleOnProjectionPlane", "latitudeOfSouthernPoleInDegrees", "longitudeOfSouthernPoleInDegrees", "angleOfRotationInDegrees", "radius", "earthIsOblate",

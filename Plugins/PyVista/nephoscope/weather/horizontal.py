@@ -50,7 +50,7 @@ class Horizontal:
         return self.longitude, self.latitude
 
     def angles(self) -> np.ndarray:
-        """Of the rows' direction of growing x against east, counter-clockwise, in radians."""
+        """Angles from east to the rows' direction of growing x, counter-clockwise, in radians."""
         lon, lat = self.places()
         if self.is_regular:
             return np.zeros(lon.shape)

@@ -9,7 +9,7 @@ from .columns import VAPOUR_RATIO
 
 
 def saturation_pressure(temperature: np.ndarray) -> np.ndarray:
-    """Of water vapour over water, in Pa (Bolton 1980, equation 10)."""
+    """Saturation pressure of water vapour over water, in Pa (Bolton 1980, equation 10)."""
     celsius = temperature - 273.15
     return 611.2 * np.exp(17.67 * celsius / (celsius + 243.5))
 

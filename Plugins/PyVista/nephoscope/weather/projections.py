@@ -81,7 +81,7 @@ class Conic:
         return latitude
 
     def angles(self, lon: np.ndarray, lat: np.ndarray) -> np.ndarray:
-        """Of the direction of growing x against east, counter-clockwise: the meridians of a cone are straight."""
+        """Angles from east to the direction of growing x, counter-clockwise: the meridians of a cone are straight."""
         return np.radians(-self.n * (np.mod(lon - self._meridian + 180, 360) - 180))
 
 
@@ -174,7 +174,7 @@ def _of_mapping(keys: dict) -> Projection | None:
 
 
 def _axes(keys: dict) -> tuple[float, float]:
-    """Of the Earth, in metres."""
+    """Semi-axes of the Earth, in metres."""
     if keys.get("earth_radius") is not None:
         return (float(keys["earth_radius"]),) * 2
     if keys.get("semi_major_axis") is None:

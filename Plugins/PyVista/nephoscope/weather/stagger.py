@@ -22,7 +22,7 @@ def to_centres(dataset, array, wanted: list[str]):
 
 
 def _partner(dataset, dim: str, missing: list[str]) -> str | None:
-    """Of the missing dimensions that of a similar name, else that of one step less or as many."""
+    """The missing dimension with a similar name, else the one with one step less or as many."""
     fitting = [own for own in missing if abs(dataset.sizes[dim] - dataset.sizes[own]) <= 1]
     return max(fitting, key=lambda own: (_common(dim, own), dataset.sizes[dim] - dataset.sizes[own]), default=None)
 
