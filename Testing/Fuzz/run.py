@@ -38,13 +38,12 @@ def names():
 class Batch:
     """Cases first to last of a class; a new process after each crash or hang."""
 
-    def __init__(self, name, first, count, options):
-        self.name, self.next, self.last, self.options, self.findings = name, first, first + count, options, []
+    def __init__(self, name, first, count, options, tell):
+        self.name, self.next, self.last, self.options, self.tell = name, first, first + count, options, tell
 
     def run(self):
         while self.next < self.last:
             self.process()
-        return self.findings
 
     def process(self):
         with tempfile.NamedTemporaryFile("r", suffix=".log") as log, tempfile.TemporaryFile("w+") as said:
@@ -62,7 +61,7 @@ class Batch:
                 seed, since = int(line.split()[1]), time.monotonic()
                 self.next = seed + 1
             elif line.startswith("found"):
-                self.findings.append((self.name, seed, line[6:].strip()))
+                self.tell(self.name, seed, line[6:].strip())
             elif line.startswith("end"):
                 process.wait()
                 return
@@ -73,7 +72,7 @@ class Batch:
             elif time.monotonic() - since > self.options.timeout:
                 os.killpg(process.pid, signal.SIGKILL)
                 process.wait()
-                self.findings.append((self.name, seed, f"hangs: {self.options.timeout:g} s"))
+                self.tell(self.name, seed, f"hangs: {self.options.timeout:g} s")
                 return
             else:
                 time.sleep(0.02)
@@ -82,38 +81,40 @@ class Batch:
         reason = signal.Signals(-code).name if code < 0 else f"exit status {code}"
         if seed is None:
             raise RuntimeError(f"{self.name}: the worker does not start, {reason}\n{said}")
-        self.findings.append((self.name, seed, f"crash: {reason}"))
+        self.tell(self.name, seed, f"crash: {reason}")
 
 
-def batches(options):
+def batches(options, tell):
     chosen = [name for name in names() if any(fnmatch.fnmatch(name, pattern) for pattern in options.classes)]
     if not chosen:
         sys.exit(f"No class matches {' '.join(options.classes)}. There are: {', '.join(names())}")
     starts = range(options.first, options.first + options.cases, BATCH)
-    return [Batch(name, start, min(BATCH, options.first + options.cases - start), options) for start in starts for name in chosen]
+    return [Batch(name, start, min(BATCH, options.first + options.cases - start), options, tell) for start in starts for name in chosen]
 
 
 def main():
-    options = arguments()
-    left, findings, lock, start = batches(options), [], threading.Lock(), time.monotonic()
-    left.reverse()
+    options, findings, lock, start = arguments(), [], threading.Lock(), time.monotonic()
+
+    def tell(*finding):
+        with lock:
+            findings.append(finding)
+            print(*finding, flush=True)
+
+    left = batches(options, tell)[::-1]
 
     def work():
         while left:
             with lock:
                 batch = left.pop() if left else None
-            for finding in batch.run() if batch else ():
-                with lock:
-                    findings.append(finding)
-                    print(*finding, flush=True)
+            if batch:
+                batch.run()
 
     threads = [threading.Thread(target=work) for _ in range(options.jobs)]
-    total = sum(batch.last - batch.next for batch in left)
     for thread in threads:
         thread.start()
     for thread in threads:
         thread.join()
-    print(f"{total} cases in {time.monotonic() - start:.0f} s, {len(findings)} findings")
+    print(f"{options.cases} cases of each class in {time.monotonic() - start:.0f} s, {len(findings)} findings")
     return 1 if findings else 0
 
 
