@@ -78,11 +78,11 @@ public:
    * Rendering method. Default: automatic. Any other value is rejected with an error.
    * - Rays: every pixel walks through the mesh from cell to cell, front to back. The order is exact for every mesh, with cycles, holes
    *   and separate parts, whatever VisibilityOrder says. Where cells overlap in space, each part of a ray between entering and leaving
-   *   the mesh is composited whole, in the order of entering; an eye inside several overlapping parts sees one of them.
-   *   Where there are contour surfaces or layers, cells are projected.
+   *   the mesh is composited whole, in the order of entering; from an eye inside several overlapping parts, in any order. Contour
+   *   surfaces, layers and polygons are found on the way.
    * - Projection, or Cells: cell after cell in the order that VisibilityOrder tells, each over the pixels that it covers.
-   * - Automatic: rays where VisibilityOrder is exact, projection otherwise; and projection, in no order, where none is needed
-   *   (GetOrderIndependent()), unless the data are structured: it is right for cells that overlap in space too, whatever the view.
+   * - Automatic: rays where VisibilityOrder is exact, projection otherwise; and projection, in no order, of at most 32,768 tetrahedra of
+   *   unstructured data where no order is needed (GetOrderIndependent()).
    *
    * The others show what earlier methods give of the same scene (Documentation/cell-compositing-methods.md):
    * - TrianglesLinear: tetrahedra projected to triangles around their thickest point (Shirley and Tuchman), opacity

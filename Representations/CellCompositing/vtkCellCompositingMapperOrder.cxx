@@ -100,11 +100,13 @@ std::string vtkCellCompositingMapper::ChooseWayOfDrawing(vtkOpenGLRenderWindow* 
       ". Use another driver; the environment variable LIBGL_ALWAYS_SOFTWARE=1 selects Mesa's software driver.";
 }
 
-// Where no order is needed, rays are only faster, and that through grids.
+// Where no order is needed, a few cells are projected in less time.
 bool vtkCellCompositingMapper::UsesRays() const
 {
-  const bool grid = !this->Internals->Scene.GetGeometry().Grid.IsEmpty();
-  return this->MayUseRays() && (this->Method == RAY_METHOD || grid || !this->NeedsNoOrder());
+  constexpr std::int64_t few = 1 << 15;
+  const CellGeometry& geometry = this->Internals->Scene.GetGeometry();
+  const bool many = !geometry.Grid.IsEmpty() || geometry.NumberOfTetrahedra() > few;
+  return this->MayUseRays() && (this->Method == RAY_METHOD || many || !this->NeedsNoOrder());
 }
 
 bool vtkCellCompositingMapper::NeedsNoOrder() const

@@ -200,7 +200,11 @@ std::string RayCells::DrawFrom(const CellDrawing& drawing)
   const EyeTetrahedron& eye = *drawing.Options.Eye;
   if (eye.Found && (this->Grid.IsEmpty() || this->Box.Contains(eye.Place))) // otherwise rays enter the box from outside
   {
-    this->DrawSegments(drawing, fromEye);
+    this->DrawSegments(drawing, fromEye, eye);
+    for (const EyeTetrahedron& other : eye.Overlapping)
+    {
+      this->DrawSegments(drawing, fromEye, other);
+    }
   }
   this->DrawLayers(drawing);
   glFramebufferTexture2D(GL_DRAW_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D, 0, 0);
@@ -220,7 +224,7 @@ void RayCells::DrawLayers(const CellDrawing& drawing)
     {
       return;
     }
-    this->DrawSegments(drawing, into);
+    this->DrawSegments(drawing, into, *drawing.Options.Eye);
     ++this->NumberOfLayers;
   }
   this->SliceFaces(drawing);
@@ -229,7 +233,7 @@ void RayCells::DrawLayers(const CellDrawing& drawing)
     int into = 0, last = passedEntries;
     for (int layer = 0; layer < maximumLayers && this->DrawEntries(drawing, into, last, &slice); ++layer)
     {
-      this->DrawSegments(drawing, into);
+      this->DrawSegments(drawing, into, *drawing.Options.Eye);
       ++this->NumberOfLayers;
       last = into;
       into = 2 - into;
@@ -350,7 +354,7 @@ bool RayCells::DrawEntries(const CellDrawing& drawing, int into, int lastNumber,
   return any != 0;
 }
 
-void RayCells::DrawSegments(const CellDrawing& drawing, int from)
+void RayCells::DrawSegments(const CellDrawing& drawing, int from, const EyeTetrahedron& eye)
 {
   vtkOpenGLState* state = drawing.Window->GetState();
   from == fromEye ? state->vtkglDisable(GL_DEPTH_TEST) : state->vtkglEnable(GL_DEPTH_TEST);
@@ -367,7 +371,7 @@ void RayCells::DrawSegments(const CellDrawing& drawing, int from)
   drawing.Buffers.SetSmallTable(program);
   this->SetRays(drawing, program);
   program->SetUniformi("startsAtEye", from == fromEye);
-  this->SetEye(*drawing.Options.Eye, program);
+  this->SetEye(eye, program);
   vtkTextureObject* entries = this->Entries[from == fromEye ? 0 : from];
   entries->Activate();
   program->SetUniformi("entryFaces", entries->GetTextureUnit());

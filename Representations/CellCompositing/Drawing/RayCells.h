@@ -75,7 +75,7 @@ private:
   /** Numbers are those of Entries. */
   bool DrawEntries(const CellDrawing& drawing, int into, int lastNumber, const FaceSlices::Slice* slice);
   /** From the entries of that number, or from the eye. */
-  void DrawSegments(const CellDrawing& drawing, int from);
+  void DrawSegments(const CellDrawing& drawing, int from, const EyeTetrahedron& eye);
   void SetEye(const EyeTetrahedron& eye, vtkShaderProgram* program);
   void SetTopology(vtkShaderProgram* program);
   void SetRays(const CellDrawing& drawing, vtkShaderProgram* program);

@@ -15,6 +15,7 @@
 
 #include <array>
 #include <cstdint>
+#include <vector>
 
 namespace nephoscope
 {
@@ -33,6 +34,7 @@ struct EyeTetrahedron
   std::array<float, 4> Weights = { { 0, 0, 0, 0 } }; ///< of the vertices, at the start
   float Scalar = 0;  ///< at the start
   float Opacity = 0; ///< second scalar at the start, where there is one per point
+  std::vector<EyeTetrahedron> Overlapping; ///< where parts of a mesh overlap: others in which the start lies, one of each part
 };
 
 /** Looks at all tetrahedra, in parallel, unless the eye is outside of all points or infinitely far (eye w = 0): then nothing is found. */

@@ -80,15 +80,36 @@ class Overlap(SmokeTestCase):
                 self.check_all(middle(float_image(ours)), -math.expm1(-depth), f"{label}, densities, {method}")
 
     def test_the_eye_inside(self):
-        """Where the eye is in both of two boxes: what is left of either. The method Rays starts in one of them only, as documented."""
+        """Where the eye is in both of two boxes: what is left of either."""
         data = meshes.with_field(smoke.boxes([((-1, -1, 0), (2, 2, 1)), ((-1, -1, 0.2), (2, 2, 1.6))]), lambda p: 0 * p[:, 0])
-        for method in ("Automatic", "Projection"):
+        for method in METHODS:
             window, scene, ours = scene_of(data, constant(0.8, COLOR), method, size=(65, 65))
             scene.look((0.43, 0.41, 0.3), (0.43, 0.41, 9), angle=20, near=0.01, far=20)
             window.render()
             image = float_image(ours)
             depth = 0.8 * (0.7 + 1.3 - 2 * 0.01)
             self.check_all(image[32:33, 32:33], -math.expm1(-depth), f"eye in both boxes, {method}", tolerance=1e-5)
+
+    def test_the_eye_in_several_copies(self):
+        """One box three times, and two with planes in common: on a vertex, in a face, and amid a cell."""
+        for label, parts, count in (("three times", PARTS["three times"], 3), ("same planes", [((0, 0, 0), (1, 1, 1)), ((-1, -1, 0), (2, 2, 1))], 2)):
+            data = meshes.with_field(smoke.boxes(parts), lambda p: 0 * p[:, 0])
+            window, scene, ours = scene_of(data, constant(0.8, COLOR), "Rays", size=(33, 33))
+            for eye in ((0.43, 0.41, 0.3), (0.5, 0.41, 0.3), (0.5, 0.5, 0.5)):
+                scene.look(eye, (eye[0], eye[1], 9), angle=1, near=0.001, far=20)
+                window.render()
+                self.check_all(float_image(ours)[16:17, 16:17], -math.expm1(-0.8 * count * (1 - eye[2] - 0.001)), f"{label} at {eye}", tolerance=2e-4)
+
+    def test_many_cells_are_drawn_by_rays(self):
+        """They take a tenth of the time; few are projected."""
+        for blocks, rays in ((10, False), (19, True)):
+            data = meshes.with_field(meshes.Lattice(blocks).mesh("tetra"), lambda p: p[:, 2])
+            window, scene, ours = scene_of(data, constant(0.4, COLOR))
+            along_z(scene)
+            window.render()
+            self.check_all(middle(float_image(ours)), -math.expm1(-0.4), f"{blocks} blocks")
+            self.assertEqual(ours.GetNumberOfRayLayers() > 0, rays)
+            self.assertTrue(ours.GetOrderIndependent())
 
     def test_meshes_that_pass_through_themselves(self):
         """Against the rays of the reference, of which every segment counts whatever overlaps it."""
