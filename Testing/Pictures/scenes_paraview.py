@@ -84,6 +84,6 @@ def show(name):
     return after
 
 
-BEFORE = {"haze-2": earth, "paraview-2": globe, "paraview-3": globe, "paraview-4": lambda names: names.update(vars(pvs)),
+BEFORE = {"haze-2": earth, "light-2": globe, "paraview-2": globe, "paraview-3": globe, "paraview-4": lambda names: names.update(vars(pvs)),
           "sparse-volume-2": sparse}
 AFTER = {"paraview-2": show("dense"), "paraview-3": show("clouds")}

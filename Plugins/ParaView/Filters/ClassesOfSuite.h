@@ -9,6 +9,7 @@
 
 #define NEPHOSCOPE_FOR_CLASSES_OF_SUITE(DO)                                                                                                \
   DO(vtkCellCompositingRepresentation)                                                                                                     \
+  DO(vtkCloudOptics)                                                                                                                       \
   DO(vtkCloudSurface)                                                                                                                      \
   DO(vtkCloudTextureRepresentation)                                                                                                        \
   DO(vtkCloudsOverGlobe)                                                                                                                   \

@@ -6,6 +6,7 @@
 #include "PanelWords.h"
 
 #include "vtkCellCompositingRepresentation.h"
+#include "vtkCloudOptics.h"
 #include "vtkCloudSurface.h"
 #include "vtkCloudTextureRepresentation.h"
 #include "vtkCloudsOverGlobe.h"

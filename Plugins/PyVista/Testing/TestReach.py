@@ -35,6 +35,7 @@ CLASSES = {
     "vtkCellCompositingMapper": (["Representations.xml.in", "MediumProperties.xml.in"], ["cells", "_medium", "_surfaces"]),
     "vtkTexturedSplatMapper": (["TexturedSplats.xml.in", "MediumProperties.xml.in"], ["splats", "_medium", "_vectors"]),
     "vtkCloudTextureMapper": (["CloudTexture.xml.in"], ["cloud_texture"]),
+    "vtkCloudOptics": (["CloudOptics.xml"], ["optics"]),
     "vtkHaze": (["Haze.xml"], ["haze"]),
 }
 IN_PLACE = {"vtkCellCompositingProjectedTetrahedraMapper", "vtkCellCompositingRayCastMapper"}  # set by those who set VTK's

@@ -23,7 +23,11 @@ if _TYPE_CHECKING:
     from .clouds import cloud_surface, smooth
     from .globe import globe_surface, to_globe
     from .haze import add_haze
+<<<<<<< HEAD
     from .override import override_vtk
+=======
+    from .optics import cloud_optics
+>>>>>>> 1ea8fff (Cloud Optics: extinction of clouds from the water of a weather model)
     from .polyhedra import divide_polyhedra
     from .reader import cf_times, read_cf
     from .serving import serve
@@ -53,6 +57,7 @@ PYVISTA_FUNCTIONS = {
     "add_splats": "splats",
     "split_cells": "splitting",
     "divide_polyhedra": "polyhedra",
+    "cloud_optics": "optics",
     "smooth": "clouds",
     "cloud_surface": "clouds",
     "advect_texture": "advection",

@@ -9,6 +9,7 @@ import pyvista
 from .advection import advect_texture
 from .clouds import cloud_surface, smooth
 from .globe import to_globe
+from .optics import cloud_optics
 from .polyhedra import divide_polyhedra
 from .smoke import flow_volume, smoke_puffs
 from .sparse import write_vdb
@@ -47,6 +48,7 @@ class NephoscopeAccessor:
     advect_texture = _method(advect_texture)
     flow_volume = _method(flow_volume)
     smoke_puffs = _method(smoke_puffs)
+    cloud_optics = _method(cloud_optics)
     write_vdb = _method(write_vdb)
 
 

@@ -1,0 +1,281 @@
+// SPDX-FileCopyrightText: The Nephoscope authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "OpticalArrays.h"
+
+#include "CloudColumn.h"
+#include "ParticleOptics.h"
+
+#include "vtkImageData.h"
+#include "vtkMath.h"
+#include "vtkRectilinearGrid.h"
+#include "vtkSMPTools.h"
+#include "vtkStructuredGrid.h"
+#include "vtkUnsignedCharArray.h"
+
+#include <atomic>
+#include <cmath>
+
+namespace nephoscope
+{
+namespace
+{
+constexpr double fillValue = 1e20; // and more: no value
+constexpr double leastCover = 0.01;
+
+vtkSmartPointer<vtkFloatArray> makeArray(const char* name, vtkIdType count)
+{
+  auto array = vtkSmartPointer<vtkFloatArray>::New();
+  array->SetName(name);
+  array->SetNumberOfTuples(count);
+  return array;
+}
+
+bool isValue(double value)
+{
+  return std::isfinite(value) && std::abs(value) < fillValue;
+}
+
+class PointOptics
+{
+public:
+  PointOptics(vtkDataSet* data, const WaterFields& fields, const std::vector<double>& pressures, const OpticalSettings& settings)
+    : Fields(fields)
+    , Pressures(pressures)
+    , Settings(settings)
+    , Ghosts(fields.OnCells ? data->GetCellGhostArray() : data->GetPointGhostArray())
+    , Hidden(fields.OnCells ? int(vtkDataSetAttributes::HIDDENCELL) : int(vtkDataSetAttributes::HIDDENPOINT))
+  {
+  }
+
+  std::atomic<vtkIdType> Negative{ 0 }, Missing{ 0 };
+
+  bool IsHidden(vtkIdType i) const { return this->Ghosts && (this->Ghosts->GetValue(i) & this->Hidden); }
+
+  particles::Optics At(vtkIdType i, double& liquidRadius, double& iceRadius)
+  {
+    double content[WaterFields::NumberOfWaters];
+    for (int k = 0; k < WaterFields::NumberOfWaters; ++k)
+    {
+      content[k] = this->Content(static_cast<WaterFields::Kind>(k), i);
+    }
+    const double share = this->ShareOfIce(i, content[WaterFields::Total]);
+    const double ice = content[WaterFields::Ice] + share * content[WaterFields::Total];
+    const double liquid = content[WaterFields::Liquid] + (1 - share) * content[WaterFields::Total];
+    const double cover = this->Cover(i);
+    liquidRadius = this->LiquidRadius(i, liquid / cover);
+    iceRadius = this->IceRadius(i, ice / cover);
+    particles::Optics optics;
+    particles::AddDroplets(optics, liquid, liquidRadius);
+    particles::AddCrystals(optics, ice, iceRadius);
+    particles::AddRain(optics, content[WaterFields::Rain]);
+    particles::AddSnow(optics, content[WaterFields::Snow]);
+    return optics;
+  }
+
+private:
+  double TemperatureAt(vtkIdType i) const
+  {
+    const double t = this->Fields.Has(WaterFields::Temperature) ? this->Fields.Value(WaterFields::Temperature, i) : 273.15;
+    return isValue(t) && t > 0 ? t : 273.15;
+  }
+
+  // kg/m3; what cannot be is counted and 0.
+  double Content(WaterFields::Kind kind, vtkIdType i)
+  {
+    if (!this->Fields.Has(kind))
+    {
+      return 0;
+    }
+    const double value = this->Fields.Value(kind, i) * KilogramsPer(this->Fields.Units[kind]);
+    const double density = IsMixingRatio(this->Fields.Units[kind])
+      ? atmosphere::Density(this->Pressures[i], this->TemperatureAt(i))
+      : 1.0;
+    const bool valid = isValue(value) && isValue(density);
+    this->Missing += valid ? 0 : 1;
+    this->Negative += valid && value < 0 ? 1 : 0;
+    return valid && value > 0 ? value * density : 0.0;
+  }
+
+  double ShareOfIce(vtkIdType i, double total) const { return total > 0 ? particles::IceShare(this->TemperatureAt(i)) : 0.0; }
+
+  double Cover(vtkIdType i) const
+  {
+    const double cover = this->Fields.Has(WaterFields::CloudFraction) ? this->Fields.Value(WaterFields::CloudFraction, i) : 1.0;
+    return isValue(cover) ? std::min(std::max(cover, leastCover), 1.0) : 1.0;
+  }
+
+  double LiquidRadius(vtkIdType i, double inCloud) const
+  {
+    if (this->Settings.ConstantLiquidRadius)
+    {
+      return this->Settings.LiquidRadius;
+    }
+    const bool land = this->Fields.Has(WaterFields::Land) && this->Fields.Value(WaterFields::Land, i) >= 0.5;
+    return land ? particles::DropletRadius(inCloud, this->Settings.DropletsLand, 0.67)
+                : particles::DropletRadius(inCloud, this->Settings.DropletsSea, 0.80);
+  }
+
+  double IceRadius(vtkIdType i, double inCloud) const
+  {
+    return this->Settings.ConstantIceRadius ? this->Settings.IceRadius : particles::CrystalRadius(inCloud, this->TemperatureAt(i));
+  }
+
+  const WaterFields& Fields;
+  const std::vector<double>& Pressures;
+  const OpticalSettings& Settings;
+  vtkUnsignedCharArray* Ghosts;
+  int Hidden;
+};
+
+void writeOptics(PointOptics& optics, OpticalArrays& arrays, double exaggeration, vtkIdType begin, vtkIdType end)
+{
+  for (vtkIdType i = begin; i < end; ++i)
+  {
+    double liquidRadius = 0, iceRadius = 0;
+    const particles::Optics here = optics.IsHidden(i) ? particles::Optics() : optics.At(i, liquidRadius, iceRadius);
+    arrays.Extinction->SetValue(i, static_cast<float>(here.Extinction / exaggeration));
+    arrays.Albedo->SetValue(i, static_cast<float>(here.Albedo()));
+    arrays.Asymmetry->SetValue(i, static_cast<float>(here.Asymmetry()));
+    arrays.LiquidRadius->SetValue(i, static_cast<float>(1e6 * liquidRadius));
+    arrays.IceRadius->SetValue(i, static_cast<float>(1e6 * iceRadius));
+  }
+}
+
+std::vector<double> pressuresOfArray(vtkDataArray* array)
+{
+  double range[2];
+  array->GetFiniteRange(range, 0);
+  const double scale = range[1] > 0 && range[1] < 2000 ? 100.0 : 1.0; // hPa
+  std::vector<double> pressures(static_cast<std::size_t>(array->GetNumberOfTuples()));
+  for (std::size_t i = 0; i < pressures.size(); ++i)
+  {
+    pressures[i] = scale * array->GetComponent(static_cast<vtkIdType>(i), 0);
+  }
+  return pressures;
+}
+
+struct Column
+{
+  std::vector<double> Heights, Temperatures;
+};
+
+Column columnAt(const WaterFields& fields, vtkIdType first, vtkIdType stride, int count)
+{
+  Column column;
+  for (int k = 0; k < count; ++k)
+  {
+    column.Heights.push_back(fields.Value(WaterFields::Height, first + k * stride));
+    if (fields.Has(WaterFields::Temperature))
+    {
+      column.Temperatures.push_back(fields.Value(WaterFields::Temperature, first + k * stride));
+    }
+  }
+  return column;
+}
+
+std::vector<double> balancedPressures(const WaterFields& fields, const int dimensions[3])
+{
+  const vtkIdType stride = vtkIdType(dimensions[0]) * dimensions[1];
+  std::vector<double> pressures(static_cast<std::size_t>(stride * dimensions[2]));
+  vtkSMPTools::For(0, stride, [&](vtkIdType begin, vtkIdType end) {
+    for (vtkIdType i = begin; i < end; ++i)
+    {
+      const Column here = columnAt(fields, i, stride, dimensions[2]);
+      const std::vector<double> column = column::Pressures(here.Heights, here.Temperatures);
+      for (int k = 0; k < dimensions[2]; ++k)
+      {
+        pressures[i + k * stride] = column[k];
+      }
+    }
+  });
+  return pressures;
+}
+}
+
+bool columnsOf(vtkDataSet* data, bool onCells, int dimensions[3])
+{
+  dimensions[0] = dimensions[1] = dimensions[2] = 0;
+  if (auto* image = vtkImageData::SafeDownCast(data))
+  {
+    image->GetDimensions(dimensions);
+  }
+  else if (auto* rectilinear = vtkRectilinearGrid::SafeDownCast(data))
+  {
+    rectilinear->GetDimensions(dimensions);
+  }
+  else if (auto* structured = vtkStructuredGrid::SafeDownCast(data))
+  {
+    structured->GetDimensions(dimensions);
+  }
+  for (int axis = 0; axis < 3 && onCells; ++axis)
+  {
+    dimensions[axis] = std::max(dimensions[axis] - 1, 1);
+  }
+  return dimensions[2] > 1;
+}
+
+std::vector<double> pressuresOf(vtkDataSet* data, const WaterFields& fields, std::string& problem)
+{
+  if (!fields.NeedsPressure())
+  {
+    return {};
+  }
+  if (fields.Has(WaterFields::Pressure))
+  {
+    return pressuresOfArray(fields.Arrays[WaterFields::Pressure]);
+  }
+  int dimensions[3];
+  if (fields.Has(WaterFields::Height) && columnsOf(data, fields.OnCells, dimensions))
+  {
+    return balancedPressures(fields, dimensions);
+  }
+  problem = "There is no pressure, which turns water in kg/kg into kg/m3. Set PressureArrayName (Pa or hPa), put the fields through Globe Grid, "
+            "which adds the height of every point, or set WaterUnits to kg/m3 or g/m3, if that is what they are.";
+  return {};
+}
+
+OpticalArrays computeOptics(vtkDataSet* data, const WaterFields& fields, const std::vector<double>& pressures, const OpticalSettings& settings,
+  const std::function<bool(double)>& progress)
+{
+  const vtkIdType count = fields.OnCells ? data->GetNumberOfCells() : data->GetNumberOfPoints();
+  OpticalArrays arrays{ makeArray("Extinction", count), makeArray("SingleScatteringAlbedo", count), makeArray("AsymmetryParameter", count),
+    makeArray("LiquidEffectiveRadius", count), makeArray("IceEffectiveRadius", count) };
+  PointOptics optics(data, fields, pressures, settings);
+  const vtkIdType stretch = 200000;
+  for (vtkIdType first = 0; first < count && progress(double(first) / count); first += stretch)
+  {
+    vtkSMPTools::For(first, std::min(count, first + stretch),
+      [&](vtkIdType begin, vtkIdType end) { writeOptics(optics, arrays, settings.Exaggeration, begin, end); });
+  }
+  arrays.Negative = optics.Negative;
+  arrays.Missing = optics.Missing;
+  return arrays;
+}
+
+void computeColumns(vtkDataSet* data, const int dimensions[3], vtkFloatArray* extinction, vtkFloatArray* above, vtkFloatArray* whole)
+{
+  const vtkIdType stride = vtkIdType(dimensions[0]) * dimensions[1];
+  std::vector<double> values(dimensions[2]), lengths(dimensions[2] - 1);
+  for (vtkIdType i = 0; i < stride; ++i)
+  {
+    double last[3], next[3];
+    data->GetPoint(i, last);
+    for (int k = 0; k < dimensions[2]; ++k)
+    {
+      values[k] = extinction->GetValue(i + k * stride);
+      data->GetPoint(i + k * stride, next);
+      if (k > 0)
+      {
+        lengths[k - 1] = std::sqrt(vtkMath::Distance2BetweenPoints(last, next));
+      }
+      std::copy(next, next + 3, last);
+    }
+    const std::vector<double> depth = column::OpticalDepthToEnd(values, lengths);
+    for (int k = 0; k < dimensions[2]; ++k)
+    {
+      above->SetValue(i + k * stride, static_cast<float>(depth[k]));
+      whole->SetValue(i + k * stride, static_cast<float>(depth[0]));
+    }
+  }
+}
+}

@@ -1,0 +1,49 @@
+// SPDX-FileCopyrightText: The Nephoscope authors
+// SPDX-License-Identifier: BSD-3-Clause
+// The optical properties of every point or cell as arrays.
+#ifndef nephoscope_OpticalArrays_h
+#define nephoscope_OpticalArrays_h
+
+#include "WaterFields.h"
+
+#include "vtkFloatArray.h"
+#include "vtkSmartPointer.h"
+
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace nephoscope
+{
+struct OpticalSettings
+{
+  bool ConstantLiquidRadius = false;
+  bool ConstantIceRadius = false;
+  double LiquidRadius = 10e-6; // m
+  double IceRadius = 30e-6;    // m
+  double DropletsLand = 300e6; // 1/m3
+  double DropletsSea = 100e6;
+  double Exaggeration = 1; // of heights, in the coordinates of the data
+};
+
+struct OpticalArrays
+{
+  vtkSmartPointer<vtkFloatArray> Extinction, Albedo, Asymmetry, LiquidRadius, IceRadius;
+  vtkIdType Negative = 0, Missing = 0; // values of water that were taken as 0
+};
+
+/** The third index of structured data counts upwards: numbers of points along the axes; false for other data. */
+bool columnsOf(vtkDataSet* data, bool onCells, int dimensions[3]);
+
+/** Pressures in pascals, of the pressure array or in hydrostatic balance; empty, with the problem, where neither can be. */
+std::vector<double> pressuresOf(vtkDataSet* data, const WaterFields& fields, std::string& problem);
+
+/** `progress` takes the fraction that is done; false: stop, and the arrays are not complete. */
+OpticalArrays computeOptics(vtkDataSet* data, const WaterFields& fields, const std::vector<double>& pressures, const OpticalSettings& settings,
+  const std::function<bool(double)>& progress);
+
+/** Optical depth from each point up to the top of its column, and of the whole column. */
+void computeColumns(vtkDataSet* data, const int dimensions[3], vtkFloatArray* extinction, vtkFloatArray* above, vtkFloatArray* whole);
+}
+
+#endif

@@ -1,0 +1,191 @@
+// SPDX-FileCopyrightText: The Nephoscope authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "WaterFields.h"
+
+#include "FieldUnits.h"
+
+#include "vtkCellData.h"
+#include "vtkPointData.h"
+
+#include <initializer_list>
+#include <vector>
+
+namespace nephoscope
+{
+namespace
+{
+struct NamesOfModels
+{
+  const char* Words;
+  const char* Property;
+  std::vector<const char*> Names;
+};
+
+const NamesOfModels& namesOf(WaterFields::Kind kind)
+{
+  static const std::array<NamesOfModels, WaterFields::NumberOfFields> names = { {
+    { "cloud water", "TotalWaterArrayName", { "clwmr", "tot_qc_dia", "CLDWAT" } },
+    { "cloud liquid", "LiquidArrayName", { "clwc", "clw", "qc", "ql", "QCLOUD", "LWC", "lwc" } },
+    { "cloud ice", "IceArrayName", { "ciwc", "cli", "qi", "icmr", "QICE", "IWC", "iwc" } },
+    { "rain", "RainArrayName", { "crwc", "rwmr", "qr", "QRAIN" } },
+    { "snow", "SnowArrayName", { "cswc", "snmr", "qs", "QSNOW" } },
+    { "temperature", "TemperatureArrayName", { "t", "ta", "T", "temperature", "Temperature" } },
+    { "pressure", "PressureArrayName", { "p", "pressure", "pres", "pfull", "Pressure" } },
+    { "cloud fraction", "CloudFractionArrayName", { "cloud_fraction", "cc", "cl", "CLDFRA" } },
+    { "land fraction", "LandArrayName", { "lsm", "land", "sftlf", "LANDMASK" } },
+    { "height", "HeightArrayName", { "Height", "gh", "zg" } },
+  } };
+  return names[kind];
+}
+
+vtkDataArray* arrayOf(vtkDataSet* data, bool onCells, const std::string& name)
+{
+  vtkDataSetAttributes* attributes = onCells ? static_cast<vtkDataSetAttributes*>(data->GetCellData()) : data->GetPointData();
+  return attributes->GetArray(name.c_str());
+}
+
+vtkDataArray* firstOf(vtkDataSet* data, bool onCells, WaterFields::Kind kind)
+{
+  for (const char* name : namesOf(kind).Names)
+  {
+    if (vtkDataArray* array = arrayOf(data, onCells, name))
+    {
+      return array;
+    }
+  }
+  return nullptr;
+}
+
+std::string listed(vtkDataSetAttributes* attributes)
+{
+  std::string names;
+  for (int a = 0; a < attributes->GetNumberOfArrays(); ++a)
+  {
+    const char* name = attributes->GetArrayName(a);
+    names += name ? (names.empty() ? "'" : ", '") + std::string(name) + "'" : "";
+  }
+  return names.empty() ? "none" : names;
+}
+
+std::string allArrays(vtkDataSet* data)
+{
+  return "Point arrays: " + listed(data->GetPointData()) + "; cell arrays: " + listed(data->GetCellData()) + ".";
+}
+
+using Kind = WaterFields::Kind;
+
+void take(vtkDataSet* data, const FieldNames& names, WaterFields& fields)
+{
+  for (int k = 0; k < WaterFields::NumberOfFields; ++k)
+  {
+    const auto kind = static_cast<Kind>(k);
+    fields.Arrays[k] = names[k] == "none" ? nullptr
+      : names[k].empty()                  ? firstOf(data, fields.OnCells, kind)
+                                          : arrayOf(data, fields.OnCells, names[k]);
+  }
+  // A sum beside its parts would count twice, unless it has been named.
+  if (names[WaterFields::Total].empty() && (fields.Has(WaterFields::Liquid) || fields.Has(WaterFields::Ice)))
+  {
+    fields.Arrays[WaterFields::Total] = nullptr;
+  }
+}
+
+bool hasWater(const WaterFields& fields)
+{
+  return fields.Has(WaterFields::Total) || fields.Has(WaterFields::Liquid) || fields.Has(WaterFields::Ice) ||
+    fields.Has(WaterFields::Rain) || fields.Has(WaterFields::Snow);
+}
+
+std::string missing(vtkDataSet* data, const FieldNames& names, const WaterFields& fields)
+{
+  for (int k = 0; k < WaterFields::NumberOfFields; ++k)
+  {
+    if (!names[k].empty() && names[k] != "none" && !fields.Arrays[k])
+    {
+      return "There is no " + std::string(fields.OnCells ? "cell" : "point") + " array '" + names[k] + "' of the " +
+        wordsFor(static_cast<Kind>(k)) + ", as " + namesOf(static_cast<Kind>(k)).Property + " says. " + allArrays(data);
+    }
+  }
+  return hasWater(fields)
+    ? std::string()
+    : "There is no array of cloud water. Set TotalWaterArrayName, or LiquidArrayName and IceArrayName. " + allArrays(data);
+}
+
+std::string wrongShape(vtkDataSet* data, const WaterFields& fields)
+{
+  const vtkIdType count = fields.OnCells ? data->GetNumberOfCells() : data->GetNumberOfPoints();
+  for (vtkDataArray* array : fields.Arrays)
+  {
+    if (array && (array->GetNumberOfComponents() != 1 || array->GetNumberOfTuples() != count))
+    {
+      return "The array '" + std::string(array->GetName()) + "' has " + std::to_string(array->GetNumberOfTuples()) + " values of " +
+        std::to_string(array->GetNumberOfComponents()) + " components; it must have " + std::to_string(count) + " of one.";
+    }
+  }
+  return std::string();
+}
+
+WaterUnits unitsOf(vtkDataSet* data, vtkDataArray* array)
+{
+  const WaterUnits told = WaterUnitsOf(UnitsOf(data->GetFieldData(), array->GetName()));
+  const std::string name = array->GetName();
+  const bool isContent = name == "LWC" || name == "lwc" || name == "IWC" || name == "iwc";
+  return told != WaterUnits::Automatic ? told : isContent ? WaterUnits::Content : WaterUnits::MixingRatio;
+}
+
+// A water that could not be: the sum of all water in a cloud is below 20 g/kg.
+std::string wrongUnits(const WaterFields& fields)
+{
+  for (int k = 0; k < WaterFields::NumberOfWaters; ++k)
+  {
+    double range[2] = { 0, 0 };
+    if (fields.Arrays[k])
+    {
+      fields.Arrays[k]->GetFiniteRange(range, 0);
+    }
+    if (range[1] * KilogramsPer(fields.Units[k]) > 0.1 && range[1] < 1e20)
+    {
+      return "The array '" + std::string(fields.Arrays[k]->GetName()) + "' has values up to " + std::to_string(range[1]) +
+        ", which is too much " + wordsFor(static_cast<Kind>(k)) + " for kg/kg or kg/m3. Set WaterUnits to g/kg or g/m3, if that is what they are.";
+    }
+  }
+  return std::string();
+}
+}
+
+bool WaterFields::NeedsPressure() const
+{
+  for (int k = 0; k < NumberOfWaters; ++k)
+  {
+    if (this->Arrays[k] && IsMixingRatio(this->Units[k]))
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+const char* wordsFor(WaterFields::Kind kind)
+{
+  return namesOf(kind).Words;
+}
+
+std::string findWaterFields(vtkDataSet* data, const FieldNames& names, WaterUnits units, WaterFields& fields)
+{
+  take(data, names, fields);
+  if (!hasWater(fields)) // on cells, perhaps
+  {
+    WaterFields onCells;
+    onCells.OnCells = true;
+    take(data, names, onCells);
+    fields = hasWater(onCells) ? onCells : fields;
+  }
+  for (int k = 0; k < WaterFields::NumberOfWaters; ++k)
+  {
+    fields.Units[k] = units == WaterUnits::Automatic && fields.Arrays[k] ? unitsOf(data, fields.Arrays[k]) : units;
+  }
+  const std::string problem = missing(data, names, fields);
+  const std::string shape = problem.empty() ? wrongShape(data, fields) : problem;
+  return shape.empty() ? wrongUnits(fields) : shape;
+}
+}

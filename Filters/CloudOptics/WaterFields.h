@@ -1,0 +1,55 @@
+// SPDX-FileCopyrightText: The Nephoscope authors
+// SPDX-License-Identifier: BSD-3-Clause
+// The arrays of a dataset that the optics of clouds need, found by name.
+#ifndef nephoscope_WaterFields_h
+#define nephoscope_WaterFields_h
+
+#include "WaterUnits.h"
+
+#include "vtkDataArray.h"
+#include "vtkDataSet.h"
+#include "vtkDataSetAttributes.h"
+
+#include <array>
+#include <string>
+
+namespace nephoscope
+{
+struct WaterFields
+{
+  enum Kind
+  {
+    Total,
+    Liquid,
+    Ice,
+    Rain,
+    Snow,
+    NumberOfWaters,
+    Temperature = NumberOfWaters,
+    Pressure,
+    CloudFraction,
+    Land,
+    Height,
+    NumberOfFields
+  };
+
+  std::array<vtkDataArray*, NumberOfFields> Arrays{};
+  std::array<WaterUnits, NumberOfWaters> Units{};
+  bool OnCells = false;
+
+  bool Has(Kind kind) const { return this->Arrays[kind] != nullptr; }
+  double Value(Kind kind, vtkIdType i) const { return this->Arrays[kind]->GetComponent(i, 0); }
+  bool NeedsPressure() const;
+};
+
+/** Names that the user has given: empty, the array is found by the names that models use; "none", it is left out. */
+using FieldNames = std::array<std::string, WaterFields::NumberOfFields>;
+
+/** Fills `fields`; returns what is wrong, with the remedy, or an empty string. */
+std::string findWaterFields(vtkDataSet* data, const FieldNames& names, WaterUnits units, WaterFields& fields);
+
+/** The words for a field in messages. */
+const char* wordsFor(WaterFields::Kind kind);
+}
+
+#endif

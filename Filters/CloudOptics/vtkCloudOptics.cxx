@@ -1,0 +1,122 @@
+// SPDX-FileCopyrightText: The Nephoscope authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkCloudOptics.h"
+
+#include "OpticalArrays.h"
+
+#include "vtkCellData.h"
+#include "vtkDataSet.h"
+#include "vtkFieldData.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkObjectFactory.h"
+#include "vtkPointData.h"
+
+vtkStandardNewMacro(vtkCloudOptics);
+
+using nephoscope::OpticalArrays;
+using nephoscope::WaterFields;
+
+namespace
+{
+// As vtkGlobeGrid writes it; 0, a flat grid, has no vertical optical depth to keep.
+double exaggerationOf(vtkDataSet* data)
+{
+  vtkDataArray* array = data->GetFieldData()->GetArray("VerticalExaggeration");
+  const double value = array && array->GetNumberOfTuples() > 0 ? array->GetComponent(0, 0) : 1.0;
+  return value > 0 ? value : 1.0;
+}
+
+void addColumns(vtkDataSet* data, const int dimensions[3], vtkFloatArray* extinction)
+{
+  for (const char* name : { "OpticalDepthAbove", "ColumnOpticalDepth" })
+  {
+    vtkNew<vtkFloatArray> array;
+    array->SetName(name);
+    array->SetNumberOfTuples(data->GetNumberOfPoints());
+    data->GetPointData()->AddArray(array);
+  }
+  const auto named = [&](const char* name) { return vtkFloatArray::SafeDownCast(data->GetPointData()->GetArray(name)); };
+  nephoscope::computeColumns(data, dimensions, extinction, named("OpticalDepthAbove"), named("ColumnOpticalDepth"));
+}
+
+void addArrays(vtkDataSet* data, const OpticalArrays& arrays, bool onCells)
+{
+  vtkDataSetAttributes* attributes = onCells ? static_cast<vtkDataSetAttributes*>(data->GetCellData()) : data->GetPointData();
+  for (const auto& array : { arrays.Extinction, arrays.Albedo, arrays.Asymmetry, arrays.LiquidRadius, arrays.IceRadius })
+  {
+    attributes->AddArray(array);
+  }
+  attributes->SetActiveScalars("Extinction");
+  int dimensions[3];
+  if (!onCells && nephoscope::columnsOf(data, false, dimensions))
+  {
+    addColumns(data, dimensions, arrays.Extinction);
+  }
+}
+
+std::string countOf(vtkIdType count)
+{
+  return std::to_string(count) + (count == 1 ? " value" : " values");
+}
+}
+
+bool vtkCloudOptics::AddOptics(vtkDataSet* data)
+{
+  const nephoscope::FieldNames names = { this->TotalWaterArrayName, this->LiquidArrayName, this->IceArrayName, this->RainArrayName,
+    this->SnowArrayName, this->TemperatureArrayName, this->PressureArrayName, this->CloudFractionArrayName, this->LandArrayName,
+    this->HeightArrayName };
+  WaterFields fields;
+  std::string problem = nephoscope::findWaterFields(data, names, static_cast<nephoscope::WaterUnits>(this->WaterUnits), fields);
+  const bool needsTemperature = fields.Has(WaterFields::Total) || fields.Has(WaterFields::Ice) || fields.NeedsPressure();
+  if (problem.empty() && needsTemperature && !fields.Has(WaterFields::Temperature))
+  {
+    problem = "There is no temperature, which tells ice from liquid and the density of the air. Set TemperatureArrayName (K).";
+  }
+  const std::vector<double> pressures = problem.empty() ? nephoscope::pressuresOf(data, fields, problem) : std::vector<double>();
+  if (!problem.empty())
+  {
+    vtkErrorMacro(<< problem);
+    return false;
+  }
+  const nephoscope::OpticalSettings settings = { this->LiquidRadiusType == CONSTANT, this->IceRadiusType == CONSTANT,
+    1e-6 * this->LiquidRadius, 1e-6 * this->IceRadius, 1e6 * this->DropletsOverLand, 1e6 * this->DropletsOverSea, exaggerationOf(data) };
+  const OpticalArrays arrays = nephoscope::computeOptics(data, fields, pressures, settings, [this](double fraction) {
+    this->UpdateProgress(fraction);
+    return !this->GetAbortExecute();
+  });
+  if (this->GetAbortExecute())
+  {
+    return false;
+  }
+  addArrays(data, arrays, fields.OnCells);
+  if (arrays.Negative > 0)
+  {
+    vtkWarningMacro(<< countOf(arrays.Negative) << " of water below 0: taken as 0.");
+  }
+  if (arrays.Missing > 0)
+  {
+    vtkWarningMacro(<< countOf(arrays.Missing) << " of water, or its pressure, missing (NaN or a fill value): no cloud there.");
+  }
+  return true;
+}
+
+int vtkCloudOptics::RequestData(vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
+{
+  vtkDataSet* output = vtkDataSet::GetData(outputs, 0);
+  output->ShallowCopy(vtkDataSet::GetData(inputs[0], 0));
+  if (output->GetNumberOfPoints() > 0 && !this->AddOptics(output))
+  {
+    output->Initialize();
+  }
+  return 1;
+}
+
+void vtkCloudOptics::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "WaterUnits: " << this->WaterUnits << "\n";
+  os << indent << "LiquidRadiusType: " << this->LiquidRadiusType << "\n" << indent << "LiquidRadius: " << this->LiquidRadius << "\n";
+  os << indent << "IceRadiusType: " << this->IceRadiusType << "\n" << indent << "IceRadius: " << this->IceRadius << "\n";
+  os << indent << "DropletsOverLand: " << this->DropletsOverLand << "\n" << indent << "DropletsOverSea: " << this->DropletsOverSea << "\n";
+}

@@ -1,0 +1,50 @@
+// SPDX-FileCopyrightText: The Nephoscope authors
+// SPDX-License-Identifier: BSD-3-Clause
+// A dataset made ready for light: its optical properties, its tetrahedra, its grid with the axes of each point.
+#ifndef nephoscope_LitData_h
+#define nephoscope_LitData_h
+
+#include "DiffuseLight.h"
+#include "SunMesh.h"
+
+#include "vtkDataSet.h"
+#include "vtkSmartPointer.h"
+
+#include <array>
+#include <string>
+#include <vector>
+
+namespace nephoscope
+{
+struct OpticalFields
+{
+  std::vector<float> Extinction, Albedo, Asymmetry;
+};
+
+/** The planet of the data; radius 0: flat ground. */
+struct Planet
+{
+  double Radius = 0;
+};
+Planet planetOf(vtkDataSet* data);
+
+/** Values of the array on points; `otherwise` where there is none. NaN and negative values become 0 and are counted. */
+std::vector<float> valuesOf(vtkDataSet* data, const std::string& name, double otherwise, double scale, vtkIdType& wrong);
+
+std::vector<SunMesh::Place> placesOf(vtkDataSet* data);
+std::vector<SunMesh::Tetrahedron> tetrahedraOf(vtkDataSet* data, const std::vector<std::int32_t>& merged);
+
+/** The axes of each point: unit vectors along the indices. */
+struct GridAxes
+{
+  std::vector<std::array<Vector, 3>> Axes;
+};
+
+/** True for structured data; then the grid has sizes, spacing and seam, and axes has the axes. */
+bool makeGrid(vtkDataSet* data, const std::vector<SunMesh::Place>& places, LightGrid& grid, GridAxes& axes);
+
+/** Other data at the points of an image of about so many points, with the arrays named as in OpticalFields. */
+vtkSmartPointer<vtkDataSet> sampled(vtkDataSet* data, vtkIdType points);
+}
+
+#endif

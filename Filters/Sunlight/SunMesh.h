@@ -1,0 +1,51 @@
+// SPDX-FileCopyrightText: The Nephoscope authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * Tetrahedra as the sun sees them: x and y across its direction, z towards it. From any point the way to the sun goes along z, from tetrahedron to
+ * tetrahedron through the faces between them. Extinction is linear in a tetrahedron, so that optical depths are exact. Plain C++17.
+ */
+#ifndef nephoscope_SunMesh_h
+#define nephoscope_SunMesh_h
+
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <vector>
+
+namespace nephoscope
+{
+class SunMesh
+{
+public:
+  using Place = std::array<double, 3>;
+  using Tetrahedron = std::array<std::int32_t, 4>;
+
+  /** Tetrahedra with a vertex twice are left out. */
+  SunMesh(std::vector<Tetrahedron> tetrahedra, std::size_t numberOfPoints);
+
+  /** Places in the frame of a sun that is in this direction, of length 1. */
+  void Turn(const std::vector<Place>& places, const Place& towardsSun);
+
+  /** Integral of two linear fields from the point to where the way leaves the mesh. */
+  std::array<double, 2> DepthsFrom(std::int32_t point, const std::vector<std::array<float, 2>>& fields) const;
+
+  std::size_t NumberOfTetrahedra() const { return this->Tetrahedra.size(); }
+
+private:
+  struct Ray;
+  void FindNeighbours(std::size_t numberOfPoints);
+  void FindTetrahedraOfPoints(std::size_t numberOfPoints);
+  bool Start(Ray& ray, std::int32_t point) const;
+  void Walk(Ray& ray, const std::vector<std::array<float, 2>>& fields) const;
+
+  std::vector<Tetrahedron> Tetrahedra;
+  std::vector<Tetrahedron> Neighbours; ///< across from each vertex; -1: none
+  std::vector<std::int32_t> First, OfPoint;
+  std::vector<Place> Places;
+};
+
+/** Numbers of points that are the same where places are: seams and poles. */
+std::vector<std::int32_t> mergedPoints(const std::vector<SunMesh::Place>& places);
+}
+
+#endif

@@ -1,0 +1,98 @@
+# SPDX-FileCopyrightText: The Nephoscope authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Extinction of clouds from the water of a weather model (`vtkCloudOptics`)."""
+from __future__ import annotations
+
+from typing import Literal
+
+import pyvista
+from vtkmodules.vtkCommonDataModel import vtkDataSet
+
+from . import vtkCloudOptics
+from ._checks import choose, require_number
+from ._pipeline import vtk_messages
+
+# What the messages of vtkCloudOptics say, and what it is called here.
+_NAMES = {"Set TotalWaterArrayName, or LiquidArrayName and IceArrayName": "Name one by water, or two by liquid and ice", "TotalWaterArrayName": "water",
+          "LiquidArrayName": "liquid", "IceArrayName": "ice", "RainArrayName": "rain", "SnowArrayName": "snow", "TemperatureArrayName": "temperature",
+          "PressureArrayName": "pressure", "CloudFractionArrayName": "cloud_fraction", "LandArrayName": "land", "HeightArrayName": "height",
+          "WaterUnits": "units", "put the fields through Globe Grid": "put the fields through to_globe"}
+UNITS = {"automatic": vtkCloudOptics.AUTOMATIC, "kg/kg": vtkCloudOptics.MIXING_RATIO, "g/kg": vtkCloudOptics.MIXING_RATIO_GRAMS,
+         "kg/m3": vtkCloudOptics.CONTENT, "g/m3": vtkCloudOptics.CONTENT_GRAMS}
+
+
+def cloud_optics(mesh: pyvista.DataSet, water: str = "", *, liquid: str = "", ice: str = "", rain: str = "", snow: str = "",
+                 temperature: str = "", pressure: str = "", cloud_fraction: str = "", land: str = "", height: str = "",
+                 units: Literal["automatic", "kg/kg", "g/kg", "kg/m3", "g/m3"] = "automatic",
+                 liquid_radius: float | None = None, ice_radius: float | None = None,
+                 droplets_over_land: float = 300.0, droplets_over_sea: float = 100.0) -> pyvista.DataSet:
+    """Add extinction and the other optical properties of clouds in visible light, from the water of a weather model.
+
+    Also the accessor method ``mesh.nephoscope.cloud_optics(...)``. Arrays that are not named are found by the names that models use; ``"none"``
+    leaves one out.
+
+    Parameters
+    ----------
+    mesh : pyvista.DataSet
+        The dataset with the water, on points or cells; it is not changed.
+    water : str, optional
+        Cloud water, the sum of liquid and ice; it is divided by temperature.
+    liquid, ice, rain, snow : str, optional
+        Cloud liquid, cloud ice, rain and snow.
+    temperature, pressure, cloud_fraction, land, height : str, optional
+        Temperature (K), pressure (Pa or hPa), cloud fraction and land fraction (0 to 1), height (m). Without a pressure, it is in hydrostatic
+        balance with the heights of a structured grid.
+    units : {"automatic", "kg/kg", "g/kg", "kg/m3", "g/m3"}, default: "automatic"
+        Units of the water. Automatic: those in the file, otherwise kg/kg.
+    liquid_radius, ice_radius : float, optional
+        Effective radius of droplets and of crystals, micrometres, everywhere. Default: from the water, the number of droplets and the temperature.
+    droplets_over_land, droplets_over_sea : float
+        Number of droplets per cm3.
+
+    Returns
+    -------
+    pyvista.DataSet
+        The mesh with ``Extinction`` (1/m of the lengths of the mesh, so that exaggerated heights keep the vertical optical depth),
+        ``SingleScatteringAlbedo``, ``AsymmetryParameter``, ``LiquidEffectiveRadius``, ``IceEffectiveRadius`` (micrometres) and, on points of
+        structured grids, ``OpticalDepthAbove`` and ``ColumnOpticalDepth``.
+
+    Raises
+    ------
+    TypeError
+        If `mesh` is not a dataset.
+    ValueError
+        If a number or a choice is out of range.
+    RuntimeError
+        If an array is missing, or has values that cannot be water in these units.
+
+    Warns
+    -----
+    RuntimeWarning
+        For negative and missing values of water.
+    """
+    if not isinstance(mesh, vtkDataSet):
+        raise TypeError(f"mesh is a {type(mesh).__name__}; it must be a pyvista dataset.")
+    optics = vtkCloudOptics()
+    optics.SetInputDataObject(mesh)
+    optics.SetTotalWaterArrayName(water)
+    optics.SetLiquidArrayName(liquid)
+    optics.SetIceArrayName(ice)
+    optics.SetRainArrayName(rain)
+    optics.SetSnowArrayName(snow)
+    optics.SetTemperatureArrayName(temperature)
+    optics.SetPressureArrayName(pressure)
+    optics.SetCloudFractionArrayName(cloud_fraction)
+    optics.SetLandArrayName(land)
+    optics.SetHeightArrayName(height)
+    choose({name: lambda value=value: optics.SetWaterUnits(value) for name, value in UNITS.items()}, units, "units")
+    if liquid_radius is not None:
+        optics.SetLiquidRadiusType(optics.CONSTANT)
+        optics.SetLiquidRadius(require_number(liquid_radius, "liquid_radius", least=1, most=1e4))
+    if ice_radius is not None:
+        optics.SetIceRadiusType(optics.CONSTANT)
+        optics.SetIceRadius(require_number(ice_radius, "ice_radius", least=1, most=1e4))
+    optics.SetDropletsOverLand(require_number(droplets_over_land, "droplets_over_land", least=1, most=1e5))
+    optics.SetDropletsOverSea(require_number(droplets_over_sea, "droplets_over_sea", least=1, most=1e5))
+    with vtk_messages(optics, _NAMES):
+        optics.Update()
+    return pyvista.wrap(optics.GetOutput())
