@@ -50,15 +50,16 @@ struct Upstream
 class Sweep
 {
 public:
-  Sweep(const LightGrid& grid, const Direction& direction)
+  Sweep(const LightGrid& grid, const Direction& direction, const std::vector<float>& beam)
     : Grid(grid)
+    , Beam(beam)
     , D{ direction.X, direction.Y, direction.Z }
     , Weight(direction.Weight)
     , Stride{ 1, std::ptrdiff_t(grid.Size[0]), std::ptrdiff_t(grid.Columns()) }
   {
   }
 
-  // Radiance from `radiance`, that of the last iteration; adds to moments and to what leaves below and above.
+  // Radiance from `radiance`, that of the last iteration; adds to moments and vertical fluxes.
   void Run(const std::vector<float>& moments, const std::vector<float>& groundUp, std::vector<float>& radiance, DiffuseField& sums)
   {
     this->MakeSource(moments);
@@ -93,12 +94,9 @@ private:
     for (std::size_t p = 0; p < n; ++p)
     {
       const float* m = moments.data() + 4 * p;
-      const Vector& s = this->Grid.SunAt(p);
       const float g = this->Grid.Asymmetry[p];
       const float along = this->D[0] * m[1] + this->D[1] * m[2] + this->D[2] * m[3];
-      const float cosine = this->D[0] * s[0] + this->D[1] * s[1] + this->D[2] * s[2];
-      const float sun = this->Grid.Transmittance[p] > 0 ? henyeyGreenstein(g, cosine) * this->Grid.Transmittance[p] : 0.0f;
-      const float source = this->Grid.Albedo[p] / (4 * pi) * (m[0] + 3 * g * along + sun);
+      const float source = this->Grid.Albedo[p] / (4 * pi) * (m[0] + 3 * g * along + this->Beam[p]);
       this->Emission[p] = std::max(source, 0.0f) * this->Grid.Extinction[p];
     }
   }
@@ -175,17 +173,12 @@ private:
       m[1] += light * this->D[0];
       m[2] += light * this->D[1];
       m[3] += light * this->D[2];
-    }
-    const std::size_t columns = this->Grid.Columns();
-    const std::size_t first = this->D[2] > 0 ? radiance.size() - columns : 0;
-    std::vector<float>& leaving = this->D[2] > 0 ? sums.Up : sums.Down;
-    for (std::size_t c = 0; c < columns; ++c)
-    {
-      leaving[c] += this->Weight * std::abs(this->D[2]) * radiance[first + c];
+      sums.Vertical[p] += light * std::abs(this->D[2]);
     }
   }
 
   const LightGrid& Grid;
+  const std::vector<float>& Beam; ///< what the sun's beam scatters into this direction
   const float D[3];
   const float Weight;
   const std::ptrdiff_t Stride[3];
@@ -195,8 +188,7 @@ private:
 void clear(DiffuseField& field, const LightGrid& grid)
 {
   field.Moments.assign(4 * grid.Points(), 0.0f);
-  field.Up.assign(grid.Columns(), 0.0f);
-  field.Down.assign(grid.Columns(), 0.0f);
+  field.Vertical.assign(grid.Points(), 0.0f);
 }
 
 void addTo(std::vector<float>& sum, const std::vector<float>& part)
@@ -217,43 +209,69 @@ public:
     {
       radiance.assign(grid.Points(), 0.0f);
     }
+    this->MakeBeams();
   }
 
   // All directions once. `field` becomes what they make of the moments.
-  void Step(const std::vector<float>& moments, const std::vector<float>& down, const Parallel& parallel, DiffuseField& field)
+  void Step(const std::vector<float>& moments, const Parallel& parallel, DiffuseField& field)
   {
-    const std::vector<float> groundUp = this->GroundLight(down);
+    const std::vector<float> groundUp = this->GroundLight(field);
     parallel(groups, [&](int group) {
       clear(this->Groups[group], this->Grid);
       for (std::size_t d = group; d < this->Directions.size(); d += groups)
       {
-        Sweep(this->Grid, this->Directions[d]).Run(moments, groundUp, this->Radiances[d], this->Groups[group]);
+        Sweep(this->Grid, this->Directions[d], this->Beams[d]).Run(moments, groundUp, this->Radiances[d], this->Groups[group]);
       }
     });
     clear(field, this->Grid);
     for (const DiffuseField& part : this->Groups)
     {
       addTo(field.Moments, part.Moments);
-      addTo(field.Up, part.Up);
-      addTo(field.Down, part.Down);
+      addTo(field.Vertical, part.Vertical);
     }
   }
 
 private:
-  std::vector<float> GroundLight(const std::vector<float>& down) const
+  // The beam keeps its energy: its phase function has the mean 1 over the directions.
+  void MakeBeams()
+  {
+    this->Beams.assign(this->Directions.size(), std::vector<float>(this->Grid.Points(), 0.0f));
+    std::vector<float> phase(this->Directions.size());
+    for (std::size_t p = 0; p < this->Grid.Points(); ++p)
+    {
+      if (this->Grid.Transmittance[p] * this->Grid.Extinction[p] <= 0)
+      {
+        continue;
+      }
+      const Vector& s = this->Grid.SunAt(p);
+      float sum = 0;
+      for (std::size_t d = 0; d < phase.size(); ++d)
+      {
+        const Direction& to = this->Directions[d];
+        phase[d] = henyeyGreenstein(this->Grid.Asymmetry[p], to.X * s[0] + to.Y * s[1] + to.Z * s[2]);
+        sum += phase[d] * to.Weight;
+      }
+      for (std::size_t d = 0; d < phase.size(); ++d)
+      {
+        this->Beams[d][p] = phase[d] * 4 * pi / sum * this->Grid.Transmittance[p];
+      }
+    }
+  }
+
+  std::vector<float> GroundLight(const DiffuseField& field) const
   {
     std::vector<float> up(this->Grid.Columns());
     for (std::size_t c = 0; c < up.size(); ++c)
     {
       const float direct = std::max(-this->Grid.SunAt(c)[2], 0.0f) * this->Grid.Transmittance[c];
-      up[c] = static_cast<float>(this->Grid.GroundAlbedo) * (direct + down[c]);
+      up[c] = static_cast<float>(this->Grid.GroundAlbedo) * (direct + std::max(field.Down(c), 0.0f));
     }
     return up;
   }
 
   const LightGrid& Grid;
   std::vector<Direction> Directions;
-  std::vector<std::vector<float>> Radiances;
+  std::vector<std::vector<float>> Radiances, Beams;
   std::vector<DiffuseField> Groups;
 };
 
@@ -275,10 +293,10 @@ DiffuseField diffuseLight(const LightGrid& grid, const LightSettings& settings, 
   clear(field, grid);
   std::vector<float> moments = field.Moments;
   Iteration iteration(grid, settings);
-  AndersonMixing mixing(4);
+  AndersonMixing mixing(6);
   do
   {
-    iteration.Step(moments, std::vector<float>(field.Down), parallel, field);
+    iteration.Step(moments, parallel, field);
     field.Change = largestChange(moments, field.Moments);
     mixing.Mix(moments, field.Moments);
     ++field.Iterations;

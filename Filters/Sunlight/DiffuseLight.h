@@ -9,7 +9,8 @@
  *
  *     S(d) = albedo / (4 pi) (fluence + 3 g d . flux + P(d . s) E T)
  *
- * with the fluence and flux of the diffuse light, the irradiance E of the sun across its beam, its transmittance T and the Henyey-Greenstein P.
+ * with the fluence and flux of the diffuse light, the irradiance E of the sun across its beam, its transmittance T and the Henyey-Greenstein P, whose
+ * mean over the directions is made 1.
  * Light of one sun is 1: E = 1. Plain C++17.
  */
 #ifndef nephoscope_DiffuseLight_h
@@ -46,20 +47,22 @@ struct LightGrid
 
 struct LightSettings
 {
-  int Zenith = 2;
+  int Zenith = 3;
   int Azimuth = 4;
-  int MostIterations = 60;
-  double Tolerance = 3e-3; ///< change of the fluence, as a fraction of its largest value
+  int MostIterations = 100;
+  double Tolerance = 1e-3; ///< change of the fluence, as a fraction of its largest value
 };
 
 /** Fluence and flux of the diffuse light: four numbers a point. */
 struct DiffuseField
 {
   std::vector<float> Moments;
-  std::vector<float> Up;   ///< diffuse flux up at the top of each column
-  std::vector<float> Down; ///< diffuse flux down at the bottom of each column
+  std::vector<float> Vertical; ///< flux up plus flux down; their difference is the third component of the flux
   int Iterations = 0;
   double Change = 0; ///< of the last iteration
+
+  float Up(std::size_t p) const { return 0.5f * (this->Vertical[p] + this->Moments[4 * p + 3]); }
+  float Down(std::size_t p) const { return 0.5f * (this->Vertical[p] - this->Moments[4 * p + 3]); }
 };
 
 /** Calls body(k) for k in [0, n), perhaps by several threads; returns false to stop. */

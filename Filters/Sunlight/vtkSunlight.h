@@ -16,7 +16,7 @@
  * - Sunlight: pi times the source function, for an eye at ViewPosition, or the mean over all directions.
  * - ScaledExtinction, 1/m: the extinction without the light that goes straight on, to be drawn with Sunlight.
  * - SunTransmittance: the share of direct sunlight that arrives.
- * - Irradiance: of a horizontal surface, by sun and diffuse light from above: (cosine T + flux down).
+ * - Irradiance, UpwardIrradiance: of a horizontal surface, by sun and diffuse light from above, and by diffuse light from below.
  *
  * Field data: SunDirection, three components, towards the sun.
  */
@@ -104,7 +104,7 @@ public:
   ///@}
 
   ///@{
-  /** Zenith angles in each hemisphere (1 to 16) and azimuth angles (4 to 64) of diffuse light. Defaults 2 and 4; cost is their product. */
+  /** Zenith angles in each hemisphere (1 to 16) and azimuth angles (4 to 64) of diffuse light. Defaults 3 and 4; cost is their product. */
   vtkSetClampMacro(ZenithAngles, int, 1, 16);
   vtkGetMacro(ZenithAngles, int);
   vtkSetClampMacro(AzimuthAngles, int, 4, 64);
@@ -163,7 +163,7 @@ private:
   double GroundAlbedo = 0.1;
   double SkyLight = 0.08;
   bool MultipleScattering = true;
-  int ZenithAngles = 2;
+  int ZenithAngles = 3;
   int AzimuthAngles = 4;
   bool UseViewPosition = false;
   bool ParallelView = false;

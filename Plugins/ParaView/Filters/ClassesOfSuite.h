@@ -23,6 +23,7 @@
   DO(vtkSparseVolumeReader)                                                                                                                \
   DO(vtkSparseVolumeWriter)                                                                                                                \
   DO(vtkStructuredSmoothing)                                                                                                               \
+  DO(vtkSunlight)                                                                                                                          \
   DO(vtkTextureCoordinateAdvection)                                                                                                        \
   DO(vtkTexturedSplatsRepresentation)
 

@@ -20,6 +20,7 @@
 #include "vtkSparseVolumeReader.h"
 #include "vtkSparseVolumeWriter.h"
 #include "vtkStructuredSmoothing.h"
+#include "vtkSunlight.h"
 #include "vtkTextureCoordinateAdvection.h"
 #include "vtkTexturedSplatsRepresentation.h"
 

@@ -98,6 +98,7 @@ def main():
     for folders, source in ((["Filters/GlobeGrid", "Filters/Common"], pvs.GlobeGrid(Input=weather)),
                             (["Filters/FlowVolume", *velocity], smoke),
                             (["Filters/CloudOptics"], pvs.CloudOptics(Input=wavelet)),
+                            (["Filters/Sunlight"], pvs.Sunlight(Input=wavelet)),
                             (["Filters/CloudSurface"], pvs.CloudSurface(Input=wavelet)),
                             (["Filters/CloudSurface"], pvs.StructuredSmoothing(Input=wavelet)),
                             (["Filters/CellSubdivision"], pvs.ContourCellSplitter(Input=wavelet)),

@@ -36,6 +36,7 @@ CLASSES = {
     "vtkTexturedSplatMapper": (["TexturedSplats.xml.in", "MediumProperties.xml.in"], ["splats", "_medium", "_vectors"]),
     "vtkCloudTextureMapper": (["CloudTexture.xml.in"], ["cloud_texture"]),
     "vtkCloudOptics": (["CloudOptics.xml"], ["optics"]),
+    "vtkSunlight": (["Sunlight.xml"], ["sunlight"]),
     "vtkHaze": (["Haze.xml"], ["haze"]),
 }
 IN_PLACE = {"vtkCellCompositingProjectedTetrahedraMapper", "vtkCellCompositingRayCastMapper"}  # set by those who set VTK's

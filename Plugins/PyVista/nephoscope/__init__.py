@@ -37,6 +37,7 @@ if _TYPE_CHECKING:
     from .sparse import read_vdb, write_vdb
     from .splats import add_splats
     from .splitting import split_cells
+    from .sunlight import sunlight
     from .terrain import add_terrain, terrain_surface
     from .viewing import viewer
     from .weather.opening import open  # noqa: A004
@@ -58,6 +59,7 @@ PYVISTA_FUNCTIONS = {
     "split_cells": "splitting",
     "divide_polyhedra": "polyhedra",
     "cloud_optics": "optics",
+    "sunlight": "sunlight",
     "smooth": "clouds",
     "cloud_surface": "clouds",
     "advect_texture": "advection",

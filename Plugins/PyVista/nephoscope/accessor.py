@@ -14,6 +14,7 @@ from .polyhedra import divide_polyhedra
 from .smoke import flow_volume, smoke_puffs
 from .sparse import write_vdb
 from .splitting import split_cells
+from .sunlight import sunlight
 from .terrain import terrain_surface
 
 
@@ -49,6 +50,7 @@ class NephoscopeAccessor:
     flow_volume = _method(flow_volume)
     smoke_puffs = _method(smoke_puffs)
     cloud_optics = _method(cloud_optics)
+    sunlight = _method(sunlight)
     write_vdb = _method(write_vdb)
 
 

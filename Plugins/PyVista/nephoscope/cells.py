@@ -13,6 +13,7 @@ from ._blocks import cell_dimension
 from ._checks import choose, renamed_argument
 from ._medium import Functions, MediumMapper, add_medium, require_dataset, require_plotter, scalar_array
 from ._surfaces import Surfaces, paint_polygons
+from .sunlight import BRIGHTEST, lit, lit_colours
 from .transfer import OpacityLike
 
 
@@ -42,7 +43,7 @@ def add_cells(plotter: pyvista.BasePlotter, grid: Any, scalars: str | np.ndarray
               name: str | None = None, show_scalar_bar: bool | None = None, scalar_bar_args: dict | None = None,
               reset_camera: bool | None = None, pickable: bool = True, user_matrix: Any = None,
               render: bool = True, unit_distance: float | None = None,
-              preset: str | bool | None = None) -> pyvista.Volume:
+              preset: str | bool | None = None, sun: Any = None) -> pyvista.Volume:
     """Add a grid of 3-D cells to a plotter as a volume drawn by `vtkCellCompositingMapper`.
 
     The extinction coefficient is opacity * `opacity_scale` / `opacity_unit_distance`. Extinction and colour vary linearly inside each
@@ -142,6 +143,11 @@ def add_cells(plotter: pyvista.BasePlotter, grid: Any, scalars: str | np.ndarray
         ``'temperature'``, ``'humidity'``, ``'rain'`` or ``'smoke'``. Arguments that you pass take precedence. Default: chosen by the name of
         `scalars`: a CF standard name, an unambiguous name or, in data from Globe Grid and `read_cf`, a short name. No preset is chosen if `cmap`
         or `log_scale` is given or the theme's colour map has been changed. False: no preset.
+    sun : sequence of 3 float, str, dict or True, optional
+        Draws clouds as the sun shows them: the direction towards the sun, a date and time in UTC such as ``"2011-10-11 18:30"``, or a dict of
+        arguments of `sunlight`. True: the light that `grid` has, otherwise that of `sunlight`. Without an extinction, `cloud_optics`
+        computes it from the water of `grid`. `scalars`, opacities and the unit distance are then those of light; `cmap`, `clim` and `opacity_scale` may
+        be given.
 
     Returns
     -------
@@ -163,6 +169,11 @@ def add_cells(plotter: pyvista.BasePlotter, grid: Any, scalars: str | np.ndarray
     >>> nephoscope.add_cells(plotter, clouds, scalars="cloud_fraction", cmap=["white", "white"])  # doctest: +SKIP
     """
     require_plotter(plotter)
+    if sun is not None:
+        grid = lit(_solid_grid(grid, {}), sun)
+        densest = float(np.max(grid["ScaledExtinction"])) or 1.0
+        scalars, opacity_scalars, opacity, opacity_clim, opacity_unit_distance = "Sunlight", "ScaledExtinction", "linear", (0.0, densest), 1 / densest
+        cmap, clim = lit_colours() if cmap is None else cmap, (0.0, BRIGHTEST) if clim is None else clim
     grid, array_name, association = scalar_array(
         _solid_grid(grid, {"scalars": scalars, "opacity_scalars": opacity_scalars, "contour_scalars": contour_scalars,
                            "layer_scalars": layer_scalars}), scalars, preference)

@@ -1,0 +1,400 @@
+// SPDX-FileCopyrightText: The Nephoscope authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkSunlight.h"
+
+#include "LitData.h"
+#include "PhaseFunction.h"
+#include "SolarPosition.h"
+
+#include "vtkCellData.h"
+#include "vtkCellDataToPointData.h"
+#include "vtkDataSet.h"
+#include "vtkDoubleArray.h"
+#include "vtkFieldData.h"
+#include "vtkFloatArray.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkMath.h"
+#include "vtkObjectFactory.h"
+#include "vtkPointData.h"
+#include "vtkSMPTools.h"
+
+#include <algorithm>
+#include <cmath>
+
+vtkStandardNewMacro(vtkSunlight);
+
+using nephoscope::Vector;
+
+namespace
+{
+constexpr double pi = 3.14159265358979323846;
+
+double dot(const std::array<double, 3>& a, const std::array<double, 3>& b)
+{
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+// Up on a globe: away from the centre; elsewhere z.
+std::array<double, 3> upAt(const nephoscope::Planet& planet, const std::array<double, 3>& place)
+{
+  const double length = std::sqrt(dot(place, place));
+  return planet.Radius > 0 && length > 0 ? std::array<double, 3>{ { place[0] / length, place[1] / length, place[2] / length } }
+                                         : std::array<double, 3>{ { 0, 0, 1 } };
+}
+
+// Behind the planet there is no sun.
+bool isInShadow(const nephoscope::Planet& planet, const std::array<double, 3>& place, const std::array<double, 3>& sun)
+{
+  const double along = dot(place, sun);
+  return planet.Radius > 0 && along < 0 && dot(place, place) - along * along < planet.Radius * planet.Radius;
+}
+
+std::string arraysOf(vtkDataSetAttributes* attributes)
+{
+  std::string names;
+  for (int a = 0; a < attributes->GetNumberOfArrays(); ++a)
+  {
+    const char* name = attributes->GetArrayName(a);
+    names += name ? (names.empty() ? "'" : ", '") + std::string(name) + "'" : "";
+  }
+  return names.empty() ? "none" : names;
+}
+
+vtkFloatArray* addArray(vtkDataSet* data, const char* name)
+{
+  vtkNew<vtkFloatArray> array;
+  array->SetName(name);
+  array->SetNumberOfTuples(data->GetNumberOfPoints());
+  data->GetPointData()->AddArray(array);
+  return array;
+}
+}
+
+struct vtkSunlight::Work
+{
+  nephoscope::Planet Planet;
+  std::array<double, 3> Sun;
+  std::vector<nephoscope::SunMesh::Place> Places;
+  std::vector<float> Extinction, Scaled, Albedo, Asymmetry; // the last two scaled
+  std::vector<float> Transmittance, ScaledTransmittance;
+  std::vector<float> Fluence, Up, Down;
+
+  void StartDiffuse()
+  {
+    for (std::vector<float>* one : { &this->Fluence, &this->Up, &this->Down })
+    {
+      one->assign(this->Places.size(), 0.0f);
+    }
+    this->Flux.assign(this->Places.size(), Vector{ { 0, 0, 0 } });
+  }
+  std::vector<Vector> Flux;
+  vtkIdType Wrong = 0;
+};
+
+vtkSunlight::vtkSunlight() = default;
+vtkSunlight::~vtkSunlight() = default;
+
+bool vtkSunlight::GoOn(double fraction)
+{
+  this->UpdateProgress(fraction);
+  return !this->GetAbortExecute();
+}
+
+bool vtkSunlight::FindSun(vtkDataSet* data, std::array<double, 3>& sun)
+{
+  std::copy(this->SunDirection, this->SunDirection + 3, sun.begin());
+  if (!this->DateTime.empty())
+  {
+    double days = 0;
+    if (!nephoscope::daysOf(this->DateTime, days))
+    {
+      vtkErrorMacro(<< "DateTime is '" << this->DateTime << "'; it must be a date and time in UTC, such as '2011-10-11 18:30'.");
+      return false;
+    }
+    const nephoscope::SubsolarPoint place = nephoscope::subsolarPoint(days);
+    const bool onGlobe = nephoscope::planetOf(data).Radius > 0;
+    sun = onGlobe ? nephoscope::towardsSunOnGlobe(place) : nephoscope::towardsSunAt(place, this->Longitude, this->Latitude);
+  }
+  const double length = std::sqrt(dot(sun, sun));
+  if (!(length > 0) || !std::isfinite(length))
+  {
+    vtkErrorMacro(<< "SunDirection is " << sun[0] << ", " << sun[1] << ", " << sun[2] << "; it must be finite and have a length.");
+    return false;
+  }
+  std::transform(sun.begin(), sun.end(), sun.begin(), [length](double x) { return x / length; });
+  return true;
+}
+
+bool vtkSunlight::Check(vtkDataSet* data)
+{
+  vtkDataArray* array = data->GetPointData()->GetArray(this->ExtinctionArrayName.c_str());
+  if (!array)
+  {
+    vtkErrorMacro(<< "There is no array '" << this->ExtinctionArrayName << "' of the extinction. Make one by Cloud Optics, or set ExtinctionArrayName. Point arrays: "
+                  << arraysOf(data->GetPointData()) << "; cell arrays: " << arraysOf(data->GetCellData()) << ".");
+    return false;
+  }
+  if (array->GetNumberOfComponents() != 1)
+  {
+    vtkErrorMacro(<< "The array '" << this->ExtinctionArrayName << "' has " << array->GetNumberOfComponents() << " components; an extinction has one.");
+    return false;
+  }
+  return true;
+}
+
+bool vtkSunlight::ReadOptics(vtkDataSet* data, Work& work)
+{
+  vtkIdType ignored = 0;
+  work.Planet = nephoscope::planetOf(data);
+  work.Places = nephoscope::placesOf(data);
+  work.Extinction = nephoscope::valuesOf(data, this->ExtinctionArrayName, 0, this->ExtinctionScale, work.Wrong);
+  work.Albedo = nephoscope::valuesOf(data, this->AlbedoArrayName, this->Albedo, 1, ignored);
+  work.Asymmetry = nephoscope::valuesOf(data, this->AsymmetryArrayName, this->Asymmetry, 1, ignored);
+  work.Scaled = work.Extinction;
+  for (std::size_t p = 0; p < work.Scaled.size() && this->MultipleScattering; ++p)
+  {
+    const nephoscope::ScaledMedium medium = nephoscope::scaled(work.Extinction[p], std::min(work.Albedo[p], 1.0f), work.Asymmetry[p]);
+    work.Scaled[p] = static_cast<float>(medium.Extinction);
+    work.Albedo[p] = static_cast<float>(medium.Albedo);
+    work.Asymmetry[p] = static_cast<float>(medium.Asymmetry);
+  }
+  if (work.Wrong > 0)
+  {
+    vtkWarningMacro(<< work.Wrong << (work.Wrong == 1 ? " value" : " values") << " of '" << this->ExtinctionArrayName
+                    << "' negative or missing (NaN or a fill value): taken as 0.");
+  }
+  return true;
+}
+
+bool vtkSunlight::TraceSun(vtkDataSet* data, Work& work)
+{
+  const std::vector<std::int32_t> merged = nephoscope::mergedPoints(work.Places);
+  nephoscope::SunMesh mesh(nephoscope::tetrahedraOf(data, merged), work.Places.size());
+  mesh.Turn(work.Places, work.Sun);
+  std::vector<std::array<float, 2>> fields(work.Places.size());
+  for (std::size_t p = 0; p < fields.size(); ++p)
+  {
+    fields[p] = { { work.Extinction[p], work.Scaled[p] } };
+  }
+  work.Transmittance.assign(fields.size(), 0.0f);
+  work.ScaledTransmittance.assign(fields.size(), 0.0f);
+  const auto trace = [&](vtkIdType begin, vtkIdType end) {
+    for (vtkIdType p = begin; p < end; ++p)
+    {
+      if (!isInShadow(work.Planet, work.Places[p], work.Sun))
+      {
+        const std::array<double, 2> depths = mesh.DepthsFrom(merged[p], fields);
+        work.Transmittance[p] = static_cast<float>(std::exp(-depths[0]));
+        work.ScaledTransmittance[p] = static_cast<float>(std::exp(-depths[1]));
+      }
+    }
+  };
+  const vtkIdType count = data->GetNumberOfPoints(), stretch = std::max<vtkIdType>(count / 20, 1000);
+  for (vtkIdType first = 0; first < count; first += stretch)
+  {
+    if (!this->GoOn(0.1 + 0.3 * first / count))
+    {
+      return false;
+    }
+    vtkSMPTools::For(first, std::min(count, first + stretch), trace);
+  }
+  return true;
+}
+
+// On structured data; otherwise Sample has made some of it.
+bool vtkSunlight::Diffuse(vtkDataSet* data, Work& work)
+{
+  nephoscope::LightGrid grid;
+  nephoscope::GridAxes axes;
+  if (!nephoscope::makeGrid(data, work.Places, grid, axes))
+  {
+    this->Sample(data, work);
+    return true;
+  }
+  grid.Extinction = work.Scaled;
+  grid.Albedo = work.Albedo;
+  grid.Asymmetry = work.Asymmetry;
+  grid.Transmittance = work.ScaledTransmittance;
+  grid.GroundAlbedo = this->GroundAlbedo;
+  const Vector beam = { float(-work.Sun[0]), float(-work.Sun[1]), float(-work.Sun[2]) };
+  grid.Sun.resize(grid.Points());
+  for (std::size_t p = 0; p < grid.Points(); ++p)
+  {
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      const Vector& e = axes.Axes[p][axis];
+      grid.Sun[p][axis] = e[0] * beam[0] + e[1] * beam[1] + e[2] * beam[2];
+    }
+  }
+  grid.Sky.resize(grid.Columns());
+  for (std::size_t c = 0; c < grid.Columns(); ++c)
+  {
+    const double elevation = dot(upAt(work.Planet, work.Places[c]), work.Sun);
+    grid.Sky[c] = static_cast<float>(this->SkyLight * std::max(0.0, std::min(1.0, (elevation + 0.1) / 1.1)));
+  }
+  nephoscope::LightSettings settings;
+  settings.Zenith = this->ZenithAngles;
+  settings.Azimuth = this->AzimuthAngles;
+  const nephoscope::DiffuseField field = nephoscope::diffuseLight(
+    grid, settings,
+    [](int n, const std::function<void(int)>& body) {
+      vtkSMPTools::For(0, n, 1, [&body](vtkIdType begin, vtkIdType end) {
+        for (vtkIdType k = begin; k < end; ++k)
+        {
+          body(static_cast<int>(k));
+        }
+      });
+    },
+    [this](double fraction) { return this->GoOn(0.4 + 0.5 * fraction); });
+  this->NumberOfIterations = field.Iterations;
+  this->LastChange = field.Change;
+  for (std::size_t p = 0; p < grid.Points(); ++p)
+  {
+    work.Fluence[p] = std::max(field.Moments[4 * p], 0.0f);
+    work.Up[p] = std::max(field.Up(p), 0.0f);
+    work.Down[p] = std::max(field.Down(p), 0.0f);
+    for (int c = 0; c < 3; ++c)
+    {
+      work.Flux[p][c] = field.Moments[4 * p + 1] * axes.Axes[p][0][c] + field.Moments[4 * p + 2] * axes.Axes[p][1][c] + field.Moments[4 * p + 3] * axes.Axes[p][2][c];
+    }
+  }
+  return !this->GetAbortExecute();
+}
+
+// The light of an image that has the optics of the data, back at the points of the data.
+void vtkSunlight::Sample(vtkDataSet* data, Work& work)
+{
+  vtkSmartPointer<vtkDataSet> copy;
+  copy.TakeReference(data->NewInstance());
+  copy->CopyStructure(data);
+  const std::pair<const char*, const std::vector<float>*> arrays[] = { { "Scaled", &work.Scaled }, { "Albedo", &work.Albedo },
+    { "Asymmetry", &work.Asymmetry }, { "Transmittance", &work.ScaledTransmittance } };
+  for (const auto& [name, values] : arrays)
+  {
+    std::copy(values->begin(), values->end(), addArray(copy, name)->GetPointer(0));
+  }
+  const vtkSmartPointer<vtkDataSet> image = nephoscope::sampled(copy, 100000);
+  Work coarse;
+  coarse.Planet = work.Planet;
+  coarse.Sun = work.Sun;
+  vtkIdType ignored = 0;
+  coarse.Places = nephoscope::placesOf(image);
+  coarse.Scaled = nephoscope::valuesOf(image, "Scaled", 0, 1, ignored);
+  coarse.Albedo = nephoscope::valuesOf(image, "Albedo", 0, 1, ignored);
+  coarse.Asymmetry = nephoscope::valuesOf(image, "Asymmetry", 0, 1, ignored);
+  coarse.ScaledTransmittance = nephoscope::valuesOf(image, "Transmittance", 0, 1, ignored);
+  coarse.StartDiffuse();
+  this->Diffuse(image, coarse);
+  vtkNew<vtkIdList> ids;
+  double weights[8], parametric[3];
+  for (vtkIdType p = 0; p < data->GetNumberOfPoints(); ++p)
+  {
+    int sub = 0;
+    const vtkIdType cell = image->FindCell(work.Places[p].data(), nullptr, -1, 0.0, sub, parametric, weights);
+    if (cell >= 0)
+    {
+      image->GetCellPoints(cell, ids);
+      for (vtkIdType k = 0; k < ids->GetNumberOfIds(); ++k)
+      {
+        const vtkIdType q = ids->GetId(k);
+        work.Fluence[p] += float(weights[k]) * coarse.Fluence[q];
+        work.Up[p] += float(weights[k]) * coarse.Up[q];
+        work.Down[p] += float(weights[k]) * coarse.Down[q];
+        for (int c = 0; c < 3; ++c)
+        {
+          work.Flux[p][c] += float(weights[k]) * coarse.Flux[q][c];
+        }
+      }
+    }
+  }
+}
+
+void vtkSunlight::Write(vtkDataSet* data, const Work& work)
+{
+  vtkFloatArray* light = addArray(data, "Sunlight");
+  vtkFloatArray* extinction = addArray(data, "ScaledExtinction");
+  vtkFloatArray* transmittance = addArray(data, "SunTransmittance");
+  vtkFloatArray* irradiance = addArray(data, "Irradiance");
+  vtkFloatArray* upward = addArray(data, "UpwardIrradiance");
+  vtkSMPTools::For(0, data->GetNumberOfPoints(), [&](vtkIdType begin, vtkIdType end) {
+    for (vtkIdType p = begin; p < end; ++p)
+    {
+      double beam = 1, flux = 0;
+      if (this->UseViewPosition)
+      {
+        std::array<double, 3> toEye = { { this->ViewPosition[0], this->ViewPosition[1], this->ViewPosition[2] } };
+        for (int c = 0; c < 3 && !this->ParallelView; ++c)
+        {
+          toEye[c] -= work.Places[p][c];
+        }
+        const double length = std::max(std::sqrt(dot(toEye, toEye)), 1e-300);
+        beam = nephoscope::henyeyGreenstein(double(work.Asymmetry[p]), -dot(toEye, work.Sun) / length);
+        flux = 3 * work.Asymmetry[p] * (toEye[0] * work.Flux[p][0] + toEye[1] * work.Flux[p][1] + toEye[2] * work.Flux[p][2]) / length;
+      }
+      const double source = 0.25 * work.Albedo[p] * (std::max(work.Fluence[p] + flux, 0.0) + beam * work.ScaledTransmittance[p]);
+      light->SetValue(p, static_cast<float>(source));
+      extinction->SetValue(p, work.Scaled[p]);
+      transmittance->SetValue(p, work.Transmittance[p]);
+      const std::array<double, 3> up = upAt(work.Planet, work.Places[p]);
+      irradiance->SetValue(p, static_cast<float>(std::max(dot(up, work.Sun), 0.0) * work.ScaledTransmittance[p] + work.Down[p]));
+      upward->SetValue(p, work.Up[p]);
+    }
+  });
+  data->GetPointData()->SetActiveScalars("Sunlight");
+  vtkNew<vtkDoubleArray> sun;
+  sun->SetName("SunDirection");
+  sun->SetNumberOfComponents(3);
+  sun->InsertNextTuple(work.Sun.data());
+  data->GetFieldData()->AddArray(sun);
+}
+
+bool vtkSunlight::AddLight(vtkDataSet* data)
+{
+  Work work;
+  if (!this->Check(data) || !this->FindSun(data, work.Sun) || !this->ReadOptics(data, work) || !this->GoOn(0.1) || !this->TraceSun(data, work))
+  {
+    return false;
+  }
+  work.StartDiffuse();
+  if (this->MultipleScattering && !this->Diffuse(data, work))
+  {
+    return false;
+  }
+  if (work.Planet.Radius <= 0 && work.Sun[2] < 0)
+  {
+    vtkWarningMacro(<< "The sun is below the horizon: it is night, and there is no light but that of a twilight sky.");
+  }
+  this->Write(data, work);
+  return true;
+}
+
+int vtkSunlight::RequestData(vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
+{
+  vtkDataSet* input = vtkDataSet::GetData(inputs[0], 0);
+  vtkDataSet* output = vtkDataSet::GetData(outputs, 0);
+  output->ShallowCopy(input);
+  const char* name = this->ExtinctionArrayName.c_str();
+  if (!input->GetPointData()->HasArray(name) && input->GetCellData()->HasArray(name))
+  {
+    vtkNew<vtkCellDataToPointData> toPoints;
+    toPoints->SetInputData(input);
+    toPoints->PassCellDataOn();
+    toPoints->Update();
+    output->ShallowCopy(toPoints->GetOutput());
+  }
+  if (output->GetNumberOfPoints() > 0 && !this->AddLight(output))
+  {
+    output->Initialize();
+  }
+  return 1;
+}
+
+void vtkSunlight::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "SunDirection: " << this->SunDirection[0] << ", " << this->SunDirection[1] << ", " << this->SunDirection[2] << "\n";
+  os << indent << "DateTime: " << this->DateTime << "\n" << indent << "ExtinctionArrayName: " << this->ExtinctionArrayName << "\n";
+  os << indent << "MultipleScattering: " << this->MultipleScattering << "\n" << indent << "GroundAlbedo: " << this->GroundAlbedo << "\n";
+  os << indent << "ZenithAngles: " << this->ZenithAngles << "\n" << indent << "AzimuthAngles: " << this->AzimuthAngles << "\n";
+}
