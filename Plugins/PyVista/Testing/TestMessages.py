@@ -10,7 +10,7 @@ from pathlib import Path
 import nephoscope
 import numpy as np
 import pyvista
-from nephoscope import _pipeline, advection, clouds, globe, optics, smoke, sparse, splitting, sunlight
+from nephoscope import _pipeline, advection, clouds, globe, light, optics, smoke, sparse, splitting
 from nephoscope_testing.sources import sentences
 
 
@@ -34,7 +34,7 @@ SOURCES = (("Filters/GlobeGrid", ["vtkGlobeGrid"], globe._NAMES, ()),
            ("Filters/FlowVolume", ["vtkFlowVolume", "vtkSmokePuffs"], smoke._NAMES, ("Unsteady", "StartTime", "TimeScale")),
            ("Filters/CloudSurface", ["vtkCloudSurface", "vtkStructuredSmoothing"], clouds._NAMES, ("Periodic",)),
            ("Filters/CloudOptics", ["vtkCloudOptics"], optics._NAMES, ()),
-           ("Filters/Sunlight", ["vtkSunlight"], sunlight._NAMES, ()),
+           ("Filters/Sunlight", ["vtkSunlight"], light._NAMES, ()),
            ("Filters/CellSubdivision", ["vtkContourCellSplitter"], splitting._NAMES, ()),
            ("Filters/TextureAdvection", ["vtkTextureCoordinateAdvection"], advection._NAMES, ()),
            ("Filters/SparseVolume", ["vtkSparseVolumeReader", "vtkSparseVolumeWriter"], sparse._NAMES, ()),

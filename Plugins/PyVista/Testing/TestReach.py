@@ -36,7 +36,7 @@ CLASSES = {
     "vtkTexturedSplatMapper": (["TexturedSplats.xml.in", "MediumProperties.xml.in"], ["splats", "_medium", "_vectors"]),
     "vtkCloudTextureMapper": (["CloudTexture.xml.in"], ["cloud_texture"]),
     "vtkCloudOptics": (["CloudOptics.xml"], ["optics"]),
-    "vtkSunlight": (["Sunlight.xml"], ["sunlight"]),
+    "vtkSunlight": (["Sunlight.xml"], ["light"]),
     "vtkHaze": (["Haze.xml"], ["haze"]),
 }
 IN_PLACE = {"vtkCellCompositingProjectedTetrahedraMapper", "vtkCellCompositingRayCastMapper"}  # set by those who set VTK's

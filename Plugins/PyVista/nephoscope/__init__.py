@@ -37,7 +37,7 @@ if _TYPE_CHECKING:
     from .sparse import read_vdb, write_vdb
     from .splats import add_splats
     from .splitting import split_cells
-    from .sunlight import sunlight
+    from .light import sunlight
     from .terrain import add_terrain, terrain_surface
     from .viewing import viewer
     from .weather.opening import open  # noqa: A004
@@ -59,7 +59,7 @@ PYVISTA_FUNCTIONS = {
     "split_cells": "splitting",
     "divide_polyhedra": "polyhedra",
     "cloud_optics": "optics",
-    "sunlight": "sunlight",
+    "sunlight": "light",
     "smooth": "clouds",
     "cloud_surface": "clouds",
     "advect_texture": "advection",

@@ -14,7 +14,7 @@ from .polyhedra import divide_polyhedra
 from .smoke import flow_volume, smoke_puffs
 from .sparse import write_vdb
 from .splitting import split_cells
-from .sunlight import sunlight
+from .light import sunlight
 from .terrain import terrain_surface
 
 

@@ -13,7 +13,7 @@ from ._blocks import cell_dimension
 from ._checks import choose, renamed_argument
 from ._medium import Functions, MediumMapper, add_medium, require_dataset, require_plotter, scalar_array
 from ._surfaces import Surfaces, paint_polygons
-from .sunlight import BRIGHTEST, lit, lit_colours
+from .light import BRIGHTEST, lit, lit_colours
 from .transfer import OpacityLike
 
 
