@@ -23,11 +23,9 @@ if _TYPE_CHECKING:
     from .clouds import cloud_surface, smooth
     from .globe import globe_surface, to_globe
     from .haze import add_haze
-<<<<<<< HEAD
-    from .override import override_vtk
-=======
+    from .light import sunlight
     from .optics import cloud_optics
->>>>>>> 1ea8fff (Cloud Optics: extinction of clouds from the water of a weather model)
+    from .override import override_vtk
     from .polyhedra import divide_polyhedra
     from .reader import cf_times, read_cf
     from .serving import serve
@@ -37,7 +35,6 @@ if _TYPE_CHECKING:
     from .sparse import read_vdb, write_vdb
     from .splats import add_splats
     from .splitting import split_cells
-    from .light import sunlight
     from .terrain import add_terrain, terrain_surface
     from .viewing import viewer
     from .weather.opening import open  # noqa: A004

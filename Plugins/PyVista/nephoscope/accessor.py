@@ -9,12 +9,12 @@ import pyvista
 from .advection import advect_texture
 from .clouds import cloud_surface, smooth
 from .globe import to_globe
+from .light import sunlight
 from .optics import cloud_optics
 from .polyhedra import divide_polyhedra
 from .smoke import flow_volume, smoke_puffs
 from .sparse import write_vdb
 from .splitting import split_cells
-from .light import sunlight
 from .terrain import terrain_surface
 
 
