@@ -4,6 +4,7 @@
 #ifndef nephoscope_WaterUnits_h
 #define nephoscope_WaterUnits_h
 
+#include <initializer_list>
 #include <string>
 
 namespace nephoscope

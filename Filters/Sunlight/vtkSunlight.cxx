@@ -28,8 +28,6 @@ using nephoscope::Vector;
 
 namespace
 {
-constexpr double pi = 3.14159265358979323846;
-
 double dot(const std::array<double, 3>& a, const std::array<double, 3>& b)
 {
   return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
