@@ -1,0 +1,56 @@
+# SPDX-FileCopyrightText: The Nephoscope authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""The reader "Weather data" in ParaView, on a GRIB file of three times that the Python of the tests writes: arrays, levels, times, messages."""
+import os
+import subprocess
+import sys
+import tempfile
+
+from paraview.simple import Delete, UpdatePipeline
+from vtkmodules.vtkCommonCore import vtkOutputWindow, vtkStringOutputWindow
+
+PYTHON = os.environ["NEPHOSCOPE_PYTHON"]
+WRITE = """
+import sys
+from weather_data import REGULAR, write_grib
+fields = [(name, "isobaricInhPa", level, value + day, {"dataDate": 20200101 + day}) for day in range(3) for level, z in ((850, 1500), (500, 5500), (200, 12000))
+          for name, value in (("gh", z), ("t", 250))]
+write_grib(sys.argv[1], fields, REGULAR)
+"""
+
+
+def main():
+    if not os.path.exists(PYTHON) or subprocess.run([PYTHON, "-c", "import pyvista, xarray, eccodes"], capture_output=True).returncode:
+        print("Skipped: the packages for weather data are not there")
+        sys.exit(125)
+    from nephoscope.weather.paraview_reader import load
+    load(globals())
+    with tempfile.TemporaryDirectory() as folder:
+        path = os.path.join(folder, "forecast.grib2")
+        subprocess.run([PYTHON, "-c", WRITE, path], check=True)
+        reader = globals()["WeatherDataReader"](FileName=path)
+        assert list(reader.TimestepValues) == [0, 24, 48], reader.TimestepValues
+        UpdatePipeline(time=24.0, proxy=reader)
+        information = reader.GetDataInformation()
+        assert information.GetDataSetTypeAsString() == "vtkStructuredGrid" and information.GetNumberOfPoints() == 37 * 19 * 3, information.GetNumberOfPoints()
+        assert reader.PointData["t"].GetRange() == (251, 251), reader.PointData["t"].GetRange()
+        reader.Levels = [1, 2]
+        reader.Variables = ["gh"]
+        UpdatePipeline(time=0.0, proxy=reader)
+        assert reader.GetDataInformation().GetNumberOfPoints() == 37 * 19 * 2 and "t" not in reader.PointData.keys()
+        window = vtkStringOutputWindow()
+        vtkOutputWindow.SetInstance(window)
+        broken = os.path.join(folder, "broken.grib2")
+        with open(path, "rb") as whole, open(broken, "wb") as part:
+            part.write(whole.read()[:-100])
+        reader.FileName = broken
+        reader.UpdatePipelineInformation()
+        assert "17 whole fields" in window.GetOutput(), window.GetOutput()
+        os.environ["NEPHOSCOPE_PYTHON"] = "/nowhere/python3"
+        globals()["WeatherDataReader"](FileName=path)
+        assert "/nowhere/python3" in window.GetOutput() and "pip install" in window.GetOutput(), window.GetOutput()
+        Delete(reader)
+    print("NEPHOSCOPE-PASSED")
+
+
+main()

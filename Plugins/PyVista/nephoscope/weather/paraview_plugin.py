@@ -1,0 +1,214 @@
+# SPDX-FileCopyrightText: The Nephoscope authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""A plugin of ParaView: the reader "Weather data (GRIB, Zarr, NetCDF, WRF, MPAS, ICON)".
+
+Load this file in Tools > Manage Plugins > Load New, or by `paraview_reader.load`. A process of its own, the Python that NEPHOSCOPE_PYTHON names, runs `nephoscope.open`
+(worker.py); where a Python package is missing there, the message has the line that installs it.
+"""
+import json
+import os
+import subprocess
+import tempfile
+
+from paraview.util.vtkAlgorithm import VTKPythonAlgorithmBase, smdomain, smhint, smproperty, smproxy
+from vtkmodules.vtkCommonCore import vtkDataArraySelection, vtkOutputWindow
+from vtkmodules.vtkCommonDataModel import vtkDataObject, vtkStructuredGrid, vtkUnstructuredGrid
+from vtkmodules.vtkCommonExecutionModel import vtkStreamingDemandDrivenPipeline as SDDP
+from vtkmodules.vtkIOLegacy import vtkDataSetReader
+
+PACKAGES = ("pyvista", "xarray", "eccodes", "netCDF4", "zarr")
+EXTENSIONS = "grib grib1 grib2 grb grb1 grb2 gb2 nc nc4 nc3 cdf ncdf zarr zmetadata"
+
+
+def interpreter():
+    """The Python that has the packages: NEPHOSCOPE_PYTHON, the environment of ./nephoscope, or python3."""
+    named = os.environ.get("NEPHOSCOPE_PYTHON")
+    own = os.path.join(os.environ.get("NEPHOSCOPE_VENV", ""), "bin", "python3")
+    return named or (own if os.path.isabs(own) and os.path.exists(own) else "python3")
+
+
+def missing_packages(python):
+    """What to do where packages are missing; empty if all are there."""
+    probe = f"import importlib.util as u; print(*[n for n in {PACKAGES!r} if u.find_spec(n) is None])"
+    try:
+        told = subprocess.run([python, "-c", probe], capture_output=True, text=True)
+    except OSError as problem:
+        told = subprocess.CompletedProcess([], 1, "", str(problem))
+    if told.returncode == 0 and not told.stdout.strip():
+        return ""
+    what = f"the packages {told.stdout.strip()} are missing" if told.returncode == 0 else f"it does not run ({told.stderr.strip()[-200:]})"
+    return (f"The Python that reads weather data for ParaView is {python}, and {what}. Install them, in the folder of Nephoscope's source: {python} -m pip install --no-deps "
+            "-r Plugins/PyVista/requirements.txt -r Plugins/PyVista/requirements-data.txt. Or name another Python in the environment variable NEPHOSCOPE_PYTHON before ParaView starts.")
+
+
+class Process:
+    """The worker, started when it is first asked."""
+
+    def __init__(self):
+        self._process = None
+
+    def ask(self, **request):
+        if self._process is None or self._process.poll() is not None:
+            self._start()
+        self._process.stdin.write(json.dumps(request) + "\n")
+        self._process.stdin.flush()
+        line = self._process.stdout.readline()
+        if not line:
+            raise RuntimeError("the process that reads weather data has ended.")
+        answer = json.loads(line)
+        if "error" in answer:
+            raise RuntimeError(answer["error"])
+        return answer
+
+    def _start(self):
+        python = interpreter()
+        problem = missing_packages(python)
+        if problem:
+            raise RuntimeError(problem)
+        self._process = subprocess.Popen([python, "-m", "nephoscope.weather.worker"], stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True)
+
+
+@smproxy.reader(name="WeatherDataReader", label="Weather data (GRIB, Zarr, NetCDF, WRF, MPAS, ICON)", extensions=EXTENSIONS,
+                file_description="Weather data (GRIB, Zarr, NetCDF, WRF, MPAS, ICON)")
+class WeatherDataReader(VTKPythonAlgorithmBase):
+    """Reads one time step of a weather file onto a globe or a map."""
+
+    def __init__(self):
+        super().__init__(nInputPorts=0, nOutputPorts=1, outputType="vtkDataSet")
+        self._settings = {"path": None, "mesh": None, "grid": -1, "levels": (0, 100000), "globe": {"projection": "globe", "vertical_exaggeration": 30.0, "radius": 6371000.0}}
+        self._process, self._folder = Process(), tempfile.TemporaryDirectory()
+        self._is_open, self._times, self._first = False, None, None
+        self._selection = vtkDataArraySelection()
+        self._selection.AddObserver("ModifiedEvent", lambda *_: self._changed(False))
+
+    def _set(self, key, value, reopen=False):
+        if self._settings[key] != value:
+            self._settings[key] = value
+            self._changed(reopen)
+
+    def _changed(self, reopen):
+        self._first = None
+        if reopen:
+            self._is_open = False
+        self.Modified()
+
+    @smproperty.stringvector(name="FileName")
+    @smdomain.filelist()
+    @smhint.filechooser(extensions=EXTENSIONS, file_description="Weather data")
+    def SetFileName(self, path):
+        self._set("path", None if path in (None, "", "None") else path, True)
+
+    @smproperty.stringvector(name="MeshFileName", label="Mesh File Name", default_values="")
+    @smdomain.filelist()
+    @smhint.filechooser(extensions="nc", file_description="Mesh of ICON, MPAS or UGRID")
+    def SetMeshFileName(self, path):
+        self._set("mesh", None if path in (None, "", "None") else path, True)
+
+    @smproperty.intvector(name="GridNumber", label="Grid Number", default_values=-1, panel_visibility="advanced")
+    def SetGridNumber(self, number):
+        """Which grid of a GRIB file with several, from 0; -1: the only one."""
+        self._set("grid", number, True)
+
+    @smproperty.intvector(name="Levels", default_values=[0, 100000])
+    def SetLevels(self, first, last):
+        """First and last level that are read, from 0 in the file's order."""
+        self._set("levels", (first, last))
+
+    @smproperty.intvector(name="Projection", default_values=0)
+    @smdomain.xml('<EnumerationDomain name="enum"><Entry value="0" text="Globe"/><Entry value="1" text="Map"/></EnumerationDomain>')
+    def SetProjection(self, projection):
+        self._set("globe", {**self._settings["globe"], "projection": "map" if projection else "globe"})
+
+    @smproperty.doublevector(name="VerticalExaggeration", label="Vertical Exaggeration", default_values=30.0)
+    @smdomain.doublerange(min=0, max=200)
+    def SetVerticalExaggeration(self, factor):
+        self._set("globe", {**self._settings["globe"], "vertical_exaggeration": factor})
+
+    @smproperty.doublevector(name="PlanetRadius", label="Planet Radius", default_values=6371000.0, panel_visibility="advanced")
+    def SetPlanetRadius(self, radius):
+        self._set("globe", {**self._settings["globe"], "radius": radius})
+
+    @smproperty.dataarrayselection(name="Variables")
+    def GetVariables(self):
+        return self._selection
+
+    @smproperty.doublevector(name="TimestepValues", information_only="1", si_class="vtkSITimeStepsProperty")
+    def GetTimestepValues(self):
+        return None if self._times is None else list(self._times)
+
+    # The pipeline
+
+    def _open(self):
+        path, grid = self._settings["path"], self._settings["grid"]
+        path = path[:-len("/.zmetadata")] if path.endswith("/.zmetadata") else path
+        found = self._process.ask(do="open", path=path, mesh=self._settings["mesh"], grid=None if grid < 0 else grid)
+        for name in found["variables"]:
+            if not self._selection.ArrayExists(name):
+                self._selection.AddArray(name)
+        self._times, self._is_open = found["times"] or None, True
+
+    def _mesh(self, step):
+        """As the pipeline asks for it; the first one is kept."""
+        if step == 0 and self._first is not None:
+            return self._first
+        names = [self._selection.GetArrayName(i) for i in range(self._selection.GetNumberOfArrays())]
+        file = os.path.join(self._folder.name, "mesh.vtk")
+        self._process.ask(do="mesh", file=file, step=None if self._times is None else step, levels=list(self._settings["levels"]),
+                          variables=[name for name in names if self._selection.ArrayIsEnabled(name)], options=self._settings["globe"])
+        reader = vtkDataSetReader()
+        reader.SetFileName(file)
+        reader.ReadAllScalarsOn()
+        reader.ReadAllVectorsOn()
+        reader.Update()
+        mesh = reader.GetOutput().NewInstance()
+        mesh.ShallowCopy(reader.GetOutput())
+        if step == 0:
+            self._first = mesh
+        return mesh
+
+    def _attempt(self, action):
+        """1, or 0 after telling what is wrong."""
+        try:
+            action()
+            return 1
+        except Exception as failure:  # told in ParaView's window
+            vtkOutputWindow.GetInstance().DisplayErrorText(f"Weather data: {failure}\n")
+            return 0
+
+    def RequestDataObject(self, request, inputs, outputs):
+        def make():
+            if not self._is_open:
+                self._open()
+            kind = vtkUnstructuredGrid if self._mesh(0).IsA("vtkUnstructuredGrid") else vtkStructuredGrid
+            info = outputs.GetInformationObject(0)
+            if not (info.Has(vtkDataObject.DATA_OBJECT()) and info.Get(vtkDataObject.DATA_OBJECT()).IsA(kind.__name__)):
+                info.Set(vtkDataObject.DATA_OBJECT(), kind())
+        if self._settings["path"] is None or not self._attempt(make):
+            outputs.GetInformationObject(0).Set(vtkDataObject.DATA_OBJECT(), vtkUnstructuredGrid())
+        return 1
+
+    def RequestInformation(self, request, inputs, outputs):
+        info = outputs.GetInformationObject(0)
+        if self._first is not None and self._first.IsA("vtkStructuredGrid"):
+            info.Set(SDDP.WHOLE_EXTENT(), self._first.GetExtent(), 6)
+        if self._times is not None:
+            times = [float(time) for time in self._times]
+            info.Set(SDDP.TIME_STEPS(), times, len(times))
+            info.Set(SDDP.TIME_RANGE(), [times[0], times[-1]], 2)
+        return 1
+
+    def RequestData(self, request, inputs, outputs):
+        info = outputs.GetInformationObject(0)
+        if not self._is_open:
+            return 0  # RequestDataObject has told why
+        step = 0
+        if self._times is not None and info.Has(SDDP.UPDATE_TIME_STEP()):
+            asked = info.Get(SDDP.UPDATE_TIME_STEP())
+            step = min(range(len(self._times)), key=lambda i: abs(self._times[i] - asked))
+        output = vtkDataObject.GetData(outputs)
+
+        def read():
+            output.ShallowCopy(self._mesh(step))
+            if self._times is not None:
+                output.GetInformation().Set(vtkDataObject.DATA_TIME_STEP(), float(self._times[step]))
+        return self._attempt(read)

@@ -1,0 +1,59 @@
+# SPDX-FileCopyrightText: The Nephoscope authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Reads weather data for ParaView in a process of its own: ``python -m nephoscope.weather.worker``, one request and one answer in JSON a line.
+
+ParaView's own process is no place for eccodes: its libraries and those of ParaView have symbols of the same names, and it crashes.
+"""
+from __future__ import annotations
+
+import json
+import sys
+import warnings
+
+
+class Worker:
+    def __init__(self) -> None:
+        self._dataset = self._level = None
+
+    def open(self, path: str, mesh: str | None, grid: int | None) -> dict:
+        import numpy as np
+
+        import nephoscope
+        from nephoscope.weather.reading import Reading
+        self._dataset = nephoscope.open(path, grid=grid, mesh=mesh)
+        reading = Reading(self._dataset, time=0)
+        self._level = reading.vertical.dim if reading.vertical else None
+        dim = next((dim for dim in reading.times if self._dataset.sizes[dim] > 1), None)
+        times = []
+        if dim is not None:
+            values = self._dataset[dim].values if dim in self._dataset.variables else np.arange(self._dataset.sizes[dim])
+            dates = values.dtype.kind in "mM"
+            times = list(map(float, (values - values[0]) / np.timedelta64(1, "h") if dates else np.arange(len(values))))
+        return {"times": times, "variables": reading.plain_variables()}
+
+    def mesh(self, file: str, step: int | None, levels: list[int], variables: list[str], options: dict) -> dict:
+        dataset = self._dataset
+        if self._level and (levels[0] > 0 or levels[1] < dataset.sizes[self._level] - 1):
+            dataset = dataset.isel({self._level: slice(max(0, levels[0]), levels[1] + 1)})
+        grid = dataset.nephoscope.globe(variables=variables, **({} if step is None else {"time": step}), **options)
+        grid.save(file)
+        return {"kind": grid.GetClassName(), "extent": list(grid.GetExtent()) if hasattr(grid, "GetExtent") else None}
+
+
+def main() -> None:
+    answers, sys.stdout = sys.stdout, sys.stderr
+    worker = Worker()
+    for line in sys.stdin:
+        request = json.loads(line)
+        with warnings.catch_warnings(record=True) as caught:
+            warnings.simplefilter("always")
+            try:
+                answer = getattr(worker, request.pop("do"))(**request)
+            except Exception as problem:  # told in ParaView's window
+                answer = {"error": str(problem)}
+        answer["warnings"] = [str(one.message) for one in caught if one.category in (UserWarning, RuntimeWarning)]
+        print(json.dumps(answer), file=answers, flush=True)
+
+
+if __name__ == "__main__":
+    main()
