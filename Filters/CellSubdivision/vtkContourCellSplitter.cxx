@@ -4,6 +4,7 @@
 
 #include "ChosenPointArray.h"
 #include "ContourScalars.h"
+#include "ContourValueList.h"
 #include "CutNumbering.h"
 #include "OwnThreads.h"
 #include "RequiredInput.h"
@@ -373,6 +374,16 @@ void vtkContourCellSplitter::Warn(
         "The cell array '" << name << "' of the input has been replaced. Rename it to keep it.");
     }
   }
+}
+
+void vtkContourCellSplitter::SetValue(int i, double value)
+{
+  nephoscope::SetContourValue(this->GivenValues(), i, value);
+}
+
+void vtkContourCellSplitter::SetNumberOfContours(int number)
+{
+  nephoscope::SetNumberOfContours(this->GivenValues(), number);
 }
 
 void vtkContourCellSplitter::PrintSelf(ostream& os, vtkIndent indent)

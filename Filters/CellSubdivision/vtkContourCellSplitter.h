@@ -84,11 +84,11 @@ public:
    * default is the single value 0. Without any value all cells stay whole, in layer 0. SetInputArrayToProcess selects the scalar
    * (a point array of one component); the default is the active point scalars.
    */
-  void SetValue(int i, double value) { this->GivenValues()->SetValue(i, value); }
+  void SetValue(int i, double value);
   double GetValue(int i) { return this->ContourValues->GetValue(i); }
   double* GetValues() { return this->ContourValues->GetValues(); }
   void GetValues(double* contourValues) { this->ContourValues->GetValues(contourValues); }
-  void SetNumberOfContours(int number) { this->GivenValues()->SetNumberOfContours(number); }
+  void SetNumberOfContours(int number);
   vtkIdType GetNumberOfContours() { return this->ContourValues->GetNumberOfContours(); }
   ///@}
 

@@ -5,6 +5,7 @@
 #include "ArrayChecks.h"
 #include "BlockNeighbours.h"
 #include "ChosenPointArray.h"
+#include "ContourValueList.h"
 #include "FieldSmoother.h"
 #include "IndexSpaceContour.h"
 #include "OwnThreads.h"
@@ -355,6 +356,16 @@ bool vtkCloudSurface::FindValues(std::vector<double>& values, std::vector<int>& 
     }
   }
   return true;
+}
+
+void vtkCloudSurface::SetValue(int i, double value)
+{
+  nephoscope::SetContourValue(this->GivenValues(), i, value);
+}
+
+void vtkCloudSurface::SetNumberOfContours(int number)
+{
+  nephoscope::SetNumberOfContours(this->GivenValues(), number);
 }
 
 void vtkCloudSurface::PrintSelf(ostream& os, vtkIndent indent)

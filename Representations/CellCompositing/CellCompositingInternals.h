@@ -28,8 +28,9 @@ struct vtkCellCompositingMapper::vtkInternals
   nephoscope::CellScene::Versions Uploaded;
   std::int64_t UploadedContours = -1, UploadedPolygons = -1;
   nephoscope::ScalarSelection Contoured; // array of the contours, if not the coloured one
+  bool HasContours = true; // there is an array for them
   bool WarnedOfUnprojected = false;
-  nephoscope::ReportedError LastError, LastWarning, RayWarning, PolygonWarnings[2];
+  nephoscope::ReportedError LastError, LastWarning, RayWarning, ContourWarning, PolygonWarnings[2];
   bool OneColor = false; // of the medium in the last render
   bool Peeled = false;   // the last render drew between translucent surfaces
   bool RaysAreWrong = false; // on the window's OpenGL

@@ -155,10 +155,7 @@ std::string vtkCellCompositingMapper::UpdateGeometry(
   vtkDataArray* layers = nullptr;
   if (error.empty())
   {
-    error = this->SelectContours(input, this->Internals->Contoured);
-  }
-  if (error.empty())
-  {
+    this->WarnAboutContours(this->SelectContours(input, scalars, this->Internals->Contoured));
     error = this->SelectLayers(input, layers);
   }
   if (!error.empty())
@@ -218,7 +215,8 @@ std::string vtkCellCompositingMapper::DrawScene(
   bool ready = true;
   withThreads([&]() {
     scene.UpdatePolygons(this->Internals->Scalars, *this->Contours, property);
-    scene.UpdateTransferFunction(property, *this->Contours, this->GetDataSetInput(), this->Internals->Contoured);
+    scene.UpdateTransferFunction(property, this->Internals->HasContours ? *this->Contours : this->Contours->WithoutSurfaces(),
+      this->GetDataSetInput(), this->Internals->Contoured);
     this->Internals->OneColor = scene.HasOneColor();
     ready = this->UpdateOrder(state.EyeModel.data(), progress.Part(0, 0.9));
     if (ready)

@@ -234,8 +234,10 @@ public:
 
   ///@{
   /**
-   * Name of the point array to contour: for example for isotherms in clouds. Empty (default): the coloured array. A cell array
-   * has one value in each cell and no surface inside: with a coloured cell array and no name here, none is drawn.
+   * Name of the point array to contour: for example for isotherms in clouds. Empty (default): the coloured array; of a vector,
+   * what it is coloured by, a component or the magnitude. A cell array
+   * has one value in each cell and no surface inside: with a coloured cell array and no name here, or without such a
+   * point array, none is drawn, with a warning.
    */
   void SetContourArrayName(const std::string& name);
   std::string GetContourArrayName();
@@ -397,12 +399,14 @@ private:
   bool UsesRays() const;
   bool NeedsNoOrder() const;
   std::string UpdateGeometry(vtkDataSet* input, vtkVolume* volume, const nephoscope::Progress& progress);
-  std::string SelectContours(vtkDataSet* input, nephoscope::ScalarSelection& contoured);
+  std::string SelectContours(
+    vtkDataSet* input, const nephoscope::ScalarSelection& scalars, nephoscope::ScalarSelection& contoured);
   std::string SelectLayers(vtkDataSet* input, vtkDataArray*& layers);
   bool CheckContour(int i);
   void PrintContours(ostream& os, vtkIndent indent);
   void WarnAboutGeometry(vtkDataSet* input, const nephoscope::CellGeometry& geometry,
     const nephoscope::ScalarSelection& scalars, const nephoscope::ScalarSelection& opacity);
+  void WarnAboutContours(const std::string& reason);
   void WarnAboutPolygons();
   std::string DrawScene(vtkOpenGLRenderWindow* window, vtkRenderer* renderer, vtkVolume* volume,
     const nephoscope::Progress& progress);

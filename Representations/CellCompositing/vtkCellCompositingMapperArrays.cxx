@@ -33,13 +33,20 @@ using nephoscope::CellGeometry;
 using nephoscope::checkLength;
 using nephoscope::ScalarSelection;
 
-std::string vtkCellCompositingMapper::SelectContours(vtkDataSet* input, ScalarSelection& contoured)
+std::string vtkCellCompositingMapper::SelectContours(
+  vtkDataSet* input, const ScalarSelection& scalars, ScalarSelection& contoured)
 {
   contoured = {};
   const std::string& name = this->Contours->ArrayName;
-  if (this->Contours->Surfaces.empty() || name.empty())
+  if (this->Contours->Surfaces.empty())
   {
     return std::string();
+  }
+  if (name.empty())
+  {
+    return scalars.OnCells && this->Contours->DrawsSurfaces() && !this->Contours->LayersFromContours ? "The coloured array is a cell array, which has no contour surfaces inside its cells: apply Cell Data to Point "
+                             "Data, or choose a point array to contour. Point arrays: " + arrayNames(input->GetPointData()) + "."
+                           : std::string();
   }
   contoured.Array = input->GetPointData()->GetArray(name.c_str());
   if (!contoured.Array)
@@ -138,6 +145,15 @@ void vtkCellCompositingMapper::WarnAboutGeometry(
     const std::string which = count == 1 ? "the only cell is hidden or has no volume."
                                          : "of " + std::to_string(count) + " cells, all are hidden or have no volume.";
     vtkWarningMacro(<< "Nothing is drawn: " << which);
+  }
+}
+
+void vtkCellCompositingMapper::WarnAboutContours(const std::string& reason)
+{
+  this->Internals->HasContours = reason.empty();
+  if (this->Internals->ContourWarning.IsNew(reason))
+  {
+    vtkWarningMacro(<< "Contour surfaces are not drawn. " << reason);
   }
 }
 

@@ -87,6 +87,15 @@ class Pipeline(unittest.TestCase):
         places = lambda out: sorted(tuple(sorted(map(tuple, out.points[ids]))) for ids in out.ids)
         self.assertEqual(places(Cells(split(data, [0.2, 0.4]))), places(Cells(split(meshes.renumbered(data, rng), [0.2, 0.4]))))
 
+    def test_values_that_were_not_given_are_zero(self):
+        filter_ = nephoscope.vtkContourCellSplitter()
+        for i in range(4):
+            filter_.SetValue(i, 5.0)
+        filter_.SetNumberOfContours(1)
+        filter_.SetNumberOfContours(3)
+        filter_.SetValue(5, 2.0)
+        self.assertEqual([filter_.GetValue(i) for i in range(filter_.GetNumberOfContours())], [5, 0, 0, 0, 0, 2])
+
     def test_abort_gives_nothing(self):
         def abort(made):
             made.AddObserver("ProgressEvent", lambda caller, _: caller.SetAbortExecute(1))

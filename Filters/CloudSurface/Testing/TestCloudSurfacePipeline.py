@@ -76,6 +76,15 @@ class Running(unittest.TestCase):
         self.assertEqual(corners(out.GetBlock(0)), corners(cg.surface(blob_globe(), [0.5], 1)))
         self.assertEqual(corners(out.GetBlock(2)), corners(cg.surface(rectilinear(), [0.5], 1)))
 
+    def test_values_that_were_not_given_are_zero(self):
+        filter_ = nephoscope.vtkCloudSurface()
+        for i in range(4):
+            filter_.SetValue(i, 5.0)
+        filter_.SetNumberOfContours(1)
+        filter_.SetNumberOfContours(3)
+        filter_.SetValue(5, 2.0)
+        self.assertEqual([filter_.GetValue(i) for i in range(filter_.GetNumberOfContours())], [5, 0, 0, 0, 0, 2])
+
     def test_abort_gives_nothing(self):
         """At the first event, and at a late one."""
         for event in (1, 5):

@@ -9,6 +9,7 @@
 #include "vtkSmartPointer.h"
 #include "vtkVolumeProperty.h"
 
+#include <algorithm>
 #include <array>
 #include <map>
 #include <string>
@@ -50,6 +51,18 @@ struct ContourSettings
   Surface& ChangePolygon(int contour)
   {
     return contour < 0 ? this->Polygon : this->PolygonsOfContour.emplace(contour, this->Polygon).first->second;
+  }
+
+  bool DrawsSurfaces() const
+  {
+    return std::any_of(this->Surfaces.begin(), this->Surfaces.end(), [](const Surface& s) { return s.Opacity > 0.0; });
+  }
+
+  ContourSettings WithoutSurfaces() const
+  {
+    ContourSettings settings(*this);
+    settings.Surfaces.clear();
+    return settings;
   }
 
   bool LayersAreUsed() const
