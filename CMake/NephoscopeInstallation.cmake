@@ -13,6 +13,13 @@ list(REMOVE_DUPLICATES nephoscope_vtk_modules)
 list(TRANSFORM nephoscope_vtk_modules REPLACE "^VTK::" "")
 list(JOIN nephoscope_vtk_modules " " nephoscope_vtk_modules)
 
+# The components of find_package that a message lists: our modules but those for ParaView, which need its targets besides VTK's.
+set(nephoscope_component_names ${nephoscope_modules})
+list(FILTER nephoscope_component_names EXCLUDE REGEX "^Nephoscope::ParaView")
+list(TRANSFORM nephoscope_component_names REPLACE "^Nephoscope::" "")
+list(SORT nephoscope_component_names)
+list(JOIN nephoscope_component_names ", " nephoscope_component_names)
+
 configure_package_config_file("${CMAKE_CURRENT_LIST_DIR}/NephoscopeConfig.cmake.in" "${nephoscope_config}"
   INSTALL_DESTINATION "${nephoscope_cmake_destination}")
 write_basic_package_version_file("${nephoscope_config_version}" COMPATIBILITY SameMinorVersion)

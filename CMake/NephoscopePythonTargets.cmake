@@ -62,15 +62,18 @@ function (nephoscope_copy_python_exports folder copies)
 endfunction ()
 
 # Imports the Python modules of the CMake package in `folder` where some have been renamed.
-macro (nephoscope_import_python_targets folder)
-  nephoscope_copy_python_exports("${folder}" nephoscope_copies)
+# A function, so that a find_package that calls it keeps its own variables.
+function (nephoscope_import_python_targets folder)
+  nephoscope_copy_python_exports("${folder}" copies)
+  set(quiet "${${CMAKE_FIND_PACKAGE_NAME}_FIND_QUIETLY}")
   set(CMAKE_FIND_PACKAGE_NAME NephoscopePythonTargets) # the export files tell it what they miss
-  foreach (nephoscope_copy IN LISTS nephoscope_copies)
-    message(STATUS "Nephoscope: Python modules by the names they have: ${nephoscope_copy}")
-    include("${nephoscope_copy}")
+  foreach (copy IN LISTS copies)
+    if (NOT quiet)
+      message(STATUS "Nephoscope: Python modules by the names they have: ${copy}")
+    endif ()
+    include("${copy}")
   endforeach ()
-  unset(CMAKE_FIND_PACKAGE_NAME)
-endmacro ()
+endfunction ()
 
 # Sets `folder` to that of the package which find_package would take, without loading it: asked for a version that there is not,
 # find_package tells what it considered.

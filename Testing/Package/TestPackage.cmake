@@ -1,7 +1,8 @@
 # SPDX-FileCopyrightText: The Nephoscope authors
 # SPDX-License-Identifier: BSD-3-Clause
-# cmake -DBUILD=... -DFOLDER=... -DCOMPILER=... -DGENERATOR=... -P TestPackage.cmake
-# Installs BUILD below FOLDER, moves that, builds the example with it and runs it: its picture must show something.
+# cmake -DBUILD=... -DFOLDER=... -DCOMPILER=... -DGENERATOR=... -DVTK_DIR=... -P TestPackage.cmake
+# Installs BUILD below FOLDER, moves that, configures `components` with it, and builds and runs the example: its picture must show something.
+# Before, it configures `within`, which adds the sources to another project.
 function (run)
   execute_process(COMMAND ${ARGN} WORKING_DIRECTORY "${FOLDER}" RESULT_VARIABLE status OUTPUT_VARIABLE said ERROR_VARIABLE said)
   if (status)
@@ -22,8 +23,12 @@ file(REMOVE_RECURSE "${FOLDER}")
 file(MAKE_DIRECTORY "${FOLDER}")
 run("${CMAKE_COMMAND}" --install "${BUILD}" --prefix "${FOLDER}/first place" --strip)
 file(RENAME "${FOLDER}/first place" "${FOLDER}/prefix")
-run("${CMAKE_COMMAND}" -G "${GENERATOR}" -S "${CMAKE_CURRENT_LIST_DIR}/example" -B example -DCMAKE_BUILD_TYPE=Release
-  "-DCMAKE_CXX_COMPILER=${COMPILER}" "-DCMAKE_PREFIX_PATH=${FOLDER}/prefix")
+function (configure project)
+  run("${CMAKE_COMMAND}" -G "${GENERATOR}" -S "${CMAKE_CURRENT_LIST_DIR}/${project}" -B "${project}" "-DCMAKE_CXX_COMPILER=${COMPILER}" ${ARGN})
+endfunction ()
+configure(within "-DVTK_DIR=${VTK_DIR}")
+configure(components "-DCMAKE_PREFIX_PATH=${FOLDER}/prefix")
+configure(example "-DCMAKE_PREFIX_PATH=${FOLDER}/prefix" -DCMAKE_BUILD_TYPE=Release)
 run("${CMAKE_COMMAND}" --build example)
 run(example/clouds)
 file(SIZE "${FOLDER}/clouds.png" size)
