@@ -290,21 +290,22 @@ E
   cat >"$package/FakePython-targets-debug.cmake" <<'E'
 set(prefix "${_IMPORT_PREFIX}")
 set(locations "${_IMPORT_PREFIX}/lib/python3/dist-packages/fake/plain.so" "${_IMPORT_PREFIX}/lib/python3/dist-packages/fake/renamed.so")
+message("prefix ${prefix}, locations ${locations}")
 E
   cat >"$WORK/import.cmake" <<E
 set(PROJECT_BINARY_DIR "$WORK/build")
 include("$TOP/CMake/NephoscopePythonTargets.cmake")
 nephoscope_import_python_targets("$package")
-message("prefix \${prefix}, locations \${locations}")
+message("prefix of the caller: '\${prefix}'")
 E
   run cmake -P "$WORK/import.cmake"
   expect "success" [ $STATUS -eq 0 ]
   expect "the folder that the original speaks of" contains "$ERR" "prefix $package,"
   expect "the renamed module" contains "$ERR" ";$modules/renamed.cpython-313-x86_64-linux-gnu.so"
   expect "the other as it is" contains "$ERR" "locations $package/lib/python3/dist-packages/fake/plain.so;"
+  expect "a scope of its own" contains "$ERR" "prefix of the caller: ''"
   mv "$modules/renamed.cpython-313-x86_64-linux-gnu.so" "$modules/renamed.so"
   run cmake -P "$WORK/import.cmake"
-  expect "no copy where nothing is renamed" contains "$ERR" "prefix , locations "
   expect "no copy where nothing is renamed" lacks "$ERR" "plain.so"
 }
 
