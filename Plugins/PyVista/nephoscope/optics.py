@@ -17,8 +17,7 @@ _NAMES = {"Set TotalWaterArrayName, or LiquidArrayName and IceArrayName": "Name 
           "LiquidArrayName": "liquid", "IceArrayName": "ice", "RainArrayName": "rain", "SnowArrayName": "snow", "TemperatureArrayName": "temperature",
           "PressureArrayName": "pressure", "CloudFractionArrayName": "cloud_fraction", "LandArrayName": "land", "HeightArrayName": "height",
           "WaterUnits": "units", "put the fields through Globe Grid": "put the fields through to_globe"}
-UNITS = {"automatic": vtkCloudOptics.AUTOMATIC, "kg/kg": vtkCloudOptics.MIXING_RATIO, "g/kg": vtkCloudOptics.MIXING_RATIO_GRAMS,
-         "kg/m3": vtkCloudOptics.CONTENT, "g/m3": vtkCloudOptics.CONTENT_GRAMS}
+UNITS = {"automatic": "AUTOMATIC", "kg/kg": "MIXING_RATIO", "g/kg": "MIXING_RATIO_GRAMS", "kg/m3": "CONTENT", "g/m3": "CONTENT_GRAMS"}
 
 
 def cloud_optics(mesh: pyvista.DataSet, water: str = "", *, liquid: str = "", ice: str = "", rain: str = "", snow: str = "",
@@ -84,7 +83,7 @@ def cloud_optics(mesh: pyvista.DataSet, water: str = "", *, liquid: str = "", ic
     optics.SetCloudFractionArrayName(cloud_fraction)
     optics.SetLandArrayName(land)
     optics.SetHeightArrayName(height)
-    choose({name: lambda value=value: optics.SetWaterUnits(value) for name, value in UNITS.items()}, units, "units")
+    choose({name: lambda value=value: optics.SetWaterUnits(getattr(vtkCloudOptics, value)) for name, value in UNITS.items()}, units, "units")
     if liquid_radius is not None:
         optics.SetLiquidRadiusType(optics.CONSTANT)
         optics.SetLiquidRadius(require_number(liquid_radius, "liquid_radius", least=1, most=1e4))
