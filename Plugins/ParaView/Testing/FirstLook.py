@@ -238,12 +238,12 @@ def check_vectors():
     mapper.SelectScalarArray("RTData")
     mapper.SetVectorArrayName("v")
     mapper.SuitVectorsToMedium()
-    found = settings_of(display, "VectorOpacity", "VectorShare", "UseVectorColor")
+    found = settings_of(display, "VectorOpacity", "VectorFraction", "UseVectorColor")
     expected = [mapper.GetVectorOpacity(), mapper.GetVectorShare(), 1]
     check(expected[1] < 0.9 and all(math.isclose(a, b, rel_tol=0.01) for a, b in zip(found, expected)), f"vectors: {found}, in Python {expected}")
     display.TexturedSplatsVectorOpacity, display.TexturedSplatsVectorShare, display.TexturedSplatsUseVectorColor = 1.5, 1, 0
     check(abs(image(view) - suited).mean() > 0.5, "vectors look the same whatever is set")
-    check(settings_of(display, "VectorOpacity", "VectorShare", "UseVectorColor") == [1.5, 1, 0], "what is set does not stay")
+    check(settings_of(display, "VectorOpacity", "VectorFraction", "UseVectorColor") == [1.5, 1, 0], "what is set does not stay")
     pvs.Delete(view)
 
 
