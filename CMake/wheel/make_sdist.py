@@ -14,7 +14,7 @@ import tarfile
 from pathlib import Path
 
 TOP = Path(__file__).resolve().parents[2]
-LEFT_OUT = re.compile(r"(^|/)(Testing|Figures|Gallery)/|^(Data|Documentation|[.].*)/|^nephoscope$|^[.]")
+LEFT_OUT = re.compile(r"(^|/)(Testing|Figures|Gallery)/|^(Data(?!/(gfs_2p5deg_2011101100[.]nc|blue_marble_2048[.]jpg)$)|Documentation|[.].*)/|^nephoscope$|^[.]")
 TIME = 315532800  # 1980, as in the wheel: the same content makes the same file
 
 

@@ -11,7 +11,7 @@ TOP = pathlib.Path(__file__).resolve().parents[2]
 PACKAGE = TOP / "Plugins/PyVista/nephoscope"
 GROUPS = {  # title: (page, what the names of its functions begin with, introduction)
     "Functions for plotters": ("plotters", ("add_", "animate"), "They draw in a ``pyvista.Plotter`` and return what they have added."),
-    "Files": ("files", ("open", "read_", "write_", "cf_"), "Readers and writers."),
+    "Files": ("files", ("open", "read_", "write_", "cf_", "sample_"), "Readers and writers, and data to begin with."),
     "In the browser": ("browser", ("serve", "viewer"), "They draw here and send pictures to a page; :doc:`how </Documentation/web>`."),
     "VTK's mappers": ("override", ("override_",), "They need VTK alone, not PyVista."),
     "Filters": ("filters", ("",), "They take a mesh and return one. Most are methods of meshes too: "

@@ -45,6 +45,12 @@ class Wheel(unittest.TestCase):
         self.assertEqual(set(metadata.get_all("License-File")), licences)
         self.assertEqual((PACKAGE.parent / licence).read_text(), (TOP / "LICENSE").read_text())
 
+    def test_sample_data_are_in_it_and_it_stays_small(self):
+        for name in ("gfs_2p5deg_2011101100.nc", "blue_marble_2048.jpg"):
+            self.assertEqual((PACKAGE / "data" / name).read_bytes(), (TOP / "Data" / name).read_bytes())
+            self.assertEqual(nephoscope.sample_data(name), str(PACKAGE.resolve() / "data" / name))
+        self.assertLess(Path(os.environ["WHEEL"]).stat().st_size, 25e6)
+
     def test_pip_finds_nothing_missing(self):
         self.assertIn("No broken requirements", output(sys.executable, "-m", "pip", "check"))
 

@@ -4,7 +4,9 @@
 import hashlib
 import os
 import re
+import subprocess
 import sys
+import tarfile
 import tempfile
 import unittest
 from pathlib import Path
@@ -159,6 +161,19 @@ class Rewriting(unittest.TestCase):
         (self.folder / "vtk-config.cmake").write_text("")
         with self.assertRaisesRegex(SystemExit, "vtk-config.cmake is not as expected"):
             self.package().rewrite("3.13", [])
+
+
+class SourceDistribution(unittest.TestCase):
+    def test_sample_data_are_in_it(self):
+        """All of Data that the build installs, and no more."""
+        installed = set(re.findall(r"[\w.]+[.](?:nc|jpg)", (TOP / "CMake/NephoscopeData.cmake").read_text()))
+        self.assertEqual(len(installed), 2)
+        tree = [path.relative_to(TOP).as_posix() for path in [*TOP.glob("Data/*"), *TOP.glob("Data/scripts/*"), TOP / "CMakeLists.txt"] if path.is_file()]
+        with tempfile.TemporaryDirectory() as folder:
+            done = subprocess.run([sys.executable, TOP / "CMake/wheel/make_sdist.py", "--output", folder], input="\0".join(tree), check=True, capture_output=True, text=True)
+            with tarfile.open(done.stdout.strip()) as archive:
+                packed = {name.split("/", 1)[1] for name in archive.getnames()}
+        self.assertEqual(packed, {"CMakeLists.txt", "pyproject.toml", "PKG-INFO", *(f"Data/{name}" for name in installed)})
 
 
 class Symbols(unittest.TestCase):

@@ -15,7 +15,8 @@ import nephoscope
 assert len(nephoscope.__all__) >= 2, nephoscope.__all__
 objects = [getattr(nephoscope, name)() for name in nephoscope.__all__ if name.startswith('vtk')]
 mapped = {line.split()[-1] for line in open('/proc/self/maps') if 'ephoscope' in line and '/preload/' not in line}
-print(nephoscope.__file__, *mapped)
+samples = [nephoscope.sample_data(name) for name in ('gfs_2p5deg_2011101100.nc', 'blue_marble_2048.jpg')]
+print(nephoscope.__file__, *mapped, *samples)
 """
 
 
@@ -35,6 +36,7 @@ class Installation(unittest.TestCase):
     def check_import(self, interpreter, **environment):
         for path in self.run_clean(interpreter, "-c", CHECK, **environment).split():
             self.assertTrue(Path(path).is_relative_to(self.folder), f"{path} is not below {self.folder}")
+            self.assertTrue(Path(path).is_file(), path)
 
     def test_install_tree(self):
         self.run_clean(CMAKE, "--install", BUILD, "--prefix", self.folder / "prefix")

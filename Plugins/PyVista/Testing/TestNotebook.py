@@ -49,23 +49,17 @@ def answers(address):
 class Notebook(unittest.TestCase):
     def setUp(self):
         self.folder = Path(self.enterContext(tempfile.TemporaryDirectory(ignore_cleanup_errors=True)))
-        (self.folder / "Data").symlink_to(TOP / "Data")
         (self.folder / "examples").mkdir()
         self.copy = self.folder / "examples" / NOTEBOOK.name
         shutil.copy(NOTEBOOK, self.copy)
 
     def expected(self, size):
         """The snippet's picture, drawn off screen."""
-        here = os.getcwd()
-        os.chdir(self.folder)
-        try:
-            names = {}
-            exec("\n".join(snippet()[:-1]), names)
-            plotter = names["plotter"]
-            plotter.off_screen, plotter.window_size = True, size
-            return np.asarray(plotter.screenshot(), float)
-        finally:
-            os.chdir(here)
+        names = {}
+        exec("\n".join(snippet()[:-1]), names)
+        plotter = names["plotter"]
+        plotter.off_screen, plotter.window_size = True, size
+        return np.asarray(plotter.screenshot(), float)
 
     def test_it_is_the_readme(self):
         self.assertEqual(cell("snippet").splitlines(), [*snippet()[:-1], "plotter.show()"])

@@ -1,6 +1,8 @@
 # SPDX-FileCopyrightText: The Nephoscope authors
 # SPDX-License-Identifier: BSD-3-Clause
 """The package without PyVista: complete, light, and clear about what it lacks."""
+import ast
+import hashlib
 import importlib.metadata
 import importlib.util
 import os
@@ -71,6 +73,21 @@ class Package(unittest.TestCase):
         self.assertIn("nephoscope.add_cells needs PyVista", result.stderr)
         remedy = "-m pip install pyvista" if IN_WHEEL else "--no-deps -r Plugins/PyVista/requirements.txt"
         self.assertIn(remedy, result.stderr)
+
+    def test_sample_data(self):
+        """They need no PyVista, and are the files that Data has checksums of."""
+        sums = dict(line.split()[::-1] for line in Path(os.environ["NEPHOSCOPE_DATA"], "SHA256SUMS").read_text().splitlines())
+        for name in ("gfs_2p5deg_2011101100.nc", "blue_marble_2048.jpg"):
+            result = run(WITHOUT_PYVISTA + f"print(repr(nephoscope.sample_data({name!r})))")
+            self.assertEqual(result.returncode, 0, result.stderr)
+            path = ast.literal_eval(result.stdout)
+            self.assertIsInstance(path, str)
+            self.assertEqual(hashlib.sha256(Path(path).read_bytes()).hexdigest(), sums[name])
+
+    def test_sample_data_of_another_name(self):
+        for name in ("SHA256SUMS", "../copyright", "", None):
+            with self.assertRaisesRegex(ValueError, "^There are no sample data .*[.] There are: 'gfs_2p5deg_2011101100.nc', 'blue_marble_2048.jpg'[.]$"):
+                nephoscope.sample_data(name)
 
     def test_unknown_name_is_an_attribute_error(self):
         with self.assertRaisesRegex(AttributeError, "vtkNoSuchClass"):

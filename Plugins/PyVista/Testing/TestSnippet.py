@@ -29,7 +29,7 @@ def snippets():
 
 
 def run(text):
-    """Run the text in a folder that has Data beside it; the picture, 0 to 1, and the camera it was taken with."""
+    """Run the text in an empty folder; the picture, 0 to 1, and the camera it was taken with."""
     cameras = []
     show = pyvista.Plotter.show
 
@@ -38,7 +38,6 @@ def run(text):
 
     previous = os.getcwd()
     with tempfile.TemporaryDirectory() as folder:
-        os.symlink(DATA, Path(folder) / "Data")
         os.chdir(folder)
         pyvista.OFF_SCREEN, pyvista.Plotter.show = True, show_and_note
         try:

@@ -9,6 +9,7 @@ import re
 import signal
 import subprocess
 import sys
+import tempfile
 import threading
 import unittest
 from pathlib import Path
@@ -29,21 +30,24 @@ FORECAST = Path(os.environ["NEPHOSCOPE_DATA"], "forecast_10deg_6h.nc")
 OUTPUT = Path(os.environ["NEPHOSCOPE_TEST_OUTPUT"])
 SIZE = (900, 600)
 VIEW = "(() => { const r = document.querySelector('img').getBoundingClientRect(); return [r.x, r.y, r.width, r.height] })()"
+SCROLLED = "(e => [getComputedStyle(e).overflowY, e.scrollHeight])(document.documentElement)"
 PLACE = """(() => { const r = [...document.querySelectorAll('%s')].find(e => e.offsetWidth && e.innerText.includes('%s'))?.getBoundingClientRect();
            return r?.width ? [r.x + r.width / 2, r.y + r.height / 2] : null })()"""
 
 
 class Server:
-    """A context: a Python program that serves, its address, and what it says on standard error."""
+    """A context: a Python program that serves, its address, what it told, and what it says on standard error."""
 
-    def __init__(self, *arguments):
-        self.process = subprocess.Popen([sys.executable, *map(str, arguments)], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
-        self.errors = []
+    def __init__(self, *arguments, **environment):
+        self.process = subprocess.Popen([sys.executable, *map(str, arguments)], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True,
+                                        env={**os.environ, **environment})
+        self.told, self.errors = [], []
         self.listener = threading.Thread(target=lambda: self.errors.extend(self.process.stderr), daemon=True)
         self.listener.start()
 
     def __enter__(self):
         for line in self.process.stdout:
+            self.told.append(line)
             found = re.search(r"http://127\.0\.0\.1:\d+/", line)
             if found:
                 self.address = found[0]
@@ -54,6 +58,7 @@ class Server:
         self.process.send_signal(signal.SIGINT)
         self.process.wait(60)
         self.listener.join()
+        self.told.extend(self.process.stdout)
         self.process.stdout.close()
         self.process.stderr.close()
 
@@ -140,6 +145,14 @@ class Viewer(PageTestCase):
                 self.shows(self.browser, self.off_screen(query), f"TestViewerPage-link-{number}")
                 self.assertEqual(from_query(self.link(), View()), from_query(query, View()))
 
+    def test_page_is_as_high_as_its_window(self):
+        """All of the picture is seen, and there is no scroll bar."""
+        for width, height in ((1200, 800), (900, 450)):
+            self.browser.call("Emulation.setDeviceMetricsOverride", width=width, height=height, deviceScaleFactor=1, mobile=False)
+            self.open("")
+            wait_for(lambda: self.browser.run(VIEW) == [300, 0, width - 300, height], f"{width} x {height}: {self.browser.run(VIEW)}", 20)
+            self.assertEqual(self.browser.run(SCROLLED), ["auto", height])
+
     def test_side_bar(self):
         self.open("?field=cloud_fraction&technique=cells&time=0&exaggeration=30&opacity=1&terrain=1&preset=&camera=")
         self.choose("Technique", "Splats")
@@ -201,6 +214,16 @@ def scene(**options):
             self.shows(browser, lambda size: names["scene"](window_size=size).screenshot(), "TestViewerPage-serve")
             self.assertEqual(browser.run("document.title"), "Nephoscope")
         self.assertEqual((server.process.returncode, server.errors), (0, []))
+
+    def test_browser_is_opened_and_nothing_else_is_told(self):
+        folder = Path(self.enterContext(tempfile.TemporaryDirectory()))
+        opener = folder / "opener"
+        opener.write_text('#!/bin/sh\necho "$1" > "$0.part"\nmv "$0.part" "$0.url"\n')
+        opener.chmod(0o755)
+        with Server("-m", "nephoscope.viewing", FORECAST, "--port", "0", BROWSER=f"{opener} %s &") as server:
+            wait_for((folder / "opener.url").is_file, "no browser is opened", 60)
+        self.assertEqual((folder / "opener.url").read_text(), f"{server.address}\n")
+        self.assertEqual((server.told, server.errors), ([f"Nephoscope: {server.address} (Ctrl-C ends it)\n"], []))
 
     def test_port_in_use(self):
         with Server("-c", self.CODE + "nephoscope.serve(scene(), port=0, open_browser=False)") as server:

@@ -125,12 +125,13 @@ class Command(unittest.TestCase):
         return subprocess.run([sys.executable, "-c", code, *map(str, arguments)], capture_output=True, text=True)
 
     def test_without_trame(self):
-        hidden = ("import sys, importlib.util as u; find = u.find_spec\n"
-                  "u.find_spec = lambda name, *rest: None if name == 'trame' else find(name, *rest)\n"
-                  "from nephoscope.viewing import main; sys.exit(main())")
-        done = self.run_with(FORECAST, code=hidden)
-        self.assertEqual(done.returncode, 1)
-        self.assertRegex(done.stderr, r"^nephoscope-viewer: Pictures in the browser need .*trame.* Run: \S+ -m pip install .*\n$")
+        for wheel, what in (True, "'nephoscope\\[web\\]'"), (False, "-r Plugins/PyVista/requirements-web.txt"):
+            hidden = ("import sys, importlib.util as u; find = u.find_spec\n"
+                      "u.find_spec = lambda name, *rest: None if name == 'trame' else find(name, *rest)\n"
+                      f"from nephoscope import _modules, viewing; _modules.FROM_PYPI = {wheel}; sys.exit(viewing.main())")
+            done = self.run_with(FORECAST, code=hidden)
+            self.assertEqual(done.returncode, 1)
+            self.assertRegex(done.stderr, rf"^nephoscope-viewer: Pictures in the browser need .*trame.* Run: \S+ -m pip install {what}\n$")
 
     def test_help_names_every_item(self):
         told = self.run_with("--help").stdout

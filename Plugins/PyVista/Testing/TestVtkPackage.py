@@ -90,6 +90,14 @@ class VtkPackage(unittest.TestCase):
         self.assertIn("since the environment variable PYVISTA_VTK_BACKEND says so",
                       self.run_code("import pyvista, nephoscope", PYVISTA_VTK_BACKEND="cvista"))
 
+    def test_no_sample_data(self):
+        self.vtk("9.6.2")
+        answer = self.run_code("import nephoscope\nnephoscope.sample_data('blue_marble_2048.jpg')")
+        self.assertIn("FileNotFoundError: The sample data blue_marble_2048.jpg are not installed: neither in ", answer)
+        self.write("site/nephoscope/data/blue_marble_2048.jpg")
+        answer = self.run_code("import nephoscope\nprint(nephoscope.sample_data('blue_marble_2048.jpg'))")
+        self.assertEqual(answer, f"{self.folder.resolve()}/site/nephoscope/data/blue_marble_2048.jpg\n")
+
     def test_no_pyvista(self):
         self.vtk("9.6.2")
         answer = self.run_code("import nephoscope\nnephoscope.add_cells")

@@ -28,6 +28,7 @@ if _TYPE_CHECKING:
     from .override import override_vtk
     from .polyhedra import divide_polyhedra
     from .reader import cf_times, read_cf
+    from .samples import sample_data
     from .serving import serve
     from .smoke import flow_volume, smoke_puffs
     from .smoke_drawing import add_smoke
@@ -40,7 +41,7 @@ if _TYPE_CHECKING:
     from .weather.opening import open  # noqa: A004
     from .weather.series import animate
 
-VTK_FUNCTIONS = {"override_vtk": "override"}  # those that need VTK alone
+VTK_FUNCTIONS = {"override_vtk": "override", "sample_data": "samples"}  # those that need VTK alone
 
 # Function -> the file of its technique. A new technique adds its line here and its method in accessor.py.
 PYVISTA_FUNCTIONS = {

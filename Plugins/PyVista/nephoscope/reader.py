@@ -69,7 +69,7 @@ def read_cf(path: str | Path, *, dimensions: str | Sequence[str] | None = None, 
 
     Examples
     --------
-    >>> weather = nephoscope.read_cf("Data/gfs_2p5deg_2011101100.nc")  # doctest: +SKIP
+    >>> weather = nephoscope.read_cf(nephoscope.sample_data("gfs_2p5deg_2011101100.nc"))  # doctest: +SKIP
     """
     reader, path = _opened(path)
     shape = _shape(reader, path, dimensions)

@@ -7,6 +7,7 @@ import asyncio
 import importlib.util
 import logging
 import sys
+import webbrowser
 from typing import Any
 
 import pyvista
@@ -59,7 +60,7 @@ def require_packages() -> None:
     """ModuleNotFoundError with the line that installs what is missing."""
     missing = [name for name in PACKAGES if importlib.util.find_spec(name) is None]
     if missing:
-        what = "'trame>=3' trame-vtk trame-vuetify" if _modules.FROM_PYPI else "-r Plugins/PyVista/requirements-web.txt"
+        what = "'nephoscope[web]'" if _modules.FROM_PYPI else "-r Plugins/PyVista/requirements-web.txt"
         raise ModuleNotFoundError(f"Pictures in the browser need {', '.join(missing)}, not installed for {sys.executable}. "
                                   f"Run: {sys.executable} -m pip install {what}", name=missing[0])
 
@@ -77,11 +78,13 @@ def make_server(name: str) -> Any:
 
 def add_view(plotter: pyvista.Plotter, **options: Any) -> Any:
     """The view of a plotter, in the layout that is being made."""
+    from trame.widgets import client
     from trame.widgets.vtk import VtkRemoteView  # PyVista's own has another name in 0.49
     for renderer in plotter.renderers:
         if not renderer.camera.is_set:
             renderer.camera_position = renderer.get_default_cam_pos()
             renderer.ResetCamera()
+    client.Style("html { overflow-y: auto }")  # Vuetify's pages have a scroll bar even where all is seen
     view = VtkRemoteView(plotter.render_window, interactive_ratio=1, **options)
     view.server.controller.on_server_ready.add(view.update)
     plotter.add_on_render_callback(lambda *_: view.update() if view.server.running else None, render_event=False)
@@ -94,14 +97,17 @@ def run(server: Any, port: int, host: str, open_browser: bool) -> None:
 
     @server.controller.add("on_server_ready")
     def say(**_: Any) -> None:
-        print(f"Nephoscope: http://{host}:{server.port}/ (Ctrl-C ends it)", flush=True)
+        address = f"http://{host}:{server.port}/"
+        print(f"Nephoscope: {address} (Ctrl-C ends it)", flush=True)
+        if open_browser:  # trame would name an option that is not ours
+            asyncio.get_running_loop().call_later(0.1, webbrowser.open, address)
 
     for name in ("wslink", "aiohttp.server"):  # they report browsers that leave while a picture is drawn
         logging.getLogger(name).setLevel(logging.CRITICAL)
     logging.getLogger("asyncio").addFilter(lambda record: not (record.exc_info and isinstance(record.exc_info[1], ConnectionError)))
     arguments, sys.argv = sys.argv, sys.argv[:1]  # trame reads them too
     try:
-        server.start(port=port, host=host, open_browser=open_browser, show_connection_info=False, disable_logging=True, timeout=0, exec_mode="main")
+        server.start(port=port, host=host, open_browser=False, show_connection_info=False, disable_logging=True, timeout=0, exec_mode="main")
     except OSError as error:
         raise OSError(f"Port {port} of {host} cannot be used: {error.strerror or error}. Choose another one, 0 for any that is free.") from error
     except KeyboardInterrupt:
