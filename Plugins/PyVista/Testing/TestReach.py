@@ -49,6 +49,8 @@ NAMES_IN_PARAVIEW = {
     ("vtkHaze", "Background"): "HazeBackground", ("vtkHaze", "Color"): "HazeColor", ("vtkHaze", "Visibility"): "VisualRange",
     ("vtkGlobeGrid", "SurfaceConnection"): "InputConnection", ("vtkTextureCoordinateAdvection", "PointsConnection"): "InputConnection",
 }
+NAMES_IN_PARAVIEW.update({("vtkTexturedSplatMapper", "MaximumSpeed"): "GreatestSpeed", ("vtkTexturedSplatMapper", "VectorFraction"): "VectorShare"})
+DEPRECATED = {"GreatestSpeed", "VectorShare"}  # earlier names of properties that are reached by their new ones
 # Where a host does not reach a property: why.
 DATA = "how data come in is the host's: connections in ParaView, arguments in PyVista"
 SHORTER = "a setter of several properties at once, which are there one by one"
@@ -96,7 +98,7 @@ EXCEPTIONS = {
 def properties(name):
     """Own ones of a class: SetX, without those of SetXToY, of the pipeline and of another class in the list."""
     own = [method[3:] for one in getattr(nephoscope, name).__mro__ if one.__name__ in dir(nephoscope) and (one.__name__ == name or one.__name__ not in CLASSES)
-           for method in vars(one) if method.startswith("Set")]
+           for method in vars(one) if method.startswith("Set") and method[3:] not in DEPRECATED]
     return sorted({one for one in own if not any(one != other and one.startswith(other + "To") for other in own)})
 
 
