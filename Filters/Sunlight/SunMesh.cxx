@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SunMesh.h"
 
+#include "Vector3.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -13,16 +15,6 @@ namespace nephoscope
 namespace
 {
 using Place = SunMesh::Place;
-
-Place cross(const Place& a, const Place& b)
-{
-  return { a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0] };
-}
-
-double dot(const Place& a, const Place& b)
-{
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
 
 struct Face
 {

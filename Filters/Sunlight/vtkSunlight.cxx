@@ -5,6 +5,7 @@
 #include "LitData.h"
 #include "PhaseFunction.h"
 #include "SolarPosition.h"
+#include "Vector3.h"
 
 #include "vtkCellData.h"
 #include "vtkCellDataToPointData.h"
@@ -24,15 +25,11 @@
 
 vtkStandardNewMacro(vtkSunlight);
 
+using nephoscope::dot;
 using nephoscope::Vector;
 
 namespace
 {
-double dot(const std::array<double, 3>& a, const std::array<double, 3>& b)
-{
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
 // Up on a globe: away from the centre; elsewhere z.
 std::array<double, 3> upAt(const nephoscope::Planet& planet, const std::array<double, 3>& place)
 {
