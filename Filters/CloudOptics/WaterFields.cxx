@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "WaterFields.h"
 
+#include "ArrayNames.h"
 #include "FieldUnits.h"
 
 #include "vtkCellData.h"
@@ -56,20 +57,9 @@ vtkDataArray* firstOf(vtkDataSet* data, bool onCells, WaterFields::Kind kind)
   return nullptr;
 }
 
-std::string listed(vtkDataSetAttributes* attributes)
-{
-  std::string names;
-  for (int a = 0; a < attributes->GetNumberOfArrays(); ++a)
-  {
-    const char* name = attributes->GetArrayName(a);
-    names += name ? (names.empty() ? "'" : ", '") + std::string(name) + "'" : "";
-  }
-  return names.empty() ? "none" : names;
-}
-
 std::string allArrays(vtkDataSet* data)
 {
-  return "Point arrays: " + listed(data->GetPointData()) + "; cell arrays: " + listed(data->GetCellData()) + ".";
+  return "Point arrays: " + quotedArrayNames(data->GetPointData()) + "; cell arrays: " + quotedArrayNames(data->GetCellData()) + ".";
 }
 
 using Kind = WaterFields::Kind;

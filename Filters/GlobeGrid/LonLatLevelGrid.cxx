@@ -3,6 +3,7 @@
 #include "LonLatLevelGrid.h"
 
 #include "ArrayLengths.h"
+#include "ArrayNames.h"
 #include "LongitudeRow.h"
 
 #include "vtkCellData.h"
@@ -338,13 +339,7 @@ vtkDataArray* LonLatLevelGrid::Array(const std::string& name) const
 
 std::string LonLatLevelGrid::ArrayNames() const
 {
-  std::string names;
-  for (int a = 0; a < this->OnPoints->GetNumberOfArrays(); ++a)
-  {
-    const char* name = this->OnPoints->GetArrayName(a);
-    names += (names.empty() ? "" : ", ") + std::string(name ? name : "(unnamed)");
-  }
-  return names.empty() ? "none" : names;
+  return arrayNames(this->OnPoints);
 }
 
 bool DataAreOnCells(vtkDataSet* grid, const std::vector<std::string>& names)

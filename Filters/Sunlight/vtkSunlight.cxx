@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkSunlight.h"
 
+#include "ArrayNames.h"
 #include "LitData.h"
 #include "PhaseFunction.h"
 #include "SolarPosition.h"
@@ -26,6 +27,7 @@
 vtkStandardNewMacro(vtkSunlight);
 
 using nephoscope::dot;
+using nephoscope::quotedArrayNames;
 using nephoscope::Vector;
 
 namespace
@@ -43,17 +45,6 @@ bool isInShadow(const nephoscope::Planet& planet, const std::array<double, 3>& p
 {
   const double along = dot(place, sun);
   return planet.Radius > 0 && along < 0 && dot(place, place) - along * along < planet.Radius * planet.Radius;
-}
-
-std::string arraysOf(vtkDataSetAttributes* attributes)
-{
-  std::string names;
-  for (int a = 0; a < attributes->GetNumberOfArrays(); ++a)
-  {
-    const char* name = attributes->GetArrayName(a);
-    names += name ? (names.empty() ? "'" : ", '") + std::string(name) + "'" : "";
-  }
-  return names.empty() ? "none" : names;
 }
 
 vtkFloatArray* addArray(vtkDataSet* data, const char* name)
@@ -127,7 +118,7 @@ bool vtkSunlight::Check(vtkDataSet* data)
   if (!array)
   {
     vtkErrorMacro(<< "There is no array '" << this->ExtinctionArrayName << "' of the extinction. Make one by Cloud Optics, or set ExtinctionArrayName. Point arrays: "
-                  << arraysOf(data->GetPointData()) << "; cell arrays: " << arraysOf(data->GetCellData()) << ".");
+                  << quotedArrayNames(data->GetPointData()) << "; cell arrays: " << quotedArrayNames(data->GetCellData()) << ".");
     return false;
   }
   if (array->GetNumberOfComponents() != 1)

@@ -29,17 +29,6 @@ std::string missingArray(const char* association, const char* name, vtkDataSet* 
 }
 }
 
-std::string arrayNames(vtkFieldData* data)
-{
-  std::string names;
-  for (int i = 0; i < data->GetNumberOfArrays(); ++i)
-  {
-    const char* name = data->GetArrayName(i);
-    names += std::string(i ? ", " : "") + (name ? name : "(unnamed)");
-  }
-  return names.empty() ? "none" : names;
-}
-
 std::string checkLength(vtkDataSet* input, const ScalarSelection& scalars)
 {
   const vtkIdType expected = scalars.OnCells ? input->GetNumberOfCells() : input->GetNumberOfPoints();

@@ -4,6 +4,7 @@
 #ifndef ArraySelection_h
 #define ArraySelection_h
 
+#include "ArrayNames.h"
 #include "ScalarSelection.h"
 
 #include "vtkNephoscopeRepresentationsCommonModule.h" // for export macro
@@ -11,14 +12,10 @@
 #include <string>
 
 class vtkAbstractVolumeMapper;
-class vtkFieldData;
 class vtkVolumeProperty;
 
 namespace nephoscope
 {
-
-/** Names of a dataset's arrays, for messages. */
-VTKNEPHOSCOPEREPRESENTATIONSCOMMON_EXPORT std::string arrayNames(vtkFieldData* data);
 
 /** Empty when the selected array has a value for every point or cell. */
 VTKNEPHOSCOPEREPRESENTATIONSCOMMON_EXPORT std::string checkLength(vtkDataSet* input, const ScalarSelection& scalars);
