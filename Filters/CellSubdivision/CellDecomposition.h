@@ -29,16 +29,17 @@ struct FaceList
 
 // VTK's linear 3-D cells, every face seen from outside counter-clockwise.
 constexpr int tetrahedronFaceList[] = { 3, 1, 2, 3, 3, 0, 3, 2, 3, 0, 1, 3, 3, 0, 2, 1 };
-constexpr int hexahedronFaceList[] = { 4, 0, 4, 7, 3, 4, 1, 2, 6, 5, 4, 0, 1, 5, 4, 4, 3, 7, 6, 2, 4, 0, 3,
-  2, 1, 4, 4, 5, 6, 7 };
-constexpr int voxelFaceList[] = { 4, 0, 4, 6, 2, 4, 1, 3, 7, 5, 4, 0, 1, 5, 4, 4, 2, 6, 7, 3, 4, 0, 2, 3, 1, 4,
-  4, 5, 7, 6 };
-constexpr int wedgeFaceList[] = { 3, 0, 1, 2, 3, 3, 5, 4, 4, 0, 3, 4, 1, 4, 1, 4, 5, 2, 4, 2, 5, 3, 0 };
+constexpr int hexahedronFaceList[] = { 4, 0, 4, 7, 3, 4, 1, 2, 6, 5, 4, 0, 1, 5, 4, 4, 3, 7, 6, 2,
+  4, 0, 3, 2, 1, 4, 4, 5, 6, 7 };
+constexpr int voxelFaceList[] = { 4, 0, 4, 6, 2, 4, 1, 3, 7, 5, 4, 0, 1, 5, 4, 4, 2, 6, 7, 3, 4, 0,
+  2, 3, 1, 4, 4, 5, 7, 6 };
+constexpr int wedgeFaceList[] = { 3, 0, 1, 2, 3, 3, 5, 4, 4, 0, 3, 4, 1, 4, 1, 4, 5, 2, 4, 2, 5, 3,
+  0 };
 constexpr int pyramidFaceList[] = { 4, 0, 3, 2, 1, 3, 0, 1, 4, 3, 1, 2, 4, 3, 2, 3, 4, 3, 3, 0, 4 };
-constexpr int pentagonalPrismFaceList[] = { 5, 0, 4, 3, 2, 1, 5, 5, 6, 7, 8, 9, 4, 0, 1, 6, 5, 4, 1, 2, 7, 6, 4,
-  2, 3, 8, 7, 4, 3, 4, 9, 8, 4, 4, 0, 5, 9 };
-constexpr int hexagonalPrismFaceList[] = { 6, 0, 5, 4, 3, 2, 1, 6, 6, 7, 8, 9, 10, 11, 4, 0, 1, 7, 6, 4, 1, 2, 8,
-  7, 4, 2, 3, 9, 8, 4, 3, 4, 10, 9, 4, 4, 5, 11, 10, 4, 5, 0, 6, 11 };
+constexpr int pentagonalPrismFaceList[] = { 5, 0, 4, 3, 2, 1, 5, 5, 6, 7, 8, 9, 4, 0, 1, 6, 5, 4, 1,
+  2, 7, 6, 4, 2, 3, 8, 7, 4, 3, 4, 9, 8, 4, 4, 0, 5, 9 };
+constexpr int hexagonalPrismFaceList[] = { 6, 0, 5, 4, 3, 2, 1, 6, 6, 7, 8, 9, 10, 11, 4, 0, 1, 7,
+  6, 4, 1, 2, 8, 7, 4, 2, 3, 9, 8, 4, 3, 4, 10, 9, 4, 4, 5, 11, 10, 4, 5, 0, 6, 11 };
 
 template <std::size_t N>
 constexpr FaceList<int> makeFaceList(const int (&faces)[N])
@@ -70,7 +71,8 @@ void decomposeCell(FaceList<Index> faces, Less less, Emit emit)
     {
       continue;
     }
-    const Index first = static_cast<Index>(std::min_element(vertices, vertices + size, less) - vertices);
+    const Index first =
+      static_cast<Index>(std::min_element(vertices, vertices + size, less) - vertices);
     for (Index k = 1; k + 1 < size; ++k)
     {
       emit(std::array<Index, 4>{ { apex, vertices[first], vertices[(first + k) % size],

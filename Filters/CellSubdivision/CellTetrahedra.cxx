@@ -124,7 +124,8 @@ double CellTetrahedra::ShortestDistance() const
   return least;
 }
 
-double CellTetrahedra::Volume(const Vector3& a, const Vector3& b, const Vector3& c, const Vector3& d)
+double CellTetrahedra::Volume(
+  const Vector3& a, const Vector3& b, const Vector3& c, const Vector3& d)
 {
   return tripleProduct(b - a, c - a, d - a);
 }

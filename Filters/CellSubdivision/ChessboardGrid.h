@@ -29,7 +29,9 @@ struct ChessboardGrid
 
   std::int64_t NumberOfCells() const
   {
-    return this->IsEmpty() ? 0 : std::int64_t(this->Size[0] - 1) * (this->Size[1] - 1) * (this->Size[2] - 1);
+    return this->IsEmpty()
+      ? 0
+      : std::int64_t(this->Size[0] - 1) * (this->Size[1] - 1) * (this->Size[2] - 1);
   }
 
   std::int64_t PointNumber(int i, int j, int k) const
@@ -56,7 +58,8 @@ struct ChessboardGrid
     /** The neighbours along the two other axes, and that along `axis`. */
     std::array<std::int64_t, 3> Across(int axis) const
     {
-      return { { this->Neighbors[(axis + 1) % 3], this->Neighbors[(axis + 2) % 3], this->Neighbors[axis] } };
+      return { { this->Neighbors[(axis + 1) % 3], this->Neighbors[(axis + 2) % 3],
+        this->Neighbors[axis] } };
     }
   };
 
@@ -68,7 +71,8 @@ struct ChessboardGrid
     {
       const int o = corners[k];
       result[k] = { { { o & 1, o >> 1 & 1, o >> 2 & 1 } }, this->CornerNumber(cell, o),
-        { { this->CornerNumber(cell, o ^ 1), this->CornerNumber(cell, o ^ 2), this->CornerNumber(cell, o ^ 4) } } };
+        { { this->CornerNumber(cell, o ^ 1), this->CornerNumber(cell, o ^ 2),
+          this->CornerNumber(cell, o ^ 4) } } };
     }
     return result;
   }
@@ -99,7 +103,8 @@ private:
 
   std::int64_t CornerNumber(const std::array<int, 3>& cell, int corner) const
   {
-    return this->PointNumber(cell[0] + (corner & 1), cell[1] + (corner >> 1 & 1), cell[2] + (corner >> 2 & 1));
+    return this->PointNumber(
+      cell[0] + (corner & 1), cell[1] + (corner >> 1 & 1), cell[2] + (corner >> 2 & 1));
   }
 };
 

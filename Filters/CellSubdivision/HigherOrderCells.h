@@ -52,12 +52,14 @@ template <typename Emit>
 void splitTriquadraticHexahedron(Emit emit)
 {
   constexpr int lattice[3][3][3] = { { { 0, 8, 1 }, { 11, 24, 9 }, { 3, 10, 2 } },
-    { { 16, 22, 17 }, { 20, 26, 21 }, { 19, 23, 18 } }, { { 4, 12, 5 }, { 15, 25, 13 }, { 7, 14, 6 } } };
+    { { 16, 22, 17 }, { 20, 26, 21 }, { 19, 23, 18 } },
+    { { 4, 12, 5 }, { 15, 25, 13 }, { 7, 14, 6 } } };
   for (int part = 0; part < 8; ++part)
   {
     const int i = part & 1, j = part >> 1 & 1, k = part >> 2;
     auto at = [&](int a, int b, int c) { return lattice[k + c][j + b][i + a]; };
-    const int points[] = { at(0, 0, 0), at(1, 0, 0), at(1, 1, 0), at(0, 1, 0), at(0, 0, 1), at(1, 0, 1), at(1, 1, 1), at(0, 1, 1) };
+    const int points[] = { at(0, 0, 0), at(1, 0, 0), at(1, 1, 0), at(0, 1, 0), at(0, 0, 1),
+      at(1, 0, 1), at(1, 1, 1), at(0, 1, 1) };
     emit(makeFaceList(hexahedronFaceList), points);
   }
 }
@@ -66,18 +68,22 @@ void splitTriquadraticHexahedron(Emit emit)
 template <typename Emit>
 void splitBiquadraticHexahedron(Emit emit)
 {
-  constexpr int corners[6][9] = { { 0, 16, 4, 15, 7, 19, 3, 11, 20 }, { 1, 9, 2, 18, 6, 13, 5, 17, 21 }, { 0, 8, 1, 17, 5, 12, 4, 16, 22 },
-    { 3, 19, 7, 14, 6, 18, 2, 10, 23 }, { 0, 11, 3, 10, 2, 9, 1, 8, -1 }, { 4, 12, 5, 13, 6, 14, 7, 15, -1 } };
+  constexpr int corners[6][9] = { { 0, 16, 4, 15, 7, 19, 3, 11, 20 },
+    { 1, 9, 2, 18, 6, 13, 5, 17, 21 }, { 0, 8, 1, 17, 5, 12, 4, 16, 22 },
+    { 3, 19, 7, 14, 6, 18, 2, 10, 23 }, { 0, 11, 3, 10, 2, 9, 1, 8, -1 },
+    { 4, 12, 5, 13, 6, 14, 7, 15, -1 } };
   int faces[4 * 4 * 5 + 2 * (4 * 4 + 5)], length = 0;
   auto add = [&](std::initializer_list<int> face) {
     faces[length++] = static_cast<int>(face.size());
-    length += static_cast<int>(std::copy(face.begin(), face.end(), faces + length) - (faces + length));
+    length +=
+      static_cast<int>(std::copy(face.begin(), face.end(), faces + length) - (faces + length));
   };
   for (const auto& f : corners)
   {
     for (int c = 0; c < 8; c += 2)
     {
-      f[8] < 0 ? add({ f[c], f[c + 1], f[(c + 7) % 8] }) : add({ f[c], f[c + 1], f[8], f[(c + 7) % 8] });
+      f[8] < 0 ? add({ f[c], f[c + 1], f[(c + 7) % 8] })
+               : add({ f[c], f[c + 1], f[8], f[(c + 7) % 8] });
     }
     if (f[8] < 0)
     {
@@ -92,9 +98,11 @@ void splitBiquadraticHexahedron(Emit emit)
 template <typename Emit>
 void splitQuadraticWedge(bool linearUpwards, Emit emit)
 {
-  constexpr int linear[4][6] = { { 0, 6, 8, 3, 9, 11 }, { 6, 7, 8, 9, 10, 11 }, { 6, 1, 7, 9, 4, 10 }, { 8, 7, 2, 11, 10, 5 } };
-  constexpr int quadratic[8][6] = { { 0, 6, 8, 12, 15, 17 }, { 6, 7, 8, 15, 16, 17 }, { 6, 1, 7, 15, 13, 16 }, { 8, 7, 2, 17, 16, 14 },
-    { 12, 15, 17, 3, 9, 11 }, { 15, 16, 17, 9, 10, 11 }, { 15, 13, 16, 9, 4, 10 }, { 17, 16, 14, 11, 10, 5 } };
+  constexpr int linear[4][6] = { { 0, 6, 8, 3, 9, 11 }, { 6, 7, 8, 9, 10, 11 },
+    { 6, 1, 7, 9, 4, 10 }, { 8, 7, 2, 11, 10, 5 } };
+  constexpr int quadratic[8][6] = { { 0, 6, 8, 12, 15, 17 }, { 6, 7, 8, 15, 16, 17 },
+    { 6, 1, 7, 15, 13, 16 }, { 8, 7, 2, 17, 16, 14 }, { 12, 15, 17, 3, 9, 11 },
+    { 15, 16, 17, 9, 10, 11 }, { 15, 13, 16, 9, 4, 10 }, { 17, 16, 14, 11, 10, 5 } };
   for (int part = 0; part < (linearUpwards ? 4 : 8); ++part)
   {
     emit(makeFaceList(wedgeFaceList), linearUpwards ? linear[part] : quadratic[part]);

@@ -92,11 +92,11 @@ struct SplitBatch
   std::vector<FaceKey> DividedFaces;   // that no value crosses, so that the neighbour may be whole
   std::vector<Transition> Transitions; // in the order of pieces
   std::vector<vtkIdType> FaceStreams;  // number of faces, then size, points, ...
-  CellCount Missing;   // a scalar is not a number
-  CellCount Flat;      // not three-dimensional
-  CellCount Undivided; // crossed, but without volume
-  CellCount NotConvex; // and divided
-  CellCount NotLinear; // and divided
+  CellCount Missing;                   // a scalar is not a number
+  CellCount Flat;                      // not three-dimensional
+  CellCount Undivided;                 // crossed, but without volume
+  CellCount NotConvex;                 // and divided
+  CellCount NotLinear;                 // and divided
 };
 
 /** Fills batches. One object per thread. */

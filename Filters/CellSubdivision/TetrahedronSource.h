@@ -79,18 +79,20 @@ public:
   /** Ghost flags say not to draw the cell, or it touches a hidden point. Leaves the cell's points in GetPoints(). */
   bool IsHidden(vtkIdType cell)
   {
-    constexpr unsigned char skipped = vtkDataSetAttributes::DUPLICATECELL | vtkDataSetAttributes::HIDDENCELL |
-      vtkDataSetAttributes::REFINEDCELL;
+    constexpr unsigned char skipped = vtkDataSetAttributes::DUPLICATECELL |
+      vtkDataSetAttributes::HIDDENCELL | vtkDataSetAttributes::REFINEDCELL;
     this->Type = this->Data->GetCellType(cell);
     this->Data->GetCellPoints(cell, this->Points);
-    if (this->Type == VTK_EMPTY_CELL || (this->CellGhosts && (this->CellGhosts->GetValue(cell) & skipped)))
+    if (this->Type == VTK_EMPTY_CELL ||
+      (this->CellGhosts && (this->CellGhosts->GetValue(cell) & skipped)))
     {
       return true;
     }
     const vtkIdType* ids = this->Points->GetPointer(0);
-    return this->PointGhosts && std::any_of(ids, ids + this->Points->GetNumberOfIds(), [this](vtkIdType id) {
-      return (this->PointGhosts->GetValue(id) & vtkDataSetAttributes::HIDDENPOINT) != 0;
-    });
+    return this->PointGhosts &&
+      std::any_of(ids, ids + this->Points->GetNumberOfIds(), [this](vtkIdType id) {
+        return (this->PointGhosts->GetValue(id) & vtkDataSetAttributes::HIDDENPOINT) != 0;
+      });
   }
 
   vtkIdList* GetPoints() const { return this->Points; }
@@ -132,7 +134,8 @@ public:
   bool EmitTriangles(Emit emit)
   {
     if (!this->Grid ||
-      (this->Type != VTK_TRIANGLE && this->Type != VTK_QUAD && this->Type != VTK_POLYGON && this->Type != VTK_PIXEL))
+      (this->Type != VTK_TRIANGLE && this->Type != VTK_QUAD && this->Type != VTK_POLYGON &&
+        this->Type != VTK_PIXEL))
     {
       return false;
     }
@@ -148,7 +151,8 @@ public:
     std::rotate(around.begin(), std::min_element(around.begin(), around.end()), around.end());
     for (std::size_t k = 1; k + 1 < around.size(); ++k)
     {
-      emit(std::array<vtkIdType, 3>{ { std::get<3>(around[0]), std::get<3>(around[k]), std::get<3>(around[k + 1]) } });
+      emit(std::array<vtkIdType, 3>{
+        { std::get<3>(around[0]), std::get<3>(around[k]), std::get<3>(around[k + 1]) } });
     }
     return true;
   }
@@ -164,14 +168,16 @@ public:
       return true;
     }
     const vtkIdType* stream = this->Faces->GetPointer(0);
-    const auto state = this->Surface.Build(
-      FaceList<vtkIdType>{ stream + 1, stream + this->Faces->GetNumberOfIds() }, [this](vtkIdType id) {
-        Vector3 x;
-        this->Data->GetPoint(id, x.data());
-        return x;
-      });
+    const auto state =
+      this->Surface.Build(FaceList<vtkIdType>{ stream + 1, stream + this->Faces->GetNumberOfIds() },
+        [this](vtkIdType id) {
+          Vector3 x;
+          this->Data->GetPoint(id, x.data());
+          return x;
+        });
     const bool isFloat = this->Grid->GetPoints()->GetDataType() == VTK_FLOAT;
-    return state != PolyhedronSurface::State::Closed || coneFillsCell(this->Surface, slackOf(this->Surface, isFloat));
+    return state != PolyhedronSurface::State::Closed ||
+      coneFillsCell(this->Surface, slackOf(this->Surface, isFloat));
   }
 
 private:
@@ -267,18 +273,21 @@ private:
       decomposeCell(
         faces,
         [&](int a, int b) {
-          return this->PlaceOf(this->Points->GetId(points[a])) < this->PlaceOf(this->Points->GetId(points[b]));
+          return this->PlaceOf(this->Points->GetId(points[a])) <
+            this->PlaceOf(this->Points->GetId(points[b]));
         },
         [&](const std::array<int, 4>& t) {
-          emit(std::array<vtkIdType, 4>{ { this->Points->GetId(points[t[0]]), this->Points->GetId(points[t[1]]),
-            this->Points->GetId(points[t[2]]), this->Points->GetId(points[t[3]]) } });
+          emit(std::array<vtkIdType, 4>{
+            { this->Points->GetId(points[t[0]]), this->Points->GetId(points[t[1]]),
+              this->Points->GetId(points[t[2]]), this->Points->GetId(points[t[3]]) } });
         });
     };
     if (splitHigherOrderCell(this->Cell->GetRepresentativeCell(), part))
     {
       return true;
     }
-    if (this->Cell->GetCellDimension() != 3 || !this->Cell->Triangulate(0, this->Faces, this->CellPoints))
+    if (this->Cell->GetCellDimension() != 3 ||
+      !this->Cell->Triangulate(0, this->Faces, this->CellPoints))
     {
       return false;
     }
@@ -313,7 +322,8 @@ private:
     double named[3], meant[3];
     this->Data->GetPoint(point, named);
     this->CellPoints->GetPoint(cellPoint, meant);
-    return std::equal(named, named + 3, meant, [](double a, double b) { return float(a) == float(b); });
+    return std::equal(
+      named, named + 3, meant, [](double a, double b) { return float(a) == float(b); });
   }
 
   vtkDataSet* Data;

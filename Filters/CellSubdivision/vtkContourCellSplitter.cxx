@@ -95,7 +95,8 @@ int vtkContourCellSplitter::FillInputPortInformation(int, vtkInformation* info)
   return 1;
 }
 
-vtkTypeBool vtkContourCellSplitter::ProcessRequest(vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs)
+vtkTypeBool vtkContourCellSplitter::ProcessRequest(
+  vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
   if (nephoscope::hasOtherInput(this, this->ToldOfInput, request, inputs, outputs, { "vtkDataSet" },
         "It must be a dataset with cells."))
@@ -138,8 +139,10 @@ int vtkContourCellSplitter::RequestData(
   this->Warn(input, array, batches);
   using SDDP = vtkStreamingDemandDrivenPipeline;
   vtkInformation* outInfo = outputs->GetInformationObject(0);
-  const bool isPiece = outInfo->Has(SDDP::UPDATE_NUMBER_OF_PIECES()) && outInfo->Get(SDDP::UPDATE_NUMBER_OF_PIECES()) > 1;
-  const bool silent = isPiece || output->GetNumberOfCells() == 0; // other pieces may be divided; what has no cells has been told
+  const bool isPiece = outInfo->Has(SDDP::UPDATE_NUMBER_OF_PIECES()) &&
+    outInfo->Get(SDDP::UPDATE_NUMBER_OF_PIECES()) > 1;
+  const bool silent = isPiece ||
+    output->GetNumberOfCells() == 0; // other pieces may be divided; what has no cells has been told
   this->Reason = silent ? std::string() : this->ReasonOfWholeness(array);
   this->HasDivided = this->HasDivided || this->Reason.empty();
   this->UpdateProgress(1.0);
@@ -149,8 +152,9 @@ int vtkContourCellSplitter::RequestData(
 vtkDataArray* vtkContourCellSplitter::FindScalars(vtkDataSet* input, vtkInformationVector** inputs)
 {
   int association = vtkDataObject::FIELD_ASSOCIATION_POINTS;
-  vtkAbstractArray* found = nephoscope::IsNoArrayChosen(this) ? nephoscope::DefaultPointArray(input->GetPointData())
-                                                              : this->GetInputAbstractArrayToProcess(0, inputs, association);
+  vtkAbstractArray* found = nephoscope::IsNoArrayChosen(this)
+    ? nephoscope::DefaultPointArray(input->GetPointData())
+    : this->GetInputAbstractArrayToProcess(0, inputs, association);
   vtkInformation* wanted = this->GetInputArrayInformation(0);
   const char* name = wanted->Get(vtkDataObject::FIELD_NAME());
   const std::string called =
@@ -158,13 +162,13 @@ vtkDataArray* vtkContourCellSplitter::FindScalars(vtkDataSet* input, vtkInformat
   if (!found)
   {
     const bool onCells = input->GetCellData()->HasArray(name ? name : "") ||
-      (input->GetPointData()->GetNumberOfArrays() == 0 && input->GetCellData()->GetNumberOfArrays() > 0);
+      (input->GetPointData()->GetNumberOfArrays() == 0 &&
+        input->GetCellData()->GetNumberOfArrays() > 0);
     vtkErrorMacro("There is no point array "
       << called << " to split cells at. "
       << (onCells ? "It is on cells: apply Cell Data to Point Data first. "
                   : "Choose one with SetInputArrayToProcess. ")
-      << "Point arrays: " << Listed(input->GetPointData())
-      << ".");
+      << "Point arrays: " << Listed(input->GetPointData()) << ".");
     return nullptr;
   }
   auto* array = vtkDataArray::SafeDownCast(found);
@@ -206,7 +210,8 @@ bool vtkContourCellSplitter::FindLevels(vtkDataArray* scalars, nephoscope::Conto
     values.push_back(this->GetValue(i));
     if (!std::isfinite(values.back()))
     {
-      vtkErrorMacro("Contour value " << i << " is " << values.back() << "; it must be a finite number.");
+      vtkErrorMacro(
+        "Contour value " << i << " is " << values.back() << "; it must be a finite number.");
       return false;
     }
   }
@@ -217,7 +222,8 @@ bool vtkContourCellSplitter::FindLevels(vtkDataArray* scalars, nephoscope::Conto
   for (double& value : values)
   {
     // What a float array can hold, so that the scalar on the cuts equals the value by which cells are judged.
-    value = scalars->GetDataType() == VTK_FLOAT ? static_cast<double>(static_cast<float>(value)) : value;
+    value =
+      scalars->GetDataType() == VTK_FLOAT ? static_cast<double>(static_cast<float>(value)) : value;
   }
   levels = nephoscope::ContourLevels(values);
   return true;
@@ -229,8 +235,10 @@ std::string vtkContourCellSplitter::ReasonOfWholeness(vtkDataArray* array)
   std::ostringstream reason;
   if (this->TakesDefaultValue())
   {
-    const std::array<double, 2>& all = this->DefaultRange; // of all blocks; the value is in the middle
-    reason << "the values of the array " << NameOf(array) << " are all " << all[0] << ", so that no value is between them. Choose another array.";
+    const std::array<double, 2>& all =
+      this->DefaultRange; // of all blocks; the value is in the middle
+    reason << "the values of the array " << NameOf(array) << " are all " << all[0]
+           << ", so that no value is between them. Choose another array.";
     return all[0] == all[1] ? reason.str() : std::string();
   }
   double range[2];
@@ -242,8 +250,9 @@ std::string vtkContourCellSplitter::ReasonOfWholeness(vtkDataArray* array)
       return std::string();
     }
   }
-  reason << "the values of the array " << NameOf(array) << " are " << range[0] << " to " << range[1]
-         << ", and no contour value is within that range. Choose other contour values, or another array.";
+  reason
+    << "the values of the array " << NameOf(array) << " are " << range[0] << " to " << range[1]
+    << ", and no contour value is within that range. Choose other contour values, or another array.";
   return this->GetNumberOfContours() > 0 ? reason.str() : std::string();
 }
 

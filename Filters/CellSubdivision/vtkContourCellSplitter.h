@@ -58,7 +58,7 @@
 #include "vtkNew.h"                                    // for the values
 #include "vtkUnstructuredGridAlgorithm.h"
 
-#include <array> // for members
+#include <array>  // for members
 #include <string> // for messages
 #include <vector> // for batches
 
@@ -139,7 +139,8 @@ public:
   /** Later of this filter's and its values' modification. */
   vtkMTimeType GetMTime() override;
 
-  vtkTypeBool ProcessRequest(vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs) override;
+  vtkTypeBool ProcessRequest(
+    vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs) override;
 
 protected:
   vtkContourCellSplitter();
@@ -182,7 +183,8 @@ private:
   bool PolyhedralTransitions = false;
   int OutputPointsPrecision = DOUBLE_PRECISION;
   std::string Reason; // why no cell is divided
-  std::array<double, 2> DefaultRange = { 0.0, 0.0 }; // of the scalars of all blocks, where no value is given
+  std::array<double, 2> DefaultRange = { 0.0,
+    0.0 }; // of the scalars of all blocks, where no value is given
   bool HasDivided = false;
   int ExecutionDepth = 0;
   vtkMTimeType ToldOfInput = 0; // for hasOtherInput

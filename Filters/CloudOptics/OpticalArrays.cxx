@@ -38,18 +38,23 @@ bool isValue(double value)
 class PointOptics
 {
 public:
-  PointOptics(vtkDataSet* data, const WaterFields& fields, const std::vector<double>& pressures, const OpticalSettings& settings)
+  PointOptics(vtkDataSet* data, const WaterFields& fields, const std::vector<double>& pressures,
+    const OpticalSettings& settings)
     : Fields(fields)
     , Pressures(pressures)
     , Settings(settings)
     , Ghosts(fields.OnCells ? data->GetCellGhostArray() : data->GetPointGhostArray())
-    , Hidden(fields.OnCells ? int(vtkDataSetAttributes::HIDDENCELL) : int(vtkDataSetAttributes::HIDDENPOINT))
+    , Hidden(fields.OnCells ? int(vtkDataSetAttributes::HIDDENCELL)
+                            : int(vtkDataSetAttributes::HIDDENPOINT))
   {
   }
 
   std::atomic<vtkIdType> Negative{ 0 }, Missing{ 0 };
 
-  bool IsHidden(vtkIdType i) const { return this->Ghosts && (this->Ghosts->GetValue(i) & this->Hidden); }
+  bool IsHidden(vtkIdType i) const
+  {
+    return this->Ghosts && (this->Ghosts->GetValue(i) & this->Hidden);
+  }
 
   particles::Optics At(vtkIdType i, double& liquidRadius, double& iceRadius)
   {
@@ -75,7 +80,9 @@ public:
 private:
   double TemperatureAt(vtkIdType i) const
   {
-    const double t = this->Fields.Has(WaterFields::Temperature) ? this->Fields.Value(WaterFields::Temperature, i) : 273.15;
+    const double t = this->Fields.Has(WaterFields::Temperature)
+      ? this->Fields.Value(WaterFields::Temperature, i)
+      : 273.15;
     return isValue(t) && t > 0 ? t : 273.15;
   }
 
@@ -96,11 +103,16 @@ private:
     return valid && value > 0 ? value * density : 0.0;
   }
 
-  double ShareOfIce(vtkIdType i, double total) const { return total > 0 ? particles::IceShare(this->TemperatureAt(i)) : 0.0; }
+  double ShareOfIce(vtkIdType i, double total) const
+  {
+    return total > 0 ? particles::IceShare(this->TemperatureAt(i)) : 0.0;
+  }
 
   double Cover(vtkIdType i) const
   {
-    const double cover = this->Fields.Has(WaterFields::CloudFraction) ? this->Fields.Value(WaterFields::CloudFraction, i) : 1.0;
+    const double cover = this->Fields.Has(WaterFields::CloudFraction)
+      ? this->Fields.Value(WaterFields::CloudFraction, i)
+      : 1.0;
     return isValue(cover) ? std::min(std::max(cover, leastCover), 1.0) : 1.0;
   }
 
@@ -110,14 +122,17 @@ private:
     {
       return this->Settings.LiquidRadius;
     }
-    const bool land = this->Fields.Has(WaterFields::Land) && this->Fields.Value(WaterFields::Land, i) >= 0.5;
+    const bool land =
+      this->Fields.Has(WaterFields::Land) && this->Fields.Value(WaterFields::Land, i) >= 0.5;
     return land ? particles::DropletRadius(inCloud, this->Settings.DropletsLand, 0.67)
                 : particles::DropletRadius(inCloud, this->Settings.DropletsSea, 0.80);
   }
 
   double IceRadius(vtkIdType i, double inCloud) const
   {
-    return this->Settings.ConstantIceRadius ? this->Settings.IceRadius : particles::CrystalRadius(inCloud, this->TemperatureAt(i));
+    return this->Settings.ConstantIceRadius
+      ? this->Settings.IceRadius
+      : particles::CrystalRadius(inCloud, this->TemperatureAt(i));
   }
 
   const WaterFields& Fields;
@@ -127,12 +142,14 @@ private:
   int Hidden;
 };
 
-void writeOptics(PointOptics& optics, OpticalArrays& arrays, double exaggeration, vtkIdType begin, vtkIdType end)
+void writeOptics(
+  PointOptics& optics, OpticalArrays& arrays, double exaggeration, vtkIdType begin, vtkIdType end)
 {
   for (vtkIdType i = begin; i < end; ++i)
   {
     double liquidRadius = 0, iceRadius = 0;
-    const particles::Optics here = optics.IsHidden(i) ? particles::Optics() : optics.At(i, liquidRadius, iceRadius);
+    const particles::Optics here =
+      optics.IsHidden(i) ? particles::Optics() : optics.At(i, liquidRadius, iceRadius);
     arrays.Extinction->SetValue(i, static_cast<float>(here.Extinction / exaggeration));
     arrays.Albedo->SetValue(i, static_cast<float>(here.Albedo()));
     arrays.Asymmetry->SetValue(i, static_cast<float>(here.Asymmetry()));
@@ -229,30 +246,35 @@ std::vector<double> pressuresOf(vtkDataSet* data, const WaterFields& fields, std
   {
     return balancedPressures(fields, dimensions);
   }
-  problem = "There is no pressure, which turns water in kg/kg into kg/m3. Set PressureArrayName (Pa or hPa), put the fields through Globe Grid, "
-            "which adds the height of every point, or set WaterUnits to kg/m3 or g/m3, if that is what they are.";
+  problem =
+    "There is no pressure, which turns water in kg/kg into kg/m3. Set PressureArrayName (Pa or hPa), put the fields through Globe Grid, "
+    "which adds the height of every point, or set WaterUnits to kg/m3 or g/m3, if that is what they are.";
   return {};
 }
 
-OpticalArrays computeOptics(vtkDataSet* data, const WaterFields& fields, const std::vector<double>& pressures, const OpticalSettings& settings,
+OpticalArrays computeOptics(vtkDataSet* data, const WaterFields& fields,
+  const std::vector<double>& pressures, const OpticalSettings& settings,
   const std::function<bool(double)>& progress)
 {
   const vtkIdType count = fields.OnCells ? data->GetNumberOfCells() : data->GetNumberOfPoints();
-  OpticalArrays arrays{ makeArray("Extinction", count), makeArray("SingleScatteringAlbedo", count), makeArray("AsymmetryParameter", count),
-    makeArray("LiquidEffectiveRadius", count), makeArray("IceEffectiveRadius", count) };
+  OpticalArrays arrays{ makeArray("Extinction", count), makeArray("SingleScatteringAlbedo", count),
+    makeArray("AsymmetryParameter", count), makeArray("LiquidEffectiveRadius", count),
+    makeArray("IceEffectiveRadius", count) };
   PointOptics optics(data, fields, pressures, settings);
   const vtkIdType stretch = 200000;
   for (vtkIdType first = 0; first < count && progress(double(first) / count); first += stretch)
   {
-    vtkSMPTools::For(first, std::min(count, first + stretch),
-      [&](vtkIdType begin, vtkIdType end) { writeOptics(optics, arrays, settings.Exaggeration, begin, end); });
+    vtkSMPTools::For(first, std::min(count, first + stretch), [&](vtkIdType begin, vtkIdType end) {
+      writeOptics(optics, arrays, settings.Exaggeration, begin, end);
+    });
   }
   arrays.Negative = optics.Negative;
   arrays.Missing = optics.Missing;
   return arrays;
 }
 
-void computeColumns(vtkDataSet* data, const int dimensions[3], vtkFloatArray* extinction, vtkFloatArray* above, vtkFloatArray* whole)
+void computeColumns(vtkDataSet* data, const int dimensions[3], vtkFloatArray* extinction,
+  vtkFloatArray* above, vtkFloatArray* whole)
 {
   const vtkIdType stride = vtkIdType(dimensions[0]) * dimensions[1];
   std::vector<double> values(dimensions[2]), lengths(dimensions[2] - 1);

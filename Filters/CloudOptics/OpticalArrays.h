@@ -39,11 +39,13 @@ bool columnsOf(vtkDataSet* data, bool onCells, int dimensions[3]);
 std::vector<double> pressuresOf(vtkDataSet* data, const WaterFields& fields, std::string& problem);
 
 /** `progress` takes the fraction that is done; false: stop, and the arrays are not complete. */
-OpticalArrays computeOptics(vtkDataSet* data, const WaterFields& fields, const std::vector<double>& pressures, const OpticalSettings& settings,
+OpticalArrays computeOptics(vtkDataSet* data, const WaterFields& fields,
+  const std::vector<double>& pressures, const OpticalSettings& settings,
   const std::function<bool(double)>& progress);
 
 /** Optical depth from each point up to the top of its column, and of the whole column. */
-void computeColumns(vtkDataSet* data, const int dimensions[3], vtkFloatArray* extinction, vtkFloatArray* above, vtkFloatArray* whole);
+void computeColumns(vtkDataSet* data, const int dimensions[3], vtkFloatArray* extinction,
+  vtkFloatArray* above, vtkFloatArray* whole);
 }
 
 #endif

@@ -27,7 +27,10 @@ struct Optics
   }
   // Where there is nothing: that of droplets of 10 micrometres, so that interpolation to the edge of a cloud changes little.
   double Albedo() const { return this->Extinction > 0 ? this->Scattering / this->Extinction : 1.0; }
-  double Asymmetry() const { return this->Scattering > 0 ? this->Forward / this->Scattering : 0.854; }
+  double Asymmetry() const
+  {
+    return this->Scattering > 0 ? this->Forward / this->Scattering : 0.854;
+  }
 };
 
 // Particles of one effective radius: beta = 3 Q content / (4 density radius).
@@ -59,11 +62,13 @@ inline double CrystalAsymmetry(double micrometres)
 inline void AddDroplets(Optics& optics, double content, double radius)
 {
   const double micrometres = 1e6 * radius;
-  optics.Add(Extinction(content, WATER_DENSITY, radius), DropletAlbedo(micrometres), DropletAsymmetry(micrometres));
+  optics.Add(Extinction(content, WATER_DENSITY, radius), DropletAlbedo(micrometres),
+    DropletAsymmetry(micrometres));
 }
 inline void AddCrystals(Optics& optics, double content, double radius)
 {
-  optics.Add(Extinction(content, ICE_DENSITY, radius), CrystalAlbedo(), CrystalAsymmetry(1e6 * radius));
+  optics.Add(
+    Extinction(content, ICE_DENSITY, radius), CrystalAlbedo(), CrystalAsymmetry(1e6 * radius));
 }
 // Large particles: the asymmetry of geometric optics. Drops 0.87 with diffraction; flakes that of the largest crystals.
 inline void AddRain(Optics& optics, double content)
@@ -77,7 +82,8 @@ inline void AddSnow(Optics& optics, double content)
 {
   if (content > 0)
   {
-    optics.Add(Extinction(content, SNOW_DENSITY, SnowRadius(content)), CrystalAlbedo(), CrystalAsymmetry(130.0));
+    optics.Add(Extinction(content, SNOW_DENSITY, SnowRadius(content)), CrystalAlbedo(),
+      CrystalAsymmetry(130.0));
   }
 }
 }

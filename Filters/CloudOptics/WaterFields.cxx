@@ -41,7 +41,8 @@ const NamesOfModels& namesOf(WaterFields::Kind kind)
 
 vtkDataArray* arrayOf(vtkDataSet* data, bool onCells, const std::string& name)
 {
-  vtkDataSetAttributes* attributes = onCells ? static_cast<vtkDataSetAttributes*>(data->GetCellData()) : data->GetPointData();
+  vtkDataSetAttributes* attributes =
+    onCells ? static_cast<vtkDataSetAttributes*>(data->GetCellData()) : data->GetPointData();
   return attributes->GetArray(name.c_str());
 }
 
@@ -59,7 +60,8 @@ vtkDataArray* firstOf(vtkDataSet* data, bool onCells, WaterFields::Kind kind)
 
 std::string allArrays(vtkDataSet* data)
 {
-  return "Point arrays: " + quotedArrayNames(data->GetPointData()) + "; cell arrays: " + quotedArrayNames(data->GetCellData()) + ".";
+  return "Point arrays: " + quotedArrayNames(data->GetPointData()) +
+    "; cell arrays: " + quotedArrayNames(data->GetCellData()) + ".";
 }
 
 using Kind = WaterFields::Kind;
@@ -74,7 +76,8 @@ void take(vtkDataSet* data, const FieldNames& names, WaterFields& fields)
                                           : arrayOf(data, fields.OnCells, names[k]);
   }
   // A sum beside its parts would count twice, unless it has been named.
-  if (names[WaterFields::Total].empty() && (fields.Has(WaterFields::Liquid) || fields.Has(WaterFields::Ice)))
+  if (names[WaterFields::Total].empty() &&
+    (fields.Has(WaterFields::Liquid) || fields.Has(WaterFields::Ice)))
   {
     fields.Arrays[WaterFields::Total] = nullptr;
   }
@@ -82,8 +85,8 @@ void take(vtkDataSet* data, const FieldNames& names, WaterFields& fields)
 
 bool hasWater(const WaterFields& fields)
 {
-  return fields.Has(WaterFields::Total) || fields.Has(WaterFields::Liquid) || fields.Has(WaterFields::Ice) ||
-    fields.Has(WaterFields::Rain) || fields.Has(WaterFields::Snow);
+  return fields.Has(WaterFields::Total) || fields.Has(WaterFields::Liquid) ||
+    fields.Has(WaterFields::Ice) || fields.Has(WaterFields::Rain) || fields.Has(WaterFields::Snow);
 }
 
 std::string missing(vtkDataSet* data, const FieldNames& names, const WaterFields& fields)
@@ -92,13 +95,15 @@ std::string missing(vtkDataSet* data, const FieldNames& names, const WaterFields
   {
     if (!names[k].empty() && names[k] != "none" && !fields.Arrays[k])
     {
-      return "There is no " + std::string(fields.OnCells ? "cell" : "point") + " array '" + names[k] + "' of the " +
-        wordsFor(static_cast<Kind>(k)) + ", as " + namesOf(static_cast<Kind>(k)).Property + " says. " + allArrays(data);
+      return "There is no " + std::string(fields.OnCells ? "cell" : "point") + " array '" +
+        names[k] + "' of the " + wordsFor(static_cast<Kind>(k)) + ", as " +
+        namesOf(static_cast<Kind>(k)).Property + " says. " + allArrays(data);
     }
   }
   return hasWater(fields)
     ? std::string()
-    : "There is no array of cloud water. Set TotalWaterArrayName, or LiquidArrayName and IceArrayName. " + allArrays(data);
+    : "There is no array of cloud water. Set TotalWaterArrayName, or LiquidArrayName and IceArrayName. " +
+      allArrays(data);
 }
 
 std::string wrongShape(vtkDataSet* data, const WaterFields& fields)
@@ -108,8 +113,10 @@ std::string wrongShape(vtkDataSet* data, const WaterFields& fields)
   {
     if (array && (array->GetNumberOfComponents() != 1 || array->GetNumberOfTuples() != count))
     {
-      return "The array '" + std::string(array->GetName()) + "' has " + std::to_string(array->GetNumberOfTuples()) + " values of " +
-        std::to_string(array->GetNumberOfComponents()) + " components; it must have " + std::to_string(count) + " of one.";
+      return "The array '" + std::string(array->GetName()) + "' has " +
+        std::to_string(array->GetNumberOfTuples()) + " values of " +
+        std::to_string(array->GetNumberOfComponents()) + " components; it must have " +
+        std::to_string(count) + " of one.";
     }
   }
   return std::string();
@@ -120,7 +127,9 @@ WaterUnits unitsOf(vtkDataSet* data, vtkDataArray* array)
   const WaterUnits told = WaterUnitsOf(UnitsOf(data->GetFieldData(), array->GetName()));
   const std::string name = array->GetName();
   const bool isContent = name == "LWC" || name == "lwc" || name == "IWC" || name == "iwc";
-  return told != WaterUnits::Automatic ? told : isContent ? WaterUnits::Content : WaterUnits::MixingRatio;
+  return told != WaterUnits::Automatic ? told
+    : isContent                        ? WaterUnits::Content
+                                       : WaterUnits::MixingRatio;
 }
 
 // A water that could not be: the sum of all water in a cloud is below 20 g/kg.
@@ -135,8 +144,9 @@ std::string wrongUnits(const WaterFields& fields)
     }
     if (range[1] * KilogramsPer(fields.Units[k]) > 0.1 && range[1] < 1e20)
     {
-      return "The array '" + std::string(fields.Arrays[k]->GetName()) + "' has values up to " + std::to_string(range[1]) +
-        ", which is too much " + wordsFor(static_cast<Kind>(k)) + " for kg/kg or kg/m3. Set WaterUnits to g/kg or g/m3, if that is what they are.";
+      return "The array '" + std::string(fields.Arrays[k]->GetName()) + "' has values up to " +
+        std::to_string(range[1]) + ", which is too much " + wordsFor(static_cast<Kind>(k)) +
+        " for kg/kg or kg/m3. Set WaterUnits to g/kg or g/m3, if that is what they are.";
     }
   }
   return std::string();
@@ -160,7 +170,8 @@ const char* wordsFor(WaterFields::Kind kind)
   return namesOf(kind).Words;
 }
 
-std::string findWaterFields(vtkDataSet* data, const FieldNames& names, WaterUnits units, WaterFields& fields)
+std::string findWaterFields(
+  vtkDataSet* data, const FieldNames& names, WaterUnits units, WaterFields& fields)
 {
   take(data, names, fields);
   if (!hasWater(fields)) // on cells, perhaps
@@ -172,7 +183,8 @@ std::string findWaterFields(vtkDataSet* data, const FieldNames& names, WaterUnit
   }
   for (int k = 0; k < WaterFields::NumberOfWaters; ++k)
   {
-    fields.Units[k] = units == WaterUnits::Automatic && fields.Arrays[k] ? unitsOf(data, fields.Arrays[k]) : units;
+    fields.Units[k] =
+      units == WaterUnits::Automatic && fields.Arrays[k] ? unitsOf(data, fields.Arrays[k]) : units;
   }
   const std::string problem = missing(data, names, fields);
   const std::string shape = problem.empty() ? wrongShape(data, fields) : problem;

@@ -46,7 +46,8 @@ struct WaterFields
 using FieldNames = std::array<std::string, WaterFields::NumberOfFields>;
 
 /** Fills `fields`; returns what is wrong, with the remedy, or an empty string. */
-std::string findWaterFields(vtkDataSet* data, const FieldNames& names, WaterUnits units, WaterFields& fields);
+std::string findWaterFields(
+  vtkDataSet* data, const FieldNames& names, WaterUnits units, WaterFields& fields);
 
 /** The words for a field in messages. */
 const char* wordsFor(WaterFields::Kind kind);

@@ -12,10 +12,10 @@ namespace nephoscope
 enum class WaterUnits
 {
   Automatic,
-  MixingRatio,         // kg/kg
-  MixingRatioGrams,    // g/kg
-  Content,             // kg/m3
-  ContentGrams         // g/m3
+  MixingRatio,      // kg/kg
+  MixingRatioGrams, // g/kg
+  Content,          // kg/m3
+  ContentGrams      // g/m3
 };
 
 inline bool IsMixingRatio(WaterUnits units)

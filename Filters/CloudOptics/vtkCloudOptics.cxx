@@ -36,14 +36,19 @@ void addColumns(vtkDataSet* data, const int dimensions[3], vtkFloatArray* extinc
     array->SetNumberOfTuples(data->GetNumberOfPoints());
     data->GetPointData()->AddArray(array);
   }
-  const auto named = [&](const char* name) { return vtkFloatArray::SafeDownCast(data->GetPointData()->GetArray(name)); };
-  nephoscope::computeColumns(data, dimensions, extinction, named("OpticalDepthAbove"), named("ColumnOpticalDepth"));
+  const auto named = [&](const char* name) {
+    return vtkFloatArray::SafeDownCast(data->GetPointData()->GetArray(name));
+  };
+  nephoscope::computeColumns(
+    data, dimensions, extinction, named("OpticalDepthAbove"), named("ColumnOpticalDepth"));
 }
 
 void addArrays(vtkDataSet* data, const OpticalArrays& arrays, bool onCells)
 {
-  vtkDataSetAttributes* attributes = onCells ? static_cast<vtkDataSetAttributes*>(data->GetCellData()) : data->GetPointData();
-  for (const auto& array : { arrays.Extinction, arrays.Albedo, arrays.Asymmetry, arrays.LiquidRadius, arrays.IceRadius })
+  vtkDataSetAttributes* attributes =
+    onCells ? static_cast<vtkDataSetAttributes*>(data->GetCellData()) : data->GetPointData();
+  for (const auto& array :
+    { arrays.Extinction, arrays.Albedo, arrays.Asymmetry, arrays.LiquidRadius, arrays.IceRadius })
   {
     attributes->AddArray(array);
   }
@@ -63,28 +68,35 @@ std::string countOf(vtkIdType count)
 
 bool vtkCloudOptics::AddOptics(vtkDataSet* data)
 {
-  const nephoscope::FieldNames names = { this->TotalWaterArrayName, this->LiquidArrayName, this->IceArrayName, this->RainArrayName,
-    this->SnowArrayName, this->TemperatureArrayName, this->PressureArrayName, this->CloudFractionArrayName, this->LandArrayName,
+  const nephoscope::FieldNames names = { this->TotalWaterArrayName, this->LiquidArrayName,
+    this->IceArrayName, this->RainArrayName, this->SnowArrayName, this->TemperatureArrayName,
+    this->PressureArrayName, this->CloudFractionArrayName, this->LandArrayName,
     this->HeightArrayName };
   WaterFields fields;
-  std::string problem = nephoscope::findWaterFields(data, names, static_cast<nephoscope::WaterUnits>(this->WaterUnits), fields);
-  const bool needsTemperature = fields.Has(WaterFields::Total) || fields.Has(WaterFields::Ice) || fields.NeedsPressure();
+  std::string problem = nephoscope::findWaterFields(
+    data, names, static_cast<nephoscope::WaterUnits>(this->WaterUnits), fields);
+  const bool needsTemperature =
+    fields.Has(WaterFields::Total) || fields.Has(WaterFields::Ice) || fields.NeedsPressure();
   if (problem.empty() && needsTemperature && !fields.Has(WaterFields::Temperature))
   {
-    problem = "There is no temperature, which tells ice from liquid and the density of the air. Set TemperatureArrayName (K).";
+    problem =
+      "There is no temperature, which tells ice from liquid and the density of the air. Set TemperatureArrayName (K).";
   }
-  const std::vector<double> pressures = problem.empty() ? nephoscope::pressuresOf(data, fields, problem) : std::vector<double>();
+  const std::vector<double> pressures =
+    problem.empty() ? nephoscope::pressuresOf(data, fields, problem) : std::vector<double>();
   if (!problem.empty())
   {
     vtkErrorMacro(<< problem);
     return false;
   }
-  const nephoscope::OpticalSettings settings = { this->LiquidRadiusType == CONSTANT, this->IceRadiusType == CONSTANT,
-    1e-6 * this->LiquidRadius, 1e-6 * this->IceRadius, 1e6 * this->DropletsOverLand, 1e6 * this->DropletsOverSea, exaggerationOf(data) };
-  const OpticalArrays arrays = nephoscope::computeOptics(data, fields, pressures, settings, [this](double fraction) {
-    this->UpdateProgress(fraction);
-    return !this->GetAbortExecute();
-  });
+  const nephoscope::OpticalSettings settings = { this->LiquidRadiusType == CONSTANT,
+    this->IceRadiusType == CONSTANT, 1e-6 * this->LiquidRadius, 1e-6 * this->IceRadius,
+    1e6 * this->DropletsOverLand, 1e6 * this->DropletsOverSea, exaggerationOf(data) };
+  const OpticalArrays arrays =
+    nephoscope::computeOptics(data, fields, pressures, settings, [this](double fraction) {
+      this->UpdateProgress(fraction);
+      return !this->GetAbortExecute();
+    });
   if (this->GetAbortExecute())
   {
     return false;
@@ -96,12 +108,15 @@ bool vtkCloudOptics::AddOptics(vtkDataSet* data)
   }
   if (arrays.Missing > 0)
   {
-    vtkWarningMacro(<< countOf(arrays.Missing) << " of water, or its pressure, missing (NaN or a fill value): no cloud there.");
+    vtkWarningMacro(
+      << countOf(arrays.Missing)
+      << " of water, or its pressure, missing (NaN or a fill value): no cloud there.");
   }
   return true;
 }
 
-int vtkCloudOptics::RequestData(vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
+int vtkCloudOptics::RequestData(
+  vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
   vtkDataSet* output = vtkDataSet::GetData(outputs, 0);
   output->ShallowCopy(vtkDataSet::GetData(inputs[0], 0));
@@ -116,7 +131,10 @@ void vtkCloudOptics::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "WaterUnits: " << this->WaterUnits << "\n";
-  os << indent << "LiquidRadiusType: " << this->LiquidRadiusType << "\n" << indent << "LiquidRadius: " << this->LiquidRadius << "\n";
-  os << indent << "IceRadiusType: " << this->IceRadiusType << "\n" << indent << "IceRadius: " << this->IceRadius << "\n";
-  os << indent << "DropletsOverLand: " << this->DropletsOverLand << "\n" << indent << "DropletsOverSea: " << this->DropletsOverSea << "\n";
+  os << indent << "LiquidRadiusType: " << this->LiquidRadiusType << "\n"
+     << indent << "LiquidRadius: " << this->LiquidRadius << "\n";
+  os << indent << "IceRadiusType: " << this->IceRadiusType << "\n"
+     << indent << "IceRadius: " << this->IceRadius << "\n";
+  os << indent << "DropletsOverLand: " << this->DropletsOverLand << "\n"
+     << indent << "DropletsOverSea: " << this->DropletsOverSea << "\n";
 }

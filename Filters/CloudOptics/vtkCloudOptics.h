@@ -138,7 +138,8 @@ private:
   bool AddOptics(vtkDataSet* data);
 
   std::string TotalWaterArrayName, LiquidArrayName, IceArrayName, RainArrayName, SnowArrayName;
-  std::string TemperatureArrayName, PressureArrayName, CloudFractionArrayName, LandArrayName, HeightArrayName;
+  std::string TemperatureArrayName, PressureArrayName, CloudFractionArrayName, LandArrayName,
+    HeightArrayName;
   int WaterUnits = AUTOMATIC;
   int LiquidRadiusType = PARAMETERIZED;
   int IceRadiusType = PARAMETERIZED;

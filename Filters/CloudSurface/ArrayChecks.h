@@ -16,7 +16,8 @@ namespace nephoscope
 {
 inline std::string Quoted(vtkAbstractArray* array)
 {
-  return array->GetName() ? "'" + std::string(array->GetName()) + "'" : std::string("without a name");
+  return array->GetName() ? "'" + std::string(array->GetName()) + "'"
+                          : std::string("without a name");
 }
 
 inline std::string PointArrayNames(vtkDataSet* data)
@@ -34,10 +35,12 @@ inline std::string NoPointArray(vtkDataSet* data, const char* name)
 {
   const bool onCells = name && data->GetCellData()->HasArray(name);
   const bool onPoints = name && data->GetPointData()->HasArray(name);
-  const std::string called = name && *name ? "'" + std::string(name) + "'" : std::string("of the active scalars");
+  const std::string called =
+    name && *name ? "'" + std::string(name) + "'" : std::string("of the active scalars");
   return "There is no point array " + called + ". " +
-    (onCells && !onPoints         ? "It is on cells: apply Cell Data to Point Data first. "
-        : data->GetPointData()->GetNumberOfArrays() == 0 && data->GetCellData()->GetNumberOfArrays() > 0
+    (onCells && !onPoints ? "It is on cells: apply Cell Data to Point Data first. "
+        : data->GetPointData()->GetNumberOfArrays() == 0 &&
+          data->GetCellData()->GetNumberOfArrays() > 0
         ? "The input has cell arrays alone: apply Cell Data to Point Data first. "
         : "Choose another one. ") +
     PointArrayNames(data);
@@ -48,12 +51,13 @@ inline std::string ArrayFault(vtkDataSet* data, vtkAbstractArray* array)
 {
   if (!vtkDataArray::SafeDownCast(array) || vtkBitArray::SafeDownCast(array))
   {
-    return "The array " + Quoted(array) + " of type " + array->GetDataTypeAsString() + " is not of numbers. Choose another one.";
+    return "The array " + Quoted(array) + " of type " + array->GetDataTypeAsString() +
+      " is not of numbers. Choose another one.";
   }
   if (array->GetNumberOfTuples() != data->GetNumberOfPoints())
   {
-    return "The array " + Quoted(array) + " has " + std::to_string(array->GetNumberOfTuples()) + " values for " +
-      std::to_string(data->GetNumberOfPoints()) + " points.";
+    return "The array " + Quoted(array) + " has " + std::to_string(array->GetNumberOfTuples()) +
+      " values for " + std::to_string(data->GetNumberOfPoints()) + " points.";
   }
   return std::string();
 }

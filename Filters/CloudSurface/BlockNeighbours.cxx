@@ -39,7 +39,8 @@ using Size = std::array<vtkIdType, 3>;
 
 bool IsStructured(vtkDataSet* data)
 {
-  return vtkImageData::SafeDownCast(data) || vtkRectilinearGrid::SafeDownCast(data) || vtkStructuredGrid::SafeDownCast(data);
+  return vtkImageData::SafeDownCast(data) || vtkRectilinearGrid::SafeDownCast(data) ||
+    vtkStructuredGrid::SafeDownCast(data);
 }
 
 // In points.
@@ -141,8 +142,8 @@ std::string ArraysOf(vtkDataSet* grid)
   for (int i = 0; i < data->GetNumberOfArrays(); ++i)
   {
     vtkAbstractArray* array = data->GetAbstractArray(i);
-    words += std::string(array->GetName() ? array->GetName() : "") + '\n' + array->GetClassName() + '\n' +
-      std::to_string(array->GetNumberOfComponents()) + '\n';
+    words += std::string(array->GetName() ? array->GetName() : "") + '\n' + array->GetClassName() +
+      '\n' + std::to_string(array->GetNumberOfComponents()) + '\n';
   }
   return words;
 }
@@ -172,7 +173,8 @@ void AddNumbers(vtkDataSetAttributes* data, const char* name, vtkIdType first, v
 constexpr const char* sourceName = "Sources"; // of points and cells, counted through all grids
 
 // vtkGhostCellsGenerator loses flags of hidden cells, and arrays that are not numbers. It is told the geometry alone.
-vtkSmartPointer<vtkPartitionedDataSet> ExtendGeometry(const std::vector<vtkDataSet*>& grids, int layers)
+vtkSmartPointer<vtkPartitionedDataSet> ExtendGeometry(
+  const std::vector<vtkDataSet*>& grids, int layers)
 {
   vtkNew<vtkPartitionedDataSet> partitions;
   vtkIdType points = 0;
@@ -180,7 +182,8 @@ vtkSmartPointer<vtkPartitionedDataSet> ExtendGeometry(const std::vector<vtkDataS
   for (std::size_t i = 0; i < grids.size(); ++i)
   {
     auto* rectilinear = vtkRectilinearGrid::SafeDownCast(grids[i]);
-    auto grid = rectilinear ? AsStructuredGrid(rectilinear) : vtkSmartPointer<vtkDataSet>::Take(grids[i]->NewInstance());
+    auto grid = rectilinear ? AsStructuredGrid(rectilinear)
+                            : vtkSmartPointer<vtkDataSet>::Take(grids[i]->NewInstance());
     if (!rectilinear)
     {
       grid->CopyStructure(grids[i]);
@@ -222,19 +225,24 @@ int FewestCells(const std::vector<vtkDataSet*>& grids)
 // first[i]: the number of the first point, or cell, of grid i, and last of all the count.
 std::size_t GridOf(const std::vector<vtkIdType>& first, vtkIdType source)
 {
-  return static_cast<std::size_t>(std::upper_bound(first.begin(), first.end(), source) - first.begin()) - 1;
+  return static_cast<std::size_t>(
+           std::upper_bound(first.begin(), first.end(), source) - first.begin()) -
+    1;
 }
 
 bool AreWithin(vtkIdTypeArray* numbers, vtkIdType count)
 {
-  return numbers && std::all_of(numbers->Begin(), numbers->End(), [count](vtkIdType i) { return i >= 0 && i < count; });
+  return numbers && std::all_of(numbers->Begin(), numbers->End(), [count](vtkIdType i) {
+    return i >= 0 && i < count;
+  });
 }
 
 // vtkGhostCellsGenerator leaves numbers unset where blocks overlap rather than abut: every point must be where its source is.
 bool HasItsSources(const std::vector<vtkDataSet*>& grids, const std::vector<vtkIdType>& firstPoint,
   const std::vector<vtkIdType>& firstCell, vtkDataSet* extended)
 {
-  auto* points = vtkIdTypeArray::SafeDownCast(extended->GetPointData()->GetAbstractArray(sourceName));
+  auto* points =
+    vtkIdTypeArray::SafeDownCast(extended->GetPointData()->GetAbstractArray(sourceName));
   auto* cells = vtkIdTypeArray::SafeDownCast(extended->GetCellData()->GetAbstractArray(sourceName));
   if (!AreWithin(points, firstPoint.back()) || !AreWithin(cells, firstCell.back()))
   {
@@ -293,13 +301,15 @@ bool IsFolded(vtkDataSet* extended)
   return std::min(-least, most) > 1e-9 * std::max(-least, most);
 }
 
-void CopyPointArrays(const std::vector<vtkDataSet*>& grids, const std::vector<vtkIdType>& first, std::size_t own, vtkDataSet* extended)
+void CopyPointArrays(const std::vector<vtkDataSet*>& grids, const std::vector<vtkIdType>& first,
+  std::size_t own, vtkDataSet* extended)
 {
   auto* from = vtkIdTypeArray::SafeDownCast(extended->GetPointData()->GetAbstractArray(sourceName));
   vtkPointData* ownData = grids[own]->GetPointData();
   vtkNew<vtkPointData> data;
   data->CopyAllOn();
-  data->CopyAllocate(ownData, from->GetNumberOfValues()); // arrays in their order, and what is active
+  data->CopyAllocate(
+    ownData, from->GetNumberOfValues()); // arrays in their order, and what is active
   for (int a = 0; a < ownData->GetNumberOfArrays(); ++a)
   {
     vtkAbstractArray* to = data->GetAbstractArray(a);
@@ -307,13 +317,15 @@ void CopyPointArrays(const std::vector<vtkDataSet*>& grids, const std::vector<vt
     for (vtkIdType id = 0; id < from->GetNumberOfValues(); ++id)
     {
       const std::size_t grid = GridOf(first, from->GetValue(id));
-      to->SetTuple(id, from->GetValue(id) - first[grid], grids[grid]->GetPointData()->GetAbstractArray(a));
+      to->SetTuple(
+        id, from->GetValue(id) - first[grid], grids[grid]->GetPointData()->GetAbstractArray(a));
     }
   }
   extended->GetPointData()->ShallowCopy(data);
 }
 
-void CopyCellFlags(const std::vector<vtkDataSet*>& grids, const std::vector<vtkIdType>& first, vtkDataSet* extended)
+void CopyCellFlags(
+  const std::vector<vtkDataSet*>& grids, const std::vector<vtkIdType>& first, vtkDataSet* extended)
 {
   auto* from = vtkIdTypeArray::SafeDownCast(extended->GetCellData()->GetAbstractArray(sourceName));
   vtkUnsignedCharArray* flags = extended->GetCellGhostArray();
@@ -367,8 +379,9 @@ void BlockNeighbours::FindAmong(const std::vector<vtkDataSet*>& grids, int layer
     }
     CopyPointArrays(grids, firstPoint, i, extended);
     CopyCellFlags(grids, firstCell, extended);
-    this->Found[grids[i]] =
-      vtkRectilinearGrid::SafeDownCast(grids[i]) ? AsRectilinearGrid(vtkStructuredGrid::SafeDownCast(extended)) : extended;
+    this->Found[grids[i]] = vtkRectilinearGrid::SafeDownCast(grids[i])
+      ? AsRectilinearGrid(vtkStructuredGrid::SafeDownCast(extended))
+      : extended;
   }
 }
 
@@ -378,7 +391,8 @@ vtkDataSet* BlockNeighbours::Extended(vtkDataSet* grid) const
   return found == this->Found.end() ? grid : found->second.Get();
 }
 
-vtkSmartPointer<vtkDataArray> WithoutGhosts(vtkDataSet* grid, vtkDataSet* extended, vtkDataArray* array)
+vtkSmartPointer<vtkDataArray> WithoutGhosts(
+  vtkDataSet* grid, vtkDataSet* extended, vtkDataArray* array)
 {
   if (grid == extended)
   {
@@ -399,7 +413,8 @@ vtkSmartPointer<vtkDataArray> WithoutGhosts(vtkDataSet* grid, vtkDataSet* extend
     {
       for (vtkIdType i = 0; i < own[0]; ++i)
       {
-        part->SetTuple(to++, first[0] + i + whole[0] * (first[1] + j + whole[1] * (first[2] + k)), array);
+        part->SetTuple(
+          to++, first[0] + i + whole[0] * (first[1] + j + whole[1] * (first[2] + k)), array);
       }
     }
   }

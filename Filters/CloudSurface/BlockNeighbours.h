@@ -32,7 +32,8 @@ private:
 };
 
 // The values at the points of `grid`, from an array on `extended`, which is the grid with its ghost cells.
-vtkSmartPointer<vtkDataArray> WithoutGhosts(vtkDataSet* grid, vtkDataSet* extended, vtkDataArray* array);
+vtkSmartPointer<vtkDataArray> WithoutGhosts(
+  vtkDataSet* grid, vtkDataSet* extended, vtkDataArray* array);
 }
 
 #endif

@@ -67,7 +67,8 @@ inline std::vector<double> LatitudeWidths(const std::vector<double>& latitude)
     const double low = std::max(-90.0, std::min(90.0, edges[j]));
     const double high = std::max(-90.0, std::min(90.0, edges[j + 1]));
     // sin a - sin b, without cancellation
-    widths[j] = std::abs(2.0 * std::sin(0.5 * (high - low) * radians) * std::cos(0.5 * (high + low) * radians));
+    widths[j] = std::abs(
+      2.0 * std::sin(0.5 * (high - low) * radians) * std::cos(0.5 * (high + low) * radians));
   }
   return widths;
 }
@@ -93,8 +94,10 @@ public:
   // Octant at corner i + 2 j + 4 k.
   double Volume(int corner) const
   {
-    static constexpr double weights[2][3] = { { 5.0 / 24, 8.0 / 24, -1.0 / 24 }, { -1.0 / 24, 8.0 / 24, 5.0 / 24 } };
-    const double* w[3] = { weights[corner & 1], weights[corner >> 1 & 1], weights[corner >> 2 & 1] };
+    static constexpr double weights[2][3] = { { 5.0 / 24, 8.0 / 24, -1.0 / 24 },
+      { -1.0 / 24, 8.0 / 24, 5.0 / 24 } };
+    const double* w[3] = { weights[corner & 1], weights[corner >> 1 & 1],
+      weights[corner >> 2 & 1] };
     double sum = 0.0;
     for (int node = 0; node < 27; ++node)
     {

@@ -38,7 +38,8 @@ std::vector<unsigned char> FieldSmoother::MissingPoints(const Field& field) cons
   std::vector<unsigned char> missing(field.size());
   for (std::size_t id = 0; id < field.size(); ++id)
   {
-    missing[id] = this->Plan.IsHidden(static_cast<vtkIdType>(id)) || IsMissingValue(field[id]) ? 1 : 0;
+    missing[id] =
+      this->Plan.IsHidden(static_cast<vtkIdType>(id)) || IsMissingValue(field[id]) ? 1 : 0;
   }
   return missing;
 }
@@ -60,7 +61,8 @@ bool FieldSmoother::Smooth(
     {
       if (this->Plan.Topology().Distinct(axis) > 1)
       {
-        axis == 0 ? this->PassAlongRows(masses, field, next) : this->PassAcrossRows(axis, masses, field, next);
+        axis == 0 ? this->PassAlongRows(masses, field, next)
+                  : this->PassAcrossRows(axis, masses, field, next);
         field.swap(next);
         this->AverageAtPoles(masses, field);
       }
@@ -111,8 +113,8 @@ void FieldSmoother::PassAcrossRows(int axis, const Field& masses, const Field& i
     const std::int64_t after = topology.Id(neighbor);
     for (int i = 0; i < columns; ++i)
     {
-      out[row + i] = SmoothedValue(in[row + i], masses[row + i], in[before + i], masses[before + i], in[after + i],
-        masses[after + i]);
+      out[row + i] = SmoothedValue(in[row + i], masses[row + i], in[before + i], masses[before + i],
+        in[after + i], masses[after + i]);
     }
   });
 }

@@ -32,7 +32,8 @@ public:
 
   // Makes the field single-valued where points share a place (poles, repeated columns), also with no iteration, and smooths it.
   // Points that are missing keep their values. Returns false if `keepGoing(share done)` said no.
-  bool Smooth(std::vector<double>& field, int iterations, const std::function<bool(double)>& keepGoing) const;
+  bool Smooth(
+    std::vector<double>& field, int iterations, const std::function<bool(double)>& keepGoing) const;
 
 private:
   using Field = std::vector<double>;

@@ -22,7 +22,8 @@ Vector3 PositionOf(vtkDataSet* grid, const GridTopology& topology, const GridInd
   return x;
 }
 
-double Distance(vtkDataSet* grid, const GridTopology& topology, const GridIndex& a, const GridIndex& b)
+double Distance(
+  vtkDataSet* grid, const GridTopology& topology, const GridIndex& a, const GridIndex& b)
 {
   return distance(PositionOf(grid, topology, a), PositionOf(grid, topology, b));
 }

@@ -23,14 +23,17 @@ struct PoleRow
 
 struct GridTopology
 {
-  GridIndex Size = { { 0, 0, 0 } };                  // points that are stored
+  GridIndex Size = { { 0, 0, 0 } }; // points that are stored
   std::array<bool, 3> Ring = { { false, false, false } };
-  std::array<bool, 3> Repeated = { { false, false, false } }; // a ring whose last point is the first one again
+  std::array<bool, 3> Repeated = { { false, false,
+    false } }; // a ring whose last point is the first one again
   std::vector<PoleRow> Poles;
 
   std::int64_t Stride(int axis) const
   {
-    return axis == 0 ? 1 : axis == 1 ? this->Size[0] : static_cast<std::int64_t>(this->Size[0]) * this->Size[1];
+    return axis == 0 ? 1
+      : axis == 1    ? this->Size[0]
+                     : static_cast<std::int64_t>(this->Size[0]) * this->Size[1];
   }
   std::int64_t Count() const { return this->Stride(2) * this->Size[2]; }
   std::int64_t Id(const GridIndex& at) const
@@ -39,7 +42,8 @@ struct GridTopology
   }
   GridIndex Index(std::int64_t id) const
   {
-    return { { static_cast<int>(id % this->Size[0]), static_cast<int>(id / this->Size[0] % this->Size[1]),
+    return { { static_cast<int>(id % this->Size[0]),
+      static_cast<int>(id / this->Size[0] % this->Size[1]),
       static_cast<int>(id / this->Stride(2)) } };
   }
 

@@ -52,7 +52,8 @@ std::vector<vtkIdType> SourcesOf(const SmoothingPlan& plan, const std::array<int
 }
 
 // The array at the points of the image; shared with the grid where it can be.
-vtkSmartPointer<vtkDataArray> AtSources(vtkDataArray* array, const std::vector<vtkIdType>& sources, const std::string& name)
+vtkSmartPointer<vtkDataArray> AtSources(
+  vtkDataArray* array, const std::vector<vtkIdType>& sources, const std::string& name)
 {
   auto copy = vtkSmartPointer<vtkDataArray>::Take(array->NewInstance());
   if (sources.empty())
@@ -83,7 +84,8 @@ vtkSmartPointer<vtkDataArray> PositionsOf(vtkDataSet* grid, const std::vector<vt
   auto positions = vtkSmartPointer<vtkDoubleArray>::New();
   positions->SetName(positionsName);
   positions->SetNumberOfComponents(3);
-  positions->SetNumberOfTuples(sources.empty() ? grid->GetNumberOfPoints() : static_cast<vtkIdType>(sources.size()));
+  positions->SetNumberOfTuples(
+    sources.empty() ? grid->GetNumberOfPoints() : static_cast<vtkIdType>(sources.size()));
   double* to = positions->GetPointer(0);
   vtkSMPTools::For(0, positions->GetNumberOfTuples(), [&](vtkIdType begin, vtkIdType end) {
     for (vtkIdType i = begin; i < end; ++i)
@@ -94,7 +96,8 @@ vtkSmartPointer<vtkDataArray> PositionsOf(vtkDataSet* grid, const std::vector<vt
   return positions;
 }
 
-vtkSmartPointer<vtkDataArray> FieldOf(const std::vector<double>& field, const std::vector<vtkIdType>& sources)
+vtkSmartPointer<vtkDataArray> FieldOf(
+  const std::vector<double>& field, const std::vector<vtkIdType>& sources)
 {
   auto array = vtkSmartPointer<vtkDoubleArray>::New();
   array->SetName(fieldName);
@@ -112,8 +115,10 @@ bool CanInterpolate(vtkDataSetAttributes* data, int index)
   vtkDataArray* array = data->GetArray(index);
   const int attribute = data->IsArrayAnAttribute(index);
   const std::string name = array && array->GetName() ? array->GetName() : "";
-  return array && !vtkBitArray::SafeDownCast(array) && attribute != vtkDataSetAttributes::GLOBALIDS &&
-    attribute != vtkDataSetAttributes::PEDIGREEIDS && name != vtkDataSetAttributes::GhostArrayName();
+  return array && !vtkBitArray::SafeDownCast(array) &&
+    attribute != vtkDataSetAttributes::GLOBALIDS &&
+    attribute != vtkDataSetAttributes::PEDIGREEIDS &&
+    name != vtkDataSetAttributes::GhostArrayName();
 }
 }
 
@@ -123,8 +128,9 @@ int CellsAlong(const SmoothingPlan& plan, int axis)
   return t.Size[axis] - 1 + (plan.ClosesInSpace(axis) && !t.Repeated[axis] ? 1 : 0);
 }
 
-IndexSpaceSurface ContourInIndexSpace(vtkDataSet* grid, const SmoothingPlan& plan, const std::vector<double>& field,
-  const std::array<int, 6>& cells, const std::vector<double>& values, int skip)
+IndexSpaceSurface ContourInIndexSpace(vtkDataSet* grid, const SmoothingPlan& plan,
+  const std::vector<double>& field, const std::array<int, 6>& cells,
+  const std::vector<double>& values, int skip)
 {
   const std::vector<vtkIdType> sources = SourcesOf(plan, cells);
   vtkNew<vtkImageData> image;
@@ -138,7 +144,8 @@ IndexSpaceSurface ContourInIndexSpace(vtkDataSet* grid, const SmoothingPlan& pla
     if (a != skip && CanInterpolate(grid->GetPointData(), a) &&
       grid->GetPointData()->GetArray(a)->GetNumberOfTuples() == grid->GetNumberOfPoints())
     {
-      image->GetPointData()->AddArray(AtSources(grid->GetPointData()->GetArray(a), sources, "array " + std::to_string(a)));
+      image->GetPointData()->AddArray(
+        AtSources(grid->GetPointData()->GetArray(a), sources, "array " + std::to_string(a)));
       carried.push_back(a);
     }
   }

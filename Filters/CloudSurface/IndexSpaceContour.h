@@ -37,8 +37,9 @@ struct IndexSpaceSurface
 // `field`: one number for each point; where it is not a number, points on edges to it have no place either. `skip`: index of the point array that the field
 // takes the place of. `cells`: first and last cell (not point) along each axis, from 0; a ring that closes in space has one more than
 // the stored points tell.
-IndexSpaceSurface ContourInIndexSpace(vtkDataSet* grid, const SmoothingPlan& plan, const std::vector<double>& field,
-  const std::array<int, 6>& cells, const std::vector<double>& values, int skip);
+IndexSpaceSurface ContourInIndexSpace(vtkDataSet* grid, const SmoothingPlan& plan,
+  const std::vector<double>& field, const std::array<int, 6>& cells,
+  const std::vector<double>& values, int skip);
 
 // Number of cells along the axis.
 int CellsAlong(const SmoothingPlan& plan, int axis);

@@ -11,7 +11,8 @@ namespace
 // Some unit vector across `a`.
 Vector3 AnyNormal(const Vector3& a)
 {
-  const Vector3 axis = std::abs(a[0]) <= std::abs(a[1]) ? Vector3{ { 1.0, 0.0, 0.0 } } : Vector3{ { 0.0, 1.0, 0.0 } };
+  const Vector3 axis =
+    std::abs(a[0]) <= std::abs(a[1]) ? Vector3{ { 1.0, 0.0, 0.0 } } : Vector3{ { 0.0, 1.0, 0.0 } };
   return normalized(cross(a, axis));
 }
 
@@ -119,7 +120,8 @@ private:
     }
     for (int corner = 0; corner < 8; ++corner)
     {
-      this->Masses[ids[corner]] += total < 0.0 ? -volumes[corner] : volumes[corner]; // left-handed grids
+      this->Masses[ids[corner]] +=
+        total < 0.0 ? -volumes[corner] : volumes[corner]; // left-handed grids
     }
   }
 
@@ -131,7 +133,8 @@ private:
 };
 }
 
-std::vector<double> ProductMasses(const GridTopology& topology, const std::array<std::vector<double>, 3>& widths)
+std::vector<double> ProductMasses(
+  const GridTopology& topology, const std::array<std::vector<double>, 3>& widths)
 {
   std::vector<double> masses(static_cast<std::size_t>(topology.Count()), 0.0);
   for (int k = 0; k < topology.Distinct(2); ++k)

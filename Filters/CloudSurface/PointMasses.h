@@ -14,7 +14,8 @@
 namespace nephoscope
 {
 // Product of the three widths; 0 for points that repeat others.
-std::vector<double> ProductMasses(const GridTopology& topology, const std::array<std::vector<double>, 3>& widths);
+std::vector<double> ProductMasses(
+  const GridTopology& topology, const std::array<std::vector<double>, 3>& widths);
 
 // Sum of the octants of all cells at a point. `position(at)` is asked for stored points and for those one beyond the end of a ring.
 // An axis of one point has thickness 1.

@@ -28,8 +28,8 @@ inline double Exchange(double f, double m, double neighbor, double neighborMass)
 }
 
 // `strength`, 0 to 1: 1 is the filter 1 : 2 : 1, less is weaker.
-inline double SmoothedValue(
-  double f, double m, double before, double massBefore, double after, double massAfter, double strength = 1.0)
+inline double SmoothedValue(double f, double m, double before, double massBefore, double after,
+  double massAfter, double strength = 1.0)
 {
   if (!(m > 0.0))
   {

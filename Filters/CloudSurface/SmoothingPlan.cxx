@@ -32,8 +32,8 @@ std::vector<double> Values(vtkDataArray* array)
 
 bool WithinPoles(const std::vector<double>& latitudes)
 {
-  return std::all_of(
-    latitudes.begin(), latitudes.end(), [](double latitude) { return std::abs(latitude) <= 90.0001; });
+  return std::all_of(latitudes.begin(), latitudes.end(),
+    [](double latitude) { return std::abs(latitude) <= 90.0001; });
 }
 
 bool IsPoleLatitude(double latitude)
@@ -87,7 +87,8 @@ void SmoothingPlan::FindRings(const SmoothingSettings& settings)
     {
       t.Repeated[axis] = RepeatsValues(this->Grid, t, axis);
       t.Ring[axis] = true;
-      this->ClosedInSpace[axis] = this->IsCurvilinear && nephoscope::ClosesInSpace(this->Grid, t, axis);
+      this->ClosedInSpace[axis] =
+        this->IsCurvilinear && nephoscope::ClosesInSpace(this->Grid, t, axis);
     }
   }
 }
@@ -149,8 +150,8 @@ std::string SmoothingPlan::ReadShape(vtkDataSet* grid)
   this->Topology_.Size = { { size[0], size[1], size[2] } };
   if (this->Topology_.Count() != grid->GetNumberOfPoints())
   {
-    return "The grid has " + std::to_string(grid->GetNumberOfPoints()) + " points, but its dimensions ask for " +
-      std::to_string(this->Topology_.Count()) + ".";
+    return "The grid has " + std::to_string(grid->GetNumberOfPoints()) +
+      " points, but its dimensions ask for " + std::to_string(this->Topology_.Count()) + ".";
   }
   return this->CheckCoordinates();
 }
@@ -159,7 +160,8 @@ std::string SmoothingPlan::CheckCoordinates() const
 {
   for (int axis = 0; axis < 3 && !this->IsCurvilinear; ++axis)
   {
-    if (!std::all_of(this->Axes[axis].begin(), this->Axes[axis].end(), [](double x) { return std::isfinite(x); }))
+    if (!std::all_of(this->Axes[axis].begin(), this->Axes[axis].end(),
+          [](double x) { return std::isfinite(x); }))
     {
       return "Axis " + std::to_string(axis) +
         " of the grid has coordinates that are not finite numbers. Check the reader and its file.";
@@ -180,8 +182,8 @@ std::string SmoothingPlan::CheckCoordinates() const
 
 void SmoothingPlan::ReadHidden()
 {
-  auto* ghosts =
-    vtkUnsignedCharArray::SafeDownCast(this->Grid->GetPointData()->GetArray(vtkDataSetAttributes::GhostArrayName()));
+  auto* ghosts = vtkUnsignedCharArray::SafeDownCast(
+    this->Grid->GetPointData()->GetArray(vtkDataSetAttributes::GhostArrayName()));
   if (!ghosts)
   {
     return;
@@ -199,8 +201,8 @@ bool SmoothingPlan::IsLongitudeLatitude(const SmoothingSettings& settings) const
   {
     return settings.Coordinates == GridCoordinates::LongitudeLatitude;
   }
-  return !this->IsCurvilinear && settings.Periodic[0] && JudgeCircle(this->Axes[0]) != Circle::Part &&
-    WithinPoles(this->Axes[1]);
+  return !this->IsCurvilinear && settings.Periodic[0] &&
+    JudgeCircle(this->Axes[0]) != Circle::Part && WithinPoles(this->Axes[1]);
 }
 
 Vector3 SmoothingPlan::Position(const GridIndex& at) const
@@ -315,7 +317,8 @@ std::string SmoothingPlan::FindMasses(const SmoothingSettings& settings)
   if (!settings.MassArrayName.empty())
   {
     vtkDataArray* given = this->Grid->GetPointData()->GetArray(settings.MassArrayName.c_str());
-    if (!given || given->GetNumberOfComponents() != 1 || given->GetNumberOfTuples() != this->Grid->GetNumberOfPoints())
+    if (!given || given->GetNumberOfComponents() != 1 ||
+      given->GetNumberOfTuples() != this->Grid->GetNumberOfPoints())
     {
       return "There is no point array '" + settings.MassArrayName +
         "' of one component to take masses from. Clear MassArrayName to use volumes.";
@@ -335,7 +338,8 @@ std::vector<double> SmoothingPlan::CurvilinearMasses() const
   const bool degrees = this->LongitudeLatitude;
   return OctantMasses(this->Topology_, [this, degrees](const GridIndex& at) {
     const Vector3 x = this->PositionBeyond(at);
-    return degrees ? Vector3{ { x[0] * radiansPerDegree, std::sin(x[1] * radiansPerDegree), x[2] } } : x;
+    return degrees ? Vector3{ { x[0] * radiansPerDegree, std::sin(x[1] * radiansPerDegree), x[2] } }
+                   : x;
   });
 }
 
@@ -348,7 +352,9 @@ std::vector<double> SmoothingPlan::RectilinearMasses() const
     const std::vector<double>& x = this->Axes[axis];
     const bool open = t.Ring[axis] && !t.Repeated[axis];
     const bool circle = this->LongitudeLatitude && axis == 0;
-    const double gap = !open ? 0.0 : circle ? 360.0 - std::abs(x.back() - x.front()) : ClosingGap(x);
+    const double gap = !open ? 0.0
+      : circle               ? 360.0 - std::abs(x.back() - x.front())
+                             : ClosingGap(x);
     widths[axis] = this->LongitudeLatitude && axis == 1 ? LatitudeWidths(x) : AxisWidths(x, gap);
     if (t.Repeated[axis])
     {

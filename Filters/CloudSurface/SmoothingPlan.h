@@ -20,7 +20,7 @@ namespace nephoscope
 {
 enum class GridCoordinates
 {
-  Automatic,        // longitude and latitude if axis 0 is periodic and goes round in 360, and axis 1 stays within +-90
+  Automatic, // longitude and latitude if axis 0 is periodic and goes round in 360, and axis 1 stays within +-90
   Cartesian,
   LongitudeLatitude // degrees, degrees, level
 };
@@ -55,7 +55,9 @@ public:
   // (step across / step along)^2 of the row through (0, j, k), the factor on the passes along axis 0; 1 unless Isotropic.
   double RowRatio(int j, int k) const
   {
-    return this->RowRatios.empty() ? 1.0 : this->RowRatios[j + static_cast<std::size_t>(this->Topology_.Size[1]) * k];
+    return this->RowRatios.empty()
+      ? 1.0
+      : this->RowRatios[j + static_cast<std::size_t>(this->Topology_.Size[1]) * k];
   }
 
   Vector3 Position(const GridIndex& at) const;

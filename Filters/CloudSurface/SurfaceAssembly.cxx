@@ -42,8 +42,8 @@ void InThreads(vtkIdType count, const Function& function)
 }
 }
 
-SurfaceAssembly::SurfaceAssembly(vtkDataSet* grid, const SmoothingPlan& plan, const IndexSpaceSurface& contour,
-  const std::vector<unsigned char>& missing)
+SurfaceAssembly::SurfaceAssembly(vtkDataSet* grid, const SmoothingPlan& plan,
+  const IndexSpaceSurface& contour, const std::vector<unsigned char>& missing)
   : Grid(grid)
   , Plan(plan)
   , Contour(contour)
@@ -53,8 +53,8 @@ SurfaceAssembly::SurfaceAssembly(vtkDataSet* grid, const SmoothingPlan& plan, co
 {
 }
 
-void SurfaceAssembly::Build(
-  vtkDataArray* scalars, const std::vector<double>& values, const std::vector<int>& indices, vtkPolyData* output)
+void SurfaceAssembly::Build(vtkDataArray* scalars, const std::vector<double>& values,
+  const std::vector<int>& indices, vtkPolyData* output)
 {
   this->FindJoinedPoints();
   this->KeepTriangles();
@@ -108,7 +108,8 @@ void SurfaceAssembly::FindJoinedPoints()
     {
       const PlaceKey key(kind & 8 ? 8 : kind, at[0], at[1], at[2]);
       const auto place = places.emplace(key, p).first;
-      const bool sameValue = this->Contour.Values->GetComponent(place->second, 0) == this->Contour.Values->GetComponent(p, 0);
+      const bool sameValue = this->Contour.Values->GetComponent(place->second, 0) ==
+        this->Contour.Values->GetComponent(p, 0);
       this->Representative[p] = sameValue ? place->second : p;
     }
   }
@@ -157,7 +158,8 @@ bool SurfaceAssembly::IsVisible(const vtkIdType* triangle) const
     const int last = CellsAlong(this->Plan, axis) - 1;
     const bool onFace = least == most && least == std::floor(least);
     high[axis] = std::min(last, static_cast<int>(std::floor(least)));
-    low[axis] = onFace ? std::max(0, high[axis] - (static_cast<int>(least) > last ? 0 : 1)) : high[axis];
+    low[axis] =
+      onFace ? std::max(0, high[axis] - (static_cast<int>(least) > last ? 0 : 1)) : high[axis];
   }
   GridIndex cell;
   for (cell[2] = low[2]; cell[2] <= high[2]; ++cell[2])
@@ -181,26 +183,30 @@ bool SurfaceAssembly::IsCellVisible(const GridIndex& cell) const
   const GridTopology& t = this->Plan.Topology();
   for (int corner = 0; corner < 8; ++corner)
   {
-    const GridIndex at = { { cell[0] + (corner & 1), cell[1] + (corner >> 1 & 1), cell[2] + (corner >> 2 & 1) } };
+    const GridIndex at = { { cell[0] + (corner & 1), cell[1] + (corner >> 1 & 1),
+      cell[2] + (corner >> 2 & 1) } };
     if (this->Missing[t.Id(t.Canonical(at))])
     {
       return false;
     }
   }
-  auto* ghosts =
-    vtkUnsignedCharArray::SafeDownCast(this->Grid->GetCellData()->GetArray(vtkDataSetAttributes::GhostArrayName()));
+  auto* ghosts = vtkUnsignedCharArray::SafeDownCast(
+    this->Grid->GetCellData()->GetArray(vtkDataSetAttributes::GhostArrayName()));
   if (!ghosts || cell[0] >= t.Size[0] - 1 || cell[1] >= t.Size[1] - 1 || cell[2] >= t.Size[2] - 1)
   {
     return true;
   }
-  const vtkIdType id = cell[0] + static_cast<vtkIdType>(t.Size[0] - 1) *
+  const vtkIdType id = cell[0] +
+    static_cast<vtkIdType>(t.Size[0] - 1) *
       (cell[1] + static_cast<vtkIdType>(t.Size[1] - 1) * cell[2]);
-  return (ghosts->GetValue(id) & (vtkDataSetAttributes::HIDDENCELL | vtkDataSetAttributes::DUPLICATECELL)) == 0;
+  return (ghosts->GetValue(id) &
+           (vtkDataSetAttributes::HIDDENCELL | vtkDataSetAttributes::DUPLICATECELL)) == 0;
 }
 
 void SurfaceAssembly::NumberPoints()
 {
-  std::vector<vtkIdType> numbers(static_cast<std::size_t>(this->Contour.Surface->GetNumberOfPoints()), -1);
+  std::vector<vtkIdType> numbers(
+    static_cast<std::size_t>(this->Contour.Surface->GetNumberOfPoints()), -1);
   for (vtkIdType point : this->Triangles)
   {
     numbers[point] = 0;
@@ -237,16 +243,19 @@ void SurfaceAssembly::CarryArrays(vtkDataArray* scalars, vtkPolyData* output) co
     output->GetPointData()->AddArray(to);
   };
   vtkPointData* data = this->Grid->GetPointData();
-  add(this->Contour.Values, scalars->GetName(), scalars->GetDataType() == VTK_FLOAT ? VTK_FLOAT : VTK_DOUBLE, scalars);
+  add(this->Contour.Values, scalars->GetName(),
+    scalars->GetDataType() == VTK_FLOAT ? VTK_FLOAT : VTK_DOUBLE, scalars);
   output->GetPointData()->SetScalars(output->GetPointData()->GetArray(0));
   for (const auto& carried : this->Contour.Arrays)
   {
     vtkDataArray* from = data->GetArray(carried.Source);
     add(carried.Result, from->GetName(), carried.Result->GetDataType(), from);
     const int attribute = data->IsArrayAnAttribute(carried.Source);
-    if (attribute >= 0 && attribute != vtkDataSetAttributes::SCALARS && attribute != vtkDataSetAttributes::NORMALS)
+    if (attribute >= 0 && attribute != vtkDataSetAttributes::SCALARS &&
+      attribute != vtkDataSetAttributes::NORMALS)
     {
-      output->GetPointData()->SetActiveAttribute(output->GetPointData()->GetNumberOfArrays() - 1, attribute);
+      output->GetPointData()->SetActiveAttribute(
+        output->GetPointData()->GetNumberOfArrays() - 1, attribute);
     }
   }
 }
@@ -260,7 +269,8 @@ void SurfaceAssembly::CarryFromNearerPoint(vtkPolyData* output) const
   {
     vtkAbstractArray* from = data->GetAbstractArray(a);
     const bool carried = from->GetName() && output->GetPointData()->HasArray(from->GetName());
-    const bool ghosts = from->GetName() && std::string(vtkDataSetAttributes::GhostArrayName()) == from->GetName();
+    const bool ghosts =
+      from->GetName() && std::string(vtkDataSetAttributes::GhostArrayName()) == from->GetName();
     if (carried || ghosts || from->GetNumberOfTuples() != this->Grid->GetNumberOfPoints() ||
       (vtkDataArray::SafeDownCast(from) && !from->GetName()))
     {
@@ -276,7 +286,8 @@ void SurfaceAssembly::CarryFromNearerPoint(vtkPolyData* output) const
       GridIndex two;
       double share;
       this->NearestEdge(this->Sources[i], one, two, share);
-      to->SetTuple(i, static_cast<vtkIdType>(this->Plan.Topology().Id(share < 0.5 ? one : two)), from);
+      to->SetTuple(
+        i, static_cast<vtkIdType>(this->Plan.Topology().Id(share < 0.5 ? one : two)), from);
     }
     output->GetPointData()->AddArray(to);
   }
@@ -290,7 +301,8 @@ void SurfaceAssembly::AddContourIndex(
   index->SetNumberOfTuples(static_cast<vtkIdType>(this->Triangles.size() / 3));
   for (vtkIdType t = 0; t < index->GetNumberOfTuples(); ++t)
   {
-    const double value = this->Contour.Values->GetComponent(this->Sources[this->Triangles[3 * t]], 0);
+    const double value =
+      this->Contour.Values->GetComponent(this->Sources[this->Triangles[3 * t]], 0);
     const auto found = std::lower_bound(values.begin(), values.end(), value);
     index->SetValue(t, indices[found - values.begin()]);
   }
@@ -314,7 +326,8 @@ void SurfaceAssembly::NearestEdge(vtkIdType point, GridIndex& a, GridIndex& b, d
   b = this->Plan.Topology().Canonical(b);
 }
 
-void SurfaceAssembly::AddTriangles(const std::vector<double>& field, bool withNormals, vtkPolyData* output)
+void SurfaceAssembly::AddTriangles(
+  const std::vector<double>& field, bool withNormals, vtkPolyData* output)
 {
   const FieldGradient gradient(this->Plan, field, this->Missing);
   vtkNew<vtkFloatArray> normals;
@@ -331,8 +344,8 @@ void SurfaceAssembly::AddTriangles(const std::vector<double>& field, bool withNo
   });
   const bool turn = this->FacesInwards(normals, output->GetPoints());
   vtkNew<vtkCellArray> triangles;
-  triangles->AllocateExact(
-    static_cast<vtkIdType>(this->Triangles.size() / 3), static_cast<vtkIdType>(this->Triangles.size()));
+  triangles->AllocateExact(static_cast<vtkIdType>(this->Triangles.size() / 3),
+    static_cast<vtkIdType>(this->Triangles.size()));
   for (std::size_t t = 0; t < this->Triangles.size(); t += 3)
   {
     const vtkIdType ids[3] = { this->Triangles[t], this->Triangles[t + (turn ? 2 : 1)],

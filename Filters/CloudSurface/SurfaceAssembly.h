@@ -25,7 +25,8 @@ public:
 
   // Points and arrays of the output. `scalars`: the array that was contoured; `values`: sorted, as they were contoured; `indices`: of each
   // the index that the user gave it.
-  void Build(vtkDataArray* scalars, const std::vector<double>& values, const std::vector<int>& indices, vtkPolyData* output);
+  void Build(vtkDataArray* scalars, const std::vector<double>& values,
+    const std::vector<int>& indices, vtkPolyData* output);
 
   // Then: the triangles, which face outwards, and "Normals" if wanted.
   void AddTriangles(const std::vector<double>& field, bool withNormals, vtkPolyData* output);
@@ -38,7 +39,8 @@ private:
   bool IsCellVisible(const GridIndex& cell) const;
   void CarryArrays(vtkDataArray* scalars, vtkPolyData* output) const;
   void CarryFromNearerPoint(vtkPolyData* output) const;
-  void AddContourIndex(const std::vector<double>& values, const std::vector<int>& indices, vtkPolyData* output) const;
+  void AddContourIndex(
+    const std::vector<double>& values, const std::vector<int>& indices, vtkPolyData* output) const;
   bool FacesInwards(vtkDataArray* normals, vtkPoints* points) const;
   void NearestEdge(vtkIdType point, GridIndex& a, GridIndex& b, double& share) const;
 
@@ -48,9 +50,11 @@ private:
   const std::vector<unsigned char>& Missing;
   const bool AnyHidden; // a point or perhaps a cell
   bool Join = true;
-  std::vector<vtkIdType> Representative; // of each contoured point, the one in its place; empty: itself
-  std::vector<vtkIdType> Triangles;      // three contoured points each, then, after NumberPoints, three of the output
-  std::vector<vtkIdType> Sources;        // of each point of the output, the contoured one
+  std::vector<vtkIdType>
+    Representative; // of each contoured point, the one in its place; empty: itself
+  std::vector<vtkIdType>
+    Triangles; // three contoured points each, then, after NumberPoints, three of the output
+  std::vector<vtkIdType> Sources; // of each point of the output, the contoured one
 };
 }
 

@@ -27,7 +27,8 @@ Vector3 Solve(const double m[3][3], const Vector3& right)
   {
     return { { 0.0, 0.0, 0.0 } };
   }
-  return (1.0 / determinant) * (right[0] * cross(b, c) + right[1] * cross(c, a) + right[2] * cross(a, b));
+  return (1.0 / determinant) *
+    (right[0] * cross(b, c) + right[1] * cross(c, a) + right[2] * cross(a, b));
 }
 }
 
@@ -93,7 +94,9 @@ Vector3 FieldGradient::At(const GridIndex& at) const
   }
   for (int axis = 0; axis < 3; ++axis)
   {
-    if (!slopes[axis].HasValue) // nothing is known along this axis: as if nothing changed at right angles to the others
+    if (
+      !slopes[axis]
+         .HasValue) // nothing is known along this axis: as if nothing changed at right angles to the others
     {
       slopes[axis].Tangent = cross(slopes[(axis + 1) % 3].Tangent, slopes[(axis + 2) % 3].Tangent);
     }
@@ -120,7 +123,8 @@ Vector3 FieldGradient::AtPole(const GridIndex& at, const PoleRow& pole) const
     }
   };
   GridIndex around = at;
-  for (around[pole.Along] = 0; around[pole.Along] < this->Plan.Topology().Distinct(pole.Along); ++around[pole.Along])
+  for (around[pole.Along] = 0; around[pole.Along] < this->Plan.Topology().Distinct(pole.Along);
+       ++around[pole.Along])
   {
     if (!this->Missing[this->Plan.Topology().Id(around)])
     {
@@ -155,7 +159,8 @@ Vector3 FieldGradient::SteepestStep(const GridIndex& at) const
 // A field that rises and falls again within three points has a gradient at a grid point that says nothing of the edge beside it. Where
 // the two disagree in sign, and by much, the slope of the edge, which the surface crosses, is the truth. (By little they also disagree
 // where a smooth surface touches the edge; there the gradient is the better one.)
-Vector3 FieldGradient::TurnedToEdge(const Vector3& gradient, const GridIndex& a, const GridIndex& b) const
+Vector3 FieldGradient::TurnedToEdge(
+  const Vector3& gradient, const GridIndex& a, const GridIndex& b) const
 {
   for (int axis = 0; axis < 3; ++axis)
   {
@@ -174,7 +179,8 @@ Vector3 FieldGradient::TurnedToEdge(const Vector3& gradient, const GridIndex& a,
 
 Vector3 FieldGradient::Outward(const GridIndex& a, const GridIndex& b, double share) const
 {
-  const Vector3 gradient = a == b ? this->At(a) : this->TurnedToEdge(Blend(this->At(a), this->At(b), share), a, b);
+  const Vector3 gradient =
+    a == b ? this->At(a) : this->TurnedToEdge(Blend(this->At(a), this->At(b), share), a, b);
   Vector3 outward = -1.0 * gradient;
   double length = norm(outward);
   if (!(length > 0.0) || !std::isfinite(length))

@@ -14,8 +14,8 @@ class FieldGradient
 {
 public:
   // Points that are `missing` are not looked at.
-  FieldGradient(
-    const SmoothingPlan& plan, const std::vector<double>& field, const std::vector<unsigned char>& missing)
+  FieldGradient(const SmoothingPlan& plan, const std::vector<double>& field,
+    const std::vector<unsigned char>& missing)
     : Plan(plan)
     , Field(field)
     , Missing(missing)

@@ -32,18 +32,22 @@ namespace
 {
 int NumberOfPieces(vtkInformation* outInfo)
 {
-  return outInfo->Has(SDDP::UPDATE_NUMBER_OF_PIECES()) ? outInfo->Get(SDDP::UPDATE_NUMBER_OF_PIECES()) : 1;
+  return outInfo->Has(SDDP::UPDATE_NUMBER_OF_PIECES())
+    ? outInfo->Get(SDDP::UPDATE_NUMBER_OF_PIECES())
+    : 1;
 }
 
 bool IsFirstPiece(vtkInformation* outInfo)
 {
-  return !outInfo->Has(SDDP::UPDATE_PIECE_NUMBER()) || outInfo->Get(SDDP::UPDATE_PIECE_NUMBER()) == 0;
+  return !outInfo->Has(SDDP::UPDATE_PIECE_NUMBER()) ||
+    outInfo->Get(SDDP::UPDATE_PIECE_NUMBER()) == 0;
 }
 
 constexpr double smoothingShare = 0.5; // of the time, about
 
 // The cells that the asked piece has a share of, first and last along each axis. False if there is none.
-bool CellsOfPiece(const nephoscope::SmoothingPlan& plan, vtkInformation* outInfo, std::array<int, 6>& cells)
+bool CellsOfPiece(
+  const nephoscope::SmoothingPlan& plan, vtkInformation* outInfo, std::array<int, 6>& cells)
 {
   int whole[6];
   for (int axis = 0; axis < 3; ++axis)
@@ -52,13 +56,15 @@ bool CellsOfPiece(const nephoscope::SmoothingPlan& plan, vtkInformation* outInfo
     whole[2 * axis + 1] = nephoscope::CellsAlong(plan, axis);
   }
   const int pieces = NumberOfPieces(outInfo);
-  const int piece = outInfo->Has(SDDP::UPDATE_PIECE_NUMBER()) ? outInfo->Get(SDDP::UPDATE_PIECE_NUMBER()) : 0;
+  const int piece =
+    outInfo->Has(SDDP::UPDATE_PIECE_NUMBER()) ? outInfo->Get(SDDP::UPDATE_PIECE_NUMBER()) : 0;
   int extent[6];
   std::copy(whole, whole + 6, extent);
   if (pieces > 1)
   {
     vtkNew<vtkExtentTranslator> translator;
-    if (!translator->PieceToExtentThreadSafe(piece, pieces, 0, whole, extent, vtkExtentTranslator::BLOCK_MODE, 0))
+    if (!translator->PieceToExtentThreadSafe(
+          piece, pieces, 0, whole, extent, vtkExtentTranslator::BLOCK_MODE, 0))
     {
       return false;
     }
@@ -89,7 +95,8 @@ vtkCloudSurface::~vtkCloudSurface() = default;
 
 vtkMTimeType vtkCloudSurface::GetMTime()
 {
-  return std::max({ this->Superclass::GetMTime(), this->ContourValues->GetMTime(), this->Smoothing->GetMTime() });
+  return std::max(
+    { this->Superclass::GetMTime(), this->ContourValues->GetMTime(), this->Smoothing->GetMTime() });
 }
 
 int vtkCloudSurface::FillInputPortInformation(int, vtkInformation* info)
@@ -98,9 +105,11 @@ int vtkCloudSurface::FillInputPortInformation(int, vtkInformation* info)
   return 1;
 }
 
-vtkTypeBool vtkCloudSurface::ProcessRequest(vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs)
+vtkTypeBool vtkCloudSurface::ProcessRequest(
+  vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
-  if (nephoscope::hasOtherInput(this, this->ToldOfInput, request, inputs, outputs, { "vtkImageData", "vtkRectilinearGrid", "vtkStructuredGrid" },
+  if (nephoscope::hasOtherInput(this, this->ToldOfInput, request, inputs, outputs,
+        { "vtkImageData", "vtkRectilinearGrid", "vtkStructuredGrid" },
         "It must be a grid with rows: an image, a rectilinear or a structured grid."))
   {
     return 1;
@@ -108,19 +117,22 @@ vtkTypeBool vtkCloudSurface::ProcessRequest(vtkInformation* request, vtkInformat
   return this->Superclass::ProcessRequest(request, inputs, outputs);
 }
 
-int vtkCloudSurface::RequestInformation(vtkInformation*, vtkInformationVector**, vtkInformationVector* outputs)
+int vtkCloudSurface::RequestInformation(
+  vtkInformation*, vtkInformationVector**, vtkInformationVector* outputs)
 {
   outputs->GetInformationObject(0)->Set(vtkAlgorithm::CAN_HANDLE_PIECE_REQUEST(), 1);
   return 1;
 }
 
-int vtkCloudSurface::RequestUpdateExtent(vtkInformation*, vtkInformationVector** inputs, vtkInformationVector*)
+int vtkCloudSurface::RequestUpdateExtent(
+  vtkInformation*, vtkInformationVector** inputs, vtkInformationVector*)
 {
   nephoscope::AskForWholeExtent(inputs[0]->GetInformationObject(0));
   return 1;
 }
 
-int vtkCloudSurface::RequestData(vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
+int vtkCloudSurface::RequestData(
+  vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
   vtkDataSet* block = vtkDataSet::GetData(inputs[0], 0);
   vtkDataSet* input = this->Neighbours->Extended(block);
@@ -137,21 +149,24 @@ int vtkCloudSurface::RequestData(vtkInformation*, vtkInformationVector** inputs,
   {
     if (plan.Topology().Size[axis] < 2)
     {
-      vtkErrorMacro("The grid has one point along axis " << axis
-                                                         << "; a surface needs cells, two points or more along every axis. "
-                                                            "Use a contour filter for lines.");
+      vtkErrorMacro("The grid has one point along axis "
+        << axis
+        << "; a surface needs cells, two points or more along every axis. "
+           "Use a contour filter for lines.");
       return 1;
     }
   }
   vtkDataArray* scalars = this->FindScalars(block, inputs);
-  scalars = scalars ? input->GetPointData()->GetArray(nephoscope::IndexOfPointArray(block, scalars)) : nullptr;
+  scalars = scalars ? input->GetPointData()->GetArray(nephoscope::IndexOfPointArray(block, scalars))
+                    : nullptr;
   if (!scalars)
   {
     return 1;
   }
   bool finished = false;
-  nephoscope::withThreads(
-    [&]() { finished = this->BuildSurface(input, plan, scalars, outputs->GetInformationObject(0), output); });
+  nephoscope::withThreads([&]() {
+    finished = this->BuildSurface(input, plan, scalars, outputs->GetInformationObject(0), output);
+  });
   if (!finished)
   {
     output->Initialize(); // nothing rather than a part
@@ -159,8 +174,8 @@ int vtkCloudSurface::RequestData(vtkInformation*, vtkInformationVector** inputs,
   return 1;
 }
 
-bool vtkCloudSurface::BuildSurface(vtkDataSet* input, const nephoscope::SmoothingPlan& plan, vtkDataArray* scalars,
-  vtkInformation* outInfo, vtkPolyData* output)
+bool vtkCloudSurface::BuildSurface(vtkDataSet* input, const nephoscope::SmoothingPlan& plan,
+  vtkDataArray* scalars, vtkInformation* outInfo, vtkPolyData* output)
 {
   std::vector<double> values;
   std::vector<int> indices;
@@ -189,10 +204,11 @@ bool vtkCloudSurface::BuildSurface(vtkDataSet* input, const nephoscope::Smoothin
   }
   const nephoscope::FieldSmoother smoother(plan);
   const std::vector<unsigned char> missing = smoother.MissingPoints(field);
-  const bool smoothed = smoother.Smooth(field, this->GetNumberOfSmoothingIterations(), [this](double share) {
-    this->UpdateProgress(smoothingShare * share);
-    return !this->CheckAbort();
-  });
+  const bool smoothed =
+    smoother.Smooth(field, this->GetNumberOfSmoothingIterations(), [this](double share) {
+      this->UpdateProgress(smoothingShare * share);
+      return !this->CheckAbort();
+    });
   if (!smoothed || this->CheckAbort())
   {
     return false;
@@ -206,7 +222,8 @@ bool vtkCloudSurface::BuildSurface(vtkDataSet* input, const nephoscope::Smoothin
   }
   if (gaps > 0)
   {
-    vtkWarningMacro(<< nephoscope::ValuesMissing(scalars, gaps) << " The cells that they are corners of have no surface.");
+    vtkWarningMacro(<< nephoscope::ValuesMissing(scalars, gaps)
+                    << " The cells that they are corners of have no surface.");
   }
   const auto contour = nephoscope::ContourInIndexSpace(
     input, plan, field, cells, values, nephoscope::IndexOfPointArray(input, scalars));
@@ -232,8 +249,8 @@ bool vtkCloudSurface::BuildSurface(vtkDataSet* input, const nephoscope::Smoothin
 }
 
 // `field`: smoothed, not a number where nothing is contoured. All pieces know it whole, so the first one speaks.
-std::string vtkCloudSurface::ReasonOfEmptiness(
-  vtkDataArray* scalars, const std::vector<double>& field, const std::vector<double>& values, vtkInformation* outInfo)
+std::string vtkCloudSurface::ReasonOfEmptiness(vtkDataArray* scalars,
+  const std::vector<double>& field, const std::vector<double>& values, vtkInformation* outInfo)
 {
   std::ostringstream reason;
   double low = std::numeric_limits<double>::infinity();
@@ -243,19 +260,22 @@ std::string vtkCloudSurface::ReasonOfEmptiness(
     low = value < low ? value : low; // both false for what is not a number
     high = value > high ? value : high;
   }
-  const std::string array = nephoscope::Quoted(scalars) + (this->GetNumberOfSmoothingIterations() > 0 ? " after smoothing" : "");
+  const std::string array = nephoscope::Quoted(scalars) +
+    (this->GetNumberOfSmoothingIterations() > 0 ? " after smoothing" : "");
   if (!IsFirstPiece(outInfo))
   {
     return std::string();
   }
   if (low > high)
   {
-    reason << "no visible point has a number in the array " << array << ". Choose another array, or check what hides the points.";
+    reason << "no visible point has a number in the array " << array
+           << ". Choose another array, or check what hides the points.";
   }
   else if (values.back() < low || values.front() > high)
   {
-    reason << "the values of the array " << array << " are " << low << " to " << high << ", and the contour value"
-           << (values.size() == 1 ? " is " : "s are ") << values.front();
+    reason << "the values of the array " << array << " are " << low << " to " << high
+           << ", and the contour value" << (values.size() == 1 ? " is " : "s are ")
+           << values.front();
     if (values.size() > 1)
     {
       reason << " to " << values.back();
@@ -264,7 +284,8 @@ std::string vtkCloudSurface::ReasonOfEmptiness(
   }
   else if (NumberOfPieces(outInfo) == 1)
   {
-    reason << "in the visible cells the array " << array << " does not cross a contour value. Its values are " << low << " to " << high
+    reason << "in the visible cells the array " << array
+           << " does not cross a contour value. Its values are " << low << " to " << high
            << ". Choose other contour values.";
   }
   return reason.str();
@@ -285,10 +306,12 @@ void vtkCloudSurface::BeginExecution()
     this->HasSurface = false;
     if (this->TakesDefaultValue())
     {
-      this->DefaultValue = nephoscope::DefaultContourValue(nephoscope::RangeOfDefaultArrays(this->GetInputDataObject(0, 0)));
+      this->DefaultValue = nephoscope::DefaultContourValue(
+        nephoscope::RangeOfDefaultArrays(this->GetInputDataObject(0, 0)));
     }
     // A layer for every pass, one for the gradients, and one for masses, which are less at the end of a grid.
-    this->Neighbours->Find(this->GetInputDataObject(0, 0), this->GetNumberOfSmoothingIterations() + 2);
+    this->Neighbours->Find(
+      this->GetInputDataObject(0, 0), this->GetNumberOfSmoothingIterations() + 2);
   }
 }
 
@@ -308,8 +331,9 @@ void vtkCloudSurface::EndExecution()
 vtkDataArray* vtkCloudSurface::FindScalars(vtkDataSet* input, vtkInformationVector** inputs)
 {
   int association = vtkDataObject::FIELD_ASSOCIATION_POINTS;
-  vtkAbstractArray* found = nephoscope::IsNoArrayChosen(this) ? nephoscope::DefaultPointArray(input->GetPointData())
-                                                              : this->GetInputAbstractArrayToProcess(0, inputs, association);
+  vtkAbstractArray* found = nephoscope::IsNoArrayChosen(this)
+    ? nephoscope::DefaultPointArray(input->GetPointData())
+    : this->GetInputAbstractArrayToProcess(0, inputs, association);
   if (!found || association != vtkDataObject::FIELD_ASSOCIATION_POINTS)
   {
     vtkErrorMacro(<< nephoscope::NoPointArray(
@@ -324,9 +348,10 @@ vtkDataArray* vtkCloudSurface::FindScalars(vtkDataSet* input, vtkInformationVect
   }
   if (found->GetNumberOfComponents() != 1)
   {
-    vtkErrorMacro("The array " << nephoscope::Quoted(found) << " has " << found->GetNumberOfComponents()
-                               << " components; one number at each point is needed. Make an array of a component or of the "
-                                  "magnitude first (Calculator).");
+    vtkErrorMacro("The array "
+      << nephoscope::Quoted(found) << " has " << found->GetNumberOfComponents()
+      << " components; one number at each point is needed. Make an array of a component or of the "
+         "magnitude first (Calculator).");
     return nullptr;
   }
   return vtkDataArray::SafeDownCast(found);
@@ -342,11 +367,13 @@ bool vtkCloudSurface::FindValues(std::vector<double>& values, std::vector<int>& 
   {
     if (!std::isfinite(this->GetValue(i)))
     {
-      vtkErrorMacro("Contour value " << i << " is " << this->GetValue(i) << "; it must be a finite number.");
+      vtkErrorMacro(
+        "Contour value " << i << " is " << this->GetValue(i) << "; it must be a finite number.");
       return false;
     }
   }
-  std::stable_sort(order.begin(), order.end(), [this](int a, int b) { return this->GetValue(a) < this->GetValue(b); });
+  std::stable_sort(order.begin(), order.end(),
+    [this](int a, int b) { return this->GetValue(a) < this->GetValue(b); });
   for (int i : order)
   {
     if (values.empty() || values.back() != this->GetValue(i))

@@ -80,7 +80,10 @@ public:
   /**
    * Sets this number of values at equal steps, from the first to the last of the range.
    */
-  void GenerateValues(int numContours, double range[2]) { this->GivenValues()->GenerateValues(numContours, range); }
+  void GenerateValues(int numContours, double range[2])
+  {
+    this->GivenValues()->GenerateValues(numContours, range);
+  }
   void GenerateValues(int numContours, double rangeStart, double rangeEnd)
   {
     this->GivenValues()->GenerateValues(numContours, rangeStart, rangeEnd);
@@ -91,7 +94,10 @@ public:
   /**
    * Number of times the 3 x 3 x 3 filter is applied before contouring, 0 or more. Default 1. See vtkStructuredSmoothing.
    */
-  void SetNumberOfSmoothingIterations(int number) { this->Smoothing->SetNumberOfIterations(number); }
+  void SetNumberOfSmoothingIterations(int number)
+  {
+    this->Smoothing->SetNumberOfIterations(number);
+  }
   int GetNumberOfSmoothingIterations() { return this->Smoothing->GetNumberOfIterations(); }
   ///@}
 
@@ -120,7 +126,10 @@ public:
   int GetCoordinates() { return this->Smoothing->GetCoordinates(); }
   void SetCoordinatesToAutomatic() { this->SetCoordinates(vtkStructuredSmoothing::AUTOMATIC); }
   void SetCoordinatesToCartesian() { this->SetCoordinates(vtkStructuredSmoothing::CARTESIAN); }
-  void SetCoordinatesToLongitudeLatitude() { this->SetCoordinates(vtkStructuredSmoothing::LONGITUDE_LATITUDE); }
+  void SetCoordinatesToLongitudeLatitude()
+  {
+    this->SetCoordinates(vtkStructuredSmoothing::LONGITUDE_LATITUDE);
+  }
   ///@}
 
   ///@{
@@ -145,23 +154,27 @@ public:
   /** Latest of this filter's, its values' and its smoothing's modification. */
   vtkMTimeType GetMTime() override;
 
-  vtkTypeBool ProcessRequest(vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs) override;
+  vtkTypeBool ProcessRequest(
+    vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs) override;
 
 protected:
   vtkCloudSurface();
   ~vtkCloudSurface() override;
 
   int FillInputPortInformation(int port, vtkInformation* info) override;
-  int RequestInformation(vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs) override;
-  int RequestUpdateExtent(vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs) override;
-  int RequestData(vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs) override;
+  int RequestInformation(
+    vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs) override;
+  int RequestUpdateExtent(
+    vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs) override;
+  int RequestData(
+    vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs) override;
 
 private:
   vtkCloudSurface(const vtkCloudSurface&) = delete;
   void operator=(const vtkCloudSurface&) = delete;
 
-  std::string ReasonOfEmptiness(
-    vtkDataArray* scalars, const std::vector<double>& field, const std::vector<double>& values, vtkInformation* outInfo);
+  std::string ReasonOfEmptiness(vtkDataArray* scalars, const std::vector<double>& field,
+    const std::vector<double>& values, vtkInformation* outInfo);
   bool TakesDefaultValue();
   void BeginExecution();
   void EndExecution();
@@ -182,7 +195,7 @@ private:
 
   vtkNew<vtkContourValues> ContourValues;
   bool AreValuesGiven = false;
-  double DefaultValue = 0.0; // of all blocks, where no value is given
+  double DefaultValue = 0.0;                // of all blocks, where no value is given
   vtkNew<vtkStructuredSmoothing> Smoothing; // holds the settings
   bool ComputeNormals = true;
   bool JoinSeams = true;
@@ -190,7 +203,7 @@ private:
   bool HasSurface = false;
   int ExecutionDepth = 0;
   std::unique_ptr<nephoscope::BlockNeighbours> Neighbours; // while a group is executed
-  vtkMTimeType ToldOfInput = 0; // for hasOtherInput
+  vtkMTimeType ToldOfInput = 0;                            // for hasOtherInput
 };
 
 #endif

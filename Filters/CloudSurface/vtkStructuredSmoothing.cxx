@@ -51,7 +51,8 @@ void CropTo(Grid* grid, vtkInformation* outInfo)
       grid->Initialize(); // a piece with nothing in it
       return;
     }
-    same = same && wanted[2 * axis] == there[2 * axis] && wanted[2 * axis + 1] == there[2 * axis + 1];
+    same =
+      same && wanted[2 * axis] == there[2 * axis] && wanted[2 * axis + 1] == there[2 * axis + 1];
   }
   if (!same)
   {
@@ -168,7 +169,8 @@ nephoscope::SmoothingSettings vtkStructuredSmoothing::GetSettings() const
   settings.Conservative = this->Conservative;
   settings.Isotropic = this->Isotropic;
   settings.Coordinates = static_cast<nephoscope::GridCoordinates>(this->Coordinates);
-  settings.MassArrayName = this->MassArrayName == "None" ? "" : this->MassArrayName; // as ParaView's menus say it
+  settings.MassArrayName =
+    this->MassArrayName == "None" ? "" : this->MassArrayName; // as ParaView's menus say it
   return settings;
 }
 
@@ -178,9 +180,11 @@ int vtkStructuredSmoothing::FillInputPortInformation(int, vtkInformation* info)
   return 1;
 }
 
-vtkTypeBool vtkStructuredSmoothing::ProcessRequest(vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs)
+vtkTypeBool vtkStructuredSmoothing::ProcessRequest(
+  vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
-  if (nephoscope::hasOtherInput(this, this->ToldOfInput, request, inputs, outputs, { "vtkImageData", "vtkRectilinearGrid", "vtkStructuredGrid" },
+  if (nephoscope::hasOtherInput(this, this->ToldOfInput, request, inputs, outputs,
+        { "vtkImageData", "vtkRectilinearGrid", "vtkStructuredGrid" },
         "It must be a grid with rows: an image, a rectilinear or a structured grid."))
   {
     return 1;
@@ -226,14 +230,16 @@ int vtkStructuredSmoothing::RequestData(
   }
   if (plan.PointsWithoutMass() > 0)
   {
-    vtkWarningMacro(<< plan.PointsWithoutMass()
-                    << " points have no mass (cells without volume or turned inside out, or masses that are not positive). They "
-                       "keep their values. Repair the grid, or switch Conservative off.");
+    vtkWarningMacro(
+      << plan.PointsWithoutMass()
+      << " points have no mass (cells without volume or turned inside out, or masses that are not positive). They "
+         "keep their values. Repair the grid, or switch Conservative off.");
   }
   telling.End(true);
   output->ShallowCopy(block);
   bool finished = false;
-  nephoscope::withThreads([&]() { finished = this->SmoothArrays(block, input, plan, arrays, output); });
+  nephoscope::withThreads(
+    [&]() { finished = this->SmoothArrays(block, input, plan, arrays, output); });
   if (!finished)
   {
     output->Initialize(); // nothing rather than a part
@@ -247,7 +253,8 @@ int vtkStructuredSmoothing::RequestData(
   return 1;
 }
 
-bool vtkStructuredSmoothing::FindArrays(vtkDataSet* input, vtkInformationVector** inputs, std::vector<int>& arrays)
+bool vtkStructuredSmoothing::FindArrays(
+  vtkDataSet* input, vtkInformationVector** inputs, std::vector<int>& arrays)
 {
   std::vector<vtkAbstractArray*> wanted;
   vtkPointData* data = input->GetPointData();
@@ -278,8 +285,9 @@ bool vtkStructuredSmoothing::FindArrays(vtkDataSet* input, vtkInformationVector*
   else
   {
     int association = vtkDataObject::FIELD_ASSOCIATION_POINTS;
-    vtkAbstractArray* array = nephoscope::IsNoArrayChosen(this) ? nephoscope::DefaultPointArray(input->GetPointData())
-                                                                : this->GetInputAbstractArrayToProcess(0, inputs, association);
+    vtkAbstractArray* array = nephoscope::IsNoArrayChosen(this)
+      ? nephoscope::DefaultPointArray(input->GetPointData())
+      : this->GetInputAbstractArrayToProcess(0, inputs, association);
     if (!array || association != vtkDataObject::FIELD_ASSOCIATION_POINTS)
     {
       vtkErrorMacro(<< nephoscope::NoPointArray(
@@ -306,8 +314,8 @@ bool vtkStructuredSmoothing::FindArrays(vtkDataSet* input, vtkInformationVector*
 }
 
 // `input`: the block, or the block with ghost cells from its neighbours.
-bool vtkStructuredSmoothing::SmoothArrays(vtkDataSet* block, vtkDataSet* input, const nephoscope::SmoothingPlan& plan,
-  const std::vector<int>& arrays, vtkDataSet* output)
+bool vtkStructuredSmoothing::SmoothArrays(vtkDataSet* block, vtkDataSet* input,
+  const nephoscope::SmoothingPlan& plan, const std::vector<int>& arrays, vtkDataSet* output)
 {
   if (this->NumberOfIterations == 0)
   {
@@ -349,9 +357,11 @@ bool vtkStructuredSmoothing::SmoothArrays(vtkDataSet* block, vtkDataSet* input, 
     }
     if (missing > 0)
     {
-      vtkWarningMacro(<< nephoscope::ValuesMissing(from, missing) << " They stay as they are, and the others are smoothed without them.");
+      vtkWarningMacro(<< nephoscope::ValuesMissing(from, missing)
+                      << " They stay as they are, and the others are smoothed without them.");
     }
-    Replace(output, block->GetPointData()->GetArray(arrays[a]), nephoscope::WithoutGhosts(block, input, to));
+    Replace(output, block->GetPointData()->GetArray(arrays[a]),
+      nephoscope::WithoutGhosts(block, input, to));
   }
   return true;
 }
@@ -374,7 +384,8 @@ void vtkStructuredSmoothing::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "NumberOfIterations: " << this->NumberOfIterations << "\n"
-     << indent << "Periodic: " << this->Periodic[0] << " " << this->Periodic[1] << " " << this->Periodic[2] << "\n"
+     << indent << "Periodic: " << this->Periodic[0] << " " << this->Periodic[1] << " "
+     << this->Periodic[2] << "\n"
      << indent << "FindSeam: " << this->FindSeam << "\n"
      << indent << "Conservative: " << this->Conservative << "\n"
      << indent << "MassArrayName: " << this->MassArrayName << "\n"

@@ -170,25 +170,30 @@ public:
   nephoscope::SmoothingSettings GetSettings() const;
 #endif
 
-  vtkTypeBool ProcessRequest(vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs) override;
+  vtkTypeBool ProcessRequest(
+    vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs) override;
 
 protected:
   vtkStructuredSmoothing();
   ~vtkStructuredSmoothing() override;
 
   int FillInputPortInformation(int port, vtkInformation* info) override;
-  int RequestInformation(vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs) override;
-  int RequestUpdateExtent(vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs) override;
-  int RequestData(vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs) override;
+  int RequestInformation(
+    vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs) override;
+  int RequestUpdateExtent(
+    vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs) override;
+  int RequestData(
+    vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs) override;
 
 private:
   vtkStructuredSmoothing(const vtkStructuredSmoothing&) = delete;
   void operator=(const vtkStructuredSmoothing&) = delete;
 
   bool FindArrays(vtkDataSet* input, vtkInformationVector** inputs, std::vector<int>& arrays);
-  bool SmoothArrays(vtkDataSet* block, vtkDataSet* input, const nephoscope::SmoothingPlan& plan, const std::vector<int>& arrays,
+  bool SmoothArrays(vtkDataSet* block, vtkDataSet* input, const nephoscope::SmoothingPlan& plan,
+    const std::vector<int>& arrays, vtkDataSet* output);
+  void AddMasses(vtkDataSet* block, vtkDataSet* input, const nephoscope::SmoothingPlan& plan,
     vtkDataSet* output);
-  void AddMasses(vtkDataSet* block, vtkDataSet* input, const nephoscope::SmoothingPlan& plan, vtkDataSet* output);
   void BeginExecution();
   void EndExecution();
 
@@ -205,7 +210,7 @@ private:
   vtkMTimeType Failed = 0; // for ToldOnce
   int ExecutionDepth = 0;
   std::unique_ptr<nephoscope::BlockNeighbours> Neighbours; // while a group is executed
-  vtkMTimeType ToldOfInput = 0; // for hasOtherInput
+  vtkMTimeType ToldOfInput = 0;                            // for hasOtherInput
 };
 
 #endif

@@ -29,7 +29,8 @@ inline bool IsNoArrayChosen(vtkAlgorithm* filter)
 
 inline bool IsField(vtkDataArray* array)
 {
-  return array && array->GetName() && array->GetNumberOfComponents() == 1 && KindOfField(array->GetName()) != FieldKind::Helper;
+  return array && array->GetName() && array->GetNumberOfComponents() == 1 &&
+    KindOfField(array->GetName()) != FieldKind::Helper;
 }
 
 // The active scalars, else the first array of one component that is a field; null if there is none.
@@ -52,7 +53,8 @@ inline vtkDataArray* DefaultPointArray(vtkPointData* data)
 // The range of the default point arrays of a dataset or of all in a group, without fill values (1e30 or more); the first one above the last if there is none.
 inline std::array<double, 2> RangeOfDefaultArrays(vtkDataObject* data)
 {
-  std::array<double, 2> range = { std::numeric_limits<double>::max(), std::numeric_limits<double>::lowest() };
+  std::array<double, 2> range = { std::numeric_limits<double>::max(),
+    std::numeric_limits<double>::lowest() };
   const auto add = [&](vtkDataObject* leaf) {
     auto* part = vtkDataSet::SafeDownCast(leaf);
     vtkDataArray* array = part ? DefaultPointArray(part->GetPointData()) : nullptr;

@@ -26,15 +26,18 @@ inline bool IsOneOf(const std::string& name, std::initializer_list<const char*> 
 
 inline FieldKind KindOfField(std::string name)
 {
-  std::transform(name.begin(), name.end(), name.begin(), [](unsigned char c) { return std::tolower(c); });
+  std::transform(
+    name.begin(), name.end(), name.begin(), [](unsigned char c) { return std::tolower(c); });
   const auto has = [&](const char* part) { return name.find(part) != std::string::npos; };
   const auto ends = [&](const std::string& end) {
     return name.size() > end.size() && name.compare(name.size() - end.size(), end.size(), end) == 0;
   };
-  if (name.empty() || name.compare(0, 3, "vtk") == 0 || ends("_units") || ends("_bnds") || ends("_bounds") || ends("ids") ||
+  if (name.empty() || name.compare(0, 3, "vtk") == 0 || ends("_units") || ends("_bnds") ||
+    ends("_bounds") || ends("ids") ||
     IsOneOf(name,
-      { "belowground", "globegridprojection", "planetradius", "verticalexaggeration", "time", "crs", "lat", "latitude", "lon",
-        "longitude", "lev", "level", "plev", "normals", "tcoords", "texturecoordinates", "texture coordinates" }))
+      { "belowground", "globegridprojection", "planetradius", "verticalexaggeration", "time", "crs",
+        "lat", "latitude", "lon", "longitude", "lev", "level", "plev", "normals", "tcoords",
+        "texturecoordinates", "texture coordinates" }))
   {
     return FieldKind::Helper;
   }
@@ -43,7 +46,9 @@ inline FieldKind KindOfField(std::string name)
   {
     return FieldKind::CloudFraction;
   }
-  if (IsOneOf(name, { "clwmr", "clwc", "ciwc", "clw", "cli", "cldwat", "cldice", "clmr", "cimixr", "icmr", "qc", "qi", "ql", "lwc", "iwc", "qcloud", "qice" }) ||
+  if (IsOneOf(name,
+        { "clwmr", "clwc", "ciwc", "clw", "cli", "cldwat", "cldice", "clmr", "cimixr", "icmr", "qc",
+          "qi", "ql", "lwc", "iwc", "qcloud", "qice" }) ||
     has("cloud"))
   {
     return FieldKind::CloudWater;

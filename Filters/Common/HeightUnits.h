@@ -42,7 +42,8 @@ inline std::string PlainUnits(std::string text)
   text.erase(std::remove_if(text.begin(), text.end(),
                [](unsigned char c) { return std::isspace(c) || c == '*' || c == '^' || c == '.'; }),
     text.end());
-  std::transform(text.begin(), text.end(), text.begin(), [](unsigned char c) { return std::tolower(c); });
+  std::transform(
+    text.begin(), text.end(), text.begin(), [](unsigned char c) { return std::tolower(c); });
   return text;
 }
 
@@ -81,7 +82,8 @@ inline bool RatioFits(double ratio, HeightUnits units)
 // The unit by that ratio. Automatic if none fits.
 inline HeightUnits GuessHeightUnits(double ratio)
 {
-  for (const HeightUnits units : { HeightUnits::Metre, HeightUnits::Geopotential, HeightUnits::Kilometre, HeightUnits::Decametre })
+  for (const HeightUnits units : { HeightUnits::Metre, HeightUnits::Geopotential,
+         HeightUnits::Kilometre, HeightUnits::Decametre })
   {
     if (RatioFits(ratio, units))
     {

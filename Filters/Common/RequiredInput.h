@@ -23,9 +23,10 @@ namespace nephoscope
 {
 inline std::string kindOf(vtkDataObject* data)
 {
-  static const std::map<std::string, std::string> kinds = { { "vtkImageData", "an image" }, { "vtkUniformGrid", "an image" },
-    { "vtkRectilinearGrid", "a rectilinear grid" }, { "vtkStructuredGrid", "a structured grid" },
-    { "vtkUnstructuredGrid", "an unstructured grid" }, { "vtkPolyData", "a surface or points" }, { "vtkTable", "a table" },
+  static const std::map<std::string, std::string> kinds = { { "vtkImageData", "an image" },
+    { "vtkUniformGrid", "an image" }, { "vtkRectilinearGrid", "a rectilinear grid" },
+    { "vtkStructuredGrid", "a structured grid" }, { "vtkUnstructuredGrid", "an unstructured grid" },
+    { "vtkPolyData", "a surface or points" }, { "vtkTable", "a table" },
     { "vtkHyperTreeGrid", "a hyper tree grid" } };
   const auto kind = kinds.find(data->GetClassName());
   return kind == kinds.end() ? std::string("a ") + data->GetClassName() : kind->second;
@@ -35,7 +36,8 @@ inline std::string kindOf(vtkDataObject* data)
 inline void takeAnyData(vtkInformation* port)
 {
   port->Remove(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE());
-  for (const char* kind : { "vtkDataSet", "vtkTable", "vtkHyperTreeGrid", "vtkGraph", "vtkMolecule" })
+  for (const char* kind :
+    { "vtkDataSet", "vtkTable", "vtkHyperTreeGrid", "vtkGraph", "vtkMolecule" })
   {
     port->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), kind);
   }
@@ -43,19 +45,23 @@ inline void takeAnyData(vtkInformation* port)
 
 // For ProcessRequest: true where the input is of none of these kinds, and the request is done with: the output is empty. `needed`, the sentence with
 // the remedy, is told once for as long as nothing changes; `told` is kept by the filter, at first 0.
-inline bool hasOtherInput(vtkAlgorithm* filter, vtkMTimeType& told, vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs,
+inline bool hasOtherInput(vtkAlgorithm* filter, vtkMTimeType& told, vtkInformation* request,
+  vtkInformationVector** inputs, vtkInformationVector* outputs,
   std::initializer_list<const char*> kinds, const char* needed)
 {
-  vtkDataObject* input = inputs[0]->GetNumberOfInformationObjects() > 0 ? vtkDataObject::GetData(inputs[0], 0) : nullptr;
+  vtkDataObject* input =
+    inputs[0]->GetNumberOfInformationObjects() > 0 ? vtkDataObject::GetData(inputs[0], 0) : nullptr;
   const auto isOfKind = [input](const char* kind) { return input->IsA(kind) != 0; };
-  if (!input || input->IsA("vtkCompositeDataSet") || std::any_of(kinds.begin(), kinds.end(), isOfKind))
+  if (!input || input->IsA("vtkCompositeDataSet") ||
+    std::any_of(kinds.begin(), kinds.end(), isOfKind))
   {
     return false;
   }
   vtkInformation* outInfo = outputs->GetInformationObject(0);
   if (request->Has(vtkDemandDrivenPipeline::REQUEST_DATA_OBJECT()))
   {
-    const bool likeInput = std::string(filter->GetOutputPortInformation(0)->Get(vtkDataObject::DATA_TYPE_NAME())) == "vtkDataSet";
+    const bool likeInput = std::string(filter->GetOutputPortInformation(0)->Get(
+                             vtkDataObject::DATA_TYPE_NAME())) == "vtkDataSet";
     if (likeInput && !input->IsA("vtkDataSet"))
     {
       outInfo->Set(vtkDataObject::DATA_OBJECT(), vtkNew<vtkPolyData>());
@@ -71,7 +77,8 @@ inline bool hasOtherInput(vtkAlgorithm* filter, vtkMTimeType& told, vtkInformati
   if (request->Has(vtkDemandDrivenPipeline::REQUEST_DATA()))
   {
     auto* pipeline = vtkDemandDrivenPipeline::SafeDownCast(filter->GetExecutive());
-    const vtkMTimeType now = std::max(filter->GetMTime(), pipeline ? pipeline->GetPipelineMTime() : 0);
+    const vtkMTimeType now =
+      std::max(filter->GetMTime(), pipeline ? pipeline->GetPipelineMTime() : 0);
     if (now != told)
     {
       vtkErrorWithObjectMacro(filter, << "The input is " << kindOf(input) << ". " << needed);

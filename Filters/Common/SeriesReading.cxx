@@ -43,7 +43,8 @@ bool SeriesReading::TakeTimes(vtkInformation* input)
 std::size_t SeriesReading::FirstOutOfOrder() const
 {
   std::size_t i = 0;
-  while (i < this->Times.size() && std::isfinite(this->Times[i]) && (i == 0 || this->Times[i] > this->Times[i - 1]))
+  while (i < this->Times.size() && std::isfinite(this->Times[i]) &&
+    (i == 0 || this->Times[i] > this->Times[i - 1]))
   {
     ++i;
   }

@@ -70,8 +70,7 @@ inline double Pressure(double height)
   {
     return layer.pressure * std::exp(-scale * (height - layer.height) / layer.temperature);
   }
-  return layer.pressure *
-    std::pow(layer.temperature / Temperature(height), scale / layer.gradient);
+  return layer.pressure * std::pow(layer.temperature / Temperature(height), scale / layer.gradient);
 }
 
 // The inverse of Pressure; pressure > 0.

@@ -213,9 +213,9 @@ bool vtkFlowVolume::FindDirection(const nephoscope::FlowField& field,
   velocity.Sample({ 1, &center, time, &found, &inside, &hint });
   if (!inside)
   {
-    const auto why =
-      this->Exchange().WhyNoVelocity(nephoscope::DataSetsOf(field.Data), center);
-    vtkErrorMacro("The generating polygon cannot be turned normal to the flow at its centre. " << why);
+    const auto why = this->Exchange().WhyNoVelocity(nephoscope::DataSetsOf(field.Data), center);
+    vtkErrorMacro(
+      "The generating polygon cannot be turned normal to the flow at its centre. " << why);
     return false;
   }
   direction = nephoscope::normalized(found);

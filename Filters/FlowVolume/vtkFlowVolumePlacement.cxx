@@ -54,8 +54,8 @@ struct Candidate
 };
 
 // The choice that vtkFlowVolume makes.
-bool Choose(const nephoscope::FlowVolumeExchange& exchange, vtkDataObject* data, const std::string& name,
-  bool onCells, nephoscope::VelocityArray& choice, std::string& problem)
+bool Choose(const nephoscope::FlowVolumeExchange& exchange, vtkDataObject* data,
+  const std::string& name, bool onCells, nephoscope::VelocityArray& choice, std::string& problem)
 {
   vtkNew<vtkInformation> wanted;
   if (!name.empty())
@@ -133,7 +133,8 @@ public:
   }
 
   // For each of the candidates, with its radius.
-  std::vector<bool> AreInside(const DataSetField& field, const std::vector<Candidate>& candidates) const
+  std::vector<bool> AreInside(
+    const DataSetField& field, const std::vector<Candidate>& candidates) const
   {
     std::vector<Vector3> places, velocities;
     for (const Candidate& c : candidates)
@@ -144,7 +145,8 @@ public:
     std::vector<bool> all;
     for (auto first = inside.begin(); first != inside.end(); first += this->Count())
     {
-      all.push_back(std::all_of(first, first + this->Count(), [](unsigned char i) { return i != 0; }));
+      all.push_back(
+        std::all_of(first, first + this->Count(), [](unsigned char i) { return i != 0; }));
     }
     return all;
   }
@@ -154,7 +156,8 @@ private:
 
   void AddPlaces(const Candidate& c, std::vector<Vector3>& places) const
   {
-    const Vector3 normal = nephoscope::normalized(c.Velocity), u = nephoscope::Perpendicular(normal), v = nephoscope::cross(normal, u);
+    const Vector3 normal = nephoscope::normalized(c.Velocity),
+                  u = nephoscope::Perpendicular(normal), v = nephoscope::cross(normal, u);
     for (const auto& [a, b] : this->Points)
     {
       places.push_back(c.Place + (rounding * c.Radius * a) * u + (rounding * c.Radius * b) * v);
@@ -167,7 +170,8 @@ private:
 };
 
 // Gives each the greatest of the radii, halved up to 7 times, whose polygon is inside the data; else the least.
-void FitRadii(const DataSetField& field, const PolygonPoints& polygon, double radius, std::vector<Candidate>& candidates)
+void FitRadii(const DataSetField& field, const PolygonPoints& polygon, double radius,
+  std::vector<Candidate>& candidates)
 {
   for (Candidate& c : candidates)
   {
@@ -184,7 +188,8 @@ void FitRadii(const DataSetField& field, const PolygonPoints& polygon, double ra
 }
 
 // How far smoke from the middle and the rim of each goes on average.
-std::vector<double> MeanReaches(const DataSetField& field, const std::vector<Candidate>& candidates, double length)
+std::vector<double> MeanReaches(
+  const DataSetField& field, const std::vector<Candidate>& candidates, double length)
 {
   std::vector<Vector3> places;
   for (const Candidate& c : candidates)
@@ -196,9 +201,11 @@ std::vector<double> MeanReaches(const DataSetField& field, const std::vector<Can
   const std::vector<double> reaches = nephoscope::FlowReaches(field, places, length);
   const std::size_t each = places.size() / std::max<std::size_t>(1, candidates.size());
   std::vector<double> means;
-  for (auto first = reaches.begin(); first != reaches.end(); first += static_cast<std::ptrdiff_t>(each))
+  for (auto first = reaches.begin(); first != reaches.end();
+       first += static_cast<std::ptrdiff_t>(each))
   {
-    means.push_back(std::accumulate(first, first + static_cast<std::ptrdiff_t>(each), 0.0) / static_cast<double>(each));
+    means.push_back(std::accumulate(first, first + static_cast<std::ptrdiff_t>(each), 0.0) /
+      static_cast<double>(each));
   }
   return means;
 }
@@ -210,14 +217,16 @@ double Step(double value)
 }
 
 // The first of the sorted candidates whose polygon is inside, with the greatest radius for which there is one.
-Candidate FirstThatFits(const DataSetField& field, const PolygonPoints& polygon, const std::vector<Candidate>& candidates, double radius)
+Candidate FirstThatFits(const DataSetField& field, const PolygonPoints& polygon,
+  const std::vector<Candidate>& candidates, double radius)
 {
   for (int halving = 0; halving <= mostHalvings; ++halving, radius *= 0.5)
   {
     for (std::size_t begin = 0; begin < candidates.size(); begin += atOnce)
     {
       const auto first = candidates.begin() + static_cast<std::ptrdiff_t>(begin);
-      std::vector<Candidate> some(first, first + static_cast<std::ptrdiff_t>(std::min(atOnce, candidates.size() - begin)));
+      std::vector<Candidate> some(
+        first, first + static_cast<std::ptrdiff_t>(std::min(atOnce, candidates.size() - begin)));
       std::for_each(some.begin(), some.end(), [radius](Candidate& c) { c.Radius = radius; });
       const std::vector<bool> inside = polygon.AreInside(field, some);
       const auto found = std::find(inside.begin(), inside.end(), true);
@@ -233,7 +242,8 @@ Candidate FirstThatFits(const DataSetField& field, const PolygonPoints& polygon,
 }
 
 // The fastest place, in steps of 5 %, that holds the largest polygon; of those that are as fast the nearest to the middle.
-Candidate Fastest(const DataSetField& field, const PolygonPoints& polygon, std::vector<Candidate> candidates, double radius)
+Candidate Fastest(const DataSetField& field, const PolygonPoints& polygon,
+  std::vector<Candidate> candidates, double radius)
 {
   double greatest = 0.0;
   for (const Candidate& c : candidates)
@@ -244,9 +254,10 @@ Candidate Fastest(const DataSetField& field, const PolygonPoints& polygon, std::
                      [&](const Candidate& c) { return c.Speed < leastSpeed * greatest; }),
     candidates.end());
   const auto rank = [&](const Candidate& c) { return Step(c.Speed / (speedStep * greatest)); };
-  std::stable_sort(candidates.begin(), candidates.end(), [&](const Candidate& a, const Candidate& b) {
-    return rank(a) != rank(b) ? rank(a) > rank(b) : a.Distance < b.Distance;
-  });
+  std::stable_sort(
+    candidates.begin(), candidates.end(), [&](const Candidate& a, const Candidate& b) {
+      return rank(a) != rank(b) ? rank(a) > rank(b) : a.Distance < b.Distance;
+    });
   return FirstThatFits(field, polygon, candidates, radius);
 }
 
@@ -259,10 +270,11 @@ void SortByQuality(std::vector<Candidate>& candidates)
     best = std::max(best, c.Quality);
   }
   const double unit = best > 0.0 ? qualityStep * best : 1.0;
-  std::stable_sort(candidates.begin(), candidates.end(), [unit](const Candidate& a, const Candidate& b) {
-    const double first = Step(a.Quality / unit), second = Step(b.Quality / unit);
-    return first != second ? first > second : a.Distance < b.Distance;
-  });
+  std::stable_sort(
+    candidates.begin(), candidates.end(), [unit](const Candidate& a, const Candidate& b) {
+      const double first = Step(a.Quality / unit), second = Step(b.Quality / unit);
+      return first != second ? first > second : a.Distance < b.Distance;
+    });
 }
 
 // Evenly chosen ones of a list.
@@ -292,8 +304,8 @@ void JudgeByMiddle(const DataSetField& field, double length, std::vector<Candida
 }
 
 // With the rim too, and the share of the radius that fits in.
-void JudgeByRim(
-  const DataSetField& field, const PolygonPoints& polygon, double radius, double length, std::vector<Candidate>& candidates)
+void JudgeByRim(const DataSetField& field, const PolygonPoints& polygon, double radius,
+  double length, std::vector<Candidate>& candidates)
 {
   FitRadii(field, polygon, radius, candidates);
   const std::vector<double> reaches = MeanReaches(field, candidates, length);
@@ -305,7 +317,8 @@ void JudgeByRim(
 }
 
 // Where the product of speed, reach and radius is greatest.
-Candidate BestTraced(const DataSetField& field, const PolygonPoints& polygon, std::vector<Candidate> candidates, double diagonal)
+Candidate BestTraced(const DataSetField& field, const PolygonPoints& polygon,
+  std::vector<Candidate> candidates, double diagonal)
 {
   Thin(candidates, mostTraced);
   JudgeByMiddle(field, 0.5 * diagonal, candidates);
@@ -331,7 +344,8 @@ bool vtkFlowVolumePlacement::Find(vtkDataObject* data, const std::string& veloci
   const auto leaves = nephoscope::DataSetsOf(data);
   nephoscope::VelocityArray array;
   const nephoscope::FlowVolumeExchange exchange(this->Controller);
-  if (!exchange.AnyTrue(!leaves.empty()) || !Choose(exchange, data, velocity, onCells, array, this->Problem))
+  if (!exchange.AnyTrue(!leaves.empty()) ||
+    !Choose(exchange, data, velocity, onCells, array, this->Problem))
   {
     return false;
   }
@@ -341,7 +355,8 @@ bool vtkFlowVolumePlacement::Find(vtkDataObject* data, const std::string& veloci
     return false;
   }
   const vtkBoundingBox box = exchange.BoundsOf(leaves);
-  auto candidates = Candidates(*field, nephoscope::EvenlyChosenMiddles(data, box, mostCandidates, exchange), box);
+  auto candidates =
+    Candidates(*field, nephoscope::EvenlyChosenMiddles(data, box, mostCandidates, exchange), box);
   if (candidates.empty())
   {
     return false;

@@ -41,8 +41,9 @@ void vtkFlowVolume::MakeSteadyVolume(
     this->TriangulatePolygon(*field, *field->Field, anyTime, given, edge, remade);
     return remade;
   };
-  const auto whole = nephoscope::BuildWholeVolume(*field->Field, polygon, settings, anyTime,
-    this->Duration == 0.0, coarser, [this](double share) { return this->Report(nephoscope::buildingShare * share); });
+  const auto whole =
+    nephoscope::BuildWholeVolume(*field->Field, polygon, settings, anyTime, this->Duration == 0.0,
+      coarser, [this](double share) { return this->Report(nephoscope::buildingShare * share); });
   this->ReportSteady(whole);
   this->WarnOfMissing(*field);
   this->WriteOutput(
@@ -103,8 +104,8 @@ void vtkFlowVolume::ReportSteady(const nephoscope::WholeVolume& whole)
 // What is automatic is chosen so that the volume has a moderate size; only what was asked for and is not given is told.
 bool vtkFlowVolume::IsSizeAutomatic() const
 {
-  return this->TimeStep == 0.0 && this->PolygonEdgeLength == 0.0 && this->MaximumEdgeLength == 0.0 &&
-    this->MaximumNumberOfTetrahedra >= moderateNumberOfTetrahedra;
+  return this->TimeStep == 0.0 && this->PolygonEdgeLength == 0.0 &&
+    this->MaximumEdgeLength == 0.0 && this->MaximumNumberOfTetrahedra >= moderateNumberOfTetrahedra;
 }
 
 void vtkFlowVolume::WarnOfCoarsening(double polygonEdgeLength)
@@ -113,18 +114,19 @@ void vtkFlowVolume::WarnOfCoarsening(double polygonEdgeLength)
   {
     return;
   }
-  vtkWarningMacro("The smoke is coarser than requested, so that its whole duration fits into MaximumNumberOfTetrahedra ("
-    << this->MaximumNumberOfTetrahedra << "). It has a TimeStep of "
-    << this->TimeStepUsed << ", a PolygonEdgeLength of " << polygonEdgeLength
-    << " and a MaximumEdgeLength of " << this->MaximumEdgeLengthUsed
-    << ". Allow more tetrahedra, or shorten the Duration.");
+  vtkWarningMacro(
+    "The smoke is coarser than requested, so that its whole duration fits into MaximumNumberOfTetrahedra ("
+    << this->MaximumNumberOfTetrahedra << "). It has a TimeStep of " << this->TimeStepUsed
+    << ", a PolygonEdgeLength of " << polygonEdgeLength << " and a MaximumEdgeLength of "
+    << this->MaximumEdgeLengthUsed << ". Allow more tetrahedra, or shorten the Duration.");
 }
 
 void vtkFlowVolume::WarnOfLongEdges()
 {
   if (!this->IsSizeAutomatic())
   {
-    vtkWarningMacro("The smoke is coarser than requested, so that its whole duration fits into MaximumNumberOfTetrahedra ("
+    vtkWarningMacro(
+      "The smoke is coarser than requested, so that its whole duration fits into MaximumNumberOfTetrahedra ("
       << this->MaximumNumberOfTetrahedra << "). Some edges are longer than MaximumEdgeLength ("
       << this->MaximumEdgeLengthUsed << "). Allow more tetrahedra, or lengthen MaximumEdgeLength.");
   }
@@ -132,7 +134,8 @@ void vtkFlowVolume::WarnOfLongEdges()
 
 void vtkFlowVolume::WarnOfLimit()
 {
-  vtkWarningMacro("The volume ends early: even the coarsest volume has more tetrahedra than MaximumNumberOfTetrahedra ("
+  vtkWarningMacro(
+    "The volume ends early: even the coarsest volume has more tetrahedra than MaximumNumberOfTetrahedra ("
     << this->MaximumNumberOfTetrahedra << "). Allow more, or make the generating polygon simpler.");
 }
 

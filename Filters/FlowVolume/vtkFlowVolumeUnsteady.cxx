@@ -52,7 +52,8 @@ vtkTypeBool vtkFlowVolume::ProcessRequest(
     state.Streak = {};
     if (state.Continuing)
     {
-      vtkErrorMacro("The input has not delivered the time step at " << state.NextTime() << ", so there is no volume at later times.");
+      vtkErrorMacro("The input has not delivered the time step at "
+        << state.NextTime() << ", so there is no volume at later times.");
       state.Stop(this->GetExecutive());
     }
   }
@@ -133,8 +134,7 @@ int vtkFlowVolume::RequestUpdateExtent(
   if (this->HasTimeSteps())
   {
     this->PlanReading(outputs->GetInformationObject(0));
-    inputs[0]->GetInformationObject(0)->Set(
-      SDDP::UPDATE_TIME_STEP(), this->State->NextTime());
+    inputs[0]->GetInformationObject(0)->Set(SDDP::UPDATE_TIME_STEP(), this->State->NextTime());
   }
   this->Exchange().RequestParts(inputs);
   return this->Superclass::RequestUpdateExtent(request, inputs, outputs);
@@ -255,7 +255,8 @@ bool vtkFlowVolume::BeginStreak(vtkPolyData* given)
   {
     return false;
   }
-  if (!this->CheckPlace(*streak.Second, polygon, nephoscope::PolygonFlow(*velocity, polygon, start)))
+  if (!this->CheckPlace(
+        *streak.Second, polygon, nephoscope::PolygonFlow(*velocity, polygon, start)))
   {
     return false;
   }

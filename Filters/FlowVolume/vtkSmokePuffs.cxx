@@ -171,8 +171,8 @@ int vtkSmokePuffs::FillInputPortInformation(int, vtkInformation* info)
 vtkTypeBool vtkSmokePuffs::ProcessRequest(
   vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
-  if (nephoscope::hasOtherInput(this, this->ToldOfInput, request, inputs, outputs, { "vtkUnstructuredGrid" },
-        "Puffs are made of smoke. Connect a flow volume."))
+  if (nephoscope::hasOtherInput(this, this->ToldOfInput, request, inputs, outputs,
+        { "vtkUnstructuredGrid" }, "Puffs are made of smoke. Connect a flow volume."))
   {
     return 1;
   }

@@ -51,7 +51,8 @@ public:
   static vtkSmokePuffs* New();
   vtkTypeMacro(vtkSmokePuffs, vtkUnstructuredGridAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
-  vtkTypeBool ProcessRequest(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+  vtkTypeBool ProcessRequest(
+    vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
   enum NormalizationType
   {
@@ -159,7 +160,8 @@ private:
 
   void AnnounceTime(vtkInformation* inInfo, vtkInformation* outInfo) const;
   void AskForTime(vtkInformation* inInfo, vtkInformation* outInfo) const;
-  void AddSmokeDensity(vtkUnstructuredGrid* output, const nephoscope::PuffPulse& pulse, double time);
+  void AddSmokeDensity(
+    vtkUnstructuredGrid* output, const nephoscope::PuffPulse& pulse, double time);
 
   std::unique_ptr<nephoscope::PointDensity> Averages;
   vtkMTimeType ToldOfInput = 0; // for hasOtherInput

@@ -23,7 +23,8 @@ inline void ChooseActiveScalars(vtkDataSetAttributes* data)
   for (int a = 0; a < data->GetNumberOfArrays(); ++a)
   {
     vtkDataArray* array = data->GetArray(a);
-    if (array && array->GetName() && array->GetNumberOfComponents() == 1 && KindOfField(array->GetName()) < best)
+    if (array && array->GetName() && array->GetNumberOfComponents() == 1 &&
+      KindOfField(array->GetName()) < best)
     {
       best = KindOfField(array->GetName());
       data->SetActiveScalars(array->GetName());

@@ -32,7 +32,8 @@ void EraseFillValues(vtkDataArray* array)
   {
     double range[2];
     array->GetFiniteRange(range, c);
-    for (vtkIdType id = 0; (range[0] <= -fillValue || range[1] >= fillValue) && id < array->GetNumberOfTuples(); ++id)
+    for (vtkIdType id = 0;
+         (range[0] <= -fillValue || range[1] >= fillValue) && id < array->GetNumberOfTuples(); ++id)
     {
       if (std::abs(array->GetComponent(id, c)) >= fillValue)
       {
@@ -67,7 +68,8 @@ void CarryArrays(
     }
     else
     {
-      copy(0, count); // neighbouring bits share a byte; variant and string arrays are not for threads
+      copy(
+        0, count); // neighbouring bits share a byte; variant and string arrays are not for threads
     }
     EraseFillValues(vtkDataArray::SafeDownCast(to));
     output->AddArray(to);

@@ -87,8 +87,7 @@ inline Vector3 GlobeDisplayVelocity(
   const Planet& planet, const Basis& basis, double height, const Vector3& wind)
 {
   const double w = dot(wind, basis.up);
-  const double ratio =
-    (planet.radius + planet.exaggeration * height) / (planet.radius + height);
+  const double ratio = (planet.radius + planet.exaggeration * height) / (planet.radius + height);
   Vector3 velocity;
   for (int c = 0; c < 3; ++c)
   {

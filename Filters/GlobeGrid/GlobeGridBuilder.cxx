@@ -10,9 +10,9 @@
 #include "PoleRows.h"
 
 #include "vtkCellData.h"
+#include "vtkDoubleArray.h"
 #include "vtkFloatArray.h"
 #include "vtkPointData.h"
-#include "vtkDoubleArray.h"
 #include "vtkPoints.h"
 #include "vtkStructuredData.h"
 #include "vtkStructuredGrid.h"
@@ -80,7 +80,8 @@ void GlobeGridBuilder::PlacePoints(const int extent[6], vtkStructuredGrid* outpu
       const std::array<int, 3> input = this->Order_.InputPoint(i, row.j, row.k);
       const std::array<double, 3> x = this->CoordinatesOf({ i, row.j, row.k });
       bool missing = ringMissing;
-      const double height = added ? ringHeight : this->HeightOf(this->Grid.Id(input), x[2], missing);
+      const double height =
+        added ? ringHeight : this->HeightOf(this->Grid.Id(input), x[2], missing);
       this->Hidden[id] = missing ? HEIGHT_MISSING : 0;
       heights[id] = static_cast<float>(height);
       const double longitude =
@@ -99,7 +100,8 @@ void GlobeGridBuilder::PlacePoints(const int extent[6], vtkStructuredGrid* outpu
 // Those of the input point, but the latitude of an added pole.
 std::array<double, 3> GlobeGridBuilder::CoordinatesOf(const std::array<int, 3>& output) const
 {
-  std::array<double, 3> x = this->Grid.Coordinates(this->Order_.InputPoint(output[0], output[1], output[2]));
+  std::array<double, 3> x =
+    this->Grid.Coordinates(this->Order_.InputPoint(output[0], output[1], output[2]));
   if (const int pole = this->Order_.AddedPole(output[1]))
   {
     x[1] = 90.0 * pole;
@@ -116,7 +118,8 @@ double GlobeGridBuilder::RingHeight(int j, int k, bool& missing) const
   {
     const std::array<int, 3> input = this->Order_.InputPoint(i, j, k);
     bool oneMissing = false;
-    const double height = this->HeightOf(this->Grid.Id(input), this->Grid.Coordinates(input)[2], oneMissing);
+    const double height =
+      this->HeightOf(this->Grid.Id(input), this->Grid.Coordinates(input)[2], oneMissing);
     fallback = height;
     if (!oneMissing)
     {
@@ -194,7 +197,8 @@ double GlobeGridBuilder::SurfaceValue(vtkDataArray* values, const std::array<int
 {
   const int level = this->SurfaceGrid->Dimensions()[2] == 1 ? 0 : index[2];
   const auto at = [&](int column) {
-    return values->GetComponent(this->SurfaceGrid->Id(this->SurfaceOrder.InputPoint(column, index[1], level)), 0);
+    return values->GetComponent(
+      this->SurfaceGrid->Id(this->SurfaceOrder.InputPoint(column, index[1], level)), 0);
   };
   if (this->Order_.AddedPole(index[1]) == 0)
   {
@@ -228,8 +232,8 @@ std::vector<std::string> GlobeGridBuilder::Warnings() const
   }
   if (this->DoubtfulTemperatures > 0)
   {
-    warnings.push_back(std::to_string(this->DoubtfulTemperatures) + " values of the temperature array '" +
-      this->Settings.Temperature +
+    warnings.push_back(std::to_string(this->DoubtfulTemperatures) +
+      " values of the temperature array '" + this->Settings.Temperature +
       "' are missing or outside 100 to 400 K; the standard atmosphere takes their place. The array must "
       "be in kelvin.");
   }

@@ -76,7 +76,8 @@ public:
 
   // Fills the extent (relative to output index 0). `keepGoing(progress)` is asked between the passes.
   // Returns false if told to stop.
-  bool Build(const int extent[6], vtkStructuredGrid* output, const std::function<bool(double)>& keepGoing);
+  bool Build(
+    const int extent[6], vtkStructuredGrid* output, const std::function<bool(double)>& keepGoing);
 
   const GridOrder& Order() const { return this->Order_; }
   std::vector<std::string> Warnings() const;
@@ -101,8 +102,8 @@ private:
   double PressureOf(double level, double height) const;
   bool UpwardWind(vtkIdType id, double level, double height, double& w) const;
   bool WindOf(const std::array<int, 3>& input, const geodesy::Basis& basis, Vector3& wind) const;
-  void WritePoleWind(
-    vtkStructuredGrid* output, vtkIdType id, const Vector3& wind, const geodesy::Basis& basis) const;
+  void WritePoleWind(vtkStructuredGrid* output, vtkIdType id, const Vector3& wind,
+    const geodesy::Basis& basis) const;
   void TurnFromGrid(const std::array<int, 3>& input, double& u, double& v) const;
   bool PoleWind(int j, int k, Vector3& wind) const;
   bool IsBelowGround(const std::array<int, 3>& index) const;

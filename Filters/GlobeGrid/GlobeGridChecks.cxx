@@ -42,7 +42,8 @@ std::vector<int> Spread(int count)
   const int samples = std::min(count, SAMPLES_ALONG_AXIS);
   for (int s = 0; s < samples; ++s)
   {
-    indices.push_back(samples > 1 ? static_cast<int>(static_cast<long long>(s) * (count - 1) / (samples - 1)) : 0);
+    indices.push_back(
+      samples > 1 ? static_cast<int>(static_cast<long long>(s) * (count - 1) / (samples - 1)) : 0);
   }
   return indices;
 }
@@ -76,24 +77,30 @@ void GlobeGridBuilder::FindLevelUnits()
   {
     const auto ends = std::minmax(levels.front(), levels.back());
     const HeightTrend trend = this->TrendOfHeights();
-    this->Units = AreIndices(levels) ? LevelUnits::Index : GuessLevelUnits(ends.first, ends.second, trend);
+    this->Units =
+      AreIndices(levels) ? LevelUnits::Index : GuessLevelUnits(ends.first, ends.second, trend);
     const double deepest = -ends.first;
-    if (IsPressure(this->Units) && deepest > 0.0 && trend == HeightTrend::Unknown && levels.size() > 1 && !EndsNearGround(this->Units, deepest))
+    if (IsPressure(this->Units) && deepest > 0.0 && trend == HeightTrend::Unknown &&
+      levels.size() > 1 && !EndsNearGround(this->Units, deepest))
     {
-      this->Notes.push_back("The level axis points down and ends at " + Text(deepest) + ", which is not an air pressure near the "
-        "ground. It is taken as a pressure in " + (this->Units == LevelUnits::Hectopascal ? "hPa" : "Pa") +
+      this->Notes.push_back("The level axis points down and ends at " + Text(deepest) +
+        ", which is not an air pressure near the "
+        "ground. It is taken as a pressure in " +
+        (this->Units == LevelUnits::Hectopascal ? "hPa" : "Pa") +
         ". Set LevelUnits to confirm this, or to a height if it is a depth.");
     }
   }
   if (this->Units == LevelUnits::Sigma && !this->Heights)
   {
-    this->Notes.push_back("The levels end near 1, like sigma and hybrid levels. Pressures of such levels depend on the place and are not "
-                          "in the input. The heights assume a ground pressure of 1013.25 hPa. Load an array of heights in metres "
-                          "and set HeightArrayName, or set LevelUnits if these are pressures.");
+    this->Notes.push_back(
+      "The levels end near 1, like sigma and hybrid levels. Pressures of such levels depend on the place and are not "
+      "in the input. The heights assume a ground pressure of 1013.25 hPa. Load an array of heights in metres "
+      "and set HeightArrayName, or set LevelUnits if these are pressures.");
   }
   if (this->Units == LevelUnits::Index && !this->Heights)
   {
-    this->Notes.push_back("The level axis runs from " + Text(levels.front()) + " to " + Text(levels.back()) +
+    this->Notes.push_back("The level axis runs from " + Text(levels.front()) + " to " +
+      Text(levels.back()) +
       " in steps of 1. These look like numbers of levels, not heights. They are taken as metres, so the grid is almost flat. "
       "Load an array of heights and set HeightArrayName, or set LevelUnits if they are pressures or heights.");
   }
@@ -112,15 +119,17 @@ void GlobeGridBuilder::FindHeightUnits(vtkFieldData* fieldData)
     units = ratio > 0.0 ? GuessHeightUnits(ratio) : HeightUnits::Metre;
     if (units != HeightUnits::Automatic && units != HeightUnits::Metre)
     {
-      this->Notes.push_back("The height array '" + name + "' has no units. Its values are " + Text(ratio) +
-        " times the heights of the standard atmosphere at these pressures, so it is taken as " + UnitName(units) +
-        ". Set HeightUnits to confirm or change this.");
+      this->Notes.push_back("The height array '" + name + "' has no units. Its values are " +
+        Text(ratio) +
+        " times the heights of the standard atmosphere at these pressures, so it is taken as " +
+        UnitName(units) + ". Set HeightUnits to confirm or change this.");
     }
   }
   if (ratio > 0.0 && !RatioFits(ratio, units))
   {
-    this->Notes.push_back("The height array '" + name + "'" + (said.empty() ? "" : ", whose units are '" + said + "',") +
-      " is implausible: taken as " + UnitName(units) + ", it is " + Text(ratio * MetresPer(units)) +
+    this->Notes.push_back("The height array '" + name + "'" +
+      (said.empty() ? "" : ", whose units are '" + said + "',") + " is implausible: taken as " +
+      UnitName(units) + ", it is " + Text(ratio * MetresPer(units)) +
       " times as high as the standard atmosphere at these pressures. Set HeightUnits, HeightArrayName or LevelUnits.");
   }
   this->HeightScale = MetresPer(units);
@@ -135,7 +144,8 @@ double GlobeGridBuilder::RatioToStandardAtmosphere() const
   {
     const double level = this->Grid.Coordinates({ 0, 0, k })[2];
     const double standard = LevelHeight(this->Units, level);
-    if ((!IsPressure(this->Units) && this->Units != LevelUnits::Sigma) || standard < 1000.0 || standard > 50000.0)
+    if ((!IsPressure(this->Units) && this->Units != LevelUnits::Sigma) || standard < 1000.0 ||
+      standard > 50000.0)
     {
       continue;
     }
@@ -167,7 +177,8 @@ void GlobeGridBuilder::CheckHeights()
       for (const int i : Spread(this->Grid.Dimensions()[0]))
       {
         bool missing = false;
-        const double height = this->HeightOf(this->Grid.Id({ i, j, k }), this->Grid.Coordinates({ i, j, k })[2], missing);
+        const double height = this->HeightOf(
+          this->Grid.Id({ i, j, k }), this->Grid.Coordinates({ i, j, k })[2], missing);
         lowest = missing ? lowest : std::min(lowest, height);
         highest = missing ? highest : std::max(highest, height);
       }
@@ -179,14 +190,19 @@ void GlobeGridBuilder::CheckHeights()
   if (deep || highest > HIGHEST_PLAUSIBLE)
   {
     this->Notes.push_back(range + ", which is implausible on Earth. " +
-      (ofArray ? "Set HeightUnits if '" + this->Settings.Height + "' is a geopotential (m2 s-2) or in kilometres, or choose another HeightArrayName."
-               : "Set LevelUnits to what the level axis is: a pressure in hPa or Pa, or a height in m or km."));
+      (ofArray
+          ? "Set HeightUnits if '" + this->Settings.Height +
+            "' is a geopotential (m2 s-2) or in kilometres, or choose another HeightArrayName."
+          : "Set LevelUnits to what the level axis is: a pressure in hPa or Pa, or a height in m or km."));
   }
   const std::vector<double> row = this->Grid.MiddleRow();
-  const bool guessed = this->Settings.Units == LevelUnits::Automatic && this->Units == LevelUnits::Metre;
-  if (!ofArray && guessed && highest > lowest && highest - lowest < THINNEST_PLAUSIBLE && std::abs(row.back() - row.front()) > 1.0)
+  const bool guessed =
+    this->Settings.Units == LevelUnits::Automatic && this->Units == LevelUnits::Metre;
+  if (!ofArray && guessed && highest > lowest && highest - lowest < THINNEST_PLAUSIBLE &&
+    std::abs(row.back() - row.front()) > 1.0)
   {
-    this->Notes.push_back(range + " only. If the level axis is in kilometres or is a pressure, set LevelUnits. If it holds numbers of "
+    this->Notes.push_back(range +
+      " only. If the level axis is in kilometres or is a pressure, set LevelUnits. If it holds numbers of "
       "levels, load an array of heights and set HeightArrayName.");
   }
 }
@@ -196,8 +212,9 @@ void GlobeGridBuilder::CheckAxes()
   std::vector<double> row = this->Grid.MiddleRow();
   if (JudgeCoverage(row) == Coverage::Overlap)
   {
-    this->Notes.push_back("The longitudes cover more than one turn, so cells overlap. Extract one turn "
-                          "(Extract Subset) before this filter.");
+    this->Notes.push_back(
+      "The longitudes cover more than one turn, so cells overlap. Extract one turn "
+      "(Extract Subset) before this filter.");
   }
   double largest = 0.0;
   for (int j = 0; j < this->Grid.Dimensions()[1]; ++j)
@@ -212,8 +229,9 @@ void GlobeGridBuilder::CheckAxes()
   const Coverage turned = JudgeCoverage(row);
   if ((turned == Coverage::Open || turned == Coverage::Closed) && largest > 1.3 && largest < 1.5709)
   {
-    this->Notes.push_back("Longitudes and latitudes look like radians: multiplied by 57.29578 they go once around the globe and from pole to "
-                          "pole. The filter needs degrees: multiply both axes by that number before it.");
+    this->Notes.push_back(
+      "Longitudes and latitudes look like radians: multiplied by 57.29578 they go once around the globe and from pole to "
+      "pole. The filter needs degrees: multiply both axes by that number before it.");
   }
 }
 
@@ -242,8 +260,8 @@ void GlobeGridBuilder::FindWindComponents()
   }
   if (largest > TURNED_GRID)
   {
-    this->Notes.push_back("The rows of the grid deviate by up to " + Text(std::round(largest)) + " degrees from the parallels, but the winds '" +
-      east + "' and '" + this->Settings.Northward +
+    this->Notes.push_back("The rows of the grid deviate by up to " + Text(std::round(largest)) +
+      " degrees from the parallels, but the winds '" + east + "' and '" + this->Settings.Northward +
       "' are taken as eastward and northward. If they are along the grid (GRIB: uvRelativeToGrid = 1; CF: x_wind, y_wind), set "
       "WindComponents to Along Grid; else set it to East And North.");
   }

@@ -55,7 +55,8 @@ GridOrder PlanRows(const LonLatLevelGrid& grid, const GlobeGridSettings& setting
   GridOrder order = PlanColumns(grid, settings);
   const int last = order.InputDimensions[1] - 1;
   const int middle = order.InputDimensions[0] / 2;
-  order.Reversed[1] = grid.Coordinates({ middle, last, 0 })[1] < grid.Coordinates({ middle, 0, 0 })[1];
+  order.Reversed[1] =
+    grid.Coordinates({ middle, last, 0 })[1] < grid.Coordinates({ middle, 0, 0 })[1];
   if (settings.ClosePoles && GoesRound(grid))
   {
     order.AddPoles(MissingPoles(grid));
@@ -141,7 +142,8 @@ std::string GlobeGridBuilder::FindWinds(vtkFieldData* units)
   const GlobeGridSettings& names = this->Settings;
   this->U = this->Grid.Array(names.Eastward);
   this->V = this->Grid.Array(names.Northward);
-  const std::string remedy = " Load it in the reader, or set the wind array names to those of the input: " +
+  const std::string remedy =
+    " Load it in the reader, or set the wind array names to those of the input: " +
     this->Grid.ArrayNames() + ".";
   if (!this->U != !this->V)
   {
@@ -154,8 +156,8 @@ std::string GlobeGridBuilder::FindWinds(vtkFieldData* units)
   }
   if (!this->U)
   {
-    this->Notes.push_back("There are no wind arrays '" + names.Eastward + "' and '" + names.Northward +
-      "', so Wind and DisplayVelocity are not made." + remedy);
+    this->Notes.push_back("There are no wind arrays '" + names.Eastward + "' and '" +
+      names.Northward + "', so Wind and DisplayVelocity are not made." + remedy);
     return std::string();
   }
   this->W = this->Grid.Array(names.Vertical);
@@ -170,7 +172,8 @@ std::string GlobeGridBuilder::FindWinds(vtkFieldData* units)
   if (this->W && (names.VerticalIsOmega ? isSpeed : isOmega))
   {
     this->Notes.push_back("The units of '" + names.Vertical + "' are " + unitsOfW +
-      (names.VerticalIsOmega ? ": switch VerticalWindIsOmega off." : ": switch VerticalWindIsOmega on."));
+      (names.VerticalIsOmega ? ": switch VerticalWindIsOmega off."
+                             : ": switch VerticalWindIsOmega on."));
   }
   return std::string();
 }
@@ -184,23 +187,25 @@ void GlobeGridBuilder::FindSurface(const LonLatLevelGrid* surface)
     {
       continue;
     }
-    vtkDataArray* pressures = IsPressure(this->Units) ? grid->Array(names.SurfacePressure) : nullptr;
+    vtkDataArray* pressures =
+      IsPressure(this->Units) ? grid->Array(names.SurfacePressure) : nullptr;
     vtkDataArray* terrain = grid->Array(names.TerrainHeight);
     if (!pressures && !terrain)
     {
       if (grid == surface)
       {
         this->Notes.push_back("The surface input has neither '" + names.SurfacePressure +
-          "' (on pressure levels) nor '" + names.TerrainHeight + "'; its arrays are: " +
-          grid->ArrayNames() + ". It is not used.");
+          "' (on pressure levels) nor '" + names.TerrainHeight +
+          "'; its arrays are: " + grid->ArrayNames() + ". It is not used.");
       }
       continue;
     }
     const GridOrder order = PlanRows(*grid, names);
     if (grid == surface && !this->SurfaceMatches(*grid, order))
     {
-      this->Notes.push_back("The longitudes and latitudes of the surface input are not those of the first "
-                            "input; it is not used. Read both from one file.");
+      this->Notes.push_back(
+        "The longitudes and latitudes of the surface input are not those of the first "
+        "input; it is not used. Read both from one file.");
       continue;
     }
     this->SurfaceGrid = grid;

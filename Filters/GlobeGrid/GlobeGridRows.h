@@ -42,8 +42,8 @@ void ForEachRow(const int extent[6], const Function& function)
   auto work = [&](vtkIdType begin, vtkIdType end) {
     for (vtkIdType r = begin; r < end; ++r)
     {
-      function(OutputRow{ extent[2] + static_cast<int>(r % rows), extent[4] + static_cast<int>(r / rows),
-        r * columns });
+      function(OutputRow{ extent[2] + static_cast<int>(r % rows),
+        extent[4] + static_cast<int>(r / rows), r * columns });
     }
   };
   inParallel(rows * levels, work);

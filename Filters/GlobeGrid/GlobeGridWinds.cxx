@@ -47,7 +47,8 @@ void GlobeGridBuilder::AddWinds(const int extent[6], vtkStructuredGrid* output)
         this->Hidden[id] |= WIND_MISSING;
       }
       bool missing = false;
-      const double height = added ? poleHeight : this->HeightOf(this->Grid.Id(input), x[2], missing);
+      const double height =
+        added ? poleHeight : this->HeightOf(this->Grid.Id(input), x[2], missing);
       if (added)
       {
         this->WritePoleWind(output, id, wind, basis);
@@ -55,8 +56,7 @@ void GlobeGridBuilder::AddWinds(const int extent[6], vtkStructuredGrid* output)
       Vector3 velocity;
       if (this->Settings.OnMap)
       {
-        wind = { dot(wind, basis.east), dot(wind, basis.north),
-          dot(wind, basis.up) };
+        wind = { dot(wind, basis.east), dot(wind, basis.north), dot(wind, basis.up) };
         velocity = geodesy::MapDisplayVelocity(this->Settings.Planet,
           std::cos(x[1] * geodesy::RADIANS_PER_DEGREE), height, wind[0], wind[1], wind[2]);
       }
@@ -143,8 +143,8 @@ bool GlobeGridBuilder::UpwardWind(vtkIdType id, double level, double height, dou
   {
     return !IsMissing(w);
   }
-  double temperature = this->Temperatures ? this->Temperatures->GetComponent(id, 0)
-                                          : atmosphere::Temperature(height);
+  double temperature =
+    this->Temperatures ? this->Temperatures->GetComponent(id, 0) : atmosphere::Temperature(height);
   if (!(temperature >= COLDEST && temperature <= HOTTEST))
   {
     ++this->DoubtfulTemperatures;

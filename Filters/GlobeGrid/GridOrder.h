@@ -18,11 +18,13 @@ struct GridOrder
   std::array<int, 3> InputDimensions = { 1, 1, 1 };
   std::array<int, 3> OutputDimensions = { 1, 1, 1 };
   std::array<bool, 3> Reversed = { false, false, false };
-  int Period = 0;         // distinct columns of a grid that goes round the globe and is rotated or closed; else 0
-  int FirstColumn = 0;    // of the distinct columns, the one that comes first in the output
+  int Period =
+    0; // distinct columns of a grid that goes round the globe and is rotated or closed; else 0
+  int FirstColumn = 0; // of the distinct columns, the one that comes first in the output
   bool InputIsClosed = false;
-  std::array<bool, 2> PoleIsAdded = { false, false }; // south, north; OutputDimensions count these rows
-  double Turns = 0.0;     // whole turns, in degrees, added to every longitude on a map
+  std::array<bool, 2> PoleIsAdded = { false,
+    false };          // south, north; OutputDimensions count these rows
+  double Turns = 0.0; // whole turns, in degrees, added to every longitude on a map
 
   // The column among the ordered ones, and the whole turns that its longitude needs.
   int OrderedColumn(int column) const
@@ -65,7 +67,8 @@ struct GridOrder
   {
     const int cells = std::max(this->InputDimensions[0] - 1, 1);
     const int column = std::min(this->OrderedColumn(i), cells - 1);
-    return { this->Turned(0, column, 2), this->Turned(1, this->OrderedRow(j, 2), 2), this->Turned(2, k, 2) };
+    return { this->Turned(0, column, 2), this->Turned(1, this->OrderedRow(j, 2), 2),
+      this->Turned(2, k, 2) };
   }
 
   // Puts the meridian in the middle of the map. `longitudes`: unwrapped, of the ordered columns.

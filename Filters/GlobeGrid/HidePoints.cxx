@@ -63,7 +63,8 @@ void HidePoints(const std::vector<unsigned char>& flags, vtkStructuredGrid* outp
   {
     return;
   }
-  vtkUnsignedCharArray* pointGhosts = GhostArray(output->GetPointData(), output->GetNumberOfPoints());
+  vtkUnsignedCharArray* pointGhosts =
+    GhostArray(output->GetPointData(), output->GetNumberOfPoints());
   vtkUnsignedCharArray* cellGhosts = GhostArray(output->GetCellData(), output->GetNumberOfCells());
   int size[3];
   output->GetDimensions(size);

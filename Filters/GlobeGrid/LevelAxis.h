@@ -61,8 +61,8 @@ inline LevelUnits GuessLevelUnits(double lowest, double highest, HeightTrend tre
 {
   const bool negated = highest < 0.0;
   const double largest = negated ? -lowest : highest;
-  const bool fallsAloft = negated ? trend != HeightTrend::FallsWithLevel
-                                  : trend != HeightTrend::GrowsWithLevel;
+  const bool fallsAloft =
+    negated ? trend != HeightTrend::FallsWithLevel : trend != HeightTrend::GrowsWithLevel;
   const bool positive = negated || lowest > 0.0;
   if (positive && fallsAloft)
   {

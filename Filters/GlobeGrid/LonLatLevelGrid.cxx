@@ -46,7 +46,8 @@ double SnapLatitude(double latitude)
 std::string LatitudeMessage(double latitude)
 {
   std::ostringstream text;
-  text << "The second axis must be latitude in degrees, within -90 to 90, but has the value " << latitude
+  text << "The second axis must be latitude in degrees, within -90 to 90, but has the value "
+       << latitude
        << ". The axes must be longitude, latitude, level; with the NetCDF CF reader switch "
           "'Spherical Coordinates' off.";
   return text.str();
@@ -105,8 +106,8 @@ std::string LonLatLevelGrid::Read(vtkDataSet* grid, bool cellCentres)
   {
     this->TakeCellCentres();
   }
-  const int extended = static_cast<int>(std::count_if(
-    this->Size.begin(), this->Size.end(), [](int n) { return n > 1; }));
+  const int extended = static_cast<int>(
+    std::count_if(this->Size.begin(), this->Size.end(), [](int n) { return n > 1; }));
   if (extended < 2)
   {
     return "The input has fewer than two axes of more than one point; a grid needs at least two "
@@ -199,7 +200,8 @@ std::string LonLatLevelGrid::CheckPoints()
     this->Points->GetPoint(id, x);
     if (!std::isfinite(x[0] + x[1] + x[2]))
     {
-      return "Point " + std::to_string(id) + " of the structured grid has a coordinate that is not a number.";
+      return "Point " + std::to_string(id) +
+        " of the structured grid has a coordinate that is not a number.";
     }
     const double radius = std::sqrt(x[0] * x[0] + x[1] * x[1] + x[2] * x[2]);
     unitSphere = unitSphere && std::abs(radius - 1.0) < 1e-5;
@@ -354,6 +356,7 @@ bool DataAreOnCells(vtkDataSet* grid, const std::vector<std::string>& names)
     onCells = onCells || grid->GetCellData()->HasArray(name.c_str());
   }
   return onCells ||
-    (grid->GetPointData()->GetNumberOfArrays() == 0 && grid->GetCellData()->GetNumberOfArrays() > 0);
+    (grid->GetPointData()->GetNumberOfArrays() == 0 &&
+      grid->GetCellData()->GetNumberOfArrays() > 0);
 }
 }

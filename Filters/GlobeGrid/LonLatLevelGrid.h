@@ -29,7 +29,8 @@ public:
   vtkIdType Id(const std::array<int, 3>& index) const
   {
     return index[0] +
-      static_cast<vtkIdType>(this->Size[0]) * (index[1] + static_cast<vtkIdType>(this->Size[1]) * index[2]);
+      static_cast<vtkIdType>(this->Size[0]) *
+      (index[1] + static_cast<vtkIdType>(this->Size[1]) * index[2]);
   }
 
   // Degrees east, degrees north (within +-90), level, as the input has them.
@@ -68,9 +69,9 @@ private:
   std::array<int, 3> Size = { 0, 0, 0 };
   std::array<int, 3> First = { 0, 0, 0 };
   std::array<int, 3> CornerSize = { 0, 0, 0 };
-  std::array<std::vector<double>, 3> Axes;  // empty if the grid is curvilinear
-  std::vector<double> ReferenceLongitudes;  // of the lowest level, if the grid is curvilinear
-  vtkPoints* Points = nullptr;              // if the grid is curvilinear
+  std::array<std::vector<double>, 3> Axes; // empty if the grid is curvilinear
+  std::vector<double> ReferenceLongitudes; // of the lowest level, if the grid is curvilinear
+  vtkPoints* Points = nullptr;             // if the grid is curvilinear
   bool AtCellCentres = false;
   vtkDataSetAttributes* OnPoints = nullptr;
   vtkDataSetAttributes* OnCells = nullptr;

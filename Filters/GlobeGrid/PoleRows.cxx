@@ -13,8 +13,8 @@ namespace nephoscope
 namespace
 {
 // Writes the value of the ring below the added row (j, k) to all points of that row, which begin at `firstId`.
-void FillRow(vtkDataArray* from, vtkDataArray* to, const LonLatLevelGrid& grid, const GridOrder& order, int j, int k,
-  vtkIdType firstId, int count)
+void FillRow(vtkDataArray* from, vtkDataArray* to, const LonLatLevelGrid& grid,
+  const GridOrder& order, int j, int k, vtkIdType firstId, int count)
 {
   const bool floating = to->GetDataType() == VTK_FLOAT || to->GetDataType() == VTK_DOUBLE;
   const int columns = DistinctColumns(order);
@@ -51,8 +51,8 @@ std::array<bool, 2> MissingPoles(const LonLatLevelGrid& grid)
   {
     double outer = 0.0;
     double next = 0.0;
-    if (rows > 1 && grid.RowLatitude(last ? rows - 1 : 0, outer) && grid.RowLatitude(last ? rows - 2 : 1, next) &&
-      IsLastRing(outer, next))
+    if (rows > 1 && grid.RowLatitude(last ? rows - 1 : 0, outer) &&
+      grid.RowLatitude(last ? rows - 2 : 1, next) && IsLastRing(outer, next))
     {
       missing[outer > 0.0 ? 1 : 0] = true;
     }
@@ -60,7 +60,8 @@ std::array<bool, 2> MissingPoles(const LonLatLevelGrid& grid)
   return missing;
 }
 
-void FillPoleRows(const LonLatLevelGrid& grid, const GridOrder& order, const int extent[6], vtkDataSetAttributes* output)
+void FillPoleRows(const LonLatLevelGrid& grid, const GridOrder& order, const int extent[6],
+  vtkDataSetAttributes* output)
 {
   const int columns = extent[1] - extent[0] + 1;
   const vtkIdType rows = extent[3] - extent[2] + 1;
@@ -74,7 +75,8 @@ void FillPoleRows(const LonLatLevelGrid& grid, const GridOrder& order, const int
       {
         if (order.AddedPole(j) != 0 && j >= extent[2] && j <= extent[3])
         {
-          FillRow(from, to, grid, order, j, k, columns * (j - extent[2] + rows * (k - extent[4])), columns);
+          FillRow(from, to, grid, order, j, k, columns * (j - extent[2] + rows * (k - extent[4])),
+            columns);
         }
       }
     }

@@ -23,7 +23,8 @@ class LonLatLevelGrid;
 inline bool IsLastRing(double outer, double next)
 {
   const double gap = 90.0 - std::abs(outer);
-  return outer * (outer - next) > 0.0 && gap > 0.0 && gap <= std::min(1.05 * std::abs(outer - next), 20.0);
+  return outer * (outer - next) > 0.0 && gap > 0.0 &&
+    gap <= std::min(1.05 * std::abs(outer - next), 20.0);
 }
 
 // The distinct columns of a grid round the globe: a closed one has its first column twice.
@@ -55,7 +56,8 @@ std::array<bool, 2> MissingPoles(const LonLatLevelGrid& grid);
 
 // Gives the points of the added rows in the extent the mean of the last ring, missing values left out. Arrays of
 // several components are taken as Cartesian.
-void FillPoleRows(const LonLatLevelGrid& grid, const GridOrder& order, const int extent[6], vtkDataSetAttributes* output);
+void FillPoleRows(const LonLatLevelGrid& grid, const GridOrder& order, const int extent[6],
+  vtkDataSetAttributes* output);
 }
 
 #endif

@@ -79,15 +79,19 @@ Vector3 NormalAt(const Rows& rows, int i, int j, bool closes)
   const int before = i > 0 ? i - 1 : closes ? last - 1 : 0;
   const int after = i < last ? i + 1 : closes ? 1 : last;
   const Vector3 along = rows.Point(after, j) - rows.Point(before, j);
-  const Vector3 across = rows.Point(i, std::min(j + 1, rows.Count - 1)) - rows.Point(i, std::max(j - 1, 0));
+  const Vector3 across =
+    rows.Point(i, std::min(j + 1, rows.Count - 1)) - rows.Point(i, std::max(j - 1, 0));
   return normalized(cross(along, across));
 }
 
 // Degrees.
-void LongitudeLatitude(const Vector3& x, const TerrainPlace& place, double& longitude, double& latitude)
+void LongitudeLatitude(
+  const Vector3& x, const TerrainPlace& place, double& longitude, double& latitude)
 {
-  longitude = vtkMath::DegreesFromRadians(place.OnGlobe ? std::atan2(x[1], x[0]) : x[0] / place.Radius);
-  latitude = vtkMath::DegreesFromRadians(place.OnGlobe ? std::atan2(x[2], std::hypot(x[0], x[1])) : x[1] / place.Radius);
+  longitude =
+    vtkMath::DegreesFromRadians(place.OnGlobe ? std::atan2(x[1], x[0]) : x[0] / place.Radius);
+  latitude = vtkMath::DegreesFromRadians(
+    place.OnGlobe ? std::atan2(x[2], std::hypot(x[0], x[1])) : x[1] / place.Radius);
 }
 }
 
@@ -104,7 +108,8 @@ void FlattenSea(vtkStructuredGrid* terrain, vtkDataArray* land, const TerrainPla
     Vector3 x;
     points->GetPoint(id, x.data());
     const double radius = norm(x);
-    x = place.OnGlobe ? Vector3{ x[0] * (place.Radius / radius), x[1] * (place.Radius / radius), x[2] * (place.Radius / radius) }
+    x = place.OnGlobe ? Vector3{ x[0] * (place.Radius / radius), x[1] * (place.Radius / radius),
+      x[2] * (place.Radius / radius) }
                       : Vector3{ x[0], x[1], 0.0 };
     points->SetPoint(id, x.data());
     heights->SetComponent(id, 0, 0.0);
@@ -119,7 +124,9 @@ void AddTerrainScale(vtkStructuredGrid* terrain, vtkDataArray* land, double dept
   {
     const double height = heights->GetComponent(id, 0);
     const double fraction = land ? std::max(0.0, land->GetComponent(id, 0)) : 0.0;
-    scale->SetValue(id, static_cast<float>(IsLand(land, height, id) ? std::max(0.0, height) : -depth * (1.0 - 2.0 * fraction)));
+    scale->SetValue(id,
+      static_cast<float>(
+        IsLand(land, height, id) ? std::max(0.0, height) : -depth * (1.0 - 2.0 * fraction)));
   }
   terrain->GetPointData()->AddArray(scale);
   terrain->GetPointData()->SetActiveScalars(scale->GetName());

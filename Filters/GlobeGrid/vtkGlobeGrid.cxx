@@ -63,7 +63,8 @@ nephoscope::GlobeGridSettings SettingsOf(vtkGlobeGrid* self)
 
 bool Holds(vtkDataSet* data, const std::string& name)
 {
-  return data->GetPointData()->HasArray(name.c_str()) || data->GetCellData()->HasArray(name.c_str());
+  return data->GetPointData()->HasArray(name.c_str()) ||
+    data->GetCellData()->HasArray(name.c_str());
 }
 
 struct UsualWinds
@@ -77,7 +78,8 @@ struct UsualWinds
 // Names of CMIP and of other models in the place of default names that the data do not have.
 void TakeUsualNames(vtkDataSet* data, nephoscope::GlobeGridSettings& settings)
 {
-  const auto replace = [&](std::string& name, const char* ours, std::initializer_list<const char*> others) {
+  const auto replace = [&](std::string& name, const char* ours,
+                         std::initializer_list<const char*> others) {
     for (const char* other : others)
     {
       name = name == ours && !Holds(data, name) && Holds(data, other) ? other : name;
@@ -86,7 +88,8 @@ void TakeUsualNames(vtkDataSet* data, nephoscope::GlobeGridSettings& settings)
   replace(settings.Height, "gh", { "zg" });
   replace(settings.Temperature, "t", { "ta" });
   const bool asked = settings.Eastward == "u" && settings.Northward == "v";
-  for (const UsualWinds& winds : { UsualWinds{ "ua", "va", "wap", "wa" }, UsualWinds{ "U", "V", "OMEGA", "W" } })
+  for (const UsualWinds& winds :
+    { UsualWinds{ "ua", "va", "wap", "wa" }, UsualWinds{ "U", "V", "OMEGA", "W" } })
   {
     if (!asked || Holds(data, "u") || !Holds(data, winds.Eastward) || !Holds(data, winds.Northward))
     {
@@ -97,14 +100,16 @@ void TakeUsualNames(vtkDataSet* data, nephoscope::GlobeGridSettings& settings)
     if (settings.Vertical == "w" && !Holds(data, "w"))
     {
       settings.VerticalIsOmega = Holds(data, winds.Omega);
-      settings.Vertical = Holds(data, winds.Omega) ? winds.Omega : Holds(data, winds.Upward) ? winds.Upward : "";
+      settings.Vertical = Holds(data, winds.Omega) ? winds.Omega
+        : Holds(data, winds.Upward)                ? winds.Upward
+                                                   : "";
     }
     return;
   }
 }
 
-bool ReadGrid(vtkDataSet* data, const std::vector<std::string>& names, nephoscope::LonLatLevelGrid& grid,
-  std::string& error)
+bool ReadGrid(vtkDataSet* data, const std::vector<std::string>& names,
+  nephoscope::LonLatLevelGrid& grid, std::string& error)
 {
   const bool onCells = data && nephoscope::DataAreOnCells(data, names);
   error = grid.Read(data, onCells);
@@ -120,14 +125,16 @@ std::vector<std::string> FieldNames(const nephoscope::GlobeGridSettings& setting
 // a filter of its own between, which does not bear to be updated meanwhile.
 bool IsOfBlocks(vtkAlgorithm* producer, int port)
 {
-  const bool hasInput = producer->GetNumberOfInputPorts() > 0 && producer->GetNumberOfInputConnections(0) > 0;
+  const bool hasInput =
+    producer->GetNumberOfInputPorts() > 0 && producer->GetNumberOfInputConnections(0) > 0;
   return vtkCompositeDataSet::SafeDownCast(producer->GetOutputDataObject(port)) ||
     (hasInput && vtkCompositeDataSet::SafeDownCast(producer->GetInputDataObject(0, 0)));
 }
 
 // Some rows of two levels, all columns: whether seam and poles must be closed shows in longitudes and latitudes, and no
 // reader tells them before it reads.
-vtkDataSet* PeekAtRows(vtkAlgorithm* producer, int port, vtkInformation* inInfo, const int whole[6], int first, int last)
+vtkDataSet* PeekAtRows(
+  vtkAlgorithm* producer, int port, vtkInformation* inInfo, const int whole[6], int first, int last)
 {
   auto* block = vtkDataSet::SafeDownCast(vtkDataObject::GetData(inInfo));
   if (IsOfBlocks(producer, port) && block && block->GetNumberOfPoints() > 0)
@@ -150,8 +157,9 @@ vtkDataSet* PeekAtRows(vtkAlgorithm* producer, int port, vtkInformation* inInfo,
 }
 
 // What PeekAtRows sees there; false if it is no grid (RequestData tells what is wrong).
-bool PeekAtGrid(vtkAlgorithm* producer, int port, vtkInformation* inInfo, const int whole[6], int first, int last,
-  nephoscope::GlobeGridSettings settings, nephoscope::LonLatLevelGrid& grid, bool& onCells)
+bool PeekAtGrid(vtkAlgorithm* producer, int port, vtkInformation* inInfo, const int whole[6],
+  int first, int last, nephoscope::GlobeGridSettings settings, nephoscope::LonLatLevelGrid& grid,
+  bool& onCells)
 {
   std::string error;
   vtkDataSet* rows = PeekAtRows(producer, port, inInfo, whole, first, last);
@@ -210,10 +218,13 @@ int vtkGlobeGrid::FillInputPortInformation(int port, vtkInformation* info)
   return 1;
 }
 
-vtkTypeBool vtkGlobeGrid::ProcessRequest(vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs)
+vtkTypeBool vtkGlobeGrid::ProcessRequest(
+  vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
-  if (nephoscope::hasOtherInput(this, this->ToldOfInput, request, inputs, outputs, { "vtkImageData", "vtkRectilinearGrid", "vtkStructuredGrid" },
-        "It must be a grid of longitudes, latitudes and levels: an image, a rectilinear or a structured grid."))
+  if (
+    nephoscope::hasOtherInput(this, this->ToldOfInput, request, inputs, outputs,
+      { "vtkImageData", "vtkRectilinearGrid", "vtkStructuredGrid" },
+      "It must be a grid of longitudes, latitudes and levels: an image, a rectilinear or a structured grid."))
   {
     return 1;
   }
@@ -274,7 +285,8 @@ int vtkGlobeGrid::RequestData(
   telling.End(made);
   if (!made)
   {
-    vtkStructuredGrid::GetData(outputs, 0)->Initialize(); // without the executive's own errors, and those of all filters behind
+    vtkStructuredGrid::GetData(outputs, 0)
+      ->Initialize(); // without the executive's own errors, and those of all filters behind
   }
   return 1;
 }
@@ -285,7 +297,8 @@ bool vtkGlobeGrid::MakeGrid(vtkInformationVector** inputs, vtkInformationVector*
   vtkStructuredGrid* output = vtkStructuredGrid::GetData(outputs, 0);
   if (!(this->PlanetRadius > 0.0) || !(this->VerticalExaggeration >= 0.0))
   {
-    vtkErrorMacro("PlanetRadius must be greater than 0 and VerticalExaggeration 0 or more; they are "
+    vtkErrorMacro(
+      "PlanetRadius must be greater than 0 and VerticalExaggeration 0 or more; they are "
       << this->PlanetRadius << " and " << this->VerticalExaggeration << ".");
     return false;
   }
@@ -301,7 +314,8 @@ bool vtkGlobeGrid::MakeGrid(vtkInformationVector** inputs, vtkInformationVector*
     vtkErrorMacro(<< error);
     return false;
   }
-  vtkDataSet* surfaceData = this->GetNumberOfInputPorts() > 1 ? vtkDataSet::GetData(inputs[1], 0) : nullptr;
+  vtkDataSet* surfaceData =
+    this->GetNumberOfInputPorts() > 1 ? vtkDataSet::GetData(inputs[1], 0) : nullptr;
   nephoscope::LonLatLevelGrid surface;
   const bool hasSurface = surfaceData &&
     ReadGrid(surfaceData, { settings.SurfacePressure, settings.TerrainHeight }, surface, error);

@@ -269,7 +269,8 @@ public:
   void SetSurfaceData(vtkDataObject* data) { this->SetInputData(1, data); }
   ///@}
 
-  vtkTypeBool ProcessRequest(vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs) override;
+  vtkTypeBool ProcessRequest(
+    vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs) override;
 
 protected:
   vtkGlobeGrid();
@@ -289,8 +290,8 @@ private:
 
   void AddProjection(vtkStructuredGrid* output);
   bool MakeGrid(vtkInformationVector** inputs, vtkInformationVector* outputs);
-  void BuildPiece(nephoscope::GlobeGridBuilder* builder, const int first[3], vtkInformation* outInfo,
-    vtkStructuredGrid* output);
+  void BuildPiece(nephoscope::GlobeGridBuilder* builder, const int first[3],
+    vtkInformation* outInfo, vtkStructuredGrid* output);
 
   int Projection = GLOBE;
   double PlanetRadius = 6371000.0;
@@ -311,7 +312,7 @@ private:
   bool MaskBelowGround = true;
   std::string SurfacePressureArrayName = "sp";
   std::string TerrainHeightArrayName = "orog";
-  vtkMTimeType Failed = 0; // for ToldOnce
+  vtkMTimeType Failed = 0;      // for ToldOnce
   vtkMTimeType ToldOfInput = 0; // for hasOtherInput
 };
 

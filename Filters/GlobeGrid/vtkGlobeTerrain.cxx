@@ -22,12 +22,14 @@ namespace
 std::string ArraysOf(vtkDataSet* data)
 {
   std::string names;
-  for (vtkDataSetAttributes* attributes : { static_cast<vtkDataSetAttributes*>(data->GetPointData()),
-         static_cast<vtkDataSetAttributes*>(data->GetCellData()) })
+  for (vtkDataSetAttributes* attributes :
+    { static_cast<vtkDataSetAttributes*>(data->GetPointData()),
+      static_cast<vtkDataSetAttributes*>(data->GetCellData()) })
   {
     for (int a = 0; a < attributes->GetNumberOfArrays(); ++a)
     {
-      if (attributes->GetArrayName(a) && std::string(attributes->GetArrayName(a)) != vtkDataSetAttributes::GhostArrayName())
+      if (attributes->GetArrayName(a) &&
+        std::string(attributes->GetArrayName(a)) != vtkDataSetAttributes::GhostArrayName())
       {
         names += (names.empty() ? "'" : ", '") + std::string(attributes->GetArrayName(a)) + "'";
       }
@@ -40,7 +42,8 @@ int FlatAxes(vtkDataSet* data)
 {
   double bounds[6];
   data->GetBounds(bounds);
-  return (bounds[0] < bounds[1] ? 0 : 1) + (bounds[2] < bounds[3] ? 0 : 1) + (bounds[4] < bounds[5] ? 0 : 1);
+  return (bounds[0] < bounds[1] ? 0 : 1) + (bounds[2] < bounds[3] ? 0 : 1) +
+    (bounds[4] < bounds[5] ? 0 : 1);
 }
 }
 
@@ -56,21 +59,26 @@ vtkGlobeTerrain::vtkGlobeTerrain()
 bool vtkGlobeTerrain::IsTerrain(vtkDataSet* input)
 {
   const std::string name = this->GetHeightArrayName();
-  if (!input->GetPointData()->HasArray(name.c_str()) && !input->GetCellData()->HasArray(name.c_str()))
+  if (!input->GetPointData()->HasArray(name.c_str()) &&
+    !input->GetCellData()->HasArray(name.c_str()))
   {
-    vtkErrorMacro("There is no array '" << name << "' of the height of the ground; arrays: " << ArraysOf(input)
-                                        << ". Set HeightArrayName to one of them, or read the file on the dimensions of the terrain: (lat, lon) alone.");
+    vtkErrorMacro("There is no array '"
+      << name << "' of the height of the ground; arrays: " << ArraysOf(input)
+      << ". Set HeightArrayName to one of them, or read the file on the dimensions of the terrain: (lat, lon) alone.");
     return false;
   }
-  if (input->GetNumberOfPoints() == 0 || FlatAxes(input) != 1 || !(input->GetBounds()[4] == input->GetBounds()[5]))
+  if (input->GetNumberOfPoints() == 0 || FlatAxes(input) != 1 ||
+    !(input->GetBounds()[4] == input->GetBounds()[5]))
   {
-    vtkErrorMacro("Terrain is one level of longitudes and latitudes, and the input is not. Choose the fields of one level (Extract Subset).");
+    vtkErrorMacro(
+      "Terrain is one level of longitudes and latitudes, and the input is not. Choose the fields of one level (Extract Subset).");
     return false;
   }
   return true;
 }
 
-int vtkGlobeTerrain::RequestData(vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs)
+int vtkGlobeTerrain::RequestData(
+  vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
   auto* terrain = vtkStructuredGrid::GetData(outputs, 0);
   {
@@ -102,7 +110,8 @@ int vtkGlobeTerrain::RequestData(vtkInformation* request, vtkInformationVector**
   {
     return 1;
   }
-  const nephoscope::TerrainPlace place = { this->GetProjection() == GLOBE, this->GetPlanetRadius() };
+  const nephoscope::TerrainPlace place = { this->GetProjection() == GLOBE,
+    this->GetPlanetRadius() };
   vtkDataArray* land = terrain->GetPointData()->GetArray(this->LandArrayName.c_str());
   nephoscope::FlattenSea(terrain, land, place);
   nephoscope::AddTerrainScale(terrain, land, this->SeaDepth);
@@ -118,5 +127,6 @@ int vtkGlobeTerrain::RequestData(vtkInformation* request, vtkInformationVector**
 void vtkGlobeTerrain::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "LandArrayName: " << this->LandArrayName << "\n" << indent << "SeaDepth: " << this->SeaDepth << "\n";
+  os << indent << "LandArrayName: " << this->LandArrayName << "\n"
+     << indent << "SeaDepth: " << this->SeaDepth << "\n";
 }

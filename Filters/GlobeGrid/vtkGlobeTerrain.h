@@ -52,7 +52,8 @@ protected:
   vtkGlobeTerrain();
   ~vtkGlobeTerrain() override = default;
 
-  int RequestData(vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs) override;
+  int RequestData(
+    vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs) override;
 
 private:
   vtkGlobeTerrain(const vtkGlobeTerrain&) = delete;

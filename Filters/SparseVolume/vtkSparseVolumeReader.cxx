@@ -256,8 +256,7 @@ void vtkSparseVolumeReader::GetGridExtent(int grid, int extent[6])
 
 void vtkSparseVolumeReader::GetGridSpacing(int grid, double spacing[3])
 {
-  const nephoscope::Vector3 edges =
-    nephoscope::Spacing(this->Internals->Grid(grid).IndexToWorld);
+  const nephoscope::Vector3 edges = nephoscope::Spacing(this->Internals->Grid(grid).IndexToWorld);
   std::copy(edges.begin(), edges.end(), spacing);
 }
 

@@ -23,7 +23,8 @@ public:
   void Mix(std::vector<float>& x, const std::vector<float>& image)
   {
     std::vector<float> residual(x.size());
-    std::transform(image.begin(), image.end(), x.begin(), residual.begin(), [](float a, float b) { return a - b; });
+    std::transform(image.begin(), image.end(), x.begin(), residual.begin(),
+      [](float a, float b) { return a - b; });
     if (!this->LastImage.empty())
     {
       this->Residuals.push_back(Difference(residual, this->LastResidual));
@@ -51,7 +52,8 @@ private:
   static std::vector<float> Difference(const std::vector<float>& a, const std::vector<float>& b)
   {
     std::vector<float> c(a.size());
-    std::transform(a.begin(), a.end(), b.begin(), c.begin(), [](float p, float q) { return p - q; });
+    std::transform(
+      a.begin(), a.end(), b.begin(), c.begin(), [](float p, float q) { return p - q; });
     return c;
   }
   static double Dot(const std::vector<float>& a, const std::vector<float>& b)

@@ -42,8 +42,8 @@ struct Upstream
 
   float Of(const std::vector<float>& values) const
   {
-    return this->Weights[0] * values[this->Points[0]] + this->Weights[1] * values[this->Points[1]] + this->Weights[2] * values[this->Points[2]] +
-      this->Weights[3] * values[this->Points[3]];
+    return this->Weights[0] * values[this->Points[0]] + this->Weights[1] * values[this->Points[1]] +
+      this->Weights[2] * values[this->Points[2]] + this->Weights[3] * values[this->Points[3]];
   }
 };
 
@@ -60,7 +60,8 @@ public:
   }
 
   // Radiance from `radiance`, that of the last iteration; adds to moments and vertical fluxes.
-  void Run(const std::vector<float>& moments, const std::vector<float>& groundUp, std::vector<float>& radiance, DiffuseField& sums)
+  void Run(const std::vector<float>& moments, const std::vector<float>& groundUp,
+    std::vector<float>& radiance, DiffuseField& sums)
   {
     this->MakeSource(moments);
     const int* n = this->Grid.Size;
@@ -109,7 +110,9 @@ private:
     {
       return step;
     }
-    return axis == 0 && this->Grid.Periodic ? (step < 0 ? n - 2 : 1) : index; // outside the medium goes on as it is at the boundary
+    return axis == 0 && this->Grid.Periodic
+      ? (step < 0 ? n - 2 : 1)
+      : index; // outside the medium goes on as it is at the boundary
   }
 
   Upstream Before(const std::array<int, 3>& at, std::size_t p) const
@@ -124,15 +127,20 @@ private:
     const int m = rate[2] >= rate[0] && rate[2] >= rate[1] ? 2 : rate[0] >= rate[1] ? 0 : 1;
     const int u = (m + 1) % 3, v = (m + 2) % 3;
     const float ru = rate[u] / rate[m], rv = rate[v] / rate[m];
-    const auto shift = [&](int axis) { return (this->Next(at[axis], axis) - at[axis]) * this->Stride[axis]; };
+    const auto shift = [&](int axis) {
+      return (this->Next(at[axis], axis) - at[axis]) * this->Stride[axis];
+    };
     const std::size_t base = p + shift(m);
     const std::ptrdiff_t du = shift(u), dv = shift(v);
-    return { { base, base + du, base + dv, base + du + dv }, { (1 - ru) * (1 - rv), ru * (1 - rv), (1 - ru) * rv, ru * rv }, 1 / rate[m] };
+    return { { base, base + du, base + dv, base + du + dv },
+      { (1 - ru) * (1 - rv), ru * (1 - rv), (1 - ru) * rv, ru * rv }, 1 / rate[m] };
   }
 
-  void Visit(const std::array<int, 3>& at, const std::vector<float>& groundUp, std::vector<float>& radiance) const
+  void Visit(const std::array<int, 3>& at, const std::vector<float>& groundUp,
+    std::vector<float>& radiance) const
   {
-    const std::size_t p = at[0] * this->Stride[0] + at[1] * this->Stride[1] + at[2] * this->Stride[2];
+    const std::size_t p =
+      at[0] * this->Stride[0] + at[1] * this->Stride[1] + at[2] * this->Stride[2];
     if (this->IsInflow(at[2]))
     {
       const std::size_t column = p % this->Grid.Columns();
@@ -148,7 +156,8 @@ private:
       const PieceWeights w(depth);
       const float sourceHere = here > 0 ? this->Emission[p] / here : 0.0f;
       const float sourceThere = there > 0 ? before.Of(this->Emission) / there : sourceHere;
-      value = value * w.Transmittance + w.Upstream * sourceThere + w.Here * (here > 0 ? sourceHere : sourceThere);
+      value = value * w.Transmittance + w.Upstream * sourceThere +
+        w.Here * (here > 0 ? sourceHere : sourceThere);
     }
     radiance[p] = value;
   }
@@ -159,7 +168,8 @@ private:
     const int n = this->Grid.Size[0];
     for (std::size_t row = 0; row < radiance.size(); row += n)
     {
-      (this->D[0] > 0 ? radiance[row] : radiance[row + n - 1]) = this->D[0] > 0 ? radiance[row + n - 1] : radiance[row];
+      (this->D[0] > 0 ? radiance[row] : radiance[row + n - 1]) =
+        this->D[0] > 0 ? radiance[row + n - 1] : radiance[row];
     }
   }
 
@@ -193,7 +203,8 @@ void clear(DiffuseField& field, const LightGrid& grid)
 
 void addTo(std::vector<float>& sum, const std::vector<float>& part)
 {
-  std::transform(sum.begin(), sum.end(), part.begin(), sum.begin(), [](float a, float b) { return a + b; });
+  std::transform(
+    sum.begin(), sum.end(), part.begin(), sum.begin(), [](float a, float b) { return a + b; });
 }
 
 class Iteration
@@ -220,7 +231,8 @@ public:
       clear(this->Groups[group], this->Grid);
       for (std::size_t d = group; d < this->Directions.size(); d += groups)
       {
-        Sweep(this->Grid, this->Directions[d], this->Beams[d]).Run(moments, groundUp, this->Radiances[d], this->Groups[group]);
+        Sweep(this->Grid, this->Directions[d], this->Beams[d])
+          .Run(moments, groundUp, this->Radiances[d], this->Groups[group]);
       }
     });
     clear(field, this->Grid);
@@ -248,7 +260,8 @@ private:
       for (std::size_t d = 0; d < phase.size(); ++d)
       {
         const Direction& to = this->Directions[d];
-        phase[d] = henyeyGreenstein(this->Grid.Asymmetry[p], to.X * s[0] + to.Y * s[1] + to.Z * s[2]);
+        phase[d] =
+          henyeyGreenstein(this->Grid.Asymmetry[p], to.X * s[0] + to.Y * s[1] + to.Z * s[2]);
         sum += phase[d] * to.Weight;
       }
       for (std::size_t d = 0; d < phase.size(); ++d)
@@ -264,7 +277,8 @@ private:
     for (std::size_t c = 0; c < up.size(); ++c)
     {
       const float direct = std::max(-this->Grid.SunAt(c)[2], 0.0f) * this->Grid.Transmittance[c];
-      up[c] = static_cast<float>(this->Grid.GroundAlbedo) * (direct + std::max(field.Down(c), 0.0f));
+      up[c] =
+        static_cast<float>(this->Grid.GroundAlbedo) * (direct + std::max(field.Down(c), 0.0f));
     }
     return up;
   }
@@ -287,7 +301,8 @@ double largestChange(const std::vector<float>& a, const std::vector<float>& b)
 }
 }
 
-DiffuseField diffuseLight(const LightGrid& grid, const LightSettings& settings, const Parallel& parallel, const std::function<bool(double)>& progress)
+DiffuseField diffuseLight(const LightGrid& grid, const LightSettings& settings,
+  const Parallel& parallel, const std::function<bool(double)>& progress)
 {
   DiffuseField field;
   clear(field, grid);
@@ -300,8 +315,8 @@ DiffuseField diffuseLight(const LightGrid& grid, const LightSettings& settings, 
     field.Change = largestChange(moments, field.Moments);
     mixing.Mix(moments, field.Moments);
     ++field.Iterations;
-  } while (progress(double(field.Iterations) / settings.MostIterations) && field.Change > settings.Tolerance &&
-    field.Iterations < settings.MostIterations);
+  } while (progress(double(field.Iterations) / settings.MostIterations) &&
+    field.Change > settings.Tolerance && field.Iterations < settings.MostIterations);
   return field;
 }
 }

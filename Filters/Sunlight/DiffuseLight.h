@@ -30,19 +30,23 @@ using Vector = std::array<float, 3>;
 struct LightGrid
 {
   int Size[3] = { 0, 0, 0 };
-  bool Periodic = false;          ///< the last points along the first axis are in the place of the first
-  std::vector<Vector> Spacing;    ///< distance of neighbours along each axis
-  std::vector<Vector> Sun;        ///< direction in which sunlight goes, in the axes of each point; one for all if there is one
-  std::vector<float> Extinction;  ///< scaled
-  std::vector<float> Albedo;      ///< scaled
-  std::vector<float> Asymmetry;   ///< scaled
+  bool Periodic = false; ///< the last points along the first axis are in the place of the first
+  std::vector<Vector> Spacing; ///< distance of neighbours along each axis
+  std::vector<Vector>
+    Sun; ///< direction in which sunlight goes, in the axes of each point; one for all if there is one
+  std::vector<float> Extinction;    ///< scaled
+  std::vector<float> Albedo;        ///< scaled
+  std::vector<float> Asymmetry;     ///< scaled
   std::vector<float> Transmittance; ///< of the sun's beam
-  std::vector<float> Sky;         ///< irradiance from the sky, per column
+  std::vector<float> Sky;           ///< irradiance from the sky, per column
   double GroundAlbedo = 0;
 
   std::size_t Points() const { return std::size_t(this->Size[0]) * this->Size[1] * this->Size[2]; }
   std::size_t Columns() const { return std::size_t(this->Size[0]) * this->Size[1]; }
-  const Vector& SunAt(std::size_t p) const { return this->Sun.size() == 1 ? this->Sun[0] : this->Sun[p]; }
+  const Vector& SunAt(std::size_t p) const
+  {
+    return this->Sun.size() == 1 ? this->Sun[0] : this->Sun[p];
+  }
 };
 
 struct LightSettings
@@ -57,7 +61,8 @@ struct LightSettings
 struct DiffuseField
 {
   std::vector<float> Moments;
-  std::vector<float> Vertical; ///< flux up plus flux down; their difference is the third component of the flux
+  std::vector<float>
+    Vertical; ///< flux up plus flux down; their difference is the third component of the flux
   int Iterations = 0;
   double Change = 0; ///< of the last iteration
 
@@ -68,7 +73,8 @@ struct DiffuseField
 /** Calls body(k) for k in [0, n), perhaps by several threads; returns false to stop. */
 using Parallel = std::function<void(int n, const std::function<void(int)>& body)>;
 
-DiffuseField diffuseLight(const LightGrid& grid, const LightSettings& settings, const Parallel& parallel, const std::function<bool(double)>& progress);
+DiffuseField diffuseLight(const LightGrid& grid, const LightSettings& settings,
+  const Parallel& parallel, const std::function<bool(double)>& progress);
 }
 
 #endif

@@ -53,7 +53,8 @@ inline std::vector<Direction> directionSet(int zenith, int azimuth)
       for (int a = 0; a < azimuth; ++a)
       {
         const double angle = twoPi * (a + 0.5) / azimuth;
-        directions.push_back({ float(sine * std::cos(angle)), float(sine * std::sin(angle)), float(side * mu), float(twoPi / azimuth * weight) });
+        directions.push_back({ float(sine * std::cos(angle)), float(sine * std::sin(angle)),
+          float(side * mu), float(twoPi / azimuth * weight) });
       }
     }
   }

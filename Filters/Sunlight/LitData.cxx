@@ -71,7 +71,8 @@ private:
     for (int axis = 0; axis < 3; ++axis)
     {
       const bool isFirst = at[axis] == 0, isLast = at[axis] == this->Grid.Size[axis] - 1;
-      const std::size_t from = p - (isFirst ? 0 : this->Stride[axis]), to = p + (isLast ? 0 : this->Stride[axis]);
+      const std::size_t from = p - (isFirst ? 0 : this->Stride[axis]),
+                        to = p + (isLast ? 0 : this->Stride[axis]);
       Vector d = difference(this->Places[to], this->Places[from]);
       const float length = lengthOf(d);
       this->Grid.Spacing[p][axis] = length / std::max(int(!isFirst) + int(!isLast), 1);
@@ -90,7 +91,8 @@ private:
     for (std::size_t row = 0; row < this->Places.size() && closed; row += n)
     {
       const float gap = lengthOf(difference(this->Places[row], this->Places[row + n - 1]));
-      closed = gap <= 1e-3f * this->Grid.Spacing[row][0] + 1e-6f * std::abs(float(this->Places[row][0]));
+      closed =
+        gap <= 1e-3f * this->Grid.Spacing[row][0] + 1e-6f * std::abs(float(this->Places[row][0]));
     }
     return closed;
   }
@@ -108,9 +110,11 @@ Planet planetOf(vtkDataSet* data)
   return { isGlobe ? fieldValue(data, "PlanetRadius", 0) : 0.0 };
 }
 
-std::vector<float> valuesOf(vtkDataSet* data, const std::string& name, double otherwise, double scale, vtkIdType& wrong)
+std::vector<float> valuesOf(
+  vtkDataSet* data, const std::string& name, double otherwise, double scale, vtkIdType& wrong)
 {
-  std::vector<float> values(static_cast<std::size_t>(data->GetNumberOfPoints()), static_cast<float>(otherwise));
+  std::vector<float> values(
+    static_cast<std::size_t>(data->GetNumberOfPoints()), static_cast<float>(otherwise));
   vtkDataArray* array = data->GetPointData()->GetArray(name.c_str());
   for (std::size_t i = 0; array && i < values.size(); ++i)
   {
@@ -132,7 +136,8 @@ std::vector<SunMesh::Place> placesOf(vtkDataSet* data)
   return places;
 }
 
-std::vector<SunMesh::Tetrahedron> tetrahedraOf(vtkDataSet* data, const std::vector<std::int32_t>& merged)
+std::vector<SunMesh::Tetrahedron> tetrahedraOf(
+  vtkDataSet* data, const std::vector<std::int32_t>& merged)
 {
   std::vector<SunMesh::Tetrahedron> tetrahedra;
   TetrahedronSource source(data);
@@ -147,7 +152,8 @@ std::vector<SunMesh::Tetrahedron> tetrahedraOf(vtkDataSet* data, const std::vect
   return tetrahedra;
 }
 
-bool makeGrid(vtkDataSet* data, const std::vector<SunMesh::Place>& places, LightGrid& grid, GridAxes& axes)
+bool makeGrid(
+  vtkDataSet* data, const std::vector<SunMesh::Place>& places, LightGrid& grid, GridAxes& axes)
 {
   const ChessboardGrid chessboard = findChessboardGrid(data);
   if (chessboard.IsEmpty())

@@ -29,10 +29,12 @@ struct Planet
 Planet planetOf(vtkDataSet* data);
 
 /** Values of the array on points; `otherwise` where there is none. NaN and negative values become 0 and are counted. */
-std::vector<float> valuesOf(vtkDataSet* data, const std::string& name, double otherwise, double scale, vtkIdType& wrong);
+std::vector<float> valuesOf(
+  vtkDataSet* data, const std::string& name, double otherwise, double scale, vtkIdType& wrong);
 
 std::vector<SunMesh::Place> placesOf(vtkDataSet* data);
-std::vector<SunMesh::Tetrahedron> tetrahedraOf(vtkDataSet* data, const std::vector<std::int32_t>& merged);
+std::vector<SunMesh::Tetrahedron> tetrahedraOf(
+  vtkDataSet* data, const std::vector<std::int32_t>& merged);
 
 /** The axes of each point: unit vectors along the indices. */
 struct GridAxes
@@ -41,7 +43,8 @@ struct GridAxes
 };
 
 /** True for structured data; then the grid has sizes, spacing and seam, and axes has the axes. */
-bool makeGrid(vtkDataSet* data, const std::vector<SunMesh::Place>& places, LightGrid& grid, GridAxes& axes);
+bool makeGrid(
+  vtkDataSet* data, const std::vector<SunMesh::Place>& places, LightGrid& grid, GridAxes& axes);
 
 /** Other data at the points of an image of about so many points, with the arrays named as in OpticalFields. */
 vtkSmartPointer<vtkDataSet> sampled(vtkDataSet* data, vtkIdType points);

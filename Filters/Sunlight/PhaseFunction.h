@@ -25,7 +25,8 @@ struct ScaledMedium
 inline ScaledMedium scaled(double extinction, double albedo, double asymmetry)
 {
   const double forward = asymmetry * asymmetry;
-  return { (1 - albedo * forward) * extinction, (1 - forward) * albedo / (1 - albedo * forward), asymmetry / (1 + asymmetry) };
+  return { (1 - albedo * forward) * extinction, (1 - forward) * albedo / (1 - albedo * forward),
+    asymmetry / (1 + asymmetry) };
 }
 }
 

@@ -22,9 +22,11 @@ inline bool daysOf(const std::string& text, double& days)
   int year = 0, month = 0, day = 0, hour = 0, minute = 0;
   double second = 0;
   char separator = ' ';
-  const int found = std::sscanf(text.c_str(), "%d-%d-%d%c%d:%d:%lf", &year, &month, &day, &separator, &hour, &minute, &second);
-  const bool valid = found >= 3 && found != 4 && found != 5 && month >= 1 && month <= 12 && day >= 1 && day <= 31 && hour >= 0 && hour < 25 &&
-    minute >= 0 && minute < 60 && second >= 0 && second < 61;
+  const int found = std::sscanf(
+    text.c_str(), "%d-%d-%d%c%d:%d:%lf", &year, &month, &day, &separator, &hour, &minute, &second);
+  const bool valid = found >= 3 && found != 4 && found != 5 && month >= 1 && month <= 12 &&
+    day >= 1 && day <= 31 && hour >= 0 && hour < 25 && minute >= 0 && minute < 60 && second >= 0 &&
+    second < 61;
   if (!valid)
   {
     return false;
@@ -40,9 +42,11 @@ inline SubsolarPoint subsolarPoint(double days)
   const double degree = 3.14159265358979323846 / 180;
   const double meanLongitude = 280.460 + 0.9856474 * days;
   const double anomaly = (357.528 + 0.9856003 * days) * degree;
-  const double longitude = (meanLongitude + 1.915 * std::sin(anomaly) + 0.020 * std::sin(2 * anomaly)) * degree;
+  const double longitude =
+    (meanLongitude + 1.915 * std::sin(anomaly) + 0.020 * std::sin(2 * anomaly)) * degree;
   const double obliquity = (23.439 - 4e-7 * days) * degree;
-  const double ascension = std::atan2(std::cos(obliquity) * std::sin(longitude), std::cos(longitude)) / degree;
+  const double ascension =
+    std::atan2(std::cos(obliquity) * std::sin(longitude), std::cos(longitude)) / degree;
   const double declination = std::asin(std::sin(obliquity) * std::sin(longitude)) / degree;
   const double greenwich = 15 * (18.697374558 + 24.06570982441908 * days);
   return { std::remainder(ascension - greenwich, 360.0), declination };
@@ -57,14 +61,16 @@ inline std::array<double, 3> towardsSunOnGlobe(const SubsolarPoint& sun)
 }
 
 // Towards the sun: east, north and up of a place.
-inline std::array<double, 3> towardsSunAt(const SubsolarPoint& sun, double longitude, double latitude)
+inline std::array<double, 3> towardsSunAt(
+  const SubsolarPoint& sun, double longitude, double latitude)
 {
   const double degree = 3.14159265358979323846 / 180;
   const auto s = towardsSunOnGlobe(sun);
   const double lon = longitude * degree, lat = latitude * degree;
   const double east = -std::sin(lon) * s[0] + std::cos(lon) * s[1];
   const double out = std::cos(lon) * s[0] + std::sin(lon) * s[1];
-  return { { east, std::cos(lat) * s[2] - std::sin(lat) * out, std::cos(lat) * out + std::sin(lat) * s[2] } };
+  return { { east, std::cos(lat) * s[2] - std::sin(lat) * out,
+    std::cos(lat) * out + std::sin(lat) * s[2] } };
 }
 }
 

@@ -39,10 +39,10 @@ double area(const std::array<double, 2>& a, const std::array<double, 2>& b)
 struct SunMesh::Ray
 {
   double X, Y, Z;
-  std::int32_t Inside = -1;            // the tetrahedron being left
-  int Vertex = -1;                     // across from the face where it is left
-  std::array<std::int32_t, 3> Face{};  // its points
-  std::array<double, 3> Weights{};     // of its points, where the ray passes
+  std::int32_t Inside = -1;           // the tetrahedron being left
+  int Vertex = -1;                    // across from the face where it is left
+  std::array<std::int32_t, 3> Face{}; // its points
+  std::array<double, 3> Weights{};    // of its points, where the ray passes
   std::array<double, 2> Depths{ { 0, 0 } };
 
   std::array<double, 2> Beside(const Place& p) const { return { p[0] - this->X, p[1] - this->Y }; }
@@ -50,10 +50,12 @@ struct SunMesh::Ray
   // Weights of the points where the ray passes; false if it passes beside.
   bool Meet(const std::vector<Place>& places, const std::array<std::int32_t, 3>& face)
   {
-    const auto a = this->Beside(places[face[0]]), b = this->Beside(places[face[1]]), c = this->Beside(places[face[2]]);
+    const auto a = this->Beside(places[face[0]]), b = this->Beside(places[face[1]]),
+               c = this->Beside(places[face[2]]);
     const std::array<double, 3> parts = { area(b, c), area(c, a), area(a, b) };
     const double sum = parts[0] + parts[1] + parts[2];
-    const bool inside = sum > 0 ? parts[0] >= 0 && parts[1] >= 0 && parts[2] >= 0 : parts[0] <= 0 && parts[1] <= 0 && parts[2] <= 0;
+    const bool inside = sum > 0 ? parts[0] >= 0 && parts[1] >= 0 && parts[2] >= 0
+                                : parts[0] <= 0 && parts[1] <= 0 && parts[2] <= 0;
     if (!inside || sum == 0)
     {
       return false;
@@ -65,7 +67,8 @@ struct SunMesh::Ray
 
   double Height(const std::vector<Place>& places) const
   {
-    return this->Weights[0] * places[this->Face[0]][2] + this->Weights[1] * places[this->Face[1]][2] + this->Weights[2] * places[this->Face[2]][2];
+    return this->Weights[0] * places[this->Face[0]][2] +
+      this->Weights[1] * places[this->Face[1]][2] + this->Weights[2] * places[this->Face[2]][2];
   }
 
   std::array<double, 2> Values(const std::vector<std::array<float, 2>>& fields) const
@@ -90,9 +93,11 @@ SunMesh::SunMesh(std::vector<Tetrahedron> tetrahedra, std::size_t numberOfPoints
   : Tetrahedra(std::move(tetrahedra))
 {
   const auto repeats = [](const Tetrahedron& t) {
-    return t[0] == t[1] || t[0] == t[2] || t[0] == t[3] || t[1] == t[2] || t[1] == t[3] || t[2] == t[3];
+    return t[0] == t[1] || t[0] == t[2] || t[0] == t[3] || t[1] == t[2] || t[1] == t[3] ||
+      t[2] == t[3];
   };
-  this->Tetrahedra.erase(std::remove_if(this->Tetrahedra.begin(), this->Tetrahedra.end(), repeats), this->Tetrahedra.end());
+  this->Tetrahedra.erase(std::remove_if(this->Tetrahedra.begin(), this->Tetrahedra.end(), repeats),
+    this->Tetrahedra.end());
   this->FindNeighbours(numberOfPoints);
   this->FindTetrahedraOfPoints(numberOfPoints);
 }
@@ -125,7 +130,8 @@ void SunMesh::FindNeighbours(std::size_t numberOfPoints)
   }
   for (std::size_t p = 0; p < numberOfPoints; ++p)
   {
-    std::sort(faces.begin() + first[p], faces.begin() + first[p + 1], [](const Face& a, const Face& b) { return a.Points < b.Points; });
+    std::sort(faces.begin() + first[p], faces.begin() + first[p + 1],
+      [](const Face& a, const Face& b) { return a.Points < b.Points; });
   }
   for (std::size_t f = 0; f + 1 < faces.size(); ++f)
   {
@@ -167,22 +173,25 @@ void SunMesh::Turn(const std::vector<Place>& places, const Place& towardsSun)
   x = { x[0] / length, x[1] / length, x[2] / length };
   const Place y = cross(towardsSun, x);
   this->Places.resize(places.size());
-  std::transform(places.begin(), places.end(), this->Places.begin(),
-    [&](const Place& p) { return Place{ { dot(p, x), dot(p, y), dot(p, towardsSun) } }; });
+  std::transform(places.begin(), places.end(), this->Places.begin(), [&](const Place& p) {
+    return Place{ { dot(p, x), dot(p, y), dot(p, towardsSun) } };
+  });
 }
 
 // The ray passes a little beside the point, since columns of grids often lie in its direction: by a millionth of an edge, to one side or, at the
 // boundary of the mesh, to another.
 bool SunMesh::Start(Ray& ray, std::int32_t point) const
 {
-  static const double sides[4][2] = { { 0.85, 0.53 }, { -0.53, 0.85 }, { -0.85, -0.53 }, { 0.53, -0.85 } };
+  static const double sides[4][2] = { { 0.85, 0.53 }, { -0.53, 0.85 }, { -0.85, -0.53 },
+    { 0.53, -0.85 } };
   const Place& place = this->Places[point];
   double size = 0;
   for (std::int32_t k = this->First[point]; k < this->First[point + 1]; ++k)
   {
     for (const std::int32_t p : this->Tetrahedra[this->OfPoint[k]])
     {
-      size = std::max(size, std::abs(this->Places[p][0] - place[0]) + std::abs(this->Places[p][1] - place[1]));
+      size = std::max(
+        size, std::abs(this->Places[p][0] - place[0]) + std::abs(this->Places[p][1] - place[1]));
     }
   }
   for (const auto& side : sides)
@@ -195,7 +204,8 @@ bool SunMesh::Start(Ray& ray, std::int32_t point) const
       const std::int32_t number = this->OfPoint[k];
       const Tetrahedron& t = this->Tetrahedra[number];
       const int v = static_cast<int>(std::find(t.begin(), t.end(), point) - t.begin());
-      if (ray.Meet(this->Places, { { t[(v + 1) % 4], t[(v + 2) % 4], t[(v + 3) % 4] } }) && ray.Height(this->Places) > ray.Z)
+      if (ray.Meet(this->Places, { { t[(v + 1) % 4], t[(v + 2) % 4], t[(v + 3) % 4] } }) &&
+        ray.Height(this->Places) > ray.Z)
       {
         ray.Inside = number;
         ray.Vertex = v;
@@ -242,7 +252,8 @@ void SunMesh::Walk(Ray& ray, const std::vector<std::array<float, 2>>& fields) co
   }
 }
 
-std::array<double, 2> SunMesh::DepthsFrom(std::int32_t point, const std::vector<std::array<float, 2>>& fields) const
+std::array<double, 2> SunMesh::DepthsFrom(
+  std::int32_t point, const std::vector<std::array<float, 2>>& fields) const
 {
   Ray ray;
   if (!this->Start(ray, point))
@@ -274,11 +285,14 @@ std::vector<std::int32_t> mergedPoints(const std::vector<SunMesh::Place>& places
     std::uint64_t key = 0;
     for (const double x : places[i])
     {
-      key = key * 0x9E3779B97F4A7C15ull + static_cast<std::uint64_t>(std::isfinite(x) ? std::llround(x / step) : 0);
+      key = key * 0x9E3779B97F4A7C15ull +
+        static_cast<std::uint64_t>(std::isfinite(x) ? std::llround(x / step) : 0);
     }
     auto& bucket = buckets[key];
     const auto same = std::find_if(bucket.begin(), bucket.end(), [&](std::int32_t j) {
-      return std::abs(places[j][0] - places[i][0]) + std::abs(places[j][1] - places[i][1]) + std::abs(places[j][2] - places[i][2]) <= 3 * step;
+      return std::abs(places[j][0] - places[i][0]) + std::abs(places[j][1] - places[i][1]) +
+        std::abs(places[j][2] - places[i][2]) <=
+        3 * step;
     });
     merged[i] = same == bucket.end() ? static_cast<std::int32_t>(i) : *same;
     if (same == bucket.end())

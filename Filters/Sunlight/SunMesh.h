@@ -27,7 +27,8 @@ public:
   void Turn(const std::vector<Place>& places, const Place& towardsSun);
 
   /** Integral of two linear fields from the point to where the way leaves the mesh. */
-  std::array<double, 2> DepthsFrom(std::int32_t point, const std::vector<std::array<float, 2>>& fields) const;
+  std::array<double, 2> DepthsFrom(
+    std::int32_t point, const std::vector<std::array<float, 2>>& fields) const;
 
   std::size_t NumberOfTetrahedra() const { return this->Tetrahedra.size(); }
 

@@ -36,15 +36,18 @@ namespace
 std::array<double, 3> upAt(const nephoscope::Planet& planet, const std::array<double, 3>& place)
 {
   const double length = std::sqrt(dot(place, place));
-  return planet.Radius > 0 && length > 0 ? std::array<double, 3>{ { place[0] / length, place[1] / length, place[2] / length } }
-                                         : std::array<double, 3>{ { 0, 0, 1 } };
+  return planet.Radius > 0 && length > 0
+    ? std::array<double, 3>{ { place[0] / length, place[1] / length, place[2] / length } }
+    : std::array<double, 3>{ { 0, 0, 1 } };
 }
 
 // Behind the planet there is no sun.
-bool isInShadow(const nephoscope::Planet& planet, const std::array<double, 3>& place, const std::array<double, 3>& sun)
+bool isInShadow(const nephoscope::Planet& planet, const std::array<double, 3>& place,
+  const std::array<double, 3>& sun)
 {
   const double along = dot(place, sun);
-  return planet.Radius > 0 && along < 0 && dot(place, place) - along * along < planet.Radius * planet.Radius;
+  return planet.Radius > 0 && along < 0 &&
+    dot(place, place) - along * along < planet.Radius * planet.Radius;
 }
 
 vtkFloatArray* addArray(vtkDataSet* data, const char* name)
@@ -95,17 +98,20 @@ bool vtkSunlight::FindSun(vtkDataSet* data, std::array<double, 3>& sun)
     double days = 0;
     if (!nephoscope::daysOf(this->DateTime, days))
     {
-      vtkErrorMacro(<< "DateTime is '" << this->DateTime << "'; it must be a date and time in UTC, such as '2011-10-11 18:30'.");
+      vtkErrorMacro(<< "DateTime is '" << this->DateTime
+                    << "'; it must be a date and time in UTC, such as '2011-10-11 18:30'.");
       return false;
     }
     const nephoscope::SubsolarPoint place = nephoscope::subsolarPoint(days);
     const bool onGlobe = nephoscope::planetOf(data).Radius > 0;
-    sun = onGlobe ? nephoscope::towardsSunOnGlobe(place) : nephoscope::towardsSunAt(place, this->Longitude, this->Latitude);
+    sun = onGlobe ? nephoscope::towardsSunOnGlobe(place)
+                  : nephoscope::towardsSunAt(place, this->Longitude, this->Latitude);
   }
   const double length = std::sqrt(dot(sun, sun));
   if (!(length > 0) || !std::isfinite(length))
   {
-    vtkErrorMacro(<< "SunDirection is " << sun[0] << ", " << sun[1] << ", " << sun[2] << "; it must be finite and have a length.");
+    vtkErrorMacro(<< "SunDirection is " << sun[0] << ", " << sun[1] << ", " << sun[2]
+                  << "; it must be finite and have a length.");
     return false;
   }
   std::transform(sun.begin(), sun.end(), sun.begin(), [length](double x) { return x / length; });
@@ -117,13 +123,17 @@ bool vtkSunlight::Check(vtkDataSet* data)
   vtkDataArray* array = data->GetPointData()->GetArray(this->ExtinctionArrayName.c_str());
   if (!array)
   {
-    vtkErrorMacro(<< "There is no array '" << this->ExtinctionArrayName << "' of the extinction. Make one by Cloud Optics, or set ExtinctionArrayName. Point arrays: "
-                  << quotedArrayNames(data->GetPointData()) << "; cell arrays: " << quotedArrayNames(data->GetCellData()) << ".");
+    vtkErrorMacro(
+      << "There is no array '" << this->ExtinctionArrayName
+      << "' of the extinction. Make one by Cloud Optics, or set ExtinctionArrayName. Point arrays: "
+      << quotedArrayNames(data->GetPointData())
+      << "; cell arrays: " << quotedArrayNames(data->GetCellData()) << ".");
     return false;
   }
   if (array->GetNumberOfComponents() != 1)
   {
-    vtkErrorMacro(<< "The array '" << this->ExtinctionArrayName << "' has " << array->GetNumberOfComponents() << " components; an extinction has one.");
+    vtkErrorMacro(<< "The array '" << this->ExtinctionArrayName << "' has "
+                  << array->GetNumberOfComponents() << " components; an extinction has one.");
     return false;
   }
   return true;
@@ -134,20 +144,24 @@ bool vtkSunlight::ReadOptics(vtkDataSet* data, Work& work)
   vtkIdType ignored = 0;
   work.Planet = nephoscope::planetOf(data);
   work.Places = nephoscope::placesOf(data);
-  work.Extinction = nephoscope::valuesOf(data, this->ExtinctionArrayName, 0, this->ExtinctionScale, work.Wrong);
+  work.Extinction =
+    nephoscope::valuesOf(data, this->ExtinctionArrayName, 0, this->ExtinctionScale, work.Wrong);
   work.Albedo = nephoscope::valuesOf(data, this->AlbedoArrayName, this->Albedo, 1, ignored);
-  work.Asymmetry = nephoscope::valuesOf(data, this->AsymmetryArrayName, this->Asymmetry, 1, ignored);
+  work.Asymmetry =
+    nephoscope::valuesOf(data, this->AsymmetryArrayName, this->Asymmetry, 1, ignored);
   work.Scaled = work.Extinction;
   for (std::size_t p = 0; p < work.Scaled.size() && this->MultipleScattering; ++p)
   {
-    const nephoscope::ScaledMedium medium = nephoscope::scaled(work.Extinction[p], std::min(work.Albedo[p], 1.0f), work.Asymmetry[p]);
+    const nephoscope::ScaledMedium medium =
+      nephoscope::scaled(work.Extinction[p], std::min(work.Albedo[p], 1.0f), work.Asymmetry[p]);
     work.Scaled[p] = static_cast<float>(medium.Extinction);
     work.Albedo[p] = static_cast<float>(medium.Albedo);
     work.Asymmetry[p] = static_cast<float>(medium.Asymmetry);
   }
   if (work.Wrong > 0)
   {
-    vtkWarningMacro(<< work.Wrong << (work.Wrong == 1 ? " value" : " values") << " of '" << this->ExtinctionArrayName
+    vtkWarningMacro(<< work.Wrong << (work.Wrong == 1 ? " value" : " values") << " of '"
+                    << this->ExtinctionArrayName
                     << "' negative or missing (NaN or a fill value): taken as 0.");
   }
   return true;
@@ -176,7 +190,8 @@ bool vtkSunlight::TraceSun(vtkDataSet* data, Work& work)
       }
     }
   };
-  const vtkIdType count = data->GetNumberOfPoints(), stretch = std::max<vtkIdType>(count / 20, 1000);
+  const vtkIdType count = data->GetNumberOfPoints(),
+                  stretch = std::max<vtkIdType>(count / 20, 1000);
   for (vtkIdType first = 0; first < count; first += stretch)
   {
     if (!this->GoOn(0.1 + 0.3 * first / count))
@@ -217,7 +232,8 @@ bool vtkSunlight::Diffuse(vtkDataSet* data, Work& work)
   for (std::size_t c = 0; c < grid.Columns(); ++c)
   {
     const double elevation = dot(upAt(work.Planet, work.Places[c]), work.Sun);
-    grid.Sky[c] = static_cast<float>(this->SkyLight * std::max(0.0, std::min(1.0, (elevation + 0.1) / 1.1)));
+    grid.Sky[c] =
+      static_cast<float>(this->SkyLight * std::max(0.0, std::min(1.0, (elevation + 0.1) / 1.1)));
   }
   nephoscope::LightSettings settings;
   settings.Zenith = this->ZenithAngles;
@@ -242,7 +258,9 @@ bool vtkSunlight::Diffuse(vtkDataSet* data, Work& work)
     work.Down[p] = std::max(field.Down(p), 0.0f);
     for (int c = 0; c < 3; ++c)
     {
-      work.Flux[p][c] = field.Moments[4 * p + 1] * axes.Axes[p][0][c] + field.Moments[4 * p + 2] * axes.Axes[p][1][c] + field.Moments[4 * p + 3] * axes.Axes[p][2][c];
+      work.Flux[p][c] = field.Moments[4 * p + 1] * axes.Axes[p][0][c] +
+        field.Moments[4 * p + 2] * axes.Axes[p][1][c] +
+        field.Moments[4 * p + 3] * axes.Axes[p][2][c];
     }
   }
   return !this->GetAbortExecute();
@@ -254,8 +272,9 @@ void vtkSunlight::Sample(vtkDataSet* data, Work& work)
   vtkSmartPointer<vtkDataSet> copy;
   copy.TakeReference(data->NewInstance());
   copy->CopyStructure(data);
-  const std::pair<const char*, const std::vector<float>*> arrays[] = { { "Scaled", &work.Scaled }, { "Albedo", &work.Albedo },
-    { "Asymmetry", &work.Asymmetry }, { "Transmittance", &work.ScaledTransmittance } };
+  const std::pair<const char*, const std::vector<float>*> arrays[] = { { "Scaled", &work.Scaled },
+    { "Albedo", &work.Albedo }, { "Asymmetry", &work.Asymmetry },
+    { "Transmittance", &work.ScaledTransmittance } };
   for (const auto& [name, values] : arrays)
   {
     std::copy(values->begin(), values->end(), addArray(copy, name)->GetPointer(0));
@@ -277,7 +296,8 @@ void vtkSunlight::Sample(vtkDataSet* data, Work& work)
   for (vtkIdType p = 0; p < data->GetNumberOfPoints(); ++p)
   {
     int sub = 0;
-    const vtkIdType cell = image->FindCell(work.Places[p].data(), nullptr, -1, 0.0, sub, parametric, weights);
+    const vtkIdType cell =
+      image->FindCell(work.Places[p].data(), nullptr, -1, 0.0, sub, parametric, weights);
     if (cell >= 0)
     {
       image->GetCellPoints(cell, ids);
@@ -309,21 +329,28 @@ void vtkSunlight::Write(vtkDataSet* data, const Work& work)
       double beam = 1, flux = 0;
       if (this->UseViewPosition)
       {
-        std::array<double, 3> toEye = { { this->ViewPosition[0], this->ViewPosition[1], this->ViewPosition[2] } };
+        std::array<double, 3> toEye = { { this->ViewPosition[0], this->ViewPosition[1],
+          this->ViewPosition[2] } };
         for (int c = 0; c < 3 && !this->ParallelView; ++c)
         {
           toEye[c] -= work.Places[p][c];
         }
         const double length = std::max(std::sqrt(dot(toEye, toEye)), 1e-300);
-        beam = nephoscope::henyeyGreenstein(double(work.Asymmetry[p]), -dot(toEye, work.Sun) / length);
-        flux = 3 * work.Asymmetry[p] * (toEye[0] * work.Flux[p][0] + toEye[1] * work.Flux[p][1] + toEye[2] * work.Flux[p][2]) / length;
+        beam =
+          nephoscope::henyeyGreenstein(double(work.Asymmetry[p]), -dot(toEye, work.Sun) / length);
+        flux = 3 * work.Asymmetry[p] *
+          (toEye[0] * work.Flux[p][0] + toEye[1] * work.Flux[p][1] + toEye[2] * work.Flux[p][2]) /
+          length;
       }
-      const double source = 0.25 * work.Albedo[p] * (std::max(work.Fluence[p] + flux, 0.0) + beam * work.ScaledTransmittance[p]);
+      const double source = 0.25 * work.Albedo[p] *
+        (std::max(work.Fluence[p] + flux, 0.0) + beam * work.ScaledTransmittance[p]);
       light->SetValue(p, static_cast<float>(source));
       extinction->SetValue(p, work.Scaled[p]);
       transmittance->SetValue(p, work.Transmittance[p]);
       const std::array<double, 3> up = upAt(work.Planet, work.Places[p]);
-      irradiance->SetValue(p, static_cast<float>(std::max(dot(up, work.Sun), 0.0) * work.ScaledTransmittance[p] + work.Down[p]));
+      irradiance->SetValue(p,
+        static_cast<float>(
+          std::max(dot(up, work.Sun), 0.0) * work.ScaledTransmittance[p] + work.Down[p]));
       upward->SetValue(p, work.Up[p]);
     }
   });
@@ -338,7 +365,8 @@ void vtkSunlight::Write(vtkDataSet* data, const Work& work)
 bool vtkSunlight::AddLight(vtkDataSet* data)
 {
   Work work;
-  if (!this->Check(data) || !this->FindSun(data, work.Sun) || !this->ReadOptics(data, work) || !this->GoOn(0.1) || !this->TraceSun(data, work))
+  if (!this->Check(data) || !this->FindSun(data, work.Sun) || !this->ReadOptics(data, work) ||
+    !this->GoOn(0.1) || !this->TraceSun(data, work))
   {
     return false;
   }
@@ -349,13 +377,15 @@ bool vtkSunlight::AddLight(vtkDataSet* data)
   }
   if (work.Planet.Radius <= 0 && work.Sun[2] < 0)
   {
-    vtkWarningMacro(<< "The sun is below the horizon: it is night, and there is no light but that of a twilight sky.");
+    vtkWarningMacro(
+      << "The sun is below the horizon: it is night, and there is no light but that of a twilight sky.");
   }
   this->Write(data, work);
   return true;
 }
 
-int vtkSunlight::RequestData(vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
+int vtkSunlight::RequestData(
+  vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
   vtkDataSet* input = vtkDataSet::GetData(inputs[0], 0);
   vtkDataSet* output = vtkDataSet::GetData(outputs, 0);
@@ -379,8 +409,12 @@ int vtkSunlight::RequestData(vtkInformation*, vtkInformationVector** inputs, vtk
 void vtkSunlight::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "SunDirection: " << this->SunDirection[0] << ", " << this->SunDirection[1] << ", " << this->SunDirection[2] << "\n";
-  os << indent << "DateTime: " << this->DateTime << "\n" << indent << "ExtinctionArrayName: " << this->ExtinctionArrayName << "\n";
-  os << indent << "MultipleScattering: " << this->MultipleScattering << "\n" << indent << "GroundAlbedo: " << this->GroundAlbedo << "\n";
-  os << indent << "ZenithAngles: " << this->ZenithAngles << "\n" << indent << "AzimuthAngles: " << this->AzimuthAngles << "\n";
+  os << indent << "SunDirection: " << this->SunDirection[0] << ", " << this->SunDirection[1] << ", "
+     << this->SunDirection[2] << "\n";
+  os << indent << "DateTime: " << this->DateTime << "\n"
+     << indent << "ExtinctionArrayName: " << this->ExtinctionArrayName << "\n";
+  os << indent << "MultipleScattering: " << this->MultipleScattering << "\n"
+     << indent << "GroundAlbedo: " << this->GroundAlbedo << "\n";
+  os << indent << "ZenithAngles: " << this->ZenithAngles << "\n"
+     << indent << "AzimuthAngles: " << this->AzimuthAngles << "\n";
 }

@@ -117,8 +117,8 @@ void CartesianFlow::Displacements(const FlowStep&, std::vector<float>& displacem
   {
     for (std::size_t c = 0; c < 3; ++c)
     {
-      displacements[3 * i + c] = static_cast<float>(
-        (this->Positions[i][c] - this->Starts[i][c]) / this->Units_.Length);
+      displacements[3 * i + c] =
+        static_cast<float>((this->Positions[i][c] - this->Starts[i][c]) / this->Units_.Length);
     }
   }
 }

@@ -146,9 +146,10 @@ StretchWriter::StretchWriter(const TextureFlow& flow, vtkDataSet* output)
   if (this->Horizontal)
   {
     const auto first = this->PositionOf(&this->Places[0]);
-    const auto last = this->PositionOf(&this->Places[3 * static_cast<std::size_t>(dimensions[0] - 1)]);
-    const std::size_t middle = static_cast<std::size_t>(dimensions[0]) *
-      static_cast<std::size_t>(dimensions[1] / 2);
+    const auto last =
+      this->PositionOf(&this->Places[3 * static_cast<std::size_t>(dimensions[0] - 1)]);
+    const std::size_t middle =
+      static_cast<std::size_t>(dimensions[0]) * static_cast<std::size_t>(dimensions[1] / 2);
     const auto a = this->PositionOf(&this->Places[3 * middle]);
     const auto b =
       this->PositionOf(&this->Places[3 * (middle + static_cast<std::size_t>(dimensions[0] - 1))]);
@@ -191,14 +192,17 @@ std::vector<double> StretchWriter::Stretches(const std::vector<float>& displacem
   }
   const GridStretch stretch({ this->Points, this->Horizontal ? 2 : 3, this->Closed }, from, to);
   std::vector<double> stretches(count);
-  inParallel(static_cast<vtkIdType>(count), [&](vtkIdType begin, vtkIdType end) {
-    for (vtkIdType p = begin; p < end; ++p)
-    {
-      const vtkIdType row = p / this->Points[0];
-      stretches[static_cast<std::size_t>(p)] = stretch.At({ static_cast<int>(p % this->Points[0]),
-        static_cast<int>(row % this->Points[1]), static_cast<int>(row / this->Points[1]) });
-    }
-  }, 2048);
+  inParallel(
+    static_cast<vtkIdType>(count),
+    [&](vtkIdType begin, vtkIdType end) {
+      for (vtkIdType p = begin; p < end; ++p)
+      {
+        const vtkIdType row = p / this->Points[0];
+        stretches[static_cast<std::size_t>(p)] = stretch.At({ static_cast<int>(p % this->Points[0]),
+          static_cast<int>(row % this->Points[1]), static_cast<int>(row / this->Points[1]) });
+      }
+    },
+    2048);
   return stretches;
 }
 

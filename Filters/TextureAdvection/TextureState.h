@@ -45,7 +45,8 @@ struct SetPlan
 };
 
 using Displacements = std::vector<float>; // three for each point, in texture units; empty: none
-using DisplacementKey = std::tuple<int, double, double>; // set, birth, time: at a birth there are an old and a new one
+using DisplacementKey =
+  std::tuple<int, double, double>; // set, birth, time: at a birth there are an old and a new one
 
 inline bool IsPositive(double value)
 {
@@ -57,9 +58,10 @@ struct TextureState : SeriesReading
   std::unique_ptr<TextureFlow> Flow;
   WindArrays Arrays;
   std::map<int, ReadStep> Steps;
-  std::map<DisplacementKey, Displacements> Keys; // of the present frame; of the grid at key times, kept for the next
-  std::array<int, 6> KeyExtent{};                // of the grid's points that they belong to
-  vtkMTimeType MTime = 0;                        // of the pipeline when these were begun
+  std::map<DisplacementKey, Displacements>
+    Keys; // of the present frame; of the grid at key times, kept for the next
+  std::array<int, 6> KeyExtent{}; // of the grid's points that they belong to
+  vtkMTimeType MTime = 0;         // of the pipeline when these were begun
 
   NeededSteps Needed;
   bool SharesSource = false; // the points come of the same source as the winds
@@ -67,7 +69,7 @@ struct TextureState : SeriesReading
   bool HasToldOfMissing = false;
   vtkMTimeType Failed = 0; // for ToldOnce
 
-  double UsualPeriod = 0.0;     // of the first time step
+  double UsualPeriod = 0.0;       // of the first time step
   vtkMTimeType UsualPeriodOf = 0; // MTime of the pipeline when it was found
 
   void Forget()

@@ -106,7 +106,8 @@ nephoscope::SetPlan vtkTextureCoordinateAdvection::PlanSet(int set, double time)
   nephoscope::SetPlan plan;
   plan.Birth = sets.Origin(set, time);
   const double life = this->GetPeriodUsed() - (plan.Birth - sets.Birth(set, time));
-  const auto ages = nephoscope::KeyAgesAround(time - plan.Birth, hasKeys ? this->KeyFrameInterval : 0.0, life);
+  const auto ages =
+    nephoscope::KeyAgesAround(time - plan.Birth, hasKeys ? this->KeyFrameInterval : 0.0, life);
   plan.Times[0] = plan.Birth + ages.First;
   plan.Times[1] = plan.Birth + ages.Second;
   plan.Weight = ages.Weight;
@@ -138,7 +139,8 @@ bool vtkTextureCoordinateAdvection::MakeTexture(
 {
   const double time = this->RequestedSeconds();
   const nephoscope::SetPlan plans[2] = { this->PlanSet(0, time), this->PlanSet(1, time) };
-  nephoscope::OutputPiece piece(outInfo, points ? nullptr : this->DataAt(time).Get(), this->NeedsStretch());
+  nephoscope::OutputPiece piece(
+    outInfo, points ? nullptr : this->DataAt(time).Get(), this->NeedsStretch());
   if (piece.Differs(this->State->KeyExtent))
   {
     this->State->Keys.clear();
@@ -157,8 +159,8 @@ bool vtkTextureCoordinateAdvection::MakeTexture(
   std::vector<float> displacements[2];
   for (int set = 0; set < nephoscope::TEXTURE_SETS; ++set)
   {
-    displacements[set] = this->DisplacementsOf(
-      set, plans[set], static_cast<std::size_t>(output->GetNumberOfPoints()));
+    displacements[set] =
+      this->DisplacementsOf(set, plans[set], static_cast<std::size_t>(output->GetNumberOfPoints()));
   }
   this->WriteSets(displacements, output);
   if (this->NeedsStretch())
@@ -211,11 +213,12 @@ bool vtkTextureCoordinateAdvection::FollowPaths(
   for (const auto& path : wanted)
   {
     std::vector<int> sets = path.second;
-    std::sort(sets.begin(), sets.end(),
-      [&](int a, int b) { return plans[a].Birth > plans[b].Birth; });
+    std::sort(
+      sets.begin(), sets.end(), [&](int a, int b) { return plans[a].Birth > plans[b].Birth; });
     const vtkSmartPointer<vtkDataSet> starts =
       points ? vtkSmartPointer<vtkDataSet>(points) : piece.Of(this->DataAt(path.first));
-    const auto report = [&](double now) { return this->Report((done + path.first - now) / length); };
+    const auto report = [&](
+                          double now) { return this->Report((done + path.first - now) / length); };
     if (!this->FollowFrom(path.first, sets, plans, starts, report))
     {
       keys.clear();
@@ -266,8 +269,8 @@ std::vector<float> vtkTextureCoordinateAdvection::DisplacementsOf(
     const std::vector<float> second = find(plan.Times[1]);
     for (std::size_t i = 0; i < displacements.size(); ++i)
     {
-      displacements[i] = static_cast<float>(
-        (1.0 - plan.Weight) * displacements[i] + plan.Weight * second[i]);
+      displacements[i] =
+        static_cast<float>((1.0 - plan.Weight) * displacements[i] + plan.Weight * second[i]);
     }
   }
   return displacements;
@@ -301,8 +304,9 @@ void vtkTextureCoordinateAdvection::WriteStretch(
   nephoscope::StretchWriter writer(*this->State->Flow, output);
   if (!writer.IsGrid())
   {
-    vtkWarningMacro("ComputeLyapunovExponent and MaximumStretch need neighbours on a grid: only an image, rectilinear or "
-                    "structured grid has them. Leave the points input empty.");
+    vtkWarningMacro(
+      "ComputeLyapunovExponent and MaximumStretch need neighbours on a grid: only an image, rectilinear or "
+      "structured grid has them. Leave the points input empty.");
     return;
   }
   if (this->ComputeLyapunovExponent)

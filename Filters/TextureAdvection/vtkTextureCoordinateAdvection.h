@@ -52,9 +52,9 @@
 #include "vtkSmartPointer.h" // for data between time steps
 
 #include <functional> // for progress
-#include <memory> // for the state between updates
-#include <string> // for array names
-#include <vector> // for the results
+#include <memory>     // for the state between updates
+#include <string>     // for array names
+#include <vector>     // for the results
 
 class vtkAlgorithmOutput;
 class vtkDataSet;
@@ -289,8 +289,8 @@ private:
   nephoscope::SetPlan PlanSet(int set, double time);
   nephoscope::FlowStep PresentStep(const nephoscope::PlaceInSeries& place) const;
   vtkSmartPointer<vtkDataSet> DataAt(double time) const;
-  bool FollowPaths(const nephoscope::SetPlan plans[2], vtkDataSet* points,
-    const nephoscope::OutputPiece& piece);
+  bool FollowPaths(
+    const nephoscope::SetPlan plans[2], vtkDataSet* points, const nephoscope::OutputPiece& piece);
   bool FollowFrom(double start, const std::vector<int>& sets, const nephoscope::SetPlan plans[2],
     vtkDataSet* points, const std::function<bool(double)>& report);
   std::vector<float> DisplacementsOf(

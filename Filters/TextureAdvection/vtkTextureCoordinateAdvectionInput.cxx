@@ -43,11 +43,13 @@ double vtkTextureCoordinateAdvection::FindCrossingTime(vtkDataSet* winds)
 {
   nephoscope::VelocityArray velocity;
   std::string problem;
-  if (!winds || !nephoscope::ChooseVelocity(winds, this->GetInputArrayInformation(0), velocity, problem))
+  if (!winds ||
+    !nephoscope::ChooseVelocity(winds, this->GetInputArrayInformation(0), velocity, problem))
   {
     return 0.0;
   }
-  vtkFieldData* arrays = velocity.OnCells ? static_cast<vtkFieldData*>(winds->GetCellData()) : winds->GetPointData();
+  vtkFieldData* arrays =
+    velocity.OnCells ? static_cast<vtkFieldData*>(winds->GetCellData()) : winds->GetPointData();
   vtkDataArray* values = arrays->GetArray(velocity.Name.c_str());
   double fastest = 0.0;
   for (vtkIdType id = 0; values && id < values->GetNumberOfTuples(); ++id)
@@ -64,7 +66,9 @@ double vtkTextureCoordinateAdvection::FindCrossingTime(vtkDataSet* winds)
 double vtkTextureCoordinateAdvection::FindPeriod(vtkDataSet* winds)
 {
   const double crossing = this->FindCrossingTime(winds);
-  return crossing > 0.0 && !winds->GetFieldData()->HasArray("GlobeGridProjection") ? crossingsInPeriod * crossing : day;
+  return crossing > 0.0 && !winds->GetFieldData()->HasArray("GlobeGridProjection")
+    ? crossingsInPeriod * crossing
+    : day;
 }
 
 double vtkTextureCoordinateAdvection::GetPeriodUsed() const
@@ -88,7 +92,8 @@ vtkMTimeType vtkTextureCoordinateAdvection::PipelineMTime()
 // Whether nothing is automatic, or what is has been found in these data.
 bool vtkTextureCoordinateAdvection::KnowsPeriod()
 {
-  return (this->Period != 0.0 && this->TimeStep != 0.0) || this->State->UsualPeriodOf == this->PipelineMTime();
+  return (this->Period != 0.0 && this->TimeStep != 0.0) ||
+    this->State->UsualPeriodOf == this->PipelineMTime();
 }
 
 void vtkTextureCoordinateAdvection::TakePeriodOf(vtkDataSet* winds)
@@ -132,7 +137,8 @@ bool vtkTextureCoordinateAdvection::CheckSettings()
   }
   if (this->KnowsPeriod() && this->GetPeriodUsed() / this->GetTimeStepUsed() > maximumNumberOfSteps)
   {
-    vtkErrorMacro("A Period of " << this->GetPeriodUsed() << " s in time steps of " << this->GetTimeStepUsed()
+    vtkErrorMacro("A Period of " << this->GetPeriodUsed() << " s in time steps of "
+                                 << this->GetTimeStepUsed()
                                  << " s is more than a million steps. Choose a longer TimeStep.");
     return false;
   }

@@ -36,7 +36,8 @@ void AskForSamePiece(vtkInformation* output, vtkInformation* input)
   input->CopyEntry(output, SDDP::UPDATE_NUMBER_OF_GHOST_LEVELS());
   // The output may be on points of other extents, or of none.
   const bool sameGrid = input->Has(SDDP::WHOLE_EXTENT()) && output->Has(SDDP::WHOLE_EXTENT()) &&
-    std::equal(input->Get(SDDP::WHOLE_EXTENT()), input->Get(SDDP::WHOLE_EXTENT()) + 6, output->Get(SDDP::WHOLE_EXTENT()));
+    std::equal(input->Get(SDDP::WHOLE_EXTENT()), input->Get(SDDP::WHOLE_EXTENT()) + 6,
+      output->Get(SDDP::WHOLE_EXTENT()));
   if (sameGrid && output->Has(SDDP::UPDATE_EXTENT()))
   {
     input->CopyEntry(output, SDDP::UPDATE_EXTENT());
@@ -97,7 +98,8 @@ vtkTypeBool vtkTextureCoordinateAdvection::ProcessRequest(
   {
     if (state.Continuing)
     {
-      vtkErrorMacro("The input has not delivered the time step at " << state.NextTime() << ", so there are no texture coordinates.");
+      vtkErrorMacro("The input has not delivered the time step at "
+        << state.NextTime() << ", so there are no texture coordinates.");
       state.Stop(this->GetExecutive());
     }
     state.Forget();
@@ -189,8 +191,8 @@ int vtkTextureCoordinateAdvection::RequestUpdateExtent(
       output->Has(SDDP::UPDATE_TIME_STEP()) ? output->Get(SDDP::UPDATE_TIME_STEP()) : first;
   }
   state.AwaitsData = true;
-  if ((readable || times.empty()) && nephoscope::IsPositive(this->TimeScale) && nephoscope::IsPositive(this->GetPeriodUsed()) &&
-    this->KnowsPeriod())
+  if ((readable || times.empty()) && nephoscope::IsPositive(this->TimeScale) &&
+    nephoscope::IsPositive(this->GetPeriodUsed()) && this->KnowsPeriod())
   {
     this->PlanReading();
   }
@@ -207,7 +209,8 @@ int vtkTextureCoordinateAdvection::RequestUpdateExtent(
   {
     input->Remove(SDDP::UPDATE_TIME_STEP());
   }
-  nephoscope::AskForWholeExtent(input); // everywhere the whole of the winds: a path may come from anywhere
+  nephoscope::AskForWholeExtent(
+    input); // everywhere the whole of the winds: a path may come from anywhere
   if (vtkInformation* points = inputs[1]->GetInformationObject(0))
   {
     this->AskForPoints(input, points, output);
@@ -295,7 +298,8 @@ bool vtkTextureCoordinateAdvection::ChooseNext()
     }
   }
   const int last = static_cast<int>(state.Times.size()) - 1;
-  state.Next = std::clamp(state.Next, 0, std::max(last, 0)); // what has been read last, so that nothing is read
+  state.Next = std::clamp(
+    state.Next, 0, std::max(last, 0)); // what has been read last, so that nothing is read
   return false;
 }
 
@@ -313,7 +317,7 @@ int vtkTextureCoordinateAdvection::RequestData(
   if (!data)
   {
     vtkErrorMacro("The input is " << (input ? input->GetClassName() : "missing")
-      << "; one grid is needed. Merge or extract blocks first.");
+                                  << "; one grid is needed. Merge or extract blocks first.");
     telling.End(false);
     this->Stop(request);
     return 1;

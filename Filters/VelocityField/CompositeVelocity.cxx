@@ -120,9 +120,8 @@ void CompositeVelocity::Sample(const SampleBatch& batch) const
           !this->Advance(candidate, batch.Positions[candidate.Position]);
       });
     candidates.erase(exhausted, candidates.end());
-    ForEachLeaf(candidates, [&](const Candidate* begin, const Candidate* end) {
-      this->SampleGroup(batch, begin, end);
-    });
+    ForEachLeaf(candidates,
+      [&](const Candidate* begin, const Candidate* end) { this->SampleGroup(batch, begin, end); });
   }
 }
 

@@ -44,8 +44,7 @@ private:
   };
 
   bool Advance(Candidate& candidate, const Vector3& position) const;
-  void SampleGroup(
-    const SampleBatch& batch, const Candidate* begin, const Candidate* end) const;
+  void SampleGroup(const SampleBatch& batch, const Candidate* begin, const Candidate* end) const;
   void MakeArrays(std::size_t count, vtkPointData* output) const;
 
   std::vector<Leaf> Leaves;

@@ -27,7 +27,8 @@ vtkDataSetAttributes* Attributes(vtkDataSet* set, bool onCells)
 // Three bytes are a colour.
 bool IsVector(vtkDataArray* array)
 {
-  return array && array->GetName() && array->GetNumberOfComponents() == 3 && array->GetDataType() != VTK_UNSIGNED_CHAR;
+  return array && array->GetName() && array->GetNumberOfComponents() == 3 &&
+    array->GetDataType() != VTK_UNSIGNED_CHAR;
 }
 
 std::string Listed(const std::set<std::string>& names)

@@ -116,9 +116,10 @@ std::string ShapeProblem(vtkDataSet* data)
     }
     return std::string();
   }
-  return HasVolume(data) ? std::string()
-                         : "The dataset has no cells with a volume, only surfaces, lines or points. Give "
-                           "the volume mesh, or make one with Delaunay 3D.";
+  return HasVolume(data)
+    ? std::string()
+    : "The dataset has no cells with a volume, only surfaces, lines or points. Give "
+      "the volume mesh, or make one with Delaunay 3D.";
 }
 
 std::string Written(const Vector3& position)
@@ -168,7 +169,8 @@ std::string WhyNoVelocityInside(const std::vector<vtkDataSet*>& sets, const Vect
     }
     if (cell >= 0)
     {
-      return "The cell at " + Written(position) + " is blanked: move the polygon into visible cells.";
+      return "The cell at " + Written(position) +
+        " is blanked: move the polygon into visible cells.";
     }
   }
   return {};
@@ -179,9 +181,9 @@ std::string WhyOutside(const vtkBoundingBox& box, const Vector3& position)
   double bounds[6];
   box.GetBounds(bounds);
   std::ostringstream sentence;
-  sentence << Written(position) << " is outside the data, which are within x " << bounds[0] << " to "
-           << bounds[1] << ", y " << bounds[2] << " to " << bounds[3] << ", z " << bounds[4] << " to "
-           << bounds[5] << ": move the polygon into them.";
+  sentence << Written(position) << " is outside the data, which are within x " << bounds[0]
+           << " to " << bounds[1] << ", y " << bounds[2] << " to " << bounds[3] << ", z "
+           << bounds[4] << " to " << bounds[5] << ": move the polygon into them.";
   return sentence.str();
 }
 }

@@ -20,10 +20,12 @@ namespace nephoscope
 std::string VelocityProblem(vtkDataSet* data, const VelocityArray& array);
 
 // Why there is no velocity at a position in a cell: a sentence. Empty if it is in no cell.
-VTKNEPHOSCOPEFILTERSVELOCITYFIELD_EXPORT std::string WhyNoVelocityInside(const std::vector<vtkDataSet*>& sets, const Vector3& position);
+VTKNEPHOSCOPEFILTERSVELOCITYFIELD_EXPORT std::string WhyNoVelocityInside(
+  const std::vector<vtkDataSet*>& sets, const Vector3& position);
 
 // The same for a position in no cell of data with these bounds.
-VTKNEPHOSCOPEFILTERSVELOCITYFIELD_EXPORT std::string WhyOutside(const vtkBoundingBox& box, const Vector3& position);
+VTKNEPHOSCOPEFILTERSVELOCITYFIELD_EXPORT std::string WhyOutside(
+  const vtkBoundingBox& box, const Vector3& position);
 }
 
 #endif

@@ -28,13 +28,13 @@ struct vtkCellCompositingMapper::vtkInternals
   nephoscope::CellScene::Versions Uploaded;
   std::int64_t UploadedContours = -1, UploadedPolygons = -1;
   nephoscope::ScalarSelection Contoured; // array of the contours, if not the coloured one
-  bool HasContours = true; // there is an array for them
+  bool HasContours = true;               // there is an array for them
   bool WarnedOfUnprojected = false;
   nephoscope::ReportedError LastError, LastWarning, RayWarning, ContourWarning, PolygonWarnings[2];
-  bool OneColor = false; // of the medium in the last render
-  bool Peeled = false;   // the last render drew between translucent surfaces
-  bool RaysAreWrong = false; // on the window's OpenGL
-  bool Busy = false;     // who hears of progress may call in between
+  bool OneColor = false;                        // of the medium in the last render
+  bool Peeled = false;                          // the last render drew between translucent surfaces
+  bool RaysAreWrong = false;                    // on the window's OpenGL
+  bool Busy = false;                            // who hears of progress may call in between
   nephoscope::ScalarSelection Scalars, Opacity; // of the geometry, and what keeps them
   vtkSmartPointer<vtkDataArray> Arrays[2];
 

@@ -35,7 +35,8 @@ vtkStandardNewMacro(vtkCellCompositingMapper);
 
 namespace
 {
-std::string ignoredByEarlierMethods(const nephoscope::CellDrawingOptions& options, const CellScene& scene)
+std::string ignoredByEarlierMethods(
+  const nephoscope::CellDrawingOptions& options, const CellScene& scene)
 {
   std::string list;
   const auto add = [&list](bool ignored, const char* what) {
@@ -70,7 +71,8 @@ void vtkCellCompositingMapper::SetInputData(vtkUnstructuredGridBase* data)
 
 int vtkCellCompositingMapper::FillInputPortInformation(int, vtkInformation* info)
 {
-  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataObject"); // drawing tells what is no dataset
+  info->Set(
+    vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataObject"); // drawing tells what is no dataset
   return 1;
 }
 
@@ -165,7 +167,9 @@ std::string vtkCellCompositingMapper::UpdateGeometry(
   }
   bool built = false;
   const auto form = this->MayUseRays() ? CellGeometry::Form::Grid : CellGeometry::Form::Tetrahedra;
-  withThreads([&]() { built = scene.UpdateGeometry(input, scalars, opacity, form, error, layers, progress); });
+  withThreads([&]() {
+    built = scene.UpdateGeometry(input, scalars, opacity, form, error, layers, progress);
+  });
   this->Internals->Scalars = scalars;
   this->Internals->Opacity = opacity;
   this->Internals->Arrays[0] = scalars.Array;
@@ -177,8 +181,8 @@ std::string vtkCellCompositingMapper::UpdateGeometry(
   return error;
 }
 
-std::string vtkCellCompositingMapper::DrawScene(
-  vtkOpenGLRenderWindow* window, vtkRenderer* renderer, vtkVolume* volume, const nephoscope::Progress& progress)
+std::string vtkCellCompositingMapper::DrawScene(vtkOpenGLRenderWindow* window,
+  vtkRenderer* renderer, vtkVolume* volume, const nephoscope::Progress& progress)
 {
   CellScene& scene = this->Internals->Scene;
   vtkVolumeProperty* property = volume->GetProperty();
@@ -200,7 +204,8 @@ std::string vtkCellCompositingMapper::DrawScene(
   {
     if (!(layer.second->GetScalarOpacityUnitDistance() > 0))
     {
-      return "ScalarOpacityUnitDistance of the property of layer " + std::to_string(layer.first) + " must be positive.";
+      return "ScalarOpacityUnitDistance of the property of layer " + std::to_string(layer.first) +
+        " must be positive.";
     }
   }
   const std::string wrongPlanes = nephoscope::ClippingPlanes::Check(this);
@@ -215,7 +220,8 @@ std::string vtkCellCompositingMapper::DrawScene(
   bool ready = true;
   withThreads([&]() {
     scene.UpdatePolygons(this->Internals->Scalars, *this->Contours, property);
-    scene.UpdateTransferFunction(property, this->Internals->HasContours ? *this->Contours : this->Contours->WithoutSurfaces(),
+    scene.UpdateTransferFunction(property,
+      this->Internals->HasContours ? *this->Contours : this->Contours->WithoutSurfaces(),
       this->GetDataSetInput(), this->Internals->Contoured);
     this->Internals->OneColor = scene.HasOneColor();
     ready = this->UpdateOrder(state.EyeModel.data(), progress.Part(0, 0.9));
@@ -251,8 +257,9 @@ std::string vtkCellCompositingMapper::DrawScene(
   options.ContourLighting = this->Contours->Lighting;
   if (scene.GetContours().IsUsed() || scene.GetPolygons().IsUsed())
   {
-    options.ContourShading = { { static_cast<float>(property->GetAmbient()), static_cast<float>(property->GetDiffuse()),
-      static_cast<float>(property->GetSpecular()), static_cast<float>(property->GetSpecularPower()) } };
+    options.ContourShading = { { static_cast<float>(property->GetAmbient()),
+      static_cast<float>(property->GetDiffuse()), static_cast<float>(property->GetSpecular()),
+      static_cast<float>(property->GetSpecularPower()) } };
     options.Lights = nephoscope::describeLights(renderer);
   }
   this->Internals->Peeled = nephoscope::VolumePeel::IsRequested(volume);
@@ -260,32 +267,36 @@ std::string vtkCellCompositingMapper::DrawScene(
   {
     return options.Method != CellMethod::Faces && !nephoscope::drawsTriangles(options.Method)
       ? this->Internals->Pass.DrawPeel(window, state.View, options, { this, volume })
-      : std::string("Projected triangles and faces cannot be drawn between peeled surfaces: choose another method, or call "
-                    "UseDepthPeelingForVolumesOff() of the renderer.");
+      : std::string(
+          "Projected triangles and faces cannot be drawn between peeled surfaces: choose another method, or call "
+          "UseDepthPeelingForVolumesOff() of the renderer.");
   }
-  const bool earlier = options.Method == CellMethod::Faces || nephoscope::drawsTriangles(options.Method);
+  const bool earlier =
+    options.Method == CellMethod::Faces || nephoscope::drawsTriangles(options.Method);
   const std::string ignored = earlier ? ignoredByEarlierMethods(options, scene) : std::string();
-  const std::string warning =
-    ignored.empty() ? "" : "Triangles and faces are drawn without " + ignored + ": choose another method.";
+  const std::string warning = ignored.empty()
+    ? ""
+    : "Triangles and faces are drawn without " + ignored + ": choose another method.";
   if (this->Internals->LastWarning.IsNew(warning)) // once, not once per frame
   {
     vtkWarningMacro(<< warning);
   }
   if (options.Method == CellMethod::Faces)
   {
-    return this->Internals->Pass.DrawLayer(window, [&](const int*, nephoscope::OpaqueDepth& opaqueDepth) {
-      std::string failure;
-      withThreads([&]() {
-        failure = this->Internals->Faces.Draw(
-          window, scene, state.View, options, this->VisibilityOrder != NO_ORDER, opaqueDepth.GetTexture());
+    return this->Internals->Pass.DrawLayer(
+      window, [&](const int*, nephoscope::OpaqueDepth& opaqueDepth) {
+        std::string failure;
+        withThreads([&]() {
+          failure = this->Internals->Faces.Draw(window, scene, state.View, options,
+            this->VisibilityOrder != NO_ORDER, opaqueDepth.GetTexture());
+        });
+        return failure;
       });
-      return failure;
-    });
   }
   if (nephoscope::drawsTriangles(options.Method))
   {
-    this->WarnAboutUnprojected(nephoscope::countUnprojected(
-      scene.GetGeometry(), scene.GetDrawn(), state.View.ModelToView, state.View.EyeView, state.View.ViewToDevice));
+    this->WarnAboutUnprojected(nephoscope::countUnprojected(scene.GetGeometry(), scene.GetDrawn(),
+      state.View.ModelToView, state.View.EyeView, state.View.ViewToDevice));
   }
   return this->Internals->Pass.Draw(window, state.View, options);
 }
@@ -294,8 +305,10 @@ void vtkCellCompositingMapper::WarnAboutUnprojected(vtkIdType count)
 {
   if (count > 0 && !this->Internals->WarnedOfUnprojected) // once, not once per frame
   {
-    vtkWarningMacro(<< count << " tetrahedra are not drawn: they reach the plane of the eye, where they cannot be projected to "
-                       "triangles. Move the camera out of the data, or call SetMethodToCells().");
+    vtkWarningMacro(
+      << count
+      << " tetrahedra are not drawn: they reach the plane of the eye, where they cannot be projected to "
+         "triangles. Move the camera out of the data, or call SetMethodToCells().");
   }
   this->Internals->WarnedOfUnprojected = count > 0;
 }
@@ -307,16 +320,19 @@ std::string vtkCellCompositingMapper::Upload(vtkOpenGLRenderWindow* window)
   const CellScene::Versions& now = self.Scene.GetVersions();
   std::string error;
   const CellScene::Versions& before = self.Uploaded;
-  if (before.Geometry != now.Geometry || before.Pieces != now.Pieces || before.Topology != now.Topology)
+  if (before.Geometry != now.Geometry || before.Pieces != now.Pieces ||
+    before.Topology != now.Topology)
   {
-    error = self.Pass.UploadGeometry(window, self.Scene.GetGeometry(), self.Scene.GetPieces(), self.Scene.GetNeighbors());
+    error = self.Pass.UploadGeometry(
+      window, self.Scene.GetGeometry(), self.Scene.GetPieces(), self.Scene.GetNeighbors());
   }
   else
   {
-    error = self.Pass.UploadValues(window, self.Scene.GetGeometry(), self.Scene.GetPieces(), before.Colors != now.Colors,
-      before.Opacities != now.Opacities);
+    error = self.Pass.UploadValues(window, self.Scene.GetGeometry(), self.Scene.GetPieces(),
+      before.Colors != now.Colors, before.Opacities != now.Opacities);
   }
-  if (error.empty() && (self.Uploaded.Transfer != now.Transfer || self.Uploaded.Pieces != now.Pieces))
+  if (error.empty() &&
+    (self.Uploaded.Transfer != now.Transfer || self.Uploaded.Pieces != now.Pieces))
   {
     std::vector<std::int32_t> tables = self.Scene.GetTablesOfTetrahedra();
     if (!tables.empty())
@@ -335,10 +351,12 @@ std::string vtkCellCompositingMapper::Upload(vtkOpenGLRenderWindow* window)
     self.UploadedContours = self.Scene.GetContours().Version;
   }
   const std::int64_t polygons = self.Scene.GetPolygons().Version;
-  if (error.empty() && (self.UploadedPolygons != polygons || before.Pieces != now.Pieces || before.Topology != now.Topology))
+  if (error.empty() &&
+    (self.UploadedPolygons != polygons || before.Pieces != now.Pieces ||
+      before.Topology != now.Topology))
   {
-    error = self.Pass.UploadPolygons(
-      window, self.Scene.GetPolygons(), self.Scene.GetGeometry(), self.Scene.GetPieces(), self.Scene.GetNeighbors());
+    error = self.Pass.UploadPolygons(window, self.Scene.GetPolygons(), self.Scene.GetGeometry(),
+      self.Scene.GetPieces(), self.Scene.GetNeighbors());
     self.UploadedPolygons = polygons;
   }
   if (error.empty() && self.Uploaded.Drawn != now.Drawn)
@@ -394,9 +412,11 @@ void vtkCellCompositingMapper::ShallowCopy(vtkAbstractMapper* other)
 void vtkCellCompositingMapper::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  const char* methods[] = { "Projection", "Rays", "TrianglesLinear", "TrianglesTable", "Faces", "Automatic" };
+  const char* methods[] = { "Projection", "Rays", "TrianglesLinear", "TrianglesTable", "Faces",
+    "Automatic" };
   os << indent << "Method: " << methods[this->Method] << "\n";
-  os << indent << "Integration: " << (this->Integration == EXACT_INTEGRATION ? "Exact" : "Average") << "\n";
+  os << indent << "Integration: " << (this->Integration == EXACT_INTEGRATION ? "Exact" : "Average")
+     << "\n";
   const char* orders[] = { "Exact", "Centroid", "None" };
   os << indent << "VisibilityOrder: " << orders[this->VisibilityOrder] << "\n";
   os << indent << "OpacityScale: " << this->OpacityScale << "\n";

@@ -398,9 +398,10 @@ private:
   std::string ChooseWayOfDrawing(vtkOpenGLRenderWindow* window);
   bool UsesRays() const;
   bool NeedsNoOrder() const;
-  std::string UpdateGeometry(vtkDataSet* input, vtkVolume* volume, const nephoscope::Progress& progress);
-  std::string SelectContours(
-    vtkDataSet* input, const nephoscope::ScalarSelection& scalars, nephoscope::ScalarSelection& contoured);
+  std::string UpdateGeometry(
+    vtkDataSet* input, vtkVolume* volume, const nephoscope::Progress& progress);
+  std::string SelectContours(vtkDataSet* input, const nephoscope::ScalarSelection& scalars,
+    nephoscope::ScalarSelection& contoured);
   std::string SelectLayers(vtkDataSet* input, vtkDataArray*& layers);
   bool CheckContour(int i);
   void PrintContours(ostream& os, vtkIndent indent);

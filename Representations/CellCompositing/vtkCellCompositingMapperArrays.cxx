@@ -44,16 +44,19 @@ std::string vtkCellCompositingMapper::SelectContours(
   }
   if (name.empty())
   {
-    return scalars.OnCells && this->Contours->DrawsSurfaces() && !this->Contours->LayersFromContours ? "The coloured array is a cell array, which has no contour surfaces inside its cells: apply Cell Data to Point "
-                             "Data, or choose a point array to contour. Point arrays: " + arrayNames(input->GetPointData()) + "."
-                           : std::string();
+    return scalars.OnCells && this->Contours->DrawsSurfaces() && !this->Contours->LayersFromContours
+      ? "The coloured array is a cell array, which has no contour surfaces inside its cells: apply Cell Data to Point "
+        "Data, or choose a point array to contour. Point arrays: " +
+        arrayNames(input->GetPointData()) + "."
+      : std::string();
   }
   contoured.Array = input->GetPointData()->GetArray(name.c_str());
   if (!contoured.Array)
   {
     const bool onCells = input->GetCellData()->GetArray(name.c_str()) != nullptr;
     return "No point array named '" + name + "' to contour" +
-      (onCells ? "; a cell array has no surfaces inside its cells: apply Cell Data to Point Data. " : ". ") +
+      (onCells ? "; a cell array has no surfaces inside its cells: apply Cell Data to Point Data. "
+               : ". ") +
       "Point arrays: " + arrayNames(input->GetPointData()) + ".";
   }
   return checkLength(input, contoured);
@@ -70,7 +73,8 @@ std::string vtkCellCompositingMapper::SelectLayers(vtkDataSet* input, vtkDataArr
   layers = input->GetCellData()->GetArray(name.c_str());
   if (!layers)
   {
-    return "No cell array named '" + name + "' for the layers. Cell arrays: " + arrayNames(input->GetCellData()) + ".";
+    return "No cell array named '" + name +
+      "' for the layers. Cell arrays: " + arrayNames(input->GetCellData()) + ".";
   }
   return checkLength(input, { layers, true, 0 });
 }
@@ -105,29 +109,34 @@ bool hasCopies(vtkUnsignedCharArray* ghosts)
 }
 }
 
-void vtkCellCompositingMapper::WarnAboutGeometry(
-  vtkDataSet* input, const CellGeometry& geometry, const ScalarSelection& scalars, const ScalarSelection& opacity)
+void vtkCellCompositingMapper::WarnAboutGeometry(vtkDataSet* input, const CellGeometry& geometry,
+  const ScalarSelection& scalars, const ScalarSelection& opacity)
 {
   const auto quoted = [](vtkDataArray* array) {
     return std::string("'") + (array->GetName() ? array->GetName() : "(unnamed)") + "'";
   };
-  const std::string names = quoted(scalars.Array) + (opacity.Array ? ", " + quoted(opacity.Array) : "");
+  const std::string names =
+    quoted(scalars.Array) + (opacity.Array ? ", " + quoted(opacity.Array) : "");
 
   if (geometry.NumberOfInvalidCells > 0)
   {
     const bool none = geometry.NumberOfTetrahedra() == 0;
-    vtkWarningMacro(<< (none ? "Nothing is drawn: " : "") << cellsAre(geometry.NumberOfInvalidCells)
-                    << (none ? " left out" : " not drawn") << " because array " << names
-                    << " or a coordinate is not finite there. Blank such points, or replace the values.");
+    vtkWarningMacro(
+      << (none ? "Nothing is drawn: " : "") << cellsAre(geometry.NumberOfInvalidCells)
+      << (none ? " left out" : " not drawn") << " because array " << names
+      << " or a coordinate is not finite there. Blank such points, or replace the values.");
   }
   // Polygons beside 3-D cells have messages of their own.
   const vtkIdType others = geometry.NumberOfUnsupportedCells -
     std::max<vtkIdType>(countContourPolygons(input),
-      geometry.NumberOfTetrahedra() > 0 ? this->Internals->Scene.GetPolygons().GetPolygons().NumberOfPolygons : 0);
+      geometry.NumberOfTetrahedra() > 0
+        ? this->Internals->Scene.GetPolygons().GetPolygons().NumberOfPolygons
+        : 0);
   if (others > 0)
   {
     const char* type = CellTypeNames::GetClassNameFromTypeId(geometry.UnsupportedCellType);
-    vtkWarningMacro(<< cellsAre(others) << " not drawn (" << type << (others == 1 ? "" : ", for example")
+    vtkWarningMacro(<< cellsAre(others) << " not drawn (" << type
+                    << (others == 1 ? "" : ", for example")
                     << "): only 3-D cells can be composited.");
   }
   if (geometry.NumberOfNonConvexCells > 0)
@@ -142,8 +151,9 @@ void vtkCellCompositingMapper::WarnAboutGeometry(
     !hasCopies(input->GetCellGhostArray()))
   {
     const vtkIdType count = input->GetNumberOfCells();
-    const std::string which = count == 1 ? "the only cell is hidden or has no volume."
-                                         : "of " + std::to_string(count) + " cells, all are hidden or have no volume.";
+    const std::string which = count == 1
+      ? "the only cell is hidden or has no volume."
+      : "of " + std::to_string(count) + " cells, all are hidden or have no volume.";
     vtkWarningMacro(<< "Nothing is drawn: " << which);
   }
 }
@@ -165,7 +175,8 @@ void vtkCellCompositingMapper::WarnAboutPolygons()
   };
   const bool asked = this->GetPolygons() == CONTOUR_POLYGONS;
   const std::string others = asked && polygons.NumberOfOthers > 0
-    ? notDrawn(polygons.NumberOfOthers) + "call SetPolygonsToAll() to composite those that lie in faces of cells."
+    ? notDrawn(polygons.NumberOfOthers) +
+      "call SetPolygonsToAll() to composite those that lie in faces of cells."
     : "";
   const std::string apart = polygons.NumberApart > 0
     ? notDrawn(polygons.NumberApart) + (polygons.NumberApart == 1 ? "it does" : "they do") +

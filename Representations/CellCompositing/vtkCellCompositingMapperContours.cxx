@@ -34,8 +34,9 @@ bool vtkCellCompositingMapper::CheckContour(int i)
   {
     return true;
   }
-  vtkErrorMacro("There is no contour value " << i << ": there are " << this->GetNumberOfContourValues()
-                                             << ". Call SetNumberOfContourValues or SetContourValue first.");
+  vtkErrorMacro("There is no contour value "
+    << i << ": there are " << this->GetNumberOfContourValues()
+    << ". Call SetNumberOfContourValues or SetContourValue first.");
   return false;
 }
 
@@ -43,7 +44,8 @@ void vtkCellCompositingMapper::SetContourValue(int i, double value)
 {
   if (i < 0 || !std::isfinite(value))
   {
-    vtkErrorMacro("Contour value " << i << " is " << value << ": number from 0 on, and finite values, are needed.");
+    vtkErrorMacro("Contour value " << i << " is " << value
+                                   << ": number from 0 on, and finite values, are needed.");
     return;
   }
   if (i >= this->GetNumberOfContourValues())
@@ -104,13 +106,16 @@ void vtkCellCompositingMapper::SetContourOpacity(double opacity)
 
 double vtkCellCompositingMapper::GetContourOpacity(int i)
 {
-  return this->CheckContour(i) ? this->Contours->Surfaces[static_cast<std::size_t>(i)].Opacity : 0.0;
+  return this->CheckContour(i) ? this->Contours->Surfaces[static_cast<std::size_t>(i)].Opacity
+                               : 0.0;
 }
 
 void vtkCellCompositingMapper::SetContourColor(int i, double red, double green, double blue)
 {
-  const std::array<double, 3> color = { { clampToUnit(red), clampToUnit(green), clampToUnit(blue) } };
-  if (this->CheckContour(i) && replace(this->Contours->Surfaces[static_cast<std::size_t>(i)].Color, color))
+  const std::array<double, 3> color = { { clampToUnit(red), clampToUnit(green),
+    clampToUnit(blue) } };
+  if (this->CheckContour(i) &&
+    replace(this->Contours->Surfaces[static_cast<std::size_t>(i)].Color, color))
   {
     this->Modified();
   }
@@ -119,7 +124,8 @@ void vtkCellCompositingMapper::SetContourColor(int i, double red, double green, 
 void vtkCellCompositingMapper::SetContourColorToFunction(int i)
 {
   if (this->CheckContour(i) &&
-    replace(this->Contours->Surfaces[static_cast<std::size_t>(i)].Color, ContourSettings::Surface().Color))
+    replace(this->Contours->Surfaces[static_cast<std::size_t>(i)].Color,
+      ContourSettings::Surface().Color))
   {
     this->Modified();
   }
@@ -127,8 +133,9 @@ void vtkCellCompositingMapper::SetContourColorToFunction(int i)
 
 void vtkCellCompositingMapper::GetContourColor(int i, double rgb[3])
 {
-  const ContourSettings::Surface surface =
-    this->CheckContour(i) ? this->Contours->Surfaces[static_cast<std::size_t>(i)] : ContourSettings::Surface();
+  const ContourSettings::Surface surface = this->CheckContour(i)
+    ? this->Contours->Surfaces[static_cast<std::size_t>(i)]
+    : ContourSettings::Surface();
   std::copy(surface.Color.begin(), surface.Color.end(), rgb);
 }
 
@@ -213,7 +220,8 @@ double vtkCellCompositingMapper::GetPolygonOpacity(int contour)
 
 void vtkCellCompositingMapper::SetPolygonColor(int contour, double red, double green, double blue)
 {
-  const std::array<double, 3> color = { { clampToUnit(red), clampToUnit(green), clampToUnit(blue) } };
+  const std::array<double, 3> color = { { clampToUnit(red), clampToUnit(green),
+    clampToUnit(blue) } };
   if (replace(this->Contours->ChangePolygon(contour).Color, color))
   {
     this->Modified();
@@ -266,7 +274,9 @@ int vtkCellCompositingMapper::GetNumberOfLayerProperties() const
 
 int vtkCellCompositingMapper::GetLayerWithProperty(int i) const
 {
-  return i >= 0 && i < this->GetNumberOfLayerProperties() ? std::next(this->Contours->LayerProperties.begin(), i)->first : 0;
+  return i >= 0 && i < this->GetNumberOfLayerProperties()
+    ? std::next(this->Contours->LayerProperties.begin(), i)->first
+    : 0;
 }
 
 void vtkCellCompositingMapper::SetLayerArrayName(const std::string& name)
@@ -306,7 +316,8 @@ void vtkCellCompositingMapper::PrintContours(ostream& os, vtkIndent indent)
   os << indent << "ContourLighting: " << this->Contours->Lighting << "\n";
   os << indent << "SmoothContourNormals: " << this->Contours->SmoothNormals << "\n";
   const char* const polygons[] = { "None", "Contours", "All" };
-  os << indent << "Polygons: " << polygons[this->GetPolygons()] << " (opacity " << this->Contours->Polygon.Opacity;
+  os << indent << "Polygons: " << polygons[this->GetPolygons()] << " (opacity "
+     << this->Contours->Polygon.Opacity;
   for (const auto& polygon : this->Contours->PolygonsOfContour)
   {
     os << ", " << polygon.first << ": " << polygon.second.Opacity;

@@ -19,7 +19,8 @@ void vtkCellCompositingMapper::SetMethod(int method)
 {
   if (method < PROJECTION_METHOD || method > AUTOMATIC_METHOD)
   {
-    vtkErrorMacro("There is no method " << method << ": use one of the values of MethodType, 0 to " << AUTOMATIC_METHOD << ".");
+    vtkErrorMacro("There is no method " << method << ": use one of the values of MethodType, 0 to "
+                                        << AUTOMATIC_METHOD << ".");
     return;
   }
   if (this->Method != method)
@@ -29,10 +30,12 @@ void vtkCellCompositingMapper::SetMethod(int method)
   }
 }
 
-CellScene::Cycles vtkCellCompositingMapper::vtkInternals::CountCycles(vtkCellCompositingMapper* self)
+CellScene::Cycles vtkCellCompositingMapper::vtkInternals::CountCycles(
+  vtkCellCompositingMapper* self)
 {
   CellScene::Cycles cycles;
-  if (self->VisibilityOrder == EXACT_ORDER && !this->Busy && this->Scene.GetGeometry().NumberOfTetrahedra() > 0)
+  if (self->VisibilityOrder == EXACT_ORDER && !this->Busy &&
+    this->Scene.GetGeometry().NumberOfTetrahedra() > 0)
   {
     withThreads([&]() {
       cycles = this->Scene.CountCycles([&]() {
@@ -62,18 +65,22 @@ vtkIdType vtkCellCompositingMapper::GetNumberOfCyclicTetrahedra()
 
 vtkIdType vtkCellCompositingMapper::GetNumberOfBrokenRelations()
 {
-  return this->UsesRays() || this->NeedsNoOrder() ? 0 : static_cast<vtkIdType>(this->Internals->CountCycles(this).BrokenRelations);
+  return this->UsesRays() || this->NeedsNoOrder()
+    ? 0
+    : static_cast<vtkIdType>(this->Internals->CountCycles(this).BrokenRelations);
 }
 
 bool vtkCellCompositingMapper::HasSurfacesOrLayers() const
 {
-  return this->GetNumberOfContourValues() > 0 || this->Contours->LayersAreUsed() || this->Internals->Scene.GetPolygons().IsUsed();
+  return this->GetNumberOfContourValues() > 0 || this->Contours->LayersAreUsed() ||
+    this->Internals->Scene.GetPolygons().IsUsed();
 }
 
 bool vtkCellCompositingMapper::MayUseRays() const
 {
   return !this->Internals->RaysAreWrong &&
-    (this->Method == RAY_METHOD || (this->Method == AUTOMATIC_METHOD && this->VisibilityOrder == EXACT_ORDER));
+    (this->Method == RAY_METHOD ||
+      (this->Method == AUTOMATIC_METHOD && this->VisibilityOrder == EXACT_ORDER));
 }
 
 // Where this OpenGL does not draw right ray by ray, cells are projected; an error where that is not right either.
@@ -90,11 +97,13 @@ std::string vtkCellCompositingMapper::ChooseWayOfDrawing(vtkOpenGLRenderWindow* 
     const std::string wrong = nephoscope::checkDrawing(window, DrawnBy::Rays);
     if (this->Internals->RayWarning.IsNew(wrong))
     {
-      vtkWarningMacro("This OpenGL driver does not draw rays correctly: " << wrong << ". Cells are projected instead, more slowly.");
+      vtkWarningMacro("This OpenGL driver does not draw rays correctly: "
+        << wrong << ". Cells are projected instead, more slowly.");
     }
     this->Internals->RaysAreWrong = !wrong.empty();
   }
-  const std::string wrong = this->MayUseRays() ? std::string() : nephoscope::checkDrawing(window, DrawnBy::Projection);
+  const std::string wrong =
+    this->MayUseRays() ? std::string() : nephoscope::checkDrawing(window, DrawnBy::Projection);
   return wrong.empty() ? wrong
                        : "This OpenGL driver does not draw cells correctly: " + wrong +
       ". Use another driver; the environment variable LIBGL_ALWAYS_SOFTWARE=1 selects Mesa's software driver.";
@@ -120,7 +129,8 @@ bool vtkCellCompositingMapper::GetOrderIndependent()
 }
 
 // What a way of drawing needs to know of who is in front of whom. False when stopped.
-bool vtkCellCompositingMapper::UpdateOrder(const double eye[4], const nephoscope::Progress& progress)
+bool vtkCellCompositingMapper::UpdateOrder(
+  const double eye[4], const nephoscope::Progress& progress)
 {
   CellScene& scene = this->Internals->Scene;
   if (this->UsesRays())
@@ -132,9 +142,9 @@ bool vtkCellCompositingMapper::UpdateOrder(const double eye[4], const nephoscope
     }
     return done;
   }
-  const bool none = this->NeedsNoOrder() || this->Method == FACES_METHOD; // faces have an order of their own
+  const bool none =
+    this->NeedsNoOrder() || this->Method == FACES_METHOD; // faces have an order of their own
   const int order = none ? NO_ORDER : this->VisibilityOrder;
   return scene.UpdateMethod(CellScene::Method::Projection) &&
     scene.UpdateOrder(static_cast<CellScene::OrderMethod>(order), progress);
 }
-

@@ -23,5 +23,6 @@ double vtkCellCompositingMapper::FindUnitDistance(vtkVolumeProperty* property)
   const nephoscope::CellMedium medium{ read.Array, read.OnCells,
     nephoscope::fullOpacity(property->GetScalarOpacity()) };
   const nephoscope::MediumBounds bounds = nephoscope::robustBoundsOfCells(input);
-  return nephoscope::defaultUnitDistance(nephoscope::measureCells(input, medium, bounds), bounds, false);
+  return nephoscope::defaultUnitDistance(
+    nephoscope::measureCells(input, medium, bounds), bounds, false);
 }

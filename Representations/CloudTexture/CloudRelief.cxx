@@ -37,7 +37,8 @@ void addReliefCode(vtkShader* fragment, bool hasSecondSet, const char* weights)
   fragment->SetSource(source);
 }
 
-double largestWaveLength(vtkPolyData* surface, double given, double scale, const GardnerWaves& waves)
+double largestWaveLength(
+  vtkPolyData* surface, double given, double scale, const GardnerWaves& waves)
 {
   vtkDataArray* told = surface->GetFieldData()->GetArray("TextureLength");
   double length = told && told->GetNumberOfTuples() > 0 ? told->GetComponent(0, 0) : given;
@@ -45,8 +46,10 @@ double largestWaveLength(vtkPolyData* surface, double given, double scale, const
   {
     length = SurfaceLength::Of(surface).Get();
   }
-  const auto largest = std::max_element(waves.begin(), waves.end(),
-    [](const GardnerWave& a, const GardnerWave& b) { return std::abs(a.Amplitude) < std::abs(b.Amplitude); });
+  const auto largest =
+    std::max_element(waves.begin(), waves.end(), [](const GardnerWave& a, const GardnerWave& b) {
+      return std::abs(a.Amplitude) < std::abs(b.Amplitude);
+    });
   double frequency = 0;
   for (int c = 0; largest != waves.end() && c < 3; ++c)
   {

@@ -19,7 +19,8 @@ namespace nephoscope
 void addReliefCode(vtkShader* fragment, bool hasSecondSet, const char* weights);
 
 /** Length of the largest waves on the surface. The length of one unit of texture is that of its field data, else "given", else that of the surface. */
-double largestWaveLength(vtkPolyData* surface, double given, double scale, const GardnerWaves& waves);
+double largestWaveLength(
+  vtkPolyData* surface, double given, double scale, const GardnerWaves& waves);
 
 } // namespace nephoscope
 

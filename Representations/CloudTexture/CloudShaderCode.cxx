@@ -24,8 +24,9 @@ const char* word(bool value)
 
 std::string constantsOf(const TexturedSurface& surface, bool hasColors, const GardnerWaves& waves)
 {
-  return gardnerConstants(waves) + "const bool hasSecondSet = " + word(surface.HasSecondSet) + ";\n" +
-    "const bool hasNormals = " + word(!surface.Normals.empty()) + ";\n" + "const bool hasColors = " + word(hasColors) + ";\n";
+  return gardnerConstants(waves) + "const bool hasSecondSet = " + word(surface.HasSecondSet) +
+    ";\n" + "const bool hasNormals = " + word(!surface.Normals.empty()) + ";\n" +
+    "const bool hasColors = " + word(hasColors) + ";\n";
 }
 
 /** Looks at the list of the pixel, or at as many layers as were found. */
@@ -34,7 +35,8 @@ std::string layerLookups(bool hasDensity, int drawings)
   if (drawings == 0)
   {
     std::string lists = SurfaceListsLookup;
-    vtkShaderProgram::Substitute(lists, "//NEPHOSCOPE::Columns", std::to_string(SurfaceLists::Columns));
+    vtkShaderProgram::Substitute(
+      lists, "//NEPHOSCOPE::Columns", std::to_string(SurfaceLists::Columns));
     return lists;
   }
   std::ostringstream uniforms, code;
@@ -156,21 +158,26 @@ void addCloudCode(std::map<vtkShader::Type, vtkShader*>& shaders, const Textured
   const std::string place = choice.UseThickness ? "cloudViewVSOutput" : "cloudPlaceVSOutput";
   for (const CloudAttribute& a : attributes)
   {
-    dec += choice.UseThickness && a.Name == "cloudPlace" ? "" : "in " + a.Type + " " + a.Name + "VSOutput;\n";
+    dec += choice.UseThickness && a.Name == "cloudPlace"
+      ? ""
+      : "in " + a.Type + " " + a.Name + "VSOutput;\n";
   }
-  dec += "uniform float coverage;\nuniform vec2 textureWeights;\n" + constantsOf(surface, choice.HasColors, choice.Waves) +
-    GardnerTextureFunctions + CloudOpacityFunction;
+  dec += "uniform float coverage;\nuniform vec2 textureWeights;\n" +
+    constantsOf(surface, choice.HasColors, choice.Waves) + GardnerTextureFunctions +
+    CloudOpacityFunction;
   const std::string normal = input(attributes, "cloudNormal", "vec3(0.0)");
-  std::string depth =
-    "  float cloudAdded = 0.0;\n  float cloudDepthOnRay = opticalDepthOfLayer(" + place + ", " + normal + ");\n";
+  std::string depth = "  float cloudAdded = 0.0;\n  float cloudDepthOnRay = opticalDepthOfLayer(" +
+    place + ", " + normal + ");\n";
   if (choice.UseThickness)
   {
     std::string thickness = CloudThicknessFunction;
     vtkShaderProgram::Substitute(
       thickness, "//NEPHOSCOPE::Layers", layerLookups(surface.HasDensity, choice.Drawings));
     vtkShaderProgram::Substitute(thickness, "//NEPHOSCOPE::DensityVolume",
-      choice.DensityVolume.empty() ? "float meanDensityOfVolume(vec3 a, vec3 b) { return 1.0; }\n" : choice.DensityVolume);
-    dec += std::string("const bool hasDensityVolume = ") + word(!choice.DensityVolume.empty()) + ";\nin vec3 cloudViewVSOutput;\n" + thickness;
+      choice.DensityVolume.empty() ? "float meanDensityOfVolume(vec3 a, vec3 b) { return 1.0; }\n"
+                                   : choice.DensityVolume);
+    dec += std::string("const bool hasDensityVolume = ") + word(!choice.DensityVolume.empty()) +
+      ";\nin vec3 cloudViewVSOutput;\n" + thickness;
     early =
       "  float cloudThickness = cloudDrawings < 0 ? noThickness\n    : cloudOpticalDepth(cloudViewVSOutput, " +
       input(attributes, "cloudDensity", "1.0") +
@@ -179,7 +186,9 @@ void addCloudCode(std::map<vtkShader::Type, vtkShader*>& shaders, const Textured
     depth +=
       "  cloudDepthOnRay = cloudThickness < noThickness ? cloudThickness : cloudDepthOnRay;\n";
     dec += choice.ThicknessIsAdded ? "uniform float thicknessWeight;\n" : "";
-    depth += choice.ThicknessIsAdded ? "  cloudAdded = thicknessWeight * cloudDepthOnRay;\n  cloudDepthOnRay = opticalDepth;\n" : "";
+    depth += choice.ThicknessIsAdded
+      ? "  cloudAdded = thicknessWeight * cloudDepthOnRay;\n  cloudDepthOnRay = opticalDepth;\n"
+      : "";
   }
   const std::string second = input(attributes, "cloudTexture2", "vec3(0.0)");
   vtkShader* fragment = shaders[vtkShader::Fragment];
@@ -189,10 +198,9 @@ void addCloudCode(std::map<vtkShader::Type, vtkShader*>& shaders, const Textured
   // What starts no cloud is no layer for depth peeling either.
   addBefore(fragment, "//VTK::DepthPeeling::PreColor", early);
   std::string source = fragment->GetSource();
-  const std::string opacity = depth + "  vec4 cloudLooks = cloudLook(cloudTexture1VSOutput, " + second +
-    ", " + input(attributes, "cloudWeights", "textureWeights") + ", " +
-    input(attributes, "cloudCover", "coverage") +
-    ", cloudDepthOnRay, cloudAdded);\n" +
+  const std::string opacity = depth + "  vec4 cloudLooks = cloudLook(cloudTexture1VSOutput, " +
+    second + ", " + input(attributes, "cloudWeights", "textureWeights") + ", " +
+    input(attributes, "cloudCover", "coverage") + ", cloudDepthOnRay, cloudAdded);\n" +
     "  opacity *= cloudLooks.a;\n  ambientColor *= cloudLooks.rgb;\n  diffuseColor *= cloudLooks.rgb;\n";
   vtkShaderProgram::Substitute(
     source, "//VTK::Color::Impl", "//VTK::Color::Impl\n" + opacity, false);

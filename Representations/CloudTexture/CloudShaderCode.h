@@ -32,7 +32,7 @@ std::vector<CloudAttribute> cloudAttributesOf(const TexturedSurface& surface);
 struct CloudShaderChoice
 {
   bool UseThickness = false;
-  int Drawings = 0; ///< of layers, at most; 0: lists
+  int Drawings = 0;              ///< of layers, at most; 0: lists
   bool ThicknessIsAdded = false; ///< to the texture, instead of multiplying the opacity
   bool HasColors = false;
   std::string DensityVolume; ///< code of meanDensityOfVolume, empty: there is none

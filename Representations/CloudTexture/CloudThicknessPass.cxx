@@ -69,7 +69,8 @@ void CloudThicknessPass::FindView(const Request& request)
   double nearest = std::numeric_limits<double>::max();
   for (int corner = 0; corner < 8; ++corner)
   {
-    double p[4] = { request.Bounds[corner & 1], request.Bounds[2 + (corner >> 1 & 1)], request.Bounds[4 + (corner >> 2)], 1 };
+    double p[4] = { request.Bounds[corner & 1], request.Bounds[2 + (corner >> 1 & 1)],
+      request.Bounds[4 + (corner >> 2)], 1 };
     view.ModelToView->MultiplyPoint(p, p);
     nearest = std::min(nearest, -p[2]);
   }
@@ -103,27 +104,35 @@ std::string CloudThicknessPass::Draw(const Request& request)
   layers.Limit = LimitDrawings(request.Clouds, request.WithDensities);
   layers.WithDensities = this->WithDensities = request.WithDensities;
   layers.OpaqueDepth = this->Opaque;
-  layers.OnlyFaces = this->EyeMayBeInside || !this->IsClosed ? 0 : this->FrontIsFront ? GL_BACK : GL_FRONT;
+  layers.OnlyFaces = this->EyeMayBeInside || !this->IsClosed ? 0
+    : this->FrontIsFront                                     ? GL_BACK
+                                                             : GL_FRONT;
   this->HasLists = layers.Limit == 0;
   if (this->HasLists)
   {
     this->IsKnown = this->Lists.Draw(layers, [&]() {
-      this->Paint(request, SurfaceListsFragment, [&](vtkShaderProgram* program) { this->Lists.SetUniforms(program); });
+      this->Paint(request, SurfaceListsFragment,
+        [&](vtkShaderProgram* program) { this->Lists.SetUniforms(program); });
     });
-    return this->IsKnown ? std::string() : "there are more than 16 million faces in the picture, or this OpenGL has no images for them";
+    return this->IsKnown
+      ? std::string()
+      : "there are more than 16 million faces in the picture, or this OpenGL has no images for them";
   }
-  this->IsKnown = this->Layers.Draw(layers, [&](const SurfaceLayers::Drawing& drawing) { this->PaintLayer(request, drawing); });
+  this->IsKnown = this->Layers.Draw(
+    layers, [&](const SurfaceLayers::Drawing& drawing) { this->PaintLayer(request, drawing); });
   return this->IsKnown ? std::string() : "this OpenGL cannot draw depths into 32-bit float images";
 }
 
-void CloudThicknessPass::Paint(const Request& request, const char* shader, const std::function<void(vtkShaderProgram*)>& prepare)
+void CloudThicknessPass::Paint(
+  const Request& request, const char* shader, const std::function<void(vtkShaderProgram*)>& prepare)
 {
   std::string vertex = SurfaceLayersVertex, fragment = shader;
   for (std::string* source : { &vertex, &fragment })
   {
     vtkShaderProgram::Substitute(*source, "//NEPHOSCOPE::Constants", request.Constants);
   }
-  vtkShaderProgram* program = request.Scene.Window->GetShaderCache()->ReadyShaderProgram(vertex.c_str(), fragment.c_str(), "");
+  vtkShaderProgram* program = request.Scene.Window->GetShaderCache()->ReadyShaderProgram(
+    vertex.c_str(), fragment.c_str(), "");
   if (!program)
   {
     return;
@@ -214,7 +223,10 @@ void CloudThicknessPass::Deactivate()
 
 void CloudThicknessPass::SetUniforms(vtkShaderProgram* program, double extinction, int drawings)
 {
-  program->SetUniformi("cloudDrawings", !this->IsKnown ? -1 : this->HasLists ? 1 : this->Layers.GetNumberOfDrawings());
+  program->SetUniformi("cloudDrawings",
+    !this->IsKnown     ? -1
+      : this->HasLists ? 1
+                       : this->Layers.GetNumberOfDrawings());
   program->SetUniformMatrix4x4("placeToView", this->PlaceToView);
   program->SetUniform4f("cloudDepthToView", this->DepthToView);
   program->SetUniform2f("cloudOrigin", this->Origin);

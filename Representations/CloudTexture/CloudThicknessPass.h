@@ -32,8 +32,8 @@ public:
     SceneDepth::Request Scene;
     vtkRenderer* Renderer = nullptr;
     vtkActor* Actor = nullptr;
-    double Center[3] = { 0, 0, 0 }; ///< of the places
-    double Bounds[6] = { 0, 0, 0, 0, 0, 0 }; ///< of the places
+    double Center[3] = { 0, 0, 0 };             ///< of the places
+    double Bounds[6] = { 0, 0, 0, 0, 0, 0 };    ///< of the places
     bool IsClosed = false, IsInsideOut = false; ///< the surface
     bool WithDensities = false;
     int Clouds = 2;                                      ///< behind one another, at most
@@ -65,8 +65,8 @@ public:
 
 private:
   void FindView(const Request& request);
-  void Paint(
-    const Request& request, const char* shader, const std::function<void(vtkShaderProgram*)>& prepare);
+  void Paint(const Request& request, const char* shader,
+    const std::function<void(vtkShaderProgram*)>& prepare);
   void PaintLayer(const Request& request, const SurfaceLayers::Drawing& drawing);
   std::vector<vtkTextureObject*> Textures();
 
@@ -76,7 +76,8 @@ private:
   vtkOpenGLHelper Helper;
   vtkTextureObject* Opaque = nullptr;
   vtkProp* KnownProp = nullptr; // not to be looked into
-  bool IsKnown = false, HasLists = false, EyeMayBeInside = true, IsClosed = false, WithDensities = false, IsParallel = false, FrontIsFront = true;
+  bool IsKnown = false, HasLists = false, EyeMayBeInside = true, IsClosed = false,
+       WithDensities = false, IsParallel = false, FrontIsFront = true;
   vtkNew<vtkMatrix4x4> ViewToData;
   float PlaceToView[16] = {}, DepthToView[4] = {}, Origin[2] = {}, Near = 0;
 };

@@ -128,7 +128,8 @@ private:
       }
       const double low = above[static_cast<std::size_t>(k)];
       const double high = above[static_cast<std::size_t>(k - 1)];
-      const double t = high > low ? std::min(1.0, std::max(0.0, (cover - low) / (high - low))) : 0.0;
+      const double t =
+        high > low ? std::min(1.0, std::max(0.0, (cover - low) / (high - low))) : 0.0;
       const float threshold = i == 0 ? float(farthest) : float(farthest * (k - t) / (samples - 1));
       row[static_cast<std::size_t>(i)] = threshold;
       row[static_cast<std::size_t>(columns - 1 - i)] = -threshold;
@@ -140,7 +141,8 @@ private:
 };
 
 /** Threshold above which the share "cover" of a texture lies, with soft edges. "fourth": sum of the fourth powers of its amplitudes, over that of all waves. */
-inline double thresholdOfCover(const CoverageThresholds& thresholds, double cover, double softness, double fourth = 1)
+inline double thresholdOfCover(
+  const CoverageThresholds& thresholds, double cover, double softness, double fourth = 1)
 {
   const double variance = 1 + softness * softness;
   return std::sqrt(variance) * thresholds.Find(cover, fourth / (variance * variance));
@@ -151,23 +153,27 @@ inline double coverOfThreshold(const GardnerWaves& waves, double threshold, doub
 {
   const double variance = 1 + softness * softness;
   const double t = threshold / std::sqrt(variance);
-  return std::abs(t) >= CoverageThresholds::farthest ? double(t < 0) : BlendDistribution(1 / (variance * variance), waves).Above(t);
+  return std::abs(t) >= CoverageThresholds::farthest
+    ? double(t < 0)
+    : BlendDistribution(1 / (variance * variance), waves).Above(t);
 }
 
 /**
  * Share of a pixel that is cloud, 0 ... 1. Its mean over the texture is the cover, at every distance and for every blend.
  * "softness" is the standard deviation of the soft edge, in units of the texture.
  */
-inline double cloudShare(
-  const CoverageThresholds& thresholds, const FilteredTexture<double>& texture, double cover, double softness)
+inline double cloudShare(const CoverageThresholds& thresholds,
+  const FilteredTexture<double>& texture, double cover, double softness)
 {
   if (cover <= 0 || cover >= 1)
   {
     return cover <= 0 ? 0 : 1;
   }
-  const double threshold = thresholdOfCover(thresholds, cover, softness, texture.Fourth / gardnerFourth());
+  const double threshold =
+    thresholdOfCover(thresholds, cover, softness, texture.Fourth / gardnerFourth());
   const double width = std::sqrt(std::max(texture.Lost, 0.0) + softness * softness);
-  return width > 0 ? normalShare((texture.Mean - threshold) / width) : double(texture.Mean > threshold);
+  return width > 0 ? normalShare((texture.Mean - threshold) / width)
+                   : double(texture.Mean > threshold);
 }
 
 } // namespace nephoscope

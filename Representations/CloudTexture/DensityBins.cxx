@@ -26,7 +26,9 @@ Box boxOf(const DensityTetrahedra& cells, const DensityTetrahedra::Corners& corn
   Box box;
   for (int axis = 0; axis < 3; ++axis)
   {
-    const auto less = [&](std::int32_t a, std::int32_t b) { return cells.Points[a][axis] < cells.Points[b][axis]; };
+    const auto less = [&](std::int32_t a, std::int32_t b) {
+      return cells.Points[a][axis] < cells.Points[b][axis];
+    };
     const auto ends = std::minmax_element(corners.begin(), corners.end(), less);
     box[2 * axis] = cells.Points[*ends.first][axis];
     box[2 * axis + 1] = cells.Points[*ends.second][axis];
@@ -42,7 +44,8 @@ public:
   {
     for (int face = 0; face < 4; ++face)
     {
-      const auto &a = cells.Points[corners[(face + 1) & 3]], &b = cells.Points[corners[(face + 2) & 3]],
+      const auto &a = cells.Points[corners[(face + 1) & 3]],
+                 &b = cells.Points[corners[(face + 2) & 3]],
                  &c = cells.Points[corners[(face + 3) & 3]], &inside = cells.Points[corners[face]];
       Direction u, v, toInside;
       for (int axis = 0; axis < 3; ++axis)
@@ -88,7 +91,8 @@ private:
 }
 
 template <typename Visit>
-void DensityBins::VisitBins(const DensityTetrahedra& cells, std::size_t tetrahedron, Visit visit) const
+void DensityBins::VisitBins(
+  const DensityTetrahedra& cells, std::size_t tetrahedron, Visit visit) const
 {
   const auto& corners = cells.Tetrahedra[tetrahedron];
   const Box box = boxOf(cells, corners);
@@ -153,16 +157,19 @@ void DensityBins::ChooseSize(const DensityTetrahedra& cells)
     {
       this->Bounds[2 * axis] = std::min(this->Bounds[2 * axis], box[2 * axis]);
       this->Bounds[2 * axis + 1] = std::max(this->Bounds[2 * axis + 1], box[2 * axis + 1]);
-      this->Extents[axis] += (box[2 * axis + 1] - box[2 * axis]) / static_cast<double>(this->Number);
+      this->Extents[axis] +=
+        (box[2 * axis + 1] - box[2 * axis]) / static_cast<double>(this->Number);
     }
   }
   for (int axis = 0; axis < 3; ++axis)
   {
     const double all = this->Bounds[2 * axis + 1] - this->Bounds[2 * axis];
-    this->Size[axis] = static_cast<float>(std::max(std::min(this->Extents[axis], std::cbrt(cells.MeanBoxVolume)), 1e-3 * all));
+    this->Size[axis] = static_cast<float>(
+      std::max(std::min(this->Extents[axis], std::cbrt(cells.MeanBoxVolume)), 1e-3 * all));
   }
   this->FindCounts();
-  while (double(this->Counts[0]) * this->Counts[1] * this->Counts[2] > 64 + mostBinsPerTetrahedron * this->Number ||
+  while (double(this->Counts[0]) * this->Counts[1] * this->Counts[2] >
+      64 + mostBinsPerTetrahedron * this->Number ||
     this->EntriesPerTetrahedron(cells) > mostEntriesPerTetrahedron)
   {
     for (float& size : this->Size)
@@ -197,7 +204,8 @@ void DensityBins::Sort(const DensityTetrahedra& cells)
     this->VisitBins(cells, i, [this](std::size_t bin) { ++this->Lists[bin]; });
   }
   std::int32_t next = static_cast<std::int32_t>(bins + 1);
-  for (std::int32_t& count : this->Lists) // to the ends of the lists; filling moves them to their beginnings
+  for (std::int32_t& count :
+    this->Lists) // to the ends of the lists; filling moves them to their beginnings
   {
     next += count;
     count = next;
@@ -205,7 +213,9 @@ void DensityBins::Sort(const DensityTetrahedra& cells)
   this->Lists.resize(static_cast<std::size_t>(next));
   for (std::size_t i = this->Number; i-- > 0;)
   {
-    this->VisitBins(cells, i, [this, i](std::size_t bin) { this->Lists[static_cast<std::size_t>(--this->Lists[bin])] = static_cast<std::int32_t>(i); });
+    this->VisitBins(cells, i, [this, i](std::size_t bin) {
+      this->Lists[static_cast<std::size_t>(--this->Lists[bin])] = static_cast<std::int32_t>(i);
+    });
   }
 }
 

@@ -27,7 +27,8 @@ std::string DensityCells::Take(const std::vector<DensityBlock>& blocks)
   this->Bins.Sort(this->Cells);
   for (const auto& p : this->Cells.Points)
   {
-    this->Radius = std::max(this->Radius, std::sqrt(p[0] * p[0] + p[1] * p[1] + p[2] * p[2]) * 1.00001f);
+    this->Radius =
+      std::max(this->Radius, std::sqrt(p[0] * p[0] + p[1] * p[1] + p[2] * p[2]) * 1.00001f);
   }
   const std::vector<float>& densities = this->Cells.CellDensities;
   if (!densities.empty()) // they follow the points, four by four
@@ -35,7 +36,8 @@ std::string DensityCells::Take(const std::vector<DensityBlock>& blocks)
     std::vector<std::array<float, 4>>& points = this->Cells.Points;
     this->FirstCellDensity = static_cast<int>(points.size());
     points.resize(points.size() + (densities.size() + 3) / 4);
-    std::copy(densities.begin(), densities.end(), points[static_cast<std::size_t>(this->FirstCellDensity)].begin());
+    std::copy(densities.begin(), densities.end(),
+      points[static_cast<std::size_t>(this->FirstCellDensity)].begin());
   }
   return error;
 }
@@ -51,9 +53,14 @@ std::string DensityCells::Upload(vtkOpenGLRenderWindow* window)
   {
     return std::string();
   }
-  std::string error = this->Points.Upload(window, this->Cells.Points.data(), this->Cells.Points.size(), 4, VTK_FLOAT);
-  error = !error.empty() ? error : this->Tetrahedra.Upload(window, this->Cells.Tetrahedra.data(), this->Cells.Tetrahedra.size(), 4, VTK_INT);
-  error = !error.empty() ? error : this->Lists.Upload(window, this->Bins.Lists.data(), this->Bins.Lists.size(), 1, VTK_INT);
+  std::string error =
+    this->Points.Upload(window, this->Cells.Points.data(), this->Cells.Points.size(), 4, VTK_FLOAT);
+  error = !error.empty() ? error
+                         : this->Tetrahedra.Upload(window, this->Cells.Tetrahedra.data(),
+                             this->Cells.Tetrahedra.size(), 4, VTK_INT);
+  error = !error.empty()
+    ? error
+    : this->Lists.Upload(window, this->Bins.Lists.data(), this->Bins.Lists.size(), 1, VTK_INT);
   this->IsUploaded = error.empty();
   return this->IsUploaded ? error
                           : "has " + std::to_string(this->Cells.Tetrahedra.size()) +

@@ -43,7 +43,9 @@ void DensityImage::Read(vtkDataArray* array)
     count += this->Values[i] > 0;
   }
   this->MeanDensity = count > 0 ? sum / static_cast<double>(count) : 1;
-  this->Warning = wrong > 0 ? "has " + std::to_string(wrong) + " values that are not a density, >= 0 and finite: they count as 0" : "";
+  this->Warning = wrong > 0 ? "has " + std::to_string(wrong) +
+      " values that are not a density, >= 0 and finite: they count as 0"
+                            : "";
 }
 
 std::string DensityImage::GetShaderCode() const
@@ -61,14 +63,16 @@ std::string DensityImage::Upload(vtkOpenGLRenderWindow* window)
   glGetIntegerv(GL_MAX_3D_TEXTURE_SIZE, &largest);
   if (std::max({ this->Size[0], this->Size[1], this->Size[2] }) > largest)
   {
-    return "has more than " + std::to_string(largest) + " points along an axis, the limit of this OpenGL: resample it to fewer";
+    return "has more than " + std::to_string(largest) +
+      " points along an axis, the limit of this OpenGL: resample it to fewer";
   }
   this->Texture->SetContext(window);
   this->Texture->SetDataType(GL_FLOAT);
   this->Texture->SetMinificationFilter(vtkTextureObject::Nearest);
   this->Texture->SetMagnificationFilter(vtkTextureObject::Nearest);
-  this->IsUploaded = this->Texture->Create3DFromRaw(static_cast<unsigned int>(this->Size[0]), static_cast<unsigned int>(this->Size[1]),
-    static_cast<unsigned int>(this->Size[2]), 1, VTK_FLOAT, this->Values.data());
+  this->IsUploaded = this->Texture->Create3DFromRaw(static_cast<unsigned int>(this->Size[0]),
+    static_cast<unsigned int>(this->Size[1]), static_cast<unsigned int>(this->Size[2]), 1,
+    VTK_FLOAT, this->Values.data());
   if (!this->IsUploaded)
   {
     return "does not fit into a texture of this OpenGL";

@@ -32,7 +32,8 @@ double sixVolumes(const Point& a, const Point& b, const Point& c, const Point& d
     }
   }
   const auto& e = edges;
-  return std::abs(e[0][0] * (e[1][1] * e[2][2] - e[1][2] * e[2][1]) + e[0][1] * (e[1][2] * e[2][0] - e[1][0] * e[2][2]) +
+  return std::abs(e[0][0] * (e[1][1] * e[2][2] - e[1][2] * e[2][1]) +
+    e[0][1] * (e[1][2] * e[2][0] - e[1][0] * e[2][2]) +
     e[0][2] * (e[1][0] * e[2][1] - e[1][1] * e[2][0]));
 }
 
@@ -63,7 +64,9 @@ public:
     if (this->Block.OnCells)
     {
       const double density = this->Block.Densities->GetComponent(cell, 0);
-      return !std::isfinite(density) || !this->HasFinitePlaces() ? Kind::NotFinite : density > 0 ? Kind::Cloud : Kind::Empty;
+      return !std::isfinite(density) || !this->HasFinitePlaces() ? Kind::NotFinite
+        : density > 0                                            ? Kind::Cloud
+                                                                 : Kind::Empty;
     }
     bool isFinite = this->HasFinitePlaces(), isCloud = false;
     for (const vtkIdType point : *this->Source.GetPoints())
@@ -81,10 +84,11 @@ private:
   bool HasFinitePlaces()
   {
     double x[3];
-    return std::all_of(this->Source.GetPoints()->begin(), this->Source.GetPoints()->end(), [&](vtkIdType point) {
-      this->Block.Data->GetPoint(point, x);
-      return std::isfinite(x[0]) && std::isfinite(x[1]) && std::isfinite(x[2]);
-    });
+    return std::all_of(
+      this->Source.GetPoints()->begin(), this->Source.GetPoints()->end(), [&](vtkIdType point) {
+        this->Block.Data->GetPoint(point, x);
+        return std::isfinite(x[0]) && std::isfinite(x[1]) && std::isfinite(x[2]);
+      });
   }
 
   const DensityBlock& Block;
@@ -95,7 +99,8 @@ private:
 std::string DensityTetrahedra::Take(const std::vector<DensityBlock>& blocks)
 {
   this->FindCenter(blocks);
-  const bool onCells = std::any_of(blocks.begin(), blocks.end(), [](const DensityBlock& block) { return block.OnCells; });
+  const bool onCells = std::any_of(
+    blocks.begin(), blocks.end(), [](const DensityBlock& block) { return block.OnCells; });
   Counts counts;
   for (const DensityBlock& block : blocks)
   {
@@ -141,8 +146,8 @@ void DensityTetrahedra::TakeBlock(const DensityBlock& block, bool onCells, Count
       double x[3];
       block.Data->GetPoint(id, x);
       number = static_cast<std::int32_t>(this->Points.size());
-      this->Points.push_back({ { float(x[0] - this->Center[0]), float(x[1] - this->Center[1]), float(x[2] - this->Center[2]),
-        block.OnCells ? 0.0f : densityAt(id) } });
+      this->Points.push_back({ { float(x[0] - this->Center[0]), float(x[1] - this->Center[1]),
+        float(x[2] - this->Center[2]), block.OnCells ? 0.0f : densityAt(id) } });
     }
     return number;
   };
@@ -160,28 +165,32 @@ void DensityTetrahedra::TakeBlock(const DensityBlock& block, bool onCells, Count
     {
       continue;
     }
-    const bool isSolid = walker.GetSource().EmitTetrahedra(cell, [&](const std::array<vtkIdType, 4>& ids) {
-      Corners corners;
-      std::transform(ids.begin(), ids.end(), corners.begin(), numberOf);
-      const auto& p = this->Points;
-      const double volume = sixVolumes(p[corners[0]], p[corners[1]], p[corners[2]], p[corners[3]]);
-      const double density = block.OnCells ? densityAt(cell)
-                                           : 0.25 * (p[corners[0]][3] + p[corners[1]][3] + p[corners[2]][3] + p[corners[3]][3]);
-      if (!(volume > 0) || !(density > 0))
-      {
-        return;
-      }
-      std::sort(corners.begin(), corners.end(), [&](std::int32_t a, std::int32_t b) {
-        return std::make_tuple(p[a][0], p[a][1], p[a][2]) < std::make_tuple(p[b][0], p[b][1], p[b][2]);
+    const bool isSolid =
+      walker.GetSource().EmitTetrahedra(cell, [&](const std::array<vtkIdType, 4>& ids) {
+        Corners corners;
+        std::transform(ids.begin(), ids.end(), corners.begin(), numberOf);
+        const auto& p = this->Points;
+        const double volume =
+          sixVolumes(p[corners[0]], p[corners[1]], p[corners[2]], p[corners[3]]);
+        const double density = block.OnCells
+          ? densityAt(cell)
+          : 0.25 * (p[corners[0]][3] + p[corners[1]][3] + p[corners[2]][3] + p[corners[3]][3]);
+        if (!(volume > 0) || !(density > 0))
+        {
+          return;
+        }
+        std::sort(corners.begin(), corners.end(), [&](std::int32_t a, std::int32_t b) {
+          return std::make_tuple(p[a][0], p[a][1], p[a][2]) <
+            std::make_tuple(p[b][0], p[b][1], p[b][2]);
+        });
+        this->Tetrahedra.push_back(corners);
+        counts.Volume += volume;
+        counts.Mass += volume * density;
+        if (onCells)
+        {
+          this->CellDensities.push_back(static_cast<float>(density));
+        }
       });
-      this->Tetrahedra.push_back(corners);
-      counts.Volume += volume;
-      counts.Mass += volume * density;
-      if (onCells)
-      {
-        this->CellDensities.push_back(static_cast<float>(density));
-      }
-    });
     counts.Solid += isSolid;
     counts.NotConvex += isSolid && !walker.GetSource().TetrahedraFillCell();
   }
@@ -194,13 +203,17 @@ std::string DensityTetrahedra::Judge(const Counts& counts)
     return "has no three-dimensional cells";
   }
   this->MeanDensity = counts.Mass > 0 ? counts.Mass / counts.Volume : 1;
-  this->MeanBoxVolume = this->Tetrahedra.empty() ? 0 : counts.Volume / static_cast<double>(this->Tetrahedra.size());
+  this->MeanBoxVolume =
+    this->Tetrahedra.empty() ? 0 : counts.Volume / static_cast<double>(this->Tetrahedra.size());
   const auto tell = [this](std::size_t count, const char* what) {
-    this->Warning += count == 0 ? "" : (this->Warning.empty() ? "has " : "; has ") + std::to_string(count) + what;
+    this->Warning +=
+      count == 0 ? "" : (this->Warning.empty() ? "has " : "; has ") + std::to_string(count) + what;
   };
   tell(counts.Wrong, " values that are not a density, >= 0 and finite: they count as 0");
-  tell(counts.NotFinite, " cells with a coordinate or a density that is not finite: they are left out");
-  tell(counts.NotConvex, " polyhedra that are not convex, where density is wrong: run vtkPolyhedronToTetrahedra first");
+  tell(counts.NotFinite,
+    " cells with a coordinate or a density that is not finite: they are left out");
+  tell(counts.NotConvex,
+    " polyhedra that are not convex, where density is wrong: run vtkPolyhedronToTetrahedra first");
   return std::string();
 }
 

@@ -33,7 +33,8 @@ struct DensityTetrahedra
   double Center[3] = { 0, 0, 0 };
   std::vector<std::array<float, 4>> Points; ///< relative to the centre; the density there
   std::vector<Corners> Tetrahedra;
-  std::vector<float> CellDensities; ///< one for each tetrahedron where densities are of cells, else none
+  std::vector<float>
+    CellDensities; ///< one for each tetrahedron where densities are of cells, else none
   double MeanDensity = 1;
   double MeanBoxVolume = 0; ///< six times the mean volume of a tetrahedron
   std::string Warning;

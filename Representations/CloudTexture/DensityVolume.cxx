@@ -36,20 +36,22 @@ std::string errorOf(const DensityBlock& block, const std::string& name)
 {
   if (!block.Densities)
   {
-    return name.empty() ? "has no active scalars: choose one of its arrays as DensityArrayName"
-                        : "has no point array '" + name + "' of the density, and no such cell array";
+    return name.empty()
+      ? "has no active scalars: choose one of its arrays as DensityArrayName"
+      : "has no point array '" + name + "' of the density, and no such cell array";
   }
   const char* its = block.Densities->GetName();
   const int components = block.Densities->GetNumberOfComponents();
-  return components == 1 ? std::string()
-                         : "needs an array of one component: " + std::string(its ? its : "its scalars") + " has " +
+  return components == 1
+    ? std::string()
+    : "needs an array of one component: " + std::string(its ? its : "its scalars") + " has " +
       std::to_string(components);
 }
 
 bool isPlainImage(const DensityBlock& block)
 {
-  return !block.OnCells && vtkImageData::SafeDownCast(block.Data) && !block.Data->GetCellGhostArray() &&
-    !block.Data->GetPointGhostArray();
+  return !block.OnCells && vtkImageData::SafeDownCast(block.Data) &&
+    !block.Data->GetCellGhostArray() && !block.Data->GetPointGhostArray();
 }
 
 std::unique_ptr<DensityVolume> makeImage(const DensityBlock& block, std::string& error)
@@ -65,7 +67,8 @@ std::unique_ptr<DensityVolume> makeImage(const DensityBlock& block, std::string&
 }
 }
 
-std::unique_ptr<DensityVolume> makeDensityVolume(vtkDataObject* data, const std::string& name, std::string& error)
+std::unique_ptr<DensityVolume> makeDensityVolume(
+  vtkDataObject* data, const std::string& name, std::string& error)
 {
   error.clear();
   if (!data)
@@ -90,7 +93,8 @@ std::unique_ptr<DensityVolume> makeDensityVolume(vtkDataObject* data, const std:
     error = !error.empty() ? error
       : vtkDataSet::SafeDownCast(data) || vtkCompositeDataSet::SafeDownCast(data)
       ? "has no cells"
-      : "is a " + std::string(data->GetClassName()) + ", which has no cells to integrate in: convert it to an unstructured grid";
+      : "is a " + std::string(data->GetClassName()) +
+        ", which has no cells to integrate in: convert it to an unstructured grid";
     return nullptr;
   }
   if (blocks.size() == 1 && without == 0 && isPlainImage(blocks.front()))
@@ -106,7 +110,8 @@ std::unique_ptr<DensityVolume> makeDensityVolume(vtkDataObject* data, const std:
   }
   if (without > 0)
   {
-    cells->Warning = "is incomplete: one of its blocks " + told + (cells->Warning.empty() ? "" : "; it " + cells->Warning);
+    cells->Warning = "is incomplete: one of its blocks " + told +
+      (cells->Warning.empty() ? "" : "; it " + cells->Warning);
   }
   return cells;
 }

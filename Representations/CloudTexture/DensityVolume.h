@@ -52,7 +52,8 @@ inline bool isDensity(double value)
 }
 
 /** `name`: of a point or cell array; empty: active scalars. Null where there is no data, or else with the reason in `error`. */
-std::unique_ptr<DensityVolume> makeDensityVolume(vtkDataObject* data, const std::string& name, std::string& error);
+std::unique_ptr<DensityVolume> makeDensityVolume(
+  vtkDataObject* data, const std::string& name, std::string& error);
 
 } // namespace nephoscope
 

@@ -18,7 +18,8 @@ namespace nephoscope
 
 /** Constants, not uniforms: software OpenGL fetches those anew for every pixel, at the cost of a texture. */
 template <typename Value>
-std::string arrayOfWaves(const std::string& type, const std::string& name, const GardnerWaves& waves, const Value& value)
+std::string arrayOfWaves(
+  const std::string& type, const std::string& name, const GardnerWaves& waves, const Value& value)
 {
   std::ostringstream result;
   result << std::scientific << std::setprecision(9);
@@ -36,7 +37,8 @@ std::string arrayOfWaves(const std::string& type, const std::string& name, const
 inline std::string gardnerConstants(const GardnerWaves& waves)
 {
   const auto vector = [](std::ostream& os, const Point3<double>& frequency, double fourth) {
-    os << "vec4(" << frequency[0] << ", " << frequency[1] << ", " << frequency[2] << ", " << fourth << ")";
+    os << "vec4(" << frequency[0] << ", " << frequency[1] << ", " << frequency[2] << ", " << fourth
+       << ")";
   };
   double largest = 0;
   for (const GardnerWave& wave : waves)
@@ -47,9 +49,13 @@ inline std::string gardnerConstants(const GardnerWaves& waves)
   result << std::scientific << std::setprecision(9);
   result << "const int numberOfWaves = " << waves.size() << ";\n"
          << arrayOfWaves("vec4", "gardnerWaves", waves,
-              [&](std::ostream& os, const GardnerWave& wave) { vector(os, wave.Frequency, wave.Amplitude); })
+              [&](std::ostream& os, const GardnerWave& wave) {
+                vector(os, wave.Frequency, wave.Amplitude);
+              })
          << arrayOfWaves("vec4", "gardnerShifts", waves,
-              [&](std::ostream& os, const GardnerWave& wave) { vector(os, wave.ShiftFrequency, wave.Phase); })
+              [&](std::ostream& os, const GardnerWave& wave) {
+                vector(os, wave.ShiftFrequency, wave.Phase);
+              })
          << arrayOfWaves("float", "gardnerTurns", waves,
               [](std::ostream& os, const GardnerWave& wave) { os << wave.Shift / (2 * gardnerPi); })
          << "const float gardnerFourth = " << gardnerFourth(waves) << ";\n"

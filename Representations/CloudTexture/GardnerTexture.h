@@ -26,7 +26,8 @@ Real dot(const Point3<Real>& a, const Point3<Real>& b)
 template <typename Real>
 Point3<Real> radians(const Point3<double>& turns)
 {
-  return { { Real(2 * gardnerPi * turns[0]), Real(2 * gardnerPi * turns[1]), Real(2 * gardnerPi * turns[2]) } };
+  return { { Real(2 * gardnerPi * turns[0]), Real(2 * gardnerPi * turns[1]),
+    Real(2 * gardnerPi * turns[2]) } };
 }
 
 /** A pixel on the texture: how far (u, v, w) change over one standard deviation of the pixel's filter, across and up. */
@@ -62,7 +63,8 @@ Real gardnerTexture(const Point3<Real>& p, const GardnerWaves& waves = paperWave
   for (const GardnerWave& wave : waves)
   {
     const Real shift = Real(wave.Shift) * std::sin(dot(radians<Real>(wave.ShiftFrequency), p));
-    sum += Real(wave.Amplitude) * std::cos(dot(radians<Real>(wave.Frequency), p) + Real(2 * gardnerPi * wave.Phase) + shift);
+    sum += Real(wave.Amplitude) *
+      std::cos(dot(radians<Real>(wave.Frequency), p) + Real(2 * gardnerPi * wave.Phase) + shift);
   }
   return sum;
 }
@@ -72,8 +74,8 @@ Real gardnerTexture(const Point3<Real>& p, const GardnerWaves& waves = paperWave
  * mean differs from the exact one by some hundredths; its variance and that which is lost still add up to 1.
  */
 template <typename Real>
-FilteredTexture<Real> filteredGardnerTexture(
-  const Point3<Real>& p, const TextureFootprint<Real>& footprint, const GardnerWaves& waves = paperWaves())
+FilteredTexture<Real> filteredGardnerTexture(const Point3<Real>& p,
+  const TextureFootprint<Real>& footprint, const GardnerWaves& waves = paperWaves())
 {
   FilteredTexture<Real> result;
   for (const GardnerWave& wave : waves)
@@ -81,7 +83,8 @@ FilteredTexture<Real> filteredGardnerTexture(
     Point3<Real> local = radians<Real>(wave.Frequency);
     const Point3<Real> across = radians<Real>(wave.ShiftFrequency);
     const Real chi = dot(across, p);
-    const Real phase = dot(local, p) + Real(2 * gardnerPi * wave.Phase) + Real(wave.Shift) * std::sin(chi);
+    const Real phase =
+      dot(local, p) + Real(2 * gardnerPi * wave.Phase) + Real(wave.Shift) * std::sin(chi);
     for (int c = 0; c < 3; ++c)
     {
       local[c] += Real(wave.Shift) * std::cos(chi) * across[c];
@@ -112,8 +115,8 @@ inline double besselJ(int k, double x)
  * Exactly, for a Gaussian filter: cos(theta + s sin chi) is the sum over k of J_k(s) cos(theta + k chi), plane waves, each of which
  * the filter damps by exp(-(phase variance) / 2).
  */
-inline FilteredTexture<double> exactlyFilteredGardnerTexture(
-  const Point3<double>& p, const TextureFootprint<double>& footprint, const GardnerWaves& waves = paperWaves())
+inline FilteredTexture<double> exactlyFilteredGardnerTexture(const Point3<double>& p,
+  const TextureFootprint<double>& footprint, const GardnerWaves& waves = paperWaves())
 {
   constexpr int highest = 12;
   FilteredTexture<double> result;
@@ -131,7 +134,8 @@ inline FilteredTexture<double> exactlyFilteredGardnerTexture(
       }
       const double bessel = besselJ(k, wave.Shift);
       const double damping = std::exp(-footprint.PhaseVariance(partial) / 2);
-      result.Mean += amplitude * bessel * damping * std::cos(dot(partial, p) + 2 * gardnerPi * wave.Phase);
+      result.Mean +=
+        amplitude * bessel * damping * std::cos(dot(partial, p) + 2 * gardnerPi * wave.Phase);
       keptVariance += bessel * bessel * damping * damping;
     }
     result.Lost += amplitude * amplitude / 2 * (1 - keptVariance);
@@ -166,8 +170,8 @@ Point3<Real> placeInSet(int set, const Point3<Real>& p)
  * sum of squared weights. Weights >= 0, not both 0.
  */
 template <typename Real>
-FilteredTexture<Real> blendTextures(
-  const FilteredTexture<Real>& first, const FilteredTexture<Real>& second, Real firstWeight, Real secondWeight)
+FilteredTexture<Real> blendTextures(const FilteredTexture<Real>& first,
+  const FilteredTexture<Real>& second, Real firstWeight, Real secondWeight)
 {
   const Real norm = std::sqrt(firstWeight * firstWeight + secondWeight * secondWeight);
   const Real w1 = firstWeight / norm;

@@ -79,10 +79,13 @@ inline GardnerWaves wavesOfPaper(const std::vector<Point3<double>>& frequencies)
 inline GardnerWaves cloudWaves()
 {
   constexpr double ratio = 0.7633;
-  constexpr double values[][7] = { { -2, 0.8, 1.1, 0, -0.7, 0.6, 0.12 }, { 0.6, -2.3, 2.2, 1, 0.9, 0.7, 0.7 }, { 0.4, -1.1, 4.3, 1, 1.1, 0.2, 0.36 },
-    { 4.7, -3.1, 2, -1.2, -1.6, 0.4, 0.36 }, { -2.1, 1.2, 7.7, 1.9, -1.8, 0.8, 0.9 }, { 1.3, -8, -7.4, 4.7, 0.2, 0.6, 0.69 },
-    { 11.9, -8.3, -2.9, 4.2, 5.2, 2.2, 0.47 }, { -12.9, 11.4, -10.1, -4.7, -2.8, 2.8, 0.19 }, { -14.7, -17.8, -13.9, -11.9, 10.1, -0.4, 0.6 },
-    { 34.6, 4.7, -10.3, 4.7, -3, 14.3, 0.78 }, { 16, -35.2, 30.3, 15.7, 6.6, -0.6, 0.86 }, { -44.8, 1.9, -49, -22.4, 13, 21, 0.88 } };
+  constexpr double values[][7] = { { -2, 0.8, 1.1, 0, -0.7, 0.6, 0.12 },
+    { 0.6, -2.3, 2.2, 1, 0.9, 0.7, 0.7 }, { 0.4, -1.1, 4.3, 1, 1.1, 0.2, 0.36 },
+    { 4.7, -3.1, 2, -1.2, -1.6, 0.4, 0.36 }, { -2.1, 1.2, 7.7, 1.9, -1.8, 0.8, 0.9 },
+    { 1.3, -8, -7.4, 4.7, 0.2, 0.6, 0.69 }, { 11.9, -8.3, -2.9, 4.2, 5.2, 2.2, 0.47 },
+    { -12.9, 11.4, -10.1, -4.7, -2.8, 2.8, 0.19 }, { -14.7, -17.8, -13.9, -11.9, 10.1, -0.4, 0.6 },
+    { 34.6, 4.7, -10.3, 4.7, -3, 14.3, 0.78 }, { 16, -35.2, 30.3, 15.7, 6.6, -0.6, 0.86 },
+    { -44.8, 1.9, -49, -22.4, 13, 21, 0.88 } };
   GardnerWaves waves;
   double amplitude = 1;
   for (const auto& v : values)
@@ -98,8 +101,8 @@ inline GardnerWaves cloudWaves()
  */
 inline GardnerWaves paperWaves()
 {
-  GardnerWaves waves = wavesOfPaper({ { { 3, 2, 2.1 } }, { { -5, 4, -3.3 } }, { { 8, -6, 5.2 } }, { { 11, 12, -7.9 } },
-    { { -19, 16, 11.3 } }, { { 27, -26, 15.1 } }, { { 41, 42, -22.7 } } });
+  GardnerWaves waves = wavesOfPaper({ { { 3, 2, 2.1 } }, { { -5, 4, -3.3 } }, { { 8, -6, 5.2 } },
+    { { 11, 12, -7.9 } }, { { -19, 16, 11.3 } }, { { 27, -26, 15.1 } }, { { 41, 42, -22.7 } } });
   for (GardnerWave& wave : waves)
   {
     wave.ShiftFrequency = { { wave.Frequency[1] / 2, -wave.Frequency[0] / 2, 0 } };
@@ -113,8 +116,8 @@ inline GardnerWaves paperWaves()
  */
 inline GardnerWaves printedWaves()
 {
-  GardnerWaves waves = wavesOfPaper({ { { 4, 2, 2.1 } }, { { -6, 4, -3.3 } }, { { 8, -6, 5.2 } }, { { 12, 12, -7.9 } },
-    { { -20, 16, 11.3 } }, { { 28, -26, 15.1 } }, { { 42, 42, -22.7 } } });
+  GardnerWaves waves = wavesOfPaper({ { { 4, 2, 2.1 } }, { { -6, 4, -3.3 } }, { { 8, -6, 5.2 } },
+    { { 12, 12, -7.9 } }, { { -20, 16, 11.3 } }, { { 28, -26, 15.1 } }, { { 42, 42, -22.7 } } });
   for (GardnerWave& wave : waves)
   {
     wave.ShiftFrequency = { { wave.Frequency[0] / 2, -wave.Amplitude / (4 * gardnerPi), 0 } };
@@ -141,7 +144,8 @@ inline GardnerWaves gardnersWaves()
     alongV.Frequency = { { 0, frequency, 0 } };
     alongU.ShiftFrequency = { { 0, frequency / 2, frequency / 2 } };
     alongV.ShiftFrequency = { { frequency / 2, 0, frequency / 2 } };
-    alongV.Phase = 0.25; // else both have parts in common, which do not add up as independent waves do
+    alongV.Phase =
+      0.25; // else both have parts in common, which do not add up as independent waves do
     waves.push_back(alongU);
     waves.push_back(alongV);
   }
@@ -151,7 +155,10 @@ inline GardnerWaves gardnersWaves()
 /** By the number that vtkCloudTextureMapper has for them. */
 inline GardnerWaves presetWaves(int preset)
 {
-  return preset == 1 ? paperWaves() : preset == 2 ? printedWaves() : preset == 3 ? gardnersWaves() : cloudWaves();
+  return preset == 1 ? paperWaves()
+    : preset == 2    ? printedWaves()
+    : preset == 3    ? gardnersWaves()
+                     : cloudWaves();
 }
 
 /** Frequencies along u become whole numbers: on longitudes the texture goes round. */
@@ -168,7 +175,8 @@ inline void closeOnLongitudes(GardnerWaves& waves)
 inline void listWave(const GardnerWaves& waves, int i, double values[9])
 {
   const GardnerWave none;
-  const GardnerWave& wave = i >= 0 && i < static_cast<int>(waves.size()) ? waves[static_cast<std::size_t>(i)] : none;
+  const GardnerWave& wave =
+    i >= 0 && i < static_cast<int>(waves.size()) ? waves[static_cast<std::size_t>(i)] : none;
   values[0] = wave.Amplitude;
   std::copy(wave.Frequency.begin(), wave.Frequency.end(), values + 1);
   values[4] = wave.Shift;
@@ -194,7 +202,9 @@ inline std::string describeUnusable(const GardnerWaves& waves)
       return wave + " has no frequency: set b, c or d." + remedy;
     }
   }
-  return normalized(waves).empty() ? "Custom waves need at least one amplitude that is not 0." + remedy : std::string();
+  return normalized(waves).empty()
+    ? "Custom waves need at least one amplitude that is not 0." + remedy
+    : std::string();
 }
 
 } // namespace nephoscope

@@ -81,19 +81,25 @@ struct SurfaceLength
 
   double Side(int c) const { return std::max(0.0, this->High[c] - this->Low[c]); }
   double Longest() const { return std::max(this->Side(0), std::max(this->Side(1), this->Side(2))); }
-  double Shortest() const { return std::min(this->Side(0), std::min(this->Side(1), this->Side(2))); }
+  double Shortest() const
+  {
+    return std::min(this->Side(0), std::min(this->Side(1), this->Side(2)));
+  }
 
   /** About the origin with radii that differ little. */
   bool IsGlobe() const
   {
-    return this->SmallestRadius > 0.5 * this->LargestRadius && this->Longest() > this->SmallestRadius;
+    return this->SmallestRadius > 0.5 * this->LargestRadius &&
+      this->Longest() > this->SmallestRadius;
   }
 
   /** The equator of a globe, the longest side of any other surface. */
   double Get() const
   {
     const double longest = this->Longest();
-    return this->IsGlobe() ? 2 * 3.14159265358979 * this->SmallestRadius : longest > 0 ? longest : 1;
+    return this->IsGlobe() ? 2 * 3.14159265358979 * this->SmallestRadius
+      : longest > 0        ? longest
+                           : 1;
   }
 
   /** Repetitions along this length where none are asked for. Layers have smaller clouds than bodies, the more so the flatter they are. */

@@ -20,7 +20,8 @@ namespace
 {
 constexpr int largestRows = 4095; // numbers of nodes are exact in float
 
-void allocate(vtkTextureObject* image, vtkOpenGLRenderWindow* window, int width, int height, bool isFloat)
+void allocate(
+  vtkTextureObject* image, vtkOpenGLRenderWindow* window, int width, int height, bool isFloat)
 {
   image->SetContext(window);
   if (!isFloat)
@@ -29,8 +30,8 @@ void allocate(vtkTextureObject* image, vtkOpenGLRenderWindow* window, int width,
     image->SetFormat(GL_RED_INTEGER);
     image->SetDataType(GL_UNSIGNED_INT);
   }
-  image->Allocate2D(static_cast<unsigned int>(width), static_cast<unsigned int>(height), isFloat ? 4 : 1,
-    isFloat ? VTK_FLOAT : VTK_UNSIGNED_INT);
+  image->Allocate2D(static_cast<unsigned int>(width), static_cast<unsigned int>(height),
+    isFloat ? 4 : 1, isFloat ? VTK_FLOAT : VTK_UNSIGNED_INT);
   image->SetMinificationFilter(vtkTextureObject::Nearest);
   image->SetMagnificationFilter(vtkTextureObject::Nearest);
 }
@@ -84,7 +85,8 @@ bool SurfaceLists::Draw(const SurfaceLayers::Request& request, const std::functi
   return done && count <= this->Rows * Columns;
 }
 
-bool SurfaceLists::Fill(const SurfaceLayers::Request& request, const std::function<void()>& paint, int& count)
+bool SurfaceLists::Fill(
+  const SurfaceLayers::Request& request, const std::function<void()>& paint, int& count)
 {
   this->HeadsFramebuffer->Bind();
   this->HeadsFramebuffer->AddColorAttachment(0, this->Heads);

@@ -294,8 +294,8 @@ void measureChord(TexturedSurface& result, vtkPolyData* input)
 }
 
 /** The third coordinate: 0 at the low end of the range that is given, or else that of the data, 1 at the high end. */
-void setAltitudes(
-  vtkFloatArray* coordinates, const std::function<double(vtkIdType)>& altitude, const double given[2], const double ofData[2])
+void setAltitudes(vtkFloatArray* coordinates, const std::function<double(vtkIdType)>& altitude,
+  const double given[2], const double ofData[2])
 {
   const double* range = given[0] < given[1] ? given : ofData;
   const double height = range[1] > range[0] ? range[1] - range[0] : 1;
@@ -309,7 +309,8 @@ void setAltitudes(
 void addPlacesWithAltitude(TexturedSurface& result, vtkPolyData* input, const TextureChoice& choice)
 {
   const SurfaceLength length = SurfaceLength::Of(input);
-  vtkSmartPointer<vtkFloatArray> places = coordinatesFromPositions(input, choice, result.Scale, textureArrayNames[0]);
+  vtkSmartPointer<vtkFloatArray> places =
+    coordinatesFromPositions(input, choice, result.Scale, textureArrayNames[0]);
   const auto point = [input](vtkIdType i) {
     std::array<double, 3> p;
     input->GetPoint(i, p.data());
@@ -323,9 +324,12 @@ void addPlacesWithAltitude(TexturedSurface& result, vtkPolyData* input, const Te
     places->SetComponent(i, 0, result.Scale * std::atan2(p[1], p[0]) / turn);
     places->SetComponent(i, 1, result.Scale * std::atan2(p[2], std::hypot(p[0], p[1])) / turn);
   }
-  const double ofData[2] = { result.GoesRound ? length.SmallestRadius : length.Low[2], result.GoesRound ? length.LargestRadius : length.High[2] };
+  const double ofData[2] = { result.GoesRound ? length.SmallestRadius : length.Low[2],
+    result.GoesRound ? length.LargestRadius : length.High[2] };
   setAltitudes(
-    places, [&](vtkIdType i) { return result.GoesRound ? vtkMath::Norm(point(i).data()) : point(i)[2]; }, choice.AltitudeRange, ofData);
+    places,
+    [&](vtkIdType i) { return result.GoesRound ? vtkMath::Norm(point(i).data()) : point(i)[2]; },
+    choice.AltitudeRange, ofData);
   result.Surface->GetPointData()->AddArray(places);
 }
 
@@ -344,7 +348,8 @@ void cutWhereTextureGoesRound(TexturedSurface& result, vtkPolyData* input, int s
 {
   if (input->GetNumberOfStrips() > 0)
   {
-    result.Warning += "Triangle strips are not cut where longitudes go round: use vtkTriangleFilter. ";
+    result.Warning +=
+      "Triangle strips are not cut where longitudes go round: use vtkTriangleFilter. ";
   }
   SeamCutter cutter(result.Surface, result.Scale);
   for (int i = 0; i < sets; ++i)
@@ -373,7 +378,9 @@ void addCoordinates(TexturedSurface& result, vtkPolyData* input, const TextureCh
     auto coordinates = scaled(array, result.Scale, textureArrayNames[sets]);
     if (choice.UseAltitude)
     {
-      setAltitudes(coordinates, [array](vtkIdType i) { return array->GetComponent(i, 2); }, choice.AltitudeRange, array->GetRange(2));
+      setAltitudes(
+        coordinates, [array](vtkIdType i) { return array->GetComponent(i, 2); },
+        choice.AltitudeRange, array->GetRange(2));
     }
     result.Surface->GetPointData()->AddArray(coordinates);
     result.Weights[sets] =
@@ -406,9 +413,12 @@ void addCoordinates(TexturedSurface& result, vtkPolyData* input, const TextureCh
 double scaleOf(vtkPolyData* input, const TextureChoice& choice)
 {
   const SurfaceLength length = SurfaceLength::Of(input);
-  const auto isThere = [&](const std::string& name) { return input->GetPointData()->GetArray(name.c_str()) != nullptr; };
+  const auto isThere = [&](const std::string& name) {
+    return input->GetPointData()->GetArray(name.c_str()) != nullptr;
+  };
   const bool hasCoordinates = isThere(choice.Coordinates[0]) || isThere(choice.Coordinates[1]);
-  const bool hasLongitudes = hasCoordinates ? fieldValue(input, "TextureFrame", 0, 0) == 0 : choice.UseAltitude && length.IsGlobe();
+  const bool hasLongitudes = hasCoordinates ? fieldValue(input, "TextureFrame", 0, 0) == 0
+                                            : choice.UseAltitude && length.IsGlobe();
   const double scale = choice.Scale > 0 ? choice.Scale : length.Repetitions();
   return hasLongitudes ? std::max(1.0, std::round(scale)) : scale;
 }
@@ -416,7 +426,8 @@ double scaleOf(vtkPolyData* input, const TextureChoice& choice)
 /** Empty where there are polygons, and of an empty piece, which is no mistake. */
 std::string describeMissingSurface(vtkPolyData* input)
 {
-  if (input->GetNumberOfPolys() > 0 || input->GetNumberOfStrips() > 0 || input->GetNumberOfPoints() == 0)
+  if (input->GetNumberOfPolys() > 0 || input->GetNumberOfStrips() > 0 ||
+    input->GetNumberOfPoints() == 0)
   {
     return std::string();
   }

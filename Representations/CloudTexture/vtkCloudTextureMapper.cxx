@@ -66,7 +66,8 @@ void vtkCloudTextureMapper::SetSecondCoordinatesName(const char* name)
 void vtkCloudTextureMapper::PrepareSurface(vtkPolyData* input)
 {
   vtkInternals& own = *this->Internals;
-  const std::string density = this->UseThickness && !this->DensityVolume ? this->DensityArrayName : std::string();
+  const std::string density =
+    this->UseThickness && !this->DensityVolume ? this->DensityArrayName : std::string();
   const vtkInternals::Key key(input, input->GetMTime(), this->CoverageArrayName,
     this->CoordinatesNames[0], this->CoordinatesNames[1], this->TextureScale, this->TextureLength,
     density, this->UseThickness, this->UseAltitude, this->AltitudeRange[0], this->AltitudeRange[1]);
@@ -76,9 +77,9 @@ void vtkCloudTextureMapper::PrepareSurface(vtkPolyData* input)
   }
   own.MadeFrom = key;
   own.Surface = nephoscope::prepareTexturedSurface(input,
-    { { this->CoordinatesNames[0], this->CoordinatesNames[1] }, this->CoverageArrayName,
-      density, this->TextureScale,
-      this->TextureLength, this->UseThickness, this->UseAltitude, { this->AltitudeRange[0], this->AltitudeRange[1] } });
+    { { this->CoordinatesNames[0], this->CoordinatesNames[1] }, this->CoverageArrayName, density,
+      this->TextureScale, this->TextureLength, this->UseThickness, this->UseAltitude,
+      { this->AltitudeRange[0], this->AltitudeRange[1] } });
   this->MapArrays();
   if (!own.Surface.Error.empty() && own.Surface.Error != own.LastError)
   {
@@ -226,7 +227,8 @@ void vtkCloudTextureMapper::RenderPieceDraw(vtkRenderer* renderer, vtkActor* act
   own.Thickness.Activate();
   const std::shared_ptr<nephoscope::DensityVolume> volume = own.Volume;
   volume ? volume->Activate() : void();
-  vtkOpenGLState* state = static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow())->GetState();
+  vtkOpenGLState* state =
+    static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow())->GetState();
   const vtkOpenGLState::ScopedglEnableDisable culling(state, GL_CULL_FACE);
   if (this->UseThickness && own.Thickness.OnlyFrontFaces())
   {
@@ -252,9 +254,10 @@ void vtkCloudTextureMapper::ReplaceShaderColor(
   std::map<vtkShader::Type, vtkShader*> shaders, vtkRenderer* renderer, vtkActor* actor)
 {
   const bool isAdded = this->UseThickness && this->ThicknessEffect == THICKNESS_IS_ADDED_TO_TEXTURE;
-  nephoscope::addCloudCode(
-    shaders, this->Internals->Surface, { this->UseThickness, this->Internals->Drawings, isAdded, this->HasColors(),
-                                          this->Internals->Volume ? this->Internals->Volume->GetShaderCode() : std::string(), this->Internals->InUse });
+  nephoscope::addCloudCode(shaders, this->Internals->Surface,
+    { this->UseThickness, this->Internals->Drawings, isAdded, this->HasColors(),
+      this->Internals->Volume ? this->Internals->Volume->GetShaderCode() : std::string(),
+      this->Internals->InUse });
   this->Superclass::ReplaceShaderColor(shaders, renderer, actor);
 }
 
@@ -323,9 +326,12 @@ void vtkCloudTextureMapper::PrintSelf(ostream& os, vtkIndent indent)
      << indent << "UseThreshold: " << this->UseThreshold << "\n"
      << indent << "Threshold: " << this->Threshold << "\n"
      << indent << "UseAltitude: " << this->UseAltitude << "\n"
-     << indent << "AltitudeRange: " << this->AltitudeRange[0] << " " << this->AltitudeRange[1] << "\n"
-     << indent << "ThinColor: " << this->ThinColor[0] << " " << this->ThinColor[1] << " " << this->ThinColor[2] << "\n"
-     << indent << "ThickColor: " << this->ThickColor[0] << " " << this->ThickColor[1] << " " << this->ThickColor[2] << "\n"
+     << indent << "AltitudeRange: " << this->AltitudeRange[0] << " " << this->AltitudeRange[1]
+     << "\n"
+     << indent << "ThinColor: " << this->ThinColor[0] << " " << this->ThinColor[1] << " "
+     << this->ThinColor[2] << "\n"
+     << indent << "ThickColor: " << this->ThickColor[0] << " " << this->ThickColor[1] << " "
+     << this->ThickColor[2] << "\n"
      << indent << "ColorRange: " << this->ColorRange << "\n"
      << indent << "Waves: " << this->Waves << "\n"
      << indent << "NumberOfCustomWaves: " << this->GetNumberOfCustomWaves() << "\n"
@@ -358,7 +364,9 @@ void vtkCloudTextureMapper::ReplaceShaderNormal(
 
 bool vtkCloudTextureMapper::HasColors() const
 {
-  const auto isWhite = [](const double color[3]) { return color[0] == 1 && color[1] == 1 && color[2] == 1; };
+  const auto isWhite = [](const double color[3]) {
+    return color[0] == 1 && color[1] == 1 && color[2] == 1;
+  };
   return !isWhite(this->ThinColor) || !isWhite(this->ThickColor);
 }
 
@@ -376,8 +384,11 @@ void vtkCloudTextureMapper::SetTextureUniforms(vtkShaderProgram* program)
 
 double vtkCloudTextureMapper::GetTextureScaleUsed() const
 {
-  const bool hasBlocks = vtkCompositeDataSet::SafeDownCast(const_cast<vtkCloudTextureMapper*>(this)->GetInputDataObject(0, 0)) != nullptr;
-  return hasBlocks && this->Internals->ForBlocks ? this->Internals->ForBlocks->GetTextureScaleUsed() : this->Internals->Surface.Scale;
+  const bool hasBlocks =
+    vtkCompositeDataSet::SafeDownCast(
+      const_cast<vtkCloudTextureMapper*>(this)->GetInputDataObject(0, 0)) != nullptr;
+  return hasBlocks && this->Internals->ForBlocks ? this->Internals->ForBlocks->GetTextureScaleUsed()
+                                                 : this->Internals->Surface.Scale;
 }
 
 void vtkCloudTextureMapper::SetReliefHeight(vtkShaderProgram* program, vtkActor* actor)
@@ -387,8 +398,8 @@ void vtkCloudTextureMapper::SetReliefHeight(vtkShaderProgram* program, vtkActor*
     return;
   }
   const vtkInternals& own = *this->Internals;
-  const double length =
-    nephoscope::largestWaveLength(own.Surface.Surface, this->TextureLength, own.Surface.Scale, own.InUse);
+  const double length = nephoscope::largestWaveLength(
+    own.Surface.Surface, this->TextureLength, own.Surface.Scale, own.InUse);
   const double scale = std::cbrt(std::abs(actor->GetMatrix()->Determinant()));
   program->SetUniformf("reliefHeight", static_cast<float>(this->Relief * scale * length));
 }

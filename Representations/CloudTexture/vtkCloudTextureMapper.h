@@ -148,7 +148,8 @@ public:
    */
   void SetNumberOfCustomWaves(int count);
   int GetNumberOfCustomWaves() const;
-  void SetCustomWave(int i, double amplitude, double b, double c, double d, double shift, double e, double g, double h, double phase);
+  void SetCustomWave(int i, double amplitude, double b, double c, double d, double shift, double e,
+    double g, double h, double phase);
   /** The nine numbers of wave i, in the order of SetCustomWave; zeros where there is none. */
   void GetCustomWave(int i, double values[9]) const;
   /** As GetCustomWave, of the waves in use, whose sum has the standard deviation 1. */
@@ -187,10 +188,17 @@ public:
    * With UseThickness: opacity is that of the optical depth along the ray (default), or ThicknessWeight times the optical depth is added to the texture before the
    * threshold, so that thin edges break up and the cover is that of no thickness; opacity is then that of OpticalDepth. ThicknessWeight is >= 0, default: 1.
    */
-  vtkSetClampMacro(ThicknessEffect, int, THICKNESS_MULTIPLIES_OPACITY, THICKNESS_IS_ADDED_TO_TEXTURE);
+  vtkSetClampMacro(
+    ThicknessEffect, int, THICKNESS_MULTIPLIES_OPACITY, THICKNESS_IS_ADDED_TO_TEXTURE);
   vtkGetMacro(ThicknessEffect, int);
-  void SetThicknessEffectToMultiplyOpacity() { this->SetThicknessEffect(THICKNESS_MULTIPLIES_OPACITY); }
-  void SetThicknessEffectToAddToTexture() { this->SetThicknessEffect(THICKNESS_IS_ADDED_TO_TEXTURE); }
+  void SetThicknessEffectToMultiplyOpacity()
+  {
+    this->SetThicknessEffect(THICKNESS_MULTIPLIES_OPACITY);
+  }
+  void SetThicknessEffectToAddToTexture()
+  {
+    this->SetThicknessEffect(THICKNESS_IS_ADDED_TO_TEXTURE);
+  }
   vtkSetClampMacro(ThicknessWeight, double, 0.0, 1e30);
   vtkGetMacro(ThicknessWeight, double);
   ///@}
@@ -271,7 +279,8 @@ protected:
     std::map<vtkShader::Type, vtkShader*> shaders, vtkRenderer* renderer, vtkActor* actor) override;
   void ReplaceShaderNormal(
     std::map<vtkShader::Type, vtkShader*> shaders, vtkRenderer* renderer, vtkActor* actor) override;
-  void SetMapperShaderParameters(vtkOpenGLHelper& helper, vtkRenderer* renderer, vtkActor* actor) override;
+  void SetMapperShaderParameters(
+    vtkOpenGLHelper& helper, vtkRenderer* renderer, vtkActor* actor) override;
 
 private:
   vtkCloudTextureMapper(const vtkCloudTextureMapper&) = delete;

@@ -44,7 +44,8 @@ void vtkCloudTextureMapper::PrepareVolume()
 {
   vtkInternals& own = *this->Internals;
   vtkDataObject* data = this->UseThickness ? this->DensityVolume.Get() : nullptr;
-  const decltype(own.VolumeMadeFrom) key(data, nephoscope::NewestMTime(data), this->DensityArrayName);
+  const decltype(own.VolumeMadeFrom) key(
+    data, nephoscope::NewestMTime(data), this->DensityArrayName);
   if (key == own.VolumeMadeFrom)
   {
     return;
@@ -59,8 +60,9 @@ void vtkCloudTextureMapper::PrepareVolume()
 void vtkCloudTextureMapper::UploadVolume(vtkRenderer* renderer)
 {
   vtkInternals& own = *this->Internals;
-  const std::string error =
-    own.Volume ? own.Volume->Upload(vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow())) : std::string();
+  const std::string error = own.Volume
+    ? own.Volume->Upload(vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow()))
+    : std::string();
   if (!error.empty())
   {
     own.Volume = nullptr;
@@ -74,7 +76,8 @@ void vtkCloudTextureMapper::TellVolume(const std::string& error, const std::stri
   std::string& last = this->Internals->LastVolume;
   if (!error.empty() && error != last)
   {
-    vtkErrorMacro(<< "Clouds are drawn with the same density everywhere: the density volume " << error << ".");
+    vtkErrorMacro(<< "Clouds are drawn with the same density everywhere: the density volume "
+                  << error << ".");
   }
   if (!warning.empty() && warning != last)
   {
@@ -111,7 +114,8 @@ void vtkCloudTextureMapper::FindThickness(vtkRenderer* renderer, vtkActor* actor
   };
   if (actor->GetProperty()->GetRepresentation() != VTK_SURFACE || renderer->GetSelector())
   {
-    own.Thickness.Forget(request); // lines and points have none, and who asks what is there needs none
+    own.Thickness.Forget(
+      request); // lines and points have none, and who asks what is there needs none
     return;
   }
   const std::string error = own.Thickness.Draw(request);

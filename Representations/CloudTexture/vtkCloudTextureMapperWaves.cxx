@@ -8,16 +8,17 @@
 double vtkCloudTextureMapper::GetCoverageUsed()
 {
   this->ChooseWaves();
-  return this->UseThreshold ? nephoscope::coverOfThreshold(this->Internals->InUse, this->Threshold, this->Softness)
-                            : this->Coverage;
+  return this->UseThreshold
+    ? nephoscope::coverOfThreshold(this->Internals->InUse, this->Threshold, this->Softness)
+    : this->Coverage;
 }
 
 double vtkCloudTextureMapper::GetThresholdUsed()
 {
   this->ChooseWaves();
-  return this->UseThreshold
-    ? this->Threshold
-    : nephoscope::thresholdOfCover(this->Internals->ThresholdTable(), this->Coverage, this->Softness);
+  return this->UseThreshold ? this->Threshold
+                            : nephoscope::thresholdOfCover(
+                                this->Internals->ThresholdTable(), this->Coverage, this->Softness);
 }
 
 void vtkCloudTextureMapper::CopyWaves(vtkCloudTextureMapper* other)
@@ -28,7 +29,8 @@ void vtkCloudTextureMapper::CopyWaves(vtkCloudTextureMapper* other)
 
 void vtkCloudTextureMapper::SetNumberOfCustomWaves(int count)
 {
-  const std::size_t size = static_cast<std::size_t>(std::max(0, std::min(count, nephoscope::mostGardnerWaves)));
+  const std::size_t size =
+    static_cast<std::size_t>(std::max(0, std::min(count, nephoscope::mostGardnerWaves)));
   if (size != this->Internals->Custom.size())
   {
     this->Internals->Custom.resize(size);
@@ -41,16 +43,18 @@ int vtkCloudTextureMapper::GetNumberOfCustomWaves() const
   return static_cast<int>(this->Internals->Custom.size());
 }
 
-void vtkCloudTextureMapper::SetCustomWave(
-  int i, double amplitude, double b, double c, double d, double shift, double e, double g, double h, double phase)
+void vtkCloudTextureMapper::SetCustomWave(int i, double amplitude, double b, double c, double d,
+  double shift, double e, double g, double h, double phase)
 {
   if (i < 0 || i >= nephoscope::mostGardnerWaves)
   {
-    vtkErrorMacro("There is no wave " << i << ": count them from 0, and set " << nephoscope::mostGardnerWaves << " at most.");
+    vtkErrorMacro("There is no wave " << i << ": count them from 0, and set "
+                                      << nephoscope::mostGardnerWaves << " at most.");
     return;
   }
   this->SetNumberOfCustomWaves(std::max(i + 1, this->GetNumberOfCustomWaves()));
-  this->Internals->Custom[static_cast<std::size_t>(i)] = { amplitude, { { b, c, d } }, shift, { { e, g, h } }, phase };
+  this->Internals->Custom[static_cast<std::size_t>(i)] = { amplitude, { { b, c, d } }, shift,
+    { { e, g, h } }, phase };
   this->Modified();
 }
 
@@ -72,8 +76,10 @@ void vtkCloudTextureMapper::GetWaveUsed(int i, double values[9]) const
 void vtkCloudTextureMapper::ChooseWaves()
 {
   vtkInternals& own = *this->Internals;
-  own.InUse = nephoscope::normalized(this->Waves == WAVES_CUSTOM ? own.Custom : nephoscope::presetWaves(this->Waves));
-  const std::string error = this->Waves == WAVES_CUSTOM ? nephoscope::describeUnusable(own.Custom) : std::string();
+  own.InUse = nephoscope::normalized(
+    this->Waves == WAVES_CUSTOM ? own.Custom : nephoscope::presetWaves(this->Waves));
+  const std::string error =
+    this->Waves == WAVES_CUSTOM ? nephoscope::describeUnusable(own.Custom) : std::string();
   if (!error.empty())
   {
     own.InUse = nephoscope::cloudWaves();

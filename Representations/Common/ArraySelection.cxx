@@ -25,13 +25,15 @@ std::string remedy(vtkDataSet* input)
 
 std::string missingArray(const char* association, const char* name, vtkDataSet* input)
 {
-  return std::string("No ") + association + " array named '" + (name ? name : "") + "'." + remedy(input);
+  return std::string("No ") + association + " array named '" + (name ? name : "") + "'." +
+    remedy(input);
 }
 }
 
 std::string checkLength(vtkDataSet* input, const ScalarSelection& scalars)
 {
-  const vtkIdType expected = scalars.OnCells ? input->GetNumberOfCells() : input->GetNumberOfPoints();
+  const vtkIdType expected =
+    scalars.OnCells ? input->GetNumberOfCells() : input->GetNumberOfPoints();
   const vtkIdType found = scalars.Array->GetNumberOfTuples();
   if (found == expected)
   {
@@ -39,18 +41,20 @@ std::string checkLength(vtkDataSet* input, const ScalarSelection& scalars)
   }
   const char* name = scalars.Array->GetName();
   return std::string("Array '") + (name ? name : "(unnamed)") + "' has " + std::to_string(found) +
-    " values where the input has " + std::to_string(expected) + (scalars.OnCells ? " cells." : " points.");
+    " values where the input has " + std::to_string(expected) +
+    (scalars.OnCells ? " cells." : " points.");
 }
 
-std::string selectScalars(
-  vtkAbstractVolumeMapper* mapper, vtkDataSet* input, vtkVolumeProperty* property, ScalarSelection& scalars)
+std::string selectScalars(vtkAbstractVolumeMapper* mapper, vtkDataSet* input,
+  vtkVolumeProperty* property, ScalarSelection& scalars)
 {
   const int mode = mapper->GetScalarMode();
   int cellFlag = 0;
-  scalars.Array = vtkAbstractMapper::GetScalars(
-    input, mode, mapper->GetArrayAccessMode(), mapper->GetArrayId(), mapper->GetArrayName(), cellFlag);
+  scalars.Array = vtkAbstractMapper::GetScalars(input, mode, mapper->GetArrayAccessMode(),
+    mapper->GetArrayId(), mapper->GetArrayName(), cellFlag);
   scalars.OnCells = cellFlag == 1;
-  vtkScalarsToColors* colors = property->GetColorChannels() == 3 ? property->GetRGBTransferFunction() : nullptr;
+  vtkScalarsToColors* colors =
+    property->GetColorChannels() == 3 ? property->GetRGBTransferFunction() : nullptr;
   const bool magnitude = colors && colors->GetVectorMode() == vtkScalarsToColors::MAGNITUDE;
   scalars.Component = magnitude ? -1 : colors ? colors->GetVectorComponent() : 0;
   if (!scalars.Array)
@@ -64,8 +68,8 @@ std::string selectScalars(
   return cellFlag > 1 ? "Field data cannot be drawn." + remedy(input) : checkLength(input, scalars);
 }
 
-std::string selectOpacity(
-  const std::string& name, vtkDataSet* input, const ScalarSelection& scalars, ScalarSelection& opacity)
+std::string selectOpacity(const std::string& name, vtkDataSet* input,
+  const ScalarSelection& scalars, ScalarSelection& opacity)
 {
   if (name.empty())
   {
@@ -115,8 +119,10 @@ std::string checkLengths(vtkDataSet* input, double largest)
     return std::string();
   }
   std::ostringstream message;
-  message << "The data are " << length << " long, too long for the single precision of graphics cards. Choose a larger unit, so that they are at most "
-          << largest << " long.";
+  message
+    << "The data are " << length
+    << " long, too long for the single precision of graphics cards. Choose a larger unit, so that they are at most "
+    << largest << " long.";
   return message.str();
 }
 

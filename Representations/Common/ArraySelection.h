@@ -18,24 +18,27 @@ namespace nephoscope
 {
 
 /** Empty when the selected array has a value for every point or cell. */
-VTKNEPHOSCOPEREPRESENTATIONSCOMMON_EXPORT std::string checkLength(vtkDataSet* input, const ScalarSelection& scalars);
+VTKNEPHOSCOPEREPRESENTATIONSCOMMON_EXPORT std::string checkLength(
+  vtkDataSet* input, const ScalarSelection& scalars);
 
 /** The array that the mapper's ScalarMode and SelectScalarArray name. Returns an empty string, or what is wrong. */
-VTKNEPHOSCOPEREPRESENTATIONSCOMMON_EXPORT std::string selectScalars(vtkAbstractVolumeMapper* mapper, vtkDataSet* input,
-  vtkVolumeProperty* property, ScalarSelection& scalars);
+VTKNEPHOSCOPEREPRESENTATIONSCOMMON_EXPORT std::string selectScalars(vtkAbstractVolumeMapper* mapper,
+  vtkDataSet* input, vtkVolumeProperty* property, ScalarSelection& scalars);
 
 /** The point or cell array called `name`; none if the name is empty. Returns an empty string, or what is wrong. */
-VTKNEPHOSCOPEREPRESENTATIONSCOMMON_EXPORT std::string selectOpacity(
-  const std::string& name, vtkDataSet* input, const ScalarSelection& scalars, ScalarSelection& opacity);
+VTKNEPHOSCOPEREPRESENTATIONSCOMMON_EXPORT std::string selectOpacity(const std::string& name,
+  vtkDataSet* input, const ScalarSelection& scalars, ScalarSelection& opacity);
 
 /** Empty where the input is a dataset; else what to make one with. */
 VTKNEPHOSCOPEREPRESENTATIONSCOMMON_EXPORT std::string checkIsDataSet(vtkDataObject* input);
 
 /** Empty when the property's ScalarOpacityUnitDistance is a length. */
-VTKNEPHOSCOPEREPRESENTATIONSCOMMON_EXPORT std::string checkUnitDistance(vtkVolumeProperty* property);
+VTKNEPHOSCOPEREPRESENTATIONSCOMMON_EXPORT std::string checkUnitDistance(
+  vtkVolumeProperty* property);
 
 /** Empty when the sides of the data are at most `largest` long: graphics cards calculate in single precision, up to 3e38. */
-VTKNEPHOSCOPEREPRESENTATIONSCOMMON_EXPORT std::string checkLengths(vtkDataSet* input, double largest);
+VTKNEPHOSCOPEREPRESENTATIONSCOMMON_EXPORT std::string checkLengths(
+  vtkDataSet* input, double largest);
 
 } // namespace nephoscope
 

@@ -35,8 +35,8 @@ std::string BufferTexture::Upload(
   if (tuples > layout.Capacity)
   {
     std::ostringstream text;
-    text << tuples << " elements do not fit in a texture of this OpenGL, which holds " << layout.Capacity
-         << "; distribute the data over more ranks, or draw fewer cells";
+    text << tuples << " elements do not fit in a texture of this OpenGL, which holds "
+         << layout.Capacity << "; distribute the data over more ranks, or draw fewer cells";
     return text.str();
   }
   this->Release(window);
@@ -46,8 +46,12 @@ std::string BufferTexture::Upload(
   this->Texture->SetContext(window);
   if (type == VTK_INT) // which vtkTextureObject would not choose an integer format for
   {
-    this->Texture->SetInternalFormat(components == 4 ? GL_RGBA32I : components == 2 ? GL_RG32I : GL_R32I);
-    this->Texture->SetFormat(components == 4 ? GL_RGBA_INTEGER : components == 2 ? GL_RG_INTEGER : GL_RED_INTEGER);
+    this->Texture->SetInternalFormat(components == 4 ? GL_RGBA32I
+        : components == 2                            ? GL_RG32I
+                                                     : GL_R32I);
+    this->Texture->SetFormat(components == 4 ? GL_RGBA_INTEGER
+        : components == 2                    ? GL_RG_INTEGER
+                                             : GL_RED_INTEGER);
   }
   if (layout.RowBits > 0)
   {
@@ -63,13 +67,15 @@ std::string BufferTexture::Upload(
 void BufferTexture::UploadBuffer(const void* data, std::size_t tuples, int components, int type)
 {
   this->Buffer->SetType(vtkOpenGLBufferObject::TextureBuffer);
-  this->Buffer->Upload(
-    static_cast<const char*>(data), tuples * tupleSize(components, type), vtkOpenGLBufferObject::TextureBuffer);
-  this->Texture->CreateTextureBuffer(static_cast<unsigned int>(tuples), components, type, this->Buffer);
+  this->Buffer->Upload(static_cast<const char*>(data), tuples * tupleSize(components, type),
+    vtkOpenGLBufferObject::TextureBuffer);
+  this->Texture->CreateTextureBuffer(
+    static_cast<unsigned int>(tuples), components, type, this->Buffer);
 }
 
 // The last row is filled up.
-void BufferTexture::UploadRows(const void* data, std::size_t tuples, int components, int type, int rowBits)
+void BufferTexture::UploadRows(
+  const void* data, std::size_t tuples, int components, int type, int rowBits)
 {
   const std::size_t width = std::size_t(1) << rowBits;
   const std::size_t height = (tuples + width - 1) >> rowBits;
@@ -77,8 +83,8 @@ void BufferTexture::UploadRows(const void* data, std::size_t tuples, int compone
   std::memcpy(rows.data(), data, tuples * tupleSize(components, type));
   this->Texture->SetMinificationFilter(vtkTextureObject::Nearest);
   this->Texture->SetMagnificationFilter(vtkTextureObject::Nearest);
-  this->Texture->Create2DFromRaw(
-    static_cast<unsigned int>(width), static_cast<unsigned int>(height), components, type, rows.data());
+  this->Texture->Create2DFromRaw(static_cast<unsigned int>(width),
+    static_cast<unsigned int>(height), components, type, rows.data());
 }
 
 int BufferTexture::Activate()

@@ -33,8 +33,8 @@ std::string ClippingPlanes::Check(vtkAbstractMapper* mapper)
   const int count = numberOfPlanes(mapper);
   if (count > mostPlanes)
   {
-    return "There are " + std::to_string(count) + " clipping planes, but at most " + std::to_string(mostPlanes) +
-      " are supported: remove some with RemoveClippingPlane.";
+    return "There are " + std::to_string(count) + " clipping planes, but at most " +
+      std::to_string(mostPlanes) + " are supported: remove some with RemoveClippingPlane.";
   }
   for (int i = 0; i < count; ++i)
   {
@@ -52,9 +52,11 @@ std::string ClippingPlanes::Check(vtkAbstractMapper* mapper)
 }
 
 // A plane is a row that points are multiplied by, and goes with the inverse matrix.
-ClippingPlanes::Plane ClippingPlanes::ToView(const double origin[3], const double normal[3], vtkMatrix4x4* worldToView)
+ClippingPlanes::Plane ClippingPlanes::ToView(
+  const double origin[3], const double normal[3], vtkMatrix4x4* worldToView)
 {
-  const double length = std::sqrt(normal[0] * normal[0] + normal[1] * normal[1] + normal[2] * normal[2]);
+  const double length =
+    std::sqrt(normal[0] * normal[0] + normal[1] * normal[1] + normal[2] * normal[2]);
   const double place[4] = { origin[0], origin[1], origin[2], 1 };
   double placeView[4];
   worldToView->MultiplyPoint(place, placeView);
@@ -106,9 +108,9 @@ ClippingPlanes::ClippingPlanes(vtkAbstractMapper* mapper, vtkRenderer* renderer)
 
 std::string ClippingPlanes::Definition() const
 {
-  return this->Planes.empty()
-    ? std::string()
-    : "#define CLIPPING_PLANES " + std::to_string(this->Planes.size()) + "\n" + ClippingPlanesShader;
+  return this->Planes.empty() ? std::string()
+                              : "#define CLIPPING_PLANES " + std::to_string(this->Planes.size()) +
+      "\n" + ClippingPlanesShader;
 }
 
 void ClippingPlanes::SetUniforms(vtkShaderProgram* program) const

@@ -35,7 +35,8 @@ public:
    * With two layers there are two such images, gl_FragData[0] and [1]. `depth`, of the same size, becomes the depth buffer.
    * Returns false when the framebuffer is not complete.
    */
-  bool Begin(vtkOpenGLRenderWindow* window, const int viewport[4], int layers = 1, vtkTextureObject* depth = nullptr);
+  bool Begin(vtkOpenGLRenderWindow* window, const int viewport[4], int layers = 1,
+    vtkTextureObject* depth = nullptr);
   /** Restores the draw target and the viewport. */
   void End(vtkOpenGLRenderWindow* window);
   /** The image of a layer. */

@@ -40,7 +40,8 @@ std::string FloatLayer::CheckOpenGL(const char* where)
   return text.str();
 }
 
-std::string FloatLayer::Draw(vtkOpenGLRenderWindow* window, const Painter& paint, const PixelRegion* region)
+std::string FloatLayer::Draw(
+  vtkOpenGLRenderWindow* window, const Painter& paint, const PixelRegion* region)
 {
   int viewport[4];
   vtkOpenGLState* state = window->GetState();
@@ -71,7 +72,8 @@ std::string FloatLayer::Draw(vtkOpenGLRenderWindow* window, const Painter& paint
   return error;
 }
 
-std::string FloatLayer::DrawPeel(vtkOpenGLRenderWindow* window, VolumePeel& peel, const VolumePeel::Request& request,
+std::string FloatLayer::DrawPeel(vtkOpenGLRenderWindow* window, VolumePeel& peel,
+  const VolumePeel::Request& request,
   const std::function<std::string(const int viewport[4])>& paint)
 {
   int viewport[4];
@@ -96,7 +98,8 @@ std::string FloatLayer::DrawPeel(vtkOpenGLRenderWindow* window, VolumePeel& peel
     return error;
   }
   state->vtkglViewport(viewport[0], viewport[1], viewport[2], viewport[3]);
-  peel.Deliver(window, request, viewport, this->Accumulation.GetTexture(0), this->Accumulation.GetTexture(1));
+  peel.Deliver(
+    window, request, viewport, this->Accumulation.GetTexture(0), this->Accumulation.GetTexture(1));
   return CheckOpenGL("while peeling");
 }
 

@@ -37,13 +37,15 @@ public:
    * Returns an empty string, or what went wrong. All state of OpenGL is restored. Where a region of the viewport is given, the painter is
    * cut off there, and the depth is copied and the image laid over the scene only there.
    */
-  std::string Draw(vtkOpenGLRenderWindow* window, const Painter& paint, const PixelRegion* region = nullptr);
+  std::string Draw(
+    vtkOpenGLRenderWindow* window, const Painter& paint, const PixelRegion* region = nullptr);
 
   /**
    * Answers a depth peeling pass: both ranges of `peel` are drawn at once, gl_FragData[0] and [1], over a depth buffer in which
    * fragments pass that may lie in a range (VolumePeel::GetNearestDepth).
    */
-  std::string DrawPeel(vtkOpenGLRenderWindow* window, VolumePeel& peel, const VolumePeel::Request& request,
+  std::string DrawPeel(vtkOpenGLRenderWindow* window, VolumePeel& peel,
+    const VolumePeel::Request& request,
     const std::function<std::string(const int viewport[4])>& paint);
 
   ///@{
@@ -52,7 +54,10 @@ public:
   FloatAccumulation& GetAccumulation() { return this->Accumulation; }
   ///@}
 
-  bool CopyTo(vtkOpenGLRenderWindow* window, vtkImageData* image) { return this->Accumulation.CopyTo(window, image); }
+  bool CopyTo(vtkOpenGLRenderWindow* window, vtkImageData* image)
+  {
+    return this->Accumulation.CopyTo(window, image);
+  }
   void ReleaseGraphicsResources(vtkWindow* window);
 
   /** Premultiplied colours are added in the order in which they come, without a depth test. */

@@ -14,7 +14,8 @@ namespace nephoscope
 
 inline void copyInputAndScalars(vtkAbstractVolumeMapper* from, vtkAbstractVolumeMapper* to)
 {
-  to->SetInputConnection(0, from->GetNumberOfInputConnections(0) > 0 ? from->GetInputConnection(0, 0) : nullptr);
+  to->SetInputConnection(
+    0, from->GetNumberOfInputConnections(0) > 0 ? from->GetInputConnection(0, 0) : nullptr);
   to->SetScalarMode(from->GetScalarMode());
   if (from->GetArrayAccessMode() == VTK_GET_ARRAY_BY_NAME)
   {

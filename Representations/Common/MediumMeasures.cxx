@@ -42,7 +42,8 @@ void addPlace(MediumBounds& bounds, const double place[3])
   }
 }
 
-void MediumMeasures::AddPlace(const MediumBounds& frame, const double place[3], const double half[3])
+void MediumMeasures::AddPlace(
+  const MediumBounds& frame, const double place[3], const double half[3])
 {
   double low[3], high[3]; // -1 to 1 in the frame
   for (std::size_t axis = 0; axis < 3; ++axis)
@@ -89,7 +90,9 @@ double meanChord(const MediumMeasures& measures, const MediumBounds& b)
 
 double meanSamples(const MediumMeasures& measures, const MediumBounds& common)
 {
-  return measures.Volume > 0.0 ? meanChord(measures, common) * measures.Silhouettes / measures.Volume : 0.0;
+  return measures.Volume > 0.0
+    ? meanChord(measures, common) * measures.Silhouettes / measures.Volume
+    : 0.0;
 }
 
 double meanRamp(const MediumMeasures& measures)
@@ -100,7 +103,8 @@ double meanRamp(const MediumMeasures& measures)
   {
     return 0.5;
   }
-  return std::min(std::max((measures.ScalarIntegral / measures.Volume - low) / (high - low), 0.0), 1.0);
+  return std::min(
+    std::max((measures.ScalarIntegral / measures.Volume - low) / (high - low), 0.0), 1.0);
 }
 
 void findFiniteRange(vtkDataArray* array, double range[2])

@@ -26,7 +26,7 @@ struct VTKNEPHOSCOPEREPRESENTATIONSCOMMON_EXPORT MediumMeasures
   double Volume = 0.0;
   double ScalarIntegral = 0.0;
   double OpacityIntegral = 0.0; ///< of the opacity function, where there is one
-  double Silhouettes = 0.0; ///< sum of those of the samples' cells, where samples are measured
+  double Silhouettes = 0.0;     ///< sum of those of the samples' cells, where samples are measured
   double ScalarRange[2] = { 1.0, -1.0 };
   MediumBounds Bounds = NoMediumBounds; ///< of this process
   /** How far the medium reaches towards each corner of the common bounds: 3 at the corner, sqrt(3) on the inscribed ellipsoid. */
@@ -37,7 +37,8 @@ struct VTKNEPHOSCOPEREPRESENTATIONSCOMMON_EXPORT MediumMeasures
 };
 
 /** The box with a place in it; places that are not finite do not count. */
-VTKNEPHOSCOPEREPRESENTATIONSCOMMON_EXPORT void addPlace(MediumBounds& bounds, const double place[3]);
+VTKNEPHOSCOPEREPRESENTATIONSCOMMON_EXPORT void addPlace(
+  MediumBounds& bounds, const double place[3]);
 
 /** Which of the samples are measured, where there are many: about 1e5, or `most`, evenly spread, but not at the same place of every row of a grid. */
 class SampleChoice
@@ -52,7 +53,8 @@ public:
   {
     const auto group = static_cast<unsigned long long>(number / this->Stride);
     const auto mixed = (group * 0x9E3779B97F4A7C15ULL) >> 33;
-    return number % this->Stride == static_cast<vtkIdType>(mixed % static_cast<unsigned long long>(this->Stride));
+    return number % this->Stride ==
+      static_cast<vtkIdType>(mixed % static_cast<unsigned long long>(this->Stride));
   }
 
   /** For how many each of them stands. */
@@ -70,10 +72,12 @@ VTKNEPHOSCOPEREPRESENTATIONSCOMMON_EXPORT double scalarOf(vtkDataArray* scalars,
  * silhouette of a convex body is a quarter of its surface (Cauchy). It is that of the box of the bounds where the medium reaches into its corners,
  * that of the ellipsoid inside, taken as pi/6 of the box's, where it does not, and in between in proportion. 0 without a volume.
  */
-VTKNEPHOSCOPEREPRESENTATIONSCOMMON_EXPORT double meanChord(const MediumMeasures& measures, const MediumBounds& common);
+VTKNEPHOSCOPEREPRESENTATIONSCOMMON_EXPORT double meanChord(
+  const MediumMeasures& measures, const MediumBounds& common);
 
 /** How many samples a ray through the medium meets on average. */
-VTKNEPHOSCOPEREPRESENTATIONSCOMMON_EXPORT double meanSamples(const MediumMeasures& measures, const MediumBounds& common);
+VTKNEPHOSCOPEREPRESENTATIONSCOMMON_EXPORT double meanSamples(
+  const MediumMeasures& measures, const MediumBounds& common);
 
 /** Mean over the volume of a ramp from 0 to 1 over the scalar's range; 0.5 when the scalar is constant or missing. */
 VTKNEPHOSCOPEREPRESENTATIONSCOMMON_EXPORT double meanRamp(const MediumMeasures& measures);
@@ -85,10 +89,12 @@ constexpr double meanOpticalDepth = 2.0;
  * The range of the finite values, or magnitudes, of an array. The array's own is not used: VTK keeps it with the array, and vtkPointDataToCellData
  * hands that of the points on to the cells.
  */
-VTKNEPHOSCOPEREPRESENTATIONSCOMMON_EXPORT void findFiniteRange(vtkDataArray* array, double range[2]);
+VTKNEPHOSCOPEREPRESENTATIONSCOMMON_EXPORT void findFiniteRange(
+  vtkDataArray* array, double range[2]);
 
 /** The opacity function's value at a scalar divided by its greatest value; none without a function or without opacity. */
-VTKNEPHOSCOPEREPRESENTATIONSCOMMON_EXPORT std::function<double(double)> fullOpacity(vtkPiecewiseFunction* function);
+VTKNEPHOSCOPEREPRESENTATIONSCOMMON_EXPORT std::function<double(double)> fullOpacity(
+  vtkPiecewiseFunction* function);
 
 /**
  * The unit distance that gives rays through the medium a mean optical depth of 2, with the opacity function of the measures, scaled to reach 1;

@@ -53,7 +53,8 @@ OpaqueDepth::Format OpaqueDepth::DrawFramebufferFormat()
   return format;
 }
 
-void OpaqueDepth::Allocate(vtkOpenGLRenderWindow* window, const Format& format, int width, int height)
+void OpaqueDepth::Allocate(
+  vtkOpenGLRenderWindow* window, const Format& format, int width, int height)
 {
   if (this->Texture->GetHandle() && this->AllocatedFormat == format && this->Size[0] == width &&
     this->Size[1] == height)
@@ -101,8 +102,8 @@ void OpaqueDepth::Copy(vtkOpenGLRenderWindow* window, const int viewport[4], con
   const int whole[4] = { 0, 0, width, height };
   const int* part = region ? region : whole;
   const int end[2] = { part[0] + part[2], part[1] + part[3] };
-  glBlitFramebuffer(viewport[0] + part[0], viewport[1] + part[1], viewport[0] + end[0], viewport[1] + end[1], part[0], part[1], end[0],
-    end[1], GL_DEPTH_BUFFER_BIT, GL_NEAREST);
+  glBlitFramebuffer(viewport[0] + part[0], viewport[1] + part[1], viewport[0] + end[0],
+    viewport[1] + end[1], part[0], part[1], end[0], end[1], GL_DEPTH_BUFFER_BIT, GL_NEAREST);
   glBindFramebuffer(GL_READ_FRAMEBUFFER, static_cast<GLuint>(destination));
   state->PopFramebufferBindings();
 }

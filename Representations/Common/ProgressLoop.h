@@ -57,11 +57,13 @@ namespace detail
 {
 /** stretch(begin, end) over [0, n); false when stopped. */
 template <typename Stretch>
-bool inStretches(std::size_t n, const Progress& progress, std::size_t shortest, std::size_t longest, Stretch stretch)
+bool inStretches(std::size_t n, const Progress& progress, std::size_t shortest, std::size_t longest,
+  Stretch stretch)
 {
   using Clock = std::chrono::steady_clock;
   constexpr std::chrono::milliseconds veryQuick(3), quick(15), slow(45);
-  std::size_t length = progress.IsHeard() ? shortest : n; // the first stretch tells how long one takes
+  std::size_t length =
+    progress.IsHeard() ? shortest : n; // the first stretch tells how long one takes
   for (std::size_t begin = 0; begin < n;)
   {
     const std::size_t end = begin + std::min(length, n - begin);
@@ -89,13 +91,16 @@ constexpr std::size_t anyLength = static_cast<std::size_t>(-1);
 template <typename Body>
 bool forRanges(std::size_t n, const Progress& progress, Body body, std::size_t longest = anyLength)
 {
-  const std::size_t threads = static_cast<std::size_t>(std::max(vtkSMPTools::GetEstimatedNumberOfThreads(), 1));
+  const std::size_t threads =
+    static_cast<std::size_t>(std::max(vtkSMPTools::GetEstimatedNumberOfThreads(), 1));
   longest = longest == anyLength ? n : longest * threads;
-  return detail::inStretches(n, progress, threads, longest, [&body](std::size_t first, std::size_t last) {
-    vtkSMPTools::For(static_cast<vtkIdType>(first), static_cast<vtkIdType>(last), [&body](vtkIdType begin, vtkIdType end) {
-      body(static_cast<std::size_t>(begin), static_cast<std::size_t>(end));
+  return detail::inStretches(
+    n, progress, threads, longest, [&body](std::size_t first, std::size_t last) {
+      vtkSMPTools::For(static_cast<vtkIdType>(first), static_cast<vtkIdType>(last),
+        [&body](vtkIdType begin, vtkIdType end) {
+          body(static_cast<std::size_t>(begin), static_cast<std::size_t>(end));
+        });
     });
-  });
 }
 
 /** body(i) in parallel for i in [0, n); false when stopped before the end. */

@@ -55,7 +55,8 @@ std::array<double, 7> weightsBelow(
 }
 
 // By bisection, which takes the same steps on all processes. Empty where nothing has a weight.
-MediumBounds bulkOf(const std::vector<WeightedPlace>& places, const MediumBounds& all, const MediumReduction& over)
+MediumBounds bulkOf(
+  const std::vector<WeightedPlace>& places, const MediumBounds& all, const MediumReduction& over)
 {
   constexpr int steps = 128; // enough for a bulk that is 1e-38 of the bounds
   MediumBounds low, high;
@@ -68,7 +69,8 @@ MediumBounds bulkOf(const std::vector<WeightedPlace>& places, const MediumBounds
   for (int step = 0; step < steps && open; ++step)
   {
     MediumBounds middle;
-    std::transform(low.begin(), low.end(), high.begin(), middle.begin(), [](double a, double b) { return 0.5 * a + 0.5 * b; });
+    std::transform(low.begin(), low.end(), high.begin(), middle.begin(),
+      [](double a, double b) { return 0.5 * a + 0.5 * b; });
     const std::array<double, 7> weights = weightsBelow(places, middle, over);
     if (!(weights[6] > 0.0))
     {
@@ -85,7 +87,8 @@ MediumBounds bulkOf(const std::vector<WeightedPlace>& places, const MediumBounds
   return { { low[0], high[1], low[2], high[3], low[4], high[5] } };
 }
 
-double shareOutside(const std::vector<WeightedPlace>& places, const MediumBounds& box, const MediumReduction& over)
+double shareOutside(
+  const std::vector<WeightedPlace>& places, const MediumBounds& box, const MediumReduction& over)
 {
   double numbers[2] = {};
   for (const WeightedPlace& p : places)
@@ -100,23 +103,27 @@ double shareOutside(const std::vector<WeightedPlace>& places, const MediumBounds
 
 MediumBounds widened(const MediumBounds& box, double margin)
 {
-  return { { box[0] - margin, box[1] + margin, box[2] - margin, box[3] + margin, box[4] - margin, box[5] + margin } };
+  return { { box[0] - margin, box[1] + margin, box[2] - margin, box[3] + margin, box[4] - margin,
+    box[5] + margin } };
 }
 } // namespace
 
 double weightOfCell(double volume, double length)
 {
   const double fullness = length > 0.0 ? volume / (length * length * length) : 0.0;
-  return volume * fullness * fullness * fullness; // of splats even the thinnest have a fiftieth of their length: 4e-4
+  return volume * fullness * fullness *
+    fullness; // of splats even the thinnest have a fiftieth of their length: 4e-4
 }
 
 bool holdsPlace(const MediumBounds& b, const double x[3])
 {
-  return x[0] >= b[0] && x[0] <= b[1] && x[1] >= b[2] && x[1] <= b[3] && x[2] >= b[4] && x[2] <= b[5];
+  return x[0] >= b[0] && x[0] <= b[1] && x[1] >= b[2] && x[1] <= b[3] && x[2] >= b[4] &&
+    x[2] <= b[5];
 }
 
 MediumBounds robustBounds(const std::vector<WeightedPlace>& places,
-  const std::function<MediumBounds(const MediumBounds& box)>& boundsWithin, const MediumReduction& over)
+  const std::function<MediumBounds(const MediumBounds& box)>& boundsWithin,
+  const MediumReduction& over)
 {
   const auto boundsOver = [&](const MediumBounds& box) {
     return over.Bounds ? over.Bounds(boundsWithin(box)) : boundsWithin(box);
@@ -132,14 +139,15 @@ MediumBounds robustBounds(const std::vector<WeightedPlace>& places,
   return farther && shareOutside(places, kept, over) <= share ? kept : all;
 }
 
-MediumBounds robustBoundsOfPlaces(
-  vtkIdType count, const std::function<bool(vtkIdType number, double* place)>& place, const MediumReduction& over)
+MediumBounds robustBoundsOfPlaces(vtkIdType count,
+  const std::function<bool(vtkIdType number, double* place)>& place, const MediumReduction& over)
 {
   const SampleChoice choice(count, enoughPlaces);
   std::vector<WeightedPlace> places;
   for (vtkIdType i = 0; i < count; ++i)
   {
-    const auto standing = static_cast<double>(choice.Standing()); // processes choose from different numbers
+    const auto standing =
+      static_cast<double>(choice.Standing()); // processes choose from different numbers
     WeightedPlace one = { {}, standing, standing };
     if (choice.Takes(i) && place(i, one.Place))
     {

@@ -35,24 +35,29 @@ struct MediumReduction
   std::function<MediumBounds(const MediumBounds& mine)> Bounds = {};
 };
 
-constexpr MediumBounds WholeMedium = { { -VTK_DOUBLE_MAX, VTK_DOUBLE_MAX, -VTK_DOUBLE_MAX, VTK_DOUBLE_MAX, -VTK_DOUBLE_MAX, VTK_DOUBLE_MAX } };
+constexpr MediumBounds WholeMedium = { { -VTK_DOUBLE_MAX, VTK_DOUBLE_MAX, -VTK_DOUBLE_MAX,
+  VTK_DOUBLE_MAX, -VTK_DOUBLE_MAX, VTK_DOUBLE_MAX } };
 
 /** How many places are enough for robust bounds. */
 constexpr vtkIdType enoughPlaces = 10000;
 
-VTKNEPHOSCOPEREPRESENTATIONSCOMMON_EXPORT bool holdsPlace(const MediumBounds& bounds, const double place[3]);
+VTKNEPHOSCOPEREPRESENTATIONSCOMMON_EXPORT bool holdsPlace(
+  const MediumBounds& bounds, const double place[3]);
 
 /**
  * The bounds of the medium, or of what lies near its bulk, if their diagonal is at most a quarter as long. The bulk is the box that leaves a tenth
  * of the weight on either side of every axis; near means no farther from it than its own diagonal (after Tukey's fences), as nine tenths of all
  * places must be. Uniform and normal distributions have no stray part. `boundsWithin` gives the bounds of this process inside a box; all processes must call.
  */
-VTKNEPHOSCOPEREPRESENTATIONSCOMMON_EXPORT MediumBounds robustBounds(const std::vector<WeightedPlace>& places,
-  const std::function<MediumBounds(const MediumBounds& box)>& boundsWithin, const MediumReduction& over = {});
+VTKNEPHOSCOPEREPRESENTATIONSCOMMON_EXPORT MediumBounds robustBounds(
+  const std::vector<WeightedPlace>& places,
+  const std::function<MediumBounds(const MediumBounds& box)>& boundsWithin,
+  const MediumReduction& over = {});
 
 /** The same of so many places that all count alike; `place` returns whether there is one with that number. */
-VTKNEPHOSCOPEREPRESENTATIONSCOMMON_EXPORT MediumBounds robustBoundsOfPlaces(
-  vtkIdType count, const std::function<bool(vtkIdType number, double* place)>& place, const MediumReduction& over = {});
+VTKNEPHOSCOPEREPRESENTATIONSCOMMON_EXPORT MediumBounds robustBoundsOfPlaces(vtkIdType count,
+  const std::function<bool(vtkIdType number, double* place)>& place,
+  const MediumReduction& over = {});
 
 } // namespace nephoscope
 

@@ -21,8 +21,8 @@ namespace nephoscope
 /** The program is the one in use. */
 inline void setSamplersApart(vtkShaderProgram* program)
 {
-  static const std::array<GLenum, 6> kinds = { { GL_SAMPLER_2D, GL_INT_SAMPLER_2D, GL_SAMPLER_BUFFER, GL_INT_SAMPLER_BUFFER, GL_SAMPLER_3D,
-    GL_SAMPLER_2D_ARRAY } };
+  static const std::array<GLenum, 6> kinds = { { GL_SAMPLER_2D, GL_INT_SAMPLER_2D,
+    GL_SAMPLER_BUFFER, GL_INT_SAMPLER_BUFFER, GL_SAMPLER_3D, GL_SAMPLER_2D_ARRAY } };
   const auto handle = static_cast<GLuint>(program->GetHandle());
   GLint units = 0, uniforms = 0;
   glGetIntegerv(GL_MAX_COMBINED_TEXTURE_IMAGE_UNITS, &units);

@@ -32,8 +32,8 @@ public:
   }
   ~SavedState()
   {
-    this->State->vtkglBlendEquationSeparate(
-      static_cast<unsigned int>(this->BlendEquation[0]), static_cast<unsigned int>(this->BlendEquation[1]));
+    this->State->vtkglBlendEquationSeparate(static_cast<unsigned int>(this->BlendEquation[0]),
+      static_cast<unsigned int>(this->BlendEquation[1]));
   }
   SavedState(const SavedState&) = delete;
   SavedState& operator=(const SavedState&) = delete;

@@ -30,7 +30,8 @@ inline double scalarValue(const ScalarSelection& scalars, vtkIdType tuple)
   const int components = scalars.Array->GetNumberOfComponents();
   if (components == 1 || scalars.Component >= 0)
   {
-    return scalars.Array->GetComponent(tuple, std::min(std::max(scalars.Component, 0), components - 1));
+    return scalars.Array->GetComponent(
+      tuple, std::min(std::max(scalars.Component, 0), components - 1));
   }
   double sum = 0;
   for (int c = 0; c < components; ++c)
@@ -45,11 +46,13 @@ inline double scalarValue(const ScalarSelection& scalars, vtkIdType tuple)
  * Finite minimum and maximum, never equal: the range that becomes [0, 1]. Hidden values do not count: a fill value there
  * would take the precision of all that is drawn. `single` tells whether all values are equal. False when stopped.
  */
-inline bool findRange(vtkDataSet* data, const ScalarSelection& scalars, double range[2], const Progress& progress = {},
-  bool* single = nullptr)
+inline bool findRange(vtkDataSet* data, const ScalarSelection& scalars, double range[2],
+  const Progress& progress = {}, bool* single = nullptr)
 {
-  vtkUnsignedCharArray* ghosts = scalars.OnCells ? data->GetCellGhostArray() : data->GetPointGhostArray();
-  const int hidden = scalars.OnCells ? int(vtkDataSetAttributes::HIDDENCELL) : int(vtkDataSetAttributes::HIDDENPOINT);
+  vtkUnsignedCharArray* ghosts =
+    scalars.OnCells ? data->GetCellGhostArray() : data->GetPointGhostArray();
+  const int hidden = scalars.OnCells ? int(vtkDataSetAttributes::HIDDENCELL)
+                                     : int(vtkDataSetAttributes::HIDDENPOINT);
   double low = std::numeric_limits<double>::infinity();
   double high = -low;
   const std::size_t n = static_cast<std::size_t>(scalars.Array->GetNumberOfTuples());

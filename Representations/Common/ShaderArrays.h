@@ -51,8 +51,9 @@ inline std::string arrayDeclarations(const ArrayLayout& layout)
   const std::string mask = std::to_string((1 << layout.RowBits) - 1);
   const bool rows = layout.RowBits > 0;
   const std::string place = rows ? "ivec2(i & " + mask + ", i >> " + bits + "), 0" : "i";
-  return std::string(rows ? "#define FloatArray sampler2D\n#define IntegerArray isampler2D\n"
-                          : "#define FloatArray samplerBuffer\n#define IntegerArray isamplerBuffer\n") +
+  return std::string(rows
+             ? "#define FloatArray sampler2D\n#define IntegerArray isampler2D\n"
+             : "#define FloatArray samplerBuffer\n#define IntegerArray isamplerBuffer\n") +
     "vec4 element(FloatArray a, int i) { return texelFetch(a, " + place + "); }\n" +
     "ivec4 element(IntegerArray a, int i) { return texelFetch(a, " + place + "); }\n";
 }

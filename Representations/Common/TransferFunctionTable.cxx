@@ -28,7 +28,8 @@ constexpr int largestDepth = 12; // the finest piece is 1/4096 of the way betwee
 /** How far inside an interval its limits are taken: as little as the arithmetic allows, so that a jump stays outside. */
 double limitInset(double low, double high)
 {
-  const double rounding = 4 * std::numeric_limits<double>::epsilon() * std::max(std::abs(low), std::abs(high));
+  const double rounding =
+    4 * std::numeric_limits<double>::epsilon() * std::max(std::abs(low), std::abs(high));
   return std::min(0.5 * (high - low), std::max(1e-9 * (high - low), rounding));
 }
 
@@ -50,8 +51,10 @@ public:
     }
     this->FindCategories();
     auto* discretizable = vtkDiscretizableColorTransferFunction::SafeDownCast(this->Color);
-    this->Steps = discretizable && discretizable->GetDiscretize() ? discretizable->GetNumberOfValues() : 0;
-    if (this->Color && this->Color->GetColorSpace() == VTK_CTF_LAB_CIEDE2000 && this->Color->GetSize() > 1)
+    this->Steps =
+      discretizable && discretizable->GetDiscretize() ? discretizable->GetNumberOfValues() : 0;
+    if (this->Color && this->Color->GetColorSpace() == VTK_CTF_LAB_CIEDE2000 &&
+      this->Color->GetSize() > 1)
     {
       this->Tabulate();
     }
@@ -74,7 +77,8 @@ public:
     }
     else if (this->Color)
     {
-      this->Color->vtkColorTransferFunction::GetColor(x, rgb); // not the 8-bit table of the discretised one
+      this->Color->vtkColorTransferFunction::GetColor(
+        x, rgb); // not the 8-bit table of the discretised one
     }
     else if (this->Gray)
     {
@@ -120,7 +124,8 @@ private:
       this->Color->GetIndexedColor(i, rgba);
       if (isNumber && std::isfinite(value))
       {
-        this->Categories.emplace_back(value, std::array<double, 3>{ { rgba[0], rgba[1], rgba[2] } });
+        this->Categories.emplace_back(
+          value, std::array<double, 3>{ { rgba[0], rgba[1], rgba[2] } });
       }
     }
     std::sort(this->Categories.begin(), this->Categories.end());
@@ -128,7 +133,9 @@ private:
 
   const std::array<double, 3>& CategoryOf(double x) const
   {
-    const auto nearer = [x](const auto& a, const auto& b) { return std::abs(a.first - x) < std::abs(b.first - x); };
+    const auto nearer = [x](const auto& a, const auto& b) {
+      return std::abs(a.first - x) < std::abs(b.first - x);
+    };
     return std::min_element(this->Categories.begin(), this->Categories.end(), nearer)->second;
   }
 
@@ -144,7 +151,8 @@ private:
 
   void LookUp(double x, double rgb[3]) const
   {
-    const double t = (x - this->TabulatedRange[0]) / (this->TabulatedRange[1] - this->TabulatedRange[0]);
+    const double t =
+      (x - this->TabulatedRange[0]) / (this->TabulatedRange[1] - this->TabulatedRange[0]);
     const double place = std::max(0.0, std::min(1.0, t)) * (tabulatedColors - 1);
     const int low = std::min(static_cast<int>(place), tabulatedColors - 2);
     for (int c = 0; c < 3; ++c)
@@ -187,7 +195,8 @@ private:
     for (vtkIdType i = 0; i <= this->Steps; ++i)
     {
       const double t = double(i) / double(this->Steps);
-      nodes.push_back(logarithmic ? range[0] * std::pow(range[1] / range[0], t) : range[0] + (range[1] - range[0]) * t);
+      nodes.push_back(logarithmic ? range[0] * std::pow(range[1] / range[0], t)
+                                  : range[0] + (range[1] - range[0]) * t);
     }
   }
 
@@ -229,7 +238,8 @@ TransferFunctionTable::Interval limits(const Sampler& sample, double low, double
   {
     return { a, a };
   }
-  TransferFunctionTable::Interval result = { mix(a, b, static_cast<float>((low - from) / (to - from))),
+  TransferFunctionTable::Interval result = { mix(a, b,
+                                               static_cast<float>((low - from) / (to - from))),
     mix(a, b, static_cast<float>((high - from) / (to - from))) };
   for (std::size_t c = 0; c < 4; ++c)
   {
@@ -243,13 +253,15 @@ TransferFunctionTable::Interval limits(const Sampler& sample, double low, double
 bool isStraight(const Sampler& sample, double low, double high)
 {
   const auto [a, b] = limits(sample, low, high);
-  for (const double t : { 0.07, 0.2, 0.31, 0.4, 0.5, 0.6, 0.69, 0.8, 0.93 }) // several, for kinks lie anywhere
+  for (const double t :
+    { 0.07, 0.2, 0.31, 0.4, 0.5, 0.6, 0.69, 0.8, 0.93 }) // several, for kinks lie anywhere
   {
     const double x = low + t * (high - low);
     const auto value = sample(x);
     const auto line = mix(a, b, static_cast<float>((x - low) / (high - low))); // x is rounded
     const double opacityTolerance = curveTolerance * std::max({ value[3], line[3], leastOpacity });
-    if (colorDifference(value, line) >= curveTolerance || std::abs(value[3] - line[3]) >= opacityTolerance)
+    if (colorDifference(value, line) >= curveTolerance ||
+      std::abs(value[3] - line[3]) >= opacityTolerance)
     {
       return false;
     }
@@ -274,7 +286,8 @@ void refine(const Sampler& sample, double low, double high, int depth, std::vect
 }
 }
 
-void TransferFunctionTable::Build(vtkVolumeProperty* property, const double range[2], Channels channels)
+void TransferFunctionTable::Build(
+  vtkVolumeProperty* property, const double range[2], Channels channels)
 {
   const Sampler sample(property, channels);
   const std::vector<double> controlPoints = sample.ControlPoints();
@@ -309,10 +322,14 @@ void TransferFunctionTable::Build(vtkVolumeProperty* property, const double rang
     const double above = k + 1 < nodes.size() ? nodes[k + 1] : nodes[k];
     const float node = static_cast<float>(normalizedValue(nodes[k], range));
     // Nodes too near for floats are no jump: what lies on the first has its color, not that of the last. Shaders take 1e-38 for 0.
-    const bool merged = k > 0 && nodes[k] > nodes[k - 1] && node < this->Nodes.back() + leastDistance;
-    this->Nodes.push_back(
-      merged ? std::max(std::nextafter(this->Nodes.back(), std::numeric_limits<float>::max()), this->Nodes.back() + leastDistance) : node);
-    this->Widths.push_back(static_cast<float>((0.5 * above - 0.5 * nodes[k]) / (0.5 * range[1] - 0.5 * range[0])));
+    const bool merged =
+      k > 0 && nodes[k] > nodes[k - 1] && node < this->Nodes.back() + leastDistance;
+    this->Nodes.push_back(merged
+        ? std::max(std::nextafter(this->Nodes.back(), std::numeric_limits<float>::max()),
+            this->Nodes.back() + leastDistance)
+        : node);
+    this->Widths.push_back(
+      static_cast<float>((0.5 * above - 0.5 * nodes[k]) / (0.5 * range[1] - 0.5 * range[0])));
   }
 
   this->OpaqueIntervals.assign(1, 0);
@@ -347,7 +364,8 @@ TransferFunctionTable::Value TransferFunctionTable::Evaluate(float s) const
     return interval.Low;
   }
   const float width = this->Widths[k - 1];
-  return mix(interval.Low, interval.High, width > 0 ? std::max(0.0f, std::min(1.0f, (s - this->Nodes[k - 1]) / width)) : 0.0f);
+  return mix(interval.Low, interval.High,
+    width > 0 ? std::max(0.0f, std::min(1.0f, (s - this->Nodes[k - 1]) / width)) : 0.0f);
 }
 
 bool TransferFunctionTable::IsTransparent(float low, float high) const
@@ -381,7 +399,9 @@ std::array<float, 2> TransferFunctionTable::LongestTransparentRange() const
     const float low = first == 0 ? -infinite : this->Nodes[first - 1];
     const float high = k + 1 == this->Intervals.size() ? infinite : this->Nodes[k];
     // Scalars lie between 0 and 1.
-    const auto length = [](float from, float to) { return std::min(to, 1.0f) - std::max(from, 0.0f); };
+    const auto length = [](float from, float to) {
+      return std::min(to, 1.0f) - std::max(from, 0.0f);
+    };
     if (length(low, high) > length(longest[0], longest[1]))
     {
       longest = { { low, high } };

@@ -42,14 +42,15 @@ public:
   };
 
   /** Builds the table; nodes are expressed in scalars normalised by `range`. */
-  void Build(
-    vtkVolumeProperty* property, const double range[2], Channels channels = Channels::ColorAndOpacity);
+  void Build(vtkVolumeProperty* property, const double range[2],
+    Channels channels = Channels::ColorAndOpacity);
 
   /** Multiplies the opacities. */
   void ScaleOpacity(double factor);
 
-  std::vector<float> Nodes;        ///< ascending, at least one
-  std::vector<float> Widths;       ///< of the interval above each node; more exact than a difference of nodes; 0 for the last
+  std::vector<float> Nodes; ///< ascending, at least one
+  std::vector<float>
+    Widths; ///< of the interval above each node; more exact than a difference of nodes; 0 for the last
   std::vector<Interval> Intervals; ///< Nodes.size() + 1
 
   /** Interval that contains s. A node belongs to the interval above it. */
@@ -61,7 +62,8 @@ public:
   std::array<float, 2> LongestTransparentRange() const;
 
 private:
-  std::vector<int> OpaqueIntervals; ///< how many of the intervals before this one are not transparent
+  std::vector<int>
+    OpaqueIntervals; ///< how many of the intervals before this one are not transparent
 };
 
 } // namespace nephoscope

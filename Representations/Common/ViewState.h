@@ -56,8 +56,8 @@ inline std::array<float, 4> depthToView(vtkMatrix4x4* viewToDevice)
   const double m32 = viewToDevice->GetElement(3, 2);
   const double m33 = viewToDevice->GetElement(3, 3);
   // (m22 z + m23) / (m32 z + m33) = 1 - 2 e
-  return { { static_cast<float>(m33 - m23), static_cast<float>(-2 * m33), static_cast<float>(m22 - m32),
-    static_cast<float>(2 * m32) } };
+  return { { static_cast<float>(m33 - m23), static_cast<float>(-2 * m33),
+    static_cast<float>(m22 - m32), static_cast<float>(2 * m32) } };
 }
 
 /** The matrices and the eye of one render, relative to the centre of the geometry. */
@@ -95,9 +95,9 @@ private:
   {
     Vector4 eyeView = findEye(this->ViewToDevice);
     const bool parallel = isParallel(this->ViewToDevice);
-    const double scale =
-      parallel ? 1.0 / std::sqrt(eyeView[0] * eyeView[0] + eyeView[1] * eyeView[1] + eyeView[2] * eyeView[2])
-               : 1.0 / eyeView[3];
+    const double scale = parallel
+      ? 1.0 / std::sqrt(eyeView[0] * eyeView[0] + eyeView[1] * eyeView[1] + eyeView[2] * eyeView[2])
+      : 1.0 / eyeView[3];
     for (double& e : eyeView)
     {
       e *= scale;

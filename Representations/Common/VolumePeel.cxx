@@ -37,12 +37,14 @@ const char* const triangleVertex = "//VTK::System::Dec\n"
 
 // The pass ends with the first peel that puts nothing into the back. In front of opaque geometry only the frontmost surface
 // has been peeled by then: two ranges that end at the opaque depth say that there are more. The least alpha keeps it going.
-const char* const keepPeeling = "  if (calls == 2 && lastFar >= texelFetch(opaqueDepthTex, pixel, 0).x)\n"
-                                "  {\n"
-                                "    gl_FragData[0].a = max(gl_FragData[0].a, smallestAlpha);\n"
-                                "  }\n";
+const char* const keepPeeling =
+  "  if (calls == 2 && lastFar >= texelFetch(opaqueDepthTex, pixel, 0).x)\n"
+  "  {\n"
+  "    gl_FragData[0].a = max(gl_FragData[0].a, smallestAlpha);\n"
+  "  }\n";
 
-void allocateColor(vtkTextureObject* texture, vtkOpenGLRenderWindow* window, int width, int height, int type)
+void allocateColor(
+  vtkTextureObject* texture, vtkOpenGLRenderWindow* window, int width, int height, int type)
 {
   texture->SetContext(window);
   texture->Allocate2D(width, height, 4, type);
@@ -98,12 +100,13 @@ vtkShaderProgram* VolumePeel::ReadyProgram(
   const bool peelsInFrontOfOpaque = fragment.find("opaqueDepthTex") != std::string::npos;
   vtkShaderProgram::Substitute(
     fragment, "//NEPHOSCOPE::KeepPeeling", peelsInFrontOfOpaque ? keepPeeling : "");
-  vtkShaderProgram* program =
-    window->GetShaderCache()->ReadyShaderProgram(vertex.c_str(), fragment.c_str(), geometry.c_str());
+  vtkShaderProgram* program = window->GetShaderCache()->ReadyShaderProgram(
+    vertex.c_str(), fragment.c_str(), geometry.c_str());
   if (program)
   {
-    forEachPass(request.Volume,
-      [&](vtkOpenGLRenderPass* pass) { pass->SetShaderParameters(program, request.Mapper, request.Volume); });
+    forEachPass(request.Volume, [&](vtkOpenGLRenderPass* pass) {
+      pass->SetShaderParameters(program, request.Mapper, request.Volume);
+    });
     const float inverseSize[2] = { 1.0f / viewport[2], 1.0f / viewport[3] };
     program->SetUniform2f("in_inverseWindowSize", inverseSize);
   }
@@ -117,7 +120,8 @@ void VolumePeel::DrawTriangle()
   this->VertexArray->Release();
 }
 
-bool VolumePeel::FindRanges(vtkOpenGLRenderWindow* window, const Request& request, const int viewport[4])
+bool VolumePeel::FindRanges(
+  vtkOpenGLRenderWindow* window, const Request& request, const int viewport[4])
 {
   this->Allocate(window, viewport[2], viewport[3]);
   vtkOpenGLState* state = window->GetState();
@@ -131,7 +135,8 @@ bool VolumePeel::FindRanges(vtkOpenGLRenderWindow* window, const Request& reques
   return any;
 }
 
-bool VolumePeel::DrawRanges(vtkOpenGLRenderWindow* window, const Request& request, const int viewport[4])
+bool VolumePeel::DrawRanges(
+  vtkOpenGLRenderWindow* window, const Request& request, const int viewport[4])
 {
   vtkOpenGLState* state = window->GetState();
   vtkOpenGLState::ScopedglViewport savedViewport(state);
@@ -170,9 +175,11 @@ void VolumePeel::DrawTiles(vtkOpenGLRenderWindow* window)
 {
   this->Framebuffer->RemoveDepthAttachment();
   this->Framebuffer->AddColorAttachment(0, this->TileRanges);
-  window->GetState()->vtkglViewport(0, 0, numberOfTiles(this->Size[0]), numberOfTiles(this->Size[1]));
+  window->GetState()->vtkglViewport(
+    0, 0, numberOfTiles(this->Size[0]), numberOfTiles(this->Size[1]));
   window->GetState()->vtkglDisable(GL_DEPTH_TEST);
-  vtkShaderProgram* program = window->GetShaderCache()->ReadyShaderProgram(triangleVertex, PeelTilesFragment, "");
+  vtkShaderProgram* program =
+    window->GetShaderCache()->ReadyShaderProgram(triangleVertex, PeelTilesFragment, "");
   if (program)
   {
     this->Ranges->Activate();
@@ -202,8 +209,8 @@ void VolumePeel::CopyTargets(vtkOpenGLRenderWindow* window, unsigned int count)
   state->PopReadFramebufferBinding();
 }
 
-void VolumePeel::Deliver(vtkOpenGLRenderWindow* window, const Request& request, const int viewport[4],
-  vtkTextureObject* firstLight, vtkTextureObject* secondLight)
+void VolumePeel::Deliver(vtkOpenGLRenderWindow* window, const Request& request,
+  const int viewport[4], vtkTextureObject* firstLight, vtkTextureObject* secondLight)
 {
   this->CopyTargets(window, std::min(2u, peelingPass(request.Volume)->GetActiveDrawBuffers()));
   vtkOpenGLState* state = window->GetState();

@@ -69,8 +69,8 @@ public:
 
 private:
   void Allocate(vtkOpenGLRenderWindow* window, int width, int height);
-  vtkShaderProgram* ReadyProgram(
-    vtkOpenGLRenderWindow* window, const Request& request, const int viewport[4], const char* shader);
+  vtkShaderProgram* ReadyProgram(vtkOpenGLRenderWindow* window, const Request& request,
+    const int viewport[4], const char* shader);
   void DrawTiles(vtkOpenGLRenderWindow* window);
   void DrawTriangle();
   bool DrawRanges(vtkOpenGLRenderWindow* window, const Request& request, const int viewport[4]);

@@ -68,12 +68,13 @@ double highestAltitude(const HazePlacement& place, vtkHaze* haze, const HazeScen
   double farthest[3];
   for (int c = 0; c < 3; ++c)
   {
-    farthest[c] =
-      std::max(std::abs(scene.Low[c] - haze->GetCenter()[c]), std::abs(scene.High[c] - haze->GetCenter()[c]));
+    farthest[c] = std::max(std::abs(scene.Low[c] - haze->GetCenter()[c]),
+      std::abs(scene.High[c] - haze->GetCenter()[c]));
   }
-  const double eye = std::hypot(
-    scene.Eye[0] - haze->GetCenter()[0], scene.Eye[1] - haze->GetCenter()[1], scene.Eye[2] - haze->GetCenter()[2]);
-  return (std::max(eye, std::hypot(farthest[0], farthest[1], farthest[2])) - place.Radius) / place.ScaleHeight;
+  const double eye = std::hypot(scene.Eye[0] - haze->GetCenter()[0],
+    scene.Eye[1] - haze->GetCenter()[1], scene.Eye[2] - haze->GetCenter()[2]);
+  return (std::max(eye, std::hypot(farthest[0], farthest[1], farthest[2])) - place.Radius) /
+    place.ScaleHeight;
 }
 
 std::string describe(const HazePlacement& place, vtkHaze* haze)
@@ -83,12 +84,15 @@ std::string describe(const HazePlacement& place, vtkHaze* haze)
   if (place.OnGlobe)
   {
     const double* center = haze->GetCenter();
-    text << "a globe of radius " << place.Radius << " about (" << center[0] << ", " << center[1] << ", " << center[2]
-         << "). Set Projection to Map or Automatic, or Planet Radius and Center to those of the scene.";
+    text
+      << "a globe of radius " << place.Radius << " about (" << center[0] << ", " << center[1]
+      << ", " << center[2]
+      << "). Set Projection to Map or Automatic, or Planet Radius and Center to those of the scene.";
   }
   else
   {
-    text << "which is flat, at Base Level " << place.BaseLevel << ". Set Base Level to the lowest height of the scene, or Projection to Automatic.";
+    text << "which is flat, at Base Level " << place.BaseLevel
+         << ". Set Base Level to the lowest height of the scene, or Projection to Automatic.";
   }
   return text.str();
 }
@@ -100,8 +104,9 @@ HazePlacement::HazePlacement(vtkHaze* haze, const HazeScene& scene)
   const bool told = scene.GlobeGridProjection >= 0;
   const bool automatic = haze->GetProjection() == vtkHaze::AUTOMATIC;
   this->Exists = !scene.IsEmpty() || !haze->NeedsScene();
-  this->OnGlobe = automatic ? haze->GetPlanetRadius() > 0 || (told ? scene.GlobeGridProjection == 0 : metres > 0)
-                            : haze->GetProjection() == vtkHaze::GLOBE;
+  this->OnGlobe = automatic
+    ? haze->GetPlanetRadius() > 0 || (told ? scene.GlobeGridProjection == 0 : metres > 0)
+    : haze->GetProjection() == vtkHaze::GLOBE;
   this->Radius = haze->GetPlanetRadius() > 0 ? haze->GetPlanetRadius()
     : scene.PlanetRadius > 0                 ? scene.PlanetRadius
     : metres > 0                             ? earthRadius / metres
@@ -121,8 +126,9 @@ HazePlacement::HazePlacement(vtkHaze* haze, const HazeScene& scene)
     (haze->GetVerticalExaggeration() > 0 ? haze->GetVerticalExaggeration()
         : scene.VerticalExaggeration > 0 ? scene.VerticalExaggeration
                                          : 1);
-  this->Extinction =
-    haze->GetVisibility() > 0 ? haze->GetExtinction() : visibilityTimesExtinction / (visibleHeights * this->ScaleHeight);
+  this->Extinction = haze->GetVisibility() > 0
+    ? haze->GetExtinction()
+    : visibilityTimesExtinction / (visibleHeights * this->ScaleHeight);
   if (this->Exists && !scene.IsEmpty() && highestAltitude(*this, haze, scene) < -deepest)
   {
     this->Problem = describe(*this, haze);

@@ -25,9 +25,9 @@ struct HazePlacement
 {
   bool Exists = false; ///< false: an empty scene, of which the haze left something open
   bool OnGlobe = true;
-  double Radius = 6371000; ///< of the globe
-  double BaseLevel = 0;    ///< of flat ground
-  bool MovesDown = false;  ///< with an eye under flat ground that was found from the bounds
+  double Radius = 6371000;   ///< of the globe
+  double BaseLevel = 0;      ///< of flat ground
+  bool MovesDown = false;    ///< with an eye under flat ground that was found from the bounds
   double ScaleHeight = 8000; ///< as displayed
   double Extinction = 0;
   std::string Problem; ///< empty, or why nothing can be seen, and what to set

@@ -72,8 +72,9 @@ HazeScene::HazeScene(vtkRenderer* renderer)
   while (vtkProp* prop = renderer->GetViewProps()->GetNextProp(iterator))
   {
     vtkAlgorithm* mapper = prop->GetVisibility() ? mapperOf(prop) : nullptr;
-    vtkDataObject* data =
-      mapper && mapper->GetNumberOfInputConnections(0) > 0 ? mapper->GetInputDataObject(0, 0) : nullptr;
+    vtkDataObject* data = mapper && mapper->GetNumberOfInputConnections(0) > 0
+      ? mapper->GetInputDataObject(0, 0)
+      : nullptr;
     if (data)
     {
       listen(*this, data);

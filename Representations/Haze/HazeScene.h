@@ -29,7 +29,8 @@ struct HazeScene
   bool IsEmpty() const { return !(this->Low[0] <= this->High[0]); }
   double Diagonal() const
   {
-    return std::hypot(this->High[0] - this->Low[0], this->High[1] - this->Low[1], this->High[2] - this->Low[2]);
+    return std::hypot(
+      this->High[0] - this->Low[0], this->High[1] - this->Low[1], this->High[2] - this->Low[2]);
   }
   /** From the origin to the farthest place of the bounds along an axis, in the mean of the three axes. */
   double Reach() const

@@ -95,7 +95,8 @@ void HazeView::SetPlace(
     const double unit[3] = { up[0] / length, up[1] / length, up[2] / length };
     toView(worldToView, unit, 0, frame);
     const double level = unit[0] * place[0] + unit[1] * place[1] + unit[2] * place[2];
-    const double altitude = placement.MovesDown ? std::max(0.0, level - placement.BaseLevel) : level - placement.BaseLevel;
+    const double altitude = placement.MovesDown ? std::max(0.0, level - placement.BaseLevel)
+                                                : level - placement.BaseLevel;
     this->Height[0] = 0;
     this->Height[1] = static_cast<float>(altitude / scaleHeight);
   }

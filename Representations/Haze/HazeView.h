@@ -31,12 +31,16 @@ public:
   /** shaders/Haze.glsl, as it is. */
   static std::string Functions();
   /** The same for a program that has SetUniforms called: within it NEPHOSCOPE_HAZE is defined. Empty where there is no haze. */
-  std::string Definition() const { return this->On ? "#define NEPHOSCOPE_HAZE\n" + Functions() : std::string(); }
+  std::string Definition() const
+  {
+    return this->On ? "#define NEPHOSCOPE_HAZE\n" + Functions() : std::string();
+  }
 
   void SetUniforms(vtkShaderProgram* program) const;
 
 private:
-  void SetPlace(vtkHaze& haze, const HazePlacement& placement, vtkMatrix4x4* worldToView, const double start[3]);
+  void SetPlace(vtkHaze& haze, const HazePlacement& placement, vtkMatrix4x4* worldToView,
+    const double start[3]);
   void SetDevice(vtkMatrix4x4* viewToDevice);
 
   bool On = false;

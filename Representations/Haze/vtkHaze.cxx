@@ -64,8 +64,8 @@ void vtkHaze::SetPositive(double& member, const char* name, double value)
 {
   if (!(value >= 0) || !std::isfinite(value))
   {
-    vtkErrorMacro(<< name << " must be finite and not negative (0: from the scene), not " << value << ": it stays "
-                  << member << ".");
+    vtkErrorMacro(<< name << " must be finite and not negative (0: from the scene), not " << value
+                  << ": it stays " << member << ".");
   }
   else if (value != member)
   {
@@ -108,8 +108,9 @@ void vtkHaze::SetExtinction(double extinction)
     return;
   }
   this->SetPositive(this->Extinction, "Extinction", extinction);
-  this->Visibility =
-    extinction > 0 && extinction == this->Extinction ? visibilityTimesExtinction / extinction : this->Visibility;
+  this->Visibility = extinction > 0 && extinction == this->Extinction
+    ? visibilityTimesExtinction / extinction
+    : this->Visibility;
 }
 
 void vtkHaze::SetScaleHeight(double height)
@@ -166,7 +167,11 @@ void vtkHaze::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Enabled: " << this->Enabled << "\n"
-     << indent << "Projection: " << (this->Projection == GLOBE ? "Globe" : this->Projection == MAP ? "Map" : "Automatic") << "\n"
+     << indent << "Projection: "
+     << (this->Projection == GLOBE    ? "Globe"
+            : this->Projection == MAP ? "Map"
+                                      : "Automatic")
+     << "\n"
      << indent << "Visibility: " << this->Visibility << "\n"
      << indent << "Extinction: " << this->Extinction << "\n"
      << indent << "ScaleHeight: " << this->ScaleHeight << "\n"

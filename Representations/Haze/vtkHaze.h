@@ -164,12 +164,16 @@ public:
   /** Some setting is left to the scene. */
   bool NeedsScene() const
   {
-    return this->Projection == AUTOMATIC || !(this->Visibility > 0 && this->ScaleHeight > 0 && this->VerticalExaggeration > 0);
+    return this->Projection == AUTOMATIC ||
+      !(this->Visibility > 0 && this->ScaleHeight > 0 && this->VerticalExaggeration > 0);
   }
 
 #ifndef __VTK_WRAP__
   /** Called before each drawing, to add what a renderer does not have: the scenes of other ranks. */
-  void SetSceneCompletion(std::function<void(nephoscope::HazeScene&)> completion) { this->Completion = std::move(completion); }
+  void SetSceneCompletion(std::function<void(nephoscope::HazeScene&)> completion)
+  {
+    this->Completion = std::move(completion);
+  }
   void CompleteScene(nephoscope::HazeScene& scene) const
   {
     if (this->Completion)

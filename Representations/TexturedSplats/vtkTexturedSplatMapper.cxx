@@ -54,7 +54,8 @@ void vtkTexturedSplatMapper::SetInputData(vtkDataSet* data)
 
 int vtkTexturedSplatMapper::FillInputPortInformation(int, vtkInformation* info)
 {
-  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataObject"); // drawing tells what is no dataset
+  info->Set(
+    vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataObject"); // drawing tells what is no dataset
   return 1;
 }
 
@@ -83,7 +84,9 @@ double* vtkTexturedSplatMapper::GetBounds()
     vtkAbstractMapper::GetScalars(
       input, this->ScalarMode, this->ArrayAccessMode, this->ArrayId, this->ArrayName, cellFlag);
     const nephoscope::SplatSampling sampling = this->GetSampling(cellFlag == 1);
-    const double growth = this->VectorUnit > 0 ? 1.0 : std::cbrt(1.0 / std::max(this->VectorFraction, 1e-6)); // see GetStreakUnit
+    const double growth = this->VectorUnit > 0
+      ? 1.0
+      : std::cbrt(1.0 / std::max(this->VectorFraction, 1e-6)); // see GetStreakUnit
     const nephoscope::VectorLook look{ this->VectorStyle == SEGMENTS, this->VectorUnit,
       growth * this->StreakPeriod, growth * this->SegmentLength };
     std::copy_n(this->Internals->Scene.UpdateBounds(
@@ -166,8 +169,9 @@ std::string vtkTexturedSplatMapper::UpdateSplats(vtkDataSet* input, vtkVolume* v
   }
   const nephoscope::SplatSampling sampling = this->GetSampling(fields.Scalars.OnCells);
   error = this->Internals->Scene.Update(input, sampling, fields, this->GetVectorSettings());
-  const std::string leftOut =
-    error.empty() ? this->Internals->Scene.DescribeLeftOut(fields, sampling.SizeArrayName) : std::string();
+  const std::string leftOut = error.empty()
+    ? this->Internals->Scene.DescribeLeftOut(fields, sampling.SizeArrayName)
+    : std::string();
   if (this->Internals->LeftOut.IsNew(leftOut))
   {
     vtkWarningMacro(<< leftOut);
@@ -183,7 +187,8 @@ nephoscope::SplatVectorSettings vtkTexturedSplatMapper::GetVectorSettings()
   settings.ColorFunction = this->VectorColorFunction;
   settings.OneColor = this->UseVectorColor;
   std::copy_n(this->VectorColor, 3, settings.Color.begin());
-  settings.Loop = { this->Phase, this->PhaseCycles, this->PhaseSteps, this->MaximumSpeed, this->VectorFraction };
+  settings.Loop = { this->Phase, this->PhaseCycles, this->PhaseSteps, this->MaximumSpeed,
+    this->VectorFraction };
   return settings;
 }
 
@@ -203,9 +208,8 @@ vtkScalarsToColors* vtkTexturedSplatMapper::GetVectorColorFunction()
 
 double vtkTexturedSplatMapper::GetStreakUnit()
 {
-  return this->VectorUnit > 0
-    ? this->VectorUnit
-    : this->Internals->Scene.GetVectorScene().GetVectors().MeanCell() /
+  return this->VectorUnit > 0 ? this->VectorUnit
+                              : this->Internals->Scene.GetVectorScene().GetVectors().MeanCell() /
       (this->RadiusFactor * std::cbrt(std::max(this->VectorFraction, 1e-6)));
 }
 
@@ -261,15 +265,16 @@ bool vtkTexturedSplatMapper::UsesHierarchy(
   most = moving ? this->InteractiveMaximumNumberOfSplats : 0;
   const bool tooMany = most > 0 && samples > most;
   const bool layers = !this->VectorArrayName.empty() && this->VectorPlacement == PLACEMENT_LAYERS;
-  const bool axisIgnored = layers && this->LayerAxis >= 0 && this->Internals->Scene.GetSamples().Dimensions[0] == 0;
+  const bool axisIgnored =
+    layers && this->LayerAxis >= 0 && this->Internals->Scene.GetSamples().Dimensions[0] == 0;
   std::string warning = layers && this->ErrorTolerance > 0
     ? "ErrorTolerance is ignored: layers are made of all samples. Call SetVectorPlacementToMiddle() to "
       "draw blocks of samples as one splat each, with their vectors."
     : "";
-  warning += axisIgnored
-    ? std::string(warning.empty() ? "" : " ") + "LayerAxis (in ParaView, Layer Axis) is ignored: these samples lie on no structured grid. "
+  warning += axisIgnored ? std::string(warning.empty() ? "" : " ") +
+      "LayerAxis (in ParaView, Layer Axis) is ignored: these samples lie on no structured grid. "
       "Layers at right angles to the line of sight are drawn instead; set it to -1 (Towards the Eye) to ask for these."
-    : "";
+                         : "";
   if (this->Internals->LastWarning.IsNew(warning))
   {
     vtkWarningMacro(<< warning);
@@ -304,8 +309,9 @@ void vtkTexturedSplatMapper::SelectSplats(
   rule.Tolerance = this->ErrorTolerance;
   rule.Blend = this->LevelBlending;
   rule.MostSplats = static_cast<std::size_t>(most);
-  this->Internals->Scene.DrawNodes(
-    errors, rule, nephoscope::FindCutView(state, volume->GetMatrix(), renderer->GetSize()[1]), this->VectorArrayName);
+  this->Internals->Scene.DrawNodes(errors, rule,
+    nephoscope::FindCutView(state, volume->GetMatrix(), renderer->GetSize()[1]),
+    this->VectorArrayName);
 }
 
 std::string vtkTexturedSplatMapper::DrawScene(

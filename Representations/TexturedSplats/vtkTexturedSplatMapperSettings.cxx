@@ -68,7 +68,8 @@ void vtkTexturedSplatMapper::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "StreakPeriod: " << this->StreakPeriod << "\n";
   os << indent << "VectorStyle: " << (this->VectorStyle == SEGMENTS ? "Segments" : "Streaks")
      << "\n";
-  os << indent << "VectorPlacement: " << (this->VectorPlacement == PLACEMENT_LAYERS ? "Layers" : "Middle")
+  os << indent
+     << "VectorPlacement: " << (this->VectorPlacement == PLACEMENT_LAYERS ? "Layers" : "Middle")
      << "\n";
   os << indent << "LayerAxis: " << this->LayerAxis << "\n";
   os << indent << "VectorUnit: " << this->VectorUnit << "\n";

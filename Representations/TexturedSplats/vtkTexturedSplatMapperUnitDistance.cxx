@@ -15,13 +15,15 @@ void vtkTexturedSplatMapper::SuitVectorsToMedium(bool opacity, bool share)
 {
   vtkDataSet* input = this->GetDataSetInput();
   int cellFlag = 0;
-  if (!input || !vtkAbstractMapper::GetScalars(
-                  input, this->ScalarMode, this->ArrayAccessMode, this->ArrayId, this->ArrayName, cellFlag))
+  if (!input ||
+    !vtkAbstractMapper::GetScalars(
+      input, this->ScalarMode, this->ArrayAccessMode, this->ArrayId, this->ArrayName, cellFlag))
   {
     return;
   }
   const int association = cellFlag == 1 ? vtkDataObject::CELL : vtkDataObject::POINT;
-  vtkDataArray* vectors = input->GetAttributes(association)->GetArray(this->VectorArrayName.c_str());
+  vtkDataArray* vectors =
+    input->GetAttributes(association)->GetArray(this->VectorArrayName.c_str());
   if (!vectors || vectors->GetNumberOfComponents() != 3)
   {
     return;
@@ -29,8 +31,10 @@ void vtkTexturedSplatMapper::SuitVectorsToMedium(bool opacity, bool share)
   nephoscope::SplatSampling sampling = this->GetSampling(cellFlag == 1);
   sampling.RadiusFactor = 1.0;
   const nephoscope::MediumBounds bounds = nephoscope::boundsOfSamples(input, sampling);
-  const nephoscope::MediumMeasures measures = nephoscope::measureSplats(input, sampling, vectors, {}, bounds);
-  const nephoscope::SuitedVectors suited = nephoscope::suitVectors(measures, bounds, this->MaximumSpeed);
+  const nephoscope::MediumMeasures measures =
+    nephoscope::measureSplats(input, sampling, vectors, {}, bounds);
+  const nephoscope::SuitedVectors suited =
+    nephoscope::suitVectors(measures, bounds, this->MaximumSpeed);
   if (share)
   {
     this->SetVectorFraction(suited.Share);
@@ -58,7 +62,8 @@ double vtkTexturedSplatMapper::FindUnitDistance(vtkVolumeProperty* property)
   nephoscope::SplatSampling sampling = this->GetSampling(scalars.OnCells);
   sampling.RadiusFactor = 1.0; // the mass of wider splats is the same
   const nephoscope::MediumBounds bounds = nephoscope::boundsOfSamples(input, sampling);
-  return nephoscope::defaultUnitDistance(nephoscope::measureSplats(input, sampling, read.Array,
-                                           nephoscope::fullOpacity(property->GetScalarOpacity()), bounds),
+  return nephoscope::defaultUnitDistance(
+    nephoscope::measureSplats(
+      input, sampling, read.Array, nephoscope::fullOpacity(property->GetScalarOpacity()), bounds),
     bounds, false);
 }

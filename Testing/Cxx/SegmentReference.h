@@ -22,11 +22,14 @@ struct ReferenceWeights
 /** Gauss-Kronrod rule of 7 and 15 nodes on [-1, 1] (QUADPACK): node, weight of 15, weight of 7. */
 constexpr long double gaussKronrodNodes[8][3] = {
   { 0.991455371120812639206854697526329L, 0.022935322010529224963732008058970L, 0.0L },
-  { 0.949107912342758524526189684047851L, 0.063092092629978553290700663189204L, 0.129484966168869693270611432679082L },
+  { 0.949107912342758524526189684047851L, 0.063092092629978553290700663189204L,
+    0.129484966168869693270611432679082L },
   { 0.864864423359769072789712788640926L, 0.104790010322250183839876322541518L, 0.0L },
-  { 0.741531185599394439863864773280788L, 0.140653259715525918745189590510238L, 0.279705391489276667901467771423780L },
+  { 0.741531185599394439863864773280788L, 0.140653259715525918745189590510238L,
+    0.279705391489276667901467771423780L },
   { 0.586087235467691130294144838258730L, 0.169004726639267902826583426598550L, 0.0L },
-  { 0.405845151377397166906606412076961L, 0.190350578064785409913256402421014L, 0.381830050505118944950369775488975L },
+  { 0.405845151377397166906606412076961L, 0.190350578064785409913256402421014L,
+    0.381830050505118944950369775488975L },
   { 0.207784955007898467600689403773245L, 0.204432940075298892414161999234649L, 0.0L },
   { 0.0L, 0.209482141084727828012999174891714L, 0.417959183673469387755102040816327L },
 };
@@ -64,7 +67,8 @@ inline ReferenceWeights referenceWeights(long double tauFront, long double tauBa
 {
   const long double slope = tauBack - tauFront;
   const auto emission = [&](long double t) {
-    const long double emitted = (tauFront + slope * t) * std::exp(-t * (tauFront + 0.5L * slope * t));
+    const long double emitted =
+      (tauFront + slope * t) * std::exp(-t * (tauFront + 0.5L * slope * t));
     return ReferenceWeights{ (1 - t) * emitted, t * emitted };
   };
   // Pieces whose ends are near the peak, which lies at the front when the segment is dense.
@@ -83,7 +87,8 @@ inline ReferenceWeights referenceWeights(long double tauFront, long double tauBa
 inline long double closedFormPsi(long double tf, long double tb)
 {
   const long double d = tb - tf, q = std::sqrt(2 * d);
-  return std::sqrt(std::acos(-1.0L)) / q * std::exp(tf * tf / (2 * d)) * (std::erf(tb / q) - std::erf(tf / q));
+  return std::sqrt(std::acos(-1.0L)) / q * std::exp(tf * tf / (2 * d)) *
+    (std::erf(tb / q) - std::erf(tf / q));
 }
 
 /** Psi = exp(-z) sum_k r^k i_k(z), z = (tf + tb) / 4, r = (tb - tf) / (tb + tf), i_k the modified spherical Bessel functions. */
@@ -94,7 +99,8 @@ inline long double besselSeriesPsi(long double tf, long double tb)
   for (int k = 0; k < 200; ++k)
   {
     long double term = first, bessel = 0;
-    for (int m = 1; m < 400 && term > 1e-24L * bessel; ++m) // term_m = first (z^2/2)^m / (m! (2k+3)(2k+5)...(2k+2m+1))
+    for (int m = 1; m < 400 && term > 1e-24L * bessel;
+         ++m) // term_m = first (z^2/2)^m / (m! (2k+3)(2k+5)...(2k+2m+1))
     {
       bessel += term;
       term *= 0.5L * z * z / (m * (2 * k + 2 * m + 1.0L));

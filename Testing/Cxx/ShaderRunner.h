@@ -93,8 +93,9 @@ public:
   }
 
   /** `functions` go before main, `body` into it; `uniforms` may set more of them. */
-  std::vector<Float4> Run(const std::string& functions, const std::string& body, std::vector<Float4> first,
-    std::vector<Float4> second, const std::function<void(vtkShaderProgram*)>& uniforms)
+  std::vector<Float4> Run(const std::string& functions, const std::string& body,
+    std::vector<Float4> first, std::vector<Float4> second,
+    const std::function<void(vtkShaderProgram*)>& uniforms)
   {
     const std::size_t items = first.size();
     const int width = 64;
@@ -106,10 +107,10 @@ public:
     std::vector<Float4> empty(first.size(), Float4{ { -1, -1, -1, -1 } });
     auto target = this->MakeTexture(width, height, empty);
 
-    const std::string source = "//VTK::System::Dec\n//VTK::Output::Dec\nuniform sampler2D firstInput;\n"
-                               "uniform sampler2D secondInput;\nin vec2 texCoord;\n" +
-      nephoscope::arrayDeclarations(nephoscope::ArrayLayout()) +
-      functions +
+    const std::string source =
+      "//VTK::System::Dec\n//VTK::Output::Dec\nuniform sampler2D firstInput;\n"
+      "uniform sampler2D secondInput;\nin vec2 texCoord;\n" +
+      nephoscope::arrayDeclarations(nephoscope::ArrayLayout()) + functions +
       "\nvoid main()\n{\n  ivec2 item = ivec2(texCoord * vec2(textureSize(firstInput, 0)));\n"
       "  vec4 first = texelFetch(firstInput, item, 0);\n"
       "  vec4 second = texelFetch(secondInput, item, 0);\n  vec4 result;\n  " +
@@ -164,8 +165,8 @@ private:
   {
     auto texture = vtkSmartPointer<vtkTextureObject>::New();
     texture->SetContext(this->Window);
-    texture->Create2DFromRaw(
-      static_cast<unsigned int>(width), static_cast<unsigned int>(height), 4, VTK_FLOAT, values.data());
+    texture->Create2DFromRaw(static_cast<unsigned int>(width), static_cast<unsigned int>(height), 4,
+      VTK_FLOAT, values.data());
     return texture;
   }
 

@@ -27,7 +27,8 @@ namespace nephoscope_test
 using Place = std::function<void(double i, double j, double k, double x[3])>;
 
 /** A structured grid of n0 x n1 x n2 cells, double coordinates, whose point (i, j, k) `place` puts somewhere. */
-inline vtkSmartPointer<vtkStructuredGrid> makeStructuredGrid(int n0, int n1, int n2, const Place& place)
+inline vtkSmartPointer<vtkStructuredGrid> makeStructuredGrid(
+  int n0, int n1, int n2, const Place& place)
 {
   vtkNew<vtkPoints> points;
   points->SetDataTypeToDouble();
@@ -63,18 +64,20 @@ inline vtkSmartPointer<vtkStructuredGrid> makeShell(
   int longitudes, int latitudes, int layers, double largestLatitude, double inner, double outer)
 {
   const double pi = std::acos(-1.0);
-  return makeStructuredGrid(longitudes, latitudes, layers, [=](double i, double j, double k, double x[3]) {
-    const double lambda = 2 * pi * std::fmod(i, longitudes) / longitudes;
-    const double phi = largestLatitude * pi / 180 * (2 * j / latitudes - 1);
-    const double r = inner + (outer - inner) * k / layers;
-    x[0] = r * std::cos(phi) * std::cos(lambda);
-    x[1] = r * std::cos(phi) * std::sin(lambda);
-    x[2] = r * std::sin(phi);
-  });
+  return makeStructuredGrid(
+    longitudes, latitudes, layers, [=](double i, double j, double k, double x[3]) {
+      const double lambda = 2 * pi * std::fmod(i, longitudes) / longitudes;
+      const double phi = largestLatitude * pi / 180 * (2 * j / latitudes - 1);
+      const double r = inner + (outer - inner) * k / layers;
+      x[0] = r * std::cos(phi) * std::cos(lambda);
+      x[1] = r * std::cos(phi) * std::sin(lambda);
+      x[2] = r * std::sin(phi);
+    });
 }
 
 inline vtkSmartPointer<vtkUnstructuredGrid> makeGrid(
-  const std::vector<std::array<double, 3>>& places, const std::vector<std::pair<int, std::vector<vtkIdType>>>& cells)
+  const std::vector<std::array<double, 3>>& places,
+  const std::vector<std::pair<int, std::vector<vtkIdType>>>& cells)
 {
   vtkNew<vtkPoints> points;
   points->SetDataTypeToDouble();
@@ -92,7 +95,8 @@ inline vtkSmartPointer<vtkUnstructuredGrid> makeGrid(
 }
 
 /** Adds a named array with one component per function of the point (or cell number). */
-inline vtkDataArray* addScalars(vtkDataSet* data, bool onCells, const std::function<double(vtkIdType)>& value)
+inline vtkDataArray* addScalars(
+  vtkDataSet* data, bool onCells, const std::function<double(vtkIdType)>& value)
 {
   vtkNew<vtkDoubleArray> array;
   array->SetName("scalar");

@@ -32,8 +32,14 @@ public:
   double Normal() { return std::normal_distribution<double>()(this->Engine); }
   /** Uniform in the logarithm. */
   double LogUniform(double low, double high) { return low * std::pow(high / low, this->Uniform()); }
-  int Integer(int low, int high) { return std::uniform_int_distribution<int>(low, high)(this->Engine); }
-  std::array<double, 3> NormalVector() { return { { this->Normal(), this->Normal(), this->Normal() } }; }
+  int Integer(int low, int high)
+  {
+    return std::uniform_int_distribution<int>(low, high)(this->Engine);
+  }
+  std::array<double, 3> NormalVector()
+  {
+    return { { this->Normal(), this->Normal(), this->Normal() } };
+  }
   std::array<double, 3> Direction()
   {
     std::array<double, 3> v = this->NormalVector();

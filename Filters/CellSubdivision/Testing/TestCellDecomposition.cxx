@@ -63,17 +63,18 @@ double prismVolume(int sides)
 
 std::vector<Cell> makeCells()
 {
-  const std::vector<Point> cube = { { { 0, 0, 0 } }, { { 1, 0, 0 } }, { { 1, 1, 0 } }, { { 0, 1, 0 } }, { { 0, 0, 1 } },
-    { { 1, 0, 1 } }, { { 1, 1, 1 } }, { { 0, 1, 1 } } };
-  const std::vector<Point> voxel = { { { 0, 0, 0 } }, { { 1, 0, 0 } }, { { 0, 1, 0 } }, { { 1, 1, 0 } }, { { 0, 0, 1 } },
-    { { 1, 0, 1 } }, { { 0, 1, 1 } }, { { 1, 1, 1 } } };
-  const std::vector<Point> frustum = { { { -2, -2, 0 } }, { { 2, -2, 0 } }, { { 2, 2, 0 } }, { { -2, 2, 0 } },
-    { { -1, -1, 1 } }, { { 1, -1, 1 } }, { { 1, 1, 1 } }, { { -1, 1, 1 } } };
-  const std::vector<Point> pyramid = { { { 0, 0, 0 } }, { { 1, 0, 0 } }, { { 1, 1, 0 } }, { { 0, 1, 0 } }, { { 0.3, 0.6, 2 } } };
-  const std::vector<Point> octahedron = { { { 1, 0, 0 } }, { { -1, 0, 0 } }, { { 0, 1, 0 } }, { { 0, -1, 0 } },
-    { { 0, 0, 1 } }, { { 0, 0, -1 } } };
-  const std::vector<int> octahedronFaces = { 3, 0, 2, 4, 3, 2, 1, 4, 3, 1, 3, 4, 3, 3, 0, 4, 3, 2, 0, 5, 3, 1, 2, 5, 3, 3, 1, 5,
-    3, 0, 3, 5 };
+  const std::vector<Point> cube = { { { 0, 0, 0 } }, { { 1, 0, 0 } }, { { 1, 1, 0 } },
+    { { 0, 1, 0 } }, { { 0, 0, 1 } }, { { 1, 0, 1 } }, { { 1, 1, 1 } }, { { 0, 1, 1 } } };
+  const std::vector<Point> voxel = { { { 0, 0, 0 } }, { { 1, 0, 0 } }, { { 0, 1, 0 } },
+    { { 1, 1, 0 } }, { { 0, 0, 1 } }, { { 1, 0, 1 } }, { { 0, 1, 1 } }, { { 1, 1, 1 } } };
+  const std::vector<Point> frustum = { { { -2, -2, 0 } }, { { 2, -2, 0 } }, { { 2, 2, 0 } },
+    { { -2, 2, 0 } }, { { -1, -1, 1 } }, { { 1, -1, 1 } }, { { 1, 1, 1 } }, { { -1, 1, 1 } } };
+  const std::vector<Point> pyramid = { { { 0, 0, 0 } }, { { 1, 0, 0 } }, { { 1, 1, 0 } },
+    { { 0, 1, 0 } }, { { 0.3, 0.6, 2 } } };
+  const std::vector<Point> octahedron = { { { 1, 0, 0 } }, { { -1, 0, 0 } }, { { 0, 1, 0 } },
+    { { 0, -1, 0 } }, { { 0, 0, 1 } }, { { 0, 0, -1 } } };
+  const std::vector<int> octahedronFaces = { 3, 0, 2, 4, 3, 2, 1, 4, 3, 1, 3, 4, 3, 3, 0, 4, 3, 2,
+    0, 5, 3, 1, 2, 5, 3, 3, 1, 5, 3, 0, 3, 5 };
   return {
     { "tetrahedron", { cube[0], cube[1], cube[3], cube[4] }, list(tetrahedronFaceList), 1.0 / 6 },
     { "hexahedron", cube, list(hexahedronFaceList), 1 },
@@ -103,7 +104,8 @@ double totalVolume(const std::vector<Point>& p, const std::vector<Tetrahedron>& 
   double sum = 0;
   for (const Tetrahedron& t : tetrahedra)
   {
-    sum += std::fabs(signedVolume(p[std::size_t(t[0])], p[std::size_t(t[1])], p[std::size_t(t[2])], p[std::size_t(t[3])]));
+    sum += std::fabs(signedVolume(
+      p[std::size_t(t[0])], p[std::size_t(t[1])], p[std::size_t(t[2])], p[std::size_t(t[3])]));
   }
   return sum;
 }
@@ -179,7 +181,8 @@ void expectMatchingFaces(const Mesh& mesh, const std::vector<int>& rank)
       for (int omitted = 0; omitted < 4; ++omitted)
       {
         std::vector<int> triangle;
-        std::copy_if(t.begin(), t.end(), std::back_inserter(triangle), [&](int v) { return v != t[std::size_t(omitted)]; });
+        std::copy_if(t.begin(), t.end(), std::back_inserter(triangle),
+          [&](int v) { return v != t[std::size_t(omitted)]; });
         std::sort(triangle.begin(), triangle.end());
         ++triangles[triangle];
       }
@@ -220,8 +223,9 @@ Mesh mixedLattice(Random& random, int n, bool mixed)
       const bool wedges = mixed && random.Integer(0, 2) == 0;
       for (int k = 0; k < n; ++k)
       {
-        const std::vector<int> v = { id(i, j, k), id(i + 1, j, k), id(i + 1, j + 1, k), id(i, j + 1, k), id(i, j, k + 1),
-          id(i + 1, j, k + 1), id(i + 1, j + 1, k + 1), id(i, j + 1, k + 1) };
+        const std::vector<int> v = { id(i, j, k), id(i + 1, j, k), id(i + 1, j + 1, k),
+          id(i, j + 1, k), id(i, j, k + 1), id(i + 1, j, k + 1), id(i + 1, j + 1, k + 1),
+          id(i, j + 1, k + 1) };
         if (wedges)
         {
           mesh.Add(wedgeFaceList, { v[0], v[1], v[2], v[4], v[5], v[6] });
@@ -232,7 +236,8 @@ Mesh mixedLattice(Random& random, int n, bool mixed)
           const int center = mesh.NumberOfPoints++;
           forEachFace(list(hexahedronFaceList), [&](const std::vector<int>& f) {
             mesh.Add(pyramidFaceList,
-              { v[std::size_t(f[0])], v[std::size_t(f[1])], v[std::size_t(f[2])], v[std::size_t(f[3])], center });
+              { v[std::size_t(f[0])], v[std::size_t(f[1])], v[std::size_t(f[2])],
+                v[std::size_t(f[3])], center });
           });
         }
         else if (mixed && random.Integer(0, 1) == 0)
@@ -255,7 +260,9 @@ Mesh prismStack(const int (&prismFaces)[N], int sides, int layers)
 {
   Mesh mesh;
   mesh.NumberOfPoints = 2 * sides * (layers + 1);
-  const auto id = [sides](int ring, int k, int layer) { return 2 * sides * layer + sides * ring + k % sides; };
+  const auto id = [sides](int ring, int k, int layer) {
+    return 2 * sides * layer + sides * ring + k % sides;
+  };
   for (int layer = 0; layer < layers; ++layer)
   {
     std::vector<int> core;
@@ -266,8 +273,9 @@ Mesh prismStack(const int (&prismFaces)[N], int sides, int layers)
     mesh.Add(prismFaces, core);
     for (int k = 0; k < sides; ++k)
     {
-      const std::vector<int> v = { id(0, k, layer), id(1, k, layer), id(1, k + 1, layer), id(0, k + 1, layer),
-        id(0, k, layer + 1), id(1, k, layer + 1), id(1, k + 1, layer + 1), id(0, k + 1, layer + 1) };
+      const std::vector<int> v = { id(0, k, layer), id(1, k, layer), id(1, k + 1, layer),
+        id(0, k + 1, layer), id(0, k, layer + 1), id(1, k, layer + 1), id(1, k + 1, layer + 1),
+        id(0, k + 1, layer + 1) };
       if (k % 2)
       {
         mesh.Add(wedgeFaceList, { v[0], v[1], v[2], v[4], v[5], v[6] });
@@ -292,7 +300,8 @@ TEST_P(DecomposedCell, EveryOrderFillsTheCell)
   const bool all = n <= 6; // 720 orders; random ones of more vertices
   for (int i = 0; i < 2000; ++i)
   {
-    ASSERT_NEAR(totalVolume(this->Subject.Points, decompose(this->Subject.Faces, rank)), this->Subject.Volume, 1e-12)
+    ASSERT_NEAR(totalVolume(this->Subject.Points, decompose(this->Subject.Faces, rank)),
+      this->Subject.Volume, 1e-12)
       << this->Subject.Name;
     if (!all)
     {
@@ -311,7 +320,8 @@ TEST_P(DecomposedCell, NothingOverlaps)
   const auto& p = this->Subject.Points;
   for (int i = 0; i < 2000; ++i)
   {
-    const std::vector<Tetrahedron> tetrahedra = decompose(this->Subject.Faces, randomRanks(random, int(p.size())));
+    const std::vector<Tetrahedron> tetrahedra =
+      decompose(this->Subject.Faces, randomRanks(random, int(p.size())));
     Point x = { { 0, 0, 0 } }; // random convex combination of the vertices
     double sum = 0;
     for (const Point& v : p)
@@ -321,8 +331,8 @@ TEST_P(DecomposedCell, NothingOverlaps)
       x = { { x[0] + w * v[0], x[1] + w * v[1], x[2] + w * v[2] } };
     }
     x = { { x[0] / sum, x[1] / sum, x[2] / sum } };
-    const auto holding = std::count_if(
-      tetrahedra.begin(), tetrahedra.end(), [&](const Tetrahedron& t) { return contains(p, t, x); });
+    const auto holding = std::count_if(tetrahedra.begin(), tetrahedra.end(),
+      [&](const Tetrahedron& t) { return contains(p, t, x); });
     ASSERT_EQ(holding, 1) << this->Subject.Name;
   }
 }
@@ -352,10 +362,11 @@ TEST(CellDecomposition, EmptyFaceList)
 TEST(CellDecomposition, VerticesMayBeAnyNumbers)
 {
   // As a polyhedron's face stream names them.
-  const long long faces[] = { 4, 900, 7, 33, 12, 3, 900, 7, 5, 3, 7, 33, 5, 3, 33, 12, 5, 3, 12, 900, 5 };
+  const long long faces[] = { 4, 900, 7, 33, 12, 3, 900, 7, 5, 3, 7, 33, 5, 3, 33, 12, 5, 3, 12,
+    900, 5 };
   std::vector<std::array<long long, 4>> tetrahedra;
-  decomposeCell(FaceList<long long>{ faces, faces + sizeof(faces) / sizeof(faces[0]) }, std::less<long long>(),
-    [&](const std::array<long long, 4>& t) { tetrahedra.push_back(t); });
+  decomposeCell(FaceList<long long>{ faces, faces + sizeof(faces) / sizeof(faces[0]) },
+    std::less<long long>(), [&](const std::array<long long, 4>& t) { tetrahedra.push_back(t); });
   ASSERT_EQ(tetrahedra.size(), 2u);
   EXPECT_EQ(tetrahedra[0][0], 5); // the apex is the least vertex
   EXPECT_EQ(tetrahedra[0][1], 7); // the base is a fan from its own least one

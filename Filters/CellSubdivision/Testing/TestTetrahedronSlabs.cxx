@@ -32,7 +32,8 @@ double signedVolume(const Point& a, const Point& b, const Point& c, const Point&
   const double v[3] = { c[0] - a[0], c[1] - a[1], c[2] - a[2] };
   const double w[3] = { d[0] - a[0], d[1] - a[1], d[2] - a[2] };
   return (w[0] * (u[1] * v[2] - u[2] * v[1]) + w[1] * (u[2] * v[0] - u[0] * v[2]) +
-           w[2] * (u[0] * v[1] - u[1] * v[0])) / 6;
+           w[2] * (u[0] * v[1] - u[1] * v[0])) /
+    6;
 }
 
 // As VTK documents them, seen from outside counter-clockwise.
@@ -51,7 +52,8 @@ std::vector<Face> facesOf(const Piece<int>& piece)
       faces = { { 0, 1, 2 }, { 3, 5, 4 }, { 0, 3, 4, 1 }, { 1, 4, 5, 2 }, { 2, 5, 3, 0 } };
       break;
     case PieceShape::Hexahedron:
-      faces = { { 0, 4, 7, 3 }, { 1, 2, 6, 5 }, { 0, 1, 5, 4 }, { 3, 7, 6, 2 }, { 0, 3, 2, 1 }, { 4, 5, 6, 7 } };
+      faces = { { 0, 4, 7, 3 }, { 1, 2, 6, 5 }, { 0, 1, 5, 4 }, { 3, 7, 6, 2 }, { 0, 3, 2, 1 },
+        { 4, 5, 6, 7 } };
       break;
     default:
       ADD_FAILURE() << "not a 3-D piece";
@@ -84,7 +86,8 @@ struct Mesh
     {
       this->Points.resize(first + number + 1);
       this->Scalars.resize(first + number + 1);
-      const double t = (this->Levels.Value(level) - this->Scalars[a]) / (this->Scalars[b] - this->Scalars[a]);
+      const double t =
+        (this->Levels.Value(level) - this->Scalars[a]) / (this->Scalars[b] - this->Scalars[a]);
       EXPECT_TRUE(t > 0 && t < 1) << "no cut on this edge";
       for (int i = 0; i < 3; ++i)
       {
@@ -97,10 +100,13 @@ struct Mesh
 
   void split(std::array<int, 4> v)
   {
-    std::sort(v.begin(), v.end(), [this](int a, int b) { return this->Scalars[a] < this->Scalars[b]; });
+    std::sort(
+      v.begin(), v.end(), [this](int a, int b) { return this->Scalars[a] < this->Scalars[b]; });
     std::array<int, 4> codes;
-    std::transform(v.begin(), v.end(), codes.begin(), [this](int a) { return this->Levels.Code(this->Scalars[a]); });
-    const bool mirrored = signedVolume(this->Points[v[0]], this->Points[v[1]], this->Points[v[2]], this->Points[v[3]]) < 0;
+    std::transform(v.begin(), v.end(), codes.begin(),
+      [this](int a) { return this->Levels.Code(this->Scalars[a]); });
+    const bool mirrored = signedVolume(this->Points[v[0]], this->Points[v[1]], this->Points[v[2]],
+                            this->Points[v[3]]) < 0;
     const auto cut = [&](int i, int j, int level) { return this->makeCut(v[i], v[j], level); };
     TetrahedronSplitter<int, decltype(cut)> splitter(v, codes, mirrored, cut);
     splitter.Split([this](const Piece<int>& p, int layer) { this->Pieces.emplace_back(p, layer); },
@@ -128,7 +134,8 @@ Mesh makePair(Random& random, const std::vector<double>& scalars)
   Mesh mesh;
   mesh.Points.resize(100);
   mesh.Scalars.resize(100);
-  const Point corners[5] = { { { 0, 0, 0 } }, { { 1, 0, 0 } }, { { 0, 1, 0 } }, { { 0.2, 0.3, 1 } }, { { 0.3, 0.2, -1 } } };
+  const Point corners[5] = { { { 0, 0, 0 } }, { { 1, 0, 0 } }, { { 0, 1, 0 } }, { { 0.2, 0.3, 1 } },
+    { { 0.3, 0.2, -1 } } };
   for (int i = 0; i < 5; ++i)
   {
     mesh.Points[i] = corners[i];
@@ -199,8 +206,10 @@ void checkSurfaces(const Mesh& mesh)
   }
   for (const auto& [polygon, level] : mesh.Surfaces)
   {
-    const std::set<int> key(polygon.Corners.begin(), polygon.Corners.begin() + numberOfCorners(polygon.Shape));
-    ASSERT_EQ(layersOfFace[key], std::set<int>({ level, level + 1 })) << "a polygon that parts no layers";
+    const std::set<int> key(
+      polygon.Corners.begin(), polygon.Corners.begin() + numberOfCorners(polygon.Shape));
+    ASSERT_EQ(layersOfFace[key], std::set<int>({ level, level + 1 }))
+      << "a polygon that parts no layers";
   }
 }
 }
@@ -286,8 +295,10 @@ TEST(CutTable, NumbersAndForgets)
     expected.clear();
     for (int i = 0; i < 20000; ++i)
     {
-      const Cut<long long> cut{ random.Integer(0, 60), random.Integer(61, 140), random.Integer(0, 3) };
-      const auto inserted = expected.emplace(std::array<long long, 3>{ { cut.First, cut.Second, cut.Level } }, expected.size());
+      const Cut<long long> cut{ random.Integer(0, 60), random.Integer(61, 140),
+        random.Integer(0, 3) };
+      const auto inserted = expected.emplace(
+        std::array<long long, 3>{ { cut.First, cut.Second, cut.Level } }, expected.size());
       ASSERT_EQ(table.Number(cut), inserted.first->second);
     }
     ASSERT_EQ(table.TakeCuts().size(), expected.size());

@@ -19,7 +19,10 @@ TEST(ParticleOptics, DropletsAgreeWithSlingo)
 {
   for (double r : { 5.0, 8.0, 10.0 })
   {
-    EXPECT_NEAR(particles::Extinction(1e-3, particles::WATER_DENSITY, 1e-6 * r) / (2.817e-2 + 1.305 / r), 1.0, 0.08) << r;
+    EXPECT_NEAR(
+      particles::Extinction(1e-3, particles::WATER_DENSITY, 1e-6 * r) / (2.817e-2 + 1.305 / r), 1.0,
+      0.08)
+      << r;
   }
   EXPECT_NEAR(particles::DropletAsymmetry(10), 0.85382, 1e-5);
   EXPECT_NEAR(1 - particles::DropletAlbedo(10), 1.574e-6, 1e-9);
@@ -31,7 +34,10 @@ TEST(ParticleOptics, CrystalsAgreeWithFu)
   for (double size : { 20.0, 50.0, 100.0, 155.0 })
   {
     const double radius = 0.375 * std::sqrt(3.0) * 1e-6 * size;
-    EXPECT_NEAR(particles::Extinction(1e-3, particles::ICE_DENSITY, radius) / (-6.656e-6 + 2.519884 / size), 1.0, 0.002) << size;
+    EXPECT_NEAR(
+      particles::Extinction(1e-3, particles::ICE_DENSITY, radius) / (-6.656e-6 + 2.519884 / size),
+      1.0, 0.002)
+      << size;
   }
 }
 

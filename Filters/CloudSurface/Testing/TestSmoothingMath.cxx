@@ -152,7 +152,8 @@ TEST(DualCells, WidthsOfAnAxis)
 
 TEST(DualCells, LatitudesFillTheSphere)
 {
-  for (const Row& latitudes : { Row{ -90, -60, -30, 0, 30, 60, 90 }, Row{ 75, 45, 15, -15, -45, -75 } })
+  for (const Row& latitudes :
+    { Row{ -90, -60, -30, 0, 30, 60, 90 }, Row{ 75, 45, 15, -15, -45, -75 } })
   {
     const Row widths = LatitudeWidths(latitudes);
     EXPECT_NEAR(std::accumulate(widths.begin(), widths.end(), 0.0), 2.0, 1e-15);
@@ -168,7 +169,8 @@ TEST(DualCells, LatitudesFillTheSphere)
 TEST(DualCells, LatitudesOfARegionEndHalfAStepBeyondIt)
 {
   const Row widths = LatitudeWidths({ 10, 20, 30 });
-  EXPECT_NEAR(std::accumulate(widths.begin(), widths.end(), 0.0), std::sin(35 * M_PI / 180) - std::sin(5 * M_PI / 180), 1e-15);
+  EXPECT_NEAR(std::accumulate(widths.begin(), widths.end(), 0.0),
+    std::sin(35 * M_PI / 180) - std::sin(5 * M_PI / 180), 1e-15);
 }
 
 TEST(DualCells, OctantsOfABox)

@@ -3,11 +3,11 @@
 #include "FlowVolumeExchange.h"
 
 #include "DataSets.h"
-#include "VelocityProblem.h"
 #include "DistributedField.h"
 #include "MeshSlice.h"
 #include "PolygonUnion.h"
 #include "VelocityChoice.h"
+#include "VelocityProblem.h"
 
 #include "vtkBoundingBox.h"
 #include "vtkCommunicator.h"

@@ -16,15 +16,18 @@ namespace nephoscope
 template <typename Value>
 std::vector<Value> Stretch(const std::vector<Value>& values, std::size_t first, std::size_t last)
 {
-  return { values.begin() + static_cast<std::ptrdiff_t>(first), values.begin() + static_cast<std::ptrdiff_t>(last) };
+  return { values.begin() + static_cast<std::ptrdiff_t>(first),
+    values.begin() + static_cast<std::ptrdiff_t>(last) };
 }
 
 // Share `part` of `parts`, with the points that it uses in their order.
 inline SmokeMesh SliceOfMesh(const SmokeMesh& mesh, int part, int parts)
 {
   const std::size_t count = mesh.Tetrahedra.size();
-  const std::size_t first = count * static_cast<std::size_t>(part) / static_cast<std::size_t>(parts);
-  const std::size_t last = count * static_cast<std::size_t>(part + 1) / static_cast<std::size_t>(parts);
+  const std::size_t first =
+    count * static_cast<std::size_t>(part) / static_cast<std::size_t>(parts);
+  const std::size_t last =
+    count * static_cast<std::size_t>(part + 1) / static_cast<std::size_t>(parts);
   SmokeMesh slice;
   slice.Tetrahedra = Stretch(mesh.Tetrahedra, first, last);
   slice.EmissionSteps = Stretch(mesh.EmissionSteps, first, last);

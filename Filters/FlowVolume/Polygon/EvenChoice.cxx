@@ -39,7 +39,8 @@ bool MiddleOf(vtkDataSet* set, vtkIdType cell, vtkIdList* corners, double* middl
       middle[k] += x[k] / count;
     }
   }
-  return count > 0.0 && std::isfinite(middle[0]) && std::isfinite(middle[1]) && std::isfinite(middle[2]);
+  return count > 0.0 && std::isfinite(middle[0]) && std::isfinite(middle[1]) &&
+    std::isfinite(middle[2]);
 }
 
 int CellsAlong(const Extent& extent, std::size_t axis)
@@ -77,7 +78,8 @@ vtkIdType NumberInPart(const Extent& whole, const Extent& part, std::size_t numb
 }
 
 // Every n-th cell of the whole extent, as far as it is here.
-std::vector<NumberedMiddle> EveryNth(vtkDataSet* set, const Extent& part, const Extent& whole, std::size_t most)
+std::vector<NumberedMiddle> EveryNth(
+  vtkDataSet* set, const Extent& part, const Extent& whole, std::size_t most)
 {
   const auto cells = static_cast<double>(CellsIn(whole));
   const double stride = std::max(1.0, cells / static_cast<double>(most));
@@ -98,11 +100,13 @@ std::vector<NumberedMiddle> EveryNth(vtkDataSet* set, const Extent& part, const 
 // Hash of a place, rounded so that rounding errors do not change it: 53 bits.
 double HashOf(const double* place, const vtkBoundingBox& box)
 {
-  constexpr double cells = 1048576.0, shift = 0.381966; // regular places are not at the borders of cells
+  constexpr double cells = 1048576.0,
+                   shift = 0.381966; // regular places are not at the borders of cells
   std::uint64_t hash = 0;
   for (int k = 0; k < 3; ++k)
   {
-    const double share = (place[k] - box.GetMinPoint()[k]) / std::max(box.GetDiagonalLength(), 1e-300);
+    const double share =
+      (place[k] - box.GetMinPoint()[k]) / std::max(box.GetDiagonalLength(), 1e-300);
     hash += static_cast<std::uint64_t>(cells * share + shift) + 0x9e3779b97f4a7c15u;
     hash = (hash ^ (hash >> 30)) * 0xbf58476d1ce4e5b9u;
     hash = (hash ^ (hash >> 27)) * 0x94d049bb133111ebu;
@@ -114,7 +118,8 @@ double HashOf(const double* place, const vtkBoundingBox& box)
 void KeepSmallest(std::vector<NumberedMiddle>& middles, std::size_t most)
 {
   std::sort(middles.begin(), middles.end());
-  middles.erase(std::unique(middles.begin(), middles.end()), middles.end()); // cells and their ghosts
+  middles.erase(
+    std::unique(middles.begin(), middles.end()), middles.end()); // cells and their ghosts
   middles.resize(std::min(middles.size(), most));
 }
 
@@ -144,7 +149,8 @@ std::vector<NumberedMiddle> SmallestHashes(
 }
 
 // The middles of all ranks, in the order of their numbers.
-std::vector<NumberedMiddle> Gathered(const std::vector<NumberedMiddle>& mine, const FlowVolumeExchange& exchange)
+std::vector<NumberedMiddle> Gathered(
+  const std::vector<NumberedMiddle>& mine, const FlowVolumeExchange& exchange)
 {
   std::vector<double> flat;
   for (const NumberedMiddle& middle : mine)
@@ -162,28 +168,31 @@ std::vector<NumberedMiddle> Gathered(const std::vector<NumberedMiddle>& mine, co
 
 bool IsStructured(vtkDataObject* data)
 {
-  return data && data->GetExtentType() == VTK_3D_EXTENT && data->GetInformation()->Has(vtkDataObject::DATA_EXTENT());
+  return data && data->GetExtentType() == VTK_3D_EXTENT &&
+    data->GetInformation()->Has(vtkDataObject::DATA_EXTENT());
 }
 
 // The extents of all ranks in one.
 Extent WholeExtent(const Extent* part, const FlowVolumeExchange& exchange)
 {
-  const auto all = exchange.Gather(part ? std::vector<double>(part->begin(), part->end()) : std::vector<double>());
+  const auto all =
+    exchange.Gather(part ? std::vector<double>(part->begin(), part->end()) : std::vector<double>());
   Extent whole;
   for (std::size_t k = 0; k < 6; ++k)
   {
     whole[k] = static_cast<int>(all[k]);
     for (std::size_t i = k; i < all.size(); i += 6)
     {
-      whole[k] = k % 2 ? std::max(whole[k], static_cast<int>(all[i])) : std::min(whole[k], static_cast<int>(all[i]));
+      whole[k] = k % 2 ? std::max(whole[k], static_cast<int>(all[i]))
+                       : std::min(whole[k], static_cast<int>(all[i]));
     }
   }
   return whole;
 }
 }
 
-std::vector<Vector3> EvenlyChosenMiddles(
-  vtkDataObject* data, const vtkBoundingBox& box, std::size_t most, const FlowVolumeExchange& exchange)
+std::vector<Vector3> EvenlyChosenMiddles(vtkDataObject* data, const vtkBoundingBox& box,
+  std::size_t most, const FlowVolumeExchange& exchange)
 {
   const auto sets = DataSetsOf(data);
   std::vector<NumberedMiddle> middles;
@@ -195,7 +204,8 @@ std::vector<Vector3> EvenlyChosenMiddles(
     {
       std::copy_n(data->GetInformation()->Get(vtkDataObject::DATA_EXTENT()), 6, part.begin());
     }
-    middles = Gathered(EveryNth(set, part, WholeExtent(set ? &part : nullptr, exchange), most), exchange);
+    middles =
+      Gathered(EveryNth(set, part, WholeExtent(set ? &part : nullptr, exchange), most), exchange);
     KeepSmallest(middles, middles.size());
   }
   else

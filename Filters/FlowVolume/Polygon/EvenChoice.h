@@ -19,8 +19,8 @@ class FlowVolumeExchange;
 // The middles of about `most` cells, or of all if there are fewer; `box` is that of the data of all ranks. The same middles in the same order on
 // every rank, however the data are divided: of a structured grid every n-th cell of the whole extent, of other data those with the smallest hashes of
 // their middles. To be called by all ranks.
-std::vector<Vector3> EvenlyChosenMiddles(
-  vtkDataObject* data, const vtkBoundingBox& box, std::size_t most, const FlowVolumeExchange& exchange);
+std::vector<Vector3> EvenlyChosenMiddles(vtkDataObject* data, const vtkBoundingBox& box,
+  std::size_t most, const FlowVolumeExchange& exchange);
 }
 
 #endif

@@ -41,7 +41,8 @@ public:
     this->Inside.assign(count, 0);
     this->Unit.resize(count);
     this->Speed.assign(count, 0.0);
-    this->Field.Sample({ count, positions.data(), 0.0, this->Unit.data(), this->Inside.data(), this->Hints.data() });
+    this->Field.Sample(
+      { count, positions.data(), 0.0, this->Unit.data(), this->Inside.data(), this->Hints.data() });
     for (std::size_t i = 0; i < count; ++i)
     {
       const double speed = this->Inside[i] ? vtkMath::Normalize(this->Unit[i].data()) : 0.0;
@@ -60,7 +61,8 @@ private:
 
 Vector3 moved(const Vector3& from, const Vector3& direction, double step)
 {
-  return { { from[0] + step * direction[0], from[1] + step * direction[1], from[2] + step * direction[2] } };
+  return { { from[0] + step * direction[0], from[1] + step * direction[1],
+    from[2] + step * direction[2] } };
 }
 
 double reachOf(const Trace& trace, double length)
@@ -70,7 +72,8 @@ double reachOf(const Trace& trace, double length)
 }
 }
 
-std::vector<double> FlowReaches(const VelocityField& field, const std::vector<Vector3>& places, double length)
+std::vector<double> FlowReaches(
+  const VelocityField& field, const std::vector<Vector3>& places, double length)
 {
   std::vector<double> reaches(places.size(), 0.0);
   std::vector<Trace> traces(places.size());
@@ -87,7 +90,8 @@ std::vector<double> FlowReaches(const VelocityField& field, const std::vector<Ve
   for (int k = 0; k < stepsOfLength && !traces.empty(); ++k)
   {
     std::vector<Vector3> positions(traces.size());
-    std::transform(traces.begin(), traces.end(), positions.begin(), [](const Trace& t) { return t.Position; });
+    std::transform(
+      traces.begin(), traces.end(), positions.begin(), [](const Trace& t) { return t.Position; });
     first.Find(positions);
     for (std::size_t i = 0; i < traces.size(); ++i)
     {

@@ -99,8 +99,8 @@ private:
       return false;
     }
     // The sine of the sum of the angles at c and d, times the lengths of their arms.
-    const double sine = norm(cross(a - c, b - c)) * dot(a - e, b - e) +
-      norm(cross(a - e, b - e)) * dot(a - c, b - c);
+    const double sine =
+      norm(cross(a - c, b - c)) * dot(a - e, b - e) + norm(cross(a - e, b - e)) * dot(a - c, b - c);
     const double lengths = distance(a, c) * distance(b, c) * distance(a, e) * distance(b, e);
     const Vector3 area = AreaVector(a, b, c) + AreaVector(b, a, e);
     const double least = 1e-9 * dot(area, area);

@@ -18,7 +18,8 @@ vtkSmartPointer<vtkPolyData> BarePolygons(vtkPolyData* polygon);
 
 // One of those that are equal, as it is; parts that differ are joined: points at the same place become one,
 // and so do polygons with the same corners, for ghost cells are copies.
-vtkSmartPointer<vtkPolyData> UnitePolygons(const std::vector<vtkSmartPointer<vtkDataObject>>& parts);
+vtkSmartPointer<vtkPolyData> UnitePolygons(
+  const std::vector<vtkSmartPointer<vtkDataObject>>& parts);
 }
 
 #endif

@@ -52,8 +52,8 @@ PolygonMesh TriangulateRegularPolygon(const RegularPolygon& polygon, double maxi
   const double length = maximumEdgeLength > 0.0 ? maximumEdgeLength : 0.5 * radius;
   const double ringCount = std::ceil(radius / length - 1e-9);
   // Areas and their products must be finite numbers.
-  if (!(radius > 0.0) || !std::isfinite(radius * radius * radius * radius) || !isFinite(polygon.Center) || !isFinite(normal) ||
-    !(norm(normal) > 0.5) || !(ringCount < 300.0))
+  if (!(radius > 0.0) || !std::isfinite(radius * radius * radius * radius) ||
+    !isFinite(polygon.Center) || !isFinite(normal) || !(norm(normal) > 0.5) || !(ringCount < 300.0))
   {
     return mesh;
   }

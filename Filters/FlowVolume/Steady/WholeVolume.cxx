@@ -16,8 +16,8 @@ namespace
 constexpr int mostTries = 60, manyTries = 12;
 constexpr double least = 1.4142135623730951; // factor from one try to the next
 constexpr std::size_t fewTriangles = 16;     // a polygon of so many is coarse enough
-constexpr double fewSteps = 128.0;           // more of them are lengthened before the polygon is coarsened
-constexpr double leastKept = 0.9;            // of the smoke of the last try, by a coarser one
+constexpr double fewSteps = 128.0; // more of them are lengthened before the polygon is coarsened
+constexpr double leastKept = 0.9;  // of the smoke of the last try, by a coarser one
 
 // Twice the distance of the farthest point from the first one: longer edges than that there cannot be.
 double DiameterOf(const PolygonMesh& polygon)
@@ -33,8 +33,8 @@ double DiameterOf(const PolygonMesh& polygon)
 class Coarsening
 {
 public:
-  Coarsening(const PolygonMesh& polygon, const FlowVolumeSettings& settings,
-    const PolygonMaker& remake)
+  Coarsening(
+    const PolygonMesh& polygon, const FlowVolumeSettings& settings, const PolygonMaker& remake)
     : Polygon(polygon)
     , Settings(settings)
     , Remake(remake)
@@ -67,7 +67,9 @@ public:
     }
     // Long steps fold a flow that turns: as many as a picture needs go first, then the polygon.
     const double steps = this->Settings.Duration / this->Settings.TimeStep;
-    if (halvesLess || (steps > fewSteps && this->LengthenSteps(std::min(std::clamp(excess, least, 16.0), steps / fewSteps))))
+    if (halvesLess ||
+      (steps > fewSteps &&
+        this->LengthenSteps(std::min(std::clamp(excess, least, 16.0), steps / fewSteps))))
     {
       return true;
     }
@@ -157,7 +159,8 @@ WholeVolume BuildWholeVolume(const VelocityField& field, const PolygonMesh& poly
   WholeVolume whole, fullest;
   for (int tries = 0;; ++tries)
   {
-    WholeVolume next = { BuildSteadyVolume(field, coarsening.Polygon, coarsening.Settings, time, report),
+    WholeVolume next = { BuildSteadyVolume(
+                           field, coarsening.Polygon, coarsening.Settings, time, report),
       coarsening.Settings, LongestEdge(coarsening.Polygon), tries > 0 };
     if (canBeShorter && LosesSmoke(next, whole))
     {
@@ -189,7 +192,8 @@ bool FitReleases(
   for (double edge = LongestEdge(polygon);;)
   {
     settings.Releases = static_cast<int>(lasting / settings.TimeStep) + 2;
-    const double tetrahedra = 3.0 * settings.Releases * static_cast<double>(polygon.Triangles.size());
+    const double tetrahedra =
+      3.0 * settings.Releases * static_cast<double>(polygon.Triangles.size());
     if (tetrahedra <= 0.5 * static_cast<double>(settings.MaximumNumberOfTetrahedra))
     {
       return coarser;

@@ -31,7 +31,8 @@ WholeVolume BuildWholeVolume(const VelocityField& field, const PolygonMesh& poly
 
 // The same for unsteady smoke, before it is released: a polygon of fewer triangles or longer steps, so that the releases of the time
 // that is `followed` take no more than half of the tetrahedra. Returns whether it is coarser than asked for.
-bool FitReleases(PolygonMesh& polygon, StreakSettings& settings, double followed, const PolygonMaker& remake);
+bool FitReleases(
+  PolygonMesh& polygon, StreakSettings& settings, double followed, const PolygonMaker& remake);
 }
 
 #endif

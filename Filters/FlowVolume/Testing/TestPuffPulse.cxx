@@ -37,7 +37,7 @@ TEST(PuffPulse, ByHand)
   pulse.Period = 8.0;
   pulse.Width = 0.5; // 4 s from end to end
   pulse.Floor = 0.2;
-  EXPECT_DOUBLE_EQ(pulse(0.0, 0.0), 1.0);  // the crest
+  EXPECT_DOUBLE_EQ(pulse(0.0, 0.0), 1.0);   // the crest
   EXPECT_NEAR(pulse(1.0, 0.0), 0.6, 1e-15); // half way down: 0.2 + 0.8 / 2
   EXPECT_NEAR(pulse(-1.0, 0.0), 0.6, 1e-15);
   EXPECT_DOUBLE_EQ(pulse(2.0, 0.0), 0.2); // the end

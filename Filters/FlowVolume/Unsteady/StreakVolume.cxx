@@ -114,8 +114,8 @@ void StreakVolume::Step(const VelocityField& field, double time)
   this->Emit(field, time);
   IntegrationSettings integration;
   integration.Tolerance = this->Settings.Tolerance;
-  integration.Method = this->Settings.Adaptive ? IntegrationMethod::DormandPrince
-                                               : IntegrationMethod::RungeKutta4;
+  integration.Method =
+    this->Settings.Adaptive ? IntegrationMethod::DormandPrince : IntegrationMethod::RungeKutta4;
   AdvanceParticles(field,
     { this->Smoke.Positions.data(), this->Smoke.Hints.data(), this->Smoke.Inside.data(),
       this->Smoke.Positions.size() },

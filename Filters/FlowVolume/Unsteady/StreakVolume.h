@@ -29,7 +29,8 @@ struct StreakSettings
   bool Adaptive = false;
   double Tolerance = 1e-6; // of the adaptive method, a length
   std::size_t MaximumNumberOfTetrahedra = 1000000;
-  int Releases = 0; // that will be in the volume together; their share of the tetrahedra is kept for them. 0: unknown
+  int Releases =
+    0; // that will be in the volume together; their share of the tetrahedra is kept for them. 0: unknown
 };
 
 class StreakVolume

@@ -111,14 +111,12 @@ TEST(Geodesy, DisplayVelocityIsTheRateOfTheDisplayPosition)
     const geodesy::Basis b = BasisAt(longitude, latitude);
     const Vector3 wind = geodesy::Combine(b, u, v, w);
     const Vector3 globe = geodesy::GlobeDisplayVelocity(planet, b, height, wind);
-    const Vector3 map = geodesy::MapDisplayVelocity(
-      planet, std::cos(latitude * perDegree), height, u, v, w);
+    const Vector3 map =
+      geodesy::MapDisplayVelocity(planet, std::cos(latitude * perDegree), height, u, v, w);
     const Vector3 g0 = geodesy::GlobePosition(planet, BasisAt(p[0], p[1]), p[2]);
     const Vector3 g1 = geodesy::GlobePosition(planet, BasisAt(q[0], q[1]), q[2]);
-    const Vector3 m0 =
-      geodesy::MapPosition(planet, p[0] * perDegree, p[1] * perDegree, p[2]);
-    const Vector3 m1 =
-      geodesy::MapPosition(planet, q[0] * perDegree, q[1] * perDegree, q[2]);
+    const Vector3 m0 = geodesy::MapPosition(planet, p[0] * perDegree, p[1] * perDegree, p[2]);
+    const Vector3 m1 = geodesy::MapPosition(planet, q[0] * perDegree, q[1] * perDegree, q[2]);
     for (int c = 0; c < 3; ++c)
     {
       EXPECT_NEAR((g1[c] - g0[c]) / (2.0 * seconds), globe[c], 1e-5) << latitude;

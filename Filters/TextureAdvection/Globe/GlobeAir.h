@@ -31,7 +31,8 @@ struct GlobeAir
   // Axis 0 (columns) fastest, then rows, then levels.
   std::vector<AirMotion> Motions;
   std::vector<float> Levels;
-  std::vector<float> Ground;  // of each column and row; empty if there is none: air does not sink below it
+  std::vector<float>
+    Ground; // of each column and row; empty if there is none: air does not sink below it
   std::vector<float> Heights; // of each point, where the vertical coordinate is another one
 };
 
@@ -40,7 +41,8 @@ struct GlobeParcel
 {
   double Direction[3]; // from the centre, unit length
   double Level = 0.0;  // vertical coordinate
-  std::int32_t Turns = 0; // how often it has crossed the meridian of 180 degrees eastwards, less westwards
+  std::int32_t Turns =
+    0; // how often it has crossed the meridian of 180 degrees eastwards, less westwards
   ColumnHint Hint;
   std::int32_t LevelHint = 0;
 };
@@ -157,8 +159,8 @@ private:
     return this->Mean(surfaces.data() + foot.First + level * this->Layer, foot);
   }
 
-  double Convert(const std::vector<float>& from, const std::vector<float>& to, const Footprint& foot,
-    double value, std::int32_t& hint) const
+  double Convert(const std::vector<float>& from, const std::vector<float>& to,
+    const Footprint& foot, double value, std::int32_t& hint) const
   {
     const double above = this->FindLevel(from, foot, value, hint);
     const double low = this->SurfaceAt(to, foot, hint);

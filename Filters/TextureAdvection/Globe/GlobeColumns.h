@@ -26,12 +26,12 @@ struct ColumnHint
 
 struct ColumnPlace
 {
-  int Column;    // of the cell's western corners
-  int Row;       // of its southern corners
-  double East;   // 0 on the western edge, 1 on the eastern
-  double North;  // 0 on the southern edge, 1 on the northern
-  double Scale;  // what sums over the corners are to be multiplied by, see above
-  bool Inside;   // false: beyond a border of a regional grid; the place is on the border
+  int Column;   // of the cell's western corners
+  int Row;      // of its southern corners
+  double East;  // 0 on the western edge, 1 on the eastern
+  double North; // 0 on the southern edge, 1 on the northern
+  double Scale; // what sums over the corners are to be multiplied by, see above
+  bool Inside;  // false: beyond a border of a regional grid; the place is on the border
 };
 
 class GlobeColumns
@@ -50,8 +50,8 @@ public:
     {
       const double middle = 0.5 * (this->Longitudes[i] + this->Longitudes[i + 1]);
       const double half = 0.5 * (this->Longitudes[i + 1] - this->Longitudes[i]);
-      this->Gaps.push_back({ std::cos(middle), std::sin(middle), 0.5 / std::tan(half), std::cos(half),
-        std::sin(half) });
+      this->Gaps.push_back({ std::cos(middle), std::sin(middle), 0.5 / std::tan(half),
+        std::cos(half), std::sin(half) });
     }
     for (const double latitude : latitudes)
     {
@@ -59,8 +59,7 @@ public:
       this->Rows.push_back({ pole ? 0.0 : std::cos(latitude),
         pole ? std::copysign(1.0, latitude) : std::sin(latitude) });
     }
-    this->Closed =
-      std::abs(this->Longitudes.back() - this->Longitudes.front() - 2.0 * PI) < 1e-6;
+    this->Closed = std::abs(this->Longitudes.back() - this->Longitudes.front() - 2.0 * PI) < 1e-6;
   }
 
   int ColumnCount() const { return static_cast<int>(this->Longitudes.size()); }
@@ -69,7 +68,10 @@ public:
   double Longitude(int column) const { return this->Longitudes[static_cast<std::size_t>(column)]; }
   double FirstLongitude() const { return this->Longitudes.front(); }
   double SineOfLatitude(int row) const { return this->Rows[static_cast<std::size_t>(row)].Sine; }
-  double CosineOfLatitude(int row) const { return this->Rows[static_cast<std::size_t>(row)].Cosine; }
+  double CosineOfLatitude(int row) const
+  {
+    return this->Rows[static_cast<std::size_t>(row)].Cosine;
+  }
 
   // `p` need not have unit length; the origin is nowhere, but gives no error.
   ColumnPlace Find(const double p[3], ColumnHint& hint) const
@@ -142,7 +144,8 @@ private:
   void SearchColumn(const double p[3], ColumnPlace& place, Local& local) const
   {
     const double turn = 2.0 * PI;
-    const double angle = p[0] == 0.0 && p[1] == 0.0 ? this->Longitudes.front() : std::atan2(p[1], p[0]);
+    const double angle =
+      p[0] == 0.0 && p[1] == 0.0 ? this->Longitudes.front() : std::atan2(p[1], p[0]);
     double longitude = angle + turn * std::ceil((this->Longitudes.front() - angle) / turn);
     if (!this->Closed && longitude > this->Longitudes.back())
     {

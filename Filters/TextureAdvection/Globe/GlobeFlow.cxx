@@ -12,9 +12,9 @@
 
 // Compiled twice, all that is called inlined: for any processor, and for those with wide registers and fused multiplication, which is
 // chosen when the library is loaded. Sanitizers are not ready then.
-#if defined(__x86_64__) && defined(__ELF__) && defined(__GNUC__) && !defined(__clang__) &&           \
+#if defined(__x86_64__) && defined(__ELF__) && defined(__GNUC__) && !defined(__clang__) && \
   !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
-#define NEPHOSCOPE_FOR_EACH_PROCESSOR                                                                \
+#define NEPHOSCOPE_FOR_EACH_PROCESSOR \
   __attribute__((target_clones("arch=x86-64-v3", "default"), flatten))
 #else
 #define NEPHOSCOPE_FOR_EACH_PROCESSOR
@@ -24,7 +24,8 @@ namespace nephoscope
 {
 namespace
 {
-constexpr double ON_AXIS = 1e-12; // distance from the axis of the unit sphere where a longitude means nothing
+constexpr double ON_AXIS =
+  1e-12; // distance from the axis of the unit sphere where a longitude means nothing
 constexpr vtkIdType JOB_SIZE = 2048;
 
 template <typename Function>
@@ -33,7 +34,8 @@ void InParallel(std::size_t count, const Function& function)
   inParallel(static_cast<vtkIdType>(count), function, JOB_SIZE);
 }
 
-void MixArrays(const std::vector<float>& a, const std::vector<float>& b, float w, std::vector<float>& mixed)
+void MixArrays(
+  const std::vector<float>& a, const std::vector<float>& b, float w, std::vector<float>& mixed)
 {
   mixed.resize(a.size());
   InParallel(a.size(), [&](vtkIdType begin, vtkIdType end) {
@@ -48,9 +50,9 @@ void MixArrays(const std::vector<float>& a, const std::vector<float>& b, float w
 // The lowest levels are the ground of air that has none of its own.
 std::vector<float> GroundOf(const GlobeAir& air, std::size_t layer)
 {
-  return air.Ground.empty()
-    ? std::vector<float>(air.Levels.begin(), air.Levels.begin() + static_cast<std::ptrdiff_t>(layer))
-    : air.Ground;
+  return air.Ground.empty() ? std::vector<float>(air.Levels.begin(),
+                                air.Levels.begin() + static_cast<std::ptrdiff_t>(layer))
+                            : air.Ground;
 }
 
 // (1 - share) a + share b
@@ -82,7 +84,8 @@ NEPHOSCOPE_FOR_EACH_PROCESSOR void AdvanceParcels(
   stepper.Advance(parcels, count, airs);
 }
 
-vtkDataArray* PointArray(vtkDataSet* data, const std::string& name, int components, std::string& problem)
+vtkDataArray* PointArray(
+  vtkDataSet* data, const std::string& name, int components, std::string& problem)
 {
   vtkDataArray* array = data->GetPointData()->GetArray(name.c_str());
   if (!array || array->GetNumberOfComponents() != components)
@@ -125,7 +128,8 @@ std::unique_ptr<WindField> GlobeFlow::MakeField(
 {
   if (!this->Shape.Fits(data))
   {
-    problem = "The columns or rows of the grid change from one time step to another. Only heights may.";
+    problem =
+      "The columns or rows of the grid change from one time step to another. Only heights may.";
     return nullptr;
   }
   GlobeInput input;
@@ -224,10 +228,12 @@ void GlobeFlow::Advance(const FlowStep& step)
   airs.Seconds = step.Seconds;
   airs.Begin = this->AirAt(step, step.FromShare);
   airs.Middle = runge ? this->AirAt(step, middle) : airs.Begin;
-  airs.End = this->Settings.Method == PathMethod::Euler ? airs.Begin : this->AirAt(step, step.ToShare);
+  airs.End =
+    this->Settings.Method == PathMethod::Euler ? airs.Begin : this->AirAt(step, step.ToShare);
   const GlobeStepper stepper(this->Shape.Columns(), this->Shape.Levels(), this->Settings);
   InParallel(this->Parcels.size(), [&](vtkIdType begin, vtkIdType end) {
-    AdvanceParcels(stepper, this->Parcels.data() + begin, static_cast<std::size_t>(end - begin), airs);
+    AdvanceParcels(
+      stepper, this->Parcels.data() + begin, static_cast<std::size_t>(end - begin), airs);
   });
 }
 
@@ -285,8 +291,8 @@ std::vector<double> GlobeFlow::Longitudes(vtkDataSet* points) const
   {
     if (grid)
     {
-      longitudes[i] = this->Shape.LongitudeOf(
-        extent[0] - this->FirstColumn + static_cast<int>(i % row));
+      longitudes[i] =
+        this->Shape.LongitudeOf(extent[0] - this->FirstColumn + static_cast<int>(i % row));
       continue;
     }
     double position[3];

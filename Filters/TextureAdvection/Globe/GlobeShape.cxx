@@ -45,8 +45,9 @@ bool GlobeShape::Recognize(
   auto* grid = vtkStructuredGrid::SafeDownCast(data);
   if (!grid || kind == GridKind::Cartesian)
   {
-    problem = "A grid on a globe or a map is a structured grid with curvilinear points, as Globe Grid makes it; this is "
-              "another dataset. Put the fields through Globe Grid first.";
+    problem =
+      "A grid on a globe or a map is a structured grid with curvilinear points, as Globe Grid makes it; this is "
+      "another dataset. Put the fields through Globe Grid first.";
     return false;
   }
   double projection = -1.0;
@@ -95,7 +96,8 @@ bool GlobeShape::RecognizeGlobe(vtkStructuredGrid* grid, std::string& problem)
   }
   return this->AdoptAxes(std::move(longitudes), std::move(latitudes), problem) &&
     (this->Fits(grid) ||
-      (problem = "The points are not on meridians and parallels of a globe that is centred at the origin with its axis along z.",
+      (problem =
+          "The points are not on meridians and parallels of a globe that is centred at the origin with its axis along z.",
         false));
 }
 
@@ -103,7 +105,8 @@ bool GlobeShape::RecognizeMap(vtkStructuredGrid* grid, std::string& problem)
 {
   if (!(this->Radius_ > 0.0))
   {
-    problem = "The planet's radius is needed to tell longitudes from a map's lengths. Set PlanetRadius.";
+    problem =
+      "The planet's radius is needed to tell longitudes from a map's lengths. Set PlanetRadius.";
     return false;
   }
   std::vector<double> longitudes;
@@ -120,22 +123,22 @@ bool GlobeShape::RecognizeMap(vtkStructuredGrid* grid, std::string& problem)
     latitudes.push_back(p[1] / this->Radius_);
   }
   return this->AdoptAxes(std::move(longitudes), std::move(latitudes), problem) &&
-    (this->Fits(grid) ||
-      (problem = "The points are not on columns and rows of a map.", false));
+    (this->Fits(grid) || (problem = "The points are not on columns and rows of a map.", false));
 }
 
 bool GlobeShape::AdoptAxes(
   std::vector<double> longitudes, std::vector<double> latitudes, std::string& problem)
 {
   const auto rises = [](const std::vector<double>& axis) {
-    return std::adjacent_find(axis.begin(), axis.end(),
-             [](double a, double b) { return !(b > a); }) == axis.end();
+    return std::adjacent_find(
+             axis.begin(), axis.end(), [](double a, double b) { return !(b > a); }) == axis.end();
   };
   const double span = longitudes.back() - longitudes.front();
   if (!rises(longitudes) || !rises(latitudes) || span > TURN + 1e-5 ||
     latitudes.front() < -0.5 * PI - 1e-6 || latitudes.back() > 0.5 * PI + 1e-6)
   {
-    problem = "Longitudes must rise from column to column by no more than a turn in all, and latitudes from row to row.";
+    problem =
+      "Longitudes must rise from column to column by no more than a turn in all, and latitudes from row to row.";
     return false;
   }
   this->Longitudes = longitudes;
@@ -260,6 +263,7 @@ std::int64_t GlobeShape::Index(int column, int row, int level) const
 
 std::int64_t GlobeShape::IndexOfData(int i, int j, int k) const
 {
-  return i + static_cast<std::int64_t>(this->Size[0]) * (j + static_cast<std::int64_t>(this->Size[1]) * k);
+  return i +
+    static_cast<std::int64_t>(this->Size[0]) * (j + static_cast<std::int64_t>(this->Size[1]) * k);
 }
 }

@@ -17,8 +17,8 @@ namespace nephoscope
 enum class GridKind
 {
   Automatic, // what vtkGlobeGrid says in the field data; without, a globe if the points are on one, else neither
-  Globe,     // centred at the origin, the axis is z
-  Map,       // plate carree: x = R longitude, y = R latitude in radians, z = height
+  Globe, // centred at the origin, the axis is z
+  Map,   // plate carree: x = R longitude, y = R latitude in radians, z = height
   Cartesian
 };
 
@@ -60,8 +60,10 @@ public:
 private:
   bool RecognizeGlobe(vtkStructuredGrid* grid, std::string& problem);
   bool RecognizeMap(vtkStructuredGrid* grid, std::string& problem);
-  bool AdoptAxes(std::vector<double> longitudes, std::vector<double> latitudes, std::string& problem);
-  void FillColumn(GlobeAir& air, const std::vector<unsigned char>& known, int column, int row) const;
+  bool AdoptAxes(
+    std::vector<double> longitudes, std::vector<double> latitudes, std::string& problem);
+  void FillColumn(
+    GlobeAir& air, const std::vector<unsigned char>& known, int column, int row) const;
   void FillPoleRows(GlobeAir& air) const;
   void FillPole(GlobeAir& air, int pole, int row, bool isData) const;
   void FillClosingColumn(GlobeAir& air) const;
@@ -69,12 +71,12 @@ private:
   std::int64_t IndexOfData(int i, int j, int k) const;
 
   GlobeColumns Columns_;
-  int Size[3] = { 0, 0, 0 };       // of the data, points
-  std::vector<double> Longitudes;  // of the data
+  int Size[3] = { 0, 0, 0 };      // of the data, points
+  std::vector<double> Longitudes; // of the data
   std::vector<double> Latitudes;
-  int SouthRows = 0;               // 1: a row at the pole has been added
+  int SouthRows = 0; // 1: a row at the pole has been added
   int NorthRows = 0;
-  bool ColumnAdded = false;        // the first one again
+  bool ColumnAdded = false; // the first one again
   bool OnMap = false;
   double Radius_ = 0.0;
 };

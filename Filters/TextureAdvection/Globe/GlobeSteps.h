@@ -26,8 +26,7 @@ public:
     : Sampler(columns, levels)
     , Settings(settings)
   {
-    const double width =
-      (columns.Longitude(columns.ColumnCount() - 1) - columns.FirstLongitude()) /
+    const double width = (columns.Longitude(columns.ColumnCount() - 1) - columns.FirstLongitude()) /
       (columns.ColumnCount() - 1);
     this->HalfCell = 0.5 * width;
   }
@@ -79,8 +78,8 @@ private:
         });
         break;
       default:
-        end = AdaptiveStep(start, airs.Seconds, this->Settings.Tolerance,
-          this->Settings.LevelScale, this->HalfCell, [&](SphereState& state, double fraction) {
+        end = AdaptiveStep(start, airs.Seconds, this->Settings.Tolerance, this->Settings.LevelScale,
+          this->HalfCell, [&](SphereState& state, double fraction) {
             return this->Between(parcel, airs, state, fraction);
           });
     }
@@ -117,8 +116,7 @@ private:
     {
       state.Level = this->Sampler.Held(*airs.Begin, foot, state.Level);
     }
-    SphereRates rates =
-      this->Sampler.Sample(*airs.Begin, foot, state.Level, parcel.LevelHint);
+    SphereRates rates = this->Sampler.Sample(*airs.Begin, foot, state.Level, parcel.LevelHint);
     if (airs.Begin != airs.End)
     {
       const SphereRates later =
@@ -139,8 +137,8 @@ private:
     if (!foot.Inside)
     {
       const double* v = rates.Direction;
-      const double along = (v[0] * p[0] + v[1] * p[1] + v[2] * p[2]) /
-        (p[0] * p[0] + p[1] * p[1] + p[2] * p[2]);
+      const double along =
+        (v[0] * p[0] + v[1] * p[1] + v[2] * p[2]) / (p[0] * p[0] + p[1] * p[1] + p[2] * p[2]);
       for (int c = 0; c < 3; ++c)
       {
         rates.Direction[c] -= along * p[c];

@@ -105,7 +105,7 @@ SphereState AdaptiveStep(SphereState start, double step, double tolerance, doubl
   using Table = DormandPrince54;
   constexpr int mostSubSteps = 10000;
   SphereState now = start;
-  double done = 0.0;  // share of the step
+  double done = 0.0; // share of the step
   double wanted = 1.0;
   for (int n = 0; n < mostSubSteps && done < 1.0; ++n)
   {
@@ -121,8 +121,7 @@ SphereState AdaptiveStep(SphereState start, double step, double tolerance, doubl
       rates[s] = motion(end, done + Table::Fractions[s] * share);
     }
     const SphereState zero = { { 0.0, 0.0, 0.0 }, 0.0 };
-    const SphereState errors =
-      MovedBy(zero, share * step, rates, Table::Errors, Table::StageCount);
+    const SphereState errors = MovedBy(zero, share * step, rates, Table::Errors, Table::StageCount);
     const double error = std::hypot(LengthOf(errors.Direction), levelScale * errors.Level);
     const double factor =
       std::clamp(0.9 * std::pow(tolerance / std::max(error, 1e-300), 0.2), 0.2, 5.0);

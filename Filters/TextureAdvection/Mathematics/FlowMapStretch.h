@@ -34,8 +34,7 @@ inline double LargestEigenvalue(const Matrix3& a)
   const double b02 = a[0][2] / p;
   const double b12 = a[1][2] / p;
   const double halfDeterminant = 0.5 *
-    (b00 * (b11 * b22 - b12 * b12) - b01 * (b01 * b22 - b12 * b02) +
-      b02 * (b01 * b12 - b11 * b02));
+    (b00 * (b11 * b22 - b12 * b12) - b01 * (b01 * b22 - b12 * b02) + b02 * (b01 * b12 - b11 * b02));
   return mean + 2.0 * p * std::cos(std::acos(std::clamp(halfDeterminant, -1.0, 1.0)) / 3.0);
 }
 

@@ -16,9 +16,10 @@ enum class PathMethod
 struct PathSettings
 {
   PathMethod Method = PathMethod::RungeKutta4;
-  double TimeStep = 3600.0;  // seconds; steps are this long or shorter, so that they end at the times of the series
-  double Tolerance = 1e-6;   // adaptive: error of a sub-step, radians on a globe, else a length
-  double LevelScale = 0.0;   // adaptive, on a globe: radians per unit of the vertical coordinate
+  double TimeStep =
+    3600.0; // seconds; steps are this long or shorter, so that they end at the times of the series
+  double Tolerance = 1e-6; // adaptive: error of a sub-step, radians on a globe, else a length
+  double LevelScale = 0.0; // adaptive, on a globe: radians per unit of the vertical coordinate
 };
 }
 

@@ -16,7 +16,8 @@ struct TextureSets
 {
   double Start = 0.0;
   double Period = 86400.0;
-  bool FromGrid = false; // at Start the air stands still before: coordinates of both sets start there, weights do not change
+  bool FromGrid =
+    false; // at Start the air stands still before: coordinates of both sets start there, weights do not change
 
   // The birth of the set that is alive at a time; a time of birth, up to rounding, is of the new life.
   double Birth(int set, double time) const

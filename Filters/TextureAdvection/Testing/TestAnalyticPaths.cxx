@@ -160,7 +160,9 @@ TEST(AnalyticPaths, ATurnInTwentyFourSteps)
 TEST(AnalyticPaths, RotationOfTheUnitSquare)
 {
   CheckOrders(Rotation, UnitSquare(), 1.0, 48, 1e-5, Itself);
-  EXPECT_NEAR(Worst(Rotation, UnitSquare(), 1.0, 24, IntegrationMethod::RungeKutta4, Itself) / 1.52e-4, 1.0, 0.02);
+  EXPECT_NEAR(
+    Worst(Rotation, UnitSquare(), 1.0, 24, IntegrationMethod::RungeKutta4, Itself) / 1.52e-4, 1.0,
+    0.02);
 }
 
 TEST(AnalyticPaths, RankineVortex)
@@ -204,7 +206,8 @@ TEST(AnalyticPaths, DoubleGyre)
 
 TEST(AnalyticPaths, ArnoldBeltramiChildress)
 {
-  const Vector3 end = Follow(ABC, { 1.0, 1.0, 1.0 }, 0.0, 2.0, 2000, IntegrationMethod::RungeKutta4);
+  const Vector3 end =
+    Follow(ABC, { 1.0, 1.0, 1.0 }, 0.0, 2.0, 2000, IntegrationMethod::RungeKutta4);
   const double expected[3] = { 2.991809945538757, 3.6164723054780463, 0.41907363526702046 };
   for (std::size_t c = 0; c < 3; ++c)
   {

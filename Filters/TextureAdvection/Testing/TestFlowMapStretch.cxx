@@ -13,7 +13,8 @@ TEST(FlowMapStretch, SingularValuesThatAreKnown)
   EXPECT_NEAR(LargestStretch({ { { 2, 0, 0 }, { 0, 3, 0 }, { 0, 0, 0.5 } } }), 3.0, 1e-14);
   EXPECT_NEAR(LargestStretch({ { { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 } } }), 1.0, 1e-15);
   // A shear by g: (g + sqrt(g^2 + 4)) / 2.
-  EXPECT_NEAR(LargestStretch({ { { 1, 0, 0 }, { 1, 1, 0 }, { 0, 0, 1 } } }), 0.5 * (1.0 + std::sqrt(5.0)), 1e-14);
+  EXPECT_NEAR(LargestStretch({ { { 1, 0, 0 }, { 1, 1, 0 }, { 0, 0, 1 } } }),
+    0.5 * (1.0 + std::sqrt(5.0)), 1e-14);
   EXPECT_EQ(LargestStretch({ { { 0, 0, 0 }, { 0, 0, 0 }, { 0, 0, 0 } } }), 0.0);
 }
 
@@ -39,7 +40,8 @@ TEST(FlowMapStretch, NoVectorGrowsMore)
       {
         image[c] = v[0] * columns[0][c] + v[1] * columns[1][c] + v[2] * columns[2][c];
       }
-      found = std::max(found, std::hypot(image[0], image[1], image[2]) / std::hypot(v[0], v[1], v[2]));
+      found =
+        std::max(found, std::hypot(image[0], image[1], image[2]) / std::hypot(v[0], v[1], v[2]));
     }
     EXPECT_LE(found, largest * (1.0 + 1e-12));
     EXPECT_GE(found, 0.99 * largest);

@@ -87,7 +87,8 @@ TEST(GlobeColumns, FindsWhereADirectionIs)
   {
     CheckPlaces(GlobeColumns(Even(0.0, 2.0 * PI, 37), Even(-0.5 * PI, 0.5 * PI, 19)), withHints);
     CheckPlaces(GlobeColumns(Uneven(-PI, PI, 41), Uneven(-0.5 * PI, 0.5 * PI, 23)), withHints);
-    CheckPlaces(GlobeColumns(Even(0.3, 0.3 + 2.0 * PI, 321), Even(-0.5 * PI, 0.5 * PI, 162)), withHints);
+    CheckPlaces(
+      GlobeColumns(Even(0.3, 0.3 + 2.0 * PI, 321), Even(-0.5 * PI, 0.5 * PI, 162)), withHints);
   }
 }
 

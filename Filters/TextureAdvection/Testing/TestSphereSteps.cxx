@@ -61,7 +61,8 @@ enum Method
   ADAPTIVE
 };
 
-SphereState Follow(SphereState state, const Wind& wind, double from, double to, int steps, Method method)
+SphereState Follow(
+  SphereState state, const Wind& wind, double from, double to, int steps, Method method)
 {
   const double h = (to - from) / steps;
   for (int n = 0; n < steps; ++n)
@@ -85,7 +86,8 @@ SphereRates NairLauritzen(const double* p, double t)
   const double T = 5.0;
   const double k = 10.0 / T;
   const double moved = longitude - 2.0 * PI * t / T;
-  const double u = k * std::sin(moved) * std::sin(moved) * std::sin(2.0 * latitude) * std::cos(PI * t / T) +
+  const double u =
+    k * std::sin(moved) * std::sin(moved) * std::sin(2.0 * latitude) * std::cos(PI * t / T) +
     2.0 * PI / T * std::cos(latitude);
   const double v = k * std::sin(2.0 * moved) * std::cos(latitude) * std::cos(PI * t / T);
   return { { length * (-u * std::sin(longitude) - v * std::sin(latitude) * std::cos(longitude)),
@@ -113,8 +115,8 @@ TEST(SphereSteps, OverThePoleInADay)
       const SphereState exact = Turned(start, axis, -rate);
       for (const Method method : { EULER, RK4, ADAPTIVE })
       {
-        worst[method] = std::max(worst[method],
-          EARTH_KM * AngleBetween(Follow(start, wind, 1.0, 0.0, 24, method), exact));
+        worst[method] = std::max(
+          worst[method], EARTH_KM * AngleBetween(Follow(start, wind, 1.0, 0.0, 24, method), exact));
       }
     }
   }
@@ -131,7 +133,8 @@ TEST(SphereSteps, LengthStays)
   std::uniform_real_distribution<double> any(-3.0, 3.0);
   for (int n = 0; n < 1000; ++n)
   {
-    const SphereState end = Follow(At(any(random), 0.5 * any(random)), NairLauritzen, 0.0, 5.0, 7, RK4);
+    const SphereState end =
+      Follow(At(any(random), 0.5 * any(random)), NairLauritzen, 0.0, 5.0, 7, RK4);
     EXPECT_NEAR(LengthOf(end.Direction), 1.0, 4e-16);
   }
 }
@@ -161,7 +164,8 @@ TEST(SphereSteps, NairAndLauritzenReturnAtTheirOrder)
       for (int j = -5; j <= 5; ++j)
       {
         const SphereState start = At((i + 0.5) * PI / 12.0, j * PI / 12.0);
-        found = std::max(found, AngleBetween(Follow(start, NairLauritzen, 0.0, 5.0, steps, method), start));
+        found = std::max(
+          found, AngleBetween(Follow(start, NairLauritzen, 0.0, 5.0, steps, method), start));
       }
     }
     return found;

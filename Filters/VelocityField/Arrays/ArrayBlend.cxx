@@ -34,8 +34,7 @@ void Blend(vtkDataArray* first, double weight, vtkDataArray* second)
 }
 }
 
-void BlendArrays(
-  vtkDataSetAttributes* first, double weight, vtkDataSetAttributes* second)
+void BlendArrays(vtkDataSetAttributes* first, double weight, vtkDataSetAttributes* second)
 {
   for (int i = 0; i < second->GetNumberOfArrays(); ++i)
   {

@@ -21,7 +21,8 @@ namespace nephoscope
 {
 namespace
 {
-constexpr vtkIdType TUPLES_PER_JOB = 1024; // a multiple of 8: no two threads write to one byte of a bit array
+constexpr vtkIdType TUPLES_PER_JOB =
+  1024; // a multiple of 8: no two threads write to one byte of a bit array
 
 template <typename Value>
 Value FromSum(double sum)

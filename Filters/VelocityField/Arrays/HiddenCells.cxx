@@ -55,7 +55,8 @@ HiddenCells::HiddenCells(vtkDataSet* data)
     return;
   }
   vtkNew<vtkIdList> ids;
-  if (vtkUnstructuredGrid::SafeDownCast(data)) // the cells of its points would have to be looked for first
+  if (vtkUnstructuredGrid::SafeDownCast(
+        data)) // the cells of its points would have to be looked for first
   {
     for (vtkIdType cell = 0; cell < cells; ++cell)
     {

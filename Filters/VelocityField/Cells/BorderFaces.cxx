@@ -69,7 +69,8 @@ private:
     for (const int* face = faces.Begin; face != faces.End; face += *face + 1)
     {
       vtkIdType ids[6];
-      std::transform(face + 1, face + 1 + *face, ids, [this](int i) { return this->Ids->GetId(i); });
+      std::transform(
+        face + 1, face + 1 + *face, ids, [this](int i) { return this->Ids->GetId(i); });
       this->AddFace(ids, static_cast<std::size_t>(*face));
     }
   }

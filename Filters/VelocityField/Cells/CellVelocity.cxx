@@ -169,8 +169,7 @@ bool CellVelocity::WeightsByCell(Search& search, vtkIdType cell, bool nearToo) c
   double distance2 = 0.0;
   const int status = search.Cell->EvaluatePosition(search.Position.data(),
     nearToo ? closest : nullptr, part, search.Parametric.data(), distance2, search.Weights.data());
-  return status == 1 ||
-    (status == 0 && nearToo && distance2 <= this->Rounding * this->Rounding);
+  return status == 1 || (status == 0 && nearToo && distance2 <= this->Rounding * this->Rounding);
 }
 
 bool CellVelocity::Interpolate(const Search& search, Vector3& velocity) const

@@ -35,8 +35,7 @@ public:
 private:
   struct Search;
 
-  bool SampleOne(
-    Search& search, const Vector3& position, CellHint& hint, Vector3& velocity) const;
+  bool SampleOne(Search& search, const Vector3& position, CellHint& hint, Vector3& velocity) const;
   bool TryCell(Search& search, vtkIdType cell, bool nearToo, Vector3& velocity) const;
   bool WeightsByFormula(Search& search, int type) const;
   bool WeightsByCell(Search& search, vtkIdType cell, bool nearToo) const;

@@ -24,8 +24,7 @@ class UnboundedField : public VelocityField
 {
 public:
   // `velocity`: on the points of the dataset; `inner`: its field.
-  UnboundedField(
-    vtkDataSet* data, vtkDataArray* velocity, std::unique_ptr<VelocityField> inner);
+  UnboundedField(vtkDataSet* data, vtkDataArray* velocity, std::unique_ptr<VelocityField> inner);
 
   void Sample(const SampleBatch& batch) const override;
 

@@ -30,9 +30,10 @@ enum class IntegrationMethod
 struct IntegrationSettings
 {
   IntegrationMethod Method = IntegrationMethod::RungeKutta4;
-  double Tolerance = 1e-6;    // adaptive only: error of a sub-step, a length, greater than 0
-  int MaximumSubSteps = 1000; // adaptive only: a particle that needs more in one step is taken as outside
-  int Threads = 0;            // of AdvanceParticles; 0: VTK's number
+  double Tolerance = 1e-6; // adaptive only: error of a sub-step, a length, greater than 0
+  int MaximumSubSteps =
+    1000;          // adaptive only: a particle that needs more in one step is taken as outside
+  int Threads = 0; // of AdvanceParticles; 0: VTK's number
 };
 }
 

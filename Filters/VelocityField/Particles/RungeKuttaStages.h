@@ -92,7 +92,8 @@ public:
   }
 
   // Gives a particle back; it moves only if it has stayed inside.
-  void Release(const Particles& particles, std::size_t i, bool inside, const Vector3& position) const
+  void Release(
+    const Particles& particles, std::size_t i, bool inside, const Vector3& position) const
   {
     const std::size_t particle = this->Active[i];
     particles.Hints[particle] = this->Hints[i];

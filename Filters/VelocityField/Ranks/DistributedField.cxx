@@ -35,7 +35,8 @@ DistributedField::DistributedField(
 DistributedField::~DistributedField() = default;
 
 // Some positions of a batch. Threads as VTK is set up for: the ranks are there for the cores already.
-void DistributedField::SampleLocally(const SampleBatch& batch, const std::vector<std::size_t>& some) const
+void DistributedField::SampleLocally(
+  const SampleBatch& batch, const std::vector<std::size_t>& some) const
 {
   const auto sample = [&](vtkIdType begin, vtkIdType end) {
     const auto count = static_cast<std::size_t>(end - begin);
@@ -77,8 +78,8 @@ int DistributedField::Bid(const SampleBatch& batch, std::size_t i) const
 }
 
 // Ranks elected for some positions of a batch that have been sampled locally; `accepted` is the highest bid that wins.
-void DistributedField::Elect(const SampleBatch& batch, const std::vector<std::size_t>& some, int accepted,
-  std::vector<int>& elected) const
+void DistributedField::Elect(const SampleBatch& batch, const std::vector<std::size_t>& some,
+  int accepted, std::vector<int>& elected) const
 {
   const int ranks = this->Controller->GetNumberOfProcesses();
   std::vector<int> bids(some.size());
@@ -114,7 +115,8 @@ std::vector<int> DistributedField::SampleAndElect(const SampleBatch& batch) cons
   if (!open.empty())
   {
     std::vector<std::size_t> others;
-    std::set_difference(open.begin(), open.end(), mine.begin(), mine.end(), std::back_inserter(others));
+    std::set_difference(
+      open.begin(), open.end(), mine.begin(), mine.end(), std::back_inserter(others));
     this->SampleLocally(batch, others);
     this->Elect(batch, open, 2 * ranks - 1, elected);
   }
@@ -173,7 +175,8 @@ void DistributedField::SampleArrays(
       {
         std::copy_n(positions + first, part.size(), part.begin());
       }
-      this->Controller->Broadcast(part.data()->data(), static_cast<vtkIdType>(3 * part.size()), receiver);
+      this->Controller->Broadcast(
+        part.data()->data(), static_cast<vtkIdType>(3 * part.size()), receiver);
       const std::vector<unsigned char> mine = this->AnswerArrays(part, arrays);
       std::vector<unsigned char> all(mine.size());
       this->Controller->Reduce(mine.data(), all.data(), static_cast<vtkIdType>(mine.size()),
@@ -193,7 +196,8 @@ std::vector<unsigned char> DistributedField::AnswerArrays(
   std::vector<Vector3> velocities(positions.size());
   std::vector<unsigned char> inside(positions.size());
   std::vector<CellHint> hints(positions.size());
-  const SampleBatch batch{ positions.size(), positions.data(), 0.0, velocities.data(), inside.data(), hints.data() };
+  const SampleBatch batch{ positions.size(), positions.data(), 0.0, velocities.data(),
+    inside.data(), hints.data() };
   const std::vector<int> elected = this->SampleAndElect(batch);
 
   std::vector<std::size_t> places;
@@ -201,7 +205,8 @@ std::vector<unsigned char> DistributedField::AnswerArrays(
   std::vector<CellHint> myHints;
   for (std::size_t i = 0; i < positions.size(); ++i)
   {
-    const bool nobody = elected[i] == this->Controller->GetNumberOfProcesses(); // then somebody says so
+    const bool nobody =
+      elected[i] == this->Controller->GetNumberOfProcesses(); // then somebody says so
     if ((nobody ? arrays.FirstRank() : elected[i]) == this->Controller->GetLocalProcessId())
     {
       places.push_back(i);

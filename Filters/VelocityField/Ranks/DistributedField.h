@@ -37,7 +37,10 @@ public:
   void SampleArrays(std::size_t count, const Vector3* positions, const CellHint* hints,
     vtkPointData* output) const override;
 
-  bool IsInGhostCell(const CellHint&) const override { return false; } // of no rank but the elected one
+  bool IsInGhostCell(const CellHint&) const override
+  {
+    return false;
+  } // of no rank but the elected one
   bool IsLocal() const override { return false; }
 
 private:

@@ -64,7 +64,8 @@ std::vector<SharedArrays::Entry> SharedArrays::Describe(const DataSetField& fiel
     entry.Type = array->GetDataType();
     entry.Components = array->GetNumberOfComponents();
     entry.Attribute = data->IsArrayAnAttribute(i);
-    entry.Size = static_cast<std::size_t>(array->GetDataTypeSize()) * static_cast<std::size_t>(entry.Components);
+    entry.Size = static_cast<std::size_t>(array->GetDataTypeSize()) *
+      static_cast<std::size_t>(entry.Components);
     for (int c = 0; c < entry.Components && array->HasAComponentName(); ++c)
     {
       const char* name = array->GetComponentName(c);
@@ -75,7 +76,8 @@ std::vector<SharedArrays::Entry> SharedArrays::Describe(const DataSetField& fiel
   return entries;
 }
 
-const SharedArrays::Entry* SharedArrays::Find(const std::vector<Entry>& entries, const std::string& name)
+const SharedArrays::Entry* SharedArrays::Find(
+  const std::vector<Entry>& entries, const std::string& name)
 {
   const auto found = std::find_if(
     entries.begin(), entries.end(), [&](const Entry& entry) { return entry.Name == name; });
@@ -134,7 +136,8 @@ void SharedArrays::Allocate(std::size_t count, vtkPointData* output) const
 {
   for (const Entry& entry : this->Entries)
   {
-    const auto array = vtkSmartPointer<vtkDataArray>::Take(vtkDataArray::CreateDataArray(entry.Type));
+    const auto array =
+      vtkSmartPointer<vtkDataArray>::Take(vtkDataArray::CreateDataArray(entry.Type));
     array->SetName(entry.Name.c_str());
     array->SetNumberOfComponents(entry.Components);
     array->SetNumberOfTuples(static_cast<vtkIdType>(count));
@@ -157,7 +160,8 @@ void SharedArrays::Pack(
   for (const Entry& entry : this->Entries)
   {
     vtkDataArray* source = sampled->GetArray(entry.Name.c_str());
-    const auto plain = vtkSmartPointer<vtkDataArray>::Take(vtkDataArray::CreateDataArray(entry.Type));
+    const auto plain =
+      vtkSmartPointer<vtkDataArray>::Take(vtkDataArray::CreateDataArray(entry.Type));
     if (source && source->GetNumberOfComponents() == entry.Components)
     {
       plain->DeepCopy(source); // of this type, in the plain layout
@@ -186,7 +190,8 @@ void SharedArrays::Unpack(
   std::size_t offset = 0;
   for (const Entry& entry : this->Entries)
   {
-    auto* values = static_cast<unsigned char*>(output->GetArray(entry.Name.c_str())->GetVoidPointer(0));
+    auto* values =
+      static_cast<unsigned char*>(output->GetArray(entry.Name.c_str())->GetVoidPointer(0));
     for (std::size_t i = 0; i < count; ++i)
     {
       std::memcpy(values + (first + i) * entry.Size, bytes + i * this->Size + offset, entry.Size);

@@ -33,16 +33,18 @@ public:
 
   // Tuple i of every array of `sampled` to the bytes of position `places[i]`. An array that it is without is NaN
   // there, or 0, as it is where a block is without.
-  void Pack(vtkPointData* sampled, const std::vector<std::size_t>& places, unsigned char* bytes) const;
+  void Pack(
+    vtkPointData* sampled, const std::vector<std::size_t>& places, unsigned char* bytes) const;
 
   // The bytes of `count` positions to the tuples from `first` on.
-  void Unpack(const unsigned char* bytes, std::size_t count, std::size_t first, vtkPointData* output) const;
+  void Unpack(
+    const unsigned char* bytes, std::size_t count, std::size_t first, vtkPointData* output) const;
 
 private:
   struct Entry
   {
     std::string Name;
-    int Type = 0;       // VTK_DOUBLE and so on
+    int Type = 0; // VTK_DOUBLE and so on
     int Components = 1;
     int Attribute = -1; // vtkDataSetAttributes::SCALARS and so on; -1: none
     std::vector<std::string> ComponentNames;

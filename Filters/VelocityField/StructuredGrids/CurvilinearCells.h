@@ -129,8 +129,8 @@ private:
 
   bool Search(const Vector3& position, GridCell& cell) const
   {
-    std::call_once(this->Lazy->Once,
-      [this]() { this->Lazy->Boxes.Build(this->Points, this->Size_); });
+    std::call_once(
+      this->Lazy->Once, [this]() { this->Lazy->Boxes.Build(this->Points, this->Size_); });
     const GridBoxes& boxes = this->Lazy->Boxes;
     const auto walkFrom = [&](const std::array<int, 3>& block) {
       for (std::size_t a = 0; a < 3; ++a)
@@ -148,9 +148,8 @@ private:
         this->Invert(position, cell) == InverseResult::Inside;
     };
     return boxes.ForEachBlock(position, walkFrom) ||
-      boxes.ForEachBlock(position, [&](const std::array<int, 3>& block) {
-        return boxes.ForEachCell(block, tryCell);
-      });
+      boxes.ForEachBlock(position,
+        [&](const std::array<int, 3>& block) { return boxes.ForEachCell(block, tryCell); });
   }
 
   Box BoxOf(const std::array<int, 3>& index) const

@@ -211,9 +211,8 @@ private:
     {
       return found(block);
     }
-    return this->Levels[level - 1].AnyChild(block, [&](const std::array<int, 3>& child) {
-      return this->Descend(level - 1, child, x, found);
-    });
+    return this->Levels[level - 1].AnyChild(block,
+      [&](const std::array<int, 3>& child) { return this->Descend(level - 1, child, x, found); });
   }
 
   BoxLevel CellLevel; // sizes only

@@ -84,8 +84,8 @@ public:
     for (std::size_t axis = 0; axis < 3; ++axis)
     {
       cell.Index[axis] = known ? cell.Index[axis] : -1;
-      inside = inside &&
-        this->Axes[axis].Find(position[axis], cell.Index[axis], cell.Parametric[axis]);
+      inside =
+        inside && this->Axes[axis].Find(position[axis], cell.Index[axis], cell.Parametric[axis]);
     }
     return inside;
   }

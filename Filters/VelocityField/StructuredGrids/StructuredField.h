@@ -119,8 +119,7 @@ private:
       for (std::size_t a = 0; a < 3; ++a)
       {
         const bool cross = (subset >> a) & 1U;
-        exists = exists &&
-          (!cross || (side[a] != 0 && this->Grid.Links().Move(other, a, side[a])));
+        exists = exists && (!cross || (side[a] != 0 && this->Grid.Links().Move(other, a, side[a])));
         other.Parametric[a] = std::min(std::max(other.Parametric[a], 0.0), 1.0);
       }
       if (exists && this->Interpolate(other, velocity))

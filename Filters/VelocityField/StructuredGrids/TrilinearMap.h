@@ -24,7 +24,8 @@ class TrilinearMap
 {
 public:
   template <typename Coordinate>
-  TrilinearMap(const Coordinate* points, const std::array<std::int64_t, 8>& corners, const Vector3& x)
+  TrilinearMap(
+    const Coordinate* points, const std::array<std::int64_t, 8>& corners, const Vector3& x)
     : Magnitude(std::max({ std::abs(x[0]), std::abs(x[1]), std::abs(x[2]) }))
   {
     for (std::size_t c = 0; c < 3; ++c)

@@ -7,8 +7,8 @@
 #include "VelocityField.h"
 
 #include "vtkAppendFilter.h"
-#include "vtkCellData.h"
 #include "vtkCellCenters.h"
+#include "vtkCellData.h"
 #include "vtkDataSetTriangleFilter.h"
 #include "vtkDoubleArray.h"
 #include "vtkFloatArray.h"
@@ -33,7 +33,8 @@ using nephoscope::Vector3;
 
 inline Vector3 LinearVelocity(const Vector3& x)
 {
-  return { 1.0 + 0.5 * x[0] - 0.25 * x[1] + 0.125 * x[2], -2.0 + x[2] - 0.5 * x[0], 3.0 * x[1] - x[2] };
+  return { 1.0 + 0.5 * x[0] - 0.25 * x[1] + 0.125 * x[2], -2.0 + x[2] - 0.5 * x[0],
+    3.0 * x[1] - x[2] };
 }
 
 template <typename Array = vtkDoubleArray, typename Function>
@@ -150,9 +151,10 @@ using NamedData = std::pair<std::string, vtkSmartPointer<vtkDataSet>>;
 
 inline std::vector<NamedData> AllGrids()
 {
-  return { { "image", Image() }, { "turned image", TurnedImage() }, { "rectilinear", Rectilinear() },
-    { "curvilinear", Curvilinear() }, { "curvilinear, float points", Curvilinear(VTK_FLOAT) },
-    { "hexahedra", Hexahedra() }, { "tetrahedra", Tetrahedra() } };
+  return { { "image", Image() }, { "turned image", TurnedImage() },
+    { "rectilinear", Rectilinear() }, { "curvilinear", Curvilinear() },
+    { "curvilinear, float points", Curvilinear(VTK_FLOAT) }, { "hexahedra", Hexahedra() },
+    { "tetrahedra", Tetrahedra() } };
 }
 
 // Random positions of the dataset: in cells, on faces, on edges and at points; every one is inside.
@@ -165,7 +167,8 @@ inline std::vector<Vector3> PositionsInside(vtkDataSet* data, int count, unsigne
   {
     // A weighted mean of the corners of a cell; of few of them on tetrahedra: on faces, edges, corners.
     vtkNew<vtkIdList> ids;
-    const auto cell = static_cast<vtkIdType>(unit(random) * static_cast<double>(data->GetNumberOfCells()));
+    const auto cell =
+      static_cast<vtkIdType>(unit(random) * static_cast<double>(data->GetNumberOfCells()));
     data->GetCellPoints(cell, ids);
     const bool corner = positions.size() % 7 == 0;
     Vector3 sum{};

@@ -90,7 +90,8 @@ vtkSmartPointer<vtkOverlappingAMR> Refined(bool blank)
   const double origin[3] = { 0, 0, 0 };
   amr->SetOrigin(origin);
   int points[3] = { 9, 9, 9 };
-  const int solid = vtkStructuredData::GetDataDescription(points); // its name is another from VTK 9.5 on
+  const int solid =
+    vtkStructuredData::GetDataDescription(points); // its name is another from VTK 9.5 on
   amr->SetGridDescription(solid);
   for (unsigned int level = 0; level < 2; ++level)
   {
@@ -110,7 +111,8 @@ vtkSmartPointer<vtkOverlappingAMR> Refined(bool blank)
       {
         double b[6];
         grid->GetCellBounds(i, b);
-        const bool covered = b[0] >= 2 && b[1] <= 6 && b[2] >= 2 && b[3] <= 6 && b[4] >= 2 && b[5] <= 6;
+        const bool covered =
+          b[0] >= 2 && b[1] <= 6 && b[2] >= 2 && b[3] <= 6 && b[4] >= 2 && b[5] <= 6;
         ghosts->SetValue(i, covered ? vtkDataSetAttributes::REFINEDCELL : 0);
       }
     }
@@ -143,7 +145,8 @@ TEST(CompositeFields, BlocksAreAsOne)
   const auto left = std::count(expected.Inside.begin(), expected.Inside.end(), 0);
   EXPECT_GT(left, 100);
   EXPECT_LT(left, 1400);
-  for (vtkDataObject* data : std::initializer_list<vtkDataObject*>{ blocks, partitions, collection })
+  for (vtkDataObject* data :
+    std::initializer_list<vtkDataObject*>{ blocks, partitions, collection })
   {
     const auto field = FieldOf(data);
     for (const int threads : { 1, 2, 4 })
@@ -194,7 +197,8 @@ TEST(CompositeFields, TheFinestVisibleLevel)
   {
     const auto amr = Refined(blank);
     const auto field = FieldOf(amr);
-    const std::vector<Vector3> positions = { { 4, 4, 4 }, { 1, 1, 1 }, { 5.9, 2.1, 3 }, { 6.1, 3, 3 } };
+    const std::vector<Vector3> positions = { { 4, 4, 4 }, { 1, 1, 1 }, { 5.9, 2.1, 3 },
+      { 6.1, 3, 3 } };
     const double expected[4] = { 2, 1, 2, 1 };
     std::vector<CellHint> hints(4);
     std::vector<Vector3> velocities(4);
@@ -231,9 +235,11 @@ TEST(Problems, NameTheArrayWhatThereIsAndTheRemedy)
   EXPECT_FALSE(Contains(problem, "'speed'")) << problem;
   EXPECT_TRUE(Contains(problem, "Calculator")) << problem;
   problem = ProblemOf(image, { "flux", false });
-  EXPECT_TRUE(Contains(problem, "'flux'") && Contains(problem, "cell array of that name")) << problem;
+  EXPECT_TRUE(Contains(problem, "'flux'") && Contains(problem, "cell array of that name"))
+    << problem;
   problem = ProblemOf(image, { "wind", true });
-  EXPECT_TRUE(Contains(problem, "'wind'") && Contains(problem, "point array of that name")) << problem;
+  EXPECT_TRUE(Contains(problem, "'wind'") && Contains(problem, "point array of that name"))
+    << problem;
   problem = ProblemOf(image, { "speed", false });
   EXPECT_TRUE(Contains(problem, "'speed' has 1 component;")) << problem;
   image->GetPointData()->RemoveArray("wind");

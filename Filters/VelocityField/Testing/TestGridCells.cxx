@@ -104,7 +104,9 @@ TEST(GridLinks, AGlobeIsClosedAndHasTwoPoles)
 TEST(GridLinks, ABoxIsOpen)
 {
   const GridSize size{ { 5, 5, 5 } };
-  const auto points = MakePoints(size, [](int i, int j, int k) { return Vector3{ 1.0 * i, 1.0 * j, 1.0 * k }; });
+  const auto points = MakePoints(size, [](int i, int j, int k) {
+    return Vector3{ 1.0 * i, 1.0 * j, 1.0 * k };
+  });
   const CurvilinearCells<double> cells(size, points.data());
   for (std::size_t a = 0; a < 3; ++a)
   {
@@ -151,7 +153,8 @@ TEST(CurvilinearCells, OutsideIsOutsideFromEveryHint)
   {
     Vector3 x = { normal(random), normal(random), normal(random) };
     const double length = std::hypot(x[0], x[1], x[2]);
-    const double radius = trial % 2 ? 0.97 : 1.31; // the chords of cells are within 1 % of the sphere
+    const double radius =
+      trial % 2 ? 0.97 : 1.31; // the chords of cells are within 1 % of the sphere
     for (double& c : x)
     {
       c *= radius * (trial % 2 ? 0.98 : 1.0) / length;
@@ -188,8 +191,8 @@ TEST(RectilinearCells, FallingCoordinatesEndsAndHints)
 TEST(UniformCells, TurnedGrid)
 {
   // Index 0 along y, 1 along -x, 2 along z; spacing 2, 1, 0.5.
-  const UniformCells cells({ { 3, 4, 5 } }, { 10, 20, 30 },
-    { { { 0, 0.5, 0 }, { -1, 0, 0 }, { 0, 0, 2 } } });
+  const UniformCells cells(
+    { { 3, 4, 5 } }, { 10, 20, 30 }, { { { 0, 0.5, 0 }, { -1, 0, 0 }, { 0, 0, 2 } } });
   GridCell cell;
   ASSERT_TRUE(cells.Find({ 8.75, 23.0, 31.25 }, false, cell));
   EXPECT_EQ(cell.Index, (std::array<int, 3>{ 1, 1, 2 }));

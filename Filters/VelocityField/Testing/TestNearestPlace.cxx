@@ -26,7 +26,8 @@ struct Faces
   void Make(Vector3 (&p)[4], double warp, double distance)
   {
     const Vector3 square[4] = { { 0, 0, 0 }, { 1, 0, 0 }, { 1, 1, 0 }, { 0, 1, 0 } };
-    const Vector3 shift = { this->Random(distance), this->Random(distance), this->Random(distance) };
+    const Vector3 shift = { this->Random(distance), this->Random(distance),
+      this->Random(distance) };
     for (std::size_t i = 0; i < 4; ++i)
     {
       for (std::size_t c = 0; c < 3; ++c)

@@ -46,8 +46,8 @@ struct Flow
 };
 
 // By an independent integrator of order 8, tolerance 1e-13.
-const Flow ABC{ AbcFlow, { 1, 1, 1 }, { 2.991809945538757, 3.6164723054780463, 0.41907363526702046 },
-  2.0 };
+const Flow ABC{ AbcFlow, { 1, 1, 1 },
+  { 2.991809945538757, 3.6164723054780463, 0.41907363526702046 }, 2.0 };
 const Flow GYRE{ DoubleGyre, { 1, 0.25, 0 }, { 0.47328081941716577, 0.3195194348064797, 0 }, 10.0 };
 }
 
@@ -127,7 +127,8 @@ TEST(DormandPrince, FastParticlesTakeMoreStepsThanSlowOnes)
   CellHint hints[2];
   unsigned char inside[2] = { 1, 1 };
   double subSteps[2] = { 0.0, 0.0 };
-  ParticleIntegrator(field).Advance({ positions, hints, inside, 2, subSteps }, 0.0, 1.0, Adaptive(1e-9));
+  ParticleIntegrator(field).Advance(
+    { positions, hints, inside, 2, subSteps }, 0.0, 1.0, Adaptive(1e-9));
   for (int i = 0; i < 2; ++i)
   {
     const double r = i == 0 ? 0.05 : 2.0;
@@ -142,7 +143,10 @@ TEST(ParticleIntegrator, AParticleThatLeavesKeepsItsPositionAndIsLeftAlone)
 {
   for (const auto& settings : { IntegrationSettings{}, Adaptive(1e-8) })
   {
-    const AnalyticField field([](const Vector3&, double) { return Vector3{ 1, 0, 0 }; },
+    const AnalyticField field(
+      [](const Vector3&, double) {
+        return Vector3{ 1, 0, 0 };
+      },
       [](const Vector3& x) { return x[0] <= 0.75; }, false);
     Vector3 positions[2] = { { 0.5, 0, 0 }, { -5, 0, 0 } };
     CellHint hints[2];
@@ -182,18 +186,23 @@ TEST(DormandPrince, NoFlowIsOneStepAndHopelessFlowEnds)
   Vector3 position{ 0.1, 0.2, 0.3 };
   CellHint hint;
   unsigned char inside = 1;
-  ParticleIntegrator(noise).Advance({ &position, &hint, &inside, 1, nullptr }, 0.0, 1.0, Adaptive(1e-12));
+  ParticleIntegrator(noise).Advance(
+    { &position, &hint, &inside, 1, nullptr }, 0.0, 1.0, Adaptive(1e-12));
   EXPECT_FALSE(inside);
 }
 
 TEST(TemporalField, LinearInTimeAndHeldOutside)
 {
   const AnalyticField first([](const Vector3&, double) { return Vector3{ 1, 0, 2 }; });
-  const AnalyticField second([](const Vector3&, double) { return Vector3{ 3, 4, -2 }; },
+  const AnalyticField second(
+    [](const Vector3&, double) {
+      return Vector3{ 3, 4, -2 };
+    },
     [](const Vector3& x) { return x[0] < 1.0; });
   const TemporalField field(first, 10.0, second, 20.0);
   const double times[5] = { 5.0, 10.0, 12.5, 20.0, 30.0 };
-  const Vector3 expected[5] = { { 1, 0, 2 }, { 1, 0, 2 }, { 1.5, 1, 1 }, { 3, 4, -2 }, { 3, 4, -2 } };
+  const Vector3 expected[5] = { { 1, 0, 2 }, { 1, 0, 2 }, { 1.5, 1, 1 }, { 3, 4, -2 },
+    { 3, 4, -2 } };
   Vector3 positions[5] = {};
   Vector3 together[5];
   CellHint hints[5];

@@ -164,7 +164,8 @@ TEST(VelocityFields, CellVelocities)
   AddCellVectors(image, LinearVelocity);
   const auto field = FieldOf(image, true);
   // Away from the boundary the mean of the cells around a point is the linear field itself.
-  for (const Vector3& x : { Vector3{ 2.3, 2.2, 1.7 }, Vector3{ 5.0, 3.5, 3.0 }, Vector3{ 1.0, 1.0, 1.0 } })
+  for (const Vector3& x :
+    { Vector3{ 2.3, 2.2, 1.7 }, Vector3{ 5.0, 3.5, 3.0 }, Vector3{ 1.0, 1.0, 1.0 } })
   {
     const Samples samples(*field, { x });
     EXPECT_TRUE(samples.Inside[0]);
@@ -202,7 +203,9 @@ TEST(VelocityFields, TheNumberOfThreadsDoesNotMatter)
   for (const auto& grid : AllGrids())
   {
     SCOPED_TRACE(grid.first);
-    AddPointVectors(grid.second, [](const Vector3& x) -> Vector3 { return { 2.0 - x[1], x[0] - 3.0, 0.1 }; });
+    AddPointVectors(grid.second, [](const Vector3& x) -> Vector3 {
+      return { 2.0 - x[1], x[0] - 3.0, 0.1 };
+    });
     const auto seeds = PositionsInside(grid.second, 1000);
     for (const auto method : { IntegrationMethod::RungeKutta4, IntegrationMethod::DormandPrince })
     {
@@ -220,7 +223,8 @@ TEST(VelocityFields, TheNumberOfThreadsDoesNotMatter)
         for (int k = 0; k < 4; ++k)
         {
           AdvanceParticles(*field,
-            { positions.data(), hints.data(), inside.data(), seeds.size(), nullptr }, 0.0, 0.2, settings);
+            { positions.data(), hints.data(), inside.data(), seeds.size(), nullptr }, 0.0, 0.2,
+            settings);
         }
         if (expected.empty())
         {
@@ -243,7 +247,11 @@ TEST(SampleArrays, EveryArrayOnEveryGrid)
     SCOPED_TRACE(grid.first);
     AddPointVectors(grid.second, LinearVelocity);
     AddPointVectors<vtkIntArray>(
-      grid.second, [](const Vector3&) { return Vector3{ 7, -8, 9 }; }, "whole");
+      grid.second,
+      [](const Vector3&) {
+        return Vector3{ 7, -8, 9 };
+      },
+      "whole");
     vtkNew<vtkStringArray> names;
     names->SetName("names");
     names->SetNumberOfValues(grid.second->GetNumberOfPoints());
@@ -276,7 +284,12 @@ TEST(SampleArrays, CellArraysTooIfTheVelocityIsOnCells)
 {
   auto image = Image();
   AddCellVectors(image, LinearVelocity);
-  AddCellVectors(image, [](const Vector3& x) { return Vector3{ x[0], 0, 0 }; }, "place");
+  AddCellVectors(
+    image,
+    [](const Vector3& x) {
+      return Vector3{ x[0], 0, 0 };
+    },
+    "place");
   AddPointVectors(image, LinearVelocity, "points");
   const auto field = FieldOf(image, true);
   const Vector3 x{ 2.25, 2.5, 2.75 };

@@ -51,8 +51,8 @@ DRIVER_EXPORT void hints_set(CellHint* hints, long long count, const long long* 
   }
 }
 
-DRIVER_EXPORT void field_sample(const DataSetField* field, long long count, const Vector3* positions,
-  CellHint* hints, Vector3* velocities, unsigned char* inside)
+DRIVER_EXPORT void field_sample(const DataSetField* field, long long count,
+  const Vector3* positions, CellHint* hints, Vector3* velocities, unsigned char* inside)
 {
   field->Sample({ static_cast<std::size_t>(count), positions, 0.0, velocities, inside, hints });
 }

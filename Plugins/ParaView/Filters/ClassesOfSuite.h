@@ -7,24 +7,24 @@
 
 #include <cstring>
 
-#define NEPHOSCOPE_FOR_CLASSES_OF_SUITE(DO)                                                                                                \
-  DO(vtkCellCompositingRepresentation)                                                                                                     \
-  DO(vtkCloudOptics)                                                                                                                       \
-  DO(vtkCloudSurface)                                                                                                                      \
-  DO(vtkCloudTextureRepresentation)                                                                                                        \
-  DO(vtkCloudsOverGlobe)                                                                                                                   \
-  DO(vtkContourCellSplitter)                                                                                                               \
-  DO(vtkGlobeGrid)                                                                                                                         \
-  DO(vtkGlobeTerrain)                                                                                                                      \
-  DO(vtkHazeRepresentation)                                                                                                                \
-  DO(vtkPVFlowVolume)                                                                                                                      \
-  DO(vtkPolyhedronToTetrahedra)                                                                                                            \
-  DO(vtkSmokePuffs)                                                                                                                        \
-  DO(vtkSparseVolumeReader)                                                                                                                \
-  DO(vtkSparseVolumeWriter)                                                                                                                \
-  DO(vtkStructuredSmoothing)                                                                                                               \
-  DO(vtkSunlight)                                                                                                                          \
-  DO(vtkTextureCoordinateAdvection)                                                                                                        \
+#define NEPHOSCOPE_FOR_CLASSES_OF_SUITE(DO) \
+  DO(vtkCellCompositingRepresentation)      \
+  DO(vtkCloudOptics)                        \
+  DO(vtkCloudSurface)                       \
+  DO(vtkCloudTextureRepresentation)         \
+  DO(vtkCloudsOverGlobe)                    \
+  DO(vtkContourCellSplitter)                \
+  DO(vtkGlobeGrid)                          \
+  DO(vtkGlobeTerrain)                       \
+  DO(vtkHazeRepresentation)                 \
+  DO(vtkPVFlowVolume)                       \
+  DO(vtkPolyhedronToTetrahedra)             \
+  DO(vtkSmokePuffs)                         \
+  DO(vtkSparseVolumeReader)                 \
+  DO(vtkSparseVolumeWriter)                 \
+  DO(vtkStructuredSmoothing)                \
+  DO(vtkSunlight)                           \
+  DO(vtkTextureCoordinateAdvection)         \
   DO(vtkTexturedSplatsRepresentation)
 
 namespace nephoscope

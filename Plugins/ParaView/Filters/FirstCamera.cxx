@@ -25,11 +25,14 @@ namespace nephoscope
 {
 namespace
 {
-constexpr double farOff = 30.0; // scales and places that differ by this factor are not of one picture
-constexpr double regional = 0.2; // further from the axis than this part of their extent, data are on one side of the globe
+constexpr double farOff =
+  30.0; // scales and places that differ by this factor are not of one picture
+constexpr double regional =
+  0.2; // further from the axis than this part of their extent, data are on one side of the globe
 constexpr double part = 0.02;    // of the globe's size: smaller things do not belong to it
 constexpr double roughly = 0.02; // bounds of displays, and of the data that they show
-constexpr double small = 8.0;   // of this part of a picture not much is seen, where there is nothing else
+constexpr double small =
+  8.0; // of this part of a picture not much is seen, where there is nothing else
 
 struct Sphere
 {
@@ -59,8 +62,9 @@ vtkBoundingBox BoxOf(vtkSMProxy* display)
 {
   const vtkSMPropertyHelper input(display, "Input", true);
   auto* source = vtkSMSourceProxy::SafeDownCast(SourceOf(display));
-  return source && source->GetObjectsCreated() ? vtkBoundingBox(source->GetDataInformation(input.GetOutputPort())->GetBounds())
-                                               : vtkBoundingBox();
+  return source && source->GetObjectsCreated()
+    ? vtkBoundingBox(source->GetDataInformation(input.GetOutputPort())->GetBounds())
+    : vtkBoundingBox();
 }
 
 // Without extent where there is nothing.
@@ -82,9 +86,10 @@ Sphere ShownBy(vtkSMProxy* display)
 
 bool Suits(const Sphere& seen, const Sphere& shown)
 {
-  const double apart = std::sqrt(vtkMath::Distance2BetweenPoints(seen.Center.data(), shown.Center.data()));
-  return shown.Radius > 0.0 && shown.Radius < farOff * seen.Radius && seen.Radius < farOff * shown.Radius &&
-    apart < farOff * (seen.Radius + shown.Radius);
+  const double apart =
+    std::sqrt(vtkMath::Distance2BetweenPoints(seen.Center.data(), shown.Center.data()));
+  return shown.Radius > 0.0 && shown.Radius < farOff * seen.Radius &&
+    seen.Radius < farOff * shown.Radius && apart < farOff * (seen.Radius + shown.Radius);
 }
 
 bool IsVisible(vtkSMProxy* display)
@@ -110,9 +115,12 @@ vtkBoundingBox BoxOfAll(vtkSMProxy* view)
 bool IsReset(vtkCamera* camera, const Sphere& shown)
 {
   const Sphere seen = SeenBy(camera);
-  const double distance = shown.Radius / std::sin(0.5 * vtkMath::RadiansFromDegrees(camera->GetViewAngle()));
-  const double apart = std::sqrt(vtkMath::Distance2BetweenPoints(seen.Center.data(), shown.Center.data()));
-  return apart < roughly * shown.Radius && std::abs(camera->GetDistance() - distance) < roughly * distance;
+  const double distance =
+    shown.Radius / std::sin(0.5 * vtkMath::RadiansFromDegrees(camera->GetViewAngle()));
+  const double apart =
+    std::sqrt(vtkMath::Distance2BetweenPoints(seen.Center.data(), shown.Center.data()));
+  return apart < roughly * shown.Radius &&
+    std::abs(camera->GetDistance() - distance) < roughly * distance;
 }
 
 bool Has(vtkSMProxy* view, vtkSMProxy* display)
@@ -134,7 +142,8 @@ bool IsGlobe(vtkSMProxy* display)
   const vtkSMPropertyHelper input(display, "Input", true);
   auto* source = vtkSMSourceProxy::SafeDownCast(SourceOf(display));
   vtkPVArrayInformation* projection = source && source->GetObjectsCreated()
-    ? source->GetDataInformation(input.GetOutputPort())->GetArrayInformation("GlobeGridProjection", vtkDataObject::FIELD)
+    ? source->GetDataInformation(input.GetOutputPort())
+        ->GetArrayInformation("GlobeGridProjection", vtkDataObject::FIELD)
     : nullptr;
   return projection && projection->GetComponentRange(0)[1] == 0.0;
 }
@@ -154,8 +163,10 @@ std::array<double, 3> EyeAbove(const Sphere& shown)
   {
     return { shown.Center[0] / length, shown.Center[1] / length, shown.Center[2] / length };
   }
-  const double longitude = vtkMath::RadiansFromDegrees(-75.0), latitude = vtkMath::RadiansFromDegrees(25.0);
-  return { std::cos(latitude) * std::cos(longitude), std::cos(latitude) * std::sin(longitude), std::sin(latitude) };
+  const double longitude = vtkMath::RadiansFromDegrees(-75.0),
+               latitude = vtkMath::RadiansFromDegrees(25.0);
+  return { std::cos(latitude) * std::cos(longitude), std::cos(latitude) * std::sin(longitude),
+    std::sin(latitude) };
 }
 
 // Turns the camera so that it looks down there, with north above.
@@ -188,7 +199,8 @@ bool AnyOther(vtkSMProxy* view, vtkSMProxy* display, Test test)
   for (unsigned int i = 0; i < all.GetNumberOfElements(); ++i)
   {
     vtkSMProxy* other = all.GetAsProxy(i);
-    if (other && other != display && IsVisible(other) && SourceOf(other) != SourceOf(display) && test(ShownBy(other)))
+    if (other && other != display && IsVisible(other) && SourceOf(other) != SourceOf(display) &&
+      test(ShownBy(other)))
     {
       return true;
     }
@@ -245,8 +257,11 @@ private:
     vtkCamera* camera = this->View->GetActiveCamera();
     const Sphere mine = ShownBy(this->Display);
     const bool hasStrangers = AnyOther(this->View, this->Display, [&mine](const Sphere& other) {
-      const double apart = std::sqrt(vtkMath::Distance2BetweenPoints(other.Center.data(), mine.Center.data()));
-      return other.Radius > 0.0 && (apart > mine.Radius || other.Radius < part * mine.Radius || mine.Radius < part * other.Radius);
+      const double apart =
+        std::sqrt(vtkMath::Distance2BetweenPoints(other.Center.data(), mine.Center.data()));
+      return other.Radius > 0.0 &&
+        (apart > mine.Radius || other.Radius < part * mine.Radius ||
+          mine.Radius < part * other.Radius);
     });
     return !hasStrangers && IsGlobe(this->Display) && LooksDown(camera) &&
       (this->IsWhereItWas() || IsReset(camera, SphereAround(BoxOfAll(this->View))));
@@ -255,7 +270,8 @@ private:
   // But for other outputs of the same source.
   bool IsAlone()
   {
-    return !AnyOther(this->View, this->Display, [](const Sphere& other) { return other.Radius > 0.0; });
+    return !AnyOther(
+      this->View, this->Display, [](const Sphere& other) { return other.Radius > 0.0; });
   }
 
   bool IsNotSeen()
@@ -296,7 +312,8 @@ void resetCameraWhereShown(vtkSMProxy* display)
       const Sphere seen = SeenBy(view->GetActiveCamera());
       const auto suitsCamera = [&](const Sphere& other) { return Suits(seen, other); };
       const bool shallTurn = LooksDown(view->GetActiveCamera()) && IsGlobe(display);
-      if (shallTurn || ((!Suits(seen, shown) || IsSmall(seen, shown)) && AnyOther(view, display, suitsCamera)))
+      if (shallTurn ||
+        ((!Suits(seen, shown) || IsSmall(seen, shown)) && AnyOther(view, display, suitsCamera)))
       {
         new Watch(view, display); // deletes itself
       }

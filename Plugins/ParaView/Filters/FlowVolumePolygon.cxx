@@ -57,7 +57,8 @@ vtkSMProxy* flowVolumeOf(vtkSMProxy* widget)
   for (sources->Begin("sources"); !sources->IsAtEnd(); sources->Next())
   {
     vtkSMProxy* source = sources->GetProxy();
-    if (std::strcmp(source->GetXMLName(), "FlowVolume") == 0 && shownNumbersOf(source, "Center") == numbersOf(widget, "Center") &&
+    if (std::strcmp(source->GetXMLName(), "FlowVolume") == 0 &&
+      shownNumbersOf(source, "Center") == numbersOf(widget, "Center") &&
       shownNumbersOf(source, "Radius") == numbersOf(widget, "Radius"))
     {
       return source;
@@ -84,7 +85,8 @@ public:
     this->Actor->UseBoundsOff();
     this->Actor->VisibilityOff();
     this->renderer()->AddActor(this->Actor);
-    for (const unsigned long event : { vtkCommand::PropertyModifiedEvent, vtkCommand::InteractionEvent, vtkCommand::EndInteractionEvent })
+    for (const unsigned long event : { vtkCommand::PropertyModifiedEvent,
+           vtkCommand::InteractionEvent, vtkCommand::EndInteractionEvent })
     {
       this->Tags.push_back(widget->AddObserver(event, this, &Polygon::Update));
     }
@@ -127,15 +129,18 @@ private:
       }
       this->HideCylinder();
     }
-    const Numbers center = numbersOf(this->Widget, "Center"), radius = numbersOf(this->Widget, "Radius");
-    this->Actor->SetVisibility(vtkSMPropertyHelper(this->Widget, "Visibility", true).GetAsInt() != 0);
+    const Numbers center = numbersOf(this->Widget, "Center"),
+                  radius = numbersOf(this->Widget, "Radius");
+    this->Actor->SetVisibility(
+      vtkSMPropertyHelper(this->Widget, "Visibility", true).GetAsInt() != 0);
     if (center.size() == 3 && radius.size() == 1)
     {
       const Numbers normal = this->NormalAt(center);
       this->Source->SetCenter(center.data());
       this->Source->SetRadius(radius[0]);
       this->Source->SetNormal(normal.data());
-      this->Source->SetNumberOfSides(vtkSMPropertyHelper(this->Flow, "NumberOfSides", true).GetAsInt());
+      this->Source->SetNumberOfSides(
+        vtkSMPropertyHelper(this->Flow, "NumberOfSides", true).GetAsInt());
     }
   }
 
@@ -168,10 +173,13 @@ private:
   {
     auto* widget = vtkSMNewWidgetRepresentationProxy::SafeDownCast(this->Widget.Get());
     vtkSMProxy* prop = widget ? widget->GetRepresentationProxy() : nullptr;
-    if (auto* cylinder = prop ? vtkImplicitCylinderRepresentation::SafeDownCast(prop->GetClientSideObject()) : nullptr)
+    if (auto* cylinder = prop
+        ? vtkImplicitCylinderRepresentation::SafeDownCast(prop->GetClientSideObject())
+        : nullptr)
     {
-      for (vtkProperty* part : { cylinder->GetCylinderProperty(), cylinder->GetSelectedCylinderProperty(), cylinder->GetEdgesProperty(),
-             cylinder->GetOutlineProperty() })
+      for (vtkProperty* part :
+        { cylinder->GetCylinderProperty(), cylinder->GetSelectedCylinderProperty(),
+          cylinder->GetEdgesProperty(), cylinder->GetOutlineProperty() })
       {
         part->SetOpacity(0.0);
       }

@@ -36,7 +36,8 @@ namespace
 {
 void Print(vtkObject* caller, unsigned long event, void*, void* message)
 {
-  const std::string text = inWordsOfPanel(message ? static_cast<const char*>(message) : "", caller->GetClassName());
+  const std::string text =
+    inWordsOfPanel(message ? static_cast<const char*>(message) : "", caller->GetClassName());
   if (event == vtkCommand::ErrorEvent)
   {
     vtkOutputWindow::GetInstance()->DisplayErrorText(text.c_str());
@@ -61,7 +62,8 @@ vtkObjectBase* Make(void*)
 
 void Register(vtkClientServerInterpreter* interpreter)
 {
-#define NEPHOSCOPE_MAKE(CLASS) interpreter->AddNewInstanceFunction(#CLASS "WithLabels", Make<CLASS>);
+#define NEPHOSCOPE_MAKE(CLASS) \
+  interpreter->AddNewInstanceFunction(#CLASS "WithLabels", Make<CLASS>);
   NEPHOSCOPE_FOR_CLASSES_OF_SUITE(NEPHOSCOPE_MAKE)
 #undef NEPHOSCOPE_MAKE
 }

@@ -54,7 +54,8 @@ void add(Words& words, vtkPVXMLElement* property)
 {
   const std::string label = property->GetAttributeOrEmpty("label");
   const std::string name = property->GetAttributeOrEmpty("command");
-  if (label.empty() || name.size() < 4 || !(name.compare(0, 3, "Set") == 0 || name.compare(0, 3, "Add") == 0))
+  if (label.empty() || name.size() < 4 ||
+    !(name.compare(0, 3, "Set") == 0 || name.compare(0, 3, "Add") == 0))
   {
     return;
   }
@@ -79,7 +80,8 @@ void addAll(Words& words, vtkPVXMLElement* definition)
 Words wordsOf(const std::string& className)
 {
   Words words = remedies;
-  auto* session = vtkPVSessionBase::SafeDownCast(vtkProcessModule::GetProcessModule()->GetSession());
+  auto* session =
+    vtkPVSessionBase::SafeDownCast(vtkProcessModule::GetProcessModule()->GetSession());
   vtkSIProxyDefinitionManager* manager = session ? session->GetProxyDefinitionManager() : nullptr;
   if (!manager)
   {
@@ -106,7 +108,8 @@ bool isPartOfWord(char c)
 // Whether what begins there ends with a word; names of files and classes in the head of a message begin with a capital too.
 bool isWhole(const std::string& text, std::size_t begin, std::size_t end)
 {
-  return (begin == 0 || !isPartOfWord(text[begin - 1])) && (end == text.size() || !isPartOfWord(text[end]));
+  return (begin == 0 || !isPartOfWord(text[begin - 1])) &&
+    (end == text.size() || !isPartOfWord(text[end]));
 }
 }
 
@@ -120,7 +123,8 @@ std::string inWordsOfPanel(const std::string& text, const std::string& className
     for (const auto& word : words)
     {
       const std::size_t length = word.first.size();
-      if (text.compare(at, length, word.first) == 0 && isWhole(text, at, at + length) && (!longest || longest->first.size() < length))
+      if (text.compare(at, length, word.first) == 0 && isWhole(text, at, at + length) &&
+        (!longest || longest->first.size() < length))
       {
         longest = &word;
       }

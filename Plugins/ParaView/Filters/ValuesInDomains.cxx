@@ -36,7 +36,9 @@ Domain* RangeOf(vtkSMProperty* property)
   for (domains->Begin(); !domains->IsAtEnd(); domains->Next())
   {
     auto* domain = Domain::SafeDownCast(domains->GetDomain());
-    if (domain && (std::strcmp(domain->GetClassName(), "vtkSMDoubleRangeDomain") == 0 || std::strcmp(domain->GetClassName(), "vtkSMIntRangeDomain") == 0))
+    if (domain &&
+      (std::strcmp(domain->GetClassName(), "vtkSMDoubleRangeDomain") == 0 ||
+        std::strcmp(domain->GetClassName(), "vtkSMIntRangeDomain") == 0))
     {
       return domain;
     }
@@ -56,7 +58,9 @@ std::string Told(Domain* domain, unsigned int i)
   }
   else
   {
-    hasLeast ? told << "at least " << least : hasMost ? told << "at most " << most : told << "a finite number";
+    hasLeast    ? told << "at least " << least
+      : hasMost ? told << "at most " << most
+                : told << "a finite number";
   }
   return told.str();
 }
@@ -64,7 +68,8 @@ std::string Told(Domain* domain, unsigned int i)
 bool IsFinite(vtkSMDoubleVectorProperty* property)
 {
   const double* first = property->GetElements();
-  return std::all_of(first, first + property->GetNumberOfElements(), [](double value) { return std::isfinite(value); });
+  return std::all_of(first, first + property->GetNumberOfElements(),
+    [](double value) { return std::isfinite(value); });
 }
 
 bool IsFinite(vtkSMIntVectorProperty*)
@@ -78,8 +83,9 @@ bool KeepIn(vtkSMProxy* proxy, Property* property, Domain* domain)
   bool changed = false;
   if (domain && !IsFinite(property))
   {
-    vtkWarningWithObjectMacro(
-      proxy, << property->GetXMLLabel() << " is not a finite number; it must be " << Told(domain, 0) << ". It has been set to its default.");
+    vtkWarningWithObjectMacro(proxy, << property->GetXMLLabel()
+                                     << " is not a finite number; it must be " << Told(domain, 0)
+                                     << ". It has been set to its default.");
     property->ResetToXMLDefaults();
     changed = true;
   }
@@ -93,8 +99,9 @@ bool KeepIn(vtkSMProxy* proxy, Property* property, Domain* domain)
     kept = hasMost ? std::min(kept, most) : kept;
     if (!(kept == given))
     {
-      vtkWarningWithObjectMacro(
-        proxy, << property->GetXMLLabel() << " is " << given << "; it must be " << Told(domain, at) << ". It has been set to " << kept << ".");
+      vtkWarningWithObjectMacro(proxy, << property->GetXMLLabel() << " is " << given
+                                       << "; it must be " << Told(domain, at)
+                                       << ". It has been set to " << kept << ".");
       property->SetElement(i, kept);
       changed = true;
     }
@@ -143,7 +150,9 @@ void KeepAll(vtkSMProxy* proxy)
 
 void keepValuesInDomains(vtkSMProxy* proxy)
 {
-  std::set<vtkSMProxy*> owners = { proxy }; // of properties that a display shows: displays inside it
+  std::set<vtkSMProxy*> owners = {
+    proxy
+  }; // of properties that a display shows: displays inside it
   vtkSmartPointer<vtkSMPropertyIterator> properties;
   properties.TakeReference(proxy->NewPropertyIterator());
   for (properties->Begin(); !properties->IsAtEnd(); properties->Next())

@@ -64,7 +64,8 @@ int vtkCloudsOverGlobe::FillOutputPortInformation(int port, vtkInformation* info
   return 1;
 }
 
-vtkTypeBool vtkCloudsOverGlobe::ProcessRequest(vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs)
+vtkTypeBool vtkCloudsOverGlobe::ProcessRequest(
+  vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
   if (request->Has(SDDP::REQUEST_INFORMATION()))
   {
@@ -82,9 +83,11 @@ std::string vtkCloudsOverGlobe::FindFile(const char* name)
   std::string folder = this->Folder;
   if (folder.empty())
   {
-    const std::string library = vtksys::SystemTools::GetRealPath(vtkGetLibraryPathForSymbol(NephoscopeDataFolder));
+    const std::string library =
+      vtksys::SystemTools::GetRealPath(vtkGetLibraryPathForSymbol(NephoscopeDataFolder));
     vtkNew<vtkResourceFileLocator> locator;
-    folder = locator->Locate(vtksys::SystemTools::GetFilenamePath(library), std::vector<std::string>{ NephoscopeDataFolder() }, name);
+    folder = locator->Locate(vtksys::SystemTools::GetFilenamePath(library),
+      std::vector<std::string>{ NephoscopeDataFolder() }, name);
   }
   if (folder.empty())
   {
@@ -95,9 +98,10 @@ std::string vtkCloudsOverGlobe::FindFile(const char* name)
   {
     return file;
   }
-  vtkErrorMacro("There is no file " << name << " in "
-                                    << (folder.empty() ? std::string(NephoscopeDataFolder()) + " beside the plugin" : folder)
-                                    << ". Set Folder to the folder Data of Nephoscope's sources.");
+  vtkErrorMacro("There is no file "
+    << name << " in "
+    << (folder.empty() ? std::string(NephoscopeDataFolder()) + " beside the plugin" : folder)
+    << ". Set Folder to the folder Data of Nephoscope's sources.");
   return std::string();
 }
 
@@ -176,11 +180,13 @@ void vtkCloudsOverGlobe::MakeEarth(vtkPolyData* earth)
       const double longitude = vtkMath::Pi() * (2.0 * (i % columns) / columns - 1.0);
       const double radius = this->Globe->GetPlanetRadius();
       const double across = j % rows == 0 ? 0.0 : radius * std::cos(latitude);
-      points->InsertNextPoint(across * std::cos(longitude), across * std::sin(longitude), radius * std::sin(latitude));
+      points->InsertNextPoint(
+        across * std::cos(longitude), across * std::sin(longitude), radius * std::sin(latitude));
       for (int c = 0; c < 3; ++c)
       {
         const int x = std::min((i % columns) * size[0] / columns, size[0] - 1);
-        const double value = image->GetScalarComponentAsDouble(x, std::min(j * size[1] / rows, size[1] - 1), 0, c);
+        const double value =
+          image->GetScalarComponentAsDouble(x, std::min(j * size[1] / rows, size[1] - 1), 0, c);
         colours->InsertNextValue(static_cast<unsigned char>(value));
       }
     }
@@ -197,7 +203,8 @@ void vtkCloudsOverGlobe::MakeEarth(vtkPolyData* earth)
   }
   earth->SetPoints(points);
   earth->SetPolys(quads);
-  earth->GetPointData()->AddArray(colours); // no active scalars, which ParaView would colour by, with a scalar bar
+  earth->GetPointData()->AddArray(
+    colours); // no active scalars, which ParaView would colour by, with a scalar bar
 }
 
 void vtkCloudsOverGlobe::PrintSelf(ostream& os, vtkIndent indent)

@@ -42,7 +42,8 @@ public:
   vtkGetMacro(Folder, std::string);
   ///@}
 
-  vtkTypeBool ProcessRequest(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+  vtkTypeBool ProcessRequest(
+    vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
 protected:
   vtkCloudsOverGlobe();

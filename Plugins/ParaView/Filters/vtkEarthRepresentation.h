@@ -12,7 +12,8 @@
 #include "vtkGeometryRepresentationWithFaces.h"
 #include "vtkNephoscopeParaViewFiltersModule.h" // for export macro
 
-class VTKNEPHOSCOPEPARAVIEWFILTERS_EXPORT vtkEarthRepresentation : public vtkGeometryRepresentationWithFaces
+class VTKNEPHOSCOPEPARAVIEWFILTERS_EXPORT vtkEarthRepresentation
+  : public vtkGeometryRepresentationWithFaces
 {
 public:
   static vtkEarthRepresentation* New();

@@ -25,7 +25,8 @@ vtkStandardNewMacro(vtkPVFlowVolume);
 
 namespace
 {
-constexpr double otherData = 0.01; // change of the diagonal; time steps of one series differ by less
+constexpr double otherData =
+  0.01; // change of the diagonal; time steps of one series differ by less
 
 double DiagonalOfAllRanks(vtkDataObject* data)
 {
@@ -115,7 +116,8 @@ int vtkPVFlowVolume::RequestData(
   vtkDataObject* input = vtkDataObject::GetData(inputs[0], 0);
   const double diagonal = DiagonalOfAllRanks(input);
   const bool isOther = std::abs(diagonal - this->Diagonal) > otherData * this->Diagonal;
-  if (this->FollowData && isOther && this->GetNumberOfInputConnections(1) == 0 && this->IsWhereItWasPlaced())
+  if (this->FollowData && isOther && this->GetNumberOfInputConnections(1) == 0 &&
+    this->IsWhereItWasPlaced())
   {
     this->FindPlaceIn(input);
     if (this->PlaceRadius > 0.0) // not Set...: an update does not modify what is updated
@@ -130,7 +132,8 @@ int vtkPVFlowVolume::RequestData(
 
 bool vtkPVFlowVolume::IsWhereItWasPlaced()
 {
-  return std::equal(this->Center, this->Center + 3, this->PlaceCenter) && this->Radius == this->PlaceRadius &&
+  return std::equal(this->Center, this->Center + 3, this->PlaceCenter) &&
+    this->Radius == this->PlaceRadius &&
     std::equal(this->Normal, this->Normal + 3, this->PlaceNormal);
 }
 
@@ -159,11 +162,13 @@ void vtkPVFlowVolume::FindPlaceIn(vtkDataObject* input)
 
 void vtkPVFlowVolume::SetPreviewCenter(double x, double y, double z)
 {
-  vtkDataObject* input = this->GetNumberOfInputConnections(0) > 0 ? this->GetInputDataObject(0, 0) : nullptr;
+  vtkDataObject* input =
+    this->GetNumberOfInputConnections(0) > 0 ? this->GetInputDataObject(0, 0) : nullptr;
   nephoscope::Vector3 flow{};
   if (input && input->GetNumberOfElements(vtkDataObject::POINT) > 0)
   {
-    this->Preview = this->Preview ? std::move(this->Preview) : std::make_unique<nephoscope::FlowPreview>();
+    this->Preview =
+      this->Preview ? std::move(this->Preview) : std::make_unique<nephoscope::FlowPreview>();
     flow = this->Preview->At(input, this->GetInputArrayInformation(0), { { x, y, z } });
   }
   std::vector<double> best = { vtkMath::Norm(flow.data()), 0.0, flow[0], flow[1], flow[2] };

@@ -44,13 +44,15 @@ std::string PresetOf(const std::string& array, const std::string& list = "standa
 {
   vtkSMSettings* settings = vtkSMSettings::GetInstance();
   const std::string key = "." + list + "." + array;
-  return settings->HasSetting(key.c_str()) ? settings->GetSettingAsString(key.c_str(), 0, "") : std::string();
+  return settings->HasSetting(key.c_str()) ? settings->GetSettingAsString(key.c_str(), 0, "")
+                                           : std::string();
 }
 
 // The preset of a name that is usual elsewhere too; only for data of the weather, those of Globe Grid.
 std::string WeatherPresetOf(const std::string& array, vtkPVDataInformation* data)
 {
-  const bool weather = PresetOf(array).empty() && data->GetArrayInformation("GlobeGridProjection", vtkDataObject::FIELD);
+  const bool weather = PresetOf(array).empty() &&
+    data->GetArrayInformation("GlobeGridProjection", vtkDataObject::FIELD);
   return weather ? PresetOf(array, "nephoscope_weather_presets") : std::string();
 }
 
@@ -108,8 +110,10 @@ void UseWeatherPreset(vtkSMProxy* display, const std::string& array, vtkPVDataIn
 {
   const std::string preset = WeatherPresetOf(array, data);
   vtkSMProxy* colors = vtkSMPropertyHelper(display, "LookupTable", true).GetAsProxy();
-  const bool saved = vtkSMSettings::GetInstance()->HasSetting((".array_lookup_tables." + array).c_str());
-  if (!preset.empty() && colors && !saved && ColorsOf(colors) == ColorsOfAnyArray(display->GetSessionProxyManager()))
+  const bool saved =
+    vtkSMSettings::GetInstance()->HasSetting((".array_lookup_tables." + array).c_str());
+  if (!preset.empty() && colors && !saved &&
+    ColorsOf(colors) == ColorsOfAnyArray(display->GetSessionProxyManager()))
   {
     ApplyPreset(display, "LookupTable", preset);
     ApplyPreset(display, "ScalarOpacityFunction", preset);
@@ -130,12 +134,14 @@ ColoredArray ActiveScalars(vtkPVDataInformation* data)
     for (const int association : { vtkDataObject::POINT, vtkDataObject::CELL })
     {
       vtkPVDataSetAttributesInformation* arrays = data->GetAttributeInformation(association);
-      vtkPVArrayInformation* scalars = active ? arrays->GetAttributeInformation(vtkDataSetAttributes::SCALARS) : nullptr;
+      vtkPVArrayInformation* scalars =
+        active ? arrays->GetAttributeInformation(vtkDataSetAttributes::SCALARS) : nullptr;
       for (int i = 0; !active && !scalars && i < arrays->GetNumberOfArrays(); ++i)
       {
         vtkPVArrayInformation* array = arrays->GetArrayInformation(i);
         const std::string name = array->GetName() ? array->GetName() : "";
-        const bool fits = array->GetNumberOfComponents() == 1 && name != vtkDataSetAttributes::GhostArrayName();
+        const bool fits =
+          array->GetNumberOfComponents() == 1 && name != vtkDataSetAttributes::GhostArrayName();
         scalars = fits ? array : nullptr;
       }
       if (scalars && scalars->GetName())
@@ -151,9 +157,11 @@ ColoredArray ActiveScalars(vtkPVDataInformation* data)
 void DarkenOnBrightBackground(vtkSMProxy* display)
 {
   vtkSMProxy* palette = display->GetSessionProxyManager()->GetProxy("settings", "ColorPalette");
-  const std::vector<double> background =
-    palette ? vtkSMPropertyHelper(palette, "BackgroundColor", true).GetDoubleArray() : std::vector<double>();
-  if (background.size() == 3 && 0.3 * background[0] + 0.59 * background[1] + 0.11 * background[2] > bright)
+  const std::vector<double> background = palette
+    ? vtkSMPropertyHelper(palette, "BackgroundColor", true).GetDoubleArray()
+    : std::vector<double>();
+  if (background.size() == 3 &&
+    0.3 * background[0] + 0.59 * background[1] + 0.11 * background[2] > bright)
   {
     for (const char* property : { "AmbientColor", "DiffuseColor" })
     {
@@ -165,13 +173,18 @@ void DarkenOnBrightBackground(vtkSMProxy* display)
 // A surface at one value of an array has one colour in the colours of that array, and not the best one.
 bool IsColoredByContouredArray(vtkSMProxy* display, vtkSMProxy* source, vtkPVDataInformation* data)
 {
-  const vtkSMPropertyHelper colored(display, "ColorArrayName", true), contoured(source, "SelectInputScalars", true);
-  std::string name = contoured.GetNumberOfElements() == 5 && contoured.GetAsString(4) ? contoured.GetAsString(4) : "";
-  name = name.empty() ? ActiveScalars(data).Name : name; // as a filter does that was made before there were data
+  const vtkSMPropertyHelper colored(display, "ColorArrayName", true),
+    contoured(source, "SelectInputScalars", true);
+  std::string name = contoured.GetNumberOfElements() == 5 && contoured.GetAsString(4)
+    ? contoured.GetAsString(4)
+    : "";
+  name = name.empty() ? ActiveScalars(data).Name
+                      : name; // as a filter does that was made before there were data
   return colored.GetNumberOfElements() == 5 && name == colored.GetAsString(4);
 }
 
-void Color(vtkSMPVRepresentationProxy* display, vtkSMSourceProxy* source, int port, const std::string& how)
+void Color(
+  vtkSMPVRepresentationProxy* display, vtkSMSourceProxy* source, int port, const std::string& how)
 {
   vtkPVDataInformation* data = source->GetDataInformation(port);
   if (how == "solid" || (how == "surface" && IsColoredByContouredArray(display, source, data)))
@@ -188,7 +201,9 @@ void Color(vtkSMPVRepresentationProxy* display, vtkSMSourceProxy* source, int po
   if (!given && display->GetUsingScalarColoring()) // as its input is, for one
   {
     const vtkSMPropertyHelper colored(display, "ColorArrayName", true);
-    UseWeatherPreset(display, colored.GetNumberOfElements() == 5 && colored.GetAsString(4) ? colored.GetAsString(4) : "", data);
+    UseWeatherPreset(display,
+      colored.GetNumberOfElements() == 5 && colored.GetAsString(4) ? colored.GetAsString(4) : "",
+      data);
     return;
   }
   if (!given)
@@ -205,7 +220,8 @@ void Color(vtkSMPVRepresentationProxy* display, vtkSMSourceProxy* source, int po
 }
 
 // The colours of a preset that is in the unit of its array: its range stays.
-void ColorByPreset(vtkSMPVRepresentationProxy* display, vtkSMSourceProxy* source, int port, const char* preset)
+void ColorByPreset(
+  vtkSMPVRepresentationProxy* display, vtkSMSourceProxy* source, int port, const char* preset)
 {
   const ColoredArray array = ActiveScalars(source->GetDataInformation(port));
   display->SetScalarColoring(array.Name.c_str(), array.Association); // it is, but has no colors yet
@@ -213,7 +229,8 @@ void ColorByPreset(vtkSMPVRepresentationProxy* display, vtkSMSourceProxy* source
   if (colors && vtkSMTransferFunctionPresets::GetInstance()->HasPreset(preset))
   {
     vtkSMTransferFunctionProxy::ApplyPreset(colors, preset, false);
-    vtkSMPropertyHelper(colors, "AutomaticRescaleRangeMode", true).Set(vtkSMTransferFunctionManager::NEVER);
+    vtkSMPropertyHelper(colors, "AutomaticRescaleRangeMode", true)
+      .Set(vtkSMTransferFunctionManager::NEVER);
     colors->UpdateVTKObjects();
   }
 }
@@ -300,10 +317,12 @@ private:
 
   void Prepare()
   {
-    if (this->Display && this->Source && this->Type == vtkSMPropertyHelper(this->Display, "Representation", true).GetAsString())
+    if (this->Display && this->Source &&
+      this->Type == vtkSMPropertyHelper(this->Display, "Representation", true).GetAsString())
     {
       vtkPVXMLElement* hint = FindHint(this->Source, this->Port, "RepresentationType");
-      this->Display->SetRepresentationType(hint ? hint->GetAttributeOrEmpty("type") : this->Type.c_str());
+      this->Display->SetRepresentationType(
+        hint ? hint->GetAttributeOrEmpty("type") : this->Type.c_str());
       PrepareDisplay(this->Display);
     }
   }
@@ -320,7 +339,8 @@ private:
 void PrepareDisplay(vtkSMPVRepresentationProxy* display)
 {
   const vtkSMPropertyHelper input(display, "Input", true);
-  auto* source = vtkSMSourceProxy::SafeDownCast(input.GetNumberOfElements() > 0 ? input.GetAsProxy() : nullptr);
+  auto* source =
+    vtkSMSourceProxy::SafeDownCast(input.GetNumberOfElements() > 0 ? input.GetAsProxy() : nullptr);
   const int port = source ? static_cast<int>(input.GetOutputPort()) : 0;
   vtkPVXMLElement* hint = source ? FindHint(source, port, "NephoscopeFirstLook") : nullptr;
   if (hint && IsEmpty(source, port))
@@ -343,15 +363,17 @@ void PrepareDisplay(vtkSMPVRepresentationProxy* display)
 void OnDisplayProperty(vtkObject* caller, unsigned long, void*, void* data)
 {
   auto* display = vtkSMPVRepresentationProxy::SafeDownCast(caller);
-  const char* property = static_cast<const char*>(data); // null for those of displays inside this one
-  if (!display || !property || std::string(property) != "Representation" || display->GetUsingScalarColoring() ||
-    display->GetSessionProxyManager()->GetInLoadXMLState())
+  const char* property =
+    static_cast<const char*>(data); // null for those of displays inside this one
+  if (!display || !property || std::string(property) != "Representation" ||
+    display->GetUsingScalarColoring() || display->GetSessionProxyManager()->GetInLoadXMLState())
   {
     return;
   }
   const std::string type = vtkSMPropertyHelper(display, "Representation", true).GetAsString();
   const vtkSMPropertyHelper input(display, "Input", true);
-  auto* source = vtkSMSourceProxy::SafeDownCast(input.GetNumberOfElements() > 0 ? input.GetAsProxy() : nullptr);
+  auto* source =
+    vtkSMSourceProxy::SafeDownCast(input.GetNumberOfElements() > 0 ? input.GetAsProxy() : nullptr);
   if (source && (type == "Cell Compositing" || type == "Textured Splats"))
   {
     Color(display, source, static_cast<int>(input.GetOutputPort()), "active");
@@ -360,11 +382,14 @@ void OnDisplayProperty(vtkObject* caller, unsigned long, void*, void* data)
 
 void PrepareOpacities(vtkSMProxy* opacities, const std::string& registeredAs)
 {
-  const std::string array = registeredAs.substr(0, registeredAs.rfind('.')); // without ".PiecewiseFunction"
+  const std::string array =
+    registeredAs.substr(0, registeredAs.rfind('.')); // without ".PiecewiseFunction"
   const std::string preset = PresetOf(array);
-  const bool saved = vtkSMSettings::GetInstance()->HasSetting((".array_lookup_tables." + array).c_str());
+  const bool saved =
+    vtkSMSettings::GetInstance()->HasSetting((".array_lookup_tables." + array).c_str());
   auto* presets = vtkSMTransferFunctionPresets::GetInstance();
-  if (!saved && preset.compare(0, ourPresets.size(), ourPresets) == 0 && presets->HasPreset(preset.c_str()))
+  if (!saved && preset.compare(0, ourPresets.size(), ourPresets) == 0 &&
+    presets->HasPreset(preset.c_str()))
   {
     vtkSMTransferFunctionProxy::ApplyPreset(opacities, preset.c_str(), false);
   }
@@ -383,7 +408,8 @@ void OnRegistered(vtkObject*, unsigned long, void*, void* data)
   {
     nephoscope::keepValuesInDomains(proxy);
   }
-  if (!proxy || !registered->GroupName || !registered->ProxyName || proxy->GetSessionProxyManager()->GetInLoadXMLState())
+  if (!proxy || !registered->GroupName || !registered->ProxyName ||
+    proxy->GetSessionProxyManager()->GetInLoadXMLState())
   {
     return;
   }

@@ -26,7 +26,8 @@ constexpr Placed placedProperties[] = { { "PlaceRadius", "Radius" }, { "PlaceCen
 void Copy(vtkSMProxy* proxy, const Placed& placed)
 {
   const auto values = vtkSMPropertyHelper(proxy, placed.Found).GetDoubleArray();
-  vtkSMPropertyHelper(proxy, placed.Property).Set(values.data(), static_cast<unsigned int>(values.size()));
+  vtkSMPropertyHelper(proxy, placed.Property)
+    .Set(values.data(), static_cast<unsigned int>(values.size()));
 }
 
 bool IsPlaced(vtkSMProxy* proxy)

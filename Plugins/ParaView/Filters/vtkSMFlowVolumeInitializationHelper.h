@@ -20,7 +20,8 @@ public:
   static vtkSMFlowVolumeInitializationHelper* New();
   vtkTypeMacro(vtkSMFlowVolumeInitializationHelper, vtkSMProxyInitializationHelper);
 
-  void PostInitializeProxy(vtkSMProxy* proxy, vtkPVXMLElement* xml, vtkMTimeType initializationTime) override;
+  void PostInitializeProxy(
+    vtkSMProxy* proxy, vtkPVXMLElement* xml, vtkMTimeType initializationTime) override;
 
 protected:
   vtkSMFlowVolumeInitializationHelper() = default;

@@ -17,16 +17,18 @@ namespace
 {
 bool hasNarrowIntervals(const std::vector<TransferFunctionTable>& tables)
 {
-  constexpr float narrow = 1e-3f; // of the range of the scalar: rounding at a face is some 1e-6 of it
+  constexpr float narrow =
+    1e-3f; // of the range of the scalar: rounding at a face is some 1e-6 of it
   return std::any_of(tables.begin(), tables.end(), [=](const TransferFunctionTable& table) {
-    return std::any_of(table.Widths.begin(), table.Widths.end(), [=](float w) { return w > 0 && w < narrow; });
+    return std::any_of(
+      table.Widths.begin(), table.Widths.end(), [=](float w) { return w > 0 && w < narrow; });
   });
 }
 
 /** The geometry's values, and after them those of the pieces. */
 template <typename T>
-std::string uploadFloats(BufferTexture& buffer, vtkOpenGLRenderWindow* window, const std::vector<T>& values,
-  const std::vector<T>& ofPieces, int components)
+std::string uploadFloats(BufferTexture& buffer, vtkOpenGLRenderWindow* window,
+  const std::vector<T>& values, const std::vector<T>& ofPieces, int components)
 {
   if (ofPieces.empty())
   {
@@ -40,13 +42,14 @@ std::string uploadFloats(BufferTexture& buffer, vtkOpenGLRenderWindow* window, c
 std::string CellBuffers::UploadGeometry(
   vtkOpenGLRenderWindow* window, const CellGeometry& geometry, const CellPieces& pieces)
 {
-  std::string error = uploadFloats(this->Buffers[Points], window, geometry.Points, pieces.Points, 4);
+  std::string error =
+    uploadFloats(this->Buffers[Points], window, geometry.Points, pieces.Points, 4);
   error = error.empty() ? this->UploadCellScalars(window, geometry, pieces) : error;
   return error.empty() ? this->UploadOpacityScalars(window, geometry, pieces) : error;
 }
 
-std::string CellBuffers::UploadValues(
-  vtkOpenGLRenderWindow* window, const CellGeometry& geometry, const CellPieces& pieces, bool ofColor, bool ofOpacity)
+std::string CellBuffers::UploadValues(vtkOpenGLRenderWindow* window, const CellGeometry& geometry,
+  const CellPieces& pieces, bool ofColor, bool ofOpacity)
 {
   std::string error;
   if (ofColor && geometry.CellScalars.empty()) // points have their scalars with them
@@ -64,8 +67,8 @@ std::string CellBuffers::UploadCellScalars(
   vtkOpenGLRenderWindow* window, const CellGeometry& geometry, const CellPieces& pieces)
 {
   this->UseCellScalars = !geometry.CellScalars.empty();
-  return uploadFloats(
-    this->Buffers[CellScalars], window, geometry.CellScalars, pieces.OfOwners(geometry.CellScalars), 1);
+  return uploadFloats(this->Buffers[CellScalars], window, geometry.CellScalars,
+    pieces.OfOwners(geometry.CellScalars), 1);
 }
 
 std::string CellBuffers::UploadOpacityScalars(
@@ -78,8 +81,8 @@ std::string CellBuffers::UploadOpacityScalars(
 }
 
 // All tables one after the other; nodes as (position, width above).
-std::string CellBuffers::UploadTables(
-  vtkOpenGLRenderWindow* window, const std::vector<TransferFunctionTable>& tables, Name nodes, Name intervals)
+std::string CellBuffers::UploadTables(vtkOpenGLRenderWindow* window,
+  const std::vector<TransferFunctionTable>& tables, Name nodes, Name intervals)
 {
   std::vector<std::array<float, 2>> allNodes;
   std::vector<TransferFunctionTable::Interval> allIntervals;
@@ -91,28 +94,32 @@ std::string CellBuffers::UploadTables(
     }
     allIntervals.insert(allIntervals.end(), table.Intervals.begin(), table.Intervals.end());
   }
-  const std::string error = this->Buffers[nodes].Upload(window, allNodes.data(), allNodes.size(), 2, VTK_FLOAT);
-  return error.empty()
-    ? this->Buffers[intervals].Upload(window, allIntervals.data(), 2 * allIntervals.size(), 4, VTK_FLOAT)
-    : error;
+  const std::string error =
+    this->Buffers[nodes].Upload(window, allNodes.data(), allNodes.size(), 2, VTK_FLOAT);
+  return error.empty() ? this->Buffers[intervals].Upload(
+                           window, allIntervals.data(), 2 * allIntervals.size(), 4, VTK_FLOAT)
+                       : error;
 }
 
 std::string CellBuffers::UploadTransferFunctions(vtkOpenGLRenderWindow* window,
-  const std::vector<TransferFunctionTable>& colorAndOpacity, const std::vector<TransferFunctionTable>& opacity,
-  const std::vector<std::int32_t>& tables)
+  const std::vector<TransferFunctionTable>& colorAndOpacity,
+  const std::vector<TransferFunctionTable>& opacity, const std::vector<std::int32_t>& tables)
 {
   constexpr std::size_t few = 8;
   this->NumberOfTransferNodes = static_cast<int>(colorAndOpacity[0].Nodes.size());
   this->NumberOfOpacityNodes = static_cast<int>(opacity[0].Nodes.size());
   this->UseLayers = colorAndOpacity.size() > 1;
   this->NarrowIntervals = hasNarrowIntervals(colorAndOpacity) || hasNarrowIntervals(opacity);
-  const bool small = colorAndOpacity[0].Nodes.size() <= few && !this->NarrowIntervals && !this->UseLayers;
+  const bool small =
+    colorAndOpacity[0].Nodes.size() <= few && !this->NarrowIntervals && !this->UseLayers;
   this->SmallTable = small ? colorAndOpacity[0] : TransferFunctionTable();
-  std::vector<std::array<float, 4>> layers; // first node, number of nodes, of either table; clear range
+  std::vector<std::array<float, 4>>
+    layers; // first node, number of nodes, of either table; clear range
   float first[2] = { 0, 0 };
   for (std::size_t i = 0; i < colorAndOpacity.size(); ++i)
   {
-    const float sizes[2] = { float(colorAndOpacity[i].Nodes.size()), float(opacity[i].Nodes.size()) };
+    const float sizes[2] = { float(colorAndOpacity[i].Nodes.size()),
+      float(opacity[i].Nodes.size()) };
     const std::array<float, 2> clear = opacity[i].LongestTransparentRange();
     layers.push_back({ { first[0], sizes[0], first[1], sizes[1] } });
     layers.push_back({ { clear[0], clear[1], 0, 0 } });
@@ -120,17 +127,22 @@ std::string CellBuffers::UploadTransferFunctions(vtkOpenGLRenderWindow* window,
     first[1] += sizes[1];
   }
   std::string error = this->UploadTables(window, colorAndOpacity, TransferNodes, TransferIntervals);
-  error = error.empty() ? this->UploadTables(window, opacity, OpacityNodes, OpacityIntervals) : error;
-  error = error.empty() ? this->Buffers[LayerTables].Upload(window, layers.data(), layers.size(), 4, VTK_FLOAT) : error;
-  return error.empty() ? this->Buffers[TetrahedronLayers].Upload(window, tables.data(), tables.size(), 1, VTK_INT)
-                       : error;
+  error =
+    error.empty() ? this->UploadTables(window, opacity, OpacityNodes, OpacityIntervals) : error;
+  error = error.empty()
+    ? this->Buffers[LayerTables].Upload(window, layers.data(), layers.size(), 4, VTK_FLOAT)
+    : error;
+  return error.empty()
+    ? this->Buffers[TetrahedronLayers].Upload(window, tables.data(), tables.size(), 1, VTK_INT)
+    : error;
 }
 
 std::string CellBuffers::ShaderConstants() const
 {
   return shaderConstant("useCellScalars", this->UseCellScalars) +
     shaderConstant("separateOpacity", this->SeparateOpacity) +
-    shaderConstant("opacityOnCells", this->OpacityOnCells) + shaderConstant("useLayers", this->UseLayers);
+    shaderConstant("opacityOnCells", this->OpacityOnCells) +
+    shaderConstant("useLayers", this->UseLayers);
 }
 
 std::string CellBuffers::SmallTableDefinition() const
@@ -153,15 +165,19 @@ void CellBuffers::SetSmallTable(vtkShaderProgram* program) const
     high.push_back(interval.High);
   }
   using Values = const float(*)[4];
-  program->SetUniform1fv("smallNodes", static_cast<int>(this->SmallTable.Nodes.size()), this->SmallTable.Nodes.data());
-  program->SetUniform4fv("smallLow", static_cast<int>(low.size()), reinterpret_cast<Values>(low.data()));
-  program->SetUniform4fv("smallHigh", static_cast<int>(high.size()), reinterpret_cast<Values>(high.data()));
+  program->SetUniform1fv(
+    "smallNodes", static_cast<int>(this->SmallTable.Nodes.size()), this->SmallTable.Nodes.data());
+  program->SetUniform4fv(
+    "smallLow", static_cast<int>(low.size()), reinterpret_cast<Values>(low.data()));
+  program->SetUniform4fv(
+    "smallHigh", static_cast<int>(high.size()), reinterpret_cast<Values>(high.data()));
 }
 
 void CellBuffers::Activate(vtkShaderProgram* program)
 {
-  static const char* const names[NumberOfBuffers] = { "points", "cellScalars", "opacityScalars", "transferNodes",
-    "transferIntervals", "opacityNodes", "opacityIntervals", "layerTables", "tetrahedronLayers" };
+  static const char* const names[NumberOfBuffers] = { "points", "cellScalars", "opacityScalars",
+    "transferNodes", "transferIntervals", "opacityNodes", "opacityIntervals", "layerTables",
+    "tetrahedronLayers" };
   for (int i = 0; i < NumberOfBuffers; ++i)
   {
     program->SetUniformi(names[i], this->Buffers[i].Activate());

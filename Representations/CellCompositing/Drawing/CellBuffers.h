@@ -28,14 +28,15 @@ class CellBuffers
 {
 public:
   // Each returns an empty string, or what went wrong.
-  std::string UploadGeometry(vtkOpenGLRenderWindow* window, const CellGeometry& geometry, const CellPieces& pieces);
+  std::string UploadGeometry(
+    vtkOpenGLRenderWindow* window, const CellGeometry& geometry, const CellPieces& pieces);
   /** Only the values of colour, of opacity or of both, of a geometry that was uploaded before. */
-  std::string UploadValues(vtkOpenGLRenderWindow* window, const CellGeometry& geometry, const CellPieces& pieces, bool ofColor,
-    bool ofOpacity);
+  std::string UploadValues(vtkOpenGLRenderWindow* window, const CellGeometry& geometry,
+    const CellPieces& pieces, bool ofColor, bool ofOpacity);
   /** One table of either kind, or one per layer; `tables` has the number of its tables for each tetrahedron, or is empty. */
   std::string UploadTransferFunctions(vtkOpenGLRenderWindow* window,
-    const std::vector<TransferFunctionTable>& colorAndOpacity, const std::vector<TransferFunctionTable>& opacity,
-    const std::vector<std::int32_t>& tables);
+    const std::vector<TransferFunctionTable>& colorAndOpacity,
+    const std::vector<TransferFunctionTable>& opacity, const std::vector<std::int32_t>& tables);
 
   /** Where the transfer function has few nodes, SMALL_TABLE stands for their number; otherwise it is not defined. */
   std::string SmallTableDefinition() const;
@@ -65,10 +66,12 @@ private:
     TetrahedronLayers,
     NumberOfBuffers
   };
-  std::string UploadCellScalars(vtkOpenGLRenderWindow* window, const CellGeometry& geometry, const CellPieces& pieces);
-  std::string UploadOpacityScalars(vtkOpenGLRenderWindow* window, const CellGeometry& geometry, const CellPieces& pieces);
-  std::string UploadTables(vtkOpenGLRenderWindow* window, const std::vector<TransferFunctionTable>& tables, Name nodes,
-    Name intervals);
+  std::string UploadCellScalars(
+    vtkOpenGLRenderWindow* window, const CellGeometry& geometry, const CellPieces& pieces);
+  std::string UploadOpacityScalars(
+    vtkOpenGLRenderWindow* window, const CellGeometry& geometry, const CellPieces& pieces);
+  std::string UploadTables(vtkOpenGLRenderWindow* window,
+    const std::vector<TransferFunctionTable>& tables, Name nodes, Name intervals);
 
   std::array<BufferTexture, NumberOfBuffers> Buffers;
   TransferFunctionTable SmallTable; // copy of the nodes and intervals; empty if there are many
@@ -76,7 +79,8 @@ private:
   bool SeparateOpacity = false;
   bool OpacityOnCells = false;
   bool UseLayers = false;
-  bool NarrowIntervals = false; // of a transfer function: scalars at faces must be the same for both neighbours
+  bool NarrowIntervals =
+    false; // of a transfer function: scalars at faces must be the same for both neighbours
   int NumberOfTransferNodes = 0;
   int NumberOfOpacityNodes = 0;
 };

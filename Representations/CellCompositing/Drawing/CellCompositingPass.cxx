@@ -17,9 +17,8 @@ namespace
 const char* const noFloatImages = "this OpenGL cannot draw into 32-bit float images";
 }
 
-std::string CellCompositingPass::UploadGeometry(
-  vtkOpenGLRenderWindow* window, const CellGeometry& geometry, const CellPieces& pieces,
-  const TetrahedronNeighbors* neighbors)
+std::string CellCompositingPass::UploadGeometry(vtkOpenGLRenderWindow* window,
+  const CellGeometry& geometry, const CellPieces& pieces, const TetrahedronNeighbors* neighbors)
 {
   this->UseRays = neighbors != nullptr;
   const std::string error = this->Buffers.UploadGeometry(window, geometry, pieces);
@@ -38,8 +37,8 @@ std::string CellCompositingPass::UploadDrawn(vtkOpenGLRenderWindow* window, cons
     this->Projected.UploadOrder(scene.GetDrawn());
     return std::string();
   }
-  return this->Rays.UploadBoundary(window, scene.GetBoundaryFaces(), scene.GetGeometry(), scene.GetVisibleBox(),
-    scene.GetOpacityFunction().LongestTransparentRange());
+  return this->Rays.UploadBoundary(window, scene.GetBoundaryFaces(), scene.GetGeometry(),
+    scene.GetVisibleBox(), scene.GetOpacityFunction().LongestTransparentRange());
 }
 
 std::string CellCompositingPass::Draw(
@@ -49,14 +48,16 @@ std::string CellCompositingPass::Draw(
   window->GetState()->vtkglGetIntegerv(GL_VIEWPORT, whole);
   const PixelRegion region = this->Rays.FindRegion(view, *options.Eye, whole);
   const auto paint = [&](const int viewport[4], OpaqueDepth& opaqueDepth) {
-    const CellDrawing drawing = { window, viewport, view, options, this->Buffers, this->Contours, opaqueDepth };
+    const CellDrawing drawing = { window, viewport, view, options, this->Buffers, this->Contours,
+      opaqueDepth };
     return this->UseRays ? this->Rays.Draw(drawing) : this->Projected.Draw(drawing);
   };
   this->Peeled = false;
   return this->Layer.Draw(window, paint, this->UseRays ? &region : nullptr);
 }
 
-std::string CellCompositingPass::DrawLayer(vtkOpenGLRenderWindow* window, const FloatLayer::Painter& paint)
+std::string CellCompositingPass::DrawLayer(
+  vtkOpenGLRenderWindow* window, const FloatLayer::Painter& paint)
 {
   this->Peeled = false;
   return this->Layer.Draw(window, paint);
@@ -69,8 +70,8 @@ std::string CellCompositingPass::DrawPeel(vtkOpenGLRenderWindow* window, const C
   if (!this->UseRays) // both ranges at once
   {
     return this->Layer.DrawPeel(window, this->Peel, request, [&](const int viewport[4]) {
-      return this->Projected.Draw(
-        { window, viewport, view, options, this->Buffers, this->Contours, this->Layer.GetDepth(), &this->Peel });
+      return this->Projected.Draw({ window, viewport, view, options, this->Buffers, this->Contours,
+        this->Layer.GetDepth(), &this->Peel });
     });
   }
   int viewport[4];
@@ -81,7 +82,8 @@ std::string CellCompositingPass::DrawPeel(vtkOpenGLRenderWindow* window, const C
     return FloatLayer::CheckOpenGL("while asking for a peel");
   }
   FloatLayer::SetBlending(window->GetState());
-  CellDrawing drawing = { window, viewport, view, options, this->Buffers, this->Contours, this->Layer.GetDepth(), &this->Peel };
+  CellDrawing drawing = { window, viewport, view, options, this->Buffers, this->Contours,
+    this->Layer.GetDepth(), &this->Peel };
   const std::string error = this->CastRanges(drawing);
   if (!error.empty())
   {
@@ -98,8 +100,10 @@ std::string CellCompositingPass::CastRanges(CellDrawing& drawing)
   std::string error;
   for (drawing.Range = 0; drawing.Range < 2 && error.empty(); ++drawing.Range)
   {
-    FloatAccumulation& image = drawing.Range == 0 ? this->Layer.GetAccumulation() : this->SecondAccumulation;
-    error = image.Begin(drawing.Window, drawing.Viewport) ? this->Rays.Draw(drawing) : noFloatImages;
+    FloatAccumulation& image =
+      drawing.Range == 0 ? this->Layer.GetAccumulation() : this->SecondAccumulation;
+    error =
+      image.Begin(drawing.Window, drawing.Viewport) ? this->Rays.Draw(drawing) : noFloatImages;
     image.End(drawing.Window);
   }
   return error;

@@ -11,8 +11,8 @@
 
 #include "CellBuffers.h"
 #include "CellDrawing.h"
-#include "FloatLayer.h"
 #include "ContourBuffers.h"
+#include "FloatLayer.h"
 #include "ProjectedCells.h"
 #include "RayCells.h"
 #include "VolumePeel.h"
@@ -40,18 +40,17 @@ class CellCompositingPass
 public:
   // Each returns an empty string, or what went wrong.
   /** With `neighbors` the cells are drawn ray by ray, else one by one in the order that UploadOrder tells. */
-  std::string UploadGeometry(
-    vtkOpenGLRenderWindow* window, const CellGeometry& geometry, const CellPieces& pieces,
-    const TetrahedronNeighbors* neighbors);
+  std::string UploadGeometry(vtkOpenGLRenderWindow* window, const CellGeometry& geometry,
+    const CellPieces& pieces, const TetrahedronNeighbors* neighbors);
   /** Only the values of colour, of opacity or of both; the geometry is that of the last upload. */
-  std::string UploadValues(vtkOpenGLRenderWindow* window, const CellGeometry& geometry, const CellPieces& pieces, bool ofColor,
-    bool ofOpacity)
+  std::string UploadValues(vtkOpenGLRenderWindow* window, const CellGeometry& geometry,
+    const CellPieces& pieces, bool ofColor, bool ofOpacity)
   {
     return this->Buffers.UploadValues(window, geometry, pieces, ofColor, ofOpacity);
   }
   std::string UploadTransferFunctions(vtkOpenGLRenderWindow* window,
-    const std::vector<TransferFunctionTable>& colorAndOpacity, const std::vector<TransferFunctionTable>& opacity,
-    const std::vector<std::int32_t>& tables)
+    const std::vector<TransferFunctionTable>& colorAndOpacity,
+    const std::vector<TransferFunctionTable>& opacity, const std::vector<std::int32_t>& tables)
   {
     return this->Buffers.UploadTransferFunctions(window, colorAndOpacity, opacity, tables);
   }
@@ -59,18 +58,18 @@ public:
   {
     return this->Contours.Upload(window, contours);
   }
-  std::string UploadPolygons(
-    vtkOpenGLRenderWindow* window, const PolygonScene& polygons, const CellGeometry& geometry, const CellPieces& pieces,
-    const TetrahedronNeighbors* neighbors)
+  std::string UploadPolygons(vtkOpenGLRenderWindow* window, const PolygonScene& polygons,
+    const CellGeometry& geometry, const CellPieces& pieces, const TetrahedronNeighbors* neighbors)
   {
     return this->Contours.UploadPolygons(window, polygons, geometry, pieces, neighbors);
   }
   /** What the scene's transfer function and view let be seen. */
   std::string UploadDrawn(vtkOpenGLRenderWindow* window, const CellScene& scene);
-  std::string Draw(vtkOpenGLRenderWindow* window, const CellView& view, const CellDrawingOptions& options);
+  std::string Draw(
+    vtkOpenGLRenderWindow* window, const CellView& view, const CellDrawingOptions& options);
   /** Draws only what a depth peeling pass asks for, into its targets. */
-  std::string DrawPeel(vtkOpenGLRenderWindow* window, const CellView& view, const CellDrawingOptions& options,
-    const VolumePeel::Request& request);
+  std::string DrawPeel(vtkOpenGLRenderWindow* window, const CellView& view,
+    const CellDrawingOptions& options, const VolumePeel::Request& request);
 
   /** Lays over the scene, through the same float image, what something else draws. */
   std::string DrawLayer(vtkOpenGLRenderWindow* window, const FloatLayer::Painter& paint);

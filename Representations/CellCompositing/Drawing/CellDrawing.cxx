@@ -7,10 +7,10 @@
 #include "CellBuffers.h"
 #include "ContourBuffers.h"
 #include "OpaqueDepth.h"
-#include "VolumePeel.h"
 #include "OpticalSegment.h"
 #include "SamplersApart.h"
 #include "ShaderText.h"
+#include "VolumePeel.h"
 
 #include "vtkMatrix4x4.h"
 #include "vtkNew.h"
@@ -24,13 +24,16 @@ namespace nephoscope
 std::string CellDrawing::ShaderConstants() const
 {
   const bool more = this->Buffers.HasPointOpacity() || this->Contours.HasScalars();
-  return std::string(more ? "#define MORE_SCALARS\n" : "") + this->Buffers.ShaderConstants() + this->Contours.ShaderConstants() +
+  return std::string(more ? "#define MORE_SCALARS\n" : "") + this->Buffers.ShaderConstants() +
+    this->Contours.ShaderConstants() +
     shaderConstant("contourLayers", this->Options.ContourLayers && this->Buffers.HasLayers()) +
     shaderConstant("contourLighting", this->Options.ContourLighting) +
-    shaderConstant("consistentFaces", this->Buffers.HasNarrowIntervals() || this->Contours.IsUsed()) +
+    shaderConstant(
+      "consistentFaces", this->Buffers.HasNarrowIntervals() || this->Contours.IsUsed()) +
     shaderConstant("averageIntegration", this->Options.AverageIntegration) +
     shaderConstant("splitAtControlPoints", this->Options.SplitAtControlPoints) +
-    shaderConstant("useDepthRanges", this->Peel != nullptr) + this->Options.Haze.Definition() + this->Options.Planes.Definition();
+    shaderConstant("useDepthRanges", this->Peel != nullptr) + this->Options.Haze.Definition() +
+    this->Options.Planes.Definition();
 }
 
 // Where rays end: at the opaque depth, or at the ends of the ranges of a peel.
@@ -49,7 +52,8 @@ void CellDrawing::SetDepths(vtkShaderProgram* program) const
   vtkTextureObject* tiles = this->Peel->GetTileRanges();
   tiles->Activate();
   program->SetUniformi("tileRanges", tiles->GetTextureUnit());
-  const float tilesPerUnit[2] = { 0.5f * static_cast<float>(ranges->GetWidth()) / VolumePeel::TileSize,
+  const float tilesPerUnit[2] = { 0.5f * static_cast<float>(ranges->GetWidth()) /
+      VolumePeel::TileSize,
     0.5f * static_cast<float>(ranges->GetHeight()) / VolumePeel::TileSize };
   program->SetUniform2f("tilesPerUnit", tilesPerUnit);
 }

@@ -36,8 +36,9 @@ struct CellDrawingOptions
   double ExtinctionScale = 1.0; ///< extinction per world length at opacity 1
   bool ContourLayers = false;   ///< layers lie between contours; otherwise tetrahedra have them
   bool ContourLighting = false;
-  std::array<float, 4> ContourShading = { { 0, 1, 0, 1 } }; ///< ambient, diffuse, specular, specular power
-  std::vector<SceneLight> Lights; ///< of contour surfaces
+  std::array<float, 4> ContourShading = { { 0, 1, 0,
+    1 } };                             ///< ambient, diffuse, specular, specular power
+  std::vector<SceneLight> Lights;      ///< of contour surfaces
   const EyeTetrahedron* Eye = nullptr; ///< where rays start
   HazeView Haze;
   ClippingPlanes Planes;
@@ -53,7 +54,7 @@ struct CellDrawing
   ContourBuffers& Contours;
   OpaqueDepth& Depth;
   VolumePeel* Peel = nullptr; ///< where set, its depth ranges count and not the opaque depth
-  int Range = 0;              ///< the one of them that is drawn ray by ray; projected cells are drawn into both
+  int Range = 0; ///< the one of them that is drawn ray by ray; projected cells are drawn into both
 
   std::string ShaderConstants() const;
   /** Binds the shared textures and sets the uniforms that every fragment shader of cells has. */

@@ -52,8 +52,9 @@ void CellScene::Clear()
   ++this->Current.Drawn;
 }
 
-bool CellScene::UpdateGeometry(vtkDataSet* data, const ScalarSelection& scalars, const ScalarSelection& opacity,
-  CellGeometry::Form form, std::string& error, vtkDataArray* layers, const Progress& progress)
+bool CellScene::UpdateGeometry(vtkDataSet* data, const ScalarSelection& scalars,
+  const ScalarSelection& opacity, CellGeometry::Form form, std::string& error, vtkDataArray* layers,
+  const Progress& progress)
 {
   // All are asked, since each remembers what it was asked about.
   const bool mesh = this->Mesh.Changes(data);
@@ -79,8 +80,8 @@ bool CellScene::UpdateGeometry(vtkDataSet* data, const ScalarSelection& scalars,
 }
 
 // False where the geometry has to be built again.
-bool CellScene::UpdateValues(
-  vtkDataSet* data, const ScalarSelection& scalars, const ScalarSelection& opacity, bool ofColor, bool ofOpacity)
+bool CellScene::UpdateValues(vtkDataSet* data, const ScalarSelection& scalars,
+  const ScalarSelection& opacity, bool ofColor, bool ofOpacity)
 {
   if (!this->Geometry.UpdateValues(data, scalars, opacity, ofColor, ofOpacity))
   {
@@ -93,7 +94,8 @@ bool CellScene::UpdateValues(
   {
     this->TopologyKey = {};
   }
-  if (ofPoints && !this->Sorted.Pieces.Tetrahedra.empty()) // which have values of their own at their corners
+  if (ofPoints &&
+    !this->Sorted.Pieces.Tetrahedra.empty()) // which have values of their own at their corners
   {
     this->OrderKey = {};
   }
@@ -103,7 +105,8 @@ bool CellScene::UpdateValues(
 bool CellScene::UpdateMethod(Method method, const Progress& progress)
 {
   const bool ofOther = this->Contours.IsUsed() && !this->Contours.OfColor;
-  if (!changes(this->TopologyKey, { this->Current.Geometry, method, ofOther ? this->Contours.FieldVersion : 0 }))
+  if (!changes(this->TopologyKey,
+        { this->Current.Geometry, method, ofOther ? this->Contours.FieldVersion : 0 }))
   {
     return true;
   }
@@ -117,7 +120,8 @@ bool CellScene::UpdateMethod(Method method, const Progress& progress)
       this->TopologyKey = {};
       return false;
     }
-    this->Neighbors.Build(this->Geometry, this->Order, ofOther ? this->Contours.Scalars : std::vector<float>());
+    this->Neighbors.Build(
+      this->Geometry, this->Order, ofOther ? this->Contours.Scalars : std::vector<float>());
     this->Order.Clear();
   }
   ++this->Current.Topology;
@@ -129,8 +133,8 @@ void CellScene::UpdateTransferFunction(vtkVolumeProperty* property)
   this->UpdateTransferFunction(property, ContourSettings(), nullptr, {});
 }
 
-void CellScene::UpdateTransferFunction(vtkVolumeProperty* property, const ContourSettings& settings, vtkDataSet* data,
-  const ScalarSelection& contoured)
+void CellScene::UpdateTransferFunction(vtkVolumeProperty* property, const ContourSettings& settings,
+  vtkDataSet* data, const ScalarSelection& contoured)
 {
   std::vector<PropertyKey> key = { { 0, property, propertyMTime(property) } };
   std::vector<vtkVolumeProperty*> properties = { property };
@@ -146,9 +150,11 @@ void CellScene::UpdateTransferFunction(vtkVolumeProperty* property, const Contou
     }
   }
   const CellGeometry& geometry = this->Geometry;
-  const Ranges ranges = { { geometry.ScalarRange[0], geometry.ScalarRange[1], geometry.OpacityRange[0], geometry.OpacityRange[1] } };
+  const Ranges ranges = { { geometry.ScalarRange[0], geometry.ScalarRange[1],
+    geometry.OpacityRange[0], geometry.OpacityRange[1] } };
   if (changes(this->TransferKey,
-        { this->Current.Geometry, ranges, geometry.HasOpacityScalars, this->LayersOfContours, key }))
+        { this->Current.Geometry, ranges, geometry.HasOpacityScalars, this->LayersOfContours,
+          key }))
   {
     this->BuildTables(properties);
     this->FindTablesOfTetrahedra(layers);
@@ -164,8 +170,9 @@ void CellScene::UpdateTransferFunction(vtkVolumeProperty* property, const Contou
     }
   }
   this->ContouredVersion += data && this->ContouredValues.Changes(data, contoured);
-  this->Contours.Update(geometry, this->Current.Geometry + this->Current.Colors + this->ContouredVersion, data, contoured, settings,
-    property, tables);
+  this->Contours.Update(geometry,
+    this->Current.Geometry + this->Current.Colors + this->ContouredVersion, data, contoured,
+    settings, property, tables);
   if (!this->Contours.ClosesWith(geometry)) // a boundary as any other
   {
     this->Geometry.Grid.WrapCells = 0;
@@ -182,14 +189,16 @@ void CellScene::BuildTables(const std::vector<vtkVolumeProperty*>& properties)
   this->Opacities.assign(properties.size(), TransferFunctionTable());
   for (std::size_t i = 0; i < properties.size(); ++i)
   {
-    this->Transfers[i].Build(
-      properties[i], this->Geometry.ScalarRange, separate ? Channels::Color : Channels::ColorAndOpacity);
-    this->Opacities[i].Build(
-      properties[i], separate ? this->Geometry.OpacityRange : this->Geometry.ScalarRange, Channels::Opacity);
+    this->Transfers[i].Build(properties[i], this->Geometry.ScalarRange,
+      separate ? Channels::Color : Channels::ColorAndOpacity);
+    this->Opacities[i].Build(properties[i],
+      separate ? this->Geometry.OpacityRange : this->Geometry.ScalarRange, Channels::Opacity);
     if (i > 0)
     {
-      const double distance = properties[i]->GetScalarOpacityUnitDistance(), ofVolume = properties[0]->GetScalarOpacityUnitDistance();
-      const double factor = distance == ContourSettings::DefaultUnitDistance ? 1.0 : ofVolume / distance;
+      const double distance = properties[i]->GetScalarOpacityUnitDistance(),
+                   ofVolume = properties[0]->GetScalarOpacityUnitDistance();
+      const double factor =
+        distance == ContourSettings::DefaultUnitDistance ? 1.0 : ofVolume / distance;
       this->Transfers[i].ScaleOpacity(factor);
       this->Opacities[i].ScaleOpacity(factor);
     }
@@ -207,7 +216,8 @@ void CellScene::FindTablesOfTetrahedra(const std::vector<int>& layers)
   {
     const auto found = std::lower_bound(layers.begin(), layers.end(), layer);
     const bool known = found != layers.end() && *found == layer;
-    this->TablesOfTetrahedra.push_back(known ? static_cast<std::int32_t>(found - layers.begin()) + 1 : 0);
+    this->TablesOfTetrahedra.push_back(
+      known ? static_cast<std::int32_t>(found - layers.begin()) + 1 : 0);
   }
 }
 
@@ -266,7 +276,8 @@ CellScene::SortKey CellScene::KeyOf(OrderMethod method) const
 
 void CellScene::Count(const VisibilityOrder::Sorted& sorted)
 {
-  this->Counted = { sorted.NumberOfCycles, sorted.NumberOfCyclicTetrahedra, sorted.NumberOfBrokenRelations };
+  this->Counted = { sorted.NumberOfCycles, sorted.NumberOfCyclicTetrahedra,
+    sorted.NumberOfBrokenRelations };
 }
 
 CellScene::Cycles CellScene::CountCycles(const std::function<CellGeometry()>& makeTetrahedra)
@@ -307,8 +318,9 @@ void CellScene::UpdateDrawn()
 {
   const Versions& now = this->Current;
   const bool grid = !this->Geometry.Grid.IsEmpty();
-  const bool visible =
-    changes(this->VisibleKey, { now.Geometry, now.Colors, now.Opacities, now.Transfer, this->Contours.Version, this->Polygons.Version });
+  const bool visible = changes(this->VisibleKey,
+    { now.Geometry, now.Colors, now.Opacities, now.Transfer, this->Contours.Version,
+      this->Polygons.Version });
   if (visible)
   {
     grid ? this->FindVisibleOfGrid() : this->FindVisible();
@@ -335,7 +347,8 @@ bool CellScene::ListDrawn()
   std::copy_if(this->Sorted.Order.begin(), this->Sorted.Order.end(), std::back_inserter(list),
     [this, whole](std::int32_t number) {
       const std::size_t i = static_cast<std::size_t>(number);
-      const std::size_t owner = i < whole ? i : static_cast<std::size_t>(this->Sorted.Pieces.Owners[i - whole]);
+      const std::size_t owner =
+        i < whole ? i : static_cast<std::size_t>(this->Sorted.Pieces.Owners[i - whole]);
       return this->Visible[owner] != 0;
     });
   const bool another = list != this->Drawn;
@@ -354,41 +367,46 @@ void CellScene::FindVisible()
     return separate ? geometry.OpacityScalars[i] : geometry.Points[i].Scalar;
   };
   this->Visible.resize(geometry.Tetrahedra.size());
-  vtkSMPTools::For(0, static_cast<vtkIdType>(this->Visible.size()), [&](vtkIdType begin, vtkIdType end) {
-    for (std::size_t i = static_cast<std::size_t>(begin); i < static_cast<std::size_t>(end); ++i)
-    {
-      std::array<float, 4> s;
-      for (std::size_t k = 0; k < 4; ++k)
+  vtkSMPTools::For(
+    0, static_cast<vtkIdType>(this->Visible.size()), [&](vtkIdType begin, vtkIdType end) {
+      for (std::size_t i = static_cast<std::size_t>(begin); i < static_cast<std::size_t>(end); ++i)
       {
-        s[k] = onCells ? cellValues[i] : pointValue(geometry.Tetrahedra[i][k]);
+        std::array<float, 4> s;
+        for (std::size_t k = 0; k < 4; ++k)
+        {
+          s[k] = onCells ? cellValues[i] : pointValue(geometry.Tetrahedra[i][k]);
+        }
+        const auto range = std::minmax_element(s.begin(), s.end());
+        const Tetrahedron& t = geometry.Tetrahedra[i];
+        this->Visible[i] =
+          !this->IsTransparent(i, { { t[0], t[1], t[2], t[3] } }, *range.first, *range.second);
       }
-      const auto range = std::minmax_element(s.begin(), s.end());
-      const Tetrahedron& t = geometry.Tetrahedra[i];
-      this->Visible[i] = !this->IsTransparent(i, { { t[0], t[1], t[2], t[3] } }, *range.first, *range.second);
-    }
-  });
+    });
   this->NumberOfVisible = std::count(this->Visible.begin(), this->Visible.end(), std::uint8_t(1));
 }
 
 void CellScene::FindVisibleOfGrid()
 {
-  const auto isTransparent = [this](std::size_t cell, const VertexNumbersOf& vertices, float low, float high) {
+  const auto isTransparent = [this](std::size_t cell, const VertexNumbersOf& vertices, float low,
+                               float high) {
     return this->IsTransparent(cell, vertices, low, high);
   };
-  const auto visible = VisibleGridCells<decltype(isTransparent)>(this->Geometry, isTransparent).Find();
+  const auto visible =
+    VisibleGridCells<decltype(isTransparent)>(this->Geometry, isTransparent).Find();
   this->NumberOfVisible = visible.Tetrahedra;
   this->VisibleBox = visible.Tetrahedra > 0 ? visible.Box : CellBox();
   this->GridBoundary = chessboardBoundary(this->Geometry, this->VisibleBox);
 }
 
 // `number` is that of a tetrahedron, or of a cell of a grid.
-std::pair<float, float> CellScene::ContourRange(std::size_t number, const VertexNumbersOf& vertices) const
+std::pair<float, float> CellScene::ContourRange(
+  std::size_t number, const VertexNumbersOf& vertices) const
 {
   std::array<float, 4> s;
   for (std::size_t k = 0; k < 4; ++k)
   {
     const std::size_t point = static_cast<std::size_t>(vertices[k]);
-    s[k] = !this->Contours.OfColor          ? this->Contours.Scalars[point]
+    s[k] = !this->Contours.OfColor         ? this->Contours.Scalars[point]
       : this->Geometry.CellScalars.empty() ? this->Geometry.Points[point].Scalar
                                            : this->Geometry.CellScalars[number];
     if (std::isnan(s[k])) // as the shader has it
@@ -401,22 +419,27 @@ std::pair<float, float> CellScene::ContourRange(std::size_t number, const Vertex
 }
 
 // No surface, within or in a face, and for the scalars from low to high no opacity in any of the layers that the tetrahedron may touch.
-bool CellScene::IsTransparent(std::size_t number, const VertexNumbersOf& vertices, float low, float high) const
+bool CellScene::IsTransparent(
+  std::size_t number, const VertexNumbersOf& vertices, float low, float high) const
 {
   const bool contoured = this->Contours.IsUsed();
-  const std::pair<float, float> range = contoured ? this->ContourRange(number, vertices) : std::pair<float, float>();
-  if (this->Polygons.HasSurface(number) || (contoured && this->Contours.DrawsBetween(range.first, range.second)))
+  const std::pair<float, float> range =
+    contoured ? this->ContourRange(number, vertices) : std::pair<float, float>();
+  if (this->Polygons.HasSurface(number) ||
+    (contoured && this->Contours.DrawsBetween(range.first, range.second)))
   {
     return false;
   }
   if (!contoured || !this->LayersOfContours)
   {
-    const std::size_t table =
-      this->TablesOfTetrahedra.empty() ? 0 : static_cast<std::size_t>(this->TablesOfTetrahedra[number]);
+    const std::size_t table = this->TablesOfTetrahedra.empty()
+      ? 0
+      : static_cast<std::size_t>(this->TablesOfTetrahedra[number]);
     return this->Opacities[table].IsTransparent(low, high);
   }
   const auto& contours = this->Contours.Contours;
-  for (std::size_t layer = this->Contours.FindLayer(range.first); layer <= this->Contours.FindLayer(range.second); ++layer)
+  for (std::size_t layer = this->Contours.FindLayer(range.first);
+       layer <= this->Contours.FindLayer(range.second); ++layer)
   {
     const float table = layer == 0 ? contours[0].LayerBelow : contours[layer - 1].LayerAbove;
     if (!this->Opacities[static_cast<std::size_t>(table)].IsTransparent(low, high))

@@ -52,7 +52,8 @@ public:
   };
   struct Versions
   {
-    std::int64_t Geometry = 0, Colors = 0, Opacities = 0, Topology = 0, Transfer = 0, Order = 0, Pieces = 0, Drawn = 0;
+    std::int64_t Geometry = 0, Colors = 0, Opacities = 0, Topology = 0, Transfer = 0, Order = 0,
+                 Pieces = 0, Drawn = 0;
     bool operator!=(const Versions& other) const
     {
       return this->UploadedParts() != other.UploadedParts();
@@ -61,7 +62,8 @@ public:
   private:
     std::array<std::int64_t, 7> UploadedParts() const // all but the order
     {
-      return { { this->Geometry, this->Colors, this->Opacities, this->Topology, this->Transfer, this->Pieces, this->Drawn } };
+      return { { this->Geometry, this->Colors, this->Opacities, this->Topology, this->Transfer,
+        this->Pieces, this->Drawn } };
     }
   };
 
@@ -69,12 +71,13 @@ public:
    * Returns true when the geometry was made again; `error` then tells why it could not be, or is empty. When stopped, there is
    * no geometry until the next time. Where only values of the selected arrays have changed, they are copied and nothing else is made.
    */
-  bool UpdateGeometry(vtkDataSet* data, const ScalarSelection& scalars, const ScalarSelection& opacity, CellGeometry::Form form,
-    std::string& error, vtkDataArray* layers = nullptr, const Progress& progress = {});
+  bool UpdateGeometry(vtkDataSet* data, const ScalarSelection& scalars,
+    const ScalarSelection& opacity, CellGeometry::Form form, std::string& error,
+    vtkDataArray* layers = nullptr, const Progress& progress = {});
   void UpdateTransferFunction(vtkVolumeProperty* property);
   /** The same with layers of their own properties, and contours of an array (none: the coloured one). */
-  void UpdateTransferFunction(vtkVolumeProperty* property, const ContourSettings& settings, vtkDataSet* data,
-    const ScalarSelection& contoured);
+  void UpdateTransferFunction(vtkVolumeProperty* property, const ContourSettings& settings,
+    vtkDataSet* data, const ScalarSelection& contoured);
   /** Every visible part of the medium has one and the same colour; contours, and layers of another colour, are not looked at. */
   bool HasOneColor() const { return this->ColorIsOne; }
   /** How the cells will be drawn. Rays find their way through a mesh by its neighbours: false when stopped before they are known. */
@@ -103,14 +106,21 @@ public:
   const ContourScene& GetContours() const { return this->Contours; }
   const PolygonScene& GetPolygons() const { return this->Polygons; }
   /** To be called first of all: what is drawn of the data besides 3-D cells, and with it how these may be drawn. */
-  void ReadPolygons(vtkDataSet* data, const ContourSettings& settings) { this->Polygons.Read(data, settings); }
+  void ReadPolygons(vtkDataSet* data, const ContourSettings& settings)
+  {
+    this->Polygons.Read(data, settings);
+  }
   /** To be called after the geometry was updated. */
-  void UpdatePolygons(const ScalarSelection& scalars, const ContourSettings& settings, vtkVolumeProperty* property)
+  void UpdatePolygons(
+    const ScalarSelection& scalars, const ContourSettings& settings, vtkVolumeProperty* property)
   {
     this->Polygons.Update(this->Geometry, this->Current.Geometry, scalars, settings, property);
   }
   /** Number of the tables that each tetrahedron reads; empty where that does not depend on the tetrahedron. */
-  const std::vector<std::int32_t>& GetTablesOfTetrahedra() const { return this->TablesOfTetrahedra; }
+  const std::vector<std::int32_t>& GetTablesOfTetrahedra() const
+  {
+    return this->TablesOfTetrahedra;
+  }
   bool ContoursMakeLayers() const { return this->LayersOfContours; }
   /** Null for projection. */
   const TetrahedronNeighbors* GetNeighbors() const
@@ -149,14 +159,16 @@ private:
   bool Sort(OrderMethod method, VisibilityOrder::Sorted& sorted, const Progress& progress);
   void Count(const VisibilityOrder::Sorted& sorted);
   SortKey KeyOf(OrderMethod method) const;
-  bool UpdateValues(vtkDataSet* data, const ScalarSelection& scalars, const ScalarSelection& opacity, bool ofColor, bool ofOpacity);
+  bool UpdateValues(vtkDataSet* data, const ScalarSelection& scalars,
+    const ScalarSelection& opacity, bool ofColor, bool ofOpacity);
   bool ListDrawn();
   void FindVisible();
   void FindVisibleOfGrid();
   void BuildTables(const std::vector<vtkVolumeProperty*>& properties);
   void FindTablesOfTetrahedra(const std::vector<int>& layers);
   using VertexNumbersOf = std::array<std::int64_t, 4>;
-  bool IsTransparent(std::size_t number, const VertexNumbersOf& vertices, float low, float high) const;
+  bool IsTransparent(
+    std::size_t number, const VertexNumbersOf& vertices, float low, float high) const;
   std::pair<float, float> ContourRange(std::size_t number, const VertexNumbersOf& vertices) const;
 
   Method CurrentMethod = Method::Projection;
@@ -175,8 +187,8 @@ private:
   bool ColorIsOne = false;
   VisibilityOrder Order;
   OrderView View;
-  VisibilityOrder::Sorted Sorted;     // all tetrahedra, back to front
-  std::vector<std::uint8_t> Visible;  // per tetrahedron: not fully transparent
+  VisibilityOrder::Sorted Sorted;    // all tetrahedra, back to front
+  std::vector<std::uint8_t> Visible; // per tetrahedron: not fully transparent
   std::vector<std::int32_t> Drawn;
   Cycles Counted;
   Versions Current;
@@ -193,7 +205,8 @@ private:
   SortKey OrderKey;
   SortKey CountedKey;
   std::tuple<std::int64_t, std::int64_t, std::int64_t, std::int64_t, Vector4> EyeKey;
-  std::tuple<std::int64_t, std::int64_t, std::int64_t, std::int64_t, std::int64_t, std::int64_t> VisibleKey;
+  std::tuple<std::int64_t, std::int64_t, std::int64_t, std::int64_t, std::int64_t, std::int64_t>
+    VisibleKey;
   std::tuple<std::int64_t, std::int64_t> DrawnKey;
   std::tuple<std::int64_t, std::int64_t> RaysKey;
 };

@@ -25,7 +25,9 @@ std::string ContourBuffers::Upload(vtkOpenGLRenderWindow* window, const ContourS
   this->Smooth = contours.Smooth;
   std::string error;
   const auto upload = [&](Name name, const auto& values, std::size_t tuples, int components) {
-    error = error.empty() ? this->Buffers[name].Upload(window, values.data(), tuples, components, VTK_FLOAT) : error;
+    error = error.empty()
+      ? this->Buffers[name].Upload(window, values.data(), tuples, components, VTK_FLOAT)
+      : error;
   };
   upload(Contours, contours.Contours, 2 * contours.Contours.size(), 4);
   upload(Scalars, contours.Scalars, contours.Scalars.size(), 1);
@@ -33,29 +35,35 @@ std::string ContourBuffers::Upload(vtkOpenGLRenderWindow* window, const ContourS
   return error;
 }
 
-std::string ContourBuffers::UploadPolygons(
-  vtkOpenGLRenderWindow* window, const PolygonScene& polygons, const CellGeometry& geometry, const CellPieces& pieces,
+std::string ContourBuffers::UploadPolygons(vtkOpenGLRenderWindow* window,
+  const PolygonScene& polygons, const CellGeometry& geometry, const CellPieces& pieces,
   const TetrahedronNeighbors* neighbors)
 {
   auto ofTetrahedra = polygons.OfTetrahedra;
   auto surfaces = polygons.Surfaces;
-  neighbors && !surfaces.empty() ? polygons.ListForRays(geometry, *neighbors, ofTetrahedra, surfaces)
-                                 : polygons.AddPieces(geometry, pieces, ofTetrahedra, surfaces);
+  neighbors && !surfaces.empty()
+    ? polygons.ListForRays(geometry, *neighbors, ofTetrahedra, surfaces)
+    : polygons.AddPieces(geometry, pieces, ofTetrahedra, surfaces);
   this->UsePolygons = !surfaces.empty();
-  const std::string error = this->Buffers[OfTetrahedra].Upload(window, ofTetrahedra.data(), ofTetrahedra.size(), 4, VTK_INT);
-  return error.empty() ? this->Buffers[Polygons].Upload(window, surfaces.data(), 4 * surfaces.size(), 4, VTK_FLOAT) : error;
+  const std::string error = this->Buffers[OfTetrahedra].Upload(
+    window, ofTetrahedra.data(), ofTetrahedra.size(), 4, VTK_INT);
+  return error.empty()
+    ? this->Buffers[Polygons].Upload(window, surfaces.data(), 4 * surfaces.size(), 4, VTK_FLOAT)
+    : error;
 }
 
 std::string ContourBuffers::ShaderConstants() const
 {
-  return shaderConstant("usePolygons", this->UsePolygons) + shaderConstant("useContours", this->IsUsed()) + shaderConstant("contourOfColor", this->OfColor) +
+  return shaderConstant("usePolygons", this->UsePolygons) +
+    shaderConstant("useContours", this->IsUsed()) +
+    shaderConstant("contourOfColor", this->OfColor) +
     shaderConstant("smoothContourNormals", this->Smooth);
 }
 
 void ContourBuffers::Activate(const CellDrawing& drawing, vtkShaderProgram* program)
 {
-  static const char* const names[NumberOfBuffers] = { "contourScalars", "contours", "contourGradients", "tetrahedronSurfaces",
-    "polygonSurfaces" };
+  static const char* const names[NumberOfBuffers] = { "contourScalars", "contours",
+    "contourGradients", "tetrahedronSurfaces", "polygonSurfaces" };
   for (int i = 0; i < NumberOfBuffers; ++i)
   {
     program->SetUniformi(names[i], this->Buffers[i].Activate());
@@ -86,7 +94,8 @@ void ContourBuffers::SetLights(const CellDrawing& drawing, vtkShaderProgram* pro
   std::array<std::vector<float>, 5> values;
   for (const SceneLight& light : drawing.Options.Lights)
   {
-    const std::array<float, 3> parts[5] = { light.Color, light.Direction, light.Position, light.Attenuation, light.Cone };
+    const std::array<float, 3> parts[5] = { light.Color, light.Direction, light.Position,
+      light.Attenuation, light.Cone };
     for (std::size_t i = 0; i < 5; ++i)
     {
       values[i].insert(values[i].end(), parts[i].begin(), parts[i].end());
@@ -94,7 +103,8 @@ void ContourBuffers::SetLights(const CellDrawing& drawing, vtkShaderProgram* pro
   }
   const int count = static_cast<int>(drawing.Options.Lights.size());
   program->SetUniformi("numberOfLights", count);
-  const char* const names[5] = { "lightColors", "lightDirections", "lightPositions", "lightAttenuations", "lightCones" };
+  const char* const names[5] = { "lightColors", "lightDirections", "lightPositions",
+    "lightAttenuations", "lightCones" };
   for (std::size_t i = 0; i < 5 && count > 0; ++i)
   {
     program->SetUniform3fv(names[i], count, values[i].data());

@@ -29,9 +29,8 @@ public:
   /** Returns an empty string, or what went wrong. */
   std::string Upload(vtkOpenGLRenderWindow* window, const ContourScene& contours);
   /** With `neighbors` for rays, else for projection. */
-  std::string UploadPolygons(
-    vtkOpenGLRenderWindow* window, const PolygonScene& polygons, const CellGeometry& geometry, const CellPieces& pieces,
-    const TetrahedronNeighbors* neighbors);
+  std::string UploadPolygons(vtkOpenGLRenderWindow* window, const PolygonScene& polygons,
+    const CellGeometry& geometry, const CellPieces& pieces, const TetrahedronNeighbors* neighbors);
 
   bool IsUsed() const { return this->NumberOfContours > 0; }
   bool HasScalars() const { return this->IsUsed() && !this->OfColor; }

@@ -26,7 +26,8 @@ std::vector<float> normalizedScalars(const ScalarSelection& selection, const dou
     for (vtkIdType i = begin; i < end; ++i)
     {
       const float s = normalized(selection, i, range);
-      scalars[static_cast<std::size_t>(i)] = std::isfinite(s) ? s : std::numeric_limits<float>::quiet_NaN();
+      scalars[static_cast<std::size_t>(i)] =
+        std::isfinite(s) ? s : std::numeric_limits<float>::quiet_NaN();
     }
   });
   return scalars;
@@ -64,16 +65,17 @@ std::array<float, 3> functionColor(vtkVolumeProperty* property, double value)
   return { { static_cast<float>(rgb[0]), static_cast<float>(rgb[1]), static_cast<float>(rgb[2]) } };
 }
 
-void ContourScene::Update(const CellGeometry& geometry, std::int64_t geometryVersion, vtkDataSet* data,
-  const ScalarSelection& selection, const ContourSettings& settings, vtkVolumeProperty* property,
-  const std::vector<int>& tables)
+void ContourScene::Update(const CellGeometry& geometry, std::int64_t geometryVersion,
+  vtkDataSet* data, const ScalarSelection& selection, const ContourSettings& settings,
+  vtkVolumeProperty* property, const std::vector<int>& tables)
 {
   std::vector<ContourSettings::Surface> surfaces;
   std::copy_if(settings.Surfaces.begin(), settings.Surfaces.end(), std::back_inserter(surfaces),
     [](const ContourSettings::Surface& s) { return std::isfinite(s.Value); });
-  std::stable_sort(
-    surfaces.begin(), surfaces.end(), [](const auto& a, const auto& b) { return a.Value < b.Value; });
-  const bool drawn = std::any_of(surfaces.begin(), surfaces.end(), [](const auto& s) { return s.Opacity > 0; });
+  std::stable_sort(surfaces.begin(), surfaces.end(),
+    [](const auto& a, const auto& b) { return a.Value < b.Value; });
+  const bool drawn =
+    std::any_of(surfaces.begin(), surfaces.end(), [](const auto& s) { return s.Opacity > 0; });
   if (!surfaces.empty())
   {
     const bool onPoints = selection.Array || geometry.CellScalars.empty();
@@ -121,8 +123,8 @@ void ContourScene::Update(const CellGeometry& geometry, std::int64_t geometryVer
   }
 }
 
-void ContourScene::UpdateField(const CellGeometry& geometry, std::int64_t geometryVersion, vtkDataSet* data,
-  const ScalarSelection& selection, bool smooth)
+void ContourScene::UpdateField(const CellGeometry& geometry, std::int64_t geometryVersion,
+  vtkDataSet* data, const ScalarSelection& selection, bool smooth)
 {
   const bool ofColor = selection.Array == nullptr;
   const decltype(this->FieldKey) key = { geometryVersion, ofColor, smooth, selection.Array,
@@ -151,7 +153,8 @@ void ContourScene::UpdateField(const CellGeometry& geometry, std::int64_t geomet
 
 bool ContourScene::DrawsBetween(float low, float high) const
 {
-  const auto above = std::upper_bound(this->Drawn.begin(), this->Drawn.end(), low); // the first value > low
+  const auto above =
+    std::upper_bound(this->Drawn.begin(), this->Drawn.end(), low); // the first value > low
   return above != this->Drawn.end() && *above <= high;
 }
 
@@ -162,9 +165,11 @@ bool ContourScene::ClosesWith(const CellGeometry& geometry) const
   {
     return true;
   }
-  for (std::size_t first = 0; first < this->Scalars.size(); first += static_cast<std::size_t>(grid.Size[0]))
+  for (std::size_t first = 0; first < this->Scalars.size();
+       first += static_cast<std::size_t>(grid.Size[0]))
   {
-    const float a = this->Scalars[first], b = this->Scalars[first + static_cast<std::size_t>(grid.WrapCells)];
+    const float a = this->Scalars[first],
+                b = this->Scalars[first + static_cast<std::size_t>(grid.WrapCells)];
     if (a != b && !(std::isnan(a) && std::isnan(b)))
     {
       return false;
@@ -175,8 +180,8 @@ bool ContourScene::ClosesWith(const CellGeometry& geometry) const
 
 std::size_t ContourScene::FindLayer(float s) const
 {
-  const auto above = std::upper_bound(
-    this->Contours.begin(), this->Contours.end(), s, [](float v, const Contour& c) { return v < c.Value; });
+  const auto above = std::upper_bound(this->Contours.begin(), this->Contours.end(), s,
+    [](float v, const Contour& c) { return v < c.Value; });
   return static_cast<std::size_t>(above - this->Contours.begin());
 }
 

@@ -42,15 +42,17 @@ public:
     float Value;                  ///< normalised as the scalars
     float LayerBelow, LayerAbove; ///< numbers of tables
     float Unused;
-    std::array<float, 4> Color;   ///< and opacity; red < 0: of the colour function where the surface is
+    std::array<float, 4>
+      Color; ///< and opacity; red < 0: of the colour function where the surface is
   };
 
   /**
    * `selection` names the array that is contoured, of points; without an array it is the coloured one. `tables[k]` is the number of the
    * transfer tables of layer k, the one with k values below. To be called after the geometry was built.
    */
-  void Update(const CellGeometry& geometry, std::int64_t geometryVersion, vtkDataSet* data, const ScalarSelection& selection,
-    const ContourSettings& settings, vtkVolumeProperty* property, const std::vector<int>& tables);
+  void Update(const CellGeometry& geometry, std::int64_t geometryVersion, vtkDataSet* data,
+    const ScalarSelection& selection, const ContourSettings& settings, vtkVolumeProperty* property,
+    const std::vector<int>& tables);
 
   bool IsUsed() const { return !this->Contours.empty(); }
   /** Some surface is not transparent. */
@@ -65,14 +67,14 @@ public:
   std::vector<Contour> Contours; ///< ascending
   bool OfColor = true;
   bool Smooth = false;
-  std::vector<float> Scalars;    ///< per point, normalised, NaN where not finite; empty if OfColor
+  std::vector<float> Scalars; ///< per point, normalised, NaN where not finite; empty if OfColor
   std::vector<std::array<float, 4>> Gradients; ///< per point if Smooth
-  std::int64_t Version = 0;      ///< grows whenever anything above changed
-  std::int64_t FieldVersion = 0; ///< of scalars and gradients alone
+  std::int64_t Version = 0;                    ///< grows whenever anything above changed
+  std::int64_t FieldVersion = 0;               ///< of scalars and gradients alone
 
 private:
-  void UpdateField(const CellGeometry& geometry, std::int64_t geometryVersion, vtkDataSet* data, const ScalarSelection& selection,
-    bool smooth);
+  void UpdateField(const CellGeometry& geometry, std::int64_t geometryVersion, vtkDataSet* data,
+    const ScalarSelection& selection, bool smooth);
 
   double Range[2] = { 0, 1 };
   std::vector<float> Drawn; // values of the surfaces that are not transparent, ascending

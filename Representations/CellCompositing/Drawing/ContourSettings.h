@@ -38,7 +38,7 @@ struct ContourSettings
   bool LayersFromContours = false;
 
   CellPolygons::Which Polygons = CellPolygons::Which::Contours;
-  Surface Polygon;                        ///< how those are drawn that have no entry below
+  Surface Polygon;                          ///< how those are drawn that have no entry below
   std::map<int, Surface> PolygonsOfContour; ///< by ContourIndex
 
   const Surface& FindPolygon(int contour) const
@@ -50,12 +50,14 @@ struct ContourSettings
   /** A negative number: of those that have not been changed. */
   Surface& ChangePolygon(int contour)
   {
-    return contour < 0 ? this->Polygon : this->PolygonsOfContour.emplace(contour, this->Polygon).first->second;
+    return contour < 0 ? this->Polygon
+                       : this->PolygonsOfContour.emplace(contour, this->Polygon).first->second;
   }
 
   bool DrawsSurfaces() const
   {
-    return std::any_of(this->Surfaces.begin(), this->Surfaces.end(), [](const Surface& s) { return s.Opacity > 0.0; });
+    return std::any_of(this->Surfaces.begin(), this->Surfaces.end(),
+      [](const Surface& s) { return s.Opacity > 0.0; });
   }
 
   ContourSettings WithoutSurfaces() const
@@ -67,7 +69,8 @@ struct ContourSettings
 
   bool LayersAreUsed() const
   {
-    return !this->LayerProperties.empty() && (!this->LayerArrayName.empty() || this->ContoursMakeLayers());
+    return !this->LayerProperties.empty() &&
+      (!this->LayerArrayName.empty() || this->ContoursMakeLayers());
   }
   /** Cells that say their layer themselves come first. */
   bool ContoursMakeLayers() const

@@ -21,7 +21,8 @@ namespace nephoscope
 /** Least and greatest coordinate along each axis, of nothing at first. */
 struct PointBounds
 {
-  std::array<double, 3> Low = { { Largest, Largest, Largest } }, High = { { -Largest, -Largest, -Largest } };
+  std::array<double, 3> Low = { { Largest, Largest, Largest } },
+                        High = { { -Largest, -Largest, -Largest } };
 
   void Add(const std::array<double, 3>& p)
   {
@@ -37,7 +38,8 @@ private:
 };
 
 /** All pixels where the box reaches behind the eye. */
-inline PixelRegion coveredPixels(const SceneView& view, const PointBounds& bounds, const int viewport[4])
+inline PixelRegion coveredPixels(
+  const SceneView& view, const PointBounds& bounds, const int viewport[4])
 {
   constexpr int margin = 2;
   const PixelRegion all = { { 0, 0, viewport[2], viewport[3] } };

@@ -41,10 +41,10 @@ namespace nephoscope
 {
 namespace
 {
-constexpr int size = 16;             // pixels
+constexpr int size = 16;              // pixels
 constexpr double largestError = 2e-3; // of light and opacity: wrong pictures err by far more
-constexpr double distance = 7;       // of the eye from the centre
-constexpr double slope = 0.25;       // of the ray through the edge of the picture
+constexpr double distance = 7;        // of the eye from the centre
+constexpr double slope = 0.25;        // of the ray through the edge of the picture
 
 using Plane = std::array<double, 4>; // inside where x a + y b + z c + d >= 0
 
@@ -80,7 +80,8 @@ vtkSmartPointer<vtkDataSet> makeCell(std::vector<Plane>& planes)
 {
   auto data = vtkSmartPointer<vtkImageData>::New();
   data->SetDimensions(2, 2, 2);
-  planes = { { { 1, 0, 0, 0 } }, { { 0, 1, 0, 0 } }, { { 0, 0, 1, 0 } }, { { -1, 0, 0, 1 } }, { { 0, -1, 0, 1 } }, { { 0, 0, -1, 1 } } };
+  planes = { { { 1, 0, 0, 0 } }, { { 0, 1, 0, 0 } }, { { 0, 0, 1, 0 } }, { { -1, 0, 0, 1 } },
+    { { 0, -1, 0, 1 } }, { { 0, 0, -1, 1 } } };
   return data;
 }
 
@@ -109,7 +110,8 @@ struct CheckView
     this->ViewToDevice->SetElement(3, 3, 0);
     this->View.ModelToView = this->ModelToView;
     this->View.ViewToDevice = this->ViewToDevice;
-    vtkMatrix4x4::Multiply4x4(this->ViewToDevice->GetData(), this->ModelToView->GetData(), this->Order.ModelToDevice.data());
+    vtkMatrix4x4::Multiply4x4(this->ViewToDevice->GetData(), this->ModelToView->GetData(),
+      this->Order.ModelToDevice.data());
     this->Order.Width = this->Order.Height = size;
   }
 };
@@ -117,7 +119,8 @@ struct CheckView
 // Opacity of extinction 1 along the ray of a pixel; `eye` in model coordinates.
 double exactOpacity(const std::vector<Plane>& planes, const double eye[3], int x, int y)
 {
-  const double ray[3] = { slope * (2 * (x + 0.5) / size - 1), slope * (2 * (y + 0.5) / size - 1), -1 };
+  const double ray[3] = { slope * (2 * (x + 0.5) / size - 1), slope * (2 * (y + 0.5) / size - 1),
+    -1 };
   double enter = 0, leave = std::numeric_limits<double>::infinity();
   for (const Plane& p : planes)
   {
@@ -132,16 +135,21 @@ double exactOpacity(const std::vector<Plane>& planes, const double eye[3], int x
 
 std::string upload(vtkOpenGLRenderWindow* window, CellCompositingPass& pass, const CellScene& scene)
 {
-  std::string error = pass.UploadGeometry(window, scene.GetGeometry(), scene.GetPieces(), scene.GetNeighbors());
-  error = error.empty()
-    ? pass.UploadTransferFunctions(window, scene.GetTransferFunctions(), scene.GetOpacityFunctions(), {}) : error;
+  std::string error =
+    pass.UploadGeometry(window, scene.GetGeometry(), scene.GetPieces(), scene.GetNeighbors());
+  error = error.empty() ? pass.UploadTransferFunctions(
+                            window, scene.GetTransferFunctions(), scene.GetOpacityFunctions(), {})
+                        : error;
   error = error.empty() ? pass.UploadContours(window, scene.GetContours()) : error;
-  error = error.empty() ? pass.UploadPolygons(window, scene.GetPolygons(), scene.GetGeometry(), scene.GetPieces(), scene.GetNeighbors()) : error;
+  error = error.empty() ? pass.UploadPolygons(window, scene.GetPolygons(), scene.GetGeometry(),
+                            scene.GetPieces(), scene.GetNeighbors())
+                        : error;
   return error.empty() ? pass.UploadDrawn(window, scene) : error;
 }
 
 // Into a framebuffer of its own without anything opaque.
-std::string draw(vtkOpenGLRenderWindow* window, CellCompositingPass& pass, const SceneView& view, const CellScene& scene)
+std::string draw(vtkOpenGLRenderWindow* window, CellCompositingPass& pass, const SceneView& view,
+  const CellScene& scene)
 {
   vtkOpenGLState* state = window->GetState();
   const SavedState saved(state);
@@ -181,16 +189,19 @@ std::string compare(vtkImageData* image, const std::vector<Plane>& planes, const
     for (int x = 0; x < size; ++x)
     {
       const double exact = exactOpacity(planes, eye, x, y);
-      const double beside = std::min(std::min(exactOpacity(planes, eye, x - 1, y), exactOpacity(planes, eye, x + 1, y)),
-        std::min(exactOpacity(planes, eye, x, y - 1), exactOpacity(planes, eye, x, y + 1)));
+      const double beside =
+        std::min(std::min(exactOpacity(planes, eye, x - 1, y), exactOpacity(planes, eye, x + 1, y)),
+          std::min(exactOpacity(planes, eye, x, y - 1), exactOpacity(planes, eye, x, y + 1)));
       const double expected[4] = { exact, 0.5 * exact, 0.25 * exact, exact };
       double value[4];
       drawn->GetTuple(y * size + x, value);
       for (int c = 0; c < 4; ++c)
       {
-        if (beside > 0 && !(std::abs(value[c] - expected[c]) <= largestError)) // the silhouette is not looked at
+        if (beside > 0 &&
+          !(std::abs(value[c] - expected[c]) <= largestError)) // the silhouette is not looked at
         {
-          return "a test cell has the value " + std::to_string(value[c]) + " instead of " + std::to_string(expected[c]);
+          return "a test cell has the value " + std::to_string(value[c]) + " instead of " +
+            std::to_string(expected[c]);
         }
       }
     }
@@ -198,7 +209,8 @@ std::string compare(vtkImageData* image, const std::vector<Plane>& planes, const
   return std::string();
 }
 
-std::string drawAndCompare(vtkOpenGLRenderWindow* window, CellScene::Method method, vtkDataSet* data, const std::vector<Plane>& planes)
+std::string drawAndCompare(vtkOpenGLRenderWindow* window, CellScene::Method method,
+  vtkDataSet* data, const std::vector<Plane>& planes)
 {
   const ScalarSelection scalars = { addScalars(data), false, -1 };
   vtkNew<vtkColorTransferFunction> color;
@@ -213,7 +225,8 @@ std::string drawAndCompare(vtkOpenGLRenderWindow* window, CellScene::Method meth
   CellScene scene;
   std::string error;
   const bool rays = method == CellScene::Method::Rays;
-  scene.UpdateGeometry(data, scalars, {}, rays ? CellGeometry::Form::Grid : CellGeometry::Form::Tetrahedra, error);
+  scene.UpdateGeometry(
+    data, scalars, {}, rays ? CellGeometry::Form::Grid : CellGeometry::Form::Tetrahedra, error);
   const double* center = scene.GetGeometry().Center;
   const double eye[3] = { 0.13, 0.21, distance }; // relative to the centre
   const double eyeOfPlanes[3] = { eye[0] + center[0], eye[1] + center[1], eye[2] + center[2] };
@@ -236,7 +249,8 @@ std::string drawAndCompare(vtkOpenGLRenderWindow* window, CellScene::Method meth
   vtkNew<vtkImageData> image;
   if (error.empty())
   {
-    error = pass.CopyFloatImage(window, image) ? compare(image, planes, eyeOfPlanes) : "nothing was drawn";
+    error = pass.CopyFloatImage(window, image) ? compare(image, planes, eyeOfPlanes)
+                                               : "nothing was drawn";
   }
   pass.ReleaseGraphicsResources(window);
   return error;
@@ -245,7 +259,8 @@ std::string drawAndCompare(vtkOpenGLRenderWindow* window, CellScene::Method meth
 std::string check(vtkOpenGLRenderWindow* window, DrawnBy way)
 {
   const char* wrong = std::getenv("NEPHOSCOPE_WRONG_DRAWING");
-  if (wrong && std::string(wrong).find(way == DrawnBy::Rays ? "Rays" : "Projection") != std::string::npos)
+  if (wrong &&
+    std::string(wrong).find(way == DrawnBy::Rays ? "Rays" : "Projection") != std::string::npos)
   {
     return "NEPHOSCOPE_WRONG_DRAWING says so";
   }

@@ -10,7 +10,8 @@
 namespace nephoscope
 {
 
-void FaceSlices::SetFaces(const CellGeometry& geometry, const std::vector<BoundaryFace>& faces, std::size_t count)
+void FaceSlices::SetFaces(
+  const CellGeometry& geometry, const std::vector<BoundaryFace>& faces, std::size_t count)
 {
   this->Corners.resize(count);
   for (std::size_t i = 0; i < count; ++i)
@@ -41,7 +42,8 @@ void FaceSlices::Sort(const std::array<double, 4>& toDepth, double error)
     this->Ranges[i] = { static_cast<float>(low - error), static_cast<float>(high + error) };
   });
   // Every slice is a pass over the picture at least, which is worth some thousands of faces; few large ones cost by the pixel.
-  constexpr std::size_t mostSlices = 256, facesPerSlice = 8192, fewestPerSlice = 64, slicesOfFew = 16;
+  constexpr std::size_t mostSlices = 256, facesPerSlice = 8192, fewestPerSlice = 64,
+                        slicesOfFew = 16;
   const std::size_t mostListed = std::max<std::size_t>(4 * this->Corners.size(), 1 << 16);
   std::size_t slices = std::min(this->Corners.size() / fewestPerSlice + 1, slicesOfFew);
   slices = std::min(std::max(this->Corners.size() / facesPerSlice, slices), mostSlices);
@@ -55,7 +57,8 @@ void FaceSlices::Sort(const std::array<double, 4>& toDepth, double error)
   for (std::size_t s = 0; s <= ends.size(); ++s)
   {
     const float largest = std::numeric_limits<float>::max();
-    this->Slices.push_back({ s == 0 ? -largest : ends[s - 1], s == ends.size() ? largest : ends[s], 0, 0 });
+    this->Slices.push_back(
+      { s == 0 ? -largest : ends[s - 1], s == ends.size() ? largest : ends[s], 0, 0 });
   }
   const auto forEachListed = [&](auto visit) {
     for (std::size_t i = 0; i < this->Ranges.size(); ++i)
@@ -108,7 +111,8 @@ FaceSlices::Ends FaceSlices::FindEnds(std::size_t slices) const
 std::array<std::size_t, 2> FaceSlices::Reach(const Ends& ends, const Range& range)
 {
   const auto sliceOf = [&](float depth) {
-    return static_cast<std::size_t>(std::upper_bound(ends.begin(), ends.end(), depth) - ends.begin());
+    return static_cast<std::size_t>(
+      std::upper_bound(ends.begin(), ends.end(), depth) - ends.begin());
   };
   return { { sliceOf(range.Low), sliceOf(range.High) } };
 }

@@ -29,7 +29,8 @@ public:
   };
 
   /** The first `count` of the faces, which are copied. */
-  void SetFaces(const CellGeometry& geometry, const std::vector<BoundaryFace>& faces, std::size_t count);
+  void SetFaces(
+    const CellGeometry& geometry, const std::vector<BoundaryFace>& faces, std::size_t count);
 
   /**
    * The depth of a point is toDepth . (x, y, z, 1), to within `error`. There are as many slices as the faces allow: those that reach

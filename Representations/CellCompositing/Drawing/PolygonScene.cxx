@@ -34,7 +34,8 @@ Vector4 weightsIn(const std::array<Vector3, 4>& p, const Vector3& x)
   {
     const auto& f = tetrahedronFaces[k];
     const Vector3 a = p[std::size_t(f[0])];
-    const Vector3 normal = cross(difference(p[std::size_t(f[1])], a), difference(p[std::size_t(f[2])], a));
+    const Vector3 normal =
+      cross(difference(p[std::size_t(f[1])], a), difference(p[std::size_t(f[2])], a));
     weights[k] = dot(normal, difference(x, a)) / dot(normal, difference(p[k], a));
   }
   return weights;
@@ -53,7 +54,8 @@ void PolygonScene::Read(vtkDataSet* data, const ContourSettings& settings)
     [&](const CellPolygons::Triangle& t) { return settings.FindPolygon(t.Contour).Opacity > 0; });
 }
 
-void PolygonScene::FindFaces(const CellGeometry& geometry, std::int64_t geometryVersion, bool smooth)
+void PolygonScene::FindFaces(
+  const CellGeometry& geometry, std::int64_t geometryVersion, bool smooth)
 {
   if (!replaces(this->FacesKey, { geometryVersion, this->ReadVersion, smooth }))
   {
@@ -67,13 +69,15 @@ void PolygonScene::FindFaces(const CellGeometry& geometry, std::int64_t geometry
     std::vector<std::int32_t> welded = places;
     weldPlaces(geometry, welded);
     std::vector<CellPolygons::Face> faces = this->Polygons.Match(geometry, welded);
-    this->Polygons.NumberApart < apart ? this->Faces.swap(faces) : void(this->Polygons.NumberApart = apart);
+    this->Polygons.NumberApart < apart ? this->Faces.swap(faces)
+                                       : void(this->Polygons.NumberApart = apart);
   }
   this->Normals = this->Polygons.Normals(geometry, places, smooth);
 }
 
-std::array<float, 4> PolygonScene::ColorOf(const CellPolygons::Triangle& triangle, const ScalarSelection& scalars,
-  const ContourSettings& settings, vtkVolumeProperty* property) const
+std::array<float, 4> PolygonScene::ColorOf(const CellPolygons::Triangle& triangle,
+  const ScalarSelection& scalars, const ContourSettings& settings,
+  vtkVolumeProperty* property) const
 {
   const ContourSettings::Surface& look = settings.FindPolygon(triangle.Contour);
   std::array<float, 3> rgb = { { -1, -1, -1 } };
@@ -88,16 +92,18 @@ std::array<float, 4> PolygonScene::ColorOf(const CellPolygons::Triangle& triangl
   return { { rgb[0], rgb[1], rgb[2], static_cast<float>(look.Opacity) } };
 }
 
-std::vector<double> PolygonScene::DescribeLook(
-  std::int64_t geometryVersion, const ScalarSelection& scalars, const ContourSettings& settings, vtkVolumeProperty* property) const
+std::vector<double> PolygonScene::DescribeLook(std::int64_t geometryVersion,
+  const ScalarSelection& scalars, const ContourSettings& settings,
+  vtkVolumeProperty* property) const
 {
   if (!this->Used)
   {
     return {};
   }
   const bool ofCells = scalars.OnCells && scalars.Array;
-  std::vector<double> key = { double(geometryVersion), double(this->ReadVersion), double(settings.SmoothNormals),
-    ofCells ? double(scalars.Array->GetMTime()) : 0.0, ofCells ? double(colorMTime(property)) : 0.0 };
+  std::vector<double> key = { double(geometryVersion), double(this->ReadVersion),
+    double(settings.SmoothNormals), ofCells ? double(scalars.Array->GetMTime()) : 0.0,
+    ofCells ? double(colorMTime(property)) : 0.0 };
   const auto add = [&key](double contour, const ContourSettings::Surface& look) {
     key.insert(key.end(), { contour, look.Opacity, look.Color[0], look.Color[1], look.Color[2] });
   };
@@ -109,8 +115,8 @@ std::vector<double> PolygonScene::DescribeLook(
   return key;
 }
 
-void PolygonScene::Update(const CellGeometry& geometry, std::int64_t geometryVersion, const ScalarSelection& scalars,
-  const ContourSettings& settings, vtkVolumeProperty* property)
+void PolygonScene::Update(const CellGeometry& geometry, std::int64_t geometryVersion,
+  const ScalarSelection& scalars, const ContourSettings& settings, vtkVolumeProperty* property)
 {
   if (!replaces(this->LookKey, this->DescribeLook(geometryVersion, scalars, settings, property)))
   {
@@ -140,13 +146,15 @@ void PolygonScene::Update(const CellGeometry& geometry, std::int64_t geometryVer
           const Vector3 d = difference(geometry.Position(triangle.Points[corner]), x);
           return dot(d, d);
         };
-        const std::size_t nearest = distance(0) <= distance(1) ? (distance(0) <= distance(2) ? 0 : 2) : (distance(1) <= distance(2) ? 1 : 2);
+        const std::size_t nearest = distance(0) <= distance(1)
+          ? (distance(0) <= distance(2) ? 0 : 2)
+          : (distance(1) <= distance(2) ? 1 : 2);
         const Vector3& n = this->Normals[number][nearest];
         surface.Normals[k] = { { float(n[0]), float(n[1]), float(n[2]), 0.0f } };
       }
       surfaces.push_back(surface);
-      ofTetrahedra[static_cast<std::size_t>(face.Tetrahedron)][static_cast<std::size_t>(face.Opposite)] =
-        static_cast<std::int32_t>(surfaces.size());
+      ofTetrahedra[static_cast<std::size_t>(face.Tetrahedron)][static_cast<std::size_t>(
+        face.Opposite)] = static_cast<std::int32_t>(surfaces.size());
     }
   }
   this->Surfaces.swap(surfaces);
@@ -161,11 +169,12 @@ void PolygonScene::ListForRays(const CellGeometry& geometry, const TetrahedronNe
   ofTetrahedra.assign(this->OfTetrahedra.size(), { { 0, 0, 0, 0 } });
   const auto rankIn = [&](std::size_t tetrahedron, std::int32_t vertex) {
     const Tetrahedron& t = geometry.Tetrahedra[tetrahedron];
-    return static_cast<std::size_t>(
-      std::count_if(t.begin(), t.end(), [&](std::int32_t v) { return neighbors.Merged(v) < vertex; }));
+    return static_cast<std::size_t>(std::count_if(
+      t.begin(), t.end(), [&](std::int32_t v) { return neighbors.Merged(v) < vertex; }));
   };
   // To the corners of a surface, whose normals have the order of `from`.
-  const auto add = [&](Surface surface, const Corners& from, Corners to, std::size_t tetrahedron, std::int32_t opposite) {
+  const auto add = [&](Surface surface, const Corners& from, Corners to, std::size_t tetrahedron,
+                     std::int32_t opposite) {
     std::sort(to.begin(), to.end());
     const auto normals = surface.Normals;
     for (std::size_t k = 0; k < 3; ++k)
@@ -174,12 +183,13 @@ void PolygonScene::ListForRays(const CellGeometry& geometry, const TetrahedronNe
         const Vector3 d = difference(geometry.Position(corner), geometry.Position(to[k]));
         return dot(d, d);
       };
-      const auto nearest = std::min_element(
-        from.begin(), from.end(), [&](std::int32_t a, std::int32_t b) { return distance(a) < distance(b); });
+      const auto nearest = std::min_element(from.begin(), from.end(),
+        [&](std::int32_t a, std::int32_t b) { return distance(a) < distance(b); });
       surface.Normals[k] = normals[static_cast<std::size_t>(nearest - from.begin())];
     }
     surfaces.push_back(surface);
-    ofTetrahedra[tetrahedron][rankIn(tetrahedron, opposite)] = static_cast<std::int32_t>(surfaces.size());
+    ofTetrahedra[tetrahedron][rankIn(tetrahedron, opposite)] =
+      static_cast<std::int32_t>(surfaces.size());
   };
   surfaces.clear();
   for (std::size_t i = 0; i < this->OfTetrahedra.size(); ++i)
@@ -228,7 +238,8 @@ void PolygonScene::AddPieces(const CellGeometry& geometry, const CellPieces& pie
     std::array<Vector4, 4> weights;
     for (std::size_t k = 0; k < 4; ++k)
     {
-      const CellGeometry::Point& p = pieces.Points[static_cast<std::size_t>(pieces.Tetrahedra[i][k]) - geometry.Points.size()];
+      const CellGeometry::Point& p =
+        pieces.Points[static_cast<std::size_t>(pieces.Tetrahedra[i][k]) - geometry.Points.size()];
       weights[k] = weightsIn(geometry.Vertices(owner), { { p.X, p.Y, p.Z } });
     }
     for (std::size_t face = 0; face < 4; ++face)
@@ -237,7 +248,8 @@ void PolygonScene::AddPieces(const CellGeometry& geometry, const CellPieces& pie
       for (std::size_t opposite = 0; opposite < 4 && number > 0; ++opposite)
       {
         const auto& corners = tetrahedronFaces[opposite];
-        if (!std::all_of(corners, corners + 3, [&](int k) { return std::abs(weights[std::size_t(k)][face]) < rounding; }))
+        if (!std::all_of(corners, corners + 3,
+              [&](int k) { return std::abs(weights[std::size_t(k)][face]) < rounding; }))
         {
           continue;
         }
@@ -250,7 +262,8 @@ void PolygonScene::AddPieces(const CellGeometry& geometry, const CellPieces& pie
             double sum = 0;
             for (std::size_t j = 0; j < 3; ++j)
             {
-              sum += weights[std::size_t(corners[k])][std::size_t(tetrahedronFaces[face][j])] * whole[j][c];
+              sum += weights[std::size_t(corners[k])][std::size_t(tetrahedronFaces[face][j])] *
+                whole[j][c];
             }
             surface.Normals[k][c] = static_cast<float>(sum);
           }

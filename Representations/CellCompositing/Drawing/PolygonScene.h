@@ -32,22 +32,25 @@ public:
   /** Four texels of the shaders' buffer. */
   struct Surface
   {
-    std::array<float, 4> Color; ///< and opacity; red < 0: of the colour function where the surface is
-    std::array<std::array<float, 4>, 3> Normals; ///< at the corners, ascending by their number in the tetrahedron; model coordinates
+    std::array<float, 4>
+      Color; ///< and opacity; red < 0: of the colour function where the surface is
+    std::array<std::array<float, 4>, 3>
+      Normals; ///< at the corners, ascending by their number in the tetrahedron; model coordinates
   };
 
   /** Finds the polygons of the data that the settings ask for; to be called before geometry and way of drawing are chosen. */
   void Read(vtkDataSet* data, const ContourSettings& settings);
   /** To be called after the geometry was built. `scalars` are those of colour. */
-  void Update(const CellGeometry& geometry, std::int64_t geometryVersion, const ScalarSelection& scalars,
-    const ContourSettings& settings, vtkVolumeProperty* property);
+  void Update(const CellGeometry& geometry, std::int64_t geometryVersion,
+    const ScalarSelection& scalars, const ContourSettings& settings, vtkVolumeProperty* property);
 
   /** Some polygon that was found is not transparent. */
   bool IsUsed() const { return this->Used; }
   /** The tetrahedron has a surface that can be seen. */
   bool HasSurface(std::size_t tetrahedron) const
   {
-    return !this->OfTetrahedra.empty() && this->OfTetrahedra[tetrahedron] != std::array<std::int32_t, 4>{ { 0, 0, 0, 0 } };
+    return !this->OfTetrahedra.empty() &&
+      this->OfTetrahedra[tetrahedron] != std::array<std::int32_t, 4>{ { 0, 0, 0, 0 } };
   }
   const CellPolygons& GetPolygons() const { return this->Polygons; }
 
@@ -57,18 +60,19 @@ public:
   std::int64_t Version = 0; ///< grows whenever one of the two changed
 
   /** Adds those of the pieces of tetrahedra, after them, to copies of the two. */
-  void AddPieces(const CellGeometry& geometry, const CellPieces& pieces, std::vector<std::array<std::int32_t, 4>>& ofTetrahedra,
-    std::vector<Surface>& surfaces) const;
+  void AddPieces(const CellGeometry& geometry, const CellPieces& pieces,
+    std::vector<std::array<std::int32_t, 4>>& ofTetrahedra, std::vector<Surface>& surfaces) const;
 
   /** The two for rays: vertices ascend by their merged numbers, and both tetrahedra of a face have its surface. */
   void ListForRays(const CellGeometry& geometry, const TetrahedronNeighbors& neighbors,
     std::vector<std::array<std::int32_t, 4>>& ofTetrahedra, std::vector<Surface>& surfaces) const;
 
 private:
-  std::array<float, 4> ColorOf(const CellPolygons::Triangle& triangle, const ScalarSelection& scalars,
-    const ContourSettings& settings, vtkVolumeProperty* property) const;
-  std::vector<double> DescribeLook(std::int64_t geometryVersion, const ScalarSelection& scalars, const ContourSettings& settings,
+  std::array<float, 4> ColorOf(const CellPolygons::Triangle& triangle,
+    const ScalarSelection& scalars, const ContourSettings& settings,
     vtkVolumeProperty* property) const;
+  std::vector<double> DescribeLook(std::int64_t geometryVersion, const ScalarSelection& scalars,
+    const ContourSettings& settings, vtkVolumeProperty* property) const;
   void FindFaces(const CellGeometry& geometry, std::int64_t geometryVersion, bool smooth);
 
   CellPolygons Polygons;

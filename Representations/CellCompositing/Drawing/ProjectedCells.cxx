@@ -35,8 +35,11 @@ void pixelToRay(const CellView& view, const int* size, vtkMatrix3x3* result)
   vtkNew<vtkMatrix4x4> inverse;
   vtkMatrix4x4::Multiply4x4(view.ViewToDevice, view.ModelToView, inverse);
   inverse->Invert();
-  const double corners[3][4] = { { 2.0 / size[0], 0, 0, 0 }, { 0, 2.0 / size[1], 0, 0 }, { -1, -1, 0, 1 } };
-  double place[3][4]; // of the pixel's derivatives, and of pixel (0, 0), in homogeneous model coordinates
+  const double corners[3][4] = { { 2.0 / size[0], 0, 0, 0 }, { 0, 2.0 / size[1], 0, 0 },
+    { -1, -1, 0, 1 } };
+  double
+    place[3]
+         [4]; // of the pixel's derivatives, and of pixel (0, 0), in homogeneous model coordinates
   for (int i = 0; i < 3; ++i)
   {
     inverse->MultiplyPoint(corners[i], place[i]);
@@ -46,7 +49,8 @@ void pixelToRay(const CellView& view, const int* size, vtkMatrix3x3* result)
   {
     for (int axis = 0; axis < 3; ++axis)
     {
-      const double value = parallel ? place[i][axis] / place[2][3] : place[i][axis] - place[i][3] * view.EyeModel[axis];
+      const double value = parallel ? place[i][axis] / place[2][3]
+                                    : place[i][axis] - place[i][3] * view.EyeModel[axis];
       result->SetElement(i, axis, value); // transposed, as OpenGL wants it
     }
   }
@@ -72,14 +76,16 @@ std::string ProjectedCells::UploadGeometry(
   vtkOpenGLRenderWindow* window, const CellGeometry& geometry, const CellPieces& pieces)
 {
   const std::vector<float> table = makeOpacityTable();
-  const std::string error = this->AlphaTable.Upload(window, table.data(), table.size(), 1, VTK_FLOAT);
+  const std::string error =
+    this->AlphaTable.Upload(window, table.data(), table.size(), 1, VTK_FLOAT);
   if (!error.empty())
   {
     return error;
   }
   if (pieces.Tetrahedra.empty())
   {
-    return this->Tetrahedra.Upload(window, geometry.Tetrahedra.data(), geometry.Tetrahedra.size(), 4, VTK_INT);
+    return this->Tetrahedra.Upload(
+      window, geometry.Tetrahedra.data(), geometry.Tetrahedra.size(), 4, VTK_INT);
   }
   const std::vector<Tetrahedron> all = joined(geometry.Tetrahedra, pieces.Tetrahedra);
   return this->Tetrahedra.Upload(window, all.data(), all.size(), 4, VTK_INT);
@@ -94,10 +100,11 @@ void ProjectedCells::UploadOrder(const std::vector<std::int32_t>& order)
 std::string ProjectedCells::Draw(const CellDrawing& drawing)
 {
   const CellMethod method = drawing.Options.Method;
-  const std::string constants =
-    drawing.ShaderConstants() + shaderConstant("linearOpacity", method == CellMethod::TrianglesLinear);
+  const std::string constants = drawing.ShaderConstants() +
+    shaderConstant("linearOpacity", method == CellMethod::TrianglesLinear);
   const bool triangles = drawsTriangles(method);
-  vtkShaderProgram* program = drawing.Window->GetShaderCache()->ReadyShaderProgram(CellCompositingVertex,
+  vtkShaderProgram* program = drawing.Window->GetShaderCache()->ReadyShaderProgram(
+    CellCompositingVertex,
     cellShader(triangles ? triangleFragmentShader() : CellCompositingFragment, constants).c_str(),
     cellShader(triangles ? triangleGeometryShader() : CellCompositingGeometry, constants).c_str());
   if (!program)
@@ -116,13 +123,14 @@ std::string ProjectedCells::Draw(const CellDrawing& drawing)
   program->SetUniformi("alphaTable", this->AlphaTable.Activate());
   program->SetUniformf("alphaTableEnd", static_cast<float>(opacityTableEnd));
   program->SetUniformi("alphaTableLast", opacityTableEntries - 1);
-  program->SetUniformf(
-    "smallestEyeDepth", static_cast<float>(smallestEyeDepth(drawing.View.EyeView, drawing.View.ViewToDevice)));
+  program->SetUniformf("smallestEyeDepth",
+    static_cast<float>(smallestEyeDepth(drawing.View.EyeView, drawing.View.ViewToDevice)));
   program->SetUniform4f("eyeMC", toFloat(drawing.View.EyeModel).data());
   vtkNew<vtkMatrix3x3> rays;
   pixelToRay(drawing.View, drawing.Viewport + 2, rays);
   program->SetUniformMatrix("pixelToRay", rays);
-  const float halfViewport[2] = { 0.5f * static_cast<float>(drawing.Viewport[2]), 0.5f * static_cast<float>(drawing.Viewport[3]) };
+  const float halfViewport[2] = { 0.5f * static_cast<float>(drawing.Viewport[2]),
+    0.5f * static_cast<float>(drawing.Viewport[3]) };
   program->SetUniform2f("halfViewport", halfViewport);
   program->SetUniform4f("eyeVC", toFloat(drawing.View.EyeView).data());
 

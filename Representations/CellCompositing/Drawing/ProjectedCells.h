@@ -32,7 +32,8 @@ public:
   ~ProjectedCells();
 
   // Each returns an empty string, or what went wrong.
-  std::string UploadGeometry(vtkOpenGLRenderWindow* window, const CellGeometry& geometry, const CellPieces& pieces);
+  std::string UploadGeometry(
+    vtkOpenGLRenderWindow* window, const CellGeometry& geometry, const CellPieces& pieces);
   void UploadOrder(const std::vector<std::int32_t>& order);
   std::string Draw(const CellDrawing& drawing);
 

@@ -73,8 +73,7 @@ std::string withParts(const char* shader, const std::string& constants, bool str
 {
   const std::string walk = withShaderParts(shader,
     { { "Topology", structured ? ChessboardTopologyShader : NeighborTopologyShader },
-      { "TetrahedronWalk", TetrahedronWalkShader },
-      { "RaySegments", RaySegmentsShader },
+      { "TetrahedronWalk", TetrahedronWalkShader }, { "RaySegments", RaySegmentsShader },
       { "RayContours", RayContoursShader } });
   return specializedShader(walk, constants);
 }
@@ -83,8 +82,8 @@ std::string withParts(const char* shader, const std::string& constants, bool str
 RayCells::RayCells() = default;
 RayCells::~RayCells() = default;
 
-std::string RayCells::UploadGeometry(
-  vtkOpenGLRenderWindow* window, const CellGeometry& geometry, const TetrahedronNeighbors& neighbors)
+std::string RayCells::UploadGeometry(vtkOpenGLRenderWindow* window, const CellGeometry& geometry,
+  const TetrahedronNeighbors& neighbors)
 {
   this->Grid = geometry.Grid;
   this->Radius = geometry.Radius();
@@ -103,8 +102,9 @@ std::string RayCells::UploadGeometry(
   return error;
 }
 
-std::string RayCells::UploadBoundary(vtkOpenGLRenderWindow* window, const std::vector<BoundaryFace>& faces,
-  const CellGeometry& geometry, const CellBox& box, const std::array<float, 2>& clearRange)
+std::string RayCells::UploadBoundary(vtkOpenGLRenderWindow* window,
+  const std::vector<BoundaryFace>& faces, const CellGeometry& geometry, const CellBox& box,
+  const std::array<float, 2>& clearRange)
 {
   constexpr std::size_t exactInFloat = std::size_t(1) << 24;
   this->NumberOfBoundaryFaces = faces.size() - this->NumberOfJumps;
@@ -130,9 +130,11 @@ std::string RayCells::UploadBoundary(vtkOpenGLRenderWindow* window, const std::v
   return this->BoundaryFaces.Upload(window, faces.data(), faces.size(), 4, VTK_INT);
 }
 
-PixelRegion RayCells::FindRegion(const SceneView& view, const EyeTetrahedron& eye, const int viewport[4]) const
+PixelRegion RayCells::FindRegion(
+  const SceneView& view, const EyeTetrahedron& eye, const int viewport[4]) const
 {
-  return eye.Found ? PixelRegion{ { 0, 0, viewport[2], viewport[3] } } : coveredPixels(view, this->Bounds, viewport);
+  return eye.Found ? PixelRegion{ { 0, 0, viewport[2], viewport[3] } }
+                   : coveredPixels(view, this->Bounds, viewport);
 }
 
 void RayCells::Allocate(const CellDrawing& drawing)
@@ -161,12 +163,15 @@ std::string RayCells::ReadyPrograms(const CellDrawing& drawing)
 {
   const bool structured = !this->Grid.IsEmpty();
   const std::string constants = drawing.Buffers.SmallTableDefinition() + drawing.ShaderConstants() +
-    shaderConstant("hasHiddenCells", this->HasHiddenCells) + shaderConstant("hasJumps", this->NumberOfJumps > 0) +
+    shaderConstant("hasHiddenCells", this->HasHiddenCells) +
+    shaderConstant("hasJumps", this->NumberOfJumps > 0) +
     shaderConstant("closedGrid", this->Box.IsClosed(this->Grid));
   vtkOpenGLShaderCache* cache = drawing.Window->GetShaderCache();
   this->EntryProgram = cache->ReadyShaderProgram(
     specializedShader(EntryFacesVertex, std::string()).c_str(),
-    specializedShader(EntryFacesFragment, shaderConstant("useDepthRanges", drawing.Peel != nullptr)).c_str(), "");
+    specializedShader(EntryFacesFragment, shaderConstant("useDepthRanges", drawing.Peel != nullptr))
+      .c_str(),
+    "");
   this->SegmentProgram = cache->ReadyShaderProgram(
     RayCellsVertex, withParts(RayCellsFragment, constants, structured).c_str(), "");
   return this->EntryProgram && this->SegmentProgram ? std::string() : "the shaders did not compile";
@@ -175,8 +180,8 @@ std::string RayCells::ReadyPrograms(const CellDrawing& drawing)
 std::string RayCells::Draw(const CellDrawing& drawing)
 {
   const MovedView moved(drawing.View, *drawing.Options.Eye);
-  const CellDrawing fromStart = { drawing.Window, drawing.Viewport, moved.View, drawing.Options, drawing.Buffers, drawing.Contours,
-    drawing.Depth, drawing.Peel, drawing.Range };
+  const CellDrawing fromStart = { drawing.Window, drawing.Viewport, moved.View, drawing.Options,
+    drawing.Buffers, drawing.Contours, drawing.Depth, drawing.Peel, drawing.Range };
   return this->DrawFrom(fromStart);
 }
 
@@ -196,9 +201,12 @@ std::string RayCells::DrawFrom(const CellDrawing& drawing)
   glClearBufferfv(GL_COLOR, 0, none); // no last entries
   drawing.Window->GetState()->PopFramebufferBindings();
   // Pixels without a new entry fail the depth test against the entries, before their shader starts.
-  glFramebufferTexture2D(GL_DRAW_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D, this->EntryDepth->GetHandle(), 0);
+  glFramebufferTexture2D(
+    GL_DRAW_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D, this->EntryDepth->GetHandle(), 0);
   const EyeTetrahedron& eye = *drawing.Options.Eye;
-  if (eye.Found && (this->Grid.IsEmpty() || this->Box.Contains(eye.Place))) // otherwise rays enter the box from outside
+  if (eye.Found &&
+    (this->Grid.IsEmpty() ||
+      this->Box.Contains(eye.Place))) // otherwise rays enter the box from outside
   {
     this->DrawSegments(drawing, fromEye, eye);
     for (const EyeTetrahedron& other : eye.Overlapping)
@@ -231,7 +239,8 @@ void RayCells::DrawLayers(const CellDrawing& drawing)
   for (const FaceSlices::Slice& slice : this->Slices.GetSlices())
   {
     int into = 0, last = passedEntries;
-    for (int layer = 0; layer < maximumLayers && this->DrawEntries(drawing, into, last, &slice); ++layer)
+    for (int layer = 0; layer < maximumLayers && this->DrawEntries(drawing, into, last, &slice);
+         ++layer)
     {
       this->DrawSegments(drawing, into, *drawing.Options.Eye);
       ++this->NumberOfLayers;
@@ -247,11 +256,14 @@ void RayCells::SliceFaces(const CellDrawing& drawing)
   const double scale = -1.0 / (double(range[1]) - range[0]);
   const vtkMatrix4x4* toView = drawing.View.ModelToView;
   const auto toZ = [&](int column) { return toView->GetElement(2, column); };
-  const double rounding = 8.0 * std::numeric_limits<float>::epsilon() * std::max(std::abs(range[0]), std::abs(range[1]));
+  const double rounding =
+    8.0 * std::numeric_limits<float>::epsilon() * std::max(std::abs(range[0]), std::abs(range[1]));
   this->Slices.Sort(
-    { { scale * toZ(0), scale * toZ(1), scale * toZ(2), scale * (toZ(3) + range[0]) } }, -scale * rounding);
+    { { scale * toZ(0), scale * toZ(1), scale * toZ(2), scale * (toZ(3) + range[0]) } },
+    -scale * rounding);
   this->SliceVertices->ReleaseGraphicsResources();
-  this->SliceVertices->Upload(this->Slices.GetVertices(), vtkOpenGLBufferObject::ElementArrayBuffer);
+  this->SliceVertices->Upload(
+    this->Slices.GetVertices(), vtkOpenGLBufferObject::ElementArrayBuffer);
 }
 
 void RayCells::DrawFaces(const FaceSlices::Slice* slice)
@@ -288,7 +300,8 @@ void RayCells::SetTopology(vtkShaderProgram* program)
 }
 
 // Those behind the last ones; returns false when no ray enters any more.
-bool RayCells::DrawEntries(const CellDrawing& drawing, int into, int lastNumber, const FaceSlices::Slice* slice)
+bool RayCells::DrawEntries(
+  const CellDrawing& drawing, int into, int lastNumber, const FaceSlices::Slice* slice)
 {
   vtkOpenGLState* state = drawing.Window->GetState();
   state->PushFramebufferBindings();
@@ -409,7 +422,8 @@ void RayCells::SetEye(const EyeTetrahedron& eye, vtkShaderProgram* program)
 
 void RayCells::ReleaseGraphicsResources(vtkWindow* window)
 {
-  for (BufferTexture* buffer : { &this->Neighbors, &this->VertexSums, &this->BoundaryFaces, &this->HiddenCells })
+  for (BufferTexture* buffer :
+    { &this->Neighbors, &this->VertexSums, &this->BoundaryFaces, &this->HiddenCells })
   {
     buffer->Release(window);
   }

@@ -50,13 +50,14 @@ public:
 
   // Each returns an empty string, or what went wrong.
   /** A structured grid needs no neighbours. */
-  std::string UploadGeometry(
-    vtkOpenGLRenderWindow* window, const CellGeometry& geometry, const TetrahedronNeighbors& neighbors);
+  std::string UploadGeometry(vtkOpenGLRenderWindow* window, const CellGeometry& geometry,
+    const TetrahedronNeighbors& neighbors);
   /** Where rays enter, the box of a grid's cells that can be seen, and the scalars between which nothing is seen. */
-  std::string UploadBoundary(vtkOpenGLRenderWindow* window, const std::vector<BoundaryFace>& faces, const CellGeometry& geometry,
-    const CellBox& box, const std::array<float, 2>& clearRange);
+  std::string UploadBoundary(vtkOpenGLRenderWindow* window, const std::vector<BoundaryFace>& faces,
+    const CellGeometry& geometry, const CellBox& box, const std::array<float, 2>& clearRange);
   /** Pixels that may be drawn: those of the boundary. */
-  PixelRegion FindRegion(const SceneView& view, const EyeTetrahedron& eye, const int viewport[4]) const;
+  PixelRegion FindRegion(
+    const SceneView& view, const EyeTetrahedron& eye, const int viewport[4]) const;
   /** Draws into the bound framebuffer, which holds a transparent image. */
   std::string Draw(const CellDrawing& drawing);
 
@@ -73,7 +74,8 @@ private:
   void SliceFaces(const CellDrawing& drawing);
   void DrawFaces(const FaceSlices::Slice* slice);
   /** Numbers are those of Entries. */
-  bool DrawEntries(const CellDrawing& drawing, int into, int lastNumber, const FaceSlices::Slice* slice);
+  bool DrawEntries(
+    const CellDrawing& drawing, int into, int lastNumber, const FaceSlices::Slice* slice);
   /** From the entries of that number, or from the eye. */
   void DrawSegments(const CellDrawing& drawing, int from, const EyeTetrahedron& eye);
   void SetEye(const EyeTetrahedron& eye, vtkShaderProgram* program);

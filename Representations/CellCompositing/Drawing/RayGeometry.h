@@ -91,8 +91,10 @@ private:
     {
       for (std::size_t k = 0; k < 3; ++k)
       {
-        this->Points[3 * k + axis] = static_cast<float>(points[k][axis] - (k ? points[0][axis] : 0.0));
-        this->Directions[3 * k + axis] = static_cast<float>(directions[k][axis] - (k ? directions[0][axis] : 0.0));
+        this->Points[3 * k + axis] =
+          static_cast<float>(points[k][axis] - (k ? points[0][axis] : 0.0));
+        this->Directions[3 * k + axis] =
+          static_cast<float>(directions[k][axis] - (k ? directions[0][axis] : 0.0));
       }
     }
   }

@@ -24,11 +24,12 @@ constexpr std::size_t maximumNumberOfLights = 16; // as the shader has it
 
 struct SceneLight
 {
-  std::array<float, 3> Color;       ///< times intensity
-  std::array<float, 3> Direction;   ///< away from the light
+  std::array<float, 3> Color;     ///< times intensity
+  std::array<float, 3> Direction; ///< away from the light
   std::array<float, 3> Position;
   std::array<float, 3> Attenuation; ///< constant, linear, quadratic
-  std::array<float, 3> Cone;        ///< 1 if positional, -1 if VTK's sole headlight; cosine of the cone angle, -2 without a cone; exponent
+  std::array<float, 3>
+    Cone; ///< 1 if positional, -1 if VTK's sole headlight; cosine of the cone angle, -2 without a cone; exponent
 };
 
 inline SceneLight describeLight(vtkLight* light, vtkMatrix4x4* worldToView)
@@ -75,7 +76,8 @@ inline std::vector<SceneLight> describeLights(vtkRenderer* renderer)
     }
   }
   vtkLight* first = vtkLight::SafeDownCast(all->GetItemAsObject(0));
-  if (lights.size() == 1 && all->GetNumberOfItems() == 1 && first->LightTypeIsHeadlight() && !first->GetPositional())
+  if (lights.size() == 1 && all->GetNumberOfItems() == 1 && first->LightTypeIsHeadlight() &&
+    !first->GetPositional())
   {
     lights[0].Cone[0] = -1.0f;
   }

@@ -31,14 +31,10 @@ inline std::string shaderConstant(const char* name, bool value)
 inline std::string specializedShader(const std::string& shader, const std::string& constants)
 {
   return withShaderParts(shader,
-    { { "Constants", constants },
-      { "Arrays", arrayDeclarations(currentArrayLayout()) },
-      { "TetrahedronInput", TetrahedronInputShader },
-      { "OpaqueDepth", OpaqueDepthShader },
-      { "OpticalSegment", OpticalSegmentShader },
-      { "TransferFunction", TransferFunctionShader },
-      { "FaceScalars", FaceScalarsShader },
-      { "ContourSurfaces", ContourSurfacesShader },
+    { { "Constants", constants }, { "Arrays", arrayDeclarations(currentArrayLayout()) },
+      { "TetrahedronInput", TetrahedronInputShader }, { "OpaqueDepth", OpaqueDepthShader },
+      { "OpticalSegment", OpticalSegmentShader }, { "TransferFunction", TransferFunctionShader },
+      { "FaceScalars", FaceScalarsShader }, { "ContourSurfaces", ContourSurfacesShader },
       { "ProjectedContours", ProjectedContoursShader },
       { "PolygonSurfaces", PolygonSurfacesShader } });
 }

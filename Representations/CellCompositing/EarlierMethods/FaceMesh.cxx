@@ -12,7 +12,8 @@ namespace nephoscope
 {
 namespace
 {
-std::array<std::int32_t, 3> outwardFace(const CellGeometry& geometry, const Tetrahedron& t, int face)
+std::array<std::int32_t, 3> outwardFace(
+  const CellGeometry& geometry, const Tetrahedron& t, int face)
 {
   std::array<std::int32_t, 3> points;
   for (int k = 0; k < 3; ++k)
@@ -29,12 +30,13 @@ std::array<std::int32_t, 3> outwardFace(const CellGeometry& geometry, const Tetr
   return points;
 }
 
-std::array<std::int32_t, 3> pointsOf(const Tetrahedron& t, std::array<std::int32_t, 3> face, const FaceNeighbors& neighbors)
+std::array<std::int32_t, 3> pointsOf(
+  const Tetrahedron& t, std::array<std::int32_t, 3> face, const FaceNeighbors& neighbors)
 {
   for (std::int32_t& point : face)
   {
-    const auto same = std::find_if(
-      t.begin(), t.end(), [&](std::int32_t p) { return neighbors.GetPlace(p) == neighbors.GetPlace(point); });
+    const auto same = std::find_if(t.begin(), t.end(),
+      [&](std::int32_t p) { return neighbors.GetPlace(p) == neighbors.GetPlace(point); });
     point = same == t.end() ? point : *same;
   }
   return face;
@@ -52,7 +54,8 @@ void FaceMesh::Build(const CellGeometry& geometry)
   {
     for (int face = 0; face < 4; ++face)
     {
-      const std::int32_t neighbor = std::max<std::int32_t>(neighbors.Get(i, face), -1); // folded: none
+      const std::int32_t neighbor =
+        std::max<std::int32_t>(neighbors.Get(i, face), -1); // folded: none
       const std::int32_t self = static_cast<std::int32_t>(i);
       if (neighbor < self && neighbor >= 0)
       {
@@ -60,7 +63,9 @@ void FaceMesh::Build(const CellGeometry& geometry)
       }
       const auto points = outwardFace(geometry, geometry.Tetrahedra[i], face);
       this->Faces.push_back({ points, self, neighbor,
-        neighbor < 0 ? points : pointsOf(geometry.Tetrahedra[static_cast<std::size_t>(neighbor)], points, neighbors) });
+        neighbor < 0
+          ? points
+          : pointsOf(geometry.Tetrahedra[static_cast<std::size_t>(neighbor)], points, neighbors) });
     }
   }
 }

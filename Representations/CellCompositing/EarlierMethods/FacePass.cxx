@@ -24,11 +24,13 @@ const char* const copyShader = "//VTK::System::Dec\n"
                                "uniform sampler2D picture;\n"
                                "void main() { gl_FragData[0] = texture(picture, texCoord); }\n";
 
-std::vector<float> readDepth(vtkOpenGLState* state, vtkTextureObject* texture, int width, int height)
+std::vector<float> readDepth(
+  vtkOpenGLState* state, vtkTextureObject* texture, int width, int height)
 {
   std::vector<float> depth(static_cast<std::size_t>(width) * height);
   texture->Activate();
-  state->vtkglPixelStorei(GL_PACK_ALIGNMENT, 4); // through VTK, which keeps the value and reads pictures with another
+  state->vtkglPixelStorei(
+    GL_PACK_ALIGNMENT, 4); // through VTK, which keeps the value and reads pictures with another
   glGetTexImage(GL_TEXTURE_2D, 0, GL_DEPTH_COMPONENT, GL_FLOAT, depth.data());
   texture->Deactivate();
   return depth;
@@ -38,8 +40,9 @@ std::vector<float> readDepth(vtkOpenGLState* state, vtkTextureObject* texture, i
 FacePass::FacePass() = default;
 FacePass::~FacePass() = default;
 
-std::string FacePass::Draw(vtkOpenGLRenderWindow* window, const CellScene& scene, const CellView& view,
-  const CellDrawingOptions& options, bool sorted, vtkTextureObject* opaqueDepth)
+std::string FacePass::Draw(vtkOpenGLRenderWindow* window, const CellScene& scene,
+  const CellView& view, const CellDrawingOptions& options, bool sorted,
+  vtkTextureObject* opaqueDepth)
 {
   const CellGeometry& geometry = scene.GetGeometry();
   if (this->MeshVersion != scene.GetVersions().Geometry)
@@ -52,7 +55,8 @@ std::string FacePass::Draw(vtkOpenGLRenderWindow* window, const CellScene& scene
   {
     visible[static_cast<std::size_t>(i)] = 1;
   }
-  const int width = static_cast<int>(opaqueDepth->GetWidth()), height = static_cast<int>(opaqueDepth->GetHeight());
+  const int width = static_cast<int>(opaqueDepth->GetWidth()),
+            height = static_cast<int>(opaqueDepth->GetHeight());
   const FaceView faceView(view.ModelToView, view.ViewToDevice, view.EyeView, width, height);
   this->Projection.Build(geometry, this->Mesh, visible, faceView, sorted);
 

@@ -29,8 +29,8 @@ Vector4 transformed(const std::array<double, 16>& m, const Vector3& p)
 }
 }
 
-FaceView::FaceView(
-  vtkMatrix4x4* modelToView, vtkMatrix4x4* viewToDevice, const double eyeView[4], int width, int height)
+FaceView::FaceView(vtkMatrix4x4* modelToView, vtkMatrix4x4* viewToDevice, const double eyeView[4],
+  int width, int height)
   : Width(width)
   , Height(height)
   , Eye{ { eyeView[3] * eyeView[0], eyeView[3] * eyeView[1], eyeView[3] * eyeView[2] } }
@@ -62,13 +62,14 @@ double FaceView::Distance(const Vector3& p) const
 FaceView::Place FaceView::Project(const Vector3& p) const
 {
   const Vector4 clip = transformed(this->ModelToDevice, p);
-  return { 0.5 * (clip[0] / clip[3] + 1) * this->Width, 0.5 * (clip[1] / clip[3] + 1) * this->Height, this->Depth(p) };
+  return { 0.5 * (clip[0] / clip[3] + 1) * this->Width,
+    0.5 * (clip[1] / clip[3] + 1) * this->Height, this->Depth(p) };
 }
 
 Vector3 FaceView::ViewPointOfPixel(int x, int y, double deviceZ) const
 {
-  const Vector4 view = transformed(
-    this->DeviceToView, { { 2 * (x + 0.5) / this->Width - 1, 2 * (y + 0.5) / this->Height - 1, deviceZ } });
+  const Vector4 view = transformed(this->DeviceToView,
+    { { 2 * (x + 0.5) / this->Width - 1, 2 * (y + 0.5) / this->Height - 1, deviceZ } });
   return { { view[0] / view[3], view[1] / view[3], view[2] / view[3] } };
 }
 
@@ -79,7 +80,8 @@ double FaceView::DepthOfBuffer(int x, int y, double depth) const
 
 double FaceView::Stretch(int x, int y) const
 {
-  const Vector3 along = difference(this->ViewPointOfPixel(x, y, 1), this->ViewPointOfPixel(x, y, -1));
+  const Vector3 along =
+    difference(this->ViewPointOfPixel(x, y, 1), this->ViewPointOfPixel(x, y, -1));
   return std::sqrt(dot(along, along)) / std::abs(along[2]);
 }
 
@@ -88,7 +90,8 @@ std::array<std::int64_t, 2> snapped(const FaceView::Place& place)
 {
   const double limit = 1 << 20; // pixels; the products of the coordinates then fit in 64 bits
   const auto snap = [limit](double x) {
-    return static_cast<std::int64_t>(std::llround(stepsPerPixel * std::min(std::max(x, -limit), limit)));
+    return static_cast<std::int64_t>(
+      std::llround(stepsPerPixel * std::min(std::max(x, -limit), limit)));
   };
   return { { snap(place.X), snap(place.Y) } };
 }
@@ -96,7 +99,8 @@ std::array<std::int64_t, 2> snapped(const FaceView::Place& place)
 namespace
 {
 /** Twice the area on the screen, positive where the points go round counterclockwise. */
-std::int64_t screenArea(const FaceView::Place& a, const FaceView::Place& b, const FaceView::Place& c)
+std::int64_t screenArea(
+  const FaceView::Place& a, const FaceView::Place& b, const FaceView::Place& c)
 {
   const auto p = snapped(a), q = snapped(b), r = snapped(c);
   return (q[0] - p[0]) * (r[1] - p[1]) - (q[1] - p[1]) * (r[0] - p[0]);
@@ -107,7 +111,8 @@ std::int64_t screenArea(const FaceView::Place& a, const FaceView::Place& b, cons
 class FaceProjection::Builder
 {
 public:
-  Builder(FaceProjection& self, const CellGeometry& geometry, const std::vector<std::uint8_t>& visible, const FaceView& view)
+  Builder(FaceProjection& self, const CellGeometry& geometry,
+    const std::vector<std::uint8_t>& visible, const FaceView& view)
     : Self(self)
     , Geometry(geometry)
     , Visible(visible)
@@ -124,8 +129,10 @@ public:
       for (vtkIdType i = begin; i < end; ++i)
       {
         const std::size_t k = static_cast<std::size_t>(i);
-        this->Self.Points[k] = { this->View.Project(this->Geometry.Position(static_cast<std::int32_t>(i))),
-          this->Geometry.Points[k].Scalar, opacityOnPoints ? this->Geometry.OpacityScalars[k] : 0.0f };
+        this->Self.Points[k] = {
+          this->View.Project(this->Geometry.Position(static_cast<std::int32_t>(i))),
+          this->Geometry.Points[k].Scalar, opacityOnPoints ? this->Geometry.OpacityScalars[k] : 0.0f
+        };
       }
     });
   }
@@ -142,8 +149,8 @@ public:
     const int corners = this->Clip(face, polygon, other);
     for (int k = 2; k < corners; ++k)
     {
-      this->AddTriangle({ { polygon[0], polygon[k - 1], polygon[k] } }, { { other[0], other[k - 1], other[k] } }, first, second,
-        this->Distance(face.Points));
+      this->AddTriangle({ { polygon[0], polygon[k - 1], polygon[k] } },
+        { { other[0], other[k - 1], other[k] } }, first, second, this->Distance(face.Points));
     }
   }
 
@@ -172,14 +179,16 @@ public:
       {
         std::swap(triangle[1], triangle[2]);
       }
-      this->Append({ triangle, tetrahedron, -1, triangle, false }, std::numeric_limits<float>::lowest()); // in front of everything
+      this->Append({ triangle, tetrahedron, -1, triangle, false },
+        std::numeric_limits<float>::lowest()); // in front of everything
     }
   }
 
   bool ReachesThroughNearPlane(std::int32_t tetrahedron) const
   {
     const Tetrahedron& t = this->Geometry.Tetrahedra[static_cast<std::size_t>(tetrahedron)];
-    const auto nearer = std::count_if(t.begin(), t.end(), [&](std::int32_t p) { return this->IsNearer(p); });
+    const auto nearer =
+      std::count_if(t.begin(), t.end(), [&](std::int32_t p) { return this->IsNearer(p); });
     return nearer > 0 && nearer < 4;
   }
 
@@ -206,8 +215,14 @@ private:
   {
     return tetrahedron >= 0 && this->Visible[static_cast<std::size_t>(tetrahedron)];
   }
-  const ScreenPoint& Point(std::int32_t i) const { return this->Self.Points[static_cast<std::size_t>(i)]; }
-  bool IsNearer(std::int32_t point) const { return this->Point(point).Place.Z < this->View.GetNear(); }
+  const ScreenPoint& Point(std::int32_t i) const
+  {
+    return this->Self.Points[static_cast<std::size_t>(i)];
+  }
+  bool IsNearer(std::int32_t point) const
+  {
+    return this->Point(point).Place.Z < this->View.GetNear();
+  }
   std::int64_t Area(const std::array<std::int32_t, 3>& p) const
   {
     return screenArea(this->Point(p[0]).Place, this->Point(p[1]).Place, this->Point(p[2]).Place);
@@ -232,11 +247,13 @@ private:
     const std::int32_t low = std::min(a, b), high = std::max(a, b);
     const double z0 = this->Point(low).Place.Z, z1 = this->Point(high).Place.Z;
     const double t = (this->View.GetNear() - z0) / (z1 - z0);
-    const Vector3 p = this->Geometry.Position(low), d = difference(this->Geometry.Position(high), p);
+    const Vector3 p = this->Geometry.Position(low),
+                  d = difference(this->Geometry.Position(high), p);
     ScreenPoint cut;
     cut.Place = this->View.Project({ { p[0] + t * d[0], p[1] + t * d[1], p[2] + t * d[2] } });
     cut.Place.Z = this->View.GetNear();
-    const auto mix = [t](float from, float to) { return static_cast<float>(from + t * (to - from)); };
+    const auto mix = [t](
+                       float from, float to) { return static_cast<float>(from + t * (to - from)); };
     cut.Scalar = mix(this->Point(low).Scalar, this->Point(high).Scalar);
     cut.Opacity = mix(this->Point(low).Opacity, this->Point(high).Opacity);
     this->Self.Points.push_back(cut);
@@ -244,7 +261,8 @@ private:
   }
 
   /** The part of a face beyond the near plane: 0, 3 or 4 corners, with the points of its first and of its second tetrahedron. */
-  int Clip(const MeshFace& face, std::array<std::int32_t, 4>& polygon, std::array<std::int32_t, 4>& other)
+  int Clip(
+    const MeshFace& face, std::array<std::int32_t, 4>& polygon, std::array<std::int32_t, 4>& other)
   {
     const bool same = face.Points == face.SecondPoints;
     int corners = 0;
@@ -260,7 +278,8 @@ private:
       if (this->IsNearer(from) != this->IsNearer(to))
       {
         polygon[corners] = this->Cut(from, to);
-        other[corners] = same ? polygon[corners] : this->Cut(face.SecondPoints[k], face.SecondPoints[l]);
+        other[corners] =
+          same ? polygon[corners] : this->Cut(face.SecondPoints[k], face.SecondPoints[l]);
         ++corners;
       }
     }
@@ -269,8 +288,8 @@ private:
 
   // A face that turns its outside to the eye is a front face of its first tetrahedron. The sign comes from the numbers that the
   // pixels are found with, so that at each of them the marks of a tetrahedron's faces cancel.
-  void AddTriangle(std::array<std::int32_t, 3> points, std::array<std::int32_t, 3> ofSecond, std::int32_t first,
-    std::int32_t second, float distance)
+  void AddTriangle(std::array<std::int32_t, 3> points, std::array<std::int32_t, 3> ofSecond,
+    std::int32_t first, std::int32_t second, float distance)
   {
     const std::int64_t area = this->View.IsMirrored() ? -this->Area(points) : this->Area(points);
     const bool frontFace = area > 0;
@@ -283,7 +302,9 @@ private:
       std::swap(points[1], points[2]);
       std::swap(ofSecond[1], ofSecond[2]);
     }
-    this->Append({ points, frontFace ? first : second, frontFace ? second : first, ofSecond, frontFace }, distance);
+    this->Append(
+      { points, frontFace ? first : second, frontFace ? second : first, ofSecond, frontFace },
+      distance);
   }
 
   void Append(const ScreenFace& face, float distance)
@@ -299,8 +320,8 @@ private:
   std::vector<float> Distances;
 };
 
-void FaceProjection::Build(const CellGeometry& geometry, const FaceMesh& mesh, const std::vector<std::uint8_t>& visible,
-  const FaceView& view, bool sorted)
+void FaceProjection::Build(const CellGeometry& geometry, const FaceMesh& mesh,
+  const std::vector<std::uint8_t>& visible, const FaceView& view, bool sorted)
 {
   this->Points.clear();
   this->Faces.clear();

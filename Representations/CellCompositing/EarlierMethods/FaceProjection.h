@@ -24,7 +24,8 @@ namespace nephoscope
 class FaceView
 {
 public:
-  FaceView(vtkMatrix4x4* modelToView, vtkMatrix4x4* viewToDevice, const double eyeView[4], int width, int height);
+  FaceView(vtkMatrix4x4* modelToView, vtkMatrix4x4* viewToDevice, const double eyeView[4],
+    int width, int height);
 
   struct Place
   {
@@ -74,7 +75,7 @@ struct ScreenFace
   std::int32_t InFront;               ///< the visible tetrahedron on the eye's side, or -1
   /** The same places with the values of the other side, where these may be others. */
   std::array<std::int32_t, 3> OtherPoints;
-  bool OtherIsInFront;                ///< which side that is
+  bool OtherIsInFront; ///< which side that is
   /** What the face adds to the count of crossings: 1 where a ray leaves the volume, -1 where it enters, seen from the eye. */
   int Mark() const { return (this->InFront >= 0) - (this->Behind >= 0); }
 };
@@ -87,8 +88,8 @@ class FaceProjection
 {
 public:
   /** `visible` tells for each tetrahedron whether it is drawn. */
-  void Build(const CellGeometry& geometry, const FaceMesh& mesh, const std::vector<std::uint8_t>& visible,
-    const FaceView& view, bool sorted);
+  void Build(const CellGeometry& geometry, const FaceMesh& mesh,
+    const std::vector<std::uint8_t>& visible, const FaceView& view, bool sorted);
 
   const std::vector<ScreenPoint>& GetPoints() const { return this->Points; }
   const std::vector<ScreenFace>& GetFaces() const { return this->Faces; }

@@ -45,7 +45,8 @@ SegmentStep<Real> faceSegmentStep(Real tauNear, Real tauFar, bool takeBack, bool
   SegmentWeights<Real> weights = average ? averageSegmentWeights(scale * tauNear, scale * tauFar)
                                          : exactSegmentWeights(scale * tauNear, scale * tauFar);
   const Real alpha = -std::expm1(-depth);
-  const Real correction = weights.Alpha() > 0 ? alpha / weights.Alpha() : Real(1); // so that one colour stays that colour
+  const Real correction =
+    weights.Alpha() > 0 ? alpha / weights.Alpha() : Real(1); // so that one colour stays that colour
   weights.Front *= correction;
   weights.Back *= correction;
   if (!takeBack)

@@ -39,9 +39,10 @@ Medium mix(const Medium& a, const Medium& b, double t)
 /** The buffers of one pixel. */
 struct Pixel
 {
-  double Z = 0;     // of the face drawn last
-  Medium Last;      // on its side towards the eye
-  int Crossings = 0; // 0: outside the volume, so that there is nothing between the last face and the next
+  double Z = 0; // of the face drawn last
+  Medium Last;  // on its side towards the eye
+  int Crossings =
+    0; // 0: outside the volume, so that there is nothing between the last face and the next
   double Stretch = 1;
   double Opaque = std::numeric_limits<double>::infinity(); // z where the ray ends
   std::array<double, 4> Light = { { 0, 0, 0, 0 } };
@@ -80,8 +81,11 @@ public:
   /** First and last pixel, whose centre lies in the bounding box, along an axis; not clamped. */
   std::array<std::int64_t, 2> Range(std::size_t axis) const
   {
-    const auto [low, high] = std::minmax({ this->Snapped[0][axis], this->Snapped[1][axis], this->Snapped[2][axis] });
-    const auto pixel = [](std::int64_t s) { return static_cast<std::int64_t>(std::floor(double(s) / stepsPerPixel)); };
+    const auto [low, high] =
+      std::minmax({ this->Snapped[0][axis], this->Snapped[1][axis], this->Snapped[2][axis] });
+    const auto pixel = [](std::int64_t s) {
+      return static_cast<std::int64_t>(std::floor(double(s) / stepsPerPixel));
+    };
     return { { pixel(low - stepsPerPixel / 2), pixel(high - stepsPerPixel / 2) + 1 } };
   }
 
@@ -92,7 +96,8 @@ public:
     for (std::size_t k = 0; k < 3; ++k)
     {
       const auto& from = this->Snapped[(k + 1) % 3];
-      const std::int64_t side = this->Along[k][0] * (py - from[1]) - this->Along[k][1] * (px - from[0]);
+      const std::int64_t side =
+        this->Along[k][0] * (py - from[1]) - this->Along[k][1] * (px - from[0]);
       if (side + this->Bias[k] < 0)
       {
         return false;
@@ -124,7 +129,8 @@ public:
 private:
   using Points = std::array<const ScreenPoint*, 3>;
 
-  static Scalars mean(const Points& points, const std::array<double, 3>& weights, double sumOfWeights)
+  static Scalars mean(
+    const Points& points, const std::array<double, 3>& weights, double sumOfWeights)
   {
     double s = 0, o = 0;
     for (std::size_t k = 0; k < 3; ++k)
@@ -141,7 +147,8 @@ private:
     double sum = 0;
     for (std::size_t k = 0; k < 3; ++k)
     {
-      const FaceView::Place &a = this->Corners[(k + 1) % 3]->Place, &b = this->Corners[(k + 2) % 3]->Place;
+      const FaceView::Place &a = this->Corners[(k + 1) % 3]->Place,
+                            &b = this->Corners[(k + 2) % 3]->Place;
       weights[k] = std::max(0.0, (b.X - a.X) * (y - a.Y) - (b.Y - a.Y) * (x - a.X));
       sum += weights[k];
     }
@@ -170,12 +177,13 @@ struct TileLists
     , Rows((view.Height + tileSize - 1) / tileSize)
     , First(static_cast<std::size_t>(Columns) * Rows + 1, 0)
   {
-    this->ForEachTile(projection, view, [this](std::size_t tile, std::int32_t) { ++this->First[tile + 1]; });
+    this->ForEachTile(
+      projection, view, [this](std::size_t tile, std::int32_t) { ++this->First[tile + 1]; });
     std::partial_sum(this->First.begin(), this->First.end(), this->First.begin());
     this->Faces.resize(this->First.back());
     std::vector<std::size_t> next(this->First.begin(), this->First.end() - 1);
-    this->ForEachTile(
-      projection, view, [&](std::size_t tile, std::int32_t face) { this->Faces[next[tile]++] = face; });
+    this->ForEachTile(projection, view,
+      [&](std::size_t tile, std::int32_t face) { this->Faces[next[tile]++] = face; });
   }
 
 private:
@@ -183,18 +191,21 @@ private:
   void ForEachTile(const FaceProjection& projection, const FaceView& view, Visit visit) const
   {
     const auto tiles = [](std::array<std::int64_t, 2> range, int size) {
-      const std::int64_t low = std::max<std::int64_t>(range[0], 0), high = std::min<std::int64_t>(range[1], size - 1);
+      const std::int64_t low = std::max<std::int64_t>(range[0], 0),
+                         high = std::min<std::int64_t>(range[1], size - 1);
       return std::array<std::int64_t, 2>{ { low / tileSize, high < low ? -1 : high / tileSize } };
     };
     for (std::size_t i = 0; i < projection.GetFaces().size(); ++i)
     {
       const Raster raster(projection, projection.GetFaces()[i], view.IsPerspective());
-      const auto columns = tiles(raster.Range(0), view.Width), rows = tiles(raster.Range(1), view.Height);
+      const auto columns = tiles(raster.Range(0), view.Width),
+                 rows = tiles(raster.Range(1), view.Height);
       for (std::int64_t row = rows[0]; row <= rows[1]; ++row)
       {
         for (std::int64_t column = columns[0]; column <= columns[1]; ++column)
         {
-          visit(static_cast<std::size_t>(row * this->Columns + column), static_cast<std::int32_t>(i));
+          visit(
+            static_cast<std::size_t>(row * this->Columns + column), static_cast<std::int32_t>(i));
         }
       }
     }
@@ -205,12 +216,14 @@ private:
 class Tile
 {
 public:
-  Tile(const FaceSweep::Scene& scene, const FaceProjection& projection, const FaceView& view, int column, int row)
+  Tile(const FaceSweep::Scene& scene, const FaceProjection& projection, const FaceView& view,
+    int column, int row)
     : Scene(scene)
     , Projection(projection)
     , View(view)
     , Low{ { column * tileSize, row * tileSize } }
-    , High{ { std::min((column + 1) * tileSize, view.Width), std::min((row + 1) * tileSize, view.Height) } }
+    , High{ { std::min((column + 1) * tileSize, view.Width),
+        std::min((row + 1) * tileSize, view.Height) } }
   {
     this->ForEachPixel([this](int x, int y, Pixel& pixel) {
       pixel.Stretch = this->View.Stretch(x, y);
@@ -227,7 +240,8 @@ public:
     const Raster raster(this->Projection, face, this->View.IsPerspective());
     const auto clamped = [&](std::size_t axis) {
       const auto range = raster.Range(axis);
-      return std::array<int, 2>{ { static_cast<int>(std::max<std::int64_t>(range[0], this->Low[axis])),
+      return std::array<int, 2>{ { static_cast<int>(
+                                     std::max<std::int64_t>(range[0], this->Low[axis])),
         static_cast<int>(std::min<std::int64_t>(range[1], this->High[axis] - 1)) } };
     };
     const auto columns = clamped(0), rows = clamped(1);
@@ -240,7 +254,8 @@ public:
           Scalars scalars, ofOthers;
           const double z = raster.Interpolate(x, y, scalars, ofOthers);
           const bool other = face.OtherIsInFront;
-          this->Advance(this->At(x, y), face, z, other ? scalars : ofOthers, other ? ofOthers : scalars);
+          this->Advance(
+            this->At(x, y), face, z, other ? scalars : ofOthers, other ? ofOthers : scalars);
         }
       }
     }
@@ -283,15 +298,16 @@ private:
     const std::size_t cell = static_cast<std::size_t>(tetrahedron);
     const float s = geometry.CellScalars.empty() ? scalars.Color : geometry.CellScalars[cell];
     const std::vector<std::int32_t>* tables = this->Scene.TablesOfTetrahedra;
-    const std::size_t table = tables && !tables->empty() ? static_cast<std::size_t>((*tables)[cell]) : 0;
+    const std::size_t table =
+      tables && !tables->empty() ? static_cast<std::size_t>((*tables)[cell]) : 0;
     const TransferFunctionTable::Value value = this->Scene.Color[table].Evaluate(s);
     Medium medium;
     std::copy_n(value.begin(), 3, medium.Color.begin());
     double opacity = value[3];
     if (geometry.HasOpacityScalars)
     {
-      opacity =
-        this->Scene.Opacity[table].Evaluate(geometry.OpacityOnCells ? geometry.OpacityScalars[cell] : scalars.Opacity)[3];
+      opacity = this->Scene.Opacity[table].Evaluate(
+        geometry.OpacityOnCells ? geometry.OpacityScalars[cell] : scalars.Opacity)[3];
     }
     medium.Extinction = opacity * this->Scene.ExtinctionScale;
     return medium;
@@ -299,14 +315,18 @@ private:
 
   // The heart of the method. Where the medium jumps at a face, the segment behind ends with the one value and the next begins with the
   // other.
-  void Advance(Pixel& pixel, const ScreenFace& face, double z, const Scalars& behind, const Scalars& inFront) const
+  void Advance(Pixel& pixel, const ScreenFace& face, double z, const Scalars& behind,
+    const Scalars& inFront) const
   {
     if (pixel.Crossings != 0)
     {
-      this->Composite(pixel, z, face.Behind >= 0 ? this->Classify(face.Behind, behind) : this->Classify(face.InFront, inFront));
+      this->Composite(pixel, z,
+        face.Behind >= 0 ? this->Classify(face.Behind, behind)
+                         : this->Classify(face.InFront, inFront));
     }
     pixel.Z = z;
-    pixel.Last = face.InFront >= 0 ? this->Classify(face.InFront, inFront) : this->Classify(face.Behind, behind);
+    pixel.Last = face.InFront >= 0 ? this->Classify(face.InFront, inFront)
+                                   : this->Classify(face.Behind, behind);
     pixel.Crossings += face.Mark();
   }
 
@@ -319,15 +339,18 @@ private:
       return;
     }
     const auto at = [&](double place) {
-      return place == z ? now : place == pixel.Z ? pixel.Last : mix(now, pixel.Last, (place - z) / (pixel.Z - z));
+      return place == z    ? now
+        : place == pixel.Z ? pixel.Last
+                           : mix(now, pixel.Last, (place - z) / (pixel.Z - z));
     };
     const Medium near = at(std::min(zNow, zLast)), far = at(std::max(zNow, zLast));
     const double length = pixel.Crossings * (zLast - zNow) * pixel.Stretch; // signed
-    const auto step = faceSegmentStep(std::abs(length) * near.Extinction, std::abs(length) * far.Extinction, length < 0,
-      this->Scene.AverageIntegration);
+    const auto step = faceSegmentStep(std::abs(length) * near.Extinction,
+      std::abs(length) * far.Extinction, length < 0, this->Scene.AverageIntegration);
     for (std::size_t c = 0; c < 4; ++c)
     {
-      pixel.Light[c] = step.Transparency * pixel.Light[c] + step.Near * near.Color[c] + step.Far * far.Color[c];
+      pixel.Light[c] =
+        step.Transparency * pixel.Light[c] + step.Near * near.Color[c] + step.Far * far.Color[c];
       if (!std::isfinite(pixel.Light[c]))
       {
         pixel.Light[c] = near.Color[c]; // so thick a medium hides what is behind in either order
@@ -343,7 +366,8 @@ private:
 };
 }
 
-std::vector<float> FaceSweep::Draw(const Scene& scene, const FaceProjection& projection, const FaceView& view)
+std::vector<float> FaceSweep::Draw(
+  const Scene& scene, const FaceProjection& projection, const FaceView& view)
 {
   std::vector<float> rgba(4 * static_cast<std::size_t>(view.Width) * view.Height, 0.0f);
   const TileLists lists(projection, view);
@@ -356,7 +380,8 @@ std::vector<float> FaceSweep::Draw(const Scene& scene, const FaceProjection& pro
       {
         continue;
       }
-      Tile tile(scene, projection, view, static_cast<int>(t % lists.Columns), static_cast<int>(t / lists.Columns));
+      Tile tile(scene, projection, view, static_cast<int>(t % lists.Columns),
+        static_cast<int>(t / lists.Columns));
       for (std::size_t i = first; i < last; ++i)
       {
         tile.DrawFace(projection.GetFaces()[static_cast<std::size_t>(lists.Faces[i])]);

@@ -30,16 +30,20 @@ public:
   struct Scene
   {
     const CellGeometry* Geometry = nullptr;
-    const TransferFunctionTable* Color = nullptr;   ///< colour, and opacity unless the geometry has opacity scalars
+    const TransferFunctionTable* Color =
+      nullptr; ///< colour, and opacity unless the geometry has opacity scalars
     const TransferFunctionTable* Opacity = nullptr; ///< read by the opacity scalars
-    const std::vector<std::int32_t>* TablesOfTetrahedra = nullptr; ///< which of both tables, one after the other; none or empty: 0
-    double ExtinctionScale = 1;                     ///< extinction per world length at opacity 1
+    const std::vector<std::int32_t>* TablesOfTetrahedra =
+      nullptr;                  ///< which of both tables, one after the other; none or empty: 0
+    double ExtinctionScale = 1; ///< extinction per world length at opacity 1
     bool AverageIntegration = false;
-    const float* OpaqueDepth = nullptr; ///< depths in [0, 1], bottom row first; none: nothing opaque
+    const float* OpaqueDepth =
+      nullptr; ///< depths in [0, 1], bottom row first; none: nothing opaque
   };
 
   /** Premultiplied RGBA, bottom row first. */
-  static std::vector<float> Draw(const Scene& scene, const FaceProjection& projection, const FaceView& view);
+  static std::vector<float> Draw(
+    const Scene& scene, const FaceProjection& projection, const FaceView& view);
 };
 
 } // namespace nephoscope

@@ -31,9 +31,10 @@ struct TetrahedronProjection
 {
   Vector4 Front = { 0, 0, 0, 0 }; ///< barycentric coordinates of X+
   Vector4 Back = { 0, 0, 0, 0 };  ///< barycentric coordinates of X-
-  double Parameter = 0;           ///< 1 / M+: (X+ - X-) in units of the way to the eye, as TetrahedronRay counts
-  unsigned Positive = 0;          ///< bit i: q_i > 0
-  unsigned Negative = 0;          ///< bit i: q_i < 0
+  double Parameter =
+    0; ///< 1 / M+: (X+ - X-) in units of the way to the eye, as TetrahedronRay counts
+  unsigned Positive = 0; ///< bit i: q_i > 0
+  unsigned Negative = 0; ///< bit i: q_i < 0
 };
 
 inline TetrahedronProjection projectTetrahedron(const Vector4& q)
@@ -49,7 +50,8 @@ inline TetrahedronProjection projectTetrahedron(const Vector4& q)
     p.Positive |= (q[i] > 0 ? 1u : 0u) << i;
     p.Negative |= (q[i] < 0 ? 1u : 0u) << i;
   }
-  if (p.Positive != 0 && p.Negative != 0) // else the eye is inside, or the tetrahedron is seen edge-on
+  if (p.Positive != 0 &&
+    p.Negative != 0) // else the eye is inside, or the tetrahedron is seen edge-on
   {
     for (int i = 0; i < 4; ++i)
     {
@@ -62,7 +64,8 @@ inline TetrahedronProjection projectTetrahedron(const Vector4& q)
 }
 
 /** The six edges of a tetrahedron. */
-constexpr int tetrahedronEdges[6][2] = { { 0, 1 }, { 0, 2 }, { 0, 3 }, { 1, 2 }, { 1, 3 }, { 2, 3 } };
+constexpr int tetrahedronEdges[6][2] = { { 0, 1 }, { 0, 2 }, { 0, 3 }, { 1, 2 }, { 1, 3 },
+  { 2, 3 } };
 
 /**
  * Whether the edge (a, b) and the thick vertex make a triangle of the fan. They do not where the edge's line passes through the
@@ -93,7 +96,8 @@ constexpr int opacityTableEntries = 1024;
 constexpr double opacityTableEnd = 16;
 
 /** 1 - exp(-u) at equal steps of u from 0 to `end`. */
-inline std::vector<float> makeOpacityTable(int entries = opacityTableEntries, double end = opacityTableEnd)
+inline std::vector<float> makeOpacityTable(
+  int entries = opacityTableEntries, double end = opacityTableEnd)
 {
   std::vector<float> table;
   for (int i = 0; i < entries; ++i)

@@ -31,7 +31,8 @@ const char* triangleFragmentShader()
 
 std::string withTriangleShaders(const char* shader)
 {
-  return withShaderParts(shader, { { "ProjectedTriangles", ProjectedTrianglesShader }, { "OpacityTable", OpacityTableShader } });
+  return withShaderParts(shader,
+    { { "ProjectedTriangles", ProjectedTrianglesShader }, { "OpacityTable", OpacityTableShader } });
 }
 
 double smallestEyeDepth(const double eyeView[4], vtkMatrix4x4* viewToDevice)

@@ -39,8 +39,8 @@ struct CellBox
   bool IsEmpty() const { return this->High[0] < this->Low[0]; }
   bool Contains(const std::array<std::int32_t, 4>& cell) const
   {
-    return cell[0] >= this->Low[0] && cell[0] <= this->High[0] && cell[1] >= this->Low[1] && cell[1] <= this->High[1] &&
-      cell[2] >= this->Low[2] && cell[2] <= this->High[2];
+    return cell[0] >= this->Low[0] && cell[0] <= this->High[0] && cell[1] >= this->Low[1] &&
+      cell[1] <= this->High[1] && cell[2] >= this->Low[2] && cell[2] <= this->High[2];
   }
   /** It reaches all the way round a grid that closes along the first axis. */
   bool IsClosed(const ChessboardGrid& grid) const
@@ -50,7 +50,8 @@ struct CellBox
 };
 
 /** The boundary of a box of cells of a structured grid: of each face the odd vertex, the two others, and the vertex inside. */
-inline std::vector<BoundaryFace> chessboardBoundary(const CellGeometry& geometry, const CellBox& box)
+inline std::vector<BoundaryFace> chessboardBoundary(
+  const CellGeometry& geometry, const CellBox& box)
 {
   const ChessboardGrid& grid = geometry.Grid;
   std::vector<BoundaryFace> faces;
@@ -61,8 +62,8 @@ inline std::vector<BoundaryFace> chessboardBoundary(const CellGeometry& geometry
       if (t.Corner[axis] == end)
       {
         const std::array<std::int64_t, 3> others = t.Across(axis);
-        BoundaryFace face = { { std::int32_t(t.Odd), std::int32_t(others[0]), std::int32_t(others[1]),
-          std::int32_t(others[2]) } };
+        BoundaryFace face = { { std::int32_t(t.Odd), std::int32_t(others[0]),
+          std::int32_t(others[1]), std::int32_t(others[2]) } };
         turnOutwards(geometry, face);
         faces.push_back(face);
       }

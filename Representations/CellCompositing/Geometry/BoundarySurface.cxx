@@ -16,10 +16,14 @@ struct Edge
   std::int32_t Low, High; // places
   std::int32_t Face;      // number in the list of boundary faces
   std::int32_t Apex;      // the place of the face that is not on the edge
-  bool SameEdge(const Edge& other) const { return this->Low == other.Low && this->High == other.High; }
+  bool SameEdge(const Edge& other) const
+  {
+    return this->Low == other.Low && this->High == other.High;
+  }
   bool operator<(const Edge& other) const
   {
-    return std::tie(this->Low, this->High, this->Face) < std::tie(other.Low, other.High, other.Face);
+    return std::tie(this->Low, this->High, this->Face) <
+      std::tie(other.Low, other.High, other.Face);
   }
 };
 
@@ -59,7 +63,8 @@ public:
       {
         for (const int k : tetrahedronFaces[other.Opposite])
         {
-          const Tetrahedron& t = this->Geometry.Tetrahedra[static_cast<std::size_t>(other.Tetrahedron)];
+          const Tetrahedron& t =
+            this->Geometry.Tetrahedra[static_cast<std::size_t>(other.Tetrahedron)];
           if (!this->IsInside(face, t[static_cast<std::size_t>(k)]))
           {
             return false;
@@ -79,7 +84,8 @@ public:
       std::int32_t place[3];
       for (std::size_t k = 0; k < 3; ++k)
       {
-        place[k] = this->Places[static_cast<std::size_t>(t[static_cast<std::size_t>(tetrahedronFaces[f.Opposite][k])])];
+        place[k] = this->Places[static_cast<std::size_t>(
+          t[static_cast<std::size_t>(tetrahedronFaces[f.Opposite][k])])];
       }
       for (std::size_t k = 0; k < 3; ++k)
       {
@@ -158,7 +164,8 @@ bool isConvexSurface(const CellGeometry& geometry, const std::vector<Face>& boun
     {
       return false;
     }
-    pieces.Join(static_cast<std::size_t>(edges[i].Face), static_cast<std::size_t>(edges[i + 1].Face));
+    pieces.Join(
+      static_cast<std::size_t>(edges[i].Face), static_cast<std::size_t>(edges[i + 1].Face));
   }
   return pieces.GetCount() == 1;
 }

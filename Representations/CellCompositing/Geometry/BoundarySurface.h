@@ -14,8 +14,7 @@ namespace nephoscope
  * such a surface bounds a convex body. `places` are those of findPlaces. False, too, when stopped.
  */
 bool isConvexSurface(const CellGeometry& geometry, const std::vector<FaceNeighbors::Face>& boundary,
-  const std::vector<std::int32_t>& places, double coordinateError,
-  const Progress& progress = {});
+  const std::vector<std::int32_t>& places, double coordinateError, const Progress& progress = {});
 
 } // namespace nephoscope
 

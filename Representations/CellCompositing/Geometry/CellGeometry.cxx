@@ -39,12 +39,12 @@ void CellGeometry::Clear()
 std::array<Vector3, 4> CellGeometry::Vertices(std::size_t tetrahedron) const
 {
   const Tetrahedron& t = this->Tetrahedra[tetrahedron];
-  return { { this->Position(t[0]), this->Position(t[1]), this->Position(t[2]), this->Position(t[3]) } };
+  return { { this->Position(t[0]), this->Position(t[1]), this->Position(t[2]),
+    this->Position(t[3]) } };
 }
 
-std::string CellGeometry::Build(
-  vtkDataSet* data, const ScalarSelection& scalars, const ScalarSelection& opacity, vtkDataArray* layers,
-  const Progress& progress, Form form)
+std::string CellGeometry::Build(vtkDataSet* data, const ScalarSelection& scalars,
+  const ScalarSelection& opacity, vtkDataArray* layers, const Progress& progress, Form form)
 {
   this->Clear();
   this->LayerArray = layers;
@@ -58,7 +58,8 @@ std::string CellGeometry::Build(
   {
     data->GetCellType(0);
     vtkNew<vtkIdList> ids;
-    data->GetCellPoints(0, ids); // builds what datasets build on first use, before threads ask for it
+    data->GetCellPoints(
+      0, ids); // builds what datasets build on first use, before threads ask for it
   }
   const bool copied = this->CopyPoints(data, progress.Part(0, 0.1)) &&
     this->CopyScalars(data, scalars, progress.Part(0.1, 0.2)) &&
@@ -103,24 +104,27 @@ bool CellGeometry::CopyPoints(vtkDataSet* data, const Progress& progress)
   });
 }
 
-bool CellGeometry::Decompose(
-  vtkDataSet* data, const ScalarSelection& scalars, const ScalarSelection& opacity, const Progress& progress)
+bool CellGeometry::Decompose(vtkDataSet* data, const ScalarSelection& scalars,
+  const ScalarSelection& opacity, const Progress& progress)
 {
   std::vector<std::int64_t> first(static_cast<std::size_t>(data->GetNumberOfCells()) + 1, 0);
   if (!this->CountOfCells(data, scalars, opacity, first, progress.Part(0, 0.5))) // PASS 1
   {
     return false;
   }
-  const bool oneEach = std::all_of(first.begin() + 1, first.end(), [](std::int64_t count) { return count == 1; });
+  const bool oneEach =
+    std::all_of(first.begin() + 1, first.end(), [](std::int64_t count) { return count == 1; });
   std::partial_sum(first.begin(), first.end(), first.begin()); // PASS 2
   this->Tetrahedra.resize(static_cast<std::size_t>(first.back()));
   this->Cells.resize(oneEach ? 0 : this->Tetrahedra.size());
   this->Layers.resize(this->LayerArray ? this->Tetrahedra.size() : 0);
   return this->FillTetrahedra(data, scalars, opacity, first, progress.Part(0.5, 0.9)) && // PASS 3
     (!scalars.OnCells ||
-      this->CopyCellValues(scalars, this->ScalarRange, this->CellScalars, progress.Part(0.9, 0.95))) &&
+      this->CopyCellValues(
+        scalars, this->ScalarRange, this->CellScalars, progress.Part(0.9, 0.95))) &&
     (!opacity.OnCells ||
-      this->CopyCellValues(opacity, this->OpacityRange, this->OpacityScalars, progress.Part(0.95, 1)));
+      this->CopyCellValues(
+        opacity, this->OpacityRange, this->OpacityScalars, progress.Part(0.95, 1)));
 }
 
 // counts[cell + 1]: tetrahedra of the cell.
@@ -135,9 +139,8 @@ bool CellGeometry::CountOfCells(vtkDataSet* data, const ScalarSelection& scalars
     for (vtkIdType cell = static_cast<vtkIdType>(begin); cell < static_cast<vtkIdType>(end); ++cell)
     {
       std::int64_t& count = counts[static_cast<std::size_t>(cell) + 1];
-      const CellOutcome outcome = walker.Walk(cell, [&](const Tetrahedron& t) {
-        isFlat(*this, t) ? ++flat : ++count;
-      });
+      const CellOutcome outcome =
+        walker.Walk(cell, [&](const Tetrahedron& t) { isFlat(*this, t) ? ++flat : ++count; });
       invalid += outcome == CellOutcome::Invalid;
       nonConvex += outcome == CellOutcome::Decomposed && !walker.TetrahedraFillCell();
       if (outcome == CellOutcome::Unsupported)

@@ -47,13 +47,15 @@ public:
    * `opacity` selects the array that the opacity function reads; none: `scalars` too. `layers`, if given, numbers the cells' layers.
    * Returns an empty string, or why nothing can be drawn. Nothing is left, but Stopped, when it was told to stop.
    */
-  std::string Build(vtkDataSet* data, const ScalarSelection& scalars, const ScalarSelection& opacity = {},
-    vtkDataArray* layers = nullptr, const Progress& progress = {}, Form form = Form::Tetrahedra);
+  std::string Build(vtkDataSet* data, const ScalarSelection& scalars,
+    const ScalarSelection& opacity = {}, vtkDataArray* layers = nullptr,
+    const Progress& progress = {}, Form form = Form::Tetrahedra);
   /**
    * Other values of colour, opacity or both for the tetrahedra that are there: of the same mesh, from arrays on points or cells. Returns
    * false, and must be built again, where values are missing now or were then (which cells are drawn depends on them), and for grids.
    */
-  bool UpdateValues(vtkDataSet* data, const ScalarSelection& scalars, const ScalarSelection& opacity, bool ofColor, bool ofOpacity);
+  bool UpdateValues(vtkDataSet* data, const ScalarSelection& scalars,
+    const ScalarSelection& opacity, bool ofColor, bool ofOpacity);
   void Clear();
 
   /** Tetrahedra that are drawn, hidden cells not counted. */
@@ -66,26 +68,30 @@ public:
   std::vector<Tetrahedron> Tetrahedra;
   ChessboardGrid Grid; ///< takes the place of the list of tetrahedra unless it is empty
   std::vector<std::uint8_t> HiddenCells; ///< of the grid, 255: not drawn; empty: all are drawn
-  std::vector<float> CellScalars; ///< one per tetrahedron (per cell of the grid), normalised; empty for point scalars
+  std::vector<float>
+    CellScalars; ///< one per tetrahedron (per cell of the grid), normalised; empty for point scalars
   double Center[3] = { 0, 0, 0 };
   double ScalarRange[2] = { 0, 1 }; ///< what 0 and 1 of the normalised scalars stand for
   bool SingleScalar = false;        ///< all values are that of 0
 
-  bool HasOpacityScalars = false;     ///< opacity comes from another array than colour
+  bool HasOpacityScalars = false; ///< opacity comes from another array than colour
   bool OpacityOnCells = false;
-  std::vector<float> OpacityScalars;  ///< one per point, or per tetrahedron if OpacityOnCells; normalised
+  std::vector<float>
+    OpacityScalars; ///< one per point, or per tetrahedron if OpacityOnCells; normalised
   double OpacityRange[2] = { 0, 1 };
 
   /** The cell of the dataset for each tetrahedron; empty where tetrahedron i is that of cell i, and for a grid. */
   std::vector<std::int32_t> Cells;
-  std::vector<std::int32_t> Layers; ///< of each tetrahedron's cell, or of each cell of the grid; empty without a layer array
+  std::vector<std::int32_t>
+    Layers; ///< of each tetrahedron's cell, or of each cell of the grid; empty without a layer array
 
   // What was left out, for the mapper to report.
   std::int64_t NumberOfUnsupportedCells = 0; ///< not 3-D, or of a kind that cannot be decomposed
   int UnsupportedCellType = 0;               ///< the largest of their types
   std::int64_t NumberOfInvalidCells = 0;     ///< a coordinate or scalar is not finite
-  std::int64_t NumberOfNonConvexCells = 0;   ///< polyhedra that their tetrahedra do not fill: drawn, but wrong
-  std::int64_t NumberOfFlatTetrahedra = 0;   ///< zero volume: nothing to draw, no error
+  std::int64_t NumberOfNonConvexCells =
+    0; ///< polyhedra that their tetrahedra do not fill: drawn, but wrong
+  std::int64_t NumberOfFlatTetrahedra = 0; ///< zero volume: nothing to draw, no error
 
   ///@{
   /** Tetrahedra numbered on from 0, listed or of the grid, hidden ones among them: how many, which points, and whether it is hidden. */
@@ -105,20 +111,23 @@ private:
   // Those that take a Progress return false when stopped.
   bool CopyPoints(vtkDataSet* data, const Progress& progress);
   bool CopyScalars(vtkDataSet* data, const ScalarSelection& scalars, const Progress& progress);
-  bool CopyOpacityScalars(vtkDataSet* data, const ScalarSelection& opacity, const Progress& progress);
-  bool CopyCellValues(const ScalarSelection& scalars, const double range[2], std::vector<float>& values,
-    const Progress& progress) const;
+  bool CopyOpacityScalars(
+    vtkDataSet* data, const ScalarSelection& opacity, const Progress& progress);
+  bool CopyCellValues(const ScalarSelection& scalars, const double range[2],
+    std::vector<float>& values, const Progress& progress) const;
   bool ValuesAreFinite() const;
   bool UseGrid(vtkDataSet* data, const ScalarSelection& scalars, const ScalarSelection& opacity);
   bool FindSeam();
-  void FindHiddenCells(vtkDataSet* data, const ScalarSelection& scalars, const ScalarSelection& opacity);
+  void FindHiddenCells(
+    vtkDataSet* data, const ScalarSelection& scalars, const ScalarSelection& opacity);
   void CopyGridCells(const ScalarSelection& scalars, const ScalarSelection& opacity);
   bool Decompose(vtkDataSet* data, const ScalarSelection& scalars, const ScalarSelection& opacity,
     const Progress& progress);
-  bool CountOfCells(vtkDataSet* data, const ScalarSelection& scalars, const ScalarSelection& opacity,
-    std::vector<std::int64_t>& counts, const Progress& progress);
-  bool FillTetrahedra(vtkDataSet* data, const ScalarSelection& scalars, const ScalarSelection& opacity,
-    const std::vector<std::int64_t>& first, const Progress& progress);
+  bool CountOfCells(vtkDataSet* data, const ScalarSelection& scalars,
+    const ScalarSelection& opacity, std::vector<std::int64_t>& counts, const Progress& progress);
+  bool FillTetrahedra(vtkDataSet* data, const ScalarSelection& scalars,
+    const ScalarSelection& opacity, const std::vector<std::int64_t>& first,
+    const Progress& progress);
 
   vtkDataArray* LayerArray = nullptr; // while building
 };

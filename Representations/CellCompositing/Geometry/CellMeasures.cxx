@@ -32,7 +32,8 @@ struct TetrahedronCorners
   }
   double Volume()
   {
-    const double volume = std::abs(vtkTetra::ComputeVolume(this->X[0], this->X[1], this->X[2], this->X[3]));
+    const double volume =
+      std::abs(vtkTetra::ComputeVolume(this->X[0], this->X[1], this->X[2], this->X[3]));
     return std::isfinite(volume) ? volume : 0.0;
   }
   bool LieIn(const MediumBounds& box) const
@@ -48,7 +49,8 @@ WeightedPlace weightedPlaceOf(TetrahedronCorners corners)
   double length = 0.0;
   for (std::size_t axis = 0; axis < 3; ++axis)
   {
-    const double x[4] = { corners.X[0][axis], corners.X[1][axis], corners.X[2][axis], corners.X[3][axis] };
+    const double x[4] = { corners.X[0][axis], corners.X[1][axis], corners.X[2][axis],
+      corners.X[3][axis] };
     place.Place[axis] = 0.25 * (x[0] + x[1] + x[2] + x[3]);
     length = std::max(length, *std::max_element(x, x + 4) - *std::min_element(x, x + 4));
   }
@@ -57,15 +59,15 @@ WeightedPlace weightedPlaceOf(TetrahedronCorners corners)
 }
 
 /** Adds one tetrahedron of that volume, with mean values of its corners; 0 where a value is not finite, as such cells are not drawn. */
-void addTetrahedron(
-  MediumMeasures& measures, const CellMedium& medium, vtkIdType cell, const PointIds& tetrahedron,
-  double volume)
+void addTetrahedron(MediumMeasures& measures, const CellMedium& medium, vtkIdType cell,
+  const PointIds& tetrahedron, double volume)
 {
   measures.Volume += volume;
   double scalar = 0.0, opacity = 0.0;
   for (const vtkIdType point : tetrahedron)
   {
-    const double value = medium.Scalars ? scalarOf(medium.Scalars, medium.OnCells ? cell : point) : 0.0;
+    const double value =
+      medium.Scalars ? scalarOf(medium.Scalars, medium.OnCells ? cell : point) : 0.0;
     scalar += 0.25 * value;
     opacity += medium.Opacity && std::isfinite(value) ? 0.25 * medium.Opacity(value) : 0.0;
   }
@@ -140,14 +142,16 @@ MediumBounds robustBoundsOfCells(vtkDataSet* data, const MediumReduction& over)
   std::vector<WeightedPlace> places;
   if (data)
   {
-    const auto standing = static_cast<double>(SampleChoice(data->GetNumberOfCells(), enoughPlaces).Standing()); // differs between processes
+    const auto standing = static_cast<double>(
+      SampleChoice(data->GetNumberOfCells(), enoughPlaces).Standing()); // differs between processes
     forChosenTetrahedra(data, enoughPlaces, [&](vtkIdType, const PointIds& tetrahedron) {
       places.push_back(weightedPlaceOf({ data, tetrahedron }));
       places.back().Weight *= standing;
       places.back().Number = standing;
     });
   }
-  return robustBounds(places, [&](const MediumBounds& box) { return boundsOfCells(data, box); }, over);
+  return robustBounds(
+    places, [&](const MediumBounds& box) { return boundsOfCells(data, box); }, over);
 }
 
 MediumMeasures measureCells(vtkDataSet* data, const CellMedium& medium, const MediumBounds& common)
@@ -164,13 +168,14 @@ MediumMeasures measureCells(vtkDataSet* data, const CellMedium& medium, const Me
       measures.AddPlace(common, place, noExtent);
     }
   });
-  const double scale = forChosenTetrahedra(data, enoughCells, [&](vtkIdType cell, const PointIds& tetrahedron) {
-    TetrahedronCorners corners(data, tetrahedron);
-    if (corners.LieIn(common))
-    {
-      addTetrahedron(measures, medium, cell, tetrahedron, corners.Volume());
-    }
-  });
+  const double scale =
+    forChosenTetrahedra(data, enoughCells, [&](vtkIdType cell, const PointIds& tetrahedron) {
+      TetrahedronCorners corners(data, tetrahedron);
+      if (corners.LieIn(common))
+      {
+        addTetrahedron(measures, medium, cell, tetrahedron, corners.Volume());
+      }
+    });
   measures.Volume *= scale;
   measures.ScalarIntegral *= scale;
   measures.OpacityIntegral *= scale;

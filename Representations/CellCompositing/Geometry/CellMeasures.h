@@ -15,10 +15,12 @@ namespace nephoscope
 {
 
 /** Bounds of the finite points, in a box, of the cells that are shown. `data` may be null. */
-VTKNEPHOSCOPEREPRESENTATIONSCELLCOMPOSITING_EXPORT MediumBounds boundsOfCells(vtkDataSet* data, const MediumBounds& box = WholeMedium);
+VTKNEPHOSCOPEREPRESENTATIONSCELLCOMPOSITING_EXPORT MediumBounds boundsOfCells(
+  vtkDataSet* data, const MediumBounds& box = WholeMedium);
 
 /** The same of all processes, without parts that are few and far away. */
-VTKNEPHOSCOPEREPRESENTATIONSCELLCOMPOSITING_EXPORT MediumBounds robustBoundsOfCells(vtkDataSet* data, const MediumReduction& over = {});
+VTKNEPHOSCOPEREPRESENTATIONSCELLCOMPOSITING_EXPORT MediumBounds robustBoundsOfCells(
+  vtkDataSet* data, const MediumReduction& over = {});
 
 /** What is measured of cells. Scalars may be null; vectors count by their magnitude. The opacity may be empty. */
 struct CellMedium

@@ -39,13 +39,15 @@ TriangleCorners sorted(TriangleCorners corners, const std::vector<std::int32_t>&
 Vector3 areaVector(const CellGeometry& geometry, const TriangleCorners& corners)
 {
   const Vector3 a = geometry.Position(corners[0]);
-  return cross(difference(geometry.Position(corners[1]), a), difference(geometry.Position(corners[2]), a));
+  return cross(
+    difference(geometry.Position(corners[1]), a), difference(geometry.Position(corners[2]), a));
 }
 
 double volume(const CellGeometry& geometry, std::int32_t tetrahedron)
 {
   const std::array<Vector3, 4> p = geometry.Vertices(static_cast<std::size_t>(tetrahedron));
-  return std::abs(dot(cross(difference(p[1], p[0]), difference(p[2], p[0])), difference(p[3], p[0])));
+  return std::abs(
+    dot(cross(difference(p[1], p[0]), difference(p[2], p[0])), difference(p[3], p[0])));
 }
 
 void addAlike(Vector3& sum, const Vector3& v)
@@ -76,8 +78,9 @@ CellPolygons CellPolygons::Read(vtkDataSet* data, Which which)
     const bool polygon = source.EmitTriangles([&](const std::array<vtkIdType, 3>& t) {
       if (asked)
       {
-        result.Triangles.push_back({ { { std::int32_t(t[0]), std::int32_t(t[1]), std::int32_t(t[2]) } },
-          static_cast<std::int32_t>(std::max(contour, 0.0)), cell });
+        result.Triangles.push_back(
+          { { { std::int32_t(t[0]), std::int32_t(t[1]), std::int32_t(t[2]) } },
+            static_cast<std::int32_t>(std::max(contour, 0.0)), cell });
       }
     });
     result.NumberOfPolygons += polygon;
@@ -86,7 +89,8 @@ CellPolygons CellPolygons::Read(vtkDataSet* data, Which which)
   return result;
 }
 
-std::vector<CellPolygons::Face> CellPolygons::Match(const CellGeometry& geometry, const std::vector<std::int32_t>& places)
+std::vector<CellPolygons::Face> CellPolygons::Match(
+  const CellGeometry& geometry, const std::vector<std::int32_t>& places)
 {
   std::vector<std::pair<TriangleCorners, std::int32_t>> wanted;
   std::vector<std::uint8_t> touched(places.size(), 0);
@@ -112,11 +116,13 @@ std::vector<CellPolygons::Face> CellPolygons::Match(const CellGeometry& geometry
         corners[k] = tetrahedron[static_cast<std::size_t>(tetrahedronFaces[opposite][k])];
       }
       corners = sorted(corners, places);
-      if (!touched[std::size_t(corners[0])] || !touched[std::size_t(corners[1])] || !touched[std::size_t(corners[2])])
+      if (!touched[std::size_t(corners[0])] || !touched[std::size_t(corners[1])] ||
+        !touched[std::size_t(corners[2])])
       {
         continue;
       }
-      const auto match = std::lower_bound(wanted.begin(), wanted.end(), std::make_pair(corners, std::int32_t(-1)));
+      const auto match =
+        std::lower_bound(wanted.begin(), wanted.end(), std::make_pair(corners, std::int32_t(-1)));
       const std::size_t number = static_cast<std::size_t>(match - wanted.begin());
       if (match == wanted.end() || match->first != corners)
       {
@@ -128,7 +134,8 @@ std::vector<CellPolygons::Face> CellPolygons::Match(const CellGeometry& geometry
         found[number] = static_cast<std::int32_t>(faces.size());
         faces.push_back(face);
       }
-      else if (volume(geometry, face.Tetrahedron) > volume(geometry, faces[std::size_t(found[number])].Tetrahedron))
+      else if (volume(geometry, face.Tetrahedron) >
+        volume(geometry, faces[std::size_t(found[number])].Tetrahedron))
       {
         faces[std::size_t(found[number])] = face;
       }
@@ -152,7 +159,8 @@ std::vector<std::array<Vector3, 3>> CellPolygons::Normals(
   const CellGeometry& geometry, const std::vector<std::int32_t>& places, bool smooth) const
 {
   const auto key = [&places](const Triangle& t, std::size_t k) {
-    const std::uint64_t place = static_cast<std::uint32_t>(places[static_cast<std::size_t>(t.Points[k])]);
+    const std::uint64_t place =
+      static_cast<std::uint32_t>(places[static_cast<std::size_t>(t.Points[k])]);
     return place << 32 | static_cast<std::uint32_t>(t.Contour);
   };
   std::unordered_map<std::uint64_t, Vector3> sums;
@@ -160,7 +168,8 @@ std::vector<std::array<Vector3, 3>> CellPolygons::Normals(
   {
     for (std::size_t k = 0; k < 3 && smooth; ++k)
     {
-      addAlike(sums.emplace(key(t, k), Vector3{ { 0, 0, 0 } }).first->second, areaVector(geometry, t.Points));
+      addAlike(sums.emplace(key(t, k), Vector3{ { 0, 0, 0 } }).first->second,
+        areaVector(geometry, t.Points));
     }
   }
   std::vector<std::array<Vector3, 3>> normals;

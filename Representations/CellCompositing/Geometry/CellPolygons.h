@@ -58,7 +58,8 @@ struct CellPolygons
   std::int64_t NumberApart = 0; ///< polygons of which Match found a part in no face
 
   /** Normals at each triangle's corners: mean over the triangles of one contour that meet there, with any length and sign. */
-  std::vector<std::array<Vector3, 3>> Normals(const CellGeometry& geometry, const std::vector<std::int32_t>& places, bool smooth) const;
+  std::vector<std::array<Vector3, 3>> Normals(
+    const CellGeometry& geometry, const std::vector<std::int32_t>& places, bool smooth) const;
 };
 
 } // namespace nephoscope

@@ -12,15 +12,17 @@
 namespace nephoscope
 {
 
-bool CellGeometry::CopyScalars(vtkDataSet* data, const ScalarSelection& scalars, const Progress& progress)
+bool CellGeometry::CopyScalars(
+  vtkDataSet* data, const ScalarSelection& scalars, const Progress& progress)
 {
   if (!findRange(data, scalars, this->ScalarRange, progress.Part(0, 0.5), &this->SingleScalar))
   {
     return false;
   }
-  return forEach(scalars.OnCells ? 0 : this->Points.size(), progress.Part(0.5, 1), [&](std::size_t i) {
-    this->Points[i].Scalar = normalized(scalars, static_cast<vtkIdType>(i), this->ScalarRange);
-  });
+  return forEach(
+    scalars.OnCells ? 0 : this->Points.size(), progress.Part(0.5, 1), [&](std::size_t i) {
+      this->Points[i].Scalar = normalized(scalars, static_cast<vtkIdType>(i), this->ScalarRange);
+    });
 }
 
 bool CellGeometry::CopyOpacityScalars(
@@ -45,8 +47,8 @@ bool CellGeometry::CopyOpacityScalars(
 }
 
 // Each tetrahedron has the value of its cell.
-bool CellGeometry::CopyCellValues(
-  const ScalarSelection& scalars, const double range[2], std::vector<float>& values, const Progress& progress) const
+bool CellGeometry::CopyCellValues(const ScalarSelection& scalars, const double range[2],
+  std::vector<float>& values, const Progress& progress) const
 {
   values.resize(this->Tetrahedra.size());
   return forEach(values.size(), progress, [&](std::size_t i) {
@@ -58,13 +60,14 @@ bool CellGeometry::CopyCellValues(
 bool CellGeometry::ValuesAreFinite() const
 {
   const auto finite = [](float v) { return std::isfinite(v); };
-  return std::all_of(this->Points.begin(), this->Points.end(), [&](const Point& p) { return finite(p.Scalar); }) &&
+  return std::all_of(this->Points.begin(), this->Points.end(),
+           [&](const Point& p) { return finite(p.Scalar); }) &&
     std::all_of(this->CellScalars.begin(), this->CellScalars.end(), finite) &&
     std::all_of(this->OpacityScalars.begin(), this->OpacityScalars.end(), finite);
 }
 
-bool CellGeometry::UpdateValues(
-  vtkDataSet* data, const ScalarSelection& scalars, const ScalarSelection& opacity, bool ofColor, bool ofOpacity)
+bool CellGeometry::UpdateValues(vtkDataSet* data, const ScalarSelection& scalars,
+  const ScalarSelection& opacity, bool ofColor, bool ofOpacity)
 {
   if (!this->Grid.IsEmpty() || this->Tetrahedra.empty() || this->NumberOfInvalidCells > 0)
   {

@@ -51,9 +51,11 @@ public:
     {
       return outcome;
     }
-    const bool supported = this->Source.EmitTetrahedra(cell, [&](const std::array<vtkIdType, 4>& t) {
-      emit(Tetrahedron{ { std::int32_t(t[0]), std::int32_t(t[1]), std::int32_t(t[2]), std::int32_t(t[3]) } });
-    });
+    const bool supported =
+      this->Source.EmitTetrahedra(cell, [&](const std::array<vtkIdType, 4>& t) {
+        emit(Tetrahedron{
+          { std::int32_t(t[0]), std::int32_t(t[1]), std::int32_t(t[2]), std::int32_t(t[3]) } });
+      });
     return supported ? CellOutcome::Decomposed : CellOutcome::Unsupported;
   }
 
@@ -73,7 +75,8 @@ private:
     return std::all_of(points->begin(), points->end(), [&](vtkIdType id) {
       const std::size_t i = static_cast<std::size_t>(id);
       const CellGeometry::Point& p = this->Geometry.Points[i];
-      return std::isfinite(p.X) && std::isfinite(p.Y) && std::isfinite(p.Z) && std::isfinite(p.Scalar) &&
+      return std::isfinite(p.X) && std::isfinite(p.Y) && std::isfinite(p.Z) &&
+        std::isfinite(p.Scalar) &&
         (!opacityOnPoints || std::isfinite(this->Geometry.OpacityScalars[i]));
     });
   }

@@ -33,7 +33,6 @@ std::size_t hashOfPlace(const CellGeometry::Point& p)
   return static_cast<std::size_t>(hash);
 }
 
-
 bool isPlace(const CellGeometry::Point& p)
 {
   return std::isfinite(p.X) && std::isfinite(p.Y) && std::isfinite(p.Z);
@@ -46,7 +45,8 @@ double largestCoordinate(const CellGeometry::Point& p)
 
 double distanceBetween(const CellGeometry::Point& p, const CellGeometry::Point& q)
 {
-  return std::max({ std::abs(double(p.X) - q.X), std::abs(double(p.Y) - q.Y), std::abs(double(p.Z) - q.Z) });
+  return std::max(
+    { std::abs(double(p.X) - q.X), std::abs(double(p.Y) - q.Y), std::abs(double(p.Z) - q.Z) });
 }
 
 // Float trigonometry is off by 1.5 units at 360 degrees, and every coordinate by half a unit for being moved to the centre.
@@ -79,8 +79,9 @@ public:
     const bool done = this->Reach > 0 &&
       buckets.Fill(this->Points.size(), size, progress.Part(0, 0.6),
         [&](std::size_t i, auto add) { this->AddToBoxes(i, size, add); }) &&
-      buckets.ForEach(progress.Part(0.6, 1),
-        [&](std::int32_t* begin, std::int32_t* end) { this->FindInBox(begin, end, found.Local()); });
+      buckets.ForEach(progress.Part(0.6, 1), [&](std::int32_t* begin, std::int32_t* end) {
+        this->FindInBox(begin, end, found.Local());
+      });
     for (const std::vector<Pair>& part : found)
     {
       pairs.insert(pairs.end(), part.begin(), part.end());
@@ -103,8 +104,10 @@ private:
     std::int64_t low[3], high[3];
     for (int axis = 0; axis < 3; ++axis)
     {
-      low[axis] = static_cast<std::int64_t>(std::floor((double(x[axis]) - this->Reach) / this->BoxSize));
-      high[axis] = static_cast<std::int64_t>(std::floor((double(x[axis]) + this->Reach) / this->BoxSize));
+      low[axis] =
+        static_cast<std::int64_t>(std::floor((double(x[axis]) - this->Reach) / this->BoxSize));
+      high[axis] =
+        static_cast<std::int64_t>(std::floor((double(x[axis]) + this->Reach) / this->BoxSize));
     }
     std::int64_t box[3];
     for (box[0] = low[0]; box[0] <= high[0]; ++box[0])
@@ -148,14 +151,14 @@ private:
 };
 
 /** At each place of a pair: the shortest edge that is longer than nothing. */
-bool findShortestEdges(const CellGeometry& geometry, const std::vector<std::int32_t>& places, const std::vector<Pair>& pairs,
-  std::vector<float>& shortest, const Progress& progress)
+bool findShortestEdges(const CellGeometry& geometry, const std::vector<std::int32_t>& places,
+  const std::vector<Pair>& pairs, std::vector<float>& shortest, const Progress& progress)
 {
   shortest.assign(places.size(), -1.0f); // not asked for
   for (const Pair& pair : pairs)
   {
-    shortest[static_cast<std::size_t>(pair.first)] = shortest[static_cast<std::size_t>(pair.second)] =
-      std::numeric_limits<float>::max();
+    shortest[static_cast<std::size_t>(pair.first)] =
+      shortest[static_cast<std::size_t>(pair.second)] = std::numeric_limits<float>::max();
   }
   return forEachInTurn(geometry.Tetrahedra.size(), progress, [&](std::size_t i) {
     for (const std::int32_t vertex : geometry.Tetrahedra[i])
@@ -168,8 +171,9 @@ bool findShortestEdges(const CellGeometry& geometry, const std::vector<std::int3
       }
       for (const std::int32_t other : geometry.Tetrahedra[i])
       {
-        const float distance = static_cast<float>(distanceBetween(
-          geometry.Points[static_cast<std::size_t>(vertex)], geometry.Points[static_cast<std::size_t>(other)]));
+        const float distance =
+          static_cast<float>(distanceBetween(geometry.Points[static_cast<std::size_t>(vertex)],
+            geometry.Points[static_cast<std::size_t>(other)]));
         length = distance > 0 ? std::min(length, distance) : length;
       }
     }
@@ -199,14 +203,15 @@ std::vector<std::int32_t> findPlaces(const CellGeometry& geometry, const Progres
   std::iota(places.begin(), places.end(), 0);
   Buckets<std::int32_t> buckets;
   const std::size_t size = std::max<std::size_t>(points.size(), 1);
-  const bool done =
-    buckets.Fill(points.size(), size, progress.Part(0, 0.5), [&](std::size_t i, auto add) {
-      const CellGeometry::Point& p = points[i];
-      if (p.X == p.X && p.Y == p.Y && p.Z == p.Z) // NaN has no place in an order, and is in no tetrahedron
-      {
-        add(hashOfPlace(p) % size, static_cast<std::int32_t>(i));
-      }
-    }) &&
+  const bool done = buckets.Fill(points.size(), size, progress.Part(0, 0.5),
+                      [&](std::size_t i, auto add) {
+                        const CellGeometry::Point& p = points[i];
+                        if (p.X == p.X && p.Y == p.Y &&
+                          p.Z == p.Z) // NaN has no place in an order, and is in no tetrahedron
+                        {
+                          add(hashOfPlace(p) % size, static_cast<std::int32_t>(i));
+                        }
+                      }) &&
     buckets.ForEach(progress.Part(0.5, 1), [&](std::int32_t* begin, std::int32_t* end) {
       std::sort(begin, end, [&](std::int32_t a, std::int32_t b) {
         return std::tuple_cat(place(a), std::tie(a)) < std::tuple_cat(place(b), std::tie(b));
@@ -226,7 +231,8 @@ std::vector<std::int32_t> findPlaces(const CellGeometry& geometry, const Progres
   return places;
 }
 
-bool weldPlaces(const CellGeometry& geometry, std::vector<std::int32_t>& places, const Progress& progress)
+bool weldPlaces(
+  const CellGeometry& geometry, std::vector<std::int32_t>& places, const Progress& progress)
 {
   std::vector<Pair> pairs;
   std::vector<float> shortest;
@@ -244,10 +250,13 @@ bool weldPlaces(const CellGeometry& geometry, std::vector<std::int32_t>& places,
   }
   for (const Pair& pair : pairs)
   {
-    const std::size_t a = static_cast<std::size_t>(pair.first), b = static_cast<std::size_t>(pair.second);
-    if (8 * distanceBetween(geometry.Points[a], geometry.Points[b]) <= std::min(shortest[a], shortest[b]))
+    const std::size_t a = static_cast<std::size_t>(pair.first),
+                      b = static_cast<std::size_t>(pair.second);
+    if (8 * distanceBetween(geometry.Points[a], geometry.Points[b]) <=
+      std::min(shortest[a], shortest[b]))
     {
-      const std::int32_t first = findRoot(places, pair.first), second = findRoot(places, pair.second);
+      const std::int32_t first = findRoot(places, pair.first),
+                         second = findRoot(places, pair.second);
       places[static_cast<std::size_t>(std::max(first, second))] = std::min(first, second);
     }
   }

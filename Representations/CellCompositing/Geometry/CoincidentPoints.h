@@ -25,7 +25,8 @@ namespace nephoscope
 std::vector<std::int32_t> findPlaces(const CellGeometry& geometry, const Progress& progress = {});
 
 /** Joins places that differ by rounding: `places`, as findPlaces has them, then name the first of all those points. False when stopped. */
-bool weldPlaces(const CellGeometry& geometry, std::vector<std::int32_t>& places, const Progress& progress = {});
+bool weldPlaces(
+  const CellGeometry& geometry, std::vector<std::int32_t>& places, const Progress& progress = {});
 
 } // namespace nephoscope
 

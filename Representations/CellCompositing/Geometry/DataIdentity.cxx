@@ -27,7 +27,8 @@ std::uint64_t mixed(std::uint64_t hash, std::uint64_t word)
   return hash ^ (hash >> 29);
 }
 
-constexpr std::size_t pieceSize = std::size_t(1) << 13; // words or values that are mixed one after another
+constexpr std::size_t pieceSize = std::size_t(1)
+  << 13; // words or values that are mixed one after another
 
 /** word(i) for i in [0, n), in pieces that threads share. */
 template <typename Word>
@@ -35,7 +36,8 @@ std::uint64_t mixedWords(std::size_t n, Word word)
 {
   std::vector<std::uint64_t> pieces((n + pieceSize - 1) / pieceSize);
   vtkSMPTools::For(0, static_cast<vtkIdType>(pieces.size()), [&](vtkIdType begin, vtkIdType end) {
-    for (std::size_t piece = static_cast<std::size_t>(begin); piece < static_cast<std::size_t>(end); ++piece)
+    for (std::size_t piece = static_cast<std::size_t>(begin); piece < static_cast<std::size_t>(end);
+         ++piece)
     {
       std::uint64_t hash = piece;
       for (std::size_t i = piece * pieceSize; i < std::min(n, (piece + 1) * pieceSize); ++i)
@@ -78,7 +80,8 @@ struct MeshParts
     , Cells(grid->GetCells())
     , Arrays({ { grid->GetPoints() ? grid->GetPoints()->GetData() : nullptr,
         this->Cells ? this->Cells->GetOffsetsArray() : nullptr,
-        this->Cells ? this->Cells->GetConnectivityArray() : nullptr, grid->GetCellGhostArray(), grid->GetPointGhostArray() } })
+        this->Cells ? this->Cells->GetConnectivityArray() : nullptr, grid->GetCellGhostArray(),
+        grid->GetPointGhostArray() } })
   {
   }
 
@@ -124,20 +127,23 @@ std::uint64_t fingerprint(vtkDataArray* array)
   }
   const std::size_t components = static_cast<std::size_t>(array->GetNumberOfComponents());
   return mixed(kind, mixedWords(n, [=](std::size_t i) {
-    return bitsOf(array->GetComponent(static_cast<vtkIdType>(i / components), static_cast<int>(i % components)));
+    return bitsOf(array->GetComponent(
+      static_cast<vtkIdType>(i / components), static_cast<int>(i % components)));
   }));
 }
 
 bool MeshIdentity::Changes(vtkDataSet* data)
 {
   auto* grid = vtkUnstructuredGrid::SafeDownCast(data);
-  std::vector<Stamp> stamps = { Stamp(data, grid ? data->vtkObject::GetMTime() : data->GetMTime()) };
+  std::vector<Stamp> stamps = { Stamp(
+    data, grid ? data->vtkObject::GetMTime() : data->GetMTime()) };
   if (!grid)
   {
     return this->Replace(std::move(stamps));
   }
   const MeshParts parts(grid);
-  stamps.emplace_back(parts.Cells, parts.Cells ? parts.Cells->GetMTime() : 0); // the dataset's time does not tell
+  stamps.emplace_back(
+    parts.Cells, parts.Cells ? parts.Cells->GetMTime() : 0); // the dataset's time does not tell
   stamps.emplace_back(grid->GetPoints(), grid->GetPoints() ? grid->GetPoints()->GetMTime() : 0);
   for (vtkDataArray* array : parts.Arrays)
   {
@@ -170,7 +176,8 @@ bool ValueIdentity::Changes(vtkDataSet* data, const ScalarSelection& selection)
   vtkDataArray* array = selection.Array;
   const Place place(array != nullptr, array && selection.OnCells, array ? selection.Component : 0,
     array ? array->GetNumberOfValues() : 0);
-  const decltype(this->Stamp) stamp(array, array ? array->GetMTime() : 0, data, data->vtkObject::GetMTime());
+  const decltype(this->Stamp) stamp(
+    array, array ? array->GetMTime() : 0, data, data->vtkObject::GetMTime());
   if (this->Known && place == this->Last && stamp == this->Stamp)
   {
     return false;

@@ -39,7 +39,8 @@ private:
   using Stamp = std::tuple<const void*, vtkMTimeType>;
   bool Replace(std::vector<Stamp> stamps);
 
-  std::vector<Stamp> Stamps; // of the dataset and of what the mesh consists of; pointers are compared only
+  std::vector<Stamp>
+    Stamps; // of the dataset and of what the mesh consists of; pointers are compared only
   std::uint64_t Fingerprint = 0;
   bool Comparable = false; // the fingerprint is that of the last time, and tells all
 };
@@ -53,7 +54,8 @@ public:
   void Forget() { *this = ValueIdentity(); }
 
 private:
-  using Place = std::tuple<bool, bool, int, vtkIdType>; // there is one, on cells, component, number of values
+  using Place =
+    std::tuple<bool, bool, int, vtkIdType>; // there is one, on cells, component, number of values
   std::tuple<const void*, vtkMTimeType, const void*, vtkMTimeType> Stamp;
   Place Last;
   std::uint64_t Fingerprint = 0;

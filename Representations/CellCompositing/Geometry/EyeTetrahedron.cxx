@@ -23,7 +23,9 @@ struct Candidate
 
   void Offer(std::int64_t number, const ClearStart& start)
   {
-    const auto key = [](std::int64_t n, const ClearStart& s) { return std::make_tuple(-s.Clearance, s.Moved, n); };
+    const auto key = [](std::int64_t n, const ClearStart& s) {
+      return std::make_tuple(-s.Clearance, s.Moved, n);
+    };
     if (this->Number < 0 || key(number, start) < key(this->Number, this->Start))
     {
       this->Number = number;
@@ -83,8 +85,8 @@ Candidate search(const CellGeometry& geometry, const Vector4& eye, double cleara
   return best;
 }
 
-EyeTetrahedron describe(const CellGeometry& geometry, const TetrahedronNeighbors& neighbors, std::int64_t number, const Vector3& start,
-  const Vector4& weights)
+EyeTetrahedron describe(const CellGeometry& geometry, const TetrahedronNeighbors& neighbors,
+  std::int64_t number, const Vector3& start, const Vector4& weights)
 {
   EyeTetrahedron result;
   result.Found = true;
@@ -94,7 +96,8 @@ EyeTetrahedron describe(const CellGeometry& geometry, const TetrahedronNeighbors
   for (std::size_t k = 0; k < 4; ++k)
   {
     const std::size_t point = std::size_t(vertices[k]);
-    result.Vertices[k] = geometry.Grid.IsEmpty() ? neighbors.Merged(vertices[k]) : std::int32_t(vertices[k]);
+    result.Vertices[k] =
+      geometry.Grid.IsEmpty() ? neighbors.Merged(vertices[k]) : std::int32_t(vertices[k]);
     result.Weights[k] = float(weights[k]);
     result.Scalar += float(weights[k] * geometry.Points[point].Scalar);
     result.Opacity += second ? float(weights[k] * geometry.OpacityScalars[point]) : 0.0f;
@@ -103,14 +106,17 @@ EyeTetrahedron describe(const CellGeometry& geometry, const TetrahedronNeighbors
   result.Place[0] = std::int32_t(number);
   if (!geometry.Grid.IsEmpty())
   {
-    const std::array<int, 3> cell = geometry.Grid.CellIndex(number / ChessboardGrid::TetrahedraPerCell);
+    const std::array<int, 3> cell =
+      geometry.Grid.CellIndex(number / ChessboardGrid::TetrahedraPerCell);
     std::copy(cell.begin(), cell.end(), result.Place.begin());
-    result.Place[3] = number % ChessboardGrid::TetrahedraPerCell == 0 ? -1 : std::int32_t(vertices[0]);
+    result.Place[3] =
+      number % ChessboardGrid::TetrahedraPerCell == 0 ? -1 : std::int32_t(vertices[0]);
   }
   return result;
 }
 
-constexpr double inFace = 1e-7; // barycentric coordinate: the start keeps more distance from the faces of its own tetrahedron
+constexpr double inFace =
+  1e-7; // barycentric coordinate: the start keeps more distance from the faces of its own tetrahedron
 
 bool holds(const CellGeometry& geometry, std::int64_t number, const Vector4& start)
 {
@@ -124,8 +130,8 @@ bool holds(const CellGeometry& geometry, std::int64_t number, const Vector4& sta
 }
 
 /** The other tetrahedra that hold the start; of those that meet in a face, an edge or a vertex there, one. */
-std::vector<EyeTetrahedron> findOverlapping(
-  const CellGeometry& geometry, const TetrahedronNeighbors& neighbors, std::int64_t own, const Vector3& position)
+std::vector<EyeTetrahedron> findOverlapping(const CellGeometry& geometry,
+  const TetrahedronNeighbors& neighbors, std::int64_t own, const Vector3& position)
 {
   const Vector4 start = { { position[0], position[1], position[2], 1 } };
   vtkSMPThreadLocal<std::vector<std::int64_t>> parts;

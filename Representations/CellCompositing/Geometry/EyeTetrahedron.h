@@ -32,9 +32,10 @@ struct EyeTetrahedron
   /** Where a walk is: the tetrahedron (x); or the cell of a grid, and its odd vertex or -1 (w). */
   std::array<std::int32_t, 4> Place = { { 0, 0, 0, 0 } };
   std::array<float, 4> Weights = { { 0, 0, 0, 0 } }; ///< of the vertices, at the start
-  float Scalar = 0;  ///< at the start
+  float Scalar = 0;                                  ///< at the start
   float Opacity = 0; ///< second scalar at the start, where there is one per point
-  std::vector<EyeTetrahedron> Overlapping; ///< where parts of a mesh overlap: others in which the start lies, one of each part
+  std::vector<EyeTetrahedron>
+    Overlapping; ///< where parts of a mesh overlap: others in which the start lies, one of each part
 };
 
 /** Looks at all tetrahedra, in parallel, unless the eye is outside of all points or infinitely far (eye w = 0): then nothing is found. */

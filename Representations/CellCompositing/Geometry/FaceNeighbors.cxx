@@ -45,8 +45,8 @@ std::array<std::int32_t, 3> sortedPlaces(
 }
 
 /** The vertex of a tetrahedron that is not in the face of these places. */
-Vector3 vertexAcross(const CellGeometry& geometry, const Tetrahedron& other, const std::array<std::int32_t, 3>& face,
-  const std::vector<std::int32_t>& places)
+Vector3 vertexAcross(const CellGeometry& geometry, const Tetrahedron& other,
+  const std::array<std::int32_t, 3>& face, const std::vector<std::int32_t>& places)
 {
   return geometry.Position(*std::find_if(other.begin(), other.begin() + 3, [&](std::int32_t p) {
     return std::find(face.begin(), face.end(), places[static_cast<std::size_t>(p)]) == face.end();
@@ -75,13 +75,15 @@ double findCoordinateError(const CellGeometry& geometry)
   return std::isfinite(largest) ? largest * std::numeric_limits<float>::epsilon() : 0.0;
 }
 
-int planeSideWithin(const Vector3& a, const Vector3& b, const Vector3& c, const Vector4& e, double error)
+int planeSideWithin(
+  const Vector3& a, const Vector3& b, const Vector3& c, const Vector4& e, double error)
 {
   const Vector3 ab = difference(b, a);
   const Vector3 ac = difference(c, a);
   const Vector3 ae = { e[0] - e[3] * a[0], e[1] - e[3] * a[1], e[2] - e[3] * a[2] };
   const double side = dot(cross(ab, ac), ae);
-  const double lengths[3] = { std::sqrt(dot(ab, ab)), std::sqrt(dot(ac, ac)), std::sqrt(dot(ae, ae)) };
+  const double lengths[3] = { std::sqrt(dot(ab, ab)), std::sqrt(dot(ac, ac)),
+    std::sqrt(dot(ae, ae)) };
   const double areas = (lengths[0] + lengths[1]) * lengths[2] + e[3] * lengths[0] * lengths[1];
   return std::abs(side) > 3 * error * areas ? (side > 0) - (side < 0) : 0;
 }
@@ -91,15 +93,16 @@ bool FaceNeighbors::Connect(const CellGeometry& geometry, const Progress& progre
   *this = FaceNeighbors();
   this->CoordinateError = findCoordinateError(geometry);
   this->Places = findPlaces(geometry, progress.Part(0, 0.1));
-  if (this->Places.size() != geometry.Points.size() || !weldPlaces(geometry, this->Places, progress.Part(0.1, 0.2)) ||
+  if (this->Places.size() != geometry.Points.size() ||
+    !weldPlaces(geometry, this->Places, progress.Part(0.1, 0.2)) ||
     !this->MatchFaces(geometry, progress.Part(0.2, 0.7)) ||
     !this->FindFolds(geometry, progress.Part(0.7, 0.9)))
   {
     *this = FaceNeighbors();
     return false;
   }
-  this->Convex =
-    isConvexSurface(geometry, this->Boundary, this->Places, this->CoordinateError, progress.Part(0.9, 1));
+  this->Convex = isConvexSurface(
+    geometry, this->Boundary, this->Places, this->CoordinateError, progress.Part(0.9, 1));
   this->Connected = progress.Report(1);
   return this->Connected;
 }
@@ -125,8 +128,10 @@ bool FaceNeighbors::MatchFaces(const CellGeometry& geometry, const Progress& pro
         OpenFace* g = f + 1;
         if (f->SameFace(*g))
         {
-          this->Neighbors[4 * static_cast<std::size_t>(f->Tetrahedron) + f->Opposite] = g->Tetrahedron;
-          this->Neighbors[4 * static_cast<std::size_t>(g->Tetrahedron) + g->Opposite] = f->Tetrahedron;
+          this->Neighbors[4 * static_cast<std::size_t>(f->Tetrahedron) + f->Opposite] =
+            g->Tetrahedron;
+          this->Neighbors[4 * static_cast<std::size_t>(g->Tetrahedron) + g->Opposite] =
+            f->Tetrahedron;
           ++f; // a third one at the same face overlaps its neighbours: it stays unrelated
         }
       }
@@ -134,7 +139,8 @@ bool FaceNeighbors::MatchFaces(const CellGeometry& geometry, const Progress& pro
 }
 
 // What to store for a face: the tetrahedron across, or how it is folded there.
-std::int32_t FaceNeighbors::FindFold(const CellGeometry& geometry, std::size_t tetrahedron, int face) const
+std::int32_t FaceNeighbors::FindFold(
+  const CellGeometry& geometry, std::size_t tetrahedron, int face) const
 {
   const std::int32_t other = this->Get(tetrahedron, face);
   if (other < 0)
@@ -184,8 +190,8 @@ bool FaceNeighbors::FindFolds(const CellGeometry& geometry, const Progress& prog
 
 std::int64_t FaceNeighbors::GetNumberOfInteriorFaces() const
 {
-  return std::count_if(
-           this->Neighbors.begin(), this->Neighbors.end(), [](std::int32_t n) { return n != None; }) /
+  return std::count_if(this->Neighbors.begin(), this->Neighbors.end(),
+           [](std::int32_t n) { return n != None; }) /
     2;
 }
 

@@ -26,8 +26,9 @@ class FaceNeighbors
 public:
   enum : std::int32_t
   {
-    None = -1,  ///< the face is on the boundary
-    Folded = -2 ///< the tetrahedron across the face lies on the same side of it: neither is in front
+    None = -1, ///< the face is on the boundary
+    Folded =
+      -2 ///< the tetrahedron across the face lies on the same side of it: neither is in front
   };
 
   /** Returns false, and knows nothing, when stopped. */
@@ -37,7 +38,8 @@ public:
   /** Across the face opposite a vertex (0 to 3): a tetrahedron, None or Folded. */
   std::int32_t Get(std::size_t tetrahedron, int face) const
   {
-    return std::max<std::int32_t>(this->Neighbors[4 * tetrahedron + static_cast<std::size_t>(face)], Folded);
+    return std::max<std::int32_t>(
+      this->Neighbors[4 * tetrahedron + static_cast<std::size_t>(face)], Folded);
   }
   /** The same for those who go from face to face and ask for no side: a fold that rounding could make is none. */
   std::int32_t GetWithinRounding(std::size_t tetrahedron, int face) const
@@ -47,7 +49,10 @@ public:
   }
 
   /** First of the points at the same place. */
-  std::int32_t GetPlace(std::int32_t point) const { return this->Places[static_cast<std::size_t>(point)]; }
+  std::int32_t GetPlace(std::int32_t point) const
+  {
+    return this->Places[static_cast<std::size_t>(point)];
+  }
 
   struct Face
   {
@@ -87,7 +92,8 @@ double findCoordinateError(const CellGeometry& geometry);
  * could turn the answer. That moves the determinant by at most three times the error times the areas it multiplies. A direction
  * has no error of its own.
  */
-int planeSideWithin(const Vector3& a, const Vector3& b, const Vector3& c, const Vector4& e, double error);
+int planeSideWithin(
+  const Vector3& a, const Vector3& b, const Vector3& c, const Vector4& e, double error);
 
 } // namespace nephoscope
 

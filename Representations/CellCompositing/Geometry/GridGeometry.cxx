@@ -34,8 +34,8 @@ std::int64_t CellGeometry::NumberOfTetrahedra() const
   {
     return static_cast<std::int64_t>(this->Tetrahedra.size());
   }
-  const std::int64_t hidden =
-    std::count_if(this->HiddenCells.begin(), this->HiddenCells.end(), [](std::uint8_t h) { return h != 0; });
+  const std::int64_t hidden = std::count_if(
+    this->HiddenCells.begin(), this->HiddenCells.end(), [](std::uint8_t h) { return h != 0; });
   return ChessboardGrid::TetrahedraPerCell * (this->Grid.NumberOfCells() - hidden);
 }
 
@@ -53,13 +53,15 @@ std::array<std::int64_t, 4> CellGeometry::PointNumbers(std::int64_t tetrahedron)
     return { { t[0], t[1], t[2], t[3] } };
   }
   constexpr int perCell = ChessboardGrid::TetrahedraPerCell;
-  return this->Grid.Tetrahedra(tetrahedron / perCell)[static_cast<std::size_t>(tetrahedron % perCell)];
+  return this->Grid.Tetrahedra(
+    tetrahedron / perCell)[static_cast<std::size_t>(tetrahedron % perCell)];
 }
 
 bool CellGeometry::IsHidden(std::int64_t tetrahedron) const
 {
   return !this->HiddenCells.empty() &&
-    this->HiddenCells[static_cast<std::size_t>(tetrahedron / ChessboardGrid::TetrahedraPerCell)] != 0;
+    this->HiddenCells[static_cast<std::size_t>(tetrahedron / ChessboardGrid::TetrahedraPerCell)] !=
+    0;
 }
 
 double CellGeometry::Radius() const
@@ -74,7 +76,8 @@ double CellGeometry::Radius() const
 }
 
 // A walk needs to know where every point is; values may be missing.
-bool CellGeometry::UseGrid(vtkDataSet* data, const ScalarSelection& scalars, const ScalarSelection& opacity)
+bool CellGeometry::UseGrid(
+  vtkDataSet* data, const ScalarSelection& scalars, const ScalarSelection& opacity)
 {
   this->Grid = findChessboardGrid(data);
   if (this->Grid.IsEmpty() || !std::all_of(this->Points.begin(), this->Points.end(), isFinitePlace))
@@ -155,10 +158,10 @@ void CellGeometry::CopyGridCells(const ScalarSelection& scalars, const ScalarSel
 void CellGeometry::FindHiddenCells(
   vtkDataSet* data, const ScalarSelection& scalars, const ScalarSelection& opacity)
 {
-  const bool invalidPoints =
-    std::any_of(this->Points.begin(), this->Points.end(), [](const Point& p) { return !std::isfinite(p.Scalar); });
-  if (!data->GetCellGhostArray() && !data->GetPointGhostArray() && !invalidPoints && !hasInvalid(this->CellScalars) &&
-    !hasInvalid(this->OpacityScalars))
+  const bool invalidPoints = std::any_of(this->Points.begin(), this->Points.end(),
+    [](const Point& p) { return !std::isfinite(p.Scalar); });
+  if (!data->GetCellGhostArray() && !data->GetPointGhostArray() && !invalidPoints &&
+    !hasInvalid(this->CellScalars) && !hasInvalid(this->OpacityScalars))
   {
     return;
   }
@@ -170,7 +173,8 @@ void CellGeometry::FindHiddenCells(
     {
       const CellOutcome outcome = walker.Look(cell);
       invalid += outcome == CellOutcome::Invalid;
-      this->HiddenCells[static_cast<std::size_t>(cell)] = outcome == CellOutcome::Decomposed ? 0 : 255;
+      this->HiddenCells[static_cast<std::size_t>(cell)] =
+        outcome == CellOutcome::Decomposed ? 0 : 255;
     }
   });
   this->NumberOfInvalidCells = invalid;
@@ -180,7 +184,8 @@ void CellGeometry::FindHiddenCells(
   }
   for (std::vector<float>* values : { &this->CellScalars, &this->OpacityScalars })
   {
-    std::replace_if(values->begin(), values->end(), [](float v) { return !std::isfinite(v); }, 0.0f);
+    std::replace_if(
+      values->begin(), values->end(), [](float v) { return !std::isfinite(v); }, 0.0f);
   }
 }
 

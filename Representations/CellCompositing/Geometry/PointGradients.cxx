@@ -19,9 +19,9 @@ namespace
 /** The corners of tetrahedra that lie at each place: corner k of tetrahedron t is 4 t + k. */
 struct Corners
 {
-  std::vector<std::int32_t> Place;  // of each point
-  std::vector<std::int64_t> First;  // of each place, in List
-  std::vector<std::int64_t> List;   // ascending within a place
+  std::vector<std::int32_t> Place; // of each point
+  std::vector<std::int64_t> First; // of each place, in List
+  std::vector<std::int64_t> List;  // ascending within a place
 };
 
 // Points in the order of their coordinates; equal ones share a place.
@@ -78,7 +78,8 @@ Corners findCorners(const CellGeometry& geometry)
     const std::array<std::int64_t, 4> points = geometry.PointNumbers(t);
     for (std::size_t k = 0; k < 4 && !geometry.IsHidden(t); ++k)
     {
-      corners.List[static_cast<std::size_t>(next[placeOf(points[k])]++)] = 4 * t + static_cast<std::int64_t>(k);
+      corners.List[static_cast<std::size_t>(next[placeOf(points[k])]++)] =
+        4 * t + static_cast<std::int64_t>(k);
     }
   }
   return corners;
@@ -120,14 +121,15 @@ struct NormalEquations
     Vector3 g;
     for (std::size_t c = 0; c < 3; ++c)
     {
-      g[c] = (this->Right[0] * yz[c] + this->Right[1] * zx[c] + this->Right[2] * xy[c]) / determinant;
+      g[c] =
+        (this->Right[0] * yz[c] + this->Right[1] * zx[c] + this->Right[2] * xy[c]) / determinant;
     }
     return g;
   }
 };
 
-Vector3 gradientAt(
-  const CellGeometry& geometry, const std::vector<float>& scalars, const Corners& corners, std::size_t place)
+Vector3 gradientAt(const CellGeometry& geometry, const std::vector<float>& scalars,
+  const Corners& corners, std::size_t place)
 {
   NormalEquations equations;
   for (std::int64_t i = corners.First[place]; i < corners.First[place + 1]; ++i)
@@ -137,9 +139,10 @@ Vector3 gradientAt(
     const std::int64_t center = t[static_cast<std::size_t>(corner % 4)];
     for (const std::int64_t other : t)
     {
-      const Vector3 d = difference(geometry.Position(std::int32_t(other)), geometry.Position(std::int32_t(center)));
-      const double change =
-        double(scalars[static_cast<std::size_t>(other)]) - double(scalars[static_cast<std::size_t>(center)]);
+      const Vector3 d =
+        difference(geometry.Position(std::int32_t(other)), geometry.Position(std::int32_t(center)));
+      const double change = double(scalars[static_cast<std::size_t>(other)]) -
+        double(scalars[static_cast<std::size_t>(center)]);
       if (dot(d, d) > 0 && std::isfinite(change))
       {
         equations.Add(d, change);
@@ -150,21 +153,25 @@ Vector3 gradientAt(
 }
 }
 
-std::vector<std::array<float, 4>> pointGradients(const CellGeometry& geometry, const std::vector<float>& scalars)
+std::vector<std::array<float, 4>> pointGradients(
+  const CellGeometry& geometry, const std::vector<float>& scalars)
 {
   const Corners corners = findCorners(geometry);
   std::vector<Vector3> ofPlaces(corners.First.size() - 1);
   vtkSMPTools::For(0, static_cast<vtkIdType>(ofPlaces.size()), [&](vtkIdType begin, vtkIdType end) {
     for (vtkIdType i = begin; i < end; ++i)
     {
-      ofPlaces[static_cast<std::size_t>(i)] = gradientAt(geometry, scalars, corners, static_cast<std::size_t>(i));
+      ofPlaces[static_cast<std::size_t>(i)] =
+        gradientAt(geometry, scalars, corners, static_cast<std::size_t>(i));
     }
   });
-  std::vector<std::array<float, 4>> gradients(geometry.Points.size(), std::array<float, 4>{ { 0, 0, 0, 0 } });
+  std::vector<std::array<float, 4>> gradients(
+    geometry.Points.size(), std::array<float, 4>{ { 0, 0, 0, 0 } });
   for (std::size_t i = 0; i < gradients.size() && !ofPlaces.empty(); ++i)
   {
     const Vector3& g = ofPlaces[static_cast<std::size_t>(corners.Place[i])];
-    gradients[i] = { { static_cast<float>(g[0]), static_cast<float>(g[1]), static_cast<float>(g[2]), 0.0f } };
+    gradients[i] = { { static_cast<float>(g[0]), static_cast<float>(g[1]), static_cast<float>(g[2]),
+      0.0f } };
   }
   return gradients;
 }

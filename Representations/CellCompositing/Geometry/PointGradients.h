@@ -20,7 +20,8 @@ namespace nephoscope
 class CellGeometry;
 
 /** One per point; `scalars` has one per point too. The result does not depend on the number of threads. */
-std::vector<std::array<float, 4>> pointGradients(const CellGeometry& geometry, const std::vector<float>& scalars);
+std::vector<std::array<float, 4>> pointGradients(
+  const CellGeometry& geometry, const std::vector<float>& scalars);
 
 } // namespace nephoscope
 

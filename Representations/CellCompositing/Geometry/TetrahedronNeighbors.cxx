@@ -33,9 +33,12 @@ struct JumpFace
 /** The same face seen from the other tetrahedron, if it is one for sure. `jumps` are in the order of their tetrahedra. */
 const JumpFace* findPartner(const std::vector<JumpFace>& jumps, const JumpFace& jump)
 {
-  const auto isBefore = [](const JumpFace& j, std::int32_t tetrahedron) { return j.Face[3] < tetrahedron; };
+  const auto isBefore = [](const JumpFace& j, std::int32_t tetrahedron) {
+    return j.Face[3] < tetrahedron;
+  };
   const JumpFace* found = nullptr;
-  for (auto i = std::lower_bound(jumps.begin(), jumps.end(), jump.To, isBefore); i != jumps.end() && i->Face[3] == jump.To; ++i)
+  for (auto i = std::lower_bound(jumps.begin(), jumps.end(), jump.To, isBefore);
+       i != jumps.end() && i->Face[3] == jump.To; ++i)
   {
     if (i->To == jump.Face[3])
     {
@@ -52,10 +55,12 @@ const JumpFace* findPartner(const std::vector<JumpFace>& jumps, const JumpFace& 
 // False for a face that neither pixels nor float tell from an edge.
 bool hasExtent(const CellGeometry& geometry, const BoundaryFace& face)
 {
-  const Vector3 a = geometry.Position(face[0]), b = geometry.Position(face[1]), c = geometry.Position(face[2]);
+  const Vector3 a = geometry.Position(face[0]), b = geometry.Position(face[1]),
+                c = geometry.Position(face[2]);
   const Vector3 edges[3] = { difference(b, a), difference(c, b), difference(a, c) };
   const Vector3 normal = cross(edges[0], edges[1]);
-  const double longest = std::max({ dot(edges[0], edges[0]), dot(edges[1], edges[1]), dot(edges[2], edges[2]) });
+  const double longest =
+    std::max({ dot(edges[0], edges[0]), dot(edges[1], edges[1]), dot(edges[2], edges[2]) });
   double largest = 0;
   for (const Vector3& p : { a, b, c })
   {
@@ -63,7 +68,8 @@ bool hasExtent(const CellGeometry& geometry, const BoundaryFace& face)
   }
   constexpr double thinnest = 1e-6; // height by length
   const double rounding = 0.5 * std::numeric_limits<float>::epsilon() * largest;
-  return dot(normal, normal) > longest * std::min(rounding * rounding, thinnest * thinnest * longest);
+  return dot(normal, normal) >
+    longest * std::min(rounding * rounding, thinnest * thinnest * longest);
 }
 }
 
@@ -98,28 +104,38 @@ void TetrahedronNeighbors::MergePoints(
   this->DependOnValues = !coincident.empty();
   const bool second = geometry.HasOpacityScalars && !geometry.OpacityOnCells;
   const auto values = [&](std::int32_t p) {
-    const float scalar = geometry.CellScalars.empty() ? geometry.Points[std::size_t(p)].Scalar : 0.0f;
-    return std::make_tuple(scalar, second ? geometry.OpacityScalars[std::size_t(p)] : 0.0f, third.empty() ? 0.0f : third[std::size_t(p)]);
+    const float scalar =
+      geometry.CellScalars.empty() ? geometry.Points[std::size_t(p)].Scalar : 0.0f;
+    return std::make_tuple(scalar, second ? geometry.OpacityScalars[std::size_t(p)] : 0.0f,
+      third.empty() ? 0.0f : third[std::size_t(p)]);
   };
-  const auto key = [&](std::int32_t p) { return std::tuple_cat(std::make_tuple(connected.CanonicalPoint(p)), values(p)); };
+  const auto key = [&](std::int32_t p) {
+    return std::tuple_cat(std::make_tuple(connected.CanonicalPoint(p)), values(p));
+  };
   // Points with values that are not finite belong to no tetrahedron, and would break the order.
   coincident.erase(std::remove_if(coincident.begin(), coincident.end(),
-                     [&](std::int32_t p) { return !std::isfinite(std::get<0>(values(p))) || !std::isfinite(std::get<1>(values(p))) ||
-                         !std::isfinite(std::get<2>(values(p))); }),
+                     [&](std::int32_t p) {
+                       return !std::isfinite(std::get<0>(values(p))) ||
+                         !std::isfinite(std::get<1>(values(p))) ||
+                         !std::isfinite(std::get<2>(values(p)));
+                     }),
     coincident.end());
-  vtkSMPTools::Sort(coincident.begin(), coincident.end(),
-    [&](std::int32_t a, std::int32_t b) { return std::tuple_cat(key(a), std::tie(a)) < std::tuple_cat(key(b), std::tie(b)); });
+  vtkSMPTools::Sort(coincident.begin(), coincident.end(), [&](std::int32_t a, std::int32_t b) {
+    return std::tuple_cat(key(a), std::tie(a)) < std::tuple_cat(key(b), std::tie(b));
+  });
   for (std::size_t i = 0; i < coincident.size(); ++i)
   {
     const std::int32_t p = coincident[i];
     const std::int32_t first = connected.CanonicalPoint(p);
     this->MergedPoints[std::size_t(p)] = values(p) == values(first) ? first
-      : i > 0 && key(p) == key(coincident[i - 1])                   ? this->MergedPoints[std::size_t(coincident[i - 1])]
-                                                                    : p;
+      : i > 0 && key(p) == key(coincident[i - 1])
+      ? this->MergedPoints[std::size_t(coincident[i - 1])]
+      : p;
   }
 }
 
-Tetrahedron TetrahedronNeighbors::MergedVertices(const CellGeometry& geometry, std::size_t tetrahedron) const
+Tetrahedron TetrahedronNeighbors::MergedVertices(
+  const CellGeometry& geometry, std::size_t tetrahedron) const
 {
   Tetrahedron t = geometry.Tetrahedra[tetrahedron];
   std::transform(t.begin(), t.end(), t.begin(), [this](std::int32_t p) { return this->Merged(p); });
@@ -127,8 +143,9 @@ Tetrahedron TetrahedronNeighbors::MergedVertices(const CellGeometry& geometry, s
 }
 
 // The tetrahedron across the face opposite vertex `face`; jumpTo it where it has other vertices there.
-std::int32_t TetrahedronNeighbors::FindNeighbor(
-  const CellGeometry& geometry, const VisibilityOrder& connected, std::size_t tetrahedron, const Tetrahedron& vertices, int face) const
+std::int32_t TetrahedronNeighbors::FindNeighbor(const CellGeometry& geometry,
+  const VisibilityOrder& connected, std::size_t tetrahedron, const Tetrahedron& vertices,
+  int face) const
 {
   const std::int32_t neighbor = connected.UnfoldedNeighbor(tetrahedron, face);
   if (neighbor < 0)
@@ -146,7 +163,8 @@ std::int32_t TetrahedronNeighbors::FindNeighbor(
   return neighbor;
 }
 
-void TetrahedronNeighbors::FindNeighbors(const CellGeometry& geometry, const VisibilityOrder& connected)
+void TetrahedronNeighbors::FindNeighbors(
+  const CellGeometry& geometry, const VisibilityOrder& connected)
 {
   const std::size_t n = geometry.Tetrahedra.size();
   this->Neighbors.assign(4 * n, None);
@@ -158,30 +176,35 @@ void TetrahedronNeighbors::FindNeighbors(const CellGeometry& geometry, const Vis
       for (int face = 0; face < 4; ++face)
       {
         const std::int32_t opposite = t[std::size_t(face)];
-        const auto rank = std::count_if(t.begin(), t.end(), [opposite](std::int32_t v) { return v < opposite; });
-        this->Neighbors[4 * i + std::size_t(rank)] = this->FindNeighbor(geometry, connected, i, t, face);
+        const auto rank =
+          std::count_if(t.begin(), t.end(), [opposite](std::int32_t v) { return v < opposite; });
+        this->Neighbors[4 * i + std::size_t(rank)] =
+          this->FindNeighbor(geometry, connected, i, t, face);
         this->VertexSums[i] ^= opposite;
       }
     }
   });
 }
 
-std::vector<std::array<std::int32_t, 2>> TetrahedronNeighbors::WithNextVertices(const CellGeometry& geometry) const
+std::vector<std::array<std::int32_t, 2>> TetrahedronNeighbors::WithNextVertices(
+  const CellGeometry& geometry) const
 {
   std::vector<std::array<std::int32_t, 2>> result(this->Neighbors.size());
-  vtkSMPTools::For(0, static_cast<vtkIdType>(this->VertexSums.size()), [&](vtkIdType begin, vtkIdType end) {
-    for (std::size_t i = std::size_t(begin); i < std::size_t(end); ++i)
-    {
-      Tetrahedron t = this->MergedVertices(geometry, i);
-      std::sort(t.begin(), t.end());
-      for (std::size_t k = 0; k < 4; ++k)
+  vtkSMPTools::For(
+    0, static_cast<vtkIdType>(this->VertexSums.size()), [&](vtkIdType begin, vtkIdType end) {
+      for (std::size_t i = std::size_t(begin); i < std::size_t(end); ++i)
       {
-        const std::int32_t neighbor = this->Neighbors[4 * i + k];
-        const std::int32_t faceSum = this->VertexSums[i] ^ t[k];
-        result[4 * i + k] = { { neighbor, neighbor >= 0 ? this->VertexSums[std::size_t(neighbor)] ^ faceSum : 0 } };
+        Tetrahedron t = this->MergedVertices(geometry, i);
+        std::sort(t.begin(), t.end());
+        for (std::size_t k = 0; k < 4; ++k)
+        {
+          const std::int32_t neighbor = this->Neighbors[4 * i + k];
+          const std::int32_t faceSum = this->VertexSums[i] ^ t[k];
+          result[4 * i + k] = { { neighbor,
+            neighbor >= 0 ? this->VertexSums[std::size_t(neighbor)] ^ faceSum : 0 } };
+        }
       }
-    }
-  });
+    });
   return result;
 }
 
@@ -211,7 +234,8 @@ void TetrahedronNeighbors::ListBoundary(const CellGeometry& geometry)
         BoundaryFace face = { { t[(k + 1) % 4], t[(k + 2) % 4], t[(k + 3) % 4], t[k] } };
         turnOutwards(geometry, face);
         face[3] = std::int32_t(i);
-        neighbors[k] == None ? addEntry(face) : jumps.push_back({ face, jumpTo(neighbors[k]), 4 * i + k });
+        neighbors[k] == None ? addEntry(face)
+                             : jumps.push_back({ face, jumpTo(neighbors[k]), 4 * i + k });
       }
     }
   }
@@ -234,7 +258,8 @@ void TetrahedronNeighbors::ListBoundary(const CellGeometry& geometry)
     this->Neighbors[jumps[i].Place] = None;
     if (partners[i])
     {
-      this->Neighbors[jumps[i].Place] = Jump - entries - numbers[std::size_t(partners[i] - jumps.data())];
+      this->Neighbors[jumps[i].Place] =
+        Jump - entries - numbers[std::size_t(partners[i] - jumps.data())];
       this->BoundaryFaces.push_back(jumps[i].Face);
     }
   }

@@ -42,23 +42,29 @@ struct TetrahedronNeighbors
   std::size_t NumberOfJumps = 0; ///< at the end of them
 
   std::vector<std::int32_t> MergedPoints; ///< number that stands for each point
-  bool DependOnValues = false; ///< there are points at the same place, which are merged where their values are equal
+  bool DependOnValues =
+    false; ///< there are points at the same place, which are merged where their values are equal
 
-  std::int32_t Merged(std::int64_t point) const { return this->MergedPoints[static_cast<std::size_t>(point)]; }
+  std::int32_t Merged(std::int64_t point) const
+  {
+    return this->MergedPoints[static_cast<std::size_t>(point)];
+  }
 
   /** `third`: more values of points, or none. `connected` knows the neighbours by place; where the mesh is folded, the ray leaves the one tetrahedron and enters the other anew. */
-  void Build(const CellGeometry& geometry, const VisibilityOrder& connected, const std::vector<float>& third = {});
+  void Build(const CellGeometry& geometry, const VisibilityOrder& connected,
+    const std::vector<float>& third = {});
   void Clear();
   /** Neighbours, each with the vertex that it has behind the face, so that a step of a walk needs no other number. */
   std::vector<std::array<std::int32_t, 2>> WithNextVertices(const CellGeometry& geometry) const;
 
 private:
-  void MergePoints(const CellGeometry& geometry, const VisibilityOrder& connected, const std::vector<float>& third);
+  void MergePoints(const CellGeometry& geometry, const VisibilityOrder& connected,
+    const std::vector<float>& third);
   void FindNeighbors(const CellGeometry& geometry, const VisibilityOrder& connected);
   void ListBoundary(const CellGeometry& geometry);
   Tetrahedron MergedVertices(const CellGeometry& geometry, std::size_t tetrahedron) const;
-  std::int32_t FindNeighbor(
-    const CellGeometry& geometry, const VisibilityOrder& connected, std::size_t tetrahedron, const Tetrahedron& vertices, int face) const;
+  std::int32_t FindNeighbor(const CellGeometry& geometry, const VisibilityOrder& connected,
+    std::size_t tetrahedron, const Tetrahedron& vertices, int face) const;
 };
 
 } // namespace nephoscope

@@ -24,7 +24,8 @@ public:
   struct Result
   {
     std::int64_t Tetrahedra = 0;
-    CellBox Box = { { std::numeric_limits<int>::max(), std::numeric_limits<int>::max(), std::numeric_limits<int>::max() },
+    CellBox Box = { { std::numeric_limits<int>::max(), std::numeric_limits<int>::max(),
+                      std::numeric_limits<int>::max() },
       { -1, -1, -1 } };
 
     void Add(const std::array<int, 3>& low, const std::array<int, 3>& high)
@@ -86,7 +87,9 @@ private:
       std::array<float, 4> s;
       std::transform(t.begin(), t.end(), s.begin(), [&](std::int64_t point) {
         const std::size_t i = onCells ? number : static_cast<std::size_t>(point);
-        return separate ? geometry.OpacityScalars[i] : onCells ? geometry.CellScalars[i] : geometry.Points[i].Scalar;
+        return separate ? geometry.OpacityScalars[i]
+          : onCells     ? geometry.CellScalars[i]
+                        : geometry.Points[i].Scalar;
       });
       const auto range = std::minmax_element(s.begin(), s.end());
       visible += !this->Transparent(number, t, *range.first, *range.second);

@@ -20,11 +20,12 @@ namespace nephoscope
 
 struct ClearStart
 {
-  bool Found = false; ///< false: the eye is farther outside than the clearance, or the tetrahedron has no volume
+  bool Found =
+    false; ///< false: the eye is farther outside than the clearance, or the tetrahedron has no volume
   Vector3 Position = { { 0, 0, 0 } };
   Vector4 Weights = { { 0, 0, 0, 0 } }; ///< its barycentric coordinates
-  double Clearance = 0;                 ///< its distance from the nearest face, at most the one wanted
-  double Moved = 0;                     ///< its distance from the eye
+  double Clearance = 0; ///< its distance from the nearest face, at most the one wanted
+  double Moved = 0;     ///< its distance from the eye
 };
 
 /** Distance of each vertex from the face opposite it; 0, infinite or NaN in a tetrahedron without volume. */
@@ -40,7 +41,8 @@ inline Vector4 heights(const std::array<Vector3, 4>& p)
   return h;
 }
 
-inline ClearStart findClearStart(const std::array<Vector3, 4>& p, const Vector4& eye, double clearance)
+inline ClearStart findClearStart(
+  const std::array<Vector3, 4>& p, const Vector4& eye, double clearance)
 {
   ClearStart start;
   const Vector4 h = heights(p);
@@ -76,8 +78,8 @@ inline ClearStart findClearStart(const std::array<Vector3, 4>& p, const Vector4&
     }
     for (std::size_t axis = 0; axis < 3; ++axis)
     {
-      start.Position[axis] = start.Weights[0] * p[0][axis] + start.Weights[1] * p[1][axis] + start.Weights[2] * p[2][axis] +
-        start.Weights[3] * p[3][axis];
+      start.Position[axis] = start.Weights[0] * p[0][axis] + start.Weights[1] * p[1][axis] +
+        start.Weights[2] * p[2][axis] + start.Weights[3] * p[3][axis];
     }
     const Vector3 moved = difference(start.Position, { { eye[0], eye[1], eye[2] } });
     start.Moved = std::sqrt(dot(moved, moved));

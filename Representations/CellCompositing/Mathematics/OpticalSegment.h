@@ -88,7 +88,8 @@ Real opaqueEnd(Real tauFront, Real tauBack)
 {
   constexpr Real cut = 18;
   const Real discriminant = tauFront * tauFront + 2 * (tauBack - tauFront) * cut;
-  return discriminant > 0 ? std::min(Real(1), 2 * cut / (tauFront + std::sqrt(discriminant))) : Real(1);
+  return discriminant > 0 ? std::min(Real(1), 2 * cut / (tauFront + std::sqrt(discriminant)))
+                          : Real(1);
 }
 
 /**
@@ -105,9 +106,12 @@ SegmentWeights<Real> thinSegmentWeights(Real tauFront, Real tauBack)
   const Real d = Real(0.5) * (tauBack - tauFront);
   const Real q = z * z;
   const Real h = std::exp(-z);
-  const Real halfAlpha = h * z * (1 + q * (Real(1.0 / 6) + q * (Real(1.0 / 120) + q * Real(1.0 / 5040))));
-  const Real p0 = q * (Real(1.0 / 3) + q * (Real(1.0 / 30) + q * (Real(1.0 / 840) + q * Real(1.0 / 45360))));
-  const Real p1 = Real(1.0 / 6) + q * (Real(1.0 / 60) + q * (Real(1.0 / 1680) + q * Real(1.0 / 90720)));
+  const Real halfAlpha =
+    h * z * (1 + q * (Real(1.0 / 6) + q * (Real(1.0 / 120) + q * Real(1.0 / 5040))));
+  const Real p0 =
+    q * (Real(1.0 / 3) + q * (Real(1.0 / 30) + q * (Real(1.0 / 840) + q * Real(1.0 / 45360))));
+  const Real p1 =
+    Real(1.0 / 6) + q * (Real(1.0 / 60) + q * (Real(1.0 / 1680) + q * Real(1.0 / 90720)));
   const Real p2 = Real(1.0 / 60) + q * (Real(1.0 / 840) + q * Real(1.0 / 30240));
   const Real p3 = Real(1.0 / 840) + q * Real(1.0 / 15120);
   const Real excess = h * (p0 - d * (p1 + d * (p2 + d * (p3 + d * Real(1.0 / 15120)))));

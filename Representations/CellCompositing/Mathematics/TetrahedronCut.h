@@ -66,9 +66,11 @@ private:
   using Corners = std::vector<const CutCorner*>;
 
   // The part of the tetrahedron on the side of the corners `own`.
-  void AddSide(const Corners& own, const Corners& on, const Corners& other, std::vector<CutTetrahedron>& side) const
+  void AddSide(const Corners& own, const Corners& on, const Corners& other,
+    std::vector<CutTetrahedron>& side) const
   {
-    const auto cut = [&](std::size_t i, std::size_t j) { return this->Crossing(*own[i], *other[j]); };
+    const auto cut = [&](
+                       std::size_t i, std::size_t j) { return this->Crossing(*own[i], *other[j]); };
     switch (4 * own.size() + on.size())
     {
       case 4 * 1 + 0:
@@ -81,13 +83,15 @@ private:
         side.push_back({ { *own[0], *on[0], *on[1], cut(0, 0) } });
         break;
       case 4 * 2 + 0:
-        this->AddWedge({ { *own[0], cut(0, 0), cut(0, 1) } }, { { *own[1], cut(1, 0), cut(1, 1) } }, side);
+        this->AddWedge(
+          { { *own[0], cut(0, 0), cut(0, 1) } }, { { *own[1], cut(1, 0), cut(1, 1) } }, side);
         break;
       case 4 * 2 + 1:
         this->AddPyramid(*on[0], { { *own[0], *own[1], cut(1, 0), cut(0, 0) } }, side);
         break;
       case 4 * 3 + 0:
-        this->AddWedge({ { cut(0, 0), cut(1, 0), cut(2, 0) } }, { { *own[0], *own[1], *own[2] } }, side);
+        this->AddWedge(
+          { { cut(0, 0), cut(1, 0), cut(2, 0) } }, { { *own[0], *own[1], *own[2] } }, side);
         break;
       default:
         break;
@@ -101,7 +105,8 @@ private:
     {
       return this->Crossing(b, a);
     }
-    const double da = this->CuttingPlane.Distance(a.Position), db = this->CuttingPlane.Distance(b.Position);
+    const double da = this->CuttingPlane.Distance(a.Position),
+                 db = this->CuttingPlane.Distance(b.Position);
     const double u = da / (da - db);
     CutCorner c;
     for (std::size_t k = 0; k < 3; ++k)
@@ -116,10 +121,13 @@ private:
   }
 
   /** Whether the eye and the corner lie on the same side of a face. */
-  bool IsTowardsEye(const CutCorner& corner, const CutCorner& a, const CutCorner& b, const CutCorner& c) const
+  bool IsTowardsEye(
+    const CutCorner& corner, const CutCorner& a, const CutCorner& b, const CutCorner& c) const
   {
     const Vector3& x = corner.Position;
-    const auto side = [&](const Vector4& e) { return planeSide(a.Position, b.Position, c.Position, e); };
+    const auto side = [&](const Vector4& e) {
+      return planeSide(a.Position, b.Position, c.Position, e);
+    };
     return (side(this->Eye) > 0) == (side({ { x[0], x[1], x[2], 1.0 } }) > 0);
   }
 
@@ -151,7 +159,8 @@ private:
     }
   }
 
-  void AddPyramid(const CutCorner& apex, const std::array<CutCorner, 4>& base, std::vector<CutTetrahedron>& side) const
+  void AddPyramid(const CutCorner& apex, const std::array<CutCorner, 4>& base,
+    std::vector<CutTetrahedron>& side) const
   {
     CutTetrahedron back = { { apex, base[0], base[1], base[2] } };
     CutTetrahedron front = { { apex, base[0], base[2], base[3] } };

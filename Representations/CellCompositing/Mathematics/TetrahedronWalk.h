@@ -54,7 +54,8 @@ struct TetrahedronWalk
     this->AB = edgeFunction(this->A, this->B);
     this->BC = edgeFunction(this->B, this->C);
     this->CA = edgeFunction(this->C, this->A);
-    this->IsLost = std::min({ this->AB, this->BC, this->CA }) < 0; // a rasterizer may give the face a pixel whose ray passes it by
+    this->IsLost = std::min({ this->AB, this->BC, this->CA }) <
+      0; // a rasterizer may give the face a pixel whose ray passes it by
     this->AB = std::max(this->AB, Real(0));
     this->BC = std::max(this->BC, Real(0));
     this->CA = std::max(this->CA, Real(0));

@@ -27,7 +27,9 @@ public:
   {
     std::vector<std::atomic<std::uint32_t>> counts(buckets);
     if (!forEach(elements, progress.Part(0, 0.4), [&](std::size_t i) {
-          visit(i, [&](std::size_t bucket, const Item&) { counts[bucket].fetch_add(1, std::memory_order_relaxed); });
+          visit(i, [&](std::size_t bucket, const Item&) {
+            counts[bucket].fetch_add(1, std::memory_order_relaxed);
+          });
         }))
     {
       return false;
@@ -36,12 +38,15 @@ public:
     this->First[0] = 0;
     for (std::size_t bucket = 0; bucket < buckets; ++bucket)
     {
-      this->First[bucket + 1] = this->First[bucket] + counts[bucket].exchange(0, std::memory_order_relaxed);
+      this->First[bucket + 1] =
+        this->First[bucket] + counts[bucket].exchange(0, std::memory_order_relaxed);
     }
-    this->Items.reset(new Item[this->First.back()]); // not set to anything: the threads that fill it touch it first
+    this->Items.reset(
+      new Item[this->First.back()]); // not set to anything: the threads that fill it touch it first
     return forEach(elements, progress.Part(0.4, 1), [&](std::size_t i) {
       visit(i, [&](std::size_t bucket, const Item& item) {
-        this->Items[this->First[bucket] + counts[bucket].fetch_add(1, std::memory_order_relaxed)] = item;
+        this->Items[this->First[bucket] + counts[bucket].fetch_add(1, std::memory_order_relaxed)] =
+          item;
       });
     });
   }

@@ -35,7 +35,8 @@ struct CellPieces
   }
 
   /** A corner by its barycentric coordinates in the owner; returns its number, counted from 0. */
-  std::int32_t AddPoint(const CellGeometry& geometry, std::int32_t owner, const Vector3& position, const Vector4& weights)
+  std::int32_t AddPoint(const CellGeometry& geometry, std::int32_t owner, const Vector3& position,
+    const Vector4& weights)
   {
     const Tetrahedron& t = geometry.Tetrahedra[static_cast<std::size_t>(owner)];
     const bool opacity = geometry.HasOpacityScalars && !geometry.OpacityOnCells;

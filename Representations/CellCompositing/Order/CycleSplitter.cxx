@@ -36,8 +36,8 @@ CutTetrahedron whole(const std::array<Vector3, 4>& p)
 }
 }
 
-CycleSplitter::CycleSplitter(
-  const CellGeometry& geometry, const Vector4& eye, double coordinateError, std::size_t maximumPieces)
+CycleSplitter::CycleSplitter(const CellGeometry& geometry, const Vector4& eye,
+  double coordinateError, std::size_t maximumPieces)
   : Geometry(geometry)
   , Eye(eye)
   , CoordinateError(coordinateError)
@@ -45,8 +45,9 @@ CycleSplitter::CycleSplitter(
 {
 }
 
-bool CycleSplitter::Append(const std::vector<std::int32_t>& members, const std::vector<Relation>& relations,
-  CellPieces& pieces, std::vector<std::int32_t>& order, const Progress& progress)
+bool CycleSplitter::Append(const std::vector<std::int32_t>& members,
+  const std::vector<Relation>& relations, CellPieces& pieces, std::vector<std::int32_t>& order,
+  const Progress& progress)
 {
   this->Members = &members;
   this->Pieces = &pieces;
@@ -67,7 +68,8 @@ bool CycleSplitter::Append(const std::vector<std::int32_t>& members, const std::
 
 std::array<Vector3, 4> CycleSplitter::VerticesOf(std::int32_t member) const
 {
-  return this->Geometry.Vertices(static_cast<std::size_t>((*this->Members)[static_cast<std::size_t>(member)]));
+  return this->Geometry.Vertices(
+    static_cast<std::size_t>((*this->Members)[static_cast<std::size_t>(member)]));
 }
 
 // A sliver as thin as this is not cut off: it would be all rounding, and out of order it cannot be seen.
@@ -137,7 +139,9 @@ std::vector<CycleSplitter::Group> CycleSplitter::FindGroups(Group& group)
   {
     this->NodeOf[static_cast<std::size_t>(group.Parts[i].Member)] = static_cast<std::int32_t>(i);
   }
-  const auto nodeOf = [this](std::int32_t member) { return this->NodeOf[static_cast<std::size_t>(member)]; };
+  const auto nodeOf = [this](std::int32_t member) {
+    return this->NodeOf[static_cast<std::size_t>(member)];
+  };
   std::vector<std::int32_t> first(n + 1, 0), behind(group.Relations.size());
   for (const Relation& r : group.Relations)
   {
@@ -150,7 +154,8 @@ std::vector<CycleSplitter::Group> CycleSplitter::FindGroups(Group& group)
   std::vector<std::int32_t> next(first.begin(), first.end() - 1);
   for (const Relation& r : group.Relations)
   {
-    behind[static_cast<std::size_t>(next[static_cast<std::size_t>(nodeOf(r.Front))]++)] = nodeOf(r.Behind);
+    behind[static_cast<std::size_t>(next[static_cast<std::size_t>(nodeOf(r.Front))]++)] =
+      nodeOf(r.Behind);
   }
 
   std::vector<Group> groups;
@@ -160,7 +165,9 @@ std::vector<CycleSplitter::Group> CycleSplitter::FindGroups(Group& group)
     n, {},
     [&](std::int32_t node, std::int32_t& cursor) {
       const std::int32_t at = first[static_cast<std::size_t>(node)] + cursor;
-      return at < first[static_cast<std::size_t>(node) + 1] ? (++cursor, behind[static_cast<std::size_t>(at)]) : -1;
+      return at < first[static_cast<std::size_t>(node) + 1]
+        ? (++cursor, behind[static_cast<std::size_t>(at)])
+        : -1;
     },
     [&](std::int32_t* begin, std::int32_t* end) {
       std::sort(begin, end);
@@ -187,7 +194,8 @@ Plane CycleSplitter::FindPlane(const Relation& relation) const
   const auto p = this->VerticesOf(relation.Front);
   const auto& f = tetrahedronFaces[relation.Opposite];
   Vector3 normal = cross(difference(p[f[1]], p[f[0]]), difference(p[f[2]], p[f[0]]));
-  const double apex = dot(normal, difference(p[static_cast<std::size_t>(relation.Opposite)], p[f[0]]));
+  const double apex =
+    dot(normal, difference(p[static_cast<std::size_t>(relation.Opposite)], p[f[0]]));
   const double scale = (apex > 0 ? 1 : -1) / std::sqrt(dot(normal, normal));
   for (double& x : normal)
   {
@@ -224,8 +232,10 @@ std::int64_t CycleSplitter::CostOf(const Plane& plane, const Group& group) const
   {
     const auto p = this->VerticesOf(part.Member);
     const double tolerance = this->ToleranceOf(p);
-    const bool behind = std::any_of(p.begin(), p.end(), [&](const Vector3& x) { return plane.Distance(x) < -tolerance; });
-    const bool before = std::any_of(p.begin(), p.end(), [&](const Vector3& x) { return plane.Distance(x) > tolerance; });
+    const bool behind = std::any_of(
+      p.begin(), p.end(), [&](const Vector3& x) { return plane.Distance(x) < -tolerance; });
+    const bool before = std::any_of(
+      p.begin(), p.end(), [&](const Vector3& x) { return plane.Distance(x) > tolerance; });
     far += behind;
     near += before;
     cut += behind && before;
@@ -293,13 +303,15 @@ void CycleSplitter::AddRest(
 }
 
 // Keeps what is inside; false when that is all.
-bool CycleSplitter::Clip(std::vector<CutTetrahedron>& tetrahedra, const HalfSpace& border, double tolerance) const
+bool CycleSplitter::Clip(
+  std::vector<CutTetrahedron>& tetrahedra, const HalfSpace& border, double tolerance) const
 {
   const TetrahedronCut cut(border.Border, this->Eye);
   std::vector<CutTetrahedron> inside, outside;
   for (const CutTetrahedron& t : tetrahedra)
   {
-    border.Far ? cut.Apply(t, tolerance, inside, outside) : cut.Apply(t, tolerance, outside, inside);
+    border.Far ? cut.Apply(t, tolerance, inside, outside)
+               : cut.Apply(t, tolerance, outside, inside);
   }
   tetrahedra.swap(inside);
   return !outside.empty();
@@ -323,7 +335,9 @@ void CycleSplitter::KeepRelations(const Group& group, const Plane& plane, double
       const auto p = this->VerticesOf(r.Front);
       const double tolerance = this->ToleranceOf(p);
       const auto& f = tetrahedronFaces[r.Opposite];
-      if (std::any_of(f, f + 3, [&](int k) { return side * plane.Distance(p[static_cast<std::size_t>(k)]) > tolerance; }))
+      if (std::any_of(f, f + 3, [&](int k) {
+            return side * plane.Distance(p[static_cast<std::size_t>(k)]) > tolerance;
+          }))
       {
         half.Relations.push_back(r);
       }
@@ -345,9 +359,11 @@ void CycleSplitter::EmitBroken(const Group& group)
     this->NodeOf[static_cast<std::size_t>(part.second->Member)] = rank++;
     this->Emit(*part.second);
   }
-  this->Broken += std::count_if(group.Relations.begin(), group.Relations.end(), [this](const Relation& r) {
-    return this->NodeOf[static_cast<std::size_t>(r.Behind)] > this->NodeOf[static_cast<std::size_t>(r.Front)];
-  });
+  this->Broken +=
+    std::count_if(group.Relations.begin(), group.Relations.end(), [this](const Relation& r) {
+      return this->NodeOf[static_cast<std::size_t>(r.Behind)] >
+        this->NodeOf[static_cast<std::size_t>(r.Front)];
+    });
 }
 
 void CycleSplitter::Emit(const Part& part)
@@ -366,9 +382,11 @@ void CycleSplitter::Emit(const Part& part)
     Tetrahedron corners;
     for (std::size_t k = 0; k < 4; ++k)
     {
-      corners[k] = firstPoint + this->Pieces->AddPoint(this->Geometry, owner, t[k].Position, t[k].Weights);
+      corners[k] =
+        firstPoint + this->Pieces->AddPoint(this->Geometry, owner, t[k].Position, t[k].Weights);
     }
-    this->Result->push_back(static_cast<std::int32_t>(firstTetrahedron + this->Pieces->Tetrahedra.size()));
+    this->Result->push_back(
+      static_cast<std::int32_t>(firstTetrahedron + this->Pieces->Tetrahedra.size()));
     this->Pieces->Tetrahedra.push_back(corners);
     this->Pieces->Owners.push_back(owner);
   }

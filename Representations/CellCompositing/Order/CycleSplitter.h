@@ -32,14 +32,15 @@ public:
   };
 
   /** Pieces beyond `maximumPieces` are not made: what is left then is drawn whole, in the wrong order. */
-  CycleSplitter(const CellGeometry& geometry, const Vector4& eye, double coordinateError, std::size_t maximumPieces);
+  CycleSplitter(const CellGeometry& geometry, const Vector4& eye, double coordinateError,
+    std::size_t maximumPieces);
 
   /**
    * Appends the members of a cycle to `order`, from back to front, cut ones by the numbers of their pieces (CellPieces.h).
    * `relations` number the members from 0. False when stopped.
    */
-  bool Append(const std::vector<std::int32_t>& members, const std::vector<Relation>& relations, CellPieces& pieces,
-    std::vector<std::int32_t>& order, const Progress& progress = {});
+  bool Append(const std::vector<std::int32_t>& members, const std::vector<Relation>& relations,
+    CellPieces& pieces, std::vector<std::int32_t>& order, const Progress& progress = {});
 
   /** Relations that the order breaks nevertheless. */
   std::int64_t GetNumberOfBrokenRelations() const { return this->Broken; }
@@ -76,8 +77,10 @@ private:
   std::int64_t CostOf(const Plane& plane, const Group& group) const;
   void Split(Group& group, const Plane& plane, Group& far, Group& near);
   void SplitPart(Part& part, const Plane& plane, Group& far, Group& near) const;
-  void AddRest(const Part& part, const std::array<Vector3, 4>& p, const HalfSpace& border, Group& half) const;
-  bool Clip(std::vector<CutTetrahedron>& tetrahedra, const HalfSpace& border, double tolerance) const;
+  void AddRest(
+    const Part& part, const std::array<Vector3, 4>& p, const HalfSpace& border, Group& half) const;
+  bool Clip(
+    std::vector<CutTetrahedron>& tetrahedra, const HalfSpace& border, double tolerance) const;
   void KeepRelations(const Group& group, const Plane& plane, double side, Group& half);
   void EmitBroken(const Group& group);
   void Emit(const Part& part);

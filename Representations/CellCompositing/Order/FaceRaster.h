@@ -64,7 +64,8 @@ public:
     for (int column = this->FirstColumn; column < this->LastColumn; ++column)
     {
       const double x = column + 0.5;
-      if (this->Covers(0, this->Edges[0][0] * x + base[0]) && this->Covers(1, this->Edges[1][0] * x + base[1]) &&
+      if (this->Covers(0, this->Edges[0][0] * x + base[0]) &&
+        this->Covers(1, this->Edges[1][0] * x + base[1]) &&
         this->Covers(2, this->Edges[2][0] * x + base[2]))
       {
         visit(column, this->Depth[0] * x + this->Depth[1] * y + this->Depth[2]);
@@ -87,7 +88,10 @@ private:
   }
 
   /** Inside all edges, that is on the side of the determinant's sign, lies what is in front of the eye. */
-  bool Covers(int edge, double value) const { return ((value >= 0) != this->Turned[edge]) == this->Positive; }
+  bool Covers(int edge, double value) const
+  {
+    return ((value >= 0) != this->Turned[edge]) == this->Positive;
+  }
 
   void FindBox(const OrderView& view)
   {
@@ -99,8 +103,10 @@ private:
         high[axis] = std::max(high[axis], p[axis] / p[2]);
       }
     };
-    const double largest = std::max({ this->Corners[0][2], this->Corners[1][2], this->Corners[2][2] });
-    const double nearest = 1e-6 * largest; // what lies nearer to the eye's plane covers the rest of the picture
+    const double largest =
+      std::max({ this->Corners[0][2], this->Corners[1][2], this->Corners[2][2] });
+    const double nearest =
+      1e-6 * largest; // what lies nearer to the eye's plane covers the rest of the picture
     for (int k = 0; k < 3 && largest > 0; ++k)
     {
       const Vector3& p = this->Corners[k];
@@ -115,7 +121,9 @@ private:
         include({ { p[0] + u * (q[0] - p[0]), p[1] + u * (q[1] - p[1]), nearest } });
       }
     }
-    const auto clamp = [](double x, int size) { return static_cast<int>(std::min(std::max(x, 0.0), double(size))); };
+    const auto clamp = [](double x, int size) {
+      return static_cast<int>(std::min(std::max(x, 0.0), double(size)));
+    };
     if (this->Visible && low[0] <= high[0] && low[1] <= high[1])
     {
       // A pixel centre is half a pixel in; a little more than that, for rounding.

@@ -37,7 +37,8 @@ public:
       this->Low[c] = this->Empty ? color[c] : std::min(this->Low[c], color[c]);
       this->High[c] = this->Empty ? color[c] : std::max(this->High[c], color[c]);
       // False for what is not a number.
-      this->Same = this->Same && color[c] - this->Low[c] <= Tolerance && this->High[c] - color[c] <= Tolerance;
+      this->Same =
+        this->Same && color[c] - this->Low[c] <= Tolerance && this->High[c] - color[c] <= Tolerance;
     }
     this->Empty = false;
   }

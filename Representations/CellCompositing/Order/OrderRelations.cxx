@@ -9,7 +9,8 @@ bool OrderRelations::Find(const OrderView& view, const Progress& progress)
 {
   this->Reentries.clear();
   this->Flags.resize(this->Geometry.Tetrahedra.size());
-  if (!forEach(this->Flags.size(), progress.Part(0, 0.5), [&](std::size_t i) { this->Flags[i] = this->FlagsOf(i, view.Eye); }))
+  if (!forEach(this->Flags.size(), progress.Part(0, 0.5),
+        [&](std::size_t i) { this->Flags[i] = this->FlagsOf(i, view.Eye); }))
   {
     return false;
   }
@@ -41,8 +42,10 @@ std::uint8_t OrderRelations::FlagsOf(std::size_t tetrahedron, const Vector4& eye
     {
       const auto& f = tetrahedronFaces[face];
       const Vector3& apex = p[static_cast<std::size_t>(face)];
-      const double own = planeSide(p[f[0]], p[f[1]], p[f[2]], { { apex[0], apex[1], apex[2], 1.0 } });
-      const int eyeSide = planeSideWithin(p[f[0]], p[f[1]], p[f[2]], eye, this->Faces.GetCoordinateError());
+      const double own =
+        planeSide(p[f[0]], p[f[1]], p[f[2]], { { apex[0], apex[1], apex[2], 1.0 } });
+      const int eyeSide =
+        planeSideWithin(p[f[0]], p[f[1]], p[f[2]], eye, this->Faces.GetCoordinateError());
       flags |= static_cast<std::uint8_t>((eyeSide * own > 0) << face);
     }
   }

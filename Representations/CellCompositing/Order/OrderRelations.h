@@ -54,7 +54,8 @@ private:
   std::vector<ReentryRelation> Reentries;
 
   std::uint8_t FlagsOf(std::size_t tetrahedron, const Vector4& eye) const;
-  std::int32_t NextReentry(std::int32_t tetrahedron, std::int32_t& cursor, std::int32_t& opposite) const;
+  std::int32_t NextReentry(
+    std::int32_t tetrahedron, std::int32_t& cursor, std::int32_t& opposite) const;
 };
 
 } // namespace nephoscope

@@ -23,8 +23,8 @@ struct OrderView
 
   bool operator==(const OrderView& other) const
   {
-    return this->Eye == other.Eye && this->ModelToDevice == other.ModelToDevice && this->Width == other.Width &&
-      this->Height == other.Height;
+    return this->Eye == other.Eye && this->ModelToDevice == other.ModelToDevice &&
+      this->Width == other.Width && this->Height == other.Height;
   }
   bool operator!=(const OrderView& other) const { return !(*this == other); }
 };
@@ -34,7 +34,8 @@ inline OrderView orderView(const ViewState& state, int width, int height)
 {
   OrderView view;
   view.Eye = state.EyeModel;
-  vtkMatrix4x4::Multiply4x4(state.ViewToDevice->GetData(), state.ModelToView->GetData(), view.ModelToDevice.data());
+  vtkMatrix4x4::Multiply4x4(
+    state.ViewToDevice->GetData(), state.ModelToView->GetData(), view.ModelToDevice.data());
   view.Width = width;
   view.Height = height;
   return view;

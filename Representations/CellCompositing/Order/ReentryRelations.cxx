@@ -25,7 +25,8 @@ struct Crossing
   bool Enters;
   bool operator<(const Crossing& other) const
   {
-    return std::tie(this->Pixel, this->Depth, this->Face) < std::tie(other.Pixel, other.Depth, other.Face);
+    return std::tie(this->Pixel, this->Depth, this->Face) <
+      std::tie(other.Pixel, other.Depth, other.Face);
   }
 };
 
@@ -33,7 +34,8 @@ struct Crossing
 class Band
 {
 public:
-  Band(const CellGeometry& geometry, const std::vector<Face>& boundary, const OrderView& view, int number)
+  Band(const CellGeometry& geometry, const std::vector<Face>& boundary, const OrderView& view,
+    int number)
     : Geometry(geometry)
     , Boundary(boundary)
     , View(view)
@@ -49,7 +51,8 @@ public:
     const auto& f = tetrahedronFaces[face.Opposite];
     const Vector3& apex = p[static_cast<std::size_t>(face.Opposite)];
     const double eyeSide = planeSide(p[f[0]], p[f[1]], p[f[2]], this->View.Eye);
-    const double apexSide = planeSide(p[f[0]], p[f[1]], p[f[2]], { { apex[0], apex[1], apex[2], 1.0 } });
+    const double apexSide =
+      planeSide(p[f[0]], p[f[1]], p[f[2]], { { apex[0], apex[1], apex[2], 1.0 } });
     if (eyeSide == 0)
     {
       return; // seen edge-on
@@ -147,7 +150,8 @@ private:
     }
   }
 
-  void Relate(const Crossing& exit, const Crossing& entry, std::vector<ReentryRelation>& relations) const
+  void Relate(
+    const Crossing& exit, const Crossing& entry, std::vector<ReentryRelation>& relations) const
   {
     const Face& out = this->Boundary[static_cast<std::size_t>(exit.Face)];
     const Face& in = this->Boundary[static_cast<std::size_t>(entry.Face)];
@@ -172,8 +176,8 @@ struct Rows
   std::int32_t First, Last;
 };
 
-bool findRows(const CellGeometry& geometry, const std::vector<Face>& boundary, const OrderView& view,
-  std::vector<Rows>& rows, const Progress& progress)
+bool findRows(const CellGeometry& geometry, const std::vector<Face>& boundary,
+  const OrderView& view, std::vector<Rows>& rows, const Progress& progress)
 {
   rows.resize(boundary.size());
   return forEach(boundary.size(), progress, [&](std::size_t i) {
@@ -205,12 +209,13 @@ bool mergeRelations(const std::vector<std::vector<ReentryRelation>>& found, std:
 }
 }
 
-bool findReentryRelations(const CellGeometry& geometry, const std::vector<Face>& boundary, const OrderView& view,
-  std::vector<ReentryRelation>& relations, const Progress& progress)
+bool findReentryRelations(const CellGeometry& geometry, const std::vector<Face>& boundary,
+  const OrderView& view, std::vector<ReentryRelation>& relations, const Progress& progress)
 {
   relations.clear();
   std::vector<Rows> rows;
-  const std::size_t bands = static_cast<std::size_t>(std::max((view.Height + rowsOfBand - 1) / rowsOfBand, 1));
+  const std::size_t bands =
+    static_cast<std::size_t>(std::max((view.Height + rowsOfBand - 1) / rowsOfBand, 1));
   Buckets<std::int32_t> faces;
   if (!findRows(geometry, boundary, view, rows, progress.Part(0, 0.2)) ||
     !faces.Fill(boundary.size(), bands, progress.Part(0.2, 0.3), [&](std::size_t i, auto add) {
@@ -223,7 +228,8 @@ bool findReentryRelations(const CellGeometry& geometry, const std::vector<Face>&
     return false;
   }
   std::vector<std::vector<ReentryRelation>> found(bands);
-  return forEach(bands, progress.Part(0.3, 0.9),
+  return forEach(
+           bands, progress.Part(0.3, 0.9),
            [&](std::size_t number) {
              Band band(geometry, boundary, view, static_cast<int>(number));
              for (const std::int32_t* face = faces.Begin(number); face != faces.End(number); ++face)

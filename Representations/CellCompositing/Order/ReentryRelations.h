@@ -37,13 +37,15 @@ struct ReentryRelation
   }
   bool operator==(const ReentryRelation& other) const
   {
-    return this->Front == other.Front && this->Opposite == other.Opposite && this->Behind == other.Behind;
+    return this->Front == other.Front && this->Opposite == other.Opposite &&
+      this->Behind == other.Behind;
   }
 };
 
 /** Sorted, each once. False when stopped. */
-bool findReentryRelations(const CellGeometry& geometry, const std::vector<FaceNeighbors::Face>& boundary,
-  const OrderView& view, std::vector<ReentryRelation>& relations, const Progress& progress = {});
+bool findReentryRelations(const CellGeometry& geometry,
+  const std::vector<FaceNeighbors::Face>& boundary, const OrderView& view,
+  std::vector<ReentryRelation>& relations, const Progress& progress = {});
 
 } // namespace nephoscope
 

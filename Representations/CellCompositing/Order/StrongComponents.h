@@ -43,7 +43,10 @@ public:
   }
 
   /** After Find: equal for two nodes of one component, different for others. */
-  std::uint32_t GetComponent(std::int32_t node) const { return this->Rank[static_cast<std::size_t>(node)]; }
+  std::uint32_t GetComponent(std::int32_t node) const
+  {
+    return this->Rank[static_cast<std::size_t>(node)];
+  }
 
 private:
   struct Step
@@ -52,7 +55,8 @@ private:
     std::int32_t Cursor;
     std::uint32_t OwnRank; // Rank falls below it where the node is not the first of its component
   };
-  std::vector<std::uint32_t> Rank; // 0: not visited; then the least index reached; then, from above, the component
+  std::vector<std::uint32_t>
+    Rank; // 0: not visited; then the least index reached; then, from above, the component
   std::vector<Step> Path;
   std::vector<std::int32_t> Open; // visited, component not complete
   std::uint32_t Index = 1, Component = 0;

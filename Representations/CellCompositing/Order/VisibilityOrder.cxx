@@ -47,17 +47,19 @@ public:
   {
   }
 
-  bool Resolve(const std::vector<Cycle>& cycles, CycleSplitter& splitter, VisibilityOrder::Sorted& sorted,
-    const Progress& progress)
+  bool Resolve(const std::vector<Cycle>& cycles, CycleSplitter& splitter,
+    VisibilityOrder::Sorted& sorted, const Progress& progress)
   {
     std::vector<std::int32_t> order;
     std::size_t copied = 0;
     for (std::size_t i = 0; i < cycles.size(); ++i)
     {
       const auto begin = sorted.Order.begin();
-      order.insert(order.end(), begin + std::ptrdiff_t(copied), begin + std::ptrdiff_t(cycles[i].First));
+      order.insert(
+        order.end(), begin + std::ptrdiff_t(copied), begin + std::ptrdiff_t(cycles[i].First));
       copied = cycles[i].Last;
-      std::vector<std::int32_t> members(begin + std::ptrdiff_t(cycles[i].First), begin + std::ptrdiff_t(copied));
+      std::vector<std::int32_t> members(
+        begin + std::ptrdiff_t(cycles[i].First), begin + std::ptrdiff_t(copied));
       std::sort(members.begin(), members.end());
       const double n = static_cast<double>(cycles.size());
       if (!splitter.Append(members, this->RelationsAmong(members), sorted.Pieces, order,
@@ -75,7 +77,8 @@ public:
   }
 
 private:
-  std::vector<CycleSplitter::Relation> RelationsAmong(const std::vector<std::int32_t>& members) const
+  std::vector<CycleSplitter::Relation> RelationsAmong(
+    const std::vector<std::int32_t>& members) const
   {
     std::vector<CycleSplitter::Relation> result;
     for (std::size_t i = 0; i < members.size(); ++i)
@@ -86,8 +89,8 @@ private:
         if (this->Components.GetComponent(behind) == this->Components.GetComponent(members[i]))
         {
           const auto place = std::lower_bound(members.begin(), members.end(), behind);
-          result.push_back(
-            { static_cast<std::int32_t>(place - members.begin()), static_cast<std::int32_t>(i), opposite });
+          result.push_back({ static_cast<std::int32_t>(place - members.begin()),
+            static_cast<std::int32_t>(i), opposite });
         }
       }
     }
@@ -125,14 +128,16 @@ bool VisibilityOrder::SortExact(const CellGeometry& geometry, const OrderView& v
     [&](const std::int32_t* begin, const std::int32_t* end) {
       if (end - begin > 1)
       {
-        cycles.push_back({ sorted.Order.size(), sorted.Order.size() + static_cast<std::size_t>(end - begin) });
+        cycles.push_back(
+          { sorted.Order.size(), sorted.Order.size() + static_cast<std::size_t>(end - begin) });
       }
       sorted.Order.insert(sorted.Order.end(), begin, end);
     });
   if (done && !cycles.empty())
   {
     CycleSplitter splitter(geometry, view.Eye, this->Faces.GetCoordinateError(), mostPieces);
-    done = CycleOrder(relations, components).Resolve(cycles, splitter, sorted, progress.Part(0.8, 1));
+    done =
+      CycleOrder(relations, components).Resolve(cycles, splitter, sorted, progress.Part(0.8, 1));
   }
   done = done && progress.Report(1);
   if (!done)
@@ -143,26 +148,31 @@ bool VisibilityOrder::SortExact(const CellGeometry& geometry, const OrderView& v
 }
 
 // In buckets of distance, each of which is then sorted.
-bool VisibilityOrder::SortCentroids(
-  const CellGeometry& geometry, const Vector4& eye, std::vector<std::int32_t>& order, const Progress& progress)
+bool VisibilityOrder::SortCentroids(const CellGeometry& geometry, const Vector4& eye,
+  std::vector<std::int32_t>& order, const Progress& progress)
 {
   const std::size_t n = geometry.Tetrahedra.size();
   std::vector<float> far(n);
   order.clear();
-  if (!forEach(n, progress.Part(0, 0.4), [&](std::size_t i) { far[i] = farness(geometry, i, eye); }) || n == 0)
+  if (!forEach(
+        n, progress.Part(0, 0.4), [&](std::size_t i) { far[i] = farness(geometry, i, eye); }) ||
+    n == 0)
   {
     return n == 0;
   }
   const auto range = std::minmax_element(far.begin(), far.end());
   const float least = *range.first;
   const std::size_t size = std::min<std::size_t>(n, 65536);
-  const double scale = static_cast<double>(size - 1) / std::max(double(*range.second) - least, 1e-300);
+  const double scale =
+    static_cast<double>(size - 1) / std::max(double(*range.second) - least, 1e-300);
   Buckets<std::int32_t> buckets;
   return buckets.Fill(n, size, progress.Part(0.4, 0.6),
            [&](std::size_t i, auto add) {
-             const double bucket = scale * (double(far[i]) - least); // not a number where distances overflow
+             const double bucket =
+               scale * (double(far[i]) - least); // not a number where distances overflow
              const double last = static_cast<double>(size - 1);
-             add(size - 1 - static_cast<std::size_t>(bucket > 0 ? std::min(bucket, last) : 0), static_cast<std::int32_t>(i));
+             add(size - 1 - static_cast<std::size_t>(bucket > 0 ? std::min(bucket, last) : 0),
+               static_cast<std::int32_t>(i));
            }) &&
     buckets.ForEach(progress.Part(0.6, 0.9),
       [&](std::int32_t* begin, std::int32_t* end) {
@@ -172,8 +182,10 @@ bool VisibilityOrder::SortCentroids(
           return fa > fb || (fa == fb && a < b);
         });
       }) &&
-    buckets.ForEachInTurn(progress.Part(0.9, 1),
-      [&](const std::int32_t* begin, const std::int32_t* end) { order.insert(order.end(), begin, end); });
+    buckets.ForEachInTurn(
+      progress.Part(0.9, 1), [&](const std::int32_t* begin, const std::int32_t* end) {
+        order.insert(order.end(), begin, end);
+      });
 }
 
 void VisibilityOrder::SortNone(const CellGeometry& geometry, std::vector<std::int32_t>& order)

@@ -50,21 +50,23 @@ public:
 
   struct Sorted
   {
-    std::vector<std::int32_t> Order; ///< back to front; numbers from the number of tetrahedra on are those of pieces
+    std::vector<std::int32_t>
+      Order; ///< back to front; numbers from the number of tetrahedra on are those of pieces
     CellPieces Pieces;
-    std::int64_t NumberOfCycles = 0;           ///< groups in which each tetrahedron hides and is hidden
+    std::int64_t NumberOfCycles = 0; ///< groups in which each tetrahedron hides and is hidden
     std::int64_t NumberOfCyclicTetrahedra = 0; ///< their members
-    std::int64_t NumberOfBrokenRelations = 0;  ///< what is drawn in the wrong order, because pieces would be too many
+    std::int64_t NumberOfBrokenRelations =
+      0; ///< what is drawn in the wrong order, because pieces would be too many
   };
   static constexpr std::size_t maximumPieces = std::size_t(1) << 20;
 
   /** The exact order. False, and nothing, when stopped. */
-  bool SortExact(const CellGeometry& geometry, const OrderView& view, Sorted& sorted, const Progress& progress = {},
-    std::size_t mostPieces = maximumPieces) const;
+  bool SortExact(const CellGeometry& geometry, const OrderView& view, Sorted& sorted,
+    const Progress& progress = {}, std::size_t mostPieces = maximumPieces) const;
 
   /** Tetrahedra by distance of the centroid, farthest first; equal ones in input order. False when stopped. */
-  static bool SortCentroids(const CellGeometry& geometry, const Vector4& eye, std::vector<std::int32_t>& order,
-    const Progress& progress = {});
+  static bool SortCentroids(const CellGeometry& geometry, const Vector4& eye,
+    std::vector<std::int32_t>& order, const Progress& progress = {});
 
   /** Input order. */
   static void SortNone(const CellGeometry& geometry, std::vector<std::int32_t>& order);

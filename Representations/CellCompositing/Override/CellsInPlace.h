@@ -23,7 +23,10 @@ public:
     this->Mapper->Render(renderer, volume);
   }
 
-  void ReleaseGraphicsResources(vtkWindow* window) { this->Mapper->ReleaseGraphicsResources(window); }
+  void ReleaseGraphicsResources(vtkWindow* window)
+  {
+    this->Mapper->ReleaseGraphicsResources(window);
+  }
 
   vtkCellCompositingMapper* GetMapper() { return this->Mapper; }
 

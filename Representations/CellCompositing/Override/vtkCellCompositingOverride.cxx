@@ -37,13 +37,17 @@ public:
   }
 
   const char* GetVTKSourceVersion() override { return VTK_SOURCE_VERSION; }
-  const char* GetDescription() override { return "Nephoscope: Cell Compositing in place of VTK's mappers"; }
+  const char* GetDescription() override
+  {
+    return "Nephoscope: Cell Compositing in place of VTK's mappers";
+  }
 
 private:
   CellCompositingFactory()
   {
     this->RegisterOverride(projectedTetrahedra, "vtkCellCompositingProjectedTetrahedraMapper",
-      "Exact ray integrals", true, vtkObjectFactoryCreatevtkCellCompositingProjectedTetrahedraMapper);
+      "Exact ray integrals", true,
+      vtkObjectFactoryCreatevtkCellCompositingProjectedTetrahedraMapper);
     this->RegisterOverride(rayCast, "vtkCellCompositingRayCastMapper", "Exact ray integrals", true,
       vtkObjectFactoryCreatevtkCellCompositingRayCastMapper);
   }

@@ -18,7 +18,8 @@
 #include "vtkNephoscopeRepresentationsCellCompositingModule.h"
 #include "vtkObject.h"
 
-class VTKNEPHOSCOPEREPRESENTATIONSCELLCOMPOSITING_EXPORT vtkCellCompositingOverride : public vtkObject
+class VTKNEPHOSCOPEREPRESENTATIONSCELLCOMPOSITING_EXPORT vtkCellCompositingOverride
+  : public vtkObject
 {
 public:
   static vtkCellCompositingOverride* New();

@@ -14,7 +14,8 @@ vtkCellCompositingProjectedTetrahedraMapper::vtkCellCompositingProjectedTetrahed
 {
 }
 
-vtkCellCompositingProjectedTetrahedraMapper::~vtkCellCompositingProjectedTetrahedraMapper() = default;
+vtkCellCompositingProjectedTetrahedraMapper::~vtkCellCompositingProjectedTetrahedraMapper() =
+  default;
 
 vtkCellCompositingMapper* vtkCellCompositingProjectedTetrahedraMapper::GetCellCompositingMapper()
 {

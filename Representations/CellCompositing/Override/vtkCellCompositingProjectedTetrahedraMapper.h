@@ -43,7 +43,8 @@ protected:
   ~vtkCellCompositingProjectedTetrahedraMapper() override;
 
 private:
-  vtkCellCompositingProjectedTetrahedraMapper(const vtkCellCompositingProjectedTetrahedraMapper&) = delete;
+  vtkCellCompositingProjectedTetrahedraMapper(
+    const vtkCellCompositingProjectedTetrahedraMapper&) = delete;
   void operator=(const vtkCellCompositingProjectedTetrahedraMapper&) = delete;
 
   std::unique_ptr<nephoscope::CellsInPlace> Cells;

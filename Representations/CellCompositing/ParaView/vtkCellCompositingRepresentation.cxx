@@ -39,9 +39,11 @@ void vtkCellCompositingRepresentation::PreparePiece(vtkDataObject* input)
   this->Piece = nephoscope::withConvexCells(nephoscope::volumetricPart(input));
   int association = 0;
   vtkDataArray* scalars = this->Piece ? this->FindOpacityArray(this->Piece, association) : nullptr;
-  const nephoscope::CellMedium medium{ scalars, association == vtkDataObject::FIELD_ASSOCIATION_CELLS };
+  const nephoscope::CellMedium medium{ scalars,
+    association == vtkDataObject::FIELD_ASSOCIATION_CELLS };
   const nephoscope::MediumBounds mine = nephoscope::boundsOfCells(this->Piece);
-  const nephoscope::MediumBounds common = nephoscope::robustBoundsOfCells(this->Piece, nephoscope::reductionOverRanks());
+  const nephoscope::MediumBounds common =
+    nephoscope::robustBoundsOfCells(this->Piece, nephoscope::reductionOverRanks());
   const nephoscope::MediumMeasures all =
     nephoscope::reduceOverRanks(nephoscope::measureCells(this->Piece, medium, common));
   std::copy(mine.begin(), mine.end(), this->DataBounds);
@@ -54,8 +56,9 @@ void vtkCellCompositingRepresentation::PreparePiece(vtkDataObject* input)
 
   if (HoldsAnything(input) && all.Volume <= 0.0 && IsFirstRank())
   {
-    vtkWarningMacro("Cell Compositing draws 3-D cells, and the input has none with a volume: nothing is drawn. "
-                    "Show it as Surface, or apply a filter that makes cells (Delaunay 3D, Tetrahedralize).");
+    vtkWarningMacro(
+      "Cell Compositing draws 3-D cells, and the input has none with a volume: nothing is drawn. "
+      "Show it as Surface, or apply a filter that makes cells (Delaunay 3D, Tetrahedralize).");
   }
   // A rank without cells can not know what the others hold; an empty unstructured grid goes with either.
   this->AxisAligned = !this->Piece || nephoscope::isAxisAligned(this->Piece);
@@ -72,9 +75,8 @@ void vtkCellCompositingRepresentation::PreparePiece(vtkDataObject* input)
     }
   }
   StoreMeasures(this->Piece,
-    smokeDistance > 0.0
-      ? smokeDistance
-      : nephoscope::defaultUnitDistance(all, common, true), all.ScalarRange);
+    smokeDistance > 0.0 ? smokeDistance : nephoscope::defaultUnitDistance(all, common, true),
+    all.ScalarRange);
 }
 
 void vtkCellCompositingRepresentation::DescribePiece(vtkInformation* inInfo)
@@ -108,14 +110,16 @@ void vtkCellCompositingRepresentation::PrepareMapper(vtkDataSet* cells)
   this->Superclass::PrepareMapper(cells);
   this->PrepareOpacity(cells);
   this->Mapper->SetOpacityScale(this->OpacityScale * this->Opacity);
-  this->Mapper->SetVisibilityOrder(this->VisibilityOrder); // while the camera moves too: rays need no sorting
+  this->Mapper->SetVisibilityOrder(
+    this->VisibilityOrder); // while the camera moves too: rays need no sorting
   this->PrepareContours();
   this->PreparePolygons();
   this->PrepareLayers();
 }
 
 // Smoke is as opaque as it is dense.
-vtkDataArray* vtkCellCompositingRepresentation::FindOpacityArray(vtkDataSet* cells, int& association)
+vtkDataArray* vtkCellCompositingRepresentation::FindOpacityArray(
+  vtkDataSet* cells, int& association)
 {
   if (this->DrawsSmoke(cells))
   {

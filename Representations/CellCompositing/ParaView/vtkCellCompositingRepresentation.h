@@ -107,7 +107,8 @@ private:
   bool DrawsSmoke(vtkDataSet* cells) const;
 
   vtkNew<vtkCellCompositingMapper> Mapper;
-  vtkNew<vtkVolumeProperty> SmokeProperty; // the colours of one of the others, and an opacity of its own
+  vtkNew<vtkVolumeProperty>
+    SmokeProperty; // the colours of one of the others, and an opacity of its own
   vtkNew<vtkPiecewiseFunction> SmokeOpacity;
 
   bool AxisAligned = false;
@@ -120,7 +121,8 @@ private:
   std::vector<std::array<double, 3>> LayerColors;
   std::vector<vtkSmartPointer<vtkColorTransferFunction>> LayerColorFunctions; // some are null
   std::vector<vtkSmartPointer<vtkColorTransferFunction>> LayerConstants;      // made of LayerColors
-  std::vector<vtkSmartPointer<vtkVolumeProperty>> LayerProperties; // kept, so that they only change when they must
+  std::vector<vtkSmartPointer<vtkVolumeProperty>>
+    LayerProperties; // kept, so that they only change when they must
 };
 
 #endif

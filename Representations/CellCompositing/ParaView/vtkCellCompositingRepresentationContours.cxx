@@ -37,7 +37,8 @@ std::size_t sizeOf(int number)
 }
 
 /** A property with the functions of another, but for the colours where there are some, and a factor on its extinction. */
-void imitate(vtkVolumeProperty* layer, vtkVolumeProperty* volume, double scale, vtkColorTransferFunction* colors)
+void imitate(vtkVolumeProperty* layer, vtkVolumeProperty* volume, double scale,
+  vtkColorTransferFunction* colors)
 {
   layer->SetScalarOpacity(volume->GetScalarOpacity());
   if (colors)
@@ -52,7 +53,8 @@ void imitate(vtkVolumeProperty* layer, vtkVolumeProperty* volume, double scale, 
   {
     layer->SetColor(volume->GetGrayTransferFunction());
   }
-  const double distance = scale > 0.0 ? volume->GetScalarOpacityUnitDistance() / scale : VTK_DOUBLE_MAX;
+  const double distance =
+    scale > 0.0 ? volume->GetScalarOpacityUnitDistance() / scale : VTK_DOUBLE_MAX;
   // To the mapper, exactly 1 means that of the volume.
   layer->SetScalarOpacityUnitDistance(distance == 1.0 ? std::nextafter(1.0, 2.0) : distance);
 }
@@ -78,7 +80,8 @@ void vtkCellCompositingRepresentation::SetNumberOfContourOpacities(int number)
   this->ContourOpacities.resize(sizeOf(number));
 }
 
-void vtkCellCompositingRepresentation::SetContourColors(int i, double red, double green, double blue)
+void vtkCellCompositingRepresentation::SetContourColors(
+  int i, double red, double green, double blue)
 {
   setItem(this->ContourColors, i, std::array<double, 3>{ { red, green, blue } });
 }
@@ -118,7 +121,8 @@ void vtkCellCompositingRepresentation::SetNumberOfLayerOpacityScales(int number)
   this->LayerOpacityScales.resize(sizeOf(number), 1.0);
 }
 
-void vtkCellCompositingRepresentation::SetLayerColor(int layer, double red, double green, double blue)
+void vtkCellCompositingRepresentation::SetLayerColor(
+  int layer, double red, double green, double blue)
 {
   setItem(this->LayerColors, layer, std::array<double, 3>{ { red, green, blue } });
 }
@@ -135,7 +139,8 @@ void vtkCellCompositingRepresentation::AddLayerColorFunction(vtkScalarsToColors*
 
 double vtkCellCompositingRepresentation::FindContourOpacity(std::size_t i) const
 {
-  return (i < this->ContourOpacities.size() ? this->ContourOpacities[i] : this->ContourOpacity) * this->Opacity;
+  return (i < this->ContourOpacities.size() ? this->ContourOpacities[i] : this->ContourOpacity) *
+    this->Opacity;
 }
 
 void vtkCellCompositingRepresentation::PrepareContours()
@@ -165,14 +170,16 @@ void vtkCellCompositingRepresentation::PreparePolygons()
 {
   this->Mapper->SetPolygonOpacity(-1, this->ContourOpacity * this->Opacity);
   // What the lists had before is as what they never had.
-  this->NumberOfPolygonLooks = std::max({ this->NumberOfPolygonLooks, this->ContourOpacities.size(), this->ContourColors.size() });
+  this->NumberOfPolygonLooks = std::max(
+    { this->NumberOfPolygonLooks, this->ContourOpacities.size(), this->ContourColors.size() });
   for (std::size_t i = 0; i < this->NumberOfPolygonLooks; ++i)
   {
     const int contour = static_cast<int>(i);
     this->Mapper->SetPolygonOpacity(contour, this->FindContourOpacity(i));
     if (i < this->ContourColors.size())
     {
-      this->Mapper->SetPolygonColor(contour, this->ContourColors[i][0], this->ContourColors[i][1], this->ContourColors[i][2]);
+      this->Mapper->SetPolygonColor(
+        contour, this->ContourColors[i][0], this->ContourColors[i][1], this->ContourColors[i][2]);
     }
     else
     {
@@ -183,7 +190,8 @@ void vtkCellCompositingRepresentation::PreparePolygons()
 
 std::size_t vtkCellCompositingRepresentation::CountLayers() const
 {
-  return std::max({ this->LayerOpacityScales.size(), this->LayerColors.size(), this->LayerColorFunctions.size() });
+  return std::max({ this->LayerOpacityScales.size(), this->LayerColors.size(),
+    this->LayerColorFunctions.size() });
 }
 
 // Null: those of the volume.
@@ -191,7 +199,8 @@ vtkColorTransferFunction* vtkCellCompositingRepresentation::FindLayerColors(std:
 {
   if (layer >= this->LayerColors.size() || this->LayerColors[layer][0] < 0.0)
   {
-    return layer < this->LayerColorFunctions.size() ? this->LayerColorFunctions[layer].Get() : nullptr;
+    return layer < this->LayerColorFunctions.size() ? this->LayerColorFunctions[layer].Get()
+                                                    : nullptr;
   }
   this->LayerConstants.resize(std::max(this->LayerConstants.size(), layer + 1));
   vtkSmartPointer<vtkColorTransferFunction>& constant = this->LayerConstants[layer];

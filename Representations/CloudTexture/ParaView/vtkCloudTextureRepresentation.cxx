@@ -144,8 +144,10 @@ int vtkCloudTextureRepresentation::RequestUpdateExtent(
   for (int i = 0; i < inputs[1]->GetNumberOfInformationObjects(); ++i)
   {
     vtkInformation* input = inputs[1]->GetInformationObject(i);
-    input->Set(vtkStreamingDemandDrivenPipeline::UPDATE_PIECE_NUMBER(), controller ? controller->GetLocalProcessId() : 0);
-    input->Set(vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_PIECES(), controller ? controller->GetNumberOfProcesses() : 1);
+    input->Set(vtkStreamingDemandDrivenPipeline::UPDATE_PIECE_NUMBER(),
+      controller ? controller->GetLocalProcessId() : 0);
+    input->Set(vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_PIECES(),
+      controller ? controller->GetNumberOfProcesses() : 1);
     input->Set(vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_GHOST_LEVELS(), 0);
   }
   return asked;
@@ -155,7 +157,8 @@ int vtkCloudTextureRepresentation::RequestUpdateExtent(
 // there are none: a client that has none yet must know what it gets.
 void vtkCloudTextureRepresentation::ReadVolume(vtkInformationVector* inputs)
 {
-  vtkDataObject* given = inputs->GetNumberOfInformationObjects() > 0 ? vtkDataObject::GetData(inputs, 0) : nullptr;
+  vtkDataObject* given =
+    inputs->GetNumberOfInformationObjects() > 0 ? vtkDataObject::GetData(inputs, 0) : nullptr;
   const vtkMTimeType time = given ? given->GetMTime() : 0;
   if (given == this->ReadFrom && time == this->ReadTime)
   {
@@ -271,8 +274,8 @@ void vtkCloudTextureRepresentation::SetCoverageArrayName(const char* name)
   this->CloudMapper->SetCoverageArrayName(ArrayName(name));
 }
 
-void vtkCloudTextureRepresentation::SetCustomWave(int i, double amplitude, double b, double c, double d, double shift,
-  double e, double g, double h, double phase)
+void vtkCloudTextureRepresentation::SetCustomWave(int i, double amplitude, double b, double c,
+  double d, double shift, double e, double g, double h, double phase)
 {
   this->CloudMapper->SetCustomWave(i, amplitude, b, c, d, shift, e, g, h, phase);
 }

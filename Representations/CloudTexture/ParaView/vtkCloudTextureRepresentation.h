@@ -16,8 +16,8 @@
 #include "vtkNephoscopeParaViewCloudTextureModule.h" // for export macro
 
 #include "vtkCloudTextureMapper.h"
-#include "vtkNew.h"                             // for members
-#include "vtkSmartPointer.h"                    // for members
+#include "vtkNew.h"          // for members
+#include "vtkSmartPointer.h" // for members
 
 class vtkMultiBlockDataSet;
 class vtkPolyData;
@@ -44,22 +44,35 @@ public:
   void SetTextureLength(double value) { this->CloudMapper->SetTextureLength(value); }
   void SetOpticalDepth(double value) { this->CloudMapper->SetOpticalDepth(value); }
   void SetRelief(double value) { this->CloudMapper->SetRelief(value); }
-  void SetThinColor(double red, double green, double blue) { this->CloudMapper->SetThinColor(red, green, blue); }
-  void SetThickColor(double red, double green, double blue) { this->CloudMapper->SetThickColor(red, green, blue); }
+  void SetThinColor(double red, double green, double blue)
+  {
+    this->CloudMapper->SetThinColor(red, green, blue);
+  }
+  void SetThickColor(double red, double green, double blue)
+  {
+    this->CloudMapper->SetThickColor(red, green, blue);
+  }
   void SetColorRange(double value) { this->CloudMapper->SetColorRange(value); }
   void SetUseAltitude(bool value) { this->CloudMapper->SetUseAltitude(value); }
   void SetAltitudeRange(double low, double high) { this->CloudMapper->SetAltitudeRange(low, high); }
   void SetWaves(int value) { this->CloudMapper->SetWaves(value); }
   void SetNumberOfCustomWaves(int value) { this->CloudMapper->SetNumberOfCustomWaves(value); }
-  void SetCustomWave(int i, double amplitude, double b, double c, double d, double shift, double e, double g, double h, double phase);
+  void SetCustomWave(int i, double amplitude, double b, double c, double d, double shift, double e,
+    double g, double h, double phase);
   void SetUseThickness(bool value) { this->CloudMapper->SetUseThickness(value); }
   void SetThicknessEffect(int value) { this->CloudMapper->SetThicknessEffect(value); }
   void SetThicknessWeight(double value) { this->CloudMapper->SetThicknessWeight(value); }
   void SetExtinction(double value) { this->CloudMapper->SetExtinction(value); }
   void SetDensityArrayName(const char* name);
   void SetMaximumNumberOfLayers(int value) { this->CloudMapper->SetMaximumNumberOfLayers(value); }
-  void SetFirstCoordinatesName(const char* name) { this->CloudMapper->SetFirstCoordinatesName(name); }
-  void SetSecondCoordinatesName(const char* name) { this->CloudMapper->SetSecondCoordinatesName(name); }
+  void SetFirstCoordinatesName(const char* name)
+  {
+    this->CloudMapper->SetFirstCoordinatesName(name);
+  }
+  void SetSecondCoordinatesName(const char* name)
+  {
+    this->CloudMapper->SetSecondCoordinatesName(name);
+  }
   ///@}
 
   ///@{
@@ -93,10 +106,10 @@ private:
   void WarnOfRanks();
 
   vtkNew<vtkCloudTextureMapper> CloudMapper;
-  vtkSmartPointer<vtkPolyData> Surface; // what is drawn
-  vtkDataObject* TakenFrom = nullptr;   // only compared
+  vtkSmartPointer<vtkPolyData> Surface;         // what is drawn
+  vtkDataObject* TakenFrom = nullptr;           // only compared
   vtkSmartPointer<vtkMultiBlockDataSet> Volume; // its one block, or none
-  vtkDataObject* ReadFrom = nullptr;     // only compared
+  vtkDataObject* ReadFrom = nullptr;            // only compared
   vtkMTimeType ReadTime = 0;
   vtkMTimeType TakenTime = 0;
   bool HasToldOfRanks = false;

@@ -25,19 +25,21 @@ TEST_P(Waves, FilteredTexture)
   for (int i = 0; i < 2000; ++i)
   {
     const double size = std::pow(10.0, random.Uniform(-4, -1));
-    places.push_back({ { float(random.Uniform(-3, 9)), float(random.Uniform(-2, 2)), float(random.Uniform(0, 3)), 0 } });
-    footprints.push_back({ { float(size * random.Uniform(-1, 1)), float(size * random.Uniform(-1, 1)),
-      float(size * random.Uniform(-1, 1)), float(size * random.Uniform(-1, 1)) } });
+    places.push_back({ { float(random.Uniform(-3, 9)), float(random.Uniform(-2, 2)),
+      float(random.Uniform(0, 3)), 0 } });
+    footprints.push_back(
+      { { float(size * random.Uniform(-1, 1)), float(size * random.Uniform(-1, 1)),
+        float(size * random.Uniform(-1, 1)), float(size * random.Uniform(-1, 1)) } });
   }
   ShaderRunner runner;
   const auto results = runner.Run(gardnerConstants(waves) + readShader("GardnerTexture.glsl"),
-    "result = vec4(filteredTexture(first.xyz, vec3(second.xy, 0.0), vec3(0.0, second.zw)), 0.0);", places, footprints,
-    [](vtkShaderProgram*) {});
+    "result = vec4(filteredTexture(first.xyz, vec3(second.xy, 0.0), vec3(0.0, second.zw)), 0.0);",
+    places, footprints, [](vtkShaderProgram*) {});
   for (std::size_t i = 0; i < results.size(); ++i)
   {
     const Float4 &p = places[i], &f = footprints[i];
-    const auto expected =
-      filteredGardnerTexture<double>({ { p[0], p[1], p[2] } }, { { { f[0], f[1], 0 } }, { { 0, f[2], f[3] } } }, waves);
+    const auto expected = filteredGardnerTexture<double>(
+      { { p[0], p[1], p[2] } }, { { { f[0], f[1], 0 } }, { { 0, f[2], f[3] } } }, waves);
     // Phases of some 10^3 radians are good to 1e-4 in float; cosines to 7e-5.
     EXPECT_NEAR(results[i][0], expected.Mean, 1.5e-3) << i;
     EXPECT_NEAR(results[i][1], expected.Lost, 1e-3) << i;
@@ -57,9 +59,10 @@ TEST(CloudTextureShaders, ShareAndExcess)
     }
   }
   ShaderRunner runner;
-  const auto results = runner.Run(gardnerConstants(cloudWaves()) + readShader("GardnerTexture.glsl"),
-    "result = vec4(cloudShare(first.x, first.y), cloudExcess(first.x, first.y, first.z), 0.0, 0.0);", list, {},
-    [](vtkShaderProgram*) {});
+  const auto results = runner.Run(
+    gardnerConstants(cloudWaves()) + readShader("GardnerTexture.glsl"),
+    "result = vec4(cloudShare(first.x, first.y), cloudExcess(first.x, first.y, first.z), 0.0, 0.0);",
+    list, {}, [](vtkShaderProgram*) {});
   for (std::size_t i = 0; i < results.size(); ++i)
   {
     double share = 0, sum = 0;
@@ -83,13 +86,16 @@ TEST(CloudTextureShaders, ShareAndExcess)
 TEST(CloudTextureShaders, Blend)
 {
   ShaderRunner runner;
-  const std::vector<Float4> weights{ { { 1, 0, 0, 0 } }, { { 0, 2, 0, 0 } }, { { 0.3f, 0.7f, 0, 0 } } };
-  const auto results = runner.Run(gardnerConstants(cloudWaves()) + readShader("GardnerTexture.glsl"),
-    "result = vec4(blendTextures(vec3(0.4, 0.1, 0.2), vec3(-1.1, 0.5, 0.05), first.xy), 0.0);", weights, {}, [](vtkShaderProgram*) {});
+  const std::vector<Float4> weights{ { { 1, 0, 0, 0 } }, { { 0, 2, 0, 0 } },
+    { { 0.3f, 0.7f, 0, 0 } } };
+  const auto results =
+    runner.Run(gardnerConstants(cloudWaves()) + readShader("GardnerTexture.glsl"),
+      "result = vec4(blendTextures(vec3(0.4, 0.1, 0.2), vec3(-1.1, 0.5, 0.05), first.xy), 0.0);",
+      weights, {}, [](vtkShaderProgram*) {});
   for (std::size_t i = 0; i < results.size(); ++i)
   {
-    const auto expected =
-      blendTextures(FilteredTexture<double>{ 0.4, 0.1, 0.2 }, FilteredTexture<double>{ -1.1, 0.5, 0.05 }, double(weights[i][0]), double(weights[i][1]));
+    const auto expected = blendTextures(FilteredTexture<double>{ 0.4, 0.1, 0.2 },
+      FilteredTexture<double>{ -1.1, 0.5, 0.05 }, double(weights[i][0]), double(weights[i][1]));
     EXPECT_NEAR(results[i][0], expected.Mean, 1e-6);
     EXPECT_NEAR(results[i][1], expected.Lost, 1e-6);
     EXPECT_NEAR(results[i][2], expected.Fourth, 1e-6);
@@ -103,7 +109,8 @@ TEST(CloudTextureShaders, MeanDensity)
   std::vector<Float4> list;
   for (int i = 0; i < 100; ++i)
   {
-    list.push_back({ { float(random.Uniform(0, 2)), float(random.Uniform(0, 2)), float(random.Uniform(0.1, 1)), 0 } });
+    list.push_back({ { float(random.Uniform(0, 2)), float(random.Uniform(0, 2)),
+      float(random.Uniform(0.1, 1)), 0 } });
   }
   ShaderRunner runner;
   std::string functions = readShader("CloudThickness.glsl");
@@ -112,8 +119,8 @@ TEST(CloudTextureShaders, MeanDensity)
     "void considerLayers(ivec2 pixel) {}\n"
     "const bool hasDensityVolume = false;\n"
     "float meanDensityOfVolume(vec3 a, vec3 b) { return 1.0; }\n");
-  const auto results =
-    runner.Run(functions, "result = vec4(meanDensity(first.x, first.y, first.z));", list, {}, [](vtkShaderProgram*) {});
+  const auto results = runner.Run(functions,
+    "result = vec4(meanDensity(first.x, first.y, first.z));", list, {}, [](vtkShaderProgram*) {});
   for (std::size_t i = 0; i < results.size(); ++i)
   {
     double sum = 0;

@@ -76,7 +76,8 @@ TEST(GardnerTexture, ExactFilterIsTheMeanOverTheFootprint)
   Random random(2);
   for (const double size : { 0.002, 0.01, 0.03 })
   {
-    const TextureFootprint<double> footprint{ { { size, 0.2 * size, 0 } }, { { -0.1 * size, 0.5 * size, size } } };
+    const TextureFootprint<double> footprint{ { { size, 0.2 * size, 0 } },
+      { { -0.1 * size, 0.5 * size, size } } };
     for (int place = 0; place < 4; ++place)
     {
       const Point p = randomPoint(random);
@@ -119,7 +120,8 @@ TEST(GardnerTexture, QuickFilterIsNearTheExactOne)
     {
       const Point p = randomPoint(random);
       const TextureFootprint<double> footprint{ { { sizes[k], 0, 0 } }, { { 0, sizes[k], 0 } } };
-      const double difference = filteredGardnerTexture(p, footprint).Mean - exactlyFilteredGardnerTexture(p, footprint).Mean;
+      const double difference = filteredGardnerTexture(p, footprint).Mean -
+        exactlyFilteredGardnerTexture(p, footprint).Mean;
       square += difference * difference / samples;
     }
     EXPECT_LT(std::sqrt(square), allowed[k]) << sizes[k];
@@ -172,10 +174,12 @@ TEST(CoverageThreshold, CoverStaysWithWeightsDistanceAndSoftness)
         {
           const Point p1 = randomPoint(random);
           const Point p2 = calm ? p1 : randomPoint(random);
-          sum += cloudShare(thresholds, filteredBlend(p1, p2, footprint, weight), cover, softness) / samples;
+          sum += cloudShare(thresholds, filteredBlend(p1, p2, footprint, weight), cover, softness) /
+            samples;
         }
         worst = std::max(worst, std::abs(sum - cover));
-        EXPECT_NEAR(sum, cover, 0.0095) << "cover " << cover << " weight " << weight << " size " << size;
+        EXPECT_NEAR(sum, cover, 0.0095)
+          << "cover " << cover << " weight " << weight << " size " << size;
       }
     }
   }
@@ -232,7 +236,8 @@ TEST_P(Presets, AreFilteredAndGoRound)
   }
   EXPECT_NEAR(exactlyFilteredGardnerTexture(p, footprint, waves).Mean, mean, 0.02);
   closeOnLongitudes(waves);
-  EXPECT_NEAR(gardnerTexture<double>({ { p[0] + 3, p[1], p[2] } }, waves), gardnerTexture(p, waves), 1e-10);
+  EXPECT_NEAR(
+    gardnerTexture<double>({ { p[0] + 3, p[1], p[2] } }, waves), gardnerTexture(p, waves), 1e-10);
 }
 
 TEST(GardnerWaves, PrintedPhaseIsThatOfTheFormula)
@@ -243,7 +248,8 @@ TEST(GardnerWaves, PrintedPhaseIsThatOfTheFormula)
   for (const GardnerWave& wave : waves)
   {
     const double turn = 2 * gardnerPi;
-    const double b = turn * wave.Frequency[0], c = turn * wave.Frequency[1], d = turn * wave.Frequency[2];
+    const double b = turn * wave.Frequency[0], c = turn * wave.Frequency[1],
+                 d = turn * wave.Frequency[2];
     const double q = 2 * std::sin(0.5 * b * p[0] - 0.5 * wave.Amplitude * p[1]);
     sum += wave.Amplitude * std::cos(b * p[0] + c * p[1] + d * p[2] + q);
   }

@@ -26,9 +26,11 @@ struct Triangle
 /** A box, its faces outwards, two triangles each. */
 std::vector<Triangle> box(const Point& low, const Point& size)
 {
-  constexpr int faces[6][4] = { { 0, 2, 3, 1 }, { 4, 5, 7, 6 }, { 0, 1, 5, 4 }, { 2, 6, 7, 3 }, { 0, 4, 6, 2 }, { 1, 3, 7, 5 } };
+  constexpr int faces[6][4] = { { 0, 2, 3, 1 }, { 4, 5, 7, 6 }, { 0, 1, 5, 4 }, { 2, 6, 7, 3 },
+    { 0, 4, 6, 2 }, { 1, 3, 7, 5 } };
   const auto corner = [&](int i) {
-    return Point{ { low[0] + (i & 1) * size[0], low[1] + (i >> 1 & 1) * size[1], low[2] + (i >> 2) * size[2] } };
+    return Point{ { low[0] + (i & 1) * size[0], low[1] + (i >> 1 & 1) * size[1],
+      low[2] + (i >> 2) * size[2] } };
   };
   std::vector<Triangle> result;
   for (const auto& f : faces)
@@ -91,7 +93,8 @@ TEST(MeanChord, IsThatOfRays)
       weights += weight;
     }
   }
-  EXPECT_NEAR(sum / weights, measure(box({ { -0.5, -1, -0.3 } }, { { 1, 2, 0.6 } })).Length(), 0.005);
+  EXPECT_NEAR(
+    sum / weights, measure(box({ { -0.5, -1, -0.3 } }, { { 1, 2, 0.6 } })).Length(), 0.005);
 }
 
 TEST(MeanChord, SeveralBodiesAndWeights)

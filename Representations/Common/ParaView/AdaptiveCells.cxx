@@ -88,7 +88,9 @@ void hideCells(vtkImageData* image, const int range[6])
       for (int i = range[0]; i <= range[1]; ++i)
       {
         const vtkIdType cell = i + row * j + layer * k;
-        ghosts->SetValue(cell, ghosts->GetValue(cell) | vtkDataSetAttributes::REFINEDCELL | vtkDataSetAttributes::HIDDENCELL);
+        ghosts->SetValue(cell,
+          ghosts->GetValue(cell) | vtkDataSetAttributes::REFINEDCELL |
+            vtkDataSetAttributes::HIDDENCELL);
       }
     }
   }
@@ -132,7 +134,8 @@ void hideCoveredCells(std::vector<vtkSmartPointer<vtkDataSet>>& blocks)
     for (const Box& fine : boxes)
     {
       int range[6];
-      if (fine.CellVolume < 0.75 * boxes[coarse].CellVolume && cellsWithin(image, fine.Bounds, range))
+      if (fine.CellVolume < 0.75 * boxes[coarse].CellVolume &&
+        cellsWithin(image, fine.Bounds, range))
       {
         hideCells(image, range);
       }

@@ -61,16 +61,20 @@ vtkDataSetAttributes* cellData(vtkDataSet* data)
 }
 
 // vtkAppendFilter drops arrays that differ in type from block to block: they become double.
-void giveOneType(const std::vector<vtkSmartPointer<vtkDataSet>>& blocks, const std::string& name, Attributes attributes)
+void giveOneType(const std::vector<vtkSmartPointer<vtkDataSet>>& blocks, const std::string& name,
+  Attributes attributes)
 {
   const auto arrayOf = [&](vtkDataSet* block) { return attributes(block)->GetArray(name.c_str()); };
-  const auto isNumbers = [&](vtkDataSet* block) { return arrayOf(block) && !vtkBitArray::SafeDownCast(arrayOf(block)); };
+  const auto isNumbers = [&](vtkDataSet* block) {
+    return arrayOf(block) && !vtkBitArray::SafeDownCast(arrayOf(block));
+  };
   if (!std::all_of(blocks.begin(), blocks.end(), isNumbers))
   {
     return;
   }
   const int type = arrayOf(blocks.front())->GetDataType();
-  if (std::all_of(blocks.begin(), blocks.end(), [&](vtkDataSet* block) { return arrayOf(block)->GetDataType() == type; }))
+  if (std::all_of(blocks.begin(), blocks.end(),
+        [&](vtkDataSet* block) { return arrayOf(block)->GetDataType() == type; }))
   {
     return;
   }
@@ -90,7 +94,8 @@ void giveOneType(const std::vector<vtkSmartPointer<vtkDataSet>>& blocks, const s
 }
 
 // It drops the flags of hidden cells and ghosts, too, where only some blocks have them.
-void completeFlags(const std::vector<vtkSmartPointer<vtkDataSet>>& blocks, Attributes attributes, vtkIdType (vtkDataSet::*count)())
+void completeFlags(const std::vector<vtkSmartPointer<vtkDataSet>>& blocks, Attributes attributes,
+  vtkIdType (vtkDataSet::*count)())
 {
   const char* name = vtkDataSetAttributes::GhostArrayName();
   const auto has = [&](vtkDataSet* block) { return attributes(block)->HasArray(name) != 0; };
@@ -145,7 +150,8 @@ bool hasVolumes(vtkDataSet* data)
   for (vtkIdType i = 0; i < data->GetNumberOfCells(); ++i)
   {
     const int type = data->GetCellType(i);
-    if (type < 0 || type >= VTK_NUMBER_OF_CELL_TYPES || std::exchange(seen[static_cast<std::size_t>(type)], true))
+    if (type < 0 || type >= VTK_NUMBER_OF_CELL_TYPES ||
+      std::exchange(seen[static_cast<std::size_t>(type)], true))
     {
       continue;
     }
@@ -180,7 +186,8 @@ vtkSmartPointer<vtkDataSet> appendedBlocks(
   }
   vtkNew<vtkAppendFilter> append;
   // Neighbours share a face. Splats of points on it would count twice.
-  const bool meshes = border == BorderPoints::Merged && std::all_of(blocks.begin(), blocks.end(), hasVolumes);
+  const bool meshes =
+    border == BorderPoints::Merged && std::all_of(blocks.begin(), blocks.end(), hasVolumes);
   append->SetMergePoints(adaptive || meshes);
   makeAlike(blocks);
   for (vtkDataSet* block : blocks)

@@ -27,11 +27,12 @@ enum class BorderPoints
  * `input` itself (a shallow copy) if it is a dataset that counts, or the blocks of a composite that do, appended. Null without any. Arrays that differ
  * in type between blocks become double; blocks without ghost flags, beside some with them, get flags of 0.
  */
-VTKNEPHOSCOPEPARAVIEWCOMMON_EXPORT vtkSmartPointer<vtkDataSet> appendedBlocks(
-  vtkDataObject* input, const std::function<bool(vtkDataSet*)>& counts, BorderPoints border = BorderPoints::Kept);
+VTKNEPHOSCOPEPARAVIEWCOMMON_EXPORT vtkSmartPointer<vtkDataSet> appendedBlocks(vtkDataObject* input,
+  const std::function<bool(vtkDataSet*)>& counts, BorderPoints border = BorderPoints::Kept);
 
 /** Stores numbers with the data, so that every time step in ParaView's cache keeps its own. */
-VTKNEPHOSCOPEPARAVIEWCOMMON_EXPORT void storeNumbers(vtkDataSet* data, const char* name, const std::vector<double>& values);
+VTKNEPHOSCOPEPARAVIEWCOMMON_EXPORT void storeNumbers(
+  vtkDataSet* data, const char* name, const std::vector<double>& values);
 
 } // namespace nephoscope
 

@@ -61,7 +61,8 @@ MediumMeasures reduceOverRanks(const MediumMeasures& mine)
   MediumMeasures all = mine;
   if (auto controller = otherRanks())
   {
-    const double sums[4] = { mine.Volume, mine.ScalarIntegral, mine.OpacityIntegral, mine.Silhouettes };
+    const double sums[4] = { mine.Volume, mine.ScalarIntegral, mine.OpacityIntegral,
+      mine.Silhouettes };
     double allSums[4];
     controller->AllReduce(sums, allSums, 4, vtkCommunicator::SUM_OP);
     all.Volume = allSums[0];

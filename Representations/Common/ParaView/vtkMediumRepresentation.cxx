@@ -114,11 +114,13 @@ int vtkMediumRepresentation::LeastOverRanks(int mine)
 bool vtkMediumRepresentation::HoldsAnything(vtkDataObject* input)
 {
   const bool here = input &&
-    (input->GetNumberOfElements(vtkDataObject::POINT) > 0 || input->GetNumberOfElements(vtkDataObject::CELL) > 0);
+    (input->GetNumberOfElements(vtkDataObject::POINT) > 0 ||
+      input->GetNumberOfElements(vtkDataObject::CELL) > 0);
   return LeastOverRanks(here ? 0 : 1) == 0;
 }
 
-void vtkMediumRepresentation::StoreMeasures(vtkDataSet* data, double distance, const double range[2])
+void vtkMediumRepresentation::StoreMeasures(
+  vtkDataSet* data, double distance, const double range[2])
 {
   nephoscope::storeNumbers(data, unitDistanceName, { distance });
   nephoscope::storeNumbers(data, scalarRangeName, { range[0], range[1] });
@@ -235,7 +237,9 @@ void vtkMediumRepresentation::PrepareMapper(vtkDataSet* data)
   }
   const double automatic = storedNumber(data, unitDistanceName);
   const double side = storedNumber(data, largestSideName);
-  const double given = this->UnitDistance > 0.0 ? this->UnitDistance : side > 0.0 ? 0.1 * side : 1.0;
+  const double given = this->UnitDistance > 0.0 ? this->UnitDistance
+    : side > 0.0                                ? 0.1 * side
+                                                : 1.0;
   this->ActualUnitDistance = this->AutomaticUnitDistance && automatic > 0.0 ? automatic : given;
   this->Property->SetScalarOpacityUnitDistance(this->ActualUnitDistance);
   this->UniformProperty->SetScalarOpacityUnitDistance(this->ActualUnitDistance);
@@ -247,15 +251,17 @@ vtkVolumeProperty* vtkMediumRepresentation::ChooseProperty(vtkDataSet* data, con
 {
   vtkPiecewiseFunction* opacity = this->Property->GetScalarOpacity();
   const double value = storedNumber(data, scalarRangeName);
-  const bool constant = data->GetFieldData()->HasArray(scalarRangeName) && value == storedNumber(data, scalarRangeName, 1);
+  const bool constant = data->GetFieldData()->HasArray(scalarRangeName) &&
+    value == storedNumber(data, scalarRangeName, 1);
   const bool invisible = constant && opacity->GetSize() > 0 && !(opacity->GetValue(value) > 0.0);
   const bool uniform = invisible && isOverOneValue(opacity, value);
   const std::string read = this->GetOpacityArrayName().empty() ? name : this->GetOpacityArrayName();
   std::ostringstream warning;
   if (invisible && !uniform)
   {
-    warning << "Nothing is drawn: all values of '" << read << "' are " << value
-            << ", where the opacity function is 0. Raise it there in the Color Map Editor, or choose Solid Color.";
+    warning
+      << "Nothing is drawn: all values of '" << read << "' are " << value
+      << ", where the opacity function is 0. Raise it there in the Color Map Editor, or choose Solid Color.";
   }
   if (warning.str() != this->LastWarning && !warning.str().empty() && IsFirstRank())
   {
@@ -281,7 +287,8 @@ vtkDataArray* vtkMediumRepresentation::FindColorArray(
   vtkDataSet* data, int& association, const char*& name)
 {
   vtkInformation* info = this->GetInputArrayInformation(0);
-  if (!info || !info->Has(vtkDataObject::FIELD_NAME()) || !info->Has(vtkDataObject::FIELD_ASSOCIATION()))
+  if (!info || !info->Has(vtkDataObject::FIELD_NAME()) ||
+    !info->Has(vtkDataObject::FIELD_ASSOCIATION()))
   {
     return nullptr;
   }
@@ -298,7 +305,8 @@ std::string vtkMediumRepresentation::GetOpacityArrayName() const
 vtkDataArray* vtkMediumRepresentation::FindOpacityArray(vtkDataSet* data, int& association)
 {
   const std::string chosen = this->GetOpacityArrayName();
-  for (const int at : { vtkDataObject::FIELD_ASSOCIATION_POINTS, vtkDataObject::FIELD_ASSOCIATION_CELLS })
+  for (const int at :
+    { vtkDataObject::FIELD_ASSOCIATION_POINTS, vtkDataObject::FIELD_ASSOCIATION_CELLS })
   {
     vtkDataArray* array = attributesOf(data, at)->GetArray(chosen.c_str());
     if (array && !chosen.empty())

@@ -24,8 +24,7 @@ class vtkAbstractVolumeMapper;
 class vtkDataArray;
 class vtkDataSet;
 
-class VTKNEPHOSCOPEPARAVIEWCOMMON_EXPORT vtkMediumRepresentation
-  : public vtkVolumeRepresentation
+class VTKNEPHOSCOPEPARAVIEWCOMMON_EXPORT vtkMediumRepresentation : public vtkVolumeRepresentation
 {
 public:
   vtkTypeMacro(vtkMediumRepresentation, vtkVolumeRepresentation);

@@ -55,8 +55,11 @@ void vtkSMVolumeDataDomain::Update(vtkSMProperty*)
     return; // not part of one of ParaView's representations
   }
   vtkSMUncheckedPropertyHelper helper(input);
-  auto source = helper.GetNumberOfElements() > 0 ? vtkSMSourceProxy::SafeDownCast(helper.GetAsProxy(0)) : nullptr;
-  const bool offer = !source || this->MayHoldVolumes(source->GetDataInformation(helper.GetOutputPort(0))) ||
+  auto source = helper.GetNumberOfElements() > 0
+    ? vtkSMSourceProxy::SafeDownCast(helper.GetAsProxy(0))
+    : nullptr;
+  const bool offer = !source ||
+    this->MayHoldVolumes(source->GetDataInformation(helper.GetOutputPort(0))) ||
     this->RepresentationName == vtkSMPropertyHelper(chosen).GetAsString();
   std::vector<std::string> names;
   for (unsigned int i = 0; i < offered->GetNumberOfStrings(); ++i)

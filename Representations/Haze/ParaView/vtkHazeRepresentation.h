@@ -18,8 +18,7 @@
 class vtkHaze;
 class vtkRenderer;
 
-class VTKNEPHOSCOPEPARAVIEWHAZE_EXPORT vtkHazeRepresentation
-  : public vtkPVDataRepresentation
+class VTKNEPHOSCOPEPARAVIEWHAZE_EXPORT vtkHazeRepresentation : public vtkPVDataRepresentation
 {
 public:
   static vtkHazeRepresentation* New();

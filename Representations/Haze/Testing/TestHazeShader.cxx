@@ -72,7 +72,9 @@ TEST_F(HazeShader, AboutAGlobe)
     const float expected =
       globeHazeLength(placeOf(this->Items.First[i]), { { step[0], step[1], step[2] } });
     // Both round differently where two tails nearly cancel, whose unit is sqrt(2 R).
-    EXPECT_NEAR(results[i][0], expected, 5e-4 * expected + 4e-6 * std::sqrt(2 * this->Items.First[i][2])) << i;
+    EXPECT_NEAR(
+      results[i][0], expected, 5e-4 * expected + 4e-6 * std::sqrt(2 * this->Items.First[i][2]))
+      << i;
   }
 }
 

@@ -31,8 +31,7 @@ struct Keyed
   std::int32_t Item;
 };
 
-double squareDistance(
-  const std::array<float, 3>& p, const SplatEye& eye, const SplatMetric& metric)
+double squareDistance(const std::array<float, 3>& p, const SplatEye& eye, const SplatMetric& metric)
 {
   const Vector3 d = { { p[0] - eye[0], p[1] - eye[1], p[2] - eye[2] } };
   return dot(d, Times(metric, d));

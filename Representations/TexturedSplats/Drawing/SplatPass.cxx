@@ -49,9 +49,10 @@ namespace
 {
 // Pixels: splats whose cell is smaller are spread over a pixel, whose own variance is that of a box, 1/12, over the kernel's.
 constexpr double largeEnough = 1.0;
-constexpr double dotSize = 3.0; // square pixels: the sum of the squares of two half axes of a cell, below which splats are dots
+constexpr double dotSize =
+  3.0; // square pixels: the sum of the squares of two half axes of a cell, below which splats are dots
 constexpr double pixelVarianceOfKernels = 1.0 / 12.0 / cubic_kernel::variance;
-constexpr float tailShare = 0.6f; // of a streak's period, at full speed
+constexpr float tailShare = 0.6f;     // of a streak's period, at full speed
 constexpr double streakSpacing = 1.0; // from row to row, in units of the vectors
 
 // Vertices of quadrangles: the medium, or its halves behind and in front of streaks, or of two segments.
@@ -80,13 +81,13 @@ std::string shaderConstants(const SplatDrawingOptions& options, const SplatPass:
        << "const bool drawSegments = " << (options.Segments ? "true" : "false") << ";\n"
        << "const bool mediaApart = " << (options.MediaApart ? "true" : "false") << ";\n"
        << "#define MAX_VERTICES " << verticesOfSplat(options, nearEye) << "\n"
-       << (variant.Fade ? "#define FADE\n" : "")
-       << (variant.Region ? "#define DRAW_REGION\n" : "")
+       << (variant.Fade ? "#define FADE\n" : "") << (variant.Region ? "#define DRAW_REGION\n" : "")
        << "const float dotSize = " << dotSize << ";\n"
        << "const float largeEnough = " << largeEnough << ";\n"
        << "const float pixelVariance = " << pixelVarianceOfKernels << ";\n";
-  text << "#define FOOTPRINT_PEAK " << KernelFootprint(options.Kernel, 0.0) << "\n"
-       << "#define MEDIUM 0\n#define HALF_MEDIUM 1\n#define STREAKS 2\n#define SEGMENT 3\n#define VIEWPORT 4\n";
+  text
+    << "#define FOOTPRINT_PEAK " << KernelFootprint(options.Kernel, 0.0) << "\n"
+    << "#define MEDIUM 0\n#define HALF_MEDIUM 1\n#define STREAKS 2\n#define SEGMENT 3\n#define VIEWPORT 4\n";
   // Where vectors are not drawn, their shaders are left out.
   return text.str() + KernelConstants() + options.Haze.Definition() + options.Planes.Definition() +
     (vectors ? "#define DRAW_VECTORS\n" + VectorTextureConstants(streakSpacing) : std::string());
@@ -95,20 +96,17 @@ std::string shaderConstants(const SplatDrawingOptions& options, const SplatPass:
 std::string specialized(const char* shader, const std::string& constants)
 {
   return withShaderParts(shader,
-    { { "VectorSplat", VectorSplatGeometry },
-      { "VectorTexture", VectorTextureShader },
-      { "Constants", constants },
-      { "Arrays", arrayDeclarations(currentArrayLayout()) },
-      { "Cell", SplatCell },
-      { "Footprint", SplatFootprint },
-      { "Region", SplatRegionShader },
+    { { "VectorSplat", VectorSplatGeometry }, { "VectorTexture", VectorTextureShader },
+      { "Constants", constants }, { "Arrays", arrayDeclarations(currentArrayLayout()) },
+      { "Cell", SplatCell }, { "Footprint", SplatFootprint }, { "Region", SplatRegionShader },
       { "InRegion", SplatInRegion } });
 }
 
 using Float4 = std::array<float, 4>;
 
 // Columns of J with the centre in the fourth components.
-void packCell(const SplatSamples::Jacobian& j, const SplatSamples::Float3& p, std::vector<Float4>& packed)
+void packCell(
+  const SplatSamples::Jacobian& j, const SplatSamples::Float3& p, std::vector<Float4>& packed)
 {
   for (std::size_t c = 0; c < 3; ++c)
   {
@@ -180,7 +178,8 @@ std::string SplatPass::UploadVectorColors(
   return this->VectorColors.Upload(window, colors.data(), colors.size(), 4, VTK_FLOAT);
 }
 
-void SplatPass::UploadOrder(const std::vector<std::int32_t>& order, const std::vector<float>& weights)
+void SplatPass::UploadOrder(
+  const std::vector<std::int32_t>& order, const std::vector<float>& weights)
 {
   this->Count = order.size();
   this->Fade = !weights.empty();
@@ -271,7 +270,8 @@ void SplatPass::Bind(vtkShaderProgram* program)
 }
 
 std::string SplatPass::DrawRange(vtkOpenGLRenderWindow* window, const SceneView& view,
-  const SplatDrawingOptions& options, const Variant& variant, const std::array<std::size_t, 2>& range)
+  const SplatDrawingOptions& options, const Variant& variant,
+  const std::array<std::size_t, 2>& range)
 {
   const std::string constants = shaderConstants(options, variant);
   const bool points = variant.As == Way::FarPoints || variant.As == Way::Points;
@@ -293,10 +293,10 @@ std::string SplatPass::DrawRange(vtkOpenGLRenderWindow* window, const SceneView&
   program->SetUniformi("splatVectors", this->Vectors.Activate());
   program->SetUniformi("vectorColors", this->VectorColors.Activate());
   {
-    const std::unique_ptr<PointMargin> margin(points ? new PointMargin(window->GetState(),
-                                                         static_cast<int>(2 * this->PixelsPerDevice[0]),
-                                                         static_cast<int>(2 * this->PixelsPerDevice[1]), LargestPoint / 2)
-                                                     : nullptr);
+    const std::unique_ptr<PointMargin> margin(points
+        ? new PointMargin(window->GetState(), static_cast<int>(2 * this->PixelsPerDevice[0]),
+            static_cast<int>(2 * this->PixelsPerDevice[1]), LargestPoint / 2)
+        : nullptr);
     glDrawArrays(
       GL_POINTS, static_cast<GLint>(range[0]), static_cast<GLsizei>(range[1] - range[0]));
   }
@@ -334,7 +334,8 @@ void SplatPass::SetUniforms(
   program->SetUniformf("segmentLength", static_cast<float>(options.SegmentLength));
   program->SetUniformf("segmentWidth", static_cast<float>(options.SegmentWidth));
   program->SetUniform2f("pixelsPerDC", this->PixelsPerDevice);
-  const float within[2] = { this->PixelsPerDevice[0] / (this->PixelsPerDevice[0] + LargestPoint / 2),
+  const float within[2] = { this->PixelsPerDevice[0] /
+      (this->PixelsPerDevice[0] + LargestPoint / 2),
     this->PixelsPerDevice[1] / (this->PixelsPerDevice[1] + LargestPoint / 2) };
   program->SetUniform2f("withinMargin", within);
   program->SetUniform4f("rayOfPixel", RayOfPixel(view.ViewToDevice, this->PixelsPerDevice).data());

@@ -7,10 +7,10 @@
 #include "BufferTexture.h"
 #include "ClippingPlanes.h"
 #include "FloatLayer.h"
-#include "VertexNumbers.h"
 #include "HazeView.h"
 #include "SplatKernel.h"
 #include "SplatRegion.h"
+#include "VertexNumbers.h"
 #include "VolumePeel.h"
 
 #include "vtkNew.h"
@@ -46,11 +46,11 @@ struct SplatDrawingOptions
   std::size_t LargeSplats = std::numeric_limits<std::size_t>::max();
   std::size_t CloserSplats = std::numeric_limits<std::size_t>::max();
   bool Vectors = false;
-  bool Segments = false;      // instead of streaks
-  bool MediaApart = false;    // the order holds vectors as items of their own
+  bool Segments = false;     // instead of streaks
+  bool MediaApart = false;   // the order holds vectors as items of their own
   double MaximumSpeed = 1.0; // where vectors are fully drawn
-  double VectorScale = 1.0;   // optical depth of vectors at full strength
-  double VectorUnit = 1.0;    // of the lengths that follow, in units of the data
+  double VectorScale = 1.0;  // optical depth of vectors at full strength
+  double VectorUnit = 1.0;   // of the lengths that follow, in units of the data
   double StreakPeriod = 1.5;
   double StreakWidth = 0.1;
   double SegmentLength = 2.0;

@@ -82,14 +82,16 @@ std::string SplatScene::Update(vtkDataSet* input, const SplatSampling& sampling,
     : error;
 }
 
-std::string SplatScene::DescribeLeftOut(const SplatFields& fields, const std::string& sizeArrayName) const
+std::string SplatScene::DescribeLeftOut(
+  const SplatFields& fields, const std::string& sizeArrayName) const
 {
   const auto quoted = [](vtkDataArray* array) {
     return std::string("'") + (array->GetName() ? array->GetName() : "(unnamed)") + "'";
   };
   const auto counted = [&](std::size_t count) {
     const std::string kind = fields.Scalars.OnCells ? " cell" : " point";
-    return std::to_string(count) + kind + (count == 1 ? " is" : "s are") + " not drawn because array ";
+    return std::to_string(count) + kind + (count == 1 ? " is" : "s are") +
+      " not drawn because array ";
   };
   std::string text;
   const std::size_t notFinite = this->Samples.NumberNowhere + this->Classes.NumberWithoutValue;
@@ -101,8 +103,8 @@ std::string SplatScene::DescribeLeftOut(const SplatFields& fields, const std::st
   }
   if (this->Samples.NumberOfWrongSizes > 0)
   {
-    text += (text.empty() ? "" : " ") + counted(this->Samples.NumberOfWrongSizes) + "'" + sizeArrayName +
-      "' is not positive or not finite there. Sizes must be positive.";
+    text += (text.empty() ? "" : " ") + counted(this->Samples.NumberOfWrongSizes) + "'" +
+      sizeArrayName + "' is not positive or not finite there. Sizes must be positive.";
   }
   return text;
 }

@@ -85,8 +85,8 @@ public:
   }
 
 private:
-  using SampleKey =
-    std::tuple<vtkDataSet*, vtkMTimeType, bool, double, std::string, double, SplatFrame, std::string, bool, bool, bool>;
+  using SampleKey = std::tuple<vtkDataSet*, vtkMTimeType, bool, double, std::string, double,
+    SplatFrame, std::string, bool, bool, bool>;
   using ClassKey = std::tuple<vtkDataArray*, vtkDataArray*, int, vtkMTimeType, vtkMTimeType, bool>;
   using BoundsKey = std::tuple<SampleKey, int, std::string, bool, double, double, double>;
   using LayerKey = std::tuple<bool, int, std::size_t>;

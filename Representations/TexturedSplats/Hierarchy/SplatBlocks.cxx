@@ -69,8 +69,8 @@ void SplatBlocks::FindRange(Place placeOf, Vector3& low, Vector3& high) const
 // The middle of a tile is that of a voxel in it.
 std::array<double, 3> SplatBlocks::VoxelIndex(std::size_t sample) const
 {
-  Vector3 index = Times(
-    this->ToVoxels, ToDouble(this->Samples.Positions[sample]) - this->Samples.FirstVoxel);
+  Vector3 index =
+    Times(this->ToVoxels, ToDouble(this->Samples.Positions[sample]) - this->Samples.FirstVoxel);
   for (double& i : index)
   {
     i = std::floor(i + 0.5);
@@ -123,7 +123,8 @@ BlockOrder::Index SplatBlocks::IndexOf(std::size_t sample) const
       static_cast<std::uint32_t>(id / nx / ny) } };
   }
   const bool voxels = this->As == Kind::Voxels;
-  const Vector3 place = (voxels ? this->VoxelIndex(sample) : ToDouble(this->Samples.Positions[sample])) - this->Corner;
+  const Vector3 place =
+    (voxels ? this->VoxelIndex(sample) : ToDouble(this->Samples.Positions[sample])) - this->Corner;
   const double scale = voxels ? 1.0 : this->BlocksPerLength;
   return { { static_cast<std::uint32_t>(place[0] * scale),
     static_cast<std::uint32_t>(place[1] * scale), static_cast<std::uint32_t>(place[2] * scale) } };

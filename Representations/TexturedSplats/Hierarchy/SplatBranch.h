@@ -21,7 +21,7 @@ struct SplatBranch
 {
   std::array<SplatNode, 4> Light;  // red, green, blue emission and extinction; counted by volume
   std::array<SplatNode, 3> Vector; // counted by volume
-  Vector3 Color{};             // by volume, without regard to extinction
+  Vector3 Color{};                 // by volume, without regard to extinction
   double Leaves = 0.0;
   double Weight =
     0.0; // mass, of which what follows are the moments: mean, and covariance over that of a kernel

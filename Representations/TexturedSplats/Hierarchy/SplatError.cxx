@@ -99,8 +99,7 @@ public:
     , Rule(rule)
     , View(view)
   {
-    const Vector3 eye =
-      Times(view.ToWorld, Vector3{ { view.Eye[0], view.Eye[1], view.Eye[2] } });
+    const Vector3 eye = Times(view.ToWorld, Vector3{ { view.Eye[0], view.Eye[1], view.Eye[2] } });
     std::copy(eye.begin(), eye.end(), this->View.Eye.begin());
   }
 
@@ -166,7 +165,8 @@ private:
     {
       pictures[i] = this->PictureOf(begin[i], screen);
     }
-    return SquareDistance(one, pictures.begin(), pictures.begin() + static_cast<std::ptrdiff_t>(count));
+    return SquareDistance(
+      one, pictures.begin(), pictures.begin() + static_cast<std::ptrdiff_t>(count));
   }
 
   // From its children and from theirs; nodes come after their children.

@@ -39,8 +39,10 @@ struct SplatErrorRule
 struct SplatCutView
 {
   SplatEye Eye{ { 0, 0, 0, 1 } };
-  double Pixel = 0; ///< size of one at a distance of 1, in a parallel projection everywhere; in the world
-  SplatMatrix ToWorld{ { { { 1, 0, 0 } }, { { 0, 1, 0 } }, { { 0, 0, 1 } } } }; ///< but for a rotation
+  double Pixel =
+    0; ///< size of one at a distance of 1, in a parallel projection everywhere; in the world
+  SplatMatrix ToWorld{ { { { 1, 0, 0 } }, { { 0, 1, 0 } },
+    { { 0, 0, 1 } } } }; ///< but for a rotation
 };
 
 /**

@@ -43,8 +43,10 @@ inline std::array<double, 4> LineMoments(double rho, double z)
   return { { z, first, z * (z * z / 3.0 + square), (z * r * r * r + 3.0 * square * first) / 4.0 } };
 }
 
-constexpr std::array<double, 4> outerPowers = { { outerSquare * radius * radius + outerCube * radius * radius * radius,
-  -2.0 * outerSquare * radius - 3.0 * outerCube * radius * radius, outerSquare + 3.0 * outerCube * radius, -outerCube } };
+constexpr std::array<double, 4> outerPowers = { { outerSquare * radius * radius +
+    outerCube * radius * radius * radius,
+  -2.0 * outerSquare* radius - 3.0 * outerCube* radius* radius,
+  outerSquare + 3.0 * outerCube* radius, -outerCube } };
 
 // Half of a chord of the ball of radius R.
 inline double HalfChord(double R, double rho)
@@ -95,8 +97,8 @@ inline double ShareBefore(double cut, double q)
 {
   const auto& c = shareCoefficients;
   const double x = std::min(std::abs(cut), 1.0);
-  const double behind = (1.0 - x) * (1.0 - x) * (1.0 - x) *
-    (0.5 + x * (c[0] + c[1] * q + x * (c[2] + c[3] * q)));
+  const double behind =
+    (1.0 - x) * (1.0 - x) * (1.0 - x) * (0.5 + x * (c[0] + c[1] * q + x * (c[2] + c[3] * q)));
   return cut < 0.0 ? behind : 1.0 - behind;
 }
 
@@ -182,7 +184,8 @@ inline double KernelShareBefore(SplatKernel kernel, double rho, double z)
   }
   const double scale = cubic_kernel::radius / KernelRadius(kernel);
   const double half = cubic_kernel::FootprintUpTo(scale * rho, cubic_kernel::radius);
-  const double part = half > 0.0 ? cubic_kernel::FootprintUpTo(scale * rho, scale * std::abs(z)) / half : 1.0;
+  const double part =
+    half > 0.0 ? cubic_kernel::FootprintUpTo(scale * rho, scale * std::abs(z)) / half : 1.0;
   return z < 0.0 ? 0.5 - 0.5 * part : 0.5 + 0.5 * part;
 }
 }

@@ -50,8 +50,9 @@ inline double LargestStretch(const SplatMatrix& m)
   const double a = dot(m[0], m[0]), b = dot(m[1], m[1]), c = dot(m[2], m[2]);
   const double d = dot(m[0], m[1]), e = dot(m[1], m[2]), f = dot(m[0], m[2]);
   const double mean = (a + b + c) / 3.0;
-  const double square = ((a - mean) * (a - mean) + (b - mean) * (b - mean) + (c - mean) * (c - mean) +
-                          2.0 * (d * d + e * e + f * f)) / 6.0;
+  const double square = ((a - mean) * (a - mean) + (b - mean) * (b - mean) +
+                          (c - mean) * (c - mean) + 2.0 * (d * d + e * e + f * f)) /
+    6.0;
   if (square <= 0.0)
   {
     return std::sqrt(mean);

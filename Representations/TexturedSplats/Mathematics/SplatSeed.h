@@ -48,7 +48,8 @@ inline std::array<double, 3> RoundedPlace(const double place[3], double cell)
   }
   // The factor keeps numbers that data like, powers of two, away from where the step changes.
   const double step = std::ldexp(1.0, std::ilogb(1.37 * greatest) - 36);
-  return { { step * std::round(place[0] / step), step * std::round(place[1] / step), step * std::round(place[2] / step) } };
+  return { { step * std::round(place[0] / step), step * std::round(place[1] / step),
+    step * std::round(place[2] / step) } };
 }
 
 // Two independent numbers, uniform in [0, 1): the phase that a pattern starts with, and a seed for what else differs.
@@ -62,7 +63,8 @@ inline SplatSeed SeedOf(const double place[3], double cell = 0.0)
 {
   const std::uint64_t hash = PlaceHash(RoundedPlace(place, cell).data());
   constexpr float step = 1.0f / 16777216.0f; // 24 bits are exact in a float
-  return { static_cast<float>(hash >> 40) * step, static_cast<float>((hash >> 8) & 0xffffff) * step };
+  return { static_cast<float>(hash >> 40) * step,
+    static_cast<float>((hash >> 8) & 0xffffff) * step };
 }
 
 // Where in its cell a segment is: -1/2 to 1/2 along each edge.

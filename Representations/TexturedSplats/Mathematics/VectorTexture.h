@@ -17,10 +17,12 @@ namespace streaks
 {
 constexpr double golden = 0.6180339887498949; // of a period from row to row, as uneven as can be
 constexpr double tailEnd = 0.35;              // width of the tail's end, of the head's
-constexpr double nose = 3.0;                  // standard deviations of the head that are kept in front of it
-constexpr double roundDot = 1.6;              // width of a vector that points at the eye, of the head's
-constexpr double coarse = 1.5, fine = 4.0;    // pixels: finer patterns are their mean, coarser ones themselves
-constexpr double steep = 4.0, flat = 12.0;    // period over width: shorter ones are round dots, longer ones streaks
+constexpr double nose = 3.0;     // standard deviations of the head that are kept in front of it
+constexpr double roundDot = 1.6; // width of a vector that points at the eye, of the head's
+constexpr double coarse = 1.5,
+                 fine = 4.0; // pixels: finer patterns are their mean, coarser ones themselves
+constexpr double steep = 4.0,
+                 flat = 12.0; // period over width: shorter ones are round dots, longer ones streaks
 
 // One unit of length for all, as it is seen: period and tail are foreshortened.
 struct Shape
@@ -64,7 +66,8 @@ inline double Comet(const Shape& shape, double behind, double across)
 inline double Mean(const Shape& shape)
 {
   constexpr double pi = 3.141592653589793;
-  const double tail = std::sqrt(2.0 * pi) * shape.Width * shape.Tail * (0.5 - (1.0 - tailEnd) / 6.0);
+  const double tail =
+    std::sqrt(2.0 * pi) * shape.Width * shape.Tail * (0.5 - (1.0 - tailEnd) / 6.0);
   const double head = pi * shape.Width * shape.Width;
   return std::min(1.0, (tail + head) / (shape.Period * shape.Spacing));
 }
@@ -79,8 +82,8 @@ inline double Rows(const Shape& shape, double x, double y, double phase, double 
   for (const double r : { nearest, nearest + (place < nearest ? -1.0 : 1.0) })
   {
     const double behind = phase + golden * r - x / shape.Period + lead; // periods
-    sum += Comet(shape, (behind - std::floor(behind) - lead) * shape.Period,
-      (place - r) * shape.Spacing);
+    sum += Comet(
+      shape, (behind - std::floor(behind) - lead) * shape.Period, (place - r) * shape.Spacing);
   }
   return std::min(sum, 1.0);
 }
@@ -98,9 +101,11 @@ inline double Dot(const Shape& shape, double x, double y)
 inline double Value(const Shape& shape, double x, double y, double phase, double row)
 {
   const double streaked = SmoothStep(steep, flat, shape.Period / shape.Width);
-  const double pattern = streaked * Rows(shape, x, y, phase, row) + (1.0 - streaked) * Dot(shape, x, y);
+  const double pattern =
+    streaked * Rows(shape, x, y, phase, row) + (1.0 - streaked) * Dot(shape, x, y);
   const double resolved = shape.Pixel > 0.0
-    ? SmoothStep(coarse, fine, std::min(std::max(shape.Period, shape.Width), shape.Spacing) / shape.Pixel)
+    ? SmoothStep(
+        coarse, fine, std::min(std::max(shape.Period, shape.Width), shape.Spacing) / shape.Pixel)
     : 1.0;
   return resolved * pattern + (1.0 - resolved) * Mean(shape);
 }

@@ -93,8 +93,7 @@ void SplatGridSeam::MendEdge(vtkIdType id, SplatMatrix& jacobian) const
 {
   if (this->Closed && this->Column(id) == this->Whole[0])
   {
-    const Vector3 across =
-      this->PlaceOf(1, this->Row(id)) - this->PlaceOf(2, this->Row(id));
+    const Vector3 across = this->PlaceOf(1, this->Row(id)) - this->PlaceOf(2, this->Row(id));
     jacobian[0] = { { 0.5 * across[0], 0.5 * across[1], 0.5 * across[2] } };
   }
 }

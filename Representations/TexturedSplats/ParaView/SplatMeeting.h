@@ -25,7 +25,7 @@ struct SplatCommons
   double Origin[3] = { 0, 0, 0 }; ///< the middle of their places
   double LongestEdge = 0;         ///< of their cells
   vtkIdType MostSamples = 0;      ///< that one rank has
-  double MaximumSpeed = 0;       ///< 0 without vectors
+  double MaximumSpeed = 0;        ///< 0 without vectors
   double MeanCell = 1;            ///< length of a sample's cell along its vector
 };
 

@@ -83,7 +83,8 @@ void leaveOutNeighbors(vtkDataSet* piece, int extent[6])
     {
       for (index[0] = extent[0]; index[0] <= extent[1]; ++index[0], ++id)
       {
-        for (int axis = 0; axis < 3 && !(ghosts->GetValue(id) & vtkDataSetAttributes::DUPLICATEPOINT); ++axis)
+        for (int axis = 0;
+             axis < 3 && !(ghosts->GetValue(id) & vtkDataSetAttributes::DUPLICATEPOINT); ++axis)
         {
           own[2 * axis] = std::min(own[2 * axis], index[axis]);
           own[2 * axis + 1] = std::max(own[2 * axis + 1], index[axis]);

@@ -168,8 +168,8 @@ vtkSmartPointer<vtkDataSet> splatVertices(vtkDataSet* piece, const SplatSampling
   SplatSampling ofAll = sampling;
   ofAll.CellSize = own.HaveMeanSpacing() ? spacing : sampling.CellSize;
   const SplatShapes shapes(data, ofAll);
-  vtkSmartPointer<vtkDataSet> vertices = verticesOf(
-    shapes, ids, data->GetAttributes(sampling.OnCells ? vtkDataObject::CELL : vtkDataObject::POINT));
+  vtkSmartPointer<vtkDataSet> vertices = verticesOf(shapes, ids,
+    data->GetAttributes(sampling.OnCells ? vtkDataObject::CELL : vtkDataObject::POINT));
   vertices->GetCellData()->AddArray(shapesOf(shapes, ids, seam.get()));
   vertices->GetFieldData()->ShallowCopy(data->GetFieldData());
   return vertices;

@@ -26,8 +26,9 @@ int vtkTexturedSplatsRepresentation::RequestInformation(
   vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   this->InputTimes[0] = this->InputTimes[1] = 0.0;
-  vtkInformation* input =
-    inputVector[0]->GetNumberOfInformationObjects() == 1 ? inputVector[0]->GetInformationObject(0) : nullptr;
+  vtkInformation* input = inputVector[0]->GetNumberOfInformationObjects() == 1
+    ? inputVector[0]->GetInformationObject(0)
+    : nullptr;
   if (input && input->Has(vtkStreamingDemandDrivenPipeline::TIME_RANGE()))
   {
     input->Get(vtkStreamingDemandDrivenPipeline::TIME_RANGE(), this->InputTimes);
@@ -51,8 +52,9 @@ int vtkTexturedSplatsRepresentation::RequestUpdateExtent(
 bool vtkTexturedSplatsRepresentation::DrawsCells()
 {
   vtkInformation* info = this->GetInputArrayInformation(0);
-  const char* name =
-    info && info->Has(vtkDataObject::FIELD_NAME()) ? info->Get(vtkDataObject::FIELD_NAME()) : nullptr;
+  const char* name = info && info->Has(vtkDataObject::FIELD_NAME())
+    ? info->Get(vtkDataObject::FIELD_NAME())
+    : nullptr;
   return name && name[0] && info->Get(vtkDataObject::FIELD_ASSOCIATION()) == vtkDataObject::CELL;
 }
 
@@ -76,7 +78,8 @@ void vtkTexturedSplatsRepresentation::PreparePiece(vtkDataObject* input)
     this->Piece = nephoscope::splatVertices(this->Piece, this->GetSampling(onCells));
   }
   const bool inCells =
-    this->GetAssociationInPiece(onCells ? vtkDataObject::CELL : vtkDataObject::POINT) == vtkDataObject::CELL;
+    this->GetAssociationInPiece(onCells ? vtkDataObject::CELL : vtkDataObject::POINT) ==
+    vtkDataObject::CELL;
   nephoscope::SplatSampling sampling = this->GetSampling(inCells);
   sampling.ShapeArrayName = nephoscope::splatShapeName;
   int association = vtkDataObject::POINT;
@@ -88,7 +91,8 @@ void vtkTexturedSplatsRepresentation::PreparePiece(vtkDataObject* input)
     nephoscope::measureSplats(this->Piece, sampling, together ? scalars : nullptr, {}, common));
   if (HoldsAnything(input) && all.Volume <= 0.0 && IsFirstRank())
   {
-    vtkWarningMacro("Textured Splats draws points or cells, and the input has none: nothing is drawn.");
+    vtkWarningMacro(
+      "Textured Splats draws points or cells, and the input has none: nothing is drawn.");
   }
   vtkMath::UninitializeBounds(this->DataBounds);
   if (this->Piece && this->Piece->GetNumberOfPoints() > 0)

@@ -14,8 +14,8 @@
 #include "vtkMediumRepresentation.h"
 #include "vtkNephoscopeParaViewTexturedSplatsModule.h" // for export macro
 
+#include "vtkSmartPointer.h" // for the colour function
 #include "vtkTexturedSplatMapper.h"
-#include "vtkSmartPointer.h"                            // for the colour function
 
 #include <memory> // for std::unique_ptr
 
@@ -52,7 +52,10 @@ public:
   void SetErrorToleranceUnit(int unit) { this->Mapper->SetErrorToleranceUnit(unit); }
   void SetErrorMeasure(int measure) { this->Mapper->SetErrorMeasure(measure); }
   void SetLevelBlending(double share) { this->Mapper->SetLevelBlending(share); }
-  void SetInteractiveMaximumNumberOfSplats(vtkIdType count) { this->Mapper->SetInteractiveMaximumNumberOfSplats(count); }
+  void SetInteractiveMaximumNumberOfSplats(vtkIdType count)
+  {
+    this->Mapper->SetInteractiveMaximumNumberOfSplats(count);
+  }
   void SetGreatestSpeed(double speed);
   void SetStreakPeriod(double units) { this->Mapper->SetStreakPeriod(units); }
   void SetPhaseCycles(int cycles) { this->Mapper->SetPhaseCycles(cycles); }

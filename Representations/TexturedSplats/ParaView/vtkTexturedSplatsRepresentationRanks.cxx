@@ -80,7 +80,8 @@ bool onAnyRank(bool here)
 double leastOverRanks(double mine)
 {
   double least = mine;
-  vtkMultiProcessController::GetGlobalController()->AllReduce(&mine, &least, 1, vtkCommunicator::MIN_OP);
+  vtkMultiProcessController::GetGlobalController()->AllReduce(
+    &mine, &least, 1, vtkCommunicator::MIN_OP);
   return least;
 }
 }
@@ -128,7 +129,8 @@ void vtkTexturedSplatsRepresentation::UseCommons(
   this->Mapper->SetCommonFrame(commons.Origin, commons.LongestEdge, commons.MostSamples);
   this->Mapper->SetMaximumSpeed(
     this->GreatestSpeed > 0.0 ? this->GreatestSpeed : commons.MaximumSpeed);
-  const double unit = commons.MeanCell / std::cbrt(std::max(this->Meeting->Share, 1e-6)); // as the mapper does
+  const double unit =
+    commons.MeanCell / std::cbrt(std::max(this->Meeting->Share, 1e-6)); // as the mapper does
   this->Mapper->SetVectorUnit(this->VectorUnit > 0.0 ? this->VectorUnit : unit);
 }
 

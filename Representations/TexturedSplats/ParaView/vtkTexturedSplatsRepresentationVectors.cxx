@@ -36,7 +36,8 @@ const char* const suitedName = "NephoscopeSuitedVectors";
 double storedNumber(vtkDataSet* data, vtkIdType index, double otherwise)
 {
   vtkDataArray* numbers = data ? data->GetFieldData()->GetArray(suitedName) : nullptr;
-  return numbers && numbers->GetNumberOfTuples() > index ? numbers->GetComponent(index, 0) : otherwise;
+  return numbers && numbers->GetNumberOfTuples() > index ? numbers->GetComponent(index, 0)
+                                                         : otherwise;
 }
 
 Color meanColor(vtkVolumeProperty* property)
@@ -53,7 +54,8 @@ Color meanColor(vtkVolumeProperty* property)
   {
     double color[3];
     function->GetColor(range[0] + (range[1] - range[0]) * i / (samples - 1), color);
-    std::transform(mean.begin(), mean.end(), color, mean.begin(), [](double a, double b) { return a + b / samples; });
+    std::transform(mean.begin(), mean.end(), color, mean.begin(),
+      [](double a, double b) { return a + b / samples; });
   }
   return mean;
 }
@@ -61,11 +63,14 @@ Color meanColor(vtkVolumeProperty* property)
 // Black, white or orange: that which stands out best from both.
 Color contrasting(const Color& background, const Color& medium)
 {
-  const Color choices[] = { { { 0.0, 0.0, 0.0 } }, { { 1.0, 1.0, 1.0 } }, { { 1.0, 69.0 / 255.0, 0.0 } } };
+  const Color choices[] = { { { 0.0, 0.0, 0.0 } }, { { 1.0, 1.0, 1.0 } },
+    { { 1.0, 69.0 / 255.0, 0.0 } } };
   const auto contrast = [&](const Color& color) {
-    return std::min(vtkMath::Distance2BetweenPoints(color.data(), background.data()), vtkMath::Distance2BetweenPoints(color.data(), medium.data()));
+    return std::min(vtkMath::Distance2BetweenPoints(color.data(), background.data()),
+      vtkMath::Distance2BetweenPoints(color.data(), medium.data()));
   };
-  return *std::max_element(std::begin(choices), std::end(choices), [&](const Color& a, const Color& b) { return contrast(a) < contrast(b); });
+  return *std::max_element(std::begin(choices), std::end(choices),
+    [&](const Color& a, const Color& b) { return contrast(a) < contrast(b); });
 }
 }
 
@@ -92,7 +97,8 @@ void vtkTexturedSplatsRepresentation::SetVectorColor(double red, double green, d
 bool vtkTexturedSplatsRepresentation::DrawsMedium()
 {
   vtkInformation* info = this->GetInputArrayInformation(0);
-  const char* name = info && info->Has(vtkDataObject::FIELD_NAME()) ? info->Get(vtkDataObject::FIELD_NAME()) : "";
+  const char* name =
+    info && info->Has(vtkDataObject::FIELD_NAME()) ? info->Get(vtkDataObject::FIELD_NAME()) : "";
   vtkPiecewiseFunction* opacity = this->Property->GetScalarOpacity();
   bool isDrawn = !name || !*name; // of one colour
   for (int i = 0; i < opacity->GetSize(); ++i)
@@ -105,23 +111,27 @@ bool vtkTexturedSplatsRepresentation::DrawsMedium()
 }
 
 // Called by all ranks.
-void vtkTexturedSplatsRepresentation::StoreSuited(const nephoscope::SplatSampling& sampling, const std::array<double, 6>& common)
+void vtkTexturedSplatsRepresentation::StoreSuited(
+  const nephoscope::SplatSampling& sampling, const std::array<double, 6>& common)
 {
   const std::string name = this->Mapper->GetVectorArrayName();
   if (name.empty())
   {
     return;
   }
-  vtkDataSetAttributes* attributes = this->Piece->GetAttributes(sampling.OnCells ? vtkDataObject::CELL : vtkDataObject::POINT);
+  vtkDataSetAttributes* attributes =
+    this->Piece->GetAttributes(sampling.OnCells ? vtkDataObject::CELL : vtkDataObject::POINT);
   vtkDataArray* vectors = attributes->GetArray(name.c_str());
-  const auto all = nephoscope::reduceOverRanks(nephoscope::measureSplats(this->Piece, sampling, vectors, {}, common));
+  const auto all = nephoscope::reduceOverRanks(
+    nephoscope::measureSplats(this->Piece, sampling, vectors, {}, common));
   const auto suited = nephoscope::suitVectors(all, common, this->GreatestSpeed);
   nephoscope::storeNumbers(this->Piece, suitedName, { suited.Opacity, suited.Share });
 }
 
 double vtkTexturedSplatsRepresentation::GetShareOf(vtkDataSet* data)
 {
-  const bool isSuited = this->Mapper->GetVectorStyle() == vtkTexturedSplatMapper::STREAKS && this->DrawsMedium();
+  const bool isSuited =
+    this->Mapper->GetVectorStyle() == vtkTexturedSplatMapper::STREAKS && this->DrawsMedium();
   return this->VectorShare > 0.0 ? this->VectorShare : isSuited ? storedNumber(data, 1, 1.0) : 1.0;
 }
 
@@ -130,8 +140,11 @@ void vtkTexturedSplatsRepresentation::SuitVectors(vtkDataSet* data)
   constexpr double alone = 2.0;
   const bool medium = this->DrawsMedium();
   this->Mapper->SetVectorFraction(this->GetShareOf(data));
-  this->Mapper->SetVectorOpacity(this->VectorOpacity > 0.0 ? this->VectorOpacity : medium ? storedNumber(data, 0, alone) : alone);
-  const bool contrasts = this->UseVectorColor == AUTOMATIC_COLOR && medium && this->Mapper->GetVectorColorArrayName().empty();
+  this->Mapper->SetVectorOpacity(this->VectorOpacity > 0.0 ? this->VectorOpacity
+      : medium                                             ? storedNumber(data, 0, alone)
+                                                           : alone);
+  const bool contrasts = this->UseVectorColor == AUTOMATIC_COLOR && medium &&
+    this->Mapper->GetVectorColorArrayName().empty();
   Color color = this->VectorColor;
   auto* view = vtkPVRenderView::SafeDownCast(this->GetView());
   if (contrasts && view)

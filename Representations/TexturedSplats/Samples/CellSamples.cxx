@@ -248,9 +248,7 @@ private:
     const Vector3 first = this->Place(points[0]);
     for (std::size_t i = 2; i < count; ++i)
     {
-      area += 0.5 *
-        norm(
-          cross(this->Place(points[i - 1]) - first, this->Place(points[i]) - first));
+      area += 0.5 * norm(cross(this->Place(points[i - 1]) - first, this->Place(points[i]) - first));
     }
     for (std::size_t i = 0; i < count; ++i)
     {
@@ -342,7 +340,9 @@ void CellSamples::Find(vtkDataSet* data, bool onCells)
   vtkUnsignedCharArray* ghosts = data->GetCellGhostArray();
   for (vtkIdType id = 0; id < data->GetNumberOfCells(); ++id)
   {
-    if (!ghosts || !(ghosts->GetValue(id) & (vtkDataSetAttributes::HIDDENCELL | vtkDataSetAttributes::REFINEDCELL)))
+    if (!ghosts ||
+      !(ghosts->GetValue(id) &
+        (vtkDataSetAttributes::HIDDENCELL | vtkDataSetAttributes::REFINEDCELL)))
     {
       cells.Add(id);
     }
@@ -395,7 +395,8 @@ std::vector<float> FindNeighborSpacing(vtkDataSet* data)
   {
     double x[3];
     data->GetPoint(id, x);
-    if (holdsPlace(bulk, x)) // the locator could not tell those apart that lie together far from others
+    if (holdsPlace(
+          bulk, x)) // the locator could not tell those apart that lie together far from others
     {
       points->InsertNextPoint(x);
       ids.push_back(id);
@@ -437,7 +438,8 @@ std::vector<float> FindNeighborSpacing(vtkDataSet* data)
     double x[3];
     data->GetPoint(id, x);
     const bool far = std::isfinite(x[0] + x[1] + x[2]) && !holdsPlace(bulk, x);
-    spacing[static_cast<std::size_t>(id)] = far ? static_cast<float>(mean) : spacing[static_cast<std::size_t>(id)];
+    spacing[static_cast<std::size_t>(id)] =
+      far ? static_cast<float>(mean) : spacing[static_cast<std::size_t>(id)];
   }
   return spacing;
 }

@@ -37,7 +37,7 @@ public:
 
 private:
   std::vector<std::array<float, 9>> Shapes; // empty if the data have no cells
-  std::vector<vtkIdType> Places;            // of each point the first one in its place; empty: all are apart
+  std::vector<vtkIdType> Places; // of each point the first one in its place; empty: all are apart
 };
 
 /** The edge of a cube for each point, by the ball that its neighbours fill: its volume over their number; far from all

@@ -46,7 +46,8 @@ void thicken(SplatMatrix& columns, const std::array<bool, 3>& missing)
   {
     if (!missing[axis])
     {
-      logarithms += std::log(norm(columns[axis])); // -infinity at a pole: WithoutFlatColumns does it
+      logarithms +=
+        std::log(norm(columns[axis])); // -infinity at a pole: WithoutFlatColumns does it
       last = axis;
       ++known;
     }
@@ -71,7 +72,8 @@ void thicken(SplatMatrix& columns, const std::array<bool, 3>& missing)
     }
     else
     {
-      columns[axis] = norm(normal) > 0 ? scaled(normal, edge / norm(normal)) : scaled(acrossOf(columns[last]), edge);
+      columns[axis] = norm(normal) > 0 ? scaled(normal, edge / norm(normal))
+                                       : scaled(acrossOf(columns[last]), edge);
     }
   }
 }
@@ -135,7 +137,8 @@ vtkIdType GridSamples::CornerOf(const int index[3], int corner) const
   for (int axis = 2; axis >= 0; --axis)
   {
     const int last = this->PointDimensions[axis] - 1;
-    point = point * this->PointDimensions[axis] + std::min(index[axis] + (corner >> axis & 1), last);
+    point =
+      point * this->PointDimensions[axis] + std::min(index[axis] + (corner >> axis & 1), last);
   }
   return point;
 }

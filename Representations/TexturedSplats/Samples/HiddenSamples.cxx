@@ -39,8 +39,8 @@ void hideCellsOfPoints(vtkDataSet* data, const Flags& points, Flags& cells)
   for (vtkIdType cell = 0; cell < data->GetNumberOfCells(); ++cell)
   {
     data->GetCellPoints(cell, corners);
-    const bool hidden =
-      std::any_of(corners->begin(), corners->end(), [&](vtkIdType point) { return points[static_cast<std::size_t>(point)] != 0; });
+    const bool hidden = std::any_of(corners->begin(), corners->end(),
+      [&](vtkIdType point) { return points[static_cast<std::size_t>(point)] != 0; });
     cells[static_cast<std::size_t>(cell)] |= static_cast<unsigned char>(hidden);
   }
 }
@@ -80,8 +80,8 @@ std::vector<unsigned char> FindHiddenSamples(vtkDataSet* data, bool onCells, boo
     }
     return cells;
   }
-  const int hiddenPoint =
-    vtkDataSetAttributes::HIDDENPOINT | (withDuplicates ? 0 : int(vtkDataSetAttributes::DUPLICATEPOINT));
+  const int hiddenPoint = vtkDataSetAttributes::HIDDENPOINT |
+    (withDuplicates ? 0 : int(vtkDataSetAttributes::DUPLICATEPOINT));
   Flags points = flagsOf(data->GetPointGhostArray(), hiddenPoint);
   // One after the other: a point between a hidden cell of this process and a shown one of another is shown.
   for (const int mask : { hiddenCell, duplicateCell })

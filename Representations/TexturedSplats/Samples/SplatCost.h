@@ -11,7 +11,8 @@
 namespace nephoscope
 {
 constexpr long long manySplats = 4000000;
-constexpr double bytesOfSplat = 285; // measured with ten million: Documentation/textured-splats.md, "Growth"
+constexpr double bytesOfSplat =
+  285; // measured with ten million: Documentation/textured-splats.md, "Growth"
 
 // Memory and time of all samples as splats, and what to do about it; empty where there are not many.
 inline std::string TellSplatCost(long long samples)
@@ -21,10 +22,11 @@ inline std::string TellSplatCost(long long samples)
     return std::string();
   }
   std::ostringstream text;
-  text << std::fixed << std::setprecision(1) << static_cast<double>(samples) / 1e6 << " million splats take about "
-       << static_cast<double>(samples) * bytesOfSplat / 1e9
-       << " GB of memory, and without a graphics card many seconds for each picture. For less time set ErrorTolerance to 0.3, so that blocks of "
-          "samples are drawn as one splat each; for less memory draw every second sample.";
+  text
+    << std::fixed << std::setprecision(1) << static_cast<double>(samples) / 1e6
+    << " million splats take about " << static_cast<double>(samples) * bytesOfSplat / 1e9
+    << " GB of memory, and without a graphics card many seconds for each picture. For less time set ErrorTolerance to 0.3, so that blocks of "
+       "samples are drawn as one splat each; for less memory draw every second sample.";
   return text.str();
 }
 }

@@ -27,16 +27,16 @@ Vector3 halfExtent(const SplatMatrix& jacobian)
   Vector3 half{};
   for (std::size_t axis = 0; axis < 3; ++axis)
   {
-    half[axis] =
-      0.5 * (std::abs(jacobian[0][axis]) + std::abs(jacobian[1][axis]) + std::abs(jacobian[2][axis]));
+    half[axis] = 0.5 *
+      (std::abs(jacobian[0][axis]) + std::abs(jacobian[1][axis]) + std::abs(jacobian[2][axis]));
   }
   return half;
 }
 
 double weightOf(const SplatMatrix& jacobian)
 {
-  return weightOfCell(
-    std::abs(Determinant(jacobian)), std::max({ norm(jacobian[0]), norm(jacobian[1]), norm(jacobian[2]) }));
+  return weightOfCell(std::abs(Determinant(jacobian)),
+    std::max({ norm(jacobian[0]), norm(jacobian[1]), norm(jacobian[2]) }));
 }
 
 struct SampleBox
@@ -52,7 +52,10 @@ struct SampleBox
       this->High[axis] = place[axis] + half[axis];
     }
   }
-  bool LiesIn(const MediumBounds& bounds) const { return holdsPlace(bounds, this->Low) && holdsPlace(bounds, this->High); }
+  bool LiesIn(const MediumBounds& bounds) const
+  {
+    return holdsPlace(bounds, this->Low) && holdsPlace(bounds, this->High);
+  }
 };
 
 // Calls visit(id, place, jacobian) for all visible samples.
@@ -96,23 +99,28 @@ std::vector<WeightedPlace> weightedPlaces(const SplatShapes& shapes)
   forEachSample(shapes, [&](vtkIdType, const Vector3& place, const SplatMatrix& jacobian) {
     if (choice.Takes(shown++))
     {
-      const auto standing = static_cast<double>(choice.Standing()); // processes choose from different numbers
-      places.push_back({ { place[0], place[1], place[2] }, standing * weightOf(jacobian), standing });
+      const auto standing =
+        static_cast<double>(choice.Standing()); // processes choose from different numbers
+      places.push_back(
+        { { place[0], place[1], place[2] }, standing * weightOf(jacobian), standing });
     }
   });
   return places;
 }
 } // namespace
 
-MediumBounds boundsOfSamples(vtkDataSet* data, const SplatSampling& sampling, const MediumReduction& over)
+MediumBounds boundsOfSamples(
+  vtkDataSet* data, const SplatSampling& sampling, const MediumReduction& over)
 {
   if (!data || data->GetNumberOfPoints() == 0)
   {
-    return robustBounds({}, [](const MediumBounds&) { return NoMediumBounds; }, over);
+    return robustBounds(
+      {}, [](const MediumBounds&) { return NoMediumBounds; }, over);
   }
   const SplatShapes shapes(data, sampling);
   return robustBounds(
-    weightedPlaces(shapes), [&](const MediumBounds& box) { return boundsWithin(shapes, box); }, over);
+    weightedPlaces(shapes), [&](const MediumBounds& box) { return boundsWithin(shapes, box); },
+    over);
 }
 
 MediumMeasures measureSplats(vtkDataSet* data, const SplatSampling& sampling, vtkDataArray* scalars,
@@ -149,7 +157,8 @@ MediumMeasures measureSplats(vtkDataSet* data, const SplatSampling& sampling, vt
       measures.OpacityIntegral += opacity ? volume * opacity(scalar) : 0.0;
     }
   });
-  const double scale = sampled > 0 ? static_cast<double>(shown) / static_cast<double>(sampled) : 0.0;
+  const double scale =
+    sampled > 0 ? static_cast<double>(shown) / static_cast<double>(sampled) : 0.0;
   measures.Volume *= scale;
   measures.Silhouettes *= scale;
   measures.ScalarIntegral *= scale;
@@ -161,14 +170,19 @@ MediumMeasures measureSplats(vtkDataSet* data, const SplatSampling& sampling, vt
   return measures;
 }
 
-SuitedVectors suitVectors(const MediumMeasures& vectors, const MediumBounds& common, double greatestSpeed)
+SuitedVectors suitVectors(
+  const MediumMeasures& vectors, const MediumBounds& common, double greatestSpeed)
 {
   const double greatest = greatestSpeed > 0.0 ? greatestSpeed : vectors.ScalarRange[1];
-  const double mean = greatest > 0.0 && vectors.Volume > 0.0 ? std::min(vectors.ScalarIntegral / vectors.Volume / greatest, 1.0) : 1.0;
+  const double mean = greatest > 0.0 && vectors.Volume > 0.0
+    ? std::min(vectors.ScalarIntegral / vectors.Volume / greatest, 1.0)
+    : 1.0;
   const double layers = mean * meanSamples(vectors, common);
   SuitedVectors suited;
   suited.Share = layers > readableLayers ? std::pow(readableLayers / layers, 3.0) : 1.0;
-  suited.Opacity = mean > 0.0 ? std::min(std::max(readableOpacity / mean, leastOpacity), greatestOpacity) : greatestOpacity;
+  suited.Opacity = mean > 0.0
+    ? std::min(std::max(readableOpacity / mean, leastOpacity), greatestOpacity)
+    : greatestOpacity;
   return suited;
 }
 

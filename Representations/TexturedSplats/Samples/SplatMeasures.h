@@ -22,8 +22,9 @@ VTKNEPHOSCOPEREPRESENTATIONSTEXTUREDSPLATS_EXPORT MediumBounds boundsOfSamples(
  * Measures a piece, which may be null, whose samples are points or cells, as far as it lies in the bounds of all pieces. `scalars` may be null, vectors count by
  * their magnitude; `opacity` may be empty. Integrals come from about 1e5 samples.
  */
-VTKNEPHOSCOPEREPRESENTATIONSTEXTUREDSPLATS_EXPORT MediumMeasures measureSplats(vtkDataSet* data, const SplatSampling& sampling,
-  vtkDataArray* scalars, const std::function<double(double)>& opacity, const MediumBounds& common);
+VTKNEPHOSCOPEREPRESENTATIONSTEXTUREDSPLATS_EXPORT MediumMeasures measureSplats(vtkDataSet* data,
+  const SplatSampling& sampling, vtkDataArray* scalars,
+  const std::function<double(double)>& opacity, const MediumBounds& common);
 
 /** How opaque vectors are drawn, and of which share of the samples. */
 struct SuitedVectors

@@ -182,7 +182,8 @@ SplatSamples FindSplatSamples(vtkDataSet* data, const SplatSampling& sampling, s
   }
   samples.AreVoxels = shapes.AreVoxels();
   samples.Voxel = shapes.GetVoxel();
-  samples.FirstVoxel = shapes.GetFirstVoxel() - Vector3{ samples.Center[0], samples.Center[1], samples.Center[2] };
+  samples.FirstVoxel =
+    shapes.GetFirstVoxel() - Vector3{ samples.Center[0], samples.Center[1], samples.Center[2] };
   samples.Positions.resize(places.size());
   forAll(places.size(), [&](std::size_t i) {
     for (std::size_t c = 0; c < 3; ++c)

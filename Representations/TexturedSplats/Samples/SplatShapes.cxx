@@ -53,7 +53,8 @@ vtkDataArray* sizeArrayOf(vtkDataSet* data, const SplatSampling& sampling)
     ? nullptr
     : attributesOf(data, sampling.OnCells)->GetArray(sampling.SizeArrayName.c_str());
   const vtkIdType count = sampling.OnCells ? data->GetNumberOfCells() : data->GetNumberOfPoints();
-  const bool fits = array && array->GetNumberOfComponents() == 1 && array->GetNumberOfTuples() == count;
+  const bool fits =
+    array && array->GetNumberOfComponents() == 1 && array->GetNumberOfTuples() == count;
   return fits ? array : nullptr;
 }
 
@@ -123,7 +124,8 @@ SplatShapes::SplatShapes(vtkDataSet* data, const SplatSampling& sampling)
 
 std::string SplatShapes::Check(vtkDataSet* data, const SplatSampling& sampling)
 {
-  const bool asked = !sampling.SizeArrayName.empty() && !GridSamples(data, sampling.OnCells).IsGrid();
+  const bool asked =
+    !sampling.SizeArrayName.empty() && !GridSamples(data, sampling.OnCells).IsGrid();
   if (!asked || sizeArrayOf(data, sampling))
   {
     return std::string();
@@ -183,7 +185,8 @@ bool SplatShapes::IsSized(vtkIdType id) const
 // Neither hidden nor repeated.
 bool SplatShapes::IsShown(vtkIdType id) const
 {
-  return !this->Grid.IsRepeated(id) && (this->Hidden.empty() || !this->Hidden[static_cast<std::size_t>(id)]);
+  return !this->Grid.IsRepeated(id) &&
+    (this->Hidden.empty() || !this->Hidden[static_cast<std::size_t>(id)]);
 }
 
 Vector3 PlaceOf(vtkDataSet* data, const GridSamples& grid, bool onCells, vtkIdType id)
@@ -249,10 +252,11 @@ SplatMatrix SplatShapes::Jacobian(vtkIdType id) const
 // Parts that are few and far away do not count: else all splats would grow with their distance.
 double SplatShapes::FindMeanSpacing() const
 {
-  const MediumBounds bounds = robustBoundsOfPlaces(this->Data->GetNumberOfPoints(), [&](vtkIdType point, double* x) {
-    this->Data->GetPoint(point, x);
-    return std::isfinite(x[0] + x[1] + x[2]);
-  });
+  const MediumBounds bounds =
+    robustBoundsOfPlaces(this->Data->GetNumberOfPoints(), [&](vtkIdType point, double* x) {
+      this->Data->GetPoint(point, x);
+      return std::isfinite(x[0] + x[1] + x[2]);
+    });
   std::size_t count = 0;
   for (vtkIdType id = 0; id < this->Count; ++id)
   {

@@ -38,7 +38,7 @@ struct SplatSampling
   SplatFrame Frame = {};
   std::string SizeArrayName = {}; ///< of one component: every sample's edge, or volume; empty: none
   bool SizesAreVolumes = false;
-  bool FromCells = false; ///< shapes of the cells around, where no cell size is asked for
+  bool FromCells = false;     ///< shapes of the cells around, where no cell size is asked for
   bool FromNeighbors = false; ///< instead of the mean spacing: that of a point's neighbours
 };
 
@@ -46,7 +46,8 @@ struct SplatSampling
 vtkFieldData* attributesOf(vtkDataSet* data, bool onCells);
 
 /** Where a sample is: a point, or the centre of a cell. `grid`: of the same data. */
-VTKNEPHOSCOPEREPRESENTATIONSTEXTUREDSPLATS_EXPORT Vector3 PlaceOf(vtkDataSet* data, const GridSamples& grid, bool onCells, vtkIdType id);
+VTKNEPHOSCOPEREPRESENTATIONSTEXTUREDSPLATS_EXPORT Vector3 PlaceOf(
+  vtkDataSet* data, const GridSamples& grid, bool onCells, vtkIdType id);
 
 class VTKNEPHOSCOPEREPRESENTATIONSTEXTUREDSPLATS_EXPORT SplatShapes
 {
@@ -66,18 +67,15 @@ public:
   /** Visible but for its size, which is not positive or not finite. */
   bool HasWrongSize(vtkIdType id) const { return !this->IsSized(id) && this->IsShown(id); }
   /** It may be at no finite place. */
-  Vector3 Place(vtkIdType id) const
-  {
-    return PlaceOf(this->Data, this->Grid, this->OnCells, id);
-  }
+  Vector3 Place(vtkIdType id) const { return PlaceOf(this->Data, this->Grid, this->OnCells, id); }
   /** Edges of the sample's cell, times the radius factor; none is so short that the splat would be flat. */
   SplatMatrix Jacobian(vtkIdType id) const;
   /** In the place of another point, whose splat stands for both. */
   bool IsRepeated(vtkIdType id) const { return this->Cells.IsRepeated(id); }
   bool HaveOneShape() const
   {
-    return !this->ShapeArray && !this->SizeArray && this->Cells.IsEmpty() && this->Spacing.empty() &&
-      (this->Grid.IsGrid() ? this->Grid.IsUniform() : !this->Scale);
+    return !this->ShapeArray && !this->SizeArray && this->Cells.IsEmpty() &&
+      this->Spacing.empty() && (this->Grid.IsGrid() ? this->Grid.IsUniform() : !this->Scale);
   }
   /** Samples without shapes of their own, grid, voxels or cell size. */
   bool HaveMeanSpacing() const { return this->Spaced; }

@@ -46,7 +46,8 @@ std::map<std::uint64_t, Box> boxesOf(
 
 TEST(BlockOrder, BlocksAreBoxesUpToTheWholeLattice)
 {
-  for (const std::array<double, 3> edges : { std::array<double, 3>{ { 1, 1, 1 } }, { { 5, 8, 1 } }, { { 1, 3, 1 } } })
+  for (const std::array<double, 3> edges :
+    { std::array<double, 3>{ { 1, 1, 1 } }, { { 5, 8, 1 } }, { { 1, 3, 1 } } })
   {
     const BlockOrder::Index sizes{ { 11, 6, 5 } };
     const BlockOrder order(sizes, edges);
@@ -72,14 +73,15 @@ TEST(BlockOrder, FlatCellsAreHalvedAlongTheirShortEdgesFirst)
 {
   const BlockOrder::Index sizes{ { 16, 16, 16 } };
   const BlockOrder order(sizes, { { 5, 8, 1 } });
-  const std::array<BlockOrder::Index, 6> expected{ { { { 1, 1, 2 } }, { { 1, 1, 4 } }, { { 1, 1, 8 } },
-    { { 2, 1, 8 } }, { { 2, 2, 8 } }, { { 2, 2, 16 } } } };
+  const std::array<BlockOrder::Index, 6> expected{ { { { 1, 1, 2 } }, { { 1, 1, 4 } },
+    { { 1, 1, 8 } }, { { 2, 1, 8 } }, { { 2, 2, 8 } }, { { 2, 2, 16 } } } };
   for (int level = 1; level < order.GetNumberOfLevels(); ++level)
   {
     const Box box = boxesOf(order, sizes, level).begin()->second;
     for (std::size_t c = 0; c < 3 && level <= 6; ++c)
     {
-      EXPECT_EQ(box.Last[c] - box.First[c] + 1, expected[std::size_t(level) - 1][c]) << "level " << level;
+      EXPECT_EQ(box.Last[c] - box.First[c] + 1, expected[std::size_t(level) - 1][c])
+        << "level " << level;
     }
   }
 }

@@ -72,8 +72,8 @@ TEST(EllipsoidSplat, EveryRayThroughEveryCellIsExact)
     const SplatPassage passage = PassSplat(inverse, offset, e);
     EXPECT_NEAR(passage.Thickness * cubic_kernel::Footprint(passage.Distance),
       integrate(inverse, offset, e), 2e-7);
-    const Vector3 nearest = { { offset[0] + passage.Depth * e[0],
-      offset[1] + passage.Depth * e[1], offset[2] + passage.Depth * e[2] } };
+    const Vector3 nearest = { { offset[0] + passage.Depth * e[0], offset[1] + passage.Depth * e[1],
+      offset[2] + passage.Depth * e[2] } };
     EXPECT_NEAR(norm(Times(inverse, nearest)), passage.Distance, 1e-12);
   }
 }

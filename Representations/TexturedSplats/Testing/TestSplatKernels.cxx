@@ -104,9 +104,11 @@ TEST(CubicKernel, ShareBeforeACutIsTheIntegral)
     {
       const double part =
         simpson([&](double z) { return Value(std::hypot(rho, z)); }, -half, cut * half, 2000);
-      const double share = nephoscope::KernelShareBefore(nephoscope::SplatKernel::Cubic, rho, cut * half);
+      const double share =
+        nephoscope::KernelShareBefore(nephoscope::SplatKernel::Cubic, rho, cut * half);
       EXPECT_NEAR(share * Footprint(rho), part, 1e-9) << rho << " " << cut;
-      EXPECT_NEAR(ShareBefore(cut, q) * Footprint(rho), part, 8e-4 * Footprint(0.0)) << rho << " " << cut;
+      EXPECT_NEAR(ShareBefore(cut, q) * Footprint(rho), part, 8e-4 * Footprint(0.0))
+        << rho << " " << cut;
     }
     EXPECT_EQ(ShareBefore(-1.5, q), 0.0);
     EXPECT_EQ(ShareBefore(1.5, q), 1.0);
@@ -121,7 +123,8 @@ TEST(GaussianKernel, ShareBeforeACutIsTheIntegral)
   for (double rho = 0.0; rho < radius; rho += 0.17)
   {
     const auto value = [&](double z) {
-      return std::exp(-0.5 * (rho * rho + z * z) / variance) / std::pow(6.283185307179586 * variance, 1.5);
+      return std::exp(-0.5 * (rho * rho + z * z) / variance) /
+        std::pow(6.283185307179586 * variance, 1.5);
     };
     for (double z = -3.0; z <= 3.0; z += 0.25)
     {

@@ -99,7 +99,9 @@ TEST(SplatFootprintShader, ShareBeforeACut)
   std::vector<Float4> list;
   for (int i = 0; i < 8000; ++i)
   {
-    const double q = i % 5 == 0 ? 1 - random.LogUniform(1e-7, 1) : i % 5 == 1 ? random.LogUniform(1e-14, 1) : random.Uniform();
+    const double q = i % 5 == 0 ? 1 - random.LogUniform(1e-7, 1)
+      : i % 5 == 1              ? random.LogUniform(1e-14, 1)
+                                : random.Uniform();
     list.push_back({ { float(random.Uniform(-2.2, 2.2)), float(q), 0, 0 } });
   }
   for (const float q : { 0.0f, 0.5f, 0.99999994f })
@@ -109,7 +111,8 @@ TEST(SplatFootprintShader, ShareBeforeACut)
       list.push_back({ { z, q, 0, 0 } });
     }
   }
-  for (const SplatKernel kernel : { SplatKernel::Cubic, SplatKernel::Quadratic, SplatKernel::Gaussian })
+  for (const SplatKernel kernel :
+    { SplatKernel::Cubic, SplatKernel::Quadratic, SplatKernel::Gaussian })
   {
     const auto results = evaluateFootprint(kernel, list,
       "float share = exactShareBefore(first.x, first.y); result = vec4(share, share * footprint(first.y), "
@@ -121,13 +124,16 @@ TEST(SplatFootprintShader, ShareBeforeACut)
       const double share = KernelShareBefore(kernel, rho, list[i][0]);
       const double part = share * KernelFootprint(kernel, rho);
       largest = std::max(largest, std::abs(results[i][1] - part));
-      EXPECT_NEAR(results[i][1], part, 2e-5) << list[i][0] << " " << list[i][1]; // the footprint's polynomial is 1.5e-5 off
+      EXPECT_NEAR(results[i][1], part, 2e-5)
+        << list[i][0] << " " << list[i][1]; // the footprint's polynomial is 1.5e-5 off
       EXPECT_GE(results[i][0], 0.0f) << list[i][0] << " " << list[i][1];
       EXPECT_LE(results[i][0], 1.0f) << list[i][0] << " " << list[i][1];
       const double cut = list[i][0] / (KernelRadius(kernel) * std::sqrt(1.0 - list[i][1]));
-      EXPECT_NEAR(results[i][2], cubic_kernel::ShareBefore(cut, list[i][1]), 2e-6) << list[i][0] << " " << list[i][1];
+      EXPECT_NEAR(results[i][2], cubic_kernel::ShareBefore(cut, list[i][1]), 2e-6)
+        << list[i][0] << " " << list[i][1];
     }
-    std::cout << "kernel " << static_cast<int>(kernel) << ", largest error of a part on the GPU " << largest << std::endl;
+    std::cout << "kernel " << static_cast<int>(kernel) << ", largest error of a part on the GPU "
+              << largest << std::endl;
   }
 }
 

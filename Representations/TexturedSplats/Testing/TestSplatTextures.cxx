@@ -55,7 +55,9 @@ TEST(LineSegment, MovesByATravelAndGoesOnWithoutAJump)
 {
   const auto ink = [](double phase, double x) {
     const MovingSegment moved = MoveSegment(phase);
-    const auto inside = [&](double from) { return std::abs(x - moved.Offset - from) < 0.5 ? 1.0 : 0.0; };
+    const auto inside = [&](double from) {
+      return std::abs(x - moved.Offset - from) < 0.5 ? 1.0 : 0.0;
+    };
     return moved.Weight * inside(0.0) + (1.0 - moved.Weight) * inside(1.0);
   };
   for (double x = -1.6; x < 1.6; x += 0.0371)
@@ -88,7 +90,8 @@ TEST(Streaks, MoveAlongTheVectorAndLoop)
   {
     for (double y = -2.0; y < 2.0; y += 0.17)
     {
-      EXPECT_NEAR(streaks::Value(shape, x, y, 0.0, 0.4), streaks::Value(shape, x, y, 1.0, 0.4), 1e-12);
+      EXPECT_NEAR(
+        streaks::Value(shape, x, y, 0.0, 0.4), streaks::Value(shape, x, y, 1.0, 0.4), 1e-12);
       // What was at x is a tenth of a period farther a tenth of a phase later.
       EXPECT_NEAR(streaks::Value(shape, x, y, 0.3, 0.4),
         streaks::Value(shape, x + 0.1 * shape.Period, y, 0.4, 0.4), 1e-9);
@@ -103,7 +106,8 @@ TEST(Streaks, HaveTheirHeadInFront)
   EXPECT_NEAR(streaks::Comet(shape, 0.5 * shape.Tail, 0.0), 0.5, 1e-12);
   EXPECT_LT(streaks::Comet(shape, -0.05 * shape.Tail, 0.0), 0.5);
   EXPECT_EQ(streaks::Comet(shape, 1.01 * shape.Tail, 0.0), 0.0);
-  EXPECT_NEAR(streaks::Value(shape, 0.25 * shape.Period, 0.0, 0.25, 0.0), 1.0, 1e-12); // phase 0.25: the head is there
+  EXPECT_NEAR(streaks::Value(shape, 0.25 * shape.Period, 0.0, 0.25, 0.0), 1.0,
+    1e-12); // phase 0.25: the head is there
 }
 
 TEST(Streaks, MeanOverACycleIsTheSameEverywhereAlong)
@@ -184,8 +188,8 @@ TEST(Streaks, LengthenedKernelIsFlat)
       const double d[3] = { n % 15 - 7 - at[0], n / 15 % 15 - 7 - at[1], n / 225 - 7 - at[2] };
       const double along = (d[0] * v[0] + d[1] * v[1] + d[2] * v[2]) / length;
       const double square = d[0] * d[0] + d[1] * d[1] + d[2] * d[2];
-      const double r = std::sqrt(
-        std::max(0.0, square - along * along) + along * along / (longer * longer));
+      const double r =
+        std::sqrt(std::max(0.0, square - along * along) + along * along / (longer * longer));
       sum += cubic_kernel::Value(r);
     }
     worst = std::max(worst, std::abs(sum / longer - 1.0));
@@ -221,7 +225,8 @@ TEST(Seed, DoesNotDependOnRounding)
   for (int n = 0; n < 16000; ++n)
   {
     const double x = (n % 40 - 20) * 0.25, y = n / 40 / 7.0, z = 1e6 * std::sin(n);
-    const double place[3] = { x, y, z }, rounded[3] = { std::nextafter(x, 1e9), std::nextafter(y, -1e9), z * (1 + 2e-16) };
+    const double place[3] = { x, y, z },
+                 rounded[3] = { std::nextafter(x, 1e9), std::nextafter(y, -1e9), z * (1 + 2e-16) };
     others += SeedOf(place).Phase != SeedOf(rounded).Phase ? 1 : 0;
   }
   EXPECT_LE(others, 3);

@@ -289,8 +289,8 @@ TEST(SplatTree, ErrorsAreThoseOfTheWorld)
   for (const double place : { 0.0, 1.0 }) // at infinity or not
   {
     SplatErrorRule rule;
-    for (const auto as : { SplatErrorRule::Measure::Greatest, SplatErrorRule::Measure::RootMeanSquare,
-           SplatErrorRule::Measure::Picture })
+    for (const auto as : { SplatErrorRule::Measure::Greatest,
+           SplatErrorRule::Measure::RootMeanSquare, SplatErrorRule::Measure::Picture })
     {
       rule.As = as;
       const float found = FindSplatErrors(tree, scene.Samples, scene.Classes, rule,

@@ -37,8 +37,8 @@ double magnitudeOf(vtkDataArray* array, vtkIdType id)
 }
 }
 
-std::string SplatVectorScene::Update(vtkDataSet* data, bool onCells, const SplatSamples& samples,
-  const SplatVectorSettings& settings)
+std::string SplatVectorScene::Update(
+  vtkDataSet* data, bool onCells, const SplatSamples& samples, const SplatVectorSettings& settings)
 {
   vtkFieldData* attributes = attributesOf(data, onCells);
   vtkDataArray* array = attributes->GetArray(settings.ArrayName.c_str());
@@ -64,8 +64,8 @@ std::string SplatVectorScene::Update(vtkDataSet* data, bool onCells, const Splat
   return this->ReadColors(data, onCells, samples, settings);
 }
 
-std::string SplatVectorScene::ReadColors(vtkDataSet* data, bool onCells,
-  const SplatSamples& samples, const SplatVectorSettings& settings)
+std::string SplatVectorScene::ReadColors(
+  vtkDataSet* data, bool onCells, const SplatSamples& samples, const SplatVectorSettings& settings)
 {
   if (settings.ColorArrayName.empty())
   {

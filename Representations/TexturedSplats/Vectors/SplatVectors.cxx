@@ -97,8 +97,9 @@ std::vector<std::array<float, 4>> SplatVectors::Pack(
   for (const std::int32_t sample : classes.Samples)
   {
     const auto i = static_cast<std::size_t>(sample);
-    const std::array<float, 3> v =
-      this->IsShown(i, loop.VectorFraction) ? this->Vectors[i] : std::array<float, 3>{ { 0, 0, 0 } };
+    const std::array<float, 3> v = this->IsShown(i, loop.VectorFraction)
+      ? this->Vectors[i]
+      : std::array<float, 3>{ { 0, 0, 0 } };
     const double looped =
       greatest > 0 ? loop.Share * std::round(loop.Cycles * lengthOf(v) / greatest) : 0.0;
     const double phase =

@@ -29,11 +29,11 @@ struct SplatSamples;
 /** Where in a loop of pictures the patterns are. */
 struct SplatLoop
 {
-  double Share = 0; ///< 0 to 1
-  int Cycles = 4;   ///< periods that the fastest pattern moves in a loop
-  int Steps = 0;    ///< stored patterns in a period; 0: any phase
-  double MaximumSpeed = 0; ///< that counts as the fastest; 0: that of the data
-  double VectorFraction = 1;   ///< of the samples whose vectors are drawn
+  double Share = 0;          ///< 0 to 1
+  int Cycles = 4;            ///< periods that the fastest pattern moves in a loop
+  int Steps = 0;             ///< stored patterns in a period; 0: any phase
+  double MaximumSpeed = 0;   ///< that counts as the fastest; 0: that of the data
+  double VectorFraction = 1; ///< of the samples whose vectors are drawn
   bool operator==(const SplatLoop& other) const
   {
     return this->Share == other.Share && this->Cycles == other.Cycles &&

@@ -83,7 +83,8 @@ inline ClippedRay clip(const TetrahedronPoints& p, const Vector3& origin, const 
 
 inline double interpolate(const Vector4& weights, const Vector4& values)
 {
-  return weights[0] * values[0] + weights[1] * values[1] + weights[2] * values[2] + weights[3] * values[3];
+  return weights[0] * values[0] + weights[1] * values[1] + weights[2] * values[2] +
+    weights[3] * values[3];
 }
 
 inline TetrahedronPoints randomTetrahedron(Random& random)

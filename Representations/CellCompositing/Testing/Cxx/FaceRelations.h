@@ -10,8 +10,8 @@
 #include "CellGeometry.h"
 
 #include <algorithm>
-#include <cmath>
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <map>
 #include <utility>
@@ -69,7 +69,8 @@ inline long double orient(const Vector3* f, const Vector4& x)
     m[1][axis] = (long double)(f[2][axis]) - f[0][axis];
     m[2][axis] = (long double)(x[axis]) - x[3] * (long double)(f[0][axis]);
   }
-  return m[0][0] * (m[1][1] * m[2][2] - m[1][2] * m[2][1]) - m[0][1] * (m[1][0] * m[2][2] - m[1][2] * m[2][0]) +
+  return m[0][0] * (m[1][1] * m[2][2] - m[1][2] * m[2][1]) -
+    m[0][1] * (m[1][0] * m[2][2] - m[1][2] * m[2][0]) +
     m[0][2] * (m[1][0] * m[2][1] - m[1][1] * m[2][0]);
 }
 
@@ -82,11 +83,13 @@ inline long double edgeOnTolerance(const Vector3* f, const Vector4& eye)
   const auto length = [](const Vector3& v) { return std::sqrt(dot(v, v)); };
   const double ab = length(difference(f[1], f[0]));
   const double ac = length(difference(f[2], f[0]));
-  const double ae = length({ { eye[0] - eye[3] * f[0][0], eye[1] - eye[3] * f[0][1], eye[2] - eye[3] * f[0][2] } });
+  const double ae =
+    length({ { eye[0] - eye[3] * f[0][0], eye[1] - eye[3] * f[0][1], eye[2] - eye[3] * f[0][2] } });
   return 1e-6 * ((ab + ac) * ae + eye[3] * ab * ac);
 }
 
-inline std::vector<Relation> findRelations(const std::vector<InteriorFace>& faces, const Vector4& eye)
+inline std::vector<Relation> findRelations(
+  const std::vector<InteriorFace>& faces, const Vector4& eye)
 {
   std::vector<Relation> relations;
   for (const InteriorFace& f : faces)
@@ -101,13 +104,15 @@ inline std::vector<Relation> findRelations(const std::vector<InteriorFace>& face
     if (std::abs(eyeSide) > edgeOnTolerance(f.Points, eye) && !folded)
     {
       const bool firstInFront = (eyeSide > 0) == (apexSide(0) > 0);
-      relations.push_back(firstInFront ? Relation{ f.Owners[1], f.Owners[0] } : Relation{ f.Owners[0], f.Owners[1] });
+      relations.push_back(
+        firstInFront ? Relation{ f.Owners[1], f.Owners[0] } : Relation{ f.Owners[0], f.Owners[1] });
     }
   }
   return relations;
 }
 
-inline std::int64_t countViolations(const std::vector<Relation>& relations, const std::vector<std::int32_t>& order)
+inline std::int64_t countViolations(
+  const std::vector<Relation>& relations, const std::vector<std::int32_t>& order)
 {
   std::vector<std::size_t> rank(order.size());
   for (std::size_t i = 0; i < order.size(); ++i)

@@ -48,7 +48,9 @@ public:
         }
       }
     }
-    const auto id = [&](int i, int j, int k) { return first + i + (n[0] + 1) * (j + vtkIdType(n[1] + 1) * k); };
+    const auto id = [&](int i, int j, int k) {
+      return first + i + (n[0] + 1) * (j + vtkIdType(n[1] + 1) * k);
+    };
     for (int k = 0; k < n[2]; ++k)
     {
       for (int j = 0; j < n[1]; ++j)
@@ -58,21 +60,22 @@ public:
           if (!skip(i, j, k))
           {
             this->Cells.push_back({ VTK_HEXAHEDRON,
-              { id(i, j, k), id(i + 1, j, k), id(i + 1, j + 1, k), id(i, j + 1, k), id(i, j, k + 1), id(i + 1, j, k + 1),
-                id(i + 1, j + 1, k + 1), id(i, j + 1, k + 1) } });
+              { id(i, j, k), id(i + 1, j, k), id(i + 1, j + 1, k), id(i, j + 1, k), id(i, j, k + 1),
+                id(i + 1, j, k + 1), id(i + 1, j + 1, k + 1), id(i, j + 1, k + 1) } });
           }
         }
       }
     }
   }
-  void AddBox(int n0, int n1, int n2, const std::array<double, 3>& low, const std::array<double, 3>& high)
+  void AddBox(
+    int n0, int n1, int n2, const std::array<double, 3>& low, const std::array<double, 3>& high)
   {
     const int n[3] = { n0, n1, n2 };
     this->AddBox(
       n, [](int, int, int) { return false; },
       [&](double x, double y, double z) {
-        return std::array<double, 3>{ { low[0] + x * (high[0] - low[0]), low[1] + y * (high[1] - low[1]),
-          low[2] + z * (high[2] - low[2]) } };
+        return std::array<double, 3>{ { low[0] + x * (high[0] - low[0]),
+          low[1] + y * (high[1] - low[1]), low[2] + z * (high[2] - low[2]) } };
       });
   }
   vtkSmartPointer<vtkUnstructuredGrid> Get() const { return makeGrid(this->Points, this->Cells); }
@@ -148,10 +151,12 @@ inline vtkSmartPointer<vtkUnstructuredGrid> makeLeaningRing(int n)
   for (int i = 0; i < n; ++i)
   {
     const double c = std::cos(i * turn), s = std::sin(i * turn);
-    const double corners[3][3] = { { 1, lean, 0.5 }, { 0.8, -lean, -0.5 }, { 1.2, -lean, -0.5 } }; // radius, forward, z
+    const double corners[3][3] = { { 1, lean, 0.5 }, { 0.8, -lean, -0.5 },
+      { 1.2, -lean, -0.5 } }; // radius, forward, z
     for (const auto& corner : corners)
     {
-      points.push_back({ { corner[0] * c - corner[1] * s, corner[0] * s + corner[1] * c, corner[2] } });
+      points.push_back(
+        { { corner[0] * c - corner[1] * s, corner[0] * s + corner[1] * c, corner[2] } });
     }
   }
   std::vector<std::pair<int, std::vector<vtkIdType>>> cells;
@@ -175,7 +180,8 @@ inline void addThreeBars(BlockMesh& mesh, int pieces, const std::array<double, 3
     mesh.AddBox(
       n, [](int, int, int) { return false; },
       [&](double u, double v, double w) {
-        const double x = -1.2 + 2.4 * u, y = -0.5 + 0.16 * (v - 0.5), z = 0.3 - 0.6 * u + 0.16 * (w - 0.5);
+        const double x = -1.2 + 2.4 * u, y = -0.5 + 0.16 * (v - 0.5),
+                     z = 0.3 - 0.6 * u + 0.16 * (w - 0.5);
         return std::array<double, 3>{ { at[0] + scale * (x * std::cos(angle) - y * std::sin(angle)),
           at[1] + scale * (x * std::sin(angle) + y * std::cos(angle)), at[2] + scale * z } };
       });
@@ -213,7 +219,8 @@ inline vtkSmartPointer<vtkStructuredGrid> makeTwistedTube(int n, int m, double t
 {
   const double pi = std::acos(-1.0);
   return makeStructuredGrid(n, m, m, [=](double i, double j, double k, double x[3]) {
-    const double angle = 2 * pi * std::fmod(i, n) / n + twist * (k / m - 0.5), r = 0.6 + 0.4 * j / m;
+    const double angle = 2 * pi * std::fmod(i, n) / n + twist * (k / m - 0.5),
+                 r = 0.6 + 0.4 * j / m;
     x[0] = r * std::cos(angle);
     x[1] = r * std::sin(angle);
     x[2] = k / m - 0.5;

@@ -26,7 +26,8 @@ class PixelCamera
 {
 public:
   /** `half` is the tangent of half the view angle, or half the height of a parallel view. Places are relative to the centre. */
-  PixelCamera(const Vector3& eye, const Vector3& focus, double half, bool parallel, int width, int height)
+  PixelCamera(
+    const Vector3& eye, const Vector3& focus, double half, bool parallel, int width, int height)
     : Eye(eye)
     , Forward(unit(difference(focus, eye)))
     , Right(unit(cross(this->Forward, { { 0.05, 0.02, 1 } })))
@@ -43,14 +44,16 @@ public:
     OrderView view;
     view.Width = this->Width;
     view.Height = this->Height;
-    view.Eye = this->Parallel ? Vector4{ { -this->Forward[0], -this->Forward[1], -this->Forward[2], 0 } }
-                              : Vector4{ { this->Eye[0], this->Eye[1], this->Eye[2], 1 } };
+    view.Eye = this->Parallel
+      ? Vector4{ { -this->Forward[0], -this->Forward[1], -this->Forward[2], 0 } }
+      : Vector4{ { this->Eye[0], this->Eye[1], this->Eye[2], 1 } };
     const double near = 0.01, far = 100;
     for (std::size_t i = 0; i < 3; ++i)
     {
       view.ModelToDevice[i] = this->Right[i] / (this->Half * this->Aspect());
       view.ModelToDevice[4 + i] = this->Up[i] / this->Half;
-      view.ModelToDevice[8 + i] = this->Forward[i] * (this->Parallel ? 2 / (far - near) : (far + near) / (far - near));
+      view.ModelToDevice[8 + i] =
+        this->Forward[i] * (this->Parallel ? 2 / (far - near) : (far + near) / (far - near));
       view.ModelToDevice[12 + i] = this->Parallel ? 0 : this->Forward[i];
     }
     for (std::size_t row = 0; row < 4; ++row)
@@ -58,7 +61,8 @@ public:
       double* m = &view.ModelToDevice[4 * row];
       m[3] = -(m[0] * this->Eye[0] + m[1] * this->Eye[1] + m[2] * this->Eye[2]);
     }
-    view.ModelToDevice[11] -= this->Parallel ? (far + near) / (far - near) : 2 * far * near / (far - near);
+    view.ModelToDevice[11] -=
+      this->Parallel ? (far + near) / (far - near) : 2 * far * near / (far - near);
     view.ModelToDevice[15] += this->Parallel ? 1 : 0;
     return view;
   }
@@ -94,8 +98,8 @@ private:
 };
 
 /** Where a ray enters and leaves a tetrahedron (not before its origin, if it has an eye there); false: it misses. */
-inline bool clipRay(const std::array<Vector3, 4>& p, const Vector3& origin, const Vector3& direction, bool parallel,
-  double& in, double& out)
+inline bool clipRay(const std::array<Vector3, 4>& p, const Vector3& origin,
+  const Vector3& direction, bool parallel, double& in, double& out)
 {
   in = parallel ? -1e300 : 0;
   out = 1e300;
@@ -104,7 +108,8 @@ inline bool clipRay(const std::array<Vector3, 4>& p, const Vector3& origin, cons
     const Vector3 &a = p[(i + 1) % 4], &b = p[(i + 2) % 4], &c = p[(i + 3) % 4];
     const double inside = planeSide(a, b, c, { { p[i][0], p[i][1], p[i][2], 1 } });
     const double start = planeSide(a, b, c, { { origin[0], origin[1], origin[2], 1 } }) / inside;
-    const double speed = planeSide(a, b, c, { { direction[0], direction[1], direction[2], 0 } }) / inside;
+    const double speed =
+      planeSide(a, b, c, { { direction[0], direction[1], direction[2], 0 } }) / inside;
     if (speed > 0)
     {
       in = std::max(in, -start / speed);
@@ -123,21 +128,22 @@ inline bool clipRay(const std::array<Vector3, 4>& p, const Vector3& origin, cons
 
 struct RayCheck
 {
-  std::int64_t Crossings = 0;     ///< of rays and what is drawn
-  std::int64_t Inversions = 0;    ///< what is drawn later ends behind where something drawn before begins
-  double Deepest = 0;             ///< how far behind, at most
-  double LargestGap = 0;          ///< of a tetrahedron's path, not covered by its pieces
+  std::int64_t Crossings = 0; ///< of rays and what is drawn
+  std::int64_t Inversions =
+    0;                   ///< what is drawn later ends behind where something drawn before begins
+  double Deepest = 0;    ///< how far behind, at most
+  double LargestGap = 0; ///< of a tetrahedron's path, not covered by its pieces
 };
 
 inline std::ostream& operator<<(std::ostream& out, const RayCheck& c)
 {
-  return out << c.Crossings << " crossings, " << c.Inversions << " inverted, by " << c.Deepest << " at most; gaps up to "
-             << c.LargestGap;
+  return out << c.Crossings << " crossings, " << c.Inversions << " inverted, by " << c.Deepest
+             << " at most; gaps up to " << c.LargestGap;
 }
 
 /** Overlaps shorter than `tolerance` are those of rounding, and of cells that differ by rounding. */
-inline RayCheck checkRays(const CellGeometry& geometry, const VisibilityOrder::Sorted& sorted, const PixelCamera& camera,
-  double tolerance = 1e-4)
+inline RayCheck checkRays(const CellGeometry& geometry, const VisibilityOrder::Sorted& sorted,
+  const PixelCamera& camera, double tolerance = 1e-4)
 {
   const std::size_t whole = geometry.Tetrahedra.size();
   std::vector<std::array<Vector3, 4>> drawn;
@@ -154,7 +160,9 @@ inline RayCheck checkRays(const CellGeometry& geometry, const VisibilityOrder::S
     std::array<Vector3, 4> p;
     for (std::size_t k = 0; k < 4; ++k)
     {
-      const auto& point = sorted.Pieces.Points[std::size_t(sorted.Pieces.Tetrahedra[i - whole][k]) - geometry.Points.size()];
+      const auto& point =
+        sorted.Pieces
+          .Points[std::size_t(sorted.Pieces.Tetrahedra[i - whole][k]) - geometry.Points.size()];
       p[k] = { { point.X, point.Y, point.Z } };
     }
     drawn.push_back(p);

@@ -38,8 +38,9 @@ double volumeOf(const CellGeometry& geometry)
   for (std::size_t i = 0; i < geometry.Tetrahedra.size(); ++i)
   {
     const std::array<Vector3, 4> p = geometry.Vertices(i);
-    sum +=
-      std::fabs(dot(cross(difference(p[1], p[0]), difference(p[2], p[0])), difference(p[3], p[0]))) / 6;
+    sum += std::fabs(
+             dot(cross(difference(p[1], p[0]), difference(p[2], p[0])), difference(p[3], p[0]))) /
+      6;
   }
   return sum;
 }
@@ -75,7 +76,8 @@ double scalarOf(const CellGeometry& geometry, float normalised)
   return geometry.ScalarRange[0] + normalised * (geometry.ScalarRange[1] - geometry.ScalarRange[0]);
 }
 
-void hideCell(vtkDataSet* data, vtkIdType cell, unsigned char flag = vtkDataSetAttributes::HIDDENCELL)
+void hideCell(
+  vtkDataSet* data, vtkIdType cell, unsigned char flag = vtkDataSetAttributes::HIDDENCELL)
 {
   data->AllocateCellGhostArray()->SetValue(cell, flag);
 }
@@ -83,20 +85,23 @@ void hideCell(vtkDataSet* data, vtkIdType cell, unsigned char flag = vtkDataSetA
 /** The unit cube as one cell of each linear type, or cut into several of them. */
 vtkSmartPointer<vtkUnstructuredGrid> unitCubeOf(int type)
 {
-  const std::vector<std::array<double, 3>> p = { { { 0, 0, 0 } }, { { 1, 0, 0 } }, { { 1, 1, 0 } }, { { 0, 1, 0 } },
-    { { 0, 0, 1 } }, { { 1, 0, 1 } }, { { 1, 1, 1 } }, { { 0, 1, 1 } }, { { 0.5, 0.5, 0.5 } } };
+  const std::vector<std::array<double, 3>> p = { { { 0, 0, 0 } }, { { 1, 0, 0 } }, { { 1, 1, 0 } },
+    { { 0, 1, 0 } }, { { 0, 0, 1 } }, { { 1, 0, 1 } }, { { 1, 1, 1 } }, { { 0, 1, 1 } },
+    { { 0.5, 0.5, 0.5 } } };
   switch (type)
   {
     case VTK_TETRA:
-      return makeGrid(p, { { type, { 0, 1, 3, 4 } }, { type, { 1, 2, 3, 6 } }, { type, { 1, 5, 4, 6 } },
-                           { type, { 3, 4, 6, 7 } }, { type, { 1, 3, 4, 6 } } });
+      return makeGrid(p,
+        { { type, { 0, 1, 3, 4 } }, { type, { 1, 2, 3, 6 } }, { type, { 1, 5, 4, 6 } },
+          { type, { 3, 4, 6, 7 } }, { type, { 1, 3, 4, 6 } } });
     case VTK_VOXEL:
       return makeGrid(p, { { type, { 0, 1, 3, 2, 4, 5, 7, 6 } } });
     case VTK_WEDGE:
       return makeGrid(p, { { type, { 0, 1, 2, 4, 5, 6 } }, { type, { 0, 2, 3, 4, 6, 7 } } });
     case VTK_PYRAMID:
-      return makeGrid(p, { { type, { 0, 1, 2, 3, 8 } }, { type, { 4, 5, 6, 7, 8 } }, { type, { 0, 1, 5, 4, 8 } },
-                           { type, { 3, 2, 6, 7, 8 } }, { type, { 0, 3, 7, 4, 8 } }, { type, { 1, 2, 6, 5, 8 } } });
+      return makeGrid(p,
+        { { type, { 0, 1, 2, 3, 8 } }, { type, { 4, 5, 6, 7, 8 } }, { type, { 0, 1, 5, 4, 8 } },
+          { type, { 3, 2, 6, 7, 8 } }, { type, { 0, 3, 7, 4, 8 } }, { type, { 1, 2, 6, 5, 8 } } });
     default:
       return makeGrid(p, { { VTK_HEXAHEDRON, { 0, 1, 2, 3, 4, 5, 6, 7 } } });
   }
@@ -126,8 +131,10 @@ TEST(CellGeometry, LinearCells)
     EXPECT_EQ(geometry.NumberOfUnsupportedCells + geometry.NumberOfInvalidCells, 0);
   }
   const double turn = 2 * std::acos(-1.0);
-  EXPECT_NEAR(volumeOf(buildNumbered(prismOf(VTK_PENTAGONAL_PRISM, 5))), 2.5 * std::sin(turn / 5), 1e-6);
-  EXPECT_NEAR(volumeOf(buildNumbered(prismOf(VTK_HEXAGONAL_PRISM, 6))), 3 * std::sin(turn / 6), 1e-6);
+  EXPECT_NEAR(
+    volumeOf(buildNumbered(prismOf(VTK_PENTAGONAL_PRISM, 5))), 2.5 * std::sin(turn / 5), 1e-6);
+  EXPECT_NEAR(
+    volumeOf(buildNumbered(prismOf(VTK_HEXAGONAL_PRISM, 6))), 3 * std::sin(turn / 6), 1e-6);
 }
 
 TEST(CellGeometry, Polyhedra)
@@ -135,7 +142,8 @@ TEST(CellGeometry, Polyhedra)
   auto grid = unitCubeOf(VTK_HEXAHEDRON);
   vtkNew<vtkUnstructuredGrid> polyhedra;
   polyhedra->SetPoints(grid->GetPoints());
-  const vtkIdType faces[] = { 6, 4, 0, 4, 7, 3, 4, 1, 2, 6, 5, 4, 0, 1, 5, 4, 4, 3, 7, 6, 2, 4, 0, 3, 2, 1, 4, 4, 5, 6, 7 };
+  const vtkIdType faces[] = { 6, 4, 0, 4, 7, 3, 4, 1, 2, 6, 5, 4, 0, 1, 5, 4, 4, 3, 7, 6, 2, 4, 0,
+    3, 2, 1, 4, 4, 5, 6, 7 };
   vtkNew<vtkIdList> stream;
   for (const vtkIdType value : faces)
   {
@@ -144,7 +152,8 @@ TEST(CellGeometry, Polyhedra)
   polyhedra->InsertNextCell(VTK_POLYHEDRON, stream);
   const CellGeometry geometry = buildNumbered(polyhedra);
   EXPECT_NEAR(volumeOf(geometry), 1, 1e-6);
-  EXPECT_EQ(geometry.Tetrahedra, buildNumbered(grid).Tetrahedra) << "a cube is cut the same whatever its cell type";
+  EXPECT_EQ(geometry.Tetrahedra, buildNumbered(grid).Tetrahedra)
+    << "a cube is cut the same whatever its cell type";
 }
 
 TEST(CellGeometry, QuadraticTetrahedronAsVTKTriangulatesIt)
@@ -164,9 +173,10 @@ TEST(CellGeometry, QuadraticTetrahedronAsVTKTriangulatesIt)
 // VTK 9.2 divides four of these kinds into nothing, or into wedges.
 TEST(CellGeometry, HigherOrderCellsFillTheirVolume)
 {
-  const std::pair<int, double> kinds[] = { { VTK_QUADRATIC_TETRA, 1.0 / 6 }, { VTK_QUADRATIC_HEXAHEDRON, 1 }, { VTK_TRIQUADRATIC_HEXAHEDRON, 1 },
-    { VTK_BIQUADRATIC_QUADRATIC_HEXAHEDRON, 1 }, { VTK_QUADRATIC_WEDGE, 0.5 }, { VTK_QUADRATIC_LINEAR_WEDGE, 0.5 },
-    { VTK_BIQUADRATIC_QUADRATIC_WEDGE, 0.5 } };
+  const std::pair<int, double> kinds[] = { { VTK_QUADRATIC_TETRA, 1.0 / 6 },
+    { VTK_QUADRATIC_HEXAHEDRON, 1 }, { VTK_TRIQUADRATIC_HEXAHEDRON, 1 },
+    { VTK_BIQUADRATIC_QUADRATIC_HEXAHEDRON, 1 }, { VTK_QUADRATIC_WEDGE, 0.5 },
+    { VTK_QUADRATIC_LINEAR_WEDGE, 0.5 }, { VTK_BIQUADRATIC_QUADRATIC_WEDGE, 0.5 } };
   for (const auto& kind : kinds)
   {
     vtkNew<vtkGenericCell> cell;
@@ -224,7 +234,8 @@ TEST(CellGeometry, RectilinearGrid)
 TEST(CellGeometry, StructuredGridAndPointScalars)
 {
   auto grid = makeLattice(4);
-  vtkDataArray* scalars = addScalars(grid, false, [](vtkIdType i) { return 200 + 0.25 * double(i * i); });
+  vtkDataArray* scalars =
+    addScalars(grid, false, [](vtkIdType i) { return 200 + 0.25 * double(i * i); });
   const CellGeometry geometry = build(grid, scalars);
   EXPECT_NEAR(volumeOf(geometry), 64, 1e-4);
   EXPECT_EQ(geometry.ScalarRange[0], 200);
@@ -234,7 +245,8 @@ TEST(CellGeometry, StructuredGridAndPointScalars)
   {
     double x[3];
     grid->GetPoint(vtkIdType(i), x);
-    EXPECT_NEAR(scalarOf(geometry, geometry.Points[i].Scalar), scalars->GetComponent(vtkIdType(i), 0), 1e-3);
+    EXPECT_NEAR(
+      scalarOf(geometry, geometry.Points[i].Scalar), scalars->GetComponent(vtkIdType(i), 0), 1e-3);
     EXPECT_NEAR(geometry.Points[i].X + geometry.Center[0], x[0], 1e-6);
     EXPECT_NEAR(geometry.Points[i].Y + geometry.Center[1], x[1], 1e-6);
     EXPECT_NEAR(geometry.Points[i].Z + geometry.Center[2], x[2], 1e-6);
@@ -257,7 +269,8 @@ TEST(CellGeometry, CellScalars)
         center[axis] += 0.25 * p[axis];
       }
     }
-    const double cell = std::floor(center[0] + 1.5) + 3 * std::floor(center[1] + 1.5) + 9 * std::floor(center[2] + 1.5);
+    const double cell = std::floor(center[0] + 1.5) + 3 * std::floor(center[1] + 1.5) +
+      9 * std::floor(center[2] + 1.5);
     ASSERT_NEAR(scalarOf(geometry, geometry.CellScalars[i]), 10 - cell, 1e-5);
   }
 }
@@ -278,15 +291,16 @@ TEST(CellGeometry, VectorComponentAndMagnitude)
   {
     const double* v = vectors->GetTuple3(i);
     const std::size_t p = std::size_t(i);
-    EXPECT_NEAR(scalarOf(magnitude, magnitude.Points[p].Scalar), std::hypot(v[0], v[1], v[2]), 1e-6);
+    EXPECT_NEAR(
+      scalarOf(magnitude, magnitude.Points[p].Scalar), std::hypot(v[0], v[1], v[2]), 1e-6);
     EXPECT_NEAR(scalarOf(second, second.Points[p].Scalar), v[1], 1e-6);
   }
 }
 
 TEST(CellGeometry, SkipsHiddenAndGhostCells)
 {
-  for (const unsigned char flag :
-    { vtkDataSetAttributes::HIDDENCELL, vtkDataSetAttributes::DUPLICATECELL, vtkDataSetAttributes::REFINEDCELL })
+  for (const unsigned char flag : { vtkDataSetAttributes::HIDDENCELL,
+         vtkDataSetAttributes::DUPLICATECELL, vtkDataSetAttributes::REFINEDCELL })
   {
     auto structured = makeLattice(3);
     hideCell(structured, 13, flag);
@@ -321,13 +335,14 @@ TEST(CellGeometry, HiddenFillValuesDoNotSpoilTheScalars)
   {
     auto points = makeLattice(3);
     points->AllocatePointGhostArray()->SetValue(0, vtkDataSetAttributes::HIDDENPOINT);
-    const CellGeometry onPoints =
-      build(points, addScalars(points, false, [&](vtkIdType i) { return i == 0 ? fill : double(i); }));
-    EXPECT_NEAR(scalarOf(onPoints, onPoints.Points[30].Scalar), 30, 1e-4) << "hidden point of " << fill;
+    const CellGeometry onPoints = build(
+      points, addScalars(points, false, [&](vtkIdType i) { return i == 0 ? fill : double(i); }));
+    EXPECT_NEAR(scalarOf(onPoints, onPoints.Points[30].Scalar), 30, 1e-4)
+      << "hidden point of " << fill;
     auto cells = makeLattice(3);
     hideCell(cells, 0);
-    const CellGeometry onCells =
-      build(cells, addScalars(cells, true, [&](vtkIdType i) { return i == 0 ? fill : double(i); }), true);
+    const CellGeometry onCells = build(
+      cells, addScalars(cells, true, [&](vtkIdType i) { return i == 0 ? fill : double(i); }), true);
     EXPECT_NEAR(scalarOf(onCells, onCells.CellScalars[0]), 1, 1e-4) << "hidden cell of " << fill;
   }
 }
@@ -344,11 +359,13 @@ TEST(CellGeometry, CountsInvalidCells)
   for (const double bad : { nan, std::numeric_limits<double>::infinity() })
   {
     auto scalars = makeLattice(3);
-    geometry = build(scalars, addScalars(scalars, false, [&](vtkIdType i) { return i == 0 ? bad : double(i); }));
+    geometry = build(
+      scalars, addScalars(scalars, false, [&](vtkIdType i) { return i == 0 ? bad : double(i); }));
     EXPECT_EQ(geometry.NumberOfInvalidCells, 1);
     EXPECT_EQ(geometry.ScalarRange[0], 1);
     EXPECT_EQ(geometry.ScalarRange[1], 63);
-    geometry = build(scalars, addScalars(scalars, true, [&](vtkIdType i) { return i < 5 ? bad : double(i); }), true);
+    geometry = build(scalars,
+      addScalars(scalars, true, [&](vtkIdType i) { return i < 5 ? bad : double(i); }), true);
     EXPECT_EQ(geometry.NumberOfInvalidCells, 5);
     EXPECT_EQ(geometry.Tetrahedra.size(), 22u * 5);
   }
@@ -374,14 +391,16 @@ TEST(CellGeometry, PoleOfAShell)
 
 TEST(CellGeometry, FlatAndUnsupportedCells)
 {
-  auto grid = makeGrid({ { { 0, 0, 0 } }, { { 1, 0, 0 } }, { { 0, 1, 0 } }, { { 1, 1, 0 } }, { { 0, 0, 1 } } },
+  auto grid = makeGrid(
+    { { { 0, 0, 0 } }, { { 1, 0, 0 } }, { { 0, 1, 0 } }, { { 1, 1, 0 } }, { { 0, 0, 1 } } },
     { { VTK_TETRA, { 0, 1, 2, 3 } }, { VTK_TETRA, { 0, 1, 2, 4 } }, { VTK_TRIANGLE, { 0, 1, 2 } },
       { VTK_LINE, { 0, 1 } }, { VTK_EMPTY_CELL, {} } });
   const CellGeometry geometry = buildNumbered(grid);
   EXPECT_EQ(geometry.Tetrahedra.size(), 1u);
   EXPECT_EQ(geometry.NumberOfFlatTetrahedra, 1);
   EXPECT_EQ(geometry.NumberOfUnsupportedCells, 2);
-  EXPECT_TRUE(geometry.UnsupportedCellType == VTK_TRIANGLE || geometry.UnsupportedCellType == VTK_LINE);
+  EXPECT_TRUE(
+    geometry.UnsupportedCellType == VTK_TRIANGLE || geometry.UnsupportedCellType == VTK_LINE);
 }
 
 TEST(CellGeometry, HugeCoordinates)
@@ -471,7 +490,8 @@ TEST(CellGeometry, NumberingDoesNotChangeTheCuts)
 TEST(CellGeometry, BuildForgetsTheLastInput)
 {
   auto grid = makeLattice(2);
-  CellGeometry geometry = build(grid, addScalars(grid, true, [](vtkIdType i) { return double(i); }), true);
+  CellGeometry geometry =
+    build(grid, addScalars(grid, true, [](vtkIdType i) { return double(i); }), true);
   auto shell = makeShell(8, 4, 1, 80, 1, 2);
   ASSERT_EQ(geometry.Build(shell, { addPointNumbers(shell), false, -1 }), "");
   expectSame(geometry, buildNumbered(shell));

@@ -31,7 +31,8 @@ protected:
     CellScene::OrderMethod method = CellScene::OrderMethod::Exact)
   {
     std::string error;
-    this->Scene.UpdateGeometry(this->Data, { this->Scalars, false, -1 }, {}, CellGeometry::Form::Tetrahedra, error);
+    this->Scene.UpdateGeometry(
+      this->Data, { this->Scalars, false, -1 }, {}, CellGeometry::Form::Tetrahedra, error);
     EXPECT_EQ(error, "");
     this->Scene.UpdateTransferFunction(this->Property);
     OrderView view;
@@ -158,7 +159,8 @@ TEST_F(SceneOfALattice, CyclesAreCutAndCounted)
   this->Data = tube;
   this->Scalars = addPointNumbers(tube);
   const Vector4 above = { { 0.1, 0.05, 9, 1 } }, aside = { { 9, 1, 0.5, 1 } };
-  EXPECT_EQ(this->Update(aside).Pieces, this->Update({ { 9, 1, 0.6, 1 } }).Pieces) << "nothing to upload";
+  EXPECT_EQ(this->Update(aside).Pieces, this->Update({ { 9, 1, 0.6, 1 } }).Pieces)
+    << "nothing to upload";
   const std::size_t whole = this->Scene.GetGeometry().Tetrahedra.size();
   ASSERT_EQ(this->Scene.GetDrawn().size(), whole);
   EXPECT_EQ(this->Scene.CountCycles({}).Number, 0);
@@ -195,10 +197,13 @@ TEST_F(SceneOfALattice, StoppedAndResumed)
   const Progress stop([](double) { return false; });
   std::string error;
   this->Data->Modified();
-  EXPECT_FALSE(this->Scene.UpdateGeometry(this->Data, { this->Scalars, false, -1 }, {}, CellGeometry::Form::Tetrahedra, error, nullptr, stop));
+  EXPECT_FALSE(this->Scene.UpdateGeometry(this->Data, { this->Scalars, false, -1 }, {},
+    CellGeometry::Form::Tetrahedra, error, nullptr, stop));
   EXPECT_EQ(error, "");
   EXPECT_TRUE(this->Scene.GetGeometry().Tetrahedra.empty());
-  EXPECT_TRUE(this->Scene.UpdateGeometry(this->Data, { this->Scalars, false, -1 }, {}, CellGeometry::Form::Tetrahedra, error)) << "made again";
+  EXPECT_TRUE(this->Scene.UpdateGeometry(
+    this->Data, { this->Scalars, false, -1 }, {}, CellGeometry::Form::Tetrahedra, error))
+    << "made again";
   EXPECT_FALSE(this->Scene.UpdateOrder(CellScene::OrderMethod::Exact, stop));
   this->Update();
   EXPECT_EQ(this->Scene.GetDrawn(), drawn);
@@ -206,7 +211,8 @@ TEST_F(SceneOfALattice, StoppedAndResumed)
   OrderView view;
   view.Eye = { { 9, 8, 7, 1 } };
   this->Scene.UpdateView(view);
-  EXPECT_FALSE(this->Scene.UpdateOrder(CellScene::OrderMethod::Exact, stop)) << "connected, but not sorted";
+  EXPECT_FALSE(this->Scene.UpdateOrder(CellScene::OrderMethod::Exact, stop))
+    << "connected, but not sorted";
   this->Update();
   EXPECT_EQ(this->Scene.GetDrawn(), drawn);
 }

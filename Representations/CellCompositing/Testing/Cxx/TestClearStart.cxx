@@ -63,8 +63,9 @@ TEST(ClearStart, StaysWhereTheEyeIsClear)
 
 TEST(ClearStart, IsClearFromVerticesEdgesFacesAndBesideThem)
 {
-  const Vector4 places[] = { { { 1, 0, 0, 0 } }, { { 0, 0, 1, 0 } }, { { 0.5, 0.5, 0, 0 } }, { { 0, 0.3, 0, 0.7 } },
-    { { 0.2, 0.3, 0.5, 0 } }, { { 0, 0.1, 0.2, 0.7 } }, { { 1.0005, -0.0005, 0, 0 } }, { { 0.2, 0.3, 0.5005, -0.0005 } } };
+  const Vector4 places[] = { { { 1, 0, 0, 0 } }, { { 0, 0, 1, 0 } }, { { 0.5, 0.5, 0, 0 } },
+    { { 0, 0.3, 0, 0.7 } }, { { 0.2, 0.3, 0.5, 0 } }, { { 0, 0.1, 0.2, 0.7 } },
+    { { 1.0005, -0.0005, 0, 0 } }, { { 0.2, 0.3, 0.5005, -0.0005 } } };
   std::mt19937 random(4);
   std::uniform_real_distribution<double> uniform(-1, 1);
   Corners p = corner;
@@ -93,7 +94,10 @@ TEST(ClearStart, IsClearFromVerticesEdgesFacesAndBesideThem)
 TEST(ClearStart, NeedsTheEyeNearAndAVolume)
 {
   EXPECT_FALSE(startFrom(corner, { { -0.01, 0.3, 0.3 } }).Found);
-  EXPECT_FALSE(startFrom({ { corner[0], corner[1], corner[2], corner[2] } }, { { 0.2, 0.2, 0 } }).Found);
-  EXPECT_FALSE(startFrom({ { corner[0], corner[1], corner[2], { { 1, 1, 0 } } } }, { { 0.2, 0.2, 0 } }).Found);
-  EXPECT_FALSE(startFrom({ { corner[0], corner[0], corner[0], corner[0] } }, { { 0, 0, 0 } }).Found);
+  EXPECT_FALSE(
+    startFrom({ { corner[0], corner[1], corner[2], corner[2] } }, { { 0.2, 0.2, 0 } }).Found);
+  EXPECT_FALSE(
+    startFrom({ { corner[0], corner[1], corner[2], { { 1, 1, 0 } } } }, { { 0.2, 0.2, 0 } }).Found);
+  EXPECT_FALSE(
+    startFrom({ { corner[0], corner[0], corner[0], corner[0] } }, { { 0, 0, 0 } }).Found);
 }

@@ -28,7 +28,7 @@ struct Layer
 
 struct Scene
 {
-  std::vector<Layer> Layers;                 // one more than contours
+  std::vector<Layer> Layers;                  // one more than contours
   std::vector<std::array<float, 5>> Contours; // value, colour, opacity
 };
 
@@ -37,10 +37,12 @@ Scene randomScene(Random& random)
   Scene scene;
   for (int i = 0; i <= numberOfContours; ++i)
   {
-    scene.Layers.push_back({ { { float(random.Uniform()), float(random.Uniform()), float(random.Uniform()) } },
-      float(random.Uniform()), float(random.Uniform()) });
-    scene.Contours.push_back({ { float((i + random.Uniform(0.2, 0.8)) / numberOfContours), float(random.Uniform()),
-      float(random.Uniform()), float(random.Uniform()), i % 3 ? float(random.Uniform()) : 0.0f } });
+    scene.Layers.push_back(
+      { { { float(random.Uniform()), float(random.Uniform()), float(random.Uniform()) } },
+        float(random.Uniform()), float(random.Uniform()) });
+    scene.Contours.push_back({ { float((i + random.Uniform(0.2, 0.8)) / numberOfContours),
+      float(random.Uniform()), float(random.Uniform()), float(random.Uniform()),
+      i % 3 ? float(random.Uniform()) : 0.0f } });
   }
   scene.Contours.pop_back();
   return scene;
@@ -71,10 +73,14 @@ void addBuffers(ShaderRunner& runner, const Scene& scene)
   runner.AddBuffer("contours", contours, 4);
 }
 
-void compositeMedium(const Layer& layer, long double front, long double back, long double length, Double4& result)
+void compositeMedium(
+  const Layer& layer, long double front, long double back, long double length, Double4& result)
 {
-  const auto extinction = [&](long double s) { return layer.Low + s * ((long double)(layer.High) - layer.Low); };
-  const ReferenceWeights weights = referenceWeights(extinction(front) * length, extinction(back) * length);
+  const auto extinction = [&](long double s) {
+    return layer.Low + s * ((long double)(layer.High) - layer.Low);
+  };
+  const ReferenceWeights weights =
+    referenceWeights(extinction(front) * length, extinction(back) * length);
   const long double clear = 1 - result[3], alpha = weights.Front + weights.Back;
   for (std::size_t c = 0; c < 3; ++c)
   {
@@ -125,15 +131,19 @@ Double4 referenceSegment(const Scene& scene, long double front, long double back
 std::string shaderSource()
 {
   std::string constants;
-  for (const char* on : { "splitAtControlPoints", "useLayers", "useContours", "contourLayers", "contourOfColor" })
+  for (const char* on :
+    { "splitAtControlPoints", "useLayers", "useContours", "contourLayers", "contourOfColor" })
   {
     constants += std::string("const bool ") + on + " = true;\n";
   }
-  for (const char* off : { "averageIntegration", "separateOpacity", "contourLighting", "smoothContourNormals" })
+  for (const char* off :
+    { "averageIntegration", "separateOpacity", "contourLighting", "smoothContourNormals" })
   {
     constants += std::string("const bool ") + off + " = false;\n";
   }
-  return constants + "uniform vec4 eyeVC;\nuniform IntegerArray tetrahedra;\nuniform FloatArray points;\n" + readShader("OpticalSegment.glsl") + readShader("TransferFunction.glsl") +
+  return constants +
+    "uniform vec4 eyeVC;\nuniform IntegerArray tetrahedra;\nuniform FloatArray points;\n" +
+    readShader("OpticalSegment.glsl") + readShader("TransferFunction.glsl") +
     readShader("ContourSurfaces.glsl") + readShader("ProjectedContours.glsl");
 }
 
@@ -148,7 +158,8 @@ void setUniforms(vtkShaderProgram* program)
   program->SetUniform2fv("quadratureNodes", numberOfQuadratureNodes, nodes);
   program->SetUniformi("numberOfContours", numberOfContours);
   // Not read here, but two kinds of sampler must not share a texture unit.
-  const char* const unused[] = { "tetrahedra", "points", "contourGradients", "opacityNodes", "opacityIntervals" };
+  const char* const unused[] = { "tetrahedra", "points", "contourGradients", "opacityNodes",
+    "opacityIntervals" };
   for (int i = 0; i < 5; ++i)
   {
     if (program->IsUniformUsed(unused[i]))
@@ -199,8 +210,8 @@ TEST(ContourShader, SurfacesAndLayers)
     for (std::size_t c = 0; c < 4; ++c)
     {
       const double difference = std::fabs(double(results[i][c] - expected[c]));
-      EXPECT_LE(difference, 3e-6) << "from " << segments[i][0] << " to " << segments[i][1] << ", optical scale "
-                                  << scales[i][0] << ", component " << c;
+      EXPECT_LE(difference, 3e-6) << "from " << segments[i][0] << " to " << segments[i][1]
+                                  << ", optical scale " << scales[i][0] << ", component " << c;
       largest = std::max(largest, difference);
     }
   }

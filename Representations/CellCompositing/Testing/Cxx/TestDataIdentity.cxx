@@ -194,7 +194,8 @@ TEST(Fingerprint, TellsEveryValueApart)
   EXPECT_EQ(fingerprint(nullptr), 0u);
   for (const int threads : { 1, 2, 4 })
   {
-    nephoscope_test::withThreads(threads, [&]() { EXPECT_EQ(fingerprint(values), before) << threads; });
+    nephoscope_test::withThreads(
+      threads, [&]() { EXPECT_EQ(fingerprint(values), before) << threads; });
   }
 }
 

@@ -37,7 +37,8 @@ double sweep(const std::vector<Face>& faces, double light, bool average)
     {
       const Face &near = face.Z < last.Z ? face : last, &far = face.Z < last.Z ? last : face;
       const double length = crossings * (last.Z - face.Z), size = std::fabs(length);
-      light = advance(light, faceSegmentStep(size * near.Extinction, size * far.Extinction, length < 0, average),
+      light = advance(light,
+        faceSegmentStep(size * near.Extinction, size * far.Extinction, length < 0, average),
         near.Color, far.Color);
     }
     last = face;
@@ -125,8 +126,10 @@ TEST(FaceSegment, VaryingMediumInTheRightOrderOnly)
       if (back.Mark != -1)
       {
         const double length = back.Z - front.Z;
-        const ReferenceWeights w = referenceWeights(length * front.Extinction, length * back.Extinction);
-        expected = double(1 - w.Front - w.Back) * expected + double(w.Front) * front.Color + double(w.Back) * back.Color;
+        const ReferenceWeights w =
+          referenceWeights(length * front.Extinction, length * back.Extinction);
+        expected = double(1 - w.Front - w.Back) * expected + double(w.Front) * front.Color +
+          double(w.Back) * back.Color;
       }
     }
     EXPECT_NEAR(sweep(faces, 1, false), expected, 1e-6);
@@ -142,8 +145,11 @@ TEST(FaceSegment, LinearMediumInAnyOrderInside)
   Random random(45);
   for (int i = 0; i < 200; ++i)
   {
-    const double rate = random.Uniform(0, 1), slope = random.Uniform(0, 0.3), hue = random.Uniform(-0.1, 0.1);
-    const auto face = [&](double z, int mark) { return Face{ z, rate + slope * z, 0.5 + hue * z, mark }; };
+    const double rate = random.Uniform(0, 1), slope = random.Uniform(0, 0.3),
+                 hue = random.Uniform(-0.1, 0.1);
+    const auto face = [&](double z, int mark) {
+      return Face{ z, rate + slope * z, 0.5 + hue * z, mark };
+    };
     std::vector<Face> faces = { face(4, 1) };
     for (int k = 0; k < 6; ++k)
     {
@@ -159,9 +165,11 @@ TEST(FaceSegment, ThickStepsStayFinite)
 {
   for (const double tau : { 299.0, 301.0, 1e6, 1e300 })
   {
-    const auto forward = faceSegmentStep(tau, tau, false, false), backward = faceSegmentStep(tau, tau, true, false);
+    const auto forward = faceSegmentStep(tau, tau, false, false),
+               backward = faceSegmentStep(tau, tau, true, false);
     EXPECT_NEAR(forward.Near + forward.Far, 1, 1e-15);
-    EXPECT_TRUE(std::isfinite(backward.Transparency) && std::isfinite(backward.Near) && std::isfinite(backward.Far));
+    EXPECT_TRUE(std::isfinite(backward.Transparency) && std::isfinite(backward.Near) &&
+      std::isfinite(backward.Far));
   }
   const auto nothing = faceSegmentStep(0.0, 0.0, false, false);
   EXPECT_EQ(nothing.Transparency, 1);

@@ -50,7 +50,8 @@ struct TestView
     this->ModelToView->SetElement(2, 3, -distance);
     const double depth = far - near;
     this->ViewToDevice->SetElement(2, 2, parallel ? -2 / depth : -(far + near) / depth);
-    this->ViewToDevice->SetElement(2, 3, parallel ? -(far + near) / depth : -2 * far * near / depth);
+    this->ViewToDevice->SetElement(
+      2, 3, parallel ? -(far + near) / depth : -2 * far * near / depth);
     this->ViewToDevice->SetElement(3, 2, parallel ? 0 : -1);
     this->ViewToDevice->SetElement(3, 3, parallel ? 1 : 0);
     if (parallel)
@@ -59,7 +60,10 @@ struct TestView
       this->Eye[3] = 0;
     }
   }
-  FaceView View() const { return FaceView(this->ModelToView, this->ViewToDevice, this->Eye, size, size); }
+  FaceView View() const
+  {
+    return FaceView(this->ModelToView, this->ViewToDevice, this->Eye, size, size);
+  }
 };
 
 /** A lattice of n^3 hexahedra over [-.5, .5]^3 with wobbly inner points, and a scalar. */
@@ -98,7 +102,8 @@ TransferFunctionTable constantMedium()
   return table;
 }
 
-std::vector<float> draw(const TestMesh& mesh, const FaceView& view, const TransferFunctionTable& table, bool sorted)
+std::vector<float> draw(
+  const TestMesh& mesh, const FaceView& view, const TransferFunctionTable& table, bool sorted)
 {
   FaceProjection projection;
   projection.Build(mesh.Geometry, mesh.Faces, mesh.Visible, view, sorted);
@@ -141,7 +146,8 @@ std::vector<std::size_t> backToFront(const TestMesh& mesh, const Vector4& eye)
     const bool firstBehind = planeSide(at(0), at(1), at(2), eye) > 0; // the eye sees its outside
     if (face.Second >= 0)
     {
-      behind[std::size_t(firstBehind ? face.Second : face.First)].insert(firstBehind ? face.First : face.Second);
+      behind[std::size_t(firstBehind ? face.Second : face.First)].insert(
+        firstBehind ? face.First : face.Second);
     }
   }
   std::vector<std::size_t> order;
@@ -151,7 +157,8 @@ std::vector<std::size_t> backToFront(const TestMesh& mesh, const Vector4& eye)
     before = order.size();
     for (std::size_t i = 0; i < behind.size(); ++i)
     {
-      if (!drawn.count(std::int32_t(i)) && std::includes(drawn.begin(), drawn.end(), behind[i].begin(), behind[i].end()))
+      if (!drawn.count(std::int32_t(i)) &&
+        std::includes(drawn.begin(), drawn.end(), behind[i].begin(), behind[i].end()))
       {
         drawn.insert(std::int32_t(i));
         order.push_back(i);
@@ -231,13 +238,15 @@ std::array<double, 2> compositeCells(const TestMesh& mesh, const Ray& ray)
   {
     const auto vertices = mesh.Geometry.Vertices(i);
     const Vector3& o = ray.Origin;
-    const Vector3 ahead = { { o[0] + ray.Direction[0], o[1] + ray.Direction[1], o[2] + ray.Direction[2] } };
+    const Vector3 ahead = { { o[0] + ray.Direction[0], o[1] + ray.Direction[1],
+      o[2] + ray.Direction[2] } };
     const Vector4 at = barycentric(vertices, o), next = barycentric(vertices, ahead);
     double low = 0, high = 1e9;
     for (int k = 0; k < 4; ++k)
     {
       const double slope = next[k] - at[k];
-      (slope > 0 ? low : high) = slope > 0 ? std::max(low, -at[k] / slope) : std::min(high, -at[k] / slope);
+      (slope > 0 ? low : high) =
+        slope > 0 ? std::max(low, -at[k] / slope) : std::min(high, -at[k] / slope);
     }
     if (high > low)
     {
@@ -245,7 +254,8 @@ std::array<double, 2> compositeCells(const TestMesh& mesh, const Ray& ray)
         double s = 0;
         for (int k = 0; k < 4; ++k)
         {
-          s += (at[k] + place * (next[k] - at[k])) * mesh.Geometry.Points[std::size_t(t[i][k])].Scalar;
+          s +=
+            (at[k] + place * (next[k] - at[k])) * mesh.Geometry.Points[std::size_t(t[i][k])].Scalar;
         }
         return s;
       };
@@ -267,7 +277,8 @@ double lengthInCube(const TestView& view, double near, int x, int y)
   double low = near, high = 1e9;
   for (std::size_t axis = 0; axis < 3; ++axis)
   {
-    const double a = (-0.5 - ray.Origin[axis]) / ray.Direction[axis], b = (0.5 - ray.Origin[axis]) / ray.Direction[axis];
+    const double a = (-0.5 - ray.Origin[axis]) / ray.Direction[axis],
+                 b = (0.5 - ray.Origin[axis]) / ray.Direction[axis];
     low = std::max(low, std::min(a, b));
     high = std::min(high, std::max(a, b));
   }
@@ -280,7 +291,8 @@ struct Case
   bool Parallel;
 };
 // Outside, inside (the near plane cuts the volume), far away.
-const Case cases[] = { { 1.5, 0.2, false }, { 0.1, 0.02, false }, { 0.6, 0.3, false }, { 2, 0.5, true }, { 0.1, 0.03, true } };
+const Case cases[] = { { 1.5, 0.2, false }, { 0.1, 0.02, false }, { 0.6, 0.3, false },
+  { 2, 0.5, true }, { 0.1, 0.03, true } };
 }
 
 TEST(FaceMesh, EveryFaceOnce)
@@ -346,11 +358,12 @@ TEST(FaceSweep, OneMediumInAnyOrder)
         {
           const float* pixel = rgba.data() + 4 * (y * size + x);
           const double alpha = -std::expm1(-1.5 * lengthInCube(view, c.Near, x, y));
-          worst = std::max({ worst, std::fabs(pixel[3] - alpha), std::fabs(pixel[0] - 0.8 * alpha) });
+          worst =
+            std::max({ worst, std::fabs(pixel[3] - alpha), std::fabs(pixel[0] - 0.8 * alpha) });
         }
       }
-      EXPECT_LT(worst, 1e-5) << "from " << c.Distance << ", near " << c.Near << ", parallel " << c.Parallel << ", sorted "
-                             << sorted; // points are kept in float
+      EXPECT_LT(worst, 1e-5) << "from " << c.Distance << ", near " << c.Near << ", parallel "
+                             << c.Parallel << ", sorted " << sorted; // points are kept in float
     }
   }
 }
@@ -375,7 +388,8 @@ TEST(FaceSweep, VaryingMediumInTheRightOrder)
       for (int i = 0; i < size * size; ++i)
       {
         const auto light = compositeCells(mesh, rayOfPixel(view, i % size, i / size));
-        largest = std::max({ largest, std::fabs(rgba[4 * i + 2] - light[0]), std::fabs(rgba[4 * i + 3] - light[1]) });
+        largest = std::max({ largest, std::fabs(rgba[4 * i + 2] - light[0]),
+          std::fabs(rgba[4 * i + 3] - light[1]) });
       }
       return largest;
     };

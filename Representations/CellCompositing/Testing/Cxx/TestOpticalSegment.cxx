@@ -84,9 +84,11 @@ Errors measureFloatErrors(Random& random, double largest, int samples)
       errors.WorstFront = tf;
       errors.WorstBack = tb;
     }
-    if (std::max(tf, tb) > 1e-6f) // below, the weights are no longer large against the smallest floats squared
+    if (std::max(tf, tb) >
+      1e-6f) // below, the weights are no longer large against the smallest floats squared
     {
-      errors.Relative = std::max({ errors.Relative, front / double(expected.Front), back / double(expected.Back) });
+      errors.Relative =
+        std::max({ errors.Relative, front / double(expected.Front), back / double(expected.Back) });
     }
   }
   return errors;
@@ -98,7 +100,8 @@ struct Rung
   const char* Name;
   double Low, High;
 };
-constexpr Rung rungs[] = { { "series", 1e-6, thinSegment }, { "10 nodes", thinSegment, 10 }, { "16 nodes", 10, 1000 } };
+constexpr Rung rungs[] = { { "series", 1e-6, thinSegment }, { "10 nodes", thinSegment, 10 },
+  { "16 nodes", 10, 1000 } };
 
 class OpticalDepthsUpTo : public ::testing::TestWithParam<double>
 {
@@ -115,7 +118,8 @@ TEST(SegmentReference, AgreesWithSeriesAndClosedForm)
     const long double transparency = std::exp(-0.5L * (tf + tb));
     const long double psi = besselSeriesPsi(tf, tb);
     EXPECT_NEAR(double(weights.Front - (1 - psi)), 0, 1e-15) << double(tf) << " " << double(tb);
-    EXPECT_NEAR(double(weights.Back - (psi - transparency)), 0, 1e-15) << double(tf) << " " << double(tb);
+    EXPECT_NEAR(double(weights.Back - (psi - transparency)), 0, 1e-15)
+      << double(tf) << " " << double(tb);
     if (tb > 2 * tf)
     {
       EXPECT_NEAR(double(closedFormPsi(tf, tb) - psi), 0, 1e-15) << double(tf) << " " << double(tb);
@@ -148,13 +152,15 @@ TEST(OpticalSegment, AverageRule)
   // Colour from 0 to 1 over unit depth: 0.316060279 instead of 0.264241118.
   const SegmentWeights<double> average = averageSegmentWeights(1.0, 1.0);
   EXPECT_NEAR(average.Back, 0.316060279, 1e-6 * 0.316060279);
-  EXPECT_NEAR(average.Back - exactSegmentWeights(1.0, 1.0).Back, 0.0518191617571635, 1e-5 * 0.0518191617571635);
+  EXPECT_NEAR(average.Back - exactSegmentWeights(1.0, 1.0).Back, 0.0518191617571635,
+    1e-5 * 0.0518191617571635);
   Random random(12);
   for (int i = 0; i < 1000; ++i)
   {
     const double tf = random.LogUniform(1e-12, 100), tb = random.LogUniform(1e-12, 100);
     const SegmentWeights<double> weights = averageSegmentWeights(tf, tb);
-    const double alpha = -std::expm1(-0.5 * (tf + tb)); // its transparency is exact whatever the ends
+    const double alpha =
+      -std::expm1(-0.5 * (tf + tb)); // its transparency is exact whatever the ends
     EXPECT_NEAR(weights.Alpha(), alpha, 1e-14 * alpha);
     EXPECT_EQ(weights.Front, weights.Back);
     const SegmentWeights<float> single = averageSegmentWeights(float(tf), float(tb));
@@ -167,12 +173,14 @@ TEST_P(OpticalDepthsUpTo, FloatErrors)
   const double largest = this->GetParam();
   Random random(13);
   const Errors errors = measureFloatErrors(random, largest, 20000);
-  std::cout << "optical depths up to " << largest << ": largest error " << errors.Absolute << " at (" << errors.WorstFront
-            << ", " << errors.WorstBack << "), relative " << errors.Relative << std::endl;
+  std::cout << "optical depths up to " << largest << ": largest error " << errors.Absolute
+            << " at (" << errors.WorstFront << ", " << errors.WorstBack << "), relative "
+            << errors.Relative << std::endl;
   EXPECT_LE(errors.Absolute, floatTolerance);
   EXPECT_LE(errors.Relative, floatRelativeTolerance);
 }
-INSTANTIATE_TEST_SUITE_P(OpticalSegment, OpticalDepthsUpTo, ::testing::Values(0.05, 0.25, 1, 10, 100, 1000));
+INSTANTIATE_TEST_SUITE_P(
+  OpticalSegment, OpticalDepthsUpTo, ::testing::Values(0.05, 0.25, 1, 10, 100, 1000));
 
 TEST(OpticalSegment, BeyondThousand)
 {
@@ -210,9 +218,11 @@ TEST(OpticalSegment, EveryRungHolds)
       const double front = std::fabs(double(weights.Front - expected.Front));
       const double back = std::fabs(double(weights.Back - expected.Back));
       absolute = std::max({ absolute, front, back });
-      relative = std::max({ relative, front / double(expected.Front), back / double(expected.Back) });
+      relative =
+        std::max({ relative, front / double(expected.Front), back / double(expected.Back) });
     }
-    std::cout << rung.Name << " up to " << high << ": largest error " << absolute << ", relative " << relative << std::endl;
+    std::cout << rung.Name << " up to " << high << ": largest error " << absolute << ", relative "
+              << relative << std::endl;
     EXPECT_LE(absolute, 4e-7) << rung.Name << " up to " << high;
     EXPECT_LE(relative, 1e-6) << rung.Name << " up to " << high;
   }
@@ -259,8 +269,10 @@ TEST(OpticalSegment, AlphaAndReversal)
   {
     const auto [tf, tb] = randomPair(random, 50);
     const double alpha = -std::expm1(-0.5 * (double(tf) + double(tb)));
-    ASSERT_NEAR(exactSegmentWeights(double(tf), double(tb)).Alpha(), alpha, doubleTolerance) << tf << " " << tb;
-    ASSERT_NEAR(exactSegmentWeights(double(tb), double(tf)).Alpha(), alpha, doubleTolerance) << tf << " " << tb;
+    ASSERT_NEAR(exactSegmentWeights(double(tf), double(tb)).Alpha(), alpha, doubleTolerance)
+      << tf << " " << tb;
+    ASSERT_NEAR(exactSegmentWeights(double(tb), double(tf)).Alpha(), alpha, doubleTolerance)
+      << tf << " " << tb;
     ASSERT_NEAR(exactSegmentWeights(tf, tb).Alpha(), alpha, 2 * floatTolerance) << tf << " " << tb;
   }
 }
@@ -274,7 +286,8 @@ TEST(OpticalSegment, CutSegmentsCompositeToTheWhole)
     const auto [front, back] = randomPair(random, 30);
     const double tf = front, tb = back, cut = random.Uniform();
     const double colors[2] = { random.Uniform(), random.Uniform() };
-    const double tauAtCut = tf + cut * (tb - tf), colorAtCut = colors[0] + cut * (colors[1] - colors[0]);
+    const double tauAtCut = tf + cut * (tb - tf),
+                 colorAtCut = colors[0] + cut * (colors[1] - colors[0]);
     const SegmentWeights<double> whole = exactSegmentWeights(tf, tb);
     const SegmentWeights<double> near = exactSegmentWeights(cut * tf, cut * tauAtCut);
     const SegmentWeights<double> far = exactSegmentWeights((1 - cut) * tauAtCut, (1 - cut) * tb);

@@ -58,16 +58,17 @@ std::vector<Float4> opticalDepthGrid()
 double largestDifference(ShaderRunner& runner, bool average)
 {
   const std::vector<Float4> pairs = opticalDepthGrid();
-  const std::vector<Float4> results =
-    runner.Run(constant("averageIntegration", average) + readShader("OpticalSegment.glsl"),
-      "result = vec4(segmentWeights(first.x, first.y), 0.0, 1.0);", pairs, pairs, setQuadratureNodes);
+  const std::vector<Float4> results = runner.Run(
+    constant("averageIntegration", average) + readShader("OpticalSegment.glsl"),
+    "result = vec4(segmentWeights(first.x, first.y), 0.0, 1.0);", pairs, pairs, setQuadratureNodes);
   double largest = 0;
   for (std::size_t i = 0; i < pairs.size(); ++i)
   {
     EXPECT_EQ(results[i][3], 1.0f) << "not drawn";
     const SegmentWeights<float> weights = average ? averageSegmentWeights(pairs[i][0], pairs[i][1])
                                                   : exactSegmentWeights(pairs[i][0], pairs[i][1]);
-    const double difference = std::max(std::fabs(results[i][0] - weights.Front), std::fabs(results[i][1] - weights.Back));
+    const double difference =
+      std::max(std::fabs(results[i][0] - weights.Front), std::fabs(results[i][1] - weights.Back));
     EXPECT_LE(difference, 2e-6) << pairs[i][0] << " " << pairs[i][1];
     largest = std::max(largest, difference);
   }
@@ -149,7 +150,8 @@ struct Functions
   bool Separate;
 };
 
-void addCuts(const TransferFunctionTable& table, long double front, long double back, std::vector<long double>& cuts)
+void addCuts(const TransferFunctionTable& table, long double front, long double back,
+  std::vector<long double>& cuts)
 {
   for (const float node : table.Nodes)
   {
@@ -177,7 +179,8 @@ Double4 referenceSegment(const Functions& f, const Float4& ends, long double sca
     const auto mix = [](long double a, long double b, long double t) { return a + t * (b - a); };
     const long double from = cuts[i - 1], to = cuts[i], middle = 0.5L * (from + to);
     const auto at = [&](long double t) {
-      Double4 value = evaluateLine(f.Transfer, mix(ends[0], ends[2], middle), mix(ends[0], ends[2], t));
+      Double4 value =
+        evaluateLine(f.Transfer, mix(ends[0], ends[2], middle), mix(ends[0], ends[2], t));
       value[3] = f.Separate
         ? evaluateLine(f.Opacity, mix(ends[1], ends[3], middle), mix(ends[1], ends[3], t))[3]
         : value[3];
@@ -233,14 +236,17 @@ double largestSegmentError(Random& random, bool separate)
   {
     scales.push_back({ { float(random.LogUniform(1e-3, 20)), 0, 0, 0 } });
   }
-  const std::string functions = constant("averageIntegration", false) + constant("separateOpacity", separate) +
-    constant("splitAtControlPoints", true) + constant("useLayers", false) + readShader("OpticalSegment.glsl") + readShader("TransferFunction.glsl");
-  const auto results = runner.Run(functions, "result = integrateSegment(first.xy, first.zw, second.x);", segments,
-    scales, [&](vtkShaderProgram* program) {
-      setQuadratureNodes(program);
-      program->SetUniformi("numberOfTransferNodes", int(f.Transfer.Nodes.size()));
-      program->SetUniformi("numberOfOpacityNodes", int(f.Opacity.Nodes.size()));
-    });
+  const std::string functions = constant("averageIntegration", false) +
+    constant("separateOpacity", separate) + constant("splitAtControlPoints", true) +
+    constant("useLayers", false) + readShader("OpticalSegment.glsl") +
+    readShader("TransferFunction.glsl");
+  const auto results =
+    runner.Run(functions, "result = integrateSegment(first.xy, first.zw, second.x);", segments,
+      scales, [&](vtkShaderProgram* program) {
+        setQuadratureNodes(program);
+        program->SetUniformi("numberOfTransferNodes", int(f.Transfer.Nodes.size()));
+        program->SetUniformi("numberOfOpacityNodes", int(f.Opacity.Nodes.size()));
+      });
   double largest = 0;
   for (std::size_t i = 0; i < segments.size(); ++i)
   {
@@ -248,8 +254,9 @@ double largestSegmentError(Random& random, bool separate)
     for (std::size_t c = 0; c < 4; ++c)
     {
       const double difference = std::fabs(double(results[i][c] - expected[c]));
-      EXPECT_LE(difference, 2e-6) << "from " << segments[i][0] << ", " << segments[i][1] << " to " << segments[i][2] << ", "
-                                  << segments[i][3] << ", optical scale " << scales[i][0] << ", component " << c;
+      EXPECT_LE(difference, 2e-6) << "from " << segments[i][0] << ", " << segments[i][1] << " to "
+                                  << segments[i][2] << ", " << segments[i][3] << ", optical scale "
+                                  << scales[i][0] << ", component " << c;
       largest = std::max(largest, difference);
     }
   }
@@ -260,13 +267,15 @@ double largestSegmentError(Random& random, bool separate)
 TEST(OpticalSegmentShader, ExactWeights)
 {
   ShaderRunner runner;
-  std::cout << "largest difference to C++ in float: " << largestDifference(runner, false) << std::endl;
+  std::cout << "largest difference to C++ in float: " << largestDifference(runner, false)
+            << std::endl;
 }
 
 TEST(OpticalSegmentShader, AverageWeights)
 {
   ShaderRunner runner;
-  std::cout << "largest difference to C++ in float: " << largestDifference(runner, true) << std::endl;
+  std::cout << "largest difference to C++ in float: " << largestDifference(runner, true)
+            << std::endl;
 }
 
 TEST(TransferFunctionShader, SegmentsThroughJumps)

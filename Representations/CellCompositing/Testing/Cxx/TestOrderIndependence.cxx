@@ -118,13 +118,15 @@ TEST_F(OneColorOf, WhatIsTransparentDoesNotCount)
 // VTK's way there and back through other colour spaces is not exact: 2e-5 in Lab, seen where the function ends inside the range.
 TEST_F(OneColorOf, OneColorInAnyColorSpace)
 {
-  for (const auto& rgb : { std::array<double, 3>{ { 1, 1, 1 } }, { { 0.8, 0.5, 0.1 } }, { { 0.05, 0.4, 0.95 } }, { { 0, 0, 0 } } })
+  for (const auto& rgb : { std::array<double, 3>{ { 1, 1, 1 } }, { { 0.8, 0.5, 0.1 } },
+         { { 0.05, 0.4, 0.95 } }, { { 0, 0, 0 } } })
   {
     this->Color->RemoveAllPoints();
     this->Color->AddRGBPoint(0, rgb[0], rgb[1], rgb[2]);
     this->Color->AddRGBPoint(4, rgb[0], rgb[1], rgb[2]);
     this->Color->AddRGBPoint(9, rgb[0], rgb[1], rgb[2]);
-    for (const int space : { VTK_CTF_RGB, VTK_CTF_HSV, VTK_CTF_LAB, VTK_CTF_DIVERGING, VTK_CTF_STEP })
+    for (const int space :
+      { VTK_CTF_RGB, VTK_CTF_HSV, VTK_CTF_LAB, VTK_CTF_DIVERGING, VTK_CTF_STEP })
     {
       this->Color->SetColorSpace(space);
       EXPECT_TRUE(this->Ask()) << "colour space " << space << ", red " << rgb[0];

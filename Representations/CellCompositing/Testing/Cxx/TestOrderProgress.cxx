@@ -22,7 +22,8 @@ bool makeOrder(vtkDataSet* data, const Progress& progress, VisibilityOrder::Sort
 {
   CellGeometry geometry;
   VisibilityOrder visibility;
-  geometry.Build(data, { data->GetPointData()->GetScalars(), false, -1 }, {}, nullptr, progress.Part(0, 0.4));
+  geometry.Build(
+    data, { data->GetPointData()->GetScalars(), false, -1 }, {}, nullptr, progress.Part(0, 0.4));
   if (geometry.Stopped)
   {
     EXPECT_TRUE(geometry.Points.empty() && geometry.Tetrahedra.empty());
@@ -79,7 +80,8 @@ TEST(OrderProgress, GrowsFromNothingToAll)
     EXPECT_LE(fraction, 1 + 1e-12);
     last = fraction;
     return ++events > 0;
-  }), sorted));
+  }),
+    sorted));
   EXPECT_NEAR(last, 1, 1e-9);
   EXPECT_GT(events, 20);
 }
@@ -103,7 +105,8 @@ TEST(OrderProgress, StopsWhereverItIsTold)
     if (!makeOrder(data, Progress([&](double) {
           after += count >= stop;
           return ++count < stop;
-        }), stopped))
+        }),
+          stopped))
     {
       ++stops;
       EXPECT_EQ(after, 0) << "asked again after it was told to stop";
@@ -119,7 +122,9 @@ TEST(OrderProgress, CentroidsStopToo)
   const CellGeometry geometry = buildGeometry(makeLattice(6));
   std::vector<std::int32_t> order, stopped;
   EXPECT_TRUE(VisibilityOrder::SortCentroids(geometry, { { 9, 8, 7, 1 } }, order));
-  EXPECT_FALSE(VisibilityOrder::SortCentroids(geometry, { { 9, 8, 7, 1 } }, stopped, Progress([](double) { return false; })));
-  EXPECT_TRUE(VisibilityOrder::SortCentroids(geometry, { { 9, 8, 7, 1 } }, stopped, Progress([](double) { return true; })));
+  EXPECT_FALSE(VisibilityOrder::SortCentroids(
+    geometry, { { 9, 8, 7, 1 } }, stopped, Progress([](double) { return false; })));
+  EXPECT_TRUE(VisibilityOrder::SortCentroids(
+    geometry, { { 9, 8, 7, 1 } }, stopped, Progress([](double) { return true; })));
   EXPECT_EQ(order, stopped);
 }

@@ -53,7 +53,8 @@ TEST(PointGradients, LinearFieldsAreReproduced)
       x[2] = flatness * (k + 0.2 * std::sin(4 * i + 7 * j));
     });
     const double g[3] = { 0.7, -1.3, 0.4 / flatness };
-    const CellGeometry geometry = buildGeometry(data, [&](const double x[3]) { return g[0] * x[0] + g[1] * x[1] + g[2] * x[2] + 5; });
+    const CellGeometry geometry = buildGeometry(
+      data, [&](const double x[3]) { return g[0] * x[0] + g[1] * x[1] + g[2] * x[2] + 5; });
     const double width = geometry.ScalarRange[1] - geometry.ScalarRange[0];
     for (const auto& gradient : pointGradients(geometry, scalarsOf(geometry)))
     {
@@ -69,7 +70,8 @@ TEST(PointGradients, LinearFieldsAreReproduced)
 TEST(PointGradients, ContinuousOverASeam)
 {
   const auto data = makeShell(12, 6, 3, 60, 1, 1.3);
-  const CellGeometry geometry = buildGeometry(data, [](const double x[3]) { return x[0] * x[0] + x[1] * x[2]; });
+  const CellGeometry geometry =
+    buildGeometry(data, [](const double x[3]) { return x[0] * x[0] + x[1] * x[2]; });
   const Gradients gradients = pointGradients(geometry, scalarsOf(geometry));
   int pairs = 0;
   for (std::size_t i = 0; i < geometry.Points.size(); ++i)
@@ -90,7 +92,8 @@ TEST(PointGradients, ContinuousOverASeam)
 TEST(PointGradients, ThreadsDoNotChangeTheResult)
 {
   const auto data = makeShell(40, 20, 10, 80, 1, 1.3);
-  const CellGeometry geometry = buildGeometry(data, [](const double x[3]) { return std::sin(3 * x[0]) + x[1] * x[2]; });
+  const CellGeometry geometry =
+    buildGeometry(data, [](const double x[3]) { return std::sin(3 * x[0]) + x[1] * x[2]; });
   const std::vector<float> scalars = scalarsOf(geometry);
   Gradients first;
   withThreads(1, [&]() { first = pointGradients(geometry, scalars); });
@@ -104,9 +107,11 @@ TEST(PointGradients, ThreadsDoNotChangeTheResult)
 
 TEST(PointGradients, NoNeighbourhood)
 {
-  auto data = makeGrid({ { { 0, 0, 0 } }, { { 1, 0, 0 } }, { { 0, 1, 0 } }, { { 0, 0, 1 } }, { { std::nan(""), 5, 5 } } },
+  auto data = makeGrid({ { { 0, 0, 0 } }, { { 1, 0, 0 } }, { { 0, 1, 0 } }, { { 0, 0, 1 } },
+                         { { std::nan(""), 5, 5 } } },
     { { VTK_TETRA, { 0, 1, 2, 3 } } });
-  CellGeometry geometry = buildGeometry(data, [](const double x[3]) { return std::isfinite(x[0]) ? x[0] : 0; });
+  CellGeometry geometry =
+    buildGeometry(data, [](const double x[3]) { return std::isfinite(x[0]) ? x[0] : 0; });
   Gradients gradients = pointGradients(geometry, scalarsOf(geometry));
   ASSERT_EQ(gradients.size(), 5u);
   EXPECT_NEAR(gradients[0][0], 1, 1e-6);

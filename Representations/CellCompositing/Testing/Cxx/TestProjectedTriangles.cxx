@@ -25,7 +25,8 @@ struct View
   std::array<double, 2> Screen(const Vector3& x) const
   {
     const double w = this->IsPerspective() ? this->Depth(x) : 1;
-    return { { (x[0] - this->Eye[3] * this->Eye[0]) / w, (x[1] - this->Eye[3] * this->Eye[1]) / w } };
+    return { { (x[0] - this->Eye[3] * this->Eye[0]) / w,
+      (x[1] - this->Eye[3] * this->Eye[1]) / w } };
   }
 };
 
@@ -37,8 +38,9 @@ View randomView(Random& random, const TetrahedronPoints& p, bool perspective)
   {
     nearest = std::max(nearest, x[2]);
   }
-  return perspective ? View{ { random.Normal(), random.Normal(), nearest + random.LogUniform(0.1, 10), 1 } }
-                     : View{ { 0, 0, 1, 0 } };
+  return perspective
+    ? View{ { random.Normal(), random.Normal(), nearest + random.LogUniform(0.1, 10), 1 } }
+    : View{ { 0, 0, 1, 0 } };
 }
 
 double screenArea(const View& view, const Vector3& a, const Vector3& b, const Vector3& c)
@@ -70,8 +72,8 @@ Vector3 place(const TetrahedronPoints& p, const Vector4& weights)
 /** Thickness as the header has it: the parameter times the way from the back to the eye. */
 double thickness(const View& view, const TetrahedronProjection& projection, const Vector3& back)
 {
-  const Vector3 towards = { { view.Eye[0] - view.Eye[3] * back[0], view.Eye[1] - view.Eye[3] * back[1],
-    view.Eye[2] - view.Eye[3] * back[2] } };
+  const Vector3 towards = { { view.Eye[0] - view.Eye[3] * back[0],
+    view.Eye[1] - view.Eye[3] * back[1], view.Eye[2] - view.Eye[3] * back[2] } };
   return projection.Parameter * length(towards);
 }
 }
@@ -85,7 +87,8 @@ TEST(ProjectedTriangles, ThickVertexAgreesWithClippedRays)
   {
     const TetrahedronPoints p = randomTetrahedron(random);
     const View view = randomView(random, p, i % 2 == 0);
-    const Vector4 scalars = { { random.Normal(), random.Normal(), random.Normal(), random.Normal() } };
+    const Vector4 scalars = { { random.Normal(), random.Normal(), random.Normal(),
+      random.Normal() } };
     const TetrahedronProjection projection = projectTetrahedron(eyeCoordinates(p, view.Eye));
     ++classes[projectionClass(projection)];
     const Vector3 front = place(p, projection.Front), back = place(p, projection.Back);
@@ -98,16 +101,19 @@ TEST(ProjectedTriangles, ThickVertexAgreesWithClippedRays)
     Vector3 direction = view.IsPerspective() ? difference(middle, eye) : Vector3{ { 0, 0, -1 } };
     direction = along({ { 0, 0, 0 } }, 1 / length(direction), direction);
     const ClippedRay ray = clip(p, middle, direction);
-    worstThickness = std::max(worstThickness, std::fabs(thickness(view, projection, back) - (ray.Far - ray.Near)));
+    worstThickness =
+      std::max(worstThickness, std::fabs(thickness(view, projection, back) - (ray.Far - ray.Near)));
     for (const bool atFront : { true, false })
     {
       const Vector4 exact = barycentric(p, along(middle, atFront ? ray.Near : ray.Far, direction));
-      const double error = std::fabs(
-        interpolate(atFront ? projection.Front : projection.Back, scalars) - interpolate(exact, scalars));
+      const double error =
+        std::fabs(interpolate(atFront ? projection.Front : projection.Back, scalars) -
+          interpolate(exact, scalars));
       worstScalar = std::max(worstScalar, error);
     }
   }
-  std::cout << "thickness " << worstThickness << ", scalars " << worstScalar << ", one ray " << worstRay << std::endl;
+  std::cout << "thickness " << worstThickness << ", scalars " << worstScalar << ", one ray "
+            << worstRay << std::endl;
   EXPECT_LT(worstThickness, 1e-9);
   EXPECT_LT(worstScalar, 1e-9);
   EXPECT_LT(worstRay, 1e-9);
@@ -165,7 +171,8 @@ TEST(ProjectedTriangles, KnownTetrahedra)
 {
   const View view = { { { 0, 0, 1, 0 } } };
   const Vector4 scalars = { { 0, 1, 2, 3 } };
-  const TetrahedronPoints regular = { { { { 1, 1, 1 } }, { { 1, -1, -1 } }, { { -1, 1, -1 } }, { { -1, -1, 1 } } } };
+  const TetrahedronPoints regular = { { { { 1, 1, 1 } }, { { 1, -1, -1 } }, { { -1, 1, -1 } },
+    { { -1, -1, 1 } } } };
   TetrahedronProjection p = projectTetrahedron(eyeCoordinates(regular, view.Eye));
   EXPECT_EQ(projectionClass(p), 2);
   EXPECT_NEAR(thickness(view, p, place(regular, p.Back)), 2.0, 1e-14);
@@ -173,7 +180,8 @@ TEST(ProjectedTriangles, KnownTetrahedra)
   EXPECT_NEAR(interpolate(p.Back, scalars), 1.5, 1e-14);
   EXPECT_NEAR(-std::expm1(-thickness(view, p, place(regular, p.Back))), 0.8646647167633873, 1e-14);
 
-  const TetrahedronPoints corner = { { { { 0, 0, 0 } }, { { 1, 0, 0 } }, { { 0, 1, 0 } }, { { 0, 0, 1 } } } };
+  const TetrahedronPoints corner = { { { { 0, 0, 0 } }, { { 1, 0, 0 } }, { { 0, 1, 0 } },
+    { { 0, 0, 1 } } } };
   p = projectTetrahedron(eyeCoordinates(corner, view.Eye));
   EXPECT_EQ(projectionClass(p), 4);
   EXPECT_NEAR(thickness(view, p, place(corner, p.Back)), 1.0, 1e-14);
@@ -187,9 +195,12 @@ TEST(ProjectedTriangles, ContinuousAcrossClasses)
   const View view = { { { 0, 0, 1, 0 } } };
   for (const double off : { 0.0, 1e-12, -1e-12, 1e-6, -1e-6 })
   {
-    const TetrahedronPoints p = { { { { off, 0.3, 1 } }, { { 0, 0, 0 } }, { { 0, 1, 0 } }, { { 1, 0, -1 } } } };
+    const TetrahedronPoints p = { { { { off, 0.3, 1 } }, { { 0, 0, 0 } }, { { 0, 1, 0 } },
+      { { 1, 0, -1 } } } };
     const TetrahedronProjection projection = projectTetrahedron(eyeCoordinates(p, view.Eye));
-    EXPECT_NEAR(thickness(view, projection, place(p, projection.Back)), 1.0, 3 * std::fabs(off) + 1e-12) << off;
+    EXPECT_NEAR(
+      thickness(view, projection, place(p, projection.Back)), 1.0, 3 * std::fabs(off) + 1e-12)
+      << off;
   }
 }
 
@@ -204,28 +215,33 @@ TEST(ProjectedTriangles, InverseDepthIsLinearOnTheScreen)
     const View view = randomView(random, p, true);
     const TetrahedronProjection projection = projectTetrahedron(eyeCoordinates(p, view.Eye));
     const Vector3 front = place(p, projection.Front), back = place(p, projection.Back);
-    const double zf = view.Depth(front), zb = view.Depth(back), peak = thickness(view, projection, back);
+    const double zf = view.Depth(front), zb = view.Depth(back),
+                 peak = thickness(view, projection, back);
     const int pick = random.Integer(0, 5);
     const int a = tetrahedronEdges[pick][0], b = tetrahedronEdges[pick][1];
     if (!isFanEdge(projection, a, b))
     {
       continue;
     }
-    const double t = random.Uniform(0.05, 1), u = (1 - t) * random.Uniform(), v = 1 - t - u; // thick, a, b
+    const double t = random.Uniform(0.05, 1), u = (1 - t) * random.Uniform(),
+                 v = 1 - t - u; // thick, a, b
     const double inverseFront = t / zf + u / view.Depth(p[a]) + v / view.Depth(p[b]);
     const double inverseBack = inverseFront - t * (1 / zf - 1 / zb);
     const auto screen = [&](std::size_t axis) {
-      return t * view.Screen(front)[axis] + u * view.Screen(p[a])[axis] + v * view.Screen(p[b])[axis];
+      return t * view.Screen(front)[axis] + u * view.Screen(p[a])[axis] +
+        v * view.Screen(p[b])[axis];
     };
     Vector3 direction = { { screen(0), screen(1), -1 } };
     const double stretch = length(direction);
     direction = along({ { 0, 0, 0 } }, 1 / stretch, direction);
     const ClippedRay ray = clip(p, { { view.Eye[0], view.Eye[1], view.Eye[2] } }, direction);
     const double exact = ray.Far - ray.Near;
-    worst = std::max(worst, std::fabs((1 / inverseBack - 1 / inverseFront) * stretch - exact) / peak);
+    worst =
+      std::max(worst, std::fabs((1 / inverseBack - 1 / inverseFront) * stretch - exact) / peak);
     worstLinear = std::max(worstLinear, std::fabs(t * peak - exact) / peak);
   }
-  std::cout << "largest error over the peak: " << worst << " from 1 / z; thickness interpolated itself " << worstLinear << std::endl;
+  std::cout << "largest error over the peak: " << worst
+            << " from 1 / z; thickness interpolated itself " << worstLinear << std::endl;
   EXPECT_LT(worst, 1e-7); // the clipped rays of grazed slivers lose digits
   EXPECT_GT(worstLinear, 0.1);
 }
@@ -233,9 +249,11 @@ TEST(ProjectedTriangles, InverseDepthIsLinearOnTheScreen)
 /** From the silhouette (0) to the thick vertex (1) of optical depth U, opacity interpolated linearly errs most at lambda*. */
 TEST(OpacityLaws, LinearOpacity)
 {
-  const double table[][2] = { { .1, .00119 }, { .25, .00691 }, { .5, .02451 }, { 1, .07794 }, { 2, .20513 }, { 4, .40982 },
-    { 8, .61516 } };
-  const auto error = [](double depth, double lambda) { return -std::expm1(-lambda * depth) + lambda * std::expm1(-depth); };
+  const double table[][2] = { { .1, .00119 }, { .25, .00691 }, { .5, .02451 }, { 1, .07794 },
+    { 2, .20513 }, { 4, .40982 }, { 8, .61516 } };
+  const auto error = [](double depth, double lambda) {
+    return -std::expm1(-lambda * depth) + lambda * std::expm1(-depth);
+  };
   for (const auto& row : table)
   {
     double largest = 0;
@@ -263,10 +281,12 @@ TEST(OpacityLaws, Table)
       const double u = size[1] * i / 100000;
       largest = std::max(largest, std::fabs(lookUpOpacity(table, size[1], u) + std::expm1(-u)));
     }
-    std::cout << size[0] << " entries to " << size[1] << ": " << largest << ", law " << law << std::endl;
+    std::cout << size[0] << " entries to " << size[1] << ": " << largest << ", law " << law
+              << std::endl;
     EXPECT_LT(largest, law + 6e-8);
     EXPECT_GT(largest, 0.9 * law);
-    EXPECT_NEAR(lookUpOpacity(table, size[1], 1e6), 1 - std::exp(-size[1]), 6e-8) << "beyond the end";
+    EXPECT_NEAR(lookUpOpacity(table, size[1], 1e6), 1 - std::exp(-size[1]), 6e-8)
+      << "beyond the end";
   }
   const auto used = makeOpacityTable();
   EXPECT_LT(std::fabs(lookUpOpacity(used, opacityTableEnd, 1.0) - 0.6321205588285577), 3.2e-5);

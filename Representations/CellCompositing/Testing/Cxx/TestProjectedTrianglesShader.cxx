@@ -39,7 +39,8 @@ std::vector<Float4> evaluate(const std::vector<Float4>& q, const std::string& bo
 {
   ShaderRunner runner;
   return runner.Run(readShader("ProjectedTriangles.glsl"),
-    "TetrahedronProjection p = projectTetrahedron(first);\n  " + body, q, q, [](vtkShaderProgram*) {});
+    "TetrahedronProjection p = projectTetrahedron(first);\n  " + body, q, q,
+    [](vtkShaderProgram*) {});
 }
 }
 
@@ -70,15 +71,18 @@ TEST(ProjectedTrianglesShader, FanEdges)
 {
   Random random(62);
   const auto list = eyeCoordinateGrid(random);
-  const auto first = evaluate(list, "result = vec4(isFanEdge(p, 0, 1), isFanEdge(p, 0, 2), isFanEdge(p, 0, 3), 1.0);");
-  const auto second = evaluate(list, "result = vec4(isFanEdge(p, 1, 2), isFanEdge(p, 1, 3), isFanEdge(p, 2, 3), 1.0);");
+  const auto first = evaluate(
+    list, "result = vec4(isFanEdge(p, 0, 1), isFanEdge(p, 0, 2), isFanEdge(p, 0, 3), 1.0);");
+  const auto second = evaluate(
+    list, "result = vec4(isFanEdge(p, 1, 2), isFanEdge(p, 1, 3), isFanEdge(p, 2, 3), 1.0);");
   for (std::size_t i = 0; i < list.size(); ++i)
   {
     const TetrahedronProjection p = projectInDouble(list[i]);
     for (std::size_t e = 0; e < 6; ++e)
     {
       const float got = e < 3 ? first[i][e] : second[i][e - 3];
-      EXPECT_EQ(got, isFanEdge(p, tetrahedronEdges[e][0], tetrahedronEdges[e][1]) ? 1.0f : 0.0f) << "edge " << e;
+      EXPECT_EQ(got, isFanEdge(p, tetrahedronEdges[e][0], tetrahedronEdges[e][1]) ? 1.0f : 0.0f)
+        << "edge " << e;
     }
   }
 }
@@ -94,8 +98,8 @@ TEST(OpacityTableShader, LookUp)
   {
     depths.push_back({ { float(random.LogUniform(1e-6, 40)), 0, 0, 0 } });
   }
-  const auto results = runner.Run(readShader("OpacityTable.glsl"), "result = vec4(lookUpOpacity(first.x));", depths, depths,
-    [](vtkShaderProgram* program) {
+  const auto results = runner.Run(readShader("OpacityTable.glsl"),
+    "result = vec4(lookUpOpacity(first.x));", depths, depths, [](vtkShaderProgram* program) {
       program->SetUniformf("alphaTableEnd", float(opacityTableEnd));
       program->SetUniformi("alphaTableLast", opacityTableEntries - 1);
     });

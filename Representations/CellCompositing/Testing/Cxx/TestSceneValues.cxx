@@ -24,7 +24,8 @@ namespace
 {
 vtkDataArray* addCellValues(vtkDataSet* data, double step)
 {
-  vtkDataArray* array = addScalars(data, true, [=](vtkIdType i) { return std::fmod(0.3 + step * double(i), 1.0); });
+  vtkDataArray* array =
+    addScalars(data, true, [=](vtkIdType i) { return std::fmod(0.3 + step * double(i), 1.0); });
   return array;
 }
 
@@ -42,11 +43,13 @@ protected:
     this->Color->AddRGBPoint(1, 0, 1, 1);
   }
 
-  CellScene::Versions Update(CellScene& scene, const ScalarSelection& colors, const ScalarSelection& opacities,
-    CellScene::Method method = CellScene::Method::Projection, CellScene::OrderMethod order = CellScene::OrderMethod::Exact)
+  CellScene::Versions Update(CellScene& scene, const ScalarSelection& colors,
+    const ScalarSelection& opacities, CellScene::Method method = CellScene::Method::Projection,
+    CellScene::OrderMethod order = CellScene::OrderMethod::Exact)
   {
     std::string error;
-    this->Built = scene.UpdateGeometry(this->Data, colors, opacities, CellGeometry::Form::Grid, error);
+    this->Built =
+      scene.UpdateGeometry(this->Data, colors, opacities, CellGeometry::Form::Grid, error);
     EXPECT_EQ(error, "");
     scene.UpdateTransferFunction(this->Property);
     OrderView view;
@@ -97,7 +100,8 @@ protected:
     }
   }
 
-  vtkSmartPointer<vtkUnstructuredGrid> Data = makeCubeWithout(4, [](int i, int j, int k) { return i == 1 && j == 2 && k == 0; });
+  vtkSmartPointer<vtkUnstructuredGrid> Data =
+    makeCubeWithout(4, [](int i, int j, int k) { return i == 1 && j == 2 && k == 0; });
   vtkNew<vtkPiecewiseFunction> Opacity;
   vtkNew<vtkColorTransferFunction> Color;
   vtkNew<vtkVolumeProperty> Property;
@@ -113,10 +117,12 @@ TEST_F(SceneOfPuffs, OpacityOfCellsMovesNothingElse)
   for (const auto method : { CellScene::Method::Projection, CellScene::Method::Rays })
   {
     vtkDataArray* density = addCellValues(this->Data, 0.17);
-    const CellScene::Versions first = this->Update(this->Scene, colors, { density, true, -1 }, method);
+    const CellScene::Versions first =
+      this->Update(this->Scene, colors, { density, true, -1 }, method);
     density->SetComponent(5, 0, 0.9);
     density->Modified();
-    const CellScene::Versions second = this->Update(this->Scene, colors, { density, true, -1 }, method);
+    const CellScene::Versions second =
+      this->Update(this->Scene, colors, { density, true, -1 }, method);
     EXPECT_FALSE(this->Built);
     EXPECT_EQ(first.Geometry, second.Geometry);
     EXPECT_EQ(first.Colors, second.Colors);
@@ -130,7 +136,8 @@ TEST_F(SceneOfPuffs, OpacityOfCellsMovesNothingElse)
     vtkDataArray* moved = addCellValues(this->Data, 0.31);
     moved->SetComponent(0, 0, 1.7);
     this->Data->Modified();
-    const CellScene::Versions third = this->Update(this->Scene, colors, { moved, true, -1 }, method);
+    const CellScene::Versions third =
+      this->Update(this->Scene, colors, { moved, true, -1 }, method);
     EXPECT_EQ(first.Geometry, third.Geometry);
     EXPECT_EQ(first.Topology, third.Topology);
     EXPECT_EQ(first.Order, third.Order);
@@ -140,7 +147,8 @@ TEST_F(SceneOfPuffs, OpacityOfCellsMovesNothingElse)
     const auto copy = vtkSmartPointer<vtkUnstructuredGrid>::New();
     copy->ShallowCopy(this->Data);
     this->Data = copy;
-    const CellScene::Versions fourth = this->Update(this->Scene, colors, { moved, true, -1 }, method);
+    const CellScene::Versions fourth =
+      this->Update(this->Scene, colors, { moved, true, -1 }, method);
     EXPECT_FALSE(fourth != third) << "nothing to upload";
   }
 }
@@ -189,7 +197,8 @@ TEST_F(SceneOfPuffs, ValuesOfCoincidentPoints)
   blocks.AddBox(2, 2, 2, { { 0, 0, 0 } }, { { 1, 1, 1 } });
   blocks.AddBox(2, 2, 2, { { 1, 0, 0 } }, { { 2, 1, 1 } });
   this->Data = blocks.Get();
-  vtkDataArray* height = addScalars(this->Data, false, [&](vtkIdType i) { return this->Data->GetPoint(i)[2]; });
+  vtkDataArray* height =
+    addScalars(this->Data, false, [&](vtkIdType i) { return this->Data->GetPoint(i)[2]; });
   const ScalarSelection colors = { height, false, -1 };
   const CellScene::Versions first = this->Update(this->Scene, colors, {}, CellScene::Method::Rays);
   height->SetComponent(2, 0, 5); // now two places have two values each
@@ -201,7 +210,8 @@ TEST_F(SceneOfPuffs, ValuesOfCoincidentPoints)
   this->ExpectAsNew(colors, {}, CellScene::Method::Rays);
   // Values of cells do not matter to them.
   const ScalarSelection density = { addCellValues(this->Data, 0.2), true, -1 };
-  const CellScene::Versions third = this->Update(this->Scene, colors, density, CellScene::Method::Rays);
+  const CellScene::Versions third =
+    this->Update(this->Scene, colors, density, CellScene::Method::Rays);
   EXPECT_EQ(second.Topology, third.Topology);
   this->ExpectAsNew(colors, density, CellScene::Method::Rays);
 }
@@ -228,8 +238,8 @@ TEST_F(SceneOfPuffs, ValuesOfPieces)
 TEST_F(SceneOfPuffs, WithoutAnOrderTheEyeMovesNothing)
 {
   const ScalarSelection colors = { addCellValues(this->Data, 0.17), true, -1 };
-  const CellScene::Versions first =
-    this->Update(this->Scene, colors, {}, CellScene::Method::Projection, CellScene::OrderMethod::None);
+  const CellScene::Versions first = this->Update(
+    this->Scene, colors, {}, CellScene::Method::Projection, CellScene::OrderMethod::None);
   OrderView view;
   view.Eye = { { -3, 2, 1, 1 } };
   view.Width = view.Height = 99;

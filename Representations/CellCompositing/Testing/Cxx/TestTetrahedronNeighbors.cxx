@@ -27,14 +27,16 @@ constexpr int longitudes = 24, latitudes = 12, levels = 3;
 template <typename Real>
 vtkSmartPointer<vtkUnstructuredGrid> globe(bool asTetrahedra)
 {
-  auto grid = makeStructuredGrid(longitudes, latitudes, levels, [](double i, double j, double k, double x[3]) {
-    const Real pi = static_cast<Real>(std::acos(-1.0));
-    const Real longitude = 2 * pi * Real(i) / longitudes, latitude = pi * (Real(j) / latitudes - Real(0.5));
-    const Real radius = Real(6371000) * (1 + Real(0.04) * Real(k));
-    x[0] = radius * std::cos(latitude) * std::cos(longitude);
-    x[1] = radius * std::cos(latitude) * std::sin(longitude);
-    x[2] = radius * std::sin(latitude);
-  });
+  auto grid = makeStructuredGrid(
+    longitudes, latitudes, levels, [](double i, double j, double k, double x[3]) {
+      const Real pi = static_cast<Real>(std::acos(-1.0));
+      const Real longitude = 2 * pi * Real(i) / longitudes,
+                 latitude = pi * (Real(j) / latitudes - Real(0.5));
+      const Real radius = Real(6371000) * (1 + Real(0.04) * Real(k));
+      x[0] = radius * std::cos(latitude) * std::cos(longitude);
+      x[1] = radius * std::cos(latitude) * std::sin(longitude);
+      x[2] = radius * std::sin(latitude);
+    });
   if (asTetrahedra)
   {
     vtkNew<vtkDataSetTriangleFilter> filter;
@@ -49,7 +51,8 @@ vtkSmartPointer<vtkUnstructuredGrid> globe(bool asTetrahedra)
 }
 
 /** Geometry with values that depend on the place only, or those given. */
-CellGeometry geometryOf(vtkDataSet* data, const std::function<double(vtkIdType, const double*)>& value)
+CellGeometry geometryOf(
+  vtkDataSet* data, const std::function<double(vtkIdType, const double*)>& value)
 {
   vtkNew<vtkDoubleArray> values;
   for (vtkIdType i = 0; i < data->GetNumberOfPoints(); ++i)
@@ -109,7 +112,8 @@ TEST(TetrahedronNeighbors, AGlobeIsEnteredFromAboveAndBelowAlone)
   {
     for (const bool inFloat : { false, true })
     {
-      SCOPED_TRACE(testing::Message() << (asTetrahedra ? "tetrahedra" : "hexahedra") << (inFloat ? " in float" : " in double"));
+      SCOPED_TRACE(testing::Message()
+        << (asTetrahedra ? "tetrahedra" : "hexahedra") << (inFloat ? " in float" : " in double"));
       const auto data = inFloat ? globe<float>(asTetrahedra) : globe<double>(asTetrahedra);
       const TetrahedronNeighbors neighbors = neighborsOf(geometryOf(data, same));
       EXPECT_EQ(numberOfEntries(neighbors), 2 * sphere);
@@ -125,7 +129,8 @@ TEST(TetrahedronNeighbors, PointsWithinRoundingAreOnePlace)
   {
     EXPECT_EQ(numberOfEntries(neighborsOf(geometryOf(twoBoxes(0, scale), same))), outerFaces);
     EXPECT_EQ(numberOfEntries(neighborsOf(geometryOf(twoBoxes(unit, scale), same))), outerFaces);
-    EXPECT_EQ(numberOfEntries(neighborsOf(geometryOf(twoBoxes(64 * unit, scale), same))), outerFaces + innerFaces);
+    EXPECT_EQ(numberOfEntries(neighborsOf(geometryOf(twoBoxes(64 * unit, scale), same))),
+      outerFaces + innerFaces);
   }
 }
 
@@ -151,7 +156,8 @@ TEST(TetrahedronNeighbors, RoundingOfRotatedBlocksIsWelded)
       data->GetPoints()->SetPoint(i, turned);
     }
     const TetrahedronNeighbors neighbors = neighborsOf(geometryOf(data, same));
-    const std::set<std::int32_t> points(neighbors.MergedPoints.begin(), neighbors.MergedPoints.end());
+    const std::set<std::int32_t> points(
+      neighbors.MergedPoints.begin(), neighbors.MergedPoints.end());
     EXPECT_EQ(points.size(), 2 * 27u - 9u) << trial;
   }
 }
@@ -168,16 +174,19 @@ TEST(TetrahedronNeighbors, ThinLayersKeepTheirExtent)
   EXPECT_EQ(points.size(), geometry.Points.size());
   const auto facing = [&](const BoundaryFace& f) {
     const Vector3 a = geometry.Position(f[0]);
-    return cross(difference(geometry.Position(f[1]), a), difference(geometry.Position(f[2]), a))[2] != 0;
+    return cross(difference(geometry.Position(f[1]), a),
+             difference(geometry.Position(f[2]), a))[2] != 0;
   };
-  EXPECT_EQ(std::count_if(neighbors.BoundaryFaces.begin(), neighbors.BoundaryFaces.end(), facing), 2 * 4 * 2);
+  EXPECT_EQ(std::count_if(neighbors.BoundaryFaces.begin(), neighbors.BoundaryFaces.end(), facing),
+    2 * 4 * 2);
 }
 
 TEST(TetrahedronNeighbors, RaysGoOnWhereValuesJump)
 {
   const auto data = twoBoxes(0);
   const vtkIdType half = data->GetNumberOfPoints() / 2;
-  const CellGeometry geometry = geometryOf(data, [half](vtkIdType i, const double* x) { return x[1] + (i < half ? 0 : 5); });
+  const CellGeometry geometry =
+    geometryOf(data, [half](vtkIdType i, const double* x) { return x[1] + (i < half ? 0 : 5); });
   const TetrahedronNeighbors neighbors = neighborsOf(geometry);
   ASSERT_EQ(neighbors.NumberOfJumps, innerFaces);
   EXPECT_EQ(numberOfEntries(neighbors), outerFaces);
@@ -197,7 +206,8 @@ TEST(TetrahedronNeighbors, RaysGoOnWhereValuesJump)
       reached.insert(number);
       // The face of the other side: the three vertices of this tetrahedron but the k-th, at their places.
       Tetrahedron t = geometry.Tetrahedra[i];
-      std::transform(t.begin(), t.end(), t.begin(), [&](std::int32_t p) { return neighbors.Merged(p); });
+      std::transform(
+        t.begin(), t.end(), t.begin(), [&](std::int32_t p) { return neighbors.Merged(p); });
       std::sort(t.begin(), t.end());
       std::set<Vector3> own, other;
       for (std::size_t v = 0; v < 3; ++v)
@@ -206,7 +216,9 @@ TEST(TetrahedronNeighbors, RaysGoOnWhereValuesJump)
         other.insert(geometry.Position(neighbors.BoundaryFaces[number][v]));
       }
       EXPECT_EQ(own, other);
-      EXPECT_NE(neighbors.BoundaryFaces[number][3] < static_cast<std::int32_t>(geometry.Tetrahedra.size() / 2), i < geometry.Tetrahedra.size() / 2);
+      EXPECT_NE(neighbors.BoundaryFaces[number][3] <
+          static_cast<std::int32_t>(geometry.Tetrahedra.size() / 2),
+        i < geometry.Tetrahedra.size() / 2);
     }
   }
   EXPECT_EQ(reached.size(), innerFaces);

@@ -57,7 +57,8 @@ Segment segmentUnderTest(const Points& model, const Vector4& eyeModel, const Vec
   const Vector4 q = eyeCoordinates(model, eyeModel);
   double u = frontParameter(lambdaBack, q, eyeModel[3]);
   u = eyeModel[3] > 0 ? std::min(u, 1.0) : u; // the eye itself is at 1
-  return { u * lengthPerParameter, interpolate(coordinatesAt(lambdaBack, q, eyeModel[3], u), scalars),
+  return { u * lengthPerParameter,
+    interpolate(coordinatesAt(lambdaBack, q, eyeModel[3], u), scalars),
     interpolate(lambdaBack, scalars) };
 }
 }
@@ -72,10 +73,12 @@ TEST(TetrahedronRay, AgreesWithClippedRays)
     const Points model = randomTetrahedron(random);
     const AffineMap map = randomMap(random);
     const Points world = { { map(model[0]), map(model[1]), map(model[2]), map(model[3]) } };
-    const Vector4 scalars = { { random.Normal(), random.Normal(), random.Normal(), random.Normal() } };
+    const Vector4 scalars = { { random.Normal(), random.Normal(), random.Normal(),
+      random.Normal() } };
     const bool perspective = i % 2 == 0;
     const bool eyeInside = i % 8 == 0;
-    const Vector3 eye = eyeInside ? randomInside(random, model) : along({ { 0, 0, 0 } }, 4, random.Direction());
+    const Vector3 eye =
+      eyeInside ? randomInside(random, model) : along({ { 0, 0, 0 } }, 4, random.Direction());
     const Vector3 towards = random.Direction(); // in the model
     const Vector3 target = map(randomInside(random, model));
 
@@ -95,7 +98,8 @@ TEST(TetrahedronRay, AgreesWithClippedRays)
     worst = std::max({ worst, std::fabs(segment.Thickness - (ray.Far - ray.Near)),
       std::fabs(segment.Front - interpolate(expectedFront, scalars)),
       std::fabs(segment.Back - interpolate(expectedBack, scalars)) });
-    ASSERT_GT(eyeCoordinates(model, eyeModel)[ray.FarFace], 0) << "the ray leaves through a face not marked as a back face";
+    ASSERT_GT(eyeCoordinates(model, eyeModel)[ray.FarFace], 0)
+      << "the ray leaves through a face not marked as a back face";
   }
   std::cout << "largest difference " << worst << "; eye inside " << inside << " times" << std::endl;
   EXPECT_GT(inside, 2000);
@@ -135,12 +139,14 @@ TEST(TetrahedronRay, ProjectionClasses)
     const Vector3 e = along({ { 0, 0, 0 } }, perspective ? 5 : 1, random.Direction());
     const Vector4 q = eyeCoordinates(p, { { e[0], e[1], e[2], perspective ? 1.0 : 0.0 } });
     // Eye space: positions from the eye, or (x, y, 1) with x and y across the view direction.
-    Vector3 x = cross(e, std::fabs(e[0]) < 0.5 * length(e) ? Vector3{ { 1, 0, 0 } } : Vector3{ { 0, 1, 0 } });
+    Vector3 x =
+      cross(e, std::fabs(e[0]) < 0.5 * length(e) ? Vector3{ { 1, 0, 0 } } : Vector3{ { 0, 1, 0 } });
     const Vector3 y = cross(e, x);
     std::array<Vector3, 4> eyeSpace;
     for (int k = 0; k < 4; ++k)
     {
-      eyeSpace[k] = perspective ? difference(p[k], e) : Vector3{ { dot(p[k], x), dot(p[k], y), 1 } };
+      eyeSpace[k] =
+        perspective ? difference(p[k], e) : Vector3{ { dot(p[k], x), dot(p[k], y), 1 } };
     }
     Vector4 mu;
     double ratio = 0;

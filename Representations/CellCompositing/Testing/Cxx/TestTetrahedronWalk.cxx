@@ -42,7 +42,8 @@ double volume(const ChessboardGrid& grid, const Ids& t)
 {
   const Vector3 a = place(grid, t[0]);
   return std::abs(dot(cross(difference(place(grid, t[1]), a), difference(place(grid, t[2]), a)),
-           difference(place(grid, t[3]), a))) / 6;
+           difference(place(grid, t[3]), a))) /
+    6;
 }
 
 std::map<Face, std::vector<std::int64_t>> facesOf(const std::vector<Ids>& tetrahedra)
@@ -105,14 +106,16 @@ TEST(ChessboardGrid, TetrahedraFillTheGridAndFit)
       EXPECT_LE(face.second.size(), 2u);
       boundary += face.second.size() == 1;
     }
-    EXPECT_EQ(boundary, 2u * 2 * (4 * 3 + 3 * 2 + 4 * 2)); // two triangles per quadrangle of the six sides
+    EXPECT_EQ(
+      boundary, 2u * 2 * (4 * 3 + 3 * 2 + 4 * 2)); // two triangles per quadrangle of the six sides
   }
 }
 
 // Neighbouring pieces of one grid, whose extents differ, must agree on the diagonals between them.
 TEST(ChessboardGrid, PiecesAgree)
 {
-  const ChessboardGrid left = makeGrid(4, 3, 3, 0), right = makeGrid(4, 3, 3, 3 & 1); // right begins at index 3
+  const ChessboardGrid left = makeGrid(4, 3, 3, 0),
+                       right = makeGrid(4, 3, 3, 3 & 1); // right begins at index 3
   std::set<std::array<std::array<double, 3>, 3>> sides[2];
   const ChessboardGrid* grids[2] = { &left, &right };
   for (int k = 0; k < 2; ++k)
@@ -210,7 +213,8 @@ TEST(TetrahedronWalk, CrossesAGrid)
     ASSERT_NE(entry, faces.end());
     TetrahedronWalk<float> walk;
     Face ids = entry->first;
-    if (walk.Start(seen(place(grid, ids[0]), x, y), seen(place(grid, ids[1]), x, y), seen(place(grid, ids[2]), x, y)))
+    if (walk.Start(seen(place(grid, ids[0]), x, y), seen(place(grid, ids[1]), x, y),
+          seen(place(grid, ids[2]), x, y)))
     {
       std::swap(ids[1], ids[2]);
     }
@@ -220,8 +224,8 @@ TEST(TetrahedronWalk, CrossesAGrid)
     for (; tetrahedron >= 0 && steps < 100; ++steps)
     {
       const Ids& t = all[std::size_t(tetrahedron)];
-      const auto ahead =
-        std::find_if(t.begin(), t.end(), [&](std::int64_t v) { return std::find(ids.begin(), ids.end(), v) == ids.end(); });
+      const auto ahead = std::find_if(t.begin(), t.end(),
+        [&](std::int64_t v) { return std::find(ids.begin(), ids.end(), v) == ids.end(); });
       ids[std::size_t(walk.Step(seen(place(grid, *ahead), x, y)))] = *ahead;
       ASSERT_TRUE(walk.Pass(z, s));
       EXPECT_GE(z, last - 1e-5f);

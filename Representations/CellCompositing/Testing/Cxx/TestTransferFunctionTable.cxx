@@ -23,7 +23,8 @@ using namespace nephoscope_test;
 
 namespace
 {
-constexpr double curved = 1.0 / 2000; // documented tolerance between control points of curved functions
+constexpr double curved =
+  1.0 / 2000; // documented tolerance between control points of curved functions
 constexpr double linear = 2e-6;
 
 class Functions
@@ -61,8 +62,8 @@ void addRandomPoints(Random& random, Functions& f, double low, double high)
 }
 
 /** Largest difference at random places, those next to a step of the function (as `skip` says) left out. */
-double largestError(Random& random, const TransferFunctionTable& table, const Functions& f, double low, double high,
-  const std::function<bool(double)>& skip = nullptr)
+double largestError(Random& random, const TransferFunctionTable& table, const Functions& f,
+  double low, double high, const std::function<bool(double)>& skip = nullptr)
 {
   double largest = 0;
   for (int i = 0; i < 20000; ++i)
@@ -86,7 +87,8 @@ double largestError(Random& random, const TransferFunctionTable& table, const Fu
 std::function<bool(double)> near(const std::vector<double>& places, double distance)
 {
   return [=](double x) {
-    return std::any_of(places.begin(), places.end(), [&](double p) { return std::fabs(x - p) < distance; });
+    return std::any_of(
+      places.begin(), places.end(), [&](double p) { return std::fabs(x - p) < distance; });
   };
 }
 }
@@ -129,7 +131,9 @@ TEST(TransferFunctionTable, JumpsAreKept)
     ASSERT_EQ(table.Nodes[k - 1], 0.5f) << "a node belongs to the interval above it";
     EXPECT_NEAR(table.Intervals[k - 1].High[3], 0.4, linear) << "offset " << offset;
     EXPECT_NEAR(table.Intervals[k].Low[3], 0.9, linear) << "offset " << offset;
-    EXPECT_LE(largestError(random, table, f, offset, offset + 1, near({ offset + 0.5 }, 1e-6)), 1e-5) << "offset " << offset;
+    EXPECT_LE(
+      largestError(random, table, f, offset, offset + 1, near({ offset + 0.5 }, 1e-6)), 1e-5)
+      << "offset " << offset;
   }
 }
 
@@ -358,7 +362,8 @@ TEST(TransferFunctionTable, TransparentIntervals)
     const TransferFunctionTable table = f.Build(0, 1);
     for (int k = 0; k < 30; ++k)
     {
-      const float a = float(random.Uniform(-0.2, 1.2)), b = float(a + (k % 3 ? random.Uniform(0, 0.3) : 0));
+      const float a = float(random.Uniform(-0.2, 1.2)),
+                  b = float(a + (k % 3 ? random.Uniform(0, 0.3) : 0));
       double greatest = 0;
       for (int n = 0; n <= 1000; ++n)
       {
@@ -464,7 +469,8 @@ TEST(TransferFunctionTable, NarrowIntervals)
 
 TEST(TransferFunctionTable, RangesFarFromZeroAndHuge)
 {
-  for (const auto& [low, high] : { std::pair<double, double>(-1e12, -1e12 + 1), { 1e15, 1e15 + 64 }, { -8e307, 8e307 }, { 0, 1e-300 } })
+  for (const auto& [low, high] : { std::pair<double, double>(-1e12, -1e12 + 1), { 1e15, 1e15 + 64 },
+         { -8e307, 8e307 }, { 0, 1e-300 } })
   {
     Functions f;
     const double middle = 0.5 * low + 0.5 * high;

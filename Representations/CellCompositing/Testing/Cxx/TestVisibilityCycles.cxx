@@ -25,15 +25,17 @@ const PixelCamera fromBelow({ { 0, 0, -4 } }, { { 0, 0, 0 } }, 1.6, true, 96, 96
 const PixelCamera perspective({ { 0.1, 0.05, 9 } }, { { 0, 0, 0 } }, 0.2, false, 96, 96);
 const PixelCamera aside({ { 5, 1.5, 0.5 } }, { { 0, 0, 0 } }, 1.6, true, 96, 96);
 
-VisibilityOrder::Sorted sortAndCheck(const CellGeometry& geometry, const PixelCamera& camera, const char* name)
+VisibilityOrder::Sorted sortAndCheck(
+  const CellGeometry& geometry, const PixelCamera& camera, const char* name)
 {
   VisibilityOrder visibility;
   EXPECT_TRUE(visibility.Connect(geometry));
   VisibilityOrder::Sorted sorted;
   EXPECT_TRUE(visibility.SortExact(geometry, camera.GetView(), sorted));
   const RayCheck check = checkRays(geometry, sorted, camera);
-  std::cout << name << ": " << geometry.Tetrahedra.size() << " tetrahedra, " << sorted.NumberOfCyclicTetrahedra << " in "
-            << sorted.NumberOfCycles << " cycles, " << sorted.Pieces.Tetrahedra.size() << " pieces; " << check << std::endl;
+  std::cout << name << ": " << geometry.Tetrahedra.size() << " tetrahedra, "
+            << sorted.NumberOfCyclicTetrahedra << " in " << sorted.NumberOfCycles << " cycles, "
+            << sorted.Pieces.Tetrahedra.size() << " pieces; " << check << std::endl;
   EXPECT_EQ(check.Inversions, 0) << name;
   EXPECT_LT(check.LargestGap, 1e-4) << name;
   EXPECT_GT(check.Crossings, 500) << name;
@@ -43,7 +45,9 @@ VisibilityOrder::Sorted sortAndCheck(const CellGeometry& geometry, const PixelCa
 
 double volume(const std::array<Vector3, 4>& p)
 {
-  return std::abs(dot(cross(difference(p[1], p[0]), difference(p[2], p[0])), difference(p[3], p[0]))) / 6;
+  return std::abs(
+           dot(cross(difference(p[1], p[0]), difference(p[2], p[0])), difference(p[3], p[0]))) /
+    6;
 }
 
 /** Every tetrahedron is drawn once, whole or in pieces of the same volume. */
@@ -62,7 +66,9 @@ void checkVolumes(const CellGeometry& geometry, const VisibilityOrder::Sorted& s
     std::array<Vector3, 4> p;
     for (std::size_t k = 0; k < 4; ++k)
     {
-      const auto& x = sorted.Pieces.Points[std::size_t(sorted.Pieces.Tetrahedra[i - whole][k]) - geometry.Points.size()];
+      const auto& x =
+        sorted.Pieces
+          .Points[std::size_t(sorted.Pieces.Tetrahedra[i - whole][k]) - geometry.Points.size()];
       p[k] = { { x.X, x.Y, x.Z } };
     }
     drawn[std::size_t(sorted.Pieces.Owners[i - whole])] += volume(p);
@@ -130,7 +136,9 @@ TEST(StrongComponents, AgainstReachability)
       {
         const bool together = i == j || (reach[i][j] && reach[j][i]);
         ASSERT_EQ(group[i] == group[j], together);
-        ASSERT_EQ(components.GetComponent(std::int32_t(i)) == components.GetComponent(std::int32_t(j)), together);
+        ASSERT_EQ(
+          components.GetComponent(std::int32_t(i)) == components.GetComponent(std::int32_t(j)),
+          together);
         if (!together && reach[i][j])
         {
           ASSERT_GT(group[i], group[j]) << "what is behind comes first";
@@ -149,7 +157,8 @@ TEST(VisibilityCycles, RingOfNeighbours)
     for (const PixelCamera* camera : { &fromAbove, &fromBelow, &perspective })
     {
       const auto relations = findRelations(findInteriorFaces(geometry), camera->GetView().Eye);
-      ASSERT_GT(countUnsortable(relations, geometry.Tetrahedra.size()), 0u) << "the mesh of this test has no cycle";
+      ASSERT_GT(countUnsortable(relations, geometry.Tetrahedra.size()), 0u)
+        << "the mesh of this test has no cycle";
       const VisibilityOrder::Sorted sorted = sortAndCheck(geometry, *camera, "ring");
       EXPECT_GT(sorted.NumberOfCycles, 0);
       EXPECT_GE(sorted.NumberOfCyclicTetrahedra, n);
@@ -172,7 +181,8 @@ TEST(VisibilityCycles, ThreeBars)
     for (const PixelCamera* camera : { &fromAbove, &fromBelow, &perspective })
     {
       const VisibilityOrder::Sorted sorted = sortAndCheck(geometry, *camera, "three bars");
-      EXPECT_EQ(sorted.NumberOfCycles, pieces == 1 ? 1 : 0) << "divided into two, the bars have an order";
+      EXPECT_EQ(sorted.NumberOfCycles, pieces == 1 ? 1 : 0)
+        << "divided into two, the bars have an order";
       EXPECT_EQ(sorted.NumberOfCyclicTetrahedra >= 3, pieces == 1);
       checkVolumes(geometry, sorted);
     }
@@ -186,7 +196,9 @@ TEST(VisibilityCycles, ManyAtOnce)
   BlockMesh mesh; // in front of each other
   for (int i = 0; i < 12; ++i)
   {
-    addThreeBars(mesh, 1, { { random.Uniform(-0.7, 0.7), random.Uniform(-0.7, 0.7), 0.8 * (i - 5.5) } }, i % 2 ? 1 : 0.4);
+    addThreeBars(mesh, 1,
+      { { random.Uniform(-0.7, 0.7), random.Uniform(-0.7, 0.7), 0.8 * (i - 5.5) } },
+      i % 2 ? 1 : 0.4);
   }
   const CellGeometry geometry = buildGeometry(mesh.Get());
   std::int64_t cycles = 0;
@@ -194,7 +206,8 @@ TEST(VisibilityCycles, ManyAtOnce)
   {
     const Vector3 eye = { { random.Uniform(-2, 2), random.Uniform(-2, 2), i % 2 ? 14.0 : -14.0 } };
     const PixelCamera camera(eye, { { 0, 0, 0 } }, 0.25, false, 128, 128);
-    const VisibilityOrder::Sorted sorted = sortAndCheck(geometry, camera, "twelve times three bars");
+    const VisibilityOrder::Sorted sorted =
+      sortAndCheck(geometry, camera, "twelve times three bars");
     cycles += sorted.NumberOfCycles;
     checkVolumes(geometry, sorted);
   }
@@ -206,7 +219,8 @@ TEST(VisibilityCycles, AllRodsInOne)
   const CellGeometry geometry = buildGeometry(makeInterlacedRods(3));
   for (const bool parallel : { false, true })
   {
-    const PixelCamera camera({ { 2, 2.1, 1.9 } }, { { 0, 0, 0 } }, parallel ? 0.9 : 0.27, parallel, 96, 96);
+    const PixelCamera camera(
+      { { 2, 2.1, 1.9 } }, { { 0, 0, 0 } }, parallel ? 0.9 : 0.27, parallel, 96, 96);
     const VisibilityOrder::Sorted sorted = sortAndCheck(geometry, camera, "interlaced rods");
     EXPECT_EQ(sorted.NumberOfCycles, 1);
     EXPECT_GT(sorted.NumberOfCyclicTetrahedra, 81);
@@ -235,7 +249,8 @@ TEST(VisibilityCycles, NumberingAndThreadsDoNotCount)
   for (int i = 0; i < 5; ++i)
   {
     const auto numbers = shuffled(random, geometry.Tetrahedra.size());
-    const CellGeometry permuted = buildGeometry(pickTetrahedra(geometry, numbers, [](std::int32_t) { return true; }));
+    const CellGeometry permuted =
+      buildGeometry(pickTetrahedra(geometry, numbers, [](std::int32_t) { return true; }));
     const VisibilityOrder::Sorted sorted = sortAndCheck(permuted, fromAbove, "bars, renumbered");
     EXPECT_EQ(sorted.NumberOfCycles, first.NumberOfCycles);
     EXPECT_EQ(sorted.NumberOfCyclicTetrahedra, first.NumberOfCyclicTetrahedra);
@@ -265,7 +280,8 @@ TEST(VisibilityCycles, ALimitOnPieces)
   EXPECT_TRUE(sorted.Pieces.Tetrahedra.empty());
   EXPECT_EQ(sorted.Order.size(), geometry.Tetrahedra.size());
   const auto relations = findRelations(findInteriorFaces(geometry), view.Eye);
-  EXPECT_EQ(countViolations(relations, sorted.Order), sorted.NumberOfBrokenRelations) << "what is counted is what is broken";
+  EXPECT_EQ(countViolations(relations, sorted.Order), sorted.NumberOfBrokenRelations)
+    << "what is counted is what is broken";
   EXPECT_GT(checkRays(geometry, sorted, fromAbove).Inversions, 0);
 }
 
@@ -284,8 +300,10 @@ TEST(VisibilityCycles, PiecesKeepTheField)
   for (std::size_t i = 0; i < sorted.Pieces.Points.size(); ++i)
   {
     const CellGeometry::Point& p = sorted.Pieces.Points[i];
-    const double x[3] = { p.X + geometry.Center[0], p.Y + geometry.Center[1], p.Z + geometry.Center[2] };
-    const double expected = (field(x) - geometry.ScalarRange[0]) / (geometry.ScalarRange[1] - geometry.ScalarRange[0]);
+    const double x[3] = { p.X + geometry.Center[0], p.Y + geometry.Center[1],
+      p.Z + geometry.Center[2] };
+    const double expected =
+      (field(x) - geometry.ScalarRange[0]) / (geometry.ScalarRange[1] - geometry.ScalarRange[0]);
     EXPECT_NEAR(p.Scalar, expected, 1e-5);
     EXPECT_NEAR(sorted.Pieces.OpacityScalars[i], expected, 1e-5);
   }

@@ -27,7 +27,8 @@ Vector4 eyeAt(const CellGeometry& geometry, double x, double y, double z)
 }
 
 /** For a mesh without cycles. No picture: convex meshes need none. */
-std::vector<std::int32_t> sortExactly(const CellGeometry& geometry, const VisibilityOrder& visibility, const Vector4& eye)
+std::vector<std::int32_t> sortExactly(
+  const CellGeometry& geometry, const VisibilityOrder& visibility, const Vector4& eye)
 {
   OrderView view;
   view.Eye = eye;
@@ -73,7 +74,8 @@ void checkManyEyes(vtkDataSet* data, Random& random, double size, int eyes)
   {
     const Vector3 d = random.Direction();
     const double distance = size * (i % 4 == 0 ? 0.3 : random.LogUniform(1, 50)); // inside too
-    checkExactOrder(geometry, faces, visibility, { { distance * d[0], distance * d[1], distance * d[2], 1 } });
+    checkExactOrder(
+      geometry, faces, visibility, { { distance * d[0], distance * d[1], distance * d[2], 1 } });
     checkExactOrder(geometry, faces, visibility, { { d[0], d[1], d[2], 0 } });
   }
 }
@@ -90,7 +92,8 @@ vtkSmartPointer<vtkStructuredGrid> makeWarpedLattice(Random& random, int n, doub
   });
 }
 
-vtkSmartPointer<vtkUnstructuredGrid> permuteCells(Random& random, const CellGeometry& geometry, std::vector<std::int32_t>& from)
+vtkSmartPointer<vtkUnstructuredGrid> permuteCells(
+  Random& random, const CellGeometry& geometry, std::vector<std::int32_t>& from)
 {
   from.resize(geometry.Tetrahedra.size());
   std::iota(from.begin(), from.end(), 0);
@@ -99,7 +102,8 @@ vtkSmartPointer<vtkUnstructuredGrid> permuteCells(Random& random, const CellGeom
 }
 
 /** Length of the ray origin + t direction, t > 0, inside a tetrahedron. */
-double crossedLength(const std::array<Vector3, 4>& p, const Vector3& origin, const Vector3& direction)
+double crossedLength(
+  const std::array<Vector3, 4>& p, const Vector3& origin, const Vector3& direction)
 {
   double near = 0, far = 1e300;
   for (std::size_t i = 0; i < 4; ++i)
@@ -107,7 +111,8 @@ double crossedLength(const std::array<Vector3, 4>& p, const Vector3& origin, con
     const Vector3 face[3] = { p[(i + 1) % 4], p[(i + 2) % 4], p[(i + 3) % 4] };
     const long double inside = orient(face, { { p[i][0], p[i][1], p[i][2], 1 } });
     const long double start = orient(face, { { origin[0], origin[1], origin[2], 1 } }) / inside;
-    const long double speed = orient(face, { { direction[0], direction[1], direction[2], 0 } }) / inside;
+    const long double speed =
+      orient(face, { { direction[0], direction[1], direction[2], 0 } }) / inside;
     if (speed > 0)
     {
       near = std::max(near, double(-start / speed));
@@ -126,7 +131,8 @@ double crossedLength(const std::array<Vector3, 4>& p, const Vector3& origin, con
 
 /** Colour of a ray when each tetrahedron has the random colour of its number in the unpermuted mesh. */
 double compositeRay(const CellGeometry& geometry, const std::vector<std::int32_t>& order,
-  const std::vector<std::int32_t>& from, const std::vector<double>& colors, const Vector3& origin, const Vector3& direction)
+  const std::vector<std::int32_t>& from, const std::vector<double>& colors, const Vector3& origin,
+  const Vector3& direction)
 {
   double color = 0;
   for (const std::int32_t i : order)
@@ -159,7 +165,8 @@ TEST(VisibilityOrder, Shell)
   EXPECT_EQ(visibility.GetFaces().GetNumberOfInteriorFaces(), 9648);
   const std::vector<InteriorFace> faces = findInteriorFaces(geometry);
   EXPECT_EQ(faces.size(), 9648u);
-  const double centroids = checkExactOrder(geometry, faces, visibility, eyeAt(geometry, 3.2, 0.9, 1.1));
+  const double centroids =
+    checkExactOrder(geometry, faces, visibility, eyeAt(geometry, 3.2, 0.9, 1.1));
   std::cout << "faces in the wrong order with centroids: " << 100 * centroids << " %" << std::endl;
   EXPECT_GT(centroids, 0.05);
 }
@@ -171,7 +178,8 @@ TEST(VisibilityOrder, ThinShell)
   visibility.Connect(geometry);
   EXPECT_EQ(geometry.Tetrahedra.size(), 23328u);
   const std::vector<InteriorFace> faces = findInteriorFaces(geometry);
-  const double centroids = checkExactOrder(geometry, faces, visibility, eyeAt(geometry, 3.2, 0.9, 1.1));
+  const double centroids =
+    checkExactOrder(geometry, faces, visibility, eyeAt(geometry, 3.2, 0.9, 1.1));
   std::cout << "faces in the wrong order with centroids: " << 100 * centroids << " %" << std::endl;
   EXPECT_GT(centroids, 0.05);
 }
@@ -203,11 +211,12 @@ TEST(VisibilityOrder, RepeatedPointsOfBlocksAreJoined)
   append->MergePointsOff();
   for (int block = 0; block < 2; ++block)
   {
-    append->AddInputData(makeStructuredGrid(2, 4, 4, [&](double i, double j, double k, double x[3]) {
-      x[0] = i + 2 * block;
-      x[1] = j;
-      x[2] = k;
-    }));
+    append->AddInputData(
+      makeStructuredGrid(2, 4, 4, [&](double i, double j, double k, double x[3]) {
+        x[0] = i + 2 * block;
+        x[1] = j;
+        x[2] = k;
+      }));
   }
   append->Update();
   const CellGeometry geometry = buildGeometry(append->GetOutput());
@@ -216,7 +225,8 @@ TEST(VisibilityOrder, RepeatedPointsOfBlocksAreJoined)
   VisibilityOrder joined, single;
   joined.Connect(geometry);
   single.Connect(whole);
-  EXPECT_EQ(joined.GetFaces().GetNumberOfInteriorFaces(), single.GetFaces().GetNumberOfInteriorFaces());
+  EXPECT_EQ(
+    joined.GetFaces().GetNumberOfInteriorFaces(), single.GetFaces().GetNumberOfInteriorFaces());
   checkExactOrder(geometry, findInteriorFaces(geometry), joined, eyeAt(geometry, 10, 3, 1));
 }
 
@@ -254,12 +264,15 @@ TEST(VisibilityOrder, PermutedCellsGiveTheSamePicture)
   VisibilityOrder first, second;
   first.Connect(geometry);
   second.Connect(permuted);
-  const std::vector<std::int32_t> order = sortExactly(geometry, first, { { eye[0], eye[1], eye[2], 1 } });
-  const std::vector<std::int32_t> permutedOrder = sortExactly(permuted, second, { { eye[0], eye[1], eye[2], 1 } });
+  const std::vector<std::int32_t> order =
+    sortExactly(geometry, first, { { eye[0], eye[1], eye[2], 1 } });
+  const std::vector<std::int32_t> permutedOrder =
+    sortExactly(permuted, second, { { eye[0], eye[1], eye[2], 1 } });
   double greatest = 0;
   for (int i = 0; i < 500; ++i)
   {
-    const Vector3 target = { { random.Uniform(-0.5, 0.5), random.Uniform(-0.5, 0.5), random.Uniform(-0.5, 0.5) } };
+    const Vector3 target = { { random.Uniform(-0.5, 0.5), random.Uniform(-0.5, 0.5),
+      random.Uniform(-0.5, 0.5) } };
     const Vector3 direction = difference(target, eye);
     const double color = compositeRay(geometry, order, identity, colors, eye, direction);
     ASSERT_NEAR(compositeRay(permuted, permutedOrder, from, colors, eye, direction), color, 1e-12);
@@ -273,8 +286,8 @@ TEST(VisibilityOrder, CentroidsFarthestFirst)
   const CellGeometry geometry = buildGeometry(makeLattice(3));
   const auto centroid = [&](std::int32_t i) {
     const auto p = geometry.Vertices(std::size_t(i));
-    return Vector3{ { (p[0][0] + p[1][0] + p[2][0] + p[3][0]) / 4, (p[0][1] + p[1][1] + p[2][1] + p[3][1]) / 4,
-      (p[0][2] + p[1][2] + p[2][2] + p[3][2]) / 4 } };
+    return Vector3{ { (p[0][0] + p[1][0] + p[2][0] + p[3][0]) / 4,
+      (p[0][1] + p[1][1] + p[2][1] + p[3][1]) / 4, (p[0][2] + p[1][2] + p[2][2] + p[3][2]) / 4 } };
   };
   std::vector<std::int32_t> order;
   VisibilityOrder::SortCentroids(geometry, { { 5, 4, 3, 1 } }, order);
@@ -287,7 +300,8 @@ TEST(VisibilityOrder, CentroidsFarthestFirst)
   VisibilityOrder::SortCentroids(geometry, { { 5, 4, 3, 0 } }, order);
   for (std::size_t i = 1; i < order.size(); ++i)
   {
-    ASSERT_LE(dot(centroid(order[i - 1]), { { 5, 4, 3 } }), dot(centroid(order[i]), { { 5, 4, 3 } }) + 1e-5);
+    ASSERT_LE(dot(centroid(order[i - 1]), { { 5, 4, 3 } }),
+      dot(centroid(order[i]), { { 5, 4, 3 } }) + 1e-5);
   }
   VisibilityOrder::SortNone(geometry, order);
   EXPECT_TRUE(isPermutation(order, geometry.Tetrahedra.size()));
@@ -300,8 +314,9 @@ TEST(VisibilityOrder, NothingAndOneTetrahedron)
   VisibilityOrder visibility;
   visibility.Connect(geometry);
   EXPECT_TRUE(sortExactly(geometry, visibility, { { 0, 0, 1, 0 } }).empty());
-  geometry = buildGeometry(makeGrid(
-    { { { 0, 0, 0 } }, { { 1, 0, 0 } }, { { 0, 1, 0 } }, { { 0, 0, 1 } } }, { { VTK_TETRA, { 0, 1, 2, 3 } } }));
+  geometry =
+    buildGeometry(makeGrid({ { { 0, 0, 0 } }, { { 1, 0, 0 } }, { { 0, 1, 0 } }, { { 0, 0, 1 } } },
+      { { VTK_TETRA, { 0, 1, 2, 3 } } }));
   visibility.Connect(geometry);
   EXPECT_EQ(sortExactly(geometry, visibility, { { 0, 0, 1, 0 } }), std::vector<std::int32_t>{ 0 });
 }
@@ -309,8 +324,8 @@ TEST(VisibilityOrder, NothingAndOneTetrahedron)
 // Three and more tetrahedra at one face, and points that are not numbers, must do no harm.
 TEST(VisibilityOrder, OverlappingCellsAndInvalidPoints)
 {
-  auto grid = makeGrid({ { { 0, 0, 0 } }, { { 1, 0, 0 } }, { { 0, 1, 0 } }, { { 0, 0, 1 } }, { { 0, 0, -1 } },
-                         { { 0.1, 0.1, 2 } }, { { std::nan(""), 0, 0 } } },
+  auto grid = makeGrid({ { { 0, 0, 0 } }, { { 1, 0, 0 } }, { { 0, 1, 0 } }, { { 0, 0, 1 } },
+                         { { 0, 0, -1 } }, { { 0.1, 0.1, 2 } }, { { std::nan(""), 0, 0 } } },
     { { VTK_TETRA, { 0, 1, 2, 3 } }, { VTK_TETRA, { 0, 1, 2, 4 } }, { VTK_TETRA, { 0, 1, 2, 5 } },
       { VTK_TETRA, { 0, 1, 2, 3 } }, { VTK_TETRA, { 0, 1, 2, 6 } } });
   const CellGeometry geometry = buildGeometry(grid);

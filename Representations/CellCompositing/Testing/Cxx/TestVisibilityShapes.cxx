@@ -37,7 +37,8 @@ std::vector<PixelCamera> camerasAround(Random& random, double distance, int coun
   for (int i = 0; i < count; ++i)
   {
     const Vector3 d = random.Direction();
-    const Vector3 focus = { { random.Uniform(-0.1, 0.1), random.Uniform(-0.1, 0.1), random.Uniform(-0.1, 0.1) } };
+    const Vector3 focus = { { random.Uniform(-0.1, 0.1), random.Uniform(-0.1, 0.1),
+      random.Uniform(-0.1, 0.1) } };
     const Vector3 eye = { { distance * d[0], distance * d[1], distance * d[2] } };
     const bool parallel = i % 2 == 1;
     cameras.emplace_back(eye, focus, parallel ? 0.5 * distance : 0.5, parallel, pixels, pixels);
@@ -46,7 +47,8 @@ std::vector<PixelCamera> camerasAround(Random& random, double distance, int coun
 }
 
 /** Checks every view; returns how many crossings are inverted, over all of them, when gaps are not related. */
-std::int64_t checkShape(const CellGeometry& geometry, const std::vector<PixelCamera>& cameras, const std::string& name)
+std::int64_t checkShape(
+  const CellGeometry& geometry, const std::vector<PixelCamera>& cameras, const std::string& name)
 {
   VisibilityOrder visibility;
   EXPECT_TRUE(visibility.Connect(geometry));
@@ -66,7 +68,8 @@ std::int64_t checkShape(const CellGeometry& geometry, const std::vector<PixelCam
     blind.Inversions += checkRays(geometry, sorted, camera).Inversions;
   }
   std::cout << name << ": " << geometry.Tetrahedra.size() << " tetrahedra, " << total.Crossings
-            << " crossings in order; " << blind.Inversions << " inverted without relations across gaps" << std::endl;
+            << " crossings in order; " << blind.Inversions
+            << " inverted without relations across gaps" << std::endl;
   EXPECT_GT(total.Crossings, 1000) << name << ": nothing to see";
   return blind.Inversions;
 }
@@ -83,7 +86,8 @@ vtkSmartPointer<vtkUnstructuredGrid> makeBall(Random& random, int satellite = -1
     for (int i = 0; i < sectors; ++i)
     {
       const double theta = pi * j / rings, lambda = turn + 2 * pi * i / sectors;
-      points.push_back({ { std::sin(theta) * std::cos(lambda), 0.7 * std::sin(theta) * std::sin(lambda), std::cos(theta) } });
+      points.push_back({ { std::sin(theta) * std::cos(lambda),
+        0.7 * std::sin(theta) * std::sin(lambda), std::cos(theta) } });
       const auto id = [&](int a, int b) { // one point at each pole
         return vtkIdType(1 + b * sectors + (b == 0 || b == rings ? 0 : (i + a) % sectors));
       };
@@ -94,7 +98,8 @@ vtkSmartPointer<vtkUnstructuredGrid> makeBall(Random& random, int satellite = -1
       }
     }
   }
-  if (satellite >= 0) // a small tetrahedron above the outer face of another one, which few other faces see
+  if (satellite >=
+    0) // a small tetrahedron above the outer face of another one, which few other faces see
   {
     const vtkIdType first = vtkIdType(points.size());
     const std::vector<vtkIdType> below = cells[std::size_t(satellite)].second;
@@ -106,7 +111,10 @@ vtkSmartPointer<vtkUnstructuredGrid> makeBall(Random& random, int satellite = -1
         x[k] = 0;
         for (int i = 1; i < 4; ++i)
         {
-          x[k] += (corner == i ? 0.4 : corner == 0 ? 1 / 3. : 0.3) * points[std::size_t(below[std::size_t(i)])][k];
+          x[k] += (corner == i      ? 0.4
+                      : corner == 0 ? 1 / 3.
+                                    : 0.3) *
+            points[std::size_t(below[std::size_t(i)])][k];
         }
         x[k] *= corner == 0 ? 1.01 : 1.001;
       }
@@ -127,7 +135,8 @@ double dent(const CellGeometry& geometry, const FaceNeighbors& faces)
     const auto& f = tetrahedronFaces[face.Opposite];
     const Vector3 normal = cross(difference(p[f[1]], p[f[0]]), difference(p[f[2]], p[f[0]]));
     const double scale = -1 / std::sqrt(dot(normal, normal));
-    const double inside = dot(normal, difference(p[std::size_t(face.Opposite)], p[f[0]])) > 0 ? 1 : -1;
+    const double inside =
+      dot(normal, difference(p[std::size_t(face.Opposite)], p[f[0]])) > 0 ? 1 : -1;
     for (const FaceNeighbors::Face& other : faces.GetBoundary())
     {
       for (const int k : tetrahedronFaces[other.Opposite])
@@ -150,9 +159,10 @@ vtkSmartPointer<vtkUnstructuredGrid> makeNestedShells()
     mesh.AddBox(
       n, [](int, int, int) { return false; },
       [&](double u, double v, double w) {
-        const double lambda = 2 * pi * (u == 1 ? 0 : u), phi = pi / 180 * 80 * (2 * v - 1), r = inner + 0.2 * w;
-        return std::array<double, 3>{ { r * std::cos(phi) * std::cos(lambda), r * std::cos(phi) * std::sin(lambda),
-          r * std::sin(phi) } };
+        const double lambda = 2 * pi * (u == 1 ? 0 : u), phi = pi / 180 * 80 * (2 * v - 1),
+                     r = inner + 0.2 * w;
+        return std::array<double, 3>{ { r * std::cos(phi) * std::cos(lambda),
+          r * std::cos(phi) * std::sin(lambda), r * std::sin(phi) } };
       });
   }
   return mesh.Get();
@@ -176,8 +186,11 @@ TEST(VisibilityShapes, ConvexMeshesAreKnown)
 
 TEST(VisibilityShapes, OthersAreFoundOut)
 {
-  EXPECT_FALSE(isConvex(makeCubeWithout(2, [](int i, int j, int) { return i == 1 && j == 1; }))) << "L";
-  EXPECT_FALSE(isConvex(makeCubeWithout(3, [](int i, int j, int k) { return i == 1 && j == 1 && k == 1; }))) << "cavity";
+  EXPECT_FALSE(isConvex(makeCubeWithout(2, [](int i, int j, int) { return i == 1 && j == 1; })))
+    << "L";
+  EXPECT_FALSE(
+    isConvex(makeCubeWithout(3, [](int i, int j, int k) { return i == 1 && j == 1 && k == 1; })))
+    << "cavity";
   EXPECT_FALSE(isConvex(makeShell(12, 6, 2, 80, 1, 1.3))) << "shell";
   BlockMesh blocks;
   blocks.AddBox(1, 1, 1, { { 0, 0, 0 } }, { { 1, 1, 1 } });
@@ -191,11 +204,12 @@ TEST(VisibilityShapes, OthersAreFoundOut)
   // One corner pushed in, by little and by nothing.
   for (const double depth : { 1e-3, 0.0 })
   {
-    EXPECT_EQ(depth == 0, isConvex(makeStructuredGrid(2, 2, 2, [depth](double i, double j, double k, double x[3]) {
-      x[0] = i;
-      x[1] = j;
-      x[2] = k + (k == 2 && i == 1 && j == 1 ? -depth : 0);
-    })));
+    EXPECT_EQ(depth == 0,
+      isConvex(makeStructuredGrid(2, 2, 2, [depth](double i, double j, double k, double x[3]) {
+        x[0] = i;
+        x[1] = j;
+        x[2] = k + (k == 2 && i == 1 && j == 1 ? -depth : 0);
+      })));
   }
 }
 
@@ -233,12 +247,18 @@ TEST(VisibilityShapes, MeshesWithHoles)
 {
   Random random(72);
   const auto cameras = camerasAround(random, 2, 6);
-  checkShape(buildGeometry(makeCubeWithout(4, [](int i, int j, int) { return i >= 2 && j >= 2; })), cameras, "L");
-  EXPECT_GT(checkShape(buildGeometry(makeCubeWithout(3, [](int i, int j, int k) { return (i == 1) + (j == 1) + (k == 1) > 1; })),
-              cameras, "cube with three tunnels"), 0);
-  EXPECT_GT(checkShape(buildGeometry(makeCubeWithout(5, [](int i, int j, int k) {
-              return std::min({ i, j, k }) > 0 && std::max({ i, j, k }) < 4;
-            })), cameras, "hollow cube"), 0);
+  checkShape(buildGeometry(makeCubeWithout(4, [](int i, int j, int) { return i >= 2 && j >= 2; })),
+    cameras, "L");
+  EXPECT_GT(checkShape(buildGeometry(makeCubeWithout(3,
+                         [](int i, int j, int k) { return (i == 1) + (j == 1) + (k == 1) > 1; })),
+              cameras, "cube with three tunnels"),
+    0);
+  EXPECT_GT(checkShape(buildGeometry(makeCubeWithout(5,
+                         [](int i, int j, int k) {
+                           return std::min({ i, j, k }) > 0 && std::max({ i, j, k }) < 4;
+                         })),
+              cameras, "hollow cube"),
+    0);
 }
 
 TEST(VisibilityShapes, SeparateParts)
@@ -266,9 +286,10 @@ TEST(VisibilityShapes, TetrahedraMissingAtRandom)
     const CellGeometry full = buildGeometry(makeDelaunay(random, 250));
     std::vector<std::int32_t> all(full.Tetrahedra.size());
     std::iota(all.begin(), all.end(), 0);
-    const CellGeometry geometry =
-      buildGeometry(pickTetrahedra(full, all, [&](std::int32_t) { return random.Uniform() > share; }));
-    EXPECT_GT(checkShape(geometry, camerasAround(random, 1.5, 6), std::to_string(share) + " missing"), 0);
+    const CellGeometry geometry = buildGeometry(
+      pickTetrahedra(full, all, [&](std::int32_t) { return random.Uniform() > share; }));
+    EXPECT_GT(
+      checkShape(geometry, camerasAround(random, 1.5, 6), std::to_string(share) + " missing"), 0);
   }
 }
 
@@ -298,7 +319,8 @@ TEST(VisibilityShapes, RelationsFollowThePixels)
   {
     const PixelCamera camera({ { 3, 1, 0.5 } }, { { 0, 0, 0 } }, 0.5, false, pixels, pixels);
     std::vector<ReentryRelation> relations;
-    ASSERT_TRUE(findReentryRelations(geometry, visibility.GetFaces().GetBoundary(), camera.GetView(), relations));
+    ASSERT_TRUE(findReentryRelations(
+      geometry, visibility.GetFaces().GetBoundary(), camera.GetView(), relations));
     EXPECT_TRUE(std::is_sorted(relations.begin(), relations.end()));
     EXPECT_EQ(std::adjacent_find(relations.begin(), relations.end()), relations.end());
     EXPECT_GT(relations.size(), before);
@@ -338,7 +360,8 @@ TEST(VisibilityShapes, DelaunayPowerAgrees)
     for (std::size_t i = 0; i < geometry.Tetrahedra.size(); ++i)
     {
       const auto p = geometry.Vertices(i);
-      const Vector3 a = difference(p[1], p[0]), b = difference(p[2], p[0]), c = difference(p[3], p[0]);
+      const Vector3 a = difference(p[1], p[0]), b = difference(p[2], p[0]),
+                    c = difference(p[3], p[0]);
       const Vector3 bc = cross(b, c), ca = cross(c, a), ab = cross(a, b);
       Vector3 center; // relative to p[0]
       double radius2 = 0, distance2 = 0, along = 0;
@@ -357,7 +380,8 @@ TEST(VisibilityShapes, DelaunayPowerAgrees)
     {
       byPower.Order.push_back(p.second);
     }
-    EXPECT_EQ(checkRays(geometry, byPower, camera).Inversions, 0) << "the independent order is none";
+    EXPECT_EQ(checkRays(geometry, byPower, camera).Inversions, 0)
+      << "the independent order is none";
     ASSERT_TRUE(visibility.SortExact(geometry, camera.GetView(), exact));
     EXPECT_EQ(checkRays(geometry, exact, camera).Inversions, 0);
     VisibilityOrder::SortCentroids(geometry, eye, byPower.Order);
