@@ -503,6 +503,15 @@ test_appended_xml()
   expect "as many cells read as written" [ "$STATUS $OUT" = "0 1000 cells" ]
 }
 
+test_format()
+{
+  # Other versions of clang-format break lines in other ways.
+  command -v clang-format-14 >/dev/null || { echo "skipped: there is no clang-format-14"; exit 125; }
+  cd "$TOP"
+  find Filters Plugins Representations Testing \( -name '*.cxx' -o -name '*.h' \) -print0 |
+    xargs -0 clang-format-14 --dry-run -Werror
+}
+
 test_shellcheck()
 {
   command -v shellcheck >/dev/null || { echo "skipped: there is no shellcheck"; exit 125; }
