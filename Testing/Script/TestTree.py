@@ -96,6 +96,14 @@ def check_references(files):
                 yield f"{path.relative_to(TOP)}: {found} is not in Documentation/references.bib"
 
 
+def check_test_targets(files):
+    """C++ tests are made and linked by the functions of CMake/NephoscopeTesting.cmake alone: the build of a wheel has none of their targets."""
+    for path in files:
+        if path.name == "CMakeLists.txt" and "Testing" in path.parts:
+            for found in re.findall(r"^\s*target_\w+\((Test\w+)", text_of(path), re.MULTILINE):
+                yield f"{path.relative_to(TOP)}: changes the target {found}, which the build of a wheel does not have"
+
+
 def check_changelog(_files):
     """CHANGELOG.md has the form of Keep a Changelog: what is unreleased first, each kind of change once a version."""
     versions = re.split(r"^## ", text_of(TOP / "CHANGELOG.md"), flags=re.MULTILINE)[1:]
@@ -256,7 +264,7 @@ def check_readmes(files):
 def main():
     files = tracked_files()
     problems = []
-    for check in (check_licence_lines, check_machine_paths, check_documents, check_verbs, check_references, check_changelog, check_sentences,
+    for check in (check_licence_lines, check_machine_paths, check_documents, check_verbs, check_references, check_test_targets, check_changelog, check_sentences,
                   check_layers, check_include_paths, check_readmes):
         problems += check(files)
     print("\n".join(problems) or f"{len(files)} files: nothing to complain of")
