@@ -30,6 +30,6 @@ ensure_forecast()
   fi
   mkdir -p "$(dirname "$NEPHOSCOPE_FORECAST")"
   say_unless_quiet "      making the time series of wind and clouds"
-  run_logged forecast "$SYSTEM_PYTHON" "$TOP/Data/scripts/make_forecast.py" "$NEPHOSCOPE_FORECAST" "$@" ||
+  run_logged forecast "$SYSTEM_PYTHON" "$TOP/Data/forecast/make_forecast.py" "$NEPHOSCOPE_FORECAST" "$@" ||
     fail 1 "could not make the time series"
 }

@@ -85,7 +85,7 @@ def run_figure(script):
     """A figure that moves has a series of 10 degrees in place of that of `./nephoscope forecast`, which takes minutes."""
     before = []
     if "NEPHOSCOPE_FORECAST" in script.read_text(encoding="utf-8"):
-        before = [[sys.executable, str(ROOT / "Data/scripts/make_forecast.py"), "forecast.nc", "--grid", "test", "--hours", "48"]]
+        before = [[sys.executable, str(ROOT / "Data/forecast/make_forecast.py"), "forecast.nc", "--grid", "test", "--hours", "48"]]
     return written(*before, [str(Path(paraview_python()).with_name("pvbatch")), str(script)])
 
 

@@ -102,7 +102,7 @@ class Series:
             "Conventions": "CF-1.8",
             "title": "Forecast of %d hours by the barotropic vorticity equation on each level, clouds carried along" % self.hours,
             "source": "NCEP GFS (US government, public domain), Data/gfs_2p5deg_2011101100.nc of Nephoscope",
-            "comment": "made by Data/scripts/make_forecast.py; no weather forecast to rely on",
+            "comment": "made by Data/forecast/make_forecast.py; no weather forecast to rely on",
         }, keep_records)
 
     def dimensions(self):

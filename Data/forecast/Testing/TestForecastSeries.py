@@ -17,7 +17,7 @@ from vtkmodules.vtkIONetCDF import vtkNetCDFCFReader
 
 ANALYSIS = os.path.join(forecast_modules.DATA, "gfs_2p5deg_2011101100.nc")
 SMALL = os.path.join(forecast_modules.DATA, "forecast_10deg_6h.nc")
-SCRIPT = os.path.join(forecast_modules.DATA, "scripts", "make_forecast.py")
+SCRIPT = os.path.join(forecast_modules.DATA, "forecast", "make_forecast.py")
 LEVELS = [850, 500, 250]
 
 
