@@ -64,6 +64,34 @@ void MediumMeasures::AddPlace(
   }
 }
 
+void MediumMeasures::AddPart(const MediumBounds& frame, const Part& part)
+{
+  this->Volume += part.Volume;
+  if (!std::isfinite(part.Scalar))
+  {
+    return;
+  }
+  const double scalar = part.Volume * part.Scalar;
+  const double opacity = part.Volume * part.Opacity;
+  this->FiniteVolume += part.Volume;
+  this->ScalarIntegral += scalar;
+  this->OpacityIntegral += opacity;
+  this->Projections.Add(frame, part.Box, { { part.Volume, scalar, opacity } });
+}
+
+void MediumMeasures::Scale(double factor)
+{
+  for (double* one : { &this->Volume, &this->FiniteVolume, &this->ScalarIntegral,
+         &this->OpacityIntegral, &this->Silhouettes })
+  {
+    *one *= factor;
+  }
+  for (double& pixel : this->Projections.GetPixels())
+  {
+    pixel *= factor;
+  }
+}
+
 double scalarOf(vtkDataArray* scalars, vtkIdType tuple)
 {
   const int components = scalars->GetNumberOfComponents();
@@ -103,8 +131,8 @@ double meanRamp(const MediumMeasures& measures)
   {
     return 0.5;
   }
-  return std::min(
-    std::max((measures.ScalarIntegral / measures.Volume - low) / (high - low), 0.0), 1.0);
+  const double integral = measures.ScalarIntegral - low * measures.FiniteVolume;
+  return std::min(std::max(integral / measures.Volume / (high - low), 0.0), 1.0);
 }
 
 void findFiniteRange(vtkDataArray* array, double range[2])
@@ -137,7 +165,10 @@ double defaultUnitDistance(const MediumMeasures& measures, const MediumBounds& c
     return 0.0;
   }
   const double opacity = ramp ? meanRamp(measures) : measures.OpacityIntegral / measures.Volume;
-  const double distance = meanChord(measures, common) * opacity / meanOpticalDepth;
+  const double localization = ramp ? measures.Projections.Localization(measures.ScalarRange)
+                                   : measures.Projections.Localization();
+  const double distance = meanChord(measures, common) * opacity / meanOpticalDepth *
+    std::max(localization / localOpticalDepth, 1.0);
   return std::isfinite(distance) ? distance : 0.0;
 }
 

@@ -4,6 +4,8 @@
 #ifndef MediumMeasures_h
 #define MediumMeasures_h
 
+#include "MediumProjections.h"
+
 #include "vtkNephoscopeRepresentationsCommonModule.h" // for export macro
 #include "vtkType.h"
 
@@ -24,6 +26,7 @@ constexpr MediumBounds NoMediumBounds = { { 1.0, -1.0, 1.0, -1.0, 1.0, -1.0 } };
 struct VTKNEPHOSCOPEREPRESENTATIONSCOMMON_EXPORT MediumMeasures
 {
   double Volume = 0.0;
+  double FiniteVolume = 0.0; ///< where the scalar is finite
   double ScalarIntegral = 0.0;
   double OpacityIntegral = 0.0; ///< of the opacity function, where there is one
   double Silhouettes = 0.0;     ///< sum of those of the samples' cells, where samples are measured
@@ -31,6 +34,22 @@ struct VTKNEPHOSCOPEREPRESENTATIONSCOMMON_EXPORT MediumMeasures
   MediumBounds Bounds = NoMediumBounds; ///< of this process
   /** How far the medium reaches towards each corner of the common bounds: 3 at the corner, sqrt(3) on the inscribed ellipsoid. */
   std::array<double, 8> Reach{};
+  MediumProjections Projections; ///< in the common bounds
+
+  /** A part of the medium: its box, its volume, and mean values in it. */
+  struct Part
+  {
+    MediumBounds Box;
+    double Volume;
+    double Scalar;
+    double Opacity;
+  };
+
+  /** Adds to the integrals; a part whose scalar is not finite has a volume alone, as it is not drawn. */
+  void AddPart(const MediumBounds& frame, const Part& part);
+
+  /** Multiplies the integrals, where parts stand for others as well. */
+  void Scale(double factor);
 
   /** Extends Reach, `frame` being the common bounds, by a box around `place` that extends by `half` to each side. */
   void AddPlace(const MediumBounds& frame, const double place[3], const double half[3]);
@@ -85,6 +104,9 @@ VTKNEPHOSCOPEREPRESENTATIONSCOMMON_EXPORT double meanRamp(const MediumMeasures& 
 /** Mean optical depth that the default unit distance aims at. */
 constexpr double meanOpticalDepth = 2.0;
 
+/** How many times the mean optical depth the rays through opaque places may have. */
+constexpr double localOpticalDepth = 2.0;
+
 /**
  * The range of the finite values, or magnitudes, of an array. The array's own is not used: VTK keeps it with the array, and vtkPointDataToCellData
  * hands that of the points on to the cells.
@@ -98,8 +120,9 @@ VTKNEPHOSCOPEREPRESENTATIONSCOMMON_EXPORT std::function<double(double)> fullOpac
 
 /**
  * The unit distance that gives rays through the medium a mean optical depth of 2, with the opacity function of the measures, scaled to reach 1;
- * without one (`ramp`), with a ramp over the range of the scalar. It depends on the size of the data, not on their resolution. 0 if nothing is
- * opaque, or without a volume.
+ * without one (`ramp`), with a ramp over the range of the scalar. Where the opacity fills a small part of the medium, the distance is greater, so
+ * that rays through that part have a mean optical depth of 4 and its core shows. It depends on the size of the data, not on their resolution. 0 if
+ * nothing is opaque, or without a volume.
  */
 VTKNEPHOSCOPEREPRESENTATIONSCOMMON_EXPORT double defaultUnitDistance(
   const MediumMeasures& measures, const MediumBounds& common, bool ramp);

@@ -85,8 +85,8 @@ def add_cells(plotter: pyvista.BasePlotter, grid: Any, scalars: str | np.ndarray
         Multiplies the extinction coefficient, >= 0.
     opacity_unit_distance : float, optional
         Length in world units over which a medium of opacity 1 has an optical depth of 1, > 0. Default: the length that gives rays through the
-        grid a mean optical depth of 2, with opacities scaled to reach 1. It depends on the size and thickness of the grid and on its opacities,
-        but not on the number of cells. With `clim` (or `opacity_clim`) it assumes opacities that are linear over the range of the scalars, so
+        grid a mean optical depth of 2, with opacities scaled to reach 1, and more transparent where the opacity is concentrated in a small part
+        of the grid. It depends on the size and thickness of the grid and on its opacities, but not on the number of cells. With `clim` (or `opacity_clim`) it assumes opacities that are linear over the range of the scalars, so
         that in a time series the medium fades as its values do. To compare pictures, pass the same distance for all.
     integration : {"exact", "average"}, default: "exact"
         Integration along a ray inside a tetrahedron: in closed form, or with the mean colour of the two ends.

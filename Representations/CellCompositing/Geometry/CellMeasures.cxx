@@ -58,24 +58,20 @@ WeightedPlace weightedPlaceOf(TetrahedronCorners corners)
   return place;
 }
 
-/** Adds one tetrahedron of that volume, with mean values of its corners; 0 where a value is not finite, as such cells are not drawn. */
-void addTetrahedron(MediumMeasures& measures, const CellMedium& medium, vtkIdType cell,
-  const PointIds& tetrahedron, double volume)
+/** One tetrahedron, with mean values of its corners. */
+MediumMeasures::Part partOf(
+  TetrahedronCorners corners, const CellMedium& medium, vtkIdType cell, const PointIds& tetrahedron)
 {
-  measures.Volume += volume;
-  double scalar = 0.0, opacity = 0.0;
-  for (const vtkIdType point : tetrahedron)
+  MediumMeasures::Part part = { NoMediumBounds, corners.Volume(), 0.0, 0.0 };
+  for (std::size_t i = 0; i < 4; ++i)
   {
     const double value =
-      medium.Scalars ? scalarOf(medium.Scalars, medium.OnCells ? cell : point) : 0.0;
-    scalar += 0.25 * value;
-    opacity += medium.Opacity && std::isfinite(value) ? 0.25 * medium.Opacity(value) : 0.0;
+      medium.Scalars ? scalarOf(medium.Scalars, medium.OnCells ? cell : tetrahedron[i]) : 0.0;
+    part.Scalar += 0.25 * value;
+    part.Opacity += medium.Opacity && std::isfinite(value) ? 0.25 * medium.Opacity(value) : 0.0;
+    addPlace(part.Box, corners.X[i]);
   }
-  if (std::isfinite(scalar))
-  {
-    measures.ScalarIntegral += volume * scalar;
-    measures.OpacityIntegral += volume * opacity;
-  }
+  return part;
 }
 
 /** Calls visit(point) for the points of the cells that are shown; of data without hidden ones for all points, which takes less time. */
@@ -173,12 +169,10 @@ MediumMeasures measureCells(vtkDataSet* data, const CellMedium& medium, const Me
       TetrahedronCorners corners(data, tetrahedron);
       if (corners.LieIn(common))
       {
-        addTetrahedron(measures, medium, cell, tetrahedron, corners.Volume());
+        measures.AddPart(common, partOf(corners, medium, cell, tetrahedron));
       }
     });
-  measures.Volume *= scale;
-  measures.ScalarIntegral *= scale;
-  measures.OpacityIntegral *= scale;
+  measures.Scale(scale);
   if (medium.Scalars && scale > 0.0)
   {
     findFiniteRange(medium.Scalars, measures.ScalarRange);

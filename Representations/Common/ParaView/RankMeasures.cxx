@@ -61,14 +61,19 @@ MediumMeasures reduceOverRanks(const MediumMeasures& mine)
   MediumMeasures all = mine;
   if (auto controller = otherRanks())
   {
-    const double sums[4] = { mine.Volume, mine.ScalarIntegral, mine.OpacityIntegral,
-      mine.Silhouettes };
-    double allSums[4];
-    controller->AllReduce(sums, allSums, 4, vtkCommunicator::SUM_OP);
+    std::vector<double> sums = { mine.Volume, mine.FiniteVolume, mine.ScalarIntegral,
+      mine.OpacityIntegral, mine.Silhouettes };
+    const std::vector<double>& pixels = mine.Projections.GetPixels();
+    sums.insert(sums.end(), pixels.begin(), pixels.end());
+    std::vector<double> allSums(sums.size());
+    controller->AllReduce(
+      sums.data(), allSums.data(), static_cast<vtkIdType>(sums.size()), vtkCommunicator::SUM_OP);
     all.Volume = allSums[0];
-    all.ScalarIntegral = allSums[1];
-    all.OpacityIntegral = allSums[2];
-    all.Silhouettes = allSums[3];
+    all.FiniteVolume = allSums[1];
+    all.ScalarIntegral = allSums[2];
+    all.OpacityIntegral = allSums[3];
+    all.Silhouettes = allSums[4];
+    all.Projections.GetPixels().assign(allSums.begin() + 5, allSums.end());
     controller->AllReduce(mine.Reach.data(), all.Reach.data(), 8, vtkCommunicator::MAX_OP);
     reduceRange(all.ScalarRange);
   }

@@ -56,6 +56,11 @@ struct SampleBox
   {
     return holdsPlace(bounds, this->Low) && holdsPlace(bounds, this->High);
   }
+  MediumBounds GetBounds() const
+  {
+    return { { this->Low[0], this->High[0], this->Low[1], this->High[1], this->Low[2],
+      this->High[2] } };
+  }
 };
 
 // Calls visit(id, place, jacobian) for all visible samples.
@@ -136,7 +141,8 @@ MediumMeasures measureSplats(vtkDataSet* data, const SplatSampling& sampling, vt
   vtkIdType shown = 0, sampled = 0;
   forEachSample(shapes, [&](vtkIdType id, const Vector3& place, const SplatMatrix& jacobian) {
     addPlace(measures.Bounds, place.data());
-    if (!SampleBox(place, jacobian).LiesIn(common))
+    const SampleBox cell(place, jacobian);
+    if (!cell.LiesIn(common))
     {
       return;
     }
@@ -146,23 +152,16 @@ MediumMeasures measureSplats(vtkDataSet* data, const SplatSampling& sampling, vt
       return;
     }
     ++sampled;
-    const double volume = std::abs(Determinant(jacobian));
     const double scalar = scalars ? scalarOf(scalars, id) : 0.0;
     const double a = norm(jacobian[0]), b = norm(jacobian[1]), c = norm(jacobian[2]);
     measures.Silhouettes += 0.5 * (a * b + b * c + c * a);
-    measures.Volume += volume;
-    if (std::isfinite(scalar))
-    {
-      measures.ScalarIntegral += volume * scalar;
-      measures.OpacityIntegral += opacity ? volume * opacity(scalar) : 0.0;
-    }
+    measures.AddPart(common,
+      { cell.GetBounds(), std::abs(Determinant(jacobian)), scalar,
+        opacity && std::isfinite(scalar) ? opacity(scalar) : 0.0 });
   });
   const double scale =
     sampled > 0 ? static_cast<double>(shown) / static_cast<double>(sampled) : 0.0;
-  measures.Volume *= scale;
-  measures.Silhouettes *= scale;
-  measures.ScalarIntegral *= scale;
-  measures.OpacityIntegral *= scale;
+  measures.Scale(scale);
   if (scalars && shown > 0)
   {
     findFiniteRange(scalars, measures.ScalarRange);
