@@ -34,6 +34,12 @@ parse_wheel_arguments()
   [ ${#WHEEL_PYTHONS[@]} -gt 0 ] || [ "$WHEEL_SOURCE" = yes ] || WHEEL_PYTHONS=("$(wheel_own_python)")
 }
 
+# Whether the wheel that makes the type stubs of all must be made first.
+needs_wheel_of_stubs()
+{
+  [ ${#WHEEL_PYTHONS[@]} -gt 0 ] && [ ! -s "$WHEEL_WORK/stubs/__init__.pyi" ] && [ "${WHEEL_PYTHONS[0]}" != "$(wheel_own_python)" ]
+}
+
 # The version of the system's Python, whose wheel also makes the stubs of all the others.
 wheel_own_python() { "$SYSTEM_PYTHON" -c 'import sys; print("%d.%d" % sys.version_info[:2])'; }
 

@@ -74,6 +74,15 @@ test_usage()
   nephoscope wheel --python 2.7
   expect "status 2 for a Python that there is no wheel for" [ $STATUS -eq 2 ]
   expect "the versions are named" contains "$ERR" "wheel --python wants 3.11, 3.12, 3.13 or 3.14"
+  stubs_first()
+  {
+    TOP="$WORK" SYSTEM_PYTHON=/usr/bin/python3 bash -c '. "$0"; parse_wheel_arguments "$@"; needs_wheel_of_stubs' "$TOP/CMake/script/wheel.sh" "$@"
+  }
+  expect "the wheel of the type stubs made before another" stubs_first --python 3.14
+  expect "no wheel before the first" eval "! stubs_first --python $(/usr/bin/python3 -c 'import sys; print("3.%d" % sys.version_info[1])')"
+  mkdir -p "$WORK/build/wheel/stubs"
+  echo >"$WORK/build/wheel/stubs/__init__.pyi"
+  expect "no wheel before others once there are stubs" eval '! stubs_first --python 3.14'
   nephoscope wheel 3.13
   expect "the options are named" contains "$ERR" "wheel takes --python, --sdist and --test, not 3.13"
   nephoscope release --draft rpms
