@@ -74,9 +74,11 @@ test_usage()
   nephoscope wheel --python 2.7
   expect "status 2 for a Python that there is no wheel for" [ $STATUS -eq 2 ]
   expect "the versions are named" contains "$ERR" "wheel --python wants 3.11, 3.12, 3.13 or 3.14"
+  # shellcheck disable=SC2317 # called by expect
   stubs_first()
   {
-    TOP="$WORK" SYSTEM_PYTHON=/usr/bin/python3 bash -c '. "$0"; parse_wheel_arguments "$@"; needs_wheel_of_stubs' "$TOP/CMake/script/wheel.sh" "$@"
+    # shellcheck disable=SC2016 # expanded by the inner shell
+    env "TOP=$WORK" SYSTEM_PYTHON=/usr/bin/python3 bash -c '. "$0"; parse_wheel_arguments "$@"; needs_wheel_of_stubs' "$TOP/CMake/script/wheel.sh" "$@"
   }
   expect "the wheel of the type stubs made before another" stubs_first --python 3.14
   expect "no wheel before the first" eval "! stubs_first --python $(/usr/bin/python3 -c 'import sys; print("3.%d" % sys.version_info[1])')"
