@@ -93,14 +93,23 @@ make_sdist()
   say "      ${SDIST#"$TOP"/}"
 }
 
-# Prints the interpreter of a version; fails where there is none.
+# Prints the interpreter of a version; fails where there is none that runs (pyenv has shims that do not).
 wheel_interpreter()
 {
-  if [ "$1" = "$(wheel_own_python)" ]; then
-    printf '%s' "$SYSTEM_PYTHON"
-  else
-    command -v "python$1"
-  fi
+  local interpreter
+  while read -r interpreter; do
+    "$interpreter" -c '' 2>/dev/null && printf '%s' "$interpreter" && return
+  done < <([ "$1" != "$(wheel_own_python)" ] || printf '%s\n' "$SYSTEM_PYTHON"; type -ap "python$1")
+  return 1
+}
+
+# Before anything is compiled for a test that cannot run.
+require_wheel_interpreters()
+{
+  local python
+  for python in "${WHEEL_PYTHONS[@]}"; do
+    wheel_interpreter "$python" >/dev/null || fail 1 "there is no python$python on the path that runs, to test the wheel with"
+  done
 }
 
 make_wheel_venv()
@@ -116,7 +125,7 @@ test_wheel()
   local python=$1 tag=cp${1/./} venv="$WHEEL_WORK/venv-cp${1/./}" interpreter status=0
   shift
   step "A fresh environment with Python $python"
-  interpreter=$(wheel_interpreter "$python") || fail 1 "there is no python$python on the path to test the wheel with"
+  interpreter=$(wheel_interpreter "$python")
   run_logged "wheel-venv-$tag" make_wheel_venv "$interpreter" "$WHEEL" "$venv" || fail 1 "could not install the wheel"
   step "Tests of the wheel for Python $python"
   on_virtual_display env -u PYTHONPATH WHEEL="$WHEEL" PATH="$venv/bin:$PATH" ctest --test-dir "$WHEEL_TREE" \

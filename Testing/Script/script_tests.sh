@@ -85,6 +85,11 @@ test_usage()
   mkdir -p "$WORK/build/wheel/stubs"
   echo >"$WORK/build/wheel/stubs/__init__.pyi"
   expect "no wheel before others once there are stubs" eval '! stubs_first --python 3.14'
+  mkdir "$WORK/shims"
+  printf '#!/bin/sh\nexit 127\n' >"$WORK/shims/python3.14"
+  chmod +x "$WORK/shims/python3.14"
+  run env PATH="$WORK/shims:/usr/bin:/bin" "$TOP/nephoscope" --no-install wheel --python 3.14 --test
+  expect "an interpreter that does not run refused before anything is made" contains "$ERR" "there is no python3.14 on the path that runs"
   nephoscope wheel 3.13
   expect "the options are named" contains "$ERR" "wheel takes --python, --sdist and --test, not 3.13"
   nephoscope release --draft rpms
