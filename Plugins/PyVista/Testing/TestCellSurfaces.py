@@ -48,13 +48,13 @@ class Surfaces(unittest.TestCase):
         self.assertFalse(mapper.GetLayersFromContours())
 
     def test_values(self):
-        mapper = self.add(contours=[1, 3], contour_opacity=[0.2, 0.9], contour_color=["red", (0.0, 0.0, 1.0)])
+        mapper = self.add(contours=dict(values=[1, 3], opacity=[0.2, 0.9], color=["red", (0.0, 0.0, 1.0)]))
         self.assertEqual([mapper.GetContourValue(i) for i in range(2)], [1, 3])
         self.assertEqual([mapper.GetContourOpacity(i) for i in range(2)], [0.2, 0.9])
         rgb = [0.0] * 3
         mapper.GetContourColor(0, rgb)
         self.assertEqual(rgb, [1, 0, 0])
-        mapper = self.add(contours=3, contour_scalars="z", contour_lighting=False, smooth_contours=False, contour_color="w")
+        mapper = self.add(contours=dict(values=3, scalars="z", lighting=False, smooth=False, color="w"))
         self.assertEqual([mapper.GetContourValue(i) for i in range(3)], [1, 2, 3])
         self.assertEqual(mapper.GetContourArrayName(), "z")
         self.assertFalse(mapper.GetContourLighting() or mapper.GetSmoothContourNormals())
@@ -89,7 +89,7 @@ class Surfaces(unittest.TestCase):
                 self.plotter.clear()
                 grid = cube()
                 grid.origin, grid.spacing = (0.0, 0.0, 0.0), (scale,) * 3
-                nephoscope.add_cells(self.plotter, grid, "x", contours=[1.3, 2.7], contour_opacity=0, layers=layers, clim=(0, 4), opacity=1.0,
+                nephoscope.add_cells(self.plotter, grid, "x", contours=dict(values=[1.3, 2.7], opacity=0), layers=layers, clim=(0, 4), opacity=1.0,
                                      show_scalar_bar=False)
                 self.plotter.set_background("black")
                 self.plotter.view_xz()
@@ -102,25 +102,25 @@ class Surfaces(unittest.TestCase):
     def test_polygons(self):
         mapper = self.add()
         self.assertEqual((mapper.GetPolygons(), mapper.GetPolygonOpacity(0)), (mapper.CONTOUR_POLYGONS, 0.3))
-        mapper = self.add(polygons="all", polygon_opacity=[0.2, 0.9], polygon_color="red")
+        mapper = self.add(polygons=dict(which="all", opacity=[0.2, 0.9], color="red"))
         self.assertEqual([mapper.GetPolygonOpacity(i) for i in range(3)], [0.2, 0.9, 0.3])
         rgb = [0.0] * 3
         mapper.GetPolygonColor(1, rgb)
         self.assertEqual((mapper.GetPolygons(), rgb), (mapper.ALL_POLYGONS, [1, 0, 0]))
-        mapper = self.add(polygons="none", polygon_opacity=0.7, polygon_color=["red", None])
+        mapper = self.add(polygons=dict(which="none", opacity=0.7, color=["red", None]))
         self.assertEqual([mapper.GetPolygonOpacity(i) for i in range(2)], [0.7, 0.7])
         self.plotter.clear()
         self.fails(ValueError, "polygons", polygons="some")
-        self.fails(ValueError, "polygon_opacity is 2", polygon_opacity=2)
+        self.fails(ValueError, r"polygons\['opacity'\] is 2", polygons=dict(opacity=2))
 
     def test_errors(self):
-        self.fails(ValueError, "contour_opacity is 1.5", contours=[1], contour_opacity=1.5)
-        self.fails(ValueError, "contour_opacity has 2 values for 1", contours=[1], contour_opacity=[0.1, 0.2])
-        self.fails(ValueError, "contour_color has 2 colours for 1", contours=[1], contour_color=["red", "blue"])
+        self.fails(ValueError, r"contours\['opacity'\] is 1.5", contours=dict(values=[1], opacity=1.5))
+        self.fails(ValueError, r"contours\['opacity'\] has 2 values for 1", contours=dict(values=[1], opacity=[0.1, 0.2]))
+        self.fails(ValueError, r"contours\['color'\] has 2 colours for 1", contours=dict(values=[1], color=["red", "blue"]))
         self.fails(ValueError, "1 or more", contours=0)
         self.fails(ValueError, "finite", contours=[np.nan])
-        self.fails(ValueError, "without contours", contour_scalars="z")
-        self.fails(MissingDataError, "no point array 'layer'", contours=[1], contour_scalars="layer")
+        self.fails(ValueError, "but no 'values'", contours=dict(scalars="z"))
+        self.fails(MissingDataError, "no point array 'layer'", contours=dict(values=[1], scalars="layer"))
         self.fails(ValueError, "cell array", scalars="layer", contours=[1])
         self.fails(ValueError, "give one of the two", layers={0: pyvista.VolumeProperty()})
         self.fails(ValueError, "without layers", layer_scalars="layer")
@@ -135,7 +135,7 @@ class Surfaces(unittest.TestCase):
 
     def test_picture(self):
         self.plotter.set_background("black")
-        self.add(contours=[1.3, 2.7], contour_scalars="z", contour_opacity=0.5, contour_color=["red", "lime"], contour_lighting=False,
+        self.add(contours=dict(values=[1.3, 2.7], scalars="z", opacity=0.5, color=["red", "lime"], lighting=False),
                  opacity=0.0)
         self.plotter.view_xy()
         picture = self.plotter.screenshot(return_img=True)

@@ -22,10 +22,10 @@ SURFACE["z"] = SURFACE.points[:, 2]
 TURN = pyvista.Transform().rotate_z(30).translate(0.1, 0.2, 0).matrix
 ADD = {
     "cells": lambda p, **o: nephoscope.add_cells(p, grid(), "a", **o),
-    "surfaces": lambda p, **o: nephoscope.add_cells(p, grid(), "a", contours=[-0.3, 0.4], contour_color=["red", "lime"], contour_opacity=0.8,
+    "surfaces": lambda p, **o: nephoscope.add_cells(p, grid(), "a", contours=dict(values=[-0.3, 0.4], color=["red", "lime"], opacity=0.8),
                                                     layers={1: pyvista.VolumeProperty(opacity_unit_distance=0.3)}, user_matrix=TURN, **o),
     "splats": lambda p, **o: nephoscope.add_splats(p, grid(), "a", opacity_scalars="Density", radius_factor=1.3, **o),
-    "winds": lambda p, **o: nephoscope.add_splats(p, grid(), "a", opacity=0, vectors="v", vector_scalars="Density", **o),
+    "winds": lambda p, **o: nephoscope.add_splats(p, grid(), "a", opacity=0, vectors=dict(array="v", scalars="Density"), **o),
     "smoke": lambda p, **o: nephoscope.add_smoke(p, grid().cast_to_unstructured_grid(), **o),
     "clouds": lambda p, **o: nephoscope.add_cloud_texture(p, SURFACE, "z", coverage=0.7, **o),
 }

@@ -108,7 +108,7 @@ class Streaks(unittest.TestCase):
     def mapper(self, n, theme=None, **options):
         plotter = pyvista.Plotter(off_screen=True, theme=theme)
         self.addCleanup(plotter.close)
-        return nephoscope.add_splats(plotter, self.whirl(n), "s", vectors="v", show_scalar_bar=False, **options).mapper
+        return nephoscope.add_splats(plotter, self.whirl(n), "s", **{"vectors": "v", "show_scalar_bar": False, **options}).mapper
 
     def test_medium_is_seen(self):
         for n in (12, 28):
@@ -122,8 +122,8 @@ class Streaks(unittest.TestCase):
     def test_fewer_where_there_are_many_samples(self):
         self.assertGreater(self.mapper(8).GetVectorShare(), 0.9)
         self.assertLess(self.mapper(32).GetVectorShare(), 0.2)
-        self.assertEqual(self.mapper(32, vector_share=1, vector_opacity=3).GetVectorShare(), 1)
-        self.assertEqual(self.mapper(32, vector_share=1, vector_opacity=3).GetVectorOpacity(), 3)
+        self.assertEqual(self.mapper(32, vectors=dict(array="v", fraction=1, opacity=3)).GetVectorShare(), 1)
+        self.assertEqual(self.mapper(32, vectors=dict(array="v", fraction=1, opacity=3)).GetVectorOpacity(), 3)
         alone = self.mapper(32, opacity=0)
         self.assertEqual((alone.GetVectorShare(), alone.GetVectorOpacity(), alone.GetUseVectorColor()), (1, 2, False))
 
@@ -133,7 +133,7 @@ class Streaks(unittest.TestCase):
             background = np.array((theme or pyvista.themes.Theme()).background.float_rgb)
             colours = [background, np.asarray(mapper.lookup_table.values)[:, :3].mean(axis=0) / 255]
             self.assertGreater(np.linalg.norm(np.array(mapper.GetVectorColor()) - colours, axis=1).min(), 0.6)
-        self.assertEqual(self.mapper(8, vector_color="blue").GetVectorColor(), (0, 0, 1))
+        self.assertEqual(self.mapper(8, vectors=dict(array="v", color="blue")).GetVectorColor(), (0, 0, 1))
 
 
 class Tuned(unittest.TestCase):

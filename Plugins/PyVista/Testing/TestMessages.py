@@ -109,24 +109,24 @@ class Messages(unittest.TestCase):
     def test_words_of_mappers(self):
         grid = pyvista.ImageData(dimensions=(3, 3, 3))
         grid["x"], grid["v"] = grid.points[:, 0], grid.points
-        text = " ".join(self.drawn(grid, "x", nephoscope.add_splats, vectors="v", vector_placement="layers", error_tolerance=0.1))
-        self.assertIn("error_tolerance is ignored", text)
-        self.assertIn("Pass vector_placement='middle'", text)
+        text = " ".join(self.drawn(grid, "x", nephoscope.add_splats, vectors=dict(array="v", placement="layers"), level_of_detail=0.1))
+        self.assertIn("level_of_detail is ignored", text)
+        self.assertIn("Pass 'middle' as vectors['placement']", text)
 
     def test_layers_without_a_grid(self):
         """One warning, of all meshes without layers; none where vectors are in the middle, or the grid has layers."""
         grid = pyvista.ImageData(dimensions=(3, 3, 3))
         grid["x"], grid["v"] = grid.points[:, 0], grid.points
         cells = grid.cast_to_unstructured_grid()
-        splats = lambda mesh, **options: self.drawn(mesh, "x", nephoscope.add_splats, (UserWarning, RuntimeWarning), vectors="v", **options)
+        splats = lambda mesh, **options: self.drawn(mesh, "x", nephoscope.add_splats, (UserWarning, RuntimeWarning), vectors=dict(array="v", **options))
         for mesh in (cells, pyvista.MultiBlock([grid, cells])):
             for options, ignored in (({}, False), ({"layer_axis": 1}, True)):
-                told = splats(mesh, vector_placement="layers", **options)
+                told = splats(mesh, placement="layers", **options)
                 self.assertEqual(len(told), 1, told)
                 self.assertIn("only a structured grid", told[0])
                 self.assertEqual("layer_axis is ignored" in told[0], ignored)
         self.assertEqual(splats(cells), [])
-        self.assertEqual(splats(grid, vector_placement="layers", layer_axis=1), [])
+        self.assertEqual(splats(grid, placement="layers", layer_axis=1), [])
 
     def test_own_words(self):
         """Names of properties that Python does not have are not in what it says."""

@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """What can be set in VTK can be set in ParaView and in PyVista too, but for what a table below tells, with the reason."""
 import contextlib
+import dataclasses
 import importlib
 import inspect
 import os
@@ -14,6 +15,7 @@ from pathlib import Path
 import nephoscope
 import numpy as np
 import pyvista
+from nephoscope import _surfaces, _vectors, splats
 from vtkmodules.vtkCommonExecutionModel import vtkAlgorithm
 
 TOP = Path(os.environ["NEPHOSCOPE_DATA"]).parent
@@ -245,14 +247,15 @@ class Arguments(unittest.TestCase):
             nephoscope.add_cells(self.plotter(), whirl(), "q", method="fast")
 
     def test_splats(self):
-        values = {"streak_width": 0.2, "segment_length": 3.0, "segment_width": 2.5, "vector_unit": 0.5, "layer_axis": 1, "phase_steps": 16, "level_blending": 0.3}
-        mapper = nephoscope.add_splats(self.plotter(), whirl(), "q", vectors="v", **values).mapper
-        found = [getattr(mapper, "Get" + "".join(word.capitalize() for word in name.split("_")))() for name in values]
-        self.assertEqual(found, list(values.values()))
+        values = {"streak_width": 0.2, "segment_length": 3.0, "segment_width": 2.5, "unit": 0.5, "layer_axis": 1, "phase_steps": 16}
+        mapper = nephoscope.add_splats(self.plotter(), whirl(), "q", vectors=dict(array="v", **values), level_of_detail=dict(blending=0.3)).mapper
+        found = [getattr(mapper, "Get" + "".join(word.capitalize() for word in name.split("_")))() for name in values if name != "unit"]
+        self.assertEqual(found, [value for name, value in values.items() if name != "unit"])
+        self.assertEqual((mapper.GetVectorUnit(), mapper.GetLevelBlending()), (0.5, 0.3))
         for name in values:
             for wrong in (float("nan"), float("inf"), -1):
                 with self.subTest(f"{name}={wrong}"), self.assertRaisesRegex(ValueError, name):
-                    nephoscope.add_splats(self.plotter(), whirl(), "q", vectors="v", **{name: wrong})
+                    nephoscope.add_splats(self.plotter(), whirl(), "q", vectors={"array": "v", name: wrong})
 
     def test_unsteady_smoke(self):
         times = [0.0, 1.0, 2.0]
@@ -285,7 +288,7 @@ class Numbers(unittest.TestCase):
     """Numbers that an argument cannot be are a ValueError with its name; with others nothing crashes or hangs."""
 
     VALUES = (float("nan"), float("inf"), -1, 0, 1e30)
-    MANY = ("clim", "vector_clim", "opacity_clim", "contours", "contour_opacity", "opacity", "render", "n_colors", "isosurfaces", "coverage", "peels")  # also of other kinds
+    MANY = ("clim", "opacity_clim", "contours", "opacity", "render", "n_colors", "isosurfaces", "coverage", "peels")  # also of other kinds
 
     def functions(self):
         wind = whirl()
@@ -314,18 +317,28 @@ class Numbers(unittest.TestCase):
         for argument in inspect.signature(getattr(nephoscope, name)).parameters.values():
             number = isinstance(argument.default, (int, float)) and not isinstance(argument.default, bool)
             if argument.name not in self.MANY and (number or re.match(r"float \| None$", str(argument.annotation))):
-                yield argument.name
+                yield argument.name, lambda value, name=argument.name: {name: value}
+
+    GROUPS = {"add_splats": (("vectors", _vectors.Vectors, {"array": "v"}), ("level_of_detail", splats.LevelOfDetail, {})),
+              "add_cells": (("contours", _surfaces.Contours, {"values": 2}),)}
+
+    def options(self, name):
+        """The same of the options of grouped arguments."""
+        for group, options, others in self.GROUPS.get(name, ()):
+            for option in dataclasses.fields(options):
+                if isinstance(option.default, (int, float)) and not isinstance(option.default, bool):
+                    yield option.name, lambda value, group=group, others=others, option=option.name: {group: {**others, option: value}}
 
     def test_all(self):
         swept = 0
         for name, call in self.functions():
-            for argument in self.arguments(name):
+            for argument, given in (*self.arguments(name), *self.options(name)):
                 for value in self.VALUES:
                     with self.subTest(f"{name}({argument}={value})"), warnings.catch_warnings():
                         warnings.simplefilter("ignore")
                         swept += 1
                         try:
-                            call(**{argument: value})
+                            call(**given(value))
                         except (ValueError, RuntimeError) as error:
                             self.assertIn(argument.replace("unit_distance", ""), str(error))
                         else:

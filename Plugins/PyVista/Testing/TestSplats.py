@@ -52,9 +52,10 @@ class Accepted(Splats):
         self.assertEqual(volume.mapper.scalar_range, (0, 2))
 
     def test_numbers_and_choices(self):
-        mapper = self.add(kernel="gaussian", radius_factor=1.5, error_tolerance=0.1, error_unit="data", error_measure="rms",
-                          interactive_splats=7, opacity_scale=3, vectors="wind", vector_style="segments", vector_placement="layers",
-                          vector_opacity=1, vector_color="red", greatest_speed=9, streak_period=2, phase=0.25, phase_cycles=3).mapper
+        mapper = self.add(kernel="gaussian", radius_factor=1.5, opacity_scale=3,
+                          level_of_detail=dict(tolerance=0.1, unit="data", measure="rms", interactive_splats=7),
+                          vectors=dict(array="wind", style="segments", placement="layers", opacity=1, color="red", maximum_speed=9,
+                                       streak_period=2, phase=0.25, phase_cycles=3)).mapper
         for name, expected in (("Kernel", 2), ("RadiusFactor", 1.5), ("ErrorTolerance", 0.1), ("ErrorToleranceUnit", 1),
                                ("ErrorMeasure", 1), ("InteractiveMaximumNumberOfSplats", 7), ("OpacityScale", 3),
                                ("VectorArrayName", "wind"), ("VectorStyle", 1), ("VectorPlacement", 1), ("VectorOpacity", 1),
@@ -96,7 +97,7 @@ class Accepted(Splats):
         for options, titles in (({}, {"x", "speed"}), ({"opacity": 0}, {"speed"}), ({"color": "red"}, {"speed"}), ({"show_scalar_bar": False}, set()),
                                 ({"scalars": "speed"}, {"speed", "speed of wind"})):
             self.plotter.clear()
-            self.add(mesh, vectors="wind", vector_scalars="speed", vector_cmap=["black", "white"], vector_clim=(0, 4),
+            self.add(mesh, vectors=dict(array="wind", scalars="speed", cmap=["black", "white"], clim=(0, 4)),
                      **{"scalar_bar_args": {"n_labels": 3}, **options})
             self.assertEqual(set(self.plotter.scalar_bars.keys()), titles, options)
             if "speed" in titles and "scalars" not in options:
@@ -108,7 +109,7 @@ class Accepted(Splats):
         np.testing.assert_allclose(volume.prop.GetRGBTransferFunction().GetColor(1), (1, 0, 0))
         self.assertAlmostEqual(volume.prop.GetScalarOpacity().GetValue(1), 0.5)
         self.assertEqual(len(self.plotter.scalar_bars), 0)
-        volume = self.add(vectors="wind", vector_scalars="x", vector_cmap=["black", "white"], vector_clim=(0, 4), show_scalar_bar=True)
+        volume = self.add(vectors=dict(array="wind", scalars="x", cmap=["black", "white"], clim=(0, 4)), show_scalar_bar=True)
         self.assertEqual(volume.mapper.GetVectorColorArrayName(), "x")
         np.testing.assert_allclose(volume.mapper.GetVectorColorFunction().GetColor(2), (0.5,) * 3, atol=0.01)
         self.assertIn("x", self.plotter.scalar_bars)
@@ -131,16 +132,16 @@ class Refused(Splats):
         self.fails(ValueError, "vectors: the array 'x' has 1 components", vectors="x")
         self.fails(ValueError, r"'cell_wind' must be on points.*cell_data_to_point_data", vectors="cell_wind")
         self.fails(ValueError, r"'wind' must be on cells.*point_data_to_cell_data", scalars="layer", vectors="wind")
-        self.fails(MissingDataError, "vector_scalars: no array 'h'", vectors="wind", vector_scalars="h")
+        self.fails(MissingDataError, r"vectors\['scalars'\]: no array 'h'", vectors=dict(array="wind", scalars="h"))
         self.fails(MissingDataError, "opacity_scalars: no array 'q'", opacity_scalars="q")
         self.fails(ValueError, "opacity_scalars: the array 'layer' must be on points", opacity_scalars="layer")
         self.fails(ValueError, "'wind' has 3 components", scalars="wind")
         self.fails(MissingDataError, "no array of one number for each point or cell", pyvista.PolyData(np.eye(3)), None)
 
     def test_combinations(self):
-        self.fails(ValueError, "without vectors", vector_color="red")
-        self.fails(ValueError, "without vector_scalars", vectors="wind", vector_cmap="jet")
-        self.fails(ValueError, "both given", vectors="wind", vector_scalars="x", vector_color="red")
+        self.fails(ValueError, "but no 'array'", vectors=dict(color="red"))
+        self.fails(ValueError, "but no 'scalars'", vectors=dict(array="wind", cmap="jet"))
+        self.fails(ValueError, "one colour, or that of an array", vectors=dict(array="wind", scalars="x", color="red"))
         self.fails(ValueError, "use radius_factor", radius=1)
         self.fails(ValueError, "radius and sizes are both given", particles(), "mass", radius=1, sizes="mass")
         self.fails(MissingDataError, "volumes: no array 'v'", particles(), "mass", volumes="v")
@@ -150,11 +151,13 @@ class Refused(Splats):
         for bad in (0, -1, np.nan, np.inf):
             self.fails(ValueError, "opacity_unit_distance is .*greater than 0", opacity_unit_distance=bad)
             self.fails(ValueError, "radius is .*greater than 0", particles(), "mass", radius=bad)
-        for name in ("error_tolerance", "vector_opacity", "opacity_scale", "interactive_splats"):
-            self.fails(ValueError, f"{name} is -1.*at least 0", **{name: -1})
-        for name in ("kernel", "error_unit", "error_measure", "vector_style", "vector_placement"):
-            self.fails(ValueError, f"{name} is 'best'; it must be one of", **{name: "best"})
-        self.fails(ValueError, "phase is nan", phase=np.nan)
+        self.fails(ValueError, "opacity_scale is -1.*at least 0", opacity_scale=-1)
+        self.fails(ValueError, "kernel is 'best'; it must be one of", kernel="best")
+        for group, option in (("level_of_detail", "tolerance"), ("level_of_detail", "interactive_splats"), ("vectors", "opacity")):
+            self.fails(ValueError, rf"{group}\['{option}'\] is -1.*at least 0", **{group: {option: -1}})
+        for group, option in (("level_of_detail", "unit"), ("level_of_detail", "measure"), ("vectors", "style"), ("vectors", "placement")):
+            self.fails(ValueError, rf"{group}\['{option}'\] is 'best'; it must be one of", **{group: {option: "best"}})
+        self.fails(ValueError, "phase is nan", vectors=dict(phase=np.nan))
         self.fails(ValueError, "radius_factor is 0", radius_factor=0)
 
     def test_meshes(self):
@@ -163,6 +166,30 @@ class Refused(Splats):
         self.fails(ValueError, "no points", pyvista.MultiBlock(), None)
         with self.assertRaisesRegex(TypeError, "plotter is a ImageData"):
             nephoscope.add_splats(box(), box(), "x")
+
+
+class EarlierNames(Splats):
+    def test_they_set_the_same(self):
+        earlier = dict(vectors="wind", vector_style="segments", vector_opacity=1, vector_color="red", greatest_speed=9, vector_share=0.5, vector_unit=0.2,
+                       streak_period=2, phase=0.25, error_tolerance=0.1, error_unit="data", interactive_splats=7, unit_distance=0.3)
+        with self.assertWarns(DeprecationWarning) as told:
+            old = self.add(**earlier)
+        self.assertEqual(told.filename, __file__)
+        self.assertEqual(len(told.warnings), len(earlier) - 1)
+        new = self.add(vectors=dict(array="wind", style="segments", opacity=1, color="red", maximum_speed=9, fraction=0.5, unit=0.2, streak_period=2, phase=0.25),
+                       level_of_detail=dict(tolerance=0.1, unit="data", interactive_splats=7), opacity_unit_distance=0.3)
+        for name in ("VectorArrayName", "VectorStyle", "VectorOpacity", "VectorColor", "MaximumSpeed", "VectorFraction", "VectorUnit", "StreakPeriod", "Phase",
+                     "ErrorTolerance", "ErrorToleranceUnit", "InteractiveMaximumNumberOfSplats"):
+            self.assertEqual(getattr(old.mapper, "Get" + name)(), getattr(new.mapper, "Get" + name)(), name)
+        self.assertEqual(old.prop.opacity_unit_distance, new.prop.opacity_unit_distance)
+
+    def test_a_number_is_the_tolerance(self):
+        self.assertEqual(self.add(level_of_detail=0.3).mapper.GetErrorTolerance(), 0.3)
+
+    def test_what_there_is_not(self):
+        self.fails(TypeError, r"vectors has no option 'stile'; the options are 'array', 'style'", vectors=dict(stile="segments"))
+        self.fails(TypeError, r"add_splats\(\) got an unexpected keyword argument 'vector_stile'", vector_stile="segments")
+        self.fails(ValueError, r"vector_style and vectors\['style'\] are both given", vectors=dict(style="streaks"), vector_style="segments")
 
 
 if __name__ == "__main__":

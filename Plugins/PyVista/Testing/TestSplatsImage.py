@@ -134,7 +134,7 @@ class Media(Picture):
 
 class Wind(Picture):
     def streaks(self, **options):
-        return self.add(slab(1, 40), "one", opacity=0.0, vectors="east", phase_cycles=1, **options)
+        return self.add(slab(1, 40), "one", opacity=0.0, vectors=dict(array="east", phase_cycles=1, **options))
 
     def test_streaks_move_with_the_wind(self):
         """A quarter of a loop is a quarter of the period of 4 cells: the picture moves one cell to the right."""
@@ -157,7 +157,7 @@ class Wind(Picture):
         self.assertGreater(np.abs(np.diff(picture, axis=0)).mean(), 2 * np.abs(np.diff(picture, axis=1)).mean())
 
     def test_colour_of_vectors(self):
-        self.streaks(vector_color="lime")
+        self.streaks(color="lime")
         picture = self.picture()
         self.assertGreater(picture[..., 1].max(), 0.3)
         self.assertEqual(picture[..., 0].max(), 0)
@@ -165,13 +165,13 @@ class Wind(Picture):
     def test_colour_by_an_array(self):
         mesh = slab(1, 40)
         mesh["north"] = mesh.points[:, 1]
-        self.add(mesh, "one", opacity=0.0, vectors="east", vector_scalars="north", vector_cmap=["red", "blue"], vector_clim=(-0.01, 0.01), show_scalar_bar=False)
+        self.add(mesh, "one", opacity=0.0, vectors=dict(array="east", scalars="north", cmap=["red", "blue"], clim=(-0.01, 0.01)), show_scalar_bar=False)
         picture = self.picture()
         self.assertGreater(picture[:50, :, 2].mean(), 20 * picture[:50, :, 0].mean())
         self.assertGreater(picture[70:, :, 0].mean(), 20 * picture[70:, :, 2].mean())
 
     def test_segments_and_layers(self):
-        self.streaks(vector_style="segments", vector_placement="layers")
+        self.streaks(style="segments", placement="layers")
         self.assertGreater(self.picture().max(), 0.3)
 
     def test_no_wind_no_streaks(self):

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: The Nephoscope authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Contour surfaces and layers of a cell compositing mapper, from the arguments of `add_cells`."""
+"""Contour surfaces, polygons and layers of a cell compositing mapper, from the arguments of `add_cells`."""
 from __future__ import annotations
 
 from dataclasses import dataclass
@@ -11,7 +11,7 @@ import pyvista
 from pyvista.core.errors import MissingDataError
 from vtkmodules.vtkRenderingCore import vtkColorTransferFunction, vtkVolumeProperty
 
-from ._checks import arrays_of, require_number
+from ._checks import arrays_of, choose, require_number
 from .transfer import colour_function
 
 
@@ -25,21 +25,32 @@ def _is_one_color(color: Any) -> bool:
     return color is None or isinstance(color, str) or (len(color) > 2 and np.isscalar(color[0]) and not isinstance(color[0], str))
 
 
-def paint_polygons(mapper: Any, opacity: float | Sequence[float], color: Any) -> None:
-    """One opacity and colour for all polygons, or one for each contour."""
-    one_opacity, one_color = np.isscalar(opacity), _is_one_color(color)
-    opacities, colors = [opacity] if one_opacity else list(opacity), [color] if one_color else list(color)
-    for value in opacities:
-        _require_opacity(value, "polygon_opacity")
-    rgb = [None if value is None else pyvista.Color(value).float_rgb for value in colors]
-    if one_opacity:
-        mapper.SetPolygonOpacity(-1, float(opacities[0]))
-    if one_color and rgb[0]:
-        mapper.SetPolygonColor(-1, *rgb[0])
-    for i, value in enumerate([] if one_opacity else opacities):
-        mapper.SetPolygonOpacity(i, float(value))
-    for i, value in enumerate([] if one_color else rgb):
-        mapper.SetPolygonColor(i, *value) if value else mapper.SetPolygonColorToFunction(i)
+POLYGON_NAMES = {"polygon_opacity": "opacity", "polygon_color": "color"}
+
+
+@dataclass
+class Polygons:
+    """The options `polygons` of `add_cells`; see there. Checked when applied."""
+    which: str = "contours"
+    opacity: float | Sequence[float] = 0.3
+    color: Any = None
+
+    def apply(self, mapper: Any) -> None:
+        """One opacity and colour for all polygons, or one for each contour."""
+        choose({"contours": mapper.SetPolygonsToContours, "all": mapper.SetPolygonsToAll, "none": mapper.SetPolygonsToNone}, self.which, "polygons")
+        one_opacity, one_color = np.isscalar(self.opacity), _is_one_color(self.color)
+        opacities, colors = [self.opacity] if one_opacity else list(self.opacity), [self.color] if one_color else list(self.color)
+        for value in opacities:
+            _require_opacity(value, "polygons['opacity']")
+        rgb = [None if value is None else pyvista.Color(value).float_rgb for value in colors]
+        if one_opacity:
+            mapper.SetPolygonOpacity(-1, float(opacities[0]))
+        if one_color and rgb[0]:
+            mapper.SetPolygonColor(-1, *rgb[0])
+        for i, value in enumerate([] if one_opacity else opacities):
+            mapper.SetPolygonOpacity(i, float(value))
+        for i, value in enumerate([] if one_color else rgb):
+            mapper.SetPolygonColor(i, *value) if value else mapper.SetPolygonColorToFunction(i)
 
 
 def _colours_of(look: Any, bar: pyvista.LookupTable, argument: str) -> vtkColorTransferFunction:
@@ -71,19 +82,22 @@ def _layer_property(look: Any, mapper: Any, volume: vtkVolumeProperty, argument:
     return prop
 
 
+CONTOUR_NAMES = {"contour_opacity": "opacity", "contour_color": "color", "contour_scalars": "scalars", "contour_lighting": "lighting",
+                 "smooth_contours": "smooth"}
+
+
 @dataclass
-class Surfaces:
-    """The arguments of `add_cells` that begin with contour, and the layers; see there. Checked when applied."""
+class Contours:
+    """The options `contours` of `add_cells`; see there. Checked when applied."""
     values: int | Sequence[float] | None = None
-    scalars: str | None = None
     opacity: float | Sequence[float] = 0.3
     color: Any = None
+    scalars: str | None = None
     lighting: bool = True
     smooth: bool = True
-    layers: Mapping[int, Any] | Sequence[Any] | None = None
-    layer_scalars: str | None = None
 
-    def apply(self, mapper: Any, grid: pyvista.DataSet, array_name: str, association: str, prop: vtkVolumeProperty) -> None:
+    def apply(self, mapper: Any, grid: pyvista.DataSet, array_name: str, association: str) -> int:
+        """Returns their number."""
         values = self._values(grid, array_name, association)
         opacities, colors = self._opacities(len(values)), self._colors(len(values))
         for i, value in enumerate(values):
@@ -94,18 +108,18 @@ class Surfaces:
         mapper.SetContourArrayName(self.scalars or "")
         mapper.SetContourLighting(self.lighting)
         mapper.SetSmoothContourNormals(self.smooth)
-        self._apply_layers(mapper, grid, len(values), prop)
+        return len(values)
 
     def _values(self, grid: pyvista.DataSet, array_name: str, association: str) -> list[float]:
         if self.values is None:
             if self.scalars is not None:
-                raise ValueError("contour_scalars is given without contours; name the values.")
+                raise ValueError("contours has the option 'scalars', but no 'values'; name the values.")
             return []
         if self.scalars is not None and self.scalars not in grid.point_data:
-            raise MissingDataError(f"contour_scalars: no point array {self.scalars!r}. {arrays_of(grid)}")
+            raise MissingDataError(f"contours['scalars']: no point array {self.scalars!r}. {arrays_of(grid)}")
         if self.scalars is None and association == "cell":
             raise ValueError(f"contours: {array_name!r} is a cell array, which has no surfaces inside its cells. "
-                             "Use grid.cell_data_to_point_data(), or name a point array as contour_scalars.")
+                             "Use grid.cell_data_to_point_data(), or name a point array as contours['scalars'].")
         if isinstance(self.values, (int, np.integer)) and not isinstance(self.values, bool):
             if self.values < 1:
                 raise ValueError(f"contours is {self.values}; a number of contours must be 1 or more.")
@@ -120,44 +134,52 @@ class Surfaces:
     def _opacities(self, count: int) -> list[float]:
         opacities = [self.opacity] * count if np.isscalar(self.opacity) else list(self.opacity)
         if len(opacities) != count:
-            raise ValueError(f"contour_opacity has {len(opacities)} values for {count} contours.")
+            raise ValueError(f"contours['opacity'] has {len(opacities)} values for {count} contours.")
         for opacity in opacities:
-            _require_opacity(opacity, "contour_opacity")
+            _require_opacity(opacity, "contours['opacity']")
         return opacities
 
     def _colors(self, count: int) -> list[Any]:
         colors = [self.color] * count if _is_one_color(self.color) else list(self.color)
         if len(colors) != count:
-            raise ValueError(f"contour_color has {len(colors)} colours for {count} contours.")
+            raise ValueError(f"contours['color'] has {len(colors)} colours for {count} contours.")
         return colors
 
-    def _looks(self) -> dict[int, Any]:
-        """How to draw each layer, by number."""
-        if isinstance(self.layers, (str, pyvista.Color, vtkVolumeProperty)) or not isinstance(self.layers, (Mapping, Sequence, np.ndarray)):
-            raise TypeError(f"layers is {self.layers!r}; it must be a sequence, or a dict by layer number, of colours or volume properties: one for "
-                            "each layer.")
-        looks = dict(self.layers) if isinstance(self.layers, Mapping) else dict(enumerate(self.layers))
-        for number in looks:
-            if not isinstance(number, (int, np.integer)) or isinstance(number, bool):
-                raise TypeError(f"layers has the key {number!r}; keys are the numbers of layers: 0, 1, ...")
-        return looks
 
-    def _apply_layers(self, mapper: Any, grid: pyvista.DataSet, count: int, volume: vtkVolumeProperty) -> None:
-        if self.layers is None:
-            if self.layer_scalars is not None:
+@dataclass
+class Layers:
+    """The arguments `layers` and `layer_scalars` of `add_cells`; see there. Checked when applied."""
+    looks: Mapping[int, Any] | Sequence[Any] | None
+    scalars: str | None
+
+    def apply(self, mapper: Any, grid: pyvista.DataSet, count: int, volume: vtkVolumeProperty) -> None:
+        """`count` contours divide the volume into layers."""
+        if self.looks is None:
+            if self.scalars is not None:
                 raise ValueError("layer_scalars is given without layers, the colours or volume properties of the layers.")
             return
-        if self.layer_scalars is not None and self.layer_scalars not in grid.cell_data:
-            raise MissingDataError(f"layer_scalars: no cell array {self.layer_scalars!r}. {arrays_of(grid)}")
-        if self.layer_scalars is None and count == 0:
+        if self.scalars is not None and self.scalars not in grid.cell_data:
+            raise MissingDataError(f"layer_scalars: no cell array {self.scalars!r}. {arrays_of(grid)}")
+        if self.scalars is None and count == 0:
             raise ValueError("layers lie between contours, or in cells that layer_scalars numbers: give one of the two.")
         looks = self._looks()
-        beyond = [number for number in looks if not 0 <= number <= count] if self.layer_scalars is None else []
+        beyond = [number for number in looks if not 0 <= number <= count] if self.scalars is None else []
         if beyond:
             raise ValueError(f"layers: there is no layer {beyond[0]}; contours at {count} value{'s' * (count > 1)} divide the volume into the layers "
                              f"0 to {count}.")
         for number, look in looks.items():
             if look is not None:
                 mapper.SetLayerProperty(int(number), _layer_property(look, mapper, volume, f"layers[{number}]"))
-        mapper.SetLayerArrayName(self.layer_scalars or "")
-        mapper.SetLayersFromContours(self.layer_scalars is None)
+        mapper.SetLayerArrayName(self.scalars or "")
+        mapper.SetLayersFromContours(self.scalars is None)
+
+    def _looks(self) -> dict[int, Any]:
+        """How to draw each layer, by number."""
+        if isinstance(self.looks, (str, pyvista.Color, vtkVolumeProperty)) or not isinstance(self.looks, (Mapping, Sequence, np.ndarray)):
+            raise TypeError(f"layers is {self.looks!r}; it must be a sequence, or a dict by layer number, of colours or volume properties: one for "
+                            "each layer.")
+        looks = dict(self.looks) if isinstance(self.looks, Mapping) else dict(enumerate(self.looks))
+        for number in looks:
+            if not isinstance(number, (int, np.integer)) or isinstance(number, bool):
+                raise TypeError(f"layers has the key {number!r}; keys are the numbers of layers: 0, 1, ...")
+        return looks

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: The Nephoscope authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Vectors of a textured splat mapper, from the arguments of `add_splats`."""
+"""Vectors of a textured splat mapper, from the options `vectors` of `add_splats`."""
 from __future__ import annotations
 
 import warnings
@@ -32,10 +32,16 @@ def _contrasting(background: Sequence[float], colours: np.ndarray) -> tuple[floa
     return max(choices, key=lambda choice: np.linalg.norm(others - choice, axis=1).min())
 
 
+OLD_NAMES = {"vector_style": "style", "vector_placement": "placement", "vector_opacity": "opacity", "vector_color": "color", "vector_scalars": "scalars",
+             "vector_cmap": "cmap", "vector_clim": "clim", "greatest_speed": "maximum_speed", "vector_share": "fraction", "vector_unit": "unit",
+             **{name: name for name in ("streak_period", "streak_width", "segment_length", "segment_width", "layer_axis", "phase", "phase_cycles",
+                                        "phase_steps")}}
+
+
 @dataclass
 class Vectors:
-    """The arguments of `add_splats` about vectors; see there. Checked when applied."""
-    name: str | None = None
+    """The options `vectors` of `add_splats`; see there. Checked when applied."""
+    array: str | None = None
     style: str = "streaks"
     placement: str = "middle"
     opacity: float | None = None
@@ -43,61 +49,73 @@ class Vectors:
     scalars: str | None = None
     cmap: Any = None
     clim: float | Sequence[float] | None = None
-    greatest_speed: float | None = None
+    maximum_speed: float | None = None
+    fraction: float | None = None
+    unit: float | None = None
     streak_period: float = 4.0
-    phase_cycles: int = 4
-    share: float | None = None
     streak_width: float = 0.1
     segment_length: float = 2.0
     segment_width: float = 1.5
-    unit: float | None = None
     layer_axis: str | int = "eye"
+    phase: float = 0.0
+    phase_cycles: int = 4
     phase_steps: int = 0
-    table: pyvista.LookupTable | None = None  # of the colours by `scalars`, found when applied
+
+    def __post_init__(self) -> None:
+        self.table: pyvista.LookupTable | None = None  # of the colours by `scalars`, found when applied
+
+    def _number(self, name: str, **limits: float) -> float:
+        return require_number(getattr(self, name), f"vectors[{name!r}]", **limits)
 
     def apply(self, mapper: Any, plotter: pyvista.BasePlotter, mesh: pyvista.DataSet, association: str) -> None:
-        choose({"streaks": mapper.SetVectorStyleToStreaks, "segments": mapper.SetVectorStyleToSegments}, self.style, "vector_style")
-        choose({"middle": mapper.SetVectorPlacementToMiddle, "layers": mapper.SetVectorPlacementToLayers}, self.placement,
-               "vector_placement")
-        mapper.SetVectorOpacity(ALONE if self.opacity is None else require_number(self.opacity, "vector_opacity", least=0))
-        mapper.SetVectorFraction(1.0 if self.share is None else require_number(self.share, "vector_share", above=0, most=1))
-        mapper.SetStreakPeriod(require_number(self.streak_period, "streak_period", least=0.01, most=1000))
-        mapper.SetPhaseCycles(int(require_number(self.phase_cycles, "phase_cycles", least=1, most=1000)))
-        mapper.SetPhaseSteps(int(require_number(self.phase_steps, "phase_steps", least=0, most=1000)))
-        mapper.SetStreakWidth(require_number(self.streak_width, "streak_width", least=0.001, most=10))
-        mapper.SetSegmentLength(require_number(self.segment_length, "segment_length", least=0, most=1000))
-        mapper.SetSegmentWidth(require_number(self.segment_width, "segment_width", least=0.1, most=100))
+        choose({"streaks": mapper.SetVectorStyleToStreaks, "segments": mapper.SetVectorStyleToSegments}, self.style, "vectors['style']")
+        mapper.SetVectorOpacity(ALONE if self.opacity is None else self._number("opacity", least=0))
+        mapper.SetVectorFraction(1.0 if self.fraction is None else self._number("fraction", above=0, most=1))
+        mapper.SetStreakPeriod(self._number("streak_period", least=0.01, most=1000))
+        mapper.SetPhaseCycles(int(self._number("phase_cycles", least=1, most=1000)))
+        mapper.SetPhaseSteps(int(self._number("phase_steps", least=0, most=1000)))
+        mapper.SetStreakWidth(self._number("streak_width", least=0.001, most=10))
+        mapper.SetSegmentLength(self._number("segment_length", least=0, most=1000))
+        mapper.SetSegmentWidth(self._number("segment_width", least=0.1, most=100))
+        if self.unit is not None:
+            mapper.SetVectorUnit(self._number("unit", above=0))
+        if self.maximum_speed is not None:
+            mapper.SetMaximumSpeed(self._number("maximum_speed", above=0))
+        mapper.phase = self.phase
+        self._apply_placement(mapper, mesh)
+        self._apply_array(mapper, mesh, association)
+        self._apply_colours(mapper, plotter, mesh, association)
+
+    def _apply_placement(self, mapper: Any, mesh: pyvista.DataSet) -> None:
+        choose({"middle": mapper.SetVectorPlacementToMiddle, "layers": mapper.SetVectorPlacementToLayers}, self.placement, "vectors['placement']")
         if self.layer_axis not in ("eye", 0, 1, 2):
-            raise ValueError(f"layer_axis is {self.layer_axis!r}; it must be one of 'eye', 0, 1, 2.")
+            raise ValueError(f"vectors['layer_axis'] is {self.layer_axis!r}; it must be one of 'eye', 0, 1, 2.")
         on_grid = isinstance(mesh, (pyvista.ImageData, pyvista.RectilinearGrid, pyvista.StructuredGrid))
         mapper.SetLayerAxis(int(self.layer_axis) if on_grid and self.layer_axis != "eye" else -1)
-        if self.name is not None and self.placement == "layers" and not on_grid:
+        if self.array is not None and self.placement == "layers" and not on_grid:
             self._warn_of_layers(mesh)
-        if self.unit is not None:
-            mapper.SetVectorUnit(require_number(self.unit, "vector_unit", above=0))
-        if self.greatest_speed is not None:
-            mapper.SetMaximumSpeed(require_number(self.greatest_speed, "greatest_speed", above=0))
-        if self.name is not None:
+
+    def _apply_array(self, mapper: Any, mesh: pyvista.DataSet, association: str) -> None:
+        if self.array is not None:
             self._require_vectors(mesh, association)
-            mapper.SetVectorArrayName(self.name)
+            mapper.SetVectorArrayName(self.array)
         elif self.color is not None or self.scalars is not None:
-            raise ValueError("vector_color or vector_scalars is given without vectors; name the array of vectors.")
+            raise ValueError("vectors has the option 'color' or 'scalars', but no 'array'; name the array of vectors.")
         if self.color is not None:
             mapper.SetVectorColor(pyvista.Color(self.color).float_rgb)
             mapper.SetUseVectorColor(True)
-        self._apply_colours(mapper, plotter, mesh, association)
 
     def _warn_of_layers(self, mesh: pyvista.DataSet) -> None:
         ignored = "" if self.layer_axis == "eye" else "layer_axis is ignored, and "
-        warnings.warn(f"vector_placement='layers': only a structured grid (ImageData, RectilinearGrid, StructuredGrid) has layers; the mesh is drawn as "
-                      f"{type(mesh).__name__}. Instead, {ignored}layers at right angles to the line of sight are drawn. Pass vector_placement='middle' for "
+        warnings.warn(f"vectors['placement'] is 'layers': only a structured grid (ImageData, RectilinearGrid, StructuredGrid) has layers; the mesh is drawn as "
+                      f"{type(mesh).__name__}. Instead, {ignored}layers at right angles to the line of sight are drawn. Use 'middle' for "
                       "pictures that change less with the view.", UserWarning, stacklevel=level_of_caller())
 
     def suit(self, mapper: Any, plotter: pyvista.BasePlotter, prop: pyvista.VolumeProperty) -> None:
         """Where a medium is drawn too, and the user has not said how: so that both can be read. After everything else is set."""
-        if self.name is None or not is_drawn(prop.GetScalarOpacity()):
+        if self.array is None or not is_drawn(prop.GetScalarOpacity()):
             return
-        mapper.SuitVectorsToMedium(self.opacity is None, self.share is None and self.style == "streaks")
+        mapper.SuitVectorsToMedium(self.opacity is None, self.fraction is None and self.style == "streaks")
         if self.color is None and self.scalars is None:
             mapper.SetVectorColor(_contrasting(plotter.background_color.float_rgb, np.asarray(mapper.lookup_table.values)[:, :3] / 255.0))
             mapper.SetUseVectorColor(True)
@@ -109,25 +127,25 @@ class Vectors:
         shown = pyvista.DataSetMapper()
         shown.lookup_table, shown.scalar_range = self.table, self.table.scalar_range
         own = {name: value for name, value in (bar_args or {}).items() if name not in ("title", "mapper", "position_x", "position_y")}
-        title = self.scalars if self.scalars not in plotter.scalar_bars else f"{self.scalars} of {self.name}"
+        title = self.scalars if self.scalars not in plotter.scalar_bars else f"{self.scalars} of {self.array}"
         upright = {"vertical": True, "position_y": 0.28} if len(plotter.scalar_bars) else {}
         plotter.add_scalar_bar(**{**upright, **own, "title": title, "mapper": shown})
 
     def _require_vectors(self, mesh: pyvista.DataSet, association: str) -> None:
-        require_beside_scalars(mesh, self.name, association, "vectors")
-        values = array_values(mesh, self.name, association)
+        require_beside_scalars(mesh, self.array, association, "vectors")
+        values = array_values(mesh, self.array, association)
         if values.ndim != 2 or values.shape[1] != 3:
             components = 1 if values.ndim == 1 else values.shape[1]
-            raise ValueError(f"vectors: the array {self.name!r} has {components} components; three are needed.")
+            raise ValueError(f"vectors: the array {self.array!r} has {components} components; three are needed.")
 
     def _apply_colours(self, mapper: Any, plotter: pyvista.BasePlotter, mesh: pyvista.DataSet, association: str) -> None:
         if self.scalars is None:
             if self.cmap is not None or self.clim is not None:
-                raise ValueError("vector_cmap or vector_clim is given without vector_scalars, the array that they colour.")
+                raise ValueError("vectors has the option 'cmap' or 'clim', but no 'scalars', the array that they colour.")
             return
         if self.color is not None:
-            raise ValueError("vector_color and vector_scalars are both given; vectors have one colour, or that of an array.")
-        require_beside_scalars(mesh, self.scalars, association, "vector_scalars")
+            raise ValueError("vectors has the options 'color' and 'scalars'; vectors have one colour, or that of an array.")
+        require_beside_scalars(mesh, self.scalars, association, "vectors['scalars']")
         values = np.asarray(array_values(mesh, self.scalars, association), float)
         values = values if values.ndim == 1 else np.linalg.norm(values, axis=1)
         table = self.cmap if isinstance(self.cmap, pyvista.LookupTable) else lookup_table(

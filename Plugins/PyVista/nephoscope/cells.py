@@ -12,7 +12,8 @@ from . import vtkCellCompositingMapper
 from ._blocks import cell_dimension
 from ._checks import choose, renamed_argument
 from ._medium import Functions, MediumMapper, add_medium, require_dataset, require_plotter, scalar_array
-from ._surfaces import Surfaces, paint_polygons
+from ._options import group, refuse_unknown
+from ._surfaces import CONTOUR_NAMES, POLYGON_NAMES, Contours, Layers, Polygons
 from .light import BRIGHTEST, lit, lit_colours
 from .transfer import OpacityLike
 
@@ -35,15 +36,11 @@ def add_cells(plotter: pyvista.BasePlotter, grid: Any, scalars: str | np.ndarray
               opacity_scalars: str | None = None, opacity_clim: float | Sequence[float] | None = None,
               opacity_scale: float = 1.0, opacity_unit_distance: float | None = None,
               integration: str = "exact", order: str = "exact", method: str = "automatic", split_at_control_points: bool = True, preference: str = "point",
-              contours: int | Sequence[float] | None = None, contour_opacity: float | Sequence[float] = 0.3,
-              contour_color: Any = None, contour_scalars: str | None = None, contour_lighting: bool = True,
-              smooth_contours: bool = True,
-              polygons: str = "contours", polygon_opacity: float | Sequence[float] = 0.3, polygon_color: Any = None,
+              contours: int | Sequence[float] | Mapping[str, Any] | None = None, polygons: str | Mapping[str, Any] = "contours",
               layers: Mapping[int, Any] | Sequence[Any] | None = None, layer_scalars: str | None = None,
               name: str | None = None, show_scalar_bar: bool | None = None, scalar_bar_args: dict | None = None,
               reset_camera: bool | None = None, pickable: bool = True, user_matrix: Any = None,
-              render: bool = True, unit_distance: float | None = None,
-              preset: str | bool | None = None, sun: Any = None) -> pyvista.Volume:
+              render: bool = True, preset: str | bool | None = None, sun: Any = None, **old: Any) -> pyvista.Volume:
     """Add a grid of 3-D cells to a plotter as a volume drawn by `vtkCellCompositingMapper`.
 
     The extinction coefficient is opacity * `opacity_scale` / `opacity_unit_distance`. Extinction and colour vary linearly inside each
@@ -101,24 +98,22 @@ def add_cells(plotter: pyvista.BasePlotter, grid: Any, scalars: str | np.ndarray
         the ends of a ray in a cell, which is faster.
     preference : {"point", "cell"}, default: "point"
         Which array to use if points and cells both have an array of that name, or if their numbers are equal.
-    contours : int or sequence of float, optional
-        Values of lit, translucent contour surfaces inside the volume, or the number of values at equal steps inside the range. The surfaces are
-        drawn in exact order with the volume; no geometry is extracted.
-    contour_opacity : float or sequence of float, default: 0.3
-        Opacity of all surfaces or of each surface, 0 to 1. 0: not drawn.
-    contour_color : color or sequence of color, optional
-        Colour of all surfaces or of each surface. Default: the colour map's colour at the surface.
-    contour_scalars : str, optional
-        Point array to contour, if it differs from `scalars`.
-    contour_lighting, smooth_contours : bool, default: True
-        Light the surfaces with the plotter's lights; interpolate their normals between points.
-    polygons : {"contours", "all", "none"}, default: "contours"
+    contours : int, sequence of float or dict, optional
+        Lit, translucent contour surfaces inside the volume, drawn in exact order with it; no geometry is extracted. A number, or a sequence, is
+        the option ``values``. Options:
+
+        - ``values``: the values, or their number at equal steps inside the range.
+        - ``opacity``, default 0.3: opacity of all surfaces, or of each surface, 0 to 1. 0: not drawn.
+        - ``color``: colour of all surfaces, or of each surface. Default: the colour map's colour at the surface.
+        - ``scalars``: point array to contour, if it differs from `scalars`.
+        - ``lighting``, ``smooth``, default True: light the surfaces with the plotter's lights; interpolate their normals between points.
+    polygons : {"contours", "all", "none"} or dict, default: "contours"
         Which polygons of the grid to draw between its cells: those that `split_cells` adds, all, or none. They are translucent surfaces in exact
-        order, lit like `contours`, and must lie in faces of cells.
-    polygon_opacity : float or sequence of float, default: 0.3
-        Opacity of all polygons, or one for each ``ContourIndex``, 0 to 1. 0: not drawn.
-    polygon_color : color or sequence of color, optional
-        Colour of all polygons, or one for each ``ContourIndex``. Default: the colour map's colour at the polygon.
+        order, lit like `contours`, and must lie in faces of cells. Options:
+
+        - ``which``: one of these.
+        - ``opacity``, default 0.3: opacity of all polygons, or one for each ``ContourIndex``, 0 to 1. 0: not drawn.
+        - ``color``: colour of all polygons, or one for each ``ContourIndex``. Default: the colour map's colour at the polygon.
     layers : sequence, or dict of int, optional
         How each layer is drawn: a colour, the name of a colour map over `clim` (both with the opacities of the volume), a
         `pyvista.VolumeProperty` with colours and opacities of its own, or None for a layer like the volume. An item of a sequence is for the
@@ -136,8 +131,6 @@ def add_cells(plotter: pyvista.BasePlotter, grid: Any, scalars: str | np.ndarray
         Passed on to `pyvista.Plotter.add_actor`.
     user_matrix : array_like, optional
         Transformation matrix of the volume, shape (4, 4).
-    unit_distance : float, optional
-        The old name of `opacity_unit_distance`.
     preset : str or False, optional
         Default colours, opacities and range for a weather field: ``'clouds'``, ``'cloud water'``, ``'wind speed'``, ``'wind component'``,
         ``'temperature'``, ``'humidity'``, ``'rain'`` or ``'smoke'``. Arguments that you pass take precedence. Default: chosen by the name of
@@ -148,6 +141,9 @@ def add_cells(plotter: pyvista.BasePlotter, grid: Any, scalars: str | np.ndarray
         arguments of `sunlight`. True: the light that `grid` has, otherwise that of `sunlight`. Without an extinction, `cloud_optics`
         computes it from the water of `grid`. `scalars`, opacities and the unit distance are then those of light; `cmap`, `clim` and `opacity_scale` may
         be given.
+    **old
+        Earlier names of options, with a DeprecationWarning that tells the present one: `unit_distance`, `contour_opacity`, `contour_color`,
+        `contour_scalars`, `contour_lighting`, `smooth_contours`, `polygon_opacity` and `polygon_color`.
 
     Returns
     -------
@@ -157,7 +153,7 @@ def add_cells(plotter: pyvista.BasePlotter, grid: Any, scalars: str | np.ndarray
     Raises
     ------
     TypeError
-        If `plotter` or `grid` has the wrong type, or the scalars are not numeric.
+        If `plotter` or `grid` has the wrong type, the scalars are not numeric, or there is no such option.
     pyvista.core.errors.MissingDataError
         (a ValueError) If an array does not exist; the message lists the arrays that do.
     ValueError
@@ -169,15 +165,18 @@ def add_cells(plotter: pyvista.BasePlotter, grid: Any, scalars: str | np.ndarray
     >>> nephoscope.add_cells(plotter, clouds, scalars="cloud_fraction", cmap=["white", "white"])  # doctest: +SKIP
     """
     require_plotter(plotter)
+    surfaces = group("contours", contours, Contours, "values", old, CONTOUR_NAMES)
+    painted = group("polygons", polygons, Polygons, "which", old, POLYGON_NAMES)
+    opacity_unit_distance = renamed_argument(opacity_unit_distance, "opacity_unit_distance", old.pop("unit_distance", None), "unit_distance")
+    refuse_unknown("add_cells", old)
     if sun is not None:
         grid = lit(_solid_grid(grid, {}), sun)
         densest = float(np.max(grid["ScaledExtinction"])) or 1.0
         scalars, opacity_scalars, opacity, opacity_clim, opacity_unit_distance = "Sunlight", "ScaledExtinction", "linear", (0.0, densest), 1 / densest
         cmap, clim = lit_colours() if cmap is None else cmap, (0.0, BRIGHTEST) if clim is None else clim
     grid, array_name, association = scalar_array(
-        _solid_grid(grid, {"scalars": scalars, "opacity_scalars": opacity_scalars, "contour_scalars": contour_scalars,
+        _solid_grid(grid, {"scalars": scalars, "opacity_scalars": opacity_scalars, "contours['scalars']": surfaces.scalars,
                            "layer_scalars": layer_scalars}), scalars, preference)
-    opacity_unit_distance = renamed_argument(opacity_unit_distance, "opacity_unit_distance", unit_distance, "unit_distance")
     mapper = CellCompositingMapper()
     prop = Functions(cmap, opacity, clim, n_colors, flip_scalars, log_scale, opacity_scalars, opacity_clim,
                      opacity_scale, preset).attach(mapper, plotter, grid, array_name, association, preference, opacity_unit_distance)
@@ -188,11 +187,9 @@ def add_cells(plotter: pyvista.BasePlotter, grid: Any, scalars: str | np.ndarray
             "triangles-linear": mapper.SetMethodToTrianglesLinear, "triangles-table": mapper.SetMethodToTrianglesTable,
             "faces": mapper.SetMethodToFaces}, method, "method")
     mapper.SetSplitAtControlPoints(bool(split_at_control_points))
-    Surfaces(contours, contour_scalars, contour_opacity, contour_color, contour_lighting, smooth_contours, layers,
-             layer_scalars).apply(mapper, grid, array_name, association, prop)
-    choose({"contours": mapper.SetPolygonsToContours, "all": mapper.SetPolygonsToAll, "none": mapper.SetPolygonsToNone}, polygons,
-           "polygons")
-    paint_polygons(mapper, polygon_opacity, polygon_color)
+    count = surfaces.apply(mapper, grid, array_name, association)
+    Layers(layers, layer_scalars).apply(mapper, grid, count, prop)
+    painted.apply(mapper)
     return add_medium(plotter, mapper, prop, array_name, user_matrix=user_matrix, show_scalar_bar=show_scalar_bar,
                       scalar_bar_args=scalar_bar_args, reset_camera=reset_camera, name=name, pickable=pickable, render=render)
 

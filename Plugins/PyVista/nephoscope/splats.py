@@ -3,6 +3,7 @@
 """Textured splats: the samples of any dataset as splats in the shape of their cells, with vectors as moving streaks."""
 from __future__ import annotations
 
+from dataclasses import dataclass
 from typing import Any, Mapping, Sequence
 
 import numpy as np
@@ -13,6 +14,8 @@ from . import vtkTexturedSplatMapper
 from ._checks import choose, renamed_argument, require_beside_scalars, require_number
 from ._copies import copied_table
 from ._medium import Functions, MediumMapper, add_medium, require_dataset, require_plotter, scalar_array
+from ._options import group, refuse_unknown
+from ._vectors import OLD_NAMES as VECTOR_NAMES
 from ._vectors import Vectors, is_drawn
 from .transfer import OpacityLike
 
@@ -38,24 +41,40 @@ class TexturedSplatMapper(MediumMapper, vtkTexturedSplatMapper):
         self.SetPhase(require_number(phase, "phase"))
 
 
+DETAIL_NAMES = {"error_tolerance": "tolerance", "error_unit": "unit", "error_measure": "measure", "interactive_splats": "interactive_splats",
+                "level_blending": "blending"}
+
+
+@dataclass
+class LevelOfDetail:
+    """The options `level_of_detail` of `add_splats`; see there. Checked when applied."""
+    tolerance: float = 0.0
+    unit: str = "image"
+    measure: str = "picture"
+    interactive_splats: int = 100_000
+    blending: float = 0.1
+
+    def apply(self, mapper: TexturedSplatMapper) -> None:
+        mapper.SetErrorTolerance(require_number(self.tolerance, "level_of_detail['tolerance']", least=0))
+        choose({"image": mapper.SetErrorToleranceUnitToImage, "data": mapper.SetErrorToleranceUnitToData}, self.unit, "level_of_detail['unit']")
+        choose({"picture": mapper.SetErrorMeasureToPicture, "rms": mapper.SetErrorMeasureToRootMeanSquare,
+                "greatest": mapper.SetErrorMeasureToGreatest}, self.measure, "level_of_detail['measure']")
+        mapper.SetLevelBlending(require_number(self.blending, "level_of_detail['blending']", least=0, most=0.9))
+        most = require_number(self.interactive_splats, "level_of_detail['interactive_splats']", least=0, most=1e15)
+        mapper.SetInteractiveMaximumNumberOfSplats(int(most))
+
+
 def add_splats(plotter: pyvista.BasePlotter, mesh: Any, scalars: str | np.ndarray | None = None, *,
                color: Any = None, cmap: Any = None, opacity: OpacityLike | None = None,
                clim: float | Sequence[float] | None = None, n_colors: int = 256, flip_scalars: bool = False,
                log_scale: bool = False, opacity_scalars: str | None = None,
                opacity_clim: float | Sequence[float] | None = None, opacity_scale: float = 1.0,
                opacity_unit_distance: float | None = None, kernel: str = "cubic", radius: float | str | None = None,
-               sizes: str | None = None, volumes: str | None = None, radius_factor: float = 1.0, error_tolerance: float = 0.0, error_unit: str = "image",
-               error_measure: str = "picture", interactive_splats: int = 100_000, level_blending: float = 0.1,
-               vectors: str | None = None, vector_style: str = "streaks", vector_placement: str = "middle",
-               vector_opacity: float | None = None, vector_color: Any = None, vector_scalars: str | None = None,
-               vector_cmap: Any = None, vector_clim: float | Sequence[float] | None = None,
-               greatest_speed: float | None = None, streak_period: float = 4.0, streak_width: float = 0.1, segment_length: float = 2.0,
-               segment_width: float = 1.5, vector_unit: float | None = None, layer_axis: str | int = "eye", phase: float = 0.0,
-               phase_cycles: int = 4, phase_steps: int = 0, preference: str = "point", name: str | None = None,
-               show_scalar_bar: bool | None = None, scalar_bar_args: dict | None = None,
-               reset_camera: bool | None = None, pickable: bool = True, user_matrix: Any = None,
-               render: bool = True, unit_distance: float | None = None,
-               preset: str | bool | None = None, vector_share: float | None = None) -> pyvista.Volume:
+               sizes: str | None = None, volumes: str | None = None, radius_factor: float = 1.0,
+               level_of_detail: float | Mapping[str, Any] | None = None, vectors: str | Mapping[str, Any] | None = None,
+               preference: str = "point", name: str | None = None, show_scalar_bar: bool | None = None, scalar_bar_args: dict | None = None,
+               reset_camera: bool | None = None, pickable: bool = True, user_matrix: Any = None, render: bool = True,
+               preset: str | bool | None = None, **old: Any) -> pyvista.Volume:
     """Add the points or cells of a dataset to a plotter as splats drawn by `vtkTexturedSplatMapper`.
 
     Every sample is a kernel in the shape of its grid cell, or a ball if there is no grid. Its extinction coefficient is opacity *
@@ -93,66 +112,58 @@ def add_splats(plotter: pyvista.BasePlotter, mesh: Any, scalars: str | np.ndarra
         represents.
     radius_factor : float, default: 1.0
         Multiplies the width of splats, on any data, 0.01 to 100. Their mass is conserved.
-    error_tolerance : float, default: 0.0
-        Level of detail: a block of samples is drawn as one splat if its error is at most this value, >= 0. 0: every sample is drawn. Ignored
-        with ``vector_placement="layers"``.
-    error_unit : {"image", "data"}, default: "image"
-        Image: error of the optical depth along the ray through the block. Data: error of the opacity function's value, or of the speed as a
-        fraction of the greatest speed.
-    error_measure : {"picture", "rms", "greatest"}, default: "picture"
-        Error of a block: root of the sum of the squared errors over its pixels, which usually gives the fewest splats; root mean square over the
-        block; or greatest deviation of a sample.
-    interactive_splats : int, default: 100_000
-        Greatest number of splats while the camera moves in an interactive window. 0: no limit.
-    level_blending : float, default: 0.1
-        With `error_tolerance`: fraction of the tolerance, 0 to 0.9, over which a block fades in while its samples fade out, so that levels of
-        detail do not pop.
-    vectors : str, optional
-        Array of three components, on points or cells like the scalars, to draw on the splats.
-    vector_style : {"streaks", "segments"}, default: "streaks"
-        Comets with a sharp head, or anti-aliased line segments. Both move with `phase`.
-    vector_placement : {"middle", "layers"}, default: "middle"
-        Depth of the vectors. Middle: half of a splat's medium lies in front of its vector. Layers: for each layer of the grid, the scalars are
-        drawn first and then the vectors; without a structured grid, for each layer at right angles to the line of sight, with a warning.
-    vector_opacity : float, optional
-        Optical depth of the streaks of the longest vectors, >= 0; other streaks are proportional to the length of their vectors. Default: 2 for
-        vectors alone; in a medium the value that gives vectors of mean length 0.6, clamped to 0.8 to 2.
-    vector_color : ColorLike, optional
-        One colour for all vectors. Default: in a medium black, white or orange, whichever contrasts best; without a medium the colour of the
-        splats.
-    vector_scalars, vector_cmap, vector_clim
-        Array that colours the vectors independently of the splats, for example altitude; its magnitude if it has several components. Its colour
-        map and range are as `cmap` and `clim`.
-    greatest_speed : float, optional
-        Length of a vector, in its own unit, at and above which streaks have full opacity, > 0. Default: the greatest length in the data.
-    streak_period : float, default: 4.0
-        Distance between streaks along a vector, in vector units, 0.01 to 1000.
-    streak_width : float, default: 0.1
-        Standard deviation of a streak's brightness across it, in vector units, 0.001 to 10.
-    segment_length : float, default: 2.0
-        Length of the segment of a vector with `greatest_speed`, in vector units, 0 to 1000. Other segments are proportional to their vectors.
-    segment_width : float, default: 1.5
-        Width of segments in pixels, 0.1 to 100.
-    vector_unit : float, optional
-        Length of the vector unit, in units of length of the mesh, > 0. Default: the mean length of a cell along its vector, longer if
-        `vector_share` is below 1. To make time steps comparable, pass it and `greatest_speed`.
-    layer_axis : {"eye", 0, 1, 2}, default: "eye"
-        With ``vector_placement="layers"``: the axis of a structured grid whose index numbers the layers. ``"eye"``: the axis that points most
-        towards the camera.
-    phase : float, default: 0.0
-        Position of the streaks in their loop, 0 to 1; 1 is the same as 0. Change it with ``volume.mapper.phase``.
-    phase_cycles : int, default: 4
-        Number of periods by which the fastest pattern moves in a loop, 1 to 1000.
-    phase_steps : int, default: 0
-        Number of positions of the pattern along its period, 0 to 1000. 0: continuous, for smooth motion; 16: as in the stored textures of 1993.
-    vector_share : float, optional
-        Fraction of the samples whose vectors are drawn, chosen at random, > 0 and <= 1. Fewer streaks are longer and wider. Default: all vectors
-        if there is no medium; in a medium, as many as give a line of sight the density of 7 streaks of the longest vectors.
+    level_of_detail : float or dict, optional
+        A number is the option ``tolerance``. Options:
+
+        - ``tolerance``, default 0.0: a block of samples is drawn as one splat if its error is at most this value, >= 0. 0: every sample is
+          drawn. Ignored if the placement of the vectors is ``"layers"``.
+        - ``unit``, default ``"image"``: error of the optical depth along the ray through the block. ``"data"``: error of the opacity function's
+          value, or of the speed as a fraction of the maximum speed.
+        - ``measure``, default ``"picture"``: error of a block as the root of the sum of the squared errors over its pixels, which usually gives
+          the fewest splats; ``"rms"``: root mean square over the block; ``"greatest"``: greatest deviation of a sample.
+        - ``interactive_splats``, default 100,000: greatest number of splats while the camera moves in an interactive window. 0: no limit.
+        - ``blending``, default 0.1: fraction of the tolerance, 0 to 0.9, over which a block fades in while its samples fade out, so that levels
+          of detail do not pop.
+    vectors : str or dict, optional
+        Array of three components, on points or cells like the scalars, to draw on the splats: its name, or options:
+
+        - ``array``: its name.
+        - ``style``, default ``"streaks"``: comets with a sharp head; or ``"segments"``, anti-aliased line segments. Both move with ``phase``.
+        - ``placement``, default ``"middle"``: half of a splat's medium lies in front of its vector. ``"layers"``: for each layer of the grid, the
+          scalars are drawn first and then the vectors; without a structured grid, for each layer at right angles to the line of sight, with a
+          warning.
+        - ``opacity``: optical depth of the streaks of the longest vectors, >= 0; other streaks are proportional to the length of their vectors.
+          Default: 2 for vectors alone; in a medium the value that gives vectors of mean length 0.6, clamped to 0.8 to 2.
+        - ``color``: one colour for all vectors. Default: in a medium black, white or orange, whichever contrasts best; without a medium the
+          colour of the splats.
+        - ``scalars``, ``cmap``, ``clim``: array that colours the vectors independently of the splats, for example altitude; its magnitude if it
+          has several components. Its colour map and range are as `cmap` and `clim`.
+        - ``maximum_speed``: length of a vector, in its own unit, at and above which streaks have full opacity, > 0. Default: the greatest length
+          in the data.
+        - ``fraction``: fraction of the samples whose vectors are drawn, chosen at random, > 0 and <= 1. Fewer streaks are longer and wider.
+          Default: all vectors if there is no medium; in a medium, as many as give a line of sight the density of 7 streaks of the longest vectors.
+        - ``unit``: length of the vector unit, in units of length of the mesh, > 0. Default: the mean length of a cell along its vector, longer if
+          ``fraction`` is below 1. To make time steps comparable, pass it and ``maximum_speed``.
+        - ``streak_period``, default 4.0: distance between streaks along a vector, in vector units, 0.01 to 1000.
+        - ``streak_width``, default 0.1: standard deviation of a streak's brightness across it, in vector units, 0.001 to 10.
+        - ``segment_length``, default 2.0: length of the segment of a vector with the maximum speed, in vector units, 0 to 1000. Other segments are
+          proportional to their vectors.
+        - ``segment_width``, default 1.5: width of segments in pixels, 0.1 to 100.
+        - ``layer_axis``, default ``"eye"``: with the placement ``"layers"``, the axis 0, 1 or 2 of a structured grid whose index numbers the
+          layers. ``"eye"``: the axis that points most towards the camera.
+        - ``phase``, default 0.0: position of the streaks in their loop, 0 to 1; 1 is the same as 0. Change it with ``volume.mapper.phase``.
+        - ``phase_cycles``, default 4: number of periods by which the fastest pattern moves in a loop, 1 to 1000.
+        - ``phase_steps``, default 0: number of positions of the pattern along its period, 0 to 1000. 0: continuous, for smooth motion; 16: as in
+          the stored textures of 1993.
     preference : {"point", "cell"}, default: "point"
         Which array to use if points and cells both have an array of that name, or if their numbers are equal.
-    name, show_scalar_bar, scalar_bar_args, reset_camera, pickable, user_matrix, render, unit_distance, preset
-        As in `add_cells`. With `color` there is no scalar bar unless `show_scalar_bar` is True. `vector_scalars` get their own scalar bar, which
-        is the only one if only the vectors are drawn.
+    name, show_scalar_bar, scalar_bar_args, reset_camera, pickable, user_matrix, render, preset
+        As in `add_cells`. With `color` there is no scalar bar unless `show_scalar_bar` is True. Scalars of the vectors get their own scalar bar,
+        which is the only one if only the vectors are drawn.
+    **old
+        Earlier names of options, with a DeprecationWarning that tells the present one: `unit_distance`; `vector_style`, `vector_color`, ... and
+        `greatest_speed`, `vector_share`, `streak_period`, ..., `phase`; `error_tolerance`, `error_unit`, `error_measure`, `interactive_splats` and
+        `level_blending`.
 
     Returns
     -------
@@ -162,7 +173,7 @@ def add_splats(plotter: pyvista.BasePlotter, mesh: Any, scalars: str | np.ndarra
     Raises
     ------
     TypeError
-        If `plotter` or `mesh` has the wrong type, or the scalars are not numeric.
+        If `plotter` or `mesh` has the wrong type, the scalars are not numeric, or there is no such option.
     pyvista.core.errors.MissingDataError
         (a ValueError) If an array does not exist; the message lists the arrays that do.
     ValueError
@@ -174,8 +185,12 @@ def add_splats(plotter: pyvista.BasePlotter, mesh: Any, scalars: str | np.ndarra
     >>> volume.mapper.phase = 0.25  # doctest: +SKIP
     """
     require_plotter(plotter)
+    streaks = group("vectors", vectors, Vectors, "array", old, VECTOR_NAMES)
+    detail = group("level_of_detail", level_of_detail, LevelOfDetail, "tolerance", old, DETAIL_NAMES)
+    opacity_unit_distance = renamed_argument(opacity_unit_distance, "opacity_unit_distance", old.pop("unit_distance", None), "unit_distance")
+    refuse_unknown("add_splats", old)
     mesh = _sampled_mesh(mesh, {**({"scalars": scalars} if color is None or scalars is not None else {}), "opacity_scalars": opacity_scalars,
-                                "vectors": vectors, "vector_scalars": vector_scalars, "sizes": sizes, "volumes": volumes})
+                                "vectors": streaks.array, "vectors['scalars']": streaks.scalars, "sizes": sizes, "volumes": volumes})
     shows_bars = plotter.theme.show_scalar_bar if show_scalar_bar is None else show_scalar_bar
     if color is not None:
         cmap, show_scalar_bar = [pyvista.Color(color).hex_rgb] * 2, bool(show_scalar_bar)
@@ -190,12 +205,8 @@ def add_splats(plotter: pyvista.BasePlotter, mesh: Any, scalars: str | np.ndarra
             "gaussian": mapper.SetKernelToGaussian}, kernel, "kernel")
     mapper.SetRadiusFactor(require_number(radius_factor, "radius_factor", least=0.01, most=100))
     _set_sizes(mapper, mesh, association, {"radius": radius, "sizes": sizes, "volumes": volumes}, KERNEL_RADII[kernel])
-    _set_hierarchy(mapper, error_tolerance, error_unit, error_measure, interactive_splats, level_blending)
-    streaks = Vectors(vectors, vector_style, vector_placement, vector_opacity, vector_color, vector_scalars, vector_cmap, vector_clim,
-            greatest_speed, streak_period, phase_cycles, vector_share, streak_width, segment_length, segment_width, vector_unit, layer_axis, phase_steps)
+    detail.apply(mapper)
     streaks.apply(mapper, plotter, mesh, association)
-    mapper.phase = phase
-    opacity_unit_distance = renamed_argument(opacity_unit_distance, "opacity_unit_distance", unit_distance, "unit_distance")
     prop = Functions(cmap, opacity, clim, n_colors, flip_scalars, log_scale, opacity_scalars, opacity_clim,
                      opacity_scale, preset).attach(mapper, plotter, mesh, array_name, association, association, opacity_unit_distance)
     streaks.suit(mapper, plotter, prop)
@@ -236,13 +247,3 @@ def _set_sizes(mapper: TexturedSplatMapper, mesh: pyvista.DataSet, association: 
     require_beside_scalars(mesh, value, association, name)
     mapper.SetCellSizeArrayName(value)
     mapper.SetCellSizeArrayHoldsVolumes(name == "volumes")
-
-
-def _set_hierarchy(mapper: TexturedSplatMapper, tolerance: float, unit: str, measure: str, interactive_splats: int,
-                   blending: float) -> None:
-    mapper.SetErrorTolerance(require_number(tolerance, "error_tolerance", least=0))
-    choose({"image": mapper.SetErrorToleranceUnitToImage, "data": mapper.SetErrorToleranceUnitToData}, unit, "error_unit")
-    choose({"picture": mapper.SetErrorMeasureToPicture, "rms": mapper.SetErrorMeasureToRootMeanSquare,
-            "greatest": mapper.SetErrorMeasureToGreatest}, measure, "error_measure")
-    mapper.SetLevelBlending(require_number(blending, "level_blending", least=0, most=0.9))
-    mapper.SetInteractiveMaximumNumberOfSplats(int(require_number(interactive_splats, "interactive_splats", least=0, most=1e15)))

@@ -1,0 +1,37 @@
+# SPDX-FileCopyrightText: The Nephoscope authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Arguments that group others, such as ``vectors=dict(array="wind", style="segments")``, and the single arguments that they replace."""
+from __future__ import annotations
+
+import warnings
+from dataclasses import fields
+from typing import Any, Mapping
+
+from ._checks import listed
+from ._pipeline import level_of_caller
+
+
+def group(argument: str, value: Any, options: type, first: str, old: dict[str, Any], renamed: Mapping[str, str]) -> Any:
+    """An object of the dataclass `options`.
+
+    `value` is None, a dict with the names of its fields, or the value of the field `first`. `old` holds arguments by earlier names; those that
+    `renamed` gives the name of a field are taken out of it, with a DeprecationWarning.
+    """
+    known = [field.name for field in fields(options)]
+    given = dict(value) if isinstance(value, Mapping) else {} if value is None else {first: value}
+    unknown = [name for name in given if name not in known]
+    if unknown:
+        raise TypeError(f"{argument} has no option {unknown[0]!r}; the options are {listed(known)}.")
+    for name in [name for name in old if name in renamed]:
+        field = renamed[name]
+        if field in given:
+            raise ValueError(f"{name} and {argument}[{field!r}] are both given; {name} is the old name of the latter.")
+        warnings.warn(f"{name} is now an option of {argument}: {argument}=dict({field}=...).", DeprecationWarning, stacklevel=level_of_caller())
+        given[field] = old.pop(name)
+    return options(**given)
+
+
+def refuse_unknown(function: str, old: Mapping[str, Any]) -> None:
+    """TypeError as Python's, for keyword arguments that nothing has taken."""
+    if old:
+        raise TypeError(f"{function}() got an unexpected keyword argument {next(iter(old))!r}")
