@@ -16,7 +16,7 @@ from nephoscope.reader import _missing_of
 
 DATA = Path(os.environ["NEPHOSCOPE_DATA"])
 PATH = DATA / "gfs_2p5deg_2011101100.nc"
-sys.path.insert(0, str(DATA / "scripts"))
+sys.path.insert(0, str(DATA / "forecast"))
 from forecast.netcdf_classic import Variable, Writer  # noqa: E402
 
 
