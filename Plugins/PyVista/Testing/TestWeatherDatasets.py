@@ -180,8 +180,8 @@ class Refusals(unittest.TestCase):
         self.raises("'time' has no dates", lambda: dataset.assign_coords(time=[0.0, 6.0]).nephoscope.globe(time="2020"))
 
     def test_more_dimensions(self):
-        dataset = xr.concat([isothermal(LON, LAT)] * 2, "member")
-        self.raises(r"'member'.*ds.isel\(member=0\)", dataset.nephoscope.globe)
+        dataset = xr.concat([isothermal(LON, LAT)] * 2, "scenario")
+        self.raises(r"'scenario'.*ds.isel\(scenario=0\)", dataset.nephoscope.globe)
 
 
 class Opening(unittest.TestCase):

@@ -142,7 +142,7 @@ class Air:
             return heights
         middle = 0.5 * (heights[1:] + heights[:-1])
         bottom, top = 1.5 * heights[0] - 0.5 * heights[1], 1.5 * heights[-1] - 0.5 * heights[-2]
-        if self.terrain is not None and reading.vertical.kind not in ("pressure", "height"):
+        if self.terrain is not None and reading.vertical.kind not in ("pressure", "height", "depth"):
             bottom = np.minimum(self.terrain, heights[0])
         return np.concatenate([bottom[None], middle, top[None]])
 
@@ -169,11 +169,11 @@ class Air:
 
     def _level_heights(self) -> np.ndarray | None:
         kind = self.reading.vertical.kind
-        if kind not in ("height", "height above ground"):
+        if kind not in ("height", "height above ground", "depth"):
             return None
         heights = self._columns(self.reading.levels())
-        self.height_source = "the levels"
-        if kind == "height":
+        self.height_source = "the levels" + (", depths" if kind == "depth" else "")
+        if kind != "height above ground":
             return heights
         if self.terrain is None:
             self.reading.note("heights above the ground taken as above sea level: no height of the ground was found")
@@ -250,9 +250,10 @@ class Air:
 def hybrid_coefficients(reading: Reading) -> tuple[np.ndarray, np.ndarray]:
     """a in Pa and b of the full levels: p = a + b ps."""
     dataset, vertical = reading.dataset, reading.vertical
-    half = half_coefficients(reading)
-    if half is not None:
-        return tuple(0.5 * (values[:-1] + values[1:]) for values in half) if not _reversed(reading) else tuple(0.5 * (v[:-1] + v[1:])[::-1] for v in half)
+    listed_half = _parameters(reading)
+    if listed_half is not None:
+        above = reading.levels().astype(int) - 1
+        return tuple(0.5 * (values[above] + values[above + 1]) for values in listed_half)
     terms = formula_terms(dataset, vertical) or usual_coefficients(dataset, vertical.dim) or {}
     if vertical.kind == "sigma":
         sigma = dataset[terms.get("sigma", vertical.name)].values.astype(float)
@@ -283,20 +284,20 @@ def _pascal(dataset, name: str) -> np.ndarray:
     return converted(values, dataset[name].attrs.get("units", "Pa"), "pressure", name)[0]
 
 
-def half_coefficients(reading: Reading) -> tuple[np.ndarray, np.ndarray] | None:
-    """a and b of the half levels around the levels of the dataset, top first: from GRIB's list of vertical coordinate parameters, or from bounds."""
+def _parameters(reading: Reading) -> tuple[np.ndarray, np.ndarray] | None:
+    """a and b of all half levels of the model, top first, from GRIB's list of vertical coordinate parameters; None without one that has the levels of the dataset."""
     example = next((variable for _, variable in reading.field_variables() if "GRIB_pv" in variable.attrs), None)
-    if example is not None and reading.vertical.kind == "hybrid":
-        pv = np.asarray(example.attrs["GRIB_pv"], dtype=float)
-        a, b = pv[:len(pv) // 2], pv[len(pv) // 2:]
-        numbers = np.sort(reading.levels().astype(int))
-        if len(a) and np.all(np.diff(numbers) == 1) and numbers[-1] < len(a) and numbers[-1] == len(a) - 1:
-            return a[numbers[0] - 1:], b[numbers[0] - 1:]
-        if len(a):
-            return None if numbers[-1] >= len(a) else (a[numbers[0] - 1:numbers[-1] + 1], b[numbers[0] - 1:numbers[-1] + 1])
-    return None
+    if example is None or reading.vertical.kind != "hybrid":
+        return None
+    pv = np.asarray(example.attrs["GRIB_pv"], dtype=float)
+    a, b = pv[:len(pv) // 2], pv[len(pv) // 2:]
+    return (a, b) if len(a) and reading.levels().min() >= 1 and reading.levels().max() < len(a) else None
 
 
-def _reversed(reading: Reading) -> bool:
-    levels = reading.levels()
-    return len(levels) > 1 and levels[0] > levels[-1]
+def half_coefficients(reading: Reading) -> tuple[np.ndarray, np.ndarray] | None:
+    """a and b of the half levels around the levels of the dataset, top first, where these are all levels of the model above the ground."""
+    found = _parameters(reading)
+    numbers = np.sort(reading.levels().astype(int)) if found else []
+    if found is None or np.any(np.diff(numbers) != 1) or numbers[-1] != len(found[0]) - 1:
+        return None
+    return found[0][numbers[0] - 1:], found[1][numbers[0] - 1:]

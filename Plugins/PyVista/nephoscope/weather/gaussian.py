@@ -26,10 +26,11 @@ class Rows:
 
 def find_rows(longitude: np.ndarray, latitude: np.ndarray, pl: np.ndarray | None) -> tuple[Rows, np.ndarray] | None:
     """The rows and their latitudes, by GRIB's list of row lengths or by the latitudes themselves; None if the points do not lie in whole even rows."""
+    pl = None if pl is None else np.asarray(pl)[np.asarray(pl) > 0]
     starts = np.concatenate([[0], np.cumsum(pl)[:-1]]).astype(int) if pl is not None and np.sum(pl) == len(longitude) else np.flatnonzero(
         np.concatenate([[True], np.abs(np.diff(latitude)) > 1e-6]))
     counts = np.diff(np.append(starts, len(longitude)))
-    if len(starts) < 4 or counts.min() < 4 or not np.all(np.diff(np.sign(np.diff(latitude[starts]))) == 0):
+    if len(starts) < 4 or counts.min() < (4 if pl is None else 1) or not np.all(np.diff(np.sign(np.diff(latitude[starts]))) == 0):
         return None
     steps = np.mod(np.diff(longitude), 360.0)
     inside = np.ones(len(longitude) - 1, bool)

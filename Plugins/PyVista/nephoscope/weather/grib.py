@@ -258,7 +258,7 @@ def attributes_of(path: Path, message: Message) -> dict:
     with _handle(path, message) as handle:
         keys = {key: _get(ec, handle, key) for key in (*_ABOUT, *_GRID)}
         for key in ("pl", "pv"):
-            if _get(ec, handle, {"pl": "PLPresent", "pv": "NV"}[key], 0):
+            if _get(ec, handle, {"pl": "PLPresent", "pv": "NV"}[key], 0) and ec.codes_is_defined(handle, key):  # ICON's levels have NV and no pv
                 keys[key] = np.asarray(ec.codes_get_array(handle, key))
     if keys["uvRelativeToGrid"] is None and keys["resolutionAndComponentFlags"] is not None:  # polar stereographic grids of edition 2 have no key of this name
         keys["uvRelativeToGrid"] = int(keys["resolutionAndComponentFlags"] & 8 > 0)

@@ -3,16 +3,18 @@
 """Where the columns of a dataset are: longitudes and latitudes of its points, and the direction of its rows."""
 from __future__ import annotations
 
+import re
 from dataclasses import dataclass, field
 
 import numpy as np
 
 from .._checks import listed
 from .gaussian import Rows, find_rows
-from .projections import Projection, find_projection, row_angles
+from .projections import Projection, find_projection, mapping_of, row_angles
 
-_LON = ("lon", "longitude", "lons", "long", "xlong", "nav_lon", "glon", "clon", "loncell", "lon_rho", "geolon", "tlong", "mesh2d_face_x", "xlong_m", "g0_lon_2", "g0_lon_3")
-_LAT = ("lat", "latitude", "lats", "xlat", "nav_lat", "glat", "clat", "latcell", "lat_rho", "geolat", "tlat", "mesh2d_face_y", "xlat_m", "g0_lat_1", "g0_lat_2")
+_LON = ("lon", "longitude", "lons", "long", "xlong", "nav_lon", "glon", "clon", "loncell", "lon_rho", "geolon", "tlong", "mesh2d_face_x", "xlong_m", "lon2d", "grid_center_lon")
+_LAT = ("lat", "latitude", "lats", "xlat", "nav_lat", "glat", "clat", "latcell", "lat_rho", "geolat", "tlat", "mesh2d_face_y", "xlat_m", "lat2d", "grid_center_lat")
+_NUMBERED = re.compile(r"(g\d+_|grid)(lon|lat)(_\d+)?")  # of NCL
 
 
 class GridError(ValueError):
@@ -21,7 +23,7 @@ class GridError(ValueError):
 
 @dataclass
 class Horizontal:
-    """`dims`: those of the grid, rows first; of one dimension where the points are a list."""
+    """`dims`: those of the grid, rows first; of one dimension where the points are a list, of three (face, rows, columns) on a cubed sphere, which is a list too."""
     dims: tuple[str, ...]
     longitude: np.ndarray  # degrees; 1-D along the last dimension, 2-D, or 1-D along the only one
     latitude: np.ndarray
@@ -30,10 +32,11 @@ class Horizontal:
     projection: Projection | None = None
     notes: list[str] = field(default_factory=list)
     rows: Rows | None = None  # of a reduced Gaussian grid: from its list of points to even rows
+    missing: np.ndarray | None = None  # True where the file has no place of a point; those points are hidden
 
     @property
     def is_list(self) -> bool:
-        return len(self.dims) == 1 and self.rows is None
+        return len(self.dims) in (1, 3) and self.rows is None
 
     @property
     def is_regular(self) -> bool:
@@ -71,20 +74,24 @@ def _is_axis(name: str, variable, standard: str, units: tuple[str, ...], names: 
     stated = str(variable.attrs.get("standard_name", ""))
     if stated:
         return stated == standard
-    return str(variable.attrs.get("units", "")).lower() in units or name.lower() in names
+    numbered = _NUMBERED.fullmatch(name.lower())
+    return str(variable.attrs.get("units", "")).lower() in units or name.lower() in names or bool(numbered and numbered[2] == standard[:3])
 
 
 def find_horizontal(dataset, variable, used: set[str]) -> Horizontal:
     """The grid of `variable`, whose dimensions `used` are time, levels and the like."""
     dims = tuple(dim for dim in variable.dims if dim not in used)
+    least = 3 if len(dims) == 3 else 1  # GEOS' cubed sphere has axes of one dimension too, which are false
+    lon = _coordinate(dataset, variable, dims, is_longitude, least)
+    lat = _coordinate(dataset, variable, dims, is_latitude, least)
+    if len(dims) == 3 and lon is not None and lat is not None:
+        return Horizontal(dims, *(np.ravel(_degrees(axis.transpose(*dims))) for axis in (lon, lat)), "cubed sphere", (str(lon.name), str(lat.name)))
     if len(dims) not in (1, 2):
         raise GridError(f"{variable.name!r} has the dimensions {listed(variable.dims)}: besides time and levels one or two are wanted, and there are "
-                        f"{listed(dims)}. Choose a place of the others, ds.isel({dims[0] if dims else 'member'}=0), or name the levels: globe(vertical='...').")
+                        f"{listed(dims)}. " + (f"Choose a place of the others, ds.isel({dims[0]}=0), or name the levels: globe(vertical='...')." if dims else "It is a profile: nothing to draw."))
     projection = find_projection(dataset, variable)
-    lon = _coordinate(dataset, variable, dims, is_longitude)
-    lat = _coordinate(dataset, variable, dims, is_latitude)
     if lon is not None and lat is not None:
-        return _given(dims, lon, lat, projection, variable)
+        return _given(dataset, dims, lon, lat, projection, variable)
     if len(dims) == 1 and (found := _of_healpix(dataset, dims)) is not None:
         return found
     if len(dims) == 1 and (found := _of_mesh(dataset, dims)) is not None:
@@ -94,7 +101,8 @@ def find_horizontal(dataset, variable, used: set[str]) -> Horizontal:
     missing = "longitudes" if lon is None else "latitudes"
     raise GridError(f"No {missing} were found for {variable.name!r}, whose grid is ({', '.join(dims)}). They are looked for by standard_name, by units (degrees_east, "
                     f"degrees_north), by grid_mapping and by name. There are: {listed([str(name) for name in dataset.variables])}. "
-                    "Name them: ds[NAME].attrs['units'] = 'degrees_east'.")
+                    "Name them: ds[NAME].attrs['units'] = 'degrees_east'." + (" If they are in a file of the mesh, give it: nephoscope.open(DATA, mesh=GRID)." if len(dims) == 1 else "")
+                    + (f" The grid mapping {mapping!r} is none that is known here." if (mapping := mapping_of(dataset, variable)) and projection is None else ""))
 
 
 def _of_healpix(dataset, dims) -> Horizontal | None:
@@ -115,7 +123,7 @@ def _of_mesh(dataset, dims) -> Horizontal | None:
     return Horizontal(dims, lon, lat, "list of points", ("computed from the mesh",) * 2)
 
 
-def _coordinate(dataset, variable, dims: tuple[str, ...], fits):
+def _coordinate(dataset, variable, dims: tuple[str, ...], fits, least: int):
     """The coordinate that `fits`, on some of `dims`; that of the variable before others."""
     listed_names = str(variable.attrs.get("coordinates", variable.encoding.get("coordinates", ""))).split()
     names = [*variable.coords, *listed_names, *dataset.variables]
@@ -124,12 +132,12 @@ def _coordinate(dataset, variable, dims: tuple[str, ...], fits):
             found = dataset[name]
             extra = [dim for dim in found.dims if dim not in dims]
             found = found.isel({dim: 0 for dim in extra})  # WRF's have time
-            if found.ndim and set(found.dims) <= set(dims):
+            if found.ndim >= least and set(found.dims) <= set(dims):
                 return found
     return None
 
 
-def _given(dims, lon, lat, projection, variable) -> Horizontal:
+def _given(dataset, dims, lon, lat, projection, variable) -> Horizontal:
     names = (str(lon.name), str(lat.name))
     x, y = _degrees(lon), _degrees(lat)
     if len(dims) == 1:
@@ -140,13 +148,36 @@ def _given(dims, lon, lat, projection, variable) -> Horizontal:
         return Horizontal(dims, x, y, "list of points", names, projection)
     if lon.ndim == 1 and lat.ndim == 1:
         if lon.dims == lat.dims:
-            raise GridError(f"{names[0]!r} and {names[1]!r} are both along {lon.dims[0]!r}; a grid of the dimensions {listed(dims)} needs one along each, or both along both.")
+            other = next(dim for dim in dims if dim != lon.dims[0])
+            raise GridError(f"{names[0]!r} and {names[1]!r} are both along {lon.dims[0]!r}, a list of points, and {other!r} is neither time nor levels. Choose a place along it, "
+                            f"ds.isel({other}=0), or name the levels: globe(vertical={other!r}).")
         x = np.degrees(np.unwrap(np.radians(x)))  # without a jump at 360
         return Horizontal((lat.dims[0], lon.dims[0]), x, y, _regular_kind(y), names)
     x = np.broadcast_to(_on(lon, x, dims), _shape(lon, lat, dims))
     y = np.broadcast_to(_on(lat, y, dims), x.shape)
+    missing = ~_possible(x, y)
+    if missing.all():
+        if projection:
+            return _projected(dataset, dims, projection)
+        raise GridError(f"{names[0]!r} and {names[1]!r} have no longitude and latitude anywhere, only fill values.")
     kind = projection.name if projection else "curvilinear"
-    return Horizontal(dims, x, y, kind, names, projection)
+    if not missing.any():
+        return Horizontal(dims, x, y, kind, names, projection)
+    note = f"{missing.sum()} of {missing.size} points have no longitude or latitude: they are hidden"
+    return Horizontal(dims, _filled(x, missing), _filled(y, missing), kind, names, projection, notes=[note], missing=missing)
+
+
+def _possible(x: np.ndarray, y: np.ndarray) -> np.ndarray:
+    """False where the file has a fill value in place of a longitude or a latitude."""
+    with np.errstate(invalid="ignore"):
+        return (np.abs(y) <= 90.001) & (np.abs(x) <= 1e4)
+
+
+def _filled(values: np.ndarray, missing: np.ndarray) -> np.ndarray:
+    """The value of the point before, in the order of the file, where one is missing."""
+    before = np.maximum.accumulate(np.where(missing.ravel(), 0, np.arange(missing.size)))
+    start = np.flatnonzero(~missing.ravel())[0]
+    return values.ravel()[np.maximum(before, start)].reshape(values.shape)
 
 
 def _shape(lon, lat, dims) -> tuple[int, ...]:

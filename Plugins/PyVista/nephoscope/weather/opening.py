@@ -64,7 +64,7 @@ def open(path: Any, *, grid: int | None = None, mesh: Any = None, chunks: Any = 
     return dataset if mesh is None else _with_mesh(dataset, open(mesh))
 
 
-MESH = ("clon", "clat", "clon_vertices", "clat_vertices", "lonCell", "latCell", "lonVertex", "latVertex", "verticesOnCell", "nEdgesOnCell", "zgrid", "z_ifc", "z_mc", "HHL", "HSURF", "topography_c")
+MESH = ("clon", "clat", "clon_vertices", "clat_vertices", "lonCell", "latCell", "lonVertex", "latVertex", "verticesOnCell", "nEdgesOnCell", "zgrid", "z_ifc", "z_mc", "HHL", "HSURF", "topography_c", "grid_center_lon", "grid_center_lat", "grid_corner_lon", "grid_corner_lat")
 
 
 def _with_mesh(dataset, mesh):
@@ -73,8 +73,17 @@ def _with_mesh(dataset, mesh):
     wanted = [name for top in topology for key in ("face_node_connectivity", "node_coordinates", "face_coordinates") for name in str(mesh[top].attrs.get(key, "")).split()]
     found = mesh[[name for name in dict.fromkeys([*MESH, *topology, *wanted]) if name in mesh.variables and name not in dataset.variables]]
     unknown = [dim for dim in dataset.sizes if dim not in found.sizes]
+    if not set(found.sizes.values()) & set(dataset.sizes.values()):
+        raise ValueError(f"mesh: it has {_sizes(found)}, and the data have {_sizes(dataset)}: no size is the same, so it is the mesh of other data.")
+    other = [dim for dim in found.sizes if dataset.sizes.get(dim, found.sizes[dim]) != found.sizes[dim]]
+    if other:
+        raise ValueError(f"mesh: {other[0]!r} has {found.sizes[other[0]]} places there and {dataset.sizes[other[0]]} in the data: it is the mesh of other data.")
     names = {dim: next((own for own in unknown if dataset.sizes[own] == size), dim) for dim, size in found.sizes.items() if dim not in dataset.sizes}
     return dataset.merge(found.reset_coords().rename({dim: own for dim, own in names.items() if own != dim}), compat="override")
+
+
+def _sizes(dataset) -> str:
+    return ", ".join(f"{dim} {size}" for dim, size in dataset.sizes.items()) or "nothing that tells places"
 
 
 def _paths(path: Any) -> list[Path]:
@@ -96,7 +105,7 @@ def _kind(path: Path) -> str:
     if path.suffix == ".zip":
         return "Zarr"
     with path.open("rb") as file:
-        start = file.read(4096)
+        start = file.read(65536)  # bulletins have headers
     if start[:3] == b"CDF" or start[:8] == b"\x89HDF\r\n\x1a\n":
         return "NetCDF"
     if b"GRIB" in start:
@@ -118,6 +127,7 @@ def _open_grib(paths: Sequence[Path], grid, chunks, options):
 
 def _open_netcdf(paths: Sequence[Path], grid, chunks, options):
     xarray = need("xarray", "opening weather data")
+    options = {"decode_timedelta": True, **options}
     if len(paths) > 1:
         need("dask", "opening several files")
         return xarray.open_mfdataset([str(path) for path in paths], chunks=chunks or {}, **options)
@@ -126,12 +136,14 @@ def _open_netcdf(paths: Sequence[Path], grid, chunks, options):
     except ValueError as problem:
         if "found the following matches" in str(problem) or "did not find a match" in str(problem):
             need("netCDF4", "reading NetCDF")
-        if "decode" in str(problem) and "time" in str(problem):
-            return xarray.open_dataset(paths[0], chunks=chunks, **{**options, "decode_times": False})
+        if "decode" in str(problem) and options["decode_timedelta"]:  # times without a calendar, or in no known unit
+            return _open_netcdf(paths, grid, chunks, {**options, "decode_timedelta": False})
+        if "decode" in str(problem) and options.get("decode_times", True):
+            return _open_netcdf(paths, grid, chunks, {**options, "decode_times": False})
         raise
 
 
 def _open_zarr(paths: Sequence[Path], grid, chunks, options):
     need("zarr", "reading Zarr")
     xarray = need("xarray", "opening weather data")
-    return xarray.open_dataset(paths[0], engine="zarr", chunks=chunks, **options)
+    return xarray.open_dataset(paths[0], engine="zarr", chunks=chunks, **{"decode_timedelta": True, **options})

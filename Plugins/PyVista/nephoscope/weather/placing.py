@@ -30,10 +30,13 @@ def place(reading: Reading, air: Air, variables: Sequence[str] | None, extra: di
     for name, values in extra.items():
         add(mesh, name, values, order)
     names = _add_winds(mesh, reading, air, order)
+    height = HEIGHT
+    if reading.vertical and reading.vertical.kind == "depth":
+        options, height = {"mask_below_ground": False, **options}, HEIGHT if reading.horizontal.missing is not None else False
     choose_active_scalars(mesh)
     if "units" in mesh.field_data:
         mesh.field_data.remove("units")
-    grid = to_globe(mesh, height=HEIGHT, height_units="m", wind=names or False, vertical_wind_is_omega=False, wind_components="east-north", level_units=_level_units(reading),
+    grid = to_globe(mesh, height=height, height_units="m", wind=names or False, vertical_wind_is_omega=False, wind_components="east-north", level_units=_level_units(reading),
                     surface=ground_mesh(reading, air), **options)
     del grid.point_data[HEIGHT]
     return grid
@@ -64,8 +67,10 @@ def chosen(reading: Reading, variables: Sequence[str] | None) -> list[str]:
 def structure(reading: Reading, air: Air) -> tuple[pyvista.DataSet, np.ndarray]:
     """The grid with its heights, and the order of its levels, from the bottom to the top."""
     heights = _heights(reading, air)
+    if reading.horizontal.missing is not None:
+        heights = np.where(reading.horizontal.missing, np.nan, heights)
     order = order_of_levels(heights)
-    levels = reading.levels()[order] if reading.vertical and reading.vertical.kind == "pressure" else np.arange(len(order), dtype=float)
+    levels = reading.levels()[order] if reading.vertical and reading.vertical.kind in ("pressure", "depth") else np.arange(len(order), dtype=float)
     mesh = _mesh(reading, levels)
     add(mesh, HEIGHT, heights, order)
     return mesh, order
@@ -133,7 +138,7 @@ def ground_mesh(reading: Reading, air: Air) -> pyvista.DataSet | None:
     """One level with the pressure, height and land fraction of the ground, as there are."""
     arrays = {"sp": air.surface_pressure, "orog": air.terrain, "lsm": reading.role("land") if reading.has("land") else None}
     arrays = {name: values for name, values in arrays.items() if values is not None}
-    if not arrays:
+    if not {"sp", "orog"} & set(arrays):
         return None
     mesh = _mesh(reading, np.zeros(1))
     for name, values in arrays.items():

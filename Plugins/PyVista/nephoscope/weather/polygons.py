@@ -20,7 +20,7 @@ class Polygons:
 
 
 def find_polygons(dataset, horizontal) -> Polygons:
-    for way in (_mpas, _ugrid, _healpix, _bounds):
+    for way in (_cubed, _mpas, _ugrid, _healpix, _bounds):
         found = way(dataset, horizontal)
         if found is not None:
             return _counter_clockwise(found)
@@ -38,6 +38,20 @@ def _degrees(variable) -> np.ndarray:
     values = np.asarray(variable.values, float)
     units = str(variable.attrs.get("units", ""))
     return np.degrees(values) if units.startswith("rad") or (not units and np.nanmax(np.abs(values)) <= 2 * np.pi + 1e-6) else values
+
+
+def _cubed(dataset, horizontal) -> Polygons | None:
+    """Faces of a cubed sphere by the places of the corners, one row and one column more than the centres."""
+    if len(horizontal.dims) != 3:
+        return None
+    shape = tuple(dataset.sizes[dim] + (i > 0) for i, dim in enumerate(horizontal.dims))
+    lon, lat = (next((v for name, v in dataset.variables.items() if v.shape == shape and v.dims[0] == horizontal.dims[0] and word in str(name).lower()), None) for word in ("lon", "lat"))
+    if lon is None or lat is None:
+        raise GridError(f"The cubed sphere ({', '.join(horizontal.dims)}) has centres, but no longitudes and latitudes of the corners of its cells, {shape} as corner_lons and corner_lats "
+                        f"of GEOS. Add them, or choose one face: ds.isel({horizontal.dims[0]}=0).")
+    corners = vectors(_degrees(lon), _degrees(lat))
+    around = [corners[:, :-1, :-1], corners[:, :-1, 1:], corners[:, 1:, 1:], corners[:, 1:, :-1]]
+    return merged(np.stack([part.reshape(-1, 3) for part in around], 1), "the corners of a cubed sphere")
 
 
 def _mpas(dataset, horizontal) -> Polygons | None:
@@ -69,7 +83,7 @@ def _ugrid(dataset, horizontal) -> Polygons | None:
     return None
 
 
-_BOUNDS = (("clon_vertices", "clat_vertices"), ("clon_bnds", "clat_bnds"), ("lon_vertices", "lat_vertices"), ("lon_bnds", "lat_bnds"), ("lon_bounds", "lat_bounds"))
+_BOUNDS = (("clon_vertices", "clat_vertices"), ("clon_bnds", "clat_bnds"), ("lon_vertices", "lat_vertices"), ("lon_bnds", "lat_bnds"), ("lon_bounds", "lat_bounds"), ("grid_corner_lon", "grid_corner_lat"))
 
 
 def _bounds(dataset, horizontal) -> Polygons | None:

@@ -148,10 +148,20 @@ Projection = Union[Conic, RotatedPole]
 
 def find_projection(dataset, variable) -> Projection | None:
     """By the variable's grid_mapping, or by its GRIB keys; None where neither tells one that is known here."""
-    name = str(variable.attrs.get("grid_mapping", variable.encoding.get("grid_mapping", ""))).split(":")[0].strip()
+    name = _mapping_variable(variable)
     if name and name in dataset.variables:
         return _of_mapping(dict(dataset[name].attrs))
     return _of_grib(variable.attrs)
+
+
+def _mapping_variable(variable) -> str:
+    return str(variable.attrs.get("grid_mapping", variable.encoding.get("grid_mapping", ""))).split(":")[0].strip()
+
+
+def mapping_of(dataset, variable) -> str:
+    """What the projection is called in the file; "" without one."""
+    name = _mapping_variable(variable)
+    return str(dataset[name].attrs.get("grid_mapping_name", name)) if name in dataset.variables else str(variable.attrs.get("GRIB_gridType", ""))
 
 
 def _of_mapping(keys: dict) -> Projection | None:

@@ -10,10 +10,11 @@ import numpy as np
 
 from .._checks import listed
 from .horizontal import GridError, find_horizontal, is_latitude, is_longitude
+from .helpers import helpers
 from .prepare import prepared
 from .roles import FIELDS, ROLES, SURFACE, candidates, quantity_of
 from .stagger import to_centres
-from .times import choose_time, time_dims
+from .times import choose_time, is_member, time_dims
 from .units import converted
 from .vertical import VerticalError, find_vertical, level_values
 
@@ -27,7 +28,8 @@ class Reading:
         self.notes: list[str] = []
         self.times = time_dims(dataset)
         self.dataset, self.time_text = choose_time(dataset, self.times, time)
-        self.dataset = prepared(self._without_single(self.dataset))
+        self.dataset = prepared(self._one_member(self._without_single(self.dataset)))
+        self._helpers = helpers(self.dataset)
         self._asked = {role: name for role, name in (names or {}).items() if name is not None}
         self._check_asked()
         self._find_levels(vertical)
@@ -42,11 +44,20 @@ class Reading:
                                                                                       "forecast_reference_time", "surface", "expver")]
         return dataset.isel({dim: 0 for dim in alone})
 
+    def _one_member(self, dataset):
+        """The first of several forecasts, with a warning, as of several times."""
+        several = [dim for dim in dataset.sizes if is_member(dataset, str(dim))]
+        for dim in several:
+            self.warn(f"{dim!r} has {dataset.sizes[dim]} places; the first was taken. Choose one: ds.isel({dim}=0).")
+        return dataset.isel({dim: 0 for dim in several})
+
     def _numbers(self):
-        return [(str(name), variable) for name, variable in self.dataset.data_vars.items() if variable.dtype.kind in "fiu" and variable.ndim]
+        """Variables that can be fields: not those that only tell where cells are."""
+        return [(str(name), variable) for name, variable in self.dataset.data_vars.items() if variable.dtype.kind in "fiu" and variable.ndim and name not in self._helpers]
 
     def _find_levels(self, asked: str | None) -> None:
-        dims = Counter(dim for _, variable in self._numbers() for dim in variable.dims if variable.ndim > 1)
+        several = [variable for _, variable in self._numbers() if variable.ndim > 1]
+        dims = Counter(dim for variable in several or [variable for _, variable in self._numbers()] for dim in variable.dims)
         if not dims:
             raise GridError(f"No variable of the dataset is a field of numbers. There are: {listed([str(name) for name in self.dataset.variables])}.")
         self.vertical = None
@@ -58,16 +69,25 @@ class Reading:
             best = max(scored, key=lambda dim: (self.dataset.sizes[dim] > 1, dims[dim], self.dataset.sizes[dim]))
             full = [dim for dim in scored if self.dataset.sizes[dim] == self.dataset.sizes[best] - 1 and dims[dim] == dims[best]]  # between half levels
             self.vertical = find_vertical(self.dataset, full[:1] or [best], None)
-        elif any(variable.ndim > 2 for _, variable in self._numbers()):
+            if self.vertical.kind == "levels" and self.dataset.sizes[self.vertical.dim] == 1:  # a level that says nothing
+                self.dataset, self.vertical = self.dataset.isel({self.vertical.dim: 0}), None
+        elif any(variable.ndim > 2 and not all(map(self._is_horizontal, variable.dims)) for _, variable in self._numbers()):
             raise VerticalError(f"No vertical axis was found among the dimensions {listed([str(dim) for dim in dims])}: none has axis 'Z', positive up or down, a standard_name of "
-                                "levels, units of pressure, a GRIB type of level or a usual name. Name it: globe(vertical='...').")
+                                "levels, units of pressure, a GRIB type of level or a usual name. Name it, globe(vertical='...'), or choose one place along what is no vertical axis: "
+                                f"ds.isel({self._unplaced(dims)}=0).")
+
+    def _unplaced(self, dims) -> str:
+        return next((str(dim) for dim in dims if not self._is_horizontal(dim)), "level")
 
     def _is_horizontal(self, dim: str) -> bool:
-        return dim in self.dataset.variables and (is_longitude(dim, self.dataset[dim]) or is_latitude(dim, self.dataset[dim]))
+        return any(dim in variable.dims for name, variable in self.dataset.variables.items()
+                   if variable.attrs.get("cf_role") == "face_node_connectivity" or is_longitude(str(name), variable) or is_latitude(str(name), variable))
 
     def _find_grid(self) -> None:
         level = {self.vertical.dim} if self.vertical else set()
         shapes = Counter(tuple(dim for dim in variable.dims if dim not in level) for _, variable in self._numbers() if level <= set(variable.dims))
+        if not level and any(len(dims) > 1 for dims in shapes):
+            shapes = Counter({dims: count for dims, count in shapes.items() if len(dims) > 1})
         shapes = Counter({dims: count for dims, count in shapes.items() if dims}) or shapes
         dims = max(shapes, key=lambda dims: (shapes[dims], -sum("stag" in str(dim) for dim in dims)))
         name = next(name for name, variable in self._numbers() if level <= set(variable.dims) and tuple(dim for dim in variable.dims if dim not in level) == dims)
@@ -93,7 +113,7 @@ class Reading:
         return [(name, variable) for name, variable in self._all_numbers() if self._is_field(variable)]
 
     def _all_numbers(self):
-        return [(str(name), variable) for name, variable in self.dataset.variables.items() if variable.dtype.kind in "fiu" and variable.ndim]
+        return [(str(name), variable) for name, variable in self.dataset.variables.items() if variable.dtype.kind in "fiu" and variable.ndim and name not in self._helpers]
 
     def _is_field(self, variable) -> bool:
         if self.vertical is None:
@@ -135,6 +155,8 @@ class Reading:
         found = np.asarray(array.transpose(*order).values)
         if self.horizontal.rows is not None and self.horizontal.dims[0] in order:
             found = self.horizontal.rows(found)
+        elif len(self.horizontal.dims) == 3 and self.horizontal.dims[0] in order:
+            found = found.reshape(*found.shape[:-3], -1)
         return np.where(np.abs(found) > 1e30, np.nan, found) if found.dtype.kind == "f" else found.astype(np.float32)
 
     def role(self, role: str) -> np.ndarray:

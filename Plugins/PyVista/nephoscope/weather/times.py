@@ -8,7 +8,13 @@ import warnings
 import numpy as np
 
 
-_NAMES = ("time", "valid_time", "step", "forecast_time", "leadtime", "initial_time", "forecast_reference_time", "xtime", "t", "date", "init_time", "lead_time", "prediction_timedelta")
+_NAMES = ("time", "valid_time", "step", "forecast_time", "leadtime", "initial_time", "forecast_reference_time", "xtime", "t", "date", "init_time", "lead_time", "prediction_timedelta", "timestep", "time_counter", "time_instant")
+MEMBERS = ("number", "realization", "ensemble", "member", "members", "ensemble_member", "eps", "orderedsequencedata")
+
+
+def is_member(dataset, dim: str) -> bool:
+    """True of a dimension of several forecasts, or of the partitions of waves: one of them is drawn."""
+    return dim.lower() in MEMBERS or (dim in dataset.variables and dataset[dim].attrs.get("standard_name") == "realization")
 
 
 def time_dims(dataset) -> list[str]:
@@ -82,7 +88,9 @@ def _range(dataset, dim: str) -> str:
 
 
 def _told(value) -> str:
-    value = np.asarray(value)
+    value = np.asarray(np.ravel(value)[0])
+    if value.dtype.kind in "mM" and np.isnat(value):
+        return "unknown"
     if value.dtype.kind == "M":
         return str(value.astype("datetime64[m]")).replace("T", " ")
     if value.dtype.kind == "m":

@@ -22,7 +22,7 @@ UNITS = {
     "pressure": ("Pa", {"pa": 1, "pascal": 1, "pascals": 1, "nm-2": 1, "hpa": 100, "hectopascal": 100, "mb": 100, "mbar": 100, "millibar": 100, "millibars": 100, "hectopascals": 100,
                         "kpa": 1000, "bar": 1e5, "dbar": 1e4, "atm": 101325}),
     "height": ("m", _LENGTH),
-    "geopotential": ("m2 s-2", {"m2s-2": 1, "m2/s2": 1, "m+2s-2": 1, "jkg-1": 1, "j/kg": 1, "gpm": GRAVITY, "m": GRAVITY}),
+    "geopotential": ("m2 s-2", {"m2s-2": 1, "m2/s2": 1, "m+2s-2": 1, "jkg-1": 1, "j/kg": 1, "gpm": GRAVITY, "m": GRAVITY, "geopotentialmeters": GRAVITY, "geopotentialmetres": GRAVITY}),
     "speed": ("m s-1", _SPEED),
     "omega": ("Pa s-1", {"pas-1": 1, "pa/s": 1, "hpas-1": 100, "hpa/s": 100, "mb/s": 100, "mbs-1": 100, "pa/hour": 1 / 3600, "hpa/h": 100 / 3600}),
     "mass fraction": ("kg kg-1", _MASS),

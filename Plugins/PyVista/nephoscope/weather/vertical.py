@@ -25,7 +25,7 @@ class VerticalError(ValueError):
 
 @dataclass
 class Vertical:
-    """`kind`: pressure, height, height above ground, hybrid, sigma, hybrid height or levels (numbers that say nothing of heights)."""
+    """`kind`: pressure, height, height above ground, depth (below the sea), hybrid, sigma, hybrid height or levels (numbers that say nothing of heights)."""
     dim: str
     kind: str
     name: str  # of the coordinate, "" if the dimension has none
@@ -45,11 +45,11 @@ def find_vertical(dataset, dims: list[str], asked: str | None) -> Vertical | Non
 def _score(dataset, dim: str) -> int | None:
     variables = [coordinate for coordinate in _coordinates(dataset, dim)]
     for variable in variables:
-        if variable.attrs.get("axis") == "Z" or variable.attrs.get("positive") in ("up", "down") or variable.attrs.get("standard_name") in (*_FORMULAS, "air_pressure", "altitude", "height"):
+        if variable.attrs.get("axis") == "Z" or variable.attrs.get("positive") in ("up", "down") or variable.attrs.get("standard_name") in (*_FORMULAS, "air_pressure", "altitude", "height", "depth"):
             return 0
     if dim in _GRIB_KINDS:
         return 1
-    if any(plain(variable.attrs.get("units")) in UNITS["pressure"][1] for variable in variables):
+    if any(plain(variable.attrs.get("units")) in UNITS["pressure"][1] for variable in variables if variable.name == dim or variable.name in dataset.coords):
         return 2
     return 3 if str(dim).lower() in _NAMES or re.fullmatch(r"(height|lev|level|plev|isobaric|z|lv_\w+)_?\d*", str(dim).lower()) else None
 
@@ -78,6 +78,8 @@ def _kind(variable) -> str | None:
     standard, units = variable.attrs.get("standard_name", ""), variable.attrs.get("units")
     if standard == "air_pressure" or (units is not None and plain(units) and knows(units, "pressure")):
         return "pressure"
+    if standard == "depth" or (variable.attrs.get("positive") == "down" and units is not None and plain(units) and knows(units, "height")):
+        return "depth"
     if standard == "height":
         return "height above ground"
     if standard in ("altitude", "height_above_mean_sea_level"):
@@ -105,13 +107,13 @@ def level_values(dataset, vertical: Vertical) -> np.ndarray:
         return np.arange(dataset.sizes[vertical.dim], dtype=float)
     variable = dataset[vertical.name]
     values = np.asarray(variable.values, dtype=float)
-    quantity = "pressure" if vertical.kind == "pressure" else "height" if vertical.kind.startswith("height") else None
+    quantity = "pressure" if vertical.kind == "pressure" else "height" if vertical.kind.startswith(("height", "depth")) else None
     if quantity is None:
         return values
     units = variable.attrs.get("units") or {"isobaricInhPa": "hPa", "isobaricInPa": "Pa"}.get(vertical.dim)
     found, note = converted(values, units, quantity, vertical.name)
     vertical.notes += [note] if note else []
-    return found
+    return -found if vertical.kind == "depth" else found
 
 
 def formula_terms(dataset, vertical: Vertical) -> dict[str, str]:

@@ -1,0 +1,161 @@
+# SPDX-FileCopyrightText: The Nephoscope authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Forms that files in use have, drawn with nothing set, and those that cannot be drawn, with what they say."""
+import tempfile
+import unittest
+import warnings
+from pathlib import Path
+
+import nephoscope
+import numpy as np
+import xarray as xr
+from weather_data import REGULAR, frames, isothermal, write_grib
+
+LON, LAT = np.arange(0, 40, 5.0), np.arange(20, 60, 5.0)
+
+
+def cubed_sphere(n=8, levels=(0.0, 5000.0)):
+    """As GEOS writes it: centres and corners on six faces, false axes, a field on (level, face, row, column)."""
+    edges = np.tan(np.linspace(-np.pi / 4, np.pi / 4, n + 1))
+    middle = np.tan((np.arange(n) + 0.5) / n * np.pi / 2 - np.pi / 4)
+
+    def places(t):
+        a, b, one = *np.meshgrid(t, t), np.ones((len(t), len(t)))
+        faces = np.array([(one, a, b), (-a, one, b), (-one, -a, b), (a, -one, b), (-b, a, one), (b, a, -one)])
+        x, y, z = faces.transpose(1, 0, 2, 3) / np.linalg.norm(faces, axis=1)
+        return np.degrees(np.arctan2(y, x)), np.degrees(np.arcsin(z))
+
+    centre, corner, level = ("nf", "Ydim", "Xdim"), ("nf", "YCdim", "XCdim"), ("lev", *("nf", "Ydim", "Xdim"))
+    lat = places(middle)[1]
+    return xr.Dataset({"lons": (centre, places(middle)[0], {"units": "degrees_east"}), "lats": (centre, lat, {"units": "degrees_north"}), "corner_lons": (corner, places(edges)[0]),
+                       "corner_lats": (corner, places(edges)[1]), "contacts": (("nf", "ncontact"), np.zeros((6, 4), int)),
+                       "T": (level, np.stack([lat] * len(levels)), {"units": "K"}), "H": (level, np.ones((len(levels), 1, 1, 1)) * np.reshape(levels, (-1, 1, 1, 1)) + 0 * lat,
+                                                                                        {"standard_name": "altitude", "units": "m"})},
+                      {"Xdim": ("Xdim", np.arange(n) * 1.0, {"units": "degrees_east"}), "Ydim": ("Ydim", np.arange(n) * 1.0, {"units": "degrees_north"}), "lev": ("lev", [1, 2], {"positive": "up"})})
+
+
+class Forms(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = Path(folder.name)
+
+    def test_a_cubed_sphere_is_closed(self):
+        for take in (slice(None), slice(None, None, -1)):
+            grid = cubed_sphere().isel(lev=take).nephoscope.globe(radius=1e5)
+            self.assertEqual((grid.n_cells, grid.n_points), (6 * 64 * 2, 3 * (6 * 64 + 2)))  # corners of faces that meet are one
+            lat = np.degrees(np.arcsin((c := grid.cell_centers().points)[:, 2] / np.linalg.norm(c, axis=1)))
+            np.testing.assert_allclose(grid.cell_data["T"], lat, atol=1.5)
+        one_field = cubed_sphere()[["T", "lons", "lats", "corner_lons", "corner_lats"]].isel(lev=0)
+        self.assertEqual(one_field.nephoscope.globe().n_cells, 384)
+        with self.assertRaisesRegex(ValueError, r"no longitudes and latitudes of the corners.*ds.isel\(nf=0\)"):
+            cubed_sphere().drop_vars(["corner_lons", "corner_lats"]).nephoscope.globe()
+
+    def test_lists_of_points_with_one_level(self):
+        rows = np.arange(20, 52, 4)
+        octahedral = {"gridType": "reduced_gg", "N": 8, "pl": np.concatenate([rows, rows[::-1]]), "latitudeOfFirstGridPointInDegrees": 84, "latitudeOfLastGridPointInDegrees": -84,
+                      "longitudeOfFirstGridPointInDegrees": 0, "longitudeOfLastGridPointInDegrees": 352}
+        pixels = {"gridType": "healpix", "Nside": 4, "orderingConvention": "ring", "longitudeOfFirstGridPointInDegrees": 45}
+        for name, keys, sample, cells in (("rows", octahedral, "reduced_gg_pl_32_grib2", 48 * 17), ("pixels", pixels, "GRIB2", 192)):
+            path = self.folder / f"{name}.grib2"
+            write_grib(path, [("2t", "heightAboveGround", 2, 280.0)], keys, sample=sample)
+            grid = nephoscope.open(path).nephoscope.globe()
+            self.assertEqual(grid.n_cells, cells)
+            np.testing.assert_allclose(grid["t2m"], 280, atol=1e-3)
+
+    def test_the_pressure_at_the_ground_is_no_vertical_axis_of_a_list(self):
+        lon, lat = (place.ravel()[np.random.default_rng(1).permutation(648)] for place in np.meshgrid(np.arange(5.0, 360, 10), np.arange(-85.0, 90, 10)))
+        west, south = lon.ravel()[:, None] + [-5, 5, 5, -5], lat.ravel()[:, None] + [-5, -5, 5, 5]
+        data = xr.Dataset({"PS": ("ncol", np.full(648, 1e5), {"units": "Pa"}), "T": (("lev", "ncol"), np.full((3, 648), 250.0), {"units": "K"})},
+                          {"lev": ("lev", [900.0, 500, 100], {"units": "hPa"})})
+        mesh = xr.Dataset({"grid_center_lon": ("grid_size", lon.ravel(), {"units": "degrees"}), "grid_center_lat": ("grid_size", lat.ravel(), {"units": "degrees"}),
+                           "grid_corner_lon": (("grid_size", "grid_corners"), west), "grid_corner_lat": (("grid_size", "grid_corners"), south)})
+        data.to_netcdf(self.folder / "data.nc")
+        mesh.to_netcdf(self.folder / "scrip.nc")
+        grid = nephoscope.open(self.folder / "data.nc", mesh=self.folder / "scrip.nc").nephoscope.globe()
+        self.assertEqual(grid.n_cells, 3 * 648)
+        with self.assertRaisesRegex(ValueError, r"No longitudes.*nephoscope.open\(DATA, mesh=GRID\)"):
+            nephoscope.open(self.folder / "data.nc").nephoscope.globe()
+        mesh.isel(grid_size=slice(10)).to_netcdf(self.folder / "other.nc")
+        with self.assertRaisesRegex(ValueError, "mesh: it has grid_size 10, .*ncol 648.*other data"):
+            nephoscope.open(self.folder / "data.nc", mesh=self.folder / "other.nc")
+
+    def test_bounds_are_no_fields(self):
+        dataset = isothermal(LON, LAT)
+        bounds = {name: ((name, "bnds"), np.stack([dataset[name].values] * 2, 1)) for name in ("lon", "lat", "plev")}
+        dataset = dataset[["ta"]].assign({f"{name}_bnds": value for name, value in bounds.items()})
+        for name in bounds:
+            dataset[name].attrs["bounds"] = f"{name}_bnds"
+        self.assertEqual(dataset.nephoscope.globe().dimensions[2], 4)
+
+    def test_one_of_several_members(self):
+        dataset = xr.concat([isothermal(LON, LAT), isothermal(LON, LAT, temperature=260.0)], "realization")
+        with self.assertWarnsRegex(UserWarning, r"'realization' has 2 places; the first was taken. Choose one: ds.isel\(realization=0\)"):
+            self.assertEqual(dataset.nephoscope.globe()["ta"].max(), 250)
+        self.assertEqual(dataset.isel(realization=1).nephoscope.globe()["ta"].max(), 260)
+
+    def test_depths_go_down_and_are_not_hidden(self):
+        dataset = xr.Dataset({"thetao": (("lev", "lat", "lon"), np.ones((3, LAT.size, LON.size)), {"units": "degC", "standard_name": "sea_water_potential_temperature"})},
+                             {"lev": ("lev", [5.0, 100, 3000], {"units": "m", "positive": "down", "axis": "Z"}), "lat": ("lat", LAT), "lon": ("lon", LON)})
+        grid = dataset.nephoscope.globe(projection="map")
+        np.testing.assert_allclose(np.unique(grid["Height"]), [-3000, -100, -5])
+        self.assertNotIn("vtkGhostType", grid.array_names)
+        self.assertIn("levels: depth", dataset.nephoscope.describe())
+
+    def test_points_without_a_place_are_hidden(self):
+        x, y = np.meshgrid(LON, LAT)
+        x[2, 3], y[2, 3] = 9.96921e36, 9.96921e36
+        y[4, 5] = np.nan
+        dataset = xr.Dataset({"tos": (("j", "i"), np.ones(x.shape))}, {"nav_lon": (("j", "i"), x), "nav_lat": (("j", "i"), y)})
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore")
+            grid = dataset.nephoscope.globe(projection="map")
+        self.assertEqual(list(np.flatnonzero(grid["vtkGhostType"])), [9, 10, 16, 17, 25, 26, 32, 33])  # the four cells round each
+        self.assertLess(np.abs(grid.points).max(), 6371000 * np.pi)
+        self.assertIn("2 of 64 points have no longitude or latitude", dataset.nephoscope.describe())
+        with self.assertRaisesRegex(ValueError, "only fill values"):
+            dataset.assign_coords(nav_lat=dataset.nav_lat * np.nan).nephoscope.globe()
+
+    def test_some_levels_of_a_model(self):
+        """Pressures of hybrid levels that are not neighbours are those of their own half levels."""
+        a, b = np.array([0.0, 100, 300, 200, 0]), np.array([0.0, 0.1, 0.3, 0.7, 1.0])
+        pv = {"PVPresent": 1, "pv": np.concatenate([a, b])}
+        path = self.folder / "levels.grib2"
+        write_grib(path, [("t", "hybrid", level, 250.0, pv) for level in (2, 4)] + [("sp", "surface", 0, 1e5), ("orog", "surface", 0, 0.0)], REGULAR)
+        from nephoscope.weather.air import Air
+        from nephoscope.weather.reading import Reading
+        pressure = Air(Reading(nephoscope.open(path))).pressure[:, 0, 0]
+        np.testing.assert_allclose(pressure, (0.5 * (a[:-1] + a[1:]) + 0.5 * (b[:-1] + b[1:]) * 1e5)[[1, 3]], rtol=1e-6)
+        self.assertIn("over full levels", nephoscope.open(path).nephoscope.describe())
+
+    def test_grib_behind_a_header(self):
+        path = self.folder / "bulletin.grib2"
+        write_grib(path, [("2t", "heightAboveGround", 2, 280.0)], REGULAR)
+        path.write_bytes(b"\x00" * 6000 + path.read_bytes())
+        np.testing.assert_allclose(nephoscope.open(path).nephoscope.globe()["t2m"], 280, atol=1e-3)
+
+    def test_times_that_cannot_be_decoded(self):
+        for units, attributes in (("fortnights since 1850-01-01", {}), ("hours since an unknown day", {}), ("hours", {"dtype": "timedelta64[ns]"})):
+            dataset = xr.concat([isothermal(LON, LAT)] * 2, "time").assign_coords(time=("time", [0.0, 6.0], {"units": units, **attributes}))
+            dataset.to_netcdf(path := self.folder / f"times of {units}.nc")
+            with nephoscope.open(path) as opened, self.subTest(units=units):
+                self.assertIn("(of 2, to ", opened.nephoscope.describe(time=0))
+                self.assertEqual(len(list(opened.nephoscope.series())), 2)
+
+    def test_land_alone_is_no_ground(self):
+        dataset = isothermal(LON, LAT)[["ta"]].assign(lsm=(("lat", "lon"), np.ones((LAT.size, LON.size)), {"standard_name": "land_binary_mask"}))
+        with warnings.catch_warnings():
+            warnings.simplefilter("error")
+            dataset.nephoscope.globe()
+
+    def test_unknown_dimensions_have_a_remedy(self):
+        mesh = cubed_sphere().isel(lev=0).stack(cell=("nf", "Ydim", "Xdim"), create_index=False)[["lons", "lats", "T"]].reset_coords(drop=True)
+        layers = mesh.assign(soil=(("tile", "cell"), np.ones((4, 384)))).drop_vars("T")
+        with self.assertRaisesRegex(ValueError, r"ds.isel\(tile=0\)"):
+            layers.nephoscope.globe()
+        with self.assertRaisesRegex(ValueError, "grid mapping 'azimuthal' is none that is known"):
+            xr.Dataset({"tas": (("y", "x"), np.ones((3, 3)), {"grid_mapping": "crs"}), "crs": ((), 0, {"grid_mapping_name": "azimuthal"})}).nephoscope.globe()
+
+
+if __name__ == "__main__":
+    unittest.main()
