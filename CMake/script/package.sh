@@ -34,13 +34,18 @@ make_package()
 # Installs the package and starts the hosts without any of the variables by which this script leads them to a build.
 test_package()
 {
-  local test="$TOP/Testing/Package/TestInstalled.py" folder="$TOP/build/package/test"
+  local test="$TOP/Testing/Package/TestInstalled.py" folder="$TOP/build/package/test" version settings
   step "Test of the installed package"
   find_root || fail 3 "installing the package needs root rights: run it as root, or with sudo set up, or with --root"
   run_logged package-install apt install -y --no-install-recommends "$PACKAGE" || fail 1 "could not install ${PACKAGE#"$TOP"/}"
   rm -rf "$folder"
-  mkdir -p "$folder"
-  (cd "$folder" && on_virtual_display pvpython "$test" pvpython && on_virtual_display paraview --script="$test" &&
+  # A home where ParaView need not welcome anyone: its dialog would stop the script until someone closes it.
+  mkdir -p "$folder/home/.config/ParaView"
+  version=$(paraview --version)
+  for settings in ParaView "ParaView${version##* }"; do
+    printf '[General]\nGeneralSettings.ShowWelcomeDialog=false\n' >"$folder/home/.config/ParaView/$settings.ini"
+  done
+  (cd "$folder" && export HOME="$folder/home" && on_virtual_display pvpython "$test" pvpython && on_virtual_display paraview --script="$test" &&
     on_virtual_display "$SYSTEM_PYTHON" "$test" python) || fail 1 "the installed package does not work"
   [ -s "$folder/paraview.png" ] || fail 1 "ParaView's window has drawn nothing"
   say "      ParaView and pvpython draw, Python has the package; pictures in ${folder#"$TOP"/}"
