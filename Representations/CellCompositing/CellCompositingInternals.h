@@ -13,12 +13,23 @@
 #include "ReportedError.h"
 #include "ResourceWindow.h"
 #include "ScalarSelection.h"
+#include "ViewState.h"
 
 #include "vtkDataArray.h"
 #include "vtkSmartPointer.h"
+#include "vtkVolume.h"
+#include "vtkWeakPointer.h"
 
 #include <cstdint>
+#include <memory>
 #include <string>
+
+/** One of the volumes of a renderer that are drawn together. */
+struct vtkCellCompositingMapper::vtkMedium
+{
+  vtkCellCompositingMapper* Mapper;
+  vtkVolume* Volume;
+};
 
 struct vtkCellCompositingMapper::vtkInternals
 {
@@ -30,10 +41,16 @@ struct vtkCellCompositingMapper::vtkInternals
   nephoscope::ScalarSelection Contoured; // array of the contours, if not the coloured one
   bool HasContours = true;               // there is an array for them
   bool WarnedOfUnprojected = false;
-  nephoscope::ReportedError LastError, LastWarning, RayWarning, ContourWarning, PolygonWarnings[2];
-  bool OneColor = false;                        // of the medium in the last render
-  bool Peeled = false;                          // the last render drew between translucent surfaces
-  bool RaysAreWrong = false;                    // on the window's OpenGL
+  nephoscope::ReportedError LastError, LastWarning, RayWarning, ContourWarning, MediaWarnings[2],
+    PolygonWarnings[2];
+  bool OneColor = false;     // of the medium in the last render
+  bool Peeled = false;       // the last render drew between translucent surfaces
+  bool RaysAreWrong = false; // on the window's OpenGL
+  bool Mixed = false;        // with other media, ray by ray
+  vtkWeakPointer<vtkCellCompositingMapper>
+    Picture; // drew the last one with other media, if not this mapper
+  std::unique_ptr<nephoscope::ViewState> View; // of what has been prepared to be drawn
+  nephoscope::CellDrawingOptions Options;
   bool Busy = false;                            // who hears of progress may call in between
   nephoscope::ScalarSelection Scalars, Opacity; // of the geometry, and what keeps them
   vtkSmartPointer<vtkDataArray> Arrays[2];

@@ -25,6 +25,8 @@
 #include "vtkVolume.h"
 #include "vtkVolumeProperty.h"
 
+#include <algorithm>
+
 using nephoscope::CellGeometry;
 using nephoscope::CellMethod;
 using nephoscope::CellScene;
@@ -101,10 +103,28 @@ void vtkCellCompositingMapper::Render(vtkRenderer* renderer, vtkVolume* volume)
   {
     return; // volumes cannot be picked, and without input there is nothing to draw
   }
+  std::vector<vtkMedium> media = this->FindMedia(window, renderer, volume);
+  if (media.front().Mapper != this)
+  {
+    return; // the first draws all
+  }
+  const bool several = media.size() > 1;
+  const auto isMissing = [&](const vtkMedium& medium) {
+    medium.Mapper->Internals->Mixed = several;
+    return !medium.Mapper->Prepare(window, renderer, medium.Volume);
+  };
+  media.erase(std::remove_if(media.begin(), media.end(), isMissing), media.end());
+  this->DrawMedia(window, media);
+}
+
+// False where there is nothing to draw.
+bool vtkCellCompositingMapper::Prepare(
+  vtkOpenGLRenderWindow* window, vtkRenderer* renderer, vtkVolume* volume)
+{
   this->GetInputAlgorithm()->Update();
   if (window->CheckAbortStatus())
   {
-    return;
+    return false;
   }
   vtkDataSet* input = this->GetDataSetInput();
   if (!input || input->GetNumberOfCells() == 0)
@@ -112,7 +132,7 @@ void vtkCellCompositingMapper::Render(vtkRenderer* renderer, vtkVolume* volume)
     this->Internals->Scene.Clear();
     const std::string error = nephoscope::checkIsDataSet(this->GetInputDataObject(0, 0));
     this->ReportOnce(error.empty() ? "The input has no cells: there is nothing to draw." : error);
-    return;
+    return false;
   }
   this->SetAbortExecute(0); // as filters do when they start
   const nephoscope::Progress progress([this, window](double fraction) {
@@ -120,15 +140,17 @@ void vtkCellCompositingMapper::Render(vtkRenderer* renderer, vtkVolume* volume)
     return !this->GetAbortExecute() && !window->CheckAbortStatus();
   });
   this->Internals->Busy = true;
+  this->Internals->View.reset();
   this->Internals->Scene.ReadPolygons(input, *this->Contours);
   std::string error = this->ChooseWayOfDrawing(window);
   error = error.empty() ? this->UpdateGeometry(input, volume, progress.Part(0, 0.5)) : error;
   if (error.empty() && this->GetNumberOfTetrahedra() > 0)
   {
-    error = this->DrawScene(window, renderer, volume, progress.Part(0.5, 1));
+    error = this->PrepareScene(window, renderer, volume, progress.Part(0.5, 1));
   }
   this->Internals->Busy = false;
   this->ReportOnce(error);
+  return error.empty() && this->Internals->View;
 }
 
 void vtkCellCompositingMapper::ReportOnce(const std::string& error)
@@ -181,7 +203,8 @@ std::string vtkCellCompositingMapper::UpdateGeometry(
   return error;
 }
 
-std::string vtkCellCompositingMapper::DrawScene(vtkOpenGLRenderWindow* window,
+// Leaves the view where there is something to draw.
+std::string vtkCellCompositingMapper::PrepareScene(vtkOpenGLRenderWindow* window,
   vtkRenderer* renderer, vtkVolume* volume, const nephoscope::Progress& progress)
 {
   CellScene& scene = this->Internals->Scene;
@@ -213,7 +236,8 @@ std::string vtkCellCompositingMapper::DrawScene(vtkOpenGLRenderWindow* window,
   {
     return wrongPlanes;
   }
-  const nephoscope::ViewState state(renderer, volume, scene.GetGeometry().Center);
+  auto view = std::make_unique<nephoscope::ViewState>(renderer, volume, scene.GetGeometry().Center);
+  const nephoscope::ViewState& state = *view;
   int width, height, lowerLeft[2];
   renderer->GetTiledSizeAndOrigin(&width, &height, &lowerLeft[0], &lowerLeft[1]);
   scene.UpdateView(nephoscope::orderView(state, width, height));
@@ -245,7 +269,8 @@ std::string vtkCellCompositingMapper::DrawScene(vtkOpenGLRenderWindow* window,
   {
     return std::string();
   }
-  nephoscope::CellDrawingOptions options;
+  nephoscope::CellDrawingOptions& options = this->Internals->Options;
+  options = nephoscope::CellDrawingOptions();
   options.Method = static_cast<CellMethod>(this->Method);
   options.AverageIntegration = this->Integration == AVERAGE_INTEGRATION;
   options.SplitAtControlPoints = this->SplitAtControlPoints;
@@ -262,6 +287,17 @@ std::string vtkCellCompositingMapper::DrawScene(vtkOpenGLRenderWindow* window,
       static_cast<float>(property->GetSpecularPower()) } };
     options.Lights = nephoscope::describeLights(renderer);
   }
+  this->Internals->View = std::move(view);
+  return std::string();
+}
+
+// What was prepared, alone.
+std::string vtkCellCompositingMapper::DrawScene(vtkOpenGLRenderWindow* window, vtkVolume* volume)
+{
+  CellScene& scene = this->Internals->Scene;
+  const nephoscope::ViewState& state = *this->Internals->View;
+  const nephoscope::CellDrawingOptions& options = this->Internals->Options;
+  this->Internals->Picture = nullptr;
   this->Internals->Peeled = nephoscope::VolumePeel::IsRequested(volume);
   if (this->Internals->Peeled)
   {
@@ -371,6 +407,10 @@ std::string vtkCellCompositingMapper::Upload(vtkOpenGLRenderWindow* window)
 
 bool vtkCellCompositingMapper::CopyFloatImage(vtkImageData* image)
 {
+  if (this->Internals->Picture) // of several media
+  {
+    return this->Internals->Picture->CopyFloatImage(image);
+  }
   vtkOpenGLRenderWindow* window = this->Internals->Window.Get();
   if (!window || !this->Internals->Pass.CopyFloatImage(window, image))
   {

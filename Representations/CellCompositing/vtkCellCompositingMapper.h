@@ -20,6 +20,8 @@
  * - Translucent surfaces in front of, inside and behind the cells are composited with them in the right order when the
  *   renderer peels volumes: UseDepthPeelingOn(), UseDepthPeelingForVolumesOn(), SetOcclusionRatio(0). Otherwise all
  *   surfaces are drawn first, and the cells over them.
+ * - Several volumes of a renderer that overlap are composited as one medium, in any order of adding, where all have the default
+ *   method, order and integration and neither contour values nor polygons: extinctions add, and each emits in proportion to its own.
  *
  * References: N. Max, R. Crawfis, B. Becker, New Techniques in 3D Scalar and Vector Field Visualization,
  * Pacific Graphics 1993, section 2 (MaxCrawfisBecker1993); P. Shirley, A. Tuchman, A Polygonal Approximation to
@@ -409,8 +411,16 @@ private:
     const nephoscope::ScalarSelection& scalars, const nephoscope::ScalarSelection& opacity);
   void WarnAboutContours(const std::string& reason);
   void WarnAboutPolygons();
-  std::string DrawScene(vtkOpenGLRenderWindow* window, vtkRenderer* renderer, vtkVolume* volume,
+  bool Prepare(vtkOpenGLRenderWindow* window, vtkRenderer* renderer, vtkVolume* volume);
+  std::string PrepareScene(vtkOpenGLRenderWindow* window, vtkRenderer* renderer, vtkVolume* volume,
     const nephoscope::Progress& progress);
+  std::string DrawScene(vtkOpenGLRenderWindow* window, vtkVolume* volume);
+  struct vtkMedium;
+  std::vector<vtkMedium> FindMedia(
+    vtkOpenGLRenderWindow* window, vtkRenderer* renderer, vtkVolume* volume);
+  void DrawMedia(vtkOpenGLRenderWindow* window, const std::vector<vtkMedium>& media);
+  std::string ReasonToBeAlone(vtkOpenGLRenderWindow* window);
+  void WarnAboutMedia(int kind, const std::string& warning);
   bool UpdateOrder(const double eye[4], const nephoscope::Progress& progress);
   std::string Upload(vtkOpenGLRenderWindow* window);
   void WarnAboutUnprojected(vtkIdType count);

@@ -115,7 +115,8 @@ bool vtkCellCompositingMapper::UsesRays() const
   constexpr std::int64_t few = 1 << 15;
   const CellGeometry& geometry = this->Internals->Scene.GetGeometry();
   const bool many = !geometry.Grid.IsEmpty() || geometry.NumberOfTetrahedra() > few;
-  return this->MayUseRays() && (this->Method == RAY_METHOD || many || !this->NeedsNoOrder());
+  return this->MayUseRays() &&
+    (this->Method == RAY_METHOD || many || this->Internals->Mixed || !this->NeedsNoOrder());
 }
 
 bool vtkCellCompositingMapper::NeedsNoOrder() const

@@ -113,12 +113,12 @@ std::string ClippingPlanes::Definition() const
       "\n" + ClippingPlanesShader;
 }
 
-void ClippingPlanes::SetUniforms(vtkShaderProgram* program) const
+void ClippingPlanes::SetUniforms(vtkShaderProgram* program, const char* name) const
 {
-  if (!this->Planes.empty() && program->IsUniformUsed("clippingPlanes"))
+  if (!this->Planes.empty() && program->IsUniformUsed(name))
   {
     // The declaration of SetUniform4fv wants an array of arrays.
-    program->SetUniform4fv("clippingPlanes", static_cast<int>(this->Planes.size()),
+    program->SetUniform4fv(name, static_cast<int>(this->Planes.size()),
       reinterpret_cast<const float(*)[4]>(this->Planes.data()));
   }
 }

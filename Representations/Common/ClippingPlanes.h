@@ -35,7 +35,7 @@ public:
   bool IsEmpty() const { return this->Planes.empty(); }
   /** The function clippedRay of shaders/ClippingPlanes.glsl; within it CLIPPING_PLANES is defined. Empty where there are none. */
   std::string Definition() const;
-  void SetUniforms(vtkShaderProgram* program) const;
+  void SetUniforms(vtkShaderProgram* program, const char* name = "clippingPlanes") const;
 
   /** In view coordinates, normals of unit length; `worldToView` as vtkMatrix4x4 multiplies columns. */
   static Plane ToView(const double origin[3], const double normal[3], vtkMatrix4x4* worldToView);

@@ -3,6 +3,7 @@
 #include "CellBuffers.h"
 
 #include "CellPieces.h"
+#include "ShaderInstance.h"
 #include "ShaderText.h"
 
 #include "vtkOpenGLRenderWindow.h"
@@ -173,17 +174,28 @@ void CellBuffers::SetSmallTable(vtkShaderProgram* program) const
     "smallHigh", static_cast<int>(high.size()), reinterpret_cast<Values>(high.data()));
 }
 
-void CellBuffers::Activate(vtkShaderProgram* program)
+void CellBuffers::Activate(vtkShaderProgram* program, int instance)
 {
   static const char* const names[NumberOfBuffers] = { "points", "cellScalars", "opacityScalars",
     "transferNodes", "transferIntervals", "opacityNodes", "opacityIntervals", "layerTables",
     "tetrahedronLayers" };
   for (int i = 0; i < NumberOfBuffers; ++i)
   {
-    program->SetUniformi(names[i], this->Buffers[i].Activate());
+    const char* name = instanceName(names[i], instance);
+    if (program->IsUniformUsed(name))
+    {
+      program->SetUniformi(name, this->Buffers[i].Activate());
+    }
   }
-  program->SetUniformi("numberOfTransferNodes", this->NumberOfTransferNodes);
-  program->SetUniformi("numberOfOpacityNodes", this->NumberOfOpacityNodes);
+  program->SetUniformi(
+    instanceName("numberOfTransferNodes", instance), this->NumberOfTransferNodes);
+  program->SetUniformi(instanceName("numberOfOpacityNodes", instance), this->NumberOfOpacityNodes);
+}
+
+int CellBuffers::CountTextures() const
+{
+  return 3 + (this->UseCellScalars ? 1 : 0) + (this->SeparateOpacity ? 3 : 0) +
+    (this->UseLayers ? 2 : 0);
 }
 
 void CellBuffers::Deactivate()

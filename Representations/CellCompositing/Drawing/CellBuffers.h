@@ -47,8 +47,10 @@ public:
   bool HasNarrowIntervals() const { return this->NarrowIntervals; }
   /** Constants of the shaders that tell which of the buffers count. */
   std::string ShaderConstants() const;
-  /** Binds the textures and tells the program their units. */
-  void Activate(vtkShaderProgram* program);
+  /** Binds the textures that the program reads and tells it their units; `instance` as instanceName has it. */
+  void Activate(vtkShaderProgram* program, int instance = -1);
+  /** At most so many of them are read. */
+  int CountTextures() const;
   void Deactivate();
   void Release(vtkWindow* window);
 

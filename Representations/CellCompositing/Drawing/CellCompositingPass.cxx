@@ -10,6 +10,8 @@
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLState.h"
 
+#include <deque>
+
 namespace nephoscope
 {
 namespace
@@ -74,6 +76,15 @@ std::string CellCompositingPass::DrawPeel(vtkOpenGLRenderWindow* window, const C
         this->Layer.GetDepth(), &this->Peel });
     });
   }
+  return this->CastPeel(window, request, [&](const int viewport[4], VolumePeel* peel, int range) {
+    return this->Rays.Draw({ window, viewport, view, options, this->Buffers, this->Contours,
+      this->Layer.GetDepth(), peel, range });
+  });
+}
+
+std::string CellCompositingPass::CastPeel(
+  vtkOpenGLRenderWindow* window, const VolumePeel::Request& request, const Caster& cast)
+{
   int viewport[4];
   window->GetState()->vtkglGetIntegerv(GL_VIEWPORT, viewport);
   const SavedState saved(window->GetState());
@@ -82,9 +93,7 @@ std::string CellCompositingPass::DrawPeel(vtkOpenGLRenderWindow* window, const C
     return FloatLayer::CheckOpenGL("while asking for a peel");
   }
   FloatLayer::SetBlending(window->GetState());
-  CellDrawing drawing = { window, viewport, view, options, this->Buffers, this->Contours,
-    this->Layer.GetDepth(), &this->Peel };
-  const std::string error = this->CastRanges(drawing);
+  const std::string error = this->CastRanges(window, viewport, cast);
   if (!error.empty())
   {
     return error;
@@ -95,18 +104,73 @@ std::string CellCompositingPass::DrawPeel(vtkOpenGLRenderWindow* window, const C
   return FloatLayer::CheckOpenGL("while peeling cells");
 }
 
-std::string CellCompositingPass::CastRanges(CellDrawing& drawing)
+std::string CellCompositingPass::CastRanges(
+  vtkOpenGLRenderWindow* window, const int viewport[4], const Caster& cast)
 {
   std::string error;
-  for (drawing.Range = 0; drawing.Range < 2 && error.empty(); ++drawing.Range)
+  for (int range = 0; range < 2 && error.empty(); ++range)
   {
     FloatAccumulation& image =
-      drawing.Range == 0 ? this->Layer.GetAccumulation() : this->SecondAccumulation;
-    error =
-      image.Begin(drawing.Window, drawing.Viewport) ? this->Rays.Draw(drawing) : noFloatImages;
-    image.End(drawing.Window);
+      range == 0 ? this->Layer.GetAccumulation() : this->SecondAccumulation;
+    error = image.Begin(window, viewport) ? cast(viewport, &this->Peel, range) : noFloatImages;
+    image.End(window);
   }
   return error;
+}
+
+std::string CellCompositingPass::CastMedia(vtkOpenGLRenderWindow* window,
+  const std::vector<Medium>& media, const int viewport[4], VolumePeel* peel, int range)
+{
+  std::deque<CellDrawing> drawings; // nothing moves that is in it
+  std::vector<RayMedia::Medium> rays;
+  for (const Medium& medium : media)
+  {
+    drawings.push_back({ window, viewport, *medium.View, *medium.Options, medium.Pass->Buffers,
+      medium.Pass->Contours, this->Layer.GetDepth(), peel, range });
+    rays.push_back({ &medium.Pass->Rays, &drawings.back() });
+  }
+  return this->Media.Draw(rays);
+}
+
+bool CellCompositingPass::CanDrawMedia(const std::vector<Medium>& media)
+{
+  std::vector<RayMedia::Medium> rays;
+  for (const Medium& medium : media)
+  {
+    rays.push_back({ &medium.Pass->Rays, nullptr, medium.Pass->Buffers.CountTextures() });
+  }
+  return RayMedia::HasEnoughTextures(rays);
+}
+
+std::string CellCompositingPass::DrawMedia(
+  vtkOpenGLRenderWindow* window, const std::vector<Medium>& media)
+{
+  int whole[4];
+  window->GetState()->vtkglGetIntegerv(GL_VIEWPORT, whole);
+  PixelRegion region = { { 0, 0, 0, 0 } };
+  for (const Medium& medium : media)
+  {
+    medium.Pass->Peeled = true; // it has no image of its own
+    region =
+      unionOf(region, medium.Pass->Rays.FindRegion(*medium.View, *medium.Options->Eye, whole));
+  }
+  this->Peeled = false;
+  const auto paint = [&](const int viewport[4], OpaqueDepth&) {
+    return this->CastMedia(window, media, viewport, nullptr, 0);
+  };
+  return this->Layer.Draw(window, paint, &region);
+}
+
+std::string CellCompositingPass::DrawMediaPeel(vtkOpenGLRenderWindow* window,
+  const std::vector<Medium>& media, const VolumePeel::Request& request)
+{
+  for (const Medium& medium : media)
+  {
+    medium.Pass->Peeled = true;
+  }
+  return this->CastPeel(window, request, [&](const int viewport[4], VolumePeel* peel, int range) {
+    return this->CastMedia(window, media, viewport, peel, range);
+  });
 }
 
 bool CellCompositingPass::CopyFloatImage(vtkOpenGLRenderWindow* window, vtkImageData* image)
@@ -120,6 +184,7 @@ void CellCompositingPass::ReleaseGraphicsResources(vtkWindow* window)
   this->Contours.Release(window);
   this->Projected.ReleaseGraphicsResources(window);
   this->Rays.ReleaseGraphicsResources(window);
+  this->Media.ReleaseGraphicsResources(window);
   this->Layer.ReleaseGraphicsResources(window);
   this->SecondAccumulation.ReleaseGraphicsResources(window);
   this->Peel.ReleaseGraphicsResources(window);

@@ -15,9 +15,11 @@
 #include "FloatLayer.h"
 #include "ProjectedCells.h"
 #include "RayCells.h"
+#include "RayMedia.h"
 #include "VolumePeel.h"
 
 #include <cstdint>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -71,6 +73,22 @@ public:
   std::string DrawPeel(vtkOpenGLRenderWindow* window, const CellView& view,
     const CellDrawingOptions& options, const VolumePeel::Request& request);
 
+  /** What is drawn ray by ray together with others. */
+  struct Medium
+  {
+    CellCompositingPass* Pass;
+    const CellView* View;
+    const CellDrawingOptions* Options;
+  };
+  ///@{
+  /** The same of several media at once, which may overlap in space; they have been uploaded to be drawn ray by ray. */
+  std::string DrawMedia(vtkOpenGLRenderWindow* window, const std::vector<Medium>& media);
+  std::string DrawMediaPeel(vtkOpenGLRenderWindow* window, const std::vector<Medium>& media,
+    const VolumePeel::Request& request);
+  ///@}
+  /** Whether the window's OpenGL can draw so many at once. */
+  static bool CanDrawMedia(const std::vector<Medium>& media);
+
   /** Lays over the scene, through the same float image, what something else draws. */
   std::string DrawLayer(vtkOpenGLRenderWindow* window, const FloatLayer::Painter& paint);
 
@@ -80,12 +98,18 @@ public:
   void ReleaseGraphicsResources(vtkWindow* window);
 
 private:
-  std::string CastRanges(CellDrawing& drawing);
+  using Caster = std::function<std::string(const int viewport[4], VolumePeel* peel, int range)>;
+  std::string CastPeel(
+    vtkOpenGLRenderWindow* window, const VolumePeel::Request& request, const Caster& cast);
+  std::string CastRanges(vtkOpenGLRenderWindow* window, const int viewport[4], const Caster& cast);
+  std::string CastMedia(vtkOpenGLRenderWindow* window, const std::vector<Medium>& media,
+    const int viewport[4], VolumePeel* peel, int range);
 
   CellBuffers Buffers;
   ContourBuffers Contours;
   ProjectedCells Projected;
   RayCells Rays;
+  RayMedia Media;
   bool UseRays = false;
   FloatLayer Layer;
   FloatAccumulation SecondAccumulation; // for the second range of a peel, ray by ray

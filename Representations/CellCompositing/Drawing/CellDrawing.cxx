@@ -9,6 +9,7 @@
 #include "OpaqueDepth.h"
 #include "OpticalSegment.h"
 #include "SamplersApart.h"
+#include "ShaderInstance.h"
 #include "ShaderText.h"
 #include "VolumePeel.h"
 
@@ -21,7 +22,7 @@
 
 namespace nephoscope
 {
-std::string CellDrawing::ShaderConstants() const
+std::string CellDrawing::OwnConstants() const
 {
   const bool more = this->Buffers.HasPointOpacity() || this->Contours.HasScalars();
   return std::string(more ? "#define MORE_SCALARS\n" : "") + this->Buffers.ShaderConstants() +
@@ -32,8 +33,7 @@ std::string CellDrawing::ShaderConstants() const
       "consistentFaces", this->Buffers.HasNarrowIntervals() || this->Contours.IsUsed()) +
     shaderConstant("averageIntegration", this->Options.AverageIntegration) +
     shaderConstant("splitAtControlPoints", this->Options.SplitAtControlPoints) +
-    shaderConstant("useDepthRanges", this->Peel != nullptr) + this->Options.Haze.Definition() +
-    this->Options.Planes.Definition();
+    shaderConstant("useDepthRanges", this->Peel != nullptr) + this->Options.Planes.Definition();
 }
 
 // Where rays end: at the opaque depth, or at the ends of the ranges of a peel.
@@ -60,18 +60,18 @@ void CellDrawing::SetDepths(vtkShaderProgram* program) const
 
 void CellDrawing::SetUniforms(vtkShaderProgram* program) const
 {
+  this->SetCommonUniforms(program);
+  this->SetOwnUniforms(program, -1);
+  this->Contours.Activate(*this, program);
+}
+
+void CellDrawing::SetCommonUniforms(vtkShaderProgram* program) const
+{
   setSamplersApart(program);
   this->Options.Haze.SetUniforms(program);
-  this->Options.Planes.SetUniforms(program);
-  this->Buffers.Activate(program);
-  this->Contours.Activate(*this, program);
   this->SetDepths(program);
   program->SetUniform4f("depthToVC", depthToView(this->View.ViewToDevice).data());
-  program->SetUniformf("extinctionScale", static_cast<float>(this->Options.ExtinctionScale));
-
   vtkNew<vtkMatrix4x4> transposed; // as OpenGL wants it
-  vtkMatrix4x4::Transpose(this->View.ModelToView, transposed);
-  program->SetUniformMatrix("MCVCMatrix", transposed);
   vtkMatrix4x4::Transpose(this->View.ViewToDevice, transposed);
   program->SetUniformMatrix("VCDCMatrix", transposed);
 
@@ -82,6 +82,17 @@ void CellDrawing::SetUniforms(vtkShaderProgram* program) const
     nodes[i][1] = static_cast<float>(quadratureNodes[i][1]);
   }
   program->SetUniform2fv("quadratureNodes", numberOfQuadratureNodes, nodes);
+}
+
+void CellDrawing::SetOwnUniforms(vtkShaderProgram* program, int instance) const
+{
+  this->Options.Planes.SetUniforms(program, instanceName("clippingPlanes", instance));
+  this->Buffers.Activate(program, instance);
+  program->SetUniformf(
+    instanceName("extinctionScale", instance), static_cast<float>(this->Options.ExtinctionScale));
+  vtkNew<vtkMatrix4x4> transposed;
+  vtkMatrix4x4::Transpose(this->View.ModelToView, transposed);
+  program->SetUniformMatrix(instanceName("MCVCMatrix", instance), transposed);
 }
 
 void CellDrawing::Finish() const

@@ -56,9 +56,19 @@ struct CellDrawing
   VolumePeel* Peel = nullptr; ///< where set, its depth ranges count and not the opaque depth
   int Range = 0; ///< the one of them that is drawn ray by ray; projected cells are drawn into both
 
-  std::string ShaderConstants() const;
+  std::string ShaderConstants() const
+  {
+    return this->OwnConstants() + this->Options.Haze.Definition();
+  }
+  /** Those but for what all that the renderer draws have in common. */
+  std::string OwnConstants() const;
   /** Binds the shared textures and sets the uniforms that every fragment shader of cells has. */
   void SetUniforms(vtkShaderProgram* program) const;
+  ///@{
+  /** The same in two parts, where the shader has several media: what they have in common, and one of them. */
+  void SetCommonUniforms(vtkShaderProgram* program) const;
+  void SetOwnUniforms(vtkShaderProgram* program, int instance) const;
+  ///@}
   void Finish() const;
 
 private:

@@ -78,6 +78,28 @@ inline PixelRegion coveredPixels(
   return region;
 }
 
+/** The least rectangle that holds both, of which one may be empty. */
+inline PixelRegion unionOf(const PixelRegion& a, const PixelRegion& b)
+{
+  if (a[2] <= 0 || a[3] <= 0 || b[2] <= 0 || b[3] <= 0)
+  {
+    return a[2] <= 0 || a[3] <= 0 ? b : a;
+  }
+  PixelRegion all;
+  for (std::size_t axis = 0; axis < 2; ++axis)
+  {
+    all[axis] = std::min(a[axis], b[axis]);
+    all[2 + axis] = std::max(a[axis] + a[2 + axis], b[axis] + b[2 + axis]) - all[axis];
+  }
+  return all;
+}
+
+inline bool haveCommonPixels(const PixelRegion& a, const PixelRegion& b)
+{
+  return std::max(a[0], b[0]) < std::min(a[0] + a[2], b[0] + b[2]) &&
+    std::max(a[1], b[1]) < std::min(a[1] + a[3], b[1] + b[3]);
+}
+
 } // namespace nephoscope
 
 #endif

@@ -8,7 +8,9 @@
 #include "CellDrawing.h"
 #include "CellGeometry.h"
 #include "EyeTetrahedron.h"
+#include "MovedView.h"
 #include "RayGeometry.h"
+#include "ShaderInstance.h"
 #include "ShaderText.h"
 #include "TetrahedronNeighbors.h"
 
@@ -19,6 +21,7 @@
 #include "RayCellsFragment.h"
 #include "RayCellsVertex.h"
 #include "RayContoursShader.h"
+#include "RayMediumShader.h"
 #include "RaySegmentsShader.h"
 #include "TetrahedronWalkShader.h"
 
@@ -49,33 +52,12 @@ constexpr int fromEye = -1;
 // The entries that hold the last ones of the unsliced layers, while slices are drawn.
 constexpr int passedEntries = 1;
 
-// The view from where the rays start instead of from the eye.
-struct MovedView
+std::string withParts(const std::string& shader, bool structured)
 {
-  vtkNew<vtkMatrix4x4> ModelToView;
-  CellView View;
-
-  MovedView(const CellView& view, const EyeTetrahedron& eye)
-    : View(view)
-  {
-    vtkNew<vtkMatrix4x4> shift;
-    for (int axis = 0; eye.Found && axis < 3; ++axis)
-    {
-      shift->SetElement(axis, 3, view.EyeModel[axis] - eye.Start[axis]);
-      this->View.EyeModel[axis] = eye.Start[axis];
-    }
-    vtkMatrix4x4::Multiply4x4(view.ModelToView, shift, this->ModelToView);
-    this->View.ModelToView = this->ModelToView;
-  }
-};
-
-std::string withParts(const char* shader, const std::string& constants, bool structured)
-{
-  const std::string walk = withShaderParts(shader,
+  return withShaderParts(shader,
     { { "Topology", structured ? ChessboardTopologyShader : NeighborTopologyShader },
       { "TetrahedronWalk", TetrahedronWalkShader }, { "RaySegments", RaySegmentsShader },
       { "RayContours", RayContoursShader } });
-  return specializedShader(walk, constants);
 }
 }
 
@@ -159,22 +141,45 @@ void RayCells::Allocate(const CellDrawing& drawing)
   this->Size[1] = height;
 }
 
-std::string RayCells::ReadyPrograms(const CellDrawing& drawing)
+std::string RayCells::OwnConstants() const
 {
-  const bool structured = !this->Grid.IsEmpty();
-  const std::string constants = drawing.Buffers.SmallTableDefinition() + drawing.ShaderConstants() +
-    shaderConstant("hasHiddenCells", this->HasHiddenCells) +
+  return shaderConstant("hasHiddenCells", this->HasHiddenCells) +
     shaderConstant("hasJumps", this->NumberOfJumps > 0) +
     shaderConstant("closedGrid", this->Box.IsClosed(this->Grid));
-  vtkOpenGLShaderCache* cache = drawing.Window->GetShaderCache();
-  this->EntryProgram = cache->ReadyShaderProgram(
+}
+
+bool RayCells::ReadyEntryProgram(const CellDrawing& drawing)
+{
+  this->EntryProgram = drawing.Window->GetShaderCache()->ReadyShaderProgram(
     specializedShader(EntryFacesVertex, std::string()).c_str(),
     specializedShader(EntryFacesFragment, shaderConstant("useDepthRanges", drawing.Peel != nullptr))
       .c_str(),
     "");
-  this->SegmentProgram = cache->ReadyShaderProgram(
-    RayCellsVertex, withParts(RayCellsFragment, constants, structured).c_str(), "");
-  return this->EntryProgram && this->SegmentProgram ? std::string() : "the shaders did not compile";
+  return this->EntryProgram != nullptr;
+}
+
+bool RayCells::ReadySegmentProgram(const CellDrawing& drawing)
+{
+  const std::string constants =
+    drawing.Buffers.SmallTableDefinition() + drawing.ShaderConstants() + this->OwnConstants();
+  const std::string text = withParts(RayCellsFragment, !this->Grid.IsEmpty());
+  this->SegmentProgram = drawing.Window->GetShaderCache()->ReadyShaderProgram(
+    RayCellsVertex, specializedShader(text, constants).c_str(), "");
+  return this->SegmentProgram != nullptr;
+}
+
+std::string RayCells::MediumShader(const CellDrawing& drawing, int instance) const
+{
+  const std::string walk = RayCellsFragment;
+  const std::string constants = drawing.OwnConstants() + this->OwnConstants() +
+    "const int mediumNumber = " + std::to_string(instance) + ";\n";
+  const std::string text = walk.substr(0, walk.find("void main()")) + RayMediumShader;
+  const auto without = [](const std::string& shader) { // what all media have in common
+    return withShaderParts(
+      shader, { { "Arrays", "" }, { "OpaqueDepth", "" }, { "OpticalSegment", "" } });
+  };
+  return shaderInstance(
+    specializedShader(without(withParts(text, !this->Grid.IsEmpty())), constants), instance);
 }
 
 std::string RayCells::Draw(const CellDrawing& drawing)
@@ -188,25 +193,16 @@ std::string RayCells::Draw(const CellDrawing& drawing)
 std::string RayCells::DrawFrom(const CellDrawing& drawing)
 {
   this->Allocate(drawing);
-  const std::string error = this->ReadyPrograms(drawing);
-  if (!error.empty())
+  if (!this->ReadyEntryProgram(drawing) || !this->ReadySegmentProgram(drawing))
   {
-    return error;
+    return "the shaders did not compile";
   }
-  const float none[4] = { -1, -1, 0, 0 }; // in front of all
-  drawing.Window->GetState()->PushFramebufferBindings();
-  this->EntryFramebuffer->Bind();
-  this->EntryFramebuffer->AddColorAttachment(0, this->Entries[1]);
-  this->EntryFramebuffer->ActivateDrawBuffer(0);
-  glClearBufferfv(GL_COLOR, 0, none); // no last entries
-  drawing.Window->GetState()->PopFramebufferBindings();
+  this->ClearEntries(drawing, 1);
   // Pixels without a new entry fail the depth test against the entries, before their shader starts.
   glFramebufferTexture2D(
     GL_DRAW_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D, this->EntryDepth->GetHandle(), 0);
   const EyeTetrahedron& eye = *drawing.Options.Eye;
-  if (eye.Found &&
-    (this->Grid.IsEmpty() ||
-      this->Box.Contains(eye.Place))) // otherwise rays enter the box from outside
+  if (this->StartsAtEye(eye))
   {
     this->DrawSegments(drawing, fromEye, eye);
     for (const EyeTetrahedron& other : eye.Overlapping)
@@ -218,6 +214,25 @@ std::string RayCells::DrawFrom(const CellDrawing& drawing)
   glFramebufferTexture2D(GL_DRAW_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D, 0, 0);
   drawing.Finish();
   return std::string();
+}
+
+// No last entries.
+void RayCells::ClearEntries(const CellDrawing& drawing, int number)
+{
+  const float none[4] = { -1, -1, 0, 0 }; // in front of all
+  drawing.Window->GetState()->PushFramebufferBindings();
+  this->EntryFramebuffer->Bind();
+  this->EntryFramebuffer->AddColorAttachment(0, this->Entries[number]);
+  this->EntryFramebuffer->ActivateDrawBuffer(0);
+  glClearBufferfv(GL_COLOR, 0, none);
+  drawing.Window->GetState()->PopFramebufferBindings();
+}
+
+bool RayCells::StartsAtEye(const EyeTetrahedron& eye) const
+{
+  return eye.Found &&
+    (this->Grid.IsEmpty() ||
+      this->Box.Contains(eye.Place)); // otherwise rays enter the box from outside
 }
 
 // The first layers from all faces; where there are more, slice by slice.
@@ -279,24 +294,44 @@ void RayCells::DrawFaces(const FaceSlices::Slice* slice)
   this->SliceVertices->Release();
 }
 
-void RayCells::SetTopology(vtkShaderProgram* program)
+void RayCells::SetTopology(vtkShaderProgram* program, int instance)
 {
-  program->SetUniformi("boundaryFaces", this->BoundaryFaces.Activate());
-  program->SetUniform2f("clearRange", this->ClearRange.data());
+  const auto name = [=](const char* uniform) { return instanceName(uniform, instance); };
+  program->SetUniformi(name("boundaryFaces"), this->BoundaryFaces.Activate());
+  program->SetUniform2f(name("clearRange"), this->ClearRange.data());
+  if (program->IsUniformUsed(name("hiddenCells")))
+  {
+    program->SetUniformi(name("hiddenCells"), this->HiddenCells.Activate());
+  }
+  program->SetUniformi(name("maximumSteps"), maximumSteps);
   if (this->Grid.IsEmpty())
   {
-    program->SetUniformi("neighbors", this->Neighbors.Activate());
-    program->SetUniformi("vertexSums", this->VertexSums.Activate());
+    program->SetUniformi(name("neighbors"), this->Neighbors.Activate());
+    program->SetUniformi(name("vertexSums"), this->VertexSums.Activate());
     return;
   }
   const int stride[3] = { 1, this->Grid.Size[0], this->Grid.Size[0] * this->Grid.Size[1] };
   float low[3], high[3];
   std::copy(this->Box.Low, this->Box.Low + 3, low);
   std::copy(this->Box.High, this->Box.High + 3, high);
-  program->SetUniform1iv("gridStride", 3, stride);
-  program->SetUniform3f("boxLow", low);
-  program->SetUniform3f("boxHigh", high);
-  program->SetUniformi("wrapCells", this->Grid.WrapCells);
+  program->SetUniform1iv(name("gridStride"), 3, stride);
+  program->SetUniform3f(name("boxLow"), low);
+  program->SetUniform3f(name("boxHigh"), high);
+  program->SetUniformi(name("wrapCells"), this->Grid.WrapCells);
+}
+
+void RayCells::DeactivateTopology()
+{
+  for (BufferTexture* buffer :
+    { &this->Neighbors, &this->VertexSums, &this->BoundaryFaces, &this->HiddenCells })
+  {
+    buffer->Deactivate();
+  }
+}
+
+int RayCells::CountTextures() const
+{
+  return 1 + (this->HasHiddenCells ? 1 : 0) + (this->Grid.IsEmpty() ? 2 : 0);
 }
 
 // Those behind the last ones; returns false when no ray enters any more.
@@ -388,36 +423,33 @@ void RayCells::DrawSegments(const CellDrawing& drawing, int from, const EyeTetra
   vtkTextureObject* entries = this->Entries[from == fromEye ? 0 : from];
   entries->Activate();
   program->SetUniformi("entryFaces", entries->GetTextureUnit());
-  program->SetUniformi("hiddenCells", this->HiddenCells.Activate());
-  program->SetUniformi("maximumSteps", maximumSteps);
   glDrawArrays(GL_TRIANGLES, 0, 3);
   this->VertexArray->Release();
   entries->Deactivate();
-  this->HiddenCells.Deactivate();
-  this->Neighbors.Deactivate();
-  this->VertexSums.Deactivate();
-  this->BoundaryFaces.Deactivate();
+  this->DeactivateTopology();
 }
 
-void RayCells::SetRays(const CellDrawing& drawing, vtkShaderProgram* program)
+void RayCells::SetRays(const CellDrawing& drawing, vtkShaderProgram* program, int instance)
 {
+  const auto name = [=](const char* uniform) { return instanceName(uniform, instance); };
   RayGeometry rays(drawing.View);
-  program->SetUniformMatrix3x3("rayPoint", rays.Point().data());
-  program->SetUniformMatrix3x3("rayDirection", rays.Direction().data());
+  program->SetUniformMatrix3x3(name("rayPoint"), rays.Point().data());
+  program->SetUniformMatrix3x3(name("rayDirection"), rays.Direction().data());
   float eye[3], eyeView[4];
   std::copy(drawing.View.EyeModel, drawing.View.EyeModel + 3, eye);
-  program->SetUniform3f("eyeMC", eye);
+  program->SetUniform3f(name("eyeMC"), eye);
   std::copy(drawing.View.EyeView, drawing.View.EyeView + 4, eyeView);
-  program->SetUniform4f("eyeVC", eyeView);
+  program->SetUniform4f(name("eyeVC"), eyeView);
 }
 
-void RayCells::SetEye(const EyeTetrahedron& eye, vtkShaderProgram* program)
+void RayCells::SetEye(const EyeTetrahedron& eye, vtkShaderProgram* program, int instance)
 {
-  program->SetUniform1iv("eyeVertices", 4, eye.Vertices.data());
-  program->SetUniform1iv("eyePlace", 4, eye.Place.data());
+  const auto name = [=](const char* uniform) { return instanceName(uniform, instance); };
+  program->SetUniform1iv(name("eyeVertices"), 4, eye.Vertices.data());
+  program->SetUniform1iv(name("eyePlace"), 4, eye.Place.data());
   const float scalars[2] = { eye.Scalar, eye.Opacity };
-  program->SetUniform2f("eyeScalars", scalars);
-  program->SetUniform4f("eyeWeights", eye.Weights.data());
+  program->SetUniform2f(name("eyeScalars"), scalars);
+  program->SetUniform4f(name("eyeWeights"), eye.Weights.data());
 }
 
 void RayCells::ReleaseGraphicsResources(vtkWindow* window)

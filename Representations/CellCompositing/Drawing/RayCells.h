@@ -63,13 +63,23 @@ public:
 
   /** Passes over the picture that the last drawing took: as often as one of the rays entered the mesh, at least. */
   int GetNumberOfLayers() const { return this->NumberOfLayers; }
+  /** At most so many textures of its own are read by a walk. */
+  int CountTextures() const;
 
   void ReleaseGraphicsResources(vtkWindow* window);
 
 private:
+  friend class RayMedia; // walks through the meshes of several in step
+
   std::string DrawFrom(const CellDrawing& drawing);
   void Allocate(const CellDrawing& drawing);
-  std::string ReadyPrograms(const CellDrawing& drawing);
+  std::string OwnConstants() const;
+  bool ReadyEntryProgram(const CellDrawing& drawing);
+  bool ReadySegmentProgram(const CellDrawing& drawing);
+  /** The walk as one of several in a shader (ShaderInstance.h). */
+  std::string MediumShader(const CellDrawing& drawing, int instance) const;
+  void ClearEntries(const CellDrawing& drawing, int number);
+  bool StartsAtEye(const EyeTetrahedron& eye) const;
   void DrawLayers(const CellDrawing& drawing);
   void SliceFaces(const CellDrawing& drawing);
   void DrawFaces(const FaceSlices::Slice* slice);
@@ -78,9 +88,10 @@ private:
     const CellDrawing& drawing, int into, int lastNumber, const FaceSlices::Slice* slice);
   /** From the entries of that number, or from the eye. */
   void DrawSegments(const CellDrawing& drawing, int from, const EyeTetrahedron& eye);
-  void SetEye(const EyeTetrahedron& eye, vtkShaderProgram* program);
-  void SetTopology(vtkShaderProgram* program);
-  void SetRays(const CellDrawing& drawing, vtkShaderProgram* program);
+  void SetEye(const EyeTetrahedron& eye, vtkShaderProgram* program, int instance = -1);
+  void SetTopology(vtkShaderProgram* program, int instance = -1);
+  void DeactivateTopology();
+  void SetRays(const CellDrawing& drawing, vtkShaderProgram* program, int instance = -1);
 
   BufferTexture Neighbors, VertexSums, BoundaryFaces, HiddenCells;
   ChessboardGrid Grid; // empty: another mesh

@@ -37,6 +37,8 @@ public:
 
   Linear& Point() { return this->Points; }
   Linear& Direction() { return this->Directions; }
+  /** From the eye's plane to the points, which lie in one parallel to it. */
+  double Distance() const { return this->PlaneDistance; }
 
   /** Distances from the eye's plane between which lies all within `radius` of the centre. */
   std::array<float, 2> DepthRange(double radius) const
@@ -80,6 +82,7 @@ private:
       const double nearDistance = this->DistanceFromEyePlane(near);
       const double farDistance = this->DistanceFromEyePlane(far);
       const double distance = std::max(this->DistanceFromEyePlane({ { 0, 0, 0 } }), nearDistance);
+      this->PlaneDistance = distance;
       const double t = (distance - nearDistance) / (farDistance - nearDistance);
       for (std::size_t axis = 0; axis < 3; ++axis)
       {
@@ -102,6 +105,7 @@ private:
   const CellView& View;
   vtkNew<vtkMatrix4x4> ModelFromDevice;
   Linear Points, Directions;
+  double PlaneDistance = 0;
 };
 
 } // namespace nephoscope

@@ -18,9 +18,7 @@ class CellsInPlace
 public:
   void Render(vtkUnstructuredGridVolumeMapper* owner, vtkRenderer* renderer, vtkVolume* volume)
   {
-    copyInputAndScalars(owner, this->Mapper);
-    this->Mapper->SetClippingPlanes(owner->GetClippingPlanes());
-    this->Mapper->Render(renderer, volume);
+    this->GetMapper(owner)->Render(renderer, volume);
   }
 
   void ReleaseGraphicsResources(vtkWindow* window)
@@ -29,6 +27,13 @@ public:
   }
 
   vtkCellCompositingMapper* GetMapper() { return this->Mapper; }
+  /** With the owner's input and settings as they are now. */
+  vtkCellCompositingMapper* GetMapper(vtkUnstructuredGridVolumeMapper* owner)
+  {
+    copyInputAndScalars(owner, this->Mapper);
+    this->Mapper->SetClippingPlanes(owner->GetClippingPlanes());
+    return this->Mapper;
+  }
 
 private:
   vtkNew<vtkCellCompositingMapper> Mapper;

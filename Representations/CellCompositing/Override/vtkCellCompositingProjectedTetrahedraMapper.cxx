@@ -19,7 +19,7 @@ vtkCellCompositingProjectedTetrahedraMapper::~vtkCellCompositingProjectedTetrahe
 
 vtkCellCompositingMapper* vtkCellCompositingProjectedTetrahedraMapper::GetCellCompositingMapper()
 {
-  return this->Cells->GetMapper();
+  return this->Cells->GetMapper(this);
 }
 
 bool vtkCellCompositingProjectedTetrahedraMapper::IsSupported(vtkRenderWindow* window)

@@ -17,7 +17,7 @@ vtkCellCompositingRayCastMapper::~vtkCellCompositingRayCastMapper() = default;
 
 vtkCellCompositingMapper* vtkCellCompositingRayCastMapper::GetCellCompositingMapper()
 {
-  return this->Cells->GetMapper();
+  return this->Cells->GetMapper(this);
 }
 
 void vtkCellCompositingRayCastMapper::Render(vtkRenderer* renderer, vtkVolume* volume)

@@ -1,0 +1,350 @@
+// SPDX-FileCopyrightText: The Nephoscope authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "OpenGLFunctions.h"
+
+#include "RayMedia.h"
+
+#include "CellBuffers.h"
+#include "CellDrawing.h"
+#include "MovedView.h"
+#include "RayCells.h"
+#include "RayGeometry.h"
+#include "ShaderInstance.h"
+#include "ShaderText.h"
+
+#include "MixedSegmentShader.h"
+#include "RayCellsVertex.h"
+#include "RayMediaFragment.h"
+#include "RayPlanFragment.h"
+#include "RayPlanMediumShader.h"
+
+#include "vtkOpenGLFramebufferObject.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLShaderCache.h"
+#include "vtkOpenGLState.h"
+#include "vtkOpenGLVertexArrayObject.h"
+#include "vtkShaderProgram.h"
+#include "vtkTextureObject.h"
+
+#include <deque>
+
+namespace nephoscope
+{
+namespace
+{
+// As often as one of the rays enters any of the meshes, at least.
+constexpr int maximumRounds = 4096;
+
+const char* const planVertex = "//VTK::System::Dec\n"
+                               "void main()\n"
+                               "{\n"
+                               "  vec2 corner = vec2(gl_VertexID == 1, gl_VertexID == 2);\n"
+                               "  gl_Position = vec4(4.0 * corner - 1.0, 0.0, 1.0);\n"
+                               "}\n";
+
+std::string mediumNumber(int i)
+{
+  return "const int mediumNumber = " + std::to_string(i) + ";\n";
+}
+
+std::string planFragment(int count)
+{
+  std::string media, outputs;
+  for (int i = 0; i < count; ++i)
+  {
+    media += shaderInstance(mediumNumber(i) + RayPlanMediumShader, i);
+    outputs += "  gl_FragData[" + std::to_string(2 + i) + "] = vec4(entry_" + std::to_string(i) +
+      ", 0.0, 0.0);\n";
+  }
+  media += callInstances("findNextEntries", "findNextEntry", "", "", count) +
+    callInstances("advanceMedia", "advanceMedium", "", "", count);
+  return withShaderParts(RayPlanFragment, { { "Media", media }, { "Outputs", outputs } });
+}
+
+std::string mediaVertex(int count)
+{
+  std::string text = "//VTK::System::Dec\n";
+  for (int i = 0; i < count; ++i)
+  {
+    text += shaderInstance(RayCellsVertex, i);
+  }
+  return text + callInstances("main", "main", "", "", count);
+}
+
+std::string mediaCalls(int count)
+{
+  const std::string place = "float place";
+  return callInstances("prepareMedia", "prepareMedium", "", "", count) +
+    callInstances("placeBesideOfMedia", "placeBeside", "int attempt", "attempt", count) +
+    callInstances("startMedia", "startMedium", "", "", count) +
+    callInstances("goOnInMedia", "goOnInMedium", place, "place", count) +
+    callInstances("findEvents", "findEvent", place, "place", count) +
+    callInstances("addMedia", "addMedium", "float from, float to", "from, to", count) +
+    callInstances("finishMedia", "finishMedium", place, "place", count) +
+    "vec3 placeInViewOfFirst(float place) { return placeInView_0(place); }\n";
+}
+
+void allocateFloats(vtkTextureObject* texture, vtkOpenGLRenderWindow* window, int width, int height)
+{
+  texture->SetContext(window);
+  texture->Allocate2D(width, height, 4, VTK_FLOAT);
+  texture->SetMinificationFilter(vtkTextureObject::Nearest);
+  texture->SetMagnificationFilter(vtkTextureObject::Nearest);
+}
+
+void activate(vtkShaderProgram* program, const char* name, vtkTextureObject* texture)
+{
+  texture->Activate();
+  program->SetUniformi(name, texture->GetTextureUnit());
+}
+}
+
+RayMedia::RayMedia() = default;
+RayMedia::~RayMedia() = default;
+
+bool RayMedia::HasEnoughTextures(const std::vector<Medium>& media)
+{
+  int count = 3; // plan, faces, depth
+  for (const Medium& medium : media)
+  {
+    count += medium.Rays->CountTextures() + medium.OtherTextures;
+  }
+  GLint most = 0;
+  glGetIntegerv(GL_MAX_TEXTURE_IMAGE_UNITS, &most);
+  return count <= most;
+}
+
+void RayMedia::Allocate(const CellDrawing& drawing)
+{
+  const int width = drawing.Viewport[2];
+  const int height = drawing.Viewport[3];
+  if (this->Faces->GetHandle() && this->Size[0] == width && this->Size[1] == height)
+  {
+    return;
+  }
+  this->PlanFramebuffer->SetContext(drawing.Window);
+  for (vtkTextureObject* texture :
+    { this->Plans[0].Get(), this->Plans[1].Get(), this->Faces.Get() })
+  {
+    allocateFloats(texture, drawing.Window, width, height);
+  }
+  this->Size[0] = width;
+  this->Size[1] = height;
+}
+
+bool RayMedia::ReadyPrograms(const std::vector<Medium>& media)
+{
+  const CellDrawing& drawing = *media[0].Drawing;
+  const int count = static_cast<int>(media.size());
+  vtkOpenGLShaderCache* cache = drawing.Window->GetShaderCache();
+  std::string instances;
+  for (int i = 0; i < count; ++i)
+  {
+    const Medium& medium = media[static_cast<std::size_t>(i)];
+    if (!medium.Rays->ReadyEntryProgram(*medium.Drawing))
+    {
+      return false;
+    }
+    instances += medium.Rays->MediumShader(*medium.Drawing, i);
+  }
+  const std::string constants = shaderConstant("useDepthRanges", drawing.Peel != nullptr) +
+    shaderConstant("averageIntegration", false) + drawing.Options.Haze.Definition();
+  const std::string fragment = withShaderParts(RayMediaFragment,
+    { { "MixedSegment", MixedSegmentShader }, { "Media", instances + mediaCalls(count) } });
+  this->PlanProgram = cache->ReadyShaderProgram(planVertex, planFragment(count).c_str(), "");
+  this->Program = cache->ReadyShaderProgram(
+    mediaVertex(count).c_str(), specializedShader(fragment, constants).c_str(), "");
+  return this->PlanProgram && this->Program;
+}
+
+std::string RayMedia::Draw(const std::vector<Medium>& media)
+{
+  std::deque<MovedView> views; // nothing moves that is in them
+  std::deque<CellDrawing> drawings;
+  std::vector<Medium> moved;
+  for (const Medium& medium : media)
+  {
+    const CellDrawing& d = *medium.Drawing;
+    views.emplace_back(d.View, *d.Options.Eye);
+    drawings.push_back({ d.Window, d.Viewport, views.back().View, d.Options, d.Buffers, d.Contours,
+      d.Depth, d.Peel, d.Range });
+    moved.push_back({ medium.Rays, &drawings.back() });
+  }
+  return this->DrawFrom(moved);
+}
+
+std::string RayMedia::DrawFrom(const std::vector<Medium>& media)
+{
+  this->Allocate(*media[0].Drawing);
+  if (!this->ReadyPrograms(media))
+  {
+    return "the shaders of several media did not compile";
+  }
+  this->Begin(media);
+  bool more = true;
+  for (int round = 0; more && round < maximumRounds; ++round)
+  {
+    more = this->FindNextEntries(media);
+    this->DrawPlan(media, round == 0);
+    this->DrawRound(media);
+    std::swap(this->Last, this->Then);
+    this->Plan = 1 - this->Plan;
+    for (const Medium& medium : media)
+    {
+      medium.Rays->NumberOfLayers = round + 1;
+    }
+  }
+  return std::string();
+}
+
+// The first entries; and from an eye where parts of one mesh overlap, all of these parts but one.
+void RayMedia::Begin(const std::vector<Medium>& media)
+{
+  for (const Medium& medium : media)
+  {
+    const CellDrawing& drawing = *medium.Drawing;
+    const EyeTetrahedron& eye = *drawing.Options.Eye;
+    medium.Rays->Allocate(drawing);
+    const bool inside = medium.Rays->StartsAtEye(eye);
+    medium.Rays->ClearEntries(drawing, inside ? this->Last : this->Next);
+    if (!inside)
+    {
+      medium.Rays->DrawEntries(drawing, this->Last, this->Next, nullptr);
+      drawing.Finish();
+      continue;
+    }
+    for (const EyeTetrahedron& other : eye.Overlapping)
+    {
+      if (medium.Rays->ReadySegmentProgram(drawing))
+      {
+        medium.Rays->DrawSegments(drawing, -1, other);
+        drawing.Finish();
+      }
+    }
+  }
+}
+
+bool RayMedia::FindNextEntries(const std::vector<Medium>& media)
+{
+  bool any = false;
+  for (const Medium& medium : media)
+  {
+    any = medium.Rays->DrawEntries(*medium.Drawing, this->Next, this->Last, nullptr) || any;
+    medium.Drawing->Finish();
+  }
+  return any;
+}
+
+void RayMedia::DrawPlan(const std::vector<Medium>& media, bool first)
+{
+  const CellDrawing& drawing = *media[0].Drawing;
+  vtkOpenGLState* state = drawing.Window->GetState();
+  state->PushFramebufferBindings();
+  this->PlanFramebuffer->Bind();
+  this->PlanFramebuffer->AddColorAttachment(0, this->Plans[this->Plan]);
+  this->PlanFramebuffer->AddColorAttachment(1, this->Faces);
+  GLenum buffers[2 + Most];
+  const int count = static_cast<int>(media.size());
+  for (int i = 0; i < count; ++i)
+  {
+    this->PlanFramebuffer->AddColorAttachment(static_cast<unsigned int>(2 + i),
+      media[static_cast<std::size_t>(i)].Rays->Entries[this->Then]);
+  }
+  for (int i = 0; i < 2 + count; ++i)
+  {
+    buffers[i] = static_cast<GLenum>(GL_COLOR_ATTACHMENT0 + i);
+  }
+  this->PlanFramebuffer->ActivateDrawBuffers(static_cast<unsigned int>(2 + count));
+  glDrawBuffers(2 + count, buffers); // vtkOpenGLState may skip it
+  state->vtkglDisable(GL_DEPTH_TEST);
+  state->vtkglDisable(GL_BLEND);
+
+  vtkShaderProgram* program = this->PlanProgram;
+  drawing.Window->GetShaderCache()->ReadyShaderProgram(program);
+  const double plane = RayGeometry(drawing.View).Distance();
+  program->SetUniformi("isFirst", first ? 1 : 0);
+  activate(program, "lastPlan", this->Plans[1 - this->Plan]);
+  for (int i = 0; i < count; ++i)
+  {
+    const Medium& medium = media[static_cast<std::size_t>(i)];
+    activate(program, instanceName("lastEntry", i), medium.Rays->Entries[this->Last]);
+    activate(program, instanceName("nextEntry", i), medium.Rays->Entries[this->Next]);
+    const std::array<float, 2> range =
+      RayGeometry(medium.Drawing->View).DepthRange(medium.Rays->Radius);
+    const float places[2] = { static_cast<float>(range[0] - plane),
+      static_cast<float>(range[1] - plane) };
+    program->SetUniform2f(instanceName("entryPlaces", i), places);
+    program->SetUniformi(instanceName("startsAtEye", i),
+      medium.Rays->StartsAtEye(*medium.Drawing->Options.Eye) ? 1 : 0);
+  }
+  this->VertexArray->Bind();
+  glDrawArrays(GL_TRIANGLES, 0, 3);
+  this->VertexArray->Release();
+  this->Plans[1 - this->Plan]->Deactivate();
+  for (const Medium& medium : media)
+  {
+    medium.Rays->Entries[this->Last]->Deactivate();
+    medium.Rays->Entries[this->Next]->Deactivate();
+  }
+  for (int i = 0; i < count; ++i) // the next plan may have fewer media
+  {
+    this->PlanFramebuffer->RemoveColorAttachment(static_cast<unsigned int>(2 + i));
+  }
+  state->PopFramebufferBindings();
+}
+
+void RayMedia::DrawRound(const std::vector<Medium>& media)
+{
+  const CellDrawing& common = *media[0].Drawing;
+  vtkOpenGLState* state = common.Window->GetState();
+  state->vtkglDisable(GL_DEPTH_TEST);
+  state->vtkglDepthMask(GL_FALSE);
+  state->vtkglEnable(GL_BLEND);
+  // Under what is there already.
+  state->vtkglBlendFuncSeparate(GL_ONE_MINUS_DST_ALPHA, GL_ONE, GL_ONE_MINUS_DST_ALPHA, GL_ONE);
+  vtkShaderProgram* program = this->Program;
+  common.Window->GetShaderCache()->ReadyShaderProgram(program);
+  this->VertexArray->Bind();
+  common.SetCommonUniforms(program);
+  const double plane = RayGeometry(common.View).Distance();
+  program->SetUniformf("firstPlane", static_cast<float>(plane));
+  activate(program, "roundPlan", this->Plans[this->Plan]);
+  activate(program, "enteredFaces", this->Faces);
+  for (int i = 0; i < static_cast<int>(media.size()); ++i)
+  {
+    const CellDrawing& drawing = *media[static_cast<std::size_t>(i)].Drawing;
+    RayCells& rays = *media[static_cast<std::size_t>(i)].Rays;
+    const EyeTetrahedron& eye = *drawing.Options.Eye;
+    drawing.SetOwnUniforms(program, i);
+    rays.SetTopology(program, i);
+    rays.SetRays(drawing, program, i);
+    rays.SetEye(eye, program, i);
+    program->SetUniformi(instanceName("startsAtEye", i), rays.StartsAtEye(eye) ? 1 : 0);
+    program->SetUniformf(instanceName("mediumPlace", i),
+      static_cast<float>(RayGeometry(drawing.View).Distance() - plane));
+  }
+  glDrawArrays(GL_TRIANGLES, 0, 3);
+  this->VertexArray->Release();
+  this->Plans[this->Plan]->Deactivate();
+  this->Faces->Deactivate();
+  for (const Medium& medium : media)
+  {
+    medium.Rays->DeactivateTopology();
+    medium.Drawing->Finish();
+  }
+}
+
+void RayMedia::ReleaseGraphicsResources(vtkWindow* window)
+{
+  for (vtkTextureObject* texture :
+    { this->Plans[0].Get(), this->Plans[1].Get(), this->Faces.Get() })
+  {
+    texture->ReleaseGraphicsResources(window);
+  }
+  this->PlanFramebuffer->ReleaseGraphicsResources(window);
+  this->VertexArray->ReleaseGraphicsResources();
+  this->PlanProgram = this->Program = nullptr;
+  this->Size[0] = this->Size[1] = 0;
+}
+
+} // namespace nephoscope

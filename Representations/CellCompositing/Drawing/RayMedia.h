@@ -1,0 +1,78 @@
+// SPDX-FileCopyrightText: The Nephoscope authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * Draws several media ray by ray as one: where they overlap in space, their extinctions add.
+ *
+ * Each pixel's ray walks through all meshes in step. It enters every mesh through the nearest boundary face, as RayCells has it, and a
+ * round ends where the ray enters one of the meshes again: there the next face of that mesh is taken, while the walks through the others
+ * begin anew at their last faces and come to the place without integrating. A round therefore costs little where meshes are convex or
+ * their gaps few: there is one round more than re-entries.
+ */
+#ifndef RayMedia_h
+#define RayMedia_h
+
+#include "vtkNew.h"
+
+#include <string>
+#include <vector>
+
+class vtkOpenGLFramebufferObject;
+class vtkOpenGLRenderWindow;
+class vtkOpenGLVertexArrayObject;
+class vtkShaderProgram;
+class vtkTextureObject;
+class vtkWindow;
+
+namespace nephoscope
+{
+
+class RayCells;
+struct CellDrawing;
+
+class RayMedia
+{
+public:
+  struct Medium
+  {
+    RayCells* Rays;
+    const CellDrawing* Drawing; ///< all of one window and viewport
+    int OtherTextures = 0;      ///< that its buffers have, at most
+  };
+  /** As many as a texel has components. */
+  static constexpr int Most = 4;
+
+  RayMedia();
+  ~RayMedia();
+
+  /** Whether the shaders of the window's OpenGL may read as many textures as the media need. */
+  static bool HasEnoughTextures(const std::vector<Medium>& media);
+
+  /** Draws into the bound framebuffer, which holds a transparent image. Returns an empty string, or what went wrong. */
+  std::string Draw(const std::vector<Medium>& media);
+
+  void ReleaseGraphicsResources(vtkWindow* window);
+
+private:
+  std::string DrawFrom(const std::vector<Medium>& media);
+  void Allocate(const CellDrawing& drawing);
+  bool ReadyPrograms(const std::vector<Medium>& media);
+  void Begin(const std::vector<Medium>& media);
+  bool FindNextEntries(const std::vector<Medium>& media);
+  void DrawPlan(const std::vector<Medium>& media, bool first);
+  void DrawRound(const std::vector<Medium>& media);
+
+  // Numbers of RayCells' entries: those that count in this round, the next ones, and those of the next round.
+  int Last = 0, Next = 1, Then = 2;
+  vtkNew<vtkTextureObject> Plans[2]; // of this round and of the one before
+  int Plan = 0;
+  vtkNew<vtkTextureObject> Faces;
+  vtkNew<vtkOpenGLFramebufferObject> PlanFramebuffer;
+  vtkNew<vtkOpenGLVertexArrayObject> VertexArray;
+  vtkShaderProgram* PlanProgram = nullptr; // owned, as the next, by the window's shader cache
+  vtkShaderProgram* Program = nullptr;
+  int Size[2] = { 0, 0 };
+};
+
+} // namespace nephoscope
+
+#endif

@@ -1,0 +1,138 @@
+//VTK::System::Dec
+//VTK::Output::Dec
+// SPDX-FileCopyrightText: The Nephoscope authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Light of several media that may overlap in space, along a pixel's ray: extinctions add, and every medium emits in proportion to its own.
+// The ray walks through all meshes in step, from one place to the next where any of them has a new piece (RayMedium.glsl).
+//   in:  what a round is to draw (RayPlan.frag.glsl)
+//   out: premultiplied colour and alpha, front to back
+//NEPHOSCOPE::Arrays
+uniform sampler2D roundPlan;    // places from, and up to; bits of the media that enter their meshes again there
+uniform sampler2D enteredFaces; // of each medium: boundary face through which the ray entered; -1: none; -2: starts at the eye
+uniform sampler2D depthRanges;  // where VTK peels surfaces: near and far depth of two ranges, empty where near >= far
+uniform int rangeNumber;        // the one to draw
+uniform float firstPlane;       // distance from the eye's plane of the places 0
+
+//NEPHOSCOPE::Constants
+//NEPHOSCOPE::OpaqueDepth
+//NEPHOSCOPE::OpticalSegment
+//NEPHOSCOPE::MixedSegment
+
+vec4 plan = vec4(0.0);
+vec4 entered = vec4(-1.0);
+vec2 mediaRange = vec2(0.0); // places of this round
+float mediaEnd = 0.0;        // nothing is seen behind
+vec2 beside = vec2(0.0);     // by how many pixels the ray passes the centre of its pixel
+int lostMedium = -1;         // the walk through its mesh is lost
+bool isLastAttempt = false;
+float nextPlace = 0.0;
+
+vec4 mixedLight = vec4(0.0);
+// Sums over the media at both ends of an interval and in its middle: emission, extinction. How many there are, and the last one.
+vec4 mixedFront = vec4(0.0), mixedBack = vec4(0.0);
+vec3 mixedMiddle = vec3(0.0);
+int mixedMedia = 0;
+vec4 soleFront = vec4(0.0), soleBack = vec4(0.0);
+
+void clearMixture()
+{
+  mixedFront = mixedBack = vec4(0.0);
+  mixedMiddle = vec3(0.0);
+  mixedMedia = 0;
+}
+
+void addMixture(float from, float to);
+
+//NEPHOSCOPE::Media
+
+void addMixture(float from, float to)
+{
+  if (mixedMedia == 0)
+  {
+    return;
+  }
+  float length = to - from;
+  vec2 weights = segmentWeights(soleFront.a * length, soleBack.a * length);
+  vec4 added = mixedMedia == 1 ? vec4(weights.x * soleFront.rgb + weights.y * soleBack.rgb, weights.x + weights.y)
+                               : integrateMixed(mixedFront * length, mixedBack * length, mixedMiddle * length);
+#ifdef NEPHOSCOPE_HAZE
+  float place = mix(from, to, hazeMeanPlace(added.a));
+  added = added.a > 0.0 ? hazedLight(added, placeInViewOfFirst(place)) : added;
+#endif
+  mixedLight += (1.0 - mixedLight.a) * added;
+}
+
+vec2 visibleDepths()
+{
+  ivec2 pixel = ivec2(gl_FragCoord.xy);
+  if (useDepthRanges)
+  {
+    vec4 ranges = texelFetch(depthRanges, pixel, 0);
+    return rangeNumber == 0 ? ranges.xy : ranges.zw;
+  }
+  else
+  {
+    return vec2(0.0, texelFetch(opaqueDepth, pixel, 0).r);
+  }
+}
+
+// From the place where the round begins to where it, the light or what is seen ends.
+void walkTogether()
+{
+  const int most = 1 << 20;
+  float end = min(mediaRange.y, mediaEnd);
+  float place = mediaRange.x;
+  lostMedium = -1;
+  for (int i = 0; i < most && place < end && mixedLight.a < 0.9999999; ++i)
+  {
+    goOnInMedia(place);
+    if (lostMedium >= 0 && !isLastAttempt)
+    {
+      return;
+    }
+    nextPlace = end;
+    findEvents(place);
+    if (nextPlace > place)
+    {
+      clearMixture();
+      addMedia(place, nextPlace);
+      addMixture(place, nextPlace);
+      place = nextPlace;
+    }
+  }
+  if (mediaRange.y < mediaEnd)
+  {
+    finishMedia(max(mediaRange.x, mediaRange.y));
+  }
+}
+
+void main()
+{
+  prepareMedia();
+  ivec2 pixel = ivec2(gl_FragCoord.xy);
+  plan = texelFetch(roundPlan, pixel, 0);
+  entered = texelFetch(enteredFaces, pixel, 0);
+  vec2 depths = visibleDepths();
+  vec2 seenPlaces = vec2(-zFromDepth(depths.x), -zFromDepth(depths.y)) - firstPlane;
+  mediaRange = vec2(max(plan.x, seenPlaces.x), plan.y);
+  mediaEnd = seenPlaces.y;
+  bool isEmpty = plan.z > 0.0 ? mediaRange.x >= mediaEnd : mediaRange.x >= min(mediaRange.y, mediaEnd);
+  if (all(equal(entered, vec4(-1.0))) || isEmpty || depths.x >= depths.y)
+  {
+    discard;
+  }
+  lostMedium = -1;
+  for (int attempt = 0; attempt <= 8; ++attempt)
+  {
+    isLastAttempt = attempt == 8;
+    placeBesideOfMedia(attempt);
+    mixedLight = vec4(0.0);
+    startMedia();
+    walkTogether();
+    if (lostMedium < 0)
+    {
+      break;
+    }
+  }
+  gl_FragData[0] = mixedLight;
+}

@@ -1,0 +1,224 @@
+// SPDX-FileCopyrightText: The Nephoscope authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Several volumes of one renderer: those that may cover one another are drawn at once, as one medium, by the first of them.
+#include "vtkCellCompositingMapper.h"
+
+#include "CellCompositingInternals.h"
+#include "CoveredPixels.h"
+#include "ViewState.h"
+#include "vtkCellCompositingProjectedTetrahedraMapper.h"
+#include "vtkCellCompositingRayCastMapper.h"
+
+#include "vtkBoundingBox.h"
+#include "vtkDataSet.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkPropCollection.h"
+#include "vtkRenderer.h"
+
+#include <algorithm>
+
+using nephoscope::PixelRegion;
+
+namespace
+{
+vtkCellCompositingMapper* mapperOf(vtkVolume* volume)
+{
+  vtkAbstractVolumeMapper* mapper = volume->GetMapper();
+  if (auto* inPlace = vtkCellCompositingProjectedTetrahedraMapper::SafeDownCast(mapper))
+  {
+    return inPlace->GetCellCompositingMapper();
+  }
+  if (auto* inPlace = vtkCellCompositingRayCastMapper::SafeDownCast(mapper))
+  {
+    return inPlace->GetCellCompositingMapper();
+  }
+  return vtkCellCompositingMapper::SafeDownCast(mapper);
+}
+
+// Those that the renderer draws: visible, and not culled (vtkCuller).
+bool isDrawn(vtkVolume* volume)
+{
+  const double* bounds = volume->GetVisibility() ? volume->GetBounds() : nullptr;
+  return bounds && vtkBoundingBox::IsValid(bounds) && volume->GetRenderTimeMultiplier() > 0;
+}
+
+PixelRegion pixelsOf(vtkRenderer* renderer, const double bounds[6])
+{
+  const double origin[3] = { 0, 0, 0 };
+  const vtkNew<vtkVolume> world;
+  const nephoscope::ViewState state(renderer, world, origin);
+  int viewport[4] = { 0, 0, 0, 0 };
+  renderer->GetTiledSizeAndOrigin(&viewport[2], &viewport[3], &viewport[0], &viewport[1]);
+  nephoscope::PointBounds box;
+  box.Add({ { bounds[0], bounds[2], bounds[4] } });
+  box.Add({ { bounds[1], bounds[3], bounds[5] } });
+  return nephoscope::coveredPixels(state.View, box, viewport);
+}
+
+bool overlap(const double a[6], const double b[6])
+{
+  for (int axis = 0; axis < 6; axis += 2)
+  {
+    if (std::max(a[axis], b[axis]) >= std::min(a[axis + 1], b[axis + 1]))
+    {
+      return false;
+    }
+  }
+  return true;
+}
+}
+
+// Empty, or why this volume cannot be drawn together with others.
+std::string vtkCellCompositingMapper::ReasonToBeAlone(vtkOpenGLRenderWindow* window)
+{
+  vtkDataSet* input = this->GetDataSetInput();
+  if (!input || input->GetNumberOfCells() == 0)
+  {
+    return "it has no cells";
+  }
+  if (this->Method != RAY_METHOD && this->Method != AUTOMATIC_METHOD)
+  {
+    return "its method is neither Automatic nor Rays";
+  }
+  if (this->Method == AUTOMATIC_METHOD && this->VisibilityOrder != EXACT_ORDER)
+  {
+    return "its order is not Exact";
+  }
+  if (this->Integration != EXACT_INTEGRATION)
+  {
+    return "its integration is not Exact";
+  }
+  if (this->GetNumberOfContourValues() > 0)
+  {
+    return "it has contour values";
+  }
+  this->Internals->Scene.ReadPolygons(input, *this->Contours);
+  if (this->Internals->Scene.GetPolygons().IsUsed())
+  {
+    return "it has polygons between its cells";
+  }
+  return this->ChooseWayOfDrawing(window).empty() && this->MayUseRays()
+    ? std::string()
+    : "this OpenGL driver does not draw rays correctly";
+}
+
+void vtkCellCompositingMapper::WarnAboutMedia(int kind, const std::string& warning)
+{
+  if (this->Internals->MediaWarnings[kind].IsNew(warning))
+  {
+    vtkWarningMacro(<< warning);
+  }
+}
+
+// This volume and those that it may cover, or they one another, in the renderer's order.
+std::vector<vtkCellCompositingMapper::vtkMedium> vtkCellCompositingMapper::FindMedia(
+  vtkOpenGLRenderWindow* window, vtkRenderer* renderer, vtkVolume* volume)
+{
+  struct Candidate
+  {
+    vtkMedium Medium;
+    PixelRegion Pixels;
+    bool Joined;
+  };
+  this->GetInputAlgorithm()->Update();
+  const std::string reason = this->ReasonToBeAlone(window);
+  const vtkMedium alone = { this, volume };
+  std::vector<Candidate> candidates;
+  bool covers = false;
+  vtkCollectionSimpleIterator place;
+  vtkPropCollection* props = renderer->GetViewProps();
+  props->InitTraversal(place);
+  while (vtkProp* prop = props->GetNextProp(place))
+  {
+    auto* other = vtkVolume::SafeDownCast(prop);
+    vtkCellCompositingMapper* mapper = other ? mapperOf(other) : nullptr;
+    if (!mapper || !mapper->GetInputAlgorithm() || (mapper != this && !isDrawn(other)))
+    {
+      continue;
+    }
+    const double* bounds = other->GetBounds();
+    covers = covers || (mapper != this && bounds && overlap(bounds, volume->GetBounds()));
+    if (mapper == this || mapper->ReasonToBeAlone(window).empty())
+    {
+      candidates.push_back(
+        { { mapper, other }, pixelsOf(renderer, other->GetBounds()), mapper == this });
+    }
+  }
+  this->WarnAboutMedia(0,
+    covers && !reason.empty()
+      ? "This volume and another one overlap in space, but are not composited as one medium, because " +
+        reason + ": the one that is drawn later covers the other."
+      : std::string());
+  const std::vector<Candidate> all = candidates;
+  const auto isShared = [&all](const Candidate& candidate) { // by several volumes
+    return std::count_if(all.begin(), all.end(), [&](const Candidate& other) {
+      return other.Medium.Mapper == candidate.Medium.Mapper;
+    }) > 1;
+  };
+  candidates.erase(
+    std::remove_if(candidates.begin(), candidates.end(), isShared), candidates.end());
+  const bool isListed = std::any_of(candidates.begin(), candidates.end(),
+    [](const Candidate& candidate) { return candidate.Joined; });
+  if (!reason.empty() || !isListed)
+  {
+    return { alone };
+  }
+  for (bool found = true; found;)
+  {
+    found = false;
+    for (Candidate& candidate : candidates)
+    {
+      const bool joins = !candidate.Joined &&
+        std::any_of(candidates.begin(), candidates.end(), [&](const Candidate& other) {
+          return other.Joined && nephoscope::haveCommonPixels(candidate.Pixels, other.Pixels);
+        });
+      candidate.Joined = candidate.Joined || joins;
+      found = found || joins;
+    }
+  }
+  std::vector<vtkMedium> media;
+  for (const Candidate& candidate : candidates)
+  {
+    if (candidate.Joined)
+    {
+      media.push_back(candidate.Medium);
+    }
+  }
+  return media;
+}
+
+void vtkCellCompositingMapper::DrawMedia(
+  vtkOpenGLRenderWindow* window, const std::vector<vtkMedium>& media)
+{
+  std::vector<nephoscope::CellCompositingPass::Medium> together;
+  for (const vtkMedium& medium : media)
+  {
+    vtkInternals& internals = *medium.Mapper->Internals;
+    together.push_back({ &internals.Pass, &internals.View->View, &internals.Options });
+  }
+  const bool tooMany = media.size() > nephoscope::RayMedia::Most ||
+    !nephoscope::CellCompositingPass::CanDrawMedia(together);
+  if (media.size() < 2 || tooMany)
+  {
+    this->WarnAboutMedia(1,
+      media.size() < 2 ? std::string()
+                       : std::to_string(media.size()) +
+          " volumes may cover one another, which are more than can be composited as one medium here: "
+          "they are drawn one over the other. Append their data to one.");
+    for (const vtkMedium& medium : media)
+    {
+      medium.Mapper->ReportOnce(medium.Mapper->DrawScene(window, medium.Volume));
+    }
+    return;
+  }
+  for (const vtkMedium& medium : media)
+  {
+    medium.Mapper->Internals->Peeled = nephoscope::VolumePeel::IsRequested(medium.Volume);
+    medium.Mapper->Internals->Picture =
+      medium.Mapper == media.front().Mapper ? nullptr : media.front().Mapper;
+  }
+  vtkInternals& first = *media.front().Mapper->Internals;
+  media.front().Mapper->ReportOnce(first.Peeled
+      ? first.Pass.DrawMediaPeel(window, together, { media.front().Mapper, media.front().Volume })
+      : first.Pass.DrawMedia(window, together));
+}

@@ -1,0 +1,84 @@
+# SPDX-FileCopyrightText: The Nephoscope authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Reference picture of several media that may overlap: along every ray their extinctions add, and each emits in proportion to its own.
+Rays are cut at every cell of every medium and at every control point, and integrated by Gauss-Legendre quadrature in float64."""
+import numpy as np
+
+from . import reference
+
+NODES, WEIGHTS = reference.NODES, reference.WEIGHTS
+PANELS = 4
+
+
+def render(media, view, opaque=None, begin=None):
+    """RGBA (height, width, 4), colour premultiplied. media: (cells, transfer) or (cells, transfer, planes) of each, whose cells do not
+    overlap one another, with the clipping planes of that medium as (origin, normal). opaque, begin: world lengths along the rays."""
+    origins, directions, start, end = view.rays()
+    start = start if begin is None else np.maximum(start, np.ravel(begin))
+    end = end if opaque is None else np.minimum(end, np.ravel(opaque))
+    pieces = []
+    for cells, transfer, *planes in media:
+        first, last = start, end
+        if planes:
+            between = reference.between_planes(view, planes[0])
+            first, last = np.maximum(start, between[0]), np.minimum(end, between[1])
+        pieces.append(_pieces(cells, transfer, view, origins, directions, first, last))
+    pixel, t0, t1 = _intervals(pieces)
+    depth, emission = np.zeros(len(pixel)), np.zeros((len(pixel), 3))
+    passed = np.zeros(len(pixel))
+    for panel in range(PANELS):
+        low = t0 + (t1 - t0) * panel / PANELS
+        step = (t1 - t0) / PANELS
+        t = low[:, None] + step[:, None] * NODES
+        rate, source = _sums(media, pieces, pixel, 0.5 * (t0 + t1), t)
+        ends = _sums(media, pieces, pixel, 0.5 * (t0 + t1), np.stack([low, low + step], axis=1))[0]
+        optical = step[:, None] * (ends[:, :1] * NODES + 0.5 * (ends[:, 1:] - ends[:, :1]) * NODES ** 2)  # extinction is linear
+        weight = WEIGHTS * step[:, None] * np.exp(-passed[:, None] - optical)
+        emission += np.einsum("ij,ijk->ik", weight, source)
+        passed += step * ends.mean(axis=1)
+    return reference.composite(pixel, passed, emission, view)
+
+
+def _pieces(cells, transfer, view, origins, directions, start, end):
+    """(pixel, t0, t1, s0, s1), sorted, of each cell that a ray crosses, cut at the control points."""
+    pixel, t0, t1, s0, s1 = reference._segments(cells, view, origins, directions, start, end)
+    cuts = [np.zeros_like(t0), np.ones_like(t0)]
+    for b in transfer.breakpoints:
+        cuts.append(np.clip(np.divide(b - s0, s1 - s0, out=np.zeros_like(s0), where=s1 != s0), 0, 1))
+    cuts = np.sort(np.stack(cuts, axis=1), axis=1)
+    a, b = cuts[:, :-1], cuts[:, 1:]
+    row, column = np.nonzero(b > a)
+    a, b = a[row, column], b[row, column]
+    mix = lambda low, high, u: low[row] + (high - low)[row] * u
+    parts = (pixel[row], mix(t0, t1, a), mix(t0, t1, b), mix(s0, s1, a), mix(s0, s1, b))
+    order = np.lexsort((parts[1], parts[0]))
+    return [p[order] for p in parts]
+
+
+def _intervals(pieces):
+    """Along every ray between all places where a piece of any medium ends."""
+    pixel = np.concatenate([p for part in pieces for p in (part[0], part[0])])
+    t = np.concatenate([p for part in pieces for p in (part[1], part[2])])
+    order = np.lexsort((t, pixel))
+    pixel, t = pixel[order], t[order]
+    keep = (pixel[1:] == pixel[:-1]) & (t[1:] > t[:-1])
+    return pixel[:-1][keep], t[:-1][keep], t[1:][keep]
+
+
+def _sums(media, pieces, pixel, middle, t):
+    """Extinction, and extinction times colour, of all media at the places t of each interval."""
+    rate, source = np.zeros(t.shape), np.zeros((*t.shape, 3))
+    far = 4 * max([1.0] + [np.abs(part[2]).max() for part in pieces if len(part[2])])
+    for (_, transfer, *_), (at, t0, t1, s0, s1) in zip(media, pieces):
+        if not len(at):
+            continue
+        number = np.searchsorted(at * far + t0, pixel * far + middle, side="right") - 1
+        inside = (number >= 0) & (at[number] == pixel) & (t1[number] > middle)
+        n = number[inside]
+        u = (t[inside] - t0[n, None]) / (t1 - t0)[n, None]
+        a0, a1 = transfer.extinction(s0)[n, None], transfer.extinction(s1)[n, None]
+        c0, c1 = transfer.color(s0)[n, None], transfer.color(s1)[n, None]
+        extinction = a0 + (a1 - a0) * u
+        rate[inside] += extinction
+        source[inside] += extinction[..., None] * (c0 + (c1 - c0) * u[..., None])
+    return rate, source
