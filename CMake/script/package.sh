@@ -41,7 +41,7 @@ test_package()
   rm -rf "$folder"
   # A home where ParaView need not welcome anyone: its dialog would stop the script until someone closes it.
   mkdir -p "$folder/home/.config/ParaView"
-  version=$(paraview --version)
+  version=$(pvpython --version)
   for settings in ParaView "ParaView${version##* }"; do
     printf '[General]\nGeneralSettings.ShowWelcomeDialog=false\n' >"$folder/home/.config/ParaView/$settings.ini"
   done
