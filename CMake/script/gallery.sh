@@ -87,7 +87,17 @@ render_film()
     fail 1 "the film is not complete; the same command goes on with it"
 }
 
-# render_gallery [--films] [FIGURE...]: films of the figures that are named, or of all with --films; else pictures.
+# Whether what a figure needs beside the build is there. A figure of weather data draws in the environment of ensure_data; without a network it is left out.
+has_its_packages()
+{
+  grep -q NEPHOSCOPE_VENV "$1" || return 0
+  venv_is_current || run_logged venv make_venv || true
+  ensure_data
+  [ -f "$NEPHOSCOPE_VENV/requirements-data.txt" ] || { note "${1##*/} is left out: it needs the Python packages for weather data"; return 1; }
+}
+
+# render_gallery [--films] [FIGURE...] [--data FILE]: films of the figures that are named, or of all with --films; else pictures.
+# FILE: what figures of weather data draw in place of the sample.
 render_gallery()
 {
   export NEPHOSCOPE_FILMS=yes
@@ -95,6 +105,13 @@ render_gallery()
     shift
   elif [ $# -eq 0 ]; then
     NEPHOSCOPE_FILMS=no
+  fi
+  if [ $# -ge 2 ] && [ "${*: -2:1}" = --data ]; then
+    NEPHOSCOPE_FIGURE_DATA=$(readlink -f "${*: -1}")
+    [ -r "$NEPHOSCOPE_FIGURE_DATA" ] || usage_error "demo --data: no such file: ${*: -1}"
+    export NEPHOSCOPE_FIGURE_DATA
+    set -- "${@:1:$#-2}"
+    [ $# -gt 0 ] || usage_error "demo --data wants the number of a figure of weather data before it"
   fi
   local figure figures
   mapfile -t figures < <(select_figures "$@")
@@ -106,6 +123,7 @@ render_gallery()
   for figure in "${figures[@]}"; do
     say "      ${figure##*/}  ($(elapsed $SECONDS))"
     build_for_figure "$figure"
+    has_its_packages "$figure" || continue
     ! grep -q NEPHOSCOPE_FORECAST "$figure" || ensure_forecast
     render_figure "$figure"
   done

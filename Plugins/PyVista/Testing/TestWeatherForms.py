@@ -116,6 +116,24 @@ class Forms(unittest.TestCase):
         with self.assertRaisesRegex(ValueError, "only fill values"):
             dataset.assign_coords(nav_lat=dataset.nav_lat * np.nan).nephoscope.globe()
 
+    def test_the_seam_of_an_ocean_model_is_closed_once(self):
+        """Columns round the globe, bent and shifted; without a halo, with one of two columns, and with the first repeated."""
+        columns = np.arange(36)
+        for halo, take in (("none", columns), ("two", np.append(columns, [0, 1])), ("one", np.append(columns, 0))):
+            lat, lon = np.meshgrid(np.linspace(-60, 60, 13), 73.0 + 10 * columns[take], indexing="ij")
+            lat = lat + 3 * np.sin(np.radians(lon))
+            lon = np.mod(lon + 180, 360) - 180
+            value = np.cos(np.radians(lon))
+            dataset = xr.Dataset({"tos": (("y", "x"), value), "nav_lon": (("y", "x"), lon), "nav_lat": (("y", "x"), lat)})
+            grid = dataset.nephoscope.globe()
+            with self.subTest(halo=halo):
+                self.assertEqual(tuple(grid.dimensions), (37, 13, 1))
+                points = np.asarray(grid.points).reshape(13, 37, 3)
+                np.testing.assert_allclose(points[:, 0], points[:, -1], atol=1)
+                np.testing.assert_allclose(np.asarray(grid["tos"]), np.cos(np.arctan2(*np.asarray(grid.points).T[1::-1])), atol=1e-5)
+        half = dataset.isel(x=slice(0, 18)).nephoscope.globe()
+        self.assertEqual(half.dimensions[0], 18)
+
     def test_some_levels_of_a_model(self):
         """Pressures of hybrid levels that are not neighbours are those of their own half levels."""
         a, b = np.array([0.0, 100, 300, 200, 0]), np.array([0.0, 0.1, 0.3, 0.7, 1.0])

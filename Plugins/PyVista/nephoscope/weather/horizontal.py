@@ -32,6 +32,7 @@ class Horizontal:
     projection: Projection | None = None
     notes: list[str] = field(default_factory=list)
     rows: Rows | None = None  # of a reduced Gaussian grid: from its list of points to even rows
+    columns: np.ndarray | None = None  # of a curvilinear grid round the globe: which columns of the file make a closed ring
     missing: np.ndarray | None = None  # True where the file has no place of a point; those points are hidden
 
     @property
@@ -155,6 +156,9 @@ def _given(dataset, dims, lon, lat, projection, variable) -> Horizontal:
         return Horizontal((lat.dims[0], lon.dims[0]), x, y, _regular_kind(y), names)
     x = np.broadcast_to(_on(lon, x, dims), _shape(lon, lat, dims))
     y = np.broadcast_to(_on(lat, y, dims), x.shape)
+    columns = ring(x, y)
+    if columns is not None:
+        x, y = x[:, columns], y[:, columns]
     missing = ~_possible(x, y)
     if missing.all():
         if projection:
@@ -162,9 +166,28 @@ def _given(dataset, dims, lon, lat, projection, variable) -> Horizontal:
         raise GridError(f"{names[0]!r} and {names[1]!r} have no longitude and latitude anywhere, only fill values.")
     kind = projection.name if projection else "curvilinear"
     if not missing.any():
-        return Horizontal(dims, x, y, kind, names, projection)
+        return Horizontal(dims, x, y, kind, names, projection, columns=columns)
     note = f"{missing.sum()} of {missing.size} points have no longitude or latitude: they are hidden"
-    return Horizontal(dims, _filled(x, missing), _filled(y, missing), kind, names, projection, notes=[note], missing=missing)
+    return Horizontal(dims, _filled(x, missing), _filled(y, missing), kind, names, projection, notes=[note], columns=columns, missing=missing)
+
+
+def ring(x: np.ndarray, y: np.ndarray) -> np.ndarray | None:
+    """Columns that close a grid round the globe, as of ocean models: the first once more after the last, or without those that a halo repeats. None if it is no ring."""
+    if x.shape[1] < 8:
+        return None
+    there = _possible(x, y)
+    turn = np.where(there[:, 1:] & there[:, :-1], np.mod(np.diff(x, axis=1) + 180, 360) - 180, 0.0)
+    around = np.median(np.abs(turn.sum(axis=1)))
+    if around < 300:
+        return None
+    a, b = np.radians(x), np.radians(y)
+    places = np.stack([np.cos(b) * np.cos(a), np.cos(b) * np.sin(a), np.sin(b)], -1)
+    step = np.nanmedian(np.linalg.norm(np.diff(places, axis=1), axis=-1))
+    apart = lambda i: np.nanmedian(np.linalg.norm(places[:, i] - places[:, 0], axis=-1)) / step
+    for halo in (-1, -2, -3):
+        if apart(halo) < 0.01:
+            return np.arange(x.shape[1] + halo + 1) if halo < -1 else None
+    return np.append(np.arange(x.shape[1]), 0) if apart(-1) < 2 else None
 
 
 def _possible(x: np.ndarray, y: np.ndarray) -> np.ndarray:

@@ -155,6 +155,8 @@ class Reading:
         found = np.asarray(array.transpose(*order).values)
         if self.horizontal.rows is not None and self.horizontal.dims[0] in order:
             found = self.horizontal.rows(found)
+        elif self.horizontal.columns is not None and self.horizontal.dims[-1] in order:
+            found = found[..., self.horizontal.columns]
         elif len(self.horizontal.dims) == 3 and self.horizontal.dims[0] in order:
             found = found.reshape(*found.shape[:-3], -1)
         return np.where(np.abs(found) > 1e30, np.nan, found) if found.dtype.kind == "f" else found.astype(np.float32)
