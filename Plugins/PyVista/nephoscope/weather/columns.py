@@ -40,7 +40,7 @@ def hypsometric(pressure: np.ndarray, virtual: np.ndarray, surface_pressure: np.
     heights = np.full(p.shape, np.nan)
     last = np.full(p.shape[1:], np.nan)
     for k in range(len(p)):
-        first = above[k] & ~(above[k - 1] if k else False)
+        first = above[k] & ~above[k - 1] if k else above[k]
         from_ground = terrain + scale * t[k] * (np.log(surface_pressure) - p[k])
         from_below = last + scale * 0.5 * (t[k] + t[k - 1]) * (p[k - 1] - p[k]) if k else np.nan
         last = np.where(first, from_ground, np.where(above[k], from_below, np.nan))
