@@ -236,6 +236,17 @@ def _(made):
     made.renderer.AddActor(ball())
 
 
+@scene("cells-of-two-media")
+def _(made):
+    """A plume of unstructured cells in and behind a cloud on a grid."""
+    divide = vtkDataSetTriangleFilter()
+    divide.SetInputData(meshes.image((6, 6, 12), (1 / 6,) * 3, (-0.5, -0.1, -1)))
+    divide.Update()
+    plume = meshes.with_field(divide.GetOutput(), lambda p: np.exp(-9 * ((p[:, 0] - 0.2 * p[:, 2]) ** 2 + (p[:, 1] - 0.4) ** 2)))
+    cells(made, image(), transfer=Transfer([(0, 1, 1, 1)], [(0.1, 0), (1, 2.0)]))
+    cells(made, plume, transfer=Transfer([(0, 1, 0.3, 0)], [(0.2, 0), (1, 5.0)]))
+
+
 @scene("cells-among-peels")
 def _(made):
     made.renderer.SetUseDepthPeeling(1)
