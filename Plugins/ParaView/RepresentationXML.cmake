@@ -44,7 +44,7 @@ endfunction ()
 # The properties that every representation of a medium has, with what is said of this one only.
 set(name CellCompositing)
 set(opacity_array_none "None: the coloured array; smoke, as Flow Volume makes it, is then as opaque as it is dense, whatever it
-          is coloured by.")
+          is coloured by, and clouds that are coloured by Sunlight have the extinction that their light was computed for.")
 set(unit_distance_else "; for smoke, so that its optical depth is 1 through as much of it as the generating polygon is wide")
 nephoscope_configure_text(MediumProperties.xml.in cell_compositing_medium_properties)
 set(name TexturedSplats)

@@ -173,6 +173,22 @@ def check_terrain():
     pvs.Delete(view)
 
 
+def check_light():
+    """Clouds in the sun: coloured by their light, as opaque as the extinction it was computed for, exp(-depth)."""
+    cloud = pvs.Calculator(Input=pvs.Wavelet(WholeExtent=[-6, 6] * 3), ResultArrayName="Extinction", Function="0.1+0*coordsX")
+    light = pvs.Sunlight(Input=cloud, SunDirection=[0, 0, 1])
+    view, display = look_first(light)
+    view.UseColorPaletteForBackground, view.BackgroundColorMode, view.Background = 0, "Single Color", [0, 0, 1]
+    check_display(display, "Sunlight", "Cell Compositing", "Sunlight")
+    check(display.LookupTable.RGBPoints[-4] == 0.6, f"the colours of light go to {display.LookupTable.RGBPoints[-4]}")
+    view.CameraPosition, view.CameraFocalPoint, view.CameraViewUp, view.CameraParallelProjection = [0, -40, 0], [0, 0, 0], [0, 0, 1], 1
+    display.LookupTable.RGBPoints = [0, 0, 0, 0, 1, 0, 0, 0]  # black: blue is what comes through
+    through = image(view)[SIZE[1] // 2, SIZE[0] // 2, 2] / 255
+    expected = math.exp(-12 * light.PointData["ScaledExtinction"].GetRange()[1])
+    check(abs(through - expected) < 0.02, f"{through:.3f} of the light comes through the cloud, for {expected:.3f}")
+    pvs.Delete(view)
+
+
 def check_filters():
     wavelet = pvs.Wavelet(WholeExtent=[-6, 6] * 3)
     view, _ = look_first(wavelet)
@@ -264,6 +280,7 @@ check_smoke()
 check_smoke_on_white()
 check_filters()
 check_terrain()
+check_light()
 check_constant_fields()
 check_vectors()
 check_opacities()

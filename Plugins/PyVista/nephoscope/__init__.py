@@ -29,6 +29,7 @@ if _TYPE_CHECKING:
     from .polyhedra import divide_polyhedra
     from .reader import cf_times, read_cf
     from .samples import sample_data
+    from .satellite import satellite_image
     from .serving import serve
     from .smoke import flow_volume, smoke_puffs
     from .smoke_drawing import add_smoke
@@ -58,6 +59,7 @@ PYVISTA_FUNCTIONS = {
     "divide_polyhedra": "polyhedra",
     "cloud_optics": "optics",
     "sunlight": "light",
+    "satellite_image": "satellite",
     "smooth": "clouds",
     "cloud_surface": "clouds",
     "advect_texture": "advection",

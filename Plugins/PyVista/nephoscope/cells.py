@@ -14,7 +14,7 @@ from ._checks import choose, renamed_argument
 from ._medium import Functions, MediumMapper, add_medium, require_dataset, require_plotter, scalar_array
 from ._options import group, refuse_unknown
 from ._surfaces import CONTOUR_NAMES, POLYGON_NAMES, Contours, Layers, Polygons
-from .light import BRIGHTEST, lit, lit_colours
+from .light import brightest, lit, lit_colours
 from .transfer import OpacityLike
 
 
@@ -40,7 +40,8 @@ def add_cells(plotter: pyvista.BasePlotter, grid: Any, scalars: str | np.ndarray
               layers: Mapping[int, Any] | Sequence[Any] | None = None, layer_scalars: str | None = None,
               name: str | None = None, show_scalar_bar: bool | None = None, scalar_bar_args: dict | None = None,
               reset_camera: bool | None = None, pickable: bool = True, user_matrix: Any = None,
-              render: bool = True, preset: str | bool | None = None, sun: Any = None, **old: Any) -> pyvista.Volume:
+              render: bool = True, preset: str | bool | None = None, sun: Any = None, exposure: float = 1.0,
+              tone_mapping: str = "linear", **old: Any) -> pyvista.Volume:
     """Add a grid of 3-D cells to a plotter as a volume drawn by `vtkCellCompositingMapper`.
 
     The extinction coefficient is opacity * `opacity_scale` / `opacity_unit_distance`. Extinction and colour vary linearly inside each
@@ -141,6 +142,10 @@ def add_cells(plotter: pyvista.BasePlotter, grid: Any, scalars: str | np.ndarray
         arguments of `sunlight`. True: the light that `grid` has, otherwise that of `sunlight`. Without an extinction, `cloud_optics`
         computes it from the water of `grid`. `scalars`, opacities and the unit distance are then those of light; `cmap`, `clim` and `opacity_scale` may
         be given.
+    exposure : float, default: 1.0
+        With `sun`: multiplies the light, > 0. At 1 a light of 0.6 is white.
+    tone_mapping : {"linear", "filmic"}, default: "linear"
+        With `sun`: filmic keeps the differences of bright clouds, as a film does. Both end in the encoding of the display.
     **old
         Earlier names of options, with a DeprecationWarning that tells the present one: `unit_distance`, `contour_opacity`, `contour_color`,
         `contour_scalars`, `contour_lighting`, `smooth_contours`, `polygon_opacity` and `polygon_color`.
@@ -173,7 +178,8 @@ def add_cells(plotter: pyvista.BasePlotter, grid: Any, scalars: str | np.ndarray
         grid = lit(_solid_grid(grid, {}), sun)
         densest = float(np.max(grid["ScaledExtinction"])) or 1.0
         scalars, opacity_scalars, opacity, opacity_clim, opacity_unit_distance = "Sunlight", "ScaledExtinction", "linear", (0.0, densest), 1 / densest
-        cmap, clim = lit_colours() if cmap is None else cmap, (0.0, BRIGHTEST) if clim is None else clim
+        cmap = lit_colours(n_colors, tone_mapping) if cmap is None else cmap
+        clim = (0.0, brightest(exposure, tone_mapping)) if clim is None else clim
     grid, array_name, association = scalar_array(
         _solid_grid(grid, {"scalars": scalars, "opacity_scalars": opacity_scalars, "contours['scalars']": surfaces.scalars,
                            "layer_scalars": layer_scalars}), scalars, preference)

@@ -13,10 +13,12 @@ from . import vtkSunlight
 from ._checks import require_number
 from ._pipeline import vtk_messages
 from .optics import cloud_optics
+from .tone import checked, toned
 
 # What the messages of vtkSunlight say, and what it is called here.
 _NAMES = {"Make one by Cloud Optics": "Make one by cloud_optics", "set ExtinctionArrayName": "name one by extinction", "ExtinctionArrayName": "extinction", "SunDirection": "direction", "DateTime": "time"}
 BRIGHTEST = 0.6  # light that is drawn white
+FILMIC_RANGE = 4.0  # times that, and the filmic curve is nearly white
 
 
 def sunlight(mesh: pyvista.DataSet, direction: Sequence[float] | None = None, *, time: str = "", place: Sequence[float] = (0.0, 0.0),
@@ -131,8 +133,14 @@ def lit(mesh: pyvista.DataSet, sun: Any) -> pyvista.DataSet:
     return sunlight(mesh, **options)
 
 
-def lit_colours(count: int = 256) -> list[str]:
-    """From night over blue shadows to warm white: the colours of light from 0 to its brightest, as a display shows them (gamma 2.2)."""
-    tone = np.linspace(0, 1, count)[:, None] ** (1 / 2.2)
+def lit_colours(count: int = 256, tone_mapping: str = "linear") -> list[str]:
+    """From night over blue shadows to warm white: the colours of light from 0 to `brightest(tone_mapping)`, as a display shows them."""
+    light = np.linspace(0, 1, count)[:, None]
+    tone = light ** (1 / 2.2) if checked(tone_mapping) == "linear" else toned(light * FILMIC_RANGE, 1.0, "filmic")
     colours = tone * (np.array([1.0, 0.985, 0.955]) + (1 - tone) * np.array([-0.10, -0.03, 0.10]))
     return ["#%02x%02x%02x" % tuple(colour) for colour in np.rint(255 * np.clip(colours, 0, 1)).astype(int)]
+
+
+def brightest(exposure: float = 1.0, tone_mapping: str = "linear") -> float:
+    """The light that the last colour is for: white, at an exposure of 1 and without a tone curve 0.6."""
+    return BRIGHTEST / require_number(exposure, "exposure", above=0) * (1 if checked(tone_mapping) == "linear" else FILMIC_RANGE)

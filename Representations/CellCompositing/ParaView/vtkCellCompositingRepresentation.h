@@ -104,6 +104,7 @@ private:
   std::size_t CountLayers() const;
   vtkColorTransferFunction* FindLayerColors(std::size_t layer);
   void PrepareOpacity(vtkDataSet* cells);
+  void FollowDensity(vtkDataArray* density, bool isExtinction);
   bool DrawsSmoke(vtkDataSet* cells) const;
 
   vtkNew<vtkCellCompositingMapper> Mapper;

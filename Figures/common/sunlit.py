@@ -1,0 +1,140 @@
+# SPDX-FileCopyrightText: The Nephoscope authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""What the figures of sunlight share: lit clouds, and pictures of them and of the ground in floating point, with a tone curve and captions."""
+import os
+
+import nephoscope
+import numpy
+from nephoscope import light_image, tone
+from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+from vtkmodules.vtkCommonDataModel import vtkImageData
+from vtkmodules.vtkIOImage import vtkJPEGReader, vtkPNGWriter
+from vtkmodules.vtkRenderingCore import vtkCamera
+
+import air
+import globe_scene
+
+SKY_LIGHT = 0.08
+
+
+def lit_clouds(fields, exaggeration, sun, eye, projection="globe", ground_albedo=0.1, scale=1.0):
+    """Sunlight on the clouds of longitude-latitude-level fields; `sun`: a direction, or a date and time."""
+    globe = nephoscope.vtkGlobeGrid()
+    globe.SetInputData(fields)
+    globe.SetVerticalExaggeration(exaggeration)
+    globe.SetMaskBelowGround(False)
+    globe.SetWindArrayNames("", "", "")
+    if projection == "map":
+        globe.SetProjectionToMap()
+    optics = nephoscope.vtkCloudOptics()
+    optics.SetInputConnection(globe.GetOutputPort())
+    optics.SetTotalWaterArrayName("clwmr")
+    light = nephoscope.vtkSunlight()
+    light.SetInputConnection(optics.GetOutputPort())
+    if isinstance(sun, str):
+        light.SetDateTime(sun)
+    else:
+        light.SetSunDirection(*sun)
+    light.SetExtinctionScale(scale)
+    light.SetGroundAlbedo(ground_albedo)
+    light.SetSkyLight(SKY_LIGHT)
+    light.UseViewPositionOn()
+    light.SetViewPosition(*eye)
+    light.Update()
+    return light.GetOutput()
+
+
+def camera(eye, focus, up, angle):
+    made = vtkCamera()
+    made.SetPosition(*eye)
+    made.SetFocalPoint(*focus)
+    made.SetViewUp(*up)
+    made.SetViewAngle(angle)
+    return made
+
+
+def blue_marble():
+    """Its reflectances, (latitude, longitude, 3), from the north and from 180 degrees west."""
+    reader = vtkJPEGReader()
+    reader.SetFileName(os.path.join(globe_scene.DATA, "blue_marble_2048.jpg"))
+    reader.Update()
+    width, height, _ = reader.GetOutput().GetDimensions()
+    encoded = vtk_to_numpy(reader.GetOutput().GetPointData().GetScalars()).reshape(height, width, 3)[::-1]
+    return tone.decoded(encoded / 255.0)
+
+
+def ground_colours(places):
+    """Blue Marble at places on the globe, between its pixels."""
+    picture = blue_marble()
+    longitude, latitude = light_image.longitudes_latitudes(numpy.nan_to_num(places))
+    height, width, _ = picture.shape
+    x, y = (longitude + 180) / 360 * width - 0.5, (90 - latitude) / 180 * height - 0.5
+    i, j = numpy.floor(x).astype(int), numpy.clip(numpy.floor(y).astype(int), 0, height - 2)
+    a, b = (x - i)[..., None], numpy.clip(y - j, 0, 1)[..., None]
+    rows = [(1 - a) * picture[j + k, i % width] + a * picture[j + k, (i + 1) % width] for k in (0, 1)]
+    return (1 - b) * rows[0] + b * rows[1]
+
+
+class View:
+    """A camera and the pixels of a picture, `samples` x `samples` rays in each."""
+
+    def __init__(self, camera, size, samples):
+        self.camera, self.samples, self.size = camera, samples, [samples * length for length in size]
+        self.origin, self.direction = light_image.rays(camera, self.size)
+
+    def average(self, light):
+        height, width = light.shape[0] // self.samples, light.shape[1] // self.samples
+        return light.reshape(height, self.samples, width, self.samples, -1).mean(axis=(1, 3))
+
+    def globe(self, clouds, exaggeration, flat=None):
+        """Light of clouds, ground and air, (height, width, 3); with `flat`, clouds that all send this light, over a ground without shadows."""
+        light, hidden = light_image.light_of_clouds(clouds, self.camera, self.size)
+        radius, sun = light_image.planet_radius(clouds), light_image.sun_of(clouds)
+        scattering = air.Air(radius, exaggeration, sun)
+        if flat is not None:
+            return self.average(flat * hidden[..., None] + (1 - hidden[..., None]) * self.bare_ground(clouds))
+        places = light_image.meet_ground(clouds, self.origin, self.direction)
+        on_ground = numpy.isfinite(places[..., :1])
+        cosine = light_image.zenith_cosine(clouds, places)
+        arriving = light_image.at_ground(clouds, places, "Irradiance", light_image.clear_irradiance(cosine, SKY_LIGHT))
+        ground = numpy.where(on_ground, ground_colours(places) * (arriving[..., None] * self.tint(scattering, places)), 0)
+        stop = numpy.linalg.norm(places - self.origin, axis=-1)
+        glow, passing = (self.finer(x) for x in scattering.before(*(x[::self.samples, ::self.samples] for x in (self.origin, self.direction, stop))))
+        hidden = hidden[..., None]
+        high = self.tint(scattering, self.cloud_places(radius + 6000 * exaggeration))
+        clouds_seen = light * high * (0.5 + 0.5 * passing)  # half of the air is below them
+        return self.average(clouds_seen + (1 - hidden) * ground * passing + glow * (1 - 0.5 * hidden))
+
+    def bare_ground(self, clouds):
+        places = light_image.meet_ground(clouds, self.origin, self.direction)
+        return numpy.where(numpy.isfinite(places[..., :1]), 0.8 * ground_colours(places), 0)
+
+    def cloud_places(self, radius):
+        """Where the rays come nearest to a sphere, or meet it."""
+        middle = -(self.origin * self.direction).sum(-1)
+        root = radius**2 - (self.origin**2).sum(-1) + middle**2
+        return self.origin + (middle - numpy.sqrt(numpy.maximum(root, 0)))[..., None] * self.direction
+
+    @staticmethod
+    def tint(scattering, places):
+        """Sunlight's colour at places, its green is 1; softened by the light of the sky, which is not reddened."""
+        colour = scattering.sunlight(numpy.nan_to_num(places, nan=1.0)) + 0.2
+        return colour / colour[..., 1:2]
+
+    def finer(self, values):
+        return values.repeat(self.samples, axis=0).repeat(self.samples, axis=1)
+
+
+def write(light, path, exposure, tone_mapping="filmic", announce=True):
+    """Light (height, width, 3), from the top, as a PNG."""
+    height, width, _ = light.shape
+    shown = numpy.rint(255 * tone.toned(light, exposure, tone_mapping)).astype(numpy.uint8)
+    image = vtkImageData()
+    image.SetDimensions(width, height, 1)
+    image.GetPointData().SetScalars(numpy_to_vtk(numpy.ascontiguousarray(shown[::-1]).reshape(-1, 3), deep=1))
+    writer = vtkPNGWriter()
+    writer.SetInputData(image)
+    writer.SetFileName(path)
+    writer.Write()
+    if announce:
+        print("wrote", path)

@@ -1,0 +1,167 @@
+# SPDX-FileCopyrightText: The Nephoscope authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""nephoscope.satellite_image against closed forms and energy: reflectances, places, the file; and the tone curve of pictures."""
+import os
+import unittest
+from pathlib import Path
+
+import nephoscope
+import numpy as np
+import pyvista
+from nephoscope import tone
+
+OUTPUT = Path(os.environ["NEPHOSCOPE_TEST_OUTPUT"])
+WIDE, LEVELS = 20.0, 41
+
+
+def slab(depth):
+    """Level cloud of thickness 1, so wide that no ray leaves it through a side."""
+    grid = pyvista.ImageData(dimensions=(5, 5, LEVELS), spacing=(WIDE, WIDE, 1 / (LEVELS - 1)))
+    grid.point_data["Extinction"] = np.full(grid.n_points, float(depth))
+    return grid
+
+
+def middle(image):
+    height, width = image.reflectance.shape
+    return image.reflectance[height // 2, width // 2]
+
+
+def towards(cosine):
+    return (np.sqrt(1 - cosine**2), 0, cosine)
+
+
+def globe(extinction, columns=37, rows=19):
+    grid = pyvista.RectilinearGrid(np.linspace(0, 360, columns)[:-1], np.linspace(-90, 90, rows), [0.0, 5000.0, 10000.0])
+    made = grid.nephoscope.globe(level_units="m", vertical_exaggeration=10, mask_below_ground=False)
+    made.point_data["Extinction"] = np.full(made.n_points, float(extinction))
+    return made
+
+
+class Slab(unittest.TestCase):
+    def test_single_scattering(self):
+        """albedo / 4 mu0 / (mu + mu0) (1 - exp(-depth (1 / mu + 1 / mu0))), with isotropic scattering."""
+        for sun, view in ((1.0, 1.0), (0.6, 1.0), (0.8, 0.5), (0.3, 0.7)):
+            sun_options = {"direction": towards(sun), "multiple_scattering": False, "sky_light": 0, "albedo": 0.9, "asymmetry": 0.0}
+            image = nephoscope.satellite_image(slab(0.8), towards(view), sun=sun_options, size=(21, 21), ground_albedo=0)
+            expected = 0.9 / 4 * sun / (sun + view) * (1 - np.exp(-0.8 * (1 / sun + 1 / view)))
+            self.assertAlmostEqual(middle(image), expected, delta=2e-3 * expected)
+
+    def test_energy(self):
+        """Light that leaves in all directions is the upward irradiance of the solver."""
+        sun = {"direction": towards(0.8), "sky_light": 0}
+        cosines, weights = np.polynomial.legendre.leggauss(4)
+        cosines, weights, azimuths = 0.5 * (cosines + 1), 0.5 * weights, np.pi * (np.arange(6) + 0.5) / 6
+        images = [nephoscope.satellite_image(slab(6), view, sun=sun, size=(11, 11), ground_albedo=0)
+                  for view in ((np.sqrt(1 - c**2) * np.cos(a), np.sqrt(1 - c**2) * np.sin(a), c) for c in cosines for a in azimuths)]
+        upward = slab(6).nephoscope.sunlight(**sun, ground_albedo=0).point_data["UpwardIrradiance"].reshape(LEVELS, -1)[-1, 12]
+        radiances = np.reshape([middle(image) for image in images], (4, 6)).mean(axis=1)
+        self.assertAlmostEqual(float(2 * weights * cosines @ radiances), upward, delta=0.05 * upward)
+
+    def test_ground(self):
+        bare = nephoscope.satellite_image(slab(0), "nadir", sun={"direction": towards(0.5), "sky_light": 0}, size=(20, 20), ground_albedo=0.3)
+        self.assertAlmostEqual(middle(bare), 0.15, places=5)
+        self.assertAlmostEqual(bare.normalized()[10, 10], 0.3, places=5)
+        black = nephoscope.satellite_image(slab(0), "nadir", sun=towards(0.5), size=(20, 20), ground_albedo=0)
+        self.assertEqual(np.nanmax(black.reflectance), 0)
+
+    def test_thick_is_bright_and_below_1(self):
+        reflectances = [middle(nephoscope.satellite_image(slab(depth), sun={"direction": (0, 0, 1), "sky_light": 0}, size=(8, 8))) for depth in (0.1, 1, 5, 20)]
+        self.assertEqual(reflectances, sorted(reflectances))
+        self.assertGreater(reflectances[-1], 0.5)
+        self.assertLess(reflectances[-1], 1)
+
+
+class Globe(unittest.TestCase):
+    def image(self, extinction=0.0, view="geostationary", **options):
+        options = {"sun": {"direction": (1, 0, 0), "sky_light": 0}, "size": (81, 81), "longitude": 60.0, "ground_albedo": 0.3, **options}
+        return nephoscope.satellite_image(globe(extinction), view, **options)
+
+    def test_geostationary_places(self):
+        image = self.image()
+        self.assertAlmostEqual(image.longitude[40, 40], 60, places=6)
+        self.assertAlmostEqual(image.latitude[40, 40], 0, places=6)
+        self.assertGreater(image.latitude[20, 40], 10)
+        self.assertGreater(image.longitude[40, 60], 70)
+        self.assertTrue(np.isnan(image.reflectance[0, 0]))
+
+    def test_ground_is_that_of_lambert_and_night_is_black(self):
+        image = self.image()
+        seen = np.isfinite(image.longitude) & (np.abs(image.latitude) < 80)
+        cosine = np.cos(np.radians(image.latitude)) * np.cos(np.radians(image.longitude))
+        day, night = seen & (cosine > 0.2), seen & (cosine < -0.2)
+        np.testing.assert_allclose(image.reflectance[day], 0.3 * cosine[day], atol=0.01)
+        self.assertGreater(night.sum(), 100)
+        self.assertEqual(image.reflectance[night].max(), 0)
+        np.testing.assert_allclose(np.cos(np.radians(image.sun_zenith[seen])), cosine[seen], atol=1e-6)
+
+    def test_clouds_are_dark_at_night(self):
+        image = self.image(1e-4, longitude=170.0)
+        self.assertLess(np.abs(image.reflectance[30:50, 30:50]).max(), 1e-9)
+        self.assertGreater(np.nanmax(image.reflectance), 0)  # at the limb is day
+
+    def test_nadir_is_a_map(self):
+        image = self.image(view="nadir", size=(72, 36))
+        np.testing.assert_allclose(np.diff(image.longitude, axis=1), 5, atol=1e-3)
+        np.testing.assert_allclose(np.diff(image.latitude, axis=0), -5, atol=1e-3)
+
+    def test_nadir_of_cloud_is_that_of_a_slab(self):
+        """Below the sun, of the mean over all directions."""
+        image = self.image(2e-5, view="nadir", size=(72, 36), ground_albedo=0)
+        at = np.unravel_index(np.nanargmin(image.sun_zenith), image.sun_zenith.shape)
+        lit = globe(2e-5).nephoscope.sunlight((1, 0, 0), ground_albedo=0, sky_light=0)
+        source, beta = (lit.point_data[name].reshape(3, -1) for name in ("Sunlight", "ScaledExtinction"))
+        column = np.argmax(lit.points[:source.shape[1], 0])
+        steps = np.linspace(0, 2, 2001)  # from the top down
+        s, b = (np.interp(steps, [0, 1, 2], values[::-1, column]) for values in (source, beta))
+        depth = np.cumsum(b) * (1e5 / 2000)
+        self.assertAlmostEqual(image.reflectance[at], float((s * np.exp(-depth) * b).sum() * (1e5 / 2000)), delta=0.02)
+
+    def test_file(self):
+        path = OUTPUT / "TestSatellite.nc"
+        image = self.image()
+        image.save(path)
+        from scipy.io import netcdf_file
+        with netcdf_file(path, mmap=False) as back:
+            np.testing.assert_array_equal(back.variables["reflectance"][:], image.reflectance.astype(np.float32))
+            self.assertEqual(back.variables["lat"].standard_name, b"latitude")
+            self.assertEqual(back.variables["reflectance"].coordinates, b"lon lat")
+            self.assertEqual(back.Conventions, b"CF-1.8")
+
+    def test_wrong(self):
+        mesh = globe(0)
+        for error, words, options in (
+                (ValueError, "mesh has no light: give sun", {}),
+                (ValueError, "view is 'above'", {"view": "above", "sun": True}),
+                (ValueError, "must be width and height", {"size": (3,), "sun": True}),
+                (ValueError, "ground_albedo must be", {"ground_albedo": 2, "sun": True})):
+            with self.subTest(words), self.assertRaisesRegex(error, words):
+                nephoscope.satellite_image(mesh, **options)
+        with self.assertRaisesRegex(ValueError, "which needs data on a globe"):
+            nephoscope.satellite_image(slab(1), "geostationary", sun=True)
+        with self.assertRaisesRegex(TypeError, "must be a pyvista dataset"):
+            nephoscope.satellite_image([1, 2])
+        with self.assertRaisesRegex(ValueError, "must end in .nc"):
+            self.image().save("a.tif")
+        with self.assertRaisesRegex(ValueError, "'linear', 'filmic'"):
+            self.image().picture(tone_mapping="log")
+
+
+class Tone(unittest.TestCase):
+    def test_srgb(self):
+        values = np.linspace(0, 1, 101)
+        np.testing.assert_allclose(tone.decoded(tone.encoded(values)), values, atol=1e-6)
+        self.assertAlmostEqual(float(tone.encoded(np.array(0.214))), 0.5, places=3)  # middle grey
+
+    def test_exposure_and_curve(self):
+        light = np.linspace(0, 4, 200)
+        np.testing.assert_allclose(tone.toned(light, 0.5), tone.encoded(light / 2))
+        curve = tone.filmic(light)
+        self.assertTrue((np.diff(curve) > 0).all() and curve[0] == 0 and curve[-1] < 1)
+
+    def test_picture(self):
+        image = nephoscope.satellite_image(slab(5), sun=(0, 0, 1), size=(8, 8))
+        self.assertEqual(image.picture(1, "linear")[4, 4], round(255 * float(tone.encoded(middle(image)))))
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,192 @@
+# SPDX-FileCopyrightText: The Nephoscope authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""The light that reaches a camera from lit clouds and the ground below, in floating point. Needs VTK alone.
+
+Light of 1 is that of a white surface that faces the sun. Rows of an image begin at the top.
+"""
+from __future__ import annotations
+
+from typing import Any, Sequence
+
+import numpy as np
+import vtkmodules.vtkRenderingVolumeOpenGL2  # noqa: F401
+from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkCommonDataModel import vtkDataSet, vtkImageData, vtkPiecewiseFunction, vtkStructuredGrid
+from vtkmodules.vtkFiltersSources import vtkPlaneSource, vtkSphereSource
+from vtkmodules.vtkRenderingCore import (vtkActor, vtkCamera, vtkColorTransferFunction, vtkPolyDataMapper, vtkRenderer, vtkRenderWindow,
+                                         vtkVolume)
+
+from . import vtkCellCompositingMapper
+
+SKY_BELOW = 0.1  # cosine of the zenith angle below the horizon at which the sky is dark, as in vtkSunlight
+
+
+def planet_radius(data: vtkDataSet) -> float:
+    """The radius of the planet below a globe of Globe Grid; 0 for other data."""
+    def value(name: str, otherwise: float) -> float:
+        array = data.GetFieldData().GetArray(name)
+        return array.GetComponent(0, 0) if array and array.GetNumberOfTuples() else otherwise
+    return value("PlanetRadius", 0.0) if value("GlobeGridProjection", 1) == 0 else 0.0
+
+
+def sun_of(data: vtkDataSet) -> np.ndarray:
+    """The direction towards the sun that vtkSunlight has noted."""
+    return np.array(data.GetFieldData().GetArray("SunDirection").GetTuple(0))
+
+
+def light_of_clouds(data: vtkDataSet, camera: vtkCamera, size: Sequence[int], arrays: Sequence[str] = ("Sunlight",)) -> tuple[np.ndarray, np.ndarray]:
+    """The light of each array of source functions that comes through the clouds to the camera, (height, width, arrays), and the share
+    of what is behind them that they hide, (height, width)."""
+    window, renderer, volume = _scene(data, camera, size)
+    mapper, light, alpha = volume.GetMapper(), [], None
+    for name in arrays:
+        brightest = max(float(np.nanmax(vtk_to_numpy(data.GetPointData().GetArray(name)))), 1e-30)
+        colours = vtkColorTransferFunction()
+        colours.AddRGBPoint(0, 0, 0, 0)
+        colours.AddRGBPoint(brightest, 1, 1, 1)
+        volume.GetProperty().SetColor(colours)
+        mapper.SelectScalarArray(name)
+        window.Render()
+        rgba = _float_image(mapper)
+        light.append(brightest * rgba[..., 0])
+        alpha = rgba[..., 3]
+    window.Finalize()
+    return np.stack(light, axis=-1), alpha
+
+
+def _scene(data: vtkDataSet, camera: vtkCamera, size: Sequence[int]) -> tuple[vtkRenderWindow, vtkRenderer, vtkVolume]:
+    window, renderer = vtkRenderWindow(), vtkRenderer()
+    window.SetOffScreenRendering(1)
+    window.SetMultiSamples(0)
+    window.SetSize(*size)
+    window.AddRenderer(renderer)
+    renderer.AddActor(_ground_actor(data))
+    volume = vtkVolume()
+    mapper = vtkCellCompositingMapper()
+    mapper.SetInputData(data)
+    mapper.SetScalarModeToUsePointFieldData()
+    mapper.SetOpacityArrayName("ScaledExtinction")
+    volume.SetMapper(mapper)
+    densest = max(float(vtk_to_numpy(data.GetPointData().GetArray("ScaledExtinction")).max()), 1e-30)
+    opacity = vtkPiecewiseFunction()
+    opacity.AddPoint(0, 0)
+    opacity.AddPoint(densest, 1)
+    volume.GetProperty().SetScalarOpacity(opacity)
+    volume.GetProperty().SetScalarOpacityUnitDistance(1 / densest)
+    renderer.AddVolume(volume)
+    renderer.SetActiveCamera(camera)
+    renderer.ResetCameraClippingRange()
+    return window, renderer, volume
+
+
+def _ground_actor(data: vtkDataSet) -> vtkActor:
+    """What hides clouds behind the planet or below the ground."""
+    radius = planet_radius(data)
+    if radius > 0:
+        source = vtkSphereSource()
+        source.SetRadius(radius)
+        source.SetThetaResolution(720)
+        source.SetPhiResolution(360)
+    else:
+        x0, x1, y0, y1, z, _ = data.GetBounds()
+        reach = 50 * (x1 - x0 + y1 - y0)
+        source = vtkPlaneSource()
+        source.SetOrigin(x0 - reach, y0 - reach, z)
+        source.SetPoint1(x1 + reach, y0 - reach, z)
+        source.SetPoint2(x0 - reach, y1 + reach, z)
+    mapper = vtkPolyDataMapper()
+    mapper.SetInputConnection(source.GetOutputPort())
+    actor = vtkActor()
+    actor.SetMapper(mapper)
+    actor.GetProperty().LightingOff()
+    actor.GetProperty().SetColor(0, 0, 0)
+    return actor
+
+
+def _float_image(mapper: Any) -> np.ndarray:
+    image = vtkImageData()
+    if not mapper.CopyFloatImage(image):
+        raise RuntimeError("The clouds could not be drawn in floating point.")
+    width, height, _ = image.GetDimensions()
+    return vtk_to_numpy(image.GetPointData().GetArray("RGBA")).reshape(height, width, 4)[::-1].astype(np.float64)
+
+
+def rays(camera: vtkCamera, size: Sequence[int]) -> tuple[np.ndarray, np.ndarray]:
+    """Origins and unit directions of the rays through the middles of the pixels, (height, width, 3)."""
+    ahead, up = np.array(camera.GetDirectionOfProjection()), np.array(camera.GetViewUp())
+    right = np.cross(ahead, up)
+    right /= np.linalg.norm(right)
+    up = np.cross(right, ahead)
+    width, height = size
+    half = camera.GetParallelScale() if camera.GetParallelProjection() else np.tan(np.radians(camera.GetViewAngle()) / 2)
+    x = half * (2 * np.arange(width) + 1 - width)[None, :, None] / height
+    y = half * (height - 1 - 2 * np.arange(height))[:, None, None] / height
+    origin = np.broadcast_to(np.array(camera.GetPosition()), (height, width, 3))
+    if camera.GetParallelProjection():
+        return origin + x * right + y * up, np.broadcast_to(ahead, (height, width, 3))
+    direction = ahead + x * right + y * up
+    return origin, direction / np.linalg.norm(direction, axis=-1, keepdims=True)
+
+
+def meet_ground(data: vtkDataSet, origin: np.ndarray, direction: np.ndarray) -> np.ndarray:
+    """Places where rays meet the ground, (height, width, 3); NaN where they do not."""
+    radius = planet_radius(data)
+    if radius > 0:
+        middle = (origin * direction).sum(-1)
+        root = middle**2 - (origin**2).sum(-1) + radius**2
+        along = -middle - np.sqrt(np.where(root >= 0, root, np.nan))
+    else:
+        with np.errstate(divide="ignore", invalid="ignore"):
+            along = (data.GetBounds()[4] - origin[..., 2]) / direction[..., 2]
+    return origin + np.where(along > 0, along, np.nan)[..., None] * direction
+
+
+def longitudes_latitudes(places: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Degrees of places on a globe."""
+    return np.degrees(np.arctan2(places[..., 1], places[..., 0])), np.degrees(np.arctan2(places[..., 2], np.hypot(places[..., 0], places[..., 1])))
+
+
+def zenith_cosine(data: vtkDataSet, places: np.ndarray) -> np.ndarray:
+    """Cosine of the angle between the sun and the vertical."""
+    sun = sun_of(data)
+    if planet_radius(data) > 0:
+        return (places @ sun) / np.linalg.norm(places, axis=-1)
+    return np.where(np.isfinite(places[..., 2]), sun[2], np.nan)
+
+
+def clear_irradiance(cosine: np.ndarray, sky_light: float) -> np.ndarray:
+    """The light that arrives at the ground where there are no clouds."""
+    return np.maximum(cosine, 0) + sky_light * np.clip((cosine + SKY_BELOW) / (1 + SKY_BELOW), 0, 1)
+
+
+def at_ground(data: vtkDataSet, places: np.ndarray, name: str, otherwise: np.ndarray) -> np.ndarray:
+    """The array at the lowest level of a structured grid above the places; `otherwise` beside the grid, and for other data."""
+    size = [0, 0, 0]
+    if not isinstance(data, vtkStructuredGrid):
+        return otherwise
+    data.GetDimensions(size)
+    lowest = vtk_to_numpy(data.GetPoints().GetData()).reshape(size[2], size[1], size[0], 3)[0].astype(float)
+    values = vtk_to_numpy(data.GetPointData().GetArray(name)).reshape(size[2], size[1], size[0])[0].astype(float)
+    if planet_radius(data) > 0:
+        x, y = longitudes_latitudes(lowest)
+        at_x, at_y = longitudes_latitudes(places)
+        middle = size[1] // 2
+        x = np.degrees(np.unwrap(np.radians(x[middle])))
+        y = y[:, 0]
+        x, values = (x, values) if x[-1] > x[0] else (x[::-1], values[:, ::-1])
+        at_x = x[0] + (at_x - x[0]) % 360
+    else:
+        x, y, at_x, at_y = lowest[0, :, 0], lowest[:, 0, 1], places[..., 0], places[..., 1]
+    return _bilinear(x, y, values, at_x, at_y, otherwise)
+
+
+def _bilinear(x: np.ndarray, y: np.ndarray, values: np.ndarray, at_x: np.ndarray, at_y: np.ndarray, otherwise: np.ndarray) -> np.ndarray:
+    if y[-1] < y[0]:
+        y, values = y[::-1], values[::-1]
+    inside = (at_x >= x[0]) & (at_x <= x[-1]) & (at_y >= y[0]) & (at_y <= y[-1])
+    i = np.clip(np.searchsorted(x, np.where(inside, at_x, x[0]), "right") - 1, 0, len(x) - 2)
+    j = np.clip(np.searchsorted(y, np.where(inside, at_y, y[0]), "right") - 1, 0, len(y) - 2)
+    a = np.where(inside, (at_x - x[i]) / (x[i + 1] - x[i]), 0)
+    b = np.where(inside, (at_y - y[j]) / (y[j + 1] - y[j]), 0)
+    mixed = (1 - b) * ((1 - a) * values[j, i] + a * values[j, i + 1]) + b * ((1 - a) * values[j + 1, i] + a * values[j + 1, i + 1])
+    return np.where(inside, mixed, otherwise)
