@@ -12,6 +12,7 @@
 #include "vtkProbeFilter.h"
 #include "vtkSMPTools.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace nephoscope
@@ -47,40 +48,67 @@ public:
 
   void Make()
   {
-    this->Grid.Spacing.resize(this->Places.size());
+    this->Grid.Step.resize(this->Places.size());
     this->Axes.Axes.resize(this->Places.size());
-    vtkSMPTools::For(0, this->Grid.Size[2], [this](vtkIdType begin, vtkIdType end) {
+    this->ForLevels([this](const std::array<int, 3>& at) { this->MakePoint(at); });
+    this->ForLevels([this](const std::array<int, 3>& at) { this->WidenPole(at); });
+    this->Grid.Periodic = this->IsClosed();
+  }
+
+private:
+  template <typename Body>
+  void ForLevels(Body body)
+  {
+    vtkSMPTools::For(0, this->Grid.Size[2], [this, &body](vtkIdType begin, vtkIdType end) {
       for (int k = int(begin); k < end; ++k)
       {
         for (int j = 0; j < this->Grid.Size[1]; ++j)
         {
           for (int i = 0; i < this->Grid.Size[0]; ++i)
           {
-            this->MakePoint({ i, j, k });
+            body({ i, j, k });
           }
         }
       }
     });
-    this->Grid.Periodic = this->IsClosed();
   }
 
-private:
+  std::size_t NumberOf(const std::array<int, 3>& at) const
+  {
+    return at[0] + at[1] * this->Stride[1] + at[2] * this->Stride[2];
+  }
+
   void MakePoint(const std::array<int, 3>& at)
   {
-    const std::size_t p = at[0] + at[1] * this->Stride[1] + at[2] * this->Stride[2];
+    const std::size_t p = this->NumberOf(at);
     for (int axis = 0; axis < 3; ++axis)
     {
       const bool isFirst = at[axis] == 0, isLast = at[axis] == this->Grid.Size[axis] - 1;
-      const std::size_t from = p - (isFirst ? 0 : this->Stride[axis]),
-                        to = p + (isLast ? 0 : this->Stride[axis]);
-      Vector d = difference(this->Places[to], this->Places[from]);
+      const std::size_t before = p - (isFirst ? 0 : this->Stride[axis]),
+                        after = p + (isLast ? 0 : this->Stride[axis]);
+      this->Grid.Step[p][axis] = isLast
+        ? lengthOf(difference(this->Places[p], this->Places[before]))
+        : lengthOf(difference(this->Places[after], this->Places[p]));
+      Vector d = difference(this->Places[after], this->Places[before]);
       const float length = lengthOf(d);
-      this->Grid.Spacing[p][axis] = length / std::max(int(!isFirst) + int(!isLast), 1);
       for (float& x : d)
       {
         x = length > 0 ? x / length : 0.0f;
       }
       this->Axes.Axes[p][axis] = d;
+    }
+  }
+
+  // The points of a pole are in one place; each is that of a wedge, whose mean width is a quarter of that of the next row.
+  void WidenPole(const std::array<int, 3>& at)
+  {
+    const std::size_t p = this->NumberOf(at);
+    const int n = this->Grid.Size[1];
+    if (at[1] == 0 || at[1] == n - 1)
+    {
+      const std::size_t q = at[1] == 0 ? p + this->Stride[1] : p - this->Stride[1];
+      float& step = this->Grid.Step[p][0];
+      step = std::max(step, 0.25f * this->Grid.Step[q][0]);
     }
   }
 
@@ -92,7 +120,7 @@ private:
     {
       const float gap = lengthOf(difference(this->Places[row], this->Places[row + n - 1]));
       closed =
-        gap <= 1e-3f * this->Grid.Spacing[row][0] + 1e-6f * std::abs(float(this->Places[row][0]));
+        gap <= 1e-3f * this->Grid.Step[row][0] + 1e-6f * std::abs(float(this->Places[row][0]));
     }
     return closed;
   }
@@ -136,20 +164,38 @@ std::vector<SunMesh::Place> placesOf(vtkDataSet* data)
   return places;
 }
 
-std::vector<SunMesh::Tetrahedron> tetrahedraOf(
-  vtkDataSet* data, const std::vector<std::int32_t>& merged)
+SunMesh sunMeshOf(vtkDataSet* data, const std::vector<std::int32_t>& merged)
 {
+  const ChessboardGrid grid = findChessboardGrid(data);
+  const auto loop = [](std::int64_t count, const auto& body) {
+    vtkSMPTools::For(0, count, [&body](vtkIdType begin, vtkIdType end) { body(begin, end); });
+  };
+  const auto renumbered = [&merged](const auto& t) {
+    return SunMesh::Tetrahedron{ { merged[t[0]], merged[t[1]], merged[t[2]], merged[t[3]] } };
+  };
   std::vector<SunMesh::Tetrahedron> tetrahedra;
+  if (!grid.IsEmpty()) // what is hidden lets light through
+  {
+    tetrahedra.resize(ChessboardGrid::TetrahedraPerCell * grid.NumberOfCells());
+    loop(grid.NumberOfCells(), [&](std::int64_t begin, std::int64_t end) {
+      for (std::int64_t cell = begin; cell < end; ++cell)
+      {
+        const auto divided = grid.Tetrahedra(cell);
+        std::transform(divided.begin(), divided.end(),
+          tetrahedra.begin() + ChessboardGrid::TetrahedraPerCell * cell, renumbered);
+      }
+    });
+    return SunMesh(std::move(tetrahedra), merged.size(), grid, loop);
+  }
   TetrahedronSource source(data);
   tetrahedra.reserve(5 * data->GetNumberOfCells());
   for (vtkIdType cell = 0; cell < data->GetNumberOfCells(); ++cell)
   {
-    source.IsHidden(cell); // reads its points: what is hidden lets light through
-    source.EmitTetrahedra(cell, [&](const std::array<vtkIdType, 4>& t) {
-      tetrahedra.push_back({ { merged[t[0]], merged[t[1]], merged[t[2]], merged[t[3]] } });
-    });
+    source.IsHidden(cell); // reads its points
+    source.EmitTetrahedra(
+      cell, [&](const std::array<vtkIdType, 4>& t) { tetrahedra.push_back(renumbered(t)); });
   }
-  return tetrahedra;
+  return SunMesh(std::move(tetrahedra), merged.size(), grid, loop);
 }
 
 bool makeGrid(
@@ -169,20 +215,21 @@ vtkSmartPointer<vtkDataSet> sampled(vtkDataSet* data, vtkIdType points)
 {
   double bounds[6];
   data->GetBounds(bounds);
-  double volume = 1;
   double size[3];
   for (int axis = 0; axis < 3; ++axis)
   {
     size[axis] = std::max(bounds[2 * axis + 1] - bounds[2 * axis], 1e-6 * data->GetLength());
-    volume *= size[axis];
   }
-  const double step = std::cbrt(volume / points);
+  // As many levels as a cube would have, or more; the rest beside one another.
+  const double levels = std::max(std::cbrt(double(points)), 2.0);
+  const double step = std::sqrt(size[0] * size[1] * levels / points);
   vtkNew<vtkImageData> image;
   int dimensions[3];
   double spacing[3];
   for (int axis = 0; axis < 3; ++axis)
   {
-    dimensions[axis] = std::max(8, static_cast<int>(size[axis] / step) + 1);
+    const double wanted = axis == 2 ? levels : std::min(size[axis] / step, points / levels / 2);
+    dimensions[axis] = std::max(3, static_cast<int>(wanted) + 1);
     spacing[axis] = size[axis] / (dimensions[axis] - 1);
   }
   image->SetDimensions(dimensions);

@@ -4,7 +4,7 @@
 #ifndef nephoscope_LitData_h
 #define nephoscope_LitData_h
 
-#include "DiffuseLight.h"
+#include "LightGrid.h"
 #include "SunMesh.h"
 
 #include "vtkDataSet.h"
@@ -33,8 +33,8 @@ std::vector<float> valuesOf(
   vtkDataSet* data, const std::string& name, double otherwise, double scale, vtkIdType& wrong);
 
 std::vector<SunMesh::Place> placesOf(vtkDataSet* data);
-std::vector<SunMesh::Tetrahedron> tetrahedraOf(
-  vtkDataSet* data, const std::vector<std::int32_t>& merged);
+/** Where the way to the sun goes; `merged` has the numbers of points that are the same. */
+SunMesh sunMeshOf(vtkDataSet* data, const std::vector<std::int32_t>& merged);
 
 /** The axes of each point: unit vectors along the indices. */
 struct GridAxes
@@ -42,7 +42,7 @@ struct GridAxes
   std::vector<std::array<Vector, 3>> Axes;
 };
 
-/** True for structured data; then the grid has sizes, spacing and seam, and axes has the axes. */
+/** True for structured data; then the grid has sizes, steps and seam, and axes has the axes. */
 bool makeGrid(
   vtkDataSet* data, const std::vector<SunMesh::Place>& places, LightGrid& grid, GridAxes& axes);
 

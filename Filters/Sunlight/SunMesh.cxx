@@ -8,7 +8,6 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
-#include <unordered_map>
 
 namespace nephoscope
 {
@@ -21,6 +20,16 @@ struct Face
   std::array<std::int32_t, 3> Points; // ascending
   std::int32_t Tetrahedron, Vertex;
 };
+
+constexpr std::int32_t none = -1;
+
+// Which of the tetrahedra at odd corners of the cell beyond the face along an axis has the same odd point.
+int mirrored(const std::array<int, 3>& corner, int axis)
+{
+  const int bits = (corner[0] | corner[1] << 1 | corner[2] << 2) ^ 1 << axis;
+  const int order[8] = { 0, 0, 1, 1, 2, 2, 3, 3 }; // of 0, 3, 5, 6 and of 1, 2, 4, 7
+  return order[bits];
+}
 
 Face faceOf(const SunMesh::Tetrahedron& t, std::int32_t number, int vertex)
 {
@@ -89,44 +98,92 @@ struct SunMesh::Ray
   }
 };
 
-SunMesh::SunMesh(std::vector<Tetrahedron> tetrahedra, std::size_t numberOfPoints)
+SunMesh::SunMesh(std::vector<Tetrahedron> tetrahedra, std::size_t numberOfPoints,
+  const ChessboardGrid& grid, const Loop& loop)
   : Tetrahedra(std::move(tetrahedra))
+  , Neighbours(this->Tetrahedra.size(), { { none, none, none, none } })
 {
-  const auto repeats = [](const Tetrahedron& t) {
-    return t[0] == t[1] || t[0] == t[2] || t[0] == t[3] || t[1] == t[2] || t[1] == t[3] ||
-      t[2] == t[3];
-  };
-  this->Tetrahedra.erase(std::remove_if(this->Tetrahedra.begin(), this->Tetrahedra.end(), repeats),
-    this->Tetrahedra.end());
-  this->FindNeighbours(numberOfPoints);
+  if (!grid.IsEmpty())
+  {
+    this->FindNeighboursInGrid(grid, loop);
+  }
+  this->FindOtherNeighbours(numberOfPoints);
   this->FindTetrahedraOfPoints(numberOfPoints);
 }
 
-// Faces sorted by their least point by counting, then compared with the few others of that point.
-void SunMesh::FindNeighbours(std::size_t numberOfPoints)
+// With a vertex twice.
+bool SunMesh::IsFlat(std::size_t tetrahedron) const
 {
-  this->Neighbours.assign(this->Tetrahedra.size(), { { -1, -1, -1, -1 } });
-  std::vector<std::int32_t> first(numberOfPoints + 1, 0);
-  const auto leastOf = [this](std::size_t t, int v) {
-    const Tetrahedron& p = this->Tetrahedra[t];
-    return std::min({ p[(v + 1) % 4], p[(v + 2) % 4], p[(v + 3) % 4] });
+  const Tetrahedron& t = this->Tetrahedra[tetrahedron];
+  return t[0] == t[1] || t[0] == t[2] || t[0] == t[3] || t[1] == t[2] || t[1] == t[3] ||
+    t[2] == t[3];
+}
+
+// The tetrahedron between even corners borders on those at the odd ones; these on those at the same odd point in the next cells.
+void SunMesh::FindNeighboursInGrid(const ChessboardGrid& grid, const Loop& loop)
+{
+  const std::int64_t steps[3] = { 1, grid.Size[0] - 1,
+    std::int64_t(grid.Size[0] - 1) * (grid.Size[1] - 1) };
+  const auto join = [this](std::int64_t from, int vertex, std::int64_t to) {
+    if (!this->IsFlat(from) && !this->IsFlat(to))
+    {
+      this->Neighbours[from][vertex] = static_cast<std::int32_t>(to);
+    }
   };
+  const auto joinCell = [&](std::int64_t cell) {
+    const auto index = grid.CellIndex(cell);
+    const auto corners = grid.CornerTetrahedra(index);
+    for (int k = 0; k < 4; ++k)
+    {
+      const std::int64_t own = ChessboardGrid::TetrahedraPerCell * cell + k + 1;
+      join(own, 0, own - k - 1);
+      join(own - k - 1, 3 - k,
+        own); // corners ascend: the odd one is across from the even one counted from the other end
+      for (int axis = 0; axis < 3; ++axis)
+      {
+        const int next = index[axis] + (corners[k].Corner[axis] ? 1 : -1);
+        if (next >= 0 && next < grid.Size[axis] - 1)
+        {
+          const std::int64_t other = cell + (next - index[axis]) * steps[axis];
+          join(own, axis + 1,
+            ChessboardGrid::TetrahedraPerCell * other + 1 + mirrored(corners[k].Corner, axis));
+        }
+      }
+    }
+  };
+  loop(grid.NumberOfCells(), [&](std::int64_t begin, std::int64_t end) {
+    for (std::int64_t cell = begin; cell < end; ++cell)
+    {
+      joinCell(cell);
+    }
+  });
+}
+
+// Faces sorted by their least point by counting, then compared with the few others of that point.
+void SunMesh::FindOtherNeighbours(std::size_t numberOfPoints)
+{
+  std::vector<Face> found;
   for (std::size_t t = 0; t < this->Tetrahedra.size(); ++t)
   {
     for (int v = 0; v < 4; ++v)
     {
-      ++first[leastOf(t, v) + 1];
+      if (this->Neighbours[t][v] == none && !this->IsFlat(t))
+      {
+        found.push_back(faceOf(this->Tetrahedra[t], static_cast<std::int32_t>(t), v));
+      }
     }
   }
-  std::partial_sum(first.begin(), first.end(), first.begin());
-  std::vector<Face> faces(4 * this->Tetrahedra.size());
-  std::vector<std::int32_t> place(first.begin(), first.end() - 1);
-  for (std::size_t t = 0; t < this->Tetrahedra.size(); ++t)
+  std::vector<std::int32_t> first(numberOfPoints + 1, 0);
+  for (const Face& face : found)
   {
-    for (int v = 0; v < 4; ++v)
-    {
-      faces[place[leastOf(t, v)]++] = faceOf(this->Tetrahedra[t], static_cast<std::int32_t>(t), v);
-    }
+    ++first[face.Points[0] + 1];
+  }
+  std::partial_sum(first.begin(), first.end(), first.begin());
+  std::vector<Face> faces(found.size());
+  std::vector<std::int32_t> place(first.begin(), first.end() - 1);
+  for (const Face& face : found)
+  {
+    faces[place[face.Points[0]]++] = face;
   }
   for (std::size_t p = 0; p < numberOfPoints; ++p)
   {
@@ -145,22 +202,27 @@ void SunMesh::FindNeighbours(std::size_t numberOfPoints)
 
 void SunMesh::FindTetrahedraOfPoints(std::size_t numberOfPoints)
 {
+  std::vector<bool> flat(this->Tetrahedra.size());
   this->First.assign(numberOfPoints + 1, 0);
-  for (const Tetrahedron& t : this->Tetrahedra)
+  for (std::size_t t = 0; t < this->Tetrahedra.size(); ++t)
   {
-    for (const std::int32_t p : t)
+    flat[t] = this->IsFlat(t);
+    for (const std::int32_t p : this->Tetrahedra[t])
     {
-      ++this->First[p + 1];
+      this->First[p + 1] += flat[t] ? 0 : 1;
     }
   }
   std::partial_sum(this->First.begin(), this->First.end(), this->First.begin());
-  this->OfPoint.resize(4 * this->Tetrahedra.size());
+  this->OfPoint.resize(this->First.back());
   std::vector<std::int32_t> place(this->First.begin(), this->First.end() - 1);
   for (std::size_t t = 0; t < this->Tetrahedra.size(); ++t)
   {
     for (const std::int32_t p : this->Tetrahedra[t])
     {
-      this->OfPoint[place[p]++] = static_cast<std::int32_t>(t);
+      if (!flat[t])
+      {
+        this->OfPoint[place[p]++] = static_cast<std::int32_t>(t);
+      }
     }
   }
 }
@@ -172,13 +234,48 @@ void SunMesh::Turn(const std::vector<Place>& places, const Place& towardsSun)
   const double length = std::sqrt(dot(x, x));
   x = { x[0] / length, x[1] / length, x[2] / length };
   const Place y = cross(towardsSun, x);
+  this->Up = { { x[2], y[2], towardsSun[2] } };
   this->Places.resize(places.size());
   std::transform(places.begin(), places.end(), this->Places.begin(), [&](const Place& p) {
     return Place{ { dot(p, x), dot(p, y), dot(p, towardsSun) } };
   });
 }
 
-// The ray passes a little beside the point, since columns of grids often lie in its direction: by a millionth of an edge, to one side or, at the
+double SunMesh::HeightOf(const Place& place) const
+{
+  return this->OnGlobe ? std::sqrt(dot(place, place)) : dot(place, this->Up);
+}
+
+void SunMesh::FindCeiling(const std::vector<std::array<float, 2>>& fields, bool onGlobe)
+{
+  this->OnGlobe = onGlobe;
+  this->Ceiling = -std::numeric_limits<double>::max();
+  for (const Tetrahedron& t : this->Tetrahedra)
+  {
+    if (fields[t[0]][0] + fields[t[1]][0] + fields[t[2]][0] + fields[t[3]][0] > 0)
+    {
+      for (const std::int32_t p : t)
+      {
+        this->Ceiling = std::max(this->Ceiling, this->HeightOf(this->Places[p]));
+      }
+    }
+  }
+}
+
+// Where the way goes above the ceiling for good.
+double SunMesh::EndOfWay(double x, double y) const
+{
+  constexpr double never = std::numeric_limits<double>::max();
+  if (this->OnGlobe)
+  {
+    const double rest = this->Ceiling * this->Ceiling - x * x - y * y;
+    return this->Ceiling > 0 && rest > 0 ? std::sqrt(rest) : -never;
+  }
+  const double height = x * this->Up[0] + y * this->Up[1];
+  return this->Up[2] > 0 ? (this->Ceiling - height) / this->Up[2] : never;
+}
+
+// The ray passes a little beside the point, since columns of grids often lie in its direction: by a billionth of an edge, to one side or, at the
 // boundary of the mesh, to another.
 bool SunMesh::Start(Ray& ray, std::int32_t point) const
 {
@@ -196,8 +293,8 @@ bool SunMesh::Start(Ray& ray, std::int32_t point) const
   }
   for (const auto& side : sides)
   {
-    ray.X = place[0] + 1e-6 * size * side[0];
-    ray.Y = place[1] + 1e-6 * size * side[1];
+    ray.X = place[0] + 1e-9 * size * side[0];
+    ray.Y = place[1] + 1e-9 * size * side[1];
     ray.Z = place[2];
     for (std::int32_t k = this->First[point]; k < this->First[point + 1]; ++k)
     {
@@ -220,7 +317,8 @@ void SunMesh::Walk(Ray& ray, const std::vector<std::array<float, 2>>& fields) co
 {
   std::array<double, 2> before = ray.Values(fields);
   double z = ray.Height(this->Places);
-  for (std::size_t steps = 0; steps < this->Tetrahedra.size(); ++steps)
+  const double end = this->EndOfWay(ray.X, ray.Y);
+  for (std::size_t steps = 0; steps < this->Tetrahedra.size() && z < end; ++steps)
   {
     const std::int32_t next = this->Neighbours[ray.Inside][ray.Vertex];
     if (next < 0)
@@ -256,7 +354,8 @@ std::array<double, 2> SunMesh::DepthsFrom(
   std::int32_t point, const std::vector<std::array<float, 2>>& fields) const
 {
   Ray ray;
-  if (!this->Start(ray, point))
+  const Place& place = this->Places[point];
+  if (place[2] >= this->EndOfWay(place[0], place[1]) || !this->Start(ray, point))
   {
     return { { 0, 0 } };
   }
@@ -277,27 +376,35 @@ std::vector<std::int32_t> mergedPoints(const std::vector<SunMesh::Place>& places
     }
   }
   const double step = std::max(largest, 1e-300) * 1e-9;
-  std::unordered_map<std::uint64_t, std::vector<std::int32_t>> buckets;
-  buckets.reserve(places.size());
-  std::vector<std::int32_t> merged(places.size());
+  std::size_t size = 1024;
+  while (size < 2 * places.size())
+  {
+    size *= 2;
+  }
+  std::vector<std::int32_t> heads(size, none), next(places.size(), none), merged(places.size());
   for (std::size_t i = 0; i < places.size(); ++i)
   {
     std::uint64_t key = 0;
     for (const double x : places[i])
     {
-      key = key * 0x9E3779B97F4A7C15ull +
-        static_cast<std::uint64_t>(std::isfinite(x) ? std::llround(x / step) : 0);
+      key = (key ^ static_cast<std::uint64_t>(std::isfinite(x) ? std::llround(x / step) : 0)) *
+        0x9E3779B97F4A7C15ull;
+      key ^= key >> 32;
     }
-    auto& bucket = buckets[key];
-    const auto same = std::find_if(bucket.begin(), bucket.end(), [&](std::int32_t j) {
-      return std::abs(places[j][0] - places[i][0]) + std::abs(places[j][1] - places[i][1]) +
-        std::abs(places[j][2] - places[i][2]) <=
-        3 * step;
-    });
-    merged[i] = same == bucket.end() ? static_cast<std::int32_t>(i) : *same;
-    if (same == bucket.end())
+    std::int32_t& head = heads[key & (size - 1)];
+    std::int32_t j = head;
+    while (j != none &&
+      !(std::abs(places[j][0] - places[i][0]) + std::abs(places[j][1] - places[i][1]) +
+          std::abs(places[j][2] - places[i][2]) <=
+        3 * step))
     {
-      bucket.push_back(static_cast<std::int32_t>(i));
+      j = next[j];
+    }
+    merged[i] = j == none ? static_cast<std::int32_t>(i) : j;
+    if (j == none)
+    {
+      next[i] = head;
+      head = static_cast<std::int32_t>(i);
     }
   }
   return merged;

@@ -3,6 +3,7 @@
 #include "vtkSunlight.h"
 
 #include "ArrayNames.h"
+#include "DiffuseLight.h"
 #include "LitData.h"
 #include "PhaseFunction.h"
 #include "SolarPosition.h"
@@ -66,12 +67,12 @@ struct vtkSunlight::Work
   std::array<double, 3> Sun;
   std::vector<nephoscope::SunMesh::Place> Places;
   std::vector<float> Extinction, Scaled, Albedo, Asymmetry; // the last two scaled
-  std::vector<float> Transmittance, ScaledTransmittance;
-  std::vector<float> Fluence, Up, Down;
+  std::vector<float> Transmittance, ScaledDepth;
+  std::vector<float> Fluence, Up, Down, Absorbed;
 
   void StartDiffuse()
   {
-    for (std::vector<float>* one : { &this->Fluence, &this->Up, &this->Down })
+    for (std::vector<float>* one : { &this->Fluence, &this->Up, &this->Down, &this->Absorbed })
     {
       one->assign(this->Places.size(), 0.0f);
     }
@@ -170,15 +171,16 @@ bool vtkSunlight::ReadOptics(vtkDataSet* data, Work& work)
 bool vtkSunlight::TraceSun(vtkDataSet* data, Work& work)
 {
   const std::vector<std::int32_t> merged = nephoscope::mergedPoints(work.Places);
-  nephoscope::SunMesh mesh(nephoscope::tetrahedraOf(data, merged), work.Places.size());
+  nephoscope::SunMesh mesh = nephoscope::sunMeshOf(data, merged);
   mesh.Turn(work.Places, work.Sun);
   std::vector<std::array<float, 2>> fields(work.Places.size());
   for (std::size_t p = 0; p < fields.size(); ++p)
   {
     fields[p] = { { work.Extinction[p], work.Scaled[p] } };
   }
+  mesh.FindCeiling(fields, work.Planet.Radius > 0);
   work.Transmittance.assign(fields.size(), 0.0f);
-  work.ScaledTransmittance.assign(fields.size(), 0.0f);
+  work.ScaledDepth.assign(fields.size(), nephoscope::LightGrid::Night);
   const auto trace = [&](vtkIdType begin, vtkIdType end) {
     for (vtkIdType p = begin; p < end; ++p)
     {
@@ -186,7 +188,8 @@ bool vtkSunlight::TraceSun(vtkDataSet* data, Work& work)
       {
         const std::array<double, 2> depths = mesh.DepthsFrom(merged[p], fields);
         work.Transmittance[p] = static_cast<float>(std::exp(-depths[0]));
-        work.ScaledTransmittance[p] = static_cast<float>(std::exp(-depths[1]));
+        work.ScaledDepth[p] =
+          static_cast<float>(std::min(depths[1], 0.99 * nephoscope::LightGrid::Night));
       }
     }
   };
@@ -194,7 +197,7 @@ bool vtkSunlight::TraceSun(vtkDataSet* data, Work& work)
                   stretch = std::max<vtkIdType>(count / 20, 1000);
   for (vtkIdType first = 0; first < count; first += stretch)
   {
-    if (!this->GoOn(0.1 + 0.3 * first / count))
+    if (!this->GoOn(0.2 + 0.3 * first / count))
     {
       return false;
     }
@@ -210,22 +213,21 @@ bool vtkSunlight::Diffuse(vtkDataSet* data, Work& work)
   nephoscope::GridAxes axes;
   if (!nephoscope::makeGrid(data, work.Places, grid, axes))
   {
-    this->Sample(data, work);
-    return true;
+    return this->Sample(data, work);
   }
   grid.Extinction = work.Scaled;
   grid.Albedo = work.Albedo;
   grid.Asymmetry = work.Asymmetry;
-  grid.Transmittance = work.ScaledTransmittance;
+  grid.Depth = work.ScaledDepth;
   grid.GroundAlbedo = this->GroundAlbedo;
-  const Vector beam = { float(-work.Sun[0]), float(-work.Sun[1]), float(-work.Sun[2]) };
   grid.Sun.resize(grid.Points());
   for (std::size_t p = 0; p < grid.Points(); ++p)
   {
     for (int axis = 0; axis < 3; ++axis)
     {
       const Vector& e = axes.Axes[p][axis];
-      grid.Sun[p][axis] = e[0] * beam[0] + e[1] * beam[1] + e[2] * beam[2];
+      grid.Sun[p][axis] =
+        -static_cast<float>(e[0] * work.Sun[0] + e[1] * work.Sun[1] + e[2] * work.Sun[2]);
     }
   }
   grid.Sky.resize(grid.Columns());
@@ -238,43 +240,42 @@ bool vtkSunlight::Diffuse(vtkDataSet* data, Work& work)
   nephoscope::LightSettings settings;
   settings.Zenith = this->ZenithAngles;
   settings.Azimuth = this->AzimuthAngles;
-  const nephoscope::DiffuseField field = nephoscope::diffuseLight(
-    grid, settings,
-    [](int n, const std::function<void(int)>& body) {
-      vtkSMPTools::For(0, n, 1, [&body](vtkIdType begin, vtkIdType end) {
-        for (vtkIdType k = begin; k < end; ++k)
-        {
-          body(static_cast<int>(k));
-        }
-      });
-    },
-    [this](double fraction) { return this->GoOn(0.4 + 0.5 * fraction); });
-  this->NumberOfIterations = field.Iterations;
-  this->LastChange = field.Change;
+  const auto parallel = [](int n, const std::function<void(int)>& body) {
+    vtkSMPTools::For(0, n, 1, [&body](vtkIdType begin, vtkIdType end) {
+      for (vtkIdType k = begin; k < end; ++k)
+      {
+        body(static_cast<int>(k));
+      }
+    });
+  };
+  const nephoscope::DiffuseLight light = nephoscope::diffuseLight(
+    grid, settings, parallel, [this](double fraction) { return this->GoOn(0.5 + 0.5 * fraction); });
+  this->NumberOfIterations = light.Iterations;
+  this->LastChange = light.Change;
+  work.Absorbed = light.Absorption;
   for (std::size_t p = 0; p < grid.Points(); ++p)
   {
-    work.Fluence[p] = std::max(field.Moments[4 * p], 0.0f);
-    work.Up[p] = std::max(field.Up(p), 0.0f);
-    work.Down[p] = std::max(field.Down(p), 0.0f);
+    work.Fluence[p] = std::max(light.Field.Fluence[p], 0.0f);
+    work.Up[p] = std::max(light.Field.Up(p), 0.0f);
+    work.Down[p] = std::max(light.Field.Down(p), 0.0f);
+    const Vector& flux = light.Field.Flux[p];
     for (int c = 0; c < 3; ++c)
     {
-      work.Flux[p][c] = field.Moments[4 * p + 1] * axes.Axes[p][0][c] +
-        field.Moments[4 * p + 2] * axes.Axes[p][1][c] +
-        field.Moments[4 * p + 3] * axes.Axes[p][2][c];
+      work.Flux[p][c] =
+        flux[0] * axes.Axes[p][0][c] + flux[1] * axes.Axes[p][1][c] + flux[2] * axes.Axes[p][2][c];
     }
   }
   return !this->GetAbortExecute();
 }
 
 // The light of an image that has the optics of the data, back at the points of the data.
-void vtkSunlight::Sample(vtkDataSet* data, Work& work)
+bool vtkSunlight::Sample(vtkDataSet* data, Work& work)
 {
   vtkSmartPointer<vtkDataSet> copy;
   copy.TakeReference(data->NewInstance());
   copy->CopyStructure(data);
   const std::pair<const char*, const std::vector<float>*> arrays[] = { { "Scaled", &work.Scaled },
-    { "Albedo", &work.Albedo }, { "Asymmetry", &work.Asymmetry },
-    { "Transmittance", &work.ScaledTransmittance } };
+    { "Albedo", &work.Albedo }, { "Asymmetry", &work.Asymmetry } };
   for (const auto& [name, values] : arrays)
   {
     std::copy(values->begin(), values->end(), addArray(copy, name)->GetPointer(0));
@@ -288,32 +289,39 @@ void vtkSunlight::Sample(vtkDataSet* data, Work& work)
   coarse.Scaled = nephoscope::valuesOf(image, "Scaled", 0, 1, ignored);
   coarse.Albedo = nephoscope::valuesOf(image, "Albedo", 0, 1, ignored);
   coarse.Asymmetry = nephoscope::valuesOf(image, "Asymmetry", 0, 1, ignored);
-  coarse.ScaledTransmittance = nephoscope::valuesOf(image, "Transmittance", 0, 1, ignored);
+  coarse.Extinction = coarse.Scaled;
   coarse.StartDiffuse();
-  this->Diffuse(image, coarse);
+  if (!this->TraceSun(image, coarse) || !this->Diffuse(image, coarse))
+  {
+    return false;
+  }
   vtkNew<vtkIdList> ids;
   double weights[8], parametric[3];
   for (vtkIdType p = 0; p < data->GetNumberOfPoints(); ++p)
   {
     int sub = 0;
     const vtkIdType cell =
-      image->FindCell(work.Places[p].data(), nullptr, -1, 0.0, sub, parametric, weights);
-    if (cell >= 0)
+      image->FindCell(work.Places[p].data(), nullptr, -1, 1e-3, sub, parametric, weights);
+    if (cell < 0)
     {
-      image->GetCellPoints(cell, ids);
-      for (vtkIdType k = 0; k < ids->GetNumberOfIds(); ++k)
+      continue;
+    }
+    image->GetCellPoints(cell, ids);
+    for (vtkIdType k = 0; k < ids->GetNumberOfIds(); ++k)
+    {
+      const vtkIdType q = ids->GetId(k);
+      const float weight = static_cast<float>(weights[k]);
+      work.Fluence[p] += weight * coarse.Fluence[q];
+      work.Up[p] += weight * coarse.Up[q];
+      work.Down[p] += weight * coarse.Down[q];
+      work.Absorbed[p] += weight * coarse.Absorbed[q];
+      for (int c = 0; c < 3; ++c)
       {
-        const vtkIdType q = ids->GetId(k);
-        work.Fluence[p] += float(weights[k]) * coarse.Fluence[q];
-        work.Up[p] += float(weights[k]) * coarse.Up[q];
-        work.Down[p] += float(weights[k]) * coarse.Down[q];
-        for (int c = 0; c < 3; ++c)
-        {
-          work.Flux[p][c] += float(weights[k]) * coarse.Flux[q][c];
-        }
+        work.Flux[p][c] += weight * coarse.Flux[q][c];
       }
     }
   }
+  return true;
 }
 
 void vtkSunlight::Write(vtkDataSet* data, const Work& work)
@@ -323,10 +331,12 @@ void vtkSunlight::Write(vtkDataSet* data, const Work& work)
   vtkFloatArray* transmittance = addArray(data, "SunTransmittance");
   vtkFloatArray* irradiance = addArray(data, "Irradiance");
   vtkFloatArray* upward = addArray(data, "UpwardIrradiance");
+  vtkFloatArray* absorbed = addArray(data, "AbsorbedLight");
   vtkSMPTools::For(0, data->GetNumberOfPoints(), [&](vtkIdType begin, vtkIdType end) {
     for (vtkIdType p = begin; p < end; ++p)
     {
       double beam = 1, flux = 0;
+      const double sunlight = std::exp(-work.ScaledDepth[p]);
       if (this->UseViewPosition)
       {
         std::array<double, 3> toEye = { { this->ViewPosition[0], this->ViewPosition[1],
@@ -342,16 +352,16 @@ void vtkSunlight::Write(vtkDataSet* data, const Work& work)
           (toEye[0] * work.Flux[p][0] + toEye[1] * work.Flux[p][1] + toEye[2] * work.Flux[p][2]) /
           length;
       }
-      const double source = 0.25 * work.Albedo[p] *
-        (std::max(work.Fluence[p] + flux, 0.0) + beam * work.ScaledTransmittance[p]);
+      const double source =
+        0.25 * work.Albedo[p] * (std::max(work.Fluence[p] + flux, 0.0) + beam * sunlight);
       light->SetValue(p, static_cast<float>(source));
       extinction->SetValue(p, work.Scaled[p]);
       transmittance->SetValue(p, work.Transmittance[p]);
       const std::array<double, 3> up = upAt(work.Planet, work.Places[p]);
-      irradiance->SetValue(p,
-        static_cast<float>(
-          std::max(dot(up, work.Sun), 0.0) * work.ScaledTransmittance[p] + work.Down[p]));
+      irradiance->SetValue(
+        p, static_cast<float>(std::max(dot(up, work.Sun), 0.0) * sunlight + work.Down[p]));
       upward->SetValue(p, work.Up[p]);
+      absorbed->SetValue(p, work.Absorbed[p]);
     }
   });
   data->GetPointData()->SetActiveScalars("Sunlight");

@@ -17,6 +17,7 @@
  * - ScaledExtinction, 1/m: the extinction without the light that goes straight on, to be drawn with Sunlight.
  * - SunTransmittance: the share of direct sunlight that arrives.
  * - Irradiance, UpwardIrradiance: of a horizontal surface, by sun and diffuse light from above, and by diffuse light from below.
+ * - AbsorbedLight, 1/m: power that becomes heat, per volume; 0 with the sun's beam alone.
  *
  * Field data: SunDirection, three components, towards the sun.
  */
@@ -124,7 +125,7 @@ public:
   ///@}
 
   ///@{
-  /** Iterations of the last execution, and the change in the last of them as a fraction of the largest fluence. */
+  /** Iterations of the last execution, and the mean change in the last of them as a fraction of the mean fluence. */
   vtkGetMacro(NumberOfIterations, int);
   vtkGetMacro(LastChange, double);
   ///@}
@@ -146,7 +147,7 @@ private:
   bool ReadOptics(vtkDataSet* data, Work& work);
   bool TraceSun(vtkDataSet* data, Work& work);
   bool Diffuse(vtkDataSet* data, Work& work);
-  void Sample(vtkDataSet* data, Work& work);
+  bool Sample(vtkDataSet* data, Work& work);
   void Write(vtkDataSet* data, const Work& work);
   bool GoOn(double fraction);
 

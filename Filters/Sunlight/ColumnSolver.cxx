@@ -1,0 +1,152 @@
+// SPDX-FileCopyrightText: The Nephoscope authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ColumnSolver.h"
+
+#include <algorithm>
+#include <functional>
+#include <numeric>
+#include <utility>
+
+namespace nephoscope
+{
+ColumnSolver::ColumnSolver(const LightGrid& grid, Parallel parallel)
+  : Diagonal(grid.Points(), 0.0)
+  , Grid(grid)
+  , Rows(std::move(parallel))
+  , RowSums(grid.Size[1])
+{
+  for (auto& next : this->Next)
+  {
+    next.assign(grid.Points(), 0.0);
+  }
+}
+
+template <typename Body>
+void ColumnSolver::ForRows(Body body)
+{
+  const LightGrid& g = this->Grid;
+  this->Rows(g.Size[1], [&](int j) {
+    for (int k = 0; k < g.Size[2]; ++k)
+    {
+      const std::size_t row = j * g.Stride(1) + k * g.Stride(2);
+      for (std::size_t p = row; p < row + g.Width(); ++p)
+      {
+        body(p);
+      }
+    }
+  });
+}
+
+void ColumnSolver::Factor()
+{
+  this->Pivot.assign(this->Grid.Points(), 0.0);
+  const std::size_t above = this->Grid.Columns();
+  this->Rows(this->Grid.Size[1], [&](int j) {
+    for (int k = 0; k < this->Grid.Size[2]; ++k)
+    {
+      for (int i = 0; i < this->Grid.Width(); ++i)
+      {
+        const std::size_t p = i + j * this->Grid.Stride(1) + k * above;
+        const double lower = k > 0 ? this->Next[2][p - above] : 0;
+        const double rest =
+          this->Diagonal[p] - (k > 0 ? lower * lower * this->Pivot[p - above] : 0);
+        this->Pivot[p] = rest > 0 ? 1 / rest : 0;
+      }
+    }
+  });
+}
+
+void ColumnSolver::SolveColumns(const std::vector<double>& right, std::vector<double>& x)
+{
+  const std::size_t above = this->Grid.Columns();
+  const int levels = this->Grid.Size[2], width = this->Grid.Width();
+  this->Rows(this->Grid.Size[1], [&](int j) {
+    for (int k = 0; k < levels; ++k)
+    {
+      const std::size_t row = j * this->Grid.Stride(1) + k * above;
+      for (std::size_t p = row; p < row + width; ++p)
+      {
+        x[p] = this->Pivot[p] * (right[p] + (k > 0 ? this->Next[2][p - above] * x[p - above] : 0));
+      }
+    }
+    for (int k = levels - 2; k >= 0; --k)
+    {
+      const std::size_t row = j * this->Grid.Stride(1) + k * above;
+      for (std::size_t p = row; p < row + width; ++p)
+      {
+        x[p] += this->Pivot[p] * this->Next[2][p] * x[p + above];
+      }
+    }
+  });
+}
+
+void ColumnSolver::Multiply(const std::vector<double>& x, std::vector<double>& product)
+{
+  const LightGrid& g = this->Grid;
+  const std::size_t above = g.Columns(), north = g.Stride(1);
+  const int width = g.Width();
+  this->Rows(g.Size[1], [&](int j) {
+    for (int k = 0; k < g.Size[2]; ++k)
+    {
+      const std::size_t row = j * north + k * above;
+      for (int i = 0; i < width; ++i)
+      {
+        const std::size_t p = row + i;
+        const int before = g.Before(i, 0), after = g.After(i, 0);
+        double sum = this->Diagonal[p] * x[p];
+        sum -= before >= 0 ? this->Next[0][row + before] * x[row + before] : 0;
+        sum -= after >= 0 ? this->Next[0][p] * x[row + after] : 0;
+        sum -= j > 0 ? this->Next[1][p - north] * x[p - north] : 0;
+        sum -= j + 1 < g.Size[1] ? this->Next[1][p] * x[p + north] : 0;
+        sum -= k > 0 ? this->Next[2][p - above] * x[p - above] : 0;
+        sum -= k + 1 < g.Size[2] ? this->Next[2][p] * x[p + above] : 0;
+        product[p] = sum;
+      }
+    }
+  });
+}
+
+// Sums of rows, then of these: the same for any number of threads.
+double ColumnSolver::Dot(const std::vector<double>& a, const std::vector<double>& b)
+{
+  const LightGrid& g = this->Grid;
+  this->Rows(g.Size[1], [&](int j) {
+    double sum = 0;
+    for (int k = 0; k < g.Size[2]; ++k)
+    {
+      const std::size_t row = j * g.Stride(1) + k * g.Stride(2);
+      sum = std::inner_product(a.begin() + row, a.begin() + row + g.Width(), b.begin() + row, sum);
+    }
+    this->RowSums[j] = sum;
+  });
+  return std::accumulate(this->RowSums.begin(), this->RowSums.end(), 0.0);
+}
+
+int ColumnSolver::Solve(
+  const std::vector<double>& right, std::vector<double>& x, double reduction, int most)
+{
+  const std::size_t n = right.size();
+  std::vector<double> residual(n, 0.0), direction(n, 0.0), image(n, 0.0), fitted(n, 0.0);
+  this->Multiply(x, image);
+  std::transform(right.begin(), right.end(), image.begin(), residual.begin(), std::minus<>());
+  this->SolveColumns(residual, fitted);
+  direction = fitted;
+  double along = this->Dot(residual, fitted);
+  const double enough = reduction * reduction * along;
+  int iteration = 0;
+  for (; iteration < most && along > enough && along > 0; ++iteration)
+  {
+    this->Multiply(direction, image);
+    const double step = along / this->Dot(direction, image);
+    this->ForRows([&](std::size_t p) {
+      x[p] += step * direction[p];
+      residual[p] -= step * image[p];
+    });
+    this->SolveColumns(residual, fitted);
+    const double now = this->Dot(residual, fitted), share = now / along;
+    this->ForRows([&](std::size_t p) { direction[p] = fitted[p] + share * direction[p]; });
+    along = now;
+  }
+  return iteration;
+}
+}

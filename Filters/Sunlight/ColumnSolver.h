@@ -1,0 +1,46 @@
+// SPDX-FileCopyrightText: The Nephoscope authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * A symmetric positive definite system that couples each point of a grid with its six neighbours: conjugate gradients, with whole columns solved exactly as
+ * preconditioner (HestenesStiefel1952). Fast where columns are lower than wide, as those of the atmosphere are. Plain C++17.
+ */
+#ifndef nephoscope_ColumnSolver_h
+#define nephoscope_ColumnSolver_h
+
+#include "LightGrid.h"
+
+#include <cstddef>
+#include <vector>
+
+namespace nephoscope
+{
+class ColumnSolver
+{
+public:
+  explicit ColumnSolver(const LightGrid& grid, Parallel parallel);
+
+  std::vector<double> Diagonal;
+  std::vector<double> Next
+    [3]; ///< what couples each point with the one after it along each axis, with the sign of a conductance
+
+  /** To be called once the matrix is set. */
+  void Factor();
+
+  /** From `x` as a first guess, until its residual is that fraction of what it was. Returns iterations. */
+  int Solve(const std::vector<double>& right, std::vector<double>& x, double reduction, int most);
+
+private:
+  template <typename Body>
+  void ForRows(Body body);
+  double Dot(const std::vector<double>& a, const std::vector<double>& b);
+  void Multiply(const std::vector<double>& x, std::vector<double>& product);
+  void SolveColumns(const std::vector<double>& right, std::vector<double>& x);
+
+  const LightGrid& Grid;
+  Parallel Rows;
+  std::vector<double> Pivot; ///< inverse
+  std::vector<double> RowSums;
+};
+}
+
+#endif

@@ -1,0 +1,103 @@
+// SPDX-FileCopyrightText: The Nephoscope authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * The balance of diffuse light: what the sun's beam, the sky and the ground bring into the box around a point equals what leaves the box or is absorbed.
+ * Fluxes between points are those of Eddington's approximation, exact in each layer (LayerTransfer.h), plus what discrete ordinates find different in
+ * layers thin enough for them. So light is conserved for any optical depth of cells. Plain C++17.
+ */
+#ifndef nephoscope_LightBalance_h
+#define nephoscope_LightBalance_h
+
+#include "BeamDeposit.h"
+#include "ColumnSolver.h"
+#include "LightGrid.h"
+
+#include <vector>
+
+namespace nephoscope
+{
+/** Fluence, flux along the axes, and flux up plus flux down of the diffuse light. */
+struct DiffuseField
+{
+  std::vector<float> Fluence;
+  std::vector<Vector> Flux;
+  std::vector<float> Vertical;
+
+  void Clear(std::size_t points);
+  float Up(std::size_t p) const { return 0.5f * (this->Vertical[p] + this->Flux[p][2]); }
+  float Down(std::size_t p) const { return 0.5f * (this->Vertical[p] - this->Flux[p][2]); }
+};
+
+class LightBalance
+{
+public:
+  LightBalance(const LightGrid& grid, const BeamDeposit& deposit, const Parallel& parallel);
+
+  /** Makes `field` the balanced one: by Eddington's approximation alone, or with what `ordinates` find different. */
+  void Solve(const DiffuseField* ordinates, DiffuseField& field, double reduction);
+
+  /** Cuts off light below 0 at top and ground, and takes it from the columns beside. */
+  void CutNegative(DiffuseField& field) const;
+
+  /** Power absorbed in the box around each point, per volume. */
+  std::vector<float> Absorption() const;
+
+private:
+  struct Edge // between a point and the next one along an axis; powers
+  {
+    float Here = 0, There = 0;   // conductances
+    float First = 0, Second = 0; // what the beam brings to the points
+    float Lost = 0;              // what the beam leaves in the layer, beside these
+    float Area = 0;
+    float Trust = 0;   // in discrete ordinates
+    float Forward = 0; // albedo times asymmetry
+    float Extra = 0;   // what they find different
+
+    double Out(double here, double there) const
+    {
+      return this->Here * here - this->There * there - this->First + this->Extra;
+    }
+    double In(double here, double there) const
+    {
+      return this->There * here - this->Here * there + this->Second + this->Extra;
+    }
+  };
+  struct Boundary // at top and ground; power that leaves is Rate times fluence, less Source
+  {
+    float Rate = 0, Source = 0, Area = 0, Trust = 0, Extra = 0;
+    double Out(double fluence) const { return this->Rate * fluence - this->Source + this->Extra; }
+  };
+  using Index = std::array<int, 3>;
+
+  template <typename Body>
+  void ForPoints(Body body) const;
+  std::size_t Neighbour(std::size_t p, const Index& at, int axis, int next) const
+  {
+    return p + next * this->Grid.Stride(axis) - at[axis] * this->Grid.Stride(axis);
+  }
+  double WidthAt(std::size_t p, const Index& at, int axis) const;
+  double AreaAt(std::size_t p, const Index& at, int axis) const;
+  Edge MakeEdge(std::size_t p, std::size_t q, int axis) const;
+  void AddBeam(
+    Edge& edge, std::size_t p, std::size_t q, int axis, const struct LayerMedium& medium) const;
+  void MakeEdges();
+  void MakeBoundaries();
+  void MakeMatrix();
+  void Compare(const DiffuseField& ordinates, const DiffuseField& known);
+  std::vector<double> RightSide() const;
+  void WritePoint(
+    std::size_t p, const Index& at, const DiffuseField* ordinates, DiffuseField& field) const;
+  void SpreadDebt(std::vector<double>& power) const;
+  void CloseSeam(DiffuseField& field) const;
+
+  const LightGrid& Grid;
+  const Parallel& Rows;
+  ColumnSolver Solver;
+  std::vector<Edge> Edges[3];
+  const BeamDeposit& Deposit;
+  std::vector<Boundary> Top, Ground;
+  std::vector<double> Fluence;
+};
+}
+
+#endif

@@ -1,0 +1,63 @@
+// SPDX-FileCopyrightText: The Nephoscope authors
+// SPDX-License-Identifier: BSD-3-Clause
+// A structured grid with what light meets in it; its third index counts upwards. Plain C++17.
+#ifndef nephoscope_LightGrid_h
+#define nephoscope_LightGrid_h
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <functional>
+#include <vector>
+
+namespace nephoscope
+{
+using Vector = std::array<float, 3>;
+
+struct LightGrid
+{
+  static constexpr float Night = 1e4f; ///< depth towards a sun behind the planet; others are less
+
+  int Size[3] = { 0, 0, 0 };
+  bool Periodic = false; ///< the last points along the first axis are in the place of the first
+  std::vector<Vector>
+    Step; ///< distance to the next point along each axis; at the last point that to the one before
+  std::vector<Vector>
+    Sun; ///< direction in which sunlight goes, in the axes of each point; one for all if there is one
+  std::vector<float> Extinction; ///< scaled
+  std::vector<float> Albedo;     ///< scaled
+  std::vector<float> Asymmetry;  ///< scaled
+  std::vector<float> Depth;      ///< scaled, towards the sun
+  std::vector<float> Sky;        ///< irradiance from the sky, per column
+  double GroundAlbedo = 0;
+
+  std::size_t Points() const { return std::size_t(this->Size[0]) * this->Size[1] * this->Size[2]; }
+  std::size_t Columns() const { return std::size_t(this->Size[0]) * this->Size[1]; }
+  std::size_t Stride(int axis) const
+  {
+    return axis == 0 ? 1 : axis == 1 ? std::size_t(this->Size[0]) : this->Columns();
+  }
+  const Vector& SunAt(std::size_t p) const
+  {
+    return this->Sun.size() == 1 ? this->Sun[0] : this->Sun[p];
+  }
+  float Transmittance(std::size_t p) const { return std::exp(-this->Depth[p]); }
+  /** Points along the first axis that are not another's. */
+  int Width() const { return this->Size[0] - (this->Periodic ? 1 : 0); }
+  /** The index after this one, or -1. */
+  int After(int index, int axis) const
+  {
+    const int n = axis == 0 ? this->Width() : this->Size[axis];
+    return index + 1 < n ? index + 1 : axis == 0 && this->Periodic ? 0 : -1;
+  }
+  int Before(int index, int axis) const
+  {
+    return index > 0 ? index - 1 : axis == 0 && this->Periodic ? this->Width() - 1 : -1;
+  }
+};
+
+/** Calls body(k) for k in [0, n), perhaps by several threads. */
+using Parallel = std::function<void(int n, const std::function<void(int)>& body)>;
+}
+
+#endif
