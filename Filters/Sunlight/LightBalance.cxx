@@ -68,7 +68,7 @@ void LightBalance::ForPoints(Body body) const
   });
 }
 
-// Of the box around a point.
+// The width of the box around a point.
 double LightBalance::WidthAt(std::size_t p, const Index& at, int axis) const
 {
   const int before = this->Grid.Before(at[axis], axis), after = this->Grid.After(at[axis], axis);
