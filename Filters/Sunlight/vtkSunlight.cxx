@@ -24,6 +24,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 vtkStandardNewMacro(vtkSunlight);
 
@@ -372,19 +373,45 @@ void vtkSunlight::Write(vtkDataSet* data, const Work& work)
   data->GetFieldData()->AddArray(sun);
 }
 
-bool vtkSunlight::AddLight(vtkDataSet* data)
+// All that light depends on but the eye.
+std::vector<double> vtkSunlight::State(vtkDataSet* input) const
 {
-  Work work;
+  const auto number = [](const std::string& text) {
+    return static_cast<double>(std::hash<std::string>{}(text));
+  };
+  return { double(input->GetMTime()), this->SunDirection[0], this->SunDirection[1],
+    this->SunDirection[2], this->Longitude, this->Latitude, this->ExtinctionScale, this->Albedo,
+    this->Asymmetry, this->GroundAlbedo, this->SkyLight, double(this->MultipleScattering),
+    double(this->ZenithAngles), double(this->AzimuthAngles), number(this->DateTime),
+    number(this->ExtinctionArrayName), number(this->AlbedoArrayName),
+    number(this->AsymmetryArrayName) };
+}
+
+bool vtkSunlight::Compute(vtkDataSet* data, Work& work)
+{
   if (!this->Check(data) || !this->FindSun(data, work.Sun) || !this->ReadOptics(data, work) ||
     !this->GoOn(0.1) || !this->TraceSun(data, work))
   {
     return false;
   }
   work.StartDiffuse();
-  if (this->MultipleScattering && !this->Diffuse(data, work))
+  return !this->MultipleScattering || this->Diffuse(data, work);
+}
+
+bool vtkSunlight::AddLight(vtkDataSet* data, vtkDataSet* input)
+{
+  std::vector<double> state = this->State(input);
+  if (!this->Last || state != this->LastState)
   {
-    return false;
+    this->Last = std::make_unique<Work>();
+    if (!this->Compute(data, *this->Last))
+    {
+      this->Last.reset();
+      return false;
+    }
+    this->LastState = std::move(state);
   }
+  const Work& work = *this->Last;
   if (work.Planet.Radius <= 0 && work.Sun[2] < 0)
   {
     vtkWarningMacro(
@@ -409,7 +436,7 @@ int vtkSunlight::RequestData(
     toPoints->Update();
     output->ShallowCopy(toPoints->GetOutput());
   }
-  if (output->GetNumberOfPoints() > 0 && !this->AddLight(output))
+  if (output->GetNumberOfPoints() > 0 && !this->AddLight(output, input))
   {
     output->Initialize();
   }

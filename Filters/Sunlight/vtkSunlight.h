@@ -30,6 +30,7 @@
 #include <array>  // for members
 #include <memory> // for members
 #include <string> // for array names
+#include <vector> // for members
 
 class VTKNEPHOSCOPEFILTERSSUNLIGHT_EXPORT vtkSunlight : public vtkDataSetAlgorithm
 {
@@ -143,13 +144,15 @@ private:
   struct Work;
   bool FindSun(vtkDataSet* data, std::array<double, 3>& sun);
   bool Check(vtkDataSet* data);
-  bool AddLight(vtkDataSet* data);
+  bool Compute(vtkDataSet* data, Work& work);
+  bool AddLight(vtkDataSet* data, vtkDataSet* input);
   bool ReadOptics(vtkDataSet* data, Work& work);
   bool TraceSun(vtkDataSet* data, Work& work);
   bool Diffuse(vtkDataSet* data, Work& work);
   bool Sample(vtkDataSet* data, Work& work);
   void Write(vtkDataSet* data, const Work& work);
   bool GoOn(double fraction);
+  std::vector<double> State(vtkDataSet* input) const;
 
   std::string ExtinctionArrayName = "Extinction";
   std::string AlbedoArrayName = "SingleScatteringAlbedo";
@@ -171,6 +174,8 @@ private:
   double ViewPosition[3] = { 0, 0, 1 };
   int NumberOfIterations = 0;
   double LastChange = 0;
+  std::unique_ptr<Work> Last;    // kept for another eye
+  std::vector<double> LastState; // that it was computed for
 };
 
 #endif

@@ -295,6 +295,26 @@ class Globe(unittest.TestCase):
             self.assertAlmostEqual(np.remainder(np.degrees(np.arctan2(sun[1], sun[0])) - lon + 180, 360) - 180, 0, delta=0.5)
 
 
+class Again(unittest.TestCase):
+    def test_another_eye_computes_nothing(self):
+        """Progress is told by what is computed; light is that of a filter that begins."""
+        data = image((9, 9, 9), (1, 1, 1), lambda x, y, z: 0.2 + 0 * x)
+        light, steps = vtkSunlight(), []
+        light.AddObserver("ProgressEvent", lambda *_: steps.append(light.GetProgress()))
+        light.SetInputData(data)
+        light.UseViewPositionOn()
+        for change, computes in ((lambda: None, True), (lambda: light.SetViewPosition(9, 1, 30), False), (lambda: light.SetSunDirection(1, 0, 3), True),
+                                 (lambda: data.GetPointData().GetArray("Extinction").FillComponent(0, 0.4), True)):
+            steps.clear()
+            change()
+            data.GetPointData().GetArray("Extinction").Modified() if computes else None
+            light.Modified()
+            light.Update()
+            self.assertEqual(any(0 < step < 1 for step in steps), computes)
+            fresh = light_of(data, light.GetSunDirection(), UseViewPosition=True, ViewPosition=light.GetViewPosition())[0]
+            np.testing.assert_array_equal(values(light.GetOutput(), "Sunlight"), values(fresh, "Sunlight"))
+
+
 class Wrong(unittest.TestCase):
     def test_messages(self):
         fine = image((3, 3, 3), (1, 1, 1), lambda x, y, z: 0 * x + 1)
