@@ -43,6 +43,7 @@ public:
   void SetSmallTable(vtkShaderProgram* program) const;
 
   bool HasPointOpacity() const { return this->SeparateOpacity && !this->OpacityOnCells; }
+  bool HasOpacityScalars() const { return this->SeparateOpacity; }
   bool HasLayers() const { return this->UseLayers; }
   bool HasNarrowIntervals() const { return this->NarrowIntervals; }
   /** Constants of the shaders that tell which of the buffers count. */

@@ -39,8 +39,12 @@ std::string CellCompositingPass::UploadDrawn(vtkOpenGLRenderWindow* window, cons
     this->Projected.UploadOrder(scene.GetDrawn());
     return std::string();
   }
-  return this->Rays.UploadBoundary(window, scene.GetBoundaryFaces(), scene.GetGeometry(),
-    scene.GetVisibleBox(), scene.GetOpacityFunction().LongestTransparentRange());
+  const std::string error =
+    this->Rays.UploadBoundary(window, scene.GetBoundaryFaces(), scene.GetGeometry(),
+      scene.GetVisibleBox(), scene.GetOpacityFunction().LongestTransparentRange());
+  return error.empty() ? this->Rays.UploadVoxels(window, scene.GetGeometry(), scene.GetVisibleBox(),
+                           scene.GetClearDistances())
+                       : error;
 }
 
 std::string CellCompositingPass::Draw(

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "CellScene.h"
 
+#include "ClearDistances.h"
 #include "ContourSettings.h"
 #include "OrderIndependence.h"
 #include "VisibleGridCells.h"
@@ -391,8 +392,16 @@ void CellScene::FindVisibleOfGrid()
                                float high) {
     return this->IsTransparent(cell, vertices, low, high);
   };
-  const auto visible =
-    VisibleGridCells<decltype(isTransparent)>(this->Geometry, isTransparent).Find();
+  this->ClearDistances.assign(this->Geometry.Lattice.Found
+      ? static_cast<std::size_t>(this->Geometry.Grid.NumberOfCells())
+      : 0,
+    0);
+  const auto visible = VisibleGridCells<decltype(isTransparent)>(this->Geometry, isTransparent)
+                         .Find(this->ClearDistances);
+  if (this->Geometry.Lattice.Found)
+  {
+    this->ClearDistances = clearDistances(this->Geometry.Grid, this->ClearDistances);
+  }
   this->NumberOfVisible = visible.Tetrahedra;
   this->VisibleBox = visible.Tetrahedra > 0 ? visible.Box : CellBox();
   this->GridBoundary = chessboardBoundary(this->Geometry, this->VisibleBox);

@@ -129,6 +129,8 @@ public:
   }
   /** For a grid: the cells that can be seen lie in it. */
   const CellBox& GetVisibleBox() const { return this->VisibleBox; }
+  /** From each cell of an evenly spaced grid to the next that can be seen (ClearDistances.h). */
+  const std::vector<std::uint8_t>& GetClearDistances() const { return this->ClearDistances; }
   /** For rays: where they enter what can be seen. */
   const std::vector<BoundaryFace>& GetBoundaryFaces() const
   {
@@ -176,6 +178,7 @@ private:
   TetrahedronNeighbors Neighbors;
   EyeTetrahedron Eye;
   CellBox VisibleBox;
+  std::vector<std::uint8_t> ClearDistances;
   std::vector<BoundaryFace> GridBoundary;
   std::int64_t NumberOfVisible = 0;
   std::vector<TransferFunctionTable> Transfers = std::vector<TransferFunctionTable>(1);

@@ -33,6 +33,7 @@ public:
     const CellGeometry& geometry, const CellPieces& pieces, const TetrahedronNeighbors* neighbors);
 
   bool IsUsed() const { return this->NumberOfContours > 0; }
+  bool HasPolygons() const { return this->UsePolygons; }
   bool HasScalars() const { return this->IsUsed() && !this->OfColor; }
   std::string ShaderConstants() const;
   /** Binds the textures; tells the program their units, and how surfaces are lit. */

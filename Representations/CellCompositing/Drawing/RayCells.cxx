@@ -22,6 +22,7 @@
 #include "RayCellsVertex.h"
 #include "RayContoursShader.h"
 #include "RayMediumShader.h"
+#include "RayRangeShader.h"
 #include "RaySegmentsShader.h"
 #include "TetrahedronWalkShader.h"
 
@@ -57,7 +58,7 @@ std::string withParts(const std::string& shader, bool structured)
   return withShaderParts(shader,
     { { "Topology", structured ? ChessboardTopologyShader : NeighborTopologyShader },
       { "TetrahedronWalk", TetrahedronWalkShader }, { "RaySegments", RaySegmentsShader },
-      { "RayContours", RayContoursShader } });
+      { "RayRange", RayRangeShader }, { "RayContours", RayContoursShader } });
 }
 }
 
@@ -81,7 +82,7 @@ std::string RayCells::UploadGeometry(vtkOpenGLRenderWindow* window, const CellGe
   upload(this->Neighbors, neighbors.WithNextVertices(geometry), 2, VTK_INT);
   upload(this->VertexSums, neighbors.VertexSums, 1, VTK_INT);
   upload(this->HiddenCells, geometry.HiddenCells, 1, VTK_UNSIGNED_CHAR);
-  return error;
+  return error.empty() ? this->Voxels.UploadScalars(window, geometry) : error;
 }
 
 std::string RayCells::UploadBoundary(vtkOpenGLRenderWindow* window,
@@ -184,6 +185,11 @@ std::string RayCells::MediumShader(const CellDrawing& drawing, int instance) con
 
 std::string RayCells::Draw(const CellDrawing& drawing)
 {
+  if (this->Voxels.CanDraw(drawing))
+  {
+    this->NumberOfLayers = 1;
+    return this->Voxels.Draw(drawing);
+  }
   const MovedView moved(drawing.View, *drawing.Options.Eye);
   const CellDrawing fromStart = { drawing.Window, drawing.Viewport, moved.View, drawing.Options,
     drawing.Buffers, drawing.Contours, drawing.Depth, drawing.Peel, drawing.Range };
@@ -454,6 +460,7 @@ void RayCells::SetEye(const EyeTetrahedron& eye, vtkShaderProgram* program, int 
 
 void RayCells::ReleaseGraphicsResources(vtkWindow* window)
 {
+  this->Voxels.ReleaseGraphicsResources(window);
   for (BufferTexture* buffer :
     { &this->Neighbors, &this->VertexSums, &this->BoundaryFaces, &this->HiddenCells })
   {

@@ -18,6 +18,7 @@
 #include "ChessboardGrid.h"
 #include "CoveredPixels.h"
 #include "FaceSlices.h"
+#include "RayVoxels.h"
 #include "VertexNumbers.h"
 
 #include "vtkNew.h"
@@ -55,6 +56,12 @@ public:
   /** Where rays enter, the box of a grid's cells that can be seen, and the scalars between which nothing is seen. */
   std::string UploadBoundary(vtkOpenGLRenderWindow* window, const std::vector<BoundaryFace>& faces,
     const CellGeometry& geometry, const CellBox& box, const std::array<float, 2>& clearRange);
+  /** Of a grid: which of its cells can be seen, where it is evenly spaced. */
+  std::string UploadVoxels(vtkOpenGLRenderWindow* window, const CellGeometry& geometry,
+    const CellBox& box, const std::vector<std::uint8_t>& clearDistances)
+  {
+    return this->Voxels.Upload(window, geometry, box, clearDistances);
+  }
   /** Pixels that may be drawn: those of the boundary. */
   PixelRegion FindRegion(
     const SceneView& view, const EyeTetrahedron& eye, const int viewport[4]) const;
@@ -93,6 +100,7 @@ private:
   void DeactivateTopology();
   void SetRays(const CellDrawing& drawing, vtkShaderProgram* program, int instance = -1);
 
+  RayVoxels Voxels; // draws instead where it can
   BufferTexture Neighbors, VertexSums, BoundaryFaces, HiddenCells;
   ChessboardGrid Grid; // empty: another mesh
   CellBox Box;

@@ -11,6 +11,7 @@
 #define CellGeometry_h
 
 #include "ChessboardGrid.h"
+#include "GridLattice.h"
 #include "ProgressLoop.h"
 #include "ScalarSelection.h"
 #include "TetrahedronRay.h"
@@ -66,6 +67,7 @@ public:
   bool Stopped = false; ///< the last Build was told to stop
   std::vector<Point> Points;
   std::vector<Tetrahedron> Tetrahedra;
+  GridLattice Lattice; ///< of the grid, where it is evenly spaced
   ChessboardGrid Grid; ///< takes the place of the list of tetrahedra unless it is empty
   std::vector<std::uint8_t> HiddenCells; ///< of the grid, 255: not drawn; empty: all are drawn
   std::vector<float>
@@ -118,6 +120,7 @@ private:
   bool ValuesAreFinite() const;
   bool UseGrid(vtkDataSet* data, const ScalarSelection& scalars, const ScalarSelection& opacity);
   bool FindSeam();
+  bool FindLattice();
   void FindHiddenCells(
     vtkDataSet* data, const ScalarSelection& scalars, const ScalarSelection& opacity);
   void CopyGridCells(const ScalarSelection& scalars, const ScalarSelection& opacity);

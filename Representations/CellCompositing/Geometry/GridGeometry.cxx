@@ -87,6 +87,7 @@ bool CellGeometry::UseGrid(
   }
   this->CopyGridCells(scalars, opacity);
   this->FindHiddenCells(data, scalars, opacity);
+  this->Lattice.Found = this->FindLattice();
   if (this->FindSeam())
   {
     this->Grid.WrapCells = this->Grid.Size[0] - 1;
@@ -123,6 +124,39 @@ bool CellGeometry::FindSeam()
     }
   }
   return true;
+}
+
+// True when all points are evenly spaced.
+bool CellGeometry::FindLattice()
+{
+  const ChessboardGrid& grid = this->Grid;
+  const std::array<int, 3> last = { { grid.Size[0] - 1, grid.Size[1] - 1, grid.Size[2] - 1 } };
+  const auto at = [&](int i, int j, int k) {
+    return this->Position(static_cast<std::int32_t>(grid.PointNumber(i, j, k)));
+  };
+  if (!this->Lattice.Span(
+        grid, at(0, 0, 0), { { at(last[0], 0, 0), at(0, last[1], 0), at(0, 0, last[2]) } }))
+  {
+    return false;
+  }
+  std::atomic<bool> all(true);
+  vtkSMPTools::For(0, grid.Size[2], [&](vtkIdType begin, vtkIdType end) {
+    for (int k = static_cast<int>(begin); k < static_cast<int>(end) && all; ++k)
+    {
+      for (int j = 0; j < grid.Size[1]; ++j)
+      {
+        for (int i = 0; i < grid.Size[0]; ++i)
+        {
+          if (!this->Lattice.Has({ { i, j, k } }, at(i, j, k)))
+          {
+            all = false;
+            return;
+          }
+        }
+      }
+    }
+  });
+  return all;
 }
 
 void CellGeometry::CopyGridCells(const ScalarSelection& scalars, const ScalarSelection& opacity)

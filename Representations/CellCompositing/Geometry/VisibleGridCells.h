@@ -44,7 +44,8 @@ public:
   {
   }
 
-  Result Find() const
+  /** Marks the cells that can be seen with 1 in `marks`, unless it is empty. */
+  Result Find(std::vector<std::uint8_t>& marks) const
   {
     vtkSMPThreadLocal<Result> parts;
     vtkSMPTools::For(0, this->Geometry.Grid.NumberOfCells(), [&](vtkIdType begin, vtkIdType end) {
@@ -57,6 +58,10 @@ public:
           part.Tetrahedra += visible;
           const std::array<int, 3> index = this->Geometry.Grid.CellIndex(cell);
           part.Add(index, index);
+          if (!marks.empty())
+          {
+            marks[static_cast<std::size_t>(cell)] = 1;
+          }
         }
       }
     });

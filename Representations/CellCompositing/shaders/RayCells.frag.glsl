@@ -12,8 +12,6 @@ uniform FloatArray opacityScalars;
 uniform FloatArray hiddenCells;
 uniform IntegerArray boundaryFaces;
 uniform sampler2D entryFaces; // boundary face (-1: none), depth
-uniform sampler2D depthRanges; // where VTK peels surfaces: near and far depth of two ranges, empty where near >= far
-uniform int rangeNumber;       // the one to draw
 uniform mat4 MCVCMatrix;
 uniform float extinctionScale; // extinction per world length at opacity 1
 // The pixel's ray goes through this point, amid the data, in this direction; relative to the centre of the data.
@@ -48,9 +46,10 @@ int jumpFace = -1; // boundary face from which a ray goes on that has left the m
 //NEPHOSCOPE::PolygonSurfaces
 //NEPHOSCOPE::TetrahedronWalk
 //NEPHOSCOPE::RaySegments
+//NEPHOSCOPE::RayRange
 //NEPHOSCOPE::RayContours
 
-vec3 origin = vec3(0.0), across1 = vec3(0.0), across2 = vec3(0.0), along = vec3(0.0);
+vec3 across1 = vec3(0.0), across2 = vec3(0.0);
 vec3 pointStep[2], directionStep[2]; // from pixel to pixel
 
 Seen seen(int point)
@@ -122,35 +121,6 @@ vec2 besideCentre(int attempt, ivec3 entered)
   return beside * min(0.9, max(wayInside(a.xy, b.xy, c.xy, weights), reach / length(beside)));
 }
 
-vec2 visibleDepths()
-{
-  ivec2 pixel = ivec2(gl_FragCoord.xy);
-  if (useDepthRanges)
-  {
-    vec4 ranges = texelFetch(depthRanges, pixel, 0);
-    return rangeNumber == 0 ? ranges.xy : ranges.zw;
-  }
-  else
-  {
-    return vec2(0.0, texelFetch(opaqueDepth, pixel, 0).r);
-  }
-}
-
-// Distances along the ray between which it is seen.
-vec2 visibleRange()
-{
-  vec4 toZ = vec4(MCVCMatrix[0].z, MCVCMatrix[1].z, MCVCMatrix[2].z, MCVCMatrix[3].z);
-  float atOrigin = dot(toZ, vec4(origin, 1.0));
-  float slope = dot(toZ.xyz, along);
-  vec2 depths = visibleDepths();
-  vec2 range = (vec2(zFromDepth(depths.x), zFromDepth(depths.y)) - atOrigin) / slope;
-#ifdef CLIPPING_PLANES
-  vec2 between = clippedRay((MCVCMatrix * vec4(origin, 1.0)).xyz, mat3(MCVCMatrix) * along);
-  range = vec2(max(range.x, between.x), min(range.y, between.y));
-#endif
-  return range;
-}
-
 ivec3 face = ivec3(0); // vertices of the face that the ray is passing
 int next = 0;          // the vertex behind it
 int left = 0;          // of the present tetrahedron, when the ray leaves it: the vertex that stays behind
@@ -204,19 +174,6 @@ bool isClear(Seen ahead)
   }
   return seesThrough;
 }
-
-#ifdef NEPHOSCOPE_HAZE
-// Hazes what has been added to the light between two distances along the ray.
-void hazeAdded(vec4 before, vec2 z)
-{
-  vec4 added = accumulatedLight() - before;
-  if (added.a > 0.0)
-  {
-    float place = mix(z.x, z.y, hazeMeanPlace(added.a / max(1.0 - before.a, added.a)));
-    light = before + hazedLight(added, (MCVCMatrix * vec4(origin + place * along, 1.0)).xyz);
-  }
-}
-#endif
 
 // The part of the ray in one tetrahedron. Each end: distance, scalars of colour, opacity and contours.
 vec4 segmentFront = vec4(0.0), segmentBack = vec4(0.0);

@@ -1,0 +1,131 @@
+// SPDX-FileCopyrightText: The Nephoscope authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "OpenGLFunctions.h"
+
+#include "RayVoxels.h"
+
+#include "CellBuffers.h"
+#include "CellDrawing.h"
+#include "ContourBuffers.h"
+#include "RayGeometry.h"
+#include "ShaderText.h"
+
+#include "RayCellsVertex.h"
+#include "RayRangeShader.h"
+#include "RaySegmentsShader.h"
+#include "RayVoxelsFragment.h"
+#include "VoxelWalkShader.h"
+
+#include "vtkMatrix4x4.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLShaderCache.h"
+#include "vtkOpenGLState.h"
+#include "vtkOpenGLVertexArrayObject.h"
+#include "vtkSMPTools.h"
+#include "vtkShaderProgram.h"
+
+#include <algorithm>
+#include <array>
+
+namespace nephoscope
+{
+namespace
+{
+std::string voxelShader(const CellDrawing& drawing)
+{
+  const std::string walk = withShaderParts(RayVoxelsFragment,
+    { { "VoxelWalk", VoxelWalkShader }, { "RayRange", RayRangeShader },
+      { "RaySegments", RaySegmentsShader } });
+  return specializedShader(
+    walk, drawing.Buffers.SmallTableDefinition() + drawing.ShaderConstants());
+}
+}
+
+// Each cell needs the scalars of two squares: two fetches instead of eight.
+std::string RayVoxels::UploadScalars(vtkOpenGLRenderWindow* window, const CellGeometry& geometry)
+{
+  const bool used = geometry.Lattice.Found && geometry.CellScalars.empty();
+  const std::size_t count = used ? geometry.Points.size() : 0;
+  const std::size_t row = static_cast<std::size_t>(geometry.Grid.Size[0]);
+  const std::size_t layer = row * static_cast<std::size_t>(geometry.Grid.Size[1]);
+  const auto scalar = [&](std::size_t i) { return geometry.Points[std::min(i, count - 1)].Scalar; };
+  std::vector<std::array<float, 4>> squares(count);
+  vtkSMPTools::For(0, static_cast<vtkIdType>(count), [&](vtkIdType begin, vtkIdType end) {
+    for (std::size_t i = static_cast<std::size_t>(begin); i < static_cast<std::size_t>(end); ++i)
+    {
+      squares[i] = { { scalar(i), scalar(i + row), scalar(i + layer), scalar(i + layer + row) } };
+    }
+  });
+  return this->Squares.Upload(window, squares.data(), count, 4, VTK_FLOAT);
+}
+
+std::string RayVoxels::Upload(vtkOpenGLRenderWindow* window, const CellGeometry& geometry,
+  const CellBox& box, const std::vector<std::uint8_t>& clearDistances)
+{
+  this->Grid = geometry.Grid;
+  this->Box = box;
+  this->Lattice = geometry.Lattice;
+  return this->ClearDistances.Upload(
+    window, clearDistances.data(), clearDistances.size(), 1, VTK_UNSIGNED_CHAR);
+}
+
+bool RayVoxels::CanDraw(const CellDrawing& drawing) const
+{
+  return this->Lattice.Found && !drawing.Contours.IsUsed() && !drawing.Contours.HasPolygons() &&
+    !drawing.Buffers.HasLayers() && !drawing.Buffers.HasOpacityScalars();
+}
+
+void RayVoxels::SetGrid(vtkShaderProgram* program)
+{
+  const int stride[3] = { 1, this->Grid.Size[0], this->Grid.Size[0] * this->Grid.Size[1] };
+  float low[3], high[3];
+  std::copy(this->Box.Low, this->Box.Low + 3, low);
+  std::copy(this->Box.High, this->Box.High + 3, high);
+  program->SetUniform1iv("gridStride", 3, stride);
+  program->SetUniform3f("boxLow", low);
+  program->SetUniform3f("boxHigh", high);
+  program->SetUniformi("oddOffset", this->Grid.OddOffset & 1);
+  vtkNew<vtkMatrix4x4> toNumbers;
+  toNumbers->DeepCopy(this->Lattice.ToNumbers.data());
+  toNumbers->Transpose(); // as OpenGL wants it
+  program->SetUniformMatrix("toNumbers", toNumbers);
+  program->SetUniformi("squares", this->Squares.Activate());
+  program->SetUniformi("clearDistances", this->ClearDistances.Activate());
+}
+
+std::string RayVoxels::Draw(const CellDrawing& drawing)
+{
+  constexpr int maximumSteps = 1 << 16;
+  vtkShaderProgram* program = drawing.Window->GetShaderCache()->ReadyShaderProgram(
+    RayCellsVertex, voxelShader(drawing).c_str(), "");
+  if (!program)
+  {
+    return "the shaders did not compile";
+  }
+  vtkOpenGLState* state = drawing.Window->GetState();
+  state->vtkglDisable(GL_DEPTH_TEST);
+  state->vtkglDepthMask(GL_FALSE);
+  this->VertexArray->Bind();
+  drawing.SetUniforms(program);
+  drawing.Buffers.SetSmallTable(program);
+  this->SetGrid(program);
+  RayGeometry rays(drawing.View);
+  program->SetUniformMatrix3x3("rayPoint", rays.Point().data());
+  program->SetUniformMatrix3x3("rayDirection", rays.Direction().data());
+  program->SetUniformi("maximumSteps", maximumSteps);
+  glDrawArrays(GL_TRIANGLES, 0, 3);
+  this->VertexArray->Release();
+  this->Squares.Deactivate();
+  this->ClearDistances.Deactivate();
+  drawing.Finish();
+  return std::string();
+}
+
+void RayVoxels::ReleaseGraphicsResources(vtkWindow* window)
+{
+  this->Squares.Release(window);
+  this->ClearDistances.Release(window);
+  this->VertexArray->ReleaseGraphicsResources();
+}
+
+} // namespace nephoscope

@@ -1,0 +1,57 @@
+// SPDX-FileCopyrightText: The Nephoscope authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * Draws an evenly spaced grid ray by ray: the tetrahedra of its cells, as RayCells does, but where a ray is, is a matter of arithmetic.
+ *
+ * A ray leaps over cells in which nothing is seen, by the distance to the next one that is seen (ClearDistances.h). Contour surfaces,
+ * polygons, layers and a second array are left to RayCells.
+ */
+#ifndef RayVoxels_h
+#define RayVoxels_h
+
+#include "BoundaryFaces.h"
+#include "BufferTexture.h"
+#include "CellGeometry.h"
+
+#include "vtkNew.h"
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+class vtkOpenGLRenderWindow;
+class vtkOpenGLVertexArrayObject;
+class vtkShaderProgram;
+class vtkWindow;
+
+namespace nephoscope
+{
+
+struct CellDrawing;
+
+class RayVoxels
+{
+public:
+  // Each returns an empty string, or what went wrong.
+  std::string Upload(vtkOpenGLRenderWindow* window, const CellGeometry& geometry,
+    const CellBox& box, const std::vector<std::uint8_t>& clearDistances);
+  std::string UploadScalars(vtkOpenGLRenderWindow* window, const CellGeometry& geometry);
+  /** Draws into the bound framebuffer, which holds a transparent image. */
+  std::string Draw(const CellDrawing& drawing);
+
+  bool CanDraw(const CellDrawing& drawing) const;
+  void ReleaseGraphicsResources(vtkWindow* window);
+
+private:
+  void SetGrid(vtkShaderProgram* program);
+
+  ChessboardGrid Grid;
+  CellBox Box;
+  GridLattice Lattice;
+  BufferTexture Squares, ClearDistances;
+  vtkNew<vtkOpenGLVertexArrayObject> VertexArray;
+};
+
+} // namespace nephoscope
+
+#endif

@@ -1,0 +1,49 @@
+// SPDX-FileCopyrightText: The Nephoscope authors
+// SPDX-License-Identifier: BSD-3-Clause
+// The part of a pixel's ray that is seen: origin + distance * along.
+// Constant: useDepthRanges.
+uniform sampler2D depthRanges; // where VTK peels surfaces: near and far depth of two ranges, empty where near >= far
+uniform int rangeNumber;       // the one to draw
+vec3 origin = vec3(0.0), along = vec3(0.0);
+
+vec2 visibleDepths()
+{
+  ivec2 pixel = ivec2(gl_FragCoord.xy);
+  if (useDepthRanges)
+  {
+    vec4 ranges = texelFetch(depthRanges, pixel, 0);
+    return rangeNumber == 0 ? ranges.xy : ranges.zw;
+  }
+  else
+  {
+    return vec2(0.0, texelFetch(opaqueDepth, pixel, 0).r);
+  }
+}
+
+// Distances along the ray between which it is seen.
+vec2 visibleRange()
+{
+  vec4 toZ = vec4(MCVCMatrix[0].z, MCVCMatrix[1].z, MCVCMatrix[2].z, MCVCMatrix[3].z);
+  float atOrigin = dot(toZ, vec4(origin, 1.0));
+  float slope = dot(toZ.xyz, along);
+  vec2 depths = visibleDepths();
+  vec2 range = (vec2(zFromDepth(depths.x), zFromDepth(depths.y)) - atOrigin) / slope;
+#ifdef CLIPPING_PLANES
+  vec2 between = clippedRay((MCVCMatrix * vec4(origin, 1.0)).xyz, mat3(MCVCMatrix) * along);
+  range = vec2(max(range.x, between.x), min(range.y, between.y));
+#endif
+  return range;
+}
+
+#ifdef NEPHOSCOPE_HAZE
+// Hazes what has been added to the light between two distances along the ray.
+void hazeAdded(vec4 before, vec2 z)
+{
+  vec4 added = accumulatedLight() - before;
+  if (added.a > 0.0)
+  {
+    float place = mix(z.x, z.y, hazeMeanPlace(added.a / max(1.0 - before.a, added.a)));
+    light = before + hazedLight(added, (MCVCMatrix * vec4(origin + place * along, 1.0)).xyz);
+  }
+}
+#endif

@@ -1,0 +1,240 @@
+// SPDX-FileCopyrightText: The Nephoscope authors
+// SPDX-License-Identifier: BSD-3-Clause
+// A ray on its way through the cells of an evenly spaced grid, in numbers of points along each axis.
+//
+// A cell consists of the tetrahedron of its four even vertices and of one at each odd vertex (ChessboardGrid.h). In the unit cube with an
+// even vertex at 0, the height h of a point over the face of the odd vertex (1, 0, 0) is x - y - z: 1 at the vertex, 0 in the face. With
+// the three others, the heights are (x - y - z, y - x - z, z - x - y, x + y + z - 2). Over no more than one face is a point above 0.
+// The scalar is linear between the even vertices, -1/2 * sum(height * even vertex opposite), and has a bend at each face:
+// + max(height, 0) * (scalar of the odd vertex - that of the linear function there).
+// A line that is in two of the corners is so at its ends, and between them in the middle: it has at most three pieces.
+ivec3 stride = ivec3(0);
+vec3 firstCell = vec3(0.0), lastCell = vec3(0.0);
+int parityOffset = 0;
+
+vec3 rayStart = vec3(0.0), raySlope = vec3(0.0); // position and change along the ray
+vec3 wayPerNumber = vec3(0.0);                   // 1 / change
+vec3 forward = vec3(0.0);                        // 1 along the axes along which the ray goes up
+vec3 cell = vec3(0.0);
+vec2 mirror = vec2(0.0);                         // x in the cell = mirror.x + mirror.y * x
+vec4 evenScalars = vec4(0.0), bends = vec4(0.0); // in the order of the heights
+
+void keepGrid()
+{
+  stride = ivec3(gridStride[0], gridStride[1], gridStride[2]) * int(unity);
+  firstCell = boxLow * unity;
+  lastCell = boxHigh * unity;
+  parityOffset = oddOffset * int(unity);
+}
+
+float lesserOf(vec3 v)
+{
+  float xy = v.x < v.y ? v.x : v.y;
+  return xy < v.z ? xy : v.z;
+}
+
+int cellNumber()
+{
+  ivec3 c = ivec3(cell);
+  ivec2 rows = ivec2(stride.y - 1, stride.z / stride.y - 1);
+  return c.x + rows.x * (c.y + rows.y * c.z);
+}
+
+bool isInBox()
+{
+  return all(greaterThanEqual(cell, firstCell)) && all(lessThanEqual(cell, lastCell));
+}
+
+// Cells whose first vertex is odd are those of the others as a mirror shows them, along the first axis.
+void readScalars()
+{
+  ivec3 c = ivec3(cell);
+  int first = c.x + c.y * stride.y + c.z * stride.z;
+  int odd = (c.x + c.y + c.z + parityOffset) & 1;
+  vec4 a = element(squares, first + odd), b = element(squares, first + 1 - odd);
+  evenScalars = vec4(a.w, b.z, b.y, a.x);
+  bends = vec4(b.x, a.y, a.z, b.w) + evenScalars - 0.5 * (evenScalars.x + evenScalars.y + evenScalars.z + evenScalars.w);
+  mirror = odd == 0 ? vec2(-cell.x, 1.0) : vec2(cell.x + 1.0, -1.0);
+}
+
+vec4 heightsAt(float way)
+{
+  vec3 p = rayStart + way * raySlope;
+  p = vec3(mirror.x + mirror.y * p.x, p.yz - cell.yz);
+  float sum = p.x + p.y + p.z;
+  return vec4(2.0 * p - sum, sum - 2.0);
+}
+
+float scalarAt(vec4 heights)
+{
+  return dot(heights, -0.5 * evenScalars) + dot(max(heights, 0.0), bends);
+}
+
+// The ray in the present cell, between two ways: where its pieces begin and end, and the scalars there.
+vec4 places = vec4(0.0), scalars = vec4(0.0);
+
+// `front` is the scalar at the first way, if that is known from the cell before.
+void findPieces(vec2 ways, bool isKnown, float front)
+{
+  vec4 first = heightsAt(ways.x), last = heightsAt(ways.y);
+  vec4 crossing = clamp(first / (first - last), 0.0, 1.0);
+  // Where the ray leaves the first corner, and enters the last.
+  vec4 leaves = mix(vec4(0.0), crossing, bvec4(greaterThan(first, max(last, 0.0))));
+  vec4 enters = mix(vec4(1.0), crossing, bvec4(greaterThan(last, max(first, 0.0))));
+  bvec4 stays = bvec4(greaterThan(min(first, last), vec4(0.0)));
+  leaves = mix(leaves, vec4(0.0), stays);
+  enters = mix(enters, vec4(1.0), stays);
+  vec2 bend = vec2(-lesserOf(vec3(-leaves.x, -leaves.y, min(-leaves.z, -leaves.w))), lesserOf(vec3(enters.x, enters.y, min(enters.z, enters.w))));
+  bend.y = max(bend.x, bend.y);
+  scalars = vec4(isKnown ? front : scalarAt(first), scalarAt(mix(first, last, bend.x)), scalarAt(mix(first, last, bend.y)), scalarAt(last));
+  places = vec4(ways.x, mix(ways.xx, ways.yy, bend), ways.y);
+}
+
+// A piece along which colour and opacity are linear, and which is thin.
+void addLinear(vec4 front, vec4 back, vec2 ways)
+{
+#ifdef NEPHOSCOPE_HAZE
+  vec4 before = accumulatedLight();
+#endif
+  vec2 tau = vec2(front.a, back.a) * ((ways.y - ways.x) * opticalLength);
+  vec2 weights = averageIntegration ? averageSegmentWeights(tau.x, tau.y) : thinSegmentWeights(tau.x, tau.y);
+  light += (1.0 - light.a) * vec4(weights.x * front.rgb + weights.y * back.rgb, weights.x + weights.y);
+#ifdef NEPHOSCOPE_HAZE
+  hazeAdded(before, ways);
+#endif
+}
+
+// Adds the pieces if that is simple: no node of the transfer function lies between their scalars, and they are thin. Software computes
+// both sides of every test, so that what is seldom needed is done apart. False: nothing was added.
+bool addThinCell()
+{
+  float lowest = min(lesserOf(scalars.xyz), scalars.w);
+  float highest = -min(lesserOf(-scalars.xyz), -scalars.w);
+#ifdef SMALL_TABLE
+  int number = 0;
+#else
+  int number = findInterval(transferNodes, transferTable, lowest);
+#endif
+  Interval interval = intervalFrom(lowest, true, number);
+  vec4 slope = (interval.valueHigh - interval.valueLow) / interval.width;
+  vec4 values[4];
+  for (int i = 0; i < 4; ++i)
+  {
+    values[i] = interval.valueLow + (scalars[i] - interval.low) * slope;
+  }
+  float opacity = max(max(values[0].a, values[1].a), max(values[2].a, values[3].a));
+  bool isThin = averageIntegration || opacity * opticalLength * (places.w - places.x) <= 1.0;
+  bool fits = splitAtControlPoints && highest <= interval.high && isThin;
+  if (fits)
+  {
+    addLinear(values[0], values[1], places.xy);
+    addLinear(values[1], values[2], places.yz);
+    addLinear(values[2], values[3], places.zw);
+  }
+  return fits;
+}
+
+void addPieces()
+{
+  for (int piece = 0; piece < 3; ++piece)
+  {
+#ifdef NEPHOSCOPE_HAZE
+    vec4 before = accumulatedLight();
+#endif
+    if (places.y > places.x)
+    {
+      addSegment(scalars.xx, scalars.yy, places.y - places.x);
+    }
+#ifdef NEPHOSCOPE_HAZE
+    hazeAdded(before, places.xy);
+#endif
+    scalars.xyz = scalars.yzw;
+    places.xyz = places.yzw;
+  }
+}
+
+// Where the ray is in the box of cells: from, to.
+vec2 wayInBox(vec2 range)
+{
+  rayStart = (toNumbers * vec4(origin, 1.0)).xyz;
+  raySlope = mat3(toNumbers) * along;
+  bvec3 level = lessThan(abs(raySlope), vec3(1.0e-20));
+  raySlope = mix(raySlope, vec3(1.0e-20), level);
+  wayPerNumber = 1.0 / raySlope;
+  forward = vec3(greaterThan(raySlope, vec3(0.0)));
+  vec3 toLow = (firstCell - rayStart) * wayPerNumber;
+  vec3 toHigh = (lastCell + 1.0 - rayStart) * wayPerNumber;
+  bvec3 between = lessThan(abs(rayStart - 0.5 * (firstCell + lastCell + 1.0)), 0.5 * (lastCell + 1.0 - firstCell));
+  vec3 outside = mix(vec3(3.0e38), vec3(-3.0e38), between);
+  vec3 from = mix(min(toLow, toHigh), outside, level);
+  vec3 to = mix(max(toLow, toHigh), -outside, level);
+  return vec2(max(range.x, max(from.x, max(from.y, from.z))), min(range.y, lesserOf(to)));
+}
+
+// Leaps to the far side of the cube of cells around the present one in which nothing is seen; returns the way there.
+float leap(float way, float distance)
+{
+  vec3 far = cell + mix(vec3(1.0 - distance), vec3(distance), forward);
+  vec3 ways = (far - rayStart) * wayPerNumber;
+  float least = lesserOf(ways);
+  vec3 place = floor(rayStart + least * raySlope);
+  vec3 inCube = mix(clamp(place, min(far, cell), cell), clamp(place, cell, max(far - 1.0, cell)), forward);
+  cell = mix(inCube, far - 1.0 + forward, vec3(equal(ways, vec3(least))));
+  return max(way, least);
+}
+
+// What is seen of the ray in the present cell, up to where it goes on. False: that is not simple.
+bool addCell(vec2 ways, bool isKnown)
+{
+  if (useCellScalars)
+  {
+    scalars = vec4(element(cellScalars, cellNumber()).r);
+    places = ways.xyyy;
+  }
+  else
+  {
+    readScalars();
+    findPieces(ways, isKnown, scalars.w);
+  }
+  return addThinCell();
+}
+
+void walkVoxels(vec2 range)
+{
+  const int stepsAtOnce = 8;
+  vec2 ends = wayInBox(range);
+  float way = ends.x;
+  bool inside = way < ends.y;
+  cell = clamp(floor(rayStart + way * raySlope), firstCell, lastCell);
+  bool isKnown = false;
+  for (int i = 0; i < maximumSteps && inside; ++i)
+  {
+    bool waits = false;
+    for (int k = 0; k < stepsAtOnce; ++k)
+    {
+      float distance = floor(255.0 * element(clearDistances, cellNumber()).r + 0.5);
+      float here = way;
+      vec3 present = cell;
+      way = leap(here, max(distance, 1.0));
+      vec3 following = cell;
+      bool isSeen = distance == 0.0;
+      if (isSeen)
+      {
+        cell = present;
+        waits = !addCell(vec2(here, min(way, ends.y)), isKnown);
+        cell = following;
+      }
+      isKnown = isSeen;
+      inside = way < ends.y && isInBox() && !isOpaque();
+      if (waits || !inside)
+      {
+        break;
+      }
+    }
+    if (waits)
+    {
+      addPieces();
+      inside = inside && !isOpaque();
+    }
+  }
+}
