@@ -56,7 +56,7 @@ public:
   /** Where rays enter, the box of a grid's cells that can be seen, and the scalars between which nothing is seen. */
   std::string UploadBoundary(vtkOpenGLRenderWindow* window, const std::vector<BoundaryFace>& faces,
     const CellGeometry& geometry, const CellBox& box, const std::array<float, 2>& clearRange);
-  /** Of a grid: which of its cells can be seen, where it is evenly spaced. */
+  /** For an evenly spaced grid: which of its cells can be seen. */
   std::string UploadVoxels(vtkOpenGLRenderWindow* window, const CellGeometry& geometry,
     const CellBox& box, const std::vector<std::uint8_t>& clearDistances)
   {

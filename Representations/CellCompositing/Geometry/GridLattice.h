@@ -22,7 +22,7 @@ struct GridLattice
   std::array<double, 16>
     ToNumbers{}; ///< from positions to numbers of points along each axis, by rows
 
-  /** Of a grid whose point 0 is `origin`, and whose last ones along each axis are `ends`. False: they span no volume. */
+  /** For a grid whose point 0 is `origin`, and whose last ones along each axis are `ends`. False: they span no volume. */
   bool Span(const ChessboardGrid& grid, const Vector3& origin, const std::array<Vector3, 3>& ends)
   {
     vtkNew<vtkMatrix4x4> toPlaces;
