@@ -1,9 +1,12 @@
 # SPDX-FileCopyrightText: The Nephoscope authors
 # SPDX-License-Identifier: BSD-3-Clause
 """Time: one mesh whose values follow, a film, smoke and textures from the same series."""
+import shutil
+import subprocess
 import tempfile
 import unittest
 from pathlib import Path
+from unittest import mock
 
 import nephoscope
 import numpy as np
@@ -48,6 +51,47 @@ class Animation(unittest.TestCase):
             self.assertGreater(min(abs(np.diff(pictures))), 1.0)
             with self.assertRaisesRegex(ValueError, "ending must be .gif or .mp4"):
                 nephoscope.animate(pyvista.Plotter(off_screen=True), forecast(), "cl", filename="film.avi")
+
+    def test_films_have_every_step(self):
+        """GIF and MP4 as a reader of each finds them; the heights of each step, and the slider."""
+        from PIL import Image
+        with tempfile.TemporaryDirectory() as folder:
+            for name in ("film.gif", "film.mp4")[:2 if shutil.which("ffmpeg") else 1]:
+                plotter = pyvista.Plotter(off_screen=True, window_size=(121, 90))
+                nephoscope.animate(plotter, forecast(4), "cl", filename=Path(folder, name), framerate=4, progress=False, projection="map", vertical_exaggeration=50)
+                plotter.close()
+            film = self.enterContext(Image.open(Path(folder, "film.gif")))
+            frames = []
+            for i in range(film.n_frames):
+                film.seek(i)
+                frames.append(np.asarray(film.convert("RGB"), float))
+            self.assertEqual((len(frames), film.info["duration"], frames[0].shape), (4, 250, (90, 121, 3)))
+            self.assertGreater(min(np.abs(a - b).max() for a, b in zip(frames, frames[1:])), 20)
+            if shutil.which("ffmpeg") and shutil.which("ffprobe"):
+                told = subprocess.run(["ffprobe", "-v", "error", "-count_frames", "-show_entries", "stream=nb_read_frames,width,height,pix_fmt", "-of", "csv=p=0", Path(folder, "film.mp4")],
+                                      capture_output=True, text=True, check=True).stdout
+                self.assertEqual(told.strip(), "122,90,yuv420p,4")
+
+    def test_the_slider_shows_a_step(self):
+        plotter = pyvista.Plotter(off_screen=True, window_size=(120, 90))
+        series = nephoscope.animate(plotter, forecast(), "cl", projection="map")
+        slider = getattr(plotter, "widgets", plotter).slider_widgets[0]
+        slider.GetRepresentation().SetValue(2)
+        slider.InvokeEvent("EndInteractionEvent")
+        self.assertEqual(series.step, 2)
+        np.testing.assert_allclose(series.mesh["cl"], 0.8, rtol=1e-6)
+        plotter.close()
+
+    def test_the_next_step_is_read_while_one_is_shown(self):
+        read = []
+        from nephoscope.weather import series as module
+        with mock.patch.object(module.Series, "_read", autospec=True, side_effect=lambda self, step, once=module.Series._read: read.append(step) or once(self, step)):
+            series = forecast().nephoscope.series()
+            series.show(1)
+            series._coming[2].result()
+            self.assertEqual(read, [0, 1, 2])
+            series.show(2)
+            self.assertEqual(read, [0, 1, 2])
 
     def test_textures_and_smoke_take_the_series(self):
         series = forecast().nephoscope.series(projection="map")
