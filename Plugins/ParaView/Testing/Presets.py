@@ -32,7 +32,7 @@ def main():
         servermanager.vtkSMTransferFunctionPresets, "GetInstance") else servermanager.vtkSMTransferFunctionPresets()
     names = [presets.GetPresetName(i) for i in range(presets.GetNumberOfPresets())]
     ours = [name for name in names if name.startswith("Nephoscope ")]
-    check(len(ours) == len(set(ours)) == 9, f"presets: {ours}")
+    check(len(ours) == len(set(ours)) == 10, f"presets: {ours}")
 
     weather = pvs.NetCDFReader(FileName=[GFS], SphericalCoordinates=0)
     globe = pvs.GlobeGrid(Input=weather, VerticalExaggeration=30)
