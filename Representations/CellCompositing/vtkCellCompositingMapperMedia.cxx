@@ -196,15 +196,25 @@ void vtkCellCompositingMapper::DrawMedia(
     vtkInternals& internals = *medium.Mapper->Internals;
     together.push_back({ &internals.Pass, &internals.View->View, &internals.Options });
   }
-  const bool tooMany = media.size() > nephoscope::RayMedia::Most ||
-    !nephoscope::CellCompositingPass::CanDrawMedia(together);
-  if (media.size() < 2 || tooMany)
+  vtkInternals& first = *media.front().Mapper->Internals;
+  std::string reason;
+  if (media.size() > 1 && first.MediaRefused)
   {
-    this->WarnAboutMedia(1,
-      media.size() < 2 ? std::string()
-                       : std::to_string(media.size()) +
-          " volumes may cover one another, which are more than can be composited as one medium here: "
-          "they are drawn one over the other. Append their data to one.");
+    reason =
+      "this OpenGL driver does not compile the shader that would composite them as one medium";
+  }
+  else if (media.size() > nephoscope::RayMedia::Most ||
+    !nephoscope::CellCompositingPass::CanDrawMedia(together))
+  {
+    reason = "these are more than can be composited as one medium here";
+  }
+  this->WarnAboutMedia(1,
+    media.size() < 2 || reason.empty()
+      ? std::string()
+      : std::to_string(media.size()) + " volumes may cover one another, and " + reason +
+        ": they are drawn one over the other. Append their data to one.");
+  if (media.size() < 2 || !reason.empty())
+  {
     for (const vtkMedium& medium : media)
     {
       medium.Mapper->ReportOnce(medium.Mapper->DrawScene(window, medium.Volume));
@@ -217,8 +227,14 @@ void vtkCellCompositingMapper::DrawMedia(
     medium.Mapper->Internals->Picture =
       medium.Mapper == media.front().Mapper ? nullptr : media.front().Mapper;
   }
-  vtkInternals& first = *media.front().Mapper->Internals;
-  media.front().Mapper->ReportOnce(first.Peeled
-      ? first.Pass.DrawMediaPeel(window, together, { media.front().Mapper, media.front().Volume })
-      : first.Pass.DrawMedia(window, together));
+  const std::string error = first.Peeled
+    ? first.Pass.DrawMediaPeel(window, together, { media.front().Mapper, media.front().Volume })
+    : first.Pass.DrawMedia(window, together);
+  first.MediaRefused = error == nephoscope::RayMedia::NotCompiled;
+  if (first.MediaRefused && !first.Peeled)
+  {
+    this->DrawMedia(window, media);
+    return;
+  }
+  media.front().Mapper->ReportOnce(error);
 }

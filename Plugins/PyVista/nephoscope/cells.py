@@ -174,12 +174,13 @@ def add_cells(plotter: pyvista.BasePlotter, grid: Any, scalars: str | np.ndarray
     painted = group("polygons", polygons, Polygons, "which", old, POLYGON_NAMES)
     opacity_unit_distance = renamed_argument(opacity_unit_distance, "opacity_unit_distance", old.pop("unit_distance", None), "unit_distance")
     refuse_unknown("add_cells", old)
+    white = brightest(exposure, tone_mapping)
     if sun is not None:
         grid = lit(_solid_grid(grid, {}), sun)
         densest = float(np.max(grid["ScaledExtinction"])) or 1.0
         scalars, opacity_scalars, opacity, opacity_clim, opacity_unit_distance = "Sunlight", "ScaledExtinction", "linear", (0.0, densest), 1 / densest
         cmap = lit_colours(n_colors, tone_mapping) if cmap is None else cmap
-        clim = (0.0, brightest(exposure, tone_mapping)) if clim is None else clim
+        clim = (0.0, white) if clim is None else clim
     grid, array_name, association = scalar_array(
         _solid_grid(grid, {"scalars": scalars, "opacity_scalars": opacity_scalars, "contours['scalars']": surfaces.scalars,
                            "layer_scalars": layer_scalars}), scalars, preference)

@@ -88,10 +88,10 @@ class SatelliteImage:
 
 
 def _netcdf(path: str) -> Any:
-    """A file to write into; netCDF4 and scipy have the same methods."""
+    """A file to write into, in the classic format with 64-bit offsets; netCDF4 and scipy have the same methods."""
     try:
         import netCDF4
-        return netCDF4.Dataset(path, "w")
+        return netCDF4.Dataset(path, "w", format="NETCDF3_64BIT_OFFSET")
     except ImportError:
         try:
             from scipy.io import netcdf_file

@@ -178,7 +178,7 @@ std::string RayMedia::DrawFrom(const std::vector<Medium>& media)
   this->Allocate(*media[0].Drawing);
   if (!this->ReadyPrograms(media))
   {
-    return "the shaders of several media did not compile";
+    return NotCompiled;
   }
   this->Begin(media);
   bool more = true;

@@ -38,8 +38,8 @@ public:
     const CellDrawing* Drawing; ///< all of one window and viewport
     int OtherTextures = 0;      ///< that its buffers have, at most
   };
-  /** As many as a texel has components. */
-  static constexpr int Most = 4;
+  static constexpr int Most = 4; ///< as many as a texel has components
+  static constexpr const char* NotCompiled = "the shaders of several media did not compile";
 
   RayMedia();
   ~RayMedia();
