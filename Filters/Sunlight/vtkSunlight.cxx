@@ -47,9 +47,22 @@ std::array<double, 3> upAt(const nephoscope::Planet& planet, const std::array<do
 bool isInShadow(const nephoscope::Planet& planet, const std::array<double, 3>& place,
   const std::array<double, 3>& sun)
 {
+  if (planet.Radius <= 0)
+  {
+    return sun[2] < 0; // of flat ground
+  }
   const double along = dot(place, sun);
-  return planet.Radius > 0 && along < 0 &&
-    dot(place, place) - along * along < planet.Radius * planet.Radius;
+  return along < 0 && dot(place, place) - along * along < planet.Radius * planet.Radius;
+}
+
+// Residues of a model's arithmetic are no cloud: divided by such an extinction, rounding errors of the light would count as light.
+void cutResidues(std::vector<float>& extinction)
+{
+  constexpr float faintest = 1e-7f; // of the greatest
+  const auto greatest = std::max_element(extinction.begin(), extinction.end());
+  const float limit = greatest == extinction.end() ? 0.0f : faintest * *greatest;
+  std::replace_if(
+    extinction.begin(), extinction.end(), [limit](float one) { return one < limit; }, 0.0f);
 }
 
 vtkFloatArray* addArray(vtkDataSet* data, const char* name)
@@ -148,6 +161,7 @@ bool vtkSunlight::ReadOptics(vtkDataSet* data, Work& work)
   work.Places = nephoscope::placesOf(data);
   work.Extinction =
     nephoscope::valuesOf(data, this->ExtinctionArrayName, 0, this->ExtinctionScale, work.Wrong);
+  cutResidues(work.Extinction);
   work.Albedo = nephoscope::valuesOf(data, this->AlbedoArrayName, this->Albedo, 1, ignored);
   work.Asymmetry =
     nephoscope::valuesOf(data, this->AsymmetryArrayName, this->Asymmetry, 1, ignored);

@@ -71,7 +71,8 @@ class Beam(unittest.TestCase):
     def check(self, data, sun, places_of, rate=lambda x: 0 * x[:, 0] + 0.7):
         output, messages = light_of(data, sun, MultipleScattering=False, SkyLight=0)
         self.assertTrue(all("below the horizon" in message for message in messages), messages)
-        np.testing.assert_allclose(values(output, "SunTransmittance"), np.exp(-places_of(places(output), np.array(sun) / np.linalg.norm(sun))), rtol=2e-4, atol=1e-6)
+        expected = np.exp(-places_of(places(output), np.array(sun) / np.linalg.norm(sun))) * (sun[2] >= 0)  # no beam through flat ground
+        np.testing.assert_allclose(values(output, "SunTransmittance"), expected, rtol=2e-4, atol=1e-6)
 
     @staticmethod
     def way_out(x, s):
@@ -293,6 +294,30 @@ class Globe(unittest.TestCase):
             sun = vtk_to_numpy(output.GetFieldData().GetArray("SunDirection"))[0]
             self.assertAlmostEqual(np.degrees(np.arcsin(sun[2])), lat, delta=0.1)
             self.assertAlmostEqual(np.remainder(np.degrees(np.arctan2(sun[1], sun[0])) - lon + 180, 360) - 180, 0, delta=0.5)
+
+
+class Clear(unittest.TestCase):
+    def test_residues_are_no_cloud(self):
+        """Extinctions that are no more than the rounding of a model leave no light of their own."""
+        def cloud(least):
+            return lambda x, y, z: np.where((abs(x) < 3) & (abs(z - 4) < 2), 0.5, least)
+
+        alone, _ = light_of(image((13, 13, 9), (1, 1, 1), cloud(0.0), (-6, -6, 0)), (0.5, 0, 1))
+        for residue in (1e-9, 1e-14, 1e-20, 1e-37):
+            output, messages = light_of(image((13, 13, 9), (1, 1, 1), cloud(residue), (-6, -6, 0)), (0.5, 0, 1))
+            self.assertEqual(messages, [])
+            for name in ("Sunlight", "Irradiance", "UpwardIrradiance", "ScaledExtinction"):
+                np.testing.assert_allclose(values(output, name), values(alone, name), atol=1e-6, err_msg=f"{name}, {residue}")
+        self.assertLess(values(alone, "Sunlight").max(), 1.5)
+
+    def test_night_over_flat_ground(self):
+        """The sun does not shine through the ground; only the sky is left, and goes with twilight."""
+        cloud = image((9, 9, 9), (1, 1, 1), lambda x, y, z: np.where((z > 2) & (z < 6), 0.5, 0.0))
+        day, dusk, night = (light_of(cloud, sun)[0] for sun in ((0, 0, 1), (1, 0, -0.02), (0, 0, -1)))
+        self.assertEqual(values(night, "SunTransmittance").max(), 0.0)
+        self.assertLess(values(night, "Sunlight").max(), 1e-6)
+        self.assertEqual(values(dusk, "SunTransmittance").max(), 0.0)
+        self.assertLess(values(dusk, "Sunlight").max(), 0.1 * values(day, "Sunlight").max())
 
 
 class Again(unittest.TestCase):

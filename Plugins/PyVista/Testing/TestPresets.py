@@ -85,7 +85,7 @@ class Applied(unittest.TestCase):
     def test_ranges(self):
         for name, low, high, expected in (("cloud_cover", 0, 0.4, (0, 1)), ("cloud_cover", 0, 87.0, (0, 100)), ("clwmr", 0, 3e-4, (0, 3e-4)),
                                           ("x_wind", -20.0, 50.0, (-50, 50)), ("temp", 200.0, 310.0, (200, 310)), ("wind_speed", 2.0, 60, (0, 60)),
-                                          ("cloud_cover", 0, 0, (-0.5, 0.5)), ("values", 3, 5, (3, 5))):
+                                          ("cloud_cover", 0, 0, (0, 1)), ("values", 3, 5, (3, 5))):
             volume = self.add(box(**{name: ramp(low, high)}), name)
             np.testing.assert_allclose(volume.mapper.scalar_range, expected, err_msg=name)
 
@@ -127,6 +127,13 @@ class Applied(unittest.TestCase):
                     expected = min(2.0, 4.0 * columns.mean() ** 2 / (columns ** 2).mean())
                     depth = opacity.mean() * scale ** 3 / (1.5 * scale ** 2) / distance  # Cauchy: a quarter of the cube's surface
                     self.assertAlmostEqual(depth, expected, delta=0.02, msg=(scale, width, type(data)))
+
+    def test_a_clear_sky_is_clear(self):
+        """No cloud anywhere is not a cloud everywhere."""
+        with self.assertWarnsRegex(UserWarning, "[Nn]othing"):
+            volume = self.add(box(cloud=np.zeros(9 ** 3)), "cloud")
+        self.assertEqual(volume.mapper.scalar_range, (0, 1))
+        self.assertEqual(volume.prop.GetScalarOpacity().GetValue(0.0), 0)
 
     def test_hidden_cells_do_not_count(self):
         grid = box(cloud=np.ones(9 ** 3)).cast_to_structured_grid()

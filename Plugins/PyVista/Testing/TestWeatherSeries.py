@@ -41,6 +41,12 @@ class Animation(unittest.TestCase):
             np.testing.assert_array_equal(mesh.points, points)
         np.testing.assert_allclose(series[-1]["cl"], 0.8, rtol=1e-6)
 
+    def test_seconds_in_other_calendars(self):
+        import cftime
+        times = [cftime.DatetimeNoLeap(2004, 2, 28), cftime.DatetimeNoLeap(2004, 3, 1), cftime.DatetimeNoLeap(2004, 3, 2, 6)]
+        np.testing.assert_allclose(forecast().assign_coords(time=times).nephoscope.series().seconds, [0, 86400, 2 * 86400 + 21600])
+        np.testing.assert_allclose(forecast().drop_vars("time").nephoscope.series().seconds, [0, 1, 2])
+
     def test_film_and_slider(self):
         with tempfile.TemporaryDirectory() as folder:
             plotter = pyvista.Plotter(off_screen=True, window_size=(120, 90))

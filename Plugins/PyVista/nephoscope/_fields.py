@@ -47,6 +47,8 @@ class Preset:
         """The range for these values; None: that of the values."""
         finite = values[np.isfinite(values)]
         low, high = (float(finite.min()), float(finite.max())) if finite.size else (0.0, 0.0)
+        if self.range_rule in ("fraction", "from zero") and finite.size and low == high == 0:
+            return 0.0, 1.0  # a clear sky
         if self.range_rule == "fraction" and low >= -0.01 and 0 < high <= 100.5:
             return 0.0, 1.0 if high <= 1.01 else 100.0
         if self.range_rule in ("fraction", "from zero") and low >= 0 and high > 0:

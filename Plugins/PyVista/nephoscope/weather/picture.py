@@ -6,6 +6,7 @@ from __future__ import annotations
 import numpy as np
 import pyvista
 
+from .._blocks import cell_dimension
 from ..cells import add_cells
 from ..globe import EARTH_RADIUS, globe_surface
 
@@ -14,10 +15,14 @@ GROUND = "#3d5a73"  # of the globe, without a texture
 
 def plotted(grid: pyvista.DataSet, scalars: str | None, screenshot: str | None, options: dict) -> pyvista.Plotter:
     plotter = pyvista.Plotter(off_screen=screenshot is not None, theme=pyvista.themes.DarkTheme(), window_size=(800, 800))
-    on_globe = str(np.ravel(grid.field_data.get("GlobeGridProjection", ["globe"]))[0]).lower() not in ("1", "map")
+    on_globe = str(np.ravel(grid.field_data.get("GlobeGridProjection", ["globe"]))[0]).lower() not in ("1", "1.0", "map")
+    flat = cell_dimension(grid) < 3
     if on_globe:
-        plotter.add_mesh(globe_surface(), color=GROUND, lighting=True)
-    add_cells(plotter, grid, scalars, **options)
+        plotter.add_mesh(globe_surface(radius=0.998 * EARTH_RADIUS if flat else EARTH_RADIUS), color=GROUND, lighting=True)
+    if flat:  # one level
+        plotter.add_mesh(grid, scalars=scalars, **{"nan_opacity": 0, "lighting": False, **options})
+    else:
+        add_cells(plotter, grid, scalars, **options)
     if on_globe:
         _look_down(plotter, grid)
     plotter.show(screenshot=screenshot or False, auto_close=False)

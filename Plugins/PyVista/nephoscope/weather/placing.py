@@ -20,6 +20,7 @@ HEIGHT = "geometric_height"  # the array that hands the heights to `to_globe`
 
 def place(reading: Reading, air: Air, variables: Sequence[str] | None, extra: dict[str, np.ndarray], options: dict) -> pyvista.StructuredGrid:
     """`extra`: fields that have been computed, in the shape of the grid."""
+    refuse_found(options)
     if reading.horizontal.is_list:
         from .prisms import place_columns
         return place_columns(reading, air, variables, extra, **options)
@@ -42,8 +43,20 @@ def place(reading: Reading, air: Air, variables: Sequence[str] | None, extra: di
     return grid
 
 
+FOUND = ("height", "height_units", "level_units", "wind", "vertical_wind_is_omega", "wind_components", "surface")
+
+
+def refuse_found(options: dict) -> None:
+    """TypeError for arguments of `to_globe` that follow from the dataset."""
+    for name in FOUND:
+        if name in options:
+            raise TypeError(f"globe() finds {name} by the variables of the dataset. Name a variable by its role instead, such as geopotential_height='z' or "
+                            "geopotential='z', or give it units; describe() lists what has been found.")
+
+
 def place_sheet(reading: Reading, fields: dict[str, np.ndarray], options: dict) -> pyvista.DataSet:
     """Fields of one level, at the height 0."""
+    refuse_found(options)
     if reading.horizontal.is_list:
         from .prisms import place_sheet_of_cells
         return place_sheet_of_cells(reading, fields, **options)

@@ -15,7 +15,7 @@ from typing import Any, Callable
 import numpy as np
 import pyvista
 
-from .times import listed_times, time_dims
+from .times import listed_times, seconds_of, time_dims
 
 
 class Series(Sequence):
@@ -39,10 +39,8 @@ class Series(Sequence):
     @property
     def seconds(self) -> np.ndarray:
         """Since the first step; numbers of steps where the dataset has no dates."""
-        if self._dim in self._dataset.variables and self._dataset[self._dim].dtype.kind in "mM":
-            values = self._dataset[self._dim].values
-            return (values - values[0]) / np.timedelta64(1, "s")
-        return np.arange(len(self), dtype=float)
+        seconds = seconds_of(self._dataset[self._dim].values) if self._dim in self._dataset.variables else None
+        return np.arange(len(self), dtype=float) if seconds is None else seconds
 
     def __getitem__(self, step):
         if isinstance(step, slice):

@@ -98,6 +98,14 @@ def _told(value) -> str:
     return str(value)
 
 
+def seconds_of(values: np.ndarray) -> np.ndarray | None:
+    """Seconds since the first of these times, in any calendar; None if they are no dates and no durations."""
+    if values.dtype.kind in "mM":
+        return (values - values[0]) / np.timedelta64(1, "s")
+    since = [value - values[0] for value in values] if values.dtype == object else []
+    return np.array([step.total_seconds() for step in since]) if since and all(hasattr(step, "total_seconds") for step in since) else None
+
+
 def listed_times(dataset) -> list[str]:
     dims = [dim for dim in time_dims(dataset) if dim in dataset.variables]
     return [_told(value) for value in np.atleast_1d(dataset[dims[0]].values)] if dims else []

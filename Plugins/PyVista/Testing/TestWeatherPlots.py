@@ -1,0 +1,50 @@
+# SPDX-FileCopyrightText: The Nephoscope authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""The first picture of a dataset: on a globe, on a map, of one level; options that the dataset itself answers."""
+import tempfile
+import unittest
+from pathlib import Path
+
+import nephoscope  # noqa: F401 (the accessor)
+import numpy as np
+import pyvista
+from weather_data import isothermal
+
+LON, LAT = np.arange(0, 40, 5.0), np.arange(20, 60, 5.0)
+
+
+def forecast():
+    first = isothermal(LON, LAT)
+    return first.assign(cl=(first.ta.dims, 0.5 + 0 * first.ta.values, {"units": "1"}))
+
+
+class Plots(unittest.TestCase):
+    def plotted(self, dataset, name, **options):
+        with tempfile.TemporaryDirectory() as folder:
+            path = Path(folder, "picture.png")
+            plotter = dataset.nephoscope.plot(name, screenshot=str(path), **options)
+            self.addCleanup(plotter.close)
+            picture = pyvista.read(path)["PNGImage"].reshape(800, 800, -1)[..., :3].astype(float)
+        return plotter, picture
+
+    def sizes(self, plotter):
+        return sorted(actor.GetLength() for actor in plotter.renderer.actors.values() if hasattr(actor, "GetLength") and actor.GetLength())
+
+    def test_a_map_has_no_globe(self):
+        plotter, _ = self.plotted(forecast(), "cl", projection="map")
+        self.assertFalse(any(isinstance(actor, pyvista.Actor) for actor in plotter.renderer.actors.values()))
+
+    def test_one_level_is_a_coloured_surface(self):
+        level = forecast().isel({forecast().ta.dims[0]: 1})
+        plotter, picture = self.plotted(level, "ta")
+        self.assertEqual(sum(isinstance(actor, pyvista.Actor) for actor in plotter.renderer.actors.values()), 2)
+        self.assertGreater(np.std(picture), 10)
+
+    def test_what_the_dataset_answers(self):
+        for option in ({"height": "z"}, {"height_units": "m"}, {"level_units": "hPa"}):
+            with self.subTest(option), self.assertRaisesRegex(TypeError, f"globe.. finds {next(iter(option))} by the variables"):
+                forecast().nephoscope.globe(**option)
+
+
+if __name__ == "__main__":
+    unittest.main()
