@@ -47,6 +47,16 @@ class Animation(unittest.TestCase):
         np.testing.assert_allclose(forecast().assign_coords(time=times).nephoscope.series().seconds, [0, 86400, 2 * 86400 + 21600])
         np.testing.assert_allclose(forecast().drop_vars("time").nephoscope.series().seconds, [0, 1, 2])
 
+    def test_the_time_can_be_read(self):
+        for background, colour in (("black", (1, 1, 1)), ("white", (0, 0, 0))):
+            plotter = pyvista.Plotter(off_screen=True, window_size=(120, 90))
+            self.addCleanup(plotter.close)
+            plotter.set_background(background)
+            nephoscope.animate(plotter, forecast(), "cl")
+            text = plotter.renderer.actors["nephoscope_time"]
+            self.assertEqual(text.GetTextProperty().GetColor(), colour)
+            self.assertEqual(plotter.slider_widgets[0].GetRepresentation().GetTitleProperty().GetColor(), colour)
+
     def test_film_and_slider(self):
         with tempfile.TemporaryDirectory() as folder:
             plotter = pyvista.Plotter(off_screen=True, window_size=(120, 90))

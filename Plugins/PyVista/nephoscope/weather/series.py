@@ -121,10 +121,12 @@ def animate(plotter: pyvista.BasePlotter, dataset: Any, draw: str | Callable[[py
         from ..cells import add_cells
         add_cells(plotter, series.mesh, draw)
 
+    readable = "white" if np.mean(plotter.background_color.float_rgb) < 0.5 else "black"
+
     def turn_to(step: float) -> None:
         series.show(int(round(step)))
         if show_time:
-            plotter.add_text(series.times[series.step], name="nephoscope_time", font_size=10, position="upper_left", render=False)
+            plotter.add_text(series.times[series.step], name="nephoscope_time", font_size=10, position="upper_left", color=readable, render=False)
         plotter.render()
 
     if filename is not None:
@@ -132,7 +134,7 @@ def animate(plotter: pyvista.BasePlotter, dataset: Any, draw: str | Callable[[py
         return series
     turn_to(0)
     if len(series) > 1:
-        plotter.add_slider_widget(turn_to, [0, len(series) - 1], value=0, title="time step", fmt="%.0f", interaction_event="end")
+        plotter.add_slider_widget(turn_to, [0, len(series) - 1], value=0, title="time step", fmt="%.0f", color=readable, interaction_event="end")
     return series
 
 
