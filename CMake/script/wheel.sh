@@ -34,10 +34,13 @@ parse_wheel_arguments()
   [ ${#WHEEL_PYTHONS[@]} -gt 0 ] || [ "$WHEEL_SOURCE" = yes ] || WHEEL_PYTHONS=("$(wheel_own_python)")
 }
 
-# Whether the wheel that makes the type stubs of all must be made first.
+# Whether the wheel that makes the type stubs of all must be made first: there are none, or some source is newer.
 needs_wheel_of_stubs()
 {
-  [ ${#WHEEL_PYTHONS[@]} -gt 0 ] && [ ! -s "$WHEEL_WORK/stubs/__init__.pyi" ] && [ "${WHEEL_PYTHONS[0]}" != "$(wheel_own_python)" ]
+  local stubs="$WHEEL_WORK/stubs/__init__.pyi"
+  [ ${#WHEEL_PYTHONS[@]} -gt 0 ] && [ "${WHEEL_PYTHONS[0]}" != "$(wheel_own_python)" ] &&
+    { [ ! -s "$stubs" ] ||
+      [ -n "$(find "$TOP/Filters" "$TOP/Representations" "$TOP/Plugins/PyVista" \( -name '*.h' -o -name '*.py' \) -newer "$stubs" -print -quit 2>/dev/null)" ]; }
 }
 
 # The version of the system's Python, whose wheel also makes the stubs of all the others.

@@ -85,6 +85,10 @@ test_usage()
   mkdir -p "$WORK/build/wheel/stubs"
   echo >"$WORK/build/wheel/stubs/__init__.pyi"
   expect "no wheel before others once there are stubs" eval '! stubs_first --python 3.14'
+  mkdir -p "$WORK/Filters"
+  touch -d "+1 minute" "$WORK/Filters/newer.h"
+  expect "the wheel of the type stubs made again after a change" stubs_first --python 3.14
+  rm -r "$WORK/Filters"
   mkdir "$WORK/shims"
   printf '#!/bin/sh\nexit 127\n' >"$WORK/shims/python3.14"
   chmod +x "$WORK/shims/python3.14"
