@@ -5,6 +5,7 @@ import shutil
 import subprocess
 import tempfile
 import unittest
+import warnings
 from pathlib import Path
 from unittest import mock
 
@@ -23,7 +24,7 @@ def forecast(steps=3):
     times = np.datetime64("2020-01-01T00", "ns") + np.arange(steps) * np.timedelta64(6, "h")
     dims, shape = ("time", *first.ta.dims), (steps, *first.ta.shape)
     ones = np.ones(shape)
-    return first.assign(cl=(dims, ones * (0.2 + 0.3 * np.arange(steps).reshape(-1, 1, 1, 1)), {"units": "1"}), ua=(dims, 10 * ones, {"units": "m/s"}), va=(dims, 0 * ones, {"units": "m/s"}),
+    return first.assign(cl=(dims, ones * np.minimum(1, 0.2 + 0.3 * np.arange(steps)).reshape(-1, 1, 1, 1), {"units": "1"}), ua=(dims, 10 * ones, {"units": "m/s"}), va=(dims, 0 * ones, {"units": "m/s"}),
                         time=("time", times))
 
 
@@ -115,6 +116,114 @@ class Animation(unittest.TestCase):
         self.assertEqual(moved.n_points, series.mesh.n_points)
         smoke = nephoscope.flow_volume(series.at, times=series.seconds, time=3600.0)
         self.assertGreater(smoke.n_cells, 0)
+
+
+class ColoursOfAllSteps(unittest.TestCase):
+    """A field that is 0 in the first step, then 0.1, 0.4 and 0.2: colours and opacities are those of all steps."""
+
+    def setUp(self):
+        values = np.array([0.0, 0.1, 0.4, 0.2]).reshape(-1, 1, 1, 1)
+        self.dataset = forecast(4)
+        self.dataset["so2"] = self.dataset.cl * 0 + values * np.linspace(0, 1, len(LON))
+        self.dataset["cl"] = self.dataset.cl * 0 + values
+        self.plotter = pyvista.Plotter(off_screen=True, window_size=(120, 90))
+        self.addCleanup(self.plotter.close)
+
+    def volume(self):
+        return next(actor for actor in self.plotter.renderer.actors.values() if isinstance(actor, pyvista.Volume))
+
+    def test_range_of_all_steps(self):
+        with warnings.catch_warnings():
+            warnings.simplefilter("error", UserWarning)  # that nothing will be visible
+            series = nephoscope.animate(self.plotter, self.dataset, "so2")
+        self.assertEqual(series.range("so2"), (0.0, np.float32(0.4)))
+        self.assertEqual(tuple(self.volume().mapper.scalar_range), (0.0, np.float32(0.4)))
+        series.show(2)
+        self.assertEqual(tuple(self.volume().mapper.scalar_range), (0.0, np.float32(0.4)))
+        self.assertEqual(series.range("Wind"), (10.0, 10.0))
+
+    def test_opacities_are_those_of_the_densest_step(self):
+        nephoscope.animate(self.plotter, self.dataset, "so2")
+        distance = self.volume().prop.opacity_unit_distance
+        alone = pyvista.Plotter(off_screen=True, window_size=(120, 90))
+        self.addCleanup(alone.close)
+        volume = nephoscope.add_cells(alone, self.dataset.nephoscope.globe(time=2), "so2", clim=(0, 0.4))
+        self.assertAlmostEqual(distance / volume.prop.opacity_unit_distance, 1, places=4)
+
+    def test_a_step_looks_the_same_wherever_the_series_begins(self):
+        """The last step, drawn after three others and drawn alone with the limits of all."""
+        series = nephoscope.animate(self.plotter, self.dataset, "so2", projection="map", vertical_exaggeration=50, show_time=False)
+        series.show(3)
+        other = self.dataset.isel(time=[2, 3]).nephoscope.series(projection="map", vertical_exaggeration=50)
+        alone = pyvista.Plotter(off_screen=True, window_size=(120, 90))
+        self.addCleanup(alone.close)
+        nephoscope.add_cells(alone, other.mesh, "so2")
+        other.show(1)
+        getattr(self.plotter, "widgets", self.plotter).clear_slider_widgets()
+        first, second = self.plotter.screenshot(), alone.screenshot()
+        self.assertGreater(first.std(), 5)
+        self.assertLessEqual(np.abs(first.astype(int) - second).max(), 1)
+
+    def test_presets_and_functions_of_the_user(self):
+        nephoscope.animate(self.plotter, self.dataset, "cl")  # a fraction: 0 to 1, although the sky is clear at first
+        self.assertEqual(tuple(self.volume().mapper.scalar_range), (0.0, 1.0))
+        self.plotter.clear()
+        drawn = []
+        nephoscope.animate(self.plotter, self.dataset, lambda plotter, mesh: drawn.extend([nephoscope.add_cells(plotter, mesh, "so2"), plotter.add_mesh(mesh, scalars="so2", show_scalar_bar=False),
+                                                                                         plotter.add_mesh(mesh.copy(), scalars="so2", clim=(0, 9), show_scalar_bar=False)]))
+        self.assertEqual([tuple(actor.mapper.scalar_range) for actor in drawn], [(0.0, np.float32(0.4)), (0.0, np.float32(0.4)), (0, 9)])
+
+    def test_winds_of_all_steps(self):
+        self.dataset["ua"] = self.dataset.ua * (1 + np.arange(4)).reshape(-1, 1, 1, 1)
+        series = self.dataset.nephoscope.series()
+        self.assertEqual(series.range("ua"), (10.0, 40.0))
+        self.assertEqual(series.range("Wind")[1], np.float32(40))
+
+    def test_values_are_missing_at_first(self):
+        self.dataset["so2"] = self.dataset.so2.where(np.arange(4).reshape(-1, 1, 1, 1) > 0)
+        series = nephoscope.animate(self.plotter, self.dataset, "so2")
+        self.assertEqual(series.range("so2"), (0.0, np.float32(0.4)))
+
+    def test_long_series_are_sampled(self):
+        series = xr.concat([self.dataset.isel(time=0).assign(so2=self.dataset.so2.isel(time=0) + i) for i in range(101)], "time", data_vars="minimal", coords="minimal", compat="override").assign_coords(
+            time=np.datetime64("2020-01-01", "ns") + np.arange(101) * np.timedelta64(1, "h"))[["ta", "so2"]].nephoscope.series()
+        self.assertEqual((len(series.samples("so2")), series.range("so2")), (50, (0, 100)))
+
+
+class ShownTime(unittest.TestCase):
+    def setUp(self):
+        self.plotter = pyvista.Plotter(off_screen=True, window_size=(120, 90))
+        self.addCleanup(self.plotter.close)
+
+    def text(self):
+        return self.plotter.renderer.actors["nephoscope_time"].GetText(2)  # upper left
+
+    def test_text_and_slider_follow(self):
+        series = nephoscope.animate(self.plotter, forecast(), "cl")
+        slider = getattr(self.plotter, "widgets", self.plotter).slider_widgets[0]
+        shown = slider.GetRepresentation()
+        self.assertEqual((self.text(), shown.GetLabelFormat()), ("2020-01-01 00:00",) * 2)
+        series.show(2)
+        self.assertEqual((self.text(), shown.GetLabelFormat(), shown.GetValue()), ("2020-01-01 12:00", "2020-01-01 12:00", 2.0))
+        shown.SetValue(1.2)  # still held by the mouse
+        slider.InvokeEvent("InteractionEvent")
+        self.assertEqual((shown.GetLabelFormat(), series.step), ("2020-01-01 06:00", 2))
+
+    def test_a_series_is_closed(self):
+        with tempfile.TemporaryDirectory() as folder:
+            path = Path(folder, "forecast.nc")
+            forecast().to_netcdf(path)
+            with nephoscope.animate(self.plotter, str(path), "cl") as series:
+                self.assertEqual(len(series), 3)
+            with self.assertRaisesRegex(ValueError, "series has been closed"):
+                series.show(2)
+            self.assertFalse(any(thread.is_alive() for thread in series._worker._threads))
+        dataset = forecast()
+        with dataset.nephoscope.series() as series:
+            nephoscope.animate(self.plotter, series, "cl")
+            with self.assertRaisesRegex(TypeError, "projection: options of the series"):
+                nephoscope.animate(self.plotter, series, "cl", projection="map")
+        self.assertEqual(float(dataset.cl.max()), 0.8)  # a dataset of the user's stays open
 
 
 if __name__ == "__main__":

@@ -40,7 +40,7 @@ if _TYPE_CHECKING:
     from .terrain import add_terrain, terrain_surface
     from .viewing import viewer
     from .weather.opening import open  # noqa: A004
-    from .weather.series import animate
+    from .weather.animating import animate
 
 VTK_FUNCTIONS = {"override_vtk": "override", "sample_data": "samples"}  # those that need VTK alone
 
@@ -73,7 +73,7 @@ PYVISTA_FUNCTIONS = {
     "serve": "serving",
     "viewer": "viewing",
     "open": "weather.opening",
-    "animate": "weather.series",
+    "animate": "weather.animating",
 }
 
 

@@ -19,6 +19,7 @@ from ._copies import MediumVolume, copied_mapper
 from ._exports import warn_when_exported
 from ._fields import find_preset, is_bright, is_helper, presets
 from ._frames import warn_of_other_frames
+from ._over_time import densest, values_over_time
 from ._pipeline import level_of_caller, warn_when_drawing
 from .transfer import OpacityLike, colour_function, opacity_function, opacity_values
 
@@ -166,7 +167,8 @@ def association_of(grid: pyvista.DataSet, name: str, preference: str, argument: 
     """ "point" or "cell", where the array `name` of one number each is; `preference` if both have it."""
     for association in (preference, "cell" if preference == "point" else "point"):
         if name in (grid.point_data if association == "point" else grid.cell_data):
-            require_scalars(grid, array_values(grid, name, association), name, argument)
+            values = array_values(grid, name, association)
+            require_scalars(grid, values_over_time(grid, name, association) if values.ndim == 1 else values, name, argument)
             return association
     raise MissingDataError(f"{argument}: no array {name!r}. {arrays_of(grid, name)}")
 
@@ -277,7 +279,7 @@ class Functions:
         """The property of a volume of the array `name`, which `mapper` will draw. Without a `unit_distance` it is such that the medium is seen."""
         limits_given = (self.clim if self.opacity_scalars is None else self.opacity_clim) is not None
         self._take_preset(plotter, grid, name, association)
-        table = self._lookup_table(plotter, array_values(grid, name, association), name)
+        table = self._lookup_table(plotter, values_over_time(grid, name, association), name)
         opacities = self._opacities(table)
         opacity_range = self._opacity_range(grid, preference)
         mapper.SetInputData(grid)
@@ -293,11 +295,13 @@ class Functions:
         mapper.attach(prop, table, opacities, opacity_range)
         read = name if self.opacity_scalars is None else self.opacity_scalars
         read_at = association if self.opacity_scalars is None else association_of(grid, read, preference, "opacity_scalars")
-        _warn_of_transparency(array_values(grid, read, read_at), read, prop.GetScalarOpacity(),
-                              "clim" if self.opacity_scalars is None else "opacity_clim")
+        values = values_over_time(grid, read, read_at)
+        _warn_of_transparency(values, read, prop.GetScalarOpacity(), "clim" if self.opacity_scalars is None else "opacity_clim")
         if unit_distance is None:
-            measured = _ramp(array_values(grid, read, read_at)) if limits_given else prop
+            measured = _ramp(values) if limits_given else prop
+            mapper.SetInputData(densest(grid, read, measured.GetScalarOpacity()))
             prop.opacity_unit_distance = mapper.FindUnitDistance(measured) or diagonal(grid) or 1.0
+            mapper.SetInputData(grid)
         return prop
 
     def _take_preset(self, plotter: pyvista.BasePlotter, grid: pyvista.DataSet, name: str, association: str) -> None:
@@ -310,7 +314,7 @@ class Functions:
         ours = chosen is not None and self.opacity is None and self.opacity_scalars is None
         if chosen is not None:
             self.cmap = chosen.colour_map(is_bright(plotter.background_color)) if self.cmap is None else self.cmap
-            self.clim = chosen.clim(array_values(grid, name, association)) if self.clim is None else self.clim
+            self.clim = chosen.clim(values_over_time(grid, name, association)) if self.clim is None else self.clim
         if self.opacity is None:
             self.opacity = chosen.opacity_values() if ours else "linear"
 
@@ -338,7 +342,7 @@ class Functions:
                 raise ValueError("opacity_clim is given without opacity_scalars; the range of scalars is clim.")
             return None
         association = association_of(grid, name, preference, "opacity_scalars")
-        return _scalar_range(array_values(grid, name, association), name, self.opacity_clim, False)
+        return _scalar_range(values_over_time(grid, name, association), name, self.opacity_clim, False)
 
 
 def lookup_table(plotter: pyvista.BasePlotter, values: np.ndarray, name: str, cmap: Any, clim: float | Sequence[float] | None, *,

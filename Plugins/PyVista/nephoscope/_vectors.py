@@ -12,6 +12,7 @@ import pyvista
 
 from ._checks import choose, require_beside_scalars, require_number
 from ._medium import array_values, lookup_table
+from ._over_time import values_over_time
 from ._pipeline import level_of_caller
 from .transfer import colour_function
 
@@ -146,7 +147,7 @@ class Vectors:
         if self.color is not None:
             raise ValueError("vectors has the options 'color' and 'scalars'; vectors have one colour, or that of an array.")
         require_beside_scalars(mesh, self.scalars, association, "vectors['scalars']")
-        values = np.asarray(array_values(mesh, self.scalars, association), float)
+        values = np.asarray(values_over_time(mesh, self.scalars, association), float)
         values = values if values.ndim == 1 else np.linalg.norm(values, axis=1)
         table = self.cmap if isinstance(self.cmap, pyvista.LookupTable) else lookup_table(
             plotter, values, self.scalars, self.cmap, self.clim)

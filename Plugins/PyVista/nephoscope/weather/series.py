@@ -1,40 +1,57 @@
 # SPDX-FileCopyrightText: The Nephoscope authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""The time steps of a dataset as meshes, and one mesh whose values follow the time: slider, film."""
+"""The time steps of a dataset as meshes, and one mesh whose values follow the time."""
 from __future__ import annotations
 
-import shutil
-import subprocess
-import sys
-import tempfile
 from collections.abc import Sequence
 from concurrent.futures import Future, ThreadPoolExecutor
-from pathlib import Path
 from typing import Any, Callable
 
 import numpy as np
 import pyvista
 
+from .._over_time import follow
+from .reading import Reading
+from .roles import ROLES
 from .times import listed_times, seconds_of, time_dims
+
+SAMPLED_STEPS = 50  # whose values colours and opacities are made for, where nobody gives limits
+SAMPLED_VALUES = 4096  # of a step; its least and greatest are among them
 
 
 class Series(Sequence):
     """The meshes of all time steps, each made when it is asked for, and `mesh`, whose values `show` exchanges.
 
     One worker reads; while a step is looked at it reads the next. Cells and, unless `heights` is True, points of `mesh` stay those of the first step.
+    Where a function draws an array of `mesh` without limits of its own, colours and opacities are those of all steps; of more than 50 steps those of 50 at
+    equal distances, the first and the last among them. ``with dataset.nephoscope.series() as series`` ends the worker, as `close` does.
     """
 
-    def __init__(self, dataset, *, heights: bool = False, **options: Any) -> None:
-        self._dataset, self._options, self._heights = dataset, options, heights
+    def __init__(self, dataset, *, heights: bool = False, owned: bool = False, **options: Any) -> None:
+        self._dataset, self._options, self._heights, self._owned = dataset, options, heights, owned
         self._dim = next((dim for dim in time_dims(dataset) if dataset.sizes[dim] > 1), None)
-        self._worker, self._coming = ThreadPoolExecutor(1), {}
+        self._worker, self._coming, self._samples, self._listeners = ThreadPoolExecutor(1), {}, {}, []
         self.times = listed_times(dataset) if self._dim in dataset.variables else [str(i) for i in range(len(self))]
         self.mesh = self[0]
+        follow(self.mesh, self)
         self.step = 0
         self._prefetch(1)
 
     def __len__(self) -> int:
         return 1 if self._dim is None else self._dataset.sizes[self._dim]
+
+    def __enter__(self) -> Series:
+        return self
+
+    def __exit__(self, *_: Any) -> None:
+        self.close()
+
+    def close(self) -> None:
+        """End the worker, and close the dataset if `animate` has opened it. `mesh` stays as it is; no other step can be read."""
+        self._worker.shutdown(cancel_futures=True)
+        self._coming = {}
+        if self._owned:
+            self._dataset.close()
 
     @property
     def seconds(self) -> np.ndarray:
@@ -54,17 +71,71 @@ class Series(Sequence):
         return self[int(np.argmin(np.abs(self.seconds - seconds)))]
 
     def _future(self, step: int) -> Future:
-        return self._coming.pop(step, None) or self._worker.submit(self._read, step)
+        return self._coming.pop(step, None) or self._submit(self._read, step)
+
+    def _submit(self, *call: Any) -> Future:
+        try:
+            return self._worker.submit(*call)
+        except RuntimeError as closed:
+            raise ValueError("The series has been closed: no step can be read any more. Make another, dataset.nephoscope.series().") from closed
 
     def _read(self, step: int) -> pyvista.DataSet:
-        return self._dataset.nephoscope.globe(**({"time": step} if self._dim else {}), **self._options)
+        return self._dataset.nephoscope.globe(**self._time(step), **self._options)
+
+    def _time(self, step: int) -> dict[str, int]:
+        return {"time": step} if self._dim else {}
 
     def _prefetch(self, step: int) -> None:
         if step < len(self) and step not in self._coming:
-            self._coming = {step: self._worker.submit(self._read, step)}
+            self._coming = {step: self._submit(self._read, step)}
+
+    # All steps
+
+    def range(self, name: str) -> tuple[float, float]:
+        """Least and greatest value of an array (of vectors, length) in all steps, as the limits of colours: ``clim=series.range("cc")``."""
+        values = np.concatenate(self.samples(name))
+        return float(values.min()), float(values.max())
+
+    def samples(self, name: str) -> list[np.ndarray]:
+        """Finite values of an array for each of the sampled steps, its least and greatest among them; read once."""
+        if name not in self._samples:
+            self._samples[name] = [self._submit(self._sample, step, name).result() for step in self._sampled()]
+        return self._samples[name]
+
+    def greatest(self, name: str, measure: Callable[[np.ndarray], float]) -> pyvista.DataSet:
+        """The mesh of the sampled step whose values have the greatest `measure`."""
+        measures = [measure(values) if len(values) else -np.inf for values in self.samples(name)]
+        step = int(self._sampled()[int(np.argmax(measures))])
+        return self.mesh if step == self.step else self[step]
+
+    def _sampled(self) -> np.ndarray:
+        return np.unique(np.linspace(0, len(self) - 1, min(len(self), SAMPLED_STEPS)).round().astype(int))
+
+    def _sample(self, step: int, name: str) -> np.ndarray:
+        values = self._values(step, name)
+        values = values if values.ndim == 1 else np.linalg.norm(values, axis=1)
+        finite = values[np.isfinite(values)]
+        if finite.size <= SAMPLED_VALUES:
+            return finite
+        places = np.arange(SAMPLED_VALUES) * 0.6180339887498949 % 1 * finite.size  # at no step in which rows or levels repeat
+        return np.append(finite[places.astype(int)], [finite.min(), finite.max()])
+
+    def _values(self, step: int, name: str) -> np.ndarray:
+        """Of the variable alone where the mesh has it as it is in the file."""
+        if step == self.step:
+            return np.asarray(self.mesh[name])
+        reading = Reading(self._dataset, **self._time(step), vertical=self._options.get("vertical"), names={k: v for k, v in self._options.items() if k in ROLES})
+        winds = {reading.roles.get(role) for role in "uvw"}
+        return np.ravel(reading.values(name)).astype(np.float32) if name in set(reading.plain_variables()) - winds else np.asarray(self._read(step)[name])
+
+    # The step that is shown
+
+    def listen(self, told: Callable[[int], Any]) -> None:
+        """From now on `show` calls `told` with the step, after `mesh` has its values."""
+        self._listeners.append(told)
 
     def show(self, step: int) -> None:
-        """Gives `mesh` the values of a step."""
+        """Gives `mesh` the values of a step; the time and the slider of `animate` follow. Draw it by ``plotter.render()``."""
         found = self[step]
         for here, there in ((self.mesh.point_data, found.point_data), (self.mesh.cell_data, found.cell_data)):
             for name in here.keys():
@@ -75,97 +146,6 @@ class Series(Sequence):
             self.mesh.points = found.points
         self.mesh.Modified()
         self.step = step % len(self)
+        for told in self._listeners:
+            told(self.step)
         self._prefetch(self.step + 1)
-
-
-def animate(plotter: pyvista.BasePlotter, dataset: Any, draw: str | Callable[[pyvista.BasePlotter, pyvista.DataSet], Any], *, filename: str | Path | None = None,
-            framerate: float = 8.0, heights: bool = False, show_time: bool = True, progress: bool = True, **options: Any) -> Series:
-    """Draw the time steps of a dataset: with a slider in the window, or as a film in a file.
-
-    Parameters
-    ----------
-    plotter : pyvista.Plotter
-        The plotter to draw in; what else it shows stays.
-    dataset : xarray.Dataset or str
-        The weather, or what `nephoscope.open` takes.
-    draw : str or callable
-        A variable, which is drawn by `add_cells`, or a function ``draw(plotter, mesh)`` that adds what it likes once. The values of the mesh change with the time.
-    filename : str or pathlib.Path, optional
-        A film: ``.gif`` (needs Pillow), ``.mp4`` (needs the program ffmpeg), or a folder for PNG pictures. Default: a slider of time.
-    framerate : float, default: 8.0
-        Time steps per second of the film.
-    heights : bool, default: False
-        Move the points with the heights of each step. By default they stay where they are in the first step, and only values are uploaded.
-    show_time : bool, default: True
-        Write the time into the picture.
-    progress : bool, default: True
-        Tell on the terminal how far the film is.
-    **options
-        Those of ``dataset.nephoscope.globe``.
-
-    Returns
-    -------
-    Series
-        The series: ``len``, ``times``, ``seconds``, ``mesh``, ``show(step)`` and, by index, the mesh of each step.
-
-    Raises
-    ------
-    ValueError
-        If the film's name has another ending. RuntimeError If ffmpeg is missing or fails.
-    """
-    from .opening import open as opened
-    series = Series(opened(dataset), heights=heights, **options)
-    if callable(draw):
-        draw(plotter, series.mesh)
-    else:
-        from ..cells import add_cells
-        add_cells(plotter, series.mesh, draw)
-
-    readable = "white" if np.mean(plotter.background_color.float_rgb) < 0.5 else "black"
-
-    def turn_to(step: float) -> None:
-        series.show(int(round(step)))
-        if show_time:
-            plotter.add_text(series.times[series.step], name="nephoscope_time", font_size=10, position="upper_left", color=readable, render=False)
-        plotter.render()
-
-    if filename is not None:
-        _film(plotter, series, turn_to, Path(filename), framerate, progress)
-        return series
-    turn_to(0)
-    if len(series) > 1:
-        plotter.add_slider_widget(turn_to, [0, len(series) - 1], value=0, title="time step", fmt="%.0f", color=readable, interaction_event="end")
-    return series
-
-
-def _film(plotter, series: Series, turn_to: Callable[[float], None], path: Path, framerate: float, progress: bool) -> None:
-    kind = path.suffix.lower()
-    if kind not in (".gif", ".mp4", ""):
-        raise ValueError(f"filename is {str(path)!r}; its ending must be .gif or .mp4, or none for a folder of pictures.")
-    if kind == ".mp4" and shutil.which("ffmpeg") is None:
-        raise RuntimeError("A film in .mp4 needs the program ffmpeg, which is not on the path. Install it, or write a .gif.")
-    with tempfile.TemporaryDirectory() as work:
-        folder = path if kind == "" else Path(work)
-        folder.mkdir(parents=True, exist_ok=True)
-        for step in range(len(series)):
-            turn_to(step)
-            plotter.screenshot(folder / f"{step:05d}.png")
-            if progress:
-                print(f"\r{step + 1} of {len(series)}: {series.times[step]}", end="\n" if step + 1 == len(series) else "", file=sys.stderr, flush=True)
-        if kind == ".gif":
-            _gif(folder, path, framerate)
-        elif kind == ".mp4":
-            _mp4(folder, path, framerate)
-
-
-def _gif(folder: Path, path: Path, framerate: float) -> None:
-    from PIL import Image
-    frames = [Image.open(name).convert("RGB").quantize(128) for name in sorted(folder.glob("*.png"))]
-    frames[0].save(path, save_all=True, append_images=frames[1:], duration=round(1000 / framerate), loop=0)
-
-
-def _mp4(folder: Path, path: Path, framerate: float) -> None:
-    told = subprocess.run(["ffmpeg", "-y", "-loglevel", "error", "-framerate", str(framerate), "-i", str(folder / "%05d.png"), "-vf", "pad=ceil(iw/2)*2:ceil(ih/2)*2", "-pix_fmt", "yuv420p",
-                           str(path)], capture_output=True, text=True)
-    if told.returncode:
-        raise RuntimeError(f"ffmpeg could not write {path}: {told.stderr.strip()}")

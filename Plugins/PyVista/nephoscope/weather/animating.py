@@ -1,0 +1,145 @@
+# SPDX-FileCopyrightText: The Nephoscope authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""A series in a plotter: a slider of time, or a film."""
+from __future__ import annotations
+
+import shutil
+import subprocess
+import sys
+import tempfile
+from pathlib import Path
+from typing import Any, Callable
+
+import numpy as np
+import pyvista
+
+from .series import Series
+
+
+def animate(plotter: pyvista.BasePlotter, dataset: Any, draw: str | Callable[[pyvista.BasePlotter, pyvista.DataSet], Any], *, filename: str | Path | None = None,
+            framerate: float = 8.0, heights: bool = False, show_time: bool = True, progress: bool = True, **options: Any) -> Series:
+    """Draw the time steps of a dataset: with a slider in the window, or as a film in a file.
+
+    Parameters
+    ----------
+    plotter : pyvista.Plotter
+        The plotter to draw in; what else it shows stays.
+    dataset : xarray.Dataset, Series or str
+        The weather, its series (``dataset.nephoscope.series()``), or what `nephoscope.open` takes.
+    draw : str or callable
+        A variable, which is drawn by `add_cells`, or a function ``draw(plotter, mesh)`` that adds what it likes once. The values of the mesh change with the time.
+        Colours and opacities stay: they are made for the values of all steps (of more than 50 for those of 50), unless limits are given by ``clim``.
+    filename : str or pathlib.Path, optional
+        A film: ``.gif`` (needs Pillow), ``.mp4`` (needs the program ffmpeg), or a folder for PNG pictures. Default: a slider of time.
+    framerate : float, default: 8.0
+        Time steps per second of the film.
+    heights : bool, default: False
+        Move the points with the heights of each step. By default they stay where they are in the first step, and only values are uploaded.
+    show_time : bool, default: True
+        Write the time into the picture.
+    progress : bool, default: True
+        Tell on the terminal how far the film is.
+    **options
+        Those of ``dataset.nephoscope.globe``.
+
+    Returns
+    -------
+    Series
+        The series: ``len``, ``times``, ``seconds``, ``mesh``, ``range(name)``, ``show(step)``, ``close()`` and, by index, the mesh of each step.
+
+    Raises
+    ------
+    ValueError
+        If the film's name has another ending. RuntimeError If ffmpeg is missing or fails.
+    """
+    series = _series(dataset, heights, options)
+    if callable(draw):
+        _drawn(plotter, series, draw)
+    else:
+        from ..cells import add_cells
+        add_cells(plotter, series.mesh, draw)
+    colour = "white" if np.mean(plotter.background_color.float_rgb) < 0.5 else "black"
+    if show_time:
+        series.listen(lambda step: plotter.add_text(series.times[step], name="nephoscope_time", font_size=10, position="upper_left", color=colour, render=False))
+
+    def turn_to(step: float) -> None:
+        series.show(int(round(step)))
+        plotter.render()
+
+    if filename is not None:
+        _film(plotter, series, turn_to, Path(filename), framerate, progress)
+        return series
+    turn_to(0)
+    if len(series) > 1:
+        _add_slider(plotter, series, turn_to, colour)
+    return series
+
+
+def _series(dataset: Any, heights: bool, options: dict) -> Series:
+    if isinstance(dataset, Series):
+        if heights or options:
+            raise TypeError(f"{', '.join([*options, *['heights'] * heights])}: options of the series, which is made already. Give them to dataset.nephoscope.series(...).")
+        return dataset
+    from .opening import open as opened
+    found = opened(dataset)
+    return Series(found, heights=heights, owned=found is not dataset, **options)
+
+
+def _drawn(plotter: pyvista.BasePlotter, series: Series, draw: Callable) -> None:
+    """Calls `draw`. PyVista's own mappers have the range of the step that is shown where no limits were given: they get that of all steps."""
+    before = set(plotter.renderer.actors)
+    draw(plotter, series.mesh)
+    for name in set(plotter.renderer.actors) - before:
+        mapper = getattr(plotter.renderer.actors[name], "mapper", None)
+        array = getattr(mapper, "array_name", None)
+        if isinstance(mapper, pyvista.DataSetMapper) and array in series.mesh.array_names and np.allclose(mapper.scalar_range, series.mesh.get_data_range(array)):
+            mapper.scalar_range = series.range(array)
+
+
+def _add_slider(plotter: pyvista.BasePlotter, series: Series, turn_to: Callable[[float], None], colour: str) -> None:
+    """Its label is the date, also while it is moved."""
+    slider = plotter.add_slider_widget(turn_to, [0, len(series) - 1], value=series.step, title="time", fmt=series.times[series.step], color=colour, interaction_event="end")
+    shown = slider.GetRepresentation()
+
+    def label(*_: Any) -> None:
+        shown.SetLabelFormat(series.times[int(round(shown.GetValue()))])
+
+    def move(step: int) -> None:
+        shown.SetValue(step)
+        label()
+
+    slider.AddObserver("InteractionEvent", label)
+    series.listen(move)
+
+
+def _film(plotter, series: Series, turn_to: Callable[[float], None], path: Path, framerate: float, progress: bool) -> None:
+    kind = path.suffix.lower()
+    if kind not in (".gif", ".mp4", ""):
+        raise ValueError(f"filename is {str(path)!r}; its ending must be .gif or .mp4, or none for a folder of pictures.")
+    if kind == ".mp4" and shutil.which("ffmpeg") is None:
+        raise RuntimeError("A film in .mp4 needs the program ffmpeg, which is not on the path. Install it, or write a .gif.")
+    with tempfile.TemporaryDirectory() as work:
+        folder = path if kind == "" else Path(work)
+        folder.mkdir(parents=True, exist_ok=True)
+        for step in range(len(series)):
+            turn_to(step)
+            plotter.screenshot(folder / f"{step:05d}.png")
+            if progress:
+                print(f"\r{step + 1} of {len(series)}: {series.times[step]}", end="\n" if step + 1 == len(series) else "", file=sys.stderr, flush=True)
+        if kind == ".gif":
+            _gif(folder, path, framerate)
+        elif kind == ".mp4":
+            _mp4(folder, path, framerate)
+
+
+def _gif(folder: Path, path: Path, framerate: float) -> None:
+    from PIL import Image
+    frames = [Image.open(name).convert("RGB").quantize(128) for name in sorted(folder.glob("*.png"))]
+    frames[0].save(path, save_all=True, append_images=frames[1:], duration=round(1000 / framerate), loop=0)
+
+
+def _mp4(folder: Path, path: Path, framerate: float) -> None:
+    told = subprocess.run(["ffmpeg", "-y", "-loglevel", "error", "-framerate", str(framerate), "-i", str(folder / "%05d.png"), "-vf", "pad=ceil(iw/2)*2:ceil(ih/2)*2", "-pix_fmt", "yuv420p",
+                           str(path)], capture_output=True, text=True)
+    if told.returncode:
+        raise RuntimeError(f"ffmpeg could not write {path}: {told.stderr.strip()}")
