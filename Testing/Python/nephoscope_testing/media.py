@@ -8,6 +8,7 @@ from . import reference
 
 NODES, WEIGHTS = reference.NODES, reference.WEIGHTS
 PANELS = 4
+SHORTEST = 1e-9  # shorter pieces are rounding where a ray meets an edge; _sums would take one for the cell that begins with it
 
 
 def render(media, view, opaque=None, begin=None):
@@ -47,7 +48,7 @@ def _pieces(cells, transfer, view, origins, directions, start, end):
         cuts.append(np.clip(np.divide(b - s0, s1 - s0, out=np.zeros_like(s0), where=s1 != s0), 0, 1))
     cuts = np.sort(np.stack(cuts, axis=1), axis=1)
     a, b = cuts[:, :-1], cuts[:, 1:]
-    row, column = np.nonzero(b > a)
+    row, column = np.nonzero((b - a) * (t1 - t0)[:, None] > SHORTEST * max(1, np.abs(t1).max(initial=0)))
     a, b = a[row, column], b[row, column]
     mix = lambda low, high, u: low[row] + (high - low)[row] * u
     parts = (pixel[row], mix(t0, t1, a), mix(t0, t1, b), mix(s0, s1, a), mix(s0, s1, b))
