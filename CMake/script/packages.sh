@@ -30,7 +30,7 @@ debian_codename() { (. /etc/os-release 2>/dev/null && printf '%s' "${VERSION_COD
 # What differs between releases: Qt's plugins for ParaView's icons and its help window; TetGen (GNU AGPL 3, optional: CMake/NephoscopeTetGen.cmake);
 # glew before VTK 9.4; whether ParaView has a VTK of its own.
 case $(debian_codename) in
-  bookworm) BUILD_PACKAGES+=(libtet1.5-dev libglew-dev); RUN_PACKAGES+=(libqt5svg5 libqt5sql5-sqlite); TEST_PACKAGES+=(clang-format-14) ;;
+  bookworm) BUILD_PACKAGES+=(libtet1.5-dev libglew-dev); RUN_PACKAGES+=(libqt5svg5 libqt5sql5-sqlite); TEST_PACKAGES+=(clang-format-14 clang-tidy-14) ;;
   trixie) BUILD_PACKAGES+=(libtet1.5-dev libglew-dev); RUN_PACKAGES+=(qt6-svg-plugins libqt6sql6-sqlite) ;;
   *) BUILD_PACKAGES+=(libtet-dev libvtk9-dev python3-vtk9); RUN_PACKAGES+=(qt6-svg-plugins libqt6sql6-sqlite) ;;
 esac

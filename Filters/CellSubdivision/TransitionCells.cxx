@@ -81,7 +81,7 @@ bool TransitionCells::MakeFaces(CellTetrahedra& cell, std::vector<vtkIdType>& st
     if (std::binary_search(this->Faces.begin(), this->Faces.end(), cell.KeyOf(begin, end)))
     {
       divided = true;
-      cell.EmitFan(begin, end, [&](int a, int b, int c) {
+      CellTetrahedra::EmitFan(begin, end, [&](int a, int b, int c) {
         ++stream[start];
         stream.insert(stream.end(), { 3, cell.Point(a), cell.Point(b), cell.Point(c) });
       });

@@ -83,7 +83,8 @@ public:
   {
     for (int node = 0; node < 27; ++node)
     {
-      const double u[3] = { 0.5 * (node % 3), 0.5 * (node / 3 % 3), 0.5 * (node / 9) };
+      const int half[3] = { node % 3, node / 3 % 3, node / 9 };
+      const double u[3] = { 0.5 * half[0], 0.5 * half[1], 0.5 * half[2] };
       const Vector3 a = Tangent(corners, 0, u);
       const Vector3 b = Tangent(corners, 1, u);
       const Vector3 c = Tangent(corners, 2, u);

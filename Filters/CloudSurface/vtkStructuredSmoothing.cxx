@@ -6,10 +6,10 @@
 #include "BlockNeighbours.h"
 #include "ChosenPointArray.h"
 #include "FieldSmoother.h"
+#include "MessageSuppression.h"
 #include "OwnThreads.h"
 #include "RequiredInput.h"
 #include "SeriesReading.h"
-#include "ToldOnce.h"
 
 #include "vtkCommand.h"
 #include "vtkDoubleArray.h"
@@ -212,7 +212,7 @@ int vtkStructuredSmoothing::RequestData(
   vtkDataSet* block = vtkDataSet::GetData(inputs[0], 0);
   vtkDataSet* input = this->Neighbours->Extended(block);
   vtkDataSet* output = vtkDataSet::GetData(outputs, 0);
-  nephoscope::ToldOnce telling(this, this->Failed);
+  nephoscope::ReportOnce report(this, this->Failed);
   nephoscope::SmoothingPlan plan;
   std::string error;
   nephoscope::withThreads([&]() { error = plan.Read(input, this->GetSettings()); });
@@ -220,12 +220,12 @@ int vtkStructuredSmoothing::RequestData(
   if (!error.empty())
   {
     vtkErrorMacro(<< error);
-    telling.End(false);
+    report.End(false);
     return 1; // other blocks go on
   }
   if (!this->FindArrays(block, inputs, arrays))
   {
-    telling.End(false);
+    report.End(false);
     return 1;
   }
   if (plan.PointsWithoutMass() > 0)
@@ -235,7 +235,7 @@ int vtkStructuredSmoothing::RequestData(
       << " points have no mass (cells without volume or turned inside out, or masses that are not positive). They "
          "keep their values. Repair the grid, or switch Conservative off.");
   }
-  telling.End(true);
+  report.End(true);
   output->ShallowCopy(block);
   bool finished = false;
   nephoscope::withThreads(

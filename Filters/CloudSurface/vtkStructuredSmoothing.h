@@ -207,7 +207,7 @@ private:
   int Coordinates = AUTOMATIC;
   std::vector<std::string> ArrayNames;
   bool AllFloatArrays = false;
-  vtkMTimeType Failed = 0; // for ToldOnce
+  vtkMTimeType Failed = 0; // for ReportOnce
   int ExecutionDepth = 0;
   std::unique_ptr<nephoscope::BlockNeighbours> Neighbours; // while a group is executed
   vtkMTimeType ToldOfInput = 0;                            // for hasOtherInput

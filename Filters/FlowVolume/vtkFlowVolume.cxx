@@ -6,7 +6,7 @@
 #include "FlowVolumeExchange.h"
 #include "FlowVolumeState.h"
 #include "GeneratingPolygon.h"
-#include "OneVoice.h"
+#include "MessageSuppression.h"
 #include "PolygonFlow.h"
 #include "PolygonShape.h"
 #include "SmokeOutput.h"
@@ -65,7 +65,7 @@ int vtkFlowVolume::RequestData(
 {
   vtkDataObject* input = vtkDataObject::GetData(inputs[0], 0);
   vtkUnstructuredGrid* output = vtkUnstructuredGrid::GetData(outputs, 0);
-  const nephoscope::OneVoice voice(this, this->Exchange().Speaks());
+  const nephoscope::MessageSuppression otherRanks(this, !this->Exchange().ReportsMessages());
   const auto polygon = this->Exchange().GatherPolygon(vtkPolyData::GetData(inputs[1], 0));
   this->ResetResults();
   if (this->CheckSettings() && this->CheckSeries())

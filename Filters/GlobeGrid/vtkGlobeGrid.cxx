@@ -3,10 +3,10 @@
 #include "vtkGlobeGrid.h"
 
 #include "GlobeGridBuilder.h"
+#include "MessageSuppression.h"
 #include "PoleRows.h"
 #include "RequiredInput.h"
 #include "SeriesReading.h"
-#include "ToldOnce.h"
 
 #include "vtkCellData.h"
 #include "vtkCompositeDataSet.h"
@@ -280,9 +280,9 @@ int vtkGlobeGrid::RequestUpdateExtent(
 int vtkGlobeGrid::RequestData(
   vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
-  nephoscope::ToldOnce telling(this, this->Failed);
+  nephoscope::ReportOnce report(this, this->Failed);
   const bool made = this->MakeGrid(inputs, outputs);
-  telling.End(made);
+  report.End(made);
   if (!made)
   {
     vtkStructuredGrid::GetData(outputs, 0)

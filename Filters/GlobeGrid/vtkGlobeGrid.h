@@ -312,7 +312,7 @@ private:
   bool MaskBelowGround = true;
   std::string SurfacePressureArrayName = "sp";
   std::string TerrainHeightArrayName = "orog";
-  vtkMTimeType Failed = 0;      // for ToldOnce
+  vtkMTimeType Failed = 0;      // for ReportOnce
   vtkMTimeType ToldOfInput = 0; // for hasOtherInput
 };
 

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkGlobeTerrain.h"
 
+#include "MessageSuppression.h"
 #include "TerrainSurface.h"
-#include "ToldOnce.h"
 
 #include "vtkCellData.h"
 #include "vtkInformation.h"
@@ -82,9 +82,9 @@ int vtkGlobeTerrain::RequestData(
 {
   auto* terrain = vtkStructuredGrid::GetData(outputs, 0);
   {
-    nephoscope::ToldOnce telling(this, this->Untold);
+    nephoscope::ReportOnce report(this, this->Failed);
     const bool isTerrain = this->IsTerrain(vtkDataSet::GetData(inputs[0], 0));
-    telling.End(isTerrain);
+    report.End(isTerrain);
     if (!isTerrain)
     {
       terrain->Initialize();

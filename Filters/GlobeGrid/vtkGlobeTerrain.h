@@ -63,7 +63,7 @@ private:
 
   std::string LandArrayName = "lsm";
   double SeaDepth = 100.0;
-  vtkMTimeType Untold = 0; // for ToldOnce
+  vtkMTimeType Failed = 0; // for ReportOnce
 };
 
 #endif

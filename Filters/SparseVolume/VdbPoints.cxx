@@ -75,7 +75,7 @@ std::vector<Tile> tilesOf(const Mask& active)
   return tiles;
 }
 
-Voxels voxelsOf(Mask::Ptr active, bool splitTiles)
+Voxels voxelsOf(const Mask::Ptr& active, bool splitTiles)
 {
   Voxels voxels;
   voxels.Active = active;

@@ -101,13 +101,13 @@ void CartesianFlow::Advance(const FlowStep& step)
   };
   const Particles particles{ this->Positions.data(), this->Hints.data(), this->Inside.data(),
     this->Positions.size(), nullptr };
-  // The time is the share of the way between the two fields, counted in seconds.
+  // The time is the fraction of the way between the two fields, counted in seconds.
   const bool steady = step.Earlier == step.Later;
-  const double span = steady ? 1.0 : step.Seconds / (step.ToShare - step.FromShare);
+  const double span = steady ? 1.0 : step.Seconds / (step.ToFraction - step.FromFraction);
   const TemporalField velocity(
     velocityOf(step.Earlier), 0.0, velocityOf(step.Later), steady ? 0.0 : span);
   AdvanceParticles(
-    velocity, particles, span * step.FromShare, step.Seconds, SettingsOf(this->Settings));
+    velocity, particles, span * step.FromFraction, step.Seconds, SettingsOf(this->Settings));
 }
 
 void CartesianFlow::Displacements(const FlowStep&, std::vector<float>& displacements)
@@ -123,7 +123,7 @@ void CartesianFlow::Displacements(const FlowStep&, std::vector<float>& displacem
   }
 }
 
-std::vector<double> CartesianFlow::OwnPlaces(vtkDataSet* points) const
+std::vector<double> CartesianFlow::GridCoordinates(vtkDataSet* points) const
 {
   const auto count = static_cast<std::size_t>(points->GetNumberOfPoints());
   std::vector<double> places(3 * count);

@@ -22,7 +22,7 @@ public:
   void Begin(vtkDataSet* points, const FlowStep& present) override;
   void Advance(const FlowStep& step) override;
   void Displacements(const FlowStep& present, std::vector<float>& displacements) override;
-  std::vector<double> OwnPlaces(vtkDataSet* points) const override;
+  std::vector<double> GridCoordinates(vtkDataSet* points) const override;
   TextureUnits Units() const override { return this->Units_; }
   bool IsOnGlobe() const override { return false; }
   std::size_t Count() const override { return this->Positions.size(); }

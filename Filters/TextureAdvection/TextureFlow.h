@@ -22,13 +22,13 @@ struct WindField
   std::int64_t Missing = 0; // points without a wind
 };
 
-// A step through winds that are linear in time between two fields. At the share 0 they are the earlier field, at 1 the later.
+// A step through winds that are linear in time between two fields. At the fraction 0 they are the earlier field, at 1 the later.
 struct FlowStep
 {
   const WindField* Earlier;
   const WindField* Later;
-  double FromShare;
-  double ToShare;
+  double FromFraction;
+  double ToFraction;
   double Seconds; // negative: back in time
 };
 
@@ -66,7 +66,7 @@ public:
   virtual void Displacements(const FlowStep& present, std::vector<float>& displacements) = 0;
 
   // Three texture coordinates of each point of a dataset itself.
-  virtual std::vector<double> OwnPlaces(vtkDataSet* points) const = 0;
+  virtual std::vector<double> GridCoordinates(vtkDataSet* points) const = 0;
 
   virtual TextureUnits Units() const = 0;
   virtual bool IsOnGlobe() const = 0; // whatever the units

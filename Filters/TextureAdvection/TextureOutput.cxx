@@ -131,7 +131,7 @@ StretchWriter::StretchWriter(const TextureFlow& flow, vtkDataSet* output)
   : Output(output)
   , Horizontal(flow.IsOnGlobe())
   , Angles(flow.Units().OnGlobe)
-  , Places(flow.OwnPlaces(output))
+  , Places(flow.GridCoordinates(output))
 {
   std::array<int, 6> extent{};
   if (!ExtentOf(output, extent))
@@ -230,9 +230,9 @@ void StretchWriter::AddWeights(const std::vector<double>& first, const std::vect
   {
     const double a = weights[0] * WeightLeft(first[i], limit);
     const double b = weights[1] * WeightLeft(second[i], limit);
-    const auto share = static_cast<float>(a / (a + b));
-    array->SetTypedComponent(static_cast<vtkIdType>(i), 0, share);
-    array->SetTypedComponent(static_cast<vtkIdType>(i), 1, 1.0f - share);
+    const auto fraction = static_cast<float>(a / (a + b));
+    array->SetTypedComponent(static_cast<vtkIdType>(i), 0, fraction);
+    array->SetTypedComponent(static_cast<vtkIdType>(i), 1, 1.0f - fraction);
   }
   this->Output->GetPointData()->AddArray(array);
 }

@@ -67,7 +67,7 @@ struct TextureState : SeriesReading
   bool SharesSource = false; // the points come of the same source as the winds
   bool ReadsPoints = false;  // this pass is for the points only
   bool HasToldOfMissing = false;
-  vtkMTimeType Failed = 0; // for ToldOnce
+  vtkMTimeType Failed = 0; // for ReportOnce
 
   double UsualPeriod = 0.0;       // of the first time step
   vtkMTimeType UsualPeriodOf = 0; // MTime of the pipeline when it was found

@@ -68,17 +68,17 @@ void vtkTextureCoordinateAdvection::SetPressureArrayNames(
 // The data at a time, between two steps of the series if need be.
 vtkSmartPointer<vtkDataSet> vtkTextureCoordinateAdvection::DataAt(double time) const
 {
-  const nephoscope::PlaceInSeries place = this->Series().Find(time);
-  vtkDataSet* first = this->State->Steps.at(place.Earlier).Data;
+  const nephoscope::SeriesInterval interval = this->Series().Find(time);
+  vtkDataSet* first = this->State->Steps.at(interval.Earlier).Data;
   auto data = vtkSmartPointer<vtkDataSet>::Take(first->NewInstance());
-  if (place.Share == 0.0)
+  if (interval.Fraction == 0.0)
   {
     data->ShallowCopy(first);
     return data;
   }
-  data->DeepCopy(this->State->Steps.at(place.Later).Data);
-  nephoscope::BlendArrays(first->GetPointData(), place.Share, data->GetPointData());
-  nephoscope::BlendArrays(first->GetCellData(), place.Share, data->GetCellData());
+  data->DeepCopy(this->State->Steps.at(interval.Later).Data);
+  nephoscope::BlendArrays(first->GetPointData(), interval.Fraction, data->GetPointData());
+  nephoscope::BlendArrays(first->GetCellData(), interval.Fraction, data->GetCellData());
   auto* points = vtkPointSet::SafeDownCast(data);
   if (points && points->GetPoints())
   {
@@ -93,7 +93,7 @@ vtkSmartPointer<vtkDataSet> vtkTextureCoordinateAdvection::DataAt(double time) c
     };
     add(vtkPointSet::SafeDownCast(first), before);
     add(points, after);
-    nephoscope::BlendArrays(before, place.Share, after);
+    nephoscope::BlendArrays(before, interval.Fraction, after);
     points->GetPoints()->Modified();
   }
   return data;
@@ -128,10 +128,11 @@ nephoscope::SetPlan vtkTextureCoordinateAdvection::PlanSet(int set, double time)
 }
 
 nephoscope::FlowStep vtkTextureCoordinateAdvection::PresentStep(
-  const nephoscope::PlaceInSeries& place) const
+  const nephoscope::SeriesInterval& interval) const
 {
   const auto wind = [&](int i) { return this->State->Steps.at(i).Wind.get(); };
-  return { wind(place.Earlier), wind(place.Later), place.Share, place.Share, 0.0 };
+  return { wind(interval.Earlier), wind(interval.Later), interval.Fraction, interval.Fraction,
+    0.0 };
 }
 
 bool vtkTextureCoordinateAdvection::MakeTexture(
@@ -241,8 +242,8 @@ bool vtkTextureCoordinateAdvection::FollowFrom(double start, const std::vector<i
   }
   const auto take = [&](const nephoscope::PathStep& path) {
     nephoscope::FlowStep step = this->PresentStep(path.Interval);
-    step.FromShare = path.FromShare;
-    step.ToShare = path.ToShare;
+    step.FromFraction = path.FromFraction;
+    step.ToFraction = path.ToFraction;
     step.Seconds = path.To - path.From;
     flow.Advance(step);
     this->NumberOfSteps += static_cast<vtkIdType>(flow.Count());
@@ -281,7 +282,7 @@ void vtkTextureCoordinateAdvection::WriteSets(
 {
   const nephoscope::TextureSets sets = this->Sets();
   const double time = this->RequestedSeconds();
-  const auto places = this->State->Flow->OwnPlaces(output);
+  const auto places = this->State->Flow->GridCoordinates(output);
   double ages[2];
   double weights[2];
   for (int set = 0; set < nephoscope::TEXTURE_SETS; ++set)
@@ -327,9 +328,9 @@ bool vtkTextureCoordinateAdvection::NeedsStretch() const
   return this->ComputeLyapunovExponent || this->MaximumStretch > 0.0;
 }
 
-bool vtkTextureCoordinateAdvection::Report(double share)
+bool vtkTextureCoordinateAdvection::Report(double fraction)
 {
-  this->UpdateProgress(share);
+  this->UpdateProgress(fraction);
   return !this->CheckAbort();
 }
 

@@ -64,7 +64,7 @@ namespace nephoscope
 {
 class OutputPiece;
 struct FlowStep;
-struct PlaceInSeries;
+struct SeriesInterval;
 struct SetPlan;
 struct TextureSets;
 struct TextureState;
@@ -287,7 +287,7 @@ private:
   // The coordinates of a time.
   bool MakeTexture(vtkDataSet* points, vtkInformation* outInfo, vtkDataSet* output);
   nephoscope::SetPlan PlanSet(int set, double time);
-  nephoscope::FlowStep PresentStep(const nephoscope::PlaceInSeries& place) const;
+  nephoscope::FlowStep PresentStep(const nephoscope::SeriesInterval& interval) const;
   vtkSmartPointer<vtkDataSet> DataAt(double time) const;
   bool FollowPaths(
     const nephoscope::SetPlan plans[2], vtkDataSet* points, const nephoscope::OutputPiece& piece);
@@ -299,7 +299,7 @@ private:
   void WriteStretch(const std::vector<float> displacements[2], vtkDataSet* output);
   bool NeedsStretch() const;
   void SetName(std::string& member, const std::string& name);
-  bool Report(double share);
+  bool Report(double fraction);
 
   double Period = 0.0;
   int Integrator = RUNGE_KUTTA_4;

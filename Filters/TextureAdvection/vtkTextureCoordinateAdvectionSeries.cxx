@@ -10,9 +10,9 @@
 // source can be asked for one time and one piece at once.
 #include "vtkTextureCoordinateAdvection.h"
 
+#include "MessageSuppression.h"
 #include "SharedSource.h"
 #include "TextureState.h"
-#include "ToldOnce.h"
 
 #include "vtkDataSet.h"
 #include "vtkDemandDrivenPipeline.h"
@@ -313,12 +313,12 @@ int vtkTextureCoordinateAdvection::RequestData(
   output->Initialize();
   vtkDataObject* input = vtkDataObject::GetData(inputs[0], 0);
   vtkDataSet* data = vtkDataSet::SafeDownCast(input);
-  nephoscope::ToldOnce telling(this, state.Failed);
+  nephoscope::ReportOnce report(this, state.Failed);
   if (!data)
   {
     vtkErrorMacro("The input is " << (input ? input->GetClassName() : "missing")
                                   << "; one grid is needed. Merge or extract blocks first.");
-    telling.End(false);
+    report.End(false);
     this->Stop(request);
     return 1;
   }
@@ -336,11 +336,11 @@ int vtkTextureCoordinateAdvection::RequestData(
   if (!checked ||
     (!state.ReadsPoints && !this->ReadTimeStep(data, inputs[0]->GetInformationObject(0))))
   {
-    telling.End(false);
+    report.End(false);
     this->Stop(request);
     return 1;
   }
-  telling.End(true);
+  report.End(true);
   if (!this->Report(0.0))
   {
     this->Stop(request);

@@ -84,8 +84,9 @@ struct vtkCloudTextureMapper::vtkInternals
     std::vector<float> values = table.GetValues();
     this->Thresholds = vtkSmartPointer<vtkTextureObject>::New();
     this->Thresholds->SetContext(window);
-    this->Thresholds->Create2DFromRaw(static_cast<unsigned int>(table.columns),
-      static_cast<unsigned int>(table.rows), 1, VTK_FLOAT, values.data());
+    this->Thresholds->Create2DFromRaw(
+      static_cast<unsigned int>(nephoscope::CoverageThresholds::columns),
+      static_cast<unsigned int>(nephoscope::CoverageThresholds::rows), 1, VTK_FLOAT, values.data());
     this->Thresholds->SetMinificationFilter(vtkTextureObject::Linear);
     this->Thresholds->SetMagnificationFilter(vtkTextureObject::Linear);
     this->Thresholds->SetWrapS(vtkTextureObject::ClampToEdge);

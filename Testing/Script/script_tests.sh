@@ -5,7 +5,7 @@
 # Programs that would change the machine are replaced by fakes that come first on PATH.
 set -euo pipefail
 TOP=$(cd "$(dirname "$0")/../.." && pwd)
-WORK=$(mktemp -d)
+WORK=$(mktemp -d) STATUS=0 OUT="" ERR=""
 trap 'rm -rf "$WORK"' EXIT
 mkdir "$WORK/fakes"
 
@@ -530,6 +530,31 @@ test_format()
   cd "$TOP"
   find Filters Plugins Representations Testing \( -name '*.cxx' -o -name '*.h' \) -print0 |
     xargs -0 clang-format-14 --dry-run -Werror
+}
+
+# by_the_day PARTS: of the lines of standard input every PARTS-th one, others tomorrow; all of them with NEPHOSCOPE_TEST_ALL=yes.
+by_the_day()
+{
+  if [ "${NEPHOSCOPE_TEST_ALL:-no}" = yes ]; then cat; else awk -v day=$(($(date +%s) / 86400)) -v parts="$1" 'NR % parts == day % parts'; fi
+}
+
+test_by_the_day()
+{
+  expect "every line once in three days" [ "$(for day in 0 1 2; do date() { echo $((day * 86400)); }; seq 7 | by_the_day 3; done | sort | tr -d '\n')" = 1234567 ]
+  expect "all lines where that is asked" [ "$(seq 7 | NEPHOSCOPE_TEST_ALL=yes by_the_day 3 | wc -l)" -eq 7 ]
+}
+
+# Sources are joined, as the headers of VTK take more time than ours.
+test_tidy()
+{
+  command -v clang-tidy-14 >/dev/null || { echo "skipped: there is no clang-tidy-14"; exit 125; }
+  cmake -S "$TOP" -B "$WORK/unity" -G Ninja -DPython3_EXECUTABLE=/usr/bin/python3 -DBUILD_TESTING=OFF -DNEPHOSCOPE_WRAP_PYTHON=OFF \
+    -DCMAKE_UNITY_BUILD=ON -DCMAKE_BUILD_TYPE=Release >/dev/null
+  ninja -C "$WORK/unity" -t targets all | sed -n 's/: CUSTOM_COMMAND$//p' | grep -E '^Representations/[A-Za-z]*/[A-Za-z]*\.cxx$' >"$WORK/shaders"
+  xargs -a "$WORK/shaders" ninja -C "$WORK/unity" >/dev/null
+  cd "$TOP"
+  find "$WORK/unity" -path '*/Unity/*_cxx.cxx' ! -path '*CS.dir*' ! -path '*/Nephoscope.dir/*' | sort | by_the_day 3 |
+    xargs -P 2 -n 1 clang-tidy-14 --quiet -p "$WORK/unity" --config-file=.clang-tidy 2>"$WORK/counts"
 }
 
 test_shellcheck()

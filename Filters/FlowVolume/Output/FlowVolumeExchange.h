@@ -34,7 +34,7 @@ public:
   explicit FlowVolumeExchange(vtkMultiProcessController* controller);
 
   // Whether errors and warnings, which are the same on all ranks, are printed by this one.
-  bool Speaks() const { return this->Rank == 0; }
+  bool ReportsMessages() const { return this->Rank == 0; }
 
   // The problem of the lowest rank that has one; empty if none has.
   std::string AgreeOnProblem(const std::string& problem) const;

@@ -24,14 +24,14 @@ struct ColumnHint
   int Row = -1;
 };
 
-struct ColumnPlace
+struct ColumnPosition
 {
   int Column;   // of the cell's western corners
   int Row;      // of its southern corners
   double East;  // 0 on the western edge, 1 on the eastern
   double North; // 0 on the southern edge, 1 on the northern
   double Scale; // what sums over the corners are to be multiplied by, see above
-  bool Inside;  // false: beyond a border of a regional grid; the place is on the border
+  bool Inside;  // false: beyond a border of a regional grid; the column is on the border
 };
 
 class GlobeColumns
@@ -74,16 +74,16 @@ public:
   }
 
   // `p` need not have unit length; the origin is nowhere, but gives no error.
-  ColumnPlace Find(const double p[3], ColumnHint& hint) const
+  ColumnPosition Find(const double p[3], ColumnHint& hint) const
   {
-    ColumnPlace place{};
-    place.Inside = true;
+    ColumnPosition column{};
+    column.Inside = true;
     Local local{};
-    this->FindColumn(p, hint.Column, place, local);
-    this->FindRow(p[2], local, hint.Row, place);
-    hint.Column = place.Column;
-    hint.Row = place.Row;
-    return place;
+    this->FindColumn(p, hint.Column, column, local);
+    this->FindRow(p[2], local, hint.Row, column);
+    hint.Column = column.Column;
+    hint.Row = column.Row;
+    return column;
   }
 
 private:
@@ -120,28 +120,28 @@ private:
     return local.Along > 0.0 && east >= 0.0 && east <= 1.0;
   }
 
-  void FindColumn(const double p[3], int known, ColumnPlace& place, Local& local) const
+  void FindColumn(const double p[3], int known, ColumnPosition& column, Local& local) const
   {
     const int count = static_cast<int>(this->Gaps.size());
     if (known >= 0 && known < count)
     {
-      place.Column = known;
-      if (this->TryColumn(p, known, local, place.East))
+      column.Column = known;
+      if (this->TryColumn(p, known, local, column.East))
       {
         return;
       }
       int next = known + (local.Across > 0.0 ? 1 : -1);
       next = this->Closed ? (next + count) % count : std::clamp(next, 0, count - 1);
-      place.Column = next;
-      if (this->TryColumn(p, next, local, place.East))
+      column.Column = next;
+      if (this->TryColumn(p, next, local, column.East))
       {
         return;
       }
     }
-    this->SearchColumn(p, place, local);
+    this->SearchColumn(p, column, local);
   }
 
-  void SearchColumn(const double p[3], ColumnPlace& place, Local& local) const
+  void SearchColumn(const double p[3], ColumnPosition& column, Local& local) const
   {
     const double turn = 2.0 * PI;
     const double angle =
@@ -152,28 +152,29 @@ private:
       // Beyond a border: the nearer one.
       const double beyond = longitude - this->Longitudes.back();
       const double before = this->Longitudes.front() + turn - longitude;
-      this->PutOnBorder(p, before < beyond, place, local);
+      this->PutOnBorder(p, before < beyond, column, local);
       return;
     }
     const auto after =
       std::upper_bound(this->Longitudes.begin(), this->Longitudes.end(), longitude);
     const int count = static_cast<int>(this->Gaps.size());
-    place.Column = std::clamp(static_cast<int>(after - this->Longitudes.begin()) - 1, 0, count - 1);
-    this->TryColumn(p, place.Column, local, place.East);
+    column.Column =
+      std::clamp(static_cast<int>(after - this->Longitudes.begin()) - 1, 0, count - 1);
+    this->TryColumn(p, column.Column, local, column.East);
     if (!(local.Along > 0.0)) // on the axis
     {
       local.Along = local.Across = 0.0;
-      place.East = 0.5;
+      column.East = 0.5;
     }
-    place.East = std::clamp(place.East, 0.0, 1.0);
+    column.East = std::clamp(column.East, 0.0, 1.0);
   }
 
-  void PutOnBorder(const double p[3], bool west, ColumnPlace& place, Local& local) const
+  void PutOnBorder(const double p[3], bool west, ColumnPosition& column, Local& local) const
   {
-    place.Column = west ? 0 : static_cast<int>(this->Gaps.size()) - 1;
-    place.East = west ? 0.0 : 1.0;
-    place.Inside = false;
-    const Gap& gap = this->Gaps[static_cast<std::size_t>(place.Column)];
+    column.Column = west ? 0 : static_cast<int>(this->Gaps.size()) - 1;
+    column.East = west ? 0.0 : 1.0;
+    column.Inside = false;
+    const Gap& gap = this->Gaps[static_cast<std::size_t>(column.Column)];
     const double radius = std::sqrt(p[0] * p[0] + p[1] * p[1]);
     local = { radius * gap.CosineOfHalf, (west ? -radius : radius) * gap.SineOfHalf,
       gap.CosineOfHalf };
@@ -186,7 +187,7 @@ private:
     return local.CosineOfHalf * r.Cosine * z - r.Sine * local.Along;
   }
 
-  void FindRow(double z, const Local& local, int known, ColumnPlace& place) const
+  void FindRow(double z, const Local& local, int known, ColumnPosition& column) const
   {
     const int last = this->RowCount() - 2;
     int row = known >= 0 && known <= last ? known : this->GuessRow(z, local);
@@ -205,11 +206,11 @@ private:
       north = this->BeyondRow(z, local, row + 1);
     }
     const double width = south - north;
-    const double share = width > 0.0 ? south / width : local.Along > 0.0 || z < 0.0 ? 0.0 : 1.0;
-    place.North = std::clamp(share, 0.0, 1.0);
-    place.Inside = place.Inside && share >= -1e-9 && share <= 1.0 + 1e-9;
-    place.Row = row;
-    place.Scale = this->ScaleAt(z, local, place);
+    const double fraction = width > 0.0 ? south / width : local.Along > 0.0 || z < 0.0 ? 0.0 : 1.0;
+    column.North = std::clamp(fraction, 0.0, 1.0);
+    column.Inside = column.Inside && fraction >= -1e-9 && fraction <= 1.0 + 1e-9;
+    column.Row = row;
+    column.Scale = this->ScaleAt(z, local, column);
   }
 
   int GuessRow(double z, const Local& local) const
@@ -222,12 +223,12 @@ private:
   }
 
   // The interpolated unit vector is m p; sums are scaled by 1 / m, so that they belong to p itself.
-  double ScaleAt(double z, const Local& local, const ColumnPlace& place) const
+  double ScaleAt(double z, const Local& local, const ColumnPosition& column) const
   {
-    const Row& south = this->Rows[static_cast<std::size_t>(place.Row)];
-    const Row& north = this->Rows[static_cast<std::size_t>(place.Row) + 1];
-    const double cosine = south.Cosine + place.North * (north.Cosine - south.Cosine);
-    const double sine = south.Sine + place.North * (north.Sine - south.Sine);
+    const Row& south = this->Rows[static_cast<std::size_t>(column.Row)];
+    const Row& north = this->Rows[static_cast<std::size_t>(column.Row) + 1];
+    const double cosine = south.Cosine + column.North * (north.Cosine - south.Cosine);
+    const double sine = south.Sine + column.North * (north.Sine - south.Sine);
     const double radius2 = local.Along * local.Along + local.Across * local.Across;
     const double horizontal =
       local.Along > 0.0 ? cosine * local.CosineOfHalf * radius2 / local.Along : 0.0;

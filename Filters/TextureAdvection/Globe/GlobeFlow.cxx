@@ -34,7 +34,7 @@ void InParallel(std::size_t count, const Function& function)
   inParallel(static_cast<vtkIdType>(count), function, JOB_SIZE);
 }
 
-void MixArrays(
+void BlendFloats(
   const std::vector<float>& a, const std::vector<float>& b, float w, std::vector<float>& mixed)
 {
   mixed.resize(a.size());
@@ -48,40 +48,41 @@ void MixArrays(
 }
 
 // The lowest levels are the ground of air that has none of its own.
-std::vector<float> GroundOf(const GlobeAir& air, std::size_t layer)
+std::vector<float> GroundOf(const GlobeWinds& winds, std::size_t layer)
 {
-  return air.Ground.empty() ? std::vector<float>(air.Levels.begin(),
-                                air.Levels.begin() + static_cast<std::ptrdiff_t>(layer))
-                            : air.Ground;
+  return winds.Ground.empty() ? std::vector<float>(winds.Levels.begin(),
+                                  winds.Levels.begin() + static_cast<std::ptrdiff_t>(layer))
+                              : winds.Ground;
 }
 
-// (1 - share) a + share b
-void MixAirs(const GlobeAir& a, const GlobeAir& b, double share, std::size_t layer, GlobeAir& mixed)
+// (1 - fraction) a + fraction b
+void BlendWinds(
+  const GlobeWinds& a, const GlobeWinds& b, double fraction, std::size_t layer, GlobeWinds& mixed)
 {
-  const auto w = static_cast<float>(share);
-  mixed.Motions.resize(a.Motions.size());
-  InParallel(a.Motions.size(), [&](vtkIdType begin, vtkIdType end) {
+  const auto w = static_cast<float>(fraction);
+  mixed.Vectors.resize(a.Vectors.size());
+  InParallel(a.Vectors.size(), [&](vtkIdType begin, vtkIdType end) {
     for (vtkIdType i = begin; i < end; ++i)
     {
-      const AirMotion& p = a.Motions[static_cast<std::size_t>(i)];
-      const AirMotion& q = b.Motions[static_cast<std::size_t>(i)];
-      mixed.Motions[static_cast<std::size_t>(i)] = { p.X + w * (q.X - p.X), p.Y + w * (q.Y - p.Y),
+      const WindVector& p = a.Vectors[static_cast<std::size_t>(i)];
+      const WindVector& q = b.Vectors[static_cast<std::size_t>(i)];
+      mixed.Vectors[static_cast<std::size_t>(i)] = { p.X + w * (q.X - p.X), p.Y + w * (q.Y - p.Y),
         p.Z + w * (q.Z - p.Z), p.Rise + w * (q.Rise - p.Rise) };
     }
   });
-  MixArrays(a.Levels, b.Levels, w, mixed.Levels);
-  MixArrays(a.Heights, b.Heights, w, mixed.Heights);
+  BlendFloats(a.Levels, b.Levels, w, mixed.Levels);
+  BlendFloats(a.Heights, b.Heights, w, mixed.Heights);
   mixed.Ground.clear();
   if (!a.Ground.empty() || !b.Ground.empty())
   {
-    MixArrays(GroundOf(a, layer), GroundOf(b, layer), w, mixed.Ground);
+    BlendFloats(GroundOf(a, layer), GroundOf(b, layer), w, mixed.Ground);
   }
 }
 
 NEPHOSCOPE_FOR_EACH_PROCESSOR void AdvanceParcels(
-  const GlobeStepper& stepper, GlobeParcel* parcels, std::size_t count, const StepAirs& airs)
+  const GlobeStepper& stepper, GlobeParcel* parcels, std::size_t count, const StepWinds& winds)
 {
-  stepper.Advance(parcels, count, airs);
+  stepper.Advance(parcels, count, winds);
 }
 
 vtkDataArray* PointArray(
@@ -100,15 +101,15 @@ vtkDataArray* PointArray(
 
 struct GlobeFlow::Field : public WindField
 {
-  GlobeAir Air;
+  GlobeWinds Winds;
 };
 
 struct GlobeFlow::Between
 {
   const WindField* Earlier;
   const WindField* Later;
-  double Share;
-  std::unique_ptr<GlobeAir> Air;
+  double Fraction;
+  std::unique_ptr<GlobeWinds> Winds;
 };
 
 GlobeFlow::GlobeFlow(
@@ -147,7 +148,7 @@ std::unique_ptr<WindField> GlobeFlow::MakeField(
     return nullptr;
   }
   auto field = std::make_unique<Field>();
-  field->Air = this->Shape.MakeAir(input, field->Missing);
+  field->Winds = this->Shape.MakeWinds(input, field->Missing);
   return field;
 }
 
@@ -163,36 +164,38 @@ void GlobeFlow::ForEachParcel(const Function& function)
 }
 
 // Winds of a time of the series as they are, others from the last step or made anew.
-const GlobeAir* GlobeFlow::AirAt(const FlowStep& step, double share)
+const GlobeWinds* GlobeFlow::WindsAt(const FlowStep& step, double fraction)
 {
-  const auto airOf = [](const WindField* field) { return &static_cast<const Field*>(field)->Air; };
-  if (share == 0.0 || step.Earlier == step.Later)
+  const auto windsOf = [](const WindField* field) {
+    return &static_cast<const Field*>(field)->Winds;
+  };
+  if (fraction == 0.0 || step.Earlier == step.Later)
   {
-    return airOf(step.Earlier);
+    return windsOf(step.Earlier);
   }
-  if (share == 1.0)
+  if (fraction == 1.0)
   {
-    return airOf(step.Later);
+    return windsOf(step.Later);
   }
   for (const Between& made : this->Mixed)
   {
-    if (made.Earlier == step.Earlier && made.Later == step.Later && made.Share == share)
+    if (made.Earlier == step.Earlier && made.Later == step.Later && made.Fraction == fraction)
     {
-      return made.Air.get();
+      return made.Winds.get();
     }
   }
   // The end of the step before is the beginning of this one: the oldest of three can go.
-  std::unique_ptr<GlobeAir> air = std::make_unique<GlobeAir>();
+  std::unique_ptr<GlobeWinds> winds = std::make_unique<GlobeWinds>();
   if (this->Mixed.size() == 3)
   {
-    air = std::move(this->Mixed.front().Air);
+    winds = std::move(this->Mixed.front().Winds);
     this->Mixed.erase(this->Mixed.begin());
   }
   const auto layer = static_cast<std::size_t>(this->Shape.Columns().ColumnCount()) *
     static_cast<std::size_t>(this->Shape.Columns().RowCount());
-  MixAirs(*airOf(step.Earlier), *airOf(step.Later), share, layer, *air);
-  this->Mixed.push_back({ step.Earlier, step.Later, share, std::move(air) });
-  return this->Mixed.back().Air.get();
+  BlendWinds(*windsOf(step.Earlier), *windsOf(step.Later), fraction, layer, *winds);
+  this->Mixed.push_back({ step.Earlier, step.Later, fraction, std::move(winds) });
+  return this->Mixed.back().Winds.get();
 }
 
 void GlobeFlow::Begin(vtkDataSet* points, const FlowStep& present)
@@ -203,7 +206,7 @@ void GlobeFlow::Begin(vtkDataSet* points, const FlowStep& present)
   this->Starts.resize(count);
   const std::vector<double> longitudes = this->Longitudes(points);
   const GlobeStepper stepper(this->Shape.Columns(), this->Shape.Levels(), this->Settings);
-  const GlobeAir& air = *this->AirAt(present, present.FromShare);
+  const GlobeWinds& winds = *this->WindsAt(present, present.FromFraction);
   this->ForEachParcel([&](std::size_t i, GlobeParcel& parcel) {
     double position[3];
     double height;
@@ -211,29 +214,29 @@ void GlobeFlow::Begin(vtkDataSet* points, const FlowStep& present)
     double* d = parcel.Direction;
     this->Shape.PlaceOf(position, d, height);
     d[1] += 0.0; // a zero has no sign
-    stepper.PutAtHeight(parcel, air, height);
-    stepper.Hold(parcel, air);
+    stepper.SetHeight(parcel, winds, height);
+    stepper.ClampLevel(parcel, winds);
     Start& start = this->Starts[i];
     start.Longitude = longitudes[i];
     start.Angle = std::hypot(d[0], d[1]) > ON_AXIS ? std::atan2(d[1], d[0]) : std::nan("");
-    this->Place(d, stepper.HeightOf(parcel, air), start.Longitude, start.Place);
+    this->Place(d, stepper.HeightOf(parcel, winds), start.Longitude, start.Place);
   });
 }
 
 void GlobeFlow::Advance(const FlowStep& step)
 {
-  const double middle = 0.5 * (step.FromShare + step.ToShare);
+  const double middle = 0.5 * (step.FromFraction + step.ToFraction);
   const bool runge = this->Settings.Method == PathMethod::RungeKutta4;
-  StepAirs airs{};
-  airs.Seconds = step.Seconds;
-  airs.Begin = this->AirAt(step, step.FromShare);
-  airs.Middle = runge ? this->AirAt(step, middle) : airs.Begin;
-  airs.End =
-    this->Settings.Method == PathMethod::Euler ? airs.Begin : this->AirAt(step, step.ToShare);
+  StepWinds winds{};
+  winds.Seconds = step.Seconds;
+  winds.Begin = this->WindsAt(step, step.FromFraction);
+  winds.Middle = runge ? this->WindsAt(step, middle) : winds.Begin;
+  winds.End =
+    this->Settings.Method == PathMethod::Euler ? winds.Begin : this->WindsAt(step, step.ToFraction);
   const GlobeStepper stepper(this->Shape.Columns(), this->Shape.Levels(), this->Settings);
   InParallel(this->Parcels.size(), [&](vtkIdType begin, vtkIdType end) {
     AdvanceParcels(
-      stepper, this->Parcels.data() + begin, static_cast<std::size_t>(end - begin), airs);
+      stepper, this->Parcels.data() + begin, static_cast<std::size_t>(end - begin), winds);
   });
 }
 
@@ -245,14 +248,14 @@ void GlobeFlow::Displacements(const FlowStep& present, std::vector<float>& displ
     return;
   }
   const GlobeStepper stepper(this->Shape.Columns(), this->Shape.Levels(), this->Settings);
-  const GlobeAir& air = *this->AirAt(present, present.FromShare);
+  const GlobeWinds& winds = *this->WindsAt(present, present.FromFraction);
   this->ForEachParcel([&](std::size_t i, GlobeParcel& parcel) {
     GlobeParcel held = parcel; // a path does not depend on where it has been looked at
-    stepper.Hold(held, air);
+    stepper.ClampLevel(held, winds);
     const Start& start = this->Starts[i];
     double place[3];
-    this->Place(held.Direction, stepper.HeightOf(held, air),
-      start.Longitude + LongitudeGone(start, held), place);
+    this->Place(held.Direction, stepper.HeightOf(held, winds),
+      start.Longitude + LongitudeTravelled(start, held), place);
     for (std::size_t c = 0; c < 3; ++c)
     {
       displacements[3 * i + c] = static_cast<float>(place[c] - start.Place[c]);
@@ -262,7 +265,7 @@ void GlobeFlow::Displacements(const FlowStep& present, std::vector<float>& displ
 
 // Radians eastwards along the path. From a pole, where a path has no longitude to begin with, the short way from the
 // point's own meridian; to a pole, none.
-double GlobeFlow::LongitudeGone(const Start& start, const GlobeParcel& parcel)
+double GlobeFlow::LongitudeTravelled(const Start& start, const GlobeParcel& parcel)
 {
   const double* d = parcel.Direction;
   if (!(std::hypot(d[0], d[1]) > ON_AXIS))
@@ -307,7 +310,7 @@ std::vector<double> GlobeFlow::Longitudes(vtkDataSet* points) const
   return longitudes;
 }
 
-std::vector<double> GlobeFlow::OwnPlaces(vtkDataSet* points) const
+std::vector<double> GlobeFlow::GridCoordinates(vtkDataSet* points) const
 {
   const std::vector<double> longitudes = this->Longitudes(points);
   std::vector<double> places(3 * longitudes.size());

@@ -22,7 +22,7 @@ public:
   void Begin(vtkDataSet* points, const FlowStep& present) override;
   void Advance(const FlowStep& step) override;
   void Displacements(const FlowStep& present, std::vector<float>& displacements) override;
-  std::vector<double> OwnPlaces(vtkDataSet* points) const override;
+  std::vector<double> GridCoordinates(vtkDataSet* points) const override;
   TextureUnits Units() const override;
   bool IsOnGlobe() const override { return true; }
   std::size_t Count() const override { return this->Parcels.size(); }
@@ -39,10 +39,10 @@ private:
     double Angle;     // the same within a turn, as the direction has it; not a number at the poles
   };
 
-  const GlobeAir* AirAt(const FlowStep& step, double share);
+  const GlobeWinds* WindsAt(const FlowStep& step, double fraction);
   void Place(const double direction[3], double height, double longitude, double place[3]) const;
   std::vector<double> Longitudes(vtkDataSet* points) const;
-  static double LongitudeGone(const Start& start, const GlobeParcel& parcel);
+  static double LongitudeTravelled(const Start& start, const GlobeParcel& parcel);
   template <typename Function>
   void ForEachParcel(const Function& function);
 

@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
-// A structured grid on a globe or a map, recognised by its points: its columns, rows and levels, and its winds as GlobeAir.
+// A structured grid on a globe or a map, recognised by its points: its columns, rows and levels, and its winds as GlobeWinds.
 #ifndef nephoscope_GlobeShape_h
 #define nephoscope_GlobeShape_h
 
-#include "GlobeAir.h"
+#include "GlobeWinds.h"
 
 #include <string>
 
@@ -45,7 +45,7 @@ public:
 
   // Hidden points (below the ground), and points where the velocity is not finite, which are counted in `missing`, take the wind of
   // the nearest level of their column that has one, without its upward part; a column without any is calm.
-  GlobeAir MakeAir(const GlobeInput& input, std::int64_t& missing) const;
+  GlobeWinds MakeWinds(const GlobeInput& input, std::int64_t& missing) const;
 
   // A displayed position as a direction and a height above the reference radius.
   void PlaceOf(const double position[3], double direction[3], double& height) const;
@@ -63,10 +63,10 @@ private:
   bool AdoptAxes(
     std::vector<double> longitudes, std::vector<double> latitudes, std::string& problem);
   void FillColumn(
-    GlobeAir& air, const std::vector<unsigned char>& known, int column, int row) const;
-  void FillPoleRows(GlobeAir& air) const;
-  void FillPole(GlobeAir& air, int pole, int row, bool isData) const;
-  void FillClosingColumn(GlobeAir& air) const;
+    GlobeWinds& winds, const std::vector<unsigned char>& known, int column, int row) const;
+  void FillPoleRows(GlobeWinds& winds) const;
+  void FillPole(GlobeWinds& winds, int pole, int row, bool isData) const;
+  void FillClosingColumn(GlobeWinds& winds) const;
   std::int64_t Index(int column, int row, int level) const;
   std::int64_t IndexOfData(int i, int j, int k) const;
 

@@ -4,18 +4,18 @@
 #ifndef nephoscope_GlobeSteps_h
 #define nephoscope_GlobeSteps_h
 
-#include "GlobeAir.h"
+#include "GlobeWinds.h"
 #include "PathSettings.h"
 
 namespace nephoscope
 {
 // The winds at the beginning, in the middle and at the end of a step. Winds are linear in time, so a step that lies between two
 // times of a series can have them made once for all parcels.
-struct StepAirs
+struct StepWinds
 {
-  const GlobeAir* Begin;
-  const GlobeAir* Middle;
-  const GlobeAir* End;
+  const GlobeWinds* Begin;
+  const GlobeWinds* Middle;
+  const GlobeWinds* End;
   double Seconds; // of the step; negative: back in time
 };
 
@@ -28,38 +28,38 @@ public:
   {
     const double width = (columns.Longitude(columns.ColumnCount() - 1) - columns.FirstLongitude()) /
       (columns.ColumnCount() - 1);
-    this->HalfCell = 0.5 * width;
+    this->LongestMove = 0.5 * width;
   }
 
-  void Advance(GlobeParcel* parcels, std::size_t count, const StepAirs& airs) const
+  void Advance(GlobeParcel* parcels, std::size_t count, const StepWinds& winds) const
   {
     for (std::size_t i = 0; i < count; ++i)
     {
-      this->AdvanceOne(parcels[i], airs);
+      this->AdvanceOne(parcels[i], winds);
     }
   }
 
   // At the end of a path, what each step does at its beginning.
-  void Hold(GlobeParcel& parcel, const GlobeAir& air) const
+  void ClampLevel(GlobeParcel& parcel, const GlobeWinds& winds) const
   {
     const auto foot = this->Sampler.Locate(parcel.Direction, parcel.Hint);
-    parcel.Level = this->Sampler.Held(air, foot, parcel.Level);
+    parcel.Level = this->Sampler.ClampedLevel(winds, foot, parcel.Level);
   }
 
-  void PutAtHeight(GlobeParcel& parcel, const GlobeAir& air, double height) const
+  void SetHeight(GlobeParcel& parcel, const GlobeWinds& winds, double height) const
   {
     const auto foot = this->Sampler.Locate(parcel.Direction, parcel.Hint);
-    parcel.Level = this->Sampler.LevelAtHeight(air, foot, height, parcel.LevelHint);
+    parcel.Level = this->Sampler.LevelAtHeight(winds, foot, height, parcel.LevelHint);
   }
 
-  double HeightOf(GlobeParcel& parcel, const GlobeAir& air) const
+  double HeightOf(GlobeParcel& parcel, const GlobeWinds& winds) const
   {
     const auto foot = this->Sampler.Locate(parcel.Direction, parcel.Hint);
-    return this->Sampler.HeightAt(air, foot, parcel.Level, parcel.LevelHint);
+    return this->Sampler.HeightAt(winds, foot, parcel.Level, parcel.LevelHint);
   }
 
 private:
-  void AdvanceOne(GlobeParcel& parcel, const StepAirs& airs) const
+  void AdvanceOne(GlobeParcel& parcel, const StepWinds& winds) const
   {
     const SphereState start = { { parcel.Direction[0], parcel.Direction[1], parcel.Direction[2] },
       parcel.Level };
@@ -67,20 +67,21 @@ private:
     switch (this->Settings.Method)
     {
       case PathMethod::Euler:
-        end = EulerStep(start, airs.Seconds,
-          [&](SphereState& state, double) { return this->First(parcel, *airs.Begin, state); });
+        end = EulerStep(start, winds.Seconds, [&](SphereState& state, double) {
+          return this->FirstStage(parcel, *winds.Begin, state);
+        });
         break;
       case PathMethod::RungeKutta4:
-        end = RungeKutta4Step(start, airs.Seconds, [&](SphereState& state, double fraction) {
+        end = RungeKutta4Step(start, winds.Seconds, [&](SphereState& state, double fraction) {
           return fraction == 0.0
-            ? this->First(parcel, *airs.Begin, state)
-            : this->Motion(parcel, fraction == 1.0 ? *airs.End : *airs.Middle, state);
+            ? this->FirstStage(parcel, *winds.Begin, state)
+            : this->Rates(parcel, fraction == 1.0 ? *winds.End : *winds.Middle, state);
         });
         break;
       default:
-        end = AdaptiveStep(start, airs.Seconds, this->Settings.Tolerance, this->Settings.LevelScale,
-          this->HalfCell, [&](SphereState& state, double fraction) {
-            return this->Between(parcel, airs, state, fraction);
+        end = AdaptiveStep(start, winds.Seconds, this->Settings.Tolerance,
+          this->Settings.LevelScale, this->LongestMove, [&](SphereState& state, double fraction) {
+            return this->BlendedRates(parcel, winds, state, fraction);
           });
     }
     CountTurns(parcel, end.Direction);
@@ -89,38 +90,38 @@ private:
   }
 
   // The first stage holds the parcel between the ground and the top, so that a path that would leave slides along.
-  SphereRates First(GlobeParcel& parcel, const GlobeAir& air, SphereState& state) const
+  SphereRates FirstStage(GlobeParcel& parcel, const GlobeWinds& winds, SphereState& state) const
   {
     const auto foot = this->Sampler.Locate(state.Direction, parcel.Hint);
-    const double above = this->Sampler.FindLevel(air.Levels, foot, state.Level, parcel.LevelHint);
-    if (!air.Ground.empty() || this->Sampler.IsAtEnd(above, parcel.LevelHint))
+    const double above = this->Sampler.FindLevel(winds.Levels, foot, state.Level, parcel.LevelHint);
+    if (!winds.Ground.empty() || this->Sampler.IsAtEnd(above, parcel.LevelHint))
     {
-      state.Level = this->Sampler.Held(air, foot, state.Level);
+      state.Level = this->Sampler.ClampedLevel(winds, foot, state.Level);
     }
     return Tangent(
-      this->Sampler.Sample(air, foot, state.Level, parcel.LevelHint), foot, state.Direction);
+      this->Sampler.Sample(winds, foot, state.Level, parcel.LevelHint), foot, state.Direction);
   }
 
-  SphereRates Motion(GlobeParcel& parcel, const GlobeAir& air, const SphereState& state) const
+  SphereRates Rates(GlobeParcel& parcel, const GlobeWinds& winds, const SphereState& state) const
   {
     const auto foot = this->Sampler.Locate(state.Direction, parcel.Hint);
     return Tangent(
-      this->Sampler.Sample(air, foot, state.Level, parcel.LevelHint), foot, state.Direction);
+      this->Sampler.Sample(winds, foot, state.Level, parcel.LevelHint), foot, state.Direction);
   }
 
-  SphereRates Between(
-    GlobeParcel& parcel, const StepAirs& airs, SphereState& state, double fraction) const
+  SphereRates BlendedRates(
+    GlobeParcel& parcel, const StepWinds& winds, SphereState& state, double fraction) const
   {
     const auto foot = this->Sampler.Locate(state.Direction, parcel.Hint);
     if (fraction == 0.0)
     {
-      state.Level = this->Sampler.Held(*airs.Begin, foot, state.Level);
+      state.Level = this->Sampler.ClampedLevel(*winds.Begin, foot, state.Level);
     }
-    SphereRates rates = this->Sampler.Sample(*airs.Begin, foot, state.Level, parcel.LevelHint);
-    if (airs.Begin != airs.End)
+    SphereRates rates = this->Sampler.Sample(*winds.Begin, foot, state.Level, parcel.LevelHint);
+    if (winds.Begin != winds.End)
     {
       const SphereRates later =
-        this->Sampler.Sample(*airs.End, foot, state.Level, parcel.LevelHint);
+        this->Sampler.Sample(*winds.End, foot, state.Level, parcel.LevelHint);
       for (int c = 0; c < 3; ++c)
       {
         rates.Direction[c] += fraction * (later.Direction[c] - rates.Direction[c]);
@@ -132,7 +133,7 @@ private:
 
   // Beyond a border the wind is that on the border, which is tangent to the sphere there and not here.
   static SphereRates Tangent(
-    SphereRates rates, const GlobeAirSampler::Footprint& foot, const double p[3])
+    SphereRates rates, const GlobeWindSampler::Footprint& foot, const double p[3])
   {
     if (!foot.Inside)
     {
@@ -159,9 +160,9 @@ private:
     }
   }
 
-  GlobeAirSampler Sampler;
+  GlobeWindSampler Sampler;
   PathSettings Settings;
-  double HalfCell;
+  double LongestMove;
 };
 }
 

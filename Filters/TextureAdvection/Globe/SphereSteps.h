@@ -70,12 +70,12 @@ inline SphereState MovedBy(
   SphereState end = start;
   for (int s = 0; s < count; ++s)
   {
-    const double share = step * weights[s];
+    const double fraction = step * weights[s];
     for (int c = 0; c < 3; ++c)
     {
-      end.Direction[c] += share * rates[s].Direction[c];
+      end.Direction[c] += fraction * rates[s].Direction[c];
     }
-    end.Level += share * rates[s].Rise;
+    end.Level += fraction * rates[s].Rise;
   }
   return end;
 }
@@ -105,32 +105,33 @@ SphereState AdaptiveStep(SphereState start, double step, double tolerance, doubl
   using Table = DormandPrince54;
   constexpr int mostSubSteps = 10000;
   SphereState now = start;
-  double done = 0.0; // share of the step
+  double done = 0.0; // fraction of the step
   double wanted = 1.0;
   for (int n = 0; n < mostSubSteps && done < 1.0; ++n)
   {
     SphereRates rates[Table::StageCount];
     rates[0] = motion(now, done);
     const double way = LengthOf(rates[0].Direction) * std::abs(step);
-    double share = std::min(wanted, way > longestWay ? longestWay / way : 1.0);
-    share = share > 0.999 * (1.0 - done) ? 1.0 - done : share;
+    double fraction = std::min(wanted, way > longestWay ? longestWay / way : 1.0);
+    fraction = fraction > 0.999 * (1.0 - done) ? 1.0 - done : fraction;
     SphereState end = now;
     for (int s = 1; s < Table::StageCount; ++s)
     {
-      end = MovedBy(now, share * step, rates, Table::Stages[s], s);
-      rates[s] = motion(end, done + Table::Fractions[s] * share);
+      end = MovedBy(now, fraction * step, rates, Table::Stages[s], s);
+      rates[s] = motion(end, done + Table::Fractions[s] * fraction);
     }
     const SphereState zero = { { 0.0, 0.0, 0.0 }, 0.0 };
-    const SphereState errors = MovedBy(zero, share * step, rates, Table::Errors, Table::StageCount);
+    const SphereState errors =
+      MovedBy(zero, fraction * step, rates, Table::Errors, Table::StageCount);
     const double error = std::hypot(LengthOf(errors.Direction), levelScale * errors.Level);
     const double factor =
       std::clamp(0.9 * std::pow(tolerance / std::max(error, 1e-300), 0.2), 0.2, 5.0);
-    wanted = factor * share;
-    if (error <= tolerance || n + 1 == mostSubSteps || share < 1e-6)
+    wanted = factor * fraction;
+    if (error <= tolerance || n + 1 == mostSubSteps || fraction < 1e-6)
     {
       now = end; // the last stage is at the end of the sub-step
       Normalize(now.Direction);
-      done = share >= 1.0 - done ? 1.0 : done + share;
+      done = fraction >= 1.0 - done ? 1.0 : done + fraction;
     }
   }
   return now;

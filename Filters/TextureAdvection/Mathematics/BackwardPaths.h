@@ -13,11 +13,11 @@
 namespace nephoscope
 {
 // A time among those of a series. Before the first and after the last, both neighbours are that one.
-struct PlaceInSeries
+struct SeriesInterval
 {
   int Earlier = 0;
   int Later = 0;
-  double Share = 0.0; // of the way from the earlier to the later
+  double Fraction = 0.0; // of the way from the earlier to the later
 };
 
 class TimeSeries
@@ -33,7 +33,7 @@ public:
   double Last() const { return this->Times.back(); }
   double Time(int i) const { return this->Times[static_cast<std::size_t>(i)]; }
 
-  PlaceInSeries Find(double time) const
+  SeriesInterval Find(double time) const
   {
     const int last = static_cast<int>(this->Times.size()) - 1;
     const auto after = std::upper_bound(this->Times.begin(), this->Times.end(), time);
@@ -52,7 +52,7 @@ public:
 
   // The interval of the series that a step back from `time` runs through, and where it may end: at the times of the series and
   // at equal parts of what lies between, of at most `step`. So the steps do not depend on where a path begins.
-  double StepBack(double time, double step, PlaceInSeries& interval) const
+  double StepBack(double time, double step, SeriesInterval& interval) const
   {
     const double edge = time <= this->First() ? this->First() : this->Last();
     if (time <= this->First() || time > this->Last())
@@ -73,7 +73,7 @@ public:
   }
 
   // The fraction of an interval that has passed, exactly 0 and 1 at its ends.
-  double ShareOf(double time, const PlaceInSeries& interval) const
+  double FractionOf(double time, const SeriesInterval& interval) const
   {
     if (interval.Earlier == interval.Later || time <= this->Time(interval.Earlier))
     {
@@ -91,12 +91,12 @@ private:
   std::vector<double> Times;
 };
 
-// A step of a path: the interval it is in, and the shares and times at its ends.
+// A step of a path: the interval it is in, and the fractions and times at its ends.
 struct PathStep
 {
-  PlaceInSeries Interval;
-  double FromShare;
-  double ToShare;
+  SeriesInterval Interval;
+  double FromFraction;
+  double ToFraction;
   double From;
   double To;
 };
@@ -117,8 +117,8 @@ bool FollowBack(const TimeSeries& series, double start, const std::vector<double
       path.To = std::max(stops[s], series.StepBack(now, step, path.Interval));
       // Not a tiny step to a stop that rounding has put beside an end.
       path.To = path.To - stops[s] < 1e-9 * step ? stops[s] : path.To;
-      path.FromShare = series.ShareOf(path.From, path.Interval);
-      path.ToShare = series.ShareOf(path.To, path.Interval);
+      path.FromFraction = series.FractionOf(path.From, path.Interval);
+      path.ToFraction = series.FractionOf(path.To, path.Interval);
       if (!take(path))
       {
         return false;

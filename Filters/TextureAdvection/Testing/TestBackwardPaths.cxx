@@ -35,7 +35,7 @@ TEST(TimeSeries, FindsNeighbours)
   EXPECT_EQ(series.Find(10.0).Later, 1);
   EXPECT_EQ(series.Find(15.0).Earlier, 1);
   EXPECT_EQ(series.Find(15.0).Later, 2);
-  EXPECT_EQ(series.Find(15.0).Share, 0.25);
+  EXPECT_EQ(series.Find(15.0).Fraction, 0.25);
   EXPECT_EQ(series.Find(99.0).Earlier, 2);
   EXPECT_EQ(series.Find(99.0).Later, 2);
 }
@@ -57,14 +57,14 @@ TEST(BackwardPaths, StepsJoinAndStayWithinIntervals)
       if (s.Interval.Earlier == s.Interval.Later)
       {
         EXPECT_TRUE(s.From <= 0.0 || s.To >= 31.0);
-        EXPECT_EQ(s.FromShare, 0.0);
+        EXPECT_EQ(s.FromFraction, 0.0);
       }
       else
       {
         EXPECT_GE(s.To, low);
         EXPECT_LE(s.From, high);
-        EXPECT_NEAR(low + s.FromShare * (high - low), s.From, 1e-12);
-        EXPECT_NEAR(low + s.ToShare * (high - low), s.To, 1e-12);
+        EXPECT_NEAR(low + s.FromFraction * (high - low), s.From, 1e-12);
+        EXPECT_NEAR(low + s.ToFraction * (high - low), s.To, 1e-12);
       }
       now = s.To;
     }
@@ -83,8 +83,8 @@ TEST(BackwardPaths, HourlyWindsHaveHourlySteps)
   ASSERT_EQ(steps.size(), 18U);
   for (const PathStep& s : steps)
   {
-    EXPECT_EQ(s.FromShare, 1.0);
-    EXPECT_EQ(s.ToShare, 0.0);
+    EXPECT_EQ(s.FromFraction, 1.0);
+    EXPECT_EQ(s.ToFraction, 0.0);
   }
   EXPECT_EQ(StepsOf(TimeSeries(times), 30.25 * 3600.0, { 24 * 3600.0 }, 3600.0).size(), 7U);
 }

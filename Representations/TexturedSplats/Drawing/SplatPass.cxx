@@ -335,8 +335,8 @@ void SplatPass::SetUniforms(
   program->SetUniformf("segmentWidth", static_cast<float>(options.SegmentWidth));
   program->SetUniform2f("pixelsPerDC", this->PixelsPerDevice);
   const float within[2] = { this->PixelsPerDevice[0] /
-      (this->PixelsPerDevice[0] + LargestPoint / 2),
-    this->PixelsPerDevice[1] / (this->PixelsPerDevice[1] + LargestPoint / 2) };
+      (this->PixelsPerDevice[0] + 0.5f * LargestPoint),
+    this->PixelsPerDevice[1] / (this->PixelsPerDevice[1] + 0.5f * LargestPoint) };
   program->SetUniform2f("withinMargin", within);
   program->SetUniform4f("rayOfPixel", RayOfPixel(view.ViewToDevice, this->PixelsPerDevice).data());
   program->SetUniformi("opaqueDepth", this->DepthUnit);

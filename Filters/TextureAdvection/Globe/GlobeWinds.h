@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The wind over a globe at one time, on columns and rows of points at levels whose heights differ from column to column.
 // Plain C++17.
-#ifndef nephoscope_GlobeAir_h
-#define nephoscope_GlobeAir_h
+#ifndef nephoscope_GlobeWinds_h
+#define nephoscope_GlobeWinds_h
 
 #include "GlobeColumns.h"
 #include "SphereSteps.h"
@@ -14,7 +14,7 @@ namespace nephoscope
 {
 // Angular velocity as a Cartesian vector of the unit sphere, tangent to it, 1/s; and the rate of the vertical coordinate.
 // Not the longitude's and latitude's own rates: those have no limit at a pole.
-struct AirMotion
+struct WindVector
 {
   float X = 0.0f;
   float Y = 0.0f;
@@ -26,10 +26,10 @@ struct AirMotion
 // such, it needs no chain rule: the motion relative to the levels, however they slope and move, comes of looking the levels up
 // where the air is. (For a coordinate q with the rate Dq/Dt following the air, the rate of the level k would be
 // (Dq/Dt - dq/dt|k - V . grad_k q) / (dq/dk).)
-struct GlobeAir
+struct GlobeWinds
 {
   // Axis 0 (columns) fastest, then rows, then levels.
-  std::vector<AirMotion> Motions;
+  std::vector<WindVector> Vectors;
   std::vector<float> Levels;
   std::vector<float>
     Ground; // of each column and row; empty if there is none: air does not sink below it
@@ -47,10 +47,10 @@ struct GlobeParcel
   std::int32_t LevelHint = 0;
 };
 
-class GlobeAirSampler
+class GlobeWindSampler
 {
 public:
-  GlobeAirSampler(const GlobeColumns& columns, int levels)
+  GlobeWindSampler(const GlobeColumns& columns, int levels)
     : Columns(columns)
     , Row(columns.ColumnCount())
     , Layer(static_cast<std::int64_t>(columns.ColumnCount()) * columns.RowCount())
@@ -68,29 +68,29 @@ public:
 
   Footprint Locate(const double direction[3], ColumnHint& hint) const
   {
-    const ColumnPlace place = this->Columns.Find(direction, hint);
-    const double west = 1.0 - place.East;
-    const double south = 1.0 - place.North;
-    return { place.Column + this->Row * static_cast<std::int64_t>(place.Row),
-      { west * south, place.East * south, west * place.North, place.East * place.North },
-      place.Scale, place.Inside };
+    const ColumnPosition column = this->Columns.Find(direction, hint);
+    const double west = 1.0 - column.East;
+    const double south = 1.0 - column.North;
+    return { column.Column + this->Row * static_cast<std::int64_t>(column.Row),
+      { west * south, column.East * south, west * column.North, column.East * column.North },
+      column.Scale, column.Inside };
   }
 
   // Keeps a level between the ground, or the lowest level, and the highest.
-  double Held(const GlobeAir& air, const Footprint& foot, double level) const
+  double ClampedLevel(const GlobeWinds& winds, const Footprint& foot, double level) const
   {
-    const double lowest = air.Ground.empty() ? this->SurfaceAt(air.Levels, foot, 0)
-                                             : this->Mean(air.Ground.data() + foot.First, foot);
-    const double highest = this->SurfaceAt(air.Levels, foot, this->LevelCount - 1);
+    const double lowest = winds.Ground.empty() ? this->SurfaceAt(winds.Levels, foot, 0)
+                                               : this->Mean(winds.Ground.data() + foot.First, foot);
+    const double highest = this->SurfaceAt(winds.Levels, foot, this->LevelCount - 1);
     return std::clamp(level, lowest, std::max(lowest, highest));
   }
 
   SphereRates Sample(
-    const GlobeAir& air, const Footprint& foot, double level, std::int32_t& hint) const
+    const GlobeWinds& winds, const Footprint& foot, double level, std::int32_t& hint) const
   {
-    const double above = this->FindLevel(air.Levels, foot, level, hint);
+    const double above = this->FindLevel(winds.Levels, foot, level, hint);
     double sums[4] = { 0.0, 0.0, 0.0, 0.0 };
-    const AirMotion* corner = air.Motions.data() + foot.First + hint * this->Layer;
+    const WindVector* corner = winds.Vectors.data() + foot.First + hint * this->Layer;
     this->Add(corner, foot, 1.0 - above, sums);
     if (above > 0.0)
     {
@@ -99,7 +99,7 @@ public:
     return { { foot.Scale * sums[0], foot.Scale * sums[1], foot.Scale * sums[2] }, sums[3] };
   }
 
-  // The index of the level below goes into `hint`; returned is the share of the way to the one above. Held at the ends.
+  // The index of the level below goes into `hint`; returned is the fraction of the way to the one above. Held at the ends.
   double FindLevel(const std::vector<float>& surfaces, const Footprint& foot, double level,
     std::int32_t& hint) const
   {
@@ -129,16 +129,17 @@ public:
   }
 
   double HeightAt(
-    const GlobeAir& air, const Footprint& foot, double level, std::int32_t& hint) const
+    const GlobeWinds& winds, const Footprint& foot, double level, std::int32_t& hint) const
   {
-    return air.Heights.empty() ? level : this->Convert(air.Levels, air.Heights, foot, level, hint);
+    return winds.Heights.empty() ? level
+                                 : this->Convert(winds.Levels, winds.Heights, foot, level, hint);
   }
 
   double LevelAtHeight(
-    const GlobeAir& air, const Footprint& foot, double height, std::int32_t& hint) const
+    const GlobeWinds& winds, const Footprint& foot, double height, std::int32_t& hint) const
   {
-    return air.Heights.empty() ? height
-                               : this->Convert(air.Heights, air.Levels, foot, height, hint);
+    return winds.Heights.empty() ? height
+                                 : this->Convert(winds.Heights, winds.Levels, foot, height, hint);
   }
 
   // Whether a level is at or beyond an end of those of the grid.
@@ -167,13 +168,13 @@ private:
     return above > 0.0 ? low + above * (this->SurfaceAt(to, foot, hint + 1) - low) : low;
   }
 
-  void Add(const AirMotion* corner, const Footprint& foot, double share, double sums[4]) const
+  void Add(const WindVector* corner, const Footprint& foot, double fraction, double sums[4]) const
   {
-    const AirMotion* const corners[4] = { corner, corner + 1, corner + this->Row,
+    const WindVector* const corners[4] = { corner, corner + 1, corner + this->Row,
       corner + this->Row + 1 };
     for (int c = 0; c < 4; ++c)
     {
-      const double weight = share * foot.Weights[c];
+      const double weight = fraction * foot.Weights[c];
       sums[0] += weight * corners[c]->X;
       sums[1] += weight * corners[c]->Y;
       sums[2] += weight * corners[c]->Z;

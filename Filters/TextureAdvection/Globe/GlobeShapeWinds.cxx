@@ -35,16 +35,16 @@ LocalFrame FrameAt(double longitude, double sine, double cosine)
 }
 }
 
-GlobeAir GlobeShape::MakeAir(const GlobeInput& input, std::int64_t& missing) const
+GlobeWinds GlobeShape::MakeWinds(const GlobeInput& input, std::int64_t& missing) const
 {
   const auto layer =
     static_cast<std::int64_t>(this->Columns_.ColumnCount()) * this->Columns_.RowCount();
   const auto count = static_cast<std::size_t>(layer * this->Size[2]);
-  GlobeAir air;
-  air.Motions.resize(count);
-  air.Levels.resize(count);
-  air.Ground.resize(static_cast<std::size_t>(layer));
-  air.Heights.resize(input.Vertical ? count : 0);
+  GlobeWinds winds;
+  winds.Vectors.resize(count);
+  winds.Levels.resize(count);
+  winds.Ground.resize(static_cast<std::size_t>(layer));
+  winds.Heights.resize(input.Vertical ? count : 0);
   auto* ghosts = vtkUnsignedCharArray::SafeDownCast(
     input.Data->GetPointData()->GetArray(vtkDataSetAttributes::GhostArrayName()));
   std::vector<unsigned char> known(count, 0);
@@ -79,7 +79,7 @@ GlobeAir GlobeShape::MakeAir(const GlobeInput& input, std::int64_t& missing) con
         double level = height;
         if (input.Vertical)
         {
-          air.Heights[place] = static_cast<float>(height);
+          winds.Heights[place] = static_cast<float>(height);
           level = input.Sign * input.Vertical->GetComponent(point, 0);
           rise = input.Sign * input.VerticalRate->GetComponent(point, 0);
         }
@@ -88,8 +88,8 @@ GlobeAir GlobeShape::MakeAir(const GlobeInput& input, std::int64_t& missing) con
         const bool finite = std::isfinite(east + north + rise + level);
         known[place] = !hidden && finite;
         found += hidden || finite ? 0 : 1;
-        air.Levels[place] = static_cast<float>(level);
-        air.Motions[place] = { static_cast<float>(east * frame.East[0] + north * frame.North[0]),
+        winds.Levels[place] = static_cast<float>(level);
+        winds.Vectors[place] = { static_cast<float>(east * frame.East[0] + north * frame.North[0]),
           static_cast<float>(east * frame.East[1] + north * frame.North[1]),
           static_cast<float>(north * frame.North[2]), static_cast<float>(rise) };
       }
@@ -103,27 +103,27 @@ GlobeAir GlobeShape::MakeAir(const GlobeInput& input, std::int64_t& missing) con
     {
       for (int i = 0; i < this->Size[0]; ++i)
       {
-        this->FillColumn(air, known, i, static_cast<int>(j) + this->SouthRows);
+        this->FillColumn(winds, known, i, static_cast<int>(j) + this->SouthRows);
       }
     }
   });
-  this->FillClosingColumn(air);
-  this->FillPoleRows(air);
+  this->FillClosingColumn(winds);
+  this->FillPoleRows(winds);
   bool hasGround = false;
-  for (std::size_t i = 0; i < air.Ground.size(); ++i)
+  for (std::size_t i = 0; i < winds.Ground.size(); ++i)
   {
-    hasGround = hasGround || air.Ground[i] != air.Levels[i];
+    hasGround = hasGround || winds.Ground[i] != winds.Levels[i];
   }
   if (!hasGround)
   {
-    air.Ground = {};
+    winds.Ground = {};
   }
-  return air;
+  return winds;
 }
 
 // Levels without a wind take that of the nearest one which has it; the lowest one with a wind is the ground.
 void GlobeShape::FillColumn(
-  GlobeAir& air, const std::vector<unsigned char>& known, int column, int row) const
+  GlobeWinds& winds, const std::vector<unsigned char>& known, int column, int row) const
 {
   const auto at = [&](int k) { return static_cast<std::size_t>(this->Index(column, row, k)); };
   int lowest = 0;
@@ -150,22 +150,22 @@ void GlobeShape::FillColumn(
         break;
       }
     }
-    AirMotion motion;
+    WindVector motion;
     if (nearest >= 0)
     {
-      motion = air.Motions[at(nearest)];
+      motion = winds.Vectors[at(nearest)];
       motion.Rise = 0.0f;
     }
-    air.Motions[at(k)] = motion;
-    if (!std::isfinite(air.Levels[at(k)]))
+    winds.Vectors[at(k)] = motion;
+    if (!std::isfinite(winds.Levels[at(k)]))
     {
-      air.Levels[at(k)] = nearest >= 0 ? air.Levels[at(nearest)] : 0.0f;
+      winds.Levels[at(k)] = nearest >= 0 ? winds.Levels[at(nearest)] : 0.0f;
     }
   }
-  air.Ground[static_cast<std::size_t>(this->Index(column, row, 0))] = air.Levels[ground];
+  winds.Ground[static_cast<std::size_t>(this->Index(column, row, 0))] = winds.Levels[ground];
 }
 
-void GlobeShape::FillClosingColumn(GlobeAir& air) const
+void GlobeShape::FillClosingColumn(GlobeWinds& winds) const
 {
   if (!this->ColumnAdded)
   {
@@ -178,22 +178,22 @@ void GlobeShape::FillClosingColumn(GlobeAir& air) const
     {
       const auto from = static_cast<std::size_t>(this->Index(0, row, k));
       const auto to = static_cast<std::size_t>(this->Index(last, row, k));
-      air.Motions[to] = air.Motions[from];
-      air.Levels[to] = air.Levels[from];
-      if (!air.Heights.empty())
+      winds.Vectors[to] = winds.Vectors[from];
+      winds.Levels[to] = winds.Levels[from];
+      if (!winds.Heights.empty())
       {
-        air.Heights[to] = air.Heights[from];
+        winds.Heights[to] = winds.Heights[from];
       }
       if (k == 0)
       {
-        air.Ground[to] = air.Ground[from];
+        winds.Ground[to] = winds.Ground[from];
       }
     }
   }
 }
 
 // A pole is one place. Where the data have no row there, it has the mean of the last row.
-void GlobeShape::FillPoleRows(GlobeAir& air) const
+void GlobeShape::FillPoleRows(GlobeWinds& winds) const
 {
   if (!this->Columns_.IsClosed())
   {
@@ -203,15 +203,15 @@ void GlobeShape::FillPoleRows(GlobeAir& air) const
   const auto isPole = [&](int row) { return this->Columns_.CosineOfLatitude(row) == 0.0; };
   if (isPole(0))
   {
-    this->FillPole(air, 0, this->SouthRows, this->SouthRows == 0);
+    this->FillPole(winds, 0, this->SouthRows, this->SouthRows == 0);
   }
   if (isPole(last))
   {
-    this->FillPole(air, last, last - this->NorthRows, this->NorthRows == 0);
+    this->FillPole(winds, last, last - this->NorthRows, this->NorthRows == 0);
   }
 }
 
-void GlobeShape::FillPole(GlobeAir& air, int pole, int row, bool isData) const
+void GlobeShape::FillPole(GlobeWinds& winds, int pole, int row, bool isData) const
 {
   const int columns = this->Columns_.ColumnCount();
   // The mean of unit vectors along the row has this length; see GlobeColumns.h.
@@ -222,10 +222,10 @@ void GlobeShape::FillPole(GlobeAir& air, int pole, int row, bool isData) const
     for (int i = 0; i + 1 < columns; ++i) // the last column is the first
     {
       const auto at = static_cast<std::size_t>(this->Index(i, row, k));
-      const AirMotion& m = air.Motions[at];
-      const double values[7] = { m.X, m.Y, m.Z, m.Rise, air.Levels[at],
-        air.Heights.empty() ? 0.0 : air.Heights[at],
-        air.Ground[static_cast<std::size_t>(this->Index(i, row, 0))] };
+      const WindVector& m = winds.Vectors[at];
+      const double values[7] = { m.X, m.Y, m.Z, m.Rise, winds.Levels[at],
+        winds.Heights.empty() ? 0.0 : winds.Heights[at],
+        winds.Ground[static_cast<std::size_t>(this->Index(i, row, 0))] };
       for (int c = 0; c < 7; ++c)
       {
         sums[c] += values[c] / (columns - 1);
@@ -234,16 +234,17 @@ void GlobeShape::FillPole(GlobeAir& air, int pole, int row, bool isData) const
     for (int i = 0; i < columns; ++i)
     {
       const auto at = static_cast<std::size_t>(this->Index(i, pole, k));
-      air.Motions[at] = { static_cast<float>(scale * sums[0]), static_cast<float>(scale * sums[1]),
-        isData ? static_cast<float>(sums[2]) : 0.0f, static_cast<float>(sums[3]) };
-      air.Levels[at] = static_cast<float>(sums[4]);
-      if (!air.Heights.empty())
+      winds.Vectors[at] = { static_cast<float>(scale * sums[0]),
+        static_cast<float>(scale * sums[1]), isData ? static_cast<float>(sums[2]) : 0.0f,
+        static_cast<float>(sums[3]) };
+      winds.Levels[at] = static_cast<float>(sums[4]);
+      if (!winds.Heights.empty())
       {
-        air.Heights[at] = static_cast<float>(sums[5]);
+        winds.Heights[at] = static_cast<float>(sums[5]);
       }
       if (k == 0)
       {
-        air.Ground[at] = static_cast<float>(sums[6]);
+        winds.Ground[at] = static_cast<float>(sums[6]);
       }
     }
   }
