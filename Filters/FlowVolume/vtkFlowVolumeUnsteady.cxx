@@ -94,7 +94,7 @@ bool vtkFlowVolume::CheckSeries()
   const std::size_t i = this->State->FirstOutOfOrder();
   if (i < times.size())
   {
-    vtkErrorMacro("The times of the input's time steps must rise, but time step "
+    vtkErrorMacro("The times of the input's time steps must increase, but time step "
       << i << " is at " << times[i] << " after " << times[i > 0 ? i - 1 : 0]
       << ". Sort the time steps, or switch Unsteady off.");
     return false;

@@ -56,8 +56,9 @@ std::string LatitudeMessage(double latitude)
 std::string MonotoneMessage(int axis, size_t index)
 {
   std::ostringstream text;
-  text << "The " << AXIS_NAMES[axis] << " axis must rise or fall throughout, but does not at index "
-       << index << ". Sort the levels or remove the repeated one before this filter.";
+  text << "The " << AXIS_NAMES[axis]
+       << " axis must increase or decrease throughout, but does not at index " << index << ". Sort the "
+       << AXIS_NAMES[axis] << "s and remove repeated or missing ones before this filter.";
   return text.str();
 }
 

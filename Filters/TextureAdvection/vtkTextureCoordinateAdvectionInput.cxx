@@ -156,7 +156,7 @@ bool vtkTextureCoordinateAdvection::CheckSeries()
   const std::size_t i = this->State->FirstOutOfOrder();
   if (i < times.size())
   {
-    vtkErrorMacro("Times must rise, but time step "
+    vtkErrorMacro("Times must increase, but time step "
       << i << " is at " << times[i] << (i > 0 ? " after " : "")
       << (i > 0 ? std::to_string(times[i - 1]) : std::string()) << ". Sort the time steps.");
     return false;

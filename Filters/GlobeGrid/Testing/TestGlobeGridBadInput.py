@@ -40,11 +40,11 @@ class BadInput(unittest.TestCase):
     def test_axes(self):
         self.expect(self.grid(lat=[0.0], lev=[0.0]), "fewer than two axes")
         self.expect(self.grid(lat=[0.0, 100.0]), "within -90 to 90")
-        self.expect(self.grid(lat=[0.0, 20.0, 10.0, 30.0]), "latitude axis must rise or fall throughout, but does not at index 2")
+        self.expect(self.grid(lat=[0.0, 20.0, 10.0, 30.0]), "latitude axis must increase or decrease throughout, but does not at index 2")
         self.expect(self.grid(lat=[0.0, np.nan]), "within -90 to 90")
-        self.expect(self.grid(lev=[0.0, 0.0]), "level axis must rise or fall")
-        self.expect(self.grid(lev=[np.nan, 1.0]), "level axis must rise or fall")
-        self.expect(self.grid(lon=[0.0, 10.0, 10.0]), "longitude axis must rise or fall")
+        self.expect(self.grid(lev=[0.0, 0.0]), "level axis must increase or decrease")
+        self.expect(self.grid(lev=[np.nan, 1.0]), "level axis must increase or decrease")
+        self.expect(self.grid(lon=[0.0, 10.0, 10.0]), "longitude axis must increase or decrease")
         self.expect(self.grid(lon=np.arange(147) * 2.5), "more than one turn", points=None)
 
     def test_spherical_coordinates(self):

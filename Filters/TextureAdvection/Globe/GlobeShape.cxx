@@ -138,7 +138,8 @@ bool GlobeShape::AdoptAxes(
     latitudes.front() < -0.5 * PI - 1e-6 || latitudes.back() > 0.5 * PI + 1e-6)
   {
     problem =
-      "Longitudes must rise from column to column by no more than a turn in all, and latitudes from row to row.";
+      "Longitudes must increase from column to column by no more than a turn in all, and latitudes from row to row. "
+      "Sort the columns and rows of the grid by their coordinates.";
     return false;
   }
   this->Longitudes = longitudes;

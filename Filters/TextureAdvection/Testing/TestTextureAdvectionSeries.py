@@ -259,8 +259,8 @@ class Bad(unittest.TestCase):
         self.expect("a million steps", series(), TimeStep=1e-3)
 
     def test_times_that_do_not_rise(self):
-        self.expect("Times must rise", series([0, 2 * HOUR, HOUR]))
-        self.expect("Times must rise", series([0, np.nan, HOUR]))
+        self.expect("Times must increase", series([0, 2 * HOUR, HOUR]))
+        self.expect("Times must increase", series([0, np.nan, HOUR]))
         self.expect("no time steps", TimeSeries([], lambda p, t: (1, 0, 0)))
 
     def test_no_velocity(self):

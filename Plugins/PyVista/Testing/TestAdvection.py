@@ -149,7 +149,7 @@ class Errors(unittest.TestCase):
             nephoscope.advect_texture([box(), box()], 1, **BOX)
         with self.assertRaisesRegex(ValueError, "empty"):
             nephoscope.advect_texture([], 1, times=[], **BOX)
-        with self.assertRaisesRegex(RuntimeError, "Times must rise"):
+        with self.assertRaisesRegex(RuntimeError, "Times must increase"):
             nephoscope.advect_texture([box(), box()], 1, times=[1, 0], **BOX)
         with self.assertRaisesRegex(TypeError, "mesh is a MultiBlock; it must be a dataset, not blocks"):
             nephoscope.advect_texture(pyvista.MultiBlock([pyvista.ImageData(dimensions=(3, 3, 3))] * 2), 1)

@@ -9,7 +9,7 @@ from pathlib import Path
 import nephoscope
 import numpy as np
 import xarray as xr
-from weather_data import REGULAR, frames, isothermal, write_grib
+from weather_data import AXIS, REGULAR, frames, isothermal, write_grib
 
 LON, LAT = np.arange(0, 40, 5.0), np.arange(20, 60, 5.0)
 
@@ -32,6 +32,32 @@ def cubed_sphere(n=8, levels=(0.0, 5000.0)):
                        "T": (level, np.stack([lat] * len(levels)), {"units": "K"}), "H": (level, np.ones((len(levels), 1, 1, 1)) * np.reshape(levels, (-1, 1, 1, 1)) + 0 * lat,
                                                                                         {"standard_name": "altitude", "units": "m"})},
                       {"Xdim": ("Xdim", np.arange(n) * 1.0, {"units": "degrees_east"}), "Ydim": ("Ydim", np.arange(n) * 1.0, {"units": "degrees_north"}), "lev": ("lev", [1, 2], {"positive": "up"})})
+
+
+def tripolar(half, halo, rows=24, columns=96):
+    """North of 30 degrees: ellipses round two poles on the 30th parallel's disc in the stereographic plane. `half`: rows lie half a row south of the fold, as T points do before an F fold."""
+    eta = 1 - (np.arange(rows) + 0.0) / (rows - 1 + half)  # 1 at the 30th parallel, 0 on the fold
+    xi = 2 * np.pi * (np.arange(columns) + half) / columns
+    reach = np.tan(np.radians(30))  # of the 30th parallel in the plane
+    focus = 0.5
+    # Ellipses with foci at +-focus do not end in a circle: the minor axis shrinks to 0 and the major to the poles.
+    major, minor = reach * (focus + (1 - focus) * eta), reach * eta
+    x, y = major[:, None] * np.cos(xi), minor[:, None] * np.sin(xi)
+    if halo:
+        back = -1 if half else -2
+        mirror = -np.arange(columns) - (1 if half else 0)
+        x, y = np.vstack([x, x[back, mirror]]), np.vstack([y, y[back, mirror]])
+    lat, lon = 90 - 2 * np.degrees(np.arctan(np.hypot(x, y))), np.degrees(np.arctan2(y, x))
+    up = frames(lon, lat)[2]
+    wind = 30 * np.cross(AXIS, up)
+    east, north = (np.asarray(one) for one in frames(lon, lat)[:2])
+    closed = np.concatenate([up[:, -1:], up, up[:, :1]], axis=1)
+    along = closed[:, 2:] - closed[:, :-2]
+    angle = np.arctan2((along * north).sum(-1), (along * east).sum(-1))
+    u, v = (wind * east).sum(-1), (wind * north).sum(-1)
+    dims = ("y", "x")
+    return xr.Dataset({"uo": (dims, u * np.cos(angle) + v * np.sin(angle), {"standard_name": "x_wind", "units": "m/s"}), "vo": (dims, v * np.cos(angle) - u * np.sin(angle), {
+        "standard_name": "y_wind", "units": "m/s"}), "tos": (dims, up @ [1.0, 2, 3], {"units": "1"})}, {"nav_lon": (dims, lon), "nav_lat": (dims, lat)})
 
 
 class Forms(unittest.TestCase):
@@ -133,6 +159,20 @@ class Forms(unittest.TestCase):
                 np.testing.assert_allclose(np.asarray(grid["tos"]), np.cos(np.arctan2(*np.asarray(grid.points).T[1::-1])), atol=1e-5)
         half = dataset.isel(x=slice(0, 18)).nephoscope.globe()
         self.assertEqual(half.dimensions[0], 18)
+
+    def test_the_northern_fold_of_an_ocean_model_is_closed_once(self):
+        """A tripolar grid in closed form, of four layouts, from south to north and back: its surface is that of the sphere north of its first row, no cell is there twice, and a rotation's wind is right at the fold."""
+        for name, half, halo in (("F", 0.5, 0), ("F with a halo", 0.5, 1), ("T", 0.0, 0), ("T with a halo", 0.0, 1)):
+            for turned in (False, True):
+                with self.subTest(name, turned=turned):
+                    dataset = tripolar(half, halo)
+                    grid = (dataset.isel(y=slice(None, None, -1)) if turned else dataset).nephoscope.globe(radius=1.0)
+                    shown = grid.extract_cells(np.flatnonzero(grid.cell_data.get("vtkGhostType", np.zeros(grid.n_cells)) == 0)) if "vtkGhostType" in grid.cell_data else grid
+                    area = shown.compute_cell_sizes()["Area"].sum()
+                    self.assertAlmostEqual(area / (2 * np.pi * (1 - np.sin(np.radians(30)))), 1, delta=0.004)
+                    up = np.asarray(shown.points)
+                    np.testing.assert_allclose(np.asarray(shown["Wind"]), 30 * np.cross(AXIS, up), atol=1.5)
+                    np.testing.assert_allclose(np.asarray(shown["tos"]), up @ [1, 2, 3], atol=1e-4)
 
     def test_some_levels_of_a_model(self):
         """Pressures of hybrid levels that are not neighbours are those of their own half levels."""

@@ -33,6 +33,15 @@ class WeatherAccessor:
         reading = Reading(self._dataset, time=time, vertical=vertical, names=roles)
         return reading, Air(reading)
 
+    def _of_field(self, name, time, options):
+        """The array that `name` means, and the options that bring it."""
+        if name is None:
+            return None, options
+        from .naming import named
+        roles, _ = _options(options)
+        found, more = named(self._understood(0 if time is None else time, options.get("vertical"), roles)[0], name)
+        return found, {**more, **options} if not {"variables", "derive"} & set(options) else options
+
     def globe(self, *, time: int | str | np.datetime64 | None = None, variables: Sequence[str] | None = None, vertical: str | None = None,
               derive: str | Sequence[str] = (), **options: Any):
         """Make the mesh of one time step on a globe or a map, at its heights, with winds as vectors.
@@ -138,7 +147,8 @@ class WeatherAccessor:
         Parameters
         ----------
         scalars : str, optional
-            The variable. Default: cloud fraction, cloud water, or the first.
+            The variable, its standard name, its role (``"cloud_water"``), or a quantity to compute (``"vorticity"``; see `globe`). Default: cloud fraction,
+            cloud water, or the first.
         time : int, str or datetime, optional
             As in `globe`.
         screenshot : str, optional
@@ -156,6 +166,7 @@ class WeatherAccessor:
             The plotter, after it has been shown.
         """
         from .picture import plotted
+        scalars, options = self._of_field(scalars, time, options)
         grid = self.globe(time=time, vertical_exaggeration=vertical_exaggeration, **options)
         return plotted(grid, scalars, screenshot, {k: v for k, v in {"opacity": opacity, "cmap": cmap}.items() if v is not None})
 

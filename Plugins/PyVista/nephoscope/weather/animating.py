@@ -27,7 +27,7 @@ def animate(plotter: pyvista.BasePlotter, dataset: Any, draw: str | Callable[[py
     dataset : xarray.Dataset, Series or str
         The weather, its series (``dataset.nephoscope.series()``), or what `nephoscope.open` takes.
     draw : str or callable
-        A variable, which is drawn by `add_cells`, or a function ``draw(plotter, mesh)`` that adds what it likes once. The values of the mesh change with the time.
+        A variable or a quantity to compute, as in ``dataset.nephoscope.plot``, which is drawn by `add_cells`, or a function ``draw(plotter, mesh)`` that adds what it likes once. The values of the mesh change with the time.
         Colours and opacities stay: they are made for the values of all steps (of more than 50 for those of 50), unless limits are given by ``clim``.
     filename : str or pathlib.Path, optional
         A film: ``.gif`` (needs Pillow), ``.mp4`` (needs the program ffmpeg), or a folder for PNG pictures. Default: a slider of time.
@@ -52,7 +52,7 @@ def animate(plotter: pyvista.BasePlotter, dataset: Any, draw: str | Callable[[py
     ValueError
         If the film's name has another ending. RuntimeError If ffmpeg is missing or fails.
     """
-    series = _series(dataset, heights, options)
+    series, draw = _series(dataset, draw, heights, options)
     if callable(draw):
         _drawn(plotter, series, draw)
     else:
@@ -75,14 +75,17 @@ def animate(plotter: pyvista.BasePlotter, dataset: Any, draw: str | Callable[[py
     return series
 
 
-def _series(dataset: Any, heights: bool, options: dict) -> Series:
+def _series(dataset: Any, draw: Any, heights: bool, options: dict) -> tuple[Series, Any]:
+    """The series, and the array that is drawn."""
     if isinstance(dataset, Series):
         if heights or options:
             raise TypeError(f"{', '.join([*options, *['heights'] * heights])}: options of the series, which is made already. Give them to dataset.nephoscope.series(...).")
-        return dataset
+        return dataset, draw
     from .opening import open as opened
     found = opened(dataset)
-    return Series(found, heights=heights, owned=found is not dataset, **options)
+    if isinstance(draw, str):
+        draw, options = found.nephoscope._of_field(draw, 0, options)
+    return Series(found, heights=heights, owned=found is not dataset, **options), draw
 
 
 def _drawn(plotter: pyvista.BasePlotter, series: Series, draw: Callable) -> None:

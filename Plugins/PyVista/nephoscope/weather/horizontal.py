@@ -9,6 +9,8 @@ from dataclasses import dataclass, field
 import numpy as np
 
 from .._checks import listed
+from .axes import eastward, northward, told
+from .fold import Fold, closed_fold
 from .gaussian import Rows, find_rows
 from .projections import Projection, find_projection, mapping_of, row_angles
 
@@ -32,7 +34,9 @@ class Horizontal:
     projection: Projection | None = None
     notes: list[str] = field(default_factory=list)
     rows: Rows | None = None  # of a reduced Gaussian grid: from its list of points to even rows
-    columns: np.ndarray | None = None  # of a curvilinear grid round the globe: which columns of the file make a closed ring
+    columns: np.ndarray | None = None  # which columns of the file make a closed ring (curvilinear), or go eastward (regular)
+    lines: np.ndarray | None = None  # which rows of the file go one way
+    fold: Fold | None = None  # of a tripolar grid, after the columns have been closed
     missing: np.ndarray | None = None  # True where the file has no place of a point; those points are hidden
 
     @property
@@ -58,7 +62,14 @@ class Horizontal:
         lon, lat = self.places()
         if self.is_regular:
             return np.zeros(lon.shape)
-        return self.projection.angles(lon, lat) if self.projection else row_angles(lon, lat)
+        if self.projection:
+            return self.projection.angles(lon, lat)
+        if self.columns is None:
+            return row_angles(lon, lat)
+        around = lambda field: np.concatenate([field[:, -2:-1], field, field[:, 1:2]], axis=1)  # the ring goes on
+        rows = slice(None, -1 if self.fold and self.fold.added else None)
+        angles = row_angles(around(lon[rows]), around(lat[rows]))[:, 1:-1]
+        return self.fold(angles) if rows.stop else angles
 
 
 def is_longitude(name: str, variable) -> bool:
@@ -152,23 +163,37 @@ def _given(dataset, dims, lon, lat, projection, variable) -> Horizontal:
             other = next(dim for dim in dims if dim != lon.dims[0])
             raise GridError(f"{names[0]!r} and {names[1]!r} are both along {lon.dims[0]!r}, a list of points, and {other!r} is neither time nor levels. Choose a place along it, "
                             f"ds.isel({other}=0), or name the levels: globe(vertical={other!r}).")
-        x = np.degrees(np.unwrap(np.radians(x)))  # without a jump at 360
-        return Horizontal((lat.dims[0], lon.dims[0]), x, y, _regular_kind(y), names)
+        return _regular(lon, lat, x, y, names)
     x = np.broadcast_to(_on(lon, x, dims), _shape(lon, lat, dims))
     y = np.broadcast_to(_on(lat, y, dims), x.shape)
     columns = ring(x, y)
     if columns is not None:
         x, y = x[:, columns], y[:, columns]
     missing = ~_possible(x, y)
+    lines, fold = closed_fold(x, y) if not missing[[0, -1]].any() else (None, None)
+    if fold:
+        x, y, missing = (fold(values if lines is None else values[lines]) for values in (x, y, missing))
+        missing[-1] |= fold.hidden
     if missing.all():
         if projection:
             return _projected(dataset, dims, projection)
         raise GridError(f"{names[0]!r} and {names[1]!r} have no longitude and latitude anywhere, only fill values.")
     kind = projection.name if projection else "curvilinear"
+    places = {"columns": columns, "lines": lines, "fold": fold}
     if not missing.any():
-        return Horizontal(dims, x, y, kind, names, projection, columns=columns)
-    note = f"{missing.sum()} of {missing.size} points have no longitude or latitude: they are hidden"
-    return Horizontal(dims, _filled(x, missing), _filled(y, missing), kind, names, projection, notes=[note], columns=columns, missing=missing)
+        return Horizontal(dims, x, y, kind, names, projection, **places)
+    lost = ~_possible(x, y)
+    notes = [f"{lost.sum()} of {lost.size} points have no longitude or latitude: they are hidden"] if lost.any() else []
+    notes += ["the northern fold is closed: the last row meets itself"] if fold else []
+    return Horizontal(dims, _filled(x, lost), _filled(y, lost), kind, names, projection, notes=notes, missing=missing, **places)
+
+
+def _regular(lon, lat, x: np.ndarray, y: np.ndarray, names) -> Horizontal:
+    (east, columns), (north, lines) = eastward(x), northward(y)
+    if not len(east) or not len(north):
+        raise GridError(f"{names[0]!r} or {names[1]!r} has only missing values: no point has a place.")
+    notes = told(names[0], len(x), columns) + told(names[1], len(y), lines)
+    return Horizontal((lat.dims[0], lon.dims[0]), east, north, _regular_kind(north), names, notes=notes, columns=columns, lines=lines)
 
 
 def ring(x: np.ndarray, y: np.ndarray) -> np.ndarray | None:

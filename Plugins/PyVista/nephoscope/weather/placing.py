@@ -82,7 +82,7 @@ def structure(reading: Reading, air: Air) -> tuple[pyvista.DataSet, np.ndarray]:
     heights = _heights(reading, air)
     if reading.horizontal.missing is not None:
         heights = np.where(reading.horizontal.missing, np.nan, heights)
-    order = order_of_levels(heights)
+    order = order_of(reading, heights)
     levels = reading.levels()[order] if reading.vertical and reading.vertical.kind in ("pressure", "depth") else np.arange(len(order), dtype=float)
     mesh = _mesh(reading, levels)
     add(mesh, HEIGHT, heights, order)
@@ -95,6 +95,20 @@ def _heights(reading: Reading, air: Air) -> np.ndarray:
     reading.note("one level, at the height 0")
     air.height_source = "none: one level"
     return np.zeros((1, *reading.horizontal.shape))
+
+
+def order_of(reading: Reading, heights: np.ndarray) -> np.ndarray:
+    """The levels from the bottom to the top, each once: by their own values where these tell it, else by their heights."""
+    kind = reading.vertical.kind if reading.vertical else ""
+    if kind not in ("pressure", "height", "height above ground", "depth"):
+        return order_of_levels(heights)
+    values = reading.levels() * (-1 if kind == "pressure" else 1)
+    order = np.argsort(values, kind="stable")
+    order = order[np.isfinite(values[order])]
+    order = order[np.diff(values[order], prepend=-np.inf) > 0]
+    if len(order) < len(values):
+        reading.note(f"{len(values) - len(order)} of {len(values)} levels are repeated or missing: left out")
+    return order
 
 
 def order_of_levels(heights: np.ndarray) -> np.ndarray:

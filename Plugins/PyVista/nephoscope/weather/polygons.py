@@ -8,6 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from .horizontal import GridError
+from .projections import vectors
 
 
 @dataclass
@@ -26,12 +27,6 @@ def find_polygons(dataset, horizontal) -> Polygons:
             return _counter_clockwise(found)
     raise GridError(f"The points of ({horizontal.dims[0]}) are a list without cells: there is no mesh (UGRID's mesh_topology, MPAS' verticesOnCell, bounds of {horizontal.names[0]!r}, a HEALPix "
                     "grid_mapping). Give the file of the mesh: nephoscope.open(DATA, mesh=GRID).")
-
-
-def vectors(lon: np.ndarray, lat: np.ndarray) -> np.ndarray:
-    """Unit vectors of places in degrees."""
-    a, b = np.radians(lon), np.radians(lat)
-    return np.stack([np.cos(b) * np.cos(a), np.cos(b) * np.sin(a), np.sin(b)], -1)
 
 
 def _degrees(variable) -> np.ndarray:

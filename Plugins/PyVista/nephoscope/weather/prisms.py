@@ -10,7 +10,7 @@ from .._checks import require_number
 from .._fields import choose_active_scalars
 from ..globe import EARTH_RADIUS
 from .air import Air
-from .placing import chosen, note_units, order_of_levels
+from .placing import chosen, note_units, order_of
 from .polygons import Polygons, find_polygons, vectors
 from .reading import Reading
 from .winds import winds
@@ -28,7 +28,7 @@ def place_columns(reading: Reading, air: Air, variables, extra: dict[str, np.nda
     polygons = find_polygons(reading.dataset, reading.horizontal)
     reading.note(f"cells by {polygons.source}: fields at their {'corners' if polygons.on_corners else 'centres'}")
     heights = air.heights if reading.vertical is not None else np.zeros((1, *reading.horizontal.shape))
-    order = order_of_levels(heights)
+    order = order_of(reading, heights)
     if polygons.on_corners:
         surfaces = heights[order]
     else:

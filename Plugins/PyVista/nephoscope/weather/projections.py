@@ -135,6 +135,11 @@ def _northward(lon, lat) -> np.ndarray:
     return np.stack([-np.sin(lat) * np.cos(lon), -np.sin(lat) * np.sin(lon), np.cos(lat)])
 
 
+def vectors(lon: np.ndarray, lat: np.ndarray) -> np.ndarray:
+    """Unit vectors (..., 3) of places in degrees."""
+    return np.moveaxis(_vectors(lon, lat), 0, -1).reshape(*np.shape(lon), 3)
+
+
 def row_angles(lon: np.ndarray, lat: np.ndarray) -> np.ndarray:
     """Where no projection is known: the direction of the rows from point to point, by central differences on the sphere."""
     places = _vectors(lon, lat).reshape(3, *lon.shape)

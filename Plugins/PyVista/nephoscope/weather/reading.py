@@ -20,6 +20,16 @@ from .vertical import VerticalError, find_vertical, level_values
 
 OTHER_HORIZONTAL = ("surface", "hybrid", "sigma", "unknown")  # typeOfLevel of variables on the ground; lnsp is said to be on a hybrid level
 
+KINDS = "fiubm"  # of arrays that can be fields: numbers, marks that are true or false, and durations
+
+
+def _numbers(values: np.ndarray) -> np.ndarray:
+    """Floating point; durations, such as periods of waves, in seconds."""
+    values = np.asarray(values)
+    if values.dtype.kind == "m":
+        return np.where(np.isnat(values), np.nan, values / np.timedelta64(1, "s"))
+    return values if values.dtype.kind == "f" else values.astype(np.float32)
+
 
 class Reading:
     """One time of a dataset. Values are loaded when they are asked for, and converted to the units of `units.py`."""
@@ -53,7 +63,7 @@ class Reading:
 
     def _numbers(self):
         """Variables that can be fields: not those that only tell where cells are."""
-        return [(str(name), variable) for name, variable in self.dataset.data_vars.items() if variable.dtype.kind in "fiu" and variable.ndim and name not in self._helpers]
+        return [(str(name), variable) for name, variable in self.dataset.data_vars.items() if variable.dtype.kind in KINDS and variable.ndim and name not in self._helpers]
 
     def _find_levels(self, asked: str | None) -> None:
         several = [variable for _, variable in self._numbers() if variable.ndim > 1]
@@ -113,7 +123,7 @@ class Reading:
         return [(name, variable) for name, variable in self._all_numbers() if self._is_field(variable)]
 
     def _all_numbers(self):
-        return [(str(name), variable) for name, variable in self.dataset.variables.items() if variable.dtype.kind in "fiu" and variable.ndim and name not in self._helpers]
+        return [(str(name), variable) for name, variable in self.dataset.variables.items() if variable.dtype.kind in KINDS and variable.ndim and name not in self._helpers]
 
     def _is_field(self, variable) -> bool:
         if self.vertical is None:
@@ -152,14 +162,20 @@ class Reading:
         array, note = to_centres(self.dataset, array, wanted)
         self.note(note)
         order = [dim for dim in wanted if dim in array.dims]
-        found = np.asarray(array.transpose(*order).values)
-        if self.horizontal.rows is not None and self.horizontal.dims[0] in order:
-            found = self.horizontal.rows(found)
-        elif self.horizontal.columns is not None and self.horizontal.dims[-1] in order:
-            found = found[..., self.horizontal.columns]
-        elif len(self.horizontal.dims) == 3 and self.horizontal.dims[0] in order:
-            found = found.reshape(*found.shape[:-3], -1)
-        return np.where(np.abs(found) > 1e30, np.nan, found) if found.dtype.kind == "f" else found.astype(np.float32)
+        found = self._placed(_numbers(array.transpose(*order).values), order)
+        return np.where(np.abs(found) > 1e30, np.nan, found)
+
+    def _placed(self, found: np.ndarray, order: list[str]) -> np.ndarray:
+        """Values of the file on the rows and columns that `horizontal` has made of its points."""
+        grid = self.horizontal
+        if grid.rows is not None and grid.dims[0] in order:
+            return grid.rows(found)
+        if len(grid.dims) == 3 and grid.dims[0] in order:
+            return found.reshape(*found.shape[:-3], -1)
+        if grid.lines is not None and grid.dims[0] in order:
+            found = found.take(grid.lines, order.index(grid.dims[0]))
+        found = found.take(grid.columns, -1) if grid.columns is not None and grid.dims[-1] in order else found
+        return grid.fold(found) if grid.fold and set(grid.dims) <= set(order) else found
 
     def role(self, role: str) -> np.ndarray:
         return self.role_as(role)[0]

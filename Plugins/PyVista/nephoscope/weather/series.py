@@ -13,7 +13,7 @@ import pyvista
 from .._over_time import follow
 from .reading import Reading
 from .roles import ROLES
-from .times import listed_times, seconds_of, time_dims
+from .times import listed_times, seconds_of, time_dims, when
 
 SAMPLED_STEPS = 50  # whose values colours and opacities are made for, where nobody gives limits
 SAMPLED_VALUES = 4096  # of a step; its least and greatest are among them
@@ -31,7 +31,7 @@ class Series(Sequence):
         self._dataset, self._options, self._heights, self._owned = dataset, options, heights, owned
         self._dim = next((dim for dim in time_dims(dataset) if dataset.sizes[dim] > 1), None)
         self._worker, self._coming, self._samples, self._listeners = ThreadPoolExecutor(1), {}, {}, []
-        self.times = listed_times(dataset) if self._dim in dataset.variables else [str(i) for i in range(len(self))]
+        self.times = listed_times(dataset) or [""]
         self.mesh = self[0]
         follow(self.mesh, self)
         self.step = 0
@@ -56,7 +56,7 @@ class Series(Sequence):
     @property
     def seconds(self) -> np.ndarray:
         """Since the first step; numbers of steps where the dataset has no dates."""
-        seconds = seconds_of(self._dataset[self._dim].values) if self._dim in self._dataset.variables else None
+        seconds = seconds_of(times) if self._dim and (times := when(self._dataset, self._dim)) is not None else None
         return np.arange(len(self), dtype=float) if seconds is None else seconds
 
     def __getitem__(self, step):

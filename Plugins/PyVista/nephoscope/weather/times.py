@@ -9,6 +9,7 @@ import numpy as np
 
 
 _NAMES = ("time", "valid_time", "step", "forecast_time", "leadtime", "initial_time", "forecast_reference_time", "xtime", "t", "date", "init_time", "lead_time", "prediction_timedelta", "timestep", "time_counter", "time_instant")
+_STARTS = ("time", "forecast_reference_time", "reftime", "initial_time", "init_time", "valid_time")  # of forecasts
 MEMBERS = ("number", "realization", "ensemble", "member", "members", "ensemble_member", "eps", "orderedsequencedata")
 
 
@@ -49,8 +50,16 @@ def choose_time(dataset, dims: list[str], time):
     elif time is not None and dims:
         chosen[dims[0]] = _index(dataset, dims[0], time)
     found = dataset.isel(chosen)
-    named = dims or [name for name in ("valid_time", "time") if name in found.variables and found[name].ndim == 0][:1]
-    return found, "; ".join(f"{dim} {_told(found[dim].values)}" for dim in named if dim in found.variables)
+    named = [name for name in ("valid_time", "time") if name in found.variables and found[name].ndim == 0 and name not in dims][:1]
+    return found, "; ".join([*(_told_of(dataset, dim, chosen[dim]) for dim in dims), *(f"{name} {_told(found[name].values)}" for name in named)])
+
+
+def _told_of(dataset, dim: str, index: int) -> str:
+    values = when(dataset, dim)
+    if values is None:
+        return f"{dim} without a coordinate, step {index}"
+    lead = f" ({_told(dataset[dim].values[index])} from the start)" if values.dtype.kind == "M" and dim in dataset.variables and dataset[dim].dtype.kind == "m" else ""
+    return f"{dim} {_told(values[index])}{lead}"
 
 
 def _index(dataset, dim: str, time) -> int:
@@ -66,11 +75,24 @@ def _index(dataset, dim: str, time) -> int:
     return _of_date(dataset, dim, time)
 
 
+def when(dataset, dim: str) -> np.ndarray | None:
+    """The dates along a dimension of time: its own, those of another coordinate along it (valid_time), or lead times added to the reference time. Else its values as they are."""
+    own = dataset[dim].values if dim in dataset.variables else None
+    if own is not None and own.dtype.kind in "MO":
+        return own
+    dates = [variable.values for name, variable in dataset.variables.items() if name != dim and variable.dims == (dim,) and variable.dtype.kind == "M" and not str(name).endswith("_bnds")]
+    if dates:
+        return dates[0]
+    starts = [dataset[name].values for name in _STARTS if name in dataset.variables and dataset[name].ndim == 0 and dataset[name].dtype.kind == "M"]
+    return starts[0] + own if starts and own is not None and own.dtype.kind == "m" else own
+
+
 def _of_date(dataset, dim: str, time) -> int:
     import xarray
-    if dim not in dataset.variables or dataset[dim].dtype.kind not in "mMO":
+    values = when(dataset, dim)
+    if values is None or values.dtype.kind not in "mMO":
         raise ValueError(f"time is {time!r}, but {dim!r} has no dates, {_range(dataset, dim)}: choose by index, 0 to {dataset.sizes[dim] - 1}.")
-    places = xarray.DataArray(np.arange(dataset.sizes[dim]), dims=[dim], coords={dim: dataset[dim].values})
+    places = xarray.DataArray(np.arange(dataset.sizes[dim]), dims=[dim], coords={dim: values})
     try:
         found = np.ravel(places.sel({dim: time}).values)
     except (KeyError, ValueError, TypeError) as problem:
@@ -81,9 +103,9 @@ def _of_date(dataset, dim: str, time) -> int:
 
 
 def _range(dataset, dim: str) -> str:
-    if dim not in dataset.variables:
+    values = when(dataset, dim)
+    if values is None:
         return "without a coordinate"
-    values = dataset[dim].values
     return f"{_told(values[0])} to {_told(values[-1])}"
 
 
@@ -107,5 +129,9 @@ def seconds_of(values: np.ndarray) -> np.ndarray | None:
 
 
 def listed_times(dataset) -> list[str]:
-    dims = [dim for dim in time_dims(dataset) if dim in dataset.variables]
-    return [_told(value) for value in np.atleast_1d(dataset[dims[0]].values)] if dims else []
+    """Of the dimension of time with several places, or of the only one: dates, or numbers of the steps where there are none."""
+    dims = sorted(time_dims(dataset), key=lambda dim: dataset.sizes[dim] < 2)
+    if not dims:
+        return []
+    values = when(dataset, dims[0])
+    return [str(i) for i in range(dataset.sizes[dims[0]])] if values is None else [_told(value) for value in values]

@@ -20,14 +20,15 @@ class Worker:
 
         import nephoscope
         from nephoscope.weather.reading import Reading
-        from nephoscope.weather.times import seconds_of
+        from nephoscope.weather.times import seconds_of, when
         self._dataset = nephoscope.open(path, grid=grid, mesh=mesh)
         reading = Reading(self._dataset, time=0)
         self._level = reading.vertical.dim if reading.vertical else None
         dim = next((dim for dim in reading.times if self._dataset.sizes[dim] > 1), None)
         times = []
         if dim is not None:
-            seconds = seconds_of(self._dataset[dim].values) if dim in self._dataset.variables else None
+            dates = when(self._dataset, dim)
+            seconds = None if dates is None else seconds_of(dates)
             times = list(map(float, np.arange(self._dataset.sizes[dim]) if seconds is None else seconds / 3600))
         return {"times": times, "variables": reading.plain_variables()}
 

@@ -1,0 +1,156 @@
+# SPDX-FileCopyrightText: The Nephoscope authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Axes in any order, times of any kind, and fields by any of their names."""
+import unittest
+import warnings
+
+import nephoscope
+import numpy as np
+import pyvista
+import xarray as xr
+from weather_data import isothermal, rotation
+
+LAT = np.arange(20, 60, 5.0)
+
+
+def places(grid):
+    """Longitude, latitude and the field q of the points that are shown."""
+    x, y, z = np.asarray(grid.points).T
+    return np.degrees(np.arctan2(y, x)), np.degrees(np.arctan2(z, np.hypot(x, y))), np.asarray(grid["q"])
+
+
+def marked(longitude, latitude, pressures=(100000.0, 50000.0)):
+    """q tells where a point is: its sine of longitude plus its latitude; seam and poles can be closed without changing that rule."""
+    dataset = isothermal(longitude, latitude, pressures)
+    field = np.sin(np.radians(dataset.lon)) + dataset.lat * (1 + 0 * dataset.plev)
+    return dataset.assign(q=field.transpose("plev", "lat", "lon").assign_attrs(units="1"))
+
+
+class Axes(unittest.TestCase):
+    def check(self, longitude, latitude, columns, rows, **options):
+        grid = marked(longitude, latitude).nephoscope.globe(close_poles=False, **options)
+        self.assertEqual(grid.dimensions[:2], (columns, rows))
+        lon, lat, q = places(grid)
+        np.testing.assert_allclose(q, np.sin(np.radians(lon)) + lat, atol=1e-4)
+        sides = np.linalg.norm(np.diff(np.asarray(grid.points).reshape(*grid.dimensions[::-1], 3), axis=2), axis=-1)
+        self.assertLess(sides.max() / sides.min(), 4)  # no cell across the whole data
+        return grid
+
+    def test_longitudes_out_of_order(self):
+        for longitude, columns in (([358, 359, 0, 1], 4), ([0, 1, 358, 359], 4), ([1, 0, 359, 358], 4), ([3, 1, 2, 0], 4), ([0, 0, 1, 2], 3), ([-1, 0, 1, 359], 3), ([0, 1, np.nan, 2], 3)):
+            with self.subTest(longitude):
+                self.check(np.array(longitude, float), LAT, columns, len(LAT))
+
+    def test_round_the_globe(self):
+        whole = np.arange(0, 360, 10.0)
+        for longitude in (whole, np.append(whole, 360.0), np.roll(whole, 7), whole[::-1], np.append(whole - 180, 180.0), np.concatenate([[-10.0], whole, [360.0, 370.0]]), whole[np.r_[0:36:2, 1:36:2]]):
+            with self.subTest(longitude[:3]):
+                self.check(longitude, LAT, 37, len(LAT))
+
+    def test_latitudes_in_any_order(self):
+        for latitude, rows in ((LAT[::-1], 8), (np.append(LAT, LAT[-1]), 8), (np.append(LAT, np.nan), 8), (LAT[[3, 0, 1, 2, 4, 6, 5, 7]], 8)):
+            with self.subTest(latitude):
+                self.check(np.arange(0, 40, 5.0), latitude, 8, rows)
+
+    def test_levels_in_any_order(self):
+        for pressures in ((100000, 50000, 85000), (50000, 100000, 85000, 85000), (100000, np.nan, 85000, 50000)):
+            with self.subTest(pressures):
+                grid = marked(np.arange(0, 40, 5.0), LAT, pressures).nephoscope.globe()
+                self.assertEqual(grid.dimensions[2], 3)
+                height = np.asarray(grid["Height"]).reshape(grid.dimensions[::-1])
+                self.assertGreater(np.diff(height, axis=0).min(), 1000)
+
+    def test_what_was_done_is_told(self):
+        self.assertIn("'lon' is in no order: put in order, 1 repeated or missing of 4 left out", marked(np.array([0, 0, 1, 2.0]), LAT).nephoscope.describe())
+        with self.assertRaisesRegex(ValueError, "'lon' or 'lat' has only missing values"):
+            marked(np.full(4, np.nan), LAT).nephoscope.globe()
+
+    def test_a_list_that_is_no_axis_is_told_in_plain_words(self):
+        flat = pyvista.RectilinearGrid([0.0, 2.0, 1.0], [0.0, 1.0], [0.0, 1.0])
+        with self.assertRaisesRegex(RuntimeError, "longitude axis must increase or decrease throughout, but does not at index 2. Sort the longitudes"):
+            nephoscope.to_globe(flat)
+
+
+class Times(unittest.TestCase):
+    def steps(self, dim, **coordinates):
+        one = isothermal(np.arange(0, 40, 5.0), LAT)
+        return xr.concat([one.ta + i for i in range(3)], dim).to_dataset(name="ta").assign(ps=one.ps, orog=one.orog).assign_coords(coordinates)
+
+    def test_without_a_coordinate(self):
+        dataset = self.steps("time")
+        self.assertIn("time: time without a coordinate, step 0 (of 3, to 2)", dataset.nephoscope.describe())
+        self.assertIn("step 2", dataset.nephoscope.describe(time=2))
+        with warnings.catch_warnings(record=True) as caught:
+            warnings.simplefilter("always")
+            dataset.nephoscope.globe()
+        self.assertIn("3 times ('time'), without a coordinate", str(caught[0].message))
+        self.assertEqual(dataset.nephoscope.series().times, ["0", "1", "2"])
+
+    def test_lead_times(self):
+        hours = np.arange(3) * np.timedelta64(6, "h").astype("timedelta64[ns]")
+        lead, start = {"step": ("step", hours)}, {"time": np.datetime64("2020-01-01T12", "ns")}
+        for name, dataset, time, seen in (
+                ("alone", self.steps("step", **lead), 1, "step 6 h"),
+                ("from a start", self.steps("step", **lead, **start), "2020-01-01T18", "step 2020-01-01 18:00 (6 h from the start)"),
+                ("cfgrib", self.steps("step", **lead, **start, valid_time=("step", start["time"] + hours)), "2020-01-01T18", "step 2020-01-01 18:00 (6 h from the start)"),
+                ("forecast_period", self.steps("forecast_period", forecast_period=("forecast_period", hours), forecast_reference_time=start["time"]), "2020-01-01T18", "forecast_period 2020-01-01 18:00")):
+            with self.subTest(name):
+                self.assertIn(seen, dataset.nephoscope.describe(time=time))
+                np.testing.assert_allclose(dataset.nephoscope.globe(time=time)["ta"], 251)
+                series = dataset.nephoscope.series()
+                np.testing.assert_allclose(series.seconds, [0, 21600, 43200])
+                self.assertEqual(series.times[2], "12 h" if name == "alone" else "2020-01-02 00:00")
+
+    def test_members(self):
+        for dim in ("number", "realization"):
+            with self.subTest(dim), warnings.catch_warnings(record=True) as caught:
+                warnings.simplefilter("always")
+                text = self.steps(dim, **{dim: [0, 1, 2]}).nephoscope.describe()
+                self.assertIn(f"{dim!r} has 3 places; the first was taken. Choose one: ds.isel({dim}=0).", str(caught[0].message))
+                self.assertIn(f"note: {dim!r} has 3 places", text)
+
+
+class Names(unittest.TestCase):
+    def setUp(self):
+        self.dataset = isothermal(np.arange(0, 40, 5.0), LAT)
+        wind = rotation(*np.meshgrid(self.dataset.lon, self.dataset.lat))
+        dims = self.dataset.ta.dims
+        self.dataset = self.dataset.assign(
+            wind_x=(dims, np.tile(wind[1], (4, 1, 1)), {"standard_name": "eastward_wind", "units": "m/s"}), wind_y=(dims, np.tile(wind[2], (4, 1, 1)), {"standard_name": "northward_wind", "units": "m/s"}),
+            liquid=(dims, np.full(self.dataset.ta.shape, 1e-4), {"standard_name": "mass_fraction_of_cloud_liquid_water_in_air", "units": "1", "long_name": "Liquid water"}),
+            icing=(dims, self.dataset.ta.values > 0), kind=(dims, np.ones(self.dataset.ta.shape, np.int8), {"flag_values": [0, 1], "flag_meanings": "clear cloudy"}),
+            period=(dims, np.full(self.dataset.ta.shape, 9 * 10**9, "timedelta64[ns]")), remark=("lat", np.array(list("abcdefgh"))))
+
+    def drawn(self, name):
+        found, options = self.dataset.nephoscope._of_field(name, None, {})
+        return found, np.asarray(self.dataset.nephoscope.globe(**options)[found])
+
+    def test_by_name_role_standard_name_and_quantity(self):
+        for name, array in (("liquid", "liquid"), ("cloud_water", "liquid"), ("mass_fraction_of_cloud_liquid_water_in_air", "liquid"), ("Liquid water", "liquid"), ("LIQUID", "liquid"),
+                            ("vorticity", "vorticity"), ("wind_speed", "wind_speed"), ("potential_temperature", "potential_temperature"), ("temperature", "ta"), ("u", "wind_x")):
+            with self.subTest(name):
+                found, values = self.drawn(name)
+                self.assertEqual(found, array)
+                self.assertTrue(np.isfinite(values).any())
+
+    def test_marks_flags_and_durations(self):
+        for name, value in (("icing", 1), ("kind", 1), ("period", 9)):
+            with self.subTest(name):
+                np.testing.assert_allclose(self.drawn(name)[1], value)
+
+    def test_what_cannot_be_drawn(self):
+        for name, message in (("vortcity", "no field 'vortcity'. Did you mean 'vorticity'.*There are: 'ta', 'wind_x'.*by computing: 'relative_humidity'"), ("ps", "'ps' is on 'lat', 'lon', and.*Draw it alone: ds"),
+                              ("remark", "'remark' is of type .U1, and a field is drawn by numbers.*'ta'"), ("plev", "'plev' is on 'plev'")):
+            with self.subTest(name), self.assertRaisesRegex(ValueError, message):
+                self.dataset.nephoscope.plot(name, screenshot="none.png")
+
+    def test_an_animation_of_a_quantity(self):
+        plotter = pyvista.Plotter(off_screen=True, window_size=(120, 90))
+        self.addCleanup(plotter.close)
+        two = xr.concat([self.dataset[["ta", "wind_x", "wind_y"]]] * 2, xr.DataArray(np.array(["2020-01-01", "2020-01-02"], "datetime64[ns]"), dims="time", name="time"))
+        series = nephoscope.animate(plotter, two.merge(self.dataset[["ps", "orog"]]), "wind_speed")
+        self.assertIn("wind_speed", series.mesh.array_names)
+
+
+if __name__ == "__main__":
+    unittest.main()
