@@ -129,7 +129,7 @@ if (NEPHOSCOPE_FOR_PYPI)
     "Requires-Dist: trame-vtk>=2.8; extra == 'web'\nRequires-Dist: trame-vuetify>=2.8; extra == 'web'\n"
     "Provides-Extra: data\nRequires-Dist: xarray>=2023.1; extra == 'data'\nRequires-Dist: eccodes>=2.39; extra == 'data'\n"
     "Requires-Dist: eccodeslib; extra == 'data'\nRequires-Dist: netCDF4; extra == 'data'\nRequires-Dist: zarr; extra == 'data'\n"
-    "Requires-Dist: dask; extra == 'data'\nRequires-Dist: cfgrib>=0.9.15; extra == 'data'")
+    "Requires-Dist: dask; extra == 'data'\nRequires-Dist: cfgrib>=0.9.15; extra == 'data'\nRequires-Dist: pyproj; extra == 'data'")
 endif ()
 foreach (name IN ITEMS METADATA entry_points.txt)
   configure_file("${PROJECT_SOURCE_DIR}/Plugins/PyVista/packaging/${name}.in"

@@ -206,6 +206,36 @@ class Forms(unittest.TestCase):
             warnings.simplefilter("error")
             dataset.nephoscope.globe()
 
+    def test_levels_without_units(self):
+        """Pressures by their values; a count is none."""
+        first = isothermal(LON, LAT)
+        for values, factor in (([1000.0, 850, 500, 200], 100), ([100000.0, 85000, 50000, 20000], 1)):
+            bare = xr.Dataset({"ta": (("lev", "lat", "lon"), first.ta.values, {"units": "K"})}, {"lev": values, "lat": first.lat, "lon": first.lon})
+            known = bare.assign_coords(lev=("lev", np.array(values) * factor, {"units": "Pa"}))
+            np.testing.assert_array_equal(bare.nephoscope.globe()["Height"], known.nephoscope.globe()["Height"])
+            self.assertIn("'lev' has no units: its values are taken as pressures in", bare.nephoscope.describe())
+        with self.assertRaisesRegex(ValueError, "heights of the levels 'lev'"):
+            bare.assign_coords(lev=[401.0, 402, 403, 404]).nephoscope.globe()
+
+    def test_hybrid_levels_without_a_temperature(self):
+        """CMIP's cl alone: heights of the standard atmosphere at a + b ps, with a warning."""
+        first = isothermal(LON, LAT)
+        model = xr.Dataset({"ps": first.ps, "ap": ("lev", [0.0, 1000, 5000]), "b": ("lev", [1.0, 0.8, 0.2]),
+                            "cl": (("lev", "lat", "lon"), first.ta.values[:3], {"units": "%"})}, {"lev": ("lev", [1.0, 0.8, 0.2], {
+                "standard_name": "atmosphere_hybrid_sigma_pressure_coordinate", "formula_terms": "ap: ap b: b ps: ps"}), "lat": first.lat, "lon": first.lon})
+        with self.assertWarnsRegex(UserWarning, "No temperature was found on the levels 'lev'.*standard atmosphere"):
+            grid = model.nephoscope.globe()
+        pressures = np.array([1.02e5, 8.26e4, 2.54e4])
+        standard = isothermal(LON, LAT, pressures)[["ta"]].nephoscope.globe()
+        np.testing.assert_allclose(np.unique(grid["Height"]), np.unique(standard["Height"]), rtol=1e-5)
+
+    def test_months_and_seasons_are_times(self):
+        first = isothermal(LON, LAT)
+        for dim in ("month", "season"):
+            with self.assertWarnsRegex(UserWarning, f"2 times .{dim}."):
+                grid = xr.concat([first.ta, first.ta + 9], dim).to_dataset(name="ta").assign(ps=first.ps, orog=first.orog).nephoscope.globe()
+            np.testing.assert_allclose(grid["ta"], 250)
+
     def test_unknown_dimensions_have_a_remedy(self):
         mesh = cubed_sphere().isel(lev=0).stack(cell=("nf", "Ydim", "Xdim"), create_index=False)[["lons", "lats", "T"]].reset_coords(drop=True)
         layers = mesh.assign(soil=(("tile", "cell"), np.ones((4, 384)))).drop_vars("T")

@@ -199,7 +199,9 @@ class Air:
         reading = self.reading
         if reading.vertical.kind not in ("hybrid", "sigma"):
             return None
-        virtual = self._required_temperature()
+        if self.virtual_temperature is None:
+            return None
+        virtual = self.virtual_temperature
         ground = self._ground_for_hypsometry()
         half = half_coefficients(reading)
         if half is not None:
@@ -214,12 +216,6 @@ class Air:
 
     def _columns_mean(self) -> np.ndarray:
         return np.nanmean(self.pressure.reshape(self.shape[0], -1), axis=1)
-
-    def _required_temperature(self) -> np.ndarray:
-        if self.virtual_temperature is None:
-            raise VerticalError(f"The heights of the levels {self.reading.vertical.dim!r} need a temperature on them, and none was found among "
-                                f"{listed([name for name, _ in self.reading.field_variables()])}. Name it: globe(temperature='...').")
-        return self.virtual_temperature
 
     def _ground_for_hypsometry(self) -> np.ndarray:
         if self.terrain is None:
@@ -236,6 +232,9 @@ class Air:
             self.height_source = "the hypsometric equation from the ground"
             return geometric(hypsometric(self.pressure, self.virtual_temperature, self.surface_pressure, self._ground_for_hypsometry()))
         self.height_source = "the pressure by the standard atmosphere"
+        if reading.vertical.kind in ("hybrid", "sigma"):
+            reading.warn(f"No temperature was found on the levels {reading.vertical.dim!r}: their heights are those of the standard atmosphere. Add it from its own file, "
+                         "xarray.merge([ds, nephoscope.open('ta.nc')], compat='override'), or name it: globe(temperature='...').")
         reading.note("no geopotential, and not all of temperature, surface pressure and height of the ground")
         return geometric(standard_height(self.pressure))
 

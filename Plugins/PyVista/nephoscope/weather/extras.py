@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The packages that only weather data need, imported when they are needed."""
 import importlib
+import importlib.util
 import sys
 
 REMEDY = {"eccodes": "eccodes eccodeslib"}
@@ -12,10 +13,21 @@ def need(module: str, purpose: str):
     try:
         return importlib.import_module(module)
     except ImportError as missing:
-        packages = REMEDY.get(module, module)
-        raise ModuleNotFoundError(
-            f"{purpose[0].upper()}{purpose[1:]} needs the Python package {module!r}, which is not there for {sys.executable}: {missing}. Install it with the other packages for weather "
-            f"data, nephoscope[data], or alone, beside the numpy that is there: {sys.executable} -m pip install {packages} \"numpy=={_numpy()}\"", name=module) from missing
+        raise _told(module, purpose, missing) from missing
+
+
+def need_elsewhere(module: str, purpose: str) -> None:
+    """The same error for a module that only another process imports."""
+    if importlib.util.find_spec(module) is None:
+        raise _told(module, purpose, "no such module")
+
+
+def _told(module: str, purpose: str, missing) -> ModuleNotFoundError:
+    """The error with the line that installs the package."""
+    packages = REMEDY.get(module, module)
+    return ModuleNotFoundError(
+        f"{purpose[0].upper()}{purpose[1:]} needs the Python package {module!r}, which is not there for {sys.executable}: {missing}. Install it with the other packages for weather "
+        f"data, nephoscope[data], or alone, beside the numpy that is there: {sys.executable} -m pip install {packages} \"numpy=={_numpy()}\"", name=module)
 
 
 def _numpy() -> str:

@@ -252,7 +252,7 @@ def _regular_kind(latitude: np.ndarray) -> str:
 def _projected(dataset, dims, projection: Projection) -> Horizontal:
     axes = {}
     for standard, axis in (("y", "Y"), ("x", "X")):
-        names = (f"projection_{standard}_coordinate", "grid_longitude" if axis == "X" else "grid_latitude")
+        names = (f"projection_{standard}_coordinate", f"projection_{standard}_angular_coordinate", "grid_longitude" if axis == "X" else "grid_latitude")
         usual = ("x", "xc", "rlon", "west_east") if axis == "X" else ("y", "yc", "rlat", "south_north")
         axes[axis] = next((dim for dim in dims if dim in dataset.variables and (
             dataset[dim].attrs.get("standard_name") in names or dataset[dim].attrs.get("axis") == axis or str(dim).lower() in usual)), None)
@@ -261,4 +261,11 @@ def _projected(dataset, dims, projection: Projection) -> Horizontal:
                         "ds['...'].attrs['standard_name'] = 'projection_x_coordinate' and 'projection_y_coordinate'.")
     x, y = np.meshgrid(projection.lengths(dataset[axes["X"]]), projection.lengths(dataset[axes["Y"]]))
     lon, lat = projection.to_degrees(x, y)
-    return Horizontal((axes["Y"], axes["X"]), lon, lat, projection.name, (axes["X"], axes["Y"]), projection)
+    grid = Horizontal((axes["Y"], axes["X"]), lon, lat, projection.name, (axes["X"], axes["Y"]), projection)
+    missing = ~_possible(lon, lat)
+    if missing.all():
+        raise GridError(f"The projection {projection.name} has none of the points of {axes['X']!r} and {axes['Y']!r} on the Earth: their units are {dataset[axes['X']].attrs.get('units', 'none')!r}.")
+    if missing.any():
+        grid.longitude, grid.latitude, grid.missing = _filled(lon, missing), _filled(lat, missing), missing
+        grid.notes.append(f"{missing.sum()} of {missing.size} points are not on the Earth: they are hidden")
+    return grid

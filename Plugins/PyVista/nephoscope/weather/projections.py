@@ -2,8 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Projections of regional grids, by CF grid mappings and GRIB keys.
 
-Conformal ones and the rotated pole, by the formulas of Snyder 1987 (Map Projections: A Working Manual, USGS Professional Paper 1395). They are here because pyproj brings a
-PROJ of its own, which ends the process when VTK has loaded another.
+Conformal ones and the rotated pole, by the formulas of Snyder 1987 (Map Projections: A Working Manual, USGS Professional Paper 1395), without another package; all others in `proj.py`.
 """
 from __future__ import annotations
 
@@ -148,14 +147,16 @@ def row_angles(lon: np.ndarray, lat: np.ndarray) -> np.ndarray:
     return angles.reshape(lon.shape)
 
 
-Projection = Union[Conic, RotatedPole]
+Projection = Union[Conic, RotatedPole, "Proj"]  # noqa: F821 (proj.py)
 
 
 def find_projection(dataset, variable) -> Projection | None:
     """By the variable's grid_mapping, or by its GRIB keys; None where neither tells one that is known here."""
     name = _mapping_variable(variable)
     if name and name in dataset.variables:
-        return _of_mapping(dict(dataset[name].attrs))
+        from .proj import NAMES, Proj
+        keys = dict(dataset[name].attrs)
+        return _of_mapping(keys) or (Proj(keys) if keys.get("grid_mapping_name") in NAMES else None)
     return _of_grib(variable.attrs)
 
 

@@ -8,9 +8,9 @@ import warnings
 import numpy as np
 
 
-_NAMES = ("time", "valid_time", "step", "forecast_time", "leadtime", "initial_time", "forecast_reference_time", "xtime", "t", "date", "init_time", "lead_time", "prediction_timedelta", "timestep", "time_counter", "time_instant")
+_NAMES = ("time", "valid_time", "step", "forecast_time", "leadtime", "initial_time", "forecast_reference_time", "xtime", "t", "date", "init_time", "lead_time", "prediction_timedelta", "timestep", "time_counter", "time_instant", "month", "season", "year", "dayofyear", "doy")
 _STARTS = ("time", "forecast_reference_time", "reftime", "initial_time", "init_time", "valid_time")  # of forecasts
-MEMBERS = ("number", "realization", "ensemble", "member", "members", "ensemble_member", "eps", "orderedsequencedata")
+MEMBERS = ("number", "realization", "ensemble", "member", "members", "ensemble_member", "member_id", "eps", "case", "orderedsequencedata")
 
 
 def is_member(dataset, dim: str) -> bool:

@@ -30,6 +30,7 @@ class Vertical:
     kind: str
     name: str  # of the coordinate, "" if the dimension has none
     notes: list[str] = field(default_factory=list)
+    units: str | None = None  # where the coordinate has none
 
 
 def find_vertical(dataset, dims: list[str], asked: str | None) -> Vertical | None:
@@ -71,7 +72,7 @@ def _judged(dataset, dim: str) -> Vertical:
         kind = _kind(variable)
         if kind:
             return Vertical(dim, kind, str(variable.name))
-    return _by_coefficients(dataset, dim) or Vertical(dim, "levels", dim if dim in dataset.variables else "")
+    return _by_coefficients(dataset, dim) or _by_values(dataset, dim) or Vertical(dim, "levels", dim if dim in dataset.variables else "")
 
 
 def _kind(variable) -> str | None:
@@ -94,6 +95,20 @@ def _by_coefficients(dataset, dim: str) -> Vertical | None:
     return Vertical(dim, "hybrid", "") if usual_coefficients(dataset, dim) else None
 
 
+_PRESSURES = {"hPa": (400, 1100), "Pa": (4e4, 1.1e5)}  # of the lowest level
+
+
+def _by_values(dataset, dim: str) -> Vertical | None:
+    """Levels without units whose values are pressures: the lowest as in the lower air, and no plain count."""
+    if dim not in dataset.variables or not re.fullmatch(r"p|p?lev(el)?s?|pressure|isobaric\d*", str(dim).lower()) or plain(dataset[dim].attrs.get("units")) or dataset[dim].dtype.kind not in "fiu":
+        return None
+    values = np.asarray(dataset[dim].values, float)
+    units = next((units for units, (least, most) in _PRESSURES.items() if values.size > 1 and least <= np.nanmax(values) <= most and np.nanmin(values) > 0), None)
+    if units is None or np.ptp(np.diff(values)) == 0 and abs(values[1] - values[0]) == 1:
+        return None
+    return Vertical(dim, "pressure", dim, [f"{dim!r} has no units: its values are taken as pressures in {units}"], units)
+
+
 def usual_coefficients(dataset, dim: str) -> dict[str, str] | None:
     for a, b in (("hyam", "hybm"), ("ap", "b"), ("a", "b"), ("hyai", "hybi"), ("akm", "bkm")):
         if a in dataset.variables and b in dataset.variables and dataset[a].dims == (dim,):
@@ -110,7 +125,7 @@ def level_values(dataset, vertical: Vertical) -> np.ndarray:
     quantity = "pressure" if vertical.kind == "pressure" else "height" if vertical.kind.startswith(("height", "depth")) else None
     if quantity is None:
         return values
-    units = variable.attrs.get("units") or {"isobaricInhPa": "hPa", "isobaricInPa": "Pa"}.get(vertical.dim)
+    units = variable.attrs.get("units") or vertical.units or {"isobaricInhPa": "hPa", "isobaricInPa": "Pa"}.get(vertical.dim)
     found, note = converted(values, units, quantity, vertical.name)
     vertical.notes += [note] if note else []
     return -found if vertical.kind == "depth" else found
