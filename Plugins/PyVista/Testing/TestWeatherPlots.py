@@ -40,6 +40,18 @@ class Plots(unittest.TestCase):
         self.assertEqual(sum(isinstance(actor, pyvista.Actor) for actor in plotter.renderer.actors.values()), 2)
         self.assertGreater(np.std(picture), 10)
 
+    def test_one_level_with_nothing_set_and_large_cells(self):
+        """It is coloured by its field, and the globe under it is nowhere in front of it: 20 degrees a cell."""
+        level = isothermal(np.arange(0, 360, 20.0), np.arange(-80, 81, 20.0)).isel(plev=0)
+        level = level[["ta"]].assign(ta=level.ta + 40 * np.sin(np.radians(level.lat)))
+        plotter, picture = self.plotted(level, None)
+        inside = picture[300:500, 300:500].reshape(-1, 3)
+        ground = np.array([0x3d, 0x5a, 0x73]) * 1.0
+        self.assertGreater(np.ptp(inside, axis=0).max(), 60)  # colours of a field
+        self.assertGreater(np.abs(inside / np.maximum(inside.max(1, keepdims=True), 1) - ground / ground.max()).max(1).min(), 0.02)
+        self.assertEqual([bar.GetOrientation() for bar in plotter.scalar_bars.values()], [1])  # upright, beside the globe
+        self.assertEqual([plotter.scalar_bars[name].GetPosition()[0] > 0.88 for name in plotter.scalar_bars.keys()], [True])
+
     def test_what_the_dataset_answers(self):
         for option in ({"height": "z"}, {"height_units": "m"}, {"level_units": "hPa"}):
             with self.subTest(option), self.assertRaisesRegex(TypeError, f"globe.. finds {next(iter(option))} by the variables"):

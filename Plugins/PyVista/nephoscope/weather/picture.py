@@ -7,10 +7,13 @@ import numpy as np
 import pyvista
 
 from .._blocks import cell_dimension
+from .._medium import default_scalars
 from ..cells import add_cells
 from ..globe import EARTH_RADIUS, globe_surface
 
 GROUND = "#3d5a73"  # of the globe, without a texture
+
+BAR = {"vertical": True, "position_x": 0.92, "position_y": 0.3, "width": 0.06, "height": 0.4, "title_font_size": 14, "label_font_size": 12, "n_labels": 4}  # beside the globe
 
 
 def plotted(grid: pyvista.DataSet, scalars: str | None, screenshot: str | None, options: dict) -> pyvista.Plotter:
@@ -18,15 +21,23 @@ def plotted(grid: pyvista.DataSet, scalars: str | None, screenshot: str | None, 
     on_globe = str(np.ravel(grid.field_data.get("GlobeGridProjection", ["globe"]))[0]).lower() not in ("1", "1.0", "map")
     flat = cell_dimension(grid) < 3
     if on_globe:
-        plotter.add_mesh(globe_surface(radius=0.998 * EARTH_RADIUS if flat else EARTH_RADIUS), color=GROUND, lighting=True)
+        plotter.add_mesh(globe_surface(radius=_below(grid) if flat else EARTH_RADIUS), color=GROUND, lighting=True)
     if flat:  # one level
-        plotter.add_mesh(grid, scalars=scalars, **{"nan_opacity": 0, "lighting": False, **options})
+        name = default_scalars(grid)[1] if scalars is None else scalars
+        plotter.add_mesh(grid, scalars=name, **{"nan_opacity": 0, "lighting": False, "scalar_bar_args": BAR, **options})
     else:
-        add_cells(plotter, grid, scalars, **options)
+        add_cells(plotter, grid, scalars, **{"scalar_bar_args": BAR, **options})
     if on_globe:
         _look_down(plotter, grid)
     plotter.show(screenshot=screenshot or False, auto_close=False)
     return plotter
+
+
+def _below(sheet: pyvista.DataSet) -> float:
+    """A radius below the middles of the sheet's cells, which are flat."""
+    middles = np.linalg.norm(np.asarray(sheet.cell_centers().points), axis=1)
+    middles = middles[np.isfinite(middles)]
+    return 0.998 * float(np.clip(middles.min() if middles.size else EARTH_RADIUS, 0.8 * EARTH_RADIUS, EARTH_RADIUS))
 
 
 def _look_down(plotter: pyvista.Plotter, grid: pyvista.DataSet) -> None:
@@ -42,4 +53,5 @@ def _look_down(plotter: pyvista.Plotter, grid: pyvista.DataSet) -> None:
     plotter.camera.focal_point = centre
     plotter.camera.position = centre + upward * size * 4.3
     plotter.camera.up = (0, 0, 1) if abs(upward[2]) < 0.95 else (1, 0, 0)
+    plotter.camera.SetWindowCenter(0.08, 0)  # room for the scalar bar
     plotter.reset_camera_clipping_range()
