@@ -152,5 +152,18 @@ class Names(unittest.TestCase):
         self.assertIn("wind_speed", series.mesh.array_names)
 
 
+class Units(unittest.TestCase):
+    def test_unusual_spellings(self):
+        from nephoscope.weather.units import converted
+        for quantity, value, spellings in (("temperature", 283.15, {"Kelvins": 283.15, "degrees Kelvin": 283.15, "degree_Celsius": 10, "Degrees C": 10, "deg Celsius": 10, "degrees_C": 10}),
+                                           ("pressure", 85000, {"hPa (mbar)": 850, "Millibars": 850, "N m-2": 85000, "N/m^2": 85000, "mbars": 850}),
+                                           ("height", 1500, {"m AMSL": 1500, "meters above sea level": 1500, "m above ground": 1500, "gpm": 1500, "geopotential meter": 1500, "km": 1.5}),
+                                           ("speed", 5, {"m/sec": 5, "meters per second": 5, "m sec^-1": 5, "meter second-1": 5, "M S-1": 5, "m s^{-1}": 5}),
+                                           ("mass fraction", 0.004, {"Kg/Kg": 0.004, "g kg**-1": 4, "kg (kg)-1": 0.004, "10^-3 kg kg^-1": 4})):
+            for spelling, number in spellings.items():
+                with self.subTest(spelling):
+                    np.testing.assert_allclose(converted(np.array([number], float), spelling, quantity, "x")[0], value)
+
+
 if __name__ == "__main__":
     unittest.main()
