@@ -557,6 +557,24 @@ test_tidy()
     xargs -P 2 -n 1 clang-tidy-14 --quiet -p "$WORK/unity" --config-file=.clang-tidy 2>"$WORK/counts"
 }
 
+# The tests in C++ of two folders or so, with the address and the undefined behaviour sanitizer.
+test_sanitizers()
+{
+  local folders
+  mapfile -t folders < <(cd "$TOP" && grep -rlE "nephoscope_add_(math|cxx|shader)_test" --include=CMakeLists.txt Filters Representations | sort | by_the_day 7)
+  folders=("${folders[@]%/CMakeLists.txt}")
+  echo "${folders[@]}"
+  cmake -S "$TOP" -B "$WORK/san" -G Ninja -DPython3_EXECUTABLE=/usr/bin/python3 -DNEPHOSCOPE_WRAP_PYTHON=OFF -DNEPHOSCOPE_USE_PARAVIEW=OFF \
+    -DVTK_DIR="$NEPHOSCOPE_VTK" -DCMAKE_UNITY_BUILD=ON -DCMAKE_BUILD_TYPE=Debug -DCMAKE_CXX_FLAGS_DEBUG="-O0 -g1" \
+    -DNEPHOSCOPE_SANITIZE=address,undefined >/dev/null
+  local status=0 limit=240
+  [ "${NEPHOSCOPE_TEST_ALL:-no}" = no ] || limit=0
+  timeout $limit ninja -C "$WORK/san" -j 2 "${folders[@]/%//all}" >"$WORK/log" || status=$?
+  [ $status -ne 124 ] || { echo "skipped: ${folders[*]} took more than $limit s to compile"; exit 125; }
+  [ $status -eq 0 ] || { tail -n 50 "$WORK/log"; exit 1; }
+  ctest --test-dir "$WORK/san" -j 2 --output-on-failure --no-tests=error -R "^($(find "$WORK/san/bin" -type f -printf '%f|'))\$"
+}
+
 test_shellcheck()
 {
   command -v shellcheck >/dev/null || { echo "skipped: there is no shellcheck"; exit 125; }
