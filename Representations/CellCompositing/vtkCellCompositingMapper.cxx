@@ -4,6 +4,7 @@
 
 #include "ArraySelection.h"
 #include "CellCompositingInternals.h"
+#include "CellsInOrder.h"
 #include "ContourSettings.h"
 #include "MapperSettings.h"
 #include "OrderView.h"
@@ -57,9 +58,13 @@ vtkCellCompositingMapper::vtkCellCompositingMapper()
   : Internals(new vtkInternals)
   , Contours(new nephoscope::ContourSettings)
 {
+  nephoscope::VolumeOrder::Enrol(this, nephoscope::CellsInOrder::PartOf([this]() { return this; }));
 }
 
-vtkCellCompositingMapper::~vtkCellCompositingMapper() = default;
+vtkCellCompositingMapper::~vtkCellCompositingMapper()
+{
+  nephoscope::VolumeOrder::Leave(this);
+}
 
 void vtkCellCompositingMapper::SetInputData(vtkDataSet* data)
 {
@@ -97,6 +102,11 @@ vtkIdType vtkCellCompositingMapper::GetNumberOfDrawnTetrahedra()
 // Each step below leaves a message instead of a picture where it cannot go on.
 
 void vtkCellCompositingMapper::Render(vtkRenderer* renderer, vtkVolume* volume)
+{
+  nephoscope::VolumeOrder::Draw(this, renderer, volume);
+}
+
+void vtkCellCompositingMapper::DrawInOrder(vtkRenderer* renderer, vtkVolume* volume)
 {
   auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
   if (!window || renderer->GetSelector() || !this->GetInputAlgorithm() || this->Internals->Busy)
@@ -423,6 +433,7 @@ bool vtkCellCompositingMapper::CopyFloatImage(vtkImageData* image)
 void vtkCellCompositingMapper::ReleaseGraphicsResources(vtkWindow* window)
 {
   this->Internals->Window.Leave(window);
+  nephoscope::VolumeOrder::ReleaseGraphicsResources(this, window);
   this->Superclass::ReleaseGraphicsResources(window);
 }
 

@@ -22,6 +22,7 @@
  *   surfaces are drawn first, and the cells over them.
  * - Several volumes of a renderer that overlap are composited as one medium, in any order of adding, where all have the default
  *   method, order and integration and neither contour values nor polygons: extinctions add, and each emits in proportion to its own.
+ *   Others, and splats, are drawn from back to front, in slices of depth where they overlap.
  *
  * References: N. Max, R. Crawfis, B. Becker, New Techniques in 3D Scalar and Vector Field Visualization,
  * Pacific Graphics 1993, section 2 (MaxCrawfisBecker1993); P. Shirley, A. Tuchman, A Polygonal Approximation to
@@ -44,6 +45,7 @@ class vtkVolumeProperty;
 
 namespace nephoscope
 {
+struct CellsInOrder;
 class CellGeometry;
 class Progress;
 struct ContourSettings;
@@ -416,6 +418,8 @@ private:
     const nephoscope::Progress& progress);
   std::string DrawScene(vtkOpenGLRenderWindow* window, vtkVolume* volume);
   struct vtkMedium;
+  friend struct nephoscope::CellsInOrder;
+  void DrawInOrder(vtkRenderer* renderer, vtkVolume* volume);
   std::vector<vtkMedium> FindMedia(
     vtkOpenGLRenderWindow* window, vtkRenderer* renderer, vtkVolume* volume);
   void DrawMedia(vtkOpenGLRenderWindow* window, const std::vector<vtkMedium>& media);

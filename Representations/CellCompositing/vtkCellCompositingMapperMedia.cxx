@@ -4,12 +4,13 @@
 #include "vtkCellCompositingMapper.h"
 
 #include "CellCompositingInternals.h"
+#include "CellsInOrder.h"
 #include "CoveredPixels.h"
 #include "ViewState.h"
+#include "VolumeSlices.h"
 #include "vtkCellCompositingProjectedTetrahedraMapper.h"
 #include "vtkCellCompositingRayCastMapper.h"
 
-#include "vtkBoundingBox.h"
 #include "vtkDataSet.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkPropCollection.h"
@@ -18,6 +19,7 @@
 #include <algorithm>
 
 using nephoscope::PixelRegion;
+using nephoscope::VolumeOrder;
 
 namespace
 {
@@ -35,13 +37,6 @@ vtkCellCompositingMapper* mapperOf(vtkVolume* volume)
   return vtkCellCompositingMapper::SafeDownCast(mapper);
 }
 
-// Those that the renderer draws: visible, and not culled (vtkCuller).
-bool isDrawn(vtkVolume* volume)
-{
-  const double* bounds = volume->GetVisibility() ? volume->GetBounds() : nullptr;
-  return bounds && vtkBoundingBox::IsValid(bounds) && volume->GetRenderTimeMultiplier() > 0;
-}
-
 PixelRegion pixelsOf(vtkRenderer* renderer, const double bounds[6])
 {
   const double origin[3] = { 0, 0, 0 };
@@ -55,17 +50,25 @@ PixelRegion pixelsOf(vtkRenderer* renderer, const double bounds[6])
   return nephoscope::coveredPixels(state.View, box, viewport);
 }
 
-bool overlap(const double a[6], const double b[6])
-{
-  for (int axis = 0; axis < 6; axis += 2)
-  {
-    if (std::max(a[axis], b[axis]) >= std::min(a[axis + 1], b[axis + 1]))
-    {
-      return false;
-    }
-  }
-  return true;
 }
+
+VolumeOrder::Part nephoscope::CellsInOrder::PartOf(
+  const std::function<vtkCellCompositingMapper*()>& find)
+{
+  const auto draw = [find](vtkRenderer* renderer, vtkVolume* volume) {
+    find()->DrawInOrder(renderer, volume);
+  };
+  const auto mixes = [find](vtkRenderer* renderer, vtkVolume*) -> std::size_t {
+    auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
+    return window && find()->ReasonToBeAlone(window).empty() ? RayMedia::Most : 1;
+  };
+  const auto mayBeSliced = [find]() {
+    const int method = find()->Method;
+    return method != vtkCellCompositingMapper::TRIANGLES_LINEAR_METHOD &&
+      method != vtkCellCompositingMapper::TRIANGLES_TABLE_METHOD &&
+      method != vtkCellCompositingMapper::FACES_METHOD;
+  };
+  return { draw, mixes, mayBeSliced };
 }
 
 // Empty, or why this volume cannot be drawn together with others.
@@ -132,12 +135,12 @@ std::vector<vtkCellCompositingMapper::vtkMedium> vtkCellCompositingMapper::FindM
   {
     auto* other = vtkVolume::SafeDownCast(prop);
     vtkCellCompositingMapper* mapper = other ? mapperOf(other) : nullptr;
-    if (!mapper || !mapper->GetInputAlgorithm() || (mapper != this && !isDrawn(other)))
+    if (!mapper || !mapper->GetInputAlgorithm() || (mapper != this && !VolumeOrder::IsDrawn(other)))
     {
       continue;
     }
     const double* bounds = other->GetBounds();
-    covers = covers || (mapper != this && bounds && overlap(bounds, volume->GetBounds()));
+    covers = covers || (mapper != this && bounds && VolumeOrder::Overlap(other, volume));
     if (mapper == this || mapper->ReasonToBeAlone(window).empty())
     {
       candidates.push_back(
@@ -145,7 +148,7 @@ std::vector<vtkCellCompositingMapper::vtkMedium> vtkCellCompositingMapper::FindM
     }
   }
   this->WarnAboutMedia(0,
-    covers && !reason.empty()
+    covers && !reason.empty() && !nephoscope::VolumeSlices::GetCurrent()
       ? "This volume and another one overlap in space, but are not composited as one medium, because " +
         reason + ": the one that is drawn later covers the other."
       : std::string());
@@ -163,6 +166,9 @@ std::vector<vtkCellCompositingMapper::vtkMedium> vtkCellCompositingMapper::FindM
   {
     return { alone };
   }
+  // Those that are apart are drawn one after another where something else may have to be drawn between them.
+  const bool overlapping =
+    candidates.size() > nephoscope::RayMedia::Most || VolumeOrder::HasOthers(renderer);
   for (bool found = true; found;)
   {
     found = false;
@@ -170,7 +176,8 @@ std::vector<vtkCellCompositingMapper::vtkMedium> vtkCellCompositingMapper::FindM
     {
       const bool joins = !candidate.Joined &&
         std::any_of(candidates.begin(), candidates.end(), [&](const Candidate& other) {
-          return other.Joined && nephoscope::haveCommonPixels(candidate.Pixels, other.Pixels);
+          return other.Joined && nephoscope::haveCommonPixels(candidate.Pixels, other.Pixels) &&
+            (!overlapping || VolumeOrder::Overlap(candidate.Medium.Volume, other.Medium.Volume));
         });
       candidate.Joined = candidate.Joined || joins;
       found = found || joins;
@@ -209,7 +216,7 @@ void vtkCellCompositingMapper::DrawMedia(
     reason = "these are more than can be composited as one medium here";
   }
   this->WarnAboutMedia(1,
-    media.size() < 2 || reason.empty()
+    media.size() < 2 || reason.empty() || nephoscope::VolumeSlices::GetCurrent()
       ? std::string()
       : std::to_string(media.size()) + " volumes may cover one another, and " + reason +
         ": they are drawn one over the other. Append their data to one.");

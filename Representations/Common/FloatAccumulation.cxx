@@ -51,8 +51,8 @@ void FloatAccumulation::Allocate(vtkOpenGLRenderWindow* window, int width, int h
   }
 }
 
-bool FloatAccumulation::Begin(
-  vtkOpenGLRenderWindow* window, const int viewport[4], int layers, vtkTextureObject* depth)
+bool FloatAccumulation::Begin(vtkOpenGLRenderWindow* window, const int viewport[4], int layers,
+  vtkTextureObject* depth, Content content)
 {
   this->Allocate(window, viewport[2], viewport[3], layers);
   vtkOpenGLState* state = window->GetState();
@@ -75,7 +75,7 @@ bool FloatAccumulation::Begin(
   state->vtkglViewport(0, 0, viewport[2], viewport[3]);
   state->vtkglDisable(GL_SCISSOR_TEST);
   const float transparent[4] = { 0, 0, 0, 0 };
-  for (int layer = 0; layer < layers; ++layer)
+  for (int layer = 0; layer < layers && content == Clear; ++layer)
   {
     glClearBufferfv(GL_COLOR, layer, transparent);
   }

@@ -33,10 +33,15 @@ public:
   /**
    * Makes a transparent RGBA32F image of the viewport's size the draw target. To be paired with End().
    * With two layers there are two such images, gl_FragData[0] and [1]. `depth`, of the same size, becomes the depth buffer.
-   * Returns false when the framebuffer is not complete.
+   * Keep: the images keep what they hold. Returns false when the framebuffer is not complete.
    */
+  enum Content
+  {
+    Clear,
+    Keep
+  };
   bool Begin(vtkOpenGLRenderWindow* window, const int viewport[4], int layers = 1,
-    vtkTextureObject* depth = nullptr);
+    vtkTextureObject* depth = nullptr, Content content = Clear);
   /** Restores the draw target and the viewport. */
   void End(vtkOpenGLRenderWindow* window);
   /** The image of a layer. */

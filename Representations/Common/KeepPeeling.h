@@ -14,6 +14,8 @@
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLState.h"
 
+#include <algorithm>
+
 namespace nephoscope
 {
 
@@ -31,13 +33,26 @@ public:
       const vtkOpenGLState::ScopedglScissor savedBox(state);
       state->vtkglEnable(GL_SCISSOR_TEST);
       state->vtkglScissor(0, 0, 1, 1);
-      const float least[4] = { 0, 0, 0, 1.0f / 255 };
-      glClearBufferfv(GL_COLOR, 0, least); // fragments that follow are drawn with GL_MAX
+      float pixel[4] = { 0, 0, 0, 0 };
+      ReadFirstPixel(state, pixel); // what others have drawn there stays
+      pixel[3] = std::max(pixel[3], 1.0f / 255);
+      glClearBufferfv(GL_COLOR, 0, pixel); // fragments that follow are drawn with GL_MAX
     }
     this->IsFirst = buffers == buffersOfFirstStage;
   }
 
 private:
+  static void ReadFirstPixel(vtkOpenGLState* state, float pixel[4])
+  {
+    GLint target = 0;
+    glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &target);
+    state->PushReadFramebufferBinding();
+    state->vtkglBindFramebuffer(GL_READ_FRAMEBUFFER, static_cast<unsigned int>(target));
+    state->vtkglReadBuffer(GL_COLOR_ATTACHMENT0);
+    glReadPixels(0, 0, 1, 1, GL_RGBA, GL_FLOAT, pixel);
+    state->PopReadFramebufferBinding();
+  }
+
   static constexpr unsigned int buffersOfFirstStage = 2, buffersOfPeels = 3;
   bool IsFirst = false;
 };

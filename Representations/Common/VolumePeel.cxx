@@ -9,6 +9,8 @@
 #include "PeelRangesFragment.h"
 #include "PeelTilesFragment.h"
 #include "PeelingPass.h"
+#include "VolumeSlices.h"
+#include "WholeViewport.h"
 
 #include "vtkAbstractMapper.h"
 #include "vtkOpenGLFramebufferObject.h"
@@ -27,14 +29,6 @@ namespace nephoscope
 {
 namespace
 {
-/** One triangle that covers the viewport. */
-const char* const triangleVertex = "//VTK::System::Dec\n"
-                                   "void main()\n"
-                                   "{\n"
-                                   "  vec2 corner = vec2(gl_VertexID == 1, gl_VertexID == 2);\n"
-                                   "  gl_Position = vec4(4.0 * corner - 1.0, 0.0, 1.0);\n"
-                                   "}\n";
-
 // The pass ends with the first peel that puts nothing into the back. In front of opaque geometry only the frontmost surface
 // has been peeled by then: two ranges that end at the opaque depth say that there are more. The least alpha keeps it going.
 const char* const keepPeeling =
@@ -63,7 +57,7 @@ VolumePeel::~VolumePeel() = default;
 
 bool VolumePeel::IsRequested(vtkProp* volume)
 {
-  return peelingPass(volume) != nullptr;
+  return VolumeSlices::GetCurrent() || peelingPass(volume) != nullptr;
 }
 
 void VolumePeel::Allocate(vtkOpenGLRenderWindow* window, int width, int height)
@@ -90,7 +84,7 @@ void VolumePeel::Allocate(vtkOpenGLRenderWindow* window, int width, int height)
 vtkShaderProgram* VolumePeel::ReadyProgram(
   vtkOpenGLRenderWindow* window, const Request& request, const int viewport[4], const char* shader)
 {
-  std::string vertex = triangleVertex, geometry, fragment = shader;
+  std::string vertex = wholeViewportVertex, geometry, fragment = shader;
   forEachPass(request.Volume, [&](vtkOpenGLRenderPass* pass) {
     pass->PreReplaceShaderValues(vertex, geometry, fragment, request.Mapper, request.Volume);
   });
@@ -157,7 +151,9 @@ bool VolumePeel::DrawRanges(
   const float behindAll = 1;
   glClearBufferfv(GL_COLOR, 0, empty);
   glClearBufferfv(GL_DEPTH, 0, &behindAll);
-  if (!this->ReadyProgram(window, request, viewport, PeelRangesFragment))
+  VolumeSlices* slices = VolumeSlices::GetCurrent();
+  if (!(slices ? slices->ReadyRanges(window)
+               : this->ReadyProgram(window, request, viewport, PeelRangesFragment)))
   {
     return false;
   }
@@ -179,7 +175,7 @@ void VolumePeel::DrawTiles(vtkOpenGLRenderWindow* window)
     0, 0, numberOfTiles(this->Size[0]), numberOfTiles(this->Size[1]));
   window->GetState()->vtkglDisable(GL_DEPTH_TEST);
   vtkShaderProgram* program =
-    window->GetShaderCache()->ReadyShaderProgram(triangleVertex, PeelTilesFragment, "");
+    window->GetShaderCache()->ReadyShaderProgram(wholeViewportVertex, PeelTilesFragment, "");
   if (program)
   {
     this->Ranges->Activate();
@@ -212,6 +208,11 @@ void VolumePeel::CopyTargets(vtkOpenGLRenderWindow* window, unsigned int count)
 void VolumePeel::Deliver(vtkOpenGLRenderWindow* window, const Request& request,
   const int viewport[4], vtkTextureObject* firstLight, vtkTextureObject* secondLight)
 {
+  if (VolumeSlices* slices = VolumeSlices::GetCurrent())
+  {
+    slices->Take(window, firstLight, secondLight);
+    return;
+  }
   this->CopyTargets(window, std::min(2u, peelingPass(request.Volume)->GetActiveDrawBuffers()));
   vtkOpenGLState* state = window->GetState();
   vtkOpenGLState::ScopedglEnableDisable savedDepthTest(state, GL_DEPTH_TEST);

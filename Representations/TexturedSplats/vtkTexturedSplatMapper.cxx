@@ -11,6 +11,7 @@
 #include "SplatPass.h"
 #include "SplatScene.h"
 #include "ViewState.h"
+#include "VolumeOrder.h"
 #include "VolumePeel.h"
 
 #include "vtkAbstractMapper.h"
@@ -43,9 +44,15 @@ struct vtkTexturedSplatMapper::vtkInternals
 vtkTexturedSplatMapper::vtkTexturedSplatMapper()
   : Internals(new vtkInternals)
 {
+  nephoscope::VolumeOrder::Enrol(this,
+    { [this](vtkRenderer* renderer, vtkVolume* volume) { this->DrawInOrder(renderer, volume); },
+      [](vtkRenderer*, vtkVolume*) { return std::size_t(1); }, []() { return true; } });
 }
 
-vtkTexturedSplatMapper::~vtkTexturedSplatMapper() = default;
+vtkTexturedSplatMapper::~vtkTexturedSplatMapper()
+{
+  nephoscope::VolumeOrder::Leave(this);
+}
 
 void vtkTexturedSplatMapper::SetInputData(vtkDataSet* data)
 {
@@ -97,6 +104,11 @@ double* vtkTexturedSplatMapper::GetBounds()
 }
 
 void vtkTexturedSplatMapper::Render(vtkRenderer* renderer, vtkVolume* volume)
+{
+  nephoscope::VolumeOrder::Draw(this, renderer, volume);
+}
+
+void vtkTexturedSplatMapper::DrawInOrder(vtkRenderer* renderer, vtkVolume* volume)
 {
   auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
   if (!window || renderer->GetSelector() || !this->GetInputAlgorithm())
@@ -358,6 +370,7 @@ bool vtkTexturedSplatMapper::CopyFloatImage(vtkImageData* image)
 void vtkTexturedSplatMapper::ReleaseGraphicsResources(vtkWindow* window)
 {
   this->Internals->Window.Leave(window);
+  nephoscope::VolumeOrder::ReleaseGraphicsResources(this, window);
   this->Superclass::ReleaseGraphicsResources(window);
 }
 

@@ -500,6 +500,7 @@ private:
   void SetRegionOptions(nephoscope::SplatDrawingOptions& options) const;
   nephoscope::SplatSampling GetSampling(bool onCells) const;
   std::string UpdateSplats(vtkDataSet* input, vtkVolume* volume);
+  void DrawInOrder(vtkRenderer* renderer, vtkVolume* volume);
   std::string DrawScene(vtkOpenGLRenderWindow* window, vtkRenderer* renderer, vtkVolume* volume);
   bool UsesHierarchy(vtkRenderer* renderer, vtkIdType samples, vtkIdType& most) const;
   void SelectSplats(vtkRenderer* renderer, vtkVolume* volume, const nephoscope::ViewState& state);

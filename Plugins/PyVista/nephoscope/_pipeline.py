@@ -63,6 +63,9 @@ _NAMES_OF_MAPPERS = {
         "The scalar opacity function has no points, so that everything is transparent: give opacity",
     "add some with AddRGBPoint": "give cmap", "run vtkPolyhedronToTetrahedra first": "divide them by mesh.nephoscope.divide_polyhedra() or mesh.triangulate() first",
     "call SetMethodToCells()": "call volume.mapper.SetMethodToCells()", "call SetPolygonsToAll()": "pass polygons='all'",
+    "Call its UseDepthPeelingOn(), UseDepthPeelingForVolumesOn() and SetOcclusionRatio(0), and SetMultiSamples(0) of the window (in ParaView: Edit > Settings > "
+    "Render View > Depth Peeling, and Depth Peeling for Volumes)":
+        "Call plotter.disable_anti_aliasing(), plotter.enable_depth_peeling(10, 0) and plotter.renderer.UseDepthPeelingForVolumesOn()",
     "UseDepthPeelingForVolumesOff() of the renderer": "plotter.renderer.UseDepthPeelingForVolumesOff()",
     "Choose one with SetVectorArrayName": "Choose one by vectors", "Choose one with SetVectorColorArrayName": "Choose one by vectors['scalars']",
     "VectorColorArrayName": "vectors['scalars']", "VectorArrayName": "vectors", "call SetVectorColorFunction": "give vectors['cmap']",

@@ -4,6 +4,7 @@
 #ifndef CellsInPlace_h
 #define CellsInPlace_h
 
+#include "CellsInOrder.h"
 #include "MapperSettings.h"
 
 #include "vtkCellCompositingMapper.h"
@@ -16,13 +17,19 @@ namespace nephoscope
 class CellsInPlace
 {
 public:
-  void Render(vtkUnstructuredGridVolumeMapper* owner, vtkRenderer* renderer, vtkVolume* volume)
+  explicit CellsInPlace(vtkUnstructuredGridVolumeMapper* owner)
+    : Owner(owner)
   {
-    this->GetMapper(owner)->Render(renderer, volume);
+    VolumeOrder::Enrol(
+      owner, CellsInOrder::PartOf([this]() { return this->GetMapper(this->Owner); }));
   }
+  ~CellsInPlace() { VolumeOrder::Leave(this->Owner); }
+  CellsInPlace(const CellsInPlace&) = delete;
+  CellsInPlace& operator=(const CellsInPlace&) = delete;
 
   void ReleaseGraphicsResources(vtkWindow* window)
   {
+    VolumeOrder::ReleaseGraphicsResources(this->Owner, window);
     this->Mapper->ReleaseGraphicsResources(window);
   }
 
@@ -36,6 +43,7 @@ public:
   }
 
 private:
+  vtkUnstructuredGridVolumeMapper* Owner;
   vtkNew<vtkCellCompositingMapper> Mapper;
 };
 

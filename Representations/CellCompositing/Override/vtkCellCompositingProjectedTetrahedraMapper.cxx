@@ -10,7 +10,7 @@
 vtkStandardNewMacro(vtkCellCompositingProjectedTetrahedraMapper);
 
 vtkCellCompositingProjectedTetrahedraMapper::vtkCellCompositingProjectedTetrahedraMapper()
-  : Cells(new nephoscope::CellsInPlace)
+  : Cells(new nephoscope::CellsInPlace(this))
 {
 }
 
@@ -29,7 +29,7 @@ bool vtkCellCompositingProjectedTetrahedraMapper::IsSupported(vtkRenderWindow* w
 
 void vtkCellCompositingProjectedTetrahedraMapper::Render(vtkRenderer* renderer, vtkVolume* volume)
 {
-  this->Cells->Render(this, renderer, volume);
+  nephoscope::VolumeOrder::Draw(this, renderer, volume);
 }
 
 void vtkCellCompositingProjectedTetrahedraMapper::ReleaseGraphicsResources(vtkWindow* window)

@@ -9,7 +9,7 @@
 vtkStandardNewMacro(vtkCellCompositingRayCastMapper);
 
 vtkCellCompositingRayCastMapper::vtkCellCompositingRayCastMapper()
-  : Cells(new nephoscope::CellsInPlace)
+  : Cells(new nephoscope::CellsInPlace(this))
 {
 }
 
@@ -22,7 +22,7 @@ vtkCellCompositingMapper* vtkCellCompositingRayCastMapper::GetCellCompositingMap
 
 void vtkCellCompositingRayCastMapper::Render(vtkRenderer* renderer, vtkVolume* volume)
 {
-  this->Cells->Render(this, renderer, volume);
+  nephoscope::VolumeOrder::Draw(this, renderer, volume);
 }
 
 void vtkCellCompositingRayCastMapper::ReleaseGraphicsResources(vtkWindow* window)

@@ -351,35 +351,43 @@ class Scenes(MediaTestCase):
         self.compare(float_image(inside[0].GetCellCompositingMapper()), PAIRS["staggered"], scene.view(), "in place")
 
 
-class Warnings(MediaTestCase):
-    def messages(self, volumes, configure):
-        window = Window((48, 44))
-        scene = window.add_scene()
-        mappers = [mapper() for _ in volumes]
-        for ours, volume in zip(mappers, volumes):
-            scene.add_volume(ours, *volume)
-        configure(mappers)
-        aslant(scene)
-        for _ in range(3):
-            window.render()
-        return window.messages.all
+class Slices(MediaTestCase):
+    """What cannot be one medium ray by ray is drawn in slices of depth, without a message."""
 
-    def test_what_cannot_be_mixed_is_told_once(self):
+    def check_slices(self, volumes, configure, label):
+        scene, mappers = self.draw(volumes, configure=configure)
+        expected = media.render([(cells_of(data), transfer) for data, transfer in volumes], scene.view())[..., :3]
+        mask = edge_mask(np.concatenate([cells_of(data).drawn_edges() for data, _ in volumes]), scene.view())
+        self.check_float(scene.rgb(), expected, label, 2 / 255, mask)
+
+    def test_other_settings(self):
         def contours(mappers):
             mappers[1].SetNumberOfContourValues(1)
             mappers[1].SetContourValue(0, 0.5)
-        for configure, words in ((contours, "contour values"), (lambda m: m[1].SetMethodToProjection(), "method"),
-                                 (lambda m: m[0].SetIntegrationToAverage(), "integration"),
-                                 (lambda m: m[0].SetVisibilityOrderToCentroid(), "order")):
-            messages = self.messages(PAIRS["staggered"], configure)
-            self.assertEqual(len(messages), 1, messages)
-            self.assertIn("not composited as one medium", str(messages[0]))
-            self.assertIn(words, str(messages[0]))
+            mappers[1].SetContourOpacity(0, 0)
+        for configure in (contours, lambda m: m[1].SetMethodToProjection(), lambda m: m[0].SetVisibilityOrderToCentroid()):
+            self.check_slices(PAIRS["staggered"], configure, "in slices")
 
-    def test_too_many(self):
-        messages = self.messages(FOUR + [(SECOND, GREEN)], lambda mappers: None)
-        self.assertEqual(len(messages), 1, messages)
-        self.assertIn("5 volumes", str(messages[0]))
+    def test_five(self):
+        self.check_slices(FOUR + [(SECOND, GREEN)], None, "five media")
+
+
+class Warnings(MediaTestCase):
+    def test_earlier_methods_are_told_once(self):
+        for method in ("TrianglesLinear", "TrianglesTable", "Faces"):
+            window = Window((48, 44))
+            scene = window.add_scene()
+            for i, volume in enumerate(PAIRS["staggered"]):
+                ours = mapper()
+                if i:
+                    getattr(ours, "SetMethodTo" + method)()
+                scene.add_volume(ours, *volume)
+            aslant(scene)
+            for _ in range(3):
+                window.render()
+            self.assertEqual(len(window.messages.all), 1, window.messages.all)
+            self.assertIn("not composited as one medium", str(window.messages.all[0]))
+            self.assertIn("method", str(window.messages.all[0]))
 
 
 if __name__ == "__main__":

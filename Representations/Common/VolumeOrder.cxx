@@ -1,0 +1,321 @@
+// SPDX-FileCopyrightText: The Nephoscope authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "VolumeOrder.h"
+
+#include "ReportedError.h"
+#include "VolumePeel.h"
+#include "VolumeSlices.h"
+
+#include "vtkAbstractVolumeMapper.h"
+#include "vtkActor.h"
+#include "vtkBoundingBox.h"
+#include "vtkCamera.h"
+#include "vtkPropCollection.h"
+#include "vtkRenderer.h"
+#include "vtkVolume.h"
+
+#include <algorithm>
+#include <array>
+#include <map>
+#include <memory>
+#include <mutex>
+
+namespace nephoscope
+{
+namespace
+{
+using Volumes = std::vector<vtkVolume*>;
+struct Enrolled
+{
+  VolumeOrder::Part Part;
+  std::shared_ptr<VolumeSlices> Slices; // of the first volume of a renderer
+  ReportedError Surfaces;
+};
+using Parts = std::map<vtkAbstractVolumeMapper*, Enrolled>;
+
+std::mutex partsMutex;
+
+Parts& allParts() // lives as long as the last mapper
+{
+  static auto* parts = new Parts;
+  return *parts;
+}
+
+const VolumeOrder::Part* partOf(vtkAbstractVolumeMapper* mapper)
+{
+  const std::lock_guard<std::mutex> lock(partsMutex);
+  const auto found = allParts().find(mapper);
+  return found == allParts().end() ? nullptr : &found->second.Part;
+}
+
+const VolumeOrder::Part* partOf(vtkVolume* volume)
+{
+  return partOf(volume->GetMapper());
+}
+
+VolumeSlices& slicesOf(vtkVolume* volume)
+{
+  const std::lock_guard<std::mutex> lock(partsMutex);
+  std::shared_ptr<VolumeSlices>& slices = allParts()[volume->GetMapper()].Slices;
+  if (!slices)
+  {
+    slices = std::make_shared<VolumeSlices>();
+  }
+  return *slices;
+}
+
+// GetBounds() of a mapper may point to what the next call changes.
+std::array<double, 6> boxOf(vtkProp3D* prop)
+{
+  std::array<double, 6> box;
+  std::copy_n(prop->GetBounds(), 6, box.begin());
+  return box;
+}
+
+/** Whether all of them are drawn as one medium. */
+bool areMedium(vtkRenderer* renderer, const Volumes& volumes)
+{
+  return std::all_of(volumes.begin(), volumes.end(), [&](vtkVolume* volume) {
+    return partOf(volume)->Mixes(renderer, volume) >= std::max<std::size_t>(volumes.size(), 2);
+  });
+}
+
+bool maySlice(const Volumes& volumes)
+{
+  return std::all_of(volumes.begin(), volumes.end(),
+    [](vtkVolume* volume) { return partOf(volume)->MayBeSliced(); });
+}
+
+Volumes drawnVolumes(vtkRenderer* renderer)
+{
+  Volumes volumes;
+  vtkCollectionSimpleIterator place;
+  vtkPropCollection* props = renderer->GetViewProps();
+  props->InitTraversal(place);
+  while (vtkProp* prop = props->GetNextProp(place))
+  {
+    auto* volume = vtkVolume::SafeDownCast(prop);
+    if (volume && partOf(volume) && VolumeOrder::IsDrawn(volume))
+    {
+      volumes.push_back(volume);
+    }
+  }
+  return volumes;
+}
+
+/** -1: the low side of an axis is in front, 1: the high side; 0: no ray meets both. `low` and `high` bound a gap. */
+int sideInFront(vtkCamera* camera, int axis, double low, double high)
+{
+  const double eye = camera->GetPosition()[axis];
+  const double towardsEye = -camera->GetDirectionOfProjection()[axis];
+  if (camera->GetParallelProjection())
+  {
+    return towardsEye > 0 ? 1 : towardsEye < 0 ? -1 : 0;
+  }
+  return eye >= high ? 1 : eye <= low ? -1 : 0;
+}
+
+bool isBehind(vtkCamera* camera, vtkProp3D* a, vtkProp3D* b)
+{
+  const std::array<double, 6> boxA = boxOf(a);
+  const std::array<double, 6> boxB = boxOf(b);
+  bool behind = false;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const double aLow = boxA[2 * axis], aHigh = boxA[2 * axis + 1];
+    const double bLow = boxB[2 * axis], bHigh = boxB[2 * axis + 1];
+    if (aHigh <= bLow || bHigh <= aLow)
+    {
+      const bool aIsLow = aHigh <= bLow;
+      const int front = sideInFront(camera, axis, aIsLow ? aHigh : bHigh, aIsLow ? bLow : aLow);
+      if ((front == 1) != aIsLow || front == 0)
+      {
+        return false;
+      }
+      behind = true;
+    }
+  }
+  return behind;
+}
+
+/** Volumes that overlap in space and cannot be one medium, together; each group once. */
+std::vector<Volumes> groupsOf(vtkRenderer* renderer, Volumes volumes)
+{
+  std::vector<Volumes> groups;
+  while (!volumes.empty())
+  {
+    Volumes group(1, volumes.front());
+    volumes.erase(volumes.begin());
+    for (std::size_t i = 0; i < group.size(); ++i)
+    {
+      vtkVolume* member = group[i];
+      const auto isApart = [member](
+                             vtkVolume* other) { return !VolumeOrder::Overlap(member, other); };
+      const auto met = std::stable_partition(volumes.begin(), volumes.end(), isApart);
+      group.insert(group.end(), met, volumes.end());
+      volumes.erase(met, volumes.end());
+    }
+    if (areMedium(renderer, group) || !maySlice(group)) // as a medium, its first volume draws all
+    {
+      for (vtkVolume* member : group)
+      {
+        groups.push_back({ member });
+      }
+    }
+    else
+    {
+      groups.push_back(group);
+    }
+  }
+  return groups;
+}
+
+bool isBehind(vtkCamera* camera, const Volumes& a, const Volumes& b)
+{
+  return std::any_of(a.begin(), a.end(), [&](vtkVolume* one) {
+    return std::any_of(
+      b.begin(), b.end(), [&](vtkVolume* other) { return isBehind(camera, one, other); });
+  });
+}
+
+/** From back to front; where boxes surround one another in a circle, in the order of adding. */
+std::vector<Volumes> sorted(vtkCamera* camera, std::vector<Volumes> groups)
+{
+  std::vector<Volumes> order;
+  while (!groups.empty())
+  {
+    auto next = std::find_if(groups.begin(), groups.end(), [&](const Volumes& group) {
+      return std::none_of(groups.begin(), groups.end(),
+        [&](const Volumes& other) { return &other != &group && isBehind(camera, other, group); });
+    });
+    next = next == groups.end() ? groups.begin() : next;
+    order.push_back(*next);
+    groups.erase(next);
+  }
+  return order;
+}
+
+bool isTranslucent(vtkActor* actor)
+{
+  const double* bounds = actor->GetVisibility() ? actor->GetBounds() : nullptr;
+  return bounds && vtkBoundingBox::IsValid(bounds) && actor->HasTranslucentPolygonalGeometry();
+}
+
+/** Whether VTK has drawn a translucent surface behind the volume that is not behind it. */
+bool coversSurfaces(vtkRenderer* renderer, vtkVolume* volume)
+{
+  vtkCollectionSimpleIterator place;
+  vtkPropCollection* props = renderer->GetViewProps();
+  props->InitTraversal(place);
+  while (vtkProp* prop = props->GetNextProp(place))
+  {
+    auto* actor = vtkActor::SafeDownCast(prop);
+    if (actor && isTranslucent(actor) && !isBehind(renderer->GetActiveCamera(), actor, volume))
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+void warnAboutSurfaces(vtkAbstractVolumeMapper* mapper, vtkRenderer* renderer, vtkVolume* volume)
+{
+  const bool covers = VolumeOrder::IsDrawn(volume) && !VolumePeel::IsRequested(volume) &&
+    coversSurfaces(renderer, volume);
+  bool isNew = false;
+  {
+    const std::lock_guard<std::mutex> lock(partsMutex);
+    isNew = allParts()[mapper].Surfaces.IsNew(covers ? "surfaces" : "");
+  }
+  if (isNew)
+  {
+    vtkWarningWithObjectMacro(mapper,
+      "A translucent surface is in front of this volume, or in it, but drawn behind it, because the renderer does not peel "
+      "volumes. Call its UseDepthPeelingOn(), UseDepthPeelingForVolumesOn() and SetOcclusionRatio(0), and SetMultiSamples(0) of the "
+      "window (in ParaView: Edit > Settings > Render View > Depth Peeling, and Depth Peeling for Volumes).");
+  }
+}
+
+void drawOne(vtkRenderer* renderer, vtkVolume* volume)
+{
+  partOf(volume)->Draw(renderer, volume);
+}
+}
+
+void VolumeOrder::Enrol(vtkAbstractVolumeMapper* mapper, const Part& part)
+{
+  const std::lock_guard<std::mutex> lock(partsMutex);
+  allParts()[mapper].Part = part;
+}
+
+void VolumeOrder::Leave(vtkAbstractVolumeMapper* mapper)
+{
+  const std::lock_guard<std::mutex> lock(partsMutex);
+  allParts().erase(mapper);
+}
+
+void VolumeOrder::ReleaseGraphicsResources(vtkAbstractVolumeMapper* mapper, vtkWindow* window)
+{
+  const std::lock_guard<std::mutex> lock(partsMutex);
+  const auto found = allParts().find(mapper);
+  if (found != allParts().end() && found->second.Slices)
+  {
+    found->second.Slices->ReleaseGraphicsResources(window);
+  }
+}
+
+bool VolumeOrder::IsDrawn(vtkVolume* volume)
+{
+  const double* bounds = volume->GetVisibility() ? volume->GetBounds() : nullptr;
+  return bounds && vtkBoundingBox::IsValid(bounds) && volume->GetRenderTimeMultiplier() > 0;
+}
+
+bool VolumeOrder::Overlap(vtkVolume* a, vtkVolume* b)
+{
+  const std::array<double, 6> boxA = boxOf(a);
+  const std::array<double, 6> boxB = boxOf(b);
+  for (int axis = 0; axis < 6; axis += 2)
+  {
+    if (boxA[axis + 1] <= boxB[axis] || boxB[axis + 1] <= boxA[axis])
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+bool VolumeOrder::HasOthers(vtkRenderer* renderer)
+{
+  const Volumes volumes = drawnVolumes(renderer);
+  return std::any_of(volumes.begin(), volumes.end(),
+    [&](vtkVolume* volume) { return !areMedium(renderer, { volume }); });
+}
+
+void VolumeOrder::Draw(vtkAbstractVolumeMapper* mapper, vtkRenderer* renderer, vtkVolume* volume)
+{
+  warnAboutSurfaces(mapper, renderer, volume);
+  const Volumes volumes = drawnVolumes(renderer);
+  if (volumes.size() < 2 || std::find(volumes.begin(), volumes.end(), volume) == volumes.end())
+  {
+    partOf(mapper)->Draw(renderer, volume);
+    return;
+  }
+  if (volume != volumes.front())
+  {
+    return; // the first draws all
+  }
+  VolumeSlices& slices = slicesOf(volume);
+  for (const Volumes& group : sorted(renderer->GetActiveCamera(), groupsOf(renderer, volumes)))
+  {
+    if (group.size() == 1)
+    {
+      drawOne(renderer, group.front());
+    }
+    else
+    {
+      slices.Draw(renderer, group, drawOne);
+    }
+  }
+}
+
+} // namespace nephoscope

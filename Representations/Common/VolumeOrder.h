@@ -1,0 +1,54 @@
+// SPDX-FileCopyrightText: The Nephoscope authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * The order in which the volumes of a renderer are drawn: from back to front, whichever was added first. VTK draws them as they were added.
+ *
+ * Mappers enrol themselves. The first of a renderer's enrolled volumes that VTK draws, draws all of them, from back to front; the others
+ * then draw nothing. Volumes whose boxes are apart are in order exactly. Those that overlap are drawn in slices of depth (VolumeSlices.h),
+ * unless their mappers draw them as one medium.
+ */
+#ifndef VolumeOrder_h
+#define VolumeOrder_h
+
+#include "vtkNephoscopeRepresentationsCommonModule.h" // for export macro
+
+#include <cstddef>
+#include <functional>
+
+class vtkAbstractVolumeMapper;
+class vtkRenderer;
+class vtkVolume;
+class vtkWindow;
+
+namespace nephoscope
+{
+
+class VTKNEPHOSCOPEREPRESENTATIONSCOMMON_EXPORT VolumeOrder
+{
+public:
+  struct Part
+  {
+    /** Draws this volume now, with those that it is drawn together with. */
+    std::function<void(vtkRenderer*, vtkVolume*)> Draw;
+    /** How many its mapper draws as one medium, of those that may be; 1: it may not. */
+    std::function<std::size_t(vtkRenderer*, vtkVolume*)> Mixes;
+    /** Whether it can be drawn in slices. */
+    std::function<bool()> MayBeSliced;
+  };
+  static void Enrol(vtkAbstractVolumeMapper* mapper, const Part& part);
+  static void Leave(vtkAbstractVolumeMapper* mapper);
+  static void ReleaseGraphicsResources(vtkAbstractVolumeMapper* mapper, vtkWindow* window);
+
+  /** What the Render() of an enrolled mapper does. */
+  static void Draw(vtkAbstractVolumeMapper* mapper, vtkRenderer* renderer, vtkVolume* volume);
+  /** Whether a volume is drawn that cannot be one medium with others. */
+  static bool HasOthers(vtkRenderer* renderer);
+
+  /** Visible, not culled (vtkCuller), and with bounds. */
+  static bool IsDrawn(vtkVolume* volume);
+  static bool Overlap(vtkVolume* a, vtkVolume* b);
+};
+
+} // namespace nephoscope
+
+#endif

@@ -1,0 +1,294 @@
+// SPDX-FileCopyrightText: The Nephoscope authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "OpenGLFunctions.h"
+
+#include "VolumeSlices.h"
+
+#include "SavedState.h"
+#include "SliceLightFragment.h"
+#include "SliceRangesFragment.h"
+#include "SliceSumsFragment.h"
+#include "WholeViewport.h"
+
+#include "vtkAbstractVolumeMapper.h"
+#include "vtkCamera.h"
+#include "vtkMatrix4x4.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLShaderCache.h"
+#include "vtkOpenGLState.h"
+#include "vtkOpenGLVertexArrayObject.h"
+#include "vtkRenderer.h"
+#include "vtkShaderProgram.h"
+#include "vtkTextureObject.h"
+#include "vtkVolume.h"
+
+#include <algorithm>
+#include <array>
+#include <limits>
+
+namespace nephoscope
+{
+namespace
+{
+VolumeSlices* current = nullptr;
+
+using SliceBox = std::array<double, 6>;
+
+SliceBox sliceBoxOf(vtkVolume* volume)
+{
+  SliceBox box;
+  std::copy_n(volume->GetBounds(), 6, box.begin());
+  return box;
+}
+
+/** Where two overlap; false where they do not. */
+bool intersect(const SliceBox& a, const SliceBox& b, SliceBox& common)
+{
+  for (std::size_t axis = 0; axis < 6; axis += 2)
+  {
+    common[axis] = std::max(a[axis], b[axis]);
+    common[axis + 1] = std::min(a[axis + 1], b[axis + 1]);
+    if (common[axis] > common[axis + 1])
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+/** Least and greatest distance from the eye's plane. */
+struct Span
+{
+  double Near = std::numeric_limits<double>::max();
+  double Far = -std::numeric_limits<double>::max();
+
+  void Add(vtkCamera* camera, const SliceBox& box)
+  {
+    for (std::size_t corner = 0; corner < 8; ++corner)
+    {
+      double distance = 0;
+      for (std::size_t axis = 0; axis < 3; ++axis)
+      {
+        const double place = box[2 * axis + (corner >> axis & 1)];
+        distance +=
+          (place - camera->GetPosition()[axis]) * camera->GetDirectionOfProjection()[axis];
+      }
+      this->Near = std::min(this->Near, distance);
+      this->Far = std::max(this->Far, distance);
+    }
+  }
+};
+
+Span overlapOf(vtkCamera* camera, const std::vector<vtkVolume*>& volumes)
+{
+  Span span;
+  for (auto a = volumes.begin(); a != volumes.end(); ++a)
+  {
+    for (auto b = a + 1; b != volumes.end(); ++b)
+    {
+      SliceBox common;
+      if (intersect(sliceBoxOf(*a), sliceBoxOf(*b), common))
+      {
+        span.Add(camera, common);
+      }
+    }
+  }
+  span.Near = std::max(span.Near, camera->GetClippingRange()[0]);
+  span.Far = std::min(span.Far, camera->GetClippingRange()[1]);
+  return span;
+}
+
+/** Depths in [0, 1] between which the slices are: in front of the span, in it, and behind it. */
+std::vector<float> depthsOfSlices(vtkRenderer* renderer, const Span& span, int count)
+{
+  vtkMatrix4x4* matrix = renderer->GetActiveCamera()->GetProjectionTransformMatrix(
+    renderer->GetTiledAspectRatio(), -1, 1);
+  std::vector<float> depths(1, 0.0f);
+  for (int i = 0; i <= count && span.Near < span.Far; ++i)
+  {
+    const double z = -(span.Near + (span.Far - span.Near) * i / count);
+    const double depth = (matrix->GetElement(2, 2) * z + matrix->GetElement(2, 3)) /
+      (matrix->GetElement(3, 2) * z + matrix->GetElement(3, 3));
+    depths.push_back(static_cast<float>(std::min(std::max(0.5 + 0.5 * depth, 0.0), 1.0)));
+  }
+  depths.push_back(1.0f);
+  return depths;
+}
+
+class InTurn // Draw() may be left by an exception of an observer
+{
+public:
+  explicit InTurn(VolumeSlices* slices) { current = slices; }
+  ~InTurn() { current = nullptr; }
+  InTurn(const InTurn&) = delete;
+  InTurn& operator=(const InTurn&) = delete;
+};
+
+bool isMoving(vtkRenderer* renderer)
+{
+  return renderer->GetRenderWindow()->GetDesiredUpdateRate() >= 1;
+}
+}
+
+VolumeSlices::VolumeSlices() = default;
+VolumeSlices::~VolumeSlices() = default;
+
+VolumeSlices* VolumeSlices::GetCurrent()
+{
+  return current;
+}
+
+void VolumeSlices::Draw(
+  vtkRenderer* renderer, const std::vector<vtkVolume*>& volumes, const Drawer& draw)
+{
+  auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
+  vtkOpenGLState* state = window->GetState();
+  state->vtkglGetIntegerv(GL_VIEWPORT, this->Viewport);
+  const SavedState saved(state);
+  const VolumePeel::Request request = { volumes.front()->GetMapper(), volumes.front() };
+  this->Peeled = VolumePeel::IsRequested(volumes.front());
+  if (this->Peeled)
+  {
+    if (!this->Outer.FindRanges(window, request, this->Viewport))
+    {
+      return;
+    }
+    this->Source = this->Outer.GetRanges();
+  }
+  else
+  {
+    this->Depth.Copy(window, this->Viewport);
+    this->Source = this->Depth.GetTexture();
+  }
+  this->Light.Begin(window, this->Viewport, 2); // clears
+  this->Light.End(window);
+  this->DrawSlices(renderer, volumes, draw);
+  state->vtkglViewport(this->Viewport[0], this->Viewport[1], this->Viewport[2], this->Viewport[3]);
+  if (this->Peeled)
+  {
+    this->Outer.Deliver(
+      window, request, this->Viewport, this->Light.GetTexture(0), this->Light.GetTexture(1));
+  }
+  else
+  {
+    state->vtkglDisable(GL_SCISSOR_TEST);
+    state->vtkglBlendEquation(GL_FUNC_ADD);
+    this->Light.Overlay(window, this->Viewport);
+  }
+}
+
+// From front to back. Without a peel two slices are drawn at once, as the two ranges of a peel.
+void VolumeSlices::DrawSlices(
+  vtkRenderer* renderer, const std::vector<vtkVolume*>& volumes, const Drawer& draw)
+{
+  auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
+  const std::vector<float> depths = depthsOfSlices(renderer,
+    overlapOf(renderer->GetActiveCamera(), volumes), isMoving(renderer) ? Count / 4 : Count);
+  const std::size_t step = this->Peeled ? 1 : 2, last = depths.size() - 1;
+  for (std::size_t i = 0; i < last; i += step)
+  {
+    const std::size_t next = this->Peeled ? i : std::min(i + 1, last);
+    this->Slice[0] = depths[i];
+    this->Slice[1] = depths[i + 1];
+    this->Slice[2] = depths[next];
+    this->Slice[3] = depths[std::min(next + 1, last)];
+    this->Sums.Begin(window, this->Viewport, 2); // clears
+    this->Sums.End(window);
+    const InTurn turn(this);
+    for (vtkVolume* volume : volumes)
+    {
+      window->GetState()->vtkglViewport(
+        this->Viewport[0], this->Viewport[1], this->Viewport[2], this->Viewport[3]);
+      draw(renderer, volume);
+    }
+    this->Lay(window);
+  }
+}
+
+void VolumeSlices::DrawTriangle()
+{
+  this->VertexArray->Bind();
+  glDrawArrays(GL_TRIANGLES, 0, 3);
+  this->VertexArray->Release();
+}
+
+vtkShaderProgram* VolumeSlices::ReadyRanges(vtkOpenGLRenderWindow* window)
+{
+  vtkShaderProgram* program =
+    window->GetShaderCache()->ReadyShaderProgram(wholeViewportVertex, SliceRangesFragment, "");
+  if (program)
+  {
+    this->Source->Activate();
+    program->SetUniformi("source", this->Source->GetTextureUnit());
+    program->SetUniformi("ofPeel", this->Peeled);
+    program->SetUniform4f("slice", this->Slice);
+    this->Source->Deactivate(); // the unit keeps it until another is bound there
+  }
+  return program;
+}
+
+void VolumeSlices::Take(
+  vtkOpenGLRenderWindow* window, vtkTextureObject* first, vtkTextureObject* second)
+{
+  vtkShaderProgram* program =
+    window->GetShaderCache()->ReadyShaderProgram(wholeViewportVertex, SliceSumsFragment, "");
+  if (!program)
+  {
+    return;
+  }
+  vtkOpenGLState* state = window->GetState();
+  const SavedState saved(state);
+  this->Sums.Begin(window, this->Viewport, 2, nullptr, FloatAccumulation::Keep);
+  state->vtkglDisable(GL_DEPTH_TEST);
+  state->vtkglDisable(GL_CULL_FACE);
+  state->vtkglEnable(GL_BLEND);
+  state->vtkglBlendEquation(GL_FUNC_ADD);
+  state->vtkglBlendFuncSeparate(GL_ONE, GL_ONE, GL_ONE, GL_ONE);
+  first->Activate();
+  second->Activate();
+  program->SetUniformi("firstLight", first->GetTextureUnit());
+  program->SetUniformi("secondLight", second->GetTextureUnit());
+  this->DrawTriangle();
+  first->Deactivate();
+  second->Deactivate();
+  this->Sums.End(window);
+}
+
+// Below the light of the slices before.
+void VolumeSlices::Lay(vtkOpenGLRenderWindow* window)
+{
+  vtkShaderProgram* program =
+    window->GetShaderCache()->ReadyShaderProgram(wholeViewportVertex, SliceLightFragment, "");
+  if (!program)
+  {
+    return;
+  }
+  vtkOpenGLState* state = window->GetState();
+  this->Light.Begin(window, this->Viewport, 2, nullptr, FloatAccumulation::Keep);
+  state->vtkglDisable(GL_DEPTH_TEST);
+  state->vtkglDisable(GL_CULL_FACE);
+  state->vtkglEnable(GL_BLEND);
+  state->vtkglBlendEquation(GL_FUNC_ADD);
+  state->vtkglBlendFuncSeparate(GL_ONE_MINUS_DST_ALPHA, GL_ONE, GL_ONE_MINUS_DST_ALPHA, GL_ONE);
+  vtkTextureObject *first = this->Sums.GetTexture(0), *second = this->Sums.GetTexture(1);
+  first->Activate();
+  second->Activate();
+  program->SetUniformi("firstSums", first->GetTextureUnit());
+  program->SetUniformi("secondSums", second->GetTextureUnit());
+  program->SetUniformi("ofPeel", this->Peeled);
+  this->DrawTriangle();
+  first->Deactivate();
+  second->Deactivate();
+  this->Light.End(window);
+}
+
+void VolumeSlices::ReleaseGraphicsResources(vtkWindow* window)
+{
+  this->Outer.ReleaseGraphicsResources(window);
+  this->Depth.ReleaseGraphicsResources(window);
+  this->Sums.ReleaseGraphicsResources(window);
+  this->Light.ReleaseGraphicsResources(window);
+  this->VertexArray->ReleaseGraphicsResources();
+}
+
+} // namespace nephoscope

@@ -1,0 +1,76 @@
+// SPDX-FileCopyrightText: The Nephoscope authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * Volumes that overlap in space and are drawn in different ways, such as cells and splats, in slices of depth.
+ *
+ * Every volume draws its part of a slice into an image of its own, as it answers a peel (VolumePeel.h). In a slice all of them are one
+ * medium: optical depths add, and each shines in proportion to its own. With colours and extinctions that are constant in a slice this is
+ * exact; where they change, the error falls with the square of the number of slices.
+ */
+#ifndef VolumeSlices_h
+#define VolumeSlices_h
+
+#include "FloatAccumulation.h"
+#include "OpaqueDepth.h"
+#include "VolumePeel.h"
+#include "vtkNephoscopeRepresentationsCommonModule.h" // for export macro
+#include "vtkNew.h"
+
+#include <functional>
+#include <vector>
+
+class vtkOpenGLRenderWindow;
+class vtkOpenGLVertexArrayObject;
+class vtkRenderer;
+class vtkShaderProgram;
+class vtkTextureObject;
+class vtkVolume;
+class vtkWindow;
+
+namespace nephoscope
+{
+
+class VTKNEPHOSCOPEREPRESENTATIONSCOMMON_EXPORT VolumeSlices
+{
+public:
+  VolumeSlices();
+  ~VolumeSlices();
+  VolumeSlices(const VolumeSlices&) = delete;
+  VolumeSlices& operator=(const VolumeSlices&) = delete;
+
+  using Drawer = std::function<void(vtkRenderer*, vtkVolume*)>;
+  /** Where the boxes of two volumes overlap there are so many slices; a quarter of them while the camera moves. */
+  static constexpr int Count = 32;
+
+  void Draw(vtkRenderer* renderer, const std::vector<vtkVolume*>& volumes, const Drawer& draw);
+
+  /** Those that are being drawn; null where there are none. */
+  static VolumeSlices* GetCurrent();
+  ///@{
+  /** What VolumePeel asks in place of a peeling pass. */
+  vtkShaderProgram* ReadyRanges(vtkOpenGLRenderWindow* window);
+  void Take(vtkOpenGLRenderWindow* window, vtkTextureObject* first, vtkTextureObject* second);
+  ///@}
+
+  void ReleaseGraphicsResources(vtkWindow* window);
+
+private:
+  void DrawSlices(
+    vtkRenderer* renderer, const std::vector<vtkVolume*>& volumes, const Drawer& draw);
+  void Lay(vtkOpenGLRenderWindow* window);
+  void DrawTriangle();
+
+  VolumePeel Outer; // of the pass that peels surfaces
+  OpaqueDepth Depth;
+  FloatAccumulation Sums;  // of a pair of slices: optical depth, and colours by it
+  FloatAccumulation Light; // of all before
+  vtkNew<vtkOpenGLVertexArrayObject> VertexArray; // without attributes
+  vtkTextureObject* Source = nullptr;             // ranges of the pass, or the opaque depth
+  bool Peeled = false;
+  int Viewport[4] = { 0, 0, 0, 0 };
+  float Slice[4] = { 0, 1, 0, 1 }; // depths, near and far, of a pair
+};
+
+} // namespace nephoscope
+
+#endif

@@ -1,0 +1,32 @@
+//VTK::System::Dec
+//VTK::Output::Dec
+// SPDX-FileCopyrightText: The Nephoscope authors
+// SPDX-License-Identifier: BSD-3-Clause
+// The depth ranges of a pair of slices, as those of a peel (see PeelRanges).
+//   in:  source: the opaque depth; with ofPeel the two ranges of a peel. slice: near and far depth of the first and of the second slice
+//   out: the part of the first range in the first slice, of the second in the second; as depth, a little less than the nearest of them
+uniform sampler2D source;
+uniform bool ofPeel;
+uniform vec4 slice;
+const vec2 nothing = vec2(1.0, 0.0);
+const float depthMargin = 1.0e-5; // more than a rasterizer errs in depth
+
+vec2 both(vec2 a, vec2 b)
+{
+  vec2 range = vec2(max(a.x, b.x), min(a.y, b.y));
+  return range.x < range.y ? range : nothing;
+}
+
+void main()
+{
+  vec4 texel = texelFetch(source, ivec2(gl_FragCoord.xy), 0);
+  vec4 ranges = ofPeel ? texel : vec4(0.0, texel.x, 0.0, texel.x);
+  vec2 first = both(ranges.xy, slice.xy);
+  vec2 second = both(ranges.zw, slice.zw);
+  if (first == nothing && second == nothing)
+  {
+    discard;
+  }
+  gl_FragData[0] = vec4(first, second);
+  gl_FragDepth = min(first.x, second.x) - depthMargin;
+}
