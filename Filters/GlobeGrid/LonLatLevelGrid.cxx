@@ -57,8 +57,9 @@ std::string MonotoneMessage(int axis, size_t index)
 {
   std::ostringstream text;
   text << "The " << AXIS_NAMES[axis]
-       << " axis must increase or decrease throughout, but does not at index " << index << ". Sort the "
-       << AXIS_NAMES[axis] << "s and remove repeated or missing ones before this filter.";
+       << " axis must increase or decrease throughout, but does not at index " << index
+       << ". Sort the " << AXIS_NAMES[axis]
+       << "s and remove repeated or missing ones before this filter.";
   return text.str();
 }
 
