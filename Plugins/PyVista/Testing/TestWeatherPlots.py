@@ -52,6 +52,11 @@ class Plots(unittest.TestCase):
         self.assertEqual([bar.GetOrientation() for bar in plotter.scalar_bars.values()], [1])  # upright, beside the globe
         self.assertEqual([plotter.scalar_bars[name].GetPosition()[0] > 0.88 for name in plotter.scalar_bars.keys()], [True])
 
+    def test_one_level_without_a_value(self):
+        level = forecast().isel({forecast().ta.dims[0]: 1})[["ta"]]
+        with self.assertRaisesRegex(ValueError, "the array 'ta' has no finite value"):
+            self.plotted(level * np.nan, None)
+
     def test_what_the_dataset_answers(self):
         for option in ({"height": "z"}, {"height_units": "m"}, {"level_units": "hPa"}):
             with self.subTest(option), self.assertRaisesRegex(TypeError, f"globe.. finds {next(iter(option))} by the variables"):

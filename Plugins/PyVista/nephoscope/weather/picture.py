@@ -7,7 +7,7 @@ import numpy as np
 import pyvista
 
 from .._blocks import cell_dimension
-from .._medium import default_scalars
+from .._medium import association_of, default_scalars
 from ..cells import add_cells
 from ..globe import EARTH_RADIUS, globe_surface
 
@@ -24,6 +24,7 @@ def plotted(grid: pyvista.DataSet, scalars: str | None, screenshot: str | None, 
         plotter.add_mesh(globe_surface(radius=_below(grid) if flat else EARTH_RADIUS), color=GROUND, lighting=True)
     if flat:  # one level
         name = default_scalars(grid)[1] if scalars is None else scalars
+        association_of(grid, name, "point", "scalars")  # an error without a finite value: VTK would end the process
         plotter.add_mesh(grid, scalars=name, **{"nan_opacity": 0, "lighting": False, "scalar_bar_args": BAR, **options})
     else:
         add_cells(plotter, grid, scalars, **{"scalar_bar_args": BAR, **options})
