@@ -47,6 +47,7 @@ struct vtkCellCompositingMapper::vtkInternals
   bool Peeled = false;       // the last render drew between translucent surfaces
   bool RaysAreWrong = false; // on the window's OpenGL
   bool Mixed = false;        // with other media, ray by ray
+  bool ProjectsFew = false;  // tetrahedra of one colour
   bool MediaRefused = false; // by the compiler of shaders
   vtkWeakPointer<vtkCellCompositingMapper>
     Picture; // drew the last one with other media, if not this mapper

@@ -154,6 +154,12 @@ bool vtkCellCompositingMapper::Prepare(
   this->Internals->Scene.ReadPolygons(input, *this->Contours);
   std::string error = this->ChooseWayOfDrawing(window);
   error = error.empty() ? this->UpdateGeometry(input, volume, progress.Part(0, 0.5)) : error;
+  const bool few = error.empty() && this->WouldProjectFew(volume);
+  if (error.empty() && few != this->Internals->ProjectsFew)
+  {
+    this->Internals->ProjectsFew = few;
+    error = this->UpdateGeometry(input, volume, progress.Part(0, 0.5));
+  }
   if (error.empty() && this->GetNumberOfTetrahedra() > 0)
   {
     error = this->PrepareScene(window, renderer, volume, progress.Part(0.5, 1));
@@ -198,7 +204,9 @@ std::string vtkCellCompositingMapper::UpdateGeometry(
     return error;
   }
   bool built = false;
-  const auto form = this->MayUseRays() ? CellGeometry::Form::Grid : CellGeometry::Form::Tetrahedra;
+  const auto form = this->MayUseHexahedra() ? CellGeometry::Form::Hexahedra
+    : this->MayUseRays()                    ? CellGeometry::Form::Grid
+                                            : CellGeometry::Form::Tetrahedra;
   withThreads([&]() {
     built = scene.UpdateGeometry(input, scalars, opacity, form, error, layers, progress);
   });
@@ -284,6 +292,7 @@ std::string vtkCellCompositingMapper::PrepareScene(vtkOpenGLRenderWindow* window
   options.Method = static_cast<CellMethod>(this->Method);
   options.AverageIntegration = this->Integration == AVERAGE_INTEGRATION;
   options.SplitAtControlPoints = this->SplitAtControlPoints;
+  options.Trilinear = this->CellInterpolation == TRILINEAR_INTERPOLATION;
   options.Eye = &scene.GetEyeTetrahedron();
   options.ExtinctionScale = this->OpacityScale / unitDistance;
   options.Haze = nephoscope::HazeView(renderer);
@@ -451,6 +460,7 @@ void vtkCellCompositingMapper::ShallowCopy(vtkAbstractMapper* other)
     this->SetBlendMode(mapper->BlendMode);
     this->SetMethod(mapper->Method);
     this->SetIntegration(mapper->Integration);
+    this->SetCellInterpolation(mapper->CellInterpolation);
     this->SetVisibilityOrder(mapper->VisibilityOrder);
     this->SetOpacityScale(mapper->OpacityScale);
     this->SetOpacityArrayName(mapper->OpacityArrayName);
@@ -468,6 +478,8 @@ void vtkCellCompositingMapper::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Method: " << methods[this->Method] << "\n";
   os << indent << "Integration: " << (this->Integration == EXACT_INTEGRATION ? "Exact" : "Average")
      << "\n";
+  os << indent << "CellInterpolation: "
+     << (this->CellInterpolation == TRILINEAR_INTERPOLATION ? "Trilinear" : "Tetrahedra") << "\n";
   const char* orders[] = { "Exact", "Centroid", "None" };
   os << indent << "VisibilityOrder: " << orders[this->VisibilityOrder] << "\n";
   os << indent << "OpacityScale: " << this->OpacityScale << "\n";

@@ -130,6 +130,27 @@ public:
   void SetIntegrationToAverage() { this->SetIntegration(AVERAGE_INTEGRATION); }
   ///@}
 
+  enum CellInterpolationType
+  {
+    TETRAHEDRA_INTERPOLATION = 0,
+    TRILINEAR_INTERPOLATION = 1
+  };
+  ///@{
+  /**
+   * The scalar inside hexahedra, voxels, wedges and pyramids, where it belongs to points. Default: tetrahedra.
+   * - Tetrahedra: linear in the tetrahedra into which cells are divided, by index in structured data, by coordinates in others, so that
+   *   the same cells stored in two ways give two pictures.
+   * - Trilinear: the field of VTK's cells, which favours no diagonal, however the cells are stored. Along a ray it is cut into pieces that
+   *   are linear to within 1/512 of the scalar's range. Unstructured cells need no list of tetrahedra then. For rays, without contour
+   *   surfaces, layers, polygons, an array for opacity, and other volumes in the same place, and in a mesh without cells of other
+   *   kinds; otherwise as tetrahedra.
+   */
+  vtkSetClampMacro(CellInterpolation, int, TETRAHEDRA_INTERPOLATION, TRILINEAR_INTERPOLATION);
+  vtkGetMacro(CellInterpolation, int);
+  void SetCellInterpolationToTetrahedra() { this->SetCellInterpolation(TETRAHEDRA_INTERPOLATION); }
+  void SetCellInterpolationToTrilinear() { this->SetCellInterpolation(TRILINEAR_INTERPOLATION); }
+  ///@}
+
   enum VisibilityOrderType
   {
     EXACT_ORDER = 0,
@@ -391,6 +412,7 @@ protected:
 
   int Method = AUTOMATIC_METHOD;
   int Integration = EXACT_INTEGRATION;
+  int CellInterpolation = TETRAHEDRA_INTERPOLATION;
   int VisibilityOrder = EXACT_ORDER;
   double OpacityScale = 1.0;
   std::string OpacityArrayName;
@@ -400,6 +422,8 @@ private:
   bool HasSurfacesOrLayers() const;
   bool MayUseRays() const;
   std::string ChooseWayOfDrawing(vtkOpenGLRenderWindow* window);
+  bool MayUseHexahedra() const;
+  bool WouldProjectFew(vtkVolume* volume) const;
   bool UsesRays() const;
   bool NeedsNoOrder() const;
   std::string UpdateGeometry(

@@ -7,13 +7,30 @@
 #include "CellCompositingInternals.h"
 #include "ContourSettings.h"
 #include "DrawingCheck.h"
+#include "OrderIndependence.h"
 
 #include "vtkDataSet.h"
+#include "vtkPiecewiseFunction.h"
+#include "vtkVolumeProperty.h"
 
 using nephoscope::CellGeometry;
 using nephoscope::CellScene;
 using nephoscope::checkLength;
 using nephoscope::withThreads;
+
+namespace
+{
+constexpr std::int64_t fewTetrahedra = 1 << 15;
+
+nephoscope::TransferFunctionTable tableOf(
+  vtkVolumeProperty* property, const CellGeometry& geometry)
+{
+  nephoscope::TransferFunctionTable table;
+  table.Build(property, geometry.ScalarRange,
+    nephoscope::TransferFunctionTable::Channels::ColorAndOpacity);
+  return table;
+}
+}
 
 void vtkCellCompositingMapper::SetMethod(int method)
 {
@@ -112,11 +129,30 @@ std::string vtkCellCompositingMapper::ChooseWayOfDrawing(vtkOpenGLRenderWindow* 
 // Where no order is needed, a few cells are projected in less time.
 bool vtkCellCompositingMapper::UsesRays() const
 {
-  constexpr std::int64_t few = 1 << 15;
   const CellGeometry& geometry = this->Internals->Scene.GetGeometry();
-  const bool many = !geometry.Grid.IsEmpty() || geometry.NumberOfTetrahedra() > few;
+  const bool many = !geometry.Grid.IsEmpty() || !geometry.Hexahedra.empty() ||
+    geometry.NumberOfTetrahedra() > fewTetrahedra;
   return this->MayUseRays() &&
     (this->Method == RAY_METHOD || many || this->Internals->Mixed || !this->NeedsNoOrder());
+}
+
+// As hexahedra where rays can do all that is asked for, unless a few cells of one colour are projected.
+bool vtkCellCompositingMapper::MayUseHexahedra() const
+{
+  return this->MayUseRays() && this->CellInterpolation == TRILINEAR_INTERPOLATION &&
+    !this->Internals->Mixed && !this->Internals->ProjectsFew && !this->HasSurfacesOrLayers();
+}
+
+bool vtkCellCompositingMapper::WouldProjectFew(vtkVolume* volume) const
+{
+  const CellScene& scene = this->Internals->Scene;
+  const CellGeometry& geometry = scene.GetGeometry();
+  return this->CellInterpolation == TRILINEAR_INTERPOLATION && this->Method == AUTOMATIC_METHOD &&
+    geometry.Grid.IsEmpty() &&
+    geometry.NumberOfTetrahedra() <= fewTetrahedra && !this->HasSurfacesOrLayers() &&
+    volume->GetProperty()->GetScalarOpacity()->GetSize() > 0 &&
+    nephoscope::hasOneColor(tableOf(volume->GetProperty(), geometry), 0.0f,
+      geometry.SingleScalar ? 0.0f : 1.0f);
 }
 
 bool vtkCellCompositingMapper::NeedsNoOrder() const

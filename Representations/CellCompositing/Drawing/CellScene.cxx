@@ -4,6 +4,7 @@
 
 #include "ClearDistances.h"
 #include "ContourSettings.h"
+#include "HexahedronNeighbors.h"
 #include "OrderIndependence.h"
 #include "VisibleGridCells.h"
 
@@ -15,6 +16,7 @@
 #include "vtkVolumeProperty.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 
 namespace nephoscope
@@ -114,7 +116,15 @@ bool CellScene::UpdateMethod(Method method, const Progress& progress)
   this->CurrentMethod = method;
   this->Neighbors.Clear();
   this->Drawn.clear();
-  if (method == Method::Rays && this->Geometry.Grid.IsEmpty())
+  if (method == Method::Rays && !this->Geometry.Hexahedra.empty())
+  {
+    if (!findHexahedronNeighbors(this->Geometry, this->Neighbors, progress))
+    {
+      this->TopologyKey = {};
+      return false;
+    }
+  }
+  else if (method == Method::Rays && this->Geometry.Grid.IsEmpty())
   {
     if (!this->Order.IsConnected() && !this->Order.Connect(this->Geometry, progress))
     {
@@ -290,7 +300,7 @@ CellScene::Cycles CellScene::CountCycles(const std::function<CellGeometry()>& ma
   }
   if (this->CountedKey != this->KeyOf(OrderMethod::Exact))
   {
-    const bool grid = !this->Geometry.Grid.IsEmpty();
+    const bool grid = !this->Geometry.Grid.IsEmpty() || !this->Geometry.Hexahedra.empty();
     const CellGeometry made = grid ? makeTetrahedra() : CellGeometry();
     const CellGeometry& geometry = grid ? made : this->Geometry;
     VisibilityOrder connected;
@@ -324,7 +334,9 @@ void CellScene::UpdateDrawn()
       this->Polygons.Version });
   if (visible)
   {
-    grid ? this->FindVisibleOfGrid() : this->FindVisible();
+    grid                                  ? this->FindVisibleOfGrid()
+      : this->Geometry.Hexahedra.empty() ? this->FindVisible()
+                                         : this->FindVisibleHexahedra();
   }
   bool drawn = false;
   if (this->CurrentMethod == Method::Projection)
@@ -384,6 +396,30 @@ void CellScene::FindVisible()
       }
     });
   this->NumberOfVisible = std::count(this->Visible.begin(), this->Visible.end(), std::uint8_t(1));
+}
+
+void CellScene::FindVisibleHexahedra()
+{
+  const CellGeometry& geometry = this->Geometry;
+  const std::size_t n = geometry.Hexahedra.size();
+  std::atomic<std::int64_t> visible(0);
+  vtkSMPTools::For(0, static_cast<vtkIdType>(n), [&](vtkIdType begin, vtkIdType end) {
+    std::int64_t count = 0;
+    for (std::size_t i = static_cast<std::size_t>(begin); i < static_cast<std::size_t>(end); ++i)
+    {
+      Hexahedron vertices = geometry.Hexahedra[i];
+      std::array<float, 8> s;
+      std::transform(vertices.begin(), vertices.end(), s.begin(), [&](std::int32_t p) {
+        return geometry.CellScalars.empty() ? geometry.Points[static_cast<std::size_t>(p)].Scalar
+                                            : geometry.CellScalars[i];
+      });
+      const auto range = std::minmax_element(s.begin(), s.end());
+      count += !this->Opacities[0].IsTransparent(*range.first, *range.second);
+    }
+    visible += count;
+  });
+  // As many tetrahedra as they could be divided into, on average.
+  this->NumberOfVisible = n == 0 ? 0 : visible * geometry.TetrahedraOfHexahedra / static_cast<std::int64_t>(n);
 }
 
 void CellScene::FindVisibleOfGrid()

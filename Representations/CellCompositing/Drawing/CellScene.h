@@ -166,6 +166,7 @@ private:
   bool ListDrawn();
   void FindVisible();
   void FindVisibleOfGrid();
+  void FindVisibleHexahedra();
   void BuildTables(const std::vector<vtkVolumeProperty*>& properties);
   void FindTablesOfTetrahedra(const std::vector<int>& layers);
   using VertexNumbersOf = std::array<std::int64_t, 4>;

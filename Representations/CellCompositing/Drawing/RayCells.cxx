@@ -7,6 +7,7 @@
 #include "CellBuffers.h"
 #include "CellDrawing.h"
 #include "CellGeometry.h"
+#include "ContourBuffers.h"
 #include "EyeTetrahedron.h"
 #include "MovedView.h"
 #include "RayGeometry.h"
@@ -15,12 +16,18 @@
 #include "TetrahedronNeighbors.h"
 
 #include "ChessboardTopologyShader.h"
+#include "CubicPiecesShader.h"
 #include "EntryFacesFragment.h"
 #include "EntryFacesVertex.h"
+#include "GridHexahedraShader.h"
+#include "HexahedronWalkShader.h"
+#include "ListedHexahedraShader.h"
 #include "NeighborTopologyShader.h"
+#include "PixelRayShader.h"
 #include "RayCellsFragment.h"
 #include "RayCellsVertex.h"
 #include "RayContoursShader.h"
+#include "RayHexahedraFragment.h"
 #include "RayMediumShader.h"
 #include "RayRangeShader.h"
 #include "RaySegmentsShader.h"
@@ -58,7 +65,16 @@ std::string withParts(const std::string& shader, bool structured)
   return withShaderParts(shader,
     { { "Topology", structured ? ChessboardTopologyShader : NeighborTopologyShader },
       { "TetrahedronWalk", TetrahedronWalkShader }, { "RaySegments", RaySegmentsShader },
-      { "RayRange", RayRangeShader }, { "RayContours", RayContoursShader } });
+      { "RayRange", RayRangeShader }, { "PixelRay", PixelRayShader },
+      { "RayContours", RayContoursShader } });
+}
+
+std::string hexahedraShader(bool structured)
+{
+  return withShaderParts(RayHexahedraFragment,
+    { { "Topology", structured ? GridHexahedraShader : ListedHexahedraShader }, { "HexahedronWalk", HexahedronWalkShader },
+      { "CubicPieces", CubicPiecesShader }, { "RaySegments", RaySegmentsShader },
+      { "RayRange", RayRangeShader }, { "PixelRay", PixelRayShader } });
 }
 }
 
@@ -79,7 +95,20 @@ std::string RayCells::UploadGeometry(vtkOpenGLRenderWindow* window, const CellGe
       error = buffer.Upload(window, values.data(), values.size(), components, type);
     }
   };
-  upload(this->Neighbors, neighbors.WithNextVertices(geometry), 2, VTK_INT);
+  this->HasHexahedra = !geometry.Hexahedra.empty();
+  if (this->HasHexahedra)
+  {
+    upload(this->Neighbors, neighbors.Neighbors, 1, VTK_INT);
+    const std::size_t vertices = 8 * geometry.Hexahedra.size();
+    error = error.empty()
+      ? this->Hexahedra.Upload(window, geometry.Hexahedra.data(), vertices, 1, VTK_INT)
+      : error;
+  }
+  else
+  {
+    upload(this->Neighbors, neighbors.WithNextVertices(geometry), 2, VTK_INT);
+    this->Hexahedra.Release(window);
+  }
   upload(this->VertexSums, neighbors.VertexSums, 1, VTK_INT);
   upload(this->HiddenCells, geometry.HiddenCells, 1, VTK_UNSIGNED_CHAR);
   return error.empty() ? this->Voxels.UploadScalars(window, geometry) : error;
@@ -149,6 +178,15 @@ std::string RayCells::OwnConstants() const
     shaderConstant("closedGrid", this->Box.IsClosed(this->Grid));
 }
 
+// In which the scalar is trilinear.
+bool RayCells::DrawsHexahedra(const CellDrawing& drawing) const
+{
+  return this->HasHexahedra ||
+    (drawing.Options.Trilinear && !this->Grid.IsEmpty() && !drawing.Contours.IsUsed() &&
+      !drawing.Contours.HasPolygons() && !drawing.Buffers.HasLayers() &&
+      !drawing.Buffers.HasOpacityScalars());
+}
+
 bool RayCells::ReadyEntryProgram(const CellDrawing& drawing)
 {
   this->EntryProgram = drawing.Window->GetShaderCache()->ReadyShaderProgram(
@@ -163,7 +201,9 @@ bool RayCells::ReadySegmentProgram(const CellDrawing& drawing)
 {
   const std::string constants =
     drawing.Buffers.SmallTableDefinition() + drawing.ShaderConstants() + this->OwnConstants();
-  const std::string text = withParts(RayCellsFragment, !this->Grid.IsEmpty());
+  const std::string text = this->DrawsHexahedra(drawing)
+    ? hexahedraShader(!this->Grid.IsEmpty())
+    : withParts(RayCellsFragment, !this->Grid.IsEmpty());
   this->SegmentProgram = drawing.Window->GetShaderCache()->ReadyShaderProgram(
     RayCellsVertex, specializedShader(text, constants).c_str(), "");
   return this->SegmentProgram != nullptr;
@@ -313,7 +353,9 @@ void RayCells::SetTopology(vtkShaderProgram* program, int instance)
   if (this->Grid.IsEmpty())
   {
     program->SetUniformi(name("neighbors"), this->Neighbors.Activate());
-    program->SetUniformi(name("vertexSums"), this->VertexSums.Activate());
+    BufferTexture& vertices = this->HasHexahedra ? this->Hexahedra : this->VertexSums;
+    program->SetUniformi(
+      name(this->HasHexahedra ? "hexahedra" : "vertexSums"), vertices.Activate());
     return;
   }
   const int stride[3] = { 1, this->Grid.Size[0], this->Grid.Size[0] * this->Grid.Size[1] };
@@ -329,7 +371,8 @@ void RayCells::SetTopology(vtkShaderProgram* program, int instance)
 void RayCells::DeactivateTopology()
 {
   for (BufferTexture* buffer :
-    { &this->Neighbors, &this->VertexSums, &this->BoundaryFaces, &this->HiddenCells })
+    { &this->Neighbors, &this->VertexSums, &this->Hexahedra, &this->BoundaryFaces,
+      &this->HiddenCells })
   {
     buffer->Deactivate();
   }
@@ -453,6 +496,7 @@ void RayCells::SetEye(const EyeTetrahedron& eye, vtkShaderProgram* program, int 
   const auto name = [=](const char* uniform) { return instanceName(uniform, instance); };
   program->SetUniform1iv(name("eyeVertices"), 4, eye.Vertices.data());
   program->SetUniform1iv(name("eyePlace"), 4, eye.Place.data());
+  program->SetUniform1iv(name("eyeHexahedron"), 4, eye.Hexahedron.data());
   const float scalars[2] = { eye.Scalar, eye.Opacity };
   program->SetUniform2f(name("eyeScalars"), scalars);
   program->SetUniform4f(name("eyeWeights"), eye.Weights.data());
@@ -462,7 +506,8 @@ void RayCells::ReleaseGraphicsResources(vtkWindow* window)
 {
   this->Voxels.ReleaseGraphicsResources(window);
   for (BufferTexture* buffer :
-    { &this->Neighbors, &this->VertexSums, &this->BoundaryFaces, &this->HiddenCells })
+    { &this->Neighbors, &this->VertexSums, &this->Hexahedra, &this->BoundaryFaces,
+      &this->HiddenCells })
   {
     buffer->Release(window);
   }

@@ -81,6 +81,7 @@ private:
   std::string DrawFrom(const CellDrawing& drawing);
   void Allocate(const CellDrawing& drawing);
   std::string OwnConstants() const;
+  bool DrawsHexahedra(const CellDrawing& drawing) const;
   bool ReadyEntryProgram(const CellDrawing& drawing);
   bool ReadySegmentProgram(const CellDrawing& drawing);
   /** The walk as one of several in a shader (ShaderInstance.h). */
@@ -101,7 +102,7 @@ private:
   void SetRays(const CellDrawing& drawing, vtkShaderProgram* program, int instance = -1);
 
   RayVoxels Voxels; // draws instead where it can
-  BufferTexture Neighbors, VertexSums, BoundaryFaces, HiddenCells;
+  BufferTexture Neighbors, VertexSums, Hexahedra, BoundaryFaces, HiddenCells;
   ChessboardGrid Grid; // empty: another mesh
   CellBox Box;
   std::array<float, 2> ClearRange = { { 1, 0 } };
@@ -109,6 +110,7 @@ private:
   std::size_t NumberOfBoundaryFaces = 0; // where rays enter
   std::size_t NumberOfJumps = 0;         // faces after them, where rays go on
   bool HasHiddenCells = false;
+  bool HasHexahedra = false;
   PointBounds Bounds; // of the boundary
   double Radius = 0;  // of the points about their centre
 

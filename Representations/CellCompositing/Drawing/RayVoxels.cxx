@@ -10,6 +10,7 @@
 #include "RayGeometry.h"
 #include "ShaderText.h"
 
+#include "CubicPiecesShader.h"
 #include "RayCellsVertex.h"
 #include "RayRangeShader.h"
 #include "RaySegmentsShader.h"
@@ -34,10 +35,11 @@ namespace
 std::string voxelShader(const CellDrawing& drawing)
 {
   const std::string walk = withShaderParts(RayVoxelsFragment,
-    { { "VoxelWalk", VoxelWalkShader }, { "RayRange", RayRangeShader },
+    { { "VoxelWalk", VoxelWalkShader }, { "CubicPieces", CubicPiecesShader }, { "RayRange", RayRangeShader },
       { "RaySegments", RaySegmentsShader } });
   return specializedShader(
-    walk, drawing.Buffers.SmallTableDefinition() + drawing.ShaderConstants());
+    walk, drawing.Buffers.SmallTableDefinition() + drawing.ShaderConstants() +
+      shaderConstant("trilinear", drawing.Options.Trilinear));
 }
 }
 

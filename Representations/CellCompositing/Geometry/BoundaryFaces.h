@@ -9,7 +9,9 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 namespace nephoscope
@@ -18,16 +20,42 @@ namespace nephoscope
 /** Three vertices, and what is inside: a vertex, or a tetrahedron. */
 using BoundaryFace = std::array<std::int32_t, 4>;
 
-/** Makes the first three vertices run counterclockwise for who looks from outside, the fourth vertex being inside. The first one stays. */
-inline void turnOutwards(const CellGeometry& geometry, BoundaryFace& face)
+/** False for a face that neither pixels nor float tell from an edge. */
+inline bool hasExtent(const CellGeometry& geometry, const BoundaryFace& face)
+{
+  const Vector3 a = geometry.Position(face[0]), b = geometry.Position(face[1]),
+                c = geometry.Position(face[2]);
+  const Vector3 edges[3] = { difference(b, a), difference(c, b), difference(a, c) };
+  const Vector3 normal = cross(edges[0], edges[1]);
+  const double longest =
+    std::max({ dot(edges[0], edges[0]), dot(edges[1], edges[1]), dot(edges[2], edges[2]) });
+  double largest = 0;
+  for (const Vector3& p : { a, b, c })
+  {
+    largest = std::max({ largest, std::abs(p[0]), std::abs(p[1]), std::abs(p[2]) });
+  }
+  constexpr double thinnest = 1e-6; // height by length
+  const double rounding = 0.5 * std::numeric_limits<float>::epsilon() * largest;
+  return dot(normal, normal) >
+    longest * std::min(rounding * rounding, thinnest * thinnest * longest);
+}
+
+/** Makes the first three vertices run counterclockwise for who looks from outside. The first one stays. */
+inline void turnOutwards(const CellGeometry& geometry, BoundaryFace& face, const Vector3& inside)
 {
   const Vector3 a = geometry.Position(face[0]);
   const Vector3 normal =
     cross(difference(geometry.Position(face[1]), a), difference(geometry.Position(face[2]), a));
-  if (dot(normal, difference(geometry.Position(face[3]), a)) > 0)
+  if (dot(normal, difference(inside, a)) > 0)
   {
     std::swap(face[1], face[2]);
   }
+}
+
+/** The same, the fourth vertex being inside. */
+inline void turnOutwards(const CellGeometry& geometry, BoundaryFace& face)
+{
+  turnOutwards(geometry, face, geometry.Position(face[3]));
 }
 
 /** Cells from `Low` to `High` along each axis, both included. */

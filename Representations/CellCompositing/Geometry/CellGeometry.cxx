@@ -64,8 +64,11 @@ std::string CellGeometry::Build(vtkDataSet* data, const ScalarSelection& scalars
   const bool copied = this->CopyPoints(data, progress.Part(0, 0.1)) &&
     this->CopyScalars(data, scalars, progress.Part(0.1, 0.2)) &&
     this->CopyOpacityScalars(data, opacity, progress.Part(0.2, 0.3));
-  const bool grid = copied && form == Form::Grid && this->UseGrid(data, scalars, opacity);
-  if (!copied || (!grid && !this->Decompose(data, scalars, opacity, progress.Part(0.3, 1))))
+  const bool grid = copied && form != Form::Tetrahedra && this->UseGrid(data, scalars, opacity);
+  const bool implied = grid ||
+    (copied && form == Form::Hexahedra &&
+      this->UseHexahedra(data, scalars, opacity, progress.Part(0.3, 1)));
+  if (!copied || (!implied && !this->Decompose(data, scalars, opacity, progress.Part(0.3, 1))))
   {
     this->Clear();
     this->Stopped = true;

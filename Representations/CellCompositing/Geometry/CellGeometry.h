@@ -12,6 +12,7 @@
 
 #include "ChessboardGrid.h"
 #include "GridLattice.h"
+#include "HexahedronCells.h"
 #include "ProgressLoop.h"
 #include "ScalarSelection.h"
 #include "TetrahedronRay.h"
@@ -41,7 +42,8 @@ public:
   enum class Form
   {
     Tetrahedra, ///< always listed
-    Grid        ///< of structured data only the grid is kept, which implies the tetrahedra
+    Grid,       ///< of structured data only the grid is kept, which implies the tetrahedra
+    Hexahedra   ///< the same, and cells of others are kept as hexahedra where they can be
   };
 
   /**
@@ -67,11 +69,13 @@ public:
   bool Stopped = false; ///< the last Build was told to stop
   std::vector<Point> Points;
   std::vector<Tetrahedron> Tetrahedra;
+  std::vector<Hexahedron> Hexahedra; ///< in place of the list of tetrahedra unless it is empty
+  std::int64_t TetrahedraOfHexahedra = 0; ///< into how many these could be divided
   GridLattice Lattice; ///< of the grid, where it is evenly spaced
   ChessboardGrid Grid; ///< takes the place of the list of tetrahedra unless it is empty
   std::vector<std::uint8_t> HiddenCells; ///< of the grid, 255: not drawn; empty: all are drawn
   std::vector<float>
-    CellScalars; ///< one per tetrahedron (per cell of the grid), normalised; empty for point scalars
+    CellScalars; ///< one per tetrahedron (hexahedron, cell of the grid), normalised; empty for point scalars
   double Center[3] = { 0, 0, 0 };
   double ScalarRange[2] = { 0, 1 }; ///< what 0 and 1 of the normalised scalars stand for
   bool SingleScalar = false;        ///< all values are that of 0
@@ -82,7 +86,7 @@ public:
     OpacityScalars; ///< one per point, or per tetrahedron if OpacityOnCells; normalised
   double OpacityRange[2] = { 0, 1 };
 
-  /** The cell of the dataset for each tetrahedron; empty where tetrahedron i is that of cell i, and for a grid. */
+  /** The cell of the dataset for each tetrahedron or hexahedron; empty where number i is that of cell i, and for a grid. */
   std::vector<std::int32_t> Cells;
   std::vector<std::int32_t>
     Layers; ///< of each tetrahedron's cell, or of each cell of the grid; empty without a layer array
@@ -119,6 +123,10 @@ private:
     std::vector<float>& values, const Progress& progress) const;
   bool ValuesAreFinite() const;
   bool UseGrid(vtkDataSet* data, const ScalarSelection& scalars, const ScalarSelection& opacity);
+  bool UseHexahedra(vtkDataSet* data, const ScalarSelection& scalars,
+    const ScalarSelection& opacity, const Progress& progress);
+  bool FillHexahedra(
+    vtkDataSet* data, const std::vector<std::int32_t>& first, const Progress& progress);
   bool FindSeam();
   bool FindLattice();
   void FindHiddenCells(

@@ -46,11 +46,11 @@ bool CellGeometry::CopyOpacityScalars(
   });
 }
 
-// Each tetrahedron has the value of its cell.
+// Each tetrahedron or hexahedron has the value of its cell.
 bool CellGeometry::CopyCellValues(const ScalarSelection& scalars, const double range[2],
   std::vector<float>& values, const Progress& progress) const
 {
-  values.resize(this->Tetrahedra.size());
+  values.resize(this->Tetrahedra.size() + this->Hexahedra.size());
   return forEach(values.size(), progress, [&](std::size_t i) {
     const vtkIdType cell = this->Cells.empty() ? static_cast<vtkIdType>(i) : this->Cells[i];
     values[i] = normalized(scalars, cell, range);
@@ -69,7 +69,7 @@ bool CellGeometry::ValuesAreFinite() const
 bool CellGeometry::UpdateValues(vtkDataSet* data, const ScalarSelection& scalars,
   const ScalarSelection& opacity, bool ofColor, bool ofOpacity)
 {
-  if (!this->Grid.IsEmpty() || this->Tetrahedra.empty() || this->NumberOfInvalidCells > 0)
+  if (!this->Grid.IsEmpty() || (this->Tetrahedra.empty() && this->Hexahedra.empty()) || this->NumberOfInvalidCells > 0)
   {
     return false;
   }

@@ -160,8 +160,8 @@ bool findShortestEdges(const CellGeometry& geometry, const std::vector<std::int3
     shortest[static_cast<std::size_t>(pair.first)] =
       shortest[static_cast<std::size_t>(pair.second)] = std::numeric_limits<float>::max();
   }
-  return forEachInTurn(geometry.Tetrahedra.size(), progress, [&](std::size_t i) {
-    for (const std::int32_t vertex : geometry.Tetrahedra[i])
+  const auto visit = [&](const auto& vertices) {
+    for (const std::int32_t vertex : vertices)
     {
       const std::int32_t place = places[static_cast<std::size_t>(vertex)];
       float& length = shortest[static_cast<std::size_t>(place)];
@@ -169,7 +169,7 @@ bool findShortestEdges(const CellGeometry& geometry, const std::vector<std::int3
       {
         continue;
       }
-      for (const std::int32_t other : geometry.Tetrahedra[i])
+      for (const std::int32_t other : vertices)
       {
         const float distance =
           static_cast<float>(distanceBetween(geometry.Points[static_cast<std::size_t>(vertex)],
@@ -177,7 +177,11 @@ bool findShortestEdges(const CellGeometry& geometry, const std::vector<std::int3
         length = distance > 0 ? std::min(length, distance) : length;
       }
     }
-  });
+  };
+  return forEachInTurn(geometry.Tetrahedra.size(), progress.Part(0, 0.5),
+           [&](std::size_t i) { visit(geometry.Tetrahedra[i]); }) &&
+    forEachInTurn(geometry.Hexahedra.size(), progress.Part(0.5, 1),
+      [&](std::size_t i) { visit(geometry.Hexahedra[i]); });
 }
 
 /** Joins numbers to groups, each under its lowest number. */

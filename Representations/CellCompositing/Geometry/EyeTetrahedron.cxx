@@ -103,7 +103,7 @@ EyeTetrahedron describe(const CellGeometry& geometry, const TetrahedronNeighbors
     result.Opacity += second ? float(weights[k] * geometry.OpacityScalars[point]) : 0.0f;
   }
   result.Opacity = second ? result.Opacity : result.Scalar;
-  result.Place[0] = std::int32_t(number);
+  result.Place[0] = std::int32_t(geometry.Hexahedra.empty() ? number : number / 6);
   if (!geometry.Grid.IsEmpty())
   {
     const std::array<int, 3> cell =
@@ -112,8 +112,122 @@ EyeTetrahedron describe(const CellGeometry& geometry, const TetrahedronNeighbors
     result.Place[3] =
       number % ChessboardGrid::TetrahedraPerCell == 0 ? -1 : std::int32_t(vertices[0]);
   }
+  result.Hexahedron = result.Place;
   return result;
 }
+
+/** How far a position is inside of a hexahedron with bilinear faces, in fractions of its width; negative: outside. */
+double depthInHexahedron(const std::array<Vector3, 8>& p, const Vector3& x)
+{
+  constexpr double outside = -1e30;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    const auto less = [axis](const Vector3& a, const Vector3& b) { return a[axis] < b[axis]; };
+    const auto range = std::minmax_element(p.begin(), p.end(), less);
+    if (x[axis] < (*range.first)[axis] || x[axis] > (*range.second)[axis])
+    {
+      return outside;
+    }
+  }
+  Vector3 place = { 0.5, 0.5, 0.5 };
+  for (int i = 0; i < 16; ++i)
+  {
+    Vector3 away = x;
+    std::array<Vector3, 3> along = {}; // the directions in which the place grows
+    for (std::size_t c = 0; c < 8; ++c)
+    {
+      double weight[3], slope[3];
+      for (std::size_t k = 0; k < 3; ++k)
+      {
+        const bool high = (c >> k & 1) != 0;
+        weight[k] = high ? place[k] : 1 - place[k];
+        slope[k] = high ? 1 : -1;
+      }
+      for (std::size_t axis = 0; axis < 3; ++axis)
+      {
+        away[axis] -= weight[0] * weight[1] * weight[2] * p[c][axis];
+        along[0][axis] += slope[0] * weight[1] * weight[2] * p[c][axis];
+        along[1][axis] += weight[0] * slope[1] * weight[2] * p[c][axis];
+        along[2][axis] += weight[0] * weight[1] * slope[2] * p[c][axis];
+      }
+    }
+    const double volume = dot(along[0], cross(along[1], along[2]));
+    if (!(std::abs(volume) > 0))
+    {
+      return outside;
+    }
+    for (std::size_t k = 0; k < 3; ++k)
+    {
+      const double step = dot(away, cross(along[(k + 1) % 3], along[(k + 2) % 3])) / volume;
+      place[k] = std::max(-1.0, std::min(2.0, place[k] + step));
+    }
+  }
+  return std::min({ place[0], place[1], place[2], 1 - place[0], 1 - place[1], 1 - place[2] });
+}
+
+/** The deepest of those cells around the start that are not outside. */
+class HexahedronSearch
+{
+public:
+  HexahedronSearch(const CellGeometry& geometry, EyeTetrahedron& eye)
+    : Geometry(geometry)
+    , Eye(eye)
+    , Start({ eye.Start[0], eye.Start[1], eye.Start[2] })
+  {
+  }
+
+  void InList()
+  {
+    const std::vector<Hexahedron>& cells = this->Geometry.Hexahedra;
+    for (std::size_t i = 0; i < cells.size(); ++i)
+    {
+      this->Offer({ { std::int32_t(i), 0, 0, 0 } },
+        [&](std::size_t corner) { return cells[i][corner]; });
+    }
+  }
+
+  void InGrid()
+  {
+    const ChessboardGrid& grid = this->Geometry.Grid;
+    const std::array<std::int32_t, 4> middle = this->Eye.Place;
+    for (int neighbor = 0; neighbor < 27; ++neighbor)
+    {
+      std::array<std::int32_t, 4> c = { { middle[0] + neighbor % 3 - 1,
+        middle[1] + neighbor / 3 % 3 - 1, middle[2] + neighbor / 9 - 1, -1 } };
+      c[0] = grid.WrapCells > 0 ? (c[0] + grid.WrapCells) % grid.WrapCells : c[0];
+      if (c[0] >= 0 && c[1] >= 0 && c[2] >= 0 && c[0] < grid.Size[0] - 1 &&
+        c[1] < grid.Size[1] - 1 && c[2] < grid.Size[2] - 1)
+      {
+        this->Offer(c, [&](std::size_t corner) {
+          return std::int32_t(grid.PointNumber(c[0] + int(corner & 1), c[1] + int(corner >> 1 & 1),
+            c[2] + int(corner >> 2 & 1)));
+        });
+      }
+    }
+  }
+
+private:
+  template <typename VertexOf>
+  void Offer(const std::array<std::int32_t, 4>& place, VertexOf vertexOf)
+  {
+    std::array<Vector3, 8> p;
+    for (std::size_t corner = 0; corner < 8; ++corner)
+    {
+      p[corner] = this->Geometry.Position(vertexOf(corner));
+    }
+    const double depth = depthInHexahedron(p, this->Start);
+    if (depth > this->Deepest)
+    {
+      this->Deepest = depth;
+      this->Eye.Hexahedron = place;
+    }
+  }
+
+  const CellGeometry& Geometry;
+  EyeTetrahedron& Eye;
+  Vector3 Start;
+  double Deepest = -1e-3;
+};
 
 constexpr double inFace =
   1e-7; // barycentric coordinate: the start keeps more distance from the faces of its own tetrahedron
@@ -129,6 +243,22 @@ bool holds(const CellGeometry& geometry, std::int64_t number, const Vector4& sta
   return std::all_of(q.begin(), q.end(), [](double x) { return x >= -inFace; });
 }
 
+/** Where hexahedra meet: what they have in common is not divided the same way, so that parts may overlap by the bend of a face. */
+bool isBeside(const CellGeometry& geometry, const TetrahedronNeighbors& neighbors,
+  std::int64_t part, std::int64_t other)
+{
+  if (geometry.Hexahedra.empty())
+  {
+    return false;
+  }
+  const Hexahedron& a = geometry.Hexahedra[std::size_t(part / 6)];
+  const Hexahedron& b = geometry.Hexahedra[std::size_t(other / 6)];
+  return std::any_of(a.begin(), a.end(), [&](std::int32_t p) {
+    return std::any_of(b.begin(), b.end(),
+      [&](std::int32_t q) { return neighbors.Merged(p) == neighbors.Merged(q); });
+  });
+}
+
 /** The other tetrahedra that hold the start; of those that meet in a face, an edge or a vertex there, one. */
 std::vector<EyeTetrahedron> findOverlapping(const CellGeometry& geometry,
   const TetrahedronNeighbors& neighbors, std::int64_t own, const Vector3& position)
@@ -138,7 +268,7 @@ std::vector<EyeTetrahedron> findOverlapping(const CellGeometry& geometry,
   vtkSMPTools::For(0, geometry.CountTetrahedra(), [&](vtkIdType begin, vtkIdType end) {
     for (vtkIdType i = begin; i < end; ++i)
     {
-      if (i != own && holds(geometry, i, start))
+      if (i != own && !isBeside(geometry, neighbors, i, own) && holds(geometry, i, start))
       {
         parts.Local().push_back(i);
       }
@@ -189,6 +319,8 @@ EyeTetrahedron findEyeTetrahedron(
     return result;
   }
   result = describe(geometry, neighbors, found.Number, found.Start.Position, found.Start.Weights);
+  geometry.Grid.IsEmpty() ? HexahedronSearch(geometry, result).InList()
+                          : HexahedronSearch(geometry, result).InGrid();
   if (geometry.Grid.IsEmpty())
   {
     result.Overlapping = findOverlapping(geometry, neighbors, found.Number, found.Start.Position);

@@ -30,6 +30,10 @@ bool hasInvalid(const std::vector<float>& values)
 
 std::int64_t CellGeometry::NumberOfTetrahedra() const
 {
+  if (!this->Hexahedra.empty())
+  {
+    return this->TetrahedraOfHexahedra;
+  }
   if (this->Grid.IsEmpty())
   {
     return static_cast<std::int64_t>(this->Tetrahedra.size());
@@ -41,12 +45,22 @@ std::int64_t CellGeometry::NumberOfTetrahedra() const
 
 std::int64_t CellGeometry::CountTetrahedra() const
 {
+  if (!this->Hexahedra.empty())
+  {
+    return 6 * static_cast<std::int64_t>(this->Hexahedra.size());
+  }
   return this->Grid.IsEmpty() ? static_cast<std::int64_t>(this->Tetrahedra.size())
                               : ChessboardGrid::TetrahedraPerCell * this->Grid.NumberOfCells();
 }
 
 std::array<std::int64_t, 4> CellGeometry::PointNumbers(std::int64_t tetrahedron) const
 {
+  if (!this->Hexahedra.empty())
+  {
+    const Hexahedron& h = this->Hexahedra[static_cast<std::size_t>(tetrahedron / 6)];
+    const auto part = hexahedronPart(static_cast<int>(tetrahedron % 6));
+    return { { h[part[0]], h[part[1]], h[part[2]], h[part[3]] } };
+  }
   if (this->Grid.IsEmpty())
   {
     const Tetrahedron& t = this->Tetrahedra[static_cast<std::size_t>(tetrahedron)];

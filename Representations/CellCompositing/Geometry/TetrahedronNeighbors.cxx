@@ -51,26 +51,6 @@ const JumpFace* findPartner(const std::vector<JumpFace>& jumps, const JumpFace& 
   }
   return found;
 }
-
-// False for a face that neither pixels nor float tell from an edge.
-bool hasExtent(const CellGeometry& geometry, const BoundaryFace& face)
-{
-  const Vector3 a = geometry.Position(face[0]), b = geometry.Position(face[1]),
-                c = geometry.Position(face[2]);
-  const Vector3 edges[3] = { difference(b, a), difference(c, b), difference(a, c) };
-  const Vector3 normal = cross(edges[0], edges[1]);
-  const double longest =
-    std::max({ dot(edges[0], edges[0]), dot(edges[1], edges[1]), dot(edges[2], edges[2]) });
-  double largest = 0;
-  for (const Vector3& p : { a, b, c })
-  {
-    largest = std::max({ largest, std::abs(p[0]), std::abs(p[1]), std::abs(p[2]) });
-  }
-  constexpr double thinnest = 1e-6; // height by length
-  const double rounding = 0.5 * std::numeric_limits<float>::epsilon() * largest;
-  return dot(normal, normal) >
-    longest * std::min(rounding * rounding, thinnest * thinnest * longest);
-}
 }
 
 void TetrahedronNeighbors::Clear()

@@ -32,10 +32,11 @@ struct TetrahedronNeighbors
     None = -1,
     Jump = -2 ///< minus n: the ray goes on from boundary face n
   };
-  std::vector<std::int32_t> Neighbors;  ///< four per tetrahedron: a tetrahedron, None, or Jump - n
+  /** Four per tetrahedron: a tetrahedron, None, or Jump - n. Six per hexahedron: HexahedronNeighbors.h. */
+  std::vector<std::int32_t> Neighbors;
   std::vector<std::int32_t> VertexSums; ///< exclusive-or of the four vertex numbers
   /**
-   * Three vertices, seen counterclockwise from outside, and the tetrahedron. First those where rays enter; then those where values
+   * Three vertices, seen counterclockwise from outside, and the tetrahedron, or eight times the hexahedron plus its face. First those where rays enter; then those where values
    * jump. Faces without extent are left out: lower than the rounding of their coordinates, and a million times longer.
    */
   std::vector<std::array<std::int32_t, 4>> BoundaryFaces;

@@ -27,6 +27,7 @@ float unity = 0.0; // RayCells.frag.glsl says why uniforms are copied
 //NEPHOSCOPE::TransferFunction
 //NEPHOSCOPE::RaySegments
 //NEPHOSCOPE::RayRange
+//NEPHOSCOPE::CubicPieces
 //NEPHOSCOPE::VoxelWalk
 
 void main()

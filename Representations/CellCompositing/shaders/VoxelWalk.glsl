@@ -5,8 +5,9 @@
 // A cell consists of the tetrahedron of its four even vertices and of one at each odd vertex (ChessboardGrid.h). In the unit cube with an
 // even vertex at 0, the height h of a point over the face of the odd vertex (1, 0, 0) is x - y - z: 1 at the vertex, 0 in the face. With
 // the three others, the heights are (x - y - z, y - x - z, z - x - y, x + y + z - 2). Over no more than one face is a point above 0.
-// The scalar is linear between the even vertices, -1/2 * sum(height * even vertex opposite), and has a bend at each face:
+// The scalar of the tetrahedra is linear between the even vertices, -1/2 * sum(height * even vertex opposite), and has a bend at each face:
 // + max(height, 0) * (scalar of the odd vertex - that of the linear function there).
+// With the constant `trilinear` it is the trilinear field of the cell instead.
 // A line that is in two of the corners is so at its ends, and between them in the middle: it has at most three pieces.
 ivec3 stride = ivec3(0);
 vec3 firstCell = vec3(0.0), lastCell = vec3(0.0);
@@ -90,6 +91,42 @@ void findPieces(vec2 ways, bool isKnown, float front)
   places = vec4(ways.x, mix(ways.xx, ways.yy, bend), ways.y);
 }
 
+// The same of the trilinear field, as RayHexahedra.frag.glsl has it; three of the pieces if there are more.
+vec4 cubic = vec4(0.0);
+float numberOfPieces = 3.0;
+vec2 waysInCell = vec2(0.0), scalarsOfCell = vec2(0.0);
+
+vec2 cubicPlace(float t)
+{
+  return vec2(mix(waysInCell.x, waysInCell.y, t), clamp(cubicAt(cubic, t), scalarsOfCell.x, scalarsOfCell.y));
+}
+
+void findCubicPieces(vec2 ways)
+{
+  ivec3 c = ivec3(cell);
+  int first = c.x + c.y * stride.y + c.z * stride.z;
+  vec4 a = element(squares, first), b = element(squares, first + 1);
+  vec4 least = min(a, b), most = -max(a, b);
+  scalarsOfCell = vec2(min(lesserOf(least.xyz), least.w), -min(lesserOf(most.xyz), most.w));
+  waysInCell = ways;
+  vec4 values;
+  for (int i = 0; i < 4; ++i)
+  {
+    vec3 p = clamp(rayStart + mix(ways.x, ways.y, float(i) / 3.0) * raySlope - cell, 0.0, 1.0);
+    vec4 s = mix(a, b, p.x);
+    vec2 line = mix(s.xz, s.yw, p.y);
+    values[i] = mix(line.x, line.y, p.z);
+  }
+  cubic = cubicThrough(values);
+  numberOfPieces = countPieces(cubic);
+  for (int i = 0; i < 4; ++i)
+  {
+    vec2 place = cubicPlace(min(float(i) / numberOfPieces, 1.0));
+    places[i] = place.x;
+    scalars[i] = place.y;
+  }
+}
+
 // A piece along which colour and opacity are linear, and which is thin.
 void addLinear(vec4 front, vec4 back, vec2 ways)
 {
@@ -124,7 +161,7 @@ bool addThinCell()
   }
   float opacity = max(max(values[0].a, values[1].a), max(values[2].a, values[3].a));
   bool isThin = averageIntegration || opacity * opticalLength * (places.w - places.x) <= 1.0;
-  bool fits = splitAtControlPoints && highest <= interval.high && isThin;
+  bool fits = numberOfPieces <= 3.0 && splitAtControlPoints && highest <= interval.high && isThin;
   if (fits)
   {
     addLinear(values[0], values[1], places.xy);
@@ -136,8 +173,9 @@ bool addThinCell()
 
 void addPieces()
 {
-  for (int piece = 0; piece < 3; ++piece)
+  for (float piece = 0.0; piece < numberOfPieces; piece += 1.0)
   {
+    vec2 next = trilinear ? cubicPlace(min((piece + 4.0) / numberOfPieces, 1.0)) : vec2(places.w, scalars.w);
 #ifdef NEPHOSCOPE_HAZE
     vec4 before = accumulatedLight();
 #endif
@@ -148,8 +186,8 @@ void addPieces()
 #ifdef NEPHOSCOPE_HAZE
     hazeAdded(before, places.xy);
 #endif
-    scalars.xyz = scalars.yzw;
-    places.xyz = places.yzw;
+    scalars = vec4(scalars.yzw, next.y);
+    places = vec4(places.yzw, next.x);
   }
 }
 
@@ -190,6 +228,10 @@ bool addCell(vec2 ways, bool isKnown)
   {
     scalars = vec4(element(cellScalars, cellNumber()).r);
     places = ways.xyyy;
+  }
+  else if (trilinear)
+  {
+    findCubicPieces(ways);
   }
   else
   {

@@ -1,0 +1,97 @@
+// SPDX-FileCopyrightText: The Nephoscope authors
+// SPDX-License-Identifier: BSD-3-Clause
+// The part of CellGeometry that keeps the cells of unstructured data as hexahedra.
+#include "CellGeometry.h"
+
+#include "CellWalker.h"
+#include "HexahedronNeighbors.h"
+
+#include "vtkCellTypes.h"
+#include "vtkDataSet.h"
+
+#include <atomic>
+#include <numeric>
+
+namespace nephoscope
+{
+namespace
+{
+bool areHexahedra(vtkDataSet* data)
+{
+  bool other = false, tetrahedra = true;
+  const vtkIdType n = data->GetNumberOfCells();
+  for (vtkIdType cell = 0; cell < n && !other; ++cell)
+  {
+    const int type = data->GetCellType(cell);
+    other = hexahedronForm(type).Tetrahedra == 0 && type != VTK_EMPTY_CELL;
+    tetrahedra = tetrahedra && (type == VTK_TETRA || type == VTK_EMPTY_CELL);
+  }
+  return !other && !tetrahedra;
+}
+}
+
+// False where there are cells of other kinds, or nothing but tetrahedra, or when stopped.
+bool CellGeometry::UseHexahedra(vtkDataSet* data, const ScalarSelection& scalars,
+  const ScalarSelection& opacity, const Progress& progress)
+{
+  if (this->LayerArray || this->HasOpacityScalars || !findChessboardGrid(data).IsEmpty() ||
+    data->GetNumberOfCells() > mostLinkedHexahedra || !areHexahedra(data))
+  {
+    return false;
+  }
+  const std::size_t n = static_cast<std::size_t>(data->GetNumberOfCells());
+  std::vector<std::int32_t> first(n + 1, 0); // first[cell]: where the cell goes
+  std::atomic<std::int64_t> invalid(0), tetrahedra(0);
+  const auto look = [&](std::size_t begin, std::size_t end) {
+    CellWalker walker(data, *this, scalars, opacity);
+    for (std::size_t cell = begin; cell < end; ++cell)
+    {
+      const CellOutcome outcome = walker.Look(static_cast<vtkIdType>(cell));
+      invalid += outcome == CellOutcome::Invalid;
+      first[cell + 1] = outcome == CellOutcome::Decomposed;
+      tetrahedra += first[cell + 1] *
+        hexahedronForm(data->GetCellType(static_cast<vtkIdType>(cell))).Tetrahedra;
+    }
+  };
+  if (!forRanges(n, progress.Part(0, 0.5), look))
+  {
+    return false;
+  }
+  std::partial_sum(first.begin(), first.end(), first.begin());
+  this->NumberOfInvalidCells = invalid;
+  this->TetrahedraOfHexahedra = tetrahedra;
+  this->Hexahedra.resize(static_cast<std::size_t>(first.back()));
+  this->Cells.resize(this->Hexahedra.size() == n ? 0 : this->Hexahedra.size());
+  return this->FillHexahedra(data, first, progress.Part(0.5, 0.9)) &&
+    (!scalars.OnCells ||
+      this->CopyCellValues(scalars, this->ScalarRange, this->CellScalars, progress.Part(0.9, 1)));
+}
+
+bool CellGeometry::FillHexahedra(
+  vtkDataSet* data, const std::vector<std::int32_t>& first, const Progress& progress)
+{
+  return forRanges(first.size() - 1, progress, [&](std::size_t begin, std::size_t end) {
+    vtkNew<vtkIdList> points;
+    for (std::size_t cell = begin; cell < end; ++cell)
+    {
+      if (first[cell] == first[cell + 1])
+      {
+        continue;
+      }
+      const vtkIdType number = static_cast<vtkIdType>(cell);
+      const HexahedronForm form = hexahedronForm(data->GetCellType(number));
+      data->GetCellPoints(number, points);
+      const std::size_t at = static_cast<std::size_t>(first[cell]);
+      for (std::size_t k = 0; k < 8; ++k)
+      {
+        this->Hexahedra[at][k] = static_cast<std::int32_t>(points->GetId(form.Vertices[k]));
+      }
+      if (!this->Cells.empty())
+      {
+        this->Cells[at] = static_cast<std::int32_t>(number);
+      }
+    }
+  });
+}
+
+} // namespace nephoscope

@@ -1,0 +1,249 @@
+// SPDX-FileCopyrightText: The Nephoscope authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "HexahedronNeighbors.h"
+
+#include "BoundaryFaces.h"
+#include "Buckets.h"
+#include "CoincidentPoints.h"
+
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+
+namespace nephoscope
+{
+namespace
+{
+using Quadrilateral = std::array<std::int32_t, 4>;
+
+/** A face on its way to meeting its partner: all but the lowest of its places, in order, those that coincide once. */
+struct OpenQuadrilateral
+{
+  std::array<std::int32_t, 3> Places;
+  std::int32_t Cell;
+  int Face;
+
+  bool operator<(const OpenQuadrilateral& other) const
+  {
+    return std::tie(this->Places, this->Cell, this->Face) <
+      std::tie(other.Places, other.Cell, other.Face);
+  }
+};
+
+class HexahedronLinks
+{
+public:
+  HexahedronLinks(const CellGeometry& geometry, const std::vector<std::int32_t>& places,
+    std::vector<std::int32_t>& links)
+    : Geometry(geometry)
+    , Places(places)
+    , Links(links)
+  {
+  }
+
+  bool Find(const Progress& progress)
+  {
+    const std::size_t n = this->Geometry.Hexahedra.size();
+    this->Links.assign(6 * n, TetrahedronNeighbors::None);
+    Buckets<OpenQuadrilateral> buckets; // by lowest place
+    return buckets.Fill(n, std::max<std::size_t>(this->Places.size(), 1), progress.Part(0, 0.6),
+             [&](std::size_t i, auto add) {
+               for (int face = 0; face < 6; ++face)
+               {
+                 Quadrilateral places = this->PlacesOf(std::int32_t(i), face);
+                 std::sort(places.begin(), places.end());
+                 auto* end = std::unique(places.data(), places.data() + 4);
+                 std::fill(end, places.data() + 4, -1);
+                 if (places[2] >= 0)
+                 {
+                   add(std::size_t(places[0]),
+                     { { { places[1], places[2], places[3] } }, std::int32_t(i), face });
+                 }
+               }
+             }) &&
+      buckets.ForEach(progress.Part(0.6, 1), [&](OpenQuadrilateral* begin, OpenQuadrilateral* end) {
+        std::sort(begin, end);
+        for (OpenQuadrilateral* f = begin; end - f >= 2; ++f)
+        {
+          if (f[0].Places == f[1].Places)
+          {
+            this->Link(f[0], f[1]);
+            ++f; // a third one at the same face overlaps its neighbours
+          }
+        }
+      });
+  }
+
+private:
+  Quadrilateral PlacesOf(std::int32_t cell, int face) const
+  {
+    Quadrilateral result;
+    const Hexahedron& vertices = this->Geometry.Hexahedra[std::size_t(cell)];
+    const auto corners = hexahedronFace(face);
+    for (std::size_t k = 0; k < 4; ++k)
+    {
+      result[k] = this->Places[std::size_t(vertices[corners[k]])];
+    }
+    return result;
+  }
+
+  // How far the middle of a cell is in front of a face, and what of it rounding may be.
+  std::array<double, 2> Height(std::int32_t cell, const OpenQuadrilateral& face) const
+  {
+    const auto at = [&](std::int32_t c, std::size_t k) {
+      return this->Geometry.Position(this->Geometry.Hexahedra[std::size_t(c)][k]);
+    };
+    const auto c = hexahedronFace(face.Face);
+    const Vector3 a = at(face.Cell, c[0]);
+    const Vector3 ab = difference(at(face.Cell, c[3]), a);
+    const Vector3 normal = cross(ab, difference(at(face.Cell, c[2]), at(face.Cell, c[1])));
+    Vector3 middle = { 0, 0, 0 }, ofFace = { 0, 0, 0 };
+    double largest = 0;
+    for (std::size_t axis = 0; axis < 3; ++axis)
+    {
+      for (std::size_t k = 0; k < 8; ++k)
+      {
+        middle[axis] += 0.125 * at(cell, k)[axis];
+        largest = std::max(largest, std::abs(at(cell, k)[axis]));
+      }
+      for (std::size_t k = 0; k < 4; ++k)
+      {
+        ofFace[axis] += 0.25 * at(face.Cell, c[k])[axis];
+      }
+    }
+    const double rounding = 4.0 * std::numeric_limits<float>::epsilon() * largest;
+    return { { dot(normal, difference(middle, ofFace)), rounding * std::sqrt(dot(normal, normal)) } };
+  }
+
+  // Both cells lie on one side of their face.
+  bool IsFolded(const OpenQuadrilateral& f, const OpenQuadrilateral& g) const
+  {
+    const auto one = this->Height(f.Cell, f), other = this->Height(g.Cell, f);
+    return one[0] * other[0] > 0 && std::abs(one[0]) > one[1] && std::abs(other[0]) > other[1];
+  }
+
+  void Link(const OpenQuadrilateral& f, const OpenQuadrilateral& g)
+  {
+    if (!this->IsFolded(f, g))
+    {
+      this->Links[6 * std::size_t(f.Cell) + std::size_t(f.Face)] = this->LinkFrom(f, g);
+      this->Links[6 * std::size_t(g.Cell) + std::size_t(g.Face)] = this->LinkFrom(g, f);
+    }
+  }
+
+  // As ListedHexahedra.glsl reads it.
+  std::int32_t LinkFrom(const OpenQuadrilateral& f, const OpenQuadrilateral& g) const
+  {
+    const Quadrilateral places = this->PlacesOf(f.Cell, f.Face);
+    const Hexahedron& own = this->Geometry.Hexahedra[std::size_t(f.Cell)];
+    const Hexahedron& other = this->Geometry.Hexahedra[std::size_t(g.Cell)];
+    const auto corners = hexahedronFace(f.Face), across = hexahedronFace(g.Face);
+    const int first = g.Face < 2 ? 1 : 0, second = g.Face < 4 ? 2 : 1; // axes of the other's face
+    for (std::size_t start = 0; start < 4; ++start)
+    {
+      for (std::size_t turned = 0; turned < 2; ++turned)
+      {
+        bool fits = true, same = true;
+        for (std::size_t k = 0; k < 4; ++k)
+        {
+          const std::size_t along = turned != 0 ? (k >> 1) | ((k & 1) << 1) : k;
+          const std::int32_t vertex = other[across[start ^ along]];
+          fits = fits && this->Places[std::size_t(vertex)] == places[k];
+          same = same && vertex == own[corners[k]];
+        }
+        if (fits)
+        {
+          return Packed(g.Cell, across[start], turned != 0 ? second : first,
+            turned != 0 ? first : second, !same);
+        }
+      }
+    }
+    return Packed(g.Cell, across[0], first, second, true);
+  }
+
+  static std::int32_t Packed(
+    std::int32_t cell, std::size_t start, int first, int second, bool reload)
+  {
+    const int order = 2 * first + (second == (first + 1) % 3 ? 0 : 1);
+    return ((cell * 6 + order) * 8 + std::int32_t(start)) * 2 + (reload ? 1 : 0);
+  }
+
+  const CellGeometry& Geometry;
+  const std::vector<std::int32_t>& Places;
+  std::vector<std::int32_t>& Links;
+};
+
+void moveToPlaces(CellGeometry& geometry, const std::vector<std::int32_t>& places)
+{
+  for (std::size_t i = 0; i < places.size(); ++i)
+  {
+    const CellGeometry::Point& first = geometry.Points[std::size_t(places[i])];
+    CellGeometry::Point& p = geometry.Points[i];
+    p = { first.X, first.Y, first.Z, p.Scalar };
+  }
+}
+
+Vector3 middleOf(const CellGeometry& geometry, const Hexahedron& cell)
+{
+  Vector3 middle = { 0, 0, 0 };
+  for (const std::int32_t vertex : cell)
+  {
+    const Vector3 p = geometry.Position(vertex);
+    for (std::size_t axis = 0; axis < 3; ++axis)
+    {
+      middle[axis] += 0.125 * p[axis];
+    }
+  }
+  return middle;
+}
+
+void listBoundary(const CellGeometry& geometry, TetrahedronNeighbors& neighbors)
+{
+  neighbors.BoundaryFaces.clear();
+  for (std::size_t i = 0; i < geometry.Hexahedra.size(); ++i)
+  {
+    const Hexahedron& cell = geometry.Hexahedra[i];
+    for (int face = 0; face < 6; ++face)
+    {
+      if (neighbors.Neighbors[6 * i + std::size_t(face)] >= 0)
+      {
+        continue;
+      }
+      const auto c = hexahedronFace(face);
+      for (const auto& corners : { std::array<std::size_t, 3>{ { c[0], c[1], c[3] } },
+             std::array<std::size_t, 3>{ { c[0], c[3], c[2] } } })
+      {
+        BoundaryFace triangle = { { cell[corners[0]], cell[corners[1]], cell[corners[2]],
+          std::int32_t(8 * i) + face } };
+        turnOutwards(geometry, triangle, middleOf(geometry, cell));
+        if (hasExtent(geometry, triangle))
+        {
+          neighbors.BoundaryFaces.push_back(triangle);
+        }
+      }
+    }
+  }
+}
+}
+
+bool findHexahedronNeighbors(
+  CellGeometry& geometry, TetrahedronNeighbors& neighbors, const Progress& progress)
+{
+  neighbors = TetrahedronNeighbors();
+  std::vector<std::int32_t>& places = neighbors.MergedPoints;
+  places = findPlaces(geometry, progress.Part(0, 0.1));
+  if (places.size() != geometry.Points.size() ||
+    !weldPlaces(geometry, places, progress.Part(0.1, 0.3)))
+  {
+    return false;
+  }
+  moveToPlaces(geometry, places);
+  if (!HexahedronLinks(geometry, places, neighbors.Neighbors).Find(progress.Part(0.3, 1)))
+  {
+    return false;
+  }
+  listBoundary(geometry, neighbors);
+  return progress.Report(1);
+}
+
+} // namespace nephoscope

@@ -1,0 +1,30 @@
+// SPDX-FileCopyrightText: The Nephoscope authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * A mesh of hexahedra as a ray walks through it: 24 bytes of neighbours beside the 32 of vertices.
+ *
+ * A neighbour is one number: its cell, how the face lies in it, and whether the ray finds other points there, at the same places. How the
+ * face lies: which of its vertices is that of the first end of both axes of the face in this cell, and along which axes of the neighbour
+ * these two run.
+ */
+#ifndef HexahedronNeighbors_h
+#define HexahedronNeighbors_h
+
+#include "CellGeometry.h"
+#include "TetrahedronNeighbors.h"
+
+#include <cstdint>
+#include <limits>
+
+namespace nephoscope
+{
+
+constexpr std::int64_t mostLinkedHexahedra = std::numeric_limits<std::int32_t>::max() / 96;
+
+/** Neighbours and boundary faces of the hexahedra; gives points at one place the position of the first of them. False when stopped. */
+bool findHexahedronNeighbors(
+  CellGeometry& geometry, TetrahedronNeighbors& neighbors, const Progress& progress = {});
+
+} // namespace nephoscope
+
+#endif

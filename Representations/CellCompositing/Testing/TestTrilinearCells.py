@@ -1,0 +1,345 @@
+# SPDX-FileCopyrightText: The Nephoscope authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Hexahedra, voxels, wedges and pyramids are drawn with the trilinear field of VTK's cells, and look the same however they are stored.
+
+References: dense samples along the rays, by a formula for rectilinear grids and by VTK's cells for others; for linear fields the
+exact integral over tetrahedra.
+"""
+import unittest
+
+import numpy as np
+from nephoscope_testing import meshes, polyhedra, reference
+from nephoscope_testing.checks import mapper
+from nephoscope_testing.offscreen import Window, float_image
+from nephoscope_testing.transfer import Transfer
+from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+from vtkmodules.vtkCommonCore import vtkPoints
+from vtkmodules.vtkCommonDataModel import (VTK_HEXAHEDRON, VTK_VOXEL, vtkDataSetAttributes, vtkPlane,
+                                           vtkPlaneCollection, vtkPolyData)
+from vtkmodules.vtkFiltersCore import vtkAppendFilter, vtkProbeFilter
+from vtkmodules.vtkFiltersSources import vtkPlaneSource
+
+COLOURS = [(0, 0.1, 0.2, 1), (0.5, 0.2, 1, 0.3), (1, 1, 0.1, 0)]
+RAMP = Transfer(COLOURS, [(0, 0), (1, 1)], unit_distance=0.4)
+CLEAR_BELOW = Transfer(COLOURS, [(0, 0), (0.35, 0), (1, 1)], unit_distance=0.2)
+STEP = 1 / 255
+BENT = 3  # pixels of 2,304: where a ray grazes faces of the boundary that are not plane, its way in depends on their diagonals
+SIZE = 48
+# Position, focus, parallel scale or None; the data lie around 0 within 0.5.
+VIEWS = dict(far=((1.9, 1.3, 1.1), (0, 0, 0), None), other=((-1.1, 0.7, -2.2), (0.1, 0, 0), None), along_x=((3, 0.03, 0.02), (0, 0.03, 0.02), 0.7),
+             along_z=((0, 0, 3), (0, 0, 0), None), diagonal=((2, 2, 2), (0, 0, 0), 0.8), in_a_plane=((0.3, 0.1, 2), (0.3, 0.1, 0), None),
+             inside=((0.13, -0.22, 0.09), (1, 0.4, -0.2), None), on_a_point=((0, 0, 0), (1, 0.4, 0.3), None), on_a_face=((0, 0.05, 0.06), (0, 1, 0.3), None))
+
+
+def smooth(p):
+    return 0.5 + 0.25 * np.sin(3 * p[:, 0] + 1) * np.cos(2 * p[:, 1]) + 0.25 * np.sin(2.5 * p[:, 2] + p[:, 0])
+
+
+def steep(p):
+    return np.random.default_rng(4).uniform(0, 1, len(p))
+
+
+def with_values(data, field, kind="point"):
+    attributes = data.GetPointData() if kind == "point" else data.GetCellData()
+    count = data.GetNumberOfPoints() if kind == "point" else data.GetNumberOfCells()
+    points = meshes.points_of(data) if kind == "point" else np.zeros((count, 3))
+    meshes.add_array(attributes, np.asarray(field(points), np.float32))
+    return data
+
+
+def unstructured(data):
+    append = vtkAppendFilter()
+    append.AddInputData(data)
+    append.Update()
+    return append.GetOutput()
+
+
+def rectilinear(blocks=6):
+    return meshes.rectilinear([np.sort(np.r_[-0.5, 0.5, np.linspace(-0.5, 0.5, blocks + 1)[1:-1] + 0.03 * np.sin(np.arange(blocks - 1) + k)])
+                               for k in range(3)])
+
+
+def even(blocks=6):
+    return meshes.image((blocks,) * 3, (1 / blocks,) * 3, (-0.5,) * 3)
+
+
+def bent(blocks=6, amount=0.03):
+    """Faces are not plane."""
+    return meshes.structured(blocks, meshes.wobble(np.random.default_rng(5), amount))
+
+
+def tapered(blocks=6):
+    """Plane faces, edges that are not parallel."""
+    return meshes.structured(blocks, meshes.projective(np.random.default_rng(2), 0.2))
+
+
+def shell(points=(25, 13, 4)):
+    """Longitude, latitude, level: closed, with cells that end in the poles."""
+    r, lat, lon = np.meshgrid(np.linspace(0.3, 0.5, points[2]), np.radians(np.linspace(-90, 90, points[1])),
+                              np.radians(np.linspace(0, 360, points[0])), indexing="ij")
+    p = np.stack([r * np.cos(lat) * np.cos(lon), r * np.cos(lat) * np.sin(lon), r * np.sin(lat)], axis=-1)
+    p[:, 0, :, :2] = p[:, -1, :, :2] = 0
+    p[:, :, -1] = p[:, :, 0]
+    return meshes.structured([n - 1 for n in points], lambda _: p.reshape(-1, 3))
+
+
+def without_jumps(field, points=(25, 13, 4)):
+    """One value where points of the shell coincide."""
+    def values(p):
+        v = field(p).reshape(points[::-1])
+        v[:, 0], v[:, -1], v[:, :, -1] = v[:, 0, :1], v[:, -1, :1], v[:, :, 0]
+        return v.ravel()
+    values.__name__ = field.__name__
+    return values
+
+
+def turned(data, seed=6):
+    """The same hexahedra and voxels, each with its vertices in another order: turned in space or mirrored, as hexahedra."""
+    rng = np.random.default_rng(seed)
+    order = {VTK_HEXAHEDRON: [0, 1, 3, 2, 4, 5, 7, 6], VTK_VOXEL: list(range(8))}
+    cells = []
+    for i in rng.permutation(data.GetNumberOfCells()):
+        cell = data.GetCell(i)
+        ids = [cell.GetPointId(k) for k in order[data.GetCellType(i)]]
+        axes, ends = rng.permutation(3), rng.integers(0, 2, 3)
+        number = [sum((((c >> k & 1) ^ ends[k]) << axes[k]) for k in range(3)) for c in range(8)]
+        cells.append((VTK_HEXAHEDRON, [ids[number[c]] for c in order[VTK_HEXAHEDRON]]))
+    result = meshes.grid(meshes.points_of(data), cells)
+    result.GetPointData().ShallowCopy(data.GetPointData())
+    return result
+
+
+class Drawn:
+    def __init__(self, data, transfer=RAMP, settings=None, association="point", matrix=None, trilinear=True):
+        self.window = Window((SIZE, SIZE))
+        self.scene = self.window.add_scene()
+        self.mapper = mapper()
+        self.mapper.SetMethodToRays()
+        self.mapper.SetCellInterpolation(int(trilinear))
+        self.volume = self.scene.add_volume(self.mapper, data, transfer, association=association, matrix=matrix)
+        if settings:
+            settings(self.scene, self.mapper)
+
+    def look(self, view):
+        position, focus, scale = view
+        away = np.subtract(position, focus)
+        up = (0, 1, 0) if abs(away[1]) < 0.9 * np.linalg.norm(away) else (0, 0, 1)
+        self.scene.camera.SetParallelProjection(scale is not None)
+        self.scene.look(position, focus, up, 30, scale, near=1e-3, far=8)
+
+    def picture(self, view=VIEWS["far"]):
+        self.look(view)
+        self.window.render()
+        return float_image(self.mapper)
+
+
+def dense(data, view, transfer, field=None, samples=1200):
+    """Samples in the middles of as many parts of each ray, composited."""
+    origins, directions, near, far = view.rays()
+    middle = -np.einsum("ij,ij->i", origins, directions)
+    start, end = np.maximum(near, middle - 0.9), np.minimum(far, middle + 0.9)
+    step = (end - start) / samples
+    t = start[:, None] + step[:, None] * (np.arange(samples) + 0.5)
+    places = (origins[:, None] + t[..., None] * directions[:, None]).reshape(-1, 3)
+    if field:
+        values, inside = field(places)
+    else:
+        points, poly, probe = vtkPoints(), vtkPolyData(), vtkProbeFilter()
+        points.SetData(numpy_to_vtk(places, deep=1))
+        poly.SetPoints(points)
+        probe.SetInputData(poly)
+        probe.SetSourceData(data)
+        probe.Update()
+        values = vtk_to_numpy(probe.GetOutput().GetPointData().GetArray("s"))
+        inside = vtk_to_numpy(probe.GetOutput().GetPointData().GetArray("vtkValidPointMask")) > 0
+    values, inside = values.reshape(t.shape), inside.reshape(t.shape)
+    depth = np.where(inside, transfer.extinction(values), 0) * step[:, None]
+    passed = np.exp(-np.concatenate([np.zeros((len(t), 1)), np.cumsum(depth, axis=1)], axis=1))
+    weight = passed[:, :-1] - passed[:, 1:]
+    rgba = np.concatenate([np.einsum("ij,ijk->ik", weight, transfer.color(values)), weight.sum(axis=1)[:, None]], axis=1)
+    return rgba.reshape(view.height, view.width, 4)
+
+
+def trilinear_field(data):
+    """By the formula, for a rectilinear grid."""
+    axes = [vtk_to_numpy(getattr(data, f"Get{a}Coordinates")()) for a in "XYZ"]
+    values = vtk_to_numpy(data.GetPointData().GetArray("s")).reshape([len(a) for a in axes[::-1]]).astype(float)
+
+    def at(places):
+        index, part = [], []
+        for axis, x in zip(axes, places.T):
+            i = np.clip(np.searchsorted(axis, x, side="right") - 1, 0, len(axis) - 2)
+            index.append(i)
+            part.append((x - axis[i]) / (axis[i + 1] - axis[i]))
+        result = 0
+        for c in range(8):
+            bits = [c >> k & 1 for k in range(3)]
+            weight = np.prod([p if b else 1 - p for p, b in zip(part, bits)], axis=0)
+            result = result + weight * values[index[2] + bits[2], index[1] + bits[1], index[0] + bits[0]]
+        return result, np.all([(x >= a[0]) & (x <= a[-1]) for a, x in zip(axes, places.T)], axis=0)
+    return at
+
+
+class TrilinearCells(unittest.TestCase):
+    def assert_same(self, one, other, label, tolerance=STEP, most=0):
+        self.assertGreater(max(one[..., 3].max(), other[..., 3].max()), 0.05, label)
+        error = np.abs(one - other).max(axis=-1)
+        print(f"  {label}: largest difference {error.max() * 255:.3f}/255, {int((error > tolerance).sum())} pixels beyond", flush=True)
+        self.assertLessEqual(int((error > tolerance).sum()), most, f"{label}: {np.argwhere(error > tolerance)[:5].tolist()}")
+
+    def test_smooth_fields_against_dense_samples(self):
+        for name, data in (("rectilinear", rectilinear()), ("tapered", tapered()), ("bent", bent())):
+            with_values(data, smooth)
+            field = trilinear_field(data) if name == "rectilinear" else None
+            for view in ("far", "diagonal"):
+                for stored in (data, unstructured(data)):
+                    drawn = Drawn(stored)
+                    image = drawn.picture(VIEWS[view])
+                    expected = dense(data, drawn.scene.view(), RAMP, field)
+                    self.assert_same(image, expected, f"{name} {view} {stored.GetClassName()}", 2 * STEP, BENT if name == "bent" else 0)
+
+    def test_steep_fields_against_dense_samples(self):
+        for name, data in (("rectilinear", rectilinear()), ("tapered", tapered())):
+            with_values(data, steep)
+            drawn = Drawn(unstructured(data), CLEAR_BELOW)
+            image = drawn.picture()
+            field = trilinear_field(data) if name == "rectilinear" else None
+            expected = dense(data, drawn.scene.view(), CLEAR_BELOW, field)
+            cut = Drawn(unstructured(data), CLEAR_BELOW, trilinear=False).picture()
+            error, before = (np.abs(p - expected).max(axis=-1) for p in (image, cut))
+            print(f"  {name}: 99 % {np.percentile(error, 99) * 255:.2f}/255, as tetrahedra {np.percentile(before, 99) * 255:.2f}/255; largest "
+                  f"{error.max() * 255:.2f}, {before.max() * 255:.2f}", flush=True)
+            self.assertLess(np.percentile(error, 99), np.percentile(before, 99) / 3)
+            self.assertLess(error.max(), before.max() / 3)
+
+    def test_the_same_cells_however_stored(self):
+        for name, data in (("even", even()), ("rectilinear", rectilinear()), ("tapered", tapered()), ("bent", bent()), ("shell", shell())):
+            for field, transfer in ((smooth, RAMP), (steep, CLEAR_BELOW)):
+                with_values(data, without_jumps(field) if name == "shell" else field)
+                pair = Drawn(data, transfer), Drawn(unstructured(data), transfer)
+                for view in VIEWS:
+                    one, other = (drawn.picture(VIEWS[view]) for drawn in pair)
+                    self.assert_same(one, other, f"{name} {field.__name__} {view}", most=BENT if name == "bent" else 0)
+                self.assertEqual(pair[0].window.messages.all + pair[1].window.messages.all, [])
+
+    def test_vertices_in_any_order(self):
+        for name, data in (("even", even()), ("bent", bent())):
+            data = unstructured(with_values(data, steep))
+            pair = Drawn(data, CLEAR_BELOW), Drawn(turned(data), CLEAR_BELOW)
+            for view in VIEWS:
+                self.assert_same(*(drawn.picture(VIEWS[view]) for drawn in pair), f"{name} {view}", most=BENT if name == "bent" else 0)
+
+    def test_mirrored(self):
+        data = with_values(bent(), steep)
+        mirror = np.diag([-1.0, 1, 1, 1])
+        for stored in (data, unstructured(data)):
+            straight = Drawn(stored, CLEAR_BELOW).picture(((0, 0.4, 2.5), (0, 0, 0), None))
+            mirrored = Drawn(stored, CLEAR_BELOW, matrix=mirror).picture(((0, 0.4, 2.5), (0, 0, 0), None))
+            self.assert_same(straight[:, ::-1], mirrored, stored.GetClassName())
+
+    def test_linear_fields_of_all_kinds_are_exact(self):
+        tetrahedra = meshes.Lattice(3).mesh("tetra", lambda p: p - 0.5)
+        field = lambda p: 0.5 + p @ np.array([0.3, -0.25, 0.4])
+        with_values(tetrahedra, field)
+        for kind in ("hexahedron", "voxel", "wedge", "pyramid", "mixed"):
+            data = with_values(meshes.Lattice(3).mesh(kind, lambda p: p - 0.5), field)
+            drawn = Drawn(data)
+            for view in VIEWS:
+                image = drawn.picture(VIEWS[view])
+                expected = reference.render(polyhedra.from_dataset(tetrahedra), drawn.scene.view(), RAMP)
+                tolerance = 1e-4 if view in ("far", "other", "inside") else STEP
+                self.assert_same(image, expected, f"{kind} {view}", tolerance)
+
+    def test_cells_of_all_kinds_against_dense_samples(self):
+        for kind in ("wedge", "pyramid", "mixed"):
+            data = with_values(meshes.Lattice(4).mesh(kind, meshes.projective(np.random.default_rng(2), 0.2)), smooth)
+            drawn = Drawn(data)
+            image = drawn.picture()
+            self.assert_same(image, dense(data, drawn.scene.view(), RAMP), kind, 2 * STEP)
+
+    def test_cell_values(self):
+        data = with_values(tapered(), steep, "cell")
+        for view in ("far", "inside", "along_z"):
+            one, other = (Drawn(d, CLEAR_BELOW, association="cell").picture(VIEWS[view]) for d in (data, unstructured(data)))
+            cut = Drawn(unstructured(data), CLEAR_BELOW, association="cell", trilinear=False).picture(VIEWS[view])
+            self.assert_same(one, other, f"stored {view}")
+            self.assert_same(other, cut, f"as tetrahedra {view}")
+
+    def test_hidden_cells_and_missing_values(self):
+        data = with_values(tapered(), steep)
+        meshes.add_array(data.GetCellData(), np.where(np.arange(data.GetNumberOfCells()) % 5 == 0, vtkDataSetAttributes.HIDDENCELL, 0).astype(np.uint8),
+                         vtkDataSetAttributes.GhostArrayName())
+        self.compare_storage(data, "hidden", warns=False)
+        holes = with_values(tapered(), lambda p: np.where(np.arange(len(p)) % 40 == 7, np.nan, steep(p)))
+        self.compare_storage(holes, "missing", warns=True)
+
+    def compare_storage(self, data, label, warns):
+        pair = Drawn(data, CLEAR_BELOW), Drawn(unstructured(data), CLEAR_BELOW)
+        for view in ("far", "along_x", "other"):
+            self.assert_same(*(drawn.picture(VIEWS[view]) for drawn in pair), f"{label} {view}")
+        self.assertEqual(pair[1].window.messages.all != [], warns)
+
+    def test_clipped_and_before_a_surface(self):
+        def clip(_scene, made):
+            plane, planes = vtkPlane(), vtkPlaneCollection()
+            plane.SetOrigin(0.04, 0, 0)
+            plane.SetNormal(1, 0.3, 0.2)
+            planes.AddItem(plane)
+            made.SetClippingPlanes(planes)
+
+        def wall(scene, _made):
+            source = vtkPlaneSource()
+            source.SetOrigin(-1, -1, -0.1)
+            source.SetPoint1(1, -1, 0.1)
+            source.SetPoint2(-1, 1, 0)
+            source.Update()
+            scene.add_opaque(source.GetOutput(), (0, 0, 0))
+
+        data = with_values(tapered(), smooth)
+        for label, settings in (("clipped", clip), ("wall", wall)):
+            cut, one, other = (Drawn(d, settings=settings, trilinear=t).picture() for d, t in ((data, False), (data, True), (unstructured(data), True)))
+            self.assert_same(one, other, label)
+            self.assert_same(one, cut, label + " as tetrahedra", 4 * STEP)  # of a smooth field
+
+    def test_what_needs_tetrahedra_is_drawn_as_these(self):
+        data = unstructured(with_values(tapered(), steep))
+        contours = lambda _scene, made: made.SetContourValue(0, 0.6)
+        one, other = (Drawn(data, CLEAR_BELOW, contours, trilinear=t).picture() for t in (True, False))
+        self.assert_same(one, other, "contours", 0)
+        drawn = Drawn(data, CLEAR_BELOW)
+        plain = drawn.picture()
+        drawn.mapper.SetContourValue(0, 0.6)
+        self.assert_same(drawn.picture(), one, "contours added", 0)
+        drawn.mapper.SetNumberOfContourValues(0)
+        self.assert_same(drawn.picture(), plain, "and taken away", 0)
+
+    def test_blocks_hold_together(self):
+        """Two halves with points of their own, the values of which jump or not."""
+        whole = with_values(even(), steep)
+        halves = []
+        for low, high in ((0, 3), (3, 6)):
+            half = meshes.image((high - low, 6, 6), (1 / 6,) * 3, (-0.5 + low / 6, -0.5, -0.5))
+            values = vtk_to_numpy(whole.GetPointData().GetArray("s")).reshape(7, 7, 7)[:, :, low:high + 1]
+            meshes.add_array(half.GetPointData(), values.ravel().copy())
+            halves.append(half)
+        append = vtkAppendFilter()
+        for half in halves:
+            append.AddInputData(half)
+        append.Update()
+        pair = Drawn(whole, CLEAR_BELOW), Drawn(append.GetOutput(), CLEAR_BELOW)
+        for view in VIEWS:
+            self.assert_same(*(drawn.picture(VIEWS[view]) for drawn in pair), view)
+        self.assertLessEqual(pair[1].mapper.GetNumberOfRayLayers(), 1)
+
+    def test_values_of_another_time(self):
+        data = unstructured(with_values(tapered(), steep))
+        drawn = Drawn(data, CLEAR_BELOW)
+        drawn.picture()
+        data.GetPointData().RemoveArray("s")
+        with_values(data, smooth)
+        data.Modified()
+        self.assert_same(drawn.picture(), Drawn(data, CLEAR_BELOW).picture(), "new values", 0)
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,278 @@
+//VTK::System::Dec
+//VTK::Output::Dec
+// SPDX-FileCopyrightText: The Nephoscope authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Light of all hexahedra that a pixel's ray crosses from where it enters the mesh to where it leaves it.
+//   in:  the boundary face through which the ray enters
+//   out: premultiplied colour and alpha, front to back
+//NEPHOSCOPE::Arrays
+uniform FloatArray points; // position, scalar
+uniform FloatArray cellScalars;
+uniform FloatArray hiddenCells;
+uniform IntegerArray boundaryFaces;
+uniform sampler2D entryFaces; // boundary face (-1: none), depth
+uniform mat4 MCVCMatrix;
+uniform float extinctionScale; // extinction per world length at opacity 1
+// The pixel's ray goes through this point, amid the data, in this direction; relative to the centre of the data.
+noperspective in vec3 rayPointVSOutput;
+noperspective in vec3 rayDirectionVSOutput;
+uniform int maximumSteps;
+uniform int startsAtEye; // rays start in the cell that holds the eye, not at a boundary face
+uniform int eyeHexahedron[4]; // that cell
+uniform vec3 eyeMC;
+uniform vec2 clearRange; // scalars between which nothing is seen
+
+// Copies: RayCells.frag.glsl says why.
+float unity = 0.0;      // 1
+vec2 clear = vec2(0.0); // clearRange
+
+// Through which face a ray leaves a cell: across from the one where it entered, or at one of its edges.
+const int exitAhead = 0;
+const int exitAB = 1;
+const int exitBC = 2;
+const int exitCD = 3;
+const int exitDA = 4;
+
+//NEPHOSCOPE::Constants
+// further: hasHiddenCells, closedGrid
+
+//NEPHOSCOPE::OpaqueDepth
+//NEPHOSCOPE::OpticalSegment
+//NEPHOSCOPE::TransferFunction
+//NEPHOSCOPE::RaySegments
+//NEPHOSCOPE::RayRange
+//NEPHOSCOPE::CubicPieces
+//NEPHOSCOPE::Topology
+
+vec3 across1 = vec3(0.0), across2 = vec3(0.0);
+vec3 pointStep[2], directionStep[2]; // from pixel to pixel
+
+vec4 seen(int point)
+{
+  vec4 p = element(points, point);
+  vec3 q = p.xyz - origin;
+  return vec4(dot(q, across1), dot(q, across2), dot(q, along), p.w);
+}
+
+vec3 placeSeen(int point)
+{
+  return seen(point).xyz;
+}
+
+//NEPHOSCOPE::PixelRay
+//NEPHOSCOPE::HexahedronWalk
+
+vec2 scalarsOfCell = vec2(0.0); // lowest and highest
+
+// Nothing is seen in the cell whose vertices are at hand.
+bool isClear()
+{
+  if (hasHiddenCells && element(hiddenCells, cellNumber()).r > 0.0)
+  {
+    return true;
+  }
+  if (useCellScalars)
+  {
+    scalarsOfCell = vec2(element(cellScalars, cellNumber()).r);
+  }
+  else
+  {
+    float low = lesser(lesser(lesser(walkA.w, walkB.w), lesser(walkC.w, walkD.w)), lesser(lesser(walkE.w, walkF.w), lesser(walkG.w, walkH.w)));
+    float high =
+      greater(greater(greater(walkA.w, walkB.w), greater(walkC.w, walkD.w)), greater(greater(walkE.w, walkF.w), greater(walkG.w, walkH.w)));
+    scalarsOfCell = vec2(low, high);
+  }
+  return scalarsOfCell.x >= clear.x && scalarsOfCell.y < clear.y;
+}
+
+// Adds what lies between two distances, as far as it is seen: between the near plane and the opaque geometry.
+void addPart(vec2 front, vec2 back, vec2 range)
+{
+  vec2 z = vec2(max(front.x, range.x), min(back.x, range.y));
+  if (z.y > z.x)
+  {
+#ifdef NEPHOSCOPE_HAZE
+    vec4 before = accumulatedLight();
+#endif
+    vec2 s = mix(front.yy, back.yy, (z - front.x) / (back.x - front.x));
+    addSegment(s.xx, s.yy, z.y - z.x);
+#ifdef NEPHOSCOPE_HAZE
+    hazeAdded(before, z);
+#endif
+  }
+}
+
+// Where the ray passes the ring: in it, and along the ray, if known already.
+vec2 ringPlace = vec2(0.0), ringPass = vec2(0.0);
+bool ringIsKnown = false;
+
+// Crosses the cell, and adds what is seen there; returns through which face the ray leaves it.
+int crossCell(vec2 range)
+{
+  if (!ringIsKnown)
+  {
+    ringPlace = placeInRing();
+    ringPass = passRing(ringPlace);
+    ringIsKnown = true;
+  }
+  vec3 entered = vec3(ringPlace, 0.0);
+  vec2 front = ringPass;
+  keepCell();
+  int exit = leaveCell();
+  ringPlace = placeInRing();
+  ringPass = passRing(ringPlace);
+  if (useCellScalars)
+  {
+    addPart(vec2(front.x, scalarsOfCell.x), vec2(ringPass.x, scalarsOfCell.x), range);
+    return exit;
+  }
+  vec3 left = placeInCell(ringPlace, exit);
+  vec2 first = besidePlace(mix(entered, left, 1.0 / 3.0)), second = besidePlace(mix(entered, left, 2.0 / 3.0));
+  vec4 distances = cubicThrough(vec4(front.x, first.x, second.x, ringPass.x));
+  vec4 scalars = cubicThrough(vec4(front.y, first.y, second.y, ringPass.y));
+  float pieces = countPieces(scalars);
+  for (float piece = 1.0; piece <= pieces; piece += 1.0)
+  {
+    float t = piece / pieces;
+    vec2 back = piece == pieces ? ringPass : vec2(cubicAt(distances, t), clamp(cubicAt(scalars, t), scalarsOfCell.x, scalarsOfCell.y));
+    addPart(front, back, range);
+    front = back;
+  }
+  return exit;
+}
+
+// Into the next cell. False: there is none, or it is out of sight.
+bool goOn(int exit, vec2 range)
+{
+  if (!crossFace(exit))
+  {
+    return false;
+  }
+  if (!takesRingAlong)
+  {
+    ringIsKnown = false;
+    walkIsLost = !seeRing();
+  }
+  return !walkIsLost && lesser(lesser(walkA.z, walkB.z), lesser(walkC.z, walkD.z)) < range.y;
+}
+
+void walk(vec2 range)
+{
+  // Pixels that are computed together wait for each other before a cell is integrated, but not for long.
+  const int stepsAtOnce = 8;
+  for (int i = 0; i < maximumSteps; ++i)
+  {
+    bool inside = true;
+    bool found = false;
+    for (int k = 0; k < stepsAtOnce; ++k)
+    {
+      seeAhead();
+      if (!isClear())
+      {
+        found = true;
+        break;
+      }
+      ringIsKnown = false;
+      inside = goOn(leaveCell(), range);
+      if (!inside)
+      {
+        break;
+      }
+    }
+    if (found)
+    {
+      int exit = crossCell(range);
+      inside = ringPass.x < range.y && !isOpaque() && goOn(exit, range);
+    }
+    if (!inside)
+    {
+      break;
+    }
+  }
+}
+
+// The ray passes the triangle. Where it does not pass the quadrilateral then, that is bent, and seen from the side.
+bool passesWellInside(ivec3 triangle)
+{
+  vec3 a = placeSeen(triangle.x), b = placeSeen(triangle.y), c = placeSeen(triangle.z);
+  return wayInside(a.xy, b.xy, c.xy, vec3(1.0 / 3.0)) == 0.0;
+}
+
+// The nearer of the faces that the ray passes.
+bool startInEyeCell()
+{
+  ivec4 place = ivec4(eyeHexahedron[0], eyeHexahedron[1], eyeHexahedron[2], eyeHexahedron[3]);
+  int nearest = -1;
+  float least = 3.0e38;
+  for (int number = 0; number < 6; ++number)
+  {
+    enterFaceOfCell(place, number);
+    bool passes = seeRing();
+    float distance = passRing(placeInRing()).x;
+    nearest = passes && distance < least ? number : nearest;
+    least = passes ? min(least, distance) : least;
+  }
+  enterFaceOfCell(place, max(nearest, 0));
+  return seeRing();
+}
+
+void main()
+{
+  // Both are linear in the pixel, so that differences to its neighbour are exact; to be taken before pixels part.
+  pointStep[0] = dFdx(rayPointVSOutput);
+  pointStep[1] = dFdy(rayPointVSOutput);
+  directionStep[0] = dFdx(rayDirectionVSOutput);
+  directionStep[1] = dFdy(rayDirectionVSOutput);
+  float entry = texelFetch(entryFaces, ivec2(gl_FragCoord.xy), 0).r;
+  if (startsAtEye == 0 && entry < 0.0)
+  {
+    discard;
+  }
+  if (useDepthRanges)
+  {
+    vec2 depths = visibleDepths();
+    if (depths.x >= depths.y)
+    {
+      discard;
+    }
+  }
+  unity = gl_FragCoord.w;
+  clear = clearRange * unity;
+  keepTopology();
+  keepTable();
+  ivec4 boundaryFace = element(boundaryFaces, max(int(entry), 0));
+  // A ray that passes by the face that the rasterizer gave it tries again a little beside.
+  makeRay(vec2(0.0));
+  float farthest = startsAtEye == 0 && passesWellInside(boundaryFace.xyz) ? 0.003 : 0.3; // pixels
+  for (int attempt = 0; attempt < lastAttempt; ++attempt)
+  {
+    vec2 beside = besideCentre(attempt, boundaryFace.xyz);
+    if (dot(beside, beside) > farthest * farthest)
+    {
+      continue;
+    }
+    makeRay(beside);
+    vec2 range = visibleRange();
+    startSegments(length(mat3(MCVCMatrix) * along) * extinctionScale);
+    ringIsKnown = false;
+    if (startsAtEye != 0)
+    {
+      walkIsLost = !startInEyeCell();
+      range.x = max(range.x, dot(eyeMC - origin, along));
+    }
+    else
+    {
+      enterFace(boundaryFace);
+      walkIsLost = !seeRing();
+    }
+    if (!walkIsLost)
+    {
+      walk(range);
+    }
+    if (!walkIsLost)
+    {
+      break;
+    }
+  }
+  gl_FragData[0] = accumulatedLight();
+}
