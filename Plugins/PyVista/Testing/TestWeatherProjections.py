@@ -62,7 +62,7 @@ class Projections(unittest.TestCase):
                     np.testing.assert_allclose(found, [part.ravel() for part in np.meshgrid(x, y)], atol=30)  # points in single precision
 
     def test_winds_along_the_grid(self):
-        """Of one wind along x, the direction on the globe is that in which x grows."""
+        """A wind along x points on the globe where x grows."""
         for name, (forward, keys, (x0, y0)) in CASES.items():
             with self.subTest(name):
                 x, y = x0 + np.linspace(-5e5, 5e5, 21), y0 + np.linspace(-5e5, 5e5, 21)

@@ -40,7 +40,7 @@ def closed_fold(x: np.ndarray, y: np.ndarray) -> tuple[np.ndarray | None, Fold |
 
 
 def find_fold(places: np.ndarray) -> Fold | None:
-    """Of the unit vectors (rows, columns, 3) of a closed ring, whose first and last column are one place; None if there is nothing to do."""
+    """The fold in a closed ring of unit vectors (rows, columns, 3), whose first and last column are one place; None if there is nothing to do."""
     ring = places[-ROWS - 1:, :-1]
     if len(ring) < ROWS + 1 or not np.isfinite(ring).all():
         return None

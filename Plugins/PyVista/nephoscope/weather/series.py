@@ -121,7 +121,7 @@ class Series(Sequence):
         return np.append(finite[places.astype(int)], [finite.min(), finite.max()])
 
     def _values(self, step: int, name: str) -> np.ndarray:
-        """Of the variable alone where the mesh has it as it is in the file."""
+        """The values at a step; those of the variable alone, where the mesh has it as it is in the file."""
         if step == self.step:
             return np.asarray(self.mesh[name])
         reading = Reading(self._dataset, **self._time(step), vertical=self._options.get("vertical"), names={k: v for k, v in self._options.items() if k in ROLES})

@@ -129,7 +129,7 @@ def seconds_of(values: np.ndarray) -> np.ndarray | None:
 
 
 def listed_times(dataset) -> list[str]:
-    """Of the dimension of time with several places, or of the only one: dates, or numbers of the steps where there are none."""
+    """The values of the time dimension with several places, or of the only one: dates, or numbers of the steps where there are none."""
     dims = sorted(time_dims(dataset), key=lambda dim: dataset.sizes[dim] < 2)
     if not dims:
         return []
