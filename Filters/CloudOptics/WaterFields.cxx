@@ -8,6 +8,8 @@
 #include "vtkCellData.h"
 #include "vtkPointData.h"
 
+#include <algorithm>
+#include <cctype>
 #include <initializer_list>
 #include <vector>
 
@@ -26,14 +28,22 @@ const NamesOfModels& namesOf(WaterFields::Kind kind)
 {
   static const std::array<NamesOfModels, WaterFields::NumberOfFields> names = { {
     { "cloud water", "TotalWaterArrayName", { "clwmr", "tot_qc_dia", "CLDWAT" } },
-    { "cloud liquid", "LiquidArrayName", { "clwc", "clw", "qc", "ql", "QCLOUD", "LWC", "lwc" } },
-    { "cloud ice", "IceArrayName", { "ciwc", "cli", "qi", "icmr", "QICE", "IWC", "iwc" } },
-    { "rain", "RainArrayName", { "crwc", "rwmr", "qr", "QRAIN" } },
-    { "snow", "SnowArrayName", { "cswc", "snmr", "qs", "QSNOW" } },
-    { "temperature", "TemperatureArrayName", { "t", "ta", "T", "temperature", "Temperature" } },
-    { "pressure", "PressureArrayName", { "p", "pressure", "pres", "pfull", "Pressure" } },
-    { "cloud fraction", "CloudFractionArrayName", { "cloud_fraction", "cc", "cl", "CLDFRA" } },
-    { "land fraction", "LandArrayName", { "lsm", "land", "sftlf", "LANDMASK" } },
+    { "cloud liquid", "LiquidArrayName",
+      { "clwc", "clw", "qc", "ql", "QCLOUD", "LWC", "cldliq", "cloud_mixing_ratio",
+        "specific_cloud_liquid_water_content" } },
+    { "cloud ice", "IceArrayName",
+      { "ciwc", "cli", "qi", "icmr", "QICE", "IWC", "cldice", "ice_water_mixing_ratio",
+        "specific_cloud_ice_water_content" } },
+    { "rain", "RainArrayName",
+      { "crwc", "rwmr", "qr", "QRAIN", "rain_mixing_ratio", "specific_rain_water_content" } },
+    { "snow", "SnowArrayName",
+      { "cswc", "snmr", "qs", "QSNOW", "snow_mixing_ratio", "specific_snow_water_content" } },
+    { "temperature", "TemperatureArrayName",
+      { "t", "ta", "tk", "tmp", "temp", "temperature", "air_temperature" } },
+    { "pressure", "PressureArrayName", { "p", "pressure", "pres", "pfull", "air_pressure" } },
+    { "cloud fraction", "CloudFractionArrayName",
+      { "cloud_fraction", "cc", "cl", "clc", "CLDFRA" } },
+    { "land fraction", "LandArrayName", { "lsm", "land", "sftlf", "LANDMASK", "fr_land" } },
     { "height", "HeightArrayName", { "Height", "gh", "zg" } },
   } };
   return names[kind];
@@ -46,6 +56,14 @@ vtkDataArray* arrayOf(vtkDataSet* data, bool onCells, const std::string& name)
   return attributes->GetArray(name.c_str());
 }
 
+std::string inLowerCase(std::string text)
+{
+  std::transform(text.begin(), text.end(), text.begin(),
+    [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return text;
+}
+
+// By its very name, or else by one in other case, as models spell it: QC of COSMO.
 vtkDataArray* firstOf(vtkDataSet* data, bool onCells, WaterFields::Kind kind)
 {
   for (const char* name : namesOf(kind).Names)
@@ -53,6 +71,19 @@ vtkDataArray* firstOf(vtkDataSet* data, bool onCells, WaterFields::Kind kind)
     if (vtkDataArray* array = arrayOf(data, onCells, name))
     {
       return array;
+    }
+  }
+  vtkDataSetAttributes* attributes =
+    onCells ? static_cast<vtkDataSetAttributes*>(data->GetCellData()) : data->GetPointData();
+  for (const char* name : namesOf(kind).Names)
+  {
+    for (int i = 0; i < attributes->GetNumberOfArrays(); ++i)
+    {
+      vtkDataArray* array = attributes->GetArray(i);
+      if (array && array->GetName() && inLowerCase(array->GetName()) == inLowerCase(name))
+      {
+        return array;
+      }
     }
   }
   return nullptr;
@@ -74,6 +105,14 @@ void take(vtkDataSet* data, const FieldNames& names, WaterFields& fields)
     fields.Arrays[k] = names[k] == "none" ? nullptr
       : names[k].empty()                  ? firstOf(data, fields.OnCells, kind)
                                           : arrayOf(data, fields.OnCells, names[k]);
+  }
+  // GFS calls liquid what it called the sum before it had ice.
+  vtkDataArray* total = fields.Arrays[WaterFields::Total];
+  if (names[WaterFields::Total].empty() && names[WaterFields::Liquid].empty() && total &&
+    inLowerCase(total->GetName()) == "clwmr" && fields.Has(WaterFields::Ice) &&
+    !fields.Has(WaterFields::Liquid))
+  {
+    fields.Arrays[WaterFields::Liquid] = total;
   }
   // A sum beside its parts would count twice, unless it has been named.
   if (names[WaterFields::Total].empty() &&
@@ -125,8 +164,8 @@ std::string wrongShape(vtkDataSet* data, const WaterFields& fields)
 WaterUnits unitsOf(vtkDataSet* data, vtkDataArray* array)
 {
   const WaterUnits told = WaterUnitsOf(UnitsOf(data->GetFieldData(), array->GetName()));
-  const std::string name = array->GetName();
-  const bool isContent = name == "LWC" || name == "lwc" || name == "IWC" || name == "iwc";
+  const std::string name = inLowerCase(array->GetName());
+  const bool isContent = name == "lwc" || name == "iwc";
   return told != WaterUnits::Automatic ? told
     : isContent                        ? WaterUnits::Content
                                        : WaterUnits::MixingRatio;

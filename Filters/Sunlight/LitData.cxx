@@ -3,14 +3,18 @@
 #include "LitData.h"
 
 #include "TetrahedronSource.h"
+#include "Vector3.h"
 
+#include "vtkBoundingBox.h"
 #include "vtkDataArray.h"
 #include "vtkFieldData.h"
 #include "vtkImageData.h"
 #include "vtkMath.h"
 #include "vtkPointData.h"
+#include "vtkPoints.h"
 #include "vtkProbeFilter.h"
 #include "vtkSMPTools.h"
+#include "vtkStructuredGrid.h"
 
 #include <algorithm>
 #include <cmath>
@@ -211,19 +215,66 @@ bool makeGrid(
   return true;
 }
 
-vtkSmartPointer<vtkDataSet> sampled(vtkDataSet* data, vtkIdType points)
+SampleFrame::SampleFrame(const Planet& planet, const std::vector<SunMesh::Place>& places)
+  : OnGlobe(planet.Radius > 0)
 {
-  double bounds[6];
-  data->GetBounds(bounds);
-  double size[3];
+  std::array<double, 2> sum{ { 0, 0 } };
+  for (const SunMesh::Place& p : places)
+  {
+    const double r = std::hypot(p[0], p[1]);
+    sum[0] += r > 0 ? p[0] / r : 0;
+    sum[1] += r > 0 ? p[1] / r : 0;
+  }
+  this->Middle = std::atan2(sum[1], sum[0]);
+}
+
+SunMesh::Place SampleFrame::FromPlace(const SunMesh::Place& place) const
+{
+  if (!this->OnGlobe)
+  {
+    return place;
+  }
+  const double r = std::sqrt(dot(place, place)), pi = vtkMath::Pi();
+  const double longitude = std::atan2(place[1], place[0]) - this->Middle;
+  return { { longitude - 2 * pi * std::round(longitude / (2 * pi)),
+    r > 0 ? std::asin(std::max(-1.0, std::min(1.0, place[2] / r))) : 0, r } };
+}
+
+SunMesh::Place SampleFrame::ToPlace(const SunMesh::Place& c) const
+{
+  if (!this->OnGlobe)
+  {
+    return c;
+  }
+  const double longitude = c[0] + this->Middle, across = c[2] * std::cos(c[1]);
+  return { { across * std::cos(longitude), across * std::sin(longitude), c[2] * std::sin(c[1]) } };
+}
+
+vtkSmartPointer<vtkImageData> SampleFrame::MakeImage(
+  const std::vector<SunMesh::Place>& places, double points) const
+{
+  vtkBoundingBox box;
+  for (const SunMesh::Place& p : places)
+  {
+    box.AddPoint(this->FromPlace(p).data());
+  }
+  const double nearlyAll = 0.97 * vtkMath::Pi(),
+               shortest = this->OnGlobe ? 1e-6 : 1e-6 * box.GetDiagonalLength();
+  double least[3], size[3];
   for (int axis = 0; axis < 3; ++axis)
   {
-    size[axis] = std::max(bounds[2 * axis + 1] - bounds[2 * axis], 1e-6 * data->GetLength());
+    least[axis] = box.GetMinPoint()[axis];
+    size[axis] = std::max(
+      box.GetLength(axis), this->OnGlobe && axis == 2 ? shortest * box.GetMaxPoint()[2] : shortest);
   }
-  // As many levels as a cube would have, or more; the rest beside one another.
-  const double levels = std::max(std::cbrt(double(points)), 2.0);
+  if (this->OnGlobe && least[0] < -nearlyAll && box.GetMaxPoint()[0] > nearlyAll)
+  {
+    least[0] = -vtkMath::Pi();
+    size[0] = 2 * vtkMath::Pi();
+  }
+  // As many levels as a cube would have, or more; around a globe half as many. The rest beside one another.
+  const double levels = std::max(std::cbrt(points) * (this->OnGlobe ? 0.5 : 1.0), 2.0);
   const double step = std::sqrt(size[0] * size[1] * levels / points);
-  vtkNew<vtkImageData> image;
   int dimensions[3];
   double spacing[3];
   for (int axis = 0; axis < 3; ++axis)
@@ -232,15 +283,33 @@ vtkSmartPointer<vtkDataSet> sampled(vtkDataSet* data, vtkIdType points)
     dimensions[axis] = std::max(3, static_cast<int>(wanted) + 1);
     spacing[axis] = size[axis] / (dimensions[axis] - 1);
   }
+  vtkNew<vtkImageData> image;
   image->SetDimensions(dimensions);
   image->SetSpacing(spacing);
-  image->SetOrigin(bounds[0], bounds[2], bounds[4]);
+  image->SetOrigin(least);
+  return image;
+}
+
+vtkSmartPointer<vtkDataSet> SampleFrame::Sampled(vtkDataSet* data, vtkImageData* image) const
+{
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  points->SetNumberOfPoints(image->GetNumberOfPoints());
+  for (vtkIdType p = 0; p < image->GetNumberOfPoints(); ++p)
+  {
+    SunMesh::Place c;
+    image->GetPoint(p, c.data());
+    points->SetPoint(p, this->ToPlace(c).data());
+  }
+  vtkNew<vtkStructuredGrid> grid;
+  int dimensions[3];
+  image->GetDimensions(dimensions);
+  grid->SetDimensions(dimensions);
+  grid->SetPoints(points);
   vtkNew<vtkProbeFilter> probe;
-  probe->SetInputData(image);
+  probe->SetInputData(this->OnGlobe ? static_cast<vtkDataSet*>(grid) : image);
   probe->SetSourceData(data);
   probe->Update();
-  vtkSmartPointer<vtkDataSet> result;
-  result = vtkDataSet::SafeDownCast(probe->GetOutputDataObject(0));
-  return result;
+  return vtkDataSet::SafeDownCast(probe->GetOutputDataObject(0));
 }
 }

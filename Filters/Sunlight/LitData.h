@@ -8,6 +8,7 @@
 #include "SunMesh.h"
 
 #include "vtkDataSet.h"
+#include "vtkImageData.h"
 #include "vtkSmartPointer.h"
 
 #include <array>
@@ -46,8 +47,26 @@ struct GridAxes
 bool makeGrid(
   vtkDataSet* data, const std::vector<SunMesh::Place>& places, LightGrid& grid, GridAxes& axes);
 
-/** Other data at the points of an image of about so many points, with the arrays named as in OpticalFields. */
-vtkSmartPointer<vtkDataSet> sampled(vtkDataSet* data, vtkIdType points);
+/** Coordinates whose third counts upwards: x, y and z, or on a globe longitude and latitude in radians and the distance from the centre. */
+class SampleFrame
+{
+public:
+  SampleFrame(const Planet& planet, const std::vector<SunMesh::Place>& places);
+
+  SunMesh::Place FromPlace(const SunMesh::Place& place) const;
+  SunMesh::Place ToPlace(const SunMesh::Place& coordinates) const;
+
+  /** An image of about so many points around the places, in these coordinates. */
+  vtkSmartPointer<vtkImageData> MakeImage(
+    const std::vector<SunMesh::Place>& places, double points) const;
+
+  /** The data, with their arrays, at the points of the image. */
+  vtkSmartPointer<vtkDataSet> Sampled(vtkDataSet* data, vtkImageData* image) const;
+
+private:
+  bool OnGlobe;
+  double Middle = 0; // longitude
+};
 }
 
 #endif

@@ -15,6 +15,7 @@
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
 #include "vtkFloatArray.h"
+#include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkMath.h"
@@ -295,18 +296,21 @@ bool vtkSunlight::Sample(vtkDataSet* data, Work& work)
   {
     std::copy(values->begin(), values->end(), addArray(copy, name)->GetPointer(0));
   }
-  const vtkSmartPointer<vtkDataSet> image = nephoscope::sampled(copy, 100000);
+  const nephoscope::SampleFrame frame(work.Planet, work.Places);
+  const vtkSmartPointer<vtkImageData> image = frame.MakeImage(work.Places, 100000);
+  const vtkSmartPointer<vtkDataSet> grid = frame.Sampled(copy, image);
   Work coarse;
   coarse.Planet = work.Planet;
   coarse.Sun = work.Sun;
   vtkIdType ignored = 0;
-  coarse.Places = nephoscope::placesOf(image);
-  coarse.Scaled = nephoscope::valuesOf(image, "Scaled", 0, 1, ignored);
-  coarse.Albedo = nephoscope::valuesOf(image, "Albedo", 0, 1, ignored);
-  coarse.Asymmetry = nephoscope::valuesOf(image, "Asymmetry", 0, 1, ignored);
+  coarse.Places = nephoscope::placesOf(grid);
+  coarse.Scaled = nephoscope::valuesOf(grid, "Scaled", 0, 1, ignored);
+  coarse.Albedo = nephoscope::valuesOf(grid, "Albedo", 0, 1, ignored);
+  coarse.Asymmetry = nephoscope::valuesOf(grid, "Asymmetry", 0, 1, ignored);
+  cutResidues(coarse.Scaled); // of interpolation
   coarse.Extinction = coarse.Scaled;
   coarse.StartDiffuse();
-  if (!this->TraceSun(image, coarse) || !this->Diffuse(image, coarse))
+  if (!this->TraceSun(grid, coarse) || !this->Diffuse(grid, coarse))
   {
     return false;
   }
@@ -315,8 +319,8 @@ bool vtkSunlight::Sample(vtkDataSet* data, Work& work)
   for (vtkIdType p = 0; p < data->GetNumberOfPoints(); ++p)
   {
     int sub = 0;
-    const vtkIdType cell =
-      image->FindCell(work.Places[p].data(), nullptr, -1, 1e-3, sub, parametric, weights);
+    const vtkIdType cell = image->FindCell(
+      frame.FromPlace(work.Places[p]).data(), nullptr, -1, 1e-3, sub, parametric, weights);
     if (cell < 0)
     {
       continue;

@@ -296,6 +296,40 @@ class Globe(unittest.TestCase):
             self.assertAlmostEqual(np.remainder(np.degrees(np.arctan2(sun[1], sun[0])) - lon + 180, 360) - 180, 0, delta=0.5)
 
 
+class Unstructured(unittest.TestCase):
+    def test_globe(self):
+        """The same cells as a list of cells: up is away from the centre there too. Between the rows at the poles points are coarser."""
+        structured = globe(3.0)
+        radii = np.linalg.norm(places(globe()), axis=1)
+        add(structured, "Extinction", np.where((radii > 1.02) & (radii < 1.08), 12.0, 0.0))
+        append = vtkAppendFilter()
+        append.AddInputData(structured)
+        append.Update()
+        unstructured = append.GetOutput()
+        unstructured.SetFieldData(structured.GetFieldData())
+        sun = np.array([1, 0.4, 0.3]) / np.linalg.norm([1, 0.4, 0.3])
+        expected, found = light_of(structured, sun)[0], light_of(unstructured, sun)[0]
+        x = places(expected)
+        day = (x @ sun > 0.5) & (abs(x[:, 2]) < 0.8)
+        for name, share in (("Sunlight", 0.1), ("UpwardIrradiance", 0.12)):
+            a, b = values(expected, name), values(found, name)
+            self.assertLess(abs(a - b)[day].mean(), share * a[day].mean(), name)
+
+    def test_residues_of_sampling_are_no_cloud(self):
+        """Tetrahedra are sampled: what interpolation leaves of 0 was lit by its rounding, up to 3e8."""
+        noise = np.random.default_rng(3).normal(size=(24, 20, 20))
+        for axis, width in ((0, 2.5), (1, 2), (2, 2)):
+            f = np.fft.fftfreq(noise.shape[axis]).reshape([-1 if a == axis else 1 for a in range(3)])
+            noise = np.fft.ifft(np.fft.fft(noise, axis=axis) * np.exp(-2 * (np.pi * width * f) ** 2), axis=axis).real
+        data = image((20, 20, 24), (300, 300, 83), lambda x, y, z: np.maximum(noise / noise.std() - 1.2, 0).ravel() * 0.05)
+        split = vtkDataSetTriangleFilter()
+        split.SetInputData(data)
+        split.Update()
+        light, expected = (values(light_of(x, (1, -1, 1))[0], "Sunlight") for x in (split.GetOutput(), data))
+        self.assertLess(light.max(), 1.5 * expected.max())
+        self.assertLess(abs(light - expected).mean(), 0.1 * expected.mean())
+
+
 class Clear(unittest.TestCase):
     def test_residues_are_no_cloud(self):
         """Extinctions that are no more than the rounding of a model leave no light of their own."""

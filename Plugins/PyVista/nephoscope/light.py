@@ -3,7 +3,8 @@
 """The light of the sun in clouds (`vtkSunlight`)."""
 from __future__ import annotations
 
-from typing import Any, Mapping, Sequence
+import inspect
+from typing import Any, Callable, Mapping, Sequence
 
 import numpy as np
 import pyvista
@@ -12,12 +13,14 @@ from vtkmodules.vtkCommonDataModel import vtkDataSet
 from . import vtkSunlight
 from ._checks import require_number
 from ._pipeline import vtk_messages
-from .optics import cloud_optics
+from .optics import cloud_optics, optics_of
 from .tone import checked, toned
 
 # What the messages of vtkSunlight say, and what it is called here.
-_NAMES = {"Make one by Cloud Optics": "Make one by cloud_optics", "set ExtinctionArrayName": "name one by extinction", "ExtinctionArrayName": "extinction", "SunDirection": "direction", "DateTime": "time"}
-BRIGHTEST = 0.6  # light that is drawn white
+_NAMES = {"set ExtinctionArrayName": ("name one by {name}", "extinction"), "ExtinctionArrayName": ("{name}", "extinction"), "SunDirection": ("{name}", "direction"),
+          "DateTime": ("{name}", "time"), "Make one by Cloud Optics": ("Make one by cloud_optics", "")}
+BRIGHTEST = 0.6  # light that is drawn white at an exposure of 1
+DARKEST_WHITE, BRIGHTEST_WHITE = 0.15, 1.2  # and the limits of that of automatic exposure: night stays dark
 FILMIC_RANGE = 4.0  # times that, and the filmic curve is nearly white
 
 
@@ -77,28 +80,36 @@ def sunlight(mesh: pyvista.DataSet, direction: Sequence[float] | None = None, *,
     RuntimeWarning
         For negative and missing extinctions, and if the sun is below the horizon.
     """
+    options = dict(locals())
+    return light_of(options.pop("mesh"), str, **options)
+
+
+def light_of(mesh: pyvista.DataSet, say: Callable[[str], str], direction: Sequence[float] | None, time: str, place: Sequence[float], extinction: str,
+             albedo: str | float, asymmetry: str | float, extinction_scale: float, ground_albedo: float, sky_light: float, multiple_scattering: bool,
+             zenith_angles: int, azimuth_angles: int, eye: Sequence[float] | None, parallel: bool) -> pyvista.DataSet:
+    """`sunlight`, with arguments that messages call `say(name)`."""
     if not isinstance(mesh, vtkDataSet):
         raise TypeError(f"mesh is a {type(mesh).__name__}; it must be a pyvista dataset.")
     light = vtkSunlight()
     light.SetInputDataObject(mesh)
     if direction is not None:
-        light.SetSunDirection(*_three(direction, "direction"))
+        light.SetSunDirection(*_three(direction, say("direction")))
     light.SetDateTime(time)
-    light.SetLongitude(require_number(place[0], "place", least=-360, most=360))
-    light.SetLatitude(require_number(place[1], "place", least=-90, most=90))
+    light.SetLongitude(require_number(place[0], say("place"), least=-360, most=360))
+    light.SetLatitude(require_number(place[1], say("place"), least=-90, most=90))
     light.SetExtinctionArrayName(extinction)
-    light.SetExtinctionScale(require_number(extinction_scale, "extinction_scale", least=0, most=1e29))
-    _set_optics(light, albedo, asymmetry)
-    light.SetGroundAlbedo(require_number(ground_albedo, "ground_albedo", least=0, most=1))
-    light.SetSkyLight(require_number(sky_light, "sky_light", least=0, most=10))
+    light.SetExtinctionScale(require_number(extinction_scale, say("extinction_scale"), least=0, most=1e29))
+    _set_optics(light, albedo, asymmetry, say)
+    light.SetGroundAlbedo(require_number(ground_albedo, say("ground_albedo"), least=0, most=1))
+    light.SetSkyLight(require_number(sky_light, say("sky_light"), least=0, most=10))
     light.SetMultipleScattering(bool(multiple_scattering))
-    light.SetZenithAngles(int(require_number(zenith_angles, "zenith_angles", least=1, most=16)))
-    light.SetAzimuthAngles(int(require_number(azimuth_angles, "azimuth_angles", least=4, most=64)))
+    light.SetZenithAngles(int(require_number(zenith_angles, say("zenith_angles"), least=1, most=16)))
+    light.SetAzimuthAngles(int(require_number(azimuth_angles, say("azimuth_angles"), least=4, most=64)))
     if eye is not None:
         light.SetUseViewPosition(True)
-        light.SetViewPosition(*_three(eye, "eye"))
+        light.SetViewPosition(*_three(eye, say("eye")))
     light.SetParallelView(bool(parallel))
-    with vtk_messages(light, _NAMES):
+    with vtk_messages(light, {vtk: text.format(name=say(name)) for vtk, (text, name) in _NAMES.items()}):
         light.Update()
     return pyvista.wrap(light.GetOutput())
 
@@ -109,38 +120,63 @@ def _three(values: Sequence[float], argument: str) -> list[float]:
     return [require_number(value, argument) for value in values]
 
 
-def _set_optics(light: vtkSunlight, albedo: str | float, asymmetry: str | float) -> None:
+def _set_optics(light: vtkSunlight, albedo: str | float, asymmetry: str | float, say: Callable[[str], str]) -> None:
     if isinstance(albedo, str):
         light.SetAlbedoArrayName(albedo)
     else:
         light.SetAlbedoArrayName("")
-        light.SetAlbedo(require_number(albedo, "albedo", least=0, most=1))
+        light.SetAlbedo(require_number(albedo, say("albedo"), least=0, most=1))
     if isinstance(asymmetry, str):
         light.SetAsymmetryArrayName(asymmetry)
     else:
         light.SetAsymmetryArrayName("")
-        light.SetAsymmetry(require_number(asymmetry, "asymmetry", least=-0.99, most=0.99))
+        light.SetAsymmetry(require_number(asymmetry, say("asymmetry"), least=-0.99, most=0.99))
 
 
 def lit(mesh: pyvista.DataSet, sun: Any) -> pyvista.DataSet:
-    """`mesh` with light: by a direction, a date and time, or the arguments of `sunlight`; as it is if it has light and `sun` is True."""
+    """`mesh` with light: by a direction, a date and time, or the arguments of `sunlight` and `cloud_optics`; as it is if it has light and `sun` is True."""
     if sun is True and {"Sunlight", "ScaledExtinction"} <= set(mesh.point_data):
         return mesh
-    options = dict(sun) if isinstance(sun, Mapping) else {"time": sun} if isinstance(sun, str) else {} if sun is True else {"direction": sun}
-    name = options.get("extinction", "Extinction")
-    if name not in mesh.point_data and name not in mesh.cell_data:
-        mesh = cloud_optics(mesh)
-    return sunlight(mesh, **options)
+    given = dict(sun) if isinstance(sun, Mapping) else {"time": sun} if isinstance(sun, str) else {} if sun is True else {"direction": sun}
+    of_water, of_light = ({name: given.pop(name, value) for name, value in defaults.items()} for defaults in (_defaults(cloud_optics), _defaults(sunlight)))
+    if given:
+        raise ValueError(f"sun has no option {next(iter(given))!r}; it has {', '.join(repr(name) for name in [*of_light, *of_water])}.")
+    own = sun if isinstance(sun, Mapping) else ()
+    if any(name in own for name in of_water) or of_light["extinction"] == "Extinction" and not _has(mesh, "Extinction"):
+        mesh = optics_of(mesh, _option, **of_water)
+    return light_of(mesh, _option if isinstance(sun, Mapping) else lambda name: "sun" if name in ("direction", "time") else _option(name), **of_light)
 
 
-def lit_colours(count: int = 256, tone_mapping: str = "linear") -> list[str]:
+def _option(name: str) -> str:
+    return f"sun[{name!r}]"
+
+
+def _has(mesh: pyvista.DataSet, name: str) -> bool:
+    return name in mesh.point_data or name in mesh.cell_data
+
+
+def _defaults(function: Callable[..., Any]) -> dict[str, Any]:
+    return {name: parameter.default for name, parameter in inspect.signature(function).parameters.items() if name != "mesh"}
+
+
+def lit_colours(count: int = 256, tone_mapping: str = "contrast") -> list[str]:
     """From night over blue shadows to warm white: the colours of light from 0 to `brightest(tone_mapping)`, as a display shows them."""
     light = np.linspace(0, 1, count)[:, None]
-    tone = light ** (1 / 2.2) if checked(tone_mapping) == "linear" else toned(light * FILMIC_RANGE, 1.0, "filmic")
+    tone = light ** (1 / 2.2) if checked(tone_mapping) == "linear" else toned(light * (FILMIC_RANGE if tone_mapping == "filmic" else 1), 1.0, tone_mapping)
     colours = tone * (np.array([1.0, 0.985, 0.955]) + (1 - tone) * np.array([-0.10, -0.03, 0.10]))
     return ["#%02x%02x%02x" % tuple(colour) for colour in np.rint(255 * np.clip(colours, 0, 1)).astype(int)]
 
 
-def brightest(exposure: float = 1.0, tone_mapping: str = "linear") -> float:
-    """The light that the last colour is for: white, at an exposure of 1 and without a tone curve 0.6."""
-    return BRIGHTEST / require_number(exposure, "exposure", above=0) * (1 if checked(tone_mapping) == "linear" else FILMIC_RANGE)
+def brightest(mesh: pyvista.DataSet | None = None, exposure: float | None = None, tone_mapping: str = "contrast") -> float:
+    """The light that the last colour is for: white. With an exposure 0.6 / exposure; otherwise `automatic_white`."""
+    white = automatic_white(mesh) if exposure is None else BRIGHTEST / require_number(exposure, "exposure", above=0)
+    return white * (FILMIC_RANGE if checked(tone_mapping) == "filmic" else 1)
+
+
+def automatic_white(mesh: pyvista.DataSet | None) -> float:
+    """A tenth more than the light that 2 % of the points in clouds exceed: those with more than a fiftieth of the greatest extinction."""
+    if mesh is None or not {"Sunlight", "ScaledExtinction"} <= set(mesh.point_data):
+        return BRIGHTEST
+    light, extinction = mesh.point_data["Sunlight"], mesh.point_data["ScaledExtinction"]
+    seen = light[extinction > 0.02 * np.max(extinction, initial=0)]
+    return float(np.clip(1.1 * np.percentile(seen, 98), DARKEST_WHITE, BRIGHTEST_WHITE)) if len(seen) else BRIGHTEST

@@ -3,7 +3,7 @@
 """Extinction of clouds from the water of a weather model (`vtkCloudOptics`)."""
 from __future__ import annotations
 
-from typing import Literal
+from typing import Callable, Literal
 
 import pyvista
 from vtkmodules.vtkCommonDataModel import vtkDataSet
@@ -13,10 +13,9 @@ from ._checks import choose, require_number
 from ._pipeline import vtk_messages
 
 # What the messages of vtkCloudOptics say, and what it is called here.
-_NAMES = {"Set TotalWaterArrayName, or LiquidArrayName and IceArrayName": "Name one by water, or two by liquid and ice", "TotalWaterArrayName": "water",
-          "LiquidArrayName": "liquid", "IceArrayName": "ice", "RainArrayName": "rain", "SnowArrayName": "snow", "TemperatureArrayName": "temperature",
-          "PressureArrayName": "pressure", "CloudFractionArrayName": "cloud_fraction", "LandArrayName": "land", "HeightArrayName": "height",
-          "WaterUnits": "units", "put the fields through Globe Grid": "put the fields through to_globe"}
+_NAMES = {"TotalWaterArrayName": "water", "LiquidArrayName": "liquid", "IceArrayName": "ice", "RainArrayName": "rain", "SnowArrayName": "snow",
+          "TemperatureArrayName": "temperature", "PressureArrayName": "pressure", "CloudFractionArrayName": "cloud_fraction", "LandArrayName": "land",
+          "HeightArrayName": "height", "WaterUnits": "units"}
 UNITS = {"automatic": "AUTOMATIC", "kg/kg": "MIXING_RATIO", "g/kg": "MIXING_RATIO_GRAMS", "kg/m3": "CONTENT", "g/m3": "CONTENT_GRAMS"}
 
 
@@ -69,6 +68,14 @@ def cloud_optics(mesh: pyvista.DataSet, water: str = "", *, liquid: str = "", ic
     RuntimeWarning
         For negative and missing values of water.
     """
+    options = dict(locals())
+    return optics_of(options.pop("mesh"), str, **options)
+
+
+def optics_of(mesh: pyvista.DataSet, say: Callable[[str], str], water: str, liquid: str, ice: str, rain: str, snow: str, temperature: str, pressure: str,
+              cloud_fraction: str, land: str, height: str, units: str, liquid_radius: float | None, ice_radius: float | None,
+              droplets_over_land: float, droplets_over_sea: float) -> pyvista.DataSet:
+    """`cloud_optics`, with arguments that messages call `say(name)`."""
     if not isinstance(mesh, vtkDataSet):
         raise TypeError(f"mesh is a {type(mesh).__name__}; it must be a pyvista dataset.")
     optics = vtkCloudOptics()
@@ -83,15 +90,18 @@ def cloud_optics(mesh: pyvista.DataSet, water: str = "", *, liquid: str = "", ic
     optics.SetCloudFractionArrayName(cloud_fraction)
     optics.SetLandArrayName(land)
     optics.SetHeightArrayName(height)
-    choose({name: lambda value=value: optics.SetWaterUnits(getattr(vtkCloudOptics, value)) for name, value in UNITS.items()}, units, "units")
+    choose({name: lambda value=value: optics.SetWaterUnits(getattr(vtkCloudOptics, value)) for name, value in UNITS.items()}, units, say("units"))
     if liquid_radius is not None:
         optics.SetLiquidRadiusType(optics.CONSTANT)
-        optics.SetLiquidRadius(require_number(liquid_radius, "liquid_radius", least=1, most=1e4))
+        optics.SetLiquidRadius(require_number(liquid_radius, say("liquid_radius"), least=1, most=1e4))
     if ice_radius is not None:
         optics.SetIceRadiusType(optics.CONSTANT)
-        optics.SetIceRadius(require_number(ice_radius, "ice_radius", least=1, most=1e4))
-    optics.SetDropletsOverLand(require_number(droplets_over_land, "droplets_over_land", least=1, most=1e5))
-    optics.SetDropletsOverSea(require_number(droplets_over_sea, "droplets_over_sea", least=1, most=1e5))
-    with vtk_messages(optics, _NAMES):
+        optics.SetIceRadius(require_number(ice_radius, say("ice_radius"), least=1, most=1e4))
+    optics.SetDropletsOverLand(require_number(droplets_over_land, say("droplets_over_land"), least=1, most=1e5))
+    optics.SetDropletsOverSea(require_number(droplets_over_sea, say("droplets_over_sea"), least=1, most=1e5))
+    names = {vtk: say(name) for vtk, name in _NAMES.items()}
+    names["Set TotalWaterArrayName, or LiquidArrayName and IceArrayName"] = f"Name one by {say('water')}, or two by {say('liquid')} and {say('ice')}"
+    names["put the fields through Globe Grid"] = "put the fields through to_globe"
+    with vtk_messages(optics, names):
         optics.Update()
     return pyvista.wrap(optics.GetOutput())

@@ -1,17 +1,23 @@
 # SPDX-FileCopyrightText: The Nephoscope authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""From light to what a display shows: exposure, a filmic curve, and the encoding of sRGB. Needs numpy alone."""
+"""From light to what a display shows: exposure, a curve, and the encoding of sRGB. Needs numpy alone."""
 from __future__ import annotations
 
 import numpy as np
 
-TONE_MAPPINGS = ("linear", "filmic")
+TONE_MAPPINGS = ("contrast", "linear", "filmic")
+CONTRAST = 2.0  # exponent: lit sides of clouds are only about twice as bright as their shadows
 
 
 def filmic(light: np.ndarray) -> np.ndarray:
     """The curve of Narkowicz (2016), a fit of that of ACES: dark light stays dark, bright light approaches 1 slowly."""
     light = np.maximum(light, 0)
     return np.clip(light * (2.51 * light + 0.03) / (light * (2.43 * light + 0.59) + 0.14), 0, 1)
+
+
+def contrast(light: np.ndarray) -> np.ndarray:
+    """The square of the light: as in photographic prints, differences are larger than in nature."""
+    return np.clip(light, 0, 1) ** CONTRAST
 
 
 def encoded(linear: np.ndarray) -> np.ndarray:
@@ -29,11 +35,11 @@ def decoded(srgb: np.ndarray) -> np.ndarray:
 def toned(light: np.ndarray, exposure: float = 1.0, tone_mapping: str = "linear") -> np.ndarray:
     """What a display shows of light, 0 to 1. `exposure` multiplies the light."""
     light = exposure * np.nan_to_num(np.asarray(light, float))
-    return encoded(filmic(light) if tone_mapping == "filmic" else light)
+    return encoded({"contrast": contrast, "filmic": filmic}.get(tone_mapping, np.asarray)(light))
 
 
 def checked(tone_mapping: str) -> str:
     """`tone_mapping`, or ValueError with the choices."""
     if tone_mapping not in TONE_MAPPINGS:
-        raise ValueError(f"tone_mapping is {tone_mapping!r}; it must be one of 'linear', 'filmic'.")
+        raise ValueError(f"tone_mapping is {tone_mapping!r}; it must be one of 'contrast', 'linear', 'filmic'.")
     return tone_mapping
