@@ -16,9 +16,14 @@ from ._pipeline import vtk_messages
 from .optics import cloud_optics, optics_of
 from .tone import checked, toned
 
-# What the messages of vtkSunlight say, and what it is called here.
-_NAMES = {"set ExtinctionArrayName": ("name one by {name}", "extinction"), "ExtinctionArrayName": ("{name}", "extinction"), "SunDirection": ("{name}", "direction"),
-          "DateTime": ("{name}", "time"), "Make one by Cloud Optics": ("Make one by cloud_optics", "")}
+
+def _names(say: Callable[[str], str]) -> dict[str, str]:
+    """What the messages of vtkSunlight say, and what it is called here."""
+    return {"Make one by Cloud Optics": "Make one by cloud_optics", "set ExtinctionArrayName": f"name one by {say('extinction')}", "ExtinctionArrayName": say("extinction"),
+            "SunDirection": say("direction"), "DateTime": say("time")}
+
+
+_NAMES = _names(str)
 BRIGHTEST = 0.6  # light that is drawn white at an exposure of 1
 DARKEST_WHITE, BRIGHTEST_WHITE = 0.15, 1.2  # and the limits of that of automatic exposure: night stays dark
 FILMIC_RANGE = 4.0  # times that, and the filmic curve is nearly white
@@ -109,7 +114,7 @@ def light_of(mesh: pyvista.DataSet, say: Callable[[str], str], direction: Sequen
         light.SetUseViewPosition(True)
         light.SetViewPosition(*_three(eye, say("eye")))
     light.SetParallelView(bool(parallel))
-    with vtk_messages(light, {vtk: text.format(name=say(name)) for vtk, (text, name) in _NAMES.items()}):
+    with vtk_messages(light, _names(say)):
         light.Update()
     return pyvista.wrap(light.GetOutput())
 

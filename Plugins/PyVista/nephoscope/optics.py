@@ -12,10 +12,17 @@ from . import vtkCloudOptics
 from ._checks import choose, require_number
 from ._pipeline import vtk_messages
 
-# What the messages of vtkCloudOptics say, and what it is called here.
-_NAMES = {"TotalWaterArrayName": "water", "LiquidArrayName": "liquid", "IceArrayName": "ice", "RainArrayName": "rain", "SnowArrayName": "snow",
-          "TemperatureArrayName": "temperature", "PressureArrayName": "pressure", "CloudFractionArrayName": "cloud_fraction", "LandArrayName": "land",
-          "HeightArrayName": "height", "WaterUnits": "units"}
+
+def _names(say: Callable[[str], str]) -> dict[str, str]:
+    """What the messages of vtkCloudOptics say, and what it is called here."""
+    words = {"TotalWater": "water", "Liquid": "liquid", "Ice": "ice", "Rain": "rain", "Snow": "snow", "Temperature": "temperature", "Pressure": "pressure",
+             "CloudFraction": "cloud_fraction", "Land": "land", "Height": "height"}
+    return {**{f"{vtk}ArrayName": say(name) for vtk, name in words.items()}, "WaterUnits": say("units"),
+            "Set TotalWaterArrayName, or LiquidArrayName and IceArrayName": f"Name one by {say('water')}, or two by {say('liquid')} and {say('ice')}",
+            "put the fields through Globe Grid": "put the fields through to_globe"}
+
+
+_NAMES = _names(str)
 UNITS = {"automatic": "AUTOMATIC", "kg/kg": "MIXING_RATIO", "g/kg": "MIXING_RATIO_GRAMS", "kg/m3": "CONTENT", "g/m3": "CONTENT_GRAMS"}
 
 
@@ -99,9 +106,6 @@ def optics_of(mesh: pyvista.DataSet, say: Callable[[str], str], water: str, liqu
         optics.SetIceRadius(require_number(ice_radius, say("ice_radius"), least=1, most=1e4))
     optics.SetDropletsOverLand(require_number(droplets_over_land, say("droplets_over_land"), least=1, most=1e5))
     optics.SetDropletsOverSea(require_number(droplets_over_sea, say("droplets_over_sea"), least=1, most=1e5))
-    names = {vtk: say(name) for vtk, name in _NAMES.items()}
-    names["Set TotalWaterArrayName, or LiquidArrayName and IceArrayName"] = f"Name one by {say('water')}, or two by {say('liquid')} and {say('ice')}"
-    names["put the fields through Globe Grid"] = "put the fields through to_globe"
-    with vtk_messages(optics, names):
+    with vtk_messages(optics, _names(say)):
         optics.Update()
     return pyvista.wrap(optics.GetOutput())
