@@ -22,12 +22,11 @@ namespace
 {
 constexpr std::int64_t fewTetrahedra = 1 << 15;
 
-nephoscope::TransferFunctionTable tableOf(
-  vtkVolumeProperty* property, const CellGeometry& geometry)
+nephoscope::TransferFunctionTable tableOf(vtkVolumeProperty* property, const CellGeometry& geometry)
 {
   nephoscope::TransferFunctionTable table;
-  table.Build(property, geometry.ScalarRange,
-    nephoscope::TransferFunctionTable::Channels::ColorAndOpacity);
+  table.Build(
+    property, geometry.ScalarRange, nephoscope::TransferFunctionTable::Channels::ColorAndOpacity);
   return table;
 }
 }
@@ -148,11 +147,10 @@ bool vtkCellCompositingMapper::WouldProjectFew(vtkVolume* volume) const
   const CellScene& scene = this->Internals->Scene;
   const CellGeometry& geometry = scene.GetGeometry();
   return this->CellInterpolation == TRILINEAR_INTERPOLATION && this->Method == AUTOMATIC_METHOD &&
-    geometry.Grid.IsEmpty() &&
-    geometry.NumberOfTetrahedra() <= fewTetrahedra && !this->HasSurfacesOrLayers() &&
-    volume->GetProperty()->GetScalarOpacity()->GetSize() > 0 &&
-    nephoscope::hasOneColor(tableOf(volume->GetProperty(), geometry), 0.0f,
-      geometry.SingleScalar ? 0.0f : 1.0f);
+    geometry.Grid.IsEmpty() && geometry.NumberOfTetrahedra() <= fewTetrahedra &&
+    !this->HasSurfacesOrLayers() && volume->GetProperty()->GetScalarOpacity()->GetSize() > 0 &&
+    nephoscope::hasOneColor(
+      tableOf(volume->GetProperty(), geometry), 0.0f, geometry.SingleScalar ? 0.0f : 1.0f);
 }
 
 bool vtkCellCompositingMapper::NeedsNoOrder() const

@@ -33,7 +33,7 @@ struct CellDrawingOptions
   CellMethod Method = CellMethod::Cells;
   bool AverageIntegration = false;
   bool SplitAtControlPoints = true;
-  bool Trilinear = false; ///< the scalar in hexahedra; otherwise they are tetrahedra
+  bool Trilinear = false;       ///< the scalar in hexahedra; otherwise they are tetrahedra
   double ExtinctionScale = 1.0; ///< extinction per world length at opacity 1
   bool ContourLayers = false;   ///< layers lie between contours; otherwise tetrahedra have them
   bool ContourLighting = false;

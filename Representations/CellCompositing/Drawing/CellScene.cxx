@@ -334,7 +334,7 @@ void CellScene::UpdateDrawn()
       this->Polygons.Version });
   if (visible)
   {
-    grid                                  ? this->FindVisibleOfGrid()
+    grid                                 ? this->FindVisibleOfGrid()
       : this->Geometry.Hexahedra.empty() ? this->FindVisible()
                                          : this->FindVisibleHexahedra();
   }
@@ -419,7 +419,8 @@ void CellScene::FindVisibleHexahedra()
     visible += count;
   });
   // As many tetrahedra as they could be divided into, on average.
-  this->NumberOfVisible = n == 0 ? 0 : visible * geometry.TetrahedraOfHexahedra / static_cast<std::int64_t>(n);
+  this->NumberOfVisible =
+    n == 0 ? 0 : visible * geometry.TetrahedraOfHexahedra / static_cast<std::int64_t>(n);
 }
 
 void CellScene::FindVisibleOfGrid()

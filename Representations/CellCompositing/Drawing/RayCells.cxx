@@ -72,9 +72,10 @@ std::string withParts(const std::string& shader, bool structured)
 std::string hexahedraShader(bool structured)
 {
   return withShaderParts(RayHexahedraFragment,
-    { { "Topology", structured ? GridHexahedraShader : ListedHexahedraShader }, { "HexahedronWalk", HexahedronWalkShader },
-      { "CubicPieces", CubicPiecesShader }, { "RaySegments", RaySegmentsShader },
-      { "RayRange", RayRangeShader }, { "PixelRay", PixelRayShader } });
+    { { "Topology", structured ? GridHexahedraShader : ListedHexahedraShader },
+      { "HexahedronWalk", HexahedronWalkShader }, { "CubicPieces", CubicPiecesShader },
+      { "RaySegments", RaySegmentsShader }, { "RayRange", RayRangeShader },
+      { "PixelRay", PixelRayShader } });
 }
 }
 
@@ -370,9 +371,8 @@ void RayCells::SetTopology(vtkShaderProgram* program, int instance)
 
 void RayCells::DeactivateTopology()
 {
-  for (BufferTexture* buffer :
-    { &this->Neighbors, &this->VertexSums, &this->Hexahedra, &this->BoundaryFaces,
-      &this->HiddenCells })
+  for (BufferTexture* buffer : { &this->Neighbors, &this->VertexSums, &this->Hexahedra,
+         &this->BoundaryFaces, &this->HiddenCells })
   {
     buffer->Deactivate();
   }
@@ -505,9 +505,8 @@ void RayCells::SetEye(const EyeTetrahedron& eye, vtkShaderProgram* program, int 
 void RayCells::ReleaseGraphicsResources(vtkWindow* window)
 {
   this->Voxels.ReleaseGraphicsResources(window);
-  for (BufferTexture* buffer :
-    { &this->Neighbors, &this->VertexSums, &this->Hexahedra, &this->BoundaryFaces,
-      &this->HiddenCells })
+  for (BufferTexture* buffer : { &this->Neighbors, &this->VertexSums, &this->Hexahedra,
+         &this->BoundaryFaces, &this->HiddenCells })
   {
     buffer->Release(window);
   }

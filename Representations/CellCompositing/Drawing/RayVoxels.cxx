@@ -35,10 +35,10 @@ namespace
 std::string voxelShader(const CellDrawing& drawing)
 {
   const std::string walk = withShaderParts(RayVoxelsFragment,
-    { { "VoxelWalk", VoxelWalkShader }, { "CubicPieces", CubicPiecesShader }, { "RayRange", RayRangeShader },
-      { "RaySegments", RaySegmentsShader } });
-  return specializedShader(
-    walk, drawing.Buffers.SmallTableDefinition() + drawing.ShaderConstants() +
+    { { "VoxelWalk", VoxelWalkShader }, { "CubicPieces", CubicPiecesShader },
+      { "RayRange", RayRangeShader }, { "RaySegments", RaySegmentsShader } });
+  return specializedShader(walk,
+    drawing.Buffers.SmallTableDefinition() + drawing.ShaderConstants() +
       shaderConstant("trilinear", drawing.Options.Trilinear));
 }
 }

@@ -69,9 +69,9 @@ public:
   bool Stopped = false; ///< the last Build was told to stop
   std::vector<Point> Points;
   std::vector<Tetrahedron> Tetrahedra;
-  std::vector<Hexahedron> Hexahedra; ///< in place of the list of tetrahedra unless it is empty
+  std::vector<Hexahedron> Hexahedra;      ///< in place of the list of tetrahedra unless it is empty
   std::int64_t TetrahedraOfHexahedra = 0; ///< into how many these could be divided
-  GridLattice Lattice; ///< of the grid, where it is evenly spaced
+  GridLattice Lattice;                    ///< of the grid, where it is evenly spaced
   ChessboardGrid Grid; ///< takes the place of the list of tetrahedra unless it is empty
   std::vector<std::uint8_t> HiddenCells; ///< of the grid, 255: not drawn; empty: all are drawn
   std::vector<float>

@@ -69,7 +69,8 @@ bool CellGeometry::ValuesAreFinite() const
 bool CellGeometry::UpdateValues(vtkDataSet* data, const ScalarSelection& scalars,
   const ScalarSelection& opacity, bool ofColor, bool ofOpacity)
 {
-  if (!this->Grid.IsEmpty() || (this->Tetrahedra.empty() && this->Hexahedra.empty()) || this->NumberOfInvalidCells > 0)
+  if (!this->Grid.IsEmpty() || (this->Tetrahedra.empty() && this->Hexahedra.empty()) ||
+    this->NumberOfInvalidCells > 0)
   {
     return false;
   }

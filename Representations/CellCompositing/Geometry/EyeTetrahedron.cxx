@@ -181,8 +181,8 @@ public:
     const std::vector<Hexahedron>& cells = this->Geometry.Hexahedra;
     for (std::size_t i = 0; i < cells.size(); ++i)
     {
-      this->Offer({ { std::int32_t(i), 0, 0, 0 } },
-        [&](std::size_t corner) { return cells[i][corner]; });
+      this->Offer(
+        { { std::int32_t(i), 0, 0, 0 } }, [&](std::size_t corner) { return cells[i][corner]; });
     }
   }
 
@@ -199,8 +199,8 @@ public:
         c[1] < grid.Size[1] - 1 && c[2] < grid.Size[2] - 1)
       {
         this->Offer(c, [&](std::size_t corner) {
-          return std::int32_t(grid.PointNumber(c[0] + int(corner & 1), c[1] + int(corner >> 1 & 1),
-            c[2] + int(corner >> 2 & 1)));
+          return std::int32_t(grid.PointNumber(
+            c[0] + int(corner & 1), c[1] + int(corner >> 1 & 1), c[2] + int(corner >> 2 & 1)));
         });
       }
     }

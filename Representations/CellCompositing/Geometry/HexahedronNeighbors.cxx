@@ -112,7 +112,8 @@ private:
       }
     }
     const double rounding = 4.0 * std::numeric_limits<float>::epsilon() * largest;
-    return { { dot(normal, difference(middle, ofFace)), rounding * std::sqrt(dot(normal, normal)) } };
+    return { { dot(normal, difference(middle, ofFace)),
+      rounding * std::sqrt(dot(normal, normal)) } };
   }
 
   // Both cells lie on one side of their face.
