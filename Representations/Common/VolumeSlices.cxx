@@ -205,6 +205,11 @@ void VolumeSlices::DrawSlices(
   }
 }
 
+std::array<float, 2> VolumeSlices::GetDepths() const
+{
+  return { this->Slice[0], this->Slice[3] };
+}
+
 void VolumeSlices::DrawTriangle()
 {
   this->VertexArray->Bind();

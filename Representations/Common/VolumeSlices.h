@@ -16,6 +16,7 @@
 #include "vtkNephoscopeRepresentationsCommonModule.h" // for export macro
 #include "vtkNew.h"
 
+#include <array>
 #include <functional>
 #include <vector>
 
@@ -46,6 +47,8 @@ public:
 
   /** Those that are being drawn; null where there are none. */
   static VolumeSlices* GetCurrent();
+  /** Depths in [0, 1] between which volumes are asked to draw now. */
+  std::array<float, 2> GetDepths() const;
   ///@{
   /** What VolumePeel asks in place of a peeling pass. */
   vtkShaderProgram* ReadyRanges(vtkOpenGLRenderWindow* window);

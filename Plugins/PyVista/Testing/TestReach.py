@@ -77,6 +77,7 @@ EXCEPTIONS = {
     ("PyVista", "vtkSparseVolumeReader", "OutputToPoints"): "OutputType, by its values",
     **{("ParaView", name, "Periodic"): AXES for name in ("vtkCloudSurface", "vtkStructuredSmoothing")},
     **{("PyVista", name, "Periodic" + axis): AXES for name in ("vtkCloudSurface", "vtkStructuredSmoothing") for axis in "IJK"},
+    **{(host, "vtkCellCompositingMapper", "CellInterpolation"): "on request in Python, on the mapper itself" for host in ("ParaView", "PyVista")},
     ("PyVista", "vtkCellCompositingMapper", "NumberOfContourValues"): "the length of the list of contours",
     ("ParaView", "vtkCloudTextureMapper", "DensityVolume"): "a second input, the property of that name",
     ("ParaView", "vtkCellCompositingMapper", "LayersFromContours"): "on by itself, unless there is a Layer Array",

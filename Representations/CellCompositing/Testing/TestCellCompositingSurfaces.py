@@ -215,7 +215,7 @@ class Limits(SurfacesTestCase):
         self.assertLess(means[-1], 1.5 / 255)
 
     def test_surfaces_first_without_peeling_of_volumes(self):
-        """VTK draws the cells last then, over all surfaces."""
+        """VTK draws the cells last then, over all surfaces, and the mapper says so once."""
         layers = [(plane((0, 0, z), 3), c, 0.5) for z, c in ((0.0, RED), (1.8, GREEN))]
         for peeling in (False, True):
             picture = Picture([sample(10)], layers, look=lambda s: s.look((0, 0, 6), near=1, far=12))
@@ -225,17 +225,22 @@ class Limits(SurfacesTestCase):
             picture.volume.VisibilityOff()
             under = picture.draw()
             picture.volume.VisibilityOn()
+            picture.draw()
+            self.assertIn("the renderer does not peel", *picture.window.messages.all)
+            picture.window.messages.clear()
             light = reference.render(cells_of(picture.volumes[0][0]), picture.scene.view(), picture.volumes[0][1])
             self.check_picture(picture, f"peeling {peeling}", BLEND_TOLERANCE, reference.over(light, under))
 
     def test_single_layer_peeling(self):
-        """Where dual peeling is not supported VTK says so, peels surfaces alone, and draws the cells over them."""
+        """Where dual peeling is not supported VTK says so, peels surfaces alone, and draws the cells over them, and the mapper says that."""
         os.environ["VTK_USE_LEGACY_DEPTH_PEELING"] = "1"
         self.addCleanup(os.environ.pop, "VTK_USE_LEGACY_DEPTH_PEELING")
         picture = Picture([sample(11)], [(plane((0, 0, 1.8), 3), GREEN, 0.5)],
                           look=lambda s: s.look((0, 0, 6), near=1, far=12))
         picture.draw()
-        self.assertTrue(all("DualDepthPeeling is not available" in m for m in picture.window.messages.all))
+        first, second = picture.window.messages.all
+        self.assertIn("DualDepthPeeling is not available", first)
+        self.assertIn("the renderer does not peel", second)
         picture.window.messages.clear()
         light = reference.render(cells_of(picture.volumes[0][0]), picture.scene.view(), picture.volumes[0][1])
         under = 0.5 * np.array(GREEN) + 0.5 * np.array(BACKGROUND)

@@ -133,6 +133,7 @@ class Overlap(SmokeTestCase):
         expected = [*(near * red + (1 - near) * far * blue), 1 - (1 - near) * (1 - far)]
         for method in METHODS:
             window, scene, ours = scene_of(data, transfer, method)
+            scene.renderer.RemoveAllViewProps()
             scene.add_volume(ours, data, transfer, "part", "cell")
             along_z(scene)
             window.render()

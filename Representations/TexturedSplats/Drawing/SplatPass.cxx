@@ -15,6 +15,7 @@
 #include "SplatShaderConstants.h"
 #include "SplatTree.h"
 #include "ViewState.h"
+#include "VolumeSlices.h"
 
 #include "OpaquePixelsFragment.h"
 #include "OpaquePixelsVertex.h"
@@ -54,6 +55,22 @@ constexpr double dotSize =
 constexpr double pixelVarianceOfKernels = 1.0 / 12.0 / cubic_kernel::variance;
 constexpr float tailShare = 0.6f;     // of a streak's period, at full speed
 constexpr double streakSpacing = 1.0; // from row to row, in units of the vectors
+
+// SplatFootprint.glsl: zOfDepth
+float zOfDepth(float depth, const std::array<float, 4>& depthToVC)
+{
+  const float e = 1.0f - depth;
+  return depth <= 0.0f ? 1.0e37f
+    : e > 0.0f         ? (depthToVC[0] + depthToVC[1] * e) / (depthToVC[2] + depthToVC[3] * e)
+                       : -1.0e37f;
+}
+
+std::array<float, 2> zOfSlice(const std::array<float, 4>& depthToVC)
+{
+  const VolumeSlices* slices = VolumeSlices::GetCurrent();
+  const std::array<float, 2> depths = slices ? slices->GetDepths() : std::array<float, 2>{ 0, 1 };
+  return { zOfDepth(depths[0], depthToVC), zOfDepth(depths[1], depthToVC) };
+}
 
 // Vertices of quadrangles: the medium, or its halves behind and in front of streaks, or of two segments.
 int verticesOfSplat(const SplatDrawingOptions& options, bool nearEye)
@@ -341,7 +358,9 @@ void SplatPass::SetUniforms(
   program->SetUniform4f("rayOfPixel", RayOfPixel(view.ViewToDevice, this->PixelsPerDevice).data());
   program->SetUniformi("opaqueDepth", this->DepthUnit);
   program->SetUniformi("depthRanges", this->DepthUnit);
-  program->SetUniform4f("depthToVC", depthToView(view.ViewToDevice).data());
+  const std::array<float, 4> depthToVC = depthToView(view.ViewToDevice);
+  program->SetUniform4f("depthToVC", depthToVC.data());
+  program->SetUniform2f("sliceZ", zOfSlice(depthToVC).data());
   SetRegionUniforms(program, view, options, this->PixelsPerDevice);
 }
 

@@ -7,6 +7,7 @@ uniform FloatArray splats;
 uniform int firstNode;
 uniform mat4 modelToVC;
 uniform mat3 sharedJacobian;
+uniform vec2 sliceZ; // near and far z in VC of what is drawn, where volumes are drawn in slices (VolumeSlices.h)
 
 void readSplat(int splat, out vec3 centerVC, out mat3 jacobianVC)
 {
@@ -27,4 +28,10 @@ void readSplat(int splat, out vec3 centerVC, out mat3 jacobianVC)
   }
   centerVC = (modelToVC * vec4(center, 1.0)).xyz;
   jacobianVC = mat3(modelToVC) * jacobian;
+}
+
+bool outsideSlice(vec3 center, mat3 J, float radius)
+{
+  float reach = radius * length(vec3(J[0].z, J[1].z, J[2].z));
+  return peeled && (center.z - reach > sliceZ.x || center.z + reach < sliceZ.y);
 }

@@ -130,6 +130,10 @@ void emitKernel(vec3 center, mat3 J, SplatLook look)
   float square = dot(w, w);
   float radius = kernelRadius;
   float reachAlongZ = kernelRadius * length(vec3(J[0].z, J[1].z, J[2].z));
+  if (outsideSlice(center, J, kernelRadius))
+  {
+    return;
+  }
   if (!parallelRays)
   {
     if (square <= kernelRadius * kernelRadius || center.z >= reachAlongZ)

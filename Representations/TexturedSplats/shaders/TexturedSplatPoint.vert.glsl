@@ -50,6 +50,12 @@ void main()
   vec3 center;
   mat3 J;
   readSplat(splatNumber, center, J);
+  if (outsideSlice(center, J, kernelRadius))
+  {
+    gl_PointSize = 1.0;
+    gl_Position = vec4(2.0, 2.0, 2.0, 1.0);
+    return;
+  }
   mat3 cofactors = mat3(cross(J[1], J[2]), cross(J[2], J[0]), cross(J[0], J[1]));
   mat3 inverseJ = transpose(cofactors) / dot(J[0], cofactors[0]);
   float depth = parallelRays ? 1.0 : -center.z;
