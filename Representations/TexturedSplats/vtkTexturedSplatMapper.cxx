@@ -142,7 +142,8 @@ void vtkTexturedSplatMapper::ReportOnce(const std::string& error)
 
 std::string vtkTexturedSplatMapper::UpdateSplats(vtkDataSet* input, vtkVolume* volume)
 {
-  nephoscope::SplatFields fields{ {}, {}, volume->GetProperty() };
+  nephoscope::SplatFields fields{ {}, {}, volume->GetProperty(),
+    this->InterpolateScalarsBeforeMapping };
   constexpr double longest = 1e12; // whose volume is a number in single precision
   std::string error = nephoscope::checkLengths(input, longest);
   if (error.empty())
@@ -284,7 +285,7 @@ bool vtkTexturedSplatMapper::UsesHierarchy(
       "draw blocks of samples as one splat each, with their vectors."
     : "";
   warning += axisIgnored ? std::string(warning.empty() ? "" : " ") +
-      "LayerAxis (in ParaView, Layer Axis) is ignored: these samples lie on no structured grid. "
+      "LayerAxis (in ParaView, Layer Axis) is ignored: these samples are not on a structured grid. "
       "Layers at right angles to the line of sight are drawn instead; set it to -1 (Towards the Eye) to ask for these."
                          : "";
   if (this->Internals->LastWarning.IsNew(warning))

@@ -4,18 +4,18 @@
  * @class   vtkTexturedSplatMapper
  * @brief   samples of a scalar field drawn as splats in the shape of their grid cells
  *
- * Every sample is a kernel of unit integral, stretched to its grid cell. What a ray meets of it is integrated exactly, for
- * every cell shape and for parallel and perspective views: alpha = 1 - exp(-extinction * footprint). The product of what splats
- * let through is the exact transparency of the reconstructed field in any order; colours are composited from back to front, in an
- * order that is found once per view and does not depend on the order of the input.
+ * Every sample is a kernel of unit integral, stretched to its grid cell. Its integral along a ray is exact, for every cell
+ * shape and for parallel and perspective views: alpha = 1 - exp(-extinction * footprint). The product of the splats'
+ * transmittances is the exact transmittance of the reconstructed field, in any order; colours are composited from back to front, in an
+ * order that is computed once per view and does not depend on the order of the input.
  *
  * Vectors are drawn on the splats as streaks along their projection, foreshortened, that move with them, or as line segments: in
  * the middle of a splat's medium, so that the two partly hide each other, or layer by layer.
  *
- *     vtkDataSet ──► samples: place, Jacobian, value ──► colour, extinction ──► order ──► splats, blended in float
+ *     vtkDataSet ──► samples: position, Jacobian, value ──► colour, extinction ──► order ──► splats, blended in float
  *
- * Samples are points, or the centres of cells where the data are on cells, of any dataset. Structured grids give each its cell by
- * central differences; other points are balls. To be used with vtkVolume and vtkVolumeProperty; extinction is the
+ * Samples are the points of any dataset, or the centres of its cells for cell arrays. On structured grids each sample gets the
+ * shape of its cell by central differences; other points are balls. To be used with vtkVolume and vtkVolumeProperty; extinction is the
  * opacity function's value over ScalarOpacityUnitDistance, a rate per length, as in vtkCellCompositingMapper.
  *
  * References: R. Crawfis, N. Max, Texture Splats for 3D Scalar and Vector Field Visualization, IEEE Visualization 1993
@@ -77,9 +77,9 @@ public:
 
   ///@{
   /**
-   * For samples without a grid: edge of the cube that each stands for, in units of length of the data; the splat's own radius is 1.56
-   * times as long. 0 (default): found from the data, see CellSizeFromCells and CellSizeFromNeighbors, or else the mean spacing of all
-   * samples but those few that are far away. Ignored on structured grids.
+   * For samples without a grid: edge length of the cube that each represents, in units of length of the data; the splat's own radius is 1.56
+   * times as long. 0 (default): found from the data, see CellSizeFromCells and CellSizeFromNeighbors, otherwise the mean spacing of
+   * all samples without a few distant outliers. Ignored on structured grids.
    */
   vtkSetClampMacro(CellSize, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(CellSize, double);
@@ -87,8 +87,8 @@ public:
 
   ///@{
   /**
-   * Name of an array (one component, on points or cells as the coloured array) that gives every sample a CellSize of its own, in units of
-   * length of the data, or a volume where CellSizeArrayHoldsVolumes is on (default: off). Samples whose size is not a positive number
+   * Name of an array (one component, on points or cells like the coloured array) with the CellSize of every sample, in units of length of
+   * the data, or with its volume if CellSizeArrayHoldsVolumes is on (default: off). Samples whose size is not a positive number
    * are not drawn. Empty (default): none. Ignored on structured grids.
    */
   vtkSetMacro(CellSizeArrayName, std::string);
@@ -100,9 +100,9 @@ public:
 
   ///@{
   /**
-   * For unstructured cells without sizes: whether each point is an ellipsoid of its share of the cells around it, and each cell one of its own
-   * volume and proportions (of surfaces: a ball of that area). On (default): constant data are flat on cells of any size. Off: all
-   * have the mean spacing.
+   * For unstructured cells without sizes. On (default): each point becomes an ellipsoid with its share of the surrounding cells, and each cell
+   * one with its volume and proportions (for surfaces: a ball with that area); constant data look constant on cells of any size. Off: all
+   * samples have the mean spacing.
    */
   vtkSetMacro(CellSizeFromCells, bool);
   vtkGetMacro(CellSizeFromCells, bool);
@@ -111,9 +111,9 @@ public:
 
   ///@{
   /**
-   * For points without cells and sizes: whether each has the mean spacing of its twelve nearest neighbours, so that a field which is sampled
-   * densely in one place and sparsely in another is drawn evenly. Off (default): all have the mean spacing, and where there are more
-   * particles it is denser.
+   * For points without cells and sizes. On: each point has the mean spacing of its twelve nearest neighbours, so that a field is drawn
+   * evenly where it is sampled densely and where it is sampled sparsely. Off (default): all points have the mean spacing, so that more
+   * particles look denser.
    */
   vtkSetMacro(CellSizeFromNeighbors, bool);
   vtkGetMacro(CellSizeFromNeighbors, bool);
@@ -132,8 +132,8 @@ public:
 
   ///@{
   /**
-   * Name of an array (nine components, on points or cells as the coloured array) with the shape of every sample: three edges of the
-   * cell that it stands for, one after the other, in units of length of the data. Empty (default), or without such an array: the cells
+   * Name of an array (nine components, on points or cells like the coloured array) with the shape of every sample: the three edge
+   * vectors of the cell that it represents, in units of length of the data. Empty (default), or if the array does not exist: the cells
    * of the grid, or CellSize.
    */
   vtkSetMacro(ShapeArrayName, std::string);
@@ -147,11 +147,10 @@ public:
   ///@}
 
   /**
-   * The ScalarOpacityUnitDistance that gives rays through the input a mean optical depth of 2 with the property's opacity function, taken as if it
-   * reached up to 1: the mean length of a ray inside the data times the mean opacity over their volume, divided by 2. It depends on the size
-   * of the data, their thickness too, and hardly on how many samples there are. Parts that are few and far away
-   * do not count. 0 if nothing is opaque, or there is nothing to draw.
-   * Hosts use it where the user has set no length. Cost: as of one pass over the samples.
+   * The ScalarOpacityUnitDistance that gives rays through the input a mean optical depth of 2 with the property's opacity function, scaled to
+   * reach 1: the mean length of a ray inside the data times the mean opacity over their volume, divided by 2. It depends on the size
+   * and thickness of the data, but hardly on the number of samples. A few distant outliers are ignored. 0 if nothing is opaque, or there is nothing to draw.
+   * Hosts use it if the user has not set a length. Cost: one pass over the samples.
    */
   double FindUnitDistance(vtkVolumeProperty* property);
 
@@ -163,7 +162,17 @@ public:
 
   ///@{
   /**
-   * Name of the array of vectors (three components, on points or cells as the coloured array) that are drawn on the splats, as
+   * Whether the scalars of points are interpolated in the cells between them before the opacity function is applied, as in vtkCellCompositingMapper,
+   * so that splats have the same opacity. Off: the function is applied to each sample. Default: on. Data on cells have nothing to interpolate.
+   */
+  vtkSetMacro(InterpolateScalarsBeforeMapping, bool);
+  vtkGetMacro(InterpolateScalarsBeforeMapping, bool);
+  vtkBooleanMacro(InterpolateScalarsBeforeMapping, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Name of the array of vectors (three components, on points or cells like the coloured array) that are drawn on the splats, as
    * streaks along their projection. Empty (default): no vectors. An opacity function of 0 draws only the vectors.
    */
   vtkSetMacro(VectorArrayName, std::string);
@@ -173,11 +182,12 @@ public:
   ///@{
   /**
    * How vectors are drawn. Default: streaks.
-   * - Streaks: like comets, with a sharp head in front and a tail that fades, longer where it is faster; they move with Phase and
+   * - Streaks: like comets, with a sharp head in front and a fading tail that is longer for faster vectors; they move with Phase and
    *   AdvancePhases. A vector that points at the eye is a round dot; patterns finer than a pixel are their mean.
-   * - Segments: an anti-aliased line each (Crawfis and Max 1993), longer and more opaque where it is faster, somewhere in its cell: where
-   *   does not depend on the order of the input. They move with Phase and AdvancePhases, in a period by SegmentLength. In the first
-   *   quarter of the next period one fades in as far back as the one before it fades out ahead, so that their opacities add up to that of one.
+   * - Segments: one anti-aliased line per sample (Crawfis and Max 1993), longer and more opaque for faster vectors, at a random position
+   *   in its cell that does not depend on the order of the input. They move with Phase and AdvancePhases, by SegmentLength in a period.
+   *   In the first quarter of the next period a segment fades in behind while the previous one fades out ahead, so that their opacities
+   *   add up to that of one segment.
    */
   enum VectorStyleType
   {
@@ -193,7 +203,7 @@ public:
   ///@{
   /**
    * Depth of vectors among the scalars. Default: in the middle.
-   * - Middle: in the middle of its splat's medium: half of that hides the vector, which hides the other half.
+   * - Middle: in the middle of its splat's medium. Half of the medium hides the vector, and the vector hides the other half.
    * - Layers: the splats are drawn in layers, in each of them first the scalars and then the vectors (Max, Crawfis and Becker 1993).
    */
   enum VectorPlacementType
@@ -211,8 +221,8 @@ public:
 
   ///@{
   /**
-   * For placement in layers: the axis of a structured grid whose index numbers them, 0 to 2. -1 (default): the one that points most
-   * towards the eye, the last one if there is little between them. Ignored for samples without a grid, whose layers are at right
+   * For placement in layers: the axis of a structured grid whose index numbers the layers, 0 to 2. -1 (default): the axis that
+   * points most towards the eye, or the last one if they hardly differ. Ignored for samples without a grid, whose layers are at right
    * angles to the line of sight.
    */
   vtkSetClampMacro(LayerAxis, int, -1, 2);
@@ -247,8 +257,8 @@ public:
 
   ///@{
   /**
-   * Fraction of the samples whose vectors are drawn, 0 to 1, chosen uniformly at random, but always the same. Where VectorUnit is
-   * found from the data it grows by the cube root of the samples for each vector, so that streaks look as on a coarser grid.
+   * Fraction of the samples whose vectors are drawn, 0 to 1, chosen uniformly at random, but always the same. If VectorUnit is
+   * automatic, it grows by the cube root of the number of samples per vector, so that streaks look as on a coarser grid.
    * Default: 1, all.
    */
   vtkSetClampMacro(VectorFraction, double, 0.0, 1.0);
@@ -258,9 +268,9 @@ public:
   ///@}
 
   /**
-   * Sets VectorOpacity or VectorFraction, or both, so that streaks and the medium can both be seen: streaks of the mean speed get an optical depth of 0.6,
-   * the fastest at least 0.8 and at most 2, and a ray meets as many streaks as of 7 samples with the greatest speed, at most. Nothing without an
-   * array of vectors.
+   * Sets VectorOpacity or VectorFraction, or both, so that both streaks and the medium are visible. Streaks of the mean speed get an optical depth of 0.6,
+   * the fastest at least 0.8 and at most 2. A ray meets at most as many streaks as 7 samples with the greatest speed would give. It does nothing without
+   * an array of vectors.
    */
   void SuitVectorsToMedium(bool opacity = true, bool share = true);
 
@@ -286,8 +296,8 @@ public:
 
   ///@{
   /**
-   * Name of an array, where the vectors are, whose value gives vectors a colour apart from that of the medium, by VectorColorFunction; of
-   * several components their magnitude counts. Empty (default): VectorColor or the splat's colour.
+   * Name of an array, on points or cells like the vectors, that colours the vectors independently of the medium through
+   * VectorColorFunction; the magnitude is used if it has several components. Empty (default): VectorColor or the splat's colour.
    */
   vtkSetMacro(VectorColorArrayName, std::string);
   vtkGetMacro(VectorColorArrayName, std::string);
@@ -296,7 +306,7 @@ public:
   ///@}
 
   ///@{
-  /** Colour of the vectors where UseVectorColor is on, 0 to 1 each. Default: white. Off (default): the splat's colour. */
+  /** Colour of the vectors if UseVectorColor is on, 0 to 1 each. Default: white. Off (default): the splat's colour. */
   vtkSetVector3Macro(VectorColor, double);
   vtkGetVector3Macro(VectorColor, double);
   vtkSetMacro(UseVectorColor, bool);
@@ -307,7 +317,7 @@ public:
   ///@{
   /**
    * Position of the patterns in their loop, 0 to 1; 1 is the same as 0. Over a loop each pattern moves a whole number of periods,
-   * nearest to PhaseCycles (default 4) times its share of MaximumSpeed: for pictures that repeat. For motion at exactly the
+   * nearest to PhaseCycles (default 4) times its fraction of MaximumSpeed, for looping animations. For motion at exactly the
    * speed of the data use AdvancePhases.
    */
   vtkSetMacro(Phase, double);
@@ -318,7 +328,7 @@ public:
 
   ///@{
   /**
-   * Number of patterns in a period between which streaks and segments step, 0 to 1000: 16 is as Crawfis and Max stored them. 0 (default): they
+   * Number of patterns in a period between which streaks and segments step, 0 to 1000: 16 is the number that Crawfis and Max stored. 0 (default): they
    * move continuously.
    */
   vtkSetClampMacro(PhaseSteps, int, 0, 1000);
@@ -337,7 +347,7 @@ public:
    * always are. The cost falls with the number of splats. 0 (default): every sample is drawn. Blocks have the mean of their
    * vectors. Ignored, with a warning, where vectors are in layers.
    *
-   * The splat of a block has the mass, the emission, the centre of mass and the covariance of what it stands for. Unit of the error:
+   * The splat of a block has the mass, the emission, the centre of mass and the covariance of its samples. Unit of the error:
    * - Image (default): optical depth along the ray, depending on the view. It is that of each block: those that a ray meets add up.
    * - Data: value of the opacity function, or share of MaximumSpeed; the same in every view.
    */
@@ -362,7 +372,7 @@ public:
    *   error of the data: the root of the mean square.
    * - Root mean square: of the error over the block.
    * - Greatest: deviation of a sample from the block's mean (Laur and Hanrahan 1991), along the ray through the block; or the root mean
-   *   square if it is more. Better than the others where the field is smooth and much is asked for.
+   *   square if it is more. Better than the others if the field is smooth and the tolerance is small.
    */
   enum ErrorMeasureType
   {
@@ -418,7 +428,7 @@ public:
   ///@}
 
   /**
-   * For a picture that several processes draw: what they agree on so that they compute the same. `origin`: a place amid the data of all;
+   * For a picture drawn by several processes: the values on which they agree, so that they compute the same. `origin`: a position within the data of all processes;
    * `longestEdge`: of the cells of all, in units of the data; `numberOfSamples`: the most that one process has, which is held against
    * InteractiveMaximumNumberOfSplats. Used where Region is set.
    */
@@ -465,6 +475,7 @@ protected:
   bool CellSizeFromNeighbors = false;
   double OpacityScale = 1.0;
   std::string OpacityArrayName;
+  bool InterpolateScalarsBeforeMapping = true;
   std::string VectorArrayName;
   double VectorOpacity = 2.0;
   double MaximumSpeed = 0.0;

@@ -23,6 +23,7 @@ void vtkTexturedSplatMapper::CopySettings(vtkTexturedSplatMapper* mapper)
   this->SetCellSizeFromNeighbors(mapper->CellSizeFromNeighbors);
   this->SetOpacityScale(mapper->OpacityScale);
   this->SetOpacityArrayName(mapper->OpacityArrayName);
+  this->SetInterpolateScalarsBeforeMapping(mapper->InterpolateScalarsBeforeMapping);
   this->SetVectorArrayName(mapper->VectorArrayName);
   this->SetVectorOpacity(mapper->VectorOpacity);
   this->SetMaximumSpeed(mapper->MaximumSpeed);
@@ -62,6 +63,8 @@ void vtkTexturedSplatMapper::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "ShapeArrayName: " << this->ShapeArrayName << "\n";
   os << indent << "OpacityScale: " << this->OpacityScale << "\n";
   os << indent << "OpacityArrayName: " << this->OpacityArrayName << "\n";
+  os << indent << "InterpolateScalarsBeforeMapping: " << this->InterpolateScalarsBeforeMapping
+     << "\n";
   os << indent << "VectorArrayName: " << this->VectorArrayName << "\n";
   os << indent << "VectorOpacity: " << this->VectorOpacity << "\n";
   os << indent << "MaximumSpeed: " << this->MaximumSpeed << "\n";

@@ -2,14 +2,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SplatClasses.h"
 
+#include "CellExtinction.h"
 #include "SplatSamples.h"
 #include "TransferFunctionTable.h"
 
+#include "vtkDataSet.h"
+#include "vtkDataSetAttributes.h"
 #include "vtkSMPTools.h"
+#include "vtkUnsignedCharArray.h"
 #include "vtkVolumeProperty.h"
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace nephoscope
 {
@@ -21,11 +26,27 @@ namespace
 // extinction, by the ripple of the kernel 1.006 times as much: where a ray through nothing but the densest medium has an optical
 // depth of t, alpha is at most 1.006e-6 t too small.
 constexpr float leastShare = 1e-6f;
+
+std::vector<float> interpolated(vtkDataSet* data, const ScalarSelection& dense,
+  const double range[2], const TransferFunctionTable& extinction)
+{
+  std::vector<float> values(static_cast<std::size_t>(data->GetNumberOfPoints()));
+  vtkUnsignedCharArray* ghosts = data->GetPointGhostArray();
+  vtkSMPTools::For(0, data->GetNumberOfPoints(), [&](vtkIdType begin, vtkIdType end) {
+    for (vtkIdType i = begin; i < end; ++i)
+    {
+      const bool hidden = ghosts && (ghosts->GetValue(i) & vtkDataSetAttributes::HIDDENPOINT);
+      values[static_cast<std::size_t>(i)] =
+        hidden ? std::numeric_limits<float>::quiet_NaN() : normalized(dense, i, range);
+    }
+  });
+  return InterpolateExtinction(data, values, extinction);
+}
 }
 
 SplatClasses ClassifySplats(vtkDataSet* data, const SplatSamples& samples,
   const ScalarSelection& scalars, const ScalarSelection& opacity, vtkVolumeProperty* property,
-  bool keepTransparent)
+  bool keepTransparent, bool interpolate)
 {
   const ScalarSelection& dense = opacity.Array ? opacity : scalars;
   double range[2], denseRange[2];
@@ -34,6 +55,9 @@ SplatClasses ClassifySplats(vtkDataSet* data, const SplatSamples& samples,
   TransferFunctionTable color, extinction;
   color.Build(property, range, TransferFunctionTable::Channels::Color);
   extinction.Build(property, denseRange, TransferFunctionTable::Channels::Opacity);
+  const std::vector<float> ofCells = interpolate && !dense.OnCells && data->GetNumberOfCells() > 0
+    ? interpolated(data, dense, denseRange, extinction)
+    : std::vector<float>();
   const float rate = static_cast<float>(1.0 / property->GetScalarOpacityUnitDistance());
 
   std::vector<std::array<float, 4>> all(samples.Size(), { { 0, 0, 0, -1 } });
@@ -46,7 +70,9 @@ SplatClasses ClassifySplats(vtkDataSet* data, const SplatSamples& samples,
       if (std::isfinite(s) && std::isfinite(d))
       {
         all[at] = color.Evaluate(s);
-        all[at][3] = rate * extinction.Evaluate(d)[3];
+        all[at][3] = rate *
+          (ofCells.empty() ? extinction.Evaluate(d)[3]
+                           : ofCells[static_cast<std::size_t>(samples.Ids[at])]);
       }
     }
   });

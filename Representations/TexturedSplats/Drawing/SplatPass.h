@@ -80,11 +80,11 @@ public:
   void UploadOrder(const std::vector<std::int32_t>& order, const std::vector<float>& weights);
   std::string Draw(
     vtkOpenGLRenderWindow* window, const SceneView& view, const SplatDrawingOptions& options);
-  /** Draws only what a depth peeling pass asks for, into its targets. */
+  /** Draws only the part that a depth peeling pass requests, into its targets. */
   std::string DrawPeel(vtkOpenGLRenderWindow* window, const SceneView& view,
     const SplatDrawingOptions& options, const VolumePeel::Request& request);
 
-  /** False when nothing was drawn yet, or what was drawn last was a peel. */
+  /** False if nothing has been drawn yet, or if the last drawing was a peel. */
   bool CopyFloatImage(vtkOpenGLRenderWindow* window, vtkImageData* image)
   {
     return !this->Peeled && this->Layer.CopyTo(window, image);

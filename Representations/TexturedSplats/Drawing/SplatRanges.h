@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
-/** Which splats of a sorted list are drawn in which way, by their distance. */
+/** The drawing method of the splats in a sorted list, by their distance. */
 #ifndef SplatRanges_h
 #define SplatRanges_h
 
@@ -79,7 +79,7 @@ SplatMatrix ToViewMatrix(const SceneView& view);
 /** The metric of the world, for positions that such a matrix takes there. */
 SplatMetric MetricOf(const SplatMatrix& toView);
 
-/** What is drawn, from back to front: the places of the items, in an order, and the greatest stretch of their Jacobians. */
+/** The drawn items from back to front: their positions, in an order, and the greatest stretch of their Jacobians. */
 struct SortedSplats
 {
   const std::vector<std::array<float, 3>>& Places;

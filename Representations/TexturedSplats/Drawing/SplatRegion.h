@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * The share of one of several processes that draw one picture together.
+ * The part of a picture that one of several processes draws.
  *
  * A process draws a splat in those pixels whose ray is in its region at the splat's distance from the eye, and then all of the splat.
  * Along a ray regions come one after the other, and so do distances: pictures of regions that fill space, laid over each other, show

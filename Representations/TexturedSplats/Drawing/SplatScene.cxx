@@ -57,7 +57,7 @@ std::string SplatScene::Update(vtkDataSet* input, const SplatSampling& sampling,
   const bool haveVectors = !vectors.ArrayName.empty();
   const SampleKey samples = keyOf(input, sampling);
   const ClassKey classes(fields.Scalars.Array, fields.Opacity.Array, fields.Scalars.Component,
-    fields.Property->GetMTime(), input->GetMTime(), haveVectors);
+    fields.Property->GetMTime(), input->GetMTime(), haveVectors, fields.Interpolate);
   std::string error;
   withThreads([&]() {
     if (samples != this->SampledFrom)
@@ -67,8 +67,8 @@ std::string SplatScene::Update(vtkDataSet* input, const SplatSampling& sampling,
     }
     if (error.empty() && (samples != this->SampledFrom || classes != this->ClassifiedBy))
     {
-      this->Classes = ClassifySplats(
-        input, this->Samples, fields.Scalars, fields.Opacity, fields.Property, haveVectors);
+      this->Classes = ClassifySplats(input, this->Samples, fields.Scalars, fields.Opacity,
+        fields.Property, haveVectors, fields.Interpolate);
       this->ForgetOrder();
       this->Hierarchy.Invalidate();
       this->SplatsUploaded = false;

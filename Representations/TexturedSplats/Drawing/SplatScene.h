@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * What a mapper draws: samples, what they look like, vectors, the hierarchy, the order and the layers. Each is made again only when
- * what it was made from has changed, and uploaded again only when it was made again.
+ * The scene of a mapper: samples and their appearance, vectors, the hierarchy, the order and the layers. Each part is rebuilt only
+ * when its sources change, and uploaded again only when it is rebuilt.
  */
 #ifndef SplatScene_h
 #define SplatScene_h
@@ -31,11 +31,12 @@ namespace nephoscope
 
 struct ViewState;
 
-/** What the samples get their colour and extinction from. */
+/** The sources of the samples' colour and extinction. */
 struct SplatFields
 {
   ScalarSelection Scalars, Opacity;
   vtkVolumeProperty* Property;
+  bool Interpolate; ///< between samples, before the opacity function
 };
 
 class SplatScene
@@ -45,7 +46,7 @@ public:
   const double* UpdateBounds(vtkDataSet* input, const SplatSampling& sampling, int kernel,
     const std::string& vectorArrayName, const VectorLook& look);
 
-  /** Samples, classes and vectors. Returns an empty string, or what is wrong. */
+  /** Samples, classes and vectors. Returns the problem, or an empty string. */
   std::string Update(vtkDataSet* input, const SplatSampling& sampling, const SplatFields& fields,
     const SplatVectorSettings& vectors);
 
@@ -87,7 +88,8 @@ public:
 private:
   using SampleKey = std::tuple<vtkDataSet*, vtkMTimeType, bool, double, std::string, double,
     SplatFrame, std::string, bool, bool, bool>;
-  using ClassKey = std::tuple<vtkDataArray*, vtkDataArray*, int, vtkMTimeType, vtkMTimeType, bool>;
+  using ClassKey =
+    std::tuple<vtkDataArray*, vtkDataArray*, int, vtkMTimeType, vtkMTimeType, bool, bool>;
   using BoundsKey = std::tuple<SampleKey, int, std::string, bool, double, double, double>;
   using LayerKey = std::tuple<bool, int, std::size_t>;
 
@@ -110,7 +112,7 @@ private:
   void UploadOrder(SplatPass& pass) const;
 
   SampleKey SampledFrom;
-  ClassKey ClassifiedBy{ nullptr, nullptr, 0, 0, 0, false };
+  ClassKey ClassifiedBy{ nullptr, nullptr, 0, 0, 0, false, false };
   BoundsKey BoundsOf;
   LayerKey LayeredBy{ false, 0, 0 };
   double Bounds[6] = { 1, -1, 1, -1, 1, -1 };

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
-/** How far the nodes of the hierarchy of splats are, in a view, from the samples that they stand for. */
+/** The error of the nodes of the splat hierarchy, in a view, relative to the samples that they represent. */
 #ifndef SplatError_h
 #define SplatError_h
 
@@ -16,7 +16,7 @@ class SplatTree;
 struct SplatClasses;
 struct SplatSamples;
 
-/** What is called the error of a node. */
+/** Definition of the error of a node. */
 struct SplatErrorRule
 {
   enum class Measure

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
-/** The hierarchy of a mapper's splats and its cut in the last view; each is made again only when what it was made from has changed. */
+/** The hierarchy of a mapper's splats and its cut in the last view; each is rebuilt only when its sources change. */
 #ifndef SplatHierarchy_h
 #define SplatHierarchy_h
 

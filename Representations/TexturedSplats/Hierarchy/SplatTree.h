@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * The hierarchy of splats (LaurHanrahan1991): a tree whose nodes are splats that stand for all that lies below them, with the same mass,
+ * The hierarchy of splats (LaurHanrahan1991): a tree whose nodes are splats that represent everything below them, with the same mass,
  * emission, centre of mass and covariance.
  *
  * On a structured grid nodes are blocks of samples in its indices: of 2^l to a side, or, where its cells are flat, of about equal edges in the

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
-/** What ranks that draw one picture of splats tell each other: lengths, speeds, and the splats at the borders of their regions. */
+/** The data exchanged by ranks that draw one picture of splats: lengths, speeds, and the splats at the borders of their regions. */
 #ifndef SplatMeeting_h
 #define SplatMeeting_h
 
@@ -19,7 +19,7 @@ class vtkDataSet;
 namespace nephoscope
 {
 
-/** What the samples of all ranks have in common. */
+/** The common measures of the samples of all ranks. */
 struct SplatCommons
 {
   double Origin[3] = { 0, 0, 0 }; ///< the middle of their places

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
-/** What the Textured Splats representation does to its input before it hands it to the view. */
+/** The changes that the Textured Splats representation makes to its input before it passes it to the view. */
 #ifndef SplatPieces_h
 #define SplatPieces_h
 

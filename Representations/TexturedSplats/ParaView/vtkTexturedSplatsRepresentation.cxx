@@ -138,7 +138,7 @@ int vtkTexturedSplatsRepresentation::GetAssociationInPiece(int association) cons
 void vtkTexturedSplatsRepresentation::PrepareMapper(vtkDataSet* data)
 {
   this->Superclass::PrepareMapper(data);
-  this->Mapper->SetOpacityArrayName(this->GetOpacityArrayName());
+  this->Mapper->SetOpacityArrayName(this->PrepareOpacity(data));
   this->Mapper->SetOpacityScale(this->OpacityScale * this->Opacity);
   this->Mapper->SetPhase(this->GetPhaseNow());
   this->SuitVectors(data);

@@ -47,6 +47,8 @@ vtkTexturedSplatsRepresentation::vtkTexturedSplatsRepresentation()
   : DefaultColors(new nephoscope::DefaultVectorColors)
   , Meeting(new vtkMeeting)
 {
+  // On several ranks samples travel without the cells between them; pictures on one are the same.
+  this->Mapper->InterpolateScalarsBeforeMappingOff();
   this->Actor->SetMapper(this->Mapper);
   nephoscope::forwardMessages(this->Mapper, this);
   this->Mapper->SetShapeArrayName(nephoscope::splatShapeName); // where there is one

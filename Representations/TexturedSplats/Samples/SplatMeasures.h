@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
-/** How much space splats stand for, and how a scalar fills it. */
+/** The volume that splats represent, and how a scalar fills it. */
 #ifndef SplatMeasures_h
 #define SplatMeasures_h
 
@@ -26,7 +26,7 @@ VTKNEPHOSCOPEREPRESENTATIONSTEXTUREDSPLATS_EXPORT MediumMeasures measureSplats(v
   const SplatSampling& sampling, vtkDataArray* scalars,
   const std::function<double(double)>& opacity, const MediumBounds& common);
 
-/** How opaque vectors are drawn, and of which share of the samples. */
+/** The opacity of vectors, and the fraction of the samples whose vectors are drawn. */
 struct SuitedVectors
 {
   double Opacity = 2.0;

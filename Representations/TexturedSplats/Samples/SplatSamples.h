@@ -55,7 +55,7 @@ struct SplatSamples
   }
 };
 
-/** Bounds of the points that are at finite places. */
+/** Bounds of the points with finite positions. */
 void FindPlaceBounds(vtkDataSet* data, double bounds[6]);
 
 /** Edge of a cube that each of so many samples would have if they filled the bounds; 1 where they are all in one place. */
@@ -65,7 +65,7 @@ VTKNEPHOSCOPEREPRESENTATIONSTEXTUREDSPLATS_EXPORT double MeanSpacing(
 /** Along which the bounds have an extent. */
 int NumberOfAxes(const double bounds[6]);
 
-/** Hidden and duplicate samples, and those that are not at a finite place, are left out. Empty result or `error`. */
+/** Hidden and duplicate samples, and those without a finite position, are left out. Empty result or `error`. */
 SplatSamples FindSplatSamples(vtkDataSet* data, const SplatSampling& sampling, std::string& error);
 
 } // namespace nephoscope

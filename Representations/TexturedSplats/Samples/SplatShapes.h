@@ -57,7 +57,7 @@ public:
    * sample, to find the mean spacing.
    */
   SplatShapes(vtkDataSet* data, const SplatSampling& sampling);
-  /** Empty, or what is wrong with the array of sizes. */
+  /** The problem with the array of sizes, or empty. */
   static std::string Check(vtkDataSet* data, const SplatSampling& sampling);
 
   /** Number of points or cells, hidden ones too. */
@@ -66,11 +66,11 @@ public:
   bool IsVisible(vtkIdType id) const;
   /** Visible but for its size, which is not positive or not finite. */
   bool HasWrongSize(vtkIdType id) const { return !this->IsSized(id) && this->IsShown(id); }
-  /** It may be at no finite place. */
+  /** Its position may not be finite. */
   Vector3 Place(vtkIdType id) const { return PlaceOf(this->Data, this->Grid, this->OnCells, id); }
   /** Edges of the sample's cell, times the radius factor; none is so short that the splat would be flat. */
   SplatMatrix Jacobian(vtkIdType id) const;
-  /** In the place of another point, whose splat stands for both. */
+  /** At the position of another point, whose splat represents both. */
   bool IsRepeated(vtkIdType id) const { return this->Cells.IsRepeated(id); }
   bool HaveOneShape() const
   {

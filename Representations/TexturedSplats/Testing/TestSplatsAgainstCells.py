@@ -13,6 +13,8 @@ from nephoscope_testing.transfer import Transfer
 
 COLORS = Transfer([(0, 1, 0.2, 0.1), (1.5, 0.1, 0.4, 1)], [(0, 0), (1.5, 4.5)])
 
+THRESHOLD = Transfer([(0, 1, 0.2, 0.1), (1, 0.1, 0.4, 1)], [(0, 0), (0.5, 0), (1, 0.2)])
+
 
 def bump(points):
     """Smooth, and 0 on the faces of the unit cube."""
@@ -67,6 +69,39 @@ class SplatsAgainstCells(ImageTestCase):
             meshes.add_array(data.GetPointData(), bump(meshes.Lattice(n).points))
             return data
         self.compare("unstructured", make)
+
+    def opacity(self, mapper, data):
+        """Mean opacity of the picture, of thin clouds: the optical depth adds up."""
+        window = Window((96, 96))
+        scene = window.add_scene()
+        scene.add_volume(mapper, data, THRESHOLD)
+        scene.look((2.3, 1.9, 3.5), (0.5, 0.5, 0.5), angle=30)
+        window.render()
+        self.fail_on_messages(window)
+        return float_image(mapper)[..., 3].mean()
+
+    def test_threshold(self):
+        """An opacity function with a threshold, of values that change from point to point: as opaque as the cells are."""
+        lattice = meshes.Lattice(9)
+        values = np.random.default_rng(7).random(len(lattice.points))
+        values[((lattice.points < 0.01) | (lattice.points > 0.99)).any(axis=1)] = 0  # splats reach beyond the boundary, cells do not
+        grid = meshes.structured((9, 9, 9), bent)
+        meshes.add_array(grid.GetPointData(), values)
+        solids = {"grid": grid}
+        for kind in ("hexahedron", "voxel", "wedge", "mixed", "tetra"):
+            solids[kind] = lattice.mesh(kind, None if kind == "voxel" else bent)
+            meshes.add_array(solids[kind].GetPointData(), values)
+        for label, data in solids.items():
+            trilinear = nephoscope.vtkCellCompositingMapper()
+            trilinear.SetCellInterpolationToTrilinear()
+            cells = self.opacity(trilinear, data)
+            mapper = nephoscope.vtkTexturedSplatMapper()
+            interpolated = self.opacity(mapper, data) / cells
+            mapper.InterpolateScalarsBeforeMappingOff()
+            each = self.opacity(mapper, data) / cells
+            print(f"  {label}: opacity of splats over that of cells {interpolated:.3f}, mapped sample by sample {each:.3f}", flush=True)
+            self.assertAlmostEqual(interpolated, 1, delta=0.02)
+            self.assertGreater(each, 1.05)
 
 
 if __name__ == "__main__":

@@ -174,7 +174,7 @@ class BadInput(unittest.TestCase):
                 mapper.SetLayerAxis(axis)
 
             messages, _ = self.draw(data, layers)
-            self.assertEqual([m for m in messages.all if "is ignored: these samples lie on no structured grid" not in m], [])
+            self.assertEqual([m for m in messages.all if "is ignored: these samples are not on a structured grid" not in m], [])
             self.assertEqual(len(messages.all), told, messages.all)
 
     def test_one_point_and_one_layer(self):

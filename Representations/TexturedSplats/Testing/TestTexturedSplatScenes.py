@@ -36,6 +36,10 @@ def block(bend=None, size=SIZE):
     return data
 
 
+def each_sample(mapper):
+    mapper.InterpolateScalarsBeforeMappingOff()
+
+
 class Scenes(ImageTestCase):
     def draw(self, data, configure=None, matrix=None, look=None, transfer=RAMP, association="point"):
         window = Window((120, 100))
@@ -62,13 +66,13 @@ class Scenes(ImageTestCase):
         values = np.array([array.GetValue(i) for i in range(data.GetNumberOfPoints())])
         for i in np.flatnonzero(values == 0)[::2]:
             array.SetValue(i, 1e-7)  # half of a millionth of the greatest
-        mapper, image = self.draw(data, transfer=transfer)
+        mapper, image = self.draw(data, each_sample, transfer=transfer)
         self.assertEqual(mapper.GetNumberOfSamples(), np.count_nonzero(values > 0))
         self.assertLess(mapper.GetNumberOfSamples(), 0.7 * len(values))
         ghosts = data.AllocatePointGhostArray()
         for i, value in enumerate(values):
             ghosts.SetValue(i, 0 if value > 0 else 2)  # hidden
-        _, alone = self.draw(data, transfer=transfer)
+        _, alone = self.draw(data, each_sample, transfer=transfer)
         self.check_float(image, alone, "without the transparent", 1e-6)
 
     def test_transparent_samples_keep_their_vectors(self):

@@ -86,7 +86,7 @@ std::string SplatVectorScene::ReadColors(
   if (!settings.ColorFunction)
   {
     return "VectorColorArrayName is '" + settings.ColorArrayName +
-      "', but there is no function that makes colours of it: call SetVectorColorFunction.";
+      "', but there is no function for its colours: call SetVectorColorFunction.";
   }
   const std::string length = checkLength(data, { array, onCells, 0 });
   if (!length.empty())

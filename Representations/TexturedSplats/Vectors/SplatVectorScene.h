@@ -34,7 +34,7 @@ struct SplatVectorSettings
 class SplatVectorScene
 {
 public:
-  /** Reads the arrays. Returns an empty string, or what is wrong with them. */
+  /** Reads the arrays. Returns the problem with them, or an empty string. */
   std::string Update(vtkDataSet* data, bool onCells, const SplatSamples& samples,
     const SplatVectorSettings& settings);
 
