@@ -247,7 +247,7 @@ std::vector<double> pressuresOf(vtkDataSet* data, const WaterFields& fields, std
     return balancedPressures(fields, dimensions);
   }
   problem =
-    "There is no pressure, which turns water in kg/kg into kg/m3. Set PressureArrayName (Pa or hPa), put the fields through Globe Grid, "
+    "There is no pressure, which is needed to convert water from kg/kg to kg/m3. Set PressureArrayName (Pa or hPa), put the fields through Globe Grid, "
     "which adds the height of every point, or set WaterUnits to kg/m3 or g/m3, if that is what they are.";
   return {};
 }

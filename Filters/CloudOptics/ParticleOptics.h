@@ -25,7 +25,7 @@ struct Optics
     this->Scattering += extinction * albedo;
     this->Forward += extinction * albedo * asymmetry;
   }
-  // Where there is nothing: that of droplets of 10 micrometres, so that interpolation to the edge of a cloud changes little.
+  // Without water the value is that of droplets of 10 micrometres, so that interpolation at the edge of a cloud changes little.
   double Albedo() const { return this->Extinction > 0 ? this->Scattering / this->Extinction : 1.0; }
   double Asymmetry() const
   {

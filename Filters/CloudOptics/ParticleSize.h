@@ -52,7 +52,7 @@ inline double SnowRadius(double content)
   return std::max(ExponentialRadius(content, SNOW_DENSITY, 3e6), 5e-5);
 }
 
-// Share of ice where only the sum is known: none from 0 degrees Celsius, all from -20, linear between, as in the radiation of GFS
+// Fraction of ice if only the sum is known: none above 0 degrees Celsius, all below -20, linear in between, as in the radiation of GFS
 // (HouMoorthiCampana2002).
 inline double IceShare(double temperature)
 {

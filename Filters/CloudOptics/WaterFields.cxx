@@ -63,7 +63,7 @@ std::string inLowerCase(std::string text)
   return text;
 }
 
-// By its very name, or else by one in other case, as models spell it: QC of COSMO.
+// By the exact name, otherwise by a name in other case, as models spell it: QC of COSMO.
 vtkDataArray* firstOf(vtkDataSet* data, bool onCells, WaterFields::Kind kind)
 {
   for (const char* name : namesOf(kind).Names)
@@ -106,7 +106,7 @@ void take(vtkDataSet* data, const FieldNames& names, WaterFields& fields)
       : names[k].empty()                  ? firstOf(data, fields.OnCells, kind)
                                           : arrayOf(data, fields.OnCells, names[k]);
   }
-  // GFS calls liquid what it called the sum before it had ice.
+  // GFS uses the same name for the liquid that it used for the sum before it had ice.
   vtkDataArray* total = fields.Arrays[WaterFields::Total];
   if (names[WaterFields::Total].empty() && names[WaterFields::Liquid].empty() && total &&
     inLowerCase(total->GetName()) == "clwmr" && fields.Has(WaterFields::Ice) &&

@@ -45,7 +45,7 @@ struct WaterFields
 /** Names that the user has given: empty, the array is found by the names that models use; "none", it is left out. */
 using FieldNames = std::array<std::string, WaterFields::NumberOfFields>;
 
-/** Fills `fields`; returns what is wrong, with the remedy, or an empty string. */
+/** Fills `fields`; returns the problem and its remedy, or an empty string. */
 std::string findWaterFields(
   vtkDataSet* data, const FieldNames& names, WaterUnits units, WaterFields& fields);
 

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
-// What the numbers of a water array mean. Plain C++17.
+// The units of a water array. Plain C++17.
 #ifndef nephoscope_WaterUnits_h
 #define nephoscope_WaterUnits_h
 
@@ -28,7 +28,7 @@ inline double KilogramsPer(WaterUnits units)
   return units == WaterUnits::MixingRatioGrams || units == WaterUnits::ContentGrams ? 1e-3 : 1.0;
 }
 
-// `text` as PlainUnits makes it. Automatic: says nothing that is known.
+// `text` as PlainUnits makes it. Automatic: no known unit.
 inline WaterUnits WaterUnitsOf(const std::string& text)
 {
   const auto isOneOf = [&](std::initializer_list<const char*> words) {

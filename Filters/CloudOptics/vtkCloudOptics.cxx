@@ -80,7 +80,7 @@ bool vtkCloudOptics::AddOptics(vtkDataSet* data)
   if (problem.empty() && needsTemperature && !fields.Has(WaterFields::Temperature))
   {
     problem =
-      "There is no temperature, which tells ice from liquid and the density of the air. Set TemperatureArrayName (K).";
+      "There is no temperature, which is needed to separate ice from liquid and to compute the density of the air. Set TemperatureArrayName (K).";
   }
   const std::vector<double> pressures =
     problem.empty() ? nephoscope::pressuresOf(data, fields, problem) : std::vector<double>();
@@ -104,13 +104,13 @@ bool vtkCloudOptics::AddOptics(vtkDataSet* data)
   addArrays(data, arrays, fields.OnCells);
   if (arrays.Negative > 0)
   {
-    vtkWarningMacro(<< countOf(arrays.Negative) << " of water below 0: taken as 0.");
+    vtkWarningMacro(<< countOf(arrays.Negative) << " of water below 0, used as 0.");
   }
   if (arrays.Missing > 0)
   {
     vtkWarningMacro(
       << countOf(arrays.Missing)
-      << " of water, or its pressure, missing (NaN or a fill value): no cloud there.");
+      << " of water, or its pressure, missing (NaN or a fill value); there is no cloud there.");
   }
   return true;
 }

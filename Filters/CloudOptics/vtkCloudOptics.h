@@ -7,8 +7,8 @@
  *     any dataset: cloud water, temperature, pressure  ->  vtkCloudOptics  ->  the same, with optical properties in visible light
  *
  * Each kind of water has the extinction of spheres much larger than the wavelength, beta = 3 q rho / (2 rho_w r_e), with its density rho_w and
- * effective radius r_e; q is a mass mixing ratio and rho the density of the air. The kinds are added (ParticleOptics.h). Extinction is that of the mean over a cell; with a
- * cloud fraction, radii are those of the water inside the clouds.
+ * effective radius r_e; q is a mass mixing ratio and rho the density of the air. The kinds are added (ParticleOptics.h). Extinction is the mean over a cell; with a cloud
+ * fraction, radii follow from the water inside the clouds.
  *
  * Arrays are found by the names that models use, unless they are set; "none" leaves one out. Pressure is an array, or in hydrostatic balance with
  * heights and temperatures of the columns of structured data, from the standard atmosphere at the lowest point.
@@ -53,8 +53,8 @@ public:
 
   ///@{
   /**
-   * Names of the arrays of cloud water: the sum of liquid and ice, which is divided by temperature (all ice from -20 degrees Celsius, all liquid
-   * from 0, linear between), or liquid and ice; rain; snow. Empty (default): found by name. The sum is left out if its parts are found.
+   * Names of the arrays of cloud water: the sum of liquid and ice, of which the temperature determines the ice fraction (all ice below -20
+   * degrees Celsius, all liquid above 0, linear in between), or liquid and ice; rain; snow. Empty (default): found by name. The sum is ignored if its parts are found.
    */
   vtkSetMacro(TotalWaterArrayName, std::string);
   vtkGetMacro(TotalWaterArrayName, std::string);
@@ -87,7 +87,7 @@ public:
 
   ///@{
   /**
-   * What the numbers of all water arrays mean. Automatic (default): the units that the reader reports, kg/m3 for arrays named LWC and IWC, otherwise kg/kg.
+   * Units of all water arrays. Automatic (default): the units that the reader reports, kg/m3 for arrays named LWC and IWC, otherwise kg/kg.
    */
   vtkSetClampMacro(WaterUnits, int, AUTOMATIC, CONTENT_GRAMS);
   vtkGetMacro(WaterUnits, int);
@@ -100,7 +100,7 @@ public:
 
   ///@{
   /**
-   * Radii of droplets: from the water inside the cloud and a number of droplets (default), or LiquidRadius everywhere.
+   * Radii of droplets: computed from the water inside the cloud and the number of droplets (default), or LiquidRadius everywhere.
    * Radii of crystals: from temperature and ice inside the cloud (default), or IceRadius everywhere.
    */
   vtkSetClampMacro(LiquidRadiusType, int, PARAMETERIZED, CONSTANT);
@@ -118,7 +118,7 @@ public:
   ///@}
 
   ///@{
-  /** Droplets per cm3 over land and over the sea, 1 or more. Defaults 300 and 100. Without a land fraction everything is sea. */
+  /** Droplets per cm3 over land and over the sea, 1 or more. Defaults 300 and 100. Without a land fraction the surface is sea everywhere. */
   vtkSetClampMacro(DropletsOverLand, double, 1.0, 1e5);
   vtkGetMacro(DropletsOverLand, double);
   vtkSetClampMacro(DropletsOverSea, double, 1.0, 1e5);

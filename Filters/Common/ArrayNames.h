@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The arrays that there are, as messages list them.
+// The existing arrays, in the form used in messages.
 #ifndef nephoscope_ArrayNames_h
 #define nephoscope_ArrayNames_h
 
@@ -23,7 +23,7 @@ inline std::string arrayNames(vtkFieldData* data)
   return names.empty() ? "none" : names;
 }
 
-/** The same in quotation marks, without those that have no name. */
+/** The same in quotation marks, without unnamed arrays. */
 inline std::string quotedArrayNames(vtkFieldData* data)
 {
   std::string names;

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The point array a filter works on. A host that makes a filter before its input has been computed knows no arrays yet and hands an
-// empty name down: then nothing has been chosen, and the input's own default is taken.
+// The point array a filter works on. A host that creates a filter before its input has been computed has no array names yet and
+// passes an empty name. An empty name therefore means that nothing has been chosen, and the input's default is used.
 #ifndef nephoscope_ChosenPointArray_h
 #define nephoscope_ChosenPointArray_h
 

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Contour values of which none is undefined: vtkContourValues leaves those that were not given as they are in memory.
+// Contour values that are all initialized: vtkContourValues leaves values that were not set uninitialized.
 #ifndef nephoscope_ContourValueList_h
 #define nephoscope_ContourValueList_h
 

@@ -38,7 +38,7 @@ void ForEachLeaf(vtkDataObject* data, Function&& function)
 // Those that have cells: the leaves of a composite dataset, or the dataset itself.
 VTKNEPHOSCOPEFILTERSCOMMON_EXPORT std::vector<vtkDataSet*> DataSetsOf(vtkDataObject* data);
 
-// Bounds of the points at finite places; not valid where there are none.
+// Bounds of the points with finite positions; invalid if there are none.
 VTKNEPHOSCOPEFILTERSCOMMON_EXPORT vtkBoundingBox FiniteBounds(vtkDataSet* set);
 VTKNEPHOSCOPEFILTERSCOMMON_EXPORT vtkBoundingBox BoundsOf(const std::vector<vtkDataSet*>& sets);
 

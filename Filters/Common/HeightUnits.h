@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
-// What the values of a height array mean: by the words of the file, else by the standard atmosphere. Plain C++17.
+// The units of a height array: from the file, otherwise from a comparison with the standard atmosphere. Plain C++17.
 #ifndef nephoscope_HeightUnits_h
 #define nephoscope_HeightUnits_h
 
@@ -47,7 +47,7 @@ inline std::string PlainUnits(std::string text)
   return text;
 }
 
-// `text` from PlainUnits. Automatic if it says nothing that is known.
+// `text` from PlainUnits. Automatic if the file gives no known unit.
 inline HeightUnits HeightUnitsOf(const std::string& text)
 {
   for (const char* word : { "m2s-2", "m2/s2", "s-2m2", "jkg-1", "j/kg" })

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
-// An input of a kind that a filter cannot use. The pipeline tells of it at every request, in several lines of its own; this tells it once.
+// An input of a kind that a filter cannot use. The pipeline reports it at every request, in several lines of its own; this reports it once.
 #ifndef nephoscope_RequiredInput_h
 #define nephoscope_RequiredInput_h
 
@@ -32,7 +32,7 @@ inline std::string kindOf(vtkDataObject* data)
   return kind == kinds.end() ? std::string("a ") + data->GetClassName() : kind->second;
 }
 
-// For FillInputPortInformation: no data but composite ones are refused by the pipeline, which goes through their blocks.
+// For FillInputPortInformation: the pipeline rejects only composite data, because it iterates over their blocks.
 inline void takeAnyData(vtkInformation* port)
 {
   port->Remove(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE());
@@ -44,7 +44,7 @@ inline void takeAnyData(vtkInformation* port)
 }
 
 // For ProcessRequest: true where the input is of none of these kinds, and the request is done with: the output is empty. `needed`, the sentence with
-// the remedy, is told once for as long as nothing changes; `told` is kept by the filter, at first 0.
+// the remedy, is reported once while nothing changes; `told` is kept by the filter, at first 0.
 inline bool hasOtherInput(vtkAlgorithm* filter, vtkMTimeType& told, vtkInformation* request,
   vtkInformationVector** inputs, vtkInformationVector* outputs,
   std::initializer_list<const char*> kinds, const char* needed)

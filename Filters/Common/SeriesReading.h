@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
-/** Reading of a time series by one filter: its update asks for one time step after another, in passes of its own (CONTINUE_EXECUTING). */
+/** Reading of a time series by one filter: its update requests one time step after another, in separate passes (CONTINUE_EXECUTING). */
 #ifndef nephoscope_SeriesReading_h
 #define nephoscope_SeriesReading_h
 
@@ -27,7 +27,7 @@ struct VTKNEPHOSCOPEFILTERSCOMMON_EXPORT SeriesReading
   /** For RequestInformation: reads the times of the input, which may be null. True if they have changed. */
   bool TakeTimes(vtkInformation* input);
 
-  /** The first time step that is not finite, or not after the one before; the number of time steps if there is none. */
+  /** The first time step that is not finite or not after its predecessor; the number of time steps if there is none. */
   std::size_t FirstOutOfOrder() const;
 
   /** For ProcessRequest: an update begins, although the last one has not come to RequestData. */
@@ -35,15 +35,15 @@ struct VTKNEPHOSCOPEFILTERSCOMMON_EXPORT SeriesReading
 
   double NextTime() const { return this->Times[static_cast<std::size_t>(this->Next)]; }
 
-  /** For RequestData: asks for one more pass, or for none. */
+  /** For RequestData: requests one more pass, or none. */
   void GoOn(vtkInformation* request);
   void End(vtkInformation* request);
 
-  /** The same outside of RequestData: an executive that has been told to go on asks for ever, should the input fail in the meantime. */
+  /** The same outside RequestData: if the input fails, an executive that was told to continue would repeat its requests for ever. */
   void Stop(vtkExecutive* executive);
 };
 
-/** Asks for all of an input, whatever piece of the output is wanted. */
+/** Requests the whole input, whatever piece of the output is requested. */
 VTKNEPHOSCOPEFILTERSCOMMON_EXPORT void AskForWholeExtent(vtkInformation* input);
 
 } // namespace nephoscope

@@ -12,7 +12,7 @@ namespace nephoscope
 /** Vertices of the face opposite each vertex. */
 constexpr int tetrahedronFaces[4][3] = { { 1, 2, 3 }, { 0, 2, 3 }, { 0, 1, 3 }, { 0, 1, 2 } };
 
-/** Which side of the plane of triangle (a, b, c) the homogeneous point e lies on: a number whose sign tells, 0 on the plane. */
+/** The side of the plane of triangle (a, b, c) on which the homogeneous point e lies, as the sign of a number; 0 on the plane. */
 inline double planeSide(const Vector3& a, const Vector3& b, const Vector3& c, const Vector4& e)
 {
   const Vector3 normal = cross(difference(b, a), difference(c, a));

@@ -164,8 +164,9 @@ BeamDeposit beamDeposit(const LightGrid& grid, const Parallel& parallel)
     all.Lost > 0 ? static_cast<float>(std::min(std::max(all.Net / all.Lost, 0.5), 2.0)) : 1;
   for (std::size_t p = 0; p < grid.Points(); ++p)
   {
-    deposit.InLayer[p] *= share;
-    deposit.Beam[p] *= share;
+    const std::size_t q = p + above < grid.Points() ? p + above : p;
+    deposit.InLayer[p] *= share * 0.5f * (grid.ShadowAt(p) + grid.ShadowAt(q));
+    deposit.Beam[p] *= share * grid.ShadowAt(p);
   }
   const std::size_t n = grid.Size[0]; // the sweeps visit both sides of a seam
   for (std::size_t row = 0; grid.Periodic && row < grid.Points(); row += n)

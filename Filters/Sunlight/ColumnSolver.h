@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * A symmetric positive definite system that couples each point of a grid with its six neighbours: conjugate gradients, with whole columns solved exactly as
- * preconditioner (HestenesStiefel1952). Fast where columns are lower than wide, as those of the atmosphere are. Plain C++17.
+ * preconditioner (HestenesStiefel1952). It is fast for columns that are lower than wide, as in the atmosphere. Plain C++17.
  */
 #ifndef nephoscope_ColumnSolver_h
 #define nephoscope_ColumnSolver_h
@@ -26,7 +26,7 @@ public:
   /** To be called once the matrix is set. */
   void Factor();
 
-  /** From `x` as a first guess, until its residual is that fraction of what it was. Returns iterations. */
+  /** Starts from `x` and stops when the residual has fallen to that fraction of its initial value. Returns iterations. */
   int Solve(const std::vector<double>& right, std::vector<double>& x, double reduction, int most);
 
 private:

@@ -5,7 +5,7 @@
  * few iterations and conserve energy (diffusion synthetic acceleration, AdamsLarsen2002).
  *
  * Directions are relative to the grid's own axes at each point, so that on a globe they are east, north and up everywhere; the curvature over one free
- * path is neglected. The forward peak is taken away beforehand (PhaseFunction.h). Light of one sun is 1. Plain C++17.
+ * path is neglected. The forward peak is removed beforehand (PhaseFunction.h). Light of one sun is 1. Plain C++17.
  */
 #ifndef nephoscope_DiffuseLight_h
 #define nephoscope_DiffuseLight_h

@@ -186,7 +186,7 @@ std::vector<float> DirectionSweep::GroundLight(const DiffuseField& known) const
   std::vector<float> up(this->Grid.Columns());
   for (std::size_t c = 0; c < up.size(); ++c)
   {
-    const float direct = std::max(-this->Grid.SunAt(c)[2], 0.0f) * this->Grid.Transmittance(c);
+    const float direct = std::max(-this->Grid.SunAt(c)[2], 0.0f) * this->Grid.BeamAt(c);
     up[c] = static_cast<float>(this->Grid.GroundAlbedo) * (direct + std::max(known.Down(c), 0.0f));
   }
   return up;

@@ -25,7 +25,7 @@ public:
   DirectionSweep(const LightGrid& grid, const std::vector<float>& beam,
     const std::vector<Direction>& directions, const Parallel& parallel);
 
-  /** What light the sources of `known` make. */
+  /** The light emitted by the sources of `known`. */
   void Run(const DiffuseField& known, DiffuseField& found);
 
 private:

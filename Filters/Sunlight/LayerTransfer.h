@@ -44,7 +44,7 @@ struct LayerConductance
 };
 
 /**
- * Where light goes that a beam leaves in the layer, as a share of all that is scattered there. The beam goes as exp(slope u) from u = 0, the first point, to
+ * The distribution of light that a beam scatters in the layer, as fractions of all light scattered there. The beam goes as exp(slope u) from u = 0, the first point, to
  * u = 1, the second.
  */
 struct LayerShares

@@ -145,7 +145,7 @@ void LightBalance::MakeEdges()
   }
 }
 
-// Marshak's conditions: the light that comes in is that of the sky, or what the ground reflects.
+// Marshak's conditions: the incoming light is that of the sky, or that reflected by the ground.
 void LightBalance::MakeBoundaries()
 {
   const std::size_t columns = this->Grid.Columns(), top = this->Grid.Points() - columns;
@@ -157,7 +157,7 @@ void LightBalance::MakeBoundaries()
     {
       Boundary& ground = this->Ground[p];
       const double area = this->AreaAt(p, at, 2);
-      const double beam = std::max(-this->Grid.SunAt(p)[2], 0.0f) * this->Grid.Transmittance(p);
+      const double beam = std::max(-this->Grid.SunAt(p)[2], 0.0f) * this->Grid.BeamAt(p);
       ground = { float(area * (1 - white) / (2 + 2 * white)),
         float(area * 2 * white * beam / (1 + white)), float(area), this->Edges[2][p].Trust, 0 };
     }
@@ -303,7 +303,7 @@ void LightBalance::WritePoint(
   {
     const Boundary& below = this->Ground[p];
     field.Flux[p][2] = static_cast<float>(below.Area > 0 ? -below.Out(here) / below.Area : 0);
-    const double beam = std::max(-this->Grid.SunAt(p)[2], 0.0f) * this->Grid.Transmittance(p);
+    const double beam = std::max(-this->Grid.SunAt(p)[2], 0.0f) * this->Grid.BeamAt(p);
     if (white < 0.5)
     {
       const double down = (white * beam - field.Flux[p][2]) / (1 - white);
@@ -323,7 +323,7 @@ void LightBalance::CloseSeam(DiffuseField& field) const
   }
 }
 
-// What is below 0 in a column is taken from the columns beside it, again and again.
+// Negative values in a column are repeatedly balanced by the columns beside it.
 void LightBalance::SpreadDebt(std::vector<double>& power) const
 {
   const LightGrid& g = this->Grid;

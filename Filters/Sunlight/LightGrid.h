@@ -28,6 +28,7 @@ struct LightGrid
   std::vector<float> Albedo;     ///< scaled
   std::vector<float> Asymmetry;  ///< scaled
   std::vector<float> Depth;      ///< scaled, towards the sun
+  std::vector<float> Shadow;     ///< what other data let through of the beam; empty: all
   std::vector<float> Sky;        ///< irradiance from the sky, per column
   double GroundAlbedo = 0;
 
@@ -42,6 +43,8 @@ struct LightGrid
     return this->Sun.size() == 1 ? this->Sun[0] : this->Sun[p];
   }
   float Transmittance(std::size_t p) const { return std::exp(-this->Depth[p]); }
+  float ShadowAt(std::size_t p) const { return this->Shadow.empty() ? 1.0f : this->Shadow[p]; }
+  float BeamAt(std::size_t p) const { return this->ShadowAt(p) * this->Transmittance(p); }
   /** Points along the first axis that are not another's. */
   int Width() const { return this->Size[0] - (this->Periodic ? 1 : 0); }
   /** The index after this one, or -1. */

@@ -60,7 +60,7 @@ inline std::array<double, 3> towardsSunOnGlobe(const SubsolarPoint& sun)
   return { { std::cos(lat) * std::cos(lon), std::cos(lat) * std::sin(lon), std::sin(lat) } };
 }
 
-// Towards the sun: east, north and up of a place.
+// Direction towards the sun at a position: east, north and up components.
 inline std::array<double, 3> towardsSunAt(
   const SubsolarPoint& sun, double longitude, double latitude)
 {

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * Tetrahedra as the sun sees them: x and y across its direction, z towards it. From any point the way to the sun goes along z, from tetrahedron to
- * tetrahedron through the faces between them. Extinction is linear in a tetrahedron, so that optical depths are exact. A way ends above the last cloud.
+ * tetrahedron through the faces between them. Extinction is linear in a tetrahedron, so that optical depths are exact. A path ends above the last cloud.
  * Plain C++17.
  */
 #ifndef nephoscope_SunMesh_h
@@ -26,17 +26,17 @@ public:
   using Loop = std::function<void(
     std::int64_t count, const std::function<void(std::int64_t, std::int64_t)>& body)>;
 
-  /** Tetrahedra with a vertex twice are left out. Those of a grid, if there is one, are in its order: so their neighbours are found fast. */
+  /** Tetrahedra with a vertex twice are left out. Points of a grid are in its order, so that their neighbours are found fast. */
   SunMesh(std::vector<Tetrahedron> tetrahedra, std::size_t numberOfPoints,
     const ChessboardGrid& grid, const Loop& loop);
 
-  /** Places in the frame of a sun that is in this direction, of length 1. */
+  /** Positions in the frame of a sun in this direction, of length 1. */
   void Turn(const std::vector<Place>& places, const Place& towardsSun);
 
   /** Nothing dims light that goes away from the clouds: `fields` are 0 farther than so from the centre of a globe, or higher. */
   void FindCeiling(const std::vector<std::array<float, 2>>& fields, bool onGlobe);
 
-  /** Integral of two linear fields from the point to where the way leaves the mesh. */
+  /** Integral of two linear fields from the point to the exit of the path from the mesh. */
   std::array<double, 2> DepthsFrom(
     std::int32_t point, const std::vector<std::array<float, 2>>& fields) const;
 
@@ -62,7 +62,7 @@ private:
   double Ceiling = 0;
 };
 
-/** Numbers of points that are the same where places are: seams and poles. */
+/** Point numbers that are equal for coincident points: seams and poles. */
 std::vector<std::int32_t> mergedPoints(const std::vector<SunMesh::Place>& places);
 }
 

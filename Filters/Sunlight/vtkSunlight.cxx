@@ -3,9 +3,11 @@
 #include "vtkSunlight.h"
 
 #include "ArrayNames.h"
+#include "CloudShadow.h"
 #include "DiffuseLight.h"
 #include "LitData.h"
 #include "PhaseFunction.h"
+#include "SmokeOptics.h"
 #include "SolarPosition.h"
 #include "Vector3.h"
 
@@ -83,6 +85,7 @@ struct vtkSunlight::Work
   std::vector<nephoscope::SunMesh::Place> Places;
   std::vector<float> Extinction, Scaled, Albedo, Asymmetry; // the last two scaled
   std::vector<float> Transmittance, ScaledDepth;
+  std::vector<float> Shadow; // of clouds of the second input, if there are any
   std::vector<float> Fluence, Up, Down, Absorbed;
 
   void StartDiffuse()
@@ -97,8 +100,19 @@ struct vtkSunlight::Work
   vtkIdType Wrong = 0;
 };
 
-vtkSunlight::vtkSunlight() = default;
+vtkSunlight::vtkSunlight()
+{
+  this->SetNumberOfInputPorts(2);
+}
+
 vtkSunlight::~vtkSunlight() = default;
+
+int vtkSunlight::FillInputPortInformation(int port, vtkInformation* info)
+{
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataSet");
+  info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), port);
+  return 1;
+}
 
 bool vtkSunlight::GoOn(double fraction)
 {
@@ -127,7 +141,7 @@ bool vtkSunlight::FindSun(vtkDataSet* data, std::array<double, 3>& sun)
   if (!(length > 0) || !std::isfinite(length))
   {
     vtkErrorMacro(<< "SunDirection is " << sun[0] << ", " << sun[1] << ", " << sun[2]
-                  << "; it must be finite and have a length.");
+                  << "; it must be finite and longer than 0.");
     return false;
   }
   std::transform(sun.begin(), sun.end(), sun.begin(), [length](double x) { return x / length; });
@@ -136,7 +150,7 @@ bool vtkSunlight::FindSun(vtkDataSet* data, std::array<double, 3>& sun)
 
 bool vtkSunlight::Check(vtkDataSet* data)
 {
-  vtkDataArray* array = data->GetPointData()->GetArray(this->ExtinctionArrayName.c_str());
+  vtkDataArray* array = data->GetPointData()->GetArray(this->UsedExtinction.c_str());
   if (!array)
   {
     vtkErrorMacro(
@@ -161,7 +175,7 @@ bool vtkSunlight::ReadOptics(vtkDataSet* data, Work& work)
   work.Planet = nephoscope::planetOf(data);
   work.Places = nephoscope::placesOf(data);
   work.Extinction =
-    nephoscope::valuesOf(data, this->ExtinctionArrayName, 0, this->ExtinctionScale, work.Wrong);
+    nephoscope::valuesOf(data, this->UsedExtinction, 0, this->ExtinctionScale, work.Wrong);
   cutResidues(work.Extinction);
   work.Albedo = nephoscope::valuesOf(data, this->AlbedoArrayName, this->Albedo, 1, ignored);
   work.Asymmetry =
@@ -178,8 +192,8 @@ bool vtkSunlight::ReadOptics(vtkDataSet* data, Work& work)
   if (work.Wrong > 0)
   {
     vtkWarningMacro(<< work.Wrong << (work.Wrong == 1 ? " value" : " values") << " of '"
-                    << this->ExtinctionArrayName
-                    << "' negative or missing (NaN or a fill value): taken as 0.");
+                    << this->UsedExtinction
+                    << "' negative or missing (NaN or a fill value), used as 0.");
   }
   return true;
 }
@@ -222,6 +236,29 @@ bool vtkSunlight::TraceSun(vtkDataSet* data, Work& work)
   return true;
 }
 
+bool vtkSunlight::Shade(Work& work)
+{
+  vtkDataSet* clouds = vtkDataSet::SafeDownCast(this->GetInputDataObject(1, 0));
+  if (!clouds)
+  {
+    return true;
+  }
+  work.Shadow = nephoscope::cloudShadow(clouds, work.Places);
+  vtkDataArray* sun = clouds->GetFieldData()->GetArray("SunDirection");
+  if (work.Shadow.empty() && !work.Places.empty())
+  {
+    vtkErrorMacro(
+      << "The clouds have no array 'SunTransmittance': give them light by Sunlight first.");
+    return false;
+  }
+  if (&work == this->Last.get() && sun && vtkMath::Dot(sun->GetTuple3(0), work.Sun.data()) < 0.9998)
+  {
+    vtkWarningMacro(
+      << "The clouds are lit from another direction than these data: their shadows do not fit.");
+  }
+  return true;
+}
+
 // On structured data; otherwise Sample has made some of it.
 bool vtkSunlight::Diffuse(vtkDataSet* data, Work& work)
 {
@@ -235,6 +272,7 @@ bool vtkSunlight::Diffuse(vtkDataSet* data, Work& work)
   grid.Albedo = work.Albedo;
   grid.Asymmetry = work.Asymmetry;
   grid.Depth = work.ScaledDepth;
+  grid.Shadow = work.Shadow;
   grid.GroundAlbedo = this->GroundAlbedo;
   grid.Sun.resize(grid.Points());
   for (std::size_t p = 0; p < grid.Points(); ++p)
@@ -310,7 +348,7 @@ bool vtkSunlight::Sample(vtkDataSet* data, Work& work)
   cutResidues(coarse.Scaled); // of interpolation
   coarse.Extinction = coarse.Scaled;
   coarse.StartDiffuse();
-  if (!this->TraceSun(grid, coarse) || !this->Diffuse(grid, coarse))
+  if (!this->TraceSun(grid, coarse) || !this->Shade(coarse) || !this->Diffuse(grid, coarse))
   {
     return false;
   }
@@ -355,7 +393,8 @@ void vtkSunlight::Write(vtkDataSet* data, const Work& work)
     for (vtkIdType p = begin; p < end; ++p)
     {
       double beam = 1, flux = 0;
-      const double sunlight = std::exp(-work.ScaledDepth[p]);
+      const double shadow = work.Shadow.empty() ? 1.0 : work.Shadow[p];
+      const double sunlight = shadow * std::exp(-work.ScaledDepth[p]);
       if (this->UseViewPosition)
       {
         std::array<double, 3> toEye = { { this->ViewPosition[0], this->ViewPosition[1],
@@ -375,7 +414,7 @@ void vtkSunlight::Write(vtkDataSet* data, const Work& work)
         0.25 * work.Albedo[p] * (std::max(work.Fluence[p] + flux, 0.0) + beam * sunlight);
       light->SetValue(p, static_cast<float>(source));
       extinction->SetValue(p, work.Scaled[p]);
-      transmittance->SetValue(p, work.Transmittance[p]);
+      transmittance->SetValue(p, static_cast<float>(shadow * work.Transmittance[p]));
       const std::array<double, 3> up = upAt(work.Planet, work.Places[p]);
       irradiance->SetValue(
         p, static_cast<float>(std::max(dot(up, work.Sun), 0.0) * sunlight + work.Down[p]));
@@ -397,12 +436,13 @@ std::vector<double> vtkSunlight::State(vtkDataSet* input) const
   const auto number = [](const std::string& text) {
     return static_cast<double>(std::hash<std::string>{}(text));
   };
-  return { double(input->GetMTime()), this->SunDirection[0], this->SunDirection[1],
-    this->SunDirection[2], this->Longitude, this->Latitude, this->ExtinctionScale, this->Albedo,
-    this->Asymmetry, this->GroundAlbedo, this->SkyLight, double(this->MultipleScattering),
-    double(this->ZenithAngles), double(this->AzimuthAngles), number(this->DateTime),
-    number(this->ExtinctionArrayName), number(this->AlbedoArrayName),
-    number(this->AsymmetryArrayName) };
+  vtkDataObject* clouds = const_cast<vtkSunlight*>(this)->GetInputDataObject(1, 0);
+  return { double(input->GetMTime()), clouds ? double(clouds->GetMTime()) : 0.0,
+    this->SunDirection[0], this->SunDirection[1], this->SunDirection[2], this->Longitude,
+    this->Latitude, this->ExtinctionScale, this->Albedo, this->Asymmetry, this->GroundAlbedo,
+    this->SkyLight, double(this->MultipleScattering), double(this->ZenithAngles),
+    double(this->AzimuthAngles), number(this->DateTime), number(this->ExtinctionArrayName),
+    number(this->AlbedoArrayName), number(this->AsymmetryArrayName) };
 }
 
 bool vtkSunlight::Compute(vtkDataSet* data, Work& work)
@@ -413,7 +453,7 @@ bool vtkSunlight::Compute(vtkDataSet* data, Work& work)
     return false;
   }
   work.StartDiffuse();
-  return !this->MultipleScattering || this->Diffuse(data, work);
+  return this->Shade(work) && (!this->MultipleScattering || this->Diffuse(data, work));
 }
 
 bool vtkSunlight::AddLight(vtkDataSet* data, vtkDataSet* input)
@@ -433,7 +473,7 @@ bool vtkSunlight::AddLight(vtkDataSet* data, vtkDataSet* input)
   if (work.Planet.Radius <= 0 && work.Sun[2] < 0)
   {
     vtkWarningMacro(
-      << "The sun is below the horizon: it is night, and there is no light but that of a twilight sky.");
+      << "The sun is below the horizon: it is night, and the only light is that of the twilight sky.");
   }
   this->Write(data, work);
   return true;
@@ -445,11 +485,17 @@ int vtkSunlight::RequestData(
   vtkDataSet* input = vtkDataSet::GetData(inputs[0], 0);
   vtkDataSet* output = vtkDataSet::GetData(outputs, 0);
   output->ShallowCopy(input);
-  const char* name = this->ExtinctionArrayName.c_str();
-  if (!input->GetPointData()->HasArray(name) && input->GetCellData()->HasArray(name))
+  const bool isSmoke = this->ExtinctionArrayName == "Extinction" &&
+    nephoscope::addSmokeOptics(output, this->AlbedoArrayName, this->AsymmetryArrayName);
+  this->UsedExtinction = isSmoke ? nephoscope::smokeExtinctionName : this->ExtinctionArrayName;
+  const char* name = this->UsedExtinction.c_str();
+  if (!output->GetPointData()->HasArray(name) && output->GetCellData()->HasArray(name))
   {
+    vtkSmartPointer<vtkDataSet> onCells;
+    onCells.TakeReference(output->NewInstance());
+    onCells->ShallowCopy(output);
     vtkNew<vtkCellDataToPointData> toPoints;
-    toPoints->SetInputData(input);
+    toPoints->SetInputData(onCells);
     toPoints->PassCellDataOn();
     toPoints->Update();
     output->ShallowCopy(toPoints->GetOutput());

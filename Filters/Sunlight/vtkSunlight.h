@@ -6,18 +6,23 @@
  *
  *     any dataset with an extinction (vtkCloudOptics)  ->  vtkSunlight  ->  the same with its light as point arrays
  *
- * 1. From every point a way goes to the sun, from cell to cell; extinction is linear in each of their tetrahedra, as vtkCellCompositingMapper draws
- *    them. Where the way meets the planet there is night.
- * 2. Light that is scattered several times: discrete ordinates on structured grids, on an image of the same bounds for other data (DiffuseLight.h).
- *    The third index, or z, counts upwards. Above is the sky, below the ground, which reflects a part.
- * 3. The light that a point sends to the eye is its source function; a volume mapper does the rest (scalars Sunlight, opacities ScaledExtinction).
+ * 1. Follow a ray from every point to the sun, from cell to cell; the extinction is linear in their tetrahedra, as in vtkCellCompositingMapper. A
+ *    point whose ray meets the planet is in the night.
+ * 2. Compute multiple scattering by discrete ordinates, on structured grids or, for other data, on an image with the same bounds (DiffuseLight.h).
+ *    The third index, or z, counts upwards. The sky is above; the ground below reflects a part of the light.
+ * 3. Write the source function, the light that a point sends to the eye. A volume mapper does the rest (scalars Sunlight, opacities ScaledExtinction).
  *
- * Point arrays written, float; light of 1 is that of a white surface that faces the sun:
+ * Point arrays written, float; a light of 1 is that of a white surface facing the sun:
  * - Sunlight: pi times the source function, for an eye at ViewPosition, or the mean over all directions.
- * - ScaledExtinction, 1/m: the extinction without the light that goes straight on, to be drawn with Sunlight.
- * - SunTransmittance: the share of direct sunlight that arrives.
- * - Irradiance, UpwardIrradiance: of a horizontal surface, by sun and diffuse light from above, and by diffuse light from below.
- * - AbsorbedLight, 1/m: power that becomes heat, per volume; 0 with the sun's beam alone.
+ * - ScaledExtinction, 1/m: the extinction without light scattered straight ahead, for drawing with Sunlight.
+ * - SunTransmittance: the fraction of direct sunlight that arrives.
+ * - Irradiance, UpwardIrradiance: irradiance of a horizontal surface, by sun and diffuse light from above, and by diffuse light from below.
+ * - AbsorbedLight, 1/m: power that becomes heat, per volume; 0 if only the sun's beam is computed.
+ *
+ * Smoke, as vtkFlowVolume and vtkSmokePuffs write it, gets extinction, albedo and asymmetry of its own (SmokeOptics.h), unless another array is named.
+ *
+ * The second input, which is optional, is clouds that have their light: in their shadow there is less sunlight. Light that
+ * they scatter does not reach the data.
  *
  * Field data: SunDirection, three components, towards the sun.
  */
@@ -40,22 +45,22 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
-  /** Direction towards the sun, in the coordinates of the data, with any length > 0. Default (1, -1, 1). Used where DateTime is empty. */
+  /** Direction towards the sun, in the coordinates of the data, with any length > 0. Default (1, -1, 1). Used if DateTime is empty. */
   vtkSetVector3Macro(SunDirection, double);
   vtkGetVector3Macro(SunDirection, double);
   ///@}
 
   ///@{
   /**
-   * Date and time in UTC, such as "2011-10-11 18:30"; empty (default): SunDirection. On the globe of vtkGlobeGrid the sun is where it is then; elsewhere as seen
-   * from Longitude and Latitude, with x to the east and y to the north.
+   * Date and time in UTC, such as "2011-10-11 18:30"; empty (default): SunDirection. On the globe of vtkGlobeGrid it gives the position of the sun; for other
+   * data the sun is as seen from Longitude and Latitude, with x to the east and y to the north.
    */
   vtkSetMacro(DateTime, std::string);
   vtkGetMacro(DateTime, std::string);
   ///@}
 
   ///@{
-  /** Place in degrees east and north, from which the sun is seen at DateTime, where data are not on a globe. Default 0, 0. */
+  /** Longitude and latitude (degrees east and north) of the observer for whom the sun is computed at DateTime, if the data are not on a globe. Default 0, 0. */
   vtkSetClampMacro(Longitude, double, -360.0, 360.0);
   vtkGetMacro(Longitude, double);
   vtkSetClampMacro(Latitude, double, -90.0, 90.0);
@@ -79,7 +84,7 @@ public:
   ///@}
 
   ///@{
-  /** Single-scattering albedo (0 to 1, default 1) and asymmetry parameter (-0.99 to 0.99, default 0.85) where there are no arrays of them. */
+  /** Single-scattering albedo (0 to 1, default 1) and asymmetry parameter (-0.99 to 0.99, default 0.85), used without arrays of them. */
   vtkSetClampMacro(Albedo, double, 0.0, 1.0);
   vtkGetMacro(Albedo, double);
   vtkSetClampMacro(Asymmetry, double, -0.99, 0.99);
@@ -87,26 +92,26 @@ public:
   ///@}
 
   ///@{
-  /** Share of the light that the ground reflects, 0 to 1. Default 0.1. */
+  /** Fraction of the light that the ground reflects, 0 to 1. Default 0.1. */
   vtkSetClampMacro(GroundAlbedo, double, 0.0, 1.0);
   vtkGetMacro(GroundAlbedo, double);
   ///@}
 
   ///@{
-  /** Irradiance from the sky under an overhead sun, as a share of that of the sun, 0 or more; lower with the sun. Default 0.08. */
+  /** Irradiance from the sky under an overhead sun, as a fraction of the sun's irradiance, 0 or more; it decreases as the sun sinks. Default 0.08. */
   vtkSetClampMacro(SkyLight, double, 0.0, 10.0);
   vtkGetMacro(SkyLight, double);
   ///@}
 
   ///@{
-  /** Light that is scattered more than once. On by default; off, only the sun's beam is scattered, and the extinction is not scaled. */
+  /** Includes light that is scattered more than once. On by default. Off: only the sun's beam is scattered, and the extinction is not scaled. */
   vtkSetMacro(MultipleScattering, bool);
   vtkGetMacro(MultipleScattering, bool);
   vtkBooleanMacro(MultipleScattering, bool);
   ///@}
 
   ///@{
-  /** Zenith angles in each hemisphere (1 to 16) and azimuth angles (4 to 64) of diffuse light. Defaults 3 and 4; cost is their product. */
+  /** Zenith angles in each hemisphere (1 to 16) and azimuth angles (4 to 64) of the diffuse light. Defaults 3 and 4; the cost is proportional to their product. */
   vtkSetClampMacro(ZenithAngles, int, 1, 16);
   vtkGetMacro(ZenithAngles, int);
   vtkSetClampMacro(AzimuthAngles, int, 4, 64);
@@ -114,7 +119,7 @@ public:
   ///@}
 
   ///@{
-  /** Sunlight for an eye at ViewPosition (or, with ParallelView, far away in that direction), with the forward peak of cloud droplets. Off by default: the mean over all directions. */
+  /** Computes Sunlight for an eye at ViewPosition (or, with ParallelView, far away in that direction), with the forward peak of cloud droplets. Off by default: the mean over all directions. */
   vtkSetMacro(UseViewPosition, bool);
   vtkGetMacro(UseViewPosition, bool);
   vtkBooleanMacro(UseViewPosition, bool);
@@ -135,6 +140,7 @@ protected:
   vtkSunlight();
   ~vtkSunlight() override;
 
+  int FillInputPortInformation(int port, vtkInformation* info) override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
 private:
@@ -152,11 +158,13 @@ private:
   bool Sample(vtkDataSet* data, Work& work);
   void Write(vtkDataSet* data, const Work& work);
   bool GoOn(double fraction);
+  bool Shade(Work& work);
   std::vector<double> State(vtkDataSet* input) const;
 
   std::string ExtinctionArrayName = "Extinction";
   std::string AlbedoArrayName = "SingleScatteringAlbedo";
   std::string AsymmetryArrayName = "AsymmetryParameter";
+  std::string UsedExtinction; // of smoke its own
   std::string DateTime;
   double SunDirection[3] = { 1, -1, 1 };
   double Longitude = 0;

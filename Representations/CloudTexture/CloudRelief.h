@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
-/** Bumps of cloud for the lights: what the shaders of a textured surface need for them. */
+/** The bump map of clouds for the lights: the shader code for a textured surface. */
 #ifndef CloudRelief_h
 #define CloudRelief_h
 
@@ -18,7 +18,7 @@ namespace nephoscope
  */
 void addReliefCode(vtkShader* fragment, bool hasSecondSet, const char* weights);
 
-/** Length of the largest waves on the surface. The length of one unit of texture is that of its field data, else "given", else that of the surface. */
+/** Length of the largest waves on the surface. The length of one texture unit is that of its field data, otherwise "given", otherwise that of the surface. */
 double largestWaveLength(
   vtkPolyData* surface, double given, double scale, const GardnerWaves& waves);
 

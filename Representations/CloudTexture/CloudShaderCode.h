@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
-/** What is written into the shaders of the superclass, and the constants that the own shaders need. */
+/** The code inserted into the shaders of the superclass, and the constants for this class' shaders. */
 #ifndef CloudShaderCode_h
 #define CloudShaderCode_h
 
@@ -16,7 +16,7 @@
 namespace nephoscope
 {
 
-/** What is read at every point: attribute of the vertex shader, its type, and the array of the surface it comes from. */
+/** A point attribute: its name in the vertex shader, its type, and its source array on the surface. */
 struct CloudAttribute
 {
   std::string Name;
@@ -28,7 +28,7 @@ struct CloudAttribute
 std::vector<std::string> allCloudAttributeNames();
 std::vector<CloudAttribute> cloudAttributesOf(const TexturedSurface& surface);
 
-/** What the program depends on, apart from the surface. */
+/** The properties on which the program depends, apart from the surface. */
 struct CloudShaderChoice
 {
   bool UseThickness = false;

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * From the cover that is asked for to the threshold above which there is cloud.
+ * Converts the requested cover to the threshold above which there is cloud.
  *
  * What is compared with the threshold is a sum of cosines of independent phases (the texture, or two of them blended) and of Gaussian
  * parts (what the pixel's filter has taken away, the soft edge). Its distribution follows from its characteristic
@@ -148,7 +148,7 @@ inline double thresholdOfCover(
   return std::sqrt(variance) * thresholds.Find(cover, fourth / (variance * variance));
 }
 
-/** Its inverse, of one set of waves: share of the texture that lies above a threshold. */
+/** Its inverse for one set of waves: the fraction of the texture above a threshold. */
 inline double coverOfThreshold(const GardnerWaves& waves, double threshold, double softness)
 {
   const double variance = 1 + softness * softness;
@@ -159,7 +159,7 @@ inline double coverOfThreshold(const GardnerWaves& waves, double threshold, doub
 }
 
 /**
- * Share of a pixel that is cloud, 0 ... 1. Its mean over the texture is the cover, at every distance and for every blend.
+ * Cloudy fraction of a pixel, 0 ... 1. Its mean over the texture is the cover, at every distance and for every blend.
  * "softness" is the standard deviation of the soft edge, in units of the texture.
  */
 inline double cloudShare(const CoverageThresholds& thresholds,

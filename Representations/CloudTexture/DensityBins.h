@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * A uniform grid of bins about tetrahedra, each with a list of those that may touch it, so that a ray that walks from bin to bin meets all
- * tetrahedra on its way. Bins are about as large as tetrahedra, and where these are flat, in whatever direction, as cubes of their volume: neither is one in
- * many lists, nor are lists long.
+ * tetrahedra on its way. Bins are about as large as the tetrahedra or, for flat ones, as cubes of their volume, so that no tetrahedron is in many lists and
+ * no list is long.
  */
 #ifndef DensityBins_h
 #define DensityBins_h

@@ -27,7 +27,7 @@ struct DensityTetrahedra
 {
   using Corners = std::array<std::int32_t, 4>; ///< points, by their coordinates: x, then y, then z
 
-  /** Empty, or why there are none. */
+  /** The reason if there are none; otherwise empty. */
   std::string Take(const std::vector<DensityBlock>& blocks);
 
   double Center[3] = { 0, 0, 0 };

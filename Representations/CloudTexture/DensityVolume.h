@@ -41,7 +41,7 @@ public:
 
   /** Where there is some. */
   double MeanDensity = 1;
-  /** What is wrong with the values; empty if nothing is. */
+  /** The problem with the values; empty if there is none. */
   std::string Warning;
 };
 
@@ -51,7 +51,7 @@ inline bool isDensity(double value)
   return value >= 0 && value < 1e30;
 }
 
-/** `name`: of a point or cell array; empty: active scalars. Null where there is no data, or else with the reason in `error`. */
+/** `name`: of a point or cell array; empty: active scalars. Null if there are no data, or for the reason given in `error`. */
 std::unique_ptr<DensityVolume> makeDensityVolume(
   vtkDataObject* data, const std::string& name, std::string& error);
 

@@ -73,8 +73,8 @@ inline GardnerWaves wavesOfPaper(const std::vector<Point3<double>>& frequencies)
 }
 
 /**
- * All directions, and frequencies and amplitudes from 2.4 and 1 to 66 and 0.05, chosen among 4000 sets for slices whose spectrum is the same all round. One wave
- * must not stand out, else clouds are stripes. Periods: 10; on longitudes 1 in u, where frequencies along u are rounded.
+ * All directions, and frequencies and amplitudes from 2.4 and 1 to 66 and 0.05, chosen among 4000 sets for slices whose spectrum is the same all round. No wave
+ * may dominate; otherwise clouds are stripes. Periods: 10; on longitudes 1 in u, where frequencies along u are rounded.
  */
 inline GardnerWaves cloudWaves()
 {
@@ -161,7 +161,7 @@ inline GardnerWaves presetWaves(int preset)
                      : cloudWaves();
 }
 
-/** Frequencies along u become whole numbers: on longitudes the texture goes round. */
+/** Frequencies along u become whole numbers, because the texture wraps around in longitude. */
 inline void closeOnLongitudes(GardnerWaves& waves)
 {
   for (GardnerWave& wave : waves)

@@ -21,7 +21,7 @@ namespace nephoscope
 class JoinedSurfaces
 {
 public:
-  /** Blocks that are no polygonal data are left out; field data are those of the blocks, the first that has an array counts. */
+  /** Blocks without polygonal data are left out; each field array comes from the first block that has it. */
   vtkPolyData* Join(vtkCompositeDataSet* data)
   {
     vtkMTimeType time = data->GetMTime();

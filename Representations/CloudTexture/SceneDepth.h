@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * The depth of what is opaque, for mappers of translucent surfaces. Depth peeling draws them into images without a depth buffer; there
- * the depth is asked of the pass, which tells it in its first stage only.
+ * The depth of opaque objects, for mappers of translucent surfaces. Depth peeling draws them into images without a depth buffer; there
+ * the pass provides the depth, in its first stage only.
  */
 #ifndef SceneDepth_h
 #define SceneDepth_h

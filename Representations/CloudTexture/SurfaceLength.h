@@ -102,7 +102,7 @@ struct SurfaceLength
                            : 1;
   }
 
-  /** Repetitions along this length where none are asked for. Layers have smaller clouds than bodies, the more so the flatter they are. */
+  /** The default number of repetitions along this length. Layers have smaller clouds than bodies, the more so the flatter they are. */
   double Repetitions() const
   {
     constexpr double ofBodies = 2.5, ofLayers = 4, ofGlobes = 8;

@@ -28,7 +28,7 @@ public:
   /** Nodes in a row of their image. */
   static constexpr int Columns = 4096;
 
-  /** Calls paint() to draw the surface once, or twice where there were more faces than in pictures before. False: this OpenGL cannot. */
+  /** Calls paint() to draw the surface once, or twice if there were more faces than in earlier pictures. False: this OpenGL cannot. */
   bool Draw(const SurfaceLayers::Request& request, const std::function<void()>& paint);
 
   /** Two images as the shader SurfaceLists writes them. */

@@ -171,7 +171,7 @@ std::string checkArray(vtkPolyData* input, const std::string& name, int componen
   if (!array)
   {
     return "There is no point array \"" + name + "\" for the " + use +
-      ". Choose one that there is, or turn cell data into point data.";
+      ". Choose an existing one, or convert cell data to point data.";
   }
   return array->GetNumberOfComponents() == components ? std::string()
                                                       : "The array \"" + name + "\" for the " +
@@ -207,7 +207,7 @@ void addCover(TexturedSurface& result, vtkPolyData* input, const std::string& na
   {
     result.HasCover =
       addShares(result, input, name, "cover", coverArrayName, 1.0f,
-        "has values that are not a cover, 0 ... 1: they count as the nearest that is, NaN as 0. Divide percent by 100. ") !=
+        "has values outside the range of a cover, 0 ... 1: they count as the nearest valid value, NaN as 0. Divide percent by 100. ") !=
       nullptr;
   }
 }
@@ -249,7 +249,7 @@ bool addWeights(TexturedSurface& result, vtkPolyData* input)
   }
   result.Warning += areRight
     ? ""
-    : "TextureWeights of points must be >= 0, finite, and not all 0: there both sets count the same. ";
+    : "TextureWeights of points must be >= 0, finite, and not all 0: where they are not, both sets count the same. ";
   result.Surface->GetPointData()->AddArray(weights);
   return true;
 }
@@ -349,7 +349,7 @@ void cutWhereTextureGoesRound(TexturedSurface& result, vtkPolyData* input, int s
   if (input->GetNumberOfStrips() > 0)
   {
     result.Warning +=
-      "Triangle strips are not cut where longitudes go round: use vtkTriangleFilter. ";
+      "Triangle strips are not cut where longitudes wrap around: use vtkTriangleFilter. ";
   }
   SeamCutter cutter(result.Surface, result.Scale);
   for (int i = 0; i < sets; ++i)
@@ -432,7 +432,7 @@ std::string describeMissingSurface(vtkPolyData* input)
     return std::string();
   }
   return "Nothing is drawn: the input has " + std::to_string(input->GetNumberOfPoints()) +
-    " points but no polygons to put a texture on. Make a surface of them (Cloud Surface, Contour, Delaunay 2D), or draw them as "
+    " points but no polygons for the texture. Make a surface of them (Cloud Surface, Contour, Delaunay 2D), or draw them as "
     "Textured Splats.";
 }
 }

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
-/** The surface as it is drawn: its cells with float texture coordinates, cover and places, cut where the texture goes round. */
+/** The surface as it is drawn: its cells with float texture coordinates, cover and places, cut where the texture wraps around. */
 #ifndef TexturedSurface_h
 #define TexturedSurface_h
 

@@ -2,15 +2,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class vtkCloudTextureMapper
- * @brief Draws the surface of clouds with a texture of broken cloud, with the cover that is asked for
+ * @brief Draws the surface of clouds with a texture of broken cloud that has a given cover
  *
  * The texture is a sum of modulated cosines (Gardner 1985; Max, Crawfis and Becker, New Techniques in 3D Scalar and Vector Field
- * Visualization, Pacific Graphics 1993, section 4). Where it exceeds a threshold there is cloud; the threshold follows from the
- * cover, with the distribution of what is compared with it, so that the drawn cover is the one asked for at every distance and
- * while two sets of coordinates fade into each other. Colours are those of vtkPolyDataMapper, times those of the texture; so are lights. It is translucent: use depth
- * peeling where it is to be in the right order with other translucent things and with itself.
+ * Visualization, Pacific Graphics 1993, section 4). Where it exceeds a threshold there is cloud; the threshold follows from the cover and from the distribution of
+ * the texture, so that the drawn cover is the requested one at every distance and while two sets of coordinates fade into each other. Colours and lights are those of
+ * vtkPolyDataMapper; the texture multiplies the colours. The surface is translucent: use depth peeling to draw it in the correct order with itself and with other
+ * translucent objects.
  *
- * Point arrays that it reads where they are there: TextureCoordinates1 and TextureCoordinates2 (3 components), and the field data
+ * Optional point arrays: TextureCoordinates1 and TextureCoordinates2 (3 components), and the field data
  * TextureWeights and TextureFrame (0: longitude, latitude, height; 1: Cartesian). Without such coordinates, positions.
  */
 #ifndef vtkCloudTextureMapper_h
@@ -35,20 +35,20 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
-  /** Share of the surface that is cloud, 0 ... 1. Default: 0.5. Ignored with UseThreshold and where CoverageArrayName is set. */
+  /** Fraction of the surface that is cloud, 0 ... 1. Default: 0.5. Ignored with UseThreshold and if CoverageArrayName is set. */
   vtkSetClampMacro(Coverage, double, 0.0, 1.0);
   vtkGetMacro(Coverage, double);
   ///@}
 
   ///@{
-  /** Point array of the cover, 0 ... 1 at every point, such as a model's cloud fraction. Default: empty, Coverage holds everywhere. */
+  /** Point array of the cover, 0 ... 1 at every point, such as a model's cloud fraction. Default: empty, Coverage applies everywhere. */
   void SetCoverageArrayName(const char* name);
   const char* GetCoverageArrayName() const { return this->CoverageArrayName.c_str(); }
   ///@}
 
   ///@{
   /**
-   * Cloud is where the texture exceeds Threshold, instead of where the cover demands. In standard deviations of the texture, whose mean is 0. The
+   * On: you set the threshold above which there is cloud, in standard deviations of the texture, whose mean is 0. The
    * cover then follows from the distribution of the texture. Defaults: off, 0.
    */
   vtkSetMacro(UseThreshold, bool);
@@ -59,15 +59,16 @@ public:
   ///@}
 
   ///@{
-  /** Cover and threshold of one set of coordinates and no thickness: one is that which is set, the other follows from it. */
+  /** Cover and threshold for one set of coordinates without thickness: one of them is the one you set, the other follows from it. */
   double GetCoverageUsed();
   double GetThresholdUsed();
   ///@}
 
   ///@{
   /**
-   * Width of the edges of clouds: standard deviation, in units of the texture, whose own is 1. 0 ... 2, default: 0.4. 0 is sharp, but for
-   * the pixel's filter. Cover counts half-transparent edges by their transparency, so it does not change.
+   * Width of the edges of clouds: standard deviation, in units of the texture, whose own standard deviation is 1. 0 ... 2, default: 0.4.
+   * 0 is sharp, except for the filter of the pixel. Half-transparent edges count in proportion to their opacity, so the cover does not
+   * change.
    */
   vtkSetClampMacro(Softness, double, 0.0, 2.0);
   vtkGetMacro(Softness, double);
@@ -75,8 +76,8 @@ public:
 
   ///@{
   /**
-   * How often the texture repeats itself in one unit of the coordinates: around the equator, or along the longest side of a surface that is not a
-   * globe. 0 ... 1e6. 0 (default): by the shape of the surface, more for flat layers than for bodies. With longitudes as coordinates it is rounded to a whole
+   * Number of texture periods in one unit of the coordinates: around the equator, or along the longest side of a surface that is not a
+   * globe. 0 ... 1e6. 0 (default): chosen from the shape of the surface, more for flat layers than for bodies. With longitudes as coordinates it is rounded to a whole
    * number. GetTextureScaleUsed() is that of the last picture.
    */
   vtkSetClampMacro(TextureScale, double, 0.0, 1e6);
@@ -85,16 +86,16 @@ public:
   ///@}
 
   ///@{
-  /** Length of one unit of texture where coordinates come from positions; 0 (default): equator or longest side of the surface. */
+  /** Length of one texture unit if coordinates come from positions; 0 (default): the equator or the longest side of the surface. */
   vtkSetClampMacro(TextureLength, double, 0.0, 1e300);
   vtkGetMacro(TextureLength, double);
   ///@}
 
   ///@{
   /**
-   * The third coordinate of the texture is the altitude, 0 at the low end of AltitudeRange and 1 at the high end, whatever the scale. Without
+   * The third coordinate of the texture is the altitude: 0 at the low end of AltitudeRange and 1 at the high end, for any scale. Without
    * arrays of coordinates the first two are longitude and latitude on a globe (in turns, times TextureScale), and the altitude is the distance from its
-   * centre; elsewhere x, y and z. A range whose ends are not in order (default: 0, 0) is that of the data. Default: off.
+   * centre; elsewhere x, y and z. If its ends are not in order (default: 0, 0), the range of the data is used. Default: off.
    */
   vtkSetMacro(UseAltitude, bool);
   vtkGetMacro(UseAltitude, bool);
@@ -105,7 +106,7 @@ public:
 
   ///@{
   /**
-   * Colour from the texture: ThinColor where it just exceeds the threshold, ThickColor where it exceeds it by ColorRange or more, mixed in between. They
+   * Colour from the texture: ThinColor where it just exceeds the threshold, ThickColor where it exceeds it by ColorRange or more, and a mixture in between. They
    * multiply the colour of the surface; ColorRange is in units of the texture, > 0. Defaults: a bluish grey, white, 1.5.
    */
   vtkSetVector3Macro(ThinColor, double);
@@ -127,8 +128,9 @@ public:
 
   ///@{
   /**
-   * The waves that the texture is the sum of. Clouds (default): 12 in all directions. Paper: 7 waves whose phases shift across them, as
-   * the text of the paper asks. Printed: by its printed formula. Gardner: along the axes, with frequencies doubled. Custom: those that are set.
+   * The waves that add up to the texture. Clouds (default): 12 waves in all directions. Paper: 7 waves with a phase shift across each
+   * wave, as the text of the paper describes. Printed: the formula as printed. Gardner: waves along the axes, each with twice the
+   * frequency of the last. Custom: those of SetCustomWave.
    */
   vtkSetClampMacro(Waves, int, WAVES_CLOUDS, WAVES_CUSTOM);
   vtkGetMacro(Waves, int);
@@ -141,10 +143,10 @@ public:
 
   ///@{
   /**
-   * Custom waves, 16 at most; as many as those of Clouds, and the same, until they are set. Wave i is
+   * Custom waves, 16 at most. Until they are set, they are the waves of Clouds. Wave i is
    *   amplitude cos(2 pi (b u + c v + d w + phase) + shift sin(2 pi (e u + g v + h w))).
    * Their sum is divided by its standard deviation. On longitudes b and e are rounded to whole numbers. No two waves may have the same
-   * frequencies: the cover would not be the one asked for.
+   * frequencies, because the cover would then differ from the requested one.
    */
   void SetNumberOfCustomWaves(int count);
   int GetNumberOfCustomWaves() const;
@@ -152,15 +154,15 @@ public:
     double g, double h, double phase);
   /** The nine numbers of wave i, in the order of SetCustomWave; zeros where there is none. */
   void GetCustomWave(int i, double values[9]) const;
-  /** As GetCustomWave, of the waves in use, whose sum has the standard deviation 1. */
+  /** Like GetCustomWave, for the waves in use, whose sum has a standard deviation of 1. */
   int GetNumberOfWavesUsed() const;
   void GetWaveUsed(int i, double values[9]) const;
   ///@}
 
   ///@{
   /**
-   * Optical depth of cloud across the surface, the same everywhere; along a ray it is this over the cosine of the angle between ray and
-   * normal. >= 0, default: 3, which hides 95 % of what is behind, seen from straight above.
+   * Optical depth of the clouds at normal incidence; along a ray it is divided by the cosine of the angle between ray and normal. >= 0,
+   * default: 3, which hides 95 % of the background, seen from straight above.
    */
   vtkSetClampMacro(OpticalDepth, double, 0.0, 1e30);
   vtkGetMacro(OpticalDepth, double);
@@ -168,9 +170,9 @@ public:
 
   ///@{
   /**
-   * Clouds are as opaque as they are thick: optical depth along the ray from each front face to the next back face, or to what is opaque.
-   * For closed surfaces whose triangles face outwards, as vtkCloudSurface makes them. Where nothing is behind, OpticalDepth holds.
-   * Default: off, OpticalDepth everywhere.
+   * Opacity follows the thickness of the clouds: the optical depth is integrated along the ray from each front face to the next back
+   * face, or to an opaque object. Use it with closed surfaces whose triangles face outwards, such as those of vtkCloudSurface. Without a
+   * face behind, OpticalDepth applies. Default: off, OpticalDepth applies everywhere.
    */
   vtkSetMacro(UseThickness, bool);
   vtkGetMacro(UseThickness, bool);
@@ -186,7 +188,7 @@ public:
   ///@{
   /**
    * With UseThickness: opacity is that of the optical depth along the ray (default), or ThicknessWeight times the optical depth is added to the texture before the
-   * threshold, so that thin edges break up and the cover is that of no thickness; opacity is then that of OpticalDepth. ThicknessWeight is >= 0, default: 1.
+   * threshold, so that thin edges break up. Coverage is then the cover at thickness 0, and OpticalDepth gives the opacity. ThicknessWeight is >= 0, default: 1.
    */
   vtkSetClampMacro(
     ThicknessEffect, int, THICKNESS_MULTIPLIES_OPACITY, THICKNESS_IS_ADDED_TO_TEXTURE);
@@ -205,8 +207,8 @@ public:
 
   ///@{
   /**
-   * Optical depth of cloud per length, in the unit of the scene; with UseThickness. >= 0. 0 (default): such that rays through the surface
-   * have OpticalDepth on average. Set it where the surface changes with time.
+   * With UseThickness: extinction coefficient of cloud, per unit of length of the scene. >= 0. 0 (default): rays through the surface have
+   * OpticalDepth on average. Set it for a surface that changes with time.
    */
   vtkSetClampMacro(Extinction, double, 0.0, 1e300);
   vtkGetMacro(Extinction, double);
@@ -214,8 +216,8 @@ public:
 
   ///@{
   /**
-   * Point array of the density of cloud, >= 0, by which Extinction is multiplied; along the ray density is linear between the front
-   * and the back face. With UseThickness. Default: empty, the density is 1. With DensityVolume it is an array of that.
+   * With UseThickness: point array of the cloud density, >= 0, which multiplies Extinction; along the ray the density is linear
+   * between the front and the back face. Default: empty, the density is 1. With DensityVolume it names an array of that volume.
    */
   void SetDensityArrayName(const char* name);
   const char* GetDensityArrayName() const { return this->DensityArrayName.c_str(); }
@@ -223,11 +225,11 @@ public:
 
   ///@{
   /**
-   * Density of cloud in space, >= 0, in the coordinates of the surface: array DensityArrayName of any grid, or of composite data, or without a name
-   * its active scalars; of the points, or else of the cells. With UseThickness it is integrated along the ray inside of the surface in place of what is known at the
-   * two faces: exactly for trilinear voxels of images with a point array, and for the linear density in the tetrahedra that other cells are divided into. Density of cells
-   * is constant in each. Outside of the cells, and in hidden and ghost cells, it is 0. Default: none. Costs on the GPU 4 bytes per point of
-   * an image, up to 100 bytes per tetrahedron elsewhere (cells without density cost nothing), and per pixel the way through voxels or tetrahedra.
+   * Cloud density in space, >= 0, in the coordinates of the surface: the array DensityArrayName, or the active scalars without a name, of any grid or composite dataset;
+   * on points, otherwise on cells. With UseThickness it is integrated along the ray inside the surface, instead of the density at the two faces. The integral is exact for
+   * trilinear voxels of images with a point array, and for linear density in the tetrahedra into which other cells are divided. A cell array gives a constant density in
+   * each cell. Outside the cells, and in hidden and ghost cells, the density is 0. Default: none. Costs on the GPU 4 bytes per point of
+   * an image, up to 100 bytes per tetrahedron elsewhere (cells without density cost nothing), and per pixel the traversal of voxels or tetrahedra.
    */
   void SetDensityVolume(vtkDataObject* volume);
   vtkDataObject* GetDensityVolume() const;
@@ -235,8 +237,9 @@ public:
 
   ///@{
   /**
-   * Where OpenGL is older than 4.2: how many clouds behind one another UseThickness finds in a pixel, nearest and farthest first; a warning
-   * says where there are more. Every two cost one drawing of depths, where they are there. Later OpenGL finds all. 2 ... 16, default: 8. OpenGL's number of textures may allow less.
+   * For OpenGL older than 4.2: greatest number of clouds behind one another that UseThickness finds in a pixel, nearest and farthest first;
+   * a warning reports if there are more. Every two that exist cost one drawing of depths. Later OpenGL finds all clouds. 2 ... 16, default: 8. OpenGL's number of
+   * textures may allow less.
    */
   vtkSetClampMacro(MaximumNumberOfLayers, int, 2, 16);
   vtkGetMacro(MaximumNumberOfLayers, int);
@@ -244,8 +247,8 @@ public:
 
   ///@{
   /**
-   * Height of the bumps that lights see, as a share of the length of the largest waves: clouds get a sunny and a shady side. The surface itself
-   * stays where it is. 0 ... 1, default: 0.03; 0: none.
+   * Height of the bump map that shades the clouds, as a fraction of the longest wavelength: clouds get a sunny and a shady side. The surface
+   * itself does not move. 0 ... 1, default: 0.03; 0: none.
    */
   vtkSetClampMacro(Relief, double, 0.0, 1.0);
   vtkGetMacro(Relief, double);

@@ -43,7 +43,7 @@ struct vtkCloudTextureMapper::vtkInternals
   std::shared_ptr<nephoscope::DensityVolume> Volume; // null: none is used
   std::tuple<vtkDataObject*, vtkMTimeType, std::string> VolumeMadeFrom{ nullptr, 0, "" };
   nephoscope::KeepPeeling Peels;
-  int Drawings = 0; // of layers, that the shader is made for
+  int Drawings = 0; // number of layers for which the shader was generated
   vtkSmartPointer<vtkTextureObject> Thresholds;
 
   nephoscope::ResourceWindow Window{ [this](vtkWindow* window) {

@@ -129,7 +129,7 @@ void vtkCloudTextureMapper::ReportThicknessErrors(const std::string& error)
   if (error.empty() && own.Thickness.HasMore())
   {
     message =
-      "In some pixels more clouds are behind one another than are looked at: the thickness of those in between is not right. Raise "
+      "In some pixels more clouds lie behind one another than are measured: the thickness of those in between is wrong. Raise "
       "MaximumNumberOfLayers.";
   }
   if (!message.empty() && message != own.LastThickness)

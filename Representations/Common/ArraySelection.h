@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
-/** Which arrays of its input a volume mapper reads, and what it says of those that cannot be drawn. */
+/** The input arrays that a volume mapper reads, and its messages about arrays that cannot be drawn. */
 #ifndef ArraySelection_h
 #define ArraySelection_h
 
@@ -21,15 +21,15 @@ namespace nephoscope
 VTKNEPHOSCOPEREPRESENTATIONSCOMMON_EXPORT std::string checkLength(
   vtkDataSet* input, const ScalarSelection& scalars);
 
-/** The array that the mapper's ScalarMode and SelectScalarArray name. Returns an empty string, or what is wrong. */
+/** The array that the mapper's ScalarMode and SelectScalarArray name. Returns the problem, or an empty string. */
 VTKNEPHOSCOPEREPRESENTATIONSCOMMON_EXPORT std::string selectScalars(vtkAbstractVolumeMapper* mapper,
   vtkDataSet* input, vtkVolumeProperty* property, ScalarSelection& scalars);
 
-/** The point or cell array called `name`; none if the name is empty. Returns an empty string, or what is wrong. */
+/** The point or cell array called `name`; none if the name is empty. Returns the problem, or an empty string. */
 VTKNEPHOSCOPEREPRESENTATIONSCOMMON_EXPORT std::string selectOpacity(const std::string& name,
   vtkDataSet* input, const ScalarSelection& scalars, ScalarSelection& opacity);
 
-/** Empty where the input is a dataset; else what to make one with. */
+/** Empty if the input is a dataset; otherwise how to make one. */
 VTKNEPHOSCOPEREPRESENTATIONSCOMMON_EXPORT std::string checkIsDataSet(vtkDataObject* input);
 
 /** Empty when the property's ScalarOpacityUnitDistance is a length. */

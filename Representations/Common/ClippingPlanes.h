@@ -29,7 +29,7 @@ public:
   /** Those of the mapper as the renderer's camera sees them. VTK gives them in world coordinates. */
   ClippingPlanes(vtkAbstractMapper* mapper, vtkRenderer* renderer);
 
-  /** Empty, or what is wrong with the mapper's planes. */
+  /** The problem with the mapper's planes, or empty. */
   static std::string Check(vtkAbstractMapper* mapper);
 
   bool IsEmpty() const { return this->Planes.empty(); }

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
-/** Counts nothing, but tells whether any fragment was drawn in its scope. */
+/** Reports whether any fragment was drawn in its scope, without counting. */
 #ifndef DrawnQuery_h
 #define DrawnQuery_h
 

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * What a mapper draws between the opaque geometry and the picture: translucent things are blended in a float image, which is
- * then laid over the scene. Depth is neither tested nor written: shaders look at the opaque depth themselves.
+ * Drawing between the opaque geometry and the picture: translucent objects are blended in a float image, which is then
+ * composited over the scene. Depth is neither tested nor written: shaders look at the opaque depth themselves.
  */
 #ifndef FloatLayer_h
 #define FloatLayer_h
@@ -49,7 +49,7 @@ public:
     const std::function<std::string(const int viewport[4])>& paint);
 
   ///@{
-  /** For those who draw into the image in another way. */
+  /** For code that draws into the image in another way. */
   OpaqueDepth& GetDepth() { return this->Depth; }
   FloatAccumulation& GetAccumulation() { return this->Accumulation; }
   ///@}

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
-/** How much space a medium fills, and how opaque it is there: what the default unit distance of all mappers and hosts is made of. */
+/** The volume of a medium and its opacity there, from which all mappers and hosts compute the default unit distance. */
 #ifndef MediumMeasures_h
 #define MediumMeasures_h
 
@@ -45,10 +45,10 @@ struct VTKNEPHOSCOPEREPRESENTATIONSCOMMON_EXPORT MediumMeasures
     double Opacity;
   };
 
-  /** Adds to the integrals; a part whose scalar is not finite has a volume alone, as it is not drawn. */
+  /** Adds to the integrals; a part whose scalar is not finite contributes only its volume, because it is not drawn. */
   void AddPart(const MediumBounds& frame, const Part& part);
 
-  /** Multiplies the integrals, where parts stand for others as well. */
+  /** Multiplies the integrals if the parts also represent others. */
   void Scale(double factor);
 
   /** Extends Reach, `frame` being the common bounds, by a box around `place` that extends by `half` to each side. */

@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * Loops that tell how far they are, and stop when told to.
+ * Loops that report their progress, and stop on request.
  *
- * A loop is cut into stretches of about 30 ms; between two of them the calling thread reports. What a loop computes does not
- * depend on where it was cut. Without anybody to report to, it runs in one stretch.
+ * A loop is cut into stretches of about 30 ms; between two of them the calling thread reports. The result of a loop does not
+ * depend on where it was split. Without anybody to report to, it runs in one stretch.
  */
 #ifndef ProgressLoop_h
 #define ProgressLoop_h

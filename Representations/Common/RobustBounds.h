@@ -38,7 +38,7 @@ struct MediumReduction
 constexpr MediumBounds WholeMedium = { { -VTK_DOUBLE_MAX, VTK_DOUBLE_MAX, -VTK_DOUBLE_MAX,
   VTK_DOUBLE_MAX, -VTK_DOUBLE_MAX, VTK_DOUBLE_MAX } };
 
-/** How many places are enough for robust bounds. */
+/** The number of positions that is enough for robust bounds. */
 constexpr vtkIdType enoughPlaces = 10000;
 
 VTKNEPHOSCOPEREPRESENTATIONSCOMMON_EXPORT bool holdsPlace(

@@ -44,7 +44,7 @@ inline double scalarValue(const ScalarSelection& scalars, vtkIdType tuple)
 
 /**
  * Finite minimum and maximum, never equal: the range that becomes [0, 1]. Hidden values do not count: a fill value there
- * would take the precision of all that is drawn. `single` tells whether all values are equal. False when stopped.
+ * would take the precision of all that is drawn. `single` says whether all values are equal. False when stopped.
  */
 inline bool findRange(vtkDataSet* data, const ScalarSelection& scalars, double range[2],
   const Progress& progress = {}, bool* single = nullptr)

@@ -4,7 +4,7 @@
  * Numbers that a vertex shader gets one after the other: what it draws, in order. Integers of 32 bits stay integers, which
  * vtkOpenGLVertexArrayObject would make floats of.
  *
- * An attribute rather than an array indexed by gl_VertexID: Mesa's softpipe counts vertices anew after some thousands.
+ * An attribute rather than an array indexed by gl_VertexID: Mesa's softpipe restarts the vertex count after some thousands.
  */
 #ifndef VertexNumbers_h
 #define VertexNumbers_h
@@ -38,7 +38,7 @@ public:
 
   /** Makes them the attribute of that name, if the program has one; a vertex array is bound. */
   void Activate(vtkShaderProgram* program, const char* name);
-  /** The vertex array is as it was before. */
+  /** The vertex array is restored. */
   void Deactivate();
   void Release();
 

@@ -20,7 +20,7 @@
 namespace nephoscope
 {
 
-/** What one drawing needs to know of the view; matrices as vtkMatrix4x4 multiplies columns. */
+/** The view for one drawing; matrices multiply columns, as in vtkMatrix4x4. */
 struct SceneView
 {
   vtkMatrix4x4* ModelToView = nullptr; ///< of coordinates relative to the geometry's centre

@@ -7,9 +7,9 @@
 #include "VolumeSlices.h"
 
 #include "vtkAbstractVolumeMapper.h"
-#include "vtkActor.h"
 #include "vtkBoundingBox.h"
 #include "vtkCamera.h"
+#include "vtkProp3D.h"
 #include "vtkPropCollection.h"
 #include "vtkRenderer.h"
 #include "vtkVolume.h"
@@ -195,10 +195,11 @@ std::vector<Volumes> sorted(vtkCamera* camera, std::vector<Volumes> groups)
   return order;
 }
 
-bool isTranslucent(vtkActor* actor)
+// Surfaces, and texts in space, which later releases of VTK draw as translucent.
+bool isTranslucent(vtkProp3D* prop)
 {
-  const double* bounds = actor->GetVisibility() ? actor->GetBounds() : nullptr;
-  return bounds && vtkBoundingBox::IsValid(bounds) && actor->HasTranslucentPolygonalGeometry();
+  const double* bounds = prop->GetVisibility() ? prop->GetBounds() : nullptr;
+  return bounds && vtkBoundingBox::IsValid(bounds) && prop->HasTranslucentPolygonalGeometry();
 }
 
 /** Whether VTK has drawn a translucent surface behind the volume that is not behind it. */
@@ -209,8 +210,8 @@ bool coversSurfaces(vtkRenderer* renderer, vtkVolume* volume)
   props->InitTraversal(place);
   while (vtkProp* prop = props->GetNextProp(place))
   {
-    auto* actor = vtkActor::SafeDownCast(prop);
-    if (actor && isTranslucent(actor) && !isBehind(renderer->GetActiveCamera(), actor, volume))
+    auto* one = vtkProp3D::SafeDownCast(prop);
+    if (one && isTranslucent(one) && !isBehind(renderer->GetActiveCamera(), one, volume))
     {
       return true;
     }
@@ -230,7 +231,7 @@ void warnAboutSurfaces(vtkAbstractVolumeMapper* mapper, vtkRenderer* renderer, v
   if (isNew)
   {
     vtkWarningWithObjectMacro(mapper,
-      "A translucent surface is in front of this volume, or in it, but drawn behind it, because the renderer does not peel "
+      "A translucent surface in front of or inside this volume is drawn behind it, because the renderer does not peel "
       "volumes. Call its UseDepthPeelingOn(), UseDepthPeelingForVolumesOn() and SetOcclusionRatio(0), and SetMultiSamples(0) of the "
       "window (in ParaView: Edit > Settings > Render View > Depth Peeling, and Depth Peeling for Volumes).");
   }

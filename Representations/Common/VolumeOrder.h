@@ -28,7 +28,7 @@ class VTKNEPHOSCOPEREPRESENTATIONSCOMMON_EXPORT VolumeOrder
 public:
   struct Part
   {
-    /** Draws this volume now, with those that it is drawn together with. */
+    /** Draws this volume now, together with the volumes of the same medium. */
     std::function<void(vtkRenderer*, vtkVolume*)> Draw;
     /** How many its mapper draws as one medium, of those that may be; 1: it may not. */
     std::function<std::size_t(vtkRenderer*, vtkVolume*)> Mixes;
@@ -39,7 +39,7 @@ public:
   static void Leave(vtkAbstractVolumeMapper* mapper);
   static void ReleaseGraphicsResources(vtkAbstractVolumeMapper* mapper, vtkWindow* window);
 
-  /** What the Render() of an enrolled mapper does. */
+  /** The work of Render() of an enrolled mapper. */
   static void Draw(vtkAbstractVolumeMapper* mapper, vtkRenderer* renderer, vtkVolume* volume);
   /** Whether a volume is drawn that cannot be one medium with others. */
   static bool HasOthers(vtkRenderer* renderer);

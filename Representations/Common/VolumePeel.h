@@ -48,7 +48,7 @@ public:
   VolumePeel(const VolumePeel&) = delete;
   VolumePeel& operator=(const VolumePeel&) = delete;
 
-  /** Whether a peeling pass, or VolumeSlices, asks this volume to draw. */
+  /** Whether a peeling pass, or VolumeSlices, requests that this volume draws. */
   static bool IsRequested(vtkProp* volume);
 
   /** Finds the ranges of this peel. False when there is nothing to draw in any pixel. */

@@ -11,6 +11,7 @@
 #include "WholeViewport.h"
 
 #include "vtkAbstractVolumeMapper.h"
+#include "vtkBoundingBox.h"
 #include "vtkCamera.h"
 #include "vtkMatrix4x4.h"
 #include "vtkOpenGLRenderWindow.h"
@@ -23,7 +24,6 @@
 #include "vtkVolume.h"
 
 #include <algorithm>
-#include <array>
 #include <limits>
 
 namespace nephoscope
@@ -32,46 +32,23 @@ namespace
 {
 VolumeSlices* current = nullptr;
 
-using SliceBox = std::array<double, 6>;
-
-SliceBox sliceBoxOf(vtkVolume* volume)
-{
-  SliceBox box;
-  std::copy_n(volume->GetBounds(), 6, box.begin());
-  return box;
-}
-
-/** Where two overlap; false where they do not. */
-bool intersect(const SliceBox& a, const SliceBox& b, SliceBox& common)
-{
-  for (std::size_t axis = 0; axis < 6; axis += 2)
-  {
-    common[axis] = std::max(a[axis], b[axis]);
-    common[axis + 1] = std::min(a[axis + 1], b[axis + 1]);
-    if (common[axis] > common[axis + 1])
-    {
-      return false;
-    }
-  }
-  return true;
-}
-
 /** Least and greatest distance from the eye's plane. */
 struct Span
 {
   double Near = std::numeric_limits<double>::max();
   double Far = -std::numeric_limits<double>::max();
 
-  void Add(vtkCamera* camera, const SliceBox& box)
+  void Add(vtkCamera* camera, const vtkBoundingBox& box)
   {
-    for (std::size_t corner = 0; corner < 8; ++corner)
+    for (int corner = 0; corner < 8; ++corner)
     {
+      double place[3];
+      box.GetCorner(corner, place);
       double distance = 0;
-      for (std::size_t axis = 0; axis < 3; ++axis)
+      for (int axis = 0; axis < 3; ++axis)
       {
-        const double place = box[2 * axis + (corner >> axis & 1)];
         distance +=
-          (place - camera->GetPosition()[axis]) * camera->GetDirectionOfProjection()[axis];
+          (place[axis] - camera->GetPosition()[axis]) * camera->GetDirectionOfProjection()[axis];
       }
       this->Near = std::min(this->Near, distance);
       this->Far = std::max(this->Far, distance);
@@ -86,8 +63,8 @@ Span overlapOf(vtkCamera* camera, const std::vector<vtkVolume*>& volumes)
   {
     for (auto b = a + 1; b != volumes.end(); ++b)
     {
-      SliceBox common;
-      if (intersect(sliceBoxOf(*a), sliceBoxOf(*b), common))
+      vtkBoundingBox common((*a)->GetBounds());
+      if (common.IntersectBox(vtkBoundingBox((*b)->GetBounds())))
       {
         span.Add(camera, common);
       }

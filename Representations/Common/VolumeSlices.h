@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * Volumes that overlap in space and are drawn in different ways, such as cells and splats, in slices of depth.
+ * Draws volumes that overlap in space but use different methods, such as cells and splats, in slices of depth.
  *
  * Every volume draws its part of a slice into an image of its own, as it answers a peel (VolumePeel.h). In a slice all of them are one
  * medium: optical depths add, and each shines in proportion to its own. With colours and extinctions that are constant in a slice this is
@@ -50,7 +50,7 @@ public:
   /** Depths in [0, 1] between which volumes are asked to draw now. */
   std::array<float, 2> GetDepths() const;
   ///@{
-  /** What VolumePeel asks in place of a peeling pass. */
+  /** The queries that VolumePeel makes instead of those to a peeling pass. */
   vtkShaderProgram* ReadyRanges(vtkOpenGLRenderWindow* window);
   void Take(vtkOpenGLRenderWindow* window, vtkTextureObject* first, vtkTextureObject* second);
   ///@}

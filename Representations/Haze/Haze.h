@@ -104,7 +104,7 @@ Real hazeNorm(const HazeVector<Real>& a)
   return std::sqrt(hazeDot(a, a));
 }
 
-/** A place about the centre of a planet. Its altitude is known better than the difference of two radii in float. */
+/** A position around the centre of a planet. Its altitude is known better than the difference of two radii in float. */
 template <typename Real>
 struct HazePlace
 {

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * Where haze is and how thick: what its settings say, and what they leave open from the scene.
+ * The position and density of haze: its settings and, where these are automatic, values from the scene.
  *
  *     data of vtkGlobeGrid       its ground and exaggeration, a scale height of 8000 m
  *     the size of the Earth      about the origin, in m or km: a globe; its surface may be coarse, so a scale height of 0.5 % of the radius

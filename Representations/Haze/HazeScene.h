@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
-/** What haze looks at to find its place: the bounds of what a renderer draws, and what vtkGlobeGrid tells of it in field data. */
+/** The input for placing haze: the bounds of a renderer's scene, and the field data of vtkGlobeGrid in it. */
 #ifndef HazeScene_h
 #define HazeScene_h
 

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
-/** Haze before the background: the pixels that nothing opaque covers, whenever it is drawn among what is opaque. */
+/** Haze in front of the background, in the pixels that nothing opaque covers, whenever it is drawn among the opaque objects. */
 #ifndef HazeSky_h
 #define HazeSky_h
 

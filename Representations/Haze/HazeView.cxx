@@ -64,7 +64,22 @@ HazeView::HazeView(vtkRenderer* renderer)
     this->Eye[c] = static_cast<float>(this->Parallel ? -eye[axis] / std::abs(eye[2]) : start[c]);
   }
   this->SetPlace(*haze, placement, world, start);
+  this->SetSun(*haze, world);
   this->SetDevice(device);
+}
+
+void HazeView::SetSun(vtkHaze& haze, vtkMatrix4x4* worldToView)
+{
+  double sun[3];
+  std::copy_n(haze.GetSunDirection(), 3, sun);
+  const double length = std::hypot(sun[0], sun[1], sun[2]);
+  double inView[3];
+  toView(worldToView, sun, 0, inView);
+  for (int c = 0; c < 3; ++c)
+  {
+    this->Sun[c] = static_cast<float>(length > 0 ? inView[c] / length : 0);
+  }
+  this->Asymmetry = static_cast<float>(haze.GetAsymmetry());
 }
 
 // In double: the eye may be close to the ground and far from the planet's centre.
@@ -145,6 +160,8 @@ void HazeView::SetUniforms(vtkShaderProgram* program) const
   program->SetUniformf("hazeUnit", this->Unit);
   program->SetUniformf("hazeExtinction", this->Extinction);
   program->SetUniform3f("hazeTint", this->Tint);
+  program->SetUniform3f("hazeSun", this->Sun);
+  program->SetUniformf("hazeAsymmetry", this->Asymmetry);
   program->SetUniform3f("hazeEye", this->Eye);
   program->SetUniform3f("hazeFrame", this->Frame);
   program->SetUniform2f("hazeHeight", this->Height);

@@ -41,6 +41,7 @@ public:
 private:
   void SetPlace(vtkHaze& haze, const HazePlacement& placement, vtkMatrix4x4* worldToView,
     const double start[3]);
+  void SetSun(vtkHaze& haze, vtkMatrix4x4* worldToView);
   void SetDevice(vtkMatrix4x4* viewToDevice);
 
   bool On = false;
@@ -49,6 +50,8 @@ private:
   float Unit = 1;
   float Extinction = 0;
   float Tint[3] = { 1, 1, 1 };
+  float Sun[3] = { 0, 0, 0 };
+  float Asymmetry = 0;
   float Eye[3] = { 0, 0, 0 };
   float Frame[3] = { 0, 0, 1 };
   float Height[2] = { 1, 0 };

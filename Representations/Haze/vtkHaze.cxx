@@ -135,6 +135,12 @@ void vtkHaze::SetColor(double red, double green, double blue)
   this->SetVector(this->Color, "Color", "from 0 to 1", color, valid);
 }
 
+void vtkHaze::SetSunDirection(double x, double y, double z)
+{
+  const double sun[3] = { x, y, z };
+  this->SetVector(this->SunDirection, "SunDirection", "finite", sun, isFinite(sun));
+}
+
 void vtkHaze::SetCenter(double x, double y, double z)
 {
   const double center[3] = { x, y, z };
@@ -178,6 +184,9 @@ void vtkHaze::PrintSelf(ostream& os, vtkIndent indent)
      << indent << "VerticalExaggeration: " << this->VerticalExaggeration << "\n"
      << indent << "Color: " << this->Color[0] << " " << this->Color[1] << " " << this->Color[2]
      << "\n"
+     << indent << "SunDirection: " << this->SunDirection[0] << " " << this->SunDirection[1] << " "
+     << this->SunDirection[2] << "\n"
+     << indent << "Asymmetry: " << this->Asymmetry << "\n"
      << indent << "Center: " << this->Center[0] << " " << this->Center[1] << " " << this->Center[2]
      << "\n"
      << indent << "PlanetRadius: " << this->PlanetRadius << "\n"

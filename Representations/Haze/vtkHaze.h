@@ -6,15 +6,15 @@
  *
  * Density falls exponentially with altitude h, exp(-h / ScaleHeight), on a globe or over flat ground. The optical depth tau of the air between the
  * eye and a fragment is its analytic integral along the ray, and a colour F becomes exp(-tau) F + (1 - exp(-tau)) Color (Max, Crawfis and
- * Becker, New Techniques in 3D Scalar and Vector Field Visualization, Pacific Graphics 1993, section 4). Translucent layers are hazed where they
- * are, each in its share: over each other they give what haze in front of, between and behind them gives.
+ * Becker, New Techniques in 3D Scalar and Vector Field Visualization, Pacific Graphics 1993, section 4). Translucent layers are hazed at their
+ * depth, in proportion to their opacity; together they give the result of haze in front of, between and behind them.
  *
- *     vtkHaze::SetHaze(renderer, haze)      one switch for the whole renderer; nullptr takes it away
+ *     vtkHaze::SetHaze(renderer, haze)      one switch for the whole renderer; nullptr removes the haze
  *
- * Hazed are: all that vtkOpenGLPolyDataMapper and its subclasses draw, opaque or translucent, vtkCloudTextureMapper among them;
- * vtkCellCompositingMapper and vtkTexturedSplatMapper; and, if wanted, the background. Not hazed: volumes that VTK's own volume mappers
- * draw, and what is drawn in two dimensions. Lengths are those of the scene, metres behind vtkGlobeGrid; settings that are 0 or
- * automatic are found from what is drawn. Several renderers may share a haze.
+ * Haze covers everything that vtkOpenGLPolyDataMapper and its subclasses draw, opaque or translucent, including
+ * vtkCloudTextureMapper; vtkCellCompositingMapper and vtkTexturedSplatMapper; and optionally the background. It does not cover volumes of VTK's own volume
+ * mappers and 2-D actors. Lengths are in units of the scene, metres for the output of vtkGlobeGrid; settings that are 0 or automatic are derived from the
+ * scene. Several renderers may share a haze.
  */
 #ifndef vtkHaze_h
 #define vtkHaze_h
@@ -61,9 +61,10 @@ public:
 
   ///@{
   /**
-   * What altitude is: height over the sphere of PlanetRadius about Center (globe), or over BaseLevel along UpDirection (map). Automatic
-   * (default): a globe if PlanetRadius is given, as vtkGlobeGrid says in field data of what is drawn, or if the scene has the size of the Earth
-   * about the origin in m or km; else a map, on the ground under the scene, which BaseLevel is added to.
+   * Meaning of altitude: the height above the sphere of PlanetRadius about Center (globe), or above BaseLevel along UpDirection (map).
+   * Automatic (default): a globe if PlanetRadius is given; otherwise the projection in the field data that vtkGlobeGrid wrote; without these,
+   * a globe if the scene lies around the origin and is as large as the Earth in m or km, otherwise a map with the ground under the scene, to
+   * which BaseLevel is added.
    */
   vtkSetClampMacro(Projection, int, GLOBE, AUTOMATIC);
   vtkGetMacro(Projection, int);
@@ -100,8 +101,8 @@ public:
 
   ///@{
   /**
-   * Vertical exaggeration of the scene; it multiplies the scale height. >= 0 and finite; 0 (default): as vtkGlobeGrid says in field data of what is
-   * drawn, else 1.
+   * Vertical exaggeration of the scene; it multiplies the scale height. >= 0 and finite; 0 (default): the value in the field data that vtkGlobeGrid
+   * wrote, otherwise 1.
    */
   void SetVerticalExaggeration(double factor);
   vtkGetMacro(VerticalExaggeration, double);
@@ -120,6 +121,26 @@ public:
   ///@}
 
   ///@{
+  /**
+   * Direction towards the sun, in the coordinates of the scene, finite. (0, 0, 0), the default: haze has its colour wherever it is. With a sun, haze scatters
+   * its light towards the eye by the phase function of Henyey and Greenstein, whose mean over all directions is 1, and the air between haze and sun dims
+   * it: haze is brightest around the sun, and dark at night. Costs several times as much.
+   */
+  void SetSunDirection(double x, double y, double z);
+  void SetSunDirection(const double sun[3]) VTK_SIZEHINT(3)
+  {
+    this->SetSunDirection(sun[0], sun[1], sun[2]);
+  }
+  vtkGetVector3Macro(SunDirection, double);
+  ///@}
+
+  ///@{
+  /** With a sun: asymmetry parameter of the haze, -0.95 to 0.95. Default: 0.5, between air (0) and particles (0.7). */
+  vtkSetClampMacro(Asymmetry, double, -0.95, 0.95);
+  vtkGetMacro(Asymmetry, double);
+  ///@}
+
+  ///@{
   /** Globe: centre of the globe, finite. Default: the origin. */
   void SetCenter(double x, double y, double z);
   void SetCenter(const double center[3]) VTK_SIZEHINT(3)
@@ -130,7 +151,7 @@ public:
   ///@}
 
   ///@{
-  /** Globe: radius at altitude 0. >= 0 and finite; 0 (default): as vtkGlobeGrid says in field data of what is drawn, else 6371000 m. */
+  /** Globe: radius at altitude 0. >= 0 and finite; 0 (default): the value in the field data that vtkGlobeGrid wrote, otherwise 6371000 m. */
   void SetPlanetRadius(double radius);
   vtkGetMacro(PlanetRadius, double);
   ///@}
@@ -158,10 +179,10 @@ public:
   vtkBooleanMacro(Background, bool);
   ///@}
 
-  /** Switched on, and with an extinction. */
+  /** Whether the haze is on and has an extinction. */
   bool IsSeen() const { return this->Enabled && this->Extinction != 0; }
 
-  /** Some setting is left to the scene. */
+  /** Whether a setting is to be derived from the scene. */
   bool NeedsScene() const
   {
     return this->Projection == AUTOMATIC ||
@@ -169,7 +190,7 @@ public:
   }
 
 #ifndef __VTK_WRAP__
-  /** Called before each drawing, to add what a renderer does not have: the scenes of other ranks. */
+  /** Called before each drawing, to add the scenes of other ranks, which the renderer lacks. */
   void SetSceneCompletion(std::function<void(nephoscope::HazeScene&)> completion)
   {
     this->Completion = std::move(completion);
@@ -203,6 +224,8 @@ private:
   double ScaleHeight = 0;
   double VerticalExaggeration = 0;
   double Color[3] = { 0.72, 0.8, 0.9 };
+  double SunDirection[3] = { 0, 0, 0 };
+  double Asymmetry = 0.5;
   double Center[3] = { 0, 0, 0 };
   double PlanetRadius = 0;
   double UpDirection[3] = { 0, 0, 1 };

@@ -6,7 +6,7 @@ import collections
 import unittest
 
 import numpy as np
-from nephoscope import vtkSunlight
+from nephoscope import vtkFlowVolume, vtkSunlight
 from nephoscope_testing.messages import Messages
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkPoints
@@ -44,9 +44,10 @@ def add(data, name, values):
     data.GetPointData().AddArray(array)
 
 
-def light_of(data, sun=(0, 0, 1), **options):
+def light_of(data, sun=(0, 0, 1), clouds=None, **options):
     light = vtkSunlight()
     light.SetInputData(data)
+    light.SetInputDataObject(1, clouds)
     light.SetSunDirection(sun)
     for name, value in options.items():
         getattr(light, "Set" + name)(value)
@@ -388,6 +389,80 @@ class Wrong(unittest.TestCase):
         output, messages = light_of(image((3, 3, 3), (1, 1, 1), lambda x, y, z: np.where(x > 1, np.nan, -1.0)))
         self.assertIn("27 values", messages[0])
         self.assertTrue(np.isfinite(values(output, "Sunlight")).all())
+
+
+class Smoke(unittest.TestCase):
+    """A straight beam along x of radius 1: an optical depth of 1 through its middle, whatever the density."""
+
+    @classmethod
+    def setUpClass(cls):
+        wind = image((9, 5, 5), (2.5, 2, 2), lambda x, y, z: 0 * x, origin=(-10, -4, -4))
+        vectors = numpy_to_vtk(np.tile((1.0, 0, 0), (wind.GetNumberOfPoints(), 1)), deep=1)
+        vectors.SetName("wind")
+        wind.GetPointData().AddArray(vectors)
+        flow = vtkFlowVolume()
+        flow.SetInputData(wind)
+        flow.SetInputArrayToProcess(0, 0, 0, 0, "wind")
+        flow.SetCenter(-8, 0, 0)
+        flow.SetRadius(1)
+        flow.SetNumberOfSides(60)
+        flow.SetDuration(16)
+        flow.SetTimeStep(0.25)
+        flow.SetInitialDensity(7)
+        flow.Update()
+        cls.smoke = flow.GetOutput()
+
+    def test_own_shadow(self):
+        output, messages = light_of(self.smoke, sun=(0, 1, 1e-6))
+        self.assertEqual(messages, [])
+        y = np.array([output.GetPoint(p)[1] for p in range(output.GetNumberOfPoints())])
+        z = np.array([output.GetPoint(p)[2] for p in range(output.GetNumberOfPoints())])
+        way = np.maximum(np.sqrt(np.maximum(1 - z**2, 0)) - y, 0)
+        np.testing.assert_allclose(values(output, "SunTransmittance"), np.exp(-0.5 * way), atol=0.02)
+        np.testing.assert_allclose(values(output, "ScaledExtinction"), 0.5 * (1 - 0.9 * 0.36), rtol=0.01)
+
+    def test_beside_the_light_of_clouds(self):
+        """Smoke that was made in lit clouds carries their arrays, which are not its own."""
+        self.assertTrue(self.smoke.GetPointData().HasArray("Extinction"))  # 0, of the data in setUpClass
+        output, _ = light_of(self.smoke)
+        self.assertTrue(output.GetPointData().HasArray("SmokeExtinction"))
+        self.assertEqual(values(output, "Extinction").max(), 0)
+        self.assertGreater(values(output, "ScaledExtinction").min(), 0.3)
+
+    def test_optics_can_be_set(self):
+        output, _ = light_of(self.smoke, ExtinctionScale=2, AlbedoArrayName="", AsymmetryArrayName="", Albedo=0.5, Asymmetry=0)
+        np.testing.assert_allclose(values(output, "ScaledExtinction"), 1, rtol=0.01)
+        other, _ = light_of(self.smoke, ExtinctionScale=2)
+        self.assertLess(values(output, "Sunlight").mean(), 0.7 * values(other, "Sunlight").mean())
+
+    def test_shadow_of_clouds(self):
+        cloud = image((41, 17, 21), (0.5, 0.5, 0.5), lambda x, y, z: np.where((abs(x) <= 2) & (z >= 3), 0.6, 0.0), origin=(-10, -4, -4))
+        clouds, _ = light_of(cloud)
+        options = {"AsymmetryArrayName": "", "Asymmetry": 0, "ExtinctionScale": 1e-9, "MultipleScattering": False}
+        clear, shaded = light_of(self.smoke, **options)[0], light_of(self.smoke, clouds=clouds, **options)[0]
+        x = np.array([clear.GetPoint(p)[0] for p in range(clear.GetNumberOfPoints())])
+        below, beside = abs(x) <= 2, abs(x) > 2.5
+        expected = np.exp(-0.6 * 3.25)  # half a cell below the lowest cloudy points as well
+        for name in ("Sunlight", "SunTransmittance"):
+            share = values(shaded, name) / values(clear, name)
+            np.testing.assert_allclose(share[below], expected, rtol=0.01)
+            np.testing.assert_allclose(share[beside], 1)
+
+    def test_light_in_a_shadow_is_weaker_by_it(self):
+        """All light is in proportion to the sun: where a cloud dims all of it by the same factor, the whole light is dimmer by that."""
+        for thin in (lambda x, y, z: 0 * x + 0.5, lambda x, y, z: np.where(z > 0, 0.3, 0)):
+            data = image((9, 9, 9), (1, 1, 1), thin)
+            veil = image((2, 2, 2), (20, 20, 40), lambda x, y, z: 0 * x, (-5, -5, -5))
+            add(veil, "SunTransmittance", np.full(8, 0.3))
+            options = {"SkyLight": 0}
+            bright, dim = light_of(data, **options)[0], light_of(data, clouds=veil, **options)[0]
+            for name in ("Sunlight", "UpwardIrradiance", "Irradiance"):
+                np.testing.assert_allclose(values(dim, name), 0.3 * values(bright, name), rtol=0.01, atol=1e-4)
+
+    def test_clouds_without_light(self):
+        cloud = image((3, 3, 3), (1, 1, 1), lambda x, y, z: 0 * x)
+        self.assertIn("The clouds have no array 'SunTransmittance'", light_of(self.smoke, clouds=cloud)[1][0])
+        self.assertIn("lit from another direction", " ".join(light_of(self.smoke, sun=(1, 0, 1), clouds=light_of(cloud)[0])[1]))
 
 
 if __name__ == "__main__":

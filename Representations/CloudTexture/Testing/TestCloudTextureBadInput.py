@@ -39,7 +39,7 @@ class BadInput(TextureTestCase):
     def test_cover_of_cells(self):
         data = sheet(CORNERS, ONE_SET)
         meshes.add_array(data.GetCellData(), np.full(data.GetNumberOfCells(), 0.5), "cover")
-        self.expect("turn cell data into point data", data, lambda m: m.SetCoverageArrayName("cover"))
+        self.expect("convert cell data to point data", data, lambda m: m.SetCoverageArrayName("cover"))
 
     def test_percent_and_nan(self):
         for bad in (50.0, -0.5, np.nan):

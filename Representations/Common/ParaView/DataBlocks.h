@@ -16,7 +16,7 @@ class vtkDataSet;
 namespace nephoscope
 {
 
-/** What becomes of points where blocks of 3-D cells abut: each block keeps its own, or points in one place become one. */
+/** The treatment of points where blocks of 3-D cells abut: each block keeps its own, or coincident points are merged. */
 enum class BorderPoints
 {
   Kept,

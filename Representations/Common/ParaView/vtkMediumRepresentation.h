@@ -5,8 +5,8 @@
  * @brief what representations that draw a glowing, absorbing medium have in common
  *
  * A representation of this kind prepares a piece of data on each rank, hands it to the view and draws what the view delivers with a
- * volume mapper of its own. This class chooses the coloured array and the one that the opacity function reads, colours uniformly
- * under Solid Color, and gives extinction a length that suits the size of the data. It asks for ordered compositing over ranks.
+ * volume mapper of its own. This class chooses the coloured array and the array for the opacity function, colours uniformly
+ * under Solid Color, and gives extinction a length that suits the size of the data. It requests ordered compositing over ranks.
  *
  * A subclass sets the mapper of `Actor` when it is made, makes `Piece` and `DataBounds` in PreparePiece, says in DescribePiece
  * how the view may spread it over ranks, and forwards what else its mapper needs in PrepareMapper.
@@ -23,6 +23,7 @@
 class vtkAbstractVolumeMapper;
 class vtkDataArray;
 class vtkDataSet;
+class vtkPiecewiseFunction;
 
 class VTKNEPHOSCOPEPARAVIEWCOMMON_EXPORT vtkMediumRepresentation : public vtkVolumeRepresentation
 {
@@ -91,7 +92,7 @@ protected:
 
   /** Makes `Piece` and `DataBounds` of this rank's input, which may be null. Called by all ranks. */
   virtual void PreparePiece(vtkDataObject* input) = 0;
-  /** Tells the view of the piece; subclasses add how it may be spread over ranks. */
+  /** Describes the piece to the view; subclasses add how it may be distributed over ranks. */
   virtual void DescribePiece(vtkInformation* inInfo);
   /** Called by all ranks, with what the view delivered, which may be null; returns what is drawn. */
   virtual vtkDataSet* CompletePiece(vtkDataSet* data, vtkInformation*) { return data; }
@@ -119,7 +120,14 @@ protected:
   vtkAbstractVolumeMapper* GetMapper() const;
   std::string GetOpacityArrayName() const; // empty for "None"
   vtkDataArray* FindColorArray(vtkDataSet* data, int& association, const char*& name);
-  /** The array that decides how opaque the medium is: the one chosen for it, else the coloured one. */
+  /**
+   * Chooses the opacity function and returns the array that it reads; empty: the coloured one. Where no array is chosen for the opacity, clouds
+   * that are coloured by the light of vtkSunlight have the extinction that it was computed for.
+   */
+  virtual std::string PrepareOpacity(vtkDataSet* data);
+  /** Draws with an opacity proportional to the array; with `isExtinction` the optical depth of a length is that of the array. */
+  void FollowDensity(vtkDataArray* density, bool isExtinction);
+  /** The array that determines the opacity of the medium: the chosen one, otherwise the coloured one. */
   virtual vtkDataArray* FindOpacityArray(vtkDataSet* data, int& association);
 
   vtkNew<vtkVolumeProperty> UniformProperty;
@@ -135,6 +143,11 @@ private:
   void ColorUniformly(vtkDataSet* data);
   vtkVolumeProperty* ChooseProperty(vtkDataSet* data, const char* name);
 
+  vtkDataArray* FindExtinctionOfLight(vtkDataSet* data);
+
+  vtkNew<vtkVolumeProperty>
+    DensityProperty; // the colours of one of the others, and an opacity of its own
+  vtkNew<vtkPiecewiseFunction> DensityOpacity;
   vtkNew<vtkVolumeProperty> ConstantProperty; // where all values are the same
   std::string LastWarning;
   vtkSmartPointer<vtkDataSet> UniformData; // a delivered piece with a uniform array

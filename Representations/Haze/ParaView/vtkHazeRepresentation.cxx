@@ -126,6 +126,16 @@ void vtkHazeRepresentation::SetHazeColor(double red, double green, double blue)
   this->Haze->SetColor(red, green, blue);
 }
 
+void vtkHazeRepresentation::SetSunDirection(double x, double y, double z)
+{
+  this->Haze->SetSunDirection(x, y, z);
+}
+
+void vtkHazeRepresentation::SetAsymmetry(double asymmetry)
+{
+  this->Haze->SetAsymmetry(asymmetry);
+}
+
 void vtkHazeRepresentation::SetProjection(int projection)
 {
   this->Haze->SetProjection(projection);

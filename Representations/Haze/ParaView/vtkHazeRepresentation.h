@@ -33,6 +33,8 @@ public:
   void SetScaleHeight(double height);
   void SetVerticalExaggeration(double factor);
   void SetHazeColor(double red, double green, double blue);
+  void SetSunDirection(double x, double y, double z);
+  void SetAsymmetry(double asymmetry);
   void SetProjection(int projection);
   void SetCenter(double x, double y, double z);
   void SetPlanetRadius(double radius);

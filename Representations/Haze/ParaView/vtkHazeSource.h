@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class vtkHazeSource
- * @brief what stands for the haze of a view in the pipeline: no data
+ * @brief the haze of a view as a source in the pipeline, without data
  *
  * Its representation, vtkHazeRepresentation, has the settings: hiding it switches the haze off.
  */

@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
 // Haze between the eye and a place, as Haze.h has it: lengths in scale heights but for places in view coordinates (VC).
-//   hazeTransparency(placeVC)         T, of the air from the eye to the place
+//   hazeBefore(placeVC)               what haze adds from the eye to the place, and T of the air there
+//   hazeAirlight(...)                 what haze adds on the way: (1 - T) C, or with a sun the sum of what each part of it scatters
 //   hazedColor(rgb, placeVC)          colour of a surface of any opacity as it is seen through the air: T rgb + (1 - T) C
 //   hazedLight(light, placeVC)        the same of a premultiplied colour with alpha: T rgb + alpha (1 - T) C, alpha
 //   hazedSegment(light, front, back)  the same of a medium between two places
@@ -10,6 +11,8 @@ uniform int hazeParallel;     // parallel rays, which start in the plane of the 
 uniform float hazeUnit;       // scale heights in one length of view coordinates
 uniform float hazeExtinction; // per scale height at altitude 0
 uniform vec3 hazeTint;        // C
+uniform vec3 hazeSun;         // VC: unit vector towards the sun; 0: haze has its colour wherever it is
+uniform float hazeAsymmetry;  // of its phase function
 uniform vec3 hazeEye;         // VC: where all rays start; direction of parallel ones, away from the camera
 uniform vec3 hazeFrame;       // globe: from its centre to the eye (parallel: to the camera); flat: upwards
 uniform vec2 hazeHeight;      // of the eye (parallel: of the camera): distance from the centre, altitude
@@ -144,35 +147,163 @@ HazePlace hazePlaceOfStart(vec3 startVC)
   return place;
 }
 
-float hazeTransparency(vec3 placeVC)
+float flatHazeLengthToSky(float altitude, float rise)
+{
+  float slope = max(abs(rise), 1.0e-6);
+  return (rise >= 0.0 ? hazeDensity(altitude) : max(0.0, 1.0 - hazeDensity(altitude))) / slope;
+}
+
+float globeHazeLengthToSky(HazePlace from, vec3 direction)
+{
+  const float top = 30.0;
+  float radius = from.height.x;
+  float altitude = from.height.y;
+  float along = dot(from.place, direction);
+  float planet = radius - altitude;
+  float toGround = altitude * (planet + radius);
+  float toTop = (top - altitude) * (planet + top + radius);
+  float ground = along * along - toGround;
+  float sky = along * along + toTop;
+  bool meetsGround = along < 0.0 && ground > 0.0 && altitude > 0.0;
+  if (!(sky > 0.0) || (along > 0.0 && toTop < 0.0))
+  {
+    return 0.0;
+  }
+  float reach = meetsGround ? toGround / (sqrt(ground) - along) : sqrt(sky) - along;
+  float start = along < 0.0 && toTop < 0.0 ? -along - sqrt(sky) : 0.0;
+  return globeHazeLength(movedHazePlace(from, start * direction), (reach - start) * direction);
+}
+
+bool hazeIsLit()
+{
+  return dot(hazeSun, hazeSun) > 0.0;
+}
+
+// From a start (over flat ground only its altitude) along a step.
+float hazeLength(HazePlace start, vec3 step_)
+{
+  return hazeOnGlobe != 0 ? globeHazeLength(start, step_)
+                          : flatHazeLength(vec2(start.height.y, start.height.y + dot(hazeFrame, step_)), length(step_));
+}
+
+HazePlace hazePlaceAfter(HazePlace start, vec3 step_)
+{
+  return hazeOnGlobe != 0 ? movedHazePlace(start, step_)
+                          : HazePlace(start.place, vec2(0.0, start.height.y + dot(hazeFrame, step_)));
+}
+
+// T of the air between a place and the sun; 0 at night.
+float hazeSunTransparency(HazePlace place)
+{
+  float altitude = max(place.height.y, 0.0);
+  if (hazeOnGlobe == 0)
+  {
+    float rise = dot(hazeFrame, hazeSun);
+    return rise > 0.0 ? exp(-hazeExtinction * flatHazeLengthToSky(altitude, rise)) : 0.0;
+  }
+  float along = dot(place.place, hazeSun);
+  float toGround = altitude * (2.0 * place.height.x - altitude);
+  return along < 0.0 && along * along > toGround ? 0.0 : exp(-hazeExtinction * globeHazeLengthToSky(place, hazeSun));
+}
+
+// HenyeyGreenstein1941, with a mean of 1; `cosine` is that of the angle between the ray and the direction towards the sun.
+float hazePhase(float cosine)
+{
+  float g = hazeAsymmetry;
+  float d = 1.0 + g * g - 2.0 * g * cosine;
+  return (1.0 - g * g) / (d * sqrt(d));
+}
+
+// The part of a ray that has haze: below this altitude.
+vec2 hazyPart(HazePlace start, vec3 direction, float reach)
+{
+  const float top = 8.0;
+  float altitude = start.height.y;
+  float rise = dot(hazeFrame, direction);
+  vec2 part = vec2(0.0, reach);
+  if (hazeOnGlobe == 0)
+  {
+    float crossing = (top - altitude) / (abs(rise) > 1.0e-6 ? rise : 1.0e-6);
+    part = altitude > top ? vec2(rise < 0.0 ? crossing : reach, reach) : vec2(0.0, rise > 0.0 ? crossing : reach);
+  }
+  else
+  {
+    float along = dot(start.place, direction);
+    float toTop = (top - altitude) * (2.0 * start.height.x - altitude + top);
+    float disc = along * along + toTop;
+    float root = sqrt(max(disc, 0.0));
+    part = vec2(toTop < 0.0 ? -along - root : 0.0, toTop < 0.0 && along > 0.0 ? 0.0 : -along + root);
+    float toGround = altitude * (2.0 * start.height.x - altitude);
+    float ground = along * along - toGround;
+    part.y = along < 0.0 && ground > 0.0 && altitude > 0.0 ? min(part.y, toGround / (sqrt(ground) - along)) : part.y;
+  }
+  return clamp(part, 0.0, reach);
+}
+
+// Where the light of a uniform medium of this optical depth comes from, in the mean: from the front (0) to the back (1).
+float hazeMeanPlaceAt(float depth)
+{
+  return depth < 0.05 ? 0.5 - depth / 12.0 : 1.0 / depth - 1.0 / (exp(min(depth, 80.0)) - 1.0);
+}
+
+// `opacity`: 1 - T of the whole step. What each part scatters is dimmed by the haze in front of it.
+vec3 hazeAirlight(HazePlace start, vec3 step_, float opacity)
+{
+  const int parts = 12;
+  float reach = length(step_);
+  vec3 direction = step_ / max(reach, 1.0e-20);
+  vec2 hazy = hazyPart(start, direction, reach);
+  float before = hazeExtinction * hazeLength(start, hazy.x * direction);
+  float first = before;
+  float lightBefore = hazeSunTransparency(hazePlaceAfter(start, hazy.x * direction));
+  float sum = 0.0;
+  for (int i = 1; i <= parts; ++i)
+  {
+    vec3 back = mix(hazy.x, hazy.y, float(i) / float(parts)) * direction;
+    float after = max(before, hazeExtinction * hazeLength(start, back));
+    float light = hazeSunTransparency(hazePlaceAfter(start, back));
+    float depth = after - before; // thin: light is linear in T, as with the sun overhead; thick: it comes from near the front
+    float place = mix(0.5, hazeMeanPlaceAt(depth), smoothstep(1.0, 3.0, depth));
+    sum += (exp(-before) - exp(-after)) * mix(lightBefore, light, place);
+    before = after;
+    lightBefore = light;
+  }
+  float seen = exp(-first) - exp(-before);
+  float share = seen > 0.0 ? opacity / seen : 0.0; // the rest is too thin for parts
+  return hazePhase(dot(direction, hazeSun)) * min(share, 2.0) * sum * hazeTint;
+}
+
+// What haze makes of black between the eye and a place: light, and T.
+vec4 hazeBefore(vec3 placeVC)
 {
   if (hazeParallel != 0 && placeVC.z >= 0.0)
   {
-    return 1.0; // behind the camera
+    return vec4(0.0, 0.0, 0.0, 1.0); // behind the camera
   }
   vec3 startVC = hazeStart(placeVC);
   vec3 step_ = (placeVC - startVC) * hazeUnit;
   HazePlace start = hazePlaceOfStart(startVC);
-  float air = hazeOnGlobe != 0 ? globeHazeLength(start, step_)
-                               : flatHazeLength(vec2(start.height.y, start.height.y + dot(hazeFrame, step_)), length(step_));
-  return exp(-hazeExtinction * air);
+  float transparency = exp(-hazeExtinction * hazeLength(start, step_));
+  float opacity = 1.0 - transparency;
+  return vec4(hazeIsLit() ? hazeAirlight(start, step_, opacity) : opacity * hazeTint, transparency);
 }
 
-// Where the light of a uniform medium between two places comes from, in the mean: from the front (0) to the back (1).
+// The same for an opacity.
 float hazeMeanPlace(float alpha)
 {
-  float depth = -log(max(1.0 - alpha, 1.0e-7));
-  return depth < 0.05 ? 0.5 - depth / 12.0 : 1.0 / depth - (1.0 - alpha) / alpha;
+  return hazeMeanPlaceAt(-log(max(1.0 - alpha, 1.0e-7)));
 }
 
 vec3 hazedColor(vec3 rgb, vec3 placeVC)
 {
-  return mix(hazeTint, rgb, hazeTransparency(placeVC));
+  vec4 haze = hazeBefore(placeVC);
+  return haze.rgb + haze.a * rgb;
 }
 
 vec4 hazedLight(vec4 light, vec3 placeVC)
 {
-  return vec4(mix(light.a * hazeTint, light.rgb, hazeTransparency(placeVC)), light.a);
+  vec4 haze = hazeBefore(placeVC);
+  return vec4(light.a * haze.rgb + haze.a * light.rgb, light.a);
 }
 
 vec4 hazedSegment(vec4 light, vec3 frontVC, vec3 backVC)

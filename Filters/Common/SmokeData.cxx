@@ -1,0 +1,67 @@
+// SPDX-FileCopyrightText: The Nephoscope authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "SmokeData.h"
+
+#include "vtkBoundingBox.h"
+#include "vtkCellData.h"
+#include "vtkDataArray.h"
+#include "vtkDataSet.h"
+#include "vtkPointData.h"
+
+#include <cmath>
+
+namespace nephoscope
+{
+vtkDataArray* smokeDensity(vtkDataSet* cells)
+{
+  vtkCellData* arrays = cells ? cells->GetCellData() : nullptr;
+  vtkDataArray* density = arrays ? arrays->GetArray("Density") : nullptr;
+  const bool smoke =
+    density && density->GetNumberOfComponents() == 1 && arrays->HasArray("EmissionStep");
+  return smoke ? density : nullptr;
+}
+
+vtkDataArray* visibleSmoke(vtkDataSet* cells)
+{
+  vtkDataArray* density = smokeDensity(cells);
+  vtkDataArray* puffs = density ? cells->GetCellData()->GetArray("SmokeDensity") : nullptr;
+  if (density && !puffs)
+  {
+    puffs = cells->GetPointData()->GetArray("SmokeDensity");
+  }
+  return puffs ? puffs : density;
+}
+
+double leastSmokeAge(vtkDataSet* cells)
+{
+  vtkDataArray* ages = cells ? cells->GetPointData()->GetArray("Age") : nullptr;
+  double range[2] = { VTK_DOUBLE_MAX, -VTK_DOUBLE_MAX };
+  if (ages && ages->GetNumberOfTuples() > 0)
+  {
+    ages->GetFiniteRange(range);
+  }
+  return range[0];
+}
+
+vtkBoundingBox boundsOfYoungSmoke(vtkDataSet* cells, double age)
+{
+  vtkDataArray* ages = cells ? cells->GetPointData()->GetArray("Age") : nullptr;
+  vtkBoundingBox box;
+  for (vtkIdType i = 0; ages && i < cells->GetNumberOfPoints(); ++i)
+  {
+    if (ages->GetComponent(i, 0) <= age)
+    {
+      double x[3];
+      cells->GetPoint(i, x);
+      box.AddPoint(x);
+    }
+  }
+  return box;
+}
+
+double diameterOfSmoke(const vtkBoundingBox& bounds)
+{
+  return bounds.IsValid() ? bounds.GetDiagonalLength() / std::sqrt(2.0) : 0.0;
+}
+
+} // namespace nephoscope

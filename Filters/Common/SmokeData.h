@@ -1,0 +1,33 @@
+// SPDX-FileCopyrightText: The Nephoscope authors
+// SPDX-License-Identifier: BSD-3-Clause
+/** Cells that are smoke, as vtkFlowVolume and vtkSmokePuffs write them: its density, and how wide it was when it left the polygon. */
+#ifndef nephoscope_SmokeData_h
+#define nephoscope_SmokeData_h
+
+#include "vtkNephoscopeFiltersCommonModule.h" // for export macro
+
+class vtkBoundingBox;
+class vtkDataArray;
+class vtkDataSet;
+
+namespace nephoscope
+{
+
+/** The density of the cells if they are smoke (their arrays say when they left the polygon); otherwise null. */
+VTKNEPHOSCOPEFILTERSCOMMON_EXPORT vtkDataArray* smokeDensity(vtkDataSet* cells);
+
+/** The opacity array of smoke: its puffs on cells or points, as written by vtkSmokePuffs, otherwise its density. Null if no smoke. */
+VTKNEPHOSCOPEFILTERSCOMMON_EXPORT vtkDataArray* visibleSmoke(vtkDataSet* cells);
+
+/** The least age of a point; VTK_DOUBLE_MAX without ages. */
+VTKNEPHOSCOPEFILTERSCOMMON_EXPORT double leastSmokeAge(vtkDataSet* cells);
+
+/** The bounds of the points that are at most so old: of the youngest layer, which is the generating polygon. */
+VTKNEPHOSCOPEFILTERSCOMMON_EXPORT vtkBoundingBox boundsOfYoungSmoke(vtkDataSet* cells, double age);
+
+/** Diameter of a disc with these bounds: a radius of R gives a diagonal of sqrt(8) R, however it is turned. 0 without bounds. */
+VTKNEPHOSCOPEFILTERSCOMMON_EXPORT double diameterOfSmoke(const vtkBoundingBox& bounds);
+
+} // namespace nephoscope
+
+#endif
