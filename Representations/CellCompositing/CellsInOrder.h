@@ -15,7 +15,7 @@ namespace nephoscope
 
 struct CellsInOrder
 {
-  /** The part of the mapper that `find` returns when it is asked. */
+  /** The part of the mapper that `find` returns. */
   static VolumeOrder::Part PartOf(const std::function<vtkCellCompositingMapper*()>& find);
 };
 

@@ -98,7 +98,6 @@ vtkIdType vtkCellCompositingMapper::GetNumberOfDrawnTetrahedra()
   return static_cast<vtkIdType>(this->Internals->Scene.GetNumberOfVisible());
 }
 
-//------------------------------------------------------------------------------------------------
 // Each step below leaves a message instead of a picture where it cannot go on.
 
 void vtkCellCompositingMapper::Render(vtkRenderer* renderer, vtkVolume* volume)
@@ -111,7 +110,7 @@ void vtkCellCompositingMapper::DrawInOrder(vtkRenderer* renderer, vtkVolume* vol
   auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
   if (!window || renderer->GetSelector() || !this->GetInputAlgorithm() || this->Internals->Busy)
   {
-    return; // volumes cannot be picked, and without input there is nothing to draw
+    return; // Pick() finds cells, no colours do; and without input there is nothing to draw
   }
   std::vector<vtkMedium> media = this->FindMedia(window, renderer, volume);
   if (media.front().Mapper != this)
@@ -465,6 +464,7 @@ void vtkCellCompositingMapper::ShallowCopy(vtkAbstractMapper* other)
     this->SetOpacityScale(mapper->OpacityScale);
     this->SetOpacityArrayName(mapper->OpacityArrayName);
     this->SetSplitAtControlPoints(mapper->SplitAtControlPoints);
+    this->SetPickOpacity(mapper->PickOpacity);
     *this->Contours = *mapper->Contours;
     this->Modified();
   }
@@ -485,6 +485,7 @@ void vtkCellCompositingMapper::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "OpacityScale: " << this->OpacityScale << "\n";
   os << indent << "OpacityArrayName: " << this->OpacityArrayName << "\n";
   os << indent << "SplitAtControlPoints: " << this->SplitAtControlPoints << "\n";
+  os << indent << "PickOpacity: " << this->PickOpacity << "\n";
   this->PrintContours(os, indent);
   os << indent << "NumberOfTetrahedra: " << this->GetNumberOfTetrahedra() << "\n";
   os << indent << "NumberOfDrawnTetrahedra: " << this->GetNumberOfDrawnTetrahedra() << "\n";

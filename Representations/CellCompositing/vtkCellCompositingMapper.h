@@ -5,12 +5,12 @@
  * @brief Direct volume rendering of polyhedral cells with the exact ray integral
  *
  * The mapper assumes that every 3-D cell of the input is convex. While drawing it divides cells into tetrahedra with a linear
- * scalar. For each pixel that a tetrahedron covers, the fragment shader finds where the ray enters and leaves it, looks the
- * transfer functions up in float, and integrates emission and extinction between the two ends to float accuracy. The tetrahedra
+ * scalar. For each pixel that a tetrahedron covers, the fragment shader finds where the ray enters and leaves it, looks up
+ * the transfer functions in float, and integrates emission and extinction between the two ends to float accuracy. The tetrahedra
  * are composited back to front, in an exact visibility order, into a 32-bit float image that is laid over the scene.
  *
  * - Extinction per unit world length = opacity function value * OpacityScale / ScalarOpacityUnitDistance
- *   (a rate, as VTK's other unstructured volume mappers have it, not -log(1 - opacity)).
+ *   (a rate, as in VTK's other unstructured volume mappers, not -log(1 - opacity)).
  * - The colour function is the source colour (emission coefficient divided by extinction).
  * - Point and cell scalars; tetrahedra, hexahedra, voxels, wedges, pyramids, convex polyhedra. Polyhedra that are not convex
  *   get a warning: vtkPolyhedronToTetrahedra divides them.
@@ -19,10 +19,10 @@
  * - Opaque geometry that cuts a cell ends its integral at the opaque depth, per pixel.
  * - Translucent surfaces in front of, inside and behind the cells are composited with them in the right order when the
  *   renderer peels volumes: UseDepthPeelingOn(), UseDepthPeelingForVolumesOn(), SetOcclusionRatio(0). Otherwise all
- *   surfaces are drawn first, and the cells over them.
- * - Several volumes of a renderer that overlap are composited as one medium, in any order of adding, where all have the default
- *   method, order and integration and neither contour values nor polygons: extinctions add, and each emits in proportion to its own.
- *   Others, and splats, are drawn from back to front, in slices of depth where they overlap.
+ *   surfaces are drawn first, and the cells on top of them.
+ * - Overlapping volumes of a renderer are composited as one medium, whatever the order in which they were added, if all have the
+ *   default method, order and integration and neither contour values nor polygons: extinctions add, and each volume emits in
+ *   proportion to its own. Other volumes, and splats, are drawn from back to front, in slices of depth where they overlap.
  *
  * References: N. Max, R. Crawfis, B. Becker, New Techniques in 3D Scalar and Vector Field Visualization,
  * Pacific Graphics 1993, section 2 (MaxCrawfisBecker1993); P. Shirley, A. Tuchman, A Polygonal Approximation to
@@ -70,7 +70,7 @@ public:
   enum MethodType
   {
     PROJECTION_METHOD = 0,
-    CELLS_METHOD = PROJECTION_METHOD, // its name beside the methods of triangles and faces
+    CELLS_METHOD = PROJECTION_METHOD, // its name as a method, besides triangles and faces
     RAY_METHOD = 1,
     TRIANGLES_LINEAR_METHOD = 2,
     TRIANGLES_TABLE_METHOD = 3,
@@ -81,14 +81,14 @@ public:
   /**
    * Rendering method. Default: automatic. Any other value is rejected with an error.
    * - Rays: every pixel walks through the mesh from cell to cell, front to back. The order is exact for every mesh, with cycles, holes
-   *   and separate parts, whatever VisibilityOrder says. Where cells overlap in space, each part of a ray between entering and leaving
-   *   the mesh is composited whole, in the order of entering; from an eye inside several overlapping parts, in any order. Contour
-   *   surfaces, layers and polygons are found on the way.
-   * - Projection, or Cells: cell after cell in the order that VisibilityOrder tells, each over the pixels that it covers.
-   * - Automatic: rays where VisibilityOrder is exact, projection otherwise; and projection, in no order, of at most 32,768 tetrahedra of
-   *   unstructured data where no order is needed (GetOrderIndependent()).
+   *   and separate parts, whatever VisibilityOrder is. Where cells overlap in space, each part of a ray between entering and leaving
+   *   the mesh is composited whole, in the order of entering; for an eye inside several overlapping parts, in any order. Contour
+   *   surfaces, layers and polygons are found along the ray.
+   * - Projection, or Cells: cell by cell in the order given by VisibilityOrder, each over the pixels that it covers.
+   * - Automatic: rays if VisibilityOrder is exact, otherwise projection. Unstructured data with at most 32,768 tetrahedra are projected,
+   *   unsorted, if no order is needed (GetOrderIndependent()).
    *
-   * The others show what earlier methods give of the same scene (Documentation/cell-compositing-methods.md):
+   * The other methods show the results of earlier techniques for the same scene (Documentation/cell-compositing-methods.md):
    * - TrianglesLinear: tetrahedra projected to triangles around their thickest point (Shirley and Tuchman), opacity
    *   and mean colour at the corners interpolated on the screen. The opacity is too low by up to .08 per tetrahedron at optical
    *   depth 1. Integration is taken as average, SplitAtControlPoints as off.
@@ -138,12 +138,12 @@ public:
   ///@{
   /**
    * The scalar inside hexahedra, voxels, wedges and pyramids, where it belongs to points. Default: tetrahedra.
-   * - Tetrahedra: linear in the tetrahedra into which cells are divided, by index in structured data, by coordinates in others, so that
-   *   the same cells stored in two ways give two pictures.
+   * - Tetrahedra: linear in the tetrahedra into which cells are divided: by index in structured data, by coordinates in other data. The
+   *   same cells stored in two ways therefore give two pictures.
    * - Trilinear: the field of VTK's cells, which favours no diagonal, however the cells are stored. Along a ray it is cut into pieces that
-   *   are linear to within 1/512 of the scalar's range. Unstructured cells need no list of tetrahedra then. For rays, without contour
-   *   surfaces, layers, polygons, an array for opacity, and other volumes in the same place, and in a mesh without cells of other
-   *   kinds; otherwise as tetrahedra.
+   *   are linear to within 1/512 of the scalar's range. Unstructured cells then need no list of tetrahedra. It requires rays, and
+   *   excludes contour surfaces, layers, polygons, an opacity array, overlapping volumes and cells of other kinds; otherwise cells
+   *   are drawn as tetrahedra.
    */
   vtkSetClampMacro(CellInterpolation, int, TETRAHEDRA_INTERPOLATION, TRILINEAR_INTERPOLATION);
   vtkGetMacro(CellInterpolation, int);
@@ -161,11 +161,11 @@ public:
   /**
    * The order in which tetrahedra are composited. Default: exact.
    * - Exact: topological sort over shared faces, and over the gaps where a ray leaves the mesh and enters it again;
-   *   right for every mesh, convex or not. Tetrahedra that hide one another in a cycle are cut, for this view,
-   *   until their pieces have an order; GetNumberOfVisibilityCycles() tells that it happened.
-   * - Centroid: by distance of the centroid; cheaper, with local mistakes.
-   * - None: input order. Right when the colour is constant, because transparency does not depend on order; the mapper finds that
-   *   out by itself and sorts nothing then, whatever is set here: GetOrderIndependent().
+   *   correct for every mesh, convex or not. Tetrahedra that hide one another in a cycle are cut, for this view,
+   *   until their pieces have an order; GetNumberOfVisibilityCycles() reports this.
+   * - Centroid: by distance of the centroid; cheaper, with local errors.
+   * - None: input order. Correct if the colour is constant, because transparency does not depend on order. The mapper detects
+   *   this case and then sorts nothing, whatever is set here: GetOrderIndependent().
    */
   vtkSetClampMacro(VisibilityOrder, int, EXACT_ORDER, NO_ORDER);
   vtkGetMacro(VisibilityOrder, int);
@@ -175,11 +175,11 @@ public:
   ///@}
 
   /**
-   * Whether the last picture would be the same with the cells in any order: the colour function is constant over the range of the
-   * coloured array, where the opacity function lets it be seen, to within 1/4096; there are no contour surfaces and no layers, no
+   * Whether the last picture would be the same with the cells in any order: the colour function is constant to within 1/4096 over
+   * the visible range of the coloured array; there are no contour surfaces and no layers, no
    * translucent surfaces were interleaved by peeling, and the method is not Faces. Extinction may vary and cells may overlap in
-   * space: transmittances multiply. Nothing is sorted then. (Nor is anything for one colour between peeled surfaces, which keep
-   * their places.) False before the first render.
+   * space: transmittances multiply. Nothing is then sorted. (Cells of one colour between peeled surfaces are not sorted either;
+   * the surfaces keep their order.) False before the first render.
    */
   bool GetOrderIndependent();
 
@@ -192,11 +192,10 @@ public:
   ///@}
 
   /**
-   * The ScalarOpacityUnitDistance that gives rays through the input a mean optical depth of 2 with the property's opacity function, taken as if it
-   * reached up to 1: the mean length of a ray inside the data times the mean opacity over their volume, divided by 2. It depends on the size
-   * of the data, their thickness too, and hardly on how many cells there are. Parts that are few and far away
-   * do not count. 0 if nothing is opaque, or there is nothing to draw.
-   * Hosts use it where the user has set no length. Cost: as of one pass over the cells.
+   * The ScalarOpacityUnitDistance that gives rays through the input a mean optical depth of 2 with the property's opacity function, scaled to
+   * reach 1: the mean length of a ray inside the data times the mean opacity over their volume, divided by 2. It depends on the size
+   * and thickness of the data, but hardly on the number of cells. A few distant outliers are ignored. 0 if nothing is opaque, or there is nothing to draw.
+   * Hosts use it if the user has not set a length. Cost: one pass over the cells.
    */
   double FindUnitDistance(vtkVolumeProperty* property);
 
@@ -223,9 +222,9 @@ public:
   ///@{
   /**
    * Contour surfaces inside the volume, without geometry: wherever a ray crosses a contour value, a lit surface is composited between
-   * what lies in front of it and behind it, so that all surfaces and cells are in exact order. Values may come in any order. Default:
-   * none. A surface is the border of where the scalar is at least the value, so that one that lies in a face between cells is drawn
-   * once. Cells that the transfer function makes fully transparent show their surfaces too. Values that are not finite are refused.
+   * the media in front of it and behind it, so that all surfaces and cells are in exact order. Values may come in any order. Default:
+   * none. A surface is the boundary of the region where the scalar is at least the value, so that a surface in a face between cells
+   * is drawn once. Surfaces are drawn in fully transparent cells too. Values that are not finite are rejected.
    * Within tetrahedra the surfaces are flat; hexahedra and so on are divided into tetrahedra.
    */
   void SetContourValue(int i, double value);
@@ -238,8 +237,8 @@ public:
 
   ///@{
   /**
-   * Opacity of a contour surface, 0 to 1 (clamped). Default: 0.3. 0: not drawn, but still the border of layers. Without a number: of all
-   * surfaces.
+   * Opacity of a contour surface, 0 to 1 (clamped). Default: 0.3. 0: not drawn, but still the boundary of layers. Without a number: for
+   * all surfaces.
    */
   void SetContourOpacity(int i, double opacity);
   void SetContourOpacity(double opacity);
@@ -248,21 +247,20 @@ public:
 
   ///@{
   /**
-   * Colour of a contour surface, 0 to 1 each. Default, or after SetContourColorToFunction: what the colour function of the volume
-   * property gives where the surface is.
+   * Colour of a contour surface, 0 to 1 each. Default, or after SetContourColorToFunction: the colour of the volume property's
+   * colour function at the surface.
    */
   void SetContourColor(int i, double red, double green, double blue);
   void SetContourColorToFunction(int i);
-  /** -1, -1, -1 where the colour function gives it. */
+  /** -1, -1, -1 if the colour function gives the colour. */
   void GetContourColor(int i, double rgb[3]);
   ///@}
 
   ///@{
   /**
-   * Name of the point array to contour: for example for isotherms in clouds. Empty (default): the coloured array; of a vector,
-   * what it is coloured by, a component or the magnitude. A cell array
-   * has one value in each cell and no surface inside: with a coloured cell array and no name here, or without such a
-   * point array, none is drawn, with a warning.
+   * Name of the point array to contour, for example for isotherms in clouds. Empty (default): the coloured array; for a
+   * vector, the component or the magnitude by which it is coloured. A cell array has no surfaces inside its cells. With a
+   * coloured cell array and no name here, or if the named array does not exist, no surface is drawn, with a warning.
    */
   void SetContourArrayName(const std::string& name);
   std::string GetContourArrayName();
@@ -271,7 +269,7 @@ public:
   ///@{
   /**
    * Lights the contour surfaces with the renderer's lights, as VTK lights surfaces (Phong), with ambient, diffuse, specular and
-   * specular power of the volume property, whatever its Shade says; the medium is not lit. Default: on. At most 16 lights count.
+   * specular power of the volume property, whatever its Shade is; the medium is not lit. Default: on. At most 16 lights are used.
    */
   void SetContourLighting(bool lighting);
   bool GetContourLighting();
@@ -299,10 +297,10 @@ public:
   ///@{
   /**
    * Polygons of an unstructured grid that are composited with its cells, as lit, translucent surfaces at their place in the order. They must
-   * lie in faces of cells, as those of vtkContourCellSplitter do; what does not is left out, with a warning. Default: contours.
-   * - Contours: polygons whose cell array ContourIndex is 0 or more, as vtkContourCellSplitter and vtkCloudSurface write it.
-   * - All: other polygons too, such as the boundary that files of meshes may hold beside the cells.
-   * Lighting and normals are those of the contour surfaces. Cells are projected then, ray by ray or not. Costs 16 bytes per tetrahedron on
+   * lie in faces of cells, like those of vtkContourCellSplitter; others are left out, with a warning. Default: contours.
+   * - Contours: polygons whose cell array ContourIndex (from vtkContourCellSplitter or vtkCloudSurface) is 0 or more.
+   * - All: other polygons too, such as the boundary patches of a mesh file.
+   * Lighting and normals are those of the contour surfaces. Costs 16 bytes per tetrahedron on
    * the GPU, and 64 per triangle.
    */
   virtual void SetPolygons(int polygons);
@@ -314,8 +312,8 @@ public:
 
   ///@{
   /**
-   * Opacity of the polygons with a ContourIndex (0 without such an array), 0 to 1 (clamped). Default: 0.3. 0: not drawn. A negative number: of
-   * the contours for which nothing has been set. Without a number: of all polygons.
+   * Opacity of the polygons with a ContourIndex (0 without such an array), 0 to 1 (clamped). Default: 0.3. 0: not drawn. A negative number:
+   * for the contours without their own setting. Without a number: for all polygons.
    */
   void SetPolygonOpacity(int contour, double opacity);
   void SetPolygonOpacity(double opacity);
@@ -323,30 +321,30 @@ public:
   ///@}
 
   ///@{
-  /** Colour of those polygons, 0 to 1 each. Default, or after SetPolygonColorToFunction: what the colour function gives there. */
+  /** Colour of those polygons, 0 to 1 each. Default, or after SetPolygonColorToFunction: the colour of the colour function there. */
   void SetPolygonColor(int contour, double red, double green, double blue);
   void SetPolygonColorToFunction(int contour);
-  /** -1, -1, -1 where the colour function gives it. */
+  /** -1, -1, -1 if the colour function gives the colour. */
   void GetPolygonColor(int contour, double rgb[3]);
   ///@}
 
   ///@{
   /**
-   * Colour function, opacity function and unit distance of one layer; layers without a property have the volume's. Layers are
-   * what LayerArrayName or LayersFromContours says. Null takes a property away.
+   * Colour function, opacity function and unit distance of one layer; layers without a property have the volume's. LayerArrayName
+   * or LayersFromContours defines the layers. Null removes a property.
    * A property whose ScalarOpacityUnitDistance is exactly 1, VTK's default, has the volume's unit distance. Any other value is the
    * layer's own; for a unit distance of 1 that differs from the volume's, set 1.0000001.
    */
   void SetLayerProperty(int layer, vtkVolumeProperty* property);
   vtkVolumeProperty* GetLayerProperty(int layer);
   void RemoveAllLayerProperties();
-  /** How many layers have a property, and which ones: `i` counts from 0, layers ascend. 0 where `i` is out of range. */
+  /** How many layers have a property, and which ones: `i` counts from 0, in ascending order of layers. 0 if `i` is out of range. */
   int GetNumberOfLayerProperties() const;
   int GetLayerWithProperty(int i) const;
   ///@}
 
   ///@{
-  /** Name of the cell array that has the number of each cell's layer, as vtkContourCellSplitter writes it. Default: empty, none. */
+  /** Name of the cell array with the layer number of each cell, as written by vtkContourCellSplitter. Default: empty, none. */
   void SetLayerArrayName(const std::string& name);
   std::string GetLayerArrayName();
   ///@}
@@ -355,7 +353,7 @@ public:
   /**
    * The contour values divide the volume into layers, drawn or not: the layer of a point is the number of values at or below its
    * scalar. Colour and opacity may be discontinuous across a surface, also inside a cell, without loss of accuracy. Default: off.
-   * Ignored where LayerArrayName is set.
+   * Ignored if LayerArrayName is set.
    */
   void SetLayersFromContours(bool layers);
   bool GetLayersFromContours();
@@ -363,21 +361,43 @@ public:
   void LayersFromContoursOff() { this->SetLayersFromContours(false); }
   ///@}
 
+  ///@{
+  /**
+   * What is seen of the cells at a pixel of the window, counted from its lower left, as the last render drew them: along the pixel's ray, the
+   * place where the medium has become as opaque as PickOpacity. Thinner veils in front are looked through. The ray ends at opaque geometry and
+   * clipping planes, as when drawing; contour surfaces, polygons and other volumes are not counted. False, and -1 for cell and point, where the ray
+   * never becomes so opaque.
+   * Position in world coordinates; numbers of the cell and of its point nearest to the place, in the input; the coloured scalar there.
+   * Reads the depth buffer. Cost: as of one pass over the cells.
+   */
+  bool Pick(vtkRenderer* renderer, double x, double y);
+  vtkGetVector3Macro(PickPosition, double);
+  vtkGetMacro(PickedCell, vtkIdType);
+  vtkGetMacro(PickedPoint, vtkIdType);
+  vtkGetMacro(PickedScalar, double);
+  ///@}
+
+  ///@{
+  /** Opacity, from the eye on, at which the medium is picked, 0.001 to 0.999 (clamped). Default: 0.1. */
+  void SetPickOpacity(double opacity);
+  vtkGetMacro(PickOpacity, double);
+  ///@}
+
   /** Tetrahedra of the current input, visible or not. Valid after a render. */
   vtkIdType GetNumberOfTetrahedra();
   /** Tetrahedra drawn in the last render: those that the transfer function does not make fully transparent. */
   vtkIdType GetNumberOfDrawnTetrahedra();
   /**
-   * Passes over the picture that rays took in the last render: as often as one of them entered the mesh, at least. Meshes with many
-   * gaps behind one another take long. 0: rays were not used, or none entered.
+   * Number of passes over the picture in the last render: at least the greatest number of times that a ray entered the mesh. Meshes
+   * with many gaps behind one another take long. 0: rays were not used, or none entered.
    */
   int GetNumberOfRayLayers();
   ///@{
   /**
-   * Cycles of visibility in the last view, whether or not they were drawn right: groups of tetrahedra in which each hides
-   * another and is itself hidden, so that no order of whole tetrahedra is right. 0: there is such an order.
+   * Number of visibility cycles in the last view, whether or not they were drawn correctly: groups of tetrahedra in which each hides
+   * another and is itself hidden, so that no order of whole tetrahedra is correct. 0: such an order exists.
    * GetNumberOfCyclicTetrahedra() counts the members of all groups. Always 0 for the orders centroid and none.
-   * Computed when asked for, where drawing did not need it.
+   * Computed on request if drawing did not need it.
    */
   vtkIdType GetNumberOfVisibilityCycles();
   vtkIdType GetNumberOfCyclicTetrahedra();
@@ -390,19 +410,19 @@ public:
 
   /**
    * Copies the float image of the last render into `image`: one layer of the viewport's size with the point array
-   * "RGBA", four float components, colour premultiplied by alpha, before it was laid over the scene.
-   * Returns false (and reports an error) when nothing was rendered yet, or when the last render peeled volumes: their light
-   * then goes into the picture in parts, between the surfaces.
+   * "RGBA" (four float components, colour premultiplied by alpha), before it was composited over the scene.
+   * Returns false (and reports an error) if nothing has been rendered yet, or if the last render peeled volumes, whose
+   * light is added to the picture in parts between the surfaces.
    */
   bool CopyFloatImage(vtkImageData* image);
 
   /**
-   * Draws. While geometry and order are made, invokes ProgressEvent several times a second and stops when AbortExecute is set or
-   * the window aborts; what is missing then is made in the next render.
+   * Draws the volume. While building geometry and order, it invokes ProgressEvent several times a second and stops when
+   * AbortExecute is set or the window aborts; the next render completes the work.
    */
   void Render(vtkRenderer* renderer, vtkVolume* volume) override;
   void ReleaseGraphicsResources(vtkWindow* window) override;
-  /** Takes over the input and all settings. Clipping planes and properties of layers are shared, their lists are not. */
+  /** Takes over the input and all settings. Clipping planes and layer properties are shared; their lists are copied. */
   void ShallowCopy(vtkAbstractMapper* other) override;
 
 protected:
@@ -417,6 +437,9 @@ protected:
   double OpacityScale = 1.0;
   std::string OpacityArrayName;
   bool SplitAtControlPoints = true;
+
+  double PickOpacity = 0.1, PickedScalar = 0, PickPosition[3] = { 0, 0, 0 };
+  vtkIdType PickedCell = -1, PickedPoint = -1;
 
 private:
   bool HasSurfacesOrLayers() const;

@@ -180,7 +180,7 @@ void vtkCellCompositingMapper::WarnAboutPolygons()
     : "";
   const std::string apart = polygons.NumberApart > 0
     ? notDrawn(polygons.NumberApart) + (polygons.NumberApart == 1 ? "it does" : "they do") +
-      " not lie in faces of cells. Show such polygons apart, as a surface: where volumes are peeled, it has its place among the cells."
+      " not lie in faces of cells. Show such polygons separately, as a surface: if the renderer peels volumes, it is drawn at its depth among the cells."
     : "";
   if (this->Internals->PolygonWarnings[0].IsNew(others))
   {

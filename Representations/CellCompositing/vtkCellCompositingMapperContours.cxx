@@ -45,7 +45,7 @@ void vtkCellCompositingMapper::SetContourValue(int i, double value)
   if (i < 0 || !std::isfinite(value))
   {
     vtkErrorMacro("Contour value " << i << " is " << value
-                                   << ": number from 0 on, and finite values, are needed.");
+                                   << ": numbers count from 0, and values must be finite.");
     return;
   }
   if (i >= this->GetNumberOfContourValues())

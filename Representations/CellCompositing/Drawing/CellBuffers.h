@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * What every way of drawing cells needs on the GPU: points with their scalars, scalars of cells, and the transfer functions.
+ * The GPU data that every method of drawing cells needs: points with their scalars, scalars of cells, and the transfer functions.
  */
 #ifndef CellBuffers_h
 #define CellBuffers_h
@@ -46,9 +46,9 @@ public:
   bool HasOpacityScalars() const { return this->SeparateOpacity; }
   bool HasLayers() const { return this->UseLayers; }
   bool HasNarrowIntervals() const { return this->NarrowIntervals; }
-  /** Constants of the shaders that tell which of the buffers count. */
+  /** Shader constants that say which of the buffers are used. */
   std::string ShaderConstants() const;
-  /** Binds the textures that the program reads and tells it their units; `instance` as instanceName has it. */
+  /** Binds the textures that the program reads and sets their units; `instance` as in instanceName. */
   void Activate(vtkShaderProgram* program, int instance = -1);
   /** At most so many of them are read. */
   int CountTextures() const;

@@ -41,7 +41,7 @@ class CellCompositingPass
 {
 public:
   // Each returns an empty string, or what went wrong.
-  /** With `neighbors` the cells are drawn ray by ray, else one by one in the order that UploadOrder tells. */
+  /** With `neighbors` the cells are drawn ray by ray, otherwise one by one in the order of UploadOrder. */
   std::string UploadGeometry(vtkOpenGLRenderWindow* window, const CellGeometry& geometry,
     const CellPieces& pieces, const TetrahedronNeighbors* neighbors);
   /** Only the values of colour, of opacity or of both; the geometry is that of the last upload. */
@@ -65,15 +65,15 @@ public:
   {
     return this->Contours.UploadPolygons(window, polygons, geometry, pieces, neighbors);
   }
-  /** What the scene's transfer function and view let be seen. */
+  /** The part of the scene that is visible with its transfer function and view. */
   std::string UploadDrawn(vtkOpenGLRenderWindow* window, const CellScene& scene);
   std::string Draw(
     vtkOpenGLRenderWindow* window, const CellView& view, const CellDrawingOptions& options);
-  /** Draws only what a depth peeling pass asks for, into its targets. */
+  /** Draws only the part that a depth peeling pass requests, into its targets. */
   std::string DrawPeel(vtkOpenGLRenderWindow* window, const CellView& view,
     const CellDrawingOptions& options, const VolumePeel::Request& request);
 
-  /** What is drawn ray by ray together with others. */
+  /** A medium that is drawn ray by ray together with others. */
   struct Medium
   {
     CellCompositingPass* Pass;
@@ -89,10 +89,10 @@ public:
   /** Whether the window's OpenGL can draw so many at once. */
   static bool CanDrawMedia(const std::vector<Medium>& media);
 
-  /** Lays over the scene, through the same float image, what something else draws. */
+  /** Composites the drawing of another object over the scene, through the same float image. */
   std::string DrawLayer(vtkOpenGLRenderWindow* window, const FloatLayer::Painter& paint);
 
-  /** False when nothing was drawn yet, or what was drawn last was a peel. */
+  /** False if nothing has been drawn yet, or if the last drawing was a peel. */
   bool CopyFloatImage(vtkOpenGLRenderWindow* window, vtkImageData* image);
   int GetNumberOfRayLayers() const { return this->UseRays ? this->Rays.GetNumberOfLayers() : 0; }
   void ReleaseGraphicsResources(vtkWindow* window);

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
-/** What the ways of drawing cells are given: the view, the options, and what they share on the GPU. */
+/** Input of the methods of drawing cells: the view, the options, and their common GPU data. */
 #ifndef CellDrawing_h
 #define CellDrawing_h
 
@@ -61,7 +61,7 @@ struct CellDrawing
   {
     return this->OwnConstants() + this->Options.Haze.Definition();
   }
-  /** Those but for what all that the renderer draws have in common. */
+  /** The same constants without those common to everything that the renderer draws. */
   std::string OwnConstants() const;
   /** Binds the shared textures and sets the uniforms that every fragment shader of cells has. */
   void SetUniforms(vtkShaderProgram* program) const;

@@ -1,11 +1,11 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * What the mapper keeps between renders: geometry, transfer function, order, and the list of what is drawn.
+ * The data that the mapper keeps between renders: geometry, transfer function, order, and the list of drawn cells.
  *
- * Each stage knows what it was made from and is made again only when that changed: the geometry with the mesh, its values with the
+ * Each stage records its sources and is rebuilt only when they change: the geometry with the mesh, its values with the
  * arrays, the transfer table with the volume property, the order with the geometry and the place of the eye. The version of a stage
- * grows whenever it is made again, so that the drawing pass knows what to upload.
+ * increases whenever it is rebuilt, so that the drawing pass knows what to upload.
  */
 #ifndef CellScene_h
 #define CellScene_h
@@ -68,8 +68,8 @@ public:
   };
 
   /**
-   * Returns true when the geometry was made again; `error` then tells why it could not be, or is empty. When stopped, there is
-   * no geometry until the next time. Where only values of the selected arrays have changed, they are copied and nothing else is made.
+   * Returns true when the geometry was made again; `error` then gives the reason, or is empty. When stopped, there is
+   * no geometry until the next time. If only values of the selected arrays have changed, they are copied and nothing else is rebuilt.
    */
   bool UpdateGeometry(vtkDataSet* data, const ScalarSelection& scalars,
     const ScalarSelection& opacity, CellGeometry::Form form, std::string& error,
@@ -80,13 +80,13 @@ public:
     vtkDataSet* data, const ScalarSelection& contoured);
   /** Every visible part of the medium has one and the same colour; contours, and layers of another colour, are not looked at. */
   bool HasOneColor() const { return this->ColorIsOne; }
-  /** How the cells will be drawn. Rays find their way through a mesh by its neighbours: false when stopped before they are known. */
+  /** How the cells will be drawn. Rays traverse a mesh through its neighbours: false if stopped before these are known. */
   bool UpdateMethod(Method method, const Progress& progress = {});
   /** From where the scene is seen; what follows the view is made by UpdateOrder and CountCycles. */
   void UpdateView(const OrderView& view) { this->View = view; }
   /** For projection. False when stopped: the order is made the next time, and must not be drawn before. */
   bool UpdateOrder(OrderMethod method, const Progress& progress = {});
-  /** Lists what is drawn; to be called after the three others. */
+  /** Lists the drawn cells; call it after the three others. */
   void UpdateDrawn();
   /** For rays; `eye` is homogeneous and relative to the geometry's centre. */
   void UpdateEye(const Vector4& eye);
@@ -105,7 +105,7 @@ public:
   ///@}
   const ContourScene& GetContours() const { return this->Contours; }
   const PolygonScene& GetPolygons() const { return this->Polygons; }
-  /** To be called first of all: what is drawn of the data besides 3-D cells, and with it how these may be drawn. */
+  /** Call it first: it selects what is drawn besides 3-D cells, which determines how these may be drawn. */
   void ReadPolygons(vtkDataSet* data, const ContourSettings& settings)
   {
     this->Polygons.Read(data, settings);

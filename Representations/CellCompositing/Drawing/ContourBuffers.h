@@ -36,7 +36,7 @@ public:
   bool HasPolygons() const { return this->UsePolygons; }
   bool HasScalars() const { return this->IsUsed() && !this->OfColor; }
   std::string ShaderConstants() const;
-  /** Binds the textures; tells the program their units, and how surfaces are lit. */
+  /** Binds the textures, and sets their units and the lighting of surfaces in the program. */
   void Activate(const CellDrawing& drawing, vtkShaderProgram* program);
   void Deactivate();
   void Release(vtkWindow* window);

@@ -28,7 +28,7 @@ namespace nephoscope
 struct ContourSettings;
 
 ///@{
-/** What the colour function gives for a value, and when it was changed. */
+/** The colour function's colour for a value, and the time of its last change. */
 std::array<float, 3> functionColor(vtkVolumeProperty* property, double value);
 vtkMTimeType colorMTime(vtkVolumeProperty* property);
 ///@}

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
-/** What the user sets about contour surfaces and layers; see vtkCellCompositingMapper for the meaning. */
+/** The user's settings for contour surfaces and layers; vtkCellCompositingMapper describes them. */
 #ifndef ContourSettings_h
 #define ContourSettings_h
 
@@ -31,7 +31,7 @@ struct ContourSettings
   bool SmoothNormals = true;
   bool Lighting = true;
 
-  /** The unit distance of a new vtkVolumeProperty: a layer with it has that of the volume. */
+  /** The unit distance of a new vtkVolumeProperty; a layer with this value uses the volume's unit distance. */
   static constexpr double DefaultUnitDistance = 1.0;
   std::map<int, vtkSmartPointer<vtkVolumeProperty>> LayerProperties;
   std::string LayerArrayName;
@@ -47,7 +47,7 @@ struct ContourSettings
     return found == this->PolygonsOfContour.end() ? this->Polygon : found->second;
   }
 
-  /** A negative number: of those that have not been changed. */
+  /** A negative number: for all that have not been changed. */
   Surface& ChangePolygon(int contour)
   {
     return contour < 0 ? this->Polygon

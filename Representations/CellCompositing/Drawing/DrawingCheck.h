@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * Whether this OpenGL draws cells right: a known tetrahedron and a known cell of a grid, small, compared with the closed form. Drivers
- * differ in what no error tells. Once per driver and way of drawing in a process: some milliseconds, and the compiling of shaders.
+ * Whether this OpenGL draws cells correctly: it compares a small known tetrahedron and a small known cell of a grid with the closed form. Drivers
+ * have differences that no error reports. It runs once per driver and method in a process, and takes some milliseconds and the compilation of shaders.
  */
 #ifndef DrawingCheck_h
 #define DrawingCheck_h
@@ -21,8 +21,8 @@ enum class DrawnBy
 };
 
 /**
- * Empty, or what is wrong; the window's context is current. The environment variable NEPHOSCOPE_WRONG_DRAWING names a way (Rays,
- * Projection, or both) that is taken as wrong, so that the way around it can be tried.
+ * Returns the problem, or an empty string; the window's context must be current. The environment variable NEPHOSCOPE_WRONG_DRAWING names a method
+ * (Rays, Projection, or both) that counts as wrong, so that the fallback can be tested.
  */
 std::string checkDrawing(vtkOpenGLRenderWindow* window, DrawnBy way);
 

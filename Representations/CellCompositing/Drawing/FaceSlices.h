@@ -4,7 +4,7 @@
  * Boundary faces sorted into slices of the view's depth.
  *
  * Where a ray enters the mesh a hundred times, the next of a hundred faces has to be found a hundred times. Slice by slice from front to
- * back, only the faces that reach into the slice are asked, so that all layers together cost about as much as all faces.
+ * back, only the faces that reach into the slice are tested, so that all layers together cost about as much as all faces.
  */
 #ifndef FaceSlices_h
 #define FaceSlices_h

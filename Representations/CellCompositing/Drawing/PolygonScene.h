@@ -38,7 +38,7 @@ public:
       Normals; ///< at the corners, ascending by their number in the tetrahedron; model coordinates
   };
 
-  /** Finds the polygons of the data that the settings ask for; to be called before geometry and way of drawing are chosen. */
+  /** Finds the polygons selected by the settings; call it before geometry and drawing method are chosen. */
   void Read(vtkDataSet* data, const ContourSettings& settings);
   /** To be called after the geometry was built. `scalars` are those of colour. */
   void Update(const CellGeometry& geometry, std::int64_t geometryVersion,

@@ -6,9 +6,9 @@
  * The order of the tetrahedra is then exact by construction, whatever the mesh: cycles, holes, separate parts. First the
  * boundary triangles through which rays enter the mesh are drawn, the nearest per pixel kept; then every pixel walks from there
  * until its ray leaves the mesh. Where rays enter again (holes, other parts), the next nearest triangles are drawn, and so on until
- * none is left: as depth peeling goes through layers, but a layer is a whole stretch of mesh. A layer costs what the pixels cost that
- * have it: a depth test ends the others; after some layers, the triangles are drawn in slices of depth (FaceSlices.h), and those that lie
- * behind what is opaque never.
+ * none is left: as depth peeling goes through layers, but a layer is a whole stretch of mesh. The cost of a layer is proportional to the
+ * pixels that have it, because a depth test ends the others. After some layers, the triangles are drawn in slices of depth
+ * (FaceSlices.h), and triangles behind opaque objects are never drawn.
  */
 #ifndef RayCells_h
 #define RayCells_h
@@ -53,7 +53,7 @@ public:
   /** A structured grid needs no neighbours. */
   std::string UploadGeometry(vtkOpenGLRenderWindow* window, const CellGeometry& geometry,
     const TetrahedronNeighbors& neighbors);
-  /** Where rays enter, the box of a grid's cells that can be seen, and the scalars between which nothing is seen. */
+  /** Where rays enter, the box of a grid's visible cells, and the range of scalars in which nothing is visible. */
   std::string UploadBoundary(vtkOpenGLRenderWindow* window, const std::vector<BoundaryFace>& faces,
     const CellGeometry& geometry, const CellBox& box, const std::array<float, 2>& clearRange);
   /** For an evenly spaced grid: which of its cells can be seen. */
@@ -70,7 +70,7 @@ public:
 
   /** Passes over the picture that the last drawing took: as often as one of the rays entered the mesh, at least. */
   int GetNumberOfLayers() const { return this->NumberOfLayers; }
-  /** At most so many textures of its own are read by a walk. */
+  /** Greatest number of textures that one walk reads for itself. */
   int CountTextures() const;
 
   void ReleaseGraphicsResources(vtkWindow* window);

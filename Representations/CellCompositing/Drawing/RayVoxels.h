@@ -3,7 +3,7 @@
 /**
  * Draws an evenly spaced grid ray by ray: the tetrahedra of its cells, as RayCells does, but where a ray is, is a matter of arithmetic.
  *
- * A ray leaps over cells in which nothing is seen, by the distance to the next one that is seen (ClearDistances.h). Contour surfaces,
+ * A ray skips invisible cells, by the distance to the next visible one (ClearDistances.h). Contour surfaces,
  * polygons, layers and a second array are left to RayCells.
  */
 #ifndef RayVoxels_h

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * The text of shaders: options become constants, so that what is switched off costs nothing, and shared parts are put in
+ * The text of shaders: options become constants, so that disabled options cost nothing, and shared parts are inserted
  * where the shader names them. The window's shader cache keeps the variants.
  */
 #ifndef ShaderText_h

@@ -87,7 +87,7 @@ std::array<std::int64_t, 2> snapped(const FaceView::Place& place);
 class FaceProjection
 {
 public:
-  /** `visible` tells for each tetrahedron whether it is drawn. */
+  /** `visible` says for each tetrahedron whether it is drawn. */
   void Build(const CellGeometry& geometry, const FaceMesh& mesh,
     const std::vector<std::uint8_t>& visible, const FaceView& view, bool sorted);
 

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * What CellCompositingPass needs to draw tetrahedra as fans of triangles (ShirleyTuchman1990) in place of back faces: other
- * shaders, a table of opacities, and which tetrahedra cannot be drawn so.
+ * Parts of CellCompositingPass for drawing tetrahedra as fans of triangles (ShirleyTuchman1990) instead of back faces:
+ * other shaders, a table of opacities, and a test for tetrahedra that cannot be drawn in this way.
  */
 #ifndef TrianglePass_h
 #define TrianglePass_h
@@ -31,7 +31,7 @@ const char* triangleFragmentShader();
 /** The shader with the marks filled in that are those of the triangles alone. */
 std::string withTriangleShaders(const char* shader);
 
-/** A vertex nearer to the plane of the eye than this is taken as one that cannot be projected: a tenth of the near plane's distance. */
+/** A vertex nearer to the plane of the eye than this counts as not projectable: a tenth of the near plane's distance. */
 double smallestEyeDepth(const double eyeView[4], vtkMatrix4x4* viewToDevice);
 
 /** How many of the drawn tetrahedra have such a vertex: they are left out. */

@@ -20,7 +20,7 @@ namespace nephoscope
 /** Three vertices, and what is inside: a vertex, or a tetrahedron. */
 using BoundaryFace = std::array<std::int32_t, 4>;
 
-/** False for a face that neither pixels nor float tell from an edge. */
+/** False for a face that cannot be distinguished from an edge in pixels or in float. */
 inline bool hasExtent(const CellGeometry& geometry, const BoundaryFace& face)
 {
   const Vector3 a = geometry.Position(face[0]), b = geometry.Position(face[1]),
@@ -70,7 +70,7 @@ struct CellBox
     return cell[0] >= this->Low[0] && cell[0] <= this->High[0] && cell[1] >= this->Low[1] &&
       cell[1] <= this->High[1] && cell[2] >= this->Low[2] && cell[2] <= this->High[2];
   }
-  /** It reaches all the way round a grid that closes along the first axis. */
+  /** It covers the whole of a grid that closes along the first axis. */
   bool IsClosed(const ChessboardGrid& grid) const
   {
     return grid.WrapCells > 0 && this->Low[0] == 0 && this->High[0] == grid.WrapCells - 1;

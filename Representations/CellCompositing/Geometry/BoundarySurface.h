@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
-/** Whether the surface of a mesh is that of a convex body: then no ray enters the mesh twice. */
+/** Whether the surface of a mesh is convex, so that no ray enters the mesh twice. */
 #ifndef BoundarySurface_h
 #define BoundarySurface_h
 

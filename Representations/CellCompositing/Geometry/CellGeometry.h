@@ -48,7 +48,7 @@ public:
 
   /**
    * `opacity` selects the array that the opacity function reads; none: `scalars` too. `layers`, if given, numbers the cells' layers.
-   * Returns an empty string, or why nothing can be drawn. Nothing is left, but Stopped, when it was told to stop.
+   * Returns an empty string, or why nothing can be drawn. Empty except for Stopped, if it was told to stop.
    */
   std::string Build(vtkDataSet* data, const ScalarSelection& scalars,
     const ScalarSelection& opacity = {}, vtkDataArray* layers = nullptr,

@@ -22,7 +22,7 @@ VTKNEPHOSCOPEREPRESENTATIONSCELLCOMPOSITING_EXPORT MediumBounds boundsOfCells(
 VTKNEPHOSCOPEREPRESENTATIONSCELLCOMPOSITING_EXPORT MediumBounds robustBoundsOfCells(
   vtkDataSet* data, const MediumReduction& over = {});
 
-/** What is measured of cells. Scalars may be null; vectors count by their magnitude. The opacity may be empty. */
+/** Measures of cells. Scalars may be null; vectors count by their magnitude. The opacity may be empty. */
 struct CellMedium
 {
   vtkDataArray* Scalars = nullptr;

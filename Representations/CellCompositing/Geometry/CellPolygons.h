@@ -5,8 +5,8 @@
  * the pieces of cells.
  *
  * A polygon is divided as the faces of cells are, as a fan from its least vertex (CellDecomposition.h), so that its triangles are faces of
- * tetrahedra. Each belongs to one tetrahedron that has it as a face, the larger one: the other may be too flat to be drawn. Nothing lies between this tetrahedron and the surface: to draw it
- * with the tetrahedron, in front of it or behind it, is to draw it at its place in any right order of tetrahedra.
+ * tetrahedra. Each belongs to one tetrahedron that has it as a face, the larger one: the other may be too flat to be drawn. Nothing lies between this tetrahedron and the
+ * surface. Drawing the surface directly before or after the tetrahedron is therefore correct in any correct order of tetrahedra.
  */
 #ifndef CellPolygons_h
 #define CellPolygons_h
@@ -53,7 +53,7 @@ struct CellPolygons
     std::int32_t Opposite; ///< the vertex (0 to 3) that is not in the face
     std::int32_t Triangle;
   };
-  /** Faces match where points are at the same place. Where several triangles lie at one face, the first counts. */
+  /** Faces match if their points have the same positions. Where several triangles lie at one face, the first counts. */
   std::vector<Face> Match(const CellGeometry& geometry, const std::vector<std::int32_t>& places);
   std::int64_t NumberApart = 0; ///< polygons of which Match found a part in no face
 

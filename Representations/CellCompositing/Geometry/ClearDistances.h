@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
-/** How far each cell of a grid is from the next one that can be seen: through so many cells a ray may leap. */
+/** The distance of each cell of a grid from the next visible one: the number of cells that a ray may skip. */
 #ifndef ClearDistances_h
 #define ClearDistances_h
 

@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * Which points of a mesh lie at the same place.
+ * Finds the coincident points of a mesh.
  *
- * Parts of a mesh often repeat the points between them: blocks, the first and last column of longitudes. Those that were computed in two
- * ways, as the cosines of 0 and 360 degrees, differ by rounding. Points are one place when their coordinates are equal, or when
+ * Parts of a mesh often repeat the points between them: blocks, the first and last column of longitudes. Positions computed in two ways,
+ * such as the cosines of 0 and 360 degrees, differ by rounding. Points coincide if their coordinates are equal, or if
  *  - they differ by no more than a few units in the last place of the largest coordinate, and
  *  - by no more than an eighth of the shortest edge of a tetrahedron at either of them, so that no tetrahedron ever loses its extent, and
  *    thin layers stay what they are.
@@ -24,7 +24,7 @@ namespace nephoscope
 /** For each point the first of the points with equal coordinates; empty when stopped. */
 std::vector<std::int32_t> findPlaces(const CellGeometry& geometry, const Progress& progress = {});
 
-/** Joins places that differ by rounding: `places`, as findPlaces has them, then name the first of all those points. False when stopped. */
+/** Joins positions that differ by rounding: `places`, as findPlaces has them, then name the first of all those points. False when stopped. */
 bool weldPlaces(
   const CellGeometry& geometry, std::vector<std::int32_t>& places, const Progress& progress = {});
 

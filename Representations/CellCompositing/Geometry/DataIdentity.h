@@ -3,8 +3,8 @@
 /**
  * Whether a dataset still has the mesh, and an array the values, of the last time.
  *
- * Modification times answer first. But a filter that runs again hands over a new dataset although only one of its arrays is
- * another, and who writes into an array may tell so by the dataset's time alone. Where a time has moved, a fingerprint of the
+ * Modification times answer first. But a filter that runs again passes on a new dataset even if only one of its arrays has
+ * changed, and code that writes into an array may modify only the dataset's time. Where a time has moved, a fingerprint of the
  * contents decides, which takes a hundredth of the time in which the mesh would be made again.
  */
 #ifndef DataIdentity_h
@@ -25,8 +25,8 @@ namespace nephoscope
 {
 
 /**
- * Points, cells and ghost flags of an unstructured grid. Faces of polyhedra are not looked at: every change of their dataset itself counts
- * as one of the mesh, and so does every change of other data.
+ * Points, cells and ghost flags of an unstructured grid. Faces of polyhedra are not compared: every change of their dataset counts as a
+ * change of the mesh, and so does every change of other data.
  */
 class MeshIdentity
 {

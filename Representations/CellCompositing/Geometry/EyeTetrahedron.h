@@ -5,7 +5,7 @@
  *
  * A camera often stands exactly on a face, an edge or a vertex: on a plane of the grid, at a pole, on the boundary. Then no single
  * tetrahedron holds the eye. All rays therefore start at a position that lies inside one of the tetrahedra that touch the eye, by
- * `eyeClearance` of the mesh's radius from each of its faces: too near to be seen, yet far enough for float to tell the sides apart.
+ * `eyeClearance` of the mesh's radius from each of its faces: too near to be visible, yet far enough to distinguish the sides in float.
  */
 #ifndef EyeTetrahedron_h
 #define EyeTetrahedron_h
@@ -40,7 +40,7 @@ struct EyeTetrahedron
     Overlapping; ///< where parts of a mesh overlap: others in which the start lies, one of each part
 };
 
-/** Looks at all tetrahedra, in parallel, unless the eye is outside of all points or infinitely far (eye w = 0): then nothing is found. */
+/** Tests all tetrahedra in parallel, unless the eye is outside the bounds of all points or infinitely far (eye w = 0); then it finds nothing. */
 EyeTetrahedron findEyeTetrahedron(
   const CellGeometry& geometry, const TetrahedronNeighbors& neighbors, const Vector4& eye);
 

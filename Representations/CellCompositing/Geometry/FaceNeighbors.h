@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * Which tetrahedra share faces, and what the surface of the mesh is like.
+ * Which tetrahedra share faces, and the properties of the mesh's surface.
  *
- * Faces are matched by the places of their points (CoincidentPoints.h), not by point numbers: blocks that repeat their boundary
+ * Faces are matched by the positions of their points (CoincidentPoints.h), not by point numbers: blocks that repeat their boundary
  * points fit together. Points and faces are thrown into buckets and meet their equals there; each bucket is sorted, so that nothing
  * depends on the order in which threads filled it.
  */
@@ -31,7 +31,7 @@ public:
       -2 ///< the tetrahedron across the face lies on the same side of it: neither is in front
   };
 
-  /** Returns false, and knows nothing, when stopped. */
+  /** Returns false, without a result, if stopped. */
   bool Connect(const CellGeometry& geometry, const Progress& progress = {});
   bool IsConnected() const { return this->Connected; }
 
@@ -41,14 +41,14 @@ public:
     return std::max<std::int32_t>(
       this->Neighbors[4 * tetrahedron + static_cast<std::size_t>(face)], Folded);
   }
-  /** The same for those who go from face to face and ask for no side: a fold that rounding could make is none. */
+  /** The same for algorithms that go from face to face and do not use sides: a fold within rounding error counts as none. */
   std::int32_t GetWithinRounding(std::size_t tetrahedron, int face) const
   {
     const std::int32_t stored = this->Neighbors[4 * tetrahedron + static_cast<std::size_t>(face)];
     return stored < Folded ? foldCode(stored) : stored;
   }
 
-  /** First of the points at the same place. */
+  /** The first of the coincident points. */
   std::int32_t GetPlace(std::int32_t point) const
   {
     return this->Places[static_cast<std::size_t>(point)];
@@ -61,7 +61,7 @@ public:
   };
   /** Faces without a neighbour. */
   const std::vector<Face>& GetBoundary() const { return this->Boundary; }
-  /** A ray cannot leave the mesh and come back, but for what the rounding of coordinates makes. */
+  /** A ray cannot leave the mesh and come back, except through rounding of coordinates. */
   bool IsConvex() const { return this->Convex; }
   /** Bound on the rounding of a point's coordinates. */
   double GetCoordinateError() const { return this->CoordinateError; }

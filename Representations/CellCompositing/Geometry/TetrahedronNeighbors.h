@@ -3,12 +3,12 @@
 /**
  * A mesh of tetrahedra as a ray walks through it (in the manner of AmanDemirciGudukbay2021): 20 bytes per tetrahedron here, 36 on the GPU.
  *
- * A walk knows three vertices of the tetrahedron that it enters; the exclusive-or of the four gives the fourth. The neighbours stand
+ * A walk has three vertices of the tetrahedron that it enters; the exclusive-or of all four gives the fourth. The neighbours stand
  * in the order of the vertices that they do not have, by ascending number, so that which of them lies ahead follows from the number
  * of the vertex left behind. Faces without a neighbour are the boundary, where rays enter.
  *
- * Points at one place (CoincidentPoints.h) with equal values become one point. Where values jump between points at one place, each
- * side keeps its own, and its own face: the ray that leaves through the one goes on from the other.
+ * Coincident points (CoincidentPoints.h) with equal values become one point. Where values jump between coincident points, each
+ * side keeps its own values and its own face: a ray that leaves through one face continues from the other.
  */
 #ifndef TetrahedronNeighbors_h
 #define TetrahedronNeighbors_h

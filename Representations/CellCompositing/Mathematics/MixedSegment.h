@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * A ray segment in several media at one place. Extinctions add, and every medium emits in proportion to its own:
+ * A ray segment in several overlapping media. Extinctions add, and every medium emits in proportion to its own:
  *   a(t) = sum a_m(t),   E(t) = sum a_m(t) C_m(t),   I = int_0^1 E(t) exp(-A(t)) dt.
  * All a_m and C_m are linear along the segment, so that E is quadratic. With the mixed colours L of the two ends, E / a there,
  *   E(t) = a(t) ((1 - t) L_front + t L_back) + bulge t (1 - t),   bulge = 4 E(1/2) - (a_front + a_back) (L_front + L_back),

@@ -43,7 +43,7 @@ public:
   {
   }
 
-  /** Appends to `far` and `near`. Corners nearer to the plane than `tolerance` are taken to lie on it. */
+  /** Appends to `far` and `near`. Corners nearer to the plane than `tolerance` count as lying on it. */
   void Apply(const CutTetrahedron& t, double tolerance, std::vector<CutTetrahedron>& far,
     std::vector<CutTetrahedron>& near) const
   {

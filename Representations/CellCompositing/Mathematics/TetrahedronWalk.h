@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * A ray on its way through a mesh of tetrahedra, from face to face.
+ * A ray that traverses a mesh of tetrahedra from face to face.
  *
  * Every vertex is seen along the ray: (u, v) across it, z along it. The ray pierces the triangle (a, b, c) where the three
  * edge functions e(a,b) = a.u b.v - a.v b.u, e(b,c), e(c,a) are not negative; their ratios are the barycentric coordinates of the
@@ -41,7 +41,7 @@ struct TetrahedronWalk
 {
   WalkVertex<Real> A, B, C;
   Real AB, BC, CA;
-  /** The ray passed the first face by, or ran within a face or along an edge, to within rounding: there are no sides to tell apart. */
+  /** The ray missed the first face, or ran within a face or along an edge, to within rounding, so that its sides cannot be distinguished. */
   bool IsLost = false;
 
   /** Starts at a face; its vertices are exchanged where it is seen from the wrong side. Returns true if so (B and C). */

@@ -21,7 +21,7 @@ template <typename Item>
 class Buckets
 {
 public:
-  /** visit(i, add) must call add(bucket, item) the same way both times it is asked. False when stopped. */
+  /** visit(i, add) must make the same calls of add(bucket, item) both times. False when stopped. */
   template <typename Visit>
   bool Fill(std::size_t elements, std::size_t buckets, const Progress& progress, Visit visit)
   {

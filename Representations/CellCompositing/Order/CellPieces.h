@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * Parts of tetrahedra, made for one view where no order of whole ones is right.
+ * Parts of tetrahedra, made for a view in which no order of whole tetrahedra is correct.
  *
  * They follow the geometry's own: piece k is tetrahedron number Tetrahedra.size() + k, and its corners are numbered from
  * Points.size() on.

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * Draws right what no order of whole tetrahedra does: those that hide one another in a cycle.
+ * Draws correctly the tetrahedra that hide one another in a cycle, which no order of whole tetrahedra does.
  *
  * A cycle has a relation "A is behind B", and so a face of B whose plane has B on the eye's side. All tetrahedra of the cycle are
  * cut by that plane; first comes what lies beyond it, then what lies before it, each in an order of its own. On neither side does
@@ -31,7 +31,7 @@ public:
     std::int32_t Behind, Front, Opposite;
   };
 
-  /** Pieces beyond `maximumPieces` are not made: what is left then is drawn whole, in the wrong order. */
+  /** Pieces beyond `maximumPieces` are not made; the remaining tetrahedra are drawn whole, in the wrong order. */
   CycleSplitter(const CellGeometry& geometry, const Vector4& eye, double coordinateError,
     std::size_t maximumPieces);
 

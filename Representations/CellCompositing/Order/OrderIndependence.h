@@ -20,7 +20,7 @@
 namespace nephoscope
 {
 
-/** Collects colours, and tells whether all of them are the same. */
+/** Collects colours, and says whether all of them are the same. */
 class OneColor
 {
 public:

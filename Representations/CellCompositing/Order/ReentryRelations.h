@@ -6,8 +6,8 @@
  * The tetrahedra along a ray are related across the faces that they share, but where the ray leaves the mesh through a
  * boundary face and comes back through another, nothing relates the two sides of the gap. XMPVO (SilvaMitchellWilliams1998)
  * finds the missing relations by sweeping; here the boundary faces are scan-converted at the pixels of the picture, and
- * the crossings of each pixel's ray are sorted by depth. What the ray of a pixel centre passes is related exactly; what no ray
- * passes needs no relation.
+ * the crossings of each pixel's ray are sorted by depth. Tetrahedra on the ray of a pixel centre are related exactly;
+ * tetrahedra that no ray meets need no relation.
  *
  * A pixel centre on an edge belongs to one of the faces that meet there, so that crossings alternate: in, out, in, out.
  */

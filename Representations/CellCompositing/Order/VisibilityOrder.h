@@ -5,7 +5,7 @@
  *
  * Across a shared face the tetrahedron on the eye's side of its plane is in front (Williams1992). Where a ray leaves the mesh and
  * enters it again, the two ends of the gap are related too (ReentryRelations.h), at the pixels of the picture; a convex mesh needs
- * none of that. Drawing everything behind a tetrahedron before it gives an order that is right for every mesh without cycles,
+ * none of that. Drawing everything behind a tetrahedron before it gives a correct order for every mesh without cycles,
  * whatever its shape.
  *
  * Tetrahedra that hide one another in a cycle have no order. They are cut until their pieces have one (CycleSplitter.h), and
@@ -40,7 +40,7 @@ public:
   const FaceNeighbors& GetFaces() const { return this->Faces; }
 
   // For others that go from neighbour to neighbour, once connected.
-  /** First of the points at the same place. */
+  /** The first of the coincident points. */
   std::int32_t CanonicalPoint(std::int32_t point) const { return this->Faces.GetPlace(point); }
   /** The tetrahedron across a face, unless both lie on the same side of it by more than rounding; -1: none. */
   std::int32_t UnfoldedNeighbor(std::size_t tetrahedron, int face) const

@@ -8,7 +8,8 @@
 #include "MapperSettings.h"
 
 #include "vtkCellCompositingMapper.h"
-#include "vtkNew.h"
+#include "vtkGarbageCollector.h"
+#include "vtkSmartPointer.h"
 #include "vtkUnstructuredGridVolumeMapper.h"
 
 namespace nephoscope
@@ -33,6 +34,12 @@ public:
     this->Mapper->ReleaseGraphicsResources(window);
   }
 
+  /** Both mappers refer to the pipeline; without this it would never be collected. */
+  void ReportReferences(vtkGarbageCollector* collector)
+  {
+    vtkGarbageCollectorReport(collector, this->Mapper, "CellCompositingMapper");
+  }
+
   vtkCellCompositingMapper* GetMapper() { return this->Mapper; }
   /** With the owner's input and settings as they are now. */
   vtkCellCompositingMapper* GetMapper(vtkUnstructuredGridVolumeMapper* owner)
@@ -44,7 +51,8 @@ public:
 
 private:
   vtkUnstructuredGridVolumeMapper* Owner;
-  vtkNew<vtkCellCompositingMapper> Mapper;
+  vtkSmartPointer<vtkCellCompositingMapper> Mapper =
+    vtkSmartPointer<vtkCellCompositingMapper>::New();
 };
 
 }

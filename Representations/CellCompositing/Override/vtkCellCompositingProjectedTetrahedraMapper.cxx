@@ -38,6 +38,12 @@ void vtkCellCompositingProjectedTetrahedraMapper::ReleaseGraphicsResources(vtkWi
   this->Superclass::ReleaseGraphicsResources(window);
 }
 
+void vtkCellCompositingProjectedTetrahedraMapper::ReportReferences(vtkGarbageCollector* collector)
+{
+  this->Superclass::ReportReferences(collector);
+  this->Cells->ReportReferences(collector);
+}
+
 void vtkCellCompositingProjectedTetrahedraMapper::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);

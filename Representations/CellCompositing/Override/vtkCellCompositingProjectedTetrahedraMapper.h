@@ -41,6 +41,7 @@ public:
 protected:
   vtkCellCompositingProjectedTetrahedraMapper();
   ~vtkCellCompositingProjectedTetrahedraMapper() override;
+  void ReportReferences(vtkGarbageCollector* collector) override;
 
 private:
   vtkCellCompositingProjectedTetrahedraMapper(

@@ -31,6 +31,12 @@ void vtkCellCompositingRayCastMapper::ReleaseGraphicsResources(vtkWindow* window
   this->Superclass::ReleaseGraphicsResources(window);
 }
 
+void vtkCellCompositingRayCastMapper::ReportReferences(vtkGarbageCollector* collector)
+{
+  this->Superclass::ReportReferences(collector);
+  this->Cells->ReportReferences(collector);
+}
+
 void vtkCellCompositingRayCastMapper::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);

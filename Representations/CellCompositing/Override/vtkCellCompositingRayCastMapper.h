@@ -40,6 +40,7 @@ public:
 protected:
   vtkCellCompositingRayCastMapper();
   ~vtkCellCompositingRayCastMapper() override;
+  void ReportReferences(vtkGarbageCollector* collector) override;
 
 private:
   vtkCellCompositingRayCastMapper(const vtkCellCompositingRayCastMapper&) = delete;

@@ -2,15 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SmokeCells.h"
 
+#include "SmokeData.h"
+
 #include "vtkBoundingBox.h"
-#include "vtkCellData.h"
 #include "vtkCommunicator.h"
-#include "vtkDataArray.h"
 #include "vtkDataSet.h"
 #include "vtkMultiProcessController.h"
-#include "vtkPointData.h"
-
-#include <cmath>
 
 namespace nephoscope
 {
@@ -21,42 +18,7 @@ vtkMultiProcessController* otherRanks()
   auto controller = vtkMultiProcessController::GetGlobalController();
   return controller && controller->GetNumberOfProcesses() > 1 ? controller : nullptr;
 }
-
-double leastAge(vtkDataArray* ages)
-{
-  double range[2] = { VTK_DOUBLE_MAX, -VTK_DOUBLE_MAX };
-  if (ages && ages->GetNumberOfTuples() > 0)
-  {
-    ages->GetFiniteRange(range);
-  }
-  double least = range[0];
-  if (auto controller = otherRanks())
-  {
-    controller->AllReduce(range, &least, 1, vtkCommunicator::MIN_OP);
-  }
-  return least;
-}
 } // namespace
-
-vtkDataArray* smokeDensity(vtkDataSet* cells)
-{
-  vtkCellData* arrays = cells ? cells->GetCellData() : nullptr;
-  vtkDataArray* density = arrays ? arrays->GetArray("Density") : nullptr;
-  const bool smoke =
-    density && density->GetNumberOfComponents() == 1 && arrays->HasArray("EmissionStep");
-  return smoke ? density : nullptr;
-}
-
-vtkDataArray* visibleSmoke(vtkDataSet* cells)
-{
-  vtkDataArray* density = smokeDensity(cells);
-  vtkDataArray* puffs = density ? cells->GetCellData()->GetArray("SmokeDensity") : nullptr;
-  if (density && !puffs)
-  {
-    puffs = cells->GetPointData()->GetArray("SmokeDensity");
-  }
-  return puffs ? puffs : density;
-}
 
 bool isSmoke(vtkDataSet* cells)
 {
@@ -70,24 +32,19 @@ bool isSmoke(vtkDataSet* cells)
 
 double smokeThickness(vtkDataSet* cells)
 {
-  vtkDataArray* ages = cells ? cells->GetPointData()->GetArray("Age") : nullptr;
-  const double youngest = leastAge(ages);
-  vtkBoundingBox box;
-  for (vtkIdType i = 0; ages && i < cells->GetNumberOfPoints(); ++i)
+  const double youngestHere = leastSmokeAge(cells);
+  double youngest = youngestHere;
+  if (auto controller = otherRanks())
   {
-    if (ages->GetComponent(i, 0) <= youngest)
-    {
-      double x[3];
-      cells->GetPoint(i, x);
-      box.AddPoint(x);
-    }
+    controller->AllReduce(&youngestHere, &youngest, 1, vtkCommunicator::MIN_OP);
   }
+  vtkBoundingBox box = boundsOfYoungSmoke(cells, youngest);
   if (auto controller = otherRanks())
   {
     const vtkBoundingBox mine = box;
     controller->AllReduce(mine, box);
   }
-  return box.IsValid() ? box.GetDiagonalLength() / std::sqrt(2.0) : 0.0;
+  return diameterOfSmoke(box);
 }
 
 } // namespace nephoscope

@@ -1,22 +1,13 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
-/**
- * Cells that are smoke, as vtkFlowVolume and vtkSmokePuffs write them: what makes them opaque, and how thick the smoke is.
- */
+/** Smoke (SmokeData.h) over several ranks: whether there is any, and how thick it is. */
 #ifndef SmokeCells_h
 #define SmokeCells_h
 
-class vtkDataArray;
 class vtkDataSet;
 
 namespace nephoscope
 {
-
-/** The density of the cells, for how much smoke there is, if they are smoke (they know when they left the polygon); else null. */
-vtkDataArray* smokeDensity(vtkDataSet* cells);
-
-/** What smoke is to be opaque by: its puffs, of cells or points, as vtkSmokePuffs writes them, else its density. Null if no smoke. */
-vtkDataArray* visibleSmoke(vtkDataSet* cells);
 
 /** True if any rank has smoke. Collective. */
 bool isSmoke(vtkDataSet* cells);

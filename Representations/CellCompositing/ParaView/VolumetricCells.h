@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * What the Cell Compositing representation does to its input before it hands it to the view.
+ * The changes that the Cell Compositing representation makes to its input before it passes it to the view.
  */
 #ifndef VolumetricCells_h
 #define VolumetricCells_h
@@ -24,7 +24,7 @@ bool isAxisAligned(vtkDataSet* data);
  */
 vtkSmartPointer<vtkDataSet> volumetricPart(vtkDataObject* input);
 
-/** The dataset itself, or where it has polyhedra that are not convex, one in which tetrahedra stand for these. */
+/** The dataset itself or, if it has polyhedra that are not convex, a dataset in which tetrahedra replace them. */
 vtkSmartPointer<vtkDataSet> withConvexCells(vtkDataSet* data);
 
 /**

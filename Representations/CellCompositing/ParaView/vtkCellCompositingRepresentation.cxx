@@ -6,6 +6,7 @@
 #include "ForwardedMessages.h"
 #include "RankMeasures.h"
 #include "SmokeCells.h"
+#include "SmokeData.h"
 #include "VolumetricCells.h"
 #include "vtkCellCompositingMapper.h"
 
@@ -108,7 +109,7 @@ int vtkCellCompositingRepresentation::GetUniformAssociation() const
 void vtkCellCompositingRepresentation::PrepareMapper(vtkDataSet* cells)
 {
   this->Superclass::PrepareMapper(cells);
-  this->PrepareOpacity(cells);
+  this->Mapper->SetOpacityArrayName(this->PrepareOpacity(cells));
   this->Mapper->SetOpacityScale(this->OpacityScale * this->Opacity);
   this->Mapper->SetVisibilityOrder(
     this->VisibilityOrder); // while the camera moves too: rays need no sorting

@@ -20,13 +20,13 @@
 #include "vtkNephoscopeParaViewCellCompositingModule.h" // for export macro
 
 #include <array>  // for ContourColors
+#include <string> // for array names
 #include <vector> // for ContourColors
 
 class vtkCellCompositingMapper;
 class vtkColorTransferFunction;
 class vtkDataArray;
 class vtkDataSet;
-class vtkPiecewiseFunction;
 class vtkScalarsToColors;
 
 class VTKNEPHOSCOPEPARAVIEWCELLCOMPOSITING_EXPORT vtkCellCompositingRepresentation
@@ -71,7 +71,7 @@ public:
   /**
    * Layers are those of a cell array, or with "None" those between the contour values. Each has a factor on the extinction, and colours
    * of its own: one colour, or where that is not given a colour map, of the coloured array. Entry i of each list is that of layer i;
-   * layers beyond the list, those with a negative red and those with a null colour map are coloured as everything else.
+   * layers beyond the list, with a negative red or with a null colour map are coloured like the rest.
    */
   void SetLayerArray(const char* name);
   void SetLayerOpacityScale(int layer, double scale);
@@ -92,6 +92,7 @@ protected:
   bool HoldsMedium(vtkDataSet* data) const override;
   int GetUniformAssociation() const override;
   vtkDataArray* FindOpacityArray(vtkDataSet* cells, int& association) override;
+  std::string PrepareOpacity(vtkDataSet* cells) override;
 
 private:
   vtkCellCompositingRepresentation(const vtkCellCompositingRepresentation&) = delete;
@@ -103,14 +104,9 @@ private:
   void PrepareLayers();
   std::size_t CountLayers() const;
   vtkColorTransferFunction* FindLayerColors(std::size_t layer);
-  void PrepareOpacity(vtkDataSet* cells);
-  void FollowDensity(vtkDataArray* density, bool isExtinction);
   bool DrawsSmoke(vtkDataSet* cells) const;
 
   vtkNew<vtkCellCompositingMapper> Mapper;
-  vtkNew<vtkVolumeProperty>
-    SmokeProperty; // the colours of one of the others, and an opacity of its own
-  vtkNew<vtkPiecewiseFunction> SmokeOpacity;
 
   bool AxisAligned = false;
   int VisibilityOrder = 0;

@@ -12,6 +12,7 @@ from nephoscope_testing import meshes
 from nephoscope_testing.offscreen import Window
 from nephoscope_testing.transfer import Transfer
 from vtkmodules import vtkRenderingVolume
+from vtkmodules.vtkCommonCore import vtkWeakReference
 from vtkmodules.vtkCommonDataModel import vtkPlane
 
 MAPPERS = {"vtkProjectedTetrahedraMapper": "vtkCellCompositingProjectedTetrahedraMapper",
@@ -99,6 +100,14 @@ class Override(unittest.TestCase):
             second = picture(mapper, data=other)
             self.assertGreater(np.abs(first - second).max(), 0.1)
             np.testing.assert_array_equal(picture(mapper), first)
+
+    def test_data_are_released(self):
+        for number in range(len(MAPPERS)):
+            data, kept = cells(), vtkWeakReference()
+            kept.Set(data)
+            picture(self.overridden()[number], data=data)
+            del data
+            self.assertIsNone(kept.Get(), list(MAPPERS)[number])
 
     def test_environment(self):
         for value, expected in (("1", list(MAPPERS.values())), ("0", self.before), ("", self.before)):
