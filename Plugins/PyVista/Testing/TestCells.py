@@ -214,7 +214,7 @@ class Refused(Cells):
         words.cell_data["words"] = ["a"] * 8
         self.fails(TypeError, "'words' is of type", words, "words")
         bare = pyvista.ImageData(dimensions=(2, 2, 2))
-        self.fails(MissingDataError, "no array of one number for each point or cell", bare, None)
+        self.fails(MissingDataError, "no point or cell array with one component", bare, None)
 
     def test_numbers_and_choices(self):
         for bad in (0, -1, np.nan, np.inf):

@@ -57,5 +57,60 @@ class Picture(unittest.TestCase):
         np.testing.assert_allclose(picture[..., :3].reshape(-1, 3), np.tile((51, 153, 102), (3600, 1)), atol=2)
 
 
+class Sun(unittest.TestCase):
+    """Haze of a vertical optical depth of 1 over flat black ground, in closed form, and on a globe."""
+
+    def picture(self, sun, camera, asymmetry=0.0, ground=True, depth=1.0, parallel=True, **options):
+        plotter = pyvista.Plotter(off_screen=True, window_size=(60, 60))
+        self.addCleanup(plotter.close)
+        plotter.set_background("black")
+        if ground:
+            plotter.add_mesh(pyvista.Plane(i_size=400, j_size=400), color="black", lighting=False)
+        nephoscope.add_haze(plotter, **{"visibility": 3.912 / depth, "scale_height": 1, "projection": "map", "color": (0.9, 0.6, 0.3), "vertical_exaggeration": 1,
+                                        "base_level": 1e-9, **options}, sun=sun, asymmetry=asymmetry)
+        plotter.camera_position = camera
+        if parallel:
+            plotter.enable_parallel_projection()
+            plotter.camera.parallel_scale = 1
+        return plotter.screenshot(return_img=True)[..., :3] / 255
+
+    def expect(self, found, light):
+        np.testing.assert_allclose(found, np.array((0.9, 0.6, 0.3)) * light, atol=0.012)
+
+    def test_from_above(self):
+        """Light that reaches exp(-u) of the way down and of the way up again."""
+        down = [(0, 0, 50), (0, 0, 0), (0, 1, 0)]
+        for depth in (0.2, 1.0, 3.0):
+            self.expect(self.picture((0, 0, 1), down, depth=depth)[30, 30], (1 - np.exp(-2 * depth)) / 2)
+            slant = 2.0  # of a sun 30 degrees high
+            self.expect(self.picture((np.sqrt(3), 0, 1), down, depth=depth)[30, 30], (1 - np.exp(-(1 + slant) * depth)) / (1 + slant))
+        self.expect(self.picture((0, 0, -1), down)[30, 30], 0)
+
+    def test_phase_function(self):
+        """A level look through all of the haze, towards a sun 30 degrees high and away from it: what is left of the sun, times the phase function."""
+        for x in (1, -1):
+            found = self.picture((np.sqrt(3) * x, 0, 1), [(0, 0, 0.05), (100, 0, 0.05), (0, 0, 1)], asymmetry=0.3, ground=False, depth=0.5, base_level=0.05)
+            cosine = x * np.sqrt(0.75)
+            self.expect(found[30, 30], np.exp(-1) * (1 - 0.09) / (1.09 - 0.6 * cosine) ** 1.5)
+
+    def test_night_of_a_globe(self):
+        row = self.picture((1, 0, 0), [(0, -3e7, 0), (0, 0, 0), (0, 0, 1)], ground=False, projection="globe", scale_height=8e3, vertical_exaggeration=20, visibility=1e6,
+                           base_level=0, parallel=False)[30].max(axis=1)
+        self.assertGreater(row[35:50].max(), 0.2)
+        self.assertLess(row[:20].max(), 0.02)
+
+    def test_forms_of_the_sun(self):
+        plotter = pyvista.Plotter(off_screen=True)
+        self.addCleanup(plotter.close)
+        globe = nephoscope.read_cf(FILE).nephoscope.globe()
+        self.assertEqual(nephoscope.add_haze(plotter, globe, sun=(0, 0, 2)).GetSunDirection(), (0, 0, 1))
+        noon = nephoscope.add_haze(plotter, globe, sun="2011-03-21 12:08").GetSunDirection()
+        np.testing.assert_allclose(noon, (1, 0, 0), atol=0.02)
+        np.testing.assert_allclose(nephoscope.add_haze(plotter, sun={"time": "2011-03-21 12:08", "place": (0, 0)}).GetSunDirection(), (0, 0, 1), atol=0.02)
+        for text, options in ((r"sun is \(0, 1\)", {"sun": (0, 1)}), ("asymmetry is 2", {"asymmetry": 2})):
+            with self.assertRaisesRegex(ValueError, text):
+                nephoscope.add_haze(plotter, globe, **options)
+
+
 if __name__ == "__main__":
     unittest.main()

@@ -30,10 +30,18 @@ def lumps():
     return mesh
 
 
-def picture(**options):
+def ball(points):
+    """A smooth one with as many points along each side, on a cube of 2 km."""
+    mesh = pyvista.ImageData(dimensions=(points, points, points // 2 + 1), spacing=(2000 / (points - 1),) * 3)
+    radius = np.linalg.norm(mesh.points - (1000, 1000, 500), axis=1)
+    mesh["Extinction"] = 0.02 * np.clip(1 - (radius / 450) ** 2, 0, 1) ** 2
+    return mesh
+
+
+def picture(mesh=None, add=nephoscope.add_cells, **options):
     plotter = pyvista.Plotter(window_size=(120, 120))
     plotter.set_background("black")
-    nephoscope.add_cells(plotter, lumps(), sun=(1, 0, 0.3), show_scalar_bar=False, **options)
+    add(plotter, lumps() if mesh is None else mesh, **{"sun": (1, 0, 0.3), "show_scalar_bar": False, **options})
     plotter.camera_position = [(1000, -3500, 500), (1000, 1000, 500), (0, 0, 1)]
     image = plotter.screenshot(return_img=True).astype(float).max(axis=2)
     plotter.close()
@@ -60,6 +68,123 @@ class Exposure(unittest.TestCase):
         self.assertEqual(automatic_white(mesh), 0.15)
         mesh["ScaledExtinction"] = np.zeros(101)
         self.assertEqual(automatic_white(mesh), 0.6)
+
+
+class Splats(unittest.TestCase):
+    def test_same_picture_as_cells(self):
+        """They differ by the reconstruction between the samples: with the square of their distance."""
+        worst = []
+        for points in (21, 41):
+            pictures = [picture(ball(points), add, exposure=1.0) for add in (nephoscope.add_cells, nephoscope.add_splats)]
+            worst.append(np.abs(pictures[0] - pictures[1]).mean())
+            self.assertGreater(pictures[1].max(), 120)
+        self.assertLess(worst[0], 0.25)
+        self.assertLess(worst[1], worst[0] / 3)
+
+    def test_exposure_and_tone(self):
+        mesh = lumps()
+        for options in ({}, {"exposure": 0.5}, {"exposure": 1.0, "tone_mapping": "linear"}):
+            with self.subTest(**options):
+                cells, splats = (picture(mesh, add, **options) for add in (nephoscope.add_cells, nephoscope.add_splats))
+                self.assertLess(abs(splats.mean() / cells.mean() - 1), 0.05)
+
+    def test_points_with_light(self):
+        """Particles have the light that was sampled at them; without any there is a remedy."""
+        lit_mesh = ball(21).nephoscope.sunlight((1, 0, 0.3))
+        points = pyvista.PolyData(lit_mesh.points)
+        with self.assertRaisesRegex(ValueError, r"mesh\.nephoscope\.sunlight\(\), sample it at the points, and pass sun=True"):
+            nephoscope.add_splats(pyvista.Plotter(), points, sun=(0, 0, 1))
+        for name in ("Sunlight", "ScaledExtinction"):
+            points[name] = lit_mesh[name]
+        grid, particles = picture(lit_mesh, nephoscope.add_splats, sun=True), picture(points, nephoscope.add_splats, sun=True, radius=155.6228)
+        self.assertLess(np.abs(grid - particles)[20:-20, 20:-20].mean(), 3)
+        with self.assertRaisesRegex(ValueError, "color and sun are both given"):
+            nephoscope.add_splats(pyvista.Plotter(), lit_mesh, sun=True, color="red")
+
+
+class Smoke(unittest.TestCase):
+    def test_lit_from_above(self):
+        """Thick smoke in an overhead sun: bright above, dark below; dimmed where a cloud is above; of the colour asked for."""
+        wind = pyvista.ImageData(dimensions=(9, 5, 5), spacing=(2.5, 2, 2), origin=(-10, -4, -4))
+        wind["wind"] = np.tile((1.0, 0, 0), (wind.n_points, 1))
+        smoke = wind.nephoscope.flow_volume(center=(-8, 0, 0), radius=1, n_sides=40, duration=16, time_step=0.5)
+        cloud = pyvista.ImageData(dimensions=(41, 17, 21), spacing=(0.5, 0.5, 0.5), origin=(-10, -4, -4))
+        cloud["Extinction"] = np.where((np.abs(cloud.points[:, 0]) < 3) & (cloud.points[:, 2] > 3), 2.0, 0.0)
+        sun = {"clouds": cloud.nephoscope.sunlight((0, 0, 1))}
+
+        def picture(**options):
+            plotter = pyvista.Plotter(window_size=(120, 120))
+            plotter.set_background("black")
+            nephoscope.add_smoke(plotter, smoke, optical_depth=8, **options)
+            plotter.camera_position = [(0, -20, 0), (0, 0, 0), (0, 0, 1)]
+            plotter.enable_parallel_projection()
+            plotter.camera.parallel_scale = 8
+            return plotter.screenshot(return_img=True).astype(float)
+        overhead = picture(sun=(0, 0, 1))
+        self.assertGreater(overhead[54:57, 20].mean(), 1.3 * overhead[63:66, 20].mean())
+        shaded = picture(sun=sun, exposure=1.0) / np.maximum(picture(sun=(0, 0, 1), exposure=1.0), 1)
+        self.assertLess(shaded[57:63, 60].mean(), 0.75)
+        self.assertGreater(shaded[57:63, 15].mean(), 0.99)
+        red = picture(sun=(0, 0, 1), color="red")[60, 60]
+        self.assertTrue(red[0] > 50 and red[1] == red[2] == 0, red)
+
+    def test_messages(self):
+        smoke = pyvista.ImageData(dimensions=(3, 3, 3)).cast_to_unstructured_grid()
+        smoke["Density"] = np.ones(smoke.n_cells)
+        for text, options in (("scalars and sun are both given", {"scalars": "Density", "sun": (0, 0, 1)}), ("without the array 'SunTransmittance'", {"sun": {"clouds": smoke}}),
+                              ("sun has no option 'cloud'", {"sun": {"cloud": smoke}})):
+            with self.subTest(text), self.assertRaisesRegex(ValueError, text):
+                nephoscope.add_smoke(pyvista.Plotter(), smoke, **options)
+
+
+class CloudTexture(unittest.TestCase):
+    def picture(self, mesh, camera=((0, -10, 0), (0, 0, 0), (0, 0, 1)), **options):
+        plotter = pyvista.Plotter(window_size=(120, 120))
+        plotter.set_background("black")
+        nephoscope.add_cloud_texture(plotter, mesh, **{"coverage": 1.0, "relief": 0.0, "thin_color": "white", "optical_depth": 50, **options})
+        plotter.camera_position = camera
+        return plotter.screenshot(return_img=True).astype(float)
+
+    def test_day_and_night(self):
+        """A globe in the sun from the right: bright there, dark on the left."""
+        globe = pyvista.Sphere(radius=6.4e6, theta_resolution=60, phi_resolution=60)
+        globe.field_data["GlobeGridProjection"], globe.field_data["PlanetRadius"] = [0], [6.371e6]
+        row = self.picture(globe, ((0, -3e7, 0), (0, 0, 0), (0, 0, 1)), sun=(1, 0, 0))[60, :, 0]
+        seen = np.flatnonzero(row > 3)
+        self.assertGreater(row.max(), 200)
+        self.assertLess(abs(seen.min() - 60), 3)
+        tinted = self.picture(globe, ((0, -3e7, 0), (0, 0, 0), (0, 0, 1)), sun=(1, 0, 0), color="red")[60, 80]
+        self.assertTrue(tinted[0] > 100 and tinted[1] < 3, tinted)
+
+    def test_slopes(self):
+        """On a ball over flat ground light is that of Lambert, on a base of 0.4 that comes from all around; a light of the user's stays."""
+        ball = pyvista.Sphere(theta_resolution=90, phi_resolution=90)
+        picture = self.picture(ball, ((0, -3, 0), (0, 0, 0), (0, 0, 1)), sun=(1, -1, 0), tone_mapping="linear")[60, :, 0]
+        facing, away = picture[60 + int(0.5 * 34)], picture[60 - int(0.9 * 34)]
+        self.assertGreater(facing, 1.8 * away)
+        self.assertGreater(away, 0.3 * facing)
+
+    def test_shadows(self):
+        """The array Sunlight of a lit grid comes with its surface; clouds shade a surface without."""
+        lit_grid = lumps().nephoscope.sunlight((1, 0, 0.3))
+        surface = lit_grid.contour([0.02], "Extinction")
+        surface.field_data["SunDirection"] = lit_grid.field_data["SunDirection"]
+        carried = self.picture(surface, ((1000, -3500, 500), (1000, 1000, 500), (0, 0, 1)), sun=True)[..., 0]
+        self.assertGreater(carried[50:70, 70:76].mean(), 1.5 * carried[50:70, 44:50].mean())
+        cloud = pyvista.ImageData(dimensions=(5, 5, 9), spacing=(0.5, 0.5, 0.5), origin=(-2, -1, 0))
+        cloud["Extinction"] = np.where((cloud.points[:, 0] <= 0) & (cloud.points[:, 2] > 2), 3.0, 0.0)
+        sheet = pyvista.Plane(i_resolution=40, j_resolution=40, i_size=3, j_size=1.5).translate((0, 0, 0.5))
+        row = self.picture(sheet, ((0, 0, 6), (0, 0, 0), (0, 1, 0)), sun={"clouds": cloud.nephoscope.sunlight((0, 0, 1))})[60, :, 0]
+        self.assertGreater(row[75:90].mean(), 200)
+        self.assertLess(row[35:50].mean(), 20)
+
+    def test_messages(self):
+        sheet = pyvista.Plane()
+        sheet["a"] = np.ones(sheet.n_points)
+        for text, options in (("scalars and sun are both given", {"scalars": "a", "sun": (0, 0, 1)}), (r"sun is \(0, 1\); it must be three numbers", {"sun": (0, 1)}),
+                              ("tone_mapping is 'dark'", {"sun": (0, 0, 1), "tone_mapping": "dark"})):
+            with self.subTest(text), self.assertRaisesRegex(ValueError, text):
+                nephoscope.add_cloud_texture(pyvista.Plotter(), sheet, **options)
 
 
 class Water(unittest.TestCase):

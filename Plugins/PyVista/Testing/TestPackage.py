@@ -74,10 +74,27 @@ class Package(unittest.TestCase):
         remedy = "-m pip install pyvista" if IN_WHEEL else "--no-deps -r Plugins/PyVista/requirements.txt"
         self.assertIn(remedy, result.stderr)
 
+    @unittest.skipIf(IN_WHEEL, "a wheel has a remedy of its own")
+    def test_missing_pyvista_of_a_debian_package(self):
+        """The remedy names the installed file, and a virtual environment, since Debian's Python takes no packages from pip."""
+        result = run(WITHOUT_PYVISTA + "from nephoscope import samples\nsamples.shared = '/usr/share/nephoscope/{}'.format\nnephoscope.add_cells")
+        self.assertIn("-m venv --system-site-packages", result.stderr)
+        self.assertIn("--no-deps -r /usr/share/nephoscope/requirements.txt", result.stderr)
+
+    def test_help_of_the_command_needs_no_pyvista(self):
+        start = WITHOUT_PYVISTA + "import runpy, sys\nsys.argv = ['nephoscope-viewer', {!r}]\nrunpy.run_module('nephoscope', run_name='__main__')"
+        self.assertIn("--technique", run(start.format("--help")).stdout)
+        self.assertRegex(run(start.format("x.nc")).stderr, "^nephoscope-viewer: nephoscope.viewer needs PyVista[^\n]*\n$")
+
+    def test_pyvista_without_accessors(self):
+        if importlib.util.find_spec("pyvista") is not None:
+            result = run("import pyvista, nephoscope\ndel pyvista.register_dataset_accessor\nnephoscope.add_cells, nephoscope.add_splats")
+            self.assertEqual(result.stderr.count("has no accessors"), 1, result.stderr)
+
     def test_sample_data(self):
         """They need no PyVista, and are the files that Data has checksums of."""
         sums = dict(line.split()[::-1] for line in Path(os.environ["NEPHOSCOPE_DATA"], "SHA256SUMS").read_text().splitlines())
-        for name in ("gfs_2p5deg_2011101100.nc", "blue_marble_2048.jpg"):
+        for name in ("gfs_2p5deg_2011101100.nc", "forecast_10deg_6h.nc", "blue_marble_2048.jpg"):
             result = run(WITHOUT_PYVISTA + f"print(repr(nephoscope.sample_data({name!r})))")
             self.assertEqual(result.returncode, 0, result.stderr)
             path = ast.literal_eval(result.stdout)
@@ -86,7 +103,7 @@ class Package(unittest.TestCase):
 
     def test_sample_data_of_another_name(self):
         for name in ("SHA256SUMS", "../copyright", "", None):
-            with self.assertRaisesRegex(ValueError, "^There are no sample data .*[.] There are: 'gfs_2p5deg_2011101100.nc', 'blue_marble_2048.jpg'[.]$"):
+            with self.assertRaisesRegex(ValueError, "^There are no sample data .*[.] There are: 'gfs_2p5deg_2011101100.nc', 'forecast_10deg_6h.nc', 'blue_marble_2048.jpg'[.]$"):
                 nephoscope.sample_data(name)
 
     def test_unknown_name_is_an_attribute_error(self):

@@ -123,7 +123,7 @@ class FlowVolume(unittest.TestCase):
             mesh.nephoscope.flow_volume(center=(0, np.nan, 0))
         with self.assertRaisesRegex(ValueError, "integrator is 'euler'; it must be one of 'rk4', 'rk45'"):
             mesh.nephoscope.flow_volume(integrator="euler")
-        with self.assertRaisesRegex(ValueError, "no place with a flow"):
+        with self.assertRaisesRegex(ValueError, "no position with a flow"):
             uniform((0, 0, 0)).nephoscope.flow_volume()
         with self.assertRaisesRegex(RuntimeError, "outside"):
             mesh.nephoscope.flow_volume(center=(100, 0, 0))

@@ -110,7 +110,7 @@ class SplitCells(unittest.TestCase):
         mesh.set_active_scalars(None)
         self.assertGreater(mesh.nephoscope.split_cells(3).n_cells, 0)  # of the first array of numbers
         empty = pyvista.ImageData(dimensions=(2, 2, 2))
-        with self.assertRaisesRegex(MissingDataError, "no array of one number for each point"):
+        with self.assertRaisesRegex(MissingDataError, "no point or cell array with one component"):
             empty.nephoscope.split_cells(0.5)
 
 

@@ -46,7 +46,7 @@ class Terrain(unittest.TestCase):
             self.assertEqual(np.argmax(middle), dominant, middle)
 
     def test_errors(self):
-        for mesh, options, error, expected in ((level(a=1.0), {}, MissingDataError, "name one by height.*'a'"),
+        for mesh, options, error, expected in ((level(a=1.0), {}, MissingDataError, "name one with height.*'a'"),
                                                (level(a=1.0), {"height": "b"}, MissingDataError, "no array 'b'.*'a'"),
                                                (level(orog=1.0), {"land": "b"}, MissingDataError, "no array 'b'"),
                                                (level(orog=1.0), {"sea_depth": -1}, ValueError, "sea_depth"),

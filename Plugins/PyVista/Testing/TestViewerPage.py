@@ -97,7 +97,7 @@ class Viewer(PageTestCase):
     @classmethod
     def setUpClass(cls):
         cls.scene = Scene(FORECAST)
-        cls.server = cls.enterClassContext(Server("-m", "nephoscope.viewing", FORECAST, "--port", "0", "--no-browser"))
+        cls.server = cls.enterClassContext(Server("-m", "nephoscope", FORECAST, "--port", "0", "--no-browser"))
 
     def setUp(self):
         self.browser = self.enterContext(Browser(*SIZE))
@@ -220,7 +220,7 @@ def scene(**options):
         opener = folder / "opener"
         opener.write_text('#!/bin/sh\necho "$1" > "$0.part"\nmv "$0.part" "$0.url"\n')
         opener.chmod(0o755)
-        with Server("-m", "nephoscope.viewing", FORECAST, "--port", "0", BROWSER=f"{opener} %s &") as server:
+        with Server("-m", "nephoscope", FORECAST, "--port", "0", BROWSER=f"{opener} %s &") as server:
             wait_for((folder / "opener.url").is_file, "no browser is opened", 60)
         self.assertEqual((folder / "opener.url").read_text(), f"{server.address}\n")
         self.assertEqual((server.told, server.errors), ([f"Nephoscope: {server.address} (Ctrl-C ends it)\n"], []))
@@ -228,7 +228,7 @@ def scene(**options):
     def test_port_in_use(self):
         with Server("-c", self.CODE + "nephoscope.serve(scene(), port=0, open_browser=False)") as server:
             port = re.search(r":(\d+)/", server.address)[1]
-            done = subprocess.run([sys.executable, "-m", "nephoscope.viewing", FORECAST, "--port", port, "--no-browser"], capture_output=True, text=True)
+            done = subprocess.run([sys.executable, "-m", "nephoscope", FORECAST, "--port", port, "--no-browser"], capture_output=True, text=True)
         self.assertEqual(done.returncode, 1)
         self.assertRegex(done.stderr, rf"^nephoscope-viewer: Port {port} of 127\.0\.0\.1 cannot be used: .*\n$")
 

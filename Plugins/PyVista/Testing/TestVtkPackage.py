@@ -60,13 +60,13 @@ class VtkPackage(unittest.TestCase):
         for version in ("9.7.2", "9.6.20", "9.5.0"):
             self.vtk(version)
             answer = self.run_code("import nephoscope")
-            self.assertIn(f"ImportError: nephoscope was built for vtk 9.6.2, and vtk {version} is installed. Run: ", answer)
+            self.assertIn(f"ImportError: nephoscope was built for vtk 9.6.2, but vtk {version} is installed. Run: ", answer)
             self.assertIn('-m pip install "vtk==9.6.2"', answer)
 
     def test_vtk_from_elsewhere(self):
         self.vtk("9.6.2", library="libvtkCommonCore-9.6.so.1")
         answer = self.run_code("import nephoscope")
-        self.assertIn("comes from elsewhere: Debian, conda and ParaView have VTKs of their own. Use a virtual environment", answer)
+        self.assertIn("comes from elsewhere: Debian, conda and ParaView each have their own VTK. Use a virtual environment", answer)
         self.assertIn(str(self.folder / "site" / "vtkmodules"), answer)
 
     def test_libraries_are_loaded_first_where_vtk_is_not_beside(self):

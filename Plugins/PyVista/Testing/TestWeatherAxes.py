@@ -61,7 +61,7 @@ class Axes(unittest.TestCase):
                 self.assertGreater(np.diff(height, axis=0).min(), 1000)
 
     def test_what_was_done_is_told(self):
-        self.assertIn("'lon' is in no order: put in order, 1 repeated or missing of 4 left out", marked(np.array([0, 0, 1, 2.0]), LAT).nephoscope.describe())
+        self.assertIn("'lon' is not in order and was sorted, 1 repeated or missing of 4 left out", marked(np.array([0, 0, 1, 2.0]), LAT).nephoscope.describe())
         with self.assertRaisesRegex(ValueError, "'lon' or 'lat' has only missing values"):
             marked(np.full(4, np.nan), LAT).nephoscope.globe()
 
@@ -106,8 +106,8 @@ class Times(unittest.TestCase):
             with self.subTest(dim), warnings.catch_warnings(record=True) as caught:
                 warnings.simplefilter("always")
                 text = self.steps(dim, **{dim: [0, 1, 2]}).nephoscope.describe()
-                self.assertIn(f"{dim!r} has 3 places; the first was taken. Choose one: ds.isel({dim}=0).", str(caught[0].message))
-                self.assertIn(f"note: {dim!r} has 3 places", text)
+                self.assertIn(f"{dim!r} has 3 entries; the first was taken. Choose one: ds.isel({dim}=0).", str(caught[0].message))
+                self.assertIn(f"note: {dim!r} has 3 entries", text)
 
 
 class Names(unittest.TestCase):
@@ -139,8 +139,8 @@ class Names(unittest.TestCase):
                 np.testing.assert_allclose(self.drawn(name)[1], value)
 
     def test_what_cannot_be_drawn(self):
-        for name, message in (("vortcity", "no field 'vortcity'. Did you mean 'vorticity'.*There are: 'ta', 'wind_x'.*by computing: 'relative_humidity'"), ("ps", "'ps' is on 'lat', 'lon', and.*Draw it alone: ds"),
-                              ("remark", "'remark' is of type .U1, and a field is drawn by numbers.*'ta'"), ("plev", "'plev' is on 'plev'")):
+        for name, message in (("vortcity", "no field 'vortcity'. Did you mean 'vorticity'.*There are: 'ta', 'wind_x'.*computed quantities: 'relative_humidity'"), ("ps", "'ps' is on 'lat', 'lon', but.*Draw it alone: ds"),
+                              ("remark", "'remark' is of type .U1, but a field must have numbers.*'ta'"), ("plev", "'plev' is on 'plev'")):
             with self.subTest(name), self.assertRaisesRegex(ValueError, message):
                 self.dataset.nephoscope.plot(name, screenshot="none.png")
 

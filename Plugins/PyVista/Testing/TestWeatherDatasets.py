@@ -150,7 +150,7 @@ class Refusals(unittest.TestCase):
     def test_no_units_and_impossible_values(self):
         dataset = isothermal(LON, LAT)
         del dataset["ta"].attrs["units"]
-        self.assertIn("'ta' has no units: taken as K", dataset.nephoscope.describe())
+        self.assertIn("'ta' has no units and is used as K", dataset.nephoscope.describe())
         self.raises("'ta' has no units.*no temperature in K", (dataset.assign(ta=(dataset.ta - 250).assign_attrs(standard_name="air_temperature"))).nephoscope.globe)
 
     def test_names_that_are_not_there(self):
@@ -198,7 +198,7 @@ class Opening(unittest.TestCase):
             Path(folder, "b.grb").write_bytes(b"nothing of the kind")
             with self.assertRaisesRegex(ValueError, "neither GRIB nor NetCDF.*it is damaged"):
                 nephoscope.open(Path(folder, "b.grb"))
-            with self.assertRaisesRegex(ValueError, "no Zarr store"):
+            with self.assertRaisesRegex(ValueError, "not a Zarr store"):
                 nephoscope.open(folder)
         with self.assertRaisesRegex(FileNotFoundError, "No such file: nowhere.nc"):
             nephoscope.open("nowhere.nc")

@@ -74,7 +74,7 @@ class Forms(unittest.TestCase):
             np.testing.assert_allclose(grid.cell_data["T"], lat, atol=1.5)
         one_field = cubed_sphere()[["T", "lons", "lats", "corner_lons", "corner_lats"]].isel(lev=0)
         self.assertEqual(one_field.nephoscope.globe().n_cells, 384)
-        with self.assertRaisesRegex(ValueError, r"no longitudes and latitudes of the corners.*ds.isel\(nf=0\)"):
+        with self.assertRaisesRegex(ValueError, r"no longitudes and latitudes of the cell corners.*ds.isel\(nf=0\)"):
             cubed_sphere().drop_vars(["corner_lons", "corner_lats"]).nephoscope.globe()
 
     def test_lists_of_points_with_one_level(self):
@@ -116,7 +116,7 @@ class Forms(unittest.TestCase):
 
     def test_one_of_several_members(self):
         dataset = xr.concat([isothermal(LON, LAT), isothermal(LON, LAT, temperature=260.0)], "realization")
-        with self.assertWarnsRegex(UserWarning, r"'realization' has 2 places; the first was taken. Choose one: ds.isel\(realization=0\)"):
+        with self.assertWarnsRegex(UserWarning, r"'realization' has 2 entries; the first was taken. Choose one: ds.isel\(realization=0\)"):
             self.assertEqual(dataset.nephoscope.globe()["ta"].max(), 250)
         self.assertEqual(dataset.isel(realization=1).nephoscope.globe()["ta"].max(), 260)
 
@@ -241,8 +241,37 @@ class Forms(unittest.TestCase):
         layers = mesh.assign(soil=(("tile", "cell"), np.ones((4, 384)))).drop_vars("T")
         with self.assertRaisesRegex(ValueError, r"ds.isel\(tile=0\)"):
             layers.nephoscope.globe()
-        with self.assertRaisesRegex(ValueError, "grid mapping 'azimuthal' is none that is known"):
+        with self.assertRaisesRegex(ValueError, "grid mapping 'azimuthal' is not a known one"):
             xr.Dataset({"tas": (("y", "x"), np.ones((3, 3)), {"grid_mapping": "crs"}), "crs": ((), 0, {"grid_mapping_name": "azimuthal"})}).nephoscope.globe()
+
+    def test_one_column(self):
+        dataset = isothermal([5.0], [50.0])
+        with self.assertRaisesRegex(ValueError, r"\(lat, lon\) is one column.*ds\['ta'\].squeeze\(\).plot\(\), with y='plev'"):
+            dataset.nephoscope.globe()
+
+    def test_groups_of_a_file(self):
+        import netCDF4
+        with tempfile.TemporaryDirectory() as folder:
+            path = Path(folder, "groups.nc")
+
+            def write(*names):
+                with netCDF4.Dataset(path, "w") as file:
+                    for name, values, units in (("lon", LON, "degrees_east"), ("lat", LAT, "degrees_north")):
+                        file.createDimension(name, 8)
+                        file.createVariable(name, "f4", (name,))[:] = values
+                        file[name].units = units
+                    for name in names:
+                        file.createVariable(name, "f4", ("lat", "lon"))[:] = np.arange(64).reshape(8, 8)
+
+            write("PRODUCT/cloud", "PRODUCT/DETAIL/phase")
+            grid = nephoscope.open(path).nephoscope.globe()
+            self.assertEqual({"cloud", "phase"} - set(grid.point_data.keys()), set())
+            np.testing.assert_array_equal(grid["phase"], np.arange(64))
+            Path(path).unlink()
+            write("A/cloud", "B/cloud")
+            with self.assertRaisesRegex(ValueError, r"2 groups, '/A', '/B', which do not fit together \('cloud' is in several\).*group='/A'\)"):
+                nephoscope.open(path)
+            self.assertEqual(nephoscope.open(path, group="/B").cloud.shape, (8, 8))
 
 
 if __name__ == "__main__":

@@ -92,7 +92,7 @@ class Grib(unittest.TestCase):
         self.forecast()
         whole = self.path.read_bytes()
         self.path.write_bytes(whole[:len(whole) - 700])
-        with self.assertRaisesRegex(ValueError, "after 13 whole fields the file ends early.*grib_copy"):
+        with self.assertRaisesRegex(ValueError, "after 13 complete fields, the file ends early.*grib_copy"):
             nephoscope.open(self.path)
 
     def test_several_grids(self):

@@ -127,11 +127,6 @@ class Shells(unittest.TestCase):
                 ours = healpix_centres(4, order == "nested")
                 np.testing.assert_allclose(ours, (np.mod(lon, 360), lat), atol=1e-6)
 
-    def test_a_list_without_a_mesh_names_the_remedy(self):
-        dataset = icon().drop_vars(["clon_vertices", "clat_vertices"])
-        with self.assertRaisesRegex(ValueError, r"list without cells.*open\(DATA, mesh=GRID\)"):
-            dataset.nephoscope.globe()
-
     def test_the_mesh_in_a_file_of_its_own(self):
         whole = mpas()
         names = ["verticesOnCell", "nEdgesOnCell", "lonVertex", "latVertex", "lonCell", "latCell", "zgrid"]
@@ -146,6 +141,64 @@ class Shells(unittest.TestCase):
         dataset["z_ifc"] = dataset.z_ifc * (1 + 0.2 * np.sin(3 * dataset.clon)).values
         grid = dataset.nephoscope.globe(radius=1e5)
         self.assertEqual(grid.n_points, 4 * 642)
+
+
+def points_alone(subdivisions=3):
+    """The fields of `mpas` at the centres of cells of which the file does not tell the corners."""
+    return mpas(subdivisions).drop_vars(["verticesOnCell", "nEdgesOnCell", "lonVertex", "latVertex"])
+
+
+class PointsAlone(unittest.TestCase):
+    """Lists of points without cells: wedges over Delaunay's triangles."""
+
+    def test_a_globe_is_closed(self):
+        dataset = points_alone()
+        self.assertIn("cells: triangles between the 642 points, since there is no mesh", dataset.nephoscope.describe())
+        grid = dataset.nephoscope.globe(radius=1e5, vertical_exaggeration=2.0)
+        self.assertEqual((grid.n_points, grid.n_cells, set(grid.celltypes)), (3 * 642, 2 * 1280, {13}))
+        volume = np.abs(grid.compute_cell_sizes()["Volume"]).reshape(2, -1).sum(1)
+        np.testing.assert_allclose(volume, 4 / 3 * np.pi * np.diff((1e5 + 2 * FULL) ** 3), rtol=0.02)
+        np.testing.assert_allclose(np.asarray(grid["Wind"]), np.tile(rotation(*(np.degrees(dataset[name].values) for name in ("lonCell", "latCell")))[0], (3, 1)), atol=1e-4)
+
+    def test_a_gap_stays_open(self):
+        """A continent that the file leaves out: a quarter of the longitudes, 60 degrees of latitude."""
+        dataset = points_alone(4)
+        lon, lat = (np.degrees(dataset[name].values) for name in ("lonCell", "latCell"))
+        inside = (np.abs(lon) < 45) & (np.abs(lat) < 30)
+        grid = dataset.isel(nCells=np.flatnonzero(~inside)).nephoscope.globe(vertical_exaggeration=1.0)
+        x, y = degrees(grid.cell_centers().points)
+        self.assertFalse(((np.abs(x) < 36) & (np.abs(y) < 22)).any())
+        cells = dataset.nephoscope.globe(vertical_exaggeration=1.0).n_cells
+        self.assertAlmostEqual(grid.n_cells / cells, 1 - 0.25 * 0.5, delta=0.02)
+
+    def test_a_region_is_not_closed_round_the_globe(self):
+        x, y = np.meshgrid(np.arange(0, 10, 0.5), np.arange(40, 50, 0.5))
+        lon, lat = x.ravel(), y.ravel()  # four on each circle
+        dataset = xr.Dataset(fields(lon, lat, "station")).assign_coords(lon=("station", lon, {"units": "degrees_east"}), lat=("station", lat, {"units": "degrees_north"}))
+        grid = dataset.nephoscope.globe(radius=1.0, vertical_exaggeration=0.0)
+        area = np.radians(9.5) * (np.sin(np.radians(49.5)) - np.sin(np.radians(40)))
+        self.assertAlmostEqual(grid.extract_surface(algorithm=None).area / 2 / area, 1, delta=0.015)
+
+    def test_repeated_and_missing_stations(self):
+        dataset = points_alone()
+        twice = xr.concat([dataset, dataset.isel(nCells=slice(0, 50))], "nCells", data_vars="minimal")
+        twice["lonCell"][3] = np.nan
+        self.assertEqual(twice.nephoscope.globe().n_cells, 2 * 1280)
+
+    def test_too_few_points_name_the_remedy(self):
+        for some in (slice(0, 2), slice(0, 12)):
+            with self.assertRaisesRegex(ValueError, r"too few or too far.*open\(DATA, mesh=GRID\)"):
+                points_alone().isel(nCells=some).nephoscope.globe()
+        self.assertIn("too few or too far", points_alone().isel(nCells=slice(0, 2)).nephoscope.describe())
+
+    def test_no_places_name_the_file_of_the_mesh(self):
+        dataset = points_alone().drop_vars(["lonCell", "latCell"])
+        with self.assertRaisesRegex(ValueError, r"mesh=GRID.*icon_grid_"):
+            dataset.nephoscope.globe()
+        with self.assertRaisesRegex(ValueError, r"mesh=GRID.*number_of_grid_used 26"):
+            dataset.assign_attrs(number_of_grid_used=26).nephoscope.globe()
+        with self.assertRaisesRegex(ValueError, r"healpix_nside'\] = 4"):
+            dataset.isel(nCells=slice(0, 192)).nephoscope.globe()
 
 
 class Projections(unittest.TestCase):

@@ -51,6 +51,7 @@ class Plots(unittest.TestCase):
         self.assertGreater(np.abs(inside / np.maximum(inside.max(1, keepdims=True), 1) - ground / ground.max()).max(1).min(), 0.02)
         self.assertEqual([bar.GetOrientation() for bar in plotter.scalar_bars.values()], [1])  # upright, beside the globe
         self.assertEqual([plotter.scalar_bars[name].GetPosition()[0] > 0.88 for name in plotter.scalar_bars.keys()], [True])
+        self.assertEqual([bar.GetPosition()[0] * 800 + 20 + 9 * 6.5 < 800 for bar in plotter.scalar_bars.values()], [True])  # room for a label such as -1.66e+04
 
     def test_one_level_without_a_value(self):
         level = forecast().isel({forecast().ta.dims[0]: 1})[["ta"]]
@@ -59,7 +60,7 @@ class Plots(unittest.TestCase):
 
     def test_what_the_dataset_answers(self):
         for option in ({"height": "z"}, {"height_units": "m"}, {"level_units": "hPa"}):
-            with self.subTest(option), self.assertRaisesRegex(TypeError, f"globe.. finds {next(iter(option))} by the variables"):
+            with self.subTest(option), self.assertRaisesRegex(TypeError, f"globe.. takes {next(iter(option))} from the variables"):
                 forecast().nephoscope.globe(**option)
 
 

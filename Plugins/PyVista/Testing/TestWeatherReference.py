@@ -1,12 +1,14 @@
 # SPDX-FileCopyrightText: The Nephoscope authors
 # SPDX-License-Identifier: BSD-3-Clause
 """Heights and derived quantities against MetPy 1.7.1, whose numbers metpy_reference.py prints, and turned winds against an independent formula."""
+import tempfile
 import unittest
+from pathlib import Path
 
-import nephoscope  # noqa: F401
+import nephoscope
 import numpy as np
 import xarray as xr
-from weather_data import isothermal
+from weather_data import frames, isothermal, write_grib
 
 PRESSURES = np.array([100000.0, 85000, 70000, 50000, 30000])
 TEMPERATURES = [295.0, 287, 278, 258, 230]
@@ -85,6 +87,42 @@ class Winds(unittest.TestCase):
         angle = np.arctan2(np.cos(p) * np.sin(d), np.cos(lat) * np.sin(p) - np.sin(lat) * np.cos(p) * np.cos(d))
         np.testing.assert_allclose((wind * east).sum(1), 6 * np.cos(angle) + 8 * np.sin(angle), atol=1e-4)
         np.testing.assert_allclose((wind * north).sum(1), 8 * np.cos(angle) - 6 * np.sin(angle), atol=1e-4)
+
+    GRIDS = {  # keys of eccodes, the same projection for pyproj, and how well the directions are known (m/s of 10): by the projection or from point to point
+        "south polar stereographic": ({"gridType": "polar_stereographic", "Nx": 41, "Ny": 31, "latitudeOfFirstGridPointInDegrees": -50, "longitudeOfFirstGridPointInDegrees": 200, "LaDInDegrees": -60,
+                                       "orientationOfTheGridInDegrees": 0, "DxInMetres": 100000, "DyInMetres": 100000, "projectionCentreFlag": 128, "jScansPositively": 1, "shapeOfTheEarth": 6,
+                                       "resolutionAndComponentFlags": 8}, "+proj=stere +lat_0=-90 +lat_ts=-60 +lon_0=0 +R=6371229", 1e-5),
+        "Lambert azimuthal": ({"gridType": "lambert_azimuthal_equal_area", "Nx": 40, "Ny": 30, "latitudeOfFirstGridPointInDegrees": 35, "longitudeOfFirstGridPointInDegrees": 345,
+                               "standardParallelInDegrees": 52, "centralLongitudeInDegrees": 10, "DxInMetres": 100000, "DyInMetres": 100000, "jScansPositively": 1, "shapeOfTheEarth": 6,
+                               "resolutionAndComponentFlags": 8}, "+proj=laea +lat_0=52 +lon_0=10 +R=6371229", 0.02),
+        "rotated pole, from north to south": ({"gridType": "rotated_ll", "Ni": 40, "Nj": 30, "latitudeOfFirstGridPointInDegrees": 14, "latitudeOfLastGridPointInDegrees": -15,
+                                               "longitudeOfFirstGridPointInDegrees": 340, "longitudeOfLastGridPointInDegrees": 19, "iDirectionIncrementInDegrees": 1,
+                                               "jDirectionIncrementInDegrees": 1, "latitudeOfSouthernPoleInDegrees": -32.5, "longitudeOfSouthernPoleInDegrees": 10,
+                                               "resolutionAndComponentFlags": 56}, "+proj=ob_tran +o_proj=longlat +o_lon_p=0 +o_lat_p=32.5 +lon_0=10 +to_meter=0.0174532925199433 +R=6371229", 1e-5)}
+
+    def test_grids_of_eccodes_with_directions_of_pyproj(self):
+        """Places of eccodes to a millimetre, values at their places, and winds of 6 along and 8 across the rows, whose direction pyproj tells."""
+        import pyproj
+        for name, (keys, definition, tolerance) in self.GRIDS.items():
+            with self.subTest(name), tempfile.TemporaryDirectory() as folder:
+                path, size = Path(folder, "a.grib2"), (keys.get("Nx") or keys["Ni"]) * (keys.get("Ny") or keys["Nj"])
+                lat, lon = write_grib(path, [(kind, "isobaricInhPa", level, values) for level, z in ((850, 1500.0), (500, 5500.0))
+                                             for kind, values in (("u", 6.0), ("v", 8.0), ("gh", z), ("q", np.arange(size)))], keys)
+                grid = nephoscope.open(path).nephoscope.globe()
+                projection = pyproj.Proj(definition)
+                x, y = projection(lon, lat)
+                before, after = (projection(x + step * np.ptp(x), y, inverse=True) for step in (-1e-4, 1e-4))
+                up = frames(lon, lat)[2]
+                along = frames(*after)[2] - frames(*before)[2]
+                along /= np.linalg.norm(along, axis=1)[:, None]
+                wind = 6 * along + 8 * np.cross(up, along)
+                points = np.asarray(grid.points, float)[:size]
+                points /= np.linalg.norm(points, axis=1)[:, None]
+                place = (points @ up.T).argmax(axis=1)
+                np.testing.assert_allclose(points, up[place], atol=1e-3 / EARTH)
+                np.testing.assert_allclose(np.asarray(grid["Wind"])[:size], wind[place], atol=tolerance)
+                np.testing.assert_allclose(np.asarray(grid["q"])[:size], place, atol=0.01)
+                np.testing.assert_allclose(np.unique(grid["Height"]), [1500 * EARTH / (EARTH - 1500), 5500 * EARTH / (EARTH - 5500)], atol=0.01)
 
 
 if __name__ == "__main__":

@@ -221,7 +221,7 @@ class ShownTime(unittest.TestCase):
         dataset = forecast()
         with dataset.nephoscope.series() as series:
             nephoscope.animate(self.plotter, series, "cl")
-            with self.assertRaisesRegex(TypeError, "projection: options of the series"):
+            with self.assertRaisesRegex(TypeError, "projection: the series exists already"):
                 nephoscope.animate(self.plotter, series, "cl", projection="map")
         self.assertEqual(float(dataset.cl.max()), 0.8)  # a dataset of the user's stays open
 

@@ -3,10 +3,13 @@
 """Clouds, smoke and wind for VTK, PyVista and ParaView.
 
 ``import nephoscope`` provides every wrapped class (``nephoscope.vtkGlobeGrid()``) and needs only the ``vtkmodules`` that the project was built
-against. The functions listed in `VTK_FUNCTIONS` need no more; those in `PYVISTA_FUNCTIONS` need PyVista and import it on first use; so does the dataset accessor ``mesh.nephoscope``.
+against. The functions listed in `VTK_FUNCTIONS` need nothing else. The functions in `PYVISTA_FUNCTIONS` and the dataset accessor ``mesh.nephoscope`` need PyVista, and
+import it on first use.
 """
+import functools as _functools
 import importlib as _importlib
 import sys as _sys
+import warnings as _warnings
 from importlib.util import find_spec as _find_spec
 from typing import TYPE_CHECKING as _TYPE_CHECKING
 
@@ -42,7 +45,7 @@ if _TYPE_CHECKING:
     from .weather.opening import open  # noqa: A004
     from .weather.animating import animate
 
-VTK_FUNCTIONS = {"override_vtk": "override", "sample_data": "samples"}  # those that need VTK alone
+VTK_FUNCTIONS = {"override_vtk": "override", "sample_data": "samples"}  # functions that need only VTK
 
 # Function -> the file of its technique. A new technique adds its line here and its method in accessor.py.
 PYVISTA_FUNCTIONS = {
@@ -105,7 +108,17 @@ __all__ = sorted([*_CLASSES, *VTK_FUNCTIONS, *(name for name in PYVISTA_FUNCTION
 def _pyvista_remedy():
     if _modules.FROM_PYPI:
         return f"Run: {_sys.executable} -m pip install pyvista"
+    installed = _importlib.import_module(".samples", __name__).shared("requirements.txt")
+    if installed:  # beside a VTK of the system, whose Python takes no packages from pip
+        return ("PyVista must use this VTK and not one of its own. Run: python3 -m venv --system-site-packages nephoscope-python && "
+                f"nephoscope-python/bin/python -m pip install --no-deps -r {installed}, and use nephoscope-python/bin/python.")
     return "Install the pinned set without its own VTK: python -m pip install --no-deps -r Plugins/PyVista/requirements.txt"
+
+
+@_functools.cache
+def _warn_once_about_accessors(version):
+    _warnings.warn(f"PyVista {version} has no accessors: mesh.nephoscope does not exist. Install pyvista>=0.48, or call the functions, for example "
+                   "nephoscope.to_globe(mesh, ...).", stacklevel=3)
 
 
 def __getattr__(name):
@@ -120,6 +133,8 @@ def __getattr__(name):
             f"nephoscope.{name} needs PyVista, and {missing.name!r} is not installed for {_sys.executable}. "
             + _pyvista_remedy(), name=missing.name) from missing
     _require_backend()
+    if not hasattr(pyvista, "register_dataset_accessor"):
+        _warn_once_about_accessors(pyvista.__version__)
     _importlib.import_module(".accessor", __name__)
     function = getattr(_importlib.import_module("." + PYVISTA_FUNCTIONS[name], __name__), name)
     globals()[name] = function

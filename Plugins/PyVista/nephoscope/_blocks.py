@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: The Nephoscope authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""The datasets in blocks of any kind, and which of them a volume is made of."""
+"""The datasets in blocks of any kind, and the choice of those that form a volume."""
 from __future__ import annotations
 
 import warnings
@@ -18,7 +18,7 @@ from ._pipeline import level_of_caller
 
 
 def named_blocks(data: Any, name: str = "block") -> Iterator[tuple[str, pyvista.DataSet]]:
-    """The datasets in it with their names, without the cells that finer ones cover."""
+    """Its datasets with their names, without cells that finer cells cover."""
     if isinstance(data, vtkHyperTreeGrid):
         from vtkmodules.vtkFiltersHyperTree import vtkHyperTreeGridToUnstructuredGrid
         cells = vtkHyperTreeGridToUnstructuredGrid()
@@ -47,7 +47,7 @@ def _current_name(blocks: Any) -> str:
 
 def _with_covered_cells_marked(data: vtkOverlappingAMR) -> vtkOverlappingAMR:
     marked = vtkOverlappingAMR()
-    # What copies the arrays of every block was called otherwise before there was CompositeShallowCopy.
+    # The method that copies the arrays of every block had another name before CompositeShallowCopy existed.
     (marked.ShallowCopy if hasattr(marked, "CompositeShallowCopy") else marked.RecursiveShallowCopy)(data)
     vtkAMRUtilities.BlankCells(marked)
     return marked
@@ -61,9 +61,9 @@ def _uncovered(block: pyvista.DataSet) -> pyvista.DataSet:
 
 
 def cell_dimension(mesh: pyvista.DataSet) -> int:
-    """The greatest of its cells, 0 without any."""
+    """The greatest dimension of its cells, 0 if it has none."""
     if not isinstance(mesh, (pyvista.UnstructuredGrid, pyvista.PolyData)):
-        return sum(count > 1 for count in getattr(mesh, "dimensions", ()))  # not by a cell: a hidden one is an empty cell
+        return sum(count > 1 for count in getattr(mesh, "dimensions", ()))  # not by a cell, because a hidden cell is an empty cell
     if isinstance(mesh, pyvista.PolyData):
         return 2 if mesh.GetNumberOfPolys() + mesh.GetNumberOfStrips() else 1 if mesh.GetNumberOfLines() else 0
     cell, greatest = vtkGenericCell(), 0
@@ -74,10 +74,10 @@ def cell_dimension(mesh: pyvista.DataSet) -> int:
 
 
 def fitting(blocks: list[tuple[str, pyvista.DataSet]], arrays: Mapping[str, Any], points_fit: bool) -> list[pyvista.DataSet]:
-    """The blocks that one volume of these `arrays` (argument: name) is made of; a warning names the others.
+    """The blocks that form one volume with these `arrays` (argument: name); a warning names the others.
 
-    Beside blocks with 3-D cells others are left out: the patches of a boundary, for example, but not particles where `points_fit`.
-    Blocks without one of the arrays are left out too; blocks without vectors get vectors of length 0. MissingDataError if no block has it.
+    If there are blocks with 3-D cells, others are left out, for example boundary patches; particles stay if `points_fit`.
+    Blocks that lack one of the arrays are left out too; blocks without vectors get vectors of length 0. MissingDataError if no block has an array.
     """
     left_out: dict[str, str] = {}
     dimensions = [cell_dimension(block) for _, block in blocks]
@@ -86,7 +86,7 @@ def fitting(blocks: list[tuple[str, pyvista.DataSet]], arrays: Mapping[str, Any]
         left_out.update({name: "no 3-D cells" for (name, _), fits in zip(blocks, fit) if not fits})
         blocks = [named for named, fits in zip(blocks, fit) if fits]
     elif not points_fit:
-        return [block for _, block in blocks]  # the caller says what is wrong
+        return [block for _, block in blocks]  # the caller reports the error
     default = _array_of_some(blocks) if arrays.get("scalars", "") is None else {}
     for argument, name in {**arrays, **default}.items():
         if not isinstance(name, str):
@@ -107,8 +107,8 @@ def fitting(blocks: list[tuple[str, pyvista.DataSet]], arrays: Mapping[str, Any]
 
 
 def alike(blocks: list[pyvista.DataSet]) -> list[pyvista.DataSet]:
-    """The blocks, ready to be combined: what only some have, or in another type, would be lost. Arrays of one name get one type; blocks without
-    ghost flags, beside some with them, get flags of 0."""
+    """The blocks, ready to be combined. Arrays that only some blocks have, or that differ in type, would be lost. Arrays with the same name get
+    the same type; if some blocks have ghost flags, the others get flags of 0."""
     blocks = [block.copy(deep=False) for block in blocks]
     for kind in ("point_data", "cell_data"):
         arrays = [getattr(block, kind) for block in blocks]
@@ -125,7 +125,7 @@ def alike(blocks: list[pyvista.DataSet]) -> list[pyvista.DataSet]:
 
 
 def _with_zeros(block: pyvista.DataSet, kind: str, name: str, model: np.ndarray) -> pyvista.DataSet:
-    """`block` with the array; where it has none, with zeros in the shape and type of `model`."""
+    """`block` with the array; if it lacks the array, with zeros in the shape and type of `model`."""
     if name in getattr(block, kind):
         return block
     block = block.copy(deep=False)
@@ -135,7 +135,7 @@ def _with_zeros(block: pyvista.DataSet, kind: str, name: str, model: np.ndarray)
 
 
 def _array_of_some(blocks: list[tuple[str, pyvista.DataSet]]) -> dict[str, str]:
-    """Where no array is asked for, and the blocks have none in common: the first that there is."""
+    """The first available array, if none is requested and the blocks have none in common."""
     kinds = ("point_data", "cell_data")
     numbers = [{(kind, name) for kind in kinds for name, values in getattr(block, kind).items() if values.ndim == 1 and not is_helper(name)}
                for _, block in blocks]

@@ -16,8 +16,8 @@ def listed(names: Sequence[str]) -> str:
     return ", ".join(repr(name) for name in names) or "none"
 
 
-WINDS = ("Wind", "DisplayVelocity")  # what globe() makes of the winds
-NO_WINDS = 'globe() has found no winds in the data: name them, globe(wind=("ua", "va")) for example.'
+WINDS = ("Wind", "DisplayVelocity")  # the output of globe() for the winds
+NO_WINDS = 'globe() found no winds in the data. Name them, for example globe(wind=("ua", "va")).'
 
 
 def arrays_of(mesh: pyvista.DataSet, wanted: str = "") -> str:
@@ -31,7 +31,7 @@ def _is_without_winds(mesh: pyvista.DataSet) -> bool:
 
 
 def require_winds(mesh: pyvista.DataSet) -> None:
-    """MissingDataError for what globe() has made of data without winds, and that has no other vectors."""
+    """Raises MissingDataError for output of globe() that has neither winds nor other vectors."""
     vectors = [name for data in (mesh.point_data, mesh.cell_data) for name in data.keys() if data[name].ndim == 2 and data[name].shape[1] == 3]
     if _is_without_winds(mesh) and not vectors:
         raise MissingDataError(f"mesh has no velocity. {NO_WINDS} {arrays_of(mesh)}")
@@ -44,25 +44,25 @@ def require_array(mesh: pyvista.DataSet, name: str, argument: str) -> None:
 
 
 def require_beside_scalars(mesh: pyvista.DataSet, name: str, association: str, argument: str) -> None:
-    """ValueError unless the array `name` is where the scalars are: association "point" or "cell"."""
+    """Raises ValueError unless the array `name` has the association of the scalars, "point" or "cell"."""
     here, there = (mesh.point_data, mesh.cell_data) if association == "point" else (mesh.cell_data, mesh.point_data)
     if name in here:
         return
     if name in there:
         remedy = "cell_data_to_point_data()" if association == "point" else "point_data_to_cell_data()"
-        raise ValueError(f"{argument}: the array {name!r} must be on {association}s, as the scalars are: use mesh.{remedy}.")
+        raise ValueError(f"{argument}: the array {name!r} must be on {association}s, like the scalars: use mesh.{remedy}.")
     raise MissingDataError(f"{argument}: no array {name!r}. {arrays_of(mesh, name)}")
 
 
 def choose(choices: Mapping[str, Callable[[], None]], value: str, argument: str) -> None:
-    """Calls the function that `choices` has for `value`; ValueError with the list of choices if none."""
+    """Calls the function in `choices` for `value`; raises ValueError with the list of choices if there is none."""
     if not isinstance(value, str) or value not in choices:
         raise ValueError(f"{argument} is {value!r}; it must be one of {listed(list(choices))}.")
     choices[value]()
 
 
 def renamed_argument(value: float | None, name: str, old_value: float | None, old_name: str) -> float | None:
-    """`value`, or that of the argument's old name, with a DeprecationWarning for who called the package's function."""
+    """`value`, or the value given by the argument's old name, with a DeprecationWarning at the caller of the package's function."""
     if old_value is None:
         return value
     if value is not None:

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: The Nephoscope authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Copies of what the functions that add to a plotter return: the same picture, and independent of the original."""
+"""Copies of the objects that functions such as add_cells return. A copy gives the same picture and is independent of the original."""
 from __future__ import annotations
 
 from typing import Any
@@ -12,7 +12,7 @@ from ._pipeline import warn_when_drawing
 
 
 class MediumVolume(pyvista.Volume):
-    """A `pyvista.Volume` whose copies have the place of the original, and colours that follow their own mapper."""
+    """A `pyvista.Volume` whose copies have the position of the original, and colours that follow their own mapper."""
 
     def copy(self, deep: bool = True) -> MediumVolume:
         """A copy of this volume, with a mapper and a property of its own if `deep`; the data are shared."""
@@ -26,7 +26,7 @@ class MediumVolume(pyvista.Volume):
 
 
 def copied_mapper(mapper: Any) -> Any:
-    """A new mapper with the settings of `mapper`, clipping planes and lookup table of its own, and the same data."""
+    """A new mapper with the settings and the data of `mapper`, but its own clipping planes and lookup table."""
     copy = type(mapper)()
     copy.ShallowCopy(mapper)
     planes = mapper.GetClippingPlanes()
@@ -48,7 +48,7 @@ def _copied_plane(plane: vtkPlane) -> vtkPlane:
 
 
 def copied_table(table: Any) -> Any:
-    """The colours of a scalar bar or of vectors; of a `pyvista.LookupTable` with what it knows beside."""
+    """A copy of the colours of a scalar bar or of vectors, including the additional attributes of a `pyvista.LookupTable`."""
     copy = type(table)()
     copy.DeepCopy(table)
     copy.__dict__.update(getattr(table, "__dict__", {}))

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: The Nephoscope authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Says what files that a plotter exports lack: they hold geometry, and volumes, textures of cloud and haze are drawn without."""
+"""Warns about objects missing in files that a plotter exports: the files hold geometry, but volumes, cloud textures and haze have none."""
 from __future__ import annotations
 
 import functools
@@ -17,7 +17,7 @@ EXPORTS = ("export_gltf", "export_html", "export_obj", "export_vrml", "export_vt
 
 
 def warn_when_exported(plotter: pyvista.BasePlotter) -> None:
-    """From now on `plotter.export_gltf(...)` and the like warn, each time, of what they leave out at that time."""
+    """Makes `plotter.export_gltf(...)` and similar methods warn at every call about objects that they leave out."""
     for name in EXPORTS:
         if callable(getattr(plotter, name, None)) and name not in vars(plotter):
             setattr(plotter, name, _warning(weakref.ref(plotter), name))
@@ -29,7 +29,7 @@ def _warning(reference: weakref.ref, name: str) -> Any:
         plotter = reference()
         missing = _missing(plotter)
         if missing:
-            warnings.warn(f"{name} leaves out {' and '.join(missing)}, which are drawn without geometry: use screenshot for a picture of them.",
+            warnings.warn(f"{name} leaves out {' and '.join(missing)}, which have no geometry. Use screenshot for a picture of them.",
                           UserWarning, stacklevel=level_of_caller())
         outputs = [(mapper, mapper.GetInputConnection(0, 0)) for mapper in _mappers(plotter)]
         inputs = [(mapper, output, output.GetProducer()) for mapper, output in outputs]  # an output does not keep its producer

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: The Nephoscope authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""What the fields of the weather are called, and the presets of colour, opacity and range that suit them.
+"""Names of weather fields, and the presets of colour, opacity and range that suit them.
 
 The presets are those that ParaView lists: `nephoscope_presets.json`.
 """
@@ -18,14 +18,14 @@ import pyvista
 from ._checks import listed
 
 SAMPLES = 256
-BRIGHT = 0.6  # luminance of a background that white clouds would not be seen on
+BRIGHT = 0.6  # luminance of a background on which white clouds would be invisible
 HELPERS = {"belowground", "globegridprojection", "planetradius", "verticalexaggeration", "time", "timevalue", "crs", "lat", "latitude",
            "lon", "longitude", "lev", "level", "plev", "normals", "tcoords", "texturecoordinates", "texture coordinates"}
 
 
 @dataclass(frozen=True)
 class Preset:
-    """Colours (n, 4) and opacities (m, 2) at fractions of the range, and how the range follows from the values."""
+    """Colours (n, 4) and opacities (m, 2) at fractions of the range, and the rule that derives the range from the values."""
     name: str
     range_rule: str
     colours: np.ndarray
@@ -33,7 +33,7 @@ class Preset:
     opacities: np.ndarray
 
     def colour_map(self, bright: bool, samples: int = SAMPLES) -> list[str]:
-        """Colours at equal steps, as `pyvista.LookupTable.apply_cmap` takes them."""
+        """Colours at equal steps, in the form that `pyvista.LookupTable.apply_cmap` accepts."""
         points = self.colours_on_bright if bright else self.colours
         steps = np.linspace(0, 1, samples)
         rgb = np.stack([np.interp(steps, points[:, 0], points[:, c]) for c in (1, 2, 3)], axis=1)
@@ -44,7 +44,7 @@ class Preset:
         return np.interp(np.linspace(0, 1, SAMPLES + 1), self.opacities[:, 0], self.opacities[:, 1])
 
     def clim(self, values: np.ndarray) -> tuple[float, float] | None:
-        """The range for these values; None: that of the values."""
+        """The range for these values; None: the range of the values themselves."""
         finite = values[np.isfinite(values)]
         low, high = (float(finite.min()), float(finite.max())) if finite.size else (0.0, 0.0)
         if self.range_rule in ("fraction", "from zero") and finite.size and low == high == 0:
@@ -60,7 +60,7 @@ class Preset:
 
 
 def _greatest_but_spikes(values: np.ndarray) -> float:
-    """Greatest magnitude, at most 3 sum(v^2)/sum|v|: a Gaussian peak of any width keeps its own (1.06 of it), a few spikes do not pale the rest."""
+    """Greatest magnitude, at most 3 sum(v^2)/sum|v|: a Gaussian peak of any width keeps its maximum (the limit is 1.06 times that), and a few spikes do not make the rest pale."""
     magnitudes = np.abs(values.astype(float)).ravel()
     greatest = magnitudes.max()
     shares = magnitudes / greatest  # squares that fit
@@ -69,12 +69,12 @@ def _greatest_but_spikes(values: np.ndarray) -> float:
 
 @lru_cache(maxsize=None)
 def presets() -> dict[str, Preset]:
-    """By the name that Python uses: "clouds", "wind speed", ..."""
+    """Presets by their names in Python: "clouds", "wind speed", ..."""
     return {entry["NephoscopeName"]: _preset(entry) for entry in _entries() if "NephoscopeName" in entry}
 
 
 def terrain_preset(count: int) -> tuple[tuple[float, float], list[str]]:
-    """First and last height of the colours of terrain, in metres, and so many colours between."""
+    """First and last height of the terrain colours, in metres, and that number of colours between them."""
     entry = next(entry for entry in _entries() if entry["Name"] == "Nephoscope Terrain")
     points = np.reshape(entry["RGBPoints"], (-1, 4))
     heights = np.linspace(points[0, 0], points[-1, 0], count)
@@ -99,14 +99,14 @@ def _names(key: str) -> dict[str, str]:
 
 
 def _is_weather(mesh: pyvista.DataSet, name: str) -> bool:
-    """True for what Globe Grid has made, and for what the NetCDF reader has read: it notes the units of every array."""
+    """True for output of Globe Grid and of the NetCDF reader, which records the units of every array."""
     return "GlobeGridProjection" in mesh.field_data or f"{name}_units" in mesh.field_data
 
 
 def preset_of_field(name: str, mesh: pyvista.DataSet | None = None) -> Preset | None:
-    """The preset of the array `name`: its own, or that of the CF standard name or usual name that it is; None if there is none.
+    """The preset of the array `name`: its own, or that of its CF standard name or usual name; None if there is none.
 
-    "t", "u", "Density" and others that are usual elsewhere too are known only in a `mesh` that is marked as weather.
+    Names that other fields use too, such as "t", "u" and "Density", count only in a `mesh` that is marked as weather.
     """
     found = _names("NephoscopeArrays").get(name) or (_names("NephoscopeArrays").get(name.lower()) if len(name) > 2 else None)
     if not found and mesh is not None and _is_weather(mesh, name):
@@ -115,7 +115,7 @@ def preset_of_field(name: str, mesh: pyvista.DataSet | None = None) -> Preset | 
 
 
 def find_preset(preset: str | bool | None, name: str, mesh: pyvista.DataSet) -> Preset | None:
-    """What the argument `preset` of a plotter function means for the array `name` of `mesh`."""
+    """The preset that the argument `preset` of a plotter function selects for the array `name` of `mesh`."""
     if preset is False:
         return None
     if preset is None or preset is True:
@@ -131,13 +131,13 @@ def is_bright(background: Any) -> bool:
 
 
 def is_helper(name: str) -> bool:
-    """True for coordinates, masks and numbers: no field of the weather."""
+    """True for coordinates, masks and numbers, which are not weather fields."""
     lower = name.lower()
     return lower in HELPERS or lower.startswith("vtk") or lower.endswith(("_units", "_bnds", "_bounds", "ids"))
 
 
 def choose_active_scalars(mesh: pyvista.DataSet) -> None:
-    """Make cloud fraction, cloud water or the first field of one number per point the active scalars."""
+    """Make cloud fraction, cloud water or the first point array with one component the active scalars."""
     fields = [name for name in mesh.point_data if mesh.point_data[name].ndim == 1 and not is_helper(name)]
     order = ("clouds", "cloud water")
     for wanted in order:

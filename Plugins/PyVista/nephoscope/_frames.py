@@ -9,11 +9,11 @@ from typing import Any, Iterator
 import numpy as np
 import pyvista
 
-LEVEL = 4  # of the stack: the caller of add_cells or add_splats
+LEVEL = 4  # stack level of the caller of add_cells or add_splats
 
 
 def warn_of_other_frames(plotter: pyvista.BasePlotter, data: pyvista.DataSet) -> None:
-    """One RuntimeWarning for each way in which `data` from `to_globe` does not fit what the plotter shows already."""
+    """One RuntimeWarning for each way in which `data` from `to_globe` does not fit the other data in the plotter."""
     problems = {problem for other in _shown(plotter) for problem in _differences(data, other)}
     for problem in sorted(problems):
         warnings.warn(problem, RuntimeWarning, stacklevel=LEVEL)
@@ -48,7 +48,7 @@ def _differences(data: pyvista.DataSet, other: pyvista.DataSet) -> Iterator[str]
 
 
 def _other_longitudes(data: pyvista.DataSet, other: pyvista.DataSet, radius: float) -> Iterator[str]:
-    """On maps: one goes round the globe, and the other reaches beyond its edges."""
+    """True on maps if one dataset spans the globe and the other extends beyond its edges."""
     spans = [np.degrees(np.array(mesh.bounds[:2]) / radius) for mesh in (data, other)]
     for (west, east), (left, right) in (spans, spans[::-1]):
         if right - left > 300 and (west < left - 1 or east > right + 1) and (east - west) < 361:

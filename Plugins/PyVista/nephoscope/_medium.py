@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: The Nephoscope authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""What the functions that add a volume to a plotter share: arrays, transfer functions, the actor and its scalar bar."""
+"""Common parts of the functions that add a volume to a plotter: arrays, transfer functions, the actor and its scalar bar."""
 from __future__ import annotations
 
 import warnings
@@ -30,9 +30,9 @@ def require_plotter(plotter: Any) -> None:
 
 
 def wrapped(data: Any, merge_points: bool, arrays: Mapping[str, Any] | None = None) -> Any:
-    """`data` as a PyVista object, blocks of any kind and hyper tree grids as one dataset; as it was if it cannot be one.
+    """`data` as a PyVista object. Blocks of any kind and hyper tree grids become one dataset, if possible; otherwise `data` is unchanged.
 
-    With `arrays` (argument: name) it is of the blocks alone that fit; see `fitting`.
+    With `arrays` (argument: name), only blocks that fit are used; see `fitting`.
     """
     if isinstance(data, (vtkCompositeDataSet, vtkHyperTreeGrid)):
         blocks = [(name, block) for name, block in named_blocks(data) if block.n_points]
@@ -46,7 +46,7 @@ def wrapped(data: Any, merge_points: bool, arrays: Mapping[str, Any] | None = No
 
 
 def require_dataset(data: Any, argument: str, needs: str, merge_points: bool, arrays: Mapping[str, Any]) -> pyvista.DataSet:
-    """`data` as one PyVista dataset, blocks that have the arrays combined; TypeError if it cannot be one. `needs` ends the message."""
+    """`data` as one PyVista dataset, combined from the blocks that have the arrays; TypeError if that is impossible. `needs` ends the message."""
     data = wrapped(data, merge_points, arrays)
     if not isinstance(data, pyvista.DataSet):
         raise TypeError(f"{argument} is a {type(data).__name__}; it must be a pyvista dataset or MultiBlock{needs}.")
@@ -70,7 +70,7 @@ class MediumMapper:
                opacity_clim: tuple[float, float] | None) -> None:
         """Write colours and opacities to `prop`, now and whenever the scalar range changes.
 
-        `opacity_clim` is the range of the opacities where another array than that of the colours gives them.
+        `opacity_clim` is the range of the opacities if they come from another array than the colours.
         """
         self.lookup_table = table
         self._opacities, self._opacity_clim = opacities, opacity_clim
@@ -82,7 +82,7 @@ class MediumMapper:
         self.scalar_range = self.lookup_table.scalar_range
 
     def copy(self) -> MediumMapper:
-        """A mapper of the same data and settings, independent of this one but for the data."""
+        """A mapper with the same settings, independent of this one except for the shared data."""
         mapper = copied_mapper(self)
         mapper._prop, mapper._opacities, mapper._opacity_clim = self._prop, self._opacities, self._opacity_clim
         return mapper
@@ -110,7 +110,7 @@ class MediumMapper:
 
 def scalar_array(grid: pyvista.DataSet, scalars: str | np.ndarray | None,
                  preference: str) -> tuple[pyvista.DataSet, str, str]:
-    """The grid that has the scalars, the array's name, and "point" or "cell"."""
+    """The grid with the scalars, the name of the array, and "point" or "cell"."""
     if preference not in ("point", "cell"):
         raise ValueError(f"preference is {preference!r}; it must be 'point' or 'cell'.")
     if scalars is None:
@@ -121,9 +121,9 @@ def scalar_array(grid: pyvista.DataSet, scalars: str | np.ndarray | None,
 
 
 def default_scalars(grid: pyvista.DataSet, by_name: bool = False) -> tuple[str, str]:
-    """ "point" or "cell", and the active scalars; where they are not one number each, the first array that is.
+    """ "point" or "cell", and the active scalars or, if these do not have one component, the first array that does.
 
-    Coordinates, masks and numbers are taken last, and not beside vectors. `by_name`: the caller's `scalars` is a name, not values.
+    Coordinates, masks and numbers are chosen last, and never if there are vectors. `by_name`: the caller's `scalars` is a name, not values.
     """
     association, name = grid.active_scalars_info
     arrays = [(kind, name, data[name]) for kind, data in (("point", grid.point_data), ("cell", grid.cell_data)) for name in data
@@ -133,7 +133,7 @@ def default_scalars(grid: pyvista.DataSet, by_name: bool = False) -> tuple[str, 
     vectors = next((name for _, name, values in arrays if values.ndim == 2 and _are_numbers(values) and not is_helper(name)), None)
     scalars = [(kind, name) for kind, name, values in arrays if _is_scalar(values) and not (vectors and is_helper(name))]
     if not scalars:
-        raise MissingDataError(f"there is no array of one number for each point or cell.{_magnitude(vectors, by_name)} {arrays_of(grid)}")
+        raise MissingDataError(f"there is no point or cell array with one component.{_magnitude(vectors, by_name)} {arrays_of(grid)}")
     return next((array for array in scalars if not is_helper(array[1])), scalars[0])
 
 
@@ -155,7 +155,7 @@ def _are_numbers(values: np.ndarray) -> bool:
 
 
 def diagonal(grid: pyvista.DataSet) -> float:
-    """The diagonal of the bounds, of the finite points alone where not all are."""
+    """The diagonal of the bounds of the finite points."""
     if np.isfinite(grid.length):
         return float(grid.length)
     points = np.asarray(grid.points, float)
@@ -164,7 +164,7 @@ def diagonal(grid: pyvista.DataSet) -> float:
 
 
 def association_of(grid: pyvista.DataSet, name: str, preference: str, argument: str) -> str:
-    """ "point" or "cell", where the array `name` of one number each is; `preference` if both have it."""
+    """ "point" or "cell", whichever has the array `name` with one component; `preference` if both have it."""
     for association in (preference, "cell" if preference == "point" else "point"):
         if name in (grid.point_data if association == "point" else grid.cell_data):
             values = array_values(grid, name, association)
@@ -178,7 +178,7 @@ def array_values(grid: pyvista.DataSet, name: str, association: str) -> np.ndarr
 
 
 def _with_values(grid: pyvista.DataSet, values: Any, preference: str) -> tuple[pyvista.DataSet, str, str]:
-    """A shallow copy of the grid that has `values` as the array "Data"."""
+    """A shallow copy of the grid with `values` as the array "Data"."""
     values = np.asarray(values)
     counts = {"point": grid.n_points, "cell": grid.n_cells}
     fitting = [kind for kind, count in counts.items() if len(np.atleast_1d(values)) == count]
@@ -192,7 +192,7 @@ def _with_values(grid: pyvista.DataSet, values: Any, preference: str) -> tuple[p
 
 
 def require_scalars(grid: pyvista.DataSet, values: np.ndarray, name: str, argument: str) -> None:
-    """TypeError or ValueError unless the `values` of the array `name` are numbers, one each, and some finite."""
+    """Raises TypeError or ValueError unless the `values` of the array `name` are numeric, have one component and include a finite value."""
     if not _are_numbers(values):
         raise TypeError(f"{argument}: the array {name!r} is of type {values.dtype}; numbers are needed.")
     if values.ndim != 1:
@@ -228,7 +228,7 @@ def _scalar_range(values: np.ndarray, name: str, clim: float | Sequence[float] |
 
 
 def _around(value: float, log_scale: bool) -> tuple[float, float]:
-    """A range with the only value there is in its middle, so that it is drawn."""
+    """A range around a single value, so that it is drawn."""
     if log_scale and value > 0:
         return value / 2, value * 2
     half = max(0.5, 1e-6 * abs(value))
@@ -236,7 +236,7 @@ def _around(value: float, log_scale: bool) -> tuple[float, float]:
 
 
 def _warn_of_transparency(values: np.ndarray, name: str, function: vtkPiecewiseFunction, limits: str) -> None:
-    """Where the opacity function lets nothing be seen of any value. `limits`: the argument that gives its range."""
+    """Warns if the opacity function is 0 at all values. `limits`: the argument that gives its range."""
     finite = np.asarray(values, float)[np.isfinite(values)]
     nodes = np.zeros((function.GetSize(), 4))
     for i, node in enumerate(nodes):
@@ -249,8 +249,8 @@ def _warn_of_transparency(values: np.ndarray, name: str, function: vtkPiecewiseF
 
 
 def _ramp(values: np.ndarray) -> vtkVolumeProperty:
-    """Opacities from 0 to 1 over the range of the values: what they are multiplied by does not matter, so that a medium in limits of the user's
-    fades as its values do."""
+    """Opacities from 0 to 1 over the range of the values. Their scale does not matter, so that with limits set by the user a medium fades as
+    its values do."""
     low, high = _scalar_range(np.asarray(values, float), "", None, False)
     opacities = vtkPiecewiseFunction()
     opacities.AddPoint(low, 0)
@@ -276,7 +276,7 @@ class Functions:
 
     def attach(self, mapper: MediumMapper, plotter: pyvista.BasePlotter, grid: pyvista.DataSet, name: str, association: str,
                preference: str, unit_distance: float | None) -> pyvista.VolumeProperty:
-        """The property of a volume of the array `name`, which `mapper` will draw. Without a `unit_distance` it is such that the medium is seen."""
+        """The property of a volume of the array `name`, which `mapper` will draw. The default `unit_distance` makes the medium visible."""
         limits_given = (self.clim if self.opacity_scalars is None else self.opacity_clim) is not None
         self._take_preset(plotter, grid, name, association)
         table = self._lookup_table(plotter, values_over_time(grid, name, association), name)
@@ -305,7 +305,7 @@ class Functions:
         return prop
 
     def _take_preset(self, plotter: pyvista.BasePlotter, grid: pyvista.DataSet, name: str, association: str) -> None:
-        """Colours, opacities and range of the preset, where the user has not set them."""
+        """Takes colours, opacities and range from the preset, unless the user has set them."""
         if isinstance(self.cmap, str) and self.cmap in presets():
             self.cmap = presets()[self.cmap].colour_map(is_bright(plotter.background_color))
         chosen = find_preset(self.preset, name, grid)
@@ -325,17 +325,17 @@ class Functions:
                             log_scale=self.log_scale)
 
     def _opacities(self, table: pyvista.LookupTable) -> np.ndarray:
-        """Opacities at equal steps, from `cmap` if that is a table; else also written into the scalar bar's, if they are of its array."""
+        """Opacities at equal steps, from `cmap` if it is a table. Otherwise they are also written to the scalar bar, if they belong to its array."""
         if table is self.cmap:
             return np.resize(np.asarray(table.values)[:, 3] / 255.0, max(table.n_values, 2))
         opacities = opacity_values(self.opacity, self.n_colors)
-        if self.opacity_scalars is None and np.any(opacities):  # vectors alone: their colours are in the bar
+        if self.opacity_scalars is None and np.any(opacities):  # vectors only: their colours are in the bar
             steps = np.linspace(0, 1, table.n_values)
             table.values[:, 3] = np.rint(255 * np.interp(steps, np.linspace(0, 1, len(opacities)), opacities))
         return opacities
 
     def _opacity_range(self, grid: pyvista.DataSet, preference: str) -> tuple[float, float] | None:
-        """The range of `opacity_scalars`; None if there is no array for the opacity alone."""
+        """The range of `opacity_scalars`; None if opacity has no array of its own."""
         name = self.opacity_scalars
         if name is None:
             if self.opacity_clim is not None:
@@ -347,7 +347,7 @@ class Functions:
 
 def lookup_table(plotter: pyvista.BasePlotter, values: np.ndarray, name: str, cmap: Any, clim: float | Sequence[float] | None, *,
                  n_colors: int = 256, flip: bool = False, log_scale: bool = False) -> pyvista.LookupTable:
-    """The colours of the array `name`: the theme's without a `cmap`, over its range without a `clim`."""
+    """The colours of the array `name`: by default the theme's colours over the range of the array."""
     table = pyvista.LookupTable()
     table.apply_cmap(plotter.theme.cmap if cmap is None else cmap, n_colors, flip=flip)
     table.log_scale = log_scale
@@ -361,7 +361,7 @@ def is_light(plotter: pyvista.BasePlotter) -> bool:
 
 
 def _warn_of_camouflage(plotter: pyvista.BasePlotter, table: pyvista.LookupTable) -> None:
-    """A medium of the background's own colour is not to be seen, unless something else is behind it."""
+    """Warns about a medium with the colour of the background, which is invisible unless something else is behind it."""
     colours = np.asarray(table.values, float)[:, :3] / 255.0
     contrast = np.abs(colours - plotter.background_color.float_rgb).max()
     if contrast < 0.1 and not plotter.renderer.actors:
@@ -381,7 +381,7 @@ def add_medium(plotter: pyvista.BasePlotter, mapper: MediumMapper, prop: pyvista
     _warn_of_camouflage(plotter, mapper.lookup_table)
     plotter.add_actor(volume, **actor_options)
     warn_when_exported(plotter)
-    plotter.mapper = mapper  # as add_volume does: later calls without a mapper mean the last one added
+    plotter.mapper = mapper  # as in add_volume: later calls without a mapper refer to the last one added
     if plotter.theme.show_scalar_bar if show_scalar_bar is None else show_scalar_bar:
         plotter.add_scalar_bar(**{"title": title, **(scalar_bar_args or {}), "mapper": mapper})
     return volume

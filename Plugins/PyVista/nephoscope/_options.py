@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: The Nephoscope authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Arguments that group others, such as ``vectors=dict(array="wind", style="segments")``, and the single arguments that they replace."""
+"""Arguments that combine several options, such as ``vectors=dict(array="wind", style="segments")``, and the single arguments that they replace."""
 from __future__ import annotations
 
 import warnings
@@ -14,8 +14,8 @@ from ._pipeline import level_of_caller
 def group(argument: str, value: Any, options: type, first: str, old: dict[str, Any], renamed: Mapping[str, str]) -> Any:
     """An object of the dataclass `options`.
 
-    `value` is None, a dict with the names of its fields, or the value of the field `first`. `old` holds arguments by earlier names; those that
-    `renamed` gives the name of a field are taken out of it, with a DeprecationWarning.
+    `value` is None, a dict with the names of its fields, or the value of the field `first`. `old` holds arguments with earlier names. Those
+    that `renamed` maps to the name of a field are removed from it, with a DeprecationWarning.
     """
     known = [field.name for field in fields(options)]
     given = dict(value) if isinstance(value, Mapping) else {} if value is None else {first: value}
@@ -32,6 +32,6 @@ def group(argument: str, value: Any, options: type, first: str, old: dict[str, A
 
 
 def refuse_unknown(function: str, old: Mapping[str, Any]) -> None:
-    """TypeError as Python's, for keyword arguments that nothing has taken."""
+    """Raises TypeError, like Python, for keyword arguments that no option uses."""
     if old:
         raise TypeError(f"{function}() got an unexpected keyword argument {next(iter(old))!r}")

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: The Nephoscope authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Meshes whose values follow the time: colours and opacities are made for all steps, not for the one that is shown."""
+"""Meshes whose values follow the time: colours and opacities suit all steps, not only the current one."""
 from __future__ import annotations
 
 import weakref
@@ -13,19 +13,19 @@ _series: weakref.WeakValueDictionary[str, Any] = weakref.WeakValueDictionary()  
 
 
 def follow(mesh: pyvista.DataSet, series: Any) -> None:
-    """From now on `mesh` is the one whose values `series` exchanges."""
+    """Registers `mesh` as the mesh whose values `series` replaces."""
     _series[mesh.memory_address] = series
 
 
 def values_over_time(grid: pyvista.DataSet, name: str, association: str) -> np.ndarray:
-    """The values of the array, or, of the mesh of a series, values (of vectors, their lengths) of all its steps with their least and greatest."""
+    """The values of the array (for vectors, their lengths). For the mesh of a series they are sampled from all steps, including the least and greatest."""
     values = (grid.point_data if association == "point" else grid.cell_data)[name]
     series = _series.get(grid.memory_address)
     return values if series is None else np.concatenate(series.samples(name))
 
 
 def densest(grid: pyvista.DataSet, name: str, opacity: Any) -> pyvista.DataSet:
-    """The grid, or, of the mesh of a series, that of the step with the greatest mean of the function `opacity`."""
+    """The grid; for the mesh of a series, the grid of the step with the greatest mean of the function `opacity`."""
     series = _series.get(grid.memory_address)
     if series is None:
         return grid

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: The Nephoscope authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""What VTK algorithms report, as Python exceptions and warnings."""
+"""Converts reports of VTK algorithms to Python exceptions and warnings."""
 from __future__ import annotations
 
 import os
@@ -21,11 +21,11 @@ def _text(message: str) -> str:
 
 
 def _is_echo(message: str) -> bool:
-    """True for what the executive says of every failure: that the request failed, and a dump of it."""
+    """True for the executive's generic report of a failure: that the request failed, with a dump of it."""
     return "returned failure for request" in message
 
 
-# Filters of ParaView that messages recommend, and what does the same here.
+# ParaView filters that messages recommend, and their equivalents in Python.
 _REMEDIES = {"Apply Cell Data to Point Data": "Use mesh.cell_data_to_point_data()", "apply Cell Data to Point Data": "use mesh.cell_data_to_point_data()",
              "(Tetrahedralize)": "(mesh.triangulate)", "(Triangulate)": "(polygon.triangulate)", "(Calculator)": "(a column, or numpy.linalg.norm)",
              "(Merge Vector Components, Calculator)": "(numpy.column_stack((u, v, w)))", "make one with Delaunay 3D": "make one by delaunay_3d",
@@ -33,21 +33,20 @@ _REMEDIES = {"Apply Cell Data to Point Data": "Use mesh.cell_data_to_point_data(
              "Connect a flow volume": "Pass the smoke that flow_volume has made", "Connect a dataset with cells": "Pass a mesh with cells",
              "Connect a grid with winds": "Pass a grid with winds", "Put the fields through Globe Grid first": "Make one by to_globe first",
              "as Globe Grid makes it": "as to_globe makes it",
-             "let a reader or Globe Grid, which deliver the whole grid on request, be the input": "pass the whole grid",
-             "put together with the Calculator: u*iHat + v*jHat + w*kHat": "put together by numpy.column_stack((u, v, w))",
+             "use a reader or Globe Grid as input, which deliver the whole grid on request": "pass the whole grid",
+             "To combine three arrays of one component, use the Calculator: u*iHat + v*jHat + w*kHat": "To combine three arrays of one component, use numpy.column_stack((u, v, w))",
              "use vtkTriangleFilter": "use mesh.triangulate()"}
 
 
 def _renamed(message: str, names: Mapping[str, str]) -> str:
-    """The message with the words of VTK that are keys of `names`, and filters of ParaView, replaced; longer ones first."""
+    """The message, with VTK's terms (the keys of `names`) and ParaView's filters replaced; longer terms come first."""
     names = {**_REMEDIES, **names}
     keys = "|".join(re.escape(key) for key in sorted(names, key=len, reverse=True))
     return re.sub(rf"(?<!\w)({keys})(?!\w)", lambda match: names[match[1]], message)
 
 
 def level_of_caller(*others: str) -> int:
-    """Number of frames from here to the code that called into this package, or those in the folders `others`, as `warnings.warn` counts
-    them."""
+    """Number of stack frames to the code that called this package (or code in the folders `others`), as `warnings.warn` counts them."""
     folders = tuple(os.path.join(folder, "") for folder in (os.path.dirname(__file__), *others))
     frame, level = sys._getframe(1), 1
     while frame.f_back is not None and frame.f_code.co_filename.startswith(folders):
@@ -55,7 +54,7 @@ def level_of_caller(*others: str) -> int:
     return level
 
 
-# What the messages of the mappers say, and what it is called in the functions that add them to a plotter.
+# Terms in messages of the mappers, and the arguments of the functions that add the mappers to a plotter.
 _NAMES_OF_MAPPERS = {
     "Choose an array with SelectScalarArray and SetScalarMode": "Choose an array by scalars",
     "ScalarOpacityUnitDistance of the property": "opacity_unit_distance", "ScalarOpacityUnitDistance": "opacity_unit_distance",
@@ -80,9 +79,9 @@ _NAMES_OF_MAPPERS = {
 
 
 def warn_when_drawing(mapper: vtkAlgorithm) -> None:
-    """From now on whatever `mapper` reports, which it does when it draws, is a RuntimeWarning at the line that made the plotter draw.
+    """Turns reports of `mapper`, which occur when it draws, into RuntimeWarnings at the line that made the plotter draw.
 
-    Properties of VTK have the names of arguments in it. Errors are warnings too: an exception cannot pass through VTK's rendering.
+    The warnings use argument names instead of VTK's properties. Errors become warnings too, because an exception cannot pass through VTK's rendering.
     """
     name = mapper.GetClassName()
 
@@ -100,7 +99,7 @@ def _drawing_folders() -> list[str]:
 
 @contextmanager
 def vtk_messages(algorithm: vtkAlgorithm, names: Mapping[str, str] = {}) -> Iterator[None]:
-    """Collects what `algorithm` reports inside the block. `names`: its words for properties, and what they are called here.
+    """Collects the reports of `algorithm` inside the block. `names`: its terms for properties, and their names in Python.
 
     Raises
     ------

@@ -18,12 +18,12 @@ Grids = "pyvista.DataSet | Sequence[pyvista.DataSet] | Callable[[float], pyvista
 
 def dataset(mesh: Any, argument: str) -> pyvista.DataSet:
     if not isinstance(mesh, vtkDataSet):
-        raise TypeError(f"{argument} is a {type(mesh).__name__}; it must be a dataset, not blocks of them.")
+        raise TypeError(f"{argument} is a {type(mesh).__name__}; it must be a dataset, not blocks of datasets.")
     return pyvista.wrap(mesh)
 
 
 class Series(VTKPythonAlgorithmBase):
-    """The grids as a source that has time steps. `failure`: what the user's function raised."""
+    """The grids as a source with time steps. `failure`: the exception of the user's function."""
 
     def __init__(self, mesh: Any, times: Sequence[float] | None) -> None:
         self.times = [0.0] if times is None else [require_number(one, "times") for one in times]
@@ -33,7 +33,7 @@ class Series(VTKPythonAlgorithmBase):
         if callable(mesh):
             self._read = mesh
         else:
-            # A MultiBlock is a sequence too, but of one time.
+            # A MultiBlock is a sequence too, but for a single time.
             is_series = isinstance(mesh, Sequence) and not isinstance(mesh, vtkDataObject)
             grids = list(mesh) if is_series else [mesh]
             if len(grids) != len(self.times):
@@ -42,11 +42,11 @@ class Series(VTKPythonAlgorithmBase):
         self.first = dataset(self._read(self.times[0]), "mesh")
         self._waiting = self.first
         super().__init__(nInputPorts=0, nOutputPorts=1, outputType=self.first.GetClassName())
-        self.GetExecutive().AddObserver("ErrorEvent", lambda *_: None)  # what has failed is raised
+        self.GetExecutive().AddObserver("ErrorEvent", lambda *_: None)  # the failure is raised
 
     @contextmanager
     def raising(self) -> Iterator[None]:
-        """At the end of the block raises what the user's function has raised."""
+        """Raises the exception of the user's function at the end of the block."""
         try:
             yield
         finally:

@@ -54,7 +54,7 @@ class Polygons:
 
 
 def _colours_of(look: Any, bar: pyvista.LookupTable, argument: str) -> vtkColorTransferFunction:
-    """One colour, or a colour map over the range of `bar`, which is the volume's; a name of both is a colour."""
+    """One colour, or a colour map over the range of the volume's `bar`; a name that is both is a colour."""
     function = vtkColorTransferFunction()
     try:
         function.AddRGBPoint(0.0, *pyvista.Color(look).float_rgb)
@@ -73,7 +73,7 @@ def _colours_of(look: Any, bar: pyvista.LookupTable, argument: str) -> vtkColorT
 
 
 def _layer_property(look: Any, mapper: Any, volume: vtkVolumeProperty, argument: str) -> vtkVolumeProperty:
-    """`look` if it is a property; else a property of these colours with the opacities, and so the unit distance, of the volume."""
+    """`look` if it is a property; otherwise a property with these colours and with the opacities and unit distance of the volume."""
     if isinstance(look, vtkVolumeProperty):
         return look
     prop = pyvista.VolumeProperty()
@@ -97,7 +97,7 @@ class Contours:
     smooth: bool = True
 
     def apply(self, mapper: Any, grid: pyvista.DataSet, array_name: str, association: str) -> int:
-        """Returns their number."""
+        """Applies the contours and returns their number."""
         values = self._values(grid, array_name, association)
         opacities, colors = self._opacities(len(values)), self._colors(len(values))
         for i, value in enumerate(values):
@@ -161,7 +161,7 @@ class Layers:
         if self.scalars is not None and self.scalars not in grid.cell_data:
             raise MissingDataError(f"layer_scalars: no cell array {self.scalars!r}. {arrays_of(grid)}")
         if self.scalars is None and count == 0:
-            raise ValueError("layers lie between contours, or in cells that layer_scalars numbers: give one of the two.")
+            raise ValueError("layers need contours or layer_scalars: give one of the two.")
         looks = self._looks()
         beyond = [number for number in looks if not 0 <= number <= count] if self.scalars is None else []
         if beyond:

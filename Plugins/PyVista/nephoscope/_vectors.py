@@ -27,7 +27,7 @@ def is_drawn(opacity: Any) -> bool:
 
 
 def _contrasting(background: Sequence[float], colours: np.ndarray) -> tuple[float, float, float]:
-    """That of `COLOURS` which stands out best, from the background and from the mean of the medium's colours."""
+    """The colour in `COLOURS` that contrasts best with the background and with the mean colour of the medium."""
     others = np.array([background, colours.mean(axis=0)])
     choices = [pyvista.Color(name).float_rgb for name in COLOURS]
     return max(choices, key=lambda choice: np.linalg.norm(others - choice, axis=1).min())
@@ -63,7 +63,7 @@ class Vectors:
     phase_steps: int = 0
 
     def __post_init__(self) -> None:
-        self.table: pyvista.LookupTable | None = None  # of the colours by `scalars`, found when applied
+        self.table: pyvista.LookupTable | None = None  # range of the colours from `scalars`, found when applied
 
     def _number(self, name: str, **limits: float) -> float:
         return require_number(getattr(self, name), f"vectors[{name!r}]", **limits)
@@ -113,7 +113,7 @@ class Vectors:
                       "pictures that change less with the view.", UserWarning, stacklevel=level_of_caller())
 
     def suit(self, mapper: Any, plotter: pyvista.BasePlotter, prop: pyvista.VolumeProperty) -> None:
-        """Where a medium is drawn too, and the user has not said how: so that both can be read. After everything else is set."""
+        """Adjusts the vectors to a medium that is drawn too, so that both are readable, unless the user has set them. Call it after everything else is set."""
         if self.array is None or not is_drawn(prop.GetScalarOpacity()):
             return
         mapper.SuitVectorsToMedium(self.opacity is None, self.fraction is None and self.style == "streaks")
@@ -122,7 +122,8 @@ class Vectors:
             mapper.SetUseVectorColor(True)
 
     def add_bar(self, plotter: pyvista.BasePlotter, bar_args: dict | None) -> None:
-        """The colours of the vectors, where they have an array of their own. Beside a bar that lies it stands: PyVista's lie too close for their titles."""
+        """Adds a scalar bar for vectors with their own colour array. It is vertical if there is a horizontal bar, because PyVista places horizontal bars too close for
+        their titles."""
         if self.table is None:
             return
         shown = pyvista.DataSetMapper()

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: The Nephoscope authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""The VTK that the compiled classes belong to: another one is refused, in a sentence with the remedy."""
+"""Checks that VTK is the one for which the classes were compiled; any other is rejected with a sentence that gives the remedy."""
 import importlib
 import os
 import sys
@@ -9,7 +9,7 @@ from pathlib import Path
 
 
 def require_wheel(version, modules):
-    """Make ready the package ``vtk`` of the Python package index, in one version.
+    """Prepare the package ``vtk`` of the Python package index in the required version.
 
     Parameters
     ----------
@@ -21,7 +21,7 @@ def require_wheel(version, modules):
     Raises
     ------
     ImportError
-        If there is no VTK, it is another version, or it was installed otherwise.
+        If VTK is missing, has another version, or was installed in another way.
     """
     remedy = f'Run: {sys.executable} -m pip install "vtk=={version}"'
     try:
@@ -33,19 +33,19 @@ def require_wheel(version, modules):
     folder = Path(spec.submodule_search_locations[0])
     if not (folder / "libvtkCommonCore.so").is_file():
         raise ImportError(f"nephoscope was installed by pip and needs the package vtk {version} of the Python package index. The VTK in "
-                          f"{folder} comes from elsewhere: Debian, conda and ParaView have VTKs of their own. Use a virtual environment "
+                          f"{folder} comes from elsewhere: Debian, conda and ParaView each have their own VTK. Use a virtual environment "
                           f"that does not see it. {remedy}", name="vtkmodules")
     from vtkmodules.vtkCommonCore import vtkVersion
     found = vtkVersion.GetVTKVersion()
     if found != version:
-        raise ImportError(f"nephoscope was built for vtk {version}, and vtk {found} is installed. {remedy}", name="vtkmodules")
-    if folder.parent != Path(__file__).resolve().parents[1]:  # not side by side: the loader must meet VTK's libraries before ours
+        raise ImportError(f"nephoscope was built for vtk {version}, but vtk {found} is installed. {remedy}", name="vtkmodules")
+    if folder.parent != Path(__file__).resolve().parents[1]:  # not at the same time: the loader must find VTK's libraries before ours
         for module in modules:
             importlib.import_module("vtkmodules." + module)
 
 
 def require_backend():
-    """Fail if PyVista has another VTK than ours: since 0.49 it takes that of ``cvista`` if this is installed.
+    """Fail if PyVista uses another VTK: since 0.49 it uses that of ``cvista`` if this is installed.
 
     Raises
     ------

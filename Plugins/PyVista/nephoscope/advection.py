@@ -16,10 +16,10 @@ from ._checks import arrays_of, choose, require_number, require_winds
 from ._pipeline import level_of_caller, vtk_messages
 from ._series import Grids, Series, dataset
 
-MANY = 10  # crossings of the data in a period, beyond which nothing of the texture is left
+MANY = 10  # number of crossings of the data in a period beyond which the texture is destroyed
 
 
-# What the messages of vtkTextureCoordinateAdvection say, and what it is called here.
+# Terms in messages of vtkTextureCoordinateAdvection, and their names in Python.
 _NAMES = {"PressureArrayName": "pressure", "OmegaArrayName": "omega", "PlanetRadius": "planet_radius", "TextureLength": "texture_length",
           "KeyFrameInterval": "key_frame_interval", "MaximumStretch": "maximum_stretch", "TimeStep": "time_step", "TimeScale": "time_scale",
           "Period": "period", "ComputeLyapunovExponent": "lyapunov", "CartesianCoordinates": "cartesian_coordinates",
@@ -145,7 +145,7 @@ def advect_texture(mesh: Grids, time: float | Sequence[float] | None = None, *, 
 
 
 def _usual_period(filter_: vtkTextureCoordinateAdvection, first: pyvista.DataSet, given: float | None) -> float:
-    """The period for the size and the speed of the data, with a warning if `given` is far too long for them."""
+    """The period that suits the size and the speed of the data, with a warning if `given` is far too long."""
     crossing = filter_.FindCrossingTime(first)
     if given is not None and crossing > 0 and given > MANY * crossing:
         warnings.warn(f"period is {given:g} s, in which the fastest air crosses the data {given / crossing:.0f} times: the texture will be distorted. "
@@ -164,7 +164,7 @@ def _at(filter_: vtkTextureCoordinateAdvection, series: Series, time: float) -> 
 def _set_vectors(filter_: vtkTextureCoordinateAdvection, first: pyvista.DataSet, vectors: str | None) -> None:
     if vectors is None:
         require_winds(first)
-        return  # the filter has a rule
+        return  # the filter chooses
     for association, data in ((vtkDataObject.FIELD_ASSOCIATION_POINTS, first.point_data), (vtkDataObject.FIELD_ASSOCIATION_CELLS, first.cell_data)):
         if vectors in data:
             filter_.SetInputArrayToProcess(0, 0, 0, association, vectors)

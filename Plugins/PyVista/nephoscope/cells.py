@@ -14,12 +14,12 @@ from ._checks import choose, renamed_argument
 from ._medium import Functions, MediumMapper, add_medium, require_dataset, require_plotter, scalar_array
 from ._options import group, refuse_unknown
 from ._surfaces import CONTOUR_NAMES, POLYGON_NAMES, Contours, Layers, Polygons
-from .light import brightest, lit, lit_colours
+from .light import brightest, lit_medium
 from .transfer import OpacityLike
 
 
 class CellCompositingMapper(MediumMapper, vtkCellCompositingMapper):
-    """The mapper with what PyVista asks of one."""
+    """The mapper with the properties that PyVista expects."""
 
     def copy(self) -> CellCompositingMapper:
         mapper = super().copy()
@@ -138,18 +138,19 @@ def add_cells(plotter: pyvista.BasePlotter, grid: Any, scalars: str | np.ndarray
         `scalars`: a CF standard name, an unambiguous name or, in data from Globe Grid and `read_cf`, a short name. No preset is chosen if `cmap`
         or `log_scale` is given or the theme's colour map has been changed. False: no preset.
     sun : sequence of 3 float, str, dict or True, optional
-        Draws clouds as the sun shows them: the direction towards the sun, a date and time in UTC such as ``"2011-10-11 18:30"``, or a dict of
-        arguments of `sunlight` and `cloud_optics`: ``{'time': "2011-10-11 18:30", 'liquid': 'QC', 'units': 'g/kg'}``. True: the light that `grid` has, otherwise that of `sunlight`. Without an extinction, `cloud_optics`
-        computes it from the water of `grid`. `scalars`, opacities and the unit distance are then those of light; `cmap`, `clim` and `opacity_scale` may
+        Draws clouds lit by the sun: the direction towards the sun, a date and time in UTC such as ``"2011-10-11 18:30"``, or a dict of
+        arguments of `sunlight` and `cloud_optics`: ``{'time': "2011-10-11 18:30", 'liquid': 'QC', 'units': 'g/kg'}``. True: uses the light in `grid`, or computes it with
+        `sunlight` if there is none. Without an extinction, `cloud_optics` computes it from the water of `grid`. The light then determines `scalars`, opacities and the unit
+        distance; `cmap`, `clim` and `opacity_scale` may
         be given.
     exposure : float, optional
-        With `sun`: multiplies the light, > 0. At 1 a light of 0.6 is white. Default: white is a tenth more than the light that 2 % of the
-        points in clouds exceed, between 0.15 and 1.2. Give one to compare pictures, or for films in which the sun moves.
+        With `sun`: multiplies the light, > 0. With 1, a light of 0.6 is white. Default: white is a tenth above the light that 2 % of the
+        points in clouds exceed, between 0.15 and 1.2. Set it to compare pictures, and for films in which the sun moves.
     tone_mapping : {"contrast", "linear", "filmic"}, default: "contrast"
-        With `sun`: contrast is the square of the light, as photographic prints have it, so that shadows are seen; filmic keeps the differences of
-        bright clouds. All end in the encoding of the display.
+        With `sun`: contrast displays the square of the light, like a photographic print, so that shadows are visible; filmic keeps differences
+        between bright clouds visible. All include the encoding of the display.
     **old
-        Earlier names of options, with a DeprecationWarning that tells the present one: `unit_distance`, `contour_opacity`, `contour_color`,
+        Earlier names of options, with a DeprecationWarning that gives the current name: `unit_distance`, `contour_opacity`, `contour_color`,
         `contour_scalars`, `contour_lighting`, `smooth_contours`, `polygon_opacity` and `polygon_color`.
 
     Returns
@@ -160,7 +161,7 @@ def add_cells(plotter: pyvista.BasePlotter, grid: Any, scalars: str | np.ndarray
     Raises
     ------
     TypeError
-        If `plotter` or `grid` has the wrong type, the scalars are not numeric, or there is no such option.
+        If `plotter` or `grid` has the wrong type, the scalars are not numeric, or an option does not exist.
     pyvista.core.errors.MissingDataError
         (a ValueError) If an array does not exist; the message lists the arrays that do.
     ValueError
@@ -176,13 +177,10 @@ def add_cells(plotter: pyvista.BasePlotter, grid: Any, scalars: str | np.ndarray
     painted = group("polygons", polygons, Polygons, "which", old, POLYGON_NAMES)
     opacity_unit_distance = renamed_argument(opacity_unit_distance, "opacity_unit_distance", old.pop("unit_distance", None), "unit_distance")
     refuse_unknown("add_cells", old)
-    brightest(None, exposure, tone_mapping)  # refuses what is wrong, also without sun
+    brightest(None, exposure, tone_mapping)  # rejects wrong values, also without sun
     if sun is not None:
-        grid = lit(_solid_grid(grid, {}), sun)
-        densest = float(np.max(grid["ScaledExtinction"])) or 1.0
-        scalars, opacity_scalars, opacity, opacity_clim, opacity_unit_distance = "Sunlight", "ScaledExtinction", "linear", (0.0, densest), 1 / densest
-        cmap = lit_colours(n_colors, tone_mapping) if cmap is None else cmap
-        clim = (0.0, brightest(grid, exposure, tone_mapping)) if clim is None else clim
+        light = lit_medium(_solid_grid(grid, {}), sun, cmap, clim, n_colors, exposure, tone_mapping)
+        grid, scalars, opacity_scalars, opacity, opacity_clim, opacity_unit_distance, cmap, clim = light.values()
     grid, array_name, association = scalar_array(
         _solid_grid(grid, {"scalars": scalars, "opacity_scalars": opacity_scalars, "contours['scalars']": surfaces.scalars,
                            "layer_scalars": layer_scalars}), scalars, preference)
@@ -204,7 +202,7 @@ def add_cells(plotter: pyvista.BasePlotter, grid: Any, scalars: str | np.ndarray
 
 
 def _solid_grid(grid: Any, arrays: Mapping[str, Any]) -> pyvista.DataSet:
-    """`grid` as one PyVista dataset that has 3-D cells; of blocks those that have them and the `arrays`."""
+    """`grid` as one PyVista dataset with 3-D cells. If there are several blocks, only those with 3-D cells and the `arrays` are used."""
     grid = require_dataset(grid, "grid", " with 3-D cells", merge_points=True, arrays=arrays)
     if grid.n_cells == 0:
         raise ValueError(f"grid, a {type(grid).__name__} of {grid.n_points} points, has no cells.")

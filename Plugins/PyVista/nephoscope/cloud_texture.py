@@ -21,6 +21,9 @@ from ._exports import warn_when_exported
 from ._fields import is_bright, presets
 from ._medium import default_scalars, require_plotter, wrapped
 from ._pipeline import warn_when_drawing
+from .light import brightest, lit_colours, lit_surface
+
+AMBIENT = 0.4  # of the light on a surface that faces the sun, on one that does not, as clouds scatter light all around
 
 
 class CloudTextureMapper(vtkCloudTextureMapper):
@@ -50,7 +53,7 @@ class CloudTextureMapper(vtkCloudTextureMapper):
             self.GetLookupTable().scalar_range = tuple(clim)
 
     def copy(self) -> CloudTextureMapper:
-        """A mapper of the same data and settings, independent of this one but for the data."""
+        """A mapper with the same settings, independent of this one except for the shared data."""
         mapper = copied_mapper(self)
         mapper.SelectColorArray(self.GetArrayName())  # which ShallowCopy leaves out
         return mapper
@@ -62,10 +65,10 @@ class CloudTextureMapper(vtkCloudTextureMapper):
 
 def _density_volume(volume: Any, name: str | None) -> tuple[pyvista.DataObject, str]:
     """The grid, or its blocks, and the name of the array of densities."""
-    if isinstance(volume, (vtkHyperTreeGrid, vtkOverlappingAMR)):  # cells that finer ones cover are left out
+    if isinstance(volume, (vtkHyperTreeGrid, vtkOverlappingAMR)):  # leaves out cells that finer cells cover
         volume = wrapped(volume, merge_points=False)
     if not isinstance(volume, (vtkDataSet, vtkCompositeDataSet)):
-        raise TypeError(f"density_volume is a {type(volume).__name__}; it must be a grid that PyVista knows, or blocks of such.")
+        raise TypeError(f"density_volume is a {type(volume).__name__}; it must be a PyVista grid, or blocks of grids.")
     blocks = [block for _, block in named_blocks(volume) if block.n_points] if isinstance(volume, vtkCompositeDataSet) else [pyvista.wrap(volume)]
     if not any(cell_dimension(block) == 3 for block in blocks):
         raise ValueError("density_volume has no three-dimensional cells.")
@@ -84,7 +87,7 @@ def add_cloud_texture(plotter: pyvista.BasePlotter, mesh: Any, scalars: str | np
                       thickness_effect: str | None = None, thickness_weight: float = 1.0, extinction: float = 0.0, density: str | None = None,
                       density_volume: Any = None, layers: int = 8,
                       coordinates: Sequence[str] = ("TextureCoordinates1", "TextureCoordinates2"), peels: int = 8,
-                      **options: Any) -> pyvista.Actor:
+                      sun: Any = None, exposure: float | None = None, tone_mapping: str = "contrast", **options: Any) -> pyvista.Actor:
     """Add a cloud surface to a plotter, with a texture of broken cloud whose cloud fraction you choose.
 
     Parameters
@@ -152,6 +155,12 @@ def add_cloud_texture(plotter: pyvista.BasePlotter, mesh: Any, scalars: str | np
     peels : int, default: 8
         Number of depth peels of the renderer, which draw clouds behind one another in order. Multi-sampling is turned off for it. 0: the plotter
         is not changed.
+    sun : sequence of 3 float, str, dict or True, optional
+        Lights the surface by the sun, given as in `add_cells`. A surface that `cloud_surface` has made of data with light carries its array ``Sunlight``, with the
+        shadows of the clouds: True takes that. Otherwise the surface is in the sun but for the night of a globe and the shadows of ``{'clouds': lit_clouds}``. A
+        light from the sun takes the place of the lights of the renderer, unless it has scene lights, so that slopes and the ground are lit as well.
+    exposure, tone_mapping
+        As in `add_cells`.
     **options
         Other arguments of `pyvista.Plotter.add_mesh`: `cmap`, `clim`, `opacity`, `lighting`, `specular`, `name`, ...
 
@@ -222,28 +231,47 @@ def add_cloud_texture(plotter: pyvista.BasePlotter, mesh: Any, scalars: str | np
     peels = int(require_number(peels, "peels", least=0))
     if scalars is None:
         options["color"] = _default_color(plotter) if color is None else color
+    brightest(None, exposure, tone_mapping)  # rejects wrong values, also without sun
+    if sun is not None:
+        surface, scalars = _light(plotter, surface, scalars, sun, exposure, tone_mapping, options)
     render = options.pop("render", True)
-    actor = plotter.add_mesh(surface, scalars=scalars, render=False, **options)  # its mapper is not ours yet
+    actor = plotter.add_mesh(surface, scalars=scalars, render=False, **options)  # its mapper is not yet ours
     drawn = actor.mapper
     mapper.ShallowCopy(drawn)  # colours, as add_mesh has set them
     mapper.SelectColorArray(drawn.GetArrayName())  # which ShallowCopy leaves out
     mapper.SetInputConnection(drawn.GetInputConnection(0, 0))
     actor.SetMapper(mapper)
-    for mappers in plotter.scalar_bars._scalar_bar_mappers.values():  # a bar goes with the actor of its mapper
+    for mappers in plotter.scalar_bars._scalar_bar_mappers.values():  # a bar belongs to the actor of its mapper
         mappers[:] = [mapper if one is drawn else one for one in mappers]
     if plotter.mapper is drawn:
         plotter.mapper = mapper
     warn_when_exported(plotter)
     if peels > 0:
         plotter.enable_depth_peeling(peels)
-        plotter.render_window.SetMultiSamples(0)  # VTK peels nothing into a window of several samples
+        plotter.render_window.SetMultiSamples(0)  # VTK does not peel in a multi-sampled window
     if render:
         plotter.render()
     return actor
 
 
+def _light(plotter: pyvista.BasePlotter, surface: pyvista.PolyData, scalars: Any, sun: Any, exposure: float | None, tone_mapping: str,
+           options: dict[str, Any]) -> tuple[pyvista.PolyData, str]:
+    """The surface with its light, and the name of that; options of `add_mesh` that draw it, and a light for the slopes."""
+    if scalars is not None:
+        raise ValueError("scalars and sun are both given: the colours are those of the light. Leave one out; color multiplies the light.")
+    surface, direction = lit_surface(surface, sun)
+    tint = pyvista.Color(options.pop("color")).float_rgb
+    own = {"cmap": lit_colours(256, tone_mapping, tint), "clim": (0.0, brightest(surface, exposure, tone_mapping)), "show_scalar_bar": False,
+           "ambient": AMBIENT, "diffuse": 1 - AMBIENT}
+    options.update({name: value for name, value in own.items() if name not in options})
+    if not any(light.is_scene_light for light in plotter.renderer.lights):
+        plotter.remove_all_lights()
+        plotter.add_light(pyvista.Light(position=direction, focal_point=(0, 0, 0), light_type="scene light"))
+    return surface, "Sunlight"
+
+
 def _needs_thickness(use_thickness: bool | None, settings: dict[str, Any]) -> bool:
-    """What was asked for, or whether a setting of the thickness is given; a warning where one is given in vain."""
+    """`use_thickness` if it is given, otherwise whether any setting of the thickness is given. Warns about settings that have no effect."""
     given = [name for name, value in settings.items() if value is not None]
     if use_thickness is None:
         return bool(given)
@@ -267,14 +295,14 @@ def _set_waves(mapper: CloudTextureMapper, waves: Any) -> None:
 
 
 def _default_color(plotter: pyvista.BasePlotter) -> Any:
-    """White, or what is seen on a bright background."""
+    """White, or a colour that is visible on a bright background."""
     if not is_bright(plotter.background_color) or any(_is_ground(actor) for actor in plotter.renderer.actors.values()):
         return "white"
     return presets()["clouds"].colour_map(bright=True, samples=3)[1]
 
 
 def _is_ground(actor: Any) -> bool:
-    """True for a surface that is not one of ours."""
+    """True for a surface that this package did not draw."""
     data = actor.GetMapper().GetInputDataObject(0, 0) if isinstance(actor, vtkActor) and actor.GetMapper() else None
     ours = data is None or isinstance(actor.GetMapper(), vtkCloudTextureMapper)
     return not ours and (not isinstance(data, vtkPolyData) or data.GetNumberOfPolys() + data.GetNumberOfStrips() > 0)
@@ -283,7 +311,7 @@ def _is_ground(actor: Any) -> bool:
 def _surface(mesh: Any) -> pyvista.PolyData:
     mesh = wrapped(mesh, merge_points=False)
     if not isinstance(mesh, pyvista.DataSet):
-        raise TypeError(f"mesh is a {type(mesh).__name__}; it must be a surface, or blocks of such.")
+        raise TypeError(f"mesh is a {type(mesh).__name__}; it must be a surface, or blocks of surfaces.")
     if not isinstance(mesh, pyvista.PolyData):
         surface = vtkDataSetSurfaceFilter()
         surface.SetInputData(mesh)

@@ -17,12 +17,12 @@ from ._fields import preset_of_field
 from ._pipeline import vtk_messages
 from .splitting import _point_array, _scalar_point_array, _values
 
-# What the messages of the two filters say, and what it is called here.
+# Terms in messages of the two filters, and their names in Python.
 _NAMES = {"Clear MassArrayName": "Leave masses out", "switch Conservative off": "pass conservative=False", "MassArrayName": "masses", "Contour value": "isosurfaces: value", "contour values": "isosurfaces", "contour value": "value of isosurfaces"}
 AXES = {"i": 0, "j": 1, "k": 2}
 EDGE = 0.15     # cloud fraction of the surface of clouds
 FILL = 1e30     # and more: no value
-MOST = 1000     # times that the filter is applied: with more, hours may pass
+MOST = 1000     # maximum number of times the filter is applied; more could take hours
 
 
 def smooth(mesh: pyvista.DataSet, iterations: int = 1, scalars: str | Sequence[str] | None = None, *, all_arrays: bool = False,
@@ -148,7 +148,7 @@ def cloud_surface(mesh: pyvista.DataSet, isosurfaces: int | float | Sequence[flo
     name = _scalar_point_array(mesh, scalars)
     if isosurfaces is None:
         with warnings.catch_warnings():
-            warnings.simplefilter("ignore")  # cloud_surface tells the same
+            warnings.simplefilter("ignore")  # cloud_surface reports the same
             smoothed = smooth(mesh, smoothing, name, periodic=periodic, conservative=conservative, masses=masses, isotropic=isotropic,
                               coordinates=coordinates, find_seam=find_seam)
         isosurfaces = _usual_value(smoothed, name)
@@ -182,9 +182,9 @@ def _default_name(mesh: pyvista.DataSet) -> str:
 
 
 def _usual_value(smoothed: pyvista.DataSet, name: str) -> float:
-    """A value that the array crosses where it varies; that of the edge of clouds in cloud fractions."""
+    """A value inside the range of the array; for cloud fractions, the value at the edge of clouds."""
     values = np.asarray(smoothed.point_data[name], float)[_visible_points(smoothed)]
-    values = values[np.abs(values) < FILL]  # nor what is not a number
+    values = values[np.abs(values) < FILL]  # and NaN is ignored
     if not values.size:
         return EDGE  # the filter says what is wrong
     low, high = float(values.min()), float(values.max())
@@ -194,7 +194,7 @@ def _usual_value(smoothed: pyvista.DataSet, name: str) -> float:
 
 
 def _visible_points(mesh: pyvista.DataSet) -> np.ndarray:
-    """For each point whether it is a corner of a visible cell and not hidden itself."""
+    """For each point, whether it is a corner of a visible cell and is not hidden itself."""
     visible = np.ones(mesh.n_points, bool)
     if "vtkGhostType" in mesh.cell_data.keys():
         cells = np.flatnonzero(mesh.cell_data["vtkGhostType"] & vtkDataSetAttributes.HIDDENCELL == 0)
@@ -213,7 +213,7 @@ def _count(value: int, argument: str) -> int:
 
 def _set_up(algorithm: vtkStructuredSmoothing | vtkCloudSurface, mesh: pyvista.DataSet, periodic: str | Sequence[bool],
             conservative: bool, masses: str | None, isotropic: bool, coordinates: str, find_seam: bool) -> None:
-    """The settings that both filters have."""
+    """The settings common to both filters."""
     if isinstance(periodic, str):
         unknown = set(periodic) - set(AXES)
         if unknown:

@@ -15,12 +15,12 @@ from ._checks import choose, require_array, require_number
 from ._pipeline import vtk_messages
 
 EARTH_RADIUS = 6371000.0  # metres, mean radius
-# Usual names of the winds: eastward, northward, and of the vertical wind those there may be. "w" of ERA5 and "wap" of CMIP are omega.
+# Usual names of the winds: eastward, northward, and the possible names of the vertical wind. "w" of ERA5 and "wap" of CMIP are omega.
 USUAL_WINDS = (("u", "v", ("w",)), ("ua", "va", ("wa", "wap")), ("U", "V", ("W", "OMEGA")))
-UPWARD = ("wa", "W")  # in m/s, unless their units tell another thing
+UPWARD = ("wa", "W")  # in m/s, unless their units say otherwise
 SPEED, OMEGA = ("ms-1", "m/s"), ("pas-1", "pa/s")
 HEIGHTS = ("m2s-2", "m2/s2", "m", "gpm")  # units of an array "z" that gives heights
-# What the messages of vtkGlobeGrid say, and what it is called here.
+# Terms in messages of vtkGlobeGrid, and their names in Python.
 _NAMES = {"set the wind array names to those of the input": "name those of the input by wind", "HeightArrayName": "height",
           "HeightUnits": "height_units", "LevelUnits": "level_units", "WindComponents": "wind_components",
           "set WindComponents to Along Grid; else set it to East And North": "pass wind_components='along-grid', else 'east-north'",
@@ -29,7 +29,7 @@ _NAMES = {"set the wind array names to those of the input": "name those of the i
           "VerticalExaggeration": "vertical_exaggeration", "(Extract Subset)": "(extract_subset)",
           "or set its name empty to say so": "or leave it out of wind",
           "with the NetCDF CF reader switch 'Spherical Coordinates' off": "read the file by nephoscope.read_cf"}
-DEGREES_PER_CELL = 1.0    # of globe_surface: its chords are at most 0.25 km below the sphere of the Earth
+DEGREES_PER_CELL = 1.0    # of globe_surface; its chords are at most 0.25 km below the Earth's sphere
 
 
 def to_globe(mesh: pyvista.DataSet, *, projection: Literal["globe", "map"] = "globe", radius: float = EARTH_RADIUS,
@@ -216,7 +216,7 @@ def _is_scalar(mesh: pyvista.DataSet, name: str) -> bool:
 
 
 def _units(mesh: pyvista.DataSet, name: str) -> str:
-    """What the reader has noted, in small letters, without spaces, stars, carets and dots; empty if it has not."""
+    """The units that the reader recorded, in lower case, without spaces, stars, carets and dots; empty if there are none."""
     units = mesh.field_data[f"{name}_units"] if f"{name}_units" in mesh.field_data else ""
     return re.sub(r"[\s*^.]", "", str(np.ravel(units)[0]) if np.size(units) else "").lower()
 
@@ -243,6 +243,6 @@ def _name_winds(globe: vtkGlobeGrid, mesh: pyvista.DataSet, wind: Sequence[str] 
             raise ValueError(f"wind is {wind!r}; it must name two or three arrays: eastward, northward and, optionally, vertical.")
         for name in names:
             require_array(mesh, name, "wind")
-    names = [*names, *[""] * (3 - len(names))]  # an empty name: there is none, and no warning of it
+    names = [*names, *[""] * (3 - len(names))]  # an empty name: no vertical wind, and no warning
     globe.SetWindArrayNames(*names)
     return names[2]

@@ -3,22 +3,23 @@
 """Haze in front of everything that a plotter draws (`vtkHaze`)."""
 from __future__ import annotations
 
-from typing import Literal, Sequence
+from typing import Any, Literal, Sequence
 
 import pyvista
 
 from . import vtkHaze
 from ._checks import choose, require_number
 from ._exports import warn_when_exported
+from .light import direction_of
 
-PROJECTIONS = ("globe", "map")  # as the field data GlobeGridProjection numbers them
+PROJECTIONS = ("globe", "map")  # numbered as in the field data GlobeGridProjection
 
 
 def add_haze(plotter: pyvista.Plotter, mesh: pyvista.DataSet | None = None, *, visibility: float | None = None, scale_height: float | None = None,
              color: str | Sequence[float] | None = None, background: bool = True,
              vertical_exaggeration: float | None = None, projection: Literal["globe", "map"] | None = None,
              radius: float | None = None, center: Sequence[float] = (0, 0, 0), up: Sequence[float] = (0, 0, 1),
-             base_level: float = 0.0, render: bool = True) -> vtkHaze:
+             base_level: float = 0.0, sun: Any = None, asymmetry: float = 0.5, render: bool = True) -> vtkHaze:
     """Add haze, thinner with altitude, in front of everything in the active renderer of a plotter. It replaces earlier haze.
 
     Defaults come from the scene: the ground and exaggeration of `mesh.nephoscope.globe(...)`; without it a globe if the scene lies around the
@@ -55,6 +56,12 @@ def add_haze(plotter: pyvista.Plotter, mesh: pyvista.DataSet | None = None, *, v
         Map: the upward direction.
     base_level : float, default: 0.0
         Map: coordinate along `up` at altitude 0. If the ground is found from the scene, it is measured from the lowest point of the scene.
+    sun : sequence of 3 float, str, dict or True, optional
+        Lights the haze by the sun, given as in `add_cells`: haze is brightest around the sun and dark at night, and its colour is that which it has where the
+        phase function is 1. True: the sun of `mesh`. A date and time needs `mesh`, or is seen from ``{'place': (longitude, latitude)}``. Default: none; haze
+        has its colour wherever it is.
+    asymmetry : float, default: 0.5
+        With `sun`: asymmetry parameter of the haze, -0.95 to 0.95; 0 for air, 0.7 for particles.
     render : bool, default: True
         Renders again if the plotter has rendered before.
 
@@ -90,6 +97,9 @@ def add_haze(plotter: pyvista.Plotter, mesh: pyvista.DataSet | None = None, *, v
         raise ValueError("up is (0, 0, 0); it must have a length.")
     haze.SetUpDirection(*up)
     haze.SetBaseLevel(require_number(base_level, "base_level"))
+    haze.SetAsymmetry(require_number(asymmetry, "asymmetry", least=-0.95, most=0.95))
+    if sun is not None:
+        haze.SetSunDirection(*direction_of(sun, {} if mesh is None else mesh.field_data))
     vtkHaze.SetHaze(plotter.renderer, haze)
     warn_when_exported(plotter)
     if render:
@@ -104,7 +114,7 @@ def _vector(values: Sequence[float], argument: str) -> list[float]:
 
 
 def _told_by(mesh: pyvista.DataSet | None) -> dict:
-    """What `vtkGlobeGrid` has written into the field data."""
+    """The values that `vtkGlobeGrid` wrote into the field data."""
     if mesh is None:
         return {}
     names = {"GlobeGridProjection": "projection", "PlanetRadius": "radius", "VerticalExaggeration": "exaggeration"}

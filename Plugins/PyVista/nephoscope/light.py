@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import inspect
+import warnings
 from typing import Any, Callable, Mapping, Sequence
 
 import numpy as np
@@ -11,60 +12,69 @@ import pyvista
 from vtkmodules.vtkCommonDataModel import vtkDataSet
 
 from . import vtkSunlight
+from ._blocks import cell_dimension
 from ._checks import require_number
 from ._pipeline import vtk_messages
 from .optics import cloud_optics, optics_of
 from .tone import checked, toned
 
 
+SMOKE = {"albedo": 0.9, "asymmetry": 0.6}  # as Filters/Sunlight/SmokeOptics.cxx
+
+
 def _names(say: Callable[[str], str]) -> dict[str, str]:
-    """What the messages of vtkSunlight say, and what it is called here."""
+    """Terms in messages of vtkSunlight, and their names in Python."""
     return {"Make one by Cloud Optics": "Make one by cloud_optics", "set ExtinctionArrayName": f"name one by {say('extinction')}", "ExtinctionArrayName": say("extinction"),
             "SunDirection": say("direction"), "DateTime": say("time")}
 
 
 _NAMES = _names(str)
-BRIGHTEST = 0.6  # light that is drawn white at an exposure of 1
-DARKEST_WHITE, BRIGHTEST_WHITE = 0.15, 1.2  # and the limits of that of automatic exposure: night stays dark
-FILMIC_RANGE = 4.0  # times that, and the filmic curve is nearly white
+BRIGHTEST = 0.6  # light that is drawn as white with an exposure of 1
+DARKEST_WHITE, BRIGHTEST_WHITE = 0.15, 1.2  # limits of white with automatic exposure, so that night stays dark
+TWILIGHT = 0.25  # sine of the sun's elevation below which surfaces on a globe without lit clouds get less light
+FILMIC_RANGE = 4.0  # at this multiple of it the filmic curve is nearly white
 
 
 def sunlight(mesh: pyvista.DataSet, direction: Sequence[float] | None = None, *, time: str = "", place: Sequence[float] = (0.0, 0.0),
              extinction: str = "Extinction", albedo: str | float = "SingleScatteringAlbedo", asymmetry: str | float = "AsymmetryParameter",
              extinction_scale: float = 1.0, ground_albedo: float = 0.1, sky_light: float = 0.08, multiple_scattering: bool = True,
-             zenith_angles: int = 3, azimuth_angles: int = 4, eye: Sequence[float] | None = None, parallel: bool = False) -> pyvista.DataSet:
-    """Add the light of sun and sky to a mesh with an extinction: shadows, dark bases and light that is scattered several times.
+             zenith_angles: int = 3, azimuth_angles: int = 4, eye: Sequence[float] | None = None, parallel: bool = False,
+             clouds: pyvista.DataSet | None = None) -> pyvista.DataSet:
+    """Add the light of sun and sky to a mesh with an extinction: shadows, dark bases and multiple scattering.
 
     Also the accessor method ``mesh.nephoscope.sunlight(...)``. `add_cells` with `sun` calls it.
 
     Parameters
     ----------
     mesh : pyvista.DataSet
-        The mesh with the extinction, as `cloud_optics` makes it; it is not changed.
+        The mesh with the extinction, as `cloud_optics` makes it, or smoke of `flow_volume` or `smoke_puffs`, which needs none; it is not changed.
     direction : sequence of 3 float, optional
         Direction towards the sun in the coordinates of the mesh. Default: (1, -1, 1).
     time : str, optional
         Date and time in UTC, such as ``"2011-10-11 18:30"``, instead of a direction.
     place : sequence of 2 float, default: (0, 0)
-        Degrees east and north from where the sun is seen at `time`, if the mesh is not a globe of `to_globe`.
+        Longitude and latitude (degrees) of the place for which the sun is computed at `time`, if the mesh is not a globe from `to_globe`.
     extinction : str, default: "Extinction"
         Array of the extinction coefficient, 1/length of the mesh.
     albedo, asymmetry : str or float
-        Array of the single-scattering albedo and of the asymmetry parameter, or one number for all. Without the arrays 1 and 0.85.
+        Array of the single-scattering albedo and of the asymmetry parameter, or one number for all. Default without these arrays: 1 and 0.85.
     extinction_scale : float, default: 1.0
         Multiplies the extinction.
     ground_albedo : float, default: 0.1
-        Share of the light that the ground below the mesh reflects, 0 to 1.
+        Fraction of the light that the ground below the mesh reflects, 0 to 1.
     sky_light : float, default: 0.08
-        Irradiance from the sky under an overhead sun, as a share of that of the sun, 0 to 10.
+        Irradiance from the sky under an overhead sun, as a fraction of the sun's irradiance, 0 to 10.
     multiple_scattering : bool, default: True
-        Light that is scattered more than once.
+        Includes light that is scattered more than once.
     zenith_angles, azimuth_angles : int
-        Directions of diffuse light: zenith angles in each hemisphere (1 to 16), azimuth angles (4 to 64).
+        Number of directions of the diffuse light: zenith angles in each hemisphere (1 to 16), azimuth angles (4 to 64).
     eye : sequence of 3 float, optional
         Position of the eye for which ``Sunlight`` is computed. Default: the mean over all directions.
     parallel : bool, default: False
-        `eye` is the direction towards an eye far away.
+        True: `eye` is the direction towards a distant eye.
+    clouds : pyvista.DataSet, optional
+        Clouds that have light from the same sun: direct sunlight reaches the mesh only as far as they let it through. Without `direction` and `time`
+        the sun is theirs.
 
     Returns
     -------
@@ -78,7 +88,7 @@ def sunlight(mesh: pyvista.DataSet, direction: Sequence[float] | None = None, *,
     ValueError
         If a number is out of range.
     RuntimeError
-        If there is no extinction, or the time is none.
+        If there is no extinction, or `time` is not a valid time.
 
     Warns
     -----
@@ -91,12 +101,16 @@ def sunlight(mesh: pyvista.DataSet, direction: Sequence[float] | None = None, *,
 
 def light_of(mesh: pyvista.DataSet, say: Callable[[str], str], direction: Sequence[float] | None, time: str, place: Sequence[float], extinction: str,
              albedo: str | float, asymmetry: str | float, extinction_scale: float, ground_albedo: float, sky_light: float, multiple_scattering: bool,
-             zenith_angles: int, azimuth_angles: int, eye: Sequence[float] | None, parallel: bool) -> pyvista.DataSet:
-    """`sunlight`, with arguments that messages call `say(name)`."""
+             zenith_angles: int, azimuth_angles: int, eye: Sequence[float] | None, parallel: bool, clouds: pyvista.DataSet | None) -> pyvista.DataSet:
+    """`sunlight`; messages call its arguments `say(name)`."""
     if not isinstance(mesh, vtkDataSet):
         raise TypeError(f"mesh is a {type(mesh).__name__}; it must be a pyvista dataset.")
     light = vtkSunlight()
     light.SetInputDataObject(mesh)
+    if clouds is not None:
+        _require_light(clouds, say("clouds"))
+        light.SetInputDataObject(1, clouds)
+        direction = clouds.field_data["SunDirection"][0] if direction is None and not time and "SunDirection" in clouds.field_data else direction
     if direction is not None:
         light.SetSunDirection(*_three(direction, say("direction")))
     light.SetDateTime(time)
@@ -119,6 +133,11 @@ def light_of(mesh: pyvista.DataSet, say: Callable[[str], str], direction: Sequen
     return pyvista.wrap(light.GetOutput())
 
 
+def _require_light(clouds: Any, argument: str) -> None:
+    if not isinstance(clouds, pyvista.DataSet) or "SunTransmittance" not in clouds.point_data:
+        raise ValueError(f"{argument} is a {type(clouds).__name__} without the array 'SunTransmittance'; it must be a result of sunlight().")
+
+
 def _three(values: Sequence[float], argument: str) -> list[float]:
     if np.shape(values) != (3,):
         raise ValueError(f"{argument} is {values!r}; it must be three numbers.")
@@ -138,18 +157,28 @@ def _set_optics(light: vtkSunlight, albedo: str | float, asymmetry: str | float,
         light.SetAsymmetry(require_number(asymmetry, say("asymmetry"), least=-0.99, most=0.99))
 
 
-def lit(mesh: pyvista.DataSet, sun: Any) -> pyvista.DataSet:
-    """`mesh` with light: by a direction, a date and time, or the arguments of `sunlight` and `cloud_optics`; as it is if it has light and `sun` is True."""
+def lit(mesh: pyvista.DataSet, sun: Any, needs_cells: bool = True, **defaults: Any) -> pyvista.DataSet:
+    """`mesh` with light, computed from a direction, a date and time, or the arguments of `sunlight` and `cloud_optics`; unchanged if it has light and `sun` is True.
+
+    `defaults` are those of `sunlight` that are others for this mesh.
+    """
     if sun is True and {"Sunlight", "ScaledExtinction"} <= set(mesh.point_data):
         return mesh
+    if needs_cells and cell_dimension(mesh) < 3:
+        raise ValueError(f"sun: a {type(mesh).__name__} without 3-D cells gives light no path. Compute the light on a grid, mesh.nephoscope.sunlight(), "
+                         "sample it at the points, and pass sun=True.")
     given = dict(sun) if isinstance(sun, Mapping) else {"time": sun} if isinstance(sun, str) else {} if sun is True else {"direction": sun}
-    of_water, of_light = ({name: given.pop(name, value) for name, value in defaults.items()} for defaults in (_defaults(cloud_optics), _defaults(sunlight)))
+    of_water, of_light = ({name: given.pop(name, value) for name, value in defaults.items()} for defaults in (_defaults(cloud_optics), {**_defaults(sunlight), **defaults}))
     if given:
         raise ValueError(f"sun has no option {next(iter(given))!r}; it has {', '.join(repr(name) for name in [*of_light, *of_water])}.")
     own = sun if isinstance(sun, Mapping) else ()
-    if any(name in own for name in of_water) or of_light["extinction"] == "Extinction" and not _has(mesh, "Extinction"):
+    if any(name in own for name in of_water) or of_light["extinction"] == "Extinction" and not _has(mesh, "Extinction") and not is_smoke(mesh):
         mesh = optics_of(mesh, _option, **of_water)
     return light_of(mesh, _option if isinstance(sun, Mapping) else lambda name: "sun" if name in ("direction", "time") else _option(name), **of_light)
+
+
+def is_smoke(mesh: pyvista.DataSet) -> bool:
+    return {"Density", "EmissionStep"} <= set(mesh.cell_data)
 
 
 def _option(name: str) -> str:
@@ -164,22 +193,71 @@ def _defaults(function: Callable[..., Any]) -> dict[str, Any]:
     return {name: parameter.default for name, parameter in inspect.signature(function).parameters.items() if name != "mesh"}
 
 
-def lit_colours(count: int = 256, tone_mapping: str = "contrast") -> list[str]:
-    """From night over blue shadows to warm white: the colours of light from 0 to `brightest(tone_mapping)`, as a display shows them."""
+def lit_medium(mesh: pyvista.DataSet, sun: Any, cmap: Any, clim: Any, n_colors: int, exposure: float | None, tone_mapping: str) -> dict[str, Any]:
+    """The mesh with its light that `add_cells` and `add_splats` draw with `sun`, and the arguments for drawing it."""
+    mesh = lit(mesh, sun)
+    densest = float(np.max(mesh["ScaledExtinction"], initial=0)) or 1.0
+    return {"mesh": mesh, "scalars": "Sunlight", "opacity_scalars": "ScaledExtinction", "opacity": "linear", "opacity_clim": (0.0, densest),
+            "opacity_unit_distance": 1 / densest, "cmap": lit_colours(n_colors, tone_mapping) if cmap is None else cmap,
+            "clim": (0.0, brightest(mesh, exposure, tone_mapping)) if clim is None else clim}
+
+
+def direction_of(sun: Any, fields: Any) -> np.ndarray:
+    """Towards the sun, given as in `add_cells`, where the field data are those of a mesh."""
+    if sun is True and "SunDirection" in fields:
+        return fields["SunDirection"][0]
+    place = pyvista.PolyData([(0.0, 0.0, 0.0)])
+    for name in ("GlobeGridProjection", "PlanetRadius"):
+        if name in fields:
+            place.field_data[name] = fields[name]
+    place["NoExtinction"] = np.zeros(1)
+    with warnings.catch_warnings():
+        warnings.filterwarnings("ignore", ".*The sun is below the horizon", RuntimeWarning)  # haze is dark then
+        return lit(place, sun, needs_cells=False, extinction="NoExtinction", multiple_scattering=False).field_data["SunDirection"][0]
+
+
+def lit_surface(surface: pyvista.PolyData, sun: Any) -> tuple[pyvista.PolyData, np.ndarray]:
+    """`surface` with an array ``Sunlight``, and the direction towards the sun.
+
+    The array is that of the lit data which the surface was made of, if the sun is there; otherwise sunlight that meets no clouds, or those of
+    ``sun={'clouds': ...}``, and the night of a globe.
+    """
+    carried = surface.field_data["SunDirection"][0] if "Sunlight" in surface.point_data and "SunDirection" in surface.field_data else None
+    if carried is not None and sun is True:
+        return surface, carried
+    clear = surface.copy(deep=False)
+    clear.clear_data()
+    for name in surface.field_data:
+        clear.field_data[name] = surface.field_data[name]
+    clear["NoExtinction"] = np.zeros(surface.n_points)
+    clear = lit(clear, sun, needs_cells=False, extinction="NoExtinction", multiple_scattering=False)
+    direction = clear.field_data["SunDirection"][0]
+    if carried is None or np.dot(carried, direction) < 0.9998:
+        surface = surface.copy(deep=False)
+        on_globe = "GlobeGridProjection" in surface.field_data and int(surface.field_data["GlobeGridProjection"][0]) == 0
+        dusk = np.minimum(clear["Irradiance"] / TWILIGHT, 1) if on_globe else clear["SunTransmittance"]
+        surface["Sunlight"] = BRIGHTEST * dusk
+        if "ScaledExtinction" in surface.point_data:
+            del surface.point_data["ScaledExtinction"]  # of other light
+    return surface, direction
+
+
+def lit_colours(count: int = 256, tone_mapping: str = "contrast", tint: Sequence[float] = (1.0, 1.0, 1.0)) -> list[str]:
+    """From night over blue shadows to warm white: the colours of light from 0 to `brightest(tone_mapping)`, as a display shows them; `tint` multiplies."""
     light = np.linspace(0, 1, count)[:, None]
     tone = light ** (1 / 2.2) if checked(tone_mapping) == "linear" else toned(light * (FILMIC_RANGE if tone_mapping == "filmic" else 1), 1.0, tone_mapping)
-    colours = tone * (np.array([1.0, 0.985, 0.955]) + (1 - tone) * np.array([-0.10, -0.03, 0.10]))
+    colours = tint * tone * (np.array([1.0, 0.985, 0.955]) + (1 - tone) * np.array([-0.10, -0.03, 0.10]))
     return ["#%02x%02x%02x" % tuple(colour) for colour in np.rint(255 * np.clip(colours, 0, 1)).astype(int)]
 
 
 def brightest(mesh: pyvista.DataSet | None = None, exposure: float | None = None, tone_mapping: str = "contrast") -> float:
-    """The light that the last colour is for: white. With an exposure 0.6 / exposure; otherwise `automatic_white`."""
+    """The light that the last colour, white, represents: 0.6 / exposure if an exposure is given, otherwise `automatic_white`."""
     white = automatic_white(mesh) if exposure is None else BRIGHTEST / require_number(exposure, "exposure", above=0)
     return white * (FILMIC_RANGE if checked(tone_mapping) == "filmic" else 1)
 
 
 def automatic_white(mesh: pyvista.DataSet | None) -> float:
-    """A tenth more than the light that 2 % of the points in clouds exceed: those with more than a fiftieth of the greatest extinction."""
+    """A tenth above the light that 2 % of the points in clouds exceed. A point is in a cloud if its extinction is above a fiftieth of the greatest."""
     if mesh is None or not {"Sunlight", "ScaledExtinction"} <= set(mesh.point_data):
         return BRIGHTEST
     light, extinction = mesh.point_data["Sunlight"], mesh.point_data["ScaledExtinction"]

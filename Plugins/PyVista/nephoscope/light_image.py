@@ -1,8 +1,8 @@
 # SPDX-FileCopyrightText: The Nephoscope authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""The light that reaches a camera from lit clouds and the ground below, in floating point. Needs VTK alone.
+"""The light that reaches a camera from lit clouds and the ground below, in floating point. It needs only VTK.
 
-Light of 1 is that of a white surface that faces the sun. Rows of an image begin at the top.
+A light of 1 is that of a white surface facing the sun. Rows of an image begin at the top.
 """
 from __future__ import annotations
 
@@ -30,13 +30,13 @@ def planet_radius(data: vtkDataSet) -> float:
 
 
 def sun_of(data: vtkDataSet) -> np.ndarray:
-    """The direction towards the sun that vtkSunlight has noted."""
+    """The direction towards the sun that vtkSunlight recorded."""
     return np.array(data.GetFieldData().GetArray("SunDirection").GetTuple(0))
 
 
 def light_of_clouds(data: vtkDataSet, camera: vtkCamera, size: Sequence[int], arrays: Sequence[str] = ("Sunlight",)) -> tuple[np.ndarray, np.ndarray]:
-    """The light of each array of source functions that comes through the clouds to the camera, (height, width, arrays), and the share
-    of what is behind them that they hide, (height, width)."""
+    """For each array of source functions, the light that reaches the camera through the clouds, (height, width, arrays), and the
+    opacity of the clouds, (height, width)."""
     window, renderer, volume = _scene(data, camera, size)
     mapper, light, alpha = volume.GetMapper(), [], None
     for name in arrays:
@@ -80,7 +80,7 @@ def _scene(data: vtkDataSet, camera: vtkCamera, size: Sequence[int]) -> tuple[vt
 
 
 def _ground_actor(data: vtkDataSet) -> vtkActor:
-    """What hides clouds behind the planet or below the ground."""
+    """The actor that hides clouds behind the planet or below the ground."""
     radius = planet_radius(data)
     if radius > 0:
         source = vtkSphereSource()
@@ -112,7 +112,7 @@ def _float_image(mapper: Any) -> np.ndarray:
 
 
 def rays(camera: vtkCamera, size: Sequence[int]) -> tuple[np.ndarray, np.ndarray]:
-    """Origins and unit directions of the rays through the middles of the pixels, (height, width, 3)."""
+    """Origins and unit directions of the rays through the pixel centres, (height, width, 3)."""
     ahead, up = np.array(camera.GetDirectionOfProjection()), np.array(camera.GetViewUp())
     right = np.cross(ahead, up)
     right /= np.linalg.norm(right)
@@ -129,7 +129,7 @@ def rays(camera: vtkCamera, size: Sequence[int]) -> tuple[np.ndarray, np.ndarray
 
 
 def meet_ground(data: vtkDataSet, origin: np.ndarray, direction: np.ndarray) -> np.ndarray:
-    """Places where rays meet the ground, (height, width, 3); NaN where they do not."""
+    """Positions where rays meet the ground, (height, width, 3); NaN where they miss it."""
     radius = planet_radius(data)
     if radius > 0:
         middle = (origin * direction).sum(-1)
@@ -142,7 +142,7 @@ def meet_ground(data: vtkDataSet, origin: np.ndarray, direction: np.ndarray) -> 
 
 
 def longitudes_latitudes(places: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Degrees of places on a globe."""
+    """Longitudes and latitudes (degrees) of positions on a globe."""
     return np.degrees(np.arctan2(places[..., 1], places[..., 0])), np.degrees(np.arctan2(places[..., 2], np.hypot(places[..., 0], places[..., 1])))
 
 
@@ -155,12 +155,12 @@ def zenith_cosine(data: vtkDataSet, places: np.ndarray) -> np.ndarray:
 
 
 def clear_irradiance(cosine: np.ndarray, sky_light: float) -> np.ndarray:
-    """The light that arrives at the ground where there are no clouds."""
+    """The light that reaches the ground without clouds."""
     return np.maximum(cosine, 0) + sky_light * np.clip((cosine + SKY_BELOW) / (1 + SKY_BELOW), 0, 1)
 
 
 def at_ground(data: vtkDataSet, places: np.ndarray, name: str, otherwise: np.ndarray) -> np.ndarray:
-    """The array at the lowest level of a structured grid above the places; `otherwise` beside the grid, and for other data."""
+    """The array at the lowest level of a structured grid above the positions; `otherwise` outside the grid, and for other data."""
     size = [0, 0, 0]
     if not isinstance(data, vtkStructuredGrid):
         return otherwise

@@ -14,7 +14,7 @@ from ._pipeline import vtk_messages
 
 
 def _names(say: Callable[[str], str]) -> dict[str, str]:
-    """What the messages of vtkCloudOptics say, and what it is called here."""
+    """Terms in messages of vtkCloudOptics, and their names in Python."""
     words = {"TotalWater": "water", "Liquid": "liquid", "Ice": "ice", "Rain": "rain", "Snow": "snow", "Temperature": "temperature", "Pressure": "pressure",
              "CloudFraction": "cloud_fraction", "Land": "land", "Height": "height"}
     return {**{f"{vtk}ArrayName": say(name) for vtk, name in words.items()}, "WaterUnits": say("units"),
@@ -33,7 +33,7 @@ def cloud_optics(mesh: pyvista.DataSet, water: str = "", *, liquid: str = "", ic
                  droplets_over_land: float = 300.0, droplets_over_sea: float = 100.0) -> pyvista.DataSet:
     """Add extinction and the other optical properties of clouds in visible light, from the water of a weather model.
 
-    Also the accessor method ``mesh.nephoscope.cloud_optics(...)``. Arrays that are not named are found by the names that models use; ``"none"``
+    Also the accessor method ``mesh.nephoscope.cloud_optics(...)``. Arrays that you do not name are found by the names that models use; ``"none"``
     leaves one out.
 
     Parameters
@@ -41,16 +41,16 @@ def cloud_optics(mesh: pyvista.DataSet, water: str = "", *, liquid: str = "", ic
     mesh : pyvista.DataSet
         The dataset with the water, on points or cells; it is not changed.
     water : str, optional
-        Cloud water, the sum of liquid and ice; it is divided by temperature.
+        Cloud water, the sum of liquid and ice; the temperature determines how much of it is ice.
     liquid, ice, rain, snow : str, optional
         Cloud liquid, cloud ice, rain and snow.
     temperature, pressure, cloud_fraction, land, height : str, optional
-        Temperature (K), pressure (Pa or hPa), cloud fraction and land fraction (0 to 1), height (m). Without a pressure, it is in hydrostatic
-        balance with the heights of a structured grid.
+        Temperature (K), pressure (Pa or hPa), cloud fraction and land fraction (0 to 1), height (m). Without a pressure array, the pressure
+        is in hydrostatic balance with the heights of a structured grid.
     units : {"automatic", "kg/kg", "g/kg", "kg/m3", "g/m3"}, default: "automatic"
         Units of the water. Automatic: those in the file, otherwise kg/kg.
     liquid_radius, ice_radius : float, optional
-        Effective radius of droplets and of crystals, micrometres, everywhere. Default: from the water, the number of droplets and the temperature.
+        Uniform effective radius of droplets and of crystals, in micrometres. Default: computed from the water, the number of droplets and the temperature.
     droplets_over_land, droplets_over_sea : float
         Number of droplets per cm3.
 
@@ -73,7 +73,7 @@ def cloud_optics(mesh: pyvista.DataSet, water: str = "", *, liquid: str = "", ic
     Warns
     -----
     RuntimeWarning
-        For negative and missing values of water.
+        If water has negative or missing values.
     """
     options = dict(locals())
     return optics_of(options.pop("mesh"), str, **options)
@@ -82,7 +82,7 @@ def cloud_optics(mesh: pyvista.DataSet, water: str = "", *, liquid: str = "", ic
 def optics_of(mesh: pyvista.DataSet, say: Callable[[str], str], water: str, liquid: str, ice: str, rain: str, snow: str, temperature: str, pressure: str,
               cloud_fraction: str, land: str, height: str, units: str, liquid_radius: float | None, ice_radius: float | None,
               droplets_over_land: float, droplets_over_sea: float) -> pyvista.DataSet:
-    """`cloud_optics`, with arguments that messages call `say(name)`."""
+    """`cloud_optics`; messages call its arguments `say(name)`."""
     if not isinstance(mesh, vtkDataSet):
         raise TypeError(f"mesh is a {type(mesh).__name__}; it must be a pyvista dataset.")
     optics = vtkCloudOptics()

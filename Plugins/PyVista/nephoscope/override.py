@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: The Nephoscope authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""VTK's volume mappers for unstructured grids replaced by Cell Compositing, in scripts that do not know Nephoscope."""
+"""VTK's volume mappers for unstructured grids replaced by Cell Compositing, in scripts written without Nephoscope."""
 import os as _os
 import sys as _sys
 
@@ -13,8 +13,8 @@ _PYVISTA_RAY_CAST = "UnstructuredGridVolumeRayCastMapper"
 def override_vtk(enabled=True):
     """Let VTK and PyVista draw volumes of unstructured grids with Cell Compositing.
 
-    Scripts stay as they are: ``vtkProjectedTetrahedraMapper()``, ``vtkUnstructuredGridVolumeRayCastMapper()`` and PyVista's ``add_volume`` of an
-    unstructured grid create mappers that derive from the class asked for and draw the exact ray integral. Mappers that exist already do not
+    Scripts need no change: ``vtkProjectedTetrahedraMapper()``, ``vtkUnstructuredGridVolumeRayCastMapper()`` and PyVista's ``add_volume`` of an
+    unstructured grid create mappers that derive from the requested class and draw the exact ray integral. Mappers that exist already do not
     change. Settings of VTK's mappers that concern sampling and sorting have no effect.
 
     Parameters
@@ -26,8 +26,8 @@ def override_vtk(enabled=True):
     -----
     The environment variable ``NEPHOSCOPE_OVERRIDE_VTK=1`` has the same effect at ``import nephoscope``, and in ParaView when the plugin is loaded.
 
-    VTK's object factories create ``vtkProjectedTetrahedraMapper`` in every language. Most builds of VTK do not ask them for
-    ``vtkUnstructuredGridVolumeRayCastMapper``; this function then replaces the class in the modules of VTK and PyVista. Names that a script imported
+    VTK's object factories create ``vtkProjectedTetrahedraMapper`` in every language. In most builds of VTK they do not
+    create ``vtkUnstructuredGridVolumeRayCastMapper``; this function then replaces the class in the modules of VTK and PyVista. Names that a script imported
     before the call (``from vtkmodules.vtkRenderingVolume import …``) keep VTK's class.
 
     Examples
@@ -49,7 +49,7 @@ def read_environment():
 
 
 def _replace(old, new):
-    """Put the class `new` in place of `old` in the modules of VTK, and below PyVista's class that wraps it."""
+    """Replace the class `old` by `new` in the modules of VTK, and as the base of PyVista's class that wraps it."""
     for module in _modules_of("vtk", "vtkmodules", "pyvista"):
         if vars(module).get(_RAY_CAST) is old:
             setattr(module, _RAY_CAST, new)

@@ -9,7 +9,7 @@ from . import vtkPolyhedronToTetrahedra
 from ._checks import require_number
 from ._pipeline import vtk_messages
 
-# What the messages of vtkPolyhedronToTetrahedra say, and what it is called here.
+# Terms in messages of vtkPolyhedronToTetrahedra, and their names in Python.
 _NAMES = {"Set UseTetGen on": "Pass tetgen=True", "UseTetGen": "tetgen", "FaceWarpTolerance": "warp_tolerance", "DivideConvexPolyhedra": "convex"}
 
 

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: The Nephoscope authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""NetCDF files that follow the Climate and Forecast conventions, by VTK's own reader."""
+"""Reads NetCDF files that follow the Climate and Forecast conventions, with VTK's own reader."""
 from __future__ import annotations
 
 import re
@@ -19,8 +19,8 @@ from ._fields import choose_active_scalars
 from ._pipeline import vtk_messages
 
 
-_REMEDY = ("VTK's reader takes three dimensions, and before them one of time if it has a coordinate with units. Time that is not the first: "
-           "ncpdq -a time,lev,lat,lon IN OUT, or .transpose('time', ...) in xarray. More dimensions: write a file without the others first: "
+_REMEDY = ("VTK's reader accepts three dimensions, preceded by time if time has a coordinate with units. If time is not the first dimension: "
+           "ncpdq -a time,lev,lat,lon IN OUT, or .transpose('time', ...) in xarray. If there are more dimensions, first write a file without the others: "
            "ncks -d Time,0 IN OUT for the first index of the dimension Time, or xarray.open_dataset(IN).isel(Time=0).to_netcdf(OUT). "
            "The variable is")
 _WORDS = {"More than 3 dims without time not supported in variable": _REMEDY, "More than 3 dims + time not supported in variable": _REMEDY}
@@ -123,7 +123,7 @@ def cf_times(path: str | Path, *, dimensions: str | Sequence[str] | None = None)
 
 
 def cf_dates(times: Sequence[float], units: str) -> list[str]:
-    """`times` in `units` ("hours since 2011-01-01 00:00:00") as ISO dates; as numbers with units where that cannot be."""
+    """`times` in `units` ("hours since 2011-01-01 00:00:00") as ISO dates, or as numbers with units if that is impossible."""
     steps = {"d": 86400.0, "h": 3600.0, "m": 60.0, "s": 1.0}
     found = re.fullmatch(r"\s*(days?|d|hours?|hrs?|h|minutes?|mins?|seconds?|secs?|s) since (.+?)\s*", units, re.IGNORECASE)
     try:
@@ -134,7 +134,7 @@ def cf_dates(times: Sequence[float], units: str) -> list[str]:
 
 
 def _date(text: str) -> datetime:
-    """2011-1-1, 2011-01-01T06:00Z, 2011-1-1 0:0:0.0 UTC; ValueError for another."""
+    """A date such as 2011-1-1, 2011-01-01T06:00Z or 2011-1-1 0:0:0.0 UTC; ValueError for other forms."""
     parts = re.fullmatch(r"(\d{1,4})-(\d{1,2})-(\d{1,2})(?:[ T]+(\d{1,2})(?::(\d{1,2}))?(?::(\d{1,2})(?:\.\d*)?)?)?\s*(?:Z|UTC|GMT|[+-]?0?0:?00)?", text)
     if parts is None:
         raise ValueError(text)
@@ -156,7 +156,7 @@ def _opened(path: str | Path) -> tuple[vtkNetCDFCFReader, Path]:
 
 
 def _require_records(path: Path) -> None:
-    """An error where the unlimited dimension of a NetCDF classic file has length 0: VTK's reader would end the process."""
+    """Raises an error if the unlimited dimension of a NetCDF classic file has length 0, because VTK's reader would end the process."""
     with path.open("rb") as file:
         version = file.read(4)
         width = {b"CDF\x01": 4, b"CDF\x02": 4, b"CDF\x05": 8}.get(version, 0)  # of a count
@@ -168,8 +168,8 @@ def _require_records(path: Path) -> None:
             length = number()
             name = file.read(length + -length % 4)[:length].decode(errors="replace")
             if number() == 0:
-                raise ValueError(f"{path}: the unlimited dimension {name!r} has length 0, so that there are no data along it. Write at least one "
-                                 "record, or leave the dimension out.")
+                raise ValueError(f"{path}: the unlimited dimension {name!r} has length 0, so there are no data along it. Write at least one "
+                                 "record, or remove the dimension.")
 
 
 def _times(reader: vtkNetCDFCFReader) -> tuple[float, ...]:
@@ -178,7 +178,7 @@ def _times(reader: vtkNetCDFCFReader) -> tuple[float, ...]:
 
 
 def _time_units(mesh: pyvista.DataSet) -> str:
-    """Empty for a calendar whose years are not those of the world: its dates are not told."""
+    """The units of the time; empty for a calendar with artificial years, whose times are not shown as dates."""
     fields = {name: str(np.ravel(mesh.field_data[name])[0]) for name in ("time_units", "time_calendar") if name in mesh.field_data}
     units, calendar = fields.get("time_units", ""), fields.get("time_calendar", "standard").lower()
     return units if calendar in ("standard", "gregorian", "proleptic_gregorian", "") else f"{units} ({calendar})"
@@ -195,7 +195,7 @@ def _strings(array: object) -> list[str]:
 
 
 def cf_shapes(path: str | Path) -> list[str]:
-    """The dimensions of the variables of a file, but for time, as ``"(lev, lat, lon)"``; each once."""
+    """The distinct dimensions of the variables of a file, without time, such as ``"(lev, lat, lon)"``."""
     return _strings(_opened(path)[0].GetAllDimensions())
 
 
@@ -219,17 +219,17 @@ def _select_variables(reader: vtkNetCDFCFReader, path: Path, shape: str, variabl
     missing = [name for name in wanted if name not in here]
     if missing:
         raise ValueError(f"variables: {listed(missing)} not in {path} on {shape}. There are: {listed(here)}.")
-    for name in names:  # SetDimensions() is left alone: it would undo the choice at the next update
+    for name in names:  # SetDimensions() is not called: it would undo the choice at the next update
         reader.SetVariableArrayStatus(name, int(name in wanted))
 
 
-# Usual names of the dimensions along x and y; z is what is left.
+# Usual names of the dimensions along x and y; z is the remaining dimension.
 _X = ("lon", "longitude", "lons", "long", "rlon", "x", "west_east", "xc", "nlon", "ni")
 _Y = ("lat", "latitude", "lats", "rlat", "y", "south_north", "yc", "nlat", "nj")
 
 
 def _with_spacing(mesh: pyvista.DataSet) -> pyvista.DataSet:
-    """The reader divides by 0 for the spacing of an axis of one value."""
+    """Sets the spacing of axes with one value, for which the reader divides by 0."""
     if isinstance(mesh, pyvista.ImageData):
         mesh.spacing = [step if np.isfinite(step) else 1.0 for step in mesh.spacing]
         mesh.origin = [start if np.isfinite(start) else 0.0 for start in mesh.origin]
@@ -237,7 +237,7 @@ def _with_spacing(mesh: pyvista.DataSet) -> pyvista.DataSet:
 
 
 def _axes_in_order(mesh: pyvista.DataSet, shape: str) -> pyvista.DataSet:
-    """Longitudes along x and latitudes along y, where the names of the dimensions tell that they are not."""
+    """Puts longitudes along x and latitudes along y if the names of the dimensions show that they are not."""
     names = [name.strip().lower() for name in shape.strip("()").split(",")][::-1]  # fastest first, without time
     along_x = next((axis for axis, name in enumerate(names) if name in _X), None)
     along_y = next((axis for axis, name in enumerate(names) if name in _Y), None)
@@ -260,7 +260,7 @@ def _axes_in_order(mesh: pyvista.DataSet, shape: str) -> pyvista.DataSet:
     return turned
 
 
-# What files without a _FillValue write where there are no data.
+# Values that files without a _FillValue write for missing data.
 _USUAL_MISSING = tuple(sign * value for value in (999, 999.9, 9999, 9999.9, 99999, 999999, 32767, 32768, 1e20, 1e30, 9.96921e36) for sign in (1, -1))
 
 
@@ -283,7 +283,7 @@ def _mark_missing(mesh: pyvista.DataSet, missing: Sequence[float] | None) -> Non
 
 
 def _missing_of(values: np.ndarray) -> list[float]:
-    """Usual values at an end of the range, far from all others: negative ones half their size, positive ones more than the others' range."""
+    """Usual missing values at an end of the range and far from all other values: negative ones by half their size, positive ones by more than the range of the others."""
     found = []
     finite = values[np.isfinite(values)]
     for end, others in ((np.min, np.greater), (np.max, np.less)):

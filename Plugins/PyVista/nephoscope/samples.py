@@ -5,8 +5,13 @@ from __future__ import annotations
 
 from pathlib import Path
 
-SAMPLES = ("gfs_2p5deg_2011101100.nc", "blue_marble_2048.jpg")
+SAMPLES = ("gfs_2p5deg_2011101100.nc", "forecast_10deg_6h.nc", "blue_marble_2048.jpg")
 PACKAGE = Path(__file__).resolve().parent
+
+
+def shared(name: str) -> str:
+    """Path of an installed file, "" if there is none."""
+    return next((str(above / "share/nephoscope" / name) for above in PACKAGE.parents if (above / "share/nephoscope" / name).is_file()), "")
 
 
 def sample_data(name: str) -> str:
@@ -14,9 +19,10 @@ def sample_data(name: str) -> str:
 
     Parameters
     ----------
-    name : {"gfs_2p5deg_2011101100.nc", "blue_marble_2048.jpg"}
+    name : {"gfs_2p5deg_2011101100.nc", "forecast_10deg_6h.nc", "blue_marble_2048.jpg"}
         ``"gfs_2p5deg_2011101100.nc"``: weather of the whole globe, 2011-10-11 00 UTC, at 2.5 degrees on 21 levels from 1000 to 100 hPa: the
         72-hour forecast of NCEP's GFS, a work of the US government in the public domain. ``cloud_fraction`` is derived (Xu and Randall 1996).
+        ``"forecast_10deg_6h.nc"``: a coarse forecast with several time steps, for films and moving textures.
         ``"blue_marble_2048.jpg"``: the Earth without clouds, a map of 2048 x 1024 pixels, longitudes -180 to 180. NASA's Blue Marble, public domain.
 
     Returns

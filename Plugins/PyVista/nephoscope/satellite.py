@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: The Nephoscope authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Clouds as a satellite measures them: reflectances at known longitudes and latitudes."""
+"""Satellite images of clouds: reflectances at known longitudes and latitudes."""
 from __future__ import annotations
 
 import os
@@ -17,23 +17,23 @@ from ._checks import require_array, require_number
 from .light import lit
 
 GEOSTATIONARY_RADII = 42164.0 / 6378.137  # distance of the satellite from the centre of the planet
-METRES_PER_DEGREE = 1.1e5  # of the drawing of a globe as a map, in which only heights count
+METRES_PER_DEGREE = 1.1e5  # for drawing a globe as a map, where only heights matter
 
 
 @dataclass
 class SatelliteImage:
-    """What `satellite_image` returns: arrays of shape (height, width), the first row in the north.
+    """The result of `satellite_image`: arrays of shape (height, width), whose first row is the northernmost.
 
     Attributes
     ----------
     reflectance : numpy.ndarray
-        pi times the radiance over the irradiance of the sun: 1 for a white surface that faces the sun; NaN beside the planet.
+        pi times the radiance over the irradiance of the sun: 1 for a white surface that faces the sun; NaN outside the planet's disc.
     sun_zenith : numpy.ndarray
         Angle between the sun and the vertical at the ground, degrees.
     longitude, latitude : numpy.ndarray or None
-        Degrees east and north where the ground is seen; None for data that are not on a globe.
+        Degrees east and north of the visible ground; None for data that are not on a globe.
     x, y : numpy.ndarray or None
-        Coordinates of the mesh there, for data that are not on a globe.
+        Coordinates of the visible ground in the mesh, for data that are not on a globe.
     """
     reflectance: np.ndarray
     sun_zenith: np.ndarray
@@ -43,7 +43,7 @@ class SatelliteImage:
     y: np.ndarray | None = None
 
     def coordinates(self) -> dict[str, tuple[np.ndarray, dict[str, str]]]:
-        """Name -> values and attributes after the CF conventions."""
+        """Name -> values and attributes that follow the CF conventions."""
         if self.longitude is None:
             return {"x_of_mesh": (self.x, {"long_name": "x in the coordinates of the mesh"}), "y_of_mesh": (self.y, {"long_name": "y in the coordinates of the mesh"})}
         return {"lon": (self.longitude, {"standard_name": "longitude", "units": "degrees_east"}),
@@ -56,7 +56,7 @@ class SatelliteImage:
                 "sun_zenith": (self.sun_zenith, {"standard_name": "solar_zenith_angle", "units": "degree", "coordinates": places})}
 
     def normalized(self, least_cosine: float = 0.05) -> np.ndarray:
-        """The reflectance over the cosine of the sun's zenith angle; NaN where that is below `least_cosine`."""
+        """The reflectance over the cosine of the sun's zenith angle; NaN where the cosine is below `least_cosine`."""
         cosine = np.cos(np.radians(self.sun_zenith))
         return self.reflectance / np.where(cosine >= least_cosine, cosine, np.nan)
 
@@ -75,7 +75,7 @@ class SatelliteImage:
     def save(self, path: str | os.PathLike) -> None:
         """Writes a NetCDF file (.nc) with 32-bit floats and CF attributes. Needs netCDF4 or scipy."""
         if not os.fspath(path).endswith(".nc"):
-            raise ValueError(f"path is {os.fspath(path)!r}; it must end in .nc. GDAL turns the file into other formats: gdal_translate in.nc out.tif.")
+            raise ValueError(f"path is {os.fspath(path)!r}; it must end in .nc. GDAL converts the file to other formats: gdal_translate in.nc out.tif.")
         with _netcdf(os.fspath(path)) as file:
             file.Conventions = "CF-1.8"
             for name, length in zip(("y", "x"), self.reflectance.shape):
@@ -102,24 +102,25 @@ def _netcdf(path: str) -> Any:
 
 def satellite_image(mesh: pyvista.DataSet, view: str | Sequence[float] = "automatic", *, sun: Any = None, size: Sequence[int] = (800, 800),
                     longitude: float | None = None, ground_albedo: float | np.ndarray = 0.1) -> SatelliteImage:
-    """Image clouds as a satellite does: reflectances in floating point, without tone mapping, and where they were measured.
+    """Image clouds as a satellite does: reflectances in floating point, without tone mapping, and their positions.
 
     Parameters
     ----------
     mesh : pyvista.DataSet
         Clouds with water, with an extinction, or already lit by `sunlight`.
     view : {"automatic", "geostationary", "nadir"} or sequence of 3 float
-        ``"geostationary"``: from 42164 km above the centre of a globe, over the equator at `longitude`. ``"nadir"``: every place from straight above; a globe
-        becomes a map of equal steps in longitude and latitude. Three numbers: the direction towards a satellite far away. Automatic: geostationary for globes, else nadir.
+        ``"geostationary"``: from 42164 km above the centre of a globe, over the equator at `longitude`. ``"nadir"``: every position from straight above; a
+        globe becomes a map of equal steps in longitude and latitude. Three numbers: the direction towards a distant satellite. Automatic: geostationary for
+        globes, otherwise nadir.
     sun : sequence of 3 float, str, dict or True, optional
-        The sun, as in `add_cells`. The light is computed for this eye, unless a dict says otherwise. Default: the light that the mesh has.
+        The sun, as in `add_cells`. The light is computed for this view, unless a dict says otherwise. Default: the light in the mesh.
     size : sequence of 2 int, default: (800, 800)
         Width and height in pixels.
     longitude : float, optional
-        That of a geostationary satellite, degrees east. Default: of the middle of the mesh if that is not all around the planet, else 0.
+        Longitude of a geostationary satellite, degrees east. Default: that of the middle of the mesh, or 0 if the mesh surrounds the planet.
     ground_albedo : float or numpy.ndarray, default: 0.1
-        Share of the light that the ground reflects; or, below a globe, an array of it, its first row along the north pole, its columns from 180 degrees west. Its mean is
-        that of `sunlight`, if light is computed.
+        Fraction of the light that the ground reflects; for a globe also an array of it, with the first row along the north pole and columns from 180 degrees west.
+        `sunlight` uses its mean, if light is computed.
 
     Returns
     -------
@@ -194,7 +195,7 @@ def _lit_for(mesh: pyvista.DataSet, sun: Any, eye: dict[str, Any] | None, ground
 
 
 def _camera_of(mesh: pyvista.DataSet, view: Any, longitude: float | None) -> tuple[vtkCamera | None, dict[str, Any] | None]:
-    """The camera, and the eye for `sunlight`; no eye for a globe from straight above, where there is one for each place."""
+    """The camera, and the eye for `sunlight`. There is no eye for the nadir view of a globe, which would need one for each position."""
     radius = light_image.planet_radius(mesh)
     if isinstance(view, str) and view == "geostationary":
         if radius == 0:
@@ -225,7 +226,7 @@ def _camera(place: Any, direction: Any, up: Any, angle: float = 30.0) -> vtkCame
 
 
 def _camera_above(mesh: pyvista.DataSet, size: Sequence[int]) -> vtkCamera:
-    """Straight above data on a plane, all of which it sees."""
+    """A camera straight above flat data, which sees all of them."""
     x0, x1, y0, y1, _, z1 = mesh.bounds
     camera = _camera((0.5 * (x0 + x1), 0.5 * (y0 + y1), z1 + max(mesh.length, 1e-30)), (0, 0, -1), (0, 1, 0))
     camera.ParallelProjectionOn()
@@ -239,7 +240,7 @@ def _middle_longitude(mesh: pyvista.DataSet) -> float:
 
 
 def _as_map(mesh: pyvista.DataSet) -> pyvista.DataSet:
-    """A structured globe with longitude, latitude and height as coordinates: verticals are parallel, and as long as before."""
+    """A structured globe with longitude, latitude and height as coordinates. Verticals are parallel and keep their length."""
     if light_image.planet_radius(mesh) == 0:
         return mesh
     if not isinstance(mesh, vtkStructuredGrid):

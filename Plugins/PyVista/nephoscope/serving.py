@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: The Nephoscope authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Plotters in a browser, drawn here (trame, server-side rendering): the mappers of the suite have no counterpart in a browser's WebGL."""
+"""Plotters in a browser, drawn by Python on the server (trame): the mappers of this package cannot run in a browser's WebGL."""
 from __future__ import annotations
 
 import asyncio
@@ -15,35 +15,35 @@ import pyvista
 from . import _modules
 from ._checks import require_number
 from ._medium import require_plotter
+from .viewer_state import PORT
 
-PORT = 8080
 PACKAGES = ("trame", "trame_vtk", "trame_vuetify")
 
 
 def serve(plotter: pyvista.Plotter, *, port: int = PORT, host: str = "127.0.0.1", open_browser: bool = True, title: str = "Nephoscope") -> None:
-    """Show a plotter in the browser until Ctrl-C: it is drawn here, and the browser gets pictures.
+    """Show a plotter in the browser until Ctrl-C. Python draws it and sends the pictures to the browser.
 
     In a notebook use ``plotter.show(jupyter_backend="server")``.
 
     Parameters
     ----------
     plotter : pyvista.Plotter
-        The plotter; it is not shown yet. ``off_screen=True`` keeps its own window away.
+        The plotter, before it is shown. With ``off_screen=True`` it opens no window of its own.
     port : int, default: 8080
-        Port of the web server, 0 to 65535. 0: any that is free.
+        Port of the web server, 0 to 65535. 0: any free port.
     host : str, default: "127.0.0.1"
-        Address that the server listens at; ``"0.0.0.0"`` for all of this machine. Who reaches it can turn the picture.
+        Address that the server listens at; ``"0.0.0.0"`` for all addresses of this machine. Everyone who can reach the address can turn the picture.
     open_browser : bool, default: True
-        Open the page in the default browser, where there is one.
+        Open the page in the default browser, if there is one.
     title : str, default: "Nephoscope"
         Title of the page.
 
     Raises
     ------
     ModuleNotFoundError
-        If trame is not installed; the message has the line that installs it.
+        If trame is not installed; the message has the command that installs it.
     TypeError, ValueError
-        If an argument is none of the above.
+        If an argument has a wrong type or value.
     RuntimeError
         If an event loop is running already, as in a notebook.
     """
@@ -57,7 +57,7 @@ def serve(plotter: pyvista.Plotter, *, port: int = PORT, host: str = "127.0.0.1"
 
 
 def require_packages() -> None:
-    """ModuleNotFoundError with the line that installs what is missing."""
+    """Raises ModuleNotFoundError with the command that installs the missing packages."""
     missing = [name for name in PACKAGES if importlib.util.find_spec(name) is None]
     if missing:
         what = "'nephoscope[web]'" if _modules.FROM_PYPI else "-r Plugins/PyVista/requirements-web.txt"
@@ -66,25 +66,25 @@ def require_packages() -> None:
 
 
 def make_server(name: str) -> Any:
-    """A trame server of Vue 3 that runs alone."""
+    """A stand-alone trame server with Vue 3."""
     require_packages()
     try:
         asyncio.get_running_loop()
     except RuntimeError:
         from trame.app import get_server
         return get_server(name, client_type="vue3")
-    raise RuntimeError('An event loop is running, as in a notebook: there use plotter.show(jupyter_backend="server").')
+    raise RuntimeError('An event loop is already running, as in a notebook. Use plotter.show(jupyter_backend="server").')
 
 
 def add_view(plotter: pyvista.Plotter, **options: Any) -> Any:
-    """The view of a plotter, in the layout that is being made."""
+    """Adds the view of a plotter to the current layout."""
     from trame.widgets import client
-    from trame.widgets.vtk import VtkRemoteView  # PyVista's own has another name in 0.49
+    from trame.widgets.vtk import VtkRemoteView  # PyVista's own class has another name in 0.49
     for renderer in plotter.renderers:
         if not renderer.camera.is_set:
             renderer.camera_position = renderer.get_default_cam_pos()
             renderer.ResetCamera()
-    client.Style("html { overflow-y: auto }")  # Vuetify's pages have a scroll bar even where all is seen
+    client.Style("html { overflow-y: auto }")  # Vuetify's pages have a scroll bar even if everything is visible
     view = VtkRemoteView(plotter.render_window, interactive_ratio=1, **options)
     view.server.controller.on_server_ready.add(view.update)
     plotter.add_on_render_callback(lambda *_: view.update() if view.server.running else None, render_event=False)
@@ -92,24 +92,24 @@ def add_view(plotter: pyvista.Plotter, **options: Any) -> Any:
 
 
 def run(server: Any, port: int, host: str, open_browser: bool) -> None:
-    """Serves until Ctrl-C; says where."""
+    """Serves until Ctrl-C, and prints the address."""
     port = int(require_number(port, "port", least=0, most=65535))
 
     @server.controller.add("on_server_ready")
     def say(**_: Any) -> None:
         address = f"http://{host}:{server.port}/"
         print(f"Nephoscope: {address} (Ctrl-C ends it)", flush=True)
-        if open_browser:  # trame would name an option that is not ours
+        if open_browser:  # trame would recommend an option that this command does not have
             asyncio.get_running_loop().call_later(0.1, webbrowser.open, address)
 
-    for name in ("wslink", "aiohttp.server"):  # they report browsers that leave while a picture is drawn
+    for name in ("wslink", "aiohttp.server"):  # they report browsers that disconnect while a picture is drawn
         logging.getLogger(name).setLevel(logging.CRITICAL)
     logging.getLogger("asyncio").addFilter(lambda record: not (record.exc_info and isinstance(record.exc_info[1], ConnectionError)))
     arguments, sys.argv = sys.argv, sys.argv[:1]  # trame reads them too
     try:
         server.start(port=port, host=host, open_browser=False, show_connection_info=False, disable_logging=True, timeout=0, exec_mode="main")
     except OSError as error:
-        raise OSError(f"Port {port} of {host} cannot be used: {error.strerror or error}. Choose another one, 0 for any that is free.") from error
+        raise OSError(f"Port {port} of {host} cannot be used: {error.strerror or error}. Choose another one, or 0 for any free port.") from error
     except KeyboardInterrupt:
         pass
     finally:

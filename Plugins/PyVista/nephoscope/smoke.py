@@ -16,7 +16,7 @@ from ._checks import arrays_of, choose, listed, require_number, require_winds
 from ._pipeline import _renamed, vtk_messages
 from ._series import Grids, Series
 
-# What the messages of vtkFlowVolume say, and what it is called here.
+# Terms in messages of vtkFlowVolume, and their names in Python.
 _NAMES = {"switch NormalToFlow off": "give normal", "switch NormalToFlow on": "leave normal out", "Center": "center", "Radius": "radius",
           "Normal": "normal", "Duration": "duration", "TimeStep": "time_step", "PolygonEdgeLength": "polygon_edge_length",
           "MaximumEdgeLength": "max_edge_length", "MinimumEdgeLength": "min_edge_length", "InitialDensity": "initial_density",
@@ -132,7 +132,7 @@ def _filter(mesh: Any, polygon: Any = None, *, vectors: Any, center: Any, radius
             initial_density: Any, polygon_edge_length: Any, max_edge_length: Any, min_edge_length: Any, max_turn_angle: Any,
             integrator: Any, tolerance: Any, max_tetrahedra: Any, times: Any, time: Any, start_time: Any,
             time_scale: Any) -> tuple[vtkFlowVolume, Series | None]:
-    """The filter that the arguments of flow_volume describe, and the meshes of an unsteady flow."""
+    """The filter described by the arguments of flow_volume, and the meshes of an unsteady flow."""
     smoke = vtkFlowVolume()
     smoke.SetTimeScale(require_number(time_scale, "time_scale", above=0))
     series = None
@@ -227,7 +227,7 @@ def smoke_puffs(volume: pyvista.UnstructuredGrid, time: float = 0.0, *, period: 
         If the volume lacks its arrays, with the filter's message.
     """
     if not isinstance(volume, pyvista.UnstructuredGrid):
-        raise TypeError(f"volume is a {type(volume).__name__}; it must be what flow_volume returns, an UnstructuredGrid.")
+        raise TypeError(f"volume is a {type(volume).__name__}; it must be an UnstructuredGrid from flow_volume.")
     puffs = vtkSmokePuffs()
     puffs.SetInputData(volume)
     puffs.SetTime(require_number(time, "time"))
@@ -247,7 +247,7 @@ def _has_vectors(data: Any, name: str) -> bool:
 
 
 def _velocity(mesh: pyvista.DataSet | vtkCompositeDataSet, name: str | None) -> tuple[str, bool]:
-    """Name of the velocity and whether it is of the cells; an empty name leaves the choice to the filter."""
+    """Name of the velocity, and whether it is a cell array; an empty name leaves the choice to the filter."""
     blocks = [block for _, block in named_blocks(mesh)]
     if name is None:
         for block in blocks[:1]:
@@ -270,7 +270,7 @@ def _place(smoke: vtkFlowVolume, mesh: Any, velocity: tuple[str, bool], center: 
     place = vtkFlowVolumePlacement()
     place.SetNumberOfSides(smoke.GetNumberOfSides())
     if not place.Find(mesh, *velocity):
-        raise ValueError(_renamed(place.GetProblem(), _NAMES) or "center: no place with a flow was found in the mesh; pass the centre of the polygon.")
+        raise ValueError(_renamed(place.GetProblem(), _NAMES) or "center: the mesh has no position with a flow; pass the centre of the polygon.")
     smoke.SetCenter(place.GetCenter())
     if radius is None:
         smoke.SetRadius(place.GetRadius())
@@ -281,7 +281,7 @@ def _take_polygon(smoke: vtkFlowVolume, polygon: Any, others: dict[str, Any]) ->
         raise TypeError(f"polygon is a {type(polygon).__name__}; it must be a pyvista.PolyData with polygons.")
     superfluous = [name for name, value in others.items() if value is not None]
     if superfluous:
-        raise ValueError(f"polygon is given, and {listed(superfluous)} as well: they describe another polygon; leave them out.")
+        raise ValueError(f"polygon is given, and {listed(superfluous)} as well: they describe another polygon, so leave them out.")
     smoke.SetInputDataObject(1, polygon)
 
 

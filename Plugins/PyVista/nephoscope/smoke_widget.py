@@ -89,7 +89,7 @@ class SmokeWidget:
         self.volume.SetVisibility(found)
 
     def move_polygon(self, center: Sequence[float]) -> None:
-        """The polygon alone: a volume of one short step tells how it is turned."""
+        """Moves the polygon only; a volume with one short step gives its orientation."""
         duration, step = self.filter.GetDuration(), self.filter.GetTimeStep()
         self.filter.SetCenter(*center)
         self.filter.SetDuration(1e-3 * self.filter.GetDurationUsed())
@@ -99,7 +99,7 @@ class SmokeWidget:
         self.filter.SetTimeStep(step)
 
     def _update(self) -> bool:
-        """False where there is no smoke to be had; a polygon partly outside gives what it has."""
+        """False if there is no smoke; a polygon partly outside the data gives the smoke of its inner part."""
         try:
             with warnings.catch_warnings(), vtk_messages(self.filter, _NAMES):
                 warnings.simplefilter("ignore")

@@ -14,7 +14,7 @@ from ._checks import arrays_of, choose, listed, require_array, require_number
 from ._pipeline import vtk_messages
 
 
-# What the messages of reader and writer say, and what it is called here.
+# Terms in messages of the reader and the writer, and their names in Python.
 _NAMES = {"MemoryLimit": "memory_limit", "SplitTiles off": "split_tiles=False", "a VoxelSize": "a voxel_size", "VoxelSize": "voxel_size",
           "SetGridName": "names", "MassArrayName": "masses", "SetFileName": "path"}
 

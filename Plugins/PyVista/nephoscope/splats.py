@@ -17,13 +17,14 @@ from ._medium import Functions, MediumMapper, add_medium, require_dataset, requi
 from ._options import group, refuse_unknown
 from ._vectors import OLD_NAMES as VECTOR_NAMES
 from ._vectors import Vectors, is_drawn
+from .light import brightest, lit_medium
 from .transfer import OpacityLike
 
 KERNEL_RADII = {"cubic": 1.556228, "quadratic": 1.37790, "gaussian": 1.916}  # cells; SplatKernel.h
 
 
 class TexturedSplatMapper(MediumMapper, vtkTexturedSplatMapper):
-    """The mapper with what PyVista asks of one, and the phase as a property."""
+    """The mapper with the properties that PyVista expects, and with the phase as a property."""
 
     def copy(self) -> TexturedSplatMapper:
         mapper = super().copy()
@@ -74,7 +75,8 @@ def add_splats(plotter: pyvista.BasePlotter, mesh: Any, scalars: str | np.ndarra
                level_of_detail: float | Mapping[str, Any] | None = None, vectors: str | Mapping[str, Any] | None = None,
                preference: str = "point", name: str | None = None, show_scalar_bar: bool | None = None, scalar_bar_args: dict | None = None,
                reset_camera: bool | None = None, pickable: bool = True, user_matrix: Any = None, render: bool = True,
-               preset: str | bool | None = None, **old: Any) -> pyvista.Volume:
+               preset: str | bool | None = None, sun: Any = None, exposure: float | None = None, tone_mapping: str = "contrast",
+               **old: Any) -> pyvista.Volume:
     """Add the points or cells of a dataset to a plotter as splats drawn by `vtkTexturedSplatMapper`.
 
     Every sample is a kernel in the shape of its grid cell, or a ball if there is no grid. Its extinction coefficient is opacity *
@@ -137,7 +139,7 @@ def add_splats(plotter: pyvista.BasePlotter, mesh: Any, scalars: str | np.ndarra
         - ``color``: one colour for all vectors. Default: in a medium black, white or orange, whichever contrasts best; without a medium the
           colour of the splats.
         - ``scalars``, ``cmap``, ``clim``: array that colours the vectors independently of the splats, for example altitude; its magnitude if it
-          has several components. Its colour map and range are as `cmap` and `clim`.
+          has several components. Its colour map and range are given as for `cmap` and `clim`.
         - ``maximum_speed``: length of a vector, in its own unit, at and above which streaks have full opacity, > 0. Default: the greatest length
           in the data.
         - ``fraction``: fraction of the samples whose vectors are drawn, chosen at random, > 0 and <= 1. Fewer streaks are longer and wider.
@@ -160,8 +162,10 @@ def add_splats(plotter: pyvista.BasePlotter, mesh: Any, scalars: str | np.ndarra
     name, show_scalar_bar, scalar_bar_args, reset_camera, pickable, user_matrix, render, preset
         As in `add_cells`. With `color` there is no scalar bar unless `show_scalar_bar` is True. Scalars of the vectors get their own scalar bar,
         which is the only one if only the vectors are drawn.
+    sun, exposure, tone_mapping
+        As in `add_cells`, for data with 3-D cells: splats at the points have the colours of the light there, and the extinction for which the light was computed.
     **old
-        Earlier names of options, with a DeprecationWarning that tells the present one: `unit_distance`; `vector_style`, `vector_color`, ... and
+        Earlier names of options, with a DeprecationWarning that gives the current name: `unit_distance`; `vector_style`, `vector_color`, ... and
         `greatest_speed`, `vector_share`, `streak_period`, ..., `phase`; `error_tolerance`, `error_unit`, `error_measure`, `interactive_splats` and
         `level_blending`.
 
@@ -173,7 +177,7 @@ def add_splats(plotter: pyvista.BasePlotter, mesh: Any, scalars: str | np.ndarra
     Raises
     ------
     TypeError
-        If `plotter` or `mesh` has the wrong type, the scalars are not numeric, or there is no such option.
+        If `plotter` or `mesh` has the wrong type, the scalars are not numeric, or an option does not exist.
     pyvista.core.errors.MissingDataError
         (a ValueError) If an array does not exist; the message lists the arrays that do.
     ValueError
@@ -189,13 +193,20 @@ def add_splats(plotter: pyvista.BasePlotter, mesh: Any, scalars: str | np.ndarra
     detail = group("level_of_detail", level_of_detail, LevelOfDetail, "tolerance", old, DETAIL_NAMES)
     opacity_unit_distance = renamed_argument(opacity_unit_distance, "opacity_unit_distance", old.pop("unit_distance", None), "unit_distance")
     refuse_unknown("add_splats", old)
+    brightest(None, exposure, tone_mapping)  # rejects wrong values, also without sun
+    if sun is not None:
+        if color is not None:
+            raise ValueError("color and sun are both given, but sun determines the colours. Pass cmap for other colours.")
+        light = lit_medium(_sampled_mesh(mesh, {}), sun, cmap, clim, n_colors, exposure, tone_mapping)
+        mesh, scalars, opacity_scalars, opacity, opacity_clim, opacity_unit_distance, cmap, clim = light.values()
+        preference = "point"
     mesh = _sampled_mesh(mesh, {**({"scalars": scalars} if color is None or scalars is not None else {}), "opacity_scalars": opacity_scalars,
                                 "vectors": streaks.array, "vectors['scalars']": streaks.scalars, "sizes": sizes, "volumes": volumes})
     shows_bars = plotter.theme.show_scalar_bar if show_scalar_bar is None else show_scalar_bar
     if color is not None:
         cmap, show_scalar_bar = [pyvista.Color(color).hex_rgb] * 2, bool(show_scalar_bar)
         if scalars is None:
-            on_cells = not mesh.point_data and mesh.cell_data  # as of hyper tree grids: each cell has its own size
+            on_cells = not mesh.point_data and mesh.cell_data  # for hyper tree grids, for example: each cell has its own size
             scalars, clim, preference = np.ones(mesh.n_cells if on_cells else mesh.n_points), (0, 1), "cell" if on_cells else "point"
     mesh, array_name, association = scalar_array(mesh, scalars, preference)
     if opacity_scalars is not None:
@@ -211,7 +222,7 @@ def add_splats(plotter: pyvista.BasePlotter, mesh: Any, scalars: str | np.ndarra
                      opacity_scale, preset).attach(mapper, plotter, mesh, array_name, association, association, opacity_unit_distance)
     streaks.suit(mapper, plotter, prop)
     if streaks.table is not None and not is_drawn(prop.GetScalarOpacity()):
-        show_scalar_bar = False  # nothing has its colours
+        show_scalar_bar = False  # nothing uses its colours
     volume = add_medium(plotter, mapper, prop, array_name, user_matrix=user_matrix, show_scalar_bar=show_scalar_bar,
                         scalar_bar_args=scalar_bar_args, reset_camera=reset_camera, name=name, pickable=pickable, render=render)
     if shows_bars:
@@ -220,7 +231,7 @@ def add_splats(plotter: pyvista.BasePlotter, mesh: Any, scalars: str | np.ndarra
 
 
 def _sampled_mesh(mesh: Any, arrays: Mapping[str, Any]) -> pyvista.DataSet:
-    """`mesh` as one PyVista dataset that has points; of blocks those that have the `arrays`."""
+    """`mesh` as one PyVista dataset with points. If there are several blocks, only those with the `arrays` are used."""
     mesh = require_dataset(mesh, "mesh", ", or points of shape (n, 3)", merge_points=False, arrays=arrays)
     if mesh.n_points == 0:
         raise ValueError(f"mesh, a {type(mesh).__name__}, has no points.")

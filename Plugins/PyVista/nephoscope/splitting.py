@@ -20,7 +20,7 @@ from ._pipeline import vtk_messages
 
 PRECISIONS = {"double": vtkAlgorithm.DOUBLE_PRECISION, "single": vtkAlgorithm.SINGLE_PRECISION, "input": vtkAlgorithm.DEFAULT_PRECISION}
 
-# What the messages of vtkContourCellSplitter say, and what it is called here.
+# Terms in messages of vtkContourCellSplitter, and their names in Python.
 _NAMES = {"Choose one with SetInputArrayToProcess": "Name one by scalars", "Contour value": "isosurfaces: value", "contour values": "isosurfaces", "contour value": "value of isosurfaces",
           "GenerateSurfaces": "surfaces", "PolyhedralTransitions": "polyhedral_transitions"}
 
@@ -98,10 +98,10 @@ def split_cells(mesh: pyvista.DataSet | pyvista.MultiBlock, isosurfaces: int | f
 
 
 def _array_of_blocks(blocks: vtkCompositeDataSet, scalars: str | None) -> tuple[str, np.ndarray]:
-    """The name, and the values of all blocks, which all have it."""
+    """The name of an array that all blocks have, and the values of all blocks."""
     meshes = [mesh for _, mesh in named_blocks(blocks) if mesh.n_points]
     if not meshes:
-        warnings.warn("The MultiBlock has no block with points: there is nothing to divide.", RuntimeWarning, stacklevel=3)
+        warnings.warn("The MultiBlock has no block with points, so there is nothing to divide.", RuntimeWarning, stacklevel=3)
     name = scalars if scalars is not None else _scalar_point_array(meshes[0], None) if meshes else ""
     arrays = [np.asarray(mesh.point_data[_scalar_point_array(mesh, name)], float) for mesh in meshes]
     return name, np.concatenate(arrays or [np.empty(0)])
@@ -117,7 +117,7 @@ def _point_array(mesh: pyvista.DataSet, scalars: str | None) -> str:
 
 
 def _scalar_point_array(mesh: pyvista.DataSet, scalars: str | None) -> str:
-    """The name of a point array of one number each."""
+    """The name of a point array with one component."""
     name = _point_array(mesh, scalars)
     values = array_values(mesh, name, "point")
     if values.ndim > 1:
@@ -126,7 +126,7 @@ def _scalar_point_array(mesh: pyvista.DataSet, scalars: str | None) -> str:
 
 
 def _values(array: np.ndarray, isosurfaces: int | float | Sequence[float], rng: Sequence[float] | None, inside: bool = False) -> np.ndarray:
-    """The values; `inside`: so many that none is an end of the range of the array, where there would be no surface."""
+    """The values; `inside`: a number of values inside the range of the array, because its ends give no surface."""
     if isinstance(isosurfaces, (int, np.integer)) and not isinstance(isosurfaces, bool):
         if isosurfaces < 0:
             raise ValueError(f"isosurfaces is {isosurfaces}; a number of values must be at least 0.")

@@ -16,10 +16,10 @@ from ._medium import require_plotter
 from ._pipeline import vtk_messages
 from .globe import EARTH_RADIUS, _NAMES, _structured
 
-# Usual names of the height of the ground and of the fraction of land, CF standard names among them.
+# Usual names of the height of the ground and of the land fraction, including CF standard names.
 USUAL_HEIGHTS = ("orog", "surface_altitude", "orography", "topo", "topography", "elevation", "terrain", "HGT", "HSURF", "hsurf", "zs", "zsurf")
 USUAL_LAND = ("lsm", "land_area_fraction", "land_binary_mask", "sftlf", "LANDMASK", "LANDFRAC", "FR_LAND", "land")
-COLOURS = 2048  # of the table: the coast is a jump in it
+COLOURS = 2048  # of the table, which has a jump at the coast
 
 
 def terrain_surface(mesh: pyvista.DataSet, height: str | None = None, *, land: str | Literal[False] | None = None,
@@ -33,7 +33,7 @@ def terrain_surface(mesh: pyvista.DataSet, height: str | None = None, *, land: s
     Parameters
     ----------
     mesh : pyvista.ImageData, pyvista.RectilinearGrid or pyvista.StructuredGrid
-        One level: axes x longitude and y latitude in degrees, as `read_cf` gives fields without levels.
+        One level: axes x longitude and y latitude in degrees, as in fields without levels from `read_cf`.
     height : str, optional
         Point or cell array of heights above sea level. Default: the first of these usual names that exists: ``"orog"``, ``"surface_altitude"``,
         ``"topo"``, ``"elevation"``, ``"HGT"``, ``"HSURF"``, ...
@@ -111,7 +111,7 @@ def add_terrain(plotter: pyvista.BasePlotter, terrain: pyvista.DataSet, *, cmap:
     """
     require_plotter(plotter)
     if "Terrain" not in getattr(terrain, "point_data", ()):
-        raise MissingDataError("terrain has no point array 'Terrain'. Make it by terrain_surface.")
+        raise MissingDataError("terrain has no point array 'Terrain'. Make it with terrain_surface.")
     limits, colours = terrain_preset(COLOURS)
     defaults = {"scalars": "Terrain", "clim": limits if clim is None else clim, "cmap": colours if cmap is None else cmap,
                 "scalar_bar_args": {"title": "Height (m)"}}
@@ -122,7 +122,7 @@ def _height_name(mesh: pyvista.DataSet, height: str | None) -> str:
     if height is None:
         height = next((name for name in USUAL_HEIGHTS if name in mesh.array_names), None)
         if height is None:
-            raise MissingDataError("mesh has no array with a usual name of the height of the ground; name one by height. "
+            raise MissingDataError("mesh has no array with a usual name for the height of the ground; name one with height. "
                                    f"Its arrays: {listed(_arrays(mesh))}.")
     elif height not in _arrays(mesh):
         raise MissingDataError(f"height: there is no array {height!r}. The arrays: {listed(_arrays(mesh))}.")

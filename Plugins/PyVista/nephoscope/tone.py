@@ -1,22 +1,22 @@
 # SPDX-FileCopyrightText: The Nephoscope authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""From light to what a display shows: exposure, a curve, and the encoding of sRGB. Needs numpy alone."""
+"""Converts light to display values: exposure, a tone curve and the sRGB encoding. It needs only numpy."""
 from __future__ import annotations
 
 import numpy as np
 
 TONE_MAPPINGS = ("contrast", "linear", "filmic")
-CONTRAST = 2.0  # exponent: lit sides of clouds are only about twice as bright as their shadows
+CONTRAST = 2.0  # exponent; sunlit sides of clouds are only about twice as bright as their shadows
 
 
 def filmic(light: np.ndarray) -> np.ndarray:
-    """The curve of Narkowicz (2016), a fit of that of ACES: dark light stays dark, bright light approaches 1 slowly."""
+    """The curve of Narkowicz (2016), a fit to the ACES curve: dark values stay dark, and bright values approach 1 slowly."""
     light = np.maximum(light, 0)
     return np.clip(light * (2.51 * light + 0.03) / (light * (2.43 * light + 0.59) + 0.14), 0, 1)
 
 
 def contrast(light: np.ndarray) -> np.ndarray:
-    """The square of the light: as in photographic prints, differences are larger than in nature."""
+    """The square of the light, so that differences are larger than in nature, as in photographic prints."""
     return np.clip(light, 0, 1) ** CONTRAST
 
 
@@ -33,7 +33,7 @@ def decoded(srgb: np.ndarray) -> np.ndarray:
 
 
 def toned(light: np.ndarray, exposure: float = 1.0, tone_mapping: str = "linear") -> np.ndarray:
-    """What a display shows of light, 0 to 1. `exposure` multiplies the light."""
+    """Display values of light, 0 to 1. `exposure` multiplies the light."""
     light = exposure * np.nan_to_num(np.asarray(light, float))
     return encoded({"contrast": contrast, "filmic": filmic}.get(tone_mapping, np.asarray)(light))
 

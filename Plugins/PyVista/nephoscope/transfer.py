@@ -17,7 +17,7 @@ from vtkmodules.vtkRenderingCore import vtkColorTransferFunction
 
 from ._checks import listed
 
-SAMPLES = 256            # of a curve that is not given by points
+SAMPLES = 256            # of a curve that is not defined by points
 COLOUR_TOLERANCE = 1 / 255   # colour maps are 8-bit tables
 OPACITY_TOLERANCE = 5e-4     # of the largest opacity
 
@@ -104,7 +104,7 @@ def control_points(values: np.ndarray, clim: tuple[float, float], log_scale: boo
     """
     values = values.reshape(len(values), -1)
     fractions = np.linspace(0, 1, len(values))
-    if log_scale and len(values) < SAMPLES:  # a straight line in the logarithm is none in the scalar
+    if log_scale and len(values) < SAMPLES:  # a straight line in the logarithm is not straight in the scalar
         finer = np.unique(np.r_[fractions, np.linspace(0, 1, SAMPLES)])
         values = np.stack([np.interp(finer, fractions, column) for column in values.T], axis=1)
         fractions = finer

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: The Nephoscope authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""The page of the viewer: its side bar, the link that follows it, and drawing when something has changed."""
+"""The page of the viewer: its side bar, the link that follows it, and drawing after changes."""
 from __future__ import annotations
 
 import asyncio
@@ -15,14 +15,14 @@ from .viewer_scene import Scene, camera_of, draw, one_sentence
 from .viewer_state import LIMITS, TECHNIQUES, View, checked, from_mapping, from_query, to_query
 
 CHOSEN = ("field", "technique", "time", "exaggeration", "opacity", "preset", "terrain")  # by the widgets
-PATIENCE = 0.3  # seconds in which changes are collected: a slider sends many
+PATIENCE = 0.3  # seconds during which changes are collected, because a slider sends many
 HEIGHT = "height: 100%; width: 100%"
 COPY = "utils.get('navigator').clipboard.writeText(utils.get('location').href); copied = true"
 FOLLOW = "utils.get('history').replaceState(null, '', $event)"
 
 
 class Page:
-    """The state of trame, `server.state`, has the items of a View under their names; a change is drawn, and told to the browser's address."""
+    """The state of trame, `server.state`, has the items of a View under their names. A change is drawn, and updates the address in the browser."""
 
     def __init__(self, server: Any, scene: Scene, view: View, problems: list[str]) -> None:
         self.scene, self.state, self.view = scene, server.state, view
@@ -35,7 +35,7 @@ class Page:
         self.state.change(*CHOSEN)(self._on_choice)
         server.trigger("nephoscope_open")(self._on_open)
         self._draw(problems)
-        self.plotter.suppress_rendering = True  # from now on the view in the page draws
+        self.plotter.suppress_rendering = True  # from now on the view in the page renders
         self._lay_out(server)
         server.controller.on_server_ready.add(lambda **_: self.plotter.camera.AddObserver("ModifiedEvent", self._on_camera))
 
@@ -47,7 +47,7 @@ class Page:
             self.address.exec(to_query(self.view, choices))
 
     def _on_choice(self, **_: Any) -> None:
-        """Something was chosen in the side bar: drawn when no more changes come."""
+        """Handles a choice in the side bar: draws once no more changes arrive."""
         chosen, problems = from_mapping({name: self.state[name] for name in CHOSEN}, self.view)
         chosen, more = checked(replace(chosen, camera=camera_after(self.view, chosen)), self.scene.choices)
         if chosen != self.view:
@@ -58,7 +58,7 @@ class Page:
             self.waiting = asyncio.get_running_loop().call_later(PATIENCE, self._draw, problems + more)
 
     def _on_open(self, query: str) -> None:
-        """A browser has opened a link: all who look at this server see it."""
+        """Handles a link that a browser has opened; everyone connected to this server sees the picture."""
         opened, problems = from_query(query, self.view)
         opened, more = checked(opened, self.scene.choices)
         changed, self.view = opened != self.view, opened
@@ -67,7 +67,7 @@ class Page:
             self._draw(problems + more)
 
     def _on_camera(self, *_: Any) -> None:
-        """The camera has changed, by the mouse or by drawing; it does so many times."""
+        """Handles a change of the camera, by the mouse or by drawing; this occurs many times."""
         if self.turning is None:
             self.turning = asyncio.get_running_loop().call_later(PATIENCE, self._on_turned)
 
@@ -129,11 +129,11 @@ class Page:
     def _add_buttons(self, v: Any) -> None:
         v.VBtn("Reset camera", prepend_icon="mdi-crop-free", click=self._on_reset, size="small")
         v.VBtn("{{ copied ? 'Copied' : 'Copy link' }}", prepend_icon="mdi-link", click=COPY, size="small",
-               v_if="utils.get('navigator').clipboard")  # browsers have it on this machine and with https
+               v_if="utils.get('navigator').clipboard")  # browsers provide it for this machine and with https
 
 
 def camera_after(old: View, new: View) -> tuple[float, ...]:
-    """The camera stays, but for smoke, which is on one side of the globe."""
+    """The camera stays, except for smoke, which lies on one side of the globe."""
     return () if new.technique == "smoke" != old.technique else old.camera
 
 

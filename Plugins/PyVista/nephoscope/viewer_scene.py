@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: The Nephoscope authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""A file as the viewer draws it: the choices that its data allow, and each technique with its defaults."""
+"""Draws a file for the viewer: the choices that its data allow, and each technique with its defaults."""
 from __future__ import annotations
 
 import logging
@@ -29,15 +29,15 @@ from .terrain import add_terrain, terrain_surface
 from .viewer_state import Choices, View
 
 NETCDF = (".nc", ".nc4", ".cdf", ".netcdf")
-EARTH = "#33506b"  # of the sphere where there is no terrain
-KEPT = 3           # grids: times and exaggerations seen last
+EARTH = "#33506b"  # of the sphere, if there is no terrain
+KEPT = 3           # number of grids kept for the last times and exaggerations
 BAR = {"width": 0.25, "height": 0.08, "position_x": 0.72, "position_y": 0.02, "n_labels": 3, "fmt": "%g", "title_font_size": 16, "label_font_size": 14}
-GLOBE_ZOOM = 1.4    # nearer than PyVista's camera, which has room for the corners of a box
+GLOBE_ZOOM = 1.4    # nearer than PyVista's camera, which leaves room for the corners of a box
 OPTICAL_DEPTH = 3   # of a cloud surface, as add_cloud_texture has it
 
 
 class Scene:
-    """The data of a file, and what can be chosen of them, `choices`. Raises one sentence for a file that cannot be drawn."""
+    """The data of a file, and the choices that they allow, `choices`. A file that cannot be drawn raises an error with one sentence."""
 
     def __init__(self, path: str | Path) -> None:
         self.path = Path(path)
@@ -53,11 +53,11 @@ class Scene:
                                self._is_globe and self._terrain(View()) is not None)
 
     def grid(self, view: View) -> pyvista.DataSet:
-        """The data at the time of the view: on a globe of its exaggeration, or as they are in the file."""
+        """The data at the time of the view: on a globe with the view's exaggeration, or unchanged from the file."""
         return self._grid(view.time, view.exaggeration)
 
     def add_to(self, plotter: pyvista.BasePlotter, view: View) -> None:
-        """Adds what the view shows to an empty plotter."""
+        """Adds the contents of the view to an empty plotter."""
         grid = self.grid(view)
         if self._is_globe:
             self._add_ground(plotter, view)
@@ -67,7 +67,7 @@ class Scene:
         try:
             with _silence():
                 mesh = _reader(self.path)(time)
-        except Exception as error:  # readers raise what they like
+        except Exception as error:  # readers raise errors of any type
             raise ValueError(f"{self.path} cannot be read: {one_sentence(error)}") from error
         mesh = wrapped(mesh, merge_points=False)
         if not isinstance(mesh, pyvista.DataSet) or mesh.n_points == 0:
@@ -92,10 +92,10 @@ class Scene:
 
 
 def draw(plotter: pyvista.BasePlotter, scene: Scene, view: View) -> list[str]:
-    """Draws the view into a plotter in place of what it shows; the sentences of the warnings. An empty camera is the usual one."""
+    """Draws the view in a plotter, instead of its contents, and returns the sentences of the warnings. An empty camera means the usual one."""
     plotter.scalar_bars.clear()
     plotter.clear_actors()
-    plotter.disable_depth_peeling()  # which the cloud texture switches on, and the samples off
+    plotter.disable_depth_peeling()  # the cloud texture turned it on, and multi-sampling off
     plotter.render_window.SetMultiSamples(plotter.theme.multi_samples)
     with warnings.catch_warnings(record=True) as caught:
         warnings.simplefilter("always")
@@ -106,13 +106,13 @@ def draw(plotter: pyvista.BasePlotter, scene: Scene, view: View) -> list[str]:
 
 
 def _look(plotter: pyvista.BasePlotter, scene: Scene, view: View) -> None:
-    """The camera of the view, or the usual one: of smoke on a globe the side that it is on."""
+    """The camera of the view, or the usual one; for smoke on a globe it looks at the side with the smoke."""
     if view.camera:
         plotter.camera_position = np.reshape(view.camera, (3, 3)).tolist()
     elif scene.choices.globe:
         smoke = [actor for actor in plotter.actors.values() if isinstance(actor, pyvista.Volume)] if view.technique == "smoke" else []
         plotter.view_vector(smoke[0].center if smoke else (1, 1, 0.6), viewup=(0, 0, 1))
-        plotter.camera.Dolly(GLOBE_ZOOM)  # a zoom would change the angle, which a link does not tell
+        plotter.camera.Dolly(GLOBE_ZOOM)  # a zoom would change the view angle, which a link does not contain
     else:
         plotter.view_isometric()
     plotter.reset_camera_clipping_range()
@@ -130,7 +130,7 @@ def camera_of(plotter: pyvista.BasePlotter) -> tuple[float, ...]:
 
 @contextmanager
 def _silence() -> Iterator[None]:
-    """What the readers of VTK print of a file is told in one sentence."""
+    """Suppresses the output of VTK's readers; the error is reported in one sentence."""
     with warnings.catch_warnings(), pyvista.vtk_verbosity("off"):
         warnings.simplefilter("ignore")
         disabled = logging.root.manager.disable
@@ -165,7 +165,7 @@ def _dimensions(path: Path) -> list[list[str]]:
 
 
 def _is_on_a_globe(path: Path, mesh: pyvista.DataSet) -> bool:
-    """True for longitudes and latitudes: axes with their names, or curved rows, whose coordinates the reader takes from two variables."""
+    """True for longitudes and latitudes: axes with these names, or curvilinear rows, whose coordinates the reader takes from two variables."""
     if not _is_netcdf(path) or not isinstance(mesh, (pyvista.ImageData, pyvista.RectilinearGrid, pyvista.StructuredGrid)):
         return False
     named = any(name.lower().startswith("lat") for name in _dimensions(path)[0])
@@ -174,7 +174,7 @@ def _is_on_a_globe(path: Path, mesh: pyvista.DataSet) -> bool:
 
 
 def _ground_of(path: Path) -> pyvista.DataSet | None:
-    """The fields without levels, on the last two dimensions of the others; None where there are none."""
+    """The fields without levels, on the last two dimensions of the others; None if there are none."""
     shapes = _dimensions(path) if _is_netcdf(path) else []
     if not shapes or len(shapes[0]) < 3 or shapes[0][-2:] not in shapes:
         return None
@@ -182,7 +182,7 @@ def _ground_of(path: Path) -> pyvista.DataSet | None:
 
 
 def _fields(mesh: pyvista.DataSet) -> tuple[str, ...]:
-    """Arrays of one number, the active one first."""
+    """Arrays with one component, the active one first."""
     names = [name for data in (mesh.point_data, mesh.cell_data) for name in data
              if data[name].ndim == 1 and np.issubdtype(data[name].dtype, np.number) and not is_helper(name)]
     return tuple(dict.fromkeys(sorted(names, key=lambda name: name != mesh.active_scalars_name)))

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: The Nephoscope authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""What the viewer shows, and the link that shows it again: plain data, without trame, PyVista and VTK."""
+"""The state of the viewer, and the link that restores it: plain data, without trame, PyVista and VTK."""
 from __future__ import annotations
 
 import math
@@ -10,13 +10,14 @@ from urllib.parse import parse_qsl, urlencode
 
 TECHNIQUES = {"cells": "Cells (volume)", "splats": "Splats", "surface": "Cloud surface", "winds": "Wind streaks", "smoke": "Smoke",
               "mesh": "Plain surface"}
+PORT = 8080
 LIMITS = {"exaggeration": (1.0, 100.0), "opacity": (0.1, 5.0)}
-CAMERA_DIGITS = 6  # of the numbers in a link: 1 m in 1000 km
+CAMERA_DIGITS = 6  # precision of the numbers in a link: 1 m in 1000 km
 
 
 @dataclass(frozen=True)
 class View:
-    """What is shown; an empty camera is the usual one. The names are those of the link and of the options of the command."""
+    """The displayed state; an empty camera means the usual one. The names are those of the link and of the options of the command."""
     field: str = ""
     technique: str = ""
     time: int = 0
@@ -29,7 +30,7 @@ class View:
 
 @dataclass(frozen=True)
 class Choices:
-    """What the data allow. The first field and technique are those shown at first."""
+    """The choices that the data allow. The first field and technique are the initial ones."""
     fields: tuple[str, ...]
     techniques: tuple[str, ...]
     presets: tuple[str, ...] = ()
@@ -39,7 +40,7 @@ class Choices:
 
 
 def checked(view: View, choices: Choices) -> tuple[View, list[str]]:
-    """The view with what the data do not allow replaced by what is shown at first, and a sentence for each of those."""
+    """The view, with items that the data do not allow replaced by the initial ones, and a sentence for each replacement."""
     problems: list[str] = []
     for name, there in (("field", choices.fields), ("technique", choices.techniques), ("preset", choices.presets)):
         value = getattr(view, name)
@@ -52,14 +53,14 @@ def checked(view: View, choices: Choices) -> tuple[View, list[str]]:
         view = replace(view, time=0)
     for name, (least, most) in LIMITS.items():
         value = getattr(view, name)
-        if not least <= value <= most:  # nor what is not a number
+        if not least <= value <= most:  # and NaN is ignored
             problems.append(f"{name} is {value:g}. It must be {least:g} to {most:g}.")
             view = replace(view, **{name: getattr(View, name)})
     return view, problems
 
 
 def to_query(view: View, choices: Choices) -> str:
-    """The link's query, of what the data allow."""
+    """The query of the link, with the items that the data allow."""
     items = {"field": view.field, "technique": view.technique, "opacity": f"{view.opacity:g}"}
     items.update({"time": view.time} if len(choices.times) > 1 else {})
     items.update({"exaggeration": f"{view.exaggeration:g}"} if choices.globe else {})
@@ -70,12 +71,12 @@ def to_query(view: View, choices: Choices) -> str:
 
 
 def from_query(query: str, start: View) -> tuple[View, list[str]]:
-    """`start` with what a link's query tells, and a sentence for each part that cannot be read. Other parameters are not ours."""
+    """`start` updated by the query of a link, and a sentence for each part that cannot be read. Unknown parameters are ignored."""
     return from_mapping(dict(parse_qsl(query.lstrip("?"), keep_blank_values=True)), start)
 
 
 def from_mapping(items: Mapping[str, Any], start: View) -> tuple[View, list[str]]:
-    """`start` with the items that are names of a view, as texts or values."""
+    """`start` updated by the items that belong to a view, as texts or values."""
     problems: list[str] = []
     for one in fields(View):
         if items.get(one.name) is None:
@@ -110,4 +111,4 @@ def _camera(value: str | Sequence[float]) -> tuple[float, ...]:
 _READERS = {"field": str, "technique": str, "preset": str, "time": int, "exaggeration": _number, "opacity": _number,
             "terrain": _truth, "camera": _camera}
 _EXPECTED = {"time": "a whole number is expected", "terrain": "0 or 1 is expected",
-             "camera": "nine numbers are expected, a position, another point that is looked at, and the direction upwards"}
+             "camera": "nine numbers are expected: the position, the focal point and the upward direction"}

@@ -11,12 +11,12 @@ from .roles import ROLES
 
 
 def _options(names: dict[str, Any]) -> tuple[dict[str, Any], dict[str, Any]]:
-    """Roles, and the other options, which are those of `to_globe`."""
+    """Splits the options into roles and those of `to_globe`."""
     return {k: v for k, v in names.items() if k in ROLES}, {k: v for k, v in names.items() if k not in ROLES}
 
 
 class WeatherAccessor:
-    """Weather on a globe or a map from an xarray.Dataset; nothing but what is drawn is loaded.
+    """Draws weather from an xarray.Dataset on a globe or a map, and loads only the data that are drawn.
 
     Parameters
     ----------
@@ -34,7 +34,7 @@ class WeatherAccessor:
         return reading, Air(reading)
 
     def _of_field(self, name, time, options):
-        """The array that `name` means, and the options that bring it."""
+        """Returns the array that `name` means, and the options that select it."""
         if name is None:
             return None, options
         from .naming import named
@@ -44,23 +44,23 @@ class WeatherAccessor:
 
     def globe(self, *, time: int | str | np.datetime64 | None = None, variables: Sequence[str] | None = None, vertical: str | None = None,
               derive: str | Sequence[str] = (), **options: Any):
-        """Make the mesh of one time step on a globe or a map, at its heights, with winds as vectors.
+        """Make the mesh of one time step on a globe or a map, with true heights and with winds as vectors.
 
         Parameters
         ----------
         time : int, str or datetime, optional
             Index of the time step, or its date. Default: the first, with a warning if there are several.
         variables : sequence of str, optional
-            Variables to carry. Default: all on the grid. Winds and heights are read in any case.
+            Variables to put on the mesh. Default: all variables on the grid. Winds and heights are always read.
         vertical : str, optional
-            The vertical dimension. Default: found by axis, positive, standard_name, units, GRIB type of level or name.
+            The vertical dimension. Default: found by the attributes axis, positive, standard_name and units, by the GRIB type of level, or by name.
         derive : str or sequence of str, optional
             Quantities to compute: ``"relative_humidity"`` (1), ``"potential_temperature"`` and ``"equivalent_potential_temperature"`` (K), ``"wind_speed"``
-            (m/s), ``"vorticity"`` (1/s), ``"cloud_content"`` and ``"water_vapour"`` (kg/m3), ``"cloud_fraction"`` (1, by the humidity if the model has none).
+            (m/s), ``"vorticity"`` (1/s), ``"cloud_content"`` and ``"water_vapour"`` (kg/m3), ``"cloud_fraction"`` (1, computed from the humidity if the model has none).
         **options
-            Names of variables for roles that were not found or not well: ``u``, ``v``, ``w``, ``temperature``, ``specific_humidity``,
+            Names of variables for roles that were not found, or found wrongly: ``u``, ``v``, ``w``, ``temperature``, ``specific_humidity``,
             ``relative_humidity``, ``pressure``, ``geopotential``, ``geopotential_height``, ``altitude``, ``surface_pressure``, ``terrain``, ``land``,
-            and the clouds. False: none. All others are those of `nephoscope.to_globe`, ``vertical_exaggeration`` for example.
+            and the clouds. False: no variable has this role. All other options are those of `nephoscope.to_globe`, for example ``vertical_exaggeration``.
 
         Returns
         -------
@@ -70,7 +70,7 @@ class WeatherAccessor:
         Raises
         ------
         ValueError
-            If places, levels, heights or units cannot be found; the message names what was looked for and what there is.
+            If coordinates, levels, heights or units cannot be found; the message names what was looked for and what the dataset has.
         """
         from .derived import derived
         from .placing import place
@@ -79,7 +79,7 @@ class WeatherAccessor:
         return place(reading, air, variables, derived(derive, reading, air), rest)
 
     def series(self, *, heights: bool = False, **options: Any):
-        """Make the meshes of all time steps, each when it is asked for.
+        """Make the meshes of all time steps, each on demand.
 
         Parameters
         ----------
@@ -91,13 +91,13 @@ class WeatherAccessor:
         Returns
         -------
         nephoscope.weather.series.Series
-            A sequence of meshes with ``times``, ``seconds``, ``mesh`` and ``show(step)``, which gives ``mesh`` the values of a step.
+            A sequence of meshes with ``times``, ``seconds``, ``mesh`` and ``show(step)``. ``show`` gives ``mesh`` the values of a step.
         """
         from .series import Series
         return Series(self._dataset, heights=heights, **options)
 
     def column(self, quantity: str = "cloud_content", *, time: int | str | np.datetime64 | None = None, vertical: str | None = None, **options: Any):
-        """Integrate a quantity over height, for a map or the ground of a globe.
+        """Integrate a quantity over height, for drawing on a map or on the ground of a globe.
 
         Parameters
         ----------
@@ -171,7 +171,7 @@ class WeatherAccessor:
         return plotted(grid, scalars, screenshot, {k: v for k, v in {"opacity": opacity, "cmap": cmap}.items() if v is not None})
 
     def describe(self, *, time: int | str | np.datetime64 | None = None, vertical: str | None = None, **roles: Any) -> str:
-        """Tell what `globe` finds: grid, levels, heights, variables by their roles, and what it assumes.
+        """Describe what `globe` finds: grid, levels, heights, variables by their roles, and its assumptions.
 
         Parameters
         ----------

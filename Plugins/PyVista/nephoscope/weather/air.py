@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: The Nephoscope authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Pressure, temperature and humidity of a reading, and the heights of its points by the best that it has."""
+"""Pressure, temperature and humidity of a reading, and the heights of its points from the best data available."""
 from __future__ import annotations
 
 from functools import cached_property
@@ -18,7 +18,7 @@ SEA_LEVEL = 101325.0  # Pa
 
 
 class Air:
-    """What a reading says of the air; each quantity is loaded when it is first asked for. Levels in the dataset's order."""
+    """The state of the air in a reading. Each quantity is loaded on first use; levels are in the dataset's order."""
 
     def __init__(self, reading: Reading) -> None:
         self.reading = reading
@@ -29,7 +29,7 @@ class Air:
         return (reading.dataset.sizes[reading.vertical.dim], *reading.horizontal.shape)
 
     def _columns(self, values: np.ndarray) -> np.ndarray:
-        """Values by level at every place."""
+        """Values at every point, level by level."""
         return np.broadcast_to(values.reshape(-1, *[1] * (len(self.shape) - 1)), self.shape)
 
     # The ground
@@ -77,14 +77,14 @@ class Air:
         a, b = hybrid_coefficients(reading)
         if self.surface_pressure is None:
             if np.any(b != 0):
-                raise VerticalError(f"Hybrid and sigma levels ({reading.vertical.dim!r}) need the pressure at the ground, and there is none: no surface_air_pressure, sp, ps or "
+                raise VerticalError(f"Hybrid and sigma levels ({reading.vertical.dim!r}) need the pressure at the ground, but there is none: no surface_air_pressure, sp, ps or "
                                     f"lnsp on {listed(reading.horizontal.dims)}. Add it, or name it: globe(surface_pressure='...').")
             return self._columns(a)
         return self._columns(a) + self._columns(b) * self.surface_pressure
 
     @cached_property
     def temperature(self) -> np.ndarray | None:
-        """K, from the potential temperature where there is no other."""
+        """Temperature in K, from the potential temperature if there is no other."""
         reading = self.reading
         if reading.has("temperature"):
             return reading.role("temperature").astype(float)
@@ -117,7 +117,7 @@ class Air:
 
     @cached_property
     def heights(self) -> np.ndarray:
-        """Geometric heights above sea level, in m; `height_source` tells from what."""
+        """Geometric heights above sea level, in m; `height_source` names their source."""
         for way in (self._given_heights, self._level_heights, self._hybrid_heights, self._model_heights, self._pressure_heights):
             found = way()
             if found is not None:
@@ -130,7 +130,7 @@ class Air:
     height_source = ""
 
     def interfaces(self, order: np.ndarray) -> np.ndarray:
-        """Heights of the surfaces between the levels, from the bottom to the top: the model's own where it has them, else half way."""
+        """Heights of the surfaces between the levels, from the bottom to the top: the model's own if it has them, otherwise midway between levels."""
         reading = self.reading
         if reading.vertical is None:
             return np.zeros((1, *reading.horizontal.shape))
@@ -176,7 +176,7 @@ class Air:
         if kind != "height above ground":
             return heights
         if self.terrain is None:
-            self.reading.note("heights above the ground taken as above sea level: no height of the ground was found")
+            self.reading.note("heights above the ground are used as heights above sea level, because no height of the ground was found")
             return heights
         self.height_source = f"the levels, above the ground {self.reading.roles.get('terrain', self.reading.roles.get('surface_geopotential'))!r}"
         return heights + self.terrain
@@ -195,7 +195,7 @@ class Air:
         return self._columns(a.values.astype(float)) + self._columns(b.values.astype(float)) * ground
 
     def _model_heights(self) -> np.ndarray | None:
-        """Hybrid sigma-pressure levels: the hypsometric equation over half levels where they are known, otherwise over full levels."""
+        """Hybrid sigma-pressure levels: the hypsometric equation over half levels if they are known, otherwise over full levels."""
         reading = self.reading
         if reading.vertical.kind not in ("hybrid", "sigma"):
             return None
@@ -247,7 +247,7 @@ class Air:
 
 
 def hybrid_coefficients(reading: Reading) -> tuple[np.ndarray, np.ndarray]:
-    """a in Pa and b of the full levels: p = a + b ps."""
+    """Coefficients a (Pa) and b of the full levels: p = a + b ps."""
     dataset, vertical = reading.dataset, reading.vertical
     listed_half = _parameters(reading)
     if listed_half is not None:
@@ -265,14 +265,14 @@ def hybrid_coefficients(reading: Reading) -> tuple[np.ndarray, np.ndarray]:
     if str(dataset[terms["a"]].attrs.get("units", "1")).lower() in ("pa", "hpa"):
         return _pascal(dataset, terms["a"]), b
     p0 = terms.get("p0") if terms.get("p0") in dataset.variables else next((name for name in ("P0", "p0") if name in dataset.variables), None)
-    if p0 is None and np.nanmax(np.abs(a)) > 2:  # no share of a reference pressure: in Pa
+    if p0 is None and np.nanmax(np.abs(a)) > 2:  # in Pa, not a fraction of a reference pressure
         return a, b
     return a * (_pascal(dataset, p0) if p0 else 1e5), b
 
 
 def _term(dataset, terms: dict, term: str) -> np.ndarray:
     if terms.get(term) not in dataset.variables:
-        raise VerticalError(f"The hybrid levels' formula_terms, {terms}, need the variable {terms.get(term, term)!r} ({term}), which the dataset has not. There are: "
+        raise VerticalError(f"The hybrid levels' formula_terms, {terms}, need the variable {terms.get(term, term)!r} ({term}), which the dataset does not have. It has: "
                             f"{listed([str(name) for name in dataset.variables])}.")
     return dataset[terms[term]].values.astype(float)
 
@@ -284,7 +284,7 @@ def _pascal(dataset, name: str) -> np.ndarray:
 
 
 def _parameters(reading: Reading) -> tuple[np.ndarray, np.ndarray] | None:
-    """a and b of all half levels of the model, top first, from GRIB's list of vertical coordinate parameters; None without one that has the levels of the dataset."""
+    """Coefficients a and b of all half levels of the model, top first, from GRIB's list of vertical coordinate parameters; None if no list covers the dataset's levels."""
     example = next((variable for _, variable in reading.field_variables() if "GRIB_pv" in variable.attrs), None)
     if example is None or reading.vertical.kind != "hybrid":
         return None
@@ -294,7 +294,7 @@ def _parameters(reading: Reading) -> tuple[np.ndarray, np.ndarray] | None:
 
 
 def half_coefficients(reading: Reading) -> tuple[np.ndarray, np.ndarray] | None:
-    """a and b of the half levels around the levels of the dataset, top first, where these are all levels of the model above the ground."""
+    """Coefficients a and b of the half levels around the dataset's levels, top first, if these are all levels of the model above the ground."""
     found = _parameters(reading)
     numbers = np.sort(reading.levels().astype(int)) if found else []
     if found is None or np.any(np.diff(numbers) != 1) or numbers[-1] != len(found[0]) - 1:

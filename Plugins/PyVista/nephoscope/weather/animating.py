@@ -23,22 +23,23 @@ def animate(plotter: pyvista.BasePlotter, dataset: Any, draw: str | Callable[[py
     Parameters
     ----------
     plotter : pyvista.Plotter
-        The plotter to draw in; what else it shows stays.
+        The plotter to draw in; its other contents stay.
     dataset : xarray.Dataset, Series or str
         The weather, its series (``dataset.nephoscope.series()``), or what `nephoscope.open` takes.
     draw : str or callable
-        A variable or a quantity to compute, as in ``dataset.nephoscope.plot``, which is drawn by `add_cells`, or a function ``draw(plotter, mesh)`` that adds what it likes once. The values of the mesh change with the time.
-        Colours and opacities stay: they are made for the values of all steps (of more than 50 for those of 50), unless limits are given by ``clim``.
+        A variable or a quantity to compute, as in ``dataset.nephoscope.plot``, drawn by `add_cells`; or a function ``draw(plotter, mesh)`` that is called once and adds what you
+        want to draw. The values of the mesh change with the time. Colours and opacities stay the same: their range covers all steps (a sample of 50 if there are more), unless
+        you give limits with ``clim``.
     filename : str or pathlib.Path, optional
         A film: ``.gif`` (needs Pillow), ``.mp4`` (needs the program ffmpeg), or a folder for PNG pictures. Default: a slider of time.
     framerate : float, default: 8.0
         Time steps per second of the film.
     heights : bool, default: False
-        Move the points with the heights of each step. By default they stay where they are in the first step, and only values are uploaded.
+        Move the points with the heights of each step. By default they keep their positions of the first step, and only values are uploaded.
     show_time : bool, default: True
         Write the time into the picture.
     progress : bool, default: True
-        Tell on the terminal how far the film is.
+        Print the progress of the film in the terminal.
     **options
         Those of ``dataset.nephoscope.globe``.
 
@@ -50,7 +51,7 @@ def animate(plotter: pyvista.BasePlotter, dataset: Any, draw: str | Callable[[py
     Raises
     ------
     ValueError
-        If the film's name has another ending. RuntimeError If ffmpeg is missing or fails.
+        If the file name has any other ending. RuntimeError If ffmpeg is missing or fails.
     """
     series, draw = _series(dataset, draw, heights, options)
     if callable(draw):
@@ -79,7 +80,8 @@ def _series(dataset: Any, draw: Any, heights: bool, options: dict) -> tuple[Seri
     """The series, and the array that is drawn."""
     if isinstance(dataset, Series):
         if heights or options:
-            raise TypeError(f"{', '.join([*options, *['heights'] * heights])}: options of the series, which is made already. Give them to dataset.nephoscope.series(...).")
+            raise TypeError(f"{', '.join([*options, *['heights'] * heights])}: the series exists already, so it cannot take these options. Give them to "
+                            f"dataset.nephoscope.series(...).")
         return dataset, draw
     from .opening import open as opened
     found = opened(dataset)
@@ -89,7 +91,7 @@ def _series(dataset: Any, draw: Any, heights: bool, options: dict) -> tuple[Seri
 
 
 def _drawn(plotter: pyvista.BasePlotter, series: Series, draw: Callable) -> None:
-    """Calls `draw`. PyVista's own mappers have the range of the step that is shown where no limits were given: they get that of all steps."""
+    """Calls `draw`. Without limits, PyVista's own mappers use the range of the step on display; this gives them the range of all steps."""
     before = set(plotter.renderer.actors)
     draw(plotter, series.mesh)
     for name in set(plotter.renderer.actors) - before:
@@ -100,7 +102,7 @@ def _drawn(plotter: pyvista.BasePlotter, series: Series, draw: Callable) -> None
 
 
 def _add_slider(plotter: pyvista.BasePlotter, series: Series, turn_to: Callable[[float], None], colour: str) -> None:
-    """Its label is the date, also while it is moved."""
+    """Adds the slider, whose label is the date, also while you drag it."""
     slider = plotter.add_slider_widget(turn_to, [0, len(series) - 1], value=series.step, title="time", fmt=series.times[series.step], color=colour, interaction_event="end")
     shown = slider.GetRepresentation()
 

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: The Nephoscope authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Axes of longitude and latitude in an order in which neighbours are neighbours on the Earth."""
+"""Axes of longitude and latitude, reordered so that neighbours are neighbours on the Earth."""
 from __future__ import annotations
 
 import numpy as np
@@ -9,9 +9,9 @@ SAME = 1e-6  # degrees
 
 
 def eastward(x: np.ndarray) -> tuple[np.ndarray, np.ndarray | None]:
-    """Longitudes without a jump at 360, and the places of the axis that they are, None where all are as they were.
+    """Longitudes without a jump at 360, and their indices on the axis; None if nothing changes.
 
-    An axis that goes back, as 0, 1, 358, 359, begins after its widest gap; what goes round more than once, or is missing, is left out.
+    An axis that jumps back, such as 0, 1, 358, 359, begins after its widest gap. Longitudes beyond one revolution and missing values are left out.
     """
     unwrapped = np.degrees(np.unwrap(np.radians(x))) if np.isfinite(x).all() else x
     if _goes_one_way(unwrapped) and np.ptp(unwrapped) <= 360 + SAME:
@@ -26,7 +26,7 @@ def eastward(x: np.ndarray) -> tuple[np.ndarray, np.ndarray | None]:
 
 
 def northward(y: np.ndarray) -> tuple[np.ndarray, np.ndarray | None]:
-    """Latitudes that go one way, each once, and the places of the axis that they are."""
+    """Monotonic latitudes without repetitions, and their indices on the axis."""
     if _goes_one_way(y):
         return y, None
     order = _without_repeated(y, np.argsort(y, kind="stable"))
@@ -48,4 +48,4 @@ def told(name: str, size: int, order: np.ndarray | None) -> list[str]:
     if order is None:
         return []
     gone = size - len(order)
-    return [f"{name!r} is in no order: put in order" + (f", {gone} repeated or missing of {size} left out" if gone else "")]
+    return [f"{name!r} is not in order and was sorted" + (f", {gone} repeated or missing of {size} left out" if gone else "")]

@@ -30,8 +30,8 @@ def virtual_temperature(temperature: np.ndarray, specific_humidity: np.ndarray |
 def hypsometric(pressure: np.ndarray, virtual: np.ndarray, surface_pressure: np.ndarray, terrain: np.ndarray) -> np.ndarray:
     """Geopotential heights of full levels, from the ground upwards; levels in any order.
 
-    Between neighbours the virtual temperature is linear in the logarithm of the pressure (the trapezoidal rule); from the ground to the lowest level
-    above it, and to levels below the ground, it is that of the level.
+    Between neighbours the virtual temperature is linear in the logarithm of the pressure (the trapezoidal rule). From the ground to the lowest level
+    above it, and to levels below the ground, it is constant.
     """
     order = np.argsort(-_means(pressure))  # bottom to top
     p, t = np.log(pressure[order]), virtual[order]
@@ -51,7 +51,7 @@ def hypsometric(pressure: np.ndarray, virtual: np.ndarray, surface_pressure: np.
 
 
 def from_half_levels(half_pressure: np.ndarray, virtual: np.ndarray, terrain: np.ndarray) -> np.ndarray:
-    """Geopotential heights of the full levels between half levels, top first, as the ECMWF's model has them (IFS documentation, part III, 2.21 to 2.23)."""
+    """Geopotential heights of the full levels between half levels, top first, as in the ECMWF's model (IFS documentation, part III, 2.21 to 2.23)."""
     scale = GAS_CONSTANT / GRAVITY
     heights = np.empty(virtual.shape)
     base = np.array(terrain, dtype=float)

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: The Nephoscope authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Physical quantities that follow from what a dataset has: ready to draw."""
+"""Physical quantities computed from the variables of a dataset, ready to draw."""
 from __future__ import annotations
 
 import numpy as np
@@ -70,9 +70,9 @@ def _horizontal(reading: Reading, air: Air, name: str):
 
 
 def vorticity(reading: Reading, air: Air) -> np.ndarray:
-    """1/s, relative, upward: the circulation round each point by its area, on any grid of rows and columns."""
+    """1/s, relative, upward: the circulation around each point divided by its area, on any grid of rows and columns."""
     if reading.horizontal.is_list:
-        raise ValueError("vorticity is computed on grids of rows and columns, and this one is a list of cells.")
+        raise ValueError("vorticity needs a grid of rows and columns, but this one is a list of cells.")
     u, v = _horizontal(reading, air, "vorticity")
     lon, lat = reading.horizontal.places()
     closed = reading.horizontal.is_regular and abs(np.ptp(lon[0]) + abs(lon[0, 1] - lon[0, 0]) - 360) < 1e-3
@@ -90,7 +90,7 @@ def vorticity(reading: Reading, air: Air) -> np.ndarray:
 
 
 def cloud_content(reading: Reading, air: Air) -> np.ndarray:
-    """kg/m3: cloud water, ice, rain, snow and graupel, those there are."""
+    """kg/m3: the sum of the available cloud water, ice, rain, snow and graupel."""
     there = [role for role in WATER if reading.has(role)]
     if not there:
         raise ValueError(f"cloud_content needs one of {listed(list(WATER))}, and none was found. Name the variable: globe(cloud_water='...').")
@@ -103,7 +103,7 @@ def _density(air: Air, name: str) -> np.ndarray:
 
 
 def cloud_fraction(reading: Reading, air: Air) -> np.ndarray:
-    """The model's own; where it has none, 1 - sqrt((1 - RH) / (1 - 0.8)) (Sundqvist, Berge and Kristjansson 1989)."""
+    """The model's own cloud fraction; if it has none, 1 - sqrt((1 - RH) / (1 - 0.8)) (Sundqvist, Berge and Kristjansson 1989)."""
     if reading.has("cloud_fraction"):
         return reading.role("cloud_fraction")
     reading.note(f"cloud_fraction from the relative humidity, critical at {CRITICAL_HUMIDITY:g} (Sundqvist et al. 1989)")
@@ -121,7 +121,7 @@ QUANTITIES = {function.__name__: function for function in (relative_humidity, po
 
 
 def column_of(name: str, reading: Reading, air: Air) -> np.ndarray:
-    """Integral over height of a quantity per volume, or of a mass fraction times the density; above the ground, by the trapezoidal rule."""
+    """Integral over height above the ground, by the trapezoidal rule, of a quantity per volume, or of a mass fraction times the density."""
     if name in ("cloud_content", "water_vapour"):
         field = QUANTITIES[name](reading, air)
     elif name in [known for known, _ in reading.field_variables()]:

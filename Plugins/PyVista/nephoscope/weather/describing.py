@@ -1,11 +1,12 @@
 # SPDX-FileCopyrightText: The Nephoscope authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""What was found in a dataset, in words."""
+"""A description in words of what was found in a dataset."""
 from __future__ import annotations
 
 import numpy as np
 
 from .air import Air
+from .horizontal import GridError
 from .reading import Reading
 from .roles import ROLES
 from .times import listed_times
@@ -13,7 +14,7 @@ from .winds import winds
 
 
 def described(reading: Reading, air: Air, dataset) -> str:
-    lines = [_grid(reading), *_levels(reading, air), _times(reading, dataset), *_roles(reading)]
+    lines = [_grid(reading), *_cells(reading), *_levels(reading, air), _times(reading, dataset), *_roles(reading)]
     winds(reading, air)
     return "\n".join(lines + [f"note: {note}" for note in [*reading.horizontal.notes, *(reading.vertical.notes if reading.vertical else []), *reading.notes]])
 
@@ -25,9 +26,19 @@ def _grid(reading: Reading) -> str:
             f"latitude {np.nanmin(grid.latitude):g} to {np.nanmax(grid.latitude):g} ({grid.names[1]})")
 
 
+def _cells(reading: Reading) -> list[str]:
+    if not reading.horizontal.is_list:
+        return []
+    from .polygons import find_polygons
+    try:
+        return [f"cells: {find_polygons(reading.dataset, reading.horizontal).source}"]
+    except (GridError, ModuleNotFoundError) as problem:
+        return [f"cells: none. {problem}"]
+
+
 def _levels(reading: Reading, air: Air) -> list[str]:
     if reading.vertical is None:
-        return ["levels: none"]
+        return ["levels: none, drawn at the height 0"]
     heights = air.heights
     return [f"levels: {reading.vertical.kind}, {reading.vertical.dim} {reading.dataset.sizes[reading.vertical.dim]}",
             f"heights: {np.nanmin(heights):.0f} to {np.nanmax(heights):.0f} m, from {air.height_source}"]

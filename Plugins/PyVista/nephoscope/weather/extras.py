@@ -9,7 +9,7 @@ REMEDY = {"eccodes": "eccodes eccodeslib"}
 
 
 def need(module: str, purpose: str):
-    """The module, or one error with the line that installs it."""
+    """The module, or one error with the command that installs it."""
     try:
         return importlib.import_module(module)
     except ImportError as missing:
@@ -23,10 +23,10 @@ def need_elsewhere(module: str, purpose: str) -> None:
 
 
 def _told(module: str, purpose: str, missing) -> ModuleNotFoundError:
-    """The error with the line that installs the package."""
+    """The error with the command that installs the package."""
     packages = REMEDY.get(module, module)
     return ModuleNotFoundError(
-        f"{purpose[0].upper()}{purpose[1:]} needs the Python package {module!r}, which is not there for {sys.executable}: {missing}. Install it with the other packages for weather "
+        f"{purpose[0].upper()}{purpose[1:]} needs the Python package {module!r}, which {sys.executable} does not have: {missing}. Install it with the other packages for weather "
         f"data, nephoscope[data], or alone, beside the numpy that is there: {sys.executable} -m pip install {packages} \"numpy=={_numpy()}\"", name=module)
 
 

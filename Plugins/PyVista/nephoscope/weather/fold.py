@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: The Nephoscope authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""The northern fold of tripolar ocean grids: the last row meets itself, column i beside column s - i."""
+"""The northern fold of tripolar ocean grids, where the last row meets itself: column i lies beside column s - i."""
 from __future__ import annotations
 
 from dataclasses import dataclass
@@ -9,13 +9,14 @@ import numpy as np
 
 from .projections import vectors
 
-ROWS = 3  # the last ones, among which a halo repeats
+ROWS = 3  # the last rows, where a halo may repeat
 
 
 @dataclass
 class Fold:
-    """What is done along the last row. `mirror`: of each column its partner. `added`: the partners are one row more; else the file has that row.
-    `hidden`: columns whose points of the last row are hidden, so that no cell is there twice; `dropped`: the last row repeats others wholly."""
+    """How the last row is closed. `mirror`: the partner of each column. `added`: the partners form an additional row; otherwise the file already
+    has that row. `hidden`: columns whose points in the last row are hidden, so that no cell appears twice. `dropped`: the last row only repeats
+    others."""
     mirror: np.ndarray
     added: bool
     hidden: np.ndarray
@@ -29,10 +30,10 @@ class Fold:
 
 
 def closed_fold(x: np.ndarray, y: np.ndarray) -> tuple[np.ndarray | None, Fold | None]:
-    """The order of the rows of longitudes and latitudes that ends at the fold, None if it is that of the file, and the fold, None without one."""
+    """The row order that ends at the fold (None if it is the order of the file), and the fold (None if there is none)."""
     places = vectors(x, y)
     if np.nanmax(np.linalg.norm(places[:, 0] - places[:, -1], axis=-1)) > 1e-4:
-        return None, None  # no closed ring
+        return None, None  # not a closed ring
     if (fold := find_fold(places)) is not None:
         return None, fold
     fold = find_fold(places[::-1])
@@ -40,7 +41,7 @@ def closed_fold(x: np.ndarray, y: np.ndarray) -> tuple[np.ndarray | None, Fold |
 
 
 def find_fold(places: np.ndarray) -> Fold | None:
-    """The fold in a closed ring of unit vectors (rows, columns, 3), whose first and last column are one place; None if there is nothing to do."""
+    """The fold in a closed ring of unit vectors (rows, columns, 3), whose first and last columns coincide; None if there is nothing to do."""
     ring = places[-ROWS - 1:, :-1]
     if len(ring) < ROWS + 1 or not np.isfinite(ring).all():
         return None
@@ -57,7 +58,7 @@ def find_fold(places: np.ndarray) -> Fold | None:
 
 
 def _partners(row: np.ndarray, other: np.ndarray) -> tuple[np.ndarray, float]:
-    """s - i for every column i and, once more, the first; and how far the partners in `other` are apart, in the median."""
+    """s - i for every column i, with the first one repeated at the end, and the median distance between the partners in `other`."""
     count = len(row)
     columns = np.arange(count)
     shifts = (np.argmin(np.linalg.norm(other - row[i], axis=-1)) + i for i in columns[::max(1, count // 16)])
@@ -68,6 +69,6 @@ def _partners(row: np.ndarray, other: np.ndarray) -> tuple[np.ndarray, float]:
 
 
 def _second_half(mirror: np.ndarray) -> np.ndarray:
-    """True in the columns of the half whose cells the other half makes too: the row turns at the columns s/2 and s/2 + n/2."""
+    """True in the columns of one half, whose cells the other half repeats. The row turns at the columns s/2 and s/2 + n/2."""
     count = len(mirror) - 1
     return np.mod(np.arange(count + 1) - mirror[0] / 2, count) > count / 2 + 0.25

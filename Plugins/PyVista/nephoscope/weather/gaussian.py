@@ -1,13 +1,13 @@
 # SPDX-FileCopyrightText: The Nephoscope authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Rows of a reduced Gaussian grid (N, O), each with its own number of points, brought to rows of one number."""
+"""Rows of a reduced Gaussian grid (N, O), each with its own number of points, interpolated to rows of equal length."""
 from __future__ import annotations
 
 import numpy as np
 
 
 class Rows:
-    """Linear in longitude, round the circle; as many columns as the longest row has, so that this row stays as it is."""
+    """Interpolates linearly in longitude around the circle, to as many columns as the longest row has, so that this row stays unchanged."""
 
     def __init__(self, longitude: np.ndarray, starts: np.ndarray) -> None:
         ends = np.append(starts[1:], len(longitude))
@@ -25,7 +25,7 @@ class Rows:
 
 
 def find_rows(longitude: np.ndarray, latitude: np.ndarray, pl: np.ndarray | None) -> tuple[Rows, np.ndarray] | None:
-    """The rows and their latitudes, by GRIB's list of row lengths or by the latitudes themselves; None if the points do not lie in whole even rows."""
+    """The rows and their latitudes, by GRIB's list of row lengths or by the latitudes themselves; None if the points do not form complete, evenly spaced rows."""
     pl = None if pl is None else np.asarray(pl)[np.asarray(pl) > 0]
     starts = np.concatenate([[0], np.cumsum(pl)[:-1]]).astype(int) if pl is not None and np.sum(pl) == len(longitude) else np.flatnonzero(
         np.concatenate([[True], np.abs(np.diff(latitude)) > 1e-6]))

@@ -65,8 +65,8 @@ def scan(path: Path) -> list[Message]:
                 found.append(_message(ec, handle, found))
                 ec.codes_release(handle)
         except ec.CodesInternalError as problem:
-            raise GribError(f"{path}: after {len(found)} whole fields the file ends early or is damaged ({problem}). Fetch it again"
-                            + (f", or keep what is whole: grib_copy -w count<{len(found) + 1} {path.name} OUT." if found else ".")) from problem
+            raise GribError(f"{path}: after {len(found)} complete fields, the file ends early or is damaged ({problem}). Fetch it again"
+                            + (f", or keep the complete fields: grib_copy -w count<{len(found) + 1} {path.name} OUT." if found else ".")) from problem
         finally:
             ec.codes_grib_multi_support_reset_file(file)
     if not found:
@@ -116,7 +116,7 @@ def _told(messages: list[Message], grid: str) -> str:
 # Variables
 
 def _named(messages: list[Message]) -> dict[str, list[Message]]:
-    """Name -> messages. The type of level with most fields has the plain names; a single level of a type that has many is a variable of its own."""
+    """Name -> messages. The type of level with the most fields gets the plain names. A level that stands apart from the others of its type becomes a separate variable."""
     groups: dict[tuple, list[Message]] = {}
     for message in messages:
         groups.setdefault(message.variable, []).append(message)
@@ -179,8 +179,8 @@ class Layout:
             twice += table[place] >= 0
             table[place] = i if table[place] < 0 else table[place]
         if twice:
-            warnings.warn(f"{self.path}: {twice} fields of {messages[0].variable[0]!r} ({kind}) are there more than once for one time and level, as forecasts from several starts are; "
-                          "the first was taken.", UserWarning, stacklevel=5)
+            warnings.warn(f"{self.path}: {twice} fields of {messages[0].variable[0]!r} ({kind}) have the same time and level, for example because they come from forecasts with "
+                          "different start times; the first of each was taken.", UserWarning, stacklevel=5)
         array = _lazy(self.path, messages, table, self.grid)
         attributes = attributes_of(self.path, messages[0])
         if not _several(messages):
@@ -189,7 +189,7 @@ class Layout:
 
 
 class Grid:
-    """Places of the fields of one grid, and how their values lie in a message."""
+    """Coordinates of the fields on one grid, and the layout of their values in a message."""
 
     def __init__(self, path: Path, message: Message) -> None:
         if message.grid_type in ("sh", "lambert_bf", "bifourier"):
@@ -281,7 +281,7 @@ def decode(path: Path, message: Message) -> np.ndarray:
 
 
 def _lazy(path: Path, messages: list[Message], table: np.ndarray, grid: Grid):
-    """An array for xarray that decodes what is indexed."""
+    """An array for xarray that decodes only the indexed fields."""
     from xarray.backends import BackendArray
     from xarray.core import indexing
 

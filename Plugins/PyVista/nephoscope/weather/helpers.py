@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: The Nephoscope authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""The variables of a dataset that only tell where its cells, levels and times are: none of them is a field."""
+"""The variables of a dataset that only describe its cells, levels and times, and are not fields."""
 from __future__ import annotations
 
 from .horizontal import is_latitude, is_longitude

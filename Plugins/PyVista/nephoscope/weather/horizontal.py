@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: The Nephoscope authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Where the columns of a dataset are: longitudes and latitudes of its points, and the direction of its rows."""
+"""Horizontal positions in a dataset: longitudes and latitudes of its points, and the direction of its rows."""
 from __future__ import annotations
 
 import re
@@ -20,12 +20,12 @@ _NUMBERED = re.compile(r"(g\d+_|grid)(lon|lat)(_\d+)?")  # of NCL
 
 
 class GridError(ValueError):
-    """A dataset whose points cannot be placed; the message names what was looked for and what there is."""
+    """A dataset whose points cannot be placed; the message names what was looked for and what the dataset has."""
 
 
 @dataclass
 class Horizontal:
-    """`dims`: those of the grid, rows first; of one dimension where the points are a list, of three (face, rows, columns) on a cubed sphere, which is a list too."""
+    """`dims`: the dimensions of the grid, rows first. There is one if the points are a list, and three (face, rows, columns) on a cubed sphere, whose points are a list too."""
     dims: tuple[str, ...]
     longitude: np.ndarray  # degrees; 1-D along the last dimension, 2-D, or 1-D along the only one
     latitude: np.ndarray
@@ -33,11 +33,11 @@ class Horizontal:
     names: tuple[str, str]
     projection: Projection | None = None
     notes: list[str] = field(default_factory=list)
-    rows: Rows | None = None  # of a reduced Gaussian grid: from its list of points to even rows
-    columns: np.ndarray | None = None  # which columns of the file make a closed ring (curvilinear), or go eastward (regular)
-    lines: np.ndarray | None = None  # which rows of the file go one way
+    rows: Rows | None = None  # of a reduced Gaussian grid: converts its list of points to even rows
+    columns: np.ndarray | None = None  # the columns of the file that form a closed ring (curvilinear) or run eastward (regular)
+    lines: np.ndarray | None = None  # the rows of the file that form a monotonic axis
     fold: Fold | None = None  # of a tripolar grid, after the columns have been closed
-    missing: np.ndarray | None = None  # True where the file has no place of a point; those points are hidden
+    missing: np.ndarray | None = None  # True where the file has no position for a point; such points are hidden
 
     @property
     def is_list(self) -> bool:
@@ -93,14 +93,14 @@ def _is_axis(name: str, variable, standard: str, units: tuple[str, ...], names: 
 def find_horizontal(dataset, variable, used: set[str]) -> Horizontal:
     """The grid of `variable`, whose dimensions `used` are time, levels and the like."""
     dims = tuple(dim for dim in variable.dims if dim not in used)
-    least = 3 if len(dims) == 3 else 1  # GEOS' cubed sphere has axes of one dimension too, which are false
+    least = 3 if len(dims) == 3 else 1  # GEOS' cubed sphere also has one-dimensional axes, which are wrong
     lon = _coordinate(dataset, variable, dims, is_longitude, least)
     lat = _coordinate(dataset, variable, dims, is_latitude, least)
     if len(dims) == 3 and lon is not None and lat is not None:
         return Horizontal(dims, *(np.ravel(_degrees(axis.transpose(*dims))) for axis in (lon, lat)), "cubed sphere", (str(lon.name), str(lat.name)))
     if len(dims) not in (1, 2):
-        raise GridError(f"{variable.name!r} has the dimensions {listed(variable.dims)}: besides time and levels one or two are wanted, and there are "
-                        f"{listed(dims)}. " + (f"Choose a place of the others, ds.isel({dims[0]}=0), or name the levels: globe(vertical='...')." if dims else "It is a profile: nothing to draw."))
+        raise GridError(f"{variable.name!r} has the dimensions {listed(variable.dims)}: besides time and levels it should have one or two dimensions, but it has "
+                        f"{listed(dims)}. " + (f"Choose one index along the other dimensions, ds.isel({dims[0]}=0), or name the levels: globe(vertical='...')." if dims else "It is a single profile, which cannot be drawn."))
     projection = find_projection(dataset, variable)
     if lon is not None and lat is not None:
         return _given(dataset, dims, lon, lat, projection, variable)
@@ -111,10 +111,19 @@ def find_horizontal(dataset, variable, used: set[str]) -> Horizontal:
     if projection and len(dims) == 2:
         return _projected(dataset, dims, projection)
     missing = "longitudes" if lon is None else "latitudes"
-    raise GridError(f"No {missing} were found for {variable.name!r}, whose grid is ({', '.join(dims)}). They are looked for by standard_name, by units (degrees_east, "
+    raise GridError(f"No {missing} were found for {variable.name!r}, whose grid is ({', '.join(dims)}). They are identified by standard_name, by units (degrees_east, "
                     f"degrees_north), by grid_mapping and by name. There are: {listed([str(name) for name in dataset.variables])}. "
-                    "Name them: ds[NAME].attrs['units'] = 'degrees_east'." + (" If they are in a file of the mesh, give it: nephoscope.open(DATA, mesh=GRID)." if len(dims) == 1 else "")
-                    + (f" The grid mapping {mapping!r} is none that is known here." if (mapping := mapping_of(dataset, variable)) and projection is None else ""))
+                    "Name them: ds[NAME].attrs['units'] = 'degrees_east'." + (_remedy_of_list(dataset, dims[0]) if len(dims) == 1 else "")
+                    + (f" The grid mapping {mapping!r} is not a known one." if (mapping := mapping_of(dataset, variable)) and projection is None else ""))
+
+
+def _remedy_of_list(dataset, dim) -> str:
+    told = {str(key): value for key, value in dataset.attrs.items() if str(key).lower() in ("number_of_grid_used", "uuidofhgrid", "grid_file_uri", "grid_file", "mesh_file", "grid_name")}
+    text = (" If they are in a separate mesh file, give it: nephoscope.open(DATA, mesh=GRID). "
+            + ("The data name it: " + ", ".join(f"{key} {value}" for key, value in told.items()) + "." if told else "For ICON it is icon_grid_*.nc, for MPAS the init or static file."))
+    nside = round((dataset.sizes[dim] / 12) ** 0.5)
+    order = f" If they are pixels of HEALPix: ds[NAME].attrs['healpix_nside'] = {nside}, and ['healpix_order'] = 'nested' or 'ring'."
+    return text + (order if nside & (nside - 1) == 0 and 12 * nside * nside == dataset.sizes[dim] else "")
 
 
 def _of_healpix(dataset, dims) -> Horizontal | None:
@@ -124,7 +133,7 @@ def _of_healpix(dataset, dims) -> Horizontal | None:
 
 
 def _of_mesh(dataset, dims) -> Horizontal | None:
-    """The middles of the faces, or the nodes, of a mesh that has no coordinates of its own for them."""
+    """The face centres or the nodes of a mesh, if the data have no coordinates of their own."""
     from .polygons import find_polygons
     try:
         found = find_polygons(dataset, Horizontal(dims, np.empty(0), np.empty(0), "", ("", "")))
@@ -136,7 +145,7 @@ def _of_mesh(dataset, dims) -> Horizontal | None:
 
 
 def _coordinate(dataset, variable, dims: tuple[str, ...], fits, least: int):
-    """The coordinate that `fits`, on some of `dims`; that of the variable before others."""
+    """The coordinate that `fits`, on some of `dims`; those of the variable come first."""
     listed_names = str(variable.attrs.get("coordinates", variable.encoding.get("coordinates", ""))).split()
     names = [*variable.coords, *listed_names, *dataset.variables]
     for name in dict.fromkeys(names):
@@ -161,7 +170,7 @@ def _given(dataset, dims, lon, lat, projection, variable) -> Horizontal:
     if lon.ndim == 1 and lat.ndim == 1:
         if lon.dims == lat.dims:
             other = next(dim for dim in dims if dim != lon.dims[0])
-            raise GridError(f"{names[0]!r} and {names[1]!r} are both along {lon.dims[0]!r}, a list of points, and {other!r} is neither time nor levels. Choose a place along it, "
+            raise GridError(f"{names[0]!r} and {names[1]!r} both lie along {lon.dims[0]!r}, a list of points, and {other!r} is neither time nor levels. Choose one index along it, "
                             f"ds.isel({other}=0), or name the levels: globe(vertical={other!r}).")
         return _regular(lon, lat, x, y, names)
     x = np.broadcast_to(_on(lon, x, dims), _shape(lon, lat, dims))
@@ -177,7 +186,7 @@ def _given(dataset, dims, lon, lat, projection, variable) -> Horizontal:
     if missing.all():
         if projection:
             return _projected(dataset, dims, projection)
-        raise GridError(f"{names[0]!r} and {names[1]!r} have no longitude and latitude anywhere, only fill values.")
+        raise GridError(f"{names[0]!r} and {names[1]!r} have only fill values, so no point has a longitude and a latitude.")
     kind = projection.name if projection else "curvilinear"
     places = {"columns": columns, "lines": lines, "fold": fold}
     if not missing.any():
@@ -191,13 +200,13 @@ def _given(dataset, dims, lon, lat, projection, variable) -> Horizontal:
 def _regular(lon, lat, x: np.ndarray, y: np.ndarray, names) -> Horizontal:
     (east, columns), (north, lines) = eastward(x), northward(y)
     if not len(east) or not len(north):
-        raise GridError(f"{names[0]!r} or {names[1]!r} has only missing values: no point has a place.")
+        raise GridError(f"{names[0]!r} or {names[1]!r} has only missing values, so no point has a position.")
     notes = told(names[0], len(x), columns) + told(names[1], len(y), lines)
     return Horizontal((lat.dims[0], lon.dims[0]), east, north, _regular_kind(north), names, notes=notes, columns=columns, lines=lines)
 
 
 def ring(x: np.ndarray, y: np.ndarray) -> np.ndarray | None:
-    """Columns that close a grid round the globe, as of ocean models: the first once more after the last, or without those that a halo repeats. None if it is no ring."""
+    """Columns that close a grid around the globe, as in ocean models: the first is repeated after the last, and columns that a halo repeats are left out. None if the grid is not a ring."""
     if x.shape[1] < 8:
         return None
     there = _possible(x, y)
@@ -216,13 +225,13 @@ def ring(x: np.ndarray, y: np.ndarray) -> np.ndarray | None:
 
 
 def _possible(x: np.ndarray, y: np.ndarray) -> np.ndarray:
-    """False where the file has a fill value in place of a longitude or a latitude."""
+    """False where the file has a fill value instead of a longitude or a latitude."""
     with np.errstate(invalid="ignore"):
         return (np.abs(y) <= 90.001) & (np.abs(x) <= 1e4)
 
 
 def _filled(values: np.ndarray, missing: np.ndarray) -> np.ndarray:
-    """The value of the point before, in the order of the file, where one is missing."""
+    """Replaces missing values by the value of the previous point in the order of the file."""
     before = np.maximum.accumulate(np.where(missing.ravel(), 0, np.arange(missing.size)))
     start = np.flatnonzero(~missing.ravel())[0]
     return values.ravel()[np.maximum(before, start)].reshape(values.shape)
@@ -264,7 +273,7 @@ def _projected(dataset, dims, projection: Projection) -> Horizontal:
     grid = Horizontal((axes["Y"], axes["X"]), lon, lat, projection.name, (axes["X"], axes["Y"]), projection)
     missing = ~_possible(lon, lat)
     if missing.all():
-        raise GridError(f"The projection {projection.name} has none of the points of {axes['X']!r} and {axes['Y']!r} on the Earth: their units are {dataset[axes['X']].attrs.get('units', 'none')!r}.")
+        raise GridError(f"The projection {projection.name} puts none of the points of {axes['X']!r} and {axes['Y']!r} on the Earth: their units are {dataset[axes['X']].attrs.get('units', 'none')!r}.")
     if missing.any():
         grid.longitude, grid.latitude, grid.missing = _filled(lon, missing), _filled(lat, missing), missing
         grid.notes.append(f"{missing.sum()} of {missing.size} points are not on the Earth: they are hidden")

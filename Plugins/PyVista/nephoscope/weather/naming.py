@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: The Nephoscope authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""What a user calls a field: its variable, its role, its standard or long name, or a quantity that follows from others."""
+"""The names by which a user may call a field: its variable, its role, its standard or long name, or a derived quantity."""
 from __future__ import annotations
 
 from difflib import get_close_matches
@@ -12,7 +12,7 @@ from .reading import KINDS, Reading
 
 
 def named(reading: Reading, name: str) -> tuple[str, dict[str, Any]]:
-    """The array of the mesh that is meant, and the options of `globe` that bring it alone."""
+    """The array of the mesh with this name, and the options of `globe` that load it alone."""
     fields = [known for known, _ in reading.field_variables()]
     if name in fields:
         return name, {"variables": [name]}
@@ -27,15 +27,15 @@ def named(reading: Reading, name: str) -> tuple[str, dict[str, Any]]:
     if told:
         return told[0], {"variables": told[:1]}
     near = get_close_matches(name, [*fields, *QUANTITIES], 3, 0.6)
-    raise ValueError(f"There is no field {name!r}." + (f" Did you mean {listed(near)}?" if near else "") + f" There are: {listed(fields)}; and by computing: {listed(list(QUANTITIES))}.")
+    raise ValueError(f"There is no field {name!r}." + (f" Did you mean {listed(near)}?" if near else "") + f" There are: {listed(fields)}; computed quantities: {listed(list(QUANTITIES))}.")
 
 
 def _why_not(reading: Reading, name: str, fields: list[str]) -> str:
     variable = reading.dataset[name]
     if variable.dtype.kind not in KINDS:
-        return f"{name!r} is of type {variable.dtype}, and a field is drawn by numbers. Make it numbers, ds[{name!r}].astype('float32'), or draw another: {listed(fields)}."
+        return f"{name!r} is of type {variable.dtype}, but a field must have numbers. Convert it, ds[{name!r}].astype('float32'), or draw another: {listed(fields)}."
     wanted = [*([reading.vertical.dim] if reading.vertical else []), *reading.horizontal.dims]
     others = [dim for dim in variable.dims if dim not in wanted]
     choose = f" Choose a place along {others[0]!r}: ds.isel({others[0]}=0)." if others else ""
     alone = f" Draw it alone: ds[[{name!r}]].nephoscope.plot()." if not others and variable.ndim > 1 else ""
-    return f"{name!r} is on {listed(list(variable.dims)) or 'no dimension'}, and the fields that are drawn are on {listed(wanted)}: {listed(fields)}.{choose}{alone}"
+    return f"{name!r} is on {listed(list(variable.dims)) or 'no dimension'}, but the fields that can be drawn are on {listed(wanted)}: {listed(fields)}.{choose}{alone}"

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: The Nephoscope authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""A file, several, a Zarr store or a dataset, opened as one lazy xarray.Dataset."""
+"""Opens a file, several files, a Zarr store or a dataset as one lazy xarray.Dataset."""
 from __future__ import annotations
 
 import glob
@@ -20,11 +20,11 @@ def open(path: Any, *, grid: int | None = None, mesh: Any = None, chunks: Any = 
     ----------
     path : str, pathlib.Path, sequence of these, or xarray.Dataset
         A GRIB file (edition 1 or 2), a NetCDF file, a Zarr store, a pattern such as ``"wrfout_d01_*"``, several files of one series, or a dataset,
-        which is returned as it is. The kind of a file is seen from its first bytes.
+        which is returned unchanged. The first bytes of a file determine its format.
     grid : int, optional
-        GRIB only: which grid of a file with several, from 0. Default: an error that lists them.
+        GRIB only: number of the grid, from 0, in a file with several grids. Default: an error that lists them.
     mesh : str, pathlib.Path or xarray.Dataset, optional
-        The file of the mesh where the data do not have it: ICON's grid file, MPAS' init file, UGRID. Its dimensions are matched by their sizes.
+        The mesh file, if the data do not contain the mesh: ICON's grid file, MPAS' init file, UGRID. Its dimensions are matched by their sizes.
     chunks : optional
         As in `xarray.open_dataset`: dask arrays. Default: lazy arrays of xarray, without dask.
     **options
@@ -33,16 +33,16 @@ def open(path: Any, *, grid: int | None = None, mesh: Any = None, chunks: Any = 
     Returns
     -------
     xarray.Dataset
-        Lazy: values are read when they are used. ``.nephoscope.describe()`` tells what is in it, ``.nephoscope.globe()`` makes the mesh.
+        Lazy: values are read when they are used. ``.nephoscope.describe()`` lists its contents, ``.nephoscope.globe()`` makes the mesh.
 
     Raises
     ------
     FileNotFoundError
         If there is no such file.
     ValueError
-        If the file is of no known kind, or damaged.
+        If the file has an unknown format or is damaged.
     ModuleNotFoundError
-        If a package is missing, with the line that installs it.
+        If a package is missing; the message has the command that installs it.
 
     Examples
     --------
@@ -59,7 +59,7 @@ def open(path: Any, *, grid: int | None = None, mesh: Any = None, chunks: Any = 
     paths = _paths(path)
     kinds = {_kind(found) for found in paths}
     if len(kinds) > 1:
-        raise ValueError(f"The files are of several kinds, {', '.join(sorted(kinds))}: open them one by one.")
+        raise ValueError(f"The files have several formats, {', '.join(sorted(kinds))}: open them one by one.")
     dataset = {"GRIB": _open_grib, "NetCDF": _open_netcdf, "Zarr": _open_zarr}[kinds.pop()](paths, grid, chunks, options)
     return dataset if mesh is None else _with_mesh(dataset, open(mesh))
 
@@ -68,16 +68,16 @@ MESH = ("clon", "clat", "clon_vertices", "clat_vertices", "lonCell", "latCell", 
 
 
 def _with_mesh(dataset, mesh):
-    """`dataset` with the variables of `mesh` that tell places and cells; dimensions of another name are matched by their sizes."""
+    """`dataset` with the variables of `mesh` that define positions and cells; dimensions with other names are matched by their sizes."""
     topology = [name for name, variable in mesh.variables.items() if variable.attrs.get("cf_role") == "mesh_topology"]
     wanted = [name for top in topology for key in ("face_node_connectivity", "node_coordinates", "face_coordinates") for name in str(mesh[top].attrs.get(key, "")).split()]
     found = mesh[[name for name in dict.fromkeys([*MESH, *topology, *wanted]) if name in mesh.variables and name not in dataset.variables]]
     unknown = [dim for dim in dataset.sizes if dim not in found.sizes]
     if not set(found.sizes.values()) & set(dataset.sizes.values()):
-        raise ValueError(f"mesh: it has {_sizes(found)}, and the data have {_sizes(dataset)}: no size is the same, so it is the mesh of other data.")
+        raise ValueError(f"mesh: it has {_sizes(found)}, and the data have {_sizes(dataset)}. No size is the same, so this mesh belongs to other data.")
     other = [dim for dim in found.sizes if dataset.sizes.get(dim, found.sizes[dim]) != found.sizes[dim]]
     if other:
-        raise ValueError(f"mesh: {other[0]!r} has {found.sizes[other[0]]} places there and {dataset.sizes[other[0]]} in the data: it is the mesh of other data.")
+        raise ValueError(f"mesh: {other[0]!r} has {found.sizes[other[0]]} entries in the mesh and {dataset.sizes[other[0]]} in the data, so this mesh belongs to other data.")
     names = {dim: next((own for own in unknown if dataset.sizes[own] == size), dim) for dim, size in found.sizes.items() if dim not in dataset.sizes}
     return dataset.merge(found.reset_coords().rename({dim: own for dim, own in names.items() if own != dim}), compat="override")
 
@@ -101,7 +101,7 @@ def _kind(path: Path) -> str:
     if path.is_dir():
         if any((path / name).exists() for name in (".zgroup", ".zmetadata", "zarr.json")):
             return "Zarr"
-        raise ValueError(f"{path} is a folder, and no Zarr store (it has no .zgroup and no zarr.json). Name a file or a pattern, {path}/*.nc for example.")
+        raise ValueError(f"{path} is a folder, but not a Zarr store (it has no .zgroup and no zarr.json). Name a file or a pattern, {path}/*.nc for example.")
     if path.suffix == ".zip":
         return "Zarr"
     with path.open("rb") as file:
@@ -111,13 +111,13 @@ def _kind(path: Path) -> str:
     if b"GRIB" in start:
         return "GRIB"
     raise ValueError(f"{path} is neither GRIB nor NetCDF: it begins with {start[:8]!r}" + ("; the file is empty." if not start else ".")
-                     + (" By its name it should be GRIB: it is damaged, or not whole." if path.suffix.lower() in GRIB_NAMES else ""))
+                     + (" By its name it should be GRIB: it is damaged or incomplete." if path.suffix.lower() in GRIB_NAMES else ""))
 
 
 def _open_grib(paths: Sequence[Path], grid, chunks, options):
     from .grib import open_grib
     if options:
-        raise TypeError(f"open: {', '.join(options)} is no option for GRIB.")
+        raise TypeError(f"open: {', '.join(options)} is not an option for GRIB.")
     datasets = [open_grib(path, grid) for path in paths]
     xarray = need("xarray", "opening weather data")
     whole = datasets[0] if len(datasets) == 1 else xarray.concat(datasets, "time", data_vars="minimal", coords="minimal", compat="override", join="exact") \
@@ -132,11 +132,15 @@ def _open_netcdf(paths: Sequence[Path], grid, chunks, options):
         need("dask", "opening several files")
         return xarray.open_mfdataset([str(path) for path in paths], chunks=chunks or {}, **options)
     try:
-        return xarray.open_dataset(paths[0], chunks=chunks, **options)
+        opened = xarray.open_dataset(paths[0], chunks=chunks, **options)
+        if opened.data_vars or "group" in options:
+            return opened
+        from .groups import with_groups
+        return with_groups(paths[0], opened, chunks, options)
     except ValueError as problem:
         if "found the following matches" in str(problem) or "did not find a match" in str(problem):
             need("netCDF4", "reading NetCDF")
-        if "decode" in str(problem) and options["decode_timedelta"]:  # times without a calendar, or in no known unit
+        if "decode" in str(problem) and options["decode_timedelta"]:  # times without a calendar, or in an unknown unit
             return _open_netcdf(paths, grid, chunks, {**options, "decode_timedelta": False})
         if "decode" in str(problem) and options.get("decode_times", True):
             return _open_netcdf(paths, grid, chunks, {**options, "decode_times": False})

@@ -2,8 +2,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """A plugin of ParaView: the reader "Weather data (GRIB, Zarr, NetCDF, WRF, MPAS, ICON)".
 
-Load this file in Tools > Manage Plugins > Load New, or by `paraview_reader.load`. A process of its own, the Python that NEPHOSCOPE_PYTHON names, runs `nephoscope.open`
-(worker.py); where a Python package is missing there, the message has the line that installs it.
+Load this file in Tools > Manage Plugins > Load New, or by `paraview_reader.load`. A separate process, run by the Python that NEPHOSCOPE_PYTHON names, calls
+`nephoscope.open` (worker.py). If a Python package is missing there, the message has the command that installs it.
 """
 import json
 import os
@@ -18,6 +18,7 @@ from vtkmodules.vtkIOLegacy import vtkDataSetReader
 
 PACKAGES = ("pyvista", "xarray", "eccodes", "netCDF4", "zarr")
 EXTENSIONS = "grib grib1 grib2 grb grb1 grb2 gb2 nc nc4 nc3 cdf ncdf zarr zmetadata"
+PATTERNS = "wrfout_* wrfinput_* .zmetadata"  # of files without an extension
 
 
 def interpreter():
@@ -28,7 +29,7 @@ def interpreter():
 
 
 def missing_packages(python):
-    """What to do where packages are missing; empty if all are there."""
+    """What to do about missing packages; empty if none is missing."""
     probe = f"import importlib.util as u; print(*[n for n in {PACKAGES!r} if u.find_spec(n) is None])"
     try:
         told = subprocess.run([python, "-c", probe], capture_output=True, text=True)
@@ -42,7 +43,7 @@ def missing_packages(python):
 
 
 class Process:
-    """The worker, started when it is first asked."""
+    """The worker process, started at the first request."""
 
     def __init__(self):
         self._process = None
@@ -68,8 +69,9 @@ class Process:
         self._process = subprocess.Popen([python, "-m", "nephoscope.weather.worker"], stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True)
 
 
-@smproxy.reader(name="WeatherDataReader", label="Weather data (GRIB, Zarr, NetCDF, WRF, MPAS, ICON)", extensions=EXTENSIONS,
+@smproxy.reader(name="WeatherDataReader", label="Weather data (GRIB, Zarr, NetCDF, WRF, MPAS, ICON)", extensions=EXTENSIONS, filename_patterns=PATTERNS,
                 file_description="Weather data (GRIB, Zarr, NetCDF, WRF, MPAS, ICON)")
+@smhint.xml('<RepresentationType view="RenderView" type="Surface"/>')
 class WeatherDataReader(VTKPythonAlgorithmBase):
     """Reads one time step of a weather file onto a globe or a map."""
 
@@ -106,12 +108,12 @@ class WeatherDataReader(VTKPythonAlgorithmBase):
 
     @smproperty.intvector(name="GridNumber", label="Grid Number", default_values=-1, panel_visibility="advanced")
     def SetGridNumber(self, number):
-        """Which grid of a GRIB file with several, from 0; -1: the only one."""
+        """Number of the grid, from 0, in a GRIB file with several grids; -1: the only one."""
         self._set("grid", number, True)
 
     @smproperty.intvector(name="Levels", default_values=[0, 100000])
     def SetLevels(self, first, last):
-        """First and last level that are read, from 0 in the file's order."""
+        """First and last level to read, counted from 0 in the file's order."""
         self._set("levels", (first, last))
 
     @smproperty.intvector(name="Projection", default_values=0)
@@ -148,7 +150,7 @@ class WeatherDataReader(VTKPythonAlgorithmBase):
         self._times, self._is_open = found["times"] or None, True
 
     def _mesh(self, step):
-        """As the pipeline asks for it; the first one is kept."""
+        """The mesh that the pipeline requests; the first one is kept."""
         if step == 0 and self._first is not None:
             return self._first
         names = [self._selection.GetArrayName(i) for i in range(self._selection.GetNumberOfArrays())]
@@ -167,11 +169,11 @@ class WeatherDataReader(VTKPythonAlgorithmBase):
         return mesh
 
     def _attempt(self, action):
-        """1, or 0 after telling what is wrong."""
+        """Returns 1, or 0 after reporting an error."""
         try:
             action()
             return 1
-        except Exception as failure:  # told in ParaView's window
+        except Exception as failure:  # shown in ParaView's window
             vtkOutputWindow.GetInstance().DisplayErrorText(f"Weather data: {failure}\n")
             return 0
 
@@ -200,7 +202,7 @@ class WeatherDataReader(VTKPythonAlgorithmBase):
     def RequestData(self, request, inputs, outputs):
         info = outputs.GetInformationObject(0)
         if not self._is_open:
-            return 0  # RequestDataObject has told why
+            return 0  # RequestDataObject has reported why
         step = 0
         if self._times is not None and info.Has(SDDP.UPDATE_TIME_STEP()):
             asked = info.Get(SDDP.UPDATE_TIME_STEP())

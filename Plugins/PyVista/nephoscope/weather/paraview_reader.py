@@ -7,22 +7,21 @@ from pathlib import Path
 PLUGIN = Path(__file__).with_name("paraview_plugin.py")
 
 
-def _has_ranks_without_python():
-    """True on the first of several ranks, where only this one runs the script."""
-    from paraview.modules.vtkRemotingCore import vtkProcessModule
-    process = vtkProcessModule.GetProcessModule()
-    return process.GetNumberOfLocalPartitions() > 1 and not process.GetSymmetricMPIMode()
+def _with_getargspec():
+    """What ParaView 5.11 imports for every plugin in Python, and Python 3.11 no longer has: here, and by a source that runs on every rank and on a server."""
+    from paraview import servermanager
+    inspect.getargspec = inspect.getfullargspec
+    source = servermanager.sources.ProgrammableSource(Script="import inspect\ninspect.getargspec = inspect.getfullargspec")
+    source.UpdatePipeline()
 
 
 def load(ns=None):
-    """After this the reader is in File > Open. Returns the function that makes one, which `ns` (``globals()``) has too, as WeatherDataReader."""
-    if not hasattr(inspect, "getargspec") and _has_ranks_without_python():
-        raise RuntimeError("On several MPI ranks this ParaView needs the reader loaded on every rank: start pvbatch with --symmetric.")
-    if not hasattr(inspect, "getargspec"):  # gone since Python 3.11; ParaView 5.11 imports it for every plugin in Python
-        inspect.getargspec = inspect.getfullargspec
+    """Adds the reader to File > Open. Returns the function that creates a reader; `ns` (``globals()``) gets it too, as WeatherDataReader."""
     from paraview.simple import LoadPlugin
+    if not hasattr(inspect, "getargspec"):
+        _with_getargspec()
     names = {} if ns is None else ns
-    LoadPlugin(str(PLUGIN), remote=False, ns=names)
+    LoadPlugin(str(PLUGIN), remote=True, ns=names)
     made = next(name for name in names if name.lower().startswith("weatherdata"))  # ParaView makes the name of the label
     names["WeatherDataReader"] = names[made]
     return names[made]

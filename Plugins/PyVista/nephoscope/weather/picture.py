@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: The Nephoscope authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""The first picture of a mesh on the globe: one line for who has a file."""
+"""The first picture of a mesh on the globe, in one line."""
 from __future__ import annotations
 
 import numpy as np
@@ -13,7 +13,7 @@ from ..globe import EARTH_RADIUS, globe_surface
 
 GROUND = "#3d5a73"  # of the globe, without a texture
 
-BAR = {"vertical": True, "position_x": 0.92, "position_y": 0.3, "width": 0.06, "height": 0.4, "title_font_size": 14, "label_font_size": 12, "n_labels": 4}  # beside the globe
+BAR = {"vertical": True, "position_x": 0.885, "position_y": 0.3, "width": 0.06, "height": 0.4, "title_font_size": 14, "label_font_size": 12, "n_labels": 4}  # beside the globe
 
 
 def plotted(grid: pyvista.DataSet, scalars: str | None, screenshot: str | None, options: dict) -> pyvista.Plotter:
@@ -24,7 +24,7 @@ def plotted(grid: pyvista.DataSet, scalars: str | None, screenshot: str | None, 
         plotter.add_mesh(globe_surface(radius=_below(grid) if flat else EARTH_RADIUS), color=GROUND, lighting=True)
     if flat:  # one level
         name = default_scalars(grid)[1] if scalars is None else scalars
-        association_of(grid, name, "point", "scalars")  # an error without a finite value: VTK would end the process
+        association_of(grid, name, "point", "scalars")  # raises an error if no value is finite; VTK would end the process
         plotter.add_mesh(grid, scalars=name, **{"nan_opacity": 0, "lighting": False, "scalar_bar_args": BAR, **options})
     else:
         add_cells(plotter, grid, scalars, **{"scalar_bar_args": BAR, **options})
@@ -35,14 +35,14 @@ def plotted(grid: pyvista.DataSet, scalars: str | None, screenshot: str | None, 
 
 
 def _below(sheet: pyvista.DataSet) -> float:
-    """A radius below the middles of the sheet's cells, which are flat."""
+    """A radius below the centres of the sheet's flat cells."""
     middles = np.linalg.norm(np.asarray(sheet.cell_centers().points), axis=1)
     middles = middles[np.isfinite(middles)]
     return 0.998 * float(np.clip(middles.min() if middles.size else EARTH_RADIUS, 0.8 * EARTH_RADIUS, EARTH_RADIUS))
 
 
 def _look_down(plotter: pyvista.Plotter, grid: pyvista.DataSet) -> None:
-    """From above the middle of the data, so far that all of them fit; north is up."""
+    """Places the camera above the middle of the data, far enough to show all of them, with north up."""
     points = np.asarray(grid.points)[:: max(1, grid.n_points // 5000)]
     points = points[np.isfinite(points).all(axis=1)]
     middle = points.mean(axis=0)
@@ -52,7 +52,7 @@ def _look_down(plotter: pyvista.Plotter, grid: pyvista.DataSet) -> None:
     size = np.linalg.norm(points - centre, axis=1).max()
     upward = middle / np.linalg.norm(middle)
     plotter.camera.focal_point = centre
-    plotter.camera.position = centre + upward * size * 4.3
+    plotter.camera.position = centre + upward * size * 4.5
     plotter.camera.up = (0, 0, 1) if abs(upward[2]) < 0.95 else (1, 0, 0)
     plotter.camera.SetWindowCenter(0.08, 0)  # room for the scalar bar
     plotter.reset_camera_clipping_range()

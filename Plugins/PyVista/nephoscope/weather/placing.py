@@ -12,14 +12,15 @@ from .._checks import listed
 from .._fields import choose_active_scalars
 from ..globe import to_globe
 from .air import Air
+from .horizontal import GridError
 from .reading import Reading
 from .winds import winds
 
-HEIGHT = "geometric_height"  # the array that hands the heights to `to_globe`
+HEIGHT = "geometric_height"  # the array that passes the heights to `to_globe`
 
 
 def place(reading: Reading, air: Air, variables: Sequence[str] | None, extra: dict[str, np.ndarray], options: dict) -> pyvista.StructuredGrid:
-    """`extra`: fields that have been computed, in the shape of the grid."""
+    """`extra`: computed fields, in the shape of the grid."""
     refuse_found(options)
     if reading.horizontal.is_list:
         from .prisms import place_columns
@@ -47,10 +48,10 @@ FOUND = ("height", "height_units", "level_units", "wind", "vertical_wind_is_omeg
 
 
 def refuse_found(options: dict) -> None:
-    """TypeError for arguments of `to_globe` that follow from the dataset."""
+    """Raises TypeError for arguments of `to_globe` that the dataset determines."""
     for name in FOUND:
         if name in options:
-            raise TypeError(f"globe() finds {name} by the variables of the dataset. Name a variable by its role instead, such as geopotential_height='z' or "
+            raise TypeError(f"globe() takes {name} from the variables of the dataset. Name a variable by its role instead, such as geopotential_height='z' or "
                             "geopotential='z', or give it units; describe() lists what has been found.")
 
 
@@ -67,7 +68,7 @@ def place_sheet(reading: Reading, fields: dict[str, np.ndarray], options: dict) 
 
 
 def chosen(reading: Reading, variables: Sequence[str] | None) -> list[str]:
-    """The variables to carry: those named, or all on the grid."""
+    """The variables to put on the mesh: those named, or all on the grid."""
     there = reading.plain_variables()
     fields = [name for name, _ in reading.field_variables()]
     wanted = there if variables is None else [variables] if isinstance(variables, str) else list(variables)
@@ -79,6 +80,9 @@ def chosen(reading: Reading, variables: Sequence[str] | None) -> list[str]:
 
 def structure(reading: Reading, air: Air) -> tuple[pyvista.DataSet, np.ndarray]:
     """The grid with its heights, and the order of its levels, from the bottom to the top."""
+    if np.prod(reading.horizontal.shape) == 1:
+        raise GridError(f"The grid ({', '.join(reading.horizontal.dims)}) is one column, and there is nothing between columns to draw. Plot it as a profile: ds[{reading.example!r}].squeeze().plot()"
+                        + (f", with y={reading.vertical.dim!r}." if reading.vertical else "."))
     heights = _heights(reading, air)
     if reading.horizontal.missing is not None:
         heights = np.where(reading.horizontal.missing, np.nan, heights)
@@ -98,7 +102,7 @@ def _heights(reading: Reading, air: Air) -> np.ndarray:
 
 
 def order_of(reading: Reading, heights: np.ndarray) -> np.ndarray:
-    """The levels from the bottom to the top, each once: by their own values where these tell it, else by their heights."""
+    """The levels from the bottom to the top, without repetitions, ordered by their own values or, if these do not decide, by their heights."""
     kind = reading.vertical.kind if reading.vertical else ""
     if kind not in ("pressure", "height", "height above ground", "depth"):
         return order_of_levels(heights)
@@ -107,7 +111,7 @@ def order_of(reading: Reading, heights: np.ndarray) -> np.ndarray:
     order = order[np.isfinite(values[order])]
     order = order[np.diff(values[order], prepend=-np.inf) > 0]
     if len(order) < len(values):
-        reading.note(f"{len(values) - len(order)} of {len(values)} levels are repeated or missing: left out")
+        reading.note(f"{len(values) - len(order)} of {len(values)} levels are repeated or missing and were left out")
     return order
 
 
@@ -117,7 +121,7 @@ def order_of_levels(heights: np.ndarray) -> np.ndarray:
 
 
 def _height_of_levels(flat: np.ndarray) -> np.ndarray:
-    """A height of each level by which they can be ordered: means over the columns that have all levels, or over those there are."""
+    """A height for each level, used for ordering: the mean over the columns that have all levels, or over all columns if none has."""
     whole = np.isfinite(flat).all(axis=0)
     if whole.any():
         return flat[:, whole].mean(axis=1)
@@ -162,7 +166,7 @@ def _level_units(reading: Reading) -> str:
 
 
 def ground_mesh(reading: Reading, air: Air) -> pyvista.DataSet | None:
-    """One level with the pressure, height and land fraction of the ground, as there are."""
+    """One level with the pressure, height and land fraction of the ground, as far as they are available."""
     arrays = {"sp": air.surface_pressure, "orog": air.terrain, "lsm": reading.role("land") if reading.has("land") else None}
     arrays = {name: values for name, values in arrays.items() if values is not None}
     if not {"sp", "orog"} & set(arrays):

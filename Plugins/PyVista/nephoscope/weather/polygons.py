@@ -21,12 +21,11 @@ class Polygons:
 
 
 def find_polygons(dataset, horizontal) -> Polygons:
-    for way in (_cubed, _mpas, _ugrid, _healpix, _bounds):
+    for way in (_cubed, _mpas, _ugrid, _healpix, _bounds, _points):
         found = way(dataset, horizontal)
         if found is not None:
             return _counter_clockwise(found)
-    raise GridError(f"The points of ({horizontal.dims[0]}) are a list without cells: there is no mesh (UGRID's mesh_topology, MPAS' verticesOnCell, bounds of {horizontal.names[0]!r}, a HEALPix "
-                    "grid_mapping). Give the file of the mesh: nephoscope.open(DATA, mesh=GRID).")
+    raise GridError(f"The points of ({horizontal.dims[0]}) have no places. Give the mesh file: nephoscope.open(DATA, mesh=GRID).")
 
 
 def _degrees(variable) -> np.ndarray:
@@ -36,13 +35,13 @@ def _degrees(variable) -> np.ndarray:
 
 
 def _cubed(dataset, horizontal) -> Polygons | None:
-    """Faces of a cubed sphere by the places of the corners, one row and one column more than the centres."""
+    """Faces of a cubed sphere from the positions of the corners, which have one row and one column more than the centres."""
     if len(horizontal.dims) != 3:
         return None
     shape = tuple(dataset.sizes[dim] + (i > 0) for i, dim in enumerate(horizontal.dims))
     lon, lat = (next((v for name, v in dataset.variables.items() if v.shape == shape and v.dims[0] == horizontal.dims[0] and word in str(name).lower()), None) for word in ("lon", "lat"))
     if lon is None or lat is None:
-        raise GridError(f"The cubed sphere ({', '.join(horizontal.dims)}) has centres, but no longitudes and latitudes of the corners of its cells, {shape} as corner_lons and corner_lats "
+        raise GridError(f"The cubed sphere ({', '.join(horizontal.dims)}) has cell centres, but no longitudes and latitudes of the cell corners, {shape} as corner_lons and corner_lats "
                         f"of GEOS. Add them, or choose one face: ds.isel({horizontal.dims[0]}=0).")
     corners = vectors(_degrees(lon), _degrees(lat))
     around = [corners[:, :-1, :-1], corners[:, :-1, 1:], corners[:, 1:, 1:], corners[:, 1:, :-1]]
@@ -89,8 +88,17 @@ def _bounds(dataset, horizontal) -> Polygons | None:
     return None
 
 
+def _points(dataset, horizontal) -> Polygons | None:
+    """Where there is no mesh: triangles between the points, with the fields at their corners."""
+    from .triangles import triangulated
+    if not horizontal.longitude.size:
+        return None
+    places = vectors(horizontal.longitude, horizontal.latitude)
+    return Polygons(np.nan_to_num(places), triangulated(places, horizontal.dims[0]), f"triangles between the {len(places)} points, since there is no mesh", on_corners=True)
+
+
 def merged(corners: np.ndarray, source: str) -> Polygons:
-    """From the corners of each face (n, k, 3); those at one place, to a metre or so, become one, and repeated ones of a face are left out."""
+    """From the corners of each face (n, k, 3); corners within about a metre become one, and corners that a face repeats are left out."""
     flat = np.nan_to_num(corners.reshape(-1, 3), nan=9.0)
     _, first, inverse = np.unique(np.round(flat * 5e6).astype(np.int64), axis=0, return_index=True, return_inverse=True)
     faces = inverse.reshape(corners.shape[:2])
@@ -130,7 +138,7 @@ def healpix_of(dataset, dim: str) -> tuple[int, bool] | None:
         return None
     for variable in dataset.variables.values():
         keys = variable.attrs
-        if keys.get("grid_mapping_name") == "healpix" or "healpix_nside" in keys:
+        if "healpix" in (keys.get("grid_mapping_name"), keys.get("grid_name")) or "healpix_nside" in keys:
             order = str(keys.get("healpix_order", keys.get("indexing_scheme", "nest")))
             return nside, order.startswith("nest")
         if keys.get("GRIB_gridType") == "healpix":
@@ -147,7 +155,7 @@ def _interleaved(index: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
 
 
 def _on_sphere(face: np.ndarray, x: np.ndarray, y: np.ndarray, nside: int) -> np.ndarray:
-    """Unit vectors of places x, y (0 to nside, not only whole) of the faces."""
+    """Unit vectors of positions x, y on the faces, real numbers from 0 to nside."""
     row, column = np.array([2, 2, 2, 2, 3, 3, 3, 3, 4, 4, 4, 4])[face], np.array([1, 3, 5, 7, 0, 2, 4, 6, 1, 3, 5, 7])[face]
     ring = row - (x + y) / nside
     north, south = ring < 1, ring > 3

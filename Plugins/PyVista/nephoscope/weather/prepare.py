@@ -1,14 +1,14 @@
 # SPDX-FileCopyrightText: The Nephoscope authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Datasets of models with conventions of their own, brought to those that `Reading` knows."""
+"""Converts datasets of models with their own conventions to those that `Reading` knows."""
 from __future__ import annotations
 
-WRF_GRAVITY = 9.81  # m/s2, the constant of WRF: its geopotential over this is its height
-WRF_TEMPERATURE = 300.0  # K, what WRF's T is counted from
+WRF_GRAVITY = 9.81  # m/s2, WRF's constant: its geopotential divided by this is its height
+WRF_TEMPERATURE = 300.0  # K, the base value of WRF's T
 
 
 def prepared(dataset):
-    """`dataset`, of one time, with the variables of WRF added up: pressure, potential temperature and height from perturbation and base state."""
+    """`dataset` at one time, with WRF's pressure, potential temperature and height computed from perturbation and base state."""
     return _wrf(dataset) if {"PH", "PHB"} <= set(dataset.data_vars) else dataset
 
 

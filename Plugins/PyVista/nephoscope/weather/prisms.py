@@ -16,7 +16,7 @@ from .reading import Reading
 from .winds import winds
 
 HIDDEN_CELL, HIDDEN_POINT = 32, 2  # vtkDataSetAttributes
-LARGEST = 6  # sides of a prism of VTK; polygons of more are divided
+LARGEST = 6  # maximum number of sides of a VTK prism; larger polygons are divided
 TYPES = {3: 13, 4: 12, 5: 15, 6: 16}  # VTK_WEDGE, VTK_HEXAHEDRON, VTK_PENTAGONAL_PRISM, VTK_HEXAGONAL_PRISM
 
 
@@ -56,7 +56,7 @@ def place_sheet_of_cells(reading: Reading, fields: dict[str, np.ndarray], *, rad
 
 
 def at_corners(heights: np.ndarray, polygons: Polygons) -> np.ndarray:
-    """Heights (levels, cells) at the corners: means over the cells that meet there."""
+    """Heights (levels, cells) at the corners: the mean over the cells that meet there."""
     used = polygons.faces >= 0
     corner, cell = polygons.faces[used], np.nonzero(used)[0]
     result = np.empty((len(heights), len(polygons.corners)))
@@ -69,7 +69,7 @@ def at_corners(heights: np.ndarray, polygons: Polygons) -> np.ndarray:
 
 
 def divided(faces: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Faces of at most six sides, and the face that each is of."""
+    """Faces with at most six sides, and for each the original face."""
     owner, parts = np.arange(len(faces)), [faces[:, :LARGEST]]
     owners, rest = [owner], faces
     while rest.shape[1] > LARGEST:
@@ -82,7 +82,7 @@ def divided(faces: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
 
 
 def columns(corners: np.ndarray, faces: np.ndarray, heights: np.ndarray, radius: float, exaggeration: float) -> pyvista.UnstructuredGrid:
-    """Prisms between the surfaces `heights` (levels, corners), layer by layer; polygons where there is one surface."""
+    """Prisms between the surfaces `heights` (levels, corners), layer by layer; polygons if there is only one surface."""
     points = (corners[None] * (radius + exaggeration * heights)[..., None]).reshape(-1, 3)
     count = (faces >= 0).sum(axis=1)
     layers, sheet = len(heights) - 1, len(corners)
@@ -96,7 +96,7 @@ def columns(corners: np.ndarray, faces: np.ndarray, heights: np.ndarray, radius:
             places.append(here)
             continue
         if sides == 3:
-            bottom = bottom[:, ::-1]  # VTK's order of wedges until 9.6; readers of the package take both
+            bottom = bottom[:, ::-1]  # point order of wedges in VTK up to 9.6; the package reads both orders
         prism = np.concatenate([bottom, bottom + sheet], axis=1)
         every = (prism[None] + sheet * np.arange(layers)[:, None, None]).reshape(-1, 2 * sides)
         cells.append(np.insert(every, 0, 2 * sides, axis=1))
@@ -107,7 +107,7 @@ def columns(corners: np.ndarray, faces: np.ndarray, heights: np.ndarray, radius:
 
 
 def _in_order(cells, types, places) -> tuple[np.ndarray, np.ndarray]:
-    """Cells of several sizes in the order of their places."""
+    """Cells of several sizes, in the order of their positions."""
     places, types = np.concatenate(places), np.concatenate(types)
     lengths = np.concatenate([np.full(len(part), part.shape[1]) for part in cells])
     starts = np.concatenate([[0], np.cumsum(lengths)[:-1]])

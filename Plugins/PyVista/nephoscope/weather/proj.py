@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: The Nephoscope authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Every other projection of CF, by pyproj in a process of its own: pyproj brings a PROJ that ends a process in which VTK has loaded another."""
+"""All other CF projections, with pyproj in a separate process: pyproj's PROJ crashes a process in which VTK has loaded another PROJ."""
 from __future__ import annotations
 
 import io
@@ -37,7 +37,7 @@ class Proj:
         self._keys = {key: value.tolist() if isinstance(value, (np.ndarray, np.generic)) else value for key, value in keys.items()}
 
     def lengths(self, axis) -> np.ndarray:
-        """Metres. Angles of a geostationary satellite's scan times its height."""
+        """Metres. The scan angles of a geostationary satellite are multiplied by its height."""
         units = str(axis.attrs.get("units", "m")).lower()
         if units in _RADIANS:
             return np.asarray(axis.values, float) * _RADIANS[units] * float(np.ravel(self._keys.get("perspective_point_height", 35786023.0))[0])

@@ -2,7 +2,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Projections of regional grids, by CF grid mappings and GRIB keys.
 
-Conformal ones and the rotated pole, by the formulas of Snyder 1987 (Map Projections: A Working Manual, USGS Professional Paper 1395), without another package; all others in `proj.py`.
+Conformal projections and the rotated pole use the formulas of Snyder 1987 (Map Projections: A Working Manual, USGS Professional Paper 1395) and no other package; all
+other projections are in `proj.py`.
 """
 from __future__ import annotations
 
@@ -85,7 +86,7 @@ class Conic:
 
 
 class RotatedPole:
-    """Longitude and latitude about another pole, in degrees."""
+    """Longitude and latitude relative to another pole, in degrees."""
 
     def __init__(self, pole_longitude: float, pole_latitude: float, turned: float = 0.0) -> None:
         self.name = "rotated_latitude_longitude"
@@ -135,12 +136,12 @@ def _northward(lon, lat) -> np.ndarray:
 
 
 def vectors(lon: np.ndarray, lat: np.ndarray) -> np.ndarray:
-    """Unit vectors (..., 3) of places in degrees."""
+    """Unit vectors (..., 3) of positions in degrees."""
     return np.moveaxis(_vectors(lon, lat), 0, -1).reshape(*np.shape(lon), 3)
 
 
 def row_angles(lon: np.ndarray, lat: np.ndarray) -> np.ndarray:
-    """Where no projection is known: the direction of the rows from point to point, by central differences on the sphere."""
+    """The direction of the rows from point to point, by central differences on the sphere, for grids without a known projection."""
     places = _vectors(lon, lat).reshape(3, *lon.shape)
     along = np.gradient(places, axis=2).reshape(3, -1)
     angles = np.arctan2((along * _northward(lon, lat)).sum(0), (along * _eastward(lon)).sum(0))
@@ -151,7 +152,7 @@ Projection = Union[Conic, RotatedPole, "Proj"]  # noqa: F821 (proj.py)
 
 
 def find_projection(dataset, variable) -> Projection | None:
-    """By the variable's grid_mapping, or by its GRIB keys; None where neither tells one that is known here."""
+    """The projection from the variable's grid_mapping or its GRIB keys; None if neither gives a known one."""
     name = _mapping_variable(variable)
     if name and name in dataset.variables:
         from .proj import NAMES, Proj
@@ -165,13 +166,13 @@ def _mapping_variable(variable) -> str:
 
 
 def mapping_of(dataset, variable) -> str:
-    """What the projection is called in the file; "" without one."""
+    """The name of the projection in the file; "" if there is none."""
     name = _mapping_variable(variable)
     return str(dataset[name].attrs.get("grid_mapping_name", name)) if name in dataset.variables else str(variable.attrs.get("GRIB_gridType", ""))
 
 
 def _of_mapping(keys: dict) -> Projection | None:
-    """By the attributes of CF, appendix F."""
+    """From the CF attributes (appendix F)."""
     kind, get = keys.get("grid_mapping_name", ""), lambda key, default=0.0: float(np.ravel(keys.get(key, default))[0])
     if kind == "rotated_latitude_longitude":
         return RotatedPole(get("grid_north_pole_longitude"), get("grid_north_pole_latitude"), get("north_pole_grid_longitude"))

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: The Nephoscope authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""A dataset understood: which dimensions are time, levels and places, and which variable has which role."""
+"""The meaning of a dataset: which dimensions are time, levels and horizontal, and which variable has which role."""
 from __future__ import annotations
 
 import warnings
@@ -20,11 +20,11 @@ from .vertical import VerticalError, find_vertical, level_values
 
 OTHER_HORIZONTAL = ("surface", "hybrid", "sigma", "unknown")  # typeOfLevel of variables on the ground; lnsp is said to be on a hybrid level
 
-KINDS = "fiubm"  # of arrays that can be fields: numbers, marks that are true or false, and durations
+KINDS = "fiubm"  # of arrays that can be fields: numbers, booleans and durations
 
 
 def _numbers(values: np.ndarray) -> np.ndarray:
-    """Floating point; durations, such as periods of waves, in seconds."""
+    """Values as floating-point numbers; durations, such as wave periods, in seconds."""
     values = np.asarray(values)
     if values.dtype.kind == "m":
         return np.where(np.isnat(values), np.nan, values / np.timedelta64(1, "s"))
@@ -32,7 +32,7 @@ def _numbers(values: np.ndarray) -> np.ndarray:
 
 
 class Reading:
-    """One time of a dataset. Values are loaded when they are asked for, and converted to the units of `units.py`."""
+    """One time of a dataset. Values are loaded on demand and converted to the units of `units.py`."""
 
     def __init__(self, dataset, *, time=None, vertical: str | None = None, names: dict | None = None) -> None:
         self.notes: list[str] = []
@@ -49,27 +49,27 @@ class Reading:
     # Dimensions
 
     def _without_single(self, dataset):
-        """Without dimensions of one member or the like, which say nothing; columns and rows of one point stay."""
+        """Removes dimensions of length one that carry no information, such as a single member; columns and rows of one point stay."""
         alone = [dim for dim, size in dataset.sizes.items() if size == 1 and dim in ("number", "realization", "ensemble", "member", "step", "time", "Time", "valid_time",
                                                                                       "forecast_reference_time", "surface", "expver")]
         return dataset.isel({dim: 0 for dim in alone})
 
     def _one_member(self, dataset):
-        """The first of several forecasts, with a warning, as of several times."""
+        """The first of several forecasts, with a warning, as for several times."""
         several = [dim for dim in dataset.sizes if is_member(dataset, str(dim))]
         for dim in several:
-            self.warn(f"{dim!r} has {dataset.sizes[dim]} places; the first was taken. Choose one: ds.isel({dim}=0).")
+            self.warn(f"{dim!r} has {dataset.sizes[dim]} entries; the first was taken. Choose one: ds.isel({dim}=0).")
         return dataset.isel({dim: 0 for dim in several})
 
     def _numbers(self):
-        """Variables that can be fields: not those that only tell where cells are."""
+        """Variables that can be fields, without those that only describe the cells."""
         return [(str(name), variable) for name, variable in self.dataset.data_vars.items() if variable.dtype.kind in KINDS and variable.ndim and name not in self._helpers]
 
     def _find_levels(self, asked: str | None) -> None:
         several = [variable for _, variable in self._numbers() if variable.ndim > 1]
         dims = Counter(dim for variable in several or [variable for _, variable in self._numbers()] for dim in variable.dims)
         if not dims:
-            raise GridError(f"No variable of the dataset is a field of numbers. There are: {listed([str(name) for name in self.dataset.variables])}.")
+            raise GridError(f"No variable of the dataset is a numeric field. The variables are: {listed([str(name) for name in self.dataset.variables])}.")
         self.vertical = None
         ranked = sorted(dims, key=lambda dim: (-dims[dim], -self.dataset.sizes[dim]))
         scored = [dim for dim in ranked if find_vertical(self.dataset, [dim], None) and not self._is_horizontal(dim)]
@@ -79,11 +79,12 @@ class Reading:
             best = max(scored, key=lambda dim: (self.dataset.sizes[dim] > 1, dims[dim], self.dataset.sizes[dim]))
             full = [dim for dim in scored if self.dataset.sizes[dim] == self.dataset.sizes[best] - 1 and dims[dim] == dims[best]]  # between half levels
             self.vertical = find_vertical(self.dataset, full[:1] or [best], None)
-            if self.vertical.kind == "levels" and self.dataset.sizes[self.vertical.dim] == 1:  # a level that says nothing
+            if self.vertical.kind == "levels" and self.dataset.sizes[self.vertical.dim] == 1:  # a level without information
                 self.dataset, self.vertical = self.dataset.isel({self.vertical.dim: 0}), None
         elif any(variable.ndim > 2 and not all(map(self._is_horizontal, variable.dims)) for _, variable in self._numbers()):
             raise VerticalError(f"No vertical axis was found among the dimensions {listed([str(dim) for dim in dims])}: none has axis 'Z', positive up or down, a standard_name of "
-                                "levels, units of pressure, a GRIB type of level or a usual name. Name it, globe(vertical='...'), or choose one place along what is no vertical axis: "
+                                "levels, units of pressure, a GRIB type of level or a usual name. Name it, globe(vertical='...'), or choose one index along the "
+                                "dimension that is not vertical: "
                                 f"ds.isel({self._unplaced(dims)}=0).")
 
     def _unplaced(self, dims) -> str:
@@ -119,7 +120,7 @@ class Reading:
         return next((name for name in names if quantity_of(role, self.dataset[name])), names[0] if names else None)
 
     def field_variables(self):
-        """On levels, staggered ones among them."""
+        """Variables on levels, including staggered ones."""
         return [(name, variable) for name, variable in self._all_numbers() if self._is_field(variable)]
 
     def _all_numbers(self):
@@ -133,7 +134,7 @@ class Reading:
             self._staggers(dim, variable.dims) for dim in rest) and (self.vertical.dim in variable.dims or any(self._near(dim, self.vertical.dim) for dim in rest))
 
     def _staggers(self, dim, dims) -> bool:
-        """True if `dim` can stand for one of the grid's that is missing among `dims`."""
+        """True if `dim` can stand for a grid dimension that is missing in `dims`."""
         missing = [own for own in (*self.horizontal.dims, self.vertical.dim) if own not in dims]
         return any(self._near(dim, own) for own in missing)
 
@@ -145,7 +146,7 @@ class Reading:
                 and variable.attrs.get("GRIB_typeOfLevel", "surface") in OTHER_HORIZONTAL]
 
     def plain_variables(self) -> list[str]:
-        """Those exactly on the grid's points, which are carried as they are."""
+        """Variables exactly on the grid's points, which are used unchanged."""
         wanted = set(self.horizontal.dims) | ({self.vertical.dim} if self.vertical else set())
         coordinates = {*self.horizontal.names, *self.dataset.dims}
         return [name for name, variable in self._all_numbers() if set(variable.dims) == wanted and name not in coordinates]
@@ -156,7 +157,7 @@ class Reading:
         return role in self.roles
 
     def values(self, name: str) -> np.ndarray:
-        """(levels, rows, columns) or what there is of these, at the centres, in the units of the file."""
+        """Values with the available dimensions of (levels, rows, columns), at the centres, in the units of the file."""
         array = self.dataset[name]
         wanted = [dim for dim in ((self.vertical.dim,) if self.vertical else ()) + self.horizontal.dims]
         array, note = to_centres(self.dataset, array, wanted)
@@ -166,7 +167,7 @@ class Reading:
         return np.where(np.abs(found) > 1e30, np.nan, found)
 
     def _placed(self, found: np.ndarray, order: list[str]) -> np.ndarray:
-        """Values of the file on the rows and columns that `horizontal` has made of its points."""
+        """Values of the file, arranged in the rows and columns that `horizontal` made from its points."""
         grid = self.horizontal
         if grid.rows is not None and grid.dims[0] in order:
             return grid.rows(found)
@@ -181,7 +182,7 @@ class Reading:
         return self.role_as(role)[0]
 
     def role_as(self, role: str) -> tuple[np.ndarray, str]:
-        """The values of a role, and which of its quantities they are."""
+        """The values of a role, and the quantity that they have."""
         name = self.roles[role]
         quantity = quantity_of(ROLES[role], self.dataset[name]) or ROLES[role].quantities[0]
         values, note = converted(self.values(name), self.dataset[name].attrs.get("units"), quantity, name)

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: The Nephoscope authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Which variable is what: by CF standard names, by GRIB keys, then by the usual names of models and archives."""
+"""The roles of variables: identified by CF standard names, by GRIB keys, then by the usual names of models and archives."""
 from __future__ import annotations
 
 import re
@@ -12,7 +12,7 @@ from .units import knows
 
 @dataclass(frozen=True)
 class Role:
-    """What a variable can be. `quantities`: the first whose units the variable has is what it is."""
+    """What a variable can be. `quantities`: the first one whose units match is the variable's quantity."""
     name: str
     meaning: str
     quantities: tuple[str, ...]
@@ -70,7 +70,7 @@ def grib_name(variable) -> str:
 
 
 def quantity_of(role: Role, variable) -> str | None:
-    """What the variable's units say it is; None if they deny the role. Without units the first quantity."""
+    """The quantity that matches the variable's units; None if none matches. Without units, the first quantity."""
     units = variable.attrs.get("units")
     if units is None or str(units).strip() == "":
         return role.quantities[0]

@@ -15,16 +15,16 @@ from .reading import Reading
 from .roles import ROLES
 from .times import listed_times, seconds_of, time_dims, when
 
-SAMPLED_STEPS = 50  # whose values colours and opacities are made for, where nobody gives limits
-SAMPLED_VALUES = 4096  # of a step; its least and greatest are among them
+SAMPLED_STEPS = 50  # sampled for the range of colours and opacities if no limits are given
+SAMPLED_VALUES = 4096  # per step, including its least and greatest
 
 
 class Series(Sequence):
-    """The meshes of all time steps, each made when it is asked for, and `mesh`, whose values `show` exchanges.
+    """The meshes of all time steps, each made on demand, and `mesh`, whose values `show` replaces.
 
-    One worker reads; while a step is looked at it reads the next. Cells and, unless `heights` is True, points of `mesh` stay those of the first step.
-    Where a function draws an array of `mesh` without limits of its own, colours and opacities are those of all steps; of more than 50 steps those of 50 at
-    equal distances, the first and the last among them. ``with dataset.nephoscope.series() as series`` ends the worker, as `close` does.
+    A worker thread reads the next step while one is on display. The cells of `mesh` and, unless `heights` is True, its points stay those of the first
+    step. If a function draws an array of `mesh` without limits of its own, colours and opacities cover the range of all steps; of more than 50 steps, 50
+    evenly spaced ones are sampled, including the first and the last. ``with dataset.nephoscope.series() as series`` ends the worker, as `close` does.
     """
 
     def __init__(self, dataset, *, heights: bool = False, owned: bool = False, **options: Any) -> None:
@@ -47,7 +47,7 @@ class Series(Sequence):
         self.close()
 
     def close(self) -> None:
-        """End the worker, and close the dataset if `animate` has opened it. `mesh` stays as it is; no other step can be read."""
+        """End the worker, and close the dataset if `animate` opened it. `mesh` keeps its values; no other step can be read."""
         self._worker.shutdown(cancel_futures=True)
         self._coming = {}
         if self._owned:
@@ -55,7 +55,7 @@ class Series(Sequence):
 
     @property
     def seconds(self) -> np.ndarray:
-        """Since the first step; numbers of steps where the dataset has no dates."""
+        """Seconds since the first step; step numbers if the dataset has no dates."""
         seconds = seconds_of(times) if self._dim and (times := when(self._dataset, self._dim)) is not None else None
         return np.arange(len(self), dtype=float) if seconds is None else seconds
 
@@ -77,7 +77,7 @@ class Series(Sequence):
         try:
             return self._worker.submit(*call)
         except RuntimeError as closed:
-            raise ValueError("The series has been closed: no step can be read any more. Make another, dataset.nephoscope.series().") from closed
+            raise ValueError("The series has been closed, so no more steps can be read. Make another one, dataset.nephoscope.series().") from closed
 
     def _read(self, step: int) -> pyvista.DataSet:
         return self._dataset.nephoscope.globe(**self._time(step), **self._options)
@@ -92,12 +92,12 @@ class Series(Sequence):
     # All steps
 
     def range(self, name: str) -> tuple[float, float]:
-        """Least and greatest value of an array (of vectors, length) in all steps, as the limits of colours: ``clim=series.range("cc")``."""
+        """Least and greatest value of an array in all steps (for vectors, of their length), for use as colour limits: ``clim=series.range("cc")``."""
         values = np.concatenate(self.samples(name))
         return float(values.min()), float(values.max())
 
     def samples(self, name: str) -> list[np.ndarray]:
-        """Finite values of an array for each of the sampled steps, its least and greatest among them; read once."""
+        """Finite values of an array for each sampled step, including its least and greatest; they are read once."""
         if name not in self._samples:
             self._samples[name] = [self._submit(self._sample, step, name).result() for step in self._sampled()]
         return self._samples[name]
@@ -117,11 +117,11 @@ class Series(Sequence):
         finite = values[np.isfinite(values)]
         if finite.size <= SAMPLED_VALUES:
             return finite
-        places = np.arange(SAMPLED_VALUES) * 0.6180339887498949 % 1 * finite.size  # at no step in which rows or levels repeat
+        places = np.arange(SAMPLED_VALUES) * 0.6180339887498949 % 1 * finite.size  # not at a step in which rows or levels repeat
         return np.append(finite[places.astype(int)], [finite.min(), finite.max()])
 
     def _values(self, step: int, name: str) -> np.ndarray:
-        """The values at a step; those of the variable alone, where the mesh has it as it is in the file."""
+        """The values at a step. If the mesh has the variable unchanged from the file, only the variable is read."""
         if step == self.step:
             return np.asarray(self.mesh[name])
         reading = Reading(self._dataset, **self._time(step), vertical=self._options.get("vertical"), names={k: v for k, v in self._options.items() if k in ROLES})
@@ -131,7 +131,7 @@ class Series(Sequence):
     # The step that is shown
 
     def listen(self, told: Callable[[int], Any]) -> None:
-        """From now on `show` calls `told` with the step, after `mesh` has its values."""
+        """Registers `told`, which `show` calls with the step after it has updated `mesh`."""
         self._listeners.append(told)
 
     def show(self, step: int) -> None:

@@ -1,20 +1,20 @@
 # SPDX-FileCopyrightText: The Nephoscope authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Values on staggered grids (Arakawa C) brought to the centres of the cells."""
+"""Averages values on staggered grids (Arakawa C) to the centres of the cells."""
 from __future__ import annotations
 
 import numpy as np
 
 
 def to_centres(dataset, array, wanted: list[str]):
-    """`array` with each of its dimensions that stands for one in `wanted` averaged onto that one, and a note of it."""
+    """`array`, with every dimension that stands for one in `wanted` averaged onto it, and a note about this."""
     strange = [dim for dim in array.dims if dim not in wanted]
     missing = [dim for dim in wanted if dim not in array.dims]
     notes = []
     for dim in strange:
         own = _partner(dataset, dim, missing)
         if own is None:
-            raise ValueError(f"{array.name!r} has the dimension {dim!r}, which is none of {wanted}. Choose a place: ds.isel({dim}=0).")
+            raise ValueError(f"{array.name!r} has the dimension {dim!r}, which is none of {wanted}. Choose an index: ds.isel({dim}=0).")
         missing.remove(own)
         array = _averaged(dataset, array, dim, own)
         notes.append(f"{array.name!r} averaged from {dim} to {own}")
@@ -22,13 +22,13 @@ def to_centres(dataset, array, wanted: list[str]):
 
 
 def _partner(dataset, dim: str, missing: list[str]) -> str | None:
-    """The missing dimension with a similar name, else the one with one step less or as many."""
+    """The missing dimension with a similar name, otherwise the one with as many points or one fewer."""
     fitting = [own for own in missing if abs(dataset.sizes[dim] - dataset.sizes[own]) <= 1]
     return max(fitting, key=lambda own: (_common(dim, own), dataset.sizes[dim] - dataset.sizes[own]), default=None)
 
 
 def _common(a: str, b: str) -> int:
-    """Letters that both begin with, or end with."""
+    """Number of letters that both names begin with or end with."""
     starts = next((i for i, (x, y) in enumerate(zip(a, b)) if x != y), min(len(a), len(b)))
     ends = next((i for i, (x, y) in enumerate(zip(a[::-1], b[::-1])) if x != y), min(len(a), len(b)))
     return max(starts, ends)
@@ -43,12 +43,12 @@ def _averaged(dataset, array, dim: str, own: str):
         return array.rename({dim: own})  # full levels under another name, as ICON's height_2
     if dim in dataset.variables and own in dataset.variables:
         return _interpolated(dataset, array, dim, own)
-    raise ValueError(f"{array.name!r} is on {dim!r}, {dataset.sizes[dim]} places, and the grid on {own!r}, {dataset.sizes[own]}: without coordinates of both nobody knows which lie "
-                     "between which. Interpolate it first.")
+    raise ValueError(f"{array.name!r} is on {dim!r}, {dataset.sizes[dim]} points, and the grid on {own!r}, {dataset.sizes[own]}: without coordinates on both, the relative "
+                     "position of their points is unknown. Interpolate it first.")
 
 
 def _interpolated(dataset, array, dim: str, own: str):
-    """Linearly in the coordinate; the last half step of the border has the value of the border."""
+    """Interpolates linearly in the coordinate; the last half step at a border has the border's value."""
     here, there = np.asarray(dataset[dim].values, float), np.asarray(dataset[own].values, float)
     order = np.argsort(here)
     upper = np.clip(np.searchsorted(here[order], there), 1, len(here) - 1)

@@ -14,7 +14,7 @@ MEMBERS = ("number", "realization", "ensemble", "member", "members", "ensemble_m
 
 
 def is_member(dataset, dim: str) -> bool:
-    """True of a dimension of several forecasts, or of the partitions of waves: one of them is drawn."""
+    """True for a dimension of several forecasts or of wave partitions, of which one is drawn."""
     return dim.lower() in MEMBERS or (dim in dataset.variables and dataset[dim].attrs.get("standard_name") == "realization")
 
 
@@ -76,7 +76,8 @@ def _index(dataset, dim: str, time) -> int:
 
 
 def when(dataset, dim: str) -> np.ndarray | None:
-    """The dates along a dimension of time: its own, those of another coordinate along it (valid_time), or lead times added to the reference time. Else its values as they are."""
+    """The dates along a dimension of time: its own dates, those of another coordinate along it (valid_time), or lead times added to the reference time. If there are
+    none, its values unchanged."""
     own = dataset[dim].values if dim in dataset.variables else None
     if own is not None and own.dtype.kind in "MO":
         return own
@@ -121,7 +122,7 @@ def _told(value) -> str:
 
 
 def seconds_of(values: np.ndarray) -> np.ndarray | None:
-    """Seconds since the first of these times, in any calendar; None if they are no dates and no durations."""
+    """Seconds since the first of these times, in any calendar; None if they are neither dates nor durations."""
     if values.dtype.kind in "mM":
         return (values - values[0]) / np.timedelta64(1, "s")
     since = [value - values[0] for value in values] if values.dtype == object else []
@@ -129,7 +130,7 @@ def seconds_of(values: np.ndarray) -> np.ndarray | None:
 
 
 def listed_times(dataset) -> list[str]:
-    """The values of the time dimension with several places, or of the only one: dates, or numbers of the steps where there are none."""
+    """The values of the time dimension with several entries, or of the only one: dates, or step numbers if there are no dates."""
     dims = sorted(time_dims(dataset), key=lambda dim: dataset.sizes[dim] < 2)
     if not dims:
         return []

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: The Nephoscope authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Units of weather data, brought to those of this package."""
+"""Converts units of weather data to those of this package."""
 from __future__ import annotations
 
 import re
@@ -9,7 +9,7 @@ import numpy as np
 
 GRAVITY = 9.80665  # m/s2, standard
 
-# Quantity -> its unit here, and what other units mean: factor, and what is added after.
+# Quantity -> its unit in this package, and the conversion of other units: a factor and an offset.
 _SPEED = {"ms-1": 1, "m/s": 1, "mps": 1, "meters/second": 1, "metresecond-1": 1, "kt": 0.514444, "kts": 0.514444, "knot": 0.514444, "knots": 0.514444,
           "km/h": 1 / 3.6, "kmh-1": 1 / 3.6, "cm/s": 0.01, "cms-1": 0.01, "m/sec": 1, "msec-1": 1, "ms^-1": 1, "meter/second": 1, "metersecond-1": 1, "meterspersecond": 1, "metrespersecond": 1, "meterssecond-1": 1}
 _MASS = {"kgkg-1": 1, "kg/kg": 1, "1": 1, "": 1, "gg-1": 1, "g/g": 1, "gkg-1": 1e-3, "g/kg": 1e-3, "mg/kg": 1e-6, "mgkg-1": 1e-6, "kg/kg(dryair)": 1, "kgofwater/kgofair": 1, "kg(kg)-1": 1, "kgkg^-1": 1, "10-3kgkg-1": 1e-3, "kilogram/kilogram": 1}
@@ -30,7 +30,7 @@ UNITS = {
                        "okta": 0.125, "oktas": 0.125}),
     "log pressure": ("1", {"1": 1, "": 1, "~": 1, "numeric": 1, "dimensionless": 1, "-": 1}),
 }
-# What a quantity without units may be: the range that its unit here gives on Earth.
+# Plausible values of a quantity without units: its range on Earth, in this package's unit.
 _PLAUSIBLE = {"temperature": (90, 400), "pressure": (0, 1.2e5), "height": (-1000, 2e5), "geopotential": (-1e4, 2e6), "speed": (-350, 350), "omega": (-300, 300),
               "mass fraction": (-0.01, 0.1), "fraction": (-0.1, 1.5), "log pressure": (8, 12)}
 
@@ -50,17 +50,17 @@ def knows(units: object, quantity: str) -> bool:
 
 
 def converted(values: np.ndarray, units: object, quantity: str, name: str) -> tuple[np.ndarray, str]:
-    """`values` in the unit of `quantity` here, and a note of what was done ("" where nothing was).
+    """`values` in this package's unit of `quantity`, and a note about the conversion ("" if there was none).
 
-    Without units the values are taken as they are if they may be what they should be on Earth; otherwise an error.
+    Values without units are used unchanged if they are plausible on Earth; otherwise an error is raised.
     """
     target, table = UNITS[quantity]
     text = plain(units)
     if units is None or (text == "" and "" not in table):
         _require_plausible(values, quantity, name)
-        return values, f"{name!r} has no units: taken as {target}"
+        return values, f"{name!r} has no units and is used as {target}"
     if text not in table:
-        raise UnitsError(f"The units of {name!r} are {str(units)!r}, which is no unit of {quantity} known here: {', '.join(sorted(k for k in table if k))}. "
+        raise UnitsError(f"The units of {name!r} are {str(units)!r}, which is not one of the known units of {quantity}: {', '.join(sorted(k for k in table if k))}. "
                          f"Set them: ds[{name!r}].attrs['units'] = {target!r}, after converting the values.")
     factor, added = table[text] if isinstance(table[text], tuple) else (table[text], 0)
     if factor == 1 and added == 0:

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: The Nephoscope authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Which dimension is the vertical one, what its levels are, and the pressures that formula terms and GRIB keys give."""
+"""The vertical dimension, the meaning of its levels, and the pressures from formula terms and GRIB keys."""
 from __future__ import annotations
 
 import re
@@ -20,12 +20,12 @@ _FORMULAS = {"atmosphere_hybrid_sigma_pressure_coordinate": "hybrid", "atmospher
 
 
 class VerticalError(ValueError):
-    """Levels that cannot be placed; the message names what was looked for and what there is."""
+    """Levels that cannot be placed; the message names what was looked for and what the dataset has."""
 
 
 @dataclass
 class Vertical:
-    """`kind`: pressure, height, height above ground, depth (below the sea), hybrid, sigma, hybrid height or levels (numbers that say nothing of heights)."""
+    """`kind`: pressure, height, height above ground, depth (below the sea), hybrid, sigma, hybrid height or levels (numbers unrelated to heights)."""
     dim: str
     kind: str
     name: str  # of the coordinate, "" if the dimension has none
@@ -56,7 +56,7 @@ def _score(dataset, dim: str) -> int | None:
 
 
 def _coordinates(dataset, dim: str):
-    """Variables along the dimension alone: the one of its name first."""
+    """Variables along this dimension only; the one with its name comes first."""
     names = [dim] * (dim in dataset.variables) + [name for name in dataset.variables if name != dim and dataset[name].dims == (dim,)]
     return [dataset[name] for name in names if np.issubdtype(dataset[name].dtype, np.number)]
 
@@ -91,7 +91,7 @@ def _kind(variable) -> str | None:
 
 
 def _by_coefficients(dataset, dim: str) -> Vertical | None:
-    """Hybrid levels without formula terms, with coefficients of the usual names."""
+    """Hybrid levels without formula terms whose coefficients have the usual names."""
     return Vertical(dim, "hybrid", "") if usual_coefficients(dataset, dim) else None
 
 
@@ -99,7 +99,7 @@ _PRESSURES = {"hPa": (400, 1100), "Pa": (4e4, 1.1e5)}  # of the lowest level
 
 
 def _by_values(dataset, dim: str) -> Vertical | None:
-    """Levels without units whose values are pressures: the lowest as in the lower air, and no plain count."""
+    """Levels without units whose values look like pressures: the lowest fits the lower atmosphere, and the values do not merely count levels."""
     if dim not in dataset.variables or not re.fullmatch(r"p|p?lev(el)?s?|pressure|isobaric\d*", str(dim).lower()) or plain(dataset[dim].attrs.get("units")) or dataset[dim].dtype.kind not in "fiu":
         return None
     values = np.asarray(dataset[dim].values, float)

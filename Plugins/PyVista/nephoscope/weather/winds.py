@@ -15,9 +15,9 @@ def along_grid(reading) -> bool:
     stated = variable.attrs.get("GRIB_uvRelativeToGrid")
     if stated is not None:
         return bool(int(stated))
-    if variable.attrs.get("GRIB_gridType") in ("polar_stereographic", "lambert", "rotated_ll"):  # cfgrib says nothing, and calls every u eastward_wind
-        reading.warn(f"{reading.roles['u']!r} taken as eastward: its dataset does not tell whether it is along the grid ({variable.attrs['GRIB_gridType']}). nephoscope.open of the file "
-                     f"does; or say so: ds[{reading.roles['u']!r}].attrs['GRIB_uvRelativeToGrid'] = 1.")
+    if variable.attrs.get("GRIB_gridType") in ("polar_stereographic", "lambert", "rotated_ll"):  # cfgrib gives no direction, and calls every u eastward_wind
+        reading.warn(f"{reading.roles['u']!r} is used as eastward: the dataset does not say whether it is along the grid ({variable.attrs['GRIB_gridType']}). Open the file with "
+                     f"nephoscope.open, which knows, or set ds[{reading.roles['u']!r}].attrs['GRIB_uvRelativeToGrid'] = 1.")
         return False
     standard = str(variable.attrs.get("standard_name", ""))
     if standard in ("eastward_wind", "northward_wind"):
@@ -25,12 +25,12 @@ def along_grid(reading) -> bool:
     if standard in ("x_wind", "grid_eastward_wind") or variable.attrs.get("nephoscope_along_grid"):
         return True
     if not reading.horizontal.is_regular and not standard:
-        reading.note(f"{reading.roles['u']!r} taken as eastward: nothing tells that it is along the grid (standard_name x_wind, GRIB_uvRelativeToGrid)")
+        reading.note(f"{reading.roles['u']!r} is used as eastward: nothing says that it is along the grid (standard_name x_wind, GRIB_uvRelativeToGrid)")
     return False
 
 
 def winds(reading, air: Air) -> tuple[list[np.ndarray], list[str]]:
-    """[u, v] or [u, v, w], and the names of their variables; empty lists without both horizontal winds."""
+    """[u, v] or [u, v, w], and the names of their variables; empty lists if a horizontal wind is missing."""
     if not (reading.has("u") and reading.has("v")):
         return [], []
     u, v = reading.role("u"), reading.role("v")
@@ -46,14 +46,14 @@ def turned(u, v, cosine, sine):
 
 
 def direction(reading) -> tuple[np.ndarray, np.ndarray]:
-    """Cosine and sine of the angle from east to the rows: the file's own, else by the projection, else from point to point."""
+    """Cosine and sine of the angle from east to the rows: from the file, otherwise from the projection, otherwise from point to point."""
     dataset = reading.dataset
     if {"COSALPHA", "SINALPHA"} <= set(dataset.variables) and set(dataset["COSALPHA"].dims) == set(reading.horizontal.dims):
-        reading.note("winds turned from the grid to east and north by COSALPHA and SINALPHA")
+        reading.note("winds rotated from the grid to east and north by COSALPHA and SINALPHA")
         return reading.values("COSALPHA"), reading.values("SINALPHA")
     angles = reading.horizontal.angles()
-    by = reading.horizontal.projection.name if reading.horizontal.projection else "the places of neighbouring points"
-    reading.note(f"winds turned from the grid to east and north by {by}, {np.degrees(np.nanmin(angles)):.1f} to {np.degrees(np.nanmax(angles)):.1f} degrees")
+    by = reading.horizontal.projection.name if reading.horizontal.projection else "the positions of neighbouring points"
+    reading.note(f"winds rotated from the grid to east and north by {by}, {np.degrees(np.nanmin(angles)):.1f} to {np.degrees(np.nanmax(angles)):.1f} degrees")
     return np.cos(angles), np.sin(angles)
 
 
@@ -62,7 +62,7 @@ def _upward(reading, air: Air) -> np.ndarray | None:
     if quantity == "speed":
         return values
     if air.pressure is None:
-        reading.note(f"{reading.roles['w']!r} is in Pa/s, and no pressure is known: the vertical wind is left out")
+        reading.note(f"{reading.roles['w']!r} is in Pa/s, but no pressure is known: the vertical wind is left out")
         return None
     reading.note(f"{reading.roles['w']!r} converted from Pa/s to m/s")
     return upward_wind(values, air.pressure, air.temperature_or_standard)

@@ -1,8 +1,8 @@
 # SPDX-FileCopyrightText: The Nephoscope authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Reads weather data for ParaView in a process of its own: ``python -m nephoscope.weather.worker``, one request and one answer in JSON a line.
+"""Reads weather data for ParaView in a separate process: ``python -m nephoscope.weather.worker``, one request and one answer in JSON per line.
 
-ParaView's own process is no place for eccodes: its libraries and those of ParaView have symbols of the same names, and it crashes.
+eccodes cannot run in ParaView's own process: its libraries and ParaView's have symbols with the same names, and the process would crash.
 """
 from __future__ import annotations
 
@@ -50,7 +50,7 @@ def main() -> None:
             warnings.simplefilter("always")
             try:
                 answer = getattr(worker, request.pop("do"))(**request)
-            except Exception as problem:  # told in ParaView's window
+            except Exception as problem:  # shown in ParaView's window
                 answer = {"error": str(problem)}
         answer["warnings"] = [str(one.message) for one in caught if one.category in (UserWarning, RuntimeWarning)]
         print(json.dumps(answer), file=answers, flush=True)
