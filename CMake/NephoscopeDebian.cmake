@@ -15,9 +15,15 @@ string(REGEX REPLACE "\n" "\n " nephoscope_licence "${nephoscope_licence}")
 configure_file("${CMAKE_CURRENT_LIST_DIR}/debian/copyright.in" "${nephoscope_debian}/copyright" @ONLY)
 install(FILES "${nephoscope_debian}/copyright" DESTINATION "${nephoscope_debian_documents}")
 
-install(FILES "${PROJECT_SOURCE_DIR}/README.md" DESTINATION "${nephoscope_debian_documents}")
-install(DIRECTORY "${PROJECT_SOURCE_DIR}/Documentation/" DESTINATION "${nephoscope_debian_documents}/Documentation"
-  FILES_MATCHING PATTERN "*.md" PATTERN site EXCLUDE PATTERN decisions EXCLUDE PATTERN images EXCLUDE)
+# The pages, with the pictures and the pages that they link to.
+install(FILES "${PROJECT_SOURCE_DIR}/README.md" "${PROJECT_SOURCE_DIR}/CONTRIBUTING.md" "${PROJECT_SOURCE_DIR}/CHANGELOG.md" "${PROJECT_SOURCE_DIR}/CITATION.cff"
+  DESTINATION "${nephoscope_debian_documents}")
+install(DIRECTORY "${PROJECT_SOURCE_DIR}/Documentation/" DESTINATION "${nephoscope_debian_documents}/Documentation" PATTERN site EXCLUDE)
+foreach (folder IN ITEMS Filters Representations Plugins Testing Data CMake)
+  install(DIRECTORY "${PROJECT_SOURCE_DIR}/${folder}/" DESTINATION "${nephoscope_debian_documents}/${folder}" FILES_MATCHING PATTERN "*.md" PATTERN build EXCLUDE)
+endforeach ()
+# What the Python package asks for where PyVista is missing.
+install(FILES "${PROJECT_SOURCE_DIR}/Plugins/PyVista/requirements.txt" DESTINATION share/nephoscope)
 
 # A change log in the form that Debian asks for, and the step after which the linker finds the libraries.
 string(TIMESTAMP nephoscope_debian_date "%a, %d %b %Y %H:%M:%S +0000" UTC)

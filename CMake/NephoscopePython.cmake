@@ -127,9 +127,9 @@ if (NEPHOSCOPE_FOR_PYPI)
     "Provides-Extra: pyvista\nRequires-Dist: pyvista>=0.48; extra == 'pyvista'\n"
     "Provides-Extra: web\nRequires-Dist: pyvista[jupyter]>=0.48; extra == 'web'\nRequires-Dist: trame>=3; extra == 'web'\n"
     "Requires-Dist: trame-vtk>=2.8; extra == 'web'\nRequires-Dist: trame-vuetify>=2.8; extra == 'web'\n"
-    "Provides-Extra: data\nRequires-Dist: xarray>=2023.1; extra == 'data'\nRequires-Dist: eccodes>=2.39; extra == 'data'\n"
+    "Provides-Extra: data\nRequires-Dist: pyvista>=0.48; extra == 'data'\nRequires-Dist: xarray>=2023.1; extra == 'data'\nRequires-Dist: eccodes>=2.39; extra == 'data'\n"
     "Requires-Dist: eccodeslib; extra == 'data'\nRequires-Dist: netCDF4; extra == 'data'\nRequires-Dist: zarr; extra == 'data'\n"
-    "Requires-Dist: dask; extra == 'data'\nRequires-Dist: cfgrib>=0.9.15; extra == 'data'\nRequires-Dist: pyproj; extra == 'data'")
+    "Requires-Dist: dask; extra == 'data'\nRequires-Dist: cfgrib>=0.9.15; extra == 'data'\nRequires-Dist: pyproj; extra == 'data'\nRequires-Dist: scipy; extra == 'data'")
 endif ()
 foreach (name IN ITEMS METADATA entry_points.txt)
   configure_file("${PROJECT_SOURCE_DIR}/Plugins/PyVista/packaging/${name}.in"

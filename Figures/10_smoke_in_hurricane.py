@@ -35,7 +35,7 @@ PERIOD = 6 * HOUR  # from puff to puff
 PICTURE_FLOOR, FILM_FLOOR = 0.4, 0.1  # what stays between puffs
 UNIT_DISTANCE = 2.0e4  # metres of the display over which opacity 1 gives optical depth 1: through the densest smoke
 THIN_CLOUD, CLOUD_OPACITY = 0.4, 0.05  # least fraction that is seen; opacity of full cloud
-# The array Medium is the cloud fraction in the cells of clouds, and from 2 on the density in those of smoke.
+# The array Medium is the cloud fraction in cells of clouds; in cells of smoke it is the density, counted from 2.
 COLOURS = [0.0, 0.72, 0.75, 0.80, 1.0, 0.95, 0.96, 0.97, 1.5, 1.0, 0.40, 0.05, 2.0 + MAXIMUM_DENSITY, 1.0, 0.40, 0.05]
 # Value, opacity, midpoint, sharpness.
 OPACITY = [0.0, 0.0, 0.5, 0.0, THIN_CLOUD, 0.0, 0.5, 0.0, 0.7, 0.3 * CLOUD_OPACITY, 0.5, 0.0, 1.0, CLOUD_OPACITY, 0.5, 0.0,

@@ -72,7 +72,7 @@ run_host()
     viewer)
       ensure_venv
       ensure_web
-      command=("$(python_interpreter)" -m nephoscope.viewing) ;;
+      command=("$(python_interpreter)" -m nephoscope) ;;
     pvbatch)
       if [ "${1:-}" = -n ]; then
         [[ "${2:-}" =~ ^[1-9][0-9]*$ ]] || usage_error "pvbatch -n wants a number of ranks"

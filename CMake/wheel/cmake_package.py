@@ -7,7 +7,7 @@ packages: VTK's headers need none of them.
 """
 import re
 
-# Their libraries are in the wheel, or need none, but what they are made of is not.
+# Their libraries are in the wheel, or they need none, but their sources are not.
 NOT_IN_THE_WHEEL = {"VTK::mpi", "VTK::vtkviskores", "VTK::WebPython"}
 PREFIX = """# The targets of Debian's package, with the libraries of VTK's wheel.
 if (TARGET VTK::CommonCore)

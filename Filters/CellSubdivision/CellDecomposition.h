@@ -5,8 +5,7 @@
  *
  * A cell is coned from its least vertex: the faces that do not contain it are triangulated as fans from their own
  * least vertices, and each triangle makes a tetrahedron with the apex. A face that does contain the apex has it as its
- * least vertex too, so every face is cut as a fan from its least vertex, whichever cell looks at it (the smallest-index
- * rule of Dompierre1999, for any convex polyhedron). "Least" is any total order of the vertices; TetrahedronSource says
+ * least vertex too, so every face is cut as a fan from its least vertex, for both of its cells (the smallest-index rule of Dompierre1999, for any convex polyhedron). "Least" is any total order of the vertices; TetrahedronSource says
  * which one the mapper takes.
  */
 #ifndef CellDecomposition_h

@@ -17,9 +17,9 @@ namespace nephoscope
 {
 namespace
 {
-// A part smaller than this share of the cell is a sign that the apex lies in the plane of a face.
+// A part smaller than this fraction of the cell means that the apex lies in the plane of a face.
 constexpr double leastShare = 1e-6;
-// A cell with less than this share of the cube about it has no volume but rounding.
+// A cell with less than this fraction of the surrounding cube has a volume only through rounding.
 constexpr double flatShare = 1e-14;
 // Two ways to divide a convex cell have the same volume up to this.
 constexpr double roundingShare = 1e-9;

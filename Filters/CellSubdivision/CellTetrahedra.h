@@ -4,8 +4,8 @@
  * One cell of a dataset at a time: its points, and the tetrahedra that it divides into. One object per thread.
  *
  * Every face is cut as a fan from its least vertex by coordinates (x, then y, then z), which depends neither on numbering nor on blocks
- * and ranks; where that makes a flat triangle, because vertices lie on one line, from the next one that makes none. What is inside
- * the faces concerns no neighbour: a cell is coned from its least vertex, or from its centre where the least vertex does not see all
+ * and ranks; if that gives a flat triangle, because vertices lie on one line, it is cut from the next vertex that gives none. The inside of
+ * a cell does not affect its neighbours: a cell is coned from its least vertex, or from its centre where the least vertex does not see all
  * faces (faces that share a plane, warped faces).
  */
 #ifndef CellTetrahedra_h
@@ -57,7 +57,7 @@ public:
   /** Reads the coordinates, which only what follows needs. */
   void Locate();
   const Vector3& PlaceOf(int vertex) const { return this->Places[vertex]; }
-  /** Least distance of two vertices that do not coincide; 0 if there are none. */
+  /** Least distance between two distinct vertices; 0 if there are none. */
   double ShortestDistance() const;
 
   /** Divides the cell. False if it is not convex: the tetrahedra then overlap or leave gaps. */

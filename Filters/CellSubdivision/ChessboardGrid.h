@@ -5,8 +5,8 @@
  *
  * Vertices are even or odd by the sum of their indices, like the squares of a chessboard. A hexahedral cell is divided into
  * the tetrahedron of its four even vertices, and one at each of its odd vertices with that vertex's three neighbours. All edges
- * added run between even vertices, so that cells agree on the diagonals of the faces they share, and diagonals alternate: laid all
- * the same way they would draw clouds as parallel strokes.
+ * added run between even vertices, so that cells agree on the diagonals of the faces they share, and diagonals alternate: with the
+ * same direction everywhere, clouds would show parallel strokes.
  *
  * Indices are global (extents count), so that pieces of a grid fit together. shaders/ChessboardTopology.glsl walks through it.
  */

@@ -31,7 +31,7 @@ struct Cut
   }
 };
 
-/** Numbers cuts in the order in which they are first asked for. Open addressing, linear probing. */
+/** Numbers cuts in the order in which they are first requested. Open addressing, linear probing. */
 template <typename Id>
 class CutTable
 {

@@ -109,7 +109,7 @@ void splitQuadraticWedge(bool linearUpwards, Emit emit)
   }
 }
 
-/** Those that VTK does not divide into tetrahedra; false for all other cells. */
+/** Divides the cells that VTK does not divide into tetrahedra; false for all other cells. */
 template <typename Emit>
 bool splitQuadraticSolid(int cellType, Emit emit)
 {

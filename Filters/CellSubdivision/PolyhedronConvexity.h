@@ -4,20 +4,20 @@
  * Whether a polyhedral cell is convex, and whether the division of CellDecomposition.h fills it.
  *
  * A face of more than three vertices is seldom plane: those of dual meshes and of layers that follow the ground are
- * warped. The surface meant is then that of the triangles into which both neighbours cut the face, and it is not convex in the
- * strict sense wherever a diagonal lies low. Two questions take the place of the strict one:
+ * warped. The surface then consists of the triangles into which both neighbours cut the face, and it is not strictly convex
+ * where a diagonal lies inside. Two questions replace the strict one:
  *
- * 1. Is the cell convex but for the warp of its faces? No vertex lies further outside the mean plane of a face than
+ * 1. Is the cell convex apart from the warp of its faces? No vertex lies further outside the mean plane of a face than
  *    the most warped face's own vertices lie from theirs, nor is that warp more than a part of the cell's size.
  * 2. Does the cone from the least vertex fill the cell? The cones from any point over the triangles of a closed surface,
  *    counted with their signs, add up to the indicator function of the inside: 1 inside, 0 outside. So if no
  *    cone is inverted, none overlaps another, none leaves the cell, and nothing is left out. This holds for warped
  *    faces without exception, and needs no convexity.
  *
- * A cell for which both are answered by yes is drawn and divided rightly as it is.
+ * If both answers are yes, the cell is drawn and divided correctly as it is.
  *
- * All lengths are compared with `slack`: PlaneTolerance times the cell's size, for faces that were written as plane and are so
- * but for rounding, plus what rounding has moved the vertices by (eight steps of the number format at the largest coordinate).
+ * All lengths are compared with `slack`: PlaneTolerance times the cell's size, for faces that are planar apart from rounding,
+ * plus the displacement of the vertices by rounding (eight steps of the number format at the largest coordinate).
  */
 #ifndef PolyhedronConvexity_h
 #define PolyhedronConvexity_h

@@ -4,8 +4,9 @@
  * The surface of one polyhedral cell: its vertices in the order of CellDecomposition.h's rule, its faces wound outward.
  *
  * Files seldom wind the faces of their polyhedra with care, and grids that shrink to a pole have vertices that coincide.
- * So vertices at one place become one, faces are turned until neighbours run through their common edge in opposite ways,
- * and each connected part is turned as a whole: outer parts hold a positive volume, those that bound a cavity a negative one.
+ * Coincident vertices are therefore merged, faces are reversed until neighbours traverse their common edge in opposite
+ * directions, and each connected part is oriented as a whole: outer parts have a positive volume, boundaries of cavities
+ * a negative one.
  *
  * A vertex's number is its rank by coordinates (x, then y, then z), so "least vertex" is "least number", the same
  * for every cell that has the vertex.
@@ -248,7 +249,7 @@ inline bool PolyhedronSurface::CollectEdges()
   return n > 0;
 }
 
-// Walks from face to face across edges; false when a face would have to be wound both ways.
+// Walks from face to face across edges; false if a face would need both orientations.
 inline bool PolyhedronSurface::Wind()
 {
   const std::size_t n = this->Starts.size();

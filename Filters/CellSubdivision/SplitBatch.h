@@ -75,7 +75,7 @@ struct CellCount
   }
 };
 
-/** A whole cell that has become a polyhedron: its place among the 3-D cells, and where its faces begin. */
+/** An undivided cell that has become a polyhedron: its index among the 3-D cells, and the start of its faces. */
 struct Transition
 {
   vtkIdType Piece;

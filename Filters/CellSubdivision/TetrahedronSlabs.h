@@ -227,7 +227,7 @@ void simplifyWedge(Piece<Corner>& piece)
 }
 } // namespace slabs
 
-/** What is left of a piece some of whose corners have become one. */
+/** The remainder of a piece after some of its corners have merged. */
 template <typename Corner>
 void simplify(Piece<Corner>& piece)
 {

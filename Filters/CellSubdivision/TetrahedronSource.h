@@ -35,7 +35,7 @@
 namespace nephoscope
 {
 
-/** The grid of structured data with cells in three dimensions; empty for all other data. Its seam is taken as open. */
+/** The grid of structured data with cells in three dimensions; empty for all other data. Its seam counts as open. */
 inline ChessboardGrid findChessboardGrid(vtkDataSet* data)
 {
   int extent[6];
@@ -98,7 +98,7 @@ public:
   vtkIdList* GetPoints() const { return this->Points; }
 
   /**
-   * Calls emit({a, b, c, d}) with the point numbers of each tetrahedron of the cell that IsHidden was asked about last. Returns
+   * Calls emit({a, b, c, d}) with the point numbers of each tetrahedron of the cell last passed to IsHidden. Returns
    * false when it is no 3-D cell.
    */
   template <typename Emit>
@@ -127,7 +127,7 @@ public:
   }
 
   /**
-   * Calls emit({a, b, c}) for each triangle of the polygon that IsHidden was asked about last, divided as faces of cells are. Returns
+   * Calls emit({a, b, c}) for each triangle of the polygon last passed to IsHidden, divided like faces of cells. Returns
    * false when it is no polygon of an unstructured grid.
    */
   template <typename Emit>
@@ -158,8 +158,8 @@ public:
   }
 
   /**
-   * Whether those tetrahedra fill the cell. Asked of polyhedra, after EmitTetrahedra: one that is not convex should be divided
-   * by vtkPolyhedronToTetrahedra first. True where the faces do not close, so that there is no inside.
+   * Whether those tetrahedra fill the cell. For polyhedra, after EmitTetrahedra: true for a non-convex one, which
+   * vtkPolyhedronToTetrahedra should divide first. True if the faces are not closed, so that there is no inside.
    */
   bool TetrahedraFillCell()
   {
@@ -300,7 +300,7 @@ private:
     return true;
   }
 
-  // vtkConvexPointSet of VTK 9.2 names its own points from 0 on: the coordinates that come along tell.
+  // vtkConvexPointSet of VTK 9.2 numbers its own points from 0; the coordinates identify them.
   void MakeIdsGlobal()
   {
     vtkIdType* ids = this->Faces->GetPointer(0);

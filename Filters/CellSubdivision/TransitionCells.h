@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * Whole cells beside divided ones, as polyhedra whose common faces are divided too.
+ * Undivided neighbours of divided cells, as polyhedra whose common faces are divided too.
  *
  * A divided cell has triangles where its neighbour, left whole, has a polygon. As a polyhedron the neighbour can have the same
  * triangles, and stay one cell with the points it had.

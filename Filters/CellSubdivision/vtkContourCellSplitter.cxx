@@ -221,7 +221,7 @@ bool vtkContourCellSplitter::FindLevels(vtkDataArray* scalars, nephoscope::Conto
   }
   for (double& value : values)
   {
-    // What a float array can hold, so that the scalar on the cuts equals the value by which cells are judged.
+    // The value rounded to float for a float array, so that the scalar on the cuts equals the value that divides the cells.
     value =
       scalars->GetDataType() == VTK_FLOAT ? static_cast<double>(static_cast<float>(value)) : value;
   }
@@ -252,7 +252,7 @@ std::string vtkContourCellSplitter::ReasonOfWholeness(vtkDataArray* array)
   }
   reason
     << "the values of the array " << NameOf(array) << " are " << range[0] << " to " << range[1]
-    << ", and no contour value is within that range. Choose other contour values, or another array.";
+    << ", but no contour value is within that range. Choose other contour values, or another array.";
   return this->GetNumberOfContours() > 0 ? reason.str() : std::string();
 }
 
@@ -346,15 +346,15 @@ void vtkContourCellSplitter::Warn(
   }
   if (missing.Count > 0)
   {
-    vtkWarningMacro(
-      "The array " << NameOf(array) << " is not a finite number at vertices of " << Cells(missing)
-                   << ". They are left whole, with Layer -1. Threshold the array to drop them.");
+    vtkWarningMacro("The array "
+      << NameOf(array) << " is not a finite number at vertices of " << Cells(missing)
+      << ". They stay undivided, with Layer -1. Threshold the array Layer to remove them.");
   }
   if (flat.Count > 0)
   {
     vtkWarningMacro(
       << Cells(flat) << " of the input " << (flat.Count == 1 ? "is" : "are")
-      << " not three-dimensional, and left out. Extract surfaces and lines and keep them beside the output.");
+      << " not three-dimensional, and left out. Extract surfaces and lines separately to keep them.");
   }
   if (undivided.Count > 0)
   {

@@ -23,14 +23,15 @@
  *
  * Neighbouring divided cells share whole faces. Where an undivided cell shares a quadrilateral with a divided cell, the divided
  * cell has the two triangles of step 2: there is no hanging point, and if the four vertices are not coplanar, the two triangles
- * define the face. vtkCellCompositingMapper draws the face so, and PolyhedralTransitions writes it so.
+ * define the face. vtkCellCompositingMapper draws the face in this way, and PolyhedralTransitions writes it in this way.
  *
- * Points 0 to n-1 of the output are those of the input. The cuts follow: exactly one for each edge and value, where the scalar is
+ * Points 0 to n-1 of the output are those of the input. The cuts follow: one for each edge and value, at which the scalar is
  * exactly the value. An integer scalar array becomes double; for a float array, values are rounded to float. Other point arrays
  * are interpolated linearly along the edge (text and bits: from the nearer end; global and pedigree ids: -1, and the arrays are
  * no longer active). Where only the centre of a cell sees all its faces (polyhedra with faces in one plane, warped hexahedra), it
- * becomes a point too, with the mean of the vertices' values. A scalar that differs from a value by rounding alone (1e-12 of what
- * it spans in the cell, or so little that the coordinates of the cut would be nothing but rounding) is set to it. Two values
+ * becomes a point too, with the mean of the vertices' values. A scalar that differs from a value only by rounding is set to the
+ * value. This means a difference below 1e-12 of the scalar's range in the cell, or one so small that rounding would determine the
+ * position of the cut. Two values
  * whose relative difference is below 1e-12 count as one.
  *
  * Cell arrays are copied to the pieces. Cell arrays written:
@@ -41,12 +42,12 @@
  *   3-D cells.
  *
  * The polygons come after all 3-D cells. They face the higher scalars (right-hand rule) and have the cell arrays of the cell that they
- * were cut from. Where the value is met on whole faces of cells, the surface consists of the triangles of those faces that have a piece above the
- * value on one side: each once, even with pieces above on both sides; none where no piece is above.
+ * were cut from. If the scalar equals the value on whole faces of cells, the surface consists of the triangles of those faces that have a piece
+ * above the value on at least one side. Each triangle appears once, even with such pieces on both sides.
  *
  * Hidden and refined cells (vtkGhostType, blanking) and cells that touch hidden points are left out; duplicate (ghost) cells are divided like
  * others and stay ghosts. Cells that are not three-dimensional are left out with a warning. Quadratic and other non-linear cells that are
- * crossed are divided as VTK triangulates them, with a warning. Cells must be convex; those that are not are divided nevertheless, with a warning.
+ * crossed are divided as VTK triangulates them, with a warning. Cells must be convex; other cells are divided nevertheless, with a warning.
  *
  * Parallel (vtkSMPTools); the output does not depend on the number of threads. Blocks are divided one by one.
  */
@@ -117,9 +118,9 @@ public:
 
   ///@{
   /**
-   * Off (default): every cell that no value crosses keeps its type. On: those of them that share a polygon with a divided cell become
-   * polyhedra (VTK_POLYHEDRON) of the same points, with the two or more triangles of that polygon as faces. Then every face is
-   * the face of two cells or of the boundary, even where four vertices are not in one plane. Faces are recognised by their points.
+   * Off (default): every cell that no value crosses keeps its type. On: such cells that share a polygon with a divided cell become
+   * polyhedra (VTK_POLYHEDRON) with the same points, with the two or more triangles of that polygon as faces. Every face is then
+   * shared by two cells or lies in the boundary, even if its four vertices are not coplanar. Faces are recognised by their points.
    */
   vtkSetMacro(PolyhedralTransitions, bool);
   vtkGetMacro(PolyhedralTransitions, bool);
@@ -136,7 +137,7 @@ public:
   vtkGetMacro(OutputPointsPrecision, int);
   ///@}
 
-  /** Later of this filter's and its values' modification. */
+  /** The later modification time of this filter and its contour values. */
   vtkMTimeType GetMTime() override;
 
   vtkTypeBool ProcessRequest(
@@ -184,7 +185,7 @@ private:
   int OutputPointsPrecision = DOUBLE_PRECISION;
   std::string Reason; // why no cell is divided
   std::array<double, 2> DefaultRange = { 0.0,
-    0.0 }; // of the scalars of all blocks, where no value is given
+    0.0 }; // of the scalars of all blocks, used if no value is given
   bool HasDivided = false;
   int ExecutionDepth = 0;
   vtkMTimeType ToldOfInput = 0; // for hasOtherInput

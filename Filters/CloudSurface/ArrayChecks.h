@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
-// What both filters of this folder ask of arrays and extents, and how they say it.
+// The requirements of both filters of this folder on arrays and extents, and their messages.
 #ifndef nephoscope_ArrayChecks_h
 #define nephoscope_ArrayChecks_h
 
@@ -41,7 +41,7 @@ inline std::string NoPointArray(vtkDataSet* data, const char* name)
     (onCells && !onPoints ? "It is on cells: apply Cell Data to Point Data first. "
         : data->GetPointData()->GetNumberOfArrays() == 0 &&
           data->GetCellData()->GetNumberOfArrays() > 0
-        ? "The input has cell arrays alone: apply Cell Data to Point Data first. "
+        ? "The input has only cell arrays: apply Cell Data to Point Data first. "
         : "Choose another one. ") +
     PointArrayNames(data);
 }

@@ -172,7 +172,7 @@ void AddNumbers(vtkDataSetAttributes* data, const char* name, vtkIdType first, v
 
 constexpr const char* sourceName = "Sources"; // of points and cells, counted through all grids
 
-// vtkGhostCellsGenerator loses flags of hidden cells, and arrays that are not numbers. It is told the geometry alone.
+// vtkGhostCellsGenerator loses flags of hidden cells, and arrays that are not numbers. It gets only the geometry.
 vtkSmartPointer<vtkPartitionedDataSet> ExtendGeometry(
   const std::vector<vtkDataSet*>& grids, int layers)
 {
@@ -208,7 +208,7 @@ vtkSmartPointer<vtkPartitionedDataSet> ExtendGeometry(
 #endif
 }
 
-// vtkGhostCellsGenerator of VTK 9.2 ends the program where a grid is thinner than the layers asked of it.
+// vtkGhostCellsGenerator of VTK 9.2 ends the program if a grid is thinner than the requested layers.
 int FewestCells(const std::vector<vtkDataSet*>& grids)
 {
   vtkIdType fewest = std::numeric_limits<int>::max();

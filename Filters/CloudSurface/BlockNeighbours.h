@@ -19,7 +19,7 @@ namespace nephoscope
 class BlockNeighbours
 {
 public:
-  // Replaces what was found before. Grids of an AMR overlap rather than abut: nothing is found there.
+  // Replaces the previous result. Grids of an AMR overlap instead of abutting, so nothing is found.
   void Find(vtkDataObject* group, int layers);
 
   // The grid with its ghost cells; the grid itself where it has no neighbour.

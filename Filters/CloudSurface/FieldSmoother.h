@@ -30,7 +30,7 @@ public:
   // 1 where the point is hidden or the field has no value.
   std::vector<unsigned char> MissingPoints(const std::vector<double>& field) const;
 
-  // Makes the field single-valued where points share a place (poles, repeated columns), also with no iteration, and smooths it.
+  // Makes the field single-valued at coincident points (poles, repeated columns), also without iterations, and smooths it.
   // Points that are missing keep their values. Returns false if `keepGoing(share done)` said no.
   bool Smooth(
     std::vector<double>& field, int iterations, const std::function<bool(double)>& keepGoing) const;

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Finds where a structured grid closes: the last column in the place of the first, rows that are one point.
+// Finds where a structured grid closes: a last column that coincides with the first, and rows that are one point.
 #ifndef nephoscope_GridSeams_h
 #define nephoscope_GridSeams_h
 
@@ -22,14 +22,14 @@ enum class Circle
 // Longitudes in degrees, in either order, with or without jumps of whole turns.
 Circle JudgeCircle(const std::vector<double>& degrees);
 
-// Axes whose last points lie in the place of the first ones become rings with a repeated point.
+// Axes whose last points coincide with the first ones become rings with a repeated point.
 void FindRepeatedPlaces(vtkDataSet* grid, GridTopology& topology);
 
 // Along an axis that is said to be periodic: true if the values of all point arrays at its last points are those at its first ones,
 // and not the same throughout, so that it is no accident.
 bool RepeatsValues(vtkDataSet* grid, const GridTopology& topology, int axis);
 
-// Ends of one axis where the points along another one all lie in one place.
+// Ends of one axis at which all points along another axis coincide.
 void FindPoles(vtkDataSet* grid, GridTopology& topology);
 
 // True if the step from the last points to the first is no longer than two of the steps between neighbours.

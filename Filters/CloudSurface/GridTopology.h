@@ -13,7 +13,7 @@ namespace nephoscope
 {
 using GridIndex = std::array<int, 3>;
 
-// All points along `Along` are one place at the first or the last index of `Across`.
+// All points along `Along` coincide at the first or the last index of `Across`.
 struct PoleRow
 {
   int Along = 0;
@@ -47,10 +47,10 @@ struct GridTopology
       static_cast<int>(id / this->Stride(2)) } };
   }
 
-  // Points that are different places.
+  // Points with distinct positions.
   int Distinct(int axis) const { return this->Size[axis] - (this->Repeated[axis] ? 1 : 0); }
 
-  // The index of the same place among the distinct ones.
+  // The index of a point's position among the distinct ones.
   int Canonical(int axis, int i) const
   {
     return this->Ring[axis] && i >= this->Distinct(axis) ? i - this->Distinct(axis) : i;

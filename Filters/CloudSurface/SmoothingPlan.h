@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
-// What the filters of this folder know of a grid before they touch a field: who is whose neighbour and how far, which points are
-// hidden, how much mass each has, and how often the rows near a pole are smoothed.
+// Properties of a grid that do not depend on the field: neighbours and their distances, hidden points, masses, and the number of
+// passes for rows near a pole.
 #ifndef nephoscope_SmoothingPlan_h
 #define nephoscope_SmoothingPlan_h
 
@@ -38,15 +38,15 @@ struct SmoothingSettings
 class SmoothingPlan
 {
 public:
-  // Returns what is wrong with the grid, and the remedy; empty if all is well. The grid must outlive the plan.
+  // Returns the problem with the grid and its remedy, or an empty string. The grid must outlive the plan.
   std::string Read(vtkDataSet* grid, const SmoothingSettings& settings);
 
   const GridTopology& Topology() const { return this->Topology_; }
 
-  // True where the first and the last place of a ring are neighbours in space too: on a globe, not on a map.
+  // True if the first and the last point of a ring are neighbours in space too, as on a globe but not on a map.
   bool ClosesInSpace(int axis) const { return this->ClosedInSpace[axis]; }
 
-  // The mass of every stored point; 0 for points that repeat others, so that sums count each place once.
+  // The mass of every stored point; 0 for points that repeat others, so that sums count each position once.
   const std::vector<double>& Masses() const { return this->Masses_; }
   vtkIdType PointsWithoutMass() const { return this->WithoutMass; }
 

@@ -74,7 +74,7 @@ void SurfaceAssembly::Build(vtkDataArray* scalars, const std::vector<double>& va
   this->AddContourIndex(values, indices, output);
 }
 
-// The last point of a ring and the first are one place; so are all of a row at a pole. Keys are bits of the index, which is the same
+// The last point of a ring coincides with the first, and all points of a row at a pole coincide. Keys are bits of the index, which is the same
 // on both sides, since the field is.
 void SurfaceAssembly::FindJoinedPoints()
 {

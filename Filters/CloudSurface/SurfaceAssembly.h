@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Turns the triangles that were contoured in index space into the surface of the clouds: what is hidden is dropped, points at seams and
-// poles become one, positions, arrays and normals are set.
+// Converts the triangles that were contoured in index space to the surface of the clouds: drops hidden triangles, merges points at
+// seams and poles, and sets positions, arrays and normals.
 #ifndef nephoscope_SurfaceAssembly_h
 #define nephoscope_SurfaceAssembly_h
 

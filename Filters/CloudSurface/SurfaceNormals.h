@@ -27,7 +27,7 @@ public:
   // least squares through the next row.
   Vector3 At(const GridIndex& at) const;
 
-  // Unit vector against the gradient, out of what is above the value, at the point `share` of the way from a to b, the next point along
+  // Unit vector opposite to the gradient, pointing out of the region above the value, at the fraction `share` of the segment from a to b, the next point along
   // one axis or the same. Not against the slope from a to b where the field is rough. Where the gradient vanishes at a, the direction of the steepest step down.
   Vector3 Outward(const GridIndex& a, const GridIndex& b, double share) const;
 

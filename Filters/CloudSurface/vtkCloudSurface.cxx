@@ -248,7 +248,7 @@ bool vtkCloudSurface::BuildSurface(vtkDataSet* input, const nephoscope::Smoothin
   return !this->CheckAbort();
 }
 
-// `field`: smoothed, not a number where nothing is contoured. All pieces know it whole, so the first one speaks.
+// `field`: smoothed, not a number where nothing is contoured. All pieces have the whole result, so only the first one reports it.
 std::string vtkCloudSurface::ReasonOfEmptiness(vtkDataArray* scalars,
   const std::vector<double>& field, const std::vector<double>& values, vtkInformation* outInfo)
 {

@@ -11,27 +11,27 @@
  *     vtkPolyData: triangles, all point arrays, Normals, ContourIndex
  *
  * Max, Crawfis and Becker, "New Techniques in 3D Scalar and Vector Field Visualization", Pacific Graphics 1993, section 4, draw clouds as
- * contour surfaces of the smoothed cloud fraction. Only the array that is contoured is smoothed; all others are interpolated as they are.
+ * contour surfaces of the smoothed cloud fraction. Only the contoured array is smoothed; all other arrays are interpolated without smoothing.
  *
  * 1. Smooth, in double precision. Points in one place (the seam and the poles of vtkGlobeGrid's output) get one value.
- * 2. Contour in the space of the indices, where every structured grid is an image and the fastest of VTK's filters can be used; positions
+ * 2. Contour in the space of the indices, where every structured grid is an image, so that VTK's fastest filter can be used; positions
  *    and arrays are interpolated along the edges of the grid.
  * 3. Drop the triangles in cells that are hidden (HIDDENCELL, or a corner HIDDENPOINT), are ghosts of another piece (DUPLICATECELL) or have a
  *    corner without a value.
  * 4. Points on both sides of a seam, and those of a row at a pole, become one: the surface is closed there. Arrays that jump at the seam,
  *    such as a longitude, keep the value of the first column.
- * 5. Normals: against the gradient of the smoothed field in the space of the grid, so out of the cloud, where the field is higher inside;
- *    not means of the triangles' normals. Triangles face the same way (right-hand rule).
+ * 5. Normals: opposite to the gradient of the smoothed field in the space of the grid, and therefore out of the cloud if the field is
+ *    higher inside. They are not means of the triangles' normals. Triangles face the same way (right-hand rule).
  *
- * Point arrays written: that of the input under its name, the contoured one with the value of the contour (float if it is float, else double),
- * numbers interpolated linearly (whole numbers as VTK does it, to float), text, bits and ids from the nearer point; Normals, float, 3 components,
- * of length 1. vtkGhostType is not carried. Cell array written: ContourIndex, int, the index i of the value, as in SetValue(i, v).
- * Coordinates are of the precision of the input's points; double for images and rectilinear grids.
+ * Point arrays written: those of the input, under the same names. The contoured array has the value of the contour (float if it is float,
+ * otherwise double). Numbers are interpolated linearly (integers to float, as VTK does); text, bits and ids come from the nearer point; Normals, float, 3 components,
+ * of length 1. vtkGhostType is not passed on. Cell array written: ContourIndex, int, the index i of the value, as in SetValue(i, v).
+ * Coordinates have the precision of the input's points; double for images and rectilinear grids.
  *
- * Grids of a group that abut are smoothed and contoured as one: each is given ghost cells from its neighbours (those on the same process that
- * have the same arrays), and the surface has no crack between them.
+ * Abutting grids of a group are smoothed and contoured as one grid: each gets ghost cells from its neighbours (on the same process and with
+ * the same arrays), so that the surface has no crack between them.
  *
- * In parallel each process asks for the whole input and contours its share of the cells: the pieces fit, with the same normals.
+ * In parallel each process requests the whole input and contours its part of the cells; the pieces fit together and have the same normals.
  * The result does not depend on the number of threads.
  */
 #ifndef vtkCloudSurface_h
@@ -151,7 +151,7 @@ public:
   vtkBooleanMacro(JoinSeams, bool);
   ///@}
 
-  /** Latest of this filter's, its values' and its smoothing's modification. */
+  /** The latest modification time of this filter, its contour values and its smoothing. */
   vtkMTimeType GetMTime() override;
 
   vtkTypeBool ProcessRequest(
@@ -195,7 +195,7 @@ private:
 
   vtkNew<vtkContourValues> ContourValues;
   bool AreValuesGiven = false;
-  double DefaultValue = 0.0;                // of all blocks, where no value is given
+  double DefaultValue = 0.0;                // of all blocks, used if no value is given
   vtkNew<vtkStructuredSmoothing> Smoothing; // holds the settings
   bool ComputeNormals = true;
   bool JoinSeams = true;

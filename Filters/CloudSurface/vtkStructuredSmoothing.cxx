@@ -29,7 +29,7 @@ vtkStandardNewMacro(vtkStructuredSmoothing);
 
 namespace
 {
-// Cuts the data down to the extent that is asked for. An extent that is not there is none.
+// Crops the data to the requested extent. An extent that is not there is none.
 template <typename Grid>
 void CropTo(Grid* grid, vtkInformation* outInfo)
 {
@@ -76,7 +76,7 @@ void Crop(vtkDataSet* data, vtkInformation* outInfo)
   }
 }
 
-// The smoothed array takes the place and the part (active scalars, vectors) of the other.
+// The smoothed array replaces the other, including its role (active scalars, vectors).
 void Replace(vtkDataSet* output, vtkDataArray* from, vtkDataArray* to)
 {
   vtkPointData* data = output->GetPointData();

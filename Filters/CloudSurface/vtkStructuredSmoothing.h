@@ -11,21 +11,22 @@
  * weights 1, 2, 1 (/4), one along each axis. A wave of N points along an axis is multiplied by cos^2(pi/N): N = 2 by 0, 4 by 0.5, 8 by
  * 0.853553, 16 by 0.961940. White noise keeps 0.229640 of its standard deviation. At an end of an axis the weights are 3, 1 (/4).
  *
- * Every pass is an exchange between neighbours (SmoothingKernel.h): a constant stays exactly, no value leaves the range of its
- * neighbours. With Conservative, sum (mass * field) stays too, to rounding, on grids with cells of any size.
+ * Every pass is an exchange between neighbours (SmoothingKernel.h): a constant stays constant exactly, and no value leaves the
+ * range of its neighbours. With Conservative, sum (mass * field) is conserved to rounding error, on grids with cells of any
+ * size.
  *
- * - Seam. A structured grid whose last points lie in the place of its first ones, as vtkGlobeGrid makes them, is smoothed across that seam
- *   without being told; both keep the same values. For other periodic grids see SetPeriodic.
- * - Poles. A row that is one place (a pole of vtkGlobeGrid's output; latitude +-90 of a longitude-latitude grid) takes its mean. That is right for
- *   scalars and Cartesian vectors, not for eastward and northward components: smooth vtkGlobeGrid's Wind instead.
- * - Missing data. Hidden points (HIDDENPOINT), values that are not finite and fill values (1e30 or more) keep their values and take no part.
+ * - Seam. A structured grid whose last points have the positions of its first points, such as the output of vtkGlobeGrid, is automatically
+ *   smoothed across that seam; both keep the same values. For other periodic grids see SetPeriodic.
+ * - Poles. A row whose points coincide (a pole of vtkGlobeGrid's output; latitude +-90 of a longitude-latitude grid) gets its mean. The mean is
+ *   correct for scalars and Cartesian vectors, but not for eastward and northward components: smooth vtkGlobeGrid's Wind instead.
+ * - Missing data. Hidden points (HIDDENPOINT), values that are not finite and fill values (1e30 or more) are ignored and stay unchanged.
  *
- * Arrays of float and double keep their type, whole numbers become double. All components of an array are smoothed, each by itself. All other
- * arrays are passed. The order of the computation is fixed: the result does not depend on the number of threads.
+ * Float and double arrays keep their type, and integers become double. Every component of an array is smoothed separately. All other arrays
+ * are passed on. The order of the computation is fixed: the result does not depend on the number of threads.
  *
- * Grids of a group that abut are smoothed as one grid: values at common faces agree. So are those of one process with the same arrays.
+ * Abutting grids of a group on the same process with the same arrays are smoothed as one grid, so that values at common faces agree.
  *
- * In parallel each process asks for the whole input, since seam and poles join places that are far apart in the indices, and gives its piece.
+ * In parallel each process requests the whole input, because seam and poles join points with distant indices, and outputs its piece.
  */
 #ifndef vtkStructuredSmoothing_h
 #define vtkStructuredSmoothing_h
@@ -98,10 +99,9 @@ public:
   ///@{
   /**
    * On: neighbours exchange amounts proportional to the smaller of their masses, which conserves the sum of mass times field. Off
-   * (default): all masses are equal. The mass of a point is the volume of the grid that is nearest to it in the indices: half of
-   * each step on either side. On longitudes and latitudes it is the difference of longitude, times that of sin(latitude) (up to
-   * the pole where it is within 0.8 of a step), times that of the level: with levels in pressure that is in proportion to the
-   * mass of air.
+   * (default): all masses are equal. The mass of a point is the volume of the part of the grid nearest to it in index space:
+   * half a step on either side. On longitudes and latitudes it is the product of the steps in longitude, in sin(latitude) (up to
+   * the pole if the pole is within 0.8 of a step) and in level; for pressure levels this is proportional to the mass of air.
    */
   vtkSetMacro(Conservative, bool);
   vtkGetMacro(Conservative, bool);
@@ -129,8 +129,9 @@ public:
 
   ///@{
   /**
-   * On: rows along axis 0 whose steps are shorter than those to the next rows, as near a pole, are smoothed along axis 0 more often, so that the
-   * reach in metres is the same in both directions: (step across / step along)^2 passes; where that is less than 1, one weaker pass. Off (default):
+   * On: rows along axis 0 whose steps are shorter than those to the next rows, as near a pole, are smoothed more often along axis 0, so that the
+   * reach in metres is the same in both directions. The number of passes is (step across / step along)^2; if that is less than 1, one weaker
+   * pass is made. Off (default):
    * the filter works on indices, and its reach along a row shrinks towards the poles. On a 2.5 degree
    * grid an iteration costs about eight times as much.
    */
@@ -142,8 +143,8 @@ public:
   ///@{
   /**
    * Meaning of the coordinates, for masses, poles and Isotropic. Cartesian: lengths. Longitude and latitude: degrees on axes 0
-   * and 1; if the longitudes go round, axis 0 is periodic. Automatic (default): Cartesian, but longitude and latitude for images
-   * and rectilinear grids with SetPeriodic(0, true) whose axis 0 goes round in 360 and whose axis 1 stays within -90 to 90.
+   * and 1; if the longitudes span the globe, axis 0 is periodic. Automatic (default): Cartesian, but longitude and latitude for images
+   * and rectilinear grids with SetPeriodic(0, true) whose axis 0 spans 360 and whose axis 1 stays within -90 to 90.
    */
   vtkSetClampMacro(Coordinates, int, AUTOMATIC, LONGITUDE_LATITUDE);
   vtkGetMacro(Coordinates, int);
@@ -154,8 +155,8 @@ public:
 
   ///@{
   /**
-   * The point arrays that are smoothed. By default the one of SetInputArrayToProcess, which by default is the active scalars. Names that are added
-   * here take its place; AllFloatArrays (off by default) takes all point arrays of float and double.
+   * The point arrays to smooth. By default the array of SetInputArrayToProcess, which itself defaults to the active scalars. Names added here
+   * replace it; AllFloatArrays (off by default) selects all float and double point arrays.
    */
   void AddArrayName(const std::string& name);
   void ClearArrayNames();

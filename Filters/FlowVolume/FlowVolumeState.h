@@ -34,7 +34,7 @@ struct FlowField
   }
 };
 
-// How far a time series has been read, and the smoke by then.
+// The part of a time series that has been read, and the smoke at that time.
 struct StreakState
 {
   std::shared_ptr<const FlowField>

@@ -35,15 +35,15 @@
  * - Density, double: InitialDensity times emitted volume over present volume. The sum over cells of density times volume is
  *   the emitted mass.
  * Point arrays written, besides those of the input:
- * - Age, double, s, at the point. An array of that name of the input gives way to it, with a warning.
+ * - Age, double, s, at the point. It replaces an input array of that name, with a warning.
  * Field data are passed on.
  *
  * Moving the polygon or changing a setting is fast: the search structure of the input is kept until the input changes.
  *
- * An error, and an empty output, come of: no velocity; negative or infinite settings; more than a million time steps; a
- * polygon without area, wholly outside the data, in blanked cells or where the velocity is not a number, without flow, or
- * along which the flow is parallel. Warnings tell of a polygon that is partly outside, of a volume that is coarser than asked for, to
- * have no more than MaximumNumberOfTetrahedra, and of one that ended at once.
+ * These give an error and an empty output: no velocity; negative or infinite settings; more than a million time steps; a polygon
+ * without area, wholly outside the data, in blanked cells, where the velocity is not a number or zero, or parallel to the flow.
+ * Warnings report a polygon that is partly outside, a volume that is coarser than requested because of MaximumNumberOfTetrahedra, and
+ * a volume that ended at once.
  */
 #ifndef vtkFlowVolume_h
 #define vtkFlowVolume_h
@@ -201,14 +201,14 @@ public:
 
   ///@{
   /**
-   * Off (default): the flow of the current time step. On: smoke released all along a time series, up to the requested time (the last
-   * one, where none is requested). Going forward in time, every time step is read once, and two are in memory; going back or
-   * changing a setting begins anew. Between time steps the velocity is linear in time. The generating polygon is that of the
-   * start time. Ignored, with a warning, where the input has fewer than two time steps.
+   * Off (default): the flow of the current time step. On: smoke released throughout a time series, up to the requested time (the
+   * last one, if none is requested). Going forward in time, every time step is read once, and two are in memory; going back or
+   * changing a setting starts again. Between time steps the velocity is linear in time. The generating polygon is that of the
+   * start time. Ignored, with a warning, if the input has fewer than two time steps.
    *
    * Every TimeStep seconds a layer is released, and all layers move with the flow. Edges of tetrahedra that become longer than
-   * MaximumEdgeLength (and than those of the triangles of the polygon) are halved, with all tetrahedra there; MinimumEdgeLength and MaximumTurnAngle are not used. A tetrahedron with
-   * a corner that leaves the data ends. Its mass stays a tetrahedron's: Density is mass over volume.
+   * MaximumEdgeLength (and than those of the polygon's triangles) are halved, with all adjacent tetrahedra; MinimumEdgeLength and MaximumTurnAngle are not used. A tetrahedron
+   * ends when one of its corners leaves the data. Until then it keeps its mass: Density is mass over volume.
    */
   vtkSetMacro(Unsteady, bool);
   vtkGetMacro(Unsteady, bool);
@@ -268,8 +268,8 @@ public:
 
   ///@{
   /**
-   * The ranks that share the input and the polygon: all of them make the same volume, and each puts out a share of it. Default: the
-   * global controller. Null: this process alone.
+   * The ranks that share the input and the polygon: all of them compute the same volume, and each outputs a part of it. Default:
+   * the global controller. Null: this process only.
    */
   virtual void SetController(vtkMultiProcessController*);
   vtkGetObjectMacro(Controller, vtkMultiProcessController);

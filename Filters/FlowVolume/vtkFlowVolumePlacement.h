@@ -4,16 +4,17 @@
  * @class   vtkFlowVolumePlacement
  * @brief   finds a position for a generating polygon: where the flow is fast, goes far, and the polygon fits
  *
- * The centre of the bounds, which other filters start from, is no place for smoke in a shell of air around a globe or in a
- * bent pipe: there is no flow. The fastest place in which the largest polygon fits is taken if smoke from there goes far: on average at least 0.35 of
- * half the diagonal of the bounds. Where it leaves the data sooner, this follows the flow from up to 400 cells, evenly chosen, and from
- * the rims of polygons around the 24 best, and takes the place with the greatest product of
+ * Other filters start from the centre of the bounds, but in a shell of air around a globe or in a bent pipe there is no flow at the centre. This
+ * class takes the fastest position in which the largest polygon fits, if smoke from there travels far: on average at least 0.35 of half the diagonal
+ * of the bounds. If smoke leaves the data sooner, it follows the flow from up to 400 evenly chosen cells, and from the rims of polygons around the 24
+ * best, and takes the position with the greatest product of
  * 1. the speed;
- * 2. the length of the path inside the data, up to half of the diagonal of the bounds, in the time that the flow takes for that at its first
- *    speed; less where the path stays in one place, within an eighth of the diagonal;
+ * 2. the length of the path inside the data, up to half of the diagonal of the bounds, in the time that the flow needs for this length at
+ *    its initial speed; less if the path stays within an eighth of the diagonal;
  * 3. the radius: 1/50 of the diagonal, or half, a quarter, ... 1/128 of that, such that all points of the polygon across the flow are inside the data;
- * and among places that differ by 5 % the one that is nearest to the middle of the bounds.
- * The same data give the same place, on one process or spread over several. Hosts use it for their defaults; vtkFlowVolume itself stays where it is put.
+ * Among positions within 5 % of the best, it takes the one nearest to the centre of the bounds. The same data give
+ * the same position on one process or on several. Hosts use it for their defaults; vtkFlowVolume itself does not move
+ * its polygon.
  */
 #ifndef vtkFlowVolumePlacement_h
 #define vtkFlowVolumePlacement_h
@@ -34,19 +35,19 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /**
-   * Looks for a place in `data`, a dataset or a composite one. `velocity` names an array of three components, of the cells with
-   * `onCells`, else of the points; empty (default): the one that vtkFlowVolume would take. False, with no error, if nothing flows
-   * there; Problem says why if there is no array to be used.
+   * Looks for a position in `data`, a dataset or a composite dataset. `velocity` names an array of three components, on cells with
+   * `onCells`, otherwise on points; empty (default): the array that vtkFlowVolume would use. Returns false, without an error, if
+   * nothing flows; Problem gives the reason if there is no usable array.
    */
   bool Find(vtkDataObject* data, const std::string& velocity = std::string(), bool onCells = false);
 
   ///@{
-  /** The processes that the data are spread over; Find is then to be called on all of them, and all find the same. Null (default): one. */
+  /** The processes over which the data are distributed. Call Find on all of them; all find the same position. Null (default): one process. */
   virtual void SetController(vtkMultiProcessController*);
   vtkGetObjectMacro(Controller, vtkMultiProcessController);
   ///@}
 
-  /** Diagonal that the radius is a fraction of, where `data` is a part of the whole and there is no Controller; 0 (default): that of `data`. */
+  /** The diagonal of which the radius is a fraction, for `data` that are a part of the whole without a Controller; 0 (default): that of `data`. */
   vtkSetMacro(Diagonal, double);
   vtkGetMacro(Diagonal, double);
 
@@ -56,8 +57,7 @@ public:
 
   ///@{
   /**
-   * What was found: centre, unit vector along the flow, radius, speed, and how good it is (the product; the greater the better, for choosing between
-   * parts).
+   * The result: centre, unit vector along the flow, radius, speed, and a score (the product; greater is better, for choosing between parts).
    */
   vtkGetVector3Macro(Center, double);
   vtkGetVector3Macro(Normal, double);

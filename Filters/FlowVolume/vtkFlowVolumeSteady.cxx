@@ -101,7 +101,7 @@ void vtkFlowVolume::ReportSteady(const nephoscope::WholeVolume& whole)
   }
 }
 
-// What is automatic is chosen so that the volume has a moderate size; only what was asked for and is not given is told.
+// Automatic settings give a volume of moderate size; only explicit requests that cannot be met are reported.
 bool vtkFlowVolume::IsSizeAutomatic() const
 {
   return this->TimeStep == 0.0 && this->PolygonEdgeLength == 0.0 &&

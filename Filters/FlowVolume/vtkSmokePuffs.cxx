@@ -31,7 +31,7 @@ vtkStandardNewMacro(vtkSmokePuffs);
 
 namespace
 {
-// What the input says of its time.
+// The time information of the input.
 struct InputTime
 {
   explicit InputTime(vtkInformation* info)
@@ -136,7 +136,7 @@ double OldestAge(vtkUnstructuredGrid* grid)
   return oldest;
 }
 
-// Some four puffs on their way.
+// About four puffs at a time.
 double AutomaticPeriod(double oldestAge)
 {
   return oldestAge > 0.0 ? 0.25 * oldestAge : 1.0;

@@ -17,17 +17,17 @@
  * The pulse has a continuous derivative. Its mean over a period is scale * (Floor + (1 - Floor) * Width / 2).
  *
  * A crest is where Age = time + n Period. In a steady volume it moves along the volume at the speed of the flow as time
- * grows. In an unsteady volume, time - Age is when the smoke was released: a puff is the smoke of some emission steps,
- * and goes wherever that goes. Nothing depends on the steps between frames: any frame rate shows the same motion, and
+ * grows. In an unsteady volume, time - Age is when the smoke was released: a puff is the smoke of some emission steps
+ * and moves with it. Nothing depends on the steps between frames: any frame rate shows the same motion, and
  * times that differ by a period give the same array.
  *
- * The time is that of the pipeline, as ParaView's animation sets it, times TimeScale; without one it is Time. The filter
- * runs again when the pipeline's time changes although its input may have none: of an input without time, or with one
- * time step, it makes a time range of one period, from 0 or that step on, and asks it for that step only, so that it does
- * not run again: a frame costs one array. Two or more time steps of the input are passed on as they are.
+ * The time is that of the pipeline, as set by ParaView's animation, times TimeScale; if no time is requested, it is Time. The filter
+ * runs again when the pipeline's time changes, even if its input has no time. For an input without time, or with one time step, it
+ * reports a time range of one period from 0 or from that step, and requests only that step from the input. The input therefore does
+ * not run again, and a frame costs one array. Two or more time steps of the input are passed on unchanged.
  *
- * Input: cell arrays Age (s) and Density, as vtkFlowVolume writes them; for an array on points also the point array Age.
- * An error is reported where one is missing, and the input is passed on without SmokeDensity. Cells whose Age or Density
+ * Input: cell arrays Age (s) and Density, as written by vtkFlowVolume; for an array on points also the point array Age.
+ * If one is missing, an error is reported, and the input is passed on without SmokeDensity. Cells whose Age or Density
  * is not a finite number get 0, with a warning.
  */
 #ifndef vtkSmokePuffs_h

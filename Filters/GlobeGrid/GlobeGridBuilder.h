@@ -29,7 +29,7 @@ class vtkStructuredGrid;
 
 namespace nephoscope
 {
-// Which way the two horizontal wind arrays point.
+// The directions of the two horizontal wind arrays.
 enum class WindComponents
 {
   Automatic, // east and north, unless their names say otherwise
@@ -56,7 +56,7 @@ struct GlobeGridSettings
 // The columns alone, from any rows: enough to know their number in the output before any field is read.
 GridOrder PlanColumns(const LonLatLevelGrid& grid, const GlobeGridSettings& settings);
 
-// Whether the columns of the middle row go round the globe, so that poles can be closed.
+// Whether the columns of the middle row surround the globe, so that poles can be closed.
 bool GoesRound(const LonLatLevelGrid& grid);
 
 // The columns, the direction of the rows and the rows added at the poles.
@@ -71,10 +71,10 @@ public:
   {
   }
 
-  // Finds the arrays and the order of the axes. Returns what is wrong; empty if all is well.
+  // Finds the arrays and the order of the axes. Returns the problem, or an empty string.
   std::string Plan(vtkFieldData* units, const LonLatLevelGrid* surface);
 
-  // Fills the extent (relative to output index 0). `keepGoing(progress)` is asked between the passes.
+  // Fills the extent (relative to output index 0). `keepGoing(progress)` is called between the passes.
   // Returns false if told to stop.
   bool Build(
     const int extent[6], vtkStructuredGrid* output, const std::function<bool(double)>& keepGoing);

@@ -147,7 +147,7 @@ std::string GlobeGridBuilder::FindWinds(vtkFieldData* units)
     this->Grid.ArrayNames() + ".";
   if (!this->U != !this->V)
   {
-    return "Of the horizontal wind, the one-component point array '" +
+    return "For the horizontal wind, the one-component point array '" +
       (this->U ? names.Northward : names.Eastward) + "' is missing." + remedy;
   }
   if (!this->U && names.Eastward.empty() && names.Northward.empty())

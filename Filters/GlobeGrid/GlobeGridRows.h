@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
-// What the passes of GlobeGridBuilder share: the rows of a piece in parallel, new arrays, local frames.
+// Common parts of the passes of GlobeGridBuilder: the rows of a piece in parallel, new arrays, local frames.
 #ifndef nephoscope_GlobeGridRows_h
 #define nephoscope_GlobeGridRows_h
 

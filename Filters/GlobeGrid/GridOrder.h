@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
-// From output indices (west to east, south to north, bottom to top, closed, rotated) to input indices. A row that is
-// added at a pole stands for the last ring before it.
+// From output indices (west to east, south to north, bottom to top, closed, rotated) to input indices. A row added at
+// a pole represents the last ring before it.
 // Plain C++17.
 #ifndef nephoscope_GridOrder_h
 #define nephoscope_GridOrder_h

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
-// What a level axis means, and the height and pressure of its levels. Plain C++17.
+// The meaning of a level axis, and the height and pressure of its levels. Plain C++17.
 #ifndef nephoscope_LevelAxis_h
 #define nephoscope_LevelAxis_h
 

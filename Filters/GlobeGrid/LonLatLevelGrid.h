@@ -21,7 +21,7 @@ namespace nephoscope
 class LonLatLevelGrid
 {
 public:
-  // Reads and checks the axes. Returns what is wrong, with the remedy; empty if all is well.
+  // Reads and checks the axes. Returns the problem and its remedy, or an empty string.
   std::string Read(vtkDataSet* grid, bool cellCentres);
 
   const std::array<int, 3>& Dimensions() const { return this->Size; }

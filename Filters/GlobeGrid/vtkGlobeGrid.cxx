@@ -75,7 +75,7 @@ struct UsualWinds
   const char* Upward;
 };
 
-// Names of CMIP and of other models in the place of default names that the data do not have.
+// Names in CMIP and other models that replace default names missing in the data.
 void TakeUsualNames(vtkDataSet* data, nephoscope::GlobeGridSettings& settings)
 {
   const auto replace = [&](std::string& name, const char* ours,
@@ -121,8 +121,8 @@ std::vector<std::string> FieldNames(const nephoscope::GlobeGridSettings& setting
   return { settings.Height, settings.Eastward, settings.Northward };
 }
 
-// Whether this runs for one block after the other: the block stands in the place of the producer's output then. ParaView puts
-// a filter of its own between, which does not bear to be updated meanwhile.
+// Whether this runs for one block after the other: the block stands in the place of the producer's output then. ParaView
+// inserts its own filter, which must not be updated meanwhile.
 bool IsOfBlocks(vtkAlgorithm* producer, int port)
 {
   const bool hasInput =
@@ -156,7 +156,7 @@ vtkDataSet* PeekAtRows(
   return vtkDataSet::SafeDownCast(producer->GetOutputDataObject(port));
 }
 
-// What PeekAtRows sees there; false if it is no grid (RequestData tells what is wrong).
+// The rows that PeekAtRows reads; false if the input is not a grid (RequestData reports the problem).
 bool PeekAtGrid(vtkAlgorithm* producer, int port, vtkInformation* inInfo, const int whole[6],
   int first, int last, nephoscope::GlobeGridSettings settings, nephoscope::LonLatLevelGrid& grid,
   bool& onCells)

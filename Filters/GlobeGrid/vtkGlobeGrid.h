@@ -4,47 +4,44 @@
  * @class   vtkGlobeGrid
  * @brief   longitude-latitude-level fields as a curvilinear grid on a globe or a map
  *
- *     port 0: rectilinear, image or structured grid      port 1 (optional): one level of
- *             longitude deg, latitude deg, level         surface pressure or terrain height
- *                        |                                        |
- *                        +------------> vtkGlobeGrid <------------+
- *                                            |
- *             vtkStructuredGrid in metres, Wind, DisplayVelocity, Height, BelowGround
+ * Input port 0: a rectilinear, image or structured grid whose axes are longitude and latitude (degrees) and level. Input port 1, optional: one level
+ * of surface pressure or terrain height. Output: a vtkStructuredGrid in metres. The filter does this:
  *
- * 1. Read the axes: units of the levels, order of every axis, whether the longitudes close.
+ * 1. Read the axes: units of the levels, order of every axis, and whether the longitudes span the globe.
  * 2. Place the points. Globe: radius PlanetRadius + VerticalExaggeration * height. Map (plate carree):
  *    x = R * longitude, y = R * latitude (radians), z = VerticalExaggeration * height. Metres.
- * 3. Carry every point and cell array, with one more column where the seam is closed, and rows at the poles where
- *    they are missing.
- * 4. Turn the winds into vectors; 5. mark points below the ground.
+ * 3. Pass on every point and cell array, with an additional column if the seam is closed, and with missing rows at
+ *    the poles.
+ * 4. Convert the winds to vectors.
+ * 5. Mark points below the ground.
  *
  * The output is always ordered west to east, south to north, bottom to top, whatever the order of the
  * input, so cells have positive volume. A row at a pole collapses to one point on the globe (the
  * hexahedra there are degenerate wedges), and its vectors are the Cartesian mean of the row.
  *
- * The height of a point comes from the array HeightArrayName (geopotential height in metres, or
- * geopotential where the reader says its units are m2 s-2), else from the level axis, whose pressures
- * are turned into heights by the 1976 US standard atmosphere (StandardAtmosphere1976). A level axis
+ * The height of a point comes from the array HeightArrayName (geopotential height in metres, or geopotential if the
+ * reader reports the units m2 s-2), otherwise from the level axis, whose pressures are converted to heights by the
+ * 1976 US standard atmosphere (StandardAtmosphere1976). A level axis
  * that the CF reader has negated (positive = "down") is understood.
  *
  * If the named arrays are on cells and not on points, the cell centres become the points.
  *
  * Point arrays written, besides those of the input:
  * - Wind, float, 3 components, m/s: the physical wind in the Cartesian frame of the output
- *   (u east + v north + w up). Only where both horizontal wind arrays are there.
- * - DisplayVelocity, float, 3 components, m/s in display space: the velocity of the displayed position
- *   of a parcel that moves with Wind; true for the projection and the exaggeration. Active vectors.
+ *   (u east + v north + w up). Only if both horizontal wind arrays exist.
+ * - DisplayVelocity, float, 3 components, m/s in display space: the velocity of the displayed position of a parcel
+ *   that moves with Wind, with projection and exaggeration applied. These are the active vectors.
  * - Height, float, m: physical height, without exaggeration.
  * - BelowGround, unsigned char, 1 below the ground, else 0. Only with MaskBelowGround.
- * - vtkGhostType, unsigned char: HIDDENPOINT is added below the ground and where height or wind is
- *   missing. Only if there is such a point.
+ * - vtkGhostType, unsigned char: HIDDENPOINT is added below the ground and where height or wind is missing. Written
+ *   only if there is such a point.
  *
- * Cell array written: vtkGhostType, unsigned char, HIDDENCELL on the cells that touch a hidden point, so
- * that nothing is drawn or advected there, whether a filter looks at points or at cells.
+ * Cell array written: vtkGhostType, unsigned char, HIDDENCELL on the cells that touch a hidden point, so that nothing
+ * is drawn or advected there, whether a filter checks points or cells.
  *
  * Field data written, double, one value each: GlobeGridProjection (0 globe, 1 map), PlanetRadius (m), VerticalExaggeration.
  *
- * Each piece asks for the whole input and makes its own extent of the output.
+ * Each piece requests the whole input and computes its own extent of the output.
  */
 #ifndef vtkGlobeGrid_h
 #define vtkGlobeGrid_h
@@ -191,8 +188,8 @@ public:
   ///@{
   /**
    * Names of the wind arrays: eastward and northward (m/s) and vertical (Pa/s or m/s, see
-   * VerticalWindIsOmega). Default "u", "v", "w"; where the input has no such arrays, "ua", "va" and "wap" (omega) or "wa" (m/s), or "U", "V"
-   * and "OMEGA" or "W", as CMIP and other models name them. An empty vertical name means no vertical wind.
+   * VerticalWindIsOmega). Default "u", "v", "w"; if the input has no such arrays, "ua", "va" and "wap" (omega) or "wa" (m/s), or "U", "V"
+   * and "OMEGA" or "W", the names in CMIP and other models. An empty vertical name means no vertical wind.
    */
   void SetWindArrayNames(
     const std::string& eastward, const std::string& northward, const std::string& vertical);
@@ -217,7 +214,7 @@ public:
   ///@{
   /**
    * Name of the point array of temperatures in kelvin, for the density in the conversion of omega.
-   * Default "t", or "ta" where there is no "t". Without it the standard atmosphere gives the temperature.
+   * Default "t", or "ta" if there is no "t". Without it the standard atmosphere gives the temperature.
    */
   vtkSetMacro(TemperatureArrayName, std::string);
   vtkGetMacro(TemperatureArrayName, std::string);

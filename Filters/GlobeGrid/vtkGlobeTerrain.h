@@ -11,8 +11,8 @@
  *     vtkStructuredGrid of one level, in metres
  *
  * The terrain under clouds, figure 1 of Max, Crawfis and Becker, "New Techniques in 3D Scalar and Vector Field Visualization", Pacific Graphics
- * 1993: coloured by its altitude with a scale of its own. Give it the projection and the exaggeration of the vtkGlobeGrid of the clouds, or an
- * exaggeration of its own. It is opaque geometry: clouds, smoke and haze end at it.
+ * 1993: coloured by its altitude with its own colour scale. Use the projection of the vtkGlobeGrid of the clouds; the exaggeration may differ. It is opaque geometry:
+ * clouds, smoke and haze end at it.
  *
  * Point arrays written, besides those of the input: Height, float, m, 0 in the sea; Terrain (active scalars), float, m: on land the height, in
  * the sea 0 at the coast to -SeaDepth far from it, for colour maps that are blue below 0; Normals (float, 3, length 1); TextureCoordinates

@@ -45,7 +45,7 @@ inline double sixVolumesInside(const TriangulatedSurface& surface)
 }
 
 /**
- * Whether tetrahedra fill exactly what the surface encloses: none is inverted, the faces that only one of them has are the
+ * Whether tetrahedra fill exactly the volume enclosed by the surface: none is inverted, their unshared faces are the
  * triangles of the surface, and the volumes add up. For what comes from a program that is not ours.
  */
 inline bool fillsSurface(const CellDivision& division, const TriangulatedSurface& surface)

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
-/** An unstructured grid, some cells of which are replaced by tetrahedra, with all arrays. */
+/** An unstructured grid with all arrays, in which some cells are replaced by tetrahedra. */
 #ifndef DividedGrid_h
 #define DividedGrid_h
 
@@ -16,11 +16,11 @@ class vtkUnstructuredGrid;
 namespace nephoscope
 {
 
-/** One entry per cell; none where the cell stays as it is. */
+/** One entry per cell; empty if the cell stays unchanged. */
 using CellDivisions = std::vector<std::unique_ptr<CellDivision>>;
 
 /**
- * Writes `output`; returns the number of points that were added. Tetrahedra stand where their cell stood, in its place in the order.
+ * Writes `output`; returns the number of points that were added. Tetrahedra take the place of their cell in the order.
  * Points keep their numbers, new ones follow.
  *
  * - Cell arrays: each tetrahedron has its cell's values. Global cell ids become a plain array, since they are not unique any more.

@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * A polygonal face cut into triangles, the same way whichever of its two cells asks.
+ * A polygonal face cut into triangles, identically for both of its cells.
  *
  * 1. The canonical cycle: of all starting vertices and both directions, the one whose sequence of vertices is least in the order of
- *    coordinates. Both cells find the same, and everything after depends on nothing else, to the last bit.
+ *    coordinates. Both cells get the same result, and all further steps depend only on it, to the last bit.
  * 2. The fan from its first, least vertex, which is how the mapper and CellDecomposition.h cut a face, if every triangle has an
  *    area and looks the way the face does.
  * 3. Else (a face that is not convex, or with a vertex in the middle of an edge) ears are cut off: each time the ear

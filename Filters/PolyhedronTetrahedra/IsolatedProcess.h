@@ -8,8 +8,8 @@
  * calls are made in a child process, one after another, which sends each result back through a pipe. A child that dies or
  * takes too long costs the call at hand, and another child goes on with the next.
  *
- * The child is a copy of the process (fork) that does nothing else, prints nothing, leaves no core file and runs no exit handlers. Where
- * there is no fork the calls are made in the process.
+ * The child is a copy of the process (fork) that does nothing else, prints nothing, leaves no core file and runs no exit handlers. Without
+ * fork, the calls run in the process itself.
  */
 #ifndef IsolatedProcess_h
 #define IsolatedProcess_h
@@ -28,8 +28,8 @@ struct IsolatedResult
 };
 
 /**
- * Calls work(0) ... work(count - 1), each of which may take `seconds`. `keepGoing` is asked several times a second; when
- * it returns false, the calls that are left fail.
+ * Calls work(0) ... work(count - 1), each of which may take `seconds`. `keepGoing` is called several times a second;
+ * when it returns false, the remaining calls fail.
  */
 std::vector<IsolatedResult> runIsolated(int count, double seconds,
   const std::function<std::vector<char>(int)>& work, const std::function<bool()>& keepGoing);

@@ -12,7 +12,7 @@
  *   3. TetGen (TetGenDivision.h): new points inside, where it needs them
  *
  * Cones over the triangles of a closed surface add up, with their signs, to the inside of it: where all are positive they fill the
- * cell without overlap. So 1 and 2 are right whenever their signs are, whatever the shape.
+ * cell without overlap. Steps 1 and 2 are therefore correct whenever their signs are, whatever the shape.
  */
 #ifndef PolyhedronDivider_h
 #define PolyhedronDivider_h
@@ -63,7 +63,7 @@ public:
     return state == PolyhedronSurface::State::Closed ? this->DivideSurface() : OutcomeOf(state);
   }
 
-  /** After NotStar: what TetGen is asked, and the judgement of its answer. `reason` tells why it is Failed. */
+  /** After NotStar: the input for TetGen, and the check of its result. `reason` says why it is Failed. */
   TetGenTask MakeTask() { return { &this->Cut, &this->Division, std::string() }; }
   DivisionOutcome Judge(const TetGenTask& task, std::string& reason);
 

@@ -193,7 +193,7 @@ int unpack(const std::vector<char>& bytes, const Frame& frame, CellDivision& div
 // 0, or the code that TetGen throws: tetgen.h, terminatetetgen.
 int callTetGen(tetgenio& in, tetgenio& out)
 {
-  // p: a surface. Y: leave it as it is. M: do not merge triangles of one plane. Q: quiet.
+  // p: a surface. Y: leave the surface unchanged. M: do not merge triangles of one plane. Q: quiet.
   char switches[] = "pYMQ";
   try
   {

@@ -7,28 +7,28 @@
  *     vtkUnstructuredGrid ──► every VTK_POLYHEDRON: convex? ── yes ──► passed
  *                                                     └─────── no ───► tetrahedra inside the cell
  *
- * What draws or cuts cells as if they were convex is right on the output. Neighbours stay conforming: the triangles that a
- * face is cut into depend on the face alone, no point is added on a face, and they are those by which
- * vtkCellCompositingMapper cuts the faces of the cells that are passed. Volumes are conserved, and no tetrahedron is inverted.
+ * Algorithms that assume convex cells give correct results on the output. Neighbours stay conforming: the triangles of a
+ * face depend only on the face, no point is added on a face, and vtkCellCompositingMapper cuts the faces of undivided
+ * cells into the same triangles. Volumes are conserved, and no tetrahedron is inverted.
  *
  * A cell counts as convex if no vertex lies outside the mean plane of a face by more than the most warped face of the cell is warped,
- * and if the tetrahedra over its least vertex, by which it would be drawn, fill it; so cells with
- * slightly warped faces, as those of dual meshes and of layers over terrain, are passed.
+ * and if the tetrahedra over its least vertex, by which it would be drawn, fill it. Cells with slightly warped faces,
+ * as in dual meshes and in layers over terrain, are therefore passed on.
  *
- * A cell is divided by the first of these that fits:
+ * A cell is divided by the first of these methods that works:
  * 1. all tetrahedra share one of its vertices;
- * 2. all share one new point, near the middle of the region from which the whole inside is seen (the cell's kernel);
- * 3. TetGen (Si2015), if the build has it: for cells that no single point sees the whole of, also with tunnels and cavities.
+ * 2. all share one new point, near the middle of the region that sees the whole inside (the cell's kernel);
+ * 3. TetGen (Si2015), if the build has it: for cells in which no single point sees everything, including cells with tunnels and cavities.
  *
- * Every cell array is carried to the tetrahedra. At new points, point arrays are mean-value interpolations
+ * The tetrahedra get every cell array. At new points, point arrays are mean-value interpolations
  * (JuSchaeferWarren2005): exact for linear fields, never outside the range of the cell's values. Integers are rounded.
  *
- * A cell that cannot be divided is passed as it is, with one warning that names the first such cell and the remedy: its faces do not
- * close, a coordinate is not finite, or it needs TetGen. Cells that a ghost array hides, or that touch a hidden point, are
- * passed without being looked at. Datasets other than vtkUnstructuredGrid are passed.
+ * A cell that cannot be divided, because its faces do not close, a coordinate is not finite, or it needs TetGen, is passed on
+ * unchanged. One warning names the first such cell and the remedy. Cells that a ghost array hides, or that touch a hidden point, are
+ * passed on unchecked. Datasets other than vtkUnstructuredGrid are passed on.
  *
- * The work runs in parallel but for TetGen's, which keeps its state in variables of the process; it runs in a process of its own, so
- * that a failure of it is a message and no crash. The result does not depend on the number of threads.
+ * All steps run in parallel except TetGen, which keeps its state in global variables. It runs in a separate process, so that its
+ * failure gives a message instead of a crash. The result does not depend on the number of threads.
  */
 #ifndef vtkPolyhedronToTetrahedra_h
 #define vtkPolyhedronToTetrahedra_h
@@ -75,7 +75,7 @@ public:
   static bool HasTetGen();
 
   ///@{
-  /** What the last execution did: cells divided, points added, cells that should have been divided and could not be. */
+  /** Results of the last execution: numbers of divided cells, of added points, and of cells that could not be divided. */
   vtkGetMacro(NumberOfDividedCells, vtkIdType);
   vtkGetMacro(NumberOfNewPoints, vtkIdType);
   vtkGetMacro(NumberOfUndividedCells, vtkIdType);

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Affine maps from the indices of a lattice to places. Plain C++17.
+// Affine maps from the indices of a lattice to positions. Plain C++17.
 #ifndef nephoscope_AffineGrid_h
 #define nephoscope_AffineGrid_h
 

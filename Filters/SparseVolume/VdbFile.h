@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * What the VTK classes ask of OpenVDB. No OpenVDB header is needed here: a build without OpenVDB has the same functions, which
- * fail with a sentence that tells the remedy (NoOpenVDB.cxx).
+ * The functions of OpenVDB that the VTK classes use. No OpenVDB header is needed here: a build without OpenVDB has the same functions, which
+ * fail with a sentence that gives the remedy (NoOpenVDB.cxx).
  */
 #ifndef VdbFile_h
 #define VdbFile_h
@@ -23,7 +23,7 @@ namespace nephoscope
 
 bool HasOpenVDB();
 
-/** A grid of a file, as its metadata tell. */
+/** A grid of a file, described by its metadata. */
 struct VdbGridInfo
 {
   std::string

@@ -200,7 +200,7 @@ std::vector<VdbGridInfo> ListVdbGrids(const std::string& file, std::string& erro
   }
   catch (const std::exception& exception)
   {
-    error = "'" + file + "' is no .vdb file that can be read: " + Reason(exception);
+    error = "'" + file + "' is not a readable .vdb file: " + Reason(exception);
     return {};
   }
 }

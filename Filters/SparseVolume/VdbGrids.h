@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
-/** Grids of OpenVDB out of a file, and what is known of them. */
+/** OpenVDB grids from a file, and their descriptions. */
 #ifndef VdbGrids_h
 #define VdbGrids_h
 
@@ -25,7 +25,7 @@ std::string Reason(const std::exception& exception);
 AffineMatrix AffineOf(const openvdb::math::Transform& transform);
 openvdb::math::Transform::Ptr TransformOf(const AffineMatrix& matrix);
 
-/** What the metadata of a grid of that name tell; its voxels are not needed. */
+/** The description of a grid from its metadata, without its voxels. */
 VdbGridInfo Describe(const openvdb::GridBase& grid, const std::string& name);
 
 /** A file that is open for reading; throws where OpenVDB does. */

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
-/** Grids from values on a lattice: the samples of an image, or points that stand for voxels. */
+/** Grids from values on a lattice: the samples of an image, or points that represent voxels. */
 #ifndef VdbLattice_h
 #define VdbLattice_h
 
@@ -21,7 +21,7 @@ struct LatticeCounts
 LatticeCounts FillFromImage(openvdb::GridBase& grid, vtkImageData* image, vtkDataArray* array,
   bool onCells, double tolerance);
 
-/** Points that stand for voxels or tiles of a lattice. */
+/** Points that represent voxels or tiles of a lattice. */
 struct LatticePoints
 {
   AffineMatrix IndexToWorld{};

@@ -60,7 +60,7 @@ VdbParticles::VdbParticles(vtkDataSet* data, vtkDataArray* masses, double voxelS
   }
   if (this->Ids.empty())
   {
-    this->Error = "There are no particles at finite places with a mass that is not negative.";
+    this->Error = "There are no particles with a finite position and a mass of 0 or more.";
     return;
   }
   if (!(this->VoxelSize > 0))

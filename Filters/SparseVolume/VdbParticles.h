@@ -19,7 +19,7 @@ public:
 
   /** Why there can be no grids; empty if there can. */
   const std::string& GetError() const { return this->Error; }
-  /** Particles at no place, or without a mass that is a number and not negative. */
+  /** Particles without a finite position, or whose mass is negative or not a number. */
   vtkIdType GetNumberOfLost() const { return this->Lost; }
 
   /** Mass over volume: its integral is the mass of the particles. */

@@ -176,7 +176,7 @@ std::string addParticles(const VdbWriteSettings& settings, vtkDataSet* data, Vol
   if (particles.GetNumberOfLost() > 0)
   {
     volume.Warnings.push_back(std::to_string(particles.GetNumberOfLost()) +
-      " particles are left out: they are at no place, or their mass is negative or not a number.");
+      " particles are left out: they have no finite position, or their mass is negative or not a number.");
   }
   openvdb::GridBase::Ptr density = openvdb::FloatGrid::create();
   particles.FillDensity(*density);
@@ -279,7 +279,7 @@ std::uint32_t flagsOf(VdbCompression compression, std::vector<std::string>& warn
   return compression == VdbCompression::None ? flags : flags | openvdb::io::COMPRESS_ZIP;
 }
 
-// Beside its place first, so that a disk that is full leaves no half file under the name.
+// Writes to a temporary file first, so that a full disk leaves no incomplete file under the name.
 std::string writeFile(const VdbWriteSettings& settings, const Volume& volume)
 {
   const std::string part = settings.File + ".part";

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
-/** What the writer asks of OpenVDB. No OpenVDB header is needed here, as in VdbFile.h. */
+/** The functions of OpenVDB that the writer uses. No OpenVDB header is needed here, as in VdbFile.h. */
 #ifndef VdbWriting_h
 #define VdbWriting_h
 

@@ -118,7 +118,7 @@ std::string readImage(
   return nephoscope::ReadVdbImage(request, image, warnings);
 }
 
-// What is wrong with a file name, or nothing.
+// The problem with a file name, or an empty string.
 std::string checkFile(const std::string& name)
 {
   if (name.empty())
@@ -131,7 +131,7 @@ std::string checkFile(const std::string& name)
   }
   if (!vtkSparseVolumeReader::CanReadFile(name.c_str()))
   {
-    return "'" + name + "' is not a .vdb file: it does not begin as one.";
+    return "'" + name + "' is not a .vdb file: it does not begin like one.";
   }
   return {};
 }
@@ -147,7 +147,7 @@ std::string vtkSparseVolumeReader::vtkInternals::Names() const
   return names.empty() ? "none" : names;
 }
 
-// An error where nothing can be read, a warning for each chosen grid that is not there.
+// An error if nothing can be read, and a warning for each chosen grid that does not exist.
 std::string vtkSparseVolumeReader::vtkInternals::CheckChoice(vtkDataArraySelection* selection,
   const std::vector<VdbGridInfo>& chosen, bool asImage, std::vector<std::string>& warnings) const
 {

@@ -7,22 +7,22 @@
  *     .vdb file ──► grids that are chosen ──► active voxels ──► vtkPolyData: points, one array for a grid    (OutputToPoints)
  *                                                           └─► vtkImageData of their bounding box           (OutputToImage)
  *
- * Points take memory for active voxels alone. The field data array "IndexToWorld" (double, 16 components: the rows of a 4 x 4
- * matrix from voxel indices to places) tells the shape of the voxels; vtkTexturedSplatMapper draws splats of that shape. Where
- * tiles are kept whole, the point array "VoxelScale" (float) tells the edge of each in voxels.
+ * Points take memory only for active voxels. The field data array "IndexToWorld" (double, 16 components: the rows of a 4 x 4
+ * matrix from voxel indices to positions) gives the shape of the voxels; vtkTexturedSplatMapper draws splats of that shape. If
+ * tiles are kept whole, the point array "VoxelScale" (float) gives the edge length of each in voxels.
  *
- * An image has the voxel indices as its extent and the transform as origin, spacing and direction; voxels that are not
- * active have the value that the grid has there (its background; inside of level sets minus that).
+ * An image has the voxel indices as its extent and the transform as origin, spacing and direction; inactive voxels
+ * have the grid's value there (its background value, with a minus sign inside level sets).
  *
  * Values become arrays of float, double, int, long long or unsigned char (bool and mask), with 3 components for vectors; numbers
  * saved with 16 bits become float. Staggered (MAC) velocities, whose components are stored at the faces of voxels, are
- * averaged to their centres. All chosen grids share one lattice, that of the one with the smallest voxels (the first by name of
- * several): grids with the same transform add their active voxels, others are interpolated there (trilinearly; the nearest value
+ * averaged to their centres. All chosen grids share the lattice of the grid with the smallest voxels (the first by name, if
+ * several are equal): grids with the same transform add their active voxels, others are interpolated there (trilinearly; the nearest value
  * for integers and bools).
  *
- * Sheared voxels can be read as points only; frustums and grids of points are refused with a message.
+ * Sheared voxels can be read as points only; frustums and grids of points are rejected with a message.
  *
- * A build without OpenVDB has this class, which then fails with a message that tells the remedy (HasOpenVDB).
+ * A build without OpenVDB also has this class, but it fails with a message that gives the remedy (HasOpenVDB).
  *
  * Reference: K. Museth, VDB: High-Resolution Sparse Volumes with Dynamic Topology, ACM Transactions on Graphics 32(3), 2013
  * (Museth2013).
@@ -55,7 +55,7 @@ public:
   vtkGetMacro(FileName, std::string);
   ///@}
 
-  /** 1 if the file begins as .vdb files do. */
+  /** 1 if the file begins like a .vdb file. */
   static int CanReadFile(VTK_FILEPATH const char* name);
 
   /**
@@ -72,7 +72,7 @@ public:
   std::string GetGridType(int grid);
   /** "fog volume", "level set", "staggered" or "unknown". */
   std::string GetGridClass(int grid);
-  /** Active voxels, those of tiles included. */
+  /** Number of active voxels, including those of tiles. */
   vtkTypeInt64 GetGridNumberOfActiveVoxels(int grid);
   /** First and last index of the active voxels along each axis; last is less than first if there are none. */
   void GetGridExtent(int grid, int extent[6]);
@@ -80,7 +80,7 @@ public:
   void GetGridSpacing(int grid, double spacing[3]);
   /** Why a grid cannot be read; empty if it can. */
   std::string GetGridRefusal(int grid);
-  /** All of it in a sentence. */
+  /** All of this in a sentence. */
   std::string GetGridDescription(int grid);
   ///@}
 

@@ -73,7 +73,7 @@ void vtkSparseVolumeWriter::WriteData()
   std::string error;
   if (!data)
   {
-    error = "The input is no dataset.";
+    error = "The input is not a dataset.";
   }
   else if (this->FileName.empty())
   {

@@ -8,19 +8,19 @@
  *     vtkPolyData of vtkSparseVolumeReader ─────────────► the same voxels                ├─► tiles where constant ─► .vdb file
  *     vtkPolyData, vtkUnstructuredGrid of vertices ─────► density and weighted means     ┘
  *
- * - Image: a grid for every array of one or three components; values up to Tolerance are background and take no memory, as hidden
- *   points and NaN do not. Voxel centres are the points, or the centres of the cells.
- * - Points with the field data array "IndexToWorld": voxels, as they were read.
- * - Particles: "density" is their mass over volume, shared by the eight voxels around each so that mass and its centre are kept
- *   (cloud in cell, HockneyEastwood1988); other arrays become means weighted with the mass.
+ * - Image: a grid for every array of one or three components; values up to Tolerance, hidden points and NaN become background and
+ *   take no memory. Voxel centres are the points, or the centres of the cells.
+ * - Points with the field data array "IndexToWorld": the voxels from which they were read.
+ * - Particles: "density" is their mass over volume, distributed over the eight voxels around each particle, which conserves the
+ *   mass and its centre (cloud in cell, HockneyEastwood1988); other arrays become mass-weighted means.
  *
- * Other data are refused with a message: resample them to an image first.
+ * Other data are rejected with a message: resample them to an image first.
  *
- * Scalars are of the class "fog volume", as Blender and Houdini draw them. Blender looks for grids "density", "temperature",
+ * Scalars have the class "fog volume", which Blender and Houdini draw. Blender looks for grids "density", "temperature",
  * "velocity", Houdini for "density", "temperature", "vel": rename with SetGridName. Vectors named v, or with vel or wind in the name, are
- * marked as velocities (contravariant relative), so that Houdini turns them with the volume.
+ * marked as velocities (contravariant relative), so that Houdini rotates them with the volume.
  *
- * A build without OpenVDB has this class, which then fails with a message that tells the remedy (vtkSparseVolumeReader::HasOpenVDB).
+ * A build without OpenVDB also has this class, but it fails with a message that gives the remedy (vtkSparseVolumeReader::HasOpenVDB).
  */
 #ifndef vtkSparseVolumeWriter_h
 #define vtkSparseVolumeWriter_h
@@ -91,7 +91,7 @@ public:
     BLOSC_COMPRESSION = 2
   };
   ///@{
-  /** Blosc is fast; Zip is slow, and OpenVDB applies it to vectors and integers alone, not to fog volumes. Default: Blosc. */
+  /** Blosc is fast; Zip is slow, and OpenVDB applies it only to vectors and integers, not to fog volumes. Default: Blosc. */
   vtkSetClampMacro(Compression, int, NO_COMPRESSION, BLOSC_COMPRESSION);
   vtkGetMacro(Compression, int);
   void SetCompressionToNone() { this->SetCompression(NO_COMPRESSION); }

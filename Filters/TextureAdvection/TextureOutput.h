@@ -15,7 +15,7 @@ class vtkInformation;
 
 namespace nephoscope
 {
-// The piece of a structured grid that is asked for. Where neighbours are needed, the whole grid is followed and cut afterwards, so that
+// The requested piece of a structured grid. Where neighbours are needed, the whole grid is followed and cut afterwards, so that
 // a piece does not depend on how the grid is divided.
 class OutputPiece
 {

@@ -14,23 +14,22 @@
  * Section 5 of MaxCrawfisBecker1993 (N. Max, R. Crawfis, B. Becker, "New Techniques in 3D Scalar and Vector Field
  * Visualization", Pacific Graphics 1993). For each point:
  *
- * 1. Follow the air back in time through the winds of the series, which are linear in time between its steps, to the birth
- *    of the younger set of coordinates, and on to that of the older one.
- * 2. Write the place where the air was at either birth, and the weights with which the two sets are to be blended: 0 at birth
- *    and death, 1 in the middle of life, together 1.
+ * 1. Trace the air back in time through the winds of the series (linear in time between its steps) to the birth of the
+ *    younger set of coordinates, and on to the birth of the older set.
+ * 2. Write the position of the air at each birth, and the weights for blending the two sets: 0 at birth and death, 1 in the
+ *    middle of life; their sum is 1.
  *
- * On the output of vtkGlobeGrid, globe or map, paths are on the sphere and the wind is interpolated as a Cartesian vector: poles and
- * seam are as any other place. Air follows its height, or its pressure, so the motion relative to sloping and moving levels is
- * right; it slides along the ground and under the top. Beyond the border of a regional grid the wind is that on the border. In
- * other datasets paths are Cartesian; beyond the border, in holes and in blanked cells the wind is that at the nearest place
- * that has one.
+ * On the output of vtkGlobeGrid, globe or map, paths are on the sphere, and the wind is interpolated as a Cartesian vector, so that
+ * poles and seam need no special treatment. Air follows its height or its pressure, so that the motion relative to sloping and
+ * moving levels is correct; it slides along the ground and under the top. Beyond the border of a regional grid, the wind is that on the border.
+ * In other datasets paths are Cartesian; beyond the border, in holes and in blanked cells, the wind is that at the nearest position with a wind.
  *
- * Winds of one Period are in memory, each time step is read once while time goes forward, and a frame costs the paths of one
- * period, whatever has been before. The same frame comes out whatever frames have been asked for before it.
+ * Winds of one Period are in memory, and each time step is read once while time goes forward. A frame costs the paths of one
+ * period and does not depend on the frames requested before it.
  *
  * Every process reads the whole grid and makes its own piece of the output.
  *
- * Arrays written, in units and with a meaning that README.md of this folder and Documentation/texture-advection.md give:
+ * Arrays written; README.md of this folder and Documentation/texture-advection.md give their units and meaning:
  * - TextureCoordinates1, TextureCoordinates2: points, float, 3 components. Longitude/360, latitude/360 and height over the
  *   equator's length of the place of origin, longitudes unwrapped; or Cartesian.
  * - TextureWeights, TextureAges: field data, double, 2 values; ages in seconds.
@@ -40,8 +39,8 @@
  *
  * Between time steps the arrays of the grid itself are interpolated linearly in time.
  *
- * An error, and no texture arrays, come of: no velocity, settings that make no sense, times that do not rise, time steps that
- * are not delivered, a grid that changes its columns, only a part of a grid. Warnings tell of points without a wind.
+ * These give an error and no texture arrays: no velocity, invalid settings, times that do not increase, missing time steps, a
+ * grid whose columns change, an incomplete grid. Warnings report points without a wind.
  */
 #ifndef vtkTextureCoordinateAdvection_h
 #define vtkTextureCoordinateAdvection_h
@@ -125,8 +124,8 @@ public:
 
   ///@{
   /**
-   * RungeKutta4 (default): fixed steps of fourth order. Euler: of first order, as in the paper; needs steps of a minute to be
-   * as good. RungeKutta45: steps of order 5 (4) with error control by Tolerance.
+   * RungeKutta4 (default): fixed steps of fourth order. Euler: first order, as in the paper; it needs steps of a minute to be
+   * as accurate. RungeKutta45: steps of order 5 (4) with error control by Tolerance.
    */
   vtkSetClampMacro(Integrator, int, EULER, RUNGE_KUTTA_45);
   vtkGetMacro(Integrator, int);

@@ -226,8 +226,8 @@ bool vtkTextureCoordinateAdvection::CheckExtent(vtkDataSet* input, vtkInformatio
     {
       vtkErrorMacro("Only "
         << input->GetNumberOfPoints() << " of the " << points
-        << " points of the grid have been delivered. Paths need all the winds: let a reader or Globe Grid, which deliver "
-           "the whole grid on request, be the input.");
+        << " points of the grid have been delivered. Paths need all the winds: use a reader or Globe Grid as input, which "
+           "deliver the whole grid on request.");
       return false;
     }
   }

@@ -58,7 +58,7 @@ double TimeWithin(vtkInformation* info, double time)
 
 int vtkTextureCoordinateAdvection::FillInputPortInformation(int port, vtkInformation* info)
 {
-  // A composite dataset is refused by RequestData, with a sentence, rather than followed block by block.
+  // RequestData rejects a composite dataset with a sentence; it is not processed block by block.
   info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), port == 0 ? "vtkDataObject" : "vtkDataSet");
   if (port == 1)
   {

@@ -98,7 +98,7 @@ std::unique_ptr<DataSetField> MakeComposite(
   if (leaves.empty())
   {
     problem = firstProblem.empty()
-      ? "The composite dataset is empty: no block has cells. Check the reader that it comes from."
+      ? "The composite dataset is empty: no block has cells. Check its reader."
       : "No block has a velocity field. The first says: " + firstProblem;
     return nullptr;
   }

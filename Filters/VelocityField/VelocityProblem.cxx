@@ -41,7 +41,7 @@ std::string Choices(vtkDataSet* data)
 {
   return " Choose a velocity: " + ListOf(data->GetPointData(), "point") + "; " +
     ListOf(data->GetCellData(), "cell") +
-    ". Three arrays of one component are put together with the Calculator: u*iHat + v*jHat + w*kHat.";
+    ". To combine three arrays of one component, use the Calculator: u*iHat + v*jHat + w*kHat.";
 }
 
 std::string ArrayProblem(vtkDataSet* data, const VelocityArray& wanted)

@@ -48,7 +48,7 @@ set(opacity_array_none "None: the coloured array; smoke, as Flow Volume makes it
 set(unit_distance_else "; for smoke, so that its optical depth is 1 through as much of it as the generating polygon is wide")
 nephoscope_configure_text(MediumProperties.xml.in cell_compositing_medium_properties)
 set(name TexturedSplats)
-set(opacity_array_none "None: the coloured array.")
+set(opacity_array_none "None: the coloured array; clouds that are coloured by Sunlight have the extinction that their light was computed for.")
 set(unit_distance_else "")
 nephoscope_configure_text(MediumProperties.xml.in textured_splats_medium_properties)
 set(with_vectors "<PropertyWidgetDecorator type=\"GenericDecorator\" mode=\"visibility\" property=\"TexturedSplatsVectorArray\"

@@ -12,7 +12,8 @@ from together import Clouds, CloudTops, Contours, Label, Smoke, Splats, Surface,
 STEP = 1 / 255
 PEELED = 3 * STEP  # VTK keeps peels in 8 bits
 PLAIN = 2.1 * STEP
-OPAQUE, SHEETS, MEDIA = (Terrain, Label), (Surface, CloudTops), (Smoke, Clouds, Contours, Splats, Winds)
+MEDIA = (Smoke, Clouds, Contours, Splats, Winds)
+OPAQUE, SHEETS = ((Terrain,), (Surface, CloudTops, Label)) if together.text_is_translucent() else ((Terrain, Label), (Surface, CloudTops))
 PLACES = ((2, -2), (-2, 2), (0.13, 0))
 AIR = Haze(0.05, 1e7, color=(0.6, 0.6, 0.7))
 

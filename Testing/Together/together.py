@@ -98,6 +98,12 @@ class Label(Element):
         return self.at, np.divide(black, opacity, out=np.zeros_like(black), where=opacity > 0), opacity
 
 
+def text_is_translucent():
+    """Whether this release of VTK draws texts among translucent surfaces; it knows when it has drawn one."""
+    scene = picture([Label(0)])
+    return any(prop.HasTranslucentPolygonalGeometry() for prop in scene.renderer.GetViewProps())
+
+
 class Slab(Element):
     """Cells from -0.5 to 0.5."""
     extinction = 0.9

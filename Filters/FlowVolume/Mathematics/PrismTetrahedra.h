@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
-// A prism divided into three tetrahedra that fit its neighbours: every side is cut from its vertex of smallest
-// rank, which both prisms beside it know. Ranks are hashed ids: with plain ids, which grow downstream, all
+// A prism divided into three tetrahedra that fit its neighbours: every side is cut from its vertex of smallest rank,
+// which is the same for both adjacent prisms. Ranks are hashed ids: with plain ids, which grow downstream, all
 // sides would be cut the same way and the volume of a sheared tube would be wrong to first order. Plain C++17.
 #ifndef nephoscope_PrismTetrahedra_h
 #define nephoscope_PrismTetrahedra_h
@@ -27,7 +27,7 @@ inline std::uint64_t Rank(PointId id)
   return x ^ (x >> 31);
 }
 
-// Which corners of a prism its three tetrahedra have, as places in PrismPoints.
+// The corners of a prism's three tetrahedra, as indices in PrismPoints.
 using PrismPattern = std::array<std::array<std::uint8_t, 4>, 3>;
 
 inline PrismPattern MakePrismPattern(const std::array<std::uint64_t, 6>& ranks)

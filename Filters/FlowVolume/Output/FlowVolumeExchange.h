@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
-// What the ranks of a parallel program tell each other, so that all of them build the same flow volume.
+// The data that the ranks of a parallel program exchange, so that all of them build the same flow volume.
 #ifndef nephoscope_FlowVolumeExchange_h
 #define nephoscope_FlowVolumeExchange_h
 
@@ -26,8 +26,8 @@ namespace nephoscope
 // Every rank knows the whole front of smoke and asks for its velocities together with the others (DistributedField), so
 // every rank makes the whole mesh, and then writes its share of it (MeshSlice.h).
 //
-// All functions but Speaks and RequestParts are to be called by all ranks, in the same order. With one rank, or no controller, they
-// return at once what they are given.
+// All functions but Speaks and RequestParts are to be called by all ranks, in the same order. With one rank, or without a
+// controller, they return their input at once.
 class FlowVolumeExchange
 {
 public:
@@ -68,7 +68,7 @@ public:
   // may be null or empty. Its arrays are left behind.
   vtkSmartPointer<vtkPolyData> GatherPolygon(vtkPolyData* polygon) const;
 
-  // What this rank writes: `mesh`, or its share of it, which is put into `share`.
+  // What this rank writes: `mesh`, or the rank's part of it, which is written to `share`.
   const SmokeMesh& ShareOf(const SmokeMesh& mesh, SmokeMesh& share) const;
 
 private:

@@ -17,7 +17,7 @@ namespace nephoscope
 using ArraySampler = std::function<void(const SmokeMesh& mesh, vtkPointData* output)>;
 
 // Points, tetrahedra, cell arrays EmissionStep, Age, Density and point arrays. True if the input has a point array Age, which
-// gives way.
+// is replaced.
 bool PutSmoke(const SmokeMesh& mesh, double initialDensity, const ArraySampler& sampleArrays,
   vtkUnstructuredGrid* output);
 }

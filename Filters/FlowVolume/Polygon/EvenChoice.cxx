@@ -24,7 +24,7 @@ namespace
 using Extent = std::array<int, 6>;
 using NumberedMiddle = std::array<double, 4>; // a number, by which they are sorted, and the place
 
-// The middle of the corners; false for a cell without any, or at infinite places.
+// The middle of the corners; false for a cell without corners, or with infinite coordinates.
 bool MiddleOf(vtkDataSet* set, vtkIdType cell, vtkIdList* corners, double* middle)
 {
   set->GetCellPoints(cell, corners);
@@ -97,7 +97,7 @@ std::vector<NumberedMiddle> EveryNth(
   return middles;
 }
 
-// Hash of a place, rounded so that rounding errors do not change it: 53 bits.
+// Hash of a position, rounded so that rounding errors do not change it: 53 bits.
 double HashOf(const double* place, const vtkBoundingBox& box)
 {
   constexpr double cells = 1048576.0,

@@ -107,7 +107,7 @@ void TidyLoops(std::vector<Loop>& loops)
   std::sort(loops.begin(), loops.end());
 }
 
-// Polygons that turn the other way than most of the area are turned.
+// Polygons whose orientation differs from that of most of the area are reversed.
 void TurnAlike(PolygonMesh& mesh)
 {
   Vector3 sum{};

@@ -62,7 +62,7 @@ private:
   std::vector<CellHint> Hints;
 };
 
-// What is told about the flow at a polygon, and what the automatic settings come from.
+// The messages about the flow at a polygon, and the basis of the automatic settings.
 struct PolygonFlow
 {
   PolygonFlow(const VelocityField& field, const PolygonMesh& polygon, double time)

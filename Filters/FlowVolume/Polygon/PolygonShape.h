@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Size, place and direction of a generating polygon. Plain C++17.
+// Size, position and direction of a generating polygon. Plain C++17.
 #ifndef nephoscope_PolygonShape_h
 #define nephoscope_PolygonShape_h
 

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The generating polygon, of which each rank may have nothing, the whole or a part.
+// The generating polygon, when each rank has nothing, the whole or a part of it.
 #ifndef nephoscope_PolygonUnion_h
 #define nephoscope_PolygonUnion_h
 

@@ -16,7 +16,7 @@ struct EdgeLimits
   double Obstacle = 0.0; // longest edge of a triangle that is partly outside the field; 0: any
 };
 
-// Whether an edge is too long is asked of its two ends alone, so both triangles beside it agree.
+// Only the two ends of an edge decide whether it is too long, so both adjacent triangles agree.
 inline void MarkLongEdges(const SmokeFront& front, const std::vector<Vector3>& above,
   const std::vector<unsigned char>& inside, const EdgeLimits& limits,
   std::vector<unsigned char>& marks)

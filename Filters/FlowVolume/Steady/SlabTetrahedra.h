@@ -8,7 +8,7 @@
 
 namespace nephoscope
 {
-// What is between a front and itself one step later.
+// The layer between a front and its position one step later.
 struct Slab
 {
   const SmokeFront* Below = nullptr;

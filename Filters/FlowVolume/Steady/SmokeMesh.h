@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
-// What the builders of flow volumes take and make. Plain C++17, no VTK object.
+// Input and output of the builders of flow volumes. Plain C++17, no VTK object.
 #ifndef nephoscope_SmokeMesh_h
 #define nephoscope_SmokeMesh_h
 
@@ -84,7 +84,7 @@ struct FlowVolumeSettings
   std::size_t MaximumNumberOfTetrahedra = 1000000;
 };
 
-// Told the share that is done; false asks to stop.
+// Called with the completed fraction; returns false to stop.
 using ProgressFunction = std::function<bool(double)>;
 }
 

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Smoke that is on its way: points that move with the flow, and tetrahedra between them that keep their mass. Plain C++17.
+// Moving smoke: points that move with the flow, and tetrahedra between them that keep their mass. Plain C++17.
 #ifndef nephoscope_StreakMesh_h
 #define nephoscope_StreakMesh_h
 

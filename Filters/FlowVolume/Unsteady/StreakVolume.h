@@ -8,8 +8,8 @@
 // each of three tetrahedra, whose mass is what has flown through its triangle in the meantime; then tetrahedra with long edges
 // are bisected.
 //
-// The points are moved in steps that end at the release times and where AdvanceTo is told to stop. A volume that has been
-// told the same stops is the same to the last bit.
+// The points are moved in steps that end at the release times and where AdvanceTo is told to stop. Volumes with the same
+// stops are identical to the last bit.
 #ifndef nephoscope_StreakVolume_h
 #define nephoscope_StreakVolume_h
 
@@ -42,8 +42,8 @@ public:
   bool IsAt(double time) const { return std::abs(time - this->Now) <= this->Rounding(); }
   bool IsAfter(double time) const { return this->Now > time + this->Rounding(); }
 
-  // Moves the smoke to `time`, which has not passed. False if `progress`, told a time, wants to stop; then
-  // the volume is of no use any more.
+  // Moves the smoke to `time`, which has not passed. False if `progress`, called with a time, requests a stop; the
+  // volume is then unusable.
   bool AdvanceTo(const VelocityField& field, double time, const ProgressFunction& progress);
 
   // As AdvanceTo, to the last time of release that is not after `time`.

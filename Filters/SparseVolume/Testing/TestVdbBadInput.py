@@ -113,7 +113,7 @@ class BadData(VdbTestCase):
 
     def refused_again(self):
         os.remove(self.path)
-        self.refused(vf.particles([[np.nan, 0, 0]]), "no particles at finite places")
+        self.refused(vf.particles([[np.nan, 0, 0]]), "no particles with a finite position")
         for spacing in (1e-9, 0):
             self.refused(vf.image({"s": np.ones(8)}, (2, 2, 2), spacing=(spacing,) * 3), "OpenVDB rejects these voxels", "Scale the data")
         self.refused(vf.particles([[1e12, 0, 0], [0, 0, 0]]), "VoxelSize", setup=lambda w: w.SetVoxelSize(1e-3))

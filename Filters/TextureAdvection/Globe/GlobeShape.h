@@ -22,7 +22,7 @@ enum class GridKind
   Cartesian
 };
 
-// What the winds of a grid are made from.
+// The sources of a grid's winds.
 struct GlobeInput
 {
   vtkDataSet* Data = nullptr;

@@ -192,7 +192,7 @@ void GlobeShape::FillClosingColumn(GlobeWinds& winds) const
   }
 }
 
-// A pole is one place. Where the data have no row there, it has the mean of the last row.
+// A pole is a single point. Where the data have no row there, it has the mean of the last row.
 void GlobeShape::FillPoleRows(GlobeWinds& winds) const
 {
   if (!this->Columns_.IsClosed())

@@ -36,7 +36,7 @@ struct GlobeWinds
   std::vector<float> Heights; // of each point, where the vertical coordinate is another one
 };
 
-// A parcel of air on its way.
+// A moving parcel of air.
 struct GlobeParcel
 {
   double Direction[3]; // from the centre, unit length

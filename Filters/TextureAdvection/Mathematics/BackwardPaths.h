@@ -12,7 +12,7 @@
 
 namespace nephoscope
 {
-// A time among those of a series. Before the first and after the last, both neighbours are that one.
+// The position of a time within a series. Before the first and after the last, both neighbours are that one.
 struct SeriesInterval
 {
   int Earlier = 0;

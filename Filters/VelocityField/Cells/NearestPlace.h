@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The place on a triangle or a quadrilateral that is nearest to the origin. Plain C++17.
+// The point on a triangle or a quadrilateral nearest to the origin. Plain C++17.
 #ifndef nephoscope_NearestPlace_h
 #define nephoscope_NearestPlace_h
 

@@ -131,7 +131,7 @@ private:
       std::sqrt(error[0] * error[0] + error[1] * error[1] + error[2] * error[2]);
   }
 
-  // Keeps the particles that are on their way, gives the others back.
+  // Keeps the moving particles and returns the others.
   template <typename Judge>
   void Sort(const Particles& particles, const Judge& judge)
   {

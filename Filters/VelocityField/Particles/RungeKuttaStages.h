@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The particles that are still on their way, side by side, with the slopes at the stages of a Runge-Kutta step.
+// The particles that are still moving, side by side, with the slopes at the stages of a Runge-Kutta step.
 // Plain C++17.
 #ifndef nephoscope_RungeKuttaStages_h
 #define nephoscope_RungeKuttaStages_h

@@ -65,7 +65,7 @@ void DistributedField::SampleLocally(
   }
 }
 
-// What a rank offers for a position: its number for a cell of its own; more than any rank's number for a ghost cell.
+// The bid of a rank for a position: its number for a cell of its own; more than any rank's number for a ghost cell.
 int DistributedField::Bid(const SampleBatch& batch, std::size_t i) const
 {
   const int ranks = this->Controller->GetNumberOfProcesses();

@@ -28,8 +28,8 @@ public:
   DistributedField(std::unique_ptr<DataSetField> local, vtkMultiProcessController* controller);
   ~DistributedField() override;
 
-  // Together on all ranks, with the same positions. Hints are of this rank: of no cell where another one has
-  // answered.
+  // Together on all ranks, with the same positions. Hints refer to cells of this rank; if another rank has answered,
+  // the hint names no cell.
   void Sample(const SampleBatch& batch) const override;
 
   // Together on all ranks; every rank with positions of its own. Arrays that some ranks are without are NaN there, or 0. Hints

@@ -11,8 +11,8 @@ namespace nephoscope
 /**
  * Call it for a new display. Where that comes into a view whose camera suits data shown there, but would see nothing of the new ones, or them as a
  * dot, the camera is reset to the new data when the view is next updated, unless it has been moved by then. Data that are shown alone must fill
- * more of the picture than a dot does. A globe that is shown alone is looked at from above middle latitudes, a region of it from above itself, in place
- * of from above the pole, as long as the camera looks as all do at first.
+ * more of the picture than a dot does. As long as the camera has its initial direction, a globe that is shown alone is seen from above middle latitudes
+ * instead of the pole, and a region of it from straight above.
  */
 void resetCameraWhereShown(vtkSMProxy* display);
 }

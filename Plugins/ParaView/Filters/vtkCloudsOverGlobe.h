@@ -5,8 +5,8 @@
  * @brief the forecast that comes with Nephoscope, on a globe: an example to start from
  *
  * Port 0: the forecast as vtkGlobeGrid places it, vtkStructuredGrid. Port 1: the Earth, vtkPolyData with the colours of Blue Marble as
- * the point array Earth (unsigned char, RGB), not active. The files are looked for in Folder, else in share/nephoscope beside the library and above it,
- * else in the folder that the environment variable NEPHOSCOPE_DATA names. On several processes each has its piece of the forecast; the Earth is in the
+ * the point array Earth (unsigned char, RGB), not active. The files are searched in Folder, otherwise in share/nephoscope beside the library and above
+ * it, otherwise in the folder that the environment variable NEPHOSCOPE_DATA names. On several processes each has its piece of the forecast; the Earth is in the
  * first one.
  */
 #ifndef vtkCloudsOverGlobe_h
@@ -37,7 +37,7 @@ public:
   ///@}
 
   ///@{
-  /** Where the files are. Empty (default): found by itself. */
+  /** Where the files are. Empty (default): found automatically. */
   vtkSetMacro(Folder, std::string);
   vtkGetMacro(Folder, std::string);
   ///@}

@@ -4,9 +4,9 @@
  * @class vtkSMFirstLook
  * @brief how data of the plugin's sources and filters look when they are first shown
  *
- * ParaView gives structured data a solid colour at first, whatever representation the hints of their source ask for; knows presets of colours
- * by the name of an array, but none of opacities; and resets the camera only for the first data in a view. Load, which the plugin calls once,
- * listens for what is registered:
+ * ParaView gives structured data a solid colour at first, whatever representation the hints of their source request; supports presets of
+ * colours by array name, but not of opacities; and resets the camera only for the first data in a view. Load, which the plugin calls once,
+ * listens for registered proxies:
  * - displays of sources with the hint NephoscopeFirstLook get the colours that it asks for with `color`: "clouds", the first array whose preset
  *   is one of clouds, else the active scalars; "solid", none; "surface", none if the array is the contoured one; else the cell array of that name;
  * - displays without an array get the active scalars when their representation becomes Cell Compositing or Textured Splats, as Volume does;
@@ -16,7 +16,7 @@
  * - numbers outside the range of a property of this project are kept in it, with a warning.
  * - in every render view the polygon of Flow Volume is drawn in place of the widget's cylinder.
  * Displays that are made by an Apply that fails get these looks when their source first has data.
- * Nothing is changed while a state is loaded, nor what a user has set or saved.
+ * Nothing changes while a state is loaded, and settings that the user has made or saved are kept.
  */
 #ifndef vtkSMFirstLook_h
 #define vtkSMFirstLook_h

@@ -141,6 +141,11 @@ def check_smoke():
     size = max(np.ptp(rows), np.ptp(columns)) / SIZE[0]
     check(size > 0.2, f"smoke is {size:.2f} of the picture long")
     check_display(apply(pvs.SmokePuffs(Input=smoke), view, smoke), "Smoke Puffs", "Cell Compositing", "")
+    light = pvs.Sunlight(Input=smoke, SunDirection=view.CameraPosition)
+    check_display(apply(light, view, smoke), "Sunlight", "Cell Compositing", "Sunlight")
+    check(shown(view, "lit-smoke") > 0, "there is no lit smoke")
+    low, high = light.PointData["SunTransmittance"].GetRange()
+    check(low < 0.5 and high > 0.95, f"{low:.2f} to {high:.2f} of the sun comes through smoke")
     pvs.Delete(view)
 
 
@@ -183,9 +188,12 @@ def check_light():
     check(display.LookupTable.RGBPoints[-4] == 0.6, f"the colours of light go to {display.LookupTable.RGBPoints[-4]}")
     view.CameraPosition, view.CameraFocalPoint, view.CameraViewUp, view.CameraParallelProjection = [0, -40, 0], [0, 0, 0], [0, 0, 1], 1
     display.LookupTable.RGBPoints = [0, 0, 0, 0, 1, 0, 0, 0]  # black: blue is what comes through
-    through = image(view)[SIZE[1] // 2, SIZE[0] // 2, 2] / 255
     expected = math.exp(-12 * light.PointData["ScaledExtinction"].GetRange()[1])
-    check(abs(through - expected) < 0.02, f"{through:.3f} of the light comes through the cloud, for {expected:.3f}")
+    for representation in ("Cell Compositing", "Textured Splats"):
+        display.Representation = representation
+        check_display(display, "Sunlight", representation, "Sunlight")
+        through = image(view)[SIZE[1] // 2, SIZE[0] // 2, 2] / 255
+        check(abs(through - expected) < 0.02, f"{representation}: {through:.3f} of the light comes through the cloud, for {expected:.3f}")
     pvs.Delete(view)
 
 

@@ -6,7 +6,8 @@ import subprocess
 import sys
 import tempfile
 
-from paraview.simple import Delete, UpdatePipeline
+from paraview import servermanager
+from paraview.simple import Delete, OpenDataFile, Show, UpdatePipeline
 from vtkmodules.vtkCommonCore import vtkOutputWindow, vtkStringOutputWindow
 
 PYTHON = os.environ["NEPHOSCOPE_PYTHON"]
@@ -26,10 +27,23 @@ def told(reader, path, folder, window):
         part.write(whole.read()[:-100])
     reader.FileName = broken
     reader.UpdatePipelineInformation()
-    assert "17 whole fields" in window.GetOutput(), window.GetOutput()
+    assert "17 complete fields" in window.GetOutput(), window.GetOutput()
     os.environ["NEPHOSCOPE_PYTHON"] = "/nowhere/python3"
     globals()["WeatherDataReader"](FileName=path)
     assert "/nowhere/python3" in window.GetOutput() and "pip install" in window.GetOutput(), window.GetOutput()
+
+
+def known_to_the_dialog(path):
+    """What File > Open asks: which readers there are for a name. A GRIB file has this one alone; it is drawn as a surface, since an outline of a globe is a line."""
+    factory = servermanager.vtkSMProxyManager.GetProxyManager().GetReaderFactory()
+    session = servermanager.ActiveConnection.Session
+    for name in ("a.grib2", "a.grb", "a.nc", "a.zarr", ".zmetadata", "wrfout_d01_2020-01-01_00_00_00"):
+        readers = factory.GetPossibleReaders(os.path.join(os.path.dirname(path), name), session)
+        assert "WeatherDataReader" in [readers.GetString(i) for i in range(readers.GetNumberOfStrings())], name
+    reader = OpenDataFile(path)
+    assert reader.GetXMLName() == "WeatherDataReader", reader
+    assert Show(reader).Representation == "Surface", Show(reader).Representation
+    Delete(reader)
 
 
 def main():
@@ -42,6 +56,7 @@ def main():
     with tempfile.TemporaryDirectory() as folder:
         path = os.path.join(folder, "forecast.grib2")
         subprocess.run([PYTHON, "-c", WRITE, path], check=True)
+        known_to_the_dialog(path)
         reader = globals()["WeatherDataReader"](FileName=path)
         assert list(reader.TimestepValues) == [0, 24, 48], reader.TimestepValues
         UpdatePipeline(time=24.0, proxy=reader)
