@@ -7,6 +7,7 @@ import numpy as np
 NODES, WEIGHTS = (0.5 * (v + o) for v, o in zip(np.polynomial.legendre.leggauss(16), (1.0, 0.0)))
 DEEPEST = 45.0  # exp(-45) = 3e-20: nothing behind it is seen
 CHUNK = 20000
+ASIDE = 1e-10 * np.array([0.6180339887, 0.7320508076, 0.2360679775])  # of the cell's size, in no plane of a lattice
 
 
 def render(cells, view, transfer, opaque=None, integration="exact", split=True, begin=None):
@@ -78,7 +79,9 @@ def _clipped(cells, view, origins, directions, start, end):
         base = cells.corners[i][0]
         planes = cells.planes[i].copy()
         planes[:, 3] -= planes[:, :3] @ base
-        t_in, t_out = clip(planes, origins[p] - base, directions[p], start[p], end[p])
+        # And aside, so that a ray in the plane of a face is in one of its two cells.
+        aside = ASIDE * np.ptp(cells.corners[i], axis=0).max()
+        t_in, t_out = clip(planes, origins[p] - base + aside, directions[p], start[p], end[p])
         hit = t_out > t_in
         if hit.any():
             yield i, p[hit], t_in[hit], t_out[hit]
