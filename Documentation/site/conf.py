@@ -46,6 +46,7 @@ html_theme = "furo"
 html_title = f"Nephoscope {release}"
 html_static_path = ["static"]
 html_css_files = ["site.css"]
+html_search_scorer = "static/scorer.js"
 html_copy_source = False
 html_show_sphinx = False
 copybutton_prompt_text = ""

@@ -38,7 +38,7 @@ class Wheel(unittest.TestCase):
         self.assertEqual(metadata["License-Expression"], "BSD-3-Clause AND MPL-2.0 AND Apache-2.0 AND BSD-2-Clause AND MIT")
         self.assertIn(f"vtk=={_modules.VTK_VERSION}", metadata.get_all("Requires-Dist"))
         self.assertIn("Typing :: Typed", metadata.get_all("Classifier"))
-        self.assertIn("pip install nephoscope", metadata.get_payload())
+        self.assertIn("pip install 'nephoscope[pyvista]'", metadata.get_payload())
         files = {str(file) for file in importlib.metadata.files("nephoscope")}
         licence = next(file for file in files if file.endswith(".dist-info/licenses/LICENSE"))
         licences = {Path(file).name for file in files if "/licenses/" in file}

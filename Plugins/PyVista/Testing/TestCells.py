@@ -215,6 +215,8 @@ class Refused(Cells):
         self.fails(TypeError, "'words' is of type", words, "words")
         bare = pyvista.ImageData(dimensions=(2, 2, 2))
         self.fails(MissingDataError, "no point or cell array with one component", bare, None)
+        bare.cell_data["vtkOriginalCellIds"] = [0]
+        self.fails(MissingDataError, "'vtkOriginalCellIds'. Arrays of ids are not chosen", bare, None)
 
     def test_numbers_and_choices(self):
         for bad in (0, -1, np.nan, np.inf):

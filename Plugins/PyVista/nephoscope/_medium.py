@@ -133,7 +133,8 @@ def default_scalars(grid: pyvista.DataSet, by_name: bool = False) -> tuple[str, 
     vectors = next((name for _, name, values in arrays if values.ndim == 2 and _are_numbers(values) and not is_helper(name)), None)
     scalars = [(kind, name) for kind, name, values in arrays if _is_scalar(values) and not (vectors and is_helper(name))]
     if not scalars:
-        raise MissingDataError(f"there is no point or cell array with one component.{_magnitude(vectors, by_name)} {arrays_of(grid)}")
+        ids = "" if arrays or not grid.array_names else " Arrays of ids are not chosen; pass scalars= with the name to draw them."
+        raise MissingDataError(f"there is no point or cell array with one component.{_magnitude(vectors, by_name)} {arrays_of(grid)}{ids}")
     return next((array for array in scalars if not is_helper(array[1])), scalars[0])
 
 
