@@ -48,6 +48,37 @@ def picture(mesh=None, add=nephoscope.add_cells, **options):
     return image
 
 
+class SunOfScene(unittest.TestCase):
+    """What else is in the view is lit by the same sun, unless there are scene lights."""
+
+    def lights(self, add, sun, own=()):
+        plotter = pyvista.Plotter()
+        for light in own:
+            plotter.add_light(light)
+        add(plotter, lumps(), sun=sun, show_scalar_bar=False)
+        lights = list(plotter.renderer.lights)
+        plotter.close()
+        return lights
+
+    def test_one_light_from_the_sun(self):
+        for add in (nephoscope.add_cells, nephoscope.add_splats):
+            (light,) = self.lights(add, (3, 0, 4))
+            self.assertTrue(light.is_scene_light)
+            np.testing.assert_allclose(np.subtract(light.position, light.focal_point), (0.6, 0, 0.8), atol=1e-9)
+
+    def test_scene_lights_stay(self):
+        lights = self.lights(nephoscope.add_cells, (3, 0, 4), [pyvista.Light(position=(0, 1, 0), light_type="scene light")])
+        self.assertNotIn((0.6, 0, 0.8), [tuple(np.round(light.position, 6)) for light in lights])
+
+    def test_no_sun_no_change(self):
+        plotter = pyvista.Plotter()
+        before = len(plotter.renderer.lights)
+        nephoscope.add_cells(plotter, lumps())
+        self.assertEqual(len(plotter.renderer.lights), before)
+        self.assertFalse(any(light.is_scene_light for light in plotter.renderer.lights))
+        plotter.close()
+
+
 class Exposure(unittest.TestCase):
     def test_shading_without_white(self):
         image = picture()

@@ -14,7 +14,7 @@ from ._checks import choose, renamed_argument
 from ._medium import Functions, MediumMapper, add_medium, require_dataset, require_plotter, scalar_array
 from ._options import group, refuse_unknown
 from ._surfaces import CONTOUR_NAMES, POLYGON_NAMES, Contours, Layers, Polygons
-from .light import brightest, lit_medium
+from .light import add_sun, brightest, lit_medium, recorded_sun
 from .transfer import OpacityLike
 
 
@@ -142,7 +142,7 @@ def add_cells(plotter: pyvista.BasePlotter, grid: Any, scalars: str | np.ndarray
         arguments of `sunlight` and `cloud_optics`: ``{'time': "2011-10-11 18:30", 'liquid': 'QC', 'units': 'g/kg'}``. True: uses the light in `grid`, or computes it with
         `sunlight` if there is none. Without an extinction, `cloud_optics` computes it from the water of `grid`. The light then determines `scalars`, opacities and the unit
         distance; `cmap`, `clim` and `opacity_scale` may
-        be given.
+        be given. A light from the sun takes the place of the lights of the renderer, unless it has scene lights, so that the ground is lit as well.
     exposure : float, optional
         With `sun`: multiplies the light, > 0. With 1, a light of 0.6 is white. Default: white is a tenth above the light that 2 % of the
         points in clouds exceed, between 0.15 and 1.2. Set it to compare pictures, and for films in which the sun moves.
@@ -180,6 +180,7 @@ def add_cells(plotter: pyvista.BasePlotter, grid: Any, scalars: str | np.ndarray
     brightest(None, exposure, tone_mapping)  # rejects wrong values, also without sun
     if sun is not None:
         light = lit_medium(_solid_grid(grid, {}), sun, cmap, clim, n_colors, exposure, tone_mapping)
+        add_sun(plotter, recorded_sun(light["mesh"]))
         grid, scalars, opacity_scalars, opacity, opacity_clim, opacity_unit_distance, cmap, clim = light.values()
     grid, array_name, association = scalar_array(
         _solid_grid(grid, {"scalars": scalars, "opacity_scalars": opacity_scalars, "contours['scalars']": surfaces.scalars,

@@ -21,7 +21,7 @@ from ._exports import warn_when_exported
 from ._fields import is_bright, presets
 from ._medium import default_scalars, require_plotter, wrapped
 from ._pipeline import warn_when_drawing
-from .light import brightest, lit_colours, lit_surface
+from .light import add_sun, brightest, lit_colours, lit_surface
 
 AMBIENT = 0.4  # of the light on a surface that faces the sun, on one that does not, as clouds scatter light all around
 
@@ -264,9 +264,7 @@ def _light(plotter: pyvista.BasePlotter, surface: pyvista.PolyData, scalars: Any
     own = {"cmap": lit_colours(256, tone_mapping, tint), "clim": (0.0, brightest(surface, exposure, tone_mapping)), "show_scalar_bar": False,
            "ambient": AMBIENT, "diffuse": 1 - AMBIENT}
     options.update({name: value for name, value in own.items() if name not in options})
-    if not any(light.is_scene_light for light in plotter.renderer.lights):
-        plotter.remove_all_lights()
-        plotter.add_light(pyvista.Light(position=direction, focal_point=(0, 0, 0), light_type="scene light"))
+    add_sun(plotter, direction)
     return surface, "Sunlight"
 
 

@@ -216,13 +216,25 @@ def direction_of(sun: Any, fields: Any) -> np.ndarray:
         return lit(place, sun, needs_cells=False, extinction="NoExtinction", multiple_scattering=False).field_data["SunDirection"][0]
 
 
+def recorded_sun(mesh: pyvista.DataSet) -> np.ndarray | None:
+    """The direction towards the sun that `sunlight` has recorded."""
+    return mesh.field_data["SunDirection"][0] if "SunDirection" in mesh.field_data else None
+
+
+def add_sun(plotter: pyvista.BasePlotter, direction: Sequence[float] | None) -> None:
+    """A light from the sun takes the place of the lights of the renderer, unless it has scene lights. None: the sun is unknown."""
+    if direction is not None and not any(light.is_scene_light for light in plotter.renderer.lights):
+        plotter.remove_all_lights()
+        plotter.add_light(pyvista.Light(position=direction, focal_point=(0, 0, 0), light_type="scene light"))
+
+
 def lit_surface(surface: pyvista.PolyData, sun: Any) -> tuple[pyvista.PolyData, np.ndarray]:
     """`surface` with an array ``Sunlight``, and the direction towards the sun.
 
     The array is that of the lit data which the surface was made of, if the sun is there; otherwise sunlight that meets no clouds, or those of
     ``sun={'clouds': ...}``, and the night of a globe.
     """
-    carried = surface.field_data["SunDirection"][0] if "Sunlight" in surface.point_data and "SunDirection" in surface.field_data else None
+    carried = recorded_sun(surface) if "Sunlight" in surface.point_data else None
     if carried is not None and sun is True:
         return surface, carried
     clear = surface.copy(deep=False)

@@ -17,7 +17,7 @@ from ._medium import Functions, MediumMapper, add_medium, require_dataset, requi
 from ._options import group, refuse_unknown
 from ._vectors import OLD_NAMES as VECTOR_NAMES
 from ._vectors import Vectors, is_drawn
-from .light import brightest, lit_medium
+from .light import add_sun, brightest, lit_medium, recorded_sun
 from .transfer import OpacityLike
 
 KERNEL_RADII = {"cubic": 1.556228, "quadratic": 1.37790, "gaussian": 1.916}  # cells; SplatKernel.h
@@ -198,6 +198,7 @@ def add_splats(plotter: pyvista.BasePlotter, mesh: Any, scalars: str | np.ndarra
         if color is not None:
             raise ValueError("color and sun are both given, but sun determines the colours. Pass cmap for other colours.")
         light = lit_medium(_sampled_mesh(mesh, {}), sun, cmap, clim, n_colors, exposure, tone_mapping)
+        add_sun(plotter, recorded_sun(light["mesh"]))
         mesh, scalars, opacity_scalars, opacity, opacity_clim, opacity_unit_distance, cmap, clim = light.values()
         preference = "point"
     mesh = _sampled_mesh(mesh, {**({"scalars": scalars} if color is None or scalars is not None else {}), "opacity_scalars": opacity_scalars,
