@@ -17,14 +17,14 @@ import vtk_globe
 LEAST_FRACTION = 0.08  # cloud with less would be a few dense points
 
 
-def forecast():
+def forecast(names=("cloud_fraction", "clwmr", "t", "gh")):
     """Longitudes, latitudes, levels (Pa) and the fields as arrays (level, latitude, longitude)."""
     reader = vtk_globe.read_fields(vtk_globe.ANALYSIS)
     reader.Update()
     grid = reader.GetOutput()
     axes = [vtk_to_numpy(a).astype(float) for a in (grid.GetXCoordinates(), grid.GetYCoordinates(), grid.GetZCoordinates())]
     shape = [len(axis) for axis in reversed(axes)]
-    fields = {name: vtk_to_numpy(grid.GetPointData().GetArray(name)).reshape(shape).astype(float) for name in ("cloud_fraction", "clwmr", "t", "gh")}
+    fields = {name: vtk_to_numpy(grid.GetPointData().GetArray(name)).reshape(shape).astype(float) for name in names}
     return axes, fields
 
 
@@ -42,13 +42,13 @@ def weights(coarse, fine, period=None):
     return matrix
 
 
-def fractal_noise(shape, seed, slope=3.0, thickness=3.0):
-    """Noise of power k^-slope in the plane, smooth over `thickness` levels; uniform from 0 to 1 at every level."""
+def fractal_noise(shape, seed, slope=3.0, thickness=3.0, longest=None):
+    """Noise of power k^-slope in the plane, up to the wavelength `longest` (points), smooth over `thickness` levels; uniform from 0 to 1 at every level."""
     generator = numpy.random.default_rng(seed)
     spectrum = numpy.fft.rfft2(generator.standard_normal(shape))
     wave = numpy.hypot(*numpy.meshgrid(numpy.fft.fftfreq(shape[1]), numpy.fft.rfftfreq(shape[2]), indexing="ij"))
     wave[0, 0] = 1
-    noise = numpy.fft.irfft2(spectrum * wave ** (-slope / 2) * (wave > 1.0 / max(shape[1:])), shape[1:])
+    noise = numpy.fft.irfft2(spectrum * wave ** (-slope / 2) * (wave > 1.0 / (longest or max(shape[1:]))), shape[1:])
     levels = numpy.arange(shape[0])
     blur = numpy.exp(-0.5 * ((levels[:, None] - levels) / thickness) ** 2)
     noise = numpy.tensordot(blur / numpy.sqrt((blur**2).sum(axis=1, keepdims=True)), noise, 1)
@@ -56,10 +56,10 @@ def fractal_noise(shape, seed, slope=3.0, thickness=3.0):
     return ((order + 0.5) / order.shape[1]).reshape(shape)
 
 
-def broken(water, fraction, noise):
-    """The water of the fine points: none in the share 1 - fraction of them, the same mean."""
+def broken(water, fraction, noise, power=2):
+    """The water of the fine points: none in the share 1 - fraction of them, the same mean. The greater the power, the more of it is in few points."""
     share = numpy.clip(fraction, LEAST_FRACTION, 1)
-    return 3 * water * numpy.maximum(noise - 1 + share, 0) ** 2 / share**3
+    return (power + 1) * water * numpy.maximum(noise - 1 + share, 0) ** power / share ** (power + 1)
 
 
 def fine_grid(longitudes, latitudes, step, seed=1, levels=slice(None), slope=3.0, closed=False):
@@ -71,11 +71,16 @@ def fine_grid(longitudes, latitudes, step, seed=1, levels=slice(None), slope=3.0
     fine = {name: numpy.einsum("yj,kji,xi->kyx", up, field[levels], along, optimize=True) for name, field in fields.items()}
     noise = fractal_noise(fine["t"].shape, seed, slope)
     fine["clwmr"] = broken(numpy.maximum(fine["clwmr"], 0), numpy.clip(fine.pop("cloud_fraction"), 0, 1), noise)
+    return grid_of(x, y, level[levels], fine)
+
+
+def grid_of(x, y, level, fields):
+    """Fields (level, latitude, longitude) as a vtkRectilinearGrid."""
     grid = vtkRectilinearGrid()
-    grid.SetDimensions(len(x), len(y), len(level[levels]))
-    for set_axis, axis in ((grid.SetXCoordinates, x), (grid.SetYCoordinates, y), (grid.SetZCoordinates, level[levels])):
+    grid.SetDimensions(len(x), len(y), len(level))
+    for set_axis, axis in ((grid.SetXCoordinates, x), (grid.SetYCoordinates, y), (grid.SetZCoordinates, level)):
         set_axis(numpy_to_vtk(axis, deep=1))
-    for name, field in fine.items():
+    for name, field in fields.items():
         array = numpy_to_vtk(field.astype(numpy.float32).ravel(), deep=1)
         array.SetName(name)
         grid.GetPointData().AddArray(array)

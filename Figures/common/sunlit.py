@@ -15,6 +15,7 @@ import air
 import globe_scene
 
 SKY_LIGHT = 0.08
+SKY_COLOUR = (0.6, 0.9, 1.5)
 
 
 def lit_clouds(fields, exaggeration, sun, eye, projection="globe", ground_albedo=0.1, scale=1.0):
@@ -75,6 +76,31 @@ def ground_colours(places):
     return (1 - b) * rows[0] + b * rows[1]
 
 
+def add_colours(clouds, scattering):
+    """Names of three new arrays: the light of each point in red, green and blue. The light of the sky is blue; all above it is sunlight, reddened and dimmed on its way to the point."""
+    light = vtk_to_numpy(clouds.GetPointData().GetArray("Sunlight"))[:, None]
+    sunlight = scattering.sunlight(vtk_to_numpy(clouds.GetPoints().GetData()).astype(float))
+    of_sky = numpy.minimum(light, SKY_LIGHT)
+    names = ["SunlightRed", "SunlightGreen", "SunlightBlue"]
+    for name, part in zip(names, ((light - of_sky) * sunlight + of_sky * SKY_COLOUR).T):
+        array = numpy_to_vtk(numpy.ascontiguousarray(part, numpy.float32), deep=1)
+        array.SetName(name)
+        clouds.GetPointData().AddArray(array)
+    return names
+
+
+def glint(places, direction, sun, wind):
+    """The sun in water whose waves slope as Cox and Munk (1954) measured at a wind in m/s; Fresnel's reflection after Schlick (1994)."""
+    up = numpy.nan_to_num(places / numpy.linalg.norm(places, axis=-1, keepdims=True), nan=1.0)
+    half = sun - direction
+    half = half / numpy.linalg.norm(half, axis=-1, keepdims=True)
+    tilt, incidence = numpy.clip((half * up).sum(-1), 0.05, 1), numpy.clip((half * sun).sum(-1), 0, 1)
+    variance = 0.003 + 0.00512 * wind
+    slopes = numpy.exp(-(1 / tilt**2 - 1) / variance) / variance
+    reflected = 0.02 + 0.98 * (1 - incidence) ** 5
+    return reflected * slopes / (4 * numpy.clip(-(direction * up).sum(-1), 0.15, 1) * tilt**4) * ((up @ sun) > 0)
+
+
 class View:
     """A camera and the pixels of a picture, `samples` x `samples` rays in each."""
 
@@ -86,28 +112,33 @@ class View:
         height, width = light.shape[0] // self.samples, light.shape[1] // self.samples
         return light.reshape(height, self.samples, width, self.samples, -1).mean(axis=(1, 3))
 
-    def globe(self, clouds, exaggeration, flat=None):
-        """Light of clouds, ground and air, (height, width, 3); with `flat`, clouds that all send this light, over a ground without shadows."""
-        light, hidden = light_image.light_of_clouds(clouds, self.camera, self.size)
+    def globe(self, clouds, exaggeration, flat=None, wind=None, colours=False):
+        """Light of clouds, ground and air, (height, width, 3).
+
+        `flat`: clouds that all send this light, over a ground without shadows. `wind` (m/s): water reflects the sun. `colours`: each point of the clouds has
+        the colour of the sun at its height, and light of the sky is blue; otherwise all light has the colour of the sun at 6 km.
+        """
         radius, sun = light_image.planet_radius(clouds), light_image.sun_of(clouds)
         scattering = air.Air(radius, exaggeration, sun)
-        if flat is not None:
-            return self.average(flat * hidden[..., None] + (1 - hidden[..., None]) * self.bare_ground(clouds))
+        light, hidden = light_image.light_of_clouds(clouds, self.camera, self.size, add_colours(clouds, scattering) if colours and flat is None else ("Sunlight",))
+        hidden = hidden[..., None]
         places = light_image.meet_ground(clouds, self.origin, self.direction)
+        if flat is not None:
+            return self.average(flat * hidden + (1 - hidden) * numpy.where(numpy.isfinite(places[..., :1]), 0.8 * ground_colours(places), 0))
+        if not colours:
+            light = light * self.tint(scattering, self.cloud_places(radius + 6000 * exaggeration))
         on_ground = numpy.isfinite(places[..., :1])
         cosine = light_image.zenith_cosine(clouds, places)
         arriving = light_image.at_ground(clouds, places, "Irradiance", light_image.clear_irradiance(cosine, SKY_LIGHT))
-        ground = numpy.where(on_ground, ground_colours(places) * (arriving[..., None] * self.tint(scattering, places)), 0)
+        albedo = ground_colours(places)
+        ground = numpy.where(on_ground, albedo * (arriving[..., None] * self.tint(scattering, places)), 0)
+        if wind is not None:
+            direct = light_image.at_ground(clouds, places, "SunTransmittance", numpy.where(cosine > 0, 1.0, 0.0))[..., None] * scattering.sunlight(numpy.nan_to_num(places, nan=1.0))
+            ground = ground + numpy.where(on_ground & (albedo[..., 2:] > 1.3 * albedo[..., :1]), glint(places, self.direction, sun, wind)[..., None] * direct, 0)
         stop = numpy.linalg.norm(places - self.origin, axis=-1)
         glow, passing = (self.finer(x) for x in scattering.before(*(x[::self.samples, ::self.samples] for x in (self.origin, self.direction, stop))))
-        hidden = hidden[..., None]
-        high = self.tint(scattering, self.cloud_places(radius + 6000 * exaggeration))
-        clouds_seen = light * high * (0.5 + 0.5 * passing)  # half of the air is below them
+        clouds_seen = light * (0.5 + 0.5 * passing)  # half of the air is below them
         return self.average(clouds_seen + (1 - hidden) * ground * passing + glow * (1 - 0.5 * hidden))
-
-    def bare_ground(self, clouds):
-        places = light_image.meet_ground(clouds, self.origin, self.direction)
-        return numpy.where(numpy.isfinite(places[..., :1]), 0.8 * ground_colours(places), 0)
 
     def cloud_places(self, radius):
         """Where the rays come nearest to a sphere, or meet it."""
@@ -125,13 +156,22 @@ class View:
         return values.repeat(self.samples, axis=0).repeat(self.samples, axis=1)
 
 
+def shown(light, exposure, tone_mapping):
+    """Display values, 0 to 255, of light (height, width, 3)."""
+    return numpy.rint(255 * tone.toned(light, exposure, tone_mapping)).astype(numpy.uint8)
+
+
 def write(light, path, exposure, tone_mapping="filmic", announce=True):
     """Light (height, width, 3), from the top, as a PNG."""
-    height, width, _ = light.shape
-    shown = numpy.rint(255 * tone.toned(light, exposure, tone_mapping)).astype(numpy.uint8)
+    save(shown(light, exposure, tone_mapping), path, announce)
+
+
+def save(pixels, path, announce=True):
+    """Display values (height, width, 3), from the top, as a PNG."""
+    height, width, _ = pixels.shape
     image = vtkImageData()
     image.SetDimensions(width, height, 1)
-    image.GetPointData().SetScalars(numpy_to_vtk(numpy.ascontiguousarray(shown[::-1]).reshape(-1, 3), deep=1))
+    image.GetPointData().SetScalars(numpy_to_vtk(numpy.ascontiguousarray(pixels[::-1]).reshape(-1, 3), deep=1))
     writer = vtkPNGWriter()
     writer.SetInputData(image)
     writer.SetFileName(path)
