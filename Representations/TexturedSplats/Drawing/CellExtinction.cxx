@@ -119,6 +119,10 @@ public:
     std::vector<double> sum(this->Own.size(), 0.0), weight(this->Own.size(), 0.0);
     std::vector<Gift> gifts;
     const vtkIdType count = this->Data->GetNumberOfCells();
+    if (count > 0)
+    {
+      this->Data->GetCellType(0); // so that calls from threads find it prepared
+    }
     for (vtkIdType first = 0; first < count; first += chunk)
     {
       this->Give(first, std::min(count, first + chunk), gifts);
