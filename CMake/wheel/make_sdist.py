@@ -14,13 +14,19 @@ import tarfile
 from pathlib import Path
 
 TOP = Path(__file__).resolve().parents[2]
-LEFT_OUT = re.compile(r"(^|/)(Testing|Figures|Gallery)/|^(Data(?!/(gfs_2p5deg_2011101100[.]nc|blue_marble_2048[.]jpg)$)|Documentation|[.].*)/|^nephoscope$|^[.]")
+LEFT_OUT = re.compile(r"(^|/)(Testing|Figures|Gallery)/|^(Data|Documentation|[.].*)/|^nephoscope$|^[.]")
 TIME = 315532800  # 1980, as in the wheel: the same content makes the same file
 
 
 def project():
     """Version and description of the project."""
     return re.search(r'^project\(Nephoscope VERSION (\S+)[^)]*DESCRIPTION "([^"]+)"\)', (TOP / "CMakeLists.txt").read_text(), re.MULTILINE).groups()
+
+
+def sample_data():
+    """Names of the files that the build installs from Data."""
+    (names,) = re.findall(r"foreach [(]file IN ITEMS ([^)]*)[)]", (TOP / "CMake/NephoscopeData.cmake").read_text())
+    return {f"Data/{name}" for name in names.split()}
 
 
 def metadata(version, summary):
@@ -34,6 +40,7 @@ def main():
     parser.add_argument("--output", type=Path, default=Path("dist"), help="folder of the file (default: dist)")
     output = parser.parse_args().output.resolve()
     names = sorted(name.removeprefix("./") for name in sys.stdin.read().split("\0") if name)
+    samples = sample_data()
     version, summary = project()
     stem = f"nephoscope-{version}"
     output.mkdir(parents=True, exist_ok=True)
@@ -45,7 +52,7 @@ def main():
             archive.addfile(entry, io.BytesIO(data))
 
         for name in names:
-            if not LEFT_OUT.search(name):
+            if name in samples or not LEFT_OUT.search(name):
                 add(name, (TOP / name).read_bytes(), (TOP / name).stat().st_mode & 0o755 | 0o644)
         add("pyproject.toml", (TOP / "CMake/wheel/source/pyproject.toml").read_bytes(), 0o644)
         add("PKG-INFO", metadata(version, summary).encode(), 0o644)

@@ -116,7 +116,8 @@ double scalarOfPickedCell(vtkDataSet* data, const CellGeometry& geometry, vtkGen
 
 void vtkCellCompositingMapper::SetPickOpacity(double opacity)
 {
-  this->PickOpacity = std::min(std::max(opacity, 0.001), 0.999); // no picture changes: not Modified()
+  this->PickOpacity =
+    std::min(std::max(opacity, 0.001), 0.999); // no picture changes: not Modified()
 }
 
 bool vtkCellCompositingMapper::Pick(vtkRenderer* renderer, double x, double y)
@@ -164,8 +165,8 @@ bool vtkCellCompositingMapper::Pick(vtkRenderer* renderer, double x, double y)
   }
   this->PickedCell = nephoscope::cellOfTetrahedron(geometry, picked.Tetrahedron);
   this->PickedPoint = picked.Point;
-  this->PickedScalar = geometry.ScalarRange[0] +
-    picked.Scalar * (geometry.ScalarRange[1] - geometry.ScalarRange[0]);
+  this->PickedScalar =
+    geometry.ScalarRange[0] + picked.Scalar * (geometry.ScalarRange[1] - geometry.ScalarRange[0]);
   const Vector3 place = placeOn(from, to, picked.Parameter);
   std::copy(place.begin(), place.end(), this->PickPosition);
   return true;

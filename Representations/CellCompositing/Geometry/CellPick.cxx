@@ -231,8 +231,8 @@ std::int64_t cellOfTetrahedron(const CellGeometry& geometry, std::int64_t tetrah
   return geometry.Cells.empty() ? number : geometry.Cells[static_cast<std::size_t>(number)];
 }
 
-PickedCell pickCell(const CellGeometry& geometry, const PickMedium& medium, const PickRay& ray,
-  double opticalDepth)
+PickedCell pickCell(
+  const CellGeometry& geometry, const PickMedium& medium, const PickRay& ray, double opticalDepth)
 {
   constexpr int steps = 16; // where the scalar is a polynomial of third degree
   double left = opticalDepth;

@@ -31,7 +31,7 @@ struct PickedCell
 /** The medium as the mapper draws it. */
 struct PickMedium
 {
-  const std::vector<TransferFunctionTable>& Tables; ///< that the opacity is read from
+  const std::vector<TransferFunctionTable>& Tables;    ///< that the opacity is read from
   const std::vector<std::int32_t>& TablesOfTetrahedra; ///< empty: the first one for all
   double ExtinctionScale;                              ///< per length of the ray
   /** The normalised scalar of a cell that is not linear in its tetrahedra, at a parameter of the ray. Empty: it is. */
@@ -41,8 +41,8 @@ struct PickMedium
 /** The cell of the dataset. */
 std::int64_t cellOfTetrahedron(const CellGeometry& geometry, std::int64_t tetrahedron);
 
-PickedCell pickCell(const CellGeometry& geometry, const PickMedium& medium, const PickRay& ray,
-  double opticalDepth);
+PickedCell pickCell(
+  const CellGeometry& geometry, const PickMedium& medium, const PickRay& ray, double opticalDepth);
 
 } // namespace nephoscope
 

@@ -79,12 +79,18 @@ def _clipped(cells, view, origins, directions, start, end):
         base = cells.corners[i][0]
         planes = cells.planes[i].copy()
         planes[:, 3] -= planes[:, :3] @ base
-        # And aside, so that a ray in the plane of a face is in one of its two cells.
-        aside = ASIDE * np.ptp(cells.corners[i], axis=0).max()
-        t_in, t_out = clip(planes, origins[p] - base + aside, directions[p], start[p], end[p])
+        p = p[_belongs(cells.corners[i], planes, origins[p] - base, directions[p])]
+        t_in, t_out = clip(planes, origins[p] - base, directions[p], start[p], end[p])
         hit = t_out > t_in
         if hit.any():
             yield i, p[hit], t_in[hit], t_out[hit]
+
+
+def _belongs(corners, planes, origins, directions):
+    """Whether each ray, moved aside a little, meets the cell: a ray in the plane of a face belongs to one of the face's two cells."""
+    everywhere = np.full(len(origins), np.inf)
+    t_in, t_out = clip(planes, origins + ASIDE * np.ptp(corners, axis=0).max(), directions, -everywhere, everywhere)
+    return t_out > t_in
 
 
 def _segments(cells, view, origins, directions, start, end):
