@@ -3,9 +3,10 @@
 """Runs the snippet of the README as it stands and compares its picture with the Earth and with the weather.
 
 A place on the visible hemisphere is projected to its pixel by the plotter's camera; the sky above it is clear or overcast by the
-cloud fractions in the file. Clear places must look like Blue Marble there, and less like its mirror images;
+cloud fractions in the file. Clear places must look like Blue Marble in the light of the sun at the snippet's time, and less like its mirror images;
 overcast places must be brighter than clear ones.
 """
+import datetime
 import os
 import re
 import tempfile
@@ -19,6 +20,7 @@ import pyvista
 DATA = Path(os.environ["NEPHOSCOPE_DATA"])
 OUTPUT = Path(os.environ["NEPHOSCOPE_TEST_OUTPUT"])
 R = 6371000.0
+TIME = re.compile(r'sun="([^"]+)"')
 SNIPPET = re.compile(r"<!-- snippet: begin -->\s*```python\n(.*?)```\s*<!-- snippet: end -->", re.DOTALL)
 
 
@@ -61,6 +63,17 @@ def camera_of(plotter):
 def direction(longitude, latitude):
     longitude, latitude = np.radians(longitude), np.radians(latitude)
     return np.stack([np.cos(latitude) * np.cos(longitude), np.cos(latitude) * np.sin(longitude), np.sin(latitude)], axis=-1)
+
+
+def sun_direction(time):
+    """Towards the sun, in the Earth's frame; the low-precision formulas of the Astronomical Almanac, 0.01 degrees from 1950 to 2050."""
+    days = (time - datetime.datetime(2000, 1, 1, 12)).total_seconds() / 86400
+    anomaly = np.radians(357.528 + 0.9856003 * days)
+    ecliptic = np.radians(280.460 + 0.9856474 * days + 1.915 * np.sin(anomaly) + 0.020 * np.sin(2 * anomaly))
+    obliquity = np.radians(23.439 - 0.0000004 * days)
+    ascension = np.degrees(np.arctan2(np.cos(obliquity) * np.sin(ecliptic), np.cos(ecliptic)))
+    sidereal = 15 * (18.697374558 + 24.06570982441908 * days)
+    return direction(ascension - sidereal, np.degrees(np.arcsin(np.sin(obliquity) * np.sin(ecliptic))))
 
 
 def project(points, camera, shape):
@@ -114,19 +127,20 @@ class Snippet(unittest.TestCase):
             with self.subTest(readme=str(readme)):
                 lines = [line for line in text.splitlines() if line.strip()]
                 self.assertLessEqual(len(lines), 8)
-                self.check(*run(text))
+                self.check(*run(text), datetime.datetime.fromisoformat(TIME.search(text)[1]))
 
-    def check(self, pixels, camera):
+    def check(self, pixels, camera, time):
         longitude, latitude = visible_places(camera)
         rows, columns = project(R * direction(longitude, latitude), camera, pixels.shape)
         seen = np.mean([pixels[rows + dr, columns + dc] for dr in (-1, 0, 1) for dc in (-1, 0, 1)], axis=0)
         least, most = cloud_thickness(longitude, latitude)
-        clear, overcast = most < 0.3, least > 1
+        sunshine = direction(longitude, latitude) @ sun_direction(time)
+        clear, overcast = (most < 0.1) & (sunshine > 0.1), (least > 1) & (sunshine > 0.1)
         self.assertGreater(clear.sum(), 30)
         self.assertGreater(overcast.sum(), 30)
 
         def likeness(x, y):
-            there = blue_marble(x, y)[clear]
+            there = (blue_marble(x, y) * sunshine[:, None])[clear]
             return np.mean([np.corrcoef(seen[clear][:, c], there[:, c])[0, 1] for c in range(3)])
 
         true = likeness(longitude, latitude)
