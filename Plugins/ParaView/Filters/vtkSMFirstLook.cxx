@@ -258,6 +258,15 @@ bool IsEmpty(vtkSMSourceProxy* source, int port)
   return data->GetNumberOfPoints() == 0 && data->GetNumberOfCells() == 0;
 }
 
+// One level of a grid, or polygons: a volume would draw nothing.
+bool IsSheet(vtkPVDataInformation* data)
+{
+  const int* extent = data->GetExtent();
+  return data->DataSetTypeIsA("vtkPolyData") ||
+    (data->DataSetTypeIsA("vtkStructuredGrid") &&
+      (extent[0] == extent[1] || extent[2] == extent[3] || extent[4] == extent[5]));
+}
+
 void PrepareDisplay(vtkSMPVRepresentationProxy* display);
 
 // Waits for the first data of a source whose Apply has failed, and then gives its display the looks of a first one, if nobody else has.
@@ -349,6 +358,11 @@ void PrepareDisplay(vtkSMPVRepresentationProxy* display)
   }
   else if (hint)
   {
+    if (std::string(hint->GetAttributeOrEmpty("sheet")) == "Surface" &&
+      IsSheet(source->GetDataInformation(port)))
+    {
+      display->SetRepresentationType("Surface");
+    }
     Color(display, source, port, hint->GetAttributeOrDefault("color", "active"));
     if (const char* preset = hint->GetAttribute("preset"))
     {

@@ -7,7 +7,7 @@ import sys
 import tempfile
 
 from paraview import servermanager
-from paraview.simple import Delete, OpenDataFile, Show, UpdatePipeline
+from paraview.simple import CreateRenderView, Delete, OpenDataFile, Show, UpdatePipeline
 from vtkmodules.vtkCommonCore import vtkOutputWindow, vtkStringOutputWindow
 
 PYTHON = os.environ["NEPHOSCOPE_PYTHON"]
@@ -15,7 +15,7 @@ WRITE = """
 import sys
 from weather_data import REGULAR, write_grib
 fields = [(name, "isobaricInhPa", level, value + day, {"dataDate": 20200101 + day}) for day in range(3) for level, z in ((850, 1500), (500, 5500), (200, 12000))
-          for name, value in (("gh", z), ("t", 250))]
+          for name, value in (("gh", z), ("t", 250), ("cc", 0.5))]
 write_grib(sys.argv[1], fields, REGULAR)
 """
 
@@ -27,22 +27,26 @@ def told(reader, path, folder, window):
         part.write(whole.read()[:-100])
     reader.FileName = broken
     reader.UpdatePipelineInformation()
-    assert "17 complete fields" in window.GetOutput(), window.GetOutput()
+    assert "26 complete fields" in window.GetOutput(), window.GetOutput()
     os.environ["NEPHOSCOPE_PYTHON"] = "/nowhere/python3"
     globals()["WeatherDataReader"](FileName=path)
     assert "/nowhere/python3" in window.GetOutput() and "pip install" in window.GetOutput(), window.GetOutput()
 
 
 def known_to_the_dialog(path):
-    """What File > Open asks: which readers there are for a name. A GRIB file has this one alone; it is drawn as a surface, since an outline of a globe is a line."""
+    """What File > Open asks: which readers there are for a name. A GRIB file has this one alone. Its clouds are drawn as a volume, and one level as a surface."""
     factory = servermanager.vtkSMProxyManager.GetProxyManager().GetReaderFactory()
+    factory.UpdateAvailableReaders()  # which the window does
     session = servermanager.ActiveConnection.Session
     for name in ("a.grib2", "a.grb", "a.nc", "a.zarr", ".zmetadata", "wrfout_d01_2020-01-01_00_00_00"):
         readers = factory.GetPossibleReaders(os.path.join(os.path.dirname(path), name), session)
         assert "WeatherDataReader" in [readers.GetString(i) for i in range(readers.GetNumberOfStrings())], name
     reader = OpenDataFile(path)
     assert reader.GetXMLName() == "WeatherDataReader", reader
-    assert Show(reader).Representation == "Surface", Show(reader).Representation
+    display = Show(reader)
+    assert (display.Representation, display.ColorArrayName[1]) == ("Cell Compositing", "cc"), (display.Representation, display.ColorArrayName)
+    reader.Levels = [1, 1]
+    assert Show(reader, CreateRenderView()).Representation == "Surface"
     Delete(reader)
 
 

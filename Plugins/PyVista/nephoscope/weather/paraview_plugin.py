@@ -2,23 +2,22 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """A plugin of ParaView: the reader "Weather data (GRIB, Zarr, NetCDF, WRF, MPAS, ICON)".
 
-Load this file in Tools > Manage Plugins > Load New, or by `paraview_reader.load`. A separate process, run by the Python that NEPHOSCOPE_PYTHON names, calls
-`nephoscope.open` (worker.py). If a Python package is missing there, the message has the command that installs it.
+The compiled plugin has the reader: weather_data_reader.xml names the class below. Where there is no compiled plugin, load this file in Tools > Manage Plugins > Load New. A separate
+process, run by the Python that NEPHOSCOPE_PYTHON names, calls `nephoscope.open` (worker.py). If a Python package is missing there, the message has the command that installs it.
 """
 import json
 import os
 import subprocess
 import tempfile
 
-from paraview.util.vtkAlgorithm import VTKPythonAlgorithmBase, smdomain, smhint, smproperty, smproxy
 from vtkmodules.vtkCommonCore import vtkDataArraySelection, vtkOutputWindow
-from vtkmodules.vtkCommonDataModel import vtkDataObject, vtkStructuredGrid, vtkUnstructuredGrid
+from vtkmodules.vtkCommonDataModel import vtkDataObject, vtkUnstructuredGrid
 from vtkmodules.vtkCommonExecutionModel import vtkStreamingDemandDrivenPipeline as SDDP
 from vtkmodules.vtkIOLegacy import vtkDataSetReader
+from vtkmodules.util.vtkAlgorithm import VTKPythonAlgorithmBase
 
 PACKAGES = ("pyvista", "xarray", "eccodes", "netCDF4", "zarr")
-EXTENSIONS = "grib grib1 grib2 grb grb1 grb2 gb2 nc nc4 nc3 cdf ncdf zarr zmetadata"
-PATTERNS = "wrfout_* wrfinput_* .zmetadata"  # of files without an extension
+DEFINITION = os.path.join(os.path.dirname(os.path.abspath(__file__)), "weather_data_reader.xml")
 
 
 def interpreter():
@@ -69,9 +68,6 @@ class Process:
         self._process = subprocess.Popen([python, "-m", "nephoscope.weather.worker"], stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True)
 
 
-@smproxy.reader(name="WeatherDataReader", label="Weather data (GRIB, Zarr, NetCDF, WRF, MPAS, ICON)", extensions=EXTENSIONS, filename_patterns=PATTERNS,
-                file_description="Weather data (GRIB, Zarr, NetCDF, WRF, MPAS, ICON)")
-@smhint.xml('<RepresentationType view="RenderView" type="Surface"/>')
 class WeatherDataReader(VTKPythonAlgorithmBase):
     """Reads one time step of a weather file onto a globe or a map."""
 
@@ -94,47 +90,32 @@ class WeatherDataReader(VTKPythonAlgorithmBase):
             self._is_open = False
         self.Modified()
 
-    @smproperty.stringvector(name="FileName")
-    @smdomain.filelist()
-    @smhint.filechooser(extensions=EXTENSIONS, file_description="Weather data")
     def SetFileName(self, path):
         self._set("path", None if path in (None, "", "None") else path, True)
 
-    @smproperty.stringvector(name="MeshFileName", label="Mesh File Name", default_values="")
-    @smdomain.filelist()
-    @smhint.filechooser(extensions="nc", file_description="Mesh of ICON, MPAS or UGRID")
     def SetMeshFileName(self, path):
         self._set("mesh", None if path in (None, "", "None") else path, True)
 
-    @smproperty.intvector(name="GridNumber", label="Grid Number", default_values=-1, panel_visibility="advanced")
     def SetGridNumber(self, number):
         """Number of the grid, from 0, in a GRIB file with several grids; -1: the only one."""
         self._set("grid", number, True)
 
-    @smproperty.intvector(name="Levels", default_values=[0, 100000])
     def SetLevels(self, first, last):
         """First and last level to read, counted from 0 in the file's order."""
         self._set("levels", (first, last))
 
-    @smproperty.intvector(name="Projection", default_values=0)
-    @smdomain.xml('<EnumerationDomain name="enum"><Entry value="0" text="Globe"/><Entry value="1" text="Map"/></EnumerationDomain>')
     def SetProjection(self, projection):
         self._set("globe", {**self._settings["globe"], "projection": "map" if projection else "globe"})
 
-    @smproperty.doublevector(name="VerticalExaggeration", label="Vertical Exaggeration", default_values=30.0)
-    @smdomain.doublerange(min=0, max=200)
     def SetVerticalExaggeration(self, factor):
         self._set("globe", {**self._settings["globe"], "vertical_exaggeration": factor})
 
-    @smproperty.doublevector(name="PlanetRadius", label="Planet Radius", default_values=6371000.0, panel_visibility="advanced")
     def SetPlanetRadius(self, radius):
         self._set("globe", {**self._settings["globe"], "radius": radius})
 
-    @smproperty.dataarrayselection(name="Variables")
     def GetVariables(self):
         return self._selection
 
-    @smproperty.doublevector(name="TimestepValues", information_only="1", si_class="vtkSITimeStepsProperty")
     def GetTimestepValues(self):
         return None if self._times is None else list(self._times)
 
@@ -144,6 +125,8 @@ class WeatherDataReader(VTKPythonAlgorithmBase):
         path, grid = self._settings["path"], self._settings["grid"]
         path = path[:-len("/.zmetadata")] if path.endswith("/.zmetadata") else path
         found = self._process.ask(do="open", path=path, mesh=self._settings["mesh"], grid=None if grid < 0 else grid)
+        for name in {self._selection.GetArrayName(i) for i in range(self._selection.GetNumberOfArrays())} - {*found["variables"]}:  # of an earlier file
+            self._selection.RemoveArrayByName(name)
         for name in found["variables"]:
             if not self._selection.ArrayExists(name):
                 self._selection.AddArray(name)
@@ -181,10 +164,9 @@ class WeatherDataReader(VTKPythonAlgorithmBase):
         def make():
             if not self._is_open:
                 self._open()
-            kind = vtkUnstructuredGrid if self._mesh(0).IsA("vtkUnstructuredGrid") else vtkStructuredGrid
-            info = outputs.GetInformationObject(0)
-            if not (info.Has(vtkDataObject.DATA_OBJECT()) and info.Get(vtkDataObject.DATA_OBJECT()).IsA(kind.__name__)):
-                info.Set(vtkDataObject.DATA_OBJECT(), kind())
+            mesh, info = self._mesh(0), outputs.GetInformationObject(0)
+            if not (info.Has(vtkDataObject.DATA_OBJECT()) and info.Get(vtkDataObject.DATA_OBJECT()).IsA(mesh.GetClassName())):
+                info.Set(vtkDataObject.DATA_OBJECT(), mesh.NewInstance())
         if self._settings["path"] is None or not self._attempt(make):
             outputs.GetInformationObject(0).Set(vtkDataObject.DATA_OBJECT(), vtkUnstructuredGrid())
         return 1
@@ -214,3 +196,7 @@ class WeatherDataReader(VTKPythonAlgorithmBase):
             if self._times is not None:
                 output.GetInformation().Set(vtkDataObject.DATA_TIME_STEP(), float(self._times[step]))
         return self._attempt(read)
+
+
+with open(DEFINITION, encoding="utf-8") as definition:  # for ParaView's loader of plugins in Python
+    WeatherDataReader._pvsm_proxy_xml = definition.read().replace("nephoscope.weather.paraview_plugin.", f"{__name__}.")
