@@ -7,6 +7,7 @@
 #include "DiffuseLight.h"
 #include "LitData.h"
 #include "PhaseFunction.h"
+#include "SharedSun.h"
 #include "SmokeOptics.h"
 #include "SolarPosition.h"
 #include "Vector3.h"
@@ -102,15 +103,15 @@ struct vtkSunlight::Work
 
 vtkSunlight::vtkSunlight()
 {
-  this->SetNumberOfInputPorts(2);
+  this->SetNumberOfInputPorts(3);
 }
 
 vtkSunlight::~vtkSunlight() = default;
 
 int vtkSunlight::FillInputPortInformation(int port, vtkInformation* info)
 {
-  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataSet");
-  info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), port);
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), port == 2 ? "vtkPolyData" : "vtkDataSet");
+  info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), port > 0);
   return 1;
 }
 
@@ -122,6 +123,19 @@ bool vtkSunlight::GoOn(double fraction)
 
 bool vtkSunlight::FindSun(vtkDataSet* data, std::array<double, 3>& sun)
 {
+  const bool onGlobe = nephoscope::planetOf(data).Radius > 0;
+  if (vtkDataObject* source = this->GetInputDataObject(2, 0))
+  {
+    nephoscope::SharedSun shared;
+    if (!nephoscope::readSun(source, shared))
+    {
+      vtkErrorMacro(
+        << "The third input has no sun: it has no field array 'SunDirection'. Connect a vtkSunSource.");
+      return false;
+    }
+    sun = onGlobe ? shared.DirectionOnGlobe : shared.Direction;
+    return true;
+  }
   std::copy(this->SunDirection, this->SunDirection + 3, sun.begin());
   if (!this->DateTime.empty())
   {
@@ -133,7 +147,6 @@ bool vtkSunlight::FindSun(vtkDataSet* data, std::array<double, 3>& sun)
       return false;
     }
     const nephoscope::SubsolarPoint place = nephoscope::subsolarPoint(days);
-    const bool onGlobe = nephoscope::planetOf(data).Radius > 0;
     sun = onGlobe ? nephoscope::towardsSunOnGlobe(place)
                   : nephoscope::towardsSunAt(place, this->Longitude, this->Latitude);
   }
@@ -436,13 +449,16 @@ std::vector<double> vtkSunlight::State(vtkDataSet* input) const
   const auto number = [](const std::string& text) {
     return static_cast<double>(std::hash<std::string>{}(text));
   };
-  vtkDataObject* clouds = const_cast<vtkSunlight*>(this)->GetInputDataObject(1, 0);
-  return { double(input->GetMTime()), clouds ? double(clouds->GetMTime()) : 0.0,
-    this->SunDirection[0], this->SunDirection[1], this->SunDirection[2], this->Longitude,
-    this->Latitude, this->ExtinctionScale, this->Albedo, this->Asymmetry, this->GroundAlbedo,
-    this->SkyLight, double(this->MultipleScattering), double(this->ZenithAngles),
-    double(this->AzimuthAngles), number(this->DateTime), number(this->ExtinctionArrayName),
-    number(this->AlbedoArrayName), number(this->AsymmetryArrayName) };
+  const auto timeOf = [this](int port) {
+    vtkDataObject* data = const_cast<vtkSunlight*>(this)->GetInputDataObject(port, 0);
+    return data ? double(data->GetMTime()) : 0.0;
+  };
+  return { double(input->GetMTime()), timeOf(1), timeOf(2), this->SunDirection[0],
+    this->SunDirection[1], this->SunDirection[2], this->Longitude, this->Latitude,
+    this->ExtinctionScale, this->Albedo, this->Asymmetry, this->GroundAlbedo, this->SkyLight,
+    double(this->MultipleScattering), double(this->ZenithAngles), double(this->AzimuthAngles),
+    number(this->DateTime), number(this->ExtinctionArrayName), number(this->AlbedoArrayName),
+    number(this->AsymmetryArrayName) };
 }
 
 bool vtkSunlight::Compute(vtkDataSet* data, Work& work)

@@ -24,6 +24,8 @@
  * The second input, which is optional, is clouds that have their light: in their shadow there is less sunlight. Light that
  * they scatter does not reach the data.
  *
+ * The third input, which is optional, is a vtkSunSource: its sun takes the place of SunDirection and DateTime.
+ *
  * Field data: SunDirection, three components, towards the sun.
  */
 #ifndef vtkSunlight_h

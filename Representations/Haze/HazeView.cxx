@@ -6,6 +6,7 @@
 
 #include "HazeFunctions.h"
 #include "HazeLink.h"
+#include "RendererSun.h"
 #include "ViewState.h"
 #include "vtkHaze.h"
 
@@ -64,15 +65,19 @@ HazeView::HazeView(vtkRenderer* renderer)
     this->Eye[c] = static_cast<float>(this->Parallel ? -eye[axis] / std::abs(eye[2]) : start[c]);
   }
   this->SetPlace(*haze, placement, world, start);
-  this->SetSun(*haze, world);
+  this->SetSun(*haze, renderer, world);
   this->SetDevice(device);
 }
 
-void HazeView::SetSun(vtkHaze& haze, vtkMatrix4x4* worldToView)
+void HazeView::SetSun(vtkHaze& haze, vtkRenderer* renderer, vtkMatrix4x4* worldToView)
 {
   double sun[3];
   std::copy_n(haze.GetSunDirection(), 3, sun);
-  const double length = std::hypot(sun[0], sun[1], sun[2]);
+  double length = std::hypot(sun[0], sun[1], sun[2]);
+  if (!(length > 0) && findSunOf(renderer, sun))
+  {
+    length = std::hypot(sun[0], sun[1], sun[2]);
+  }
   double inView[3];
   toView(worldToView, sun, 0, inView);
   for (int c = 0; c < 3; ++c)

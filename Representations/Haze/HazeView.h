@@ -41,7 +41,7 @@ public:
 private:
   void SetPlace(vtkHaze& haze, const HazePlacement& placement, vtkMatrix4x4* worldToView,
     const double start[3]);
-  void SetSun(vtkHaze& haze, vtkMatrix4x4* worldToView);
+  void SetSun(vtkHaze& haze, vtkRenderer* renderer, vtkMatrix4x4* worldToView);
   void SetDevice(vtkMatrix4x4* viewToDevice);
 
   bool On = false;

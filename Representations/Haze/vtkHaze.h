@@ -122,8 +122,8 @@ public:
 
   ///@{
   /**
-   * Direction towards the sun, in the coordinates of the scene, finite. (0, 0, 0), the default: haze has its colour wherever it is. With a sun, haze scatters
-   * its light towards the eye by the phase function of Henyey and Greenstein, whose mean over all directions is 1, and the air between haze and sun dims
+   * Direction towards the sun, in the coordinates of the scene, finite. (0, 0, 0), the default: the sun of the renderer, if ParaView's Sun
+   * lights it; otherwise haze has its colour wherever it is. With a sun, haze scatters its light towards the eye by the phase function of Henyey and Greenstein, whose mean over all directions is 1, and the air between haze and sun dims
    * it: haze is brightest around the sun, and dark at night. Costs several times as much.
    */
   void SetSunDirection(double x, double y, double z);

@@ -152,6 +152,16 @@ def haze():
     pvs.Show(pvs.Haze())
 
 
+@scene("representation-sun")
+def sun():
+    """vtkSunSource: one sun for clouds and ground."""
+    globe = globe_grid()
+    ground = pvs.ExtractSubset(Input=globe, VOI=[0, 10000, 0, 10000, 0, 0])
+    pvs.ColorBy(pvs.Show(ground), None)
+    pvs.Show(pvs.Sunlight(Input=pvs.CloudOptics(Input=globe)))
+    pvs.Show(pvs.Sun(DateTime="2011-10-11 14:00"))
+
+
 @scene("representation-terrain")
 def terrain():
     """Before black, where 2 % less colour is 2 % less light."""

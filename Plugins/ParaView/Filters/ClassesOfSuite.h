@@ -23,6 +23,8 @@
   DO(vtkSparseVolumeReader)                 \
   DO(vtkSparseVolumeWriter)                 \
   DO(vtkStructuredSmoothing)                \
+  DO(vtkSunRepresentation)                  \
+  DO(vtkSunSource)                          \
   DO(vtkSunlight)                           \
   DO(vtkTextureCoordinateAdvection)         \
   DO(vtkTexturedSplatsRepresentation)

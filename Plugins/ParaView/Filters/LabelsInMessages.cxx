@@ -20,6 +20,8 @@
 #include "vtkSparseVolumeReader.h"
 #include "vtkSparseVolumeWriter.h"
 #include "vtkStructuredSmoothing.h"
+#include "vtkSunRepresentation.h"
+#include "vtkSunSource.h"
 #include "vtkSunlight.h"
 #include "vtkTextureCoordinateAdvection.h"
 #include "vtkTexturedSplatsRepresentation.h"

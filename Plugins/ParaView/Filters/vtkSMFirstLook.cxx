@@ -4,6 +4,7 @@
 
 #include "FirstCamera.h"
 #include "FlowVolumePolygon.h"
+#include "SunConnection.h"
 #include "ValuesInDomains.h"
 
 #include "vtkCallbackCommand.h"
@@ -433,6 +434,10 @@ void OnRegistered(vtkObject*, unsigned long, void*, void* data)
     vtkNew<vtkCallbackCommand> command;
     command->SetCallback(OnDisplayProperty);
     display->AddObserver(vtkCommand::PropertyModifiedEvent, command);
+  }
+  else if (std::string(registered->GroupName) == "sources")
+  {
+    nephoscope::connectToSun(proxy);
   }
   else if (std::string(registered->GroupName) == "piecewise_functions")
   {

@@ -14,6 +14,7 @@
  * - where such a display comes into a view whose camera suits other data, of another place or scale, the camera is reset to it;
  * - where it is alone in a view, shows a globe, and the camera looks as ParaView's do at first, at the pole, it is turned to the side;
  * - numbers outside the range of a property of this project are kept in it, with a warning.
+ * - a Sun becomes the input of the Sunlight filters that have none (SunConnection.h);
  * - in every render view the polygon of Flow Volume is drawn in place of the widget's cylinder.
  * Displays that are made by an Apply that fails get these looks when their source first has data.
  * Nothing changes while a state is loaded, and settings that the user has made or saved are kept.

@@ -39,6 +39,7 @@ CLASSES = {
     "vtkCloudTextureMapper": (["CloudTexture.xml.in"], ["cloud_texture"]),
     "vtkCloudOptics": (["CloudOptics.xml"], ["optics"]),
     "vtkSunlight": (["Sunlight.xml"], ["light"]),
+    "vtkSunSource": (["Sun.xml"], ["light"]),
     "vtkHaze": (["Haze.xml"], ["haze"]),
 }
 IN_PLACE = {"vtkCellCompositingProjectedTetrahedraMapper", "vtkCellCompositingRayCastMapper"}  # set by those who set VTK's
@@ -86,6 +87,7 @@ EXCEPTIONS = {
     ("ParaView", "vtkCellCompositingMapper", "LayersFromContours"): "on by itself, unless there is a Layer Array",
     ("ParaView", "vtkFlowVolume", "Controller"): "the host's ranks",
     ("PyVista", "vtkFlowVolume", "Controller"): "the host's ranks, of which there is one",
+    ("PyVista", "vtkSunSource", "HoursLater"): "for animations in ParaView: times are arguments in Python",
     ("ParaView", "vtkHaze", "Enabled"): "the eye in the pipeline browser is the switch",
     ("PyVista", "vtkHaze", "Enabled"): "vtkHaze.SetHaze(renderer, None) takes haze away",
     ("ParaView", "vtkHaze", "Extinction"): "the same as the visibility, by another measure",

@@ -1,0 +1,69 @@
+// SPDX-FileCopyrightText: The Nephoscope authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkSunSource.h"
+
+#include "SharedSun.h"
+#include "SolarPosition.h"
+
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkObjectFactory.h"
+#include "vtkPolyData.h"
+
+#include <algorithm>
+#include <cmath>
+
+vtkStandardNewMacro(vtkSunSource);
+
+vtkSunSource::vtkSunSource()
+{
+  this->SetNumberOfInputPorts(0);
+}
+
+vtkSunSource::~vtkSunSource() = default;
+
+int vtkSunSource::RequestData(
+  vtkInformation*, vtkInformationVector**, vtkInformationVector* outputs)
+{
+  nephoscope::SharedSun sun;
+  if (!this->DateTime.empty())
+  {
+    double days = 0;
+    if (!nephoscope::daysOf(this->DateTime, days) || !std::isfinite(this->HoursLater))
+    {
+      vtkErrorMacro(
+        << "DateTime is '" << this->DateTime << "' and HoursLater " << this->HoursLater
+        << "; they must be a date and time in UTC, such as '2011-10-11 18:30', and a number of hours.");
+      return 0;
+    }
+    const nephoscope::SubsolarPoint place = nephoscope::subsolarPoint(days + this->HoursLater / 24);
+    sun.Direction = nephoscope::towardsSunAt(place, this->Longitude, this->Latitude);
+    sun.DirectionOnGlobe = nephoscope::towardsSunOnGlobe(place);
+  }
+  else
+  {
+    const double* d = this->SunDirection;
+    const double length = std::sqrt(d[0] * d[0] + d[1] * d[1] + d[2] * d[2]);
+    if (!(length > 0) || !std::isfinite(length))
+    {
+      vtkErrorMacro(<< "SunDirection is " << d[0] << ", " << d[1] << ", " << d[2]
+                    << "; it must be finite and longer than 0.");
+      return 0;
+    }
+    std::transform(d, d + 3, sun.Direction.begin(), [length](double x) { return x / length; });
+    sun.DirectionOnGlobe = sun.Direction;
+  }
+  nephoscope::writeSun(sun, vtkPolyData::GetData(outputs));
+  return 1;
+}
+
+void vtkSunSource::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "SunDirection: " << this->SunDirection[0] << ", " << this->SunDirection[1] << ", "
+     << this->SunDirection[2] << "\n";
+  os << indent << "DateTime: " << this->DateTime << "\n"
+     << indent << "HoursLater: " << this->HoursLater << "\n";
+  os << indent << "Longitude: " << this->Longitude << "\n"
+     << indent << "Latitude: " << this->Latitude << "\n";
+}

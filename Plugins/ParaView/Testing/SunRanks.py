@@ -1,0 +1,12 @@
+# SPDX-FileCopyrightText: The Nephoscope authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""A globe in the light of a Sun with a date: on one and two ranks, and on a server, the same picture."""
+from RankPictures import compare, run_ranks, run_with_server
+
+SCRIPT = "SunRun.py"
+SCENES = ("noon", "evening")
+
+one = run_ranks(SCRIPT, SCENES, 1)
+compare(one, run_ranks(SCRIPT, SCENES, 2), "1 and 2 ranks", SCENES, largest=2, mean=0.1)
+compare(one, run_with_server(SCRIPT, SCENES), "local and client-server", SCENES, largest=1, mean=0.01)
+print("NEPHOSCOPE-PASSED")

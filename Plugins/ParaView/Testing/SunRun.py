@@ -1,0 +1,26 @@
+# SPDX-FileCopyrightText: The Nephoscope authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Not a test by itself: draws the pictures that SunRanks.py compares.
+
+Usage: SunRun.py PREFIX [PORT]; with a port it draws on a pvserver there.
+"""
+import sys
+
+import numpy as np
+from PluginTesting import GFS, image, load_plugin, new_view, passed, pvs, set_background, solid
+
+if len(sys.argv) > 2:
+    pvs.Connect("localhost", int(sys.argv[2]))
+load_plugin()
+sun = pvs.Sun(DateTime="2011-10-11 18:00")
+view = new_view((120, 90))
+globe = pvs.GlobeGrid(Input=pvs.NetCDFReader(FileName=[GFS], SphericalCoordinates=0), VerticalExaggeration=30)
+ground = pvs.ExtractSubset(Input=globe, VOI=[0, 10000, 0, 10000, 0, 0])
+solid(pvs.Show(ground, view), [0.9, 0.7, 0.5])
+pvs.Show(sun, view)
+view.CameraPosition, view.CameraFocalPoint, view.CameraViewUp = [0, -2.6e7, 1e7], [0, 0, 0], [0, 0, 1]
+set_background(view, (0, 0, 0.2))
+for name, hours in (("noon", 0), ("evening", 5)):
+    sun.HoursLater = hours
+    np.save(f"{sys.argv[1]}-{name}.npy", image(view))
+passed()

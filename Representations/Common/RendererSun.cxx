@@ -1,0 +1,103 @@
+// SPDX-FileCopyrightText: The Nephoscope authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "RendererSun.h"
+
+#include "vtkAbstractVolumeMapper.h"
+#include "vtkActor.h"
+#include "vtkCompositeDataIterator.h"
+#include "vtkCompositeDataSet.h"
+#include "vtkDataArray.h"
+#include "vtkFieldData.h"
+#include "vtkInformation.h"
+#include "vtkInformationDoubleVectorKey.h"
+#include "vtkMapper.h"
+#include "vtkNew.h"
+#include "vtkPropCollection.h"
+#include "vtkRenderer.h"
+#include "vtkSmartPointer.h"
+#include "vtkVolume.h"
+
+#include <algorithm>
+
+namespace nephoscope
+{
+namespace
+{
+vtkInformationDoubleVectorKey* sunKey()
+{
+  static vtkInformationDoubleVectorKey* const key =
+    vtkInformationDoubleVectorKey::MakeKey("SUN", "nephoscope", 3);
+  return key;
+}
+
+double greatestIn(vtkDataObject* data, const char* name, double greatest)
+{
+  vtkDataArray* array = data->GetFieldData() ? data->GetFieldData()->GetArray(name) : nullptr;
+  if (array && array->GetNumberOfTuples() > 0 && array->GetNumberOfComponents() > 0)
+  {
+    greatest = std::max(greatest, array->GetComponent(0, 0));
+  }
+  if (auto* composite = vtkCompositeDataSet::SafeDownCast(data))
+  {
+    auto blocks = vtk::TakeSmartPointer(composite->NewIterator());
+    for (blocks->InitTraversal(); !blocks->IsDoneWithTraversal(); blocks->GoToNextItem())
+    {
+      greatest = greatestIn(blocks->GetCurrentDataObject(), name, greatest);
+    }
+  }
+  return greatest;
+}
+
+vtkAlgorithm* mapperOf(vtkProp* prop)
+{
+  auto* actor = vtkActor::SafeDownCast(prop);
+  auto* volume = vtkVolume::SafeDownCast(prop);
+  return actor ? static_cast<vtkAlgorithm*>(actor->GetMapper())
+    : volume   ? static_cast<vtkAlgorithm*>(volume->GetMapper())
+               : nullptr;
+}
+}
+
+void setSunOf(vtkRenderer* renderer, const double* towardsSun)
+{
+  vtkNew<vtkInformation> empty;
+  if (!renderer->GetInformation())
+  {
+    renderer->SetInformation(empty);
+  }
+  if (towardsSun)
+  {
+    renderer->GetInformation()->Set(sunKey(), towardsSun, 3);
+  }
+  else
+  {
+    renderer->GetInformation()->Remove(sunKey());
+  }
+}
+
+bool findSunOf(vtkRenderer* renderer, double towardsSun[3])
+{
+  vtkInformation* information = renderer->GetInformation();
+  const double* found = information ? information->Get(sunKey()) : nullptr;
+  if (found)
+  {
+    std::copy_n(found, 3, towardsSun);
+  }
+  return found != nullptr;
+}
+
+double greatestFieldValue(vtkRenderer* renderer, const char* name, double otherwise)
+{
+  vtkCollectionSimpleIterator iterator;
+  renderer->GetViewProps()->InitTraversal(iterator);
+  while (vtkProp* prop = renderer->GetViewProps()->GetNextProp(iterator))
+  {
+    vtkAlgorithm* mapper = prop->GetVisibility() ? mapperOf(prop) : nullptr;
+    vtkDataObject* data = mapper && mapper->GetNumberOfInputConnections(0) > 0
+      ? mapper->GetInputDataObject(0, 0)
+      : nullptr;
+    otherwise = data ? greatestIn(data, name, otherwise) : otherwise;
+  }
+  return otherwise;
+}
+}

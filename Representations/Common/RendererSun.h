@@ -1,0 +1,25 @@
+// SPDX-FileCopyrightText: The Nephoscope authors
+// SPDX-License-Identifier: BSD-3-Clause
+// The sun of a renderer, which haze without a sun of its own takes; and what the data of a scene tell in their field data.
+#ifndef RendererSun_h
+#define RendererSun_h
+
+#include "vtkNephoscopeRepresentationsCommonModule.h" // for export macro
+
+class vtkRenderer;
+
+namespace nephoscope
+{
+/** Three components, towards the sun, in coordinates of the scene; null: no sun. */
+VTKNEPHOSCOPEREPRESENTATIONSCOMMON_EXPORT void setSunOf(
+  vtkRenderer* renderer, const double* towardsSun);
+/** False: it has none. */
+VTKNEPHOSCOPEREPRESENTATIONSCOMMON_EXPORT bool findSunOf(
+  vtkRenderer* renderer, double towardsSun[3]);
+
+/** The greatest first number of field arrays of this name in the data that are visible, and their blocks; `otherwise`, if that is greater or there is none. */
+VTKNEPHOSCOPEREPRESENTATIONSCOMMON_EXPORT double greatestFieldValue(
+  vtkRenderer* renderer, const char* name, double otherwise);
+}
+
+#endif
