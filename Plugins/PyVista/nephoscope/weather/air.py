@@ -8,7 +8,7 @@ from functools import cached_property
 import numpy as np
 
 from .._checks import listed
-from .columns import from_half_levels, geometric, hypsometric, standard_height, standard_temperature, virtual_temperature
+from .columns import from_half_levels, geometric, geopotential_height, hypsometric, midpoints, standard_height, standard_temperature, virtual_temperature
 from .reading import Reading
 from .units import GRAVITY
 from .vertical import VerticalError, formula_terms, usual_coefficients
@@ -68,12 +68,21 @@ class Air:
             terms = formula_terms(reading.dataset, reading.vertical)
             p0 = float(reading.dataset[terms["p0"]]) if terms.get("p0") in reading.dataset else 1e5
             return self._columns(p0 * np.exp(-reading.levels()))
-        return self._hybrid_pressure()
+        return self._hybrid_pressure() if reading.vertical.kind in ("hybrid", "sigma") else self._summed_pressure()
+
+    def _summed_pressure(self) -> np.ndarray | None:
+        """From the thicknesses of the layers: upwards from the pressure at the ground, or downwards from none."""
+        if not self.reading.has("pressure_thickness"):
+            return None
+        layers = self.reading.role("pressure_thickness").astype(float)
+        top_first = np.nanmean(layers[0]) < np.nanmean(layers[-1])
+        self.reading.note("pressure summed over the layers" + ("" if self.surface_pressure is not None else ", from 0 Pa at the top"))
+        if self.surface_pressure is None:
+            return midpoints(layers, top_first)
+        return self.surface_pressure - midpoints(layers, not top_first)
 
     def _hybrid_pressure(self) -> np.ndarray | None:
         reading = self.reading
-        if reading.vertical.kind not in ("hybrid", "sigma"):
-            return None
         a, b = hybrid_coefficients(reading)
         if self.surface_pressure is None:
             if np.any(b != 0):
@@ -118,7 +127,7 @@ class Air:
     @cached_property
     def heights(self) -> np.ndarray:
         """Geometric heights above sea level, in m; `height_source` names their source."""
-        for way in (self._given_heights, self._level_heights, self._hybrid_heights, self._model_heights, self._pressure_heights):
+        for way in (self._given_heights, self._level_heights, self._hybrid_heights, self._ocean_heights, self._summed_heights, self._model_heights, self._pressure_heights):
             found = way()
             if found is not None:
                 return found
@@ -186,6 +195,10 @@ class Air:
         reading = self.reading
         if reading.vertical.kind != "hybrid height":
             return None
+        listed_terms = terms_of_full_levels(reading)
+        if listed_terms is not None:
+            self.height_source = "hybrid heights, a + b * height of the ground, by the list of vertical coordinates in the header"
+            return self._columns(listed_terms[0]) + self._columns(listed_terms[1]) * self._ground()
         terms = formula_terms(reading.dataset, reading.vertical)
         a, b, orog = (reading.dataset[terms[term]] if terms.get(term) in reading.dataset.variables else None for term in ("a", "b", "orog"))
         if a is None or b is None or (orog is None and self.terrain is None):
@@ -193,6 +206,22 @@ class Air:
         ground = self.terrain if orog is None else reading.values(terms["orog"]).astype(float)
         self.height_source = f"hybrid heights, {terms['a']} + {terms['b']} * {terms.get('orog', 'orog')}"
         return self._columns(a.values.astype(float)) + self._columns(b.values.astype(float)) * ground
+
+    def _ocean_heights(self) -> np.ndarray | None:
+        if self.reading.vertical.kind != "ocean sigma":
+            return None
+        from .ocean import heights_of_terms
+        found, self.height_source = heights_of_terms(self.reading)
+        return found
+
+    def _summed_heights(self) -> np.ndarray | None:
+        """From the thicknesses of the layers, upwards from the ground."""
+        if not self.reading.has("thickness"):
+            return None
+        layers = np.abs(self.reading.role("thickness").astype(float))
+        top_first = np.nanmean(layers[0]) > np.nanmean(layers[-1])
+        self.height_source = f"the layers' thickness {self.reading.roles['thickness']!r}"
+        return midpoints(layers, not top_first) + self._ground()
 
     def _model_heights(self) -> np.ndarray | None:
         """Hybrid sigma-pressure levels: the hypsometric equation over half levels if they are known, otherwise over full levels."""
@@ -217,12 +246,15 @@ class Air:
     def _columns_mean(self) -> np.ndarray:
         return np.nanmean(self.pressure.reshape(self.shape[0], -1), axis=1)
 
-    def _ground_for_hypsometry(self) -> np.ndarray:
+    def _ground(self) -> np.ndarray:
         if self.terrain is None:
             self.reading.warn("No height of the ground was found (orog, surface_altitude, surface geopotential): heights are counted from a ground at 0 m. Name it: "
                               "globe(terrain='...').")
             return np.zeros(self.shape[1:])
-        return self.terrain * 6371229.0 / (6371229.0 + self.terrain)  # as geopotential height
+        return self.terrain
+
+    def _ground_for_hypsometry(self) -> np.ndarray:
+        return geopotential_height(self._ground())
 
     def _pressure_heights(self) -> np.ndarray | None:
         reading = self.reading
@@ -249,6 +281,8 @@ class Air:
 def hybrid_coefficients(reading: Reading) -> tuple[np.ndarray, np.ndarray]:
     """Coefficients a (Pa) and b of the full levels: p = a + b ps."""
     dataset, vertical = reading.dataset, reading.vertical
+    if (listed_full := terms_of_full_levels(reading)) is not None:
+        return listed_full
     listed_half = _parameters(reading)
     if listed_half is not None:
         above = reading.levels().astype(int) - 1
@@ -283,12 +317,24 @@ def _pascal(dataset, name: str) -> np.ndarray:
     return converted(values, dataset[name].attrs.get("units", "Pa"), "pressure", name)[0]
 
 
+def terms_of_full_levels(reading: Reading) -> tuple[np.ndarray, np.ndarray] | None:
+    """Coefficients a and b of the full levels, from GRIB's list for the levels hybridHeight and hybridPressure: those of level k are the k-th of each half, from 0."""
+    if reading.vertical.dim not in ("hybridHeight", "hybridPressure") or (pv := _list_of_header(reading)) is None:
+        return None
+    numbers, count = reading.levels().astype(int), len(pv) // 2
+    return (pv[numbers], pv[count + numbers]) if numbers.max() < count else None
+
+
+def _list_of_header(reading: Reading) -> np.ndarray | None:
+    found = next((variable.attrs["GRIB_pv"] for _, variable in reading.field_variables() if "GRIB_pv" in variable.attrs), None)
+    return None if found is None else np.asarray(found, dtype=float)
+
+
 def _parameters(reading: Reading) -> tuple[np.ndarray, np.ndarray] | None:
     """Coefficients a and b of all half levels of the model, top first, from GRIB's list of vertical coordinate parameters; None if no list covers the dataset's levels."""
-    example = next((variable for _, variable in reading.field_variables() if "GRIB_pv" in variable.attrs), None)
-    if example is None or reading.vertical.kind != "hybrid":
+    pv = _list_of_header(reading)
+    if pv is None or reading.vertical.kind != "hybrid" or reading.vertical.dim == "hybridPressure":
         return None
-    pv = np.asarray(example.attrs["GRIB_pv"], dtype=float)
     a, b = pv[:len(pv) // 2], pv[len(pv) // 2:]
     return (a, b) if len(a) and reading.levels().min() >= 1 and reading.levels().max() < len(a) else None
 

@@ -34,7 +34,8 @@ def hypsometric(pressure: np.ndarray, virtual: np.ndarray, surface_pressure: np.
     above it, and to levels below the ground, it is constant.
     """
     order = np.argsort(-_means(pressure))  # bottom to top
-    p, t = np.log(pressure[order]), virtual[order]
+    with np.errstate(divide="ignore"):  # the top of some models is at 0 Pa
+        p, t = np.log(pressure[order]), virtual[order]
     scale = GAS_CONSTANT / GRAVITY
     above = p <= np.log(surface_pressure) + 1e-6
     heights = np.full(p.shape, np.nan)
@@ -63,6 +64,13 @@ def from_half_levels(half_pressure: np.ndarray, virtual: np.ndarray, terrain: np
         heights[k] = base + scale * virtual[k] * alpha
         base = base + scale * virtual[k] * np.where(upper > 0, thickness, 0)
     return heights
+
+
+def midpoints(layers: np.ndarray, from_first: bool) -> np.ndarray:
+    """Distances of the middles of layers from the outer face of the first or of the last one."""
+    along = layers if from_first else layers[::-1]
+    found = np.cumsum(along, axis=0) - 0.5 * along
+    return found if from_first else found[::-1]
 
 
 def _means(pressure: np.ndarray) -> np.ndarray:

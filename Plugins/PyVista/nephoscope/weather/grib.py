@@ -8,7 +8,7 @@ written beside the data.
 from __future__ import annotations
 
 import warnings
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 import numpy as np
@@ -16,8 +16,11 @@ import numpy as np
 from .extras import need
 
 MISSING = 9.999e35
+LISTED_GRIDS = 8  # in a message
+COMPARED_GRIDS = 32  # more are not compared point by point
 LEVEL_UNITS = {"isobaricInhPa": ("hPa", "down"), "isobaricInPa": ("Pa", "down"), "heightAboveGround": ("m", "up"), "heightAboveSea": ("m", "up"), "hybrid": ("1", "down"),
-               "sigma": ("1", "down"), "generalVerticalLayer": ("1", "down"), "generalVertical": ("1", "down"), "depthBelowLand": ("m", "down")}
+               "sigma": ("1", "down"), "generalVerticalLayer": ("1", "down"), "generalVertical": ("1", "down"), "depthBelowLand": ("m", "down"), "hybridHeight": ("1", "up"),
+               "hybridPressure": ("1", "up")}
 # Read from every message; then from the first of each variable.
 _HEADER = ("shortName", "typeOfLevel", "level", "md5GridSection", "gridType", "validityDate", "validityTime", "dataDate", "dataTime", "stepType", "paramId")
 _GRID = ("gridType", "uvRelativeToGrid", "resolutionAndComponentFlags", "Latin1InDegrees", "Latin2InDegrees", "LaDInDegrees", "LoVInDegrees", "orientationOfTheGridInDegrees", "projectionCentreFlag",
@@ -97,12 +100,36 @@ def _date(date: int | None, hour: int | None) -> np.datetime64:
         return np.datetime64("NaT", "ns")
 
 
+def _on_same_points(path: Path, messages: list[Message]) -> list[Message]:
+    """Grids with the same points are one grid, also if their headers differ, for example in the shape of the Earth or in a list of levels."""
+    first = {message.grid: message for message in reversed(messages)}
+    if not 1 < len(first) <= COMPARED_GRIDS:
+        return messages
+    known: list[tuple] = []
+    same = {}
+    for key, message in first.items():
+        places = message.grid_type, *_places(path, message)
+        same[key] = next((grid for grid, other in known if places[0] == other[0] and places[1] is not None and all(map(np.array_equal, places[1:], other[1:]))), key)
+        known.append((same[key], places))
+    return [replace(message, grid=same[message.grid]) for message in messages]
+
+
+def _places(path: Path, message: Message):
+    ec = need("eccodes", "reading GRIB")
+    with _handle(path, message) as handle:
+        try:
+            return tuple(ec.codes_get_array(handle, key) for key in ("latitudes", "longitudes"))
+        except ec.CodesInternalError:
+            return None, None
+
+
 def _of_grid(path: Path, messages: list[Message], grid: int | None) -> list[Message]:
+    messages = _on_same_points(path, messages)
     grids = list(dict.fromkeys(message.grid for message in messages))
     if grid is not None and not 0 <= grid < len(grids):
         raise GribError(f"grid is {grid}; {path} has {len(grids)} grids, from 0.")
     if len(grids) > 1 and grid is None:
-        told = "; ".join(f"{i}: {_told(messages, key)}" for i, key in enumerate(grids))
+        told = "; ".join(f"{i}: {_told(messages, key)}" for i, key in enumerate(grids[:LISTED_GRIDS])) + ("; ..." if len(grids) > LISTED_GRIDS else "")
         raise GribError(f"{path} has fields on {len(grids)} grids. Choose one with grid: {told}.")
     return [message for message in messages if message.grid == grids[grid or 0]]
 
@@ -203,22 +230,21 @@ class Grid:
             self.by_columns = bool(_get(ec, handle, "jPointsAreConsecutive", 0))
             self.alternates = bool(_get(ec, handle, "alternativeRowScanning", 0))
             self.shape = (size,) if self.is_list else (rows, columns)
-            try:
-                places = [ec.codes_get_array(handle, key) for key in ("latitudes", "longitudes")]
-            except ec.CodesInternalError:
-                places = None
-        self.latitude, self.longitude = (self.arranged(np.asarray(values)) for values in places) if places else (None, None)
+        self.latitude, self.longitude = (None if values is None else self._rows(np.asarray(values)) for values in _places(path, message))
         self.is_regular = self.kind in ("regular_ll", "regular_gg", "mercator") and not self.is_list
         self.dims = ("values",) if self.is_list else ("latitude", "longitude") if self.is_regular else ("y", "x")
 
     def arranged(self, values: np.ndarray) -> np.ndarray:
+        """Values in rows and columns. Where the rows of a message alternate in direction, eccodes turns neither values nor places, which have one direction."""
+        if self.alternates and not self.is_list:
+            values = values.reshape(self.shape[::-1] if self.by_columns else self.shape).copy()
+            values[1::2] = values[1::2, ::-1]
+        return self._rows(values)
+
+    def _rows(self, values: np.ndarray) -> np.ndarray:
         if self.is_list:
             return values
-        rows = values.reshape(self.shape[::-1] if self.by_columns else self.shape)
-        if self.alternates:
-            rows = rows.copy()
-            rows[1::2] = rows[1::2, ::-1]
-        return rows.T if self.by_columns else rows
+        return values.reshape(self.shape[::-1]).T if self.by_columns else values.reshape(self.shape)
 
     def coordinates(self) -> dict:
         if self.latitude is None:

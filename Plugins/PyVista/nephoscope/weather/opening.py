@@ -137,6 +137,8 @@ def _open_netcdf(paths: Sequence[Path], grid, chunks, options):
             return opened
         from .groups import with_groups
         return with_groups(paths[0], opened, chunks, options)
+    except OSError as problem:
+        raise ValueError(f"{paths[0]} cannot be read, probably because it is incomplete or damaged ({problem}). Fetch it again.") from problem
     except ValueError as problem:
         if "found the following matches" in str(problem) or "did not find a match" in str(problem):
             need("netCDF4", "reading NetCDF")

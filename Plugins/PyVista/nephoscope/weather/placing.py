@@ -33,15 +33,40 @@ def place(reading: Reading, air: Air, variables: Sequence[str] | None, extra: di
         add(mesh, name, values, order)
     names = _add_winds(mesh, reading, air, order)
     height = HEIGHT
-    if reading.vertical and reading.vertical.kind == "depth":
-        options, height = {"mask_below_ground": False, **options}, HEIGHT if reading.horizontal.missing is not None else False
+    if reading.vertical and reading.vertical.kind in ("depth", "ocean sigma"):
+        options, height = {"mask_below_ground": False, **options}, HEIGHT if reading.horizontal.missing is not None or reading.vertical.kind == "ocean sigma" else False
     choose_active_scalars(mesh)
     if "units" in mesh.field_data:
         mesh.field_data.remove("units")
+    calm = _without_wind(mesh, names)
     grid = to_globe(mesh, height=height, height_units="m", wind=names or False, vertical_wind_is_omega=False, wind_components="east-north", level_units=_level_units(reading),
                     surface=ground_mesh(reading, air), **options)
     del grid.point_data[HEIGHT]
+    _forget_wind(grid, names, calm)
     return grid
+
+
+CALM = "nephoscope_without_wind"
+
+
+def _without_wind(mesh: pyvista.DataSet, names: list[str]) -> bool:
+    """Marks the points that have fields but no wind, and sets it to 0 there: Globe Grid would hide them."""
+    missing = np.any([~np.isfinite(mesh.point_data[name]) for name in names], axis=0) if names else np.zeros(1, bool)
+    if not missing.any():
+        return False
+    for name in names:
+        mesh.point_data[name] = np.where(missing, np.float32(0), mesh.point_data[name])
+    mesh.point_data[CALM] = missing.astype(np.float32)
+    return True
+
+
+def _forget_wind(grid: pyvista.DataSet, names: list[str], calm: bool) -> None:
+    """The wind at the marked points is missing again."""
+    if calm:
+        missing = np.asarray(grid.point_data[CALM]) != 0
+        del grid.point_data[CALM]
+        for name in (*names, "Wind", "DisplayVelocity"):
+            grid.point_data[name][missing] = np.nan
 
 
 FOUND = ("height", "height_units", "level_units", "wind", "vertical_wind_is_omega", "wind_components", "surface")
@@ -167,7 +192,8 @@ def _level_units(reading: Reading) -> str:
 
 def ground_mesh(reading: Reading, air: Air) -> pyvista.DataSet | None:
     """One level with the pressure, height and land fraction of the ground, as far as they are available."""
-    arrays = {"sp": air.surface_pressure, "orog": air.terrain, "lsm": reading.role("land") if reading.has("land") else None}
+    on_pressures = reading.vertical is not None and reading.vertical.kind == "pressure"
+    arrays = {"sp": air.surface_pressure if on_pressures else None, "orog": air.terrain, "lsm": reading.role("land") if reading.has("land") else None}
     arrays = {name: values for name, values in arrays.items() if values is not None}
     if not {"sp", "orog"} & set(arrays):
         return None

@@ -20,6 +20,7 @@ from .vertical import VerticalError, find_vertical, level_values
 
 OTHER_HORIZONTAL = ("surface", "hybrid", "sigma", "unknown")  # typeOfLevel of variables on the ground; lnsp is said to be on a hybrid level
 
+UNDECLARED = np.array([-9999.0, -99999.0, -999.0, -32767.0, -32768.0])  # fill values that a file does not declare, impossible in the air
 KINDS = "fiubm"  # of arrays that can be fields: numbers, booleans and durations
 
 
@@ -44,7 +45,9 @@ class Reading:
         self._check_asked()
         self._find_levels(vertical)
         self._find_grid()
+        self._remove_levels_of_the_ground()
         self.roles = {role.name: found for role in FIELDS + SURFACE if (found := self._find(role))}
+        self._air_roles = {name for role, name in self.roles.items() if not {"height", "geopotential"} & set(ROLES[role].quantities)}
 
     # Dimensions
 
@@ -57,7 +60,7 @@ class Reading:
     def _one_member(self, dataset):
         """The first of several forecasts, with a warning, as for several times."""
         several = [dim for dim in dataset.sizes if is_member(dataset, str(dim))]
-        for dim in several:
+        for dim in (dim for dim in several if dataset.sizes[dim] > 1):
             self.warn(f"{dim!r} has {dataset.sizes[dim]} entries; the first was taken. Choose one: ds.isel({dim}=0).")
         return dataset.isel({dim: 0 for dim in several})
 
@@ -104,6 +107,13 @@ class Reading:
         name = next(name for name, variable in self._numbers() if level <= set(variable.dims) and tuple(dim for dim in variable.dims if dim not in level) == dims)
         self.horizontal = find_horizontal(self.dataset, self.dataset[name], level)
         self.example = name
+
+    def _remove_levels_of_the_ground(self) -> None:
+        """Removes the levels of their own that fields at the ground have in some files, such as height0 of length one."""
+        kept = {*self.horizontal.dims, *([self.vertical.dim] if self.vertical else [])}
+        alone = [dim for dim, size in self.dataset.sizes.items() if size == 1 and dim not in kept]
+        found = {dim: find_vertical(self.dataset, [dim], None) for dim in alone}
+        self.dataset = self.dataset.isel({dim: 0 for dim, vertical in found.items() if vertical is None or vertical.kind.startswith(("height", "depth", "levels"))})
 
     # Roles
 
@@ -164,7 +174,12 @@ class Reading:
         self.note(note)
         order = [dim for dim in wanted if dim in array.dims]
         found = self._placed(_numbers(array.transpose(*order).values), order)
-        return np.where(np.abs(found) > 1e30, np.nan, found)
+        gone = np.abs(found) > 1e30
+        if name in self._air_roles:
+            undeclared = np.isin(found, UNDECLARED)
+            self.note(f"{name!r}: {undeclared.sum()} values of {found[undeclared][0]:g} are taken as missing" if undeclared.any() else "")
+            gone |= undeclared
+        return np.where(gone, np.nan, found)
 
     def _placed(self, found: np.ndarray, order: list[str]) -> np.ndarray:
         """Values of the file, arranged in the rows and columns that `horizontal` made from its points."""

@@ -41,10 +41,19 @@ def _averaged(dataset, array, dim: str, own: str):
         return mean.rename({dim: own}).assign_attrs(array.attrs).rename(array.name)
     if dataset.sizes[dim] == dataset.sizes[own] and not (dim in dataset.variables and own in dataset.variables):
         return array.rename({dim: own})  # full levels under another name, as ICON's height_2
+    if dataset.sizes[dim] == dataset.sizes[own] - 1 and dim not in dataset.variables:
+        return _between(array, dim, own)
     if dim in dataset.variables and own in dataset.variables:
         return _interpolated(dataset, array, dim, own)
     raise ValueError(f"{array.name!r} is on {dim!r}, {dataset.sizes[dim]} points, and the grid on {own!r}, {dataset.sizes[own]}: without coordinates on both, the relative "
                      "position of their points is unknown. Interpolate it first.")
+
+
+def _between(array, dim: str, own: str):
+    """From the points between the centres, as ROMS' u: the first and the last centre have the value of their only neighbour."""
+    wide = array.pad({dim: 1}, mode="edge")
+    mean = 0.5 * (wide.isel({dim: slice(None, -1)}) + wide.isel({dim: slice(1, None)}))
+    return mean.rename({dim: own}).assign_attrs(array.attrs).rename(array.name)
 
 
 def _interpolated(dataset, array, dim: str, own: str):

@@ -11,12 +11,14 @@ import numpy as np
 from .._checks import listed
 from .units import UNITS, converted, knows, plain
 
+OCEAN = ("ocean_sigma_coordinate", "ocean_s_coordinate_g1", "ocean_s_coordinate_g2")
 _NAMES = ("lev", "level", "levels", "plev", "pressure", "pressure_level", "model_level", "model_level_number", "bottom_top", "bottom_top_stag", "hybrid", "z", "height", "altitude",
           "isobaric", "height_2", "nvertlevels", "nvertlevelsp1", "depth", "sigma", "ilev", "lev_2", "lv_isbl0", "level_pressure", "height_above_ground", "generalverticallayer", "levels_number")
 _GRIB_KINDS = {"isobaricInhPa": "pressure", "isobaricInPa": "pressure", "hybrid": "hybrid", "sigma": "sigma", "heightAboveSea": "height", "heightAboveGround": "height above ground",
-               "generalVerticalLayer": "levels", "generalVertical": "levels", "hybridLayer": "hybrid"}
+               "generalVerticalLayer": "levels", "generalVertical": "levels", "hybridLayer": "hybrid", "hybridHeight": "hybrid height",
+               "hybridPressure": "hybrid"}
 _FORMULAS = {"atmosphere_hybrid_sigma_pressure_coordinate": "hybrid", "atmosphere_sigma_coordinate": "sigma", "atmosphere_hybrid_height_coordinate": "hybrid height",
-             "atmosphere_ln_pressure_coordinate": "log pressure"}
+             "atmosphere_ln_pressure_coordinate": "log pressure", **{name: "ocean sigma" for name in OCEAN}}
 
 
 class VerticalError(ValueError):
@@ -25,7 +27,7 @@ class VerticalError(ValueError):
 
 @dataclass
 class Vertical:
-    """`kind`: pressure, height, height above ground, depth (below the sea), hybrid, sigma, hybrid height or levels (numbers unrelated to heights)."""
+    """`kind`: pressure, height, height above ground, depth (below the sea), hybrid, sigma, hybrid height, ocean sigma or levels (numbers unrelated to heights)."""
     dim: str
     kind: str
     name: str  # of the coordinate, "" if the dimension has none
@@ -75,8 +77,19 @@ def _judged(dataset, dim: str) -> Vertical:
     return _by_coefficients(dataset, dim) or _by_values(dataset, dim) or Vertical(dim, "levels", dim if dim in dataset.variables else "")
 
 
+def _counts(variable) -> bool:
+    """True for the numbers of levels under the name of a height, as ICON writes them ("generalized_height")."""
+    if variable.attrs.get("standard_name") != "height":
+        return False
+    values = np.asarray(variable.values, float)
+    whole = values.size > 2 and np.all(np.abs(np.diff(values)) == 1) and np.all(2 * values % 1 == 0)
+    return "generalized" in str(variable.attrs.get("long_name", "")) or bool(whole and not plain(variable.attrs.get("units")))
+
+
 def _kind(variable) -> str | None:
     standard, units = variable.attrs.get("standard_name", ""), variable.attrs.get("units")
+    if _counts(variable) or _is_reference(variable):
+        return None
     if standard == "air_pressure" or (units is not None and plain(units) and knows(units, "pressure")):
         return "pressure"
     if standard == "depth" or (variable.attrs.get("positive") == "down" and units is not None and plain(units) and knows(units, "height")):
@@ -88,6 +101,11 @@ def _kind(variable) -> str | None:
     if units is not None and plain(units) and knows(units, "height"):
         return "height"
     return None
+
+
+def _is_reference(variable) -> bool:
+    """True for pressures that hybrid levels have where the pressure at the ground is a reference (FV3's pfull)."""
+    return str(variable.attrs.get("long_name", "")).startswith(("ref full pressure", "reference pressure"))
 
 
 def _by_coefficients(dataset, dim: str) -> Vertical | None:

@@ -20,9 +20,9 @@ def along_grid(reading) -> bool:
                      f"nephoscope.open, which knows, or set ds[{reading.roles['u']!r}].attrs['GRIB_uvRelativeToGrid'] = 1.")
         return False
     standard = str(variable.attrs.get("standard_name", ""))
-    if standard in ("eastward_wind", "northward_wind"):
+    if standard in ("eastward_wind", "eastward_sea_water_velocity"):
         return False
-    if standard in ("x_wind", "grid_eastward_wind") or variable.attrs.get("nephoscope_along_grid"):
+    if standard in ("x_wind", "grid_eastward_wind", "sea_water_x_velocity") or variable.attrs.get("nephoscope_along_grid") or "xi_u" in variable.dims:
         return True
     if not reading.horizontal.is_regular and not standard:
         reading.note(f"{reading.roles['u']!r} is used as eastward: nothing says that it is along the grid (standard_name x_wind, GRIB_uvRelativeToGrid)")
