@@ -57,6 +57,24 @@ class Centres(unittest.TestCase):
         one = one.assign_coords(level=("level", [500.0], {"units": "hPa"}))
         self.assertNotIn("geopotential of the ground", written(one))
 
+    def test_formula_terms_with_errors(self):
+        """CESM2 writes hybrid levels in hPa with formula_terms at the bounds alone, and GFDL "formula_term"; neither a nor ap is a pressure axis."""
+        a, b = np.array([0.0, 0.1]), np.array([0.9, 0.2])
+        fields, ground = {"cl": (0.5, {"units": "%"}), "ta": (250.0, {"units": "K"})}, {"ps": (6e4, {"units": "Pa"}), "orog": (4000.0, {"units": "m"})}
+        cesm = on_levels("lev", [900, 300], fields, {"units": "hPa", "positive": "down"}, **ground).assign(a=("lev", a), b=("lev", b), p0=((), 1e5, {"units": "Pa"}))
+        gfdl = on_levels("lev", [1, 2], fields, {"standard_name": "atmosphere_hybrid_sigma_pressure_coordinate", "formula_term": "ap: ap b: b ps: ps", "units": "1"}, **ground)
+        gfdl = gfdl.assign(ap=("lev", a * 1e5, {"units": "Pa"}), b=("lev", b))
+        z = 6371229.0 * 4000 / (6371229.0 + 4000) + 287.05 * 250 / GRAVITY * np.log(6e4 / (a * 1e5 + b * 6e4))
+        for model in (cesm, gfdl):
+            np.testing.assert_allclose(heights(model), 6371229.0 * z / (6371229.0 - z), rtol=1e-4)
+
+    def test_bounds_of_terms_are_no_fields(self):
+        b = np.array([0.9, 0.2])
+        model = on_levels("lev", b, {"cl": (0.5, {"units": "%"})}, {"standard_name": "atmosphere_hybrid_height_coordinate", "formula_terms": "a: a b: b orog: orog", "bounds": "lev_bnds"}, orog=(100.0, {"units": "m"}))
+        model = model.assign(a=("lev", [10.0, 5000]), b=("lev", b), **{name: (("lev", "two"), np.ones((2, 2))) for name in ("lev_bnds", "first", "second")}).isel(lat=slice(3), lon=slice(3))
+        model["lev_bnds"].attrs["formula_terms"] = "a: first b: second orog: orog"
+        np.testing.assert_allclose(heights(model), [100, 5020], rtol=1e-6)
+
     def test_thickness_of_layers(self):
         """As FV3 writes it, from the top, with reference pressures as its coordinate; as MERRA-2, with pressures only; and both from the bottom."""
         dz, dp = np.array([-4000.0, -1000, -200]), np.array([10000.0, 20000, 30000])

@@ -3,6 +3,8 @@
 """The variables of a dataset that only describe its cells, levels and times, and are not fields."""
 from __future__ import annotations
 
+import re
+
 from .horizontal import is_latitude, is_longitude
 
 # Attributes that name such variables (CF, UGRID).
@@ -25,4 +27,7 @@ def helpers(dataset) -> set[str]:
         found.update(word for key in _NAMING for word in str(keys.get(key, "")).split() if word in dataset.variables)
         if "cf_role" in keys or "start_index" in keys or str(name).lower() in _USUAL or str(name).lower().endswith(_ENDINGS) or is_longitude(str(name), variable) or is_latitude(str(name), variable):
             found.add(str(name))
+    for name in [name for name in found if name in dataset.variables and "formula_terms" in dataset[name].attrs]:  # of bounds, whose terms are bounds too
+        terms = re.findall(r":\s*(\S+)", str(dataset[name].attrs["formula_terms"]))
+        found.update(term for term in terms if term in dataset.variables and dataset[term].dims == dataset[name].dims)
     return found

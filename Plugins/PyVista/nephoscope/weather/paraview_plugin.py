@@ -36,9 +36,9 @@ def missing_packages(python):
         told = subprocess.CompletedProcess([], 1, "", str(problem))
     if told.returncode == 0 and not told.stdout.strip():
         return ""
-    what = f"the packages {told.stdout.strip()} are missing" if told.returncode == 0 else f"it does not run ({told.stderr.strip()[-200:]})"
-    return (f"The Python that reads weather data for ParaView is {python}, and {what}. Install them, in the folder of Nephoscope's source: {python} -m pip install --no-deps "
-            "-r Plugins/PyVista/requirements.txt -r Plugins/PyVista/requirements-data.txt. Or name another Python in the environment variable NEPHOSCOPE_PYTHON before ParaView starts.")
+    what = f"the Python packages {told.stdout.strip()} are missing" if told.returncode == 0 else f"{python} does not run ({told.stderr.strip()[-200:]})"
+    return (f"{what}. Install them, in the folder of Nephoscope's source: {python} -m pip install --no-deps -r Plugins/PyVista/requirements.txt "
+            f"-r Plugins/PyVista/requirements-data.txt. Or name another Python than {python} in the environment variable NEPHOSCOPE_PYTHON before ParaView starts.")
 
 
 class Process:
@@ -184,7 +184,7 @@ class WeatherDataReader(VTKPythonAlgorithmBase):
     def RequestData(self, request, inputs, outputs):
         info = outputs.GetInformationObject(0)
         if not self._is_open:
-            return 0  # RequestDataObject has reported why
+            return 1  # empty; RequestDataObject has reported why, and ParaView's own report of a failure would hide that
         step = 0
         if self._times is not None and info.Has(SDDP.UPDATE_TIME_STEP()):
             asked = info.Get(SDDP.UPDATE_TIME_STEP())

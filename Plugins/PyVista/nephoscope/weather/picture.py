@@ -35,9 +35,14 @@ def plotted(grid: pyvista.DataSet, scalars: str | None, screenshot: str | None, 
 
 
 def _below(sheet: pyvista.DataSet) -> float:
-    """A radius below the centres of the sheet's flat cells."""
+    """A radius below the sheet's flat cells."""
     middles = np.linalg.norm(np.asarray(sheet.cell_centers().points), axis=1)
     middles = middles[np.isfinite(middles)]
+    if isinstance(sheet, pyvista.UnstructuredGrid) and sheet.n_cells:  # whose cells may be bent along a diagonal
+        corners = np.asarray(sheet.points)[sheet.cell_connectivity]
+        starts = np.asarray(sheet.offset)[:-1]
+        size = np.linalg.norm(np.maximum.reduceat(corners, starts) - np.minimum.reduceat(corners, starts), axis=1)
+        middles = np.sqrt(np.maximum(EARTH_RADIUS ** 2 - (0.5 * size) ** 2, 0))
     return 0.998 * float(np.clip(middles.min() if middles.size else EARTH_RADIUS, 0.8 * EARTH_RADIUS, EARTH_RADIUS))
 
 

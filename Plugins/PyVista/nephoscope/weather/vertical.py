@@ -66,15 +66,17 @@ def _coordinates(dataset, dim: str):
 def _judged(dataset, dim: str) -> Vertical:
     for variable in _coordinates(dataset, dim):
         standard = variable.attrs.get("standard_name", "")
-        if standard in _FORMULAS and (variable.attrs.get("formula_terms") or standard == "atmosphere_sigma_coordinate"):
+        if standard in _FORMULAS and (_terms(variable) or standard == "atmosphere_sigma_coordinate"):
             return Vertical(dim, _FORMULAS[standard], str(variable.name))
     if dim in _GRIB_KINDS:
         return Vertical(dim, _GRIB_KINDS[dim], dim)
+    if (hybrid := _by_coefficients(dataset, dim)) is not None:  # also if the axis has units of pressure, as CESM's
+        return hybrid
     for variable in _coordinates(dataset, dim):
         kind = _kind(variable)
         if kind:
             return Vertical(dim, kind, str(variable.name))
-    return _by_coefficients(dataset, dim) or _by_values(dataset, dim) or Vertical(dim, "levels", dim if dim in dataset.variables else "")
+    return _by_values(dataset, dim) or Vertical(dim, "levels", dim if dim in dataset.variables else "")
 
 
 def _counts(variable) -> bool:
@@ -149,9 +151,12 @@ def level_values(dataset, vertical: Vertical) -> np.ndarray:
     return -found if vertical.kind == "depth" else found
 
 
+def _terms(variable) -> str:
+    return str(variable.attrs.get("formula_terms", variable.attrs.get("formula_term", "")))  # GFDL's files of CMIP6 omit the s
+
+
 def formula_terms(dataset, vertical: Vertical) -> dict[str, str]:
     """Term -> variable."""
     if not vertical.name:
         return {}
-    text = str(dataset[vertical.name].attrs.get("formula_terms", ""))
-    return dict(re.findall(r"(\w+)\s*:\s*(\S+)", text))
+    return dict(re.findall(r"(\w+)\s*:\s*(\S+)", _terms(dataset[vertical.name])))
