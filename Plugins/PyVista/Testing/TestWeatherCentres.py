@@ -174,7 +174,7 @@ class Grib(unittest.TestCase):
 
     def test_the_same_points_under_two_headers(self):
         write_grib(self.path, [("t", "isobaricInhPa", p, 250.0) for p in (850, 500)], REGULAR)
-        write_grib(self.path, [("sp", "surface", 0, 1e5)], {**REGULAR, "shapeOfTheEarth": 0}, mode="ab")
+        write_grib(self.path, [("sp", "surface", 0, 1e5)], {**REGULAR, "shapeOfTheEarth": 6}, mode="ab")
         self.assertEqual({"t", "sp"} - set(nephoscope.open(self.path)), set())
         write_grib(self.path, [("sp", "surface", 0, 1e5)], {**REGULAR, "latitudeOfFirstGridPointInDegrees": 79}, mode="ab")
         with self.assertRaisesRegex(ValueError, "fields on 2 grids"):
