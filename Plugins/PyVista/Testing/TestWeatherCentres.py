@@ -65,7 +65,10 @@ class Centres(unittest.TestCase):
         gfdl = on_levels("lev", [1, 2], fields, {"standard_name": "atmosphere_hybrid_sigma_pressure_coordinate", "formula_term": "ap: ap b: b ps: ps", "units": "1"}, **ground)
         gfdl = gfdl.assign(ap=("lev", a * 1e5, {"units": "Pa"}), b=("lev", b))
         z = 6371229.0 * 4000 / (6371229.0 + 4000) + 287.05 * 250 / GRAVITY * np.log(6e4 / (a * 1e5 + b * 6e4))
-        for model in (cesm, gfdl):
+        other = gfdl.rename(ps="at_the_ground").drop_attrs(deep=False)
+        del other["at_the_ground"].attrs["units"]
+        other["lev"].attrs |= {"formula_terms": "ap: ap b: b ps: at_the_ground"}
+        for model in (cesm, gfdl, other):
             np.testing.assert_allclose(heights(model), 6371229.0 * z / (6371229.0 - z), rtol=1e-4)
 
     def test_bounds_of_terms_are_no_fields(self):

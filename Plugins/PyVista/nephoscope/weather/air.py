@@ -10,7 +10,7 @@ import numpy as np
 from .._checks import listed
 from .columns import from_half_levels, geometric, geopotential_height, hypsometric, midpoints, standard_height, standard_temperature, virtual_temperature
 from .reading import Reading
-from .units import GRAVITY
+from .units import GRAVITY, converted
 from .vertical import VerticalError, formula_terms, usual_coefficients
 
 KAPPA = 0.2857  # R/cp of dry air
@@ -50,6 +50,11 @@ class Air:
             return reading.role("surface_pressure").astype(float)
         if reading.has("log_surface_pressure"):
             return np.exp(reading.role("log_surface_pressure").astype(float))
+        name = formula_terms(reading.dataset, reading.vertical).get("ps") if reading.vertical else None
+        if name in reading.dataset.variables and set(reading.dataset[name].dims) == set(reading.horizontal.dims):  # under another name
+            values, note = converted(reading.values(name).astype(float), reading.dataset[name].attrs.get("units"), "pressure", name)
+            reading.note(note)
+            return values
         return None
 
     # Levels
@@ -312,7 +317,6 @@ def _term(dataset, terms: dict, term: str) -> np.ndarray:
 
 
 def _pascal(dataset, name: str) -> np.ndarray:
-    from .units import converted
     values = dataset[name].values.astype(float)
     return converted(values, dataset[name].attrs.get("units", "Pa"), "pressure", name)[0]
 

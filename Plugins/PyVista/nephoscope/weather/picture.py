@@ -35,15 +35,21 @@ def plotted(grid: pyvista.DataSet, scalars: str | None, screenshot: str | None, 
 
 
 def _below(sheet: pyvista.DataSet) -> float:
-    """A radius below the sheet's flat cells."""
-    middles = np.linalg.norm(np.asarray(sheet.cell_centers().points), axis=1)
-    middles = middles[np.isfinite(middles)]
-    if isinstance(sheet, pyvista.UnstructuredGrid) and sheet.n_cells:  # whose cells may be bent along a diagonal
-        corners = np.asarray(sheet.points)[sheet.cell_connectivity]
-        starts = np.asarray(sheet.offset)[:-1]
-        size = np.linalg.norm(np.maximum.reduceat(corners, starts) - np.minimum.reduceat(corners, starts), axis=1)
-        middles = np.sqrt(np.maximum(EARTH_RADIUS ** 2 - (0.5 * size) ** 2, 0))
-    return 0.998 * float(np.clip(middles.min() if middles.size else EARTH_RADIUS, 0.8 * EARTH_RADIUS, EARTH_RADIUS))
+    """A radius below the sheet's flat cells, which are also bent along a diagonal: that of the middle of the longest diagonal."""
+    half = 0.5 * _longest_diagonal(sheet)
+    return 0.998 * float(np.sqrt(np.clip(1 - (half / EARTH_RADIUS) ** 2, 0.64, 1))) * EARTH_RADIUS
+
+
+def _longest_diagonal(sheet: pyvista.DataSet) -> float:
+    points = np.asarray(sheet.points)
+    if isinstance(sheet, pyvista.StructuredGrid):
+        grid = points.reshape(*[size for size in sheet.dimensions[::-1] if size > 1], 3)
+        sizes = np.linalg.norm(grid[1:, 1:] - grid[:-1, :-1], axis=-1) if grid.ndim == 3 else np.zeros(1)
+    else:
+        corners, starts = points[sheet.cell_connectivity], np.asarray(sheet.offset)[:-1]
+        sizes = np.linalg.norm(np.maximum.reduceat(corners, starts) - np.minimum.reduceat(corners, starts), axis=1) if len(starts) else np.zeros(1)
+    sizes = sizes[np.isfinite(sizes)]
+    return float(sizes.max()) if sizes.size else 0.0
 
 
 def _look_down(plotter: pyvista.Plotter, grid: pyvista.DataSet) -> None:
