@@ -39,44 +39,60 @@ void ColumnSolver::ForRows(Body body)
 
 void ColumnSolver::Factor()
 {
-  this->Pivot.assign(this->Grid.Points(), 0.0);
-  const std::size_t above = this->Grid.Columns();
-  this->Rows(this->Grid.Size[1], [&](int j) {
-    for (int k = 0; k < this->Grid.Size[2]; ++k)
+  const LightGrid& g = this->Grid;
+  ColumnMatrix matrix;
+  matrix.Size[0] = g.Width();
+  matrix.Size[1] = g.Size[1];
+  matrix.Size[2] = g.Size[2];
+  matrix.Periodic = g.Periodic;
+  for (std::vector<float>* one : { &matrix.Next[0], &matrix.Next[1], &matrix.Next[2], &matrix.Sum })
+  {
+    one->assign(matrix.Points(), 0.0f);
+  }
+  this->Rows(g.Size[1], [&](int j) {
+    for (int k = 0; k < g.Size[2]; ++k)
     {
-      for (int i = 0; i < this->Grid.Width(); ++i)
+      for (int i = 0; i < g.Width(); ++i)
       {
-        const std::size_t p = i + j * this->Grid.Stride(1) + k * above;
-        const double lower = k > 0 ? this->Next[2][p - above] : 0;
-        const double rest =
-          this->Diagonal[p] - (k > 0 ? lower * lower * this->Pivot[p - above] : 0);
-        this->Pivot[p] = rest > 0 ? 1 / rest : 0;
+        const int index[3] = { i, j, k };
+        const std::size_t p = i + j * g.Stride(1) + k * g.Stride(2), q = matrix.Row(j, k) + i;
+        double sum = this->Diagonal[p];
+        for (int axis = 0; axis < 3; ++axis)
+        {
+          const int before = g.Before(index[axis], axis);
+          sum -= this->Next[axis][p] +
+            (before >= 0
+                ? this->Next[axis][p + (before - index[axis]) * std::ptrdiff_t(g.Stride(axis))]
+                : 0);
+          matrix.Next[axis][q] = static_cast<float>(this->Next[axis][p]);
+        }
+        matrix.Sum[q] = static_cast<float>(std::max(sum, 0.0));
       }
     }
   });
+  this->Levels = ColumnLevels(std::move(matrix), this->Rows);
 }
 
-void ColumnSolver::SolveColumns(const std::vector<double>& right, std::vector<double>& x)
+void ColumnSolver::Precondition(const std::vector<double>& right, std::vector<double>& x)
 {
-  const std::size_t above = this->Grid.Columns();
-  const int levels = this->Grid.Size[2], width = this->Grid.Width();
-  this->Rows(this->Grid.Size[1], [&](int j) {
-    for (int k = 0; k < levels; ++k)
-    {
-      const std::size_t row = j * this->Grid.Stride(1) + k * above;
-      for (std::size_t p = row; p < row + width; ++p)
+  const LightGrid& g = this->Grid;
+  const std::size_t width = g.Width();
+  const auto forRows = [&](const auto& body) {
+    this->Rows(g.Size[1], [&](int j) {
+      for (int k = 0; k < g.Size[2]; ++k)
       {
-        x[p] = this->Pivot[p] * (right[p] + (k > 0 ? this->Next[2][p - above] * x[p - above] : 0));
+        body(j * g.Stride(1) + k * g.Stride(2), (std::size_t(k) * g.Size[1] + j) * width);
       }
-    }
-    for (int k = levels - 2; k >= 0; --k)
-    {
-      const std::size_t row = j * this->Grid.Stride(1) + k * above;
-      for (std::size_t p = row; p < row + width; ++p)
-      {
-        x[p] += this->Pivot[p] * this->Next[2][p] * x[p + above];
-      }
-    }
+    });
+  };
+  std::vector<float>& coarse = this->Levels.Right();
+  forRows([&](std::size_t from, std::size_t to) {
+    std::transform(right.begin() + from, right.begin() + from + width, coarse.begin() + to,
+      [](double v) { return static_cast<float>(v); });
+  });
+  const std::vector<float>& found = this->Levels.Solve(this->Rows);
+  forRows([&](std::size_t to, std::size_t from) {
+    std::copy(found.begin() + from, found.begin() + from + width, x.begin() + to);
   });
 }
 
@@ -129,7 +145,7 @@ int ColumnSolver::Solve(
   std::vector<double> residual(n, 0.0), direction(n, 0.0), image(n, 0.0), fitted(n, 0.0);
   this->Multiply(x, image);
   std::transform(right.begin(), right.end(), image.begin(), residual.begin(), std::minus<>());
-  this->SolveColumns(residual, fitted);
+  this->Precondition(residual, fitted);
   direction = fitted;
   double along = this->Dot(residual, fitted);
   const double enough = reduction * reduction * along;
@@ -142,7 +158,7 @@ int ColumnSolver::Solve(
       x[p] += step * direction[p];
       residual[p] -= step * image[p];
     });
-    this->SolveColumns(residual, fitted);
+    this->Precondition(residual, fitted);
     const double now = this->Dot(residual, fitted), share = now / along;
     this->ForRows([&](std::size_t p) { direction[p] = fitted[p] + share * direction[p]; });
     along = now;

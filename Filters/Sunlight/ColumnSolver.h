@@ -7,6 +7,7 @@
 #ifndef nephoscope_ColumnSolver_h
 #define nephoscope_ColumnSolver_h
 
+#include "ColumnLevels.h"
 #include "LightGrid.h"
 
 #include <cstddef>
@@ -34,11 +35,11 @@ private:
   void ForRows(Body body);
   double Dot(const std::vector<double>& a, const std::vector<double>& b);
   void Multiply(const std::vector<double>& x, std::vector<double>& product);
-  void SolveColumns(const std::vector<double>& right, std::vector<double>& x);
+  void Precondition(const std::vector<double>& right, std::vector<double>& x);
 
   const LightGrid& Grid;
   Parallel Rows;
-  std::vector<double> Pivot; ///< inverse
+  ColumnLevels Levels;
   std::vector<double> RowSums;
 };
 }

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "LitData.h"
 
+#include "GridRays.h"
+#include "SunMesh.h"
 #include "TetrahedronSource.h"
 #include "Vector3.h"
 
@@ -18,6 +20,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace nephoscope
 {
@@ -29,7 +32,7 @@ double fieldValue(vtkDataSet* data, const char* name, double otherwise)
   return array && array->GetNumberOfTuples() > 0 ? array->GetComponent(0, 0) : otherwise;
 }
 
-Vector difference(const SunMesh::Place& a, const SunMesh::Place& b)
+Vector difference(const Place& a, const Place& b)
 {
   return { float(a[0] - b[0]), float(a[1] - b[1]), float(a[2] - b[2]) };
 }
@@ -42,7 +45,7 @@ float lengthOf(const Vector& v)
 class GridMaker
 {
 public:
-  GridMaker(const std::vector<SunMesh::Place>& places, LightGrid& grid, GridAxes& axes)
+  GridMaker(const std::vector<Place>& places, LightGrid& grid, GridAxes& axes)
     : Places(places)
     , Grid(grid)
     , Axes(axes)
@@ -129,7 +132,7 @@ private:
     return closed;
   }
 
-  const std::vector<SunMesh::Place>& Places;
+  const std::vector<Place>& Places;
   LightGrid& Grid;
   GridAxes& Axes;
   const std::ptrdiff_t Stride[3];
@@ -158,9 +161,9 @@ std::vector<float> valuesOf(
   return values;
 }
 
-std::vector<SunMesh::Place> placesOf(vtkDataSet* data)
+std::vector<Place> placesOf(vtkDataSet* data)
 {
-  std::vector<SunMesh::Place> places(static_cast<std::size_t>(data->GetNumberOfPoints()));
+  std::vector<Place> places(static_cast<std::size_t>(data->GetNumberOfPoints()));
   for (std::size_t i = 0; i < places.size(); ++i)
   {
     data->GetPoint(static_cast<vtkIdType>(i), places[i].data());
@@ -168,42 +171,48 @@ std::vector<SunMesh::Place> placesOf(vtkDataSet* data)
   return places;
 }
 
-SunMesh sunMeshOf(vtkDataSet* data, const std::vector<std::int32_t>& merged)
+namespace
 {
-  const ChessboardGrid grid = findChessboardGrid(data);
-  const auto loop = [](std::int64_t count, const auto& body) {
-    vtkSMPTools::For(0, count, [&body](vtkIdType begin, vtkIdType end) { body(begin, end); });
-  };
-  const auto renumbered = [&merged](const auto& t) {
-    return SunMesh::Tetrahedron{ { merged[t[0]], merged[t[1]], merged[t[2]], merged[t[3]] } };
-  };
+std::unique_ptr<SunMesh> sunMeshOf(vtkDataSet* data, const std::vector<std::int32_t>& merged)
+{
   std::vector<SunMesh::Tetrahedron> tetrahedra;
-  if (!grid.IsEmpty()) // what is hidden lets light through
-  {
-    tetrahedra.resize(ChessboardGrid::TetrahedraPerCell * grid.NumberOfCells());
-    loop(grid.NumberOfCells(), [&](std::int64_t begin, std::int64_t end) {
-      for (std::int64_t cell = begin; cell < end; ++cell)
-      {
-        const auto divided = grid.Tetrahedra(cell);
-        std::transform(divided.begin(), divided.end(),
-          tetrahedra.begin() + ChessboardGrid::TetrahedraPerCell * cell, renumbered);
-      }
-    });
-    return SunMesh(std::move(tetrahedra), merged.size(), grid, loop);
-  }
-  TetrahedronSource source(data);
   tetrahedra.reserve(5 * data->GetNumberOfCells());
+  TetrahedronSource source(data);
   for (vtkIdType cell = 0; cell < data->GetNumberOfCells(); ++cell)
   {
     source.IsHidden(cell); // reads its points
-    source.EmitTetrahedra(
-      cell, [&](const std::array<vtkIdType, 4>& t) { tetrahedra.push_back(renumbered(t)); });
+    source.EmitTetrahedra(cell, [&](const std::array<vtkIdType, 4>& t) {
+      tetrahedra.push_back({ { merged[t[0]], merged[t[1]], merged[t[2]], merged[t[3]] } });
+    });
   }
-  return SunMesh(std::move(tetrahedra), merged.size(), grid, loop);
+  return std::make_unique<SunMesh>(std::move(tetrahedra), merged);
+}
 }
 
-bool makeGrid(
-  vtkDataSet* data, const std::vector<SunMesh::Place>& places, LightGrid& grid, GridAxes& axes)
+// What is hidden lets light through.
+std::unique_ptr<SunPaths> sunPathsOf(vtkDataSet* data, const std::vector<Place>& places,
+  const std::vector<Fields>& fields, const Place& sun)
+{
+  const Loop loop = [](std::int64_t count, const auto& body) {
+    vtkSMPTools::For(0, count, [&body](vtkIdType begin, vtkIdType end) { body(begin, end); });
+  };
+  const bool mayCoincide = !vtkImageData::SafeDownCast(data);
+  const std::vector<std::int32_t> merged =
+    mayCoincide ? mergedPoints(places) : std::vector<std::int32_t>();
+  std::vector<SunPoint> points = sunPoints(places, fields, merged, sun, loop);
+  const ChessboardGrid grid = findChessboardGrid(data);
+  auto rays = std::make_unique<GridRays>(grid);
+  if (!grid.IsEmpty() && rays->Connect(merged))
+  {
+    rays->Turn(std::move(points));
+    return rays;
+  }
+  std::unique_ptr<SunMesh> mesh = sunMeshOf(data, merged);
+  mesh->Turn(std::move(points));
+  return mesh;
+}
+
+bool makeGrid(vtkDataSet* data, const std::vector<Place>& places, LightGrid& grid, GridAxes& axes)
 {
   const ChessboardGrid chessboard = findChessboardGrid(data);
   if (chessboard.IsEmpty())
@@ -215,11 +224,11 @@ bool makeGrid(
   return true;
 }
 
-SampleFrame::SampleFrame(const Planet& planet, const std::vector<SunMesh::Place>& places)
+SampleFrame::SampleFrame(const Planet& planet, const std::vector<Place>& places)
   : OnGlobe(planet.Radius > 0)
 {
   std::array<double, 2> sum{ { 0, 0 } };
-  for (const SunMesh::Place& p : places)
+  for (const Place& p : places)
   {
     const double r = std::hypot(p[0], p[1]);
     sum[0] += r > 0 ? p[0] / r : 0;
@@ -228,7 +237,7 @@ SampleFrame::SampleFrame(const Planet& planet, const std::vector<SunMesh::Place>
   this->Middle = std::atan2(sum[1], sum[0]);
 }
 
-SunMesh::Place SampleFrame::FromPlace(const SunMesh::Place& place) const
+Place SampleFrame::FromPlace(const Place& place) const
 {
   if (!this->OnGlobe)
   {
@@ -240,7 +249,7 @@ SunMesh::Place SampleFrame::FromPlace(const SunMesh::Place& place) const
     r > 0 ? std::asin(std::max(-1.0, std::min(1.0, place[2] / r))) : 0, r } };
 }
 
-SunMesh::Place SampleFrame::ToPlace(const SunMesh::Place& c) const
+Place SampleFrame::ToPlace(const Place& c) const
 {
   if (!this->OnGlobe)
   {
@@ -251,10 +260,10 @@ SunMesh::Place SampleFrame::ToPlace(const SunMesh::Place& c) const
 }
 
 vtkSmartPointer<vtkImageData> SampleFrame::MakeImage(
-  const std::vector<SunMesh::Place>& places, double points) const
+  const std::vector<Place>& places, double points) const
 {
   vtkBoundingBox box;
-  for (const SunMesh::Place& p : places)
+  for (const Place& p : places)
   {
     box.AddPoint(this->FromPlace(p).data());
   }
@@ -297,7 +306,7 @@ vtkSmartPointer<vtkDataSet> SampleFrame::Sampled(vtkDataSet* data, vtkImageData*
   points->SetNumberOfPoints(image->GetNumberOfPoints());
   for (vtkIdType p = 0; p < image->GetNumberOfPoints(); ++p)
   {
-    SunMesh::Place c;
+    Place c;
     image->GetPoint(p, c.data());
     points->SetPoint(p, this->ToPlace(c).data());
   }

@@ -5,13 +5,14 @@
 #define nephoscope_LitData_h
 
 #include "LightGrid.h"
-#include "SunMesh.h"
+#include "SunFrame.h"
 
 #include "vtkDataSet.h"
 #include "vtkImageData.h"
 #include "vtkSmartPointer.h"
 
 #include <array>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -33,9 +34,10 @@ Planet planetOf(vtkDataSet* data);
 std::vector<float> valuesOf(
   vtkDataSet* data, const std::string& name, double otherwise, double scale, vtkIdType& wrong);
 
-std::vector<SunMesh::Place> placesOf(vtkDataSet* data);
-/** Where the way to the sun goes; `merged` has the numbers of points that are the same. */
-SunMesh sunMeshOf(vtkDataSet* data, const std::vector<std::int32_t>& merged);
+std::vector<Place> placesOf(vtkDataSet* data);
+/** Ways to the sun; the fields are those that depths are integrals of. */
+std::unique_ptr<SunPaths> sunPathsOf(vtkDataSet* data, const std::vector<Place>& places,
+  const std::vector<Fields>& fields, const Place& sun);
 
 /** The axes of each point: unit vectors along the indices. */
 struct GridAxes
@@ -44,21 +46,19 @@ struct GridAxes
 };
 
 /** True for structured data; then the grid has sizes, steps and seam, and axes has the axes. */
-bool makeGrid(
-  vtkDataSet* data, const std::vector<SunMesh::Place>& places, LightGrid& grid, GridAxes& axes);
+bool makeGrid(vtkDataSet* data, const std::vector<Place>& places, LightGrid& grid, GridAxes& axes);
 
 /** Coordinates whose third counts upwards: x, y and z, or on a globe longitude and latitude in radians and the distance from the centre. */
 class SampleFrame
 {
 public:
-  SampleFrame(const Planet& planet, const std::vector<SunMesh::Place>& places);
+  SampleFrame(const Planet& planet, const std::vector<Place>& places);
 
-  SunMesh::Place FromPlace(const SunMesh::Place& place) const;
-  SunMesh::Place ToPlace(const SunMesh::Place& coordinates) const;
+  Place FromPlace(const Place& place) const;
+  Place ToPlace(const Place& coordinates) const;
 
   /** An image of about so many points around the places, in these coordinates. */
-  vtkSmartPointer<vtkImageData> MakeImage(
-    const std::vector<SunMesh::Place>& places, double points) const;
+  vtkSmartPointer<vtkImageData> MakeImage(const std::vector<Place>& places, double points) const;
 
   /** The data, with their arrays, at the points of the image. */
   vtkSmartPointer<vtkDataSet> Sampled(vtkDataSet* data, vtkImageData* image) const;

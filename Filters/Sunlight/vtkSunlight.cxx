@@ -83,7 +83,7 @@ struct vtkSunlight::Work
 {
   nephoscope::Planet Planet;
   std::array<double, 3> Sun;
-  std::vector<nephoscope::SunMesh::Place> Places;
+  std::vector<nephoscope::Place> Places;
   std::vector<float> Extinction, Scaled, Albedo, Asymmetry; // the last two scaled
   std::vector<float> Transmittance, ScaledDepth;
   std::vector<float> Shadow; // of clouds of the second input, if there are any
@@ -213,15 +213,13 @@ bool vtkSunlight::ReadOptics(vtkDataSet* data, Work& work)
 
 bool vtkSunlight::TraceSun(vtkDataSet* data, Work& work)
 {
-  const std::vector<std::int32_t> merged = nephoscope::mergedPoints(work.Places);
-  nephoscope::SunMesh mesh = nephoscope::sunMeshOf(data, merged);
-  mesh.Turn(work.Places, work.Sun);
-  std::vector<std::array<float, 2>> fields(work.Places.size());
+  std::vector<nephoscope::Fields> fields(work.Places.size());
   for (std::size_t p = 0; p < fields.size(); ++p)
   {
     fields[p] = { { work.Extinction[p], work.Scaled[p] } };
   }
-  mesh.FindCeiling(fields, work.Planet.Radius > 0);
+  const std::unique_ptr<nephoscope::SunPaths> paths =
+    nephoscope::sunPathsOf(data, work.Places, fields, work.Sun);
   work.Transmittance.assign(fields.size(), 0.0f);
   work.ScaledDepth.assign(fields.size(), nephoscope::LightGrid::Night);
   const auto trace = [&](vtkIdType begin, vtkIdType end) {
@@ -229,7 +227,7 @@ bool vtkSunlight::TraceSun(vtkDataSet* data, Work& work)
     {
       if (!isInShadow(work.Planet, work.Places[p], work.Sun))
       {
-        const std::array<double, 2> depths = mesh.DepthsFrom(merged[p], fields);
+        const std::array<double, 2> depths = paths->DepthsFrom(static_cast<std::int32_t>(p));
         work.Transmittance[p] = static_cast<float>(std::exp(-depths[0]));
         work.ScaledDepth[p] =
           static_cast<float>(std::min(depths[1], 0.99 * nephoscope::LightGrid::Night));

@@ -1,0 +1,54 @@
+// SPDX-FileCopyrightText: The Nephoscope authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * Ways to the sun through the tetrahedra of a structured grid (ChessboardGrid.h), found from indices alone. Its first axis may close on itself, and
+ * the rows at its ends may be poles. Plain C++17.
+ */
+#ifndef nephoscope_GridRays_h
+#define nephoscope_GridRays_h
+
+#include "ChessboardGrid.h"
+#include "SunFrame.h"
+
+namespace nephoscope
+{
+class GridRays : public SunPaths
+{
+public:
+  explicit GridRays(const ChessboardGrid& grid)
+    : Grid(grid)
+  {
+  }
+
+  /** Finds seam and poles. False if points coincide elsewhere, or cells do not fit at the seam. No points in `merged`: none coincide. */
+  bool Connect(const std::vector<std::int32_t>& merged);
+
+  void Turn(std::vector<SunPoint> points);
+
+  std::array<double, 2> DepthsFrom(std::int32_t point) const override;
+
+private:
+  struct Path;
+  using Index = std::array<int, 3>;
+
+  static std::vector<bool> FindPoles(
+    const ChessboardGrid& grid, const std::vector<std::int32_t>& merged);
+  bool IsFitting(const std::vector<std::int32_t>& merged) const;
+  bool IsPole(const Index& at) const;
+  bool HasPoint(int index, int axis) const;
+  int Wrapped(int i) const;
+  const SunPoint& PointAt(const Index& at) const;
+  double SizeAt(const Index& at) const;
+  bool Begin(std::int32_t point, Path& path) const;
+  bool BeginBeside(const Index& at, Path& path) const;
+  bool BeginIn(const Index& at, const Index& side, Path& path) const;
+
+  ChessboardGrid Grid;
+  std::vector<SunPoint> Points;
+  LastClouds Clouds;
+  bool Closed = false;
+  std::vector<bool> Poles; ///< of the first and the last row of each level
+};
+}
+
+#endif
