@@ -36,18 +36,16 @@ struct vtkCellCompositingMapper::vtkInternals
   nephoscope::CellScene Scene;
   nephoscope::CellCompositingPass Pass;
   nephoscope::FacePass Faces;
-  nephoscope::CellScene::Versions Uploaded;
-  std::int64_t UploadedContours = -1, UploadedPolygons = -1;
+  std::int64_t Uploaded = -1;            // version of the scene
   nephoscope::ScalarSelection Contoured; // array of the contours, if not the coloured one
   bool HasContours = true;               // there is an array for them
   bool WarnedOfUnprojected = false;
   nephoscope::ReportedError LastError, LastWarning, RayWarning, ContourWarning, MediaWarnings[2],
     PolygonWarnings[2];
   bool OneColor = false;     // of the medium in the last render
-  bool Peeled = false;       // the last render drew between translucent surfaces
+  bool Peeled = false;       // the last render drew between translucent surfaces, or slices
   bool RaysAreWrong = false; // on the window's OpenGL
   bool Mixed = false;        // with other media, ray by ray
-  bool ProjectsFew = false;  // tetrahedra of one colour
   bool MediaRefused = false; // by the compiler of shaders
   vtkWeakPointer<vtkCellCompositingMapper>
     Picture; // drew the last one with other media, if not this mapper
@@ -57,14 +55,10 @@ struct vtkCellCompositingMapper::vtkInternals
   nephoscope::ScalarSelection Scalars, Opacity; // of the geometry, and what keeps them
   vtkSmartPointer<vtkDataArray> Arrays[2];
 
-  nephoscope::CellScene::Cycles CountCycles(vtkCellCompositingMapper* self);
-  bool IsUploadNeeded() const { return this->Uploaded != this->Scene.GetVersions(); }
-
   nephoscope::ResourceWindow Window{ [this](vtkWindow* window) {
     this->Pass.ReleaseGraphicsResources(window);
     this->Faces.ReleaseGraphicsResources(window);
-    this->Uploaded = nephoscope::CellScene::Versions();
-    this->UploadedContours = this->UploadedPolygons = -1;
+    this->Uploaded = -1;
   } };
 };
 

@@ -7,7 +7,6 @@
 #include "CellsInOrder.h"
 #include "ContourSettings.h"
 #include "MapperSettings.h"
-#include "OrderView.h"
 #include "SceneLights.h"
 #include "TrianglePass.h"
 #include "ViewState.h"
@@ -38,19 +37,22 @@ vtkStandardNewMacro(vtkCellCompositingMapper);
 
 namespace
 {
-std::string ignoredByEarlierMethods(
-  const nephoscope::CellDrawingOptions& options, const CellScene& scene)
+/** What neither projection nor triangles and faces draw, and these alone. */
+std::string leftOut(
+  const nephoscope::CellDrawingOptions& options, const CellScene& scene, bool projected)
 {
   std::string list;
   const auto add = [&list](bool ignored, const char* what) {
     list += ignored ? (list.empty() ? "" : " and ") + std::string(what) : std::string();
   };
-  add(options.Haze.IsOn(), "the haze of the renderer");
-  add(!options.Planes.IsEmpty(), "the clipping planes");
+  add(!projected && options.Haze.IsOn(), "the haze of the renderer");
+  add(!projected && !options.Planes.IsEmpty(), "the clipping planes");
   add(scene.GetContours().DrawsAny(), "the contour surfaces");
   add(scene.GetPolygons().IsUsed(), "the polygons");
   add(scene.ContoursMakeLayers(), "the layers between contour values");
-  return list;
+  return list.empty() ? list
+    : projected       ? "Projected cells are drawn without " + list + ": use another OpenGL driver."
+                : "Triangles and faces are drawn without " + list + ": choose another method.";
 }
 }
 
@@ -120,6 +122,7 @@ void vtkCellCompositingMapper::DrawInOrder(vtkRenderer* renderer, vtkVolume* vol
   const bool several = media.size() > 1;
   const auto isMissing = [&](const vtkMedium& medium) {
     medium.Mapper->Internals->Mixed = several;
+    medium.Mapper->Internals->Peeled = nephoscope::VolumePeel::IsRequested(medium.Volume);
     return !medium.Mapper->Prepare(window, renderer, medium.Volume);
   };
   media.erase(std::remove_if(media.begin(), media.end(), isMissing), media.end());
@@ -153,12 +156,6 @@ bool vtkCellCompositingMapper::Prepare(
   this->Internals->Scene.ReadPolygons(input, *this->Contours);
   std::string error = this->ChooseWayOfDrawing(window);
   error = error.empty() ? this->UpdateGeometry(input, volume, progress.Part(0, 0.5)) : error;
-  const bool few = error.empty() && this->WouldProjectFew(volume);
-  if (error.empty() && few != this->Internals->ProjectsFew)
-  {
-    this->Internals->ProjectsFew = few;
-    error = this->UpdateGeometry(input, volume, progress.Part(0, 0.5));
-  }
   if (error.empty() && this->GetNumberOfTetrahedra() > 0)
   {
     error = this->PrepareScene(window, renderer, volume, progress.Part(0.5, 1));
@@ -204,7 +201,7 @@ std::string vtkCellCompositingMapper::UpdateGeometry(
   }
   bool built = false;
   const auto form = this->MayUseHexahedra() ? CellGeometry::Form::Hexahedra
-    : this->MayUseRays()                    ? CellGeometry::Form::Grid
+    : this->UsesRays()                      ? CellGeometry::Form::Grid
                                             : CellGeometry::Form::Tetrahedra;
   withThreads([&]() {
     built = scene.UpdateGeometry(input, scalars, opacity, form, error, layers, progress);
@@ -220,13 +217,9 @@ std::string vtkCellCompositingMapper::UpdateGeometry(
   return error;
 }
 
-// Leaves the view where there is something to draw.
-std::string vtkCellCompositingMapper::PrepareScene(vtkOpenGLRenderWindow* window,
-  vtkRenderer* renderer, vtkVolume* volume, const nephoscope::Progress& progress)
+// Empty, or why the settings of the volume draw nothing.
+std::string vtkCellCompositingMapper::CheckSettings(vtkVolumeProperty* property)
 {
-  CellScene& scene = this->Internals->Scene;
-  vtkVolumeProperty* property = volume->GetProperty();
-  const double unitDistance = property->GetScalarOpacityUnitDistance();
   const std::string wrongUnit = nephoscope::checkUnitDistance(property);
   if (!wrongUnit.empty())
   {
@@ -248,16 +241,21 @@ std::string vtkCellCompositingMapper::PrepareScene(vtkOpenGLRenderWindow* window
         " must be positive.";
     }
   }
-  const std::string wrongPlanes = nephoscope::ClippingPlanes::Check(this);
-  if (!wrongPlanes.empty())
+  return nephoscope::ClippingPlanes::Check(this);
+}
+
+// Leaves the view where there is something to draw.
+std::string vtkCellCompositingMapper::PrepareScene(vtkOpenGLRenderWindow* window,
+  vtkRenderer* renderer, vtkVolume* volume, const nephoscope::Progress& progress)
+{
+  CellScene& scene = this->Internals->Scene;
+  vtkVolumeProperty* property = volume->GetProperty();
+  std::string error = this->CheckSettings(property);
+  if (!error.empty())
   {
-    return wrongPlanes;
+    return error;
   }
   auto view = std::make_unique<nephoscope::ViewState>(renderer, volume, scene.GetGeometry().Center);
-  const nephoscope::ViewState& state = *view;
-  int width, height, lowerLeft[2];
-  renderer->GetTiledSizeAndOrigin(&width, &height, &lowerLeft[0], &lowerLeft[1]);
-  scene.UpdateView(nephoscope::orderView(state, width, height));
   bool ready = true;
   withThreads([&]() {
     scene.UpdatePolygons(this->Internals->Scalars, *this->Contours, property);
@@ -265,27 +263,30 @@ std::string vtkCellCompositingMapper::PrepareScene(vtkOpenGLRenderWindow* window
       this->Internals->HasContours ? *this->Contours : this->Contours->WithoutSurfaces(),
       this->GetDataSetInput(), this->Internals->Contoured);
     this->Internals->OneColor = scene.HasOneColor();
-    ready = this->UpdateOrder(state.EyeModel.data(), progress.Part(0, 0.9));
+    ready = this->UpdateOrder(view->EyeModel, progress.Part(0, 0.9));
     if (ready)
     {
       scene.UpdateDrawn();
     }
   });
   this->WarnAboutPolygons();
-  const bool upload = this->Internals->IsUploadNeeded();
+  const bool upload = this->Internals->Uploaded < scene.GetVersions().Latest();
   if (!ready || window->CheckAbortStatus() || (upload && !progress.Report(0.92)))
   {
     return std::string();
   }
-  const std::string error = this->Upload(window);
-  if (!error.empty())
+  error = this->Upload(window);
+  if (error.empty() && (!upload || progress.Report(1)))
   {
-    return error;
+    this->SetDrawingOptions(renderer, property);
+    this->Internals->View = std::move(view);
   }
-  if (upload && !progress.Report(1))
-  {
-    return std::string();
-  }
+  return error;
+}
+
+void vtkCellCompositingMapper::SetDrawingOptions(vtkRenderer* renderer, vtkVolumeProperty* property)
+{
+  const CellScene& scene = this->Internals->Scene;
   nephoscope::CellDrawingOptions& options = this->Internals->Options;
   options = nephoscope::CellDrawingOptions();
   options.Method = static_cast<CellMethod>(this->Method);
@@ -293,7 +294,7 @@ std::string vtkCellCompositingMapper::PrepareScene(vtkOpenGLRenderWindow* window
   options.SplitAtControlPoints = this->SplitAtControlPoints;
   options.Trilinear = this->CellInterpolation == TRILINEAR_INTERPOLATION;
   options.Eye = &scene.GetEyeTetrahedron();
-  options.ExtinctionScale = this->OpacityScale / unitDistance;
+  options.ExtinctionScale = this->OpacityScale / property->GetScalarOpacityUnitDistance();
   options.Haze = nephoscope::HazeView(renderer);
   options.Planes = nephoscope::ClippingPlanes(this, renderer);
   options.ContourLayers = scene.ContoursMakeLayers();
@@ -305,8 +306,6 @@ std::string vtkCellCompositingMapper::PrepareScene(vtkOpenGLRenderWindow* window
       static_cast<float>(property->GetSpecularPower()) } };
     options.Lights = nephoscope::describeLights(renderer);
   }
-  this->Internals->View = std::move(view);
-  return std::string();
 }
 
 // What was prepared, alone.
@@ -316,21 +315,16 @@ std::string vtkCellCompositingMapper::DrawScene(vtkOpenGLRenderWindow* window, v
   const nephoscope::ViewState& state = *this->Internals->View;
   const nephoscope::CellDrawingOptions& options = this->Internals->Options;
   this->Internals->Picture = nullptr;
-  this->Internals->Peeled = nephoscope::VolumePeel::IsRequested(volume);
   if (this->Internals->Peeled)
   {
-    return options.Method != CellMethod::Faces && !nephoscope::drawsTriangles(options.Method)
+    return this->UsesRays()
       ? this->Internals->Pass.DrawPeel(window, state.View, options, { this, volume })
       : std::string(
-          "Projected triangles and faces cannot be drawn between peeled surfaces: choose another method, or call "
-          "UseDepthPeelingForVolumesOff() of the renderer.");
+          "Projected cells, triangles and faces cannot be drawn between peeled surfaces: choose "
+          "another method, or call UseDepthPeelingForVolumesOff() of the renderer.");
   }
-  const bool earlier =
-    options.Method == CellMethod::Faces || nephoscope::drawsTriangles(options.Method);
-  const std::string ignored = earlier ? ignoredByEarlierMethods(options, scene) : std::string();
-  const std::string warning = ignored.empty()
-    ? ""
-    : "Triangles and faces are drawn without " + ignored + ": choose another method.";
+  const std::string warning =
+    this->UsesRays() ? std::string() : leftOut(options, scene, !this->DrawsTrianglesOrFaces());
   if (this->Internals->LastWarning.IsNew(warning)) // once, not once per frame
   {
     vtkWarningMacro(<< warning);
@@ -371,55 +365,38 @@ std::string vtkCellCompositingMapper::Upload(vtkOpenGLRenderWindow* window)
 {
   vtkInternals& self = *this->Internals;
   self.Window.Enter(window);
-  const CellScene::Versions& now = self.Scene.GetVersions();
+  const CellScene& scene = self.Scene;
+  const CellScene::Versions& now = scene.GetVersions();
+  const auto isNew = [before = self.Uploaded](std::int64_t version) { return version > before; };
   std::string error;
-  const CellScene::Versions& before = self.Uploaded;
-  if (before.Geometry != now.Geometry || before.Pieces != now.Pieces ||
-    before.Topology != now.Topology)
+  if (isNew(now.Geometry) || isNew(now.Topology))
   {
-    error = self.Pass.UploadGeometry(
-      window, self.Scene.GetGeometry(), self.Scene.GetPieces(), self.Scene.GetNeighbors());
+    error = self.Pass.UploadGeometry(window, scene.GetGeometry(), scene.GetNeighbors());
   }
   else
   {
-    error = self.Pass.UploadValues(window, self.Scene.GetGeometry(), self.Scene.GetPieces(),
-      before.Colors != now.Colors, before.Opacities != now.Opacities);
+    error =
+      self.Pass.UploadValues(window, scene.GetGeometry(), isNew(now.Colors), isNew(now.Opacities));
   }
-  if (error.empty() &&
-    (self.Uploaded.Transfer != now.Transfer || self.Uploaded.Pieces != now.Pieces))
+  if (error.empty() && isNew(now.Transfer))
   {
-    std::vector<std::int32_t> tables = self.Scene.GetTablesOfTetrahedra();
-    if (!tables.empty())
-    {
-      for (const std::int32_t owner : self.Scene.GetPieces().Owners)
-      {
-        tables.push_back(tables[static_cast<std::size_t>(owner)]);
-      }
-    }
-    error = self.Pass.UploadTransferFunctions(
-      window, self.Scene.GetTransferFunctions(), self.Scene.GetOpacityFunctions(), tables);
+    error = self.Pass.UploadTransferFunctions(window, scene.GetTransferFunctions(),
+      scene.GetOpacityFunctions(), scene.GetTablesOfTetrahedra());
   }
-  if (error.empty() && self.UploadedContours != self.Scene.GetContours().Version)
+  if (error.empty() && isNew(now.Contours))
   {
-    error = self.Pass.UploadContours(window, self.Scene.GetContours());
-    self.UploadedContours = self.Scene.GetContours().Version;
+    error = self.Pass.UploadContours(window, scene.GetContours());
   }
-  const std::int64_t polygons = self.Scene.GetPolygons().Version;
-  if (error.empty() &&
-    (self.UploadedPolygons != polygons || before.Pieces != now.Pieces ||
-      before.Topology != now.Topology))
+  if (error.empty() && (isNew(now.Polygons) || isNew(now.Topology)))
   {
-    error = self.Pass.UploadPolygons(window, self.Scene.GetPolygons(), self.Scene.GetGeometry(),
-      self.Scene.GetPieces(), self.Scene.GetNeighbors());
-    self.UploadedPolygons = polygons;
+    error = self.Pass.UploadPolygons(
+      window, scene.GetPolygons(), scene.GetGeometry(), scene.GetNeighbors());
   }
-  if (error.empty() && self.Uploaded.Drawn != now.Drawn)
+  if (error.empty() && isNew(now.Drawn))
   {
-    error = self.Pass.UploadDrawn(window, self.Scene);
+    error = self.Pass.UploadDrawn(window, scene);
   }
-  self.Uploaded = error.empty() ? now : CellScene::Versions();
-  self.UploadedContours = error.empty() ? self.UploadedContours : -1;
-  self.UploadedPolygons = error.empty() ? self.UploadedPolygons : -1;
+  self.Uploaded = error.empty() ? now.Latest() : -1;
   return error;
 }
 
@@ -491,10 +468,7 @@ void vtkCellCompositingMapper::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "NumberOfDrawnTetrahedra: " << this->GetNumberOfDrawnTetrahedra() << "\n";
   os << indent << "NumberOfRayLayers: " << this->GetNumberOfRayLayers() << "\n";
   os << indent << "OrderIndependent: " << this->GetOrderIndependent() << "\n";
-  if (!this->UsesRays() && !this->NeedsNoOrder()) // which would have to make an order for it
-  {
-    os << indent << "NumberOfVisibilityCycles: " << this->GetNumberOfVisibilityCycles() << "\n";
-    os << indent << "NumberOfCyclicTetrahedra: " << this->GetNumberOfCyclicTetrahedra() << "\n";
-    os << indent << "NumberOfBrokenRelations: " << this->GetNumberOfBrokenRelations() << "\n";
-  }
+  os << indent << "NumberOfVisibilityCycles: " << this->GetNumberOfVisibilityCycles() << "\n";
+  os << indent << "NumberOfCyclicTetrahedra: " << this->GetNumberOfCyclicTetrahedra() << "\n";
+  os << indent << "NumberOfBrokenRelations: " << this->GetNumberOfBrokenRelations() << "\n";
 }

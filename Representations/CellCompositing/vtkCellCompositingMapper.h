@@ -4,10 +4,10 @@
  * @class vtkCellCompositingMapper
  * @brief Direct volume rendering of polyhedral cells with the exact ray integral
  *
- * The mapper assumes that every 3-D cell of the input is convex. While drawing it divides cells into tetrahedra with a linear
- * scalar. For each pixel that a tetrahedron covers, the fragment shader finds where the ray enters and leaves it, looks up
- * the transfer functions in float, and integrates emission and extinction between the two ends to float accuracy. The tetrahedra
- * are composited back to front, in an exact visibility order, into a 32-bit float image that is laid over the scene.
+ * Every pixel's ray walks through the mesh from cell to cell, front to back. In every cell the transfer functions are looked up in
+ * float, and emission and extinction are integrated between the two ends to float accuracy. 3-D cells must be convex; they are divided into tetrahedra
+ * with a linear scalar, or drawn as their trilinear field (SetCellInterpolation). The sum is a 32-bit float image that is laid over the
+ * scene. Nothing is sorted, and contour surfaces, layers and polygons are found along the rays.
  *
  * - Extinction per unit world length = opacity function value * OpacityScale / ScalarOpacityUnitDistance
  *   (a rate, as in VTK's other unstructured volume mappers, not -log(1 - opacity)).
@@ -35,6 +35,7 @@
 #include "vtkNephoscopeRepresentationsCellCompositingModule.h" // for export macro
 #include "vtkUnstructuredGridVolumeMapper.h"
 
+#include <array>  // for points
 #include <memory> // for std::unique_ptr
 #include <string> // for messages
 
@@ -81,14 +82,14 @@ public:
   /**
    * Rendering method. Default: automatic. Any other value is rejected with an error.
    * - Rays: every pixel walks through the mesh from cell to cell, front to back. The order is exact for every mesh, with cycles, holes
-   *   and separate parts, whatever VisibilityOrder is. Where cells overlap in space, each part of a ray between entering and leaving
+   *   and separate parts. Where cells overlap in space, each part of a ray between entering and leaving
    *   the mesh is composited whole, in the order of entering; for an eye inside several overlapping parts, in any order. Contour
    *   surfaces, layers and polygons are found along the ray.
-   * - Projection, or Cells: cell by cell in the order given by VisibilityOrder, each over the pixels that it covers.
-   * - Automatic: rays if VisibilityOrder is exact, otherwise projection. Unstructured data with at most 32,768 tetrahedra are projected,
-   *   unsorted, if no order is needed (GetOrderIndependent()).
+   * - Automatic: rays. Projection if VisibilityOrder is not exact, or if the OpenGL driver does not draw rays correctly, with a warning.
    *
    * The other methods show the results of earlier techniques for the same scene (Documentation/cell-compositing-methods.md):
+   * - Projection, or Cells: cell by cell, back to front in the order given by VisibilityOrder, each with the exact integral over the pixels
+   *   that it covers. Contour surfaces, polygons, layers between contour values, and cells between peeled surfaces are drawn by rays.
    * - TrianglesLinear: tetrahedra projected to triangles around their thickest point (Shirley and Tuchman), opacity
    *   and mean colour at the corners interpolated on the screen. The opacity is too low by up to .08 per tetrahedron at optical
    *   depth 1. Integration is taken as average, SplitAtControlPoints as off.
@@ -159,13 +160,14 @@ public:
   };
   ///@{
   /**
-   * The order in which tetrahedra are composited. Default: exact.
-   * - Exact: topological sort over shared faces, and over the gaps where a ray leaves the mesh and enters it again;
-   *   correct for every mesh, convex or not. Tetrahedra that hide one another in a cycle are cut, for this view,
-   *   until their pieces have an order; GetNumberOfVisibilityCycles() reports this.
-   * - Centroid: by distance of the centroid; cheaper, with local errors.
+   * The order in which the method Projection composites tetrahedra; rays have none but the exact one. Default: exact.
+   * - Exact: rays, if the method is Automatic. Projection sorts topologically: across each shared face, the tetrahedron on the eye's side is in
+   *   front. This order is exact for convex meshes without cycles of tetrahedra that hide one another; GetNumberOfVisibilityCycles()
+   *   counts these. Gaps in the mesh relate nothing.
+   * - Centroid: by distance of the centroid; local errors.
    * - None: input order. Correct if the colour is constant, because transparency does not depend on order. The mapper detects
    *   this case and then sorts nothing, whatever is set here: GetOrderIndependent().
+   * With Centroid and None, Automatic projects.
    */
   vtkSetClampMacro(VisibilityOrder, int, EXACT_ORDER, NO_ORDER);
   vtkGetMacro(VisibilityOrder, int);
@@ -394,19 +396,14 @@ public:
   int GetNumberOfRayLayers();
   ///@{
   /**
-   * Number of visibility cycles in the last view, whether or not they were drawn correctly: groups of tetrahedra in which each hides
-   * another and is itself hidden, so that no order of whole tetrahedra is correct. 0: such an order exists.
-   * GetNumberOfCyclicTetrahedra() counts the members of all groups. Always 0 for the orders centroid and none.
-   * Computed on request if drawing did not need it.
+   * What the last order of the method Projection lacks, if VisibilityOrder is Exact: the number of groups of tetrahedra in which each hides
+   * another and is itself hidden, so that no order is correct; their members; and the relations across faces that are drawn in the wrong
+   * order for this reason. 0 with all other methods and orders: rays are exact without an order.
    */
   vtkIdType GetNumberOfVisibilityCycles();
   vtkIdType GetNumberOfCyclicTetrahedra();
-  ///@}
-  /**
-   * Relations between tetrahedra that the last picture shows in the wrong order, because cutting all cycles would have
-   * taken more than 2^20 pieces. Otherwise 0. Always 0 for the orders centroid and none.
-   */
   vtkIdType GetNumberOfBrokenRelations();
+  ///@}
 
   /**
    * Copies the float image of the last render into `image`: one layer of the viewport's size with the point array
@@ -417,7 +414,7 @@ public:
   bool CopyFloatImage(vtkImageData* image);
 
   /**
-   * Draws the volume. While building geometry and order, it invokes ProgressEvent several times a second and stops when
+   * Draws the volume. While building geometry, neighbours or order, it invokes ProgressEvent several times a second and stops when
    * AbortExecute is set or the window aborts; the next render completes the work.
    */
   void Render(vtkRenderer* renderer, vtkVolume* volume) override;
@@ -443,10 +440,9 @@ protected:
 
 private:
   bool HasSurfacesOrLayers() const;
-  bool MayUseRays() const;
+  bool DrawsTrianglesOrFaces() const;
   std::string ChooseWayOfDrawing(vtkOpenGLRenderWindow* window);
   bool MayUseHexahedra() const;
-  bool WouldProjectFew(vtkVolume* volume) const;
   bool UsesRays() const;
   bool NeedsNoOrder() const;
   std::string UpdateGeometry(
@@ -460,6 +456,8 @@ private:
     const nephoscope::ScalarSelection& scalars, const nephoscope::ScalarSelection& opacity);
   void WarnAboutContours(const std::string& reason);
   void WarnAboutPolygons();
+  std::string CheckSettings(vtkVolumeProperty* property);
+  void SetDrawingOptions(vtkRenderer* renderer, vtkVolumeProperty* property);
   bool Prepare(vtkOpenGLRenderWindow* window, vtkRenderer* renderer, vtkVolume* volume);
   std::string PrepareScene(vtkOpenGLRenderWindow* window, vtkRenderer* renderer, vtkVolume* volume,
     const nephoscope::Progress& progress);
@@ -472,7 +470,7 @@ private:
   void DrawMedia(vtkOpenGLRenderWindow* window, const std::vector<vtkMedium>& media);
   std::string ReasonToBeAlone(vtkOpenGLRenderWindow* window);
   void WarnAboutMedia(int kind, const std::string& warning);
-  bool UpdateOrder(const double eye[4], const nephoscope::Progress& progress);
+  bool UpdateOrder(const std::array<double, 4>& eye, const nephoscope::Progress& progress);
   std::string Upload(vtkOpenGLRenderWindow* window);
   void WarnAboutUnprojected(vtkIdType count);
   void ReportOnce(const std::string& error);

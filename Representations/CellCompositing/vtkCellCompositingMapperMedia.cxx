@@ -62,12 +62,7 @@ VolumeOrder::Part nephoscope::CellsInOrder::PartOf(
     auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
     return window && find()->ReasonToBeAlone(window).empty() ? RayMedia::Most : 1;
   };
-  const auto mayBeSliced = [find]() {
-    const int method = find()->Method;
-    return method != vtkCellCompositingMapper::TRIANGLES_LINEAR_METHOD &&
-      method != vtkCellCompositingMapper::TRIANGLES_TABLE_METHOD &&
-      method != vtkCellCompositingMapper::FACES_METHOD;
-  };
+  const auto mayBeSliced = [find]() { return !find()->DrawsTrianglesOrFaces(); };
   return { draw, mixes, mayBeSliced };
 }
 
@@ -100,7 +95,7 @@ std::string vtkCellCompositingMapper::ReasonToBeAlone(vtkOpenGLRenderWindow* win
   {
     return "it has polygons between its cells";
   }
-  return this->ChooseWayOfDrawing(window).empty() && this->MayUseRays()
+  return this->ChooseWayOfDrawing(window).empty() && this->UsesRays()
     ? std::string()
     : "this OpenGL driver does not draw rays correctly";
 }
@@ -230,7 +225,6 @@ void vtkCellCompositingMapper::DrawMedia(
   }
   for (const vtkMedium& medium : media)
   {
-    medium.Mapper->Internals->Peeled = nephoscope::VolumePeel::IsRequested(medium.Volume);
     medium.Mapper->Internals->Picture =
       medium.Mapper == media.front().Mapper ? nullptr : media.front().Mapper;
   }

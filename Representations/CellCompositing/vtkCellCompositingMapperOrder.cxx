@@ -3,33 +3,11 @@
 // How vtkCellCompositingMapper draws: ray by ray or cell by cell, and in which order, if any.
 #include "vtkCellCompositingMapper.h"
 
-#include "ArraySelection.h"
 #include "CellCompositingInternals.h"
 #include "ContourSettings.h"
 #include "DrawingCheck.h"
-#include "OrderIndependence.h"
 
-#include "vtkDataSet.h"
-#include "vtkPiecewiseFunction.h"
-#include "vtkVolumeProperty.h"
-
-using nephoscope::CellGeometry;
 using nephoscope::CellScene;
-using nephoscope::checkLength;
-using nephoscope::withThreads;
-
-namespace
-{
-constexpr std::int64_t fewTetrahedra = 1 << 15;
-
-nephoscope::TransferFunctionTable tableOf(vtkVolumeProperty* property, const CellGeometry& geometry)
-{
-  nephoscope::TransferFunctionTable table;
-  table.Build(
-    property, geometry.ScalarRange, nephoscope::TransferFunctionTable::Channels::ColorAndOpacity);
-  return table;
-}
-}
 
 void vtkCellCompositingMapper::SetMethod(int method)
 {
@@ -46,44 +24,19 @@ void vtkCellCompositingMapper::SetMethod(int method)
   }
 }
 
-CellScene::Cycles vtkCellCompositingMapper::vtkInternals::CountCycles(
-  vtkCellCompositingMapper* self)
-{
-  CellScene::Cycles cycles;
-  if (self->VisibilityOrder == EXACT_ORDER && !this->Busy &&
-    this->Scene.GetGeometry().NumberOfTetrahedra() > 0)
-  {
-    withThreads([&]() {
-      cycles = this->Scene.CountCycles([&]() {
-        CellGeometry geometry;
-        vtkDataSet* input = self->GetDataSetInput();
-        if (input && this->Scalars.Array && checkLength(input, this->Scalars).empty() &&
-          (!this->Opacity.Array || checkLength(input, this->Opacity).empty()))
-        {
-          geometry.Build(input, this->Scalars, this->Opacity);
-        }
-        return geometry;
-      });
-    });
-  }
-  return cycles;
-}
-
 vtkIdType vtkCellCompositingMapper::GetNumberOfVisibilityCycles()
 {
-  return static_cast<vtkIdType>(this->Internals->CountCycles(this).Number);
+  return static_cast<vtkIdType>(this->Internals->Scene.GetOrder().NumberOfCycles);
 }
 
 vtkIdType vtkCellCompositingMapper::GetNumberOfCyclicTetrahedra()
 {
-  return static_cast<vtkIdType>(this->Internals->CountCycles(this).Tetrahedra);
+  return static_cast<vtkIdType>(this->Internals->Scene.GetOrder().NumberOfCyclicTetrahedra);
 }
 
 vtkIdType vtkCellCompositingMapper::GetNumberOfBrokenRelations()
 {
-  return this->UsesRays() || this->NeedsNoOrder()
-    ? 0
-    : static_cast<vtkIdType>(this->Internals->CountCycles(this).BrokenRelations);
+  return static_cast<vtkIdType>(this->Internals->Scene.GetOrder().NumberOfBrokenRelations);
 }
 
 bool vtkCellCompositingMapper::HasSurfacesOrLayers() const
@@ -92,11 +45,20 @@ bool vtkCellCompositingMapper::HasSurfacesOrLayers() const
     this->Internals->Scene.GetPolygons().IsUsed();
 }
 
-bool vtkCellCompositingMapper::MayUseRays() const
+bool vtkCellCompositingMapper::DrawsTrianglesOrFaces() const
 {
-  return !this->Internals->RaysAreWrong &&
-    (this->Method == RAY_METHOD ||
-      (this->Method == AUTOMATIC_METHOD && this->VisibilityOrder == EXACT_ORDER));
+  return this->Method == TRIANGLES_LINEAR_METHOD || this->Method == TRIANGLES_TABLE_METHOD ||
+    this->Method == FACES_METHOD;
+}
+
+// Where they are chosen, or cells are to be projected with what projection cannot draw: surfaces among them.
+bool vtkCellCompositingMapper::UsesRays() const
+{
+  const bool chosen = this->Method == RAY_METHOD ||
+    (this->Method == AUTOMATIC_METHOD && this->VisibilityOrder == EXACT_ORDER);
+  const bool surfaces = this->Internals->Peeled || this->GetNumberOfContourValues() > 0 ||
+    this->Internals->Scene.GetPolygons().IsUsed();
+  return !this->Internals->RaysAreWrong && (chosen || (surfaces && !this->DrawsTrianglesOrFaces()));
 }
 
 // Where this OpenGL does not draw right ray by ray, cells are projected; an error where that is not right either.
@@ -108,7 +70,7 @@ std::string vtkCellCompositingMapper::ChooseWayOfDrawing(vtkOpenGLRenderWindow* 
     return std::string(); // drawn by the processor
   }
   this->Internals->RaysAreWrong = false;
-  if (this->MayUseRays())
+  if (this->UsesRays())
   {
     const std::string wrong = nephoscope::checkDrawing(window, DrawnBy::Rays);
     if (this->Internals->RayWarning.IsNew(wrong))
@@ -119,38 +81,17 @@ std::string vtkCellCompositingMapper::ChooseWayOfDrawing(vtkOpenGLRenderWindow* 
     this->Internals->RaysAreWrong = !wrong.empty();
   }
   const std::string wrong =
-    this->MayUseRays() ? std::string() : nephoscope::checkDrawing(window, DrawnBy::Projection);
+    this->UsesRays() ? std::string() : nephoscope::checkDrawing(window, DrawnBy::Projection);
   return wrong.empty() ? wrong
                        : "This OpenGL driver does not draw cells correctly: " + wrong +
       ". Use another driver; the environment variable LIBGL_ALWAYS_SOFTWARE=1 selects Mesa's software driver.";
 }
 
-// Where no order is needed, a few cells are projected in less time.
-bool vtkCellCompositingMapper::UsesRays() const
-{
-  const CellGeometry& geometry = this->Internals->Scene.GetGeometry();
-  const bool many = !geometry.Grid.IsEmpty() || !geometry.Hexahedra.empty() ||
-    geometry.NumberOfTetrahedra() > fewTetrahedra;
-  return this->MayUseRays() &&
-    (this->Method == RAY_METHOD || many || this->Internals->Mixed || !this->NeedsNoOrder());
-}
-
-// As hexahedra where rays can do all that is asked for, unless a few cells of one colour are projected.
+// As hexahedra where rays can do all that is asked for.
 bool vtkCellCompositingMapper::MayUseHexahedra() const
 {
-  return this->MayUseRays() && this->CellInterpolation == TRILINEAR_INTERPOLATION &&
-    !this->Internals->Mixed && !this->Internals->ProjectsFew && !this->HasSurfacesOrLayers();
-}
-
-bool vtkCellCompositingMapper::WouldProjectFew(vtkVolume* volume) const
-{
-  const CellScene& scene = this->Internals->Scene;
-  const CellGeometry& geometry = scene.GetGeometry();
-  return this->CellInterpolation == TRILINEAR_INTERPOLATION && this->Method == AUTOMATIC_METHOD &&
-    geometry.Grid.IsEmpty() && geometry.NumberOfTetrahedra() <= fewTetrahedra &&
-    !this->HasSurfacesOrLayers() && volume->GetProperty()->GetScalarOpacity()->GetSize() > 0 &&
-    nephoscope::hasOneColor(
-      tableOf(volume->GetProperty(), geometry), 0.0f, geometry.SingleScalar ? 0.0f : 1.0f);
+  return this->UsesRays() && this->CellInterpolation == TRILINEAR_INTERPOLATION &&
+    !this->Internals->Mixed && !this->HasSurfacesOrLayers();
 }
 
 bool vtkCellCompositingMapper::NeedsNoOrder() const
@@ -165,7 +106,7 @@ bool vtkCellCompositingMapper::GetOrderIndependent()
 
 // What a way of drawing needs to know of who is in front of whom. False when stopped.
 bool vtkCellCompositingMapper::UpdateOrder(
-  const double eye[4], const nephoscope::Progress& progress)
+  const nephoscope::Vector4& eye, const nephoscope::Progress& progress)
 {
   CellScene& scene = this->Internals->Scene;
   if (this->UsesRays())
@@ -173,7 +114,7 @@ bool vtkCellCompositingMapper::UpdateOrder(
     const bool done = scene.UpdateMethod(CellScene::Method::Rays, progress);
     if (done)
     {
-      scene.UpdateEye({ { eye[0], eye[1], eye[2], eye[3] } });
+      scene.UpdateEye(eye);
     }
     return done;
   }
@@ -181,5 +122,5 @@ bool vtkCellCompositingMapper::UpdateOrder(
     this->NeedsNoOrder() || this->Method == FACES_METHOD; // faces have an order of their own
   const int order = none ? NO_ORDER : this->VisibilityOrder;
   return scene.UpdateMethod(CellScene::Method::Projection) &&
-    scene.UpdateOrder(static_cast<CellScene::OrderMethod>(order), progress);
+    scene.UpdateOrder(static_cast<nephoscope::ProjectionOrder::Kind>(order), eye, progress);
 }

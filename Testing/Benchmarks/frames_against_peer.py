@@ -45,7 +45,7 @@ def main():
     grid = forecast_globe()
     grid.GetPointData().SetActiveScalars("cloud_fraction")
     results = {}
-    for label, method, order in (("rays (default)", "Automatic", "Exact"), ("projection, exact order", "Projection", "Exact"),
+    for label, method, order in (("rays (default)", "Automatic", "Exact"), ("projection, topological order", "Projection", "Exact"),
                                  ("projection, centroid order", "Projection", "Centroid")):
         mapper = nephoscope.vtkCellCompositingMapper()
         mapper.SetInputData(grid)
@@ -53,7 +53,7 @@ def main():
         getattr(mapper, "SetVisibilityOrderTo" + order)()
         results["vtkCellCompositingMapper, " + label] = frames(mapper)
         print(f"{label}: {mapper.GetNumberOfTetrahedra()} tetrahedra, {mapper.GetNumberOfDrawnTetrahedra()} drawn, "
-              f"{mapper.GetNumberOfVisibilityCycles()} cycles", flush=True)
+              f"{mapper.GetNumberOfVisibilityCycles()} cycles in the order", flush=True)
     triangles = vtkDataSetTriangleFilter()
     triangles.SetInputData(grid)
     triangles.Update()

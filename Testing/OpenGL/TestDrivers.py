@@ -76,12 +76,12 @@ class Drivers(ImageTestCase):
             self.assertLessEqual(error, 5e-5)
             self.assertGreater(many[..., 3].max(), 0.5)
 
-    def draw_with_wrong(self, ways):
+    def draw_with_wrong(self, ways, settings="pass"):
         """(picture, messages) of a process in which the check of the ways of drawing fails."""
         script = ("import sys, numpy as np; sys.path.insert(0, sys.argv[1]); from TestDrivers import *\n"
                   "ours, window = mapper(), Window((32, 32)); scene = window.add_scene()\n"
                   "data = meshes.with_field(meshes.image((2, 2, 2)), lambda p: p[:, 2] / 2)\n"
-                  "scene.add_volume(ours, data, RAMP); scene.look_at(data); window.render(); window.render()\n"
+                  f"{settings}; scene.add_volume(ours, data, RAMP); scene.look_at(data); window.render(); window.render()\n"
                   "print(*window.messages.all, sep='\\n'); print('LIGHT', float_image(ours).mean() if not window.messages.errors else 0)")
         result = subprocess.run([sys.executable, "-c", script, os.path.dirname(os.path.abspath(__file__))], capture_output=True, text=True,
                                 env=dict(os.environ, NEPHOSCOPE_WRONG_DRAWING=ways))
@@ -96,6 +96,8 @@ class Drivers(ImageTestCase):
         self.assertEqual(warning.count("does not draw rays"), 1)
         self.assertAlmostEqual(projected, right, places=5)
         self.assertGreater(right, 0.05)
+        _, left_out = self.draw_with_wrong("Rays", "ours.SetContourValue(0, 0.5)")
+        self.assertEqual(left_out.count("Projected cells are drawn without the contour surfaces"), 1)
         _, error = self.draw_with_wrong("Rays, Projection")
         self.assertEqual(error.count("does not draw cells"), 1)
         self.assertIn("LIBGL_ALWAYS_SOFTWARE", error)

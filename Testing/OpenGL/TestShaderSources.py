@@ -79,8 +79,8 @@ def variants():
             yield cells(method, Integration=1), grid(kind), RAMP, ("point", "s")
             yield cells(method, SplitAtControlPoints=False), grid(kind), LONG, ("point", "s")
     for smooth in (True, False):
-        yield cells("Projection", ContourValue=(0, 0.5), SmoothContourNormals=smooth), grid("tetra"), RAMP, ("point", "s")
-    yield cells("Projection", ContourValue=(0, 0.5), LayersFromContours=True), grid("image"), RAMP, ("point", "s")
+        yield cells("Rays", ContourValue=(0, 0.5), SmoothContourNormals=smooth), grid("tetra"), RAMP, ("point", "s")
+    yield cells("Rays", ContourValue=(0, 0.5), LayersFromContours=True), grid("image"), RAMP, ("point", "s")
     for method in ("TrianglesLinear", "TrianglesTable", "Faces"):
         yield cells(method), grid("tetra"), constant(), ("point", "s")
     for kernel in (0, 1, 2):
@@ -160,8 +160,10 @@ class ShaderSources(unittest.TestCase):
 
     def check_variants(self):
         """Among the shaders is each way of drawing, between peeled surfaces and not, clipped and not."""
-        for way, peeling in (("vec2 betweenPlanes()", "useDepthRanges"), ("vec2 visibleRange()", "useDepthRanges"), ("vec4 seenRanges()", "peeled")):
-            for peeled in ("true", "false"):
+        for way, peeling, values in (("vec2 betweenPlanes()", "useDepthRanges", ("false",)),
+                                     ("vec2 visibleRange()", "useDepthRanges", ("true", "false")),
+                                     ("vec4 seenRanges()", "peeled", ("true", "false"))):
+            for peeled in values:
                 for clipped in (True, False):
                     found = [text for text in self.fragments if way in text and f"const bool {peeling} = {peeled};" in text
                              and ("#define CLIPPING_PLANES 1" in text) == clipped]

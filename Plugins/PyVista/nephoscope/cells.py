@@ -89,11 +89,11 @@ def add_cells(plotter: pyvista.BasePlotter, grid: Any, scalars: str | np.ndarray
     integration : {"exact", "average"}, default: "exact"
         Integration along a ray inside a tetrahedron: in closed form, or with the mean colour of the two ends.
     order : {"exact", "centroid", "none"}, default: "exact"
-        Visibility order of the tetrahedra: topological, by distance of the centroid, or as stored.
+        Visibility order of the tetrahedra: exact, by distance of the centroid, or as stored. With ``method='cells'``, exact stands for a topological
+        order, which is exact for convex meshes without cycles.
     method : {"automatic", "rays", "cells", "triangles-linear", "triangles-table", "faces"}, default: "automatic"
-        Rendering method. Rays: each pixel traverses the mesh. Cells: the cells are drawn one after another in visibility order. The others are
-        earlier methods, for comparison: projected tetrahedra with interpolated opacities or with a table, and faces. Automatic: rays if `order`
-        is exact, otherwise cells.
+        Rendering method. Automatic: rays if `order` is exact, otherwise cells. Rays: each pixel traverses the mesh. The others are earlier methods,
+        for comparison: cells one after another in visibility order, projected tetrahedra with interpolated opacities or with a table, and faces.
     split_at_control_points : bool, default: True
         Splits rays where `cmap` or `opacity` has a control point inside a cell, so that the integral is exact. False: both are linear between
         the ends of a ray in a cell, which is faster.

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "CellBuffers.h"
 
-#include "CellPieces.h"
+#include "CellGeometry.h"
 #include "ShaderInstance.h"
 #include "ShaderText.h"
 
@@ -26,59 +26,44 @@ bool hasNarrowIntervals(const std::vector<TransferFunctionTable>& tables)
   });
 }
 
-/** The geometry's values, and after them those of the pieces. */
-template <typename T>
-std::string uploadFloats(BufferTexture& buffer, vtkOpenGLRenderWindow* window,
-  const std::vector<T>& values, const std::vector<T>& ofPieces, int components)
-{
-  if (ofPieces.empty())
-  {
-    return buffer.Upload(window, values.data(), values.size(), components, VTK_FLOAT);
-  }
-  const std::vector<T> all = joined(values, ofPieces);
-  return buffer.Upload(window, all.data(), all.size(), components, VTK_FLOAT);
-}
 }
 
-std::string CellBuffers::UploadGeometry(
-  vtkOpenGLRenderWindow* window, const CellGeometry& geometry, const CellPieces& pieces)
+std::string CellBuffers::UploadGeometry(vtkOpenGLRenderWindow* window, const CellGeometry& geometry)
 {
-  std::string error =
-    uploadFloats(this->Buffers[Points], window, geometry.Points, pieces.Points, 4);
-  error = error.empty() ? this->UploadCellScalars(window, geometry, pieces) : error;
-  return error.empty() ? this->UploadOpacityScalars(window, geometry, pieces) : error;
+  const std::string error =
+    geometry.CellScalars.empty() ? std::string() : this->UploadPoints(window, geometry);
+  return error.empty() ? this->UploadValues(window, geometry, true, true) : error;
 }
 
-std::string CellBuffers::UploadValues(vtkOpenGLRenderWindow* window, const CellGeometry& geometry,
-  const CellPieces& pieces, bool ofColor, bool ofOpacity)
+std::string CellBuffers::UploadPoints(vtkOpenGLRenderWindow* window, const CellGeometry& geometry)
+{
+  return this->Buffers[Points].Upload(
+    window, geometry.Points.data(), geometry.Points.size(), 4, VTK_FLOAT);
+}
+
+std::string CellBuffers::UploadValues(
+  vtkOpenGLRenderWindow* window, const CellGeometry& geometry, bool ofColor, bool ofOpacity)
 {
   std::string error;
+  const auto upload = [&](Name name, const std::vector<float>& values) {
+    return this->Buffers[name].Upload(window, values.data(), values.size(), 1, VTK_FLOAT);
+  };
   if (ofColor && geometry.CellScalars.empty()) // points have their scalars with them
   {
-    error = uploadFloats(this->Buffers[Points], window, geometry.Points, pieces.Points, 4);
+    error = this->UploadPoints(window, geometry);
   }
   if (ofColor && error.empty())
   {
-    error = this->UploadCellScalars(window, geometry, pieces);
+    this->UseCellScalars = !geometry.CellScalars.empty();
+    error = upload(CellScalars, geometry.CellScalars);
   }
-  return ofOpacity && error.empty() ? this->UploadOpacityScalars(window, geometry, pieces) : error;
-}
-
-std::string CellBuffers::UploadCellScalars(
-  vtkOpenGLRenderWindow* window, const CellGeometry& geometry, const CellPieces& pieces)
-{
-  this->UseCellScalars = !geometry.CellScalars.empty();
-  return uploadFloats(this->Buffers[CellScalars], window, geometry.CellScalars,
-    pieces.OfOwners(geometry.CellScalars), 1);
-}
-
-std::string CellBuffers::UploadOpacityScalars(
-  vtkOpenGLRenderWindow* window, const CellGeometry& geometry, const CellPieces& pieces)
-{
-  this->SeparateOpacity = geometry.HasOpacityScalars;
-  this->OpacityOnCells = geometry.OpacityOnCells;
-  return uploadFloats(this->Buffers[OpacityScalars], window, geometry.OpacityScalars,
-    geometry.OpacityOnCells ? pieces.OfOwners(geometry.OpacityScalars) : pieces.OpacityScalars, 1);
+  if (ofOpacity && error.empty())
+  {
+    this->SeparateOpacity = geometry.HasOpacityScalars;
+    this->OpacityOnCells = geometry.OpacityOnCells;
+    error = upload(OpacityScalars, geometry.OpacityScalars);
+  }
+  return error;
 }
 
 // All tables one after the other; nodes as (position, width above).
@@ -110,9 +95,8 @@ std::string CellBuffers::UploadTransferFunctions(vtkOpenGLRenderWindow* window,
   this->NumberOfTransferNodes = static_cast<int>(colorAndOpacity[0].Nodes.size());
   this->NumberOfOpacityNodes = static_cast<int>(opacity[0].Nodes.size());
   this->UseLayers = colorAndOpacity.size() > 1;
-  this->NarrowIntervals = hasNarrowIntervals(colorAndOpacity) || hasNarrowIntervals(opacity);
-  const bool small =
-    colorAndOpacity[0].Nodes.size() <= few && !this->NarrowIntervals && !this->UseLayers;
+  const bool narrow = hasNarrowIntervals(colorAndOpacity) || hasNarrowIntervals(opacity);
+  const bool small = colorAndOpacity[0].Nodes.size() <= few && !narrow && !this->UseLayers;
   this->SmallTable = small ? colorAndOpacity[0] : TransferFunctionTable();
   std::vector<std::array<float, 4>>
     layers; // first node, number of nodes, of either table; clear range

@@ -22,17 +22,15 @@ namespace nephoscope
 {
 
 class CellGeometry;
-struct CellPieces;
 
 class CellBuffers
 {
 public:
   // Each returns an empty string, or what went wrong.
-  std::string UploadGeometry(
-    vtkOpenGLRenderWindow* window, const CellGeometry& geometry, const CellPieces& pieces);
+  std::string UploadGeometry(vtkOpenGLRenderWindow* window, const CellGeometry& geometry);
   /** Only the values of colour, of opacity or of both, of a geometry that was uploaded before. */
-  std::string UploadValues(vtkOpenGLRenderWindow* window, const CellGeometry& geometry,
-    const CellPieces& pieces, bool ofColor, bool ofOpacity);
+  std::string UploadValues(
+    vtkOpenGLRenderWindow* window, const CellGeometry& geometry, bool ofColor, bool ofOpacity);
   /** One table of either kind, or one per layer; `tables` has the number of its tables for each tetrahedron, or is empty. */
   std::string UploadTransferFunctions(vtkOpenGLRenderWindow* window,
     const std::vector<TransferFunctionTable>& colorAndOpacity,
@@ -45,7 +43,6 @@ public:
   bool HasPointOpacity() const { return this->SeparateOpacity && !this->OpacityOnCells; }
   bool HasOpacityScalars() const { return this->SeparateOpacity; }
   bool HasLayers() const { return this->UseLayers; }
-  bool HasNarrowIntervals() const { return this->NarrowIntervals; }
   /** Shader constants that say which of the buffers are used. */
   std::string ShaderConstants() const;
   /** Binds the textures that the program reads and sets their units; `instance` as in instanceName. */
@@ -69,10 +66,7 @@ private:
     TetrahedronLayers,
     NumberOfBuffers
   };
-  std::string UploadCellScalars(
-    vtkOpenGLRenderWindow* window, const CellGeometry& geometry, const CellPieces& pieces);
-  std::string UploadOpacityScalars(
-    vtkOpenGLRenderWindow* window, const CellGeometry& geometry, const CellPieces& pieces);
+  std::string UploadPoints(vtkOpenGLRenderWindow* window, const CellGeometry& geometry);
   std::string UploadTables(vtkOpenGLRenderWindow* window,
     const std::vector<TransferFunctionTable>& tables, Name nodes, Name intervals);
 
@@ -82,8 +76,6 @@ private:
   bool SeparateOpacity = false;
   bool OpacityOnCells = false;
   bool UseLayers = false;
-  bool NarrowIntervals =
-    false; // of a transfer function: scalars at faces must be the same for both neighbours
   int NumberOfTransferNodes = 0;
   int NumberOfOpacityNodes = 0;
 };

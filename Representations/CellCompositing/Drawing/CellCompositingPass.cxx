@@ -20,16 +20,16 @@ const char* const noFloatImages = "this OpenGL cannot draw into 32-bit float ima
 }
 
 std::string CellCompositingPass::UploadGeometry(vtkOpenGLRenderWindow* window,
-  const CellGeometry& geometry, const CellPieces& pieces, const TetrahedronNeighbors* neighbors)
+  const CellGeometry& geometry, const TetrahedronNeighbors* neighbors)
 {
   this->UseRays = neighbors != nullptr;
-  const std::string error = this->Buffers.UploadGeometry(window, geometry, pieces);
+  const std::string error = this->Buffers.UploadGeometry(window, geometry);
   if (!error.empty())
   {
     return error;
   }
   return this->UseRays ? this->Rays.UploadGeometry(window, geometry, *neighbors)
-                       : this->Projected.UploadGeometry(window, geometry, pieces);
+                       : this->Projected.UploadGeometry(window, geometry);
 }
 
 std::string CellCompositingPass::UploadDrawn(vtkOpenGLRenderWindow* window, const CellScene& scene)
@@ -73,13 +73,6 @@ std::string CellCompositingPass::DrawPeel(vtkOpenGLRenderWindow* window, const C
   const CellDrawingOptions& options, const VolumePeel::Request& request)
 {
   this->Peeled = true;
-  if (!this->UseRays) // both ranges at once
-  {
-    return this->Layer.DrawPeel(window, this->Peel, request, [&](const int viewport[4]) {
-      return this->Projected.Draw({ window, viewport, view, options, this->Buffers, this->Contours,
-        this->Layer.GetDepth(), &this->Peel });
-    });
-  }
   return this->CastPeel(window, request, [&](const int viewport[4], VolumePeel* peel, int range) {
     return this->Rays.Draw({ window, viewport, view, options, this->Buffers, this->Contours,
       this->Layer.GetDepth(), peel, range });

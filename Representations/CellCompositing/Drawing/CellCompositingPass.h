@@ -32,7 +32,6 @@ namespace nephoscope
 
 class CellGeometry;
 class CellScene;
-struct CellPieces;
 struct TetrahedronNeighbors;
 class ContourScene;
 class PolygonScene;
@@ -43,12 +42,12 @@ public:
   // Each returns an empty string, or what went wrong.
   /** With `neighbors` the cells are drawn ray by ray, otherwise one by one in the order of UploadOrder. */
   std::string UploadGeometry(vtkOpenGLRenderWindow* window, const CellGeometry& geometry,
-    const CellPieces& pieces, const TetrahedronNeighbors* neighbors);
+    const TetrahedronNeighbors* neighbors);
   /** Only the values of colour, of opacity or of both; the geometry is that of the last upload. */
-  std::string UploadValues(vtkOpenGLRenderWindow* window, const CellGeometry& geometry,
-    const CellPieces& pieces, bool ofColor, bool ofOpacity)
+  std::string UploadValues(
+    vtkOpenGLRenderWindow* window, const CellGeometry& geometry, bool ofColor, bool ofOpacity)
   {
-    return this->Buffers.UploadValues(window, geometry, pieces, ofColor, ofOpacity);
+    return this->Buffers.UploadValues(window, geometry, ofColor, ofOpacity);
   }
   std::string UploadTransferFunctions(vtkOpenGLRenderWindow* window,
     const std::vector<TransferFunctionTable>& colorAndOpacity,
@@ -61,15 +60,15 @@ public:
     return this->Contours.Upload(window, contours);
   }
   std::string UploadPolygons(vtkOpenGLRenderWindow* window, const PolygonScene& polygons,
-    const CellGeometry& geometry, const CellPieces& pieces, const TetrahedronNeighbors* neighbors)
+    const CellGeometry& geometry, const TetrahedronNeighbors* neighbors)
   {
-    return this->Contours.UploadPolygons(window, polygons, geometry, pieces, neighbors);
+    return this->Contours.UploadPolygons(window, polygons, geometry, neighbors);
   }
   /** The part of the scene that is visible with its transfer function and view. */
   std::string UploadDrawn(vtkOpenGLRenderWindow* window, const CellScene& scene);
   std::string Draw(
     vtkOpenGLRenderWindow* window, const CellView& view, const CellDrawingOptions& options);
-  /** Draws only the part that a depth peeling pass requests, into its targets. */
+  /** Draws only the part that a depth peeling pass requests, into its targets, ray by ray. */
   std::string DrawPeel(vtkOpenGLRenderWindow* window, const CellView& view,
     const CellDrawingOptions& options, const VolumePeel::Request& request);
 

@@ -29,8 +29,6 @@ std::string CellDrawing::OwnConstants() const
     this->Contours.ShaderConstants() +
     shaderConstant("contourLayers", this->Options.ContourLayers && this->Buffers.HasLayers()) +
     shaderConstant("contourLighting", this->Options.ContourLighting) +
-    shaderConstant(
-      "consistentFaces", this->Buffers.HasNarrowIntervals() || this->Contours.IsUsed()) +
     shaderConstant("averageIntegration", this->Options.AverageIntegration) +
     shaderConstant("splitAtControlPoints", this->Options.SplitAtControlPoints) +
     shaderConstant("useDepthRanges", this->Peel != nullptr) + this->Options.Planes.Definition();
@@ -49,13 +47,6 @@ void CellDrawing::SetDepths(vtkShaderProgram* program) const
   ranges->Activate();
   program->SetUniformi("depthRanges", ranges->GetTextureUnit());
   program->SetUniformi("rangeNumber", this->Range);
-  vtkTextureObject* tiles = this->Peel->GetTileRanges();
-  tiles->Activate();
-  program->SetUniformi("tileRanges", tiles->GetTextureUnit());
-  const float tilesPerUnit[2] = { 0.5f * static_cast<float>(ranges->GetWidth()) /
-      VolumePeel::TileSize,
-    0.5f * static_cast<float>(ranges->GetHeight()) / VolumePeel::TileSize };
-  program->SetUniform2f("tilesPerUnit", tilesPerUnit);
 }
 
 void CellDrawing::SetUniforms(vtkShaderProgram* program) const
@@ -102,7 +93,6 @@ void CellDrawing::Finish() const
   if (this->Peel)
   {
     this->Peel->GetRanges()->Deactivate();
-    this->Peel->GetTileRanges()->Deactivate();
     return;
   }
   this->Depth.GetTexture()->Deactivate();

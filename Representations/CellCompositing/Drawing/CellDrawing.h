@@ -55,7 +55,7 @@ struct CellDrawing
   ContourBuffers& Contours;
   OpaqueDepth& Depth;
   VolumePeel* Peel = nullptr; ///< where set, its depth ranges count and not the opaque depth
-  int Range = 0; ///< the one of them that is drawn ray by ray; projected cells are drawn into both
+  int Range = 0;              ///< the one of them that is drawn
 
   std::string ShaderConstants() const
   {

@@ -31,28 +31,19 @@ vtkMTimeType propertyMTime(vtkVolumeProperty* property)
     : std::max(time, property->GetGrayTransferFunction()->GetMTime());
 }
 
-/** Replaces `key`; true when it was different. */
-template <typename Key>
-bool changes(Key& key, const Key& now)
-{
-  const bool changed = key != now;
-  key = now;
-  return changed;
-}
 }
 
 void CellScene::Clear()
 {
   this->Geometry.Clear();
-  this->Order.Clear();
+  this->Faces = FaceNeighbors();
   this->Neighbors.Clear();
-  this->Sorted = {};
+  this->Order = ProjectionOrder();
   this->Drawn.clear();
   this->NumberOfVisible = 0;
-  this->Counted = {};
   this->Mesh.Forget();
-  ++this->Current.Geometry;
-  ++this->Current.Drawn;
+  this->Change(this->Current.Geometry);
+  this->Change(this->Current.Drawn);
 }
 
 bool CellScene::UpdateGeometry(vtkDataSet* data, const ScalarSelection& scalars,
@@ -62,7 +53,8 @@ bool CellScene::UpdateGeometry(vtkDataSet* data, const ScalarSelection& scalars,
   // All are asked, since each remembers what it was asked about.
   const bool mesh = this->Mesh.Changes(data);
   const bool layered = this->LayerValues.Changes(data, { layers, true, 0 });
-  const bool formed = changes(this->Form, form);
+  const bool formed = this->Form != form;
+  this->Form = form;
   const bool ofColor = this->ColorValues.Changes(data, scalars);
   const bool ofOpacity = this->OpacityValues.Changes(data, opacity);
   if (!mesh && !layered && !formed &&
@@ -71,14 +63,14 @@ bool CellScene::UpdateGeometry(vtkDataSet* data, const ScalarSelection& scalars,
     return false;
   }
   error = this->Geometry.Build(data, scalars, opacity, layers, progress, form);
-  this->Order.Clear();
+  this->Faces = FaceNeighbors();
   this->Neighbors.Clear();
   if (this->Geometry.Stopped)
   {
     this->Clear();
     return false;
   }
-  ++this->Current.Geometry;
+  this->Change(this->Current.Geometry);
   return true;
 }
 
@@ -90,17 +82,18 @@ bool CellScene::UpdateValues(vtkDataSet* data, const ScalarSelection& scalars,
   {
     return false;
   }
-  this->Current.Colors += ofColor;
-  this->Current.Opacities += ofOpacity;
+  if (ofColor)
+  {
+    this->Change(this->Current.Colors);
+  }
+  if (ofOpacity)
+  {
+    this->Change(this->Current.Opacities);
+  }
   const bool ofPoints = (ofColor && !scalars.OnCells) || (ofOpacity && !opacity.OnCells);
   if (ofPoints && this->Neighbors.DependOnValues)
   {
-    this->TopologyKey = {};
-  }
-  if (ofPoints &&
-    !this->Sorted.Pieces.Tetrahedra.empty()) // which have values of their own at their corners
-  {
-    this->OrderKey = {};
+    this->Current.Topology = 0;
   }
   return true;
 }
@@ -108,34 +101,37 @@ bool CellScene::UpdateValues(vtkDataSet* data, const ScalarSelection& scalars,
 bool CellScene::UpdateMethod(Method method, const Progress& progress)
 {
   const bool ofOther = this->Contours.IsUsed() && !this->Contours.OfColor;
-  if (!changes(this->TopologyKey,
-        { this->Current.Geometry, method, ofOther ? this->Contours.FieldVersion : 0 }))
+  const std::int64_t field = ofOther ? this->Contours.FieldVersion : 0;
+  if (this->Current.Topology > this->Current.Geometry && method == this->CurrentMethod &&
+    field == this->FieldOfTopology)
   {
     return true;
   }
   this->CurrentMethod = method;
+  this->FieldOfTopology = field;
+  this->Current.Topology = 0;
   this->Neighbors.Clear();
   this->Drawn.clear();
+  this->Order = ProjectionOrder();
+  this->Current.Order = 0;
   if (method == Method::Rays && !this->Geometry.Hexahedra.empty())
   {
     if (!findHexahedronNeighbors(this->Geometry, this->Neighbors, progress))
     {
-      this->TopologyKey = {};
       return false;
     }
   }
   else if (method == Method::Rays && this->Geometry.Grid.IsEmpty())
   {
-    if (!this->Order.IsConnected() && !this->Order.Connect(this->Geometry, progress))
+    if (!this->Faces.IsConnected() && !this->Faces.Connect(this->Geometry, progress))
     {
-      this->TopologyKey = {};
       return false;
     }
     this->Neighbors.Build(
-      this->Geometry, this->Order, ofOther ? this->Contours.Scalars : std::vector<float>());
-    this->Order.Clear();
+      this->Geometry, this->Faces, ofOther ? this->Contours.Scalars : std::vector<float>());
+    this->Faces = FaceNeighbors();
   }
-  ++this->Current.Topology;
+  this->Change(this->Current.Topology);
   return true;
 }
 
@@ -147,29 +143,32 @@ void CellScene::UpdateTransferFunction(vtkVolumeProperty* property)
 void CellScene::UpdateTransferFunction(vtkVolumeProperty* property, const ContourSettings& settings,
   vtkDataSet* data, const ScalarSelection& contoured)
 {
-  std::vector<PropertyKey> key = { { 0, property, propertyMTime(property) } };
+  const bool layersOfContours = settings.ContoursMakeLayers();
+  const CellGeometry& geometry = this->Geometry;
+  const std::array<double, 5> ranges = { { geometry.ScalarRange[0], geometry.ScalarRange[1],
+    geometry.OpacityRange[0], geometry.OpacityRange[1], double(geometry.HasOpacityScalars) } };
+  std::vector<TableSource> sources = { { 0, property, propertyMTime(property) } };
   std::vector<vtkVolumeProperty*> properties = { property };
   std::vector<int> layers; // with a table of their own: the first has table 1
-  this->LayersOfContours = settings.ContoursMakeLayers();
   for (const auto& layer : settings.LayerProperties)
   {
     if (settings.LayersAreUsed())
     {
-      key.emplace_back(layer.first, layer.second, propertyMTime(layer.second));
+      sources.push_back({ layer.first, layer.second, propertyMTime(layer.second) });
       properties.push_back(layer.second);
       layers.push_back(layer.first);
     }
   }
-  const CellGeometry& geometry = this->Geometry;
-  const Ranges ranges = { { geometry.ScalarRange[0], geometry.ScalarRange[1],
-    geometry.OpacityRange[0], geometry.OpacityRange[1] } };
-  if (changes(this->TransferKey,
-        { this->Current.Geometry, ranges, geometry.HasOpacityScalars, this->LayersOfContours,
-          key }))
+  if (this->Current.Transfer < this->Current.Geometry ||
+    this->LayersOfContours != layersOfContours || this->TableRanges != ranges ||
+    !(this->TableSources == sources))
   {
+    this->LayersOfContours = layersOfContours;
+    this->TableRanges = ranges;
+    this->TableSources = sources;
     this->BuildTables(properties);
     this->FindTablesOfTetrahedra(layers);
-    ++this->Current.Transfer;
+    this->Change(this->Current.Transfer);
   }
   this->ColorIsOne = hasOneColor(this->Transfers[0], 0.0f, geometry.SingleScalar ? 0.0f : 1.0f);
   std::vector<int> tables(this->LayersOfContours ? settings.Surfaces.size() + 1 : 0, 0);
@@ -180,15 +179,23 @@ void CellScene::UpdateTransferFunction(vtkVolumeProperty* property, const Contou
       tables[static_cast<std::size_t>(layers[i])] = static_cast<int>(i) + 1;
     }
   }
-  this->ContouredVersion += data && this->ContouredValues.Changes(data, contoured);
+  if (data && this->ContouredValues.Changes(data, contoured))
+  {
+    this->Change(this->ContouredVersion);
+  }
+  const std::int64_t before = this->Contours.Version;
   this->Contours.Update(geometry,
-    this->Current.Geometry + this->Current.Colors + this->ContouredVersion, data, contoured,
-    settings, property, tables);
+    std::max({ this->Current.Geometry, this->Current.Colors, this->ContouredVersion }), data,
+    contoured, settings, property, tables);
+  if (this->Contours.Version != before)
+  {
+    this->Change(this->Current.Contours);
+  }
   if (!this->Contours.ClosesWith(geometry)) // a boundary as any other
   {
     this->Geometry.Grid.WrapCells = 0;
-    ++this->Current.Topology;
-    this->VisibleKey = {};
+    this->Change(this->Current.Topology);
+    this->VisibleVersion = 0;
   }
 }
 
@@ -232,96 +239,41 @@ void CellScene::FindTablesOfTetrahedra(const std::vector<int>& layers)
   }
 }
 
-bool CellScene::UpdateOrder(OrderMethod method, const Progress& progress)
+bool CellScene::UpdateOrder(
+  ProjectionOrder::Kind kind, const Vector4& eye, const Progress& progress)
 {
-  const bool connect = method == OrderMethod::Exact && !this->Order.IsConnected();
-  if (connect && !this->Order.Connect(this->Geometry, progress.Part(0, 0.5)))
+  using Kind = ProjectionOrder::Kind;
+  const bool connect = kind == Kind::Topological && !this->Faces.IsConnected();
+  if (connect && !this->Faces.Connect(this->Geometry, progress.Part(0, 0.5)))
   {
     return false;
   }
-  if (!changes(this->OrderKey, this->KeyOf(method)))
+  if (this->Current.Order > this->Current.Geometry && kind == this->OrderKind &&
+    (kind == Kind::None || eye == this->EyeOfOrder))
   {
     return true;
   }
-  const bool hadPieces = !this->Sorted.Pieces.Tetrahedra.empty();
-  const bool done = this->Sort(method, this->Sorted, progress.Part(connect ? 0.5 : 0, 1));
-  this->Current.Pieces += hadPieces || !this->Sorted.Pieces.Tetrahedra.empty();
-  if (!done)
+  this->OrderKind = kind;
+  this->EyeOfOrder = eye;
+  this->Current.Order = 0;
+  const bool done =
+    this->Order.Sort(kind, this->Geometry, this->Faces, eye, progress.Part(connect ? 0.5 : 0, 1));
+  if (done)
   {
-    this->OrderKey = {};
-    return false;
+    this->Change(this->Current.Order);
   }
-  ++this->Current.Order;
-  return true;
-}
-
-bool CellScene::Sort(OrderMethod method, VisibilityOrder::Sorted& sorted, const Progress& progress)
-{
-  if (method == OrderMethod::Exact)
-  {
-    const bool done = this->Order.SortExact(this->Geometry, this->View, sorted, progress);
-    this->Count(sorted);
-    this->CountedKey = done ? this->KeyOf(method) : SortKey();
-    return done;
-  }
-  sorted = {};
-  if (method == OrderMethod::Centroid)
-  {
-    return VisibilityOrder::SortCentroids(this->Geometry, this->View.Eye, sorted.Order, progress);
-  }
-  VisibilityOrder::SortNone(this->Geometry, sorted.Order);
-  return true;
-}
-
-// Only where a ray can enter the mesh twice does the order depend on the pixels.
-CellScene::SortKey CellScene::KeyOf(OrderMethod method) const
-{
-  OrderView view = method == OrderMethod::None ? OrderView() : this->View;
-  if (method != OrderMethod::Exact || this->Order.GetFaces().IsConvex())
-  {
-    view.ModelToDevice = {};
-    view.Width = view.Height = 0;
-  }
-  return { this->Current.Geometry, method, view };
-}
-
-void CellScene::Count(const VisibilityOrder::Sorted& sorted)
-{
-  this->Counted = { sorted.NumberOfCycles, sorted.NumberOfCyclicTetrahedra,
-    sorted.NumberOfBrokenRelations };
-}
-
-CellScene::Cycles CellScene::CountCycles(const std::function<CellGeometry()>& makeTetrahedra)
-{
-  const bool rays = this->CurrentMethod == Method::Rays;
-  if (!rays && !this->Order.IsConnected())
-  {
-    this->Order.Connect(this->Geometry);
-  }
-  if (this->CountedKey != this->KeyOf(OrderMethod::Exact))
-  {
-    const bool grid = !this->Geometry.Grid.IsEmpty() || !this->Geometry.Hexahedra.empty();
-    const CellGeometry made = grid ? makeTetrahedra() : CellGeometry();
-    const CellGeometry& geometry = grid ? made : this->Geometry;
-    VisibilityOrder connected;
-    if (rays) // which keep no order
-    {
-      connected.Connect(geometry);
-    }
-    VisibilityOrder::Sorted sorted;
-    (rays ? connected : this->Order).SortExact(geometry, this->View, sorted);
-    this->Count(sorted);
-    this->CountedKey = this->KeyOf(OrderMethod::Exact);
-  }
-  return this->Counted;
+  return done;
 }
 
 void CellScene::UpdateEye(const Vector4& eye)
 {
   const Versions& now = this->Current;
-  if (changes(this->EyeKey, { now.Geometry, now.Colors, now.Opacities, now.Topology, eye }))
+  if (eye != this->EyeOfRays ||
+    this->EyeVersion < std::max({ now.Geometry, now.Colors, now.Opacities, now.Topology }))
   {
+    this->EyeOfRays = eye;
     this->Eye = findEyeTetrahedron(this->Geometry, this->Neighbors, eye);
+    this->Change(this->EyeVersion);
   }
 }
 
@@ -329,44 +281,33 @@ void CellScene::UpdateDrawn()
 {
   const Versions& now = this->Current;
   const bool grid = !this->Geometry.Grid.IsEmpty();
-  const bool visible = changes(this->VisibleKey,
-    { now.Geometry, now.Colors, now.Opacities, now.Transfer, this->Contours.Version,
-      this->Polygons.Version });
-  if (visible)
+  if (this->VisibleVersion <
+    std::max({ now.Geometry, now.Colors, now.Opacities, now.Transfer, now.Contours, now.Polygons }))
   {
     grid                                 ? this->FindVisibleOfGrid()
       : this->Geometry.Hexahedra.empty() ? this->FindVisible()
                                          : this->FindVisibleHexahedra();
+    this->Change(this->VisibleVersion);
   }
-  bool drawn = false;
-  if (this->CurrentMethod == Method::Projection)
+  const bool projected = this->CurrentMethod == Method::Projection;
+  const std::int64_t sources = std::max({ now.Topology, now.Transfer, projected ? now.Order : 0,
+    projected || grid ? this->VisibleVersion : 0 });
+  if (now.Drawn < sources) // for rays: where they enter, and what they pass unseen
   {
-    const bool listed = changes(this->DrawnKey, { now.Order, now.Topology });
-    drawn = (visible || listed) && (this->ListDrawn() || listed);
+    if (projected)
+    {
+      this->ListDrawn();
+    }
+    this->Change(this->Current.Drawn);
   }
-  else // where rays enter, and what they pass unseen
-  {
-    drawn = changes(this->RaysKey, { now.Topology, now.Transfer }) || (visible && grid);
-  }
-  this->Current.Drawn += drawn;
 }
 
-// True when the list is another one.
-bool CellScene::ListDrawn()
+void CellScene::ListDrawn()
 {
-  std::vector<std::int32_t> list;
-  list.reserve(this->Sorted.Order.size());
-  const std::size_t whole = this->Geometry.Tetrahedra.size();
-  std::copy_if(this->Sorted.Order.begin(), this->Sorted.Order.end(), std::back_inserter(list),
-    [this, whole](std::int32_t number) {
-      const std::size_t i = static_cast<std::size_t>(number);
-      const std::size_t owner =
-        i < whole ? i : static_cast<std::size_t>(this->Sorted.Pieces.Owners[i - whole]);
-      return this->Visible[owner] != 0;
-    });
-  const bool another = list != this->Drawn;
-  this->Drawn.swap(list);
-  return another;
+  this->Drawn.clear();
+  std::copy_if(this->Order.Tetrahedra.begin(), this->Order.Tetrahedra.end(),
+    std::back_inserter(this->Drawn),
+    [this](std::int32_t number) { return this->Visible[static_cast<std::size_t>(number)] != 0; });
 }
 
 void CellScene::FindVisible()

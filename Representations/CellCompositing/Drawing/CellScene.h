@@ -1,11 +1,11 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * The data that the mapper keeps between renders: geometry, transfer function, order, and the list of drawn cells.
+ * The data that the mapper keeps between renders: geometry, transfer functions, surfaces, neighbours for rays or an order for projection.
  *
- * Each stage records its sources and is rebuilt only when they change: the geometry with the mesh, its values with the
- * arrays, the transfer table with the volume property, the order with the geometry and the place of the eye. The version of a stage
- * increases whenever it is rebuilt, so that the drawing pass knows what to upload.
+ * Each stage is made again only when its sources changed: the geometry with the mesh, its values with the arrays, the tables with the
+ * volume property. A counter that grows with each change numbers the versions of all stages, so that a stage is out of date if a source
+ * has a greater number, and the drawing pass knows what to upload.
  */
 #ifndef CellScene_h
 #define CellScene_h
@@ -15,17 +15,18 @@
 #include "ContourScene.h"
 #include "DataIdentity.h"
 #include "EyeTetrahedron.h"
+#include "FaceNeighbors.h"
 #include "PolygonScene.h"
+#include "ProjectionOrder.h"
 #include "TetrahedronNeighbors.h"
 #include "TransferFunctionTable.h"
-#include "VisibilityOrder.h"
 
 #include "vtkType.h"
 
+#include <algorithm>
+#include <array>
 #include <cstdint>
-#include <functional>
 #include <string>
-#include <tuple>
 #include <vector>
 
 class vtkDataSet;
@@ -41,29 +42,19 @@ class CellScene
 public:
   enum class Method
   {
-    Projection, ///< cell by cell, in visibility order
+    Projection, ///< cell by cell, in an order
     Rays        ///< pixel by pixel
   };
-  enum class OrderMethod
-  {
-    Exact,
-    Centroid,
-    None
-  };
+  /** Numbers of the last changes: a later one is greater. */
   struct Versions
   {
-    std::int64_t Geometry = 0, Colors = 0, Opacities = 0, Topology = 0, Transfer = 0, Order = 0,
-                 Pieces = 0, Drawn = 0;
-    bool operator!=(const Versions& other) const
+    std::int64_t Geometry = 0, Colors = 0, Opacities = 0, Topology = 0, Transfer = 0, Contours = 0,
+                 Polygons = 0, Order = 0, Drawn = 0;
+    /** The last change of what is uploaded: all but the order. */
+    std::int64_t Latest() const
     {
-      return this->UploadedParts() != other.UploadedParts();
-    }
-
-  private:
-    std::array<std::int64_t, 7> UploadedParts() const // all but the order
-    {
-      return { { this->Geometry, this->Colors, this->Opacities, this->Topology, this->Transfer,
-        this->Pieces, this->Drawn } };
+      return std::max({ this->Geometry, this->Colors, this->Opacities, this->Topology,
+        this->Transfer, this->Contours, this->Polygons, this->Drawn });
     }
   };
 
@@ -82,13 +73,11 @@ public:
   bool HasOneColor() const { return this->ColorIsOne; }
   /** How the cells will be drawn. Rays traverse a mesh through its neighbours: false if stopped before these are known. */
   bool UpdateMethod(Method method, const Progress& progress = {});
-  /** From where the scene is seen; what follows the view is made by UpdateOrder and CountCycles. */
-  void UpdateView(const OrderView& view) { this->View = view; }
-  /** For projection. False when stopped: the order is made the next time, and must not be drawn before. */
-  bool UpdateOrder(OrderMethod method, const Progress& progress = {});
+  /** For projection; `eye` is homogeneous and relative to the geometry's centre. False when stopped: the order must not be drawn. */
+  bool UpdateOrder(ProjectionOrder::Kind kind, const Vector4& eye, const Progress& progress = {});
   /** Lists the drawn cells; call it after the three others. */
   void UpdateDrawn();
-  /** For rays; `eye` is homogeneous and relative to the geometry's centre. */
+  /** For rays; `eye` as above. */
   void UpdateEye(const Vector4& eye);
   /** Nothing is drawn until the geometry is updated again. */
   void Clear();
@@ -114,7 +103,10 @@ public:
   void UpdatePolygons(
     const ScalarSelection& scalars, const ContourSettings& settings, vtkVolumeProperty* property)
   {
+    const std::int64_t before = this->Polygons.Version;
     this->Polygons.Update(this->Geometry, this->Current.Geometry, scalars, settings, property);
+    this->Current.Polygons =
+      this->Polygons.Version == before ? this->Current.Polygons : ++this->LastVersion;
   }
   /** Number of the tables that each tetrahedron reads; empty where that does not depend on the tetrahedron. */
   const std::vector<std::int32_t>& GetTablesOfTetrahedra() const
@@ -141,29 +133,16 @@ public:
   std::int64_t GetNumberOfVisible() const { return this->NumberOfVisible; }
   /** For projection: tetrahedra that can be seen, back to front. */
   const std::vector<std::int32_t>& GetDrawn() const { return this->Drawn; }
-  /** Pieces of tetrahedra, numbered on from the geometry's, that the order may contain. */
-  const CellPieces& GetPieces() const { return this->Sorted.Pieces; }
-
-  struct Cycles
-  {
-    std::int64_t Number = 0, Tetrahedra = 0, BrokenRelations = 0;
-  };
-  /**
-   * Cycles of the last view; sorts exactly if that was not done, so that no drawing method need have an order.
-   * `makeTetrahedra` gives the geometry where this one is a grid, which lists none.
-   */
-  Cycles CountCycles(const std::function<CellGeometry()>& makeTetrahedra);
+  /** For projection: the order of all tetrahedra, and its cycles. Empty with rays. */
+  const ProjectionOrder& GetOrder() const { return this->Order; }
 
   const Versions& GetVersions() const { return this->Current; }
 
 private:
-  using SortKey = std::tuple<std::int64_t, OrderMethod, OrderView>;
-  bool Sort(OrderMethod method, VisibilityOrder::Sorted& sorted, const Progress& progress);
-  void Count(const VisibilityOrder::Sorted& sorted);
-  SortKey KeyOf(OrderMethod method) const;
+  void Change(std::int64_t& version) { version = ++this->LastVersion; }
   bool UpdateValues(vtkDataSet* data, const ScalarSelection& scalars,
     const ScalarSelection& opacity, bool ofColor, bool ofOpacity);
-  bool ListDrawn();
+  void ListDrawn();
   void FindVisible();
   void FindVisibleOfGrid();
   void FindVisibleHexahedra();
@@ -189,30 +168,37 @@ private:
   PolygonScene Polygons;
   bool LayersOfContours = false;
   bool ColorIsOne = false;
-  VisibilityOrder Order;
-  OrderView View;
-  VisibilityOrder::Sorted Sorted;    // all tetrahedra, back to front
+  FaceNeighbors Faces; // until rays have their own neighbours, or for the topological order
+  ProjectionOrder Order;
   std::vector<std::uint8_t> Visible; // per tetrahedron: not fully transparent
   std::vector<std::int32_t> Drawn;
-  Cycles Counted;
   Versions Current;
+  std::int64_t LastVersion = 0;
 
   // What the stages were made from. Pointers are compared only.
   MeshIdentity Mesh;
   ValueIdentity ColorValues, OpacityValues, LayerValues, ContouredValues;
   CellGeometry::Form Form = CellGeometry::Form::Tetrahedra;
-  std::int64_t ContouredVersion = 0;
-  std::tuple<std::int64_t, Method, std::int64_t> TopologyKey;
-  using PropertyKey = std::tuple<int, vtkVolumeProperty*, vtkMTimeType>; // layer
-  using Ranges = std::array<double, 4>; // of the colour's scalars, of the opacity's
-  std::tuple<std::int64_t, Ranges, bool, bool, std::vector<PropertyKey>> TransferKey;
-  SortKey OrderKey;
-  SortKey CountedKey;
-  std::tuple<std::int64_t, std::int64_t, std::int64_t, std::int64_t, Vector4> EyeKey;
-  std::tuple<std::int64_t, std::int64_t, std::int64_t, std::int64_t, std::int64_t, std::int64_t>
-    VisibleKey;
-  std::tuple<std::int64_t, std::int64_t> DrawnKey;
-  std::tuple<std::int64_t, std::int64_t> RaysKey;
+  std::int64_t ContouredVersion = 0, VisibleVersion = 0;
+  std::int64_t FieldOfTopology = 0; // version of the contoured field
+  ProjectionOrder::Kind OrderKind = ProjectionOrder::Kind::None;
+  Vector4 EyeOfOrder = { { 0, 0, 0, 0 } }, EyeOfRays = { { 0, 0, 0, 0 } };
+  std::int64_t EyeVersion = 0;
+  /** A volume property, as it was when its tables were made. */
+  struct TableSource
+  {
+    int Layer;
+    const vtkVolumeProperty* Property;
+    vtkMTimeType Time;
+    bool operator==(const TableSource& other) const
+    {
+      return this->Layer == other.Layer && this->Property == other.Property &&
+        this->Time == other.Time;
+    }
+  };
+  std::vector<TableSource> TableSources;
+  std::array<double, 5>
+    TableRanges = {}; // of the colour's scalars, of the opacity's, and whether there are any
 };
 
 } // namespace nephoscope

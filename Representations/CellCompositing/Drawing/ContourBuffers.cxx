@@ -36,14 +36,14 @@ std::string ContourBuffers::Upload(vtkOpenGLRenderWindow* window, const ContourS
 }
 
 std::string ContourBuffers::UploadPolygons(vtkOpenGLRenderWindow* window,
-  const PolygonScene& polygons, const CellGeometry& geometry, const CellPieces& pieces,
-  const TetrahedronNeighbors* neighbors)
+  const PolygonScene& polygons, const CellGeometry& geometry, const TetrahedronNeighbors* neighbors)
 {
-  auto ofTetrahedra = polygons.OfTetrahedra;
-  auto surfaces = polygons.Surfaces;
-  neighbors && !surfaces.empty()
-    ? polygons.ListForRays(geometry, *neighbors, ofTetrahedra, surfaces)
-    : polygons.AddPieces(geometry, pieces, ofTetrahedra, surfaces);
+  std::vector<std::array<std::int32_t, 4>> ofTetrahedra;
+  std::vector<PolygonScene::Surface> surfaces;
+  if (neighbors && !polygons.Surfaces.empty())
+  {
+    polygons.ListForRays(geometry, *neighbors, ofTetrahedra, surfaces);
+  }
   this->UsePolygons = !surfaces.empty();
   const std::string error = this->Buffers[OfTetrahedra].Upload(
     window, ofTetrahedra.data(), ofTetrahedra.size(), 4, VTK_INT);

@@ -20,7 +20,6 @@ class CellGeometry;
 class ContourScene;
 class PolygonScene;
 struct TetrahedronNeighbors;
-struct CellPieces;
 struct CellDrawing;
 
 class ContourBuffers
@@ -28,9 +27,9 @@ class ContourBuffers
 public:
   /** Returns an empty string, or what went wrong. */
   std::string Upload(vtkOpenGLRenderWindow* window, const ContourScene& contours);
-  /** With `neighbors` for rays, else for projection. */
+  /** None without `neighbors`, which rays have. */
   std::string UploadPolygons(vtkOpenGLRenderWindow* window, const PolygonScene& polygons,
-    const CellGeometry& geometry, const CellPieces& pieces, const TetrahedronNeighbors* neighbors);
+    const CellGeometry& geometry, const TetrahedronNeighbors* neighbors);
 
   bool IsUsed() const { return this->NumberOfContours > 0; }
   bool HasPolygons() const { return this->UsePolygons; }

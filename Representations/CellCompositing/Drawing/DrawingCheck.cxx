@@ -41,7 +41,7 @@ namespace nephoscope
 {
 namespace
 {
-constexpr int size = 16;              // pixels
+constexpr int pictureSize = 16;       // pixels
 constexpr double largestError = 2e-3; // of light and opacity: wrong pictures err by far more
 constexpr double distance = 7;        // of the eye from the centre
 constexpr double slope = 0.25;        // of the ray through the edge of the picture
@@ -91,7 +91,7 @@ struct CheckView
   vtkNew<vtkMatrix4x4> ModelToView;
   vtkNew<vtkMatrix4x4> ViewToDevice;
   SceneView View;
-  OrderView Order;
+  Vector4 Eye;
 
   explicit CheckView(const double eye[3])
   {
@@ -99,9 +99,9 @@ struct CheckView
     for (int axis = 0; axis < 3; ++axis)
     {
       this->ModelToView->SetElement(axis, 3, -eye[axis]);
-      this->View.EyeModel[axis] = this->Order.Eye[static_cast<std::size_t>(axis)] = eye[axis];
+      this->View.EyeModel[axis] = this->Eye[static_cast<std::size_t>(axis)] = eye[axis];
     }
-    this->Order.Eye[3] = 1;
+    this->Eye[3] = 1;
     this->ViewToDevice->SetElement(0, 0, 1 / slope);
     this->ViewToDevice->SetElement(1, 1, 1 / slope);
     this->ViewToDevice->SetElement(2, 2, -(far + near) / (far - near));
@@ -110,17 +110,14 @@ struct CheckView
     this->ViewToDevice->SetElement(3, 3, 0);
     this->View.ModelToView = this->ModelToView;
     this->View.ViewToDevice = this->ViewToDevice;
-    vtkMatrix4x4::Multiply4x4(this->ViewToDevice->GetData(), this->ModelToView->GetData(),
-      this->Order.ModelToDevice.data());
-    this->Order.Width = this->Order.Height = size;
   }
 };
 
 // Opacity of extinction 1 along the ray of a pixel; `eye` in model coordinates.
 double exactOpacity(const std::vector<Plane>& planes, const double eye[3], int x, int y)
 {
-  const double ray[3] = { slope * (2 * (x + 0.5) / size - 1), slope * (2 * (y + 0.5) / size - 1),
-    -1 };
+  const double ray[3] = { slope * (2 * (x + 0.5) / pictureSize - 1),
+    slope * (2 * (y + 0.5) / pictureSize - 1), -1 };
   double enter = 0, leave = std::numeric_limits<double>::infinity();
   for (const Plane& p : planes)
   {
@@ -135,15 +132,14 @@ double exactOpacity(const std::vector<Plane>& planes, const double eye[3], int x
 
 std::string upload(vtkOpenGLRenderWindow* window, CellCompositingPass& pass, const CellScene& scene)
 {
-  std::string error =
-    pass.UploadGeometry(window, scene.GetGeometry(), scene.GetPieces(), scene.GetNeighbors());
+  std::string error = pass.UploadGeometry(window, scene.GetGeometry(), scene.GetNeighbors());
   error = error.empty() ? pass.UploadTransferFunctions(
                             window, scene.GetTransferFunctions(), scene.GetOpacityFunctions(), {})
                         : error;
   error = error.empty() ? pass.UploadContours(window, scene.GetContours()) : error;
-  error = error.empty() ? pass.UploadPolygons(window, scene.GetPolygons(), scene.GetGeometry(),
-                            scene.GetPieces(), scene.GetNeighbors())
-                        : error;
+  error = error.empty()
+    ? pass.UploadPolygons(window, scene.GetPolygons(), scene.GetGeometry(), scene.GetNeighbors())
+    : error;
   return error.empty() ? pass.UploadDrawn(window, scene) : error;
 }
 
@@ -155,9 +151,9 @@ std::string draw(vtkOpenGLRenderWindow* window, CellCompositingPass& pass, const
   const SavedState saved(state);
   vtkNew<vtkTextureObject> color, depth;
   color->SetContext(window);
-  color->Allocate2D(size, size, 4, VTK_UNSIGNED_CHAR);
+  color->Allocate2D(pictureSize, pictureSize, 4, VTK_UNSIGNED_CHAR);
   depth->SetContext(window);
-  depth->AllocateDepth(size, size, vtkTextureObject::Float32);
+  depth->AllocateDepth(pictureSize, pictureSize, vtkTextureObject::Float32);
   vtkNew<vtkOpenGLFramebufferObject> framebuffer;
   framebuffer->SetContext(window);
   state->PushFramebufferBindings();
@@ -165,7 +161,7 @@ std::string draw(vtkOpenGLRenderWindow* window, CellCompositingPass& pass, const
   framebuffer->AddColorAttachment(0, color);
   framebuffer->AddDepthAttachment(depth);
   framebuffer->ActivateDrawBuffer(0);
-  state->vtkglViewport(0, 0, size, size);
+  state->vtkglViewport(0, 0, pictureSize, pictureSize);
   state->vtkglDisable(GL_SCISSOR_TEST);
   state->vtkglDepthMask(GL_TRUE);
   const float clear[4] = { 0, 0, 0, 0 }, far = 1.0f;
@@ -184,9 +180,9 @@ std::string draw(vtkOpenGLRenderWindow* window, CellCompositingPass& pass, const
 std::string compare(vtkImageData* image, const std::vector<Plane>& planes, const double eye[3])
 {
   vtkDataArray* drawn = image->GetPointData()->GetScalars();
-  for (int y = 0; y < size; ++y)
+  for (int y = 0; y < pictureSize; ++y)
   {
-    for (int x = 0; x < size; ++x)
+    for (int x = 0; x < pictureSize; ++x)
     {
       const double exact = exactOpacity(planes, eye, x, y);
       const double beside =
@@ -194,7 +190,7 @@ std::string compare(vtkImageData* image, const std::vector<Plane>& planes, const
           std::min(exactOpacity(planes, eye, x, y - 1), exactOpacity(planes, eye, x, y + 1)));
       const double expected[4] = { exact, 0.5 * exact, 0.25 * exact, exact };
       double value[4];
-      drawn->GetTuple(y * size + x, value);
+      drawn->GetTuple(y * pictureSize + x, value);
       for (int c = 0; c < 4; ++c)
       {
         if (beside > 0 &&
@@ -231,16 +227,15 @@ std::string drawAndCompare(vtkOpenGLRenderWindow* window, CellScene::Method meth
   const double eye[3] = { 0.13, 0.21, distance }; // relative to the centre
   const double eyeOfPlanes[3] = { eye[0] + center[0], eye[1] + center[1], eye[2] + center[2] };
   const CheckView view(eye);
-  scene.UpdateView(view.Order);
   scene.UpdateTransferFunction(property);
   scene.UpdateMethod(method);
   if (rays)
   {
-    scene.UpdateEye(view.Order.Eye);
+    scene.UpdateEye(view.Eye);
   }
   else
   {
-    scene.UpdateOrder(CellScene::OrderMethod::Exact);
+    scene.UpdateOrder(ProjectionOrder::Kind::None, view.Eye);
   }
   scene.UpdateDrawn();
   CellCompositingPass pass;

@@ -26,20 +26,6 @@ bool replaces(Value& value, Value now)
   return changed;
 }
 
-/** Barycentric coordinates of a point in a tetrahedron. */
-Vector4 weightsIn(const std::array<Vector3, 4>& p, const Vector3& x)
-{
-  Vector4 weights;
-  for (std::size_t k = 0; k < 4; ++k)
-  {
-    const auto& f = tetrahedronFaces[k];
-    const Vector3 a = p[std::size_t(f[0])];
-    const Vector3 normal =
-      cross(difference(p[std::size_t(f[1])], a), difference(p[std::size_t(f[2])], a));
-    weights[k] = dot(normal, difference(x, a)) / dot(normal, difference(p[k], a));
-  }
-  return weights;
-}
 }
 
 void PolygonScene::Read(vtkDataSet* data, const ContourSettings& settings)
@@ -221,55 +207,6 @@ void PolygonScene::ListForRays(const CellGeometry& geometry, const TetrahedronNe
         const std::size_t neighbor = static_cast<std::size_t>(there[3]);
         add(surface, corners, { { there[0], there[1], there[2] } }, neighbor,
           neighbors.VertexSums[neighbor] ^ there[0] ^ there[1] ^ there[2]);
-      }
-    }
-  }
-}
-
-// A face of a piece that lies in a face of its owner has the owner's surface.
-void PolygonScene::AddPieces(const CellGeometry& geometry, const CellPieces& pieces,
-  std::vector<std::array<std::int32_t, 4>>& ofTetrahedra, std::vector<Surface>& surfaces) const
-{
-  constexpr double rounding = 1e-5;
-  for (std::size_t i = 0; i < pieces.Owners.size() && !this->OfTetrahedra.empty(); ++i)
-  {
-    const std::size_t owner = static_cast<std::size_t>(pieces.Owners[i]);
-    ofTetrahedra.push_back({ { 0, 0, 0, 0 } });
-    std::array<Vector4, 4> weights;
-    for (std::size_t k = 0; k < 4; ++k)
-    {
-      const CellGeometry::Point& p =
-        pieces.Points[static_cast<std::size_t>(pieces.Tetrahedra[i][k]) - geometry.Points.size()];
-      weights[k] = weightsIn(geometry.Vertices(owner), { { p.X, p.Y, p.Z } });
-    }
-    for (std::size_t face = 0; face < 4; ++face)
-    {
-      const std::int32_t number = this->OfTetrahedra[owner][face];
-      for (std::size_t opposite = 0; opposite < 4 && number > 0; ++opposite)
-      {
-        const auto& corners = tetrahedronFaces[opposite];
-        if (!std::all_of(corners, corners + 3,
-              [&](int k) { return std::abs(weights[std::size_t(k)][face]) < rounding; }))
-        {
-          continue;
-        }
-        Surface surface = this->Surfaces[static_cast<std::size_t>(number) - 1];
-        const auto whole = surface.Normals;
-        for (std::size_t k = 0; k < 3; ++k)
-        {
-          for (std::size_t c = 0; c < 3; ++c)
-          {
-            double sum = 0;
-            for (std::size_t j = 0; j < 3; ++j)
-            {
-              sum += weights[std::size_t(corners[k])][std::size_t(tetrahedronFaces[face][j])] *
-                whole[j][c];
-            }
-            surface.Normals[k][c] = static_cast<float>(sum);
-          }
-        }
-        surfaces.push_back(surface);
-        ofTetrahedra.back()[opposite] = static_cast<std::int32_t>(surfaces.size());
       }
     }
   }

@@ -7,7 +7,6 @@
 #ifndef PolygonScene_h
 #define PolygonScene_h
 
-#include "CellPieces.h"
 #include "CellPolygons.h"
 
 #include "vtkType.h"
@@ -58,10 +57,6 @@ public:
   std::vector<std::array<std::int32_t, 4>> OfTetrahedra;
   std::vector<Surface> Surfaces;
   std::int64_t Version = 0; ///< grows whenever one of the two changed
-
-  /** Adds those of the pieces of tetrahedra, after them, to copies of the two. */
-  void AddPieces(const CellGeometry& geometry, const CellPieces& pieces,
-    std::vector<std::array<std::int32_t, 4>>& ofTetrahedra, std::vector<Surface>& surfaces) const;
 
   /** The two for rays: vertices ascend by their merged numbers, and both tetrahedra of a face have its surface. */
   void ListForRays(const CellGeometry& geometry, const TetrahedronNeighbors& neighbors,

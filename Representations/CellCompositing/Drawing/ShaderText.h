@@ -8,11 +8,9 @@
 #define ShaderText_h
 
 #include "ContourSurfacesShader.h"
-#include "FaceScalarsShader.h"
 #include "OpaqueDepthShader.h"
 #include "OpticalSegmentShader.h"
 #include "PolygonSurfacesShader.h"
-#include "ProjectedContoursShader.h"
 #include "ShaderArrays.h"
 #include "ShaderParts.h"
 #include "TetrahedronInputShader.h"
@@ -34,9 +32,7 @@ inline std::string specializedShader(const std::string& shader, const std::strin
     { { "Constants", constants }, { "Arrays", arrayDeclarations(currentArrayLayout()) },
       { "TetrahedronInput", TetrahedronInputShader }, { "OpaqueDepth", OpaqueDepthShader },
       { "OpticalSegment", OpticalSegmentShader }, { "TransferFunction", TransferFunctionShader },
-      { "FaceScalars", FaceScalarsShader }, { "ContourSurfaces", ContourSurfacesShader },
-      { "ProjectedContours", ProjectedContoursShader },
-      { "PolygonSurfaces", PolygonSurfacesShader } });
+      { "ContourSurfaces", ContourSurfacesShader }, { "PolygonSurfaces", PolygonSurfacesShader } });
 }
 
 } // namespace nephoscope

@@ -49,13 +49,11 @@ void FaceMesh::Build(const CellGeometry& geometry)
   neighbors.Connect(geometry);
   const std::size_t n = geometry.Tetrahedra.size();
   this->Faces.clear();
-  this->Faces.reserve(4 * n - static_cast<std::size_t>(neighbors.GetNumberOfInteriorFaces()));
   for (std::size_t i = 0; i < n; ++i)
   {
     for (int face = 0; face < 4; ++face)
     {
-      const std::int32_t neighbor =
-        std::max<std::int32_t>(neighbors.Get(i, face), -1); // folded: none
+      const std::int32_t neighbor = neighbors.Get(i, face);
       const std::int32_t self = static_cast<std::int32_t>(i);
       if (neighbor < self && neighbor >= 0)
       {

@@ -25,7 +25,7 @@ struct MeshFace
 class FaceMesh
 {
 public:
-  /** Faces match where their points have the same coordinates, as in VisibilityOrder. */
+  /** Faces match where their points have the same coordinates (FaceNeighbors.h). */
   void Build(const CellGeometry& geometry);
   const std::vector<MeshFace>& GetFaces() const { return this->Faces; }
 

@@ -64,10 +64,6 @@ std::int64_t countUnprojected(const CellGeometry& geometry, const std::vector<st
     for (vtkIdType i = begin; i < end; ++i)
     {
       const std::size_t number = static_cast<std::size_t>(drawn[static_cast<std::size_t>(i)]);
-      if (number >= geometry.Tetrahedra.size())
-      {
-        continue; // a piece of a tetrahedron in a cycle
-      }
       const Tetrahedron& t = geometry.Tetrahedra[number];
       own += !(projects(t[0]) && projects(t[1]) && projects(t[2]) && projects(t[3]));
     }

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "FaceNeighbors.h"
 
-#include "BoundarySurface.h"
 #include "Buckets.h"
 #include "CoincidentPoints.h"
 
@@ -91,18 +90,15 @@ int planeSideWithin(
 bool FaceNeighbors::Connect(const CellGeometry& geometry, const Progress& progress)
 {
   *this = FaceNeighbors();
-  this->CoordinateError = findCoordinateError(geometry);
   this->Places = findPlaces(geometry, progress.Part(0, 0.1));
   if (this->Places.size() != geometry.Points.size() ||
     !weldPlaces(geometry, this->Places, progress.Part(0.1, 0.2)) ||
     !this->MatchFaces(geometry, progress.Part(0.2, 0.7)) ||
-    !this->FindFolds(geometry, progress.Part(0.7, 0.9)))
+    !this->UnfoldFaces(geometry, progress.Part(0.7, 1)))
   {
     *this = FaceNeighbors();
     return false;
   }
-  this->Convex = isConvexSurface(
-    geometry, this->Boundary, this->Places, this->CoordinateError, progress.Part(0.9, 1));
   this->Connected = progress.Report(1);
   return this->Connected;
 }
@@ -138,61 +134,38 @@ bool FaceNeighbors::MatchFaces(const CellGeometry& geometry, const Progress& pro
     });
 }
 
-// What to store for a face: the tetrahedron across, or how it is folded there.
-std::int32_t FaceNeighbors::FindFold(
-  const CellGeometry& geometry, std::size_t tetrahedron, int face) const
+// Whether both tetrahedra of a face lie on the same side of it.
+bool FaceNeighbors::IsFolded(const CellGeometry& geometry, std::size_t tetrahedron, int face) const
 {
   const std::int32_t other = this->Get(tetrahedron, face);
-  if (other < 0)
+  if (other == None)
   {
-    return other;
+    return false;
   }
   const std::array<Vector3, 4> p = geometry.Vertices(tetrahedron);
   const auto& f = tetrahedronFaces[face];
-  const Vector3& near = p[static_cast<std::size_t>(face)];
   const Vector3 far = vertexAcross(geometry, geometry.Tetrahedra[static_cast<std::size_t>(other)],
     sortedPlaces(geometry.Tetrahedra[tetrahedron], face, this->Places), this->Places);
-  const auto areOnOneSide = [&](double error) {
-    const auto side = [&](const Vector3& x) {
-      return planeSideWithin(p[f[0]], p[f[1]], p[f[2]], { { x[0], x[1], x[2], 1.0 } }, error);
-    };
-    return side(near) == side(far) && (error == 0 || side(near) != 0);
+  const double error = roundingOf(p, far);
+  const auto side = [&](const Vector3& x) {
+    return planeSideWithin(p[f[0]], p[f[1]], p[f[2]], { { x[0], x[1], x[2], 1.0 } }, error);
   };
-  if (!areOnOneSide(0))
-  {
-    return other;
-  }
-  return areOnOneSide(roundingOf(p, far)) ? std::int32_t(Folded) : foldCode(other);
+  const int near = side(p[static_cast<std::size_t>(face)]);
+  return near != 0 && near == side(far);
 }
 
-// Marks faces whose two owners lie on one side, and lists those with one owner.
-bool FaceNeighbors::FindFolds(const CellGeometry& geometry, const Progress& progress)
+bool FaceNeighbors::UnfoldFaces(const CellGeometry& geometry, const Progress& progress)
 {
-  const std::size_t n = geometry.Tetrahedra.size();
   std::vector<std::int32_t> found(this->Neighbors.size());
-  const bool done = forEach(n, progress.Part(0, 0.7), [&](std::size_t i) {
+  const bool done = forEach(geometry.Tetrahedra.size(), progress, [&](std::size_t i) {
     for (int face = 0; face < 4; ++face)
     {
-      found[4 * i + static_cast<std::size_t>(face)] = this->FindFold(geometry, i, face);
+      found[4 * i + static_cast<std::size_t>(face)] =
+        this->IsFolded(geometry, i, face) ? None : this->Get(i, face);
     }
   });
   this->Neighbors.swap(found);
-  return done && forEachInTurn(n, progress.Part(0.7, 1), [&](std::size_t i) {
-    for (int face = 0; face < 4; ++face)
-    {
-      if (this->Get(i, face) == None)
-      {
-        this->Boundary.push_back({ static_cast<std::int32_t>(i), face });
-      }
-    }
-  });
-}
-
-std::int64_t FaceNeighbors::GetNumberOfInteriorFaces() const
-{
-  return std::count_if(this->Neighbors.begin(), this->Neighbors.end(),
-           [](std::int32_t n) { return n != None; }) /
-    2;
+  return done;
 }
 
 } // namespace nephoscope

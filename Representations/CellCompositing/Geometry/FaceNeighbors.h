@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * Which tetrahedra share faces, and the properties of the mesh's surface.
+ * Which tetrahedra share faces.
  *
  * Faces are matched by the positions of their points (CoincidentPoints.h), not by point numbers: blocks that repeat their boundary
  * points fit together. Points and faces are thrown into buckets and meet their equals there; each bucket is sorted, so that nothing
@@ -13,8 +13,6 @@
 #include "CellGeometry.h"
 #include "ProgressLoop.h"
 
-#include <algorithm>
-#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -24,28 +22,19 @@ namespace nephoscope
 class FaceNeighbors
 {
 public:
-  enum : std::int32_t
-  {
-    None = -1, ///< the face is on the boundary
-    Folded =
-      -2 ///< the tetrahedron across the face lies on the same side of it: neither is in front
-  };
+  static constexpr std::int32_t None = -1;
 
   /** Returns false, without a result, if stopped. */
   bool Connect(const CellGeometry& geometry, const Progress& progress = {});
   bool IsConnected() const { return this->Connected; }
 
-  /** Across the face opposite a vertex (0 to 3): a tetrahedron, None or Folded. */
+  /**
+   * The tetrahedron across the face opposite a vertex (0 to 3), or None. A mesh that is folded at a face, so that both tetrahedra lie on
+   * the same side of it by more than rounding, ends there.
+   */
   std::int32_t Get(std::size_t tetrahedron, int face) const
   {
-    return std::max<std::int32_t>(
-      this->Neighbors[4 * tetrahedron + static_cast<std::size_t>(face)], Folded);
-  }
-  /** The same for algorithms that go from face to face and do not use sides: a fold within rounding error counts as none. */
-  std::int32_t GetWithinRounding(std::size_t tetrahedron, int face) const
-  {
-    const std::int32_t stored = this->Neighbors[4 * tetrahedron + static_cast<std::size_t>(face)];
-    return stored < Folded ? foldCode(stored) : stored;
+    return this->Neighbors[4 * tetrahedron + static_cast<std::size_t>(face)];
   }
 
   /** The first of the coincident points. */
@@ -54,34 +43,14 @@ public:
     return this->Places[static_cast<std::size_t>(point)];
   }
 
-  struct Face
-  {
-    std::int32_t Tetrahedron;
-    std::int32_t Opposite; ///< the vertex (0 to 3) that is not in the face
-  };
-  /** Faces without a neighbour. */
-  const std::vector<Face>& GetBoundary() const { return this->Boundary; }
-  /** A ray cannot leave the mesh and come back, except through rounding of coordinates. */
-  bool IsConvex() const { return this->Convex; }
-  /** Bound on the rounding of a point's coordinates. */
-  double GetCoordinateError() const { return this->CoordinateError; }
-
-  std::int64_t GetNumberOfInteriorFaces() const;
-
 private:
-  // A tetrahedron across a fold that rounding could make is kept as a number below Folded; the same function takes it back.
-  static std::int32_t foldCode(std::int32_t tetrahedron) { return Folded - 1 - tetrahedron; }
-
   std::vector<std::int32_t> Neighbors; // 4 per tetrahedron
   std::vector<std::int32_t> Places;    // per point
-  std::vector<Face> Boundary;
-  double CoordinateError = 0;
-  bool Convex = false;
   bool Connected = false;
 
   bool MatchFaces(const CellGeometry& geometry, const Progress& progress);
-  bool FindFolds(const CellGeometry& geometry, const Progress& progress);
-  std::int32_t FindFold(const CellGeometry& geometry, std::size_t tetrahedron, int face) const;
+  bool UnfoldFaces(const CellGeometry& geometry, const Progress& progress);
+  bool IsFolded(const CellGeometry& geometry, std::size_t tetrahedron, int face) const;
 };
 
 /** Bound on the rounding of a point's coordinates: half a unit in the last place of the largest, twice. */

@@ -3,7 +3,7 @@
 #include "TetrahedronNeighbors.h"
 
 #include "BoundaryFaces.h"
-#include "VisibilityOrder.h"
+#include "FaceNeighbors.h"
 
 #include "vtkSMPTools.h"
 
@@ -59,16 +59,16 @@ void TetrahedronNeighbors::Clear()
 }
 
 void TetrahedronNeighbors::Build(
-  const CellGeometry& geometry, const VisibilityOrder& connected, const std::vector<float>& third)
+  const CellGeometry& geometry, const FaceNeighbors& faces, const std::vector<float>& third)
 {
-  this->MergePoints(geometry, connected, third);
-  this->FindNeighbors(geometry, connected);
+  this->MergePoints(geometry, faces, third);
+  this->FindNeighbors(geometry, faces);
   this->ListBoundary(geometry);
 }
 
 // Points at one place with equal values become the first of them.
 void TetrahedronNeighbors::MergePoints(
-  const CellGeometry& geometry, const VisibilityOrder& connected, const std::vector<float>& third)
+  const CellGeometry& geometry, const FaceNeighbors& faces, const std::vector<float>& third)
 {
   const std::size_t n = geometry.Points.size();
   this->MergedPoints.resize(n);
@@ -76,7 +76,7 @@ void TetrahedronNeighbors::MergePoints(
   std::vector<std::int32_t> coincident; // all but the first of each place
   for (std::size_t i = 0; i < n; ++i)
   {
-    if (connected.CanonicalPoint(std::int32_t(i)) != std::int32_t(i))
+    if (faces.GetPlace(std::int32_t(i)) != std::int32_t(i))
     {
       coincident.push_back(std::int32_t(i));
     }
@@ -90,7 +90,7 @@ void TetrahedronNeighbors::MergePoints(
       third.empty() ? 0.0f : third[std::size_t(p)]);
   };
   const auto key = [&](std::int32_t p) {
-    return std::tuple_cat(std::make_tuple(connected.CanonicalPoint(p)), values(p));
+    return std::tuple_cat(std::make_tuple(faces.GetPlace(p)), values(p));
   };
   // Points with values that are not finite belong to no tetrahedron, and would break the order.
   coincident.erase(std::remove_if(coincident.begin(), coincident.end(),
@@ -106,7 +106,7 @@ void TetrahedronNeighbors::MergePoints(
   for (std::size_t i = 0; i < coincident.size(); ++i)
   {
     const std::int32_t p = coincident[i];
-    const std::int32_t first = connected.CanonicalPoint(p);
+    const std::int32_t first = faces.GetPlace(p);
     this->MergedPoints[std::size_t(p)] = values(p) == values(first) ? first
       : i > 0 && key(p) == key(coincident[i - 1])
       ? this->MergedPoints[std::size_t(coincident[i - 1])]
@@ -124,10 +124,9 @@ Tetrahedron TetrahedronNeighbors::MergedVertices(
 
 // The tetrahedron across the face opposite vertex `face`; jumpTo it where it has other vertices there.
 std::int32_t TetrahedronNeighbors::FindNeighbor(const CellGeometry& geometry,
-  const VisibilityOrder& connected, std::size_t tetrahedron, const Tetrahedron& vertices,
-  int face) const
+  const FaceNeighbors& faces, std::size_t tetrahedron, const Tetrahedron& vertices, int face) const
 {
-  const std::int32_t neighbor = connected.UnfoldedNeighbor(tetrahedron, face);
+  const std::int32_t neighbor = faces.Get(tetrahedron, face);
   if (neighbor < 0)
   {
     return None;
@@ -143,8 +142,7 @@ std::int32_t TetrahedronNeighbors::FindNeighbor(const CellGeometry& geometry,
   return neighbor;
 }
 
-void TetrahedronNeighbors::FindNeighbors(
-  const CellGeometry& geometry, const VisibilityOrder& connected)
+void TetrahedronNeighbors::FindNeighbors(const CellGeometry& geometry, const FaceNeighbors& faces)
 {
   const std::size_t n = geometry.Tetrahedra.size();
   this->Neighbors.assign(4 * n, None);
@@ -159,7 +157,7 @@ void TetrahedronNeighbors::FindNeighbors(
         const auto rank =
           std::count_if(t.begin(), t.end(), [opposite](std::int32_t v) { return v < opposite; });
         this->Neighbors[4 * i + std::size_t(rank)] =
-          this->FindNeighbor(geometry, connected, i, t, face);
+          this->FindNeighbor(geometry, faces, i, t, face);
         this->VertexSums[i] ^= opposite;
       }
     }

@@ -23,7 +23,7 @@
 namespace nephoscope
 {
 
-class VisibilityOrder;
+class FaceNeighbors;
 
 struct TetrahedronNeighbors
 {
@@ -51,20 +51,20 @@ struct TetrahedronNeighbors
     return this->MergedPoints[static_cast<std::size_t>(point)];
   }
 
-  /** `third`: more values of points, or none. `connected` knows the neighbours by place; where the mesh is folded, the ray leaves the one tetrahedron and enters the other anew. */
-  void Build(const CellGeometry& geometry, const VisibilityOrder& connected,
-    const std::vector<float>& third = {});
+  /** `third`: more values of points, or none. Where the mesh is folded, the ray leaves the one tetrahedron and enters the other anew. */
+  void Build(
+    const CellGeometry& geometry, const FaceNeighbors& faces, const std::vector<float>& third = {});
   void Clear();
   /** Neighbours, each with the vertex that it has behind the face, so that a step of a walk needs no other number. */
   std::vector<std::array<std::int32_t, 2>> WithNextVertices(const CellGeometry& geometry) const;
 
 private:
-  void MergePoints(const CellGeometry& geometry, const VisibilityOrder& connected,
-    const std::vector<float>& third);
-  void FindNeighbors(const CellGeometry& geometry, const VisibilityOrder& connected);
+  void MergePoints(
+    const CellGeometry& geometry, const FaceNeighbors& faces, const std::vector<float>& third);
+  void FindNeighbors(const CellGeometry& geometry, const FaceNeighbors& faces);
   void ListBoundary(const CellGeometry& geometry);
   Tetrahedron MergedVertices(const CellGeometry& geometry, std::size_t tetrahedron) const;
-  std::int32_t FindNeighbor(const CellGeometry& geometry, const VisibilityOrder& connected,
+  std::int32_t FindNeighbor(const CellGeometry& geometry, const FaceNeighbors& faces,
     std::size_t tetrahedron, const Tetrahedron& vertices, int face) const;
 };
 

@@ -1,6 +1,7 @@
 # SPDX-FileCopyrightText: The Nephoscope authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Visibility order: exact on meshes where the order of centroids is not; cycles are cut; one colour needs none.
+"""Visibility order: rays are exact, also where the order of centroids is not and cells hide one another in a cycle; one colour needs none.
+Projection in the topological order is exact where there are neither gaps nor cycles.
 
 The meshes with a measured share of misplaced faces are those of a longitude-latitude shell, a warped lattice and a
 Delaunay mesh. Every tetrahedron has a colour of its own, so that a wrong order shows.
@@ -11,7 +12,7 @@ from collections import defaultdict
 
 import numpy as np
 from nephoscope_testing import meshes
-from nephoscope_testing.checks import ImageTestCase, cells_of, mapper
+from nephoscope_testing.checks import FLOAT_TOLERANCE, ImageTestCase, cells_of
 from nephoscope_testing.compare import Difference, edge_mask
 from nephoscope_testing.offscreen import Window, float_image
 from nephoscope_testing.transfer import Transfer, constant
@@ -78,27 +79,31 @@ def never_free(data, eye=None, direction=None):
 
 class ExactOrder(ImageTestCase):
     def exact_against_centroid(self, data, transfer, label, look, opaque=None, least=0.01, size=(96, 96)):
-        """Exact: within tolerance, no cycle. Centroid: visibly wrong, so the scene can tell them apart."""
-        ours, window, scene, expected = self.check(data, transfer, label, "cell", look=look, opaque=opaque, size=size,
-                                                   configure=lambda m: m.SetMethodToProjection())
-        self.assertEqual(ours.GetNumberOfVisibilityCycles(), 0, label)
+        """Rays and the topological order: within tolerance. Centroid: visibly wrong, so the scene can tell them apart."""
+        ours, window, scene, expected = self.check(data, transfer, label, "cell", look=look, opaque=opaque, size=size)
         self.assertEqual(ours.GetNumberOfTetrahedra(), data.GetNumberOfCells())
-        exact = float_image(ours)
+        rays = float_image(ours)
         cells, view = cells_of(data, "cell"), scene.view()
         mask = edge_mask(cells.drawn_edges(), view)
         if opaque:
             triangles = meshes.triangles_of(opaque[0])
             mask |= edge_mask(np.stack([triangles, np.roll(triangles, 1, 1)], 2).reshape(-1, 2, 3), view)
-        for order in ("Centroid", "None"):
+        ours.SetMethodToProjection()
+        for order in ("Exact", "Centroid", "None"):
             getattr(ours, f"SetVisibilityOrderTo{order}")()
             window.render()
             error = Difference(float_image(ours), expected, mask)
-            print(f"  {label}, order {order}: {error}")
-            self.assertGreater(error.maximum, least, f"{label}: order {order} must show its mistakes here")
-            self.assertEqual(ours.GetNumberOfVisibilityCycles(), 0, "documented: always 0 for these orders")
+            print(f"  {label}, projection, order {order}: {error}")
+            self.assertEqual(ours.GetNumberOfRayLayers(), 0)
+            self.assertEqual((ours.GetNumberOfVisibilityCycles(), ours.GetNumberOfBrokenRelations()), (0, 0))
+            if order == "Exact":
+                self.assertLessEqual(error.maximum, FLOAT_TOLERANCE, f"{label}: no cycles, no gaps")
+            else:
+                self.assertGreater(error.maximum, least, f"{label}: order {order} must show its mistakes here")
+        ours.SetMethodToAutomatic()
         ours.SetVisibilityOrderToExact()
         window.render()
-        np.testing.assert_array_equal(float_image(ours), exact, label + ", exact again")
+        np.testing.assert_array_equal(float_image(ours), rays, label + ", rays again")
 
     def test_shell_around_a_planet(self):
         planet = vtkSphereSource()
@@ -143,7 +148,7 @@ class ExactOrder(ImageTestCase):
         """The cached order is renewed by camera, prop matrix and projection."""
         rng = np.random.default_rng(6)
         data, transfer = random_cells(meshes.delaunay(rng, 80), rng), colours(rng, 3.0)
-        ours, window, scene, _ = self.check(data, transfer, "first view", "cell")
+        ours, window, scene, _ = self.check(data, transfer, "first view", "cell", configure=lambda m: m.SetMethodToProjection())
         volume = scene.renderer.GetVolumes().GetLastProp()
         for step in range(4):
             scene.camera.Azimuth(80)
@@ -164,25 +169,24 @@ class Cycles(ImageTestCase):
              "from below": dict(direction=(0, 0, -1), parallel=True, zoom=1.2),
              "perspective": dict(direction=(0, 0, 1), angle=5, zoom=1.2)}
 
-    def test_a_cycle_is_reported_and_drawn_right(self):
+    def test_a_cycle_is_drawn_right(self):
+        """By rays. Projection counts the members, and draws them in a wrong order."""
         rng = np.random.default_rng(7)
         data, transfer = random_cells(cyclic_ring(), rng), colours(rng, 3.0)
         for label, look in self.LOOKS.items():
-            ours, window, scene, expected = self.check(data, transfer, f"ring {label}", "cell", look=look,
-                                                       configure=lambda m: m.SetMethodToProjection())
+            ours, window, scene, expected = self.check(data, transfer, f"ring {label}", "cell", look=look)
+            self.assertEqual(ours.GetNumberOfVisibilityCycles(), 0, "rays have no order")
             view = scene.view()
             left = never_free(data, direction=view.forward) if view.parallel else never_free(data, eye=view.eye)
             self.assertEqual(left, data.GetNumberOfCells(), "the ring must be a cycle from here")
-            self.assertEqual(ours.GetNumberOfVisibilityCycles(), 1, label)
-            self.assertEqual(ours.GetNumberOfCyclicTetrahedra(), left, label)
-            self.assertEqual(ours.GetNumberOfBrokenRelations(), 0, label)
-            self.assertEqual(ours.GetNumberOfTetrahedra(), left, label)
-            self.assertEqual(ours.GetNumberOfDrawnTetrahedra(), left)
             mask = edge_mask(cells_of(data, "cell").drawn_edges(), view)
-            for order in ("Centroid", "None"):
+            ours.SetMethodToProjection()
+            for order in ("Exact", "Centroid", "None"):
                 getattr(ours, f"SetVisibilityOrderTo{order}")()
                 window.render()
-                self.assertEqual(ours.GetNumberOfVisibilityCycles(), 0)
+                counts = (ours.GetNumberOfVisibilityCycles(), ours.GetNumberOfCyclicTetrahedra())
+                self.assertEqual(counts, (1, left) if order == "Exact" else (0, 0), label)
+                self.assertEqual(ours.GetNumberOfBrokenRelations() > 0, order == "Exact")
                 self.assertEqual(ours.GetNumberOfDrawnTetrahedra(), left)
                 error = Difference(float_image(ours), expected, mask)
                 print(f"  ring {label}, order {order}: {error}")
@@ -190,7 +194,8 @@ class Cycles(ImageTestCase):
 
     def test_from_the_side_there_is_none(self):
         data = meshes.with_field(cyclic_ring(), lambda p: p[:, 0] * 0 + 0.5)
-        drawn = self.check(data, constant(1.0), "ring from the side", look=dict(direction=(1, 0.3, 0.05)))
+        drawn = self.check(data, constant(1.0), "ring from the side", look=dict(direction=(1, 0.3, 0.05)),
+                           configure=lambda m: m.SetMethodToProjection())
         self.assertEqual(never_free(data, eye=drawn[2].view().eye), 0)
         self.assertEqual(drawn[0].GetNumberOfVisibilityCycles(), 0)
 
@@ -202,16 +207,15 @@ class Cycles(ImageTestCase):
             random_cells(data, rng)
             ours, window, scene, expected = self.check(data, transfer, label + ", one colour", "cell", look=look,
                                                        configure=lambda m: m.SetMethodToProjection())
-            exact, pictures = float_image(ours), {}
-            self.assertEqual(ours.GetNumberOfVisibilityCycles() > 0, label == "ring")
+            pictures = {"Exact": float_image(ours)}
+            self.assertEqual(ours.GetNumberOfVisibilityCycles(), 0, "nothing is sorted")
             for order in ("Centroid", "None"):
                 getattr(ours, f"SetVisibilityOrderTo{order}")()
                 window.render()
                 pictures[order] = float_image(ours)
                 self.verify(scene, ours, cells_of(data, "cell"), transfer, f"{label}, one colour, {order}")
             self.check_float(pictures["None"], pictures["Centroid"], f"{label}, one colour, None against Centroid", 1e-6)
-            if label != "ring":  # where it is cut, rounding differs
-                self.check_float(pictures["None"], exact, f"{label}, one colour, None against Exact", 1e-6)
+            np.testing.assert_array_equal(pictures["None"], pictures["Exact"], label)
 
 
 class Counts(ImageTestCase):

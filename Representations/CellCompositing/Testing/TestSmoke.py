@@ -100,15 +100,14 @@ class Overlap(SmokeTestCase):
                 window.render()
                 self.check_all(float_image(ours)[16:17, 16:17], -math.expm1(-0.8 * count * (1 - eye[2] - 0.001)), f"{label} at {eye}", tolerance=2e-4)
 
-    def test_many_cells_are_drawn_by_rays(self):
-        """They take a tenth of the time; few are projected."""
-        for blocks, rays in ((10, False), (19, True)):
-            data = meshes.with_field(meshes.Lattice(blocks).mesh("tetra"), lambda p: p[:, 2])
-            window, scene, ours = scene_of(data, constant(0.4, COLOR))
+    def test_rays_draw_it_unless_told_otherwise(self):
+        data = meshes.with_field(meshes.Lattice(10).mesh("tetra"), lambda p: p[:, 2])
+        for method in METHODS:
+            window, scene, ours = scene_of(data, constant(0.4, COLOR), method)
             along_z(scene)
             window.render()
-            self.check_all(middle(float_image(ours)), -math.expm1(-0.4), f"{blocks} blocks")
-            self.assertEqual(ours.GetNumberOfRayLayers() > 0, rays)
+            self.check_all(middle(float_image(ours)), -math.expm1(-0.4), method)
+            self.assertEqual(ours.GetNumberOfRayLayers() > 0, method != "Projection")
             self.assertTrue(ours.GetOrderIndependent())
 
     def test_meshes_that_pass_through_themselves(self):

@@ -5,9 +5,8 @@
 // Light that one tetrahedron adds to one pixel: premultiplied colour and alpha.
 //   in:  the back face (its corners in view coordinates, the vertex opposite), the eye's coordinates q, scalars
 //   out: integral of emission and extinction between the front face and the back face, clipped to what lies
-//        between the near plane and the opaque geometry, or in each of two depth ranges, in front of the clipping planes
+//        between the near plane and the opaque geometry, in front of the clipping planes
 // u runs from the back face (0) towards the eye: a fraction of that way in perspective, a length in a parallel projection.
-uniform sampler2D depthRanges; // near and far depth of two ranges, empty where near >= far
 uniform vec4 eyeVC;            // (position, 1) or (direction towards the eye, 0)
 uniform float extinctionScale; // extinction per world length at opacity 1
 
@@ -21,18 +20,13 @@ flat in int oppositeGSOutput;
 flat in vec4 eyeBarycentricGSOutput;
 flat in vec4 scalarsGSOutput;
 flat in vec4 opacityScalarsGSOutput;
-flat in vec4 contourScalarsGSOutput;
-flat in ivec2 tetrahedronGSOutput; // number, layer
+flat in int layerGSOutput;
 
 //NEPHOSCOPE::Arrays
 //NEPHOSCOPE::Constants
 //NEPHOSCOPE::OpaqueDepth
 //NEPHOSCOPE::OpticalSegment
 //NEPHOSCOPE::TransferFunction
-//NEPHOSCOPE::FaceScalars
-//NEPHOSCOPE::ContourSurfaces
-//NEPHOSCOPE::ProjectedContours
-//NEPHOSCOPE::PolygonSurfaces
 
 // Where the pixel's ray passes the back face.
 vec4 barycentric = vec4(0.0);
@@ -89,23 +83,6 @@ float interpolate(vec4 coordinates, vec4 values)
   return values.w + change(coordinates, values);
 }
 
-// Colour, opacity and contour scalar at u; exactly those of a face if u is where the ray crosses it.
-vec3 scalarsAt(float u, vec4 slope)
-{
-  vec4 coordinates = barycentric + u * slope;
-  vec3 s = vec3(interpolate(coordinates, scalarsGSOutput), interpolate(coordinates, opacityScalarsGSOutput),
-    interpolate(coordinates, contourScalarsGSOutput));
-  for (int i = 0; i < 4; ++i)
-  {
-    bool crossed = u > 0.0 ? slope[i] < 0.0 && max(barycentric[i], 0.0) / -slope[i] == u : barycentric[i] == 0.0;
-    if (crossed)
-    {
-      return faceScalars(tetrahedronGSOutput.x, i, scalarsGSOutput, opacityScalarsGSOutput, contourScalarsGSOutput, s);
-    }
-  }
-  return s;
-}
-
 // Where the ray has a depth, as a parameter from the back face towards the eye.
 float parameterAt(float depth)
 {
@@ -113,8 +90,8 @@ float parameterAt(float depth)
   return (zFromDepth(depth) - positionVC.z) / towardsEye;
 }
 
-// Light of the part of the ray between two parameters; without haze in front of it, but where there are contours.
-vec4 clearLightBetween(float uFront, float uBack, vec4 slope)
+// Light of the part of the ray between two parameters.
+vec4 lightBetween(float uFront, float uBack, vec4 slope)
 {
   // (colour, opacity)
   vec2 scalarAtFace = vec2(interpolate(barycentric, scalarsGSOutput),
@@ -122,72 +99,14 @@ vec4 clearLightBetween(float uFront, float uBack, vec4 slope)
   vec2 scalarSlope = vec2(change(slope, scalarsGSOutput), change(slope, opacityScalarsGSOutput));
   vec3 towardsEye = eyeVC.xyz - eyeVC.w * positionVC;
   float opticalScale = (uFront - uBack) * length(towardsEye) * extinctionScale;
-  vec2 front = scalarAtFace + uFront * scalarSlope;
-  vec2 back = scalarAtFace + uBack * scalarSlope;
-  vec2 contourEnds = vec2(0.0);
-  if (consistentFaces)
+  if (useLayers && !contourLayers)
   {
-    vec3 atFront = scalarsAt(uFront, slope);
-    vec3 atBack = scalarsAt(uBack, slope);
-    front = atFront.xy;
-    back = atBack.xy;
-    contourEnds = vec2(atFront.z, atBack.z);
+    selectLayer(layerGSOutput);
   }
-  if (useContours)
-  {
-    ContourSegment segment = ContourSegment(tetrahedronGSOutput.x, contourScalarsGSOutput, contourEnds,
-      barycentric + uFront * slope, barycentric + uBack * slope,
-      positionVC + uFront * towardsEye, positionVC + uBack * towardsEye);
-    return integrateSegmentWithContours(front, back, opticalScale, segment, tetrahedronGSOutput.y);
-  }
-  if (useLayers)
-  {
-    selectLayer(tetrahedronGSOutput.y);
-  }
-  return integrateSegment(front, back, opticalScale);
-}
-
-// The surface in a face, where the ray crosses it.
-vec4 surfaceAt(float u, int face, vec4 slope)
-{
-  vec4 coordinates = barycentric + u * slope;
-  vec3 weights = face == 0 ? coordinates.yzw : face == 1 ? coordinates.xzw : face == 2 ? coordinates.xyw : coordinates.xyz;
-  return polygonSurface(element(tetrahedronSurfaces, tetrahedronGSOutput.x)[face], weights, interpolate(coordinates, scalarsGSOutput),
-    positionVC + u * (eyeVC.xyz - eyeVC.w * positionVC));
-}
-
-// With the surfaces in the faces where the part begins and ends, if that is not before.
-vec4 withSurfaces(vec4 light, float uFront, float uBack, float uFace, vec4 slope)
-{
-  if (uBack == 0.0)
-  {
-    light += (1.0 - light.a) * surfaceAt(0.0, oppositeGSOutput, slope);
-  }
-  for (int i = 0; i < 4 && uFront == uFace; ++i)
-  {
-    if (slope[i] < 0.0 && max(barycentric[i], 0.0) / -slope[i] == uFace)
-    {
-      vec4 surface = surfaceAt(uFace, i, slope);
-      return surface + (1.0 - surface.a) * light;
-    }
-  }
-  return light;
-}
-
-vec4 lightBetween(float uFront, float uBack, float uFace, vec4 slope)
-{
-  vec4 light = clearLightBetween(uFront, uBack, slope);
+  vec4 light = integrateSegment(scalarAtFace + uFront * scalarSlope, scalarAtFace + uBack * scalarSlope, opticalScale);
 #ifdef NEPHOSCOPE_HAZE
-  if (!useContours)
-  {
-    vec3 towardsEye = eyeVC.xyz - eyeVC.w * positionVC;
-    light = hazedSegment(light, positionVC + uFront * towardsEye, positionVC + uBack * towardsEye);
-  }
+  light = hazedSegment(light, positionVC + uFront * towardsEye, positionVC + uBack * towardsEye);
 #endif
-  if (usePolygons)
-  {
-    light = withSurfaces(light, uFront, uBack, uFace, slope);
-  }
   return light;
 }
 
@@ -201,51 +120,6 @@ vec2 betweenPlanes()
 #endif
 }
 
-// What lies in front of the opaque geometry.
-void drawWhole(float uFace, vec4 slope)
-{
-  float opaque = texelFetch(opaqueDepth, ivec2(gl_FragCoord.xy), 0).r;
-  vec2 between = betweenPlanes();
-  float uFront = min(min(uFace, between.y), parameterAt(0.0));
-  float uBack = max(max(0.0, between.x), parameterAt(opaque));
-  if (!(uFront > uBack))
-  {
-    discard;
-  }
-  gl_FragData[0] = lightBetween(uFront, uBack, uFace, slope);
-}
-
-// What lies in each of the two ranges.
-void drawRanges(float uFace, vec4 slope)
-{
-  vec4 depths = texelFetch(depthRanges, ivec2(gl_FragCoord.xy), 0);
-  vec2 between = betweenPlanes();
-  vec2 uFront = min(vec2(min(uFace, between.y)), vec2(parameterAt(depths.x), parameterAt(depths.z)));
-  vec2 uBack = max(vec2(max(0.0, between.x)), vec2(parameterAt(depths.y), parameterAt(depths.w)));
-  bvec2 inside = greaterThan(uFront, uBack);
-  if (!any(inside))
-  {
-    discard;
-  }
-  gl_FragData[0] = gl_FragData[1] = vec4(0.0);
-  // A loop and not two calls: few cells lie in both ranges, and the second integral costs only where one does.
-  int range = inside[0] ? 0 : 1;
-  int last = inside[1] ? 1 : 0;
-  do
-  {
-    vec4 light = lightBetween(uFront[range], uBack[range], uFace, slope);
-    if (range == 0)
-    {
-      gl_FragData[0] = light;
-    }
-    else
-    {
-      gl_FragData[1] = light;
-    }
-    ++range;
-  } while (range <= last);
-}
-
 void main()
 {
   if (!findBackFace())
@@ -253,13 +127,13 @@ void main()
     discard;
   }
   vec4 slope = eyeBarycentricGSOutput - eyeVC.w * barycentric;
-  float uFace = frontParameter(slope);
-  if (useDepthRanges)
+  float opaque = texelFetch(opaqueDepth, ivec2(gl_FragCoord.xy), 0).r;
+  vec2 between = betweenPlanes();
+  float uFront = min(min(frontParameter(slope), between.y), parameterAt(0.0));
+  float uBack = max(max(0.0, between.x), parameterAt(opaque));
+  if (!(uFront > uBack))
   {
-    drawRanges(uFace, slope);
+    discard;
   }
-  else
-  {
-    drawWhole(uFace, slope);
-  }
+  gl_FragData[0] = lightBetween(uFront, uBack, slope);
 }

@@ -107,7 +107,7 @@ void main()
   }
   if (useLayers && !contourLayers)
   {
-    selectLayer(tetrahedronAndLayer.y);
+    selectLayer(layer);
   }
   FanVertex corners[4];
   for (int i = 0; i < 4; ++i)

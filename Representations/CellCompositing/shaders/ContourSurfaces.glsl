@@ -3,7 +3,7 @@
 // Contour surfaces inside tetrahedra, layers of the medium between them, and how surfaces are lit.
 //
 // A point lies above a value when its scalar is >= the value, and a surface is crossed between two ends on different sides.
-// Constants: contourLayers, contourLighting.
+// Constant: contourLighting.
 uniform FloatArray contours; // two texels each, ascending: (value, layer below, layer above, 0), (colour, opacity); red < 0: function's
 uniform FloatArray contourGradients; // per point, in model coordinates
 uniform int numberOfContours;
@@ -34,15 +34,6 @@ int contourLayer(float s)
     }
   }
   return low;
-}
-
-void selectContourLayer(int layer)
-{
-  if (contourLayers)
-  {
-    vec4 contour = element(contours, 2 * max(layer - 1, 0));
-    selectLayer(int(layer == 0 ? contour.y : contour.z));
-  }
 }
 
 vec3 unit(vec3 v)

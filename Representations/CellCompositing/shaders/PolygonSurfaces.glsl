@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
 // Polygons of the input that lie in faces of tetrahedra, as translucent surfaces. Lit as contour surfaces are (ContourSurfaces.glsl).
-// For the face opposite each vertex the number of its surface, counted from 1, or 0 for none. For projection the vertices have the order of the
-// tetrahedron, and one of the two tetrahedra that share the face has the surface; for rays they ascend by their numbers, and both have it.
+// For the face opposite each vertex the number of its surface, counted from 1, or 0 for none. Vertices ascend by their numbers, and both
+// tetrahedra that share the face have its surface.
 uniform IntegerArray tetrahedronSurfaces;
 uniform FloatArray polygonSurfaces;       // four texels each: colour and opacity, red < 0: the function's; normals at the corners, MC
 

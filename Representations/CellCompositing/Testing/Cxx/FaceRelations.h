@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * Which tetrahedron lies in front of which, found without VisibilityOrder: pairs with three places in common, and determinants
+ * Which tetrahedron lies in front of which, found without FaceNeighbors: pairs with three places in common, and determinants
  * in long double.
  */
 #ifndef FaceRelations_h

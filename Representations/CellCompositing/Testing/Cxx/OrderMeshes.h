@@ -170,50 +170,6 @@ inline vtkSmartPointer<vtkUnstructuredGrid> makeLeaningRing(int n)
   return makeGrid(points, cells);
 }
 
-/** Three square bars that share no point, each in front of the next one seen along +z; `pieces` hexahedra each. */
-inline void addThreeBars(BlockMesh& mesh, int pieces, const std::array<double, 3>& at, double scale)
-{
-  const int n[3] = { pieces, 1, 1 };
-  for (int bar = 0; bar < 3; ++bar)
-  {
-    const double angle = 2 * std::acos(-1.0) / 3 * bar;
-    mesh.AddBox(
-      n, [](int, int, int) { return false; },
-      [&](double u, double v, double w) {
-        const double x = -1.2 + 2.4 * u, y = -0.5 + 0.16 * (v - 0.5),
-                     z = 0.3 - 0.6 * u + 0.16 * (w - 0.5);
-        return std::array<double, 3>{ { at[0] + scale * (x * std::cos(angle) - y * std::sin(angle)),
-          at[1] + scale * (x * std::sin(angle) + y * std::cos(angle)), at[2] + scale * z } };
-      });
-  }
-}
-
-/** n x n square rods along each axis, interlaced without touching: seen along a diagonal, all are in one cycle. */
-inline vtkSmartPointer<vtkUnstructuredGrid> makeInterlacedRods(int n)
-{
-  BlockMesh mesh;
-  for (std::size_t axis = 0; axis < 3; ++axis)
-  {
-    for (int i = 0; i < n; ++i)
-    {
-      for (int j = 0; j < n; ++j)
-      {
-        std::array<double, 3> low, high;
-        low[axis] = -0.5;
-        high[axis] = 0.5;
-        const double middle[2] = { (i + 0.25) / n - 0.5, (j + 0.75) / n - 0.5 };
-        for (std::size_t side = 0; side < 2; ++side)
-        {
-          low[(axis + 1 + side) % 3] = middle[side] - 0.2 / n;
-          high[(axis + 1 + side) % 3] = middle[side] + 0.2 / n;
-        }
-        mesh.AddBox(1, 1, 1, low, high);
-      }
-    }
-  }
-  return mesh.Get();
-}
-
 /** A tube around the z axis in n sectors, m layers and m levels, twisted: each sector leans over the next. */
 inline vtkSmartPointer<vtkStructuredGrid> makeTwistedTube(int n, int m, double twist)
 {
@@ -225,13 +181,6 @@ inline vtkSmartPointer<vtkStructuredGrid> makeTwistedTube(int n, int m, double t
     x[1] = r * std::sin(angle);
     x[2] = k / m - 0.5;
   });
-}
-
-inline vtkSmartPointer<vtkUnstructuredGrid> makeThreeBars(int pieces)
-{
-  BlockMesh mesh;
-  addThreeBars(mesh, pieces, { { 0, 0, 0 } }, 1);
-  return mesh.Get();
 }
 
 } // namespace nephoscope_test

@@ -1,10 +1,9 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
 // Long work tells how far it is, grows steadily, stops when told to, and then comes out as if it had never been stopped.
-#include "VisibilityOrder.h"
+#include "ProjectionOrder.h"
 
 #include "OrderMeshes.h"
-#include "RayOrder.h"
 
 #include <gtest/gtest.h>
 
@@ -15,13 +14,13 @@ using namespace nephoscope_test;
 
 namespace
 {
-const PixelCamera camera({ { 3, 1, 0.5 } }, { { 0, 0, 0 } }, 0.5, false, 100, 100);
+const Vector4 eye = { { 3, 1, 0.5, 1 } };
 
 /** Everything that a first frame needs; false when stopped. */
-bool makeOrder(vtkDataSet* data, const Progress& progress, VisibilityOrder::Sorted& sorted)
+bool makeOrder(vtkDataSet* data, const Progress& progress, ProjectionOrder& sorted)
 {
   CellGeometry geometry;
-  VisibilityOrder visibility;
+  FaceNeighbors neighbors;
   geometry.Build(
     data, { data->GetPointData()->GetScalars(), false, -1 }, {}, nullptr, progress.Part(0, 0.4));
   if (geometry.Stopped)
@@ -29,14 +28,15 @@ bool makeOrder(vtkDataSet* data, const Progress& progress, VisibilityOrder::Sort
     EXPECT_TRUE(geometry.Points.empty() && geometry.Tetrahedra.empty());
     return false;
   }
-  if (!visibility.Connect(geometry, progress.Part(0.4, 0.7)))
+  if (!neighbors.Connect(geometry, progress.Part(0.4, 0.7)))
   {
-    EXPECT_FALSE(visibility.IsConnected());
+    EXPECT_FALSE(neighbors.IsConnected());
     return false;
   }
-  if (!visibility.SortExact(geometry, camera.GetView(), sorted, progress.Part(0.7, 1)))
+  if (!sorted.Sort(
+        ProjectionOrder::Kind::Topological, geometry, neighbors, eye, progress.Part(0.7, 1)))
   {
-    EXPECT_TRUE(sorted.Order.empty());
+    EXPECT_TRUE(sorted.Tetrahedra.empty());
     return false;
   }
   return true;
@@ -74,7 +74,7 @@ TEST(OrderProgress, GrowsFromNothingToAll)
   addPointNumbers(data);
   double last = 0;
   int events = 0;
-  VisibilityOrder::Sorted sorted;
+  ProjectionOrder sorted;
   EXPECT_TRUE(makeOrder(data, Progress([&](double fraction) {
     EXPECT_GE(fraction, last - 1e-12);
     EXPECT_LE(fraction, 1 + 1e-12);
@@ -90,12 +90,12 @@ TEST(OrderProgress, StopsWhereverItIsTold)
 {
   const auto data = makeShell(24, 12, 3, 80, 1, 1.3);
   addPointNumbers(data);
-  VisibilityOrder::Sorted whole, stopped, again;
+  ProjectionOrder whole, stopped, again;
   int events = 0;
   ASSERT_TRUE(makeOrder(data, Progress([&](double) { return ++events > 0; }), whole));
-  VisibilityOrder::Sorted quiet;
+  ProjectionOrder quiet;
   ASSERT_TRUE(makeOrder(data, Progress(), quiet));
-  EXPECT_EQ(quiet.Order, whole.Order) << "whether anybody listens must not matter";
+  EXPECT_EQ(quiet.Tetrahedra, whole.Tetrahedra) << "whether anybody listens must not matter";
   ASSERT_GT(events, 20);
   // The length of a stretch, and with it the number of events, depends on the clock: only early ones are sure to come.
   int stops = 0;
@@ -114,17 +114,20 @@ TEST(OrderProgress, StopsWhereverItIsTold)
   }
   EXPECT_GT(stops, 15);
   ASSERT_TRUE(makeOrder(data, Progress(), again));
-  EXPECT_EQ(again.Order, whole.Order);
+  EXPECT_EQ(again.Tetrahedra, whole.Tetrahedra);
 }
 
 TEST(OrderProgress, CentroidsStopToo)
 {
   const CellGeometry geometry = buildGeometry(makeLattice(6));
-  std::vector<std::int32_t> order, stopped;
-  EXPECT_TRUE(VisibilityOrder::SortCentroids(geometry, { { 9, 8, 7, 1 } }, order));
-  EXPECT_FALSE(VisibilityOrder::SortCentroids(
-    geometry, { { 9, 8, 7, 1 } }, stopped, Progress([](double) { return false; })));
-  EXPECT_TRUE(VisibilityOrder::SortCentroids(
-    geometry, { { 9, 8, 7, 1 } }, stopped, Progress([](double) { return true; })));
-  EXPECT_EQ(order, stopped);
+  const Vector4 away = { { 9, 8, 7, 1 } };
+  ProjectionOrder order, stopped;
+  using Kind = ProjectionOrder::Kind;
+  EXPECT_TRUE(order.Sort(Kind::Centroid, geometry, {}, away));
+  EXPECT_FALSE(
+    stopped.Sort(Kind::Centroid, geometry, {}, away, Progress([](double) { return false; })));
+  EXPECT_TRUE(stopped.Tetrahedra.empty());
+  EXPECT_TRUE(
+    stopped.Sort(Kind::Centroid, geometry, {}, away, Progress([](double) { return true; })));
+  EXPECT_EQ(order.Tetrahedra, stopped.Tetrahedra);
 }

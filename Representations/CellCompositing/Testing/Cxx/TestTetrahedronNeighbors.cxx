@@ -4,8 +4,8 @@
 #include "TetrahedronNeighbors.h"
 
 #include "BoundaryFaces.h"
+#include "FaceNeighbors.h"
 #include "OrderMeshes.h"
-#include "VisibilityOrder.h"
 
 #include "vtkAppendFilter.h"
 #include "vtkDataSetTriangleFilter.h"
@@ -68,7 +68,7 @@ CellGeometry geometryOf(
 
 TetrahedronNeighbors neighborsOf(const CellGeometry& geometry)
 {
-  VisibilityOrder connected;
+  FaceNeighbors connected;
   EXPECT_TRUE(connected.Connect(geometry));
   TetrahedronNeighbors neighbors;
   neighbors.Build(geometry, connected);

@@ -5,7 +5,7 @@
 #include "ProjectedCells.h"
 
 #include "CellDrawing.h"
-#include "CellPieces.h"
+#include "CellGeometry.h"
 #include "ProjectedTriangles.h"
 #include "ShaderText.h"
 #include "TrianglePass.h"
@@ -14,7 +14,6 @@
 #include "CellCompositingGeometry.h"
 #include "CellCompositingVertex.h"
 
-#include "vtkMatrix3x3.h"
 #include "vtkMatrix4x4.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLShaderCache.h"
@@ -29,33 +28,6 @@ namespace nephoscope
 {
 namespace
 {
-// (pixel, 1) to the direction of its ray, or in a parallel projection to a point of it, in model coordinates.
-void pixelToRay(const CellView& view, const int* size, vtkMatrix3x3* result)
-{
-  vtkNew<vtkMatrix4x4> inverse;
-  vtkMatrix4x4::Multiply4x4(view.ViewToDevice, view.ModelToView, inverse);
-  inverse->Invert();
-  const double corners[3][4] = { { 2.0 / size[0], 0, 0, 0 }, { 0, 2.0 / size[1], 0, 0 },
-    { -1, -1, 0, 1 } };
-  double
-    place[3]
-         [4]; // of the pixel's derivatives, and of pixel (0, 0), in homogeneous model coordinates
-  for (int i = 0; i < 3; ++i)
-  {
-    inverse->MultiplyPoint(corners[i], place[i]);
-  }
-  const bool parallel = view.EyeModel[3] == 0;
-  for (int i = 0; i < 3; ++i)
-  {
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      const double value = parallel ? place[i][axis] / place[2][3]
-                                    : place[i][axis] - place[i][3] * view.EyeModel[axis];
-      result->SetElement(i, axis, value); // transposed, as OpenGL wants it
-    }
-  }
-}
-
 std::array<float, 4> toFloat(const double v[4])
 {
   std::array<float, 4> result;
@@ -73,22 +45,14 @@ ProjectedCells::ProjectedCells() = default;
 ProjectedCells::~ProjectedCells() = default;
 
 std::string ProjectedCells::UploadGeometry(
-  vtkOpenGLRenderWindow* window, const CellGeometry& geometry, const CellPieces& pieces)
+  vtkOpenGLRenderWindow* window, const CellGeometry& geometry)
 {
   const std::vector<float> table = makeOpacityTable();
   const std::string error =
     this->AlphaTable.Upload(window, table.data(), table.size(), 1, VTK_FLOAT);
-  if (!error.empty())
-  {
-    return error;
-  }
-  if (pieces.Tetrahedra.empty())
-  {
-    return this->Tetrahedra.Upload(
-      window, geometry.Tetrahedra.data(), geometry.Tetrahedra.size(), 4, VTK_INT);
-  }
-  const std::vector<Tetrahedron> all = joined(geometry.Tetrahedra, pieces.Tetrahedra);
-  return this->Tetrahedra.Upload(window, all.data(), all.size(), 4, VTK_INT);
+  return error.empty() ? this->Tetrahedra.Upload(window, geometry.Tetrahedra.data(),
+                           geometry.Tetrahedra.size(), 4, VTK_INT)
+                       : error;
 }
 
 void ProjectedCells::UploadOrder(const std::vector<std::int32_t>& order)
@@ -126,9 +90,6 @@ std::string ProjectedCells::Draw(const CellDrawing& drawing)
   program->SetUniformf("smallestEyeDepth",
     static_cast<float>(smallestEyeDepth(drawing.View.EyeView, drawing.View.ViewToDevice)));
   program->SetUniform4f("eyeMC", toFloat(drawing.View.EyeModel).data());
-  vtkNew<vtkMatrix3x3> rays;
-  pixelToRay(drawing.View, drawing.Viewport + 2, rays);
-  program->SetUniformMatrix("pixelToRay", rays);
   const float halfViewport[2] = { 0.5f * static_cast<float>(drawing.Viewport[2]),
     0.5f * static_cast<float>(drawing.Viewport[3]) };
   program->SetUniform2f("halfViewport", halfViewport);

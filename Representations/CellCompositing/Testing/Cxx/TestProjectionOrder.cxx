@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Back-to-front orders: every face relation holds, and nothing depends on threads or numbering.
-#include "VisibilityOrder.h"
+// Back-to-front orders of projection: every face relation holds unless there are cycles, which are counted; nothing depends on threads or numbering.
+#include "ProjectionOrder.h"
 
 #include "FaceRelations.h"
 #include "OrderMeshes.h"
@@ -26,19 +26,30 @@ Vector4 eyeAt(const CellGeometry& geometry, double x, double y, double z)
   return { { x - geometry.Center[0], y - geometry.Center[1], z - geometry.Center[2], 1 } };
 }
 
-/** For a mesh without cycles. No picture: convex meshes need none. */
-std::vector<std::int32_t> sortExactly(
-  const CellGeometry& geometry, const VisibilityOrder& visibility, const Vector4& eye)
+using Kind = ProjectionOrder::Kind;
+
+std::vector<std::int32_t> sorted(
+  Kind kind, const CellGeometry& geometry, const FaceNeighbors& neighbors, const Vector4& eye)
 {
-  OrderView view;
-  view.Eye = eye;
-  VisibilityOrder::Sorted sorted;
-  EXPECT_TRUE(visibility.SortExact(geometry, view, sorted));
-  EXPECT_EQ(sorted.NumberOfCycles, 0);
-  EXPECT_EQ(sorted.NumberOfCyclicTetrahedra, 0);
-  EXPECT_EQ(sorted.NumberOfBrokenRelations, 0);
-  EXPECT_TRUE(sorted.Pieces.Tetrahedra.empty());
-  return sorted.Order;
+  ProjectionOrder order;
+  EXPECT_TRUE(order.Sort(kind, geometry, neighbors, eye));
+  EXPECT_EQ(order.NumberOfCycles, 0);
+  EXPECT_EQ(order.NumberOfCyclicTetrahedra, 0);
+  EXPECT_EQ(order.NumberOfBrokenRelations, 0);
+  return order.Tetrahedra;
+}
+
+std::size_t countInteriorFaces(const CellGeometry& geometry, const FaceNeighbors& neighbors)
+{
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < geometry.Tetrahedra.size(); ++i)
+  {
+    for (int face = 0; face < 4; ++face)
+    {
+      count += neighbors.Get(i, face) != FaceNeighbors::None;
+    }
+  }
+  return count / 2;
 }
 
 bool isPermutation(const std::vector<std::int32_t>& order, std::size_t n)
@@ -52,13 +63,13 @@ bool isPermutation(const std::vector<std::int32_t>& order, std::size_t n)
 
 /** Sorts exactly and checks everything; returns the share of faces that centroids put in the wrong order. */
 double checkExactOrder(const CellGeometry& geometry, const std::vector<InteriorFace>& faces,
-  const VisibilityOrder& visibility, const Vector4& eye)
+  const FaceNeighbors& neighbors, const Vector4& eye)
 {
   const std::vector<Relation> relations = findRelations(faces, eye);
-  std::vector<std::int32_t> order = sortExactly(geometry, visibility, eye);
+  std::vector<std::int32_t> order = sorted(Kind::Topological, geometry, neighbors, eye);
   EXPECT_TRUE(isPermutation(order, geometry.Tetrahedra.size()));
   EXPECT_EQ(countViolations(relations, order), 0);
-  VisibilityOrder::SortCentroids(geometry, eye, order);
+  order = sorted(Kind::Centroid, geometry, neighbors, eye);
   EXPECT_TRUE(isPermutation(order, geometry.Tetrahedra.size()));
   return double(countViolations(relations, order)) / double(faces.size());
 }
@@ -66,17 +77,17 @@ double checkExactOrder(const CellGeometry& geometry, const std::vector<InteriorF
 void checkManyEyes(vtkDataSet* data, Random& random, double size, int eyes)
 {
   const CellGeometry geometry = buildGeometry(data);
-  VisibilityOrder visibility;
-  visibility.Connect(geometry);
+  FaceNeighbors neighbors;
+  neighbors.Connect(geometry);
   const std::vector<InteriorFace> faces = findInteriorFaces(geometry);
-  EXPECT_EQ(visibility.GetFaces().GetNumberOfInteriorFaces(), std::int64_t(faces.size()));
+  EXPECT_EQ(countInteriorFaces(geometry, neighbors), faces.size());
   for (int i = 0; i < eyes; ++i)
   {
     const Vector3 d = random.Direction();
     const double distance = size * (i % 4 == 0 ? 0.3 : random.LogUniform(1, 50)); // inside too
     checkExactOrder(
-      geometry, faces, visibility, { { distance * d[0], distance * d[1], distance * d[2], 1 } });
-    checkExactOrder(geometry, faces, visibility, { { d[0], d[1], d[2], 0 } });
+      geometry, faces, neighbors, { { distance * d[0], distance * d[1], distance * d[2], 1 } });
+    checkExactOrder(geometry, faces, neighbors, { { d[0], d[1], d[2], 0 } });
   }
 }
 
@@ -154,38 +165,38 @@ vtkSmartPointer<vtkUnstructuredGrid> asUnstructured(vtkDataSet* data)
 }
 }
 
-TEST(VisibilityOrder, Shell)
+TEST(ProjectionOrder, Shell)
 {
   const CellGeometry geometry = buildGeometry(asUnstructured(makeShell(24, 12, 3, 80, 1, 1.3)));
-  VisibilityOrder visibility;
-  EXPECT_FALSE(visibility.IsConnected());
-  visibility.Connect(geometry);
-  EXPECT_TRUE(visibility.IsConnected());
+  FaceNeighbors neighbors;
+  EXPECT_FALSE(neighbors.IsConnected());
+  neighbors.Connect(geometry);
+  EXPECT_TRUE(neighbors.IsConnected());
   EXPECT_EQ(geometry.Tetrahedra.size(), 5184u);
-  EXPECT_EQ(visibility.GetFaces().GetNumberOfInteriorFaces(), 9648);
+  EXPECT_EQ(countInteriorFaces(geometry, neighbors), 9648u);
   const std::vector<InteriorFace> faces = findInteriorFaces(geometry);
   EXPECT_EQ(faces.size(), 9648u);
   const double centroids =
-    checkExactOrder(geometry, faces, visibility, eyeAt(geometry, 3.2, 0.9, 1.1));
+    checkExactOrder(geometry, faces, neighbors, eyeAt(geometry, 3.2, 0.9, 1.1));
   std::cout << "faces in the wrong order with centroids: " << 100 * centroids << " %" << std::endl;
   EXPECT_GT(centroids, 0.05);
 }
 
-TEST(VisibilityOrder, ThinShell)
+TEST(ProjectionOrder, ThinShell)
 {
   const CellGeometry geometry = buildGeometry(asUnstructured(makeShell(36, 18, 6, 80, 1, 1.06)));
-  VisibilityOrder visibility;
-  visibility.Connect(geometry);
+  FaceNeighbors neighbors;
+  neighbors.Connect(geometry);
   EXPECT_EQ(geometry.Tetrahedra.size(), 23328u);
   const std::vector<InteriorFace> faces = findInteriorFaces(geometry);
   const double centroids =
-    checkExactOrder(geometry, faces, visibility, eyeAt(geometry, 3.2, 0.9, 1.1));
+    checkExactOrder(geometry, faces, neighbors, eyeAt(geometry, 3.2, 0.9, 1.1));
   std::cout << "faces in the wrong order with centroids: " << 100 * centroids << " %" << std::endl;
   EXPECT_GT(centroids, 0.05);
 }
 
 // Hexahedra whose faces are not planar; structured cells have alternating diagonals, unstructured ones parallel ones.
-TEST(VisibilityOrder, WarpedLattice)
+TEST(ProjectionOrder, WarpedLattice)
 {
   Random random(51);
   const auto structured = makeWarpedLattice(random, 8, 0.06);
@@ -196,7 +207,7 @@ TEST(VisibilityOrder, WarpedLattice)
   checkManyEyes(unstructured->GetOutput(), random, 1, 6);
 }
 
-TEST(VisibilityOrder, Delaunay)
+TEST(ProjectionOrder, Delaunay)
 {
   Random random(52);
   for (int i = 0; i < 3; ++i)
@@ -205,7 +216,7 @@ TEST(VisibilityOrder, Delaunay)
   }
 }
 
-TEST(VisibilityOrder, RepeatedPointsOfBlocksAreJoined)
+TEST(ProjectionOrder, RepeatedPointsOfBlocksAreJoined)
 {
   vtkNew<vtkAppendFilter> append;
   append->MergePointsOff();
@@ -222,15 +233,14 @@ TEST(VisibilityOrder, RepeatedPointsOfBlocksAreJoined)
   const CellGeometry geometry = buildGeometry(append->GetOutput());
   const CellGeometry whole = buildGeometry(asUnstructured(makeLattice(4)));
   ASSERT_GT(geometry.Points.size(), whole.Points.size());
-  VisibilityOrder joined, single;
+  FaceNeighbors joined, single;
   joined.Connect(geometry);
   single.Connect(whole);
-  EXPECT_EQ(
-    joined.GetFaces().GetNumberOfInteriorFaces(), single.GetFaces().GetNumberOfInteriorFaces());
+  EXPECT_EQ(countInteriorFaces(geometry, joined), countInteriorFaces(whole, single));
   checkExactOrder(geometry, findInteriorFaces(geometry), joined, eyeAt(geometry, 10, 3, 1));
 }
 
-TEST(VisibilityOrder, ThreadsDoNotChangeTheOrder)
+TEST(ProjectionOrder, ThreadsDoNotChangeTheOrder)
 {
   const CellGeometry geometry = buildGeometry(makeShell(24, 12, 3, 90, 1, 1.3));
   const Vector4 eye = eyeAt(geometry, 3.2, 0.9, 1.1);
@@ -238,19 +248,19 @@ TEST(VisibilityOrder, ThreadsDoNotChangeTheOrder)
   for (const int threads : { 1, 2, 4 })
   {
     withThreads(threads, [&]() {
-      VisibilityOrder visibility;
-      visibility.Connect(geometry);
-      std::vector<std::int32_t> order = sortExactly(geometry, visibility, eye);
+      FaceNeighbors neighbors;
+      neighbors.Connect(geometry);
+      std::vector<std::int32_t> order = sorted(Kind::Topological, geometry, neighbors, eye);
       exact = exact.empty() ? order : exact;
       EXPECT_EQ(order, exact);
-      VisibilityOrder::SortCentroids(geometry, eye, order);
+      order = sorted(Kind::Centroid, geometry, neighbors, eye);
       centroids = centroids.empty() ? order : centroids;
       EXPECT_EQ(order, centroids);
     });
   }
 }
 
-TEST(VisibilityOrder, PermutedCellsGiveTheSamePicture)
+TEST(ProjectionOrder, PermutedCellsGiveTheSamePicture)
 {
   Random random(53);
   const CellGeometry geometry = buildGeometry(makeWarpedLattice(random, 4, 0.06));
@@ -261,13 +271,13 @@ TEST(VisibilityOrder, PermutedCellsGiveTheSamePicture)
   std::generate_n(std::back_inserter(colors), identity.size(), [&]() { return random.Uniform(); });
 
   const Vector3 eye = { { 2, 1.5, 1.2 } };
-  VisibilityOrder first, second;
+  FaceNeighbors first, second;
   first.Connect(geometry);
   second.Connect(permuted);
   const std::vector<std::int32_t> order =
-    sortExactly(geometry, first, { { eye[0], eye[1], eye[2], 1 } });
+    sorted(Kind::Topological, geometry, first, { { eye[0], eye[1], eye[2], 1 } });
   const std::vector<std::int32_t> permutedOrder =
-    sortExactly(permuted, second, { { eye[0], eye[1], eye[2], 1 } });
+    sorted(Kind::Topological, permuted, second, { { eye[0], eye[1], eye[2], 1 } });
   double greatest = 0;
   for (int i = 0; i < 500; ++i)
   {
@@ -281,7 +291,7 @@ TEST(VisibilityOrder, PermutedCellsGiveTheSamePicture)
   EXPECT_GT(greatest, 0.3);
 }
 
-TEST(VisibilityOrder, CentroidsFarthestFirst)
+TEST(ProjectionOrder, CentroidsFarthestFirst)
 {
   const CellGeometry geometry = buildGeometry(makeLattice(3));
   const auto centroid = [&](std::int32_t i) {
@@ -289,40 +299,40 @@ TEST(VisibilityOrder, CentroidsFarthestFirst)
     return Vector3{ { (p[0][0] + p[1][0] + p[2][0] + p[3][0]) / 4,
       (p[0][1] + p[1][1] + p[2][1] + p[3][1]) / 4, (p[0][2] + p[1][2] + p[2][2] + p[3][2]) / 4 } };
   };
-  std::vector<std::int32_t> order;
-  VisibilityOrder::SortCentroids(geometry, { { 5, 4, 3, 1 } }, order);
+  std::vector<std::int32_t> order = sorted(Kind::Centroid, geometry, {}, { { 5, 4, 3, 1 } });
   for (std::size_t i = 1; i < order.size(); ++i)
   {
     const Vector3 far = difference(centroid(order[i - 1]), { { 5, 4, 3 } });
     const Vector3 near = difference(centroid(order[i]), { { 5, 4, 3 } });
     ASSERT_GE(dot(far, far), dot(near, near) - 1e-5);
   }
-  VisibilityOrder::SortCentroids(geometry, { { 5, 4, 3, 0 } }, order);
+  order = sorted(Kind::Centroid, geometry, {}, { { 5, 4, 3, 0 } });
   for (std::size_t i = 1; i < order.size(); ++i)
   {
     ASSERT_LE(dot(centroid(order[i - 1]), { { 5, 4, 3 } }),
       dot(centroid(order[i]), { { 5, 4, 3 } }) + 1e-5);
   }
-  VisibilityOrder::SortNone(geometry, order);
+  order = sorted(Kind::None, geometry, {}, { { 5, 4, 3, 0 } });
   EXPECT_TRUE(isPermutation(order, geometry.Tetrahedra.size()));
   EXPECT_TRUE(std::is_sorted(order.begin(), order.end()));
 }
 
-TEST(VisibilityOrder, NothingAndOneTetrahedron)
+TEST(ProjectionOrder, NothingAndOneTetrahedron)
 {
   CellGeometry geometry;
-  VisibilityOrder visibility;
-  visibility.Connect(geometry);
-  EXPECT_TRUE(sortExactly(geometry, visibility, { { 0, 0, 1, 0 } }).empty());
+  FaceNeighbors neighbors;
+  neighbors.Connect(geometry);
+  EXPECT_TRUE(sorted(Kind::Topological, geometry, neighbors, { { 0, 0, 1, 0 } }).empty());
   geometry =
     buildGeometry(makeGrid({ { { 0, 0, 0 } }, { { 1, 0, 0 } }, { { 0, 1, 0 } }, { { 0, 0, 1 } } },
       { { VTK_TETRA, { 0, 1, 2, 3 } } }));
-  visibility.Connect(geometry);
-  EXPECT_EQ(sortExactly(geometry, visibility, { { 0, 0, 1, 0 } }), std::vector<std::int32_t>{ 0 });
+  neighbors.Connect(geometry);
+  EXPECT_EQ(sorted(Kind::Topological, geometry, neighbors, { { 0, 0, 1, 0 } }),
+    std::vector<std::int32_t>{ 0 });
 }
 
 // Three and more tetrahedra at one face, and points that are not numbers, must do no harm.
-TEST(VisibilityOrder, OverlappingCellsAndInvalidPoints)
+TEST(ProjectionOrder, OverlappingCellsAndInvalidPoints)
 {
   auto grid = makeGrid({ { { 0, 0, 0 } }, { { 1, 0, 0 } }, { { 0, 1, 0 } }, { { 0, 0, 1 } },
                          { { 0, 0, -1 } }, { { 0.1, 0.1, 2 } }, { { std::nan(""), 0, 0 } } },
@@ -330,7 +340,27 @@ TEST(VisibilityOrder, OverlappingCellsAndInvalidPoints)
       { VTK_TETRA, { 0, 1, 2, 3 } }, { VTK_TETRA, { 0, 1, 2, 6 } } });
   const CellGeometry geometry = buildGeometry(grid);
   ASSERT_EQ(geometry.Tetrahedra.size(), 4u);
-  VisibilityOrder visibility;
-  visibility.Connect(geometry);
-  EXPECT_TRUE(isPermutation(sortExactly(geometry, visibility, { { 0, 0, 5, 1 } }), 4));
+  FaceNeighbors neighbors;
+  neighbors.Connect(geometry);
+  EXPECT_TRUE(isPermutation(sorted(Kind::Topological, geometry, neighbors, { { 0, 0, 5, 1 } }), 4));
+}
+
+// All members of a cycle are drawn, and as many relations are wrong as it is said.
+TEST(ProjectionOrder, CyclesAreCounted)
+{
+  const CellGeometry geometry = buildGeometry(makeLeaningRing(12));
+  FaceNeighbors neighbors;
+  neighbors.Connect(geometry);
+  const Vector4 above = eyeAt(geometry, 0.1, 0.05, 9), aside = eyeAt(geometry, 9, 1, 0.5);
+  const std::vector<Relation> relations = findRelations(findInteriorFaces(geometry), above);
+  ProjectionOrder order;
+  EXPECT_TRUE(order.Sort(Kind::Topological, geometry, neighbors, above));
+  EXPECT_EQ(order.NumberOfCycles, 1);
+  EXPECT_GE(order.NumberOfCyclicTetrahedra, 12);
+  EXPECT_LE(order.NumberOfCyclicTetrahedra,
+    std::int64_t(countUnsortable(relations, geometry.Tetrahedra.size())));
+  EXPECT_GT(order.NumberOfBrokenRelations, 0);
+  EXPECT_EQ(order.NumberOfBrokenRelations, countViolations(relations, order.Tetrahedra));
+  EXPECT_TRUE(isPermutation(order.Tetrahedra, geometry.Tetrahedra.size()));
+  sorted(Kind::Topological, geometry, neighbors, aside);
 }

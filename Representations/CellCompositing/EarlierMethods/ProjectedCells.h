@@ -1,6 +1,9 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
-/** Draws tetrahedra one after another, in a given order, each over the pixels that it covers. */
+/**
+ * Draws tetrahedra one after another, in a given order, each over the pixels that it covers: its back faces with the exact integral of
+ * each pixel's ray, or the triangles of TrianglePass.h. Neither surfaces between the cells nor parts between peeled surfaces.
+ */
 #ifndef ProjectedCells_h
 #define ProjectedCells_h
 
@@ -22,7 +25,6 @@ namespace nephoscope
 {
 
 class CellGeometry;
-struct CellPieces;
 struct CellDrawing;
 
 class ProjectedCells
@@ -32,8 +34,7 @@ public:
   ~ProjectedCells();
 
   // Each returns an empty string, or what went wrong.
-  std::string UploadGeometry(
-    vtkOpenGLRenderWindow* window, const CellGeometry& geometry, const CellPieces& pieces);
+  std::string UploadGeometry(vtkOpenGLRenderWindow* window, const CellGeometry& geometry);
   void UploadOrder(const std::vector<std::int32_t>& order);
   std::string Draw(const CellDrawing& drawing);
 
