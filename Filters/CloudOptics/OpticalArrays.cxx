@@ -4,6 +4,7 @@
 
 #include "CloudColumn.h"
 #include "ParticleOptics.h"
+#include "StandardAtmosphere.h"
 
 #include "vtkImageData.h"
 #include "vtkMath.h"
@@ -207,6 +208,17 @@ std::vector<double> balancedPressures(const WaterFields& fields, const int dimen
   });
   return pressures;
 }
+
+// Without columns there is no balance of a point's own air: the standard atmosphere, geopotential and geometric metres alike.
+std::vector<double> standardPressures(vtkDataArray* heights)
+{
+  std::vector<double> pressures(static_cast<std::size_t>(heights->GetNumberOfTuples()));
+  for (std::size_t p = 0; p < pressures.size(); ++p)
+  {
+    pressures[p] = atmosphere::Pressure(heights->GetComponent(static_cast<vtkIdType>(p), 0));
+  }
+  return pressures;
+}
 }
 
 bool columnsOf(vtkDataSet* data, bool onCells, int dimensions[3])
@@ -245,6 +257,10 @@ std::vector<double> pressuresOf(vtkDataSet* data, const WaterFields& fields, std
   if (fields.Has(WaterFields::Height) && columnsOf(data, fields.OnCells, dimensions))
   {
     return balancedPressures(fields, dimensions);
+  }
+  if (fields.Has(WaterFields::Height))
+  {
+    return standardPressures(fields.Arrays[WaterFields::Height]);
   }
   problem =
     "There is no pressure, which is needed to convert water from kg/kg to kg/m3. Set PressureArrayName (Pa or hPa), put the fields through Globe Grid, "

@@ -7,10 +7,12 @@
 #include "vtkCellData.h"
 #include "vtkDataSet.h"
 #include "vtkFieldData.h"
+#include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
+#include "vtkRectilinearGrid.h"
 
 vtkStandardNewMacro(vtkCloudOptics);
 
@@ -60,6 +62,17 @@ void addArrays(vtkDataSet* data, const OpticalArrays& arrays, bool onCells)
   }
 }
 
+// As a reader of forecasts leaves them: the extinction is per metre, whatever the coordinates are.
+bool isInDegrees(vtkDataSet* data, const WaterFields& fields)
+{
+  double b[6];
+  data->GetBounds(b);
+  const bool axes = vtkRectilinearGrid::SafeDownCast(data) || vtkImageData::SafeDownCast(data);
+  return axes && fields.Has(WaterFields::Height) &&
+    !data->GetFieldData()->HasArray("GlobeGridProjection") && b[0] >= -360 && b[1] <= 360 &&
+    b[2] >= -90 && b[3] <= 90;
+}
+
 std::string countOf(vtkIdType count)
 {
   return std::to_string(count) + (count == 1 ? " value" : " values");
@@ -105,6 +118,12 @@ bool vtkCloudOptics::AddOptics(vtkDataSet* data)
   if (arrays.Negative > 0)
   {
     vtkWarningMacro(<< countOf(arrays.Negative) << " of water below 0, used as 0.");
+  }
+  if (isInDegrees(data, fields))
+  {
+    vtkWarningMacro(
+      << "The coordinates seem to be longitudes and latitudes in degrees, but Extinction is per metre: for light and pictures, put the fields "
+         "through Globe Grid first.");
   }
   if (arrays.Missing > 0)
   {

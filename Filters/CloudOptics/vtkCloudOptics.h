@@ -11,7 +11,8 @@
  * fraction, radii follow from the water inside the clouds.
  *
  * Arrays are found by the names that models use, unless they are set; "none" leaves one out. Pressure is an array, or in hydrostatic balance with
- * heights and temperatures of the columns of structured data, from the standard atmosphere at the lowest point.
+ * heights and temperatures of the columns of structured data, from the standard atmosphere at the lowest point; without columns, that of
+ * the standard atmosphere at the height.
  *
  * Arrays written, float, on points, or on cells where the water is:
  * - Extinction, 1/m of the lengths in the data. Where vtkGlobeGrid has exaggerated the heights it is divided by the exaggeration, so that the

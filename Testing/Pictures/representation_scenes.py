@@ -154,12 +154,14 @@ def haze():
 
 @scene("representation-sun")
 def sun():
-    """vtkSunSource: one sun for clouds and ground."""
-    globe = globe_grid()
-    ground = pvs.ExtractSubset(Input=globe, VOI=[0, 10000, 0, 10000, 0, 0])
-    pvs.ColorBy(pvs.Show(ground), None)
-    pvs.Show(pvs.Sunlight(Input=pvs.CloudOptics(Input=globe)))
-    pvs.Show(pvs.Sun(DateTime="2011-10-11 14:00"))
+    """vtkSunSource: one sun, from the right, for a cloud, the ground and a ball."""
+    cloud = pvs.Calculator(Input=pvs.Wavelet(WholeExtent=[-8, 8] * 3), ResultArrayName="Extinction", Function="0.004*(RTData-150)*(sign(RTData-150)+1)")
+    pvs.Show(pvs.Plane(Origin=[-14, -10, -9], Point1=[14, -10, -9], Point2=[-14, 10, -9]))
+    pvs.Show(pvs.Sphere(Center=[-10, 0, -6], Radius=3, ThetaResolution=40, PhiResolution=40))
+    pvs.Show(pvs.Sunlight(Input=cloud))
+    pvs.Show(pvs.Sun(SunDirection=[3, -1, 2]))
+    view = pvs.GetActiveView()
+    view.CameraPosition, view.CameraFocalPoint, view.CameraViewUp = [0, -60, 15], [0, 0, -2], [0, 0, 1]
 
 
 @scene("representation-terrain")

@@ -10,6 +10,7 @@ from nephoscope import vtkCloudOptics, vtkGlobeGrid
 from nephoscope_testing.messages import Messages
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import vtkImageData
+from vtkmodules.vtkFiltersCore import vtkAppendFilter
 from vtkmodules.vtkIONetCDF import vtkNetCDFCFReader
 
 ARRAYS = ("Extinction", "SingleScatteringAlbedo", "AsymmetryParameter", "LiquidEffectiveRadius", "IceEffectiveRadius")
@@ -147,6 +148,29 @@ class OfGfs(unittest.TestCase):
         ratio = balanced[inside] / told[inside]
         self.assertLess(np.abs(ratio - 1).mean(), 0.02)
         self.assertLess(np.abs(ratio - 1).max(), 0.12)
+
+    def test_standard_pressures_without_columns(self):
+        """An unstructured copy: pressures differ from those in balance by 3.3 % on average, and by 25 % high above cold air."""
+        grid = globe(1)
+        append = vtkAppendFilter()
+        append.AddInputData(grid)
+        append.Update()
+        expected = values(optics_of(grid, LiquidRadiusType=1, IceRadiusType=1)[0])
+        output, messages = optics_of(append.GetOutput(), LiquidRadiusType=1, IceRadiusType=1)
+        self.assertEqual(messages.all, [])
+        inside = expected > 1e-6
+        ratio = values(output)[inside] / expected[inside]
+        print(f"  standard atmosphere: mean {np.abs(ratio - 1).mean():.3f}, largest {np.abs(ratio - 1).max():.3f}")
+        self.assertLess(np.abs(ratio - 1).mean(), 0.04)
+        self.assertLess(np.abs(ratio - 1).max(), 0.26)
+
+    def test_coordinates_in_degrees(self):
+        """Once, where a reader has left them; not in metres, or without heights."""
+        for size, height, told in ((1, True, True), (1, False, False), (1000, True, False)):
+            image = column(qc=1e-4, t=280, p=85000, **({"gh": [0, 500, 1000]} if height else {}))
+            image.SetSpacing(size, size, 500)
+            with self.subTest(size=size, height=height):
+                self.assertEqual(any("Globe Grid first" in one for one in optics_of(image)[1].all), told)
 
 
 if __name__ == "__main__":

@@ -20,6 +20,8 @@ using Words = std::map<std::string, std::string>;
 
 // What only programs can do, and what does the same in ParaView.
 const Words remedies = {
+  { "Color Map Editor", "Color Map Editor" }, // not of a property Color
+  { "Solid Color", "Solid Color" },
   { "Choose an array with SelectScalarArray and SetScalarMode", "Choose an array by Coloring" },
   { "ScalarOpacityUnitDistance of the property", "Scalar Opacity Unit Distance" },
   { "ScalarOpacityUnitDistance", "Scalar Opacity Unit Distance" },

@@ -46,7 +46,7 @@ def cloud_optics(mesh: pyvista.DataSet, water: str = "", *, liquid: str = "", ic
         Cloud liquid, cloud ice, rain and snow.
     temperature, pressure, cloud_fraction, land, height : str, optional
         Temperature (K), pressure (Pa or hPa), cloud fraction and land fraction (0 to 1), height (m). Without a pressure array, the pressure
-        is in hydrostatic balance with the heights of a structured grid.
+        is in hydrostatic balance with the heights of a structured grid, and for other meshes that of the standard atmosphere at their heights.
     units : {"automatic", "kg/kg", "g/kg", "kg/m3", "g/m3"}, default: "automatic"
         Units of the water. Automatic: those in the file, otherwise kg/kg.
     liquid_radius, ice_radius : float, optional

@@ -253,7 +253,10 @@ vtkVolumeProperty* vtkMediumRepresentation::ChooseProperty(vtkDataSet* data, con
   const double value = storedNumber(data, scalarRangeName);
   const bool constant = data->GetFieldData()->HasArray(scalarRangeName) &&
     value == storedNumber(data, scalarRangeName, 1);
-  const bool invisible = constant && opacity->GetSize() > 0 && !(opacity->GetValue(value) > 0.0);
+  vtkDataArray* lit =
+    this->FindExtinctionOfLight(data); // which decides then how opaque the medium is
+  const bool invisible =
+    !lit && constant && opacity->GetSize() > 0 && !(opacity->GetValue(value) > 0.0);
   const bool uniform = invisible && isOverOneValue(opacity, value);
   const std::string read = this->GetOpacityArrayName().empty() ? name : this->GetOpacityArrayName();
   std::ostringstream warning;
@@ -262,6 +265,17 @@ vtkVolumeProperty* vtkMediumRepresentation::ChooseProperty(vtkDataSet* data, con
     warning
       << "Nothing is drawn: all values of '" << read << "' are " << value
       << ", where the opacity function is 0. Raise it there in the Color Map Editor, or choose Solid Color.";
+  }
+  double extinctions[2] = { 0, 1 };
+  if (lit && GetNumberOfRanks() == 1)
+  {
+    lit->GetFiniteRange(extinctions);
+  }
+  if (!(extinctions[1] > 0.0))
+  {
+    warning << "Nothing is drawn: all values of '" << lit->GetName()
+            << "' are 0, so there are no clouds. "
+            << "Check the water of the clouds, its units and its time.";
   }
   if (warning.str() != this->LastWarning && !warning.str().empty() && IsFirstRank())
   {

@@ -1,0 +1,61 @@
+# SPDX-FileCopyrightText: The Nephoscope authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Cloud Optics and Sunlight with nothing set, on good and bad data: a picture that shows something, or one sentence that says why not and what to do."""
+from PluginTesting import GFS, SIZE, check, image, listen, load_plugin, new_view, passed, pvs
+
+BACKGROUND = (0.32, 0.34, 0.43)
+messages = listen()
+
+
+def sentences():
+    """Without the heads of messages, which ParaView sends in lines of their own; the same one again counts once."""
+    return list(dict.fromkeys(line.split("): ", 1)[1].strip() for text in messages for line in text.splitlines() if "): " in line and "vtk" in line))
+
+
+def with_water(source, code):
+    """`code`: the new water, of the old one `w`."""
+    return pvs.ProgrammableFilter(Input=source, Script="import numpy as np\nfor n in inputs[0].PointData.keys():\n    output.PointData.append(inputs[0].PointData[n], n)\n"
+                                  f"w = np.array(inputs[0].PointData['clwmr'])\noutput.PointData.append({code}, 'clwmr')")
+
+
+def tells(said, words):
+    """Programmable Filter replaces `all` by its own."""
+    return len(said) == len(words) and not [one for word, one in zip(words, said) if word not in one]
+
+
+def lit(source, **options):
+    """The share of the picture that shows anything, and the sentences."""
+    messages.clear()
+    view = new_view(SIZE, BACKGROUND)
+    pvs.Show(pvs.Sunlight(Input=pvs.CloudOptics(Input=source), **options), view)
+    pvs.ResetCamera(view)
+    picture = image(view)
+    image(view)  # says nothing again
+    pvs.Delete(view)
+    return (abs(picture - picture[0, 0]).max(axis=2) > 8).mean(), sentences()
+
+
+def main():
+    weather = pvs.ExtractSubset(Input=pvs.NetCDFReader(FileName=[GFS], SphericalCoordinates=0), VOI=[0, 10**6] * 3, SampleRateI=6, SampleRateJ=6, SampleRateK=2)
+    globe, flat = pvs.GlobeGrid(Input=weather, VerticalExaggeration=30), pvs.GlobeGrid(Input=weather, Projection="Map", VerticalExaggeration=30)
+    for name, source, options, words in (
+            ("globe", globe, {}, []), ("map", flat, {}, []), ("tetrahedra of a globe", pvs.Tetrahedralize(Input=globe), {}, []),
+            ("cells", pvs.PointDatatoCellData(Input=flat), {}, []),
+            ("some negative water", with_water(flat, "w - 1e-6"), {}, ["below 0"]), ("some NaN", with_water(flat, "w * np.resize([np.nan, 1, 1, 1, 1], len(w))"), {}, ["missing"]),
+            ("night", flat, {"SunDirection": [0, 0, -1]}, ["below the horizon"])):
+        share, said = lit(source, **options)
+        print(f"{name}: {share:.1%}, {said}", flush=True)
+        check(share > 0.02, f"{name}: {share:.1%} of the picture show anything")
+        check(tells(said, words), f"{name}: {said}")
+    for name, source, words in (
+            ("no water", with_water(flat, "0 * w"), ["no clouds"]), ("negative water", with_water(flat, "-w"), ["below 0", "no clouds"]),
+            ("NaN", with_water(flat, "np.nan * w"), ["missing", "no clouds"]), ("g/kg", with_water(flat, "1000 * w"), ["Set Water Units to g/kg"]),
+            ("no water at all", pvs.Wavelet(), ["no array of cloud water"]), ("a reader's grid", weather, ["Globe Grid first"])):
+        share, said = lit(source)
+        print(f"{name}: {said}", flush=True)
+        check(tells(said, words), f"{name}: {said}")
+
+
+load_plugin()
+main()
+passed()
