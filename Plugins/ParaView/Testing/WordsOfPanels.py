@@ -98,7 +98,6 @@ def main():
     for folders, source in ((["Filters/GlobeGrid", "Filters/Common"], pvs.GlobeGrid(Input=weather)),
                             (["Filters/FlowVolume", *velocity], smoke),
                             (["Filters/CloudOptics"], pvs.CloudOptics(Input=wavelet)),
-                            (["Filters/Sunlight"], pvs.Sunlight(Input=wavelet)),
                             (["Filters/CloudSurface"], pvs.CloudSurface(Input=wavelet)),
                             (["Filters/CloudSurface"], pvs.StructuredSmoothing(Input=wavelet)),
                             (["Filters/CellSubdivision"], pvs.ContourCellSplitter(Input=wavelet)),
@@ -107,6 +106,8 @@ def main():
                             (["Plugins/ParaView/Filters"], pvs.CloudsovertheGlobe())):
         check_sentences(folders, object_of(source))
     check_sentences(["Filters/GlobeGrid"], object_of(pvs.GlobeTerrain(Input=weather)), ("vtkGlobeTerrain", "TerrainSurface"))
+    check_sentences(["Filters/Sunlight"], object_of(pvs.Sunlight(Input=wavelet)), "vtkSunlight")
+    check_sentences(["Filters/Sunlight"], object_of(pvs.Sun()), "vtkSunSource")
     check_sentences(["Filters/FlowVolume"], object_of(pvs.SmokePuffs(Input=smoke)), "vtkSmokePuffs")
     manager = servermanager.ProxyManager()
     for group, name, files in (("internal_sources", "SparseVolumeReaderCore", ("VdbR", "VdbG", "VdbPo", "VdbI", "vtkSparseVolumeR")),
