@@ -31,7 +31,25 @@ make_package()
   run_logged package-lintian lintian --fail-on error "$PACKAGE" || fail 1 "lintian finds errors in the package"
 }
 
-# Installs the package and starts the hosts without any of the variables by which this script leads them to a build.
+# Starts the hosts in a folder, without any of the variables by which this script leads them to a build.
+try_package()
+{
+  cd "$1" && export HOME="$1/home" && mpi_environment
+  on_virtual_display pvpython "$2" pvpython && on_virtual_display paraview --script="$2" &&
+    on_virtual_display mpiexec -n 2 pvbatch "$2" pvbatch && on_virtual_display "$SYSTEM_PYTHON" "$2" python
+}
+
+# Removes the package. What was compiled and written meanwhile must be gone with it.
+remove_package()
+{
+  local installed left
+  mapfile -t installed < <(dpkg -L nephoscope-paraview | grep -i nephoscope)
+  run_logged package-remove apt purge -y nephoscope-paraview || fail 1 "could not remove the package"
+  left=$(ls -d "${installed[@]}" /usr/bin/plugins 2>/dev/null) || true
+  [ -z "$left" ] || fail 1 "the package leaves behind: $left"
+}
+
+# Installs the package, tries it and removes it.
 test_package()
 {
   local test="$TOP/Testing/Package/TestInstalled.py" folder="$TOP/build/package/test" version settings
@@ -45,8 +63,8 @@ test_package()
   for settings in ParaView "ParaView${version##* }"; do
     printf '[General]\nGeneralSettings.ShowWelcomeDialog=false\n' >"$folder/home/.config/ParaView/$settings.ini"
   done
-  (cd "$folder" && export HOME="$folder/home" && on_virtual_display pvpython "$test" pvpython && on_virtual_display paraview --script="$test" &&
-    on_virtual_display "$SYSTEM_PYTHON" "$test" python) || fail 1 "the installed package does not work"
+  (try_package "$folder" "$test") || fail 1 "the installed package does not work"
   [ -s "$folder/paraview.png" ] || fail 1 "ParaView's window has drawn nothing"
-  say "      ParaView and pvpython draw, Python has the package; pictures in ${folder#"$TOP"/}"
+  remove_package
+  say "      ParaView, pvpython and pvbatch draw, Python has the package, and removing it leaves nothing; pictures in ${folder#"$TOP"/}"
 }

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: The Nephoscope authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""TestInstalled.py [pvpython|python]: the suite is there in a ParaView, or a Python, that was started with nothing set. Writes a picture.
+"""TestInstalled.py [pvpython|pvbatch|python]: the suite is there in a ParaView, or a Python, that was started with nothing set. Writes a picture.
 
 In ParaView's window: paraview --script=TestInstalled.py
 """
@@ -18,6 +18,20 @@ def has_help():
     return bool(glob.glob(f"/usr/lib/*/qt{qt}/plugins/sqldrivers/libqsqlite.so"))
 
 
+def save(view, name):
+    """The view as a picture, which must show more than a background."""
+    from paraview import simple as pvs
+    from vtkmodules.vtkIOImage import vtkPNGReader
+    pvs.SaveScreenshot(name, view, ImageResolution=[400, 300])
+    reader = vtkPNGReader()
+    reader.SetFileName(name)
+    reader.Update()
+    colors = reader.GetOutput().GetPointData().GetScalars()
+    seen = {colors.GetTuple(pixel) for pixel in range(colors.GetNumberOfTuples())}
+    assert len(seen) > 500, f"{name} has {len(seen)} colours"
+    print("wrote", name, flush=True)
+
+
 def in_paraview(name):
     from paraview import simple as pvs
     assert hasattr(pvs, "GlobeGrid"), "the plugin is not loaded"
@@ -26,9 +40,18 @@ def in_paraview(name):
     offered = list(display.GetProperty("Representation").Available)
     assert {"Cell Compositing", "Textured Splats"} <= set(offered), offered
     display.SetRepresentationType("Cell Compositing")
-    view = pvs.Render()
-    pvs.SaveScreenshot(name + ".png", view, ImageResolution=[400, 300])
-    print("wrote", name + ".png", flush=True)
+    save(pvs.Render(), name + ".png")
+
+
+def first_picture(name):
+    """What the documentation promises: the source alone draws the forecast over the Earth."""
+    from paraview import simple as pvs
+    view = pvs.CreateRenderView()
+    example = pvs.CloudsovertheGlobe()
+    for port in range(2):
+        pvs.Show(pvs.OutputPort(example, port), view)
+    pvs.ResetCamera(view)
+    save(view, name)
 
 
 def in_python(name):
@@ -44,8 +67,10 @@ def in_python(name):
 
 if len(sys.argv) > 1 and sys.argv[-1] == "python":
     in_python("python")
-elif len(sys.argv) > 1 and sys.argv[-1] == "pvpython":
-    in_paraview("pvpython")
+elif len(sys.argv) > 1 and sys.argv[-1] in ("pvpython", "pvbatch"):
+    in_paraview(sys.argv[-1])
+    if sys.argv[-1] == "pvpython":
+        first_picture("globe.png")
 else:
     status = 1
     try:
