@@ -7,7 +7,6 @@
 #include "DrawnQuery.h"
 #include "PeelLightFragment.h"
 #include "PeelRangesFragment.h"
-#include "PeelTilesFragment.h"
 #include "PeelingPass.h"
 #include "VolumeSlices.h"
 #include "WholeViewport.h"
@@ -45,11 +44,6 @@ void allocateColor(
   texture->SetMinificationFilter(vtkTextureObject::Nearest);
   texture->SetMagnificationFilter(vtkTextureObject::Nearest);
 }
-
-int numberOfTiles(int pixels)
-{
-  return (pixels + VolumePeel::TileSize - 1) / VolumePeel::TileSize;
-}
 }
 
 VolumePeel::VolumePeel() = default;
@@ -69,7 +63,6 @@ void VolumePeel::Allocate(vtkOpenGLRenderWindow* window, int width, int height)
   this->ReleaseGraphicsResources(window);
   this->Framebuffer->SetContext(window);
   allocateColor(this->Ranges, window, width, height, VTK_FLOAT);
-  allocateColor(this->TileRanges, window, numberOfTiles(width), numberOfTiles(height), VTK_FLOAT);
   for (auto& target : this->Targets)
   {
     allocateColor(target, window, width, height, VTK_UNSIGNED_CHAR);
@@ -159,31 +152,7 @@ bool VolumePeel::DrawRanges(
   }
   DrawnQuery query;
   this->DrawTriangle();
-  const bool any = query.End();
-  if (any)
-  {
-    this->DrawTiles(window);
-  }
-  return any;
-}
-
-void VolumePeel::DrawTiles(vtkOpenGLRenderWindow* window)
-{
-  this->Framebuffer->RemoveDepthAttachment();
-  this->Framebuffer->AddColorAttachment(0, this->TileRanges);
-  window->GetState()->vtkglViewport(
-    0, 0, numberOfTiles(this->Size[0]), numberOfTiles(this->Size[1]));
-  window->GetState()->vtkglDisable(GL_DEPTH_TEST);
-  vtkShaderProgram* program =
-    window->GetShaderCache()->ReadyShaderProgram(wholeViewportVertex, PeelTilesFragment, "");
-  if (program)
-  {
-    this->Ranges->Activate();
-    program->SetUniformi("ranges", this->Ranges->GetTextureUnit());
-    program->SetUniformi("tileSize", TileSize);
-    this->DrawTriangle();
-    this->Ranges->Deactivate();
-  }
+  return query.End();
 }
 
 // Light is mixed with what the targets hold in the shader: the pass leaves them with GL_MAX, and blending in 8 bits
@@ -245,7 +214,6 @@ void VolumePeel::ReleaseGraphicsResources(vtkWindow* window)
   this->VertexArray->ReleaseGraphicsResources();
   this->Framebuffer->ReleaseGraphicsResources(window);
   this->Ranges->ReleaseGraphicsResources(window);
-  this->TileRanges->ReleaseGraphicsResources(window);
   this->NearestDepth->ReleaseGraphicsResources(window);
   for (auto& target : this->Targets)
   {

@@ -55,9 +55,6 @@ public:
   bool FindRanges(vtkOpenGLRenderWindow* window, const Request& request, const int viewport[4]);
   /** RGBA32F, one texel per pixel of the viewport: near and far depth of two ranges, empty where near >= far. */
   vtkTextureObject* GetRanges() const { return this->Ranges; }
-  /** RGBA32F, one texel per tile of TileSize x TileSize pixels: nearest and farthest depth of the ranges in it. */
-  vtkTextureObject* GetTileRanges() const { return this->TileRanges; }
-  static constexpr int TileSize = 16;
   /** Depth buffer that lets only those fragments pass GL_GREATER which lie behind the near end of a range. */
   vtkTextureObject* GetNearestDepth() const { return this->NearestDepth; }
 
@@ -71,14 +68,12 @@ private:
   void Allocate(vtkOpenGLRenderWindow* window, int width, int height);
   vtkShaderProgram* ReadyProgram(vtkOpenGLRenderWindow* window, const Request& request,
     const int viewport[4], const char* shader);
-  void DrawTiles(vtkOpenGLRenderWindow* window);
   void DrawTriangle();
   bool DrawRanges(vtkOpenGLRenderWindow* window, const Request& request, const int viewport[4]);
   void CopyTargets(vtkOpenGLRenderWindow* window, unsigned int count);
 
   vtkNew<vtkOpenGLFramebufferObject> Framebuffer;
   vtkNew<vtkTextureObject> Ranges;
-  vtkNew<vtkTextureObject> TileRanges;
   vtkNew<vtkTextureObject> NearestDepth;
   vtkNew<vtkTextureObject> Targets[2];
   vtkNew<vtkOpenGLVertexArrayObject> VertexArray; // without attributes

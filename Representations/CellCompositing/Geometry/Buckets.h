@@ -59,14 +59,6 @@ public:
       [&](std::size_t bucket) { work(this->Begin(bucket), this->End(bucket)); });
   }
 
-  /** The same, one bucket after the other. */
-  template <typename Work>
-  bool ForEachInTurn(const Progress& progress, Work work)
-  {
-    return forEachInTurn(this->First.size() - 1, progress,
-      [&](std::size_t bucket) { work(this->Begin(bucket), this->End(bucket)); });
-  }
-
   Item* Begin(std::size_t bucket) { return this->Items.get() + this->First[bucket]; }
   Item* End(std::size_t bucket) { return this->Items.get() + this->First[bucket + 1]; }
 
