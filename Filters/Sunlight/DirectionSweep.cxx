@@ -3,6 +3,7 @@
 #include "DirectionSweep.h"
 
 #include "PhaseFunction.h"
+#include "RowSweep.h"
 
 #include <algorithm>
 #include <cmath>
@@ -12,123 +13,33 @@ namespace nephoscope
 namespace
 {
 constexpr float pi = 3.14159265358979f;
-constexpr int groups = 4; // of directions: sums do not depend on the number of threads
-
-// Radiance that comes along a piece of optical depth t from a source that goes linearly from that upstream to that here.
-struct PieceWeights
-{
-  float Transmittance, Upstream, Here;
-
-  explicit PieceWeights(float t)
-  {
-    if (t < 1e-3f)
-    {
-      this->Transmittance = 1 - t;
-      this->Upstream = this->Here = 0.5f * t;
-      return;
-    }
-    this->Transmittance = std::exp(-t);
-    const float mean = (1 - this->Transmittance) / t;
-    this->Upstream = mean - this->Transmittance;
-    this->Here = 1 - mean;
-  }
-};
 }
 
-// One direction through the grid, row by row.
-struct DirectionSweep::OneDirection
+// Directions of the same zenith angle, through the grid plane by plane.
+struct DirectionSweep::Cone
 {
-  const LightGrid& Grid;
-  const Direction& D;
-  const std::vector<Vector>& Rate;
-  const std::vector<float>& Emission;
-  std::vector<float>& Radiance;
-  const float Slope[3] = { std::abs(D.X), std::abs(D.Y), std::abs(D.Z) };
-  const bool Forward[3] = { D.X > 0, D.Y > 0, D.Z > 0 };
+  std::size_t First, Count; // directions
+  float Z, Weight;
+  std::vector<float> Fluence, X, Y; // of their light
+  // Of each direction, in this plane and in that upstream.
+  std::vector<std::vector<float>> Radiance[2], Emission[2];
 
-  // Way upstream along an axis, and where its edge begins.
-  struct Shift
+  Cone(std::size_t first, std::size_t count, const Direction& direction, const LightGrid& grid)
+    : First(first)
+    , Count(count)
+    , Z(direction.Z)
+    , Weight(direction.Weight)
   {
-    std::ptrdiff_t By, Edge;
-  };
-  Shift ShiftAt(int index, int axis) const
-  {
-    const std::ptrdiff_t stride = this->Grid.Stride(axis);
-    const int n = this->Grid.Size[axis];
-    const int next = this->Forward[axis] ? index - 1 : index + 1;
-    if (next >= 0 && next < n)
+    for (std::vector<float>* one : { &this->Fluence, &this->X, &this->Y })
     {
-      return { (next - index) * stride, this->Forward[axis] ? -stride : 0 };
+      one->assign(grid.Points(), 0.0f);
     }
-    if (axis == 0 && this->Grid.Periodic)
+    for (const int side : { 0, 1 })
     {
-      const std::ptrdiff_t other = next < 0 ? n - 2 : 1;
-      return { other - index, next < 0 ? other - index : 1 - index - 1 };
-    }
-    return { 0, 0 }; // outside, the medium goes on as it is at the boundary
-  }
-
-  void Row(int j, int k)
-  {
-    const Shift y = this->ShiftAt(j, 1), z = this->ShiftAt(k, 2);
-    const int n = this->Grid.Size[0];
-    const std::size_t row = j * this->Grid.Stride(1) + k * this->Grid.Stride(2);
-    for (int a = 0; a < n; ++a)
-    {
-      const int i = this->Forward[0] ? a : n - 1 - a;
-      this->Visit(row + i, this->ShiftAt(i, 0), y, z);
+      this->Radiance[side].assign(count, std::vector<float>(grid.Columns()));
+      this->Emission[side].assign(count, std::vector<float>(grid.Columns()));
     }
   }
-
-  void Visit(std::size_t p, const Shift& x, const Shift& y, const Shift& z)
-  {
-    const float rx = this->Slope[0] * this->Rate[p + x.Edge][0],
-                ry = this->Slope[1] * this->Rate[p + y.Edge][1],
-                rz = this->Slope[2] * this->Rate[p + z.Edge][2];
-    if (rz >= rx && rz >= ry)
-    {
-      this->Meet(p, 1 / rz, z.By, x.By, rx, y.By, ry);
-    }
-    else if (rx >= ry)
-    {
-      this->Meet(p, 1 / rx, x.By, y.By, ry, z.By, rz);
-    }
-    else
-    {
-      this->Meet(p, 1 / ry, y.By, z.By, rz, x.By, rx);
-    }
-  }
-
-  // Light comes from between four neighbours on the next plane upstream.
-  void Meet(std::size_t p, float length, std::ptrdiff_t base, std::ptrdiff_t du, float ru,
-    std::ptrdiff_t dv, float rv)
-  {
-    const float u = ru * length, v = rv * length;
-    const float weights[4] = { (1 - u) * (1 - v), u * (1 - v), (1 - u) * v, u * v };
-    const std::size_t from = p + base;
-    const std::size_t points[4] = { from, from + du, from + dv, from + du + dv };
-    const auto mean = [&](const std::vector<float>& values) {
-      return weights[0] * values[points[0]] + weights[1] * values[points[1]] +
-        weights[2] * values[points[2]] + weights[3] * values[points[3]];
-    };
-    const float here = this->Grid.Extinction[p], there = mean(this->Grid.Extinction);
-    float value = mean(this->Radiance);
-    if (here + there > 0)
-    {
-      const PieceWeights w(0.5f * (here + there) * length);
-      const float emitted = this->Emission[p],
-                  before = there > 0 ? mean(this->Emission) / there : 0;
-      const float last = here > 0 ? emitted / here : before;
-      value = value * w.Transmittance + w.Upstream * (there > 0 ? before : last) + w.Here * last;
-    }
-    this->Radiance[p] = value;
-  }
-};
-
-struct DirectionSweep::Sums
-{
-  DiffuseField Field;
-  std::vector<float> Emission, Radiance;
 };
 
 DirectionSweep::DirectionSweep(const LightGrid& grid, const std::vector<float>& beam,
@@ -136,16 +47,14 @@ DirectionSweep::DirectionSweep(const LightGrid& grid, const std::vector<float>& 
   : Grid(grid)
   , Directions(directions)
   , Rows(parallel)
-  , Seams(directions.size())
-  , Rate(grid.Points())
+  , Seams(directions.size(), std::vector<float>(grid.Periodic ? grid.Points() / grid.Size[0] : 0))
+  , NoRates(grid.Size[0], 0.0f)
 {
-  for (std::size_t p = 0; p < this->Rate.size(); ++p)
+  for (int axis = 0; axis < 3; ++axis)
   {
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      const float step = grid.Step[p][axis];
-      this->Rate[p][axis] = grid.Size[axis] > 1 ? 1 / std::max(step, 1e-30f) : 0;
-    }
+    this->Rates[axis].resize(grid.Points());
+    std::transform(grid.Step.begin(), grid.Step.end(), this->Rates[axis].begin(),
+      [axis](const Vector& step) { return 1 / std::max(step[axis], 1e-30f); });
   }
   this->MakeBeams(beam);
 }
@@ -192,95 +101,144 @@ std::vector<float> DirectionSweep::GroundLight(const DiffuseField& known) const
   return up;
 }
 
-void DirectionSweep::Run(const DiffuseField& known, DiffuseField& found)
+// The light that each direction gets in this plane, per volume.
+void DirectionSweep::Emit(Cone& cone, const DiffuseField& known, int level) const
 {
-  const std::size_t n = this->Grid.Points(), columns = this->Grid.Columns();
-  const std::vector<float> ground = this->GroundLight(known);
-  std::vector<Sums> parts(groups);
-  const auto emit = [&](std::size_t d, std::vector<float>& emission) {
-    const Direction& to = this->Directions[d];
-    for (std::size_t p = 0; p < n; ++p)
-    {
-      const Vector& f = known.Flux[p];
-      const float along = to.X * f[0] + to.Y * f[1] + to.Z * f[2];
-      const float source =
-        known.Fluence[p] + 3 * this->Grid.Asymmetry[p] * along + this->Beams[d][p];
-      emission[p] =
-        std::max(source, 0.0f) * this->Grid.Extinction[p] * this->Grid.Albedo[p] / (4 * pi);
-    }
-  };
-  const auto add = [n](const Direction& to, const Sums& part, DiffuseField& field) {
-    for (std::size_t p = 0; p < n; ++p)
-    {
-      const float light = to.Weight * part.Radiance[p];
-      field.Fluence[p] += light;
-      field.Flux[p][0] += light * to.X;
-      field.Flux[p][1] += light * to.Y;
-      field.Flux[p][2] += light * to.Z;
-      field.Vertical[p] += light * std::abs(to.Z);
-    }
-  };
-  const auto sweep = [&](std::size_t d, Sums& part) {
-    const Direction& to = this->Directions[d];
-    OneDirection one{ this->Grid, to, this->Rate, part.Emission, part.Radiance };
-    const int width = this->Grid.Size[0], start = one.Forward[0] ? 0 : width - 1;
-    std::vector<float>& seam = this->Seams[d];
-    seam.resize(this->Grid.Periodic ? n / width : 0, 0.0f);
-    for (std::size_t row = 0; row < seam.size(); ++row) // the column that is met across the seam
-    {
-      part.Radiance[row * width + (one.Forward[0] ? width - 2 : 1)] = seam[row];
-    }
-    for (int c = 0; c < this->Grid.Size[2]; ++c)
-    {
-      const int k = one.Forward[2] ? c : this->Grid.Size[2] - 1 - c;
-      for (int b = 0; b < this->Grid.Size[1]; ++b)
-      {
-        const int j = one.Forward[1] ? b : this->Grid.Size[1] - 1 - b;
-        if (c == 0)
-        {
-          const std::size_t row = j * this->Grid.Stride(1) + k * columns;
-          for (std::size_t p = row; p < row + width; ++p)
-          {
-            part.Radiance[p] =
-              (one.Forward[2] ? ground[p % columns] : this->Grid.Sky[p % columns]) / pi;
-          }
-        }
-        else
-        {
-          one.Row(j, k);
-        }
-      }
-    }
-    for (std::size_t row = 0; row < seam.size(); ++row)
-    {
-      seam[row] = part.Radiance[row * width + (one.Forward[0] ? width - 2 : 1)];
-      part.Radiance[row * width + start] = part.Radiance[row * width + width - 1 - start];
-    }
-  };
-  this->Rows(groups, [&](int group) {
-    Sums& part = parts[group];
-    part.Field.Clear(n);
-    part.Emission.resize(n);
-    part.Radiance.resize(n);
-    for (std::size_t d = group; d < this->Directions.size(); d += groups)
-    {
-      emit(d, part.Emission);
-      sweep(d, part);
-      add(this->Directions[d], part, part.Field);
-    }
-  });
-  found.Clear(n);
-  for (const Sums& part : parts)
+  const std::size_t columns = this->Grid.Columns(), first = level * columns;
+  for (std::size_t q = 0; q < columns; ++q)
   {
-    for (std::size_t p = 0; p < n; ++p)
+    const std::size_t p = first + q;
+    const Vector& flux = known.Flux[p];
+    const float forward = 3 * this->Grid.Asymmetry[p],
+                all = known.Fluence[p] + forward * cone.Z * flux[2],
+                scale = this->Grid.Extinction[p] * this->Grid.Albedo[p] / (4 * pi);
+    for (std::size_t d = 0; d < cone.Count; ++d)
     {
-      found.Fluence[p] += part.Field.Fluence[p];
-      found.Vertical[p] += part.Field.Vertical[p];
-      for (int axis = 0; axis < 3; ++axis)
+      const Direction& to = this->Directions[cone.First + d];
+      const float source =
+        all + forward * (to.X * flux[0] + to.Y * flux[1]) + this->Beams[cone.First + d][p];
+      cone.Emission[0][d][q] = std::max(source, 0.0f) * scale;
+    }
+  }
+}
+
+// The light of one direction in a plane. Outside, the medium goes on as it is at the boundary.
+void DirectionSweep::SweepPlane(Cone& cone, std::size_t d, int level, RowSweep& sweep)
+{
+  const LightGrid& g = this->Grid;
+  const Direction& to = this->Directions[cone.First + d];
+  const int width = g.Size[0], rows = g.Size[1], alongX = to.X > 0 ? 1 : -1,
+            alongY = to.Y > 0 ? 1 : -1, alongZ = to.Z > 0 ? 1 : -1;
+  const int start = alongX > 0 ? 0 : width - 1,
+            across = alongX > 0 ? width - 2 : 1; // which is met across the seam
+  const std::ptrdiff_t columns = g.Columns();
+  sweep.Slopes[0] = std::abs(to.X);
+  sweep.Slopes[1] = std::abs(to.Y);
+  sweep.Slopes[2] = std::abs(to.Z);
+  float* radiance = cone.Radiance[0][d].data();
+  for (int b = 0; b < rows; ++b)
+  {
+    const int j = alongY > 0 ? b : rows - 1 - b;
+    const std::ptrdiff_t row = std::ptrdiff_t(j) * width, p = level * columns + row,
+                         y = b > 0 ? -std::ptrdiff_t(alongY) * width : 0, z = -alongZ * columns;
+    sweep.Here = { &g.Extinction[p], &cone.Emission[0][d][row], radiance + row };
+    sweep.Beside = sweep.Here.Moved(y);
+    sweep.Before = { &g.Extinction[p + z], &cone.Emission[1][d][row], &cone.Radiance[1][d][row] };
+    sweep.Diagonal = sweep.Before.Moved(y);
+    sweep.Rates[1] =
+      b > 0 ? &this->Rates[1][p + std::min<std::ptrdiff_t>(y, 0)] : this->NoRates.data();
+    sweep.Rates[2] = &this->Rates[2][p + std::min<std::ptrdiff_t>(z, 0)];
+    float* seam = g.Periodic ? &this->Seams[cone.First + d][p / width] : nullptr;
+    if (seam)
+    {
+      radiance[row + across] = *seam;
+      const std::ptrdiff_t edge = alongX > 0 ? across : 0;
+      sweep.Rates[0] = &this->Rates[0][p + edge] - start;
+      sweep.Run(start, 1, alongX, across - start);
+    }
+    else
+    {
+      sweep.Rates[0] = this->NoRates.data();
+      sweep.Run(start, 1, alongX, 0);
+    }
+    sweep.Rates[0] = width > 1 ? &this->Rates[0][p] + std::min(-alongX, 0) : this->NoRates.data();
+    sweep.Run(start + alongX, width - 1, alongX, -alongX);
+    if (seam)
+    {
+      *seam = radiance[row + across];
+      radiance[row + start] = radiance[row + width - 1 - start];
+    }
+  }
+}
+
+void DirectionSweep::RunCone(
+  Cone& cone, const DiffuseField& known, const std::vector<float>& ground)
+{
+  const int levels = this->Grid.Size[2];
+  const std::size_t columns = this->Grid.Columns();
+  RowSweep sweep(this->Grid.Size[0]);
+  for (int c = 0; c < levels; ++c)
+  {
+    const int k = cone.Z > 0 ? c : levels - 1 - c;
+    std::swap(cone.Radiance[0], cone.Radiance[1]);
+    std::swap(cone.Emission[0], cone.Emission[1]);
+    this->Emit(cone, known, k);
+    for (std::size_t d = 0; d < cone.Count; ++d)
+    {
+      std::vector<float>& radiance = cone.Radiance[0][d];
+      if (c == 0)
       {
-        found.Flux[p][axis] += part.Field.Flux[p][axis];
+        const std::vector<float>& light = cone.Z > 0 ? ground : this->Grid.Sky;
+        std::transform(
+          light.begin(), light.end(), radiance.begin(), [](float one) { return one / pi; });
+      }
+      else
+      {
+        this->SweepPlane(cone, d, k, sweep);
+      }
+      const Direction& to = this->Directions[cone.First + d];
+      float *fluence = &cone.Fluence[k * columns], *x = &cone.X[k * columns],
+            *y = &cone.Y[k * columns];
+      for (std::size_t q = 0; q < columns; ++q)
+      {
+        const float light = cone.Weight * radiance[q];
+        fluence[q] = (d > 0 ? fluence[q] : 0) + light;
+        x[q] = (d > 0 ? x[q] : 0) + to.X * light;
+        y[q] = (d > 0 ? y[q] : 0) + to.Y * light;
       }
     }
   }
+}
+
+// Sums do not depend on the number of threads.
+void DirectionSweep::Run(const DiffuseField& known, DiffuseField& found)
+{
+  const std::vector<float> ground = this->GroundLight(known);
+  std::vector<Cone> cones;
+  for (std::size_t first = 0, next = 0; first < this->Directions.size(); first = next)
+  {
+    while (next < this->Directions.size() && this->Directions[next].Z == this->Directions[first].Z)
+    {
+      ++next;
+    }
+    cones.emplace_back(first, next - first, this->Directions[first], this->Grid);
+  }
+  this->Rows(
+    static_cast<int>(cones.size()), [&](int c) { this->RunCone(cones[c], known, ground); });
+  found.Clear(this->Grid.Points());
+  this->Rows(this->Grid.Size[2], [&](int k) {
+    const std::size_t columns = this->Grid.Columns();
+    for (const Cone& cone : cones)
+    {
+      for (std::size_t p = k * columns; p < (k + 1) * columns; ++p)
+      {
+        found.Fluence[p] += cone.Fluence[p];
+        found.Flux[p][0] += cone.X[p];
+        found.Flux[p][1] += cone.Y[p];
+        found.Flux[p][2] += cone.Z * cone.Fluence[p];
+        found.Vertical[p] += std::abs(cone.Z) * cone.Fluence[p];
+      }
+    }
+  });
 }
 }

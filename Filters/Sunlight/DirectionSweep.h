@@ -14,6 +14,7 @@
 #include "LightBalance.h"
 #include "LightGrid.h"
 
+#include <array>
 #include <vector>
 
 namespace nephoscope
@@ -21,7 +22,7 @@ namespace nephoscope
 class DirectionSweep
 {
 public:
-  /** `beam`: mean transmittance of the sun's beam around each point. */
+  /** `beam`: mean transmittance of the sun's beam around each point. Directions of the same zenith angle are next to one another. */
   DirectionSweep(const LightGrid& grid, const std::vector<float>& beam,
     const std::vector<Direction>& directions, const Parallel& parallel);
 
@@ -29,18 +30,21 @@ public:
   void Run(const DiffuseField& known, DiffuseField& found);
 
 private:
-  struct Sums;
-  struct OneDirection;
+  struct Cone;
   void MakeBeams(const std::vector<float>& transmittance);
   std::vector<float> GroundLight(const DiffuseField& known) const;
+  void RunCone(Cone& cone, const DiffuseField& known, const std::vector<float>& ground);
+  void Emit(Cone& cone, const DiffuseField& known, int level) const;
+  void SweepPlane(Cone& cone, std::size_t direction, int level, class RowSweep& sweep);
 
   const LightGrid& Grid;
   const std::vector<Direction>& Directions;
   const Parallel& Rows;
   std::vector<std::vector<float>>
     Beams; ///< what the beam scatters into each direction, times 4 pi / albedo / extinction
-  std::vector<std::vector<float>> Seams; ///< radiance where the grid closes, of the last run
-  std::vector<Vector> Rate;              ///< 1 / Step
+  std::vector<std::vector<float>> Seams;   ///< radiance where the grid closes, of the last run
+  std::array<std::vector<float>, 3> Rates; ///< 1 / Step
+  std::vector<float> NoRates;
 };
 }
 
