@@ -35,7 +35,7 @@ public:
   ColumnLevels() = default;
   ColumnLevels(ColumnMatrix finest, const Parallel& parallel);
 
-  /** Of the finest level: in, right side; out, solution. */
+  /** The finest level takes the right side and gives the solution. */
   std::vector<float>& Right() { return this->Levels[0].Right; }
   const std::vector<float>& Solve(const Parallel& parallel);
 

@@ -21,7 +21,7 @@ struct DirectionSweep::Cone
   std::size_t First, Count; // directions
   float Z, Weight;
   std::vector<float> Fluence, X, Y; // of their light
-  // Of each direction, in this plane and in that upstream.
+  // For each direction, in this plane and in that upstream.
   std::vector<std::vector<float>> Radiance[2], Emission[2];
 
   Cone(std::size_t first, std::size_t count, const Direction& direction, const LightGrid& grid)

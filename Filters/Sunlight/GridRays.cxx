@@ -99,7 +99,7 @@ const SunPoint& GridRays::PointAt(const Index& at) const
   return this->Points[this->Grid.PointNumber(this->Wrapped(at[0]), at[1], at[2])];
 }
 
-// Of the edges at a point, across the direction of the sun.
+// The longest edge at a point, across the direction of the sun.
 double GridRays::SizeAt(const Index& at) const
 {
   double size = 0;

@@ -125,7 +125,7 @@ void SunMesh::Turn(std::vector<SunPoint> points)
   }
 }
 
-// Of the edges at a point, across the direction of the sun.
+// The longest edge at a point, across the direction of the sun.
 double SunMesh::SizeAt(std::int32_t point) const
 {
   double size = 0;
