@@ -130,7 +130,7 @@ bool vtkSunlight::FindSun(vtkDataSet* data, std::array<double, 3>& sun)
     if (!nephoscope::readSun(source, shared))
     {
       vtkErrorMacro(
-        << "The third input has no sun: it has no field array 'SunDirection'. Connect a vtkSunSource.");
+        << "The third input has no sun: it has no field array 'SunDirection'. It must be the output of vtkSunSource.");
       return false;
     }
     sun = onGlobe ? shared.DirectionOnGlobe : shared.Direction;
