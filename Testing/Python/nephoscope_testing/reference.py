@@ -8,6 +8,7 @@ NODES, WEIGHTS = (0.5 * (v + o) for v, o in zip(np.polynomial.legendre.leggauss(
 DEEPEST = 45.0  # exp(-45) = 3e-20: nothing behind it is seen
 CHUNK = 20000
 ASIDE = 1e-10 * np.array([0.6180339887, 0.7320508076, 0.2360679775])  # of the cell's size, in no plane of a lattice
+ALONG = 1e-9  # sine of the angle between a ray and a plane that it is in, to within rounding
 
 
 def render(cells, view, transfer, opaque=None, integration="exact", split=True, begin=None):
@@ -46,12 +47,17 @@ def _candidates(corners, view):
     return (np.arange(low[1], high[1])[:, None] * view.width + np.arange(low[0], high[0])).ravel()
 
 
-def clip(planes, origins, directions, start, end):
-    """Entry and exit parameters of rays through the half-spaces n.x <= c; entry >= exit where a ray misses."""
+def clip(planes, origins, directions, start, end, aside=(0, 0, 0)):
+    """Entry and exit parameters of rays through the half-spaces n.x <= c; entry >= exit where a ray misses.
+
+    A ray in a plane, to within rounding, is moved aside, so that it belongs to one of the two cells at a face.
+    """
     t_in, t_out = start.copy(), end.copy()
+    lengths = np.linalg.norm(directions, axis=1)
     for nx, ny, nz, c in planes:
         normal = np.array([nx, ny, nz])
         gap, slope = c - origins @ normal, directions @ normal
+        gap = np.where(np.abs(slope) < ALONG * np.linalg.norm(normal) * lengths, gap - normal @ np.asarray(aside), gap)
         with np.errstate(divide="ignore", invalid="ignore"):
             t = gap / slope
         t_out = np.where(slope > 0, np.minimum(t_out, t), t_out)
@@ -79,18 +85,11 @@ def _clipped(cells, view, origins, directions, start, end):
         base = cells.corners[i][0]
         planes = cells.planes[i].copy()
         planes[:, 3] -= planes[:, :3] @ base
-        p = p[_belongs(cells.corners[i], planes, origins[p] - base, directions[p])]
-        t_in, t_out = clip(planes, origins[p] - base, directions[p], start[p], end[p])
+        aside = ASIDE * np.ptp(cells.corners[i], axis=0).max()
+        t_in, t_out = clip(planes, origins[p] - base, directions[p], start[p], end[p], aside)
         hit = t_out > t_in
         if hit.any():
             yield i, p[hit], t_in[hit], t_out[hit]
-
-
-def _belongs(corners, planes, origins, directions):
-    """Whether each ray, moved aside a little, meets the cell: a ray in the plane of a face belongs to one of the face's two cells."""
-    everywhere = np.full(len(origins), np.inf)
-    t_in, t_out = clip(planes, origins + ASIDE * np.ptp(corners, axis=0).max(), directions, -everywhere, everywhere)
-    return t_out > t_in
 
 
 def _segments(cells, view, origins, directions, start, end):
