@@ -456,7 +456,7 @@ test_release()
   tar -C "$WORK" -xzf "$copy/dist/nephoscope-0.1.0.tar.gz"
   expect "what pip reads" ls "$WORK"/nephoscope-0.1.0/{pyproject.toml,PKG-INFO,LICENSE}
   expect "no tests" [ ! -e "$WORK/nephoscope-0.1.0/Testing" ]
-  expect "the sample data alone" [ "$(cd "$WORK/nephoscope-0.1.0/Data" && echo *)" = "blue_marble_2048.jpg gfs_2p5deg_2011101100.nc" ]
+  expect "the sample data alone" [ "$(cd "$WORK/nephoscope-0.1.0/Data" && echo *)" = "blue_marble_2048.jpg forecast_10deg_6h.nc gfs_2p5deg_2011101100.nc" ]
   run env -u VTK_DIR PYTHONPATH="$WORK/nephoscope-0.1.0/CMake/wheel/source" /usr/bin/python3 -S -c 'import build_backend as b
 print(b.get_requires_for_build_wheel())
 b.find_vtk()'
