@@ -37,7 +37,6 @@ ColumnMatrix ColumnLevels::Coarser(const ColumnMatrix& fine)
   coarse.Size[0] = (nx + 1) / 2;
   coarse.Size[1] = (ny + 1) / 2;
   coarse.Size[2] = fine.Size[2];
-  coarse.Periodic = fine.Periodic;
   for (std::vector<float>* one : { &coarse.Next[0], &coarse.Next[1], &coarse.Next[2], &coarse.Sum })
   {
     one->assign(coarse.Points(), 0.0f);

@@ -18,7 +18,6 @@ namespace nephoscope
 struct ColumnMatrix
 {
   int Size[3] = { 0, 0, 0 };
-  bool Periodic = false;
   std::array<std::vector<float>, 3> Next; ///< the last ones along an axis: 0, or around
   std::vector<float> Sum;
 

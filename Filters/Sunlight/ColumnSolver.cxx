@@ -44,7 +44,6 @@ void ColumnSolver::Factor()
   matrix.Size[0] = g.Width();
   matrix.Size[1] = g.Size[1];
   matrix.Size[2] = g.Size[2];
-  matrix.Periodic = g.Periodic;
   for (std::vector<float>* one : { &matrix.Next[0], &matrix.Next[1], &matrix.Next[2], &matrix.Sum })
   {
     one->assign(matrix.Points(), 0.0f);
