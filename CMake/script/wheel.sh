@@ -65,7 +65,8 @@ make_wheel_openvdb()
 # make_wheel VERSION: sets WHEEL to the file.
 make_wheel()
 {
-  local python=$1 tag=cp${1/./} openvdb="$WHEEL_WORK/openvdb/prefix"
+  local python=$1 tag=cp${1/./} openvdb="$WHEEL_WORK/openvdb/prefix" compiler
+  mapfile -t compiler < <(compiler_options)
   step "SDK of VTK's wheel for Python $python"
   run_logged "wheel-sdk-$tag" "$WHEEL_TOOLS" "$TOP/CMake/wheel/make_sdk.py" --python "$python" --work "$WHEEL_WORK" ||
     fail 1 "could not make the SDK"
@@ -74,7 +75,7 @@ make_wheel()
     -G Ninja -DVTK_DIR="$(tail -n 1 "$LOGS/wheel-sdk-$tag.log")" -DNEPHOSCOPE_WHEEL_TAG="$tag-$tag-manylinux_2_34_x86_64" \
     -DPython3_EXECUTABLE="$WHEEL_TOOLS" -DNEPHOSCOPE_PYVISTA_PYTHON="$WHEEL_WORK/venv-$tag/bin/python" \
     -DOpenVDB_INCLUDE_DIR="$openvdb/include" -DOpenVDB_LIBRARY="$openvdb/lib/libopenvdb.a" -DTBB_DIR="$openvdb/lib/cmake/TBB" \
-    "${WHEEL_OPTIONS[@]}" ||
+    "${compiler[@]}" ||
     fail 1 "could not configure the build for Python $python"
   run_logged "wheel-build-$tag" cmake --build "$WHEEL_TREE" -j "$(nproc)" || fail 1 "could not build for Python $python"
   step "Wheel for Python $python"
