@@ -22,8 +22,9 @@ install(DIRECTORY "${PROJECT_SOURCE_DIR}/Documentation/" DESTINATION "${nephosco
 foreach (folder IN ITEMS Filters Representations Plugins Testing Data CMake)
   install(DIRECTORY "${PROJECT_SOURCE_DIR}/${folder}/" DESTINATION "${nephoscope_debian_documents}/${folder}" FILES_MATCHING PATTERN "*.md" PATTERN build EXCLUDE)
 endforeach ()
-# What the Python package asks for where PyVista is missing.
-install(FILES "${PROJECT_SOURCE_DIR}/Plugins/PyVista/requirements.txt" DESTINATION share/nephoscope)
+# What the Python package and the reader of weather data name in their messages about missing packages.
+install(FILES "${PROJECT_SOURCE_DIR}/Plugins/PyVista/requirements.txt" "${PROJECT_SOURCE_DIR}/Plugins/PyVista/requirements-data.txt"
+  DESTINATION share/nephoscope)
 
 # A change log in the form that Debian asks for, and the step after which the linker finds the libraries.
 string(TIMESTAMP nephoscope_debian_date "%a, %d %b %Y %H:%M:%S +0000" UTC)

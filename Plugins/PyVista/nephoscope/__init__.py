@@ -108,11 +108,8 @@ __all__ = sorted([*_CLASSES, *VTK_FUNCTIONS, *(name for name in PYVISTA_FUNCTION
 def _pyvista_remedy():
     if _modules.FROM_PYPI:
         return f"Run: {_sys.executable} -m pip install pyvista"
-    installed = _importlib.import_module(".samples", __name__).shared("requirements.txt")
-    if installed:  # beside a VTK of the system, whose Python takes no packages from pip
-        return ("PyVista must use this VTK and not one of its own. Run: python3 -m venv --system-site-packages nephoscope-python && "
-                f"nephoscope-python/bin/python -m pip install --no-deps -r {installed}, and use nephoscope-python/bin/python.")
-    return "Install the pinned set without its own VTK: python -m pip install --no-deps -r Plugins/PyVista/requirements.txt"
+    command = _importlib.import_module(".samples", __name__).requirements("requirements.txt", options="--no-deps ")
+    return f"PyVista must use this VTK and not one of its own. Run: {command}."
 
 
 @_functools.cache

@@ -3,6 +3,7 @@
 """The data that come with Nephoscope."""
 from __future__ import annotations
 
+import sys
 from pathlib import Path
 
 SAMPLES = ("gfs_2p5deg_2011101100.nc", "forecast_10deg_6h.nc", "blue_marble_2048.jpg")
@@ -12,6 +13,25 @@ PACKAGE = Path(__file__).resolve().parent
 def shared(name: str) -> str:
     """Path of an installed file, "" if there is none."""
     return next((str(above / "share/nephoscope" / name) for above in PACKAGE.parents if (above / "share/nephoscope" / name).is_file()), "")
+
+
+def requirements(*names: str, options: str = "", python: str = sys.executable or "python3") -> str:
+    """The command that installs requirement files of Nephoscope beside the system's VTK: installed ones, or those of its source folder."""
+    files = [shared(name) for name in names]
+    if all(files):  # Debian's Python takes no packages from pip
+        own = "nephoscope-python/bin/python"
+        return f"python3 -m venv --system-site-packages nephoscope-python && {own} -m pip install {options}{_listed(files)}, and use {own}"
+    return f"{python} -m pip install {options}{_listed(_in_source(name) for name in names)}"
+
+
+def _listed(files) -> str:
+    return " ".join(f"-r {file}" for file in files)
+
+
+def _in_source(name: str) -> str:
+    """Path from the top folder of the source, whole where the build lies in it."""
+    path = Path("Plugins/PyVista") / name
+    return next((str(above / path) for above in PACKAGE.parents if (above / path).is_file()), str(path))
 
 
 def sample_data(name: str) -> str:

@@ -15,6 +15,7 @@ import pyvista
 from . import _modules
 from ._checks import require_number
 from ._medium import require_plotter
+from .samples import requirements, shared
 from .viewer_state import PORT
 
 PACKAGES = ("trame", "trame_vtk", "trame_vuetify")
@@ -60,9 +61,18 @@ def require_packages() -> None:
     """Raises ModuleNotFoundError with the command that installs the missing packages."""
     missing = [name for name in PACKAGES if importlib.util.find_spec(name) is None]
     if missing:
-        what = "'nephoscope[web]'" if _modules.FROM_PYPI else "-r Plugins/PyVista/requirements-web.txt"
+        command = _web_command()
         raise ModuleNotFoundError(f"Pictures in the browser need {', '.join(missing)}, not installed for {sys.executable}. "
-                                  f"Run: {sys.executable} -m pip install {what}", name=missing[0])
+                                  f"Run: {command}", name=missing[0])
+
+
+def _web_command() -> str:
+    """What installs the packages. A Debian package's Python gets them in an environment of its own: they would bring a second VTK into its."""
+    if _modules.FROM_PYPI:
+        return f"{sys.executable} -m pip install 'nephoscope[web]'"
+    if shared("requirements.txt"):
+        return "python3 -m venv clouds && clouds/bin/python -m pip install 'nephoscope[web]', and use clouds/bin/python"
+    return requirements("requirements-web.txt")
 
 
 def make_server(name: str) -> Any:

@@ -5,6 +5,9 @@ import importlib
 import importlib.util
 import sys
 
+from .._modules import FROM_PYPI
+from ..samples import requirements
+
 REMEDY = {"eccodes": "eccodes eccodeslib"}
 
 
@@ -27,7 +30,13 @@ def _told(module: str, purpose: str, missing) -> ModuleNotFoundError:
     packages = REMEDY.get(module, module)
     return ModuleNotFoundError(
         f"{purpose[0].upper()}{purpose[1:]} needs the Python package {module!r}, which {sys.executable} does not have: {missing}. Install it with the other packages for weather "
-        f"data, nephoscope[data], or alone, beside the numpy that is there: {sys.executable} -m pip install {packages} \"numpy=={_numpy()}\"", name=module)
+        f"data: {_command()}. Or alone, beside the numpy that is there: {sys.executable} -m pip install {packages} \"numpy=={_numpy()}\"", name=module)
+
+
+def _command() -> str:
+    if FROM_PYPI:
+        return f"{sys.executable} -m pip install 'nephoscope[data]'"
+    return requirements("requirements.txt", "requirements-data.txt", options="--no-deps ")
 
 
 def _numpy() -> str:

@@ -37,8 +37,18 @@ def missing_packages(python):
     if told.returncode == 0 and not told.stdout.strip():
         return ""
     what = f"the Python packages {told.stdout.strip()} are missing" if told.returncode == 0 else f"{python} does not run ({told.stderr.strip()[-200:]})"
-    return (f"{what}. Install them, in the folder of Nephoscope's source: {python} -m pip install --no-deps -r Plugins/PyVista/requirements.txt "
-            f"-r Plugins/PyVista/requirements-data.txt. Or name another Python than {python} in the environment variable NEPHOSCOPE_PYTHON before ParaView starts.")
+    return (f"{what}. Install them: {_command(python)}. Or name another Python than {python} in the environment variable NEPHOSCOPE_PYTHON before "
+            "ParaView starts.")
+
+
+def _command(python):
+    """What installs the packages; the wheel's command where this file alone was loaded, into a ParaView without the package."""
+    try:
+        from nephoscope.samples import requirements, shared
+    except ImportError:
+        return f"{python} -m pip install 'nephoscope[data]'"
+    command = requirements("requirements.txt", "requirements-data.txt", options="--no-deps ", python=python)
+    return f"{command} in NEPHOSCOPE_PYTHON" if shared("requirements-data.txt") else command
 
 
 class Process:
