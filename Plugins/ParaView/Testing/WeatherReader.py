@@ -45,6 +45,8 @@ def known_to_the_dialog(path):
     assert reader.GetXMLName() == "WeatherDataReader", reader
     display = Show(reader)
     assert (display.Representation, display.ColorArrayName[1]) == ("Cell Compositing", "cc"), (display.Representation, display.ColorArrayName)
+    extent = reader.GetDataInformation().GetExtent()
+    assert list(reader.Levels) == [0, extent[5]] and extent[5] > 0, (list(reader.Levels), extent)  # the panel shows those of the file
     reader.Levels = [1, 1]
     assert Show(reader, CreateRenderView()).Representation == "Surface"
     Delete(reader)

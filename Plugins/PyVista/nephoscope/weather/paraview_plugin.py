@@ -85,7 +85,7 @@ class WeatherDataReader(VTKPythonAlgorithmBase):
         super().__init__(nInputPorts=0, nOutputPorts=1, outputType="vtkDataSet")
         self._settings = {"path": None, "mesh": None, "grid": -1, "levels": (0, 100000), "globe": {"projection": "globe", "vertical_exaggeration": 30.0, "radius": 6371000.0}}
         self._process, self._folder = Process(), tempfile.TemporaryDirectory()
-        self._is_open, self._times, self._first = False, None, None
+        self._is_open, self._times, self._first, self._last_level = False, None, None, 100000
         self._selection = vtkDataArraySelection()
         self._selection.AddObserver("ModifiedEvent", lambda *_: self._changed(False))
 
@@ -123,6 +123,10 @@ class WeatherDataReader(VTKPythonAlgorithmBase):
     def SetPlanetRadius(self, radius):
         self._set("globe", {**self._settings["globe"], "radius": radius})
 
+    def GetLevelRange(self):
+        """First and last level of the file."""
+        return (0, self._last_level)
+
     def GetVariables(self):
         return self._selection
 
@@ -140,7 +144,7 @@ class WeatherDataReader(VTKPythonAlgorithmBase):
         for name in found["variables"]:
             if not self._selection.ArrayExists(name):
                 self._selection.AddArray(name)
-        self._times, self._is_open = found["times"] or None, True
+        self._times, self._last_level, self._is_open = found["times"] or None, found["levels"] - 1, True
 
     def _mesh(self, step):
         """The mesh that the pipeline requests; the first one is kept."""

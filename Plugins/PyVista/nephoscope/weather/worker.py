@@ -30,7 +30,8 @@ class Worker:
             dates = when(self._dataset, dim)
             seconds = None if dates is None else seconds_of(dates)
             times = list(map(float, np.arange(self._dataset.sizes[dim]) if seconds is None else seconds / 3600))
-        return {"times": times, "variables": reading.plain_variables()}
+        levels = self._dataset.sizes[self._level] if self._level else 1
+        return {"times": times, "variables": reading.plain_variables(), "levels": levels}
 
     def mesh(self, file: str, step: int | None, levels: list[int], variables: list[str], options: dict) -> dict:
         from nephoscope._blocks import cell_dimension
