@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """nephoscope.add_smoke_widget: the polygon faces the flow where the ball is dragged, and the smoke flows from there."""
 import unittest
+from unittest import mock
 
 import nephoscope
 import numpy as np
@@ -56,6 +57,20 @@ class Widget(unittest.TestCase):
         self.check(line, (0, 4, 1), np.pi / 2)
         self.plotter.render()
         self.assertGreater(np.abs(self.plotter.screenshot(return_img=True).astype(int) - before).max(), 50)
+
+    def test_smoke_is_coarser_while_it_is_dragged_too_slowly(self):
+        """And complete when the ball is released; where updates are fast enough, it is never coarser."""
+        counts = {}
+        for rate in (1e-6, 1e6):
+            with mock.patch.multiple("nephoscope.smoke_widget", UPDATES_PER_SECOND=rate, COARSEST=100):
+                self.add()
+                counts[rate] = []
+                for step in range(4):
+                    self.drag(0, 4, 0.1 * step, end=step == 3)
+                    counts[rate].append(self.volume.mapper.dataset.n_cells)
+        self.assertGreater(min(counts[1e-6]), 300)
+        self.assertTrue(all(0 < count <= 100 for count in counts[1e6][1:3]), counts)
+        self.assertEqual(counts[1e6][3], counts[1e-6][3])
 
     def test_smoke_waits_for_the_end_of_the_drag(self):
         line = self.add(while_dragging=False)

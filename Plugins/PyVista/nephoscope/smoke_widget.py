@@ -3,6 +3,7 @@
 """Smoke from a polygon that is dragged: the polygon turns across the flow, and the smoke follows."""
 from __future__ import annotations
 
+import time
 import warnings
 from typing import Any, Sequence
 
@@ -12,6 +13,9 @@ from ._medium import require_plotter
 from .smoke import _NAMES, _filter, flow_volume
 from .smoke_drawing import add_smoke
 from ._pipeline import vtk_messages
+
+UPDATES_PER_SECOND = 10.0  # while the ball is dragged, as far as a coarser volume can give them
+COARSEST = 2000  # tetrahedra
 
 
 def add_smoke_widget(plotter: pyvista.Plotter, mesh: pyvista.DataSet | pyvista.MultiBlock, *, color: Any = None,
@@ -31,7 +35,8 @@ def add_smoke_widget(plotter: pyvista.Plotter, mesh: pyvista.DataSet | pyvista.M
     polygon_color : ColorLike, default: "orange"
         Colour of the polygon and of the ball.
     while_dragging : bool, default: True
-        True: updates the smoke while you drag. False: shows only the polygon while you drag, and updates the smoke when you release the ball.
+        True: updates the smoke while you drag, with as many tetrahedra, from 2,000 to ``max_tetrahedra``, as allow ten updates a second; the smoke is
+        complete again when you release the ball. False: shows only the polygon while you drag, and updates the smoke when you release the ball.
     **options
         Arguments of `flow_volume` for a steady flow (`center`, `radius`, `duration`, ...), and of `add_smoke` (`optical_depth`, ...).
 
@@ -57,15 +62,14 @@ def add_smoke_widget(plotter: pyvista.Plotter, mesh: pyvista.DataSet | pyvista.M
     if unsteady:
         raise ValueError(f"{unsteady[0]}: the widget works with a steady flow only; leave it out.")
     dragged = SmokeWidget(plotter, mesh, flow, {"color": color, **options}, polygon_color)
-    dragged.ball = plotter.add_sphere_widget(dragged.move if while_dragging else dragged.move_polygon, center=dragged.filter.GetCenter(),
+    dragged.ball = plotter.add_sphere_widget(dragged.drag if while_dragging else dragged.move_polygon, center=dragged.filter.GetCenter(),
                                              radius=0.25 * dragged.radius, color=polygon_color, test_callback=False, interaction_event="always")
-    if not while_dragging:
-        dragged.ball.AddObserver("EndInteractionEvent", lambda widget, _: dragged.move(widget.GetCenter()))
+    dragged.ball.AddObserver("EndInteractionEvent", lambda widget, _: dragged.move(widget.GetCenter()))
     return dragged
 
 
 class SmokeWidget:
-    """Ball, polygon and smoke; `move` moves polygon and smoke to another position."""
+    """Ball, polygon and smoke; `move` moves polygon and smoke to another position, `drag` does so with a coarser volume where that saves time."""
 
     ball: Any = None
 
@@ -73,14 +77,26 @@ class SmokeWidget:
         self.filter = _filter(mesh, **{**flow_volume.__kwdefaults__, **flow})[0]
         with vtk_messages(self.filter, _NAMES):
             self.filter.Update()
-        self.mesh, self.plotter = mesh, plotter
+        self.mesh, self.plotter, self._renderer = mesh, plotter, plotter.renderer
+        self._full = self._coarse = self.filter.GetMaximumNumberOfTetrahedra()
         self.radius = self.filter.GetRadius() or pyvista.wrap(mesh).length / 50
         self.volume = add_smoke(plotter, pyvista.wrap(self.filter.GetOutput()).copy(deep=False), **drawing)
         self.outline = self._across(self.filter.GetNormalUsed())
         self.polygon = plotter.add_mesh(self.outline, color=polygon_color, style="wireframe", line_width=3, lighting=False, pickable=False,
                                      reset_camera=False)
 
+    def drag(self, center: Sequence[float]) -> None:
+        start = time.perf_counter()
+        self._move(center, self._coarse)
+        seconds = time.perf_counter() - start + self._renderer.GetLastRenderTimeInSeconds()
+        fitting = int(self.filter.GetOutput().GetNumberOfCells() / (UPDATES_PER_SECOND * seconds))
+        self._coarse = min(max(fitting, COARSEST), self._full)
+
     def move(self, center: Sequence[float]) -> None:
+        self._move(center, self._full)
+
+    def _move(self, center: Sequence[float], tetrahedra: int) -> None:
+        self.filter.SetMaximumNumberOfTetrahedra(tetrahedra)
         self.filter.SetCenter(*center)
         found = self._update()
         if found:
