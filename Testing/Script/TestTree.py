@@ -32,7 +32,8 @@ def tracked_files():
     files = listed_by_git()
     if files is None:
         made = {"build", "dist", "Gallery", ".git"}
-        files = [f for f in TOP.rglob("*") if f.relative_to(TOP).parts[0] not in made and f.parent.name != "__pycache__"]
+        found = (f for top in TOP.iterdir() if top.name not in made for f in ([top] if top.is_file() else top.rglob("*")))
+        files = [f for f in found if f.parent.name != "__pycache__"]
     return [f for f in files if f.is_file()]
 
 
