@@ -16,7 +16,7 @@ configure_needed()
 {
   [ -f "$BUILD/build.ninja" ] || return 0
   ! made_without_packages || return 0
-  [ ! "$TOP/CMakePresets.json" -nt "$BUILD/CMakeCache.txt" ] || return 0
+  [ ! "$TOP/CMakePresets.json" -nt "$BUILD/build.ninja" ] || return 0 # the cache keeps its time where nothing in it changes
   [ "$1" = ON ] && [ "$(cache_value BUILD_TESTING)" != ON ]
 }
 

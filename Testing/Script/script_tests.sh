@@ -359,7 +359,7 @@ test_configured()
   fake cmake <<'E'
 echo "$*" >>"$CALLS"
 mkdir -p "$TREE/build"
-echo "CMAKE_HOME_DIRECTORY:INTERNAL=$TREE" >"$TREE/build/CMakeCache.txt"
+[ -f "$TREE/build/CMakeCache.txt" ] || echo "CMAKE_HOME_DIRECTORY:INTERNAL=$TREE" >"$TREE/build/CMakeCache.txt"
 touch "$TREE/build/build.ninja"
 E
   fake ccache </dev/null
@@ -372,6 +372,11 @@ E
   expect "a call for a package that was not asked for before" [ "$(wc -l <"$CALLS")" -eq 2 ]
   configured compiler
   expect "no call for fewer packages" [ "$(wc -l <"$CALLS")" -eq 2 ]
+  touch -d 2001-01-01 "$WORK"/build/*
+  touch -d 2001-01-02 "$WORK/CMakePresets.json"
+  configured compiler
+  configured compiler
+  expect "one call for presets that are newer" [ "$(wc -l <"$CALLS")" -eq 3 ]
 }
 
 # Compiles what a build without ccache does, several sources at a time, as far as it takes to find the errors; links nothing.
