@@ -9,6 +9,9 @@
 #   nephoscope_add_python_test(SCRIPT.py LABELS... [ARGS...])       plain Python, package on its path; exit 0 passes
 #   nephoscope_add_softpipe_test(SCRIPT.py [CASES...])              those cases once more, on Mesa's software OpenGL 3.3 (slow: small pictures)
 #
+# Tests with the property COST start first, the dearest before others: what takes long, or needs both processors or a lock, would keep a
+# processor idle at the end.
+#
 # A build for VTK's wheel has the same Python tests, run by an environment in which the wheel is installed
 # (NEPHOSCOPE_PYVISTA_PYTHON; the tests run that, and not Python3_EXECUTABLE). It has no tests in C++.
 if (NEPHOSCOPE_FOR_PYPI)
