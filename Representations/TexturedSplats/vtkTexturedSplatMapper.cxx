@@ -21,7 +21,6 @@
 #include "vtkObjectFactory.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkRenderer.h"
-#include "vtkScalarsToColors.h"
 #include "vtkVolume.h"
 #include "vtkVolumeProperty.h"
 
@@ -101,6 +100,11 @@ double* vtkTexturedSplatMapper::GetBounds()
       6, this->Bounds);
   }
   return this->Bounds;
+}
+
+nephoscope::SplatVectorScene& vtkTexturedSplatMapper::GetVectorScene()
+{
+  return this->Internals->Scene.GetVectorScene();
 }
 
 void vtkTexturedSplatMapper::Render(vtkRenderer* renderer, vtkVolume* volume)
@@ -192,81 +196,10 @@ std::string vtkTexturedSplatMapper::UpdateSplats(vtkDataSet* input, vtkVolume* v
   return error;
 }
 
-nephoscope::SplatVectorSettings vtkTexturedSplatMapper::GetVectorSettings()
-{
-  nephoscope::SplatVectorSettings settings;
-  settings.ArrayName = this->VectorArrayName;
-  settings.ColorArrayName = this->VectorColorArrayName;
-  settings.ColorFunction = this->VectorColorFunction;
-  settings.OneColor = this->UseVectorColor;
-  std::copy_n(this->VectorColor, 3, settings.Color.begin());
-  settings.Loop = { this->Phase, this->PhaseCycles, this->PhaseSteps, this->MaximumSpeed,
-    this->VectorFraction };
-  return settings;
-}
-
-void vtkTexturedSplatMapper::SetVectorColorFunction(vtkScalarsToColors* function)
-{
-  if (this->VectorColorFunction != function)
-  {
-    this->VectorColorFunction = function;
-    this->Modified();
-  }
-}
-
-vtkScalarsToColors* vtkTexturedSplatMapper::GetVectorColorFunction()
-{
-  return this->VectorColorFunction;
-}
-
-double vtkTexturedSplatMapper::GetStreakUnit()
-{
-  return this->VectorUnit > 0 ? this->VectorUnit
-                              : this->Internals->Scene.GetVectorScene().GetVectors().MeanCell() /
-      (this->RadiusFactor * std::cbrt(std::max(this->VectorFraction, 1e-6)));
-}
-
 // Wider splats overlap more: in the mean the medium stays.
 double vtkTexturedSplatMapper::GetExtinctionFactor()
 {
   return this->OpacityScale / (this->RadiusFactor * this->RadiusFactor * this->RadiusFactor);
-}
-
-void vtkTexturedSplatMapper::AdvancePhases(double time)
-{
-  nephoscope::SplatVectorScene& scene = this->Internals->Scene.GetVectorScene();
-  if (!scene.HasVectors())
-  {
-    vtkErrorMacro("There are no vectors to move with: set VectorArrayName and render first.");
-    return;
-  }
-  if (!std::isfinite(time))
-  {
-    vtkErrorMacro("Phases cannot be advanced by a time of " << time << ": it must be finite.");
-    return;
-  }
-  const double period = this->VectorStyle == SEGMENTS ? this->SegmentLength : this->StreakPeriod;
-  scene.GetVectors().Advance(time, period * this->GetStreakUnit());
-  scene.ForgetUpload();
-  this->Modified();
-}
-
-void vtkTexturedSplatMapper::SetVectorOptions(nephoscope::SplatDrawingOptions& options)
-{
-  options.Vectors = !this->VectorArrayName.empty();
-  options.Segments = this->VectorStyle == SEGMENTS;
-  options.MediaApart = options.Vectors && this->VectorPlacement == PLACEMENT_LAYERS;
-  // Lengthened splats share the opacity among more of them, of which only some are drawn.
-  options.VectorScale = this->VectorOpacity / std::cbrt(std::max(this->VectorFraction, 1e-6));
-  const double greatest = this->MaximumSpeed > 0
-    ? this->MaximumSpeed
-    : this->Internals->Scene.GetVectorScene().GetVectors().MaximumSpeed();
-  options.MaximumSpeed = greatest > 0 ? greatest : 1.0;
-  options.VectorUnit = this->GetStreakUnit();
-  options.StreakPeriod = this->StreakPeriod;
-  options.StreakWidth = this->StreakWidth;
-  options.SegmentLength = this->SegmentLength;
-  options.SegmentWidth = this->SegmentWidth;
 }
 
 // Whether nodes of the hierarchy are drawn; `most`: how many at the most, 0: any number.

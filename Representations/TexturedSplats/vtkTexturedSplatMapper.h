@@ -38,6 +38,7 @@ class vtkScalarsToColors;
 class vtkVolumeProperty;
 namespace nephoscope
 {
+class SplatVectorScene;
 struct SplatDrawingOptions;
 struct SplatSampling;
 struct SplatVectorSettings;
@@ -318,7 +319,7 @@ public:
   /**
    * Position of the patterns in their loop, 0 to 1; 1 is the same as 0. Over a loop each pattern moves a whole number of periods,
    * nearest to PhaseCycles (default 4) times its fraction of MaximumSpeed, for looping animations. For motion at exactly the
-   * speed of the data use AdvancePhases.
+   * speed of the data use TrueSpeed or AdvancePhases.
    */
   vtkSetMacro(Phase, double);
   vtkGetMacro(Phase, double);
@@ -334,6 +335,38 @@ public:
   vtkSetClampMacro(PhaseSteps, int, 0, 1000);
   vtkGetMacro(PhaseSteps, int);
   ///@}
+
+  ///@{
+  /**
+   * On: patterns move at the speed of their vectors, by the distance |vector| * TimeScale * FilmTime, instead of through a loop; Phase and
+   * PhaseCycles have no effect. When the vectors change, patterns go on from where they are; FilmTime 0 starts them anew. Default: off.
+   */
+  vtkSetMacro(TrueSpeed, bool);
+  vtkGetMacro(TrueSpeed, bool);
+  vtkBooleanMacro(TrueSpeed, bool);
+  ///@}
+
+  ///@{
+  /**
+   * With TrueSpeed: time of the vectors that passes in a second of the film, in their unit, such as 3600 for an hour if they are in metres per second
+   * and the data in metres. If the data are in another unit of length than the vectors, multiply by the factor. 0 (default): a round number for
+   * which the fastest patterns move by at most one period in a second.
+   */
+  vtkSetClampMacro(TimeScale, double, 0.0, VTK_DOUBLE_MAX);
+  vtkGetMacro(TimeScale, double);
+  ///@}
+
+  ///@{
+  /** With TrueSpeed: seconds since the start of the film. Must be finite. Default: 0. */
+  void SetFilmTime(double time);
+  vtkGetMacro(FilmTime, double);
+  ///@}
+
+  /** TimeScale, or the value that is used if it is 0: that of the last render, 0 before it. */
+  double GetDrawnTimeScale();
+
+  /** MaximumSpeed, or the greatest speed in the data of the last render if it is 0. */
+  double GetDrawnMaximumSpeed();
 
   /**
    * Moves every pattern on by a time, in the time unit of the vectors: at the speed of its own vector, without a jump when the
@@ -500,12 +533,18 @@ protected:
   double Phase = 0.0;
   int PhaseCycles = 4;
   int PhaseSteps = 0;
+  bool TrueSpeed = false;
+  double TimeScale = 0.0;
+  double FilmTime = 0.0;
 
 private:
   void CopySettings(vtkTexturedSplatMapper* mapper);
   nephoscope::SplatVectorSettings GetVectorSettings();
   void SetVectorOptions(nephoscope::SplatDrawingOptions& options);
   double GetStreakUnit();
+  double GetStreakUnit(double meanCell) const;
+  double GetPatternPeriod() const;
+  nephoscope::SplatVectorScene& GetVectorScene();
   double GetExtinctionFactor();
   bool DrawsRegion(vtkRenderer* renderer) const;
   void SetRegionOptions(nephoscope::SplatDrawingOptions& options) const;

@@ -41,6 +41,9 @@ void vtkTexturedSplatMapper::CopySettings(vtkTexturedSplatMapper* mapper)
   this->SetPhase(mapper->Phase);
   this->SetPhaseCycles(mapper->PhaseCycles);
   this->SetPhaseSteps(mapper->PhaseSteps);
+  this->SetTrueSpeed(mapper->TrueSpeed);
+  this->SetTimeScale(mapper->TimeScale);
+  this->SetFilmTime(mapper->FilmTime);
   this->SetVectorColorFunction(mapper->VectorColorFunction);
   this->SetVectorColor(mapper->VectorColor);
   this->SetRegion(mapper->Region);
@@ -88,6 +91,9 @@ void vtkTexturedSplatMapper::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "UseVectorColor: " << this->UseVectorColor << "\n";
   os << indent << "Phase: " << this->Phase << "\n";
   os << indent << "PhaseCycles: " << this->PhaseCycles << "\n";
+  os << indent << "TrueSpeed: " << this->TrueSpeed << "\n";
+  os << indent << "TimeScale: " << this->TimeScale << "\n";
+  os << indent << "FilmTime: " << this->FilmTime << "\n";
   os << indent << "ErrorTolerance: " << this->ErrorTolerance
      << (this->ErrorToleranceUnit == UNIT_OF_IMAGE ? " of the image\n" : " of the data\n");
   os << indent << "ErrorMeasure: " << measures[this->ErrorMeasure] << "\n";

@@ -67,6 +67,16 @@ class Accepted(Splats):
         with self.assertRaisesRegex(ValueError, "phase is nan"):
             mapper.phase = np.nan
 
+    def test_true_speed(self):
+        mapper = self.add(vectors=dict(array="wind", true_speed=True, time_scale=3600, film_time=2)).mapper
+        self.assertEqual((mapper.GetTrueSpeed(), mapper.GetTimeScale(), mapper.GetFilmTime(), mapper.film_time), (True, 3600, 2, 2))
+        mapper.film_time = 2.5
+        self.assertEqual(mapper.GetFilmTime(), 2.5)
+        with self.assertRaisesRegex(ValueError, "film_time is nan"):
+            mapper.film_time = np.nan
+        mapper = self.add(vectors="wind").mapper
+        self.assertEqual((mapper.GetTrueSpeed(), mapper.GetTimeScale(), mapper.GetFilmTime()), (False, 0, 0))
+
     def test_radius_of_particles(self):
         for kernel in ("cubic", "quadratic", "gaussian"):
             volume = self.add(pyvista.PolyData([(1.0, 2, 3)]), None, color="white", radius=0.5, kernel=kernel)
@@ -158,6 +168,9 @@ class Refused(Splats):
         for group, option in (("level_of_detail", "unit"), ("level_of_detail", "measure"), ("vectors", "style"), ("vectors", "placement")):
             self.fails(ValueError, rf"{group}\['{option}'\] is 'best'; it must be one of", **{group: {option: "best"}})
         self.fails(ValueError, "phase is nan", vectors=dict(phase=np.nan))
+        self.fails(ValueError, "but true_speed is not True", vectors=dict(array="wind", time_scale=3600))
+        self.fails(ValueError, r"vectors\['time_scale'\] is 0", vectors=dict(array="wind", true_speed=True, time_scale=0))
+        self.fails(ValueError, r"vectors\['film_time'\] is nan", vectors=dict(array="wind", true_speed=True, film_time=np.nan))
         self.fails(ValueError, "radius_factor is 0", radius_factor=0)
 
     def test_meshes(self):

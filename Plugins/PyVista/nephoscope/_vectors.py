@@ -61,6 +61,9 @@ class Vectors:
     phase: float = 0.0
     phase_cycles: int = 4
     phase_steps: int = 0
+    true_speed: bool = False
+    time_scale: float | None = None
+    film_time: float = 0.0
 
     def __post_init__(self) -> None:
         self.table: pyvista.LookupTable | None = None  # range of the colours from `scalars`, found when applied
@@ -83,9 +86,18 @@ class Vectors:
         if self.maximum_speed is not None:
             mapper.SetMaximumSpeed(self._number("maximum_speed", above=0))
         mapper.phase = self.phase
+        self._apply_speed(mapper)
         self._apply_placement(mapper, mesh)
         self._apply_array(mapper, mesh, association)
         self._apply_colours(mapper, plotter, mesh, association)
+
+    def _apply_speed(self, mapper: Any) -> None:
+        mapper.SetTrueSpeed(bool(self.true_speed))
+        if not self.true_speed and (self.time_scale is not None or self.film_time != 0):
+            raise ValueError("vectors has the option 'time_scale' or 'film_time', but true_speed is not True.")
+        if self.time_scale is not None:
+            mapper.SetTimeScale(self._number("time_scale", above=0))
+        mapper.SetFilmTime(self._number("film_time"))
 
     def _apply_placement(self, mapper: Any, mesh: pyvista.DataSet) -> None:
         choose({"middle": mapper.SetVectorPlacementToMiddle, "layers": mapper.SetVectorPlacementToLayers}, self.placement, "vectors['placement']")

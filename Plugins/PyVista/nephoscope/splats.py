@@ -41,6 +41,15 @@ class TexturedSplatMapper(MediumMapper, vtkTexturedSplatMapper):
     def phase(self, phase: float) -> None:
         self.SetPhase(require_number(phase, "phase"))
 
+    @property
+    def film_time(self) -> float:
+        """With ``true_speed``: seconds since the start of the film. Set it and render the next frame."""
+        return self.GetFilmTime()
+
+    @film_time.setter
+    def film_time(self, seconds: float) -> None:
+        self.SetFilmTime(require_number(seconds, "film_time"))
+
 
 DETAIL_NAMES = {"error_tolerance": "tolerance", "error_unit": "unit", "error_measure": "measure", "interactive_splats": "interactive_splats",
                 "level_blending": "blending"}
@@ -154,6 +163,12 @@ def add_splats(plotter: pyvista.BasePlotter, mesh: Any, scalars: str | np.ndarra
         - ``layer_axis``, default ``"eye"``: with the placement ``"layers"``, the axis 0, 1 or 2 of a structured grid whose index numbers the
           layers. ``"eye"``: the axis that points most towards the camera.
         - ``phase``, default 0.0: position of the streaks in their loop, 0 to 1; 1 is the same as 0. Change it with ``volume.mapper.phase``.
+        - ``true_speed``, default False: patterns move at the speed of their vectors, by length of the vector * ``time_scale`` *
+          ``volume.mapper.film_time``, instead of through a loop. ``phase`` and ``phase_cycles`` have no effect then.
+        - ``time_scale``: with ``true_speed``, time that passes in the data in a second of the film, in the time unit of the vectors, > 0: 3600 is
+          an hour for vectors in metres per second on a mesh in metres. Default: a round number for which the fastest patterns move by at most
+          one period in a second.
+        - ``film_time``, default 0.0: with ``true_speed``, seconds since the start of the film. Change it with ``volume.mapper.film_time``.
         - ``phase_cycles``, default 4: number of periods by which the fastest pattern moves in a loop, 1 to 1000.
         - ``phase_steps``, default 0: number of positions of the pattern along its period, 0 to 1000. 0: continuous, for smooth motion; 16: as in
           the stored textures of 1993.

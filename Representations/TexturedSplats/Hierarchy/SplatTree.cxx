@@ -13,6 +13,7 @@
 #include "vtkType.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace nephoscope
 {
@@ -233,12 +234,17 @@ void SplatTree::AppendColors(std::vector<std::array<float, 4>>& colors) const
   }
 }
 
-void SplatTree::AppendVectors(std::vector<std::array<float, 4>>& vectors) const
+void SplatTree::AppendVectors(
+  std::vector<std::array<float, 4>>& vectors, double periodsPerSpeed) const
 {
+  const auto speed = [](const auto& v) { return std::hypot(v[0], v[1], v[2]); };
   for (const SplatTreeNode& node : this->NodeList)
   {
-    const float phase = vectors[static_cast<std::size_t>(*this->BeginChildren(node))][3];
-    vectors.push_back({ { node.Vector[0], node.Vector[1], node.Vector[2], phase } });
+    const std::array<float, 4>& child =
+      vectors[static_cast<std::size_t>(*this->BeginChildren(node))];
+    const double phase = child[3] + (speed(node.Vector) - speed(child)) * periodsPerSpeed;
+    vectors.push_back({ { node.Vector[0], node.Vector[1], node.Vector[2],
+      static_cast<float>(phase - std::floor(phase)) } });
   }
 }
 

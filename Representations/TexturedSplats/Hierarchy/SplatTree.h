@@ -77,8 +77,12 @@ public:
 
   /** To (red, green, blue, seed) of the leaves those of the nodes: the mean colour of their children, and the seed of the first. */
   void AppendColors(std::vector<std::array<float, 4>>& colors) const;
-  /** To (x, y, z, phase) of the leaves those of the nodes: their mean vector, and the phase of their first child. */
-  void AppendVectors(std::vector<std::array<float, 4>>& vectors) const;
+  /**
+   * To (x, y, z, phase) of the leaves those of the nodes: their mean vector, and the phase of their first child. If patterns of speed 1
+   * have moved by `periodsPerSpeed`, a node has moved at its own speed.
+   */
+  void AppendVectors(
+    std::vector<std::array<float, 4>>& vectors, double periodsPerSpeed = 0.0) const;
 
 private:
   friend class SplatTreeBuilder;

@@ -7,6 +7,7 @@
 #include "SplatPass.h"
 #include "SplatSamples.h"
 #include "SplatTree.h"
+#include "VectorTexture.h"
 
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
@@ -57,6 +58,7 @@ std::string SplatVectorScene::Update(
   const ArrayKey key(array, array->GetMTime());
   if (key != this->ReadFrom)
   {
+    this->Vectors.KeepMotion(this->Loop, settings.Loop);
     this->Vectors.Read(data, onCells, array, samples);
     this->ReadFrom = key;
     this->Uploaded = false;
@@ -157,7 +159,11 @@ std::string SplatVectorScene::Upload(vtkOpenGLRenderWindow* window, SplatPass& p
   if (error.empty() && (!this->Uploaded || !(this->Loop == settings.Loop)))
   {
     std::vector<std::array<float, 4>> vectors = this->Vectors.Pack(classes, settings.Loop);
-    tree.AppendVectors(vectors);
+    tree.AppendVectors(vectors, this->Vectors.PeriodsPerSpeed(settings.Loop));
+    for (std::array<float, 4>& vector : vectors)
+    {
+      vector[3] = static_cast<float>(StoredPhase(vector[3], settings.Loop.Steps));
+    }
     error = pass.UploadVectors(window, vectors);
     this->Loop = settings.Loop;
   }

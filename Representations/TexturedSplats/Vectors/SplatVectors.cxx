@@ -45,9 +45,11 @@ void SplatVectors::Read(
   const std::size_t count = samples.Size();
   const GridSamples grid(data, onCells);
   const auto all = static_cast<std::size_t>(vectors->GetNumberOfTuples());
-  if (this->Moved.size() != all)
+  const bool first = this->Moved.size() != all;
+  if (first)
   {
     this->Moved.assign(all, 0.0);
+    this->KeptTime = 0;
   }
   this->Ids = samples.Ids;
   this->Vectors.resize(count);
@@ -70,6 +72,11 @@ void SplatVectors::Read(
     }
   }
   this->Cell = moving > 0 && cells > 0 ? cells / static_cast<double>(moving) : 1.0;
+  if (first || this->FirstGreatest <= 0)
+  {
+    this->FirstGreatest = this->Greatest;
+    this->FirstCell = this->Cell;
+  }
 }
 
 // By a number that does not depend on the other two, which the pattern is made of.
@@ -88,6 +95,30 @@ void SplatVectors::Advance(double time, double period)
   }
 }
 
+void SplatVectors::KeepMotion(const SplatLoop& last, const SplatLoop& next)
+{
+  if (next.Period > 0 && next.Time == 0)
+  {
+    std::fill(this->Moved.begin(), this->Moved.end(), 0.0);
+    this->KeptTime = 0;
+  }
+  else if (last.Period > 0)
+  {
+    this->Advance(last.Time - this->KeptTime, last.Period);
+    this->KeptTime = last.Time;
+  }
+}
+
+double SplatVectors::PhaseOf(
+  std::size_t sample, double speed, double greatest, const SplatLoop& loop) const
+{
+  const double moved = loop.Period > 0 ? speed * this->PeriodsPerSpeed(loop)
+    : greatest > 0                     ? loop.Share * std::round(loop.Cycles * speed / greatest)
+                                       : 0.0;
+  return this->Seeds[sample].Phase + this->Moved[static_cast<std::size_t>(this->Ids[sample])] +
+    moved;
+}
+
 std::vector<std::array<float, 4>> SplatVectors::Pack(
   const SplatClasses& classes, const SplatLoop& loop) const
 {
@@ -100,11 +131,8 @@ std::vector<std::array<float, 4>> SplatVectors::Pack(
     const std::array<float, 3> v = this->IsShown(i, loop.VectorFraction)
       ? this->Vectors[i]
       : std::array<float, 3>{ { 0, 0, 0 } };
-    const double looped =
-      greatest > 0 ? loop.Share * std::round(loop.Cycles * lengthOf(v) / greatest) : 0.0;
-    const double phase =
-      this->Seeds[i].Phase + this->Moved[static_cast<std::size_t>(this->Ids[i])] + looped;
-    packed.push_back({ { v[0], v[1], v[2], static_cast<float>(StoredPhase(phase, loop.Steps)) } });
+    const double phase = this->PhaseOf(i, lengthOf(v), greatest, loop);
+    packed.push_back({ { v[0], v[1], v[2], static_cast<float>(StoredPhase(phase, 0)) } });
   }
   return packed;
 }

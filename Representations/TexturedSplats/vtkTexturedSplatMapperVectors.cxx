@@ -1,0 +1,129 @@
+// SPDX-FileCopyrightText: The Nephoscope authors
+// SPDX-License-Identifier: BSD-3-Clause
+// The vectors of vtkTexturedSplatMapper: their settings for the drawing, and how they move.
+#include "vtkTexturedSplatMapper.h"
+
+#include "RoundTime.h"
+#include "SplatPass.h"
+#include "SplatVectorScene.h"
+
+#include "vtkScalarsToColors.h"
+
+#include <algorithm>
+#include <cmath>
+
+nephoscope::SplatVectorSettings vtkTexturedSplatMapper::GetVectorSettings()
+{
+  nephoscope::SplatVectorSettings settings;
+  settings.ArrayName = this->VectorArrayName;
+  settings.ColorArrayName = this->VectorColorArrayName;
+  settings.ColorFunction = this->VectorColorFunction;
+  settings.OneColor = this->UseVectorColor;
+  std::copy_n(this->VectorColor, 3, settings.Color.begin());
+  settings.Loop = { this->Phase, this->PhaseCycles, this->PhaseSteps, this->MaximumSpeed,
+    this->VectorFraction };
+  if (this->TrueSpeed)
+  {
+    settings.Loop.Share = 0;
+    settings.Loop.Period = this->GetPatternPeriod() * this->GetStreakUnit();
+    settings.Loop.Time = this->FilmTime * this->GetDrawnTimeScale();
+  }
+  return settings;
+}
+
+void vtkTexturedSplatMapper::SetVectorColorFunction(vtkScalarsToColors* function)
+{
+  if (this->VectorColorFunction != function)
+  {
+    this->VectorColorFunction = function;
+    this->Modified();
+  }
+}
+
+vtkScalarsToColors* vtkTexturedSplatMapper::GetVectorColorFunction()
+{
+  return this->VectorColorFunction;
+}
+
+double vtkTexturedSplatMapper::GetStreakUnit()
+{
+  return this->GetStreakUnit(this->GetVectorScene().GetVectors().MeanCell());
+}
+
+double vtkTexturedSplatMapper::GetStreakUnit(double meanCell) const
+{
+  return this->VectorUnit > 0
+    ? this->VectorUnit
+    : meanCell / (this->RadiusFactor * std::cbrt(std::max(this->VectorFraction, 1e-6)));
+}
+
+double vtkTexturedSplatMapper::GetPatternPeriod() const
+{
+  return this->VectorStyle == SEGMENTS ? this->SegmentLength : this->StreakPeriod;
+}
+
+double vtkTexturedSplatMapper::GetDrawnMaximumSpeed()
+{
+  return this->MaximumSpeed > 0 ? this->MaximumSpeed
+                                : this->GetVectorScene().GetVectors().MaximumSpeed();
+}
+
+// Chosen by the vectors of the first time step, so that it does not change during a film.
+double vtkTexturedSplatMapper::GetDrawnTimeScale()
+{
+  const nephoscope::SplatVectors& vectors = this->GetVectorScene().GetVectors();
+  const double speed = this->MaximumSpeed > 0 ? this->MaximumSpeed : vectors.FirstMaximumSpeed();
+  if (this->TimeScale > 0 || !(speed > 0))
+  {
+    return this->TimeScale;
+  }
+  return nephoscope::RoundDownTime(
+    this->GetPatternPeriod() * this->GetStreakUnit(vectors.FirstMeanCell()) / speed);
+}
+
+void vtkTexturedSplatMapper::SetFilmTime(double time)
+{
+  if (!std::isfinite(time))
+  {
+    vtkErrorMacro("FilmTime cannot be " << time << ": it must be finite.");
+  }
+  else if (time != this->FilmTime)
+  {
+    this->FilmTime = time;
+    this->Modified();
+  }
+}
+
+void vtkTexturedSplatMapper::AdvancePhases(double time)
+{
+  nephoscope::SplatVectorScene& scene = this->GetVectorScene();
+  if (!scene.HasVectors())
+  {
+    vtkErrorMacro("There are no vectors to move with: set VectorArrayName and render first.");
+    return;
+  }
+  if (!std::isfinite(time))
+  {
+    vtkErrorMacro("Phases cannot be advanced by a time of " << time << ": it must be finite.");
+    return;
+  }
+  scene.GetVectors().Advance(time, this->GetPatternPeriod() * this->GetStreakUnit());
+  scene.ForgetUpload();
+  this->Modified();
+}
+
+void vtkTexturedSplatMapper::SetVectorOptions(nephoscope::SplatDrawingOptions& options)
+{
+  options.Vectors = !this->VectorArrayName.empty();
+  options.Segments = this->VectorStyle == SEGMENTS;
+  options.MediaApart = options.Vectors && this->VectorPlacement == PLACEMENT_LAYERS;
+  // Lengthened splats share the opacity among more of them, of which only some are drawn.
+  options.VectorScale = this->VectorOpacity / std::cbrt(std::max(this->VectorFraction, 1e-6));
+  const double greatest = this->GetDrawnMaximumSpeed();
+  options.MaximumSpeed = greatest > 0 ? greatest : 1.0;
+  options.VectorUnit = this->GetStreakUnit();
+  options.StreakPeriod = this->StreakPeriod;
+  options.StreakWidth = this->StreakWidth;
+  options.SegmentLength = this->SegmentLength;
+  options.SegmentWidth = this->SegmentWidth;
+}
