@@ -5,6 +5,7 @@
 #include "ArrayNames.h"
 #include "CloudShadow.h"
 #include "DiffuseLight.h"
+#include "DirectionalLight.h"
 #include "LitData.h"
 #include "PhaseFunction.h"
 #include "SharedSun.h"
@@ -406,7 +407,7 @@ void vtkSunlight::Write(vtkDataSet* data, const Work& work)
       double beam = 1, flux = 0;
       const double shadow = work.Shadow.empty() ? 1.0 : work.Shadow[p];
       const double sunlight = shadow * std::exp(-work.ScaledDepth[p]);
-      if (this->UseViewPosition)
+      if (this->UseViewPosition && !this->FollowCamera)
       {
         std::array<double, 3> toEye = { { this->ViewPosition[0], this->ViewPosition[1],
           this->ViewPosition[2] } };
@@ -433,6 +434,13 @@ void vtkSunlight::Write(vtkDataSet* data, const Work& work)
       absorbed->SetValue(p, work.Absorbed[p]);
     }
   });
+  if (this->FollowCamera)
+  {
+    nephoscope::addDirectionalLight(data,
+      { work.Extinction, work.Albedo, work.Asymmetry, work.Transmittance, work.ScaledDepth,
+        work.Shadow, work.Flux, this->MultipleScattering },
+      static_cast<nephoscope::PhaseKind>(this->PhaseFunction));
+  }
   data->GetPointData()->SetActiveScalars("Sunlight");
   vtkNew<vtkDoubleArray> sun;
   sun->SetName("SunDirection");
@@ -530,6 +538,8 @@ void vtkSunlight::PrintSelf(ostream& os, vtkIndent indent)
      << indent << "ExtinctionArrayName: " << this->ExtinctionArrayName << "\n";
   os << indent << "MultipleScattering: " << this->MultipleScattering << "\n"
      << indent << "GroundAlbedo: " << this->GroundAlbedo << "\n";
+  os << indent << "FollowCamera: " << this->FollowCamera << "\n"
+     << indent << "PhaseFunction: " << this->PhaseFunction << "\n";
   os << indent << "ZenithAngles: " << this->ZenithAngles << "\n"
      << indent << "AzimuthAngles: " << this->AzimuthAngles << "\n";
 }

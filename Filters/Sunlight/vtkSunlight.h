@@ -19,6 +19,13 @@
  * - Irradiance, UpwardIrradiance: irradiance of a horizontal surface, by sun and diffuse light from above, and by diffuse light from below.
  * - AbsorbedLight, 1/m: power that becomes heat, per volume; 0 if only the sun's beam is computed.
  *
+ * With FollowCamera further arrays, from which mappers compute the light towards the camera, d being the direction in which it goes and P and Q the two factors in PhaseFunction for
+ * the angle between d and sunlight: Sunlight + d . DiffuseFlux + (P - 1) SingleScattering[0] + (Q - 1) SingleScattering[1].
+ * - SingleScattering, two components: light of the sun's beam, times a quarter of the albedo, without a phase function: of light straight from the sun, and of light that has been
+ *   scattered before, but straight on.
+ * - DiffuseFlux, three components.
+ * - PhaseFunction, field data: P and Q at angles from 0 to 180 degrees.
+ *
  * Smoke, as vtkFlowVolume and vtkSmokePuffs write it, gets extinction, albedo and asymmetry of its own (SmokeOptics.h), unless another array is named.
  *
  * The second input, which is optional, is clouds that have their light: in their shadow there is less sunlight. Light that
@@ -133,6 +140,38 @@ public:
   ///@}
 
   ///@{
+  /**
+   * Keeps the light that depends on the direction of view in arrays of its own, so that mappers draw the light for the camera of each frame, which takes no new computation. Sunlight
+   * is then the mean over all directions, and UseViewPosition is ignored. Off by default.
+   */
+  vtkSetMacro(FollowCamera, bool);
+  vtkGetMacro(FollowCamera, bool);
+  vtkBooleanMacro(FollowCamera, bool);
+  ///@}
+
+  /** Phase functions of FollowCamera: Henyey and Greenstein's with the mean asymmetry parameter of the data, two of them, or a table for cloud droplets. */
+  enum
+  {
+    HENYEY_GREENSTEIN,
+    DOUBLE_HENYEY_GREENSTEIN,
+    CLOUD_DROPLETS
+  };
+  ///@{
+  /**
+   * How much light the sun's beam sends into each direction where it is scattered. DOUBLE_HENYEY_GREENSTEIN and CLOUD_DROPLETS (Mie, effective radius 10 micrometres, with fogbow and
+   * glory) are those of water droplets whatever the asymmetry parameter is. Default HENYEY_GREENSTEIN.
+   */
+  vtkSetClampMacro(PhaseFunction, int, HENYEY_GREENSTEIN, CLOUD_DROPLETS);
+  vtkGetMacro(PhaseFunction, int);
+  void SetPhaseFunctionToHenyeyGreenstein() { this->SetPhaseFunction(HENYEY_GREENSTEIN); }
+  void SetPhaseFunctionToDoubleHenyeyGreenstein()
+  {
+    this->SetPhaseFunction(DOUBLE_HENYEY_GREENSTEIN);
+  }
+  void SetPhaseFunctionToCloudDroplets() { this->SetPhaseFunction(CLOUD_DROPLETS); }
+  ///@}
+
+  ///@{
   /** Iterations of the last execution, and the mean change in the last of them as a fraction of the mean fluence. */
   vtkGetMacro(NumberOfIterations, int);
   vtkGetMacro(LastChange, double);
@@ -181,6 +220,8 @@ private:
   int AzimuthAngles = 4;
   bool UseViewPosition = false;
   bool ParallelView = false;
+  bool FollowCamera = false;
+  int PhaseFunction = HENYEY_GREENSTEIN;
   double ViewPosition[3] = { 0, 0, 1 };
   int NumberOfIterations = 0;
   double LastChange = 0;

@@ -6,6 +6,7 @@
 
 #include "vtkCellCompositingMapper.h"
 
+#include "CameraLight.h"
 #include "CellCompositingPass.h"
 #include "CellScene.h"
 #include "FacePass.h"
@@ -54,6 +55,7 @@ struct vtkCellCompositingMapper::vtkInternals
   bool Busy = false;                            // who hears of progress may call in between
   nephoscope::ScalarSelection Scalars, Opacity; // of the geometry, and what keeps them
   vtkSmartPointer<vtkDataArray> Arrays[2];
+  nephoscope::CameraLight Light, UploadedLight;
 
   nephoscope::ResourceWindow Window{ [this](vtkWindow* window) {
     this->Pass.ReleaseGraphicsResources(window);

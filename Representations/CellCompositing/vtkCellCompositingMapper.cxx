@@ -49,6 +49,7 @@ std::string leftOut(
   add(!projected && !options.Planes.IsEmpty(), "the clipping planes");
   add(scene.GetContours().DrawsAny(), "the contour surfaces");
   add(scene.GetPolygons().IsUsed(), "the polygons");
+  add(options.CameraLight, "light that depends on the direction of view");
   add(scene.ContoursMakeLayers(), "the layers between contour values");
   return list.empty() ? list
     : projected       ? "Projected cells are drawn without " + list + ": use another OpenGL driver."
@@ -199,6 +200,13 @@ std::string vtkCellCompositingMapper::UpdateGeometry(
     scene.Clear();
     return error;
   }
+  this->Internals->Light = nephoscope::CameraLight(input, scalars.Array);
+  this->Internals->Options.CameraLight = this->Internals->Light.IsUsed();
+  if (!this->UsesRays() || !opacity.Array)
+  {
+    this->Internals->Light = nephoscope::CameraLight();
+  }
+  scalars.Headroom = this->Internals->Light.IsUsed() ? this->Internals->Light.Headroom() : 0;
   bool built = false;
   const auto form = this->MayUseHexahedra() ? CellGeometry::Form::Hexahedra
     : this->UsesRays()                      ? CellGeometry::Form::Grid
@@ -288,7 +296,9 @@ void vtkCellCompositingMapper::SetDrawingOptions(vtkRenderer* renderer, vtkVolum
 {
   const CellScene& scene = this->Internals->Scene;
   nephoscope::CellDrawingOptions& options = this->Internals->Options;
+  const bool cameraLight = options.CameraLight;
   options = nephoscope::CellDrawingOptions();
+  options.CameraLight = cameraLight;
   options.Method = static_cast<CellMethod>(this->Method);
   options.AverageIntegration = this->Integration == AVERAGE_INTEGRATION;
   options.SplitAtControlPoints = this->SplitAtControlPoints;
@@ -377,6 +387,13 @@ std::string vtkCellCompositingMapper::Upload(vtkOpenGLRenderWindow* window)
   {
     error =
       self.Pass.UploadValues(window, scene.GetGeometry(), isNew(now.Colors), isNew(now.Opacities));
+  }
+  if (error.empty() &&
+    (isNew(now.Geometry) || isNew(now.Colors) || !(self.Light == self.UploadedLight)))
+  {
+    const double* range = scene.GetGeometry().ScalarRange;
+    error = self.Pass.UploadCameraLight(window, self.Light, range[1] - range[0]);
+    self.UploadedLight = self.Light;
   }
   if (error.empty() && isNew(now.Transfer))
   {

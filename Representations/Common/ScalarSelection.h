@@ -23,6 +23,8 @@ struct ScalarSelection
   vtkDataArray* Array = nullptr;
   bool OnCells = false;
   int Component = -1; ///< -1: the magnitude of a vector
+  double Headroom =
+    0; ///< above 0: shaders change values, by at most this much upwards, and down to 0
 };
 
 inline double scalarValue(const ScalarSelection& scalars, vtkIdType tuple)
@@ -65,6 +67,11 @@ inline bool findRange(vtkDataSet* data, const ScalarSelection& scalars, double r
       high = std::max(high, value);
     }
   });
+  if (scalars.Headroom > 0 && low <= high)
+  {
+    low = std::min(low, 0.0);
+    high += scalars.Headroom;
+  }
   if (single)
   {
     *single = !(low < high);

@@ -5,7 +5,7 @@ from __future__ import annotations
 
 import inspect
 import warnings
-from typing import Any, Callable, Mapping, Sequence
+from typing import Any, Callable, Literal, Mapping, Sequence
 
 import numpy as np
 import pyvista
@@ -13,7 +13,7 @@ from vtkmodules.vtkCommonDataModel import vtkDataSet
 
 from . import vtkSunlight
 from ._blocks import cell_dimension
-from ._checks import require_number
+from ._checks import choose, require_number
 from ._pipeline import vtk_messages
 from .optics import cloud_optics, optics_of
 from .tone import checked, toned
@@ -38,8 +38,8 @@ FILMIC_RANGE = 4.0  # at this multiple of it the filmic curve is nearly white
 def sunlight(mesh: pyvista.DataSet, direction: Sequence[float] | None = None, *, time: str = "", place: Sequence[float] = (0.0, 0.0),
              extinction: str = "Extinction", albedo: str | float = "SingleScatteringAlbedo", asymmetry: str | float = "AsymmetryParameter",
              extinction_scale: float = 1.0, ground_albedo: float = 0.1, sky_light: float = 0.08, multiple_scattering: bool = True,
-             zenith_angles: int = 3, azimuth_angles: int = 4, eye: Sequence[float] | None = None, parallel: bool = False,
-             clouds: pyvista.DataSet | None = None) -> pyvista.DataSet:
+             zenith_angles: int = 3, azimuth_angles: int = 4, eye: Sequence[float] | Literal["camera"] | None = None, parallel: bool = False,
+             phase_function: str = "henyey-greenstein", clouds: pyvista.DataSet | None = None) -> pyvista.DataSet:
     """Add the light of sun and sky to a mesh with an extinction: shadows, dark bases and multiple scattering.
 
     Also the accessor method ``mesh.nephoscope.sunlight(...)``. `add_cells` with `sun` calls it.
@@ -68,10 +68,14 @@ def sunlight(mesh: pyvista.DataSet, direction: Sequence[float] | None = None, *,
         Includes light that is scattered more than once.
     zenith_angles, azimuth_angles : int
         Number of directions of the diffuse light: zenith angles in each hemisphere (1 to 16), azimuth angles (4 to 64).
-    eye : sequence of 3 float, optional
-        Position of the eye for which ``Sunlight`` is computed. Default: the mean over all directions.
+    eye : sequence of 3 float or "camera", optional
+        Position of the eye for which ``Sunlight`` is computed. ``"camera"``: the light of the sun's beam is kept in an array of its own, and `add_cells` draws what goes
+        towards the camera of each frame. Default: the mean over all directions.
     parallel : bool, default: False
         True: `eye` is the direction towards a distant eye.
+    phase_function : {"henyey-greenstein", "double-henyey-greenstein", "droplets"}, default: "henyey-greenstein"
+        With ``eye="camera"``: how much of the sun's beam is scattered into each direction. The first has the mean asymmetry parameter of the mesh; the two others are those of
+        water droplets in green light, with an effective radius of 10 micrometres. ``"droplets"`` is computed by Mie's theory, and has fogbow and glory.
     clouds : pyvista.DataSet, optional
         Clouds that have light from the same sun: direct sunlight reaches the mesh only as far as they let it through. Without `direction` and `time`
         the sun is theirs.
@@ -101,7 +105,7 @@ def sunlight(mesh: pyvista.DataSet, direction: Sequence[float] | None = None, *,
 
 def light_of(mesh: pyvista.DataSet, say: Callable[[str], str], direction: Sequence[float] | None, time: str, place: Sequence[float], extinction: str,
              albedo: str | float, asymmetry: str | float, extinction_scale: float, ground_albedo: float, sky_light: float, multiple_scattering: bool,
-             zenith_angles: int, azimuth_angles: int, eye: Sequence[float] | None, parallel: bool, clouds: pyvista.DataSet | None) -> pyvista.DataSet:
+             zenith_angles: int, azimuth_angles: int, eye: Sequence[float] | Literal["camera"] | None, parallel: bool, phase_function: str, clouds: pyvista.DataSet | None) -> pyvista.DataSet:
     """`sunlight`; messages call its arguments `say(name)`."""
     if not isinstance(mesh, vtkDataSet):
         raise TypeError(f"mesh is a {type(mesh).__name__}; it must be a pyvista dataset.")
@@ -124,7 +128,11 @@ def light_of(mesh: pyvista.DataSet, say: Callable[[str], str], direction: Sequen
     light.SetMultipleScattering(bool(multiple_scattering))
     light.SetZenithAngles(int(require_number(zenith_angles, say("zenith_angles"), least=1, most=16)))
     light.SetAzimuthAngles(int(require_number(azimuth_angles, say("azimuth_angles"), least=4, most=64)))
-    if eye is not None:
+    choose({"henyey-greenstein": light.SetPhaseFunctionToHenyeyGreenstein, "double-henyey-greenstein": light.SetPhaseFunctionToDoubleHenyeyGreenstein,
+            "droplets": light.SetPhaseFunctionToCloudDroplets}, phase_function, say("phase_function"))
+    if isinstance(eye, str):
+        choose({"camera": light.FollowCameraOn}, eye, say("eye"))
+    elif eye is not None:
         light.SetUseViewPosition(True)
         light.SetViewPosition(*_three(eye, say("eye")))
     light.SetParallelView(bool(parallel))

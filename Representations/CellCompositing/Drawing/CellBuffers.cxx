@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "CellBuffers.h"
 
+#include "CameraLight.h"
 #include "CellGeometry.h"
 #include "ShaderInstance.h"
 #include "ShaderText.h"
@@ -66,6 +67,26 @@ std::string CellBuffers::UploadValues(
   return error;
 }
 
+std::string CellBuffers::UploadCameraLight(
+  vtkOpenGLRenderWindow* window, const CameraLight& light, double width)
+{
+  this->UseCameraLight = light.IsUsed();
+  if (!light.IsUsed())
+  {
+    this->Buffers[LightParts].Release(window);
+    return std::string();
+  }
+  const std::vector<std::array<float, 4>> parts = light.Parts(width);
+  const std::vector<std::array<float, 2>> factors = light.Factors();
+  this->TowardsSun = light.TowardsSun();
+  this->NumberOfPhases = static_cast<int>(factors.size());
+  const std::string error =
+    this->Buffers[LightParts].Upload(window, parts.data(), parts.size(), 4, VTK_FLOAT);
+  return error.empty()
+    ? this->Buffers[PhaseFunction].Upload(window, factors.data(), factors.size(), 2, VTK_FLOAT)
+    : error;
+}
+
 // All tables one after the other; nodes as (position, width above).
 std::string CellBuffers::UploadTables(vtkOpenGLRenderWindow* window,
   const std::vector<TransferFunctionTable>& tables, Name nodes, Name intervals)
@@ -127,7 +148,8 @@ std::string CellBuffers::ShaderConstants() const
   return shaderConstant("useCellScalars", this->UseCellScalars) +
     shaderConstant("separateOpacity", this->SeparateOpacity) +
     shaderConstant("opacityOnCells", this->OpacityOnCells) +
-    shaderConstant("useLayers", this->UseLayers);
+    shaderConstant("useLayers", this->UseLayers) +
+    shaderConstant("cameraLight", this->UseCameraLight);
 }
 
 std::string CellBuffers::SmallTableDefinition() const
@@ -162,7 +184,7 @@ void CellBuffers::Activate(vtkShaderProgram* program, int instance)
 {
   static const char* const names[NumberOfBuffers] = { "points", "cellScalars", "opacityScalars",
     "transferNodes", "transferIntervals", "opacityNodes", "opacityIntervals", "layerTables",
-    "tetrahedronLayers" };
+    "tetrahedronLayers", "lightParts", "phaseFunction" };
   for (int i = 0; i < NumberOfBuffers; ++i)
   {
     const char* name = instanceName(names[i], instance);
@@ -170,6 +192,11 @@ void CellBuffers::Activate(vtkShaderProgram* program, int instance)
     {
       program->SetUniformi(name, this->Buffers[i].Activate());
     }
+  }
+  if (this->UseCameraLight)
+  {
+    program->SetUniform3f(instanceName("towardsSun", instance), this->TowardsSun.data());
+    program->SetUniformi(instanceName("numberOfPhases", instance), this->NumberOfPhases);
   }
   program->SetUniformi(
     instanceName("numberOfTransferNodes", instance), this->NumberOfTransferNodes);
@@ -179,7 +206,7 @@ void CellBuffers::Activate(vtkShaderProgram* program, int instance)
 int CellBuffers::CountTextures() const
 {
   return 3 + (this->UseCellScalars ? 1 : 0) + (this->SeparateOpacity ? 3 : 0) +
-    (this->UseLayers ? 2 : 0);
+    (this->UseLayers ? 2 : 0) + (this->UseCameraLight ? 2 : 0);
 }
 
 void CellBuffers::Deactivate()

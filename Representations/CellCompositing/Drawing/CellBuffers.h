@@ -21,6 +21,7 @@ class vtkWindow;
 namespace nephoscope
 {
 
+class CameraLight;
 class CellGeometry;
 
 class CellBuffers
@@ -31,6 +32,9 @@ public:
   /** Only the values of colour, of opacity or of both, of a geometry that was uploaded before. */
   std::string UploadValues(
     vtkOpenGLRenderWindow* window, const CellGeometry& geometry, bool ofColor, bool ofOpacity);
+  /** Light that depends on the direction of view (CameraLight.h), or none; `width` is that of the range of scalars. */
+  std::string UploadCameraLight(
+    vtkOpenGLRenderWindow* window, const CameraLight& light, double width);
   /** One table of either kind, or one per layer; `tables` has the number of its tables for each tetrahedron, or is empty. */
   std::string UploadTransferFunctions(vtkOpenGLRenderWindow* window,
     const std::vector<TransferFunctionTable>& colorAndOpacity,
@@ -64,6 +68,8 @@ private:
     OpacityIntervals,
     LayerTables,
     TetrahedronLayers,
+    LightParts,
+    PhaseFunction,
     NumberOfBuffers
   };
   std::string UploadPoints(vtkOpenGLRenderWindow* window, const CellGeometry& geometry);
@@ -76,6 +82,9 @@ private:
   bool SeparateOpacity = false;
   bool OpacityOnCells = false;
   bool UseLayers = false;
+  bool UseCameraLight = false;
+  int NumberOfPhases = 0;
+  std::array<float, 3> TowardsSun = { { 0, 0, 1 } };
   int NumberOfTransferNodes = 0;
   int NumberOfOpacityNodes = 0;
 };

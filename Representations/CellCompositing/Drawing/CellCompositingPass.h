@@ -55,6 +55,11 @@ public:
   {
     return this->Buffers.UploadTransferFunctions(window, colorAndOpacity, opacity, tables);
   }
+  std::string UploadCameraLight(
+    vtkOpenGLRenderWindow* window, const CameraLight& light, double width)
+  {
+    return this->Buffers.UploadCameraLight(window, light, width);
+  }
   std::string UploadContours(vtkOpenGLRenderWindow* window, const ContourScene& contours)
   {
     return this->Contours.Upload(window, contours);

@@ -35,6 +35,7 @@ struct CellDrawingOptions
   bool SplitAtControlPoints = true;
   bool Trilinear = false;       ///< the scalar in hexahedra; otherwise they are tetrahedra
   double ExtinctionScale = 1.0; ///< extinction per world length at opacity 1
+  bool CameraLight = false;     ///< the colour depends on the direction of view
   bool ContourLayers = false;   ///< layers lie between contours; otherwise tetrahedra have them
   bool ContourLighting = false;
   std::array<float, 4> ContourShading = { { 0, 1, 0,

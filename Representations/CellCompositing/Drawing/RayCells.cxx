@@ -15,6 +15,7 @@
 #include "ShaderText.h"
 #include "TetrahedronNeighbors.h"
 
+#include "CameraLightShader.h"
 #include "ChessboardTopologyShader.h"
 #include "CubicPiecesShader.h"
 #include "EntryFacesFragment.h"
@@ -66,7 +67,7 @@ std::string withParts(const std::string& shader, bool structured)
     { { "Topology", structured ? ChessboardTopologyShader : NeighborTopologyShader },
       { "TetrahedronWalk", TetrahedronWalkShader }, { "RaySegments", RaySegmentsShader },
       { "RayRange", RayRangeShader }, { "PixelRay", PixelRayShader },
-      { "RayContours", RayContoursShader } });
+      { "RayContours", RayContoursShader }, { "CameraLight", CameraLightShader } });
 }
 
 std::string hexahedraShader(bool structured)

@@ -175,7 +175,7 @@ bool ValueIdentity::Changes(vtkDataSet* data, const ScalarSelection& selection)
 {
   vtkDataArray* array = selection.Array;
   const Place place(array != nullptr, array && selection.OnCells, array ? selection.Component : 0,
-    array ? array->GetNumberOfValues() : 0);
+    array ? array->GetNumberOfValues() : 0, selection.Headroom);
   const decltype(this->Stamp) stamp(
     array, array ? array->GetMTime() : 0, data, data->vtkObject::GetMTime());
   if (this->Known && place == this->Last && stamp == this->Stamp)

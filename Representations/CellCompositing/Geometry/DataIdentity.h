@@ -54,8 +54,8 @@ public:
   void Forget() { *this = ValueIdentity(); }
 
 private:
-  using Place =
-    std::tuple<bool, bool, int, vtkIdType>; // there is one, on cells, component, number of values
+  using Place = std::tuple<bool, bool, int, vtkIdType,
+    double>; // there is one, on cells, component, number of values, headroom
   std::tuple<const void*, vtkMTimeType, const void*, vtkMTimeType> Stamp;
   Place Last;
   std::uint64_t Fingerprint = 0;

@@ -48,6 +48,7 @@ int jumpFace = -1; // boundary face from which a ray goes on that has left the m
 //NEPHOSCOPE::RaySegments
 //NEPHOSCOPE::RayRange
 //NEPHOSCOPE::RayContours
+//NEPHOSCOPE::CameraLight
 
 vec3 across1 = vec3(0.0), across2 = vec3(0.0);
 vec3 pointStep[2], directionStep[2]; // from pixel to pixel
@@ -56,7 +57,7 @@ Seen seen(int point)
 {
   vec4 p = element(points, point);
   vec3 q = p.xyz - origin;
-  vec4 place = vec4(dot(q, across1), dot(q, across2), dot(q, along), p.w);
+  vec4 place = vec4(dot(q, across1), dot(q, across2), dot(q, along), withCameraLight(p.w, point));
 #ifdef MORE_SCALARS
   return Seen(place, vec2(separateOpacity && !opacityOnCells ? element(opacityScalars, point).r : 0.0,
     useContours && !contourOfColor ? element(contourScalars, point).r : 0.0));
@@ -262,7 +263,8 @@ void startInEyeTetrahedron()
     enterLayer(element(tetrahedronLayers, cellNumber()).r);
   }
   vec4 contour = vec4(contourScalar(p0), contourScalar(p1), contourScalar(p2), contourScalar(p3));
-  startSegment(vec4(eyeZ, eyeScalars, dot(w, contour)), passFace(), contour.x + contour.y + contour.z + contour.w);
+  vec2 scalars = vec2(cameraLight ? dot(w, vec4(p0.place.w, p1.place.w, p2.place.w, p3.place.w)) : eyeScalars.x, eyeScalars.y);
+  startSegment(vec4(eyeZ, scalars, dot(w, contour)), passFace(), contour.x + contour.y + contour.z + contour.w);
 }
 
 // What has to be done before the walk goes on.
@@ -465,6 +467,7 @@ void main()
   for (int attempt = 0; attempt <= lastAttempt; ++attempt)
   {
     makeRay(besideCentre(attempt, boundaryFace.xyz));
+    keepCameraLight(along);
     vec2 range = visibleRange();
     startSegments(length(mat3(MCVCMatrix) * along) * extinctionScale);
     inSegment = false;

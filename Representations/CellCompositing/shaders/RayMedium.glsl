@@ -195,6 +195,7 @@ void placeBeside(int attempt)
 void startMedium()
 {
   makeRay(beside);
+  keepCameraLight(along);
   placePerDistance = -dot(vec3(MCVCMatrix[0].z, MCVCMatrix[1].z, MCVCMatrix[2].z), along);
   extinctionPerPlace = length(mat3(MCVCMatrix) * along) * extinctionScale / placePerDistance;
   mediumRange = vec2(-3.0e38, mediaEnd);

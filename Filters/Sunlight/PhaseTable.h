@@ -1,0 +1,77 @@
+// SPDX-FileCopyrightText: The Nephoscope authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Phase functions as tables (Kattawar1975, BohrenHuffman1983), evenly spaced in the scattering angle from 0 to 180 degrees. Plain C++17.
+#ifndef nephoscope_PhaseTable_h
+#define nephoscope_PhaseTable_h
+
+#include "DropletPhaseFunction.h"
+#include "PhaseFunction.h"
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+namespace nephoscope
+{
+enum class PhaseKind
+{
+  HenyeyGreenstein,
+  DoubleHenyeyGreenstein,
+  CloudDroplets
+};
+
+/** P(cosine) of each kind, with the mean 1 over the sphere; `asymmetry` is that of a Henyey-Greenstein function. */
+inline std::vector<double> phaseTable(PhaseKind kind, double asymmetry)
+{
+  if (kind == PhaseKind::CloudDroplets)
+  {
+    return std::vector<double>(std::begin(dropletPhaseFunction), std::end(dropletPhaseFunction));
+  }
+  constexpr std::size_t steps = 1800;
+  std::vector<double> table(steps + 1);
+  for (std::size_t i = 0; i <= steps; ++i)
+  {
+    const double cosine = std::cos(3.14159265358979323846 * double(i) / steps);
+    table[i] = kind == PhaseKind::HenyeyGreenstein
+      ? henyeyGreenstein(asymmetry, cosine)
+      : dropletForwardShare * henyeyGreenstein(dropletForward, cosine) +
+        (1 - dropletForwardShare) * henyeyGreenstein(dropletBackward, cosine);
+  }
+  return table;
+}
+
+/** The mean cosine of the scattering angle, by the trapezoidal rule. */
+inline double asymmetryOf(const std::vector<double>& table)
+{
+  double sum = 0, weights = 0;
+  const double step = 3.14159265358979323846 / double(table.size() - 1);
+  for (std::size_t i = 0; i + 1 < table.size(); ++i)
+  {
+    const double from = std::cos(step * double(i)), to = std::cos(step * double(i + 1));
+    const double light = 0.5 * (table[i] + table[i + 1]) * (from - to);
+    sum += 0.5 * (from + to) * light;
+    weights += light;
+  }
+  return sum / weights;
+}
+
+/**
+ * What a mapper multiplies single scattering by: light that comes straight from the sun, P / (1 - f), and light that has been scattered straight on before,
+ * Henyey-Greenstein of the scaled asymmetry. Without scaling, f is 0.
+ */
+inline std::vector<std::array<float, 2>> phaseFactors(const std::vector<double>& table, bool scales)
+{
+  const double asymmetry = asymmetryOf(table), forward = scales ? asymmetry * asymmetry : 0.0;
+  std::vector<std::array<float, 2>> factors(table.size());
+  for (std::size_t i = 0; i < table.size(); ++i)
+  {
+    const double cosine = std::cos(3.14159265358979323846 * double(i) / double(table.size() - 1));
+    factors[i] = { { static_cast<float>(table[i] / (1 - forward)),
+      static_cast<float>(henyeyGreenstein(asymmetry / (1 + asymmetry), cosine)) } };
+  }
+  return factors;
+}
+}
+
+#endif

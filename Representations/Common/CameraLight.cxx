@@ -1,0 +1,104 @@
+// SPDX-FileCopyrightText: The Nephoscope authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "CameraLight.h"
+
+#include "vtkDataArray.h"
+#include "vtkDataSet.h"
+#include "vtkFieldData.h"
+#include "vtkPointData.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+namespace nephoscope
+{
+namespace
+{
+vtkDataArray* arrayOf(vtkFieldData* data, const char* name, int components, vtkIdType tuples)
+{
+  vtkDataArray* array = data->GetArray(name);
+  const bool fits =
+    array && array->GetNumberOfComponents() == components && array->GetNumberOfTuples() >= tuples;
+  return fits ? array : nullptr;
+}
+}
+
+CameraLight::CameraLight(vtkDataSet* data, vtkDataArray* colors)
+{
+  if (!colors || !colors->GetName() || colors->GetName() != std::string("Sunlight") ||
+    data->GetPointData()->GetArray("Sunlight") != colors)
+  {
+    return;
+  }
+  const vtkIdType points = data->GetNumberOfPoints();
+  vtkDataArray* single = arrayOf(data->GetPointData(), "SingleScattering", 2, points);
+  vtkDataArray* flux = arrayOf(data->GetPointData(), "DiffuseFlux", 3, points);
+  vtkDataArray* phase = arrayOf(data->GetFieldData(), "PhaseFunction", 2, 2);
+  vtkDataArray* sun = arrayOf(data->GetFieldData(), "SunDirection", 3, 1);
+  if (!single || !flux || !phase || !sun)
+  {
+    return;
+  }
+  const double length =
+    std::hypot(sun->GetComponent(0, 0), sun->GetComponent(0, 1), sun->GetComponent(0, 2));
+  for (int c = 0; c < 3; ++c)
+  {
+    this->Sun[std::size_t(c)] = static_cast<float>(sun->GetComponent(0, c) / length);
+  }
+  this->Single = single;
+  this->Flux = flux;
+  this->Phase = phase;
+  this->Times = { { single->GetMTime(), flux->GetMTime(), phase->GetMTime() } };
+}
+
+double CameraLight::Headroom() const
+{
+  constexpr double most = 64; // times the light of a white surface
+  const double headroom = this->Flux->GetMaxNorm() +
+    std::max(this->Phase->GetRange(0)[1] - 1, 0.0) * this->Single->GetRange(0)[1] +
+    std::max(this->Phase->GetRange(1)[1] - 1, 0.0) * this->Single->GetRange(1)[1];
+  return headroom < most ? headroom : most;
+}
+
+std::vector<std::array<float, 4>> CameraLight::Parts(double width) const
+{
+  std::vector<std::array<float, 4>> parts(
+    2 * static_cast<std::size_t>(this->Flux->GetNumberOfTuples()));
+  const double scale = 1 / width;
+  for (std::size_t p = 0; p < parts.size() / 2; ++p)
+  {
+    const vtkIdType i = static_cast<vtkIdType>(p);
+    for (int c = 0; c < 3; ++c)
+    {
+      parts[2 * p][std::size_t(c)] = static_cast<float>(scale * this->Flux->GetComponent(i, c));
+    }
+    parts[2 * p][3] = static_cast<float>(scale * this->Single->GetComponent(i, 0));
+    parts[2 * p + 1] = { { static_cast<float>(scale * this->Single->GetComponent(i, 1)), 0, 0,
+      0 } };
+  }
+  return parts;
+}
+
+std::vector<std::array<float, 2>> CameraLight::Factors() const
+{
+  std::vector<std::array<float, 2>> factors(
+    static_cast<std::size_t>(this->Phase->GetNumberOfTuples()));
+  for (std::size_t i = 0; i < factors.size(); ++i)
+  {
+    for (int c = 0; c < 2; ++c)
+    {
+      factors[i][std::size_t(c)] =
+        static_cast<float>(this->Phase->GetComponent(static_cast<vtkIdType>(i), c) - 1);
+    }
+  }
+  return factors;
+}
+
+bool CameraLight::operator==(const CameraLight& other) const
+{
+  return this->Single == other.Single && this->Flux == other.Flux && this->Phase == other.Phase &&
+    this->Times == other.Times && this->Sun == other.Sun;
+}
+
+} // namespace nephoscope
