@@ -14,6 +14,7 @@ from vtkmodules.vtkRenderingCore import vtkColorTransferFunction, vtkRenderer, v
 pyvista.OFF_SCREEN = True
 G = 0.6
 BRIGHTEST = 64.0  # that is drawn
+ONCE = {"multiple_scattering": False, "sky_light": 0, "albedo": 0.9, "asymmetry": G, "eye": "camera"}
 
 
 def slab(depth, across=1000.0, cells=(5, 5, 41)):
@@ -83,13 +84,10 @@ def light_seen(mesh, eye, middle, size=(21, 21), up=(0.1, 1, 0.2), parallel=None
 
 
 class SingleScattering(unittest.TestCase):
-    def lit(self, depth, sun, **options):
-        return slab(depth).nephoscope.sunlight(sun, **{"multiple_scattering": False, "sky_light": 0, "albedo": 0.9, "asymmetry": G, "eye": "camera", **options})
-
     def test_slab_from_any_side(self):
         """Above and below, along the sun and against it, perspective and parallel."""
         sun = (0.6, 0, 0.8)
-        lit = self.lit(0.8, sun)
+        lit = slab(0.8).nephoscope.sunlight(sun, **ONCE)
         for towards in ((0, 0, 1), (0.6, 0, 0.8), (-0.6, 0, 0.8), (0, 0.8, 0.6), (0, 0, -1), (-0.6, 0, -0.8), (0.6, 0.3, -0.8), (0.8, 0, -0.6)):
             eye = 5 * unit(towards) + (0, 0, 0.5)
             expected = single(0.8, sun, -unit(towards))
@@ -98,6 +96,91 @@ class SingleScattering(unittest.TestCase):
                     found = light_seen(lit, eye, (0, 0, 0.5), parallel=parallel)[10, 10]
                     self.assertAlmostEqual(found, expected, delta=5e-3 * expected)
 
+    def test_eye_in_the_cloud(self):
+        """In the middle of a cell, on a plane of the grid and on a point, towards the sun and away from it."""
+        sun = (0.6, 0, 0.8)
+        lit = slab(0.8, 50.0).nephoscope.sunlight(sun, **ONCE)
+        for height in (0.5, 0.5 + 1 / 80, 0.5 + 0.3 / 40):
+            for along in ((0.6, 0, 0.8), (-0.6, 0, -0.8), (0.3, 0.4, 0.8), (0, 0, -1)):
+                with self.subTest(height=height, along=along):
+                    eye = np.array((0, 0, height))
+                    found = light_seen(lit, eye, eye + unit(along), up=(0.1, 1, 0.2))[10, 10]
+                    expected = single(0.8, sun, along, start=height)
+                    self.assertAlmostEqual(found, expected, delta=5e-3 * expected)
+
+    def test_ball(self):
+        """A ball of tetrahedra with a constant extinction, through its middle: the way of the sunlight is that in the ball."""
+        points = pyvista.SolidSphere(outer_radius=1, radius_resolution=25, theta_resolution=49, phi_resolution=25)
+        ball = points.triangulate() if hasattr(points, "triangulate") else points
+        ball["Extinction"] = np.full(ball.n_points, 1.0)
+        sun = unit((0.6, 0, 0.8))
+        lit = ball.nephoscope.sunlight(sun, multiple_scattering=False, sky_light=0, asymmetry=G, eye="camera")
+        for towards in (sun, -sun, unit((0.8, 0.5, -0.6)), unit((0, 1, 0.1))):
+            t = np.linspace(-1, 1, 4001)
+            along = t[:, None] * -towards
+            middle = along @ sun
+            way = -middle + np.sqrt(middle**2 + 1 - t**2)
+            source = np.exp(-(t + 1) - way)
+            expected = 0.25 * phase(-towards @ sun) * np.sum((source[1:] + source[:-1]) / 2) * (t[1] - t[0])
+            found = light_seen(lit, 6 * towards + (1e-4, 2e-4, 3e-4), (1e-4, 2e-4, 3e-4))[10, 10]
+            self.assertAlmostEqual(found, expected, delta=0.01 * expected)  # the ball has flat faces
+
+    def test_two_media(self):
+        """A clear grid around the cloud adds nothing; both are drawn in one shader."""
+        lit = slab(0.8).nephoscope.sunlight((0.6, 0, 0.8), **ONCE)
+        plotter = pyvista.Plotter(window_size=(60, 60))
+        plotter.set_background("black")
+        images = []
+        for name in ("first", "second"):
+            nephoscope.add_cells(plotter, lit, sun=True, exposure=1.0, show_scalar_bar=False, name=name, opacity_scale=1.0 if name == "first" else 1e-9)
+            plotter.camera_position = [(-3, 0, -3.5), (0, 0, 0.5), (0, 1, 0)]
+            images.append(plotter.screenshot(return_img=True).astype(float))
+        plotter.close()
+        self.assertGreater(images[0].mean(), 5)
+        self.assertLess(np.abs(images[0] - images[1]).max(), 3)
+
+
+class MultipleScattering(unittest.TestCase):
+    """A cloud whose optical depth is 10 across."""
+
+    def cloud(self, densest=20, **options):
+        mesh = pyvista.ImageData(dimensions=(21, 21, 21), spacing=(0.05,) * 3)
+        radius = np.linalg.norm(mesh.points - 0.5, axis=1)
+        mesh["Extinction"] = densest * np.clip(1.8 - 4 * radius, 0, 1)
+        return mesh.nephoscope.sunlight((1, 0, 0.2), sky_light=0, **options)
+
+    def test_parts_are_the_light_for_one_eye(self):
+        """The arrays give the source function for a distant eye, with Henyey and Greenstein's function of light scattered straight on alone in the place of both."""
+        eye = unit((-0.3, 0.8, 0.5))
+        one, parts = self.cloud(eye=eye, parallel=True), self.cloud(eye="camera")
+        sun, mean = parts.field_data["SunDirection"][0], self.cloud()
+        cosine = -eye @ sun
+        angle = np.degrees(np.arccos(cosine))
+        factor = np.interp(angle, np.linspace(0, 180, 1801), parts.field_data["PhaseFunction"][:, 1])
+        np.testing.assert_allclose(parts["Sunlight"], mean["Sunlight"], atol=1e-7)
+        source = parts["Sunlight"] + parts["DiffuseFlux"] @ eye + (factor - 1) * parts["SingleScattering"].sum(axis=1)
+        wet = parts["ScaledExtinction"] > 0
+        np.testing.assert_allclose(np.maximum(source, 0)[wet], one["Sunlight"][wet], atol=2e-3)
+
+    def test_silver_lining(self):
+        """Against the sun, the edge of the cloud is brighter than with the sun behind the eye, and far brighter than its middle."""
+        lit = self.cloud(densest=100, eye="camera")
+        into, away = (light_seen(lit, np.array((0.5, 0.5, 0.5)) + side * 3 * unit((1, 0, 0.2)), (0.5, 0.5, 0.5), size=(81, 81), up=(0, 1, 0)) for side in (-1, 1))
+        self.assertGreater(into.max(), 3 * into[40, 40])
+        self.assertGreater(into.max(), 3 * away.max())
+        self.assertLess(into[40, 40], 0.5 * away[40, 40])
+
+    def test_others_stay(self):
+        """Other arrays than Sunlight, and Sunlight without the parts, are drawn as they are."""
+        plotter = pyvista.Plotter()
+        nephoscope.add_cells(plotter, self.cloud(eye="camera"), scalars="SunTransmittance")
+        plotter.screenshot(return_img=True)
+        plotter.close()
+        for eye in ("screen", (1, 2)):
+            with self.assertRaisesRegex(ValueError, "eye"):
+                self.cloud(eye=eye)
+        with self.assertRaisesRegex(ValueError, "phase_function"):
+            self.cloud(eye="camera", phase_function="mie")
 
 if __name__ == "__main__":
     unittest.main()
