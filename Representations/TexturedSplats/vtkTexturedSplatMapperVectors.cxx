@@ -85,7 +85,7 @@ void vtkTexturedSplatMapper::SetFilmTime(double time)
 {
   if (!std::isfinite(time))
   {
-    vtkErrorMacro("FilmTime cannot be " << time << ": it must be finite.");
+    vtkErrorMacro("The time of the film cannot be " << time << ": it must be finite.");
   }
   else if (time != this->FilmTime)
   {

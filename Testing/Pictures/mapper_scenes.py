@@ -12,6 +12,7 @@ import pictures
 from nephoscope_testing import meshes
 from nephoscope_testing.offscreen import Window
 from nephoscope_testing.transfer import Transfer
+import vtkmodules.vtkRenderingFreeType  # noqa: F401  (draws text)
 from vtkmodules.vtkCommonDataModel import vtkDataObject, vtkPlane
 from vtkmodules.vtkFiltersCore import vtkCellCenters
 from vtkmodules.vtkFiltersGeneral import vtkDataSetTriangleFilter
@@ -329,6 +330,22 @@ def _(made):
 @scene("splats-segments-alone")
 def _(made):
     splats(made, winds(), lambda m: (streaks(m), m.SetVectorStyleToSegments(), m.SetVectorOpacity(0.2)), CLEAR)
+
+
+@scene("splats-speed-key")
+def _(made):
+    """Segments at true speed, with their legend."""
+    def moving(mapper):
+        streaks(mapper)
+        mapper.SetVectorStyleToSegments()
+        mapper.TrueSpeedOn()
+        mapper.SetFilmTime(0.4)
+    mapper = splats(made, winds(), moving)
+    key = nephoscope.vtkSplatSpeedKey()
+    key.SetVolume(next(volume for volume in made.renderer.GetVolumes() if volume.GetMapper() is mapper))
+    key.SetSpeedUnit("m/s")
+    key.GetTextProperty().SetFontSize(9)
+    made.renderer.AddViewProp(key)
 
 
 @scene("splats-in-layers")

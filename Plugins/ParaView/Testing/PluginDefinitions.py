@@ -91,7 +91,7 @@ def check_representation():
 
 
 SPLAT_MAPPER_PROPERTIES = ("OpacityScale", "Kernel", "CellSize", "CellSizeArrayHoldsVolumes", "GreatestSpeed", "StreakPeriod",
-                           "VectorColor", "Phase", "PhaseCycles", "PhaseSteps", "VectorStyle", "VectorPlacement", "LayerAxis", "VectorUnit",
+                           "VectorColor", "Phase", "PhaseCycles", "TrueSpeed", "TimeScale", "PhaseSteps", "VectorStyle", "VectorPlacement", "LayerAxis", "VectorUnit",
                            "StreakWidth", "SegmentLength", "SegmentWidth", "RadiusFactor", "ErrorTolerance", "ErrorToleranceUnit",
                            "ErrorMeasure", "LevelBlending", "InteractiveMaximumNumberOfSplats")
 PARAVIEW_PROPERTIES = ("Visibility", "ForceUseCache", "ForcedCacheKey", "ColorArrayName", "Opacity", "DiffuseColor", "Position", "Scale",

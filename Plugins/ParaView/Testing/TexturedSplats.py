@@ -105,7 +105,35 @@ def check_vectors_and_time(source):
     display.TexturedSplatsPhase = 0.25
     check_same(moved, image(view), "phase instead of time")
     scene.AnimationTime = 0.0
+    check_true_speed(view, display, scene)
     return view, display
+
+
+def check_true_speed(view, display, scene):
+    """The way depends on the time and its scale; a whole loop is not the start; the key has words of its own."""
+    display.TexturedSplatsPhase = 0
+    start = image(view)
+    display.TexturedSplatsTrueSpeed = 1
+    check_same(start, image(view), "true speed without motion")
+    display.TexturedSplatsMoveWithTime = 1
+    for scale in (0, 0.1):
+        display.TexturedSplatsTimeScale = scale
+        scene.AnimationTime = 0.5
+        moved = image(view)
+        check(np.abs(start - moved).max() > 20, f"no motion with the time scale {scale}")
+    display.TexturedSplatsTimeScale = 0.2
+    scene.AnimationTime = 0.25
+    check_same(moved, image(view), "twice the time scale for half the time")
+    display.TexturedSplatsShowSpeedKey = 1
+    display.TexturedSplatsSpeedUnit = "m/s"
+    changed = np.abs(image(view) - moved).max(axis=2) > 20
+    check(changed.any(), "no speed key")
+    rows, columns = np.nonzero(changed)
+    check(0.1 < columns.min() / changed.shape[1] < 0.4, "the speed key is not beside the axes")
+    display.TexturedSplatsShowSpeedKey = 0
+    check_same(moved, image(view), "speed key off again")
+    display.TexturedSplatsTrueSpeed = 0
+    scene.AnimationTime = 0.0
 
 
 def check_sizes():

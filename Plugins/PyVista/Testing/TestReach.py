@@ -62,6 +62,7 @@ BY_REPRESENTATION = "ParaView's representation sets it, for several ranks"
 EXCEPTIONS = {
     ("ParaView", "vtkCellCompositingMapper", "InputData"): DATA,
     ("ParaView", "vtkTexturedSplatMapper", "InputData"): DATA,
+    ("ParaView", "vtkTexturedSplatMapper", "FilmTime"): "the animation time of ParaView sets it",
     ("ParaView", "vtkGlobeGrid", "SurfaceData"): DATA,
     ("PyVista", "vtkGlobeGrid", "SurfaceConnection"): DATA,
     ("PyVista", "vtkFlowVolume", "PolygonConnection"): DATA,

@@ -10,6 +10,7 @@ from typing import Any, Sequence
 import numpy as np
 import pyvista
 
+from . import vtkSplatSpeedKey
 from ._checks import choose, require_beside_scalars, require_number
 from ._medium import array_values, lookup_table
 from ._over_time import values_over_time
@@ -64,6 +65,8 @@ class Vectors:
     true_speed: bool = False
     time_scale: float | None = None
     film_time: float = 0.0
+    speed_key: bool | None = None
+    speed_unit: str | None = None
 
     def __post_init__(self) -> None:
         self.table: pyvista.LookupTable | None = None  # range of the colours from `scalars`, found when applied
@@ -144,6 +147,16 @@ class Vectors:
         title = self.scalars if self.scalars not in plotter.scalar_bars else f"{self.scalars} of {self.array}"
         upright = {"vertical": True, "position_y": 0.28} if len(plotter.scalar_bars) else {}
         plotter.add_scalar_bar(**{**upright, **own, "title": title, "mapper": shown})
+
+    def add_key(self, plotter: pyvista.BasePlotter, volume: pyvista.Volume, shows_bars: bool) -> None:
+        """Adds the legend of the motion, which is drawn as long as the volume is."""
+        shown = self.true_speed and shows_bars if self.speed_key is None else self.speed_key
+        if self.array is None or not shown:
+            return
+        key = vtkSplatSpeedKey()
+        key.SetVolume(volume)
+        key.SetSpeedUnit(("m/s" if self.array == "DisplayVelocity" else "") if self.speed_unit is None else str(self.speed_unit))
+        plotter.add_actor(key, name=f"{getattr(volume, 'name', '') or 'splats'}-speed-key", reset_camera=False, pickable=False, render=False)
 
     def _require_vectors(self, mesh: pyvista.DataSet, association: str) -> None:
         require_beside_scalars(mesh, self.array, association, "vectors")

@@ -169,6 +169,10 @@ def add_splats(plotter: pyvista.BasePlotter, mesh: Any, scalars: str | np.ndarra
           an hour for vectors in metres per second on a mesh in metres. Default: a round number for which the fastest patterns move by at most
           one period in a second.
         - ``film_time``, default 0.0: with ``true_speed``, seconds since the start of the film. Change it with ``volume.mapper.film_time``.
+        - ``speed_key``: legend of the motion: an arrow as long as the way of a stated speed in a second of the film, the time that passes in
+          it, and the speed of the longest streaks or segments. Default: with ``true_speed``, if the theme shows scalar bars.
+        - ``speed_unit``: unit of the vectors in the legend. With ``"m/s"``, for a mesh in metres, ways and times have units too. Default:
+          ``"m/s"`` for ``DisplayVelocity``, the winds of a globe, otherwise none.
         - ``phase_cycles``, default 4: number of periods by which the fastest pattern moves in a loop, 1 to 1000.
         - ``phase_steps``, default 0: number of positions of the pattern along its period, 0 to 1000. 0: continuous, for smooth motion; 16: as in
           the stored textures of 1993.
@@ -243,6 +247,7 @@ def add_splats(plotter: pyvista.BasePlotter, mesh: Any, scalars: str | np.ndarra
                         scalar_bar_args=scalar_bar_args, reset_camera=reset_camera, name=name, pickable=pickable, render=render)
     if shows_bars:
         streaks.add_bar(plotter, scalar_bar_args)
+    streaks.add_key(plotter, volume, shows_bars)
     return volume
 
 

@@ -140,7 +140,7 @@ void vtkTexturedSplatsRepresentation::PrepareMapper(vtkDataSet* data)
   this->Superclass::PrepareMapper(data);
   this->Mapper->SetOpacityArrayName(this->PrepareOpacity(data));
   this->Mapper->SetOpacityScale(this->OpacityScale * this->Opacity);
-  this->Mapper->SetPhase(this->GetPhaseNow());
+  this->MoveVectors();
   this->SuitVectors(data);
   this->Mapper->SetVectorColorFunction(
     this->VectorColorFunction ? this->VectorColorFunction.Get() : this->DefaultColors->Over(data));
@@ -152,10 +152,15 @@ double vtkTexturedSplatsRepresentation::GetPhaseNow()
   {
     return this->Phase;
   }
-  const double range = this->InputTimes[1] - this->InputTimes[0];
-  const double duration = this->LoopDuration > 0.0 ? this->LoopDuration : range > 0.0 ? range : 1.0;
-  const double phase = this->Phase + (this->GetUpdateTime() - this->InputTimes[0]) / duration;
+  const double phase =
+    this->Phase + (this->GetUpdateTime() - this->InputTimes[0]) / this->GetLoopTime();
   return phase - std::floor(phase);
+}
+
+double vtkTexturedSplatsRepresentation::GetLoopTime() const
+{
+  const double range = this->InputTimes[1] - this->InputTimes[0];
+  return this->LoopDuration > 0.0 ? this->LoopDuration : range > 0.0 ? range : 1.0;
 }
 
 void vtkTexturedSplatsRepresentation::SetKernel(int kernel)
@@ -231,5 +236,8 @@ void vtkTexturedSplatsRepresentation::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "MoveWithTime: " << this->MoveWithTime << "\n";
   os << indent << "LoopDuration: " << this->LoopDuration << "\n";
   os << indent << "Phase: " << this->Phase << "\n";
+  os << indent << "TrueSpeed: " << this->TrueSpeed << "\n";
+  os << indent << "TimeScale: " << this->TimeScale << "\n";
+  os << indent << "ShowSpeedKey: " << this->SpeedKey->GetVisibility() << "\n";
   this->Mapper->PrintSelf(os, indent.GetNextIndent());
 }

@@ -15,6 +15,7 @@
 #include "vtkNephoscopeParaViewTexturedSplatsModule.h" // for export macro
 
 #include "vtkSmartPointer.h" // for the colour function
+#include "vtkSplatSpeedKey.h"
 #include "vtkTexturedSplatMapper.h"
 
 #include <memory> // for std::unique_ptr
@@ -115,10 +116,27 @@ public:
   double GetPhase() const { return this->Phase; }
   ///@}
 
+  ///@{
+  /**
+   * With MoveWithTime: at the speed of the vectors instead of through a loop. TimeScale: time of the vectors in a unit of the animation time. 0 (default):
+   * such that the fastest patterns move by at most PhaseCycles periods in LoopDuration. Default: off.
+   */
+  void SetTrueSpeed(bool speed) { this->TrueSpeed = speed; }
+  void SetTimeScale(double scale) { this->TimeScale = scale; }
+  ///@}
+
+  ///@{
+  /** The legend of the motion, vtkSplatSpeedKey, and the unit of the vectors in it. Default: off, none. */
+  void SetShowSpeedKey(bool show) { this->SpeedKey->SetVisibility(show); }
+  void SetSpeedUnit(const char* unit) { this->SpeedKey->SetSpeedUnit(unit ? unit : ""); }
+  ///@}
+
 protected:
   vtkTexturedSplatsRepresentation();
   ~vtkTexturedSplatsRepresentation() override;
 
+  bool AddToView(vtkView* view) override;
+  bool RemoveFromView(vtkView* view) override;
   int RequestInformation(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
   int RequestUpdateExtent(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
   void PreparePiece(vtkDataObject* input) override;
@@ -136,6 +154,8 @@ private:
   bool DrawsCells(); // else points
   nephoscope::SplatSampling GetSampling(bool onCells) const;
   double GetPhaseNow();
+  double GetLoopTime() const;
+  void MoveVectors();
   bool DrawsMedium();
   void StoreSuited(const nephoscope::SplatSampling& sampling, const std::array<double, 6>& common);
   double GetShareOf(vtkDataSet* data);
@@ -144,6 +164,7 @@ private:
   nephoscope::SplatReaches GetReaches();
 
   vtkNew<vtkTexturedSplatMapper> Mapper;
+  vtkNew<vtkSplatSpeedKey> SpeedKey;
   vtkSmartPointer<vtkScalarsToColors> VectorColorFunction;
   std::unique_ptr<nephoscope::DefaultVectorColors> DefaultColors;
   double CellSize = 0.0;
@@ -160,6 +181,8 @@ private:
   bool MoveWithTime = true;
   double LoopDuration = 0.0;
   double Phase = 0.0;
+  bool TrueSpeed = false;
+  double TimeScale = 0.0;
   double InputTimes[2] = { 0.0, 0.0 }; // first and last
 };
 

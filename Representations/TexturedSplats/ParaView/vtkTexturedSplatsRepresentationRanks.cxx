@@ -51,6 +51,10 @@ vtkTexturedSplatsRepresentation::vtkTexturedSplatsRepresentation()
   this->Mapper->InterpolateScalarsBeforeMappingOff();
   this->Actor->SetMapper(this->Mapper);
   nephoscope::forwardMessages(this->Mapper, this);
+  this->SpeedKey->SetVolume(this->Actor);
+  this->SpeedKey->SetFilmUnit("unit of animation time");
+  this->SpeedKey->SetPosition(0.2, 0.03); // beside the orientation axes
+  this->SpeedKey->VisibilityOff();
   this->Mapper->SetShapeArrayName(nephoscope::splatShapeName); // where there is one
 }
 

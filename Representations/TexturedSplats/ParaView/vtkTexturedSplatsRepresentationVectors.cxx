@@ -157,6 +157,39 @@ void vtkTexturedSplatsRepresentation::SuitVectors(vtkDataSet* data)
   this->Mapper->SetVectorColor(color.data());
 }
 
+// A second of the mapper's film is a unit of the animation time or, where no scale is given, the time of a cycle.
+void vtkTexturedSplatsRepresentation::MoveVectors()
+{
+  this->Mapper->SetPhase(this->GetPhaseNow());
+  this->Mapper->SetTrueSpeed(this->TrueSpeed);
+  this->Mapper->SetTimeScale(this->TimeScale);
+  const double unit =
+    this->TimeScale > 0.0 ? 1.0 : this->GetLoopTime() / this->Mapper->GetPhaseCycles();
+  const double time = this->MoveWithTime ? this->GetUpdateTime() - this->InputTimes[0] : 0.0;
+  this->Mapper->SetFilmTime(time / unit);
+  this->SpeedKey->SetFilmUnitSeconds(1.0 / unit);
+}
+
+bool vtkTexturedSplatsRepresentation::AddToView(vtkView* view)
+{
+  auto* renderView = vtkPVRenderView::SafeDownCast(view);
+  if (renderView)
+  {
+    renderView->GetNonCompositedRenderer()->AddViewProp(this->SpeedKey);
+  }
+  return this->Superclass::AddToView(view);
+}
+
+bool vtkTexturedSplatsRepresentation::RemoveFromView(vtkView* view)
+{
+  auto* renderView = vtkPVRenderView::SafeDownCast(view);
+  if (renderView)
+  {
+    renderView->GetNonCompositedRenderer()->RemoveViewProp(this->SpeedKey);
+  }
+  return this->Superclass::RemoveFromView(view);
+}
+
 void vtkTexturedSplatsRepresentation::SetVectorUnit(double length)
 {
   this->VectorUnit = length;

@@ -1,0 +1,101 @@
+# SPDX-FileCopyrightText: The Nephoscope authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""vtkSplatSpeedKey: words, length of the arrow, colours, and when nothing is drawn."""
+import unittest
+
+import nephoscope
+import numpy as np
+import vtkmodules.vtkRenderingFreeType  # noqa: F401  (draws text)
+from nephoscope_testing import meshes
+from nephoscope_testing.offscreen import Window
+from nephoscope_testing.transfer import Transfer
+
+HIDDEN = Transfer([(0, 1, 1, 1), (1, 1, 1, 1)], [(0, 0), (1, 0)])
+
+
+class Key(unittest.TestCase):
+    def scene(self, speed=20.0, background=(0, 0, 0), look=None, matrix=None, **settings):
+        """A sheet of 12 by 12 kilometres; 20 pixels are a kilometre."""
+        data = meshes.image((12, 12, 0), spacing=(1000,) * 3, origin=(-6000, -6000, 0))
+        points = meshes.points_of(data)
+        meshes.with_field(data, lambda p: 0 * p[:, 0])
+        meshes.add_array(data.GetPointData(), np.tile([speed, 0.0, 0.0], (len(points), 1)), "v")
+        self.window = Window((400, 400))
+        scene = self.window.add_scene(background=background)
+        mapper = nephoscope.vtkTexturedSplatMapper()
+        mapper.SetVectorArrayName("v")
+        mapper.SetVectorOpacity(0)
+        mapper.SetTrueSpeed(True)
+        for name, value in settings.items():
+            getattr(mapper, "Set" + name)(value)
+        self.volume = scene.add_volume(mapper, data, HIDDEN, matrix=matrix)
+        scene.look(**{"position": (0, 0, 40000), "parallel_scale": 10000, "near": 5000, "far": 90000, **(look or {})})
+        self.renderer = scene.renderer
+        key = nephoscope.vtkSplatSpeedKey()
+        key.SetVolume(self.volume)
+        scene.renderer.AddViewProp(key)
+        return key
+
+    def text(self, key):
+        self.window.render()
+        self.assertEqual(self.window.messages.all, [])
+        return key.GetText()
+
+    def arrow(self):
+        """Pixels from end to end of the longest row of ink in the lower left, above the words."""
+        ink = np.abs(self.window.rgba(alpha=False) - self.window.rgba(alpha=False)[-1, -1]).max(axis=2) > 0.5
+        runs = [np.flatnonzero(row) for row in ink[:120, :150]]
+        rows = [run for run in runs if len(run) > 20 and len(run) == run[-1] - run[0] + 1]
+        return max((len(run) for run in rows), default=0)
+
+    def test_words_with_units(self):
+        key = self.scene(TimeScale=300.0)
+        self.assertEqual(self.text(key), "speed 10: 3000 in 1 s of film\n1 s of film is 300\nlongest streaks: speed 20")
+        key.SetSpeedUnit("m/s")
+        self.assertEqual(self.text(key), "10 m/s: 3 km in 1 s of film\n1 s of film is 5 min\nlongest streaks: 20 m/s")
+        self.volume.GetMapper().SetVectorStyleToSegments()
+        self.volume.GetMapper().SetMaximumSpeed(12)
+        self.assertEqual(self.text(key).splitlines()[2], "longest segments: 12 m/s")
+        self.volume.GetMapper().TrueSpeedOff()
+        self.assertEqual(self.text(key), "longest segments: 12 m/s")
+
+    def test_film_in_another_unit(self):
+        key = self.scene(TimeScale=300.0)
+        key.SetSpeedUnit("m/s")
+        key.SetFilmUnit("frame")
+        key.SetFilmUnitSeconds(0.1)
+        self.assertEqual(self.text(key).splitlines()[:2], ["10 m/s: 3 km in 10 frame", "1 frame is 30 s"])
+
+    def test_slow_film_has_an_arrow_of_several_seconds(self):
+        key = self.scene(TimeScale=10.0)
+        key.SetSpeedUnit("m/s")
+        self.assertEqual(self.text(key).splitlines()[0], "20 m/s: 4 km in 20 s of film")
+
+    def test_arrow_is_as_long_as_the_way(self):
+        perspective = {"parallel_scale": None, "angle": 2 * np.degrees(np.arctan(0.25))}
+        for what, pixels, options in (("parallel", 60, {}), ("perspective", 60, {"look": perspective}),
+                                      ("larger volume", 60, {"matrix": np.diag([2.0, 2.0, 2.0, 1.0])}), ("white", 60, {"background": (1, 1, 1)})):
+            key = self.scene(TimeScale=150.0 if "matrix" in options else 300.0, **options)
+            key.SetSpeedUnit("m/s")
+            self.assertEqual(self.text(key).splitlines()[0].split(":")[0], "10 m/s" if "matrix" not in options else "10 m/s", what)
+            self.assertAlmostEqual(self.arrow(), pixels, delta=3, msg=what)
+
+    def test_nothing_without_vectors_or_volume(self):
+        key = self.scene()
+        self.assertNotEqual(self.text(key), "")
+        full = self.arrow()
+        self.volume.VisibilityOff()
+        self.assertEqual(self.text(key), "")
+        self.assertEqual((self.arrow(), full > 0), (0, True))
+        self.volume.VisibilityOn()
+        self.assertNotEqual(self.text(key), "")
+        self.renderer.RemoveVolume(self.volume)
+        self.assertEqual(self.text(key), "")
+        for speed in (0.0, float("nan")):
+            self.assertEqual(self.text(self.scene(speed=speed)), "")
+        key.SetVolume(None)
+        self.assertEqual(self.text(key), "")
+
+
+if __name__ == "__main__":
+    unittest.main()

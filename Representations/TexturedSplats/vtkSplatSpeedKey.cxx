@@ -1,0 +1,228 @@
+// SPDX-FileCopyrightText: The Nephoscope authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkSplatSpeedKey.h"
+
+#include "RoundTime.h"
+#include "vtkTexturedSplatMapper.h"
+
+#include "vtkCamera.h"
+#include "vtkCoordinate.h"
+#include "vtkLeaderActor2D.h"
+#include "vtkMath.h"
+#include "vtkMatrix4x4.h"
+#include "vtkObjectFactory.h"
+#include "vtkProperty2D.h"
+#include "vtkRenderWindow.h"
+#include "vtkRenderer.h"
+#include "vtkRendererCollection.h"
+#include "vtkTextActor.h"
+#include "vtkTextProperty.h"
+#include "vtkVolume.h"
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+vtkStandardNewMacro(vtkSplatSpeedKey);
+
+namespace
+{
+constexpr double shortest = 75.0; // pixels that the longest vectors move in the time of the arrow
+constexpr double longest = 0.22;  // of the width of the view
+constexpr double veil = 0.6;      // opacity of the background of the words
+
+std::string numberText(double number)
+{
+  std::ostringstream text;
+  text.precision(4);
+  text << number;
+  return text.str();
+}
+
+std::string lengthText(double metres)
+{
+  return metres >= 1000.0 ? numberText(metres / 1000.0) + " km" : numberText(metres) + " m";
+}
+
+std::string timeText(double seconds)
+{
+  constexpr double minute = 60.0, hour = 3600.0, day = 86400.0;
+  return seconds >= day ? numberText(seconds / day) + (seconds == day ? " day" : " days")
+    : seconds >= hour   ? numberText(seconds / hour) + " h"
+    : seconds >= minute ? numberText(seconds / minute) + " min"
+                        : numberText(seconds) + " s";
+}
+
+// Pixels of a unit of length at the focal point.
+double pixelsOfUnit(vtkRenderer* renderer, vtkVolume* volume)
+{
+  vtkCamera* camera = renderer->GetActiveCamera();
+  const double height = camera->GetParallelProjection() ? 2.0 * camera->GetParallelScale()
+                                                        : 2.0 * camera->GetDistance() *
+      std::tan(vtkMath::RadiansFromDegrees(camera->GetViewAngle() / 2));
+  const double scale = std::cbrt(std::abs(volume->GetMatrix()->Determinant()));
+  const int* size = renderer->GetSize();
+  const int pixels = camera->GetUseHorizontalViewAngle() ? size[0] : size[1];
+  return height > 0.0 ? scale * pixels / height : 0.0;
+}
+}
+
+vtkSplatSpeedKey::vtkSplatSpeedKey()
+{
+  this->PositionCoordinate->SetCoordinateSystemToNormalizedViewport();
+  this->PositionCoordinate->SetValue(0.03, 0.03);
+  this->Words->GetPositionCoordinate()->SetCoordinateSystemToViewport();
+  this->Words->GetTextProperty()->SetFontSize(16);
+  this->Words->GetTextProperty()->SetLineSpacing(1.15);
+  this->Words->GetTextProperty()->SetBackgroundOpacity(veil);
+  this->Words->GetTextProperty()->SetVerticalJustificationToBottom();
+  this->Arrow->GetPositionCoordinate()->SetCoordinateSystemToViewport();
+  this->Arrow->GetPosition2Coordinate()->SetCoordinateSystemToViewport();
+  this->Arrow->GetPosition2Coordinate()->SetReferenceCoordinate(nullptr);
+  this->Arrow->SetArrowPlacementToPoint2();
+  this->Arrow->SetArrowStyleToFilled();
+  this->Arrow->GetProperty()->SetLineWidth(2);
+}
+
+vtkSplatSpeedKey::~vtkSplatSpeedKey() = default;
+
+void vtkSplatSpeedKey::SetVolume(vtkVolume* volume)
+{
+  if (volume != this->Volume)
+  {
+    this->Volume = volume;
+    this->Modified();
+  }
+}
+
+vtkVolume* vtkSplatSpeedKey::GetVolume()
+{
+  return this->Volume;
+}
+
+vtkTextProperty* vtkSplatSpeedKey::GetTextProperty()
+{
+  return this->Words->GetTextProperty();
+}
+
+std::string vtkSplatSpeedKey::GetText()
+{
+  return this->Text;
+}
+
+vtkTexturedSplatMapper* vtkSplatSpeedKey::GetDrawnMapper(vtkViewport* viewport)
+{
+  auto* renderer = vtkRenderer::SafeDownCast(viewport);
+  auto* mapper =
+    this->Volume ? vtkTexturedSplatMapper::SafeDownCast(this->Volume->GetMapper()) : nullptr;
+  if (!renderer || !mapper || mapper->GetVectorArrayName().empty() ||
+    !this->Volume->GetVisibility() || !(mapper->GetDrawnMaximumSpeed() > 0.0))
+  {
+    return nullptr;
+  }
+  vtkRendererCollection* renderers = renderer->GetRenderWindow()->GetRenderers();
+  vtkCollectionSimpleIterator at;
+  renderers->InitTraversal(at);
+  while (vtkRenderer* other = renderers->GetNextRenderer(at))
+  {
+    if (other->HasViewProp(this->Volume))
+    {
+      return mapper;
+    }
+  }
+  return nullptr;
+}
+
+// `arrow`: its length in pixels, of which a unit of length has `pixels`; at most `most`.
+std::string vtkSplatSpeedKey::Describe(
+  vtkTexturedSplatMapper* mapper, double pixels, double most, double& arrow)
+{
+  const bool metres = this->SpeedUnit == "m/s";
+  const std::string unit = this->SpeedUnit.empty() ? "" : " " + this->SpeedUnit;
+  const double greatest = mapper->GetDrawnMaximumSpeed();
+  const double passing = mapper->GetDrawnTimeScale() * this->FilmUnitSeconds;
+  std::string text;
+  arrow = 0.0;
+  if (mapper->GetTrueSpeed() && passing > 0.0 && pixels > 0.0)
+  {
+    // A round number of seconds in which the way of the longest vectors is long enough; at least one.
+    const double needed = shortest / (greatest * passing * pixels);
+    const double below = nephoscope::RoundDown(std::max(needed, 1.0));
+    const double seconds = below < needed ? nephoscope::RoundDown(2.5 * below) : below;
+    const double speed =
+      nephoscope::RoundDown(std::min(greatest, most / (passing * seconds * pixels)));
+    const double way = speed * passing * seconds;
+    arrow = way * pixels;
+    const std::string film = numberText(seconds) + " " + this->FilmUnit;
+    text = (unit.empty() ? "speed " : "") + numberText(speed) + unit + ": " +
+      (metres ? lengthText(way) : numberText(way)) + " in " + film + "\n" +
+      (seconds == 1.0 ? film : "1 " + this->FilmUnit) + " is " +
+      (metres ? timeText(passing) : numberText(passing)) + "\n";
+  }
+  const char* kind =
+    mapper->GetVectorStyle() == vtkTexturedSplatMapper::SEGMENTS ? "segments" : "streaks";
+  return text + "longest " + kind + ": " + (unit.empty() ? "speed " : "") + numberText(greatest) +
+    unit;
+}
+
+void vtkSplatSpeedKey::Place(vtkViewport* viewport, double arrow)
+{
+  const double* corner = this->PositionCoordinate->GetComputedDoubleViewportValue(viewport);
+  const double x = corner[0], y = corner[1];
+  this->Words->GetPositionCoordinate()->SetValue(x, y);
+  double size[2];
+  this->Words->GetSize(viewport, size);
+  const double middle = y + size[1] - 0.6 * this->GetTextProperty()->GetFontSize();
+  this->Arrow->SetVisibility(arrow >= 1.0);
+  this->Arrow->GetPositionCoordinate()->SetValue(x, middle);
+  this->Arrow->GetPosition2Coordinate()->SetValue(x + arrow, middle);
+}
+
+int vtkSplatSpeedKey::RenderOverlay(vtkViewport* viewport)
+{
+  vtkTexturedSplatMapper* mapper = this->GetDrawnMapper(viewport);
+  if (!mapper)
+  {
+    this->Text.clear();
+    return 0;
+  }
+  auto* renderer = vtkRenderer::SafeDownCast(viewport);
+  double arrow = 0.0;
+  this->Text = this->Describe(
+    mapper, pixelsOfUnit(renderer, this->Volume), longest * viewport->GetSize()[0], arrow);
+  // The first line is that of the arrow.
+  this->Words->SetInput((arrow >= 1.0 ? " \n" + this->Text : this->Text).c_str());
+  if (this->AutomaticColor)
+  {
+    const double* color = viewport->GetBackground();
+    const double ink = color[0] + color[1] + color[2] > 1.5 ? 0.0 : 1.0;
+    this->GetTextProperty()->SetColor(ink, ink, ink);
+    this->GetTextProperty()->SetBackgroundColor(1.0 - ink, 1.0 - ink, 1.0 - ink);
+  }
+  this->Arrow->GetProperty()->SetColor(this->GetTextProperty()->GetColor());
+  this->Place(viewport, arrow);
+  int drawn = this->Words->RenderOpaqueGeometry(viewport) + this->Words->RenderOverlay(viewport);
+  if (this->Arrow->GetVisibility())
+  {
+    drawn += this->Arrow->RenderOpaqueGeometry(viewport) + this->Arrow->RenderOverlay(viewport);
+  }
+  return drawn > 0;
+}
+
+void vtkSplatSpeedKey::ReleaseGraphicsResources(vtkWindow* window)
+{
+  this->Words->ReleaseGraphicsResources(window);
+  this->Arrow->ReleaseGraphicsResources(window);
+  this->Superclass::ReleaseGraphicsResources(window);
+}
+
+void vtkSplatSpeedKey::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Volume: " << this->Volume.Get() << "\n";
+  os << indent << "SpeedUnit: " << this->SpeedUnit << "\n";
+  os << indent << "FilmUnit: " << this->FilmUnit << "\n";
+  os << indent << "FilmUnitSeconds: " << this->FilmUnitSeconds << "\n";
+  os << indent << "AutomaticColor: " << this->AutomaticColor << "\n";
+  os << indent << "Text: " << this->GetText() << "\n";
+}

@@ -1,0 +1,97 @@
+// SPDX-FileCopyrightText: The Nephoscope authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkSplatSpeedKey
+ * @brief   legend of the vectors of textured splats: how fast they move in the film, and what their length means
+ *
+ * An arrow that is as long as the way of a stated speed in a second of the film (or 2, 5, 10, ... of them if that is short), and
+ * words: the speed and the way, the time that passes in a second of the film, and the speed of the longest streaks or segments. It follows the
+ * camera; in perspective the arrow is right at the distance of the focal point. Without TrueSpeed there are only the words about the
+ * longest ones. Nothing is drawn before the vectors are, or where the volume is not in the window. The position, which may be set, is that of the lower left corner.
+ */
+#ifndef vtkSplatSpeedKey_h
+#define vtkSplatSpeedKey_h
+
+#include "vtkActor2D.h"
+#include "vtkNephoscopeRepresentationsTexturedSplatsModule.h" // for export macro
+#include "vtkNew.h"                                           // for the parts
+#include "vtkSmartPointer.h"                                  // for the volume
+
+#include <string> // for the unit
+
+class vtkLeaderActor2D;
+class vtkTextActor;
+class vtkTextProperty;
+class vtkTexturedSplatMapper;
+class vtkVolume;
+
+class VTKNEPHOSCOPEREPRESENTATIONSTEXTUREDSPLATS_EXPORT vtkSplatSpeedKey : public vtkActor2D
+{
+public:
+  static vtkSplatSpeedKey* New();
+  vtkTypeMacro(vtkSplatSpeedKey, vtkActor2D);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  /** The volume whose mapper, a vtkTexturedSplatMapper, draws the vectors. */
+  void SetVolume(vtkVolume* volume);
+  vtkVolume* GetVolume();
+
+  ///@{
+  /**
+   * Unit of the vectors. With "m/s", for data in metres, ways and times have units too, such as km and h. Default: empty, numbers only.
+   */
+  vtkSetMacro(SpeedUnit, std::string);
+  vtkGetMacro(SpeedUnit, std::string);
+  ///@}
+
+  ///@{
+  /** Name of the unit in which the film is measured here, and its length in seconds of the mapper's FilmTime. Default: "s of film", 1. */
+  vtkSetMacro(FilmUnit, std::string);
+  vtkGetMacro(FilmUnit, std::string);
+  vtkSetClampMacro(FilmUnitSeconds, double, 1e-30, 1e30);
+  vtkGetMacro(FilmUnitSeconds, double);
+  ///@}
+
+  ///@{
+  /** On (default): black on a bright background, otherwise white, on a veil of the opposite colour. Off: the colours of the text property. */
+  vtkSetMacro(AutomaticColor, bool);
+  vtkGetMacro(AutomaticColor, bool);
+  vtkBooleanMacro(AutomaticColor, bool);
+  ///@}
+
+  /** Font, size and colour. */
+  vtkTextProperty* GetTextProperty();
+
+  /** What the last render wrote; empty if nothing. */
+  std::string GetText();
+
+  int RenderOverlay(vtkViewport* viewport) override;
+  int RenderOpaqueGeometry(vtkViewport*) override { return 0; }
+  int RenderTranslucentPolygonalGeometry(vtkViewport*) override { return 0; }
+  vtkTypeBool HasTranslucentPolygonalGeometry() override { return 0; }
+  void ReleaseGraphicsResources(vtkWindow* window) override;
+
+protected:
+  vtkSplatSpeedKey();
+  ~vtkSplatSpeedKey() override;
+
+  std::string SpeedUnit;
+  std::string FilmUnit = "s of film";
+  double FilmUnitSeconds = 1.0;
+  bool AutomaticColor = true;
+
+private:
+  vtkTexturedSplatMapper* GetDrawnMapper(vtkViewport* viewport);
+  std::string Describe(vtkTexturedSplatMapper* mapper, double pixels, double most, double& arrow);
+  void Place(vtkViewport* viewport, double arrow);
+
+  vtkSmartPointer<vtkVolume> Volume;
+  std::string Text;
+  vtkNew<vtkTextActor> Words;
+  vtkNew<vtkLeaderActor2D> Arrow;
+
+  vtkSplatSpeedKey(const vtkSplatSpeedKey&) = delete;
+  void operator=(const vtkSplatSpeedKey&) = delete;
+};
+
+#endif
