@@ -18,6 +18,7 @@ from vtkmodules.vtkRenderingCore import (vtkActor, vtkCamera, vtkColorTransferFu
 
 from . import vtkCellCompositingMapper
 
+BRIGHTEST_DRAWN = 64.0  # limit of light that follows the camera, as in CameraLight.cxx
 SKY_BELOW = 0.1  # cosine of the zenith angle below the horizon at which the sky is dark, as in vtkSunlight
 
 
@@ -40,7 +41,8 @@ def light_of_clouds(data: vtkDataSet, camera: vtkCamera, size: Sequence[int], ar
     window, renderer, volume = _scene(data, camera, size)
     mapper, light, alpha = volume.GetMapper(), [], None
     for name in arrays:
-        brightest = max(float(np.nanmax(vtk_to_numpy(data.GetPointData().GetArray(name)))), 1e-30)
+        follows = name == "Sunlight" and data.GetPointData().HasArray("SingleScattering")
+        brightest = BRIGHTEST_DRAWN if follows else max(float(np.nanmax(vtk_to_numpy(data.GetPointData().GetArray(name)))), 1e-30)
         colours = vtkColorTransferFunction()
         colours.AddRGBPoint(0, 0, 0, 0)
         colours.AddRGBPoint(brightest, 1, 1, 1)
@@ -75,8 +77,17 @@ def _scene(data: vtkDataSet, camera: vtkCamera, size: Sequence[int]) -> tuple[vt
     volume.GetProperty().SetScalarOpacityUnitDistance(1 / densest)
     renderer.AddVolume(volume)
     renderer.SetActiveCamera(camera)
-    renderer.ResetCameraClippingRange()
+    _set_clipping_range(renderer, data.GetBounds())
     return window, renderer, volume
+
+
+def _set_clipping_range(renderer: vtkRenderer, bounds: Sequence[float]) -> None:
+    """Around all that is there; but as the ground reaches far, that alone would cut clouds near the camera."""
+    camera = renderer.GetActiveCamera()
+    renderer.ResetCameraClippingRange()
+    near, far = camera.GetClippingRange()
+    renderer.ResetCameraClippingRange(bounds)
+    camera.SetClippingRange(min(near, camera.GetClippingRange()[0]), max(far, camera.GetClippingRange()[1]))
 
 
 def _ground_actor(data: vtkDataSet) -> vtkActor:
