@@ -64,6 +64,7 @@ string(CONCAT CPACK_DEBIAN_PACKAGE_DEPENDS
   "paraview (>= ${nephoscope_paraview_version}~), paraview (<< ${ParaView_VERSION_MAJOR}.${nephoscope_next_minor}~), "
   "libqt${nephoscope_qt}sql${nephoscope_qt}-sqlite, " # with which Qt opens help pages
   "python3-paraview, python3")
+set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "python3-venv") # for what the messages about missing Python packages say
 set(CPACK_DEBIAN_PACKAGE_SUGGESTS "paraview-dev") # VTK's headers, for find_package(Nephoscope)
 set(CPACK_STRIP_FILES ON)
 set(CPACK_PACKAGING_INSTALL_PREFIX /usr)

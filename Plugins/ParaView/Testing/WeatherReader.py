@@ -30,7 +30,7 @@ def told(reader, path, folder, window):
     assert "26 complete fields" in window.GetOutput(), window.GetOutput()
     os.environ["NEPHOSCOPE_PYTHON"] = "/nowhere/python3"
     globals()["WeatherDataReader"](FileName=path)
-    assert "/nowhere/python3" in window.GetOutput() and "pip install" in window.GetOutput(), window.GetOutput()
+    assert "/nowhere/python3" in window.GetOutput() and "export NEPHOSCOPE_PYTHON=" in window.GetOutput(), window.GetOutput()
 
 
 def known_to_the_dialog(path):

@@ -47,6 +47,23 @@ class Arguments(unittest.TestCase):
 
 
 class Picture(unittest.TestCase):
+    def test_clear_removes_the_haze(self):
+        plotter = pyvista.Plotter(off_screen=True, window_size=(60, 40))
+        self.addCleanup(plotter.close)
+        plotter.add_mesh(pyvista.Sphere())
+        nephoscope.add_haze(plotter, visibility=0.5)
+        hazy = plotter.screenshot(return_img=True)
+        plotter.clear()
+        self.assertIsNone(nephoscope.vtkHaze.GetHaze(plotter.renderer))
+        plotter.add_mesh(pyvista.Sphere())
+        other = pyvista.Plotter(off_screen=True, window_size=(60, 40))
+        self.addCleanup(other.close)
+        other.clear()  # which removes the lights too
+        other.add_mesh(pyvista.Sphere())
+        clear = other.screenshot(return_img=True)
+        self.assertGreater(np.abs(hazy.astype(int) - clear).max(), 20)
+        np.testing.assert_allclose(plotter.screenshot(return_img=True).astype(int), clear, atol=1)
+
     def test_thick_haze_is_all_that_is_seen(self):
         plotter = pyvista.Plotter(off_screen=True, window_size=(60, 60))
         plotter.add_mesh(pyvista.Sphere(), color="red", lighting=False)

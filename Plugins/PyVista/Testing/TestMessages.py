@@ -128,6 +128,33 @@ class Messages(unittest.TestCase):
         self.assertEqual(splats(cells), [])
         self.assertEqual(splats(grid, placement="layers", layer_axis=1), [])
 
+    def test_wrong_arguments_are_named(self):
+        """Values of a wrong kind: one sentence that names the argument, the value and what it must be."""
+        mesh = pyvista.ImageData(dimensions=(5, 5, 5))
+        mesh["a"] = np.linspace(0, 1, mesh.n_points)
+        wrong = {"clim is [1]": {"clim": [1]}, "clim is ['0', '1']": {"clim": ["0", "1"]}, "opacity_unit_distance is 'far'": {"opacity_unit_distance": "far"},
+                 "opacity_scale is '2'": {"opacity_scale": "2"}, "contours is '3'": {"contours": "3"}, "contours is [[1], [1, 2]]": {"contours": [[1], [1, 2]]},
+                 "sun is 'noon'": {"sun": "noon"}, "Divide values from 0 to 255": {"opacity": [0, 50, 255]},
+                 "sun['temperature'] is 280": {"sun": {"direction": (0, 0, 1), "water": "a", "temperature": 280}}}
+        for text, options in wrong.items():
+            with self.subTest(text):
+                plotter = pyvista.Plotter(off_screen=True)
+                self.addCleanup(plotter.close)
+                with self.assertRaises((TypeError, ValueError, RuntimeError)) as caught:
+                    nephoscope.add_cells(plotter, mesh, "a", **options)
+                self.assertIn(text, str(caught.exception))
+
+    def test_contours_outside_the_data(self):
+        mesh = pyvista.ImageData(dimensions=(5, 5, 5))
+        mesh["a"] = np.linspace(0, 1, mesh.n_points)
+        for value, count in ((5.0, 1), (0.5, 0)):
+            plotter = pyvista.Plotter(off_screen=True)
+            self.addCleanup(plotter.close)
+            with warnings.catch_warnings(record=True) as told:
+                warnings.simplefilter("always")
+                nephoscope.add_cells(plotter, mesh, "a", contours=[value])
+            self.assertEqual(sum("no value is within the range of 'a', 0 to 1" in str(one.message) for one in told), count)
+
     def test_own_words(self):
         """Names of properties that Python does not have are not in what it says."""
         z = weather(lev=np.array([100000.0, 50000.0, 10000.0]))

@@ -91,7 +91,8 @@ class Package(unittest.TestCase):
                          files.format("\\S*Plugins/PyVista/"))
         debian = run(ask.format("'/usr/share/nephoscope/{}'.format")).stdout
         self.assertIn("nephoscope-python/bin/python -m pip install --no-deps " + files.format("/usr/share/nephoscope/"), debian)
-        self.assertIn("use nephoscope-python/bin/python in NEPHOSCOPE_PYTHON", debian)
+        self.assertIn("apt install python3-venv && python3 -m venv --system-site-packages ~/nephoscope-python", debian)
+        self.assertIn("use ~/nephoscope-python/bin/python as NEPHOSCOPE_PYTHON", debian)
 
     def test_help_of_the_command_needs_no_pyvista(self):
         start = WITHOUT_PYVISTA + "import runpy, sys\nsys.argv = ['nephoscope-viewer', {!r}]\nrunpy.run_module('nephoscope', run_name='__main__')"

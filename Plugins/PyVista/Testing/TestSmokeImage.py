@@ -92,6 +92,15 @@ class Colours(unittest.TestCase):
             self.assertLess(contrast, 3)
             self.assertTrue(len(told) == 1 and "colour of the background" in told[0] and "set_background" in told[0], told)
 
+    def test_lines_are_no_backdrop(self):
+        """An outline around white smoke leaves it invisible on a white background."""
+        plotter = pyvista.Plotter(off_screen=True, theme=pyvista.themes.DocumentTheme())
+        self.addCleanup(plotter.close)
+        plotter.add_mesh(pyvista.Cube(), style="wireframe")
+        plotter.add_mesh(pyvista.ImageData(dimensions=(3, 3, 3)).outline())
+        with self.assertWarnsRegex(UserWarning, "colour of the background"):
+            nephoscope.add_smoke(plotter, beam(), color="white")
+
     def test_white_before_something_else_is_not(self):
         plotter = pyvista.Plotter(off_screen=True)
         self.addCleanup(plotter.close)

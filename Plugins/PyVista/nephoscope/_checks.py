@@ -74,7 +74,10 @@ def renamed_argument(value: float | None, name: str, old_value: float | None, ol
 def require_number(value: float, argument: str, *, above: float | None = None, least: float | None = None,
                    most: float | None = None) -> float:
     """`value` as a finite float greater than `above`, not less than `least`, not more than `most`; ValueError otherwise."""
-    number = float(value)
+    try:
+        number = math.nan if isinstance(value, (str, bytes)) else float(value)
+    except (TypeError, ValueError):
+        number = math.nan
     limits = [f"greater than {above:g}"] if above is not None else [f"at least {least:g}"] if least is not None else []
     limits += [f"at most {most:g}"] if most is not None else []
     if not math.isfinite(number) or (above is not None and number <= above) or (least is not None and number < least) or (

@@ -10,8 +10,8 @@ from typing import Any, Mapping, Sequence
 import numpy as np
 import pyvista
 from pyvista.core.errors import MissingDataError
-from vtkmodules.vtkCommonDataModel import vtkCompositeDataSet, vtkHyperTreeGrid, vtkPiecewiseFunction
-from vtkmodules.vtkRenderingCore import vtkVolumeProperty
+from vtkmodules.vtkCommonDataModel import vtkCompositeDataSet, vtkHyperTreeGrid, vtkPiecewiseFunction, vtkPolyData
+from vtkmodules.vtkRenderingCore import vtkActor, vtkVolume, vtkVolumeProperty
 
 from ._blocks import alike, cell_dimension, fitting, named_blocks
 from ._checks import arrays_of, listed, require_number
@@ -209,6 +209,16 @@ def _arrays_of_one_component(grid: pyvista.DataSet) -> str:
     return f"Point arrays of one component: {listed(points)}; cell arrays: {listed(cells)}."
 
 
+def _limits(clim: float | Sequence[float]) -> tuple[float, float]:
+    try:
+        if isinstance(clim, str) or any(isinstance(limit, str) for limit in np.atleast_1d(clim)):
+            raise ValueError
+        low, high = (-clim, clim) if np.isscalar(clim) else map(float, clim)
+    except (TypeError, ValueError):
+        raise ValueError(f"clim is {clim!r}; it must be two finite numbers, ascending, or one number.") from None
+    return low, high
+
+
 def _scalar_range(values: np.ndarray, name: str, clim: float | Sequence[float] | None,
                   log_scale: bool) -> tuple[float, float]:
     finite = values[np.isfinite(values)]
@@ -217,7 +227,7 @@ def _scalar_range(values: np.ndarray, name: str, clim: float | Sequence[float] |
         if low == high:
             low, high = _around(low, log_scale)
     else:
-        low, high = (-clim, clim) if np.isscalar(clim) else clim
+        low, high = _limits(clim)
     if log_scale and low <= 0:
         positive = finite[finite > 0]
         if positive.size == 0:
@@ -362,12 +372,25 @@ def is_light(plotter: pyvista.BasePlotter) -> bool:
 
 
 def _warn_of_camouflage(plotter: pyvista.BasePlotter, table: pyvista.LookupTable) -> None:
-    """Warns about a medium with the colour of the background, which is invisible unless something else is behind it."""
+    """Warns about a medium with the colour of the background, which is invisible unless a surface or another volume may be behind it."""
     colours = np.asarray(table.values, float)[:, :3] / 255.0
     contrast = np.abs(colours - plotter.background_color.float_rgb).max()
-    if contrast < 0.1 and not plotter.renderer.actors:
+    if contrast < 0.1 and not any(map(_may_be_a_backdrop, plotter.renderer.actors.values())):
         warnings.warn("The volume has the colour of the background, so it will be invisible: choose another colour (color or cmap), or "
                       "call plotter.set_background('black') first.", UserWarning, stacklevel=level_of_caller())
+
+
+SURFACE = 2  # the representation of VTK's properties
+
+
+def _may_be_a_backdrop(actor: Any) -> bool:
+    """A volume, or an actor with polygons that are filled; not lines, points or text."""
+    if isinstance(actor, vtkVolume):
+        return True
+    shown = actor.GetMapper() if isinstance(actor, vtkActor) else None
+    data = shown.GetInputDataObject(0, 0) if shown is not None and shown.GetNumberOfInputPorts() else None
+    filled = isinstance(actor, vtkActor) and actor.GetProperty().GetRepresentation() == SURFACE
+    return filled and not (isinstance(data, vtkPolyData) and data.GetNumberOfPolys() + data.GetNumberOfStrips() == 0)
 
 
 def add_medium(plotter: pyvista.BasePlotter, mapper: MediumMapper, prop: pyvista.VolumeProperty, title: str, *, user_matrix: Any,

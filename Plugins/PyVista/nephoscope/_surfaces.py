@@ -3,6 +3,7 @@
 """Contour surfaces, polygons and layers of a cell compositing mapper, from the arguments of `add_cells`."""
 from __future__ import annotations
 
+import warnings
 from dataclasses import dataclass
 from typing import Any, Mapping, Sequence
 
@@ -12,6 +13,7 @@ from pyvista.core.errors import MissingDataError
 from vtkmodules.vtkRenderingCore import vtkColorTransferFunction, vtkVolumeProperty
 
 from ._checks import arrays_of, choose, require_number
+from ._pipeline import level_of_caller
 from .transfer import colour_function
 
 
@@ -123,13 +125,24 @@ class Contours:
         if isinstance(self.values, (int, np.integer)) and not isinstance(self.values, bool):
             if self.values < 1:
                 raise ValueError(f"contours is {self.values}; a number of contours must be 1 or more.")
-            scalars = np.asarray(grid.point_data[self.scalars or array_name], float)
-            scalars = scalars[np.isfinite(scalars)]
-            return list(np.linspace(scalars.min(), scalars.max(), self.values + 2)[1:-1])
-        values = np.atleast_1d(np.asarray(self.values, float))
+            return list(np.linspace(*self._range(grid, array_name), self.values + 2)[1:-1])
+        try:
+            values = np.atleast_1d(np.asarray(self.values))
+            values = values.astype(float) if values.dtype.kind in "iuf" else np.array([np.nan])
+        except ValueError:  # lists of different lengths
+            values = np.array([np.nan])
         if values.ndim != 1 or not np.isfinite(values).all():
             raise ValueError(f"contours is {self.values!r}; it must be finite values, or a number of contours.")
+        low, high = self._range(grid, array_name)
+        if values.size and not ((values >= low) & (values <= high)).any():
+            warnings.warn(f"contours: no value is within the range of {self.scalars or array_name!r}, {low:g} to {high:g}, so that no surface is drawn.", UserWarning,
+                          stacklevel=level_of_caller())
         return [float(v) for v in values]
+
+    def _range(self, grid: pyvista.DataSet, array_name: str) -> tuple[float, float]:
+        scalars = np.asarray(grid.point_data[self.scalars or array_name], float)
+        scalars = scalars[np.isfinite(scalars)]
+        return float(scalars.min(initial=np.inf)), float(scalars.max(initial=-np.inf))
 
     def _opacities(self, count: int) -> list[float]:
         opacities = [self.opacity] * count if np.isscalar(self.opacity) else list(self.opacity)

@@ -3,6 +3,8 @@
 """Haze in front of everything that a plotter draws (`vtkHaze`)."""
 from __future__ import annotations
 
+import functools
+import weakref
 from typing import Any, Literal, Sequence
 
 import pyvista
@@ -25,7 +27,7 @@ def add_haze(plotter: pyvista.Plotter, mesh: pyvista.DataSet | None = None, *, v
     Defaults come from the scene: the ground and exaggeration of `mesh.nephoscope.globe(...)`; without it a globe if the scene lies around the
     origin and is as large as the Earth, otherwise flat ground under the scene.
 
-    Remove the haze with ``nephoscope.vtkHaze.SetHaze(plotter.renderer, None)``.
+    ``plotter.clear()`` removes the haze with everything else, and ``nephoscope.vtkHaze.SetHaze(plotter.renderer, None)`` the haze alone.
 
     Parameters
     ----------
@@ -101,10 +103,26 @@ def add_haze(plotter: pyvista.Plotter, mesh: pyvista.DataSet | None = None, *, v
     if sun is not None:
         haze.SetSunDirection(*direction_of(sun, {} if mesh is None else mesh.field_data))
     vtkHaze.SetHaze(plotter.renderer, haze)
+    _end_with_clear(plotter)
     warn_when_exported(plotter)
     if render:
         plotter.render()
     return haze
+
+
+def _end_with_clear(plotter: pyvista.Plotter) -> None:
+    """Makes `plotter.clear()` remove the haze as well as the actors."""
+    if not callable(getattr(plotter, "clear", None)) or "clear" in vars(plotter):
+        return
+    reference = weakref.ref(plotter)
+
+    @functools.wraps(type(plotter).clear)
+    def clear(*arguments: Any, **options: Any) -> None:
+        cleared = reference()
+        for renderer in cleared.renderers:
+            vtkHaze.SetHaze(renderer, None)
+        type(cleared).clear(cleared, *arguments, **options)
+    plotter.clear = clear
 
 
 def _vector(values: Sequence[float], argument: str) -> list[float]:

@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import inspect
+import re
 import warnings
 from typing import Any, Callable, Literal, Mapping, Sequence
 
@@ -179,6 +180,8 @@ def lit(mesh: pyvista.DataSet, sun: Any, needs_cells: bool = True, **defaults: A
     of_water, of_light = ({name: given.pop(name, value) for name, value in defaults.items()} for defaults in (_defaults(cloud_optics), {**_defaults(sunlight), **defaults}))
     if given:
         raise ValueError(f"sun has no option {next(iter(given))!r}; it has {', '.join(repr(name) for name in [*of_light, *of_water])}.")
+    if of_light["time"] and not re.match(r"\s*\d{1,4}-\d", str(of_light["time"])):
+        raise RuntimeError(f"date and time: {'sun' if isinstance(sun, str) else _option('time')} is {of_light['time']!r}; it must be a date and time in UTC, such as '2011-10-11 18:30'.")
     own = sun if isinstance(sun, Mapping) else ()
     if any(name in own for name in of_water) or of_light["extinction"] == "Extinction" and not _has(mesh, "Extinction") and not is_smoke(mesh):
         mesh = optics_of(mesh, _option, **of_water)

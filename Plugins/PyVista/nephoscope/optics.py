@@ -9,7 +9,7 @@ import pyvista
 from vtkmodules.vtkCommonDataModel import vtkDataSet
 
 from . import vtkCloudOptics
-from ._checks import choose, require_number
+from ._checks import arrays_of, choose, require_number
 from ._pipeline import vtk_messages
 
 
@@ -87,16 +87,14 @@ def optics_of(mesh: pyvista.DataSet, say: Callable[[str], str], water: str, liqu
         raise TypeError(f"mesh is a {type(mesh).__name__}; it must be a pyvista dataset.")
     optics = vtkCloudOptics()
     optics.SetInputDataObject(mesh)
-    optics.SetTotalWaterArrayName(water)
-    optics.SetLiquidArrayName(liquid)
-    optics.SetIceArrayName(ice)
-    optics.SetRainArrayName(rain)
-    optics.SetSnowArrayName(snow)
-    optics.SetTemperatureArrayName(temperature)
-    optics.SetPressureArrayName(pressure)
-    optics.SetCloudFractionArrayName(cloud_fraction)
-    optics.SetLandArrayName(land)
-    optics.SetHeightArrayName(height)
+    arrays = {"water": (optics.SetTotalWaterArrayName, water), "liquid": (optics.SetLiquidArrayName, liquid), "ice": (optics.SetIceArrayName, ice),
+              "rain": (optics.SetRainArrayName, rain), "snow": (optics.SetSnowArrayName, snow), "temperature": (optics.SetTemperatureArrayName, temperature),
+              "pressure": (optics.SetPressureArrayName, pressure), "cloud_fraction": (optics.SetCloudFractionArrayName, cloud_fraction),
+              "land": (optics.SetLandArrayName, land), "height": (optics.SetHeightArrayName, height)}
+    for argument, (set_name, name) in arrays.items():
+        if not isinstance(name, str):
+            raise TypeError(f"{say(argument)} is {name!r}; it must be the name of an array. {arrays_of(mesh)}")
+        set_name(name)
     choose({name: lambda value=value: optics.SetWaterUnits(getattr(vtkCloudOptics, value)) for name, value in UNITS.items()}, units, say("units"))
     if liquid_radius is not None:
         optics.SetLiquidRadiusType(optics.CONSTANT)

@@ -7,6 +7,7 @@ import sys
 from pathlib import Path
 
 SAMPLES = ("gfs_2p5deg_2011101100.nc", "forecast_10deg_6h.nc", "blue_marble_2048.jpg")
+OWN_PYTHON = "~/nephoscope-python/bin/python"  # made by the command in messages of a Debian package
 PACKAGE = Path(__file__).resolve().parent
 
 
@@ -19,8 +20,8 @@ def requirements(*names: str, options: str = "", python: str = sys.executable or
     """The command that installs requirement files of Nephoscope beside the system's VTK: installed ones, or those of its source folder."""
     files = [shared(name) for name in names]
     if all(files):  # Debian's Python takes no packages from pip
-        own = "nephoscope-python/bin/python"
-        return f"python3 -m venv --system-site-packages nephoscope-python && {own} -m pip install {options}{_listed(files)}, and use {own}"
+        return (f"sudo apt install python3-venv && python3 -m venv --system-site-packages ~/nephoscope-python && {OWN_PYTHON} -m pip install "
+                f"{options}{_listed(files)}, and use {OWN_PYTHON}")
     return f"{python} -m pip install {options}{_listed(_in_source(name) for name in names)}"
 
 

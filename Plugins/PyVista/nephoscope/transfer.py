@@ -55,7 +55,8 @@ def opacity_values(opacity: OpacityLike, n_colors: int = SAMPLES) -> np.ndarray:
     if values.ndim != 1 or values.size == 0:
         raise ValueError(f"opacity has shape {values.shape}; it must be one value or a list of values.")
     if not np.all((values >= 0) & (values <= 1)):
-        raise ValueError("opacity has a value outside 0 to 1. For a denser medium lower opacity_unit_distance or raise opacity_scale.")
+        raise ValueError("opacity has a value outside 0 to 1. Divide values from 0 to 255 by 255. For a denser medium lower opacity_unit_distance or "
+                         "raise opacity_scale.")
     return np.repeat(values, 2) if values.size == 1 else values
 
 

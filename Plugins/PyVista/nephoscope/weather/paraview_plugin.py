@@ -17,6 +17,8 @@ from vtkmodules.vtkIOLegacy import vtkDataSetReader
 from vtkmodules.util.vtkAlgorithm import VTKPythonAlgorithmBase
 
 PACKAGES = ("pyvista", "xarray", "eccodes", "netCDF4", "zarr")
+NAME_ANOTHER = ("The environment variable NEPHOSCOPE_PYTHON names the Python that reads the data, for example export NEPHOSCOPE_PYTHON=~/nephoscope-python/bin/python; set it "
+                "before ParaView starts, or pvserver where a server reads the data.")
 DEFINITION = os.path.join(os.path.dirname(os.path.abspath(__file__)), "weather_data_reader.xml")
 
 
@@ -36,9 +38,9 @@ def missing_packages(python):
         told = subprocess.CompletedProcess([], 1, "", str(problem))
     if told.returncode == 0 and not told.stdout.strip():
         return ""
-    what = f"the Python packages {told.stdout.strip()} are missing" if told.returncode == 0 else f"{python} does not run ({told.stderr.strip()[-200:]})"
-    return (f"{what}. Install them: {_command(python)}. Or name another Python than {python} in the environment variable NEPHOSCOPE_PYTHON before "
-            "ParaView starts.")
+    if told.returncode != 0:
+        return f"The Python {python} does not run: {told.stderr.strip()[-200:]}. {NAME_ANOTHER}"
+    return f"The Python packages {told.stdout.strip()} are missing. Install them: {_command(python)}. {NAME_ANOTHER}"
 
 
 def _command(python):
@@ -48,7 +50,7 @@ def _command(python):
     except ImportError:
         return f"{python} -m pip install 'nephoscope[data]'"
     command = requirements("requirements.txt", "requirements-data.txt", options="--no-deps ", python=python)
-    return f"{command} in NEPHOSCOPE_PYTHON" if shared("requirements-data.txt") else command
+    return f"{command} as NEPHOSCOPE_PYTHON" if shared("requirements-data.txt") else command
 
 
 class Process:
