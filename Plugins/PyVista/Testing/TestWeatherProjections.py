@@ -102,7 +102,7 @@ class Projections(unittest.TestCase):
 
     def test_without_pyproj(self):
         with mock.patch("importlib.util.find_spec", return_value=None), self.assertRaisesRegex(
-                ModuleNotFoundError, "projection albers_conical_equal_area needs the Python package 'pyproj'.*nephoscope.data.*-m pip install pyproj"):
+                ModuleNotFoundError, "projection albers_conical_equal_area needs the Python package 'pyproj'.*(nephoscope.data|requirements-data).*-m pip install pyproj"):
             dataset("albers_conical_equal_area", CASES["albers_conical_equal_area"][1], np.arange(3.0), np.arange(3.0)).nephoscope.globe()
 
     def test_what_pyproj_refuses(self):
