@@ -211,7 +211,7 @@ def _arrays_of_one_component(grid: pyvista.DataSet) -> str:
 
 def _limits(clim: float | Sequence[float]) -> tuple[float, float]:
     try:
-        if isinstance(clim, str) or any(isinstance(limit, str) for limit in np.atleast_1d(clim)):
+        if any(isinstance(limit, str) for limit in np.atleast_1d(clim)):
             raise ValueError
         low, high = (-clim, clim) if np.isscalar(clim) else map(float, clim)
     except (TypeError, ValueError):
@@ -380,17 +380,14 @@ def _warn_of_camouflage(plotter: pyvista.BasePlotter, table: pyvista.LookupTable
                       "call plotter.set_background('black') first.", UserWarning, stacklevel=level_of_caller())
 
 
-SURFACE = 2  # the representation of VTK's properties
-
-
 def _may_be_a_backdrop(actor: Any) -> bool:
     """A volume, or an actor with polygons that are filled; not lines, points or text."""
-    if isinstance(actor, vtkVolume):
-        return True
-    shown = actor.GetMapper() if isinstance(actor, vtkActor) else None
-    data = shown.GetInputDataObject(0, 0) if shown is not None and shown.GetNumberOfInputPorts() else None
-    filled = isinstance(actor, vtkActor) and actor.GetProperty().GetRepresentation() == SURFACE
-    return filled and not (isinstance(data, vtkPolyData) and data.GetNumberOfPolys() + data.GetNumberOfStrips() == 0)
+    if not isinstance(actor, vtkActor):
+        return isinstance(actor, vtkVolume)
+    mapper = actor.GetMapper()
+    data = mapper.GetInputDataObject(0, 0) if mapper is not None and mapper.GetNumberOfInputPorts() else None
+    has_polygons = not isinstance(data, vtkPolyData) or data.GetNumberOfPolys() + data.GetNumberOfStrips() > 0
+    return has_polygons and actor.GetProperty().GetRepresentationAsString() == "Surface"
 
 
 def add_medium(plotter: pyvista.BasePlotter, mapper: MediumMapper, prop: pyvista.VolumeProperty, title: str, *, user_matrix: Any,
