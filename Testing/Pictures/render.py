@@ -16,6 +16,8 @@ BASELINES = ROOT / "Testing" / "Baselines"
 HERE = Path(__file__).resolve().parent
 FIGURES = ROOT / "Figures"
 TIMEOUT = 240  # s
+# Figures that let their size be chosen are drawn small, and with coarser clouds: they are compared at 200 pixels.
+SMALLER = {"22_flat_and_lit_clouds": "--size 640 360", "23_hurricane_at_dawn": "--size 640 360 --step 0.2", "24_silver_lining_and_fogbow": "--size 600 400"}
 
 
 def scenes(of="mapper"):
@@ -86,7 +88,7 @@ def run_figure(script):
     before = []
     if "NEPHOSCOPE_FORECAST" in script.read_text(encoding="utf-8"):
         before = [[sys.executable, str(ROOT / "Data/forecast/make_forecast.py"), "forecast.nc", "--grid", "test", "--hours", "48"]]
-    return written(*before, [str(Path(paraview_python()).with_name("pvbatch")), str(script)])
+    return written(*before, [str(Path(paraview_python()).with_name("pvbatch")), str(script), *SMALLER.get(script.stem, "").split()])
 
 
 @functools.lru_cache(maxsize=None)

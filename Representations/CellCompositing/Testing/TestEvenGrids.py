@@ -238,13 +238,13 @@ class EvenGrids(unittest.TestCase):
 
     def test_leaps_far(self):
         """One cloud in many clear cells."""
-        data = image((41, 45, 33))
-        values = np.full((33, 45, 41), -1.0)
-        values[20:24, 40:43, 10:12] = 1
+        data = image((21, 23, 17))
+        values = np.full((17, 23, 21), -1.0)
+        values[10:12, 20:22, 5:7] = 1
         add(data.GetPointData(), values.ravel())
         pair = Drawn(data), Drawn(tetrahedra(data))
-        for position in ((40, 80, 50), (30.5, 20.2, 10.1), (11, 41, 60)):
-            self.assert_same(pair, HIGH, (position, (11, 41, 21), None), position)
+        for position in ((20, 40, 25), (15.3, 10.1, 5.1), (5.5, 20.5, 30)):
+            self.assert_same(pair, HIGH, (position, (5.5, 20.5, 10.5), None), position)
 
 
 if __name__ == "__main__":

@@ -3,6 +3,8 @@
 """How two pictures differ: one metric, with the pixels at the mesh's silhouette left out."""
 import numpy as np
 
+from .crossings import pixels_of_rectangles
+
 # A rasteriser places vertices on a grid of 1/256 pixel: nearer to an edge than this (pixels), the sliver between
 # the edge and the pixel centre may be given to the neighbouring tetrahedron, or to none at the silhouette.
 NEAR_EDGE = 0.01
@@ -11,32 +13,34 @@ NEAR_EDGE = 0.01
 def edge_mask(edges, view, distance=NEAR_EDGE):
     """True where a pixel centre lies within distance (pixels) of a projected edge; edges: (n,2,3) in the world."""
     mask = np.zeros((view.height, view.width), bool)
-    smallest = 1e-6 * (view.far if not view.parallel else 1.0)
-    for a, b in edges:
-        za, zb = view.depth(a), view.depth(b)
-        if not view.parallel:
-            if max(za, zb) <= smallest:
-                continue
-            if za < smallest:
-                a = b + (a - b) * (zb - smallest) / (zb - za)
-            if zb < smallest:
-                b = a + (b - a) * (za - smallest) / (za - zb)
-        _mark(mask, view.pixels(a), view.pixels(b), distance)
+    ends = _before_the_eye(np.asarray(edges, float).reshape(-1, 2, 3), view)
+    p, q = view.pixels(ends[:, 0]), view.pixels(ends[:, 1])
+    size = (view.width, view.height)
+    low = np.clip(np.floor(np.minimum(p, q) - 1), 0, size).astype(int)
+    high = np.clip(np.ceil(np.maximum(p, q) + 1), 0, size).astype(int)
+    d = q - p
+    length2 = np.maximum((d * d).sum(axis=1), 1e-300)
+    for k, x, y in pixels_of_rectangles(low, high):
+        along, across = x + 0.5 - p[k, 0], y + 0.5 - p[k, 1]
+        u = np.clip((along * d[k, 0] + across * d[k, 1]) / length2[k], 0, 1)
+        near = np.hypot(along - u * d[k, 0], across - u * d[k, 1]) <= distance
+        mask[y[near], x[near]] = True
     return mask
 
 
-def _mark(mask, p, q, distance):
-    size = np.array(mask.shape[::-1])
-    low = np.clip(np.floor(np.minimum(p, q) - 1), 0, size).astype(int)
-    high = np.clip(np.ceil(np.maximum(p, q) + 1), 0, size).astype(int)
-    x, y = np.meshgrid(np.arange(low[0], high[0]) + 0.5, np.arange(low[1], high[1]) + 0.5)
-    if not x.size:
-        return
-    d = q - p
-    length2 = max(d @ d, 1e-300)
-    u = np.clip(((x - p[0]) * d[0] + (y - p[1]) * d[1]) / length2, 0, 1)
-    near = np.hypot(x - p[0] - u * d[0], y - p[1] - u * d[1]) <= distance
-    mask[low[1]:high[1], low[0]:high[0]] |= near
+def _before_the_eye(edges, view):
+    """The edges without what lies behind the eye."""
+    if view.parallel:
+        return edges
+    smallest = 1e-6 * view.far
+    depth = view.depth(edges)
+    seen = depth.max(axis=1) > smallest
+    edges, depth = edges[seen].copy(), depth[seen]
+    for end in (0, 1):
+        behind = depth[:, end] < smallest
+        a, b, za, zb = edges[behind, end], edges[behind, 1 - end], depth[behind, end], depth[behind, 1 - end]
+        edges[behind, end] = b + (a - b) * ((zb - smallest) / (zb - za))[:, None]
+    return edges
 
 
 class Difference:

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from . import reference
+from .crossings import crossings, dot
 from .transfer import Transfer
 
 NARROW = 1e-13  # of the range: closer nodes than these are a jump
@@ -51,20 +52,17 @@ def render(cells, view, transfer, surfaces=(), contoured=None, layers=None, laye
     origins, directions, start, end = view.rays()
     contoured = contoured or cells
     values = sorted(s.value for s in surfaces)
-    parts, events = [], []
-    for i, p, t_in, t_out in reference._clipped(cells, view, origins, directions, start, end):
-        ray = _Line(origins[p], directions[p], t_in, t_out)
-        s, c = ray.ends(cells.field[i]), ray.ends(contoured.field[i])
-        number = np.full(len(p), i)
-        parts.append((p, t_in, t_out, *s, *c, number))
-        for surface in surfaces:
-            hit = (c[0] >= surface.value) != (c[1] >= surface.value)
-            u = (surface.value - c[0][hit]) / (c[1][hit] - c[0][hit])
-            t = t_in[hit] + u * (t_out - t_in)[hit]
-            at = s[0][hit] + u * (s[1] - s[0])[hit]
-            events.append((p[hit], t, *_surface_light(surface, at, contoured.field[i][0], directions[p[hit]], transfer)))
-    columns = [np.concatenate(x) for x in zip(*parts)] if parts else [np.empty(0)] * 8
-    columns = _cut(columns, values, (5, 6))
+    cell, p, t_in, t_out = crossings(cells, view, origins, directions, start, end)
+    ends = origins[p] + directions[p] * t_in[:, None], origins[p] + directions[p] * t_out[:, None]
+    s, c = ([dot(x, of.gradients[cell]) + of.offsets[cell] for x in ends] for of in (cells, contoured))
+    events = []
+    for surface in surfaces:
+        hit = (c[0] >= surface.value) != (c[1] >= surface.value)
+        u = (surface.value - c[0][hit]) / (c[1][hit] - c[0][hit])
+        t = t_in[hit] + u * (t_out - t_in)[hit]
+        at = s[0][hit] + u * (s[1] - s[0])[hit]
+        events.append((p[hit], t, *_surface_light(surface, at, contoured.gradients[cell[hit]], directions[p[hit]], transfer)))
+    columns = _cut((p, t_in, t_out, *s, *c, cell), values, (5, 6))
     breakpoints = np.unique(np.concatenate([f.breakpoints for f in [transfer, *(layers or {}).values()]]))
     columns = _cut(columns, breakpoints, (3, 4))
     if layers is None:
@@ -79,15 +77,6 @@ def render(cells, view, transfer, surfaces=(), contoured=None, layers=None, laye
         pixel, t, depth, emission = (np.concatenate(x) for x in zip((pixel, t, depth, emission), more))
     order = np.lexsort((t, pixel))
     return reference.composite(pixel[order].astype(int), depth[order], emission[order], view)
-
-
-class _Line:
-    def __init__(self, origin, direction, t_in, t_out):
-        self.points = origin + direction * t_in[:, None], origin + direction * t_out[:, None]
-
-    def ends(self, field):
-        gradient, offset = field
-        return [p @ gradient + offset for p in self.points]
 
 
 def _cut(columns, values, which):
@@ -129,13 +118,12 @@ class _Ends:
     color = staticmethod(lambda c: c)
 
 
-def _surface_light(surface, s, gradient, directions, transfer):
+def _surface_light(surface, s, gradients, directions, transfer):
     """Optical depth and emission of a surface, lit by a headlight."""
     color = np.broadcast_to(surface.color, (len(s), 3)) if surface.color is not None else transfer.color(s)
     if surface.shading:
         ambient, diffuse, specular, power = surface.shading
-        normal = gradient / np.linalg.norm(gradient)
-        towards = np.abs(directions @ normal)
+        towards = np.abs(dot(directions, gradients)) / np.linalg.norm(gradients, axis=1)
         # The light shines along the view direction in a parallel projection, which is what this reference is for.
         color = np.minimum(color * (ambient + diffuse * towards)[:, None] + (specular * towards ** power)[:, None], 1)
     alpha = min(surface.opacity, 1 - 1e-12)

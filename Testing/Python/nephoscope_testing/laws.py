@@ -3,7 +3,7 @@
 """What earlier methods of drawing tetrahedra give, from the rays of the reference: their errors, predicted."""
 import numpy as np
 
-from . import reference
+from . import crossings, reference
 
 OPPOSITE_EDGES = (((0, 1), (2, 3)), ((0, 2), (1, 3)), ((0, 3), (1, 2)))
 
@@ -33,7 +33,7 @@ def _thickest(cells, i, view, transfer):
     origins = view.eye + places[:, :1] * view.right + places[:, 1:] * view.up
     directions = np.broadcast_to(view.forward, origins.shape)
     everywhere = np.full(len(places), 1e9)
-    t0, t1 = reference.clip(cells.planes[i], origins, directions, -everywhere, everywhere)
+    t0, t1 = crossings.clip(cells.planes[i], origins, directions, -everywhere, everywhere)
     best = np.argmax(t1 - t0)
     gradient, offset = cells.field[i]
     rates = [transfer.extinction(gradient @ (origins[best] + t[best] * view.forward) + offset) for t in (t0, t1)]

@@ -7,6 +7,8 @@ from itertools import combinations
 import numpy as np
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
+from .crossings import dot
+
 HIDDEN_CELL, DUPLICATE_CELL, REFINED_CELL, HIDDEN_POINT = 32, 1, 8, 2
 
 
@@ -17,7 +19,8 @@ class Polyhedra:
         self.corners = corners
         self.faces = faces
         self.field = [_linear_field(c, s) for c, s in zip(corners, scalars)]
-        self.planes = [_planes(c, f) for c, f in zip(corners, faces)]
+        self.gradients, self.offsets = np.array([f[0] for f in self.field]).reshape(-1, 3), np.array([f[1] for f in self.field])
+        self.planes = _planes(corners, faces)
         self.face_keys = face_keys
 
     def __len__(self):
@@ -53,19 +56,25 @@ class Polyhedra:
 
 
 def _planes(corners, faces):
-    """Rows (n, c) with n.x <= c inside, whatever way the faces were wound. Faces without area are left out."""
-    inside = corners.mean(axis=0)
-    rows = []
-    for face in faces:
-        p = corners[face] - corners[face[0]]
-        normal = np.cross(p, np.roll(p, -1, axis=0)).sum(axis=0)  # Newell
-        length = np.linalg.norm(normal)
-        if length <= 1e-14 * np.abs(p).max() ** 2:
-            continue
-        normal /= length
-        c = normal @ corners[face].mean(axis=0)
-        rows.append((*normal, c) if normal @ inside <= c else (*-normal, -c))
-    return np.array(rows).reshape(-1, 4)
+    """Of each cell, rows (n, c) with n.x <= c inside, whatever way its faces were wound. Faces without area are left out."""
+    cells = np.repeat(np.arange(len(faces)), [len(loops) for loops in faces])
+    loops = [corners[i][loop] for i, loop in zip(cells, (loop for of_cell in faces for loop in of_cell))]
+    inside = np.array([c.mean(axis=0) for c in corners]).reshape(-1, 3)[cells]
+    rows, kept = np.zeros((len(loops), 4)), np.zeros(len(loops), bool)
+    sizes = np.array([len(loop) for loop in loops], int)
+    for size in np.unique(sizes):
+        alike = np.nonzero(sizes == size)[0]
+        points = np.array([loops[k] for k in alike])
+        p = points - points[:, :1]
+        normal = np.cross(p, np.roll(p, -1, axis=1)).sum(axis=1)  # Newell
+        length = np.linalg.norm(normal, axis=1)
+        kept[alike] = length > 1e-14 * np.abs(p).max(axis=(1, 2)) ** 2
+        normal /= np.where(length > 0, length, 1)[:, None]
+        c = dot(normal, points.mean(axis=1))
+        outward = np.where(dot(normal, inside[alike]) <= c, 1.0, -1.0)
+        rows[alike] = np.column_stack([normal, c]) * outward[:, None]
+    ends = np.searchsorted(cells, np.arange(len(faces) + 1))
+    return [rows[a:b][kept[a:b]] for a, b in zip(ends, ends[1:])]
 
 
 def _linear_field(corners, values):

@@ -4,11 +4,11 @@
 integrated by Gauss-Legendre quadrature of C a exp(-int a). Nothing here is shared with the mapper."""
 import numpy as np
 
+from .crossings import clip, crossings, dot, pixels_of_rectangles, rectangles
+
 NODES, WEIGHTS = (0.5 * (v + o) for v, o in zip(np.polynomial.legendre.leggauss(16), (1.0, 0.0)))
 DEEPEST = 45.0  # exp(-45) = 3e-20: nothing behind it is seen
 CHUNK = 20000
-ASIDE = 1e-10 * np.array([0.6180339887, 0.7320508076, 0.2360679775])  # of the cell's size, in no plane of a lattice
-ALONG = 1e-9  # sine of the angle between a ray and a plane that it is in, to within rounding
 
 
 def render(cells, view, transfer, opaque=None, integration="exact", split=True, begin=None):
@@ -30,40 +30,9 @@ def render(cells, view, transfer, opaque=None, integration="exact", split=True, 
 def ray_segments(cells, view):
     """(pixel, t_in, t_out, cell) of every ray and cell, sorted by pixel and t_in: the true order."""
     origins, directions, start, end = view.rays()
-    parts = [(p, a, b, np.full(len(p), i)) for i, p, a, b in _clipped(cells, view, origins, directions, start, end)]
-    pixel, t0, t1, cell = (np.concatenate(x) for x in zip(*parts))
+    cell, pixel, t0, t1 = crossings(cells, view, origins, directions, start, end)
     order = np.lexsort((t0, pixel))
     return pixel[order], t0[order], t1[order], cell[order]
-
-
-def _candidates(corners, view):
-    """Indices of the pixels that the cell's bounding rectangle covers; all of them when it reaches the eye."""
-    if not view.parallel and view.depth(corners).min() <= 1e-9 * np.abs(view.depth(corners)).max():
-        return np.arange(view.width * view.height)
-    xy = view.pixels(corners)
-    size = (view.width, view.height)
-    low = np.clip(np.floor(xy.min(axis=0)).astype(int) - 1, 0, size)
-    high = np.clip(np.ceil(xy.max(axis=0)).astype(int) + 1, 0, size)
-    return (np.arange(low[1], high[1])[:, None] * view.width + np.arange(low[0], high[0])).ravel()
-
-
-def clip(planes, origins, directions, start, end, aside=(0, 0, 0)):
-    """Entry and exit parameters of rays through the half-spaces n.x <= c; entry >= exit where a ray misses.
-
-    A ray in a plane, to within rounding, is moved aside, so that it belongs to one of the two cells at a face.
-    """
-    t_in, t_out = start.copy(), end.copy()
-    lengths = np.linalg.norm(directions, axis=1)
-    for nx, ny, nz, c in planes:
-        normal = np.array([nx, ny, nz])
-        gap, slope = c - origins @ normal, directions @ normal
-        gap = np.where(np.abs(slope) < ALONG * np.linalg.norm(normal) * lengths, gap - normal @ np.asarray(aside), gap)
-        with np.errstate(divide="ignore", invalid="ignore"):
-            t = gap / slope
-        t_out = np.where(slope > 0, np.minimum(t_out, t), t_out)
-        t_in = np.where(slope < 0, np.maximum(t_in, t), t_in)
-        t_out = np.where((slope == 0) & (gap < 0), -np.inf, t_out)
-    return t_in, t_out
 
 
 def between_planes(view, planes):
@@ -74,31 +43,11 @@ def between_planes(view, planes):
     return clip(outward, origins, directions, -everywhere, everywhere)
 
 
-def _clipped(cells, view, origins, directions, start, end):
-    for i in range(len(cells)):
-        if len(cells.planes[i]) < 4:
-            continue
-        p = _candidates(cells.corners[i], view)
-        if not len(p):
-            continue
-        # Moved to the cell, so that huge coordinates cost no digits.
-        base = cells.corners[i][0]
-        planes = cells.planes[i].copy()
-        planes[:, 3] -= planes[:, :3] @ base
-        aside = ASIDE * np.ptp(cells.corners[i], axis=0).max()
-        t_in, t_out = clip(planes, origins[p] - base, directions[p], start[p], end[p], aside)
-        hit = t_out > t_in
-        if hit.any():
-            yield i, p[hit], t_in[hit], t_out[hit]
-
-
 def _segments(cells, view, origins, directions, start, end):
-    parts = [(np.empty(0, int),) + (np.empty(0),) * 4]
-    for i, p, t_in, t_out in _clipped(cells, view, origins, directions, start, end):
-        gradient, offset = cells.field[i]
-        base, slope = origins[p] @ gradient + offset, directions[p] @ gradient
-        parts.append((p, t_in, t_out, base + slope * t_in, base + slope * t_out))
-    return [np.concatenate(x) for x in zip(*parts)]
+    cell, p, t_in, t_out = crossings(cells, view, origins, directions, start, end)
+    gradient, offset = cells.gradients[cell], cells.offsets[cell]
+    base, slope = dot(origins[p], gradient) + offset, dot(directions[p], gradient)
+    return p, t_in, t_out, base + slope * t_in, base + slope * t_out
 
 
 def _split(pixel, length, s0, s1, breakpoints):
@@ -174,24 +123,24 @@ def over(rgba, background):
 
 def opaque_distance(triangles, view):
     """World length along each ray to the nearest of (n,3,3) triangles, inf where there is none."""
-    start = view.rays()[2]
-    nearest = np.full(len(start), np.inf)
-    for hit, t in triangle_hits(triangles, view):
-        nearest = np.where(hit, np.minimum(nearest, t), nearest)
+    nearest = np.full(view.width * view.height, np.inf)
+    pixel, t = triangle_hits(triangles, view)
+    np.minimum.at(nearest, pixel, t)
     return nearest
 
 
 def triangle_hits(triangles, view):
-    """For each of (n,3,3) triangles: which rays hit it, and at what world length (Moeller-Trumbore)."""
+    """(pixel, world length) of all hits of rays with (n,3,3) triangles (Moeller-Trumbore)."""
     origins, directions, start, _ = view.rays()
-    for a, b, c in np.asarray(triangles, float):
-        e1, e2 = b - a, c - a
-        p = np.cross(directions, e2)
-        det = p @ e1
+    a, b, c = np.asarray(triangles, float).reshape(-1, 3, 3).swapaxes(0, 1)
+    found = [(np.empty(0, int), np.empty(0))]
+    for k, x, y in pixels_of_rectangles(*rectangles(np.stack([a, b, c], axis=1), view)):
+        pixel = y * view.width + x
+        direction, s, e1, e2 = directions[pixel], origins[pixel] - a[k], (b - a)[k], (c - a)[k]
+        p, q = np.cross(direction, e2), np.cross(s, e1)
+        det = dot(p, e1)
         with np.errstate(divide="ignore", invalid="ignore"):
-            s = origins - a
-            u = np.einsum("ij,ij->i", s, p) / det
-            q = np.cross(s, e1)
-            v = np.einsum("ij,ij->i", directions, q) / det
-            t = (q @ e2) / det
-        yield (det != 0) & (u >= 0) & (v >= 0) & (u + v <= 1) & (t >= start), t
+            u, v, t = dot(s, p) / det, dot(direction, q) / det, dot(q, e2) / det
+            hit = (det != 0) & (u >= 0) & (v >= 0) & (u + v <= 1) & (t >= start[pixel])
+        found.append((pixel[hit], t[hit]))
+    return tuple(np.concatenate(parts) for parts in zip(*found))

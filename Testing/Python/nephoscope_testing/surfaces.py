@@ -16,8 +16,12 @@ class Layer:
 
     def hits(self, view):
         """(rays, number of hits) world lengths, ascending, inf where there are no more."""
-        found = [np.where(hit, t, np.inf) for hit, t in reference.triangle_hits(self.triangles, view)]
-        t = np.sort(np.stack(found, axis=1), axis=1)
+        pixel, found = reference.triangle_hits(self.triangles, view)
+        order = np.lexsort((found, pixel))
+        pixel, found = pixel[order], found[order]
+        number = np.arange(len(pixel)) - np.searchsorted(pixel, pixel)
+        t = np.full((view.width * view.height, number.max(initial=0) + 1), np.inf)
+        t[pixel, number] = found
         with np.errstate(invalid="ignore"):
             t[:, 1:][np.diff(t, axis=1) < SAME * t[:, 1:]] = np.inf
         t = np.sort(t, axis=1)
