@@ -133,8 +133,9 @@ def of_snippets():
                 seen.add(code)
                 host = "pvpython" if snippets.is_for_paraview(name, code) else "python"
                 where = os.path.relpath(page, TOP / "gallery")
-                yield Example(name, title_of(name, page, code), f"From [{page.relative_to(TOP)}]({where}). It reads `Data/`: run it in the top folder of the project.",
-                              code, f"./nephoscope {host} {name}.py", found[:1])
+                title, code = title_of(name, page, code), "\n".join([*(snippets.snippets()[part] for part in snippets.before(name)), code])
+                reads = " It reads `Data/`: run it in the top folder of the project." if '"Data/' in code else ""
+                yield Example(name, title, f"From [{page.relative_to(TOP)}]({where}).{reads}", code, f"./nephoscope {host} {name}.py", found[:1])
 
 
 def grid(examples):

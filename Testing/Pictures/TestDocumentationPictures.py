@@ -5,11 +5,13 @@
 On a failure the new picture, and old, new and difference side by side, are kept in the output folder of the tests and named.
 `./nephoscope baselines` refreshes the baselines.
 """
+import re
 import sys
 
 import judge
 import pictures
 import render
+import snippets
 
 
 def check_checks():
@@ -26,8 +28,18 @@ def check_checks():
         assert pictures.disagreement(other, disc), "a wrong picture agrees"
 
 
+def check_files():
+    """Whoever has installed the wheel can run a snippet: Python reads samples by nephoscope.sample_data, in blocks, indented lines and sentences."""
+    for page in snippets.pages():
+        text = page.read_text(encoding="utf-8")
+        for block in snippets.BLOCK.findall(text):
+            text = text.replace(block, "") if snippets.is_for_paraview(snippets.name_of(page), block) else text
+        assert not re.search(r'"(Data|build)/', text), f"{page}: Python that reads a file of the source tree"
+
+
 def main(host, chosen):
     check_checks()
+    check_files()
     names = [name for name in render.names_for(host) if not chosen or name in chosen]
     return judge.report(names, lambda name: judge.problem_of(name, *render.render(name)))
 

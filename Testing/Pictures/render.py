@@ -111,7 +111,8 @@ def render(name):
         why = why or problem_of_names(name, made)
         return (None, why) if why else (made[name], None)
     with tempfile.TemporaryDirectory() as folder:
-        os.symlink(ROOT / "Data", Path(folder) / "Data")
+        if name in snippets() and is_for_paraview(name, snippets()[name]):  # Python's have only what `pip install` gives
+            os.symlink(ROOT / "Data", Path(folder) / "Data")
         printed, why = run(command(name), folder)
         file = Path(folder) / "picture.png"
         if not why and ("NEPHOSCOPE-PICTURE" not in printed or not file.is_file()):

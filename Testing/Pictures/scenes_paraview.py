@@ -87,3 +87,7 @@ def show(name):
 BEFORE = {"haze-2": earth, "light-2": globe, "paraview-2": globe, "paraview-3": globe, "paraview-4": lambda names: names.update(vars(pvs)),
           "sparse-volume-2": sparse}
 AFTER = {"paraview-2": show("dense"), "paraview-3": show("clouds")}
+
+
+def prepare(name, names):
+    BEFORE.get(name, lambda names: None)(names)

@@ -1,11 +1,10 @@
 # SPDX-FileCopyrightText: The Nephoscope authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""For the snippets that run in Python: what a page takes as given (BEFORE), and how what it makes is drawn (AFTER).
+"""For the snippets that run in Python: how what they make is drawn (AFTER).
 
-A snippet that draws by itself leaves a file, a window or a list of frames, and needs no entry.
+A snippet that draws by itself leaves a file, a plotter or a list of frames, and needs no entry.
 """
 import glob
-import os
 
 import nephoscope
 import numpy as np
@@ -15,12 +14,10 @@ import vtkmodules.vtkRenderingVolumeOpenGL2  # noqa: F401
 from vtkmodules.vtkCommonDataModel import vtkPiecewiseFunction
 from vtkmodules.vtkCommonExecutionModel import vtkTrivialProducer
 from vtkmodules.vtkIOImage import vtkPNGWriter
-from vtkmodules.vtkIONetCDF import vtkNetCDFCFReader
 from vtkmodules.vtkRenderingCore import (vtkActor, vtkColorTransferFunction, vtkDataSetMapper, vtkPolyDataMapper, vtkRenderer,
                                          vtkRenderWindow, vtkVolume, vtkWindowToImageFilter)
 
 pyvista.OFF_SCREEN = True
-GFS = "Data/gfs_2p5deg_2011101100.nc"
 SKY = (0.25, 0.4, 0.6)
 
 
@@ -57,12 +54,13 @@ def show(*props, renderer=None, look=(-3, -5, 3.4), up=(0, 0, 1), zoom=1.3):
 
 
 def keep_picture(names):
-    """Keeps the picture of a snippet that draws: its frames, its file or its window."""
+    """Keeps the picture of a snippet that draws: its frames, its open plotter, its file or its window."""
+    files = [file for file in glob.glob("*.png") if file != "picture.png"]
     if "frames" in names:
         names["frames"][-1].save("picture.png")
-        return
-    files = [file for file in glob.glob("*.png") if file != "picture.png"]
-    if files:
+    elif getattr(names.get("plotter"), "render_window", None):
+        names["plotter"].screenshot("picture.png")
+    elif files:
         pyvista.wrap(pyvista.read(files[0])).save("picture.png")
     elif "window" in names:
         save_window(names["window"])
@@ -101,8 +99,6 @@ def medium(mapper=None, high=1.0, distance=1.0, colors=((0.0, 1, 1, 1), (1.0, 1,
     return volume
 
 
-# ---- data
-
 ALIVE = []  # an output port does not keep its algorithm
 
 
@@ -113,190 +109,12 @@ def producer(data):
     return made
 
 
-def reader(file=GFS):
-    made = vtkNetCDFCFReader()
-    made.SetFileName(file)
-    made.UpdateMetaData()
-    made.SetSphericalCoordinates(False)
-    made.SetDimensions("(lev, lat, lon)")
-    ALIVE.append(made)
-    return made
-
-
-def globe(exaggeration=50, file=GFS):
-    made = nephoscope.vtkGlobeGrid()
-    made.SetInputConnection(reader(file).GetOutputPort())
-    made.SetVerticalExaggeration(exaggeration)
-    ALIVE.append(made)
-    return made
-
-
-def cloud_surface():
-    made = nephoscope.vtkCloudSurface()
-    made.SetInputConnection(globe(30).GetOutputPort())
-    made.SetInputArrayToProcess(0, 0, 0, 0, "cloud_fraction")
-    made.SetValue(0, 0.3)
-    return made
-
-
-def ball():
-    """Tetrahedra, say, with what the pages name: a cloud in the middle, warmer below, in a wind that turns."""
-    grid = pyvista.ImageData(dimensions=(25,) * 3, spacing=(1 / 12,) * 3, origin=(-1,) * 3)
-    x, y, z = grid.points.T
-    grid["cloud_fraction"] = np.exp(-3 * (x ** 2 + y ** 2 + 2 * z ** 2))
-    grid["Temperature"] = 0.5 - 0.5 * z
-    grid["Wind"] = np.column_stack([-y, x, 0 * x])
-    grid.cell_data["Density"] = grid.point_data_to_cell_data()["cloud_fraction"] ** 2
-    return grid
-
-
-def ball_mapper(names, distance=0.3):
-    names["mapper"] = mapper = nephoscope.vtkCellCompositingMapper()
-    mapper.SetInputData(ball())
-    mapper.SetScalarModeToUsePointFieldData()
-    mapper.SelectScalarArray("cloud_fraction")
-    names["volume"] = medium(mapper, distance=distance, colors=((0.0, 0.1, 0.3, 1), (0.5, 1, 1, 1), (1.0, 1, 0.3, 0.1)))
-
-
 # ---- before
 
-def clouds_source(names):
-    names["source"] = globe(50)
-    names["volume"] = medium(distance=2e5)
-
-
-def peeling(names):
-    ball_mapper(names)
-    names["renderer"], names["window"] = vtkRenderer(), vtkRenderWindow()
-    sphere = surface_actor(producer(pyvista.Sphere(radius=0.6)).GetOutputPort(), (0.2, 0.9, 0.3))
-    sphere.GetProperty().SetOpacity(0.5)
-    names["renderer"].AddActor(sphere)
-
-
-def textured(names):
-    names["clouds"], names["renderer"], names["window"] = cloud_surface(), vtkRenderer(), vtkRenderWindow()
-    names["mapper"] = mapper = nephoscope.vtkCloudTextureMapper()
-    mapper.SetInputConnection(names["clouds"].GetOutputPort())
-    mapper.ScalarVisibilityOff()
-    mapper.SetTextureScale(6)
-
-
-def columns(names):
-    """Winds and levels of a page on arrays."""
-    longitudes, latitudes, levels = np.arange(0, 360, 10.0), np.arange(-90, 91, 10.0), np.array([1000, 850, 700, 500, 300, 100.0])
-    shape = (len(levels), len(latitudes), len(longitudes))
-    names.update(nephoscope=nephoscope, pyvista=pyvista, longitudes=longitudes, latitudes=latitudes, levels=levels,
-                 u=np.broadcast_to(30 * np.sin(np.radians(2 * latitudes))[:, None] ** 2, shape), v=np.zeros(shape))
-    plot = pyvista.DataSet.plot if hasattr(pyvista.DataSet, "plot") else None
-    assert plot
-    pyvista.global_theme.show_scalar_bar = False
-    keep_shown()
-
-
-def keep_shown():
-    """Plotters keep the picture that their window shows."""
+def prepare(_name, _names):
+    """Plotters keep the picture that their window shows. Nothing else: a snippet must run where it is pasted."""
     show_plotter = pyvista.Plotter.show
-    pyvista.Plotter.show = lambda plotter, **options: show_plotter(plotter, **{**options, "screenshot": "plot.png"})
-
-
-def forecast(_names):
-    """The user's file of the page for PyPI."""
-    os.symlink(GFS, "forecast.nc")
-    keep_shown()
-
-
-def polyhedra(names):
-    from vtkmodules.vtkCommonCore import vtkIdList, vtkPoints
-    from vtkmodules.vtkCommonDataModel import VTK_POLYHEDRON, vtkUnstructuredGrid
-    # A star: an octahedron with a dent in each face is not convex.
-    points, faces = vtkPoints(), vtkIdList()
-    corners = np.array([(1, 0, 0), (-1, 0, 0), (0, 1, 0), (0, -1, 0), (0, 0, 1), (0, 0, -1)], float)
-    for corner in corners:
-        points.InsertNextPoint(*corner)
-    triangles = []
-    for a in (0, 1):
-        for b in (2, 3):
-            for c in (4, 5):
-                middle = points.InsertNextPoint(*(0.12 * (corners[a] + corners[b] + corners[c])))
-                triangles += [(a, b, middle), (b, c, middle), (c, a, middle)]
-    faces.InsertNextId(len(triangles))
-    for triangle in triangles:
-        faces.InsertNextId(3)
-        for corner in triangle:
-            faces.InsertNextId(int(corner))
-    grid = vtkUnstructuredGrid()
-    grid.SetPoints(points)
-    grid.InsertNextCell(VTK_POLYHEDRON, faces)
-    wrapped = pyvista.wrap(grid)
-    wrapped["value"] = np.linalg.norm(wrapped.points, axis=1)
-    names["reader"] = producer(wrapped)
-    names["mapper"] = mapper = nephoscope.vtkCellCompositingMapper()
-    mapper.SetScalarModeToUsePointFieldData()
-    mapper.SelectScalarArray("value")
-
-
-def flow(names):
-    names["smoke"] = made = nephoscope.vtkFlowVolume()
-    data = globe(50)
-    data.Update()
-    place = nephoscope.vtkFlowVolumePlacement()
-    place.Find(data.GetOutput())
-    made.SetInputConnection(data.GetOutputPort())
-    made.SetCenter(place.GetCenter())
-    made.SetRadius(place.GetRadius())
-
-
-def sparse(names):
-    image = ball()
-    image["density"], image["temperature"] = image["cloud_fraction"], image["Temperature"]
-    writer = nephoscope.vtkSparseVolumeWriter()
-    writer.SetFileName("smoke.vdb")
-    writer.SetInputData(image)
-    for name in ("density", "temperature"):
-        writer.AddArrayName(name)
-    writer.SetTolerance(0.05)
-    writer.Write()
-    names["image"] = image
-
-
-def grib_of_gfs(names):
-    """forecast.grib2: the fields of the sample file, as GRIB."""
-    import sys
-    from pathlib import Path
-    sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "Plugins" / "PyVista" / "Testing"))
-    from weather_data import write_grib
-    gfs, ground = nephoscope.read_cf(GFS), nephoscope.read_cf(GFS, dimensions="(lat, lon)")
-    keys = {"gridType": "regular_ll", "Ni": 144, "Nj": 73, "latitudeOfFirstGridPointInDegrees": -90, "latitudeOfLastGridPointInDegrees": 90,
-            "longitudeOfFirstGridPointInDegrees": 0, "longitudeOfLastGridPointInDegrees": 357.5, "iDirectionIncrementInDegrees": 2.5, "jDirectionIncrementInDegrees": 2.5,
-            "jScansPositively": 1}
-    order = np.argsort(gfs.x % 360)
-    of = lambda mesh, array, level=0: np.asarray(mesh[array]).reshape(-1, 73, 144)[level][:, order]
-    fields = [(short, "isobaricInhPa", int(round(abs(pressure))), of(gfs, array, k)) for short, array in (("gh", "gh"), ("u", "u"), ("v", "v"), ("cc", "cloud_fraction"))
-              for k, pressure in enumerate(gfs.z)]
-    fields += [(name, "surface", 0, of(ground, name)) for name in ("sp", "orog", "lsm")]
-    write_grib("forecast.grib2", fields, keys)
-
-
-BEFORE = {
-    "weather-1": grib_of_gfs,
-    "weather-2": grib_of_gfs,
-    "cell-compositing-1": clouds_source,
-    "cell-compositing-2": ball_mapper,
-    "cell-compositing-3": lambda names: ball_mapper(names, 2.0),
-    "cell-compositing-4": peeling,
-    "cloud-surface-1": lambda names: names.update(globe=globe(30)),
-    "cloud-texture-1": textured,
-    "cloud-texture-2": textured,
-    "cloud-texture-3": textured,
-    "description-1": forecast,
-    "contour-cell-splitter-1": lambda names: names.update(source=producer(ball())),
-    "globe-grid-2": columns,
-    "haze-1": lambda names: names.update(renderer=vtkRenderer()),
-    "polyhedra-1": polyhedra,
-    "smoke-puffs-1": flow,
-    "sparse-volume-1": sparse,
-    "texture-advection-1": lambda names: names.update(nephoscope=nephoscope, globe=globe(40, "Data/forecast_10deg_6h.nc")),
-}
+    pyvista.Plotter.show = lambda plotter, **options: show_plotter(plotter, **{**options, "screenshot": options.get("screenshot") or "plot.png"})
 
 
 # ---- after
@@ -350,20 +168,9 @@ def show_advected(names):
     mapper.SetInputConnection(surface.GetOutputPort())
     mapper.ScalarVisibilityOff()
     actor.SetMapper(mapper)
-    show(actor, earth(), renderer=peeled())
-
-
-def peeled():
     renderer = vtkRenderer()
     renderer.UseDepthPeelingOn()
-    return renderer
-
-
-def show_texture(names):
-    actor = vtkActor()
-    actor.SetMapper(names["mapper"])
-    names["renderer"].UseDepthPeelingOn()
-    show(actor, earth(), renderer=names["renderer"])
+    show(actor, earth(), renderer=renderer)
 
 
 def show_polyhedron(names):
@@ -371,18 +178,10 @@ def show_polyhedron(names):
 
 
 AFTER = {
-    "cell-compositing-1": lambda names: show(names["volume"], earth()),
-    "cell-compositing-2": lambda names: show(names["volume"]),
-    "cell-compositing-3": lambda names: show(names["volume"]),
-    "cell-compositing-4": lambda names: show(names["volume"], renderer=names["renderer"]),
     "cloud-surface-1": lambda names: show(surface_actor(names["clouds"].GetOutputPort()), earth()),
-    "cloud-texture-1": show_texture,
-    "cloud-texture-2": show_texture,
-    "cloud-texture-3": show_texture,
     "contour-cell-splitter-1": show_layers,
     "flow-volumes-2": show_smoke,
     "globe-grid-1": show_globe,
-    "haze-1": lambda names: show(earth(), renderer=names["renderer"], look=(-6.9e6, 0, 2e6), zoom=1),
     "polyhedra-1": show_polyhedron,
     "smoke-puffs-1": show_puffs,
     "sparse-volume-1": show_points,

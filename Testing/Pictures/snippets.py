@@ -6,6 +6,7 @@ from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
 BLOCK = re.compile(r"^```python\n(.*?)^```", re.DOTALL | re.MULTILINE)
+CONTINUES = "# continues the snippet above\n"  # its first line: it needs what that has made
 FOLDERS = ("Data", "Documentation", "Figures", "Filters", "Plugins", "Representations", "Testing")
 
 
@@ -26,6 +27,15 @@ def snippets():
     """{name: text}"""
     return {f"{name_of(page)}-{number}": text for page in pages() if page.is_file()
             for number, text in enumerate(BLOCK.findall(page.read_text(encoding="utf-8")), 1)}
+
+
+def before(name):
+    """The snippets of its page that a snippet continues, in their order."""
+    page, _, number = name.rpartition("-")
+    if not snippets()[name].startswith(CONTINUES):
+        return []
+    above = f"{page}-{int(number) - 1}"
+    return [*before(above), above]
 
 
 def is_for_paraview(name, text):
