@@ -1,13 +1,16 @@
 # SPDX-FileCopyrightText: The Nephoscope authors
 # SPDX-License-Identifier: BSD-3-Clause
 """The first picture of a dataset: on a globe, on a map, of one level; options that the dataset itself answers."""
+import contextlib
 import tempfile
 import unittest
 from pathlib import Path
+from unittest import mock
 
 import nephoscope  # noqa: F401 (the accessor)
 import numpy as np
 import pyvista
+from nephoscope.weather import ground
 from weather_data import isothermal
 
 LON, LAT = np.arange(0, 40, 5.0), np.arange(20, 60, 5.0)
@@ -30,21 +33,68 @@ class Plots(unittest.TestCase):
     def sizes(self, plotter):
         return sorted(actor.GetLength() for actor in plotter.renderer.actors.values() if hasattr(actor, "GetLength") and actor.GetLength())
 
-    def test_a_map_has_no_globe(self):
-        plotter, _ = self.plotted(forecast(), "cl", projection="map")
-        self.assertFalse(any(isinstance(actor, pyvista.Actor) for actor in plotter.renderer.actors.values()))
+    def shown(self, plotter, points):
+        """Pixels from the lower left of points of the scene."""
+        matrix = pyvista.array_from_vtkmatrix(plotter.camera.GetCompositeProjectionTransformMatrix(1, -1, 1))
+        seen = np.column_stack([points, np.ones(len(points))]) @ matrix.T
+        return 400 + 400 * seen[:, :2] / seen[:, 3:]
+
+    def test_a_map_has_the_earth_below(self):
+        """Land and sea where they are, seen from above with north up, and the scalar bar below the map."""
+        for longitudes in (np.arange(0, 360, 10.0), np.arange(-180, 180, 10.0), LON):
+            latitudes = np.arange(-80, 81, 10.0) if len(longitudes) > 10 else LAT
+            first = isothermal(longitudes, latitudes)
+            dataset = first.assign(cl=(first.ta.dims, 0 * first.ta.values, {"units": "1"}))  # clear
+            plotter, picture = self.plotted(dataset, "cl", projection="map")
+            for longitude, latitude, is_land in ((20, 25, True), (17.5, 34.5, False), (10, 50, True), (25, 45, True), (32, 43, False)):
+                with self.subTest(first=longitudes[0], longitude=longitude, latitude=latitude):
+                    (x, y), = self.shown(plotter, np.radians([[longitude, latitude, 0]]) * 6371000)
+                    red, _, blue = picture[int(y), int(x)]
+                    self.assertEqual(red > blue, is_land)
+            bar, = plotter.scalar_bars.values()
+            top = 800 * (bar.GetPosition()[1] + bar.GetPosition2()[1])
+            corners = self.shown(plotter, plotter.renderer.actors[next(iter(plotter.renderer.actors))].GetMapper().GetInput().points)
+            self.assertGreater(corners[:, 1].min(), top)
+            self.assertTrue((corners > 0).all() and (corners < 800).all())
+            self.assertGreater(np.ptp(corners[:, 0]), 700 if len(longitudes) > 10 else 590)
+
+    def test_a_field_on_a_map_has_coasts(self):
+        first = isothermal(np.arange(0, 360, 10.0), np.arange(-80, 81, 10.0))
+        plotter, picture = self.plotted(first.isel(plev=1), "ta", projection="map")
+        coasts = np.asarray(plotter.renderer.actors["coasts"].GetMapper().GetInput().points)
+        degrees = np.degrees(coasts / 6371000)
+        self.assertLess(np.hypot(*(degrees[:, :2] - (77.5, 8.1)).T).min(), 0.6)  # Cape Comorin
+        self.assertGreater(np.hypot(*(degrees[:, :2] - (220, 0)).T).min(), 8)  # the Pacific
+        x, y = self.shown(plotter, coasts[::50]).T.astype(int)
+        self.assertLess(np.median(picture[y, x].max(axis=1)), 60)  # they are drawn over the field
+
+    @contextlib.contextmanager
+    def no_picture_of_the_earth(self):
+        cached = (ground.blue_marble, ground.coasts)
+        for function in cached:
+            function.cache_clear()
+        with mock.patch.object(ground, "sample_data", side_effect=FileNotFoundError):
+            yield
+        for function in cached:
+            function.cache_clear()
+
+    def test_without_the_picture_of_the_earth(self):
+        with self.no_picture_of_the_earth():
+            plotter, _ = self.plotted(forecast().isel(plev=1), "ta", projection="map")
+        self.assertEqual(len(plotter.renderer.actors) - len(plotter.scalar_bars), 2)  # ground and field
 
     def test_one_level_is_a_coloured_surface(self):
         level = forecast().isel({forecast().ta.dims[0]: 1})
         plotter, picture = self.plotted(level, "ta")
-        self.assertEqual(sum(isinstance(actor, pyvista.Actor) for actor in plotter.renderer.actors.values()), 2)
+        self.assertEqual(sum(isinstance(actor, pyvista.Actor) for actor in plotter.renderer.actors.values()), 3)  # the Earth, the field, coasts
         self.assertGreater(np.std(picture), 10)
 
     def test_one_level_with_nothing_set_and_large_cells(self):
         """It is coloured by its field, and the globe under it is nowhere in front of it: 20 degrees a cell."""
         level = isothermal(np.arange(0, 360, 20.0), np.arange(-80, 81, 20.0)).isel(plev=0)
         level = level[["ta"]].assign(ta=level.ta + 40 * np.sin(np.radians(level.lat)))
-        plotter, picture = self.plotted(level, None)
+        with self.no_picture_of_the_earth():  # it has one colour
+            plotter, picture = self.plotted(level, None)
         inside = picture[300:500, 300:500].reshape(-1, 3)
         ground = np.array([0x3d, 0x5a, 0x73]) * 1.0
         self.assertGreater(np.ptp(inside, axis=0).max(), 60)  # colours of a field

@@ -142,7 +142,9 @@ class WeatherAccessor:
 
     def plot(self, scalars: str | None = None, *, time: int | str | np.datetime64 | None = None, screenshot: str | None = None, vertical_exaggeration: float = 30.0,
              opacity: Any = None, cmap: Any = None, **options: Any):
-        """Draw one field as a volume over the globe, in a window or into a file.
+        """Draw one field as a volume over the Earth, in a window or into a file; a field of one level as a surface with coasts.
+
+        With ``projection="map"`` the picture is a map, seen from above with north up.
 
         Parameters
         ----------

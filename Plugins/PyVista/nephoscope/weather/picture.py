@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: The Nephoscope authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""The first picture of a mesh on the globe, in one line."""
+"""The first picture of a mesh on the globe or on a map, in one line."""
 from __future__ import annotations
 
 import numpy as np
@@ -9,29 +9,81 @@ import pyvista
 from .._blocks import cell_dimension
 from .._medium import association_of, default_scalars
 from ..cells import add_cells
-from ..globe import EARTH_RADIUS, globe_surface
+from ..globe import EARTH_RADIUS
+from .ground import add_coasts, add_ground, globe_coasts, globe_ground, map_coasts, map_ground
 
-GROUND = "#3d5a73"  # of the globe, without a texture
-
-BAR = {"vertical": True, "position_x": 0.885, "position_y": 0.3, "width": 0.06, "height": 0.4, "title_font_size": 14, "label_font_size": 12, "n_labels": 4}  # beside the globe
+FONTS = {"title_font_size": 14, "label_font_size": 12}
+BESIDE = {"vertical": True, "position_x": 0.885, "position_y": 0.3, "width": 0.06, "height": 0.4, "n_labels": 4, **FONTS}  # the globe
+BELOW = {"vertical": False, "position_x": 0.25, "position_y": 0.02, "width": 0.5, "height": 0.09, "n_labels": 4, **FONTS}  # the map
+STRIP = 0.14  # of the height of the picture, at its lower edge, for the scalar bar below a map
+MARGIN = 0.04  # of the width and of the height, around a map
 
 
 def plotted(grid: pyvista.DataSet, scalars: str | None, screenshot: str | None, options: dict) -> pyvista.Plotter:
     plotter = pyvista.Plotter(off_screen=screenshot is not None, theme=pyvista.themes.DarkTheme(), window_size=(800, 800))
     on_globe = str(np.ravel(grid.field_data.get("GlobeGridProjection", ["globe"]))[0]).lower() not in ("1", "1.0", "map")
     flat = cell_dimension(grid) < 3
-    if on_globe:
-        plotter.add_mesh(globe_surface(radius=_below(grid) if flat else EARTH_RADIUS), color=GROUND, lighting=True)
+    (_add_globe if on_globe else _add_map)(plotter, grid, flat)
+    options = {"scalar_bar_args": BESIDE if on_globe else BELOW, **options}
     if flat:  # one level
         name = default_scalars(grid)[1] if scalars is None else scalars
         association_of(grid, name, "point", "scalars")  # raises an error if no value is finite; VTK would end the process
-        plotter.add_mesh(grid, scalars=name, **{"nan_opacity": 0, "lighting": False, "scalar_bar_args": BAR, **options})
+        plotter.add_mesh(grid, scalars=name, **{"nan_opacity": 0, "lighting": False, **options})
     else:
-        add_cells(plotter, grid, scalars, **{"scalar_bar_args": BAR, **options})
-    if on_globe:
-        _look_down(plotter, grid)
+        add_cells(plotter, grid, scalars, **options)
+    for bar in plotter.scalar_bars.values():
+        bar.SetVerticalTitleSeparation(10)  # pixels, of an upright bar: the title is not on the upper label
+        if not bar.GetOrientation():
+            bar.SetBarRatio(0.25)
+            bar.SetTitle(f"{bar.GetTitle()}\n ")
+    (_look_down if on_globe else _look_at_map)(plotter, grid)
     plotter.show(screenshot=screenshot or False, auto_close=False)
     return plotter
+
+
+def _add_globe(plotter: pyvista.Plotter, grid: pyvista.DataSet, flat: bool) -> None:
+    radii = np.linalg.norm(_finite(grid), axis=1)
+    lowest = radii.min(initial=EARTH_RADIUS) if radii.max(initial=0) <= 1.000001 * EARTH_RADIUS else EARTH_RADIUS  # below an ocean
+    add_ground(plotter, globe_ground(_below(grid) if flat else lowest))
+    if flat and radii.size:
+        add_coasts(plotter, globe_coasts(1.001 * radii.max()))
+
+
+def _add_map(plotter: pyvista.Plotter, grid: pyvista.DataSet, flat: bool) -> None:
+    points = _finite(grid)
+    if not points.size:
+        return
+    (west, south, bottom), (east, north, top) = points.min(axis=0), points.max(axis=0)
+    step = 0.001 * max(east - west, north - south)
+    ground = bottom - step if flat or top <= 0 else 0.0
+    radius = float(np.ravel(grid.field_data.get("PlanetRadius", [EARTH_RADIUS]))[0])
+    edges = tuple(np.degrees(np.array([west, east, south, north]) / radius))
+    add_ground(plotter, map_ground(edges, radius, ground))
+    if flat:
+        add_coasts(plotter, map_coasts(edges, radius, top + step))
+
+
+def _finite(grid: pyvista.DataSet) -> np.ndarray:
+    points = np.asarray(grid.points)
+    return points[np.isfinite(points).all(axis=1)]
+
+
+def _look_at_map(plotter: pyvista.Plotter, grid: pyvista.DataSet) -> None:
+    """From above, with north up, above a strip for the scalar bar."""
+    points = _finite(grid)
+    if not points.size:
+        return
+    low, high = points.min(axis=0), points.max(axis=0)
+    middle, (width, height, depth) = 0.5 * (low + high), high - low
+    aspect = plotter.window_size[0] / plotter.window_size[1]
+    scale = max(width / aspect / (1 - 2 * MARGIN), height / (1 - 2 * MARGIN - STRIP)) or 1.0  # height of the picture in the scene
+    middle[1] -= 0.5 * STRIP * scale
+    plotter.camera.focal_point = middle
+    plotter.camera.position = middle + (0, 0, depth + 2 * scale)
+    plotter.camera.up = (0, 1, 0)
+    plotter.enable_parallel_projection()
+    plotter.camera.parallel_scale = 0.5 * scale
+    plotter.reset_camera_clipping_range()
 
 
 def _below(sheet: pyvista.DataSet) -> float:
@@ -54,8 +106,8 @@ def _longest_diagonal(sheet: pyvista.DataSet) -> float:
 
 def _look_down(plotter: pyvista.Plotter, grid: pyvista.DataSet) -> None:
     """Places the camera above the middle of the data, far enough to show all of them, with north up."""
-    points = np.asarray(grid.points)[:: max(1, grid.n_points // 5000)]
-    points = points[np.isfinite(points).all(axis=1)]
+    points = _finite(grid)
+    points = points[:: max(1, len(points) // 5000)]
     middle = points.mean(axis=0)
     if np.linalg.norm(middle) < 0.2 * EARTH_RADIUS:  # all round the globe
         middle = np.array([0.3, -1.0, 0.35]) * EARTH_RADIUS
@@ -63,7 +115,7 @@ def _look_down(plotter: pyvista.Plotter, grid: pyvista.DataSet) -> None:
     size = np.linalg.norm(points - centre, axis=1).max()
     upward = middle / np.linalg.norm(middle)
     plotter.camera.focal_point = centre
-    plotter.camera.position = centre + upward * size * 4.5
+    plotter.camera.position = centre + upward * size * 4.6
     plotter.camera.up = (0, 0, 1) if abs(upward[2]) < 0.95 else (1, 0, 0)
     plotter.camera.SetWindowCenter(0.08, 0)  # room for the scalar bar
     plotter.reset_camera_clipping_range()
