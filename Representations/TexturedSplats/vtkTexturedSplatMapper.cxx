@@ -275,8 +275,8 @@ std::string vtkTexturedSplatMapper::DrawScene(
   this->SetVectorOptions(options);
   nephoscope::FindSplatRanges(
     scene.GetSorted(), scene.GetSamples(), state.View, renderer->GetSize(), options);
-  scene.UpdateLayers(
-    options.MediaApart, this->GetDataSetInput(), this->LayerAxis, options.NearSplats);
+  scene.UpdateLayers(options.MediaApart, this->OrderByLayers, this->GetDataSetInput(),
+    this->LayerAxis, options.NearSplats);
   this->SetRegionOptions(options);
   options.LayerThickness = options.MediaApart ? scene.GetLayerThickness() : 0.0;
   this->Internals->Window.Enter(window);

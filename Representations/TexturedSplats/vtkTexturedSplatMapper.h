@@ -169,6 +169,15 @@ public:
   vtkSetMacro(InterpolateScalarsBeforeMapping, bool);
   vtkGetMacro(InterpolateScalarsBeforeMapping, bool);
   vtkBooleanMacro(InterpolateScalarsBeforeMapping, bool);
+
+  /**
+   * Draws flat cells of a structured grid layer by layer, from the farthest to the nearest, where the eye looks across their layers. In the
+   * order of their distances, which other samples have, the lower cells of the next column would hide the upper ones behind them, so that
+   * a thick medium has ribs. Default: on. Blocks of samples (ErrorTolerance, and moving cameras) are always ordered by distance.
+   */
+  vtkSetMacro(OrderByLayers, bool);
+  vtkGetMacro(OrderByLayers, bool);
+  vtkBooleanMacro(OrderByLayers, bool);
   ///@}
 
   ///@{
@@ -509,6 +518,7 @@ protected:
   double OpacityScale = 1.0;
   std::string OpacityArrayName;
   bool InterpolateScalarsBeforeMapping = true;
+  bool OrderByLayers = true;
   std::string VectorArrayName;
   double VectorOpacity = 2.0;
   double MaximumSpeed = 0.0;

@@ -24,6 +24,7 @@ void vtkTexturedSplatMapper::CopySettings(vtkTexturedSplatMapper* mapper)
   this->SetOpacityScale(mapper->OpacityScale);
   this->SetOpacityArrayName(mapper->OpacityArrayName);
   this->SetInterpolateScalarsBeforeMapping(mapper->InterpolateScalarsBeforeMapping);
+  this->SetOrderByLayers(mapper->OrderByLayers);
   this->SetVectorArrayName(mapper->VectorArrayName);
   this->SetVectorOpacity(mapper->VectorOpacity);
   this->SetMaximumSpeed(mapper->MaximumSpeed);
@@ -66,6 +67,7 @@ void vtkTexturedSplatMapper::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "ShapeArrayName: " << this->ShapeArrayName << "\n";
   os << indent << "OpacityScale: " << this->OpacityScale << "\n";
   os << indent << "OpacityArrayName: " << this->OpacityArrayName << "\n";
+  os << indent << "OrderByLayers: " << this->OrderByLayers << "\n";
   os << indent << "InterpolateScalarsBeforeMapping: " << this->InterpolateScalarsBeforeMapping
      << "\n";
   os << indent << "VectorArrayName: " << this->VectorArrayName << "\n";

@@ -82,6 +82,8 @@ EXCEPTIONS = {
     **{(host, "vtkCellCompositingMapper", "CellInterpolation"): "on request in Python, on the mapper itself" for host in ("ParaView", "PyVista")},
     ("ParaView", "vtkTexturedSplatMapper", "InterpolateScalarsBeforeMapping"): "off: on several ranks samples travel without cells",
     ("PyVista", "vtkTexturedSplatMapper", "InterpolateScalarsBeforeMapping"): "on; on request off, on the mapper itself",
+    ("ParaView", "vtkTexturedSplatMapper", "OrderByLayers"): "off: on several ranks samples travel without their grid",
+    ("PyVista", "vtkTexturedSplatMapper", "OrderByLayers"): "on; on request off, on the mapper itself",
     **{(host, "vtkCellCompositingMapper", "PickOpacity"): "how opaque is what is picked; on the mapper itself" for host in ("ParaView", "PyVista")},
     ("PyVista", "vtkCellCompositingMapper", "NumberOfContourValues"): "the length of the list of contours",
     ("ParaView", "vtkCloudTextureMapper", "DensityVolume"): "a second input, the property of that name",

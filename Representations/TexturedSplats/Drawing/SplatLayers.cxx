@@ -17,6 +17,8 @@ namespace
 constexpr std::uint32_t middle = 0x80000000u; // of the numbers of layers
 constexpr double clearly =
   1.2; // by this factor another axis must point at the eye better than the last one
+constexpr double flat =
+  3.0; // by this factor rays must cross more layers of one axis than of the others
 
 // Not of unit length.
 Vector3 towardsEye(const SplatSamples::Float3& place, const SplatEye& eye)
@@ -88,6 +90,51 @@ void SplatLayers::Find(vtkDataSet* data, bool onCells, const SplatSamples& sampl
     this->Layers[i] =
       static_cast<std::uint32_t>(std::clamp(layer, -2.0e9, 2.0e9) + static_cast<double>(middle));
   }
+}
+
+int SplatLayers::FlatAxis(const SplatSamples& samples, const SplatEye& eye)
+{
+  double crossed[3] = { 0, 0, 0 }; // layers of each axis, on the way of one length
+  const std::size_t stride = std::max<std::size_t>(1, samples.Size() / 10000);
+  for (std::size_t i = 0; i < samples.Size(); i += stride)
+  {
+    const Vector3 d = towardsEye(samples.Positions[i], eye);
+    const auto& jacobian = samples.JacobianOf(i);
+    const Vector3 edges[3] = { ToDouble(jacobian[0]), ToDouble(jacobian[1]),
+      ToDouble(jacobian[2]) };
+    const double volume = std::abs(dot(edges[0], cross(edges[1], edges[2]))) * norm(d);
+    for (std::size_t axis = 0; volume > 0 && axis < 3; ++axis)
+    {
+      crossed[axis] +=
+        std::abs(dot(d, cross(edges[(axis + 1) % 3], edges[(axis + 2) % 3]))) / volume;
+    }
+  }
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    if (crossed[axis] > flat * std::max(crossed[(axis + 1) % 3], crossed[(axis + 2) % 3]))
+    {
+      return axis;
+    }
+  }
+  return -1;
+}
+
+std::vector<std::int32_t> SplatLayers::Sort(
+  const SplatClasses& classes, const std::vector<std::int32_t>& order, std::size_t near) const
+{
+  std::vector<std::uint32_t> keys(order.size() - std::min(near, order.size()));
+  for (std::size_t i = 0; i < keys.size(); ++i)
+  {
+    const auto splat = static_cast<std::size_t>(order[i]);
+    keys[i] = this->Layers[static_cast<std::size_t>(classes.Samples[splat])];
+  }
+  std::vector<std::int32_t> items = SortKeys(keys); // stable: from back to front in a layer
+  for (std::int32_t& item : items)
+  {
+    item = order[static_cast<std::size_t>(item)];
+  }
+  items.insert(items.end(), order.begin() + static_cast<std::ptrdiff_t>(items.size()), order.end());
+  return items;
 }
 
 std::vector<std::int32_t> SplatLayers::Alternate(

@@ -40,6 +40,17 @@ public:
   std::vector<std::int32_t> Alternate(
     const SplatClasses& classes, const std::vector<std::int32_t>& order, std::size_t near) const;
 
+  /** The same splats without vectors. */
+  std::vector<std::int32_t> Sort(
+    const SplatClasses& classes, const std::vector<std::int32_t>& order, std::size_t near) const;
+
+  /**
+   * The axis of a grid whose layers rays cross far more often than those of the other axes, on the mean: of flat cells, seen from above or
+   * below. -1: none. Such cells hide one another in the order of their layers, not in that of their distances: the next column's lower
+   * cells are nearer than the upper ones of this column, but behind them.
+   */
+  static int FlatAxis(const SplatSamples& samples, const SplatEye& eye);
+
 private:
   std::vector<std::uint32_t> Layers; // of all samples, growing towards the eye
 };

@@ -152,27 +152,31 @@ void SplatScene::UpdateOrder(const ViewState& state)
   this->Eye = eye;
   this->Metric = metric;
   this->OrderUploaded = false;
-  this->LayeredBy = LayerKey();
-  this->Items.clear(); // LayerKey() is also the key of no layers
+  this->LayeredBy.reset();
 }
 
-void SplatScene::UpdateLayers(bool layers, vtkDataSet* input, int axis, std::size_t near)
+void SplatScene::UpdateLayers(
+  bool apart, bool ordered, vtkDataSet* input, int axis, std::size_t near)
 {
-  const LayerKey key(layers, axis, near);
+  const LayerKey key(apart, ordered, axis, near);
   if (key == this->LayeredBy)
   {
     return;
   }
-  this->Items.clear();
-  if (layers)
-  {
-    const bool onCells = std::get<2>(this->SampledFrom);
-    SplatLayers found;
-    found.Find(input, onCells, this->Samples, this->Eye, this->Metric, axis);
-    this->Items = found.Alternate(this->Classes, this->Order, near);
-  }
   this->LayeredBy = key;
   this->OrderUploaded = false;
+  this->Items.clear();
+  const bool flat = !apart && ordered && this->Samples.Dimensions[0] > 0 && !this->DrawsHierarchy;
+  const int along = flat ? SplatLayers::FlatAxis(this->Samples, this->Eye) : axis;
+  if (!apart && (!flat || along < 0))
+  {
+    return;
+  }
+  const bool onCells = std::get<2>(this->SampledFrom);
+  SplatLayers layers;
+  layers.Find(input, onCells, this->Samples, this->Eye, this->Metric, along);
+  this->Items = apart ? layers.Alternate(this->Classes, this->Order, near)
+                      : layers.Sort(this->Classes, this->Order, near);
 }
 
 double SplatScene::GetLayerThickness() const

@@ -18,6 +18,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <tuple>
 #include <vector>
@@ -58,8 +59,8 @@ public:
 
   /** What is drawn, from back to front. */
   void UpdateOrder(const ViewState& state);
-  /** Scalars and vectors apart, layer by layer; or without `layers` both in the order of the splats. `near`: of the order's end. */
-  void UpdateLayers(bool layers, vtkDataSet* input, int axis, std::size_t near);
+  /** Scalars and vectors apart, layer by layer; or without `apart` both together, with `ordered` layer by layer too if cells are flat. `near`: of the order's end. */
+  void UpdateLayers(bool apart, bool ordered, vtkDataSet* input, int axis, std::size_t near);
 
   /** What has changed since the last upload. Returns an empty string, or what went wrong. */
   std::string Upload(
@@ -91,7 +92,7 @@ private:
   using ClassKey =
     std::tuple<vtkDataArray*, vtkDataArray*, int, vtkMTimeType, vtkMTimeType, bool, bool>;
   using BoundsKey = std::tuple<SampleKey, int, std::string, bool, double, double, double>;
-  using LayerKey = std::tuple<bool, int, std::size_t>;
+  using LayerKey = std::tuple<bool, bool, int, std::size_t>;
 
   // Places, and the numbers of those among them that are drawn.
   const std::vector<std::array<float, 3>>& Places() const
@@ -114,7 +115,7 @@ private:
   SampleKey SampledFrom;
   ClassKey ClassifiedBy{ nullptr, nullptr, 0, 0, 0, false, false };
   BoundsKey BoundsOf;
-  LayerKey LayeredBy{ false, 0, 0 };
+  std::optional<LayerKey> LayeredBy;
   double Bounds[6] = { 1, -1, 1, -1, 1, -1 };
   SplatSamples Samples;
   SplatClasses Classes;

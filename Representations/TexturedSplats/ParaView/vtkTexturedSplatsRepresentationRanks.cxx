@@ -47,8 +47,9 @@ vtkTexturedSplatsRepresentation::vtkTexturedSplatsRepresentation()
   : DefaultColors(new nephoscope::DefaultVectorColors)
   , Meeting(new vtkMeeting)
 {
-  // On several ranks samples travel without the cells between them; pictures on one are the same.
+  // On several ranks samples travel without the cells between them and without their grid; pictures on one are the same.
   this->Mapper->InterpolateScalarsBeforeMappingOff();
+  this->Mapper->OrderByLayersOff();
   this->Actor->SetMapper(this->Mapper);
   nephoscope::forwardMessages(this->Mapper, this);
   this->SpeedKey->SetVolume(this->Actor);

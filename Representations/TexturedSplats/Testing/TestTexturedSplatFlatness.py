@@ -52,6 +52,30 @@ class Flatness(ImageTestCase):
             self.assertLessEqual(ripple, RIPPLE, f"direction {direction}, spacing {spacing}")
         print(f"  largest ripple {100 * worst:.2f} %")
 
+    def ripple_of_flat_cells(self, ordered, direction, height=0.05):
+        """A thick medium that is bright above and dark below; its layers are even."""
+        data = meshes.with_field(meshes.image((40, 40, LAYERS - 1), (1, 1, height)), lambda p: p[:, 2] / (height * LAYERS))
+        window = Window((96, 96))
+        scene = window.add_scene()
+        mapper = nephoscope.vtkTexturedSplatMapper()
+        mapper.SetOrderByLayers(ordered)
+        scene.add_volume(mapper, data, Transfer([(0, 0, 0, 0), (1, 1, 1, 1)], [(0, 1), (1, 1)], unit_distance=0.1))
+        center = np.array(data.GetCenter())
+        scene.look(center + 60 * np.asarray(direction), center, (0.1, 1, 0.05), parallel_scale=2.5, near=5, far=150)
+        window.render()
+        self.fail_on_messages(window)
+        picture = float_image(mapper)
+        return np.ptp(picture[..., 0]) / picture[..., 0].mean()
+
+    def test_flat_cells_have_no_ribs(self):
+        """Seen from the side, the lower cells of the next column are nearer to the eye than the upper ones of this column, but do not hide them."""
+        for direction in ((0.5, 0.3, 0.8), (-0.8, 0.1, 0.6), (0.1, 0.85, -0.5)):
+            direction = np.array(direction) / np.linalg.norm(direction)
+            ribs, even = (self.ripple_of_flat_cells(ordered, direction) for ordered in (False, True))
+            print(f"  ribs by distance {100 * ribs:.1f} %, by layers {100 * even:.2f} %")
+            self.assertLess(even, 0.01)
+            self.assertGreater(ribs, 5 * even)
+
     def test_wider_splats_keep_the_medium(self):
         """Inside a slab of constant data the optical depth stays, more evenly; near its faces it is blurred."""
         data = meshes.with_field(meshes.image((40, 40, 11)), lambda p: 0 * p[:, 0])
