@@ -7,6 +7,7 @@ import tempfile
 import unittest
 import warnings
 import weakref
+from unittest import mock
 
 import nephoscope
 import numpy as np
@@ -52,6 +53,30 @@ class Exports(unittest.TestCase):
                     self.assertEqual(len(said), 1)
                     self.assertRegex(said[0], f"^export_{kind} leaves out 1 volume of cells or splats, ")
         self.assertTrue(os.path.exists(os.path.join(self.folder.name, "scene.obj")))
+
+    def test_pages_name_the_server(self):
+        plotter = self.plotter(lambda p: nephoscope.add_cells(p, grid()))
+        self.assertIn("or nephoscope.serve(plotter) for a page in the browser", self.said(plotter, "html")[0])
+        self.assertNotIn("serve", self.said(plotter, "obj")[0])
+
+    def test_notebooks_that_draw_in_the_browser(self):
+        """The sentence says what to do, once, and only where something is missing."""
+        adds = {"volume": [lambda p: nephoscope.add_splats(p, grid())], "haze": [lambda p: nephoscope.add_haze(p, render=False)], "nothing": []}
+        for told, add in adds.items():
+            for backend, theme in (("html", None), ("client", None), ("server", "html"), ("trame", None), (None, "html"), (None, "server")):
+                with self.subTest(told, backend=backend, theme=theme), warnings.catch_warnings(record=True) as caught:
+                    plotter = self.plotter(*add)
+                    plotter.notebook = True
+                    plotter.theme._jupyter_backend = theme
+                    warnings.simplefilter("always")
+                    export = lambda plotter, backend, **_: plotter.export_html("x.html") if backend == "html" else None  # noqa: E731
+                    with mock.patch("pyvista.jupyter.notebook.handle_plotter", export), mock.patch.object(pyvista.Plotter, "export_html"):
+                        plotter.show(jupyter_backend=backend, return_viewer=True)
+                    ours = [str(w.message) for w in caught if "leaves out" in str(w.message)]
+                    self.assertEqual(len(ours), int(told != "nothing" and (backend or theme) in ("html", "client")), ours)
+                    for text in ours:
+                        self.assertRegex(text, f"^The notebook backend '{backend or theme}' draws in the browser and leaves out .*{told}")
+                        self.assertIn("plotter.show(jupyter_backend='server')", text)
 
     def test_what_is_left_out(self):
         cells, splats = (lambda p: nephoscope.add_cells(p, grid())), (lambda p: nephoscope.add_splats(p, grid()))

@@ -1,44 +1,56 @@
 # SPDX-FileCopyrightText: The Nephoscope authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Warns about objects missing in files that a plotter exports: the files hold geometry, but volumes, cloud textures and haze have none."""
+"""Warns about objects missing in files that a plotter exports, and in notebooks that draw in the browser: volumes, cloud textures and haze have no geometry."""
 from __future__ import annotations
 
 import functools
 import warnings
-import weakref
-from typing import Any, Iterator
+from typing import Any, Callable, Iterator
 
 import pyvista
 
 from . import vtkCellCompositingMapper, vtkCloudTextureMapper, vtkHaze, vtkTexturedSplatMapper
+from ._methods import wrap_method
 from ._pipeline import level_of_caller
 
 EXPORTS = ("export_gltf", "export_html", "export_obj", "export_vrml", "export_vtksz")
+PAGES = ("export_html", "export_vtksz")
+IN_THE_BROWSER = ("client", "html")  # notebook backends that draw there
 
 
 def warn_when_exported(plotter: pyvista.BasePlotter) -> None:
-    """Makes `plotter.export_gltf(...)` and similar methods warn at every call about objects that they leave out."""
+    """Makes `plotter.export_gltf(...)` and similar methods, and `plotter.show()` in a notebook, warn at every call about objects that they leave out."""
     for name in EXPORTS:
-        if callable(getattr(plotter, name, None)) and name not in vars(plotter):
-            setattr(plotter, name, _warning(weakref.ref(plotter), name))
+        wrap_method(plotter, name, functools.partial(_export, name))
+    wrap_method(plotter, "show", _show)
 
 
-def _warning(reference: weakref.ref, name: str) -> Any:
-    @functools.wraps(getattr(type(reference()), name))
-    def export(*arguments: Any, **options: Any) -> Any:
-        plotter = reference()
-        missing = _missing(plotter)
-        if missing:
-            warnings.warn(f"{name} leaves out {' and '.join(missing)}, which have no geometry. Use screenshot for a picture of them.",
-                          UserWarning, stacklevel=level_of_caller())
-        outputs = [(mapper, mapper.GetInputConnection(0, 0)) for mapper in _mappers(plotter)]
-        inputs = [(mapper, output, output.GetProducer()) for mapper, output in outputs]  # an output does not keep its producer
-        try:
-            return getattr(type(plotter), name)(plotter, *arguments, **options)
-        finally:
-            for mapper, output, _ in inputs:  # export_gltf puts the surface of the data there
-                mapper.SetInputConnection(0, output)
-    return export
+def _export(name: str, plotter: pyvista.BasePlotter, method: Callable, *arguments: Any, **options: Any) -> Any:
+    missing = _missing(plotter)
+    if missing:
+        page = ", or nephoscope.serve(plotter) for a page in the browser" * (name in PAGES)
+        warnings.warn(f"{name} leaves out {' and '.join(missing)}, which have no geometry. Use screenshot for a picture of them{page}.",
+                      UserWarning, stacklevel=level_of_caller())
+    outputs = [(mapper, mapper.GetInputConnection(0, 0)) for mapper in _mappers(plotter)]
+    inputs = [(mapper, output, output.GetProducer()) for mapper, output in outputs]  # an output does not keep its producer
+    try:
+        return method(*arguments, **options)
+    finally:
+        for mapper, output, _ in inputs:  # export_gltf puts the surface of the data there
+            mapper.SetInputConnection(0, output)
+
+
+def _show(plotter: pyvista.BasePlotter, method: Callable, *arguments: Any, **options: Any) -> Any:
+    backend = options.get("jupyter_backend") or plotter.theme.jupyter_backend if getattr(plotter, "notebook", False) else None
+    missing = _missing(plotter) if backend in IN_THE_BROWSER else []
+    if not missing:
+        return method(*arguments, **options)
+    warnings.warn(f"The notebook backend {backend!r} draws in the browser and leaves out {' and '.join(missing)}. Draw them on the server: "
+                  "plotter.show(jupyter_backend='server'), pyvista.set_jupyter_backend('server'), or nephoscope.serve(plotter) outside a notebook.",
+                  UserWarning, stacklevel=level_of_caller())
+    with warnings.catch_warnings():
+        warnings.filterwarnings("ignore", "export_[a-z]* leaves out")  # it has just been said
+        return method(*arguments, **options)
 
 
 def _mappers(plotter: pyvista.BasePlotter) -> Iterator[Any]:

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The dataset accessor ``mesh.nephoscope``: one method per technique that takes a mesh and returns one."""
 import functools
-from typing import Any, Callable
+from typing import Any, Callable, Concatenate, ParamSpec, TypeVar
 
 import pyvista
 
@@ -17,12 +17,14 @@ from .sparse import write_vdb
 from .splitting import split_cells
 from .terrain import terrain_surface
 
+Arguments, Result = ParamSpec("Arguments"), TypeVar("Result")
 
-def _method(function: Callable) -> Callable:
+
+def _method(function: Callable[Concatenate[Any, Arguments], Result]) -> Callable[Concatenate["NephoscopeAccessor", Arguments], Result]:
     """`function(mesh, ...)` as a method of the accessor, with its signature and documentation."""
 
     @functools.wraps(function)
-    def method(self: "NephoscopeAccessor", *args: Any, **options: Any) -> Any:
+    def method(self: "NephoscopeAccessor", *args: Arguments.args, **options: Arguments.kwargs) -> Result:
         return function(self._mesh, *args, **options)
 
     return method

@@ -3,7 +3,7 @@
 """Cell compositing: volume rendering of any 3-D cells in a PyVista plotter, with the exact ray integral."""
 from __future__ import annotations
 
-from typing import Any, Mapping, Sequence
+from typing import Any, Mapping, Sequence, Unpack
 
 import numpy as np
 import pyvista
@@ -14,6 +14,7 @@ from ._checks import choose, renamed_argument
 from ._medium import Functions, MediumMapper, add_medium, require_dataset, require_plotter, scalar_array
 from ._options import group, refuse_unknown
 from ._surfaces import CONTOUR_NAMES, POLYGON_NAMES, Contours, Layers, Polygons
+from ._typing import ContourOptions, Integration, Method, OldCellNames, Order, PolygonChoice, PolygonOptions, Preference, ToneMapping
 from .light import add_sun, brightest, lit_medium, recorded_sun
 from .transfer import OpacityLike
 
@@ -35,13 +36,14 @@ def add_cells(plotter: pyvista.BasePlotter, grid: Any, scalars: str | np.ndarray
               n_colors: int = 256, flip_scalars: bool = False, log_scale: bool = False,
               opacity_scalars: str | None = None, opacity_clim: float | Sequence[float] | None = None,
               opacity_scale: float = 1.0, opacity_unit_distance: float | None = None,
-              integration: str = "exact", order: str = "exact", method: str = "automatic", split_at_control_points: bool = True, preference: str = "point",
-              contours: int | Sequence[float] | Mapping[str, Any] | None = None, polygons: str | Mapping[str, Any] = "contours",
+              integration: Integration = "exact", order: Order = "exact", method: Method = "automatic", split_at_control_points: bool = True,
+              preference: Preference = "point",
+              contours: int | Sequence[float] | ContourOptions | None = None, polygons: PolygonChoice | PolygonOptions = "contours",
               layers: Mapping[int, Any] | Sequence[Any] | None = None, layer_scalars: str | None = None,
               name: str | None = None, show_scalar_bar: bool | None = None, scalar_bar_args: dict | None = None,
               reset_camera: bool | None = None, pickable: bool = True, user_matrix: Any = None,
               render: bool = True, preset: str | bool | None = None, sun: Any = None, exposure: float | None = None,
-              tone_mapping: str = "contrast", **old: Any) -> pyvista.Volume:
+              tone_mapping: ToneMapping = "contrast", **old: Unpack[OldCellNames]) -> pyvista.Volume:
     """Add a grid of 3-D cells to a plotter as a volume drawn by `vtkCellCompositingMapper`.
 
     The extinction coefficient is opacity * `opacity_scale` / `opacity_unit_distance`. Extinction and colour vary linearly inside each

@@ -3,15 +3,14 @@
 """Haze in front of everything that a plotter draws (`vtkHaze`)."""
 from __future__ import annotations
 
-import functools
-import weakref
-from typing import Any, Literal, Sequence
+from typing import Any, Callable, Literal, Sequence
 
 import pyvista
 
 from . import vtkHaze
 from ._checks import choose, require_number
 from ._exports import warn_when_exported
+from ._methods import wrap_method
 from .light import direction_of
 
 PROJECTIONS = ("globe", "map")  # numbered as in the field data GlobeGridProjection
@@ -103,26 +102,17 @@ def add_haze(plotter: pyvista.Plotter, mesh: pyvista.DataSet | None = None, *, v
     if sun is not None:
         haze.SetSunDirection(*direction_of(sun, {} if mesh is None else mesh.field_data))
     vtkHaze.SetHaze(plotter.renderer, haze)
-    _end_with_clear(plotter)
+    wrap_method(plotter, "clear", _clear)  # removes the haze as well as the actors
     warn_when_exported(plotter)
     if render:
         plotter.render()
     return haze
 
 
-def _end_with_clear(plotter: pyvista.Plotter) -> None:
-    """Makes `plotter.clear()` remove the haze as well as the actors."""
-    if not callable(getattr(plotter, "clear", None)) or "clear" in vars(plotter):
-        return
-    reference = weakref.ref(plotter)
-
-    @functools.wraps(type(plotter).clear)
-    def clear(*arguments: Any, **options: Any) -> None:
-        cleared = reference()
-        for renderer in cleared.renderers:
-            vtkHaze.SetHaze(renderer, None)
-        type(cleared).clear(cleared, *arguments, **options)
-    plotter.clear = clear
+def _clear(plotter: pyvista.Plotter, method: Callable, *arguments: Any, **options: Any) -> None:
+    for renderer in plotter.renderers:
+        vtkHaze.SetHaze(renderer, None)
+    method(*arguments, **options)
 
 
 def _vector(values: Sequence[float], argument: str) -> list[float]:

@@ -92,9 +92,10 @@ void SplatLayers::Find(vtkDataSet* data, bool onCells, const SplatSamples& sampl
   }
 }
 
-int SplatLayers::FlatAxis(const SplatSamples& samples, const SplatEye& eye)
+int SplatLayers::FlatAxis(
+  const SplatSamples& samples, const SplatEye& eye, const SplatMetric& metric)
 {
-  double crossed[3] = { 0, 0, 0 }; // layers of each axis, on the way of one length
+  double lengths[3] = { 0, 0, 0 }, crossed[3] = { 0, 0, 0 }; // on the way of one length
   const std::size_t stride = std::max<std::size_t>(1, samples.Size() / 10000);
   for (std::size_t i = 0; i < samples.Size(); i += stride)
   {
@@ -102,16 +103,19 @@ int SplatLayers::FlatAxis(const SplatSamples& samples, const SplatEye& eye)
     const auto& jacobian = samples.JacobianOf(i);
     const Vector3 edges[3] = { ToDouble(jacobian[0]), ToDouble(jacobian[1]),
       ToDouble(jacobian[2]) };
-    const double volume = std::abs(dot(edges[0], cross(edges[1], edges[2]))) * norm(d);
+    const double volume = std::abs(dot(edges[0], cross(edges[1], edges[2]))) * lengthOf(d, metric);
     for (std::size_t axis = 0; volume > 0 && axis < 3; ++axis)
     {
+      lengths[axis] += lengthOf(edges[axis], metric);
       crossed[axis] +=
         std::abs(dot(d, cross(edges[(axis + 1) % 3], edges[(axis + 2) % 3]))) / volume;
     }
   }
   for (int axis = 0; axis < 3; ++axis)
   {
-    if (crossed[axis] > flat * std::max(crossed[(axis + 1) % 3], crossed[(axis + 2) % 3]))
+    const int second = (axis + 1) % 3, third = (axis + 2) % 3;
+    if (flat * lengths[axis] < std::min(lengths[second], lengths[third]) &&
+      crossed[axis] > flat * std::max(crossed[second], crossed[third]))
     {
       return axis;
     }

@@ -45,11 +45,11 @@ public:
     const SplatClasses& classes, const std::vector<std::int32_t>& order, std::size_t near) const;
 
   /**
-   * The axis of a grid whose layers rays cross far more often than those of the other axes, on the mean: of flat cells, seen from above or
-   * below. -1: none. Such cells hide one another in the order of their layers, not in that of their distances: the next column's lower
-   * cells are nearer than the upper ones of this column, but behind them.
+   * The axis of a grid along which cells are far shorter than along the others, and whose layers rays cross far more often, on the mean: flat
+   * cells, seen from above or below. -1: none. Such cells hide one another in the order of their layers, not in that of their distances: the
+   * next column's lower cells are nearer than the upper ones of this column, but behind them.
    */
-  static int FlatAxis(const SplatSamples& samples, const SplatEye& eye);
+  static int FlatAxis(const SplatSamples& samples, const SplatEye& eye, const SplatMetric& metric);
 
 private:
   std::vector<std::uint32_t> Layers; // of all samples, growing towards the eye

@@ -167,7 +167,7 @@ void SplatScene::UpdateLayers(
   this->OrderUploaded = false;
   this->Items.clear();
   const bool flat = !apart && ordered && this->Samples.Dimensions[0] > 0 && !this->DrawsHierarchy;
-  const int along = flat ? SplatLayers::FlatAxis(this->Samples, this->Eye) : axis;
+  const int along = flat ? SplatLayers::FlatAxis(this->Samples, this->Eye, this->Metric) : axis;
   if (!apart && (!flat || along < 0))
   {
     return;

@@ -3,11 +3,17 @@
 """The accessor ``dataset.nephoscope`` of xarray.Dataset."""
 from __future__ import annotations
 
-from typing import Any, Sequence
+from typing import TYPE_CHECKING, Any, Sequence
 
 import numpy as np
 
 from .roles import ROLES
+
+if TYPE_CHECKING:
+    import pyvista
+    import xarray
+
+    from .series import Series
 
 
 def _options(names: dict[str, Any]) -> tuple[dict[str, Any], dict[str, Any]]:
@@ -24,7 +30,7 @@ class WeatherAccessor:
         The dataset that the methods read; it is not changed.
     """
 
-    def __init__(self, dataset) -> None:
+    def __init__(self, dataset: xarray.Dataset) -> None:
         self._dataset = dataset
 
     def _understood(self, time, vertical, roles):
@@ -43,7 +49,7 @@ class WeatherAccessor:
         return found, {**more, **options} if not {"variables", "derive"} & set(options) else options
 
     def globe(self, *, time: int | str | np.datetime64 | None = None, variables: Sequence[str] | None = None, vertical: str | None = None,
-              derive: str | Sequence[str] = (), **options: Any):
+              derive: str | Sequence[str] = (), **options: Any) -> pyvista.StructuredGrid | pyvista.UnstructuredGrid:
         """Make the mesh of one time step on a globe or a map, with true heights and with winds as vectors.
 
         Parameters
@@ -78,7 +84,7 @@ class WeatherAccessor:
         reading, air = self._understood(time, vertical, roles)
         return place(reading, air, variables, derived(derive, reading, air), rest)
 
-    def series(self, *, heights: bool = False, **options: Any):
+    def series(self, *, heights: bool = False, **options: Any) -> Series:
         """Make the meshes of all time steps, each on demand.
 
         Parameters
@@ -96,7 +102,8 @@ class WeatherAccessor:
         from .series import Series
         return Series(self._dataset, heights=heights, **options)
 
-    def column(self, quantity: str = "cloud_content", *, time: int | str | np.datetime64 | None = None, vertical: str | None = None, **options: Any):
+    def column(self, quantity: str = "cloud_content", *, time: int | str | np.datetime64 | None = None, vertical: str | None = None,
+               **options: Any) -> pyvista.StructuredGrid | pyvista.UnstructuredGrid:
         """Integrate a quantity over height, for drawing on a map or on the ground of a globe.
 
         Parameters
@@ -117,7 +124,7 @@ class WeatherAccessor:
         reading, air = self._understood(time, vertical, roles)
         return place_sheet(reading, {"column": column_of(quantity, reading, air)}, rest)
 
-    def terrain(self, *, time: int | str | np.datetime64 | None = None, vertical: str | None = None, **options: Any):
+    def terrain(self, *, time: int | str | np.datetime64 | None = None, vertical: str | None = None, **options: Any) -> pyvista.StructuredGrid:
         """Make the terrain as a surface, as `nephoscope.terrain_surface` does.
 
         Parameters
@@ -141,7 +148,7 @@ class WeatherAccessor:
         return terrain_surface(ground_mesh(reading, air), "orog", **rest)
 
     def plot(self, scalars: str | None = None, *, time: int | str | np.datetime64 | None = None, screenshot: str | None = None, vertical_exaggeration: float = 30.0,
-             opacity: Any = None, cmap: Any = None, **options: Any):
+             opacity: Any = None, cmap: Any = None, **options: Any) -> pyvista.Plotter:
         """Draw one field as a volume over the Earth, in a window or into a file; a field of one level as a surface with coasts.
 
         With ``projection="map"`` the picture is a map, seen from above with north up.

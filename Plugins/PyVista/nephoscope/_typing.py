@@ -1,0 +1,108 @@
+# SPDX-FileCopyrightText: The Nephoscope authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""What editors and type checkers know of arguments: choices, options given as a dict, earlier names. The functions check all of them themselves."""
+from __future__ import annotations
+
+from typing import Any, Literal, Sequence, TypedDict
+
+Kernel = Literal["cubic", "quadratic", "gaussian"]
+Preference = Literal["point", "cell"]
+Integration = Literal["exact", "average"]
+Order = Literal["exact", "centroid", "none"]
+Method = Literal["automatic", "rays", "cells", "triangles-linear", "triangles-table", "faces"]
+ToneMapping = Literal["contrast", "linear", "filmic"]
+PolygonChoice = Literal["contours", "all", "none"]
+
+
+class VectorOptions(TypedDict, total=False):
+    """`vectors` of `add_splats`."""
+    array: str | None
+    style: Literal["streaks", "segments"]
+    placement: Literal["middle", "layers"]
+    opacity: float | None
+    color: Any
+    scalars: str | None
+    cmap: Any
+    clim: float | Sequence[float] | None
+    maximum_speed: float | None
+    fraction: float | None
+    unit: float | None
+    streak_period: float
+    streak_width: float
+    segment_length: float
+    segment_width: float
+    layer_axis: Literal["eye", 0, 1, 2]
+    phase: float
+    phase_cycles: int
+    phase_steps: int
+    true_speed: bool
+    time_scale: float | None
+    film_time: float
+    speed_key: bool | None
+    speed_unit: str | None
+
+
+class LevelOfDetailOptions(TypedDict, total=False):
+    """`level_of_detail` of `add_splats`."""
+    tolerance: float
+    unit: Literal["image", "data"]
+    measure: Literal["picture", "rms", "greatest"]
+    interactive_splats: int
+    blending: float
+
+
+class ContourOptions(TypedDict, total=False):
+    """`contours` of `add_cells`."""
+    values: int | Sequence[float] | None
+    opacity: float | Sequence[float]
+    color: Any
+    scalars: str | None
+    lighting: bool
+    smooth: bool
+
+
+class PolygonOptions(TypedDict, total=False):
+    """`polygons` of `add_cells`."""
+    which: PolygonChoice
+    opacity: float | Sequence[float]
+    color: Any
+
+
+class OldSplatNames(TypedDict, total=False):
+    """Earlier names of options of `add_splats`."""
+    unit_distance: float
+    vector_style: str
+    vector_placement: str
+    vector_opacity: float
+    vector_color: Any
+    vector_scalars: str
+    vector_cmap: Any
+    vector_clim: float | Sequence[float]
+    greatest_speed: float
+    vector_share: float
+    vector_unit: float
+    streak_period: float
+    streak_width: float
+    segment_length: float
+    segment_width: float
+    layer_axis: int
+    phase: float
+    phase_cycles: int
+    phase_steps: int
+    error_tolerance: float
+    error_unit: str
+    error_measure: str
+    interactive_splats: int
+    level_blending: float
+
+
+class OldCellNames(TypedDict, total=False):
+    """Earlier names of options of `add_cells`."""
+    unit_distance: float
+    contour_opacity: float | Sequence[float]
+    contour_color: Any
+    contour_scalars: str
+    contour_lighting: bool
+    smooth_contours: bool
+    polygon_opacity: float | Sequence[float]
+    polygon_color: Any
