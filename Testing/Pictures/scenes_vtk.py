@@ -8,6 +8,8 @@ import glob
 
 import nephoscope
 import numpy as np
+import PIL.Image
+import PIL.ImageSequence
 import pyvista
 import vtkmodules.vtkRenderingOpenGL2  # noqa: F401
 import vtkmodules.vtkRenderingVolumeOpenGL2  # noqa: F401
@@ -177,12 +179,39 @@ def show_polyhedron(names):
     show(medium(names["mapper"], distance=0.5, colors=((0.0, 1, 0.9, 0.6), (1.0, 0.9, 0.2, 0.1))))
 
 
+# ---- films
+
+def film(file):
+    """Its frames, and the mean change of each to the next."""
+    with PIL.Image.open(file) as images:
+        frames = [np.asarray(image.convert("RGB"), float) for image in PIL.ImageSequence.Iterator(images)]
+    assert len(frames) == 8, f"{len(frames)} frames"
+    return frames, [np.abs(a - b).mean() for a, b in zip(frames, frames[1:] + frames[:1])]
+
+
+def keep_moving_winds(names):
+    frames, changes = film("winds.gif")
+    assert np.mean(frames[0].min(axis=2) > 120) > 0.03, "no clouds are to be seen"
+    assert 0.2 < min(changes) and max(changes) < 2 * min(changes), f"the winds stand still or jump: changes {np.round(changes, 2)}"
+    keep_picture(names)
+
+
+def keep_moving_clouds(names):
+    frames, changes = film("clouds.gif")
+    white = [np.mean(frame.min(axis=2) > 128) for frame in frames]
+    assert max(white) < 1.1 * min(white), f"the cover changes: {np.round(white, 3)}"
+    assert min(changes[:-1]) > 2, f"the clouds stand still: changes {np.round(changes, 2)}"
+    keep_picture(names)
+
+
 AFTER = {
     "cloud-surface-1": lambda names: show(surface_actor(names["clouds"].GetOutputPort()), earth()),
     "contour-cell-splitter-1": show_layers,
     "flow-volumes-2": show_smoke,
     "globe-grid-1": show_globe,
     "polyhedra-1": show_polyhedron,
+    "pyvista-1": keep_moving_winds,
+    "pyvista-2": keep_moving_clouds,
     "smoke-puffs-1": show_puffs,
     "sparse-volume-1": show_points,
     "texture-advection-1": show_advected,

@@ -28,7 +28,7 @@ class Pairs(unittest.TestCase):
     def compare(self, elements, peels, messages=0, **options):
         expected = None
         for order in (1, -1):
-            scene = together.picture(elements[::order], peels, **options)
+            scene = together.picture(elements[::order], peels, renders=1 + messages, **options)  # a message comes once
             self.assertEqual(len(scene.messages), messages, (name(elements), scene.messages))
             if messages:
                 self.assertIn("translucent surface", str(scene.messages[0]))

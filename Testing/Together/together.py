@@ -218,7 +218,7 @@ class Winds(Splats):
         return self.alone[self.at] * (profile / profile.sum())
 
 
-def picture(elements, peels=False, background=BACKGROUND, haze=None):
+def picture(elements, peels=False, background=BACKGROUND, haze=None, renders=1):
     """The scene as drawn, from elements in the order in which they are added."""
     WINDOW.window.GetRenderers().RemoveAllItems()
     WINDOW.messages.clear()
@@ -235,7 +235,7 @@ def picture(elements, peels=False, background=BACKGROUND, haze=None):
         air.BackgroundOff()
         nephoscope.vtkHaze.SetHaze(renderer, air)
     scene.look((0, 0, EYE), parallel_scale=1, near=1, far=EYE + REACH + 4)
-    for _ in range(2):  # messages come once
+    for _ in range(renders):
         WINDOW.render()
     scene.image, scene.messages = scene.rgb(), list(WINDOW.messages.all)
     return scene

@@ -1,17 +1,13 @@
 # SPDX-FileCopyrightText: The Nephoscope authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""nephoscope.add_cloud_texture: the cover drawn, colours of add_mesh, arguments that arrive, errors, and the snippet of the page."""
+"""nephoscope.add_cloud_texture: the cover drawn, colours of add_mesh, arguments that arrive, and errors."""
 import math
 import os
-import shutil
 import unittest
 from pathlib import Path
 
 import nephoscope
 import numpy as np
-import pages
-import PIL.Image
-import PIL.ImageSequence
 import pyvista
 from pyvista.core.errors import MissingDataError
 
@@ -206,21 +202,6 @@ class Arguments(Picture):
         with self.assertRaisesRegex(ValueError, "coordinates"):
             self.add(coordinates="TextureCoordinates1")
         self.assertEqual(len(self.plotter.actors), 0)
-
-
-class Page(unittest.TestCase):
-    def test_snippet(self):
-        """The clouds of the page move, and their cover stays."""
-        with pages.run("pyvista.md", "clouds") as folder:
-            with PIL.Image.open(folder / "clouds.gif") as film:
-                frames = [np.asarray(frame.convert("RGB"), float) for frame in PIL.ImageSequence.Iterator(film)]
-            shutil.copy(folder / "clouds.gif", OUTPUT / "TestCloudTexture.gif")
-        self.assertEqual(len(frames), 8)
-        white = [np.mean(frame.min(axis=2) > 128) for frame in frames]
-        print("  share of the picture that is cloud:", " ".join(f"{share:.3f}" for share in white))
-        self.assertLess(max(white) / min(white), 1.1)
-        for first, second in zip(frames, frames[1:]):
-            self.assertGreater(np.abs(first - second).mean(), 2, "the clouds stand still")
 
 
 if __name__ == "__main__":
