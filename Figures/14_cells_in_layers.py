@@ -82,7 +82,6 @@ view.CameraFocalPoint = [0, 0, 0]
 view.CameraPosition = [-6.5, -10.5, 4.6]  # the direction only: the camera is moved back to see everything
 view.ResetCamera()
 view.GetActiveCamera().Zoom(1.0)
-pvs.Render(view)
 picture = os.path.join(GALLERY, "14_cells_in_layers.png")
 pvs.SaveScreenshot(picture, view, ImageResolution=[1600, 1000])
 print("wrote", picture)

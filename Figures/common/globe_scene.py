@@ -124,7 +124,6 @@ def show_volume(data, view, colour_array, colours, opacity_points, unit_distance
 
 def save(name, view, size=(1920, 1080)):
     """The picture, and the ParaView state that shows it again."""
-    pvs.Render(view)
     folder = os.environ["NEPHOSCOPE_GALLERY"]
     picture, state = os.path.join(folder, name + ".png"), os.path.join(folder, name + ".pvsm")
     pvs.SaveScreenshot(picture, view, ImageResolution=list(size))

@@ -40,7 +40,6 @@ def keep_picture(_names, file="picture.png"):
             display.SetScalarBarVisibility(view, False)
     view.CameraPosition, view.CameraFocalPoint, view.CameraViewUp = [-3, -5, 3.4], [0, 0, 0], [0, 0, 1]
     pvs.ResetCamera(view)
-    pvs.Render(view)
     pvs.SaveScreenshot(file, view, ImageResolution=SIZE)
 
 
