@@ -56,6 +56,7 @@ struct vtkCellCompositingMapper::vtkInternals
   nephoscope::ScalarSelection Scalars, Opacity; // of the geometry, and what keeps them
   vtkSmartPointer<vtkDataArray> Arrays[2];
   nephoscope::CameraLight Light, UploadedLight;
+  bool HasCameraLight = false; // the data have it, whether or not this can draw it
 
   nephoscope::ResourceWindow Window{ [this](vtkWindow* window) {
     this->Pass.ReleaseGraphicsResources(window);

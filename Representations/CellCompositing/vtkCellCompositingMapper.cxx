@@ -201,7 +201,7 @@ std::string vtkCellCompositingMapper::UpdateGeometry(
     return error;
   }
   this->Internals->Light = nephoscope::CameraLight(input, scalars.Array);
-  this->Internals->Options.CameraLight = this->Internals->Light.IsUsed();
+  this->Internals->HasCameraLight = this->Internals->Light.IsUsed();
   if (!this->UsesRays() || !opacity.Array)
   {
     this->Internals->Light = nephoscope::CameraLight();
@@ -292,13 +292,17 @@ std::string vtkCellCompositingMapper::PrepareScene(vtkOpenGLRenderWindow* window
   return error;
 }
 
+double vtkCellCompositingMapper::GetBrightestCameraLight()
+{
+  return nephoscope::CameraLight::Brightest;
+}
+
 void vtkCellCompositingMapper::SetDrawingOptions(vtkRenderer* renderer, vtkVolumeProperty* property)
 {
   const CellScene& scene = this->Internals->Scene;
   nephoscope::CellDrawingOptions& options = this->Internals->Options;
-  const bool cameraLight = options.CameraLight;
   options = nephoscope::CellDrawingOptions();
-  options.CameraLight = cameraLight;
+  options.CameraLight = this->Internals->HasCameraLight;
   options.Method = static_cast<CellMethod>(this->Method);
   options.AverageIntegration = this->Integration == AVERAGE_INTEGRATION;
   options.SplitAtControlPoints = this->SplitAtControlPoints;

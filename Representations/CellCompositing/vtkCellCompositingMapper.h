@@ -379,6 +379,9 @@ public:
   vtkGetMacro(PickedScalar, double);
   ///@}
 
+  /** Light that follows the camera (vtkSunlight) is cut off there: 64 times that of a white surface. */
+  static double GetBrightestCameraLight();
+
   ///@{
   /** Opacity, from the eye on, at which the medium is picked, 0.001 to 0.999 (clamped). Default: 0.1. */
   void SetPickOpacity(double opacity);

@@ -54,11 +54,10 @@ CameraLight::CameraLight(vtkDataSet* data, vtkDataArray* colors)
 
 double CameraLight::Headroom() const
 {
-  constexpr double most = 64; // times the light of a white surface
   const double headroom = this->Flux->GetMaxNorm() +
     std::max(this->Phase->GetRange(0)[1] - 1, 0.0) * this->Single->GetRange(0)[1] +
     std::max(this->Phase->GetRange(1)[1] - 1, 0.0) * this->Single->GetRange(1)[1];
-  return headroom < most ? headroom : most;
+  return headroom < Brightest ? headroom : Brightest;
 }
 
 std::vector<std::array<float, 4>> CameraLight::Parts(double width) const

@@ -31,7 +31,9 @@ public:
   CameraLight(vtkDataSet* data, vtkDataArray* colors);
 
   bool IsUsed() const { return this->Phase != nullptr; }
-  /** By how much, at most, light towards the camera exceeds Sunlight; not more than a limit, for the precision of what is drawn. */
+  /** Light towards the camera is cut off there, for the precision of what is drawn; 1 is the light of a white surface. */
+  static constexpr double Brightest = 64;
+  /** By how much, at most, light towards the camera exceeds Sunlight; not more than Brightest. */
   double Headroom() const;
   /** For each point, as fractions of `width`: DiffuseFlux, SingleScattering[0]; SingleScattering[1], 0, 0, 0. */
   std::vector<std::array<float, 4>> Parts(double width) const;

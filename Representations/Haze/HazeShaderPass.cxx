@@ -42,6 +42,12 @@ void forEachSurface(vtkRenderer* renderer, const Function& function)
 void HazeShaderPass::Enter(vtkRenderer* renderer)
 {
   this->Renderer = renderer;
+  const std::string functions = HazeView(renderer).Definition();
+  if (functions != this->Functions)
+  {
+    this->Functions = functions;
+    this->FunctionsTime.Modified();
+  }
   forEachSurface(renderer, [this](vtkProp* prop) {
     vtkInformation* keys = prop->GetPropertyKeys();
     if (!keys)
@@ -76,7 +82,7 @@ bool HazeShaderPass::PreReplaceShaderValues(
 {
   const std::string dec = "//VTK::DepthPeeling::Dec", impl = "//VTK::DepthPeeling::Impl";
   vtkShaderProgram::Substitute(
-    fragmentShader, dec, HazeView::Functions() + HazeFragmentFunctions + dec, false);
+    fragmentShader, dec, this->Functions + HazeFragmentFunctions + dec, false);
   vtkShaderProgram::Substitute(fragmentShader, impl,
     "gl_FragData[0].rgb = hazedColor(gl_FragData[0].rgb, hazeFragmentVC());\n  " + impl, false);
   return true;

@@ -9,6 +9,9 @@
 #define HazeShaderPass_h
 
 #include "vtkOpenGLRenderPass.h"
+#include "vtkTimeStamp.h"
+
+#include <string>
 
 class vtkRenderer;
 
@@ -28,6 +31,8 @@ public:
     std::string& fragmentShader, vtkAbstractMapper* mapper, vtkProp* prop) override;
   bool SetShaderParameters(vtkShaderProgram* program, vtkAbstractMapper* mapper, vtkProp* prop,
     vtkOpenGLVertexArrayObject* vertexArray = nullptr) override;
+  /** When the shaders changed: another kind of haze has other functions. */
+  vtkMTimeType GetShaderStageMTime() override { return this->FunctionsTime.GetMTime(); }
 
   /** The props that the renderer will draw; the renderer is not kept alive. */
   void Enter(vtkRenderer* renderer);
@@ -42,6 +47,8 @@ private:
   void operator=(const HazeShaderPass&) = delete;
 
   vtkRenderer* Renderer = nullptr; // while it draws
+  std::string Functions;           // of its haze
+  vtkTimeStamp FunctionsTime;
 };
 
 } // namespace nephoscope

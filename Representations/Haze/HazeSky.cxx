@@ -34,11 +34,11 @@ const char* const vertexShader =
   "  gl_Position = vec4(gl_VertexID == 1 ? 3.0 : -1.0, gl_VertexID == 2 ? 3.0 : -1.0, 1.0, 1.0);\n"
   "}\n";
 
-std::string fragmentShader()
+std::string fragmentShader(const HazeView& view)
 {
   std::string source = HazeSkyFragment;
   vtkShaderProgram::Substitute(source, "//NEPHOSCOPE::HazeFragment", HazeFragmentFunctions);
-  vtkShaderProgram::Substitute(source, "//NEPHOSCOPE::Haze", HazeView::Functions());
+  vtkShaderProgram::Substitute(source, "//NEPHOSCOPE::Haze", view.Definition());
   return source;
 }
 }
@@ -68,7 +68,7 @@ int HazeSky::RenderOpaqueGeometry(vtkViewport* viewport)
   }
   this->Window.Enter(window);
   vtkShaderProgram* program =
-    window->GetShaderCache()->ReadyShaderProgram(vertexShader, fragmentShader().c_str(), "");
+    window->GetShaderCache()->ReadyShaderProgram(vertexShader, fragmentShader(view).c_str(), "");
   if (!program)
   {
     vtkErrorMacro("The shader of the haze before the background did not compile.");

@@ -149,9 +149,15 @@ void HazeView::SetDevice(vtkMatrix4x4* viewToDevice)
   }
 }
 
-std::string HazeView::Functions()
+std::string HazeView::Definition() const
 {
-  return HazeFunctions;
+  const bool isLit = this->Sun[0] != 0 || this->Sun[1] != 0 || this->Sun[2] != 0;
+  const auto constant = [](const char* name, bool value) {
+    return std::string("#define ") + name + (value ? " true\n" : " false\n");
+  };
+  return this->On ? "#define NEPHOSCOPE_HAZE\n" + constant("HAZE_ON_GLOBE", this->OnGlobe) +
+      constant("HAZE_IS_LIT", isLit) + HazeFunctions
+                  : std::string();
 }
 
 void HazeView::SetUniforms(vtkShaderProgram* program) const

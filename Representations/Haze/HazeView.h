@@ -28,13 +28,9 @@ public:
 
   bool IsOn() const { return this->On; }
 
-  /** shaders/Haze.glsl, as it is. */
-  static std::string Functions();
-  /** The same for a program that has SetUniforms called: within it NEPHOSCOPE_HAZE is defined. Empty where there is no haze. */
-  std::string Definition() const
-  {
-    return this->On ? "#define NEPHOSCOPE_HAZE\n" + Functions() : std::string();
-  }
+  /** shaders/Haze.glsl for a program that has SetUniforms called: within it NEPHOSCOPE_HAZE is defined. Whether a sun lights the haze is
+   * a constant. Empty where there is no haze. */
+  std::string Definition() const;
 
   void SetUniforms(vtkShaderProgram* program) const;
 

@@ -18,7 +18,6 @@ from vtkmodules.vtkRenderingCore import (vtkActor, vtkCamera, vtkColorTransferFu
 
 from . import vtkCellCompositingMapper
 
-BRIGHTEST_DRAWN = 64.0  # limit of light that follows the camera, as in CameraLight.cxx
 SKY_BELOW = 0.1  # cosine of the zenith angle below the horizon at which the sky is dark, as in vtkSunlight
 
 
@@ -42,7 +41,7 @@ def light_of_clouds(data: vtkDataSet, camera: vtkCamera, size: Sequence[int], ar
     mapper, light, alpha = volume.GetMapper(), [], None
     for name in arrays:
         follows = name == "Sunlight" and data.GetPointData().HasArray("SingleScattering")
-        brightest = BRIGHTEST_DRAWN if follows else max(float(np.nanmax(vtk_to_numpy(data.GetPointData().GetArray(name)))), 1e-30)
+        brightest = mapper.GetBrightestCameraLight() if follows else max(float(np.nanmax(vtk_to_numpy(data.GetPointData().GetArray(name)))), 1e-30)
         colours = vtkColorTransferFunction()
         colours.AddRGBPoint(0, 0, 0, 0)
         colours.AddRGBPoint(brightest, 1, 1, 1)

@@ -6,6 +6,7 @@
 
 #include "CellBuffers.h"
 #include "ContourBuffers.h"
+#include "HazeAlongRayShader.h"
 #include "OpaqueDepth.h"
 #include "OpticalSegment.h"
 #include "SamplersApart.h"
@@ -32,6 +33,11 @@ std::string CellDrawing::OwnConstants() const
     shaderConstant("averageIntegration", this->Options.AverageIntegration) +
     shaderConstant("splitAtControlPoints", this->Options.SplitAtControlPoints) +
     shaderConstant("useDepthRanges", this->Peel != nullptr) + this->Options.Planes.Definition();
+}
+
+std::string CellDrawing::CommonConstants() const
+{
+  return this->Options.Haze.Definition() + HazeAlongRayShader;
 }
 
 // Where rays end: at the opaque depth, or at the ends of the ranges of a peel.

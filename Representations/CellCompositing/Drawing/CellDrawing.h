@@ -58,12 +58,11 @@ struct CellDrawing
   VolumePeel* Peel = nullptr; ///< where set, its depth ranges count and not the opaque depth
   int Range = 0;              ///< the one of them that is drawn
 
-  std::string ShaderConstants() const
-  {
-    return this->OwnConstants() + this->Options.Haze.Definition();
-  }
+  std::string ShaderConstants() const { return this->OwnConstants() + this->CommonConstants(); }
   /** The same constants without those common to everything that the renderer draws. */
   std::string OwnConstants() const;
+  /** Those, which are the same for all media. */
+  std::string CommonConstants() const;
   /** Binds the shared textures and sets the uniforms that every fragment shader of cells has. */
   void SetUniforms(vtkShaderProgram* program) const;
   ///@{

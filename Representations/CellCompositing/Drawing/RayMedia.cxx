@@ -148,7 +148,7 @@ bool RayMedia::ReadyPrograms(const std::vector<Medium>& media)
     instances += medium.Rays->MediumShader(*medium.Drawing, i);
   }
   const std::string constants = shaderConstant("useDepthRanges", drawing.Peel != nullptr) +
-    shaderConstant("averageIntegration", false) + drawing.Options.Haze.Definition();
+    shaderConstant("averageIntegration", false) + drawing.CommonConstants();
   const std::string fragment = withShaderParts(RayMediaFragment,
     { { "MixedSegment", MixedSegmentShader }, { "Media", instances + mediaCalls(count) } });
   this->PlanProgram = cache->ReadyShaderProgram(planVertex, planFragment(count).c_str(), "");

@@ -172,13 +172,11 @@ void crossTetrahedron(Seen ahead)
 void addPart(float place, bool crosses, float value, vec2 range)
 {
   vec4 front = segmentFront, back = segmentBack;
-  vec2 ends = useContours ? mix(front.xx, back.xx, vec2(passedPlace, place)) : vec2(front.x, back.x);
+  vec2 ends = useContours || useHaze ? mix(front.xx, back.xx, vec2(passedPlace, place)) : vec2(front.x, back.x);
   vec2 z = vec2(max(ends.x, range.x), min(ends.y, range.y));
   if (z.y > z.x && !isHidden())
   {
-#ifdef NEPHOSCOPE_HAZE
     vec4 before = accumulatedLight();
-#endif
     vec2 t = (z - front.x) / (back.x - front.x);
     vec2 from = mix(front.yz, back.yz, t.x);
     vec2 to = mix(front.yz, back.yz, t.y);
@@ -196,10 +194,23 @@ void addPart(float place, bool crosses, float value, vec2 range)
       from.y = to.y = element(opacityScalars, cellNumber()).r;
     }
     addSegment(from, to, z.y - z.x);
-#ifdef NEPHOSCOPE_HAZE
     hazeAdded(before, z);
-#endif
   }
+}
+
+// The part of the segment up to a place, as far as it is seen.
+vec2 partUpTo(float place, vec2 range)
+{
+  vec2 ends = mix(segmentFront.xx, segmentBack.xx, vec2(passedPlace, place));
+  return vec2(max(ends.x, range.x), min(ends.y, range.y));
+}
+
+// The haze from there on. A segment is cut into 32 parts at most.
+bool hazeIsFresh = false;
+void fitHazeToSegment(vec2 range)
+{
+  fitHaze(max(mix(segmentFront.x, segmentBack.x, passedPlace), range.x), (segmentBack.x - segmentFront.x) / 32.0);
+  hazeIsFresh = true;
 }
 
 // Passes the face through which the ray enters.
@@ -275,7 +286,9 @@ const int crossesUp = 3;
 const int crossesDown = 4;
 const int passesPolygon = 5; // in the face through which it leaves a tetrahedron
 const int entersMesh = 6;    // perhaps through a polygon
+const int leavesHaze = 7;    // the polynomial of the haze holds no longer
 const bool useSurfaces = useContours || usePolygons;
+const bool stopsInSegments = useSurfaces || useHaze;
 
 // From there to where the ray leaves the mesh or is lost, or where there are surfaces, to the next one, if it is near.
 int walk(vec2 range)
@@ -287,7 +300,7 @@ int walk(vec2 range)
   int outcome = mayGoOn;
   for (int i = 0; i < steps; ++i)
   {
-    if (!useSurfaces || !inSegment)
+    if (!stopsInSegments || !inSegment)
     {
       Seen ahead;
       bool inside = true;
@@ -346,6 +359,25 @@ int walk(vec2 range)
       float change = segmentBack.w - segmentFront.w;
       place = !crosses ? 1.0 : change == 0.0 ? passedPlace : clamp((value - segmentFront.w) / change, passedPlace, 1.0);
       outcome = crosses ? (up ? crossesUp : crossesDown) : mayGoOn;
+    }
+    bool hazeEnds = false;
+    if (useHaze)
+    {
+      vec2 part = partUpTo(place, range);
+      hazeEnds = part.y > part.x && part.y > hazeTo;
+      if (hazeEnds && !hazeIsFresh)
+      {
+        outcome = leavesHaze;
+        break;
+      }
+      hazeIsFresh = false;
+    }
+    if (hazeEnds) // the segment is longer
+    {
+      outcome = leavesHaze;
+      crosses = true;
+      place = clamp((hazeTo - segmentFront.x) / (segmentBack.x - segmentFront.x), passedPlace, 1.0);
+      value = mix(segmentFront.w, segmentBack.w, place);
     }
     addPart(place, crosses, value, range);
     passedPlace = place;
@@ -410,7 +442,7 @@ void addPolygon(int opposite, vec2 range)
   }
 }
 
-void walkThroughSurfaces(vec2 range)
+void walkInStretches(vec2 range)
 {
   int outcome = usePolygons && startsAtEye == 0 ? entersMesh : mayGoOn;
   for (int i = 0; i < maximumSteps && outcome != rayEnds; ++i)
@@ -433,6 +465,10 @@ void walkThroughSurfaces(vec2 range)
     if (useContours && outcome == findsLayer)
     {
       enterContourLayer(contourLayer(segmentFront.w));
+    }
+    if (useHaze && outcome == leavesHaze)
+    {
+      fitHazeToSegment(range);
     }
     outcome = outcome == rayEnds || isOpaque() ? rayEnds : walk(range);
   }
@@ -481,9 +517,10 @@ void main()
     {
       startAtFace(boundaryFace);
     }
-    if (useSurfaces)
+    startHaze();
+    if (stopsInSegments)
     {
-      walkThroughSurfaces(range);
+      walkInStretches(range);
     }
     else
     {

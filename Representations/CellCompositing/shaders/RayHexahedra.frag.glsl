@@ -91,14 +91,10 @@ void addPart(vec2 front, vec2 back, vec2 range)
   vec2 z = vec2(max(front.x, range.x), min(back.x, range.y));
   if (z.y > z.x)
   {
-#ifdef NEPHOSCOPE_HAZE
     vec4 before = accumulatedLight();
-#endif
     vec2 s = mix(front.yy, back.yy, (z - front.x) / (back.x - front.x));
     addSegment(s.xx, s.yy, z.y - z.x);
-#ifdef NEPHOSCOPE_HAZE
     hazeAdded(before, z);
-#endif
   }
 }
 
@@ -106,8 +102,13 @@ void addPart(vec2 front, vec2 back, vec2 range)
 vec2 ringPlace = vec2(0.0), ringPass = vec2(0.0);
 bool ringIsKnown = false;
 
-// Crosses the cell, and adds what is seen there; returns through which face the ray leaves it.
-int crossCell(vec2 range)
+// The pieces of the cell that are still to be added, and where they begin: distance, scalar.
+vec4 cellDistances = vec4(0.0), scalarsInCell = vec4(0.0);
+float piece = 1.0, pieces = 0.0;
+vec2 pieceFront = vec2(0.0);
+
+// Crosses the cell; returns through which face the ray leaves it.
+int crossCell()
 {
   if (!ringIsKnown)
   {
@@ -116,29 +117,61 @@ int crossCell(vec2 range)
     ringIsKnown = true;
   }
   vec3 entered = vec3(ringPlace, 0.0);
-  vec2 front = ringPass;
+  pieceFront = ringPass;
   keepCell();
   int exit = leaveCell();
   ringPlace = placeInRing();
   ringPass = passRing(ringPlace);
+  piece = pieces = 1.0;
   if (useCellScalars)
   {
-    addPart(vec2(front.x, scalarsOfCell.x), vec2(ringPass.x, scalarsOfCell.x), range);
+    pieceFront.y = scalarsOfCell.x;
     return exit;
   }
   vec3 left = placeInCell(ringPlace, exit);
   vec2 first = besidePlace(mix(entered, left, 1.0 / 3.0)), second = besidePlace(mix(entered, left, 2.0 / 3.0));
-  vec4 distances = cubicThrough(vec4(front.x, first.x, second.x, ringPass.x));
-  vec4 scalars = cubicThrough(vec4(front.y, first.y, second.y, ringPass.y));
-  float pieces = countPieces(scalars);
-  for (float piece = 1.0; piece <= pieces; piece += 1.0)
+  cellDistances = cubicThrough(vec4(pieceFront.x, first.x, second.x, ringPass.x));
+  scalarsInCell = cubicThrough(vec4(pieceFront.y, first.y, second.y, ringPass.y));
+  pieces = countPieces(scalarsInCell);
+  return exit;
+}
+
+bool hazeIsFresh = false;
+void fitHazeToCell(vec2 range)
+{
+  fitHaze(max(pieceFront.x, range.x), (ringPass.x - pieceFront.x) / 32.0);
+  hazeIsFresh = true;
+}
+
+// Adds the pieces of the cell that are left. False: the haze is to be fitted anew first.
+bool addPieces(vec2 range)
+{
+  while (piece <= pieces)
   {
     float t = piece / pieces;
-    vec2 back = piece == pieces ? ringPass : vec2(cubicAt(distances, t), clamp(cubicAt(scalars, t), scalarsOfCell.x, scalarsOfCell.y));
-    addPart(front, back, range);
-    front = back;
+    vec2 back = useCellScalars ? vec2(ringPass.x, scalarsOfCell.x)
+      : piece == pieces ? ringPass
+                        : vec2(cubicAt(cellDistances, t), clamp(cubicAt(scalarsInCell, t), scalarsOfCell.x, scalarsOfCell.y));
+    float end = min(back.x, range.y);
+    bool hazeEnds = useHaze && end > hazeTo && end > max(pieceFront.x, range.x);
+    if (hazeEnds && !hazeIsFresh)
+    {
+      return false;
+    }
+    hazeIsFresh = false;
+    if (hazeEnds) // the piece is longer
+    {
+      back = mix(pieceFront, back, (hazeTo - pieceFront.x) / (back.x - pieceFront.x));
+    }
+    addPart(pieceFront, back, range);
+    pieceFront = back;
+    if (hazeEnds)
+    {
+      return false;
+    }
+    piece += 1.0;
   }
-  return exit;
+  return true;
 }
 
 // Into the next cell. False: there is none, or it is out of sight.
@@ -156,37 +189,58 @@ bool goOn(int exit, vec2 range)
   return !walkIsLost && lesser(lesser(walkA.z, walkB.z), lesser(walkC.z, walkD.z)) < range.y;
 }
 
-void walk(vec2 range)
+// Goes on to a cell in which something is seen, and crosses it. Less than 0: not found yet, or (not `inside`) there is none.
+int findCell(vec2 range, inout bool inside)
 {
   // Pixels that are computed together wait for each other before a cell is integrated, but not for long.
   const int stepsAtOnce = 8;
-  for (int i = 0; i < maximumSteps; ++i)
+  for (int k = 0; k < stepsAtOnce; ++k)
   {
-    bool inside = true;
-    bool found = false;
-    for (int k = 0; k < stepsAtOnce; ++k)
+    seeAhead();
+    if (!isClear())
     {
-      seeAhead();
-      if (!isClear())
+      return crossCell();
+    }
+    ringIsKnown = false;
+    inside = goOn(leaveCell(), range);
+    if (!inside)
+    {
+      break;
+    }
+  }
+  return -1;
+}
+
+void walk(vec2 range)
+{
+  int exit = -1; // out of a cell whose pieces are being added
+  const int cellsAtOnce = useHaze ? 16 : 1;
+  bool inside = true;
+  for (int i = 0; i < maximumSteps && inside; ++i)
+  {
+    if (useHaze && exit >= 0)
+    {
+      fitHazeToCell(range);
+    }
+    for (int n = 0; n < cellsAtOnce; ++n)
+    {
+      if (exit < 0)
       {
-        found = true;
-        break;
+        exit = findCell(range, inside);
       }
-      ringIsKnown = false;
-      inside = goOn(leaveCell(), range);
+      if (exit >= 0)
+      {
+        if (!addPieces(range))
+        {
+          break;
+        }
+        inside = ringPass.x < range.y && !isOpaque() && goOn(exit, range);
+        exit = -1;
+      }
       if (!inside)
       {
         break;
       }
-    }
-    if (found)
-    {
-      int exit = crossCell(range);
-      inside = ringPass.x < range.y && !isOpaque() && goOn(exit, range);
-    }
-    if (!inside)
-    {
-      break;
     }
   }
 }
@@ -254,6 +308,7 @@ void main()
     makeRay(beside);
     vec2 range = visibleRange();
     startSegments(length(mat3(MCVCMatrix) * along) * extinctionScale);
+    startHaze();
     ringIsKnown = false;
     if (startsAtEye != 0)
     {

@@ -56,10 +56,19 @@ void addMixture(float from, float to)
   vec4 added = mixedMedia == 1 ? vec4(weights.x * soleFront.rgb + weights.y * soleBack.rgb, weights.x + weights.y)
                                : integrateMixed(mixedFront * length, mixedBack * length, mixedMiddle * length);
 #ifdef NEPHOSCOPE_HAZE
-  float place = mix(from, to, hazeMeanPlace(added.a));
-  added = added.a > 0.0 ? hazedLight(added, placeInViewOfFirst(place)) : added;
+  added = hazedAlong(added, mix(from, to, hazeMeanPlace(added.a)));
 #endif
   mixedLight += (1.0 - mixedLight.a) * added;
+}
+
+void startHaze()
+{
+#ifdef NEPHOSCOPE_HAZE
+  vec3 seenVC = placeInViewOfFirst(mediaRange.x);
+  vec3 alongVC = hazeParallel != 0 ? hazeEye : seenVC - hazeEye;
+  alongVC /= -alongVC.z;
+  startHazeRay(seenVC - mediaRange.x * alongVC, alongVC);
+#endif
 }
 
 vec2 visibleDepths()
@@ -76,19 +85,17 @@ vec2 visibleDepths()
   }
 }
 
-// From the place where the round begins to where it, the light or what is seen ends.
-void walkTogether()
+// From a place to an end, if that is near; returns how far.
+float walkTo(float end, float from)
 {
-  const int most = 1 << 20;
-  float end = min(mediaRange.y, mediaEnd);
-  float place = mediaRange.x;
-  lostMedium = -1;
-  for (int i = 0; i < most && place < end && mixedLight.a < 0.9999999; ++i)
+  const int eventsAtOnce = useHaze ? 32 : 1 << 20;
+  float place = from;
+  for (int i = 0; i < eventsAtOnce && place < end && mixedLight.a < 0.9999999; ++i)
   {
     goOnInMedia(place);
     if (lostMedium >= 0 && !isLastAttempt)
     {
-      return;
+      break;
     }
     nextPlace = end;
     findEvents(place);
@@ -98,6 +105,25 @@ void walkTogether()
       addMedia(place, nextPlace);
       addMixture(place, nextPlace);
       place = nextPlace;
+    }
+  }
+  return place;
+}
+
+// From the place where the round begins to where it, the light or what is seen ends.
+void walkTogether()
+{
+  const int most = 1 << 20;
+  float end = min(mediaRange.y, mediaEnd);
+  float place = mediaRange.x;
+  lostMedium = -1;
+  for (int i = 0; i < most && place < end && mixedLight.a < 0.9999999; ++i)
+  {
+    fitHaze(place, 1.0e-5 * abs(place));
+    place = walkTo(min(end, hazeTo), place);
+    if (lostMedium >= 0 && !isLastAttempt)
+    {
+      return;
     }
   }
   if (mediaRange.y < mediaEnd)
@@ -128,6 +154,7 @@ void main()
     placeBesideOfMedia(attempt);
     mixedLight = vec4(0.0);
     startMedia();
+    startHaze();
     walkTogether();
     if (lostMedium < 0)
     {

@@ -271,6 +271,7 @@ void finishMedium(float place)
     {
       clearMixture();
       addMedium(from, to);
+      fitHaze(from, to - from);
       addMixture(from, to);
     }
     nextPiece();

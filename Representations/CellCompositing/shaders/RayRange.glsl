@@ -35,15 +35,18 @@ vec2 visibleRange()
   return range;
 }
 
-#ifdef NEPHOSCOPE_HAZE
+// The haze along this ray.
+void startHaze()
+{
+  startHazeRay((MCVCMatrix * vec4(origin, 1.0)).xyz, mat3(MCVCMatrix) * along);
+}
+
 // Hazes what has been added to the light between two distances along the ray.
 void hazeAdded(vec4 before, vec2 z)
 {
+#ifdef NEPHOSCOPE_HAZE
   vec4 added = accumulatedLight() - before;
-  if (added.a > 0.0)
-  {
-    float place = mix(z.x, z.y, hazeMeanPlace(added.a / max(1.0 - before.a, added.a)));
-    light = before + hazedLight(added, (MCVCMatrix * vec4(origin + place * along, 1.0)).xyz);
-  }
-}
+  float alpha = added.a / max(max(1.0 - before.a, added.a), 1.0e-20);
+  light = before + hazedAlong(added, mix(z.x, z.y, hazeMeanPlace(alpha)));
 #endif
+}

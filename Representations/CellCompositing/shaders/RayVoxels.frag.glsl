@@ -38,6 +38,7 @@ void main()
   origin = rayPointVSOutput;
   along = normalize(rayDirectionVSOutput);
   startSegments(length(mat3(MCVCMatrix) * along) * extinctionScale);
+  startHaze();
   walkVoxels(visibleRange());
   gl_FragData[0] = accumulatedLight();
 }

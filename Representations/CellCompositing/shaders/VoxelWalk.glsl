@@ -130,20 +130,15 @@ void findCubicPieces(vec2 ways)
 // A piece along which colour and opacity are linear, and which is thin.
 void addLinear(vec4 front, vec4 back, vec2 ways)
 {
-#ifdef NEPHOSCOPE_HAZE
-  vec4 before = accumulatedLight();
-#endif
   vec2 tau = vec2(front.a, back.a) * ((ways.y - ways.x) * opticalLength);
   vec2 weights = averageIntegration ? averageSegmentWeights(tau.x, tau.y) : thinSegmentWeights(tau.x, tau.y);
-  light += (1.0 - light.a) * vec4(weights.x * front.rgb + weights.y * back.rgb, weights.x + weights.y);
-#ifdef NEPHOSCOPE_HAZE
-  hazeAdded(before, ways);
-#endif
+  vec4 added = (1.0 - light.a) * vec4(weights.x * front.rgb + weights.y * back.rgb, weights.x + weights.y);
+  light += hazedThin(added, ways, 0.5 * (tau.x + tau.y));
 }
 
 // Adds the pieces if that is simple: no node of the transfer function lies between their scalars, and they are thin. Software computes
 // both sides of every test, so that what is seldom needed is done apart. False: nothing was added.
-bool addThinCell()
+bool addThinCell(bool mustWait)
 {
   float lowest = min(lesserOf(scalars.xyz), scalars.w);
   float highest = -min(lesserOf(-scalars.xyz), -scalars.w);
@@ -161,7 +156,7 @@ bool addThinCell()
   }
   float opacity = max(max(values[0].a, values[1].a), max(values[2].a, values[3].a));
   bool isThin = averageIntegration || opacity * opticalLength * (places.w - places.x) <= 1.0;
-  bool fits = numberOfPieces <= 3.0 && splitAtControlPoints && highest <= interval.high && isThin;
+  bool fits = !mustWait && numberOfPieces <= 3.0 && splitAtControlPoints && highest <= interval.high && isThin;
   if (fits)
   {
     addLinear(values[0], values[1], places.xy);
@@ -171,21 +166,40 @@ bool addThinCell()
   return fits;
 }
 
+// The first piece, cut where the haze is fitted anew.
+void addHazedPiece()
+{
+  const float mostParts = 32.0;
+  float from = places.x;
+  float length = places.y - from;
+  for (float part = 0.0; part < mostParts && from < places.y; part += 1.0)
+  {
+    if (places.y > hazeTo)
+    {
+      fitHaze(from, length / mostParts);
+    }
+    vec2 z = vec2(from, part + 1.0 == mostParts ? places.y : min(places.y, hazeTo));
+    vec2 s = mix(scalars.xx, scalars.yy, (z - places.x) / length);
+    vec4 before = accumulatedLight();
+    addSegment(s.xx, s.yy, z.y - z.x);
+    hazeAdded(before, z);
+    from = z.y;
+  }
+}
+
 void addPieces()
 {
   for (float piece = 0.0; piece < numberOfPieces; piece += 1.0)
   {
     vec2 next = trilinear ? cubicPlace(min((piece + 4.0) / numberOfPieces, 1.0)) : vec2(places.w, scalars.w);
-#ifdef NEPHOSCOPE_HAZE
-    vec4 before = accumulatedLight();
-#endif
-    if (places.y > places.x)
+    if (useHaze)
+    {
+      addHazedPiece();
+    }
+    else if (places.y > places.x)
     {
       addSegment(scalars.xx, scalars.yy, places.y - places.x);
     }
-#ifdef NEPHOSCOPE_HAZE
-    hazeAdded(before, places.xy);
-#endif
     scalars = vec4(scalars.yzw, next.y);
     places = vec4(places.yzw, next.x);
   }
@@ -221,8 +235,8 @@ float leap(float way, float distance)
   return max(way, least);
 }
 
-// What is seen of the ray in the present cell, up to where it goes on. False: that is not simple.
-bool addCell(vec2 ways, bool isKnown)
+// What is seen of the ray in the present cell, up to where it goes on. False: that is not simple, or waits.
+bool addCell(vec2 ways, bool isKnown, bool mustWait)
 {
   if (useCellScalars)
   {
@@ -238,12 +252,12 @@ bool addCell(vec2 ways, bool isKnown)
     readScalars();
     findPieces(ways, isKnown, scalars.w);
   }
-  return addThinCell();
+  return addThinCell(mustWait);
 }
 
 void walkVoxels(vec2 range)
 {
-  const int stepsAtOnce = 8;
+  const int stepsAtOnce = useHaze ? 16 : 8;
   vec2 ends = wayInBox(range);
   float way = ends.x;
   bool inside = way < ends.y;
@@ -252,6 +266,7 @@ void walkVoxels(vec2 range)
   for (int i = 0; i < maximumSteps && inside; ++i)
   {
     bool waits = false;
+    fitHaze(way, 0.0);
     for (int k = 0; k < stepsAtOnce; ++k)
     {
       float distance = floor(255.0 * element(clearDistances, cellNumber()).r + 0.5);
@@ -260,10 +275,17 @@ void walkVoxels(vec2 range)
       way = leap(here, max(distance, 1.0));
       vec3 following = cell;
       bool isSeen = distance == 0.0;
+      bool leavesHaze = useHaze && isSeen && min(way, ends.y) > hazeTo;
+      if (leavesHaze && here > hazeFrom)
+      {
+        cell = present;
+        way = here;
+        break;
+      }
       if (isSeen)
       {
         cell = present;
-        waits = !addCell(vec2(here, min(way, ends.y)), isKnown);
+        waits = !addCell(vec2(here, min(way, ends.y)), isKnown, leavesHaze);
         cell = following;
       }
       isKnown = isSeen;

@@ -6,7 +6,11 @@
 //   hazedColor(rgb, placeVC)          colour of a surface of any opacity as it is seen through the air: T rgb + (1 - T) C
 //   hazedLight(light, placeVC)        the same of a premultiplied colour with alpha: T rgb + alpha (1 - T) C, alpha
 //   hazedSegment(light, front, back)  the same of a medium between two places
+#ifndef HAZE_ON_GLOBE // otherwise true or false, where that is known beforehand: software computes both sides of every test
 uniform int hazeOnGlobe;      // 0: over flat ground
+#define HAZE_ON_GLOBE (hazeOnGlobe != 0)
+#define HAZE_IS_LIT (dot(hazeSun, hazeSun) > 0.0)
+#endif
 uniform int hazeParallel;     // parallel rays, which start in the plane of the camera
 uniform float hazeUnit;       // scale heights in one length of view coordinates
 uniform float hazeExtinction; // per scale height at altitude 0
@@ -139,7 +143,7 @@ HazePlace hazePlaceOfStart(vec3 startVC)
   {
     return place;
   }
-  if (hazeOnGlobe != 0)
+  if (HAZE_ON_GLOBE)
   {
     return movedHazePlace(place, startVC * hazeUnit);
   }
@@ -176,19 +180,19 @@ float globeHazeLengthToSky(HazePlace from, vec3 direction)
 
 bool hazeIsLit()
 {
-  return dot(hazeSun, hazeSun) > 0.0;
+  return HAZE_IS_LIT;
 }
 
 // From a start (over flat ground only its altitude) along a step.
 float hazeLength(HazePlace start, vec3 step_)
 {
-  return hazeOnGlobe != 0 ? globeHazeLength(start, step_)
+  return HAZE_ON_GLOBE ? globeHazeLength(start, step_)
                           : flatHazeLength(vec2(start.height.y, start.height.y + dot(hazeFrame, step_)), length(step_));
 }
 
 HazePlace hazePlaceAfter(HazePlace start, vec3 step_)
 {
-  return hazeOnGlobe != 0 ? movedHazePlace(start, step_)
+  return HAZE_ON_GLOBE ? movedHazePlace(start, step_)
                           : HazePlace(start.place, vec2(0.0, start.height.y + dot(hazeFrame, step_)));
 }
 
@@ -196,7 +200,7 @@ HazePlace hazePlaceAfter(HazePlace start, vec3 step_)
 float hazeSunTransparency(HazePlace place)
 {
   float altitude = max(place.height.y, 0.0);
-  if (hazeOnGlobe == 0)
+  if (!HAZE_ON_GLOBE)
   {
     float rise = dot(hazeFrame, hazeSun);
     return rise > 0.0 ? exp(-hazeExtinction * flatHazeLengthToSky(altitude, rise)) : 0.0;
@@ -221,7 +225,7 @@ vec2 hazyPart(HazePlace start, vec3 direction, float reach)
   float altitude = start.height.y;
   float rise = dot(hazeFrame, direction);
   vec2 part = vec2(0.0, reach);
-  if (hazeOnGlobe == 0)
+  if (!HAZE_ON_GLOBE)
   {
     float crossing = (top - altitude) / (abs(rise) > 1.0e-6 ? rise : 1.0e-6);
     part = altitude > top ? vec2(rise < 0.0 ? crossing : reach, reach) : vec2(0.0, rise > 0.0 ? crossing : reach);
@@ -291,7 +295,8 @@ vec4 hazeBefore(vec3 placeVC)
 // The same for an opacity.
 float hazeMeanPlace(float alpha)
 {
-  return hazeMeanPlaceAt(-log(max(1.0 - alpha, 1.0e-7)));
+  float a = min(alpha, 1.0 - 1.0e-7);
+  return a < 0.05 ? 0.5 - a * (1.0 + 0.5 * a) / 12.0 : -1.0 / log(1.0 - a) - (1.0 - a) / a;
 }
 
 vec3 hazedColor(vec3 rgb, vec3 placeVC)

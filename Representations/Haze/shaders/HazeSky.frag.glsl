@@ -15,7 +15,7 @@ void main()
   vec3 startVC = hazeStart(amid);
   vec3 direction = normalize(hazeParallel != 0 ? hazeEye : amid - startVC);
   HazePlace start = hazePlaceOfStart(startVC);
-  float air = hazeOnGlobe != 0 ? globeHazeLengthToSky(start, direction)
+  float air = HAZE_ON_GLOBE ? globeHazeLengthToSky(start, direction)
                                : flatHazeLengthToSky(start.height.y, dot(hazeFrame, direction));
   float opacity = 1.0 - exp(-hazeExtinction * air);
   const float far = 1.0e5; // scale heights: the light is that of the haze on the way
