@@ -7,6 +7,7 @@
 #include "vtkAlgorithm.h"
 #include "vtkCallbackCommand.h"
 #include "vtkDemandDrivenPipeline.h"
+#include "vtkErrorCode.h"
 #include "vtkNew.h"
 #include "vtkType.h"
 
@@ -14,6 +15,17 @@
 
 namespace nephoscope
 {
+// A failure as the filter's error code, for scripts and for what draws the empty output.
+class FailureCode : public vtkAlgorithm
+{
+public:
+  static void Set(vtkAlgorithm* filter, bool failed)
+  {
+    // SetErrorCode is protected, and would have the filter execute again.
+    filter->*(&FailureCode::ErrorCode) = failed ? vtkErrorCode::UserError : vtkErrorCode::NoError;
+  }
+};
+
 // While it lives, the errors and warnings of an object are not reported, if `suppressed`.
 class MessageSuppression
 {
@@ -47,13 +59,18 @@ class ReportOnce
 public:
   // `failed` is kept by the filter, at first 0.
   ReportOnce(vtkAlgorithm* filter, vtkMTimeType& failed)
-    : Failed(failed)
+    : Filter(filter)
+    , Failed(failed)
     , Now(TimeOf(filter))
     , Suppression(filter, failed == this->Now)
   {
   }
 
-  void End(bool success) { this->Failed = success ? 0 : this->Now; }
+  void End(bool success)
+  {
+    this->Failed = success ? 0 : this->Now;
+    FailureCode::Set(this->Filter, !success);
+  }
 
 private:
   static vtkMTimeType TimeOf(vtkAlgorithm* filter)
@@ -63,6 +80,7 @@ private:
                     : filter->GetMTime();
   }
 
+  vtkAlgorithm* Filter;
   vtkMTimeType& Failed;
   vtkMTimeType Now;
   MessageSuppression Suppression;

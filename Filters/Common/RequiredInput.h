@@ -4,6 +4,8 @@
 #ifndef nephoscope_RequiredInput_h
 #define nephoscope_RequiredInput_h
 
+#include "MessageSuppression.h"
+
 #include "vtkAlgorithm.h"
 #include "vtkDataObject.h"
 #include "vtkDemandDrivenPipeline.h"
@@ -55,6 +57,10 @@ inline bool hasOtherInput(vtkAlgorithm* filter, vtkMTimeType& told, vtkInformati
   if (!input || input->IsA("vtkCompositeDataSet") ||
     std::any_of(kinds.begin(), kinds.end(), isOfKind))
   {
+    if (request->Has(vtkDemandDrivenPipeline::REQUEST_DATA()))
+    {
+      FailureCode::Set(filter, false);
+    }
     return false;
   }
   vtkInformation* outInfo = outputs->GetInformationObject(0);
@@ -84,6 +90,7 @@ inline bool hasOtherInput(vtkAlgorithm* filter, vtkMTimeType& told, vtkInformati
       vtkErrorWithObjectMacro(filter, << "The input is " << kindOf(input) << ". " << needed);
     }
     told = now;
+    FailureCode::Set(filter, true);
     vtkDataObject::GetData(outInfo)->Initialize();
   }
   return true;

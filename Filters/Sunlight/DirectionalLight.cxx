@@ -2,12 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "DirectionalLight.h"
 
+#include "OwnThreads.h"
+
 #include "vtkDataSet.h"
 #include "vtkFieldData.h"
 #include "vtkFloatArray.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
-#include "vtkSMPTools.h"
 
 #include <algorithm>
 #include <cmath>
@@ -40,7 +41,7 @@ void addDirectionalLight(vtkDataSet* data, const DirectionalSource& source, Phas
   flux->SetName("DiffuseFlux");
   flux->SetNumberOfComponents(3);
   flux->SetNumberOfTuples(count);
-  vtkSMPTools::For(0, count, [&](vtkIdType begin, vtkIdType end) {
+  inParallel(count, [&](vtkIdType begin, vtkIdType end) {
     for (vtkIdType p = begin; p < end; ++p)
     {
       const float shadow = source.Shadow.empty() ? 1.0f : source.Shadow[p];

@@ -3,6 +3,7 @@
 #include "LitData.h"
 
 #include "GridRays.h"
+#include "OwnThreads.h"
 #include "SunMesh.h"
 #include "TetrahedronSource.h"
 #include "Vector3.h"
@@ -15,7 +16,6 @@
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkProbeFilter.h"
-#include "vtkSMPTools.h"
 #include "vtkStructuredGrid.h"
 
 #include <algorithm>
@@ -66,7 +66,7 @@ private:
   template <typename Body>
   void ForLevels(Body body)
   {
-    vtkSMPTools::For(0, this->Grid.Size[2], [this, &body](vtkIdType begin, vtkIdType end) {
+    inParallel(this->Grid.Size[2], [this, &body](vtkIdType begin, vtkIdType end) {
       for (int k = int(begin); k < end; ++k)
       {
         for (int j = 0; j < this->Grid.Size[1]; ++j)
@@ -194,7 +194,7 @@ std::unique_ptr<SunPaths> sunPathsOf(vtkDataSet* data, const std::vector<Place>&
   const std::vector<Fields>& fields, const Place& sun)
 {
   const Loop loop = [](std::int64_t count, const auto& body) {
-    vtkSMPTools::For(0, count, [&body](vtkIdType begin, vtkIdType end) { body(begin, end); });
+    inParallel(count, [&body](vtkIdType begin, vtkIdType end) { body(begin, end); });
   };
   const bool mayCoincide = !vtkImageData::SafeDownCast(data);
   const std::vector<std::int32_t> merged =

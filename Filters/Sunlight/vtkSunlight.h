@@ -225,8 +225,9 @@ private:
   double ViewPosition[3] = { 0, 0, 1 };
   int NumberOfIterations = 0;
   double LastChange = 0;
-  std::unique_ptr<Work> Last;    // kept for another eye
-  std::vector<double> LastState; // that it was computed for
+  vtkMTimeType ToldOfEmptiness = 0, Failed = 0; // for isEmptyInput and ReportOnce
+  std::unique_ptr<Work> Last;                   // kept for another eye
+  std::vector<double> LastState;                // that it was computed for
 };
 
 #endif

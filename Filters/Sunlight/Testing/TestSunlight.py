@@ -3,10 +3,12 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Sunlight: beams in closed form, the I3RC step cloud, energy, plane-parallel slabs, day and night, the sun's place, what is wrong."""
 import collections
+import hashlib
 import unittest
 
 import numpy as np
 from nephoscope import vtkFlowVolume, vtkSunlight
+from nephoscope_testing import threads
 from nephoscope_testing.messages import Messages
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkPoints
@@ -54,6 +56,16 @@ def light_of(data, sun=(0, 0, 1), clouds=None, **options):
     with Messages() as messages:
         light.Update()
     return light.GetOutput(), messages.all
+
+
+def digest():
+    """A hash of all that Sunlight writes for clouds on a grid."""
+    waves = image((24, 20, 12), (100, 100, 50), lambda x, y, z: 1e-2 * np.maximum(np.sin(x / 300) * np.cos(y / 200) * np.sin(z / 90), 0))
+    arrays = light_of(waves, (1, -1, 0.5))[0].GetPointData()
+    made = hashlib.sha256()
+    for i in range(arrays.GetNumberOfArrays()):
+        made.update(vtk_to_numpy(arrays.GetArray(i)).tobytes())
+    return made.hexdigest()
 
 
 def values(output, name):
@@ -463,6 +475,11 @@ class Smoke(unittest.TestCase):
         cloud = image((3, 3, 3), (1, 1, 1), lambda x, y, z: 0 * x)
         self.assertIn("The clouds have no array 'SunTransmittance'", light_of(self.smoke, clouds=cloud)[1][0])
         self.assertIn("lit from another direction", " ".join(light_of(self.smoke, sun=(1, 0, 1), clouds=light_of(cloud)[0])[1]))
+
+
+class Threads(unittest.TestCase):
+    def test_any_number_gives_the_same(self):
+        self.assertEqual(len(threads.results(__file__, "digest()")), 1)
 
 
 if __name__ == "__main__":

@@ -1,0 +1,142 @@
+// SPDX-FileCopyrightText: The Nephoscope authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Light that is scattered more than once.
+#include "vtkSunlight.h"
+
+#include "DiffuseLight.h"
+#include "LitData.h"
+#include "ThreadTeam.h"
+#include "Vector3.h"
+#include "vtkSunlightInternals.h"
+
+#include "vtkDataSet.h"
+#include "vtkFloatArray.h"
+#include "vtkIdList.h"
+#include "vtkImageData.h"
+#include "vtkNew.h"
+#include "vtkSmartPointer.h"
+
+#include <algorithm>
+#include <functional>
+#include <utility>
+#include <vector>
+
+using nephoscope::addPointArray;
+using nephoscope::dot;
+using nephoscope::Vector;
+
+// On structured data; otherwise Sample has made some of it.
+bool vtkSunlight::Diffuse(vtkDataSet* data, Work& work)
+{
+  nephoscope::LightGrid grid;
+  nephoscope::GridAxes axes;
+  if (!nephoscope::makeGrid(data, work.Places, grid, axes))
+  {
+    return this->Sample(data, work);
+  }
+  grid.Extinction = work.Scaled;
+  grid.Albedo = work.Albedo;
+  grid.Asymmetry = work.Asymmetry;
+  grid.Depth = work.ScaledDepth;
+  grid.Shadow = work.Shadow;
+  grid.GroundAlbedo = this->GroundAlbedo;
+  grid.Sun.resize(grid.Points());
+  for (std::size_t p = 0; p < grid.Points(); ++p)
+  {
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      const Vector& e = axes.Axes[p][axis];
+      grid.Sun[p][axis] =
+        -static_cast<float>(e[0] * work.Sun[0] + e[1] * work.Sun[1] + e[2] * work.Sun[2]);
+    }
+  }
+  grid.Sky.resize(grid.Columns());
+  for (std::size_t c = 0; c < grid.Columns(); ++c)
+  {
+    const double elevation = dot(nephoscope::upAt(work.Planet, work.Places[c]), work.Sun);
+    grid.Sky[c] =
+      static_cast<float>(this->SkyLight * std::max(0.0, std::min(1.0, (elevation + 0.1) / 1.1)));
+  }
+  nephoscope::LightSettings settings;
+  settings.Zenith = this->ZenithAngles;
+  settings.Azimuth = this->AzimuthAngles;
+  nephoscope::ThreadTeam team;
+  const auto parallel = [&team](int n, const std::function<void(int)>& body) { team.Run(n, body); };
+  const nephoscope::DiffuseLight light = nephoscope::diffuseLight(
+    grid, settings, parallel, [this](double fraction) { return this->GoOn(0.5 + 0.5 * fraction); });
+  this->NumberOfIterations = light.Iterations;
+  this->LastChange = light.Change;
+  work.Absorbed = light.Absorption;
+  for (std::size_t p = 0; p < grid.Points(); ++p)
+  {
+    work.Fluence[p] = std::max(light.Field.Fluence[p], 0.0f);
+    work.Up[p] = std::max(light.Field.Up(p), 0.0f);
+    work.Down[p] = std::max(light.Field.Down(p), 0.0f);
+    const Vector& flux = light.Field.Flux[p];
+    for (int c = 0; c < 3; ++c)
+    {
+      work.Flux[p][c] =
+        flux[0] * axes.Axes[p][0][c] + flux[1] * axes.Axes[p][1][c] + flux[2] * axes.Axes[p][2][c];
+    }
+  }
+  return !this->GetAbortExecute();
+}
+
+// The light of an image that has the optics of the data, back at the points of the data.
+bool vtkSunlight::Sample(vtkDataSet* data, Work& work)
+{
+  vtkSmartPointer<vtkDataSet> copy;
+  copy.TakeReference(data->NewInstance());
+  copy->CopyStructure(data);
+  const std::pair<const char*, const std::vector<float>*> arrays[] = { { "Scaled", &work.Scaled },
+    { "Albedo", &work.Albedo }, { "Asymmetry", &work.Asymmetry } };
+  for (const auto& [name, values] : arrays)
+  {
+    std::copy(values->begin(), values->end(), addPointArray(copy, name)->GetPointer(0));
+  }
+  const nephoscope::SampleFrame frame(work.Planet, work.Places);
+  const vtkSmartPointer<vtkImageData> image = frame.MakeImage(work.Places, 100000);
+  const vtkSmartPointer<vtkDataSet> grid = frame.Sampled(copy, image);
+  Work coarse;
+  coarse.Planet = work.Planet;
+  coarse.Sun = work.Sun;
+  vtkIdType ignored = 0;
+  coarse.Places = nephoscope::placesOf(grid);
+  coarse.Scaled = nephoscope::valuesOf(grid, "Scaled", 0, 1, ignored);
+  coarse.Albedo = nephoscope::valuesOf(grid, "Albedo", 0, 1, ignored);
+  coarse.Asymmetry = nephoscope::valuesOf(grid, "Asymmetry", 0, 1, ignored);
+  nephoscope::cutResidues(coarse.Scaled); // of interpolation
+  coarse.Extinction = coarse.Scaled;
+  coarse.StartDiffuse();
+  if (!this->TraceSun(grid, coarse) || !this->Shade(coarse) || !this->Diffuse(grid, coarse))
+  {
+    return false;
+  }
+  vtkNew<vtkIdList> ids;
+  double weights[8], parametric[3];
+  for (vtkIdType p = 0; p < data->GetNumberOfPoints(); ++p)
+  {
+    int sub = 0;
+    const vtkIdType cell = image->FindCell(
+      frame.FromPlace(work.Places[p]).data(), nullptr, -1, 1e-3, sub, parametric, weights);
+    if (cell < 0)
+    {
+      continue;
+    }
+    image->GetCellPoints(cell, ids);
+    for (vtkIdType k = 0; k < ids->GetNumberOfIds(); ++k)
+    {
+      const vtkIdType q = ids->GetId(k);
+      const float weight = static_cast<float>(weights[k]);
+      work.Fluence[p] += weight * coarse.Fluence[q];
+      work.Up[p] += weight * coarse.Up[q];
+      work.Down[p] += weight * coarse.Down[q];
+      work.Absorbed[p] += weight * coarse.Absorbed[q];
+      for (int c = 0; c < 3; ++c)
+      {
+        work.Flux[p][c] += weight * coarse.Flux[q][c];
+      }
+    }
+  }
+  return true;
+}
