@@ -173,6 +173,15 @@ public:
     {
       this->AddSolid(wedge, this->Points->GetPointer(0));
     }
+    else if (type == VTK_QUAD) // parts would favour one diagonal
+    {
+      this->AddPolygon({ this->Points->begin(), this->Points->end() });
+    }
+    else if (type == VTK_PIXEL)
+    {
+      const vtkIdType* p = this->Points->GetPointer(0);
+      this->AddPolygon({ p[0], p[1], p[3], p[2] });
+    }
     else
     {
       this->AddByParts();
@@ -260,6 +269,12 @@ private:
       share.Size = area / static_cast<double>(count);
       share.Angle = std::atan2(norm(cross(a, b)), dot(a, b)) / circle;
       share.MeanAngle = 0.5 * (static_cast<double>(count) - 2) / static_cast<double>(count);
+      SplatMatrix edges{}, normals{};
+      AddOuterProduct(edges, a);
+      AddOuterProduct(edges, b);
+      AddOuterProduct(normals, normalized(cross(a, b)));
+      AddWeighted(share.Edges, edges, share.MeanAngle);
+      AddWeighted(share.Normals, normals, share.Size);
       this->Give(points[i], share);
     }
   }

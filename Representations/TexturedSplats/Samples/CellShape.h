@@ -87,7 +87,8 @@ struct CellShare
   double Angle = 0;        // share of all directions that the cells lie in
   double MeanAngle = 0;    // the same, if all corners of a hexahedron or wedge were alike
   bool Tetrahedra = false; // some of the cells are tetrahedra
-  SplatMatrix Edges{};     // sum over corners of e e^T over the three edges there, weighted
+  SplatMatrix Edges{};     // sum over corners of e e^T over the edges there, weighted
+  SplatMatrix Normals{};   // of surfaces: sum of n n^T over unit normals, weighted
 
   void Add(const CellShare& other)
   {
@@ -105,6 +106,7 @@ struct CellShare
     this->MeanAngle += other.MeanAngle;
     this->Tetrahedra |= other.Tetrahedra;
     AddWeighted(this->Edges, other.Edges, 1);
+    AddWeighted(this->Normals, other.Normals, 1);
   }
 
   // Tetrahedra at an edge or corner of the data lie in so few directions that their edges do not tell of a shape.
@@ -119,13 +121,13 @@ struct CellShare
     return this->Dimension == 3 ? std::cbrt(size) : std::sqrt(size);
   }
 
-  // Jacobian of the sample: the mean of the corners' edges, scaled to the volume. A surface has a ball.
+  // Jacobian of the sample: the mean of the corners' edges, scaled to the volume.
   SplatMatrix Jacobian() const
   {
     const double edge = this->EdgeLength();
-    SplatMatrix root = TriangularRoot(this->Edges);
+    SplatMatrix root = TriangularRoot(this->Dimension < 3 ? this->SurfaceEdges(edge) : this->Edges);
     const double volume = Determinant(root);
-    if (this->Dimension < 3 || !(volume > 0))
+    if (!(volume > 0))
     {
       return BallOfEdge(edge);
     }
@@ -138,6 +140,23 @@ struct CellShare
       }
     }
     return root;
+  }
+
+  // The edges of a surface, scaled to its area; across it, it is as thick as a ball's cell of this edge.
+  SplatMatrix SurfaceEdges(double edge) const
+  {
+    const auto trace = [](const SplatMatrix& m) { return m[0][0] + m[1][1] + m[2][2]; };
+    const double extent = trace(this->Edges), normals = trace(this->Normals);
+    SplatMatrix padded = this->Edges;
+    AddWeighted(padded, this->Normals, normals > 0 ? extent / normals : 0);
+    const double area = Determinant(TriangularRoot(padded)) / std::sqrt(extent);
+    SplatMatrix scaled{};
+    if (area > 0 && std::isfinite(area))
+    {
+      AddWeighted(scaled, this->Edges, edge * edge / area);
+      AddWeighted(scaled, this->Normals, edge * edge / normals);
+    }
+    return scaled;
   }
 };
 }

@@ -76,6 +76,27 @@ class Flatness(ImageTestCase):
             self.assertLess(even, 0.01)
             self.assertGreater(ribs, 5 * even)
 
+    def test_surface_of_long_cells_has_no_gaps(self):
+        """A sheet of quadrilaterals or triangles four times as long as wide is even, and so are the rings of a disk around a point."""
+        def sheet(rows, columns, place, triangles):
+            points = [place(i / columns, j / rows) for j in range(rows + 1) for i in range(columns + 1)]
+            quads = [(a, a + 1, a + columns + 2, a + columns + 1) for j in range(rows) for a in range(j * (columns + 1), j * (columns + 1) + columns)]
+            cells = [t for q in quads for t in ((q[0], q[1], q[2]), (q[0], q[2], q[3]))] if triangles else quads
+            return meshes.with_field(meshes.surface(np.array(points, float), cells), lambda p: 0 * p[:, 0])
+
+        flat = lambda u, v: (8 * u - 4, 8 * v - 4, 0)
+        disk = lambda u, v: (4 * v * np.cos(2 * np.pi * u), 4 * v * np.sin(2 * np.pi * u), 0)
+        for name, data, most in (("quadrilaterals", sheet(10, 40, flat, False), 0.02), ("triangles", sheet(10, 40, flat, True), 0.02),
+                                 ("disk", sheet(8, 64, disk, False), 0.3)):
+            depth = -np.log1p(-self.draw(data, constant(0.1), (0, 0, 1), 2.4)[..., 3])
+            # Cells are as thick as a ball of their area, so what is even is the depth by that.
+            y, x = np.mgrid[-2.4:2.4:96j, -2.4:2.4:96j]
+            radius = np.hypot(x, y) if name.startswith("disk") else 0 * x + 1
+            counts = [depth[(radius >= r) & (radius < r + 0.3)] for r in (np.arange(0.6, 2.0, 0.3) if name.startswith("disk") else (0.9,))]
+            ripple = max(np.abs(ring / ring.mean() - 1).max() for ring in counts)
+            print(f"  {name}: {100 * ripple:.1f} %")
+            self.assertLess(ripple, most, name)
+
     def test_wider_splats_keep_the_medium(self):
         """Inside a slab of constant data the optical depth stays, more evenly; near its faces it is blurred."""
         data = meshes.with_field(meshes.image((40, 40, 11)), lambda p: 0 * p[:, 0])
