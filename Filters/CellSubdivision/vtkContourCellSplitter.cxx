@@ -6,6 +6,7 @@
 #include "ContourScalars.h"
 #include "ContourValueList.h"
 #include "CutNumbering.h"
+#include "EmptyInput.h"
 #include "OwnThreads.h"
 #include "RequiredInput.h"
 #include "SplitAssembly.h"
@@ -18,6 +19,7 @@
 #include "vtkCommand.h"
 #include "vtkDataArray.h"
 #include "vtkDataSet.h"
+#include "vtkErrorCode.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkObjectFactory.h"
@@ -111,7 +113,8 @@ int vtkContourCellSplitter::RequestData(
 {
   vtkDataSet* input = vtkDataSet::GetData(inputs[0], 0);
   vtkUnstructuredGrid* output = vtkUnstructuredGrid::GetData(outputs, 0);
-  if (input->GetNumberOfCells() == 0 || input->GetNumberOfPoints() == 0)
+  if (nephoscope::isEmptyInput(this, this->ToldOfEmptiness, inputs, outputs) ||
+    input->GetNumberOfCells() == 0 || input->GetNumberOfPoints() == 0)
   {
     return 1; // an empty block or piece
   }
@@ -119,6 +122,7 @@ int vtkContourCellSplitter::RequestData(
   nephoscope::ContourLevels levels;
   if (!array || !this->FindLevels(array, levels))
   {
+    this->ErrorCode = vtkErrorCode::UserError;
     return 1; // an error has been reported; other blocks go on
   }
   bool finished = false;

@@ -189,6 +189,7 @@ private:
   bool HasDivided = false;
   int ExecutionDepth = 0;
   vtkMTimeType ToldOfInput = 0; // for hasOtherInput
+  vtkMTimeType ToldOfEmptiness = 0;
 };
 
 #endif

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkCloudOptics.h"
 
+#include "EmptyInput.h"
 #include "OpticalArrays.h"
 
 #include "vtkCellData.h"
@@ -139,7 +140,14 @@ int vtkCloudOptics::RequestData(
 {
   vtkDataSet* output = vtkDataSet::GetData(outputs, 0);
   output->ShallowCopy(vtkDataSet::GetData(inputs[0], 0));
-  if (output->GetNumberOfPoints() > 0 && !this->AddOptics(output))
+  if (nephoscope::isEmptyInput(this, this->ToldOfEmptiness, inputs, outputs))
+  {
+    return 1;
+  }
+  nephoscope::ReportOnce report(this, this->Failed);
+  const bool success = this->AddOptics(output);
+  report.End(success);
+  if (!success)
   {
     output->Initialize();
   }

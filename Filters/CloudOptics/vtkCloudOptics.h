@@ -148,6 +148,7 @@ private:
   double IceRadius = 30;
   double DropletsOverLand = 300;
   double DropletsOverSea = 100;
+  vtkMTimeType ToldOfEmptiness = 0, Failed = 0; // for isEmptyInput and ReportOnce
 };
 
 #endif

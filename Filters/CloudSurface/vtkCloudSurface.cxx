@@ -14,6 +14,7 @@
 #include "SurfaceAssembly.h"
 
 #include "vtkCommand.h"
+#include "vtkErrorCode.h"
 #include "vtkExtentTranslator.h"
 #include "vtkInformationVector.h"
 #include "vtkObjectFactory.h"
@@ -143,6 +144,7 @@ int vtkCloudSurface::RequestData(
   if (!error.empty())
   {
     vtkErrorMacro(<< error);
+    this->ErrorCode = vtkErrorCode::UserError;
     return 1; // other blocks go on
   }
   for (int axis = 0; axis < 3; ++axis)
@@ -153,6 +155,7 @@ int vtkCloudSurface::RequestData(
         << axis
         << "; a surface needs cells, two points or more along every axis. "
            "Use a contour filter for lines.");
+      this->ErrorCode = vtkErrorCode::UserError;
       return 1;
     }
   }
@@ -161,6 +164,7 @@ int vtkCloudSurface::RequestData(
                     : nullptr;
   if (!scalars)
   {
+    this->ErrorCode = vtkErrorCode::UserError;
     return 1;
   }
   bool finished = false;

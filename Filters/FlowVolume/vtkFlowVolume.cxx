@@ -12,6 +12,7 @@
 #include "SmokeOutput.h"
 #include "VelocityChoice.h"
 
+#include "vtkErrorCode.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkMath.h"
@@ -85,6 +86,10 @@ int vtkFlowVolume::RequestData(
     this->ResetResults();
     this->EndSeries(request);
   }
+  // A message has told why there is no smoke.
+  const bool ends = !request->Has(vtkStreamingDemandDrivenPipeline::CONTINUE_EXECUTING());
+  this->ErrorCode =
+    ends && output->GetNumberOfCells() == 0 ? vtkErrorCode::UserError : vtkErrorCode::NoError;
   return 1;
 }
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkSmokePuffs.h"
 
+#include "EmptyInput.h"
 #include "OwnThreads.h"
 #include "PointDensity.h"
 #include "PuffPulse.h"
@@ -241,6 +242,7 @@ int vtkSmokePuffs::RequestData(
   vtkUnstructuredGrid* output = vtkUnstructuredGrid::GetData(outputs);
   vtkInformation* outInfo = outputs->GetInformationObject(0);
   output->ShallowCopy(input);
+  nephoscope::isEmptyInput(this, this->ToldOfEmptiness, inputs, outputs);
   double time = this->Time;
   if (outInfo->Has(SDDP::UPDATE_TIME_STEP()))
   {

@@ -165,6 +165,7 @@ private:
 
   std::unique_ptr<nephoscope::PointDensity> Averages;
   vtkMTimeType ToldOfInput = 0; // for hasOtherInput
+  vtkMTimeType ToldOfEmptiness = 0;
 };
 
 #endif

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkGlobeGrid.h"
 
+#include "EmptyInput.h"
 #include "GlobeGridBuilder.h"
 #include "MessageSuppression.h"
 #include "PoleRows.h"
@@ -121,23 +122,13 @@ std::vector<std::string> FieldNames(const nephoscope::GlobeGridSettings& setting
   return { settings.Height, settings.Eastward, settings.Northward };
 }
 
-// Whether this runs for one block after the other: the block stands in the place of the producer's output then. ParaView
-// inserts its own filter, which must not be updated meanwhile.
-bool IsOfBlocks(vtkAlgorithm* producer, int port)
-{
-  const bool hasInput =
-    producer->GetNumberOfInputPorts() > 0 && producer->GetNumberOfInputConnections(0) > 0;
-  return vtkCompositeDataSet::SafeDownCast(producer->GetOutputDataObject(port)) ||
-    (hasInput && vtkCompositeDataSet::SafeDownCast(producer->GetInputDataObject(0, 0)));
-}
-
 // Some rows of two levels, all columns: whether seam and poles must be closed shows in longitudes and latitudes, and no
 // reader tells them before it reads.
 vtkDataSet* PeekAtRows(
   vtkAlgorithm* producer, int port, vtkInformation* inInfo, const int whole[6], int first, int last)
 {
   auto* block = vtkDataSet::SafeDownCast(vtkDataObject::GetData(inInfo));
-  if (IsOfBlocks(producer, port) && block && block->GetNumberOfPoints() > 0)
+  if (nephoscope::isOfBlocks(producer, port) && block && block->GetNumberOfPoints() > 0)
   {
     return block; // it is there already
   }

@@ -3,6 +3,7 @@
 #include "vtkPolyhedronToTetrahedra.h"
 
 #include "DividedGrid.h"
+#include "EmptyInput.h"
 #include "OwnThreads.h"
 #include "PolyhedronDivider.h"
 
@@ -162,7 +163,8 @@ int vtkPolyhedronToTetrahedra::RequestData(
   output->ShallowCopy(input);
   vtkWork work;
   work.Grid = vtkUnstructuredGrid::SafeDownCast(input);
-  if (!holdsPolyhedra(work.Grid))
+  if (nephoscope::isEmptyInput(this, this->ToldOfEmptiness, inputs, outputs) ||
+    !holdsPolyhedra(work.Grid))
   {
     return 1;
   }

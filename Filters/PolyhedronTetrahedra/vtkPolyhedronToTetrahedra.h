@@ -100,6 +100,7 @@ private:
   bool DivideConvexPolyhedra = false;
   double FaceWarpTolerance = 0.1;
   bool UseTetGen = true;
+  vtkMTimeType ToldOfEmptiness = 0;
   vtkIdType NumberOfDividedCells = 0;
   vtkIdType NumberOfNewPoints = 0;
   vtkIdType NumberOfUndividedCells = 0;

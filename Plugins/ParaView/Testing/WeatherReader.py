@@ -28,6 +28,16 @@ def told(reader, path, folder, window):
     reader.FileName = broken
     reader.UpdatePipelineInformation()
     assert "26 complete fields" in window.GetOutput(), window.GetOutput()
+    from nephoscope.weather.paraview_reader import check, read
+    for attempt in (lambda: read(broken), lambda: check(reader)):  # a script sees what the window tells
+        try:
+            attempt()
+        except RuntimeError as problem:
+            assert "26 complete fields" in str(problem), problem
+        else:
+            raise AssertionError("a file that is not whole was read")
+    reader.FileName = path
+    assert check(reader) is reader and reader.GetDataInformation().GetNumberOfPoints() > 0
     os.environ["NEPHOSCOPE_PYTHON"] = "/nowhere/python3"
     globals()["WeatherDataReader"](FileName=path)
     assert "/nowhere/python3" in window.GetOutput() and "export NEPHOSCOPE_PYTHON=" in window.GetOutput(), window.GetOutput()

@@ -6,22 +6,24 @@ import re
 from PluginTesting import check, listen, load_plugin, new_view, passed, pvs
 
 FILTERS = ("GlobeGrid", "FlowVolume", "SmokePuffs", "CloudSurface", "StructuredSmoothing", "ContourCellSplitter", "PolyhedrontoTetrahedra",
-           "TextureCoordinateAdvection")
+           "TextureCoordinateAdvection", "CloudOptics", "Sunlight")
 GRIDS = "an image, a rectilinear or a structured grid"
 # What is said of which input; where nothing is written, nothing is wrong.
+LIGHT = {"CloudOptics": "water", "Sunlight": "There is no array 'Extinction'"}
 NO_VELOCITY, NO_VOLUME, EMPTY = "no velocity", "no cells with a volume", "empty|no cells|no points"
 EXPECTED = {
     "an image": {"GlobeGrid": "heights run from|no wind arrays", "FlowVolume": NO_VELOCITY, "SmokePuffs": "is an image. .*Connect a flow volume",
-                 "TextureCoordinateAdvection": NO_VELOCITY},
+                 "TextureCoordinateAdvection": NO_VELOCITY, **LIGHT},
     "a surface": {"GlobeGrid": GRIDS, "FlowVolume": NO_VOLUME, "SmokePuffs": "is a surface or points", "CloudSurface": GRIDS, "StructuredSmoothing": GRIDS,
-                  "ContourCellSplitter": "no point array", "TextureCoordinateAdvection": NO_VOLUME},
+                  "ContourCellSplitter": "no point array", "TextureCoordinateAdvection": NO_VOLUME, **LIGHT},
     "tetrahedra": {"GlobeGrid": GRIDS, "FlowVolume": NO_VELOCITY, "SmokePuffs": "'Density'", "CloudSurface": GRIDS, "StructuredSmoothing": GRIDS,
-                   "TextureCoordinateAdvection": NO_VELOCITY},
+                   "TextureCoordinateAdvection": NO_VELOCITY, **LIGHT},
     "blocks": {"GlobeGrid": ".", "FlowVolume": "No block", "SmokePuffs": "flow volume", "CloudSurface": GRIDS, "StructuredSmoothing": ".",
-               "ContourCellSplitter": "no point array", "TextureCoordinateAdvection": "one grid"},
-    "nothing": {"GlobeGrid": GRIDS, "FlowVolume": EMPTY, "CloudSurface": GRIDS, "StructuredSmoothing": GRIDS, "TextureCoordinateAdvection": EMPTY},
+               "ContourCellSplitter": "no point array", "TextureCoordinateAdvection": "one grid", **LIGHT},
+    "nothing": {"GlobeGrid": GRIDS, "FlowVolume": EMPTY, "CloudSurface": GRIDS, "StructuredSmoothing": GRIDS, "TextureCoordinateAdvection": EMPTY,
+                **dict.fromkeys(("SmokePuffs", "ContourCellSplitter", "PolyhedrontoTetrahedra", "CloudOptics", "Sunlight"), "The input is empty")},
 }
-MOST = {("GlobeGrid", "an image"): 2, ("GlobeGrid", "blocks"): 4, ("SmokePuffs", "blocks"): 2, ("StructuredSmoothing", "blocks"): 2}
+MOST = {("GlobeGrid", "an image"): 2, ("GlobeGrid", "blocks"): 4, ("SmokePuffs", "blocks"): 2, ("StructuredSmoothing", "blocks"): 2, ("CloudOptics", "blocks"): 2, ("Sunlight", "blocks"): 2}
 
 
 def kinds():
@@ -49,12 +51,25 @@ def check_filter(name, kind, source, messages):
     pvs.Delete(result)
 
 
+def check_representation(name, source, messages):
+    messages.clear()
+    view = new_view((40, 40))
+    pvs.Show(source, view).SetRepresentationType(name)
+    for _ in range(3):
+        pvs.Render(view)
+    check(len(messages) == 1 and "Nothing is drawn. The input is empty" in messages[0], f"{name} of nothing: {messages}")
+    pvs.Delete(view)
+
+
 def main():
     messages = listen()
     for kind, source in kinds().items():
         source.UpdatePipeline()
         for name in FILTERS:
             check_filter(name, kind, source, messages)
+        if kind == "nothing":
+            for name in ("Cell Compositing", "Textured Splats"):
+                check_representation(name, source, messages)
 
 
 load_plugin()

@@ -3,6 +3,7 @@
 #include "vtkMediumRepresentation.h"
 
 #include "DataBlocks.h"
+#include "EmptyInput.h"
 #include "vtkMediumVolume.h"
 
 #include "vtkAbstractVolumeMapper.h"
@@ -159,11 +160,28 @@ void vtkMediumRepresentation::SetInputArrayToProcess(
   }
 }
 
+// A filter whose output is empty because it failed has told why.
+void vtkMediumRepresentation::WarnOfEmptiness(vtkDataObject* input)
+{
+  vtkAlgorithm* producer = this->GetInputAlgorithm(0, 0);
+  while (producer->IsA("vtkPVPostFilter") && producer->GetNumberOfInputConnections(0) > 0)
+  {
+    producer = producer->GetInputAlgorithm(0, 0); // ParaView has put it in between
+  }
+  const bool isEmpty = !HoldsAnything(input);
+  if (isEmpty && !this->WasEmpty && producer->GetErrorCode() == 0 && IsFirstRank())
+  {
+    vtkWarningMacro(<< "Nothing is drawn. " << nephoscope::whyEmpty);
+  }
+  this->WasEmpty = isEmpty;
+}
+
 int vtkMediumRepresentation::RequestData(
   vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   if (inputVector[0]->GetNumberOfInformationObjects() == 1)
   {
+    this->WarnOfEmptiness(vtkDataObject::GetData(inputVector[0], 0));
     this->PreparePiece(vtkDataObject::GetData(inputVector[0], 0));
     this->StoreLargestSide();
   }

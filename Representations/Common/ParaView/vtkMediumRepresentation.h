@@ -137,6 +137,7 @@ protected:
   double OpacityScale = 1.0;
 
 private:
+  void WarnOfEmptiness(vtkDataObject* input);
   vtkMediumRepresentation(const vtkMediumRepresentation&) = delete;
   void operator=(const vtkMediumRepresentation&) = delete;
 
@@ -150,6 +151,7 @@ private:
   vtkNew<vtkPiecewiseFunction> DensityOpacity;
   vtkNew<vtkVolumeProperty> ConstantProperty; // where all values are the same
   std::string LastWarning;
+  bool WasEmpty = false;                   // the input, and a warning has said so
   vtkSmartPointer<vtkDataSet> UniformData; // a delivered piece with a uniform array
   vtkMTimeType UniformDataTime = 0;
   vtkDataSet* UniformDataSource = nullptr; // only compared

@@ -87,6 +87,7 @@ class WeatherDataReader(VTKPythonAlgorithmBase):
         super().__init__(nInputPorts=0, nOutputPorts=1, outputType="vtkDataSet")
         self._settings = {"path": None, "mesh": None, "grid": -1, "levels": (0, 100000), "globe": {"projection": "globe", "vertical_exaggeration": 30.0, "radius": 6371000.0}}
         self._process, self._folder = Process(), tempfile.TemporaryDirectory()
+        self._problem = ""
         self._is_open, self._times, self._first, self._last_level = False, None, None, 100000
         self._selection = vtkDataArraySelection()
         self._selection.AddObserver("ModifiedEvent", lambda *_: self._changed(False))
@@ -132,6 +133,10 @@ class WeatherDataReader(VTKPythonAlgorithmBase):
     def GetVariables(self):
         return self._selection
 
+    def GetProblem(self):
+        """Why the last reading failed; empty if it did not."""
+        return self._problem
+
     def GetTimestepValues(self):
         return None if self._times is None else list(self._times)
 
@@ -171,8 +176,10 @@ class WeatherDataReader(VTKPythonAlgorithmBase):
         """Returns 1, or 0 after reporting an error."""
         try:
             action()
+            self._problem = ""
             return 1
         except Exception as failure:  # shown in ParaView's window
+            self._problem = str(failure)
             vtkOutputWindow.GetInstance().DisplayErrorText(f"Weather data: {failure}\n")
             return 0
 

@@ -19,6 +19,24 @@ def load(ns=None):
     return names["WeatherDataReader"]
 
 
+def read(path, time=None, **properties):
+    """A reader of the file, up to date, with the properties of its panel, for example ``read("forecast.grib2", Levels=[0, 5])``.
+
+    ParaView prints an error of a reader and goes on. This function raises it as a RuntimeError.
+    """
+    return check(load()(FileName=str(path), **properties), time)
+
+
+def check(reader, time=None):
+    """Brings a reader up to date, and returns it; raises a RuntimeError if it could not read."""
+    reader.UpdatePipeline(*(() if time is None else (time,)))
+    reader.UpdatePropertyInformation()
+    problem = reader.GetProperty("Problem").GetData()
+    if problem:
+        raise RuntimeError(problem)
+    return reader
+
+
 def _made(names):
     """The function that ParaView names by the reader's label; None if it is not there."""
     return next((names[name] for name in names if name.lower().startswith("weatherdatagrib")), None)
