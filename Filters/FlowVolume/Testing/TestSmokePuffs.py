@@ -290,7 +290,7 @@ class BadInput(unittest.TestCase):
             self.assertGreater((found > 0).sum(), 37)
 
     def test_empty(self):
-        self.assertEqual(self.told(vtkUnstructuredGrid()).GetNumberOfCells(), 0)
+        self.assertEqual(self.told(vtkUnstructuredGrid(), "The input is empty").GetNumberOfCells(), 0)
         made = puffs(vtkUnstructuredGrid(), Association=1)
         made.Update()
 
