@@ -30,8 +30,20 @@ inline bool isOfBlocks(vtkAlgorithm* producer, int port)
     (hasInput && vtkCompositeDataSet::SafeDownCast(producer->GetInputDataObject(0, 0)));
 }
 
+// The filter that made the input of a port; ParaView puts its own in between.
+inline vtkAlgorithm* producerOfInput(vtkAlgorithm* filter, int port = 0)
+{
+  vtkAlgorithm* producer = filter->GetInputAlgorithm(port, 0);
+  while (
+    producer && producer->IsA("vtkPVPostFilter") && producer->GetNumberOfInputConnections(0) > 0)
+  {
+    producer = producer->GetInputAlgorithm(0, 0);
+  }
+  return producer;
+}
+
 // For RequestData: true where there is nothing in the input. A warning says so, once while nothing changes; `told` is kept by the filter, at first 0.
-// Blocks, and pieces of several, may be empty.
+// Blocks, and pieces of several, may be empty. Where the filter before has failed, it has told why; this one fails with it.
 inline bool isEmptyInput(vtkAlgorithm* filter, vtkMTimeType& told, vtkInformationVector** inputs,
   vtkInformationVector* outputs)
 {
@@ -46,6 +58,12 @@ inline bool isEmptyInput(vtkAlgorithm* filter, vtkMTimeType& told, vtkInformatio
   vtkInformation* outInfo = outputs->GetInformationObject(0);
   const bool isPiece = outInfo->Has(SDDP::UPDATE_NUMBER_OF_PIECES()) &&
     outInfo->Get(SDDP::UPDATE_NUMBER_OF_PIECES()) > 1;
+  vtkAlgorithm* producer = producerOfInput(filter);
+  if (producer && producer->GetErrorCode() != vtkErrorCode::NoError)
+  {
+    FailureCode::Set(filter, true);
+    return true;
+  }
   vtkAlgorithmOutput* connection = filter->GetInputConnection(0, 0);
   if (!isPiece && connection && !isOfBlocks(connection->GetProducer(), connection->GetIndex()))
   {

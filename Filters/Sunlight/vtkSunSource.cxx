@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkSunSource.h"
 
+#include "MessageSuppression.h"
 #include "SharedSun.h"
 #include "SolarPosition.h"
 
@@ -34,7 +35,8 @@ int vtkSunSource::RequestData(
       vtkErrorMacro(
         << "DateTime is '" << this->DateTime << "' and HoursLater " << this->HoursLater
         << "; they must be a date and time in UTC, such as '2011-10-11 18:30', and a number of hours.");
-      return 0;
+      nephoscope::FailureCode::Set(this, true);
+      return 1; // without a sun
     }
     const nephoscope::SubsolarPoint place = nephoscope::subsolarPoint(days + this->HoursLater / 24);
     sun.Direction = nephoscope::towardsSunAt(place, this->Longitude, this->Latitude);
@@ -48,11 +50,13 @@ int vtkSunSource::RequestData(
     {
       vtkErrorMacro(<< "SunDirection is " << d[0] << ", " << d[1] << ", " << d[2]
                     << "; it must be finite and longer than 0.");
-      return 0;
+      nephoscope::FailureCode::Set(this, true);
+      return 1; // without a sun
     }
     std::transform(d, d + 3, sun.Direction.begin(), [length](double x) { return x / length; });
     sun.DirectionOnGlobe = sun.Direction;
   }
+  nephoscope::FailureCode::Set(this, false);
   nephoscope::writeSun(sun, vtkPolyData::GetData(outputs));
   return 1;
 }

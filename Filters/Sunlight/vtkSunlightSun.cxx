@@ -3,12 +3,14 @@
 // The choice of the sun.
 #include "vtkSunlight.h"
 
+#include "EmptyInput.h"
 #include "LitData.h"
 #include "SharedSun.h"
 #include "SolarPosition.h"
 #include "Vector3.h"
 
 #include "vtkDataSet.h"
+#include "vtkErrorCode.h"
 
 #include <algorithm>
 #include <cmath>
@@ -23,6 +25,11 @@ bool vtkSunlight::FindSun(vtkDataSet* data, std::array<double, 3>& sun)
     nephoscope::SharedSun shared;
     if (!nephoscope::readSun(source, shared))
     {
+      vtkAlgorithm* maker = nephoscope::producerOfInput(this, 2);
+      if (maker && maker->GetErrorCode() != vtkErrorCode::NoError)
+      {
+        return false; // it has told why
+      }
       vtkErrorMacro(
         << "The third input has no sun: it has no field array 'SunDirection'. It must be the output of vtkSunSource.");
       return false;

@@ -76,6 +76,7 @@ std::string selectOpacity(const std::string& name, vtkDataSet* input,
     return std::string();
   }
   // The association of the colour array first.
+  bool isText = false;
   vtkFieldData* data[2] = { input->GetPointData(), input->GetCellData() };
   for (const bool onCells : { scalars.OnCells, !scalars.OnCells })
   {
@@ -85,8 +86,12 @@ std::string selectOpacity(const std::string& name, vtkDataSet* input,
     {
       return checkLength(input, opacity);
     }
+    isText = isText || data[onCells]->GetAbstractArray(name.c_str());
   }
-  return missingArray("point or cell", name.c_str(), input);
+  return (isText ? "The opacity array '" + name + "' holds text, no numbers."
+                 : "No point or cell array named '" + name + "' for the opacity.") +
+    " Choose another OpacityArrayName; point arrays: " + arrayNames(input->GetPointData()) +
+    "; cell arrays: " + arrayNames(input->GetCellData()) + ".";
 }
 
 std::string checkIsDataSet(vtkDataObject* input)

@@ -49,6 +49,18 @@ def check_splats():
     check(worst <= 3, f"splats of blocks differ by {worst} of 255")
 
 
+def check_arrays_of_some():
+    """An array that one block lacks colours the other one; without it, both would be white."""
+    half = pvs.ExtractSubset(Input=wavelet(), VOI=[0, 5, 0, CELLS, 0, 6])
+    other = pvs.ExtractSubset(Input=wavelet(), VOI=[7, CELLS, 0, CELLS, 0, 6])
+    other = pvs.PassArrays(Input=pvs.Calculator(Input=other, ResultArrayName="X", Function="coordsX"), PointDataArrays=["X"])
+    for representation in ("Cell Compositing", "Textured Splats"):
+        for blocks in ([half, other], [other, half]):
+            _, _, found = picture(pvs.GroupDatasets(Input=blocks), representation, ("POINTS", "RTData"))
+            colour = np.ptp(found, axis=2).max()
+            check(colour > 60, f"{representation}: the block with the array has no colours ({colour:.0f} of 255)")
+
+
 def check_types():
     """One block has another type: both are drawn."""
     halves = [pvs.Calculator(Input=pvs.ExtractSubset(Input=wavelet(), VOI=[0, 6, 0, CELLS, 0, 6] if i == 0 else [6, CELLS, 0, CELLS, 0, 6]),
@@ -76,6 +88,7 @@ load_plugin()
 pvs._DisableFirstRenderCameraReset()
 check_contour_value()
 check_splats()
+check_arrays_of_some()
 check_types()
 check_no_rain()
 passed()

@@ -61,8 +61,36 @@ def check_representation(name, source, messages):
     pvs.Delete(view)
 
 
+def check_chain(made, expected, messages):
+    """What comes after a filter that failed adds no reason of its own."""
+    messages.clear()
+    view = new_view((40, 40))
+    pvs.Show(made, view)
+    for _ in range(2):
+        pvs.Render(view)
+    check(len(messages) == 1 and expected in messages[0], f"after a failure, not one message with {expected!r}: {messages}")
+    pvs.Delete(view)
+
+
+def check_opacity(source, name, expected, messages):
+    messages.clear()
+    view = new_view((40, 40))
+    display = pvs.Show(source, view)
+    display.SetRepresentationType("Cell Compositing")
+    display.CellCompositingOpacityArray = name
+    pvs.Render(view)
+    check(len(messages) == 1 and expected in messages[0] and "Opacity Array" in messages[0] and "Coloring" not in messages[0], f"{name}: {messages}")
+    pvs.Delete(view)
+
+
 def main():
     messages = listen()
+    wavelet = pvs.Wavelet(WholeExtent=[-4, 4] * 3)
+    check_chain(pvs.Sunlight(Input=pvs.CloudOptics(Input=wavelet)), "water", messages)
+    lit = pvs.Sunlight(Input=pvs.Calculator(Input=wavelet, ResultArrayName="Extinction", Function="0.01"))
+    lit.Sun = pvs.Sun(DateTime="2011-13-45")
+    check_chain(lit, "2011-13-45", messages)
+    check_opacity(wavelet, "nope", "No point or cell array named 'nope' for the opacity", messages)
     for kind, source in kinds().items():
         source.UpdatePipeline()
         for name in FILTERS:

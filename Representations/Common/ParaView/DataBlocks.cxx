@@ -22,6 +22,8 @@
 
 #include <algorithm>
 #include <array>
+#include <limits>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -93,6 +95,51 @@ void giveOneType(const std::vector<vtkSmartPointer<vtkDataSet>>& blocks, const s
   }
 }
 
+// It drops arrays that only some blocks have: where others have none, the values are missing.
+void addMissing(const std::vector<vtkSmartPointer<vtkDataSet>>& blocks, const std::string& name,
+  Attributes attributes, vtkIdType (vtkDataSet::*count)())
+{
+  int components = 0;
+  for (vtkDataSet* block : blocks)
+  {
+    vtkDataArray* array = attributes(block)->GetArray(name.c_str());
+    if (attributes(block)->HasArray(name.c_str()) &&
+      (!array || (components > 0 && array->GetNumberOfComponents() != components)))
+    {
+      return; // text, or no array that all could have
+    }
+    components = array ? array->GetNumberOfComponents() : components;
+  }
+  for (vtkDataSet* block : blocks)
+  {
+    if (!attributes(block)->HasArray(name.c_str()))
+    {
+      vtkNew<vtkDoubleArray> missing;
+      missing->SetName(name.c_str());
+      missing->SetNumberOfComponents(components);
+      missing->SetNumberOfTuples((block->*count)());
+      missing->Fill(std::numeric_limits<double>::quiet_NaN());
+      attributes(block)->AddArray(missing);
+    }
+  }
+}
+
+std::set<std::string> namesOfArrays(
+  const std::vector<vtkSmartPointer<vtkDataSet>>& blocks, Attributes attributes)
+{
+  std::set<std::string> names;
+  for (vtkDataSet* block : blocks)
+  {
+    for (int i = 0; i < attributes(block)->GetNumberOfArrays(); ++i)
+    {
+      const char* name = attributes(block)->GetArrayName(i);
+      names.insert(name ? name : "");
+    }
+  }
+  names.erase("");
+  return names;
+}
+
 // It drops the flags of hidden cells and ghosts, too, where only some blocks have them.
 void completeFlags(const std::vector<vtkSmartPointer<vtkDataSet>>& blocks, Attributes attributes,
   vtkIdType (vtkDataSet::*count)())
@@ -116,7 +163,7 @@ void completeFlags(const std::vector<vtkSmartPointer<vtkDataSet>>& blocks, Attri
   }
 }
 
-// Copies that have arrays of one type and the same flags.
+// Copies that have the same arrays, of one type, and the same flags.
 void makeAlike(std::vector<vtkSmartPointer<vtkDataSet>>& blocks)
 {
   for (auto& block : blocks)
@@ -125,18 +172,15 @@ void makeAlike(std::vector<vtkSmartPointer<vtkDataSet>>& blocks)
     copy->ShallowCopy(block);
     block = copy;
   }
-  completeFlags(blocks, pointData, &vtkDataSet::GetNumberOfPoints);
-  completeFlags(blocks, cellData, &vtkDataSet::GetNumberOfCells);
-  for (const Attributes attributes : { pointData, cellData })
+  using Count = vtkIdType (vtkDataSet::*)();
+  const std::pair<Attributes, Count> kinds[2] = { { pointData, &vtkDataSet::GetNumberOfPoints },
+    { cellData, &vtkDataSet::GetNumberOfCells } };
+  for (const auto& [attributes, count] : kinds)
   {
-    std::vector<std::string> names;
-    for (int i = 0; i < attributes(blocks.front())->GetNumberOfArrays(); ++i)
+    completeFlags(blocks, attributes, count);
+    for (const std::string& name : namesOfArrays(blocks, attributes))
     {
-      const char* name = attributes(blocks.front())->GetArrayName(i);
-      names.emplace_back(name ? name : "");
-    }
-    for (const std::string& name : names)
-    {
+      addMissing(blocks, name, attributes, count);
       giveOneType(blocks, name, attributes);
     }
   }

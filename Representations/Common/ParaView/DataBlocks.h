@@ -25,7 +25,7 @@ enum class BorderPoints
 
 /**
  * `input` itself (a shallow copy) if it is a dataset that counts, or the blocks of a composite that do, appended. Null without any. Arrays that differ
- * in type between blocks become double; blocks without ghost flags, beside some with them, get flags of 0.
+ * in type between blocks become double; an array that only some blocks have is missing (NaN) in the others; blocks without ghost flags, beside some with them, get flags of 0.
  */
 VTKNEPHOSCOPEPARAVIEWCOMMON_EXPORT vtkSmartPointer<vtkDataSet> appendedBlocks(vtkDataObject* input,
   const std::function<bool(vtkDataSet*)>& counts, BorderPoints border = BorderPoints::Kept);

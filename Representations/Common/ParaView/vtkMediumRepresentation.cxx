@@ -163,11 +163,7 @@ void vtkMediumRepresentation::SetInputArrayToProcess(
 // A filter whose output is empty because it failed has told why.
 void vtkMediumRepresentation::WarnOfEmptiness(vtkDataObject* input)
 {
-  vtkAlgorithm* producer = this->GetInputAlgorithm(0, 0);
-  while (producer->IsA("vtkPVPostFilter") && producer->GetNumberOfInputConnections(0) > 0)
-  {
-    producer = producer->GetInputAlgorithm(0, 0); // ParaView has put it in between
-  }
+  vtkAlgorithm* producer = nephoscope::producerOfInput(this);
   const bool isEmpty = !HoldsAnything(input);
   if (isEmpty && !this->WasEmpty && producer->GetErrorCode() == 0 && IsFirstRank())
   {

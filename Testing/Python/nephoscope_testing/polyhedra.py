@@ -56,7 +56,7 @@ class Polyhedra:
 
 
 def _planes(corners, faces):
-    """Of each cell, rows (n, c) with n.x <= c inside, whatever way its faces were wound. Faces without area are left out."""
+    """For each cell, rows (n, c) with n.x <= c inside, whatever way its faces were wound. Faces without area are left out."""
     cells = np.repeat(np.arange(len(faces)), [len(loops) for loops in faces])
     loops = [corners[i][loop] for i, loop in zip(cells, (loop for of_cell in faces for loop in of_cell))]
     inside = np.array([c.mean(axis=0) for c in corners]).reshape(-1, 3)[cells]
