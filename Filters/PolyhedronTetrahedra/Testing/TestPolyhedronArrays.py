@@ -144,7 +144,7 @@ class Arrays(DivisionTestCase):
     def test_what_needs_nothing_is_passed_untouched(self):
         image = vtkImageData()
         image.SetDimensions(3, 3, 3)
-        for data in (image, meshes.Lattice(2).mesh("hexahedron"), vtkUnstructuredGrid()):
+        for data in (image, meshes.Lattice(2).mesh("hexahedron")):
             divider, messages = divide(data)
             self.no_messages(messages)
             out = divider.GetOutput()
