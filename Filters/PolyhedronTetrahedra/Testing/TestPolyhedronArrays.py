@@ -9,7 +9,7 @@ from nephoscope_testing import dual_meshes, meshes, nonconvex
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkIdTypeArray, vtkSMPTools, vtkStringArray
 from vtkmodules.vtkCommonDataModel import (VTK_HEXAHEDRON, VTK_POLYHEDRON, VTK_TETRA, VTK_TRIANGLE, vtkImageData,
-                                           vtkMultiBlockDataSet, vtkUnstructuredGrid)
+                                           vtkMultiBlockDataSet)
 
 GRADIENT = np.array([1.0, -2.0, 0.5])
 
