@@ -60,6 +60,32 @@ class Axes(unittest.TestCase):
                 height = np.asarray(grid["Height"]).reshape(grid.dimensions[::-1])
                 self.assertGreater(np.diff(height, axis=0).min(), 1000)
 
+    def test_missing_lines_are_holes(self):
+        whole, lat = np.arange(0, 360, 10.0), np.arange(-85, 90, 10.0)
+        for longitude, latitude, text in ((np.r_[whole[:25], whole[30:]], lat, "'lon' jumps from 240 to 300"), (np.delete(whole, 20), lat, "'lon' jumps from 190 to 210"),
+                                          (whole, np.delete(lat, [4, 5]), "'lat' jumps from -55 to -25"), (np.delete(whole[::-1], 20), np.delete(lat, 3)[::-1], "'lon' jumps from 160 to 140.*'lat' jumps from -45 to -65")):
+            for level in (slice(None), 0):
+                with self.subTest(text, level=level), warnings.catch_warnings(record=True) as caught:
+                    warnings.simplefilter("always")
+                    dataset = marked(longitude, latitude).rename(q="mark").isel(plev=level)
+                    self.assertRegex(dataset.nephoscope.describe(), f"note: {text[:20]}")
+                    grid = dataset.nephoscope.globe(projection="map", close_poles=False)
+                    self.assertEqual(grid.dimensions[:2], (37, 18))  # those of the whole globe
+                    self.assertEqual(len(caught), 1)
+                    self.assertRegex(str(caught[0].message), text)
+                    shown = (np.asarray(grid.point_data["vtkGhostType"]) == 0).reshape(grid.dimensions[::-1])[0]
+                    x, y = np.degrees(np.asarray(grid.points).reshape(*grid.dimensions[::-1], 3)[0, ..., :2].T / 6371000)
+                    np.testing.assert_array_equal(shown, (np.isin(x.T.round() % 360, longitude) & np.isin(y.T.round(), latitude)))
+                    self.assertEqual(np.isnan(np.asarray(grid["mark"])).sum(), (~shown).sum() * grid.dimensions[2])
+
+    def test_irregular_axes_have_no_gaps(self):
+        gaussian = np.degrees(np.arcsin(np.polynomial.legendre.leggauss(32)[0]))
+        mercator = np.degrees(np.arctan(np.sinh(np.linspace(-3, 3, 31))))
+        for latitude in (gaussian, np.r_[-90, gaussian, 90], mercator, 5 * 1.2 ** np.arange(12), np.r_[0:10:1.0, 10:50:2.0], np.array([-85, -60, -45, -30, -20, -10, 0, 10, 20.0]), np.array([0, 5, 20, 25.0])):
+            with self.subTest(latitude), warnings.catch_warnings():
+                warnings.simplefilter("error")
+                self.assertEqual(isothermal(np.arange(0, 40, 5.0), latitude).nephoscope.globe().dimensions[1], len(latitude))
+
     def test_what_was_done_is_told(self):
         self.assertIn("'lon' is not in order and was sorted, 1 repeated or missing of 4 left out", marked(np.array([0, 0, 1, 2.0]), LAT).nephoscope.describe())
         with self.assertRaisesRegex(ValueError, "'lon' or 'lat' has only missing values"):

@@ -98,8 +98,9 @@ def _drawing_folders() -> list[str]:
 
 
 @contextmanager
-def vtk_messages(algorithm: vtkAlgorithm, names: Mapping[str, str] = {}) -> Iterator[None]:
-    """Collects the reports of `algorithm` inside the block. `names`: its terms for properties, and their names in Python.
+def vtk_messages(algorithm: vtkAlgorithm, names: Mapping[str, str] = {}, told: str | None = None) -> Iterator[None]:
+    """Collects the reports of `algorithm` inside the block. `names`: its terms for properties, and their names in Python. `told`: part of a warning that the
+    user has had already.
 
     Raises
     ------
@@ -119,6 +120,8 @@ def vtk_messages(algorithm: vtkAlgorithm, names: Mapping[str, str] = {}) -> Iter
 
     @calldata_type(VTK_STRING)
     def on_warning(_caller: object, _event: str, message: str) -> None:
+        if told is not None and told in message:
+            return
         warnings.warn(f"{algorithm.GetClassName()}: {_renamed(_text(message), names)}", RuntimeWarning,
                       stacklevel=level_of_caller())
 

@@ -29,6 +29,7 @@ _NAMES = {"set the wind array names to those of the input": "name those of the i
           "VerticalExaggeration": "vertical_exaggeration", "(Extract Subset)": "(extract_subset)",
           "or set its name empty to say so": "or leave it out of wind",
           "with the NetCDF CF reader switch 'Spherical Coordinates' off": "read the file by nephoscope.read_cf"}
+GAPS_ARE_TOLD = "nephoscope_gaps_are_told"  # field array of a mesh whose reader has warned of points without a height
 DEGREES_PER_CELL = 1.0    # of globe_surface; its chords are at most 0.25 km below the Earth's sphere
 
 
@@ -147,9 +148,11 @@ def to_globe(mesh: pyvista.DataSet, *, projection: Literal["globe", "map"] = "gl
         globe.SetCentralMeridian(require_number(central_meridian, "central_meridian"))
     if surface is not None:
         globe.SetSurfaceData(_structured(surface, "surface"))
-    with vtk_messages(globe, _NAMES):
+    with vtk_messages(globe, _NAMES, "values of the height array" if GAPS_ARE_TOLD in mesh.field_data else None):
         globe.Update()
-    return pyvista.wrap(globe.GetOutput())
+    output = pyvista.wrap(globe.GetOutput())
+    output.field_data.pop(GAPS_ARE_TOLD, None)
+    return output
 
 
 def globe_surface(*, projection: Literal["globe", "map"] = "globe", radius: float = EARTH_RADIUS,

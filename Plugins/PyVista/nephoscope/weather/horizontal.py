@@ -11,6 +11,7 @@ import numpy as np
 from .._checks import listed
 from .axes import eastward, northward, told
 from .fold import Fold, closed_fold
+from .gaps import told as told_gaps, with_gaps
 from .gaussian import Rows, find_rows
 from .projections import Projection, find_projection, mapping_of, row_angles
 
@@ -38,6 +39,7 @@ class Horizontal:
     lines: np.ndarray | None = None  # the rows of the file that form a monotonic axis
     fold: Fold | None = None  # of a tripolar grid, after the columns have been closed
     missing: np.ndarray | None = None  # True where the file has no position for a point; such points are hidden
+    gaps: list[str] = field(default_factory=list)  # sentences about lines that are missing inside axes and were added, without values
 
     @property
     def is_list(self) -> bool:
@@ -202,7 +204,19 @@ def _regular(lon, lat, x: np.ndarray, y: np.ndarray, names) -> Horizontal:
     if not len(east) or not len(north):
         raise GridError(f"{names[0]!r} or {names[1]!r} has only missing values, so no point has a position.")
     notes = told(names[0], len(x), columns) + told(names[1], len(y), lines)
-    return Horizontal((lat.dims[0], lon.dims[0]), east, north, _regular_kind(north), names, notes=notes, columns=columns, lines=lines)
+    (east, columns, no_column), (north, lines, no_line) = with_gaps(east, columns), with_gaps(north, lines)
+    grid = Horizontal((lat.dims[0], lon.dims[0]), east, north, _regular_kind(north), names, notes=notes, columns=columns, lines=lines)
+    return _with_gaps(grid, (east, no_column), (north, no_line))
+
+
+def _with_gaps(grid: Horizontal, *added: tuple[np.ndarray, np.ndarray]) -> Horizontal:
+    """`added`: x and y axes, and True for each of their lines that are not in the file."""
+    grid.gaps = [text for name, axis in zip(grid.names, added) for text in told_gaps(name, *axis)]
+    if grid.gaps:
+        missing = added[1][1][:, None] | added[0][1]
+        grid.missing = missing if grid.missing is None else grid.missing | missing
+        grid.notes += grid.gaps
+    return grid
 
 
 def ring(x: np.ndarray, y: np.ndarray) -> np.ndarray | None:
@@ -268,13 +282,13 @@ def _projected(dataset, dims, projection: Projection) -> Horizontal:
     if None in axes.values() or axes["X"] == axes["Y"]:
         raise GridError(f"The grid ({', '.join(dims)}) has the projection {projection.name}, but its x and y axes were not found. Say which they are: "
                         "ds['...'].attrs['standard_name'] = 'projection_x_coordinate' and 'projection_y_coordinate'.")
-    x, y = np.meshgrid(projection.lengths(dataset[axes["X"]]), projection.lengths(dataset[axes["Y"]]))
-    lon, lat = projection.to_degrees(x, y)
-    grid = Horizontal((axes["Y"], axes["X"]), lon, lat, projection.name, (axes["X"], axes["Y"]), projection)
+    (x, columns, no_column), (y, lines, no_line) = (with_gaps(projection.lengths(dataset[axes[axis]]), None) for axis in "XY")
+    lon, lat = projection.to_degrees(*np.meshgrid(x, y))
+    grid = Horizontal((axes["Y"], axes["X"]), lon, lat, projection.name, (axes["X"], axes["Y"]), projection, columns=columns, lines=lines)
     missing = ~_possible(lon, lat)
     if missing.all():
         raise GridError(f"The projection {projection.name} puts none of the points of {axes['X']!r} and {axes['Y']!r} on the Earth: their units are {dataset[axes['X']].attrs.get('units', 'none')!r}.")
     if missing.any():
         grid.longitude, grid.latitude, grid.missing = _filled(lon, missing), _filled(lat, missing), missing
         grid.notes.append(f"{missing.sum()} of {missing.size} points are not on the Earth: they are hidden")
-    return grid
+    return _with_gaps(grid, (x, no_column), (y, no_line))

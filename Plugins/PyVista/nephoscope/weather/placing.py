@@ -3,6 +3,7 @@
 """The mesh of a reading: longitude, latitude and level as points, then `to_globe`."""
 from __future__ import annotations
 
+import warnings
 from typing import Sequence
 
 import numpy as np
@@ -10,7 +11,8 @@ import pyvista
 
 from .._checks import listed
 from .._fields import choose_active_scalars
-from ..globe import to_globe
+from .._pipeline import level_of_caller
+from ..globe import GAPS_ARE_TOLD, to_globe
 from .air import Air
 from .horizontal import GridError
 from .reading import Reading
@@ -26,6 +28,7 @@ def place(reading: Reading, air: Air, variables: Sequence[str] | None, extra: di
         from .prisms import place_columns
         return place_columns(reading, air, variables, extra, **options)
     mesh, order = structure(reading, air)
+    _warn_of_gaps(mesh, reading)
     for name in chosen(reading, variables):
         add(mesh, name, reading.values(name), order)
         note_units(mesh, name, reading.dataset[name].attrs.get("units"))
@@ -44,6 +47,12 @@ def place(reading: Reading, air: Air, variables: Sequence[str] | None, extra: di
     del grid.point_data[HEIGHT]
     _forget_wind(grid, names, calm)
     return grid
+
+
+def _warn_of_gaps(mesh: pyvista.DataSet, reading: Reading) -> None:
+    if reading.horizontal.gaps:
+        mesh.field_data[GAPS_ARE_TOLD] = [1]
+        warnings.warn("; ".join(reading.horizontal.gaps) + ".", UserWarning, stacklevel=level_of_caller())
 
 
 CALM = "nephoscope_without_wind"
@@ -87,6 +96,7 @@ def place_sheet(reading: Reading, fields: dict[str, np.ndarray], options: dict) 
         from .prisms import place_sheet_of_cells
         return place_sheet_of_cells(reading, fields, **options)
     mesh = _mesh(reading, np.zeros(1))
+    _warn_of_gaps(mesh, reading)
     for name, values in fields.items():
         mesh.point_data[name] = np.ascontiguousarray(values, dtype=np.float32).ravel()
     return to_globe(mesh, height=False, wind=False, level_units="m", mask_below_ground=False, **options)
