@@ -164,6 +164,20 @@ class Refusals(unittest.TestCase):
         del dataset["a"].attrs["units"]
         self.raises("No longitudes.*There are: .*'a'", dataset.nephoscope.globe)
 
+    def test_sections_and_empty_selections(self):
+        dataset = isothermal(LON, LAT)
+        for plot, words in ((dataset.sel(lon=45).nephoscope.plot, r"section at one longitude, 45.*at least two longitudes, .*ds.sel\(lon=slice"), (dataset.sel(lat=20).nephoscope.plot, "section at one latitude, 20"),
+                            (dataset.sel(lon=[45]).nephoscope.plot, "section at one longitude,"), (dataset.sel(lat=[20]).nephoscope.plot, "section at one latitude,"),
+                            (dataset.isel(lon=slice(0, 0)).nephoscope.plot, "selection is empty: 'lon' has no entry"), (dataset.sel(lat=slice(50, 20)).nephoscope.describe, "selection is empty: 'lat'.*direction of its axis"),
+                            (dataset.isel(plev=slice(0, 0)).ta.nephoscope.globe, "selection is empty: 'plev'")):
+            with self.subTest(words):
+                self.raises(words, plot)
+        self.assertEqual(dataset.sel(lon=[45]).nephoscope.globe().dimensions, (1, 17, 4))  # a mesh for other pictures
+
+    def test_an_array_alone(self):
+        self.assertIn("temperature: 'ta'", isothermal(LON, LAT).ta.nephoscope.describe())
+        self.assertIn("field", isothermal(LON, LAT).ta.rename(None).nephoscope.globe().array_names)
+
     def test_levels_that_say_nothing(self):
         dataset = isothermal(LON, LAT).drop_vars("plev")[["ta"]].rename(plev="level")
         self.raises("heights of the levels 'level'.*'ta'", dataset.nephoscope.globe)

@@ -100,6 +100,22 @@ class Projections(unittest.TestCase):
         self.assertIn(f"{(~seen).sum()} of 289 points are not on the Earth", data.nephoscope.describe())
         self.assertGreater(np.count_nonzero(grid["vtkGhostType"]), 0)
 
+    def test_a_lost_grid_mapping(self):
+        """Arithmetic drops the attributes of a variable; the dataset still has those of the projection."""
+        whole = dataset("rotated_latitude_longitude", {"grid_north_pole_latitude": 40.0, "grid_north_pole_longitude": -170.0}, np.arange(-5, 6.0), np.arange(-4, 5.0), "degrees")
+        lost = whole.assign(tas=xr.Variable(whole.tas.dims, whole.tas.values))
+        self.assertIn("'tas' has no attribute grid_mapping: 'crs' was taken", lost.nephoscope.describe())
+        np.testing.assert_array_equal(lost.nephoscope.globe().points, whole.nephoscope.globe().points)
+        for given, why in ((lost[["tas"]], "has no attribute grid_mapping"), (whole[["tas"]], "its grid_mapping 'crs' is not in the dataset")):
+            with self.assertRaisesRegex(ValueError, f"'y', 'x' belong to a projection.*{why}"):
+                given.nephoscope.globe()
+
+    def test_missing_rows_and_columns_are_holes(self):
+        keys = {"grid_north_pole_latitude": 40.0, "grid_north_pole_longitude": -170.0}
+        with self.assertWarnsRegex(UserWarning, "'x' jumps from -1 to 1: values are missing there"):
+            grid = dataset("rotated_latitude_longitude", keys, np.delete(np.arange(-5, 6.0), 5), np.arange(-4, 5.0), "degrees").nephoscope.globe()
+        np.testing.assert_array_equal(np.asarray(grid.point_data["vtkGhostType"]).reshape(9, 11) != 0, np.tile(np.arange(11) == 5, (9, 1)))
+
     def test_without_pyproj(self):
         with mock.patch("importlib.util.find_spec", return_value=None), self.assertRaisesRegex(
                 ModuleNotFoundError, "projection albers_conical_equal_area needs the Python package 'pyproj'.*(nephoscope.data|requirements-data).*-m pip install pyproj"):

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: The Nephoscope authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""The accessor ``dataset.nephoscope`` of xarray.Dataset."""
+"""The accessor ``dataset.nephoscope`` of xarray.Dataset and xarray.DataArray."""
 from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any, Sequence
@@ -197,6 +197,13 @@ class WeatherAccessor:
         return described(reading, air, self._dataset)
 
 
+class ArrayAccessor(WeatherAccessor):
+    """The accessor of a dataset that has one variable, for an xarray.DataArray."""
+
+    def __init__(self, array: xarray.DataArray) -> None:
+        super().__init__(array.to_dataset(name=array.name or "field"))
+
+
 def register() -> None:
     import warnings
 
@@ -204,3 +211,4 @@ def register() -> None:
     with warnings.catch_warnings():
         warnings.simplefilter("ignore", xarray.core.extensions.AccessorRegistrationWarning)
         xarray.register_dataset_accessor("nephoscope")(WeatherAccessor)
+        xarray.register_dataarray_accessor("nephoscope")(ArrayAccessor)

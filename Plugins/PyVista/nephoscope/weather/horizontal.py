@@ -13,7 +13,7 @@ from .axes import eastward, northward, told
 from .fold import Fold, closed_fold
 from .gaps import told as told_gaps, with_gaps
 from .gaussian import Rows, find_rows
-from .projections import Projection, find_projection, mapping_of, row_angles
+from .projections import Projection, find_lost_projection, find_projection, mapping_of, row_angles
 
 _LON = ("lon", "longitude", "lons", "long", "xlong", "nav_lon", "glon", "clon", "loncell", "lon_rho", "geolon", "tlong", "mesh2d_face_x", "xlong_m", "lon2d", "grid_center_lon")
 _LAT = ("lat", "latitude", "lats", "xlat", "nav_lat", "glat", "clat", "latcell", "lat_rho", "geolat", "tlat", "mesh2d_face_y", "xlat_m", "lat2d", "grid_center_lat")
@@ -112,11 +112,50 @@ def find_horizontal(dataset, variable, used: set[str]) -> Horizontal:
         return found
     if projection and len(dims) == 2:
         return _projected(dataset, dims, projection)
-    missing = "longitudes" if lon is None else "latitudes"
-    raise GridError(f"No {missing} were found for {variable.name!r}, whose grid is ({', '.join(dims)}). They are identified by standard_name, by units (degrees_east, "
-                    f"degrees_north), by grid_mapping and by name. There are: {listed([str(name) for name in dataset.variables])}. "
-                    "Name them: ds[NAME].attrs['units'] = 'degrees_east'." + (_remedy_of_list(dataset, dims[0]) if len(dims) == 1 else "")
-                    + (f" The grid mapping {mapping!r} is not a known one." if (mapping := mapping_of(dataset, variable)) and projection is None else ""))
+    lost, mapping = find_lost_projection(dataset, variable, dims)
+    if lost and len(dims) == 2:
+        grid = _projected(dataset, dims, lost)
+        grid.notes.append(f"{variable.name!r} has no attribute grid_mapping: {mapping!r} was taken")
+        return grid
+    raise GridError(_why_not(dataset, variable, dims, projection, "longitudes" if lon is None else "latitudes"))
+
+
+def _why_not(dataset, variable, dims, projection, missing: str) -> str:
+    """Why the points of a variable have no places, and the remedy."""
+    if len(dims) == 1 and (fixed := _fixed(dataset, dims[0])):
+        return section(*fixed)
+    if projection is None and not mapping_of(dataset, variable) and any(_is_projected(dataset, dim) for dim in dims):
+        named = str(variable.attrs.get("grid_mapping", ""))
+        why = f"its grid_mapping {named!r} is not in the dataset" if named else "it has no attribute grid_mapping, which arithmetic in xarray drops (xarray.set_options(keep_attrs=True) keeps it)"
+        return (f"The axes {listed(list(map(str, dims)))} belong to a projection, but {variable.name!r} does not say to which: {why}. Restore both, the attribute and the variable that it "
+                f"names, or give the coordinates lon and lat on ({', '.join(map(str, dims))}).")
+    return _unknown(dataset, variable, dims, projection, missing)
+
+
+def _unknown(dataset, variable, dims, projection, missing: str) -> str:
+    return (f"No {missing} were found for {variable.name!r}, whose grid is ({', '.join(dims)}). They are identified by standard_name, by units (degrees_east, "
+            f"degrees_north), by grid_mapping and by name. There are: {listed([str(name) for name in dataset.variables])}. "
+            "Name them: ds[NAME].attrs['units'] = 'degrees_east'." + (_remedy_of_list(dataset, dims[0]) if len(dims) == 1 else "")
+            + (f" The grid mapping {mapping!r} is not a known one." if (mapping := mapping_of(dataset, variable)) and projection is None else ""))
+
+
+def section(kind: str, name: str, value: str = "") -> str:
+    """The message for data of one `kind`, "longitude" or "latitude", of the coordinate `name`."""
+    return f"The data are a section at one {kind}{value}, which has no area to draw from outside. Keep at least two {kind}s, for example ds.sel({name}=slice(FIRST, LAST))."
+
+
+def _fixed(dataset, dim) -> tuple[str, str, str] | None:
+    """The coordinate that has one value, if `dim` is the other one."""
+    for kind, fits, other in (("longitude", is_longitude, is_latitude), ("latitude", is_latitude, is_longitude)):
+        if dim in dataset.variables and other(str(dim), dataset[dim]):
+            for name, variable in dataset.variables.items():
+                if fits(str(name), variable) and variable.ndim == 0:
+                    return kind, str(name), f", {float(variable):g}"
+    return None
+
+
+def _is_projected(dataset, dim) -> bool:
+    return str(dim) in ("rlon", "rlat") or (dim in dataset.variables and str(dataset[dim].attrs.get("standard_name", "")).startswith(("grid_l", "projection_")))
 
 
 def _remedy_of_list(dataset, dim) -> str:

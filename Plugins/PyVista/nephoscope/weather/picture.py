@@ -10,6 +10,7 @@ from .._blocks import cell_dimension
 from .._medium import association_of, default_scalars
 from ..cells import add_cells
 from ..globe import EARTH_RADIUS
+from .horizontal import GridError, section
 from .ground import add_coasts, add_ground, globe_coasts, globe_ground, map_coasts, map_ground
 
 FONTS = {"title_font_size": 14, "label_font_size": 12}
@@ -20,6 +21,7 @@ MARGIN = 0.04  # of the width and of the height, around a map
 
 
 def plotted(grid: pyvista.DataSet, scalars: str | None, screenshot: str | None, options: dict) -> pyvista.Plotter:
+    refuse_sections(grid)
     plotter = pyvista.Plotter(off_screen=screenshot is not None, theme=pyvista.themes.DarkTheme(), window_size=(800, 800))
     on_globe = str(np.ravel(grid.field_data.get("GlobeGridProjection", ["globe"]))[0]).lower() not in ("1", "1.0", "map")
     flat = cell_dimension(grid) < 3
@@ -39,6 +41,13 @@ def plotted(grid: pyvista.DataSet, scalars: str | None, screenshot: str | None, 
     (_look_down if on_globe else _look_at_map)(plotter, grid)
     plotter.show(screenshot=screenshot or False, auto_close=False)
     return plotter
+
+
+def refuse_sections(grid: pyvista.DataSet) -> None:
+    """Raises GridError for a grid of one longitude or one latitude, which is a line from above."""
+    for kind, size in zip(("longitude", "latitude"), getattr(grid, "dimensions", ())):
+        if size == 1:
+            raise GridError(section(kind, "lon" if kind == "longitude" else "lat"))
 
 
 def _add_globe(plotter: pyvista.Plotter, grid: pyvista.DataSet, flat: bool) -> None:

@@ -161,6 +161,16 @@ def find_projection(dataset, variable) -> Projection | None:
     return _of_grib(variable.attrs)
 
 
+def find_lost_projection(dataset, variable, dims) -> tuple[Projection | None, str]:
+    """The projection of a variable that has lost its grid_mapping, as arithmetic of xarray does: that of other variables on `dims`, or the only one there is. Its name."""
+    named = [_mapping_variable(other) for other in dataset.data_vars.values() if set(dims) <= set(other.dims)]
+    known = [str(name) for name, other in dataset.variables.items() if "grid_mapping_name" in other.attrs]
+    found = list(dict.fromkeys(name for name in named if name in known)) or known
+    if _mapping_variable(variable) or len(found) != 1:
+        return None, ""
+    return find_projection(dataset, variable.assign_attrs(grid_mapping=found[0])), found[0]
+
+
 def _mapping_variable(variable) -> str:
     return str(variable.attrs.get("grid_mapping", variable.encoding.get("grid_mapping", ""))).split(":")[0].strip()
 

@@ -32,11 +32,20 @@ def _numbers(values: np.ndarray) -> np.ndarray:
     return values if values.dtype.kind == "f" else values.astype(np.float32)
 
 
+def _refuse_empty(dataset) -> None:
+    largest = max(dataset.data_vars.values(), key=lambda variable: variable.ndim, default=None)
+    empty = [str(dim) for dim in dataset.sizes if dataset.sizes[dim] == 0 and largest is not None and dim in largest.dims]
+    if empty:
+        raise GridError(f"The selection is empty: {listed(empty)} {'has' if len(empty) == 1 else 'have'} no entry. A slice must run in the direction of its axis: "
+                        "from the smaller to the greater value where the axis increases, and the other way where it decreases, as latitudes and pressures often do.")
+
+
 class Reading:
     """One time of a dataset. Values are loaded on demand and converted to the units of `units.py`."""
 
     def __init__(self, dataset, *, time=None, vertical: str | None = None, names: dict | None = None) -> None:
         self.notes: list[str] = []
+        _refuse_empty(dataset)
         self.times = time_dims(dataset)
         self.dataset, self.time_text = choose_time(dataset, self.times, time)
         self.dataset = prepared(self._one_member(self._without_single(self.dataset)))
