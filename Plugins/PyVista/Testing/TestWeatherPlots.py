@@ -108,6 +108,32 @@ class Plots(unittest.TestCase):
         with self.assertRaisesRegex(ValueError, "the array 'ta' has no finite value"):
             self.plotted(level * np.nan, None)
 
+    def test_the_scalar_bar_tells_the_field_and_its_units(self):
+        dataset = forecast()
+        dataset["ta"].attrs["long_name"] = "Temperature of the air"
+        for name, options, text in (("ta", {}, "Temperature of\nthe air\n[K]"), ("ta", {"projection": "map"}, "Temperature of the air [K]\n "), ("cl", {}, "cl"), ("potential_temperature", {}, "Potential\ntemperature\n[K]")):
+            with self.subTest(name, **options):
+                plotter, _ = self.plotted(dataset, name, clim=(200, 300), **options)
+                (key, bar), = plotter.scalar_bars.items()
+                self.assertEqual((key, bar.GetTitle()), (name, text))
+                self.assertEqual(bar.GetLookupTable().GetTableRange(), (200, 300))
+
+    def test_unknown_options(self):
+        for options, words in (({"vert_exag": 3}, r"plot\(\) has no option 'vert_exag'. Did you mean 'vertical_exaggeration'"), ({"sun": True}, r"'sun'. It is an option of add_cells: .*sun=\.\.\."),
+                               ({"zzz": 1}, "'zzz'. Its options are")):
+            with self.subTest(options), self.assertRaisesRegex(TypeError, words):
+                forecast().nephoscope.plot(screenshot="none.png", **options)
+        with self.assertRaisesRegex(TypeError, r"^globe\(\) has no option 'exaggeration'. Did you mean 'vertical_exaggeration'"):
+            forecast().nephoscope.globe(exaggeration=3)
+
+    def test_vectors_need_a_name(self):
+        plotter = pyvista.Plotter(off_screen=True)
+        self.addCleanup(plotter.close)
+        wind = forecast().cl.assign_attrs(units="m/s")
+        grid = forecast().assign(u=wind, v=wind).nephoscope.globe()
+        with self.assertRaisesRegex(TypeError, "vectors is True; it must be the name of an array.*Arrays of vectors: 'Wind', 'DisplayVelocity'"):
+            nephoscope.add_splats(plotter, grid, "cl", vectors=True)
+
     def test_what_the_dataset_answers(self):
         for option in ({"height": "z"}, {"height_units": "m"}, {"level_units": "hPa"}):
             with self.subTest(option), self.assertRaisesRegex(TypeError, f"globe.. takes {next(iter(option))} from the variables"):

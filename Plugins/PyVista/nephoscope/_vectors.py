@@ -11,7 +11,7 @@ import numpy as np
 import pyvista
 
 from . import vtkSplatSpeedKey
-from ._checks import choose, require_beside_scalars, require_number
+from ._checks import choose, listed, require_beside_scalars, require_number
 from ._medium import array_values, lookup_table
 from ._over_time import values_over_time
 from ._pipeline import level_of_caller
@@ -113,6 +113,9 @@ class Vectors:
 
     def _apply_array(self, mapper: Any, mesh: pyvista.DataSet, association: str) -> None:
         if self.array is not None:
+            if not isinstance(self.array, str):
+                known = [name for data in (mesh.point_data, mesh.cell_data) for name in data.keys() if data[name].ndim == 2 and data[name].shape[1] == 3]
+                raise TypeError(f"vectors is {self.array!r}; it must be the name of an array of vectors, or a dict of options with the name under 'array'. Arrays of vectors: {listed(known)}.")
             self._require_vectors(mesh, association)
             mapper.SetVectorArrayName(self.array)
         elif self.color is not None or self.scalars is not None:

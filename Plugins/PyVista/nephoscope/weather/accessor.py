@@ -16,6 +16,9 @@ if TYPE_CHECKING:
     from .series import Series
 
 
+GLOBE = ("time", "variables", "vertical", "derive")  # options of globe itself
+
+
 def _options(names: dict[str, Any]) -> tuple[dict[str, Any], dict[str, Any]]:
     """Splits the options into roles and those of `to_globe`."""
     return {k: v for k, v in names.items() if k in ROLES}, {k: v for k, v in names.items() if k not in ROLES}
@@ -79,7 +82,9 @@ class WeatherAccessor:
             If coordinates, levels, heights or units cannot be found; the message names what was looked for and what the dataset has.
         """
         from .derived import derived
+        from .naming import refuse_unknown
         from .placing import place
+        refuse_unknown("globe", options, GLOBE)
         roles, rest = _options(options)
         reading, air = self._understood(time, vertical, roles)
         return place(reading, air, variables, derived(derive, reading, air), rest)
@@ -148,7 +153,7 @@ class WeatherAccessor:
         return terrain_surface(ground_mesh(reading, air), "orog", **rest)
 
     def plot(self, scalars: str | None = None, *, time: int | str | np.datetime64 | None = None, screenshot: str | None = None, vertical_exaggeration: float = 30.0,
-             opacity: Any = None, cmap: Any = None, **options: Any) -> pyvista.Plotter:
+             opacity: Any = None, cmap: Any = None, clim: float | Sequence[float] | None = None, **options: Any) -> pyvista.Plotter:
         """Draw one field as a volume over the Earth, in a window or into a file; a field of one level as a surface with coasts.
 
         With ``projection="map"`` the picture is a map, seen from above with north up.
@@ -164,7 +169,7 @@ class WeatherAccessor:
             File for the picture. Default: a window.
         vertical_exaggeration : float, default: 30.0
             Multiplies heights.
-        opacity, cmap : optional
+        opacity, cmap, clim : optional
             As in `nephoscope.add_cells`.
         **options
             Those of `globe`.
@@ -174,10 +179,13 @@ class WeatherAccessor:
         pyvista.Plotter
             The plotter, after it has been shown.
         """
+        from .naming import refuse_unknown, title
         from .picture import plotted
+        refuse_unknown("plot", options, (*GLOBE, "screenshot", "scalars", "opacity", "cmap", "clim"))
         scalars, options = self._of_field(scalars, time, options)
         grid = self.globe(time=time, vertical_exaggeration=vertical_exaggeration, **options)
-        return plotted(grid, scalars, screenshot, {k: v for k, v in {"opacity": opacity, "cmap": cmap}.items() if v is not None})
+        look = {k: v for k, v in {"opacity": opacity, "cmap": cmap, "clim": clim}.items() if v is not None}
+        return plotted(grid, scalars, screenshot, look, lambda name: title(self._dataset, grid, name))
 
     def describe(self, *, time: int | str | np.datetime64 | None = None, vertical: str | None = None, **roles: Any) -> str:
         """Describe what `globe` finds: grid, levels, heights, variables by their roles, and its assumptions.

@@ -9,6 +9,10 @@ from typing import Any
 from .._checks import listed
 from .derived import QUANTITIES
 from .reading import KINDS, Reading
+from .roles import ROLES
+
+UNITS = {"potential_temperature": "K", "equivalent_potential_temperature": "K", "wind_speed": "m s-1", "vorticity": "s-1", "cloud_content": "kg m-3", "water_vapour": "kg m-3"}
+UNITLESS = ("", "1", "-", "~", "none", "unknown", "(0 - 1)", "0-1", "fraction", "dimensionless")
 
 
 def named(reading: Reading, name: str) -> tuple[str, dict[str, Any]]:
@@ -39,3 +43,29 @@ def _why_not(reading: Reading, name: str, fields: list[str]) -> str:
     choose = f" Choose a place along {others[0]!r}: ds.isel({others[0]}=0)." if others else ""
     alone = f" Draw it alone: ds[[{name!r}]].nephoscope.plot()." if not others and variable.ndim > 1 else ""
     return f"{name!r} is on {listed(list(variable.dims)) or 'no dimension'}, but the fields that can be drawn are on {listed(wanted)}: {listed(fields)}.{choose}{alone}"
+
+
+def title(dataset, grid, name: str) -> str:
+    """The title of a scalar bar, such as "Temperature [K]"."""
+    attrs = dataset.variables[name].attrs if name in dataset.variables else {}
+    text = str(attrs.get("long_name") or attrs.get("standard_name") or name)
+    units = str(grid.field_data[f"{name}_units"][0]) if f"{name}_units" in grid.field_data else str(attrs.get("units", UNITS.get(name, "")))
+    text = text.replace("_", " ") if attrs.get("standard_name") == text or name in UNITS else text
+    text = text[:1].upper() + text[1:] if text != name or name in UNITS else text
+    return text if units.strip().lower() in UNITLESS else f"{text} [{units}]"
+
+
+def refuse_unknown(function: str, options: dict[str, Any], own: tuple[str, ...]) -> None:
+    """Raises TypeError for an option that is not one of `function`, whose options are `own`, roles and those of `to_globe`."""
+    from inspect import signature
+
+    from ..cells import add_cells
+    from ..globe import to_globe
+    known = [*own, *list(signature(to_globe).parameters)[1:], *ROLES]
+    for name in options:
+        if name not in known:
+            near = get_close_matches(name, known, 1, 0.55)
+            told = f"Did you mean {listed(near)}?" if near else ""
+            if name in signature(add_cells).parameters:
+                told = f"It is an option of add_cells: nephoscope.add_cells(plotter, dataset.nephoscope.globe(), ..., {name}=...)."
+            raise TypeError(f"{function}() has no option {name!r}. {told or 'Its options are its own, those of nephoscope.to_globe, and names of variables for roles.'}")

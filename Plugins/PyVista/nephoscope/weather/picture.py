@@ -3,6 +3,9 @@
 """The first picture of a mesh on the globe or on a map, in one line."""
 from __future__ import annotations
 
+import textwrap
+from typing import Callable
+
 import numpy as np
 import pyvista
 
@@ -20,7 +23,8 @@ STRIP = 0.14  # of the height of the picture, at its lower edge, for the scalar 
 MARGIN = 0.04  # of the width and of the height, around a map
 
 
-def plotted(grid: pyvista.DataSet, scalars: str | None, screenshot: str | None, options: dict) -> pyvista.Plotter:
+def plotted(grid: pyvista.DataSet, scalars: str | None, screenshot: str | None, options: dict, title: Callable[[str], str] = str) -> pyvista.Plotter:
+    """`title`: that of the scalar bar, for the name of an array."""
     refuse_sections(grid)
     plotter = pyvista.Plotter(off_screen=screenshot is not None, theme=pyvista.themes.DarkTheme(), window_size=(800, 800))
     on_globe = str(np.ravel(grid.field_data.get("GlobeGridProjection", ["globe"]))[0]).lower() not in ("1", "1.0", "map")
@@ -34,10 +38,12 @@ def plotted(grid: pyvista.DataSet, scalars: str | None, screenshot: str | None, 
     else:
         add_cells(plotter, grid, scalars, **options)
     for bar in plotter.scalar_bars.values():
+        text = title(bar.GetTitle())
         bar.SetVerticalTitleSeparation(10)  # pixels, of an upright bar: the title is not on the upper label
+        name, bracket, units = text.partition(" [")
+        bar.SetTitle("\n".join([*textwrap.wrap(name, 14), *["[" + units] * bool(bracket)]) if bar.GetOrientation() else f"{textwrap.shorten(text, 60)}\n ")
         if not bar.GetOrientation():
             bar.SetBarRatio(0.25)
-            bar.SetTitle(f"{bar.GetTitle()}\n ")
     (_look_down if on_globe else _look_at_map)(plotter, grid)
     plotter.show(screenshot=screenshot or False, auto_close=False)
     return plotter
