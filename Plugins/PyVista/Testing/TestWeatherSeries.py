@@ -49,7 +49,7 @@ class Animation(unittest.TestCase):
         np.testing.assert_allclose(forecast().drop_vars("time").nephoscope.series().seconds, [0, 1, 2])
 
     def test_the_time_can_be_read(self):
-        for background, colour in (("black", (1, 1, 1)), ("white", (0, 0, 0))):
+        for background, colour in (("black", (1, 1, 1)), ("lightgray", (0, 0, 0))):
             plotter = pyvista.Plotter(off_screen=True, window_size=(120, 90))
             self.addCleanup(plotter.close)
             plotter.set_background(background)
@@ -88,6 +88,23 @@ class Animation(unittest.TestCase):
                 told = subprocess.run(["ffprobe", "-v", "error", "-count_frames", "-show_entries", "stream=nb_read_frames,width,height,pix_fmt", "-of", "csv=p=0", Path(folder, "film.mp4")],
                                       capture_output=True, text=True, check=True).stdout
                 self.assertEqual(told.strip(), "122,90,yuv420p,4")
+
+    def test_an_untouched_plotter_gets_the_whole_picture(self):
+        for touched in (False, True):
+            for level, options in ((slice(None), {}), (slice(None), {"projection": "map"}), (1, {"projection": "map"})):
+                if not touched or level != 1:  # add_cells draws no surface
+                    with self.subTest(touched=touched, level=level, **options):
+                        plotter = pyvista.Plotter(off_screen=True, window_size=(120, 90))
+                        self.addCleanup(plotter.close)
+                        if touched:
+                            plotter.add_mesh(pyvista.Sphere(radius=6371000), name="mine")
+                        series = nephoscope.animate(plotter, forecast().isel(plev=level), "cl", **options)
+                        self.assertEqual(plotter.background_color == pyvista.global_theme.background, touched)
+                        self.assertEqual(plotter.parallel_projection, not touched and "projection" in options)
+                        self.assertEqual(series.mesh.field_data["VerticalExaggeration"][0], 1 if touched else 30)
+                        surfaces = [actor for actor in plotter.renderer.actors.values() if isinstance(actor, pyvista.Actor)]
+                        self.assertEqual(len(surfaces), 1 if level != 1 else 3)  # the Earth or the user's; on one level the field and coasts
+        self.assertEqual(pyvista.global_theme.background, "white")
 
     def test_the_slider_shows_a_step(self):
         plotter = pyvista.Plotter(off_screen=True, window_size=(120, 90))
@@ -143,7 +160,7 @@ class ColoursOfAllSteps(unittest.TestCase):
         self.assertEqual(series.range("Wind"), (10.0, 10.0))
 
     def test_opacities_are_those_of_the_densest_step(self):
-        nephoscope.animate(self.plotter, self.dataset, "so2")
+        nephoscope.animate(self.plotter, self.dataset, "so2", vertical_exaggeration=1)
         distance = self.volume().prop.opacity_unit_distance
         alone = pyvista.Plotter(off_screen=True, window_size=(120, 90))
         self.addCleanup(alone.close)
@@ -152,7 +169,7 @@ class ColoursOfAllSteps(unittest.TestCase):
 
     def test_a_step_looks_the_same_wherever_the_series_begins(self):
         """The last step, drawn after three others and drawn alone with the limits of all."""
-        series = nephoscope.animate(self.plotter, self.dataset, "so2", projection="map", vertical_exaggeration=50, show_time=False)
+        series = nephoscope.animate(self.plotter, self.dataset, lambda plotter, mesh: nephoscope.add_cells(plotter, mesh, "so2"), projection="map", vertical_exaggeration=50, show_time=False)
         series.show(3)
         other = self.dataset.isel(time=[2, 3]).nephoscope.series(projection="map", vertical_exaggeration=50)
         alone = pyvista.Plotter(off_screen=True, window_size=(120, 90))

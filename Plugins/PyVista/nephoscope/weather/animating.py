@@ -23,7 +23,8 @@ def animate(plotter: pyvista.BasePlotter, dataset: Any, draw: str | Callable[[py
     Parameters
     ----------
     plotter : pyvista.Plotter
-        The plotter to draw in; its other contents stay.
+        The plotter to draw in; its other contents stay. In a plotter that is empty and has PyVista's defaults, a field is drawn as ``dataset.nephoscope.plot`` does:
+        over the Earth or a map, on a dark background, with a vertical exaggeration of 30 unless you give one.
     dataset : xarray.Dataset, Series or str
         The weather, its series (``dataset.nephoscope.series()``), or what `nephoscope.open` takes.
     draw : str or callable
@@ -53,9 +54,16 @@ def animate(plotter: pyvista.BasePlotter, dataset: Any, draw: str | Callable[[py
     ValueError
         If the file name has any other ending. RuntimeError If ffmpeg is missing or fails.
     """
+    from .picture import darken, is_untouched
+    whole = isinstance(draw, str) and is_untouched(plotter)
+    if whole and not isinstance(dataset, Series):
+        options = {"vertical_exaggeration": 30.0, **options}
     series, draw = _series(dataset, draw, heights, options)
     if callable(draw):
         _drawn(plotter, series, draw)
+    elif whole:
+        darken(plotter)
+        _drawn(plotter, series, _first_picture(series, draw))
     else:
         from ..cells import add_cells
         add_cells(plotter, series.mesh, draw)
@@ -88,6 +96,12 @@ def _series(dataset: Any, draw: Any, heights: bool, options: dict) -> tuple[Seri
     if isinstance(draw, str):
         draw, options = found.nephoscope._of_field(draw, 0, options)
     return Series(found, heights=heights, owned=found is not dataset, **options), draw
+
+
+def _first_picture(series: Series, name: str) -> Callable:
+    from .naming import title
+    from .picture import draw
+    return lambda plotter, mesh: draw(plotter, mesh, name, {}, lambda array: title(series._dataset, mesh, array))
 
 
 def _drawn(plotter: pyvista.BasePlotter, series: Series, draw: Callable) -> None:

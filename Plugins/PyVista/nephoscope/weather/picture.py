@@ -27,6 +27,24 @@ def plotted(grid: pyvista.DataSet, scalars: str | None, screenshot: str | None, 
     """`title`: that of the scalar bar, for the name of an array."""
     refuse_sections(grid)
     plotter = pyvista.Plotter(off_screen=screenshot is not None, theme=pyvista.themes.DarkTheme(), window_size=(800, 800))
+    draw(plotter, grid, scalars, options, title)
+    plotter.show(screenshot=screenshot or False, auto_close=False)
+    return plotter
+
+
+def is_untouched(plotter: pyvista.BasePlotter) -> bool:
+    """True for a plotter that has nothing but the defaults of PyVista."""
+    alone = plotter.shape == (1, 1) and not plotter.renderer.actors and not plotter.renderer.camera_set
+    return bool(alone and plotter.theme == pyvista.global_theme and plotter.background_color == plotter.theme.background)
+
+
+def darken(plotter: pyvista.BasePlotter) -> None:
+    plotter.theme.load_theme(pyvista.themes.DarkTheme())  # of this plotter alone
+    plotter.set_background(plotter.theme.background)
+
+
+def draw(plotter: pyvista.BasePlotter, grid: pyvista.DataSet, scalars: str | None, options: dict, title: Callable[[str], str]) -> None:
+    """The field, the Earth below it, the scalar bar and the view."""
     on_globe = str(np.ravel(grid.field_data.get("GlobeGridProjection", ["globe"]))[0]).lower() not in ("1", "1.0", "map")
     flat = cell_dimension(grid) < 3
     (_add_globe if on_globe else _add_map)(plotter, grid, flat)
@@ -45,8 +63,6 @@ def plotted(grid: pyvista.DataSet, scalars: str | None, screenshot: str | None, 
         if not bar.GetOrientation():
             bar.SetBarRatio(0.25)
     (_look_down if on_globe else _look_at_map)(plotter, grid)
-    plotter.show(screenshot=screenshot or False, auto_close=False)
-    return plotter
 
 
 def refuse_sections(grid: pyvista.DataSet) -> None:
