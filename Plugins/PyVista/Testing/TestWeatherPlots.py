@@ -111,6 +111,7 @@ class Plots(unittest.TestCase):
     def test_the_scalar_bar_tells_the_field_and_its_units(self):
         dataset = forecast()
         dataset["ta"].attrs["long_name"] = "Temperature of the air"
+        dataset["cl"].attrs["long_name"] = "derived by a formula that is described here at length"
         for name, options, text in (("ta", {}, "Temperature of\nthe air\n[K]"), ("ta", {"projection": "map"}, "Temperature of the air [K]\n "), ("cl", {}, "cl"), ("potential_temperature", {}, "Potential\ntemperature\n[K]")):
             with self.subTest(name, **options):
                 plotter, _ = self.plotted(dataset, name, clim=(200, 300), **options)

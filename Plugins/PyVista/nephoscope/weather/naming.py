@@ -12,6 +12,7 @@ from .reading import KINDS, Reading
 from .roles import ROLES
 
 UNITS = {"potential_temperature": "K", "equivalent_potential_temperature": "K", "wind_speed": "m s-1", "vorticity": "s-1", "cloud_content": "kg m-3", "water_vapour": "kg m-3"}
+LONGEST = 40  # letters of a title; longer names are descriptions
 UNITLESS = ("", "1", "-", "~", "none", "unknown", "(0 - 1)", "0-1", "fraction", "dimensionless")
 
 
@@ -48,7 +49,7 @@ def _why_not(reading: Reading, name: str, fields: list[str]) -> str:
 def title(dataset, grid, name: str) -> str:
     """The title of a scalar bar, such as "Temperature [K]"."""
     attrs = dataset.variables[name].attrs if name in dataset.variables else {}
-    text = str(attrs.get("long_name") or attrs.get("standard_name") or name)
+    text = next(text for text in (*(str(attrs.get(key, "")) for key in ("long_name", "standard_name")), name) if 0 < len(text) <= LONGEST or text == name)
     units = str(grid.field_data[f"{name}_units"][0]) if f"{name}_units" in grid.field_data else str(attrs.get("units", UNITS.get(name, "")))
     text = text.replace("_", " ") if attrs.get("standard_name") == text or name in UNITS else text
     text = text[:1].upper() + text[1:] if text != name or name in UNITS else text
