@@ -31,7 +31,7 @@ def _missing(steps: np.ndarray) -> np.ndarray:
     wide = steps > WIDE * usual
     rest = steps[~wide]
     smooth = len(rest) >= AROUND - 1 and (np.maximum(rest[1:], rest[:-1]) <= SMOOTH * np.minimum(rest[1:], rest[:-1])).all()
-    return np.where(wide & bool(smooth), np.maximum(1, np.round(steps / usual) - 1), 0).astype(int)
+    return np.where(wide & bool(smooth), np.clip(np.round(steps / usual) - 1, 1, 4 * len(steps)), 0).astype(int)
 
 
 def told(name: str, axis: np.ndarray, added: np.ndarray) -> list[str]:
