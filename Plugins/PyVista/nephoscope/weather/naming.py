@@ -69,4 +69,5 @@ def refuse_unknown(function: str, options: dict[str, Any], own: tuple[str, ...])
             told = f"Did you mean {listed(near)}?" if near else ""
             if name in signature(add_cells).parameters:
                 told = f"It is an option of add_cells: nephoscope.add_cells(plotter, dataset.nephoscope.globe(), ..., {name}=...)."
-            raise TypeError(f"{function}() has no option {name!r}. {told or 'Its options are its own, those of nephoscope.to_globe, and names of variables for roles.'}")
+            told = told or f"It takes {listed(own)}, the options of nephoscope.to_globe, and names of variables for roles."
+            raise TypeError(f"{function}() has no option {name!r}. {told}")
