@@ -20,10 +20,9 @@ def snippets(page):
 
 @contextmanager
 def run(page, name, names=None):
-    """Runs a snippet, without a window, in a folder that has Data beside it; yields that folder. `names`: what it leaves."""
+    """Runs a snippet, without a window, in a folder of its own; yields that folder. `names`: what it leaves."""
     previous = os.getcwd()
     with tempfile.TemporaryDirectory() as folder:
-        os.symlink(ROOT / "Data", Path(folder) / "Data")
         os.chdir(folder)
         pyvista.OFF_SCREEN = True
         try:

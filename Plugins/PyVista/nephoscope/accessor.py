@@ -1,8 +1,10 @@
 # SPDX-FileCopyrightText: The Nephoscope authors
 # SPDX-License-Identifier: BSD-3-Clause
 """The dataset accessor ``mesh.nephoscope``: one method per technique that takes a mesh and returns one."""
+from __future__ import annotations
+
 import functools
-from typing import Any, Callable, Concatenate, ParamSpec, TypeVar
+from typing import TYPE_CHECKING, Any, Callable
 
 import pyvista
 
@@ -17,14 +19,16 @@ from .sparse import write_vdb
 from .splitting import split_cells
 from .terrain import terrain_surface
 
-Arguments, Result = ParamSpec("Arguments"), TypeVar("Result")
+if TYPE_CHECKING:
+    from typing import Concatenate, ParamSpec, TypeVar  # since Python 3.10
+    Arguments, Result = ParamSpec("Arguments"), TypeVar("Result")
 
 
-def _method(function: Callable[Concatenate[Any, Arguments], Result]) -> Callable[Concatenate["NephoscopeAccessor", Arguments], Result]:
+def _method(function: Callable[Concatenate[Any, Arguments], Result]) -> Callable[Concatenate[NephoscopeAccessor, Arguments], Result]:
     """`function(mesh, ...)` as a method of the accessor, with its signature and documentation."""
 
     @functools.wraps(function)
-    def method(self: "NephoscopeAccessor", *args: Arguments.args, **options: Arguments.kwargs) -> Result:
+    def method(self: NephoscopeAccessor, *args: Arguments.args, **options: Arguments.kwargs) -> Result:
         return function(self._mesh, *args, **options)
 
     return method

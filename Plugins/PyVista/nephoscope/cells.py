@@ -3,7 +3,7 @@
 """Cell compositing: volume rendering of any 3-D cells in a PyVista plotter, with the exact ray integral."""
 from __future__ import annotations
 
-from typing import Any, Mapping, Sequence, Unpack
+from typing import TYPE_CHECKING, Any, Mapping, Sequence
 
 import numpy as np
 import pyvista
@@ -17,6 +17,9 @@ from ._surfaces import CONTOUR_NAMES, POLYGON_NAMES, Contours, Layers, Polygons
 from ._typing import ContourOptions, Integration, Method, OldCellNames, Order, PolygonChoice, PolygonOptions, Preference, ToneMapping
 from .light import add_sun, brightest, lit_medium, recorded_sun
 from .transfer import OpacityLike
+
+if TYPE_CHECKING:
+    from typing import Unpack  # since Python 3.11
 
 
 class CellCompositingMapper(MediumMapper, vtkCellCompositingMapper):

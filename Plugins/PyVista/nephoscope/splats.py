@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any, Mapping, Sequence, Unpack
+from typing import TYPE_CHECKING, Any, Mapping, Sequence
 
 import numpy as np
 import pyvista
@@ -20,6 +20,9 @@ from ._vectors import OLD_NAMES as VECTOR_NAMES
 from ._vectors import Vectors, is_drawn
 from .light import add_sun, brightest, lit_medium, recorded_sun
 from .transfer import OpacityLike
+
+if TYPE_CHECKING:
+    from typing import Unpack  # since Python 3.11
 
 KERNEL_RADII = {"cubic": 1.556228, "quadratic": 1.37790, "gaussian": 1.916}  # cells; SplatKernel.h
 
