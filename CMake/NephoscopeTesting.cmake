@@ -4,7 +4,8 @@
 # Tests that draw need a display: `./nephoscope test` gives them a virtual one.
 #
 #   nephoscope_add_math_test(NAME SOURCE.cxx)            GoogleTest on headers alone
-#   nephoscope_add_cxx_test(NAME SOURCES... MODULES... LABELS...)   GoogleTest with VTK modules
+#   nephoscope_add_cxx_test(NAME SOURCES... MODULES... PARTS... LABELS...)   GoogleTest with VTK modules and test libraries
+#   nephoscope_add_test_library(NAME SOURCES... MODULES...)         sources that no library exports, compiled once, for the PARTS of several tests
 #   nephoscope_add_shader_test(NAME FOLDER SOURCES... MODULES...)   GoogleTest with Testing/Cxx/ShaderRunner.h; FOLDER has the shaders
 #   nephoscope_add_python_test(SCRIPT.py LABELS... [ARGS...])       plain Python, package on its path; exit 0 passes
 #   nephoscope_add_softpipe_test(SCRIPT.py [CASES...])              those cases once more, on Mesa's software OpenGL 3.3 (slow: small pictures)
@@ -41,17 +42,32 @@ function (nephoscope_add_math_test name source)
   nephoscope_add_cxx_test(${name} SOURCES ${source} LABELS math)
 endfunction ()
 
+function (nephoscope_test_folders target)
+  file(GLOB folders CONFIGURE_DEPENDS "${CMAKE_CURRENT_SOURCE_DIR}/../[A-Z]*/*.h") # the folders of the technique
+  list(TRANSFORM folders REPLACE "/[^/]*$" "")
+  list(REMOVE_DUPLICATES folders)
+  target_include_directories(${target} PRIVATE "${CMAKE_CURRENT_SOURCE_DIR}/.." ${folders} "${PROJECT_SOURCE_DIR}/Filters/Common" "${PROJECT_SOURCE_DIR}/Testing/Cxx")
+endfunction ()
+
+function (nephoscope_add_test_library name)
+  if (NEPHOSCOPE_FOR_PYPI)
+    return ()
+  endif ()
+  cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "SOURCES;MODULES")
+  add_library(${name} STATIC ${arg_SOURCES})
+  nephoscope_test_folders(${name})
+  target_link_libraries(${name} PUBLIC ${arg_MODULES})
+  nephoscope_target_options(${name})
+endfunction ()
+
 function (nephoscope_add_cxx_test name)
   if (NEPHOSCOPE_FOR_PYPI)
     return ()
   endif ()
-  cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "SOURCES;MODULES;LABELS")
+  cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "SOURCES;MODULES;PARTS;LABELS")
   add_executable(${name} ${arg_SOURCES})
-  file(GLOB folders CONFIGURE_DEPENDS "${CMAKE_CURRENT_SOURCE_DIR}/../[A-Z]*/*.h") # the folders of the technique
-  list(TRANSFORM folders REPLACE "/[^/]*$" "")
-  list(REMOVE_DUPLICATES folders)
-  target_include_directories(${name} PRIVATE "${CMAKE_CURRENT_SOURCE_DIR}/.." ${folders} "${PROJECT_SOURCE_DIR}/Filters/Common" "${PROJECT_SOURCE_DIR}/Testing/Cxx")
-  target_link_libraries(${name} PRIVATE GTest::gtest GTest::gtest_main ${arg_MODULES})
+  nephoscope_test_folders(${name})
+  target_link_libraries(${name} PRIVATE GTest::gtest GTest::gtest_main ${arg_PARTS} ${arg_MODULES})
   if (arg_MODULES)
     vtk_module_autoinit(TARGETS ${name} MODULES ${arg_MODULES})
   endif ()
