@@ -14,8 +14,11 @@ constexpr double earthRadius = 6371000;
 constexpr double airHeight = 8000;
 constexpr double visibilityTimesExtinction = 3.912; // -ln 0.02, Koschmieder1924
 constexpr double visibleHeights = 24.5;
+constexpr double visibleWidths =
+  5.7; // for a cube as much; an eye that sees all from the side is two widths away
 constexpr double coarseness = 0.005;
 constexpr double heightsInScene = 3;
+constexpr double heightsInWidth = 10; // a thin scene in a thin layer would have no haze from above
 constexpr double deepest = 10; // scale heights under the ground, where air is 22,000 times as dense
 
 /** 1 if the scene has the size of the Earth in metres about the origin, 1000 if in kilometres; else 0. */
@@ -117,18 +120,20 @@ HazePlacement::HazePlacement(vtkHaze* haze, const HazeScene& scene)
   this->BaseLevel = haze->GetBaseLevel() + (found ? low : 0);
   this->MovesDown = found;
 
+  const double diagonal = scene.IsEmpty() ? 0 : scene.Diagonal();
+  const double width =
+    found ? std::sqrt(std::max(0.0, diagonal * diagonal - (high - low) * (high - low))) : 0;
   const double height = haze->GetScaleHeight() > 0 ? haze->GetScaleHeight()
     : told || scene.IsEmpty()                      ? airHeight
     : this->OnGlobe                                ? coarseness * this->Radius
-    : high > low                                   ? (high - low) / heightsInScene
-                                                   : scene.Diagonal() / heightsInScene;
+                    : std::max((high - low) / heightsInScene, width / heightsInWidth);
   this->ScaleHeight = (height > 0 ? height : 1) *
     (haze->GetVerticalExaggeration() > 0 ? haze->GetVerticalExaggeration()
         : scene.VerticalExaggeration > 0 ? scene.VerticalExaggeration
                                          : 1);
-  this->Extinction = haze->GetVisibility() > 0
-    ? haze->GetExtinction()
-    : visibilityTimesExtinction / (visibleHeights * this->ScaleHeight);
+  const double visibility = std::max(visibleHeights * this->ScaleHeight, visibleWidths * width);
+  this->Extinction =
+    haze->GetVisibility() > 0 ? haze->GetExtinction() : visibilityTimesExtinction / visibility;
   if (this->Exists && !scene.IsEmpty() && highestAltitude(*this, haze, scene) < -deepest)
   {
     this->Problem = describe(*this, haze);

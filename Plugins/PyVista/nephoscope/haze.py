@@ -37,10 +37,12 @@ def add_haze(plotter: pyvista.Plotter, mesh: pyvista.DataSet | None = None, *, v
         vertical exaggeration.
     visibility : float, optional
         Meteorological visibility: the distance, along the ground at altitude 0, at which 2 % of the contrast is left, in units of the scene, >
-        0. Real air has 1e4 to 3e5 m. Default: 24.5 displayed scale heights.
+        0. Real air has 1e4 to 3e5 m. Default: 24.5 displayed scale heights, and over a scene
+        without a globe or map at least 5.7 widths of the scene.
     scale_height : float, optional
         Height, before exaggeration, over which the haze density falls to 1/e, > 0. Default: 8000 m with a result of
-        ``mesh.nephoscope.globe(...)``, 0.5 % of the radius on any other globe, otherwise a third of the height of the scene.
+        ``mesh.nephoscope.globe(...)``, 0.5 % of the radius on any other globe, otherwise a third of the height of the scene, at
+        least a tenth of its width.
     color : color_like, optional
         Colour of thick haze. Default: a pale blue, (0.72, 0.8, 0.9).
     background : bool, default: True

@@ -76,6 +76,11 @@ class Placement(unittest.TestCase):
         for shape in ((1, 1, 1e-3), (1, 1e-3, 1), (1, 1, 0), (360, 180, 20), (2e5, 3e5, 3e3), (0.02, 0.02, 0.3)):
             self.check(box(1, (5, 7, -3), shape), f"box of {shape}")
 
+    def test_thin_scenes_from_the_side(self):
+        for shape in ((1, 1, 0.04), (2e6, 2e6, 8e4), (3e3, 1e3, 1e2)):
+            for direction in ((1, 0, 0), (0, -1, 0), (1, 1, 0.02), (1, 0, 0.2)):
+                self.check(box(1, (0, 0, 0), shape), f"box of {shape} from {direction}", direction)
+
     def test_every_direction(self):
         for direction in ((0, 0.001, 1), (1, 0, 0.01), (0.5, 1, -0.3), (0, 0.001, -1), *RNG.normal(size=(4, 3))):
             self.check(box(), f"from {np.round(direction, 2)}", direction)
