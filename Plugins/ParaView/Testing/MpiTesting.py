@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """What the tests that start several ranks share."""
 import os
+import signal
 import subprocess
 import sys
 
@@ -11,7 +12,7 @@ import numpy as np
 ENVIRONMENT = dict(os.environ, OMPI_MCA_rmaps_base_oversubscribe="1", OMPI_MCA_mpi_yield_when_idle="1",
                    PRTE_MCA_rmaps_default_mapping_policy=":oversubscribe",
                    OMPI_ALLOW_RUN_AS_ROOT="1", OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1",
-                   PRTE_ALLOW_RUN_AS_ROOT="1", PRTE_ALLOW_RUN_AS_ROOT_CONFIRM="1")
+                   PRTE_ALLOW_RUN_AS_ROOT="1", PRTE_ALLOW_RUN_AS_ROOT_CONFIRM="1", PYTHONFAULTHANDLER="1")
 
 
 def program(name):
@@ -23,12 +24,26 @@ def program(name):
     return path
 
 
+def output_of(command, limit=150):
+    """What a command has printed. One that takes more than `limit` s is ended, and shows where it was."""
+    running = subprocess.Popen(command, env=ENVIRONMENT, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
+    try:
+        return running.communicate(timeout=limit)[0]
+    except subprocess.TimeoutExpired:
+        running.send_signal(signal.SIGABRT)  # Python prints its stack
+        try:
+            output = running.communicate(timeout=10)[0]
+        finally:
+            running.kill()
+        sys.exit(f"{' '.join(command)}: not done after {limit} s\n{output}")
+
+
 def arrays_of_ranks(script, name, ranks):
     """[what each rank has saved with `numpy.savez(f"{prefix}-{rank}.npz")`]. The script, of this folder, gets the prefix, and prints RANK-DONE on each."""
     prefix = os.path.join(os.environ["NEPHOSCOPE_TEST_OUTPUT"], f"{name}-{ranks}")
     launcher = [program("MPIEXEC"), "-np", str(ranks)] if ranks > 1 else []
     command = launcher + [program("PVBATCH"), "--dr", "--sym", os.path.join(os.path.dirname(os.path.abspath(__file__)), script), prefix]
-    done = subprocess.run(command, env=ENVIRONMENT, capture_output=True, text=True, timeout=150)
-    if (done.stdout + done.stderr).count("RANK-DONE") != ranks:
-        sys.exit(f"{prefix}: did not run to its end\n{done.stdout}{done.stderr}")
+    output = output_of(command)
+    if output.count("RANK-DONE") != ranks:
+        sys.exit(f"{prefix}: did not run to its end\n{output}")
     return [np.load(f"{prefix}-{rank}.npz") for rank in range(ranks)]

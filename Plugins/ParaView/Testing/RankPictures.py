@@ -2,22 +2,23 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Pictures that one process, several ranks, and a server with its client draw of the same scenes, and how far they differ."""
 import os
+import re
 import subprocess
 import sys
+import time
 
 import numpy as np
 
-from MpiTesting import ENVIRONMENT, program
+from MpiTesting import ENVIRONMENT, output_of, program
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 OUTPUT = os.environ["NEPHOSCOPE_TEST_OUTPUT"]
 
 
-def run(command, script, name, names, timeout=300):
+def run(command, script, name, names):
     """Runs a script of this folder, which saves pictures under the prefix that it is given, and returns those of the names."""
     prefix = prefix_of(script, name)
-    done = subprocess.run(command + [os.path.join(HERE, script), prefix], env=ENVIRONMENT, capture_output=True, text=True, timeout=timeout)
-    return pictures(prefix, done.stdout + done.stderr, names)
+    return pictures(prefix, output_of(command + [os.path.join(HERE, script), prefix], limit=300), names)
 
 
 def prefix_of(script, name):
@@ -33,23 +34,26 @@ def pictures(prefix, output, names):
 
 def run_with_server(script, names):
     """The same on a pvserver, which waits on a free port that it announces; the client draws there."""
-    server = subprocess.Popen([program("PVSERVER"), "--server-port=0"], env=ENVIRONMENT, text=True,
-                              stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
+    log = os.path.join(OUTPUT, f"{script}-server.log")
+    with open(log, "w") as file:
+        server = subprocess.Popen([program("PVSERVER"), "--server-port=0"], env=ENVIRONMENT, stdout=file, stderr=subprocess.STDOUT)
     try:
-        port = None
-        for line in server.stdout:
-            if "Accepting connection" in line:
-                port = line.rsplit(":", 1)[1].strip()
-                break
-        if port is None:
-            sys.exit("pvserver did not start")
         prefix = prefix_of(script, "server")
-        done = subprocess.run([program("PVPYTHON"), "--dr", os.path.join(HERE, script), prefix, port], env=ENVIRONMENT, capture_output=True,
-                              text=True, timeout=150)
-        return pictures(prefix, done.stdout + done.stderr, names)
+        return pictures(prefix, output_of([program("PVPYTHON"), "--dr", os.path.join(HERE, script), prefix, announced_port(log)]), names)
     finally:
-        server.terminate()
+        server.kill()
         server.wait()
+        print(open(log).read())
+
+
+def announced_port(log, limit=60):
+    end = time.monotonic() + limit
+    while time.monotonic() < end:
+        found = re.search(r"Accepting connection.*:(\d+)\n", open(log).read())
+        if found:
+            return found[1]
+        time.sleep(0.1)
+    sys.exit(f"pvserver did not start within {limit} s")
 
 
 def compare(first, second, title, names, largest, mean, dots=0.0):
