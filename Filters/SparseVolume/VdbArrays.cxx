@@ -10,8 +10,8 @@ openvdb::GridBase::Ptr NewGridFor(vtkDataArray* array, VdbPrecision precision)
   const bool isDouble = array->GetDataType() == VTK_DOUBLE && precision == VdbPrecision::AsInput;
   if (array->GetNumberOfComponents() == 3)
   {
-    return isDouble ? openvdb::GridBase::Ptr(openvdb::Vec3DGrid::create())
-                    : openvdb::GridBase::Ptr(openvdb::Vec3SGrid::create());
+    return isDouble ? openvdb::GridBase::Ptr(NewGrid<openvdb::Vec3DGrid>())
+                    : NewGrid<openvdb::Vec3SGrid>();
   }
   if (array->GetNumberOfComponents() != 1)
   {
@@ -20,18 +20,18 @@ openvdb::GridBase::Ptr NewGridFor(vtkDataArray* array, VdbPrecision precision)
   switch (array->GetDataType())
   {
     case VTK_FLOAT:
-      return openvdb::FloatGrid::create();
+      return NewGrid<openvdb::FloatGrid>();
     case VTK_DOUBLE:
-      return isDouble ? openvdb::GridBase::Ptr(openvdb::DoubleGrid::create())
-                      : openvdb::GridBase::Ptr(openvdb::FloatGrid::create());
+      return isDouble ? openvdb::GridBase::Ptr(NewGrid<openvdb::DoubleGrid>())
+                      : NewGrid<openvdb::FloatGrid>();
     case VTK_BIT:
-      return openvdb::BoolGrid::create();
+      return NewGrid<openvdb::BoolGrid>();
     default:
       break;
   }
   const bool wide = array->GetDataTypeSize() > 4 || array->GetDataType() == VTK_UNSIGNED_INT;
-  return wide ? openvdb::GridBase::Ptr(openvdb::Int64Grid::create())
-              : openvdb::GridBase::Ptr(openvdb::Int32Grid::create());
+  return wide ? openvdb::GridBase::Ptr(NewGrid<openvdb::Int64Grid>())
+              : NewGrid<openvdb::Int32Grid>();
 }
 
 } // namespace nephoscope

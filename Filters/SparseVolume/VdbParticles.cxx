@@ -36,7 +36,7 @@ double meanSpacing(const double low[3], const double high[3], std::size_t count)
 VdbParticles::VdbParticles(vtkDataSet* data, vtkDataArray* masses, double voxelSize)
   : Data(data)
   , VoxelSize(voxelSize)
-  , Mass(openvdb::DoubleGrid::create())
+  , Mass(NewGrid<openvdb::DoubleGrid>())
 {
   double low[3], high[3], x[3];
   std::fill_n(low, 3, std::numeric_limits<double>::max());
@@ -132,8 +132,8 @@ vtkIdType VdbParticles::FillMean(openvdb::GridBase& grid, vtkDataArray* array) c
     using SumGrid =
       std::conditional_t<openvdb::VecTraits<Value>::IsVec, openvdb::Vec3DGrid, openvdb::DoubleGrid>;
     const ArrayValues<Sum> values(array);
-    auto sums = SumGrid::create();
-    auto masses = openvdb::DoubleGrid::create(); // of those with a value
+    auto sums = NewGrid<SumGrid>();
+    auto masses = NewGrid<openvdb::DoubleGrid>(); // of those with a value
     auto sum = sums->getAccessor();
     auto massSum = masses->getAccessor();
     this->ForAllShares([&](vtkIdType id, const openvdb::Coord& voxel, double mass) {

@@ -48,7 +48,7 @@ struct Voxels
 
 Mask::Ptr unionOf(const VdbRequest& request, const VdbRead& read)
 {
-  Mask::Ptr active(new Mask(false));
+  Mask::Ptr active = NewGrid<openvdb::MaskGrid>()->treePtr();
   for (std::size_t i = 0; i < read.Grids.size(); ++i)
   {
     if (IsSameLattice(request.Grids[0].IndexToWorld, request.Grids[i].IndexToWorld))

@@ -153,7 +153,7 @@ openvdb::GridBase::Ptr newMeanGrid(const openvdb::GridBase::Ptr& grid)
 {
   const bool isReal = grid->isType<openvdb::DoubleGrid>() || grid->isType<openvdb::Vec3DGrid>() ||
     grid->isType<openvdb::Vec3SGrid>();
-  return isReal ? grid : openvdb::GridBase::Ptr(openvdb::FloatGrid::create());
+  return isReal ? grid : NewGrid<openvdb::FloatGrid>();
 }
 
 std::string addParticles(const VdbWriteSettings& settings, vtkDataSet* data, Volume& volume)
@@ -178,7 +178,7 @@ std::string addParticles(const VdbWriteSettings& settings, vtkDataSet* data, Vol
     volume.Warnings.push_back(std::to_string(particles.GetNumberOfLost()) +
       " particles are left out: they have no finite position, or their mass is negative or not a number.");
   }
-  openvdb::GridBase::Ptr density = openvdb::FloatGrid::create();
+  openvdb::GridBase::Ptr density = NewGrid<openvdb::FloatGrid>();
   particles.FillDensity(*density);
   addGrid(settings, density, "density", volume);
   forArrays(settings, data->GetPointData(), volume,
