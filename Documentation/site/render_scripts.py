@@ -22,7 +22,7 @@ def main():
                 failed += 1
                 print(f"{example.name}: {why}", file=sys.stderr)
                 continue
-            shutil.copy(pathlib.Path(folder, "picture.png"), gallery.RENDERED / f"{example.name}.png")
+            shutil.copy(pathlib.Path(folder, "pictures", f"{example.name}.png"), gallery.RENDERED / f"{example.name}.png")
             print(f"wrote {gallery.RENDERED / example.name}.png", flush=True)
     return 1 if failed else 0
 

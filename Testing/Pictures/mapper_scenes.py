@@ -524,4 +524,3 @@ def _(made):
 
 if __name__ == "__main__":
     pictures.save(draw(sys.argv[1]), "picture.png")
-    print("NEPHOSCOPE-PICTURE", flush=True)

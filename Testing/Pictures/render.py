@@ -10,7 +10,7 @@ import tempfile
 from pathlib import Path
 
 import pictures
-from snippets import ROOT, is_for_paraview, snippets
+from snippets import ROOT, is_for_paraview, series, snippets
 
 BASELINES = ROOT / "Testing" / "Baselines"
 HERE = Path(__file__).resolve().parent
@@ -71,10 +71,11 @@ def run(command, folder):
     return made.stdout, f"it fails (exit status {made.returncode})" + told if made.returncode else None
 
 
-def written(*commands):
+def written(*commands, data=True):
     """({name: picture}, None) of a script that says which it wrote, or ({}, why there are none). Others may run before it."""
     with tempfile.TemporaryDirectory() as folder:
-        os.symlink(ROOT / "Data", Path(folder) / "Data")
+        if data:
+            os.symlink(ROOT / "Data", Path(folder) / "Data")
         why = None
         for command in commands:
             printed, why = ("", why) if why else run(command, folder)
@@ -96,6 +97,18 @@ def run_representations():
     return written([paraview_python(), "--dr", str(HERE / "representation_scenes.py"), *scenes("representation")])
 
 
+@functools.lru_cache(maxsize=None)
+def run_snippets(last):
+    """Those of a page that continue one another. Python's have only what `pip install` gives, and no Data."""
+    return written(command(last), data=is_for_paraview(last, snippets()[last]))
+
+
+def run_of(name):
+    if name in figures():
+        return run_figure(figures()[name])
+    return run_representations() if name in scenes("representation") else run_snippets(series(name)[-1])
+
+
 def problem_of_names(name, made):
     """The sentence that says that a script does not write a picture, or one that would have no baseline; None if it does neither."""
     unknown = sorted(set(made) - set(all_names()))
@@ -106,18 +119,17 @@ def problem_of_names(name, made):
 
 def render(name):
     """(picture, None), or (None, why there is none)."""
-    if name in figures() or name in scenes("representation"):
-        made, why = run_figure(figures()[name]) if name in figures() else run_representations()
-        why = why or problem_of_names(name, made)
-        return (None, why) if why else (made[name], None)
+    if name in scenes():
+        return render_scene(name)
+    made, why = run_of(name)
+    why = why or problem_of_names(name, made)
+    return (None, why) if why else (made[name], None)
+
+
+def render_scene(name):
     with tempfile.TemporaryDirectory() as folder:
-        if name in snippets() and is_for_paraview(name, snippets()[name]):  # Python's have only what `pip install` gives
-            os.symlink(ROOT / "Data", Path(folder) / "Data")
-        printed, why = run(command(name), folder)
-        file = Path(folder) / "picture.png"
-        if not why and ("NEPHOSCOPE-PICTURE" not in printed or not file.is_file()):
-            why = "it leaves no picture.png"
-        return (None, why) if why else (pictures.load(file), None)
+        _, why = run(command(name), folder)
+        return (None, why) if why else (pictures.load(Path(folder) / "picture.png"), None)
 
 
 def baseline(name):

@@ -38,5 +38,12 @@ def before(name):
     return [*before(above), above]
 
 
+def series(name):
+    """The snippets of its page that run in one process, one after the other, and this among them."""
+    page, _, number = name.rpartition("-")
+    below = f"{page}-{int(number) + 1}"
+    return series(below) if snippets().get(below, "").startswith(CONTINUES) else [*before(name), name]
+
+
 def is_for_paraview(name, text):
     return "paraview.simple" in text or name.startswith("paraview-") or "Show(" in text
