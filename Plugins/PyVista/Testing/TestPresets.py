@@ -208,8 +208,8 @@ class Frames(unittest.TestCase):
         self.plotter = pyvista.Plotter(off_screen=True, window_size=(40, 40))
         self.addCleanup(self.plotter.close)
 
-    def weather(self, west=0.0, **options):
-        flat = pyvista.RectilinearGrid(west + np.arange(12) * 30.0, np.linspace(-90, 90, 7), [0.0, 9000.0])
+    def weather(self, west=0.0, cell=1.0, **options):
+        flat = pyvista.RectilinearGrid(west + np.arange(0, 360, cell), np.linspace(-90, 90, 1 + int(180 / cell)), [0.0, 9000.0])
         flat["q"] = np.linspace(0, 1, flat.n_points)
         return flat.nephoscope.globe(level_units="m", **options)
 
@@ -226,6 +226,9 @@ class Frames(unittest.TestCase):
             self.assertEqual(self.told(nephoscope.globe_surface(**options), self.weather(**options)), [])
         self.assertEqual(self.told(nephoscope.globe_surface(projection="map"), self.weather(-180.0, projection="map")), [])
         self.assertEqual(self.told(pyvista.Sphere(), self.weather()), [])
+        coarse = self.weather(cell=5.0)
+        self.assertEqual(self.told(nephoscope.globe_surface(below=coarse), coarse), [])
+        self.assertEqual(self.told(nephoscope.globe_surface(), self.weather(cell=5.0, vertical_exaggeration=20.0)), [])
 
     def test_what_does_not_fit(self):
         for surface, data, text in (({"projection": "map"}, {"projection": "map"}, "longitudes 0 to 360, the other -180 to 180"),
@@ -233,6 +236,8 @@ class Frames(unittest.TestCase):
             messages = self.told(nephoscope.globe_surface(**surface), self.weather(**data))
             self.assertEqual(len(messages), 1, messages)
             self.assertIn(text, messages[0])
+        messages = self.told(nephoscope.globe_surface(), self.weather(cell=5.0))
+        self.assertRegex(" ".join(messages), r"flat: their middles lie up to 12 km below .* 9 km high\. .*globe_surface\(below=")
         messages = self.told(self.weather(vertical_exaggeration=20.0), self.weather(vertical_exaggeration=50.0))
         self.assertIn("same vertical_exaggeration", " ".join(messages))
 

@@ -9,6 +9,9 @@ from typing import Any, Iterator
 import numpy as np
 import pyvista
 
+from .globe import lowest_middle
+
+HIDDEN = 0.1  # of the height of the data
 LEVEL = 4  # stack level of the caller of add_cells or add_splats
 
 
@@ -41,6 +44,8 @@ def _differences(data: pyvista.DataSet, other: pyvista.DataSet) -> Iterator[str]
                "Use the same radius for to_globe and globe_surface.")
     elif here == 1 and radius:
         yield from _other_longitudes(data, other, radius)
+    elif not _has_height(other):
+        yield from _hidden_cells(data, other)
     scales = [_number(mesh, "VerticalExaggeration") for mesh in (data, other)]
     if None not in scales and scales[0] != scales[1] and all(_has_height(mesh) for mesh in (data, other)):
         yield (f"The vertical exaggeration of the data is {scales[0]:g}, but that of the data shown already is {scales[1]:g}. "
@@ -55,6 +60,15 @@ def _other_longitudes(data: pyvista.DataSet, other: pyvista.DataSet, radius: flo
             yield (f"On the map one dataset has the longitudes {spans[0][0]:.4g} to {spans[0][1]:.4g}, the other {spans[1][0]:.4g} to "
                    f"{spans[1][1]:.4g}. Use the same central_meridian, in degrees east, for to_globe and globe_surface.")
             return
+
+
+def _hidden_cells(data: pyvista.DataSet, surface: pyvista.DataSet) -> Iterator[str]:
+    """True on globes whose flat cells cut into the surface of the planet by much of the height of the data."""
+    lowest, ground = lowest_middle(data), float(np.linalg.norm(surface.points, axis=1).min())
+    top = float(np.nanmax(np.linalg.norm(data.points, axis=1))) - ground
+    if ground - lowest > HIDDEN * top:
+        yield (f"The cells of the data are flat: their middles lie up to {(ground - lowest) / 1000:.2g} km below the surface of the planet, which hides them there; "
+               f"the data are {top / 1000:.2g} km high. Make the surface with globe_surface(below=the data), or raise vertical_exaggeration.")
 
 
 def _has_height(mesh: pyvista.DataSet) -> bool:

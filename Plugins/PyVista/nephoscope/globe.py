@@ -3,6 +3,7 @@
 """Longitude-latitude-level fields on a globe or a map (`vtkGlobeGrid`), and the surface below them."""
 from __future__ import annotations
 
+import math
 import re
 from typing import Any, Literal, Sequence
 
@@ -156,7 +157,7 @@ def to_globe(mesh: pyvista.DataSet, *, projection: Literal["globe", "map"] = "gl
 
 
 def globe_surface(*, projection: Literal["globe", "map"] = "globe", radius: float = EARTH_RADIUS,
-                  central_meridian: float = 0.0) -> pyvista.StructuredGrid:
+                  central_meridian: float = 0.0, below: pyvista.DataSet | None = None) -> pyvista.StructuredGrid:
     """Make the surface of the planet at height 0, with texture coordinates for a plate carrée picture.
 
     The picture spans longitude -180 to 180 from its left to its right edge and latitude -90 to 90 from bottom to top,
@@ -170,6 +171,9 @@ def globe_surface(*, projection: Literal["globe", "map"] = "globe", radius: floa
         Radius of the planet in metres, > 0.
     central_meridian : float, default: 0.0
         Longitude of the middle of the map, in degrees east; 180 for data from 0 to 360. It has no effect on a globe.
+    below : pyvista.StructuredGrid, optional
+        A result of `to_globe`. Its cells are flat, so their middles lie below the sphere through their corners: 3 km for cells of 2.5
+        degrees, 12 km for 5 degrees. The surface is placed below them. It has no effect on a map.
 
     Returns
     -------
@@ -191,7 +195,20 @@ def globe_surface(*, projection: Literal["globe", "map"] = "globe", radius: floa
                        mask_below_ground=False)
     surface.active_texture_coordinates = np.asarray(surface.point_data["TextureCoordinates"])
     surface.set_active_scalars(None)  # without a texture it has one colour
+    if below is not None and projection == "globe":
+        surface.points *= min(1.0, lowest_middle(_structured(below, "below")) / radius)
     return surface
+
+
+def lowest_middle(globe: pyvista.DataSet) -> float:
+    """The least distance of the middle of a cell's side from the centre of the planet, along the first level of a globe; inf for other data."""
+    sizes = getattr(globe, "dimensions", (0, 0, 0))
+    if not isinstance(globe, pyvista.StructuredGrid) or min(sizes[:2]) < 2:
+        return math.inf
+    level = np.asarray(globe.points, float)[:sizes[0] * sizes[1]].reshape(sizes[1], sizes[0], 3)
+    middles = 0.25 * (level[1:, 1:] + level[:-1, 1:] + level[1:, :-1] + level[:-1, :-1])
+    radii = np.linalg.norm(middles, axis=-1)
+    return float(np.min(radii, initial=math.inf, where=np.isfinite(radii)))
 
 
 def _structured(mesh: Any, argument: str) -> pyvista.DataSet:

@@ -12,7 +12,7 @@ import pyvista
 from .._blocks import cell_dimension
 from .._medium import association_of, default_scalars
 from ..cells import add_cells
-from ..globe import EARTH_RADIUS
+from ..globe import EARTH_RADIUS, lowest_middle
 from .horizontal import GridError, section
 from .ground import add_coasts, add_ground, globe_coasts, globe_ground, map_coasts, map_ground
 
@@ -75,7 +75,7 @@ def refuse_sections(grid: pyvista.DataSet) -> None:
 def _add_globe(plotter: pyvista.Plotter, grid: pyvista.DataSet, flat: bool) -> None:
     radii = np.linalg.norm(_finite(grid), axis=1)
     lowest = radii.min(initial=EARTH_RADIUS) if radii.max(initial=0) <= 1.000001 * EARTH_RADIUS else EARTH_RADIUS  # below an ocean
-    add_ground(plotter, globe_ground(_below(grid) if flat else lowest))
+    add_ground(plotter, globe_ground(_below(grid) if flat else min(lowest, lowest_middle(grid))))
     if flat and radii.size:
         add_coasts(plotter, globe_coasts(1.001 * radii.max()))
 
