@@ -122,11 +122,23 @@ def show_volume(data, view, colour_array, colours, opacity_points, unit_distance
     return shown
 
 
+def save_small(picture, view, size, shrink):
+    """With captions and scalar bars, whose sizes are in pixels, as much smaller."""
+    sizes = [(shown, name, getattr(shown, name)) for shown in view.Representations
+             for name in ("FontSize", "TitleFontSize", "LabelFontSize", "ScalarBarThickness") if hasattr(shown, name)]
+    for shown, name, value in sizes:
+        setattr(shown, name, max(1, value // shrink))
+    pvs.SaveScreenshot(picture, view, ImageResolution=[pixels // shrink for pixels in size])
+    for shown, name, value in sizes:
+        setattr(shown, name, value)
+
+
 def save(name, view, size=(1920, 1080)):
-    """The picture, and the ParaView state that shows it again."""
+    """The picture, and the ParaView state that shows it again. NEPHOSCOPE_FIGURE_SHRINK, by which tests divide the size, shrinks text too."""
     folder = os.environ["NEPHOSCOPE_GALLERY"]
     picture, state = os.path.join(folder, name + ".png"), os.path.join(folder, name + ".pvsm")
-    pvs.SaveScreenshot(picture, view, ImageResolution=list(size))
+    shrink = int(os.environ.get("NEPHOSCOPE_FIGURE_SHRINK", "1"))
+    save_small(picture, view, size, shrink)
     print("wrote", picture)
     pvs.SaveState(state)
     print("wrote", state)

@@ -58,7 +58,7 @@ def paraview_python():
 
 def run(command, folder):
     """What it printed, and why it failed: None if it did not."""
-    environment = {**os.environ, "NEPHOSCOPE_GALLERY": folder, "NEPHOSCOPE_FILMS": "no", "NEPHOSCOPE_PYTHON": sys.executable, "NEPHOSCOPE_DATA": str(ROOT / "Data"),
+    environment = {**os.environ, "NEPHOSCOPE_GALLERY": folder, "NEPHOSCOPE_FILMS": "no", "NEPHOSCOPE_FIGURE_SHRINK": "3", "NEPHOSCOPE_PYTHON": sys.executable, "NEPHOSCOPE_DATA": str(ROOT / "Data"),
                    "NEPHOSCOPE_FORECAST": os.path.join(folder, "forecast.nc")}
     try:
         made = subprocess.run(command, cwd=folder, env=environment, capture_output=True, text=True, timeout=TIMEOUT,
