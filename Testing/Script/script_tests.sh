@@ -558,7 +558,7 @@ test_tidy()
   ninja -C "$WORK/unity" -t targets all | sed -n 's/: CUSTOM_COMMAND$//p' | grep -E '^Representations/[A-Za-z]*/[A-Za-z]*\.cxx$' >"$WORK/shaders"
   xargs -a "$WORK/shaders" ninja -C "$WORK/unity" >/dev/null
   cd "$TOP"
-  find "$WORK/unity" -path '*/Unity/*_cxx.cxx' ! -path '*CS.dir*' ! -path '*/Nephoscope.dir/*' | sort | by_the_day 3 |
+  find "$WORK/unity" -path '*/Unity/*_cxx.cxx' ! -path '*CS.dir*' ! -path '*/Nephoscope.dir/*' | sort | by_the_day 6 |
     xargs -P 2 -n 1 clang-tidy-14 --quiet -p "$WORK/unity" --config-file=.clang-tidy 2>"$WORK/counts"
 }
 

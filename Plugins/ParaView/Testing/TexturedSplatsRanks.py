@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: The Nephoscope authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Splats on one to three ranks, and on a server, are the same picture."""
+"""Splats on one and three ranks, and on a server, are the same picture."""
 import sys
 
 import numpy as np
@@ -23,9 +23,8 @@ one = run_ranks(SCRIPT, NAMES, 1)
 if abs(one["stray"].mean() / one["particles"].mean() - 1) > 0.3:
     sys.exit(f"a few particles far away change the picture of the others: mean {one['stray'].mean():.1f} for {one['particles'].mean():.1f}")
 # Each rank's picture has 8 bits when they are composited, and results are rounded again.
-for number in (2, 3):
-    others = run_ranks(SCRIPT, NAMES, number)
-    compare(one, others, f"1 and {number} ranks", ONE_PICTURE, largest=3, mean=0.2)
-    check_hierarchy(one, others, number)
+three = run_ranks(SCRIPT, NAMES, 3)
+compare(one, three, "1 and 3 ranks", ONE_PICTURE, largest=3, mean=0.2)
+check_hierarchy(one, three, 3)
 compare(one, run_with_server(SCRIPT, NAMES), "local and client-server", NAMES, largest=1, mean=0.01)
 print("NEPHOSCOPE-PASSED")
