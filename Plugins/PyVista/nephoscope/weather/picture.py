@@ -8,6 +8,7 @@ from typing import Callable
 
 import numpy as np
 import pyvista
+from vtkmodules.vtkRenderingAnnotation import vtkScalarBarActor
 
 from .._blocks import cell_dimension
 from .._medium import association_of, default_scalars
@@ -56,13 +57,19 @@ def draw(plotter: pyvista.BasePlotter, grid: pyvista.DataSet, scalars: str | Non
     else:
         add_cells(plotter, grid, scalars, **options)
     for bar in plotter.scalar_bars.values():
-        text = title(bar.GetTitle())
-        bar.SetVerticalTitleSeparation(10)  # pixels, of an upright bar: the title is not on the upper label
-        name, bracket, units = text.partition(" [")
-        bar.SetTitle("\n".join([*textwrap.wrap(name, 14), *["[" + units] * bool(bracket)]) if bar.GetOrientation() else f"{textwrap.shorten(text, 60)}\n ")
-        if not bar.GetOrientation():
-            bar.SetBarRatio(0.25)
+        _set_title(bar, title(bar.GetTitle()))
     (_look_down if on_globe else _look_at_map)(plotter, grid)
+
+
+def _set_title(bar: vtkScalarBarActor, text: str) -> None:
+    """In short lines above an upright bar, in one line above a lying one."""
+    if not bar.GetOrientation():
+        bar.SetTitle(f"{textwrap.shorten(text, 60)}\n ")
+        bar.SetBarRatio(0.25)
+        return
+    name, bracket, units = text.partition(" [")
+    bar.SetTitle("\n".join([*textwrap.wrap(name, 14), *["[" + units] * bool(bracket)]))
+    bar.SetVerticalTitleSeparation(10)  # pixels: the title is not on the upper label
 
 
 def refuse_sections(grid: pyvista.DataSet) -> None:
