@@ -243,7 +243,7 @@ bool columnsOf(vtkDataSet* data, bool onCells, int dimensions[3])
   return dimensions[2] > 1;
 }
 
-std::vector<double> pressuresOf(vtkDataSet* data, const WaterFields& fields, std::string& problem)
+std::vector<double> pressuresOf(vtkDataSet* data, const WaterFields& fields)
 {
   if (!fields.NeedsPressure())
   {
@@ -258,14 +258,7 @@ std::vector<double> pressuresOf(vtkDataSet* data, const WaterFields& fields, std
   {
     return balancedPressures(fields, dimensions);
   }
-  if (fields.Has(WaterFields::Height))
-  {
-    return standardPressures(fields.Arrays[WaterFields::Height]);
-  }
-  problem =
-    "There is no pressure, which is needed to convert water from kg/kg to kg/m3. Set PressureArrayName (Pa or hPa), put the fields through Globe Grid, "
-    "which adds the height of every point, or set WaterUnits to kg/m3 or g/m3, if that is what they are.";
-  return {};
+  return standardPressures(fields.Arrays[WaterFields::Height]);
 }
 
 OpticalArrays computeOptics(vtkDataSet* data, const WaterFields& fields,

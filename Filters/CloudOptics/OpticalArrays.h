@@ -35,8 +35,8 @@ struct OpticalArrays
 /** The third index of structured data counts upwards: numbers of points along the axes; false for other data. */
 bool columnsOf(vtkDataSet* data, bool onCells, int dimensions[3]);
 
-/** Pressures in pascals, of the pressure array in hydrostatic balance, or without columns of the standard atmosphere; empty, with the problem, where neither can be. */
-std::vector<double> pressuresOf(vtkDataSet* data, const WaterFields& fields, std::string& problem);
+/** Pressures in pascals, of the pressure array in hydrostatic balance, or without columns of the standard atmosphere; empty where none are needed. */
+std::vector<double> pressuresOf(vtkDataSet* data, const WaterFields& fields);
 
 /** `progress` takes the fraction that is done; false: stop, and the arrays are not complete. */
 OpticalArrays computeOptics(vtkDataSet* data, const WaterFields& fields,

@@ -128,21 +128,56 @@ bool hasWater(const WaterFields& fields)
     fields.Has(WaterFields::Ice) || fields.Has(WaterFields::Rain) || fields.Has(WaterFields::Snow);
 }
 
-std::string missing(vtkDataSet* data, const FieldNames& names, const WaterFields& fields)
+// Named by the user, but not there.
+std::string missingNames(const FieldNames& names, const WaterFields& fields)
 {
+  std::string text;
   for (int k = 0; k < WaterFields::NumberOfFields; ++k)
   {
     if (!names[k].empty() && names[k] != "none" && !fields.Arrays[k])
     {
-      return "There is no " + std::string(fields.OnCells ? "cell" : "point") + " array '" +
+      text += "There is no " + std::string(fields.OnCells ? "cell" : "point") + " array '" +
         names[k] + "' of the " + wordsFor(static_cast<Kind>(k)) + ", as " +
-        namesOf(static_cast<Kind>(k)).Property + " says. " + allArrays(data);
+        namesOf(static_cast<Kind>(k)).Property + " says. ";
     }
   }
-  return hasWater(fields)
-    ? std::string()
-    : "There is no array of cloud water. Set TotalWaterArrayName, or LiquidArrayName and IceArrayName. " +
-      allArrays(data);
+  return text;
+}
+
+bool isNamed(const FieldNames& names, Kind kind)
+{
+  return !names[kind].empty() && names[kind] != "none";
+}
+
+// All that is missing, so that it can be set at once. Without water, what most water needs.
+std::string missing(
+  vtkDataSet* data, const FieldNames& names, WaterUnits units, const WaterFields& fields)
+{
+  const bool water = hasWater(fields);
+  const bool pressure =
+    water ? fields.NeedsPressure() : units == WaterUnits::Automatic || IsMixingRatio(units);
+  const bool temperature =
+    pressure || !water || fields.Has(WaterFields::Total) || fields.Has(WaterFields::Ice);
+  std::string text = missingNames(names, fields);
+  if (!water && text.empty())
+  {
+    text +=
+      "There is no array of cloud water: set TotalWaterArrayName, or LiquidArrayName and IceArrayName. ";
+  }
+  if (temperature && !fields.Has(WaterFields::Temperature) &&
+    !isNamed(names, WaterFields::Temperature))
+  {
+    text +=
+      "There is no temperature, which is needed to separate ice from liquid and to compute the density of the air: set TemperatureArrayName (K). ";
+  }
+  if (pressure && !fields.Has(WaterFields::Pressure) && !fields.Has(WaterFields::Height) &&
+    !isNamed(names, WaterFields::Pressure))
+  {
+    text +=
+      "There is no pressure, which is needed to convert water from kg/kg to kg/m3: set PressureArrayName (Pa or hPa), put the fields through Globe Grid, "
+      "which adds the height of every point, or set WaterUnits to kg/m3 or g/m3, if that is what they are. ";
+  }
+  return text.empty() ? text : text + allArrays(data);
 }
 
 std::string wrongShape(vtkDataSet* data, const WaterFields& fields)
@@ -225,7 +260,7 @@ std::string findWaterFields(
     fields.Units[k] =
       units == WaterUnits::Automatic && fields.Arrays[k] ? unitsOf(data, fields.Arrays[k]) : units;
   }
-  const std::string problem = missing(data, names, fields);
+  const std::string problem = missing(data, names, units, fields);
   const std::string shape = problem.empty() ? wrongShape(data, fields) : problem;
   return shape.empty() ? wrongUnits(fields) : shape;
 }

@@ -3,6 +3,7 @@
 #include "vtkCloudOptics.h"
 
 #include "EmptyInput.h"
+#include "InputBlocks.h"
 #include "OpticalArrays.h"
 
 #include "vtkCellData.h"
@@ -87,22 +88,14 @@ bool vtkCloudOptics::AddOptics(vtkDataSet* data)
     this->PressureArrayName, this->CloudFractionArrayName, this->LandArrayName,
     this->HeightArrayName };
   WaterFields fields;
-  std::string problem = nephoscope::findWaterFields(
+  const std::string problem = nephoscope::findWaterFields(
     data, names, static_cast<nephoscope::WaterUnits>(this->WaterUnits), fields);
-  const bool needsTemperature =
-    fields.Has(WaterFields::Total) || fields.Has(WaterFields::Ice) || fields.NeedsPressure();
-  if (problem.empty() && needsTemperature && !fields.Has(WaterFields::Temperature))
-  {
-    problem =
-      "There is no temperature, which is needed to separate ice from liquid and to compute the density of the air. Set TemperatureArrayName (K).";
-  }
-  const std::vector<double> pressures =
-    problem.empty() ? nephoscope::pressuresOf(data, fields, problem) : std::vector<double>();
   if (!problem.empty())
   {
-    vtkErrorMacro(<< problem);
+    vtkErrorMacro(<< nephoscope::inBlock(this, data) << problem);
     return false;
   }
+  const std::vector<double> pressures = nephoscope::pressuresOf(data, fields);
   const nephoscope::OpticalSettings settings = { this->LiquidRadiusType == CONSTANT,
     this->IceRadiusType == CONSTANT, 1e-6 * this->LiquidRadius, 1e-6 * this->IceRadius,
     1e6 * this->DropletsOverLand, 1e6 * this->DropletsOverSea, exaggerationOf(data) };

@@ -80,6 +80,17 @@ inline bool hasOtherInput(vtkAlgorithm* filter, vtkMTimeType& told, vtkInformati
     const int nothing[6] = { 0, -1, 0, -1, 0, -1 };
     outInfo->Set(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), nothing, 6);
   }
+  // On several ranks the pipeline divides the empty extent, and would ask the filters before this one for parts without end.
+  if (request->Has(vtkStreamingDemandDrivenPipeline::REQUEST_UPDATE_EXTENT()))
+  {
+    vtkInformation* inInfo = inputs[0]->GetInformationObject(0);
+    inInfo->Remove(vtkStreamingDemandDrivenPipeline::UPDATE_EXTENT());
+    if (inInfo->Has(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT()))
+    {
+      inInfo->Set(vtkStreamingDemandDrivenPipeline::UPDATE_EXTENT(),
+        inInfo->Get(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT()), 6);
+    }
+  }
   if (request->Has(vtkDemandDrivenPipeline::REQUEST_DATA()))
   {
     auto* pipeline = vtkDemandDrivenPipeline::SafeDownCast(filter->GetExecutive());

@@ -38,9 +38,10 @@ constexpr std::size_t atOnce = 32; // candidates: ranks exchange them together
 constexpr int mostHalvings = 7;
 constexpr std::size_t mostTraced = 400;
 constexpr std::size_t mostWithRim = 24;
+constexpr double mostRoom = 4.0;     // radii of the polygon, across the flow
 constexpr double speedStep = 0.05;   // of the greatest speed: speeds closer than this are as good
 constexpr double leastSpeed = 0.5;   // of the greatest
-constexpr double farEnough = 0.35;   // that smoke from the fastest place goes, of half the diagonal
+constexpr double farEnough = 0.5;    // that smoke from the fastest place goes, of half the diagonal
 constexpr double qualityStep = 0.05; // of the best quality: those closer than this are as good
 
 struct Candidate
@@ -50,6 +51,7 @@ struct Candidate
   double Speed = 0.0;
   double Distance = 0.0; // squared, from the middle
   double Radius = 0.0;   // that fits in
+  double Room = 0.0;     // share of `mostRoom` radii that is free around it
   double Quality = 0.0;
 };
 
@@ -216,6 +218,37 @@ double Step(double value)
   return std::floor(value + 0.5 + 1e-7);
 }
 
+// How far from the border of the data each is, across the flow: smoke beside a wall sticks to it, or leaves the data.
+void FindRoom(const DataSetField& field, double radius, std::vector<Candidate>& candidates)
+{
+  constexpr std::size_t corners = 8;
+  for (Candidate& c : candidates)
+  {
+    c.Room = 0.0;
+  }
+  double before = 0.0;
+  for (const double radii :
+    { 1.0 / 64, 1.0 / 32, 1.0 / 16, 0.125, 0.25, 0.5, 1.0, 2.0, 3.0, mostRoom })
+  {
+    std::vector<Vector3> places, velocities;
+    for (const Candidate& c : candidates)
+    {
+      const std::vector<Vector3> rim = Rim(c, (1.0 + 1e-6) * radii * radius);
+      places.insert(places.end(), rim.begin(), rim.end());
+    }
+    const auto inside = SampleAt(field, places, velocities);
+    for (std::size_t i = 0; i < candidates.size(); ++i)
+    {
+      const auto first = inside.begin() + static_cast<std::ptrdiff_t>(i * corners);
+      const bool free = std::all_of(first, first + static_cast<std::ptrdiff_t>(corners),
+        [](unsigned char j) { return j != 0; });
+      const bool soFar = candidates[i].Room >= before;
+      candidates[i].Room = free && soFar ? radii / mostRoom : candidates[i].Room;
+    }
+    before = radii / mostRoom;
+  }
+}
+
 // The first of the sorted candidates whose polygon is inside, with the greatest radius for which there is one.
 Candidate FirstThatFits(const DataSetField& field, const PolygonPoints& polygon,
   const std::vector<Candidate>& candidates, double radius)
@@ -241,7 +274,8 @@ Candidate FirstThatFits(const DataSetField& field, const PolygonPoints& polygon,
   return least;
 }
 
-// The fastest place, in steps of 5 %, that holds the largest polygon; of those that are as fast the nearest to the middle.
+// The fastest place with room around it, in steps of 5 % of speed times room, that holds the largest polygon; of those that are as good the
+// nearest to the middle.
 Candidate Fastest(const DataSetField& field, const PolygonPoints& polygon,
   std::vector<Candidate> candidates, double radius)
 {
@@ -253,7 +287,10 @@ Candidate Fastest(const DataSetField& field, const PolygonPoints& polygon,
   candidates.erase(std::remove_if(candidates.begin(), candidates.end(),
                      [&](const Candidate& c) { return c.Speed < leastSpeed * greatest; }),
     candidates.end());
-  const auto rank = [&](const Candidate& c) { return Step(c.Speed / (speedStep * greatest)); };
+  FindRoom(field, radius, candidates);
+  const auto rank = [&](const Candidate& c) {
+    return Step(c.Room * c.Speed / (speedStep * greatest));
+  };
   std::stable_sort(
     candidates.begin(), candidates.end(), [&](const Candidate& a, const Candidate& b) {
       return rank(a) != rank(b) ? rank(a) > rank(b) : a.Distance < b.Distance;
@@ -288,7 +325,7 @@ void Thin(std::vector<Candidate>& candidates, std::size_t most)
   candidates.resize(std::min(count, most));
 }
 
-// How far smoke from the middle goes, times the speed.
+// How far smoke from the middle goes, times speed and room.
 void JudgeByMiddle(const DataSetField& field, double length, std::vector<Candidate>& candidates)
 {
   std::vector<Vector3> places;
@@ -299,7 +336,7 @@ void JudgeByMiddle(const DataSetField& field, double length, std::vector<Candida
   const std::vector<double> reaches = nephoscope::FlowReaches(field, places, length);
   for (std::size_t i = 0; i < candidates.size(); ++i)
   {
-    candidates[i].Quality = reaches[i] * candidates[i].Speed;
+    candidates[i].Quality = reaches[i] * candidates[i].Speed * candidates[i].Room;
   }
 }
 
@@ -312,15 +349,16 @@ void JudgeByRim(const DataSetField& field, const PolygonPoints& polygon, double 
   for (std::size_t i = 0; i < candidates.size(); ++i)
   {
     Candidate& c = candidates[i];
-    c.Quality = reaches[i] * c.Speed * c.Radius / radius;
+    c.Quality = reaches[i] * c.Speed * c.Room * c.Radius / radius;
   }
 }
 
-// Where the product of speed, reach and radius is greatest.
+// Where the product of speed, reach, room and radius is greatest.
 Candidate BestTraced(const DataSetField& field, const PolygonPoints& polygon,
   std::vector<Candidate> candidates, double diagonal)
 {
   Thin(candidates, mostTraced);
+  FindRoom(field, diagonal / 50.0, candidates);
   JudgeByMiddle(field, 0.5 * diagonal, candidates);
   SortByQuality(candidates);
   candidates.resize(std::min(candidates.size(), mostWithRim));

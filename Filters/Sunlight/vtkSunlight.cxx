@@ -6,6 +6,7 @@
 #include "CloudShadow.h"
 #include "DirectionalLight.h"
 #include "EmptyInput.h"
+#include "InputBlocks.h"
 #include "LitData.h"
 #include "OwnThreads.h"
 #include "PhaseFunction.h"
@@ -77,7 +78,7 @@ bool vtkSunlight::Check(vtkDataSet* data)
   if (!array)
   {
     vtkErrorMacro(
-      << "There is no array '" << this->ExtinctionArrayName
+      << nephoscope::inBlock(this, data) << "There is no array '" << this->ExtinctionArrayName
       << "' of the extinction. Make one by Cloud Optics, or set ExtinctionArrayName. Point arrays: "
       << quotedArrayNames(data->GetPointData())
       << "; cell arrays: " << quotedArrayNames(data->GetCellData()) << ".");
@@ -85,11 +86,26 @@ bool vtkSunlight::Check(vtkDataSet* data)
   }
   if (array->GetNumberOfComponents() != 1)
   {
-    vtkErrorMacro(<< "The array '" << this->ExtinctionArrayName << "' has "
-                  << array->GetNumberOfComponents() << " components; an extinction has one.");
+    vtkErrorMacro(<< nephoscope::inBlock(this, data) << "The array '" << this->ExtinctionArrayName
+                  << "' has " << array->GetNumberOfComponents()
+                  << " components; an extinction has one.");
     return false;
   }
   return true;
+}
+
+// A block without extinction beside others that have it, such as the ground below clouds.
+void vtkSunlight::TakeForClearAir(vtkDataSet* data)
+{
+  const std::string& name = this->UsedExtinction;
+  if (data->GetPointData()->HasArray(name.c_str()) || !nephoscope::anyBlockHas(this, name))
+  {
+    return;
+  }
+  vtkWarningMacro(
+    << nephoscope::inBlock(this, data) << "It has no array '" << name
+    << "' of the extinction and is taken for clear air. Make the array by Cloud Optics, if there are clouds.");
+  addPointArray(data, name.c_str())->FillValue(0.0f);
 }
 
 bool vtkSunlight::ReadOptics(vtkDataSet* data, Work& work)
@@ -315,6 +331,7 @@ int vtkSunlight::RequestData(
     toPoints->Update();
     output->ShallowCopy(toPoints->GetOutput());
   }
+  this->TakeForClearAir(output);
   const bool success = this->AddLight(output, input);
   report.End(success || this->GetAbortExecute());
   if (!success)

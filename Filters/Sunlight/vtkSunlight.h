@@ -191,6 +191,7 @@ private:
   struct Work;
   bool FindSun(vtkDataSet* data, std::array<double, 3>& sun);
   bool Check(vtkDataSet* data);
+  void TakeForClearAir(vtkDataSet* data);
   bool Compute(vtkDataSet* data, Work& work);
   bool AddLight(vtkDataSet* data, vtkDataSet* input);
   bool ReadOptics(vtkDataSet* data, Work& work);

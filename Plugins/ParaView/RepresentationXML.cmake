@@ -79,10 +79,12 @@ foreach (host IN ITEMS Geometry HyperTreeGrid)
     SHARE SurfaceRepresentation CellCompositingRepresentation
     OWN OpacityScale OpacityArray AutomaticUnitDistance UnitDistance)
 endforeach ()
-# Surfaces only.
+# Surfaces, also in unstructured grids.
 nephoscope_configure_text(CloudTexture.xml.in cloud_texture_representation)
-nephoscope_extend_representation(GeometryRepresentation CloudTexture "Cloud Texture" nephoscope_extensions
-  SHARE SurfaceRepresentation)
+foreach (host IN ITEMS Geometry UnstructuredGrid)
+  nephoscope_extend_representation(${host}Representation CloudTexture "Cloud Texture" nephoscope_extensions
+    SHARE SurfaceRepresentation)
+endforeach ()
 
 set(nephoscope_representations_xml "${CMAKE_CURRENT_BINARY_DIR}/Representations.xml")
 configure_file(Representations.xml.in "${nephoscope_representations_xml}" @ONLY)

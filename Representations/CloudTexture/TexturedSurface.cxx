@@ -190,12 +190,18 @@ vtkSmartPointer<vtkFloatArray> addShares(TexturedSurface& result, vtkPolyData* i
   }
   auto values = scaled(input->GetPointData()->GetArray(name.c_str()), 1, newName);
   bool areRight = true;
+  bool anyCloud = false;
   for (vtkIdType i = 0; i < values->GetNumberOfTuples(); ++i)
   {
     const float v = values->GetValue(i);
     areRight = areRight && v >= 0 && v <= highest;
+    anyCloud = anyCloud || v > 0;
     values->SetValue(i, v > 0 ? std::min(v, highest) : 0.0f);
   }
+  result.Warning += anyCloud || values->GetNumberOfTuples() == 0
+    ? ""
+    : "Nothing is drawn: all values of the array \"" + name + "\" for the " + use +
+      " are 0, negative or missing. " + (areRight ? "Choose another array. " : "");
   result.Warning += areRight ? "" : "The array \"" + name + "\" " + warning;
   result.Surface->GetPointData()->AddArray(values);
   return values;

@@ -72,6 +72,14 @@ class Placement(unittest.TestCase):
         self.assertLess(abs(place.GetCenter()[1]), 0.3)
         self.assertAlmostEqual(place.GetRadius(), 3 / 50)  # the diagonal is 3
 
+    def test_room_around_the_polygon(self):
+        """Along a wall, where a flow without friction is fastest, smoke would lose a part at once."""
+        data = box(lambda x, y, z: np.array([1.5 + z, 0 * y, 0 * z]))
+        place = vtkFlowVolumePlacement()
+        self.assertTrue(place.Find(data))
+        room = 0.5 - abs(place.GetCenter()[2])
+        self.assertGreater(room, 2.9 * place.GetRadius())
+
     def test_narrow_data_have_a_small_polygon(self):
         place = vtkFlowVolumePlacement()
         self.assertTrue(place.Find(box(lambda x, y, z: np.array([1 + 0 * x, 0 * y, 0 * z]), (40, 4, 2), (4.0, 0.1, 0.05), (0.0, 0.0, 0.0))))

@@ -16,6 +16,7 @@
 #include "vtkHazeRepresentation.h"
 #include "vtkPVFlowVolume.h"
 #include "vtkPolyhedronToTetrahedra.h"
+#include "vtkRankMessages.h"
 #include "vtkSmokePuffs.h"
 #include "vtkSparseVolumeReader.h"
 #include "vtkSparseVolumeWriter.h"
@@ -30,7 +31,6 @@
 #include "vtkClientServerInterpreter.h"
 #include "vtkClientServerInterpreterInitializer.h"
 #include "vtkNew.h"
-#include "vtkOutputWindow.h"
 
 namespace nephoscope
 {
@@ -40,14 +40,7 @@ void Print(vtkObject* caller, unsigned long event, void*, void* message)
 {
   const std::string text =
     inWordsOfPanel(message ? static_cast<const char*>(message) : "", caller->GetClassName());
-  if (event == vtkCommand::ErrorEvent)
-  {
-    vtkOutputWindow::GetInstance()->DisplayErrorText(text.c_str());
-  }
-  else
-  {
-    vtkOutputWindow::GetInstance()->DisplayWarningText(text.c_str());
-  }
+  vtkRankMessages::Tell(event, text);
 }
 
 // What proxies call to make an object.

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkSMFirstLook.h"
 
+#include "ClassesOfSuite.h"
 #include "FirstCamera.h"
 #include "FlowVolumePolygon.h"
 #include "SunConnection.h"
@@ -16,6 +17,7 @@
 #include "vtkPVDataInformation.h"
 #include "vtkPVDataSetAttributesInformation.h"
 #include "vtkPVXMLElement.h"
+#include "vtkRankMessages.h"
 #include "vtkSMPVRepresentationProxy.h"
 #include "vtkSMPropertyHelper.h"
 #include "vtkSMProxyManager.h"
@@ -220,7 +222,32 @@ void Color(
   }
 }
 
-// The colours of a preset that is in the unit of its array: its range stays.
+// The light of smoke that is to be white, 0 of other data. Thin smoke sends less light than clouds: in their colours it would be grey.
+double LightOfSmoke(vtkPVDataInformation* data, const std::string& array)
+{
+  const bool isSmoke = data->GetArrayInformation("SmokeExtinction", vtkDataObject::CELL) ||
+    data->GetArrayInformation("SmokeExtinction", vtkDataObject::POINT);
+  vtkPVArrayInformation* light = data->GetArrayInformation(array.c_str(), vtkDataObject::POINT);
+  constexpr double share = 0.7; // of the greatest, which few places have
+  return isSmoke && light ? share * light->GetComponentFiniteRange(0)[1] : 0.0;
+}
+
+bool IsUsedByOthers(vtkSMProxy* colors, vtkSMProxy* display)
+{
+  for (unsigned int i = 0; i < colors->GetNumberOfConsumers(); ++i)
+  {
+    vtkSMProxy* consumer = colors->GetConsumerProxy(i); // null: deleted
+    vtkSMProxy* user = consumer ? consumer->GetTrueParentProxy() : nullptr;
+    if (user && user != display && user->IsA("vtkSMPVRepresentationProxy") &&
+      vtkSMPropertyHelper(user, "Visibility", true).GetAsInt())
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+// The colours of a preset that is in the unit of its array: its range stays, except that smoke alone in its view reaches white.
 void ColorByPreset(
   vtkSMPVRepresentationProxy* display, vtkSMSourceProxy* source, int port, const char* preset)
 {
@@ -230,6 +257,13 @@ void ColorByPreset(
   if (colors && vtkSMTransferFunctionPresets::GetInstance()->HasPreset(preset))
   {
     vtkSMTransferFunctionProxy::ApplyPreset(colors, preset, false);
+    const double light = LightOfSmoke(source->GetDataInformation(port), array.Name);
+    double range[2] = { 0.0, 0.0 };
+    if (light > 0.0 && !IsUsedByOthers(colors, display) &&
+      vtkSMTransferFunctionProxy::GetRange(colors, range) && light < range[1])
+    {
+      vtkSMTransferFunctionProxy::RescaleTransferFunction(colors, range[0], light);
+    }
     vtkSMPropertyHelper(colors, "AutomaticRescaleRangeMode", true)
       .Set(vtkSMTransferFunctionManager::NEVER);
     colors->UpdateVTKObjects();
@@ -417,11 +451,16 @@ void OnRegistered(vtkObject*, unsigned long, void*, void* data)
   if (proxy && registered->GroupName && std::string(registered->GroupName) == "views")
   {
     nephoscope::drawPolygonsOfWidgets(proxy);
+    vtkRankMessages::Follow(proxy);
     return;
   }
   if (proxy)
   {
     nephoscope::keepValuesInDomains(proxy);
+    if (nephoscope::isOfSuite(proxy->GetVTKClassName()) && vtkSMSourceProxy::SafeDownCast(proxy))
+    {
+      vtkRankMessages::Follow(proxy);
+    }
   }
   if (!proxy || !registered->GroupName || !registered->ProxyName ||
     proxy->GetSessionProxyManager()->GetInLoadXMLState())

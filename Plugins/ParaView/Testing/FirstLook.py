@@ -144,6 +144,7 @@ def check_smoke():
     light = pvs.Sunlight(Input=smoke, SunDirection=view.CameraPosition)
     check_display(apply(light, view, smoke), "Sunlight", "Cell Compositing", "Sunlight")
     check(shown(view, "lit-smoke") > 0, "there is no lit smoke")
+    check(light.PointData["Sunlight"].GetRange()[1] < 0.6 and image(view).max() > 180, f"lit smoke is grey: at most {image(view).max():.0f} of 255")
     low, high = light.PointData["SunTransmittance"].GetRange()
     check(low < 0.5 and high > 0.95, f"{low:.2f} to {high:.2f} of the sun comes through smoke")
     pvs.Delete(view)

@@ -130,6 +130,13 @@ def check_offered(view):
             display.SetRepresentationType(name)
 
 
+def check_surfaces(view):
+    """Cloud Texture is offered for surfaces of any kind."""
+    for source in (pvs.Sphere(), pvs.AppendDatasets(Input=[pvs.Sphere()]), pvs.GroupDatasets(Input=[pvs.Sphere(), pvs.Cone()])):
+        offered = pvs.Show(source, view).GetProperty("Representation").GetAvailable()
+        check("Cloud Texture" in offered, f"Cloud Texture is not offered: {offered}")
+
+
 def check_not_offered(view):
     """Cell Compositing draws 3-D cells only: it is not offered for data without any, and comes and goes with them."""
     sheet = pvs.Wavelet(WholeExtent=[-3, 3, -3, 3, 0, 0])
@@ -161,5 +168,6 @@ if __name__ == "__main__":
     check_representation()
     check_splats()
     check_offered(pvs.CreateRenderView())
+    check_surfaces(pvs.CreateRenderView())
     check_not_offered(pvs.CreateRenderView())
     passed()

@@ -83,8 +83,55 @@ def check_opacity(source, name, expected, messages):
     pvs.Delete(view)
 
 
+def told_once(what, source, representation, expected, messages, **settings):
+    """One message that has all the expected words; settings are those of the display."""
+    messages.clear()
+    view = new_view((40, 40))
+    display = pvs.Show(source, view)
+    if representation:
+        display.SetRepresentationType(representation)
+    for name, value in settings.items():
+        setattr(display, name, value)
+    for _ in range(2):
+        pvs.Render(view)
+    check(len(messages) == 1 and all(word in messages[0] for word in expected), f"{what}: not one message with {expected}: {messages}")
+    pvs.Delete(view)
+
+
+def check_nothing_to_draw(messages):
+    """What a representation cannot draw: one sentence, with the representation or the filter that helps."""
+    surface = pvs.AppendDatasets(Input=[pvs.Sphere()])  # an unstructured grid
+    told_once("a surface", surface, "Cell Compositing", ["Nothing is drawn: Cell Compositing needs 3-D cells", "Surface", "Delaunay 3D"], messages)
+    flat = pvs.Transform(Input=pvs.Tetrahedralize(Input=pvs.Wavelet(WholeExtent=[-4, 4] * 3)))
+    flat.Transform.Scale = [1, 1, 0]
+    told_once("flat cells", flat, "Cell Compositing", ["Nothing is drawn: Cell Compositing needs 3-D cells"], messages)
+    told_once("points", pvs.PointSource(NumberOfPoints=20), "Cloud Texture", ["Nothing is drawn: the input has 20 points but no polygons", "Textured Splats"],
+              messages)
+    missing = pvs.Calculator(Input=pvs.Sphere(), ResultArrayName="nan", Function="sqrt(-1)", ReplacementValue=float("nan"))
+    told_once("no values", missing, "Textured Splats", ["Nothing is drawn: 50 points are left out because array 'nan'"], messages,
+              ColorArrayName=["POINTS", "nan"])
+    told_once("no cover", missing, "Cloud Texture", ["Nothing is drawn: all values of the array \"nan\" for the cover"], messages,
+              CloudTextureCoverageArrayName="nan")
+
+
+def check_light(messages):
+    """All that is missing at once; a block without extinction beside clouds is clear air, and named."""
+    wavelet = pvs.Wavelet(WholeExtent=[-4, 4] * 3)
+    told_once("no water", pvs.CloudOptics(Input=wavelet), None,
+              ["no array of cloud water", "There is no temperature", "There is no pressure", "Point arrays: 'RTData'"], messages)
+    water = pvs.Calculator(Input=wavelet, ResultArrayName="clwmr", Function="1e-4")
+    told_once("water alone", pvs.CloudOptics(Input=water), None, ["There is no temperature", "There is no pressure", "'clwmr'"], messages)
+    cloud = pvs.Calculator(Input=wavelet, ResultArrayName="Extinction", Function="0.1")
+    pvs.RenameSource("air", air := pvs.Wavelet(WholeExtent=[6, 10, -4, 4, -4, 4]))
+    lit = pvs.Sunlight(Input=pvs.GroupDatasets(Input=[cloud, air]))
+    told_once("a clear block", lit, None, ["Block '", "no array 'Extinction'", "clear air"], messages)
+    check(lit.PointData["Sunlight"].GetRange()[1] > 0, "there is no light")
+
+
 def main():
     messages = listen()
+    check_nothing_to_draw(messages)
+    check_light(messages)
     wavelet = pvs.Wavelet(WholeExtent=[-4, 4] * 3)
     check_chain(pvs.Sunlight(Input=pvs.CloudOptics(Input=wavelet)), "water", messages)
     lit = pvs.Sunlight(Input=pvs.Calculator(Input=wavelet, ResultArrayName="Extinction", Function="0.01"))
@@ -96,7 +143,7 @@ def main():
         for name in FILTERS:
             check_filter(name, kind, source, messages)
         if kind == "nothing":
-            for name in ("Cell Compositing", "Textured Splats"):
+            for name in ("Cell Compositing", "Textured Splats", "Cloud Texture"):
                 check_representation(name, source, messages)
 
 

@@ -180,4 +180,24 @@ MediumMeasures measureCells(vtkDataSet* data, const CellMedium& medium, const Me
   return measures;
 }
 
+bool holdsVolume(vtkDataSet* data)
+{
+  if (!data)
+  {
+    return false;
+  }
+  bool found = false;
+  TetrahedronSource source(data);
+  for (vtkIdType cell = 0; !found && cell < data->GetNumberOfCells(); ++cell)
+  {
+    if (!source.IsHidden(cell))
+    {
+      source.EmitTetrahedra(cell, [&](const PointIds& tetrahedron) {
+        found = found || TetrahedronCorners(data, tetrahedron).Volume() > 0.0;
+      });
+    }
+  }
+  return found;
+}
+
 } // namespace nephoscope

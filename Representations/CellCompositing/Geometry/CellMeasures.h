@@ -34,6 +34,9 @@ struct CellMedium
 VTKNEPHOSCOPEREPRESENTATIONSCELLCOMPOSITING_EXPORT MediumMeasures measureCells(
   vtkDataSet* data, const CellMedium& medium, const MediumBounds& common);
 
+/** Whether a cell that is shown has a volume; looks at every cell until it finds one. `data` may be null. */
+VTKNEPHOSCOPEREPRESENTATIONSCELLCOMPOSITING_EXPORT bool holdsVolume(vtkDataSet* data);
+
 } // namespace nephoscope
 
 #endif

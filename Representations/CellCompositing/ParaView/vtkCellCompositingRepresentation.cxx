@@ -55,11 +55,16 @@ void vtkCellCompositingRepresentation::PreparePiece(vtkDataObject* input)
       nephoscope::smokeThickness(this->Piece) * all.ScalarIntegral / all.Volume / smokeOpticalDepth;
   }
 
-  if (HoldsAnything(input) && all.Volume <= 0.0 && IsFirstRank())
+  // The measures are those of a sample.
+  if (all.Volume <= 0.0 && LeastOverRanks(nephoscope::holdsVolume(this->Piece) ? 0 : 1) == 1)
   {
-    vtkWarningMacro(
-      "Cell Compositing draws 3-D cells, and the input has none with a volume: nothing is drawn. "
-      "Show it as Surface, or apply a filter that makes cells (Delaunay 3D, Tetrahedralize).");
+    this->Piece = nullptr; // the mapper would tell the same in its own words
+    if (HoldsAnything(input) && IsFirstRank())
+    {
+      vtkWarningMacro(
+        "Nothing is drawn: Cell Compositing needs 3-D cells that are visible and have a volume, and the input has none. "
+        "Choose the representation Surface or Textured Splats, or make cells by Delaunay 3D.");
+    }
   }
   // A rank without cells can not know what the others hold; an empty unstructured grid goes with either.
   this->AxisAligned = !this->Piece || nephoscope::isAxisAligned(this->Piece);

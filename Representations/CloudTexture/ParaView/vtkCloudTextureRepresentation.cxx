@@ -3,6 +3,7 @@
 #include "vtkCloudTextureRepresentation.h"
 
 #include "DataSets.h"
+#include "EmptyInput.h"
 #include "ForwardedMessages.h"
 #include "SurfaceLength.h"
 #include "vtkCloudTextureMapper.h"
@@ -23,6 +24,7 @@
 #include "vtkPolyData.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 
+#include <array>
 #include <string>
 #include <vector>
 
@@ -86,6 +88,24 @@ nephoscope::SurfaceLength LengthOverRanks(vtkDataObject* data)
     length.LargestRadius = high[3];
   }
   return length;
+}
+
+// Collective: points, and polygons with strips, of all ranks.
+std::array<vtkIdType, 2> SizeOverRanks(vtkDataObject* data)
+{
+  std::array<vtkIdType, 2> size{};
+  for (vtkPolyData* surface : SurfacesOf(data))
+  {
+    size[0] += surface->GetNumberOfPoints();
+    size[1] += surface->GetNumberOfPolys() + surface->GetNumberOfStrips();
+  }
+  auto* controller = vtkMultiProcessController::GetGlobalController();
+  if (controller && controller->GetNumberOfProcesses() > 1)
+  {
+    const std::array<vtkIdType, 2> mine = size;
+    controller->AllReduce(mine.data(), size.data(), 2, vtkCommunicator::SUM_OP);
+  }
+  return size;
 }
 
 // Travels with the data as a field array, so that every time step in ParaView's cache keeps its own.
@@ -181,6 +201,10 @@ int vtkCloudTextureRepresentation::RequestData(
   const int made = this->Superclass::RequestData(request, inputs, outputs);
   this->ReadVolume(inputs[1]);
   vtkDataObject* surfaces = this->MultiBlockMaker->GetOutputDataObject(0);
+  if (inputs[0]->GetNumberOfInformationObjects() > 0)
+  {
+    this->WarnOfNothing(surfaces);
+  }
   const nephoscope::SurfaceLength length = LengthOverRanks(surfaces);
   for (vtkPolyData* surface : SurfacesOf(surfaces))
   {
@@ -208,6 +232,32 @@ int vtkCloudTextureRepresentation::ProcessViewRequest(
     this->WarnOfRanks();
   }
   return 1;
+}
+
+// Told here once, of all ranks; without a surface the mapper has nothing to add.
+void vtkCloudTextureRepresentation::WarnOfNothing(vtkDataObject* surfaces)
+{
+  const auto [points, polygons] = SizeOverRanks(surfaces);
+  std::string nothing;
+  if (polygons == 0)
+  {
+    nothing = points == 0 ? "Nothing is drawn. " + std::string(nephoscope::whyEmpty)
+                          : "Nothing is drawn: the input has " + std::to_string(points) +
+        " points but no polygons for the texture. Make a surface of them (Cloud Surface, Contour, Delaunay 2D), or choose the representation "
+        "Textured Splats.";
+    for (vtkPolyData* surface : SurfacesOf(surfaces))
+    {
+      surface->Initialize();
+    }
+  }
+  auto* controller = vtkMultiProcessController::GetGlobalController();
+  vtkAlgorithm* producer = nephoscope::producerOfInput(this);
+  if (nothing != this->Nothing && !nothing.empty() && producer && producer->GetErrorCode() == 0 &&
+    (!controller || controller->GetLocalProcessId() == 0))
+  {
+    vtkWarningMacro(<< nothing);
+  }
+  this->Nothing = nothing;
 }
 
 // The surface is cut where the regions of two ranks meet, so the back of a cloud may be another rank's.

@@ -19,6 +19,8 @@
 #include "vtkNew.h"          // for members
 #include "vtkSmartPointer.h" // for members
 
+#include <string> // for members
+
 class vtkMultiBlockDataSet;
 class vtkPolyData;
 
@@ -94,7 +96,7 @@ protected:
   int FillInputPortInformation(int port, vtkInformation* info) override;
   int RequestUpdateExtent(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
-  bool NeedsOrderedCompositing() override { return true; }
+  bool NeedsOrderedCompositing() override { return this->Nothing.empty(); }
   void UpdateColoringParameters() override;
 
 private:
@@ -103,6 +105,7 @@ private:
 
   void TakeSurface(vtkDataObject* delivered);
   void ReadVolume(vtkInformationVector* inputs);
+  void WarnOfNothing(vtkDataObject* surfaces);
   void WarnOfRanks();
 
   vtkNew<vtkCloudTextureMapper> CloudMapper;
@@ -113,6 +116,7 @@ private:
   vtkMTimeType ReadTime = 0;
   vtkMTimeType TakenTime = 0;
   bool HasToldOfRanks = false;
+  std::string Nothing; // why nothing is drawn, as it has been told
 };
 
 #endif

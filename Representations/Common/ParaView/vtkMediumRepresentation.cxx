@@ -179,6 +179,7 @@ int vtkMediumRepresentation::RequestData(
   {
     this->WarnOfEmptiness(vtkDataObject::GetData(inputVector[0], 0));
     this->PreparePiece(vtkDataObject::GetData(inputVector[0], 0));
+    this->HasPiece = HoldsAnything(this->Piece);
     this->StoreLargestSide();
   }
   else
@@ -198,7 +199,10 @@ int vtkMediumRepresentation::ProcessViewRequest(
   }
   if (request == vtkPVView::REQUEST_UPDATE())
   {
-    outInfo->Set(vtkPVRenderView::NEED_ORDERED_COMPOSITING(), 1);
+    if (this->HasPiece) // ParaView cannot order ranks of which none has anything
+    {
+      outInfo->Set(vtkPVRenderView::NEED_ORDERED_COMPOSITING(), 1);
+    }
     this->DescribePiece(inInfo);
   }
   else if (request == vtkPVView::REQUEST_UPDATE_LOD())

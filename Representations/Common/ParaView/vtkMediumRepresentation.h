@@ -152,6 +152,7 @@ private:
   vtkNew<vtkVolumeProperty> ConstantProperty; // where all values are the same
   std::string LastWarning;
   bool WasEmpty = false;                   // the input, and a warning has said so
+  bool HasPiece = false;                   // on any rank
   vtkSmartPointer<vtkDataSet> UniformData; // a delivered piece with a uniform array
   vtkMTimeType UniformDataTime = 0;
   vtkDataSet* UniformDataSource = nullptr; // only compared

@@ -88,16 +88,18 @@ std::string SplatScene::DescribeLeftOut(
   const auto quoted = [](vtkDataArray* array) {
     return std::string("'") + (array->GetName() ? array->GetName() : "(unnamed)") + "'";
   };
+  const std::size_t notFinite = this->Samples.NumberNowhere + this->Classes.NumberWithoutValue;
+  const bool none = notFinite + this->Samples.NumberOfWrongSizes >=
+    static_cast<std::size_t>(fields.Scalars.Array->GetNumberOfTuples());
   const auto counted = [&](std::size_t count) {
     const std::string kind = fields.Scalars.OnCells ? " cell" : " point";
     return std::to_string(count) + kind + (count == 1 ? " is" : "s are") +
-      " not drawn because array ";
+      (none ? " left out because array " : " not drawn because array ");
   };
   std::string text;
-  const std::size_t notFinite = this->Samples.NumberNowhere + this->Classes.NumberWithoutValue;
   if (notFinite > 0)
   {
-    text = counted(notFinite) + quoted(fields.Scalars.Array) +
+    text = (none ? "Nothing is drawn: " : "") + counted(notFinite) + quoted(fields.Scalars.Array) +
       (fields.Opacity.Array ? ", " + quoted(fields.Opacity.Array) : "") +
       " or a coordinate is not finite there. Blank such points, or replace the values.";
   }

@@ -1,0 +1,101 @@
+// SPDX-FileCopyrightText: The Nephoscope authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "InputBlocks.h"
+
+#include "DataSets.h"
+
+#include "vtkAlgorithm.h"
+#include "vtkAlgorithmOutput.h"
+#include "vtkCellData.h"
+#include "vtkCompositeDataIterator.h"
+#include "vtkCompositeDataSet.h"
+#include "vtkDataArray.h"
+#include "vtkDataSet.h"
+#include "vtkInformation.h"
+#include "vtkPointData.h"
+#include "vtkSmartPointer.h"
+
+#include <algorithm>
+
+namespace nephoscope
+{
+namespace
+{
+// What the first filter that is no part of ParaView's own pipeline has made.
+vtkCompositeDataSet* blocksOf(vtkAlgorithm* filter)
+{
+  vtkAlgorithmOutput* from = filter->GetInputConnection(0, 0);
+  while (from && from->GetProducer()->IsA("vtkPVPostFilter") &&
+    from->GetProducer()->GetNumberOfInputConnections(0) > 0)
+  {
+    from = from->GetProducer()->GetInputConnection(0, 0);
+  }
+  return from
+    ? vtkCompositeDataSet::SafeDownCast(from->GetProducer()->GetOutputDataObject(from->GetIndex()))
+    : nullptr;
+}
+
+bool shareArrays(vtkFieldData* one, vtkFieldData* other)
+{
+  bool same = one->GetNumberOfArrays() == other->GetNumberOfArrays();
+  for (int a = 0; same && a < one->GetNumberOfArrays(); ++a)
+  {
+    same = one->GetAbstractArray(a) == other->GetAbstractArray(a);
+  }
+  return same;
+}
+
+// ParaView's own filters copy blocks, but not what they hold.
+bool areSame(vtkDataSet* one, vtkDataSet* other)
+{
+  double bounds[2][6];
+  one->GetBounds(bounds[0]);
+  other->GetBounds(bounds[1]);
+  return one->GetNumberOfPoints() == other->GetNumberOfPoints() &&
+    std::equal(bounds[0], bounds[0] + 6, bounds[1]) &&
+    shareArrays(one->GetPointData(), other->GetPointData()) &&
+    shareArrays(one->GetCellData(), other->GetCellData());
+}
+}
+
+std::string inBlock(vtkAlgorithm* filter, vtkDataSet* block)
+{
+  vtkCompositeDataSet* blocks = blocksOf(filter);
+  if (!blocks)
+  {
+    return "";
+  }
+  auto leaf = vtk::TakeSmartPointer(blocks->NewIterator());
+  for (leaf->InitTraversal(); !leaf->IsDoneWithTraversal(); leaf->GoToNextItem())
+  {
+    auto* set = vtkDataSet::SafeDownCast(leaf->GetCurrentDataObject());
+    if (set && areSame(set, block))
+    {
+      const bool isNamed =
+        leaf->HasCurrentMetaData() && leaf->GetCurrentMetaData()->Has(vtkCompositeDataSet::NAME());
+      return "Block " +
+        (isNamed
+            ? "'" + std::string(leaf->GetCurrentMetaData()->Get(vtkCompositeDataSet::NAME())) + "'"
+            : std::to_string(leaf->GetCurrentFlatIndex())) +
+        ": ";
+    }
+  }
+  return "";
+}
+
+bool anyBlockHas(vtkAlgorithm* filter, const std::string& array)
+{
+  bool has = false;
+  if (vtkCompositeDataSet* blocks = blocksOf(filter))
+  {
+    ForEachLeaf(blocks, [&](vtkDataObject* leaf) {
+      auto* set = vtkDataSet::SafeDownCast(leaf);
+      has = has ||
+        (set &&
+          (set->GetPointData()->HasArray(array.c_str()) ||
+            set->GetCellData()->HasArray(array.c_str())));
+    });
+  }
+  return has;
+}
+}

@@ -1,0 +1,30 @@
+# SPDX-FileCopyrightText: The Nephoscope authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Not a test by itself: what is wrong on one rank or two, for MessagesRanks.py."""
+from PluginTesting import load_plugin, new_view, pvs
+
+
+def show(source, representation=None, **settings):
+    view = new_view((40, 40))
+    display = pvs.Show(source, view)
+    if representation:
+        display.SetRepresentationType(representation)
+    for name, value in settings.items():
+        setattr(display, name, value)
+    pvs.Render(view)
+    pvs.Render(view)
+    pvs.Delete(view)
+
+
+load_plugin()
+wavelet = pvs.Wavelet(WholeExtent=[-8, 8] * 3)
+show(pvs.CloudOptics(Input=wavelet))
+show(pvs.TextureCoordinateAdvection(Input=wavelet))
+show(pvs.CloudSurface(Input=pvs.Tetrahedralize(Input=wavelet)))  # which the filter before it must survive too
+show(pvs.PointSource(NumberOfPoints=20), "Cloud Texture")
+show(pvs.AppendDatasets(Input=[pvs.Sphere()]), "Cell Compositing")
+show(wavelet, "Cell Compositing", CellCompositingOpacityArray="nope")
+missing = pvs.Calculator(Input=wavelet, ResultArrayName="nan", Function="sqrt(-1)", ReplacementValue=float("nan"))
+show(missing, "Textured Splats", ColorArrayName=["POINTS", "nan"])
+show(pvs.Sunlight(Input=pvs.Calculator(Input=wavelet, ResultArrayName="Extinction", Function="if(coordsZ>1,-1,0.1)")))
+print("RANK-DONE", flush=True)
