@@ -3,6 +3,7 @@
 """The parts of CMake/wheel, without network and without making a wheel: what is pinned, what is refused, how CMake files are rewritten."""
 import hashlib
 import os
+import platform
 import re
 import subprocess
 import sys
@@ -13,6 +14,7 @@ from pathlib import Path
 from unittest import mock
 
 TOP = Path(__file__).resolve().parents[2]
+BUILD = Path(sys.argv.pop(1))
 sys.path.insert(0, str(TOP / "CMake/wheel"))
 import cmake_package  # noqa: E402
 import inputs  # noqa: E402
@@ -179,6 +181,19 @@ class SourceDistribution(unittest.TestCase):
 class Symbols(unittest.TestCase):
     def test_symbols_newer_than_the_platform(self):
         self.assertEqual(pack.newer_versions(NEEDS), ["CXXABI_1.3.14", "GLIBC_2.35"])
+
+    def test_libraries_of_the_wheel(self):
+        """On the system where wheels are made: all newer symbols of this build's libraries have a substitute in CMake/wheel."""
+        if platform.freedesktop_os_release().get("VERSION_CODENAME") != "bookworm":
+            return
+        libraries = [path for path in BUILD.glob("lib/libvtkNephoscope*.so") if "ParaView" not in path.name]
+        self.assertTrue(libraries)
+        substitutes = set(re.findall(r"\.symver \w+,(\w+)@", "".join(path.read_text() for path in TOP.glob("CMake/wheel/older_*.c"))))
+        for library in libraries:
+            with self.subTest(library=library.name):
+                listed = subprocess.run(["readelf", "--dyn-syms", "--wide", library], check=True, capture_output=True, text=True).stdout
+                newer = {name for name, version in re.findall(r" UND (\w+)@(\w+_[\d.]+)", listed) if pack.newer_versions(f"Name: {version} ")}
+                self.assertLessEqual(newer, substitutes)
 
 
 if __name__ == "__main__":
