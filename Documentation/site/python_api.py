@@ -37,7 +37,7 @@ def linked(text):
 
 def summary(name, module):
     tree = ast.parse((PACKAGE / f"{module.replace('.', '/')}.py").read_text(encoding="utf-8"))
-    function = next(node for node in tree.body if isinstance(node, ast.FunctionDef) and node.name == name)
+    function = next(node for node in tree.body if isinstance(node, ast.FunctionDef) and node.name == name and ast.get_docstring(node))
     return linked(" ".join(ast.get_docstring(function).split("\n\n")[0].split()))
 
 

@@ -8,6 +8,7 @@ import unittest
 from dataclasses import fields
 
 import nephoscope
+import numpy as np
 import pyvista
 from nephoscope import _surfaces, _typing, _vectors, splats
 from nephoscope.accessor import NephoscopeAccessor
@@ -17,13 +18,24 @@ from nephoscope.weather.accessor import WeatherAccessor
 def grid():
     data = pyvista.ImageData(dimensions=(3, 3, 3))
     data["a"] = range(27)
+    data["v"] = [(1, 0, 0)] * 27
+    data.set_active_scalars("a")
     return data
 
 
 class Editors(unittest.TestCase):
-    def refused(self, function, **options):
-        plotter = pyvista.Plotter(off_screen=True)
+    def plotter(self):
+        plotter = pyvista.Plotter(off_screen=True, window_size=(60, 60))
         self.addCleanup(plotter.close)
+        return plotter
+
+    def draw(self, function, **options):
+        plotter = self.plotter()
+        function(plotter, grid(), "a", **options)
+        plotter.screenshot()
+
+    def refused(self, function, **options):
+        plotter = self.plotter()
         with self.assertRaises(ValueError) as caught:
             function(plotter, grid(), **options)
         return str(caught.exception)
@@ -43,13 +55,41 @@ class Editors(unittest.TestCase):
             self.assertEqual(list(options.__annotations__), [field.name for field in fields(taken)])
         for option in ("style", "placement"):
             choices = typing.get_args(typing.get_type_hints(_typing.VectorOptions)[option])
-            mesh = grid()
-            mesh["v"] = [(1, 0, 0)] * 27
-            plotter = pyvista.Plotter(off_screen=True)
-            self.addCleanup(plotter.close)
             with self.assertRaises(ValueError) as caught:
-                nephoscope.add_splats(plotter, mesh, "a", vectors={"array": "v", option: "wrong"})
+                nephoscope.add_splats(self.plotter(), grid(), "a", vectors={"array": "v", option: "wrong"})
             self.assertLessEqual({"wrong", *choices}, set(re.findall("'([^']+)'", str(caught.exception))))
+
+    def test_options_of_advection(self):
+        parameters = inspect.signature(nephoscope.advect_texture).parameters
+        self.assertEqual(_typing.AdvectionOptions.__annotations__.keys(), parameters.keys() - {"mesh", "time"})
+
+    def test_dict_calls(self):
+        """Type checkers take dict(array="v"), as in the pages, for a mapping and not for VectorOptions."""
+        for function in (nephoscope.add_cells, nephoscope.add_splats):
+            for parameter in inspect.signature(function).parameters.values():
+                if re.search(r"Options\b", parameter.annotation) and parameter.kind != parameter.VAR_KEYWORD:
+                    self.assertIn("Mapping[str, Any]", parameter.annotation, parameter.name)
+
+    def test_arrays(self):
+        """Numbers may be in an array wherever they may be in a list."""
+        for name in dir(nephoscope):
+            if name in nephoscope.PYVISTA_FUNCTIONS:
+                for parameter in inspect.signature(getattr(nephoscope, name)).parameters.values():
+                    self.assertNotIn("Sequence[float]", str(parameter.annotation), f"{name}: {parameter.name}")
+        self.draw(nephoscope.add_cells, clim=np.array([0.0, 20.0]), opacity=np.array([0.0, 1.0]), opacity_scalars="a", opacity_clim=np.array([0.0, 26.0]),
+                  contours=dict(values=np.array([5.0, 9.0]), opacity=np.array([0.2, 0.4])), polygons=dict(which="all", opacity=np.array([0.2, 0.4])))
+        self.draw(nephoscope.add_splats, vectors=dict(array="v", scalars="a", clim=np.array([0.0, 20.0])))
+        nephoscope.add_haze(self.plotter(), color=np.array([0.5, 0.5, 0.5]), center=np.zeros(3), up=np.array([0.0, 0.0, 1.0]), radius=1.0, visibility=2.0,
+                            scale_height=0.1, projection="globe")
+        mesh = grid()
+        smoke = nephoscope.flow_volume([mesh, mesh], vectors="v", center=np.ones(3), radius=0.3, normal=np.array([1.0, 0.0, 0.0]), times=np.array([0.0, 5.0]), time=0.5)
+        self.assertGreater(smoke.n_cells, 0)
+        self.assertEqual(len(list(nephoscope.advect_texture([mesh, mesh], np.array([0.0, 1.0]), vectors="v", times=np.array([0.0, 5.0])))), 2)
+        for function in (nephoscope.split_cells, nephoscope.cloud_surface):
+            self.assertGreater(function(mesh, np.array([5.0, 9.0]), "a").n_cells, 0)
+            self.assertGreater(function(mesh, 2, "a", rng=np.array([5.0, 9.0])).n_cells, 0)
+        mesh["Extinction"] = np.ones(27)
+        nephoscope.sunlight(mesh, np.array([0.0, 0.0, 1.0]), eye=np.array([0.0, 0.0, 1.0]), albedo=0.9, asymmetry=0.8)
 
     def test_earlier_names(self):
         self.assertEqual(set(_typing.OldSplatNames.__annotations__), {"unit_distance", *_vectors.OLD_NAMES, *splats.DETAIL_NAMES})

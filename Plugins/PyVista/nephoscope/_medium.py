@@ -5,7 +5,7 @@ from __future__ import annotations
 
 import warnings
 from dataclasses import dataclass
-from typing import Any, Mapping, Sequence
+from typing import Any, Mapping
 
 import numpy as np
 import pyvista
@@ -21,6 +21,7 @@ from ._fields import find_preset, is_bright, is_helper, presets
 from ._frames import warn_of_other_frames
 from ._over_time import densest, values_over_time
 from ._pipeline import level_of_caller, warn_when_drawing
+from ._typing import Numbers
 from .transfer import OpacityLike, colour_function, opacity_function, opacity_values
 
 
@@ -96,7 +97,7 @@ class MediumMapper:
         return self.lookup_table.scalar_range
 
     @scalar_range.setter
-    def scalar_range(self, clim: Sequence[float]) -> None:
+    def scalar_range(self, clim: Numbers) -> None:
         table = self.lookup_table
         low, high = clim
         table.scalar_range = (low if low > 0 or not table.log_scale else table.scalar_range[0], high)
@@ -209,7 +210,7 @@ def _arrays_of_one_component(grid: pyvista.DataSet) -> str:
     return f"Point arrays of one component: {listed(points)}; cell arrays: {listed(cells)}."
 
 
-def _limits(clim: float | Sequence[float]) -> tuple[float, float]:
+def _limits(clim: float | Numbers) -> tuple[float, float]:
     try:
         if any(isinstance(limit, str) for limit in np.atleast_1d(clim)):
             raise ValueError
@@ -219,7 +220,7 @@ def _limits(clim: float | Sequence[float]) -> tuple[float, float]:
     return low, high
 
 
-def _scalar_range(values: np.ndarray, name: str, clim: float | Sequence[float] | None,
+def _scalar_range(values: np.ndarray, name: str, clim: float | Numbers | None,
                   log_scale: bool) -> tuple[float, float]:
     finite = values[np.isfinite(values)]
     if clim is None:
@@ -276,12 +277,12 @@ class Functions:
     """The arguments of `add_cells` that give colour and opacity; see there."""
     cmap: Any = None
     opacity: OpacityLike | None = None
-    clim: float | Sequence[float] | None = None
+    clim: float | Numbers | None = None
     n_colors: int = 256
     flip_scalars: bool = False
     log_scale: bool = False
     opacity_scalars: str | None = None
-    opacity_clim: float | Sequence[float] | None = None
+    opacity_clim: float | Numbers | None = None
     opacity_scale: float = 1.0
     preset: str | bool | None = None
 
@@ -356,7 +357,7 @@ class Functions:
         return _scalar_range(values_over_time(grid, name, association), name, self.opacity_clim, False)
 
 
-def lookup_table(plotter: pyvista.BasePlotter, values: np.ndarray, name: str, cmap: Any, clim: float | Sequence[float] | None, *,
+def lookup_table(plotter: pyvista.BasePlotter, values: np.ndarray, name: str, cmap: Any, clim: float | Numbers | None, *,
                  n_colors: int = 256, flip: bool = False, log_scale: bool = False) -> pyvista.LookupTable:
     """The colours of the array `name`: by default the theme's colours over the range of the array."""
     table = pyvista.LookupTable()

@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 from contextlib import contextmanager
-from typing import Any, Iterator, Sequence
+from typing import Any, Callable, Iterator, Sequence, Union
 
 import pyvista
 from vtkmodules.util.vtkAlgorithm import VTKPythonAlgorithmBase
@@ -12,8 +12,9 @@ from vtkmodules.vtkCommonDataModel import vtkDataObject, vtkDataSet
 from vtkmodules.vtkCommonExecutionModel import vtkStreamingDemandDrivenPipeline as SDDP
 
 from ._checks import require_number
+from ._typing import Numbers
 
-Grids = "pyvista.DataSet | Sequence[pyvista.DataSet] | Callable[[float], pyvista.DataSet]"
+Grids = Union[pyvista.DataSet, Sequence[pyvista.DataSet], Callable[[float], pyvista.DataSet]]
 
 
 def dataset(mesh: Any, argument: str) -> pyvista.DataSet:
@@ -25,7 +26,7 @@ def dataset(mesh: Any, argument: str) -> pyvista.DataSet:
 class Series(VTKPythonAlgorithmBase):
     """The grids as a source with time steps. `failure`: the exception of the user's function."""
 
-    def __init__(self, mesh: Any, times: Sequence[float] | None) -> None:
+    def __init__(self, mesh: Any, times: Numbers | None) -> None:
         self.times = [0.0] if times is None else [require_number(one, "times") for one in times]
         self.failure: BaseException | None = None
         if not self.times:

@@ -14,6 +14,7 @@ from vtkmodules.vtkRenderingCore import vtkColorTransferFunction, vtkVolumePrope
 
 from ._checks import arrays_of, choose, require_number
 from ._pipeline import level_of_caller
+from ._typing import Numbers
 from .transfer import colour_function
 
 
@@ -34,7 +35,7 @@ POLYGON_NAMES = {"polygon_opacity": "opacity", "polygon_color": "color"}
 class Polygons:
     """The options `polygons` of `add_cells`; see there. Checked when applied."""
     which: str = "contours"
-    opacity: float | Sequence[float] = 0.3
+    opacity: float | Numbers = 0.3
     color: Any = None
 
     def apply(self, mapper: Any) -> None:
@@ -91,8 +92,8 @@ CONTOUR_NAMES = {"contour_opacity": "opacity", "contour_color": "color", "contou
 @dataclass
 class Contours:
     """The options `contours` of `add_cells`; see there. Checked when applied."""
-    values: int | Sequence[float] | None = None
-    opacity: float | Sequence[float] = 0.3
+    values: int | Numbers | None = None
+    opacity: float | Numbers = 0.3
     color: Any = None
     scalars: str | None = None
     lighting: bool = True

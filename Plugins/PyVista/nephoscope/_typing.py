@@ -1,10 +1,19 @@
 # SPDX-FileCopyrightText: The Nephoscope authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""What editors and type checkers know of arguments: choices, options given as a dict, earlier names. The functions check all of them themselves."""
+"""What editors and type checkers know of arguments: numbers, choices, options given as a dict, earlier names. The functions check all of them themselves.
+
+Type checkers know `{"style": "streaks"}` by its names, but take `dict(style="streaks")` for any mapping. Functions accept both.
+"""
 from __future__ import annotations
 
-from typing import Any, Literal, Sequence, TypedDict
+from typing import TYPE_CHECKING, Any, Literal, Sequence, TypedDict, Union
 
+import numpy as np
+
+if TYPE_CHECKING:
+    import pyvista
+
+Numbers = Union[Sequence[float], np.ndarray]
 Kernel = Literal["cubic", "quadratic", "gaussian"]
 Preference = Literal["point", "cell"]
 Integration = Literal["exact", "average"]
@@ -23,7 +32,7 @@ class VectorOptions(TypedDict, total=False):
     color: Any
     scalars: str | None
     cmap: Any
-    clim: float | Sequence[float] | None
+    clim: float | Numbers | None
     maximum_speed: float | None
     fraction: float | None
     unit: float | None
@@ -53,8 +62,8 @@ class LevelOfDetailOptions(TypedDict, total=False):
 
 class ContourOptions(TypedDict, total=False):
     """`contours` of `add_cells`."""
-    values: int | Sequence[float] | None
-    opacity: float | Sequence[float]
+    values: int | Numbers | None
+    opacity: float | Numbers
     color: Any
     scalars: str | None
     lighting: bool
@@ -64,8 +73,30 @@ class ContourOptions(TypedDict, total=False):
 class PolygonOptions(TypedDict, total=False):
     """`polygons` of `add_cells`."""
     which: PolygonChoice
-    opacity: float | Sequence[float]
+    opacity: float | Numbers
     color: Any
+
+
+class AdvectionOptions(TypedDict, total=False):
+    """Options of `advect_texture`, for one time and for several."""
+    times: Numbers | None
+    vectors: str | None
+    points: pyvista.DataSet | None
+    period: float | None
+    time_scale: float
+    integrator: Literal["euler", "rk4", "rk45"]
+    time_step: float | None
+    tolerance: float
+    key_frame_interval: float
+    grid: Literal["automatic", "globe", "map", "cartesian"]
+    planet_radius: float
+    cartesian_coordinates: bool
+    texture_length: float
+    pressure: str | None
+    omega: str | None
+    lyapunov: bool
+    maximum_stretch: float
+    start_from_grid: bool
 
 
 class OldSplatNames(TypedDict, total=False):
@@ -77,7 +108,7 @@ class OldSplatNames(TypedDict, total=False):
     vector_color: Any
     vector_scalars: str
     vector_cmap: Any
-    vector_clim: float | Sequence[float]
+    vector_clim: float | Numbers
     greatest_speed: float
     vector_share: float
     vector_unit: float
@@ -99,10 +130,10 @@ class OldSplatNames(TypedDict, total=False):
 class OldCellNames(TypedDict, total=False):
     """Earlier names of options of `add_cells`."""
     unit_distance: float
-    contour_opacity: float | Sequence[float]
+    contour_opacity: float | Numbers
     contour_color: Any
     contour_scalars: str
     contour_lighting: bool
     smooth_contours: bool
-    polygon_opacity: float | Sequence[float]
+    polygon_opacity: float | Numbers
     polygon_color: Any

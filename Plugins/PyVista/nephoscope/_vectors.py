@@ -5,7 +5,7 @@ from __future__ import annotations
 
 import warnings
 from dataclasses import dataclass
-from typing import Any, Sequence
+from typing import Any
 
 import numpy as np
 import pyvista
@@ -15,6 +15,7 @@ from ._checks import choose, listed, require_beside_scalars, require_number
 from ._medium import array_values, lookup_table
 from ._over_time import values_over_time
 from ._pipeline import level_of_caller
+from ._typing import Numbers
 from .transfer import colour_function
 
 
@@ -27,7 +28,7 @@ def is_drawn(opacity: Any) -> bool:
     return any(opacity.GetNodeValue(i, node) and node[1] > 0 for i in range(opacity.GetSize()))
 
 
-def _contrasting(background: Sequence[float], colours: np.ndarray) -> tuple[float, float, float]:
+def _contrasting(background: Numbers, colours: np.ndarray) -> tuple[float, float, float]:
     """The colour in `COLOURS` that contrasts best with the background and with the mean colour of the medium."""
     others = np.array([background, colours.mean(axis=0)])
     choices = [pyvista.Color(name).float_rgb for name in COLOURS]
@@ -50,7 +51,7 @@ class Vectors:
     color: Any = None
     scalars: str | None = None
     cmap: Any = None
-    clim: float | Sequence[float] | None = None
+    clim: float | Numbers | None = None
     maximum_speed: float | None = None
     fraction: float | None = None
     unit: float | None = None

@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 import warnings
-from typing import Any, Callable, Iterator, Literal, Sequence
+from typing import TYPE_CHECKING, Iterator, Literal, overload
 
 import numpy as np
 import pyvista
@@ -15,6 +15,10 @@ from . import vtkTextureCoordinateAdvection
 from ._checks import arrays_of, choose, require_number, require_winds
 from ._pipeline import level_of_caller, vtk_messages
 from ._series import Grids, Series, dataset
+from ._typing import AdvectionOptions, Numbers
+
+if TYPE_CHECKING:
+    from typing import Unpack  # since Python 3.11
 
 MANY = 10  # number of crossings of the data in a period beyond which the texture is destroyed
 
@@ -27,7 +31,12 @@ _NAMES = {"PressureArrayName": "pressure", "OmegaArrayName": "omega", "PlanetRad
           "SetInputArrayToProcess": "vectors", "Tolerance": "tolerance", "Choose a velocity:": "Choose a velocity by vectors:",
           "Leave the points input empty": "Leave points out"}
 
-def advect_texture(mesh: Grids, time: float | Sequence[float] | None = None, *, times: Sequence[float] | None = None,
+
+@overload
+def advect_texture(mesh: Grids, time: float | None = None, **options: Unpack[AdvectionOptions]) -> pyvista.DataSet: ...
+@overload
+def advect_texture(mesh: Grids, time: Numbers, **options: Unpack[AdvectionOptions]) -> Iterator[pyvista.DataSet]: ...
+def advect_texture(mesh: Grids, time: float | Numbers | None = None, *, times: Numbers | None = None,
                    vectors: str | None = None, points: pyvista.DataSet | None = None, period: float | None = None,
                    time_scale: float = 1.0, integrator: Literal["euler", "rk4", "rk45"] = "rk4", time_step: float | None = None,
                    tolerance: float = 1e-6, key_frame_interval: float = 0.0,

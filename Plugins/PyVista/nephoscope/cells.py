@@ -14,7 +14,7 @@ from ._checks import choose, renamed_argument
 from ._medium import Functions, MediumMapper, add_medium, require_dataset, require_plotter, scalar_array
 from ._options import group, refuse_unknown
 from ._surfaces import CONTOUR_NAMES, POLYGON_NAMES, Contours, Layers, Polygons
-from ._typing import ContourOptions, Integration, Method, OldCellNames, Order, PolygonChoice, PolygonOptions, Preference, ToneMapping
+from ._typing import ContourOptions, Integration, Method, Numbers, OldCellNames, Order, PolygonChoice, PolygonOptions, Preference, ToneMapping
 from .light import add_sun, brightest, lit_medium, recorded_sun
 from .transfer import OpacityLike
 
@@ -35,13 +35,14 @@ class CellCompositingMapper(MediumMapper, vtkCellCompositingMapper):
 
 
 def add_cells(plotter: pyvista.BasePlotter, grid: Any, scalars: str | np.ndarray | None = None, *,
-              cmap: Any = None, opacity: OpacityLike | None = None, clim: float | Sequence[float] | None = None,
+              cmap: Any = None, opacity: OpacityLike | None = None, clim: float | Numbers | None = None,
               n_colors: int = 256, flip_scalars: bool = False, log_scale: bool = False,
-              opacity_scalars: str | None = None, opacity_clim: float | Sequence[float] | None = None,
+              opacity_scalars: str | None = None, opacity_clim: float | Numbers | None = None,
               opacity_scale: float = 1.0, opacity_unit_distance: float | None = None,
               integration: Integration = "exact", order: Order = "exact", method: Method = "automatic", split_at_control_points: bool = True,
               preference: Preference = "point",
-              contours: int | Sequence[float] | ContourOptions | None = None, polygons: PolygonChoice | PolygonOptions = "contours",
+              contours: int | Numbers | ContourOptions | Mapping[str, Any] | None = None,
+              polygons: PolygonChoice | PolygonOptions | Mapping[str, Any] = "contours",
               layers: Mapping[int, Any] | Sequence[Any] | None = None, layer_scalars: str | None = None,
               name: str | None = None, show_scalar_bar: bool | None = None, scalar_bar_args: dict | None = None,
               reset_camera: bool | None = None, pickable: bool = True, user_matrix: Any = None,

@@ -21,6 +21,7 @@ from ._exports import warn_when_exported
 from ._fields import is_bright, presets
 from ._medium import default_scalars, require_plotter, wrapped
 from ._pipeline import warn_when_drawing
+from ._typing import Numbers
 from .light import add_sun, brightest, lit_colours, lit_surface
 
 AMBIENT = 0.4  # of the light on a surface that faces the sun, on one that does not, as clouds scatter light all around
@@ -47,7 +48,7 @@ class CloudTextureMapper(vtkCloudTextureMapper):
         return self.GetScalarRange()
 
     @scalar_range.setter
-    def scalar_range(self, clim: Sequence[float]) -> None:
+    def scalar_range(self, clim: Numbers) -> None:
         self.SetScalarRange(*clim)
         if hasattr(self.GetLookupTable(), "scalar_range"):
             self.GetLookupTable().scalar_range = tuple(clim)
@@ -82,7 +83,7 @@ def _density_volume(volume: Any, name: str | None) -> tuple[pyvista.DataObject, 
 def add_cloud_texture(plotter: pyvista.BasePlotter, mesh: Any, scalars: str | np.ndarray | None = None, *,
                       color: Any = None, coverage: float | str | None = None, threshold: float | None = None, texture_scale: float = 0.0,
                       texture_length: float = 0.0, waves: str | Any = "clouds", use_altitude: bool = False,
-                      altitude_range: Sequence[float] = (0.0, 0.0), softness: float = 0.4, relief: float = 0.03, thin_color: Any = None,
+                      altitude_range: Numbers = (0.0, 0.0), softness: float = 0.4, relief: float = 0.03, thin_color: Any = None,
                       thick_color: Any = None, color_range: float = 1.5, optical_depth: float = 3.0, use_thickness: bool | None = None,
                       thickness_effect: str | None = None, thickness_weight: float = 1.0, extinction: float = 0.0, density: str | None = None,
                       density_volume: Any = None, layers: int = 8,

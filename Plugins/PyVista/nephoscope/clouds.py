@@ -15,6 +15,7 @@ from . import vtkCloudSurface, vtkStructuredSmoothing
 from ._checks import arrays_of, choose, require_number
 from ._fields import preset_of_field
 from ._pipeline import vtk_messages
+from ._typing import Numbers
 from .splitting import _point_array, _scalar_point_array, _values
 
 # Terms in messages of the two filters, and their names in Python.
@@ -96,8 +97,8 @@ def smooth(mesh: pyvista.DataSet, iterations: int = 1, scalars: str | Sequence[s
     return pyvista.wrap(smoothing.GetOutput())
 
 
-def cloud_surface(mesh: pyvista.DataSet, isosurfaces: int | float | Sequence[float] | None = None, scalars: str | None = None, *,
-                  smoothing: int = 1, rng: Sequence[float] | None = None, normals: bool = True, join_seams: bool = True,
+def cloud_surface(mesh: pyvista.DataSet, isosurfaces: int | float | Numbers | None = None, scalars: str | None = None, *,
+                  smoothing: int = 1, rng: Numbers | None = None, normals: bool = True, join_seams: bool = True,
                   periodic: str | Sequence[bool] = "", conservative: bool = False, masses: str | None = None,
                   isotropic: bool = False, coordinates: Literal["automatic", "cartesian", "lonlat"] = "automatic",
                   find_seam: bool = True) -> pyvista.PolyData:

@@ -3,7 +3,7 @@
 """Haze in front of everything that a plotter draws (`vtkHaze`)."""
 from __future__ import annotations
 
-from typing import Any, Callable, Literal, Sequence
+from typing import Any, Callable, Literal
 
 import pyvista
 
@@ -11,15 +11,16 @@ from . import vtkHaze
 from ._checks import choose, require_number
 from ._exports import warn_when_exported
 from ._methods import wrap_method
+from ._typing import Numbers
 from .light import direction_of
 
 PROJECTIONS = ("globe", "map")  # numbered as in the field data GlobeGridProjection
 
 
 def add_haze(plotter: pyvista.Plotter, mesh: pyvista.DataSet | None = None, *, visibility: float | None = None, scale_height: float | None = None,
-             color: str | Sequence[float] | None = None, background: bool = True,
+             color: str | Numbers | None = None, background: bool = True,
              vertical_exaggeration: float | None = None, projection: Literal["globe", "map"] | None = None,
-             radius: float | None = None, center: Sequence[float] = (0, 0, 0), up: Sequence[float] = (0, 0, 1),
+             radius: float | None = None, center: Numbers = (0, 0, 0), up: Numbers = (0, 0, 1),
              base_level: float = 0.0, sun: Any = None, asymmetry: float = 0.5, render: bool = True) -> vtkHaze:
     """Add haze, thinner with altitude, in front of everything in the active renderer of a plotter. It replaces earlier haze.
 
@@ -117,7 +118,7 @@ def _clear(plotter: pyvista.Plotter, method: Callable, *arguments: Any, **option
     method(*arguments, **options)
 
 
-def _vector(values: Sequence[float], argument: str) -> list[float]:
+def _vector(values: Numbers, argument: str) -> list[float]:
     if len(values) != 3:
         raise ValueError(f"{argument} is {values!r}; it must have 3 numbers.")
     return [require_number(value, argument) for value in values]

@@ -6,7 +6,7 @@ from __future__ import annotations
 import inspect
 import re
 import warnings
-from typing import Any, Callable, Literal, Mapping, Sequence
+from typing import Any, Callable, Literal, Mapping
 
 import numpy as np
 import pyvista
@@ -16,6 +16,7 @@ from . import vtkSunlight
 from ._blocks import cell_dimension
 from ._checks import choose, require_number
 from ._pipeline import vtk_messages
+from ._typing import Numbers
 from .optics import cloud_optics, optics_of
 from .tone import checked, toned
 
@@ -36,10 +37,10 @@ TWILIGHT = 0.25  # sine of the sun's elevation below which surfaces on a globe w
 FILMIC_RANGE = 4.0  # at this multiple of it the filmic curve is nearly white
 
 
-def sunlight(mesh: pyvista.DataSet, direction: Sequence[float] | None = None, *, time: str = "", place: Sequence[float] = (0.0, 0.0),
+def sunlight(mesh: pyvista.DataSet, direction: Numbers | None = None, *, time: str = "", place: Numbers = (0.0, 0.0),
              extinction: str = "Extinction", albedo: str | float = "SingleScatteringAlbedo", asymmetry: str | float = "AsymmetryParameter",
              extinction_scale: float = 1.0, ground_albedo: float = 0.1, sky_light: float = 0.08, multiple_scattering: bool = True,
-             zenith_angles: int = 3, azimuth_angles: int = 4, eye: Sequence[float] | Literal["camera"] | None = None, parallel: bool = False,
+             zenith_angles: int = 3, azimuth_angles: int = 4, eye: Numbers | Literal["camera"] | None = None, parallel: bool = False,
              phase_function: str = "henyey-greenstein", clouds: pyvista.DataSet | None = None) -> pyvista.DataSet:
     """Add the light of sun and sky to a mesh with an extinction: shadows, dark bases and multiple scattering.
 
@@ -104,9 +105,9 @@ def sunlight(mesh: pyvista.DataSet, direction: Sequence[float] | None = None, *,
     return light_of(options.pop("mesh"), str, **options)
 
 
-def light_of(mesh: pyvista.DataSet, say: Callable[[str], str], direction: Sequence[float] | None, time: str, place: Sequence[float], extinction: str,
+def light_of(mesh: pyvista.DataSet, say: Callable[[str], str], direction: Numbers | None, time: str, place: Numbers, extinction: str,
              albedo: str | float, asymmetry: str | float, extinction_scale: float, ground_albedo: float, sky_light: float, multiple_scattering: bool,
-             zenith_angles: int, azimuth_angles: int, eye: Sequence[float] | Literal["camera"] | None, parallel: bool, phase_function: str, clouds: pyvista.DataSet | None) -> pyvista.DataSet:
+             zenith_angles: int, azimuth_angles: int, eye: Numbers | Literal["camera"] | None, parallel: bool, phase_function: str, clouds: pyvista.DataSet | None) -> pyvista.DataSet:
     """`sunlight`; messages call its arguments `say(name)`."""
     if not isinstance(mesh, vtkDataSet):
         raise TypeError(f"mesh is a {type(mesh).__name__}; it must be a pyvista dataset.")
@@ -147,7 +148,7 @@ def _require_light(clouds: Any, argument: str) -> None:
         raise ValueError(f"{argument} is a {type(clouds).__name__} without the array 'SunTransmittance'; it must be a result of sunlight().")
 
 
-def _three(values: Sequence[float], argument: str) -> list[float]:
+def _three(values: Numbers, argument: str) -> list[float]:
     if np.shape(values) != (3,):
         raise ValueError(f"{argument} is {values!r}; it must be three numbers.")
     return [require_number(value, argument) for value in values]
@@ -232,7 +233,7 @@ def recorded_sun(mesh: pyvista.DataSet) -> np.ndarray | None:
     return mesh.field_data["SunDirection"][0] if "SunDirection" in mesh.field_data else None
 
 
-def add_sun(plotter: pyvista.BasePlotter, direction: Sequence[float] | None) -> None:
+def add_sun(plotter: pyvista.BasePlotter, direction: Numbers | None) -> None:
     """A light from the sun takes the place of the lights of the renderer, unless it has scene lights. None: the sun is unknown."""
     if direction is not None and not any(light.is_scene_light for light in plotter.renderer.lights):
         plotter.remove_all_lights()
@@ -265,7 +266,7 @@ def lit_surface(surface: pyvista.PolyData, sun: Any) -> tuple[pyvista.PolyData, 
     return surface, direction
 
 
-def lit_colours(count: int = 256, tone_mapping: str = "contrast", tint: Sequence[float] = (1.0, 1.0, 1.0)) -> list[str]:
+def lit_colours(count: int = 256, tone_mapping: str = "contrast", tint: Numbers = (1.0, 1.0, 1.0)) -> list[str]:
     """From night over blue shadows to warm white: the colours of light from 0 to `brightest(tone_mapping)`, as a display shows them; `tint` multiplies."""
     light = np.linspace(0, 1, count)[:, None]
     tone = light ** (1 / 2.2) if checked(tone_mapping) == "linear" else toned(light * (FILMIC_RANGE if tone_mapping == "filmic" else 1), 1.0, tone_mapping)

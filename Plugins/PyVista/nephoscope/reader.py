@@ -17,6 +17,7 @@ from vtkmodules.vtkIONetCDF import vtkNetCDFCFReader
 from ._checks import listed
 from ._fields import choose_active_scalars
 from ._pipeline import vtk_messages
+from ._typing import Numbers
 
 
 _REMEDY = ("VTK's reader accepts three dimensions, preceded by time if time has a coordinate with units. If time is not the first dimension: "
@@ -27,7 +28,7 @@ _WORDS = {"More than 3 dims without time not supported in variable": _REMEDY, "M
 
 
 def read_cf(path: str | Path, *, dimensions: str | Sequence[str] | None = None, variables: Sequence[str] | None = None,
-            time_step: int | None = None, missing_values: Sequence[float] | None = None) -> pyvista.DataSet:
+            time_step: int | None = None, missing_values: Numbers | None = None) -> pyvista.DataSet:
     """Read the variables of one shape from a NetCDF file with CF conventions.
 
     Parameters
@@ -122,7 +123,7 @@ def cf_times(path: str | Path, *, dimensions: str | Sequence[str] | None = None)
     return cf_dates(times, _time_units(pyvista.wrap(reader.GetOutputDataObject(0))))
 
 
-def cf_dates(times: Sequence[float], units: str) -> list[str]:
+def cf_dates(times: Numbers, units: str) -> list[str]:
     """`times` in `units` ("hours since 2011-01-01 00:00:00") as ISO dates, or as numbers with units if that is impossible."""
     steps = {"d": 86400.0, "h": 3600.0, "m": 60.0, "s": 1.0}
     found = re.fullmatch(r"\s*(days?|d|hours?|hrs?|h|minutes?|mins?|seconds?|secs?|s) since (.+?)\s*", units, re.IGNORECASE)
@@ -264,7 +265,7 @@ def _axes_in_order(mesh: pyvista.DataSet, shape: str) -> pyvista.DataSet:
 _USUAL_MISSING = tuple(sign * value for value in (999, 999.9, 9999, 9999.9, 99999, 999999, 32767, 32768, 1e20, 1e30, 9.96921e36) for sign in (1, -1))
 
 
-def _mark_missing(mesh: pyvista.DataSet, missing: Sequence[float] | None) -> None:
+def _mark_missing(mesh: pyvista.DataSet, missing: Numbers | None) -> None:
     """NaN for values that mean "missing"."""
     taken = []
     for data in (mesh.point_data, mesh.cell_data):

@@ -14,6 +14,7 @@ from vtkmodules.vtkRenderingCore import vtkCamera
 
 from . import light_image, tone
 from ._checks import require_array, require_number
+from ._typing import Numbers
 from .light import lit
 
 GEOSTATIONARY_RADII = 42164.0 / 6378.137  # distance of the satellite from the centre of the planet
@@ -100,7 +101,7 @@ def _netcdf(path: str) -> Any:
         return netcdf_file(path, "w", version=2)
 
 
-def satellite_image(mesh: pyvista.DataSet, view: str | Sequence[float] = "automatic", *, sun: Any = None, size: Sequence[int] = (800, 800),
+def satellite_image(mesh: pyvista.DataSet, view: str | Numbers = "automatic", *, sun: Any = None, size: Sequence[int] = (800, 800),
                     longitude: float | None = None, ground_albedo: float | np.ndarray = 0.1) -> SatelliteImage:
     """Image clouds as a satellite does: reflectances in floating point, without tone mapping, and their positions.
 

@@ -3,7 +3,7 @@
 """Flow volumes: the smoke that a flow carries from a polygon (`vtkFlowVolume`), and its puffs (`vtkSmokePuffs`)."""
 from __future__ import annotations
 
-from typing import Any, Literal, Sequence
+from typing import Any, Literal
 
 import numpy as np
 import pyvista
@@ -15,6 +15,7 @@ from ._blocks import named_blocks
 from ._checks import arrays_of, choose, listed, require_number, require_winds
 from ._pipeline import _renamed, vtk_messages
 from ._series import Grids, Series
+from ._typing import Numbers
 
 # Terms in messages of vtkFlowVolume, and their names in Python.
 _NAMES = {"switch NormalToFlow off": "give normal", "switch NormalToFlow on": "leave normal out", "Center": "center", "Radius": "radius",
@@ -25,12 +26,12 @@ _NAMES = {"switch NormalToFlow off": "give normal", "switch NormalToFlow on": "l
 
 
 def flow_volume(mesh: Grids, polygon: pyvista.PolyData | None = None, *, vectors: str | None = None,
-                center: Sequence[float] | None = None, radius: float | None = None,
-                normal: Sequence[float] | Literal["flow"] | None = None, n_sides: int = 12, duration: float | None = None,
+                center: Numbers | None = None, radius: float | None = None,
+                normal: Numbers | Literal["flow"] | None = None, n_sides: int = 12, duration: float | None = None,
                 time_step: float | None = None, initial_density: float = 1.0, polygon_edge_length: float | None = None,
                 max_edge_length: float | None = None, min_edge_length: float = 0.0, max_turn_angle: float = 15.0,
                 integrator: Literal["rk4", "rk45"] = "rk4", tolerance: float = 1e-6,
-                max_tetrahedra: int = 100_000, times: Sequence[float] | None = None, time: float | None = None,
+                max_tetrahedra: int = 100_000, times: Numbers | None = None, time: float | None = None,
                 start_time: float | None = None, time_scale: float = 1.0) -> pyvista.UnstructuredGrid:
     """Compute smoke: the volume that a flow sweeps from a polygon, as tetrahedra. With `times` the flow is unsteady.
 
@@ -172,7 +173,7 @@ def _filter(mesh: Any, polygon: Any = None, *, vectors: Any, center: Any, radius
     return smoke, series
 
 
-def _unsteady(smoke: vtkFlowVolume, mesh: Any, times: Sequence[float], start_time: float | None) -> Series:
+def _unsteady(smoke: vtkFlowVolume, mesh: Any, times: Numbers, start_time: float | None) -> Series:
     """The meshes as input of the filter."""
     if len(times) < 2:
         raise ValueError(f"times has {len(times)} values; an unsteady flow needs two or more. Leave times out for a steady flow.")
@@ -260,7 +261,7 @@ def _velocity(mesh: pyvista.DataSet | vtkCompositeDataSet, name: str | None) -> 
     raise MissingDataError(f"vectors: no array {name!r} of three components. {arrays}")
 
 
-def _place(smoke: vtkFlowVolume, mesh: Any, velocity: tuple[str, bool], center: Sequence[float] | None,
+def _place(smoke: vtkFlowVolume, mesh: Any, velocity: tuple[str, bool], center: Numbers | None,
            radius: float | None) -> None:
     """Centre and radius of the regular polygon."""
     smoke.SetRadius(0.0 if radius is None else require_number(radius, "radius", above=0))
@@ -291,7 +292,7 @@ def _is_flow(normal: Any) -> bool:
     return isinstance(normal, str)
 
 
-def _vector(values: Sequence[float], argument: str) -> tuple[float, ...]:
+def _vector(values: Numbers, argument: str) -> tuple[float, ...]:
     vector = np.asarray(values, float)
     if vector.shape != (3,) or not np.isfinite(vector).all():
         raise ValueError(f"{argument} is {values!r}; it must be three finite numbers.")

@@ -5,11 +5,12 @@ from __future__ import annotations
 
 import time
 import warnings
-from typing import Any, Sequence
+from typing import Any
 
 import pyvista
 
 from ._medium import require_plotter
+from ._typing import Numbers
 from .smoke import _NAMES, _filter, flow_volume
 from .smoke_drawing import add_smoke
 from ._pipeline import vtk_messages
@@ -85,17 +86,17 @@ class SmokeWidget:
         self.polygon = plotter.add_mesh(self.outline, color=polygon_color, style="wireframe", line_width=3, lighting=False, pickable=False,
                                      reset_camera=False)
 
-    def drag(self, center: Sequence[float]) -> None:
+    def drag(self, center: Numbers) -> None:
         start = time.perf_counter()
         self._move(center, self._coarse)
         seconds = time.perf_counter() - start + self._renderer.GetLastRenderTimeInSeconds()
         fitting = int(self.filter.GetOutput().GetNumberOfCells() / (UPDATES_PER_SECOND * seconds))
         self._coarse = min(max(fitting, COARSEST), self._full)
 
-    def move(self, center: Sequence[float]) -> None:
+    def move(self, center: Numbers) -> None:
         self._move(center, self._full)
 
-    def _move(self, center: Sequence[float], tetrahedra: int) -> None:
+    def _move(self, center: Numbers, tetrahedra: int) -> None:
         self.filter.SetMaximumNumberOfTetrahedra(tetrahedra)
         self.filter.SetCenter(*center)
         found = self._update()
@@ -104,7 +105,7 @@ class SmokeWidget:
         self._show(found)
         self.volume.SetVisibility(found)
 
-    def move_polygon(self, center: Sequence[float]) -> None:
+    def move_polygon(self, center: Numbers) -> None:
         """Moves the polygon only; a volume with one short step gives its orientation."""
         duration, step = self.filter.GetDuration(), self.filter.GetTimeStep()
         self.filter.SetCenter(*center)
@@ -129,5 +130,5 @@ class SmokeWidget:
             self.outline.copy_from(self._across(self.filter.GetNormalUsed()))
         self.polygon.SetVisibility(found)
 
-    def _across(self, normal: Sequence[float]) -> pyvista.PolyData:
+    def _across(self, normal: Numbers) -> pyvista.PolyData:
         return pyvista.Polygon(center=self.filter.GetCenter(), radius=self.radius, normal=normal, n_sides=self.filter.GetNumberOfSides())

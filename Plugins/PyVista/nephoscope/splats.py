@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any, Mapping, Sequence
+from typing import TYPE_CHECKING, Any, Mapping
 
 import numpy as np
 import pyvista
@@ -15,7 +15,7 @@ from ._checks import choose, renamed_argument, require_beside_scalars, require_n
 from ._copies import copied_table
 from ._medium import Functions, MediumMapper, add_medium, require_dataset, require_plotter, scalar_array
 from ._options import group, refuse_unknown
-from ._typing import Kernel, LevelOfDetailOptions, OldSplatNames, Preference, ToneMapping, VectorOptions
+from ._typing import Kernel, LevelOfDetailOptions, Numbers, OldSplatNames, Preference, ToneMapping, VectorOptions
 from ._vectors import OLD_NAMES as VECTOR_NAMES
 from ._vectors import Vectors, is_drawn
 from .light import add_sun, brightest, lit_medium, recorded_sun
@@ -80,12 +80,13 @@ class LevelOfDetail:
 
 def add_splats(plotter: pyvista.BasePlotter, mesh: Any, scalars: str | np.ndarray | None = None, *,
                color: Any = None, cmap: Any = None, opacity: OpacityLike | None = None,
-               clim: float | Sequence[float] | None = None, n_colors: int = 256, flip_scalars: bool = False,
+               clim: float | Numbers | None = None, n_colors: int = 256, flip_scalars: bool = False,
                log_scale: bool = False, opacity_scalars: str | None = None,
-               opacity_clim: float | Sequence[float] | None = None, opacity_scale: float = 1.0,
+               opacity_clim: float | Numbers | None = None, opacity_scale: float = 1.0,
                opacity_unit_distance: float | None = None, kernel: Kernel = "cubic", radius: float | str | None = None,
                sizes: str | None = None, volumes: str | None = None, radius_factor: float = 1.0,
-               level_of_detail: float | LevelOfDetailOptions | None = None, vectors: str | VectorOptions | None = None,
+               level_of_detail: float | LevelOfDetailOptions | Mapping[str, Any] | None = None,
+               vectors: str | VectorOptions | Mapping[str, Any] | None = None,
                preference: Preference = "point", name: str | None = None, show_scalar_bar: bool | None = None, scalar_bar_args: dict | None = None,
                reset_camera: bool | None = None, pickable: bool = True, user_matrix: Any = None, render: bool = True,
                preset: str | bool | None = None, sun: Any = None, exposure: float | None = None, tone_mapping: ToneMapping = "contrast",

@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 import warnings
-from typing import Literal, Sequence
+from typing import Literal
 
 import numpy as np
 import pyvista
@@ -17,6 +17,7 @@ from ._blocks import named_blocks
 from ._checks import arrays_of, choose
 from ._medium import array_values, default_scalars, require_scalars
 from ._pipeline import vtk_messages
+from ._typing import Numbers
 
 PRECISIONS = {"double": vtkAlgorithm.DOUBLE_PRECISION, "single": vtkAlgorithm.SINGLE_PRECISION, "input": vtkAlgorithm.DEFAULT_PRECISION}
 
@@ -25,8 +26,8 @@ _NAMES = {"Choose one with SetInputArrayToProcess": "Name one by scalars", "Cont
           "GenerateSurfaces": "surfaces", "PolyhedralTransitions": "polyhedral_transitions"}
 
 
-def split_cells(mesh: pyvista.DataSet | pyvista.MultiBlock, isosurfaces: int | float | Sequence[float] = 10, scalars: str | None = None, *,
-                rng: Sequence[float] | None = None, surfaces: bool = True,
+def split_cells(mesh: pyvista.DataSet | pyvista.MultiBlock, isosurfaces: int | float | Numbers = 10, scalars: str | None = None, *,
+                rng: Numbers | None = None, surfaces: bool = True,
                 polyhedral_transitions: bool = False, precision: Literal["double", "single", "input"] = "double") -> pyvista.UnstructuredGrid | pyvista.MultiBlock:
     """Divide the 3-D cells that contour values cross into convex pieces, each on one side of every value.
 
@@ -125,7 +126,7 @@ def _scalar_point_array(mesh: pyvista.DataSet, scalars: str | None) -> str:
     return name
 
 
-def _values(array: np.ndarray, isosurfaces: int | float | Sequence[float], rng: Sequence[float] | None, inside: bool = False) -> np.ndarray:
+def _values(array: np.ndarray, isosurfaces: int | float | Numbers, rng: Numbers | None, inside: bool = False) -> np.ndarray:
     """The values; `inside`: a number of values inside the range of the array, because its ends give no surface."""
     if isinstance(isosurfaces, (int, np.integer)) and not isinstance(isosurfaces, bool):
         if isosurfaces < 0:

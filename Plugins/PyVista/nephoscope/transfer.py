@@ -8,7 +8,7 @@ integrates exactly between control points is faster with fewer control points.
 from __future__ import annotations
 
 import re
-from typing import Sequence
+from typing import Union
 
 import numpy as np
 import pyvista
@@ -16,6 +16,7 @@ from vtkmodules.vtkCommonDataModel import vtkPiecewiseFunction
 from vtkmodules.vtkRenderingCore import vtkColorTransferFunction
 
 from ._checks import listed
+from ._typing import Numbers
 
 SAMPLES = 256            # of a curve that is not defined by points
 COLOUR_TOLERANCE = 1 / 255   # colour maps are 8-bit tables
@@ -24,7 +25,7 @@ OPACITY_TOLERANCE = 5e-4     # of the largest opacity
 _SIGMOIDS = ("sigmoid", *(f"sigmoid_{i}" for i in (*range(1, 11), 15, 20)))
 OPACITY_NAMES = (*(name + end for name in ("linear", "geom", *_SIGMOIDS) for end in ("", "_r")), "foreground")
 
-OpacityLike = "str | float | Sequence[float] | np.ndarray"
+OpacityLike = Union[str, float, Numbers]
 
 
 def opacity_values(opacity: OpacityLike, n_colors: int = SAMPLES) -> np.ndarray:

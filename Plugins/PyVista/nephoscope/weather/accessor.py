@@ -13,6 +13,7 @@ if TYPE_CHECKING:
     import pyvista
     import xarray
 
+    from .._typing import Numbers
     from .series import Series
 
 
@@ -153,7 +154,7 @@ class WeatherAccessor:
         return terrain_surface(ground_mesh(reading, air), "orog", **rest)
 
     def plot(self, scalars: str | None = None, *, time: int | str | np.datetime64 | None = None, screenshot: str | None = None, vertical_exaggeration: float = 30.0,
-             opacity: Any = None, cmap: Any = None, clim: float | Sequence[float] | None = None, **options: Any) -> pyvista.Plotter:
+             opacity: Any = None, cmap: Any = None, clim: float | Numbers | None = None, **options: Any) -> pyvista.Plotter:
         """Draw one field as a volume over the Earth, in a window or into a file; a field of one level as a surface with coasts.
 
         With ``projection="map"`` the picture is a map, seen from above with north up.

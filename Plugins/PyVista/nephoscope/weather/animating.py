@@ -16,7 +16,7 @@ import pyvista
 from .series import Series
 
 
-def animate(plotter: pyvista.BasePlotter, dataset: Any, draw: str | Callable[[pyvista.BasePlotter, pyvista.DataSet], Any], *, filename: str | Path | None = None,
+def animate(plotter: pyvista.BasePlotter, dataset: Any, draw: str | Callable[[Any, Any], Any], *, filename: str | Path | None = None,
             framerate: float = 8.0, heights: bool = False, show_time: bool = True, progress: bool = True, **options: Any) -> Series:
     """Draw the time steps of a dataset: with a slider in the window, or as a film in a file.
 
