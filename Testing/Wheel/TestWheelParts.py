@@ -178,6 +178,19 @@ class SourceDistribution(unittest.TestCase):
         self.assertEqual(packed, {"CMakeLists.txt", "pyproject.toml", "PKG-INFO", *(f"Data/{name}" for name in installed)})
 
 
+    def test_what_pip_is_told(self):
+        """pip asks for VTK's SDK only if the user says so: it cannot find it by itself."""
+        sys.path.insert(0, str(TOP / "CMake/wheel/source"))
+        import build_backend
+        with mock.patch.dict(os.environ), mock.patch.object(build_backend.importlib.metadata, "entry_points", lambda group: []):
+            os.environ.pop("VTK_DIR", None)
+            with self.assertRaisesRegex(SystemExit, "--extra-index-url https://.* --config-settings vtk=sdk"):
+                build_backend.get_requires_for_build_wheel()
+            self.assertEqual(build_backend.get_requires_for_build_wheel({"vtk": "sdk"}), [f"vtk-sdk=={inputs.vtk_version()}"])
+            os.environ["VTK_DIR"] = "/sdk"
+            self.assertEqual(build_backend.get_requires_for_build_wheel(), [])
+
+
 class Symbols(unittest.TestCase):
     def test_symbols_newer_than_the_platform(self):
         self.assertEqual(pack.newer_versions(NEEDS), ["CXXABI_1.3.14", "GLIBC_2.35"])

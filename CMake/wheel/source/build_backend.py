@@ -2,8 +2,9 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The hooks of PEP 517 by which pip builds the source distribution with the project's own CMake.
 
-VTK is that of the package `vtk-sdk` (https://docs.vtk.org/en/latest/advanced/wheel_sdks.html), or the one whose CMake package the
-environment variable VTK_DIR names. It must be the VTK of the `vtk` wheel that the package will meet.
+VTK is the one whose CMake package the environment variable VTK_DIR names or, with `--config-settings vtk=sdk`, that of the package `vtk-sdk`
+(https://docs.vtk.org/en/latest/advanced/wheel_sdks.html). It must be the VTK of the `vtk` wheel that the package will meet. pip would only say
+that it finds no `vtk-sdk`, because that package is not on the Python package index; so nothing asks for it until the user does.
 """
 import importlib.metadata
 import importlib.resources
@@ -22,8 +23,19 @@ from nephoscope_wheel import make_wheel  # noqa: E402
 INDEX = "https://vtk.org/files/wheel-sdks"
 
 
+REMEDY = f"""To build Nephoscope from source, pip needs the SDK of VTK {vtk_version()}, which is not on the Python package index. Run
+    pip install --extra-index-url {INDEX} --config-settings vtk=sdk FILE
+with the name of this source distribution, or set VTK_DIR to the folder of an SDK that has vtk-config.cmake. A wheel for Linux needs neither."""
+
+
 def get_requires_for_build_wheel(config_settings=None):
-    return [] if "VTK_DIR" in os.environ else [f"vtk-sdk=={vtk_version()}"]
+    if "VTK_DIR" in os.environ:
+        return []
+    if (config_settings or {}).get("vtk") == "sdk":
+        return [f"vtk-sdk=={vtk_version()}"]
+    if not list(importlib.metadata.entry_points(group="cmake.prefix")):
+        raise SystemExit(REMEDY)
+    return []
 
 
 def find_vtk():
@@ -32,7 +44,7 @@ def find_vtk():
         return [f"-DVTK_DIR={os.environ['VTK_DIR']}"]
     prefixes = [str(importlib.resources.files(point.load())) for point in importlib.metadata.entry_points(group="cmake.prefix")]
     if not prefixes:
-        raise SystemExit(f"VTK's SDK is not there: add its index, pip install --extra-index-url {INDEX}, or set VTK_DIR")
+        raise SystemExit(REMEDY)
     return ["-DCMAKE_PREFIX_PATH=" + ";".join(prefixes)]
 
 
