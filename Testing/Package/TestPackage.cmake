@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: The Nephoscope authors
 # SPDX-License-Identifier: BSD-3-Clause
 # cmake -DBUILD=... -DFOLDER=... -DCOMPILER=... -DGENERATOR=... -DVTK_DIR=... -P TestPackage.cmake
-# Installs BUILD below FOLDER, moves that, configures `components` with it, and builds and runs the example: its picture must show something.
+# Installs BUILD below FOLDER, moves that, configures `components` with it, tries a project without the language C, and builds and runs the example: its picture must show something.
 # Before, it configures `within`, which adds the sources to another project.
 function (run)
   execute_process(COMMAND ${ARGN} WORKING_DIRECTORY "${FOLDER}" RESULT_VARIABLE status OUTPUT_VARIABLE said ERROR_VARIABLE said)
@@ -28,6 +28,12 @@ function (configure project)
 endfunction ()
 configure(within "-DVTK_DIR=${VTK_DIR}")
 configure(components "-DCMAKE_PREFIX_PATH=${FOLDER}/prefix")
+file(WRITE "${FOLDER}/without-c/CMakeLists.txt" "cmake_minimum_required(VERSION 3.16)\nproject(WithoutC LANGUAGES CXX)\nfind_package(Nephoscope REQUIRED)\n")
+execute_process(COMMAND "${CMAKE_COMMAND}" -G "${GENERATOR}" -S without-c -B without-c/build "-DCMAKE_PREFIX_PATH=${FOLDER}/prefix" "-DCMAKE_CXX_COMPILER=${COMPILER}"
+  WORKING_DIRECTORY "${FOLDER}" OUTPUT_QUIET ERROR_VARIABLE said)
+if (NOT said MATCHES "project\\(WithoutC LANGUAGES C CXX\\)")
+  message(FATAL_ERROR "a project without C is not told what to do:\n${said}")
+endif ()
 configure(example "-DCMAKE_PREFIX_PATH=${FOLDER}/prefix" -DCMAKE_BUILD_TYPE=Release)
 run("${CMAKE_COMMAND}" --build example)
 run(example/clouds)
