@@ -7,6 +7,7 @@ cloud fractions in the file. Clear places must look like Blue Marble in the ligh
 overcast places must be brighter than clear ones.
 """
 import datetime
+import json
 import os
 import re
 import tempfile
@@ -128,6 +129,15 @@ class Snippet(unittest.TestCase):
                 lines = [line for line in text.splitlines() if line.strip()]
                 self.assertLessEqual(len(lines), 8)
                 self.check(*run(text), datetime.datetime.fromisoformat(TIME.search(text)[1]))
+
+    def test_notebook(self):
+        """The notebook has the README's snippet, and no results."""
+        cells = json.loads((DATA.parent / "Plugins/PyVista/examples/clouds.ipynb").read_text())["cells"]
+        text = SNIPPET.search((DATA.parent / "README.md").read_text())[1]
+        (shown,) = ["".join(cell["source"]) for cell in cells if cell["id"] == "snippet"]
+        self.assertEqual(shown.splitlines(), [*text.rstrip().splitlines()[:-1], "plotter.show()"])
+        for cell in cells:
+            self.assertEqual((cell.get("outputs", []), cell.get("execution_count")), ([], None))
 
     def check(self, pixels, camera, time):
         longitude, latitude = visible_places(camera)
