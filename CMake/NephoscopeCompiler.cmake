@@ -35,3 +35,8 @@ if (NEPHOSCOPE_SANITIZE)
   add_compile_options(-fsanitize=${NEPHOSCOPE_SANITIZE} -fno-sanitize-recover=all -fno-omit-frame-pointer -g)
   add_link_options(-fsanitize=${NEPHOSCOPE_SANITIZE})
 endif ()
+
+# VTK's messages name the source file: in what is distributed without the folder of this machine.
+if (NEPHOSCOPE_FOR_PYPI OR NEPHOSCOPE_FOR_DEBIAN)
+  add_compile_options("-fmacro-prefix-map=${PROJECT_SOURCE_DIR}/=")
+endif ()
