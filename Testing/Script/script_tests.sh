@@ -462,11 +462,14 @@ test_release()
   expect "what pip reads" ls "$WORK"/nephoscope-0.1.0/{pyproject.toml,PKG-INFO,LICENSE}
   expect "no tests" [ ! -e "$WORK/nephoscope-0.1.0/Testing" ]
   expect "the sample data alone" [ "$(cd "$WORK/nephoscope-0.1.0/Data" && echo *)" = "blue_marble_2048.jpg forecast_10deg_6h.nc gfs_2p5deg_2011101100.nc" ]
-  run env -u VTK_DIR PYTHONPATH="$WORK/nephoscope-0.1.0/CMake/wheel/source" /usr/bin/python3 -S -c 'import build_backend as b
-print(b.get_requires_for_build_wheel())
-b.find_vtk()'
-  expect "VTK's SDK is required" contains "$OUT" "vtk-sdk=="
-  expect "where it can be had" contains "$ERR" "VTK's SDK is not there: add its index, pip install --extra-index-url https://vtk.org/"
+  local hooks=(env -u VTK_DIR PYTHONPATH="$WORK/nephoscope-0.1.0/CMake/wheel/source" /usr/bin/python3 -S -c)
+  run "${hooks[@]}" 'import build_backend as b
+print(b.get_requires_for_build_wheel({"vtk": "sdk"}))'
+  expect "VTK's SDK is required where it is asked for" contains "$OUT" "vtk-sdk=="
+  run "${hooks[@]}" 'import build_backend as b
+b.get_requires_for_build_wheel()'
+  expect "no success without VTK's SDK" [ $STATUS -ne 0 ]
+  expect "where it can be had" contains "$ERR" "pip install --extra-index-url https://vtk.org/"
 }
 
 test_docs()
