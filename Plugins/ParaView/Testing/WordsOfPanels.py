@@ -39,7 +39,7 @@ def check_sentences(folders, speaker, files=""):
 
 
 # A class of ParaView, and three that have no messages.
-OTHERS = {"vtkCellCompositingOverride", "vtkEarthRepresentation", "vtkFileSeriesReader", "vtkHazeSource"}
+OTHERS = {"vtkCellCompositingOverride", "vtkEarthRepresentation", "vtkFileSeriesReader", "vtkHazeSource", "vtkRankMessages"}
 
 
 def check_definitions():
