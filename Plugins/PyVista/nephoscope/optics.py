@@ -18,7 +18,7 @@ def _names(say: Callable[[str], str]) -> dict[str, str]:
     words = {"TotalWater": "water", "Liquid": "liquid", "Ice": "ice", "Rain": "rain", "Snow": "snow", "Temperature": "temperature", "Pressure": "pressure",
              "CloudFraction": "cloud_fraction", "Land": "land", "Height": "height"}
     return {**{f"{vtk}ArrayName": say(name) for vtk, name in words.items()}, "WaterUnits": say("units"),
-            "Set TotalWaterArrayName, or LiquidArrayName and IceArrayName": f"Name one by {say('water')}, or two by {say('liquid')} and {say('ice')}",
+            "set TotalWaterArrayName, or LiquidArrayName and IceArrayName": f"name one by {say('water')}, or two by {say('liquid')} and {say('ice')}",
             "put the fields through Globe Grid": "put the fields through to_globe"}
 
 
