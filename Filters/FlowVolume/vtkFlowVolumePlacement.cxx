@@ -41,7 +41,7 @@ constexpr std::size_t mostWithRim = 24;
 constexpr double mostRoom = 4.0;     // radii of the polygon, across the flow
 constexpr double speedStep = 0.05;   // of the greatest speed: speeds closer than this are as good
 constexpr double leastSpeed = 0.5;   // of the greatest
-constexpr double farEnough = 0.35;    // that smoke from the fastest place goes, of half the diagonal
+constexpr double farEnough = 0.35;   // that smoke from the fastest place goes, of half the diagonal
 constexpr double qualityStep = 0.05; // of the best quality: those closer than this are as good
 
 struct Candidate
