@@ -82,7 +82,10 @@ def refuse_sections(grid: pyvista.DataSet) -> None:
 def _add_globe(plotter: pyvista.Plotter, grid: pyvista.DataSet, flat: bool) -> None:
     radii = np.linalg.norm(_finite(grid), axis=1)
     lowest = radii.min(initial=EARTH_RADIUS) if radii.max(initial=0) <= 1.000001 * EARTH_RADIUS else EARTH_RADIUS  # below an ocean
-    add_ground(plotter, globe_ground(_below(grid) if flat else min(lowest, lowest_middle(grid))))
+    ground = globe_ground(_below(grid) if flat else lowest)
+    if not flat:
+        ground.points *= min(1.0, lowest_middle(grid) / lowest)  # below flat cells; it keeps the radius of the data, which are on the same planet
+    add_ground(plotter, ground)
     if flat and radii.size:
         add_coasts(plotter, globe_coasts(1.001 * radii.max()))
 
