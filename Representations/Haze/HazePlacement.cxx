@@ -14,8 +14,8 @@ constexpr double earthRadius = 6371000;
 constexpr double airHeight = 8000;
 constexpr double visibilityTimesExtinction = 3.912; // -ln 0.02, Koschmieder1924
 constexpr double visibleHeights = 24.5;
-constexpr double visibleWidths =
-  5.7; // for a cube as much; an eye that sees all from the side is two widths away
+// For a cube that is as much; an eye that sees all of a scene from the side is two widths away.
+constexpr double visibleWidths = 5.7;
 constexpr double coarseness = 0.005;
 constexpr double heightsInScene = 3;
 constexpr double heightsInWidth = 10; // a thin scene in a thin layer would have no haze from above
@@ -116,13 +116,13 @@ HazePlacement::HazePlacement(vtkHaze* haze, const HazeScene& scene)
                                              : earthRadius;
   double low = 0, high = 0;
   levels(scene, haze->GetUpDirection(), low, high);
-  const bool found = automatic && !this->OnGlobe && !told && !scene.IsEmpty();
+  const bool overFlatGround = !this->OnGlobe && !told && !scene.IsEmpty();
+  const bool found = automatic && overFlatGround;
   this->BaseLevel = haze->GetBaseLevel() + (found ? low : 0);
   this->MovesDown = found;
 
-  const double diagonal = scene.IsEmpty() ? 0 : scene.Diagonal();
-  const double width =
-    found ? std::sqrt(std::max(0.0, diagonal * diagonal - (high - low) * (high - low))) : 0;
+  const double diagonal = overFlatGround ? scene.Diagonal() : 0;
+  const double width = std::sqrt(std::max(0.0, diagonal * diagonal - (high - low) * (high - low)));
   const double height = haze->GetScaleHeight() > 0 ? haze->GetScaleHeight()
     : told || scene.IsEmpty()                      ? airHeight
     : this->OnGlobe                                ? coarseness * this->Radius

@@ -77,7 +77,8 @@ public:
   /**
    * Meteorological visibility: the distance along the ground at altitude 0 at which 2 % of the contrast is left
    * (Koschmieder1924). The extinction coefficient there is 3.912 / Visibility. >= 0 and finite; 0 (default): 24.5 displayed scale
-   * heights, and over flat ground that is found from the scene at least 5.7 widths of the scene. Real air has 1e4 to 3e5 m; views of weather span thousands of kilometres.
+   * heights, and over a scene without a globe or map at least 5.7 widths of the scene. Real air has 1e4 to 3e5 m; views of weather
+   * span thousands of kilometres.
    */
   void SetVisibility(double visibility);
   vtkGetMacro(Visibility, double);

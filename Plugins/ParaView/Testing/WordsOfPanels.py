@@ -38,7 +38,7 @@ def check_sentences(folders, speaker, files=""):
     print(f"{speaker.GetClassName()}: {said} sentences with names of properties")
 
 
-# A class of ParaView, and three that have no messages.
+# A class of ParaView, and those that have no messages.
 OTHERS = {"vtkCellCompositingOverride", "vtkEarthRepresentation", "vtkFileSeriesReader", "vtkHazeSource", "vtkRankMessages"}
 
 
