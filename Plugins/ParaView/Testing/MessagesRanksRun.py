@@ -1,20 +1,8 @@
 # SPDX-FileCopyrightText: The Nephoscope authors
 # SPDX-License-Identifier: BSD-3-Clause
 """Not a test by itself: what is wrong on one rank or two, for MessagesRanks.py."""
-from PluginTesting import load_plugin, new_view, pvs
-
-
-def show(source, representation=None, **settings):
-    view = new_view((40, 40))
-    display = pvs.Show(source, view)
-    if representation:
-        display.SetRepresentationType(representation)
-    for name, value in settings.items():
-        setattr(display, name, value)
-    pvs.Render(view)
-    pvs.Render(view)
-    pvs.Delete(view)
-
+from PluginTesting import load_plugin, pvs
+from PluginTesting import show_twice as show
 
 load_plugin()
 wavelet = pvs.Wavelet(WholeExtent=[-8, 8] * 3)

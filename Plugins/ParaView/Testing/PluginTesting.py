@@ -52,6 +52,19 @@ def look(view, position=(60, 45, 70), focal_point=(0, 0, 0)):
     view.CameraViewAngle = 30
 
 
+def show_twice(source, representation=None, **settings):
+    """Two pictures in a view of their own, with these settings of the display; for what is told of them."""
+    view = new_view((40, 40))
+    display = pvs.Show(source, view)
+    if representation:
+        display.SetRepresentationType(representation)
+    for name, value in settings.items():
+        setattr(display, name, value)
+    pvs.Render(view)
+    pvs.Render(view)
+    pvs.Delete(view)
+
+
 def compose(source, view, array=("POINTS", "RTData"), representation=NAME):
     """Shows a source as a user would: display, colour by, pick the representation."""
     display = pvs.Show(source, view)

@@ -3,7 +3,7 @@
 """An input that a filter cannot use: one message, with the remedy, however often the pipeline asks, and an empty result."""
 import re
 
-from PluginTesting import check, listen, load_plugin, new_view, passed, pvs
+from PluginTesting import check, listen, load_plugin, new_view, passed, pvs, show_twice
 
 FILTERS = ("GlobeGrid", "FlowVolume", "SmokePuffs", "CloudSurface", "StructuredSmoothing", "ContourCellSplitter", "PolyhedrontoTetrahedra",
            "TextureCoordinateAdvection", "CloudOptics", "Sunlight")
@@ -86,16 +86,8 @@ def check_opacity(source, name, expected, messages):
 def told_once(what, source, representation, expected, messages, **settings):
     """One message that has all the expected words; settings are those of the display."""
     messages.clear()
-    view = new_view((40, 40))
-    display = pvs.Show(source, view)
-    if representation:
-        display.SetRepresentationType(representation)
-    for name, value in settings.items():
-        setattr(display, name, value)
-    for _ in range(2):
-        pvs.Render(view)
+    show_twice(source, representation, **settings)
     check(len(messages) == 1 and all(word in messages[0] for word in expected), f"{what}: not one message with {expected}: {messages}")
-    pvs.Delete(view)
 
 
 def check_nothing_to_draw(messages):

@@ -8,7 +8,6 @@ import functools
 import numpy as np
 import pyvista
 
-from ..globe import globe_surface
 from ..samples import sample_data
 
 PLAIN = "#3d5a73"   # the ground, where the picture is not installed
@@ -29,10 +28,6 @@ def add_ground(plotter: pyvista.Plotter, surface: pyvista.DataSet) -> None:
     path = blue_marble()
     options = {"texture": pyvista.read_texture(path), "color": DIMMED} if path else {"color": PLAIN}
     plotter.add_mesh(surface, lighting=True, **options)
-
-
-def globe_ground(radius: float) -> pyvista.DataSet:
-    return globe_surface(radius=radius)
 
 
 def map_ground(edges: tuple[float, float, float, float], radius: float, height: float) -> pyvista.PolyData:

@@ -13,9 +13,9 @@ from vtkmodules.vtkRenderingAnnotation import vtkScalarBarActor
 from .._blocks import cell_dimension
 from .._medium import association_of, default_scalars
 from ..cells import add_cells
-from ..globe import EARTH_RADIUS, lowest_middle
+from ..globe import EARTH_RADIUS, globe_surface
 from .horizontal import GridError, section
-from .ground import add_coasts, add_ground, globe_coasts, globe_ground, map_coasts, map_ground
+from .ground import add_coasts, add_ground, globe_coasts, map_coasts, map_ground
 
 FONTS = {"title_font_size": 14, "label_font_size": 12}
 BESIDE = {"vertical": True, "position_x": 0.885, "position_y": 0.3, "width": 0.06, "height": 0.4, "n_labels": 4, **FONTS}  # the globe
@@ -82,10 +82,8 @@ def refuse_sections(grid: pyvista.DataSet) -> None:
 def _add_globe(plotter: pyvista.Plotter, grid: pyvista.DataSet, flat: bool) -> None:
     radii = np.linalg.norm(_finite(grid), axis=1)
     lowest = radii.min(initial=EARTH_RADIUS) if radii.max(initial=0) <= 1.000001 * EARTH_RADIUS else EARTH_RADIUS  # below an ocean
-    ground = globe_ground(_below(grid) if flat else lowest)
-    if not flat:
-        ground.points *= min(1.0, lowest_middle(grid) / lowest)  # below flat cells; it keeps the radius of the data, which are on the same planet
-    add_ground(plotter, ground)
+    coarse = None if flat or not isinstance(grid, pyvista.StructuredGrid) else grid
+    add_ground(plotter, globe_surface(radius=_below(grid) if flat else lowest, below=coarse))
     if flat and radii.size:
         add_coasts(plotter, globe_coasts(1.001 * radii.max()))
 
