@@ -127,7 +127,7 @@ void vtkCellCompositingMapper::DrawInOrder(vtkRenderer* renderer, vtkVolume* vol
     return !medium.Mapper->Prepare(window, renderer, medium.Volume);
   };
   media.erase(std::remove_if(media.begin(), media.end(), isMissing), media.end());
-  this->DrawMedia(window, media);
+  this->DrawInTime(window, media);
 }
 
 // False where there is nothing to draw.
@@ -462,6 +462,9 @@ void vtkCellCompositingMapper::ShallowCopy(vtkAbstractMapper* other)
     this->SetOpacityScale(mapper->OpacityScale);
     this->SetOpacityArrayName(mapper->OpacityArrayName);
     this->SetSplitAtControlPoints(mapper->SplitAtControlPoints);
+    this->SetAutoAdjustSampleDistances(mapper->AutoAdjustSampleDistances);
+    this->SetImageSampleDistance(mapper->ImageSampleDistance);
+    this->SetMaximumImageSampleDistance(mapper->MaximumImageSampleDistance);
     this->SetPickOpacity(mapper->PickOpacity);
     *this->Contours = *mapper->Contours;
     this->Modified();
@@ -483,6 +486,9 @@ void vtkCellCompositingMapper::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "OpacityScale: " << this->OpacityScale << "\n";
   os << indent << "OpacityArrayName: " << this->OpacityArrayName << "\n";
   os << indent << "SplitAtControlPoints: " << this->SplitAtControlPoints << "\n";
+  os << indent << "AutoAdjustSampleDistances: " << this->AutoAdjustSampleDistances << "\n";
+  os << indent << "ImageSampleDistance: " << this->ImageSampleDistance << "\n";
+  os << indent << "MaximumImageSampleDistance: " << this->MaximumImageSampleDistance << "\n";
   os << indent << "PickOpacity: " << this->PickOpacity << "\n";
   this->PrintContours(os, indent);
   os << indent << "NumberOfTetrahedra: " << this->GetNumberOfTetrahedra() << "\n";

@@ -223,6 +223,26 @@ public:
 
   ///@{
   /**
+   * Draws fewer rays while the camera moves: as many as the DesiredUpdateRate of the render window allows. Interactors, widgets and ParaView raise that while the user drags, and lower it afterwards, so that a picture at rest has
+   * a ray for each pixel. The image between the rays is interpolated. Default: on, at most 8 pixels from ray to ray (1 to 16, clamped).
+   * Only rays are spread out, and not when volumes are peeled. Names and meaning are those of vtkFixedPointVolumeRayCastMapper.
+   */
+  vtkSetMacro(AutoAdjustSampleDistances, bool);
+  vtkGetMacro(AutoAdjustSampleDistances, bool);
+  vtkBooleanMacro(AutoAdjustSampleDistances, bool);
+  vtkSetClampMacro(MaximumImageSampleDistance, double, 1.0, 16.0);
+  vtkGetMacro(MaximumImageSampleDistance, double);
+  ///@}
+  ///@{
+  /** Pixels from ray to ray when AutoAdjustSampleDistances is off, 1 to 16 (clamped). Default: 1. */
+  vtkSetClampMacro(ImageSampleDistance, double, 1.0, 16.0);
+  vtkGetMacro(ImageSampleDistance, double);
+  ///@}
+  /** The distance in the last render; 1 if rays were not used. */
+  double GetLastImageSampleDistance();
+
+  ///@{
+  /**
    * Contour surfaces inside the volume, without geometry: wherever a ray crosses a contour value, a lit surface is composited between
    * the media in front of it and behind it, so that all surfaces and cells are in exact order. Values may come in any order. Default:
    * none. A surface is the boundary of the region where the scalar is at least the value, so that a surface in a face between cells
@@ -409,7 +429,7 @@ public:
   ///@}
 
   /**
-   * Copies the float image of the last render into `image`: one layer of the viewport's size with the point array
+   * Copies the float image of the last render into `image`: one layer of the viewport's size (smaller by the distance between rays) with the point array
    * "RGBA" (four float components, colour premultiplied by alpha), before it was composited over the scene.
    * Returns false (and reports an error) if nothing has been rendered yet, or if the last render peeled volumes, whose
    * light is added to the picture in parts between the surfaces.
@@ -437,6 +457,8 @@ protected:
   double OpacityScale = 1.0;
   std::string OpacityArrayName;
   bool SplitAtControlPoints = true;
+  bool AutoAdjustSampleDistances = true;
+  double ImageSampleDistance = 1.0, MaximumImageSampleDistance = 8.0;
 
   double PickOpacity = 0.1, PickedScalar = 0, PickPosition[3] = { 0, 0, 0 };
   vtkIdType PickedCell = -1, PickedPoint = -1;
@@ -471,6 +493,7 @@ private:
   std::vector<vtkMedium> FindMedia(
     vtkOpenGLRenderWindow* window, vtkRenderer* renderer, vtkVolume* volume);
   void DrawMedia(vtkOpenGLRenderWindow* window, const std::vector<vtkMedium>& media);
+  void DrawInTime(vtkOpenGLRenderWindow* window, const std::vector<vtkMedium>& media);
   std::string ReasonToBeAlone(vtkOpenGLRenderWindow* window);
   void WarnAboutMedia(int kind, const std::string& warning);
   bool UpdateOrder(const std::array<double, 4>& eye, const nephoscope::Progress& progress);

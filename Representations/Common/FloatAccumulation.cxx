@@ -102,6 +102,9 @@ void FloatAccumulation::Overlay(vtkOpenGLRenderWindow* window, const int viewpor
   {
     window->GetShaderCache()->ReadyShaderProgram(this->Quad->Program);
   }
+  const bool coarse = this->Size[0] != viewport[2] || this->Size[1] != viewport[3];
+  this->Colors[0]->SetMagnificationFilter(
+    coarse ? vtkTextureObject::Linear : vtkTextureObject::Nearest);
   this->Colors[0]->Activate();
   this->Quad->Program->SetUniformi("accumulated", this->Colors[0]->GetTextureUnit());
   this->Quad->Render();

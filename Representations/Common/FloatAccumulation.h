@@ -46,7 +46,7 @@ public:
   void End(vtkOpenGLRenderWindow* window);
   /** The image of a layer. */
   vtkTextureObject* GetTexture(int layer) const { return this->Colors[layer]; }
-  /** Lays the first image (premultiplied colours) over the viewport of the bound framebuffer. */
+  /** Lays the first image (premultiplied colours) over the viewport of the bound framebuffer, interpolated if it has fewer pixels. */
   void Overlay(vtkOpenGLRenderWindow* window, const int viewport[4]);
 
   /** Copies the first image into `image` as the float point array "RGBA"; false if there is none. */

@@ -9,6 +9,8 @@
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLState.h"
 
+#include <algorithm>
+#include <cmath>
 #include <sstream>
 
 namespace nephoscope
@@ -16,6 +18,32 @@ namespace nephoscope
 namespace
 {
 const char* const noFloatImages = "this OpenGL cannot draw into 32-bit float images";
+
+/** A viewport at the origin with fewer pixels. */
+std::array<int, 4> coarseViewport(const int viewport[4], double sampleDistance)
+{
+  const auto fewer = [&](int pixels) {
+    return std::max(static_cast<int>(std::ceil(pixels / sampleDistance)), 1);
+  };
+  return { { 0, 0, fewer(viewport[2]), fewer(viewport[3]) } };
+}
+
+/** The pixels that a region of the viewport covers, and those next to them. */
+PixelRegion coarseRegion(
+  const PixelRegion& region, const int viewport[4], const std::array<int, 4>& coarse)
+{
+  PixelRegion covered;
+  for (std::size_t axis = 0; axis < 2; ++axis)
+  {
+    const int size = coarse[2 + axis];
+    const double scale = double(size) / viewport[2 + axis];
+    const int first = static_cast<int>(std::floor(scale * region[axis])) - 1;
+    const int end = static_cast<int>(std::ceil(scale * (region[axis] + region[2 + axis]))) + 1;
+    covered[axis] = std::max(first, 0);
+    covered[2 + axis] = region[2 + axis] > 0 ? std::min(end, size) - covered[axis] : 0;
+  }
+  return covered;
+}
 }
 
 void FloatLayer::SetBlending(vtkOpenGLState* state)
@@ -40,32 +68,41 @@ std::string FloatLayer::CheckOpenGL(const char* where)
   return text.str();
 }
 
-std::string FloatLayer::Draw(
-  vtkOpenGLRenderWindow* window, const Painter& paint, const PixelRegion* region)
+std::string FloatLayer::Draw(vtkOpenGLRenderWindow* window, const Painter& paint,
+  const PixelRegion* region, double sampleDistance)
 {
   int viewport[4];
   vtkOpenGLState* state = window->GetState();
   state->vtkglGetIntegerv(GL_VIEWPORT, viewport);
-  const auto cutOff = [&](int x, int y) {
+  const auto cutOff = [&](const PixelRegion& part, int x, int y) {
     if (region)
     {
       state->vtkglEnable(GL_SCISSOR_TEST);
-      state->vtkglScissor(x + (*region)[0], y + (*region)[1], (*region)[2], (*region)[3]);
+      state->vtkglScissor(x + part[0], y + part[1], part[2], part[3]);
     }
   };
+  const PixelRegion part = region ? *region : PixelRegion{ { 0, 0, viewport[2], viewport[3] } };
+  std::array<int, 4> painted = { { viewport[0], viewport[1], viewport[2], viewport[3] } };
+  PixelRegion paintedPart = part;
   const SavedState saved(window->GetState());
   this->Depth.Copy(window, viewport, region ? region->data() : nullptr);
+  if (sampleDistance > 1)
+  {
+    painted = coarseViewport(viewport, sampleDistance);
+    paintedPart = coarseRegion(part, viewport, painted);
+    this->Depth.Coarsen(window, painted[2], painted[3]);
+  }
   std::string error = noFloatImages;
-  if (this->Accumulation.Begin(window, viewport))
+  if (this->Accumulation.Begin(window, painted.data()))
   {
     SetBlending(state);
-    cutOff(0, 0);
-    error = paint(viewport, this->Depth);
+    cutOff(paintedPart, 0, 0);
+    error = paint(painted.data(), this->Depth);
   }
   this->Accumulation.End(window);
   if (error.empty())
   {
-    cutOff(viewport[0], viewport[1]);
+    cutOff(part, viewport[0], viewport[1]);
     this->Accumulation.Overlay(window, viewport);
     error = CheckOpenGL("while drawing translucent layers");
   }

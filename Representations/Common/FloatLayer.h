@@ -35,10 +35,11 @@ public:
 
   /**
    * Returns an empty string, or what went wrong. All state of OpenGL is restored. Where a region of the viewport is given, the painter is
-   * cut off there, and the depth is copied and the image laid over the scene only there.
+   * cut off there, and the depth is copied and the image laid over the scene only there. With a sample distance of more than 1 the
+   * painter's viewport has that many times fewer pixels along each axis, between which the image is then interpolated.
    */
-  std::string Draw(
-    vtkOpenGLRenderWindow* window, const Painter& paint, const PixelRegion* region = nullptr);
+  std::string Draw(vtkOpenGLRenderWindow* window, const Painter& paint,
+    const PixelRegion* region = nullptr, double sampleDistance = 1);
 
   /**
    * Answers a depth peeling pass: both ranges of `peel` are drawn at once, gl_FragData[0] and [1], over a depth buffer in which

@@ -63,26 +63,35 @@ void OpaqueDepth::Allocate(
   }
   this->ReleaseGraphicsResources(window);
   this->Framebuffer->SetContext(window);
-  this->Texture->SetContext(window);
-  if (format.StencilBits > 0)
-  {
-    this->Texture->AllocateDepthStencil(width, height);
-  }
-  else
-  {
-    this->Texture->AllocateDepth(width, height, depthTextureFormat(format.Bits, format.Type));
-  }
-  this->Texture->SetMinificationFilter(vtkTextureObject::Nearest);
-  this->Texture->SetMagnificationFilter(vtkTextureObject::Nearest);
   this->AllocatedFormat = format;
   this->Size[0] = width;
   this->Size[1] = height;
+  AllocateTexture(window, this->Texture, format, this->Size);
+}
+
+void OpaqueDepth::AllocateTexture(
+  vtkOpenGLRenderWindow* window, vtkTextureObject* texture, const Format& format, const int size[2])
+{
+  const unsigned int width = static_cast<unsigned int>(size[0]);
+  const unsigned int height = static_cast<unsigned int>(size[1]);
+  texture->SetContext(window);
+  if (format.StencilBits > 0)
+  {
+    texture->AllocateDepthStencil(width, height);
+  }
+  else
+  {
+    texture->AllocateDepth(width, height, depthTextureFormat(format.Bits, format.Type));
+  }
+  texture->SetMinificationFilter(vtkTextureObject::Nearest);
+  texture->SetMagnificationFilter(vtkTextureObject::Nearest);
 }
 
 void OpaqueDepth::Copy(vtkOpenGLRenderWindow* window, const int viewport[4], const int* region)
 {
   const int width = viewport[2];
   const int height = viewport[3];
+  this->IsCoarse = false;
   this->Allocate(window, DrawFramebufferFormat(), width, height);
 
   vtkOpenGLState* state = window->GetState();
@@ -108,10 +117,38 @@ void OpaqueDepth::Copy(vtkOpenGLRenderWindow* window, const int viewport[4], con
   state->PopFramebufferBindings();
 }
 
+void OpaqueDepth::Coarsen(vtkOpenGLRenderWindow* window, int width, int height)
+{
+  const int size[2] = { width, height };
+  if (!this->Coarse->GetHandle() || static_cast<int>(this->Coarse->GetWidth()) != width ||
+    static_cast<int>(this->Coarse->GetHeight()) != height)
+  {
+    this->Coarse->ReleaseGraphicsResources(window);
+    this->CoarseFramebuffer->ReleaseGraphicsResources(window); // keeps what is attached
+    AllocateTexture(window, this->Coarse, this->AllocatedFormat, size);
+    this->CoarseFramebuffer->SetContext(window);
+  }
+  vtkOpenGLState* state = window->GetState();
+  vtkOpenGLState::ScopedglEnableDisable scissor(state, GL_SCISSOR_TEST);
+  state->vtkglDisable(GL_SCISSOR_TEST);
+  vtkOpenGLState::ScopedglDepthMask mask(state);
+  state->vtkglDepthMask(GL_TRUE);
+  state->PushFramebufferBindings();
+  this->Framebuffer->Bind(GL_READ_FRAMEBUFFER);
+  this->CoarseFramebuffer->Bind(GL_DRAW_FRAMEBUFFER);
+  this->CoarseFramebuffer->AddDepthAttachment(this->Coarse);
+  glBlitFramebuffer(
+    0, 0, this->Size[0], this->Size[1], 0, 0, width, height, GL_DEPTH_BUFFER_BIT, GL_NEAREST);
+  state->PopFramebufferBindings();
+  this->IsCoarse = true;
+}
+
 void OpaqueDepth::ReleaseGraphicsResources(vtkWindow* window)
 {
   this->Framebuffer->ReleaseGraphicsResources(window);
+  this->CoarseFramebuffer->ReleaseGraphicsResources(window);
   this->Texture->ReleaseGraphicsResources(window);
+  this->Coarse->ReleaseGraphicsResources(window);
   this->Size[0] = this->Size[1] = 0;
 }
 

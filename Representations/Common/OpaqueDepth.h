@@ -30,9 +30,11 @@ public:
    * that size, or only a region of it (x, y, width, height in the viewport). Framebuffer bindings are restored. Multisampled buffers are resolved.
    */
   void Copy(vtkOpenGLRenderWindow* window, const int viewport[4], const int* region = nullptr);
+  /** Picks the copy's depths at the centres of `width` times `height` larger pixels; GetTexture() gives them until the next copy. */
+  void Coarsen(vtkOpenGLRenderWindow* window, int width, int height);
 
   /** Depth in [0, 1], one texel per pixel of the viewport. */
-  vtkTextureObject* GetTexture() const { return this->Texture; }
+  vtkTextureObject* GetTexture() const { return this->IsCoarse ? this->Coarse : this->Texture; }
 
   void ReleaseGraphicsResources(vtkWindow* window);
 
@@ -50,9 +52,12 @@ private:
   };
   static Format DrawFramebufferFormat();
   void Allocate(vtkOpenGLRenderWindow* window, const Format& format, int width, int height);
+  static void AllocateTexture(vtkOpenGLRenderWindow* window, vtkTextureObject* texture,
+    const Format& format, const int size[2]);
 
-  vtkNew<vtkOpenGLFramebufferObject> Framebuffer;
-  vtkNew<vtkTextureObject> Texture;
+  vtkNew<vtkOpenGLFramebufferObject> Framebuffer, CoarseFramebuffer;
+  vtkNew<vtkTextureObject> Texture, Coarse;
+  bool IsCoarse = false;
   Format AllocatedFormat;
   int Size[2] = { 0, 0 };
 };

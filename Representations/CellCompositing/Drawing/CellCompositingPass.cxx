@@ -59,7 +59,8 @@ std::string CellCompositingPass::Draw(
     return this->UseRays ? this->Rays.Draw(drawing) : this->Projected.Draw(drawing);
   };
   this->Peeled = false;
-  return this->Layer.Draw(window, paint, this->UseRays ? &region : nullptr);
+  return this->Layer.Draw(window, paint, this->UseRays ? &region : nullptr,
+    this->UseRays ? options.ImageSampleDistance : 1);
 }
 
 std::string CellCompositingPass::DrawLayer(
@@ -155,7 +156,7 @@ std::string CellCompositingPass::DrawMedia(
   const auto paint = [&](const int viewport[4], OpaqueDepth&) {
     return this->CastMedia(window, media, viewport, nullptr, 0);
   };
-  return this->Layer.Draw(window, paint, &region);
+  return this->Layer.Draw(window, paint, &region, media.front().Options->ImageSampleDistance);
 }
 
 std::string CellCompositingPass::DrawMediaPeel(vtkOpenGLRenderWindow* window,

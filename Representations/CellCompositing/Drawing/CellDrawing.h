@@ -33,10 +33,11 @@ struct CellDrawingOptions
   CellMethod Method = CellMethod::Cells;
   bool AverageIntegration = false;
   bool SplitAtControlPoints = true;
-  bool Trilinear = false;       ///< the scalar in hexahedra; otherwise they are tetrahedra
-  double ExtinctionScale = 1.0; ///< extinction per world length at opacity 1
-  bool CameraLight = false;     ///< the colour depends on the direction of view
-  bool ContourLayers = false;   ///< layers lie between contours; otherwise tetrahedra have them
+  bool Trilinear = false;         ///< the scalar in hexahedra; otherwise they are tetrahedra
+  double ImageSampleDistance = 1; ///< from ray to ray, in pixels
+  double ExtinctionScale = 1.0;   ///< extinction per world length at opacity 1
+  bool CameraLight = false;       ///< the colour depends on the direction of view
+  bool ContourLayers = false;     ///< layers lie between contours; otherwise tetrahedra have them
   bool ContourLighting = false;
   std::array<float, 4> ContourShading = { { 0, 1, 0,
     1 } };                             ///< ambient, diffuse, specular, specular power
