@@ -27,6 +27,18 @@ bool hasNarrowIntervals(const std::vector<TransferFunctionTable>& tables)
   });
 }
 
+/** A number, and a macro that does something with each of 0, 1, ... below it. */
+std::string countedDefinition(const char* number, const char* each, std::size_t count)
+{
+  std::string text =
+    "#define " + std::string(number) + " " + std::to_string(count) + "\n#define " + each + "(DO)";
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    text += " DO(" + std::to_string(i) + ")";
+  }
+  return text + "\n";
+}
+
 }
 
 std::string CellBuffers::UploadGeometry(vtkOpenGLRenderWindow* window, const CellGeometry& geometry)
@@ -112,13 +124,18 @@ std::string CellBuffers::UploadTransferFunctions(vtkOpenGLRenderWindow* window,
   const std::vector<TransferFunctionTable>& colorAndOpacity,
   const std::vector<TransferFunctionTable>& opacity, const std::vector<std::int32_t>& tables)
 {
-  constexpr std::size_t few = 8;
+  constexpr std::size_t few = 32;
   this->NumberOfTransferNodes = static_cast<int>(colorAndOpacity[0].Nodes.size());
   this->NumberOfOpacityNodes = static_cast<int>(opacity[0].Nodes.size());
   this->UseLayers = colorAndOpacity.size() > 1;
   const bool narrow = hasNarrowIntervals(colorAndOpacity) || hasNarrowIntervals(opacity);
-  const bool small = colorAndOpacity[0].Nodes.size() <= few && !narrow && !this->UseLayers;
-  this->SmallTable = small ? colorAndOpacity[0] : TransferFunctionTable();
+  const auto copyOf = [&](const TransferFunctionTable& table) {
+    const bool small = table.Nodes.size() <= few && !narrow && !this->UseLayers;
+    return small ? table : TransferFunctionTable();
+  };
+  this->SmallTable = copyOf(colorAndOpacity[0]);
+  this->SmallOpacityTable =
+    this->SmallTable.Nodes.empty() ? TransferFunctionTable() : copyOf(opacity[0]);
   std::vector<std::array<float, 4>>
     layers; // first node, number of nodes, of either table; clear range
   float first[2] = { 0, 0 };
@@ -152,11 +169,23 @@ std::string CellBuffers::ShaderConstants() const
     shaderConstant("cameraLight", this->UseCameraLight);
 }
 
+bool CellBuffers::UsesSmallOpacityTable() const
+{
+  return this->SeparateOpacity && !this->SmallOpacityTable.Nodes.empty();
+}
+
 std::string CellBuffers::SmallTableDefinition() const
 {
-  return this->SmallTable.Nodes.empty()
-    ? std::string()
-    : "#define SMALL_TABLE " + std::to_string(this->SmallTable.Nodes.size()) + "\n";
+  const std::size_t nodes = this->SmallTable.Nodes.size();
+  if (nodes == 0)
+  {
+    return std::string();
+  }
+  const std::size_t opacityNodes = this->SmallOpacityTable.Nodes.size();
+  return countedDefinition("SMALL_TABLE", "EACH_NODE", nodes) +
+    (this->UsesSmallOpacityTable()
+        ? countedDefinition("SMALL_OPACITY_TABLE", "EACH_OPACITY_NODE", opacityNodes)
+        : std::string());
 }
 
 void CellBuffers::SetSmallTable(vtkShaderProgram* program) const
@@ -178,6 +207,19 @@ void CellBuffers::SetSmallTable(vtkShaderProgram* program) const
     "smallLow", static_cast<int>(low.size()), reinterpret_cast<Values>(low.data()));
   program->SetUniform4fv(
     "smallHigh", static_cast<int>(high.size()), reinterpret_cast<Values>(high.data()));
+  if (!this->UsesSmallOpacityTable())
+  {
+    return;
+  }
+  std::vector<std::array<float, 2>> opacities;
+  for (const TransferFunctionTable::Interval& interval : this->SmallOpacityTable.Intervals)
+  {
+    opacities.push_back({ { interval.Low[3], interval.High[3] } });
+  }
+  const std::vector<float>& nodes = this->SmallOpacityTable.Nodes;
+  program->SetUniform1fv("smallOpacityNodes", static_cast<int>(nodes.size()), nodes.data());
+  program->SetUniform2fv("smallOpacities", static_cast<int>(opacities.size()),
+    reinterpret_cast<const float(*)[2]>(opacities.data()));
 }
 
 void CellBuffers::Activate(vtkShaderProgram* program, int instance)

@@ -40,7 +40,7 @@ public:
     const std::vector<TransferFunctionTable>& colorAndOpacity,
     const std::vector<TransferFunctionTable>& opacity, const std::vector<std::int32_t>& tables);
 
-  /** Where the transfer function has few nodes, SMALL_TABLE stands for their number; otherwise it is not defined. */
+  /** Where the transfer functions have few nodes, SMALL_TABLE and SMALL_OPACITY_TABLE of RaySegments.glsl; otherwise they are not defined. */
   std::string SmallTableDefinition() const;
   void SetSmallTable(vtkShaderProgram* program) const;
 
@@ -72,12 +72,14 @@ private:
     PhaseFunction,
     NumberOfBuffers
   };
+  bool UsesSmallOpacityTable() const;
   std::string UploadPoints(vtkOpenGLRenderWindow* window, const CellGeometry& geometry);
   std::string UploadTables(vtkOpenGLRenderWindow* window,
     const std::vector<TransferFunctionTable>& tables, Name nodes, Name intervals);
 
   std::array<BufferTexture, NumberOfBuffers> Buffers;
-  TransferFunctionTable SmallTable; // copy of the nodes and intervals; empty if there are many
+  TransferFunctionTable SmallTable,
+    SmallOpacityTable; // copies of nodes and intervals; empty if there are many
   bool UseCellScalars = false;
   bool SeparateOpacity = false;
   bool OpacityOnCells = false;

@@ -23,6 +23,18 @@
 
 namespace nephoscope
 {
+namespace
+{
+// Where uniforms are worth a copy (RayCells.frag.glsl); a GPU would keep the copies in registers that it has too few of.
+bool isSoftwareOpenGL()
+{
+  const auto* name = reinterpret_cast<const char*>(glGetString(GL_RENDERER));
+  const std::string renderer = name ? name : "";
+  const auto has = [&](const char* part) { return renderer.find(part) != std::string::npos; };
+  return has("llvmpipe") || has("softpipe") || has("SWR");
+}
+}
+
 std::string CellDrawing::OwnConstants() const
 {
   const bool more = this->Buffers.HasPointOpacity() || this->Contours.HasScalars();
@@ -37,7 +49,8 @@ std::string CellDrawing::OwnConstants() const
 
 std::string CellDrawing::CommonConstants() const
 {
-  return this->Options.Haze.Definition() + HazeAlongRayShader;
+  return shaderConstant("softwareOpenGL", isSoftwareOpenGL()) + this->Options.Haze.Definition() +
+    HazeAlongRayShader;
 }
 
 // Where rays end: at the opaque depth, or at the ends of the ranges of a peel.

@@ -494,7 +494,7 @@ void main()
       discard;
     }
   }
-  unity = gl_FragCoord.w;
+  unity = softwareOpenGL ? gl_FragCoord.w : 1.0;
   clear = clearRange * unity;
   keepTopology();
   keepTable();

@@ -177,7 +177,7 @@ void prepareMedium()
   pointStep[1] = dFdy(rayPointVSOutput);
   directionStep[0] = dFdx(rayDirectionVSOutput);
   directionStep[1] = dFdy(rayDirectionVSOutput);
-  unity = gl_FragCoord.w;
+  unity = softwareOpenGL ? gl_FragCoord.w : 1.0;
   clear = clearRange * unity;
   keepTopology();
   keepTable();

@@ -1,57 +1,29 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
 // Segments of one ray, front to back.
-// Constants: splitAtControlPoints, separateOpacity. SMALL_TABLE, where it is defined, is the number of nodes of the transfer function, at
-// most 8, which are then uniforms: a fetch per pixel and segment costs more than looking at all of them. Written out rather than as
-// loops, which compilers leave as they are and fetch from.
+// Constants: splitAtControlPoints, separateOpacity. SMALL_TABLE, where it is defined, is the number of nodes of the transfer function,
+// SMALL_OPACITY_TABLE of that of a separate opacity; few nodes are uniforms: a fetch per pixel and segment costs more than looking at all of
+// them. EACH_NODE and EACH_OPACITY_NODE write that out: compilers leave loops as they are and fetch from what they index.
 #ifdef SMALL_TABLE
 uniform float smallNodes[SMALL_TABLE];
 uniform vec4 smallLow[SMALL_TABLE + 1];  // colour and opacity at the ends of each interval
 uniform vec4 smallHigh[SMALL_TABLE + 1];
-float nodes[9]; // copies
-vec4 low[9];
-vec4 high[9];
+float nodes[SMALL_TABLE + 1]; // copies
+vec4 low[SMALL_TABLE + 1];
+vec4 high[SMALL_TABLE + 1];
 
 #define KEEP_INTERVAL(k) low[k] = smallLow[k] * unity; high[k] = smallHigh[k] * unity;
 #define KEEP_NODE(k) nodes[k] = smallNodes[k] * unity; nodes[k + 1] = 3.0e38; KEEP_INTERVAL(k + 1)
 #define PASS_NODE(k) if (up ? s >= nodes[k] : s > nodes[k]) { result = Interval(nodes[k], nodes[k + 1], nodes[k + 1] - nodes[k], low[k + 1], high[k + 1]); }
+#endif
+#ifdef SMALL_OPACITY_TABLE
+uniform float smallOpacityNodes[SMALL_OPACITY_TABLE];
+uniform vec2 smallOpacities[SMALL_OPACITY_TABLE + 1]; // at the low and high end of each interval
+float opacityNodesKept[SMALL_OPACITY_TABLE + 1];
+vec2 opacities[SMALL_OPACITY_TABLE + 1];
 
-#if SMALL_TABLE > 1
-#define NODE_1(DO) DO(1)
-#else
-#define NODE_1(DO)
-#endif
-#if SMALL_TABLE > 2
-#define NODE_2(DO) DO(2)
-#else
-#define NODE_2(DO)
-#endif
-#if SMALL_TABLE > 3
-#define NODE_3(DO) DO(3)
-#else
-#define NODE_3(DO)
-#endif
-#if SMALL_TABLE > 4
-#define NODE_4(DO) DO(4)
-#else
-#define NODE_4(DO)
-#endif
-#if SMALL_TABLE > 5
-#define NODE_5(DO) DO(5)
-#else
-#define NODE_5(DO)
-#endif
-#if SMALL_TABLE > 6
-#define NODE_6(DO) DO(6)
-#else
-#define NODE_6(DO)
-#endif
-#if SMALL_TABLE > 7
-#define NODE_7(DO) DO(7)
-#else
-#define NODE_7(DO)
-#endif
-#define EACH_NODE(DO) DO(0) NODE_1(DO) NODE_2(DO) NODE_3(DO) NODE_4(DO) NODE_5(DO) NODE_6(DO) NODE_7(DO)
+#define KEEP_OPACITY_NODE(k) opacityNodesKept[k] = smallOpacityNodes[k] * unity; opacityNodesKept[k + 1] = 3.0e38; opacities[k + 1] = smallOpacities[k + 1] * unity;
+#define PASS_OPACITY_NODE(k) if (up ? s >= opacityNodesKept[k] : s > opacityNodesKept[k]) { result = OpacityInterval(opacityNodesKept[k], opacityNodesKept[k + 1], opacities[k + 1]); }
 #endif
 
 void keepTable()
@@ -59,6 +31,10 @@ void keepTable()
 #ifdef SMALL_TABLE
   KEEP_INTERVAL(0)
   EACH_NODE(KEEP_NODE)
+#endif
+#ifdef SMALL_OPACITY_TABLE
+  opacities[0] = smallOpacities[0] * unity;
+  EACH_OPACITY_NODE(KEEP_OPACITY_NODE)
 #endif
 }
 
@@ -151,9 +127,73 @@ void addAlongOneScalar(float front, float back, float depth)
   }
 }
 
+#ifdef SMALL_OPACITY_TABLE
+struct OpacityInterval
+{
+  float low, high;
+  vec2 values;
+};
+
+OpacityInterval opacityIntervalFrom(float s, bool up)
+{
+  OpacityInterval result = OpacityInterval(-3.0e38, opacityNodesKept[0], opacities[0]);
+  EACH_OPACITY_NODE(PASS_OPACITY_NODE)
+  return result;
+}
+
+float opacityAt(OpacityInterval interval, float s)
+{
+  float t = (s - interval.low) / (interval.high - interval.low);
+  return mix(interval.values.x, interval.values.y, clamp(t, 0.0, 1.0));
+}
+
+// Fraction of the segment after which a scalar leaves its interval at this end; 2 if it does not.
+float leaveAt(float end, bool up, float front, float back)
+{
+  bool leaves = up ? end < back : end > back;
+  return leaves ? clamp((end - front) / (back - front), 0.0, 1.0) : 2.0;
+}
+
+// The scalars of colour and opacity go linearly from `front` to `back` over an optical length: cut wherever either crosses a node.
+void addAlongTwoScalars(vec2 front, vec2 back, float depth)
+{
+  bool upX = back.x >= front.x, upY = back.y >= front.y;
+  vec2 s = front;
+  float from = 0.0;
+  for (int i = 0; i <= numberOfTransferNodes + numberOfOpacityNodes; ++i)
+  {
+    Interval color = intervalFrom(s.x, upX, 0);
+    OpacityInterval opacity = opacityIntervalFrom(s.y, upY);
+    vec2 ends = vec2(upX ? color.high : color.low, upY ? opacity.high : opacity.low);
+    vec2 leave = vec2(leaveAt(ends.x, upX, front.x, back.x), leaveAt(ends.y, upY, front.y, back.y));
+    bool ofColor = leave.x <= leave.y;
+    float to = greater(from, lesser(1.0, lesser(leave.x, leave.y)));
+    bool atEnd = lesser(leave.x, leave.y) > 1.0;
+    vec2 next = atEnd ? back : mix(front, back, to);
+    next = atEnd ? next : ofColor ? vec2(ends.x, next.y) : vec2(next.x, ends.y);
+    vec4 start = vec4(valueAt(color, s.x).rgb, opacityAt(opacity, s.y));
+    vec4 end = vec4(valueAt(color, next.x).rgb, opacityAt(opacity, next.y));
+    light += (1.0 - light.a) * integrateLinear(start, end, (to - from) * depth);
+    if (atEnd)
+    {
+      break;
+    }
+    s = next;
+    from = to;
+  }
+}
+#endif
+
 void addSegment(vec2 front, vec2 back, float distance)
 {
   float depth = distance * opticalLength;
+#ifdef SMALL_OPACITY_TABLE
+  if (splitAtControlPoints)
+  {
+    addAlongTwoScalars(front, back, depth);
+    return;
+  }
+#endif
   if (splitAtControlPoints && !separateOpacity)
   {
     addAlongOneScalar(front.x, back.x, depth);

@@ -32,7 +32,7 @@ float unity = 0.0; // RayCells.frag.glsl says why uniforms are copied
 
 void main()
 {
-  unity = gl_FragCoord.w;
+  unity = softwareOpenGL ? gl_FragCoord.w : 1.0;
   keepTable();
   keepGrid();
   origin = rayPointVSOutput;
