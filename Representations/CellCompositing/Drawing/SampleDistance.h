@@ -12,8 +12,8 @@ namespace nephoscope
 {
 
 /**
- * The time of a picture is taken as `Fixed + Rays / distance²`. Two pictures one after another with different distances give both, later
- * ones correct the second. The first picture does not count: its shaders are compiled.
+ * The time of a picture is taken as `Fixed + Rays / distance²`. Two pictures one after another with different distances give both, if two
+ * such pairs agree; later pictures correct the second. The first picture does not count: its shaders are compiled.
  */
 class SampleDistance
 {
@@ -49,7 +49,9 @@ public:
     const double rays = changed ? (this->LastSeconds - seconds) / (lastShare - share) : -1;
     if (rays > 0)
     {
-      this->Fixed = std::max(seconds - rays * share, 0.0);
+      const double found = std::max(seconds - rays * share, 0.0);
+      this->Fixed = std::min(found, this->LastFixed); // one slow picture among others is none
+      this->LastFixed = found;
     }
     this->Rays = std::max(seconds - this->Fixed, 0.0) / share;
     this->LastSeconds = seconds;
@@ -58,7 +60,7 @@ public:
 
 private:
   bool Started = false;
-  double Fixed = 0;
+  double Fixed = 0, LastFixed = 0;
   double Rays = 0; // of a ray for each pixel
   double LastSeconds = 0;
   double LastDistance = 1;

@@ -155,6 +155,16 @@ void vtkCellCompositingRepresentation::SetSplitAtControlPoints(bool split)
   this->Mapper->SetSplitAtControlPoints(split);
 }
 
+void vtkCellCompositingRepresentation::SetAutoAdjustSampleDistances(bool adjust)
+{
+  this->Mapper->SetAutoAdjustSampleDistances(adjust);
+}
+
+void vtkCellCompositingRepresentation::SetMaximumImageSampleDistance(double distance)
+{
+  this->Mapper->SetMaximumImageSampleDistance(distance);
+}
+
 void vtkCellCompositingRepresentation::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);

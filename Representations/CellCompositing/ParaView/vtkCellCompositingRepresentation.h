@@ -43,6 +43,8 @@ public:
   void SetIntegration(int integration);
   void SetVisibilityOrder(int order);
   void SetSplitAtControlPoints(bool split);
+  void SetAutoAdjustSampleDistances(bool adjust);
+  void SetMaximumImageSampleDistance(double distance);
   ///@}
 
   ///@{
