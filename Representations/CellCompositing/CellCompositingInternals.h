@@ -13,7 +13,7 @@
 #include "OwnThreads.h"
 #include "ReportedError.h"
 #include "ResourceWindow.h"
-#include "SampleDistance.h"
+#include "SamplesInTime.h"
 #include "ScalarSelection.h"
 #include "ViewState.h"
 
@@ -53,7 +53,7 @@ struct vtkCellCompositingMapper::vtkInternals
     Picture; // drew the last one with other media, if not this mapper
   std::unique_ptr<nephoscope::ViewState> View; // of what has been prepared to be drawn
   nephoscope::CellDrawingOptions Options;
-  nephoscope::SampleDistance Distance;          // of rays, while the camera moves
+  nephoscope::SamplesInTime Samples;            // while the camera moves
   bool Busy = false;                            // who hears of progress may call in between
   nephoscope::ScalarSelection Scalars, Opacity; // of the geometry, and what keeps them
   vtkSmartPointer<vtkDataArray> Arrays[2];

@@ -6,6 +6,7 @@
 #include "MapperSettings.h"
 #include "ReportedError.h"
 #include "ResourceWindow.h"
+#include "SamplesInTime.h"
 #include "SplatCost.h"
 #include "SplatKernel.h"
 #include "SplatPass.h"
@@ -34,6 +35,7 @@ struct vtkTexturedSplatMapper::vtkInternals
   nephoscope::SplatScene Scene;
   nephoscope::SplatPass Pass;
   nephoscope::ReportedError LastError, LastWarning, LeftOut, Cost;
+  nephoscope::SamplesInTime Samples; // while the camera moves
   nephoscope::ResourceWindow Window{ [this](vtkWindow* window) {
     this->Pass.ReleaseGraphicsResources(window);
     this->Scene.ForgetUpload();
@@ -131,7 +133,7 @@ void vtkTexturedSplatMapper::DrawInOrder(vtkRenderer* renderer, vtkVolume* volum
   std::string error = this->UpdateSplats(input, volume);
   if (error.empty())
   {
-    error = this->DrawScene(window, renderer, volume);
+    error = this->DrawInTime(window, renderer, volume);
   }
   this->ReportOnce(error);
 }
@@ -260,8 +262,28 @@ void vtkTexturedSplatMapper::SelectSplats(
     this->VectorArrayName);
 }
 
-std::string vtkTexturedSplatMapper::DrawScene(
+double vtkTexturedSplatMapper::GetLastImageSampleDistance()
+{
+  return this->Internals->Samples.GetDistance();
+}
+
+std::string vtkTexturedSplatMapper::DrawInTime(
   vtkOpenGLRenderWindow* window, vtkRenderer* renderer, vtkVolume* volume)
+{
+  std::string error;
+  nephoscope::SampleSettings settings = { this->AutoAdjustSampleDistances,
+    this->ImageSampleDistance, this->MaximumImageSampleDistance };
+  if (nephoscope::VolumePeel::IsRequested(volume))
+  {
+    settings = { false, 1, 1 };
+  }
+  this->TimeToDraw = this->Internals->Samples.Draw(window, settings,
+    [&](double distance) { error = this->DrawScene(window, renderer, volume, distance); });
+  return error;
+}
+
+std::string vtkTexturedSplatMapper::DrawScene(
+  vtkOpenGLRenderWindow* window, vtkRenderer* renderer, vtkVolume* volume, double sampleDistance)
 {
   nephoscope::SplatScene& scene = this->Internals->Scene;
   const nephoscope::ViewState state(renderer, volume, scene.GetSamples().Center);
@@ -273,8 +295,12 @@ std::string vtkTexturedSplatMapper::DrawScene(
   options.Kernel = static_cast<nephoscope::SplatKernel>(this->Kernel);
   options.ExtinctionScale = this->GetExtinctionFactor();
   this->SetVectorOptions(options);
-  nephoscope::FindSplatRanges(
-    scene.GetSorted(), scene.GetSamples(), state.View, renderer->GetSize(), options);
+  options.ImageSampleDistance = sampleDistance;
+  options.SegmentWidth /= sampleDistance;
+  const int* size = renderer->GetSize();
+  const int pixels[2] = { static_cast<int>(std::ceil(size[0] / sampleDistance)),
+    static_cast<int>(std::ceil(size[1] / sampleDistance)) };
+  nephoscope::FindSplatRanges(scene.GetSorted(), scene.GetSamples(), state.View, pixels, options);
   scene.UpdateLayers(options.MediaApart, this->OrderByLayers, this->GetDataSetInput(),
     this->LayerAxis, options.NearSplats);
   this->SetRegionOptions(options);

@@ -459,6 +459,26 @@ public:
 
   ///@{
   /**
+   * Draws fewer pixels while the camera moves, as many as the DesiredUpdateRate of the render window allows, and interpolates between them;
+   * a picture at rest has all. Default: on, at most 8 pixels between samples (1 to 16, clamped). Not when volumes are peeled. Names and meaning are
+   * those of vtkFixedPointVolumeRayCastMapper.
+   */
+  vtkSetMacro(AutoAdjustSampleDistances, bool);
+  vtkGetMacro(AutoAdjustSampleDistances, bool);
+  vtkBooleanMacro(AutoAdjustSampleDistances, bool);
+  vtkSetClampMacro(MaximumImageSampleDistance, double, 1.0, 16.0);
+  vtkGetMacro(MaximumImageSampleDistance, double);
+  ///@}
+  ///@{
+  /** Pixels between samples of the image when AutoAdjustSampleDistances is off, 1 to 16 (clamped). Default: 1. */
+  vtkSetClampMacro(ImageSampleDistance, double, 1.0, 16.0);
+  vtkGetMacro(ImageSampleDistance, double);
+  ///@}
+  /** The distance in the last render. */
+  double GetLastImageSampleDistance();
+
+  ///@{
+  /**
    * The part of space, in coordinates of the data, that this process draws of a picture which several draw together: of each splat those
    * pixels whose ray is in the region at the splat's distance from the eye. If regions fill space and their pictures are laid over each other in
    * the order of the regions, that is the picture of one process. Each needs the splats of others that reach into its region, as
@@ -510,6 +530,8 @@ protected:
   double LevelBlending = 0.1;
   vtkIdType InteractiveMaximumNumberOfSplats = 100000;
   double InteractiveUpdateRate = 1.0;
+  bool AutoAdjustSampleDistances = true;
+  double ImageSampleDistance = 1.0, MaximumImageSampleDistance = 8.0;
   std::string ShapeArrayName;
   std::string CellSizeArrayName;
   bool CellSizeArrayHoldsVolumes = false;
@@ -561,7 +583,9 @@ private:
   nephoscope::SplatSampling GetSampling(bool onCells) const;
   std::string UpdateSplats(vtkDataSet* input, vtkVolume* volume);
   void DrawInOrder(vtkRenderer* renderer, vtkVolume* volume);
-  std::string DrawScene(vtkOpenGLRenderWindow* window, vtkRenderer* renderer, vtkVolume* volume);
+  std::string DrawScene(
+    vtkOpenGLRenderWindow* window, vtkRenderer* renderer, vtkVolume* volume, double sampleDistance);
+  std::string DrawInTime(vtkOpenGLRenderWindow* window, vtkRenderer* renderer, vtkVolume* volume);
   bool UsesHierarchy(vtkRenderer* renderer, vtkIdType samples, vtkIdType& most) const;
   void SelectSplats(vtkRenderer* renderer, vtkVolume* volume, const nephoscope::ViewState& state);
   void ReportOnce(const std::string& error);

@@ -16,6 +16,9 @@ void vtkTexturedSplatMapper::CopySettings(vtkTexturedSplatMapper* mapper)
   this->SetLevelBlending(mapper->LevelBlending);
   this->SetInteractiveMaximumNumberOfSplats(mapper->InteractiveMaximumNumberOfSplats);
   this->SetInteractiveUpdateRate(mapper->InteractiveUpdateRate);
+  this->SetAutoAdjustSampleDistances(mapper->AutoAdjustSampleDistances);
+  this->SetImageSampleDistance(mapper->ImageSampleDistance);
+  this->SetMaximumImageSampleDistance(mapper->MaximumImageSampleDistance);
   this->SetShapeArrayName(mapper->ShapeArrayName);
   this->SetCellSizeArrayName(mapper->CellSizeArrayName);
   this->SetCellSizeArrayHoldsVolumes(mapper->CellSizeArrayHoldsVolumes);
@@ -103,5 +106,8 @@ void vtkTexturedSplatMapper::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "InteractiveMaximumNumberOfSplats: " << this->InteractiveMaximumNumberOfSplats
      << "\n";
   os << indent << "InteractiveUpdateRate: " << this->InteractiveUpdateRate << "\n";
+  os << indent << "AutoAdjustSampleDistances: " << this->AutoAdjustSampleDistances << "\n";
+  os << indent << "ImageSampleDistance: " << this->ImageSampleDistance << "\n";
+  os << indent << "MaximumImageSampleDistance: " << this->MaximumImageSampleDistance << "\n";
   os << indent << "NumberOfDrawnSplats: " << this->GetNumberOfDrawnSplats() << "\n";
 }

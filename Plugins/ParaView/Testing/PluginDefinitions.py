@@ -93,7 +93,7 @@ def check_representation():
 SPLAT_MAPPER_PROPERTIES = ("OpacityScale", "Kernel", "CellSize", "CellSizeArrayHoldsVolumes", "GreatestSpeed", "StreakPeriod",
                            "VectorColor", "Phase", "PhaseCycles", "TrueSpeed", "TimeScale", "PhaseSteps", "VectorStyle", "VectorPlacement", "LayerAxis", "VectorUnit",
                            "StreakWidth", "SegmentLength", "SegmentWidth", "RadiusFactor", "ErrorTolerance", "ErrorToleranceUnit",
-                           "ErrorMeasure", "LevelBlending", "InteractiveMaximumNumberOfSplats")
+                           "ErrorMeasure", "LevelBlending", "InteractiveMaximumNumberOfSplats", "AutoAdjustSampleDistances")
 PARAVIEW_PROPERTIES = ("Visibility", "ForceUseCache", "ForcedCacheKey", "ColorArrayName", "Opacity", "DiffuseColor", "Position", "Scale",
                        "Orientation", "Origin", "Pickable")
 

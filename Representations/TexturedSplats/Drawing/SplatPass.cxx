@@ -208,9 +208,10 @@ std::string SplatPass::Draw(
   vtkOpenGLRenderWindow* window, const SceneView& view, const SplatDrawingOptions& options)
 {
   this->Peeled = false;
-  return this->Layer.Draw(window, [&](const int viewport[4], OpaqueDepth& opaqueDepth) {
+  const auto paint = [&](const int viewport[4], OpaqueDepth& opaqueDepth) {
     return this->DrawAll(window, view, options, viewport, opaqueDepth.GetTexture());
-  });
+  };
+  return this->Layer.Draw(window, paint, nullptr, options.ImageSampleDistance);
 }
 
 std::string SplatPass::DrawPeel(vtkOpenGLRenderWindow* window, const SceneView& view,

@@ -55,6 +55,7 @@ struct SplatDrawingOptions
   double StreakWidth = 0.1;
   double SegmentLength = 2.0;
   double SegmentWidth = 1.5;       // pixels
+  double ImageSampleDistance = 1;  // from sample to sample of the image
   SplatRegion Region = WholeSpace; // relative to the samples' centre
   HazeView Haze;
   ClippingPlanes Planes;

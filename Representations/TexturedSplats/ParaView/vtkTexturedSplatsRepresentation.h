@@ -57,6 +57,10 @@ public:
   {
     this->Mapper->SetInteractiveMaximumNumberOfSplats(count);
   }
+  void SetAutoAdjustSampleDistances(bool adjust)
+  {
+    this->Mapper->SetAutoAdjustSampleDistances(adjust);
+  }
   void SetGreatestSpeed(double speed);
   void SetStreakPeriod(double units) { this->Mapper->SetStreakPeriod(units); }
   void SetPhaseCycles(int cycles) { this->Mapper->SetPhaseCycles(cycles); }
