@@ -31,7 +31,7 @@ public:
    */
   double Draw(vtkRenderWindow* window, const SampleSettings& settings,
     const std::function<void(double)>& draw);
-  /** Of the last picture. */
+  /** In the last picture. */
   double GetDistance() const { return this->LastDistance; }
 
 private:

@@ -93,7 +93,8 @@ def check_representation():
 SPLAT_MAPPER_PROPERTIES = ("OpacityScale", "Kernel", "CellSize", "CellSizeArrayHoldsVolumes", "GreatestSpeed", "StreakPeriod",
                            "VectorColor", "Phase", "PhaseCycles", "TrueSpeed", "TimeScale", "PhaseSteps", "VectorStyle", "VectorPlacement", "LayerAxis", "VectorUnit",
                            "StreakWidth", "SegmentLength", "SegmentWidth", "RadiusFactor", "ErrorTolerance", "ErrorToleranceUnit",
-                           "ErrorMeasure", "LevelBlending", "InteractiveMaximumNumberOfSplats", "AutoAdjustSampleDistances")
+                           "ErrorMeasure", "LevelBlending", "InteractiveMaximumNumberOfSplats", "AutoAdjustSampleDistances",
+                           "MaximumImageSampleDistance")
 PARAVIEW_PROPERTIES = ("Visibility", "ForceUseCache", "ForcedCacheKey", "ColorArrayName", "Opacity", "DiffuseColor", "Position", "Scale",
                        "Orientation", "Origin", "Pickable")
 

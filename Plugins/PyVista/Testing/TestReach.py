@@ -57,6 +57,8 @@ DEPRECATED = {"GreatestSpeed", "VectorShare"}  # earlier names of properties tha
 # Where a host does not reach a property: why.
 DATA = "how data come in is the host's: connections in ParaView, arguments in PyVista"
 SHORTER = "a setter of several properties at once, which are there one by one"
+SAMPLES = "the update rate of the window sets it; otherwise on the mapper itself"
+MAPPERS_IN_TIME = ("vtkCellCompositingMapper", "vtkTexturedSplatMapper")
 AXES = "one setter for three properties, which are there one by one, or the other way round"
 BY_REPRESENTATION = "ParaView's representation sets it, for several ranks"
 EXCEPTIONS = {
@@ -85,6 +87,9 @@ EXCEPTIONS = {
     ("ParaView", "vtkTexturedSplatMapper", "OrderByLayers"): "off: on several ranks samples travel without their grid",
     ("PyVista", "vtkTexturedSplatMapper", "OrderByLayers"): "on; on request off, on the mapper itself",
     **{(host, "vtkCellCompositingMapper", "PickOpacity"): "how opaque is what is picked; on the mapper itself" for host in ("ParaView", "PyVista")},
+    **{("PyVista", mapper, name): SAMPLES for mapper in MAPPERS_IN_TIME
+       for name in ("AutoAdjustSampleDistances", "MaximumImageSampleDistance", "ImageSampleDistance")},
+    **{("ParaView", mapper, "ImageSampleDistance"): "1 where Auto Adjust Sample Distances is off" for mapper in MAPPERS_IN_TIME},
     ("PyVista", "vtkCellCompositingMapper", "NumberOfContourValues"): "the length of the list of contours",
     ("ParaView", "vtkCloudTextureMapper", "DensityVolume"): "a second input, the property of that name",
     ("ParaView", "vtkCellCompositingMapper", "LayersFromContours"): "on by itself, unless there is a Layer Array",

@@ -79,7 +79,7 @@ class Moving(ImageTestCase):
                         small.render()
                         drawn, expected = float_image(ours), float_image(exact)
                         self.assertEqual(drawn.shape, expected.shape)
-                        self.assertGreater(np.abs(expected).max(), 0.05)
+                        self.assertGreater(np.abs(expected).max(), 0.01)
                         error = np.abs(drawn - expected).max(axis=2)
                         name = f"{label}, opaque {opaque}, eye {'inside' if look else 'outside'}, distance {distance}"
                         print(f"  {name}: at most {error.max():.1e}, above 1e-4 at {(error > 1e-4).mean():.4f} of the pixels")

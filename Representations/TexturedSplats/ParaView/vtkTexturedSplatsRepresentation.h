@@ -61,6 +61,10 @@ public:
   {
     this->Mapper->SetAutoAdjustSampleDistances(adjust);
   }
+  void SetMaximumImageSampleDistance(double distance)
+  {
+    this->Mapper->SetMaximumImageSampleDistance(distance);
+  }
   void SetGreatestSpeed(double speed);
   void SetStreakPeriod(double units) { this->Mapper->SetStreakPeriod(units); }
   void SetPhaseCycles(int cycles) { this->Mapper->SetPhaseCycles(cycles); }
