@@ -83,10 +83,11 @@ std::string countOf(vtkIdType count)
 
 bool vtkCloudOptics::AddOptics(vtkDataSet* data)
 {
-  const nephoscope::FieldNames names = { this->TotalWaterArrayName, this->LiquidArrayName,
+  nephoscope::FieldNames names = { this->TotalWaterArrayName, this->LiquidArrayName,
     this->IceArrayName, this->RainArrayName, this->SnowArrayName, this->TemperatureArrayName,
     this->PressureArrayName, this->CloudFractionArrayName, this->LandArrayName,
     this->HeightArrayName };
+  std::replace(names.begin(), names.end(), std::string("Automatic"), std::string());
   WaterFields fields;
   const std::string problem = nephoscope::findWaterFields(
     data, names, static_cast<nephoscope::WaterUnits>(this->WaterUnits), fields);

@@ -55,7 +55,7 @@ public:
   ///@{
   /**
    * Names of the arrays of cloud water: the sum of liquid and ice, of which the temperature determines the ice fraction (all ice below -20
-   * degrees Celsius, all liquid above 0, linear in between), or liquid and ice; rain; snow. Empty (default): found by name. The sum is ignored if its parts are found.
+   * degrees Celsius, all liquid above 0, linear in between), or liquid and ice; rain; snow. Empty (default) or "Automatic": found by name. The sum is ignored if its parts are found.
    */
   vtkSetMacro(TotalWaterArrayName, std::string);
   vtkGetMacro(TotalWaterArrayName, std::string);

@@ -12,6 +12,7 @@
 #include "vtkDataArray.h"
 #include "vtkDataSet.h"
 #include "vtkInformation.h"
+#include "vtkPartitionedDataSetCollection.h"
 #include "vtkPointData.h"
 #include "vtkSmartPointer.h"
 
@@ -58,6 +59,28 @@ bool areSame(vtkDataSet* one, vtkDataSet* other)
 }
 }
 
+std::string nameOfBlock(vtkCompositeDataIterator* leaf)
+{
+  const unsigned int index = leaf->GetCurrentFlatIndex();
+  const char* name = leaf->HasCurrentMetaData()
+    ? leaf->GetCurrentMetaData()->Get(vtkCompositeDataSet::NAME())
+    : nullptr;
+  // In a collection the datasets have names, and their partitions none.
+  auto* collection = vtkPartitionedDataSetCollection::SafeDownCast(leaf->GetDataSet());
+  for (unsigned int i = collection && !name ? collection->GetNumberOfPartitionedDataSets() : 0;
+       i-- > 0;)
+  {
+    if (collection->GetCompositeIndex(i) <= index)
+    {
+      name = collection->HasMetaData(i)
+        ? collection->GetMetaData(i)->Get(vtkCompositeDataSet::NAME())
+        : nullptr;
+      break;
+    }
+  }
+  return name ? "'" + std::string(name) + "'" : std::to_string(index);
+}
+
 std::string inBlock(vtkAlgorithm* filter, vtkDataSet* block)
 {
   vtkCompositeDataSet* blocks = blocksOf(filter);
@@ -71,13 +94,7 @@ std::string inBlock(vtkAlgorithm* filter, vtkDataSet* block)
     auto* set = vtkDataSet::SafeDownCast(leaf->GetCurrentDataObject());
     if (set && areSame(set, block))
     {
-      const bool isNamed =
-        leaf->HasCurrentMetaData() && leaf->GetCurrentMetaData()->Has(vtkCompositeDataSet::NAME());
-      return "Block " +
-        (isNamed
-            ? "'" + std::string(leaf->GetCurrentMetaData()->Get(vtkCompositeDataSet::NAME())) + "'"
-            : std::to_string(leaf->GetCurrentFlatIndex())) +
-        ": ";
+      return "Block " + nameOfBlock(leaf) + ": ";
     }
   }
   return "";

@@ -3,6 +3,7 @@
 #include "FlowVolumePolygon.h"
 
 #include "vtkActor.h"
+#include "vtkClientServerStream.h"
 #include "vtkCommand.h"
 #include "vtkImplicitCylinderRepresentation.h"
 #include "vtkMath.h"
@@ -18,6 +19,7 @@
 #include "vtkSMProxy.h"
 #include "vtkSMProxyIterator.h"
 #include "vtkSMRenderViewProxy.h"
+#include "vtkSMSession.h"
 #include "vtkSmartPointer.h"
 #include "vtkWeakPointer.h"
 
@@ -153,8 +155,7 @@ private:
     {
       if (center != this->FlowAt)
       {
-        vtkSMPropertyHelper(this->Flow, "PreviewCenter").Set(center.data(), 3);
-        this->Flow->UpdateProperty("PreviewCenter");
+        this->Preview(center);
         this->Flow->UpdatePropertyInformation(this->Flow->GetProperty("PreviewNormal"));
         this->FlowAt = center;
       }
@@ -166,6 +167,15 @@ private:
     }
     const Numbers axis = numbersOf(this->Widget, "Axis");
     return axis.size() == 3 && vtkMath::Norm(axis.data()) > 0.0 ? axis : Numbers{ 0.0, 0.0, 1.0 };
+  }
+
+  // Past the property, which would have ParaView drop the data of the smoke that is shown until the next Apply.
+  void Preview(const Numbers& center)
+  {
+    vtkClientServerStream stream;
+    stream << vtkClientServerStream::Invoke << VTKOBJECT(this->Flow) << "SetPreviewCenter"
+           << center[0] << center[1] << center[2] << vtkClientServerStream::End;
+    this->Flow->GetSession()->ExecuteStream(this->Flow->GetLocation(), stream);
   }
 
   // The arrow and the ball in the middle stay: they are what is dragged.

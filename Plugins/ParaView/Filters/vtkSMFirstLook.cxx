@@ -200,6 +200,10 @@ void Color(
     return;
   }
   ColoredArray array{ how, vtkDataObject::CELL };
+  if (!data->GetArrayInformation(how.c_str(), array.Association))
+  {
+    array.Association = vtkDataObject::POINT;
+  }
   const bool given = data->GetArrayInformation(how.c_str(), array.Association) != nullptr;
   if (!given && display->GetUsingScalarColoring()) // as its input is, for one
   {

@@ -84,10 +84,36 @@ def check_like_image(kind, source):
         check(0.5 < alpha.mean() / expected_alpha.mean() < 1.2, f"splats of {kind}")
 
 
+def check_frame(source):
+    """The camera frames splats of large cells about as it frames the cells."""
+    view = new_view((120, 120))
+    display = pvs.Show(source, view)
+    pvs.ColorBy(display, ("CELLS", "Depth"))
+    distances = []
+    for representation in (NAME, SPLATS):
+        display.SetRepresentationType(representation)
+        pvs.Render(view)
+        pvs.ResetCamera(view)
+        distances.append(np.linalg.norm(np.subtract(view.CameraPosition, view.CameraFocalPoint)))
+    check(distances[1] < 1.4 * distances[0], f"the camera is reset to {distances[1]:.1f} for splats, {distances[0]:.1f} for cells")
+    pvs.Delete(view)
+
+
+def check_flat():
+    """Cell Compositing is not offered for 2-D meshes."""
+    for dimension in (2, 3):
+        view = new_view((40, 40))
+        offered = pvs.Show(pvs.AMRGaussianPulseSource(Dimension=dimension), view).GetProperty("Representation").GetAvailable()
+        check((NAME in offered) == (dimension == 3) and SPLATS in offered, f"AMR data in {dimension} dimensions: {offered}")
+        pvs.Delete(view)
+
+
 if __name__ == "__main__":
     load_plugin()
     pvs._DisableFirstRenderCameraReset()
     check_like_image("explicit structured grid", producer(explicit((0, 2, -1, 1, 3, 5))))
     check_like_image("AMR data", pvs.AMRGaussianPulseSource())
     check_like_image("hyper tree grid", producer(hyper_tree_grid()))
+    check_frame(producer(hyper_tree_grid()))
+    check_flat()
     passed()

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """A grid in blocks looks as the whole one does, and rain that is 0 everywhere is no rain; nothing set."""
 import numpy as np
-from PluginTesting import check, compose, image, load_plugin, new_view, passed, pvs
+from PluginTesting import check, compose, image, listen, load_plugin, new_view, passed, pvs
 from paraview.servermanager import Fetch
 
 SIZE = [120, 90]
@@ -49,16 +49,25 @@ def check_splats():
     check(worst <= 3, f"splats of blocks differ by {worst} of 255")
 
 
-def check_arrays_of_some():
-    """An array that one block lacks colours the other one; without it, both would be white."""
-    half = pvs.ExtractSubset(Input=wavelet(), VOI=[0, 5, 0, CELLS, 0, 6])
+def check_arrays_of_some(messages):
+    """Blocks without the coloured array are not drawn, and named in one sentence; the others are, as they are alone."""
+    half = pvs.ExtractSubset(registrationName="with", Input=wavelet(), VOI=[0, 5, 0, CELLS, 0, 6])
     other = pvs.ExtractSubset(Input=wavelet(), VOI=[7, CELLS, 0, CELLS, 0, 6])
-    other = pvs.PassArrays(Input=pvs.Calculator(Input=other, ResultArrayName="X", Function="coordsX"), PointDataArrays=["X"])
+    other = pvs.Calculator(Input=other, ResultArrayName="X", Function="coordsX")
+    other = pvs.PassArrays(registrationName="without", Input=other, PointDataArrays=["X"])
     for representation in ("Cell Compositing", "Textured Splats"):
+        _, display, expected = picture(half, representation, ("POINTS", "RTData"))
         for blocks in ([half, other], [other, half]):
-            _, _, found = picture(pvs.GroupDatasets(Input=blocks), representation, ("POINTS", "RTData"))
-            colour = np.ptp(found, axis=2).max()
-            check(colour > 60, f"{representation}: the block with the array has no colours ({colour:.0f} of 255)")
+            messages.clear()
+            view, display, found = picture(pvs.GroupDatasets(Input=blocks), representation, ("POINTS", "RTData"))
+            worst = abs(found - expected).max()
+            check(worst <= 3, f"{representation}: the block with the array differs by {worst} of 255 from what it is alone")
+            check(len(messages) == 1 and "Block 'without' is not drawn" in messages[0] and "'RTData'" in messages[0], f"{representation}: {messages}")
+            messages.clear()
+            pvs.ColorBy(display, None)
+            shown = (abs(image(view) - image(view)[0, 0]).max(axis=2) > 8).sum()
+            alone = (abs(expected - expected[0, 0]).max(axis=2) > 8).sum()
+            check(shown > 1.5 * alone and not messages, f"{representation}: Solid Color draws {shown} pixels, one block {alone}: {messages}")
 
 
 def check_types():
@@ -88,7 +97,7 @@ load_plugin()
 pvs._DisableFirstRenderCameraReset()
 check_contour_value()
 check_splats()
-check_arrays_of_some()
+check_arrays_of_some(listen())
 check_types()
 check_no_rain()
 passed()

@@ -200,6 +200,18 @@ def check_light():
     pvs.Delete(view)
 
 
+def check_optics():
+    """The extinction, although the clouds were coloured by another array; arrays that the menus call Automatic are found by their names."""
+    weather, _ = globe()
+    clouds = pvs.GlobeGrid(Input=weather)
+    view, _ = look_first(clouds)
+    optics = pvs.CloudOptics(Input=clouds)
+    check(optics.TotalWaterArray == "Automatic", f"the water array is {optics.TotalWaterArray!r}")
+    check_display(apply(optics, view, clouds), "Cloud Optics", "Cell Compositing", "Extinction")
+    check(optics.PointData["Extinction"].GetRange()[1] > 0, "there is no extinction")
+    pvs.Delete(view)
+
+
 def check_filters():
     wavelet = pvs.Wavelet(WholeExtent=[-6, 6] * 3)
     view, _ = look_first(wavelet)
@@ -292,6 +304,7 @@ check_smoke_on_white()
 check_filters()
 check_terrain()
 check_light()
+check_optics()
 check_constant_fields()
 check_vectors()
 check_opacities()

@@ -75,6 +75,19 @@ def main():
     check(polygon_in(view) is None, "a hidden polygon is drawn")
     remove(view)
 
+    view.CameraPosition, view.CameraFocalPoint = [30, 20, 10], [0, 0, 0]
+    pvs.Show(smoke, view)
+    shown = image(view)
+    pvs.Hide(smoke, view)
+    share = (np.abs(image(view) - shown).max(axis=2) > 8).mean()
+    pvs.Show(smoke, view)
+    widget = widget_of(smoke, view)
+    widget.Center = [-2, 1, 2]
+    widget.Visibility = 0
+    left = np.abs(image(view) - shown).max()
+    check(share > 0.005 and left < 3, f"smoke is {share:.2%} of the picture, and changes by {left} of 255 while its polygon is dragged")
+    remove(view)
+
     plain = pvs.Clip(Input=flow, ClipType="Cylinder")  # the cylinder of another filter stays one
     other = widget_of(plain.ClipType, view)
     check(polygon_in(view) is None, "the widget of another filter has a polygon")

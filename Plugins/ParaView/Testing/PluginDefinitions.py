@@ -37,7 +37,7 @@ def is_information(element):
 
 def compare_default(owner, name, element, value):
     text = element.GetAttribute("default_values")
-    if value == "" and text == "None":
+    if value == "" and text in ("None", "Automatic"):
         return  # how menus of arrays say it
     if isinstance(value, tuple):
         xml = tuple(float(word) for word in text.split())

@@ -15,6 +15,7 @@
 #include "vtkPVLODVolume.h"
 #include "vtkPVRenderView.h"
 #include "vtkPiecewiseFunction.h"
+#include "vtkPolyData.h"
 #include "vtkUnstructuredGrid.h"
 #include "vtkVolumeProperty.h"
 
@@ -99,6 +100,11 @@ void vtkCellCompositingRepresentation::DescribePiece(vtkInformation* inInfo)
   // Cells that lie across a border between regions are cut there: given whole to one side, they would be composited
   // in front of, or behind, all of the other side's.
   vtkPVRenderView::SetRedistributionModeToSplitBoundaryCells(inInfo, this);
+}
+
+bool vtkCellCompositingRepresentation::DrawsBlock(vtkDataObject* block) const
+{
+  return block->GetNumberOfElements(vtkDataObject::CELL) > 0 && !vtkPolyData::SafeDownCast(block);
 }
 
 bool vtkCellCompositingRepresentation::HoldsMedium(vtkDataSet* data) const

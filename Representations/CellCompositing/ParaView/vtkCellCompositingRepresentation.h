@@ -91,6 +91,7 @@ protected:
   void PreparePiece(vtkDataObject* input) override;
   void DescribePiece(vtkInformation* inInfo) override;
   void PrepareMapper(vtkDataSet* cells) override;
+  bool DrawsBlock(vtkDataObject* block) const override;
   bool HoldsMedium(vtkDataSet* data) const override;
   int GetUniformAssociation() const override;
   vtkDataArray* FindOpacityArray(vtkDataSet* cells, int& association) override;

@@ -34,7 +34,7 @@ namespace
 {
 // Travels with the data as a field array, so that every time step in ParaView's cache keeps its own.
 const char* const unitDistanceName = "NephoscopeUnitDistance";
-const char* const largestSideName = "NephoscopeLargestSide";
+const char* const boundsName = "NephoscopeSeenBounds";
 const char* const uniformName = "NephoscopeUniform";
 const char* const scalarRangeName = "NephoscopeOpacityRange";
 
@@ -127,8 +127,8 @@ void vtkMediumRepresentation::StoreMeasures(
   nephoscope::storeNumbers(data, scalarRangeName, { range[0], range[1] });
 }
 
-// The largest side of the bounds of all ranks; also called by ranks without data.
-void vtkMediumRepresentation::StoreLargestSide()
+// The bounds of all ranks; also called by ranks without data.
+void vtkMediumRepresentation::StoreBounds()
 {
   const vtkBoundingBox mine(this->DataBounds);
   vtkBoundingBox all(mine);
@@ -136,8 +136,9 @@ void vtkMediumRepresentation::StoreLargestSide()
   {
     vtkMultiProcessController::GetGlobalController()->AllReduce(mine, all);
   }
-  nephoscope::storeNumbers(
-    this->Piece, largestSideName, { all.IsValid() ? all.GetMaxLength() : 0.0 });
+  std::vector<double> bounds(6);
+  all.GetBounds(bounds.data());
+  nephoscope::storeNumbers(this->Piece, boundsName, bounds);
 }
 
 int vtkMediumRepresentation::FillInputPortInformation(int, vtkInformation* info)
@@ -178,9 +179,9 @@ int vtkMediumRepresentation::RequestData(
   if (inputVector[0]->GetNumberOfInformationObjects() == 1)
   {
     this->WarnOfEmptiness(vtkDataObject::GetData(inputVector[0], 0));
-    this->PreparePiece(vtkDataObject::GetData(inputVector[0], 0));
+    this->PreparePiece(this->KeepDrawnBlocks(vtkDataObject::GetData(inputVector[0], 0)));
     this->HasPiece = HoldsAnything(this->Piece);
-    this->StoreLargestSide();
+    this->StoreBounds();
   }
   else
   {
@@ -254,7 +255,14 @@ void vtkMediumRepresentation::PrepareMapper(vtkDataSet* data)
     this->ColorUniformly(data);
   }
   const double automatic = storedNumber(data, unitDistanceName);
-  const double side = storedNumber(data, largestSideName);
+  double bounds[6];
+  for (vtkIdType i = 0; i < 6; ++i)
+  {
+    bounds[i] = storedNumber(data, boundsName, i);
+  }
+  static_cast<vtkMediumVolume*>(this->Actor.Get())->SetSeenBounds(bounds);
+  const vtkBoundingBox all(bounds);
+  const double side = all.IsValid() ? all.GetMaxLength() : 0.0;
   const double given = this->UnitDistance > 0.0 ? this->UnitDistance
     : side > 0.0                                ? 0.1 * side
                                                 : 1.0;

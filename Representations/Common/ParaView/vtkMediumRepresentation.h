@@ -90,6 +90,8 @@ protected:
   bool AddToView(vtkView* view) override;
   bool RemoveFromView(vtkView* view) override;
 
+  /** Whether a block of a composite input is drawn if it has the coloured array. */
+  virtual bool DrawsBlock(vtkDataObject* block) const = 0;
   /** Makes `Piece` and `DataBounds` of this rank's input, which may be null. Called by all ranks. */
   virtual void PreparePiece(vtkDataObject* input) = 0;
   /** Describes the piece to the view; subclasses add how it may be distributed over ranks. */
@@ -116,7 +118,7 @@ protected:
    * ParaView's cache keeps its own.
    */
   static void StoreMeasures(vtkDataSet* data, double distance, const double range[2]);
-  void StoreLargestSide();
+  void StoreBounds();
   vtkAbstractVolumeMapper* GetMapper() const;
   std::string GetOpacityArrayName() const; // empty for "None"
   vtkDataArray* FindColorArray(vtkDataSet* data, int& association, const char*& name);
@@ -138,6 +140,7 @@ protected:
 
 private:
   void WarnOfEmptiness(vtkDataObject* input);
+  vtkSmartPointer<vtkDataObject> KeepDrawnBlocks(vtkDataObject* input);
   vtkMediumRepresentation(const vtkMediumRepresentation&) = delete;
   void operator=(const vtkMediumRepresentation&) = delete;
 
@@ -151,6 +154,7 @@ private:
   vtkNew<vtkPiecewiseFunction> DensityOpacity;
   vtkNew<vtkVolumeProperty> ConstantProperty; // where all values are the same
   std::string LastWarning;
+  std::string LeftOut;                     // the message about blocks
   bool WasEmpty = false;                   // the input, and a warning has said so
   bool HasPiece = false;                   // on any rank
   vtkSmartPointer<vtkDataSet> UniformData; // a delivered piece with a uniform array

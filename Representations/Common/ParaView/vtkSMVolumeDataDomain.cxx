@@ -23,6 +23,16 @@ int vtkSMVolumeDataDomain::ReadXMLAttributes(vtkSMProperty* property, vtkPVXMLEl
   return this->Superclass::ReadXMLAttributes(property, element);
 }
 
+namespace
+{
+// In a plane across an axis, as 2-D adaptive meshes are.
+bool isFlat(vtkPVDataInformation* data)
+{
+  const double* bounds = data->GetBounds();
+  return bounds[0] == bounds[1] || bounds[2] == bounds[3] || bounds[4] == bounds[5];
+}
+}
+
 bool vtkSMVolumeDataDomain::MayHoldVolumes(vtkPVDataInformation* data)
 {
   if (!data || data->IsNull())
@@ -32,13 +42,18 @@ bool vtkSMVolumeDataDomain::MayHoldVolumes(vtkPVDataInformation* data)
   if (data->IsCompositeDataSet())
   {
     const std::vector<int>& types = data->GetUniqueBlockTypes();
-    return types.empty() ||
+    const bool mayHold = types.empty() ||
       std::any_of(types.begin(), types.end(), [](int type) { return type != VTK_POLY_DATA; });
+    return mayHold && !isFlat(data);
   }
   if (data->IsDataStructured())
   {
     const int* extent = data->GetExtent();
     return extent[0] < extent[1] && extent[2] < extent[3] && extent[4] < extent[5];
+  }
+  if (data->DataSetTypeIsA(VTK_HYPER_TREE_GRID))
+  {
+    return !isFlat(data);
   }
   return !data->DataSetTypeIsA(VTK_POLY_DATA);
 }

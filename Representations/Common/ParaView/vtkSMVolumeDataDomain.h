@@ -29,7 +29,7 @@ public:
   void Update(vtkSMProperty* property) override;
   int SetDefaultValues(vtkSMProperty*, bool) override { return 0; }
 
-  /** Whether there may be 3-D cells: no polygonal data alone, no grid one cell thick. True where this can not be known. */
+  /** Whether there may be 3-D cells: no polygonal data alone, no grid one point thick, no flat blocks or hyper tree grids. True where this can not be known. */
   static bool MayHoldVolumes(vtkPVDataInformation* data);
 
 protected:

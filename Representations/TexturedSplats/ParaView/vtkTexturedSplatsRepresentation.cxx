@@ -8,6 +8,7 @@
 #include "SplatPieces.h"
 #include "SplatShapes.h"
 #include "SplatVectorColors.h"
+#include "vtkMediumVolume.h"
 #include "vtkTexturedSplatMapper.h"
 
 #include "vtkDataSet.h"
@@ -19,6 +20,7 @@
 #include "vtkPVRenderView.h"
 #include "vtkPolyData.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
+#include "vtkUnstructuredGrid.h"
 
 #include <cmath>
 
@@ -73,6 +75,7 @@ void vtkTexturedSplatsRepresentation::PreparePiece(vtkDataObject* input)
   // Each cell has its own size, as those of adaptive meshes do. Points do not: ranks may cut cells into tetrahedra in several ways.
   this->Mapper->SetCellSizeFromCells(onCells);
   this->Piece = nephoscope::sampledPart(input);
+  const bool inOwnCells = onCells && vtkUnstructuredGrid::SafeDownCast(this->Piece);
   if (GetNumberOfRanks() > 1)
   {
     this->Piece = nephoscope::splatVertices(this->Piece, this->GetSampling(onCells));
@@ -99,8 +102,9 @@ void vtkTexturedSplatsRepresentation::PreparePiece(vtkDataObject* input)
   {
     const auto kernel = static_cast<nephoscope::SplatKernel>(this->Mapper->GetKernel());
     sampling.RadiusFactor = this->Mapper->GetRadiusFactor();
+    // Those of large cells reach far beyond the mesh, where they are faint: the camera need not see it.
     nephoscope::FindSplatBounds(nephoscope::SplatShapes(this->Piece, sampling),
-      nephoscope::KernelRadius(kernel), this->DataBounds);
+      inOwnCells ? 1.0 : nephoscope::KernelRadius(kernel), this->DataBounds);
   }
   if (!this->Piece)
   {
@@ -118,6 +122,12 @@ void vtkTexturedSplatsRepresentation::DescribePiece(vtkInformation* inInfo)
   vtkPVRenderView::SetOrderedCompositingConfiguration(inInfo, this,
     vtkPVRenderView::DATA_IS_REDISTRIBUTABLE | vtkPVRenderView::USE_DATA_FOR_LOAD_BALANCING);
   vtkPVRenderView::SetRedistributionModeToUniquelyAssignBoundaryCells(inInfo, this);
+}
+
+bool vtkTexturedSplatsRepresentation::DrawsBlock(vtkDataObject* block) const
+{
+  return block->GetNumberOfElements(vtkDataObject::POINT) > 0 ||
+    block->GetNumberOfElements(vtkDataObject::CELL) > 0; // hyper tree grids
 }
 
 bool vtkTexturedSplatsRepresentation::HoldsMedium(vtkDataSet* data) const
@@ -140,6 +150,12 @@ void vtkTexturedSplatsRepresentation::PrepareMapper(vtkDataSet* data)
   this->Superclass::PrepareMapper(data);
   this->Mapper->SetOpacityArrayName(this->PrepareOpacity(data));
   this->Mapper->SetOpacityScale(this->OpacityScale * this->Opacity);
+  if (!this->Mapper->GetVectorArrayName().empty()) // which may reach farther than the splats
+  {
+    double none[6];
+    vtkMath::UninitializeBounds(none);
+    static_cast<vtkMediumVolume*>(this->Actor.Get())->SetSeenBounds(none);
+  }
   this->MoveVectors();
   this->SuitVectors(data);
   this->Mapper->SetVectorColorFunction(

@@ -151,6 +151,7 @@ protected:
   void DescribePiece(vtkInformation* inInfo) override;
   vtkDataSet* CompletePiece(vtkDataSet* data, vtkInformation* inInfo) override;
   void PrepareMapper(vtkDataSet* data) override;
+  bool DrawsBlock(vtkDataObject* block) const override;
   bool HoldsMedium(vtkDataSet* data) const override;
   int GetUniformAssociation() const override;
   int GetAssociationInPiece(int association) const override;

@@ -1,0 +1,39 @@
+// SPDX-FileCopyrightText: The Nephoscope authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Blocks without the coloured array, or without that for the opacity, beside others that have it.
+#include "vtkMediumRepresentation.h"
+
+#include "DrawnBlocks.h"
+
+#include "vtkDataObject.h"
+#include "vtkInformation.h"
+
+#include <string>
+
+vtkSmartPointer<vtkDataObject> vtkMediumRepresentation::KeepDrawnBlocks(vtkDataObject* input)
+{
+  vtkInformation* info = this->GetInputArrayInformation(0);
+  const char* name = info && info->Has(vtkDataObject::FIELD_NAME())
+    ? info->Get(vtkDataObject::FIELD_NAME())
+    : nullptr;
+  const nephoscope::ArrayOfBlocks arrays[2] = {
+    { name ? name : "", name ? info->Get(vtkDataObject::FIELD_ASSOCIATION()) : 0 },
+    { this->GetOpacityArrayName(), vtkDataObject::FIELD_ASSOCIATION_POINTS_THEN_CELLS },
+  };
+  vtkSmartPointer<vtkDataObject> data = input;
+  std::string message;
+  for (const nephoscope::ArrayOfBlocks& array : arrays)
+  {
+    const nephoscope::DrawnBlocks drawn = nephoscope::blocksWith(
+      array, data, [this](vtkDataObject* block) { return this->DrawsBlock(block); },
+      [](bool here) { return LeastOverRanks(here ? 0 : 1) == 0; });
+    data = drawn.Data;
+    message += (message.empty() || drawn.Message.empty() ? "" : " ") + drawn.Message;
+  }
+  if (message != this->LeftOut && !message.empty())
+  {
+    vtkWarningMacro(<< message);
+  }
+  this->LeftOut = message;
+  return data;
+}
