@@ -75,17 +75,13 @@ def main():
     check(polygon_in(view) is None, "a hidden polygon is drawn")
     remove(view)
 
-    view.CameraPosition, view.CameraFocalPoint = [30, 20, 10], [0, 0, 0]
-    pvs.Show(smoke, view)
-    shown = image(view)
-    pvs.Hide(smoke, view)
-    share = (np.abs(image(view) - shown).max(axis=2) > 8).mean()
-    pvs.Show(smoke, view)
+    smoke.NormalToFlow = 1
+    display = pvs.Show(smoke, view)
     widget = widget_of(smoke, view)
+    pvs.Render(view)
     widget.Center = [-2, 1, 2]
-    widget.Visibility = 0
-    left = np.abs(image(view) - shown).max()
-    check(share > 0.005 and left < 3, f"smoke is {share:.2%} of the picture, and changes by {left} of 255 while its polygon is dragged")
+    drawn = display.GetClientSideObject().GetActiveRepresentation()
+    check(not drawn.GetNeedsUpdate(), "smoke vanishes from ParaView's window while its polygon is dragged: its data are dropped until Apply")
     remove(view)
 
     plain = pvs.Clip(Input=flow, ClipType="Cylinder")  # the cylinder of another filter stays one
