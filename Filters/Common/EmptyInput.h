@@ -10,6 +10,7 @@
 #include "vtkAlgorithmOutput.h"
 #include "vtkCompositeDataSet.h"
 #include "vtkDataObject.h"
+#include "vtkFieldData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
@@ -42,6 +43,14 @@ inline vtkAlgorithm* producerOfInput(vtkAlgorithm* filter, int port = 0)
   return producer;
 }
 
+// Whether who made the data has told why they are empty: by an error code or, where a filter in Python can set none, by a field array.
+constexpr const char* failedName = "NephoscopeFailed";
+inline bool hasFailed(vtkAlgorithm* producer, vtkDataObject* data)
+{
+  return (producer && producer->GetErrorCode() != vtkErrorCode::NoError) ||
+    (data && data->GetFieldData() && data->GetFieldData()->HasArray(failedName));
+}
+
 // For RequestData: true where there is nothing in the input. A warning says so, once while nothing changes; `told` is kept by the filter, at first 0.
 // Blocks, and pieces of several, may be empty. Where the filter before has failed, it has told why; this one fails with it.
 inline bool isEmptyInput(vtkAlgorithm* filter, vtkMTimeType& told, vtkInformationVector** inputs,
@@ -59,7 +68,7 @@ inline bool isEmptyInput(vtkAlgorithm* filter, vtkMTimeType& told, vtkInformatio
   const bool isPiece = outInfo->Has(SDDP::UPDATE_NUMBER_OF_PIECES()) &&
     outInfo->Get(SDDP::UPDATE_NUMBER_OF_PIECES()) > 1;
   vtkAlgorithm* producer = producerOfInput(filter);
-  if (producer && producer->GetErrorCode() != vtkErrorCode::NoError)
+  if (hasFailed(producer, input))
   {
     FailureCode::Set(filter, true);
     return true;

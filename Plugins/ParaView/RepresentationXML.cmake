@@ -79,9 +79,11 @@ foreach (host IN ITEMS Geometry HyperTreeGrid)
     SHARE SurfaceRepresentation CellCompositingRepresentation
     OWN OpacityScale OpacityArray AutomaticUnitDistance UnitDistance)
 endforeach ()
-# Surfaces, also in unstructured grids.
+# Surfaces, also in unstructured grids, and grids one point thick.
 nephoscope_configure_text(CloudTexture.xml.in cloud_texture_representation)
-foreach (host IN ITEMS Geometry UnstructuredGrid)
+set(sheets ${grids})
+list(REMOVE_ITEM sheets AMR)
+foreach (host IN LISTS sheets ITEMS Geometry)
   nephoscope_extend_representation(${host}Representation CloudTexture "Cloud Texture" nephoscope_extensions
     SHARE SurfaceRepresentation)
 endforeach ()

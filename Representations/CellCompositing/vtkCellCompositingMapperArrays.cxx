@@ -118,13 +118,15 @@ void vtkCellCompositingMapper::WarnAboutGeometry(vtkDataSet* input, const CellGe
   const std::string names =
     quoted(scalars.Array) + (opacity.Array ? ", " + quoted(opacity.Array) : "");
 
-  if (geometry.NumberOfInvalidCells > 0)
+  const bool none = geometry.NumberOfTetrahedra() == 0;
+  const std::string leftOut = geometry.NumberOfInvalidCells > 0
+    ? (none ? "Nothing is drawn: " : "") + cellsAre(geometry.NumberOfInvalidCells) +
+      (none ? " left out" : " not drawn") + " because array " + names +
+      " or a coordinate is not finite there. Blank such points, or replace the values."
+    : std::string();
+  if (this->Internals->LeftOut.IsNew(leftOut)) // ranks get the same data again
   {
-    const bool none = geometry.NumberOfTetrahedra() == 0;
-    vtkWarningMacro(
-      << (none ? "Nothing is drawn: " : "") << cellsAre(geometry.NumberOfInvalidCells)
-      << (none ? " left out" : " not drawn") << " because array " << names
-      << " or a coordinate is not finite there. Blank such points, or replace the values.");
+    vtkWarningMacro(<< leftOut);
   }
   // Polygons beside 3-D cells have messages of their own.
   const vtkIdType others = geometry.NumberOfUnsupportedCells -

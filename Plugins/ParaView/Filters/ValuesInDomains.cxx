@@ -6,6 +6,7 @@
 
 #include "vtkCallbackCommand.h"
 #include "vtkNew.h"
+#include "vtkProcessModule.h"
 #include "vtkSMDomain.h"
 #include "vtkSMDomainIterator.h"
 #include "vtkSMDoubleRangeDomain.h"
@@ -77,15 +78,24 @@ bool IsFinite(vtkSMIntVectorProperty*)
   return true;
 }
 
+// With the option --sym every rank is a client: the first one tells.
+void Tell(vtkSMProxy* proxy, vtkSMProperty* property, const std::string& problem)
+{
+  if (vtkProcessModule::GetProcessModule()->GetPartitionId() == 0)
+  {
+    vtkWarningWithObjectMacro(proxy, << property->GetXMLLabel() << " " << problem);
+  }
+}
+
 template <class Property, class Domain>
 bool KeepIn(vtkSMProxy* proxy, Property* property, Domain* domain)
 {
   bool changed = false;
   if (domain && !IsFinite(property))
   {
-    vtkWarningWithObjectMacro(proxy, << property->GetXMLLabel()
-                                     << " is not a finite number; it must be " << Told(domain, 0)
-                                     << ". It has been set to its default.");
+    Tell(proxy, property,
+      "is not a finite number; it must be " + Told(domain, 0) +
+        ". It has been set to its default.");
     property->ResetToXMLDefaults();
     changed = true;
   }
@@ -99,9 +109,10 @@ bool KeepIn(vtkSMProxy* proxy, Property* property, Domain* domain)
     kept = hasMost ? std::min(kept, most) : kept;
     if (!(kept == given))
     {
-      vtkWarningWithObjectMacro(proxy, << property->GetXMLLabel() << " is " << given
-                                       << "; it must be " << Told(domain, at)
-                                       << ". It has been set to " << kept << ".");
+      std::ostringstream problem;
+      problem << "is " << given << "; it must be " << Told(domain, at) << ". It has been set to "
+              << kept << ".";
+      Tell(proxy, property, problem.str());
       property->SetElement(i, kept);
       changed = true;
     }

@@ -8,10 +8,10 @@ import nephoscope
 import numpy as np
 from CloudTextureScenes import CLOUDS, moving_clouds, sheet, sheet_view
 from PluginDefinitions import compare_default, definition, nested, own_properties
-from PluginTesting import (OUTPUT, SIZE, check, check_same, color_and_alpha, compose, image, inside_mean_alpha, load_plugin, look,
+from PluginTesting import (OUTPUT, SIZE, check, check_same, color_and_alpha, compose, image, inside_mean_alpha, listen, load_plugin, look,
                            new_view, passed, pvs, solid)
 
-NOT_OF_THE_MAPPER = {"Input", "CustomWaves"}
+NOT_OF_THE_MAPPER = {"Input", "CustomWaves", "SurfaceData"}
 IN_CUSTOM_WAVES = {"CustomWave", "NumberOfCustomWaves"}
 INPUTS = {"DensityVolume"}
 
@@ -34,9 +34,33 @@ def check_definition():
 
 def check_offered():
     view = new_view()
-    for kind, source in (("surface", pvs.Sphere()), ("blocks", pvs.GroupDatasets(Input=[pvs.Sphere(), pvs.Cone()]))):
+    flat, deep = [0, 8, 0, 8, 0, 0], [0, 8, 0, 8, 0, 8]
+    for kind, source, expected in (
+            ("surface", pvs.Sphere(), True), ("blocks", pvs.GroupDatasets(Input=[pvs.Sphere(), pvs.Cone()]), True),
+            ("a flat image", pvs.Wavelet(WholeExtent=flat), True), ("a flat grid", pvs.Transform(Input=pvs.Wavelet(WholeExtent=flat)), True),
+            ("an image", pvs.Wavelet(WholeExtent=deep), False), ("a grid", pvs.Transform(Input=pvs.Wavelet(WholeExtent=deep)), False),
+            ("tetrahedra", pvs.Tetrahedralize(Input=pvs.Wavelet(WholeExtent=deep)), True)):
         offered = pvs.Show(source, view).GetProperty("Representation").GetAvailable()
-        check(CLOUDS in offered, f"not offered for {kind}: {offered}")
+        check((CLOUDS in offered) == expected, f"offered for {kind}: {offered}")
+
+
+def check_grids_and_cells():
+    """A grid one point thick is drawn as the same polygons are; the outer surface of 3-D cells is drawn with a sentence that says what is better."""
+    messages = listen()
+    image_of_one = pvs.Wavelet(WholeExtent=[-20, 20, -20, 20, 0, 0])
+    pictures = []
+    for source in (image_of_one, pvs.Transform(Input=image_of_one), pvs.ExtractSurface(Input=image_of_one)):
+        view = new_view()
+        compose(source, view, ("POINTS", ""), CLOUDS)
+        pvs.ResetCamera(view)
+        pictures.append(color_and_alpha(view)[0])
+        check_same(pictures[-1], pictures[0], "one sheet as image, grid and polygons", largest=2, mean=0.1)
+    check(not messages, f"of sheets: {messages}")
+    view = new_view()
+    compose(pvs.Tetrahedralize(Input=pvs.Wavelet(WholeExtent=[-4, 4] * 3)), view, ("POINTS", ""), CLOUDS)
+    pvs.ResetCamera(view)
+    inside_mean_alpha(color_and_alpha(view)[1])
+    check(len(messages) == 1 and "3-D cells" in messages[0] and "Cloud Surface" in messages[0], f"of 3-D cells: {messages}")
 
 
 def check_first_picture():
@@ -244,7 +268,7 @@ def check_colors():
 
 if __name__ == "__main__":
     load_plugin()
-    for check_one in (check_definition, check_offered, check_first_picture, check_cover, check_cover_array, check_moves_with_time,
+    for check_one in (check_definition, check_offered, check_grids_and_cells, check_first_picture, check_cover, check_cover_array, check_moves_with_time,
                       check_threshold_and_waves, check_thickness, check_density_volume, check_blocks, check_colors, check_state):
         print(check_one.__name__, flush=True)
         check_one()

@@ -7,7 +7,7 @@ import sys
 import tempfile
 
 from paraview import servermanager
-from paraview.simple import CreateRenderView, Delete, OpenDataFile, Show, UpdatePipeline
+from paraview.simple import CreateRenderView, Delete, OpenDataFile, Render, Show, UpdatePipeline
 from vtkmodules.vtkCommonCore import vtkOutputWindow, vtkStringOutputWindow
 
 PYTHON = os.environ["NEPHOSCOPE_PYTHON"]
@@ -39,7 +39,11 @@ def told(reader, path, folder, window):
     reader.FileName = path
     assert check(reader) is reader and reader.GetDataInformation().GetNumberOfPoints() > 0
     os.environ["NEPHOSCOPE_PYTHON"] = "/nowhere/python3"
-    globals()["WeatherDataReader"](FileName=path)
+    view = CreateRenderView()
+    Show(globals()["WeatherDataReader"](FileName=path), view)
+    Render(view)
+    assert "Nothing is drawn" not in window.GetOutput(), window.GetOutput()  # the reader has told why
+    Delete(view)
     assert "/nowhere/python3" in window.GetOutput() and "export NEPHOSCOPE_PYTHON=" in window.GetOutput(), window.GetOutput()
 
 

@@ -11,9 +11,11 @@
 #include "vtkAlgorithm.h"
 #include "vtkAlgorithmOutput.h"
 #include "vtkAppendPolyData.h"
+#include "vtkCellType.h"
 #include "vtkCommunicator.h"
 #include "vtkCompositeDataSet.h"
 #include "vtkFieldData.h"
+#include "vtkGenericCell.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkMultiBlockDataSet.h"
@@ -24,8 +26,10 @@
 #include "vtkPolyData.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 
+#include <algorithm>
 #include <array>
 #include <string>
+#include <utility>
 #include <vector>
 
 vtkStandardNewMacro(vtkCloudTextureRepresentation);
@@ -49,6 +53,26 @@ std::vector<vtkPolyData*> SurfacesOf(vtkDataObject* data)
     }
   }
   return surfaces;
+}
+
+bool HasVolumes(vtkDataSet* data)
+{
+  std::array<bool, VTK_NUMBER_OF_CELL_TYPES> seen{};
+  vtkNew<vtkGenericCell> cell;
+  for (vtkIdType i = 0; i < data->GetNumberOfCells(); ++i)
+  {
+    const int type = data->GetCellType(i);
+    if (type >= 0 && type < VTK_NUMBER_OF_CELL_TYPES &&
+      !std::exchange(seen[static_cast<std::size_t>(type)], true))
+    {
+      cell->SetCellType(type);
+      if (cell->GetCellDimension() == 3)
+      {
+        return true;
+      }
+    }
+  }
+  return false;
 }
 
 bool IsEmpty(vtkCompositeDataSet* data)
@@ -204,6 +228,7 @@ int vtkCloudTextureRepresentation::RequestData(
   if (inputs[0]->GetNumberOfInformationObjects() > 0)
   {
     this->WarnOfNothing(surfaces);
+    this->WarnOfVolume(vtkDataObject::GetData(inputs[0], 0));
   }
   const nephoscope::SurfaceLength length = LengthOverRanks(surfaces);
   for (vtkPolyData* surface : SurfacesOf(surfaces))
@@ -252,12 +277,27 @@ void vtkCloudTextureRepresentation::WarnOfNothing(vtkDataObject* surfaces)
   }
   auto* controller = vtkMultiProcessController::GetGlobalController();
   vtkAlgorithm* producer = nephoscope::producerOfInput(this);
-  if (nothing != this->Nothing && !nothing.empty() && producer && producer->GetErrorCode() == 0 &&
+  if (nothing != this->Nothing && !nothing.empty() &&
+    !nephoscope::hasFailed(producer, this->GetInputDataObject(0, 0)) &&
     (!controller || controller->GetLocalProcessId() == 0))
   {
     vtkWarningMacro(<< nothing);
   }
   this->Nothing = nothing;
+}
+
+// Their outer surface is seldom that of a cloud.
+void vtkCloudTextureRepresentation::WarnOfVolume(vtkDataObject* input)
+{
+  const std::vector<vtkDataSet*> sets =
+    input ? nephoscope::DataSetsOf(input) : std::vector<vtkDataSet*>();
+  const bool hasVolumes = std::any_of(sets.begin(), sets.end(), HasVolumes);
+  if (hasVolumes && !this->HasToldOfVolume)
+  {
+    vtkWarningMacro(
+      "The input has 3-D cells, and their outer surface is drawn. For the surface of clouds inside them apply Cloud Surface (to a grid) or Contour first.");
+  }
+  this->HasToldOfVolume = hasVolumes;
 }
 
 // The surface is cut where the regions of two ranks meet, so the back of a cloud may be another rank's.

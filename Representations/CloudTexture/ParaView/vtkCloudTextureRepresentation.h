@@ -106,6 +106,7 @@ private:
   void TakeSurface(vtkDataObject* delivered);
   void ReadVolume(vtkInformationVector* inputs);
   void WarnOfNothing(vtkDataObject* surfaces);
+  void WarnOfVolume(vtkDataObject* input);
   void WarnOfRanks();
 
   vtkNew<vtkCloudTextureMapper> CloudMapper;
@@ -116,7 +117,8 @@ private:
   vtkMTimeType ReadTime = 0;
   vtkMTimeType TakenTime = 0;
   bool HasToldOfRanks = false;
-  std::string Nothing; // why nothing is drawn, as it has been told
+  bool HasToldOfVolume = false; // and the input has not changed to surfaces since
+  std::string Nothing;          // why nothing is drawn, as it has been told
 };
 
 #endif

@@ -166,7 +166,7 @@ void vtkMediumRepresentation::WarnOfEmptiness(vtkDataObject* input)
 {
   vtkAlgorithm* producer = nephoscope::producerOfInput(this);
   const bool isEmpty = !HoldsAnything(input);
-  if (isEmpty && !this->WasEmpty && producer->GetErrorCode() == 0 && IsFirstRank())
+  if (isEmpty && !this->WasEmpty && !nephoscope::hasFailed(producer, input) && IsFirstRank())
   {
     vtkWarningMacro(<< "Nothing is drawn. " << nephoscope::whyEmpty);
   }

@@ -20,6 +20,7 @@ vtkStandardNewMacro(vtkSMVolumeDataDomain);
 int vtkSMVolumeDataDomain::ReadXMLAttributes(vtkSMProperty* property, vtkPVXMLElement* element)
 {
   this->RepresentationName = element->GetAttributeOrEmpty("representation");
+  this->Sheets = element->GetAttribute("sheets") != nullptr;
   return this->Superclass::ReadXMLAttributes(property, element);
 }
 
@@ -58,6 +59,12 @@ bool vtkSMVolumeDataDomain::MayHoldVolumes(vtkPVDataInformation* data)
   return !data->DataSetTypeIsA(VTK_POLY_DATA);
 }
 
+bool vtkSMVolumeDataDomain::IsSurface(vtkPVDataInformation* data)
+{
+  return !data || data->IsNull() || data->IsCompositeDataSet() || !data->IsDataStructured() ||
+    !MayHoldVolumes(data);
+}
+
 void vtkSMVolumeDataDomain::Update(vtkSMProperty*)
 {
   vtkSMProperty* input = this->GetRequiredProperty("Input");
@@ -73,8 +80,9 @@ void vtkSMVolumeDataDomain::Update(vtkSMProperty*)
   auto source = helper.GetNumberOfElements() > 0
     ? vtkSMSourceProxy::SafeDownCast(helper.GetAsProxy(0))
     : nullptr;
-  const bool offer = !source ||
-    this->MayHoldVolumes(source->GetDataInformation(helper.GetOutputPort(0))) ||
+  vtkPVDataInformation* data =
+    source ? source->GetDataInformation(helper.GetOutputPort(0)) : nullptr;
+  const bool offer = (this->Sheets ? IsSurface(data) : MayHoldVolumes(data)) ||
     this->RepresentationName == vtkSMPropertyHelper(chosen).GetAsString();
   std::vector<std::string> names;
   for (unsigned int i = 0; i < offered->GetNumberOfStrings(); ++i)

@@ -10,7 +10,7 @@ import os
 import subprocess
 import tempfile
 
-from vtkmodules.vtkCommonCore import vtkDataArraySelection, vtkOutputWindow
+from vtkmodules.vtkCommonCore import vtkDataArraySelection, vtkOutputWindow, vtkUnsignedCharArray
 from vtkmodules.vtkCommonDataModel import vtkDataObject, vtkUnstructuredGrid
 from vtkmodules.vtkCommonExecutionModel import vtkStreamingDemandDrivenPipeline as SDDP
 from vtkmodules.vtkIOLegacy import vtkDataSetReader
@@ -206,8 +206,11 @@ class WeatherDataReader(VTKPythonAlgorithmBase):
 
     def RequestData(self, request, inputs, outputs):
         info = outputs.GetInformationObject(0)
-        if not self._is_open:
-            return 1  # empty; RequestDataObject has reported why, and ParaView's own report of a failure would hide that
+        if not self._is_open:  # empty; RequestDataObject has reported why, and ParaView's own report of a failure would hide that
+            failed = vtkUnsignedCharArray()
+            failed.SetName("NephoscopeFailed")  # whoever draws the data need not say that there are none
+            vtkDataObject.GetData(outputs).GetFieldData().AddArray(failed)
+            return 1
         step = 0
         if self._times is not None and info.Has(SDDP.UPDATE_TIME_STEP()):
             asked = info.Get(SDDP.UPDATE_TIME_STEP())

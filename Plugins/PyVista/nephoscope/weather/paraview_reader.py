@@ -39,4 +39,4 @@ def check(reader, time=None):
 
 def _made(names):
     """The function that ParaView names by the reader's label; None if it is not there."""
-    return next((names[name] for name in names if name.lower().startswith("weatherdatagrib")), None)
+    return names.get("WeatherDataReader")
