@@ -207,7 +207,9 @@ def check_optics():
     view, _ = look_first(clouds)
     optics = pvs.CloudOptics(Input=clouds)
     check(optics.TotalWaterArray == "Automatic", f"the water array is {optics.TotalWaterArray!r}")
-    check_display(apply(optics, view, clouds), "Cloud Optics", "Cell Compositing", "Extinction")
+    display = apply(optics, view, clouds)
+    check_display(display, "Cloud Optics", "Cell Compositing", "Extinction")
+    check(min(display.LookupTable.RGBPoints[-3:]) > 0.99, f"clouds are not white: {list(display.LookupTable.RGBPoints)}")
     check(optics.PointData["Extinction"].GetRange()[1] > 0, "there is no extinction")
     pvs.Delete(view)
 
