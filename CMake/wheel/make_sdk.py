@@ -83,6 +83,15 @@ def make_common(sdk, packages):
     (sdk / ".partial").unlink()
 
 
+def share_encoder(package):
+    """CMake's commands that write the shaders name their script: one path for all versions of Python, or another version would compile all shaders again."""
+    script = package / "vtkEncodeString.cmake"
+    shared = package.with_name(script.name)
+    if not shared.exists():
+        script.rename(shared)
+    script.write_text(f'include("{shared}")\n')
+
+
 def make_package(sdk, packages, python, vtkmodules, headers):
     """The CMake package for one version of Python."""
     folder = sdk / f"lib/{TRIPLE}/cmake/vtk-{cpython(python)}"
@@ -102,6 +111,7 @@ def make_package(sdk, packages, python, vtkmodules, headers):
 
     package = CMakePackage(partial, sdk, file_of)
     package.rewrite(python, headers)
+    share_encoder(partial)
     partial.rename(folder)
     print(f"{len(package.kept())} of {len(package.blocks)} targets of VTK are in its wheel")
     return folder

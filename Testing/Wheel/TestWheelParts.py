@@ -18,6 +18,7 @@ BUILD = Path(sys.argv.pop(1))
 sys.path.insert(0, str(TOP / "CMake/wheel"))
 import cmake_package  # noqa: E402
 import inputs  # noqa: E402
+import make_sdk  # noqa: E402
 import pack  # noqa: E402
 
 TARGETS = """# Create imported target VTK::vtkplatform
@@ -156,6 +157,15 @@ class Rewriting(unittest.TestCase):
         self.assertNotIn("IOMPI", targets + self.text("VTK-vtk-module-properties") + self.text("vtk-config"))
         self.assertIn('"X_SMP_BACKENDS" "STDThread;Sequential"', self.text("vtk-config"))
         self.assertIn('INTERFACE_INCLUDE_DIRECTORIES "headers;more"', self.text("VTK-vtk-module-find-packages"))
+
+    def test_shaders_are_written_by_one_script_for_all_versions_of_python(self):
+        for name in ("vtk-cp311", "vtk-cp313"):
+            package = self.folder / name
+            package.mkdir()
+            (package / "vtkEncodeString.cmake").write_text("script")
+            make_sdk.share_encoder(package)
+            self.assertEqual((package / "vtkEncodeString.cmake").read_text(), f'include("{self.folder}/vtkEncodeString.cmake")\n')
+        self.assertEqual((self.folder / "vtkEncodeString.cmake").read_text(), "script")
 
     def test_another_layout_is_noticed(self):
         with self.assertRaisesRegex(SystemExit, "is not as expected: 2 targets"):

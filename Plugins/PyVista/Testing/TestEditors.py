@@ -1,6 +1,7 @@
 # SPDX-FileCopyrightText: The Nephoscope authors
 # SPDX-License-Identifier: BSD-3-Clause
 """What editors complete is what the functions accept: choices, options given as a dict, earlier names, results of the accessors."""
+import ast
 import inspect
 import re
 import typing
@@ -94,6 +95,18 @@ class Editors(unittest.TestCase):
     def test_earlier_names(self):
         self.assertEqual(set(_typing.OldSplatNames.__annotations__), {"unit_distance", *_vectors.OLD_NAMES, *splats.DETAIL_NAMES})
         self.assertEqual(set(_typing.OldCellNames.__annotations__), {"unit_distance", *_surfaces.CONTOUR_NAMES, *_surfaces.POLYGON_NAMES})
+
+    def test_accessors(self):
+        """Type checkers know `.nephoscope` of what these functions return, and follow its methods to the functions."""
+        declared = {node.name: [line.annotation.id for line in node.body if isinstance(line, ast.AnnAssign) and line.target.id == "nephoscope"]
+                    for node in ast.walk(ast.parse(inspect.getsource(_typing))) if isinstance(node, ast.ClassDef)}
+        for accessor, names in (("NephoscopeAccessor", ("read_cf", "to_globe", "smooth", "cloud_optics", "sunlight")), ("WeatherAccessor", ("open",))):
+            for name in names:
+                self.assertEqual(declared[inspect.signature(getattr(nephoscope, name)).return_annotation], [accessor], name)
+        # They know a TypeVar only if it is assigned to one name.
+        assigned = [node for node in ast.walk(ast.parse(inspect.getsource(inspect.getmodule(NephoscopeAccessor)))) if isinstance(node, ast.Assign)]
+        self.assertEqual({node.value.func.id: type(node.targets[0]) for node in assigned
+                          if isinstance(node.value, ast.Call) and getattr(node.value.func, "id", "") in ("ParamSpec", "TypeVar")}, {"ParamSpec": ast.Name, "TypeVar": ast.Name})
 
     def test_results(self):
         for accessor in (NephoscopeAccessor, WeatherAccessor):

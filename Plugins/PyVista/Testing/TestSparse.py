@@ -102,7 +102,7 @@ class Refused(Sparse):
             with self.assertRaisesRegex(error, pattern):
                 cloud().nephoscope.write_vdb(self.path, **options)
             self.assertFalse(self.path.exists())
-        with self.assertRaisesRegex(RuntimeError, "resample"):
+        with self.assertRaisesRegex(RuntimeError, r"resample it to an image first \(image.sample\(mesh\)"):
             cloud().cast_to_structured_grid().nephoscope.write_vdb(self.path)
         with self.assertRaisesRegex(TypeError, "mesh is a str"):
             nephoscope.write_vdb("cloud", self.path)

@@ -12,6 +12,23 @@ import numpy as np
 
 if TYPE_CHECKING:
     import pyvista
+    import xarray
+
+    from .accessor import NephoscopeAccessor
+    from .weather.accessor import WeatherAccessor
+
+    # PyVista and xarray add accessors when a program runs, so type checkers do not know them. These classes exist for type checkers alone:
+    # what the functions return is one of PyVista's or xarray's own.
+    class Mesh(pyvista.DataSet):
+        nephoscope: NephoscopeAccessor
+
+    class StructuredMesh(pyvista.StructuredGrid):
+        nephoscope: NephoscopeAccessor
+
+    class WeatherDataset(xarray.Dataset):
+        nephoscope: WeatherAccessor
+else:
+    Mesh = StructuredMesh = WeatherDataset = Any
 
 Numbers = Union[Sequence[float], np.ndarray]
 Kernel = Literal["cubic", "quadratic", "gaussian"]

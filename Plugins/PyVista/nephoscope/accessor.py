@@ -21,7 +21,8 @@ from .terrain import terrain_surface
 
 if TYPE_CHECKING:
     from typing import Concatenate, ParamSpec, TypeVar  # since Python 3.10
-    Arguments, Result = ParamSpec("Arguments"), TypeVar("Result")
+    Arguments = ParamSpec("Arguments")
+    Result = TypeVar("Result")
 
 
 def _method(function: Callable[Concatenate[Any, Arguments], Result]) -> Callable[Concatenate[NephoscopeAccessor, Arguments], Result]:

@@ -15,7 +15,7 @@ from . import vtkCloudSurface, vtkStructuredSmoothing
 from ._checks import arrays_of, choose, require_number
 from ._fields import preset_of_field
 from ._pipeline import vtk_messages
-from ._typing import Numbers
+from ._typing import Mesh, Numbers
 from .splitting import _point_array, _scalar_point_array, _values
 
 # Terms in messages of the two filters, and their names in Python.
@@ -29,7 +29,7 @@ MOST = 1000     # maximum number of times the filter is applied; more could take
 def smooth(mesh: pyvista.DataSet, iterations: int = 1, scalars: str | Sequence[str] | None = None, *, all_arrays: bool = False,
            periodic: str | Sequence[bool] = "", conservative: bool = False, masses: str | None = None, isotropic: bool = False,
            coordinates: Literal["automatic", "cartesian", "lonlat"] = "automatic", find_seam: bool = True,
-           mass_array: bool = False) -> pyvista.DataSet:
+           mass_array: bool = False) -> Mesh:
     """Smooth point arrays of a structured grid with a 3 x 3 x 3 filter, across seams and poles.
 
     Also the accessor method ``mesh.nephoscope.smooth(...)``. Hidden points, non-finite values and fill values (1e30 or more) are ignored and

@@ -14,6 +14,7 @@ from vtkmodules.vtkCommonDataModel import vtkImageData, vtkRectilinearGrid, vtkS
 from . import vtkGlobeGrid
 from ._checks import choose, require_array, require_number
 from ._pipeline import vtk_messages
+from ._typing import StructuredMesh
 
 EARTH_RADIUS = 6371000.0  # metres, mean radius
 # Usual names of the winds: eastward, northward, and the possible names of the vertical wind. "w" of ERA5 and "wap" of CMIP are omega.
@@ -42,7 +43,7 @@ def to_globe(mesh: pyvista.DataSet, *, projection: Literal["globe", "map"] = "gl
              wind_components: Literal["automatic", "east-north", "along-grid"] = "automatic",
              central_meridian: float | None = None, mask_below_ground: bool = True,
              surface: pyvista.DataSet | None = None, temperature: str | None = None, surface_pressure: str = "sp",
-             terrain_height: str = "orog") -> pyvista.StructuredGrid:
+             terrain_height: str = "orog") -> StructuredMesh:
     """Place a longitude-latitude-level grid on a globe or a map, with the winds as vectors.
 
     Also the accessor method ``mesh.nephoscope.globe(...)``.

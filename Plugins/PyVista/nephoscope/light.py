@@ -16,7 +16,7 @@ from . import vtkSunlight
 from ._blocks import cell_dimension
 from ._checks import choose, require_number
 from ._pipeline import vtk_messages
-from ._typing import Numbers
+from ._typing import Mesh, Numbers
 from .optics import cloud_optics, optics_of
 from .tone import checked, toned
 
@@ -41,7 +41,7 @@ def sunlight(mesh: pyvista.DataSet, direction: Numbers | None = None, *, time: s
              extinction: str = "Extinction", albedo: str | float = "SingleScatteringAlbedo", asymmetry: str | float = "AsymmetryParameter",
              extinction_scale: float = 1.0, ground_albedo: float = 0.1, sky_light: float = 0.08, multiple_scattering: bool = True,
              zenith_angles: int = 3, azimuth_angles: int = 4, eye: Numbers | Literal["camera"] | None = None, parallel: bool = False,
-             phase_function: str = "henyey-greenstein", clouds: pyvista.DataSet | None = None) -> pyvista.DataSet:
+             phase_function: str = "henyey-greenstein", clouds: pyvista.DataSet | None = None) -> Mesh:
     """Add the light of sun and sky to a mesh with an extinction: shadows, dark bases and multiple scattering.
 
     Also the accessor method ``mesh.nephoscope.sunlight(...)``. `add_cells` with `sun` calls it.

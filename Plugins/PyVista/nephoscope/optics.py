@@ -11,6 +11,7 @@ from vtkmodules.vtkCommonDataModel import vtkDataSet
 from . import vtkCloudOptics
 from ._checks import arrays_of, choose, require_number
 from ._pipeline import vtk_messages
+from ._typing import Mesh
 
 
 def _names(say: Callable[[str], str]) -> dict[str, str]:
@@ -30,7 +31,7 @@ def cloud_optics(mesh: pyvista.DataSet, water: str = "", *, liquid: str = "", ic
                  temperature: str = "", pressure: str = "", cloud_fraction: str = "", land: str = "", height: str = "",
                  units: Literal["automatic", "kg/kg", "g/kg", "kg/m3", "g/m3"] = "automatic",
                  liquid_radius: float | None = None, ice_radius: float | None = None,
-                 droplets_over_land: float = 300.0, droplets_over_sea: float = 100.0) -> pyvista.DataSet:
+                 droplets_over_land: float = 300.0, droplets_over_sea: float = 100.0) -> Mesh:
     """Add extinction and the other optical properties of clouds in visible light, from the water of a weather model.
 
     Also the accessor method ``mesh.nephoscope.cloud_optics(...)``. Arrays that you do not name are found by the names that models use; ``"none"``

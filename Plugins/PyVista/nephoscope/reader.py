@@ -17,7 +17,7 @@ from vtkmodules.vtkIONetCDF import vtkNetCDFCFReader
 from ._checks import listed
 from ._fields import choose_active_scalars
 from ._pipeline import vtk_messages
-from ._typing import Numbers
+from ._typing import Mesh, Numbers
 
 
 _REMEDY = ("VTK's reader accepts three dimensions, preceded by time if time has a coordinate with units. If time is not the first dimension: "
@@ -28,7 +28,7 @@ _WORDS = {"More than 3 dims without time not supported in variable": _REMEDY, "M
 
 
 def read_cf(path: str | Path, *, dimensions: str | Sequence[str] | None = None, variables: Sequence[str] | None = None,
-            time_step: int | None = None, missing_values: Numbers | None = None) -> pyvista.DataSet:
+            time_step: int | None = None, missing_values: Numbers | None = None) -> Mesh:
     """Read the variables of one shape from a NetCDF file with CF conventions.
 
     Parameters

@@ -16,7 +16,8 @@ from ._pipeline import vtk_messages
 
 # Terms in messages of the reader and the writer, and their names in Python.
 _NAMES = {"MemoryLimit": "memory_limit", "SplitTiles off": "split_tiles=False", "a VoxelSize": "a voxel_size", "VoxelSize": "voxel_size",
-          "SetGridName": "names", "MassArrayName": "masses", "SetFileName": "path"}
+          "SetGridName": "names", "MassArrayName": "masses", "SetFileName": "path",
+          "(in ParaView with Resample To Image)": "(image.sample(mesh), with a pyvista.ImageData)"}
 
 def read_vdb(path: str | Path, grids: str | Sequence[str] | None = None, *, image: bool = False, split_tiles: bool = True,
              memory_limit: float = 4.0) -> pyvista.PolyData | pyvista.ImageData:

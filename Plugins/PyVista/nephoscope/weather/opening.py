@@ -7,13 +7,14 @@ import glob
 from pathlib import Path
 from typing import Any, Sequence
 
+from .._typing import WeatherDataset
 from .accessor import register
 from .extras import need
 
 GRIB_NAMES = (".grib", ".grib2", ".grb", ".grb2", ".gb2", ".gb", ".grib1", ".grb1")
 
 
-def open(path: Any, *, grid: int | None = None, mesh: Any = None, chunks: Any = None, **options: Any):  # noqa: A001
+def open(path: Any, *, grid: int | None = None, mesh: Any = None, chunks: Any = None, **options: Any) -> WeatherDataset:  # noqa: A001
     """Open weather data as an xarray.Dataset whose accessor ``.nephoscope`` draws it.
 
     Parameters
