@@ -75,6 +75,16 @@ class Files(unittest.TestCase):
                 drawn = np.asarray(plotter.screenshot(), float)
                 self.assertLess(np.abs(drawn - self.picture(scene, technique=technique)).mean(), 0.5)
 
+    def test_title_of_the_bar_is_clear_of_its_labels(self):
+        """Above the middle of the bar: the title, a gap, the label."""
+        scene = Scene(FORECAST)
+        for size in ((1000, 700), (500, 350)):
+            plotter = pyvista.Plotter(off_screen=True, window_size=size, theme=pyvista.themes.DarkTheme())
+            self.addCleanup(plotter.close)
+            draw(plotter, scene, checked(View("gh", camera=(0, 0, 3e8, 0, 0, 0, 0, 1, 0)), scene.choices)[0])
+            drawn = plotter.screenshot()[size[1] * 3 // 4:, int(0.825 * size[0]):int(0.865 * size[0])].max(axis=(1, 2)) > 60
+            self.assertEqual(np.count_nonzero(drawn[1:] & ~drawn[:-1]), 3, size)
+
     def test_camera_is_what_it_was(self):
         scene = Scene(FORECAST)
         camera = (1e7, 2e7, 3e7, 1.0, 2.0, 3.0, 0.0, 0.0, 1.0)

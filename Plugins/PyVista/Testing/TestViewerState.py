@@ -27,7 +27,7 @@ class Links(unittest.TestCase):
         plain = Choices(fields=("q",), techniques=("cells",))
         self.assertEqual(to_query(View("q", "cells"), plain), "?field=q&technique=cells&opacity=1")
         self.assertEqual(to_query(View("q", "cells"), replace(plain, globe=True, times=("a", "b"))),
-                         "?field=q&technique=cells&opacity=1&time=0&exaggeration=30")
+                         "?field=q&technique=cells&opacity=1&time=0&exaggeration=10")
 
     def test_what_a_link_leaves_out_stays(self):
         start = View("u", "winds", 3, 50, 2.0, "clouds", False, tuple(range(9)))

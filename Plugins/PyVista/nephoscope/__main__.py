@@ -28,7 +28,7 @@ def _parser() -> argparse.ArgumentParser:
     parser.add_argument("--field", help="array to draw")
     parser.add_argument("--technique", choices=list(TECHNIQUES), help="default: the first that the data allow")
     parser.add_argument("--time", metavar="STEP", help="time step, from 0 (default: 0)")
-    parser.add_argument("--exaggeration", metavar="FACTOR", help="exaggeration of heights on a globe, 1 to 100 (default: 30)")
+    parser.add_argument("--exaggeration", metavar="FACTOR", help="exaggeration of heights on a globe, 1 to 100 (default: 10)")
     parser.add_argument("--opacity", metavar="FACTOR", help="0.1 to 5 (default: 1)")
     parser.add_argument("--preset", help="colours and opacities, for example 'wind speed' (default: chosen by the field)")
     parser.add_argument("--no-terrain", dest="terrain", action="store_const", const="0", help="a smooth globe")

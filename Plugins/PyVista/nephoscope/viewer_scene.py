@@ -88,7 +88,7 @@ class Scene:
         if view.terrain and self.choices.terrain:
             add_terrain(plotter, self._terrain(view), show_scalar_bar=False, render=False)
         else:
-            plotter.add_mesh(globe_surface(), color=EARTH, show_scalar_bar=False, render=False)
+            plotter.add_mesh(globe_surface(below=self.grid(view)), color=EARTH, show_scalar_bar=False, render=False)
 
 
 def draw(plotter: pyvista.BasePlotter, scene: Scene, view: View) -> list[str]:
@@ -100,6 +100,8 @@ def draw(plotter: pyvista.BasePlotter, scene: Scene, view: View) -> list[str]:
     with warnings.catch_warnings(record=True) as caught:
         warnings.simplefilter("always")
         scene.add_to(plotter, view)
+        for bar in plotter.scalar_bars.values():
+            bar.SetTitle(f"{bar.GetTitle()}\n ")  # VTK leaves no room between title and labels
         _look(plotter, scene, view)
         plotter.render()
     return list(dict.fromkeys(one_sentence(warning.message) for warning in caught if issubclass(warning.category, (UserWarning, RuntimeWarning))))

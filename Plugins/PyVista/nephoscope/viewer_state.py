@@ -21,7 +21,7 @@ class View:
     field: str = ""
     technique: str = ""
     time: int = 0
-    exaggeration: float = 30.0
+    exaggeration: float = 10.0
     opacity: float = 1.0
     preset: str = ""
     terrain: bool = True

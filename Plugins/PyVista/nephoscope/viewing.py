@@ -28,7 +28,7 @@ def viewer(path: str | Path, *, field: str | None = None, technique: str | None 
     time : int, optional
         Time step, from 0. Default: 0.
     exaggeration : float, optional
-        Vertical exaggeration on a globe, 1 to 100. Default: 30.
+        Vertical exaggeration on a globe, 1 to 100. Default: 10.
     opacity : float, optional
         Factor that multiplies the opacity of the medium, 0.1 to 5. Default: 1.
     preset : str, optional
