@@ -42,6 +42,14 @@ foreach (program IN LISTS nephoscope_vtk_programs)
   endif ()
 endforeach ()
 message(STATUS "Nephoscope: VTK ${VTK_VERSION} from ${VTK_DIR}")
+if (NEPHOSCOPE_FOR_PYPI)
+  get_target_property(nephoscope_vtk_library VTK::CommonCore LOCATION)
+  if (nephoscope_vtk_library MATCHES "/libvtkCommonCore-[^/]*[.]so") # those of the wheel have no version in their names
+    message(FATAL_ERROR "The VTK ${VTK_VERSION} in ${VTK_DIR} is not the SDK of the `vtk` wheel, which pip installs beside Nephoscope: a wheel built with it would "
+      "not start. Name such an SDK, that of the package vtk-sdk or the one that `./nephoscope wheel` makes. For the VTK of Debian or ParaView build without pip: "
+      "cmake -S . -B build")
+  endif ()
+endif ()
 if (NEPHOSCOPE_TESTING AND BUILD_TESTING AND NOT TARGET VTK::TestingRendering)
   message(WARNING "This VTK has no VTK::TestingRendering: tests that compare images are not built.")
 endif ()

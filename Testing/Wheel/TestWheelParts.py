@@ -197,8 +197,16 @@ class SourceDistribution(unittest.TestCase):
             with self.assertRaisesRegex(SystemExit, "--extra-index-url https://.* --config-settings vtk=sdk"):
                 build_backend.get_requires_for_build_wheel()
             self.assertEqual(build_backend.get_requires_for_build_wheel({"vtk": "sdk"}), [f"vtk-sdk=={inputs.vtk_version()}"])
-            os.environ["VTK_DIR"] = "/sdk"
+            os.environ["VTK_DIR"] = "sdk"
             self.assertEqual(build_backend.get_requires_for_build_wheel(), [])
+            with tempfile.TemporaryDirectory() as folder:
+                Path(folder, "vtk-config.cmake").touch()
+                for wrong in (os.path.relpath(folder), folder + "/none"):  # pip builds in another folder
+                    os.environ["VTK_DIR"] = wrong
+                    with self.assertRaisesRegex(SystemExit, "VTK_DIR is .*; it must be the whole path of a folder that has vtk-config.cmake"):
+                        build_backend.find_vtk()
+                os.environ["VTK_DIR"] = folder
+                self.assertEqual(build_backend.find_vtk(), [f"-DVTK_DIR={folder}"])
 
 
 class Symbols(unittest.TestCase):

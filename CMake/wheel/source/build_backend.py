@@ -41,7 +41,10 @@ def get_requires_for_build_wheel(config_settings=None):
 def find_vtk():
     """Words for CMake. The SDK tells where it is as packages tell scikit-build-core: by an entry point `cmake.prefix`."""
     if "VTK_DIR" in os.environ:
-        return [f"-DVTK_DIR={os.environ['VTK_DIR']}"]
+        folder = os.environ["VTK_DIR"]
+        if not (os.path.isabs(folder) and Path(folder, "vtk-config.cmake").is_file()):  # CMake would take another VTK
+            raise SystemExit(f"VTK_DIR is {folder!r}; it must be the whole path of a folder that has vtk-config.cmake.")
+        return [f"-DVTK_DIR={folder}"]
     prefixes = [str(importlib.resources.files(point.load())) for point in importlib.metadata.entry_points(group="cmake.prefix")]
     if not prefixes:
         raise SystemExit(REMEDY)
