@@ -25,7 +25,7 @@ import json, sys
 import nephoscope
 from nephoscope import _modules
 classes = {name: getattr(nephoscope, name).__module__.split(".")[-1] for name in nephoscope.__all__ if name.startswith("vtk")}
-json.dump({"modules": _modules.MODULES, "classes": classes, "functions": {**nephoscope.VTK_FUNCTIONS, **nephoscope.PYVISTA_FUNCTIONS}}, sys.stdout)
+json.dump({"modules": _modules.MODULES, "classes": classes, "star": sorted({*nephoscope.__all__, *nephoscope.PYVISTA_FUNCTIONS} - {"open"}), "functions": {**nephoscope.VTK_FUNCTIONS, **nephoscope.PYVISTA_FUNCTIONS}}, sys.stdout)
 """
 
 
@@ -46,6 +46,20 @@ def check_libraries(package):
         sys.exit("\n".join([f"These libraries do not run on all systems of {PLATFORM}:", *problems]))
 
 
+def classes_of(vtk):
+    """{class: module} of VTK's own stubs."""
+    return {name: f"vtkmodules.{stub.stem}" for stub in (vtk / "vtkmodules").glob("vtk*.pyi") for name in re.findall(r"^class (\w+)", stub.read_text(), re.MULTILINE)}
+
+
+def with_imports(stub, modules):
+    """VTK's program names classes of other modules, and the type of properties, without importing them; type checkers then know nothing of them."""
+    own = re.findall(r"^class (\w+)", stub, re.MULTILINE)
+    others = {name for name in re.findall(r"'(vtk\w+)'", stub) if name not in own and name in modules}
+    stub = re.sub(r"'(vtk\w+)'", lambda found: f"'{modules[found[1]]}.{found[1]}'" if found[1] in others else found[0], stub)
+    imports = "".join(f"import {module}\n" for module in sorted({modules[name] for name in others}) if f"import {module}\n" not in stub)
+    return stub.replace("\nimport vtkmodules", f"\n{imports}import vtkmodules", 1).replace(":'getset_descriptor'", ":Any")
+
+
 def make_stubs(staging, vtk, stubs):
     """Stubs of the wrapped classes, by VTK's own program, and of the package; `vtk` is the folder that has vtkmodules."""
     environment = {**os.environ, "PYTHONPATH": f"{staging}:{vtk}"}
@@ -56,9 +70,12 @@ def make_stubs(staging, vtk, stubs):
         old.unlink()
     subprocess.run([sys.executable, "-m", "vtkmodules.generate_pyi", "-p", "nephoscope", "-o", stubs, *content["modules"]],
                    env=environment, check=True)
+    modules = classes_of(vtk)
+    for stub in stubs.glob("*.pyi"):
+        stub.write_text(with_imports(stub.read_text(), modules))
     lines = [f"from .{module} import {name} as {name}" for name, module in sorted(content["classes"].items())]
     lines += [f"from .{file} import {name} as {name}" for name, file in sorted(content["functions"].items())]
-    (stubs / "__init__.pyi").write_text("\n".join([*lines, "", "__version__: str", "VTK_FUNCTIONS: dict[str, str]", "PYVISTA_FUNCTIONS: dict[str, str]", ""]))
+    (stubs / "__init__.pyi").write_text("\n".join([*lines, "", "__version__: str", f"__all__ = {content['star']}", "VTK_FUNCTIONS: dict[str, str]", "PYVISTA_FUNCTIONS: dict[str, str]", ""]))
 
 
 def main():

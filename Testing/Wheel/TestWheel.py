@@ -75,6 +75,12 @@ class Wheel(unittest.TestCase):
             if name.startswith("vtk"):
                 self.assertGreater(len(methods[name]), 3, name)
         self.assertIn("SetMethod", methods["vtkCellCompositingMapper"])
+        namespace = {}
+        exec(next(line for line in (PACKAGE / "__init__.pyi").read_text().splitlines() if line.startswith("__all__")), namespace)
+        self.assertEqual(namespace["__all__"], sorted(nephoscope.__all__))
+        for name, stub in stubs.items():  # each class that a stub names is its own, or has its module before it
+            own = {node.name for node in ast.walk(stub) if isinstance(node, ast.ClassDef)}
+            self.assertEqual(set(re.findall(r"'(vtk\w+|getset\w+)'", (PACKAGE / f"{name}.pyi").read_text())) - own - set(nephoscope.__all__), set(), name)
 
     def test_libraries_find_vtk_beside_them(self):
         for library in LIBRARIES:

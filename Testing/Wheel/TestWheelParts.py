@@ -209,6 +209,17 @@ class SourceDistribution(unittest.TestCase):
                 self.assertEqual(build_backend.find_vtk(), [f"-DVTK_DIR={folder}"])
 
 
+class Stubs(unittest.TestCase):
+    STUB = "from typing import Any\n\nimport vtkmodules.vtkCommonCore\n\nclass vtkOwn:\n    range:'getset_descriptor'\n    def Get(self, o:'vtkObjectBase') -> 'vtkTable': ...\n" \
+           "    def Copy(self) -> 'vtkOwn': ...\n"
+
+    def test_classes_of_vtk_are_imported(self):
+        modules = {"vtkObjectBase": "vtkmodules.vtkCommonCore", "vtkTable": "vtkmodules.vtkCommonDataModel"}
+        self.assertEqual(pack.with_imports(self.STUB, modules),
+                         "from typing import Any\n\nimport vtkmodules.vtkCommonDataModel\nimport vtkmodules.vtkCommonCore\n\nclass vtkOwn:\n    range:Any\n"
+                         "    def Get(self, o:'vtkmodules.vtkCommonCore.vtkObjectBase') -> 'vtkmodules.vtkCommonDataModel.vtkTable': ...\n    def Copy(self) -> 'vtkOwn': ...\n")
+
+
 class Symbols(unittest.TestCase):
     def test_symbols_newer_than_the_platform(self):
         self.assertEqual(pack.newer_versions(NEEDS), ["CXXABI_1.3.14", "GLIBC_2.35"])
