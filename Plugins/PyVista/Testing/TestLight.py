@@ -100,6 +100,14 @@ class Exposure(unittest.TestCase):
         mesh["ScaledExtinction"] = np.zeros(101)
         self.assertEqual(automatic_white(mesh), 0.6)
 
+    def test_time_in_place_of_the_direction(self):
+        mesh = pyvista.ImageData(dimensions=(4, 4, 4))
+        mesh["Extinction"] = np.full(mesh.n_points, 0.5)
+        lit = nephoscope.sunlight(mesh, "2011-10-11 10:00")
+        np.testing.assert_array_equal(lit["Sunlight"], nephoscope.sunlight(mesh, time="2011-10-11 10:00")["Sunlight"])
+        with self.assertRaisesRegex(ValueError, "direction is '2011.*; it must be three numbers"):
+            nephoscope.sunlight(mesh, "2011-10-11 10:00", time="2011-10-11 11:00")
+
 
 class Splats(unittest.TestCase):
     def test_same_picture_as_cells(self):

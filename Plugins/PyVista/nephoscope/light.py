@@ -37,7 +37,7 @@ TWILIGHT = 0.25  # sine of the sun's elevation below which surfaces on a globe w
 FILMIC_RANGE = 4.0  # at this multiple of it the filmic curve is nearly white
 
 
-def sunlight(mesh: pyvista.DataSet, direction: Numbers | None = None, *, time: str = "", place: Numbers = (0.0, 0.0),
+def sunlight(mesh: pyvista.DataSet, direction: Numbers | str | None = None, *, time: str = "", place: Numbers = (0.0, 0.0),
              extinction: str = "Extinction", albedo: str | float = "SingleScatteringAlbedo", asymmetry: str | float = "AsymmetryParameter",
              extinction_scale: float = 1.0, ground_albedo: float = 0.1, sky_light: float = 0.08, multiple_scattering: bool = True,
              zenith_angles: int = 3, azimuth_angles: int = 4, eye: Numbers | Literal["camera"] | None = None, parallel: bool = False,
@@ -50,8 +50,8 @@ def sunlight(mesh: pyvista.DataSet, direction: Numbers | None = None, *, time: s
     ----------
     mesh : pyvista.DataSet
         The mesh with the extinction, as `cloud_optics` makes it, or smoke of `flow_volume` or `smoke_puffs`, which needs none; it is not changed.
-    direction : sequence of 3 float, optional
-        Direction towards the sun in the coordinates of the mesh. Default: (1, -1, 1).
+    direction : sequence of 3 float or str, optional
+        Direction towards the sun in the coordinates of the mesh, or a date and time, as in `time`. Default: (1, -1, 1).
     time : str, optional
         Date and time in UTC, such as ``"2011-10-11 18:30"``, instead of a direction.
     place : sequence of 2 float, default: (0, 0)
@@ -101,6 +101,8 @@ def sunlight(mesh: pyvista.DataSet, direction: Numbers | None = None, *, time: s
     RuntimeWarning
         For negative and missing extinctions, and if the sun is below the horizon.
     """
+    if isinstance(direction, str) and not time:
+        direction, time = None, direction
     options = dict(locals())
     return light_of(options.pop("mesh"), str, **options)
 
