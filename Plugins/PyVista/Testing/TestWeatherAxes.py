@@ -153,7 +153,7 @@ class Names(unittest.TestCase):
 
     def test_by_name_role_standard_name_and_quantity(self):
         for name, array in (("liquid", "liquid"), ("cloud_water", "liquid"), ("mass_fraction_of_cloud_liquid_water_in_air", "liquid"), ("Liquid water", "liquid"), ("LIQUID", "liquid"),
-                            ("vorticity", "vorticity"), ("wind_speed", "wind_speed"), ("potential_temperature", "potential_temperature"), ("temperature", "ta"), ("u", "wind_x")):
+                            ("vorticity", "vorticity"), ("wind_speed", "wind_speed"), ("potential_temperature", "potential_temperature"), ("temperature", "ta"), ("u", "wind_x"), ("clwc", "liquid"), ("T", "ta"), ("UGRD", "wind_x")):
             with self.subTest(name):
                 found, values = self.drawn(name)
                 self.assertEqual(found, array)

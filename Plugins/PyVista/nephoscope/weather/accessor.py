@@ -162,7 +162,7 @@ class WeatherAccessor:
         Parameters
         ----------
         scalars : str, optional
-            The variable, its standard name, its role (``"cloud_water"``), or a quantity to compute (``"vorticity"``; see `globe`). Default: cloud fraction,
+            The variable, its standard name, its role (``"cloud_water"``) or a usual name of that (``"clwc"``), or a quantity to compute (``"vorticity"``; see `globe`). Default: cloud fraction,
             cloud water, or the first.
         time : int, str or datetime, optional
             As in `globe`.

@@ -29,6 +29,7 @@ def named(reading: Reading, name: str) -> tuple[str, dict[str, Any]]:
         return name, {"variables": [], "derive": [name]}
     told = [field for field in fields if name.lower() in [str(reading.dataset[field].attrs.get(key, "")).lower() for key in ("standard_name", "long_name", "GRIB_shortName", "GRIB_name")]]
     told = told or [field for field in fields if name.lower() == field.lower()]
+    told = told or [reading.roles[role.name] for role in ROLES.values() if name.lower() in role.names and reading.roles.get(role.name) in fields]  # of another model
     if told:
         return told[0], {"variables": told[:1]}
     near = get_close_matches(name, [*fields, *QUANTITIES], 3, 0.6)
