@@ -11,7 +11,7 @@ import random_data
 from vtkmodules.vtkIONetCDF import vtkNetCDFCFReader
 
 FOLDER = tempfile.TemporaryDirectory()
-MEMORY = 3 << 30
+MEMORY = 2 << 30  # bytes of address space: little more than the process itself takes, so that a string of a gigabyte is refused at once
 HEADER = 8192  # libnetcdf reads for minutes what a damaged header says
 FORECAST = os.path.join(os.environ.get("NEPHOSCOPE_DATA", "Data"), "forecast_10deg_6h.nc")
 
