@@ -27,19 +27,19 @@ struct NamesOfModels
 const NamesOfModels& namesOf(WaterFields::Kind kind)
 {
   static const std::array<NamesOfModels, WaterFields::NumberOfFields> names = { {
-    { "cloud water", "TotalWaterArrayName", { "clwmr", "tot_qc_dia", "CLDWAT" } },
+    { "cloud water", "TotalWaterArrayName", { "clwmr", "tot_qc_dia", "CLDWAT", "QN" } },
     { "cloud liquid", "LiquidArrayName",
-      { "clwc", "clw", "qc", "ql", "QCLOUD", "LWC", "cldliq", "cloud_mixing_ratio",
-        "specific_cloud_liquid_water_content" } },
+      { "clwc", "clw", "qc", "ql", "q_l", "cloud_liquid", "QCLOUD", "LWC", "cldliq",
+        "cloud_mixing_ratio", "specific_cloud_liquid_water_content" } },
     { "cloud ice", "IceArrayName",
-      { "ciwc", "cli", "qi", "icmr", "QICE", "IWC", "cldice", "ice_water_mixing_ratio",
-        "specific_cloud_ice_water_content" } },
+      { "ciwc", "cli", "qi", "q_i", "cloud_ice", "icmr", "QICE", "IWC", "cldice",
+        "ice_water_mixing_ratio", "specific_cloud_ice_water_content" } },
     { "rain", "RainArrayName",
       { "crwc", "rwmr", "qr", "QRAIN", "rain_mixing_ratio", "specific_rain_water_content" } },
     { "snow", "SnowArrayName",
       { "cswc", "snmr", "qs", "QSNOW", "snow_mixing_ratio", "specific_snow_water_content" } },
     { "temperature", "TemperatureArrayName",
-      { "t", "ta", "tk", "tmp", "temp", "temperature", "air_temperature" } },
+      { "t", "ta", "tk", "tmp", "temp", "TABS", "temperature", "air_temperature" } },
     { "pressure", "PressureArrayName", { "p", "pressure", "pres", "pfull", "air_pressure" } },
     { "cloud fraction", "CloudFractionArrayName",
       { "cloud_fraction", "cc", "cl", "clc", "CLDFRA" } },
@@ -174,8 +174,8 @@ std::string missing(
     !isNamed(names, WaterFields::Pressure))
   {
     text +=
-      "There is no pressure, which is needed to convert water from kg/kg to kg/m3: set PressureArrayName (Pa or hPa), put the fields through Globe Grid, "
-      "which adds the height of every point, or set WaterUnits to kg/m3 or g/m3, if that is what they are. ";
+      "There is no pressure, which is needed to convert water from kg/kg to kg/m3: set PressureArrayName (Pa or hPa), or HeightArrayName (m) for the "
+      "pressure of the standard atmosphere, which Globe Grid adds to its output, or set WaterUnits to kg/m3 or g/m3, if that is what they are. ";
   }
   return text.empty() ? text : text + allArrays(data);
 }
@@ -206,9 +206,21 @@ WaterUnits unitsOf(vtkDataSet* data, vtkDataArray* array)
                                        : WaterUnits::MixingRatio;
 }
 
-// A water that could not be: the sum of all water in a cloud is below 20 g/kg.
+// What could not be: the sum of all water in a cloud is below 20 g/kg, and no air as cold as 130 K.
 std::string wrongUnits(const WaterFields& fields)
 {
+  vtkDataArray* temperature = fields.Arrays[WaterFields::Temperature];
+  double celsius[2] = { 0, 1000 };
+  if (temperature)
+  {
+    temperature->GetFiniteRange(celsius, 0);
+  }
+  if (celsius[1] < 130 && celsius[0] < celsius[1])
+  {
+    return "The array '" + std::string(temperature->GetName()) + "' has values up to " +
+      std::to_string(celsius[1]) +
+      ", which is too cold for a temperature in kelvin. Add 273.15, if it is in degrees Celsius.";
+  }
   for (int k = 0; k < WaterFields::NumberOfWaters; ++k)
   {
     double range[2] = { 0, 0 };
@@ -216,7 +228,7 @@ std::string wrongUnits(const WaterFields& fields)
     {
       fields.Arrays[k]->GetFiniteRange(range, 0);
     }
-    if (range[1] * KilogramsPer(fields.Units[k]) > 0.1 && range[1] < 1e20)
+    if (range[1] * KilogramsPer(fields.Units[k]) > 0.03 && range[1] < 1e20)
     {
       return "The array '" + std::string(fields.Arrays[k]->GetName()) + "' has values up to " +
         std::to_string(range[1]) + ", which is too much " + wordsFor(static_cast<Kind>(k)) +

@@ -56,6 +56,14 @@ void FloatLayer::SetBlending(vtkOpenGLState* state)
   state->vtkglBlendFuncSeparate(GL_ONE, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
 }
 
+void FloatLayer::ForgetErrors()
+{
+  constexpr int most = 16; // without a context there is no end to them
+  for (int i = 0; i < most && glGetError() != GL_NO_ERROR; ++i)
+  {
+  }
+}
+
 std::string FloatLayer::CheckOpenGL(const char* where)
 {
   const GLenum error = glGetError();
@@ -84,6 +92,7 @@ std::string FloatLayer::Draw(vtkOpenGLRenderWindow* window, const Painter& paint
   const PixelRegion part = region ? *region : PixelRegion{ { 0, 0, viewport[2], viewport[3] } };
   std::array<int, 4> painted = { { viewport[0], viewport[1], viewport[2], viewport[3] } };
   PixelRegion paintedPart = part;
+  ForgetErrors();
   const SavedState saved(window->GetState());
   this->Depth.Copy(window, viewport, region ? region->data() : nullptr);
   if (sampleDistance > 1)
@@ -116,6 +125,7 @@ std::string FloatLayer::DrawPeel(vtkOpenGLRenderWindow* window, VolumePeel& peel
   int viewport[4];
   vtkOpenGLState* state = window->GetState();
   state->vtkglGetIntegerv(GL_VIEWPORT, viewport);
+  ForgetErrors();
   const SavedState saved(state);
   if (!peel.FindRanges(window, request, viewport))
   {

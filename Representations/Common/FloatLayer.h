@@ -63,6 +63,8 @@ public:
 
   /** Premultiplied colours are added in the order in which they come, without a depth test. */
   static void SetBlending(vtkOpenGLState* state);
+  /** Forgets errors that others have left in OpenGL, before drawing: VTK's peeling of multisampled windows leaves some. */
+  static void ForgetErrors();
   /** Empty, or the error that OpenGL has. */
   static std::string CheckOpenGL(const char* where);
 

@@ -101,12 +101,21 @@ class CloudOptics(unittest.TestCase):
     def test_what_is_missing_is_named(self):
         for data, options, word in ((column(t=280), {}, "no array of cloud water"), (column(qc=1e-4, t=280), {}, "PressureArrayName"),
                                     (column(qc=1e-4, p=85000), {}, "TemperatureArrayName"),
-                                    (column(qc=0.3, t=280, p=85000), {}, "g/kg"),
+                                    (column(qc=1e-4, t=280), {}, "HeightArrayName"),
+                                    (column(qc=0.3, t=280, p=85000), {}, "g/kg"), (column(qc=0.1, t=280, p=85000), {}, "g/kg"),
+                                    (column(qc=1e-4, t=[7, 8, 9], p=85000), {}, "'t' has values up to 9.0"),
                                     (column(qc=1e-4, t=280, p=85000), {"IceArrayName": "cheese"}, "'cheese'")):
             output, messages = optics_of(data, **options)
             self.assertEqual(len(messages.all), 1, word)
             self.assertIn(word, messages.all[0])
             self.assertEqual(output.GetNumberOfPoints(), 0)
+
+    def test_names_of_large_eddy_models(self):
+        expected = values(optics_of(column(qc=1e-4, t=285, p=85000))[0])
+        for water in ("QC", "q_l", "cloud_liquid", "QN"):
+            output, messages = optics_of(column(**{water: 1e-4, "TABS": 285, "p": 85000}))
+            self.assertEqual(messages.all, [], water)
+            np.testing.assert_allclose(values(output), expected, rtol=1e-6)
 
     def test_no_temperature_is_needed_for_liquid_content(self):
         output, messages = optics_of(column(LWC=3e-4), LiquidRadiusType=1)

@@ -94,21 +94,38 @@ class Sun(unittest.TestCase):
     def expect(self, found, light):
         np.testing.assert_allclose(found, np.array((0.9, 0.6, 0.3)) * light, atol=0.012)
 
+    def scattered(self, depth, slant, asymmetry=0.0):
+        """Looking straight down, the integral over the transparency of what each layer scatters: the beam in closed form, the rest by the rule of Simpson."""
+        u = np.linspace(0, depth, 2001)  # from the top
+        rest = (1 / (1 + 0.75 * (1 - asymmetry) * slant * u) - np.exp(-slant * u)) * np.exp(-u)
+        weights = np.where(np.arange(2001) % 2, 4, 2)
+        weights[[0, -1]] = 1
+        return (1 - np.exp(-(1 + slant) * depth)) / (1 + slant), (weights * rest).sum() * depth / 6000
+
     def test_from_above(self):
-        """Light that reaches exp(-u) of the way down and of the way up again."""
+        """Light that reaches exp(-u) of the way down and of the way up again, and what has been scattered before."""
         down = [(0, 0, 50), (0, 0, 0), (0, 1, 0)]
         for depth in (0.2, 1.0, 3.0):
-            self.expect(self.picture((0, 0, 1), down, depth=depth)[30, 30], (1 - np.exp(-2 * depth)) / 2)
+            self.expect(self.picture((0, 0, 1), down, depth=depth)[30, 30], sum(self.scattered(depth, 1.0)))
             slant = 2.0  # of a sun 30 degrees high
-            self.expect(self.picture((np.sqrt(3), 0, 1), down, depth=depth)[30, 30], (1 - np.exp(-(1 + slant) * depth)) / (1 + slant))
+            self.expect(self.picture((np.sqrt(3), 0, 1), down, depth=depth)[30, 30], sum(self.scattered(depth, slant)))
+            slant = 5.0  # less high than 30 degrees
+            beam, rest = self.scattered(depth, slant)
+            self.expect(self.picture((np.sqrt(24), 0, 1), down, depth=depth)[30, 30], beam + 0.4 * rest)
         self.expect(self.picture((0, 0, -1), down)[30, 30], 0)
+
+    def test_noon_is_bright_in_thick_haze(self):
+        """A level look across the sun: half as bright as haze without a sun, at least, up to a vertical optical depth of 1."""
+        for depth in (0.1, 0.5, 1.0):
+            found = self.picture((0, 1, 2), [(0, 0, 0.05), (100, 0, 0.05), (0, 0, 1)], asymmetry=0.5, ground=False, depth=depth, base_level=0.05)[30, 30]
+            self.assertGreater(found[0], 0.5 * 0.9)
 
     def test_phase_function(self):
         """A level look through all of the haze, towards a sun 30 degrees high and away from it: what is left of the sun, times the phase function."""
         for x in (1, -1):
             found = self.picture((np.sqrt(3) * x, 0, 1), [(0, 0, 0.05), (100, 0, 0.05), (0, 0, 1)], asymmetry=0.3, ground=False, depth=0.5, base_level=0.05)
             cosine = x * np.sqrt(0.75)
-            self.expect(found[30, 30], np.exp(-1) * (1 - 0.09) / (1.09 - 0.6 * cosine) ** 1.5)
+            self.expect(found[30, 30], np.exp(-1) * (1 - 0.09) / (1.09 - 0.6 * cosine) ** 1.5 + 1 / (1 + 0.75 * 0.7) - np.exp(-1))
 
     def test_night_of_a_globe(self):
         row = self.picture((1, 0, 0), [(0, -3e7, 0), (0, 0, 0), (0, 0, 1)], ground=False, projection="globe", scale_height=8e3, vertical_exaggeration=20, visibility=1e6,

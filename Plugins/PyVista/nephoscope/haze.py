@@ -62,8 +62,8 @@ def add_haze(plotter: pyvista.Plotter, mesh: pyvista.DataSet | None = None, *, v
         Map: coordinate along `up` at altitude 0. If the ground is found from the scene, it is measured from the lowest point of the scene.
     sun : sequence of 3 float, str, dict or True, optional
         Lights the haze by the sun, given as in `add_cells`: haze is brightest around the sun and dark at night, and its colour is that which it has where the
-        phase function is 1. True: the sun of `mesh`. A date and time needs `mesh`, or is seen from ``{'place': (longitude, latitude)}``. Default: none; haze
-        has its colour wherever it is.
+        phase function is 1. True: the sun of `mesh`, or of a lit mesh in the scene. A date and time needs `mesh`, or is seen from
+        ``{'place': (longitude, latitude)}``. Default: none; haze has its colour wherever it is.
     asymmetry : float, default: 0.5
         With `sun`: asymmetry parameter of the haze, -0.95 to 0.95; 0 for air, 0.7 for particles.
     render : bool, default: True
@@ -103,7 +103,7 @@ def add_haze(plotter: pyvista.Plotter, mesh: pyvista.DataSet | None = None, *, v
     haze.SetBaseLevel(require_number(base_level, "base_level"))
     haze.SetAsymmetry(require_number(asymmetry, "asymmetry", least=-0.95, most=0.95))
     if sun is not None:
-        haze.SetSunDirection(*direction_of(sun, {} if mesh is None else mesh.field_data))
+        haze.SetSunDirection(*direction_of(sun, _fields_of_scene(plotter) if mesh is None else mesh.field_data))
     vtkHaze.SetHaze(plotter.renderer, haze)
     wrap_method(plotter, "clear", _clear)  # removes the haze as well as the actors
     warn_when_exported(plotter)
@@ -122,6 +122,17 @@ def _vector(values: Numbers, argument: str) -> list[float]:
     if len(values) != 3:
         raise ValueError(f"{argument} is {values!r}; it must have 3 numbers.")
     return [require_number(value, argument) for value in values]
+
+
+def _fields_of_scene(plotter: pyvista.Plotter) -> Any:
+    """The field data of the first mesh in the active renderer that tells of a sun or of a globe; empty if there is none."""
+    for actor in plotter.renderer.actors.values():
+        mapper = actor.GetMapper() if hasattr(actor, "GetMapper") else None
+        mesh = mapper.GetInputDataObject(0, 0) if mapper and mapper.GetNumberOfInputConnections(0) else None
+        fields = pyvista.wrap(mesh).field_data if mesh is not None else {}
+        if "SunDirection" in fields or "GlobeGridProjection" in fields:
+            return fields
+    return {}
 
 
 def _told_by(mesh: pyvista.DataSet | None) -> dict:

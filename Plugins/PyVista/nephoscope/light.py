@@ -37,7 +37,7 @@ TWILIGHT = 0.25  # sine of the sun's elevation below which surfaces on a globe w
 FILMIC_RANGE = 4.0  # at this multiple of it the filmic curve is nearly white
 
 
-def sunlight(mesh: pyvista.DataSet, direction: Numbers | str | None = None, *, time: str = "", place: Numbers = (0.0, 0.0),
+def sunlight(mesh: pyvista.DataSet, direction: Numbers | str | None = None, *, time: str = "", place: Numbers | None = None,
              extinction: str = "Extinction", albedo: str | float = "SingleScatteringAlbedo", asymmetry: str | float = "AsymmetryParameter",
              extinction_scale: float = 1.0, ground_albedo: float = 0.1, sky_light: float = 0.08, multiple_scattering: bool = True,
              zenith_angles: int = 3, azimuth_angles: int = 4, eye: Numbers | Literal["camera"] | None = None, parallel: bool = False,
@@ -49,13 +49,15 @@ def sunlight(mesh: pyvista.DataSet, direction: Numbers | str | None = None, *, t
     Parameters
     ----------
     mesh : pyvista.DataSet
-        The mesh with the extinction, as `cloud_optics` makes it, or smoke of `flow_volume` or `smoke_puffs`, which needs none; it is not changed.
+        The mesh with the extinction, as `cloud_optics` makes it; smoke of `flow_volume` or `smoke_puffs`, which needs none; or with `clouds` a surface, such
+        as the ground, that gets their shadows. It is not changed.
     direction : sequence of 3 float or str, optional
         Direction towards the sun in the coordinates of the mesh, or a date and time, as in `time`. Default: (1, -1, 1).
     time : str, optional
         Date and time in UTC, such as ``"2011-10-11 18:30"``, instead of a direction.
-    place : sequence of 2 float, default: (0, 0)
-        Longitude and latitude (degrees) of the place for which the sun is computed at `time`, if the mesh is not a globe from `to_globe`.
+    place : sequence of 2 float, optional
+        Longitude and latitude (degrees) of the place for which the sun is computed at `time`, if the mesh is not a globe from `to_globe`; x points east
+        and y north there. Default: (0, 0), with a warning.
     extinction : str, default: "Extinction"
         Array of the extinction coefficient, 1/length of the mesh.
     albedo, asymmetry : str or float
@@ -99,15 +101,18 @@ def sunlight(mesh: pyvista.DataSet, direction: Numbers | str | None = None, *, t
     Warns
     -----
     RuntimeWarning
-        For negative and missing extinctions, and if the sun is below the horizon.
+        For negative and missing extinctions, if the sun is below the horizon, and for a time without a place.
     """
     if isinstance(direction, str) and not time:
         direction, time = None, direction
+    if clouds is not None and isinstance(mesh, vtkDataSet) and cell_dimension(mesh) < 3 and not _has(mesh, extinction):
+        mesh, extinction, multiple_scattering = pyvista.wrap(mesh).copy(deep=False), "NoExtinction", False
+        mesh[extinction] = np.zeros(mesh.n_points)
     options = dict(locals())
     return light_of(options.pop("mesh"), str, **options)
 
 
-def light_of(mesh: pyvista.DataSet, say: Callable[[str], str], direction: Numbers | None, time: str, place: Numbers, extinction: str,
+def light_of(mesh: pyvista.DataSet, say: Callable[[str], str], direction: Numbers | None, time: str, place: Numbers | None, extinction: str,
              albedo: str | float, asymmetry: str | float, extinction_scale: float, ground_albedo: float, sky_light: float, multiple_scattering: bool,
              zenith_angles: int, azimuth_angles: int, eye: Numbers | Literal["camera"] | None, parallel: bool, phase_function: str, clouds: pyvista.DataSet | None) -> pyvista.DataSet:
     """`sunlight`; messages call its arguments `say(name)`."""
@@ -122,6 +127,10 @@ def light_of(mesh: pyvista.DataSet, say: Callable[[str], str], direction: Number
     if direction is not None:
         light.SetSunDirection(*_three(direction, say("direction")))
     light.SetDateTime(time)
+    if time and place is None and "GlobeGridProjection" not in mesh.field_data:
+        warnings.warn(f"{say('time')} is a date and time without a place: the sun is that of longitude 0 and latitude 0. Give {say('place')}, the longitude and latitude; "
+                      "x points east and y north.", RuntimeWarning, stacklevel=3)
+    place = (0.0, 0.0) if place is None else place
     light.SetLongitude(require_number(place[0], say("place"), least=-360, most=360))
     light.SetLatitude(require_number(place[1], say("place"), least=-90, most=90))
     light.SetExtinctionArrayName(extinction)
@@ -218,7 +227,9 @@ def lit_medium(mesh: pyvista.DataSet, sun: Any, cmap: Any, clim: Any, n_colors: 
 
 def direction_of(sun: Any, fields: Any) -> np.ndarray:
     """Towards the sun, given as in `add_cells`, where the field data are those of a mesh."""
-    if sun is True and "SunDirection" in fields:
+    if sun is True:
+        if "SunDirection" not in fields:
+            raise ValueError("sun is True, but no mesh with light from sunlight() is given or in the scene: pass it as mesh, or a direction or a date as sun.")
         return fields["SunDirection"][0]
     place = pyvista.PolyData([(0.0, 0.0, 0.0)])
     for name in ("GlobeGridProjection", "PlanetRadius"):

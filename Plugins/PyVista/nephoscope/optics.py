@@ -20,7 +20,7 @@ def _names(say: Callable[[str], str]) -> dict[str, str]:
              "CloudFraction": "cloud_fraction", "Land": "land", "Height": "height"}
     return {**{f"{vtk}ArrayName": say(name) for vtk, name in words.items()}, "WaterUnits": say("units"),
             "set TotalWaterArrayName, or LiquidArrayName and IceArrayName": f"name one by {say('water')}, or two by {say('liquid')} and {say('ice')}",
-            "put the fields through Globe Grid": "put the fields through to_globe"}
+            "put the fields through Globe Grid": "put the fields through to_globe", "which Globe Grid adds to its output": "which to_globe adds to its output"}
 
 
 _NAMES = _names(str)

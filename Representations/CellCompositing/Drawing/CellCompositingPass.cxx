@@ -85,6 +85,7 @@ std::string CellCompositingPass::CastPeel(
 {
   int viewport[4];
   window->GetState()->vtkglGetIntegerv(GL_VIEWPORT, viewport);
+  FloatLayer::ForgetErrors();
   const SavedState saved(window->GetState());
   if (!this->Peel.FindRanges(window, request, viewport))
   {

@@ -218,6 +218,21 @@ float hazePhase(float cosine)
   return (1.0 - g * g) / (d * sqrt(d));
 }
 
+// Light that a place scatters into a direction with this phase function, for a white sun: the sun's beam, and what other haze has scattered out
+// of it, which comes from everywhere. Together they are what a layer as thick as the way to the sun lets through (MeadorWeaver1980, Eddington,
+// no absorption). From 30 degrees down to the horizon the second part fades out with the light that falls on a level surface.
+float hazeSunlight(HazePlace place, float phase)
+{
+  float beam = hazeSunTransparency(place);
+  if (!(beam > 0.0))
+  {
+    return 0.0;
+  }
+  float height = HAZE_ON_GLOBE ? dot(normalize(place.place), hazeSun) : dot(hazeFrame, hazeSun);
+  float through = 1.0 / (1.0 - 0.75 * (1.0 - hazeAsymmetry) * log(beam));
+  return beam * phase + clamp(2.0 * height, 0.0, 1.0) * max(through - beam, 0.0);
+}
+
 // The part of a ray that has haze: below this altitude.
 vec2 hazyPart(HazePlace start, vec3 direction, float reach)
 {
@@ -259,13 +274,14 @@ vec3 hazeAirlight(HazePlace start, vec3 step_, float opacity)
   vec2 hazy = hazyPart(start, direction, reach);
   float before = hazeExtinction * hazeLength(start, hazy.x * direction);
   float first = before;
-  float lightBefore = hazeSunTransparency(hazePlaceAfter(start, hazy.x * direction));
+  float phase = hazePhase(dot(direction, hazeSun));
+  float lightBefore = hazeSunlight(hazePlaceAfter(start, hazy.x * direction), phase);
   float sum = 0.0;
   for (int i = 1; i <= parts; ++i)
   {
     vec3 back = mix(hazy.x, hazy.y, float(i) / float(parts)) * direction;
     float after = max(before, hazeExtinction * hazeLength(start, back));
-    float light = hazeSunTransparency(hazePlaceAfter(start, back));
+    float light = hazeSunlight(hazePlaceAfter(start, back), phase);
     float depth = after - before; // thin: light is linear in T, as with the sun overhead; thick: it comes from near the front
     float place = mix(0.5, hazeMeanPlaceAt(depth), smoothstep(1.0, 3.0, depth));
     sum += (exp(-before) - exp(-after)) * mix(lightBefore, light, place);
@@ -274,7 +290,7 @@ vec3 hazeAirlight(HazePlace start, vec3 step_, float opacity)
   }
   float seen = exp(-first) - exp(-before);
   float share = seen > 0.0 ? opacity / seen : 0.0; // the rest is too thin for parts
-  return hazePhase(dot(direction, hazeSun)) * min(share, 2.0) * sum * hazeTint;
+  return min(share, 2.0) * sum * hazeTint;
 }
 
 // What haze makes of black between the eye and a place: light, and T.
