@@ -141,6 +141,12 @@ class Sun(unittest.TestCase):
         noon = nephoscope.add_haze(plotter, globe, sun="2011-03-21 12:08").GetSunDirection()
         np.testing.assert_allclose(noon, (1, 0, 0), atol=0.02)
         np.testing.assert_allclose(nephoscope.add_haze(plotter, sun={"time": "2011-03-21 12:08", "place": (0, 0)}).GetSunDirection(), (0, 0, 1), atol=0.02)
+        with self.assertRaisesRegex(ValueError, "sun is True, but no mesh with light"):
+            nephoscope.add_haze(pyvista.Plotter(off_screen=True), sun=True)
+        ball = pyvista.Sphere()
+        ball.field_data["SunDirection"] = [(0.0, 0.6, 0.8)]
+        plotter.add_mesh(ball)
+        self.assertEqual(nephoscope.add_haze(plotter, sun=True).GetSunDirection(), (0, 0.6, 0.8))
         for text, options in ((r"sun is \(0, 1\)", {"sun": (0, 1)}), ("asymmetry is 2", {"asymmetry": 2})):
             with self.assertRaisesRegex(ValueError, text):
                 nephoscope.add_haze(plotter, globe, **options)

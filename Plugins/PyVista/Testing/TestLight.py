@@ -3,6 +3,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """add_cells(sun=...): exposure and contrast with nothing set, names and units of water, messages."""
 import unittest
+import warnings
 
 import nephoscope
 import numpy as np
@@ -99,6 +100,16 @@ class Exposure(unittest.TestCase):
         self.assertEqual(automatic_white(mesh), 0.15)
         mesh["ScaledExtinction"] = np.zeros(101)
         self.assertEqual(automatic_white(mesh), 0.6)
+
+    def test_a_time_needs_a_place(self):
+        with self.assertWarnsRegex(RuntimeWarning, "time is a date and time without a place: .* Give place,"):
+            at_zero = lumps().nephoscope.sunlight(time="2024-06-21 12:00").field_data["SunDirection"]
+        with warnings.catch_warnings():
+            warnings.simplefilter("error")
+            told = lumps().nephoscope.sunlight(time="2024-06-21 12:00", place=(0, 0)).field_data["SunDirection"]
+        np.testing.assert_array_equal(at_zero, told)
+        with self.assertWarnsRegex(RuntimeWarning, r"sun is a date and time without a place: .* Give sun\['place'\],"):
+            nephoscope.add_cells(pyvista.Plotter(off_screen=True), lumps(), sun="2024-06-21 12:00")
 
     def test_time_in_place_of_the_direction(self):
         mesh = pyvista.ImageData(dimensions=(4, 4, 4))
@@ -216,6 +227,20 @@ class CloudTexture(unittest.TestCase):
         row = self.picture(sheet, ((0, 0, 6), (0, 0, 0), (0, 1, 0)), sun={"clouds": cloud.nephoscope.sunlight((0, 0, 1))})[60, :, 0]
         self.assertGreater(row[75:90].mean(), 200)
         self.assertLess(row[35:50].mean(), 20)
+
+    def test_shadows_on_the_ground(self):
+        """A surface gets the light that clouds leave of the same sun: all of it beside them, and what the cloud's depth lets through below."""
+        cloud = pyvista.ImageData(dimensions=(9, 9, 5), spacing=(0.25, 0.25, 0.25), origin=(-1, -1, 1))
+        cloud["Extinction"] = np.full(cloud.n_points, 1.5)
+        ground = pyvista.Plane(i_resolution=60, j_resolution=60, i_size=6, j_size=6)
+        shaded = ground.nephoscope.sunlight(clouds=cloud.nephoscope.sunlight((0, 0, 1), multiple_scattering=False))
+        x, y, _ = np.abs(ground.points.T)
+        below = shaded["SunTransmittance"][(x < 0.95) & (y < 0.95)]
+        np.testing.assert_allclose(below, np.exp(-1.5), rtol=0.02)
+        np.testing.assert_allclose(shaded["SunTransmittance"][(x > 1.05) | (y > 1.05)], 1, rtol=1e-5)
+        self.assertNotIn("SunTransmittance", ground.point_data)
+        with self.assertRaisesRegex(RuntimeError, "There is no array 'Extinction'"):
+            ground.nephoscope.sunlight()
 
     def test_messages(self):
         sheet = pyvista.Plane()

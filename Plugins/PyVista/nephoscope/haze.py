@@ -12,9 +12,7 @@ from ._checks import choose, require_number
 from ._exports import warn_when_exported
 from ._methods import wrap_method
 from ._typing import Numbers
-from .light import direction_of
-
-PROJECTIONS = ("globe", "map")  # numbered as in the field data GlobeGridProjection
+from .light import PROJECTIONS, direction_of
 
 
 def add_haze(plotter: pyvista.Plotter, mesh: pyvista.DataSet | None = None, *, visibility: float | None = None, scale_height: float | None = None,

@@ -10,7 +10,7 @@ from typing import Any, Callable, Literal, Mapping
 
 import numpy as np
 import pyvista
-from vtkmodules.vtkCommonDataModel import vtkDataSet
+from vtkmodules.vtkCommonDataModel import vtkDataSet, vtkPointSet
 
 from . import vtkSunlight
 from ._blocks import cell_dimension
@@ -34,6 +34,7 @@ _NAMES = _names(str)
 BRIGHTEST = 0.6  # light that is drawn as white with an exposure of 1
 DARKEST_WHITE, BRIGHTEST_WHITE = 0.15, 1.2  # limits of white with automatic exposure, so that night stays dark
 TWILIGHT = 0.25  # sine of the sun's elevation below which surfaces on a globe without lit clouds get less light
+PROJECTIONS = ("globe", "map")  # numbered as in the field data GlobeGridProjection
 FILMIC_RANGE = 4.0  # at this multiple of it the filmic curve is nearly white
 
 
@@ -105,11 +106,36 @@ def sunlight(mesh: pyvista.DataSet, direction: Numbers | str | None = None, *, t
     """
     if isinstance(direction, str) and not time:
         direction, time = None, direction
-    if clouds is not None and isinstance(mesh, vtkDataSet) and cell_dimension(mesh) < 3 and not _has(mesh, extinction):
-        mesh, extinction, multiple_scattering = pyvista.wrap(mesh).copy(deep=False), "NoExtinction", False
-        mesh[extinction] = np.zeros(mesh.n_points)
     options = dict(locals())
-    return light_of(options.pop("mesh"), str, **options)
+    surface = clouds is not None and isinstance(mesh, vtkDataSet) and cell_dimension(mesh) < 3 and not _has(mesh, extinction)
+    return (_shaded if surface else light_of)(options.pop("mesh"), str, **options)
+
+
+def _shaded(surface: pyvista.DataSet, say: Callable[[str], str], clouds: pyvista.DataSet, **options: Any) -> pyvista.DataSet:
+    """A surface without a medium, in the light that clouds leave."""
+    _require_light(clouds, say("clouds"))
+    at_clouds = pyvista.wrap(surface).copy()
+    at_clouds["NoExtinction"] = np.zeros(at_clouds.n_points)
+    if not is_on_globe(clouds) and "SunDirection" in clouds.field_data and isinstance(at_clouds, vtkPointSet):
+        at_clouds.points = _towards(at_clouds.points.astype(float), clouds.field_data["SunDirection"][0], np.reshape(clouds.bounds, (3, 2)).T)
+    light = light_of(at_clouds, say, clouds=clouds, **{**options, "extinction": "NoExtinction", "multiple_scattering": False})
+    if isinstance(light, vtkPointSet):
+        light.points = pyvista.wrap(surface).points
+    del light.point_data["NoExtinction"]
+    return light
+
+
+def _towards(points: np.ndarray, direction: np.ndarray, box: np.ndarray) -> np.ndarray:
+    """Points outside of a box, moved into it in this direction where it meets the box."""
+    with np.errstate(divide="ignore", invalid="ignore"):
+        ways = (box[:, None] - points) / direction
+        near, far = np.nanmax(ways.min(axis=0), axis=1), np.nanmin(ways.max(axis=0), axis=1)
+        way = near + 1e-4 * (far - near)
+    return points + np.where((near > 0) & (near < far), way, 0)[:, None] * direction
+
+
+def is_on_globe(mesh: pyvista.DataSet) -> bool:
+    return "GlobeGridProjection" in mesh.field_data and PROJECTIONS[int(mesh.field_data["GlobeGridProjection"][0])] == "globe"
 
 
 def light_of(mesh: pyvista.DataSet, say: Callable[[str], str], direction: Numbers | None, time: str, place: Numbers | None, extinction: str,

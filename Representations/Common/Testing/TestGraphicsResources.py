@@ -263,6 +263,22 @@ class Resources(unittest.TestCase):
             self.draws(drawing, expected, steps=2)
         self.each(check)
 
+    def test_errors_of_others(self):
+        """What others leave in OpenGL's list of errors is not taken for an error of ours."""
+        for label, make in (("rays", cells("Rays")), ("splats", volume_of(nephoscope.vtkTexturedSplatMapper))):
+            window = Window((64, 64))
+            scene = window.add_scene()
+            volume, _ = make(scene)
+            scene.look_at(volume)
+
+            def leave(*_):
+                GL.glEnable(0xffff)
+
+            scene.renderer.AddObserver("StartEvent", leave)
+            window.render()
+            self.assertEqual(window.messages.all, [], label)
+            self.assertGreater(window.rgba(alpha=False).max(), 0.2)
+
     def test_haze_taken_away(self):
         def check(drawing, bystander, expected):
             haze = nephoscope.vtkHaze.GetHaze(drawing.renderer)
