@@ -18,6 +18,7 @@ from ._checks import arrays_of, listed, require_number
 from ._copies import MediumVolume, copied_mapper
 from ._exports import warn_when_exported
 from ._fields import find_preset, is_bright, is_helper, presets
+from ._from_xarray import meshed
 from ._frames import warn_of_other_frames
 from ._over_time import densest, values_over_time
 from ._pipeline import level_of_caller, warn_when_drawing
@@ -31,10 +32,11 @@ def require_plotter(plotter: Any) -> None:
 
 
 def wrapped(data: Any, merge_points: bool, arrays: Mapping[str, Any] | None = None) -> Any:
-    """`data` as a PyVista object. Blocks of any kind and hyper tree grids become one dataset, if possible; otherwise `data` is unchanged.
+    """`data` as a PyVista object, also from xarray. Blocks of any kind and hyper tree grids become one dataset, if possible; otherwise `data` is unchanged.
 
     With `arrays` (argument: name), only blocks that fit are used; see `fitting`.
     """
+    data = meshed(data)
     if isinstance(data, (vtkCompositeDataSet, vtkHyperTreeGrid)):
         blocks = [(name, block) for name, block in named_blocks(data) if block.n_points]
         used = [block for _, block in blocks] if arrays is None else fitting(blocks, arrays, points_fit=not merge_points)
@@ -285,6 +287,7 @@ class Functions:
     opacity_clim: float | Numbers | None = None
     opacity_scale: float = 1.0
     preset: str | bool | None = None
+    fainter: float = 1.0  # multiplies the default unit distance
 
     def attach(self, mapper: MediumMapper, plotter: pyvista.BasePlotter, grid: pyvista.DataSet, name: str, association: str,
                preference: str, unit_distance: float | None) -> pyvista.VolumeProperty:
@@ -312,7 +315,7 @@ class Functions:
         if unit_distance is None:
             measured = _ramp(values) if limits_given else prop
             mapper.SetInputData(densest(grid, read, measured.GetScalarOpacity()))
-            prop.opacity_unit_distance = mapper.FindUnitDistance(measured) or diagonal(grid) or 1.0
+            prop.opacity_unit_distance = self.fainter * (mapper.FindUnitDistance(measured) or diagonal(grid) or 1.0)
             mapper.SetInputData(grid)
         return prop
 

@@ -17,6 +17,7 @@ if TYPE_CHECKING:
     from .series import Series
 
 
+FLAT = ("time", "variables", "x", "y", "z", "vertical_exaggeration")  # options of grid
 GLOBE = ("time", "variables", "vertical", "derive")  # options of globe itself
 
 
@@ -26,7 +27,7 @@ def _options(names: dict[str, Any]) -> tuple[dict[str, Any], dict[str, Any]]:
 
 
 class WeatherAccessor:
-    """Draws weather from an xarray.Dataset on a globe or a map, and loads only the data that are drawn.
+    """Draws weather from an xarray.Dataset on a globe, a map or a flat grid, and loads only the data that are drawn.
 
     Parameters
     ----------
@@ -47,6 +48,9 @@ class WeatherAccessor:
         """Returns the array that `name` means, and the options that select it."""
         if name is None:
             return None, options
+        if self._is_flat(options):
+            from .flat_mesh import flat_name
+            return flat_name(self._dataset, name), {"variables": [flat_name(self._dataset, name)], **options}
         from .naming import named
         roles, _ = _options(options)
         found, more = named(self._understood(0 if time is None else time, options.get("vertical"), roles)[0], name)
@@ -90,6 +94,54 @@ class WeatherAccessor:
         reading, air = self._understood(time, vertical, roles)
         return place(reading, air, variables, derived(derive, reading, air), rest)
 
+    def grid(self, *, time: int | str | np.datetime64 | None = None, variables: Sequence[str] | None = None, x: str | None = None, y: str | None = None,
+             z: str | None = None, vertical_exaggeration: float = 1.0) -> pyvista.ImageData | pyvista.RectilinearGrid:
+        """Make the mesh of one time step on a flat grid, for data whose x, y and z are lengths: large-eddy simulations and cloud-resolving models.
+
+        Points are in metres, where the dataset has them, and fields are on the points. Fields on faces (Arakawa C) are averaged to the centres.
+
+        Parameters
+        ----------
+        time : int, str or datetime, optional
+            As in `globe`.
+        variables : sequence of str, optional
+            Variables to put on the mesh. Default: all variables on the grid that most of them have, and the winds as the vectors ``Wind``.
+        x, y, z : str, optional
+            The dimensions along these axes, or coordinates along them. Default: found by units of length, axis and name, in any order. Without units
+            the values are taken as metres, without a coordinate the points are 1 m apart; `describe` reports this.
+        vertical_exaggeration : float, default: 1.0
+            Multiplies heights, > 0. If it is not 1, ``DisplayVelocity`` is the wind in the exaggerated space.
+
+        Returns
+        -------
+        pyvista.ImageData or pyvista.RectilinearGrid
+            An ImageData if the points are evenly spaced. Two axes make a sheet.
+
+        Raises
+        ------
+        ValueError
+            If an axis cannot be found or is not a length; the message names what the dataset has.
+        """
+        from .flat import Flat
+        from .flat_mesh import flat_mesh
+        return flat_mesh(Flat(self._dataset, time=time, variables=variables, names={"x": x, "y": y, "z": z}), variables, vertical_exaggeration)
+
+    def mesh(self, **options: Any) -> pyvista.DataSet:
+        """Make the mesh of one time step: `grid` if x and y are lengths, otherwise `globe`. Functions that take a mesh, such as `nephoscope.add_cells`,
+        also take the dataset itself, and call this.
+
+        Parameters
+        ----------
+        **options
+            Those of `grid` or `globe`.
+
+        Returns
+        -------
+        pyvista.DataSet
+            As `grid` or `globe` returns it.
+        """
+        return (self.grid if self._is_flat(options) else self.globe)(**options)
+
     def series(self, *, heights: bool = False, **options: Any) -> Series:
         """Make the meshes of all time steps, each on demand.
 
@@ -98,7 +150,7 @@ class WeatherAccessor:
         heights : bool, default: False
             The points of ``mesh`` move with the heights of each step.
         **options
-            Those of `globe`.
+            Those of `globe` or, for a flat grid, of `grid`.
 
         Returns
         -------
@@ -153,11 +205,11 @@ class WeatherAccessor:
             raise ValueError("terrain: no height of the ground was found (surface_altitude, orog, HGT, surface geopotential). Name it: terrain(terrain='...').")
         return terrain_surface(ground_mesh(reading, air), "orog", **rest)
 
-    def plot(self, scalars: str | None = None, *, time: int | str | np.datetime64 | None = None, screenshot: str | None = None, vertical_exaggeration: float = 30.0,
+    def plot(self, scalars: str | None = None, *, time: int | str | np.datetime64 | None = None, screenshot: str | None = None, vertical_exaggeration: float | None = None,
              opacity: Any = None, cmap: Any = None, clim: float | Numbers | None = None, **options: Any) -> pyvista.Plotter:
         """Draw one field as a volume over the Earth, in a window or into a file; a field of one level as a surface with coasts.
 
-        With ``projection="map"`` the picture is a map, seen from above with north up.
+        With ``projection="map"`` the picture is a map, seen from above with north up. Data whose x and y are lengths are drawn flat; see `grid`.
 
         Parameters
         ----------
@@ -168,12 +220,12 @@ class WeatherAccessor:
             As in `globe`.
         screenshot : str, optional
             File for the picture. Default: a window.
-        vertical_exaggeration : float, default: 30.0
-            Multiplies heights.
+        vertical_exaggeration : float, optional
+            Multiplies heights. Default: 30, and 1 for a flat grid.
         opacity, cmap, clim : optional
             As in `nephoscope.add_cells`.
         **options
-            Those of `globe`.
+            Those of `globe` or, for a flat grid, of `grid`.
 
         Returns
         -------
@@ -182,25 +234,45 @@ class WeatherAccessor:
         """
         from .naming import refuse_unknown, title
         from .picture import plotted
+        look = {k: v for k, v in {"opacity": opacity, "cmap": cmap, "clim": clim}.items() if v is not None}
+        if self._is_flat(options):
+            return self._plotted_flat(scalars, screenshot, look, {"time": time, "vertical_exaggeration": vertical_exaggeration or 1.0, **options})
         refuse_unknown("plot", options, (*GLOBE, "screenshot", "scalars", "opacity", "cmap", "clim"))
         scalars, options = self._of_field(scalars, time, options)
-        grid = self.globe(time=time, vertical_exaggeration=vertical_exaggeration, **options)
-        look = {k: v for k, v in {"opacity": opacity, "cmap": cmap, "clim": clim}.items() if v is not None}
+        grid = self.globe(time=time, vertical_exaggeration=30.0 if vertical_exaggeration is None else vertical_exaggeration, **options)
         return plotted(grid, scalars, screenshot, look, lambda name: title(self._dataset, grid, name))
 
+    def _is_flat(self, options: dict[str, Any]) -> bool:
+        from .flat import is_flat
+        return bool({"x", "y", "z"} & set(options)) or is_flat(self._dataset)
+
+    def _plotted_flat(self, scalars: str | None, screenshot: str | None, look: dict[str, Any], options: dict[str, Any]) -> pyvista.Plotter:
+        from .flat_mesh import plotted_flat
+        from .naming import title
+        unknown = [name for name in options if name not in FLAT]
+        if unknown:
+            raise TypeError(f"plot() has no option {unknown[0]!r} for this dataset, whose x and y are lengths. It takes {', '.join(FLAT)}, scalars, screenshot, opacity, cmap and clim.")
+        scalars, options = self._of_field(scalars, None, options)
+        grid = self.grid(**options)
+        return plotted_flat(grid, scalars, screenshot, look, lambda name: title(self._dataset, grid, name))
+
     def describe(self, *, time: int | str | np.datetime64 | None = None, vertical: str | None = None, **roles: Any) -> str:
-        """Describe what `globe` finds: grid, levels, heights, variables by their roles, and its assumptions.
+        """Describe what `globe` or `grid` finds: grid, levels, heights, variables by their roles, and its assumptions.
 
         Parameters
         ----------
         time, vertical, **roles
-            As in `globe`.
+            As in `globe`; for a flat grid ``time``, ``x``, ``y`` and ``z``, as in `grid`.
 
         Returns
         -------
         str
             Lines to print.
         """
+        if self._is_flat(roles):
+            from .flat import Flat
+            from .flat_mesh import described_flat
+            return described_flat(Flat(self._dataset, time=0 if time is None else time, names={k: v for k, v in roles.items() if k in "xyz"}), self._dataset)
         from .describing import described
         reading, air = self._understood(0 if time is None else time, vertical, roles)
         return described(reading, air, self._dataset)

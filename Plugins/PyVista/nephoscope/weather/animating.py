@@ -24,7 +24,7 @@ def animate(plotter: pyvista.BasePlotter, dataset: Any, draw: str | Callable[[An
     ----------
     plotter : pyvista.Plotter
         The plotter to draw in; its other contents stay. In a plotter that is empty and has PyVista's defaults, a field is drawn as ``dataset.nephoscope.plot`` does:
-        over the Earth or a map, on a dark background, with a vertical exaggeration of 30 unless you give one.
+        over the Earth or a map, on a dark background, with a vertical exaggeration of 30 unless you give one; flat, without exaggeration, if x and y are lengths.
     dataset : xarray.Dataset, Series or str
         The weather, its series (``dataset.nephoscope.series()``), or what `nephoscope.open` takes.
     draw : str or callable
@@ -42,7 +42,7 @@ def animate(plotter: pyvista.BasePlotter, dataset: Any, draw: str | Callable[[An
     progress : bool, default: True
         Print the progress of the film in the terminal.
     **options
-        Those of ``dataset.nephoscope.globe``.
+        Those of ``dataset.nephoscope.globe`` or ``dataset.nephoscope.grid``.
 
     Returns
     -------
@@ -56,9 +56,7 @@ def animate(plotter: pyvista.BasePlotter, dataset: Any, draw: str | Callable[[An
     """
     from .picture import darken, is_untouched
     whole = isinstance(draw, str) and is_untouched(plotter)
-    if whole and not isinstance(dataset, Series):
-        options = {"vertical_exaggeration": 30.0, **options}
-    series, draw = _series(dataset, draw, heights, options)
+    series, draw = _series(dataset, draw, heights, options, 30.0 if whole else 1.0)
     if callable(draw):
         _drawn(plotter, series, draw)
     elif whole:
@@ -84,7 +82,7 @@ def animate(plotter: pyvista.BasePlotter, dataset: Any, draw: str | Callable[[An
     return series
 
 
-def _series(dataset: Any, draw: Any, heights: bool, options: dict) -> tuple[Series, Any]:
+def _series(dataset: Any, draw: Any, heights: bool, options: dict, exaggeration: float) -> tuple[Series, Any]:
     """The series, and the array that is drawn."""
     if isinstance(dataset, Series):
         if heights or options:
@@ -93,6 +91,8 @@ def _series(dataset: Any, draw: Any, heights: bool, options: dict) -> tuple[Seri
         return dataset, draw
     from .opening import open as opened
     found = opened(dataset)
+    if exaggeration != 1 and not found.nephoscope._is_flat(options):
+        options = {"vertical_exaggeration": exaggeration, **options}
     if isinstance(draw, str):
         draw, options = found.nephoscope._of_field(draw, 0, options)
     return Series(found, heights=heights, owned=found is not dataset, **options), draw
@@ -100,7 +100,9 @@ def _series(dataset: Any, draw: Any, heights: bool, options: dict) -> tuple[Seri
 
 def _first_picture(series: Series, name: str) -> Callable:
     from .naming import title
-    from .picture import draw
+    from .flat_mesh import draw_flat
+    from .picture import draw as draw_globe
+    draw = draw_globe if "GlobeGridProjection" in series.mesh.field_data else draw_flat
     return lambda plotter, mesh: draw(plotter, mesh, name, {}, lambda array: title(series._dataset, mesh, array))
 
 

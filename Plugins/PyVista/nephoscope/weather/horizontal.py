@@ -104,6 +104,8 @@ def find_horizontal(dataset, variable, used: set[str]) -> Horizontal:
         raise GridError(f"{variable.name!r} has the dimensions {listed(variable.dims)}: besides time and levels it should have one or two dimensions, but it has "
                         f"{listed(dims)}. " + (f"Choose one index along the other dimensions, ds.isel({dims[0]}=0), or name the levels: globe(vertical='...')." if dims else "It is a single profile, which cannot be drawn."))
     projection = find_projection(dataset, variable)
+    if lon is None and lat is None:
+        _refuse_flat(dataset, variable)
     if lon is not None and lat is not None:
         return _given(dataset, dims, lon, lat, projection, variable)
     if len(dims) == 1 and (found := _of_healpix(dataset, dims)) is not None:
@@ -118,6 +120,13 @@ def find_horizontal(dataset, variable, used: set[str]) -> Horizontal:
         grid.notes.append(f"{variable.name!r} has no attribute grid_mapping: {mapping!r} was taken")
         return grid
     raise GridError(_why_not(dataset, variable, dims, projection, "longitudes" if lon is None else "latitudes"))
+
+
+def _refuse_flat(dataset, variable) -> None:
+    from .flat import is_flat
+    if is_flat(dataset):
+        raise GridError(f"The axes of {variable.name!r} are lengths and not places on the Earth, so the data are flat: use ds.nephoscope.grid() for the mesh. plot() and add_cells() draw "
+                        "them flat.")
 
 
 def _why_not(dataset, variable, dims, projection, missing: str) -> str:
@@ -135,7 +144,7 @@ def _why_not(dataset, variable, dims, projection, missing: str) -> str:
 def _unknown(dataset, variable, dims, projection, missing: str) -> str:
     return (f"No {missing} were found for {variable.name!r}, whose grid is ({', '.join(dims)}). They are identified by standard_name, by units (degrees_east, "
             f"degrees_north), by grid_mapping and by name. There are: {listed([str(name) for name in dataset.variables])}. "
-            "Name them: ds[NAME].attrs['units'] = 'degrees_east'." + (_remedy_of_list(dataset, dims[0]) if len(dims) == 1 else "")
+            "Name them: ds[NAME].attrs['units'] = 'degrees_east'. If the axes are lengths, the data are flat: ds.nephoscope.grid(x='...', y='...', z='...')." + (_remedy_of_list(dataset, dims[0]) if len(dims) == 1 else "")
             + (f" The grid mapping {mapping!r} is not a known one." if (mapping := mapping_of(dataset, variable)) and projection is None else ""))
 
 

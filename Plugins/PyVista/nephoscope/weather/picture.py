@@ -57,11 +57,11 @@ def draw(plotter: pyvista.BasePlotter, grid: pyvista.DataSet, scalars: str | Non
     else:
         add_cells(plotter, grid, scalars, **options)
     for bar in plotter.scalar_bars.values():
-        _set_title(bar, title(bar.GetTitle()))
+        set_title(bar, title(bar.GetTitle()))
     (_look_down if on_globe else _look_at_map)(plotter, grid)
 
 
-def _set_title(bar: vtkScalarBarActor, text: str) -> None:
+def set_title(bar: vtkScalarBarActor, text: str) -> None:
     """In short lines above an upright bar, in one line above a lying one."""
     if not bar.GetOrientation():
         bar.SetTitle(f"{textwrap.shorten(text, 60)}\n ")

@@ -97,7 +97,7 @@ class Reading:
             raise VerticalError(f"No vertical axis was found among the dimensions {listed([str(dim) for dim in dims])}: none has axis 'Z', positive up or down, a standard_name of "
                                 "levels, units of pressure, a GRIB type of level or a usual name. Name it, globe(vertical='...'), or choose one index along the "
                                 "dimension that is not vertical: "
-                                f"ds.isel({self._unplaced(dims)}=0).")
+                                f"ds.isel({self._unplaced(dims)}=0). If the axes are lengths, the data are flat: ds.nephoscope.grid(x='...', y='...', z='...').")
 
     def _unplaced(self, dims) -> str:
         return next((str(dim) for dim in dims if not self._is_horizontal(dim)), "level")

@@ -80,7 +80,7 @@ class Series(Sequence):
             raise ValueError("The series has been closed, so no more steps can be read. Make another one, dataset.nephoscope.series().") from closed
 
     def _read(self, step: int) -> pyvista.DataSet:
-        return self._dataset.nephoscope.globe(**self._time(step), **self._options)
+        return self._dataset.nephoscope.mesh(**self._time(step), **self._options)
 
     def _time(self, step: int) -> dict[str, int]:
         return {"time": step} if self._dim else {}
@@ -124,9 +124,15 @@ class Series(Sequence):
         """The values at a step. If the mesh has the variable unchanged from the file, only the variable is read."""
         if step == self.step:
             return np.asarray(self.mesh[name])
+        if self._dataset.nephoscope._is_flat(self._options):
+            return np.asarray(self._dataset.nephoscope.mesh(**self._time(step), **{**self._options, **self._alone(name)})[name])
         reading = Reading(self._dataset, **self._time(step), vertical=self._options.get("vertical"), names={k: v for k, v in self._options.items() if k in ROLES})
         winds = {reading.roles.get(role) for role in "uvw"}
         return np.ravel(reading.values(name)).astype(np.float32) if name in set(reading.plain_variables()) - winds else np.asarray(self._read(step)[name])
+
+    def _alone(self, name: str) -> dict[str, list[str]]:
+        """The option of `grid` that reads this variable only."""
+        return {"variables": [name]} if name in self._dataset.data_vars else {}
 
     # The step that is shown
 

@@ -13,7 +13,7 @@ GRAVITY = 9.80665  # m/s2, standard
 _SPEED = {"ms-1": 1, "m/s": 1, "mps": 1, "meters/second": 1, "metresecond-1": 1, "kt": 0.514444, "kts": 0.514444, "knot": 0.514444, "knots": 0.514444,
           "km/h": 1 / 3.6, "kmh-1": 1 / 3.6, "cm/s": 0.01, "cms-1": 0.01, "m/sec": 1, "msec-1": 1, "ms^-1": 1, "meter/second": 1, "metersecond-1": 1, "meterspersecond": 1, "metrespersecond": 1, "meterssecond-1": 1}
 _MASS = {"kgkg-1": 1, "kg/kg": 1, "1": 1, "": 1, "gg-1": 1, "g/g": 1, "gkg-1": 1e-3, "g/kg": 1e-3, "mg/kg": 1e-6, "mgkg-1": 1e-6, "kg/kg(dryair)": 1, "kgofwater/kgofair": 1, "kg(kg)-1": 1, "kgkg^-1": 1, "10-3kgkg-1": 1e-3, "kilogram/kilogram": 1}
-_LENGTH = {"m": 1, "meter": 1, "meters": 1, "metre": 1, "metres": 1, "gpm": 1, "geopotentialmetre": 1, "geopotentialmeters": 1, "gpdm": 10, "dam": 10, "gpdam": 10, "km": 1000,
+_LENGTH = {"m": 1, "meter": 1, "meters": 1, "metre": 1, "metres": 1, "gpm": 1, "geopotentialmetre": 1, "geopotentialmeters": 1, "gpdm": 10, "dam": 10, "gpdam": 10, "km": 1000, "kilometer": 1000, "kilometre": 1000,
            "kilometers": 1000, "kilometres": 1000, "ft": 0.3048, "feet": 0.3048, "foot": 0.3048, "cm": 0.01, "mmsl": 1, "masl": 1, "mamsl": 1, "maboveground": 1, "magl": 1, "metresabovesealevel": 1, "metersabovesealevel": 1, "gpmeter": 1, "geopotentialmeter": 1, "geopotentialmetres": 1}
 UNITS = {
     "temperature": ("K", {"k": 1, "kelvin": 1, "degk": 1, "degreesk": 1, "degree_kelvin": 1, "kelvins": 1, "degreekelvin": 1, "degreeskelvin": 1, "degrees_kelvin": 1, "degreecelsius": (1, 273.15), "degreescelsius": (1, 273.15), "degcelsius": (1, 273.15), "deg_celsius": (1, 273.15), "degree_c": (1, 273.15), "degrees_c": (1, 273.15), "degc": (1, 273.15), "c": (1, 273.15), "celsius": (1, 273.15), "°c": (1, 273.15),

@@ -1,0 +1,177 @@
+# SPDX-FileCopyrightText: The Nephoscope authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Datasets of xarray whose x, y and z are lengths: their meshes, what is assumed, pictures, and the functions that take them in place of a mesh."""
+import itertools
+import tempfile
+import unittest
+import warnings
+from pathlib import Path
+
+import nephoscope
+import numpy as np
+import pyvista
+import xarray as xr
+from nephoscope.weather.flat import is_flat
+from nephoscope.weather.horizontal import GridError
+from weather_data import isothermal
+
+X, Y, Z = np.arange(0, 1200, 100.0), np.arange(-400, 400, 100.0), np.arange(25, 500, 50.0)
+
+
+def field(z=Z, y=Y, x=X):
+    """A cloud in the middle, and a value by which each point is known."""
+    up, north, east = np.meshgrid(z, y, x, indexing="ij")
+    return np.clip(1 - ((east - 500) ** 2 + north**2 + (up - 250) ** 2) / 3e5, 0, None), east + 1e4 * north + 1e8 * up
+
+
+def simulation(units="m", factor=1.0, order="zyx", **more):
+    values, places = field()
+    axes = {"x": X, "y": Y, "z": Z}
+    coords = {name: (name, axis / factor, {"units": units} if units else {}) for name, axis in axes.items()}
+    dataset = xr.Dataset({"ql": (("z", "y", "x"), 1e-3 * values, {"units": "kg/kg"}), "place": (("z", "y", "x"), places)}, coords=coords)
+    return dataset.transpose(..., *order).assign(more)
+
+
+class FlatDatasets(unittest.TestCase):
+    def check_places(self, mesh, stretch=1.0):
+        """Every value is where the dataset has it."""
+        x, y, z = (mesh.points / (1, 1, stretch)).T
+        np.testing.assert_allclose(mesh["place"], x + 1e4 * y + 1e8 * z, rtol=1e-6)
+
+    def plotter(self):
+        plotter = pyvista.Plotter(off_screen=True, window_size=(80, 80))
+        self.addCleanup(plotter.close)
+        return plotter
+
+    def test_any_order_and_unit_of_length(self):
+        for order in map("".join, itertools.permutations("xyz")):
+            for units, factor in (("m", 1), ("km", 1000), ("metres", 1), ("kilometers", 1000)):
+                with self.subTest(order=order, units=units):
+                    mesh = simulation(units, factor, order).nephoscope.grid()
+                    self.assertIsInstance(mesh, pyvista.ImageData)
+                    self.assertEqual(mesh.dimensions, (len(X), len(Y), len(Z)))
+                    np.testing.assert_allclose(mesh.spacing, (100, 100, 50))
+                    self.check_places(mesh)
+                    self.assertEqual(mesh.active_scalars_name, "ql")
+
+    def test_descending_and_uneven_axes(self):
+        mesh = simulation().isel(y=slice(None, None, -1), z=slice(None, None, -1)).nephoscope.grid()
+        self.assertIsInstance(mesh, pyvista.ImageData)
+        self.check_places(mesh)
+        mesh = simulation().isel(z=[0, 1, 2, 4, 8]).nephoscope.grid(vertical_exaggeration=3)
+        self.assertIsInstance(mesh, pyvista.RectilinearGrid)
+        self.check_places(mesh, 3)
+
+    def test_single_precision_of_distant_axes_is_even(self):
+        dataset = simulation()
+        dataset = dataset.assign_coords(x=("x", (X / 1000 + 4321.7).astype(np.float32), {"units": "km"}))
+        self.assertIsInstance(dataset.nephoscope.grid(), pyvista.ImageData)
+
+    def test_depths_are_below(self):
+        dataset = simulation()
+        dataset["z"].attrs["positive"] = "down"
+        np.testing.assert_allclose(dataset.nephoscope.grid().bounds[4:], (-Z[-1], -Z[0]))
+
+    def test_without_units_or_coordinates(self):
+        dataset = simulation(units="")
+        self.check_places(dataset.nephoscope.grid())
+        self.assertIn("note: 'x' has no units: its values are taken as metres", dataset.nephoscope.describe())
+        bare = dataset.drop_vars([*"xyz"])
+        np.testing.assert_allclose(bare.nephoscope.grid().bounds, (0, len(X) - 1, 0, len(Y) - 1, 0, len(Z) - 1))
+        self.assertIn("note: 'y' has no coordinate: its points are 1 m apart", bare.nephoscope.describe())
+
+    def test_possible_degrees_are_told(self):
+        with self.assertWarnsRegex(UserWarning, "'x' and 'y' have no units: .*'degrees_east'"):
+            simulation(units="", factor=10).nephoscope.grid()
+
+    def test_coordinates_of_other_names(self):
+        """Those of models: dimensions without a coordinate of their own, centres and faces."""
+        dataset = simulation().rename(x="xt", y="yt", z="zt")
+        self.check_places(dataset.nephoscope.grid())
+        dataset = simulation().rename(x="ni", y="nj", z="nk").reset_index(["ni", "nj", "nk"]).reset_coords(drop=True)
+        dataset = dataset.assign_coords(xh=("ni", X / 1000, {"units": "km"}), yh=("nj", Y / 1000, {"units": "km"}), zh=("nk", Z / 1000, {"units": "km"}))
+        self.check_places(dataset.nephoscope.grid())
+
+    def test_named_axes(self):
+        dataset = simulation().drop_vars([*"xyz"]).rename(x="a", y="b", z="c").assign_coords(width=("a", X, {"units": "m"}))
+        for call in (dataset.nephoscope.plot, lambda: nephoscope.add_cells(self.plotter(), dataset.ql), dataset.nephoscope.grid):
+            with self.assertRaisesRegex(ValueError, r"grid\(x='...', y='...', z='...'\)"):
+                call()
+        mesh = dataset.nephoscope.grid(x="width", y="b", z="c")
+        np.testing.assert_allclose(mesh.bounds, (0, 1100, 0, len(Y) - 1, 0, len(Z) - 1))
+        with self.assertRaisesRegex(ValueError, "x: 'd' is neither"):
+            dataset.nephoscope.grid(x="d")
+
+    def test_winds_on_faces(self):
+        faces = np.append(X - 50, X[-1] + 50)
+        u = xr.DataArray(np.broadcast_to(faces, (len(Z), len(Y), len(faces))), dims=("z", "y", "xh"), coords={"xh": ("xh", faces, {"units": "m"})}, attrs={"units": "m/s"})
+        v = xr.DataArray(np.full((len(Z), len(Y), len(X)), 2.0), dims=("z", "y", "x"), attrs={"units": "m s-1"})
+        dataset = simulation(u=u, v=v, w=3 * v)
+        mesh = dataset.nephoscope.grid(vertical_exaggeration=2)
+        np.testing.assert_allclose(mesh["Wind"], np.column_stack([mesh.points[:, 0], 0 * mesh.points[:, 0] + 2, 0 * mesh.points[:, 0] + 6]), atol=1e-3)
+        np.testing.assert_allclose(mesh["DisplayVelocity"], mesh["Wind"] * (1, 1, 2))
+        self.assertIn("wind: 'u', 'v', 'w'", dataset.nephoscope.describe())
+        nephoscope.add_splats(self.plotter(), dataset, "ql", vectors="Wind")
+
+    def test_times(self):
+        series = xr.concat([simulation(), simulation() * 2], "time").assign_coords(time=[0.0, 60.0])
+        with self.assertWarnsRegex(UserWarning, "2 times"):
+            series.nephoscope.grid()
+        np.testing.assert_allclose(series.nephoscope.grid(time=1)["ql"], 2 * simulation().nephoscope.grid()["ql"])
+        plotter = self.plotter()
+        film = nephoscope.animate(plotter, series, "ql")
+        self.assertEqual(film.range("ql"), (0, np.float32(2e-3 * field()[0].max())))
+        film.close()
+
+    def test_sheets_and_sections(self):
+        dataset = simulation()
+        for chosen, dimensions in (({"z": 3}, (12, 8, 1)), ({"y": 3}, (12, 1, 10)), ({"x": 3}, (1, 8, 10))):
+            self.assertEqual(dataset.isel(chosen).nephoscope.grid().dimensions, dimensions)
+        both = dataset.assign(lwp=dataset.ql.sum("z"))
+        self.assertNotIn("lwp", both.nephoscope.grid().array_names)
+        self.assertEqual(both.nephoscope.grid(variables=["lwp"]).dimensions, (12, 8, 1))
+
+    def test_pictures(self):
+        dataset = simulation()
+        with tempfile.TemporaryDirectory() as folder:
+            for name, its in (("volume", dataset), ("level", dataset.isel(z=4)), ("section", dataset.isel(y=4)), ("other", dataset.isel(x=4))):
+                path = Path(folder, name + ".png")
+                self.addCleanup(its.nephoscope.plot("cloud_water", screenshot=str(path)).close)
+                picture = pyvista.read(path)["PNGImage"].reshape(800, 800, -1)[..., :3].astype(int)
+                drawn = picture.max(-1) > 40
+                with self.subTest(name):
+                    self.assertGreater(picture[400, 380].max(), 150)  # the cloud is in the middle
+                    self.assertGreater(drawn.mean(), 0.05)
+                    self.assertFalse(drawn[:, :8].any() or drawn[:8].any() or drawn[-8:].any())  # nothing is cut off
+        with self.assertRaisesRegex(TypeError, "'projection'.*lengths"):
+            dataset.nephoscope.plot(projection="map")
+        with self.assertRaisesRegex(ValueError, "'place'"):
+            dataset.nephoscope.plot("plaice")
+
+    def test_functions_that_take_a_mesh(self):
+        dataset = simulation()
+        for data in (dataset, dataset.ql):
+            for add in (nephoscope.add_cells, nephoscope.add_splats):
+                volume = add(self.plotter(), data)
+                self.assertEqual((volume.mapper.dataset.bounds, volume.mapper.dataset.active_scalars_name), (dataset.nephoscope.grid().bounds, "ql"))
+        globe = isothermal(np.arange(0, 40, 5.0), np.arange(20, 60, 5.0))
+        volume = nephoscope.add_cells(self.plotter(), globe, "ta", opacity=0.5)
+        self.assertEqual(volume.mapper.dataset.n_points, globe.nephoscope.globe().n_points)
+
+    def test_data_on_the_earth_are_not_flat(self):
+        with self.assertRaisesRegex(GridError, r"lengths.*ds\.nephoscope\.grid\(\)"):
+            simulation().nephoscope.globe()
+        dataset = simulation()
+        self.assertTrue(is_flat(dataset))
+        self.assertFalse(is_flat(isothermal(X[:4], Y[:4] / 10)))
+        placed = dataset.assign_coords(lon=(("y", "x"), np.ones((len(Y), len(X)))), lat=(("y", "x"), np.ones((len(Y), len(X)))))
+        self.assertFalse(is_flat(placed))
+        dataset["ql"].attrs["grid_mapping"] = "crs"
+        self.assertFalse(is_flat(dataset))
+        with warnings.catch_warnings():
+            warnings.simplefilter("error")
+            self.check_places(dataset.nephoscope.grid())  # by request
+
+
+if __name__ == "__main__":
+    unittest.main()
