@@ -14,6 +14,7 @@ from ._checks import choose, renamed_argument
 from ._medium import Functions, MediumMapper, add_medium, require_dataset, require_plotter, scalar_array
 from ._options import group, refuse_unknown
 from ._surfaces import CONTOUR_NAMES, POLYGON_NAMES, Contours, Layers, Polygons
+from ._uniform import FAINTER, is_bare, uniform_colours
 from ._typing import ContourOptions, Integration, Method, Numbers, OldCellNames, Order, PolygonChoice, PolygonOptions, Preference, ToneMapping
 from .light import add_sun, brightest, lit_medium, recorded_sun
 from .transfer import OpacityLike
@@ -35,7 +36,7 @@ class CellCompositingMapper(MediumMapper, vtkCellCompositingMapper):
 
 
 def add_cells(plotter: pyvista.BasePlotter, grid: Any, scalars: str | np.ndarray | None = None, *,
-              cmap: Any = None, opacity: OpacityLike | None = None, clim: float | Numbers | None = None,
+              color: Any = None, cmap: Any = None, opacity: OpacityLike | None = None, clim: float | Numbers | None = None,
               n_colors: int = 256, flip_scalars: bool = False, log_scale: bool = False,
               opacity_scalars: str | None = None, opacity_clim: float | Numbers | None = None,
               opacity_scale: float = 1.0, opacity_unit_distance: float | None = None,
@@ -57,13 +58,16 @@ def add_cells(plotter: pyvista.BasePlotter, grid: Any, scalars: str | np.ndarray
     ----------
     plotter : pyvista.Plotter
         The plotter; its active renderer gets the volume.
-    grid : pyvista.DataSet or pyvista.MultiBlock
+    grid : pyvista.DataSet, pyvista.MultiBlock, xarray.Dataset or xarray.DataArray
         Tetrahedra, hexahedra, voxels, wedges, pyramids or convex polyhedra, structured or not. A MultiBlock is combined into one grid with
         coincident points merged; blocks without 3-D cells or without the requested arrays are skipped, with a warning. A 3-D numpy array becomes
-        an ImageData.
+        an ImageData, data of xarray become the mesh of ``dataset.nephoscope.mesh()``.
     scalars : str or numpy.ndarray, optional
         Name of a point or cell array, or values of shape (n_points,) or (n_cells,). Default: the active scalars, otherwise the first numeric
-        array. Unlike `add_volume`, this does not change `grid`.
+        array; none if `color` is given or the grid has no arrays. Unlike `add_volume`, this does not change `grid`.
+    color : ColorLike, optional
+        One colour for the whole volume; `scalars` then set the opacity only. Without `scalars` the medium is uniform. Default for a grid
+        without arrays: the theme's colour of meshes.
     cmap : str, list or pyvista.LookupTable, optional
         Colour map of the medium's emission; the name of a `preset` selects its colours. Default: the preset's, otherwise the theme's. A
         LookupTable also sets range and scale.
@@ -89,7 +93,7 @@ def add_cells(plotter: pyvista.BasePlotter, grid: Any, scalars: str | np.ndarray
         Multiplies the extinction coefficient, >= 0.
     opacity_unit_distance : float, optional
         Length in world units over which a medium of opacity 1 has an optical depth of 1, > 0. Default: the length that gives rays through the
-        grid a mean optical depth of 2, with opacities scaled to reach 1, and more transparent where the opacity is concentrated in a small part
+        grid a mean optical depth of 2 (0.4 in a uniform medium), with opacities scaled to reach 1, and more transparent where the opacity is concentrated in a small part
         of the grid. It depends on the size and thickness of the grid and on its opacities, but not on the number of cells. With `clim` (or `opacity_clim`) it assumes opacities that are linear over the range of the scalars, so
         that in a time series the medium fades as its values do. To compare pictures, pass the same distance for all.
     integration : {"exact", "average"}, default: "exact"
@@ -185,15 +189,22 @@ def add_cells(plotter: pyvista.BasePlotter, grid: Any, scalars: str | np.ndarray
     refuse_unknown("add_cells", old)
     brightest(None, exposure, tone_mapping)  # rejects wrong values, also without sun
     if sun is not None:
+        if color is not None:
+            raise ValueError("color and sun are both given, but sun determines the colours. Pass cmap for other colours.")
         light = lit_medium(_solid_grid(grid, {}), sun, cmap, clim, n_colors, exposure, tone_mapping)
         add_sun(plotter, recorded_sun(light["mesh"]))
         grid, scalars, opacity_scalars, opacity, opacity_clim, opacity_unit_distance, cmap, clim = light.values()
-    grid, array_name, association = scalar_array(
-        _solid_grid(grid, {"scalars": scalars, "opacity_scalars": opacity_scalars, "contours['scalars']": surfaces.scalars,
-                           "layer_scalars": layer_scalars}), scalars, preference)
+    grid = _solid_grid(grid, {**({"scalars": scalars} if color is None or scalars is not None else {}), "opacity_scalars": opacity_scalars,
+                              "contours['scalars']": surfaces.scalars, "layer_scalars": layer_scalars})
+    uniform = scalars is None and (color is not None or is_bare(grid))
+    if color is not None or uniform:
+        cmap, show_scalar_bar = cmap if color is None and cmap is not None else uniform_colours(plotter, color), bool(show_scalar_bar)
+    if uniform:
+        scalars, clim, preference = np.ones(grid.n_cells), (0, 1), "cell"
+    grid, array_name, association = scalar_array(grid, scalars, preference)
     mapper = CellCompositingMapper()
     prop = Functions(cmap, opacity, clim, n_colors, flip_scalars, log_scale, opacity_scalars, opacity_clim,
-                     opacity_scale, preset).attach(mapper, plotter, grid, array_name, association, preference, opacity_unit_distance)
+                     opacity_scale, preset, FAINTER if uniform else 1.0).attach(mapper, plotter, grid, array_name, association, preference, opacity_unit_distance)
     choose({"exact": mapper.SetIntegrationToExact, "average": mapper.SetIntegrationToAverage}, integration, "integration")
     choose({"exact": mapper.SetVisibilityOrderToExact, "centroid": mapper.SetVisibilityOrderToCentroid,
             "none": mapper.SetVisibilityOrderToNone}, order, "order")

@@ -15,6 +15,7 @@ from ._checks import choose, renamed_argument, require_beside_scalars, require_n
 from ._copies import copied_table
 from ._medium import Functions, MediumMapper, add_medium, require_dataset, require_plotter, scalar_array
 from ._options import group, refuse_unknown
+from ._uniform import FAINTER, concentration, is_bare, uniform_colours
 from ._typing import Kernel, LevelOfDetailOptions, Numbers, OldSplatNames, Preference, ToneMapping, VectorOptions
 from ._vectors import OLD_NAMES as VECTOR_NAMES
 from ._vectors import Vectors, is_drawn
@@ -100,21 +101,23 @@ def add_splats(plotter: pyvista.BasePlotter, mesh: Any, scalars: str | np.ndarra
     ----------
     plotter : pyvista.Plotter
         The plotter; its active renderer gets the splats.
-    mesh : pyvista.DataSet, pyvista.MultiBlock or numpy.ndarray
+    mesh : pyvista.DataSet, pyvista.MultiBlock, xarray.Dataset, xarray.DataArray or numpy.ndarray
         Any dataset with points, including particles as a PolyData or an array of shape (n, 3). Blocks are combined into one dataset, whose
-        splats are balls. Surface blocks next to blocks of 3-D cells, and blocks without the requested arrays, are skipped, with a warning. It is
-        not changed.
+        splats are balls. Surface blocks next to blocks of 3-D cells, and blocks without the requested arrays, are skipped, with a warning. Data
+        of xarray become the mesh of ``dataset.nephoscope.mesh()``. It is not changed.
     scalars : str or numpy.ndarray, optional
         Name of a point or cell array, or values for all points or all cells. A cell array makes one splat per cell. Default: the active scalars,
-        otherwise the first numeric array; none if `color` is given.
+        otherwise the first numeric array; none if `color` is given or the mesh has no arrays.
     color : ColorLike, optional
-        One colour for all splats; `scalars` then set the opacity only. Without `scalars` the medium is uniform.
+        One colour for all splats; `scalars` then set the opacity only. Without `scalars` the medium is uniform. Default for a mesh without
+        arrays: the theme's colour of meshes.
     cmap, opacity, clim, n_colors, flip_scalars, log_scale, opacity_scalars, opacity_clim, opacity_scale
         As in `add_cells`. ``opacity=0`` draws the vectors only, coloured by `scalars`. `opacity_scalars` must be on points or cells, like
         `scalars`.
     opacity_unit_distance : float, optional
         Length in world units over which a medium of opacity 1 has an optical depth of 1, > 0. Default: the length that gives rays through the
-        splats a mean optical depth of 2, with opacities scaled to reach 1, as in `add_cells`. With `clim` (or `opacity_clim`) it assumes
+        splats a mean optical depth of 2, with opacities scaled to reach 1, as in `add_cells`; 0.4 in a uniform medium, less where
+        points are crowded. With `clim` (or `opacity_clim`) it assumes
         opacities that are linear over the range of the scalars, so that in a time series the medium fades as its values do. To compare pictures,
         pass the same distance for all.
     kernel : {"cubic", "quadratic", "gaussian"}, default: "cubic"
@@ -228,9 +231,10 @@ def add_splats(plotter: pyvista.BasePlotter, mesh: Any, scalars: str | np.ndarra
     mesh = _sampled_mesh(mesh, {**({"scalars": scalars} if color is None or scalars is not None else {}), "opacity_scalars": opacity_scalars,
                                 "vectors": streaks.array, "vectors['scalars']": streaks.scalars, "sizes": sizes, "volumes": volumes})
     shows_bars = plotter.theme.show_scalar_bar if show_scalar_bar is None else show_scalar_bar
-    if color is not None:
-        cmap, show_scalar_bar = [pyvista.Color(color).hex_rgb] * 2, bool(show_scalar_bar)
-        if scalars is None:
+    uniform = scalars is None and (color is not None or is_bare(mesh))
+    if color is not None or uniform:
+        cmap, show_scalar_bar = cmap if color is None and cmap is not None else uniform_colours(plotter, color), bool(show_scalar_bar)
+        if uniform:
             on_cells = not mesh.point_data and mesh.cell_data  # for hyper tree grids, for example: each cell has its own size
             scalars, clim, preference = np.ones(mesh.n_cells if on_cells else mesh.n_points), (0, 1), "cell" if on_cells else "point"
     mesh, array_name, association = scalar_array(mesh, scalars, preference)
@@ -244,7 +248,7 @@ def add_splats(plotter: pyvista.BasePlotter, mesh: Any, scalars: str | np.ndarra
     detail.apply(mapper)
     streaks.apply(mapper, plotter, mesh, association)
     prop = Functions(cmap, opacity, clim, n_colors, flip_scalars, log_scale, opacity_scalars, opacity_clim,
-                     opacity_scale, preset).attach(mapper, plotter, mesh, array_name, association, association, opacity_unit_distance)
+                     opacity_scale, preset, FAINTER * concentration(mesh.points) if uniform else 1.0).attach(mapper, plotter, mesh, array_name, association, association, opacity_unit_distance)
     streaks.suit(mapper, plotter, prop)
     if streaks.table is not None and not is_drawn(prop.GetScalarOpacity()):
         show_scalar_bar = False  # nothing uses its colours
