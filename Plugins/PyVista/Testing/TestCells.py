@@ -7,6 +7,7 @@ import warnings
 import nephoscope
 import numpy as np
 import pyvista
+from nephoscope._medium import default_scalars
 from plotters import PlotterTestCase
 from pyvista.core.errors import MissingDataError
 from vtkmodules.vtkCommonDataModel import vtkPartitionedDataSet, vtkPartitionedDataSetCollection
@@ -214,9 +215,11 @@ class Refused(Cells):
         words.cell_data["words"] = ["a"] * 8
         self.fails(TypeError, "'words' is of type", words, "words")
         bare = pyvista.ImageData(dimensions=(2, 2, 2))
-        self.fails(MissingDataError, "no point or cell array with one component", bare, None)
         bare.cell_data["vtkOriginalCellIds"] = [0]
-        self.fails(MissingDataError, "'vtkOriginalCellIds'. Arrays of ids are not chosen", bare, None)
+        with self.assertRaisesRegex(MissingDataError, "'vtkOriginalCellIds'. Arrays of ids are not chosen"):
+            default_scalars(bare)
+        bare.cell_data["wind"] = [[1, 0, 0]]
+        self.fails(MissingDataError, "no point or cell array with one component", bare, None)
 
     def test_numbers_and_choices(self):
         for bad in (0, -1, np.nan, np.inf):

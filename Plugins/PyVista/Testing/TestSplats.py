@@ -146,7 +146,9 @@ class Refused(Splats):
         self.fails(MissingDataError, "opacity_scalars: no array 'q'", opacity_scalars="q")
         self.fails(ValueError, "opacity_scalars: the array 'layer' must be on points", opacity_scalars="layer")
         self.fails(ValueError, "'wind' has 3 components", scalars="wind")
-        self.fails(MissingDataError, "no point or cell array with one component", pyvista.PolyData(np.eye(3)), None)
+        arrows = pyvista.PolyData(np.eye(3))
+        arrows["wind"] = np.eye(3)
+        self.fails(MissingDataError, "no point or cell array with one component", arrows, None)
 
     def test_combinations(self):
         self.fails(ValueError, "but no 'array'", vectors=dict(color="red"))

@@ -66,6 +66,17 @@ class UniformMedia(unittest.TestCase):
         self.check_visible(self.picture(nephoscope.add_splats, HELPERS, color="red"), "red", "white")
         self.picture(nephoscope.add_splats, HELPERS)
         self.assertNotIn("Data", HELPERS.array_names)
+        grid = pyvista.ImageData(dimensions=(9, 9, 9)).cast_to_unstructured_grid().extract_cells(range(400))  # has VTK's ids
+        self.check_visible(self.picture(nephoscope.add_cells, grid, color="red"), "red", "white")
+        self.picture(nephoscope.add_cells, grid)
+        self.assertEqual(self.volume.mapper.dataset.cell_data.keys(), [*grid.cell_data.keys(), "Data"])
+
+    def test_coordinates_alone_are_scalars(self):
+        plotter = pyvista.Plotter(off_screen=True)
+        self.addCleanup(plotter.close)
+        grid = pyvista.ImageData(dimensions=(5, 5, 5))
+        grid["level"] = grid.points[:, 2]
+        self.assertEqual(nephoscope.add_cells(plotter, grid).mapper.scalar_range, (0, 4))
 
     def test_vectors_alone_still_ask_for_scalars(self):
         grid = pyvista.ImageData(dimensions=(3, 3, 3))

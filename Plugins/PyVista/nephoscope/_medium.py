@@ -15,15 +15,16 @@ from vtkmodules.vtkRenderingCore import vtkActor, vtkVolume, vtkVolumeProperty
 
 from ._blocks import alike, cell_dimension, fitting, named_blocks
 from ._checks import arrays_of, listed, require_number
-from ._copies import MediumVolume, copied_mapper
+from ._copies import MediumVolume
 from ._exports import warn_when_exported
 from ._fields import find_preset, is_bright, is_helper, presets
 from ._from_xarray import meshed
 from ._frames import warn_of_other_frames
 from ._over_time import densest, values_over_time
 from ._pipeline import level_of_caller, warn_when_drawing
+from ._settings import MediumMapper
 from ._typing import Numbers
-from .transfer import OpacityLike, colour_function, opacity_function, opacity_values
+from .transfer import OpacityLike, opacity_values
 
 
 def require_plotter(plotter: Any) -> None:
@@ -54,61 +55,6 @@ def require_dataset(data: Any, argument: str, needs: str, merge_points: bool, ar
     if not isinstance(data, pyvista.DataSet):
         raise TypeError(f"{argument} is a {type(data).__name__}; it must be a pyvista dataset or MultiBlock{needs}.")
     return data
-
-
-class MediumMapper:
-    """Added to a volume mapper of VTK: the properties that PyVista's plotters and scalar bars read and write.
-
-    Attributes
-    ----------
-    dataset : pyvista.DataSet
-        The grid drawn.
-    lookup_table : pyvista.LookupTable
-        Colours of the scalar bar and, over its range, of the volume.
-    scalar_range : tuple of float
-        Range of the transfer functions. Setting it (`Plotter.update_scalar_bar_range` does) moves colours and opacities.
-    """
-
-    def attach(self, prop: pyvista.VolumeProperty, table: pyvista.LookupTable, opacities: np.ndarray,
-               opacity_clim: tuple[float, float] | None) -> None:
-        """Write colours and opacities to `prop`, now and whenever the scalar range changes.
-
-        `opacity_clim` is the range of the opacities if they come from another array than the colours.
-        """
-        self.lookup_table = table
-        self._opacities, self._opacity_clim = opacities, opacity_clim
-        self.write_to(prop)
-
-    def write_to(self, prop: pyvista.VolumeProperty) -> None:
-        """Write colours and opacities to `prop` from now on."""
-        self._prop = prop
-        self.scalar_range = self.lookup_table.scalar_range
-
-    def copy(self) -> MediumMapper:
-        """A mapper with the same settings, independent of this one except for the shared data."""
-        mapper = copied_mapper(self)
-        mapper._prop, mapper._opacities, mapper._opacity_clim = self._prop, self._opacities, self._opacity_clim
-        return mapper
-
-    @property
-    def dataset(self) -> pyvista.DataSet:
-        return pyvista.wrap(self.GetInputDataObject(0, 0))
-
-    @property
-    def scalar_range(self) -> tuple[float, float]:
-        return self.lookup_table.scalar_range
-
-    @scalar_range.setter
-    def scalar_range(self, clim: Numbers) -> None:
-        table = self.lookup_table
-        low, high = clim
-        table.scalar_range = (low if low > 0 or not table.log_scale else table.scalar_range[0], high)
-        self._prop.SetColor(colour_function(table))
-        if self._opacity_clim is None:
-            opacity = opacity_function(self._opacities, table.scalar_range, table.log_scale)
-        else:
-            opacity = opacity_function(self._opacities, self._opacity_clim, False)
-        self._prop.GetScalarOpacity().DeepCopy(opacity)  # layers may share it
 
 
 def scalar_array(grid: pyvista.DataSet, scalars: str | np.ndarray | None,

@@ -14,8 +14,8 @@ FAINTER = 5.0  # than a medium with scalars: its shape is seen by its opacity al
 
 
 def is_bare(mesh: pyvista.DataSet) -> bool:
-    """True if nothing in the mesh could be scalars: there are no arrays, or only coordinates, normals, ids and the like."""
-    return all(is_helper(name) for name in (*mesh.point_data.keys(), *mesh.cell_data.keys()))
+    """True if nothing in the mesh could be scalars: there are no arrays, or only normals, texture coordinates, VTK's ids and the like."""
+    return all(name.startswith("vtk") or is_helper(name) and data[name].ndim > 1 for data in (mesh.point_data, mesh.cell_data) for name in data.keys())
 
 
 def uniform_colours(plotter: pyvista.BasePlotter, color: Any) -> list[str]:

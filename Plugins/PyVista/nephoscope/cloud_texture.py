@@ -21,13 +21,14 @@ from ._exports import warn_when_exported
 from ._fields import is_bright, presets
 from ._medium import default_scalars, require_plotter, wrapped
 from ._pipeline import warn_when_drawing
+from ._settings import KnownSettings
 from ._typing import Numbers
 from .light import add_sun, brightest, lit_colours, lit_surface
 
 AMBIENT = 0.4  # of the light on a surface that faces the sun, on one that does not, as clouds scatter light all around
 
 
-class CloudTextureMapper(vtkCloudTextureMapper):
+class CloudTextureMapper(KnownSettings, vtkCloudTextureMapper):
     """The mapper with what PyVista's actors and scalar bars read and write."""
 
     @property
