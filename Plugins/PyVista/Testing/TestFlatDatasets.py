@@ -158,6 +158,31 @@ class FlatDatasets(unittest.TestCase):
         volume = nephoscope.add_cells(self.plotter(), globe, "ta", opacity=0.5)
         self.assertEqual(volume.mapper.dataset.n_points, globe.nephoscope.globe().n_points)
 
+    def test_filters_and_smoke(self):
+        steady = xr.full_like(simulation().ql, 2).assign_attrs(units="m/s")
+        dataset = simulation(u=steady, v=0 * steady, w=0 * steady)
+        smoke = nephoscope.flow_volume(dataset, center=(100, 0, 250), radius=50, duration=20)
+        np.testing.assert_allclose(smoke.bounds[:2], (100, 140), atol=1)
+        light = nephoscope.sunlight(dataset.ql * 10, (0, 0, 1), extinction="ql")
+        self.assertEqual(light.dimensions, dataset.nephoscope.grid().dimensions)
+        air = simulation(t=0 * steady + 280, p=0 * steady + 8e4)
+        self.assertGreater(nephoscope.cloud_optics(air, liquid="ql", temperature="t", pressure="p")["Extinction"].max(), 0)
+        sheet = pyvista.Plane(center=(500, 0, 250), i_size=1000, j_size=600)
+        nephoscope.add_cloud_texture(self.plotter(), sheet, density_volume=dataset.ql)
+
+    def test_dimensions_of_series_and_species(self):
+        series = simulation().expand_dims(time_series_600=[0.0, 600.0])
+        self.check_places(series.nephoscope.grid(time=1))
+        species = simulation().expand_dims(species=3)
+        with self.assertRaisesRegex(GridError, r"besides the axes.*ds\.isel\(species=0\)"):
+            species.nephoscope.plot()
+        pressures = simulation().assign_coords(z=("z", 1000 - Z, {"units": "hPa"}))
+        with self.assertRaisesRegex(GridError, r"'z' \(hPa\).*not known to be a length"):
+            pressures.nephoscope.grid()
+        missing = simulation().assign_coords(x=("x", np.where(X > 500, np.nan, X), {"units": "m"}))
+        with self.assertRaisesRegex(GridError, "'x' has missing values"):
+            missing.nephoscope.grid()
+
     def test_data_on_the_earth_are_not_flat(self):
         with self.assertRaisesRegex(GridError, r"lengths.*ds\.nephoscope\.grid\(\)"):
             simulation().nephoscope.globe()

@@ -27,8 +27,10 @@ if TYPE_CHECKING:
 
     class WeatherDataset(xarray.Dataset):
         nephoscope: WeatherAccessor
+
+    AnyMesh = Union[pyvista.DataSet, xarray.Dataset, xarray.DataArray]
 else:
-    Mesh = StructuredMesh = WeatherDataset = Any
+    Mesh = StructuredMesh = WeatherDataset = AnyMesh = Any
 
 Numbers = Union[Sequence[float], np.ndarray]
 Kernel = Literal["cubic", "quadratic", "gaussian"]

@@ -19,6 +19,7 @@ from ._checks import arrays_of, choose, listed, require_number
 from ._copies import copied_mapper
 from ._exports import warn_when_exported
 from ._fields import is_bright, presets
+from ._from_xarray import meshed
 from ._medium import default_scalars, require_plotter, wrapped
 from ._pipeline import warn_when_drawing
 from ._settings import KnownSettings
@@ -67,6 +68,7 @@ class CloudTextureMapper(KnownSettings, vtkCloudTextureMapper):
 
 def _density_volume(volume: Any, name: str | None) -> tuple[pyvista.DataObject, str]:
     """The grid, or its blocks, and the name of the array of densities."""
+    volume = meshed(volume)
     if isinstance(volume, (vtkHyperTreeGrid, vtkOverlappingAMR)):  # leaves out cells that finer cells cover
         volume = wrapped(volume, merge_points=False)
     if not isinstance(volume, (vtkDataSet, vtkCompositeDataSet)):
@@ -147,7 +149,7 @@ def add_cloud_texture(plotter: pyvista.BasePlotter, mesh: Any, scalars: str | np
     density : str, optional
         With `use_thickness`: array that multiplies `extinction`. It is a point array of the surface, and varies linearly along rays between its
         faces, or a point or cell array of `density_volume`.
-    density_volume : pyvista.DataSet or pyvista.MultiBlock, optional
+    density_volume : pyvista.DataSet, pyvista.MultiBlock, xarray.Dataset or xarray.DataArray, optional
         With `use_thickness`: cloud density in space, integrated exactly along rays inside the surface; for example the grid from which the surface
         was made. `density` is then by default its active array, or else the first one.
     layers : int, default: 8

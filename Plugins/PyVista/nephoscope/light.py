@@ -15,8 +15,9 @@ from vtkmodules.vtkCommonDataModel import vtkDataSet, vtkPointSet
 from . import vtkSunlight
 from ._blocks import cell_dimension
 from ._checks import choose, require_number
+from ._from_xarray import meshed
 from ._pipeline import vtk_messages
-from ._typing import Mesh, Numbers
+from ._typing import AnyMesh, Mesh, Numbers
 from .optics import cloud_optics, optics_of
 from .tone import checked, toned
 
@@ -38,7 +39,7 @@ PROJECTIONS = ("globe", "map")  # numbered as in the field data GlobeGridProject
 FILMIC_RANGE = 4.0  # at this multiple of it the filmic curve is nearly white
 
 
-def sunlight(mesh: pyvista.DataSet, direction: Numbers | str | None = None, *, time: str = "", place: Numbers | None = None,
+def sunlight(mesh: AnyMesh, direction: Numbers | str | None = None, *, time: str = "", place: Numbers | None = None,
              extinction: str = "Extinction", albedo: str | float = "SingleScatteringAlbedo", asymmetry: str | float = "AsymmetryParameter",
              extinction_scale: float = 1.0, ground_albedo: float = 0.1, sky_light: float = 0.08, multiple_scattering: bool = True,
              zenith_angles: int = 3, azimuth_angles: int = 4, eye: Numbers | Literal["camera"] | None = None, parallel: bool = False,
@@ -49,7 +50,7 @@ def sunlight(mesh: pyvista.DataSet, direction: Numbers | str | None = None, *, t
 
     Parameters
     ----------
-    mesh : pyvista.DataSet
+    mesh : pyvista.DataSet, xarray.Dataset or xarray.DataArray
         The mesh with the extinction, as `cloud_optics` makes it; smoke of `flow_volume` or `smoke_puffs`, which needs none; or with `clouds` a surface, such
         as the ground, that gets their shadows. It is not changed.
     direction : sequence of 3 float or str, optional
@@ -142,6 +143,7 @@ def light_of(mesh: pyvista.DataSet, say: Callable[[str], str], direction: Number
              albedo: str | float, asymmetry: str | float, extinction_scale: float, ground_albedo: float, sky_light: float, multiple_scattering: bool,
              zenith_angles: int, azimuth_angles: int, eye: Numbers | Literal["camera"] | None, parallel: bool, phase_function: str, clouds: pyvista.DataSet | None) -> pyvista.DataSet:
     """`sunlight`; messages call its arguments `say(name)`."""
+    mesh = meshed(mesh)
     if not isinstance(mesh, vtkDataSet):
         raise TypeError(f"mesh is a {type(mesh).__name__}; it must be a pyvista dataset.")
     light = vtkSunlight()

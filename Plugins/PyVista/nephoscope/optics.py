@@ -10,8 +10,9 @@ from vtkmodules.vtkCommonDataModel import vtkDataSet
 
 from . import vtkCloudOptics
 from ._checks import arrays_of, choose, require_number
+from ._from_xarray import meshed
 from ._pipeline import vtk_messages
-from ._typing import Mesh
+from ._typing import AnyMesh, Mesh
 
 
 def _names(say: Callable[[str], str]) -> dict[str, str]:
@@ -27,7 +28,7 @@ _NAMES = _names(str)
 UNITS = {"automatic": "AUTOMATIC", "kg/kg": "MIXING_RATIO", "g/kg": "MIXING_RATIO_GRAMS", "kg/m3": "CONTENT", "g/m3": "CONTENT_GRAMS"}
 
 
-def cloud_optics(mesh: pyvista.DataSet, water: str = "", *, liquid: str = "", ice: str = "", rain: str = "", snow: str = "",
+def cloud_optics(mesh: AnyMesh, water: str = "", *, liquid: str = "", ice: str = "", rain: str = "", snow: str = "",
                  temperature: str = "", pressure: str = "", cloud_fraction: str = "", land: str = "", height: str = "",
                  units: Literal["automatic", "kg/kg", "g/kg", "kg/m3", "g/m3"] = "automatic",
                  liquid_radius: float | None = None, ice_radius: float | None = None,
@@ -39,7 +40,7 @@ def cloud_optics(mesh: pyvista.DataSet, water: str = "", *, liquid: str = "", ic
 
     Parameters
     ----------
-    mesh : pyvista.DataSet
+    mesh : pyvista.DataSet, xarray.Dataset or xarray.DataArray
         The dataset with the water, on points or cells; it is not changed.
     water : str, optional
         Cloud water, the sum of liquid and ice; the temperature determines how much of it is ice.
@@ -84,6 +85,7 @@ def optics_of(mesh: pyvista.DataSet, say: Callable[[str], str], water: str, liqu
               cloud_fraction: str, land: str, height: str, units: str, liquid_radius: float | None, ice_radius: float | None,
               droplets_over_land: float, droplets_over_sea: float) -> pyvista.DataSet:
     """`cloud_optics`; messages call its arguments `say(name)`."""
+    mesh = meshed(mesh)
     if not isinstance(mesh, vtkDataSet):
         raise TypeError(f"mesh is a {type(mesh).__name__}; it must be a pyvista dataset.")
     optics = vtkCloudOptics()

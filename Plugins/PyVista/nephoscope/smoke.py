@@ -13,6 +13,7 @@ from vtkmodules.vtkCommonDataModel import vtkCompositeDataSet, vtkDataObject
 from . import vtkFlowVolume, vtkFlowVolumePlacement, vtkSmokePuffs
 from ._blocks import named_blocks
 from ._checks import arrays_of, choose, listed, require_number, require_winds
+from ._from_xarray import meshed
 from ._pipeline import _renamed, vtk_messages
 from ._series import Grids, Series
 from ._typing import Numbers
@@ -39,7 +40,7 @@ def flow_volume(mesh: Grids, polygon: pyvista.PolyData | None = None, *, vectors
 
     Parameters
     ----------
-    mesh : pyvista.DataSet, pyvista.MultiBlock, sequence of pyvista.DataSet, or callable
+    mesh : pyvista.DataSet, pyvista.MultiBlock, xarray.Dataset, sequence of pyvista.DataSet, or callable
         Any mesh with a velocity; one mesh for each of `times`; or a function that takes one of `times` and returns the mesh, so that not all
         meshes are in memory. The meshes are not changed.
     polygon : pyvista.PolyData, optional
@@ -140,6 +141,7 @@ def _filter(mesh: Any, polygon: Any = None, *, vectors: Any, center: Any, radius
     if times is None:
         if time is not None or start_time is not None:
             raise ValueError("time or start_time is given without times, the times of the meshes of an unsteady flow.")
+        mesh = meshed(mesh)
         if not isinstance(mesh, (pyvista.DataSet, vtkCompositeDataSet)):
             raise TypeError(f"mesh is a {type(mesh).__name__}; it must be a pyvista dataset or MultiBlock, or several meshes with times.")
         smoke.SetInputDataObject(mesh)

@@ -11,6 +11,7 @@ from pyvista.core.errors import MissingDataError
 
 from . import vtkSparseVolumeReader, vtkSparseVolumeWriter
 from ._checks import arrays_of, choose, listed, require_array, require_number
+from ._from_xarray import meshed
 from ._pipeline import vtk_messages
 
 
@@ -132,6 +133,7 @@ def write_vdb(mesh: pyvista.DataSet, path: str | Path, arrays: str | Sequence[st
     --------
     >>> image.nephoscope.write_vdb("clouds.vdb", "cloud_fraction", names={"cloud_fraction": "density"})  # doctest: +SKIP
     """
+    mesh = meshed(mesh)
     if not isinstance(mesh, pyvista.DataSet):
         raise TypeError(f"mesh is a {type(mesh).__name__}; it must be a pyvista dataset.")
     writer = vtkSparseVolumeWriter()

@@ -162,7 +162,7 @@ class Flat:
             else:
                 found[letter] = dim, coordinate
         if rest:
-            raise GridError(self._no_length(name, rest))
+            raise GridError(self._no_length(name, rest, found))
         return {letter: found[letter] for letter in "xyz" if letter in found}
 
     def _dim_named(self, letter: str, asked: str, dims: list[str]) -> str:
@@ -171,8 +171,11 @@ class Flat:
             raise ValueError(f"{letter}: {asked!r} is neither one of the dimensions {listed(dims)} nor a coordinate along one of them.")
         return dim
 
-    def _no_length(self, name: str, rest: list[str]) -> str:
+    def _no_length(self, name: str, rest: list[str], found: dict) -> str:
         dim = rest[0]
+        if len(found) == 3:
+            axes = listed([dim for dim, _ in found.values()])
+            return f"{name!r} has the dimension {dim!r} besides the axes {axes}. Choose an index along it, ds.isel({dim}=0), or say which three are axes, grid(x='...', y='...', z='...')."
         units = [f"{coordinate.name!r} ({coordinate.attrs['units']})" for coordinate in _coordinates(self.dataset, dim) if coordinate.attrs.get("units")]
         has = f", whose coordinate is {', '.join(units)}" if units else ""
         return (f"{name!r} has the dimension {dim!r}{has}, which is not known to be a length along x, y or z. Give a coordinate along it in metres, "

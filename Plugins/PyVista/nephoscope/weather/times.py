@@ -32,7 +32,7 @@ def _is_time(dataset, dim: str) -> bool:
             return True
         if variable.attrs.get("axis") in ("X", "Y", "Z"):
             return False
-    return dim.lower() in _NAMES
+    return dim.lower() in _NAMES or dim.lower().startswith("time_")
 
 
 def choose_time(dataset, dims: list[str], time):
