@@ -143,6 +143,10 @@ class FlatDatasets(unittest.TestCase):
                     self.assertGreater(picture[400, 380].max(), 150)  # the cloud is in the middle
                     self.assertGreater(drawn.mean(), 0.05)
                     self.assertFalse(drawn[:, :8].any() or drawn[:8].any() or drawn[-8:].any())  # nothing is cut off
+        bare = dataset.copy()
+        bare["ql"].attrs.clear()
+        colours = [nephoscope.add_cells(self.plotter(), data, "ql").mapper.lookup_table.values[-1] for data in (dataset, bare)]
+        np.testing.assert_array_equal(*colours)  # those of clouds, with and without units
         with self.assertRaisesRegex(TypeError, "'projection'.*lengths"):
             dataset.nephoscope.plot(projection="map")
         with self.assertRaisesRegex(ValueError, "'place'"):
@@ -179,6 +183,10 @@ class FlatDatasets(unittest.TestCase):
         pressures = simulation().assign_coords(z=("z", 1000 - Z, {"units": "hPa"}))
         with self.assertRaisesRegex(GridError, r"'z' \(hPa\).*not known to be a length"):
             pressures.nephoscope.grid()
+        with self.assertRaisesRegex(GridError, "The selection is empty: 'x'"):
+            simulation().isel(x=slice(0, 0)).nephoscope.plot()
+        with self.assertRaisesRegex(ValueError, "vertical_exaggeration is 0"):
+            simulation().nephoscope.plot(vertical_exaggeration=0, screenshot="none.png")
         missing = simulation().assign_coords(x=("x", np.where(X > 500, np.nan, X), {"units": "m"}))
         with self.assertRaisesRegex(GridError, "'x' has missing values"):
             missing.nephoscope.grid()

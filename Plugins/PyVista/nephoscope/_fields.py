@@ -19,6 +19,7 @@ from ._checks import listed
 
 SAMPLES = 256
 BRIGHT = 0.6  # luminance of a background on which white clouds would be invisible
+FLAT_GRID = "FlatGrid"  # field data that mark the meshes of dataset.nephoscope.grid()
 HELPERS = {"belowground", "globegridprojection", "planetradius", "verticalexaggeration", "time", "timevalue", "crs", "lat", "latitude",
            "lon", "longitude", "lev", "level", "plev", "normals", "tcoords", "texturecoordinates", "texture coordinates"}
 
@@ -99,8 +100,8 @@ def _names(key: str) -> dict[str, str]:
 
 
 def _is_weather(mesh: pyvista.DataSet, name: str) -> bool:
-    """True for output of Globe Grid and of the NetCDF reader, which records the units of every array."""
-    return "GlobeGridProjection" in mesh.field_data or f"{name}_units" in mesh.field_data
+    """True for output of Globe Grid, flat grids of xarray's data, and output of the NetCDF reader, which records the units of every array."""
+    return "GlobeGridProjection" in mesh.field_data or FLAT_GRID in mesh.field_data or f"{name}_units" in mesh.field_data
 
 
 def preset_of_field(name: str, mesh: pyvista.DataSet | None = None) -> Preset | None:

@@ -236,7 +236,7 @@ class WeatherAccessor:
         from .picture import plotted
         look = {k: v for k, v in {"opacity": opacity, "cmap": cmap, "clim": clim}.items() if v is not None}
         if self._is_flat(options):
-            return self._plotted_flat(scalars, screenshot, look, {"time": time, "vertical_exaggeration": vertical_exaggeration or 1.0, **options})
+            return self._plotted_flat(scalars, screenshot, look, {"time": time, "vertical_exaggeration": 1.0 if vertical_exaggeration is None else vertical_exaggeration, **options})
         refuse_unknown("plot", options, (*GLOBE, "screenshot", "scalars", "opacity", "cmap", "clim"))
         scalars, options = self._of_field(scalars, time, options)
         grid = self.globe(time=time, vertical_exaggeration=30.0 if vertical_exaggeration is None else vertical_exaggeration, **options)

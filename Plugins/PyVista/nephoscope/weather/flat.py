@@ -15,7 +15,7 @@ from .._pipeline import level_of_caller
 from .helpers import helpers
 from .horizontal import GridError, is_latitude, is_longitude
 from .projections import find_lost_projection, mapping_of
-from .reading import KINDS
+from .reading import KINDS, refuse_empty
 from .times import choose_time, is_member, time_dims
 from .units import UNITS, plain
 
@@ -120,6 +120,7 @@ class Flat:
 
     def __init__(self, dataset, *, time=None, variables=None, names: dict[str, str | None] | None = None) -> None:
         self.notes: list[str] = []
+        refuse_empty(dataset)
         self.dataset, self.time_text = choose_time(dataset, time_dims(dataset), time)
         for dim in [str(dim) for dim in self.dataset.sizes if is_member(self.dataset, str(dim))]:
             if self.dataset.sizes[dim] > 1:

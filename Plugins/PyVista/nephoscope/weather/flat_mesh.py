@@ -11,7 +11,7 @@ import pyvista
 
 from .._blocks import cell_dimension
 from .._checks import listed, require_number
-from .._fields import choose_active_scalars
+from .._fields import FLAT_GRID, choose_active_scalars
 from .._medium import association_of, default_scalars
 from .flat import Axis, Flat, fields_of
 from .picture import BESIDE, set_title
@@ -31,6 +31,7 @@ def flat_mesh(flat: Flat, variables: Sequence[str] | None, vertical_exaggeration
     axes = [flat.axes.get(letter) for letter in "xyz"]
     lines = [np.zeros(1) if axis is None else axis.values * stretch.get(letter, 1) for letter, axis in zip("xyz", axes)]
     mesh = _image(lines, axes, stretch["z"]) or pyvista.RectilinearGrid(*lines)
+    mesh.field_data[FLAT_GRID] = [1]
     for name in _chosen(flat, variables):
         mesh.point_data[name] = _float(flat.values(name)).ravel()
         note_units(mesh, name, flat.dataset[name].attrs.get("units"))

@@ -32,7 +32,7 @@ def _numbers(values: np.ndarray) -> np.ndarray:
     return values if values.dtype.kind == "f" else values.astype(np.float32)
 
 
-def _refuse_empty(dataset) -> None:
+def refuse_empty(dataset) -> None:
     largest = max(dataset.data_vars.values(), key=lambda variable: variable.ndim, default=None)
     empty = [str(dim) for dim in dataset.sizes if dataset.sizes[dim] == 0 and largest is not None and dim in largest.dims]
     if empty:
@@ -45,7 +45,7 @@ class Reading:
 
     def __init__(self, dataset, *, time=None, vertical: str | None = None, names: dict | None = None) -> None:
         self.notes: list[str] = []
-        _refuse_empty(dataset)
+        refuse_empty(dataset)
         self.times = time_dims(dataset)
         self.dataset, self.time_text = choose_time(dataset, self.times, time)
         self.dataset = prepared(self._one_member(self._without_single(self.dataset)))
