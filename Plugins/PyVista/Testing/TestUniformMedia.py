@@ -88,6 +88,15 @@ class UniformMedia(unittest.TestCase):
         self.picture(nephoscope.add_cells, examples.load_tetbeam(), color="red", opacity_unit_distance=0.7)
         self.assertEqual(self.volume.prop.opacity_unit_distance, 0.7)
 
+    def test_opacities_of_an_array_are_as_without_color(self):
+        grid = pyvista.ImageData(dimensions=(9, 9, 9))
+        grid["x"] = grid.points[:, 0]
+        for add in (nephoscope.add_cells, nephoscope.add_splats):
+            self.picture(add, grid, color="red", opacity_scalars="x")
+            distance = self.volume.prop.opacity_unit_distance
+            self.picture(add, grid, scalars="x", color="red")
+            self.assertAlmostEqual(self.volume.prop.opacity_unit_distance, distance)
+
     def test_color_and_sun(self):
         with self.assertRaisesRegex(ValueError, "color and sun"):
             nephoscope.add_cells(pyvista.Plotter(off_screen=True), examples.load_tetbeam(), color="red", sun=(0, 0, 1))

@@ -204,7 +204,7 @@ def add_cells(plotter: pyvista.BasePlotter, grid: Any, scalars: str | np.ndarray
     grid, array_name, association = scalar_array(grid, scalars, preference)
     mapper = CellCompositingMapper()
     prop = Functions(cmap, opacity, clim, n_colors, flip_scalars, log_scale, opacity_scalars, opacity_clim,
-                     opacity_scale, preset, FAINTER if uniform else 1.0).attach(mapper, plotter, grid, array_name, association, preference, opacity_unit_distance)
+                     opacity_scale, preset, FAINTER if uniform and opacity_scalars is None else 1.0).attach(mapper, plotter, grid, array_name, association, preference, opacity_unit_distance)
     choose({"exact": mapper.SetIntegrationToExact, "average": mapper.SetIntegrationToAverage}, integration, "integration")
     choose({"exact": mapper.SetVisibilityOrderToExact, "centroid": mapper.SetVisibilityOrderToCentroid,
             "none": mapper.SetVisibilityOrderToNone}, order, "order")

@@ -247,8 +247,9 @@ def add_splats(plotter: pyvista.BasePlotter, mesh: Any, scalars: str | np.ndarra
     _set_sizes(mapper, mesh, association, {"radius": radius, "sizes": sizes, "volumes": volumes}, KERNEL_RADII[kernel])
     detail.apply(mapper)
     streaks.apply(mapper, plotter, mesh, association)
+    fainter = FAINTER * concentration(mesh.points) if uniform and opacity_scalars is None else 1.0
     prop = Functions(cmap, opacity, clim, n_colors, flip_scalars, log_scale, opacity_scalars, opacity_clim,
-                     opacity_scale, preset, FAINTER * concentration(mesh.points) if uniform else 1.0).attach(mapper, plotter, mesh, array_name, association, association, opacity_unit_distance)
+                     opacity_scale, preset, fainter).attach(mapper, plotter, mesh, array_name, association, association, opacity_unit_distance)
     streaks.suit(mapper, plotter, prop)
     if streaks.table is not None and not is_drawn(prop.GetScalarOpacity()):
         show_scalar_bar = False  # nothing uses its colours
