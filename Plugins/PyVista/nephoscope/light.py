@@ -108,7 +108,7 @@ def sunlight(mesh: AnyMesh, direction: Numbers | str | None = None, *, time: str
     if isinstance(direction, str) and not time:
         direction, time = None, direction
     options = dict(locals())
-    surface = clouds is not None and isinstance(mesh, vtkDataSet) and cell_dimension(mesh) < 3 and not _has(mesh, extinction)
+    surface = clouds is not None and isinstance(mesh, vtkDataSet) and cell_dimension(mesh) < 3 and not _has(pyvista.wrap(mesh), extinction)
     return (_shaded if surface else light_of)(options.pop("mesh"), str, **options)
 
 
