@@ -145,6 +145,7 @@ class Sun(unittest.TestCase):
             nephoscope.add_haze(pyvista.Plotter(off_screen=True), sun=True)
         ball = pyvista.Sphere()
         ball.field_data["SunDirection"] = [(0.0, 0.6, 0.8)]
+        plotter.add_mesh(globe)  # has none, and comes before
         plotter.add_mesh(ball)
         self.assertEqual(nephoscope.add_haze(plotter, sun=True).GetSunDirection(), (0, 0.6, 0.8))
         for text, options in ((r"sun is \(0, 1\)", {"sun": (0, 1)}), ("asymmetry is 2", {"asymmetry": 2})):

@@ -123,14 +123,16 @@ def _vector(values: Numbers, argument: str) -> list[float]:
 
 
 def _fields_of_scene(plotter: pyvista.Plotter) -> Any:
-    """The field data of the first mesh in the active renderer that tells of a sun or of a globe; empty if there is none."""
+    """The field data of a mesh in the active renderer that tells of a sun, otherwise of a globe; empty if there is none."""
+    found: Any = {}
     for actor in plotter.renderer.actors.values():
         mapper = actor.GetMapper() if hasattr(actor, "GetMapper") else None
         mesh = mapper.GetInputDataObject(0, 0) if mapper and mapper.GetNumberOfInputConnections(0) else None
         fields = pyvista.wrap(mesh).field_data if mesh is not None else {}
-        if "SunDirection" in fields or "GlobeGridProjection" in fields:
+        if "SunDirection" in fields:
             return fields
-    return {}
+        found = fields if "GlobeGridProjection" in fields and not found else found
+    return found
 
 
 def _told_by(mesh: pyvista.DataSet | None) -> dict:
