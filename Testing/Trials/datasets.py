@@ -266,7 +266,7 @@ add("array-name-odd", "cpsfg", lambda: one_array(ramp, "Wolken µ/m² \"%s\" {0}
 add("cell-data", "cps*", lambda: one_array(ramp, where="cell"))
 add("cell-data-tetrahedra", "cps", lambda: one_array(ramp, mesh=tetrahedra(), where="cell"))
 add("cell-nan", "cps", lambda: one_array(lambda n: np.where(np.arange(n) % 5, ramp(n), np.nan), where="cell"))
-add("no-arrays", "s*", lambda: pv.ImageData(dimensions=(5, 4, 3)))
+add("no-arrays", "cps*", lambda: pv.ImageData(dimensions=(5, 4, 3)))
 add("ghost-cells", SOLID, lambda: ghosts(tetrahedra()))
 add("same-name-twice", GRID, lambda: twice_named(image()))
 
