@@ -306,7 +306,7 @@ void vtkCellCompositingMapper::SetDrawingOptions(vtkRenderer* renderer, vtkVolum
   options.Method = static_cast<CellMethod>(this->Method);
   options.AverageIntegration = this->Integration == AVERAGE_INTEGRATION;
   options.SplitAtControlPoints = this->SplitAtControlPoints;
-  options.Trilinear = this->CellInterpolation == TRILINEAR_INTERPOLATION;
+  options.Trilinear = this->IsTrilinear();
   options.Eye = &scene.GetEyeTetrahedron();
   options.ExtinctionScale = this->OpacityScale / property->GetScalarOpacityUnitDistance();
   options.Haze = nephoscope::HazeView(renderer);
@@ -479,8 +479,8 @@ void vtkCellCompositingMapper::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Method: " << methods[this->Method] << "\n";
   os << indent << "Integration: " << (this->Integration == EXACT_INTEGRATION ? "Exact" : "Average")
      << "\n";
-  os << indent << "CellInterpolation: "
-     << (this->CellInterpolation == TRILINEAR_INTERPOLATION ? "Trilinear" : "Tetrahedra") << "\n";
+  const char* const interpolations[] = { "Tetrahedra", "Trilinear", "Automatic" };
+  os << indent << "CellInterpolation: " << interpolations[this->CellInterpolation] << "\n";
   const char* orders[] = { "Exact", "Centroid", "None" };
   os << indent << "VisibilityOrder: " << orders[this->VisibilityOrder] << "\n";
   os << indent << "OpacityScale: " << this->OpacityScale << "\n";

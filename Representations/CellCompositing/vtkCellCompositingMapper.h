@@ -134,22 +134,25 @@ public:
   enum CellInterpolationType
   {
     TETRAHEDRA_INTERPOLATION = 0,
-    TRILINEAR_INTERPOLATION = 1
+    TRILINEAR_INTERPOLATION = 1,
+    AUTOMATIC_INTERPOLATION = 2
   };
   ///@{
   /**
-   * The scalar inside hexahedra, voxels, wedges and pyramids, where it belongs to points. Default: tetrahedra.
+   * The scalar inside hexahedra, voxels, wedges and pyramids, where it belongs to points. Default: automatic.
+   * - Automatic: trilinear in image data and other evenly spaced grids, where that costs no more; tetrahedra elsewhere.
    * - Tetrahedra: linear in the tetrahedra into which cells are divided: by index in structured data, by coordinates in other data. The
    *   same cells stored in two ways therefore give two pictures.
    * - Trilinear: the field of VTK's cells, which favours no diagonal, however the cells are stored. Along a ray it is cut into pieces that
    *   are linear to within 1/512 of the scalar's range. Unstructured cells then need no list of tetrahedra. It requires rays, and
-   *   excludes contour surfaces, layers, polygons, an opacity array, overlapping volumes and cells of other kinds; otherwise cells
-   *   are drawn as tetrahedra.
+   *   excludes contour surfaces, layers, polygons, overlapping volumes, cells of other kinds and, outside evenly spaced grids, an
+   *   opacity array; otherwise cells are drawn as tetrahedra.
    */
-  vtkSetClampMacro(CellInterpolation, int, TETRAHEDRA_INTERPOLATION, TRILINEAR_INTERPOLATION);
+  vtkSetClampMacro(CellInterpolation, int, TETRAHEDRA_INTERPOLATION, AUTOMATIC_INTERPOLATION);
   vtkGetMacro(CellInterpolation, int);
   void SetCellInterpolationToTetrahedra() { this->SetCellInterpolation(TETRAHEDRA_INTERPOLATION); }
   void SetCellInterpolationToTrilinear() { this->SetCellInterpolation(TRILINEAR_INTERPOLATION); }
+  void SetCellInterpolationToAutomatic() { this->SetCellInterpolation(AUTOMATIC_INTERPOLATION); }
   ///@}
 
   enum VisibilityOrderType
@@ -452,7 +455,7 @@ protected:
 
   int Method = AUTOMATIC_METHOD;
   int Integration = EXACT_INTEGRATION;
-  int CellInterpolation = TETRAHEDRA_INTERPOLATION;
+  int CellInterpolation = AUTOMATIC_INTERPOLATION;
   int VisibilityOrder = EXACT_ORDER;
   double OpacityScale = 1.0;
   std::string OpacityArrayName;
@@ -467,6 +470,7 @@ private:
   bool HasSurfacesOrLayers() const;
   bool DrawsTrianglesOrFaces() const;
   std::string ChooseWayOfDrawing(vtkOpenGLRenderWindow* window);
+  bool IsTrilinear() const;
   bool MayUseHexahedra() const;
   bool UsesRays() const;
   bool NeedsNoOrder() const;

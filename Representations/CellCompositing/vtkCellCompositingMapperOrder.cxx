@@ -87,6 +87,14 @@ std::string vtkCellCompositingMapper::ChooseWayOfDrawing(vtkOpenGLRenderWindow* 
       ". Use another driver; the environment variable LIBGL_ALWAYS_SOFTWARE=1 selects Mesa's software driver.";
 }
 
+// The field of cells that rays cross as a whole.
+bool vtkCellCompositingMapper::IsTrilinear() const
+{
+  return this->CellInterpolation == TRILINEAR_INTERPOLATION ||
+    (this->CellInterpolation == AUTOMATIC_INTERPOLATION &&
+      this->Internals->Scene.GetGeometry().Lattice.Found);
+}
+
 // As hexahedra where rays can do all that is asked for.
 bool vtkCellCompositingMapper::MayUseHexahedra() const
 {

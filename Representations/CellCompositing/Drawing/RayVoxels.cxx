@@ -41,16 +41,15 @@ std::string voxelShader(const CellDrawing& drawing)
     drawing.Buffers.SmallTableDefinition() + drawing.ShaderConstants() +
       shaderConstant("trilinear", drawing.Options.Trilinear));
 }
-}
 
 // Each cell needs the scalars of two squares: two fetches instead of eight.
-std::string RayVoxels::UploadScalars(vtkOpenGLRenderWindow* window, const CellGeometry& geometry)
+template <class Scalar>
+std::string uploadSquares(vtkOpenGLRenderWindow* window, BufferTexture& buffer,
+  const ChessboardGrid& grid, std::size_t count, const Scalar& scalarOf)
 {
-  const bool used = geometry.Lattice.Found && geometry.CellScalars.empty();
-  const std::size_t count = used ? geometry.Points.size() : 0;
-  const std::size_t row = static_cast<std::size_t>(geometry.Grid.Size[0]);
-  const std::size_t layer = row * static_cast<std::size_t>(geometry.Grid.Size[1]);
-  const auto scalar = [&](std::size_t i) { return geometry.Points[std::min(i, count - 1)].Scalar; };
+  const std::size_t row = static_cast<std::size_t>(grid.Size[0]);
+  const std::size_t layer = row * static_cast<std::size_t>(grid.Size[1]);
+  const auto scalar = [&](std::size_t i) { return scalarOf(std::min(i, count - 1)); };
   std::vector<std::array<float, 4>> squares(count);
   vtkSMPTools::For(0, static_cast<vtkIdType>(count), [&](vtkIdType begin, vtkIdType end) {
     for (std::size_t i = static_cast<std::size_t>(begin); i < static_cast<std::size_t>(end); ++i)
@@ -58,7 +57,23 @@ std::string RayVoxels::UploadScalars(vtkOpenGLRenderWindow* window, const CellGe
       squares[i] = { { scalar(i), scalar(i + row), scalar(i + layer), scalar(i + layer + row) } };
     }
   });
-  return this->Squares.Upload(window, squares.data(), count, 4, VTK_FLOAT);
+  return buffer.Upload(window, squares.data(), count, 4, VTK_FLOAT);
+}
+}
+
+std::string RayVoxels::UploadScalars(vtkOpenGLRenderWindow* window, const CellGeometry& geometry)
+{
+  const bool ofPoints = geometry.CellScalars.empty();
+  this->HasOpacity = geometry.OpacityOnCells != ofPoints;
+  const bool used = geometry.Lattice.Found && ofPoints;
+  const std::vector<float>& opacities = geometry.OpacityScalars;
+  const bool second = used && geometry.HasOpacityScalars && this->HasOpacity;
+  const std::string error = uploadSquares(window, this->Squares, geometry.Grid,
+    used ? geometry.Points.size() : 0, [&](std::size_t i) { return geometry.Points[i].Scalar; });
+  return error.empty()
+    ? uploadSquares(window, this->OpacitySquares, geometry.Grid, second ? opacities.size() : 0,
+        [&](std::size_t i) { return opacities[i]; })
+    : error;
 }
 
 std::string RayVoxels::Upload(vtkOpenGLRenderWindow* window, const CellGeometry& geometry,
@@ -73,8 +88,10 @@ std::string RayVoxels::Upload(vtkOpenGLRenderWindow* window, const CellGeometry&
 
 bool RayVoxels::CanDraw(const CellDrawing& drawing) const
 {
-  return this->Lattice.Found && !drawing.Contours.IsUsed() && !drawing.Contours.HasPolygons() &&
-    !drawing.Buffers.HasLayers() && !drawing.Buffers.HasOpacityScalars();
+  const bool opacityIsKnown = !drawing.Buffers.HasOpacityScalars() ||
+    (this->HasOpacity && drawing.Options.Trilinear && !drawing.Options.CameraLight);
+  return this->Lattice.Found && opacityIsKnown && !drawing.Contours.IsUsed() &&
+    !drawing.Contours.HasPolygons() && !drawing.Buffers.HasLayers();
 }
 
 void RayVoxels::SetGrid(vtkShaderProgram* program)
@@ -92,6 +109,10 @@ void RayVoxels::SetGrid(vtkShaderProgram* program)
   toNumbers->Transpose(); // as OpenGL wants it
   program->SetUniformMatrix("toNumbers", toNumbers);
   program->SetUniformi("squares", this->Squares.Activate());
+  if (program->IsUniformUsed("opacitySquares"))
+  {
+    program->SetUniformi("opacitySquares", this->OpacitySquares.Activate());
+  }
   program->SetUniformi("clearDistances", this->ClearDistances.Activate());
 }
 
@@ -118,6 +139,7 @@ std::string RayVoxels::Draw(const CellDrawing& drawing)
   glDrawArrays(GL_TRIANGLES, 0, 3);
   this->VertexArray->Release();
   this->Squares.Deactivate();
+  this->OpacitySquares.Deactivate();
   this->ClearDistances.Deactivate();
   drawing.Finish();
   return std::string();
@@ -126,6 +148,7 @@ std::string RayVoxels::Draw(const CellDrawing& drawing)
 void RayVoxels::ReleaseGraphicsResources(vtkWindow* window)
 {
   this->Squares.Release(window);
+  this->OpacitySquares.Release(window);
   this->ClearDistances.Release(window);
   this->VertexArray->ReleaseGraphicsResources();
 }

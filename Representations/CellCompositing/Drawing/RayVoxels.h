@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * Draws an evenly spaced grid ray by ray: the tetrahedra of its cells, as RayCells does, but where a ray is, is a matter of arithmetic.
+ * Draws an evenly spaced grid ray by ray: the trilinear field of its cells or their tetrahedra. Where a ray is, is a matter of arithmetic.
  *
- * A ray skips invisible cells, by the distance to the next visible one (ClearDistances.h). Contour surfaces,
- * polygons, layers and a second array are left to RayCells.
+ * A ray skips invisible cells, by the distance to the next visible one (ClearDistances.h). Contour surfaces, polygons, layers, light
+ * that depends on the direction of view and, in tetrahedra, an opacity array are left to RayCells.
  */
 #ifndef RayVoxels_h
 #define RayVoxels_h
@@ -48,7 +48,8 @@ private:
   ChessboardGrid Grid;
   CellBox Box;
   GridLattice Lattice;
-  BufferTexture Squares, ClearDistances;
+  BufferTexture Squares, OpacitySquares, ClearDistances;
+  bool HasOpacity = false; ///< where an array gives it, it is on points or cells as the colour is
   vtkNew<vtkOpenGLVertexArrayObject> VertexArray;
 };
 

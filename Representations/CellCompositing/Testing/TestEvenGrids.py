@@ -87,6 +87,7 @@ class Drawn:
         self.window = Window((60, 60))
         self.scene = self.window.add_scene()
         self.mapper = mapper()
+        self.mapper.SetCellInterpolationToTetrahedra()
         self.mapper.SetMethodToRays()
         self.volume = self.scene.add_volume(self.mapper, data, HIGH, association=association)
         if settings:

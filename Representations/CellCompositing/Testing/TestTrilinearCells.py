@@ -152,8 +152,8 @@ def probed(data, places):
     return values, inside
 
 
-def dense(data, view, transfer, field=None, samples=1200):
-    """Samples in the middles of as many parts of each ray, composited."""
+def dense(data, view, transfer, field=None, samples=1200, opacity=None):
+    """Samples in the middles of as many parts of each ray, composited. opacity: the field of an array of its own."""
     origins, directions, near, far = view.rays()
     middle = -np.einsum("ij,ij->i", origins, directions)
     start, end = np.maximum(near, middle - 0.9), np.minimum(far, middle + 0.9)
@@ -164,18 +164,19 @@ def dense(data, view, transfer, field=None, samples=1200):
         values, inside = field(places)
     else:
         values, inside = probed(data, places)
+    seen = opacity(places)[0].reshape(t.shape) if opacity else values.reshape(t.shape)
     values, inside = values.reshape(t.shape), inside.reshape(t.shape)
-    depth = np.where(inside, transfer.extinction(values), 0) * step[:, None]
+    depth = np.where(inside, transfer.extinction(seen), 0) * step[:, None]
     passed = np.exp(-np.concatenate([np.zeros((len(t), 1)), np.cumsum(depth, axis=1)], axis=1))
     weight = passed[:, :-1] - passed[:, 1:]
     rgba = np.concatenate([np.einsum("ij,ijk->ik", weight, transfer.color(values)), weight.sum(axis=1)[:, None]], axis=1)
     return rgba.reshape(view.height, view.width, 4)
 
 
-def trilinear_field(data):
+def trilinear_field(data, name="s"):
     """By the formula, for a rectilinear grid."""
     axes = [vtk_to_numpy(getattr(data, f"Get{a}Coordinates")()) for a in "XYZ"]
-    values = vtk_to_numpy(data.GetPointData().GetArray("s")).reshape([len(a) for a in axes[::-1]]).astype(float)
+    values = vtk_to_numpy(data.GetPointData().GetArray(name)).reshape([len(a) for a in axes[::-1]]).astype(float)
 
     def at(places):
         index, part = [], []

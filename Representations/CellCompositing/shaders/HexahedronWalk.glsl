@@ -18,15 +18,6 @@ float goesBy(vec4 p, vec4 q)
   return p.y < 0.0 ? (q.y >= 0.0 && side > 0.0 ? 1.0 : 0.0) : (q.y < 0.0 && side < 0.0 ? -1.0 : 0.0);
 }
 
-float lesser(float a, float b)
-{
-  return a < b ? a : b;
-}
-float greater(float a, float b)
-{
-  return a > b ? a : b;
-}
-
 void seeAhead()
 {
   walkE = seen(pointOfRing(0, 0, 1));

@@ -41,11 +41,11 @@ int jumpFace = -1; // boundary face from which a ray goes on that has left the m
 //NEPHOSCOPE::OpaqueDepth
 //NEPHOSCOPE::OpticalSegment
 //NEPHOSCOPE::TransferFunction
+//NEPHOSCOPE::RaySegments
 //NEPHOSCOPE::Topology
 //NEPHOSCOPE::ContourSurfaces
 //NEPHOSCOPE::PolygonSurfaces
 //NEPHOSCOPE::TetrahedronWalk
-//NEPHOSCOPE::RaySegments
 //NEPHOSCOPE::RayRange
 //NEPHOSCOPE::RayContours
 //NEPHOSCOPE::CameraLight

@@ -38,6 +38,16 @@ void keepTable()
 #endif
 }
 
+// min and max without their care for NaN, which software pays for.
+float lesser(float a, float b)
+{
+  return a < b ? a : b;
+}
+float greater(float a, float b)
+{
+  return a > b ? a : b;
+}
+
 vec4 light;
 float opticalLength; // extinction at opacity 1, per length of the ray
 

@@ -6,7 +6,9 @@
 //   out: premultiplied colour and alpha, front to back
 //NEPHOSCOPE::Arrays
 uniform FloatArray squares; // scalars of each point and of the next ones along the second, the third, and both axes
+uniform FloatArray opacitySquares; // the same of a separate opacity
 uniform FloatArray cellScalars;
+uniform FloatArray opacityScalars; // of cells
 uniform FloatArray clearDistances; // ClearDistances.h
 uniform mat4 MCVCMatrix;
 uniform float extinctionScale; // extinction per world length at opacity 1

@@ -46,16 +46,6 @@ float contourScalar(Seen p)
 #endif
 }
 
-// min and max without their care for NaN, which software pays for.
-float lesser(float a, float b)
-{
-  return a < b ? a : b;
-}
-float greater(float a, float b)
-{
-  return a > b ? a : b;
-}
-
 // Returns true if b and c were exchanged.
 bool startWalk(Seen a, Seen b, Seen c)
 {

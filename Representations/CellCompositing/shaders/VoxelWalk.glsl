@@ -71,8 +71,8 @@ float scalarAt(vec4 heights)
   return dot(heights, -0.5 * evenScalars) + dot(max(heights, 0.0), bends);
 }
 
-// The ray in the present cell, between two ways: where its pieces begin and end, and the scalars there.
-vec4 places = vec4(0.0), scalars = vec4(0.0);
+// The ray in the present cell, between two ways: where its pieces begin and end, and the scalars there; those of a separate opacity.
+vec4 places = vec4(0.0), scalars = vec4(0.0), opacityScalarsHere = vec4(0.0);
 
 // `front` is the scalar at the first way, if that is known from the cell before.
 void findPieces(vec2 ways, bool isKnown, float front)
@@ -91,24 +91,19 @@ void findPieces(vec2 ways, bool isKnown, float front)
   places = vec4(ways.x, mix(ways.xx, ways.yy, bend), ways.y);
 }
 
-// The same of the trilinear field, as RayHexahedra.frag.glsl has it; three of the pieces if there are more.
-vec4 cubic = vec4(0.0);
-float numberOfPieces = 3.0;
-vec2 waysInCell = vec2(0.0), scalarsOfCell = vec2(0.0);
-
-vec2 cubicPlace(float t)
+// The trilinear field along a ray through a cell, and the scalars between which it lies.
+struct CubicField
 {
-  return vec2(mix(waysInCell.x, waysInCell.y, t), clamp(cubicAt(cubic, t), scalarsOfCell.x, scalarsOfCell.y));
-}
+  vec4 cubic;
+  vec2 range;
+};
 
-void findCubicPieces(vec2 ways)
+CubicField fieldInCell(FloatArray fieldSquares, vec2 ways)
 {
   ivec3 c = ivec3(cell);
   int first = c.x + c.y * stride.y + c.z * stride.z;
-  vec4 a = element(squares, first), b = element(squares, first + 1);
+  vec4 a = element(fieldSquares, first), b = element(fieldSquares, first + 1);
   vec4 least = min(a, b), most = -max(a, b);
-  scalarsOfCell = vec2(min(lesserOf(least.xyz), least.w), -min(lesserOf(most.xyz), most.w));
-  waysInCell = ways;
   vec4 values;
   for (int i = 0; i < 4; ++i)
   {
@@ -117,13 +112,41 @@ void findCubicPieces(vec2 ways)
     vec2 line = mix(s.xz, s.yw, p.y);
     values[i] = mix(line.x, line.y, p.z);
   }
-  cubic = cubicThrough(values);
-  numberOfPieces = countPieces(cubic);
+  return CubicField(cubicThrough(values), vec2(min(lesserOf(least.xyz), least.w), -min(lesserOf(most.xyz), most.w)));
+}
+
+float fieldAt(CubicField field, float t)
+{
+  return clamp(cubicAt(field.cubic, t), field.range.x, field.range.y);
+}
+
+// In pieces as RayHexahedra.frag.glsl has them; three of them if there are more.
+CubicField colorField = CubicField(vec4(0.0), vec2(0.0)), opacityField = CubicField(vec4(0.0), vec2(0.0));
+float numberOfPieces = 3.0;
+vec2 waysInCell = vec2(0.0);
+
+// Way, scalar of the colour, scalar of the opacity.
+vec3 cubicPlace(float t)
+{
+  return vec3(mix(waysInCell.x, waysInCell.y, t), fieldAt(colorField, t), separateOpacity ? fieldAt(opacityField, t) : 0.0);
+}
+
+void findCubicPieces(vec2 ways)
+{
+  waysInCell = ways;
+  colorField = fieldInCell(squares, ways);
+  numberOfPieces = countPieces(colorField.cubic);
+  if (separateOpacity)
+  {
+    opacityField = fieldInCell(opacitySquares, ways);
+    numberOfPieces = max(numberOfPieces, countPieces(opacityField.cubic));
+  }
   for (int i = 0; i < 4; ++i)
   {
-    vec2 place = cubicPlace(min(float(i) / numberOfPieces, 1.0));
+    vec3 place = cubicPlace(min(float(i) / numberOfPieces, 1.0));
     places[i] = place.x;
     scalars[i] = place.y;
+    opacityScalarsHere[i] = place.z;
   }
 }
 
@@ -136,12 +159,37 @@ void addLinear(vec4 front, vec4 back, vec2 ways)
   light += hazedThin(added, ways, 0.5 * (tau.x + tau.y));
 }
 
+float lowestOf(vec4 v)
+{
+  return min(lesserOf(v.xyz), v.w);
+}
+
+// The opacity from a scalar of its own upwards: as far as it is linear, its value, and its slope.
+vec3 opacityFrom(float s)
+{
+#ifdef SMALL_OPACITY_TABLE
+  OpacityInterval interval = opacityIntervalFrom(s, true);
+  float slope = (interval.values.y - interval.values.x) / (interval.high - interval.low);
+  return vec3(interval.high, interval.values.x + (s - interval.low) * slope, slope);
+#else
+  int number = findInterval(opacityNodes, opacityTable, s);
+  float value = evaluateOpacity(number, s);
+  if (number == opacityTable.y)
+  {
+    return vec3(3.0e38, value, 0.0);
+  }
+  float high = element(opacityNodes, opacityTable.x + number).r;
+  float atHigh = element(opacityIntervals, 2 * (opacityTable.z + number) + 1).a;
+  return vec3(high, value, number == 0 ? 0.0 : (atHigh - value) / (high - s));
+#endif
+}
+
 // Adds the pieces if that is simple: no node of the transfer function lies between their scalars, and they are thin. Software computes
 // both sides of every test, so that what is seldom needed is done apart. False: nothing was added.
 bool addThinCell(bool mustWait)
 {
-  float lowest = min(lesserOf(scalars.xyz), scalars.w);
-  float highest = -min(lesserOf(-scalars.xyz), -scalars.w);
+  float lowest = lowestOf(scalars);
+  float highest = -lowestOf(-scalars);
 #ifdef SMALL_TABLE
   int number = 0;
 #else
@@ -154,9 +202,20 @@ bool addThinCell(bool mustWait)
   {
     values[i] = interval.valueLow + (scalars[i] - interval.low) * slope;
   }
+  bool opacityIsLinear = true;
+  if (separateOpacity)
+  {
+    float lowestOpacity = lowestOf(opacityScalarsHere);
+    vec3 from = opacityFrom(lowestOpacity);
+    opacityIsLinear = -lowestOf(-opacityScalarsHere) <= from.x;
+    for (int i = 0; i < 4; ++i)
+    {
+      values[i].a = from.y + (opacityScalarsHere[i] - lowestOpacity) * from.z;
+    }
+  }
   float opacity = max(max(values[0].a, values[1].a), max(values[2].a, values[3].a));
   bool isThin = averageIntegration || opacity * opticalLength * (places.w - places.x) <= 1.0;
-  bool fits = !mustWait && numberOfPieces <= 3.0 && splitAtControlPoints && highest <= interval.high && isThin;
+  bool fits = !mustWait && numberOfPieces <= 3.0 && splitAtControlPoints && highest <= interval.high && opacityIsLinear && isThin;
   if (fits)
   {
     addLinear(values[0], values[1], places.xy);
@@ -179,9 +238,10 @@ void addHazedPiece()
       fitHaze(from, length / mostParts);
     }
     vec2 z = vec2(from, part + 1.0 == mostParts ? places.y : min(places.y, hazeTo));
-    vec2 s = mix(scalars.xx, scalars.yy, (z - places.x) / length);
+    vec2 parts = (z - places.x) / length;
+    vec2 s = mix(scalars.xx, scalars.yy, parts), o = mix(opacityScalarsHere.xx, opacityScalarsHere.yy, parts);
     vec4 before = accumulatedLight();
-    addSegment(s.xx, s.yy, z.y - z.x);
+    addSegment(vec2(s.x, o.x), vec2(s.y, o.y), z.y - z.x);
     hazeAdded(before, z);
     from = z.y;
   }
@@ -191,16 +251,17 @@ void addPieces()
 {
   for (float piece = 0.0; piece < numberOfPieces; piece += 1.0)
   {
-    vec2 next = trilinear ? cubicPlace(min((piece + 4.0) / numberOfPieces, 1.0)) : vec2(places.w, scalars.w);
+    vec3 next = trilinear ? cubicPlace(min((piece + 4.0) / numberOfPieces, 1.0)) : vec3(places.w, scalars.w, opacityScalarsHere.w);
     if (useHaze)
     {
       addHazedPiece();
     }
     else if (places.y > places.x)
     {
-      addSegment(scalars.xx, scalars.yy, places.y - places.x);
+      addSegment(vec2(scalars.x, opacityScalarsHere.x), vec2(scalars.y, opacityScalarsHere.y), places.y - places.x);
     }
     scalars = vec4(scalars.yzw, next.y);
+    opacityScalarsHere = vec4(opacityScalarsHere.yzw, next.z);
     places = vec4(places.yzw, next.x);
   }
 }
@@ -241,6 +302,7 @@ bool addCell(vec2 ways, bool isKnown, bool mustWait)
   if (useCellScalars)
   {
     scalars = vec4(element(cellScalars, cellNumber()).r);
+    opacityScalarsHere = vec4(separateOpacity ? element(opacityScalars, cellNumber()).r : 0.0);
     places = ways.xyyy;
   }
   else if (trilinear)
