@@ -74,6 +74,9 @@ class Picture(unittest.TestCase):
         np.testing.assert_allclose(picture[..., :3].reshape(-1, 3), np.tile((51, 153, 102), (3600, 1)), atol=2)
 
 
+AMBIENT = 2 * (0.2 + 0.15)  # of ground and sky, times the sine of the sun's elevation
+
+
 class Sun(unittest.TestCase):
     """Haze of a vertical optical depth of 1 over flat black ground, in closed form, and on a globe."""
 
@@ -92,26 +95,26 @@ class Sun(unittest.TestCase):
         return plotter.screenshot(return_img=True)[..., :3] / 255
 
     def expect(self, found, light):
-        np.testing.assert_allclose(found, np.array((0.9, 0.6, 0.3)) * light, atol=0.012)
+        np.testing.assert_allclose(found, np.minimum(np.array((0.9, 0.6, 0.3)) * light, 1), atol=0.012)
 
-    def scattered(self, depth, slant, asymmetry=0.0):
+    def scattered(self, depth, slant, weight=1.0):
         """Looking straight down, the integral over the transparency of what each layer scatters: the beam in closed form, the rest by the rule of Simpson."""
         u = np.linspace(0, depth, 2001)  # from the top
-        rest = (1 / (1 + 0.75 * (1 - asymmetry) * slant * u) - np.exp(-slant * u)) * np.exp(-u)
+        diffuse = 1 / (1 + 0.75 * slant * u)
+        rest = (weight * (diffuse - np.exp(-slant * u)) + AMBIENT / slant * diffuse) * np.exp(-u)
         weights = np.where(np.arange(2001) % 2, 4, 2)
         weights[[0, -1]] = 1
-        return (1 - np.exp(-(1 + slant) * depth)) / (1 + slant), (weights * rest).sum() * depth / 6000
+        return (1 - np.exp(-(1 + slant) * depth)) / (1 + slant) + (weights * rest).sum() * depth / 6000
 
     def test_from_above(self):
         """Light that reaches exp(-u) of the way down and of the way up again, and what has been scattered before."""
         down = [(0, 0, 50), (0, 0, 0), (0, 1, 0)]
         for depth in (0.2, 1.0, 3.0):
-            self.expect(self.picture((0, 0, 1), down, depth=depth)[30, 30], sum(self.scattered(depth, 1.0)))
+            self.expect(self.picture((0, 0, 1), down, depth=depth)[30, 30], self.scattered(depth, 1.0))
             slant = 2.0  # of a sun 30 degrees high
-            self.expect(self.picture((np.sqrt(3), 0, 1), down, depth=depth)[30, 30], sum(self.scattered(depth, slant)))
+            self.expect(self.picture((np.sqrt(3), 0, 1), down, depth=depth)[30, 30], self.scattered(depth, slant))
             slant = 5.0  # less high than 30 degrees
-            beam, rest = self.scattered(depth, slant)
-            self.expect(self.picture((np.sqrt(24), 0, 1), down, depth=depth)[30, 30], beam + 0.4 * rest)
+            self.expect(self.picture((np.sqrt(24), 0, 1), down, depth=depth)[30, 30], self.scattered(depth, slant, 0.4))
         self.expect(self.picture((0, 0, -1), down)[30, 30], 0)
 
     def test_noon_is_bright_in_thick_haze(self):
@@ -125,7 +128,21 @@ class Sun(unittest.TestCase):
         for x in (1, -1):
             found = self.picture((np.sqrt(3) * x, 0, 1), [(0, 0, 0.05), (100, 0, 0.05), (0, 0, 1)], asymmetry=0.3, ground=False, depth=0.5, base_level=0.05)
             cosine = x * np.sqrt(0.75)
-            self.expect(found[30, 30], np.exp(-1) * (1 - 0.09) / (1.09 - 0.6 * cosine) ** 1.5 + 1 / (1 + 0.75 * 0.7) - np.exp(-1))
+            self.expect(found[30, 30], np.exp(-1) * (1 - 0.09) / (1.09 - 0.6 * cosine) ** 1.5 + (1 + 0.5 * AMBIENT) / (1 + 0.75 * 0.7) - np.exp(-1))
+
+    def test_the_horizon_away_from_the_sun_is_bright_by_day(self):
+        """Of the brightness of haze without a sun, with all settings left alone but the sun."""
+        for elevation, least in ((35, 0.55), (60, 0.8), (15, 0.3)):
+            a = np.radians(elevation)
+            plotter = pyvista.Plotter(off_screen=True, window_size=(60, 60))
+            self.addCleanup(plotter.close)
+            plotter.set_background("black")
+            plotter.add_mesh(pyvista.Plane(i_size=9000, j_size=9000), color="darkgreen")
+            plotter.add_mesh(pyvista.Sphere(radius=400, center=(0, 0, 900)))
+            nephoscope.add_haze(plotter, sun=(-np.cos(a), 0, np.sin(a)), color="white")
+            plotter.camera_position = [(-5000, 0, 200), (0, 0, 200), (0, 0, 1)]
+            picture = plotter.screenshot(return_img=True)[..., :3] / 255
+            self.assertGreater(picture[:, 3].min(axis=1).max(), least, f"sun {elevation} degrees high")
 
     def test_night_of_a_globe(self):
         row = self.picture((1, 0, 0), [(0, -3e7, 0), (0, 0, 0), (0, 0, 1)], ground=False, projection="globe", scale_height=8e3, vertical_exaggeration=20, visibility=1e6,

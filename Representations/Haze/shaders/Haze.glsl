@@ -220,7 +220,8 @@ float hazePhase(float cosine)
 
 // Light that a place scatters into a direction with this phase function, for a white sun: the sun's beam, and what other haze has scattered out
 // of it, which comes from everywhere. Together they are what a layer as thick as the way to the sun lets through (MeadorWeaver1980, Eddington,
-// no absorption). From 30 degrees down to the horizon the second part fades out with the light that falls on a level surface.
+// no absorption). From 30 degrees down to the horizon the second part fades out with the light that falls on a level surface. The third part
+// is light of the ground and of the clear sky, from half of all directions each: their albedo times what falls on a level surface.
 float hazeSunlight(HazePlace place, float phase)
 {
   float beam = hazeSunTransparency(place);
@@ -230,7 +231,8 @@ float hazeSunlight(HazePlace place, float phase)
   }
   float height = HAZE_ON_GLOBE ? dot(normalize(place.place), hazeSun) : dot(hazeFrame, hazeSun);
   float through = 1.0 / (1.0 - 0.75 * (1.0 - hazeAsymmetry) * log(beam));
-  return beam * phase + clamp(2.0 * height, 0.0, 1.0) * max(through - beam, 0.0);
+  const float ground = 0.2, sky = 0.15;
+  return beam * phase + clamp(2.0 * height, 0.0, 1.0) * max(through - beam, 0.0) + 2.0 * (ground + sky) * max(height, 0.0) * through;
 }
 
 // The part of a ray that has haze: below this altitude.
