@@ -173,5 +173,32 @@ class Messages(unittest.TestCase):
             self.assertTrue(all(w.filename == __file__ for w in caught), [w.filename for w in caught])
 
 
+
+class ValuesChangedInPlace(unittest.TestCase):
+    """numpy changes values without a word to VTK, which keeps the ranges of arrays."""
+
+    def test_checks_see_the_new_values(self):
+        grid = pyvista.ImageData(dimensions=(6, 6, 6), spacing=(100, 100, 100))
+        height = grid.points[:, 2].copy()
+        grid["ql"], grid["T"], grid["H"] = np.full(grid.n_points, 1e-3), 290 - 0.0065 * height, height
+        for data in (grid, pyvista.MultiBlock([grid])):
+            if isinstance(data, pyvista.DataSet):
+                data.nephoscope.cloud_optics(height="H")
+            grid["T"] -= 273.15
+            with self.assertRaisesRegex(RuntimeError, "Celsius|273.15"):
+                grid.nephoscope.cloud_optics(height="H")
+            grid["T"] += 273.15
+        grid["ql"] *= 1e3
+        with self.assertRaisesRegex(RuntimeError, "g/kg"):
+            grid.nephoscope.cloud_optics(height="H")
+
+    def test_contours_of_blocks(self):
+        blocks = pyvista.MultiBlock([pyvista.ImageData(dimensions=(4, 4, 4))])
+        blocks[0]["s"] = blocks[0].points[:, 0].copy()
+        blocks.nephoscope.split_cells([1.5], scalars="s")
+        blocks[0]["s"] *= 10
+        self.assertGreater(blocks.nephoscope.split_cells([15], scalars="s")[0].n_cells, 0)
+
+
 if __name__ == "__main__":
     unittest.main()

@@ -12,6 +12,7 @@ from typing import Iterator, Mapping
 
 from vtkmodules.util.misc import calldata_type
 from vtkmodules.util.vtkConstants import VTK_STRING
+from vtkmodules.vtkCommonDataModel import vtkCompositeDataSet, vtkDataObject, vtkDataSet
 from vtkmodules.vtkCommonExecutionModel import vtkAlgorithm
 
 
@@ -95,6 +96,26 @@ def warn_when_drawing(mapper: vtkAlgorithm) -> None:
 
 def _drawing_folders() -> list[str]:
     return [os.path.dirname(module.__file__) for module in map(sys.modules.get, ("pyvista", "vtkmodules")) if module and module.__file__]
+
+
+def set_input(algorithm: vtkAlgorithm, data: vtkDataObject, port: int = 0) -> None:
+    """Makes the data the input. Ranges that VTK keeps of its arrays are forgotten: numpy changes values in place without a word to VTK."""
+    for leaf in _leaves(data):
+        for attributes in (leaf.GetPointData(), leaf.GetCellData()) if isinstance(leaf, vtkDataSet) else ():
+            for i in range(attributes.GetNumberOfArrays()):
+                attributes.GetAbstractArray(i).Modified()
+    algorithm.SetInputDataObject(port, data)
+
+
+def _leaves(data: vtkDataObject) -> Iterator[vtkDataObject]:
+    if not isinstance(data, vtkCompositeDataSet):
+        yield data
+        return
+    iterator = data.NewIterator()
+    iterator.InitTraversal()
+    while not iterator.IsDoneWithTraversal():
+        yield iterator.GetCurrentDataObject()
+        iterator.GoToNextItem()
 
 
 @contextmanager

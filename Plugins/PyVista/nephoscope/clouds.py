@@ -14,7 +14,7 @@ from vtkmodules.vtkCommonDataModel import vtkDataObject, vtkDataSetAttributes, v
 from . import vtkCloudSurface, vtkStructuredSmoothing
 from ._checks import arrays_of, choose, require_number
 from ._fields import preset_of_field
-from ._pipeline import vtk_messages
+from ._pipeline import set_input, vtk_messages
 from ._typing import Mesh, Numbers
 from .splitting import _point_array, _scalar_point_array, _values
 
@@ -83,7 +83,7 @@ def smooth(mesh: pyvista.DataSet, iterations: int = 1, scalars: str | Sequence[s
         The warnings of the filter: missing values, points without mass.
     """
     smoothing = vtkStructuredSmoothing()
-    smoothing.SetInputData(_structured(mesh))
+    set_input(smoothing, _structured(mesh))
     smoothing.SetNumberOfIterations(_count(iterations, "iterations"))
     smoothing.SetAllFloatArrays(all_arrays)
     if not all_arrays:
@@ -145,7 +145,7 @@ def cloud_surface(mesh: pyvista.DataSet, isosurfaces: int | float | Numbers | No
         The warnings of the filter: missing values.
     """
     surface = vtkCloudSurface()
-    surface.SetInputData(_structured(mesh))
+    set_input(surface, _structured(mesh))
     name = _scalar_point_array(mesh, scalars)
     if isosurfaces is None:
         with warnings.catch_warnings():

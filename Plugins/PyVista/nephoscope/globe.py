@@ -13,7 +13,7 @@ from vtkmodules.vtkCommonDataModel import vtkImageData, vtkRectilinearGrid, vtkS
 
 from . import vtkGlobeGrid
 from ._checks import choose, require_array, require_number
-from ._pipeline import vtk_messages
+from ._pipeline import set_input, vtk_messages
 from ._typing import StructuredMesh
 
 EARTH_RADIUS = 6371000.0  # metres, mean radius
@@ -120,7 +120,7 @@ def to_globe(mesh: pyvista.DataSet, *, projection: Literal["globe", "map"] = "gl
     """
     globe = vtkGlobeGrid()
     mesh = _structured(mesh, "mesh")
-    globe.SetInputData(mesh)
+    set_input(globe, mesh)
     choose({"globe": globe.SetProjectionToGlobe, "map": globe.SetProjectionToMap}, projection, "projection")
     choose({"automatic": globe.SetLevelUnitsToAutomatic, "hPa": globe.SetLevelUnitsToPressureHectopascal,
             "Pa": globe.SetLevelUnitsToPressurePascal, "m": globe.SetLevelUnitsToHeightMetre,

@@ -16,7 +16,7 @@ from . import vtkSunlight
 from ._blocks import cell_dimension
 from ._checks import choose, require_number
 from ._from_xarray import meshed
-from ._pipeline import vtk_messages
+from ._pipeline import set_input, vtk_messages
 from ._typing import AnyMesh, Mesh, Numbers
 from .optics import cloud_optics, optics_of
 from .tone import checked, toned
@@ -147,10 +147,10 @@ def light_of(mesh: pyvista.DataSet, say: Callable[[str], str], direction: Number
     if not isinstance(mesh, vtkDataSet):
         raise TypeError(f"mesh is a {type(mesh).__name__}; it must be a pyvista dataset.")
     light = vtkSunlight()
-    light.SetInputDataObject(mesh)
+    set_input(light, mesh)
     if clouds is not None:
         _require_light(clouds, say("clouds"))
-        light.SetInputDataObject(1, clouds)
+        set_input(light, clouds, 1)
         direction = clouds.field_data["SunDirection"][0] if direction is None and not time and "SunDirection" in clouds.field_data else direction
     if direction is not None:
         light.SetSunDirection(*_three(direction, say("direction")))

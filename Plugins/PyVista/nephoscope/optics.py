@@ -11,7 +11,7 @@ from vtkmodules.vtkCommonDataModel import vtkDataSet
 from . import vtkCloudOptics
 from ._checks import arrays_of, choose, require_number
 from ._from_xarray import meshed
-from ._pipeline import vtk_messages
+from ._pipeline import set_input, vtk_messages
 from ._typing import AnyMesh, Mesh
 
 
@@ -89,7 +89,7 @@ def optics_of(mesh: pyvista.DataSet, say: Callable[[str], str], water: str, liqu
     if not isinstance(mesh, vtkDataSet):
         raise TypeError(f"mesh is a {type(mesh).__name__}; it must be a pyvista dataset.")
     optics = vtkCloudOptics()
-    optics.SetInputDataObject(mesh)
+    set_input(optics, mesh)
     arrays = {"water": (optics.SetTotalWaterArrayName, water), "liquid": (optics.SetLiquidArrayName, liquid), "ice": (optics.SetIceArrayName, ice),
               "rain": (optics.SetRainArrayName, rain), "snow": (optics.SetSnowArrayName, snow), "temperature": (optics.SetTemperatureArrayName, temperature),
               "pressure": (optics.SetPressureArrayName, pressure), "cloud_fraction": (optics.SetCloudFractionArrayName, cloud_fraction),

@@ -7,7 +7,7 @@ import pyvista
 
 from . import vtkPolyhedronToTetrahedra
 from ._checks import require_number
-from ._pipeline import vtk_messages
+from ._pipeline import set_input, vtk_messages
 
 # Terms in messages of vtkPolyhedronToTetrahedra, and their names in Python.
 _NAMES = {"Set UseTetGen on": "Pass tetgen=True", "UseTetGen": "tetgen", "FaceWarpTolerance": "warp_tolerance", "DivideConvexPolyhedra": "convex"}
@@ -50,7 +50,7 @@ def divide_polyhedra(mesh: pyvista.DataSet, *, convex: bool = False, warp_tolera
     if not isinstance(mesh, pyvista.DataSet):
         raise TypeError(f"mesh is a {type(mesh).__name__}; it must be a pyvista dataset.")
     divider = vtkPolyhedronToTetrahedra()
-    divider.SetInputData(mesh)
+    set_input(divider, mesh)
     divider.SetDivideConvexPolyhedra(bool(convex))
     divider.SetFaceWarpTolerance(require_number(warp_tolerance, "warp_tolerance", least=0, most=1))
     divider.SetUseTetGen(bool(tetgen))

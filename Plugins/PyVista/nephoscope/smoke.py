@@ -14,7 +14,7 @@ from . import vtkFlowVolume, vtkFlowVolumePlacement, vtkSmokePuffs
 from ._blocks import named_blocks
 from ._checks import arrays_of, choose, listed, require_number, require_winds
 from ._from_xarray import meshed
-from ._pipeline import _renamed, vtk_messages
+from ._pipeline import _renamed, set_input, vtk_messages
 from ._series import Grids, Series
 from ._typing import Numbers
 
@@ -144,7 +144,7 @@ def _filter(mesh: Any, polygon: Any = None, *, vectors: Any, center: Any, radius
         mesh = meshed(mesh)
         if not isinstance(mesh, (pyvista.DataSet, vtkCompositeDataSet)):
             raise TypeError(f"mesh is a {type(mesh).__name__}; it must be a pyvista dataset or MultiBlock, or several meshes with times.")
-        smoke.SetInputDataObject(mesh)
+        set_input(smoke, mesh)
     else:
         series = _unsteady(smoke, mesh, times, start_time)
         mesh = series.first

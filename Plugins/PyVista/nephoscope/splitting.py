@@ -16,7 +16,7 @@ from . import vtkContourCellSplitter
 from ._blocks import named_blocks
 from ._checks import arrays_of, choose
 from ._medium import array_values, default_scalars, require_scalars
-from ._pipeline import vtk_messages
+from ._pipeline import set_input, vtk_messages
 from ._typing import Numbers
 
 PRECISIONS = {"double": vtkAlgorithm.DOUBLE_PRECISION, "single": vtkAlgorithm.SINGLE_PRECISION, "input": vtkAlgorithm.DEFAULT_PRECISION}
@@ -84,7 +84,7 @@ def split_cells(mesh: pyvista.DataSet | pyvista.MultiBlock, isosurfaces: int | f
     else:
         raise TypeError(f"mesh is a {type(mesh).__name__}; it must be a pyvista dataset or MultiBlock.")
     splitter = vtkContourCellSplitter()
-    splitter.SetInputDataObject(mesh)
+    set_input(splitter, mesh)
     splitter.SetInputArrayToProcess(0, 0, 0, vtkDataObject.FIELD_ASSOCIATION_POINTS, name)
     values = _values(array, isosurfaces, rng)
     splitter.SetNumberOfContours(len(values))

@@ -13,7 +13,7 @@ from . import vtkGlobeTerrain
 from ._checks import choose, listed, require_number
 from ._fields import terrain_preset
 from ._medium import require_plotter
-from ._pipeline import vtk_messages
+from ._pipeline import set_input, vtk_messages
 from .globe import EARTH_RADIUS, _NAMES, _structured
 
 # Usual names of the height of the ground and of the land fraction, including CF standard names.
@@ -66,7 +66,7 @@ def terrain_surface(mesh: pyvista.DataSet, height: str | None = None, *, land: s
     """
     mesh = _structured(mesh, "mesh")
     terrain = vtkGlobeTerrain()
-    terrain.SetInputData(mesh)
+    set_input(terrain, mesh)
     terrain.SetHeightArrayName(_height_name(mesh, height))
     terrain.SetLandArrayName(_land_name(mesh, land))
     terrain.SetSeaDepth(require_number(sea_depth, "sea_depth", least=0, most=20000))
