@@ -308,7 +308,8 @@ void vtkCellCompositingMapper::SetDrawingOptions(vtkRenderer* renderer, vtkVolum
   options.SplitAtControlPoints = this->SplitAtControlPoints;
   options.Trilinear = this->IsTrilinear();
   options.Eye = &scene.GetEyeTetrahedron();
-  options.ExtinctionScale = this->OpacityScale / property->GetScalarOpacityUnitDistance();
+  options.ExtinctionScale = std::min(this->OpacityScale / property->GetScalarOpacityUnitDistance(),
+    scene.GetOpaqueExtinctionScale());
   options.Haze = nephoscope::HazeView(renderer);
   options.Planes = nephoscope::ClippingPlanes(this, renderer);
   options.ContourLayers = scene.ContoursMakeLayers();

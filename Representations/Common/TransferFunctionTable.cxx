@@ -368,6 +368,16 @@ TransferFunctionTable::Value TransferFunctionTable::Evaluate(float s) const
     width > 0 ? std::max(0.0f, std::min(1.0f, (s - this->Nodes[k - 1]) / width)) : 0.0f);
 }
 
+float TransferFunctionTable::GreatestOpacity() const
+{
+  float greatest = 0;
+  for (const Interval& interval : this->Intervals)
+  {
+    greatest = std::max({ greatest, interval.Low[3], interval.High[3] });
+  }
+  return greatest;
+}
+
 bool TransferFunctionTable::IsTransparent(float low, float high) const
 {
   const std::size_t first = this->FindInterval(low);

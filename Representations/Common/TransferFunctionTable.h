@@ -56,6 +56,7 @@ public:
   /** Interval that contains s. A node belongs to the interval above it. */
   std::size_t FindInterval(float s) const;
   Value Evaluate(float s) const;
+  float GreatestOpacity() const;
   /** True when opacity is zero everywhere in [low, high]: nothing there can be seen. */
   bool IsTransparent(float low, float high) const;
   /** The longest range [low, high) in which opacity is zero; empty (low > high) if there is none. */

@@ -5,7 +5,7 @@ import nephoscope
 from PluginTesting import GFS, NAME, check, load_plugin, passed, pvs, servermanager
 
 # XML property -> C++ getter, where the name differs.
-MAPPER_PROPERTIES = ("OpacityScale", "Method", "Integration", "VisibilityOrder", "SplitAtControlPoints", "AutoAdjustSampleDistances",
+MAPPER_PROPERTIES = ("OpacityScale", "Method", "Integration", "CellInterpolation", "VisibilityOrder", "SplitAtControlPoints", "AutoAdjustSampleDistances",
                      "MaximumImageSampleDistance", "ContourLighting", "SmoothContourNormals")
 EXPLAINED = MAPPER_PROPERTIES + ("AutomaticUnitDistance", "UnitDistance", "ContourValues", "ContourOpacity", "ContourOpacities",
                                  "ContourColors", "ContourArray", "LayerArray", "LayerOpacityScales")

@@ -55,6 +55,12 @@ class Picture(unittest.TestCase):
         self.add(cube(), opacity_scale=0.25)
         self.expect(1 - np.exp(-0.5))
 
+    def test_any_greater_opacity_scale_is_opaque(self):
+        for scale in (1e9, 1e19, 1e30, 1e300):
+            self.plotter.clear()
+            self.add(cube(), opacity_scale=scale)
+            self.expect(1)
+
     def test_linear_opacity_has_the_mean(self):
         self.add(cube(), "z", opacity="linear", clim=(0, 1))
         self.expect(1 - np.exp(-1))

@@ -81,7 +81,6 @@ EXCEPTIONS = {
     ("PyVista", "vtkSparseVolumeReader", "OutputToPoints"): "OutputType, by its values",
     **{("ParaView", name, "Periodic"): AXES for name in ("vtkCloudSurface", "vtkStructuredSmoothing")},
     **{("PyVista", name, "Periodic" + axis): AXES for name in ("vtkCloudSurface", "vtkStructuredSmoothing") for axis in "IJK"},
-    **{(host, "vtkCellCompositingMapper", "CellInterpolation"): "on request in Python, on the mapper itself" for host in ("ParaView", "PyVista")},
     ("ParaView", "vtkTexturedSplatMapper", "InterpolateScalarsBeforeMapping"): "off: on several ranks samples travel without cells",
     ("PyVista", "vtkTexturedSplatMapper", "InterpolateScalarsBeforeMapping"): "on; on request off, on the mapper itself",
     ("ParaView", "vtkTexturedSplatMapper", "OrderByLayers"): "off: on several ranks samples travel without their grid",

@@ -15,7 +15,7 @@ from ._medium import Functions, MediumMapper, add_medium, require_dataset, requi
 from ._options import group, refuse_unknown
 from ._surfaces import CONTOUR_NAMES, POLYGON_NAMES, Contours, Layers, Polygons
 from ._uniform import FAINTER, is_bare, uniform_colours
-from ._typing import ContourOptions, Integration, Method, Numbers, OldCellNames, Order, PolygonChoice, PolygonOptions, Preference, ToneMapping
+from ._typing import ContourOptions, Integration, Interpolation, Method, Numbers, OldCellNames, Order, PolygonChoice, PolygonOptions, Preference, ToneMapping
 from .light import add_sun, brightest, lit_medium, recorded_sun
 from .transfer import OpacityLike
 
@@ -41,6 +41,7 @@ def add_cells(plotter: pyvista.BasePlotter, grid: Any, scalars: str | np.ndarray
               opacity_scalars: str | None = None, opacity_clim: float | Numbers | None = None,
               opacity_scale: float = 1.0, opacity_unit_distance: float | None = None,
               integration: Integration = "exact", order: Order = "exact", method: Method = "automatic", split_at_control_points: bool = True,
+              interpolation: Interpolation = "automatic",
               preference: Preference = "point",
               contours: int | Numbers | ContourOptions | Mapping[str, Any] | None = None,
               polygons: PolygonChoice | PolygonOptions | Mapping[str, Any] = "contours",
@@ -51,8 +52,7 @@ def add_cells(plotter: pyvista.BasePlotter, grid: Any, scalars: str | np.ndarray
               tone_mapping: ToneMapping = "contrast", **old: Unpack[OldCellNames]) -> pyvista.Volume:
     """Add a grid of 3-D cells to a plotter as a volume drawn by `vtkCellCompositingMapper`.
 
-    The extinction coefficient is opacity * `opacity_scale` / `opacity_unit_distance`. Extinction and colour vary linearly inside each
-    tetrahedron of a cell. Arguments that `pyvista.Plotter.add_volume` also has mean the same here unless noted.
+    The extinction coefficient is opacity * `opacity_scale` / `opacity_unit_distance`. Scalars vary inside cells as `interpolation` says. Arguments that `pyvista.Plotter.add_volume` also has mean the same here unless noted.
 
     Parameters
     ----------
@@ -107,6 +107,11 @@ def add_cells(plotter: pyvista.BasePlotter, grid: Any, scalars: str | np.ndarray
     split_at_control_points : bool, default: True
         Splits rays where `cmap` or `opacity` has a control point inside a cell, so that the integral is exact. False: both are linear between
         the ends of a ray in a cell, which is faster.
+    interpolation : {"automatic", "trilinear", "tetrahedra"}, default: "automatic"
+        Point scalars inside hexahedra, voxels, wedges and pyramids. Trilinear: the field of VTK's cells, without edges along the diagonals of
+        cells. Tetrahedra: linear in the tetrahedra into which cells are divided. Automatic: trilinear in evenly spaced grids, where that is as
+        fast, and tetrahedra elsewhere. Contours, polygons, layers and overlapping volumes need tetrahedra, as does an opacity array
+        outside evenly spaced grids.
     preference : {"point", "cell"}, default: "point"
         Which array to use if points and cells both have an array of that name, or if their numbers are equal.
     contours : int, sequence of float or dict, optional
@@ -135,7 +140,7 @@ def add_cells(plotter: pyvista.BasePlotter, grid: Any, scalars: str | np.ndarray
     name : str, optional
         Name of the actor. It replaces an actor of the same name in the plotter.
     show_scalar_bar : bool, optional
-        Default: the theme's.
+        Default: the theme's; False with `sun` or `color`.
     scalar_bar_args : dict, optional
         Passed on to `pyvista.Plotter.add_scalar_bar`.
     reset_camera, pickable, render : bool, optional
@@ -191,6 +196,7 @@ def add_cells(plotter: pyvista.BasePlotter, grid: Any, scalars: str | np.ndarray
     if sun is not None:
         if color is not None:
             raise ValueError("color and sun are both given, but sun determines the colours. Pass cmap for other colours.")
+        show_scalar_bar = bool(show_scalar_bar)
         light = lit_medium(_solid_grid(grid, {}), sun, cmap, clim, n_colors, exposure, tone_mapping)
         add_sun(plotter, recorded_sun(light["mesh"]))
         grid, scalars, opacity_scalars, opacity, opacity_clim, opacity_unit_distance, cmap, clim = light.values()
@@ -208,6 +214,8 @@ def add_cells(plotter: pyvista.BasePlotter, grid: Any, scalars: str | np.ndarray
     choose({"exact": mapper.SetIntegrationToExact, "average": mapper.SetIntegrationToAverage}, integration, "integration")
     choose({"exact": mapper.SetVisibilityOrderToExact, "centroid": mapper.SetVisibilityOrderToCentroid,
             "none": mapper.SetVisibilityOrderToNone}, order, "order")
+    choose({"automatic": mapper.SetCellInterpolationToAutomatic, "trilinear": mapper.SetCellInterpolationToTrilinear,
+            "tetrahedra": mapper.SetCellInterpolationToTetrahedra}, interpolation, "interpolation")
     choose({"automatic": mapper.SetMethodToAutomatic, "rays": mapper.SetMethodToRays, "cells": mapper.SetMethodToCells,
             "triangles-linear": mapper.SetMethodToTrianglesLinear, "triangles-table": mapper.SetMethodToTrianglesTable,
             "faces": mapper.SetMethodToFaces}, method, "method")

@@ -223,6 +223,18 @@ void CellScene::BuildTables(const std::vector<vtkVolumeProperty*>& properties)
   }
 }
 
+double CellScene::GetOpaqueExtinctionScale() const
+{
+  constexpr double thick = 1e12;
+  double greatest = 0;
+  for (const TransferFunctionTable& table : this->Opacities)
+  {
+    greatest = std::max(greatest, double(table.GreatestOpacity()));
+  }
+  const double depth = greatest * 2 * this->Geometry.Radius();
+  return depth > 0 ? thick / depth : thick;
+}
+
 void CellScene::FindTablesOfTetrahedra(const std::vector<int>& layers)
 {
   this->TablesOfTetrahedra.clear();

@@ -91,6 +91,8 @@ public:
   /** The two above, and after them those of layers with a property of their own. */
   const std::vector<TransferFunctionTable>& GetTransferFunctions() const { return this->Transfers; }
   const std::vector<TransferFunctionTable>& GetOpacityFunctions() const { return this->Opacities; }
+  /** With this scale of the extinction, what is seen at all is opaque. The squares of optical depths are still floats. */
+  double GetOpaqueExtinctionScale() const;
   ///@}
   const ContourScene& GetContours() const { return this->Contours; }
   const PolygonScene& GetPolygons() const { return this->Polygons; }

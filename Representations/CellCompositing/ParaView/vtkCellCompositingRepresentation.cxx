@@ -151,6 +151,11 @@ void vtkCellCompositingRepresentation::SetIntegration(int integration)
   this->Mapper->SetIntegration(integration);
 }
 
+void vtkCellCompositingRepresentation::SetCellInterpolation(int interpolation)
+{
+  this->Mapper->SetCellInterpolation(interpolation);
+}
+
 void vtkCellCompositingRepresentation::SetVisibilityOrder(int order)
 {
   this->VisibilityOrder = order; // the mapper gets it before each render

@@ -41,6 +41,7 @@ public:
   /** Forwarded to the mapper; see there. */
   void SetMethod(int method);
   void SetIntegration(int integration);
+  void SetCellInterpolation(int interpolation);
   void SetVisibilityOrder(int order);
   void SetSplitAtControlPoints(bool split);
   void SetAutoAdjustSampleDistances(bool adjust);
