@@ -231,6 +231,10 @@ class Refused(Cells):
         self.fails(ValueError, "preference", preference="both")
         self.fails(ValueError, "'x' has no value above 0|ascending", clim=(-2, -1), log_scale=True)
         self.fails(ValueError, "opacity 'thick' is unknown", opacity="thick")
+        self.fails(ValueError, "interpolation is 'cubic'.*'automatic', 'trilinear', 'tetrahedra'", interpolation="cubic")
+        self.fails(ValueError, "n_colors is 0", n_colors=0)
+        self.fails(ValueError, "cmap has no colours", cmap=[])
+        self.fails(TypeError, "unexpected keyword argument 'colour'. Did you mean 'color'", colour="red")
 
     def test_grids(self):
         self.fails(ValueError, "PolyData of .* has no 3-D cells", pyvista.Sphere(), None)

@@ -309,8 +309,11 @@ class Functions:
 def lookup_table(plotter: pyvista.BasePlotter, values: np.ndarray, name: str, cmap: Any, clim: float | Numbers | None, *,
                  n_colors: int = 256, flip: bool = False, log_scale: bool = False) -> pyvista.LookupTable:
     """The colours of the array `name`: by default the theme's colours over the range of the array."""
+    require_number(n_colors, "n_colors", least=1)
+    if cmap is not None and not isinstance(cmap, str) and hasattr(cmap, "__len__") and len(cmap) == 0:
+        raise ValueError("cmap has no colours: give at least one, or the name of a colour map.")
     table = pyvista.LookupTable()
-    table.apply_cmap(plotter.theme.cmap if cmap is None else cmap, n_colors, flip=flip)
+    table.apply_cmap(plotter.theme.cmap if cmap is None else cmap, int(n_colors), flip=flip)
     table.log_scale = log_scale
     table.scalar_range = _scalar_range(values, name, clim, log_scale)
     return table

@@ -5,7 +5,9 @@ from __future__ import annotations
 
 import warnings
 from dataclasses import fields
-from typing import Any, Mapping
+from difflib import get_close_matches
+from inspect import signature
+from typing import Any, Callable, Mapping
 
 from ._checks import listed
 from ._pipeline import level_of_caller
@@ -31,7 +33,9 @@ def group(argument: str, value: Any, options: type, first: str, old: dict[str, A
     return options(**given)
 
 
-def refuse_unknown(function: str, old: Mapping[str, Any]) -> None:
+def refuse_unknown(function: Callable, old: Mapping[str, Any]) -> None:
     """Raises TypeError, like Python, for keyword arguments that no option uses."""
     if old:
-        raise TypeError(f"{function}() got an unexpected keyword argument {next(iter(old))!r}")
+        name = next(iter(old))
+        near = get_close_matches(name, signature(function).parameters, 1, 0.7)
+        raise TypeError(f"{function.__name__}() got an unexpected keyword argument {name!r}." + (f" Did you mean {near[0]!r}?" if near else ""))

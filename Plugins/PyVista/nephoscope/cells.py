@@ -191,7 +191,7 @@ def add_cells(plotter: pyvista.BasePlotter, grid: Any, scalars: str | np.ndarray
     surfaces = group("contours", contours, Contours, "values", old, CONTOUR_NAMES)
     painted = group("polygons", polygons, Polygons, "which", old, POLYGON_NAMES)
     opacity_unit_distance = renamed_argument(opacity_unit_distance, "opacity_unit_distance", old.pop("unit_distance", None), "unit_distance")
-    refuse_unknown("add_cells", old)
+    refuse_unknown(add_cells, old)
     brightest(None, exposure, tone_mapping)  # rejects wrong values, also without sun
     if sun is not None:
         if color is not None:

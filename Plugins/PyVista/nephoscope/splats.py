@@ -219,7 +219,7 @@ def add_splats(plotter: pyvista.BasePlotter, mesh: Any, scalars: str | np.ndarra
     streaks = group("vectors", vectors, Vectors, "array", old, VECTOR_NAMES)
     detail = group("level_of_detail", level_of_detail, LevelOfDetail, "tolerance", old, DETAIL_NAMES)
     opacity_unit_distance = renamed_argument(opacity_unit_distance, "opacity_unit_distance", old.pop("unit_distance", None), "unit_distance")
-    refuse_unknown("add_splats", old)
+    refuse_unknown(add_splats, old)
     brightest(None, exposure, tone_mapping)  # rejects wrong values, also without sun
     if sun is not None:
         if color is not None:
