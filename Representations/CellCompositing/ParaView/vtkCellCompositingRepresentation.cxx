@@ -29,6 +29,7 @@ constexpr double smokeOpticalDepth = 1.0; // of smoke, through the generating po
 }
 
 vtkCellCompositingRepresentation::vtkCellCompositingRepresentation()
+  : CellInterpolation(this->Mapper->GetCellInterpolation())
 {
   this->Actor->SetMapper(this->Mapper);
   nephoscope::forwardMessages(this->Mapper, this);
@@ -123,7 +124,12 @@ void vtkCellCompositingRepresentation::PrepareMapper(vtkDataSet* cells)
   this->Mapper->SetOpacityArrayName(this->PrepareOpacity(cells));
   this->Mapper->SetOpacityScale(this->OpacityScale * this->Opacity);
   this->Mapper->SetVisibilityOrder(
-    this->VisibilityOrder); // while the camera moves too: rays need no sorting
+    this->VisibilityOrder);    // while the camera moves too: rays need no sorting
+  const bool mayBeTetrahedra = // on several ranks they are; one rank draws the same
+    this->CellInterpolation == vtkCellCompositingMapper::AUTOMATIC_INTERPOLATION &&
+    !nephoscope::isAxisAligned(cells);
+  this->Mapper->SetCellInterpolation(
+    mayBeTetrahedra ? vtkCellCompositingMapper::TETRAHEDRA_INTERPOLATION : this->CellInterpolation);
   this->PrepareContours();
   this->PreparePolygons();
   this->PrepareLayers();
@@ -153,7 +159,7 @@ void vtkCellCompositingRepresentation::SetIntegration(int integration)
 
 void vtkCellCompositingRepresentation::SetCellInterpolation(int interpolation)
 {
-  this->Mapper->SetCellInterpolation(interpolation);
+  this->CellInterpolation = interpolation; // the mapper gets it before each render
 }
 
 void vtkCellCompositingRepresentation::SetVisibilityOrder(int order)
@@ -180,5 +186,6 @@ void vtkCellCompositingRepresentation::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "VisibilityOrder: " << this->VisibilityOrder << "\n";
+  os << indent << "CellInterpolation: " << this->CellInterpolation << "\n";
   this->Mapper->PrintSelf(os, indent.GetNextIndent());
 }

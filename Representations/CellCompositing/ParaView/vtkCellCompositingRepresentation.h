@@ -114,6 +114,7 @@ private:
 
   bool AxisAligned = false;
   int VisibilityOrder = 0;
+  int CellInterpolation; // the mapper's default at first
   double ContourOpacity = 0.3;
   std::size_t NumberOfPolygonLooks = 0;
   std::vector<double> ContourOpacities;
