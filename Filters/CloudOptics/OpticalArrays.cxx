@@ -81,9 +81,7 @@ public:
 private:
   double TemperatureAt(vtkIdType i) const
   {
-    const double t = this->Fields.Has(WaterFields::Temperature)
-      ? this->Fields.Value(WaterFields::Temperature, i)
-      : 273.15;
+    const double t = this->Fields.Has(WaterFields::Temperature) ? this->Fields.Kelvin(i) : 273.15;
     return isValue(t) && t > 0 ? t : 273.15;
   }
 
@@ -185,7 +183,7 @@ Column columnAt(const WaterFields& fields, vtkIdType first, vtkIdType stride, in
     column.Heights.push_back(fields.Value(WaterFields::Height, first + k * stride));
     if (fields.Has(WaterFields::Temperature))
     {
-      column.Temperatures.push_back(fields.Value(WaterFields::Temperature, first + k * stride));
+      column.Temperatures.push_back(fields.Kelvin(first + k * stride));
     }
   }
   return column;

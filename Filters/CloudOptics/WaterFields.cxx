@@ -149,6 +149,16 @@ bool isNamed(const FieldNames& names, Kind kind)
   return !names[kind].empty() && names[kind] != "none";
 }
 
+// "separate ice from liquid and to compute the density of the air"; empty if the water needs no temperature.
+std::string purposesOfTemperature(const WaterFields& fields, bool water, bool pressure)
+{
+  std::string text = !water || fields.Has(WaterFields::Total) ? "separate ice from liquid"
+    : fields.Has(WaterFields::Ice)                            ? "find the size of ice crystals"
+                                                              : "";
+  text += !text.empty() && pressure ? " and to " : "";
+  return pressure ? text + "compute the density of the air" : text;
+}
+
 // All that is missing, so that it can be set at once. Without water, what most water needs.
 std::string missing(
   vtkDataSet* data, const FieldNames& names, WaterUnits units, const WaterFields& fields)
@@ -156,19 +166,18 @@ std::string missing(
   const bool water = hasWater(fields);
   const bool pressure =
     water ? fields.NeedsPressure() : units == WaterUnits::Automatic || IsMixingRatio(units);
-  const bool temperature =
-    pressure || !water || fields.Has(WaterFields::Total) || fields.Has(WaterFields::Ice);
+  const std::string purposes = purposesOfTemperature(fields, water, pressure);
   std::string text = missingNames(names, fields);
   if (!water && text.empty())
   {
     text +=
       "There is no array of cloud water: set TotalWaterArrayName, or LiquidArrayName and IceArrayName. ";
   }
-  if (temperature && !fields.Has(WaterFields::Temperature) &&
+  if (!purposes.empty() && !fields.Has(WaterFields::Temperature) &&
     !isNamed(names, WaterFields::Temperature))
   {
-    text +=
-      "There is no temperature, which is needed to separate ice from liquid and to compute the density of the air: set TemperatureArrayName (K). ";
+    text += "There is no temperature, which is needed to " + purposes +
+      ": set TemperatureArrayName (K). ";
   }
   if (pressure && !fields.Has(WaterFields::Pressure) && !fields.Has(WaterFields::Height) &&
     !isNamed(names, WaterFields::Pressure))
@@ -206,6 +215,20 @@ WaterUnits unitsOf(vtkDataSet* data, vtkDataArray* array)
                                        : WaterUnits::MixingRatio;
 }
 
+bool isCelsius(const std::string& text)
+{
+  const char* words[] = { "c", "degc", "degreec", "degreesc", "deg_c", "degree_c", "degrees_c",
+    "celsius", "degcelsius", "deg_celsius", "degreecelsius", "degreescelsius", "degree_celsius",
+    "degrees_celsius", "°c" };
+  return std::find(std::begin(words), std::end(words), text) != std::end(words);
+}
+
+double toKelvin(vtkDataSet* data, vtkDataArray* temperature)
+{
+  return temperature && isCelsius(UnitsOf(data->GetFieldData(), temperature->GetName())) ? 273.15
+                                                                                         : 0.0;
+}
+
 // What could not be: the sum of all water in a cloud is below 20 g/kg, and no air as cold as 130 K.
 std::string wrongUnits(const WaterFields& fields)
 {
@@ -215,7 +238,7 @@ std::string wrongUnits(const WaterFields& fields)
   {
     temperature->GetFiniteRange(celsius, 0);
   }
-  if (celsius[1] < 130 && celsius[0] < celsius[1])
+  if (celsius[1] + fields.ToKelvin < 130 && celsius[0] < celsius[1])
   {
     return "The array '" + std::string(temperature->GetName()) + "' has values up to " +
       std::to_string(celsius[1]) +
@@ -272,6 +295,7 @@ std::string findWaterFields(
     fields.Units[k] =
       units == WaterUnits::Automatic && fields.Arrays[k] ? unitsOf(data, fields.Arrays[k]) : units;
   }
+  fields.ToKelvin = toKelvin(data, fields.Arrays[WaterFields::Temperature]);
   const std::string problem = missing(data, names, units, fields);
   const std::string shape = problem.empty() ? wrongShape(data, fields) : problem;
   return shape.empty() ? wrongUnits(fields) : shape;

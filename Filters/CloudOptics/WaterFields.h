@@ -35,10 +35,12 @@ struct WaterFields
 
   std::array<vtkDataArray*, NumberOfFields> Arrays{};
   std::array<WaterUnits, NumberOfWaters> Units{};
+  double ToKelvin = 0; // added to temperatures: 273.15 for degrees Celsius
   bool OnCells = false;
 
   bool Has(Kind kind) const { return this->Arrays[kind] != nullptr; }
   double Value(Kind kind, vtkIdType i) const { return this->Arrays[kind]->GetComponent(i, 0); }
+  double Kelvin(vtkIdType i) const { return this->Value(Temperature, i) + this->ToKelvin; }
   bool NeedsPressure() const;
 };
 

@@ -71,8 +71,8 @@ public:
 
   ///@{
   /**
-   * Names of the arrays of temperature (K), pressure (Pa or hPa), cloud fraction (0 to 1), land fraction (0 to 1) and height (m). Empty (default):
-   * found by name.
+   * Names of the arrays of temperature (K; degrees Celsius if its units say so), pressure (Pa or hPa), cloud fraction (0 to 1),
+   * land fraction (0 to 1) and height (m). Empty (default): found by name.
    */
   vtkSetMacro(TemperatureArrayName, std::string);
   vtkGetMacro(TemperatureArrayName, std::string);

@@ -70,6 +70,20 @@ class Heights(unittest.TestCase):
         below = columns(grid, grid.dimensions)["BelowGround"]
         self.assertTrue((below[0] == 1).all() and (below[1:] == 0).all())
 
+    def test_one_level_is_hidden_by_its_pressure_alone(self):
+        """Fields without a vertical axis are drawn at the height 0, below every mountain."""
+        mountains = isothermal(LON, LAT, ground=1500.0, surface_pressure=8e4)
+        heights = mountains.rename(plev="height").assign_coords(height=("height", [10.0, 2000, 4000, 8000], {"standard_name": "height", "units": "m", "positive": "up"}))
+        unknown = mountains.assign_coords(plev=("plev", [1.0, 2, 3, 4], {"axis": "Z"}))
+        for dataset, hidden in ((mountains.sel(plev=50000), False), (mountains.sel(plev=85000), True), (mountains.drop_vars("ps").sel(plev=85000), False),
+                                (mountains.isel(plev=0, drop=True), False), (heights.isel(height=0), False), (unknown.isel(plev=0), False)):
+            for options in ({}, {"projection": "map"}):
+                grid = dataset.nephoscope.globe(close_seam=False, close_poles=False, **options)
+                self.assertEqual(set(grid["BelowGround"]), {int(hidden)})
+                self.assertTrue((grid["Height"] == 0).all())
+        level = mountains.sel(plev=50000).nephoscope.globe(derive="potential_temperature")
+        np.testing.assert_allclose(level["potential_temperature"], 250 * 2**0.2857, rtol=1e-5)
+
     def test_levels_in_any_order_give_one_mesh(self):
         dataset = isothermal(LON, LAT)
         dataset["cc"] = (("plev", "lat", "lon"), np.random.default_rng(1).random(dataset.ta.shape), {"units": "1"})

@@ -104,6 +104,14 @@ class Shells(unittest.TestCase):
         grid = self.check(mpas(), 642, 0.02)
         self.assertEqual(set(grid.celltypes), {15, 16})
 
+    def test_one_level_is_hidden_by_its_pressure_alone(self):
+        levels = mpas()[["where", "verticesOnCell", "nEdgesOnCell", "lonVertex", "latVertex", "lonCell", "latCell"]].isel(nVertLevels=0)
+        levels = levels.assign(ps=("nCells", np.full(642, 8e4), {"standard_name": "surface_air_pressure", "units": "Pa"}),
+                               orog=("nCells", np.full(642, 1500.0), {"standard_name": "surface_altitude", "units": "m"}))
+        for pressure, hidden in ((500.0, 0), (850.0, 1), (None, 0)):
+            dataset = levels if pressure is None else levels.assign_coords(plev=((), pressure, {"units": "hPa", "standard_name": "air_pressure"}))
+            self.assertEqual(set(dataset.nephoscope.globe().cell_data["BelowGround"]), {hidden})
+
     def test_faces_and_nodes_of_ugrid(self):
         mesh, (lon, lat), (x, y) = ugrid()
         self.check(xr.Dataset(mesh | fields(lon, lat, "face")), 648, 0.02)

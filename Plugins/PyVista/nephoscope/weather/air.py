@@ -64,7 +64,7 @@ class Air:
         """Pa."""
         reading = self.reading
         if reading.vertical is None:
-            return None
+            return None if reading.level_pressure is None else np.full(reading.horizontal.shape, reading.level_pressure)
         if reading.vertical.kind == "pressure":
             return self._columns(reading.levels())
         if reading.has("pressure"):

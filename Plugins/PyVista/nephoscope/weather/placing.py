@@ -38,12 +38,18 @@ def place(reading: Reading, air: Air, variables: Sequence[str] | None, extra: di
     height = HEIGHT
     if reading.vertical and reading.vertical.kind in ("depth", "ocean sigma"):
         options, height = {"mask_below_ground": False, **options}, HEIGHT if reading.horizontal.missing is not None or reading.vertical.kind == "ocean sigma" else False
+    ground = ground_mesh(reading, air)
+    hides = reading.vertical is not None or ground is not None and "sp" in ground.point_data
+    if not hides:  # one level is drawn at the height 0, which tells nothing: only its pressure does, if it is known
+        options, ground = {**options, "mask_below_ground": False}, None
     choose_active_scalars(mesh)
     if "units" in mesh.field_data:
         mesh.field_data.remove("units")
     calm = _without_wind(mesh, names)
     grid = to_globe(mesh, height=height, height_units="m", wind=names or False, vertical_wind_is_omega=False, wind_components="east-north", level_units=_level_units(reading),
-                    surface=ground_mesh(reading, air), **options)
+                    surface=ground, **options)
+    if not hides:
+        grid.point_data["BelowGround"] = np.zeros(grid.n_points, np.uint8)
     del grid.point_data[HEIGHT]
     _forget_wind(grid, names, calm)
     return grid
@@ -123,6 +129,8 @@ def structure(reading: Reading, air: Air) -> tuple[pyvista.DataSet, np.ndarray]:
         heights = np.where(reading.horizontal.missing, np.nan, heights)
     order = order_of(reading, heights)
     levels = reading.levels()[order] if reading.vertical and reading.vertical.kind in ("pressure", "depth") else np.arange(len(order), dtype=float)
+    if reading.level_pressure is not None:
+        levels = np.array([reading.level_pressure])
     mesh = _mesh(reading, levels)
     add(mesh, HEIGHT, heights, order)
     return mesh, order
@@ -197,12 +205,12 @@ def _add_winds(mesh: pyvista.DataSet, reading: Reading, air: Air, order: np.ndar
 
 
 def _level_units(reading: Reading) -> str:
-    return "Pa" if reading.vertical and reading.vertical.kind == "pressure" else "m"
+    return "Pa" if reading.level_pressure is not None or reading.vertical and reading.vertical.kind == "pressure" else "m"
 
 
 def ground_mesh(reading: Reading, air: Air) -> pyvista.DataSet | None:
     """One level with the pressure, height and land fraction of the ground, as far as they are available."""
-    on_pressures = reading.vertical is not None and reading.vertical.kind == "pressure"
+    on_pressures = _level_units(reading) == "Pa"
     arrays = {"sp": air.surface_pressure if on_pressures else None, "orog": air.terrain, "lsm": reading.role("land") if reading.has("land") else None}
     arrays = {name: values for name, values in arrays.items() if values is not None}
     if not {"sp", "orog"} & set(arrays):

@@ -148,6 +148,8 @@ def _add_winds(data, reading: Reading, air: Air, heights, order, spread, planet)
 
 def _hide(grid, data, reading: Reading, air: Air, heights, order, spread, mask: bool, on_corners: bool) -> None:
     below = ~np.isfinite(heights)
+    if mask and reading.level_pressure is not None and air.surface_pressure is not None:
+        below |= reading.level_pressure > air.surface_pressure
     if mask and reading.vertical is not None:
         if reading.vertical.kind == "pressure" and air.surface_pressure is not None:
             below |= air.pressure > air.surface_pressure

@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import warnings
 from collections import Counter
+from functools import cached_property
 
 import numpy as np
 
@@ -16,7 +17,7 @@ from .roles import FIELDS, ROLES, SURFACE, candidates, quantity_of
 from .stagger import to_centres
 from .times import choose_time, is_member, time_dims
 from .units import converted
-from .vertical import VerticalError, find_vertical, level_values
+from .vertical import VerticalError, find_vertical, level_values, pressure_of_level
 
 OTHER_HORIZONTAL = ("surface", "hybrid", "sigma", "unknown")  # typeOfLevel of variables on the ground; lnsp is said to be on a hybrid level
 
@@ -213,6 +214,11 @@ class Reading:
         values, note = converted(self.values(name), self.dataset[name].attrs.get("units"), quantity, name)
         self.note(note)
         return values, quantity
+
+    @cached_property
+    def level_pressure(self) -> float | None:
+        """Pa, of fields of one level without a vertical axis; None if it is unknown."""
+        return pressure_of_level(self.dataset) if self.vertical is None else None
 
     def levels(self) -> np.ndarray:
         found = level_values(self.dataset, self.vertical)

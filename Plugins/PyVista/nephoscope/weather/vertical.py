@@ -151,6 +151,17 @@ def level_values(dataset, vertical: Vertical) -> np.ndarray:
     return -found if vertical.kind == "depth" else found
 
 
+def pressure_of_level(dataset) -> float | None:
+    """The pressure in Pa of the one level that a selection leaves, ``ds.sel(plev=850)``, from its coordinate without a dimension; None if there is none."""
+    for name, coordinate in dataset.coords.items():
+        if coordinate.ndim == 0 and coordinate.dtype.kind in "fiu":
+            alone = type(dataset)(coords={name: ((name,), np.ravel(coordinate.values), coordinate.attrs)})
+            found = find_vertical(alone, [str(name)], None)
+            if found is not None and found.kind == "pressure":
+                return float(level_values(alone, found)[0])
+    return None
+
+
 def _terms(variable) -> str:
     return str(variable.attrs.get("formula_terms", variable.attrs.get("formula_term", "")))  # GFDL's files of CMIP6 omit the s
 
