@@ -127,10 +127,11 @@ HazePlacement::HazePlacement(vtkHaze* haze, const HazeScene& scene)
     : told || scene.IsEmpty()                      ? airHeight
     : this->OnGlobe                                ? coarseness * this->Radius
                     : std::max((high - low) / heightsInScene, width / heightsInWidth);
-  this->ScaleHeight = (height > 0 ? height : 1) *
-    (haze->GetVerticalExaggeration() > 0 ? haze->GetVerticalExaggeration()
-        : scene.VerticalExaggeration > 0 ? scene.VerticalExaggeration
-                                         : 1);
+  const bool asDisplayed = haze->GetScaleHeight() <= 0 && overFlatGround; // a share of the scene
+  const double exaggeration = haze->GetVerticalExaggeration() > 0 ? haze->GetVerticalExaggeration()
+    : scene.VerticalExaggeration > 0 && !asDisplayed              ? scene.VerticalExaggeration
+                                                                  : 1;
+  this->ScaleHeight = (height > 0 ? height : 1) * exaggeration;
   const double visibility = std::max(visibleHeights * this->ScaleHeight, visibleWidths * width);
   this->Extinction =
     haze->GetVisibility() > 0 ? haze->GetExtinction() : visibilityTimesExtinction / visibility;

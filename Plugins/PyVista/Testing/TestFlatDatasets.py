@@ -174,6 +174,92 @@ class FlatDatasets(unittest.TestCase):
         sheet = pyvista.Plane(center=(500, 0, 250), i_size=1000, j_size=600)
         nephoscope.add_cloud_texture(self.plotter(), sheet, density_volume=dataset.ql)
 
+    def test_the_air_may_be_profiles_of_a_base_state(self):
+        """Temperature and pressure along z alone, in any units and on faces; potential temperature and density stand for them."""
+        t, p = 290 - 0.0065 * Z, 1e5 * np.exp(-Z / 8000)
+        theta, rho = t * (1e5 / p) ** 0.2857, p / (287.05 * t)
+        whole = {name: (("z", "y", "x"), np.broadcast_to(values[:, None, None], field()[0].shape), {"units": units}) for name, values, units in (("T", t, "K"), ("p", p, "Pa"))}
+        expected = nephoscope.cloud_optics(simulation(**whole))["Extinction"]
+        faces = np.append(Z - 25, Z[-1] + 25)
+        for air in ({"T": ("z", t, {"units": "K"}), "p": ("z", p, {"units": "Pa"})},
+                    {"T0": ("z", t - 273.15, {"units": "degC"}), "p_ref": ("z", p / 100, {"units": "hPa"})},
+                    {"theta": ("z", theta, {"units": "K"}), "pres": ("z", p / 1000, {"units": "kPa"})},
+                    {"thref": ("z", theta, {"units": "K"}), "rho0": ("z", rho, {"units": "kg m-3"})},
+                    {"TABS": ("z", t, {"units": "K"}), "rho": ("z", rho, {"units": "kg/m3"}), "p": whole["p"][:1] + (whole["p"][1] - 1e5, {"units": "Pa"})},
+                    {"T": ("zh", 290 - 0.0065 * faces, {"units": "K"}), "p": ("z", p, {"units": "Pa"})}):
+            dataset = simulation(**air)
+            for its in (dataset, dataset.isel(z=slice(None, None, -1)) if "zh" not in dataset.dims else dataset):
+                with self.subTest(tuple(air)), warnings.catch_warnings():
+                    warnings.simplefilter("error")
+                    np.testing.assert_allclose(nephoscope.cloud_optics(its)["Extinction"], expected, rtol=2e-3, atol=1e-9)
+        dataset = simulation(T=("z", t, {"units": "K"}), p=("z", p, {"units": "Pa"}), lwp=(("y", "x"), np.ones((len(Y), len(X)))), shf=3.0)
+        for line in ("temperature: 'T', a profile along z (K), the same in every column", "pressure: 'p', a profile along z", "left out: 'lwp' (y, x), 'shf' (one value)"):
+            self.assertIn(line, dataset.nephoscope.describe())
+        self.assertNotIn("left out", simulation().nephoscope.describe())
+        with self.assertRaisesRegex(ValueError, r"'T' has the dimension 'z' alone.*ds\['T'\].plot"):
+            dataset.nephoscope.plot("T")
+        nephoscope.add_cells(self.plotter(), dataset, sun=(1, -1, 1))
+
+    def test_the_standard_atmosphere_where_the_air_is_missing(self):
+        air = nephoscope.weather.columns.standard_air
+        np.testing.assert_allclose(air(np.array([0.0, 5000, 11000, 20000, 32000])), [[101325, 54020, 22632, 5474.9, 868.02], [288.15, 255.65, 216.65, 216.65, 228.65]], rtol=1e-4)
+        p, t = air(Z)
+        full = nephoscope.cloud_optics(simulation(T=("z", t, {"units": "K"}), p=("z", p, {"units": "Pa"})))["Extinction"]
+        warm = nephoscope.cloud_optics(simulation(T=("z", t + 10, {"units": "K"}), p=("z", p, {"units": "Pa"})))["Extinction"]
+        for dataset, missing, expected in ((simulation(), "no temperature and no pressure", full), (simulation(T=("z", t, {"units": "K"})), "no pressure", full),
+                                           (simulation(p=("z", p, {"units": "Pa"})), "no temperature", full), (simulation(T=("z", t + 10, {"units": "K"})), "no pressure", warm)):
+            for factor in (1, 3):
+                with self.assertWarnsRegex(UserWarning, f"The grid has {missing}: taken from the standard atmosphere"):
+                    optics = dataset.nephoscope.grid(vertical_exaggeration=factor).nephoscope.cloud_optics()
+                np.testing.assert_allclose(optics["Extinction"] * factor, expected, rtol=2e-3)
+        self.assertFalse([name for name in optics.array_names if "FlatGrid" in name and name in optics.point_data])
+        content = simulation()
+        content["ql"].attrs["units"] = "kg/m3"
+        with warnings.catch_warnings():
+            warnings.simplefilter("error")
+            nephoscope.cloud_optics(content)  # needs no air
+        with self.assertRaisesRegex(RuntimeError, "There is no array of cloud water: [^F]*$"):
+            nephoscope.cloud_optics(simulation().place)
+        with self.assertRaisesRegex(RuntimeError, "no temperature"):
+            nephoscope.cloud_optics(self.bare())
+
+    def bare(self):
+        mesh = simulation().nephoscope.grid()
+        mesh.clear_field_data()
+        return mesh
+
+    def test_exaggeration_keeps_the_vertical_optical_depth(self):
+        """As on globes: extinction is per metre of the picture."""
+        ones = xr.ones_like(simulation().ql)
+        air = simulation(T=(280 * ones).assign_attrs(units="K"), p=(8e4 * ones).assign_attrs(units="Pa"))
+        depths, shadows = [], []
+        for factor in (1, 5):
+            clouds = air.nephoscope.grid(vertical_exaggeration=factor).nephoscope.cloud_optics()
+            depths.append(clouds["ColumnOpticalDepth"].max())
+            shadows.append(clouds.nephoscope.sunlight((0, 0, 1), multiple_scattering=False)["SunTransmittance"].min())
+        np.testing.assert_allclose(depths[1], depths[0], rtol=1e-4)
+        np.testing.assert_allclose(shadows[1], shadows[0], rtol=1e-3)
+        plotter = self.plotter()
+        nephoscope.add_cells(plotter, air.nephoscope.grid(), "ql")
+        with self.assertWarnsRegex(RuntimeWarning, "exaggeration of the data is 5, .* is 1. .* in grid"):
+            nephoscope.add_cells(plotter, air.nephoscope.grid(vertical_exaggeration=5), "ql")
+
+    def test_haze_of_exaggerated_heights(self):
+        """A scale height that you give is exaggerated with the data; the default is a share of the scene as it is drawn."""
+        pictures = []
+        for factor, options in ((5, {}), (5, {"vertical_exaggeration": 1}), (5, {"scale_height": 100}), (1, {"scale_height": 500}), (1, {"scale_height": 100})):
+            plotter = self.plotter()
+            mesh = simulation().nephoscope.grid(vertical_exaggeration=factor)
+            stretched = mesh.copy()
+            stretched.spacing, stretched.origin = ([*mesh.spacing[:2], 250.0], [0, -400, 125])
+            plotter.add_mesh(stretched.outline())
+            nephoscope.add_haze(plotter, mesh, visibility=2000, **options)
+            plotter.view_vector((0, -1, 0))
+            pictures.append(plotter.screenshot(return_img=True).astype(int))
+        np.testing.assert_array_equal(pictures[0], pictures[1])
+        np.testing.assert_array_equal(pictures[2], pictures[3])
+        self.assertGreater(np.abs(pictures[3] - pictures[4]).max(), 20)
+
     def test_dimensions_of_series_and_species(self):
         series = simulation().expand_dims(time_series_600=[0.0, 600.0])
         self.check_places(series.nephoscope.grid(time=1))

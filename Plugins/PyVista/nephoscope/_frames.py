@@ -9,6 +9,7 @@ from typing import Any, Iterator
 import numpy as np
 import pyvista
 
+from ._fields import FLAT_GRID
 from .globe import lowest_middle
 
 HIDDEN = 0.1  # of the height of the data
@@ -31,6 +32,9 @@ def _shown(plotter: pyvista.BasePlotter) -> Iterator[pyvista.DataSet]:
 
 def _differences(data: pyvista.DataSet, other: pyvista.DataSet) -> Iterator[str]:
     here, there = (_number(mesh, "GlobeGridProjection") for mesh in (data, other))
+    scales = [_number(mesh, "VerticalExaggeration") for mesh in (data, other)]
+    if None not in scales and scales[0] != scales[1] and all(FLAT_GRID in mesh.field_data and mesh.bounds[5] > mesh.bounds[4] for mesh in (data, other)):
+        yield _other_scale(*scales, "grid")
     if here is None or there is None:
         return
     if here != there:
@@ -46,10 +50,13 @@ def _differences(data: pyvista.DataSet, other: pyvista.DataSet) -> Iterator[str]
         yield from _other_longitudes(data, other, radius)
     elif not _has_height(other):
         yield from _hidden_cells(data, other)
-    scales = [_number(mesh, "VerticalExaggeration") for mesh in (data, other)]
     if None not in scales and scales[0] != scales[1] and all(_has_height(mesh) for mesh in (data, other)):
-        yield (f"The vertical exaggeration of the data is {scales[0]:g}, but that of the data shown already is {scales[1]:g}. "
-               "Use the same vertical_exaggeration in to_globe for both.")
+        yield _other_scale(*scales, "to_globe")
+
+
+def _other_scale(here: float | None, there: float | None, function: str) -> str:
+    return (f"The vertical exaggeration of the data is {here:g}, but that of the data shown already is {there:g}. "
+            f"Use the same vertical_exaggeration in {function} for both.")
 
 
 def _other_longitudes(data: pyvista.DataSet, other: pyvista.DataSet, radius: float) -> Iterator[str]:

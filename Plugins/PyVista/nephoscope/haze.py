@@ -10,6 +10,7 @@ import pyvista
 from . import vtkHaze
 from ._checks import choose, require_number
 from ._exports import warn_when_exported
+from ._fields import FLAT_GRID
 from ._methods import wrap_method
 from ._typing import Numbers
 from .light import PROJECTIONS, direction_of
@@ -78,6 +79,8 @@ def add_haze(plotter: pyvista.Plotter, mesh: pyvista.DataSet | None = None, *, v
         If a number or a choice is out of range.
     """
     told = _told_by(mesh)
+    if mesh is not None and FLAT_GRID in mesh.field_data and scale_height is None:
+        told.pop("exaggeration", None)  # the default is a share of the scene as it is displayed
     haze = vtkHaze()
     projection = told.get("projection") if projection is None else projection
     if projection is not None:

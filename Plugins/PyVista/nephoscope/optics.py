@@ -3,16 +3,20 @@
 """Extinction of clouds from the water of a weather model (`vtkCloudOptics`)."""
 from __future__ import annotations
 
+import re
 from typing import Callable, Literal
 
+import numpy as np
 import pyvista
 from vtkmodules.vtkCommonDataModel import vtkDataSet
 
 from . import vtkCloudOptics
 from ._checks import arrays_of, choose, require_number
+from ._fields import FLAT_GRID
 from ._from_xarray import meshed
 from ._pipeline import set_input, vtk_messages
 from ._typing import AnyMesh, Mesh
+from .weather.flat_air import FlatAir
 
 
 def _names(say: Callable[[str], str]) -> dict[str, str]:
@@ -47,8 +51,10 @@ def cloud_optics(mesh: AnyMesh, water: str = "", *, liquid: str = "", ice: str =
     liquid, ice, rain, snow : str, optional
         Cloud liquid, cloud ice, rain and snow.
     temperature, pressure, cloud_fraction, land, height : str, optional
-        Temperature (K), pressure (Pa or hPa), cloud fraction and land fraction (0 to 1), height (m). Without a pressure array, the pressure
-        is in hydrostatic balance with the heights of a structured grid, and for other meshes that of the standard atmosphere at their heights.
+        Temperature (K, or °C if its units say so), pressure (Pa or hPa), cloud fraction and land fraction (0 to 1), height (m). Without a pressure array,
+        the pressure is in hydrostatic balance with the heights of a structured grid, and for other meshes that of the standard atmosphere at their
+        heights. In a mesh of ``dataset.nephoscope.grid()``, potential temperature and density are used too, z is the height, and the standard atmosphere
+        gives what is missing, with a warning.
     units : {"automatic", "kg/kg", "g/kg", "kg/m3", "g/m3"}, default: "automatic"
         Units of the water. Automatic: those in the file, otherwise kg/kg.
     liquid_radius, ice_radius : float, optional
@@ -76,6 +82,8 @@ def cloud_optics(mesh: AnyMesh, water: str = "", *, liquid: str = "", ice: str =
     -----
     RuntimeWarning
         If water has negative or missing values.
+    UserWarning
+        If the standard atmosphere gives the temperature or the pressure.
     """
     options = dict(locals())
     return optics_of(options.pop("mesh"), str, **options)
@@ -85,9 +93,45 @@ def optics_of(mesh: pyvista.DataSet, say: Callable[[str], str], water: str, liqu
               cloud_fraction: str, land: str, height: str, units: str, liquid_radius: float | None, ice_radius: float | None,
               droplets_over_land: float, droplets_over_sea: float) -> pyvista.DataSet:
     """`cloud_optics`; messages call its arguments `say(name)`."""
-    mesh = meshed(mesh)
+    options = dict(locals())
+    mesh, say = meshed(options.pop("mesh")), options.pop("say")
     if not isinstance(mesh, vtkDataSet):
         raise TypeError(f"mesh is a {type(mesh).__name__}; it must be a pyvista dataset.")
+    mesh = pyvista.wrap(mesh)
+    if FLAT_GRID not in mesh.field_data or height:
+        return _filtered(mesh, say, **options)
+    air = FlatAir(mesh)
+    try:
+        return _with_air(air, False, say, options)
+    except RuntimeError as problem:
+        missing = str(problem)
+        if "There is no temperature" not in missing and "There is no pressure" not in missing:
+            raise
+    result = _with_air(air, True, say, options)
+    air.warn(missing)
+    return result
+
+
+def _with_air(air: FlatAir, complete: bool, say: Callable[[str], str], options: dict) -> pyvista.DataSet:
+    """The optics with arrays of the air besides those that the user has named."""
+    left_out = {name for name in ("temperature", "pressure") if options[name] == "none"}
+    used = {name: values for name, values in air.arrays(complete, left_out).items() if not options[name] or complete and name in left_out}
+    mesh = air.mesh.copy(deep=False)
+    for name, values in used.items():
+        air.data_of(mesh)[f"{FLAT_GRID}_{name}"] = values
+    names = {**{name: "none" for name in air.deviations() if not options[name]}, **{name: f"{FLAT_GRID}_{name}" for name in used}}
+    try:
+        result = _filtered(mesh, say, **{**options, **names})
+    except RuntimeError as problem:
+        raise RuntimeError(re.sub(rf", '{FLAT_GRID}_\w+'", "", str(problem))) from None
+    for name in used:
+        del air.data_of(result)[f"{FLAT_GRID}_{name}"]
+    return result
+
+
+def _filtered(mesh: pyvista.DataSet, say: Callable[[str], str], water: str, liquid: str, ice: str, rain: str, snow: str, temperature: str, pressure: str,
+              cloud_fraction: str, land: str, height: str, units: str, liquid_radius: float | None, ice_radius: float | None,
+              droplets_over_land: float, droplets_over_sea: float) -> pyvista.DataSet:
     optics = vtkCloudOptics()
     set_input(optics, mesh)
     arrays = {"water": (optics.SetTotalWaterArrayName, water), "liquid": (optics.SetLiquidArrayName, liquid), "ice": (optics.SetIceArrayName, ice),

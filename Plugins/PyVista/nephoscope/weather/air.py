@@ -8,12 +8,11 @@ from functools import cached_property
 import numpy as np
 
 from .._checks import listed
-from .columns import from_half_levels, geometric, geopotential_height, hypsometric, midpoints, standard_height, standard_temperature, virtual_temperature
+from .columns import KAPPA, from_half_levels, geometric, geopotential_height, hypsometric, midpoints, standard_height, standard_temperature, virtual_temperature
 from .reading import Reading
 from .units import GRAVITY, converted
 from .vertical import VerticalError, formula_terms, usual_coefficients
 
-KAPPA = 0.2857  # R/cp of dry air
 SEA_LEVEL = 101325.0  # Pa
 
 

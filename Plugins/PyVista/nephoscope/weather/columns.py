@@ -9,6 +9,7 @@ from .units import GRAVITY
 
 EARTH_RADIUS = 6371229.0  # metres, of the sphere that most models compute on
 GAS_CONSTANT = 287.05  # J/(kg K), of dry air
+KAPPA = 0.2857  # R/cp of dry air
 VAPOUR_RATIO = 0.622  # molar masses of water vapour and dry air
 
 
@@ -109,6 +110,17 @@ def standard_temperature(pressure: np.ndarray) -> np.ndarray:
     bases = np.array([layer[0] for layer in _LAYERS])
     layer = np.clip(np.searchsorted(bases, heights, side="right") - 1, 0, None)
     return np.array([entry[1] for entry in _LAYERS])[layer] + np.array([entry[2] for entry in _LAYERS])[layer] * (heights - bases[layer])
+
+
+def standard_air(height: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Pressure in Pa and temperature in K of the standard atmosphere at geopotential heights."""
+    height = np.asarray(height, dtype=float)
+    pressure, temperature = np.empty(height.shape), np.empty(height.shape)
+    for (z, t, rate), base in zip(_LAYERS, _bases()):
+        here = height >= z if z else np.full(height.shape, True)
+        temperature[here] = t + rate * (height[here] - z)
+        pressure[here] = base * _ratio(t, rate, height[here] - z)
+    return pressure, temperature
 
 
 def density(pressure: np.ndarray, virtual: np.ndarray) -> np.ndarray:

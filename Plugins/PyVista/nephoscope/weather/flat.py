@@ -7,6 +7,7 @@ import re
 import warnings
 from collections import Counter
 from dataclasses import dataclass
+from functools import cached_property
 
 import numpy as np
 
@@ -139,7 +140,7 @@ class Flat:
     def _dims(self, wanted) -> dict[str, tuple[str, object]]:
         """The dimensions of the `wanted` variables, otherwise those that most fields of the highest dimension have, by their letters."""
         fields = fields_of(self.dataset)
-        missing = [name for name in wanted or [] if name not in dict(fields)]
+        missing = [name for i, name in enumerate(wanted or []) if name not in dict(fields) and (i == 0 or name not in self.dataset.variables)]
         if missing:
             raise ValueError(f"variables: {listed(missing)} not among the fields of two or three dimensions: {listed([name for name, _ in fields])}.")
         fields = [(name, variable) for name, variable in fields if not wanted or name == wanted[0]]
@@ -213,6 +214,25 @@ class Flat:
         """The fields on the grid, including those that are averaged to it from faces."""
         return [name for name, variable in fields_of(self.dataset) if self._fits(variable)]
 
+    @cached_property
+    def profiles(self) -> dict[str, str]:
+        """Role -> variable along z alone: the air of a base state, the same in every column."""
+        if "z" not in self.axes or len(self.axes) < 2:
+            return {}
+        from .flat_air import air_roles
+        own = {axis.name for axis in self.axes.values()} | helpers(self.dataset)
+        along = [(str(name), variable) for name, variable in self.dataset.variables.items() if variable.dtype.kind in KINDS and name not in own and variable.ndim == 1
+                 and (variable.dims[0] == self.axes["z"].dim or variable.dims[0] not in self._own() and self._of_faces(str(variable.dims[0])) == "z")]
+        return air_roles(along)
+
+    def left_out(self) -> list[str]:
+        """Numeric variables that are neither on the grid nor profiles of its air."""
+        used = {*self.names(), *self.profiles.values(), *(axis.name for axis in self.axes.values()), *helpers(self.dataset), *self.dataset.dims}
+        return [str(name) for name, variable in self.dataset.data_vars.items() if variable.dtype.kind in KINDS and name not in used]
+
+    def _own(self) -> set[str]:
+        return {axis.dim for axis in self.axes.values()}
+
     def _fits(self, variable) -> bool:
         own = {axis.dim: letter for letter, axis in self.axes.items()}
         letters = [own.get(dim) or self._of_faces(str(dim)) for dim in variable.dims]
@@ -226,6 +246,8 @@ class Flat:
     def values(self, name: str) -> np.ndarray:
         """Values in the order z, y, x of the grid, upwards and with missing axes of length one."""
         from .stagger import to_centres
+        if name in self.profiles.values():
+            return self._profile(name)
         dims = [self.axes[letter].dim for letter in "zyx" if letter in self.axes]
         array, note = to_centres(self.dataset, self.dataset[name], dims)
         if note and note not in self.notes:
@@ -234,3 +256,9 @@ class Flat:
         for place, letter in enumerate(letter for letter in "zyx" if letter in self.axes):
             found = found.take(self.axes[letter].order, place)
         return found.reshape([len(self.axes[letter].values) if letter in self.axes else 1 for letter in "zyx"])
+
+    def _profile(self, name: str) -> np.ndarray:
+        from .stagger import to_centres
+        array, _ = to_centres(self.dataset, self.dataset[name], [self.axes["z"].dim])
+        shape = [len(self.axes[letter].values) if letter in self.axes else 1 for letter in "zyx"]
+        return np.broadcast_to(np.asarray(array.values)[self.axes["z"].order].reshape(-1, 1, 1), shape)

@@ -14,6 +14,7 @@ from .._checks import listed, require_number
 from .._fields import FLAT_GRID, choose_active_scalars
 from .._medium import association_of, default_scalars
 from .flat import Axis, Flat, fields_of
+from .flat_air import AIR, air_roles, mark_air
 from .picture import BESIDE, set_title
 from .placing import note_units
 from .roles import ROLES, candidates, quantity_of
@@ -31,12 +32,13 @@ def flat_mesh(flat: Flat, variables: Sequence[str] | None, vertical_exaggeration
     axes = [flat.axes.get(letter) for letter in "xyz"]
     lines = [np.zeros(1) if axis is None else axis.values * stretch.get(letter, 1) for letter, axis in zip("xyz", axes)]
     mesh = _image(lines, axes, stretch["z"]) or pyvista.RectilinearGrid(*lines)
-    mesh.field_data[FLAT_GRID] = [1]
+    mesh.field_data[FLAT_GRID], mesh.field_data["VerticalExaggeration"] = [1], [stretch["z"]]
     for name in _chosen(flat, variables):
         mesh.point_data[name] = _float(flat.values(name)).ravel()
         note_units(mesh, name, flat.dataset[name].attrs.get("units"))
     if variables is None:
         _add_wind(mesh, flat, stretch["z"])
+    mark_air(mesh, air_roles((name, flat.dataset[name]) for name in flat.names()), flat.profiles)
     choose_active_scalars(mesh)
     return mesh
 
@@ -57,7 +59,7 @@ def _float(values: np.ndarray) -> np.ndarray:
 
 
 def _chosen(flat: Flat, variables: Sequence[str] | None) -> list[str]:
-    there = flat.names()
+    there = [*flat.names(), *flat.profiles.values()]
     wanted = there if variables is None else [variables] if isinstance(variables, str) else list(variables)
     missing = [name for name in wanted if name not in there]
     if missing:
@@ -94,6 +96,8 @@ def flat_name(dataset, name: str) -> str:
     fields = dict(fields_of(dataset))
     if name in fields:
         return name
+    if name in dataset.variables and dataset[name].ndim == 1:
+        raise ValueError(f"{name!r} has the dimension {dataset[name].dims[0]!r} alone: plot it as a profile, ds[{name!r}].plot(). Fields to draw are: {listed(list(fields))}.")
     lower = name.lower()
     found = [field for field, variable in fields.items() if lower in (field.lower(), *(str(variable.attrs.get(key, "")).lower() for key in ("standard_name", "long_name")))]
     found = found or [field for role in ROLES.values() if lower == role.name or lower in role.names for field in candidates(role, fields.items())]
@@ -112,6 +116,9 @@ def described_flat(flat: Flat, dataset) -> str:
     lines += [f"{letter}: {axis.values[0]:g} to {axis.values[-1]:g} m{_spacing(axis)}" + (f" ({axis.name})" if axis.name else "") for letter, axis in flat.axes.items()]
     lines += [f"time: {flat.time_text or 'none'}" + (f" (of {len(times)}, to {times[-1]})" if len(times) > 1 else "")]
     lines += ["fields: " + ", ".join(f"{name!r}" + (f" ({units})" if (units := flat.dataset[name].attrs.get("units")) else "") for name in flat.names())]
+    lines += [f"{AIR[role].meaning}: {name!r}, a profile along z" + (f" ({units})" if (units := flat.dataset[name].attrs.get("units")) else "") + ", the same in every column"
+              for role, name in flat.profiles.items()]
+    lines += ["left out: " + ", ".join(f"{name!r} ({', '.join(map(str, flat.dataset[name].dims)) or 'one value'})" for name in flat.left_out())] if flat.left_out() else []
     winds = [name for name in _winds(flat) if name]
     lines += [f"wind: {listed(winds)}"] if winds else []
     return "\n".join(lines + [f"note: {note}" for note in [*(axis.note for axis in flat.axes.values() if axis.note), *flat.notes]])
