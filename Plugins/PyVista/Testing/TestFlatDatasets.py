@@ -152,6 +152,106 @@ class FlatDatasets(unittest.TestCase):
         with self.assertRaisesRegex(ValueError, "'place'"):
             dataset.nephoscope.plot("plaice")
 
+    def flow(self, **more):
+        """Rotation about the z axis, and a vertical wind from -1 to 4 m/s."""
+        up, north, east = np.meshgrid(Z, Y, X, indexing="ij")
+        parts = {"u": -1e-3 * north, "v": 1e-3 * east, "w": np.linspace(-1, 4, north.size).reshape(north.shape)}
+        return simulation(**{name: (("z", "y", "x"), values, {"units": "m/s"}) for name, values in parts.items()}, **more)
+
+    def test_computed_quantities(self):
+        dataset = self.flow(T=("z", 290 - 0.0065 * Z, {"units": "K"}), p=("z", 1e5 * np.exp(-Z / 8000), {"units": "Pa"}), qv=("z", 0.01 + 0 * Z, {"units": "kg/kg"}))
+        dataset["qv"] = dataset.qv.broadcast_like(dataset.ql).assign_attrs(units="kg/kg")
+        mesh = dataset.nephoscope.grid(derive=["wind_speed", "wind_magnitude", "vorticity", "potential_temperature", "relative_humidity", "cloud_content", "water_vapour"],
+                                       vertical_exaggeration=3)
+        x, y, z = (mesh.points / (1, 1, 3)).T
+        air = 1e5 * np.exp(-z / 8000) / (287.05 * (290 - 0.0065 * z))
+        for name, expected in (("wind_speed", 1e-3 * np.hypot(x, y)), ("wind_magnitude", np.linalg.norm(mesh["Wind"], axis=1)), ("vorticity", 2e-3 + 0 * x),
+                               ("potential_temperature", (290 - 0.0065 * z) * np.exp(0.2857 * z / 8000)), ("cloud_content", mesh["ql"] * air), ("water_vapour", 0.01 * air)):
+            np.testing.assert_allclose(mesh[name], expected, rtol=1e-3, atol=1e-6, err_msg=name)
+        self.assertTrue(0.5 < mesh["relative_humidity"].min() and mesh["relative_humidity"].max() < 2)
+        with tempfile.TemporaryDirectory() as folder:
+            for name, text in (("wind_speed", "Wind speed\n[m s-1]"), ("Wind", "Wind magnitude\n[m s-1]"), ("vorticity", "Vorticity\n[s-1]")):
+                for its in (dataset, dataset.isel(z=3)):
+                    plotter = its.nephoscope.plot(name, screenshot=str(Path(folder, "picture.png")), window_size=(200, 150))
+                    self.addCleanup(plotter.close)
+                    self.assertEqual([bar.GetTitle() for bar in plotter.scalar_bars.values()], [text])
+            self.assertEqual(pyvista.read(Path(folder, "picture.png")).dimensions[:2], (200, 150))
+        with self.assertRaisesRegex(ValueError, "'vortisity'. Did you mean 'vorticity'"):
+            dataset.nephoscope.plot("vortisity")
+        with self.assertRaisesRegex(ValueError, "vorticity needs the wind along x and along y"):
+            simulation().nephoscope.plot("vorticity")
+
+    def test_columns(self):
+        content = simulation()
+        content["ql"] = (content.ql * 0 + 1e-3).assign_attrs(units="g/m3")
+        column = content.nephoscope.column("ql")
+        self.assertEqual((column.dimensions, str(column.field_data["column_units"][0])), ((len(X), len(Y), 1), "kg m-2"))
+        np.testing.assert_allclose(column["column"], 1e-6 * (Z[-1] - Z[0]), rtol=1e-5)
+        np.testing.assert_allclose(content.isel(z=[0, 1, 4, 9]).nephoscope.column("ql")["column"], 1e-6 * (Z[-1] - Z[0]), rtol=1e-5)
+        p = 9.80665 * 100 * np.exp(-Z / 1e9) * 1000  # the density of 1 kg/m3
+        air = simulation(p=("z", p, {"units": "Pa"}), T=("z", p / 287.05, {"units": "K"}))
+        np.testing.assert_allclose(air.nephoscope.column()["column"].reshape(len(Y), len(X)), np.trapezoid(air.ql, Z, axis=0) if hasattr(np, "trapezoid") else np.trapz(air.ql, Z, axis=0), rtol=1e-4, atol=1e-9)
+        with self.assertWarnsRegex(UserWarning, "no temperature and no pressure: taken from the standard atmosphere"):
+            simulation().nephoscope.column()
+        for call, words in ((lambda: simulation().isel(y=2).nephoscope.column("ql"), "no axis y"), (lambda: simulation().nephoscope.column("qq"), "'qq' is neither 'cloud_content'"),
+                            (lambda: self.flow().nephoscope.column("u"), "units of 'u'.*mass fraction")):
+            with self.assertRaisesRegex(ValueError, words):
+                call()
+
+    def test_sections_have_the_colours_of_volumes_and_scales(self):
+        dataset = self.flow()
+        with tempfile.TemporaryDirectory() as folder:
+            for name, limits in (("w", (-4, 4)), ("ql", (0, float(dataset.ql.max())))):
+                colours = []
+                for its in (dataset, dataset.isel(y=4), dataset.isel(z=4)):
+                    plotter = its.nephoscope.plot(name, screenshot=str(Path(folder, "picture.png")), vertical_exaggeration=2, clim=limits)
+                    self.addCleanup(plotter.close)
+                    bar, = plotter.scalar_bars.values()
+                    table = bar.GetLookupTable()
+                    colours.append([[round(255 * part) for part in table.GetTableValue(i)[:3]] for i in (0, table.GetNumberOfTableValues() // 2, table.GetNumberOfTableValues() - 1)])
+                np.testing.assert_allclose(colours[1], colours[0], atol=1)
+                np.testing.assert_allclose(colours[2], colours[0], atol=1)
+            plotter = dataset.isel(y=4).nephoscope.plot("w", screenshot=str(Path(folder, "picture.png")), vertical_exaggeration=2)
+            self.addCleanup(plotter.close)
+            low, high = plotter.scalar_bars["w"].GetLookupTable().GetTableRange()
+            self.assertAlmostEqual(low, -high)
+            scales = plotter.renderer.cube_axes_actor
+            self.assertEqual((scales.GetXTitle(), scales.GetZTitle()), ("x [m]", "z [m]"))
+            np.testing.assert_allclose(scales.GetZAxisRange(), (Z[0], Z[-1]))
+            with self.assertRaisesRegex(ValueError, "sun: an option of volumes"):
+                dataset.isel(y=4).nephoscope.plot(sun=(1, 0, 1), screenshot=str(Path(folder, "none.png")))
+            lit = simulation(T=("z", 290 - 0.0065 * Z, {"units": "K"}), p=("z", 1e5 * np.exp(-Z / 8000), {"units": "Pa"}))
+            plotter = lit.nephoscope.plot(sun=(1, 0, 1), exposure=1, screenshot=str(Path(folder, "picture.png")))
+            self.addCleanup(plotter.close)
+            self.assertIn("Sunlight", [getattr(actor.mapper, "array_name", "") for actor in plotter.renderer.actors.values() if isinstance(actor, pyvista.Volume)]
+                          + [name for actor in plotter.renderer.actors.values() if isinstance(actor, pyvista.Volume) for name in actor.mapper.dataset.array_names])
+            self.assertGreater(pyvista.read(Path(folder, "picture.png"))["PNGImage"].reshape(800, 800, -1)[400, 380, :3].max(), 100)
+
+    def test_films_take_the_look_of_plots(self):
+        series = xr.concat([simulation(), simulation() * 2], "time").assign_coords(time=[0.0, 60.0])
+        series["ql"].attrs["units"] = "kg/kg"
+        for its in (series, series.isel(z=4)):
+            plotter = pyvista.Plotter(off_screen=True, window_size=(120, 100))
+            self.addCleanup(plotter.close)
+            film = nephoscope.animate(plotter, its, "ql", clim=(0, 3e-3), cmap="viridis", opacity=0.5)
+            self.addCleanup(film.close)
+            bar, = plotter.scalar_bars.values()
+            self.assertEqual(bar.GetLookupTable().GetTableRange(), (0, 3e-3))
+        with self.assertRaisesRegex(TypeError, "clim: an option for the field"):
+            nephoscope.animate(self.plotter(), series, lambda plotter, mesh: None, clim=(0, 1))
+        with self.assertRaisesRegex(TypeError, "no option 'sun'"):
+            nephoscope.animate(self.plotter(), series, "ql", sun=(1, 0, 1))
+
+    def test_small_faults_are_told(self):
+        with self.assertRaisesRegex(ValueError, r"no 3-D cells. It is one level or section: .*\.plot\(\)"):
+            nephoscope.add_cells(self.plotter(), simulation().isel(z=2), "ql")
+        repeated = simulation().isel(z=[0, 1, 1, 2, 3])
+        with self.assertWarnsRegex(UserWarning, "'z' repeats values: .* 1 are left out"):
+            self.assertEqual(repeated.nephoscope.grid().dimensions[2], 4)
+        lit = simulation(T=("z", 290 - 0.0065 * Z, {"units": "K"}), p=("z", 1e5 * np.exp(-Z / 8000), {"units": "Pa"}))
+        image = nephoscope.satellite_image(lit, sun=(0, 0, 1), size=(20, 20))
+        self.assertGreater(image.reflectance.max(), 0.2)
+
     def test_functions_that_take_a_mesh(self):
         dataset = simulation()
         for data in (dataset, dataset.ql):

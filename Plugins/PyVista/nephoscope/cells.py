@@ -11,6 +11,7 @@ import pyvista
 from . import vtkCellCompositingMapper
 from ._blocks import cell_dimension
 from ._checks import choose, renamed_argument
+from ._fields import FLAT_GRID
 from ._medium import Functions, MediumMapper, add_medium, require_dataset, require_plotter, scalar_array
 from ._options import group, refuse_unknown
 from ._surfaces import CONTOUR_NAMES, POLYGON_NAMES, Contours, Layers, Polygons
@@ -233,6 +234,8 @@ def _solid_grid(grid: Any, arrays: Mapping[str, Any]) -> pyvista.DataSet:
     if grid.n_cells == 0:
         raise ValueError(f"grid, a {type(grid).__name__} of {grid.n_points} points, has no cells.")
     if cell_dimension(grid) < 3:
+        is_weather = FLAT_GRID in grid.field_data or "GlobeGridProjection" in grid.field_data
         raise ValueError(f"grid, a {type(grid).__name__} of {grid.n_cells} cells, has no 3-D cells. "
-                         "Volumes need tetrahedra, hexahedra, voxels, wedges, pyramids or polyhedra.")
+                         + ("It is one level or section: draw it by dataset.nephoscope.plot(), or as a surface, plotter.add_mesh(dataset.nephoscope.mesh())." if is_weather else
+                            "Volumes need tetrahedra, hexahedra, voxels, wedges, pyramids or polyhedra."))
     return grid

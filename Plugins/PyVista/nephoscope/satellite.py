@@ -14,7 +14,8 @@ from vtkmodules.vtkRenderingCore import vtkCamera
 
 from . import light_image, tone
 from ._checks import require_array, require_number
-from ._typing import Numbers
+from ._from_xarray import meshed
+from ._typing import AnyMesh, Numbers
 from .light import lit
 
 GEOSTATIONARY_RADII = 42164.0 / 6378.137  # distance of the satellite from the centre of the planet
@@ -101,13 +102,13 @@ def _netcdf(path: str) -> Any:
         return netcdf_file(path, "w", version=2)
 
 
-def satellite_image(mesh: pyvista.DataSet, view: str | Numbers = "automatic", *, sun: Any = None, size: Sequence[int] = (800, 800),
+def satellite_image(mesh: AnyMesh, view: str | Numbers = "automatic", *, sun: Any = None, size: Sequence[int] = (800, 800),
                     longitude: float | None = None, ground_albedo: float | np.ndarray = 0.1) -> SatelliteImage:
     """Image clouds as a satellite does: reflectances in floating point, without tone mapping, and their positions.
 
     Parameters
     ----------
-    mesh : pyvista.DataSet
+    mesh : pyvista.DataSet, xarray.Dataset or xarray.DataArray
         Clouds with water, with an extinction, or already lit by `sunlight`.
     view : {"automatic", "geostationary", "nadir"} or sequence of 3 float
         ``"geostationary"``: from 42164 km above the centre of a globe, over the equator at `longitude`. ``"nadir"``: every position from straight above; a
@@ -135,6 +136,7 @@ def satellite_image(mesh: pyvista.DataSet, view: str | Numbers = "automatic", *,
     ValueError
         If an argument is out of range, or there is no light.
     """
+    mesh = meshed(mesh)
     if not isinstance(mesh, vtkDataSet):
         raise TypeError(f"mesh is a {type(mesh).__name__}; it must be a pyvista dataset.")
     if len(size) != 2 or min(size) < 1:

@@ -17,7 +17,9 @@ if TYPE_CHECKING:
     from .series import Series
 
 
-FLAT = ("time", "variables", "x", "y", "z", "vertical_exaggeration")  # options of grid
+FLAT = ("time", "variables", "x", "y", "z", "vertical_exaggeration", "derive")  # options of grid
+LOOK = ("opacity", "cmap", "clim", "log_scale")  # of a picture
+LOOK_OF_FLAT = (*LOOK, "preset", "sun", "exposure", "tone_mapping", "opacity_scale", "opacity_unit_distance")
 GLOBE = ("time", "variables", "vertical", "derive")  # options of globe itself
 
 
@@ -49,8 +51,9 @@ class WeatherAccessor:
         if name is None:
             return None, options
         if self._is_flat(options):
-            from .flat_mesh import flat_name
-            return flat_name(self._dataset, name), {"variables": [flat_name(self._dataset, name)], **options}
+            from .flat_mesh import flat_field
+            found, more = flat_field(self._dataset, name)
+            return found, {**more, **options} if not {"variables", "derive"} & set(options) else options
         from .naming import named
         roles, _ = _options(options)
         found, more = named(self._understood(0 if time is None else time, options.get("vertical"), roles)[0], name)
@@ -95,10 +98,11 @@ class WeatherAccessor:
         return place(reading, air, variables, derived(derive, reading, air), rest)
 
     def grid(self, *, time: int | str | np.datetime64 | None = None, variables: Sequence[str] | None = None, x: str | None = None, y: str | None = None,
-             z: str | None = None, vertical_exaggeration: float = 1.0) -> pyvista.ImageData | pyvista.RectilinearGrid:
+             z: str | None = None, vertical_exaggeration: float = 1.0, derive: str | Sequence[str] = ()) -> pyvista.ImageData | pyvista.RectilinearGrid:
         """Make the mesh of one time step on a flat grid, for data whose x, y and z are lengths: large-eddy simulations and cloud-resolving models.
 
-        Points are in metres, where the dataset has them, and fields are on the points. Fields on faces (Arakawa C) are averaged to the centres.
+        Points are in metres, where the dataset has them, and fields are on the points. Fields on faces (Arakawa C) are averaged to the centres. Temperature,
+        pressure and density may be profiles along z (a base state); they become fields that are the same in every column.
 
         Parameters
         ----------
@@ -111,6 +115,9 @@ class WeatherAccessor:
             the values are taken as metres, without a coordinate the points are 1 m apart; `describe` reports this.
         vertical_exaggeration : float, default: 1.0
             Multiplies heights, > 0. If it is not 1, ``DisplayVelocity`` is the wind in the exaggerated space.
+        derive : str or sequence of str, optional
+            Quantities to compute: ``"wind_speed"`` (horizontal, m/s), ``"wind_magnitude"`` (with the vertical part, m/s), ``"vorticity"`` (its upward part, 1/s),
+            ``"potential_temperature"`` (K), ``"relative_humidity"`` (1), ``"cloud_content"`` and ``"water_vapour"`` (kg/m3).
 
         Returns
         -------
@@ -124,7 +131,7 @@ class WeatherAccessor:
         """
         from .flat import Flat
         from .flat_mesh import flat_mesh
-        return flat_mesh(Flat(self._dataset, time=time, variables=variables, names={"x": x, "y": y, "z": z}), variables, vertical_exaggeration)
+        return flat_mesh(Flat(self._dataset, time=time, variables=variables, names={"x": x, "y": y, "z": z}), variables, vertical_exaggeration, derive)
 
     def mesh(self, **options: Any) -> pyvista.DataSet:
         """Make the mesh of one time step: `grid` if x and y are lengths, otherwise `globe`. Functions that take a mesh, such as `nephoscope.add_cells`,
@@ -161,21 +168,23 @@ class WeatherAccessor:
         return Series(self._dataset, heights=heights, **options)
 
     def column(self, quantity: str = "cloud_content", *, time: int | str | np.datetime64 | None = None, vertical: str | None = None,
-               **options: Any) -> pyvista.StructuredGrid | pyvista.UnstructuredGrid:
+               **options: Any) -> pyvista.DataSet:
         """Integrate a quantity over height, for drawing on a map or on the ground of a globe.
 
         Parameters
         ----------
         quantity : str, default: "cloud_content"
-            ``"cloud_content"``, ``"water_vapour"``, or a variable that is a mass fraction.
+            ``"cloud_content"``, ``"water_vapour"``, or a variable that is a mass fraction; on a flat grid also one in kg/m3 or g/m3.
         time, vertical, **options
-            As in `globe`; heights are 0.
+            As in `globe`; for a flat grid ``time``, ``x``, ``y`` and ``z``, as in `grid`. Heights are 0.
 
         Returns
         -------
-        pyvista.StructuredGrid or pyvista.UnstructuredGrid
+        pyvista.DataSet
             One level, with the array ``column`` in kg/m2.
         """
+        if self._is_flat(options):
+            return self._flat_column(quantity, time, options)
         from .derived import column_of
         from .placing import place_sheet
         roles, rest = _options(options)
@@ -206,7 +215,7 @@ class WeatherAccessor:
         return terrain_surface(ground_mesh(reading, air), "orog", **rest)
 
     def plot(self, scalars: str | None = None, *, time: int | str | np.datetime64 | None = None, screenshot: str | None = None, vertical_exaggeration: float | None = None,
-             opacity: Any = None, cmap: Any = None, clim: float | Numbers | None = None, **options: Any) -> pyvista.Plotter:
+             opacity: Any = None, cmap: Any = None, clim: float | Numbers | None = None, window_size: Sequence[int] = (800, 800), **options: Any) -> pyvista.Plotter:
         """Draw one field as a volume over the Earth, in a window or into a file; a field of one level as a surface with coasts.
 
         With ``projection="map"`` the picture is a map, seen from above with north up. Data whose x and y are lengths are drawn flat; see `grid`.
@@ -224,8 +233,11 @@ class WeatherAccessor:
             Multiplies heights. Default: 30, and 1 for a flat grid.
         opacity, cmap, clim : optional
             As in `nephoscope.add_cells`.
+        window_size : sequence of 2 int, default: (800, 800)
+            Width and height of the picture in pixels.
         **options
-            Those of `globe` or, for a flat grid, of `grid`.
+            Those of `globe` or, for a flat grid, of `grid`, and for a flat grid ``log_scale``, ``preset``, ``sun``, ``exposure``, ``tone_mapping``,
+            ``opacity_scale`` and ``opacity_unit_distance`` of `nephoscope.add_cells`. The sun lights all clouds, whatever `scalars` are.
 
         Returns
         -------
@@ -236,25 +248,36 @@ class WeatherAccessor:
         from .picture import plotted
         look = {k: v for k, v in {"opacity": opacity, "cmap": cmap, "clim": clim}.items() if v is not None}
         if self._is_flat(options):
-            return self._plotted_flat(scalars, screenshot, look, {"time": time, "vertical_exaggeration": 1.0 if vertical_exaggeration is None else vertical_exaggeration, **options})
-        refuse_unknown("plot", options, (*GLOBE, "screenshot", "scalars", "opacity", "cmap", "clim"))
+            look |= {name: options.pop(name) for name in LOOK_OF_FLAT if name in options}
+            return self._plotted_flat(scalars, screenshot, window_size, look, {"time": time, "vertical_exaggeration": 1.0 if vertical_exaggeration is None else vertical_exaggeration, **options})
+        refuse_unknown("plot", options, (*GLOBE, "screenshot", "scalars", "opacity", "cmap", "clim", "window_size"))
         scalars, options = self._of_field(scalars, time, options)
         grid = self.globe(time=time, vertical_exaggeration=30.0 if vertical_exaggeration is None else vertical_exaggeration, **options)
-        return plotted(grid, scalars, screenshot, look, lambda name: title(self._dataset, grid, name))
+        return plotted(grid, scalars, screenshot, look, lambda name: title(self._dataset, grid, name), window_size)
 
     def _is_flat(self, options: dict[str, Any]) -> bool:
         from .flat import is_flat
         return bool({"x", "y", "z"} & set(options)) or is_flat(self._dataset)
 
-    def _plotted_flat(self, scalars: str | None, screenshot: str | None, look: dict[str, Any], options: dict[str, Any]) -> pyvista.Plotter:
-        from .flat_mesh import plotted_flat
+    def _plotted_flat(self, scalars: str | None, screenshot: str | None, window_size: Sequence[int], look: dict[str, Any], options: dict[str, Any]) -> pyvista.Plotter:
+        from .flat_picture import plotted_flat
         from .naming import title
         unknown = [name for name in options if name not in FLAT]
         if unknown:
-            raise TypeError(f"plot() has no option {unknown[0]!r} for this dataset, whose x and y are lengths. It takes {', '.join(FLAT)}, scalars, screenshot, opacity, cmap and clim.")
-        scalars, options = self._of_field(scalars, None, options)
-        grid = self.grid(**options)
-        return plotted_flat(grid, scalars, screenshot, look, lambda name: title(self._dataset, grid, name))
+            raise TypeError(f"plot() has no option {unknown[0]!r} for this dataset, whose x and y are lengths. It takes {', '.join(FLAT)}, scalars, screenshot, window_size, "
+                            f"{', '.join(LOOK_OF_FLAT)}.")
+        found, of_field = self._of_field(scalars, None, options)
+        lit = "sun" in look  # needs all water and the air
+        grid = self.grid(**(options if lit else of_field))
+        return plotted_flat(grid, None if lit else found, screenshot, look, lambda name: title(self._dataset, grid, name), window_size)
+
+    def _flat_column(self, quantity: str, time: Any, options: dict[str, Any]) -> pyvista.DataSet:
+        from .flat import Flat
+        from .flat_mesh import flat_column
+        unknown = [name for name in options if name not in ("x", "y", "z")]
+        if unknown:
+            raise TypeError(f"column() has no option {unknown[0]!r} for this dataset, whose x and y are lengths. It takes quantity, time, x, y and z.")
+        return flat_column(Flat(self._dataset, time=time, names=options), quantity)
 
     def describe(self, *, time: int | str | np.datetime64 | None = None, vertical: str | None = None, **roles: Any) -> str:
         """Describe what `globe` or `grid` finds: grid, levels, heights, variables by their roles, and its assumptions.

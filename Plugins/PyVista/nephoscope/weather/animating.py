@@ -13,6 +13,7 @@ from typing import Any, Callable
 import numpy as np
 import pyvista
 
+from .accessor import LOOK
 from .series import Series
 
 
@@ -42,7 +43,7 @@ def animate(plotter: pyvista.BasePlotter, dataset: Any, draw: str | Callable[[An
     progress : bool, default: True
         Print the progress of the film in the terminal.
     **options
-        Those of ``dataset.nephoscope.globe`` or ``dataset.nephoscope.grid``.
+        Those of ``dataset.nephoscope.globe`` or ``dataset.nephoscope.grid``, and for a field ``clim``, ``cmap``, ``opacity`` and ``log_scale`` of `add_cells`.
 
     Returns
     -------
@@ -56,15 +57,16 @@ def animate(plotter: pyvista.BasePlotter, dataset: Any, draw: str | Callable[[An
     """
     from .picture import darken, is_untouched
     whole = isinstance(draw, str) and is_untouched(plotter)
+    look = _look(draw, options)
     series, draw = _series(dataset, draw, heights, options, 30.0 if whole else 1.0)
     if callable(draw):
         _drawn(plotter, series, draw)
     elif whole:
         darken(plotter)
-        _drawn(plotter, series, _first_picture(series, draw))
+        _drawn(plotter, series, _first_picture(series, draw, look))
     else:
         from ..cells import add_cells
-        add_cells(plotter, series.mesh, draw)
+        add_cells(plotter, series.mesh, draw, **look)
     colour = "white" if np.mean(plotter.background_color.float_rgb) < 0.5 else "black"
     if show_time:
         series.listen(lambda step: plotter.add_text(series.times[step], name="nephoscope_time", font_size=10, position="upper_left", color=colour, render=False))
@@ -98,12 +100,22 @@ def _series(dataset: Any, draw: Any, heights: bool, options: dict, exaggeration:
     return Series(found, heights=heights, owned=found is not dataset, **options), draw
 
 
-def _first_picture(series: Series, name: str) -> Callable:
+def _look(draw: Any, options: dict) -> dict:
+    """Takes the options of `add_cells` for the look of a field out of `options`."""
+    look = {name: options.pop(name) for name in LOOK if name in options}
+    if look and callable(draw):
+        raise TypeError(f"{next(iter(look))}: an option for the field that animate draws, but draw is a function. Use it there.")
+    if "sun" in options:
+        raise TypeError("animate() has no option 'sun': the light would stay that of the first step. Draw the steps one by one: for mesh in dataset.nephoscope.series(): ...")
+    return look
+
+
+def _first_picture(series: Series, name: str, look: dict) -> Callable:
     from .naming import title
-    from .flat_mesh import draw_flat
+    from .flat_picture import draw_flat
     from .picture import draw as draw_globe
     draw = draw_globe if "GlobeGridProjection" in series.mesh.field_data else draw_flat
-    return lambda plotter, mesh: draw(plotter, mesh, name, {}, lambda array: title(series._dataset, mesh, array))
+    return lambda plotter, mesh: draw(plotter, mesh, name, look, lambda array: title(series._dataset, mesh, array))
 
 
 def _drawn(plotter: pyvista.BasePlotter, series: Series, draw: Callable) -> None:

@@ -17,6 +17,7 @@ from .helpers import helpers
 from .horizontal import GridError, is_latitude, is_longitude
 from .projections import find_lost_projection, mapping_of
 from .reading import KINDS, refuse_empty
+from .roles import ROLES, candidates, quantity_of
 from .times import choose_time, is_member, time_dims
 from .units import UNITS, plain
 
@@ -197,7 +198,7 @@ class Flat:
         values = -values if letter == "z" and coordinate.attrs.get("positive") == "down" else values
         values, order = np.unique(values, return_index=True)
         if len(order) < coordinate.size:
-            self.notes.append(f"{name!r} repeats values: each is used once")
+            self._warn(f"The coordinate {name!r} repeats values: each is used once, with the first of its entries, and {coordinate.size - len(order)} are left out.")
         return Axis(dim, name, values, order, note)
 
     def _warn_of_degrees(self) -> None:
@@ -213,6 +214,13 @@ class Flat:
     def names(self) -> list[str]:
         """The fields on the grid, including those that are averaged to it from faces."""
         return [name for name, variable in fields_of(self.dataset) if self._fits(variable)]
+
+    def winds(self) -> list[str | None]:
+        """The variables of the wind along x, y and z; empty if one along the ground is missing."""
+        fields = [(name, self.dataset[name]) for name in self.names()]
+        found = [next((name for name in candidates(ROLES[role], fields) if quantity_of(ROLES[role], self.dataset[name]) == "speed"), None) for role in "uvw"]
+        along = [name for letter, name in zip("xyz", found) if letter in self.axes and (letter != "z" or len(self.axes) == 2)]
+        return found if None not in along else []
 
     @cached_property
     def profiles(self) -> dict[str, str]:

@@ -1,45 +1,63 @@
 # SPDX-FileCopyrightText: The Nephoscope authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""The mesh of a flat grid in metres, its description, its fields by their names, and its first picture."""
+"""The mesh of a flat grid in metres, its description, and its fields by their names."""
 from __future__ import annotations
 
 from difflib import get_close_matches
-from typing import Callable, Sequence
+from typing import Any, Sequence
 
 import numpy as np
 import pyvista
 
-from .._blocks import cell_dimension
 from .._checks import listed, require_number
 from .._fields import FLAT_GRID, choose_active_scalars
-from .._medium import association_of, default_scalars
 from .flat import Axis, Flat, fields_of
 from .flat_air import AIR, air_roles, mark_air
-from .picture import BESIDE, set_title
+from .flat_derived import QUANTITIES, column_of, derived_flat
+from .naming import UNITS
 from .placing import note_units
-from .roles import ROLES, candidates, quantity_of
+from .roles import ROLES, candidates
 from .times import listed_times
 from .units import converted
 
 CLEAR = 1e30  # greater magnitudes are fill values
-GROUND = (0.06, 0.13, 0.2)
-FACING = {"x": (1, 0, 0), "y": (0, -1, 0), "z": (0, 0, 1)}  # where to look from at a section, by the axis that it lacks
 
 
-def flat_mesh(flat: Flat, variables: Sequence[str] | None, vertical_exaggeration: float) -> pyvista.ImageData | pyvista.RectilinearGrid:
+def flat_mesh(flat: Flat, variables: Sequence[str] | None, vertical_exaggeration: float, derive: str | Sequence[str] = ()) -> pyvista.ImageData | pyvista.RectilinearGrid:
     """Points in metres, in the places of the dataset; fields on the points."""
-    stretch = {"z": require_number(vertical_exaggeration, "vertical_exaggeration", above=0)}
-    axes = [flat.axes.get(letter) for letter in "xyz"]
-    lines = [np.zeros(1) if axis is None else axis.values * stretch.get(letter, 1) for letter, axis in zip("xyz", axes)]
-    mesh = _image(lines, axes, stretch["z"]) or pyvista.RectilinearGrid(*lines)
-    mesh.field_data[FLAT_GRID], mesh.field_data["VerticalExaggeration"] = [1], [stretch["z"]]
+    mesh = _points(flat, require_number(vertical_exaggeration, "vertical_exaggeration", above=0))
     for name in _chosen(flat, variables):
         mesh.point_data[name] = _float(flat.values(name)).ravel()
         note_units(mesh, name, flat.dataset[name].attrs.get("units"))
+    for name, values in derived_flat(derive, flat, lambda: air_mesh(flat)).items():
+        mesh.point_data[name] = _float(values).ravel()
+        note_units(mesh, name, UNITS.get(name))
     if variables is None:
-        _add_wind(mesh, flat, stretch["z"])
+        _add_wind(mesh, flat, vertical_exaggeration)
     mark_air(mesh, air_roles((name, flat.dataset[name]) for name in flat.names()), flat.profiles)
     choose_active_scalars(mesh)
+    return mesh
+
+
+def air_mesh(flat: Flat) -> pyvista.DataSet:
+    """The mesh with the variables of the air alone."""
+    return flat_mesh(flat, [*dict.fromkeys([*air_roles((name, flat.dataset[name]) for name in flat.names()).values(), *flat.profiles.values()])], 1.0)
+
+
+def flat_column(flat: Flat, quantity: str) -> pyvista.DataSet:
+    """One level with the array `column`, kg/m2, at the height 0."""
+    values = column_of(quantity, flat, lambda: air_mesh(flat))
+    mesh = _points(flat, 1.0, level=True)
+    mesh.point_data["column"] = values.astype(np.float32).ravel()
+    note_units(mesh, "column", "kg m-2")
+    return mesh
+
+
+def _points(flat: Flat, stretch: float, level: bool = False) -> pyvista.ImageData | pyvista.RectilinearGrid:
+    axes = [None if level and letter == "z" else flat.axes.get(letter) for letter in "xyz"]
+    lines = [np.zeros(1) if axis is None else axis.values * (stretch if letter == "z" else 1) for letter, axis in zip("xyz", axes)]
+    mesh = _image(lines, axes, stretch) or pyvista.RectilinearGrid(*lines)
+    mesh.field_data[FLAT_GRID], mesh.field_data["VerticalExaggeration"] = [1], [stretch]
     return mesh
 
 
@@ -67,20 +85,9 @@ def _chosen(flat: Flat, variables: Sequence[str] | None) -> list[str]:
     return wanted
 
 
-def _winds(flat: Flat) -> list[str | None]:
-    """The variables of the wind along x, y and z; empty if one along the ground is missing."""
-    fields = [(name, flat.dataset[name]) for name in flat.names()]
-    found = []
-    for role in "uvw":
-        names = [name for name in candidates(ROLES[role], fields) if quantity_of(ROLES[role], flat.dataset[name]) == "speed"]
-        found.append(names[0] if names else None)
-    along = [name for letter, name in zip("xyz", found) if letter in flat.axes and (letter != "z" or len(flat.axes) == 2)]
-    return found if None not in along else []
-
-
 def _add_wind(mesh: pyvista.DataSet, flat: Flat, stretch: float) -> None:
     """The array Wind; with heights that are stretched also DisplayVelocity, along which smoke moves in the picture."""
-    names = _winds(flat)
+    names = flat.winds()
     if not names:
         return
     parts = [np.zeros(mesh.n_points, np.float32) if name is None else
@@ -91,20 +98,24 @@ def _add_wind(mesh: pyvista.DataSet, flat: Flat, stretch: float) -> None:
         mesh.point_data["DisplayVelocity"] = np.column_stack([*parts[:2], parts[2] * np.float32(stretch)])
 
 
-def flat_name(dataset, name: str) -> str:
-    """The variable with this name, or with this standard name, long name or role."""
+def flat_field(dataset, name: str) -> tuple[str, dict[str, Any]]:
+    """The array of the mesh with this name, and the options of `grid` that read it alone: a variable with this name, standard name, long name or role, or a computed quantity."""
     fields = dict(fields_of(dataset))
     if name in fields:
-        return name
+        return name, {"variables": [name]}
     if name in dataset.variables and dataset[name].ndim == 1:
         raise ValueError(f"{name!r} has the dimension {dataset[name].dims[0]!r} alone: plot it as a profile, ds[{name!r}].plot(). Fields to draw are: {listed(list(fields))}.")
     lower = name.lower()
+    computed = "wind_magnitude" if lower == "wind" else lower
+    if computed in QUANTITIES and lower not in (field.lower() for field in fields):
+        return computed, {"variables": [], "derive": [computed]}
     found = [field for field, variable in fields.items() if lower in (field.lower(), *(str(variable.attrs.get(key, "")).lower() for key in ("standard_name", "long_name")))]
     found = found or [field for role in ROLES.values() if lower == role.name or lower in role.names for field in candidates(role, fields.items())]
     if found:
-        return found[0]
-    near = get_close_matches(name, fields, 3, 0.6)
-    raise ValueError(f"There is no field {name!r}." + (f" Did you mean {listed(near)}?" if near else "") + f" There are: {listed(list(fields))}.")
+        return found[0], {"variables": found[:1]}
+    near = get_close_matches(name, [*fields, *QUANTITIES], 3, 0.6)
+    raise ValueError(f"There is no field {name!r}." + (f" Did you mean {listed(near)}?" if near else "") + f" There are: {listed(list(fields))}; computed quantities: "
+                     f"{listed(['Wind', *QUANTITIES])}.")
 
 
 def described_flat(flat: Flat, dataset) -> str:
@@ -119,43 +130,10 @@ def described_flat(flat: Flat, dataset) -> str:
     lines += [f"{AIR[role].meaning}: {name!r}, a profile along z" + (f" ({units})" if (units := flat.dataset[name].attrs.get("units")) else "") + ", the same in every column"
               for role, name in flat.profiles.items()]
     lines += ["left out: " + ", ".join(f"{name!r} ({', '.join(map(str, flat.dataset[name].dims)) or 'one value'})" for name in flat.left_out())] if flat.left_out() else []
-    winds = [name for name in _winds(flat) if name]
+    winds = [name for name in flat.winds() if name]
     lines += [f"wind: {listed(winds)}"] if winds else []
     return "\n".join(lines + [f"note: {note}" for note in [*(axis.note for axis in flat.axes.values() if axis.note), *flat.notes]])
 
 
 def _spacing(axis: Axis) -> str:
     return f", every {axis.step:g} m" if axis.step else ""
-
-
-def plotted_flat(grid: pyvista.DataSet, scalars: str | None, screenshot: str | None, options: dict, title: Callable[[str], str] = str) -> pyvista.Plotter:
-    """`title`: that of the scalar bar, for the name of an array."""
-    plotter = pyvista.Plotter(off_screen=screenshot is not None, theme=pyvista.themes.DarkTheme(), window_size=(800, 800))
-    draw_flat(plotter, grid, scalars, options, title)
-    plotter.show(screenshot=screenshot or False, auto_close=False)
-    return plotter
-
-
-def draw_flat(plotter: pyvista.BasePlotter, grid: pyvista.DataSet, scalars: str | None, options: dict, title: Callable[[str], str]) -> None:
-    """The field as a volume in the outline of its grid, seen from the south and from above; a field of one level or a section as a surface."""
-    from ..cells import add_cells
-    options = {"scalar_bar_args": BESIDE, **options}
-    if cell_dimension(grid) < 3:
-        name = default_scalars(grid)[1] if scalars is None else scalars
-        association_of(grid, name, "point", "scalars")  # raises an error if no value is finite; VTK would end the process
-        plotter.add_mesh(grid, scalars=name, **{"nan_opacity": 0, "lighting": False, **options})
-        flat = next((letter for letter, count in zip("xyz", grid.dimensions) if count == 1), "z")
-        plotter.view_vector(FACING[flat], viewup=(0, 1, 0) if flat == "z" else (0, 0, 1))
-    else:
-        west, east, south, north, bottom, _ = grid.bounds
-        ground = pyvista.Plane(center=((west + east) / 2, (south + north) / 2, bottom), i_size=east - west, j_size=north - south, i_resolution=1, j_resolution=1)
-        plotter.add_mesh(ground, color=GROUND, lighting=False)
-        plotter.add_mesh(grid.outline(), color="grey")
-        add_cells(plotter, grid, scalars, **options)
-        plotter.view_vector((0.45, -1, 0.4), viewup=(0, 0, 1))
-    plotter.add_axes()
-    for bar in plotter.scalar_bars.values():
-        set_title(bar, title(bar.GetTitle()))
-    plotter.camera.zoom(0.84)
-    plotter.camera.SetWindowCenter(0.08, 0)  # room for the scalar bar
-    plotter.reset_camera_clipping_range()

@@ -17,6 +17,8 @@ GRIB_NAMES = (".grib", ".grib2", ".grb", ".grb2", ".gb2", ".gb", ".grib1", ".grb
 def open(path: Any, *, grid: int | None = None, mesh: Any = None, chunks: Any = None, **options: Any) -> WeatherDataset:  # noqa: A001
     """Open weather data as an xarray.Dataset whose accessor ``.nephoscope`` draws it.
 
+    ``from nephoscope import *`` does not import this function, because it would hide Python's own ``open``. Call it as ``nephoscope.open``.
+
     Parameters
     ----------
     path : str, pathlib.Path, sequence of these, or xarray.Dataset

@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 import textwrap
-from typing import Callable
+from typing import Callable, Sequence
 
 import numpy as np
 import pyvista
@@ -24,10 +24,11 @@ STRIP = 0.14  # of the height of the picture, at its lower edge, for the scalar 
 MARGIN = 0.04  # of the width and of the height, around a map
 
 
-def plotted(grid: pyvista.DataSet, scalars: str | None, screenshot: str | None, options: dict, title: Callable[[str], str] = str) -> pyvista.Plotter:
+def plotted(grid: pyvista.DataSet, scalars: str | None, screenshot: str | None, options: dict, title: Callable[[str], str] = str,
+            window_size: Sequence[int] = (800, 800)) -> pyvista.Plotter:
     """`title`: that of the scalar bar, for the name of an array."""
     refuse_sections(grid)
-    plotter = pyvista.Plotter(off_screen=screenshot is not None, theme=pyvista.themes.DarkTheme(), window_size=(800, 800))
+    plotter = pyvista.Plotter(off_screen=screenshot is not None, theme=pyvista.themes.DarkTheme(), window_size=window_size)
     draw(plotter, grid, scalars, options, title)
     plotter.show(screenshot=screenshot or False, auto_close=False)
     return plotter

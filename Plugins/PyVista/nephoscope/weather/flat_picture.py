@@ -1,0 +1,90 @@
+# SPDX-FileCopyrightText: The Nephoscope authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""The first picture of a flat grid: a volume over its ground, or a level or section with axes."""
+from __future__ import annotations
+
+from typing import Callable, Sequence
+
+import numpy as np
+import pyvista
+
+from .._blocks import cell_dimension
+from .._fields import find_preset, is_bright, presets
+from .._medium import association_of, default_scalars
+from .._over_time import values_over_time
+from .picture import BESIDE, set_title
+
+GROUND = (0.06, 0.13, 0.2)
+FACING = {"x": (1, 0, 0), "y": (0, -1, 0), "z": (0, 0, 1)}  # where to look from at a section, by the axis that it lacks
+WIDE, HIGH = 0.66, 0.78  # of the picture, for a section beside its labels and the scalar bar
+LIT = ("sun", "exposure", "tone_mapping")  # options of volumes alone
+VOLUME = (*LIT, "opacity_scale", "opacity_unit_distance")
+
+
+def plotted_flat(grid: pyvista.DataSet, scalars: str | None, screenshot: str | None, options: dict, title: Callable[[str], str] = str,
+                 window_size: Sequence[int] = (800, 800)) -> pyvista.Plotter:
+    """`title`: that of the scalar bar, for the name of an array."""
+    plotter = pyvista.Plotter(off_screen=screenshot is not None, theme=pyvista.themes.DarkTheme(), window_size=window_size)
+    draw_flat(plotter, grid, scalars, options, title)
+    plotter.show(screenshot=screenshot or False, auto_close=False)
+    return plotter
+
+
+def draw_flat(plotter: pyvista.BasePlotter, grid: pyvista.DataSet, scalars: str | None, options: dict, title: Callable[[str], str]) -> None:
+    """The field as a volume in the outline of its grid, seen from the south and from above; a field of one level or a section as a surface."""
+    options = {"scalar_bar_args": BESIDE, **options}
+    (_draw_volume if cell_dimension(grid) == 3 else _draw_section)(plotter, grid, scalars, options)
+    for bar in plotter.scalar_bars.values():
+        set_title(bar, title(bar.GetTitle()))
+
+
+def _draw_volume(plotter: pyvista.BasePlotter, grid: pyvista.DataSet, scalars: str | None, options: dict) -> None:
+    from ..cells import add_cells
+    west, east, south, north, bottom, _ = grid.bounds
+    ground = pyvista.Plane(center=((west + east) / 2, (south + north) / 2, bottom), i_size=east - west, j_size=north - south, i_resolution=1, j_resolution=1)
+    plotter.add_mesh(ground, color=GROUND, lighting=False)
+    plotter.add_mesh(grid.outline(), color="grey")
+    add_cells(plotter, grid, scalars, **{"show_scalar_bar": "sun" not in options, **options})
+    plotter.view_vector((0.45, -1, 0.4), viewup=(0, 0, 1))
+    plotter.add_axes()
+    plotter.camera.zoom(0.84)
+    plotter.camera.SetWindowCenter(0.08, 0)  # room for the scalar bar
+    plotter.reset_camera_clipping_range()
+
+
+def _draw_section(plotter: pyvista.BasePlotter, grid: pyvista.DataSet, scalars: str | None, options: dict) -> None:
+    wrong = [name for name in VOLUME if name in options]
+    if wrong:
+        raise ValueError(f"{wrong[0]}: an option of volumes, but this grid is one level or section.")
+    name = default_scalars(grid)[1] if scalars is None else scalars
+    association = association_of(grid, name, "point", "scalars")  # raises an error if no value is finite; VTK would end the process
+    plotter.add_mesh(grid, scalars=name, **{"nan_opacity": 0, "lighting": False, **_look(plotter, grid, name, association, options)})
+    flat = next((letter for letter, count in zip("xyz", grid.dimensions) if count == 1), "z")
+    plotter.view_vector(FACING[flat], viewup=(0, 1, 0) if flat == "z" else (0, 0, 1))
+    _add_scales(plotter, grid)
+    plotter.enable_parallel_projection()
+    across, up = (np.ptp(grid.bounds[2 * axis:2 * axis + 2]) for axis in ["xyz".index(letter) for letter in "xyz" if letter != flat])
+    aspect = plotter.window_size[0] / plotter.window_size[1]
+    plotter.camera.parallel_scale = 0.5 * max(across / aspect / WIDE, up / HIGH) or 1.0
+    plotter.camera.SetWindowCenter(0.06, 0)  # room for the scalar bar
+    plotter.reset_camera_clipping_range()
+
+
+def _look(plotter: pyvista.BasePlotter, grid: pyvista.DataSet, name: str, association: str, options: dict) -> dict:
+    """Colours and range of the preset of the array, as `add_cells` takes them, unless the options have others."""
+    preset = find_preset(options.pop("preset", None), name, grid) if not options.get("log_scale") else None
+    if isinstance(options.get("cmap"), str) and options["cmap"] in presets():
+        preset = presets()[options.pop("cmap")]
+    if preset is None or "cmap" in options:
+        return options
+    clim = options.get("clim") or preset.clim(values_over_time(grid, name, association))
+    return {"cmap": preset.colour_map(is_bright(plotter.background_color)), **({} if clim is None else {"clim": clim}), **options}
+
+
+def _add_scales(plotter: pyvista.BasePlotter, grid: pyvista.DataSet) -> None:
+    """Axes with true lengths, in metres or kilometres."""
+    scale = float(grid.field_data["VerticalExaggeration"][0]) if "VerticalExaggeration" in grid.field_data else 1.0
+    true = np.array(grid.bounds) / np.repeat([1, 1, scale], 2)
+    unit, size = ("km", 1000.0) if np.ptp(true.reshape(3, 2), axis=1).max() > 1e4 else ("m", 1.0)
+    titles = {f"{letter}title": f"{letter} [{unit}]" for letter in "xyz"}
+    plotter.show_bounds(mesh=grid, axes_ranges=list(true / size), location="outer", ticks="outside", font_size=12, fmt="%.4g", use_3d_text=False, **titles)
