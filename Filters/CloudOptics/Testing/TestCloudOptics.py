@@ -9,6 +9,7 @@ import numpy as np
 from nephoscope import vtkCloudOptics, vtkGlobeGrid
 from nephoscope_testing.messages import Messages
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+from vtkmodules.vtkCommonCore import vtkStringArray
 from vtkmodules.vtkCommonDataModel import vtkImageData
 from vtkmodules.vtkFiltersCore import vtkAppendFilter
 from vtkmodules.vtkIONetCDF import vtkNetCDFCFReader
@@ -60,6 +61,27 @@ class CloudOptics(unittest.TestCase):
         np.testing.assert_allclose(values(output, "ColumnOpticalDepth"), 500 * 0.0475896, rtol=1e-5)
         np.testing.assert_allclose(values(output, "OpticalDepthAbove")[::4], np.array([500, 250, 0]) * 0.0475896, rtol=1e-5)
         np.testing.assert_allclose(values(output, "AsymmetryParameter")[4], 0.85382, rtol=1e-5)
+
+    def test_temperature_in_degrees_celsius(self):
+        """By the units in the field data, as a reader leaves them, for water and for the pressure by height."""
+        for options in ({"p": 85000}, {"Height": [0, 500, 1000]}):
+            kelvin, celsius = (column(qc=3e-4, qi=1e-4, t=np.array([280.0, 270, 250]) - less, **options) for less in (0, 273.15))
+            units = vtkStringArray()
+            units.SetName("t_units")
+            units.InsertNextValue("degC")
+            celsius.GetFieldData().AddArray(units)
+            (expected, _), (found, messages) = optics_of(kelvin), optics_of(celsius)
+            self.assertEqual(messages.all, [])
+            for name in ARRAYS:
+                np.testing.assert_allclose(values(found, name), values(expected, name), rtol=1e-5)
+
+    def test_what_needs_a_temperature(self):
+        for arrays, words in (({"qc": 1e-4, "p": 85000}, "needed to compute the density"), ({"clwmr": 1e-4, "p": 85000}, "needed to separate ice from liquid and to compute"),
+                              ({"qi": 1e-4}, "needed to find the size of ice crystals: set")):
+            _, messages = optics_of(column(**arrays), WaterUnits=3 if "qi" in arrays else 0)
+            self.assertIn(words, " ".join(map(str, messages.all)))
+        _, messages = optics_of(column(qc=1e-4), WaterUnits=3)
+        self.assertEqual(messages.all, [])
 
     def test_units_are_the_same_water(self):
         ratio = values(optics_of(column(qc=[0, 3e-4, 0], t=280, p=85000))[0])

@@ -12,6 +12,7 @@ import numpy as np
 import pyvista
 import xarray as xr
 from nephoscope.weather.flat import is_flat
+from nephoscope.weather.flat_picture import ticks
 from nephoscope.weather.horizontal import GridError
 from weather_data import isothermal
 
@@ -215,9 +216,13 @@ class FlatDatasets(unittest.TestCase):
             self.addCleanup(plotter.close)
             low, high = plotter.scalar_bars["w"].GetLookupTable().GetTableRange()
             self.assertAlmostEqual(low, -high)
-            scales = plotter.renderer.cube_axes_actor
-            self.assertEqual((scales.GetXTitle(), scales.GetZTitle()), ("x [m]", "z [m]"))
-            np.testing.assert_allclose(scales.GetZAxisRange(), (Z[0], Z[-1]))
+            for letter, axis, values in (("x", 0, [0, 200, 400, 600, 800, 1000]), ("z", 2, [100, 200, 300, 400])):  # at round values, heights without the exaggeration
+                scale, labels = (plotter.renderer.actors[name].GetMapper() for name in (f"scale_{letter}", f"labels_{letter}-labels"))
+                np.testing.assert_allclose(scale.dataset.points[:-2:2, axis] / (1 if letter == "x" else 2), values)
+                labels.GetInputAlgorithm().Update()
+                words = labels.GetInputAlgorithm().GetInputDataObject(0, 0).GetPointData().GetAbstractArray("labels")
+                self.assertEqual([words.GetValue(k) for k in range(words.GetNumberOfValues())], [*map(str, values), f"{letter} [m]"])
+            self.assertEqual([list(ticks(*limits)) for limits in ((0, 1), (25, 475), (-2.5, 2.5), (1, 1))], [[0, 0.2, 0.4, 0.6000000000000001, 0.8, 1], [100, 200, 300, 400], [-2, -1, 0, 1, 2], [1]])
             with self.assertRaisesRegex(ValueError, "sun: an option of volumes"):
                 dataset.isel(y=4).nephoscope.plot(sun=(1, 0, 1), screenshot=str(Path(folder, "none.png")))
             lit = simulation(T=("z", 290 - 0.0065 * Z, {"units": "K"}), p=("z", 1e5 * np.exp(-Z / 8000), {"units": "Pa"}))

@@ -61,7 +61,7 @@ def _draw_section(plotter: pyvista.BasePlotter, grid: pyvista.DataSet, scalars: 
     plotter.add_mesh(grid, scalars=name, **{"nan_opacity": 0, "lighting": False, **_look(plotter, grid, name, association, options)})
     flat = next((letter for letter, count in zip("xyz", grid.dimensions) if count == 1), "z")
     plotter.view_vector(FACING[flat], viewup=(0, 1, 0) if flat == "z" else (0, 0, 1))
-    _add_scales(plotter, grid)
+    _add_scales(plotter, grid, flat)
     plotter.enable_parallel_projection()
     across, up = (np.ptp(grid.bounds[2 * axis:2 * axis + 2]) for axis in ["xyz".index(letter) for letter in "xyz" if letter != flat])
     aspect = plotter.window_size[0] / plotter.window_size[1]
@@ -81,10 +81,29 @@ def _look(plotter: pyvista.BasePlotter, grid: pyvista.DataSet, name: str, associ
     return {"cmap": preset.colour_map(is_bright(plotter.background_color)), **({} if clim is None else {"clim": clim}), **options}
 
 
-def _add_scales(plotter: pyvista.BasePlotter, grid: pyvista.DataSet) -> None:
-    """Axes with true lengths, in metres or kilometres."""
-    scale = float(grid.field_data["VerticalExaggeration"][0]) if "VerticalExaggeration" in grid.field_data else 1.0
-    true = np.array(grid.bounds) / np.repeat([1, 1, scale], 2)
-    unit, size = ("km", 1000.0) if np.ptp(true.reshape(3, 2), axis=1).max() > 1e4 else ("m", 1.0)
-    titles = {f"{letter}title": f"{letter} [{unit}]" for letter in "xyz"}
-    plotter.show_bounds(mesh=grid, axes_ranges=list(true / size), location="outer", ticks="outside", font_size=12, fmt="%.4g", use_3d_text=False, **titles)
+def _add_scales(plotter: pyvista.BasePlotter, grid: pyvista.DataSet, flat: str) -> None:
+    """Axes with true lengths at round values, in metres or kilometres, below and on the left."""
+    stretch = float(grid.field_data["VerticalExaggeration"][0]) if "VerticalExaggeration" in grid.field_data else 1.0
+    bounds, scale = np.reshape(grid.bounds, (3, 2)), np.array([1, 1, stretch])
+    spans = np.ptp(bounds, axis=1)
+    unit, size = ("km", 1000.0) if (spans / scale).max() > 1e4 else ("m", 1.0)
+    letters = [letter for letter in "xyz" if letter != flat]
+    for letter, other, where in ((*letters, ("center", "top")), (*letters[::-1], ("right", "center"))):
+        i, j, gap = "xyz".index(letter), "xyz".index(other), 0.015 * spans.max()
+        values = ticks(*bounds[i] / (scale[i] * size))
+        feet = np.repeat(bounds[None, :, 0], len(values) + 1, axis=0)
+        feet[:-1, i], feet[-1, i] = values * size * scale[i], bounds[i, 1] if letter == letters[1] else bounds[i].mean()
+        ends = feet.copy()
+        ends[:, j] -= gap
+        lines = [*zip(feet[:-1], ends[:-1]), (bounds[:, 0], [bounds[k, 1 if k == i else 0] for k in range(3)])]
+        plotter.add_mesh(pyvista.line_segments_from_points(np.reshape(lines, (-1, 3))), color=plotter.theme.font.color, lighting=False, name=f"scale_{letter}", reset_camera=False)
+        ends[-1] += (0.05 * spans.max()) * np.eye(3)[i] if letter == letters[1] else (-4 * gap) * np.eye(3)[j]
+        plotter.add_point_labels(ends, [*(f"{value:g}" for value in values), f"{letter} [{unit}]"], show_points=False, shape=None, font_size=13, always_visible=True, margin=0,
+                                 text_color=plotter.theme.font.color, bold=False, justification_horizontal=where[0], justification_vertical=where[1], name=f"labels_{letter}", reset_camera=False)
+
+
+def ticks(low: float, high: float) -> np.ndarray:
+    """Three to seven round values between the limits."""
+    power = 10.0 ** np.floor(np.log10((high - low) / 3)) if high > low else 1.0
+    step = max((step for step in (power, 2 * power, 5 * power) if step * 3 <= high - low), default=power)
+    return step * np.arange(np.ceil(low / step - 1e-6), np.floor(high / step + 1e-6) + 1) + 0.0  # no -0
