@@ -286,6 +286,8 @@ void vtkSmokePuffs::AddSmokeDensity(
   if (!ages)
   {
     vtkErrorMacro(<< problem);
+    output->Initialize(); // the input itself would look like smoke
+    nephoscope::FailureCode::Set(this, true);
     return;
   }
   vtkNew<vtkDoubleArray> smoke;

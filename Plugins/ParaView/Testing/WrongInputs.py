@@ -4,6 +4,8 @@
 import re
 
 from PluginTesting import check, listen, load_plugin, new_view, passed, pvs, show_twice
+from vtkmodules.vtkCommonCore import vtkPoints
+from vtkmodules.vtkCommonDataModel import vtkUnstructuredGrid
 
 FILTERS = ("GlobeGrid", "FlowVolume", "SmokePuffs", "CloudSurface", "StructuredSmoothing", "ContourCellSplitter", "PolyhedrontoTetrahedra",
            "TextureCoordinateAdvection", "CloudOptics", "Sunlight")
@@ -97,6 +99,13 @@ def check_nothing_to_draw(messages):
     flat = pvs.Transform(Input=pvs.Tetrahedralize(Input=pvs.Wavelet(WholeExtent=[-4, 4] * 3)))
     flat.Transform.Scale = [1, 1, 0]
     told_once("flat cells", flat, "Cell Compositing", ["Nothing is drawn: Cell Compositing needs 3-D cells"], messages)
+    bare, grid = pvs.TrivialProducer(), vtkUnstructuredGrid()
+    grid.SetPoints(vtkPoints())
+    for i in range(20):
+        grid.GetPoints().InsertNextPoint(i, 0, 0)
+    bare.GetClientSideObject().SetOutput(grid)
+    told_once("points without cells", bare, "Cloud Texture", ["Nothing is drawn: the input has 20 points but no polygons", "Textured Splats"],
+              messages)
     told_once("points", pvs.PointSource(NumberOfPoints=20), "Cloud Texture", ["Nothing is drawn: the input has 20 points but no polygons", "Textured Splats"],
               messages)
     missing = pvs.Calculator(Input=pvs.Sphere(), ResultArrayName="nan", Function="sqrt(-1)", ReplacementValue=float("nan"))

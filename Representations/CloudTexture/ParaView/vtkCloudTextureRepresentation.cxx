@@ -114,13 +114,12 @@ nephoscope::SurfaceLength LengthOverRanks(vtkDataObject* data)
   return length;
 }
 
-// Collective: points, and polygons with strips, of all ranks.
-std::array<vtkIdType, 2> SizeOverRanks(vtkDataObject* data)
+// Collective: points of the input, and polygons with strips of its surfaces, of all ranks.
+std::array<vtkIdType, 2> SizeOverRanks(vtkDataObject* input, vtkDataObject* data)
 {
-  std::array<vtkIdType, 2> size{};
+  std::array<vtkIdType, 2> size = { { input->GetNumberOfElements(vtkDataObject::POINT), 0 } };
   for (vtkPolyData* surface : SurfacesOf(data))
   {
-    size[0] += surface->GetNumberOfPoints();
     size[1] += surface->GetNumberOfPolys() + surface->GetNumberOfStrips();
   }
   auto* controller = vtkMultiProcessController::GetGlobalController();
@@ -227,7 +226,7 @@ int vtkCloudTextureRepresentation::RequestData(
   vtkDataObject* surfaces = this->MultiBlockMaker->GetOutputDataObject(0);
   if (inputs[0]->GetNumberOfInformationObjects() > 0)
   {
-    this->WarnOfNothing(surfaces);
+    this->WarnOfNothing(vtkDataObject::GetData(inputs[0], 0), surfaces);
     this->WarnOfVolume(vtkDataObject::GetData(inputs[0], 0));
   }
   const nephoscope::SurfaceLength length = LengthOverRanks(surfaces);
@@ -260,9 +259,9 @@ int vtkCloudTextureRepresentation::ProcessViewRequest(
 }
 
 // Told here once, of all ranks; without a surface the mapper has nothing to add.
-void vtkCloudTextureRepresentation::WarnOfNothing(vtkDataObject* surfaces)
+void vtkCloudTextureRepresentation::WarnOfNothing(vtkDataObject* input, vtkDataObject* surfaces)
 {
-  const auto [points, polygons] = SizeOverRanks(surfaces);
+  const auto [points, polygons] = SizeOverRanks(input, surfaces);
   std::string nothing;
   if (polygons == 0)
   {

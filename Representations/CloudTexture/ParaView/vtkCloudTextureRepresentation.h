@@ -105,7 +105,7 @@ private:
 
   void TakeSurface(vtkDataObject* delivered);
   void ReadVolume(vtkInformationVector* inputs);
-  void WarnOfNothing(vtkDataObject* surfaces);
+  void WarnOfNothing(vtkDataObject* input, vtkDataObject* surfaces);
   void WarnOfVolume(vtkDataObject* input);
   void WarnOfRanks();
 
