@@ -115,6 +115,28 @@ def check_nothing_to_draw(messages):
               CloudTextureCoverageArrayName="nan")
 
 
+def check_opacity_of_other_range(messages):
+    """The function of the coloured array, 37 to 277, reads an array from 5 to 8."""
+    source = pvs.Calculator(Input=pvs.Wavelet(WholeExtent=[-4, 4] * 3), ResultArrayName="V", Function="5+0.1*(coordsX+4)+0.2*(coordsY+4)")
+    for name in ("Cell Compositing", "Textured Splats"):
+        messages.clear()
+        view = new_view((40, 40))
+        display = pvs.Show(source, view)
+        pvs.ColorBy(display, ("POINTS", "RTData"))
+        display.SetRepresentationType(name)
+        pvs.Render(view)
+        check(messages == [], f"{name} before: {messages}")
+        setattr(display, name.replace(" ", "") + "OpacityArray", "V")
+        for _ in range(2):
+            pvs.Render(view)
+        check(len(messages) == 1 and "values of the opacity array 'V' (5 to 7.4)" in messages[0] and "GetOpacityTransferFunction('V')" in messages[0], f"{name}: {messages}")
+        display.ScalarOpacityFunction = pvs.GetOpacityTransferFunction("V")
+        messages.clear()
+        pvs.Render(view)
+        check(messages == [], f"{name} with a function: {messages}")
+        pvs.Delete(view)
+
+
 def check_light(messages):
     """All that is missing at once; a block without extinction beside clouds is clear air, and named."""
     wavelet = pvs.Wavelet(WholeExtent=[-4, 4] * 3)
@@ -132,6 +154,7 @@ def check_light(messages):
 def main():
     messages = listen()
     check_nothing_to_draw(messages)
+    check_opacity_of_other_range(messages)
     check_light(messages)
     wavelet = pvs.Wavelet(WholeExtent=[-4, 4] * 3)
     check_chain(pvs.Sunlight(Input=pvs.CloudOptics(Input=wavelet)), "water", messages)

@@ -131,7 +131,7 @@ class Sun(unittest.TestCase):
             self.expect(found[30, 30], np.exp(-1) * (1 - 0.09) / (1.09 - 0.6 * cosine) ** 1.5 + (1 + 0.5 * AMBIENT) / (1 + 0.75 * 0.7) - np.exp(-1))
 
     def test_the_horizon_away_from_the_sun_is_bright_by_day(self):
-        """Of the brightness of haze without a sun, with all settings left alone but the sun."""
+        """Compared with the brightness of haze without a sun. No setting but the sun is given."""
         for elevation, least in ((35, 0.55), (60, 0.8), (15, 0.3)):
             a = np.radians(elevation)
             plotter = pyvista.Plotter(off_screen=True, window_size=(60, 60))

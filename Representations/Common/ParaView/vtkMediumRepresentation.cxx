@@ -292,6 +292,10 @@ vtkVolumeProperty* vtkMediumRepresentation::ChooseProperty(vtkDataSet* data, con
       << "Nothing is drawn: all values of '" << read << "' are " << value
       << ", where the opacity function is 0. Raise it there in the Color Map Editor, or choose Solid Color.";
   }
+  if (!lit && !constant)
+  {
+    warning << this->WhyTransparent(data, opacity);
+  }
   double extinctions[2] = { 0, 1 };
   if (lit && GetNumberOfRanks() == 1)
   {
@@ -321,6 +325,30 @@ vtkVolumeProperty* vtkMediumRepresentation::ChooseProperty(vtkDataSet* data, con
     this->ConstantProperty->SetColor(this->Property->GetGrayTransferFunction());
   }
   return this->ConstantProperty;
+}
+
+// An array chosen for the opacity is read by the function of the coloured one unless it gets its own.
+std::string vtkMediumRepresentation::WhyTransparent(
+  vtkDataSet* data, vtkPiecewiseFunction* opacity) const
+{
+  const double low = storedNumber(data, scalarRangeName);
+  const double high = storedNumber(data, scalarRangeName, 1);
+  const double* range = opacity->GetRange();
+  const bool outside = low < high && (high <= range[0] || low >= range[1]);
+  if (this->GetOpacityArrayName().empty() || opacity->GetSize() == 0 || !outside ||
+    opacity->GetValue(low) > 0.0)
+  {
+    return std::string();
+  }
+  std::ostringstream text;
+  text
+    << "Nothing is drawn: the values of the opacity array '" << this->GetOpacityArrayName() << "' ("
+    << low << " to " << high << ") lie outside the opacity function (" << range[0] << " to "
+    << range[1]
+    << "), which is that of the coloured array. Give it a function of its own in the Python Shell: "
+       "GetDisplayProperties().ScalarOpacityFunction = GetOpacityTransferFunction('"
+    << this->GetOpacityArrayName() << "').";
+  return text.str();
 }
 
 vtkDataArray* vtkMediumRepresentation::FindColorArray(

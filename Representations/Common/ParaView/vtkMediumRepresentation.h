@@ -146,6 +146,7 @@ private:
 
   void ColorUniformly(vtkDataSet* data);
   vtkVolumeProperty* ChooseProperty(vtkDataSet* data, const char* name);
+  std::string WhyTransparent(vtkDataSet* data, vtkPiecewiseFunction* opacity) const;
 
   vtkDataArray* FindExtinctionOfLight(vtkDataSet* data);
 
