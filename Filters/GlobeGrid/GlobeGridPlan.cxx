@@ -142,8 +142,8 @@ std::string GlobeGridBuilder::FindWinds(vtkFieldData* units)
   const GlobeGridSettings& names = this->Settings;
   this->U = this->Grid.Array(names.Eastward);
   this->V = this->Grid.Array(names.Northward);
-  const std::string remedy =
-    " Load it in the reader, or set the wind array names to those of the input: " +
+  const std::string remedy = std::string(this->U || this->V ? " Load it" : " Load them") +
+    " in the reader, or set the wind array names to those of the input: " +
     this->Grid.ArrayNames() + ".";
   if (!this->U != !this->V)
   {

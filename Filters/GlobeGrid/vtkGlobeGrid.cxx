@@ -4,6 +4,7 @@
 
 #include "EmptyInput.h"
 #include "GlobeGridBuilder.h"
+#include "InputBlocks.h"
 #include "MessageSuppression.h"
 #include "PoleRows.h"
 #include "RequiredInput.h"
@@ -302,7 +303,7 @@ bool vtkGlobeGrid::MakeGrid(vtkInformationVector** inputs, vtkInformationVector*
   }
   if (!ReadGrid(input, FieldNames(settings), grid, error))
   {
-    vtkErrorMacro(<< error);
+    vtkErrorMacro(<< nephoscope::inBlock(this, input) << error);
     return false;
   }
   vtkDataSet* surfaceData =
@@ -318,14 +319,22 @@ bool vtkGlobeGrid::MakeGrid(vtkInformationVector** inputs, vtkInformationVector*
   error = builder.Plan(input->GetFieldData(), hasSurface ? &surface : nullptr);
   if (!error.empty())
   {
-    vtkErrorMacro(<< error);
+    vtkErrorMacro(<< nephoscope::inBlock(this, input) << error);
     return false;
   }
-  this->BuildPiece(&builder, grid.FirstIndex().data(), outputs->GetInformationObject(0), output);
+  if (this->BuildPiece(
+        &builder, grid.FirstIndex().data(), outputs->GetInformationObject(0), output))
+  {
+    for (const std::string& warning : builder.Warnings())
+    {
+      vtkWarningMacro(<< nephoscope::inBlock(this, input) << warning);
+    }
+  }
   return true;
 }
 
-void vtkGlobeGrid::BuildPiece(nephoscope::GlobeGridBuilder* builder, const int first[3],
+// False where nothing is left.
+bool vtkGlobeGrid::BuildPiece(nephoscope::GlobeGridBuilder* builder, const int first[3],
   vtkInformation* outInfo, vtkStructuredGrid* output)
 {
   const std::array<int, 3>& size = builder->Order().OutputDimensions;
@@ -342,7 +351,7 @@ void vtkGlobeGrid::BuildPiece(nephoscope::GlobeGridBuilder* builder, const int f
     if (extent[2 * axis] > extent[2 * axis + 1])
     {
       output->Initialize(); // a piece with nothing in it
-      return;
+      return false;
     }
     indices[2 * axis] = extent[2 * axis] - first[axis];
     indices[2 * axis + 1] = extent[2 * axis + 1] - first[axis];
@@ -354,14 +363,11 @@ void vtkGlobeGrid::BuildPiece(nephoscope::GlobeGridBuilder* builder, const int f
   if (!finished)
   {
     output->Initialize(); // aborted: nothing rather than a part
-    return;
+    return false;
   }
   output->SetExtent(extent);
   this->AddProjection(output);
-  for (const std::string& warning : builder->Warnings())
-  {
-    vtkWarningMacro(<< warning);
-  }
+  return true;
 }
 
 // So that other filters can tell longitudes, latitudes and heights from positions.

@@ -287,7 +287,7 @@ private:
 
   void AddProjection(vtkStructuredGrid* output);
   bool MakeGrid(vtkInformationVector** inputs, vtkInformationVector* outputs);
-  void BuildPiece(nephoscope::GlobeGridBuilder* builder, const int first[3],
+  bool BuildPiece(nephoscope::GlobeGridBuilder* builder, const int first[3],
     vtkInformation* outInfo, vtkStructuredGrid* output);
 
   int Projection = GLOBE;
