@@ -470,6 +470,7 @@ private:
   bool HasSurfacesOrLayers() const;
   bool DrawsTrianglesOrFaces() const;
   std::string ChooseWayOfDrawing(vtkOpenGLRenderWindow* window);
+  bool MayCrossWholeCells() const;
   bool IsTrilinear() const;
   bool MayUseHexahedra() const;
   bool UsesRays() const;

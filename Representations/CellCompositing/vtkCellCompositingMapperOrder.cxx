@@ -87,6 +87,12 @@ std::string vtkCellCompositingMapper::ChooseWayOfDrawing(vtkOpenGLRenderWindow* 
       ". Use another driver; the environment variable LIBGL_ALWAYS_SOFTWARE=1 selects Mesa's software driver.";
 }
 
+// Nothing that is asked for needs tetrahedra.
+bool vtkCellCompositingMapper::MayCrossWholeCells() const
+{
+  return this->UsesRays() && !this->Internals->Mixed && !this->HasSurfacesOrLayers();
+}
+
 // The field of cells that rays cross as a whole.
 bool vtkCellCompositingMapper::IsTrilinear() const
 {
@@ -98,8 +104,7 @@ bool vtkCellCompositingMapper::IsTrilinear() const
 // As hexahedra where rays can do all that is asked for.
 bool vtkCellCompositingMapper::MayUseHexahedra() const
 {
-  return this->UsesRays() && this->CellInterpolation == TRILINEAR_INTERPOLATION &&
-    !this->Internals->Mixed && !this->HasSurfacesOrLayers();
+  return this->CellInterpolation == TRILINEAR_INTERPOLATION && this->MayCrossWholeCells();
 }
 
 bool vtkCellCompositingMapper::NeedsNoOrder() const

@@ -150,8 +150,7 @@ bool vtkCellCompositingMapper::Pick(vtkRenderer* renderer, double x, double y)
   nephoscope::PickMedium medium{ scene.GetOpacityFunctions(), scene.GetTablesOfTetrahedra(),
     length * this->OpacityScale / volume->GetProperty()->GetScalarOpacityUnitDistance() };
   vtkNew<vtkGenericCell> cell;
-  if (this->IsTrilinear() && this->UsesRays() && !this->Internals->Mixed &&
-    !this->HasSurfacesOrLayers() && !geometry.HasOpacityScalars &&
+  if (this->IsTrilinear() && this->MayCrossWholeCells() && !geometry.HasOpacityScalars &&
     (!geometry.Hexahedra.empty() || !geometry.Grid.IsEmpty()))
   {
     medium.Scalar = [&](std::int64_t number, double parameter) {

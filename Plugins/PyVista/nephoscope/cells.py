@@ -53,7 +53,8 @@ def add_cells(plotter: pyvista.BasePlotter, grid: Any, scalars: str | np.ndarray
               tone_mapping: ToneMapping = "contrast", **old: Unpack[OldCellNames]) -> pyvista.Volume:
     """Add a grid of 3-D cells to a plotter as a volume drawn by `vtkCellCompositingMapper`.
 
-    The extinction coefficient is opacity * `opacity_scale` / `opacity_unit_distance`. Scalars vary inside cells as `interpolation` says. Arguments that `pyvista.Plotter.add_volume` also has mean the same here unless noted.
+    The extinction coefficient is opacity * `opacity_scale` / `opacity_unit_distance`. Scalars vary inside cells as `interpolation` says.
+    Arguments that `pyvista.Plotter.add_volume` also has mean the same here unless noted.
 
     Parameters
     ----------

@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 import re
-from typing import Callable, Literal
+from typing import Any, Callable, Literal
 
 import numpy as np
 import pyvista
@@ -89,16 +89,13 @@ def cloud_optics(mesh: AnyMesh, water: str = "", *, liquid: str = "", ice: str =
     return optics_of(options.pop("mesh"), str, **options)
 
 
-def optics_of(mesh: pyvista.DataSet, say: Callable[[str], str], water: str, liquid: str, ice: str, rain: str, snow: str, temperature: str, pressure: str,
-              cloud_fraction: str, land: str, height: str, units: str, liquid_radius: float | None, ice_radius: float | None,
-              droplets_over_land: float, droplets_over_sea: float) -> pyvista.DataSet:
+def optics_of(mesh: pyvista.DataSet, say: Callable[[str], str], **options: Any) -> pyvista.DataSet:
     """`cloud_optics`; messages call its arguments `say(name)`."""
-    options = dict(locals())
-    mesh, say = meshed(options.pop("mesh")), options.pop("say")
+    mesh = meshed(mesh)
     if not isinstance(mesh, vtkDataSet):
         raise TypeError(f"mesh is a {type(mesh).__name__}; it must be a pyvista dataset.")
     mesh = pyvista.wrap(mesh)
-    if FLAT_GRID not in mesh.field_data or height:
+    if FLAT_GRID not in mesh.field_data or options["height"]:
         return _filtered(mesh, say, **options)
     air = FlatAir(mesh)
     try:
