@@ -23,6 +23,14 @@ vtkSunSource::vtkSunSource()
 
 vtkSunSource::~vtkSunSource() = default;
 
+// Every rank has the sun: without pieces VTK asks the first rank only.
+int vtkSunSource::RequestInformation(
+  vtkInformation*, vtkInformationVector**, vtkInformationVector* outputs)
+{
+  outputs->GetInformationObject(0)->Set(vtkAlgorithm::CAN_HANDLE_PIECE_REQUEST(), 1);
+  return 1;
+}
+
 int vtkSunSource::RequestData(
   vtkInformation*, vtkInformationVector**, vtkInformationVector* outputs)
 {

@@ -66,7 +66,7 @@ bool FloatAccumulation::Begin(vtkOpenGLRenderWindow* window, const int viewport[
   }
   if (depth)
   {
-    this->Framebuffer->AddDepthAttachment(depth);
+    this->SetDepth(depth);
   }
   this->Framebuffer->ActivateDrawBuffers(static_cast<unsigned int>(layers));
   // vtkOpenGLState skips this call when the framebuffer that was bound before had as many draw buffers.
@@ -80,6 +80,11 @@ bool FloatAccumulation::Begin(vtkOpenGLRenderWindow* window, const int viewport[
     glClearBufferfv(GL_COLOR, layer, transparent);
   }
   return glCheckFramebufferStatus(GL_DRAW_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE;
+}
+
+void FloatAccumulation::SetDepth(vtkTextureObject* depth)
+{
+  this->Framebuffer->AddDepthAttachment(depth);
 }
 
 void FloatAccumulation::End(vtkOpenGLRenderWindow* window)

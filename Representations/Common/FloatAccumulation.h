@@ -42,6 +42,8 @@ public:
   };
   bool Begin(vtkOpenGLRenderWindow* window, const int viewport[4], int layers = 1,
     vtkTextureObject* depth = nullptr, Content content = Clear);
+  /** Between Begin() and End(): a texture of the images' size becomes the depth buffer. */
+  void SetDepth(vtkTextureObject* depth);
   /** Restores the draw target and the viewport. */
   void End(vtkOpenGLRenderWindow* window);
   /** The image of a layer. */

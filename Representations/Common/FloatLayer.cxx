@@ -120,23 +120,23 @@ std::string FloatLayer::Draw(vtkOpenGLRenderWindow* window, const Painter& paint
 
 std::string FloatLayer::DrawPeel(vtkOpenGLRenderWindow* window, VolumePeel& peel,
   const VolumePeel::Request& request,
-  const std::function<std::string(const int viewport[4])>& paint)
+  const std::function<std::string(const int viewport[4])>& paint, VolumePeel::DepthTest test)
 {
   int viewport[4];
   vtkOpenGLState* state = window->GetState();
   state->vtkglGetIntegerv(GL_VIEWPORT, viewport);
   ForgetErrors();
   const SavedState saved(state);
-  if (!peel.FindRanges(window, request, viewport))
+  if (!peel.FindRanges(window, request, viewport, test))
   {
     return CheckOpenGL("while asking for a peel");
   }
   std::string error = noFloatImages;
-  if (this->Accumulation.Begin(window, viewport, 2, peel.GetNearestDepth()))
+  if (this->Accumulation.Begin(window, viewport, 2, peel.GetDepth()))
   {
     SetBlending(state);
     state->vtkglEnable(GL_DEPTH_TEST);
-    state->vtkglDepthFunc(GL_GREATER);
+    state->vtkglDepthFunc(test == VolumePeel::Farthest ? GL_LESS : GL_GREATER);
     error = paint(viewport);
   }
   this->Accumulation.End(window);
@@ -148,6 +148,13 @@ std::string FloatLayer::DrawPeel(vtkOpenGLRenderWindow* window, VolumePeel& peel
   peel.Deliver(
     window, request, viewport, this->Accumulation.GetTexture(0), this->Accumulation.GetTexture(1));
   return CheckOpenGL("while peeling");
+}
+
+void FloatLayer::HideBehindOpaque(vtkOpenGLRenderWindow* window)
+{
+  this->Accumulation.SetDepth(this->Depth.Duplicate(window));
+  window->GetState()->vtkglEnable(GL_DEPTH_TEST);
+  window->GetState()->vtkglDepthFunc(GL_LEQUAL);
 }
 
 void FloatLayer::ReleaseGraphicsResources(vtkWindow* window)

@@ -43,11 +43,15 @@ public:
 
   /**
    * Answers a depth peeling pass: both ranges of `peel` are drawn at once, gl_FragData[0] and [1], over a depth buffer in which
-   * fragments pass that may lie in a range (VolumePeel::GetNearestDepth).
+   * fragments pass that may lie in a range (VolumePeel::GetDepth), with the function that belongs to `test`.
    */
   std::string DrawPeel(vtkOpenGLRenderWindow* window, VolumePeel& peel,
     const VolumePeel::Request& request,
-    const std::function<std::string(const int viewport[4])>& paint);
+    const std::function<std::string(const int viewport[4])>& paint,
+    VolumePeel::DepthTest test = VolumePeel::Nearest);
+
+  /** For a painter: fragments whose depth is behind opaque geometry fail from now on. Shaders may go on reading the opaque depth. */
+  void HideBehindOpaque(vtkOpenGLRenderWindow* window);
 
   ///@{
   /** For code that draws into the image in another way. */

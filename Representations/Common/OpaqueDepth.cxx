@@ -56,17 +56,17 @@ OpaqueDepth::Format OpaqueDepth::DrawFramebufferFormat()
 void OpaqueDepth::Allocate(
   vtkOpenGLRenderWindow* window, const Format& format, int width, int height)
 {
-  if (this->Texture->GetHandle() && this->AllocatedFormat == format && this->Size[0] == width &&
-    this->Size[1] == height)
+  if (this->Whole.Texture->GetHandle() && this->AllocatedFormat == format &&
+    this->Size[0] == width && this->Size[1] == height)
   {
     return;
   }
   this->ReleaseGraphicsResources(window);
-  this->Framebuffer->SetContext(window);
+  this->Whole.Framebuffer->SetContext(window);
   this->AllocatedFormat = format;
   this->Size[0] = width;
   this->Size[1] = height;
-  AllocateTexture(window, this->Texture, format, this->Size);
+  AllocateTexture(window, this->Whole.Texture, format, this->Size);
 }
 
 void OpaqueDepth::AllocateTexture(
@@ -103,8 +103,8 @@ void OpaqueDepth::Copy(vtkOpenGLRenderWindow* window, const int viewport[4], con
   GLint source = 0;
   glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &source);
   state->PushFramebufferBindings();
-  this->Framebuffer->Bind();
-  this->Framebuffer->AddDepthAttachment(this->Texture);
+  this->Whole.Framebuffer->Bind();
+  this->Whole.Framebuffer->AddDepthAttachment(this->Whole.Texture);
   GLint destination = 0;
   glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &destination);
   glBindFramebuffer(GL_READ_FRAMEBUFFER, static_cast<GLuint>(source));
@@ -117,16 +117,18 @@ void OpaqueDepth::Copy(vtkOpenGLRenderWindow* window, const int viewport[4], con
   state->PopFramebufferBindings();
 }
 
-void OpaqueDepth::Coarsen(vtkOpenGLRenderWindow* window, int width, int height)
+void OpaqueDepth::Fill(
+  vtkOpenGLRenderWindow* window, Image& image, Image& source, int width, int height)
 {
   const int size[2] = { width, height };
-  if (!this->Coarse->GetHandle() || static_cast<int>(this->Coarse->GetWidth()) != width ||
-    static_cast<int>(this->Coarse->GetHeight()) != height)
+  vtkTextureObject* texture = image.Texture;
+  if (!texture->GetHandle() || static_cast<int>(texture->GetWidth()) != width ||
+    static_cast<int>(texture->GetHeight()) != height)
   {
-    this->Coarse->ReleaseGraphicsResources(window);
-    this->CoarseFramebuffer->ReleaseGraphicsResources(window); // keeps what is attached
-    AllocateTexture(window, this->Coarse, this->AllocatedFormat, size);
-    this->CoarseFramebuffer->SetContext(window);
+    texture->ReleaseGraphicsResources(window);
+    image.Framebuffer->ReleaseGraphicsResources(window); // keeps what is attached
+    AllocateTexture(window, texture, this->AllocatedFormat, size);
+    image.Framebuffer->SetContext(window);
   }
   vtkOpenGLState* state = window->GetState();
   vtkOpenGLState::ScopedglEnableDisable scissor(state, GL_SCISSOR_TEST);
@@ -134,21 +136,36 @@ void OpaqueDepth::Coarsen(vtkOpenGLRenderWindow* window, int width, int height)
   vtkOpenGLState::ScopedglDepthMask mask(state);
   state->vtkglDepthMask(GL_TRUE);
   state->PushFramebufferBindings();
-  this->Framebuffer->Bind(GL_READ_FRAMEBUFFER);
-  this->CoarseFramebuffer->Bind(GL_DRAW_FRAMEBUFFER);
-  this->CoarseFramebuffer->AddDepthAttachment(this->Coarse);
-  glBlitFramebuffer(
-    0, 0, this->Size[0], this->Size[1], 0, 0, width, height, GL_DEPTH_BUFFER_BIT, GL_NEAREST);
+  source.Framebuffer->Bind(GL_READ_FRAMEBUFFER);
+  image.Framebuffer->Bind(GL_DRAW_FRAMEBUFFER);
+  image.Framebuffer->AddDepthAttachment(texture);
+  glBlitFramebuffer(0, 0, static_cast<GLint>(source.Texture->GetWidth()),
+    static_cast<GLint>(source.Texture->GetHeight()), 0, 0, width, height, GL_DEPTH_BUFFER_BIT,
+    GL_NEAREST);
   state->PopFramebufferBindings();
+}
+
+void OpaqueDepth::Coarsen(vtkOpenGLRenderWindow* window, int width, int height)
+{
+  this->Fill(window, this->Coarse, this->Whole, width, height);
   this->IsCoarse = true;
+}
+
+vtkTextureObject* OpaqueDepth::Duplicate(vtkOpenGLRenderWindow* window)
+{
+  Image& source = this->IsCoarse ? this->Coarse : this->Whole;
+  this->Fill(window, this->Second, source, static_cast<int>(source.Texture->GetWidth()),
+    static_cast<int>(source.Texture->GetHeight()));
+  return this->Second.Texture;
 }
 
 void OpaqueDepth::ReleaseGraphicsResources(vtkWindow* window)
 {
-  this->Framebuffer->ReleaseGraphicsResources(window);
-  this->CoarseFramebuffer->ReleaseGraphicsResources(window);
-  this->Texture->ReleaseGraphicsResources(window);
-  this->Coarse->ReleaseGraphicsResources(window);
+  for (Image* image : { &this->Whole, &this->Coarse, &this->Second })
+  {
+    image->Framebuffer->ReleaseGraphicsResources(window);
+    image->Texture->ReleaseGraphicsResources(window);
+  }
   this->Size[0] = this->Size[1] = 0;
 }
 

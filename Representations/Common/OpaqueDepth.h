@@ -33,8 +33,14 @@ public:
   /** Picks the copy's depths at the centres of `width` times `height` larger pixels; GetTexture() gives them until the next copy. */
   void Coarsen(vtkOpenGLRenderWindow* window, int width, int height);
 
+  /** A second copy of GetTexture(), so that one can be the depth buffer while shaders read the other. */
+  vtkTextureObject* Duplicate(vtkOpenGLRenderWindow* window);
+
   /** Depth in [0, 1], one texel per pixel of the viewport. */
-  vtkTextureObject* GetTexture() const { return this->IsCoarse ? this->Coarse : this->Texture; }
+  vtkTextureObject* GetTexture() const
+  {
+    return this->IsCoarse ? this->Coarse.Texture : this->Whole.Texture;
+  }
 
   void ReleaseGraphicsResources(vtkWindow* window);
 
@@ -52,11 +58,16 @@ private:
   };
   static Format DrawFramebufferFormat();
   void Allocate(vtkOpenGLRenderWindow* window, const Format& format, int width, int height);
+  struct Image
+  {
+    vtkNew<vtkOpenGLFramebufferObject> Framebuffer;
+    vtkNew<vtkTextureObject> Texture;
+  };
+  void Fill(vtkOpenGLRenderWindow* window, Image& image, Image& source, int width, int height);
   static void AllocateTexture(vtkOpenGLRenderWindow* window, vtkTextureObject* texture,
     const Format& format, const int size[2]);
 
-  vtkNew<vtkOpenGLFramebufferObject> Framebuffer, CoarseFramebuffer;
-  vtkNew<vtkTextureObject> Texture, Coarse;
+  Image Whole, Coarse, Second;
   bool IsCoarse = false;
   Format AllocatedFormat;
   int Size[2] = { 0, 0 };

@@ -67,8 +67,8 @@ void VolumePeel::Allocate(vtkOpenGLRenderWindow* window, int width, int height)
   {
     allocateColor(target, window, width, height, VTK_UNSIGNED_CHAR);
   }
-  this->NearestDepth->SetContext(window);
-  this->NearestDepth->AllocateDepth(width, height, vtkTextureObject::Float32);
+  this->Depth->SetContext(window);
+  this->Depth->AllocateDepth(width, height, vtkTextureObject::Float32);
   this->Size[0] = width;
   this->Size[1] = height;
 }
@@ -108,22 +108,22 @@ void VolumePeel::DrawTriangle()
 }
 
 bool VolumePeel::FindRanges(
-  vtkOpenGLRenderWindow* window, const Request& request, const int viewport[4])
+  vtkOpenGLRenderWindow* window, const Request& request, const int viewport[4], DepthTest test)
 {
   this->Allocate(window, viewport[2], viewport[3]);
   vtkOpenGLState* state = window->GetState();
   state->PushFramebufferBindings();
   this->Framebuffer->Bind();
   this->Framebuffer->AddColorAttachment(0, this->Ranges);
-  this->Framebuffer->AddDepthAttachment(this->NearestDepth);
+  this->Framebuffer->AddDepthAttachment(this->Depth);
   this->Framebuffer->ActivateDrawBuffer(0);
-  const bool any = this->DrawRanges(window, request, viewport);
+  const bool any = this->DrawRanges(window, request, viewport, test);
   state->PopFramebufferBindings();
   return any;
 }
 
 bool VolumePeel::DrawRanges(
-  vtkOpenGLRenderWindow* window, const Request& request, const int viewport[4])
+  vtkOpenGLRenderWindow* window, const Request& request, const int viewport[4], DepthTest test)
 {
   vtkOpenGLState* state = window->GetState();
   vtkOpenGLState::ScopedglViewport savedViewport(state);
@@ -141,11 +141,11 @@ bool VolumePeel::DrawRanges(
   state->vtkglDepthFunc(GL_ALWAYS);
   state->vtkglDepthMask(GL_TRUE);
   const float empty[4] = { 1, 0, 1, 0 };
-  const float behindAll = 1;
+  const float nothingPasses = test == Farthest ? 0 : 1;
   glClearBufferfv(GL_COLOR, 0, empty);
-  glClearBufferfv(GL_DEPTH, 0, &behindAll);
+  glClearBufferfv(GL_DEPTH, 0, &nothingPasses);
   VolumeSlices* slices = VolumeSlices::GetCurrent();
-  if (!(slices ? slices->ReadyRanges(window)
+  if (!(slices ? slices->ReadyRanges(window, test == Farthest)
                : this->ReadyProgram(window, request, viewport, PeelRangesFragment)))
   {
     return false;
@@ -214,7 +214,7 @@ void VolumePeel::ReleaseGraphicsResources(vtkWindow* window)
   this->VertexArray->ReleaseGraphicsResources();
   this->Framebuffer->ReleaseGraphicsResources(window);
   this->Ranges->ReleaseGraphicsResources(window);
-  this->NearestDepth->ReleaseGraphicsResources(window);
+  this->Depth->ReleaseGraphicsResources(window);
   for (auto& target : this->Targets)
   {
     target->ReleaseGraphicsResources(window);

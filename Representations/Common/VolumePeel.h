@@ -51,12 +51,22 @@ public:
   /** Whether a peeling pass, or VolumeSlices, requests that this volume draws. */
   static bool IsRequested(vtkProp* volume);
 
+  enum DepthTest
+  {
+    Nearest,
+    Farthest ///< for VolumeSlices only
+  };
+
   /** Finds the ranges of this peel. False when there is nothing to draw in any pixel. */
-  bool FindRanges(vtkOpenGLRenderWindow* window, const Request& request, const int viewport[4]);
+  bool FindRanges(vtkOpenGLRenderWindow* window, const Request& request, const int viewport[4],
+    DepthTest test = Nearest);
   /** RGBA32F, one texel per pixel of the viewport: near and far depth of two ranges, empty where near >= far. */
   vtkTextureObject* GetRanges() const { return this->Ranges; }
-  /** Depth buffer that lets only those fragments pass GL_GREATER which lie behind the near end of a range. */
-  vtkTextureObject* GetNearestDepth() const { return this->NearestDepth; }
+  /**
+   * Depth buffer that lets only those fragments pass GL_GREATER which lie behind the near end of a range, or with Farthest those
+   * pass GL_LESS which lie in front of a far end.
+   */
+  vtkTextureObject* GetDepth() const { return this->Depth; }
 
   /** Draws the light of the two ranges (premultiplied, as large as the viewport) into the bound targets of the pass. */
   void Deliver(vtkOpenGLRenderWindow* window, const Request& request, const int viewport[4],
@@ -69,12 +79,13 @@ private:
   vtkShaderProgram* ReadyProgram(vtkOpenGLRenderWindow* window, const Request& request,
     const int viewport[4], const char* shader);
   void DrawTriangle();
-  bool DrawRanges(vtkOpenGLRenderWindow* window, const Request& request, const int viewport[4]);
+  bool DrawRanges(
+    vtkOpenGLRenderWindow* window, const Request& request, const int viewport[4], DepthTest test);
   void CopyTargets(vtkOpenGLRenderWindow* window, unsigned int count);
 
   vtkNew<vtkOpenGLFramebufferObject> Framebuffer;
   vtkNew<vtkTextureObject> Ranges;
-  vtkNew<vtkTextureObject> NearestDepth;
+  vtkNew<vtkTextureObject> Depth;
   vtkNew<vtkTextureObject> Targets[2];
   vtkNew<vtkOpenGLVertexArrayObject> VertexArray; // without attributes
   int Size[2] = { 0, 0 };

@@ -31,12 +31,15 @@ namespace nephoscope
 namespace
 {
 VolumeSlices* current = nullptr;
+constexpr double farAway = std::numeric_limits<double>::max();
 
 /** Least and greatest distance from the eye's plane. */
 struct Span
 {
   double Near = std::numeric_limits<double>::max();
   double Far = -std::numeric_limits<double>::max();
+
+  bool Meets(double near, double far) const { return this->Near <= far && this->Far >= near; }
 
   void Add(vtkCamera* camera, const vtkBoundingBox& box)
   {
@@ -75,21 +78,29 @@ Span overlapOf(vtkCamera* camera, const std::vector<vtkVolume*>& volumes)
   return span;
 }
 
-/** Depths in [0, 1] between which the slices are: in front of the span, in it, and behind it. */
-std::vector<float> depthsOfSlices(vtkRenderer* renderer, const Span& span, int count)
+/** What the slices are divided by: distances from the eye's plane, and depths in [0, 1]. */
+struct Division
+{
+  double Distance;
+  float Depth;
+};
+
+/** In front of the span, in it, and behind it. */
+std::vector<Division> divide(vtkRenderer* renderer, const Span& span, int count)
 {
   vtkMatrix4x4* matrix = renderer->GetActiveCamera()->GetProjectionTransformMatrix(
     renderer->GetTiledAspectRatio(), -1, 1);
-  std::vector<float> depths(1, 0.0f);
+  std::vector<Division> divisions = { { -farAway, 0 } };
   for (int i = 0; i <= count && span.Near < span.Far; ++i)
   {
-    const double z = -(span.Near + (span.Far - span.Near) * i / count);
-    const double depth = (matrix->GetElement(2, 2) * z + matrix->GetElement(2, 3)) /
-      (matrix->GetElement(3, 2) * z + matrix->GetElement(3, 3));
-    depths.push_back(static_cast<float>(std::min(std::max(0.5 + 0.5 * depth, 0.0), 1.0)));
+    const double distance = span.Near + (span.Far - span.Near) * i / count;
+    const double depth = (matrix->GetElement(2, 3) - matrix->GetElement(2, 2) * distance) /
+      (matrix->GetElement(3, 3) - matrix->GetElement(3, 2) * distance);
+    divisions.push_back(
+      { distance, static_cast<float>(std::min(std::max(0.5 + 0.5 * depth, 0.0), 1.0)) });
   }
-  depths.push_back(1.0f);
-  return depths;
+  divisions.push_back({ farAway, 1 });
+  return divisions;
 }
 
 class InTurn // Draw() may be left by an exception of an observer
@@ -137,6 +148,9 @@ void VolumeSlices::Draw(
     this->Depth.Copy(window, this->Viewport);
     this->Source = this->Depth.GetTexture();
   }
+  this->Spanned = VolumeSpans::AreWorthwhile(renderer, volumes)
+    ? this->Spans.Draw(renderer, volumes, this->Viewport)
+    : nullptr;
   this->Light.Begin(window, this->Viewport, 2); // clears
   this->Light.End(window);
   this->DrawSlices(renderer, volumes, draw);
@@ -154,37 +168,44 @@ void VolumeSlices::Draw(
   }
 }
 
-// From front to back. Without a peel two slices are drawn at once, as the two ranges of a peel.
+// From front to back. Without a peel two slices are drawn at once, as the two ranges of a peel. Rays that lie in one volume at a time are
+// drawn in the first and the last slice, of all depths (SliceRanges); the others have only what is between their planes.
 void VolumeSlices::DrawSlices(
   vtkRenderer* renderer, const std::vector<vtkVolume*>& volumes, const Drawer& draw)
 {
   auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
-  const std::vector<float> depths = depthsOfSlices(renderer,
+  const std::vector<Division> ends = divide(renderer,
     overlapOf(renderer->GetActiveCamera(), volumes), isMoving(renderer) ? Count / 4 : Count);
-  const std::size_t step = this->Peeled ? 1 : 2, last = depths.size() - 1;
+  const std::size_t step = this->Peeled ? 1 : 2, last = ends.size() - 1;
   for (std::size_t i = 0; i < last; i += step)
   {
     const std::size_t next = this->Peeled ? i : std::min(i + 1, last);
-    this->Slice[0] = depths[i];
-    this->Slice[1] = depths[i + 1];
-    this->Slice[2] = depths[next];
-    this->Slice[3] = depths[std::min(next + 1, last)];
+    const Division &first = ends[i], &end = ends[std::min(next + 1, last)];
+    this->Slice[0] = first.Depth;
+    this->Slice[1] = ends[i + 1].Depth;
+    this->Slice[2] = ends[next].Depth;
+    this->Slice[3] = end.Depth;
+    const bool within = !this->Spanned || (i > 0 && next + 1 < last);
+    this->Front = i == 0;
+    this->Distances = { within ? first.Distance : -farAway, within ? end.Distance : farAway };
+    this->Depths =
+      within ? std::array<float, 2>{ first.Depth, end.Depth } : std::array<float, 2>{ 0, 1 };
     this->Sums.Begin(window, this->Viewport, 2); // clears
     this->Sums.End(window);
     const InTurn turn(this);
     for (vtkVolume* volume : volumes)
     {
-      window->GetState()->vtkglViewport(
-        this->Viewport[0], this->Viewport[1], this->Viewport[2], this->Viewport[3]);
-      draw(renderer, volume);
+      Span span;
+      span.Add(renderer->GetActiveCamera(), vtkBoundingBox(volume->GetBounds()));
+      if (!within || span.Meets(first.Distance, end.Distance))
+      {
+        window->GetState()->vtkglViewport(
+          this->Viewport[0], this->Viewport[1], this->Viewport[2], this->Viewport[3]);
+        draw(renderer, volume);
+      }
     }
     this->Lay(window);
   }
-}
-
-std::array<float, 2> VolumeSlices::GetDepths() const
-{
-  return { this->Slice[0], this->Slice[3] };
 }
 
 void VolumeSlices::DrawTriangle()
@@ -194,7 +215,7 @@ void VolumeSlices::DrawTriangle()
   this->VertexArray->Release();
 }
 
-vtkShaderProgram* VolumeSlices::ReadyRanges(vtkOpenGLRenderWindow* window)
+vtkShaderProgram* VolumeSlices::ReadyRanges(vtkOpenGLRenderWindow* window, bool farthestDepth)
 {
   vtkShaderProgram* program =
     window->GetShaderCache()->ReadyShaderProgram(wholeViewportVertex, SliceRangesFragment, "");
@@ -202,9 +223,17 @@ vtkShaderProgram* VolumeSlices::ReadyRanges(vtkOpenGLRenderWindow* window)
   {
     this->Source->Activate();
     program->SetUniformi("source", this->Source->GetTextureUnit());
+    program->SetUniformi("haveSpans", this->Spanned != nullptr);
+    if (this->Spanned)
+    {
+      this->Spanned->Activate();
+      program->SetUniformi("spans", this->Spanned->GetTextureUnit());
+      this->Spanned->Deactivate(); // units keep their textures until others are bound there
+    }
     program->SetUniformi("ofPeel", this->Peeled);
+    program->SetUniformi("farthestDepth", farthestDepth);
     program->SetUniform4f("slice", this->Slice);
-    this->Source->Deactivate(); // the unit keeps it until another is bound there
+    this->Source->Deactivate();
   }
   return program;
 }
@@ -267,6 +296,7 @@ void VolumeSlices::Lay(vtkOpenGLRenderWindow* window)
 void VolumeSlices::ReleaseGraphicsResources(vtkWindow* window)
 {
   this->Outer.ReleaseGraphicsResources(window);
+  this->Spans.ReleaseGraphicsResources(window);
   this->Depth.ReleaseGraphicsResources(window);
   this->Sums.ReleaseGraphicsResources(window);
   this->Light.ReleaseGraphicsResources(window);

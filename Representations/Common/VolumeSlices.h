@@ -13,6 +13,7 @@
 #include "FloatAccumulation.h"
 #include "OpaqueDepth.h"
 #include "VolumePeel.h"
+#include "VolumeSpans.h"
 #include "vtkNephoscopeRepresentationsCommonModule.h" // for export macro
 #include "vtkNew.h"
 
@@ -47,11 +48,15 @@ public:
 
   /** Those that are being drawn; null where there are none. */
   static VolumeSlices* GetCurrent();
-  /** Depths in [0, 1] between which volumes are asked to draw now. */
-  std::array<float, 2> GetDepths() const;
+  /** Depths in [0, 1] between which volumes are asked to draw now, in any pixel. */
+  std::array<float, 2> GetDepths() const { return this->Depths; }
+  /** The same as distances from the eye's plane; the lowest and the greatest double where there is no end. */
+  std::array<double, 2> GetDistances() const { return this->Distances; }
+  /** Whether this is the front of the rays, which has an end in every pixel, but no beginning. */
+  bool IsFront() const { return this->Front; }
   ///@{
   /** The queries that VolumePeel makes instead of those to a peeling pass. */
-  vtkShaderProgram* ReadyRanges(vtkOpenGLRenderWindow* window);
+  vtkShaderProgram* ReadyRanges(vtkOpenGLRenderWindow* window, bool farthestDepth);
   void Take(vtkOpenGLRenderWindow* window, vtkTextureObject* first, vtkTextureObject* second);
   ///@}
 
@@ -69,9 +74,14 @@ private:
   FloatAccumulation Light; // of all before
   vtkNew<vtkOpenGLVertexArrayObject> VertexArray; // without attributes
   vtkTextureObject* Source = nullptr;             // ranges of the pass, or the opaque depth
+  VolumeSpans Spans;
+  vtkTextureObject* Spanned = nullptr; // null: rays are divided all the way
   bool Peeled = false;
   int Viewport[4] = { 0, 0, 0, 0 };
   float Slice[4] = { 0, 1, 0, 1 }; // depths, near and far, of a pair
+  std::array<float, 2> Depths = { 0, 1 };
+  std::array<double, 2> Distances = { 0, 0 };
+  bool Front = false;
 };
 
 } // namespace nephoscope

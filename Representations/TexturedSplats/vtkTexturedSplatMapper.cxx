@@ -14,6 +14,7 @@
 #include "ViewState.h"
 #include "VolumeOrder.h"
 #include "VolumePeel.h"
+#include "VolumeSlices.h"
 
 #include "vtkAbstractMapper.h"
 #include "vtkDataSet.h"
@@ -303,6 +304,10 @@ std::string vtkTexturedSplatMapper::DrawScene(
   nephoscope::FindSplatRanges(scene.GetSorted(), scene.GetSamples(), state.View, pixels, options);
   scene.UpdateLayers(options.MediaApart, this->OrderByLayers, this->GetDataSetInput(),
     this->LayerAxis, options.NearSplats);
+  if (const auto* slices = nephoscope::VolumeSlices::GetCurrent(); slices && !scene.IsInLayers())
+  {
+    nephoscope::FindSplatsBetween(scene.GetSorted(), state.View, slices->GetDistances(), options);
+  }
   this->SetRegionOptions(options);
   options.LayerThickness = options.MediaApart ? scene.GetLayerThickness() : 0.0;
   this->Internals->Window.Enter(window);

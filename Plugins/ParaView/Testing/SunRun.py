@@ -23,4 +23,11 @@ set_background(view, (0, 0, 0.2))
 for name, hours in (("noon", 0), ("evening", 5)):
     sun.HoursLater = hours
     np.save(f"{sys.argv[1]}-{name}.npy", image(view))
+for each in pvs.GetSources().values():
+    pvs.Hide(each, view)
+clouds = pvs.CloudsovertheGlobe()
+pvs.Show(pvs.Sunlight(Input=pvs.CloudOptics(Input=clouds), Sun=sun), view)
+pvs.Show(pvs.OutputPort(clouds, 1), view)
+pvs.Show(sun, view)
+np.save(f"{sys.argv[1]}-clouds.npy", image(view))
 passed()

@@ -46,6 +46,21 @@ double storedNumber(vtkDataSet* data, const char* name, vtkIdType index = 0)
   return array && array->GetNumberOfTuples() > index ? array->GetComponent(index, 0) : 0.0;
 }
 
+// Where data are redistributed, points that are cut lose arrays of this role, and samples of equal numbers are taken for one.
+vtkSmartPointer<vtkDataSet> withoutRolesOfIds(vtkDataSet* data)
+{
+  auto copy = vtkSmartPointer<vtkDataSet>::Take(data->NewInstance());
+  copy->ShallowCopy(data);
+  for (vtkDataSetAttributes* attributes :
+    { static_cast<vtkDataSetAttributes*>(copy->GetPointData()),
+      static_cast<vtkDataSetAttributes*>(copy->GetCellData()) })
+  {
+    attributes->SetActiveAttribute(-1, vtkDataSetAttributes::GLOBALIDS);
+    attributes->SetActiveAttribute(-1, vtkDataSetAttributes::PEDIGREEIDS);
+  }
+  return copy;
+}
+
 // ParaView makes the range of equal values wider by 2.4e-4 of the value: a ramp over it is transparent at the values.
 // The ramp over one value that ParaView makes; what has more nodes somebody has chosen: 0 of rain is no rain.
 bool isOverOneValue(vtkPiecewiseFunction* function, double value)
@@ -180,6 +195,10 @@ int vtkMediumRepresentation::RequestData(
   {
     this->WarnOfEmptiness(vtkDataObject::GetData(inputVector[0], 0));
     this->PreparePiece(this->KeepDrawnBlocks(vtkDataObject::GetData(inputVector[0], 0)));
+    if (GetNumberOfRanks() > 1 && this->Piece)
+    {
+      this->Piece = withoutRolesOfIds(this->Piece);
+    }
     this->HasPiece = HoldsAnything(this->Piece);
     this->StoreBounds();
   }

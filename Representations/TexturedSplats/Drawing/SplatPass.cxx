@@ -218,9 +218,13 @@ std::string SplatPass::DrawPeel(vtkOpenGLRenderWindow* window, const SceneView& 
   const SplatDrawingOptions& options, const VolumePeel::Request& request)
 {
   this->Peeled = true;
-  return this->Layer.DrawPeel(window, this->Peel, request, [&](const int viewport[4]) {
+  const VolumeSlices* slices = VolumeSlices::GetCurrent();
+  this->TestsFarEnds = !slices || !slices->IsFront();
+  const auto paint = [&](const int viewport[4]) {
     return this->DrawAll(window, view, options, viewport, this->Peel.GetRanges());
-  });
+  };
+  return this->Layer.DrawPeel(window, this->Peel, request, paint,
+    this->TestsFarEnds ? VolumePeel::Nearest : VolumePeel::Farthest);
 }
 
 std::string SplatPass::DrawAll(vtkOpenGLRenderWindow* window, const SceneView& view,
@@ -235,15 +239,20 @@ std::string SplatPass::DrawAll(vtkOpenGLRenderWindow* window, const SceneView& v
   variant.Parallel = view.EyeView[3] == 0;
   variant.Peeled = this->Peeled;
   variant.Cut = !this->Peeled && this->HasOpaquePixels(window);
+  if (variant.Cut)
+  {
+    this->Layer.HideBehindOpaque(window);
+  }
   variant.Fade = this->Fade;
   variant.Region = IsRegion(options.Region);
   const std::size_t ends[] = { options.CloserSplats, options.LargeSplats, options.NearSplats, 0 };
   const Way ways[] = { Way::FarPoints, Way::Points, Way::Quads, Way::Viewport };
   std::string error;
-  std::size_t begin = 0;
+  std::size_t begin = std::min(options.FirstSplat, this->Count);
+  const std::size_t all = this->Count - std::min(options.SplatsAfter, this->Count);
   for (std::size_t i = 0; i < 4 && error.empty(); ++i)
   {
-    const std::size_t end = this->Count - std::min(ends[i], this->Count);
+    const std::size_t end = std::min(this->Count - std::min(ends[i], this->Count), all);
     if (end > begin)
     {
       variant.As = ways[i];
@@ -361,6 +370,7 @@ void SplatPass::SetUniforms(
   program->SetUniformi("depthRanges", this->DepthUnit);
   const std::array<float, 4> depthToVC = depthToView(view.ViewToDevice);
   program->SetUniform4f("depthToVC", depthToVC.data());
+  program->SetUniformi("testsFarEnds", this->Peeled && this->TestsFarEnds);
   program->SetUniform2f("sliceZ", zOfSlice(depthToVC).data());
   SetRegionUniforms(program, view, options, this->PixelsPerDevice);
 }

@@ -59,6 +59,8 @@ struct SplatDrawingOptions
   SplatRegion Region = WholeSpace; // relative to the samples' centre
   HazeView Haze;
   ClippingPlanes Planes;
+  std::size_t FirstSplat = 0;  // of the order, where volumes are drawn in slices
+  std::size_t SplatsAfter = 0; // that are not drawn
   double LayerThickness = 0.0; // of layers at right angles to the line of sight; 0: there are none
 };
 
@@ -140,6 +142,7 @@ private:
   FloatLayer Layer;
   VolumePeel Peel;
   bool Peeled = false;
+  bool TestsFarEnds = false; // of splats, against the near ends of ranges
   vtkNew<vtkOpenGLVertexArrayObject> VertexArray;
   vtkShaderProgram* Program = nullptr; // owned by the window's shader cache
 };

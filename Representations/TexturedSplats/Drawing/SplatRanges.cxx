@@ -4,6 +4,7 @@
 
 #include "SplatKernel.h"
 #include "SplatPass.h"
+#include "SplatReach.h"
 #include "SplatSamples.h"
 #include "ViewState.h"
 
@@ -122,6 +123,34 @@ void FindSplatRanges(const SortedSplats& splats, const SplatSamples& samples, co
   }
   options.LargeSplats = within(PointDistance(reach));
   options.CloserSplats = within(std::max(PointDistance(reach), FirstOrderDistance(reach)));
+}
+
+void FindSplatsBetween(const SortedSplats& splats, const SceneView& view,
+  const std::array<double, 2>& distances, SplatDrawingOptions& options)
+{
+  const SplatEye eye = { { view.EyeModel[0], view.EyeModel[1], view.EyeModel[2],
+    view.EyeModel[3] } };
+  if (eye[3] == 0)
+  {
+    return;
+  }
+  const SplatMatrix toView = ToViewMatrix(view);
+  const SplatMetric metric = MetricOf(toView);
+  const double kernel = KernelRadius(options.Kernel);
+  const VectorLook look = { options.Segments, options.VectorUnit, options.StreakPeriod,
+    options.SegmentLength };
+  const double reach = LargestStretch(toView) *
+      (options.Vectors ? VectorReach(look, kernel, splats.LongestEdge) : 0.0) +
+    LargestStretch(toView) * kernel * splats.LongestEdge;
+  const double slope = largestSlope(view.ViewToDevice);
+  const auto within = [&](double distance) {
+    return distance > 0
+      ? CountNear(splats.Places, splats.Items, splats.Order, eye, distance, metric)
+      : 0;
+  };
+  const double farthest = distances[1] * std::sqrt(1 + slope * slope) + reach;
+  options.FirstSplat = splats.Order.size() - within(farthest);
+  options.SplatsAfter = within(distances[0] - reach);
 }
 
 } // namespace nephoscope

@@ -92,6 +92,10 @@ struct SortedSplats
 void FindSplatRanges(const SortedSplats& splats, const SplatSamples& samples, const SceneView& view,
   const int pixels[2], SplatDrawingOptions& options);
 
+/** Sets which part of the order may be seen between two distances from the eye's plane. */
+void FindSplatsBetween(const SortedSplats& splats, const SceneView& view,
+  const std::array<double, 2>& distances, SplatDrawingOptions& options);
+
 } // namespace nephoscope
 
 #endif

@@ -75,6 +75,8 @@ public:
   std::string DescribeLeftOut(const SplatFields& fields, const std::string& sizeArrayName) const;
   /** Thickness of the layers at right angles to the line of sight; 0 where they are those of a grid. */
   double GetLayerThickness() const;
+  /** Whether layers are drawn one after another, not in the order of the distances. */
+  bool IsInLayers() const { return !this->Items.empty(); }
   SortedSplats GetSorted() const
   {
     return { this->Places(), this->Drawn(), this->Order, this->LongestDrawn() };

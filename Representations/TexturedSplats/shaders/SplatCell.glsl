@@ -7,6 +7,7 @@ uniform FloatArray splats;
 uniform int firstNode;
 uniform mat4 modelToVC;
 uniform mat3 sharedJacobian;
+uniform bool testsFarEnds;
 uniform vec2 sliceZ; // near and far z in VC of what is drawn, where volumes are drawn in slices (VolumeSlices.h)
 
 void readSplat(int splat, out vec3 centerVC, out mat3 jacobianVC)
@@ -30,8 +31,25 @@ void readSplat(int splat, out vec3 centerVC, out mat3 jacobianVC)
   jacobianVC = mat3(modelToVC) * jacobian;
 }
 
+// The depth, times w, that the depth test sees of a splat whose reach ends at these z in VC: its near end must lie in front of opaque
+// geometry, and where surfaces are peeled its far end behind the near end of a range. The near and the far plane cut nothing.
+float testedDepth(float nearZ, float farZ, float w)
+{
+  const float margin = 2.0e-5; // more than a rasterizer errs in depth
+  float z = testsFarEnds ? farZ : nearZ;
+  float scale = VCToDC[2][3] * z + VCToDC[3][3];
+  float depth = (VCToDC[2][2] * z + VCToDC[3][2]) / scale;
+  return w * (testsFarEnds ? (scale > 0.0 ? clamp(depth + margin, -1.0, 1.0) : 1.0) : (scale > 0.0 ? clamp(depth - margin, -1.0, 1.0) : -1.0));
+}
+
+// How far a kernel reaches from its centre, along z.
+float reachAlongZ(mat3 J, float radius)
+{
+  return radius * length(vec3(J[0].z, J[1].z, J[2].z));
+}
+
 bool outsideSlice(vec3 center, mat3 J, float radius)
 {
-  float reach = radius * length(vec3(J[0].z, J[1].z, J[2].z));
+  float reach = reachAlongZ(J, radius);
   return peeled && (center.z - reach > sliceZ.x || center.z + reach < sliceZ.y);
 }

@@ -50,6 +50,7 @@ struct SplatLook
   vec4 detail;
   vec3 center; // of the splat, in VC
   bool small;  // about as small as a pixel
+  vec2 ends;   // z of its near and of its far end, in VC
 };
 
 void emitCorner(vec2 st, vec3 positionVC, vec3 centerVC, float square, SplatLook look, vec4 positionDC)
@@ -68,8 +69,7 @@ void emitCorner(vec2 st, vec3 positionVC, vec3 centerVC, float square, SplatLook
   regionGSOutput = inRegion(look.center, look.small);
 #endif
   gl_Position = positionDC;
-  // The near and the far plane cut nothing. Where surfaces are peeled, pixels without a range fail the depth test.
-  gl_Position.z = peeled ? gl_Position.w : 0.0;
+  gl_Position.z = testedDepth(look.ends.x, look.ends.y, gl_Position.w);
   EmitVertex();
 }
 
@@ -129,14 +129,14 @@ void emitKernel(vec3 center, mat3 J, SplatLook look)
   vec3 w = inCells(center, J);
   float square = dot(w, w);
   float radius = kernelRadius;
-  float reachAlongZ = kernelRadius * length(vec3(J[0].z, J[1].z, J[2].z));
+  float reach = reachAlongZ(J, kernelRadius);
   if (outsideSlice(center, J, kernelRadius))
   {
     return;
   }
   if (!parallelRays)
   {
-    if (square <= kernelRadius * kernelRadius || center.z >= reachAlongZ)
+    if (square <= kernelRadius * kernelRadius || center.z >= reach)
     {
       return; // around the eye, which is drawn in another way, or all of it behind the eye
     }
@@ -149,10 +149,11 @@ void emitKernel(vec3 center, mat3 J, SplatLook look)
   vec3 a = J * u;
   vec3 b = J * v;
   vec4 centerDC = VCToDC * vec4(center, 1.0);
-  if (parallelRays || center.z < -reachAlongZ) // otherwise it is large
+  if (parallelRays || center.z < -reach) // otherwise it is large
   {
     look.factor = spreadOverPixel(a, b, center, centerDC, look.small);
   }
+  look.ends = vec2(center.z + reach, center.z - reach);
   look.detail.w = centerDC.w / (pixelsPerDC.y * VCToDC[1][1]);
   a *= radius;
   b *= radius;
@@ -182,7 +183,7 @@ void emitViewport(vec3 center, vec3 w, mat3 inverseJ, vec4 color)
 #ifdef DRAW_REGION
     regionGSOutput = inRegion(center, false);
 #endif
-    gl_Position = vec4(place, peeled ? 1.0 : 0.0, 1.0);
+    gl_Position = vec4(place, testsFarEnds ? 1.0 : -1.0, 1.0);
     EmitVertex();
   }
   EndPrimitive();
@@ -201,7 +202,7 @@ void emitMedium(vec3 center, mat3 J, vec4 color, int kind)
   }
   else
   {
-    emitKernel(center, J, SplatLook(kind, color, 1.0, vec4(0.0), vec4(0.0), center, false));
+    emitKernel(center, J, SplatLook(kind, color, 1.0, vec4(0.0), vec4(0.0), center, false, vec2(0.0)));
   }
 }
 

@@ -98,5 +98,7 @@ void main()
   regionVSOutput = inRegion(center, mass < 1.0 && size < dotSize);
 #endif
   gl_PointSize = 2.0 * reach + 0.05;
-  gl_Position = parallelRays || center.z < 0.0 ? vec4(place * withinMargin, peeled ? 1.0 : 0.0, 1.0) : vec4(2.0, 2.0, 2.0, 1.0);
+  float alongZ = reachAlongZ(J, kernelRadius);
+  gl_Position = parallelRays || center.z < 0.0 ? vec4(place * withinMargin, testedDepth(center.z + alongZ, center.z - alongZ, 1.0), 1.0)
+                                               : vec4(2.0, 2.0, 2.0, 1.0);
 }

@@ -85,6 +85,7 @@ void emitSegmentAt(vec3 middle, vec3 half_, float weight, SplatVector vector, ve
   look.vector = vec4(0.0);
   look.detail = vec4(2.0 * reach, segmentWidth, 0.0, 0.0);
   look.factor = 1.0;
+  look.ends = middle.z + abs(half_.z) * vec2(1.0, -1.0);
   for (int corner = 0; corner < 4; ++corner)
   {
     vec2 at = size * vec2(corner % 2 == 0 ? -1.0 : 1.0, corner < 2 ? -1.0 : 1.0);

@@ -1,0 +1,49 @@
+// SPDX-FileCopyrightText: The Nephoscope authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * Where the ray of each pixel lies in the boxes of two volumes or more, which is where it has to be drawn in slices (VolumeSlices.h).
+ */
+#ifndef VolumeSpans_h
+#define VolumeSpans_h
+
+#include "FloatAccumulation.h"
+#include "vtkNew.h"
+
+#include <cstddef>
+#include <vector>
+
+class vtkOpenGLVertexArrayObject;
+class vtkRenderer;
+class vtkTextureObject;
+class vtkVolume;
+class vtkWindow;
+
+namespace nephoscope
+{
+
+class VolumeSpans
+{
+public:
+  VolumeSpans();
+  ~VolumeSpans();
+  VolumeSpans(const VolumeSpans&) = delete;
+  VolumeSpans& operator=(const VolumeSpans&) = delete;
+
+  /** With more volumes than this every ray is drawn in slices all the way. */
+  static constexpr std::size_t Most = 16;
+
+  /** Whether much of what the volumes cover is covered by one at a time: otherwise it is quicker to draw all rays in slices. */
+  static bool AreWorthwhile(vtkRenderer* renderer, const std::vector<vtkVolume*>& volumes);
+  /** Near and far depth in a texture of the viewport's size; null if there is none. */
+  vtkTextureObject* Draw(
+    vtkRenderer* renderer, const std::vector<vtkVolume*>& volumes, const int viewport[4]);
+  void ReleaseGraphicsResources(vtkWindow* window);
+
+private:
+  FloatAccumulation Image;
+  vtkNew<vtkOpenGLVertexArrayObject> VertexArray; // without attributes
+};
+
+} // namespace nephoscope
+
+#endif
