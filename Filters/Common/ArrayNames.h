@@ -4,6 +4,8 @@
 #ifndef nephoscope_ArrayNames_h
 #define nephoscope_ArrayNames_h
 
+#include "vtkAbstractArray.h"
+#include "vtkDataSetAttributes.h"
 #include "vtkFieldData.h"
 
 #include <string>
@@ -11,14 +13,26 @@
 namespace nephoscope
 {
 
-/** With commas between them; "none" without arrays. */
-inline std::string arrayNames(vtkFieldData* data)
+/** Whether a filter or a representation added it for its own use. */
+inline bool isInternalArray(const char* name)
+{
+  const std::string text = name ? name : "";
+  return text.rfind("Nephoscope", 0) == 0 || text.rfind("vtkOriginal", 0) == 0 ||
+    text == vtkDataSetAttributes::GhostArrayName();
+}
+
+/** With commas between them; "none" without arrays. `components`: only those with so many; 0: all. */
+inline std::string arrayNames(vtkFieldData* data, int components = 0)
 {
   std::string names;
   for (int a = 0; a < data->GetNumberOfArrays(); ++a)
   {
     const char* name = data->GetArrayName(a);
-    names += (names.empty() ? "" : ", ") + std::string(name ? name : "(unnamed)");
+    const int own = data->GetAbstractArray(a)->GetNumberOfComponents();
+    if (!isInternalArray(name) && (components == 0 || components == own))
+    {
+      names += (names.empty() ? "" : ", ") + std::string(name ? name : "(unnamed)");
+    }
   }
   return names.empty() ? "none" : names;
 }

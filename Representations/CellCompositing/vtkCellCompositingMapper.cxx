@@ -209,8 +209,10 @@ std::string vtkCellCompositingMapper::UpdateGeometry(
   scalars.Headroom = this->Internals->Light.IsUsed() ? this->Internals->Light.Headroom() : 0;
   bool built = false;
   const auto form = this->MayUseHexahedra() ? CellGeometry::Form::Hexahedra
-    : this->UsesRays()                      ? CellGeometry::Form::Grid
-                                            : CellGeometry::Form::Tetrahedra;
+    : !this->UsesRays()                     ? CellGeometry::Form::Tetrahedra
+    : this->CellInterpolation == AUTOMATIC_INTERPOLATION && this->MayCrossWholeCells()
+    ? CellGeometry::Form::GridOrWarped
+    : CellGeometry::Form::Grid;
   withThreads([&]() {
     built = scene.UpdateGeometry(input, scalars, opacity, form, error, layers, progress);
   });

@@ -147,6 +147,13 @@ void vtkCellCompositingMapper::WarnAboutGeometry(vtkDataSet* input, const CellGe
                     << (geometry.NumberOfNonConvexCells == 1 ? " polyhedron is" : " polyhedra are")
                     << " not convex and drawn wrong: run vtkPolyhedronToTetrahedra first.");
   }
+  if (geometry.NumberOfWarpedCells > 0 && geometry.Hexahedra.empty())
+  {
+    vtkWarningMacro(
+      << cellsAre(geometry.NumberOfWarpedCells)
+      << " drawn wrong, because of a warp by which the tetrahedra that they are divided into overlap. Set CellInterpolation to Trilinear, "
+         "without contours, layers, other volumes in the same place, and an opacity array.");
+  }
   // On several processes one may have copies of the others' cells alone.
   const bool isTold = geometry.NumberOfInvalidCells + geometry.NumberOfUnsupportedCells > 0;
   if (geometry.NumberOfTetrahedra() == 0 && input->GetNumberOfCells() > 0 && !isTold &&

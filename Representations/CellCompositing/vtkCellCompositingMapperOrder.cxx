@@ -96,9 +96,10 @@ bool vtkCellCompositingMapper::MayCrossWholeCells() const
 // The field of cells that rays cross as a whole.
 bool vtkCellCompositingMapper::IsTrilinear() const
 {
+  const nephoscope::CellGeometry& geometry = this->Internals->Scene.GetGeometry();
   return this->CellInterpolation == TRILINEAR_INTERPOLATION ||
     (this->CellInterpolation == AUTOMATIC_INTERPOLATION &&
-      this->Internals->Scene.GetGeometry().Lattice.Found);
+      (geometry.Lattice.Found || !geometry.Hexahedra.empty()));
 }
 
 // As hexahedra where rays can do all that is asked for.

@@ -33,6 +33,7 @@ const Words remedies = {
   { "Call SetVectorPlacementToMiddle()", "Set Vector Placement to Middle" },
   { "call UseDepthPeelingForVolumesOff() of the renderer", "hide the translucent surfaces" },
   { "Call SetNumberOfContourValues or SetContourValue first", "Add Contour Values first" },
+  { "Set CellInterpolation to Trilinear", "Set Cell Interpolation to Trilinear" },
   { "run vtkPolyhedronToTetrahedra first", "apply Polyhedron To Tetrahedra first" },
   { "call SetOrigin and SetNormal of the vtkPlane", "set Origin and Normal" },
   { "use vtkTriangleFilter", "apply Triangulate" },

@@ -61,7 +61,7 @@ _NAMES_OF_MAPPERS = {
     "ScalarOpacityUnitDistance of the property": "opacity_unit_distance", "ScalarOpacityUnitDistance": "opacity_unit_distance",
     "The scalar opacity function has no points, so that everything is transparent: add some with AddPoint":
         "The scalar opacity function has no points, so that everything is transparent: give opacity",
-    "add some with AddRGBPoint": "give cmap", "run vtkPolyhedronToTetrahedra first": "divide them by mesh.nephoscope.divide_polyhedra() or mesh.triangulate() first",
+    "add some with AddRGBPoint": "give cmap", "Set CellInterpolation to Trilinear": "Pass interpolation='trilinear'", "run vtkPolyhedronToTetrahedra first": "divide them by mesh.nephoscope.divide_polyhedra() first",
     "call SetMethodToCells()": "call volume.mapper.SetMethodToCells()", "call SetPolygonsToAll()": "pass polygons='all'",
     "Call its UseDepthPeelingOn(), UseDepthPeelingForVolumesOn() and SetOcclusionRatio(0), and SetMultiSamples(0) of the window (in ParaView: Edit > Settings > "
     "Render View > Depth Peeling, and Depth Peeling for Volumes)":

@@ -73,8 +73,27 @@ std::string CellGeometry::Build(vtkDataSet* data, const ScalarSelection& scalars
     this->Clear();
     this->Stopped = true;
   }
+  else if (form == Form::GridOrWarped && this->NumberOfWarpedCells > 0)
+  {
+    this->PreferHexahedra(data, scalars, opacity, progress.Part(0.9, 1));
+  }
   this->LayerArray = nullptr;
   return std::string();
+}
+
+void CellGeometry::PreferHexahedra(vtkDataSet* data, const ScalarSelection& scalars,
+  const ScalarSelection& opacity, const Progress& progress)
+{
+  if (this->UseHexahedra(data, scalars, opacity, progress))
+  {
+    this->Tetrahedra = {};
+    this->NumberOfFlatTetrahedra = 0;
+  }
+  else if (!this->Hexahedra.empty()) // some were found when it was told to stop
+  {
+    this->Clear();
+    this->Stopped = true;
+  }
 }
 
 bool CellGeometry::CopyPoints(vtkDataSet* data, const Progress& progress)
@@ -134,7 +153,7 @@ bool CellGeometry::Decompose(vtkDataSet* data, const ScalarSelection& scalars,
 bool CellGeometry::CountOfCells(vtkDataSet* data, const ScalarSelection& scalars,
   const ScalarSelection& opacity, std::vector<std::int64_t>& counts, const Progress& progress)
 {
-  std::atomic<std::int64_t> unsupported(0), invalid(0), nonConvex(0), flat(0);
+  std::atomic<std::int64_t> unsupported(0), invalid(0), nonConvex(0), warped(0), flat(0);
   std::atomic<int> unsupportedType(0);
   const std::size_t n = static_cast<std::size_t>(data->GetNumberOfCells());
   const bool done = forRanges(n, progress, [&](std::size_t begin, std::size_t end) {
@@ -146,6 +165,7 @@ bool CellGeometry::CountOfCells(vtkDataSet* data, const ScalarSelection& scalars
         walker.Walk(cell, [&](const Tetrahedron& t) { isFlat(*this, t) ? ++flat : ++count; });
       invalid += outcome == CellOutcome::Invalid;
       nonConvex += outcome == CellOutcome::Decomposed && !walker.TetrahedraFillCell();
+      warped += outcome == CellOutcome::Decomposed && walker.IsWarped();
       if (outcome == CellOutcome::Unsupported)
       {
         ++unsupported;
@@ -161,6 +181,7 @@ bool CellGeometry::CountOfCells(vtkDataSet* data, const ScalarSelection& scalars
   this->UnsupportedCellType = unsupportedType;
   this->NumberOfInvalidCells = invalid;
   this->NumberOfNonConvexCells = nonConvex;
+  this->NumberOfWarpedCells = warped;
   this->NumberOfFlatTetrahedra = flat;
   return done;
 }

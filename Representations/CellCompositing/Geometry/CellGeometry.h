@@ -41,9 +41,10 @@ public:
 
   enum class Form
   {
-    Tetrahedra, ///< always listed
-    Grid,       ///< of structured data only the grid is kept, which implies the tetrahedra
-    Hexahedra   ///< the same, and cells of others are kept as hexahedra where they can be
+    Tetrahedra,   ///< always listed
+    Grid,         ///< of structured data only the grid is kept, which implies the tetrahedra
+    GridOrWarped, ///< the same, and cells of others are kept as hexahedra where they can be if tetrahedra of one overlap
+    Hexahedra     ///< the same, and cells of others are always kept as hexahedra where they can be
   };
 
   /**
@@ -95,6 +96,7 @@ public:
   std::int64_t NumberOfUnsupportedCells = 0; ///< not 3-D, or of a kind that cannot be decomposed
   int UnsupportedCellType = 0;               ///< the largest of their types
   std::int64_t NumberOfInvalidCells = 0;     ///< a coordinate or scalar is not finite
+  std::int64_t NumberOfWarpedCells = 0;      ///< not polyhedra, whose tetrahedra overlap
   std::int64_t NumberOfNonConvexCells =
     0; ///< polyhedra that their tetrahedra do not fill: drawn, but wrong
   std::int64_t NumberOfFlatTetrahedra = 0; ///< zero volume: nothing to draw, no error
@@ -123,6 +125,8 @@ private:
     std::vector<float>& values, const Progress& progress) const;
   bool ValuesAreFinite() const;
   bool UseGrid(vtkDataSet* data, const ScalarSelection& scalars, const ScalarSelection& opacity);
+  void PreferHexahedra(vtkDataSet* data, const ScalarSelection& scalars,
+    const ScalarSelection& opacity, const Progress& progress);
   bool UseHexahedra(vtkDataSet* data, const ScalarSelection& scalars,
     const ScalarSelection& opacity, const Progress& progress);
   bool FillHexahedra(

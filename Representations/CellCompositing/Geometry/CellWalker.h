@@ -59,6 +59,8 @@ public:
     return supported ? CellOutcome::Decomposed : CellOutcome::Unsupported;
   }
 
+  /** Whether the tetrahedra of the cell that was walked last overlap by more than a thousandth of it. */
+  bool IsWarped() const { return this->Source.GetOverlap() > 1e-3; }
   /** Whether those of the cell that was walked last do. */
   bool TetrahedraFillCell() { return this->Source.TetrahedraFillCell(); }
 

@@ -16,6 +16,7 @@
 #include "vtkPVRenderView.h"
 #include "vtkPiecewiseFunction.h"
 #include "vtkPolyData.h"
+#include "vtkStructuredGrid.h"
 #include "vtkUnstructuredGrid.h"
 #include "vtkVolumeProperty.h"
 
@@ -127,7 +128,7 @@ void vtkCellCompositingRepresentation::PrepareMapper(vtkDataSet* cells)
     this->VisibilityOrder);    // while the camera moves too: rays need no sorting
   const bool mayBeTetrahedra = // on several ranks they are; one rank draws the same
     this->CellInterpolation == vtkCellCompositingMapper::AUTOMATIC_INTERPOLATION &&
-    !nephoscope::isAxisAligned(cells);
+    vtkStructuredGrid::SafeDownCast(cells);
   this->Mapper->SetCellInterpolation(
     mayBeTetrahedra ? vtkCellCompositingMapper::TETRAHEDRA_INTERPOLATION : this->CellInterpolation);
   this->PrepareContours();

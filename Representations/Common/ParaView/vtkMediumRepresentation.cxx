@@ -13,6 +13,7 @@
 #include "vtkColorTransferFunction.h"
 #include "vtkCommunicator.h"
 #include "vtkDataSet.h"
+#include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
@@ -46,8 +47,16 @@ double storedNumber(vtkDataSet* data, const char* name, vtkIdType index = 0)
   return array && array->GetNumberOfTuples() > index ? array->GetComponent(index, 0) : 0.0;
 }
 
-// Where data are redistributed, points that are cut lose arrays of this role, and samples of equal numbers are taken for one.
-vtkSmartPointer<vtkDataSet> withoutRolesOfIds(vtkDataSet* data)
+void addAsNumbers(vtkDataArray* ids, vtkDataSetAttributes* attributes)
+{
+  vtkNew<vtkDoubleArray> numbers;
+  numbers->DeepCopy(ids);
+  numbers->SetName(ids->GetName());
+  attributes->AddArray(numbers);
+}
+
+// Where data are redistributed, cells that are cut lose the ids of their points: these become ordinary numbers, which are interpolated.
+vtkSmartPointer<vtkDataSet> withIdsAsNumbers(vtkDataSet* data)
 {
   auto copy = vtkSmartPointer<vtkDataSet>::Take(data->NewInstance());
   copy->ShallowCopy(data);
@@ -57,6 +66,15 @@ vtkSmartPointer<vtkDataSet> withoutRolesOfIds(vtkDataSet* data)
   {
     attributes->SetActiveAttribute(-1, vtkDataSetAttributes::GLOBALIDS);
     attributes->SetActiveAttribute(-1, vtkDataSetAttributes::PEDIGREEIDS);
+  }
+  vtkPointData* ofPoints = copy->GetPointData();
+  for (int i = 0; i < ofPoints->GetNumberOfArrays(); ++i)
+  {
+    vtkDataArray* array = ofPoints->GetArray(i);
+    if (array && array->GetName() && array->GetDataType() == VTK_ID_TYPE)
+    {
+      addAsNumbers(array, ofPoints); // in its place
+    }
   }
   return copy;
 }
@@ -197,7 +215,7 @@ int vtkMediumRepresentation::RequestData(
     this->PreparePiece(this->KeepDrawnBlocks(vtkDataObject::GetData(inputVector[0], 0)));
     if (GetNumberOfRanks() > 1 && this->Piece)
     {
-      this->Piece = withoutRolesOfIds(this->Piece);
+      this->Piece = withIdsAsNumbers(this->Piece);
     }
     this->HasPiece = HoldsAnything(this->Piece);
     this->StoreBounds();

@@ -47,8 +47,8 @@ std::string SplatVectorScene::Update(
   {
     return std::string(onCells ? "No cell array" : "No point array") +
       " of three components named '" + settings.ArrayName +
-      "' for the vectors, which must be where the coloured array is. Choose one with SetVectorArrayName; arrays there: " +
-      arrayNames(attributes) + ".";
+      "' for the vectors, which must be where the coloured array is. Choose one with SetVectorArrayName; arrays of three components there: " +
+      arrayNames(attributes, 3) + ".";
   }
   const std::string length = checkLength(data, { array, onCells, 0 });
   if (!length.empty())
