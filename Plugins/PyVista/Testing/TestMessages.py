@@ -144,6 +144,22 @@ class Messages(unittest.TestCase):
                     nephoscope.add_cells(plotter, mesh, "a", **options)
                 self.assertIn(text, str(caught.exception))
 
+    def test_opacities_of_points_are_no_function(self):
+        """An array of the mesh, or its name, is not taken for a function of the scalars."""
+        mesh = pyvista.ImageData(dimensions=(10, 10, 10))
+        mesh["T"], mesh["opa"] = mesh.points[:, 0].copy(), (mesh.points[:, 2] > 4.5) * 1.0
+        small = pyvista.ImageData(dimensions=(4, 4, 3))  # 48 points, 18 cells
+        small["T"] = small.points[:, 0].copy()
+        for add in (nephoscope.add_cells, nephoscope.add_splats):
+            for opacity in ("opa", mesh["opa"], mesh["opa"].tolist(), 0.5 * mesh["opa"], np.linspace(0, 1, mesh.n_cells)):
+                with self.subTest(add=add, opacity=type(opacity)), self.assertRaisesRegex(ValueError, "opacity_scalars="):
+                    self.drawn(mesh, "T", add, opacity=opacity)
+            with self.assertRaisesRegex(ValueError, "pass opacity_scalars='opa'"):
+                self.drawn(mesh, "T", add, opacity=mesh["opa"])
+            for count, told in ((48, "opacities of points"), (18, "opacities of cells"), (17, None)):
+                messages = self.drawn(small, "T", add, UserWarning, opacity=np.linspace(0, 1, count))
+                self.assertEqual([told in message for message in messages], [True] if told else [], messages)
+
     def test_contours_outside_the_data(self):
         mesh = pyvista.ImageData(dimensions=(5, 5, 5))
         mesh["a"] = np.linspace(0, 1, mesh.n_points)

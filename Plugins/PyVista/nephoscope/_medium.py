@@ -24,7 +24,7 @@ from ._over_time import densest, values_over_time
 from ._pipeline import level_of_caller, warn_when_drawing
 from ._settings import MediumMapper
 from ._typing import Numbers
-from .transfer import OpacityLike, opacity_values
+from .transfer import OPACITY_NAMES, OpacityLike, opacity_values
 
 
 def require_plotter(plotter: Any) -> None:
@@ -208,6 +208,25 @@ def _warn_of_transparency(values: np.ndarray, name: str, function: vtkPiecewiseF
                       UserWarning, stacklevel=level_of_caller())
 
 
+def _refuse_values(grid: pyvista.DataSet, opacity: Any, n_colors: int) -> None:
+    """Raises ValueError if `opacity`, a function of the scalars, is an array of the grid or its name; warns if it may be one."""
+    if isinstance(opacity, str):
+        if opacity in grid.array_names and opacity not in OPACITY_NAMES:
+            raise ValueError(f"opacity is {opacity!r}, the name of an array: pass opacity_scalars={opacity!r}. A name given as opacity is that of a function of the scalars.")
+        return
+    count = np.size(opacity) if opacity is not None else 0
+    if count < 2 or count not in (grid.n_points, grid.n_cells):
+        return
+    arrays = [name for data in (grid.point_data, grid.cell_data) for name in data.keys() if np.shape(data[name]) == np.shape(opacity)
+              and np.array_equal(data[name], opacity)]
+    wanted = f"opacity_scalars={arrays[0]!r}" if arrays else 'mesh["name"] = values and opacity_scalars="name"'
+    kind = "points" if count == grid.n_points else "cells"
+    told = f"opacity has {count} values, as many as the grid has {kind}, but its values are those of a function, at equal steps over the range of the scalars."
+    if arrays or count > n_colors:
+        raise ValueError(f"{told} For opacities of {kind} pass {wanted}.")
+    warnings.warn(f"{told} For opacities of {kind} pass {wanted}.", UserWarning, stacklevel=level_of_caller())
+
+
 def _ramp(values: np.ndarray) -> vtkVolumeProperty:
     """Opacities from 0 to 1 over the range of the values. Their scale does not matter, so that with limits set by the user a medium fades as
     its values do."""
@@ -239,6 +258,7 @@ class Functions:
                preference: str, unit_distance: float | None) -> pyvista.VolumeProperty:
         """The property of a volume of the array `name`, which `mapper` will draw. The default `unit_distance` makes the medium visible."""
         limits_given = (self.clim if self.opacity_scalars is None else self.opacity_clim) is not None
+        _refuse_values(grid, self.opacity, self.n_colors)
         self._take_preset(plotter, grid, name, association)
         table = self._lookup_table(plotter, values_over_time(grid, name, association), name)
         opacities = self._opacities(table)

@@ -75,8 +75,8 @@ def add_cells(plotter: pyvista.BasePlotter, grid: Any, scalars: str | np.ndarray
         LookupTable also sets range and scale.
     opacity : str, float or sequence of float, optional
         A name: ``'linear'``, ``'geom'``, ``'sigmoid'``, ``'sigmoid_5'``, ..., each also with ``'_r'``, or ``'foreground'``; one value; or values
-        from 0 to 1 at equal steps over `clim`. Evaluated in floating point, not in 8 bits. Default: the preset's if there is one, otherwise
-        ``'linear'``.
+        from 0 to 1 at equal steps over `clim`. Evaluated in floating point, not in 8 bits. Opacities of points or cells are an array of the grid,
+        `opacity_scalars`. Default: the preset's if there is one, otherwise ``'linear'``.
     clim : sequence of float or float, optional
         Scalars of the first and last colour; one number c means (-c, c). Default: the preset's, otherwise the range of the finite scalars,
         widened by half a unit on either side if all are equal.
