@@ -6,12 +6,20 @@
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
 #include "vtkDataSet.h"
+#include "vtkDoubleArray.h"
+#include "vtkFieldData.h"
+#include "vtkNew.h"
 #include "vtkPointData.h"
 
 #include <cmath>
 
 namespace nephoscope
 {
+namespace
+{
+constexpr const char* initialDensityName = "InitialDensity";
+}
+
 vtkDataArray* smokeDensity(vtkDataSet* cells)
 {
   vtkCellData* arrays = cells ? cells->GetCellData() : nullptr;
@@ -30,6 +38,21 @@ vtkDataArray* visibleSmoke(vtkDataSet* cells)
     puffs = cells->GetPointData()->GetArray("SmokeDensity");
   }
   return puffs ? puffs : density;
+}
+
+void putInitialDensity(vtkDataSet* cells, double density)
+{
+  vtkNew<vtkDoubleArray> array;
+  array->SetName(initialDensityName);
+  array->InsertNextValue(density);
+  cells->GetFieldData()->AddArray(array);
+}
+
+double initialSmokeDensity(vtkDataSet* cells)
+{
+  vtkDataArray* array = cells ? cells->GetFieldData()->GetArray(initialDensityName) : nullptr;
+  const double density = array && array->GetNumberOfValues() == 1 ? array->GetComponent(0, 0) : 0.0;
+  return density > 0.0 && std::isfinite(density) ? density : 0.0;
 }
 
 double leastSmokeAge(vtkDataSet* cells)

@@ -19,6 +19,12 @@ VTKNEPHOSCOPEFILTERSCOMMON_EXPORT vtkDataArray* smokeDensity(vtkDataSet* cells);
 /** The opacity array of smoke: its puffs on cells or points, as written by vtkSmokePuffs, otherwise its density. Null if no smoke. */
 VTKNEPHOSCOPEFILTERSCOMMON_EXPORT vtkDataArray* visibleSmoke(vtkDataSet* cells);
 
+/** Writes the density at the generating polygon to the field data, where initialSmokeDensity reads it. */
+VTKNEPHOSCOPEFILTERSCOMMON_EXPORT void putInitialDensity(vtkDataSet* cells, double density);
+
+/** The density at the generating polygon, by which smoke of different times is comparable; 0 where the data do not tell. */
+VTKNEPHOSCOPEFILTERSCOMMON_EXPORT double initialSmokeDensity(vtkDataSet* cells);
+
 /** The least age of a point; VTK_DOUBLE_MAX without ages. */
 VTKNEPHOSCOPEFILTERSCOMMON_EXPORT double leastSmokeAge(vtkDataSet* cells);
 

@@ -9,6 +9,7 @@
 #include "MessageSuppression.h"
 #include "PolygonFlow.h"
 #include "PolygonShape.h"
+#include "SmokeData.h"
 #include "SmokeOutput.h"
 #include "VelocityChoice.h"
 
@@ -356,6 +357,10 @@ void vtkFlowVolume::WriteOutput(const nephoscope::SmokeMesh& mesh,
   if (nephoscope::PutSmoke(written, this->InitialDensity, sampleArrays, output))
   {
     vtkWarningMacro("The point array 'Age' of the input has been replaced. Rename it to keep it.");
+  }
+  if (this->Unsteady)
+  {
+    nephoscope::putInitialDensity(output, this->InitialDensity);
   }
   this->UpdateProgress(1.0);
 }

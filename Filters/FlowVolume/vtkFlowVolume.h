@@ -36,7 +36,8 @@
  *   the emitted mass.
  * Point arrays written, besides those of the input:
  * - Age, double, s, at the point. It replaces an input array of that name, with a warning.
- * Field data are passed on.
+ * Field data are passed on. Unsteady smoke has one more field array, of one double: InitialDensity, to which drawing refers the
+ * density, so that the pictures of a film are comparable.
  *
  * Moving the polygon or changing a setting is fast: the search structure of the input is kept until the input changes.
  *

@@ -76,7 +76,9 @@ bool addSmokeOptics(
     return false;
   }
   const double width = diameterOfSmoke(boundsOfYoungSmoke(data, leastSmokeAge(data)));
-  const double depth = (width > 0 ? width : data->GetLength() / 50) * meanDensity(data, density);
+  const double initial = initialSmokeDensity(data);
+  const double depth = (width > 0 ? width : data->GetLength() / 50) *
+    (initial > 0 ? initial : meanDensity(data, density));
   vtkDataArray* visible = visibleSmoke(data);
   vtkNew<vtkFloatArray> extinction;
   extinction->SetName(smokeExtinctionName);

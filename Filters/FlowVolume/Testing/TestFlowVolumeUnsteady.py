@@ -186,6 +186,15 @@ class Arrays(unittest.TestCase):
         smoke = follow(source, messages=["'Age' of the input has been replaced"])
         self.assertLessEqual(smoke.age.max(), 1)
 
+    def test_initial_density(self):
+        """By which drawing makes the pictures of different times comparable."""
+        for time in (0.3, 1.0):
+            smoke = follow(series(growing), time, InitialDensity=3.0)
+            self.assertEqual(smoke.output.GetFieldData().GetArray("InitialDensity").GetTuple1(0), 3)
+        steady = flow_volume(series(growing), InitialDensity=3.0)
+        update(steady)
+        self.assertFalse(steady.GetOutput().GetFieldData().HasArray("InitialDensity"))
+
 
 if __name__ == "__main__":
     unittest.main()

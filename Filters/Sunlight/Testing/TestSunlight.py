@@ -433,6 +433,16 @@ class Smoke(unittest.TestCase):
         np.testing.assert_allclose(values(output, "SunTransmittance"), np.exp(-0.5 * way), atol=0.02)
         np.testing.assert_allclose(values(output, "ScaledExtinction"), 0.5 * (1 - 0.9 * 0.36), rtol=0.01)
 
+    def test_initial_density(self):
+        """Smoke of an unsteady flow tells it; it is the reference in place of the mean density."""
+        smoke = self.smoke.NewInstance()
+        smoke.ShallowCopy(self.smoke)
+        for density, factor in ((14.0, 0.5), (0.0, 1.0)):
+            initial = numpy_to_vtk(np.array([density]), deep=1)
+            initial.SetName("InitialDensity")
+            smoke.GetFieldData().AddArray(initial)
+            np.testing.assert_allclose(values(light_of(smoke)[0], "ScaledExtinction"), factor * 0.5 * (1 - 0.9 * 0.36), rtol=0.01)
+
     def test_beside_the_light_of_clouds(self):
         """Smoke that was made in lit clouds carries their arrays, which are not its own."""
         self.assertTrue(self.smoke.GetPointData().HasArray("Extinction"))  # 0, of the data in setUpClass

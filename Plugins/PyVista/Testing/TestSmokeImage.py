@@ -36,6 +36,54 @@ class Drawing(unittest.TestCase):
         picture = self.picture(beam(), optical_depth=0.5, color="red")
         np.testing.assert_allclose(picture[30, 30], (1 - np.exp(-0.5), 0, 0), atol=0.01)
 
+    def test_reference_density(self):
+        """The optical depth of a path through smoke of that density; also with values that a film raises in place."""
+        for density in (1.0, 2.0):
+            picture = self.picture(beam(density), optical_depth=0.4, reference_density=1)
+            np.testing.assert_allclose(picture[30, 30], 1 - np.exp(-0.4 * density), atol=0.01)
+        volume = beam()
+        for options in ({}, {"show_scalar_bar": True}, {"scalars": "Age", "cmap": ["white", "white"]}, {"opacity_unit_distance": 4.0}):
+            drawn = beam()
+            plotter = pyvista.Plotter(off_screen=True, window_size=(60, 60))
+            self.addCleanup(plotter.close)
+            plotter.set_background("black")
+            nephoscope.add_smoke(plotter, drawn, color=None if "scalars" in options else "white", optical_depth=0.5, **options)
+            if plotter.scalar_bars:
+                np.testing.assert_allclose(plotter.mapper.scalar_range, (0, 1) if "scalars" not in options else (0, 16), atol=0.2)
+                plotter.remove_scalar_bar()
+            plotter.view_xy()
+            plotter.enable_parallel_projection()
+            plotter.camera.parallel_scale = 4
+            plotter.show(auto_close=False)
+            for factor in (1, 3):
+                drawn.cell_data["Density"][:] = factor * volume.cell_data["Density"]
+                plotter.render()
+                np.testing.assert_allclose(plotter.screenshot(return_img=True)[30, 30, 0] / 255, 1 - np.exp(-0.5 * factor), atol=0.02, err_msg=str(options))
+
+    def test_frames_of_an_unsteady_flow(self):
+        """Smoke that has just left the polygon looks the same in every frame, although all smoke together becomes denser."""
+        mesh = pyvista.ImageData(dimensions=(9, 9, 41), spacing=(0.1, 0.1, 0.05), origin=(-0.4, -0.4, 0))
+        x, y = mesh.points[:, 0], mesh.points[:, 1]
+        mesh["wind"] = np.c_[-0.8 * x, -0.8 * y, np.full(mesh.n_points, 0.6)]
+        for density, options, opacity in ((1.0, {}, 0.65), (3.0, {}, 0.65), (1.0, {"reference_density": 2.0}, 0.41)):
+            seen, lit = [], []
+            for time in (0.5, 2, 3):
+                smoke = nephoscope.flow_volume([mesh, mesh], times=[0, 4], time=time, center=(0, 0, 0.02), radius=0.3, normal=(0, 0, 1), initial_density=density)
+                for volume in (smoke, smoke.nephoscope.smoke_puffs(0, floor=1)):
+                    plotter = pyvista.Plotter(off_screen=True, window_size=(200, 200))
+                    self.addCleanup(plotter.close)
+                    plotter.set_background("black")
+                    nephoscope.add_smoke(plotter, volume, color="white", **options)
+                    plotter.enable_parallel_projection()
+                    plotter.camera_position = [(0, -9, 1), (0, 0, 1), (0, 0, 1)]
+                    plotter.camera.parallel_scale = 1
+                    seen.append(plotter.screenshot(return_img=True)[-6, 100, 0] / 255)  # 0.03 above the polygon, at an age of 0.05 s
+                lit.append(nephoscope.add_smoke(plotter, smoke, sun=(0, 0, 1), **options).mapper.dataset["SmokeExtinction"][np.argmin(smoke.cell_data["Age"])])
+            np.testing.assert_allclose(seen, opacity, atol=0.03, err_msg=str((density, options)))
+            np.testing.assert_allclose(lit, lit[0], rtol=0.01)
+        steady = mesh.nephoscope.flow_volume(center=(0, 0, 0.02), radius=0.3)
+        self.assertNotIn("InitialDensity", steady.field_data)
+
     def test_colour_by_array(self):
         picture = self.picture(beam(), "Age", cmap=["blue", "red"], show_scalar_bar=False)
         left, right = picture[30, 2], picture[30, 57]
@@ -57,7 +105,12 @@ class Drawing(unittest.TestCase):
         self.addCleanup(plotter.close)
         for error, pattern, options in ((MissingDataError, "density: no array 'rho'", {"density": "rho"}),
                                         (MissingDataError, "scalars: no array 'q'", {"scalars": "q"}),
-                                        (ValueError, "optical_depth is 0", {"optical_depth": 0})):
+                                        (ValueError, "optical_depth is 0", {"optical_depth": 0}),
+                                        (ValueError, "reference_density is -1", {"reference_density": -1}),
+                                        (ValueError, "clim is given without scalars.*reference_density", {"clim": (0, 10)}),
+                                        (ValueError, "cmap is given without scalars", {"cmap": "viridis"}),
+                                        (ValueError, "opacity_clim is given.*reference_density", {"opacity_clim": (0, 10), "scalars": "Age"}),
+                                        (ValueError, "opacity_scalars is 'Age'.* density", {"opacity_scalars": "Age"})):
             with self.assertRaisesRegex(error, pattern):
                 nephoscope.add_smoke(plotter, beam(), **options)
         with self.assertRaisesRegex(TypeError, "volume is a ImageData"):

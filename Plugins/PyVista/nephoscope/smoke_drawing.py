@@ -14,9 +14,11 @@ from ._medium import is_light, require_plotter
 from .cells import add_cells
 from .light import SMOKE, lit, lit_colours
 
+HEADROOM = 1e4  # densities up to so many times the one of opacity 1 are drawn: values may be raised in place, and flows may converge
+
 
 def add_smoke(plotter: pyvista.BasePlotter, volume: pyvista.UnstructuredGrid, scalars: str | None = None, *,
-              color: Any = None, density: str | None = None, optical_depth: float = 1.0,
+              color: Any = None, density: str | None = None, optical_depth: float = 1.0, reference_density: float | None = None,
               sun: Any = None, **options: Any) -> pyvista.Volume:
     """Add smoke to a plotter. Its extinction coefficient is proportional to its density; its colour is uniform or comes from an array.
 
@@ -35,14 +37,20 @@ def add_smoke(plotter: pyvista.BasePlotter, volume: pyvista.UnstructuredGrid, sc
         Point or cell array that the extinction coefficient is proportional to. Default: ``"SmokeDensity"`` if it exists, otherwise
         ``"Density"``.
     optical_depth : float, default: 1.0
-        Optical depth of a path as long as the generating polygon is wide, through smoke of the mean ``Density``, > 0. 1 transmits exp(-1) of the
+        Optical depth of a path as long as the generating polygon is wide, through smoke of the `reference_density`, > 0. 1 transmits exp(-1) of the
         light.
+    reference_density : float, optional
+        The density to which `optical_depth` refers, > 0. Default: in smoke of an unsteady flow (`flow_volume` with `times`) the density at the polygon,
+        so that the frames of a film are comparable; otherwise the mean ``Density``, with which any smoke is well visible. To compare pictures of steady
+        smoke, pass the same density for all: `initial_density` of `flow_volume`, 1 by default.
     sun : sequence of 3 float, str, dict or True, optional
         Draws the smoke as the sun shows it, as in `add_cells`: with its own shadow, and that of clouds, ``{'direction': (1, 0, 0.5), 'clouds': lit_clouds}``. Smoke
         scatters as that of vegetation fires does: ``'albedo'`` 0.9, ``'asymmetry'`` 0.6. Light that goes straight on counts as let through. `color` multiplies the light.
         `exposure` and `tone_mapping` are those of `add_cells`.
     **options
-        The other arguments of `add_cells`: `cmap`, `clim`, `name`, `show_scalar_bar`, ...
+        The other arguments of `add_cells`: `name`, `show_scalar_bar`, ...; with `scalars` also `cmap` and `clim`. Opacities are proportional to the
+        density, however high it is. `opacity` gives another function of it, from 0 to the greatest density or, where that is given or the flow is
+        unsteady, to the `reference_density`.
 
     Returns
     -------
@@ -56,36 +64,55 @@ def add_smoke(plotter: pyvista.BasePlotter, volume: pyvista.UnstructuredGrid, sc
     pyvista.core.errors.MissingDataError
         (a ValueError) If an array does not exist; the message lists the arrays that do.
     ValueError
-        If an argument is out of range, or the volume has no cells.
+        If an argument is out of range or has no effect on smoke, or the volume has no cells.
     """
     if not isinstance(volume, pyvista.UnstructuredGrid):
         raise TypeError(f"volume is a {type(volume).__name__}; it must be an UnstructuredGrid from flow_volume.")
+    _refuse_ranges(scalars is not None or sun is not None, options)
     density = _density_name(volume, density)
-    highest = _highest(volume, density)
-    if sun is not None:
-        return _add_lit(plotter, volume, density, scalars, color, optical_depth, sun, options)
-    options.setdefault("opacity", "linear")
+    reference = _reference(volume, density, reference_density)
     depth = require_number(optical_depth, "optical_depth", above=0)
+    distance = _width(volume) * (reference or _mean(volume, density) or 1.0) / depth  # in smoke of density 1
+    if sun is not None:
+        return _add_lit(plotter, volume, density, scalars, color, distance, sun, options)
+    full = reference or _highest(volume, density)  # the density of opacity 1
     if "unit_distance" not in options:  # the old name
-        options.setdefault("opacity_unit_distance", _unit_distance(volume, density) / highest / depth)
+        options.setdefault("opacity_unit_distance", distance / full)
+    is_linear = isinstance(options.setdefault("opacity", "linear"), str) and options["opacity"] == "linear"
+    headroom = HEADROOM if is_linear else 1.0
+    options["opacity_scale"] = headroom * require_number(options.get("opacity_scale", 1.0), "opacity_scale", least=0)
+    limits = (0.0, full * headroom)
     if scalars is None:
         require_plotter(plotter)
         default = "dimgray" if is_light(plotter) else "white"
         one = pyvista.Color(default if color is None else color).hex_rgb
-        return add_cells(plotter, volume, density, cmap=[one, one], clim=(0.0, highest),
-                         show_scalar_bar=options.pop("show_scalar_bar", False), **options)
-    return add_cells(plotter, volume, scalars, opacity_scalars=density, opacity_clim=(0.0, highest), **options)
+        options["cmap"] = [one, one]
+        if not options.setdefault("show_scalar_bar", False):
+            return add_cells(plotter, volume, density, clim=limits, **options)
+        scalars, options["clim"] = density, (0.0, full)
+    return add_cells(plotter, volume, scalars, opacity_scalars=density, opacity_clim=limits, **options)
 
 
-def _add_lit(plotter: pyvista.BasePlotter, volume: pyvista.UnstructuredGrid, density: str, scalars: str | None, color: Any, optical_depth: float, sun: Any,
+def _refuse_ranges(has_colours: bool, options: dict[str, Any]) -> None:
+    """Raises ValueError for arguments of `add_cells` that would contradict those of `add_smoke`."""
+    for name in () if has_colours else ("cmap", "clim"):
+        if options.get(name) is not None:
+            raise ValueError(f"{name} is given without scalars: smoke has one colour, color. Pass scalars, the name of the array to colour it by. For denser or thinner "
+                             "smoke pass optical_depth or reference_density.")
+    if options.get("opacity_scalars") is not None:
+        raise ValueError(f"opacity_scalars is {options['opacity_scalars']!r}; name the array that the opacity of smoke comes from as density.")
+    if options.get("opacity_clim") is not None:
+        raise ValueError("opacity_clim is given, but smoke is as opaque as it is dense. Pass reference_density, the density to which optical_depth refers.")
+
+
+def _add_lit(plotter: pyvista.BasePlotter, volume: pyvista.UnstructuredGrid, density: str, scalars: str | None, color: Any, distance: float, sun: Any,
              options: dict[str, Any]) -> pyvista.Volume:
     if scalars is not None:
         raise ValueError("scalars and sun are both given: the colours are those of the light. Leave one out; color multiplies the light.")
     mesh = volume.copy(deep=False)
     if sun is not True or "SmokeExtinction" not in volume.point_data:  # the light of the clouds that it was made in
-        depth = require_number(optical_depth, "optical_depth", above=0)
         data = mesh.cell_data if density in mesh.cell_data else mesh.point_data
-        data["SmokeExtinction"] = _array(volume, density) * depth / _unit_distance(volume, density)
+        data["SmokeExtinction"] = _array(volume, density) / distance
         mesh = lit(mesh, {} if sun is True else sun, extinction="SmokeExtinction", **SMOKE)
     tint = (1.0, 1.0, 1.0) if color is None else pyvista.Color(color).float_rgb
     options.setdefault("cmap", lit_colours(256, options.get("tone_mapping", "contrast"), tint))
@@ -111,23 +138,31 @@ def _highest(volume: pyvista.UnstructuredGrid, name: str) -> float:
     return float(values.max()) if values.size and values.max() > 0 else 1.0
 
 
-def _unit_distance(volume: pyvista.UnstructuredGrid, density: str) -> float:
-    """Length in smoke of density 1 that has an optical depth of 1, chosen as in ParaView's Cell Compositing.
+def _reference(volume: pyvista.UnstructuredGrid, density: str, given: float | None) -> float | None:
+    """The density that the caller has given, or that at the polygon where the flow is unsteady."""
+    if given is not None:
+        return require_number(given, "reference_density", above=0)
+    known = np.ravel(volume.field_data.get("InitialDensity", ()))
+    return float(known[0]) if known.size == 1 and density in ("Density", "SmokeDensity") and 0 < known[0] < np.inf else None
 
-    It is the extent of the youngest layer of points, which is the generating polygon, times the mean density: a disc of radius R has bounds
-    with a diagonal of sqrt(8) R, however it is turned. SmokeDensity changes with time, Density does not.
-    """
+
+def _width(volume: pyvista.UnstructuredGrid) -> float:
+    """The extent of the youngest layer of points, which is the generating polygon, as in ParaView's Cell Compositing: a disc of radius R has bounds with a
+    diagonal of sqrt(8) R, however it is turned."""
     if volume.n_cells == 0:
         return 1.0  # add_cells reports the error
     points = volume.points
     if "Age" in volume.point_data:
         points = points[volume.point_data["Age"] <= np.nanmin(volume.point_data["Age"])]
-    width = float(np.linalg.norm(np.ptp(points, axis=0)) / np.sqrt(2)) or volume.length / 50
+    return float(np.linalg.norm(np.ptp(points, axis=0)) / np.sqrt(2)) or volume.length / 50
+
+
+def _mean(volume: pyvista.UnstructuredGrid, density: str) -> float:
+    """The mean over the volume, as in ParaView, of Density, which unlike SmokeDensity does not change with time; 0 if it is not known."""
     name = "Density" if "Density" in volume.cell_data else density
     if name not in volume.cell_data:
-        return width
+        return 0.0
     volumes = np.abs(volume.compute_cell_sizes(length=False, area=False)["Volume"])
     values = _array(volume, name)
     known = np.isfinite(values)
-    mean = float(np.sum(values[known] * volumes[known]) / max(volumes[known].sum(), np.finfo(float).tiny))
-    return width * mean if mean > 0 else width
+    return max(0.0, float(np.sum(values[known] * volumes[known]) / max(volumes[known].sum(), np.finfo(float).tiny)))
