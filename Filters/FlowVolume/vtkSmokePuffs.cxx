@@ -143,6 +143,27 @@ double AutomaticPeriod(double oldestAge)
   return oldestAge > 0.0 ? 0.25 * oldestAge : 1.0;
 }
 
+// Time between two layers of a flow volume, from the ages of its cells; 0 if it has one layer, or no numbers of layers.
+double TimeStepOf(vtkUnstructuredGrid* smoke)
+{
+  vtkDataArray* ages = smoke->GetCellData()->GetArray("Age");
+  vtkDataArray* layers = smoke->GetCellData()->GetArray("EmissionStep");
+  if (!ages || !layers)
+  {
+    return 0.0;
+  }
+  double age[2], layer[2];
+  ages->GetFiniteRange(age);
+  layers->GetFiniteRange(layer);
+  return layer[1] > layer[0] && age[1] > age[0] ? (age[1] - age[0]) / (layer[1] - layer[0]) : 0.0;
+}
+
+bool IsFirstRank()
+{
+  vtkMultiProcessController* controller = vtkMultiProcessController::GetGlobalController();
+  return !controller || controller->GetLocalProcessId() == 0;
+}
+
 // The largest of all ranks.
 double LargestOfRanks(double value)
 {
@@ -263,11 +284,31 @@ int vtkSmokePuffs::RequestData(
   // An input may have puffs itself; there are never two arrays of that name.
   output->GetCellData()->RemoveArray("SmokeDensity");
   output->GetPointData()->RemoveArray("SmokeDensity");
+  this->WarnOfShortPuffs(output, pulse);
   if (output->GetNumberOfCells() > 0)
   {
     this->AddSmokeDensity(output, pulse, time);
   }
   return 1;
+}
+
+void vtkSmokePuffs::WarnOfShortPuffs(vtkUnstructuredGrid* smoke, const nephoscope::PuffPulse& pulse)
+{
+  const double step = LargestOfRanks(TimeStepOf(smoke)); // on every rank, also without cells
+  const double longEnough = 2.0 * step / pulse.Width;
+  const bool isTold =
+    this->ToldPeriodAndStep[0] == pulse.Period && this->ToldPeriodAndStep[1] == step;
+  if (pulse.Period > 0.999 * longEnough || pulse.Floor >= 1.0 || isTold || !IsFirstRank())
+  {
+    return;
+  }
+  this->ToldPeriodAndStep[0] = pulse.Period;
+  this->ToldPeriodAndStep[1] = step;
+  vtkWarningMacro(
+    "Puffs are shorter than two time steps of the flow volume, so that they flicker and their mass changes: Period is "
+    << pulse.Period << " s, the time step is " << step << " s. Set Period to " << longEnough
+    << " s or more, or make the flow volume with a TimeStep of " << 0.5 * pulse.Width * pulse.Period
+    << " s or less.");
 }
 
 void vtkSmokePuffs::AddSmokeDensity(

@@ -28,7 +28,8 @@
  *
  * Input: cell arrays Age (s) and Density, as written by vtkFlowVolume; for an array on points also the point array Age.
  * If one is missing, an error is reported, and the input is passed on without SmokeDensity. Cells whose Age or Density
- * is not a finite number get 0, with a warning.
+ * is not a finite number get 0, with a warning. A puff shorter than two time steps of the flow volume falls between its cells: its brightness
+ * and mass then change with the time, which a warning tells once for each period and step.
  */
 #ifndef vtkSmokePuffs_h
 #define vtkSmokePuffs_h
@@ -164,6 +165,9 @@ private:
     vtkUnstructuredGrid* output, const nephoscope::PuffPulse& pulse, double time);
 
   std::unique_ptr<nephoscope::PointDensity> Averages;
+  void WarnOfShortPuffs(vtkUnstructuredGrid* smoke, const nephoscope::PuffPulse& pulse);
+  double ToldPeriodAndStep[2] = { 0.0, 0.0 }; // for WarnOfShortPuffs
+
   vtkMTimeType ToldOfInput = 0; // for hasOtherInput
   vtkMTimeType ToldOfEmptiness = 0;
 };

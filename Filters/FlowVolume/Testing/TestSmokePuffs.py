@@ -259,6 +259,22 @@ class BadInput(unittest.TestCase):
             self.assertIn(text, message)
         return made.GetOutput()
 
+    def test_puffs_shorter_than_the_steps(self):
+        """They fall between the cells; told once for each period."""
+        data = column()
+        meshes.add_array(data.GetCellData(), np.arange(40), "EmissionStep")
+        self.told(data, "Period is 1.9 s, the time step is 0.5 s. Set Period to 2 s or more, or make the flow volume with a TimeStep of 0.475 s or less", Period=1.9)
+        for settings in ({"Period": 2.0}, {"Period": 1.9, "Width": 0.6}, {"Period": 1.9, "Floor": 1.0}, {}):
+            self.told(data, **settings)
+        self.told(column(), Period=1.9)  # nothing is known of its steps
+        made = puffs(data, Period=1.0)
+        with Messages() as messages:
+            for time in (0.0, 0.1, 0.2):
+                smoke(made, time)
+            made.SetPeriod(1.1)
+            smoke(made)
+        self.assertEqual(len(messages.all), 2, messages.all)
+
     def test_missing_arrays(self):
         for name in ("Age", "Density"):
             data = column()

@@ -23,7 +23,7 @@ _NAMES = {"switch NormalToFlow off": "give normal", "switch NormalToFlow on": "l
           "Normal": "normal", "Duration": "duration", "TimeStep": "time_step", "PolygonEdgeLength": "polygon_edge_length",
           "MaximumEdgeLength": "max_edge_length", "MinimumEdgeLength": "min_edge_length", "InitialDensity": "initial_density",
           "MaximumNumberOfTetrahedra": "max_tetrahedra", "StartTime": "start_time", "TimeScale": "time_scale", "or switch Unsteady off": "or leave times out", "Tolerance": "tolerance", "MaximumTurnAngle": "max_turn_angle",
-          "Choose a velocity:": "Choose a velocity by vectors:"}
+          "Choose a velocity:": "Choose a velocity by vectors:", "Period": "period"}
 
 
 def flow_volume(mesh: Grids, polygon: pyvista.PolyData | None = None, *, vectors: str | None = None,
@@ -203,7 +203,8 @@ def smoke_puffs(volume: pyvista.UnstructuredGrid, time: float = 0.0, *, period: 
     time : float, default: 0.0
         Time of the result, in seconds. Times that differ by a period give the same puffs.
     period : float, optional
-        Time from one puff to the next, in seconds, > 0. Default: a quarter of the greatest age.
+        Time from one puff to the next, in seconds, > 0; with the default `width` at least four time steps of the volume, because puffs that fall
+        between cells flicker. Default: a quarter of the greatest age.
     width : float, default: 0.5
         Length of a puff, as a fraction of the period, up to 1.
     floor : float, default: 0.1
@@ -228,6 +229,11 @@ def smoke_puffs(volume: pyvista.UnstructuredGrid, time: float = 0.0, *, period: 
         If an argument is out of range.
     RuntimeError
         If the volume lacks its arrays, with the filter's message.
+
+    Warns
+    -----
+    RuntimeWarning
+        The warnings of the filter: puffs shorter than two time steps of the volume, ages that are not finite.
     """
     if not isinstance(volume, pyvista.UnstructuredGrid):
         raise TypeError(f"volume is a {type(volume).__name__}; it must be an UnstructuredGrid from flow_volume.")
@@ -240,7 +246,7 @@ def smoke_puffs(volume: pyvista.UnstructuredGrid, time: float = 0.0, *, period: 
     puffs.SetMaximumDensity(0.0 if max_density is None else require_number(max_density, "max_density", above=0))
     choose({"peak": puffs.SetNormalizationToPeak, "mean": puffs.SetNormalizationToMean}, normalization, "normalization")
     (puffs.SetAssociationToPoints if on_points else puffs.SetAssociationToCells)()
-    with vtk_messages(puffs):
+    with vtk_messages(puffs, _NAMES):
         puffs.Update()
     return pyvista.wrap(puffs.GetOutput())
 
