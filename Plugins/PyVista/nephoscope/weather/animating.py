@@ -14,26 +14,30 @@ import numpy as np
 import pyvista
 
 from .accessor import LOOK
+from .mesh_series import MeshSeries, is_meshes, mesh_series
 from .series import Series
 
 
 def animate(plotter: pyvista.BasePlotter, dataset: Any, draw: str | Callable[[Any, Any], Any], *, filename: str | Path | None = None,
-            framerate: float = 8.0, heights: bool = False, show_time: bool = True, progress: bool = True, **options: Any) -> Series:
-    """Draw the time steps of a dataset: with a slider in the window, or as a film in a file.
+            times: Any = None, framerate: float = 8.0, heights: bool = False, show_time: bool = True, progress: bool = True, **options: Any) -> Series:
+    """Draw the time steps of a dataset, or meshes of several times: with a slider in the window, or as a film in a file.
 
     Parameters
     ----------
     plotter : pyvista.Plotter
         The plotter to draw in; its other contents stay. In a plotter that is empty and has PyVista's defaults, a field is drawn as ``dataset.nephoscope.plot`` does:
         over the Earth or a map, on a dark background, with a vertical exaggeration of 30 unless you give one; flat, without exaggeration, if x and y are lengths.
-    dataset : xarray.Dataset, Series or str
-        The weather, its series (``dataset.nephoscope.series()``), or what `nephoscope.open` takes.
+    dataset : xarray.Dataset, Series, str, sequence or dict of pyvista.DataSet, or callable
+        The weather, its series (``dataset.nephoscope.series()``), or what `nephoscope.open` takes. Or PyVista meshes of one type: a list, a dict by time, or a
+        function that takes one of `times` and returns the mesh. They are not changed.
     draw : str or callable
         A variable or a quantity to compute, as in ``dataset.nephoscope.plot``, drawn by `add_cells`; or a function ``draw(plotter, mesh)`` that is called once and adds what you
-        want to draw. The values of the mesh change with the time. Colours and opacities stay the same: their range covers all steps (a sample of 50 if there are more), unless
+        want to draw. The values of the mesh change with the time; of PyVista meshes, points and cells too. Colours and opacities stay the same: their range covers all steps (a sample of 50 if there are more), unless
         you give limits with ``clim``.
     filename : str or pathlib.Path, optional
         A film: ``.gif`` (needs Pillow), ``.mp4`` (needs the program ffmpeg), or a folder for PNG pictures. Default: a slider of time.
+    times : sequence, optional
+        Of PyVista meshes: their times as numbers, dates or words, which are written into the picture. Default: their numbers.
     framerate : float, default: 8.0
         Time steps per second of the film.
     heights : bool, default: False
@@ -52,13 +56,16 @@ def animate(plotter: pyvista.BasePlotter, dataset: Any, draw: str | Callable[[An
 
     Raises
     ------
+    TypeError
+        If `dataset` is a single mesh, or its meshes are of several types.
     ValueError
         If the file name has any other ending. RuntimeError If ffmpeg is missing or fails.
     """
     from .picture import darken, is_untouched
     whole = isinstance(draw, str) and is_untouched(plotter)
     look = _look(draw, options)
-    series, draw = _series(dataset, draw, heights, options, 30.0 if whole else 1.0)
+    series, draw = _series(dataset, draw, heights, options, 30.0 if whole else 1.0, times)
+    whole = whole and not isinstance(series, MeshSeries)
     if callable(draw):
         _drawn(plotter, series, draw)
     elif whole:
@@ -84,8 +91,14 @@ def animate(plotter: pyvista.BasePlotter, dataset: Any, draw: str | Callable[[An
     return series
 
 
-def _series(dataset: Any, draw: Any, heights: bool, options: dict, exaggeration: float) -> tuple[Series, Any]:
+def _series(dataset: Any, draw: Any, heights: bool, options: dict, exaggeration: float, times: Any) -> tuple[Series, Any]:
     """The series, and the array that is drawn."""
+    if is_meshes(dataset):
+        if heights or options:
+            raise TypeError(f"{', '.join([*options, *['heights'] * heights])}: the meshes exist already, so they cannot take these options.")
+        return mesh_series(dataset, times), draw
+    if times is not None:
+        raise TypeError("times is given, but dataset is weather, which has its own times.")
     if isinstance(dataset, Series):
         if heights or options:
             raise TypeError(f"{', '.join([*options, *['heights'] * heights])}: the series exists already, so it cannot take these options. Give them to "

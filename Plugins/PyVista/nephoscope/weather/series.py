@@ -33,6 +33,10 @@ class Series(Sequence):
         self._worker, self._coming, self._samples, self._listeners = ThreadPoolExecutor(1), {}, {}, []
         self.times = listed_times(dataset) or [""]
         self.mesh = self[0]
+        self._follow()
+
+    def _follow(self) -> None:
+        """Lets colours and opacities of `mesh`, which has the values of the first step, suit all steps."""
         follow(self.mesh, self)
         self.step = 0
         self._prefetch(1)
