@@ -11,10 +11,12 @@
 #include "vtkMath.h"
 #include "vtkMatrix4x4.h"
 #include "vtkObjectFactory.h"
+#include "vtkPropCollection.h"
 #include "vtkProperty2D.h"
 #include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
 #include "vtkRendererCollection.h"
+#include "vtkScalarBarActor.h"
 #include "vtkTextActor.h"
 #include "vtkTextProperty.h"
 #include "vtkVolume.h"
@@ -29,6 +31,7 @@ namespace
 {
 constexpr double shortest = 75.0; // pixels that the longest vectors move in the time of the arrow
 constexpr double longest = 0.22;  // of the width of the view
+constexpr double gap = 6.0;       // pixels between keys
 constexpr double veil = 0.6;      // opacity of the background of the words
 
 std::string numberText(double number)
@@ -51,6 +54,43 @@ std::string timeText(double seconds)
     : seconds >= hour   ? numberText(seconds / hour) + " h"
     : seconds >= minute ? numberText(seconds / minute) + " min"
                         : numberText(seconds) + " s";
+}
+
+using Box = std::array<double, 4>; // left, right, bottom and top
+
+bool overlap(const Box& a, const Box& b)
+{
+  return a[0] < b[1] && b[0] < a[1] && a[2] < b[3] && b[2] < a[3];
+}
+
+// With the title, which may stand above the frame of the bar.
+Box boxOf(vtkScalarBarActor* bar, vtkViewport* viewport)
+{
+  const double* corner = bar->GetPositionCoordinate()->GetComputedDoubleViewportValue(viewport);
+  const double left = corner[0], bottom = corner[1];
+  const double* other = bar->GetPosition2Coordinate()->GetComputedDoubleViewportValue(viewport);
+  const double title = bar->GetTitle() && bar->GetTitle()[0] != '\0'
+    ? bar->GetTitleTextProperty()->GetFontSize()
+    : 0.0;
+  return { { left, other[0], bottom, other[1] + title } };
+}
+
+// The first free place for the box from its bottom upwards, or where it is if there is none.
+double freeBottom(Box box, const std::vector<Box>& taken, double height)
+{
+  const double wanted = box[2], size = box[3] - box[2];
+  for (std::size_t i = 0; i <= taken.size(); ++i)
+  {
+    const auto hit = std::find_if(
+      taken.begin(), taken.end(), [&](const Box& other) { return overlap(box, other); });
+    if (hit == taken.end())
+    {
+      return box[3] <= height ? box[2] : wanted;
+    }
+    box[2] = (*hit)[3] + gap;
+    box[3] = box[2] + size;
+  }
+  return wanted;
 }
 
 // Pixels of a unit of length at the focal point.
@@ -168,14 +208,58 @@ std::string vtkSplatSpeedKey::Describe(
 void vtkSplatSpeedKey::Place(vtkViewport* viewport, double arrow)
 {
   const double* corner = this->PositionCoordinate->GetComputedDoubleViewportValue(viewport);
-  const double x = corner[0], y = corner[1];
-  this->Words->GetPositionCoordinate()->SetValue(x, y);
-  double size[2];
+  const double x = corner[0];
+  double y = corner[1], size[2];
   this->Words->GetSize(viewport, size);
+  std::vector<Box> taken;
+  for (vtkSplatSpeedKey* key : this->GetEarlierKeys(viewport))
+  {
+    taken.push_back(key->Rectangle);
+  }
+  vtkPropCollection* props = viewport->GetViewProps();
+  vtkCollectionSimpleIterator at;
+  props->InitTraversal(at);
+  while (vtkProp* prop = props->GetNextProp(at))
+  {
+    auto* bar = vtkScalarBarActor::SafeDownCast(prop);
+    if (bar && bar->GetVisibility())
+    {
+      taken.push_back(boxOf(bar, viewport));
+    }
+  }
+  this->Rectangle = { { x, x + std::max(size[0], arrow), y, y + size[1] } };
+  y = freeBottom(this->Rectangle, taken, viewport->GetSize()[1]);
+  this->Rectangle[2] = y;
+  this->Rectangle[3] = y + size[1];
+  this->Words->GetPositionCoordinate()->SetValue(x, y);
   const double middle = y + size[1] - 0.6 * this->GetTextProperty()->GetFontSize();
   this->Arrow->SetVisibility(arrow >= 1.0);
   this->Arrow->GetPositionCoordinate()->SetValue(x, middle);
   this->Arrow->GetPosition2Coordinate()->SetValue(x + arrow, middle);
+}
+
+std::vector<vtkSplatSpeedKey*> vtkSplatSpeedKey::GetEarlierKeys(vtkViewport* viewport)
+{
+  std::vector<vtkSplatSpeedKey*> keys;
+  vtkPropCollection* props = viewport->GetViewProps();
+  vtkCollectionSimpleIterator at;
+  props->InitTraversal(at);
+  for (vtkProp* prop = props->GetNextProp(at); prop && prop != this; prop = props->GetNextProp(at))
+  {
+    auto* key = vtkSplatSpeedKey::SafeDownCast(prop);
+    if (key && key->GetVisibility() && !key->Text.empty())
+    {
+      keys.push_back(key);
+    }
+  }
+  return keys;
+}
+
+bool vtkSplatSpeedKey::Repeats(vtkViewport* viewport)
+{
+  const std::vector<vtkSplatSpeedKey*> keys = this->GetEarlierKeys(viewport);
+  return std::any_of(keys.begin(), keys.end(),
+    [this](const vtkSplatSpeedKey* key) { return key->Text == this->Text; });
 }
 
 int vtkSplatSpeedKey::RenderOverlay(vtkViewport* viewport)
@@ -190,6 +274,11 @@ int vtkSplatSpeedKey::RenderOverlay(vtkViewport* viewport)
   double arrow = 0.0;
   this->Text = this->Describe(
     mapper, pixelsOfUnit(renderer, this->Volume), longest * viewport->GetSize()[0], arrow);
+  if (this->Repeats(viewport))
+  {
+    this->Text.clear();
+    return 0;
+  }
   // The first line is that of the arrow.
   this->Words->SetInput((arrow >= 1.0 ? " \n" + this->Text : this->Text).c_str());
   if (this->AutomaticColor)

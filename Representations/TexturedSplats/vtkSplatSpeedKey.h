@@ -8,6 +8,7 @@
  * words: the speed and the way, the time that passes in a second of the film, and the speed of the longest streaks or segments. It follows the
  * camera; in perspective the arrow is right at the distance of the focal point. Without TrueSpeed there are only the words about the
  * longest ones. Nothing is drawn before the vectors are, or where the volume is not in the window. The position, which may be set, is that of the lower left corner.
+ * Where a scalar bar or an earlier key of the renderer is there already, the key moves up; a key that would repeat an earlier one is not drawn.
  */
 #ifndef vtkSplatSpeedKey_h
 #define vtkSplatSpeedKey_h
@@ -17,7 +18,9 @@
 #include "vtkNew.h"                                           // for the parts
 #include "vtkSmartPointer.h"                                  // for the volume
 
+#include <array>  // for the place
 #include <string> // for the unit
+#include <vector> // for other keys
 
 class vtkLeaderActor2D;
 class vtkTextActor;
@@ -84,6 +87,11 @@ private:
   vtkTexturedSplatMapper* GetDrawnMapper(vtkViewport* viewport);
   std::string Describe(vtkTexturedSplatMapper* mapper, double pixels, double most, double& arrow);
   void Place(vtkViewport* viewport, double arrow);
+  bool Repeats(vtkViewport* viewport);
+  std::vector<vtkSplatSpeedKey*> GetEarlierKeys(vtkViewport* viewport);
+
+  std::array<double, 4> Rectangle{ { 0, 0, 0,
+    0 } }; // left, right, bottom and top in the last render, in pixels of the view
 
   vtkSmartPointer<vtkVolume> Volume;
   std::string Text;

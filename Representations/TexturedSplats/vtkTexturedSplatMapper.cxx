@@ -131,6 +131,7 @@ void vtkTexturedSplatMapper::DrawInOrder(vtkRenderer* renderer, vtkVolume* volum
     return;
   }
   this->WithNeighbors = this->DrawsRegion(renderer);
+  this->FindFilmCompanions(renderer);
   std::string error = this->UpdateSplats(input, volume);
   if (error.empty())
   {

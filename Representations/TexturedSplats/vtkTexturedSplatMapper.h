@@ -28,9 +28,11 @@
 #include "vtkAbstractVolumeMapper.h"
 #include "vtkNephoscopeRepresentationsTexturedSplatsModule.h" // for export macro
 #include "vtkSmartPointer.h"                                  // for the colour function
+#include "vtkWeakPointer.h"                                   // for other mappers
 
 #include <memory> // for std::unique_ptr
 #include <string> // for array names
+#include <vector> // for other mappers
 
 class vtkImageData;
 class vtkOpenGLRenderWindow;
@@ -359,7 +361,8 @@ public:
   /**
    * With TrueSpeed: time of the vectors that passes in a second of the film, in their unit, such as 3600 for an hour if they are in metres per second
    * and the data in metres. If the data are in another unit of length than the vectors, multiply by the factor. 0 (default): a round number for
-   * which the fastest patterns move by at most one period in a second.
+   * which the fastest patterns move by at most one period in a second; if several mappers in a renderer have TrueSpeed and no scale of
+   * their own, the smallest of these numbers for all, so that their speeds are comparable.
    */
   vtkSetClampMacro(TimeScale, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(TimeScale, double);
@@ -592,6 +595,11 @@ private:
 
   vtkTexturedSplatMapper(const vtkTexturedSplatMapper&) = delete;
   void operator=(const vtkTexturedSplatMapper&) = delete;
+
+  double GetOwnTimeScale();
+  void FindFilmCompanions(vtkRenderer* renderer);
+  std::vector<vtkWeakPointer<vtkTexturedSplatMapper>>
+    FilmCompanions; // with which it shares a time scale
 
   struct vtkInternals;
   std::unique_ptr<vtkInternals> Internals;

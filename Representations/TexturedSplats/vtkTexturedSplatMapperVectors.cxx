@@ -7,7 +7,10 @@
 #include "SplatPass.h"
 #include "SplatVectorScene.h"
 
+#include "vtkPropCollection.h"
+#include "vtkRenderer.h"
 #include "vtkScalarsToColors.h"
+#include "vtkVolume.h"
 
 #include <algorithm>
 #include <cmath>
@@ -69,7 +72,7 @@ double vtkTexturedSplatMapper::GetDrawnMaximumSpeed()
 }
 
 // Chosen by the vectors of the first time step, so that it does not change during a film.
-double vtkTexturedSplatMapper::GetDrawnTimeScale()
+double vtkTexturedSplatMapper::GetOwnTimeScale()
 {
   const nephoscope::SplatVectors& vectors = this->GetVectorScene().GetVectors();
   const double speed = this->MaximumSpeed > 0 ? this->MaximumSpeed : vectors.FirstMaximumSpeed();
@@ -79,6 +82,37 @@ double vtkTexturedSplatMapper::GetDrawnTimeScale()
   }
   return nephoscope::RoundDownTime(
     this->GetPatternPeriod() * this->GetStreakUnit(vectors.FirstMeanCell()) / speed);
+}
+
+double vtkTexturedSplatMapper::GetDrawnTimeScale()
+{
+  double scale = this->GetOwnTimeScale();
+  for (vtkTexturedSplatMapper* other : this->FilmCompanions)
+  {
+    const bool shares = this->TimeScale == 0 && other && other->TrueSpeed && other->TimeScale == 0;
+    const double theirs = shares ? other->GetOwnTimeScale() : 0.0; // 0 before their first render
+    scale = theirs > 0 && scale > 0 ? std::min(scale, theirs) : scale;
+  }
+  return scale;
+}
+
+void vtkTexturedSplatMapper::FindFilmCompanions(vtkRenderer* renderer)
+{
+  this->FilmCompanions.clear();
+  vtkPropCollection* props = renderer->GetViewProps();
+  vtkCollectionSimpleIterator at;
+  props->InitTraversal(at);
+  while (vtkProp* prop = this->TrueSpeed ? props->GetNextProp(at) : nullptr)
+  {
+    auto* volume = vtkVolume::SafeDownCast(prop);
+    auto* mapper = volume && volume->GetVisibility()
+      ? vtkTexturedSplatMapper::SafeDownCast(volume->GetMapper())
+      : nullptr;
+    if (mapper && mapper != this && !mapper->VectorArrayName.empty())
+    {
+      this->FilmCompanions.emplace_back(mapper);
+    }
+  }
 }
 
 void vtkTexturedSplatMapper::SetFilmTime(double time)

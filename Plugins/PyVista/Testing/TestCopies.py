@@ -1,6 +1,8 @@
 # SPDX-FileCopyrightText: The Nephoscope authors
 # SPDX-License-Identifier: BSD-3-Clause
 """What .copy() of a volume or surface of clouds gives: the same picture, and nothing but the data in common with the original."""
+import copy
+import pickle
 import unittest
 
 import nephoscope
@@ -122,6 +124,18 @@ class Copies(unittest.TestCase):
             copy.mapper.SelectScalarArray("none")
             with self.subTest(name), self.assertWarnsRegex(RuntimeWarning, "none"):
                 self.alone(name, copy)
+
+    def test_of_python(self):
+        """copy.copy and copy.deepcopy are .copy(); pickle says what to do."""
+        for name, _, volume, _ in self.originals():
+            if name == "clouds":
+                continue  # PyVista's own actor
+            for copied in (copy.copy, copy.deepcopy):
+                other = copied(volume)
+                self.assertIsNot(other.mapper, volume.mapper)
+                np.testing.assert_array_equal(self.alone(name, other), self.alone(name, volume.copy()))
+            with self.assertRaisesRegex(TypeError, "Pickle its mesh, volume.mapper.dataset"):
+                pickle.dumps(volume)
 
 
 if __name__ == "__main__":

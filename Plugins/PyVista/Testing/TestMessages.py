@@ -160,6 +160,15 @@ class Messages(unittest.TestCase):
                 messages = self.drawn(small, "T", add, UserWarning, opacity=np.linspace(0, 1, count))
                 self.assertEqual([told in message for message in messages], [True] if told else [], messages)
 
+    def test_logarithmic_scale_from_zero(self):
+        mesh = pyvista.ImageData(dimensions=(5, 5, 5))
+        mesh["a"] = np.linspace(0, 1, mesh.n_points)
+        for add in (nephoscope.add_cells, nephoscope.add_splats):
+            for clim, count in (((0, 1), 1), (1.0, 1), ((0.1, 1), 0), (None, 0)):
+                told = self.drawn(mesh, "a", add, UserWarning, log_scale=True, clim=clim)
+                self.assertEqual(sum("0.00806452 is taken, the smallest positive value of 'a'" in text for text in told), count, told)
+                self.assertEqual(len(told), count)
+
     def test_contours_outside_the_data(self):
         mesh = pyvista.ImageData(dimensions=(5, 5, 5))
         mesh["a"] = np.linspace(0, 1, mesh.n_points)

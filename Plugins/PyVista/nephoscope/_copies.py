@@ -24,6 +24,15 @@ class MediumVolume(pyvista.Volume):
             volume.mapper.write_to(volume.prop)
         return volume
 
+    def __copy__(self) -> MediumVolume:
+        return self.copy()
+
+    def __deepcopy__(self, _memo: dict) -> MediumVolume:
+        return self.copy()
+
+    def __reduce_ex__(self, _protocol: Any) -> Any:
+        raise TypeError("A volume in a plotter cannot be pickled. Pickle its mesh, volume.mapper.dataset, and add it to a plotter again.")
+
 
 def copied_mapper(mapper: Any) -> Any:
     """A new mapper with the settings and the data of `mapper`, but its own clipping planes and lookup table."""

@@ -259,8 +259,12 @@ class Functions:
         """The property of a volume of the array `name`, which `mapper` will draw. The default `unit_distance` makes the medium visible."""
         limits_given = (self.clim if self.opacity_scalars is None else self.opacity_clim) is not None
         _refuse_values(grid, self.opacity, self.n_colors)
+        clim = self.clim
         self._take_preset(plotter, grid, name, association)
         table = self._lookup_table(plotter, values_over_time(grid, name, association), name)
+        if clim is not None and table is not self.cmap and table.log_scale and _limits(clim)[0] <= 0:
+            warnings.warn(f"clim begins at {_limits(clim)[0]:g}, but a logarithmic scale at a positive number: {table.scalar_range[0]:g} is taken, the smallest positive value of {name!r}.",
+                          UserWarning, stacklevel=level_of_caller())
         opacities = self._opacities(table)
         opacity_range = self._opacity_range(grid, preference)
         mapper.SetInputData(grid)

@@ -86,7 +86,7 @@ def add_cells(plotter: pyvista.BasePlotter, grid: Any, scalars: str | np.ndarray
         Reverses the colour map.
     log_scale : bool, default: False
         Maps colours and opacities to the logarithm of the scalars. A lower limit that is not positive is replaced by the smallest positive
-        scalar.
+        scalar, with a warning if `clim` has it.
     opacity_scalars : str, optional
         Point or cell array for `opacity`, if it differs from `scalars`: for example clouds coloured by height.
     opacity_clim : sequence of float or float, optional

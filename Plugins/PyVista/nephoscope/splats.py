@@ -175,10 +175,10 @@ def add_splats(plotter: pyvista.BasePlotter, mesh: Any, scalars: str | np.ndarra
           ``volume.mapper.film_time``, instead of through a loop. ``phase`` and ``phase_cycles`` have no effect then.
         - ``time_scale``: with ``true_speed``, time that passes in the data in a second of the film, in the time unit of the vectors, > 0: 3600 is
           an hour for vectors in metres per second on a mesh in metres. Default: a round number for which the fastest patterns move by at most
-          one period in a second.
+          one period in a second; in a renderer the smallest of all volumes with ``true_speed``, so that their speeds are comparable.
         - ``film_time``, default 0.0: with ``true_speed``, seconds since the start of the film. Change it with ``volume.mapper.film_time``.
         - ``speed_key``: legend of the motion: an arrow as long as the way of a stated speed in a second of the film, the time that passes in
-          it, and the speed of the longest streaks or segments. Default: with ``true_speed``, if the theme shows scalar bars.
+          it, and the speed of the longest streaks or segments. Keys of several volumes stand one above the other. Default: with ``true_speed``, if the theme shows scalar bars.
         - ``speed_unit``: unit of the vectors in the legend. With ``"m/s"``, for a mesh in metres, ways and times have units too. Default:
           ``"m/s"`` for ``DisplayVelocity``, the winds of a globe, otherwise none.
         - ``phase_cycles``, default 4: number of periods by which the fastest pattern moves in a loop, 1 to 1000.

@@ -9,6 +9,8 @@ import vtkmodules.vtkRenderingFreeType  # noqa: F401  (draws text)
 from nephoscope_testing import meshes
 from nephoscope_testing.offscreen import Window
 from nephoscope_testing.transfer import Transfer
+from vtkmodules.vtkCommonCore import vtkLookupTable
+from vtkmodules.vtkRenderingAnnotation import vtkScalarBarActor
 
 HIDDEN = Transfer([(0, 1, 1, 1), (1, 1, 1, 1)], [(0, 0), (1, 0)])
 
@@ -79,6 +81,97 @@ class Key(unittest.TestCase):
             key.SetSpeedUnit("m/s")
             self.assertEqual(self.text(key).splitlines()[0].split(":")[0], "10 m/s" if "matrix" not in options else "10 m/s", what)
             self.assertAlmostEqual(self.arrow(), pixels, delta=3, msg=what)
+
+    def lines(self):
+        """Bottom and top, in pixels from below, of the lines of ink at the left, where keys stand."""
+        ink = (np.abs(self.window.rgba(alpha=False) - self.window.rgba(alpha=False)[-1, -1]).max(axis=2) > 0.5)[:250, :20].any(axis=1)
+        edges = np.flatnonzero(np.diff(np.r_[False, ink, False].astype(int)))
+        return edges.reshape(-1, 2)
+
+    def second(self, speed, visible=True, **settings):
+        """Another volume in the scene, with its key."""
+        data = meshes.image((12, 12, 0), spacing=(1000,) * 3, origin=(-6000, -6000, 100))
+        meshes.with_field(data, lambda p: 0 * p[:, 0])
+        meshes.add_array(data.GetPointData(), np.tile([speed, 0.0, 0.0], (len(meshes.points_of(data)), 1)), "v")
+        mapper = nephoscope.vtkTexturedSplatMapper()
+        mapper.SetVectorArrayName("v")
+        mapper.SetVectorOpacity(0)
+        mapper.SetTrueSpeed(True)
+        for name, value in settings.items():
+            getattr(mapper, "Set" + name)(value)
+        mapper.SelectScalarArray("s")
+        mapper.SetScalarModeToUsePointFieldData()
+        mapper.SetInputDataObject(data)
+        volume = self.volume.NewInstance()
+        volume.SetMapper(mapper)
+        volume.SetProperty(self.volume.GetProperty())
+        volume.SetVisibility(visible)
+        self.renderer.AddVolume(volume)
+        key = nephoscope.vtkSplatSpeedKey()
+        key.SetVolume(volume)
+        self.renderer.AddViewProp(key)
+        return key
+
+    def test_keys_are_stacked(self):
+        key = self.scene(TimeScale=300.0)
+        self.text(key)
+        one = self.lines()
+        second = self.second(10.0, TimeScale=300.0)
+        self.assertNotEqual(self.text(second), key.GetText())
+        both = self.lines()
+        self.assertEqual((len(one), len(both)), (4, 8))
+        np.testing.assert_array_equal(both[:4], one)
+        self.assertAlmostEqual(both[4][0] - both[3][1], 14, delta=11)  # next to the first key
+        second.GetVolume().GetMapper().SetMaximumSpeed(20)  # of which the first key tells
+        self.assertEqual(self.text(second), "")
+        np.testing.assert_array_equal(self.lines(), one)
+
+    def test_scalar_bars_are_left_free(self):
+        key = self.scene(TimeScale=300.0)
+        self.text(key)
+        alone = self.lines()
+        bar = vtkScalarBarActor()
+        bar.SetLookupTable(vtkLookupTable())
+        bar.SetOrientationToHorizontal()
+        bar.SetTitle("T")
+        bar.SetWidth(0.6)
+        bar.SetHeight(0.2)
+        self.renderer.AddViewProp(bar)
+        for place, moved in (((0.2, 0.05), True), ((0.38, 0.8), False)):
+            bar.SetPosition(*place)
+            self.text(key)
+            low = self.lines()[0][0]
+            self.assertGreaterEqual(low, 0.25 * 400 if moved else 0)
+            self.assertEqual(low == alone[0][0], not moved)
+        bar.VisibilityOff()
+        self.text(key)
+        np.testing.assert_array_equal(self.lines(), alone)
+
+    def test_one_time_scale_for_all(self):
+        """The smallest of those of visible mappers with vectors, unless they have their own."""
+        key = self.scene(20.0)
+        self.text(key)
+        alone = self.volume.GetMapper().GetDrawnTimeScale()
+        second = self.second(200.0)
+        mappers = [one.GetVolume().GetMapper() for one in (key, second)]
+        self.text(key)
+        shared = mappers[1].GetDrawnTimeScale()
+        self.assertLess(shared, 0.2 * alone)
+        self.assertEqual(mappers[0].GetDrawnTimeScale(), shared)
+        for hide, show in ((lambda: second.GetVolume().VisibilityOff(), lambda: second.GetVolume().VisibilityOn()),
+                           (lambda: mappers[1].SetTimeScale(2 * alone), lambda: mappers[1].SetTimeScale(0)), (lambda: mappers[1].TrueSpeedOff(), lambda: mappers[1].TrueSpeedOn())):
+            hide()
+            self.text(key)
+            self.assertEqual(mappers[0].GetDrawnTimeScale(), alone)
+            show()
+            self.text(key)
+            self.assertEqual(mappers[0].GetDrawnTimeScale(), shared)
+        mappers[0].SetTimeScale(7)
+        self.assertEqual(mappers[0].GetDrawnTimeScale(), 7)
+        self.renderer.RemoveVolume(second.GetVolume())
+        mappers[0].SetTimeScale(0)
+        self.text(key)
+        self.assertEqual(mappers[0].GetDrawnTimeScale(), alone)
 
     def test_nothing_without_vectors_or_volume(self):
         key = self.scene()
