@@ -598,6 +598,7 @@ private:
 
   double GetOwnTimeScale();
   void FindFilmCompanions(vtkRenderer* renderer);
+  void MeasureTimeScale(vtkRenderer* renderer, vtkVolume* volume);
   std::vector<vtkWeakPointer<vtkTexturedSplatMapper>>
     FilmCompanions; // with which it shares a time scale
 

@@ -90,7 +90,7 @@ double vtkTexturedSplatMapper::GetDrawnTimeScale()
   for (vtkTexturedSplatMapper* other : this->FilmCompanions)
   {
     const bool shares = this->TimeScale == 0 && other && other->TrueSpeed && other->TimeScale == 0;
-    const double theirs = shares ? other->GetOwnTimeScale() : 0.0; // 0 before their first render
+    const double theirs = shares ? other->GetOwnTimeScale() : 0.0; // 0 without a speed
     scale = theirs > 0 && scale > 0 ? std::min(scale, theirs) : scale;
   }
   return scale;
@@ -111,7 +111,24 @@ void vtkTexturedSplatMapper::FindFilmCompanions(vtkRenderer* renderer)
     if (mapper && mapper != this && !mapper->VectorArrayName.empty())
     {
       this->FilmCompanions.emplace_back(mapper);
+      mapper->MeasureTimeScale(renderer, volume);
     }
+  }
+}
+
+// Where the first frame has another time than 0, its first volume needs the speeds of the last one.
+void vtkTexturedSplatMapper::MeasureTimeScale(vtkRenderer* renderer, vtkVolume* volume)
+{
+  if (!this->TrueSpeed || this->GetOwnTimeScale() > 0 || !this->GetInputAlgorithm())
+  {
+    return;
+  }
+  this->GetInputAlgorithm()->Update();
+  vtkDataSet* input = this->GetDataSetInput();
+  if (input && input->GetNumberOfPoints() > 0)
+  {
+    this->WithNeighbors = this->DrawsRegion(renderer);
+    this->UpdateSplats(input, volume); // which reports its errors when it is drawn
   }
 }
 

@@ -166,6 +166,16 @@ class Key(unittest.TestCase):
             show()
             self.text(key)
             self.assertEqual(mappers[0].GetDrawnTimeScale(), shared)
+        key = self.scene(20.0, FilmTime=3.0, VectorOpacity=5)
+        self.second(200.0, FilmTime=3.0, VectorOpacity=5)
+        self.text(key)
+        first = self.window.rgba(alpha=False)
+        self.text(key)
+        self.assertLess(np.abs(self.window.rgba(alpha=False) - first).max(), 0.01)  # the time scale is known in the first frame
+        self.assertGreater(first.max(), 0.9)
+        key = self.scene(20.0)
+        second = self.second(200.0)
+        mappers = [one.GetVolume().GetMapper() for one in (key, second)]
         mappers[0].SetTimeScale(7)
         self.assertEqual(mappers[0].GetDrawnTimeScale(), 7)
         self.renderer.RemoveVolume(second.GetVolume())
