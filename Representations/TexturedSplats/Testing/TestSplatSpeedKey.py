@@ -90,7 +90,7 @@ class Key(unittest.TestCase):
 
     def second(self, speed, visible=True, **settings):
         """Another volume in the scene, with its key."""
-        data = meshes.image((12, 12, 0), spacing=(1000,) * 3, origin=(-6000, -6000, 100))
+        data = meshes.image((12, 12, 0), spacing=(1000,) * 3, origin=(-6000, -6000, 9000))
         meshes.with_field(data, lambda p: 0 * p[:, 0])
         meshes.add_array(data.GetPointData(), np.tile([speed, 0.0, 0.0], (len(meshes.points_of(data)), 1)), "v")
         mapper = nephoscope.vtkTexturedSplatMapper()
