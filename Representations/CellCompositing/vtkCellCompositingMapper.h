@@ -140,7 +140,8 @@ public:
   ///@{
   /**
    * The scalar inside hexahedra, voxels, wedges and pyramids, where it belongs to points. Default: automatic.
-   * - Automatic: trilinear in image data and other evenly spaced grids, where that costs no more; tetrahedra elsewhere.
+   * - Automatic: trilinear in image data and other evenly spaced grids, where that costs no more, and in an
+   *   unstructured mesh with cells so warped that their tetrahedra would overlap; tetrahedra elsewhere.
    * - Tetrahedra: linear in the tetrahedra into which cells are divided: by index in structured data, by coordinates in other data. The
    *   same cells stored in two ways therefore give two pictures.
    * - Trilinear: the field of VTK's cells, which favours no diagonal, however the cells are stored. Along a ray it is cut into pieces that

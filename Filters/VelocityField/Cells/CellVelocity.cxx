@@ -151,10 +151,12 @@ bool CellVelocity::WeightsByFormula(Search& search, int type) const
 
 bool CellVelocity::WeightsByCell(Search& search, vtkIdType cell, bool nearToo) const
 {
-  // VTK's polyhedra draw from its one sequence of random numbers to tell inside from outside, which threads must not do at the same time.
+  // VTK's polyhedra draw from its one sequence of random numbers to tell inside from outside, and its Bezier cells share tables: threads must
+  // not evaluate them at the same time.
   static std::mutex oneAtATime;
   std::unique_lock<std::mutex> alone(oneAtATime, std::defer_lock);
-  if (this->Data->GetCellType(cell) == VTK_POLYHEDRON)
+  const int type = this->Data->GetCellType(cell);
+  if (type == VTK_POLYHEDRON || (type >= VTK_BEZIER_CURVE && type <= VTK_BEZIER_PYRAMID))
   {
     alone.lock();
   }

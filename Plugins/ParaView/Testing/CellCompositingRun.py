@@ -45,6 +45,8 @@ draw("coarse-cells", pvs.PointDatatoCellData(Input=coarse), ("CELLS", "RTData"),
 # The eight corners are far away: lengths that follow the data must not.
 stray = pvs.Calculator(Input=pvs.Tetrahedralize(Input=wavelet), CoordinateResults=1, Function="if(mag(coords)>17.3, 100*coords, coords)")
 draw("stray", stray)
+# Where cells are cut between ranks, VTK drops arrays of ids.
+draw("ids", pvs.GenerateGlobalIds(Input=pvs.Tetrahedralize(Input=pvs.Wavelet(WholeExtent=[-5, 5, -5, 5, -5, 5]))), ("POINTS", "GlobalPointIds"))
 # Translucent surfaces inside: a contour of the same data, and a plane across all ranks, as triangles: where a border between ranks cuts
 # quadrilaterals, ParaView 5.13 by itself loses parts of them.
 contour = pvs.Contour(Input=wavelet, ContourBy=["POINTS", "RTData"], Isosurfaces=[130, 200])

@@ -11,6 +11,6 @@ LIT = ("clouds",)  # by Sunlight
 one = run_ranks(SCRIPT, SCENES + LIT, 1)
 two = run_ranks(SCRIPT, SCENES + LIT, 2)
 compare(one, two, "1 and 2 ranks", SCENES, largest=2, mean=0.1)
-compare(one, two, "1 and 2 ranks", LIT, largest=16, mean=0.5)
+compare(one, two, "1 and 2 ranks", LIT, largest=16, mean=0.2, dots=0.002)
 compare(one, run_with_server(SCRIPT, SCENES), "local and client-server", SCENES, largest=1, mean=0.01)
 print("NEPHOSCOPE-PASSED")

@@ -54,8 +54,10 @@ void vtkCellCompositingRepresentation::PreparePiece(vtkDataObject* input)
   double smokeDistance = 0.0;
   if (this->GetOpacityArrayName().empty() && nephoscope::isSmoke(this->Piece) && all.Volume > 0.0)
   {
-    smokeDistance =
-      nephoscope::smokeThickness(this->Piece) * all.ScalarIntegral / all.Volume / smokeOpticalDepth;
+    // The density at the polygon makes the times of an unsteady flow comparable.
+    const double initial = nephoscope::initialSmokeDensity(this->Piece);
+    const double density = initial > 0.0 ? initial : all.ScalarIntegral / all.Volume;
+    smokeDistance = nephoscope::smokeThickness(this->Piece) * density / smokeOpticalDepth;
   }
 
   // The measures are those of a sample.
