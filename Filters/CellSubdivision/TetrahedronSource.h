@@ -183,8 +183,8 @@ public:
   }
 
   /**
-   * Of the cell last passed to EmitTetrahedra: the part of the volume of its tetrahedra in which they overlap, 0 to 1. More than rounding in
-   * warped cells, whose tetrahedra are partly inside out. 0 for polyhedra (TetrahedraFillCell) and the cells of grids.
+   * The part of the volume of the tetrahedra in which they overlap, 0 to 1, for the cell last passed to EmitTetrahedra: more than rounding
+   * in warped cells, whose tetrahedra are partly inside out. 0 for polyhedra (TetrahedraFillCell) and the cells of grids.
    */
   double GetOverlap() const { return this->Overlap; }
 

@@ -307,7 +307,7 @@ void vtkSmokePuffs::WarnOfShortPuffs(vtkUnstructuredGrid* smoke, const nephoscop
   vtkWarningMacro(
     "Puffs are shorter than two time steps of the flow volume, so that they flicker and their mass changes: Period is "
     << pulse.Period << " s, the time step is " << step << " s. Set Period to " << longEnough
-    << " s or more, or make the flow volume with a TimeStep of " << 0.5 * pulse.Width * pulse.Period
+    << " s or more, or make the flow volume with time steps of " << 0.5 * pulse.Width * pulse.Period
     << " s or less.");
 }
 

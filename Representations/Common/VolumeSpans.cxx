@@ -29,7 +29,7 @@ namespace
 {
 constexpr double margin = 1.0e-4; // of the box around all, more than single precision errs
 
-/** Of the rectangle around a box on the screen, of which device coordinates have 4 units. */
+/** The rectangle's around a box on the screen, whose area is 4 in device coordinates. */
 double areaOf(const vtkBoundingBox& box, vtkMatrix4x4* worldToDevice)
 {
   vtkBoundingBox seen;

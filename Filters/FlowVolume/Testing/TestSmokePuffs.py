@@ -263,7 +263,7 @@ class BadInput(unittest.TestCase):
         """They fall between the cells; told once for each period."""
         data = column()
         meshes.add_array(data.GetCellData(), np.arange(40), "EmissionStep")
-        self.told(data, "Period is 1.9 s, the time step is 0.5 s. Set Period to 2 s or more, or make the flow volume with a TimeStep of 0.475 s or less", Period=1.9)
+        self.told(data, "Period is 1.9 s, the time step is 0.5 s. Set Period to 2 s or more, or make the flow volume with time steps of 0.475 s or less", Period=1.9)
         for settings in ({"Period": 2.0}, {"Period": 1.9, "Width": 0.6}, {"Period": 1.9, "Floor": 1.0}, {}):
             self.told(data, **settings)
         self.told(column(), Period=1.9)  # nothing is known of its steps
