@@ -9,6 +9,7 @@
 #include "ContourBuffers.h"
 #include "RayGeometry.h"
 #include "ShaderText.h"
+#include "VolumePeel.h"
 
 #include "CubicPiecesShader.h"
 #include "RayCellsVertex.h"
@@ -24,6 +25,7 @@
 #include "vtkOpenGLVertexArrayObject.h"
 #include "vtkSMPTools.h"
 #include "vtkShaderProgram.h"
+#include "vtkTextureObject.h"
 
 #include <algorithm>
 #include <array>
@@ -59,6 +61,42 @@ std::string uploadSquares(vtkOpenGLRenderWindow* window, BufferTexture& buffer,
   });
   return buffer.Upload(window, squares.data(), count, 4, VTK_FLOAT);
 }
+
+/** Pixels without a range of the peel fail the depth test before their shader starts. */
+class OnlyInRanges
+{
+public:
+  OnlyInRanges(vtkOpenGLState* state, const VolumePeel* peel)
+    : State(peel ? state : nullptr)
+  {
+    if (this->State)
+    {
+      attach(peel->GetDepth()->GetHandle());
+      this->State->vtkglEnable(GL_DEPTH_TEST);
+      this->State->vtkglDepthFunc(GL_GREATER);
+      glDepthRange(1, 1); // behind the near end of any range
+    }
+  }
+  ~OnlyInRanges()
+  {
+    if (this->State)
+    {
+      glDepthRange(0, 1);
+      this->State->vtkglDisable(GL_DEPTH_TEST);
+      attach(0);
+    }
+  }
+  OnlyInRanges(const OnlyInRanges&) = delete;
+  OnlyInRanges& operator=(const OnlyInRanges&) = delete;
+
+private:
+  static void attach(unsigned int texture)
+  {
+    glFramebufferTexture2D(GL_DRAW_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D, texture, 0);
+  }
+
+  vtkOpenGLState* State;
+};
 }
 
 std::string RayVoxels::UploadScalars(vtkOpenGLRenderWindow* window, const CellGeometry& geometry)
@@ -136,7 +174,10 @@ std::string RayVoxels::Draw(const CellDrawing& drawing)
   program->SetUniformMatrix3x3("rayPoint", rays.Point().data());
   program->SetUniformMatrix3x3("rayDirection", rays.Direction().data());
   program->SetUniformi("maximumSteps", maximumSteps);
-  glDrawArrays(GL_TRIANGLES, 0, 3);
+  {
+    const OnlyInRanges ranges(state, drawing.Peel);
+    glDrawArrays(GL_TRIANGLES, 0, 3);
+  }
   this->VertexArray->Release();
   this->Squares.Deactivate();
   this->OpacitySquares.Deactivate();
