@@ -39,8 +39,6 @@ struct Span
   double Near = std::numeric_limits<double>::max();
   double Far = -std::numeric_limits<double>::max();
 
-  bool Meets(double near, double far) const { return this->Near <= far && this->Far >= near; }
-
   void Add(vtkCamera* camera, const vtkBoundingBox& box)
   {
     for (int corner = 0; corner < 8; ++corner)
@@ -195,14 +193,9 @@ void VolumeSlices::DrawSlices(
     const InTurn turn(this);
     for (vtkVolume* volume : volumes)
     {
-      Span span;
-      span.Add(renderer->GetActiveCamera(), vtkBoundingBox(volume->GetBounds()));
-      if (!within || span.Meets(first.Distance, end.Distance))
-      {
-        window->GetState()->vtkglViewport(
-          this->Viewport[0], this->Viewport[1], this->Viewport[2], this->Viewport[3]);
-        draw(renderer, volume);
-      }
+      window->GetState()->vtkglViewport(
+        this->Viewport[0], this->Viewport[1], this->Viewport[2], this->Viewport[3]);
+      draw(renderer, volume);
     }
     this->Lay(window);
   }

@@ -354,8 +354,8 @@ class Scenes(MediaTestCase):
 class Slices(MediaTestCase):
     """What cannot be one medium ray by ray is drawn in slices of depth, without a message."""
 
-    def check_slices(self, volumes, configure, label):
-        scene, mappers = self.draw(volumes, configure=configure)
+    def check_slices(self, volumes, configure, label, look=aslant):
+        scene, mappers = self.draw(volumes, look, configure)
         expected = media.render([(cells_of(data), transfer) for data, transfer in volumes], scene.view())[..., :3]
         mask = edge_mask(np.concatenate([cells_of(data).drawn_edges() for data, _ in volumes]), scene.view())
         self.check_float(scene.rgb(), expected, label, 2 / 255, mask)
@@ -367,6 +367,13 @@ class Slices(MediaTestCase):
             mappers[1].SetContourOpacity(0, 0)
         for configure in (contours, lambda m: m[1].SetMethodToProjection(), lambda m: m[0].SetVisibilityOrderToCentroid()):
             self.check_slices(PAIRS["staggered"], configure, "in slices")
+
+    def test_small_overlap(self):
+        """Most rays pass through one box at a time, some through three that lie apart: only those through two at once need slices."""
+        chain = [(FIRST, WARM), (box((0.8, 0.7, 0.8), (1.3, 1.3, 1.4), UP), COLD), (box((-0.3, -0.3, -0.2), (0.2, 0.2, 0.2), ACROSS), GREEN),
+                 (box((0.4, 0.2, 0.95), (0.7, 0.6, 1.8), ASLANT, 2, "image"), constant(0.8, (0.9, 0.2, 0.9)))]
+        for look in (aslant, parallel, along(2, 1), along(0, -1), eye_at((0.1, 0.15, -0.1))):
+            self.check_slices(chain, lambda m: m[1].SetVisibilityOrderToCentroid(), "small overlap", look)
 
     def test_five(self):
         self.check_slices(FOUR + [(SECOND, GREEN)], None, "five media")

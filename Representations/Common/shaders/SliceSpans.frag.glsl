@@ -2,10 +2,10 @@
 //VTK::Output::Dec
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Where a pixel's ray has to be drawn in slices: the depths between which it lies in two boxes or more. A ray that lies in one box at a
-// time is only divided where it enters the second and the last of them.
+// Where a pixel's ray has to be drawn in slices: the depths between which it may lie in two boxes or more, from where it enters the second
+// to where it leaves the last but one. Before and behind there is one medium alone.
 //   in:  the boxes of the volumes, in coordinates that are at most 1; the matrices between these and device coordinates
-//   out: near and far depth; 1 where there is one box or none
+//   out: near and far depth; 1 where there is one box or none; where two boxes lie apart, the depth where the second begins
 uniform int boxCount;
 uniform vec3 lowCorners[MOST_BOXES];
 uniform vec3 highCorners[MOST_BOXES];
@@ -47,26 +47,17 @@ void main()
 {
   vec3 start = unproject(-1.0);
   vec3 along = unproject(1.0) - start;
-  vec2 ranges[MOST_BOXES];
-  vec2 shared_ = vec2(never, -1.0); // by two boxes
-  vec2 starts = vec2(never, never); // the first two
-  float last = -1.0;
+  vec2 starts = vec2(never);  // the first two
+  vec2 ends = vec2(-never);   // the last two
   for (int i = 0; i < boxCount; ++i)
   {
-    ranges[i] = inBox(start, along, lowCorners[i], highCorners[i]);
-    if (ranges[i].x >= ranges[i].y)
+    vec2 range = inBox(start, along, lowCorners[i], highCorners[i]);
+    if (range.x < range.y)
     {
-      continue;
-    }
-    float from = ranges[i].x;
-    starts = from < starts.x ? vec2(from, starts.x) : vec2(starts.x, min(from, starts.y));
-    last = max(last, from);
-    for (int j = 0; j < i; ++j)
-    {
-      vec2 both = vec2(max(from, ranges[j].x), min(ranges[i].y, ranges[j].y));
-      shared_ = both.x < both.y ? vec2(min(shared_.x, both.x), max(shared_.y, both.y)) : shared_;
+      starts = range.x < starts.x ? vec2(range.x, starts.x) : vec2(starts.x, min(range.x, starts.y));
+      ends = range.y > ends.x ? vec2(range.y, ends.x) : vec2(ends.x, max(range.y, ends.y));
     }
   }
-  vec2 span = shared_.x < shared_.y ? shared_ : starts.y <= 1.0 ? vec2(starts.y, last) : vec2(1.0);
+  vec2 span = starts.y < never ? vec2(starts.y, max(starts.y, ends.y)) : vec2(1.0);
   gl_FragData[0] = vec4(depthAt(start + span.x * along), depthAt(start + span.y * along), 0.0, 0.0);
 }
