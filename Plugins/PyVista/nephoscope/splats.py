@@ -95,7 +95,8 @@ def add_splats(plotter: pyvista.BasePlotter, mesh: Any, scalars: str | np.ndarra
     """Add the points or cells of a dataset to a plotter as splats drawn by `vtkTexturedSplatMapper`.
 
     Every sample is a kernel in the shape of its grid cell, or a ball if there is no grid. Its extinction coefficient is opacity *
-    `opacity_scale` / `opacity_unit_distance`, integrated exactly along every ray. Vectors are streaks on the splats.
+    `opacity_scale` / `opacity_unit_distance`, integrated exactly along every ray. Vectors are streaks on the splats. Points at the boundary of a grid
+    have whole cells, which reach half a cell beyond the mesh; cell arrays do not.
 
     Parameters
     ----------
