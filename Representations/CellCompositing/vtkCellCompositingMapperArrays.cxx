@@ -151,8 +151,8 @@ void vtkCellCompositingMapper::WarnAboutGeometry(vtkDataSet* input, const CellGe
   {
     vtkWarningMacro(
       << cellsAre(geometry.NumberOfWarpedCells)
-      << " drawn wrong, because of a warp by which the tetrahedra that they are divided into overlap. Set CellInterpolation to Trilinear, "
-         "without contours, layers, other volumes in the same place, and an opacity array.");
+      << " drawn wrong: so warped that the tetrahedra they are divided into overlap. Set CellInterpolation to Trilinear, and draw "
+         "contours, layers, an opacity array and overlapping volumes without these cells.");
   }
   // On several processes one may have copies of the others' cells alone.
   const bool isTold = geometry.NumberOfInvalidCells + geometry.NumberOfUnsupportedCells > 0;

@@ -29,7 +29,7 @@ namespace
 {
 constexpr double margin = 1.0e-4; // of the box around all, more than single precision errs
 
-/** The rectangle's around a box on the screen, whose area is 4 in device coordinates. */
+/** Area in device coordinates of the rectangle around a box on the screen; the whole screen has 4. */
 double areaOf(const vtkBoundingBox& box, vtkMatrix4x4* worldToDevice)
 {
   vtkBoundingBox seen;

@@ -46,6 +46,11 @@ double meanExcess(const SplatSamples& samples, const SplatMatrix& toView)
   return seen > 0 ? sum / static_cast<double>(seen) : 1.0;
 }
 
+SplatEye eyeOf(const SceneView& view)
+{
+  return { { view.EyeModel[0], view.EyeModel[1], view.EyeModel[2], view.EyeModel[3] } };
+}
+
 double largestSlope(vtkMatrix4x4* viewToDevice)
 {
   double sum = 0.0;
@@ -95,8 +100,7 @@ void FindSplatRanges(const SortedSplats& splats, const SplatSamples& samples, co
 {
   const SplatMatrix toView = ToViewMatrix(view);
   const SplatMetric metric = MetricOf(toView);
-  const SplatEye eye = { { view.EyeModel[0], view.EyeModel[1], view.EyeModel[2],
-    view.EyeModel[3] } };
+  const SplatEye eye = eyeOf(view);
   SplatReach reach;
   const double radius = KernelRadius(options.Kernel) * LargestStretch(toView);
   reach.Radius = radius * splats.LongestEdge;
@@ -128,8 +132,7 @@ void FindSplatRanges(const SortedSplats& splats, const SplatSamples& samples, co
 void FindSplatsBetween(const SortedSplats& splats, const SceneView& view,
   const std::array<double, 2>& distances, SplatDrawingOptions& options)
 {
-  const SplatEye eye = { { view.EyeModel[0], view.EyeModel[1], view.EyeModel[2],
-    view.EyeModel[3] } };
+  const SplatEye eye = eyeOf(view);
   if (eye[3] == 0)
   {
     return;
@@ -139,9 +142,8 @@ void FindSplatsBetween(const SortedSplats& splats, const SceneView& view,
   const double kernel = KernelRadius(options.Kernel);
   const VectorLook look = { options.Segments, options.VectorUnit, options.StreakPeriod,
     options.SegmentLength };
-  const double reach = LargestStretch(toView) *
-      (options.Vectors ? VectorReach(look, kernel, splats.LongestEdge) : 0.0) +
-    LargestStretch(toView) * kernel * splats.LongestEdge;
+  const double ofVectors = options.Vectors ? VectorReach(look, kernel, splats.LongestEdge) : 0.0;
+  const double reach = LargestStretch(toView) * std::max(kernel * splats.LongestEdge, ofVectors);
   const double slope = largestSlope(view.ViewToDevice);
   const auto within = [&](double distance) {
     return distance > 0

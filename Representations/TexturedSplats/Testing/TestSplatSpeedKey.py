@@ -15,21 +15,32 @@ from vtkmodules.vtkRenderingAnnotation import vtkScalarBarActor
 HIDDEN = Transfer([(0, 1, 1, 1), (1, 1, 1, 1)], [(0, 0), (1, 0)])
 
 
+def moving(settings):
+    """A mapper whose vectors travel at their true speed."""
+    mapper = nephoscope.vtkTexturedSplatMapper()
+    mapper.SetVectorArrayName("v")
+    mapper.SetVectorOpacity(0)
+    mapper.SetTrueSpeed(True)
+    for name, value in settings.items():
+        getattr(mapper, "Set" + name)(value)
+    return mapper
+
+
+def sheet(speed, height):
+    """12 by 12 kilometres."""
+    data = meshes.image((12, 12, 0), spacing=(1000,) * 3, origin=(-6000, -6000, height))
+    meshes.with_field(data, lambda p: 0 * p[:, 0])
+    meshes.add_array(data.GetPointData(), np.tile([speed, 0.0, 0.0], (len(meshes.points_of(data)), 1)), "v")
+    return data
+
+
 class Key(unittest.TestCase):
     def scene(self, speed=20.0, background=(0, 0, 0), look=None, matrix=None, **settings):
-        """A sheet of 12 by 12 kilometres; 20 pixels are a kilometre."""
-        data = meshes.image((12, 12, 0), spacing=(1000,) * 3, origin=(-6000, -6000, 0))
-        points = meshes.points_of(data)
-        meshes.with_field(data, lambda p: 0 * p[:, 0])
-        meshes.add_array(data.GetPointData(), np.tile([speed, 0.0, 0.0], (len(points), 1)), "v")
+        """A sheet; 20 pixels are a kilometre."""
+        data = sheet(speed, 0)
         self.window = Window((400, 400))
         scene = self.window.add_scene(background=background)
-        mapper = nephoscope.vtkTexturedSplatMapper()
-        mapper.SetVectorArrayName("v")
-        mapper.SetVectorOpacity(0)
-        mapper.SetTrueSpeed(True)
-        for name, value in settings.items():
-            getattr(mapper, "Set" + name)(value)
+        mapper = moving(settings)
         self.volume = scene.add_volume(mapper, data, HIDDEN, matrix=matrix)
         scene.look(**{"position": (0, 0, 40000), "parallel_scale": 10000, "near": 5000, "far": 90000, **(look or {})})
         self.renderer = scene.renderer
@@ -90,15 +101,8 @@ class Key(unittest.TestCase):
 
     def second(self, speed, visible=True, **settings):
         """Another volume in the scene, with its key."""
-        data = meshes.image((12, 12, 0), spacing=(1000,) * 3, origin=(-6000, -6000, 9000))
-        meshes.with_field(data, lambda p: 0 * p[:, 0])
-        meshes.add_array(data.GetPointData(), np.tile([speed, 0.0, 0.0], (len(meshes.points_of(data)), 1)), "v")
-        mapper = nephoscope.vtkTexturedSplatMapper()
-        mapper.SetVectorArrayName("v")
-        mapper.SetVectorOpacity(0)
-        mapper.SetTrueSpeed(True)
-        for name, value in settings.items():
-            getattr(mapper, "Set" + name)(value)
+        data = sheet(speed, 9000)
+        mapper = moving(settings)
         mapper.SelectScalarArray("s")
         mapper.SetScalarModeToUsePointFieldData()
         mapper.SetInputDataObject(data)
