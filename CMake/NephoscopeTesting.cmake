@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: The Nephoscope authors
 # SPDX-License-Identifier: BSD-3-Clause
-# Five ways to declare a test. Every test gets one or more labels: math, filter, image, plugin, parallel.
+# Six ways to declare a test. Every test gets one or more labels: math, filter, image, plugin, parallel.
 # Tests that draw need a display: `./nephoscope test` gives them a virtual one.
 #
 #   nephoscope_add_math_test(NAME SOURCE.cxx)            GoogleTest on headers alone
@@ -9,6 +9,7 @@
 #   nephoscope_add_shader_test(NAME FOLDER SOURCES... MODULES...)   GoogleTest with Testing/Cxx/ShaderRunner.h; FOLDER has the shaders
 #   nephoscope_add_python_test(SCRIPT.py LABELS... [ARGS...])       plain Python, package on its path; exit 0 passes
 #   nephoscope_add_softpipe_test(SCRIPT.py [CASES...])              those cases once more, on Mesa's software OpenGL 3.3 (slow: small pictures)
+#   nephoscope_add_egl_test(SCRIPT.py [CASES...])        those cases once more, without a display, where VTK has such windows: its wheel
 #
 # Tests with the property COST start first, the dearest before others: what takes long, or needs both processors or a lock, would keep a
 # processor idle at the end.
@@ -111,4 +112,14 @@ function (nephoscope_add_softpipe_test script)
   add_test(NAME ${name}OnSoftpipe COMMAND "${Python3_EXECUTABLE}" "${script}" ${ARGN})
   set_tests_properties(${name}OnSoftpipe PROPERTIES LABELS "image" TIMEOUT 300
     ENVIRONMENT "${NEPHOSCOPE_TEST_ENVIRONMENT};LIBGL_ALWAYS_SOFTWARE=1;GALLIUM_DRIVER=softpipe")
+endfunction ()
+
+function (nephoscope_add_egl_test script)
+  if (NOT NEPHOSCOPE_FOR_PYPI)
+    return ()
+  endif ()
+  get_filename_component(name "${script}" NAME_WE)
+  add_test(NAME ${name}OnEGL COMMAND "${Python3_EXECUTABLE}" "${CMAKE_CURRENT_SOURCE_DIR}/${script}" ${ARGN})
+  set_tests_properties(${name}OnEGL PROPERTIES LABELS "image" TIMEOUT 300
+    ENVIRONMENT "${NEPHOSCOPE_TEST_ENVIRONMENT};VTK_DEFAULT_OPENGL_WINDOW=vtkEGLRenderWindow;DISPLAY=")
 endfunction ()

@@ -13,6 +13,8 @@
 #include "vtkTextureObject.h"
 
 #include <algorithm>
+#include <set>
+#include <string>
 
 namespace nephoscope
 {
@@ -40,12 +42,23 @@ void allocate(
 SurfaceLists::SurfaceLists() = default;
 SurfaceLists::~SurfaceLists() = default;
 
+// By extension, not by version: a driver may give a context of the version asked for, 3.2, with all that it can do beside.
 bool SurfaceLists::IsSupported()
 {
-  GLint major = 0, minor = 0;
-  glGetIntegerv(GL_MAJOR_VERSION, &major);
-  glGetIntegerv(GL_MINOR_VERSION, &minor);
-  return major > 4 || (major == 4 && minor >= 2);
+  const std::set<std::string> needed = { "GL_ARB_shader_image_load_store",
+    "GL_ARB_shading_language_420pack" };
+  std::set<std::string> found;
+  GLint count = 0;
+  glGetIntegerv(GL_NUM_EXTENSIONS, &count);
+  for (GLint i = 0; i < count; ++i)
+  {
+    const auto* name = reinterpret_cast<const char*>(glGetStringi(GL_EXTENSIONS, i));
+    if (name && needed.count(name) > 0)
+    {
+      found.insert(name);
+    }
+  }
+  return found == needed && glBindImageTexture && glMemoryBarrier;
 }
 
 void SurfaceLists::Allocate(const SurfaceLayers::Request& request, int rows)

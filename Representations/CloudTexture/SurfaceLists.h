@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
-/** As SurfaceLayers, in one drawing and without a limit, for OpenGL 4.2 and later: each pixel has a list of the faces behind it. */
+/** As SurfaceLayers, in one drawing and without a limit, for OpenGL with images in shaders (4.2, or the extension): each pixel has a list of the faces behind it. */
 #ifndef SurfaceLists_h
 #define SurfaceLists_h
 

@@ -161,6 +161,7 @@ void vtkCloudTextureMapper::ShallowCopy(vtkAbstractMapper* other)
 void vtkCloudTextureMapper::RenderPiece(vtkRenderer* renderer, vtkActor* actor)
 {
   vtkInternals& own = *this->Internals;
+  this->LeaveOtherWindow(vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow()));
   if (!vtkCompositeDataSet::SafeDownCast(this->GetInputDataObject(0, 0)))
   {
     this->Superclass::RenderPiece(renderer, actor);
@@ -305,6 +306,18 @@ void vtkCloudTextureMapper::SetMapperShaderParameters(
     {
       this->Internals->Volume->SetUniforms(program, this->Internals->Thickness.GetViewToData());
     }
+  }
+}
+
+// Before the superclass makes objects in this window: it would release those in the other one then, and some windows (EGL's) leave
+// the context current in which they released something.
+void vtkCloudTextureMapper::LeaveOtherWindow(vtkWindow* window)
+{
+  vtkOpenGLRenderWindow* other = this->Internals->Window.Get();
+  if (other && other != window)
+  {
+    this->ReleaseGraphicsResources(other);
+    window->MakeCurrent();
   }
 }
 

@@ -237,7 +237,7 @@ public:
 
   ///@{
   /**
-   * For OpenGL older than 4.2: greatest number of clouds behind one another that UseThickness finds in a pixel, nearest and farthest first;
+   * For OpenGL without images in shaders (before 4.2, and without GL_ARB_shader_image_load_store): greatest number of clouds behind one another that UseThickness finds in a pixel, nearest and farthest first;
    * a warning reports if there are more. Every two that exist cost one drawing of depths. Later OpenGL finds all clouds. 2 ... 16, default: 8. OpenGL's number of
    * textures may allow less.
    */
@@ -297,6 +297,7 @@ private:
   void PrepareVolume();
   void UploadVolume(vtkRenderer* renderer);
   void TellVolume(const std::string& error, const std::string& warning);
+  void LeaveOtherWindow(vtkWindow* window);
   void DrawTriangles(vtkOpenGLHelper& helper, vtkRenderer* renderer, vtkActor* actor);
   double GetExtinctionInUse(vtkActor* actor) const;
   void SetEye(vtkShaderProgram* program, vtkRenderer* renderer, vtkActor* actor);

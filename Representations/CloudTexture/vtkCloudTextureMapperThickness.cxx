@@ -20,6 +20,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
+
+namespace
+{
+const std::string moreClouds = "In some pixels more clouds lie behind one another than the ";
+}
 
 void vtkCloudTextureMapper::SetDensityArrayName(const char* name)
 {
@@ -128,9 +134,8 @@ void vtkCloudTextureMapper::ReportThicknessErrors(const std::string& error)
   std::string message = error;
   if (error.empty() && own.Thickness.HasMore())
   {
-    message =
-      "In some pixels more clouds lie behind one another than are measured: the thickness of those in between is wrong. Raise "
-      "MaximumNumberOfLayers.";
+    message = moreClouds + std::to_string(this->MaximumNumberOfLayers) +
+      " that are measured: the thickness of those in between is wrong. Raise MaximumNumberOfLayers.";
   }
   if (!message.empty() && message != own.LastThickness)
   {
@@ -143,7 +148,11 @@ void vtkCloudTextureMapper::ReportThicknessErrors(const std::string& error)
       vtkErrorMacro(<< "Clouds are drawn without their thickness: " << message << ".");
     }
   }
-  own.LastThickness = message;
+  // Frames without such pixels come between others: the warning is not repeated then.
+  if (!message.empty() || own.LastThickness.compare(0, moreClouds.size(), moreClouds) != 0)
+  {
+    own.LastThickness = message;
+  }
 }
 
 void vtkCloudTextureMapper::DrawTriangles(

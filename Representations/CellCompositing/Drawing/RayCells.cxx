@@ -108,7 +108,8 @@ std::string RayCells::UploadGeometry(vtkOpenGLRenderWindow* window, const CellGe
   }
   else
   {
-    upload(this->Neighbors, neighbors.WithNextVertices(geometry), 2, VTK_INT);
+    const auto pairs = neighbors.WithNextVertices(geometry); // two in an element of the texture
+    error = this->Neighbors.Upload(window, pairs.data(), pairs.size() / 2, 4, VTK_INT);
     this->Hexahedra.Release(window);
   }
   upload(this->VertexSums, neighbors.VertexSums, 1, VTK_INT);

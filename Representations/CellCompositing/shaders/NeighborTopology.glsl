@@ -3,7 +3,8 @@
 // The tetrahedra of any mesh (TetrahedronNeighbors.h): their neighbours, and the four vertex numbers as one exclusive-or, which
 // gives the fourth vertex when three are known.
 // Constants: hasJumps.
-// Four per tetrahedron, across from its vertices in ascending order: tetrahedron, -1 for none or -2 - n for boundary face n; its next vertex.
+// Four per tetrahedron, across from its vertices in ascending order: tetrahedron, -1 for none or -2 - n for boundary face n; its next vertex. Two in
+// an element: buffer textures have a limited number of them.
 uniform IntegerArray neighbors;
 uniform IntegerArray vertexSums; // exclusive-or of the vertex numbers
 
@@ -36,7 +37,9 @@ void enterPlace(ivec4 place)
 bool crossFace(inout ivec3 face, int left, out int next)
 {
   ivec3 smaller = ivec3(lessThan(face, ivec3(left)));
-  ivec2 across = element(neighbors, 4 * cellOf + smaller.x + smaller.y + smaller.z).rg;
+  int number = smaller.x + smaller.y + smaller.z;
+  ivec4 pair = element(neighbors, 2 * cellOf + (number >> 1));
+  ivec2 across = (number & 1) == 0 ? pair.rg : pair.ba;
   int neighbor = across.x;
   next = across.y;
   if (neighbor < 0)

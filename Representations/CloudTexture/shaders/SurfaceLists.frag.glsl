@@ -1,6 +1,8 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
-#version 420 core
+#version 150
+#extension GL_ARB_shader_image_load_store : require
+#extension GL_ARB_shading_language_420pack : require
 // All faces of a surface behind every pixel, in lists. No order: the shader that reads them looks at all.
 //   in:  depth from the eye along the view, density, which way the face looks
 //   out: nodes: depth, 1 where the face looks to the eye, density, number of the next node, 0 where there is none
