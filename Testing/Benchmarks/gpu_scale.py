@@ -79,11 +79,17 @@ def tetrahedra(cells):
     return triangles.GetOutput()
 
 
+def trilinear():
+    mapper = nephoscope.vtkCellCompositingMapper()
+    mapper.SetCellInterpolationToTrilinear()
+    return mapper
+
+
 DATA = {"image": image, "hexahedra": hexahedra, "tetrahedra": tetrahedra}
-MAPPERS = {"cells": nephoscope.vtkCellCompositingMapper, "splats": nephoscope.vtkTexturedSplatMapper,
+MAPPERS = {"cells": nephoscope.vtkCellCompositingMapper, "cells, trilinear": trilinear, "splats": nephoscope.vtkTexturedSplatMapper,
            "vtkGPUVolumeRayCastMapper": vtkOpenGLGPUVolumeRayCastMapper, "vtkProjectedTetrahedraMapper": vtkProjectedTetrahedraMapper}
-CASES = [("image", "cells"), ("image", "vtkGPUVolumeRayCastMapper"), ("hexahedra", "cells"), ("hexahedra", "splats"), ("tetrahedra", "cells"),
-         ("tetrahedra", "vtkProjectedTetrahedraMapper")]
+CASES = [("image", "cells"), ("image", "vtkGPUVolumeRayCastMapper"), ("hexahedra", "cells"), ("hexahedra", "cells, trilinear"), ("hexahedra", "splats"),
+         ("tetrahedra", "cells"), ("tetrahedra", "vtkProjectedTetrahedraMapper")]
 
 
 def volume(mapper):
