@@ -323,11 +323,16 @@ void vtkCloudTextureMapper::LeaveOtherWindow(vtkWindow* window)
 
 void vtkCloudTextureMapper::ReleaseGraphicsResources(vtkWindow* window)
 {
-  this->Internals->Window.Leave(window);
   if (this->Internals->ForBlocks)
   {
     this->Internals->ForBlocks->ReleaseGraphicsResources(window);
   }
+  vtkOpenGLRenderWindow* own = this->Internals->Window.Get();
+  if (own && own != window) // the superclass would release its own all the same, and leave that window current
+  {
+    return;
+  }
+  this->Internals->Window.Leave(window);
   this->Superclass::ReleaseGraphicsResources(window);
 }
 
