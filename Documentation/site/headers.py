@@ -143,18 +143,24 @@ def properties(name, members):
     return ["**Properties:** " + ", ".join(f":cpp:func:`{one} <{name}::Set{one}>`" for one in chosen) + ".", ""] if chosen else []
 
 
+def inherited(base, names):
+    """Where the methods of the base class are."""
+    return f"It also has the methods of :cpp:class:`{base}`." if base in names else f"Methods of {base} are in VTK's own documentation."
+
+
 def page(path, names):
     text = re.sub(r"^#ifndef __VTK_WRAP__.*?^#endif", "", path.read_text(encoding="utf-8"), flags=re.DOTALL | re.MULTILINE)
     name, folder = path.stem, path.parent.relative_to(TOP).as_posix()
     brief = re.search(r"@brief (.*?)\n \*\n(.*?)\*/", text, re.DOTALL)
     head = re.search(r"^class \w+ " + name + r"(?:\s+final)?\s*:\s*public (\w+)\s*\{", text, re.MULTILINE)
+    can_be_made = f"static {name}* New()" in text  # not so the base classes of mappers
     members = [entry for entry in Members(text[head.end():body_end(text, head.end())]).found if entry[1]]
     summary = escaped(text_of(brief[1]).replace("\n", " "))
     summary = summary[0].upper() + summary[1:]
     return summary, "\n".join([
         name, "=" * len(name), "", f".. cpp:class:: {name} : public {head[1]}", "", f"   {summary}", "",
-        f"Header ``{folder}/{path.name}``; in Python ``nephoscope.{name}()``, with the methods below under the same names. "
-        f"Methods of {head[1]} are in VTK's own documentation. How it works: :doc:`/{folder}/README`.", "",
+        f"Header ``{folder}/{path.name}``; in Python ``nephoscope.{name}{'()' * can_be_made}``, with the methods below under the same names. "
+        f"{inherited(head[1], names)} How it works: :doc:`/{folder}/README`.", "",
         paragraphs(text_of(brief[2]), names), "", *properties(name, members), "Methods", "-------", "",
         f".. cpp:namespace:: {name}", "", *[member(comment, declared, names) for comment, declared in members]])
 

@@ -6,7 +6,6 @@
 #include "CellCompositingInternals.h"
 #include "CellsInOrder.h"
 #include "ContourSettings.h"
-#include "MapperSettings.h"
 #include "SceneLights.h"
 #include "TrianglePass.h"
 #include "ViewState.h"
@@ -27,10 +26,8 @@
 
 #include <algorithm>
 
-using nephoscope::CellGeometry;
 using nephoscope::CellMethod;
 using nephoscope::CellScene;
-using nephoscope::ScalarSelection;
 using nephoscope::withThreads;
 
 vtkStandardNewMacro(vtkCellCompositingMapper);
@@ -59,7 +56,6 @@ std::string leftOut(
 
 vtkCellCompositingMapper::vtkCellCompositingMapper()
   : Internals(new vtkInternals)
-  , Contours(new nephoscope::ContourSettings)
 {
   nephoscope::VolumeOrder::Enrol(this, nephoscope::CellsInOrder::PartOf([this]() { return this; }));
 }
@@ -172,59 +168,6 @@ void vtkCellCompositingMapper::ReportOnce(const std::string& error)
   {
     vtkErrorMacro(<< error);
   }
-}
-
-std::string vtkCellCompositingMapper::UpdateGeometry(
-  vtkDataSet* input, vtkVolume* volume, const nephoscope::Progress& progress)
-{
-  CellScene& scene = this->Internals->Scene;
-  ScalarSelection scalars, opacity;
-  constexpr double longest = 1e16; // of data that rays and projection draw
-  std::string error = nephoscope::checkLengths(input, longest);
-  if (error.empty())
-  {
-    error = nephoscope::selectScalars(this, input, volume->GetProperty(), scalars);
-  }
-  if (error.empty())
-  {
-    error = nephoscope::selectOpacity(this->OpacityArrayName, input, scalars, opacity);
-  }
-  vtkDataArray* layers = nullptr;
-  if (error.empty())
-  {
-    this->WarnAboutContours(this->SelectContours(input, scalars, this->Internals->Contoured));
-    error = this->SelectLayers(input, layers);
-  }
-  if (!error.empty())
-  {
-    scene.Clear();
-    return error;
-  }
-  this->Internals->Light = nephoscope::CameraLight(input, scalars.Array);
-  this->Internals->HasCameraLight = this->Internals->Light.IsUsed();
-  if (!this->UsesRays() || !opacity.Array)
-  {
-    this->Internals->Light = nephoscope::CameraLight();
-  }
-  scalars.Headroom = this->Internals->Light.IsUsed() ? this->Internals->Light.Headroom() : 0;
-  bool built = false;
-  const auto form = this->MayUseHexahedra() ? CellGeometry::Form::Hexahedra
-    : !this->UsesRays()                     ? CellGeometry::Form::Tetrahedra
-    : this->CellInterpolation == AUTOMATIC_INTERPOLATION && this->MayCrossWholeCells()
-    ? CellGeometry::Form::GridOrWarped
-    : CellGeometry::Form::Grid;
-  withThreads([&]() {
-    built = scene.UpdateGeometry(input, scalars, opacity, form, error, layers, progress);
-  });
-  this->Internals->Scalars = scalars;
-  this->Internals->Opacity = opacity;
-  this->Internals->Arrays[0] = scalars.Array;
-  this->Internals->Arrays[1] = opacity.Array;
-  if (built && error.empty())
-  {
-    this->WarnAboutGeometry(input, scene.GetGeometry(), scalars, opacity);
-  }
-  return error;
 }
 
 // Empty, or why the settings of the volume draw nothing.
@@ -444,61 +387,4 @@ void vtkCellCompositingMapper::ReleaseGraphicsResources(vtkWindow* window)
   this->Internals->Window.Leave(window);
   nephoscope::VolumeOrder::ReleaseGraphicsResources(this, window);
   this->Superclass::ReleaseGraphicsResources(window);
-}
-
-void vtkCellCompositingMapper::ShallowCopy(vtkAbstractMapper* other)
-{
-  auto* mapper = vtkCellCompositingMapper::SafeDownCast(other);
-  if (mapper == this)
-  {
-    return;
-  }
-  this->Superclass::ShallowCopy(other);
-  if (mapper)
-  {
-    nephoscope::copyVolumeSettings(mapper, this);
-    this->SetBlendMode(mapper->BlendMode);
-    this->SetMethod(mapper->Method);
-    this->SetIntegration(mapper->Integration);
-    this->SetCellInterpolation(mapper->CellInterpolation);
-    this->SetVisibilityOrder(mapper->VisibilityOrder);
-    this->SetOpacityScale(mapper->OpacityScale);
-    this->SetOpacityArrayName(mapper->OpacityArrayName);
-    this->SetSplitAtControlPoints(mapper->SplitAtControlPoints);
-    this->SetAutoAdjustSampleDistances(mapper->AutoAdjustSampleDistances);
-    this->SetImageSampleDistance(mapper->ImageSampleDistance);
-    this->SetMaximumImageSampleDistance(mapper->MaximumImageSampleDistance);
-    this->SetPickOpacity(mapper->PickOpacity);
-    *this->Contours = *mapper->Contours;
-    this->Modified();
-  }
-}
-
-void vtkCellCompositingMapper::PrintSelf(ostream& os, vtkIndent indent)
-{
-  this->Superclass::PrintSelf(os, indent);
-  const char* methods[] = { "Projection", "Rays", "TrianglesLinear", "TrianglesTable", "Faces",
-    "Automatic" };
-  os << indent << "Method: " << methods[this->Method] << "\n";
-  os << indent << "Integration: " << (this->Integration == EXACT_INTEGRATION ? "Exact" : "Average")
-     << "\n";
-  const char* const interpolations[] = { "Tetrahedra", "Trilinear", "Automatic" };
-  os << indent << "CellInterpolation: " << interpolations[this->CellInterpolation] << "\n";
-  const char* orders[] = { "Exact", "Centroid", "None" };
-  os << indent << "VisibilityOrder: " << orders[this->VisibilityOrder] << "\n";
-  os << indent << "OpacityScale: " << this->OpacityScale << "\n";
-  os << indent << "OpacityArrayName: " << this->OpacityArrayName << "\n";
-  os << indent << "SplitAtControlPoints: " << this->SplitAtControlPoints << "\n";
-  os << indent << "AutoAdjustSampleDistances: " << this->AutoAdjustSampleDistances << "\n";
-  os << indent << "ImageSampleDistance: " << this->ImageSampleDistance << "\n";
-  os << indent << "MaximumImageSampleDistance: " << this->MaximumImageSampleDistance << "\n";
-  os << indent << "PickOpacity: " << this->PickOpacity << "\n";
-  this->PrintContours(os, indent);
-  os << indent << "NumberOfTetrahedra: " << this->GetNumberOfTetrahedra() << "\n";
-  os << indent << "NumberOfDrawnTetrahedra: " << this->GetNumberOfDrawnTetrahedra() << "\n";
-  os << indent << "NumberOfRayLayers: " << this->GetNumberOfRayLayers() << "\n";
-  os << indent << "OrderIndependent: " << this->GetOrderIndependent() << "\n";
-  os << indent << "NumberOfVisibilityCycles: " << this->GetNumberOfVisibilityCycles() << "\n";
-  os << indent << "NumberOfCyclicTetrahedra: " << this->GetNumberOfCyclicTetrahedra() << "\n";
-  os << indent << "NumberOfBrokenRelations: " << this->GetNumberOfBrokenRelations() << "\n";
 }

@@ -87,27 +87,6 @@ std::string vtkCellCompositingMapper::ChooseWayOfDrawing(vtkOpenGLRenderWindow* 
       ". Use another driver; the environment variable LIBGL_ALWAYS_SOFTWARE=1 selects Mesa's software driver.";
 }
 
-// Nothing that is asked for needs tetrahedra.
-bool vtkCellCompositingMapper::MayCrossWholeCells() const
-{
-  return this->UsesRays() && !this->Internals->Mixed && !this->HasSurfacesOrLayers();
-}
-
-// The field of cells that rays cross as a whole.
-bool vtkCellCompositingMapper::IsTrilinear() const
-{
-  const nephoscope::CellGeometry& geometry = this->Internals->Scene.GetGeometry();
-  return this->CellInterpolation == TRILINEAR_INTERPOLATION ||
-    (this->CellInterpolation == AUTOMATIC_INTERPOLATION &&
-      (geometry.Lattice.Found || !geometry.Hexahedra.empty()));
-}
-
-// As hexahedra where rays can do all that is asked for.
-bool vtkCellCompositingMapper::MayUseHexahedra() const
-{
-  return this->CellInterpolation == TRILINEAR_INTERPOLATION && this->MayCrossWholeCells();
-}
-
 bool vtkCellCompositingMapper::NeedsNoOrder() const
 {
   return this->Internals->OneColor && !this->HasSurfacesOrLayers() && this->Method != FACES_METHOD;

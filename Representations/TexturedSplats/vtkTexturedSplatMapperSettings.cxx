@@ -1,9 +1,7 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
-// All settings of vtkTexturedSplatMapper, printed and copied.
+// The settings of vtkTexturedSplatMapper, printed and copied, without those of vectors.
 #include "vtkTexturedSplatMapper.h"
-
-#include "vtkScalarsToColors.h"
 
 void vtkTexturedSplatMapper::CopySettings(vtkTexturedSplatMapper* mapper)
 {
@@ -28,28 +26,6 @@ void vtkTexturedSplatMapper::CopySettings(vtkTexturedSplatMapper* mapper)
   this->SetOpacityArrayName(mapper->OpacityArrayName);
   this->SetInterpolateScalarsBeforeMapping(mapper->InterpolateScalarsBeforeMapping);
   this->SetOrderByLayers(mapper->OrderByLayers);
-  this->SetVectorArrayName(mapper->VectorArrayName);
-  this->SetVectorOpacity(mapper->VectorOpacity);
-  this->SetMaximumSpeed(mapper->MaximumSpeed);
-  this->SetVectorStyle(mapper->VectorStyle);
-  this->SetVectorPlacement(mapper->VectorPlacement);
-  this->SetLayerAxis(mapper->LayerAxis);
-  this->SetVectorUnit(mapper->VectorUnit);
-  this->SetVectorFraction(mapper->VectorFraction);
-  this->SetStreakPeriod(mapper->StreakPeriod);
-  this->SetStreakWidth(mapper->StreakWidth);
-  this->SetSegmentLength(mapper->SegmentLength);
-  this->SetSegmentWidth(mapper->SegmentWidth);
-  this->SetVectorColorArrayName(mapper->VectorColorArrayName);
-  this->SetUseVectorColor(mapper->UseVectorColor);
-  this->SetPhase(mapper->Phase);
-  this->SetPhaseCycles(mapper->PhaseCycles);
-  this->SetPhaseSteps(mapper->PhaseSteps);
-  this->SetTrueSpeed(mapper->TrueSpeed);
-  this->SetTimeScale(mapper->TimeScale);
-  this->SetFilmTime(mapper->FilmTime);
-  this->SetVectorColorFunction(mapper->VectorColorFunction);
-  this->SetVectorColor(mapper->VectorColor);
   this->SetRegion(mapper->Region);
   this->SetCommonFrame(
     mapper->CommonOrigin, mapper->CommonLongestEdge, mapper->CommonNumberOfSamples);
@@ -73,32 +49,6 @@ void vtkTexturedSplatMapper::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "OrderByLayers: " << this->OrderByLayers << "\n";
   os << indent << "InterpolateScalarsBeforeMapping: " << this->InterpolateScalarsBeforeMapping
      << "\n";
-  os << indent << "VectorArrayName: " << this->VectorArrayName << "\n";
-  os << indent << "VectorOpacity: " << this->VectorOpacity << "\n";
-  os << indent << "MaximumSpeed: " << this->MaximumSpeed << "\n";
-  os << indent << "StreakPeriod: " << this->StreakPeriod << "\n";
-  os << indent << "VectorStyle: " << (this->VectorStyle == SEGMENTS ? "Segments" : "Streaks")
-     << "\n";
-  os << indent
-     << "VectorPlacement: " << (this->VectorPlacement == PLACEMENT_LAYERS ? "Layers" : "Middle")
-     << "\n";
-  os << indent << "LayerAxis: " << this->LayerAxis << "\n";
-  os << indent << "VectorUnit: " << this->VectorUnit << "\n";
-  os << indent << "VectorFraction: " << this->VectorFraction << "\n";
-  os << indent << "StreakWidth: " << this->StreakWidth << "\n";
-  os << indent << "SegmentLength: " << this->SegmentLength << "\n";
-  os << indent << "SegmentWidth: " << this->SegmentWidth << "\n";
-  os << indent << "VectorColorArrayName: " << this->VectorColorArrayName << "\n";
-  os << indent << "VectorColorFunction: " << this->VectorColorFunction.Get() << "\n";
-  os << indent << "PhaseSteps: " << this->PhaseSteps << "\n";
-  os << indent << "VectorColor: " << this->VectorColor[0] << " " << this->VectorColor[1] << " "
-     << this->VectorColor[2] << "\n";
-  os << indent << "UseVectorColor: " << this->UseVectorColor << "\n";
-  os << indent << "Phase: " << this->Phase << "\n";
-  os << indent << "PhaseCycles: " << this->PhaseCycles << "\n";
-  os << indent << "TrueSpeed: " << this->TrueSpeed << "\n";
-  os << indent << "TimeScale: " << this->TimeScale << "\n";
-  os << indent << "FilmTime: " << this->FilmTime << "\n";
   os << indent << "ErrorTolerance: " << this->ErrorTolerance
      << (this->ErrorToleranceUnit == UNIT_OF_IMAGE ? " of the image\n" : " of the data\n");
   os << indent << "ErrorMeasure: " << measures[this->ErrorMeasure] << "\n";

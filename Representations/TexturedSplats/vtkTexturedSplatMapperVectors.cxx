@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The vectors of vtkTexturedSplatMapper: their settings for the drawing, and how they move.
+// The vectors of vtkTexturedSplatMapper: what the drawing needs of their settings, and how they move.
 #include "vtkTexturedSplatMapper.h"
 
 #include "RoundTime.h"
@@ -34,20 +34,6 @@ nephoscope::SplatVectorSettings vtkTexturedSplatMapper::GetVectorSettings()
   return settings;
 }
 
-void vtkTexturedSplatMapper::SetVectorColorFunction(vtkScalarsToColors* function)
-{
-  if (this->VectorColorFunction != function)
-  {
-    this->VectorColorFunction = function;
-    this->Modified();
-  }
-}
-
-vtkScalarsToColors* vtkTexturedSplatMapper::GetVectorColorFunction()
-{
-  return this->VectorColorFunction;
-}
-
 double vtkTexturedSplatMapper::GetStreakUnit()
 {
   return this->GetStreakUnit(this->GetVectorScene().GetVectors().MeanCell());
@@ -58,11 +44,6 @@ double vtkTexturedSplatMapper::GetStreakUnit(double meanCell) const
   return this->VectorUnit > 0
     ? this->VectorUnit
     : meanCell / (this->RadiusFactor * std::cbrt(std::max(this->VectorFraction, 1e-6)));
-}
-
-double vtkTexturedSplatMapper::GetPatternPeriod() const
-{
-  return this->VectorStyle == SEGMENTS ? this->SegmentLength : this->StreakPeriod;
 }
 
 double vtkTexturedSplatMapper::GetDrawnMaximumSpeed()
@@ -129,19 +110,6 @@ void vtkTexturedSplatMapper::MeasureTimeScale(vtkRenderer* renderer, vtkVolume* 
   {
     this->WithNeighbors = this->DrawsRegion(renderer);
     this->UpdateSplats(input, volume); // which reports its errors when it is drawn
-  }
-}
-
-void vtkTexturedSplatMapper::SetFilmTime(double time)
-{
-  if (!std::isfinite(time))
-  {
-    vtkErrorMacro("The time of the film cannot be " << time << ": it must be finite.");
-  }
-  else if (time != this->FilmTime)
-  {
-    this->FilmTime = time;
-    this->Modified();
   }
 }
 

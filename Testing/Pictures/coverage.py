@@ -28,9 +28,9 @@ def representations():
 
 
 def classes():
-    """Those of the techniques. A representation shows its mapper, and so does a filter in ParaView its class."""
+    """Those of the techniques that can be made. A representation shows its mapper, and so does a filter in ParaView its class."""
     return [file.stem for folder in ("Filters", "Representations") for file in sorted((ROOT / folder).glob("*/vtk*.h"))
-            if "Internals" not in file.stem]
+            if f"{file.stem}* New()" in file.read_text(encoding="utf-8")]
 
 
 def without_picture():

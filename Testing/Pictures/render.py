@@ -20,9 +20,10 @@ TIMEOUT = 240  # s
 SMALLER = {"22_flat_and_lit_clouds": "--size 640 360", "23_hurricane_at_dawn": "--size 640 360 --step 0.2", "24_silver_lining_and_fogbow": "--size 600 400"}
 
 
-def scenes(of="mapper"):
-    """Names of the scenes of the mappers, or of="representation"s in ParaView."""
-    return re.findall(r'^@scene\("([^"]+)"', (HERE / f"{of}_scenes.py").read_text(encoding="utf-8"), re.MULTILINE)
+def scenes(*of):
+    """Names of the scenes of the mappers, or of those of "representation"s in ParaView."""
+    text = "\n".join((HERE / f"{one}_scenes.py").read_text(encoding="utf-8") for one in of or ("cell", "splat", "cloud", "haze"))
+    return re.findall(r'^@scene\("([^"]+)"', text, re.MULTILINE)
 
 
 def figures():

@@ -12,8 +12,8 @@ MAPPERS = (nephoscope.vtkCellCompositingMapper, nephoscope.vtkTexturedSplatMappe
 
 
 def settings(kind):
-    """Names X of this class's own SetX(value) and GetX()."""
-    inherited = set(dir(kind.__mro__[1])) if kind.__mro__[1] is not kind else set()
+    """Names X of SetX(value) and GetX() of this class, and of its base class where that is one of the suite."""
+    inherited = set(dir(next(one for one in kind.__mro__ if one.__name__ not in dir(nephoscope))))
     return [name[3:] for name in dir(kind) if name.startswith("Set") and "Get" + name[3:] in dir(kind) and name not in inherited]
 
 

@@ -1,7 +1,6 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Contour surfaces and layers of vtkCellCompositingMapper: what the user sets.
-#include "vtkCellCompositingMapper.h"
+#include "vtkCellContourMapper.h"
 
 #include "ContourSettings.h"
 
@@ -28,7 +27,14 @@ bool replace(Value& value, const Value& now)
 }
 }
 
-bool vtkCellCompositingMapper::CheckContour(int i)
+vtkCellContourMapper::vtkCellContourMapper()
+  : Contours(new ContourSettings)
+{
+}
+
+vtkCellContourMapper::~vtkCellContourMapper() = default;
+
+bool vtkCellContourMapper::CheckContour(int i)
 {
   if (i >= 0 && i < this->GetNumberOfContourValues())
   {
@@ -40,7 +46,7 @@ bool vtkCellCompositingMapper::CheckContour(int i)
   return false;
 }
 
-void vtkCellCompositingMapper::SetContourValue(int i, double value)
+void vtkCellContourMapper::SetContourValue(int i, double value)
 {
   if (i < 0 || !std::isfinite(value))
   {
@@ -58,12 +64,12 @@ void vtkCellCompositingMapper::SetContourValue(int i, double value)
   }
 }
 
-double vtkCellCompositingMapper::GetContourValue(int i)
+double vtkCellContourMapper::GetContourValue(int i)
 {
   return this->CheckContour(i) ? this->Contours->Surfaces[static_cast<std::size_t>(i)].Value : 0.0;
 }
 
-void vtkCellCompositingMapper::SetNumberOfContourValues(int number)
+void vtkCellContourMapper::SetNumberOfContourValues(int number)
 {
   const std::size_t size = static_cast<std::size_t>(std::max(number, 0));
   if (size != this->Contours->Surfaces.size())
@@ -73,12 +79,12 @@ void vtkCellCompositingMapper::SetNumberOfContourValues(int number)
   }
 }
 
-int vtkCellCompositingMapper::GetNumberOfContourValues() const
+int vtkCellContourMapper::GetNumberOfContourValues() const
 {
   return static_cast<int>(this->Contours->Surfaces.size());
 }
 
-void vtkCellCompositingMapper::GenerateContourValues(int number, double low, double high)
+void vtkCellContourMapper::GenerateContourValues(int number, double low, double high)
 {
   this->SetNumberOfContourValues(number);
   for (int i = 0; i < number; ++i)
@@ -87,7 +93,7 @@ void vtkCellCompositingMapper::GenerateContourValues(int number, double low, dou
   }
 }
 
-void vtkCellCompositingMapper::SetContourOpacity(int i, double opacity)
+void vtkCellContourMapper::SetContourOpacity(int i, double opacity)
 {
   if (this->CheckContour(i) &&
     replace(this->Contours->Surfaces[static_cast<std::size_t>(i)].Opacity, clampToUnit(opacity)))
@@ -96,7 +102,7 @@ void vtkCellCompositingMapper::SetContourOpacity(int i, double opacity)
   }
 }
 
-void vtkCellCompositingMapper::SetContourOpacity(double opacity)
+void vtkCellContourMapper::SetContourOpacity(double opacity)
 {
   for (int i = 0; i < this->GetNumberOfContourValues(); ++i)
   {
@@ -104,13 +110,13 @@ void vtkCellCompositingMapper::SetContourOpacity(double opacity)
   }
 }
 
-double vtkCellCompositingMapper::GetContourOpacity(int i)
+double vtkCellContourMapper::GetContourOpacity(int i)
 {
   return this->CheckContour(i) ? this->Contours->Surfaces[static_cast<std::size_t>(i)].Opacity
                                : 0.0;
 }
 
-void vtkCellCompositingMapper::SetContourColor(int i, double red, double green, double blue)
+void vtkCellContourMapper::SetContourColor(int i, double red, double green, double blue)
 {
   const std::array<double, 3> color = { { clampToUnit(red), clampToUnit(green),
     clampToUnit(blue) } };
@@ -121,7 +127,7 @@ void vtkCellCompositingMapper::SetContourColor(int i, double red, double green, 
   }
 }
 
-void vtkCellCompositingMapper::SetContourColorToFunction(int i)
+void vtkCellContourMapper::SetContourColorToFunction(int i)
 {
   if (this->CheckContour(i) &&
     replace(this->Contours->Surfaces[static_cast<std::size_t>(i)].Color,
@@ -131,7 +137,7 @@ void vtkCellCompositingMapper::SetContourColorToFunction(int i)
   }
 }
 
-void vtkCellCompositingMapper::GetContourColor(int i, double rgb[3])
+void vtkCellContourMapper::GetContourColor(int i, double rgb[3])
 {
   const ContourSettings::Surface surface = this->CheckContour(i)
     ? this->Contours->Surfaces[static_cast<std::size_t>(i)]
@@ -139,7 +145,7 @@ void vtkCellCompositingMapper::GetContourColor(int i, double rgb[3])
   std::copy(surface.Color.begin(), surface.Color.end(), rgb);
 }
 
-void vtkCellCompositingMapper::SetContourArrayName(const std::string& name)
+void vtkCellContourMapper::SetContourArrayName(const std::string& name)
 {
   if (replace(this->Contours->ArrayName, name))
   {
@@ -147,12 +153,12 @@ void vtkCellCompositingMapper::SetContourArrayName(const std::string& name)
   }
 }
 
-std::string vtkCellCompositingMapper::GetContourArrayName()
+std::string vtkCellContourMapper::GetContourArrayName()
 {
   return this->Contours->ArrayName;
 }
 
-void vtkCellCompositingMapper::SetContourLighting(bool lighting)
+void vtkCellContourMapper::SetContourLighting(bool lighting)
 {
   if (replace(this->Contours->Lighting, lighting))
   {
@@ -160,12 +166,12 @@ void vtkCellCompositingMapper::SetContourLighting(bool lighting)
   }
 }
 
-bool vtkCellCompositingMapper::GetContourLighting()
+bool vtkCellContourMapper::GetContourLighting()
 {
   return this->Contours->Lighting;
 }
 
-void vtkCellCompositingMapper::SetSmoothContourNormals(bool smooth)
+void vtkCellContourMapper::SetSmoothContourNormals(bool smooth)
 {
   if (replace(this->Contours->SmoothNormals, smooth))
   {
@@ -173,12 +179,12 @@ void vtkCellCompositingMapper::SetSmoothContourNormals(bool smooth)
   }
 }
 
-bool vtkCellCompositingMapper::GetSmoothContourNormals()
+bool vtkCellContourMapper::GetSmoothContourNormals()
 {
   return this->Contours->SmoothNormals;
 }
 
-void vtkCellCompositingMapper::SetPolygons(int polygons)
+void vtkCellContourMapper::SetPolygons(int polygons)
 {
   const int which = std::min(std::max(polygons, int(NO_POLYGONS)), int(ALL_POLYGONS));
   if (replace(this->Contours->Polygons, static_cast<nephoscope::CellPolygons::Which>(which)))
@@ -187,12 +193,12 @@ void vtkCellCompositingMapper::SetPolygons(int polygons)
   }
 }
 
-int vtkCellCompositingMapper::GetPolygons()
+int vtkCellContourMapper::GetPolygons()
 {
   return static_cast<int>(this->Contours->Polygons);
 }
 
-void vtkCellCompositingMapper::SetPolygonOpacity(int contour, double opacity)
+void vtkCellContourMapper::SetPolygonOpacity(int contour, double opacity)
 {
   if (replace(this->Contours->ChangePolygon(contour).Opacity, clampToUnit(opacity)))
   {
@@ -200,7 +206,7 @@ void vtkCellCompositingMapper::SetPolygonOpacity(int contour, double opacity)
   }
 }
 
-void vtkCellCompositingMapper::SetPolygonOpacity(double opacity)
+void vtkCellContourMapper::SetPolygonOpacity(double opacity)
 {
   bool changed = replace(this->Contours->Polygon.Opacity, clampToUnit(opacity));
   for (auto& polygon : this->Contours->PolygonsOfContour)
@@ -213,12 +219,12 @@ void vtkCellCompositingMapper::SetPolygonOpacity(double opacity)
   }
 }
 
-double vtkCellCompositingMapper::GetPolygonOpacity(int contour)
+double vtkCellContourMapper::GetPolygonOpacity(int contour)
 {
   return this->Contours->FindPolygon(contour).Opacity;
 }
 
-void vtkCellCompositingMapper::SetPolygonColor(int contour, double red, double green, double blue)
+void vtkCellContourMapper::SetPolygonColor(int contour, double red, double green, double blue)
 {
   const std::array<double, 3> color = { { clampToUnit(red), clampToUnit(green),
     clampToUnit(blue) } };
@@ -228,7 +234,7 @@ void vtkCellCompositingMapper::SetPolygonColor(int contour, double red, double g
   }
 }
 
-void vtkCellCompositingMapper::SetPolygonColorToFunction(int contour)
+void vtkCellContourMapper::SetPolygonColorToFunction(int contour)
 {
   if (replace(this->Contours->ChangePolygon(contour).Color, ContourSettings::Surface().Color))
   {
@@ -236,13 +242,13 @@ void vtkCellCompositingMapper::SetPolygonColorToFunction(int contour)
   }
 }
 
-void vtkCellCompositingMapper::GetPolygonColor(int contour, double rgb[3])
+void vtkCellContourMapper::GetPolygonColor(int contour, double rgb[3])
 {
   const ContourSettings::Surface& polygon = this->Contours->FindPolygon(contour);
   std::copy(polygon.Color.begin(), polygon.Color.end(), rgb);
 }
 
-void vtkCellCompositingMapper::SetLayerProperty(int layer, vtkVolumeProperty* property)
+void vtkCellContourMapper::SetLayerProperty(int layer, vtkVolumeProperty* property)
 {
   if (property)
   {
@@ -255,31 +261,31 @@ void vtkCellCompositingMapper::SetLayerProperty(int layer, vtkVolumeProperty* pr
   this->Modified();
 }
 
-vtkVolumeProperty* vtkCellCompositingMapper::GetLayerProperty(int layer)
+vtkVolumeProperty* vtkCellContourMapper::GetLayerProperty(int layer)
 {
   const auto found = this->Contours->LayerProperties.find(layer);
   return found == this->Contours->LayerProperties.end() ? nullptr : found->second.Get();
 }
 
-void vtkCellCompositingMapper::RemoveAllLayerProperties()
+void vtkCellContourMapper::RemoveAllLayerProperties()
 {
   this->Contours->LayerProperties.clear();
   this->Modified();
 }
 
-int vtkCellCompositingMapper::GetNumberOfLayerProperties() const
+int vtkCellContourMapper::GetNumberOfLayerProperties() const
 {
   return static_cast<int>(this->Contours->LayerProperties.size());
 }
 
-int vtkCellCompositingMapper::GetLayerWithProperty(int i) const
+int vtkCellContourMapper::GetLayerWithProperty(int i) const
 {
   return i >= 0 && i < this->GetNumberOfLayerProperties()
     ? std::next(this->Contours->LayerProperties.begin(), i)->first
     : 0;
 }
 
-void vtkCellCompositingMapper::SetLayerArrayName(const std::string& name)
+void vtkCellContourMapper::SetLayerArrayName(const std::string& name)
 {
   if (replace(this->Contours->LayerArrayName, name))
   {
@@ -287,12 +293,12 @@ void vtkCellCompositingMapper::SetLayerArrayName(const std::string& name)
   }
 }
 
-std::string vtkCellCompositingMapper::GetLayerArrayName()
+std::string vtkCellContourMapper::GetLayerArrayName()
 {
   return this->Contours->LayerArrayName;
 }
 
-void vtkCellCompositingMapper::SetLayersFromContours(bool layers)
+void vtkCellContourMapper::SetLayersFromContours(bool layers)
 {
   if (replace(this->Contours->LayersFromContours, layers))
   {
@@ -300,13 +306,24 @@ void vtkCellCompositingMapper::SetLayersFromContours(bool layers)
   }
 }
 
-bool vtkCellCompositingMapper::GetLayersFromContours()
+bool vtkCellContourMapper::GetLayersFromContours()
 {
   return this->Contours->LayersFromContours;
 }
 
-void vtkCellCompositingMapper::PrintContours(ostream& os, vtkIndent indent)
+void vtkCellContourMapper::ShallowCopy(vtkAbstractMapper* other)
 {
+  this->Superclass::ShallowCopy(other);
+  if (auto* mapper = vtkCellContourMapper::SafeDownCast(other))
+  {
+    *this->Contours = *mapper->Contours;
+    this->Modified();
+  }
+}
+
+void vtkCellContourMapper::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
   os << indent << "Contours:";
   for (const ContourSettings::Surface& surface : this->Contours->Surfaces)
   {

@@ -1,0 +1,101 @@
+// SPDX-FileCopyrightText: The Nephoscope authors
+// SPDX-License-Identifier: BSD-3-Clause
+// The cells of vtkCellCompositingMapper: from which arrays they are built, and in which form.
+#include "vtkCellCompositingMapper.h"
+
+#include "ArraySelection.h"
+#include "CellCompositingInternals.h"
+
+#include "vtkDataArray.h"
+#include "vtkDataSet.h"
+#include "vtkVolume.h"
+#include "vtkVolumeProperty.h"
+
+using nephoscope::CellGeometry;
+using nephoscope::CellScene;
+using nephoscope::ScalarSelection;
+using nephoscope::withThreads;
+
+namespace
+{
+/** `crossesWholeCells`: nothing that is asked for needs tetrahedra. */
+CellGeometry::Form formOfCells(bool byRays, bool crossesWholeCells, int interpolation)
+{
+  using Form = CellGeometry::Form;
+  if (!byRays)
+  {
+    return Form::Tetrahedra;
+  }
+  if (!crossesWholeCells || interpolation == vtkCellCompositingMapper::TETRAHEDRA_INTERPOLATION)
+  {
+    return Form::Grid;
+  }
+  return interpolation == vtkCellCompositingMapper::TRILINEAR_INTERPOLATION ? Form::Hexahedra
+                                                                            : Form::GridOrWarped;
+}
+}
+
+// Nothing that is asked for needs tetrahedra.
+bool vtkCellCompositingMapper::MayCrossWholeCells() const
+{
+  return this->UsesRays() && !this->Internals->Mixed && !this->HasSurfacesOrLayers();
+}
+
+// The field of cells that rays cross as a whole.
+bool vtkCellCompositingMapper::IsTrilinear() const
+{
+  const CellGeometry& geometry = this->Internals->Scene.GetGeometry();
+  return this->CellInterpolation == TRILINEAR_INTERPOLATION ||
+    (this->CellInterpolation == AUTOMATIC_INTERPOLATION &&
+      (geometry.Lattice.Found || !geometry.Hexahedra.empty()));
+}
+
+std::string vtkCellCompositingMapper::UpdateGeometry(
+  vtkDataSet* input, vtkVolume* volume, const nephoscope::Progress& progress)
+{
+  CellScene& scene = this->Internals->Scene;
+  ScalarSelection scalars, opacity;
+  constexpr double longest = 1e16; // of data that rays and projection draw
+  std::string error = nephoscope::checkLengths(input, longest);
+  if (error.empty())
+  {
+    error = nephoscope::selectScalars(this, input, volume->GetProperty(), scalars);
+  }
+  if (error.empty())
+  {
+    error = nephoscope::selectOpacity(this->OpacityArrayName, input, scalars, opacity);
+  }
+  vtkDataArray* layers = nullptr;
+  if (error.empty())
+  {
+    this->WarnAboutContours(this->SelectContours(input, scalars, this->Internals->Contoured));
+    error = this->SelectLayers(input, layers);
+  }
+  if (!error.empty())
+  {
+    scene.Clear();
+    return error;
+  }
+  this->Internals->Light = nephoscope::CameraLight(input, scalars.Array);
+  this->Internals->HasCameraLight = this->Internals->Light.IsUsed();
+  if (!this->UsesRays() || !opacity.Array)
+  {
+    this->Internals->Light = nephoscope::CameraLight();
+  }
+  scalars.Headroom = this->Internals->Light.IsUsed() ? this->Internals->Light.Headroom() : 0;
+  bool built = false;
+  const CellGeometry::Form form =
+    formOfCells(this->UsesRays(), this->MayCrossWholeCells(), this->CellInterpolation);
+  withThreads([&]() {
+    built = scene.UpdateGeometry(input, scalars, opacity, form, error, layers, progress);
+  });
+  this->Internals->Scalars = scalars;
+  this->Internals->Opacity = opacity;
+  this->Internals->Arrays[0] = scalars.Array;
+  this->Internals->Arrays[1] = opacity.Array;
+  if (built && error.empty())
+  {
+    this->WarnAboutGeometry(input, scene.GetGeometry(), scalars, opacity);
+  }
+  return error;
+}
