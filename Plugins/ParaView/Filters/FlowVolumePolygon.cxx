@@ -187,11 +187,11 @@ private:
         ? vtkImplicitCylinderRepresentation::SafeDownCast(prop->GetClientSideObject())
         : nullptr)
     {
-      for (vtkProperty* part :
+      for (vtkProperty* look :
         { cylinder->GetCylinderProperty(), cylinder->GetSelectedCylinderProperty(),
           cylinder->GetEdgesProperty(), cylinder->GetOutlineProperty() })
       {
-        part->SetOpacity(0.0);
+        look->SetOpacity(0.0);
       }
     }
   }

@@ -7,8 +7,7 @@
  * boundary triangles through which rays enter the mesh are drawn, the nearest per pixel kept; then every pixel walks from there
  * until its ray leaves the mesh. Where rays enter again (holes, other parts), the next nearest triangles are drawn, and so on until
  * none is left: as depth peeling goes through layers, but a layer is a whole stretch of mesh. The cost of a layer is proportional to the
- * pixels that have it, because a depth test ends the others. After some layers, the triangles are drawn in slices of depth
- * (FaceSlices.h), and triangles behind opaque objects are never drawn.
+ * pixels that have it, because a depth test ends the others. Triangles behind opaque objects are never drawn.
  */
 #ifndef RayCells_h
 #define RayCells_h
@@ -17,9 +16,8 @@
 #include "BufferTexture.h"
 #include "ChessboardGrid.h"
 #include "CoveredPixels.h"
-#include "FaceSlices.h"
+#include "RayEntries.h"
 #include "RayVoxels.h"
-#include "VertexNumbers.h"
 
 #include "vtkNew.h"
 
@@ -27,12 +25,9 @@
 #include <string>
 #include <vector>
 
-class vtkOpenGLBufferObject;
-class vtkOpenGLFramebufferObject;
 class vtkOpenGLRenderWindow;
 class vtkOpenGLVertexArrayObject;
 class vtkShaderProgram;
-class vtkTextureObject;
 class vtkWindow;
 
 namespace nephoscope
@@ -79,21 +74,13 @@ private:
   friend class RayMedia; // walks through the meshes of several in step
 
   std::string DrawFrom(const CellDrawing& drawing);
-  void Allocate(const CellDrawing& drawing);
   std::string OwnConstants() const;
   bool DrawsHexahedra(const CellDrawing& drawing) const;
-  bool ReadyEntryProgram(const CellDrawing& drawing);
   bool ReadySegmentProgram(const CellDrawing& drawing);
   /** The walk as one of several in a shader (ShaderInstance.h). */
   std::string MediumShader(const CellDrawing& drawing, int instance) const;
-  void ClearEntries(const CellDrawing& drawing, int number);
   bool StartsAtEye(const EyeTetrahedron& eye) const;
   void DrawLayers(const CellDrawing& drawing);
-  void SliceFaces(const CellDrawing& drawing);
-  void DrawFaces(const FaceSlices::Slice* slice);
-  /** Numbers are those of Entries. */
-  bool DrawEntries(
-    const CellDrawing& drawing, int into, int lastNumber, const FaceSlices::Slice* slice);
   /** From the entries of that number, or from the eye. */
   void DrawSegments(const CellDrawing& drawing, int from, const EyeTetrahedron& eye);
   void SetEye(const EyeTetrahedron& eye, vtkShaderProgram* program, int instance = -1);
@@ -106,27 +93,14 @@ private:
   ChessboardGrid Grid; // empty: another mesh
   CellBox Box;
   std::array<float, 2> ClearRange = { { 1, 0 } };
-  VertexNumbers EntryVertices;
-  std::size_t NumberOfBoundaryFaces = 0; // where rays enter
-  std::size_t NumberOfJumps = 0;         // faces after them, where rays go on
+  std::size_t NumberOfJumps = 0; // boundary faces where rays go on, after those where they enter
   bool HasHiddenCells = false;
   bool HasHexahedra = false;
-  PointBounds Bounds; // of the boundary
-  double Radius = 0;  // of the points about their centre
-
-  FaceSlices Slices;
-  vtkNew<vtkOpenGLBufferObject> SliceVertices;
+  RayEntries Entries;
   int NumberOfLayers = 0;
 
-  // Boundary triangle and depth where each pixel's ray enters: this time, last time, and before the slices.
-  vtkNew<vtkTextureObject> Entries[3];
-  vtkNew<vtkTextureObject> EntryDepth;
-  vtkNew<vtkOpenGLFramebufferObject> EntryFramebuffer;
-  int Size[2] = { 0, 0 };
-
   vtkNew<vtkOpenGLVertexArrayObject> VertexArray;
-  vtkShaderProgram* EntryProgram = nullptr; // owned, as the next, by the window's shader cache
-  vtkShaderProgram* SegmentProgram = nullptr;
+  vtkShaderProgram* SegmentProgram = nullptr; // owned by the window's shader cache
 };
 
 } // namespace nephoscope

@@ -17,6 +17,7 @@
 #include "RayMediaFragment.h"
 #include "RayPlanFragment.h"
 #include "RayPlanMediumShader.h"
+#include "VisibleDepthsShader.h"
 
 #include "vtkOpenGLFramebufferObject.h"
 #include "vtkOpenGLRenderWindow.h"
@@ -141,7 +142,7 @@ bool RayMedia::ReadyPrograms(const std::vector<Medium>& media)
   for (int i = 0; i < count; ++i)
   {
     const Medium& medium = media[static_cast<std::size_t>(i)];
-    if (!medium.Rays->ReadyEntryProgram(*medium.Drawing))
+    if (!medium.Rays->Entries.ReadyProgram(*medium.Drawing))
     {
       return false;
     }
@@ -150,7 +151,8 @@ bool RayMedia::ReadyPrograms(const std::vector<Medium>& media)
   const std::string constants = shaderConstant("useDepthRanges", drawing.Peel != nullptr) +
     shaderConstant("averageIntegration", false) + drawing.CommonConstants();
   const std::string fragment = withShaderParts(RayMediaFragment,
-    { { "MixedSegment", MixedSegmentShader }, { "Media", instances + mediaCalls(count) } });
+    { { "MixedSegment", MixedSegmentShader }, { "VisibleDepths", VisibleDepthsShader },
+      { "Media", instances + mediaCalls(count) } });
   this->PlanProgram = cache->ReadyShaderProgram(planVertex, planFragment(count).c_str(), "");
   this->Program = cache->ReadyShaderProgram(
     mediaVertex(count).c_str(), specializedShader(fragment, constants).c_str(), "");
@@ -204,12 +206,12 @@ void RayMedia::Begin(const std::vector<Medium>& media)
   {
     const CellDrawing& drawing = *medium.Drawing;
     const EyeTetrahedron& eye = *drawing.Options.Eye;
-    medium.Rays->Allocate(drawing);
+    medium.Rays->Entries.Allocate(drawing);
     const bool inside = medium.Rays->StartsAtEye(eye);
-    medium.Rays->ClearEntries(drawing, inside ? this->Last : this->Next);
+    medium.Rays->Entries.Clear(drawing, inside ? this->Last : this->Next);
     if (!inside)
     {
-      medium.Rays->DrawEntries(drawing, this->Last, this->Next, nullptr);
+      medium.Rays->Entries.Draw(drawing, this->Last, this->Next, nullptr);
       drawing.Finish();
       continue;
     }
@@ -229,7 +231,7 @@ bool RayMedia::FindNextEntries(const std::vector<Medium>& media)
   bool any = false;
   for (const Medium& medium : media)
   {
-    any = medium.Rays->DrawEntries(*medium.Drawing, this->Next, this->Last, nullptr) || any;
+    any = medium.Rays->Entries.Draw(*medium.Drawing, this->Next, this->Last, nullptr) || any;
     medium.Drawing->Finish();
   }
   return any;
@@ -248,7 +250,7 @@ void RayMedia::DrawPlan(const std::vector<Medium>& media, bool first)
   for (int i = 0; i < count; ++i)
   {
     this->PlanFramebuffer->AddColorAttachment(static_cast<unsigned int>(2 + i),
-      media[static_cast<std::size_t>(i)].Rays->Entries[this->Then]);
+      media[static_cast<std::size_t>(i)].Rays->Entries.GetTexture(this->Then));
   }
   for (int i = 0; i < 2 + count; ++i)
   {
@@ -267,10 +269,9 @@ void RayMedia::DrawPlan(const std::vector<Medium>& media, bool first)
   for (int i = 0; i < count; ++i)
   {
     const Medium& medium = media[static_cast<std::size_t>(i)];
-    activate(program, instanceName("lastEntry", i), medium.Rays->Entries[this->Last]);
-    activate(program, instanceName("nextEntry", i), medium.Rays->Entries[this->Next]);
-    const std::array<float, 2> range =
-      RayGeometry(medium.Drawing->View).DepthRange(medium.Rays->Radius);
+    activate(program, instanceName("lastEntry", i), medium.Rays->Entries.GetTexture(this->Last));
+    activate(program, instanceName("nextEntry", i), medium.Rays->Entries.GetTexture(this->Next));
+    const std::array<float, 2> range = medium.Rays->Entries.DepthRange(medium.Drawing->View);
     const float places[2] = { static_cast<float>(range[0] - plane),
       static_cast<float>(range[1] - plane) };
     program->SetUniform2f(instanceName("entryPlaces", i), places);
@@ -283,8 +284,8 @@ void RayMedia::DrawPlan(const std::vector<Medium>& media, bool first)
   this->Plans[1 - this->Plan]->Deactivate();
   for (const Medium& medium : media)
   {
-    medium.Rays->Entries[this->Last]->Deactivate();
-    medium.Rays->Entries[this->Next]->Deactivate();
+    medium.Rays->Entries.GetTexture(this->Last)->Deactivate();
+    medium.Rays->Entries.GetTexture(this->Next)->Deactivate();
   }
   for (int i = 0; i < count; ++i) // the next plan may have fewer media
   {

@@ -8,15 +8,11 @@
 #include "CellDrawing.h"
 #include "ContourBuffers.h"
 #include "RayGeometry.h"
+#include "RayShaders.h"
 #include "ShaderText.h"
 #include "VolumePeel.h"
 
-#include "CubicPiecesShader.h"
 #include "RayCellsVertex.h"
-#include "RayRangeShader.h"
-#include "RaySegmentsShader.h"
-#include "RayVoxelsFragment.h"
-#include "VoxelWalkShader.h"
 
 #include "vtkMatrix4x4.h"
 #include "vtkOpenGLRenderWindow.h"
@@ -36,10 +32,7 @@ namespace
 {
 std::string voxelShader(const CellDrawing& drawing)
 {
-  const std::string walk = withShaderParts(RayVoxelsFragment,
-    { { "VoxelWalk", VoxelWalkShader }, { "CubicPieces", CubicPiecesShader },
-      { "RayRange", RayRangeShader }, { "RaySegments", RaySegmentsShader } });
-  return specializedShader(walk,
+  return specializedShader(voxelsShader(),
     drawing.Buffers.SmallTableDefinition() + drawing.ShaderConstants() +
       shaderConstant("trilinear", drawing.Options.Trilinear));
 }

@@ -1,45 +1,12 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
 // The cells of a structured grid as a walk through hexahedra sees them (HexahedronWalk.glsl): sums of point numbers.
-// Constants: closedGrid (along the first axis).
-uniform int gridStride[3]; // from a point to the next along each axis
-uniform vec3 boxLow;       // of the cells that can be seen: first and
-uniform vec3 boxHigh;      // last cell, inclusive
-uniform int wrapCells;     // around the closed axis
-
-// Copies (see keepUniforms).
-ivec2 rowStride; // to the next point along the second and third axis
-ivec2 cellRows;  // cells along the first and second axis
-vec3 lowest, highest;
-int wrap;
+//NEPHOSCOPE::GridCells
 
 int corner = 0;                       // the point A of the ring
 int toB = 0, toD = 0, toAhead = 0;    // from there to its neighbours in the cell
-vec3 cellOf = vec3(0.0);
 
 const bool takesRingAlong = true; // into the next cell; otherwise its points are fetched anew
-
-void keepTopology()
-{
-  rowStride = ivec2(gridStride[1], gridStride[2]) * int(unity);
-  cellRows = ivec2(gridStride[1] - 1, gridStride[2] / gridStride[1] - 1) * int(unity);
-  lowest = boxLow * unity;
-  highest = boxHigh * unity;
-  wrap = wrapCells * int(unity);
-}
-
-int cellNumber()
-{
-  ivec3 c = ivec3(cellOf);
-  return c.x + cellRows.x * (c.y + cellRows.y * c.z);
-}
-
-vec3 pointIndex(int point)
-{
-  int row = point / gridStride[1];
-  int rows = gridStride[2] / gridStride[1];
-  return vec3(point - row * gridStride[1], row % rows, row / rows);
-}
 
 int pointOfRing(int b, int d, int ahead)
 {
@@ -86,13 +53,11 @@ bool crossFace(int exit)
   toB = exit == exitBC ? -ahead : exit == exitDA ? ahead : b;
   toD = exit == exitAB ? ahead : exit == exitCD ? -ahead : d;
   toAhead = exit == exitAB ? -d : exit == exitBC ? b : exit == exitCD ? d : exit == exitDA ? -b : ahead;
-  int distance = abs(toAhead);
-  cellOf += (toAhead > 0 ? 1.0 : -1.0) * vec3(distance == 1, distance == rowStride.x, distance == rowStride.y);
+  stepCell(toAhead);
   if (closedGrid)
   {
-    int jump = cellOf.x < 0.0 ? wrap : cellOf.x == float(wrap) ? -wrap : 0;
-    cellOf.x += float(jump); // the same place, numbered at the other end
+    int jump = jumpAround();
     corner += jump;
   }
-  return all(greaterThanEqual(cellOf, lowest)) && all(lessThanEqual(cellOf, highest));
+  return mayBeSeen();
 }

@@ -2,6 +2,24 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The ray of a pixel, or one a little beside it: through `origin` in the direction `along`, across which are two others.
 // Uses placeSeen(point): a point as the ray sees it.
+// Takes the differences from pixel to pixel. Both are linear in the pixel, so that they are exact; to be called before pixels part.
+void keepSteps()
+{
+  pointStep[0] = dFdx(rayPointVSOutput);
+  pointStep[1] = dFdy(rayPointVSOutput);
+  directionStep[0] = dFdx(rayDirectionVSOutput);
+  directionStep[1] = dFdy(rayDirectionVSOutput);
+}
+
+// Copies what loops use: RayCells.frag.glsl says why.
+void keepUniforms()
+{
+  unity = softwareOpenGL ? gl_FragCoord.w : 1.0;
+  clear = clearRange * unity;
+  keepTopology();
+  keepTable();
+}
+
 // `beside`: by how many pixels the ray passes the centre of its pixel.
 void makeRay(vec2 beside)
 {

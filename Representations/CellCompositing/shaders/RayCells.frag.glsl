@@ -73,210 +73,8 @@ vec3 placeSeen(int point)
 
 //NEPHOSCOPE::PixelRay
 
-ivec3 face = ivec3(0); // vertices of the face that the ray is passing
-int next = 0;          // the vertex behind it
-int left = 0;          // of the present tetrahedron, when the ray leaves it: the vertex that stays behind
-
-// Leaves the present tetrahedron through the face where the ray does; returns which vertex of the face before stays behind.
-int leaveTetrahedron(Seen ahead)
-{
-  int behind = stepWalk(ahead);
-  left = behind == 0 ? face.x : behind == 1 ? face.y : face.z;
-  face = ivec3(behind == 0 ? next : face.x, behind == 1 ? next : face.y, behind == 2 ? next : face.z);
-  return behind;
-}
-
-bool isHidden()
-{
-  return hasHiddenCells && element(hiddenCells, cellNumber()).r > 0.0;
-}
-
-// Number of the polygon in the face of the present tetrahedron that is across from a vertex.
-int polygonInFace(int opposite)
-{
-  ivec3 smaller = ivec3(lessThan(face, ivec3(opposite)));
-  return element(tetrahedronSurfaces, cellNumber())[smaller.x + smaller.y + smaller.z];
-}
-
-// Nothing is seen between the face and the vertex ahead.
-bool isClear(Seen ahead)
-{
-  if (useLayers && !contourLayers)
-  {
-    enterLayer(element(tetrahedronLayers, cellNumber()).r);
-  }
-  vec4 s = vec4(opacityScalar(walkA), opacityScalar(walkB), opacityScalar(walkC), opacityScalar(ahead));
-  if (separateOpacity ? opacityOnCells : useCellScalars)
-  {
-    s = vec4(separateOpacity ? element(opacityScalars, cellNumber()).r : element(cellScalars, cellNumber()).r);
-  }
-  float low = lesser(lesser(s.x, s.y), lesser(s.z, s.w));
-  float high = greater(greater(s.x, s.y), greater(s.z, s.w));
-  bool seesThrough = low >= clear.x && high < clear.y;
-  if (useContours)
-  {
-    vec4 c = vec4(contourScalar(walkA), contourScalar(walkB), contourScalar(walkC), contourScalar(ahead));
-    if (contourOfColor && useCellScalars)
-    {
-      c = vec4(element(cellScalars, cellNumber()).r);
-    }
-    low = lesser(lesser(c.x, c.y), lesser(c.z, c.w));
-    high = greater(greater(c.x, c.y), greater(c.z, c.w));
-    seesThrough = seesThrough && low >= layerReach.x && high < layerReach.y;
-  }
-  return seesThrough;
-}
-
-// The part of the ray in one tetrahedron. Each end: distance, scalars of colour, opacity and contours.
-vec4 segmentFront = vec4(0.0), segmentBack = vec4(0.0);
-bool inSegment = false;
-vec4 frontWeights = vec4(0.0); // of the vertices of the face behind, and of the vertex left
-float passedPlace = 0.0;       // what is in front of this place is done, from 0 to 1
-float passedValue = 0.0;       // the contour value there, if there is one
-bool crossesNone = false;      // no surface is drawn in this tetrahedron
-
-// `sum`: of the contour scalars; no number where one is missing.
-void startSegment(vec4 front, vec4 back, float sum)
-{
-  segmentFront = front;
-  segmentBack = back;
-  inSegment = true;
-  passedPlace = 0.0;
-  if (useContours)
-  {
-    if (contourOfColor && useCellScalars)
-    {
-      segmentFront.w = segmentBack.w = element(cellScalars, cellNumber()).r;
-    }
-    crossesNone = isHidden() || isnan(sum);
-    segmentFront.w = crossesNone ? 0.0 : segmentFront.w;
-    layerIsKnown = (layerIsKnown && !crossesNone && !(contourOfColor && useCellScalars)) ||
-      (segmentFront.w >= layerReach.x && segmentFront.w < layerReach.y);
-  }
-}
-
-// From the face to where the ray leaves the tetrahedron behind it.
-void crossTetrahedron(Seen ahead)
-{
-  vec4 front = passFace();
-  vec3 entered = faceWeights();
-  float sum = contourScalar(walkA) + contourScalar(walkB) + contourScalar(walkC) + contourScalar(ahead);
-  int behind = leaveTetrahedron(ahead);
-  frontWeights = behind == 0 ? vec4(0.0, entered.yz, entered.x) : behind == 1 ? vec4(entered.x, 0.0, entered.z, entered.y)
-    : vec4(entered.xy, 0.0, entered.z);
-  startSegment(front, passFace(), sum);
-}
-
-// Adds what lies between two places of the segment, as far as it is seen: between the near plane and the opaque geometry. `value` is the
-// contour value at the second place, if one is crossed there.
-void addPart(float place, bool crosses, float value, vec2 range)
-{
-  vec4 front = segmentFront, back = segmentBack;
-  vec2 ends = useContours || useHaze ? mix(front.xx, back.xx, vec2(passedPlace, place)) : vec2(front.x, back.x);
-  vec2 z = vec2(max(ends.x, range.x), min(ends.y, range.y));
-  if (z.y > z.x && !isHidden())
-  {
-    vec4 before = accumulatedLight();
-    vec2 t = (z - front.x) / (back.x - front.x);
-    vec2 from = mix(front.yz, back.yz, t.x);
-    vec2 to = mix(front.yz, back.yz, t.y);
-    if (useContours && contourOfColor) // where a transfer function may jump
-    {
-      from.x = passedPlace > 0.0 && z.x == ends.x ? passedValue : from.x;
-      to.x = crosses && z.y == ends.y ? value : to.x;
-    }
-    if (useCellScalars)
-    {
-      from.x = to.x = element(cellScalars, cellNumber()).r;
-    }
-    if (separateOpacity && opacityOnCells)
-    {
-      from.y = to.y = element(opacityScalars, cellNumber()).r;
-    }
-    addSegment(from, to, z.y - z.x);
-    hazeAdded(before, z);
-  }
-}
-
-// The part of the segment up to a place, as far as it is seen.
-vec2 partUpTo(float place, vec2 range)
-{
-  vec2 ends = mix(segmentFront.xx, segmentBack.xx, vec2(passedPlace, place));
-  return vec2(max(ends.x, range.x), min(ends.y, range.y));
-}
-
-// The haze from there on. A segment is cut into 32 parts at most.
-bool hazeIsFresh = false;
-void fitHazeToSegment(vec2 range)
-{
-  fitHaze(max(mix(segmentFront.x, segmentBack.x, passedPlace), range.x), (segmentBack.x - segmentFront.x) / 32.0);
-  hazeIsFresh = true;
-}
-
-// Passes the face through which the ray enters.
-void startAtFace(ivec4 boundaryFace)
-{
-  face = boundaryFace.xyz;
-  next = enterTetrahedron(boundaryFace);
-  if (startWalk(seen(face.x), seen(face.y), seen(face.z)))
-  {
-    face = face.xzy;
-  }
-}
-
-// Goes into the next tetrahedron. False: there is none.
-bool goOn()
-{
-  if (crossFace(face, left, next))
-  {
-    return true;
-  }
-  if (!hasJumps || jumpFace < 0)
-  {
-    return false;
-  }
-  bool lost = walkIsLost;
-  startAtFace(element(boundaryFaces, jumpFace));
-  walkIsLost = lost;
-  layerIsKnown = false;
-  return true;
-}
-
-// Which of the faces of the eye's tetrahedron, across from its vertices, the ray leaves through: where it is deepest inside, ahead.
-float depthInside(Seen a, Seen b, Seen c, float eyeZ)
-{
-  startWalk(a, b, c);
-  float inside = min(edgeFunction(walkA, walkB), min(edgeFunction(walkB, walkC), edgeFunction(walkC, walkA)));
-  return passFace().x > eyeZ ? inside : -3.0e38;
-}
-
-void startInEyeTetrahedron()
-{
-  ivec4 v = ivec4(eyeVertices[0], eyeVertices[1], eyeVertices[2], eyeVertices[3]);
-  float eyeZ = dot(eyeMC - origin, along);
-  Seen p0 = seen(v.x), p1 = seen(v.y), p2 = seen(v.z), p3 = seen(v.w);
-  vec4 inside = vec4(depthInside(p1, p2, p3, eyeZ), depthInside(p0, p2, p3, eyeZ), depthInside(p0, p1, p3, eyeZ),
-    depthInside(p0, p1, p2, eyeZ));
-  float deepest = max(max(inside.x, inside.y), max(inside.z, inside.w));
-  int across = inside.x == deepest ? 0 : inside.y == deepest ? 1 : inside.z == deepest ? 2 : 3;
-  left = across == 0 ? v.x : across == 1 ? v.y : across == 2 ? v.z : v.w;
-  face = across == 0 ? v.yzw : across == 1 ? v.xzw : across == 2 ? v.xyw : v.xyz;
-  vec4 w = eyeWeights;
-  frontWeights = across == 0 ? w.yzwx : across == 1 ? w.xzwy : across == 2 ? w.xywz : w;
-  enterPlace(ivec4(eyePlace[0], eyePlace[1], eyePlace[2], eyePlace[3]));
-  if (startWalk(seen(face.x), seen(face.y), seen(face.z)))
-  {
-    face = face.xzy;
-    frontWeights = frontWeights.xzyw;
-  }
-  if (useLayers && !contourLayers)
-  {
-    enterLayer(element(tetrahedronLayers, cellNumber()).r);
-  }
-  vec4 contour = vec4(contourScalar(p0), contourScalar(p1), contourScalar(p2), contourScalar(p3));
-  vec2 scalars = vec2(cameraLight ? dot(w, vec4(p0.place.w, p1.place.w, p2.place.w, p3.place.w)) : eyeScalars.x, eyeScalars.y);
-  startSegment(vec4(eyeZ, scalars, dot(w, contour)), passFace(), contour.x + contour.y + contour.z + contour.w);
-}
+//NEPHOSCOPE::RayTetrahedron
+//NEPHOSCOPE::RayStart
 
 // What has to be done before the walk goes on.
 const int rayEnds = 0;
@@ -405,42 +203,7 @@ int walk(vec2 range)
   return outcome;
 }
 
-// The surface of this contour where the walk is.
-void addSurface(int contour, vec2 range)
-{
-  float z = mix(segmentFront.x, segmentBack.x, passedPlace);
-  if (z >= range.x && z < range.y)
-  {
-    vec4 weights = mix(frontWeights, vec4(faceWeights(), 0.0), passedPlace);
-    vec2 scalars = mix(segmentFront.yz, segmentBack.yz, passedPlace);
-    scalars.x = useCellScalars ? element(cellScalars, cellNumber()).r : scalars.x;
-    ivec3 table = transferTable;
-    vec4 surface =
-      contourSurface(contour, Crossing(ivec4(face, left), weights, scalars, (MCVCMatrix * vec4(origin + z * along, 1.0)).xyz));
-    transferTable = table;
-    light += (1.0 - light.a) * surface;
-  }
-}
-
-// The polygon in the face that the ray is passing, across from this vertex.
-void addPolygon(int opposite, vec2 range)
-{
-  vec4 pass = passFace();
-  if (pass.x >= range.x && pass.x < range.y)
-  {
-    vec3 weights = faceWeights();
-    ivec3 v = face;
-    weights = v.x > v.y ? weights.yxz : weights; // of ascending vertices
-    v = v.x > v.y ? v.yxz : v;
-    weights = v.y > v.z ? weights.xzy : weights;
-    v = v.y > v.z ? v.xzy : v;
-    weights = v.x > v.y ? weights.yxz : weights;
-    ivec3 table = transferTable;
-    light += (1.0 - light.a) *
-      polygonSurface(polygonInFace(opposite), weights, pass.y, (MCVCMatrix * vec4(origin + pass.x * along, 1.0)).xyz);
-    transferTable = table;
-  }
-}
+//NEPHOSCOPE::RaySurfaces
 
 void walkInStretches(vec2 range)
 {
@@ -476,11 +239,7 @@ void walkInStretches(vec2 range)
 
 void main()
 {
-  // Both are linear in the pixel, so that differences to its neighbour are exact; to be taken before pixels part.
-  pointStep[0] = dFdx(rayPointVSOutput);
-  pointStep[1] = dFdy(rayPointVSOutput);
-  directionStep[0] = dFdx(rayDirectionVSOutput);
-  directionStep[1] = dFdy(rayDirectionVSOutput);
+  keepSteps();
   float entry = texelFetch(entryFaces, ivec2(gl_FragCoord.xy), 0).r;
   if (startsAtEye == 0 && entry < 0.0)
   {
@@ -494,10 +253,7 @@ void main()
       discard;
     }
   }
-  unity = softwareOpenGL ? gl_FragCoord.w : 1.0;
-  clear = clearRange * unity;
-  keepTopology();
-  keepTable();
+  keepUniforms();
   ivec4 boundaryFace = element(boundaryFaces, max(int(entry), 0));
   // Cameras look along axes and grids lie along them: a ray that is lost in a face tries again a little beside.
   for (int attempt = 0; attempt <= lastAttempt; ++attempt)

@@ -272,11 +272,7 @@ bool startInEyeCell()
 
 void main()
 {
-  // Both are linear in the pixel, so that differences to its neighbour are exact; to be taken before pixels part.
-  pointStep[0] = dFdx(rayPointVSOutput);
-  pointStep[1] = dFdy(rayPointVSOutput);
-  directionStep[0] = dFdx(rayDirectionVSOutput);
-  directionStep[1] = dFdy(rayDirectionVSOutput);
+  keepSteps();
   float entry = texelFetch(entryFaces, ivec2(gl_FragCoord.xy), 0).r;
   if (startsAtEye == 0 && entry < 0.0)
   {
@@ -290,10 +286,7 @@ void main()
       discard;
     }
   }
-  unity = softwareOpenGL ? gl_FragCoord.w : 1.0;
-  clear = clearRange * unity;
-  keepTopology();
-  keepTable();
+  keepUniforms();
   ivec4 boundaryFace = element(boundaryFaces, max(int(entry), 0));
   // A ray that passes by the face that the rasterizer gave it tries again a little beside.
   makeRay(vec2(0.0));

@@ -9,12 +9,11 @@
 //NEPHOSCOPE::Arrays
 uniform sampler2D roundPlan;    // places from, and up to; bits of the media that enter their meshes again there
 uniform sampler2D enteredFaces; // of each medium: boundary face through which the ray entered; -1: none; -2: starts at the eye
-uniform sampler2D depthRanges;  // where VTK peels surfaces: near and far depth of two ranges, empty where near >= far
-uniform int rangeNumber;        // the one to draw
 uniform float firstPlane;       // distance from the eye's plane of the places 0
 
 //NEPHOSCOPE::Constants
 //NEPHOSCOPE::OpaqueDepth
+//NEPHOSCOPE::VisibleDepths
 //NEPHOSCOPE::OpticalSegment
 //NEPHOSCOPE::MixedSegment
 
@@ -69,20 +68,6 @@ void startHaze()
   alongVC /= -alongVC.z;
   startHazeRay(seenVC - mediaRange.x * alongVC, alongVC);
 #endif
-}
-
-vec2 visibleDepths()
-{
-  ivec2 pixel = ivec2(gl_FragCoord.xy);
-  if (useDepthRanges)
-  {
-    vec4 ranges = texelFetch(depthRanges, pixel, 0);
-    return rangeNumber == 0 ? ranges.xy : ranges.zw;
-  }
-  else
-  {
-    return vec2(0.0, texelFetch(opaqueDepth, pixel, 0).r);
-  }
 }
 
 // From a place to an end, if that is near; returns how far.

@@ -173,14 +173,8 @@ void nextPiece()
 
 void prepareMedium()
 {
-  pointStep[0] = dFdx(rayPointVSOutput);
-  pointStep[1] = dFdy(rayPointVSOutput);
-  directionStep[0] = dFdx(rayDirectionVSOutput);
-  directionStep[1] = dFdy(rayDirectionVSOutput);
-  unity = softwareOpenGL ? gl_FragCoord.w : 1.0;
-  clear = clearRange * unity;
-  keepTopology();
-  keepTable();
+  keepSteps();
+  keepUniforms();
 }
 
 // Where the next attempt passes the centre of the pixel, for the medium that was lost.

@@ -1,22 +1,18 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
-// What CellGeometry makes of every kind of dataset and cell, and of bad ones.
-#include "CellGeometry.h"
+// What CellGeometry makes of every kind of dataset and cell.
+#include "BuiltGeometry.h"
 
-#include "TestGrids.h"
 #include "TestRandom.h"
 #include "ThreadScope.h"
 
 #include "vtkCellType.h"
 #include "vtkCellTypeSource.h"
-#include "vtkDataSetAttributes.h"
 #include "vtkGenericCell.h"
 #include "vtkIdList.h"
 #include "vtkImageData.h"
 #include "vtkPoints.h"
 #include "vtkRectilinearGrid.h"
-#include "vtkUniformGrid.h"
-#include "vtkUnsignedCharArray.h"
 
 #include <gtest/gtest.h>
 
@@ -32,31 +28,6 @@ using namespace nephoscope_test;
 
 namespace
 {
-double volumeOf(const CellGeometry& geometry)
-{
-  double sum = 0;
-  for (std::size_t i = 0; i < geometry.Tetrahedra.size(); ++i)
-  {
-    const std::array<Vector3, 4> p = geometry.Vertices(i);
-    sum += std::fabs(
-             dot(cross(difference(p[1], p[0]), difference(p[2], p[0])), difference(p[3], p[0]))) /
-      6;
-  }
-  return sum;
-}
-
-CellGeometry build(vtkDataSet* data, vtkDataArray* array, bool onCells = false, int component = -1)
-{
-  CellGeometry geometry;
-  EXPECT_EQ(geometry.Build(data, { array, onCells, component }), "");
-  return geometry;
-}
-
-CellGeometry buildNumbered(vtkDataSet* data)
-{
-  return build(data, addPointNumbers(data));
-}
-
 void expectSame(const CellGeometry& a, const CellGeometry& b)
 {
   ASSERT_EQ(a.Points.size(), b.Points.size());
@@ -69,42 +40,6 @@ void expectSame(const CellGeometry& a, const CellGeometry& b)
   EXPECT_EQ(a.NumberOfFlatTetrahedra, b.NumberOfFlatTetrahedra);
   EXPECT_EQ(a.NumberOfInvalidCells, b.NumberOfInvalidCells);
   EXPECT_EQ(a.NumberOfUnsupportedCells, b.NumberOfUnsupportedCells);
-}
-
-double scalarOf(const CellGeometry& geometry, float normalised)
-{
-  return geometry.ScalarRange[0] + normalised * (geometry.ScalarRange[1] - geometry.ScalarRange[0]);
-}
-
-void hideCell(
-  vtkDataSet* data, vtkIdType cell, unsigned char flag = vtkDataSetAttributes::HIDDENCELL)
-{
-  data->AllocateCellGhostArray()->SetValue(cell, flag);
-}
-
-/** The unit cube as one cell of each linear type, or cut into several of them. */
-vtkSmartPointer<vtkUnstructuredGrid> unitCubeOf(int type)
-{
-  const std::vector<std::array<double, 3>> p = { { { 0, 0, 0 } }, { { 1, 0, 0 } }, { { 1, 1, 0 } },
-    { { 0, 1, 0 } }, { { 0, 0, 1 } }, { { 1, 0, 1 } }, { { 1, 1, 1 } }, { { 0, 1, 1 } },
-    { { 0.5, 0.5, 0.5 } } };
-  switch (type)
-  {
-    case VTK_TETRA:
-      return makeGrid(p,
-        { { type, { 0, 1, 3, 4 } }, { type, { 1, 2, 3, 6 } }, { type, { 1, 5, 4, 6 } },
-          { type, { 3, 4, 6, 7 } }, { type, { 1, 3, 4, 6 } } });
-    case VTK_VOXEL:
-      return makeGrid(p, { { type, { 0, 1, 3, 2, 4, 5, 7, 6 } } });
-    case VTK_WEDGE:
-      return makeGrid(p, { { type, { 0, 1, 2, 4, 5, 6 } }, { type, { 0, 2, 3, 4, 6, 7 } } });
-    case VTK_PYRAMID:
-      return makeGrid(p,
-        { { type, { 0, 1, 2, 3, 8 } }, { type, { 4, 5, 6, 7, 8 } }, { type, { 0, 1, 5, 4, 8 } },
-          { type, { 3, 2, 6, 7, 8 } }, { type, { 0, 3, 7, 4, 8 } }, { type, { 1, 2, 6, 5, 8 } } });
-    default:
-      return makeGrid(p, { { VTK_HEXAHEDRON, { 0, 1, 2, 3, 4, 5, 6, 7 } } });
-  }
 }
 
 /** Regular prism of circumradius 1 and height 1. */
@@ -231,146 +166,6 @@ TEST(CellGeometry, RectilinearGrid)
   EXPECT_NEAR(volumeOf(buildNumbered(grid)), 3 * 6 * 0.5, 1e-5);
 }
 
-TEST(CellGeometry, StructuredGridAndPointScalars)
-{
-  auto grid = makeLattice(4);
-  vtkDataArray* scalars =
-    addScalars(grid, false, [](vtkIdType i) { return 200 + 0.25 * double(i * i); });
-  const CellGeometry geometry = build(grid, scalars);
-  EXPECT_NEAR(volumeOf(geometry), 64, 1e-4);
-  EXPECT_EQ(geometry.ScalarRange[0], 200);
-  EXPECT_EQ(geometry.ScalarRange[1], 200 + 0.25 * 124 * 124);
-  EXPECT_TRUE(geometry.CellScalars.empty());
-  for (std::size_t i = 0; i < geometry.Points.size(); ++i)
-  {
-    double x[3];
-    grid->GetPoint(vtkIdType(i), x);
-    EXPECT_NEAR(
-      scalarOf(geometry, geometry.Points[i].Scalar), scalars->GetComponent(vtkIdType(i), 0), 1e-3);
-    EXPECT_NEAR(geometry.Points[i].X + geometry.Center[0], x[0], 1e-6);
-    EXPECT_NEAR(geometry.Points[i].Y + geometry.Center[1], x[1], 1e-6);
-    EXPECT_NEAR(geometry.Points[i].Z + geometry.Center[2], x[2], 1e-6);
-  }
-}
-
-TEST(CellGeometry, CellScalars)
-{
-  auto grid = makeLattice(3);
-  vtkDataArray* scalars = addScalars(grid, true, [](vtkIdType i) { return 10.0 - double(i); });
-  const CellGeometry geometry = build(grid, scalars, true);
-  ASSERT_EQ(geometry.CellScalars.size(), geometry.Tetrahedra.size());
-  for (std::size_t i = 0; i < geometry.Tetrahedra.size(); ++i)
-  {
-    double center[3] = { 0, 0, 0 };
-    for (const Vector3& p : geometry.Vertices(i))
-    {
-      for (int axis = 0; axis < 3; ++axis)
-      {
-        center[axis] += 0.25 * p[axis];
-      }
-    }
-    const double cell = std::floor(center[0] + 1.5) + 3 * std::floor(center[1] + 1.5) +
-      9 * std::floor(center[2] + 1.5);
-    ASSERT_NEAR(scalarOf(geometry, geometry.CellScalars[i]), 10 - cell, 1e-5);
-  }
-}
-
-TEST(CellGeometry, VectorComponentAndMagnitude)
-{
-  auto grid = makeLattice(2);
-  vtkNew<vtkDoubleArray> vectors;
-  vectors->SetNumberOfComponents(3);
-  Random random(41);
-  for (vtkIdType i = 0; i < grid->GetNumberOfPoints(); ++i)
-  {
-    vectors->InsertNextTuple3(random.Normal(), random.Normal(), random.Normal());
-  }
-  const CellGeometry magnitude = build(grid, vectors, false, -1);
-  const CellGeometry second = build(grid, vectors, false, 1);
-  for (vtkIdType i = 0; i < grid->GetNumberOfPoints(); ++i)
-  {
-    const double* v = vectors->GetTuple3(i);
-    const std::size_t p = std::size_t(i);
-    EXPECT_NEAR(
-      scalarOf(magnitude, magnitude.Points[p].Scalar), std::hypot(v[0], v[1], v[2]), 1e-6);
-    EXPECT_NEAR(scalarOf(second, second.Points[p].Scalar), v[1], 1e-6);
-  }
-}
-
-TEST(CellGeometry, SkipsHiddenAndGhostCells)
-{
-  for (const unsigned char flag : { vtkDataSetAttributes::HIDDENCELL,
-         vtkDataSetAttributes::DUPLICATECELL, vtkDataSetAttributes::REFINEDCELL })
-  {
-    auto structured = makeLattice(3);
-    hideCell(structured, 13, flag);
-    const CellGeometry geometry = buildNumbered(structured);
-    EXPECT_EQ(geometry.Tetrahedra.size(), 26u * 5) << "flag " << int(flag);
-    EXPECT_EQ(geometry.NumberOfInvalidCells + geometry.NumberOfUnsupportedCells, 0);
-  }
-  vtkNew<vtkUniformGrid> image;
-  image->SetDimensions(4, 4, 4);
-  image->BlankCell(13);
-  EXPECT_EQ(buildNumbered(image).Tetrahedra.size(), 26u * 5);
-  auto unstructured = unitCubeOf(VTK_PYRAMID);
-  hideCell(unstructured, 2);
-  EXPECT_NEAR(volumeOf(buildNumbered(unstructured)), 5.0 / 6, 1e-6);
-}
-
-TEST(CellGeometry, SkipsCellsAtHiddenPoints)
-{
-  auto grid = makeLattice(3);
-  grid->AllocatePointGhostArray()->SetValue(1 + 4 * (1 + 4 * 1), vtkDataSetAttributes::HIDDENPOINT);
-  EXPECT_EQ(buildNumbered(grid).Tetrahedra.size(), 19u * 5); // eight cells share the point
-  vtkNew<vtkUniformGrid> image;
-  image->SetDimensions(4, 4, 4);
-  image->BlankPoint(0);
-  EXPECT_EQ(buildNumbered(image).Tetrahedra.size(), 26u * 5);
-}
-
-// A fill value where nothing is drawn must not take the range, and with it the precision, of what is.
-TEST(CellGeometry, HiddenFillValuesDoNotSpoilTheScalars)
-{
-  for (const double fill : { 1e20, -1e20 })
-  {
-    auto points = makeLattice(3);
-    points->AllocatePointGhostArray()->SetValue(0, vtkDataSetAttributes::HIDDENPOINT);
-    const CellGeometry onPoints = build(
-      points, addScalars(points, false, [&](vtkIdType i) { return i == 0 ? fill : double(i); }));
-    EXPECT_NEAR(scalarOf(onPoints, onPoints.Points[30].Scalar), 30, 1e-4)
-      << "hidden point of " << fill;
-    auto cells = makeLattice(3);
-    hideCell(cells, 0);
-    const CellGeometry onCells = build(
-      cells, addScalars(cells, true, [&](vtkIdType i) { return i == 0 ? fill : double(i); }), true);
-    EXPECT_NEAR(scalarOf(onCells, onCells.CellScalars[0]), 1, 1e-4) << "hidden cell of " << fill;
-  }
-}
-
-TEST(CellGeometry, CountsInvalidCells)
-{
-  const double nan = std::numeric_limits<double>::quiet_NaN();
-  auto grid = makeLattice(3);
-  grid->GetPoints()->SetPoint(0, nan, 0, 0);
-  CellGeometry geometry = buildNumbered(grid);
-  EXPECT_EQ(geometry.NumberOfInvalidCells, 1);
-  EXPECT_NEAR(volumeOf(geometry), 26, 1e-4);
-
-  for (const double bad : { nan, std::numeric_limits<double>::infinity() })
-  {
-    auto scalars = makeLattice(3);
-    geometry = build(
-      scalars, addScalars(scalars, false, [&](vtkIdType i) { return i == 0 ? bad : double(i); }));
-    EXPECT_EQ(geometry.NumberOfInvalidCells, 1);
-    EXPECT_EQ(geometry.ScalarRange[0], 1);
-    EXPECT_EQ(geometry.ScalarRange[1], 63);
-    geometry = build(scalars,
-      addScalars(scalars, true, [&](vtkIdType i) { return i < 5 ? bad : double(i); }), true);
-    EXPECT_EQ(geometry.NumberOfInvalidCells, 5);
-    EXPECT_EQ(geometry.Tetrahedra.size(), 22u * 5);
-  }
-}
-
 TEST(CellGeometry, PoleOfAShell)
 {
   // Up to the poles: the ends of the meridians coincide, and cells there lose an edge, but no volume.
@@ -439,15 +234,6 @@ TEST(CellGeometry, Empty)
   geometry = buildNumbered(flat);
   EXPECT_TRUE(geometry.Tetrahedra.empty());
   EXPECT_EQ(geometry.NumberOfUnsupportedCells, 9);
-}
-
-TEST(CellGeometry, ConstantScalars)
-{
-  auto grid = makeLattice(2);
-  const CellGeometry geometry = build(grid, addScalars(grid, false, [](vtkIdType) { return 7.0; }));
-  EXPECT_EQ(geometry.ScalarRange[0], 7);
-  EXPECT_LT(geometry.ScalarRange[0], geometry.ScalarRange[1]);
-  EXPECT_EQ(scalarOf(geometry, geometry.Points[5].Scalar), 7);
 }
 
 // Cells are cut by places, not by numbers: blocks and ranks that number their points differently fit together.

@@ -1,0 +1,278 @@
+// SPDX-FileCopyrightText: The Nephoscope authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "FirstColors.h"
+
+#include "vtkDataObject.h"
+#include "vtkDataSetAttributes.h"
+#include "vtkNew.h"
+#include "vtkPVArrayInformation.h"
+#include "vtkPVDataInformation.h"
+#include "vtkPVDataSetAttributesInformation.h"
+#include "vtkSMPVRepresentationProxy.h"
+#include "vtkSMPropertyHelper.h"
+#include "vtkSMSessionProxyManager.h"
+#include "vtkSMSettings.h"
+#include "vtkSMSourceProxy.h"
+#include "vtkSMTransferFunctionManager.h"
+#include "vtkSMTransferFunctionPresets.h"
+#include "vtkSMTransferFunctionProxy.h"
+
+#include <vector>
+
+namespace nephoscope
+{
+namespace
+{
+constexpr double bright = 0.7; // luminance
+constexpr double darkSmoke[3] = { 0.35, 0.35, 0.35 };
+const std::string ourPresets = "Nephoscope ";
+constexpr const char* presetsOfClouds[] = { "Nephoscope Clouds", "Nephoscope Cloud Water" };
+
+// The name of the preset that an array begins with, or an empty one.
+std::string PresetOf(const std::string& array, const std::string& list = "standard_presets")
+{
+  vtkSMSettings* settings = vtkSMSettings::GetInstance();
+  const std::string key = "." + list + "." + array;
+  return settings->HasSetting(key.c_str()) ? settings->GetSettingAsString(key.c_str(), 0, "")
+                                           : std::string();
+}
+
+// The preset of a name that is usual elsewhere too; only for data of the weather, those of Globe Grid.
+std::string WeatherPresetOf(const std::string& array, vtkPVDataInformation* data)
+{
+  const bool weather = PresetOf(array).empty() &&
+    data->GetArrayInformation("GlobeGridProjection", vtkDataObject::FIELD);
+  return weather ? PresetOf(array, "nephoscope_weather_presets") : std::string();
+}
+
+// The point array that clouds are coloured by; an empty name where there is none.
+std::string ArrayOfClouds(vtkPVDataInformation* data)
+{
+  vtkPVDataSetAttributesInformation* arrays = data->GetAttributeInformation(vtkDataObject::POINT);
+  for (const char* preset : presetsOfClouds)
+  {
+    for (int i = 0; i < arrays->GetNumberOfArrays(); ++i)
+    {
+      const char* name = arrays->GetArrayInformation(i)->GetName();
+      if (name && (PresetOf(name) == preset || WeatherPresetOf(name, data) == preset))
+      {
+        return name;
+      }
+    }
+  }
+  return std::string();
+}
+
+// Without their values.
+std::vector<double> ColorsOf(vtkSMProxy* function)
+{
+  std::vector<double> colors = vtkSMPropertyHelper(function, "RGBPoints").GetDoubleArray();
+  for (std::size_t i = 0; i < colors.size(); i += 4)
+  {
+    colors[i] = 0.0;
+  }
+  return colors;
+}
+
+// That ParaView gives to an array without a preset.
+std::vector<double> ColorsOfAnyArray(vtkSMSessionProxyManager* manager)
+{
+  vtkNew<vtkSMTransferFunctionManager> functions;
+  vtkSMProxy* any = functions->GetColorTransferFunction("NephoscopeAnyArray", manager);
+  const std::vector<double> colors = any ? ColorsOf(any) : std::vector<double>();
+  manager->UnRegisterProxy(any);
+  return colors;
+}
+
+void ApplyPreset(vtkSMProxy* display, const char* property, const std::string& preset)
+{
+  vtkSMProxy* function = vtkSMPropertyHelper(display, property, true).GetAsProxy();
+  if (function && vtkSMTransferFunctionPresets::GetInstance()->HasPreset(preset.c_str()))
+  {
+    vtkSMTransferFunctionProxy::ApplyPreset(function, preset.c_str(), false);
+    function->UpdateVTKObjects();
+  }
+}
+
+// Colours and opacities of a name that is usual elsewhere too, unless somebody has chosen others.
+void UseWeatherPreset(vtkSMProxy* display, const std::string& array, vtkPVDataInformation* data)
+{
+  const std::string preset = WeatherPresetOf(array, data);
+  vtkSMProxy* colors = vtkSMPropertyHelper(display, "LookupTable", true).GetAsProxy();
+  const bool saved =
+    vtkSMSettings::GetInstance()->HasSetting((".array_lookup_tables." + array).c_str());
+  if (!preset.empty() && colors && !saved &&
+    ColorsOf(colors) == ColorsOfAnyArray(display->GetSessionProxyManager()))
+  {
+    ApplyPreset(display, "LookupTable", preset);
+    ApplyPreset(display, "ScalarOpacityFunction", preset);
+  }
+}
+
+struct ColoredArray
+{
+  std::string Name;
+  int Association = vtkDataObject::POINT;
+};
+
+// The active scalars, of points first; else the first array of one component.
+ColoredArray ActiveScalars(vtkPVDataInformation* data)
+{
+  for (const bool active : { true, false })
+  {
+    for (const int association : { vtkDataObject::POINT, vtkDataObject::CELL })
+    {
+      vtkPVDataSetAttributesInformation* arrays = data->GetAttributeInformation(association);
+      vtkPVArrayInformation* scalars =
+        active ? arrays->GetAttributeInformation(vtkDataSetAttributes::SCALARS) : nullptr;
+      for (int i = 0; !active && !scalars && i < arrays->GetNumberOfArrays(); ++i)
+      {
+        vtkPVArrayInformation* array = arrays->GetArrayInformation(i);
+        const std::string name = array->GetName() ? array->GetName() : "";
+        const bool fits =
+          array->GetNumberOfComponents() == 1 && name != vtkDataSetAttributes::GhostArrayName();
+        scalars = fits ? array : nullptr;
+      }
+      if (scalars && scalars->GetName())
+      {
+        return { scalars->GetName(), association };
+      }
+    }
+  }
+  return {};
+}
+
+// White smoke cannot be seen on the palette's background if that is bright.
+void DarkenOnBrightBackground(vtkSMProxy* display)
+{
+  vtkSMProxy* palette = display->GetSessionProxyManager()->GetProxy("settings", "ColorPalette");
+  const std::vector<double> background = palette
+    ? vtkSMPropertyHelper(palette, "BackgroundColor", true).GetDoubleArray()
+    : std::vector<double>();
+  if (background.size() == 3 &&
+    0.3 * background[0] + 0.59 * background[1] + 0.11 * background[2] > bright)
+  {
+    for (const char* property : { "AmbientColor", "DiffuseColor" })
+    {
+      vtkSMPropertyHelper(display, property, true).Set(darkSmoke, 3);
+    }
+  }
+}
+
+// A surface at one value of an array has one colour in the colours of that array, and not the best one.
+bool IsColoredByContouredArray(vtkSMProxy* display, vtkSMProxy* source, vtkPVDataInformation* data)
+{
+  const vtkSMPropertyHelper colored(display, "ColorArrayName", true),
+    contoured(source, "SelectInputScalars", true);
+  std::string name = contoured.GetNumberOfElements() == 5 && contoured.GetAsString(4)
+    ? contoured.GetAsString(4)
+    : "";
+  name = name.empty() ? ActiveScalars(data).Name
+                      : name; // as a filter does that was made before there were data
+  return colored.GetNumberOfElements() == 5 && name == colored.GetAsString(4);
+}
+
+// The light of smoke that is to be white, 0 of other data. Thin smoke sends less light than clouds: in their colours it would be grey.
+double LightOfSmoke(vtkPVDataInformation* data, const std::string& array)
+{
+  const bool isSmoke = data->GetArrayInformation("SmokeExtinction", vtkDataObject::CELL) ||
+    data->GetArrayInformation("SmokeExtinction", vtkDataObject::POINT);
+  vtkPVArrayInformation* light = data->GetArrayInformation(array.c_str(), vtkDataObject::POINT);
+  constexpr double share = 0.7; // of the greatest, which few places have
+  return isSmoke && light ? share * light->GetComponentFiniteRange(0)[1] : 0.0;
+}
+
+bool IsUsedByOthers(vtkSMProxy* colors, vtkSMProxy* display)
+{
+  for (unsigned int i = 0; i < colors->GetNumberOfConsumers(); ++i)
+  {
+    vtkSMProxy* consumer = colors->GetConsumerProxy(i); // null: deleted
+    vtkSMProxy* user = consumer ? consumer->GetTrueParentProxy() : nullptr;
+    if (user && user != display && user->IsA("vtkSMPVRepresentationProxy") &&
+      vtkSMPropertyHelper(user, "Visibility", true).GetAsInt())
+    {
+      return true;
+    }
+  }
+  return false;
+}
+}
+
+void colorFirst(
+  vtkSMPVRepresentationProxy* display, vtkSMSourceProxy* source, int port, const std::string& how)
+{
+  vtkPVDataInformation* data = source->GetDataInformation(port);
+  if (how == "solid" || (how == "surface" && IsColoredByContouredArray(display, source, data)))
+  {
+    display->SetScalarColoring(nullptr, vtkDataObject::POINT);
+    if (how == "solid")
+    {
+      DarkenOnBrightBackground(display);
+    }
+    return;
+  }
+  ColoredArray array{ how, vtkDataObject::CELL };
+  if (!data->GetArrayInformation(how.c_str(), array.Association))
+  {
+    array.Association = vtkDataObject::POINT;
+  }
+  const bool given = data->GetArrayInformation(how.c_str(), array.Association) != nullptr;
+  if (!given && display->GetUsingScalarColoring()) // as its input is, for one
+  {
+    const vtkSMPropertyHelper colored(display, "ColorArrayName", true);
+    UseWeatherPreset(display,
+      colored.GetNumberOfElements() == 5 && colored.GetAsString(4) ? colored.GetAsString(4) : "",
+      data);
+    return;
+  }
+  if (!given)
+  {
+    array = { how == "clouds" ? ArrayOfClouds(data) : std::string() };
+    array = array.Name.empty() ? ActiveScalars(data) : array;
+  }
+  if (!array.Name.empty())
+  {
+    display->SetScalarColoring(array.Name.c_str(), array.Association);
+    UseWeatherPreset(display, array.Name, data);
+    display->RescaleTransferFunctionToDataRange(true, false);
+  }
+}
+
+void colorByPreset(
+  vtkSMPVRepresentationProxy* display, vtkSMSourceProxy* source, int port, const char* preset)
+{
+  const ColoredArray array = ActiveScalars(source->GetDataInformation(port));
+  display->SetScalarColoring(array.Name.c_str(), array.Association); // it is, but has no colors yet
+  vtkSMProxy* colors = vtkSMPropertyHelper(display, "LookupTable", true).GetAsProxy();
+  if (colors && vtkSMTransferFunctionPresets::GetInstance()->HasPreset(preset))
+  {
+    vtkSMTransferFunctionProxy::ApplyPreset(colors, preset, false);
+    const double light = LightOfSmoke(source->GetDataInformation(port), array.Name);
+    double range[2] = { 0.0, 0.0 };
+    if (light > 0.0 && !IsUsedByOthers(colors, display) &&
+      vtkSMTransferFunctionProxy::GetRange(colors, range) && light < range[1])
+    {
+      vtkSMTransferFunctionProxy::RescaleTransferFunction(colors, range[0], light);
+    }
+    vtkSMPropertyHelper(colors, "AutomaticRescaleRangeMode", true)
+      .Set(vtkSMTransferFunctionManager::NEVER);
+    colors->UpdateVTKObjects();
+  }
+}
+
+void prepareOpacities(vtkSMProxy* opacities, const std::string& registeredAs)
+{
+  const std::string array =
+    registeredAs.substr(0, registeredAs.rfind('.')); // without ".PiecewiseFunction"
+  const std::string preset = PresetOf(array);
+  const bool saved =
+    vtkSMSettings::GetInstance()->HasSetting((".array_lookup_tables." + array).c_str());
+  auto* presets = vtkSMTransferFunctionPresets::GetInstance();
+  if (!saved && preset.compare(0, ourPresets.size(), ourPresets) == 0 &&
+    presets->HasPreset(preset.c_str()))
+  {
+    vtkSMTransferFunctionProxy::ApplyPreset(opacities, preset.c_str(), false);
+  }
+}
+
+} // namespace nephoscope

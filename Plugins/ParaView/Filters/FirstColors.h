@@ -1,0 +1,30 @@
+// SPDX-FileCopyrightText: The Nephoscope authors
+// SPDX-License-Identifier: BSD-3-Clause
+// The colours and opacities of a display that is new: by which array, and with which preset of the suite.
+#ifndef nephoscope_FirstColors_h
+#define nephoscope_FirstColors_h
+
+#include <string>
+
+class vtkSMProxy;
+class vtkSMPVRepresentationProxy;
+class vtkSMSourceProxy;
+
+namespace nephoscope
+{
+/**
+ * Colours by the array named `how`, or else, unless the display has colours already, by the array of clouds ("clouds") or the active scalars. Without colours:
+ * "solid", and "surface" at one value of the array that would colour it.
+ */
+void colorFirst(
+  vtkSMPVRepresentationProxy* display, vtkSMSourceProxy* source, int port, const std::string& how);
+
+/** By the active scalars, with a preset that is in their unit: its range stays, except that smoke alone in its view reaches white. */
+void colorByPreset(
+  vtkSMPVRepresentationProxy* display, vtkSMSourceProxy* source, int port, const char* preset);
+
+/** The opacities of the suite's preset for an array, for a new opacity function that is registered under its name. */
+void prepareOpacities(vtkSMProxy* opacities, const std::string& registeredAs);
+}
+
+#endif

@@ -1,0 +1,78 @@
+// SPDX-FileCopyrightText: The Nephoscope authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "RayShaders.h"
+
+#include "ShaderParts.h"
+
+#include "CameraLightShader.h"
+#include "ChessboardTopologyShader.h"
+#include "CubicPiecesShader.h"
+#include "GridCellsShader.h"
+#include "GridHexahedraShader.h"
+#include "HexahedronWalkShader.h"
+#include "ListedHexahedraShader.h"
+#include "NeighborTopologyShader.h"
+#include "PixelRayShader.h"
+#include "RayCellsFragment.h"
+#include "RayContoursShader.h"
+#include "RayHexahedraFragment.h"
+#include "RayMediumShader.h"
+#include "RayRangeShader.h"
+#include "RaySegmentsShader.h"
+#include "RayStartShader.h"
+#include "RaySurfacesShader.h"
+#include "RayTetrahedronShader.h"
+#include "RayVoxelsFragment.h"
+#include "TetrahedronWalkShader.h"
+#include "VisibleDepthsShader.h"
+#include "VoxelWalkShader.h"
+
+namespace nephoscope
+{
+namespace
+{
+std::string withTetrahedra(const std::string& shader, bool structured)
+{
+  return withShaderParts(shader,
+    { { "RayTetrahedron", RayTetrahedronShader }, { "RayStart", RayStartShader },
+      { "RaySurfaces", RaySurfacesShader },
+      { "Topology", structured ? ChessboardTopologyShader : NeighborTopologyShader },
+      { "GridCells", GridCellsShader }, { "TetrahedronWalk", TetrahedronWalkShader },
+      { "RaySegments", RaySegmentsShader }, { "RayRange", RayRangeShader },
+      { "VisibleDepths", VisibleDepthsShader }, { "PixelRay", PixelRayShader },
+      { "RayContours", RayContoursShader }, { "CameraLight", CameraLightShader } });
+}
+}
+
+std::string tetrahedraShader(bool structured)
+{
+  return withTetrahedra(RayCellsFragment, structured);
+}
+
+std::string hexahedraShader(bool structured)
+{
+  return withShaderParts(RayHexahedraFragment,
+    { { "Topology", structured ? GridHexahedraShader : ListedHexahedraShader },
+      { "GridCells", GridCellsShader }, { "HexahedronWalk", HexahedronWalkShader },
+      { "CubicPieces", CubicPiecesShader }, { "RaySegments", RaySegmentsShader },
+      { "RayRange", RayRangeShader }, { "VisibleDepths", VisibleDepthsShader },
+      { "PixelRay", PixelRayShader } });
+}
+
+std::string voxelsShader()
+{
+  return withShaderParts(RayVoxelsFragment,
+    { { "VoxelWalk", VoxelWalkShader }, { "CubicPieces", CubicPiecesShader },
+      { "RayRange", RayRangeShader }, { "VisibleDepths", VisibleDepthsShader },
+      { "RaySegments", RaySegmentsShader } });
+}
+
+std::string mediumShader(bool structured)
+{
+  const std::string walk = RayCellsFragment;
+  const std::string text = walk.substr(0, walk.find("void main()")) + RayMediumShader;
+  return withShaderParts(withTetrahedra(text, structured),
+    { { "Arrays", "" }, { "OpaqueDepth", "" }, { "OpticalSegment", "" } });
+}
+
+} // namespace nephoscope
