@@ -1,8 +1,10 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The requirements of both filters of this folder on arrays and extents, and their messages.
+// The requirements of both filters of this folder on their input and its arrays, and their messages.
 #ifndef nephoscope_ArrayChecks_h
 #define nephoscope_ArrayChecks_h
+
+#include "RequiredInput.h"
 
 #include "vtkBitArray.h"
 #include "vtkCellData.h"
@@ -14,6 +16,15 @@
 
 namespace nephoscope
 {
+// As hasOtherInput.
+inline bool hasNoGrid(vtkAlgorithm* filter, vtkMTimeType& told, vtkInformation* request,
+  vtkInformationVector** inputs, vtkInformationVector* outputs)
+{
+  return hasOtherInput(filter, told, request, inputs, outputs,
+    { "vtkImageData", "vtkRectilinearGrid", "vtkStructuredGrid" },
+    "It must be a grid with rows: an image, a rectilinear or a structured grid.");
+}
+
 inline std::string Quoted(vtkAbstractArray* array)
 {
   return array->GetName() ? "'" + std::string(array->GetName()) + "'"

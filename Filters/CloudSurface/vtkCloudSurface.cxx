@@ -109,9 +109,7 @@ int vtkCloudSurface::FillInputPortInformation(int, vtkInformation* info)
 vtkTypeBool vtkCloudSurface::ProcessRequest(
   vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
-  if (nephoscope::hasOtherInput(this, this->ToldOfInput, request, inputs, outputs,
-        { "vtkImageData", "vtkRectilinearGrid", "vtkStructuredGrid" },
-        "It must be a grid with rows: an image, a rectilinear or a structured grid."))
+  if (nephoscope::hasNoGrid(this, this->ToldOfInput, request, inputs, outputs))
   {
     return 1;
   }

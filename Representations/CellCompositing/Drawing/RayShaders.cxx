@@ -15,6 +15,7 @@
 #include "PixelRayShader.h"
 #include "RayCellsFragment.h"
 #include "RayContoursShader.h"
+#include "RayEntryShader.h"
 #include "RayHexahedraFragment.h"
 #include "RayMediumShader.h"
 #include "RayRangeShader.h"
@@ -46,7 +47,8 @@ std::string withTetrahedra(const std::string& shader, bool structured)
 
 std::string tetrahedraShader(bool structured)
 {
-  return withTetrahedra(RayCellsFragment, structured);
+  return withTetrahedra(
+    withShaderParts(RayCellsFragment, { { "RayEntry", RayEntryShader } }), structured);
 }
 
 std::string hexahedraShader(bool structured)
@@ -56,7 +58,7 @@ std::string hexahedraShader(bool structured)
       { "GridCells", GridCellsShader }, { "HexahedronWalk", HexahedronWalkShader },
       { "CubicPieces", CubicPiecesShader }, { "RaySegments", RaySegmentsShader },
       { "RayRange", RayRangeShader }, { "VisibleDepths", VisibleDepthsShader },
-      { "PixelRay", PixelRayShader } });
+      { "PixelRay", PixelRayShader }, { "RayEntry", RayEntryShader } });
 }
 
 std::string voxelsShader()
@@ -72,7 +74,7 @@ std::string mediumShader(bool structured)
   const std::string walk = RayCellsFragment;
   const std::string text = walk.substr(0, walk.find("void main()")) + RayMediumShader;
   return withShaderParts(withTetrahedra(text, structured),
-    { { "Arrays", "" }, { "OpaqueDepth", "" }, { "OpticalSegment", "" } });
+    { { "RayEntry", "" }, { "Arrays", "" }, { "OpaqueDepth", "" }, { "OpticalSegment", "" } });
 }
 
 } // namespace nephoscope

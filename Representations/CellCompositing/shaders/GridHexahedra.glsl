@@ -38,13 +38,6 @@ void enterFaceOfCell(ivec4 place, int number)
   toAhead = side == 0 ? toAhead : -toAhead;
 }
 
-void turnRing()
-{
-  int b = toB;
-  toB = toD;
-  toD = b;
-}
-
 // Into the cell behind a face of this one, the ring of HexahedronWalk.glsl changed accordingly. False: there is none.
 bool crossFace(int exit)
 {

@@ -26,6 +26,13 @@ void seeAhead()
   walkH = seen(pointOfRing(0, 1, 1));
 }
 
+void turnRing()
+{
+  int b = toB;
+  toB = toD;
+  toD = b;
+}
+
 // Fetches the ring and turns it counterclockwise about the ray. False: the ray does not pass it.
 bool seeRing()
 {

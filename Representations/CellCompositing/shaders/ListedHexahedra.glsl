@@ -39,13 +39,6 @@ void enterFace(ivec4 face)
   enterFaceOfCell(ivec4(face.w >> 3, 0, 0, 0), face.w & 7);
 }
 
-void turnRing()
-{
-  int b = toB;
-  toB = toD;
-  toD = b;
-}
-
 // Into the cell behind a face of this one, the ring of HexahedronWalk.glsl changed accordingly. False: there is none.
 bool crossFace(int exit)
 {

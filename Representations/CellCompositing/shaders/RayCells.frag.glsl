@@ -72,6 +72,7 @@ vec3 placeSeen(int point)
 }
 
 //NEPHOSCOPE::PixelRay
+//NEPHOSCOPE::RayEntry
 
 //NEPHOSCOPE::RayTetrahedron
 //NEPHOSCOPE::RayStart
@@ -239,22 +240,7 @@ void walkInStretches(vec2 range)
 
 void main()
 {
-  keepSteps();
-  float entry = texelFetch(entryFaces, ivec2(gl_FragCoord.xy), 0).r;
-  if (startsAtEye == 0 && entry < 0.0)
-  {
-    discard;
-  }
-  if (useDepthRanges)
-  {
-    vec2 depths = visibleDepths();
-    if (depths.x >= depths.y)
-    {
-      discard;
-    }
-  }
-  keepUniforms();
-  ivec4 boundaryFace = element(boundaryFaces, max(int(entry), 0));
+  ivec4 boundaryFace = startPixel();
   // Cameras look along axes and grids lie along them: a ray that is lost in a face tries again a little beside.
   for (int attempt = 0; attempt <= lastAttempt; ++attempt)
   {

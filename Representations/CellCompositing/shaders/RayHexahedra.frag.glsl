@@ -60,6 +60,7 @@ vec3 placeSeen(int point)
 }
 
 //NEPHOSCOPE::PixelRay
+//NEPHOSCOPE::RayEntry
 //NEPHOSCOPE::HexahedronWalk
 
 vec2 scalarsOfCell = vec2(0.0); // lowest and highest
@@ -272,22 +273,7 @@ bool startInEyeCell()
 
 void main()
 {
-  keepSteps();
-  float entry = texelFetch(entryFaces, ivec2(gl_FragCoord.xy), 0).r;
-  if (startsAtEye == 0 && entry < 0.0)
-  {
-    discard;
-  }
-  if (useDepthRanges)
-  {
-    vec2 depths = visibleDepths();
-    if (depths.x >= depths.y)
-    {
-      discard;
-    }
-  }
-  keepUniforms();
-  ivec4 boundaryFace = element(boundaryFaces, max(int(entry), 0));
+  ivec4 boundaryFace = startPixel();
   // A ray that passes by the face that the rasterizer gave it tries again a little beside.
   makeRay(vec2(0.0));
   float farthest = startsAtEye == 0 && passesWellInside(boundaryFace.xyz) ? 0.003 : 0.3; // pixels
