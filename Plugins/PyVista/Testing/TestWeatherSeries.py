@@ -118,8 +118,8 @@ class Animation(unittest.TestCase):
 
     def test_the_next_step_is_read_while_one_is_shown(self):
         read = []
-        from nephoscope.weather import series as module
-        with mock.patch.object(module.Series, "_read", autospec=True, side_effect=lambda self, step, once=module.Series._read: read.append(step) or once(self, step)):
+        from nephoscope.weather.dataset_series import DatasetSeries
+        with mock.patch.object(DatasetSeries, "_read", autospec=True, side_effect=lambda self, step, once=DatasetSeries._read: read.append(step) or once(self, step)):
             series = forecast().nephoscope.series()
             series.show(1)
             series._coming[2].result()

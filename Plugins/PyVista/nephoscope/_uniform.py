@@ -18,8 +18,10 @@ def is_bare(mesh: pyvista.DataSet) -> bool:
     return all(name.startswith("vtk") or is_helper(name) and data[name].ndim > 1 for data in (mesh.point_data, mesh.cell_data) for name in data.keys())
 
 
-def uniform_colours(plotter: pyvista.BasePlotter, color: Any) -> list[str]:
-    """The colour map of one colour, by default the theme's for meshes. PyVista's own would be pale on a bright background."""
+def uniform_colours(plotter: pyvista.BasePlotter, color: Any, cmap: Any) -> Any:
+    """The colour map of one colour: without `color` it is `cmap`, or else the theme's colour for meshes. PyVista's own would be pale on a bright background."""
+    if color is None and cmap is not None:
+        return cmap
     if color is None:
         pale = plotter.theme.color in (pyvista.themes.Theme().color, pyvista.themes.DocumentTheme().color) and is_bright(plotter.background_color)
         color = "steelblue" if pale else plotter.theme.color

@@ -17,7 +17,7 @@ from ._options import group, refuse_unknown
 from ._surfaces import CONTOUR_NAMES, POLYGON_NAMES, Contours, Layers, Polygons
 from ._uniform import FAINTER, is_bare, uniform_colours
 from ._typing import ContourOptions, Integration, Interpolation, Method, Numbers, OldCellNames, Order, PolygonChoice, PolygonOptions, Preference, ToneMapping
-from .light import add_sun, brightest, lit_medium, recorded_sun
+from .light import brightest, lit_medium, refuse_color
 from .transfer import OpacityLike
 
 if TYPE_CHECKING:
@@ -196,17 +196,15 @@ def add_cells(plotter: pyvista.BasePlotter, grid: Any, scalars: str | np.ndarray
     refuse_unknown(add_cells, old)
     brightest(None, exposure, tone_mapping)  # rejects wrong values, also without sun
     if sun is not None:
-        if color is not None:
-            raise ValueError("color and sun are both given, but sun determines the colours. Pass cmap for other colours.")
+        refuse_color(color)
         show_scalar_bar = bool(show_scalar_bar)
-        light = lit_medium(_solid_grid(grid, {}), sun, cmap, clim, n_colors, exposure, tone_mapping)
-        add_sun(plotter, recorded_sun(light["mesh"]))
+        light = lit_medium(plotter, _solid_grid(grid, {}), sun, cmap, clim, n_colors, exposure, tone_mapping)
         grid, scalars, opacity_scalars, opacity, opacity_clim, opacity_unit_distance, cmap, clim = light.values()
     grid = _solid_grid(grid, {**({"scalars": scalars} if color is None or scalars is not None else {}), "opacity_scalars": opacity_scalars,
                               "contours['scalars']": surfaces.scalars, "layer_scalars": layer_scalars})
     uniform = scalars is None and (color is not None or is_bare(grid))
     if color is not None or uniform:
-        cmap, show_scalar_bar = cmap if color is None and cmap is not None else uniform_colours(plotter, color), bool(show_scalar_bar)
+        cmap, show_scalar_bar = uniform_colours(plotter, color, cmap), bool(show_scalar_bar)
     if uniform:
         scalars, clim, preference = np.ones(grid.n_cells), (0, 1), "cell"
     grid, array_name, association = scalar_array(grid, scalars, preference)

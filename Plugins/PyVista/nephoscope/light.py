@@ -244,9 +244,17 @@ def _defaults(function: Callable[..., Any]) -> dict[str, Any]:
     return {name: parameter.default for name, parameter in inspect.signature(function).parameters.items() if name != "mesh"}
 
 
-def lit_medium(mesh: pyvista.DataSet, sun: Any, cmap: Any, clim: Any, n_colors: int, exposure: float | None, tone_mapping: str) -> dict[str, Any]:
-    """The mesh with its light that `add_cells` and `add_splats` draw with `sun`, and the arguments for drawing it."""
+def refuse_color(color: Any) -> None:
+    """For a medium with `sun`."""
+    if color is not None:
+        raise ValueError("color and sun are both given, but sun determines the colours. Pass cmap for other colours.")
+
+
+def lit_medium(plotter: pyvista.BasePlotter, mesh: pyvista.DataSet, sun: Any, cmap: Any, clim: Any, n_colors: int, exposure: float | None,
+               tone_mapping: str) -> dict[str, Any]:
+    """The mesh with its light that `add_cells` and `add_splats` draw with `sun`, and the arguments for drawing it. The plotter gets the sun."""
     mesh = lit(mesh, sun)
+    add_sun(plotter, recorded_sun(mesh))
     densest = float(np.max(mesh["ScaledExtinction"], initial=0)) or 1.0
     return {"mesh": mesh, "scalars": "Sunlight", "opacity_scalars": "ScaledExtinction", "opacity": "linear", "opacity_clim": (0.0, densest),
             "opacity_unit_distance": 1 / densest, "cmap": lit_colours(n_colors, tone_mapping) if cmap is None else cmap,

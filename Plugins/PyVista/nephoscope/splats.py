@@ -19,7 +19,7 @@ from ._uniform import FAINTER, concentration, is_bare, uniform_colours
 from ._typing import Kernel, LevelOfDetailOptions, Numbers, OldSplatNames, Preference, ToneMapping, VectorOptions
 from ._vectors import OLD_NAMES as VECTOR_NAMES
 from ._vectors import Vectors, is_drawn
-from .light import add_sun, brightest, lit_medium, recorded_sun
+from .light import brightest, lit_medium, refuse_color
 from .transfer import OpacityLike
 
 if TYPE_CHECKING:
@@ -223,10 +223,8 @@ def add_splats(plotter: pyvista.BasePlotter, mesh: Any, scalars: str | np.ndarra
     refuse_unknown(add_splats, old)
     brightest(None, exposure, tone_mapping)  # rejects wrong values, also without sun
     if sun is not None:
-        if color is not None:
-            raise ValueError("color and sun are both given, but sun determines the colours. Pass cmap for other colours.")
-        light = lit_medium(_sampled_mesh(mesh, {}), sun, cmap, clim, n_colors, exposure, tone_mapping)
-        add_sun(plotter, recorded_sun(light["mesh"]))
+        refuse_color(color)
+        light = lit_medium(plotter, _sampled_mesh(mesh, {}), sun, cmap, clim, n_colors, exposure, tone_mapping)
         mesh, scalars, opacity_scalars, opacity, opacity_clim, opacity_unit_distance, cmap, clim = light.values()
         preference = "point"
     mesh = _sampled_mesh(mesh, {**({"scalars": scalars} if color is None or scalars is not None else {}), "opacity_scalars": opacity_scalars,
@@ -234,7 +232,7 @@ def add_splats(plotter: pyvista.BasePlotter, mesh: Any, scalars: str | np.ndarra
     shows_bars = plotter.theme.show_scalar_bar if show_scalar_bar is None else show_scalar_bar
     uniform = scalars is None and (color is not None or is_bare(mesh))
     if color is not None or uniform:
-        cmap, show_scalar_bar = cmap if color is None and cmap is not None else uniform_colours(plotter, color), bool(show_scalar_bar)
+        cmap, show_scalar_bar = uniform_colours(plotter, color, cmap), bool(show_scalar_bar)
         if uniform:
             on_cells = not mesh.point_data and mesh.cell_data  # for hyper tree grids, for example: each cell has its own size
             scalars, clim, preference = np.ones(mesh.n_cells if on_cells else mesh.n_points), (0, 1), "cell" if on_cells else "point"

@@ -164,8 +164,8 @@ class WeatherAccessor:
         nephoscope.weather.series.Series
             A sequence of meshes with ``times``, ``seconds``, ``mesh`` and ``show(step)``. ``show`` gives ``mesh`` the values of a step.
         """
-        from .series import Series
-        return Series(self._dataset, heights=heights, **options)
+        from .dataset_series import DatasetSeries
+        return DatasetSeries(self._dataset, heights=heights, **options)
 
     def column(self, quantity: str = "cloud_content", *, time: int | str | np.datetime64 | None = None, vertical: str | None = None,
                **options: Any) -> pyvista.DataSet:

@@ -14,6 +14,7 @@ import numpy as np
 import pyvista
 
 from .accessor import LOOK
+from .dataset_series import DatasetSeries
 from .mesh_series import MeshSeries, is_meshes, mesh_series
 from .series import Series
 
@@ -110,7 +111,7 @@ def _series(dataset: Any, draw: Any, heights: bool, options: dict, exaggeration:
         options = {"vertical_exaggeration": exaggeration, **options}
     if isinstance(draw, str):
         draw, options = found.nephoscope._of_field(draw, 0, options)
-    return Series(found, heights=heights, owned=found is not dataset, **options), draw
+    return DatasetSeries(found, heights=heights, owned=found is not dataset, **options), draw
 
 
 def _look(draw: Any, options: dict) -> dict:

@@ -5,26 +5,22 @@ from __future__ import annotations
 
 import numpy as np
 
-from .._checks import listed
-from .air import KAPPA, Air
+from . import quantities
+from .air import Air
 from .columns import density
 from .humidity import relative_from_specific
 from .polygons import vectors
+from .quantities import PER_VOLUME, WATER, no_column, no_water, wanted
 from .reading import Reading
 from .winds import winds
 
 EARTH_RADIUS = 6371229.0  # metres
 CRITICAL_HUMIDITY = 0.8  # of Sundqvist's cloud fraction
-WATER = ("cloud_water", "cloud_ice", "rain", "snow", "graupel")
 
 
 def derived(names, reading: Reading, air: Air) -> dict[str, np.ndarray]:
     """{name: field}, in the dataset's order of levels."""
-    wanted = [names] if isinstance(names, str) else list(names)
-    unknown = [name for name in wanted if name not in QUANTITIES]
-    if unknown:
-        raise ValueError(f"derive: {listed(unknown)} not known. There are: {listed(list(QUANTITIES))}.")
-    return {name: QUANTITIES[name](reading, air) for name in wanted}
+    return {name: QUANTITIES[name](reading, air) for name in wanted(names, QUANTITIES)}
 
 
 def _need(value, what: str, name: str):
@@ -43,7 +39,8 @@ def relative_humidity(reading: Reading, air: Air) -> np.ndarray:
 
 def potential_temperature(reading: Reading, air: Air) -> np.ndarray:
     """K, to 1000 hPa."""
-    return _need(air.temperature, "temperature", "potential_temperature") * (1e5 / _need(air.pressure, "pressure", "potential_temperature")) ** KAPPA
+    name = "potential_temperature"
+    return quantities.potential_temperature(_need(air.temperature, "temperature", name), _need(air.pressure, "pressure", name))
 
 
 def equivalent_potential_temperature(reading: Reading, air: Air) -> np.ndarray:
@@ -93,7 +90,7 @@ def cloud_content(reading: Reading, air: Air) -> np.ndarray:
     """kg/m3: the sum of the available cloud water, ice, rain, snow and graupel."""
     there = [role for role in WATER if reading.has(role)]
     if not there:
-        raise ValueError(f"cloud_content needs one of {listed(list(WATER))}, and none was found. Name the variable: globe(cloud_water='...').")
+        raise no_water("Name the variable: globe(cloud_water='...').")
     reading.note(f"cloud_content of {', '.join(reading.roles[role] for role in there)}")
     return sum(reading.role(role).astype(float) for role in there) * _density(air, "cloud_content")
 
@@ -122,16 +119,14 @@ QUANTITIES = {function.__name__: function for function in (relative_humidity, po
 
 def column_of(name: str, reading: Reading, air: Air) -> np.ndarray:
     """Integral over height above the ground, by the trapezoidal rule, of a quantity per volume, or of a mass fraction times the density."""
-    if name in ("cloud_content", "water_vapour"):
+    variables = [known for known, _ in reading.field_variables()]
+    if name in PER_VOLUME:
         field = QUANTITIES[name](reading, air)
-    elif name in [known for known, _ in reading.field_variables()]:
+    elif name in variables:
         field = reading.values(name) * _density(air, name)
     else:
-        raise ValueError(f"column: {name!r} is neither 'cloud_content', 'water_vapour' nor a variable on the levels: {listed([known for known, _ in reading.field_variables()])}.")
+        raise no_column(name, "levels", variables)
     order = np.argsort(np.nanmean(air.heights.reshape(len(air.heights), -1), axis=1))
     z, f = air.heights[order], np.asarray(field, float)[order]
     ground = air.terrain if air.terrain is not None else np.full(z.shape[1:], -np.inf)
-    lower, upper = np.maximum(z[:-1], ground), np.maximum(z[1:], ground)
-    pieces = 0.5 * (f[:-1] + f[1:]) * (upper - lower)
-    total = np.nansum(pieces, axis=0)
-    return np.where(np.isfinite(pieces).any(axis=0), total, np.nan)
+    return quantities.column(f, np.maximum(z[1:], ground) - np.maximum(z[:-1], ground))

@@ -6,11 +6,12 @@ from __future__ import annotations
 import numpy as np
 
 from .._checks import listed
-from .derived import WATER
+from . import quantities
+from .columns import density
 from .flat import Flat
 from .flat_air import FlatAir
-from .columns import KAPPA, density
 from .humidity import relative_from_specific
+from .quantities import PER_VOLUME, WATER, no_column, no_water, wanted
 from .roles import ROLES, candidates, quantity_of
 from .units import converted, plain
 
@@ -42,7 +43,7 @@ class FlatQuantities:
 
     def potential_temperature(self) -> np.ndarray:
         """K, to 1000 hPa."""
-        return self._need("temperature", "potential_temperature") * (1e5 / self._need("pressure", "potential_temperature")) ** KAPPA
+        return quantities.potential_temperature(self._need("temperature", "potential_temperature"), self._need("pressure", "potential_temperature"))
 
     def relative_humidity(self) -> np.ndarray:
         """1 = saturated over water (Bolton 1980)."""
@@ -52,7 +53,7 @@ class FlatQuantities:
         """kg/m3: the sum of the available cloud water, ice, rain, snow and graupel."""
         there = [name for role in WATER if (name := self._named(role, any_units=True))]
         if not there:
-            raise ValueError(f"cloud_content needs one of {listed(list(WATER))}, and none was found. The variables are: {listed(self.flat.names())}.")
+            raise no_water(f"The variables are: {listed(self.flat.names())}.")
         return sum(self.content(name) for name in there)
 
     def water_vapour(self) -> np.ndarray:
@@ -99,14 +100,11 @@ QUANTITIES = ("wind_speed", "wind_magnitude", "vorticity", "potential_temperatur
 
 def derived_flat(names, flat: Flat, air_mesh) -> dict[str, np.ndarray]:
     """{name: values}. `air_mesh`: a function that makes the mesh with the variables of the air."""
-    wanted = [names] if isinstance(names, str) else list(names)
-    unknown = [name for name in wanted if name not in QUANTITIES]
-    if unknown:
-        raise ValueError(f"derive: {listed(unknown)} not known on a flat grid. There are: {listed(list(QUANTITIES))}.")
-    if not wanted:
+    asked = wanted(names, QUANTITIES, " on a flat grid")
+    if not asked:
         return {}
-    quantities = FlatQuantities(flat, _shaped(flat, FlatAir(air_mesh()).arrays(False, set())))
-    return {name: getattr(quantities, name)() for name in wanted}
+    computed = FlatQuantities(flat, _shaped(flat, FlatAir(air_mesh()).arrays(False, set())))
+    return {name: getattr(computed, name)() for name in asked}
 
 
 def _shaped(flat: Flat, arrays: dict[str, np.ndarray]) -> dict[str, np.ndarray]:
@@ -119,8 +117,8 @@ def column_of(quantity: str, flat: Flat, air_mesh) -> np.ndarray:
     missing = [letter for letter in "zyx" if letter not in flat.axes]
     if missing:
         raise ValueError(f"column integrates over z and leaves x and y, but the grid has no axis {missing[0]}. Its axes are: {', '.join(flat.axes)}.")
-    if quantity not in ("cloud_content", "water_vapour") and quantity not in flat.names():
-        raise ValueError(f"column: {quantity!r} is neither 'cloud_content', 'water_vapour' nor a variable on the grid: {listed(flat.names())}.")
+    if quantity not in PER_VOLUME and quantity not in flat.names():
+        raise no_column(quantity, "grid", flat.names())
     air = FlatAir(air_mesh())
     known = air.arrays(False, set())
     try:
@@ -131,10 +129,8 @@ def column_of(quantity: str, flat: Flat, air_mesh) -> np.ndarray:
             raise
         field = _content(quantity, FlatQuantities(flat, _shaped(flat, {"temperature": air.standard_temperature, "pressure": air.standard_pressure, **known})))
         air.warn("; ".join(f"There is no {role}" for role in ("temperature", "pressure") if role not in known))
-    z = flat.axes["z"].values
-    pieces = 0.5 * (field[:-1] + field[1:]) * np.diff(z).reshape(-1, 1, 1)
-    return np.where(np.isfinite(pieces).any(axis=0), np.nansum(pieces, axis=0), np.nan)
+    return quantities.column(field, np.diff(flat.axes["z"].values).reshape(-1, 1, 1))
 
 
-def _content(quantity: str, quantities: FlatQuantities) -> np.ndarray:
-    return getattr(quantities, quantity)() if quantity in ("cloud_content", "water_vapour") else quantities.content(quantity)
+def _content(quantity: str, computed: FlatQuantities) -> np.ndarray:
+    return getattr(computed, quantity)() if quantity in PER_VOLUME else computed.content(quantity)

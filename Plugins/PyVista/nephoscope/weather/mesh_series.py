@@ -3,8 +3,7 @@
 """Meshes at several times, which are in memory or come from a function, as a series that `animate` draws."""
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
-from concurrent.futures import Future
+from collections.abc import Mapping
 from typing import Any
 
 import numpy as np
@@ -16,35 +15,31 @@ ACCEPTED = "a list of PyVista datasets, one for each time, a dict {time: dataset
 
 
 class MeshSeries(Series):
-    """A `Series` of meshes that exist already, or of a function that returns the mesh of a time. They are not changed: `mesh` is a copy of the first."""
+    """A `Series` of meshes that exist already, or of a function that returns the mesh of a time. They are not changed: `mesh` is a copy of the first, and
+    gets the points and cells of each step."""
 
     def __init__(self, meshes: Any, times: Any = None) -> None:
-        self._kept = None if callable(meshes) else [_wrapped(mesh) for mesh in (meshes.values() if isinstance(meshes, Mapping) else meshes)]
+        self._source = meshes if callable(meshes) else [_wrapped(mesh) for mesh in (meshes.values() if isinstance(meshes, Mapping) else meshes)]
         self._labels = list(meshes) if isinstance(meshes, Mapping) else None if times is None else list(times)
-        self._source: Any = meshes if callable(meshes) else None
-        self._heights, self._owned, self._dim, self._coming, self._samples, self._listeners = False, False, None, {}, {}, []
         self._last: tuple[int, Any] = (-1, None)  # what the function has returned
         self._require_meshes()
-        self.times = [str(i) for i in range(len(self))] if self._labels is None else [_told(time) for time in self._labels]
-        self.step = -1  # of no values yet
-        self.mesh = self[0].copy()
-        self._follow()
+        self._kind = type(self._made(0) if callable(self._source) else self._source[0])
+        super().__init__([str(i) for i in range(len(self))] if self._labels is None else [_told(time) for time in self._labels], self[0].copy())
 
     def _require_meshes(self) -> None:
-        if self._labels is None and self._kept is None:
+        if self._labels is None and callable(self._source):
             raise TypeError("dataset is a function; pass times= with the values that it is called with.")
         if len(self) == 0:
             raise ValueError("dataset has no meshes; it must be " + ACCEPTED + ".")
-        if self._kept is not None and self._labels is not None and len(self._labels) != len(self._kept):
-            raise ValueError(f"There are {len(self._kept)} meshes and {len(self._labels)} times; the numbers must be equal.")
-        for mesh in self._kept or ():
-            _require_mesh(mesh, type(self._kept[0]))
+        if callable(self._source):
+            return
+        if self._labels is not None and len(self._labels) != len(self._source):
+            raise ValueError(f"There are {len(self._source)} meshes and {len(self._labels)} times; the numbers must be equal.")
+        for mesh in self._source:
+            _require_mesh(mesh, type(self._source[0]))
 
     def __len__(self) -> int:
-        return len(self._labels if self._kept is None else self._kept)
-
-    def close(self) -> None:
-        """Nothing has to be closed."""
+        return len(self._labels if callable(self._source) else self._source)
 
     @property
     def seconds(self) -> np.ndarray:
@@ -56,32 +51,22 @@ class MeshSeries(Series):
             return (times - times[0]) / np.timedelta64(1, "s")
         return times.astype(float) - float(times[0]) if times.dtype.kind in "iuf" else np.arange(len(self), dtype=float)
 
-    def _submit(self, *call: Any) -> Future:
-        done: Future = Future()
-        done.set_result(call[0](*call[1:]))
-        return done
-
-    def _prefetch(self, step: int) -> None:
-        pass
-
     def _read(self, step: int) -> pyvista.DataSet:
-        if self._kept is not None:
-            return self._kept[step]
+        if not callable(self._source):
+            return self._source[step]
+        found = self._made(step)
+        _require_mesh(found, self._kind)
+        return found
+
+    def _made(self, step: int) -> Any:
+        """What the function returns; the last one is kept."""
         if self._last[0] != step:
-            found = _wrapped(self._source(self._labels[step]))
-            _require_mesh(found, type(getattr(self, "mesh", found)))
-            self._last = (step, found)
+            self._last = (step, _wrapped(self._source(self._labels[step])))
         return self._last[1]
 
-    def _values(self, step: int, name: str) -> np.ndarray:
-        return np.asarray((self.mesh if step == self.step else self._read(step))[name])
-
-    def show(self, step: int) -> None:
-        """Gives `mesh` the values of a step and, where they differ, its points and cells; the time and the slider of `animate` follow."""
-        found = self[step]
+    def _shape(self, found: pyvista.DataSet) -> None:
         if not _same_cells(self.mesh, found):
             self.mesh.deep_copy(found)
-        super().show(step)
 
 
 def is_meshes(dataset: Any) -> bool:
