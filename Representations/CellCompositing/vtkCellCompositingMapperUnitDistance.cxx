@@ -13,13 +13,13 @@
 double vtkCellCompositingMapper::FindUnitDistance(vtkVolumeProperty* property)
 {
   vtkDataSet* input = this->GetDataSetInput();
-  nephoscope::ScalarSelection scalars, opacity;
-  if (!input || !property || !nephoscope::selectScalars(this, input, property, scalars).empty() ||
-    !nephoscope::selectOpacity(this->OpacityArrayName, input, scalars, opacity).empty())
+  nephoscope::ScalarSelection scalars;
+  const nephoscope::ScalarSelection read =
+    nephoscope::selectOpaque(this, input, property, this->OpacityArrayName, scalars);
+  if (!read.Array)
   {
     return 0.0;
   }
-  const nephoscope::ScalarSelection& read = opacity.Array ? opacity : scalars;
   const nephoscope::CellMedium medium{ read.Array, read.OnCells,
     nephoscope::fullOpacity(property->GetScalarOpacity()) };
   const nephoscope::MediumBounds bounds = nephoscope::robustBoundsOfCells(input);

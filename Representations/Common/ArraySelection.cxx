@@ -94,6 +94,18 @@ std::string selectOpacity(const std::string& name, vtkDataSet* input,
     "; cell arrays: " + arrayNames(input->GetCellData()) + ".";
 }
 
+ScalarSelection selectOpaque(vtkAbstractVolumeMapper* mapper, vtkDataSet* input,
+  vtkVolumeProperty* property, const std::string& name, ScalarSelection& scalars)
+{
+  ScalarSelection opacity;
+  if (!input || !property || !selectScalars(mapper, input, property, scalars).empty() ||
+    !selectOpacity(name, input, scalars, opacity).empty())
+  {
+    return {};
+  }
+  return opacity.Array ? opacity : scalars;
+}
+
 std::string checkIsDataSet(vtkDataObject* input)
 {
   if (!input || input->IsA("vtkDataSet"))

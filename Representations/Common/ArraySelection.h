@@ -29,6 +29,11 @@ VTKNEPHOSCOPEREPRESENTATIONSCOMMON_EXPORT std::string selectScalars(vtkAbstractV
 VTKNEPHOSCOPEREPRESENTATIONSCOMMON_EXPORT std::string selectOpacity(const std::string& name,
   vtkDataSet* input, const ScalarSelection& scalars, ScalarSelection& opacity);
 
+/** The array that the opacity function reads: that called `name`, or the coloured one, `scalars`. No array if either is missing. */
+VTKNEPHOSCOPEREPRESENTATIONSCOMMON_EXPORT ScalarSelection selectOpaque(
+  vtkAbstractVolumeMapper* mapper, vtkDataSet* input, vtkVolumeProperty* property,
+  const std::string& name, ScalarSelection& scalars);
+
 /** Empty if the input is a dataset; otherwise how to make one. */
 VTKNEPHOSCOPEREPRESENTATIONSCOMMON_EXPORT std::string checkIsDataSet(vtkDataObject* input);
 

@@ -48,14 +48,10 @@ void vtkTexturedSplatMapper::SuitVectorsToMedium(bool opacity, bool share)
 double vtkTexturedSplatMapper::FindUnitDistance(vtkVolumeProperty* property)
 {
   vtkDataSet* input = this->GetDataSetInput();
-  nephoscope::ScalarSelection scalars, opacity;
-  if (!input || !property || !nephoscope::selectScalars(this, input, property, scalars).empty() ||
-    !nephoscope::selectOpacity(this->OpacityArrayName, input, scalars, opacity).empty())
-  {
-    return 0.0;
-  }
-  const nephoscope::ScalarSelection& read = opacity.Array ? opacity : scalars;
-  if (read.OnCells != scalars.OnCells)
+  nephoscope::ScalarSelection scalars;
+  const nephoscope::ScalarSelection read =
+    nephoscope::selectOpaque(this, input, property, this->OpacityArrayName, scalars);
+  if (!read.Array || read.OnCells != scalars.OnCells)
   {
     return 0.0; // drawing will tell
   }
