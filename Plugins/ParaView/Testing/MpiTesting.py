@@ -8,11 +8,18 @@ import sys
 
 import numpy as np
 
-# More ranks than cores, which wait without keeping a core busy, and the superuser of a container, are allowed; by Open MPI 4 and 5.
+
+def joined(*paths):
+    return ":".join(filter(None, paths))
+
+
+# More ranks than cores, which sleep while they wait, and the superuser of a container, are allowed; by Open MPI 4 and 5.
 ENVIRONMENT = dict(os.environ, OMPI_MCA_rmaps_base_oversubscribe="1", OMPI_MCA_mpi_yield_when_idle="1",
                    PRTE_MCA_rmaps_default_mapping_policy=":oversubscribe",
                    OMPI_ALLOW_RUN_AS_ROOT="1", OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1",
-                   PRTE_ALLOW_RUN_AS_ROOT="1", PRTE_ALLOW_RUN_AS_ROOT_CONFIRM="1", PYTHONFAULTHANDLER="1")
+                   PRTE_ALLOW_RUN_AS_ROOT="1", PRTE_ALLOW_RUN_AS_ROOT_CONFIRM="1", PYTHONFAULTHANDLER="1",
+                   LD_PRELOAD=joined(os.environ.get("LD_PRELOAD"), "libnephoscope_sleeping_yield.so"),
+                   LD_LIBRARY_PATH=joined(os.path.join(os.environ["NEPHOSCOPE_TEST_LIBRARIES"], "preload"), os.environ.get("LD_LIBRARY_PATH")))
 
 
 def program(name):
