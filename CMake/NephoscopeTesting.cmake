@@ -26,12 +26,17 @@ endif ()
 
 set(NEPHOSCOPE_TEST_OUTPUT "${PROJECT_BINARY_DIR}/Testing/Output")
 file(MAKE_DIRECTORY "${NEPHOSCOPE_TEST_OUTPUT}")
+# Mesa keeps compiled shaders even where there is no home, and memory that is used again and again is not given back: each saves a test
+# a quarter of its time or more.
+set(nephoscope_savings "MESA_SHADER_CACHE_DIR=${PROJECT_BINARY_DIR}/Testing/ShaderCache"
+  "MALLOC_MMAP_THRESHOLD_=1000000000" "MALLOC_TRIM_THRESHOLD_=2000000000")
 set(NEPHOSCOPE_TEST_ENVIRONMENT
   "PYTHONPATH=${nephoscope_package_path}${PROJECT_SOURCE_DIR}/Testing/Python"
   "NEPHOSCOPE_DATA=${PROJECT_SOURCE_DIR}/Data"
   "NEPHOSCOPE_TEST_LIBRARIES=${CMAKE_LIBRARY_OUTPUT_DIRECTORY}"
   "NEPHOSCOPE_TEST_OUTPUT=${NEPHOSCOPE_TEST_OUTPUT}"
   "PV_PLUGIN_PATH=${NEPHOSCOPE_PLUGIN_PATH}"
+  ${nephoscope_savings}
   "ASAN_OPTIONS=detect_leaks=0" # neither Python nor the OpenGL driver frees everything; other C++ tests look for leaks
   "LSAN_OPTIONS=suppressions=${PROJECT_SOURCE_DIR}/Testing/Sanitizers/leaks.supp"
   "TSAN_OPTIONS=suppressions=${PROJECT_SOURCE_DIR}/Testing/Sanitizers/threads.supp")
