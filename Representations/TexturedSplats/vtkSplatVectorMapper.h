@@ -27,7 +27,8 @@ public:
   ///@{
   /**
    * Name of the array of vectors (three components, on points or cells like the coloured array) that are drawn on the splats, as
-   * streaks along their projection. Empty (default): no vectors. An opacity function of 0 draws only the vectors.
+   * streaks along their projection. Empty (default): no vectors. If the array is missing or wrong, an error says so, and the scalars
+   * are drawn alone. An opacity function of 0 draws only the vectors.
    */
   vtkSetMacro(VectorArrayName, std::string);
   vtkGetMacro(VectorArrayName, std::string);

@@ -35,7 +35,7 @@ struct vtkTexturedSplatMapper::vtkInternals
 {
   nephoscope::SplatScene Scene;
   nephoscope::SplatPass Pass;
-  nephoscope::ReportedError LastError, LastWarning, LeftOut, Cost;
+  nephoscope::ReportedError LastError, LastWarning, LeftOut, Cost, NoVectors;
   nephoscope::SamplesInTime Samples; // while the camera moves
   nephoscope::ResourceWindow Window{ [this](vtkWindow* window) {
     this->Pass.ReleaseGraphicsResources(window);
@@ -189,6 +189,7 @@ std::string vtkTexturedSplatMapper::UpdateSplats(vtkDataSet* input, vtkVolume* v
     vtkWarningMacro(<< cost);
   }
   const nephoscope::SplatSampling sampling = this->GetSampling(fields.Scalars.OnCells);
+  this->ChooseVectors(input, fields.Scalars.OnCells);
   error = this->Internals->Scene.Update(input, sampling, fields, this->GetVectorSettings());
   const std::string leftOut = error.empty()
     ? this->Internals->Scene.DescribeLeftOut(fields, sampling.SizeArrayName)
@@ -198,6 +199,23 @@ std::string vtkTexturedSplatMapper::UpdateSplats(vtkDataSet* input, vtkVolume* v
     vtkWarningMacro(<< leftOut);
   }
   return error;
+}
+
+// Scalars are drawn without vectors that are wrong.
+void vtkTexturedSplatMapper::ChooseVectors(vtkDataSet* input, bool onCells)
+{
+  this->DrawnVectors = this->VectorArrayName;
+  const std::string problem = this->DrawnVectors.empty()
+    ? std::string()
+    : nephoscope::checkVectors(input, onCells, this->GetVectorSettings());
+  if (!problem.empty())
+  {
+    this->DrawnVectors.clear();
+  }
+  if (this->Internals->NoVectors.IsNew(problem))
+  {
+    vtkErrorMacro(<< problem << " No vectors are drawn.");
+  }
 }
 
 // Wider splats overlap more: in the mean the medium stays.
@@ -214,7 +232,7 @@ bool vtkTexturedSplatMapper::UsesHierarchy(
     renderer->GetRenderWindow()->GetDesiredUpdateRate() >= this->InteractiveUpdateRate;
   most = moving ? this->InteractiveMaximumNumberOfSplats : 0;
   const bool tooMany = most > 0 && samples > most;
-  const bool layers = !this->VectorArrayName.empty() && this->VectorPlacement == PLACEMENT_LAYERS;
+  const bool layers = !this->DrawnVectors.empty() && this->VectorPlacement == PLACEMENT_LAYERS;
   const bool axisIgnored =
     layers && this->LayerAxis >= 0 && this->Internals->Scene.GetSamples().Dimensions[0] == 0;
   std::string warning = layers && this->ErrorTolerance > 0
@@ -249,7 +267,7 @@ void vtkTexturedSplatMapper::SelectSplats(
     : this->OpacityScale * volume->GetProperty()->GetScalarOpacityUnitDistance();
   errors.KernelRadius =
     nephoscope::KernelRadius(static_cast<nephoscope::SplatKernel>(this->Kernel));
-  if (!this->VectorArrayName.empty())
+  if (!this->DrawnVectors.empty())
   {
     nephoscope::SplatDrawingOptions options;
     this->SetVectorOptions(options);
@@ -261,7 +279,7 @@ void vtkTexturedSplatMapper::SelectSplats(
   rule.MostSplats = static_cast<std::size_t>(most);
   this->Internals->Scene.DrawNodes(errors, rule,
     nephoscope::FindCutView(state, volume->GetMatrix(), renderer->GetSize()[1]),
-    this->VectorArrayName);
+    this->DrawnVectors);
 }
 
 double vtkTexturedSplatMapper::GetLastImageSampleDistance()

@@ -375,6 +375,7 @@ private:
   void SetRegionOptions(nephoscope::SplatDrawingOptions& options) const;
   nephoscope::SplatSampling GetSampling(bool onCells) const;
   std::string UpdateSplats(vtkDataSet* input, vtkVolume* volume);
+  void ChooseVectors(vtkDataSet* input, bool onCells);
   void DrawInOrder(vtkRenderer* renderer, vtkVolume* volume);
   std::string DrawScene(
     vtkOpenGLRenderWindow* window, vtkRenderer* renderer, vtkVolume* volume, double sampleDistance);
@@ -391,6 +392,8 @@ private:
   void MeasureTimeScale(vtkRenderer* renderer, vtkVolume* volume);
   std::vector<vtkWeakPointer<vtkTexturedSplatMapper>>
     FilmCompanions; // with which it shares a time scale
+
+  std::string DrawnVectors; // VectorArrayName, or empty where that array is wrong
 
   struct vtkInternals;
   std::unique_ptr<vtkInternals> Internals;

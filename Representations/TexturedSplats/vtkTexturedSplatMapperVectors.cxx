@@ -18,7 +18,7 @@
 nephoscope::SplatVectorSettings vtkTexturedSplatMapper::GetVectorSettings()
 {
   nephoscope::SplatVectorSettings settings;
-  settings.ArrayName = this->VectorArrayName;
+  settings.ArrayName = this->DrawnVectors;
   settings.ColorArrayName = this->VectorColorArrayName;
   settings.ColorFunction = this->VectorColorFunction;
   settings.OneColor = this->UseVectorColor;
@@ -133,7 +133,7 @@ void vtkTexturedSplatMapper::AdvancePhases(double time)
 
 void vtkTexturedSplatMapper::SetVectorOptions(nephoscope::SplatDrawingOptions& options)
 {
-  options.Vectors = !this->VectorArrayName.empty();
+  options.Vectors = !this->DrawnVectors.empty();
   options.Segments = this->VectorStyle == SEGMENTS;
   options.MediaApart = options.Vectors && this->VectorPlacement == PLACEMENT_LAYERS;
   // Lengthened splats share the opacity among more of them, of which only some are drawn.

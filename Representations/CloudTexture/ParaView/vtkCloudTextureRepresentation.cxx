@@ -2,20 +2,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkCloudTextureRepresentation.h"
 
+#include "CuttableSurface.h"
 #include "DataSets.h"
 #include "EmptyInput.h"
 #include "ForwardedMessages.h"
+#include "NeighborCells.h"
 #include "SurfaceLength.h"
 #include "vtkCloudTextureMapper.h"
 
 #include "vtkAlgorithm.h"
 #include "vtkAlgorithmOutput.h"
 #include "vtkAppendPolyData.h"
-#include "vtkCellType.h"
 #include "vtkCommunicator.h"
 #include "vtkCompositeDataSet.h"
 #include "vtkFieldData.h"
-#include "vtkGenericCell.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkMultiBlockDataSet.h"
@@ -25,11 +25,12 @@
 #include "vtkPVView.h"
 #include "vtkPolyData.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
+#include "vtkTrivialProducer.h"
+#include "vtkUnstructuredGrid.h"
 
 #include <algorithm>
 #include <array>
 #include <string>
-#include <utility>
 #include <vector>
 
 vtkStandardNewMacro(vtkCloudTextureRepresentation);
@@ -55,24 +56,10 @@ std::vector<vtkPolyData*> SurfacesOf(vtkDataObject* data)
   return surfaces;
 }
 
-bool HasVolumes(vtkDataSet* data)
+int NumberOfRanks()
 {
-  std::array<bool, VTK_NUMBER_OF_CELL_TYPES> seen{};
-  vtkNew<vtkGenericCell> cell;
-  for (vtkIdType i = 0; i < data->GetNumberOfCells(); ++i)
-  {
-    const int type = data->GetCellType(i);
-    if (type >= 0 && type < VTK_NUMBER_OF_CELL_TYPES &&
-      !std::exchange(seen[static_cast<std::size_t>(type)], true))
-    {
-      cell->SetCellType(type);
-      if (cell->GetCellDimension() == 3)
-      {
-        return true;
-      }
-    }
-  }
-  return false;
+  auto* controller = vtkMultiProcessController::GetGlobalController();
+  return controller ? controller->GetNumberOfProcesses() : 1;
 }
 
 bool IsEmpty(vtkCompositeDataSet* data)
@@ -95,7 +82,7 @@ nephoscope::SurfaceLength LengthOverRanks(vtkDataObject* data)
     length.Add(surface);
   }
   auto* controller = vtkMultiProcessController::GetGlobalController();
-  if (controller && controller->GetNumberOfProcesses() > 1)
+  if (NumberOfRanks() > 1)
   {
     const double least[4] = { length.Low[0], length.Low[1], length.Low[2], length.SmallestRadius };
     const double most[4] = { length.High[0], length.High[1], length.High[2], length.LargestRadius };
@@ -123,7 +110,7 @@ std::array<vtkIdType, 2> SizeOverRanks(vtkDataObject* input, vtkDataObject* data
     size[1] += surface->GetNumberOfPolys() + surface->GetNumberOfStrips();
   }
   auto* controller = vtkMultiProcessController::GetGlobalController();
-  if (controller && controller->GetNumberOfProcesses() > 1)
+  if (NumberOfRanks() > 1)
   {
     const std::array<vtkIdType, 2> mine = size;
     controller->AllReduce(mine.data(), size.data(), 2, vtkCommunicator::SUM_OP);
@@ -183,6 +170,7 @@ int vtkCloudTextureRepresentation::RequestUpdateExtent(
   vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
   const int asked = this->Superclass::RequestUpdateExtent(request, inputs, outputs);
+  this->RequestNeighborCells(inputs[0]);
   auto* controller = vtkMultiProcessController::GetGlobalController();
   for (int i = 0; i < inputs[1]->GetNumberOfInformationObjects(); ++i)
   {
@@ -194,6 +182,23 @@ int vtkCloudTextureRepresentation::RequestUpdateExtent(
     input->Set(vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_GHOST_LEVELS(), 0);
   }
   return asked;
+}
+
+// Surfaces and grids one point thick need none. Where a source has none, RequestData adds them.
+void vtkCloudTextureRepresentation::RequestNeighborCells(vtkInformationVector* inputs)
+{
+  for (int i = 0; NumberOfRanks() > 1 && i < inputs->GetNumberOfInformationObjects(); ++i)
+  {
+    vtkInformation* input = inputs->GetInformationObject(i);
+    vtkDataObject* data = vtkDataObject::GetData(input);
+    if (vtkUnstructuredGrid::SafeDownCast(data) || vtkCompositeDataSet::SafeDownCast(data))
+    {
+      const int levels =
+        input->Get(vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_GHOST_LEVELS());
+      input->Set(
+        vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_GHOST_LEVELS(), std::max(levels, 1));
+    }
+  }
 }
 
 // What is delivered is the same object while the data are: what the mapper makes of it takes time. It is of one type with all data, and where
@@ -221,6 +226,7 @@ void vtkCloudTextureRepresentation::ReadVolume(vtkInformationVector* inputs)
 int vtkCloudTextureRepresentation::RequestData(
   vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
+  this->CompleteInput(inputs[0]);
   const int made = this->Superclass::RequestData(request, inputs, outputs);
   this->ReadVolume(inputs[1]);
   vtkDataObject* surfaces = this->MultiBlockMaker->GetOutputDataObject(0);
@@ -233,8 +239,35 @@ int vtkCloudTextureRepresentation::RequestData(
   for (vtkPolyData* surface : SurfacesOf(surfaces))
   {
     StoreLength(surface, length);
+    if (NumberOfRanks() > 1)
+    {
+      nephoscope::fanPolygons(surface);
+      nephoscope::keepPointsApart(
+        surface, vtkMultiProcessController::GetGlobalController()->GetLocalProcessId());
+    }
   }
   return made;
+}
+
+// Called by all ranks.
+void vtkCloudTextureRepresentation::CompleteInput(vtkInformationVector* inputs)
+{
+  vtkDataObject* input =
+    inputs->GetNumberOfInformationObjects() > 0 ? vtkDataObject::GetData(inputs, 0) : nullptr;
+  const vtkSmartPointer<vtkDataObject> completed = nephoscope::withNeighborCells(input);
+  this->CompletedInput = nullptr;
+  if (completed != input)
+  {
+    this->CompletedInput = vtkSmartPointer<vtkTrivialProducer>::New();
+    this->CompletedInput->SetOutput(completed);
+  }
+}
+
+vtkAlgorithmOutput* vtkCloudTextureRepresentation::GetInternalOutputPort(int port, int connection)
+{
+  return port == 0 && this->CompletedInput
+    ? this->CompletedInput->GetOutputPort()
+    : this->Superclass::GetInternalOutputPort(port, connection);
 }
 
 int vtkCloudTextureRepresentation::ProcessViewRequest(
@@ -290,7 +323,7 @@ void vtkCloudTextureRepresentation::WarnOfVolume(vtkDataObject* input)
 {
   const std::vector<vtkDataSet*> sets =
     input ? nephoscope::DataSetsOf(input) : std::vector<vtkDataSet*>();
-  const bool hasVolumes = std::any_of(sets.begin(), sets.end(), HasVolumes);
+  const bool hasVolumes = std::any_of(sets.begin(), sets.end(), nephoscope::hasVolumes);
   if (hasVolumes && !this->HasToldOfVolume)
   {
     vtkWarningMacro(
@@ -303,8 +336,7 @@ void vtkCloudTextureRepresentation::WarnOfVolume(vtkDataObject* input)
 void vtkCloudTextureRepresentation::WarnOfRanks()
 {
   auto* controller = vtkMultiProcessController::GetGlobalController();
-  const bool hasRanks = controller && controller->GetNumberOfProcesses() > 1;
-  if (hasRanks && this->CloudMapper->GetUseThickness() && !this->HasToldOfRanks &&
+  if (NumberOfRanks() > 1 && this->CloudMapper->GetUseThickness() && !this->HasToldOfRanks &&
     controller->GetLocalProcessId() == 0)
   {
     this->HasToldOfRanks = true;

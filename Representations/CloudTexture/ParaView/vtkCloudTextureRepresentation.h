@@ -5,7 +5,8 @@
  * @brief ParaView representation "Cloud Texture": surfaces of clouds, drawn by vtkCloudTextureMapper
  *
  * As ParaView's surface representation, with another mapper: colours, lights, opacity and transformations are its own. Blocks are drawn as one
- * surface. The length of a unit of texture, where coordinates are positions, is that of the whole surface on all ranks.
+ * surface. On several ranks unstructured data get the cells of other ranks that they lack, so that no wall is drawn between ranks, and polygons are
+ * divided into triangles, which the view can cut between ranks. The length of a unit of texture, where coordinates are positions, is that of the whole surface on all ranks.
  * Thickness is found within the part of the surface that a rank draws, and a warning says so on several ranks.
  * Levels of detail are not used: they have no texture coordinates.
  */
@@ -23,6 +24,7 @@
 
 class vtkMultiBlockDataSet;
 class vtkPolyData;
+class vtkTrivialProducer;
 
 class VTKNEPHOSCOPEPARAVIEWCLOUDTEXTURE_EXPORT vtkCloudTextureRepresentation
   : public vtkGeometryRepresentation
@@ -34,6 +36,10 @@ public:
 
   int ProcessViewRequest(
     vtkInformationRequestKey* request, vtkInformation* inInfo, vtkInformation* outInfo) override;
+
+  /** What the superclass makes a surface of: on several ranks with cells of the others. */
+  vtkAlgorithmOutput* GetInternalOutputPort(int port, int connection) override;
+  using Superclass::GetInternalOutputPort;
 
   ///@{
   /** What vtkCloudTextureMapper says of them. */
@@ -103,6 +109,8 @@ private:
   vtkCloudTextureRepresentation(const vtkCloudTextureRepresentation&) = delete;
   void operator=(const vtkCloudTextureRepresentation&) = delete;
 
+  void RequestNeighborCells(vtkInformationVector* inputs);
+  void CompleteInput(vtkInformationVector* inputs);
   void TakeSurface(vtkDataObject* delivered);
   void ReadVolume(vtkInformationVector* inputs);
   void WarnOfNothing(vtkDataObject* input, vtkDataObject* surfaces);
@@ -110,8 +118,10 @@ private:
   void WarnOfRanks();
 
   vtkNew<vtkCloudTextureMapper> CloudMapper;
-  vtkSmartPointer<vtkPolyData> Surface;         // what is drawn
-  vtkDataObject* TakenFrom = nullptr;           // only compared
+  vtkSmartPointer<vtkPolyData> Surface; // what is drawn
+  vtkSmartPointer<vtkTrivialProducer>
+    CompletedInput;                   // with cells of other ranks; null where the input does
+  vtkDataObject* TakenFrom = nullptr; // only compared
   vtkSmartPointer<vtkMultiBlockDataSet> Volume; // its one block, or none
   vtkDataObject* ReadFrom = nullptr;            // only compared
   vtkMTimeType ReadTime = 0;

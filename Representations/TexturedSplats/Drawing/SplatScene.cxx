@@ -77,9 +77,11 @@ std::string SplatScene::Update(vtkDataSet* input, const SplatSampling& sampling,
   });
   this->SampledFrom = error.empty() ? samples : SampleKey(); // what is wrong is told again
   this->ClassifiedBy = classes;
-  return error.empty() && haveVectors
-    ? this->VectorScene.Update(input, sampling.OnCells, this->Samples, vectors)
-    : error;
+  if (error.empty() && haveVectors)
+  {
+    this->VectorScene.Update(input, sampling.OnCells, this->Samples, vectors);
+  }
+  return error;
 }
 
 std::string SplatScene::DescribeLeftOut(

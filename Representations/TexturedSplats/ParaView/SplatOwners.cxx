@@ -3,9 +3,14 @@
 #include "SplatOwners.h"
 
 #include "vtkBoundingBox.h"
+#include "vtkCommunicator.h"
+#include "vtkDataSet.h"
 #include "vtkDataSetAttributes.h"
+#include "vtkIdList.h"
 #include "vtkImageData.h"
 #include "vtkMultiProcessController.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
 #include "vtkRectilinearGrid.h"
 #include "vtkStructuredGrid.h"
 #include "vtkType.h"
@@ -66,6 +71,45 @@ std::vector<Vector3> placesOfLowerRanks(
   std::sort(lower.begin(), lower.end());
   return lower;
 }
+
+bool hasDuplicateCells(vtkDataSet* piece)
+{
+  vtkUnsignedCharArray* flags = piece ? piece->GetCellGhostArray() : nullptr;
+  const unsigned char* begin = flags ? flags->GetPointer(0) : nullptr;
+  return flags && std::any_of(begin, begin + flags->GetNumberOfValues(), [](unsigned char flag) {
+    return (flag & vtkDataSetAttributes::DUPLICATECELL) != 0;
+  });
+}
+
+// Marks the points whose cells are all duplicates, and no others; points without cells stay as they are.
+void flagAsCells(vtkDataSet* piece, vtkUnsignedCharArray* points)
+{
+  vtkUnsignedCharArray* flags = piece->GetCellGhostArray();
+  const auto count = static_cast<std::size_t>(piece->GetNumberOfPoints());
+  std::vector<bool> ofOwn(count, false), ofDuplicates(count, false);
+  vtkNew<vtkIdList> corners;
+  for (vtkIdType cell = 0; cell < piece->GetNumberOfCells(); ++cell)
+  {
+    const bool duplicate =
+      flags && (flags->GetValue(cell) & vtkDataSetAttributes::DUPLICATECELL) != 0;
+    piece->GetCellPoints(cell, corners);
+    for (const vtkIdType point : *corners)
+    {
+      (duplicate ? ofDuplicates : ofOwn)[static_cast<std::size_t>(point)] = true;
+    }
+  }
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    const auto id = static_cast<vtkIdType>(i);
+    const int flag = points->GetValue(id), duplicate = vtkDataSetAttributes::DUPLICATEPOINT;
+    if (ofOwn[i] || ofDuplicates[i])
+    {
+      points->SetValue(
+        id, static_cast<unsigned char>(ofOwn[i] ? flag & ~duplicate : flag | duplicate));
+    }
+  }
+}
+
 // The extent of the points that are no duplicates: without the layers of neighbours.
 void leaveOutNeighbors(vtkDataSet* piece, int extent[6])
 {
@@ -126,6 +170,26 @@ std::vector<bool> ownedByThisRank(const std::vector<Vector3>& places)
     owned[indices[i]] = !std::binary_search(lower.begin(), lower.end(), shared[i]);
   }
   return owned;
+}
+
+vtkSmartPointer<vtkDataSet> withPointFlagsOfCells(vtkDataSet* piece)
+{
+  const int mine = hasDuplicateCells(piece) ? 1 : 0;
+  int any = 0;
+  vtkMultiProcessController::GetGlobalController()->AllReduce(
+    &mine, &any, 1, vtkCommunicator::MAX_OP);
+  vtkUnsignedCharArray* old = piece ? piece->GetPointGhostArray() : nullptr;
+  if (any == 0 || !old)
+  {
+    return piece;
+  }
+  vtkNew<vtkUnsignedCharArray> flags;
+  flags->DeepCopy(old);
+  flagAsCells(piece, flags);
+  auto copy = vtk::TakeSmartPointer(piece->NewInstance());
+  copy->ShallowCopy(piece);
+  copy->GetPointData()->AddArray(flags);
+  return copy;
 }
 
 bool extentOf(vtkDataSet* piece, int extent[6])

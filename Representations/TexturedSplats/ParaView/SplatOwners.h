@@ -6,6 +6,8 @@
 
 #include "SplatMatrix.h"
 
+#include "vtkSmartPointer.h"
+
 #include <vector>
 
 class vtkDataSet;
@@ -18,6 +20,12 @@ namespace nephoscope
  * their borders. Only places inside the bounds of another rank are exchanged. Collective.
  */
 std::vector<bool> ownedByThisRank(const std::vector<Vector3>& places);
+
+/**
+ * `piece`, or a copy whose flags of duplicate points follow from those of its cells, where there are any: filters that number the points of a piece with
+ * its layer of cells of other ranks (Generate Global Ids) give points of the layer to this rank, which draws none of their cells. Collective.
+ */
+vtkSmartPointer<vtkDataSet> withPointFlagsOfCells(vtkDataSet* piece);
 
 /** The extent of an image, a rectilinear or a structured grid; false for other data. */
 bool extentOf(vtkDataSet* piece, int extent[6]);

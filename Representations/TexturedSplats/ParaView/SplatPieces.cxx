@@ -160,7 +160,8 @@ vtkSmartPointer<vtkDataSet> sampledPart(vtkDataObject* input)
 vtkSmartPointer<vtkDataSet> splatVertices(vtkDataSet* piece, const SplatSampling& sampling)
 {
   vtkNew<vtkPolyData> nothing; // a rank without data takes part all the same
-  vtkDataSet* data = piece ? piece : nothing.Get();
+  const vtkSmartPointer<vtkDataSet> flagged = withPointFlagsOfCells(piece ? piece : nothing.Get());
+  vtkDataSet* data = flagged;
   const SplatShapes own(data, sampling);
   std::unique_ptr<SplatGridSeam> seam;
   vtkSmartPointer<vtkIdList> ids = ownIds(data, own, sampling.OnCells, seam);

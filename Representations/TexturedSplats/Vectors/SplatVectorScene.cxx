@@ -36,46 +36,9 @@ double magnitudeOf(vtkDataArray* array, vtkIdType id)
   }
   return std::sqrt(sum);
 }
-}
 
-std::string SplatVectorScene::Update(
-  vtkDataSet* data, bool onCells, const SplatSamples& samples, const SplatVectorSettings& settings)
+std::string checkColors(vtkDataSet* data, bool onCells, const SplatVectorSettings& settings)
 {
-  vtkFieldData* attributes = attributesOf(data, onCells);
-  vtkDataArray* array = attributes->GetArray(settings.ArrayName.c_str());
-  if (!array || array->GetNumberOfComponents() != 3)
-  {
-    return std::string(onCells ? "No cell array" : "No point array") +
-      " of three components named '" + settings.ArrayName +
-      "' for the vectors, which must be where the coloured array is. Choose one with SetVectorArrayName; arrays of three components there: " +
-      arrayNames(attributes, 3) + ".";
-  }
-  const std::string length = checkLength(data, { array, onCells, 0 });
-  if (!length.empty())
-  {
-    return length;
-  }
-  const ArrayKey key(array, array->GetMTime());
-  if (key != this->ReadFrom)
-  {
-    this->Vectors.KeepMotion(this->Loop, settings.Loop);
-    this->Vectors.Read(data, onCells, array, samples);
-    this->ReadFrom = key;
-    this->Uploaded = false;
-  }
-  return this->ReadColors(data, onCells, samples, settings);
-}
-
-std::string SplatVectorScene::ReadColors(
-  vtkDataSet* data, bool onCells, const SplatSamples& samples, const SplatVectorSettings& settings)
-{
-  if (settings.ColorArrayName.empty())
-  {
-    this->Uploaded = this->Uploaded && this->Colors.empty();
-    this->Colors.clear();
-    this->ColorsFrom = ColorKey(nullptr, 0, nullptr, 0);
-    return std::string();
-  }
   vtkFieldData* attributes = attributesOf(data, onCells);
   vtkDataArray* array = attributes->GetArray(settings.ColorArrayName.c_str());
   if (!array)
@@ -90,16 +53,57 @@ std::string SplatVectorScene::ReadColors(
     return "VectorColorArrayName is '" + settings.ColorArrayName +
       "', but there is no function for its colours: call SetVectorColorFunction.";
   }
-  const std::string length = checkLength(data, { array, onCells, 0 });
-  if (!length.empty())
+  return checkLength(data, { array, onCells, 0 });
+}
+}
+
+std::string checkVectors(vtkDataSet* data, bool onCells, const SplatVectorSettings& settings)
+{
+  vtkFieldData* attributes = attributesOf(data, onCells);
+  vtkDataArray* array = attributes->GetArray(settings.ArrayName.c_str());
+  if (!array || array->GetNumberOfComponents() != 3)
   {
-    return length;
+    // On several ranks of ParaView arrays of points have become arrays of cells: neither word would help.
+    return "No array of three components named '" + settings.ArrayName +
+      "' for the vectors is where the coloured array is. Choose one with SetVectorArrayName; arrays of three components there: " +
+      arrayNames(attributes, 3) + ".";
   }
+  const std::string length = checkLength(data, { array, onCells, 0 });
+  return !length.empty() || settings.ColorArrayName.empty() ? length
+                                                            : checkColors(data, onCells, settings);
+}
+
+void SplatVectorScene::Update(
+  vtkDataSet* data, bool onCells, const SplatSamples& samples, const SplatVectorSettings& settings)
+{
+  vtkDataArray* array = attributesOf(data, onCells)->GetArray(settings.ArrayName.c_str());
+  const ArrayKey key(array, array->GetMTime());
+  if (key != this->ReadFrom)
+  {
+    this->Vectors.KeepMotion(this->Loop, settings.Loop);
+    this->Vectors.Read(data, onCells, array, samples);
+    this->ReadFrom = key;
+    this->Uploaded = false;
+  }
+  this->ReadColors(data, onCells, samples, settings);
+}
+
+void SplatVectorScene::ReadColors(
+  vtkDataSet* data, bool onCells, const SplatSamples& samples, const SplatVectorSettings& settings)
+{
+  if (settings.ColorArrayName.empty())
+  {
+    this->Uploaded = this->Uploaded && this->Colors.empty();
+    this->Colors.clear();
+    this->ColorsFrom = ColorKey(nullptr, 0, nullptr, 0);
+    return;
+  }
+  vtkDataArray* array = attributesOf(data, onCells)->GetArray(settings.ColorArrayName.c_str());
   const ColorKey key(
     array, array->GetMTime(), settings.ColorFunction, settings.ColorFunction->GetMTime());
   if (key == this->ColorsFrom)
   {
-    return std::string();
+    return;
   }
   settings.ColorFunction->Build();
   this->Colors.resize(samples.Size());
@@ -111,7 +115,6 @@ std::string SplatVectorScene::ReadColors(
   }
   this->ColorsFrom = key;
   this->Uploaded = false;
-  return std::string();
 }
 
 void SplatVectorScene::ForgetSamples()

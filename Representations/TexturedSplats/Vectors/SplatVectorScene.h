@@ -31,11 +31,14 @@ struct SplatVectorSettings
   SplatLoop Loop;
 };
 
+/** The problem with the arrays, or an empty string. */
+std::string checkVectors(vtkDataSet* data, bool onCells, const SplatVectorSettings& settings);
+
 class SplatVectorScene
 {
 public:
-  /** Reads the arrays. Returns the problem with them, or an empty string. */
-  std::string Update(vtkDataSet* data, bool onCells, const SplatSamples& samples,
+  /** Reads the arrays, which checkVectors has found good. */
+  void Update(vtkDataSet* data, bool onCells, const SplatSamples& samples,
     const SplatVectorSettings& settings);
 
   /** To be called when there are other samples. */
@@ -55,7 +58,7 @@ private:
   using ColorKey = std::tuple<vtkDataArray*, vtkMTimeType, vtkScalarsToColors*, vtkMTimeType>;
   using LookKey = std::tuple<bool, std::array<double, 3>>;
 
-  std::string ReadColors(vtkDataSet* data, bool onCells, const SplatSamples& samples,
+  void ReadColors(vtkDataSet* data, bool onCells, const SplatSamples& samples,
     const SplatVectorSettings& settings);
   std::array<float, 4> ColorOf(
     std::size_t item, const SplatClasses& classes, const SplatVectorSettings& settings) const;
