@@ -6,6 +6,7 @@
 #include "ContourScalars.h"
 #include "ContourValueList.h"
 #include "CutNumbering.h"
+#include "DefaultRange.h"
 #include "EmptyInput.h"
 #include "OwnThreads.h"
 #include "RequiredInput.h"
@@ -269,7 +270,7 @@ void vtkContourCellSplitter::BeginExecution()
     this->HasDivided = false;
     if (this->TakesDefaultValue())
     {
-      this->DefaultRange = nephoscope::RangeOfDefaultArrays(this->GetInputDataObject(0, 0));
+      this->DefaultRange = nephoscope::RangeOfAllPieces(this);
     }
   }
 }

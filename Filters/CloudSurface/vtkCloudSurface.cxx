@@ -6,6 +6,7 @@
 #include "BlockNeighbours.h"
 #include "ChosenPointArray.h"
 #include "ContourValueList.h"
+#include "DefaultRange.h"
 #include "FieldSmoother.h"
 #include "IndexSpaceContour.h"
 #include "OwnThreads.h"
@@ -308,8 +309,7 @@ void vtkCloudSurface::BeginExecution()
     this->HasSurface = false;
     if (this->TakesDefaultValue())
     {
-      this->DefaultValue = nephoscope::DefaultContourValue(
-        nephoscope::RangeOfDefaultArrays(this->GetInputDataObject(0, 0)));
+      this->DefaultValue = nephoscope::DefaultContourValue(nephoscope::RangeOfAllPieces(this));
     }
     // A layer for every pass, one for the gradients, and one for masses, which are less at the end of a grid.
     this->Neighbours->Find(

@@ -1,0 +1,19 @@
+// SPDX-FileCopyrightText: The Nephoscope authors
+// SPDX-License-Identifier: BSD-3-Clause
+// The range of the default point arrays of all data: of the pieces of all ranks, where each rank computes one.
+#ifndef nephoscope_DefaultRange_h
+#define nephoscope_DefaultRange_h
+
+#include "vtkNephoscopeFiltersCommonModule.h" // for export macro
+
+#include <array>
+
+class vtkAlgorithm;
+
+namespace nephoscope
+{
+// Of the first input of a filter that is about to execute, on port 0; the first one above the last if there is none. All ranks call it that compute pieces.
+VTKNEPHOSCOPEFILTERSCOMMON_EXPORT std::array<double, 2> RangeOfAllPieces(vtkAlgorithm* filter);
+}
+
+#endif
