@@ -6,7 +6,7 @@ from RankPictures import compare, run_ranks, run_with_server
 SCRIPT = "CellCompositingRun.py"
 PICTURES = ("image", "tetrahedra", "structured", "cells", "coarse", "coarse-cells", "stray", "ids")
 PEELED = ("surfaces", "surfaces-tetrahedra")  # every rank peels on its own, and rounds to 8 bits at every peel
-POLYGONS = ("polygons",)  # a pixel at an edge may miss one, and a border makes edges
+POLYGONS = ("polygons", "default-value")  # a pixel at an edge may miss one, and a border makes edges
 ALL = PICTURES + POLYGONS + PEELED
 
 one = run_ranks(SCRIPT, ALL, 1)

@@ -56,4 +56,6 @@ draw("surfaces-tetrahedra", pvs.Tetrahedralize(Input=wavelet), surfaces=[contour
 # Polygons between the pieces of cells; where a border cuts them, it cuts the faces that they lie in.
 pieces = pvs.ContourCellSplitter(Input=rotated, ContourBy=["POINTS", "RTData"], ContourValues=[130, 200])
 draw("polygons", pieces, CellCompositingContourOpacities=[0.4, 0.8], CellCompositingSmoothContourNormals=0)
+# The middle of the range of all ranks, where the pieces of the ranks have other ranges.
+draw("default-value", pvs.ContourCellSplitter(Input=pvs.Wavelet(WholeExtent=[-4, 10] * 3)))
 passed()

@@ -7,7 +7,7 @@ import numpy as np
 from RankPictures import compare, run_ranks, run_with_server
 
 SCRIPT = "TexturedSplatsRun.py"
-ONE_PICTURE = ("image", "again", "cells", "structured", "tetrahedra", "particles", "stray", "globe")
+ONE_PICTURE = ("image", "again", "cells", "structured", "tetrahedra", "particles", "stray", "globe", "numbered", "numbered-image", "no-vectors")
 NAMES = ONE_PICTURE + ("hierarchy",)
 
 
@@ -22,6 +22,8 @@ def check_hierarchy(one, others, number):
 one = run_ranks(SCRIPT, NAMES, 1)
 if abs(one["stray"].mean() / one["particles"].mean() - 1) > 0.3:
     sys.exit(f"a few particles far away change the picture of the others: mean {one['stray'].mean():.1f} for {one['particles'].mean():.1f}")
+if np.abs(one["no-vectors"] - one["again"]).max() > 1:
+    sys.exit("where the vector array is wrong, the scalars are not drawn alone")
 # Each rank's picture has 8 bits when they are composited, and results are rounded again.
 three = run_ranks(SCRIPT, NAMES, 3)
 compare(one, three, "1 and 3 ranks", ONE_PICTURE, largest=3, mean=0.2)

@@ -20,4 +20,8 @@ draw("particles", particles_of(tetrahedra))
 stray = pvs.Calculator(Input=pvs.Tetrahedralize(Input=wavelet), CoordinateResults=1, Function="if(mag(coords)>17.3, 1000*coords, coords)")
 draw("stray", particles_of(stray))
 draw_globe("globe")
+# Which gives points of the layer of other ranks to the rank that has the layer.
+draw("numbered", pvs.GenerateGlobalIds(Input=tetrahedra))
+draw("numbered-image", pvs.GenerateGlobalIds(Input=wavelet))
+draw("no-vectors", wavelet, VectorArray="RTData")  # which has one component
 passed()

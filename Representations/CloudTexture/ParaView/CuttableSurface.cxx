@@ -83,6 +83,11 @@ void keepPointsApart(vtkPolyData* surface, int rank)
   ids->SetNumberOfValues(surface->GetNumberOfPoints());
   std::iota(
     ids->GetPointer(0), ids->GetPointer(0) + surface->GetNumberOfPoints(), rank * mostPoints);
+  for (vtkDataSetAttributes* data : { static_cast<vtkDataSetAttributes*>(surface->GetPointData()),
+         static_cast<vtkDataSetAttributes*>(surface->GetCellData()) })
+  {
+    data->SetActiveAttribute(-1, vtkDataSetAttributes::GLOBALIDS); // they may give the colour
+  }
   surface->GetPointData()->SetGlobalIds(ids);
 }
 
