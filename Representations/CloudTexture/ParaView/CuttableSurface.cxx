@@ -5,6 +5,7 @@
 #include "vtkCellArray.h"
 #include "vtkCellArrayIterator.h"
 #include "vtkCellData.h"
+#include "vtkDoubleArray.h"
 #include "vtkIdTypeArray.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
@@ -59,6 +60,24 @@ void copyCellData(vtkPolyData* surface, const std::vector<vtkIdType>& sources)
   data->CopyData(old, before + count, surface->GetNumberOfStrips(), after);
   old->ShallowCopy(data);
 }
+
+// The view drops ids where it cuts: those that give the colour become ordinary numbers, which are interpolated.
+void makeIdsNumbers(vtkDataSetAttributes* attributes)
+{
+  attributes->SetActiveAttribute(-1, vtkDataSetAttributes::GLOBALIDS);
+  attributes->SetActiveAttribute(-1, vtkDataSetAttributes::PEDIGREEIDS);
+  for (int i = 0; i < attributes->GetNumberOfArrays(); ++i)
+  {
+    vtkDataArray* ids = attributes->GetArray(i);
+    if (ids && ids->GetName() && ids->GetDataType() == VTK_ID_TYPE)
+    {
+      vtkNew<vtkDoubleArray> numbers;
+      numbers->DeepCopy(ids);
+      numbers->SetName(ids->GetName());
+      attributes->AddArray(numbers); // in its place
+    }
+  }
+}
 } // namespace
 
 void fanPolygons(vtkPolyData* surface)
@@ -78,16 +97,13 @@ void fanPolygons(vtkPolyData* surface)
 void keepPointsApart(vtkPolyData* surface, int rank)
 {
   constexpr vtkIdType mostPoints = vtkIdType(1) << 40;
+  makeIdsNumbers(surface->GetPointData());
+  makeIdsNumbers(surface->GetCellData());
   vtkNew<vtkIdTypeArray> ids;
   ids->SetName("NephoscopePointIds");
   ids->SetNumberOfValues(surface->GetNumberOfPoints());
   std::iota(
     ids->GetPointer(0), ids->GetPointer(0) + surface->GetNumberOfPoints(), rank * mostPoints);
-  for (vtkDataSetAttributes* data : { static_cast<vtkDataSetAttributes*>(surface->GetPointData()),
-         static_cast<vtkDataSetAttributes*>(surface->GetCellData()) })
-  {
-    data->SetActiveAttribute(-1, vtkDataSetAttributes::GLOBALIDS); // they may give the colour
-  }
   surface->GetPointData()->SetGlobalIds(ids);
 }
 

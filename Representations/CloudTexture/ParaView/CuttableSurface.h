@@ -17,8 +17,8 @@ void fanPolygons(vtkPolyData* surface);
 
 /**
  * Gives points global ids. Without any the view merges points in one place where it appends the pieces of several ranks (vtkAppendFilter), and a sharp
- * edge or a seam of the texture gets the normals or coordinates of one side. Global ids of the data become arrays like others: the view drops ids
- * where it cuts.
+ * edge or a seam of the texture gets the normals or coordinates of one side. Ids of the data become ordinary
+ * numbers, which the view keeps.
  */
 void keepPointsApart(vtkPolyData* surface, int rank);
 
