@@ -12,7 +12,7 @@ class vtkAlgorithm;
 
 namespace nephoscope
 {
-// Of the first input of a filter that is about to execute, on port 0; the first one above the last if there is none. All ranks call it that compute pieces.
+// For the input of a filter that is about to execute; the first value is above the last if there is none. All ranks call it that compute pieces.
 VTKNEPHOSCOPEFILTERSCOMMON_EXPORT std::array<double, 2> RangeOfAllPieces(vtkAlgorithm* filter);
 }
 
