@@ -133,6 +133,6 @@ test_wheel()
   run_logged "wheel-venv-$tag" make_wheel_venv "$interpreter" "$WHEEL" "$venv" || fail 1 "could not install the wheel"
   step "Tests of the wheel for Python $python"
   on_virtual_display env -u PYTHONPATH WHEEL="$WHEEL" PATH="$venv/bin:$PATH" ctest --test-dir "$WHEEL_TREE" \
-    --output-on-failure --no-tests=error -j 2 "$@" || status=$?
+    --output-on-failure --no-tests=error -j 3 "$@" || status=$?
   [ $status -eq 0 ] || fail $status "tests of the wheel failed (exit status $status)"
 }
