@@ -40,9 +40,10 @@ inline double ReachAlong(const SplatMatrix& jacobian, const Vector3& vector)
   return std::sqrt(sum) / norm(vector);
 }
 
-// Columns shorter than `share` of the longest are lengthened, so that cells which degenerate (at a pole, or of a flat
-// grid) keep a volume; a column of no length gets a direction at right angles to the others.
-inline SplatMatrix WithoutFlatColumns(SplatMatrix jacobian, double share)
+// Columns shorter than `thinnest` of the longest are lengthened to it, for the precision of shaders. Those of cells that degenerate (at a
+// pole, or of a flat grid), a hundredth of that or less, become `share` of the longest, so that such cells are seen; a column of no length
+// gets a direction at right angles to the others.
+inline SplatMatrix WithoutFlatColumns(SplatMatrix jacobian, double share, double thinnest)
 {
   double lengths[3], longest = 0.0;
   for (std::size_t c = 0; c < 3; ++c)
@@ -52,10 +53,11 @@ inline SplatMatrix WithoutFlatColumns(SplatMatrix jacobian, double share)
   }
   for (std::size_t c = 0; c < 3; ++c)
   {
-    if (lengths[c] >= share * longest || longest == 0.0)
+    if (lengths[c] >= thinnest * longest || longest == 0.0)
     {
       continue;
     }
+    const double target = (lengths[c] > 0.01 * thinnest * longest ? thinnest : share) * longest;
     Vector3 direction = jacobian[c];
     if (lengths[c] == 0.0)
     {
@@ -65,7 +67,7 @@ inline SplatMatrix WithoutFlatColumns(SplatMatrix jacobian, double share)
     for (std::size_t i = 0; i < 3; ++i)
     {
       jacobian[c][i] =
-        length > 0.0 ? share * longest * direction[i] / length : (i == c ? share * longest : 0.0);
+        length > 0.0 ? target * direction[i] / length : (i == c ? target : 0.0);
     }
   }
   return jacobian;

@@ -14,8 +14,17 @@
 
 namespace nephoscope
 {
+namespace
+{
+int sizeAlong(const int extent[6], int axis)
+{
+  return extent[2 * axis + 1] - extent[2 * axis] + 1;
+}
+}
 
-SplatGridSeam::SplatGridSeam(vtkDataSet* piece, const std::vector<int>& extents)
+SplatGridSeam::SplatGridSeam(vtkDataSet* piece, const std::vector<int>& extents, int axis)
+  : Axis(axis)
+  , Across{ (axis + 1) % 3, (axis + 2) % 3 }
 {
   const int curved =
     vtkStructuredGrid::SafeDownCast(piece) && piece->GetNumberOfPoints() > 0 ? 1 : 0;
@@ -30,12 +39,12 @@ SplatGridSeam::SplatGridSeam(vtkDataSet* piece, const std::vector<int>& extents)
       whole = i % 2 ? std::max(whole, extents[i]) : std::min(whole, extents[i]);
     }
   }
-  if (!anyCurved || this->Whole[1] - this->Whole[0] + 1 < SplatSeam::FewestColumns)
+  if (!anyCurved || sizeAlong(this->Whole, axis) < SplatSeam::FewestColumns)
   {
     return;
   }
-  const auto rows = static_cast<std::size_t>(this->Whole[3] - this->Whole[2] + 1) *
-    static_cast<std::size_t>(this->Whole[5] - this->Whole[4] + 1);
+  const auto rows = static_cast<std::size_t>(sizeAlong(this->Whole, this->Across[0])) *
+    static_cast<std::size_t>(sizeAlong(this->Whole, this->Across[1]));
   this->Columns.assign(12 * rows, -VTK_DOUBLE_MAX);
   if (curved)
   {
@@ -59,8 +68,8 @@ void SplatGridSeam::FillIn(vtkDataSet* piece)
   const std::size_t rows = this->Columns.size() / 12;
   for (vtkIdType id = 0; id < piece->GetNumberOfPoints(); ++id)
   {
-    const int fromFirst = this->Column(id) - this->Whole[0];
-    const int toLast = this->Whole[1] - this->Column(id);
+    const int fromFirst = this->Column(id) - this->Whole[2 * this->Axis];
+    const int toLast = this->Whole[2 * this->Axis + 1] - this->Column(id);
     if (fromFirst < 2 || toLast < 2)
     {
       const auto column = static_cast<std::size_t>(fromFirst < 2 ? fromFirst : 3 - toLast);
@@ -69,18 +78,27 @@ void SplatGridSeam::FillIn(vtkDataSet* piece)
   }
 }
 
+// In the whole grid.
+int SplatGridSeam::IndexOf(vtkIdType id, int axis) const
+{
+  for (int lower = 0; lower < axis; ++lower)
+  {
+    id /= sizeAlong(this->Mine, lower);
+  }
+  return this->Mine[2 * axis] + static_cast<int>(id % sizeAlong(this->Mine, axis));
+}
+
 int SplatGridSeam::Column(vtkIdType id) const
 {
-  return this->Mine[0] + static_cast<int>(id % (this->Mine[1] - this->Mine[0] + 1));
+  return this->IndexOf(id, this->Axis);
 }
 
 std::size_t SplatGridSeam::Row(vtkIdType id) const
 {
-  const vtkIdType above = id / (this->Mine[1] - this->Mine[0] + 1);
-  const vtkIdType size = this->Mine[3] - this->Mine[2] + 1;
-  const vtkIdType j = this->Mine[2] + above % size - this->Whole[2];
-  const vtkIdType k = this->Mine[4] + above / size - this->Whole[4];
-  return static_cast<std::size_t>(k * (this->Whole[3] - this->Whole[2] + 1) + j);
+  const int a = this->Across[0], b = this->Across[1];
+  const vtkIdType j = this->IndexOf(id, a) - this->Whole[2 * a];
+  const vtkIdType k = this->IndexOf(id, b) - this->Whole[2 * b];
+  return static_cast<std::size_t>(k * sizeAlong(this->Whole, a) + j);
 }
 
 Vector3 SplatGridSeam::PlaceOf(std::size_t column, std::size_t row) const
@@ -91,10 +109,10 @@ Vector3 SplatGridSeam::PlaceOf(std::size_t column, std::size_t row) const
 
 void SplatGridSeam::MendEdge(vtkIdType id, SplatMatrix& jacobian) const
 {
-  if (this->Closed && this->Column(id) == this->Whole[0])
+  if (this->Closed && this->Column(id) == this->Whole[2 * this->Axis])
   {
     const Vector3 across = this->PlaceOf(1, this->Row(id)) - this->PlaceOf(2, this->Row(id));
-    jacobian[0] = { { 0.5 * across[0], 0.5 * across[1], 0.5 * across[2] } };
+    jacobian[static_cast<std::size_t>(this->Axis)] = { { 0.5 * across[0], 0.5 * across[1], 0.5 * across[2] } };
   }
 }
 

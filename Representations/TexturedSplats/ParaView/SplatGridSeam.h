@@ -18,20 +18,26 @@ namespace nephoscope
 class SplatGridSeam
 {
 public:
-  /** `extents` of the points of all ranks, as findExtentsOfRanks makes them. Collective. */
-  SplatGridSeam(vtkDataSet* piece, const std::vector<int>& extents);
+  /** Along one axis, 0 to 2. `extents` of the points of all ranks, as findExtentsOfRanks makes them. Collective. */
+  SplatGridSeam(vtkDataSet* piece, const std::vector<int>& extents, int axis);
 
   /** Whether a point is in the last column of a closed grid, which is the first once more. */
-  bool IsRepeated(vtkIdType id) const { return this->Closed && this->Column(id) == this->Whole[1]; }
-  /** In the first column of a closed grid the edge along the first axis goes across the seam. */
+  bool IsRepeated(vtkIdType id) const
+  {
+    return this->Closed && this->Column(id) == this->Whole[2 * this->Axis + 1];
+  }
+  /** In the first column of a closed grid the edge along that axis goes across the seam. */
   void MendEdge(vtkIdType id, SplatMatrix& jacobian) const;
 
 private:
+  int IndexOf(vtkIdType id, int axis) const;
   int Column(vtkIdType id) const;
   std::size_t Row(vtkIdType id) const;
   Vector3 PlaceOf(std::size_t column, std::size_t row) const;
   void FillIn(vtkDataSet* piece);
 
+  int Axis;
+  int Across[2]; // the other axes
   bool Closed = false;
   int Whole[6] = { VTK_INT_MAX, VTK_INT_MIN, VTK_INT_MAX, VTK_INT_MIN, VTK_INT_MAX, VTK_INT_MIN };
   int Mine[6] = { 0, -1, 0, -1, 0, -1 };

@@ -53,7 +53,7 @@ std::vector<bool> ownedByExtent(
 
 // Visible samples, each on one rank only.
 vtkSmartPointer<vtkIdList> ownIds(
-  vtkDataSet* data, const SplatShapes& shapes, bool onCells, std::unique_ptr<SplatGridSeam>& seam)
+  vtkDataSet* data, const SplatShapes& shapes, bool onCells, std::vector<SplatGridSeam>& seams)
 {
   std::vector<vtkIdType> ids;
   std::vector<Vector3> places;
@@ -68,14 +68,19 @@ vtkSmartPointer<vtkIdList> ownIds(
   }
   std::vector<int> extents;
   const bool structured = findExtentsOfRanks(data, extents);
-  seam.reset(structured && !onCells ? new SplatGridSeam(data, extents) : nullptr);
+  for (int axis = 0; axis < 3 && structured && !onCells; ++axis)
+  {
+    seams.emplace_back(data, extents, axis);
+  }
   const std::vector<bool> owned = onCells ? std::vector<bool>(ids.size(), true)
     : structured                          ? ownedByExtent(data, ids, extents)
                                           : ownedByThisRank(places);
   auto own = vtkSmartPointer<vtkIdList>::New();
   for (std::size_t i = 0; i < ids.size(); ++i)
   {
-    if (owned[i] && !(seam && seam->IsRepeated(ids[i])))
+    const bool repeated = std::any_of(seams.begin(), seams.end(),
+      [&](const SplatGridSeam& seam) { return seam.IsRepeated(ids[i]); });
+    if (owned[i] && !repeated)
     {
       own->InsertNextId(ids[i]);
     }
@@ -126,7 +131,7 @@ vtkSmartPointer<vtkDataSet> verticesOf(
 }
 
 vtkSmartPointer<vtkDataArray> shapesOf(
-  const SplatShapes& shapes, vtkIdList* ids, const SplatGridSeam* seam)
+  const SplatShapes& shapes, vtkIdList* ids, const std::vector<SplatGridSeam>& seams)
 {
   auto array = vtkSmartPointer<vtkFloatArray>::New();
   array->SetName(splatShapeName);
@@ -135,9 +140,9 @@ vtkSmartPointer<vtkDataArray> shapesOf(
   for (vtkIdType i = 0; i < ids->GetNumberOfIds(); ++i)
   {
     SplatMatrix jacobian = shapes.Jacobian(ids->GetId(i));
-    if (seam)
+    for (const SplatGridSeam& seam : seams)
     {
-      seam->MendEdge(ids->GetId(i), jacobian);
+      seam.MendEdge(ids->GetId(i), jacobian);
     }
     for (int c = 0; c < 9; ++c)
     {
@@ -163,15 +168,15 @@ vtkSmartPointer<vtkDataSet> splatVertices(vtkDataSet* piece, const SplatSampling
   const vtkSmartPointer<vtkDataSet> flagged = withPointFlagsOfCells(piece ? piece : nothing.Get());
   vtkDataSet* data = flagged;
   const SplatShapes own(data, sampling);
-  std::unique_ptr<SplatGridSeam> seam;
-  vtkSmartPointer<vtkIdList> ids = ownIds(data, own, sampling.OnCells, seam);
+  std::vector<SplatGridSeam> seams;
+  vtkSmartPointer<vtkIdList> ids = ownIds(data, own, sampling.OnCells, seams);
   const double spacing = meanSpacingOverRanks(own, ids); // of all ranks, not of this one
   SplatSampling ofAll = sampling;
   ofAll.CellSize = own.HaveMeanSpacing() ? spacing : sampling.CellSize;
   const SplatShapes shapes(data, ofAll);
   vtkSmartPointer<vtkDataSet> vertices = verticesOf(shapes, ids,
     data->GetAttributes(sampling.OnCells ? vtkDataObject::CELL : vtkDataObject::POINT));
-  vertices->GetCellData()->AddArray(shapesOf(shapes, ids, seam.get()));
+  vertices->GetCellData()->AddArray(shapesOf(shapes, ids, seams));
   vertices->GetFieldData()->ShallowCopy(data->GetFieldData());
   return vertices;
 }

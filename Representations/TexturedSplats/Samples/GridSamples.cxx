@@ -105,22 +105,46 @@ GridSamples::GridSamples(vtkDataSet* data, bool onCells)
     this->Dimensions[axis] =
       onCells ? std::max(1, this->PointDimensions[axis] - 1) : this->PointDimensions[axis];
   }
-  this->Closed = !onCells && vtkStructuredGrid::SafeDownCast(data) && this->ComesBack();
+  for (int axis = 0; axis < 3 && !onCells && vtkStructuredGrid::SafeDownCast(data); ++axis)
+  {
+    this->Closed[axis] = this->ComesBack(axis);
+  }
 }
 
-bool GridSamples::ComesBack() const
+bool GridSamples::ComesBack(int axis) const
 {
-  const int columns = this->Dimensions[0];
+  const int columns = this->Dimensions[axis], a = (axis + 1) % 3, b = (axis + 2) % 3;
   SplatSeam seam;
-  for (int k = 0; k < this->Dimensions[2] && columns >= SplatSeam::FewestColumns; ++k)
+  for (int k = 0; k < this->Dimensions[b] && columns >= SplatSeam::FewestColumns; ++k)
   {
-    for (int j = 0; j < this->Dimensions[1]; ++j)
+    for (int j = 0; j < this->Dimensions[a]; ++j)
     {
-      const int first[3] = { 0, j, k }, second[3] = { 1, j, k }, last[3] = { columns - 1, j, k };
+      int first[3], second[3], last[3];
+      first[a] = second[a] = last[a] = j;
+      first[b] = second[b] = last[b] = k;
+      first[axis] = 0;
+      second[axis] = 1;
+      last[axis] = columns - 1;
       seam.Compare(this->At(first), this->At(second), this->At(last));
     }
   }
   return seam.IsClosed();
+}
+
+bool GridSamples::IsRepeated(vtkIdType id) const
+{
+  if (!this->Closed[0] && !this->Closed[1] && !this->Closed[2])
+  {
+    return false;
+  }
+  int index[3];
+  this->IndexOf(id, index);
+  bool repeated = false;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    repeated = repeated || (this->Closed[axis] && index[axis] == this->Dimensions[axis] - 1);
+  }
+  return repeated;
 }
 
 void GridSamples::IndexOf(vtkIdType id, int index[3]) const
@@ -196,10 +220,10 @@ SplatMatrix GridSamples::Jacobian(vtkIdType id) const
     before[axis] = std::max(index[axis] - 1, 0);
     after[axis] = std::min(index[axis] + 1, this->Dimensions[axis] - 1);
     int steps = after[axis] - before[axis];
-    if (this->Closed && axis == 0 && steps == 1) // across the seam
+    if (this->Closed[axis] && steps == 1) // across the seam
     {
-      before[0] = index[0] == 0 ? this->Dimensions[0] - 2 : index[0] - 1;
-      after[0] = 1;
+      before[axis] = index[axis] == 0 ? this->Dimensions[axis] - 2 : index[axis] - 1;
+      after[axis] = 1;
       steps = 2;
     }
     if (steps > 0)

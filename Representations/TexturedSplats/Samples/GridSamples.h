@@ -36,11 +36,8 @@ public:
     this->IndexOf(id, index);
     return index[axis];
   }
-  /** Whether the point is in the last column of a grid that comes back to where it began along its first axis (SplatSeam.h). */
-  bool IsRepeated(vtkIdType id) const
-  {
-    return this->Closed && id % this->Dimensions[0] == this->Dimensions[0] - 1;
-  }
+  /** Whether the point is in the last column of a grid that comes back to where it began along one of its axes (SplatSeam.h). */
+  bool IsRepeated(vtkIdType id) const;
   /** Where the grid is one sample thick, it is as thick as its other edges are long, in the geometric mean; a single sample has the edge 1. */
   SplatMatrix Jacobian(vtkIdType id) const;
 
@@ -48,13 +45,13 @@ private:
   vtkIdType CornerOf(const int index[3], int corner) const;
   Vector3 At(const int index[3]) const;
   Vector3 EdgeOfCell(const int index[3], int axis) const;
-  bool ComesBack() const;
+  bool ComesBack(int axis) const;
   void IndexOf(vtkIdType id, int index[3]) const;
 
   vtkDataSet* Data;
   bool OnCells;
   bool Uniform = false;
-  bool Closed = false;
+  bool Closed[3] = { false, false, false }; // along an axis
   int Dimensions[3] = { 0, 0, 0 }; // of the samples
   int PointDimensions[3] = { 0, 0, 0 };
 };

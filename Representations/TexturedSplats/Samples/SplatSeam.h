@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Whether a structured grid comes back to where it began along its first axis, as a globe does: its last column of points is then its first
+// Whether a structured grid comes back to where it began along an axis, as a globe does: its last column of points is then its first
 // once more, to be drawn once. Plain C++17.
 #ifndef nephoscope_SplatSeam_h
 #define nephoscope_SplatSeam_h

@@ -26,8 +26,8 @@ namespace nephoscope
 {
 namespace
 {
-constexpr double flatShare =
-  0.02; // of the longest edge: cells at the poles, and the like, keep a thickness
+// Of the longest edge: cells at the poles, and the like, keep a thickness; cells of weather models may be as thin as this.
+constexpr double flatShare = 0.02, thinnest = 1e-4;
 
 // The mean of its corners.
 Vector3 centerOfCell(vtkDataSet* data, vtkIdType id)
@@ -246,7 +246,7 @@ SplatMatrix SplatShapes::Jacobian(vtkIdType id) const
       component *= scale;
     }
   }
-  return WithoutFlatColumns(jacobian, flatShare);
+  return WithoutFlatColumns(jacobian, flatShare, thinnest);
 }
 
 // Parts that are few and far away do not count: else all splats would grow with their distance.

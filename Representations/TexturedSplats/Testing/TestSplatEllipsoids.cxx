@@ -81,12 +81,16 @@ TEST(EllipsoidSplat, EveryRayThroughEveryCellIsExact)
 TEST(EllipsoidSplat, FlatCellsKeepAVolume)
 {
   const SplatMatrix flat = { { { { 2, 0, 0 } }, { { 0, 1, 0 } }, { { 0, 0, 0 } } } };
-  EXPECT_NEAR(Determinant(WithoutFlatColumns(flat, 0.1)), 2.0 * 1.0 * 0.2, 1e-12);
+  EXPECT_NEAR(Determinant(WithoutFlatColumns(flat, 0.1, 1e-3)), 2.0 * 1.0 * 0.2, 1e-12);
   const SplatMatrix thin = { { { { 2, 0, 0 } }, { { 0, 1e-9, 0 } }, { { 0, 0, 1 } } } };
-  EXPECT_NEAR(Determinant(WithoutFlatColumns(thin, 0.1)), 2.0 * 0.2 * 1.0, 1e-12);
+  EXPECT_NEAR(Determinant(WithoutFlatColumns(thin, 0.1, 1e-3)), 2.0 * 0.2 * 1.0, 1e-12);
+  const SplatMatrix layer = { { { { 2, 0, 0 } }, { { 0, 0.004, 0 } }, { { 0, 0, 1 } } } };
+  EXPECT_EQ(WithoutFlatColumns(layer, 0.1, 1e-3), layer) << "cells of weather models are thin";
+  const SplatMatrix thinner = { { { { 2, 0, 0 } }, { { 0, 4e-4, 0 } }, { { 0, 0, 1 } } } };
+  EXPECT_NEAR(Determinant(WithoutFlatColumns(thinner, 0.1, 1e-3)), 2.0 * 0.002 * 1.0, 1e-12);
   const SplatMatrix plain = { { { { 2, 0, 0 } }, { { 0, 1, 0 } }, { { 0, 0, 1 } } } };
-  EXPECT_EQ(WithoutFlatColumns(plain, 0.1), plain);
-  EXPECT_EQ(Determinant(WithoutFlatColumns({}, 0.1)), 0.0) << "a cell without size stays one";
+  EXPECT_EQ(WithoutFlatColumns(plain, 0.1, 1e-3), plain);
+  EXPECT_EQ(Determinant(WithoutFlatColumns({}, 0.1, 1e-3)), 0.0) << "a cell without size stays one";
 }
 
 TEST(SplatOpacity, MediumAndVectorHideEachOther)

@@ -10,6 +10,8 @@ from nephoscope_testing.checks import ImageTestCase
 from nephoscope_testing.offscreen import Window, float_image
 from nephoscope_testing.transfer import Transfer, constant
 from vtkmodules.vtkCommonCore import vtkFloatArray
+from vtkmodules.vtkCommonDataModel import vtkStructuredGrid
+from vtkmodules.vtkFiltersCore import vtkAppendFilter
 
 LAYERS = 8
 RIPPLE = 0.006
@@ -24,13 +26,34 @@ def shapes_of_cubes(edge, count):
     return array
 
 
+def as_list(data):
+    append = vtkAppendFilter()
+    append.AddInputData(data)
+    append.Update()
+    return append.GetOutput()
+
+
+def closed_shell(axis):
+    """Half of a shell around z, stored with the angle along this axis, and its points as a list."""
+    sizes = [4, 5]
+    sizes.insert(axis, 33)
+    index = np.stack(np.meshgrid(*map(np.arange, sizes), indexing="ij"))
+    angle = 2 * np.pi * (index[axis] % 32) / 32
+    radius, z = (4 + index[other] for other in range(3) if other != axis)
+    points = np.stack([radius * np.cos(angle), radius * np.sin(angle), z], axis=-1)
+    grid = vtkStructuredGrid()
+    grid.SetDimensions(sizes)
+    grid.SetPoints(meshes.vtk_points(points.transpose(2, 1, 0, 3).reshape(-1, 3)))
+    return meshes.with_field(grid, lambda p: 0 * p[:, 0])
+
+
 class Flatness(ImageTestCase):
-    def draw(self, data, transfer, direction, parallel_scale=2.5, size=(96, 96), factor=1.0):
+    def draw(self, data, transfer, direction, parallel_scale=2.5, size=(96, 96), factor=1.0, association="point"):
         window = Window(size)
         scene = window.add_scene()
         mapper = nephoscope.vtkTexturedSplatMapper()
         mapper.SetRadiusFactor(factor)
-        scene.add_volume(mapper, data, transfer)
+        scene.add_volume(mapper, data, transfer, association=association)
         center = np.array(data.GetCenter())
         scene.look(center + 60 * np.asarray(direction), center, (0.1, 1, 0.05), parallel_scale=parallel_scale, near=5, far=150)
         window.render()
@@ -51,6 +74,24 @@ class Flatness(ImageTestCase):
             worst = max(worst, ripple)
             self.assertLessEqual(ripple, RIPPLE, f"direction {direction}, spacing {spacing}")
         print(f"  largest ripple {100 * worst:.2f} %")
+
+    def test_thin_cells_have_their_optical_depth(self):
+        """Cells of weather models are a thousand times as wide as they are thick; of an image, and of a list of cells."""
+        for width in (10, 60, 300, 1000, 5000):
+            image = meshes.image((20, 20, LAYERS), (width, width, 1))
+            meshes.add_array(image.GetCellData(), np.ones(image.GetNumberOfCells()), "s")
+            for name, data in (("image", image), ("list of cells", as_list(image))):
+                depth = -np.log1p(-self.draw(data, constant(0.1), (0, 0, 1), parallel_scale=2.5 * width, association="cell")[..., 3])
+                np.testing.assert_allclose(depth, 0.1 * LAYERS, rtol=0.02, err_msg=f"{name}, {width} to 1")
+
+    def test_closed_along_any_axis(self):
+        """A grid that comes back to where it began has no seam, whichever of its axes goes around: each angle looks like the others."""
+        for axis in range(3):
+            depth = -np.log1p(-self.draw(closed_shell(axis), constant(0.03), (0, 0, 1), parallel_scale=12)[..., 3])
+            quarters = [np.rot90(depth, turn) for turn in range(4)]
+            self.assertGreater(depth.max(), 0.1)
+            for other in quarters[1:]:
+                np.testing.assert_allclose(other, quarters[0], atol=0.02 * depth.max(), err_msg=f"around axis {axis}")
 
     def ripple_of_flat_cells(self, ordered, direction, height=0.05):
         """A thick medium that is bright above and dark below; its layers are even."""
