@@ -10,7 +10,7 @@ import numpy as np
 from PluginTesting import compose, image, load_plugin, look, new_view, passed, pvs, solid
 
 
-def draw(name, source, array=("POINTS", "RTData"), opacity_scale=1, surfaces=(), **properties):
+def draw(name, source, array=("POINTS", "RTData"), opacity_scale=1, surfaces=(), balls=None, **properties):
     view = new_view()
     display = compose(source, view, array)
     display.CellCompositingOpacityScale = opacity_scale
@@ -20,6 +20,8 @@ def draw(name, source, array=("POINTS", "RTData"), opacity_scale=1, surfaces=(),
         shown = pvs.Show(surface, view)
         solid(shown, [1, 0, 0])
         shown.Opacity = 0.4
+    if balls:
+        solid(pvs.Show(pvs.Sphere(Center=balls, Radius=4), view), [0, 0, 1])
     look(view)
     picture = image(view)
     pvs.Delete(view)
@@ -42,6 +44,9 @@ coarse.Transform.Rotate = [10, 20, 30]
 coarse.Transform.Scale = [3, 3, 3]
 draw("coarse", coarse, opacity_scale=5)
 draw("coarse-cells", pvs.PointDatatoCellData(Input=coarse), ("CELLS", "RTData"), opacity_scale=20)
+# The place that the display gives the data counts when ranks are put in order.
+draw("moved", wavelet, Position=[5, 3, 0], balls=[5, 3, 0])
+draw("turned", pvs.Tetrahedralize(Input=wavelet), Position=[5, 0, 0], Orientation=[0, 10, 30], Scale=[1.5, 1.5, 1.5])
 # The eight corners are far away: lengths that follow the data must not.
 stray = pvs.Calculator(Input=pvs.Tetrahedralize(Input=wavelet), CoordinateResults=1, Function="if(mag(coords)>17.3, 100*coords, coords)")
 draw("stray", stray)

@@ -16,10 +16,12 @@ def begin():
     load_plugin()
 
 
-def draw(name, source, array=("POINTS", "RTData"), distance=1, **settings):
-    """Saves the picture of a source, with these properties of Textured Splats."""
+def draw(name, source, array=("POINTS", "RTData"), distance=1, place=None, **settings):
+    """Saves the picture of a source, with these properties of Textured Splats and of the display."""
     view = new_view()
     display = compose(source, view, array, "Textured Splats")
+    for key, value in (place or {}).items():
+        setattr(display, key, value)
     for key, value in settings.items():
         setattr(display, "TexturedSplats" + key, value)
     look(view, position=[distance * c for c in (60, 45, 70)])

@@ -7,7 +7,7 @@ import numpy as np
 from RankPictures import compare, run_ranks, run_with_server
 
 SCRIPT = "TexturedSplatsRun.py"
-ONE_PICTURE = ("image", "again", "cells", "structured", "tetrahedra", "particles", "stray", "globe", "numbered", "numbered-image", "no-vectors")
+ONE_PICTURE = ("image", "again", "cells", "structured", "tetrahedra", "particles", "stray", "turned", "globe", "numbered", "numbered-image", "no-vectors")
 NAMES = ONE_PICTURE + ("hierarchy",)
 
 

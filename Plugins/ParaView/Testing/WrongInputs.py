@@ -63,6 +63,19 @@ def check_representation(name, source, messages):
     pvs.Delete(view)
 
 
+def check_missing_array(name, messages):
+    """A calculator that failed, or a name in a script: the medium is of one colour, and one message says why."""
+    messages.clear()
+    view = new_view((40, 40))
+    display = pvs.Show(pvs.Wavelet(WholeExtent=[-4, 4] * 3), view)
+    display.SetRepresentationType(name)
+    display.ColorArrayName = ["POINTS", "gone"]
+    for _ in range(3):
+        pvs.Render(view)
+    check(len(messages) == 1 and "no array 'gone'" in messages[0], f"{name} of a missing array: {messages}")
+    pvs.Delete(view)
+
+
 def check_chain(made, expected, messages):
     """What comes after a filter that failed adds no reason of its own."""
     messages.clear()
@@ -162,6 +175,8 @@ def main():
     lit.Sun = pvs.Sun(DateTime="2011-13-45")
     check_chain(lit, "2011-13-45", messages)
     check_opacity(wavelet, "nope", "No point or cell array named 'nope' for the opacity", messages)
+    for name in ("Cell Compositing", "Textured Splats"):
+        check_missing_array(name, messages)
     for kind, source in kinds().items():
         source.UpdatePipeline()
         for name in FILTERS:

@@ -90,6 +90,19 @@ void vtkCellCompositingRepresentation::PreparePiece(vtkDataObject* input)
     all.ScalarRange);
 }
 
+void vtkCellCompositingRepresentation::MovePiece(vtkMatrix4x4* matrix)
+{
+  this->Superclass::MovePiece(matrix);
+  const bool aligned = this->Piece->GetNumberOfCells() == 0 || nephoscope::isAxisAligned(this->Piece);
+  if (this->AxisAligned && LeastOverRanks(aligned ? 1 : 0) == 0)
+  {
+    this->AxisAligned = false;
+    const vtkSmartPointer<vtkDataSet> grid = this->Piece;
+    this->Piece = nephoscope::tetrahedralize(grid);
+    this->Piece->GetFieldData()->ShallowCopy(grid->GetFieldData());
+  }
+}
+
 void vtkCellCompositingRepresentation::DescribePiece(vtkInformation* inInfo)
 {
   this->Superclass::DescribePiece(inInfo);

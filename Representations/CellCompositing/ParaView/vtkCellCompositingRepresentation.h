@@ -90,6 +90,7 @@ protected:
   ~vtkCellCompositingRepresentation() override;
 
   void PreparePiece(vtkDataObject* input) override;
+  void MovePiece(vtkMatrix4x4* matrix) override;
   void DescribePiece(vtkInformation* inInfo) override;
   void PrepareMapper(vtkDataSet* cells) override;
   bool DrawsBlock(vtkDataObject* block) const override;

@@ -7,6 +7,7 @@
 #include "vtkMediumVolume.h"
 
 #include "vtkAbstractVolumeMapper.h"
+#include "vtkActor.h"
 #include "vtkAlgorithmOutput.h"
 #include "vtkBoundingBox.h"
 #include "vtkCellData.h"
@@ -213,11 +214,13 @@ int vtkMediumRepresentation::RequestData(
   {
     this->WarnOfEmptiness(vtkDataObject::GetData(inputVector[0], 0));
     this->PreparePiece(this->KeepDrawnBlocks(vtkDataObject::GetData(inputVector[0], 0)));
+    this->PlacePiece();
     if (GetNumberOfRanks() > 1 && this->Piece)
     {
       this->Piece = withIdsAsNumbers(this->Piece);
     }
     this->HasPiece = HoldsAnything(this->Piece);
+    this->WarnOfMissingArray();
     this->StoreBounds();
   }
   else
@@ -259,6 +262,7 @@ int vtkMediumRepresentation::ProcessViewRequest(
     this->Actor->SetVisibility(data != nullptr && this->HoldsMedium(data));
     if (this->Actor->GetVisibility())
     {
+      this->PlaceActor(data);
       this->PrepareMapper(data);
     }
   }

@@ -21,8 +21,10 @@
 #include <string> // for OpacityArray
 
 class vtkAbstractVolumeMapper;
+class vtkActor;
 class vtkDataArray;
 class vtkDataSet;
+class vtkMatrix4x4;
 class vtkPiecewiseFunction;
 
 class VTKNEPHOSCOPEPARAVIEWCOMMON_EXPORT vtkMediumRepresentation : public vtkVolumeRepresentation
@@ -73,6 +75,14 @@ public:
   void SetDiffuseColor(double red, double green, double blue);
   ///@}
 
+  ///@{
+  /** Where the display places the data; on several ranks the data are moved, because ParaView divides them and orders ranks by their own places. */
+  void SetOrientation(double x, double y, double z);
+  void SetOrigin(double x, double y, double z);
+  void SetPosition(double x, double y, double z);
+  void SetScale(double x, double y, double z);
+  ///@}
+
   /** The coloured array; the automatic unit distance depends on it. */
   void SetInputArrayToProcess(
     int index, int port, int connection, int association, const char* name) override;
@@ -94,6 +104,8 @@ protected:
   virtual bool DrawsBlock(vtkDataObject* block) const = 0;
   /** Makes `Piece` and `DataBounds` of this rank's input, which may be null. Called by all ranks. */
   virtual void PreparePiece(vtkDataObject* input) = 0;
+  /** Moves `Piece`, which is not null, and `DataBounds`. Called by all ranks, if there are several. */
+  virtual void MovePiece(vtkMatrix4x4* matrix);
   /** Describes the piece to the view; subclasses add how it may be distributed over ranks. */
   virtual void DescribePiece(vtkInformation* inInfo);
   /** Called by all ranks, with what the view delivered, which may be null; returns what is drawn. */
@@ -140,9 +152,14 @@ protected:
 
 private:
   void WarnOfEmptiness(vtkDataObject* input);
+  void WarnOfMissingArray();
   vtkSmartPointer<vtkDataObject> KeepDrawnBlocks(vtkDataObject* input);
   vtkMediumRepresentation(const vtkMediumRepresentation&) = delete;
   void operator=(const vtkMediumRepresentation&) = delete;
+
+  void FollowPlacement();
+  void PlacePiece();
+  void PlaceActor(vtkDataSet* data);
 
   void ColorUniformly(vtkDataSet* data);
   vtkVolumeProperty* ChooseProperty(vtkDataSet* data, const char* name);
@@ -156,8 +173,11 @@ private:
   vtkNew<vtkVolumeProperty> ConstantProperty; // where all values are the same
   std::string LastWarning;
   std::string LeftOut;                     // the message about blocks
+  std::string MissingArray;                // a warning has named it
   bool WasEmpty = false;                   // the input, and a warning has said so
   bool HasPiece = false;                   // on any rank
+  bool HasMovedPiece = false;
+  vtkNew<vtkActor> Placement;              // of the display
   vtkSmartPointer<vtkDataSet> UniformData; // a delivered piece with a uniform array
   vtkMTimeType UniformDataTime = 0;
   vtkDataSet* UniformDataSource = nullptr; // only compared

@@ -1,12 +1,15 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Blocks without the coloured array, or without that for the opacity, beside others that have it.
+// Blocks without the coloured array, or without that for the opacity, beside others that have it; data without it.
 #include "vtkMediumRepresentation.h"
 
 #include "DrawnBlocks.h"
 
+#include "vtkCellData.h"
 #include "vtkDataObject.h"
+#include "vtkDataSet.h"
 #include "vtkInformation.h"
+#include "vtkPointData.h"
 
 #include <string>
 
@@ -36,4 +39,23 @@ vtkSmartPointer<vtkDataObject> vtkMediumRepresentation::KeepDrawnBlocks(vtkDataO
   }
   this->LeftOut = message;
   return data;
+}
+
+// Called by all ranks.
+void vtkMediumRepresentation::WarnOfMissingArray()
+{
+  vtkInformation* info = this->GetInputArrayInformation(0);
+  const char* name = info && info->Has(vtkDataObject::FIELD_NAME())
+    ? info->Get(vtkDataObject::FIELD_NAME())
+    : nullptr;
+  const std::string asked = name ? name : "";
+  const bool here = this->Piece && !asked.empty() &&
+    (this->Piece->GetPointData()->HasArray(name) || this->Piece->GetCellData()->HasArray(name));
+  const bool missing = !asked.empty() && this->HasPiece && LeastOverRanks(here ? 0 : 1) == 1;
+  if (missing && this->MissingArray != asked && IsFirstRank())
+  {
+    vtkWarningMacro(<< "The data have no array '" << asked
+                    << "': they are drawn in one colour. Choose another one in Coloring.");
+  }
+  this->MissingArray = missing ? asked : "";
 }

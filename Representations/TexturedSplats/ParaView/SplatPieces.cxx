@@ -13,6 +13,7 @@
 #include "vtkDataSet.h"
 #include "vtkFloatArray.h"
 #include "vtkIdList.h"
+#include "vtkMatrix4x4.h"
 #include "vtkMultiProcessController.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
@@ -179,6 +180,33 @@ vtkSmartPointer<vtkDataSet> splatVertices(vtkDataSet* piece, const SplatSampling
   vertices->GetCellData()->AddArray(shapesOf(shapes, ids, seams));
   vertices->GetFieldData()->ShallowCopy(data->GetFieldData());
   return vertices;
+}
+
+void moveShapes(vtkDataSet* vertices, vtkMatrix4x4* matrix)
+{
+  auto* old = vtkFloatArray::SafeDownCast(vertices->GetCellData()->GetArray(splatShapeName));
+  if (!old)
+  {
+    return;
+  }
+  vtkNew<vtkFloatArray> shapes;
+  shapes->DeepCopy(old);
+  for (vtkIdType i = 0; i < shapes->GetNumberOfTuples(); ++i)
+  {
+    for (int column = 0; column < 3; ++column)
+    {
+      for (int row = 0; row < 3; ++row)
+      {
+        double sum = 0;
+        for (int k = 0; k < 3; ++k)
+        {
+          sum += matrix->GetElement(row, k) * old->GetTypedComponent(i, 3 * column + k);
+        }
+        shapes->SetTypedComponent(i, 3 * column + row, static_cast<float>(sum));
+      }
+    }
+  }
+  vertices->GetCellData()->AddArray(shapes);
 }
 
 vtkSmartPointer<vtkDataSet> chosenVertices(vtkDataSet* vertices, vtkIdList* ids)

@@ -9,6 +9,7 @@
 class vtkDataObject;
 class vtkDataSet;
 class vtkIdList;
+class vtkMatrix4x4;
 
 namespace nephoscope
 {
@@ -26,6 +27,9 @@ extern const char* const splatShapeName;
  * cell arrays. Without a cell size it is the mean spacing of the samples of all ranks. `piece` may be null. Collective.
  */
 vtkSmartPointer<vtkDataSet> splatVertices(vtkDataSet* piece, const SplatSampling& sampling);
+
+/** Moves the shapes of such vertices as the linear part of a matrix does. */
+void moveShapes(vtkDataSet* vertices, vtkMatrix4x4* matrix);
 
 /** Some of such vertices, with their arrays. */
 vtkSmartPointer<vtkDataSet> chosenVertices(vtkDataSet* vertices, vtkIdList* ids);

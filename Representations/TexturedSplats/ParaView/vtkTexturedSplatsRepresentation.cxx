@@ -115,6 +115,12 @@ void vtkTexturedSplatsRepresentation::PreparePiece(vtkDataObject* input)
   nephoscope::storeVectorColorRange(this->Piece, inCells, this->Mapper->GetVectorColorArrayName());
 }
 
+void vtkTexturedSplatsRepresentation::MovePiece(vtkMatrix4x4* matrix)
+{
+  this->Superclass::MovePiece(matrix);
+  nephoscope::moveShapes(this->Piece, matrix);
+}
+
 void vtkTexturedSplatsRepresentation::DescribePiece(vtkInformation* inInfo)
 {
   this->Superclass::DescribePiece(inInfo);

@@ -148,6 +148,7 @@ protected:
   int RequestInformation(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
   int RequestUpdateExtent(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
   void PreparePiece(vtkDataObject* input) override;
+  void MovePiece(vtkMatrix4x4* matrix) override;
   void DescribePiece(vtkInformation* inInfo) override;
   vtkDataSet* CompletePiece(vtkDataSet* data, vtkInformation* inInfo) override;
   void PrepareMapper(vtkDataSet* data) override;
