@@ -33,6 +33,7 @@
 #include <string> // for array names
 #include <vector> // for other mappers
 
+class vtkDataArray;
 class vtkImageData;
 class vtkOpenGLRenderWindow;
 class vtkVolumeProperty;
@@ -186,6 +187,12 @@ public:
    * an array of vectors.
    */
   void SuitVectorsToMedium(bool opacity = true, bool share = true);
+
+  /**
+   * VectorUnit, or the value that would be used for the present input if it is 0; 0 without an array of vectors. To keep the pictures of a film comparable, call
+   * SetVectorUnit with it.
+   */
+  double FindVectorUnit();
 
   /** TimeScale, or the value that is used if it is 0: that of the last render, 0 before it. */
   double GetDrawnTimeScale();
@@ -369,6 +376,7 @@ private:
   void SetVectorOptions(nephoscope::SplatDrawingOptions& options);
   double GetStreakUnit();
   double GetStreakUnit(double meanCell) const;
+  vtkDataArray* FindVectors(bool& onCells);
   nephoscope::SplatVectorScene& GetVectorScene();
   double GetExtinctionFactor();
   bool DrawsRegion(vtkRenderer* renderer) const;

@@ -5,13 +5,15 @@
 
 #include "ArraySelection.h"
 #include "SplatMeasures.h"
+#include "SplatShapes.h"
+#include "SplatVectorBounds.h"
 
 #include "vtkDataArray.h"
 #include "vtkDataSet.h"
 #include "vtkDataSetAttributes.h"
 #include "vtkVolumeProperty.h"
 
-void vtkTexturedSplatMapper::SuitVectorsToMedium(bool opacity, bool share)
+vtkDataArray* vtkTexturedSplatMapper::FindVectors(bool& onCells)
 {
   vtkDataSet* input = this->GetDataSetInput();
   int cellFlag = 0;
@@ -19,16 +21,24 @@ void vtkTexturedSplatMapper::SuitVectorsToMedium(bool opacity, bool share)
     !vtkAbstractMapper::GetScalars(
       input, this->ScalarMode, this->ArrayAccessMode, this->ArrayId, this->ArrayName, cellFlag))
   {
-    return;
+    return nullptr;
   }
-  const int association = cellFlag == 1 ? vtkDataObject::CELL : vtkDataObject::POINT;
-  vtkDataArray* vectors =
-    input->GetAttributes(association)->GetArray(this->VectorArrayName.c_str());
-  if (!vectors || vectors->GetNumberOfComponents() != 3)
+  onCells = cellFlag == 1;
+  vtkDataArray* vectors = input->GetAttributes(onCells ? vtkDataObject::CELL : vtkDataObject::POINT)
+                            ->GetArray(this->VectorArrayName.c_str());
+  return vectors && vectors->GetNumberOfComponents() == 3 ? vectors : nullptr;
+}
+
+void vtkTexturedSplatMapper::SuitVectorsToMedium(bool opacity, bool share)
+{
+  bool onCells = false;
+  vtkDataArray* vectors = this->FindVectors(onCells);
+  if (!vectors)
   {
     return;
   }
-  nephoscope::SplatSampling sampling = this->GetSampling(cellFlag == 1);
+  vtkDataSet* input = this->GetDataSetInput();
+  nephoscope::SplatSampling sampling = this->GetSampling(onCells);
   sampling.RadiusFactor = 1.0;
   const nephoscope::MediumBounds bounds = nephoscope::boundsOfSamples(input, sampling);
   const nephoscope::MediumMeasures measures =
@@ -43,6 +53,18 @@ void vtkTexturedSplatMapper::SuitVectorsToMedium(bool opacity, bool share)
   {
     this->SetVectorOpacity(suited.Opacity);
   }
+}
+
+double vtkTexturedSplatMapper::FindVectorUnit()
+{
+  bool onCells = false;
+  vtkDataArray* vectors = this->FindVectors(onCells);
+  if (this->VectorUnit > 0 || !vectors)
+  {
+    return this->VectorUnit;
+  }
+  const nephoscope::SplatShapes shapes(this->GetDataSetInput(), this->GetSampling(onCells));
+  return this->GetStreakUnit(nephoscope::SumVectors(shapes, vectors).MeanCell());
 }
 
 double vtkTexturedSplatMapper::FindUnitDistance(vtkVolumeProperty* property)

@@ -30,3 +30,15 @@ def densest(grid: pyvista.DataSet, name: str, opacity: Any) -> pyvista.DataSet:
     if series is None:
         return grid
     return series.greatest(name, lambda values: np.mean([opacity.GetValue(value) for value in values]))
+
+
+def greatest_vector(grid: pyvista.DataSet, name: str) -> float | None:
+    """The greatest length of a vector in all steps of the series whose mesh is the grid; None for another grid, or if all lengths are 0."""
+    series = _series.get(grid.memory_address)
+    return None if series is None else series.range(name)[1] or None
+
+
+def fastest(grid: pyvista.DataSet, name: str) -> pyvista.DataSet:
+    """The grid; for the mesh of a series, the grid of the step whose vectors have the greatest mean length."""
+    series = _series.get(grid.memory_address)
+    return grid if series is None else series.greatest(name, np.mean)

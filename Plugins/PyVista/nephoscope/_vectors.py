@@ -13,7 +13,7 @@ import pyvista
 from . import vtkSplatSpeedKey
 from ._checks import choose, listed, require_beside_scalars, require_number
 from ._medium import array_values, lookup_table
-from ._over_time import values_over_time
+from ._over_time import fastest, greatest_vector, values_over_time
 from ._pipeline import level_of_caller
 from ._typing import Numbers
 from .transfer import colour_function
@@ -33,6 +33,17 @@ def _contrasting(background: Numbers, colours: np.ndarray) -> tuple[float, float
     others = np.array([background, colours.mean(axis=0)])
     choices = [pyvista.Color(name).float_rgb for name in COLOURS]
     return max(choices, key=lambda choice: np.linalg.norm(others - choice, axis=1).min())
+
+
+def _with_arrays(step: pyvista.DataSet, drawn: pyvista.DataSet) -> pyvista.DataSet:
+    """The mesh of another step, with the arrays that only the drawn mesh has; the drawn mesh, if they do not fit."""
+    if (step.n_points, step.n_cells) != (drawn.n_points, drawn.n_cells):
+        return step if set(drawn.array_names) <= set(step.array_names) else drawn
+    step = step.copy(deep=False)
+    for here, there in ((step.point_data, drawn.point_data), (step.cell_data, drawn.cell_data)):
+        for name in [name for name in there.keys() if name not in here]:
+            here.set_array(there[name], name)
+    return step
 
 
 OLD_NAMES = {"vector_style": "style", "vector_placement": "placement", "vector_opacity": "opacity", "vector_color": "color", "vector_scalars": "scalars",
@@ -131,9 +142,23 @@ class Vectors:
                       f"{type(mesh).__name__}. Instead, {ignored}layers at right angles to the line of sight are drawn. Use 'middle' for "
                       "pictures that change less with the view.", UserWarning, stacklevel=level_of_caller())
 
-    def suit(self, mapper: Any, plotter: pyvista.BasePlotter, prop: pyvista.VolumeProperty) -> None:
-        """Adjusts the vectors to a medium that is drawn too, so that both are readable, unless the user has set them. Call it after everything else is set."""
-        if self.array is None or not is_drawn(prop.GetScalarOpacity()):
+    def suit(self, mapper: Any, plotter: pyvista.BasePlotter, prop: pyvista.VolumeProperty, given: pyvista.DataSet) -> None:
+        """Adjusts the vectors to a medium that is drawn too, so that both are readable, and to all steps of a series, unless the user has set them. `given`: the
+        mesh of the user. Call it after everything else is set."""
+        if self.array is None:
+            return
+        drawn, speed = mapper.dataset, greatest_vector(given, self.array)
+        if speed is not None:
+            mapper.SetInputData(_with_arrays(fastest(given, self.array), drawn))
+            if self.maximum_speed is None:
+                mapper.SetMaximumSpeed(speed)
+        self._suit_to_medium(mapper, plotter, prop)
+        if speed is not None:
+            mapper.SetVectorUnit(mapper.FindVectorUnit())
+            mapper.SetInputData(drawn)
+
+    def _suit_to_medium(self, mapper: Any, plotter: pyvista.BasePlotter, prop: pyvista.VolumeProperty) -> None:
+        if not is_drawn(prop.GetScalarOpacity()):
             return
         mapper.SuitVectorsToMedium(self.opacity is None, self.fraction is None and self.style == "streaks")
         if self.color is None and self.scalars is None:

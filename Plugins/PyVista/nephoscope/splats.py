@@ -159,11 +159,12 @@ def add_splats(plotter: pyvista.BasePlotter, mesh: Any, scalars: str | np.ndarra
         - ``scalars``, ``cmap``, ``clim``: array that colours the vectors independently of the splats, for example altitude; its magnitude if it
           has several components. Its colour map and range are given as for `cmap` and `clim`.
         - ``maximum_speed``: length of a vector, in its own unit, at and above which streaks have full opacity, > 0. Default: the greatest length
-          in the data.
+          in the data; for the mesh of a series, as `animate` draws it, in all steps.
         - ``fraction``: fraction of the samples whose vectors are drawn, chosen at random, > 0 and <= 1. Fewer streaks are longer and wider.
           Default: all vectors if there is no medium; in a medium, as many as give a line of sight the density of 7 streaks of the longest vectors.
         - ``unit``: length of the vector unit, in units of length of the mesh, > 0. Default: the mean length of a cell along its vector, longer if
-          ``fraction`` is below 1. To make time steps comparable, pass it and ``maximum_speed``.
+          ``fraction`` is below 1; for the mesh of a series that of the step with the fastest vectors. To make pictures comparable, pass it and
+          ``maximum_speed``.
         - ``streak_period``, default 4.0: distance between streaks along a vector, in vector units, 0.01 to 1000.
         - ``streak_width``, default 0.1: standard deviation of a streak's brightness across it, in vector units, 0.001 to 10.
         - ``segment_length``, default 2.0: length of the segment of a vector with the maximum speed, in vector units, 0 to 1000. Other segments are
@@ -236,6 +237,7 @@ def add_splats(plotter: pyvista.BasePlotter, mesh: Any, scalars: str | np.ndarra
         if uniform:
             on_cells = not mesh.point_data and mesh.cell_data  # for hyper tree grids, for example: each cell has its own size
             scalars, clim, preference = np.ones(mesh.n_cells if on_cells else mesh.n_points), (0, 1), "cell" if on_cells else "point"
+    given = mesh
     mesh, array_name, association = scalar_array(mesh, scalars, preference)
     if opacity_scalars is not None:
         require_beside_scalars(mesh, opacity_scalars, association, "opacity_scalars")
@@ -249,7 +251,7 @@ def add_splats(plotter: pyvista.BasePlotter, mesh: Any, scalars: str | np.ndarra
     fainter = FAINTER * concentration(mesh.points) if uniform and opacity_scalars is None else 1.0
     prop = Functions(cmap, opacity, clim, n_colors, flip_scalars, log_scale, opacity_scalars, opacity_clim,
                      opacity_scale, preset, fainter).attach(mapper, plotter, mesh, array_name, association, association, opacity_unit_distance)
-    streaks.suit(mapper, plotter, prop)
+    streaks.suit(mapper, plotter, prop, given)
     if streaks.table is not None and not is_drawn(prop.GetScalarOpacity()):
         show_scalar_bar = False  # nothing uses its colours
     volume = add_medium(plotter, mapper, prop, array_name, user_matrix=user_matrix, show_scalar_bar=show_scalar_bar,

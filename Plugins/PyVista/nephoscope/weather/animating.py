@@ -34,7 +34,7 @@ def animate(plotter: pyvista.BasePlotter, dataset: Any, draw: str | Callable[[An
     draw : str or callable
         A variable or a quantity to compute, as in ``dataset.nephoscope.plot``, drawn by `add_cells`; or a function ``draw(plotter, mesh)`` that is called once and adds what you
         want to draw. The values of the mesh change with the time; of PyVista meshes, points and cells too. Colours and opacities stay the same: their range covers all steps (a sample of 50 if there are more), unless
-        you give limits with ``clim``.
+        you give limits with ``clim``. So do the ``maximum_speed`` and the ``unit`` of the `vectors` of `add_splats`.
     filename : str or pathlib.Path, optional
         A film: ``.gif`` (needs Pillow), ``.mp4`` (needs the program ffmpeg), or a folder for PNG pictures. Default: a slider of time.
     times : sequence, optional

@@ -1,0 +1,79 @@
+# SPDX-FileCopyrightText: The Nephoscope authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""nephoscope.animate: what it draws is the same function of the values in all steps."""
+import unittest
+
+import nephoscope
+import numpy as np
+import pyvista
+
+
+class Animation(unittest.TestCase):
+    def setUp(self):
+        self.plotter = self.new_plotter()
+
+    def new_plotter(self, **options):
+        plotter = pyvista.Plotter(off_screen=True, window_size=(160, 160), **options)
+        self.addCleanup(plotter.close)
+        return plotter
+
+    def picture(self, plotter=None):
+        plotter = plotter or self.plotter
+        plotter.clear_slider_widgets()
+        plotter.render()
+        return plotter.screenshot(return_img=True).astype(int)
+
+
+def whirl(strength, size=9):
+    """A vortex; its cells are twice as long along z, where the wind blows in a step of negative strength."""
+    mesh = pyvista.ImageData(dimensions=(size,) * 3, spacing=(1, 1, 2))
+    x, y, _ = (mesh.points - mesh.center).T
+    mesh["U"] = np.c_[-y, x, 0 * x] * strength if strength > 0 else np.c_[0 * x, 0 * x, 0 * x - strength]
+    mesh["T"] = x
+    return mesh
+
+
+class Vectors(Animation):
+    def animate(self, meshes, **options):
+        drawn = []
+        series = nephoscope.animate(self.plotter, meshes, lambda plotter, mesh: drawn.append(nephoscope.add_splats(
+            plotter, mesh, **{"color": "black", "opacity": 0, **options})), show_time=False)
+        return series, drawn[0].mapper
+
+    def test_one_maximum_speed(self):
+        """A step looks as with the greatest speed of all steps, so that stronger winds have stronger streaks."""
+        meshes = [whirl(1), whirl(10), whirl(2)]
+        greatest = np.linalg.norm(meshes[1]["U"], axis=1).max()
+        for vectors in ({"array": "U"}, {"array": "U", "true_speed": True, "speed_key": False}, {"array": "U", "maximum_speed": 3.0}):
+            self.plotter.clear()
+            series, mapper = self.animate(meshes, vectors=vectors)
+            self.assertAlmostEqual(mapper.GetMaximumSpeed(), vectors.get("maximum_speed", greatest), 4)
+            weak = self.picture()
+            alone = self.new_plotter()
+            nephoscope.add_splats(alone, meshes[0], color="black", opacity=0, vectors={"maximum_speed": greatest, **vectors})
+            self.assertLess(np.abs(weak - self.picture(alone)).max(), 3)
+            series.show(1)
+            self.assertLess(self.picture().mean(), weak.mean() - 1)
+
+    def test_one_unit(self):
+        """The unit is that of the step with the fastest vectors, whichever is shown."""
+        for strengths, unit in (((-1, 10), 1), ((1, -100), 2)):
+            self.plotter.clear()
+            meshes = [whirl(strength) for strength in strengths]
+            series, mapper = self.animate(meshes, vectors="U")
+            found = mapper.GetVectorUnit()
+            self.assertAlmostEqual(found, unit, delta=0.1)
+            series.show(1)
+            self.assertEqual(mapper.FindVectorUnit(), found)
+
+    def test_in_a_medium(self):
+        """Density and opacity of the streaks are those of the strongest wind, too."""
+        _, mapper = self.animate([whirl(1), whirl(10)], color=None, scalars="T", opacity="linear", vectors="U")
+        _, other = self.animate([whirl(10), whirl(1)], color=None, scalars="T", opacity="linear", vectors="U")
+        self.assertEqual(mapper.GetVectorOpacity(), other.GetVectorOpacity())
+        self.assertEqual(mapper.GetVectorFraction(), other.GetVectorFraction())
+        self.assertAlmostEqual(mapper.GetVectorUnit(), other.GetVectorUnit(), 6)
+
+
+if __name__ == "__main__":
+    unittest.main()
