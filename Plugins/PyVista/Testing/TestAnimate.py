@@ -75,5 +75,44 @@ class Vectors(Animation):
         self.assertAlmostEqual(mapper.GetVectorUnit(), other.GetVectorUnit(), 6)
 
 
+class Several(Animation):
+    def animate(self, plotter, count, **options):
+        return nephoscope.animate(plotter, [whirl(k) for k in range(1, count + 1)], lambda plotter, mesh: plotter.add_mesh(mesh.outline()), **options)
+
+    def labels(self, renderer):
+        return [actor.GetText(2) for name, actor in renderer.actors.items() if name.startswith("nephoscope_time")]
+
+    def sliders(self, plotter):
+        return getattr(plotter, "widgets", plotter).slider_widgets
+
+    def test_sub_plots(self):
+        """Each has its own time and its own slider, whichever sub-plot is active."""
+        plotter = self.new_plotter(shape=(1, 2))
+        plotter.subplot(0, 0)
+        left = self.animate(plotter, 4)
+        plotter.subplot(0, 1)
+        right = self.animate(plotter, 3)
+        left.show(3)
+        right.show(1)
+        self.assertEqual([self.labels(renderer) for renderer in plotter.renderers], [["3"], ["1"]])
+        sliders = self.sliders(plotter)
+        self.assertTrue(all(slider.GetCurrentRenderer() is renderer for slider, renderer in zip(sliders, plotter.renderers)))
+        self.assertEqual({slider.GetRepresentation().GetPoint1Coordinate().GetValue()[1] for slider in sliders}, {0.9})
+        self.assertEqual([slider.GetRepresentation().GetValue() for slider in sliders], [3, 1])
+
+    def test_one_renderer(self):
+        """Times and sliders are one below the other; those of the first do not change with the second."""
+        first, second = self.animate(self.plotter, 4), self.animate(self.plotter, 3)
+        first.show(2)
+        second.show(1)
+        self.assertEqual(self.labels(self.plotter.renderer), ["2", "\n1"])
+        heights = [slider.GetRepresentation().GetPoint1Coordinate().GetValue()[1] for slider in self.sliders(self.plotter)]
+        self.assertGreater(heights[0] - heights[1], 0.1)
+        self.plotter.clear()
+        self.plotter.clear_slider_widgets()
+        self.animate(self.plotter, 2)
+        self.assertEqual(self.labels(self.plotter.renderer), ["0"])
+
+
 if __name__ == "__main__":
     unittest.main()

@@ -18,6 +18,10 @@ from .dataset_series import DatasetSeries
 from .mesh_series import MeshSeries, is_meshes, mesh_series
 from .series import Series
 
+LABEL = "nephoscope_time"  # name of the actor
+UPPER_LEFT = 2  # vtkCornerAnnotation
+ROWS = (0.9, 0.74, 0.58, 0.42)  # heights of sliders in a renderer
+
 
 def animate(plotter: pyvista.BasePlotter, dataset: Any, draw: str | Callable[[Any, Any], Any], *, filename: str | Path | None = None,
             times: Any = None, framerate: float = 8.0, heights: bool = False, show_time: bool = True, progress: bool = True, **options: Any) -> Series:
@@ -26,7 +30,7 @@ def animate(plotter: pyvista.BasePlotter, dataset: Any, draw: str | Callable[[An
     Parameters
     ----------
     plotter : pyvista.Plotter
-        The plotter to draw in; its other contents stay. In a plotter that is empty and has PyVista's defaults, a field is drawn as ``dataset.nephoscope.plot`` does:
+        The plotter to draw in, its active sub-plot; its other contents stay. Each animation has its own time and its own slider. In a plotter that is empty and has PyVista's defaults, a field is drawn as ``dataset.nephoscope.plot`` does:
         over the Earth or a map, on a dark background, with a vertical exaggeration of 30 unless you give one; flat, without exaggeration, if x and y are lengths.
     dataset : xarray.Dataset, Series, str, sequence or dict of pyvista.DataSet, or callable
         The weather, its series (``dataset.nephoscope.series()``), or what `nephoscope.open` takes. Or PyVista meshes of one type: a list, a dict by time, or a
@@ -77,7 +81,7 @@ def animate(plotter: pyvista.BasePlotter, dataset: Any, draw: str | Callable[[An
         add_cells(plotter, series.mesh, draw, **look)
     colour = "white" if np.mean(plotter.background_color.float_rgb) < 0.5 else "black"
     if show_time:
-        series.listen(lambda step: plotter.add_text(series.times[step], name="nephoscope_time", font_size=10, position="upper_left", color=colour, render=False))
+        _add_label(plotter, series, colour)
 
     def turn_to(step: float) -> None:
         series.show(int(round(step)))
@@ -143,9 +147,29 @@ def _drawn(plotter: pyvista.BasePlotter, series: Series, draw: Callable) -> None
             mapper.scalar_range = series.range(array)
 
 
+def _add_label(plotter: pyvista.BasePlotter, series: Series, colour: str) -> None:
+    """Writes the time into the active renderer, below the times of other animations there."""
+    above = 0
+    while (name := f"{LABEL}_{above + 1}" if above else LABEL) in plotter.renderer.actors:
+        above += 1
+    told = ["\n" * above + time for time in series.times]
+    text = plotter.add_text(told[series.step], name=name, font_size=10, position="upper_left", color=colour, render=False)
+    series.listen(lambda step: text.SetText(UPPER_LEFT, told[step]))
+
+
+def _row(plotter: pyvista.BasePlotter) -> float:
+    """The height of a slider in the active renderer, as a share of the latter: at the top, or below other sliders there."""
+    _, bottom, _, top = plotter.renderer.GetViewport()
+    sliders = getattr(plotter, "widgets", plotter).slider_widgets
+    others = [one.GetRepresentation().GetPoint1Coordinate().GetValue()[1] / (top - bottom) for one in sliders if one.GetCurrentRenderer() is plotter.renderer]
+    return next((row for row in ROWS if all(abs(row - other) > 0.05 for other in others)), ROWS[0])
+
+
 def _add_slider(plotter: pyvista.BasePlotter, series: Series, turn_to: Callable[[float], None], colour: str) -> None:
     """Adds the slider, whose label is the date, also while you drag it."""
-    slider = plotter.add_slider_widget(turn_to, [0, len(series) - 1], value=series.step, title="time", fmt=series.times[series.step], color=colour, interaction_event="end")
+    height = _row(plotter)
+    slider = plotter.add_slider_widget(turn_to, [0, len(series) - 1], value=series.step, title="time", fmt=series.times[series.step], color=colour, interaction_event="end",
+                                       pointa=(0.4, height), pointb=(0.9, height))
     shown = slider.GetRepresentation()
 
     def label(*_: Any) -> None:
