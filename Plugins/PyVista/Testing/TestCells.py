@@ -91,6 +91,18 @@ class Accepted(Cells):
         self.assertEqual(self.add(scalars=np.full(27, 4.0), log_scale=True, show_scalar_bar=False).mapper.scalar_range, (2, 8))
         self.assertEqual(self.add(scalars=np.r_[np.nan, np.arange(26.0)]).mapper.scalar_range, (0, 25))
 
+    def test_rounding_errors_are_no_range(self):
+        """Values that differ in the last digits are drawn like a constant, without a warning; a range of more digits is one."""
+        noise = np.random.default_rng(1).uniform(-1, 1, 27)
+        with warnings.catch_warnings():
+            warnings.simplefilter("error")
+            for values in (1 + 1e-16 * noise, 1 + 1e-15 * noise, -250 - 1e-13 * noise, (300 + 1e-4 * noise).astype(np.float32)):
+                low, high = self.add(scalars=values, show_scalar_bar=False).mapper.scalar_range
+                np.testing.assert_allclose((low, high), values[0] + np.array([-0.5, 0.5]), rtol=1e-6)
+            for values in (1 + 1e-13 * noise, 1e-20 * noise, (300 + 0.01 * noise).astype(np.float32)):
+                self.assertEqual(self.add(scalars=values, show_scalar_bar=False).mapper.scalar_range, (values.min(), values.max()))
+            self.add(scalars=1 + 1e-16 * noise, clim=(1, np.nextafter(1, 2)), opacity="sigmoid")
+
     def test_grids_of_every_kind(self):
         image = cube()
         for grid in (image, image.cast_to_rectilinear_grid(), image.cast_to_structured_grid(), image.cast_to_unstructured_grid(),

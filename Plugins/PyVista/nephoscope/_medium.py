@@ -26,6 +26,8 @@ from ._settings import MediumMapper
 from ._typing import Numbers
 from .transfer import OPACITY_NAMES, OpacityLike, opacity_values
 
+ROUNDING = 16  # units of the last place
+
 
 def require_plotter(plotter: Any) -> None:
     if not callable(getattr(plotter, "add_actor", None)):
@@ -173,7 +175,7 @@ def _scalar_range(values: np.ndarray, name: str, clim: float | Numbers | None,
     finite = values[np.isfinite(values)]
     if clim is None:
         low, high = float(finite.min()), float(finite.max())
-        if low == high:
+        if _is_constant(finite, low, high):
             low, high = _around(low, log_scale)
     else:
         low, high = _limits(clim)
@@ -185,6 +187,12 @@ def _scalar_range(values: np.ndarray, name: str, clim: float | Numbers | None,
     if not (np.isfinite(low) and np.isfinite(high) and low < high):
         raise ValueError(f"clim is ({low:g}, {high:g}) for the array {name!r}; it must be two finite numbers, ascending.")
     return float(low), float(high)
+
+
+def _is_constant(values: np.ndarray, low: float, high: float) -> bool:
+    """Whether values from `low` to `high` differ by rounding errors alone."""
+    precision = np.finfo(values.dtype).eps if np.issubdtype(values.dtype, np.floating) else 0.0
+    return high - low <= ROUNDING * precision * max(abs(low), abs(high))
 
 
 def _around(value: float, log_scale: bool) -> tuple[float, float]:

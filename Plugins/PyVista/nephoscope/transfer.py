@@ -120,6 +120,8 @@ def _polyline(x: np.ndarray, y: np.ndarray, tolerance: float) -> np.ndarray:
     keep, spans = {0, len(x) - 1}, [(0, len(x) - 1)]
     while spans:
         first, last = spans.pop()
+        if not x[last] > x[first]:
+            continue  # no number lies in between
         t = (x[first:last + 1] - x[first]) / (x[last] - x[first])
         line = y[first] + t[:, None] * (y[last] - y[first])
         errors = np.abs(y[first:last + 1] - line).max(axis=1)
