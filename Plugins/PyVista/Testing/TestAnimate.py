@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """nephoscope.animate: what it draws is the same function of the values in all steps."""
 import unittest
+import warnings
 
 import nephoscope
 import numpy as np
@@ -19,7 +20,7 @@ class Animation(unittest.TestCase):
 
     def picture(self, plotter=None):
         plotter = plotter or self.plotter
-        plotter.clear_slider_widgets()
+        getattr(plotter, "widgets", plotter).clear_slider_widgets()
         plotter.render()
         return plotter.screenshot(return_img=True).astype(int)
 
@@ -75,6 +76,37 @@ class Vectors(Animation):
         self.assertAlmostEqual(mapper.GetVectorUnit(), other.GetVectorUnit(), 6)
 
 
+class EmptySteps(Animation):
+    TIMES = [0, 0.25, 0.5, 1.0]
+
+    def film(self, times, draw):
+        winds = [whirl(-1, 11) for _ in self.TIMES]
+        plotter = self.new_plotter()
+        plotter.set_background("black")
+        series = nephoscope.animate(plotter, lambda time: nephoscope.flow_volume(winds, times=self.TIMES, time=time, center=(5, 5, 5), radius=2, normal=(0, 0, 1)), draw,
+                                    times=times, show_time=False)
+        pictures = []
+        for step in range(len(series)):
+            series.show(step)
+            pictures.append(self.picture(plotter))
+        series.show(0)
+        self.assertEqual(np.abs(self.picture(plotter) - pictures[0]).max(), 0)
+        return pictures
+
+    def test_smoke_from_its_release(self):
+        """The first step is empty, the others are those of a film without it, whatever draws them."""
+        for draw in (lambda plotter, mesh: nephoscope.add_smoke(plotter, mesh), lambda plotter, mesh: nephoscope.add_cells(plotter, mesh, "Age", show_scalar_bar=False),
+                     lambda plotter, mesh: nephoscope.add_splats(plotter, mesh, "Age", show_scalar_bar=False),
+                     lambda plotter, mesh: plotter.add_mesh(mesh, scalars="Age", show_scalar_bar=False)):
+            with warnings.catch_warnings():
+                warnings.simplefilter("error")
+                all_of_them, others = (self.film(times, draw) for times in (self.TIMES, self.TIMES[1:]))
+            self.assertEqual(all_of_them[0].max(), 0)
+            for one, other in zip(all_of_them[1:], others):
+                self.assertGreater(one.max(), 10)
+                self.assertLess(np.abs(one - other).max(), 3)
+
+
 class Several(Animation):
     def animate(self, plotter, count, **options):
         return nephoscope.animate(plotter, [whirl(k) for k in range(1, count + 1)], lambda plotter, mesh: plotter.add_mesh(mesh.outline()), **options)
@@ -109,7 +141,7 @@ class Several(Animation):
         heights = [slider.GetRepresentation().GetPoint1Coordinate().GetValue()[1] for slider in self.sliders(self.plotter)]
         self.assertGreater(heights[0] - heights[1], 0.1)
         self.plotter.clear()
-        self.plotter.clear_slider_widgets()
+        getattr(self.plotter, "widgets", self.plotter).clear_slider_widgets()
         self.animate(self.plotter, 2)
         self.assertEqual(self.labels(self.plotter.renderer), ["0"])
 

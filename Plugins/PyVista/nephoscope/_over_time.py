@@ -17,6 +17,11 @@ def follow(mesh: pyvista.DataSet, series: Any) -> None:
     _series[mesh.memory_address] = series
 
 
+def follows(mesh: pyvista.DataSet) -> bool:
+    """Whether the values of the mesh follow a series; at some times it may be empty."""
+    return mesh.memory_address in _series
+
+
 def values_over_time(grid: pyvista.DataSet, name: str, association: str) -> np.ndarray:
     """The values of the array (for vectors, their lengths). For the mesh of a series they are sampled from all steps, including the least and greatest."""
     values = (grid.point_data if association == "point" else grid.cell_data)[name]

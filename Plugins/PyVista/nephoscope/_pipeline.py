@@ -15,6 +15,8 @@ from vtkmodules.util.vtkConstants import VTK_STRING
 from vtkmodules.vtkCommonDataModel import vtkCompositeDataSet, vtkDataObject, vtkDataSet
 from vtkmodules.vtkCommonExecutionModel import vtkAlgorithm
 
+from ._over_time import follows
+
 
 def _text(message: str) -> str:
     """The sentence in VTK's "ERROR: In file, line n\\nclass (address): sentence"."""
@@ -88,6 +90,8 @@ def warn_when_drawing(mapper: vtkAlgorithm) -> None:
 
     @calldata_type(VTK_STRING)
     def on_message(_caller: object, _event: str, message: str) -> None:
+        if "there is nothing to draw" in message and follows(mapper.dataset):
+            return
         warnings.warn(f"{name}: {_renamed(_text(message), _NAMES_OF_MAPPERS)}", RuntimeWarning, stacklevel=level_of_caller(*_drawing_folders()))
 
     for event in ("ErrorEvent", "WarningEvent"):

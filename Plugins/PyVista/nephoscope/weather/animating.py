@@ -35,6 +35,7 @@ def animate(plotter: pyvista.BasePlotter, dataset: Any, draw: str | Callable[[An
     dataset : xarray.Dataset, Series, str, sequence or dict of pyvista.DataSet, or callable
         The weather, its series (``dataset.nephoscope.series()``), or what `nephoscope.open` takes. Or PyVista meshes of one type: a list, a dict by time, or a
         function that takes one of `times` and returns the mesh. They are not changed.
+        Nothing is drawn of a mesh without points, such as smoke at the time of its release; `draw` gets the first that has points.
     draw : str or callable
         A variable or a quantity to compute, as in ``dataset.nephoscope.plot``, drawn by `add_cells`; or a function ``draw(plotter, mesh)`` that is called once and adds what you
         want to draw. The values of the mesh change with the time; of PyVista meshes, points and cells too. Colours and opacities stay the same: their range covers all steps (a sample of 50 if there are more), unless
@@ -79,6 +80,8 @@ def animate(plotter: pyvista.BasePlotter, dataset: Any, draw: str | Callable[[An
     else:
         from ..cells import add_cells
         add_cells(plotter, series.mesh, draw, **look)
+    if series.step > 0:
+        _look_at(plotter)
     colour = "white" if np.mean(plotter.background_color.float_rgb) < 0.5 else "black"
     if show_time:
         _add_label(plotter, series, colour)
@@ -145,6 +148,14 @@ def _drawn(plotter: pyvista.BasePlotter, series: Series, draw: Callable) -> None
         array = getattr(mapper, "array_name", None)
         if isinstance(mapper, pyvista.DataSetMapper) and array in series.mesh.array_names and np.allclose(mapper.scalar_range, series.mesh.get_data_range(array)):
             mapper.scalar_range = series.range(array)
+
+
+def _look_at(plotter: pyvista.BasePlotter) -> None:
+    """Looks at what is drawn, before a first step without points is shown."""
+    if not plotter.camera.is_set:
+        plotter.camera_position = plotter.renderer.get_default_cam_pos()
+        plotter.reset_camera(render=False)
+        plotter.camera.is_set = True
 
 
 def _add_label(plotter: pyvista.BasePlotter, series: Series, colour: str) -> None:

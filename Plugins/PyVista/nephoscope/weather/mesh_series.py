@@ -15,8 +15,8 @@ ACCEPTED = "a list of PyVista datasets, one for each time, a dict {time: dataset
 
 
 class MeshSeries(Series):
-    """A `Series` of meshes that exist already, or of a function that returns the mesh of a time. They are not changed: `mesh` is a copy of the first, and
-    gets the points and cells of each step."""
+    """A `Series` of meshes that exist already, or of a function that returns the mesh of a time. They are not changed: `mesh` is a copy of the first that has
+    points, and gets the points and cells of each step. A mesh without points needs no arrays: nothing is drawn."""
 
     def __init__(self, meshes: Any, times: Any = None) -> None:
         self._source = meshes if callable(meshes) else [_wrapped(mesh) for mesh in (meshes.values() if isinstance(meshes, Mapping) else meshes)]
@@ -24,7 +24,9 @@ class MeshSeries(Series):
         self._last: tuple[int, Any] = (-1, None)  # what the function has returned
         self._require_meshes()
         self._kind = type(self._made(0) if callable(self._source) else self._source[0])
-        super().__init__([str(i) for i in range(len(self))] if self._labels is None else [_told(time) for time in self._labels], self[0].copy())
+        first = next((step for step in range(len(self)) if self[step].n_points), 0)
+        super().__init__([str(i) for i in range(len(self))] if self._labels is None else [_told(time) for time in self._labels], self[first].copy())
+        self.step = first
 
     def _require_meshes(self) -> None:
         if self._labels is None and callable(self._source):
@@ -66,7 +68,7 @@ class MeshSeries(Series):
 
     def _shape(self, found: pyvista.DataSet) -> None:
         if not _same_cells(self.mesh, found):
-            self.mesh.deep_copy(found)
+            self.mesh.deep_copy(found if found.n_points else _emptied(self.mesh))
 
 
 def is_meshes(dataset: Any) -> bool:
@@ -96,6 +98,16 @@ def _require_mesh(mesh: Any, kind: type) -> None:
     if not isinstance(mesh, kind):
         raise TypeError(f"One of the meshes is a {type(mesh).__name__}, another a {kind.__name__}; all must be of one type, for example by "
                         "mesh.cast_to_unstructured_grid().")
+
+
+def _emptied(mesh: pyvista.DataSet) -> pyvista.DataSet:
+    """A mesh without points and cells that has the arrays of `mesh`, so that they are found."""
+    empty = type(mesh)()
+    for here, there in ((empty.GetPointData(), mesh.GetPointData()), (empty.GetCellData(), mesh.GetCellData())):
+        here.CopyAllOn()
+        here.CopyAllocate(there)
+    empty.GetFieldData().ShallowCopy(mesh.GetFieldData())
+    return empty
 
 
 def _same_cells(mesh: pyvista.DataSet, other: pyvista.DataSet) -> bool:

@@ -95,7 +95,8 @@ class Series(Sequence):
         return np.append(finite[places.astype(int)], [finite.min(), finite.max()])
 
     def _values(self, step: int, name: str) -> np.ndarray:
-        return np.asarray((self.mesh if step == self.step else self._read(step))[name])
+        found = self.mesh if step == self.step else self._read(step)
+        return np.asarray(found[name]) if found.n_points else np.zeros(0)
 
     # The step that is shown
 
