@@ -3,10 +3,12 @@
 """nephoscope.animate: what it draws is the same function of the values in all steps."""
 import unittest
 import warnings
+from datetime import datetime
 
 import nephoscope
 import numpy as np
 import pyvista
+from pyvista.core.errors import MissingDataError
 
 
 class Animation(unittest.TestCase):
@@ -105,6 +107,36 @@ class EmptySteps(Animation):
             for one, other in zip(all_of_them[1:], others):
                 self.assertGreater(one.max(), 10)
                 self.assertLess(np.abs(one - other).max(), 3)
+
+
+class Messages(Animation):
+    def test_what_cannot_be_drawn_is_told(self):
+        meshes, lacking = [whirl(1), whirl(2)], whirl(3)
+        lacking.point_data.remove("T")
+        for error, words, dataset, options in (
+                (ValueError, "dataset is empty; it must be a list of PyVista datasets", [], {}), (ValueError, "dataset is empty", {}, {}),
+                (TypeError, r"a generator.*pass list\(dataset\)", (mesh for mesh in meshes), {}),
+                (MissingDataError, r"step 1 \(time 1\) has no array 'T'. Point arrays: 'U'", [meshes[0], lacking], {}),
+                (MissingDataError, r"step 1 \(time 6.5\) has no array 'T'", {0: meshes[0], 6.5: lacking}, {}),
+                (TypeError, r"animate\(\) got an unexpected keyword argument 'cmapp'. Did you mean 'cmap'", meshes, {"cmapp": "hot"}),
+                (TypeError, "'frame_rate'. Did you mean 'framerate'", meshes, {"frame_rate": 3}), (TypeError, "'nonsense'[.]$", meshes, {"nonsense": 3}),
+                (TypeError, r"no option 'color'; of those of add_cells it takes 'opacity', .*add_cells\(plotter, mesh, ..., color=...\)", meshes, {"color": "red"}),
+                (TypeError, "vertical_exaggeration: the meshes exist already", meshes, {"vertical_exaggeration": 3})):
+            with self.subTest(words), self.assertRaisesRegex(error, words):
+                nephoscope.animate(self.plotter, dataset, "T", **options)
+
+    def test_times_are_sorted(self):
+        """Numbers and dates, with their meshes; words stay as they are."""
+        def values(dataset, **options):
+            series = nephoscope.animate(self.plotter, dataset, lambda plotter, mesh: None, **options)
+            return [mesh["U"].max() / size for mesh in series], list(series.seconds), series.times
+        size = whirl(1)["U"].max()
+        self.assertEqual(values({3: whirl(3), 0: whirl(1), 1: whirl(2)}), ([1, 2, 3], [0, 1, 3], ["0", "1", "3"]))
+        self.assertEqual(values([whirl(2), whirl(1)], times=[4.0, 1.5])[:2], ([1, 2], [0, 2.5]))
+        self.assertEqual(values(whirl, times=np.array([3, 1, 2]))[0], [1, 2, 3])
+        self.assertEqual(values([whirl(2), whirl(1)], times=np.array(["2020-01-02", "2020-01-01"], "M8[D]"))[:2], ([1, 2], [0, 86400]))
+        self.assertEqual(values({datetime(2020, 1, 2): whirl(2), datetime(2020, 1, 1): whirl(1)})[:2], ([1, 2], [0, 86400]))
+        self.assertEqual(values({"z": whirl(2), "a": whirl(1)}), ([2, 1], [0, 1], ["z", "a"]))
 
 
 class Several(Animation):

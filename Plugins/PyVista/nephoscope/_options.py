@@ -7,7 +7,7 @@ import warnings
 from dataclasses import fields
 from difflib import get_close_matches
 from inspect import signature
-from typing import Any, Callable, Mapping
+from typing import Any, Callable, Mapping, Sequence
 
 from ._checks import listed
 from ._pipeline import level_of_caller
@@ -33,9 +33,9 @@ def group(argument: str, value: Any, options: type, first: str, old: dict[str, A
     return options(**given)
 
 
-def refuse_unknown(function: Callable, old: Mapping[str, Any]) -> None:
-    """Raises TypeError, like Python, for keyword arguments that no option uses."""
+def refuse_unknown(function: Callable, old: Mapping[str, Any], others: Sequence[str] = ()) -> None:
+    """Raises TypeError, like Python, for keyword arguments that no option uses. `others`: options that the function has besides its parameters."""
     if old:
         name = next(iter(old))
-        near = get_close_matches(name, signature(function).parameters, 1, 0.7)
+        near = get_close_matches(name, [*signature(function).parameters, *others], 1, 0.7)
         raise TypeError(f"{function.__name__}() got an unexpected keyword argument {name!r}." + (f" Did you mean {near[0]!r}?" if near else ""))

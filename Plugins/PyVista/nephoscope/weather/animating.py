@@ -7,13 +7,16 @@ import shutil
 import subprocess
 import sys
 import tempfile
+from inspect import signature
 from pathlib import Path
 from typing import Any, Callable
 
 import numpy as np
 import pyvista
 
-from .accessor import LOOK
+from .._checks import listed
+from .._options import refuse_unknown
+from .accessor import GLOBE, LOOK, WeatherAccessor
 from .dataset_series import DatasetSeries
 from .mesh_series import MeshSeries, is_meshes, mesh_series
 from .series import Series
@@ -44,6 +47,7 @@ def animate(plotter: pyvista.BasePlotter, dataset: Any, draw: str | Callable[[An
         A film: ``.gif`` (needs Pillow), ``.mp4`` (needs the program ffmpeg), or a folder for PNG pictures. Default: a slider of time.
     times : sequence, optional
         Of PyVista meshes: their times as numbers, dates or words, which are written into the picture. Default: their numbers.
+        Numbers and dates, also as the keys of a dict, are sorted, and the meshes with them.
     framerate : float, default: 8.0
         Time steps per second of the film.
     heights : bool, default: False
@@ -63,9 +67,11 @@ def animate(plotter: pyvista.BasePlotter, dataset: Any, draw: str | Callable[[An
     Raises
     ------
     TypeError
-        If `dataset` is a single mesh, or its meshes are of several types.
+        If `dataset` is a single mesh, its meshes are of several types, or an option does not exist.
+    pyvista.core.errors.MissingDataError
+        (a ValueError) If the mesh of a time lacks an array that is drawn.
     ValueError
-        If the file name has any other ending. RuntimeError If ffmpeg is missing or fails.
+        If there are no meshes, or the file name has any other ending. RuntimeError If ffmpeg is missing or fails.
     """
     from .picture import darken, is_untouched
     whole = isinstance(draw, str) and is_untouched(plotter)
@@ -102,15 +108,12 @@ def animate(plotter: pyvista.BasePlotter, dataset: Any, draw: str | Callable[[An
 def _series(dataset: Any, draw: Any, heights: bool, options: dict, exaggeration: float, times: Any) -> tuple[Series, Any]:
     """The series, and the array that is drawn."""
     if is_meshes(dataset):
-        if heights or options:
-            raise TypeError(f"{', '.join([*options, *['heights'] * heights])}: the meshes exist already, so they cannot take these options.")
+        _refuse(options, heights, "the meshes exist already, so they cannot take these options.")
         return mesh_series(dataset, times), draw
     if times is not None:
         raise TypeError("times is given, but dataset is weather, which has its own times.")
     if isinstance(dataset, Series):
-        if heights or options:
-            raise TypeError(f"{', '.join([*options, *['heights'] * heights])}: the series exists already, so it cannot take these options. Give them to "
-                            f"dataset.nephoscope.series(...).")
+        _refuse(options, heights, "the series exists already, so it cannot take these options. Give them to dataset.nephoscope.series(...).")
         return dataset, draw
     from .opening import open as opened
     found = opened(dataset)
@@ -119,6 +122,22 @@ def _series(dataset: Any, draw: Any, heights: bool, options: dict, exaggeration:
     if isinstance(draw, str):
         draw, options = found.nephoscope._of_field(draw, 0, options)
     return DatasetSeries(found, heights=heights, owned=found is not dataset, **options), draw
+
+
+def _refuse(options: dict, heights: bool, reason: str) -> None:
+    """Raises TypeError for options of a mesh that is made, of `add_cells`, or of nothing."""
+    from ..globe import to_globe
+    from .roles import ROLES
+    known = {*GLOBE, *ROLES, *signature(to_globe).parameters, *signature(WeatherAccessor.grid).parameters}
+    making = [name for name in options if name in known]
+    if making or heights:
+        raise TypeError(f"{', '.join([*making, *['heights'] * heights])}: {reason}")
+    from ..cells import add_cells
+    drawing = [name for name in options if name in signature(add_cells).parameters]
+    if drawing:
+        raise TypeError(f"animate() has no option {drawing[0]!r}; of those of add_cells it takes {listed(LOOK)}. Pass a function as draw: "
+                        f"lambda plotter, mesh: nephoscope.add_cells(plotter, mesh, ..., {drawing[0]}=...).")
+    refuse_unknown(animate, options, LOOK)
 
 
 def _look(draw: Any, options: dict) -> dict:

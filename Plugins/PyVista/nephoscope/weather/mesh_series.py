@@ -3,7 +3,8 @@
 """Meshes at several times, which are in memory or come from a function, as a series that `animate` draws."""
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
+from datetime import date
 from typing import Any
 
 import numpy as np
@@ -23,6 +24,7 @@ class MeshSeries(Series):
         self._labels = list(meshes) if isinstance(meshes, Mapping) else None if times is None else list(times)
         self._last: tuple[int, Any] = (-1, None)  # what the function has returned
         self._require_meshes()
+        self._sort()
         self._kind = type(self._made(0) if callable(self._source) else self._source[0])
         first = next((step for step in range(len(self)) if self[step].n_points), 0)
         super().__init__([str(i) for i in range(len(self))] if self._labels is None else [_told(time) for time in self._labels], self[first].copy())
@@ -39,6 +41,15 @@ class MeshSeries(Series):
             raise ValueError(f"There are {len(self._source)} meshes and {len(self._labels)} times; the numbers must be equal.")
         for mesh in self._source:
             _require_mesh(mesh, type(self._source[0]))
+
+    def _sort(self) -> None:
+        """Sorts by time, if the times are numbers or dates."""
+        if self._labels is None or not all(isinstance(time, (int, float, np.number, np.datetime64, date)) for time in self._labels):
+            return
+        order = sorted(range(len(self._labels)), key=self._labels.__getitem__)
+        self._labels = [self._labels[i] for i in order]
+        if not callable(self._source):
+            self._source = [self._source[i] for i in order]
 
     def __len__(self) -> int:
         return len(self._labels if callable(self._source) else self._source)
@@ -73,6 +84,10 @@ class MeshSeries(Series):
 
 def is_meshes(dataset: Any) -> bool:
     """Whether `dataset` is meant as meshes of several times: something of VTK or PyVista, a function, or a list or dict of the former."""
+    if isinstance(dataset, (list, tuple, dict)) and not dataset:
+        raise ValueError(f"dataset is empty; it must be {ACCEPTED}.")
+    if isinstance(dataset, Iterator):
+        raise TypeError(f"dataset is a {type(dataset).__name__}, which can be read only once; pass list(dataset).")
     first = next(iter(dataset.values() if isinstance(dataset, Mapping) else dataset), None) if isinstance(dataset, (list, tuple, dict)) else dataset
     return isinstance(first, pyvista.DataObject) or hasattr(first, "GetDataObjectType") or callable(dataset)
 

@@ -9,7 +9,9 @@ from typing import Any, Callable
 
 import numpy as np
 import pyvista
+from pyvista.core.errors import MissingDataError
 
+from .._checks import arrays_of
 from .._over_time import follow
 
 SAMPLED_STEPS = 50  # sampled for the range of colours and opacities if no limits are given
@@ -96,7 +98,11 @@ class Series(Sequence):
 
     def _values(self, step: int, name: str) -> np.ndarray:
         found = self.mesh if step == self.step else self._read(step)
-        return np.asarray(found[name]) if found.n_points else np.zeros(0)
+        if not found.n_points:
+            return np.zeros(0)
+        if name not in found.array_names:
+            raise MissingDataError(f"The mesh of step {step} (time {self.times[step]}) has no array {name!r}. {arrays_of(found)}")
+        return np.asarray(found[name])
 
     # The step that is shown
 
