@@ -91,6 +91,33 @@ class Accepted(Cells):
         self.assertEqual(self.add(scalars=np.full(27, 4.0), log_scale=True, show_scalar_bar=False).mapper.scalar_range, (2, 8))
         self.assertEqual(self.add(scalars=np.r_[np.nan, np.arange(26.0)]).mapper.scalar_range, (0, 25))
 
+    def test_colours_beyond_the_range(self):
+        """Values beyond the range of a table have the colours and opacities that it has for them, in cells, in splats and in `add_mesh`; those within keep theirs."""
+        for limits, log_scale in (((0, 1), False), ((101324, 101326), False), ((1e-3, 10), True)):
+            table = pyvista.LookupTable("viridis", n_values=8, scalar_range=limits, log_scale=log_scale)
+            plain = self.add(scalars=np.full(27, 1.0), cmap=table, show_scalar_bar=False).prop
+            table.below_range_color, table.above_range_color = (1.0, 0.0, 0.0, 0.5), "blue"
+            for add in (nephoscope.add_cells, nephoscope.add_splats):
+                prop = add(self.plotter, cube(), "x", cmap=table, show_scalar_bar=False).prop
+                colour, opacity = prop.GetRGBTransferFunction(), prop.GetScalarOpacity()
+                low, high = limits
+                below, above = (low * 0.99, high * 1.01) if log_scale else (low - 0.01 * (high - low), high + 0.01 * (high - low))
+                for value, wanted in ((below, (1, 0, 0)), (-1e6, (1, 0, 0)), (above, (0, 0, 1)), (1e9, (0, 0, 1))):
+                    np.testing.assert_allclose(colour.GetColor(value), wanted)
+                    self.assertAlmostEqual(opacity.GetValue(value), 0.5 if value < high else 1, delta=0.01)
+                for value in np.linspace(low, high, 9):
+                    np.testing.assert_allclose(colour.GetColor(value), plain.GetRGBTransferFunction().GetColor(value), atol=1e-6)
+
+    def test_pictures_of_colours_beyond_the_range(self):
+        table = pyvista.LookupTable("viridis", scalar_range=(0, 1))
+        table.below_range_color, table.above_range_color = "red", "blue"
+        for value, wanted in ((-1.0, (255, 0, 0)), (2.0, (0, 0, 255))):
+            for add in (nephoscope.add_cells, nephoscope.add_splats):
+                plotter = pyvista.Plotter(off_screen=True, window_size=(41, 41))
+                self.addCleanup(plotter.close)
+                add(plotter, cube(), np.full(27, value), cmap=table, opacity_unit_distance=0.01, show_scalar_bar=False)
+                np.testing.assert_array_equal(plotter.screenshot(return_img=True)[20, 20], wanted)
+
     def test_rounding_errors_are_no_range(self):
         """Values that differ in the last digits are drawn like a constant, without a warning; a range of more digits is one."""
         noise = np.random.default_rng(1).uniform(-1, 1, 27)

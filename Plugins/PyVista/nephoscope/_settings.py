@@ -11,7 +11,7 @@ import pyvista
 
 from ._copies import copied_mapper
 from ._typing import Numbers
-from .transfer import colour_function, opacity_function
+from .transfer import beyond, colour_function, opacity_function
 
 USUAL = {"clim": "scalar_range", "cmap": "lookup_table"}  # names of arguments
 
@@ -97,6 +97,8 @@ class MediumMapper(KnownSettings):
         self._prop.SetColor(colour_function(table))
         if self._opacity_clim is None:
             opacity = opacity_function(self._opacities, table.scalar_range, table.log_scale)
+            for scalar, colour in beyond(table):
+                opacity.AddPoint(scalar, colour.float_rgba[3])
         else:
             opacity = opacity_function(self._opacities, self._opacity_clim, False)
         self._prop.GetScalarOpacity().DeepCopy(opacity)  # layers may share it

@@ -21,6 +21,7 @@ from ._typing import Numbers
 SAMPLES = 256            # of a curve that is not defined by points
 COLOUR_TOLERANCE = 1 / 255   # colour maps are 8-bit tables
 OPACITY_TOLERANCE = 5e-4     # of the largest opacity
+STEP = 1e-4                  # of the range: width of the step to colours beyond it
 
 _SIGMOIDS = ("sigmoid", *(f"sigmoid_{i}" for i in (*range(1, 11), 15, 20)))
 OPACITY_NAMES = (*(name + end for name in ("linear", "geom", *_SIGMOIDS) for end in ("", "_r")), "foreground")
@@ -132,8 +133,17 @@ def _polyline(x: np.ndarray, y: np.ndarray, tolerance: float) -> np.ndarray:
     return np.array(sorted(keep))
 
 
+def beyond(table: pyvista.LookupTable) -> list[tuple[float, pyvista.Color]]:
+    """Scalars close to the ends of the range of `table`, and the colours that it has from there on, if it has any: ``below_range_color``, ``above_range_color``."""
+    low, high = table.scalar_range
+    rounding = float(np.finfo(np.float32).eps) * max(abs(low), abs(high))  # the GPU's numbers
+    steps = (STEP * low, STEP * high) if table.log_scale else (max(STEP * (high - low), rounding),) * 2
+    ends = ((low - steps[0], getattr(table, "below_range_color", None)), (high + steps[1], getattr(table, "above_range_color", None)))
+    return [(scalar, colour) for scalar, colour in ends if colour is not None]
+
+
 def colour_function(table: pyvista.LookupTable) -> vtkColorTransferFunction:
-    """The colours of `table` over its scalar range, straight lines between the table's entries."""
+    """The colours of `table` over its scalar range and beyond, straight lines between the table's entries."""
     colours = np.asarray(table.values)[:, :3] / 255.0
     if len(colours) == 1:
         colours = np.repeat(colours, 2, axis=0)
@@ -141,6 +151,8 @@ def colour_function(table: pyvista.LookupTable) -> vtkColorTransferFunction:
     points = control_points(colours, table.scalar_range, table.log_scale, COLOUR_TOLERANCE)
     for scalar, colour in zip(*points):
         function.AddRGBPoint(scalar, *colour)
+    for scalar, colour in beyond(table):
+        function.AddRGBPoint(scalar, *colour.float_rgb)
     return function
 
 
