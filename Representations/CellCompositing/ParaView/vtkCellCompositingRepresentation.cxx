@@ -93,7 +93,8 @@ void vtkCellCompositingRepresentation::PreparePiece(vtkDataObject* input)
 void vtkCellCompositingRepresentation::MovePiece(vtkMatrix4x4* matrix)
 {
   this->Superclass::MovePiece(matrix);
-  const bool aligned = this->Piece->GetNumberOfCells() == 0 || nephoscope::isAxisAligned(this->Piece);
+  const bool aligned =
+    this->Piece->GetNumberOfCells() == 0 || nephoscope::isAxisAligned(this->Piece);
   if (this->AxisAligned && LeastOverRanks(aligned ? 1 : 0) == 0)
   {
     this->AxisAligned = false;

@@ -47,7 +47,8 @@ vtkSmartPointer<vtkDataSet> movedRectilinear(vtkRectilinearGrid* grid, vtkMatrix
     for (vtkIdType i = 0; i < old[axis]->GetNumberOfTuples(); ++i)
     {
       coordinates[axis]->SetValue(i,
-        matrix->GetElement(axis, axis) * old[axis]->GetComponent(i, 0) + matrix->GetElement(axis, 3));
+        matrix->GetElement(axis, axis) * old[axis]->GetComponent(i, 0) +
+          matrix->GetElement(axis, 3));
     }
   }
   moved->SetXCoordinates(coordinates[0]);
@@ -101,7 +102,8 @@ vtkSmartPointer<vtkDataSet> movedData(vtkDataSet* data, vtkMatrix4x4* matrix)
   filter->TransformAllInputVectorsOn();
   filter->SetOutputPointsPrecision(vtkAlgorithm::DOUBLE_PRECISION);
   filter->Update();
-  auto moved = vtkSmartPointer<vtkDataSet>(vtkDataSet::SafeDownCast(filter->GetOutputDataObject(0)));
+  auto moved =
+    vtkSmartPointer<vtkDataSet>(vtkDataSet::SafeDownCast(filter->GetOutputDataObject(0)));
   moved->GetFieldData()->ShallowCopy(data->GetFieldData());
   return moved;
 }
@@ -111,7 +113,8 @@ void moveBounds(double bounds[6], vtkMatrix4x4* matrix)
   vtkBoundingBox moved;
   for (int corner = 0; corner < 8; ++corner)
   {
-    double x[4] = { bounds[corner & 1], bounds[2 + (corner >> 1 & 1)], bounds[4 + (corner >> 2)], 1 };
+    double x[4] = { bounds[corner & 1], bounds[2 + (corner >> 1 & 1)], bounds[4 + (corner >> 2)],
+      1 };
     matrix->MultiplyPoint(x, x);
     moved.AddPoint(x);
   }

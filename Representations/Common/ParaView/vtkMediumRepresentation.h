@@ -172,10 +172,10 @@ private:
   vtkNew<vtkPiecewiseFunction> DensityOpacity;
   vtkNew<vtkVolumeProperty> ConstantProperty; // where all values are the same
   std::string LastWarning;
-  std::string LeftOut;                     // the message about blocks
-  std::string MissingArray;                // a warning has named it
-  bool WasEmpty = false;                   // the input, and a warning has said so
-  bool HasPiece = false;                   // on any rank
+  std::string LeftOut;      // the message about blocks
+  std::string MissingArray; // a warning has named it
+  bool WasEmpty = false;    // the input, and a warning has said so
+  bool HasPiece = false;    // on any rank
   bool HasMovedPiece = false;
   vtkNew<vtkActor> Placement;              // of the display
   vtkSmartPointer<vtkDataSet> UniformData; // a delivered piece with a uniform array

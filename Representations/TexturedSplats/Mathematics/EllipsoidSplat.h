@@ -66,8 +66,7 @@ inline SplatMatrix WithoutFlatColumns(SplatMatrix jacobian, double share, double
     const double length = norm(direction);
     for (std::size_t i = 0; i < 3; ++i)
     {
-      jacobian[c][i] =
-        length > 0.0 ? target * direction[i] / length : (i == c ? target : 0.0);
+      jacobian[c][i] = length > 0.0 ? target * direction[i] / length : (i == c ? target : 0.0);
     }
   }
   return jacobian;

@@ -112,7 +112,8 @@ void SplatGridSeam::MendEdge(vtkIdType id, SplatMatrix& jacobian) const
   if (this->Closed && this->Column(id) == this->Whole[2 * this->Axis])
   {
     const Vector3 across = this->PlaceOf(1, this->Row(id)) - this->PlaceOf(2, this->Row(id));
-    jacobian[static_cast<std::size_t>(this->Axis)] = { { 0.5 * across[0], 0.5 * across[1], 0.5 * across[2] } };
+    jacobian[static_cast<std::size_t>(this->Axis)] = { { 0.5 * across[0], 0.5 * across[1],
+      0.5 * across[2] } };
   }
 }
 

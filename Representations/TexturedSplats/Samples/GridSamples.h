@@ -52,7 +52,7 @@ private:
   bool OnCells;
   bool Uniform = false;
   bool Closed[3] = { false, false, false }; // along an axis
-  int Dimensions[3] = { 0, 0, 0 }; // of the samples
+  int Dimensions[3] = { 0, 0, 0 };          // of the samples
   int PointDimensions[3] = { 0, 0, 0 };
 };
 

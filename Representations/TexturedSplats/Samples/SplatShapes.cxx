@@ -26,7 +26,7 @@ namespace nephoscope
 {
 namespace
 {
-// Of the longest edge: cells at the poles, and the like, keep a thickness; cells of weather models may be as thin as this.
+// Parts of the longest edge: cells at the poles, and the like, keep a thickness; cells of weather models may be as thin as the second.
 constexpr double flatShare = 0.02, thinnest = 1e-4;
 
 // The mean of its corners.
