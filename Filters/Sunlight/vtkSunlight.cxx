@@ -316,6 +316,7 @@ int vtkSunlight::RequestData(
     return 1;
   }
   nephoscope::ReportOnce report(this, this->Failed);
+  this->WarnOfPieces(input, outputs->GetInformationObject(0));
   const bool isSmoke = this->ExtinctionArrayName == "Extinction" &&
     nephoscope::addSmokeOptics(output, this->AlbedoArrayName, this->AsymmetryArrayName);
   this->UsedExtinction = isSmoke ? nephoscope::smokeExtinctionName : this->ExtinctionArrayName;
@@ -334,7 +335,11 @@ int vtkSunlight::RequestData(
   this->TakeForClearAir(output);
   const bool success = this->AddLight(output, input);
   report.End(success || this->GetAbortExecute());
-  if (!success)
+  if (success)
+  {
+    this->CropToPiece(output, inputs[0]->GetInformationObject(0), outputs->GetInformationObject(0));
+  }
+  else
   {
     output->Initialize();
   }

@@ -182,6 +182,7 @@ protected:
   ~vtkSunlight() override;
 
   int FillInputPortInformation(int port, vtkInformation* info) override;
+  int RequestUpdateExtent(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
 private:
@@ -201,6 +202,8 @@ private:
   void Write(vtkDataSet* data, const Work& work);
   bool GoOn(double fraction);
   bool Shade(Work& work);
+  void CropToPiece(vtkDataSet* data, vtkInformation* input, vtkInformation* output);
+  void WarnOfPieces(vtkDataSet* data, vtkInformation* information);
   std::vector<double> State(vtkDataSet* input) const;
 
   std::string ExtinctionArrayName = "Extinction";
@@ -226,6 +229,7 @@ private:
   double ViewPosition[3] = { 0, 0, 1 };
   int NumberOfIterations = 0;
   double LastChange = 0;
+  bool ToldOfPieces = false;
   vtkMTimeType ToldOfEmptiness = 0, Failed = 0; // for isEmptyInput and ReportOnce
   std::unique_ptr<Work> Last;                   // kept for another eye
   std::vector<double> LastState;                // that it was computed for

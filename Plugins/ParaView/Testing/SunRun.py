@@ -12,6 +12,14 @@ from PluginTesting import GFS, image, load_plugin, new_view, passed, pvs, set_ba
 if len(sys.argv) > 2:
     pvs.Connect("localhost", int(sys.argv[2]))
 load_plugin()
+# Clouds of one rank cast their shadows into the parts of the others.
+view = new_view((120, 90))
+lumps = pvs.Calculator(Input=pvs.Wavelet(), ResultArrayName="Extinction", Function="if(RTData>160,0.4,0)")
+lit = pvs.Sunlight(Input=lumps, SunDirection=[2, 1, 0.5])
+pvs.Show(lit, view)
+view.CameraPosition, view.CameraFocalPoint, view.CameraViewUp = [50, -60, -20], [0, 0, 0], [0, 0, 1]
+np.save(f"{sys.argv[1]}-shadows.npy", image(view))
+pvs.Delete(view)
 sun = pvs.Sun(DateTime="2011-10-11 18:00")
 view = new_view((120, 90))
 globe = pvs.GlobeGrid(Input=pvs.NetCDFReader(FileName=[GFS], SphericalCoordinates=0), VerticalExaggeration=30)

@@ -1,0 +1,90 @@
+// SPDX-FileCopyrightText: The Nephoscope authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Pieces of vtkSunlight, on several ranks: the clouds of all cast shadows on each. A piece of a grid is cut out of the whole, whose light each rank
+// computes.
+#include "vtkSunlight.h"
+
+#include "InputBlocks.h"
+
+#include "vtkDataSet.h"
+#include "vtkExtentTranslator.h"
+#include "vtkImageData.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkNew.h"
+#include "vtkRectilinearGrid.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
+#include "vtkStructuredGrid.h"
+
+#include <algorithm>
+
+using SDDP = vtkStreamingDemandDrivenPipeline;
+
+namespace
+{
+bool isStructured(vtkDataObject* data)
+{
+  return vtkImageData::SafeDownCast(data) || vtkRectilinearGrid::SafeDownCast(data) ||
+    vtkStructuredGrid::SafeDownCast(data);
+}
+}
+
+int vtkSunlight::RequestUpdateExtent(
+  vtkInformation*, vtkInformationVector** inputs, vtkInformationVector*)
+{
+  vtkInformation* input = inputs[0]->GetInformationObject(0);
+  if (isStructured(input->Get(vtkDataObject::DATA_OBJECT())) && input->Has(SDDP::WHOLE_EXTENT()))
+  {
+    int whole[6];
+    input->Get(SDDP::WHOLE_EXTENT(), whole);
+    input->Set(SDDP::UPDATE_PIECE_NUMBER(), 0);
+    input->Set(SDDP::UPDATE_NUMBER_OF_PIECES(), 1);
+    input->Set(SDDP::UPDATE_NUMBER_OF_GHOST_LEVELS(), 0);
+    input->Set(SDDP::UPDATE_EXTENT(), whole, 6);
+  }
+  return 1;
+}
+
+// As a source divides its grid into pieces.
+void vtkSunlight::CropToPiece(vtkDataSet* data, vtkInformation* input, vtkInformation* output)
+{
+  const int pieces =
+    output->Has(SDDP::UPDATE_NUMBER_OF_PIECES()) ? output->Get(SDDP::UPDATE_NUMBER_OF_PIECES()) : 1;
+  // Blocks of composite data are those of this rank alone.
+  if (pieces < 2 || !isStructured(this->GetInputDataObject(0, 0)) ||
+    !input->Has(SDDP::WHOLE_EXTENT()))
+  {
+    return;
+  }
+  int* whole = input->Get(SDDP::WHOLE_EXTENT());
+  if (!std::equal(whole, whole + 6, data->GetInformation()->Get(vtkDataObject::DATA_EXTENT())))
+  {
+    return;
+  }
+  const int piece = output->Get(SDDP::UPDATE_PIECE_NUMBER());
+  const int ghosts = output->Get(SDDP::UPDATE_NUMBER_OF_GHOST_LEVELS());
+  int part[6], own[6];
+  vtkNew<vtkExtentTranslator> translator;
+  translator->PieceToExtentThreadSafe(
+    piece, pieces, ghosts, whole, part, translator->GetSplitMode(), 0);
+  translator->PieceToExtentThreadSafe(piece, pieces, 0, whole, own, translator->GetSplitMode(), 0);
+  data->Crop(part);
+  if (ghosts > 0)
+  {
+    data->GenerateGhostArray(own);
+  }
+}
+
+void vtkSunlight::WarnOfPieces(vtkDataSet* data, vtkInformation* information)
+{
+  const bool inPieces = information->Has(SDDP::UPDATE_NUMBER_OF_PIECES()) &&
+    information->Get(SDDP::UPDATE_NUMBER_OF_PIECES()) > 1 && !isStructured(data);
+  if (inPieces && !this->ToldOfPieces && information->Get(SDDP::UPDATE_PIECE_NUMBER()) == 0)
+  {
+    vtkWarningMacro(
+      << nephoscope::inBlock(this, data)
+      << "Each rank computes the light of its own part of these unstructured data: clouds of other ranks cast no shadow there. For the light of all, run "
+         "Sunlight on one rank and save the result, or make an image by Resample To Image first.");
+  }
+  this->ToldOfPieces = inPieces;
+}
