@@ -20,9 +20,16 @@ class Finding(Exception):
     """What a case must not do."""
 
 
+def can_be_made(cls):
+    try:
+        return bool(cls())
+    except TypeError:  # of an abstract class
+        return False
+
+
 def classes(kind):
     return {name: cls for name, cls in vars(nephoscope).items()
-            if name.startswith("vtk") and inspect.isclass(cls) and issubclass(cls, kind) and hasattr(cls, "SetFileName") is False}
+            if name.startswith("vtk") and inspect.isclass(cls) and issubclass(cls, kind) and not hasattr(cls, "SetFileName") and can_be_made(cls)}
 
 
 # ---- results
