@@ -2,10 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "CuttableSurface.h"
 
+#include "IdsAsNumbers.h"
+
 #include "vtkCellArray.h"
 #include "vtkCellArrayIterator.h"
 #include "vtkCellData.h"
-#include "vtkDoubleArray.h"
 #include "vtkIdTypeArray.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
@@ -59,24 +60,6 @@ void copyCellData(vtkPolyData* surface, const std::vector<vtkIdType>& sources)
   }
   data->CopyData(old, before + count, surface->GetNumberOfStrips(), after);
   old->ShallowCopy(data);
-}
-
-// The view drops ids where it cuts: those that give the colour become ordinary numbers, which are interpolated.
-void makeIdsNumbers(vtkDataSetAttributes* attributes)
-{
-  attributes->SetActiveAttribute(-1, vtkDataSetAttributes::GLOBALIDS);
-  attributes->SetActiveAttribute(-1, vtkDataSetAttributes::PEDIGREEIDS);
-  for (int i = 0; i < attributes->GetNumberOfArrays(); ++i)
-  {
-    vtkDataArray* ids = attributes->GetArray(i);
-    if (ids && ids->GetName() && ids->GetDataType() == VTK_ID_TYPE)
-    {
-      vtkNew<vtkDoubleArray> numbers;
-      numbers->DeepCopy(ids);
-      numbers->SetName(ids->GetName());
-      attributes->AddArray(numbers); // in its place
-    }
-  }
 }
 } // namespace
 

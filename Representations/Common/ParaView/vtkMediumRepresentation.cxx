@@ -4,6 +4,7 @@
 
 #include "DataBlocks.h"
 #include "EmptyInput.h"
+#include "IdsAsNumbers.h"
 #include "vtkMediumVolume.h"
 
 #include "vtkAbstractVolumeMapper.h"
@@ -14,7 +15,6 @@
 #include "vtkColorTransferFunction.h"
 #include "vtkCommunicator.h"
 #include "vtkDataSet.h"
-#include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
@@ -48,35 +48,13 @@ double storedNumber(vtkDataSet* data, const char* name, vtkIdType index = 0)
   return array && array->GetNumberOfTuples() > index ? array->GetComponent(index, 0) : 0.0;
 }
 
-void addAsNumbers(vtkDataArray* ids, vtkDataSetAttributes* attributes)
-{
-  vtkNew<vtkDoubleArray> numbers;
-  numbers->DeepCopy(ids);
-  numbers->SetName(ids->GetName());
-  attributes->AddArray(numbers);
-}
-
-// Where data are redistributed, cells that are cut lose the ids of their points: these become ordinary numbers, which are interpolated.
+// Cells keep their ids when they are cut, points do not.
 vtkSmartPointer<vtkDataSet> withIdsAsNumbers(vtkDataSet* data)
 {
   auto copy = vtkSmartPointer<vtkDataSet>::Take(data->NewInstance());
   copy->ShallowCopy(data);
-  for (vtkDataSetAttributes* attributes :
-    { static_cast<vtkDataSetAttributes*>(copy->GetPointData()),
-      static_cast<vtkDataSetAttributes*>(copy->GetCellData()) })
-  {
-    attributes->SetActiveAttribute(-1, vtkDataSetAttributes::GLOBALIDS);
-    attributes->SetActiveAttribute(-1, vtkDataSetAttributes::PEDIGREEIDS);
-  }
-  vtkPointData* ofPoints = copy->GetPointData();
-  for (int i = 0; i < ofPoints->GetNumberOfArrays(); ++i)
-  {
-    vtkDataArray* array = ofPoints->GetArray(i);
-    if (array && array->GetName() && array->GetDataType() == VTK_ID_TYPE)
-    {
-      addAsNumbers(array, ofPoints); // in its place
-    }
-  }
+  nephoscope::dropRolesOfIds(copy->GetCellData());
+  nephoscope::makeIdsNumbers(copy->GetPointData());
   return copy;
 }
 
