@@ -13,7 +13,9 @@ PLUGIN = Path(__file__).resolve().parents[1]
 CHECK = """
 import nephoscope
 assert len(nephoscope.__all__) >= 2, nephoscope.__all__
-objects = [getattr(nephoscope, name)() for name in nephoscope.__all__ if name.startswith('vtk')]
+classes = [getattr(nephoscope, name) for name in nephoscope.__all__ if name.startswith('vtk')]
+bases = {base for cls in classes for base in cls.__mro__[1:]}  # some are abstract
+objects = [cls() for cls in classes if cls not in bases]
 mapped = {line.split()[-1] for line in open('/proc/self/maps') if 'ephoscope' in line and '/preload/' not in line}
 samples = [nephoscope.sample_data(name) for name in ('gfs_2p5deg_2011101100.nc', 'forecast_10deg_6h.nc', 'blue_marble_2048.jpg')]
 print(nephoscope.__file__, *mapped, *samples)
