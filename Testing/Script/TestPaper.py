@@ -10,7 +10,10 @@ PAGE = TOP / "Documentation" / "paper.md"
 
 
 def header_of(name):
-    return next((text.read_text(encoding="utf-8") for folder in ("Filters", "Representations") for text in (TOP / folder).rglob(name + ".h")), "")
+    """With those of its base classes in the project; empty if there is none."""
+    text = next((file.read_text(encoding="utf-8") for folder in ("Filters", "Representations") for file in (TOP / folder).rglob(name + ".h")), "")
+    base = re.search(rf"class (?:\w+_EXPORT )?{name}\s*:\s*public (\w+)", text)
+    return text + (header_of(base[1]) if base else "")
 
 
 def has_method(header, method):
