@@ -7,12 +7,12 @@ import sys
 
 import numpy as np
 
-from MpiTesting import ENVIRONMENT, program
+from MpiTesting import AWAKE, program
 
 SCRIPT = os.path.join(os.path.dirname(os.path.abspath(__file__)), "FlowVolumePlaceRanksRun.py")
 PREFIX = os.path.join(os.environ["NEPHOSCOPE_TEST_OUTPUT"], "flow-volume-place")
 # Two ranks that give way to all others in each of many exchanges would be slow beside other programs.
-WITHOUT_YIELDING = {name: value for name, value in ENVIRONMENT.items() if name != "OMPI_MCA_mpi_yield_when_idle"}
+WITHOUT_YIELDING = {name: value for name, value in AWAKE.items() if name != "OMPI_MCA_mpi_yield_when_idle"}
 SECONDS = 180  # for what takes ten: a rank that waits for another one for ever is a failure
 
 

@@ -11,7 +11,7 @@ import sys
 
 import numpy as np
 
-from MpiTesting import ENVIRONMENT, program
+from MpiTesting import AWAKE, program
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 OUTPUT = os.environ["NEPHOSCOPE_TEST_OUTPUT"]
@@ -35,7 +35,7 @@ def run(ranks):
     prefix = os.path.join(OUTPUT, f"flow-volume-{ranks}")
     command = [program("MPIEXEC"), "-np", str(ranks), program("PVBATCH"), "--dr", "--symmetric", SCRIPT, prefix]
     try:
-        done = subprocess.run(command, env=ENVIRONMENT, capture_output=True, text=True, timeout=300)
+        done = subprocess.run(command, env=AWAKE, capture_output=True, text=True, timeout=300)
     except subprocess.TimeoutExpired as late:
         sys.exit(f"FAILED: {ranks} ranks hang\n{late.stdout}\n{late.stderr}")
     text = done.stdout + done.stderr

@@ -20,6 +20,8 @@ ENVIRONMENT = dict(os.environ, OMPI_MCA_rmaps_base_oversubscribe="1", OMPI_MCA_m
                    PRTE_ALLOW_RUN_AS_ROOT="1", PRTE_ALLOW_RUN_AS_ROOT_CONFIRM="1", PYTHONFAULTHANDLER="1",
                    LD_PRELOAD=joined(os.environ.get("LD_PRELOAD"), "libnephoscope_sleeping_yield.so"),
                    LD_LIBRARY_PATH=joined(os.path.join(os.environ["NEPHOSCOPE_TEST_LIBRARIES"], "preload"), os.environ.get("LD_LIBRARY_PATH")))
+# For tests that run alone, whose ranks exchange something so often that sleep would be most of their time.
+AWAKE = {**ENVIRONMENT, "LD_PRELOAD": os.environ.get("LD_PRELOAD", "")}
 
 
 def program(name):
