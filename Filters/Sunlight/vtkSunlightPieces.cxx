@@ -29,18 +29,23 @@ bool isStructured(vtkDataObject* data)
 }
 }
 
+// The data, and the clouds that shade them.
 int vtkSunlight::RequestUpdateExtent(
   vtkInformation*, vtkInformationVector** inputs, vtkInformationVector*)
 {
-  vtkInformation* input = inputs[0]->GetInformationObject(0);
-  if (isStructured(input->Get(vtkDataObject::DATA_OBJECT())) && input->Has(SDDP::WHOLE_EXTENT()))
+  for (int port = 0; port < 2; ++port)
   {
-    int whole[6];
-    input->Get(SDDP::WHOLE_EXTENT(), whole);
-    input->Set(SDDP::UPDATE_PIECE_NUMBER(), 0);
-    input->Set(SDDP::UPDATE_NUMBER_OF_PIECES(), 1);
-    input->Set(SDDP::UPDATE_NUMBER_OF_GHOST_LEVELS(), 0);
-    input->Set(SDDP::UPDATE_EXTENT(), whole, 6);
+    vtkInformation* input = inputs[port]->GetInformationObject(0);
+    if (input && isStructured(input->Get(vtkDataObject::DATA_OBJECT())) &&
+      input->Has(SDDP::WHOLE_EXTENT()))
+    {
+      int whole[6];
+      input->Get(SDDP::WHOLE_EXTENT(), whole);
+      input->Set(SDDP::UPDATE_PIECE_NUMBER(), 0);
+      input->Set(SDDP::UPDATE_NUMBER_OF_PIECES(), 1);
+      input->Set(SDDP::UPDATE_NUMBER_OF_GHOST_LEVELS(), 0);
+      input->Set(SDDP::UPDATE_EXTENT(), whole, 6);
+    }
   }
   return 1;
 }

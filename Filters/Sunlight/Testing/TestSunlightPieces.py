@@ -54,6 +54,21 @@ class Pieces(unittest.TestCase):
                     seen |= set(found)
             self.assertEqual(seen, set(whole), name)
 
+    def test_shadow_of_clouds_of_other_pieces(self):
+        """Data of one piece are shaded by the clouds of all."""
+        image = sources()["image"]
+        clouds, shaded = sunlight(image), sunlight(image)
+        shaded.SetExtinctionScale(1e-9)
+        shaded.SetInputConnection(1, clouds.GetOutputPort())
+        shaded.Update()
+        whole = lights(shaded.GetOutput())
+        self.assertGreater(np.ptp(list(whole.values())), 0.01)
+        for piece in range(3):
+            shaded.UpdatePiece(piece, 3, 0)
+            found = lights(shaded.GetOutput())
+            self.assertLess(len(found), len(whole))
+            self.assertEqual(found, {place: whole[place] for place in found}, f"piece {piece}")
+
     def test_unstructured_ones_say_that_they_have_not(self):
         image, source = sources()["image"], vtkAppendFilter()
         source.AddInputConnection(image.GetOutputPort())
