@@ -37,12 +37,6 @@ namespace
 {
 using Size = std::array<vtkIdType, 3>;
 
-bool IsStructured(vtkDataSet* data)
-{
-  return vtkImageData::SafeDownCast(data) || vtkRectilinearGrid::SafeDownCast(data) ||
-    vtkStructuredGrid::SafeDownCast(data);
-}
-
 // In points.
 Size SizeOf(vtkDataSet* grid)
 {

@@ -6,6 +6,9 @@
 
 #include "vtkBoundingBox.h"
 #include "vtkDataSet.h"
+#include "vtkImageData.h"
+#include "vtkRectilinearGrid.h"
+#include "vtkStructuredGrid.h"
 
 #include <algorithm>
 #include <cmath>
@@ -33,6 +36,12 @@ std::vector<vtkDataSet*> DataSetsOf(vtkDataObject* data)
     }
   });
   return sets;
+}
+
+bool IsStructured(vtkDataObject* data)
+{
+  return vtkImageData::SafeDownCast(data) || vtkRectilinearGrid::SafeDownCast(data) ||
+    vtkStructuredGrid::SafeDownCast(data);
 }
 
 vtkBoundingBox FiniteBounds(vtkDataSet* set)

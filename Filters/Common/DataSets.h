@@ -45,6 +45,9 @@ VTKNEPHOSCOPEFILTERSCOMMON_EXPORT vtkBoundingBox BoundsOf(const std::vector<vtkD
 // When the data or one of its leaves last changed; 0 without data.
 VTKNEPHOSCOPEFILTERSCOMMON_EXPORT vtkMTimeType NewestMTime(vtkDataObject* data);
 
+// Whether it is an image, a rectilinear or a structured grid.
+VTKNEPHOSCOPEFILTERSCOMMON_EXPORT bool IsStructured(vtkDataObject* data);
+
 // A copy that shares the arrays, and stays as it is when a reader fills its output anew.
 VTKNEPHOSCOPEFILTERSCOMMON_EXPORT vtkSmartPointer<vtkDataObject> SharedCopy(vtkDataObject* data);
 }

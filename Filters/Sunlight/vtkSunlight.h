@@ -33,6 +33,9 @@
  *
  * The third input, which is optional, is a vtkSunSource: its sun takes the place of SunDirection and DateTime.
  *
+ * On several ranks, each computes the light of a whole image, rectilinear or structured grid and keeps its piece, so that clouds of all ranks cast their
+ * shadows. Each rank lights its own piece of other data alone, with a warning.
+ *
  * Field data: SunDirection, three components, towards the sun.
  */
 #ifndef vtkSunlight_h

@@ -4,30 +4,19 @@
 // computes.
 #include "vtkSunlight.h"
 
+#include "DataSets.h"
 #include "InputBlocks.h"
 
 #include "vtkDataSet.h"
 #include "vtkExtentTranslator.h"
-#include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkNew.h"
-#include "vtkRectilinearGrid.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
-#include "vtkStructuredGrid.h"
 
 #include <algorithm>
 
 using SDDP = vtkStreamingDemandDrivenPipeline;
-
-namespace
-{
-bool isStructured(vtkDataObject* data)
-{
-  return vtkImageData::SafeDownCast(data) || vtkRectilinearGrid::SafeDownCast(data) ||
-    vtkStructuredGrid::SafeDownCast(data);
-}
-}
 
 // The data, and the clouds that shade them.
 int vtkSunlight::RequestUpdateExtent(
@@ -36,7 +25,7 @@ int vtkSunlight::RequestUpdateExtent(
   for (int port = 0; port < 2; ++port)
   {
     vtkInformation* input = inputs[port]->GetInformationObject(0);
-    if (input && isStructured(input->Get(vtkDataObject::DATA_OBJECT())) &&
+    if (input && nephoscope::IsStructured(input->Get(vtkDataObject::DATA_OBJECT())) &&
       input->Has(SDDP::WHOLE_EXTENT()))
     {
       int whole[6];
@@ -56,7 +45,7 @@ void vtkSunlight::CropToPiece(vtkDataSet* data, vtkInformation* input, vtkInform
   const int pieces =
     output->Has(SDDP::UPDATE_NUMBER_OF_PIECES()) ? output->Get(SDDP::UPDATE_NUMBER_OF_PIECES()) : 1;
   // Blocks of composite data are those of this rank alone.
-  if (pieces < 2 || !isStructured(this->GetInputDataObject(0, 0)) ||
+  if (pieces < 2 || !nephoscope::IsStructured(this->GetInputDataObject(0, 0)) ||
     !input->Has(SDDP::WHOLE_EXTENT()))
   {
     return;
@@ -83,7 +72,7 @@ void vtkSunlight::CropToPiece(vtkDataSet* data, vtkInformation* input, vtkInform
 void vtkSunlight::WarnOfPieces(vtkDataSet* data, vtkInformation* information)
 {
   const bool inPieces = information->Has(SDDP::UPDATE_NUMBER_OF_PIECES()) &&
-    information->Get(SDDP::UPDATE_NUMBER_OF_PIECES()) > 1 && !isStructured(data);
+    information->Get(SDDP::UPDATE_NUMBER_OF_PIECES()) > 1 && !nephoscope::IsStructured(data);
   if (inPieces && !this->ToldOfPieces && information->Get(SDDP::UPDATE_PIECE_NUMBER()) == 0)
   {
     vtkWarningMacro(

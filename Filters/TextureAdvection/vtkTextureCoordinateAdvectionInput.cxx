@@ -12,11 +12,9 @@
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
 #include "vtkDemandDrivenPipeline.h"
-#include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkMath.h"
 #include "vtkPointData.h"
-#include "vtkRectilinearGrid.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkStructuredGrid.h"
 
@@ -31,12 +29,6 @@ constexpr double maximumNumberOfSteps = 1e6; // of a path
 constexpr double day = 86400.0;              // s
 constexpr double crossingsInPeriod = 0.25;
 constexpr double stepsInPeriod = 24.0;
-
-bool IsStructured(vtkDataObject* data)
-{
-  return vtkImageData::SafeDownCast(data) || vtkRectilinearGrid::SafeDownCast(data) ||
-    vtkStructuredGrid::SafeDownCast(data);
-}
 }
 
 double vtkTextureCoordinateAdvection::FindCrossingTime(vtkDataSet* winds)
@@ -214,7 +206,7 @@ bool vtkTextureCoordinateAdvection::CheckExtent(vtkDataSet* input, vtkInformatio
     return false;
   }
   int whole[6];
-  if (IsStructured(input) && inInfo->Has(SDDP::WHOLE_EXTENT()))
+  if (nephoscope::IsStructured(input) && inInfo->Has(SDDP::WHOLE_EXTENT()))
   {
     inInfo->Get(SDDP::WHOLE_EXTENT(), whole);
     vtkIdType points = 1;

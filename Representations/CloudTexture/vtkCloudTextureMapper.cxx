@@ -328,9 +328,8 @@ void vtkCloudTextureMapper::ReleaseGraphicsResources(vtkWindow* window)
     this->Internals->ForBlocks->ReleaseGraphicsResources(window);
   }
   vtkOpenGLRenderWindow* own = this->Internals->Window.Get();
-  if (own &&
-    own !=
-      window) // the superclass would release its own all the same, and leave that window current
+  // The superclass would release its own all the same, and leave that window current.
+  if (own && own != window)
   {
     return;
   }

@@ -166,7 +166,7 @@ std::vector<NumberedMiddle> Gathered(
   return all;
 }
 
-bool IsStructured(vtkDataObject* data)
+bool HasExtent(vtkDataObject* data)
 {
   return data && data->GetExtentType() == VTK_3D_EXTENT &&
     data->GetInformation()->Has(vtkDataObject::DATA_EXTENT());
@@ -196,7 +196,7 @@ std::vector<Vector3> EvenlyChosenMiddles(vtkDataObject* data, const vtkBoundingB
 {
   const auto sets = DataSetsOf(data);
   std::vector<NumberedMiddle> middles;
-  if (exchange.AllTrue(sets.empty() || IsStructured(data)))
+  if (exchange.AllTrue(sets.empty() || HasExtent(data)))
   {
     Extent part{};
     vtkDataSet* set = sets.empty() ? nullptr : sets.front();

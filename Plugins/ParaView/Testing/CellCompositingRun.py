@@ -44,7 +44,7 @@ coarse.Transform.Rotate = [10, 20, 30]
 coarse.Transform.Scale = [3, 3, 3]
 draw("coarse", coarse, opacity_scale=5)
 draw("coarse-cells", pvs.PointDatatoCellData(Input=coarse), ("CELLS", "RTData"), opacity_scale=20)
-# The place that the display gives the data counts when ranks are put in order.
+# Ranks are ordered by where the display places their data.
 draw("moved", wavelet, Position=[5, 3, 0], balls=[5, 3, 0])
 draw("turned", pvs.Tetrahedralize(Input=wavelet), Position=[5, 0, 0], Orientation=[0, 10, 30], Scale=[1.5, 1.5, 1.5])
 # The eight corners are far away: lengths that follow the data must not.

@@ -13,7 +13,7 @@ draw("cells", pvs.PointDatatoCellData(Input=wavelet), ("CELLS", "RTData"))
 rotated = pvs.Transform(Input=wavelet)
 rotated.Transform.Rotate = [10, 20, 30]
 draw("structured", rotated)
-# The place that the display gives the data counts when ranks are put in order.
+# Ranks are ordered by where the display places their data.
 draw("turned", wavelet, place={"Position": [5, 0, 0], "Orientation": [0, 20, 30], "Scale": [1.5, 1.5, 1.5]})
 tetrahedra = pvs.Tetrahedralize(Input=rotated)
 draw("tetrahedra", tetrahedra)
