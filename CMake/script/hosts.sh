@@ -73,10 +73,10 @@ run_host()
       ensure_venv
       ensure_web
       command=("$(python_interpreter)" -m nephoscope) ;;
-    pvbatch)
+    pvbatch | pvserver)
       if [ "${1:-}" = -n ]; then
-        [[ "${2:-}" =~ ^[1-9][0-9]*$ ]] || usage_error "pvbatch -n wants a number of ranks"
-        command=(mpiexec -n "$2" pvbatch)
+        [[ "${2:-}" =~ ^[1-9][0-9]*$ ]] || usage_error "$host -n wants a number of ranks"
+        command=(mpiexec -n "$2" "$host")
         shift 2
       fi ;;
   esac

@@ -21,7 +21,7 @@ import snippets  # noqa: E402
 # Figures whose picture in Documentation/images has not their own name.
 KEPT = {"01_clouds_over_globe": ["clouds-over-globe.jpg", "terrain-under-clouds.jpg"], "07_smoothed_clouds": ["smoothed-cloud-surface.jpg"],
         "13_compositing_methods": ["cell-compositing-methods.jpg"]}
-TITLES = {"README-1": "Clouds over the globe", "flow-volumes-1": "Smoke in the wind", "flow-volumes-4": "Smoke in ParaView",
+TITLES = {"README-1": "Clouds over the globe", "cfd-1": "A knotted vortex and smoke", "flow-volumes-1": "Smoke in the wind", "flow-volumes-4": "Smoke in ParaView",
           "flow-volumes-5": "Smoke that is dragged", "globe-grid-3": "Clouds over terrain", "pyvista-1": "Winds on textured splats",
           "pyvista-2": "Clouds that move with the wind"}  # of snippets
 WRITES = re.compile(r"^(?!#).*(?:show\(screenshot=|\.screenshot\(\"|\.save\(\"|SaveScreenshot\()", re.MULTILINE)

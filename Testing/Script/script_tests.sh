@@ -65,7 +65,7 @@ test_usage()
   nephoscope help
   expect "status 0 for help" [ $STATUS -eq 0 ]
   local verb
-  for verb in demo film test build python pvpython pvbatch paraview bench baselines wheel package docs release; do
+  for verb in demo film test build python pvpython pvbatch pvserver paraview bench baselines wheel package docs release; do
     expect "help on $verb" contains "$OUT" $'\n'"  $verb "
   done
   nephoscope film --days 0
@@ -522,6 +522,17 @@ test_ranks()
   expect "two processes with the plugin" contains "$OUT" "Nephoscope loaded, 2 processes"
   nephoscope pvbatch -n two script.py
   expect "status 2 for a number that is none" [ $STATUS -eq 2 ]
+}
+
+# A server of two ranks, and a client that draws on it; the server ends with its client, or after a minute.
+test_server()
+{
+  local port=$((20000 + RANDOM % 10000)) log="$WORK/server.log"
+  timeout 60 "$TOP/nephoscope" pvserver -n 2 --server-port="$port" >"$log" 2>&1 &
+  until grep -q "Accepting connection" "$log" || ! kill -0 $! 2>/dev/null; do sleep 0.2; done
+  nephoscope pvpython "$TOP/Testing/Script/draw_on_server.py" "$port"
+  expect "status 0" [ $STATUS -eq 0 ]
+  expect "a picture from two ranks" contains "$OUT" "2 ranks have drawn"
 }
 
 # ParaView moves data between ranks in the form that this reads.

@@ -76,6 +76,23 @@ def check_missing_array(name, messages):
     pvs.Delete(view)
 
 
+def check_contours_of_cells(messages):
+    """A cell array has no surfaces inside cells; the panel offers contour values all the same."""
+    messages.clear()
+    view, cells = new_view((40, 40)), pvs.PointDatatoCellData(Input=pvs.Wavelet(WholeExtent=[-4, 4] * 3))
+    display = pvs.Show(cells, view)
+    display.SetRepresentationType("Cell Compositing")
+    pvs.ColorBy(display, ("CELLS", "RTData"))
+    for _ in range(2):
+        pvs.Render(view)
+    check(not messages, f"cells without contours: {messages}")
+    display.ContourValues = [150.0]
+    for _ in range(3):
+        pvs.Render(view)
+    check(len(messages) == 1 and "apply Cell Data to Point Data" in messages[0], f"contours of a cell array: {messages}")
+    pvs.Delete(view)
+
+
 def check_chain(made, expected, messages):
     """What comes after a filter that failed adds no reason of its own."""
     messages.clear()

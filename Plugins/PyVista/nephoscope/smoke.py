@@ -286,6 +286,8 @@ def _place(smoke: vtkFlowVolume, mesh: Any, velocity: tuple[str, bool], center: 
 
 
 def _take_polygon(smoke: vtkFlowVolume, polygon: Any, others: dict[str, Any]) -> None:
+    if isinstance(polygon, str):
+        raise TypeError(f"polygon is the text {polygon!r}; it must be a pyvista.PolyData with polygons. To name the array of the velocity: vectors={polygon!r}.")
     if not isinstance(polygon, pyvista.PolyData):
         raise TypeError(f"polygon is a {type(polygon).__name__}; it must be a pyvista.PolyData with polygons.")
     superfluous = [name for name, value in others.items() if value is not None]
