@@ -5,7 +5,7 @@
  *
  * Cells are divided as CellDecomposition.h says, with the vertices in the order of their coordinates (x, then y, then z), which
  * does not depend on numbering, blocks or ranks. Cells of structured data are divided by the indices of their vertices, as
- * ChessboardGrid.h says.
+ * ChessboardGrid.h says; so are hexahedra and voxels that have left their grid, if the cell array divisionName tells how.
  */
 #ifndef TetrahedronSource_h
 #define TetrahedronSource_h
@@ -15,6 +15,7 @@
 #include "LinearCellFaces.h"
 #include "PolyhedronConvexity.h"
 
+#include "vtkCellData.h"
 #include "vtkDataSet.h"
 #include "vtkDataSetAttributes.h"
 #include "vtkGenericCell.h"
@@ -35,6 +36,9 @@
 
 namespace nephoscope
 {
+
+/** Bytes: 1 for a cell of a grid whose first vertex is even, 2 where it is odd, 0 for other cells. */
+constexpr const char* divisionName = "NephoscopeDivision";
 
 /** The grid of structured data with cells in three dimensions; empty for all other data. Its seam counts as open. */
 inline ChessboardGrid findChessboardGrid(vtkDataSet* data)
@@ -73,6 +77,7 @@ public:
     , Grid(vtkUnstructuredGrid::SafeDownCast(data))
     , CellGhosts(data->GetCellGhostArray())
     , PointGhosts(data->GetPointGhostArray())
+    , Divisions(vtkUnsignedCharArray::SafeDownCast(data->GetCellData()->GetArray(divisionName)))
     , Chessboard(findChessboardGrid(data))
   {
   }
@@ -112,6 +117,11 @@ public:
       {
         emit(std::array<vtkIdType, 4>{ { t[0], t[1], t[2], t[3] } });
       }
+      return true;
+    }
+    if (this->Divisions && this->Divisions->GetValue(cell) > 0)
+    {
+      this->EmitFromGrid(this->Divisions->GetValue(cell) - 1, emit);
       return true;
     }
     const FaceList<int> faces = linearCellFaces(this->Type);
@@ -197,6 +207,22 @@ private:
     double x[3];
     this->Data->GetPoint(point, x);
     return { x[0], x[1], x[2], point };
+  }
+
+  // A hexahedron or voxel, as in the grid that it comes from.
+  template <typename Emit>
+  void EmitFromGrid(int oddOffset, Emit emit)
+  {
+    static constexpr std::array<int, 8> hexahedron{ { 0, 1, 3, 2, 4, 5, 7, 6 } };
+    const bool isVoxel = this->Type == VTK_VOXEL;
+    const auto point = [&](std::int64_t corner) {
+      const auto number = static_cast<std::size_t>(corner);
+      return this->Points->GetId(isVoxel ? corner : hexahedron[number]);
+    };
+    for (const auto& t : ChessboardGrid{ { 2, 2, 2 }, oddOffset }.Tetrahedra(0))
+    {
+      emit(std::array<vtkIdType, 4>{ { point(t[0]), point(t[1]), point(t[2]), point(t[3]) } });
+    }
   }
 
   template <typename Emit>
@@ -353,7 +379,8 @@ private:
   vtkUnstructuredGrid* Grid;
   vtkUnsignedCharArray* CellGhosts;
   vtkUnsignedCharArray* PointGhosts;
-  ChessboardGrid Chessboard; // empty: no structured data
+  vtkUnsignedCharArray* Divisions; // null: none
+  ChessboardGrid Chessboard;       // empty: no structured data
   int Type = VTK_EMPTY_CELL;
   std::array<Place, 12> Places; // of the cell's vertices
   std::array<int, 12> Representatives;

@@ -47,6 +47,20 @@ draw("coarse-cells", pvs.PointDatatoCellData(Input=coarse), ("CELLS", "RTData"),
 # Ranks are ordered by where the display places their data.
 draw("moved", wavelet, Position=[5, 3, 0], balls=[5, 3, 0])
 draw("turned", pvs.Tetrahedralize(Input=wavelet), Position=[5, 0, 0], Orientation=[0, 10, 30], Scale=[1.5, 1.5, 1.5])
+# Whole cells of all kinds are spread over ranks, and keep the field that one rank draws.
+draw("hexahedra", pvs.AppendDatasets(Input=coarse), opacity_scale=5)
+draw("trilinear", coarse, opacity_scale=5, CellCompositingCellInterpolation="Trilinear")
+draw("trilinear-hexahedra", pvs.AppendDatasets(Input=coarse), opacity_scale=5, CellCompositingCellInterpolation="Trilinear")
+draw("turned-image", pvs.Wavelet(WholeExtent=[-4, 4] * 3), Orientation=[10, 20, 30], Scale=[2, 2, 2])
+halves = [pvs.Wavelet(WholeExtent=[first, first + 6, -6, 6, -6, 6]) for first in (-6, 0)]
+mixed = pvs.AppendDatasets(Input=[pvs.Tetrahedralize(Input=halves[0]), halves[1]])
+draw("mixed", mixed)
+draw("mixed-trilinear", mixed, CellCompositingCellInterpolation="Trilinear")
+draw("contours", rotated, CellCompositingContourValues=[130, 200], CellCompositingSmoothContourNormals=0)
+# Cells so warped, some of them, that their tetrahedra overlap: all ranks draw their trilinear field.
+shifts = ("sin(12.9*coordsX+78.2*coordsY+37.7*coordsZ)*iHat", "sin(39.3*coordsX+11.1*coordsY+83.1*coordsZ)*jHat", "sin(73.1*coordsX+52.2*coordsY+9.2*coordsZ)*kHat")
+warped = pvs.Calculator(Input=pvs.AppendDatasets(Input=pvs.Wavelet(WholeExtent=[-4, 4] * 3)), CoordinateResults=1, Function=f"2*coords+0.44*({'+'.join(shifts)})")
+draw("warped", warped)
 # The eight corners are far away: lengths that follow the data must not.
 stray = pvs.Calculator(Input=pvs.Tetrahedralize(Input=wavelet), CoordinateResults=1, Function="if(mag(coords)>17.3, 100*coords, coords)")
 draw("stray", stray)

@@ -3,9 +3,11 @@
 #include "VolumetricCells.h"
 
 #include "DataBlocks.h"
+#include "HexahedronForm.h"
 #include "TetrahedronSource.h"
 
 #include "vtkCellData.h"
+#include "vtkExtractCells.h"
 #include "vtkImageData.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
@@ -21,29 +23,42 @@ bool mayHoldVolumes(vtkDataSet* data)
   return data && data->GetNumberOfCells() > 0 && !vtkPolyData::SafeDownCast(data);
 }
 
-void copyPoints(vtkDataSet* data, vtkUnstructuredGrid* grid)
+void removeGhosts(vtkDataSet* data)
 {
-  vtkNew<vtkPoints> points;
-  points->SetDataTypeToDouble();
-  points->SetNumberOfPoints(data->GetNumberOfPoints());
-  double x[3];
-  for (vtkIdType i = 0; i < data->GetNumberOfPoints(); ++i)
-  {
-    data->GetPoint(i, x);
-    points->SetPoint(i, x);
-  }
-  grid->SetPoints(points);
+  data->GetCellData()->RemoveArray(vtkDataSetAttributes::GhostArrayName());
+  data->GetPointData()->RemoveArray(vtkDataSetAttributes::GhostArrayName());
 }
-void copyCellData(vtkDataSet* data, vtkIdList* parents, vtkUnstructuredGrid* grid)
+
+// The division of the cells of a grid, in the order of their numbers.
+void storeDivisions(const ChessboardGrid& grid, vtkIdList* cells, vtkUnstructuredGrid* extracted)
 {
-  vtkCellData* out = grid->GetCellData();
-  out->CopyGlobalIdsOff(); // several tetrahedra have one parent
-  out->CopyAllocate(data->GetCellData(), parents->GetNumberOfIds());
-  for (vtkIdType i = 0; i < parents->GetNumberOfIds(); ++i)
+  vtkNew<vtkUnsignedCharArray> divisions;
+  divisions->SetName(divisionName);
+  divisions->SetNumberOfValues(cells->GetNumberOfIds());
+  for (vtkIdType i = 0; i < cells->GetNumberOfIds(); ++i)
   {
-    out->CopyData(data->GetCellData(), parents->GetId(i), i);
+    const std::array<int, 3> index = grid.CellIndex(cells->GetId(i));
+    const int odd = (index[0] + index[1] + index[2] + grid.OddOffset) & 1;
+    divisions->SetValue(i, static_cast<unsigned char>(1 + odd));
   }
-  out->RemoveArray(vtkDataSetAttributes::GhostArrayName());
+  extracted->GetCellData()->AddArray(divisions);
+}
+
+vtkSmartPointer<vtkUnstructuredGrid> extractedCells(vtkDataSet* data, vtkIdList* cells)
+{
+  constexpr const char* cellNumbers = "vtkOriginalCellIds";
+  const bool hasNumbers = data->GetCellData()->HasArray(cellNumbers);
+  vtkNew<vtkExtractCells> extract;
+  extract->SetInputData(data);
+  extract->SetCellList(cells);
+  extract->Update();
+  vtkSmartPointer<vtkUnstructuredGrid> extracted = extract->GetOutput();
+  if (!hasNumbers)
+  {
+    extracted->GetCellData()->RemoveArray(cellNumbers);
+  }
+  extracted->GetFieldData()->ShallowCopy(data->GetFieldData());
+  return extracted;
 }
 } // namespace
 
@@ -69,39 +84,64 @@ vtkSmartPointer<vtkDataSet> withConvexCells(vtkDataSet* data)
   return divider->GetOutput();
 }
 
-vtkSmartPointer<vtkUnstructuredGrid> tetrahedralize(vtkDataSet* data)
+vtkSmartPointer<vtkUnstructuredGrid> visibleCells(vtkDataSet* data)
 {
-  auto grid = vtkSmartPointer<vtkUnstructuredGrid>::New();
-  copyPoints(data, grid);
-  grid->GetPointData()->ShallowCopy(data->GetPointData());
-  grid->GetPointData()->RemoveArray(vtkDataSetAttributes::GhostArrayName());
-  grid->GetFieldData()->ShallowCopy(data->GetFieldData());
-
-  const vtkIdType numberOfCells = data->GetNumberOfCells();
   TetrahedronSource source(data);
-  vtkNew<vtkIdList> parents;
-  parents->Allocate(6 * numberOfCells);
-  grid->Allocate(6 * numberOfCells);
-  for (vtkIdType cell = 0; cell < numberOfCells; ++cell)
+  vtkNew<vtkIdList> cells;
+  cells->Allocate(data->GetNumberOfCells());
+  for (vtkIdType cell = 0; cell < data->GetNumberOfCells(); ++cell)
   {
-    if (source.IsHidden(cell))
+    if (!source.IsHidden(cell))
     {
-      continue;
-    }
-    const bool polygon = source.EmitTriangles([&](const std::array<vtkIdType, 3>& t) {
-      grid->InsertNextCell(VTK_TRIANGLE, 3, t.data());
-      parents->InsertNextId(cell);
-    });
-    if (!polygon)
-    {
-      source.EmitTetrahedra(cell, [&](const std::array<vtkIdType, 4>& t) {
-        grid->InsertNextCell(VTK_TETRA, 4, t.data());
-        parents->InsertNextId(cell);
-      });
+      cells->InsertNextId(cell);
     }
   }
-  copyCellData(data, parents, grid);
-  return grid;
+  auto visible = vtkSmartPointer<vtkUnstructuredGrid>::New();
+  if (vtkUnstructuredGrid::SafeDownCast(data) &&
+    cells->GetNumberOfIds() == data->GetNumberOfCells())
+  {
+    visible->ShallowCopy(data);
+  }
+  else
+  {
+    visible = extractedCells(data, cells);
+  }
+  const ChessboardGrid grid = findChessboardGrid(data);
+  if (!grid.IsEmpty())
+  {
+    storeDivisions(grid, cells, visible);
+  }
+  removeGhosts(visible);
+  return visible;
+}
+
+WholeCells formOfWholeCells(vtkUnstructuredGrid* cells)
+{
+  constexpr double rounding = 1e-3;
+  TetrahedronSource source(cells);
+  bool warped = false;
+  for (vtkIdType cell = 0; cell < cells->GetNumberOfCells(); ++cell)
+  {
+    const int type = cells->GetCellType(cell);
+    if (hexahedronForm(type).Tetrahedra == 0 && type != VTK_EMPTY_CELL)
+    {
+      return WholeCells::Tetrahedra;
+    }
+    if (!warped && !source.IsHidden(cell))
+    {
+      source.EmitTetrahedra(cell, [](const std::array<vtkIdType, 4>&) {});
+      warped = source.GetOverlap() > rounding;
+    }
+  }
+  return warped ? WholeCells::Trilinear : WholeCells::Either;
+}
+
+vtkSmartPointer<vtkDataSet> withoutGhosts(vtkDataSet* cells)
+{
+  auto copy = vtkSmartPointer<vtkDataSet>::Take(cells->NewInstance());
+  copy->ShallowCopy(cells);
+  removeGhosts(copy);
+  return copy;
 }
 
 } // namespace nephoscope

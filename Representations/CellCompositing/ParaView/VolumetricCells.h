@@ -28,11 +28,22 @@ vtkSmartPointer<vtkDataSet> volumetricPart(vtkDataObject* input);
 vtkSmartPointer<vtkDataSet> withConvexCells(vtkDataSet* data);
 
 /**
- * The cells as tetrahedra, divided as the mapper divides them, and the polygons between them as triangles, without those that a ghost array hides.
- * A cut through a tetrahedron keeps the linear interpolant, a cut through a hexahedron does not: this is what makes a
- * picture independent of where the data is cut for several ranks.
+ * The visible cells as an unstructured grid, without ghost arrays, which ParaView may spread over ranks. Those of a grid keep its division into
+ * tetrahedra (divisionName in TetrahedronSource.h).
  */
-vtkSmartPointer<vtkUnstructuredGrid> tetrahedralize(vtkDataSet* data);
+vtkSmartPointer<vtkUnstructuredGrid> visibleCells(vtkDataSet* data);
+
+/** What a list of cells may be drawn as. */
+enum class WholeCells
+{
+  Tetrahedra, ///< some are not hexahedra, wedges, pyramids or tetrahedra
+  Either,
+  Trilinear ///< by default: some are so warped that their tetrahedra overlap
+};
+WholeCells formOfWholeCells(vtkUnstructuredGrid* cells);
+
+/** The delivered cells without the flags of those that other ranks have, too. */
+vtkSmartPointer<vtkDataSet> withoutGhosts(vtkDataSet* cells);
 
 } // namespace nephoscope
 

@@ -5,6 +5,7 @@
 #include "CellMeasures.h"
 #include "ForwardedMessages.h"
 #include "RankMeasures.h"
+#include "RankRegions.h"
 #include "SmokeCells.h"
 #include "SmokeData.h"
 #include "VolumetricCells.h"
@@ -13,10 +14,8 @@
 #include "vtkDataSet.h"
 #include "vtkObjectFactory.h"
 #include "vtkPVLODVolume.h"
-#include "vtkPVRenderView.h"
 #include "vtkPiecewiseFunction.h"
 #include "vtkPolyData.h"
-#include "vtkStructuredGrid.h"
 #include "vtkUnstructuredGrid.h"
 #include "vtkVolumeProperty.h"
 
@@ -30,7 +29,8 @@ constexpr double smokeOpticalDepth = 1.0; // of smoke, through the generating po
 }
 
 vtkCellCompositingRepresentation::vtkCellCompositingRepresentation()
-  : CellInterpolation(this->Mapper->GetCellInterpolation())
+  : Region(nephoscope::wholeSpace)
+  , CellInterpolation(this->Mapper->GetCellInterpolation())
 {
   this->Actor->SetMapper(this->Mapper);
   nephoscope::forwardMessages(this->Mapper, this);
@@ -82,42 +82,12 @@ void vtkCellCompositingRepresentation::PreparePiece(vtkDataObject* input)
     this->AxisAligned = LeastOverRanks(this->AxisAligned ? 1 : 0) != 0;
     if (!this->AxisAligned)
     {
-      this->Piece = nephoscope::tetrahedralize(this->Piece);
+      this->MakeListOfCells(false);
     }
   }
   StoreMeasures(this->Piece,
     smokeDistance > 0.0 ? smokeDistance : nephoscope::defaultUnitDistance(all, common, true),
     all.ScalarRange);
-}
-
-void vtkCellCompositingRepresentation::MovePiece(vtkMatrix4x4* matrix)
-{
-  this->Superclass::MovePiece(matrix);
-  const bool aligned =
-    this->Piece->GetNumberOfCells() == 0 || nephoscope::isAxisAligned(this->Piece);
-  if (this->AxisAligned && LeastOverRanks(aligned ? 1 : 0) == 0)
-  {
-    this->AxisAligned = false;
-    const vtkSmartPointer<vtkDataSet> grid = this->Piece;
-    this->Piece = nephoscope::tetrahedralize(grid);
-    this->Piece->GetFieldData()->ShallowCopy(grid->GetFieldData());
-  }
-}
-
-void vtkCellCompositingRepresentation::DescribePiece(vtkInformation* inInfo)
-{
-  this->Superclass::DescribePiece(inInfo);
-  if (this->AxisAligned)
-  {
-    vtkPVRenderView::SetOrderedCompositingConfiguration(
-      inInfo, this, vtkPVRenderView::USE_BOUNDS_FOR_REDISTRIBUTION);
-    return;
-  }
-  vtkPVRenderView::SetOrderedCompositingConfiguration(inInfo, this,
-    vtkPVRenderView::DATA_IS_REDISTRIBUTABLE | vtkPVRenderView::USE_DATA_FOR_LOAD_BALANCING);
-  // Cells that lie across a border between regions are cut there: given whole to one side, they would be composited
-  // in front of, or behind, all of the other side's.
-  vtkPVRenderView::SetRedistributionModeToSplitBoundaryCells(inInfo, this);
 }
 
 bool vtkCellCompositingRepresentation::DrawsBlock(vtkDataObject* block) const
@@ -141,12 +111,8 @@ void vtkCellCompositingRepresentation::PrepareMapper(vtkDataSet* cells)
   this->Mapper->SetOpacityArrayName(this->PrepareOpacity(cells));
   this->Mapper->SetOpacityScale(this->OpacityScale * this->Opacity);
   this->Mapper->SetVisibilityOrder(
-    this->VisibilityOrder);    // while the camera moves too: rays need no sorting
-  const bool mayBeTetrahedra = // on several ranks they are; one rank draws the same
-    this->CellInterpolation == vtkCellCompositingMapper::AUTOMATIC_INTERPOLATION &&
-    vtkStructuredGrid::SafeDownCast(cells);
-  this->Mapper->SetCellInterpolation(
-    mayBeTetrahedra ? vtkCellCompositingMapper::TETRAHEDRA_INTERPOLATION : this->CellInterpolation);
+    this->VisibilityOrder); // while the camera moves too: rays need no sorting
+  this->Mapper->SetCellInterpolation(this->ChooseInterpolation(cells));
   this->PrepareContours();
   this->PreparePolygons();
   this->PrepareLayers();

@@ -7,7 +7,7 @@
  * A thin layer over vtkCellCompositingMapper. It chooses what to draw (the blocks with 3-D cells, the coloured array, a
  * uniform medium under Solid Color), and tells the view how the picture may be put together from several ranks:
  * - image and rectilinear pieces are boxes already, and stay where they are;
- * - all other pieces become tetrahedra and are redistributed by the view, cut at the borders of its regions.
+ * - all other cells are redistributed by the view, whole: a rank gets those that reach into its region, and draws the part of each ray that is in its region.
  *
  * Where no array is chosen for the opacity, smoke, as vtkFlowVolume makes it, has its Density (with puffs SmokeDensity) as
  * extinction, whatever it is coloured by and without an opacity function; the automatic unit distance then gives the generating
@@ -19,7 +19,7 @@
 #include "vtkMediumRepresentation.h"
 #include "vtkNephoscopeParaViewCellCompositingModule.h" // for export macro
 
-#include <array>  // for ContourColors
+#include <array>  // for ContourColors and regions
 #include <string> // for array names
 #include <vector> // for ContourColors
 
@@ -92,6 +92,7 @@ protected:
   void PreparePiece(vtkDataObject* input) override;
   void MovePiece(vtkMatrix4x4* matrix) override;
   void DescribePiece(vtkInformation* inInfo) override;
+  vtkDataSet* CompletePiece(vtkDataSet* data, vtkInformation* inInfo) override;
   void PrepareMapper(vtkDataSet* cells) override;
   bool DrawsBlock(vtkDataObject* block) const override;
   bool HoldsMedium(vtkDataSet* data) const override;
@@ -103,6 +104,9 @@ private:
   vtkCellCompositingRepresentation(const vtkCellCompositingRepresentation&) = delete;
   void operator=(const vtkCellCompositingRepresentation&) = delete;
 
+  void MakeListOfCells(bool areEven);
+  void EndRaysAt(const std::array<double, 6>& region);
+  int ChooseInterpolation(vtkDataSet* cells) const;
   void PrepareContours();
   void PreparePolygons();
   double FindContourOpacity(std::size_t i) const;
@@ -114,6 +118,10 @@ private:
   vtkNew<vtkCellCompositingMapper> Mapper;
 
   bool AxisAligned = false;
+  std::array<double, 6> Region;         // of space, in which this rank draws
+  vtkSmartPointer<vtkDataSet> Complete; // what is drawn of a delivered piece
+  vtkDataSet* Delivered = nullptr;      // only compared
+  vtkMTimeType DeliveredTime = 0;
   int VisibilityOrder = 0;
   int CellInterpolation; // the mapper's default at first
   double ContourOpacity = 0.3;

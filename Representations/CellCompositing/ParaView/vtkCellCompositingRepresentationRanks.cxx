@@ -1,0 +1,140 @@
+// SPDX-FileCopyrightText: The Nephoscope authors
+// SPDX-License-Identifier: BSD-3-Clause
+// How several ranks draw one picture: each the part of every ray that is in its region, through whole cells.
+#include "vtkCellCompositingRepresentation.h"
+
+#include "DataBlocks.h"
+#include "RankRegions.h"
+#include "VolumetricCells.h"
+#include "vtkCellCompositingMapper.h"
+
+#include "vtkDataArray.h"
+#include "vtkDataSet.h"
+#include "vtkFieldData.h"
+#include "vtkImageData.h"
+#include "vtkMatrix4x4.h"
+#include "vtkPVRenderView.h"
+#include "vtkPlane.h"
+#include "vtkStructuredGrid.h"
+#include "vtkUnstructuredGrid.h"
+
+#include <cmath>
+
+namespace
+{
+constexpr const char* formName = "NephoscopeFormOfCells";
+
+bool endsRays(int method)
+{
+  return method != vtkCellCompositingMapper::TRIANGLES_LINEAR_METHOD &&
+    method != vtkCellCompositingMapper::TRIANGLES_TABLE_METHOD &&
+    method != vtkCellCompositingMapper::FACES_METHOD;
+}
+}
+
+void vtkCellCompositingRepresentation::MovePiece(vtkMatrix4x4* matrix)
+{
+  const bool isImage = vtkImageData::SafeDownCast(this->Piece) != nullptr;
+  this->Superclass::MovePiece(matrix);
+  const bool aligned =
+    this->Piece->GetNumberOfCells() == 0 || nephoscope::isAxisAligned(this->Piece);
+  if (this->AxisAligned && LeastOverRanks(aligned ? 1 : 0) == 0)
+  {
+    this->AxisAligned = false;
+    this->MakeListOfCells(LeastOverRanks(isImage ? 1 : 0) == 1);
+  }
+}
+
+// Cells that the view may spread over ranks, which all draw the same kind of field; `areEven`: one rank draws that of the whole cells.
+void vtkCellCompositingRepresentation::MakeListOfCells(bool areEven)
+{
+  const vtkSmartPointer<vtkUnstructuredGrid> cells = nephoscope::visibleCells(this->Piece);
+  const auto mine = nephoscope::formOfWholeCells(cells);
+  using Form = nephoscope::WholeCells;
+  const bool canBeTrilinear = LeastOverRanks(mine == Form::Tetrahedra ? 0 : 1) == 1;
+  const bool isWarped = LeastOverRanks(mine == Form::Trilinear ? 0 : 1) == 0;
+  const Form all = !canBeTrilinear ? Form::Tetrahedra
+    : isWarped || areEven          ? Form::Trilinear
+                                   : Form::Either;
+  this->Piece = cells;
+  nephoscope::storeNumbers(cells, formName, { static_cast<double>(all) });
+}
+
+void vtkCellCompositingRepresentation::DescribePiece(vtkInformation* inInfo)
+{
+  this->Superclass::DescribePiece(inInfo);
+  if (this->AxisAligned)
+  {
+    vtkPVRenderView::SetOrderedCompositingConfiguration(
+      inInfo, this, vtkPVRenderView::USE_BOUNDS_FOR_REDISTRIBUTION);
+    return;
+  }
+  vtkPVRenderView::SetOrderedCompositingConfiguration(inInfo, this,
+    vtkPVRenderView::DATA_IS_REDISTRIBUTABLE | vtkPVRenderView::USE_DATA_FOR_LOAD_BALANCING);
+  // Every rank gets all cells that reach into its region, whole, and ends its rays at the borders.
+  vtkPVRenderView::SetRedistributionModeToDuplicateBoundaryCells(inInfo, this);
+}
+
+vtkDataSet* vtkCellCompositingRepresentation::CompletePiece(vtkDataSet* data, vtkInformation*)
+{
+  // A method that cannot end rays draws each cell on the rank that owns it.
+  const bool divided = data && GetNumberOfRanks() > 1 && !this->AxisAligned &&
+    endsRays(this->Mapper->GetMethod()) && nephoscope::boxesOfRanks(this->GetView()) != nullptr;
+  this->EndRaysAt(divided ? nephoscope::regionOfRank(this->GetView()) : nephoscope::wholeSpace);
+  if (!divided)
+  {
+    return data;
+  }
+  if (data != this->Delivered || data->GetMTime() != this->DeliveredTime)
+  {
+    this->Complete = nephoscope::withoutGhosts(data);
+    this->Delivered = data;
+    this->DeliveredTime = data->GetMTime();
+  }
+  return this->Complete;
+}
+
+void vtkCellCompositingRepresentation::EndRaysAt(const std::array<double, 6>& region)
+{
+  if (region == this->Region)
+  {
+    return;
+  }
+  this->Region = region;
+  this->Mapper->RemoveAllClippingPlanes();
+  for (std::size_t side = 0; side < 6; ++side)
+  {
+    if (std::isfinite(region[side]))
+    {
+      double origin[3] = { 0, 0, 0 }, normal[3] = { 0, 0, 0 };
+      origin[side / 2] = region[side];
+      normal[side / 2] = side % 2 == 0 ? 1.0 : -1.0; // inwards
+      vtkNew<vtkPlane> border;
+      border->SetOrigin(origin);
+      border->SetNormal(normal);
+      this->Mapper->AddClippingPlane(border);
+    }
+  }
+}
+
+// The same on one rank and on several, where each has other cells.
+int vtkCellCompositingRepresentation::ChooseInterpolation(vtkDataSet* cells) const
+{
+  using Form = nephoscope::WholeCells;
+  constexpr int automatic = vtkCellCompositingMapper::AUTOMATIC_INTERPOLATION;
+  constexpr int tetrahedra = vtkCellCompositingMapper::TETRAHEDRA_INTERPOLATION;
+  vtkDataArray* stored = cells->GetFieldData()->GetArray(formName);
+  if (!stored)
+  {
+    const bool isGrid = vtkStructuredGrid::SafeDownCast(cells) != nullptr;
+    return this->CellInterpolation == automatic && isGrid ? tetrahedra : this->CellInterpolation;
+  }
+  const auto form = static_cast<Form>(static_cast<int>(stored->GetComponent(0, 0)));
+  if (form == Form::Tetrahedra)
+  {
+    return tetrahedra;
+  }
+  const int byDefault =
+    form == Form::Trilinear ? vtkCellCompositingMapper::TRILINEAR_INTERPOLATION : tetrahedra;
+  return this->CellInterpolation == automatic ? byDefault : this->CellInterpolation;
+}

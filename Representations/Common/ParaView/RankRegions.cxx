@@ -1,0 +1,49 @@
+// SPDX-FileCopyrightText: The Nephoscope authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "RankRegions.h"
+
+#include "vtkBoundingBox.h"
+#include "vtkMultiProcessController.h"
+#include "vtkPVRenderView.h"
+#include "vtkPVRenderViewDataDeliveryManager.h"
+
+namespace nephoscope
+{
+
+const std::vector<vtkBoundingBox>* boxesOfRanks(vtkView* view)
+{
+  auto* renderView = vtkPVRenderView::SafeDownCast(view);
+  auto* manager = renderView
+    ? vtkPVRenderViewDataDeliveryManager::SafeDownCast(renderView->GetDeliveryManager())
+    : nullptr;
+  return manager && manager->GetUseRedistributedDataAsDeliveredData() ? &manager->GetCuts()
+                                                                      : nullptr;
+}
+
+RankRegion regionOfRank(vtkView* view)
+{
+  const std::vector<vtkBoundingBox>* boxes = boxesOfRanks(view);
+  const auto rank =
+    static_cast<std::size_t>(vtkMultiProcessController::GetGlobalController()->GetLocalProcessId());
+  RankRegion region = wholeSpace;
+  if (!boxes || rank >= boxes->size() || !(*boxes)[rank].IsValid())
+  {
+    return region;
+  }
+  vtkBoundingBox all;
+  for (const vtkBoundingBox& box : *boxes)
+  {
+    all.AddBox(box);
+  }
+  for (int side = 0; side < 6; ++side)
+  {
+    const double bound = (*boxes)[rank].GetBound(side);
+    if (bound != all.GetBound(side))
+    {
+      region[static_cast<std::size_t>(side)] = bound;
+    }
+  }
+  return region;
+}
+
+} // namespace nephoscope

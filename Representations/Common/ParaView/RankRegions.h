@@ -1,0 +1,34 @@
+// SPDX-FileCopyrightText: The Nephoscope authors
+// SPDX-License-Identifier: BSD-3-Clause
+/** The regions of space in which ranks draw, one each, where a view divides the data among them. */
+#ifndef RankRegions_h
+#define RankRegions_h
+
+#include "vtkNephoscopeParaViewCommonModule.h" // for export macro
+
+#include <array>
+#include <limits>
+#include <vector>
+
+class vtkBoundingBox;
+class vtkView;
+
+namespace nephoscope
+{
+
+/** Bounds as in VTK; infinite where no other rank is next to it. */
+using RankRegion = std::array<double, 6>;
+
+constexpr double noBorder = std::numeric_limits<double>::infinity();
+constexpr RankRegion wholeSpace{ { -noBorder, noBorder, -noBorder, noBorder, -noBorder,
+  noBorder } };
+
+/** That of this rank; all space where the view has not divided the data. */
+VTKNEPHOSCOPEPARAVIEWCOMMON_EXPORT RankRegion regionOfRank(vtkView* view);
+
+/** The boxes of all ranks, by their numbers; null where the view has not divided the data. */
+VTKNEPHOSCOPEPARAVIEWCOMMON_EXPORT const std::vector<vtkBoundingBox>* boxesOfRanks(vtkView* view);
+
+} // namespace nephoscope
+
+#endif
