@@ -40,22 +40,42 @@ inline bool hasExtent(const CellGeometry& geometry, const BoundaryFace& face)
     longest * std::min(rounding * rounding, thinnest * thinnest * longest);
 }
 
-/** Makes the first three vertices run counterclockwise for who looks from outside. The first one stays. */
-inline void turnOutwards(const CellGeometry& geometry, BoundaryFace& face, const Vector3& inside)
+/** Makes the first three vertices run counterclockwise for who looks from outside. The first one stays. False: `inside` lies so near their plane that rounding decides. */
+inline bool turnOutwards(const CellGeometry& geometry, BoundaryFace& face, const Vector3& inside)
 {
   const Vector3 a = geometry.Position(face[0]);
   const Vector3 normal =
     cross(difference(geometry.Position(face[1]), a), difference(geometry.Position(face[2]), a));
-  if (dot(normal, difference(inside, a)) > 0)
+  const Vector3 inwards = difference(inside, a);
+  const double height = dot(normal, inwards);
+  if (height > 0)
   {
     std::swap(face[1], face[2]);
   }
+  constexpr double rounding = 1e-4;
+  return height * height > rounding * rounding * dot(normal, normal) * dot(inwards, inwards);
 }
 
 /** The same, the fourth vertex being inside. */
-inline void turnOutwards(const CellGeometry& geometry, BoundaryFace& face)
+inline bool turnOutwards(const CellGeometry& geometry, BoundaryFace& face)
 {
-  turnOutwards(geometry, face, geometry.Position(face[3]));
+  return turnOutwards(geometry, face, geometry.Position(face[3]));
+}
+
+/** The mean of the vertices of a cell of the grid. */
+inline Vector3 middleOfCell(const CellGeometry& geometry, const std::array<int, 3>& cell)
+{
+  Vector3 sum{ { 0, 0, 0 } };
+  for (int corner = 0; corner < 8; ++corner)
+  {
+    const Vector3 p = geometry.Position(static_cast<std::int32_t>(geometry.Grid.PointNumber(
+      cell[0] + (corner & 1), cell[1] + (corner >> 1 & 1), cell[2] + (corner >> 2 & 1))));
+    for (std::size_t axis = 0; axis < 3; ++axis)
+    {
+      sum[axis] += p[axis] / 8;
+    }
+  }
+  return sum;
 }
 
 /** Cells from `Low` to `High` along each axis, both included. */
@@ -92,7 +112,10 @@ inline std::vector<BoundaryFace> chessboardBoundary(
         const std::array<std::int64_t, 3> others = t.Across(axis);
         BoundaryFace face = { { std::int32_t(t.Odd), std::int32_t(others[0]),
           std::int32_t(others[1]), std::int32_t(others[2]) } };
-        turnOutwards(geometry, face);
+        if (!turnOutwards(geometry, face)) // at an axis where vertices coincide
+        {
+          turnOutwards(geometry, face, middleOfCell(geometry, cell));
+        }
         faces.push_back(face);
       }
     }
