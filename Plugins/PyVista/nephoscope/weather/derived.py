@@ -7,14 +7,13 @@ import numpy as np
 
 from . import quantities
 from .air import Air
+from .circulation import vorticity_of
 from .columns import density
 from .humidity import relative_from_specific
-from .polygons import vectors
 from .quantities import PER_VOLUME, WATER, no_column, no_water, wanted
 from .reading import Reading
 from .winds import winds
 
-EARTH_RADIUS = 6371229.0  # metres
 CRITICAL_HUMIDITY = 0.8  # of Sundqvist's cloud fraction
 
 
@@ -71,19 +70,7 @@ def vorticity(reading: Reading, air: Air) -> np.ndarray:
     if reading.horizontal.is_list:
         raise ValueError("vorticity needs a grid of rows and columns, but this one is a list of cells.")
     u, v = _horizontal(reading, air, "vorticity")
-    lon, lat = reading.horizontal.places()
-    closed = reading.horizontal.is_regular and abs(np.ptp(lon[0]) + abs(lon[0, 1] - lon[0, 0]) - 360) < 1e-3
-    around = (lambda field, axis: np.concatenate([field.take([-1], axis), field, field.take([0], axis)], axis)) if closed else lambda field, axis: field
-    u, v, lon, lat = around(u, u.ndim - 1), around(v, v.ndim - 1), around(lon, 1), around(lat, 1)
-    up = vectors(lon, lat)
-    east = vectors(lon + 90.0, np.zeros_like(lat))
-    wind = u[..., None] * east + v[..., None] * np.cross(up, east)
-    along, across = (EARTH_RADIUS * np.gradient(up, axis=axis) for axis in (1, 0))
-    area = (np.cross(along, across) * up).sum(-1)
-    circulation = np.gradient((wind * across).sum(-1), axis=-1) - np.gradient((wind * along).sum(-1), axis=-2)
-    with np.errstate(divide="ignore", invalid="ignore"):
-        field = np.where(np.abs(area) > 1e-6 * np.abs(area).max(), circulation / area, np.nan)
-    return field[..., 1:-1] if closed else field
+    return vorticity_of(u, v, *reading.horizontal.places())
 
 
 def cloud_content(reading: Reading, air: Air) -> np.ndarray:

@@ -10,10 +10,11 @@ import numpy as np
 
 from .._checks import listed
 from .axes import eastward, northward, told
+from .caps import Caps, find_caps
 from .fold import Fold, closed_fold
 from .gaps import told as told_gaps, with_gaps
 from .gaussian import Rows, find_rows
-from .projections import Projection, find_lost_projection, find_projection, mapping_of, row_angles
+from .projections import Projection, find_lost_projection, find_projection, mapping_of, row_angles, vectors
 
 _LON = ("lon", "longitude", "lons", "long", "xlong", "nav_lon", "glon", "clon", "loncell", "lon_rho", "geolon", "tlong", "mesh2d_face_x", "xlong_m", "lon2d", "grid_center_lon")
 _LAT = ("lat", "latitude", "lats", "xlat", "nav_lat", "glat", "clat", "latcell", "lat_rho", "geolat", "tlat", "mesh2d_face_y", "xlat_m", "lat2d", "grid_center_lat")
@@ -38,6 +39,7 @@ class Horizontal:
     columns: np.ndarray | None = None  # the columns of the file that form a closed ring (curvilinear) or run eastward (regular)
     lines: np.ndarray | None = None  # the rows of the file that form a monotonic axis
     fold: Fold | None = None  # of a tripolar grid, after the columns have been closed
+    caps: Caps | None = None  # rows added at the poles of closed rings, after the fold
     missing: np.ndarray | None = None  # True where the file has no position for a point; such points are hidden
     gaps: list[str] = field(default_factory=list)  # sentences about lines that are missing inside axes and were added, without values
 
@@ -68,10 +70,14 @@ class Horizontal:
             return self.projection.angles(lon, lat)
         if self.columns is None:
             return row_angles(lon, lat)
-        around = lambda field: np.concatenate([field[:, -2:-1], field, field[:, 1:2]], axis=1)  # the ring goes on
         rows = slice(None, -1 if self.fold and self.fold.added else None)
-        angles = row_angles(around(lon[rows]), around(lat[rows]))[:, 1:-1]
+        angles = row_angles(beyond_seam(lon[rows]), beyond_seam(lat[rows]))[:, 1:-1]
         return self.fold(angles) if rows.stop else angles
+
+
+def beyond_seam(field: np.ndarray) -> np.ndarray:
+    """Columns of a ring, whose last one repeats the first one, with one more on either side."""
+    return np.concatenate([field[..., -2:-1], field, field[..., 1:2]], axis=-1)
 
 
 def is_longitude(name: str, variable) -> bool:
@@ -240,11 +246,31 @@ def _given(dataset, dims, lon, lat, projection, variable) -> Horizontal:
     kind = projection.name if projection else "curvilinear"
     places = {"columns": columns, "lines": lines, "fold": fold}
     if not missing.any():
-        return Horizontal(dims, x, y, kind, names, projection, **places)
+        return _capped(Horizontal(dims, x, y, kind, names, projection, **places))
     lost = ~_possible(x, y)
     notes = [f"{lost.sum()} of {lost.size} points have no longitude or latitude: they are hidden"] if lost.any() else []
     notes += ["the northern fold is closed: the last row meets itself"] if fold else []
-    return Horizontal(dims, _filled(x, lost), _filled(y, lost), kind, names, projection, notes=notes, missing=missing, **places)
+    return _capped(Horizontal(dims, _filled(x, lost), _filled(y, lost), kind, names, projection, notes=notes, missing=missing, **places))
+
+
+def _capped(grid: Horizontal) -> Horizontal:
+    """`grid` with the holes closed that its rings leave at their poles."""
+    grid.caps = find_caps(grid.longitude, grid.latitude)
+    if grid.caps:
+        grid.longitude, grid.latitude = grid.caps.places(grid.longitude, grid.latitude)
+        grid.missing = grid.missing if grid.missing is None else grid.caps(grid.missing)
+        grid.notes.append(f"closed at {'its poles' if grid.caps.first and grid.caps.last else 'one of its poles'}: a row is added with the mean of the last one")
+    return grid
+
+
+def _ringed(grid: Horizontal) -> Horizontal:
+    """`grid` of a projection, closed at its seam if that goes around the globe, as rotated grids may, and at its poles."""
+    around = ring(grid.longitude, grid.latitude)
+    if around is not None:
+        grid.columns = around if grid.columns is None else grid.columns[around]
+        grid.longitude, grid.latitude = grid.longitude[:, around], grid.latitude[:, around]
+        grid.missing = grid.missing if grid.missing is None else grid.missing[:, around]
+    return _capped(grid)
 
 
 def _regular(lon, lat, x: np.ndarray, y: np.ndarray, names) -> Horizontal:
@@ -274,16 +300,26 @@ def ring(x: np.ndarray, y: np.ndarray) -> np.ndarray | None:
     there = _possible(x, y)
     turn = np.where(there[:, 1:] & there[:, :-1], np.mod(np.diff(x, axis=1) + 180, 360) - 180, 0.0)
     around = np.median(np.abs(turn.sum(axis=1)))
-    if around < 300:
+    places = vectors(x, y)
+    steps = np.linalg.norm(np.diff(places, axis=1), axis=-1)
+    if around < 300 and not _ends_meet(places, steps):
         return None
-    a, b = np.radians(x), np.radians(y)
-    places = np.stack([np.cos(b) * np.cos(a), np.cos(b) * np.sin(a), np.sin(b)], -1)
-    step = np.nanmedian(np.linalg.norm(np.diff(places, axis=1), axis=-1))
+    step = np.nanmedian(steps)
     apart = lambda i: np.nanmedian(np.linalg.norm(places[:, i] - places[:, 0], axis=-1)) / step
     for halo in (-1, -2, -3):
         if apart(halo) < 0.01:
             return np.arange(x.shape[1] + halo + 1) if halo < -1 else None
     return np.append(np.arange(x.shape[1]), 0) if apart(-1) < 2 else None
+
+
+def _ends_meet(places: np.ndarray, steps: np.ndarray) -> bool:
+    """True if the ends of the rows are neighbours, also where a row does not go around the geographic poles, as on rotated grids. `steps`: along the rows."""
+    if not np.isfinite(places).all():
+        return False
+    usual = np.median(steps, axis=1)
+    gap = np.linalg.norm(places[:, -1] - places[:, 0], axis=-1)
+    long = usual > 1e-6
+    return bool(long.any() and np.quantile(gap[long] / usual[long], 0.9) < 1.5)
 
 
 def _possible(x: np.ndarray, y: np.ndarray) -> np.ndarray:
@@ -339,4 +375,4 @@ def _projected(dataset, dims, projection: Projection) -> Horizontal:
     if missing.any():
         grid.longitude, grid.latitude, grid.missing = _filled(lon, missing), _filled(lat, missing), missing
         grid.notes.append(f"{missing.sum()} of {missing.size} points are not on the Earth: they are hidden")
-    return _with_gaps(grid, (x, no_column), (y, no_line))
+    return _ringed(_with_gaps(grid, (x, no_column), (y, no_line)))

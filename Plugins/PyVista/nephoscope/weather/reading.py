@@ -202,6 +202,7 @@ class Reading:
             found = found.take(grid.lines, order.index(grid.dims[0]))
         found = found.take(grid.columns, -1) if grid.columns is not None and grid.dims[-1] in order else found
         found = grid.fold(found) if grid.fold and set(grid.dims) <= set(order) else found
+        found = grid.caps(found) if grid.caps and set(grid.dims) <= set(order) else found
         return np.where(grid.missing, np.nan, found) if grid.gaps and set(grid.dims) <= set(order) else found
 
     def role(self, role: str) -> np.ndarray:

@@ -36,6 +36,8 @@ def winds(reading, air: Air) -> tuple[list[np.ndarray], list[str]]:
     u, v = reading.role("u"), reading.role("v")
     if along_grid(reading) and not reading.horizontal.is_regular:
         u, v = turned(u, v, *direction(reading))
+    if reading.horizontal.caps:
+        u, v = reading.horizontal.caps.winds(u, v, *reading.horizontal.places())
     found, names = [u, v], [reading.roles["u"], reading.roles["v"]]
     w = _upward(reading, air) if reading.has("w") else None
     return (found + [w], names + [reading.roles["w"]]) if w is not None else (found, names)
