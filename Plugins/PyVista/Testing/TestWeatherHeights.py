@@ -57,9 +57,26 @@ class Hybrid(unittest.TestCase):
     def test_sigma(self):
         dataset = self.dataset()
         dataset["lev"] = ("lev", [0.1, 0.3, 0.6, 0.95], {"standard_name": "atmosphere_sigma_coordinate", "formula_terms": "sigma: lev ps: ps ptop: ptop", "positive": "down"})
-        dataset["ptop"] = (), 1000.0, {"units": "Pa"}
+        for top, units in ((1000.0, "Pa"), (10.0, "hPa")):
+            dataset["ptop"] = (), top, {"units": units}
+            self.check_sigma(dataset)
+
+    def check_sigma(self, dataset):
         pressures = 1000 + dataset.lev.values.reshape(4, 1, 1) * (PS - 1000)
         np.testing.assert_allclose(heights(dataset), self.expected(pressures), atol=0.5)
+
+    def test_a_level_at_the_ground_is_not_below_it(self):
+        levels = np.array([0.0, 500, 2000, 6000])
+        for projection in ("globe", "map"):
+            dataset = self.dataset().drop_vars("ps")
+            dataset["orog"].values[:] += np.float32(0.123)
+            dataset["lev"] = ("lev", levels, {"standard_name": "height", "units": "m", "positive": "up"})
+            found = dataset.nephoscope.globe(projection=projection)
+            self.assertEqual(int(found["BelowGround"].sum()), 0)
+            dataset["lev"] = ("lev", levels + 1200, {"standard_name": "altitude", "units": "m", "positive": "up"})
+            dataset["orog"].values[:] += 300
+            below = np.asarray(dataset.nephoscope.globe(projection=projection)["BelowGround"]).reshape(4, -1)[0]
+            np.testing.assert_array_equal(below, (dataset.orog.values > 1201).ravel())
 
     def test_no_surface_pressure_is_refused(self):
         dataset = self.dataset().assign(hyam=("lev", self.A / 1e5), hybm=("lev", self.B)).drop_vars(["ps", "lev"])

@@ -171,10 +171,15 @@ class WeatherAccessor:
                **options: Any) -> pyvista.DataSet:
         """Integrate a quantity over height, for drawing on a map or on the ground of a globe.
 
+        Every level stands for a layer. On pressure, sigma and hybrid levels the mass of a layer is dp/g; on other levels it is the density of the air times the thickness.
+        Layers meet midway between levels, or at the half levels of the model if these are known. The lowest layer above the ground reaches down to it, if the pressure or the
+        height of the ground is known. The uppermost layer of a model goes half a layer beyond its level; pressures, heights and flat grids end at the last level, and
+        flat grids begin at the first one. Missing values count as nothing.
+
         Parameters
         ----------
         quantity : str, default: "cloud_content"
-            ``"cloud_content"``, ``"water_vapour"``, or a variable that is a mass fraction; on a flat grid also one in kg/m3 or g/m3.
+            ``"cloud_content"``, ``"water_vapour"``, or a variable that is a mass fraction or a content in kg/m3 or g/m3.
         time, vertical, **options
             As in `globe`; for a flat grid ``time``, ``x``, ``y`` and ``z``, as in `grid`. Heights are 0.
 
@@ -185,11 +190,11 @@ class WeatherAccessor:
         """
         if self._is_flat(options):
             return self._flat_column(quantity, time, options)
-        from .derived import column_of
+        from .integrals import column_of
         from .placing import place_sheet
         roles, rest = _options(options)
         reading, air = self._understood(time, vertical, roles)
-        return place_sheet(reading, {"column": column_of(quantity, reading, air)}, rest)
+        return place_sheet(reading, {"column": column_of(quantity, reading, air)}, "kg m-2", rest)
 
     def terrain(self, *, time: int | str | np.datetime64 | None = None, vertical: str | None = None, **options: Any) -> pyvista.StructuredGrid:
         """Make the terrain as a surface, as `nephoscope.terrain_surface` does.

@@ -70,7 +70,7 @@ class Air:
             return reading.role("pressure").astype(float)
         if reading.vertical.kind == "log pressure":
             terms = formula_terms(reading.dataset, reading.vertical)
-            p0 = float(reading.dataset[terms["p0"]]) if terms.get("p0") in reading.dataset else 1e5
+            p0 = float(_pascal(reading.dataset, terms["p0"])) if terms.get("p0") in reading.dataset else 1e5
             return self._columns(p0 * np.exp(-reading.levels()))
         return self._hybrid_pressure() if reading.vertical.kind in ("hybrid", "sigma") else self._summed_pressure()
 
@@ -294,7 +294,7 @@ def hybrid_coefficients(reading: Reading) -> tuple[np.ndarray, np.ndarray]:
     terms = formula_terms(dataset, vertical) or usual_coefficients(dataset, vertical.dim) or {}
     if vertical.kind == "sigma":
         sigma = dataset[terms.get("sigma", vertical.name)].values.astype(float)
-        top = float(dataset[terms["ptop"]].values) if terms.get("ptop") in dataset.variables else 0.0
+        top = float(_pascal(dataset, terms["ptop"])) if terms.get("ptop") in dataset.variables else 0.0
         return top * (1 - sigma), sigma
     b = _term(dataset, terms, "b")
     if "ap" in terms:

@@ -10,7 +10,7 @@ from .air import Air
 from .circulation import vorticity_of
 from .columns import density
 from .humidity import relative_from_specific
-from .quantities import PER_VOLUME, WATER, no_column, no_water, wanted
+from .quantities import WATER, no_water, wanted
 from .reading import Reading
 from .winds import winds
 
@@ -75,14 +75,22 @@ def vorticity(reading: Reading, air: Air) -> np.ndarray:
 
 def cloud_content(reading: Reading, air: Air) -> np.ndarray:
     """kg/m3: the sum of the available cloud water, ice, rain, snow and graupel."""
+    return water_fraction("cloud_content", reading, air) * density_of(air, "cloud_content")
+
+
+def water_fraction(name: str, reading: Reading, air: Air) -> np.ndarray:
+    """kg/kg, of the cloud content or the water vapour."""
+    if name == "water_vapour":
+        return _need(air.specific_humidity, "specific humidity", "water_vapour")
     there = [role for role in WATER if reading.has(role)]
     if not there:
         raise no_water("Name the variable: globe(cloud_water='...').")
     reading.note(f"cloud_content of {', '.join(reading.roles[role] for role in there)}")
-    return sum(reading.role(role).astype(float) for role in there) * _density(air, "cloud_content")
+    return sum(reading.role(role).astype(float) for role in there)
 
 
-def _density(air: Air, name: str) -> np.ndarray:
+def density_of(air: Air, name: str) -> np.ndarray:
+    """kg/m3 of the air, for the quantity `name`."""
     return density(_need(air.pressure, "pressure", name), _need(air.virtual_temperature, "temperature", name))
 
 
@@ -97,23 +105,8 @@ def cloud_fraction(reading: Reading, air: Air) -> np.ndarray:
 
 def water_vapour(reading: Reading, air: Air) -> np.ndarray:
     """kg/m3."""
-    return _need(air.specific_humidity, "specific humidity", "water_vapour") * _density(air, "water_vapour")
+    return water_fraction("water_vapour", reading, air) * density_of(air, "water_vapour")
 
 
 QUANTITIES = {function.__name__: function for function in (relative_humidity, potential_temperature, equivalent_potential_temperature, wind_speed, vorticity, cloud_content, cloud_fraction,
                                                            water_vapour)}
-
-
-def column_of(name: str, reading: Reading, air: Air) -> np.ndarray:
-    """Integral over height above the ground, by the trapezoidal rule, of a quantity per volume, or of a mass fraction times the density."""
-    variables = [known for known, _ in reading.field_variables()]
-    if name in PER_VOLUME:
-        field = QUANTITIES[name](reading, air)
-    elif name in variables:
-        field = reading.values(name) * _density(air, name)
-    else:
-        raise no_column(name, "levels", variables)
-    order = np.argsort(np.nanmean(air.heights.reshape(len(air.heights), -1), axis=1))
-    z, f = air.heights[order], np.asarray(field, float)[order]
-    ground = air.terrain if air.terrain is not None else np.full(z.shape[1:], -np.inf)
-    return quantities.column(f, np.maximum(z[1:], ground) - np.maximum(z[:-1], ground))

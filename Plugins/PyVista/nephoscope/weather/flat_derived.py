@@ -11,12 +11,9 @@ from .columns import density
 from .flat import Flat
 from .flat_air import FlatAir
 from .humidity import relative_from_specific
-from .quantities import PER_VOLUME, WATER, no_column, no_water, wanted
+from .quantities import PER_VOLUME, VOLUME_UNITS, WATER, no_column, no_water, wanted
 from .roles import ROLES, candidates, quantity_of
 from .units import converted, plain
-
-CONTENTS = {"kgm-3": 1.0, "kg/m3": 1.0, "gm-3": 1e-3, "g/m3": 1e-3}
-
 
 class FlatQuantities:
     """Arrays in the order z, y, x of the grid. `air`: temperature in K and pressure in Pa, in the same order; those that are unknown are missing."""
@@ -63,8 +60,8 @@ class FlatQuantities:
     def content(self, name: str) -> np.ndarray:
         """kg/m3, of a variable that is a content or a mass fraction."""
         values, units = self.flat.values(name).astype(float), self.flat.dataset[name].attrs.get("units")
-        if plain(units) in CONTENTS:
-            return values * CONTENTS[plain(units)]
+        if plain(units) in VOLUME_UNITS:
+            return values * VOLUME_UNITS[plain(units)]
         return converted(values, units, "mass fraction", name)[0] * self._density(name)
 
     def _named(self, role: str, any_units: bool = False) -> str | None:

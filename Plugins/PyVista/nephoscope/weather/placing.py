@@ -18,6 +18,7 @@ from .horizontal import GridError
 from .reading import Reading
 from .winds import winds
 
+NEAR = 1.0  # m: points that much below the ground are on it, such as a level at the ground
 HEIGHT = "geometric_height"  # the array that passes the heights to `to_globe`
 
 
@@ -40,6 +41,8 @@ def place(reading: Reading, air: Air, variables: Sequence[str] | None, extra: di
         options, height = {"mask_below_ground": False, **options}, HEIGHT if reading.horizontal.missing is not None or reading.vertical.kind == "ocean sigma" else False
     ground = ground_mesh(reading, air)
     hides = reading.vertical is not None or ground is not None and "sp" in ground.point_data
+    if ground is not None and "orog" in ground.point_data:
+        ground.point_data["orog"] -= np.float32(NEAR)
     if not hides:  # one level is drawn at the height 0, which tells nothing: only its pressure does, if it is known
         options, ground = {**options, "mask_below_ground": False}, None
     choose_active_scalars(mesh)
@@ -95,16 +98,17 @@ def refuse_found(options: dict) -> None:
                             "geopotential='z', or give it units; describe() lists what has been found.")
 
 
-def place_sheet(reading: Reading, fields: dict[str, np.ndarray], options: dict) -> pyvista.DataSet:
-    """Fields of one level, at the height 0."""
+def place_sheet(reading: Reading, fields: dict[str, np.ndarray], units: str, options: dict) -> pyvista.DataSet:
+    """Fields of one level, at the height 0, all with the same `units`."""
     refuse_found(options)
     if reading.horizontal.is_list:
         from .prisms import place_sheet_of_cells
-        return place_sheet_of_cells(reading, fields, **options)
+        return place_sheet_of_cells(reading, fields, units, **options)
     mesh = _mesh(reading, np.zeros(1))
     _warn_of_gaps(mesh, reading)
     for name, values in fields.items():
         mesh.point_data[name] = np.ascontiguousarray(values, dtype=np.float32).ravel()
+        note_units(mesh, name, units)
     return to_globe(mesh, height=False, wind=False, level_units="m", mask_below_ground=False, **options)
 
 

@@ -10,7 +10,7 @@ from .._checks import require_number
 from .._fields import choose_active_scalars
 from ..globe import EARTH_RADIUS
 from .air import Air
-from .placing import chosen, note_units, order_of
+from .placing import NEAR, chosen, note_units, order_of
 from .polygons import Polygons, find_polygons, vectors
 from .reading import Reading
 from .winds import winds
@@ -46,12 +46,13 @@ def place_columns(reading: Reading, air: Air, variables, extra: dict[str, np.nda
     return grid
 
 
-def place_sheet_of_cells(reading: Reading, fields: dict[str, np.ndarray], *, radius: float = EARTH_RADIUS) -> pyvista.UnstructuredGrid:
+def place_sheet_of_cells(reading: Reading, fields: dict[str, np.ndarray], units: str, *, radius: float = EARTH_RADIUS) -> pyvista.UnstructuredGrid:
     polygons = find_polygons(reading.dataset, reading.horizontal)
     faces, owner = divided(polygons.faces)
     grid = columns(polygons.corners, faces, np.zeros((1, len(polygons.corners))), radius, 1.0)
     for name, values in fields.items():
         (grid.point_data if polygons.on_corners else grid.cell_data)[name] = (values if polygons.on_corners else values[owner]).astype(np.float32)
+        note_units(grid, name, units)
     return grid
 
 
@@ -154,7 +155,7 @@ def _hide(grid, data, reading: Reading, air: Air, heights, order, spread, mask: 
         if reading.vertical.kind == "pressure" and air.surface_pressure is not None:
             below |= air.pressure > air.surface_pressure
         elif air.terrain is not None:
-            below |= heights < air.terrain - 1.0
+            below |= heights < air.terrain - NEAR
     data["BelowGround"] = spread(below[order]).astype(np.uint8).ravel()
     hidden = np.asarray(data["BelowGround"]) * np.uint8(HIDDEN_POINT if on_corners else HIDDEN_CELL)
     if hidden.any():

@@ -11,6 +11,7 @@ from .._checks import listed
 from .columns import KAPPA
 
 WATER = ("cloud_water", "cloud_ice", "rain", "snow", "graupel")  # roles that cloud_content sums
+VOLUME_UNITS = {"kgm-3": 1.0, "kg/m3": 1.0, "gm-3": 1e-3, "g/m3": 1e-3, "mgm-3": 1e-6, "mg/m3": 1e-6}  # of contents, in kg/m3
 PER_VOLUME = ("cloud_content", "water_vapour")  # kg/m3
 
 
