@@ -5,6 +5,8 @@ from __future__ import annotations
 
 import numpy as np
 import pyvista
+from vtkmodules.util.numpy_support import numpy_to_vtk
+from vtkmodules.vtkCommonCore import VTK_UNSIGNED_CHAR
 
 from .._checks import require_number
 from .._fields import choose_active_scalars
@@ -17,6 +19,7 @@ from .winds import winds
 
 HIDDEN_CELL, HIDDEN_POINT = 32, 2  # vtkDataSetAttributes
 LARGEST = 6  # maximum number of sides of a VTK prism; larger polygons are divided
+POLYGON = 7  # VTK_POLYGON
 TYPES = {3: 13, 4: 12, 5: 15, 6: 16}  # VTK_WEDGE, VTK_HEXAHEDRON, VTK_PENTAGONAL_PRISM, VTK_HEXAGONAL_PRISM
 
 
@@ -92,30 +95,39 @@ def columns(corners: np.ndarray, faces: np.ndarray, heights: np.ndarray, radius:
         here = np.flatnonzero(count == sides)
         bottom = faces[here, :sides]
         if layers == 0:
-            cells.append(np.insert(bottom, 0, sides, axis=1))
-            types.append(np.full(len(here), 7))  # VTK_POLYGON
+            cells.append(bottom)
+            types.append(np.full(len(here), POLYGON, np.uint8))
             places.append(here)
             continue
         if sides == 3:
             bottom = bottom[:, ::-1]  # point order of wedges in VTK up to 9.6; the package reads both orders
         prism = np.concatenate([bottom, bottom + sheet], axis=1)
-        every = (prism[None] + sheet * np.arange(layers)[:, None, None]).reshape(-1, 2 * sides)
-        cells.append(np.insert(every, 0, 2 * sides, axis=1))
-        types.append(np.full(len(every), TYPES[sides]))
+        cells.append((prism[None] + sheet * np.arange(layers)[:, None, None]).reshape(-1, 2 * sides))
+        types.append(np.full(len(cells[-1]), TYPES[sides], np.uint8))
         places.append((here[None] + len(faces) * np.arange(layers)[:, None]).ravel())
-    grid = pyvista.UnstructuredGrid(*_in_order(cells, types, places), points)
+    grid = pyvista.UnstructuredGrid()
+    grid.points = points
+    connections, starts, types = _in_order(cells, types, places)
+    grid.SetCells(numpy_to_vtk(types, deep=True, array_type=VTK_UNSIGNED_CHAR), pyvista.CellArray.from_arrays(starts, connections, deep=True))
     return grid
 
 
-def _in_order(cells, types, places) -> tuple[np.ndarray, np.ndarray]:
-    """Cells of several sizes, in the order of their positions."""
-    places, types = np.concatenate(places), np.concatenate(types)
+def _in_order(cells, types, places) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """Corners of cells of several sizes, where each cell starts and its type, in the order of their positions."""
+    if len(cells) == 1:  # in order
+        return cells[0].ravel(), np.arange(len(cells[0]) + 1) * cells[0].shape[1], types[0]
     lengths = np.concatenate([np.full(len(part), part.shape[1]) for part in cells])
-    starts = np.concatenate([[0], np.cumsum(lengths)[:-1]])
-    flat = np.concatenate([part.ravel() for part in cells])
-    order = np.argsort(places)
-    inside = np.arange(lengths.sum()) - np.repeat(np.cumsum(lengths[order]) - lengths[order], lengths[order])
-    return flat[np.repeat(starts[order], lengths[order]) + inside], types[order]
+    order = np.argsort(np.concatenate(places), kind="stable")
+    types = np.concatenate(types)[order]
+    starts = np.concatenate([[0], np.cumsum(lengths[order])])
+    found = np.empty(starts[-1], cells[0].dtype)
+    new = np.empty(len(order), int)
+    new[order] = starts[:-1]  # where each cell of the groups begins
+    first = 0
+    for part in cells:
+        found[new[first:first + len(part), None] + np.arange(part.shape[1])] = part
+        first += len(part)
+    return found, starts, types
 
 
 def _add_fields(grid, data, reading: Reading, air: Air, names, extra, order, spread) -> None:
