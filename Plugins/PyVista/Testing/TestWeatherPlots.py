@@ -10,7 +10,9 @@ from unittest import mock
 import nephoscope  # noqa: F401 (the accessor)
 import numpy as np
 import pyvista
+import xarray as xr
 from nephoscope.weather import ground
+from nephoscope.weather.look import suited
 from weather_data import isothermal
 
 LON, LAT = np.arange(0, 40, 5.0), np.arange(20, 60, 5.0)
@@ -118,6 +120,43 @@ class Plots(unittest.TestCase):
                 (key, bar), = plotter.scalar_bars.items()
                 self.assertEqual((key, bar.GetTitle()), (name, text))
                 self.assertEqual(bar.GetLookupTable().GetTableRange(), (200, 300))
+
+    def test_a_surface_has_the_colours_of_its_quantity(self):
+        """By standard name, long name, role or units: signed quantities are symmetric about 0, clouds let the Earth through, and cmap wins."""
+        lon, lat = np.meshgrid(np.arange(0, 360, 20.0), np.arange(-80, 81, 20.0))
+        wave = np.cos(np.radians(2 * lon)) * np.cos(np.radians(lat))
+        names = {"air2": (280 + 20 * wave, {"units": "K"}, "temperature"), "vor": (1e-5 * (wave + 0.5), {"long_name": "Vorticity (relative)", "units": "s**-1"}, "wind component"),
+                 "east": (10 * wave, {"standard_name": "eastward_wind", "units": "m s-1"}, "wind component"), "speed": (10 * wave ** 2 + 2, {"long_name": "10 metre wind speed"}, "wind speed"),
+                 "total": (np.clip(wave, 0, 1), {"long_name": "Total cloud cover", "units": "(0 - 1)"}, "clouds"), "rainfall": (np.clip(wave, 0, 1), {"description": "ACCUMULATED PRECIPITATION"}, "rain"),
+                 "msl": (101325 + 1000 * wave, {"long_name": "Mean sea level pressure", "units": "Pa"}, None)}
+        dataset = xr.Dataset({name: (("lat", "lon"), values, attrs) for name, (values, attrs, _) in names.items()}, {"lat": lat[:, 0], "lon": lon[0]})
+        for name, (values, _, preset) in names.items():
+            with self.subTest(name):
+                self.assertEqual(suited(dataset, name), preset)
+                table = self.table(dataset, name)
+                low, high = table.scalar_range
+                if preset in ("wind component", "wind speed"):
+                    self.assertAlmostEqual(low, -high if preset == "wind component" else 0)
+                colours = np.asarray(table.values)
+                self.assertEqual((colours[0, 3], colours[-1, 3]), (0 if preset in ("clouds", "rain") else 255, 255))
+                if preset == "clouds":
+                    self.assertTrue((colours[:, :3] == 255).all())
+                viridis = pyvista.LookupTable("viridis").values[:, :3]
+                self.assertEqual(np.abs(colours[[0, -1], :3].astype(int) - viridis[[0, -1]]).max() < 3, preset is None)
+        for name in ("air2", "total"):
+            colours = np.asarray(self.table(dataset, name, cmap="plasma").values)
+            np.testing.assert_allclose(colours, pyvista.LookupTable("plasma").values, atol=1)
+
+    def table(self, dataset, name, **options):
+        plotter, _ = self.plotted(dataset, name, **options)
+        return next(bar.GetLookupTable() for bar in plotter.scalar_bars.values())
+
+    def test_a_volume_of_an_unusual_name(self):
+        dataset = forecast().assign(east=forecast().ta.assign_attrs(standard_name="eastward_wind", units="m s-1") - 240)
+        dataset["east"].attrs = {"standard_name": "eastward_wind", "units": "m s-1"}
+        plotter, _ = self.plotted(dataset, "east")
+        (bar,) = plotter.scalar_bars.values()
+        self.assertEqual(bar.GetLookupTable().GetTableRange(), (-10, 10))
 
     def test_unknown_options(self):
         for options, words in (({"vert_exag": 3}, r"plot\(\) has no option 'vert_exag'. Did you mean 'vertical_exaggeration'"), ({"sun": True}, r"'sun'. It is an option of add_cells: .*sun=\.\.\."),

@@ -19,6 +19,7 @@ from ._checks import listed
 
 SAMPLES = 256
 BRIGHT = 0.6  # luminance of a background on which white clouds would be invisible
+PRESET_ENDING = "_preset"  # of field data that name the preset of an array, where its name does not tell
 FLAT_GRID = "FlatGrid"  # field data that mark the meshes of dataset.nephoscope.grid()
 HELPERS = {"belowground", "globegridprojection", "planetradius", "verticalexaggeration", "time", "timevalue", "crs", "lat", "latitude",
            "lon", "longitude", "lev", "level", "plev", "normals", "tcoords", "texturecoordinates", "texture coordinates"}
@@ -112,7 +113,9 @@ def preset_of_field(name: str, mesh: pyvista.DataSet | None = None) -> Preset | 
     found = _names("NephoscopeArrays").get(name) or (_names("NephoscopeArrays").get(name.lower()) if len(name) > 2 else None)
     if not found and mesh is not None and _is_weather(mesh, name):
         found = _names("NephoscopeWeatherArrays").get(name)
-    return presets()[found] if found else None
+    if not found and mesh is not None and name + PRESET_ENDING in mesh.field_data:
+        found = str(mesh.field_data[name + PRESET_ENDING][0])
+    return presets().get(found) if found else None
 
 
 def find_preset(preset: str | bool | None, name: str, mesh: pyvista.DataSet) -> Preset | None:

@@ -14,6 +14,7 @@ from .._fields import FLAT_GRID, choose_active_scalars
 from .flat import Axis, Flat, fields_of
 from .flat_air import AIR, air_roles, mark_air
 from .flat_derived import QUANTITIES, column_of, derived_flat
+from .look import note_look
 from .naming import UNITS
 from .placing import note_units
 from .roles import ROLES, candidates
@@ -29,9 +30,11 @@ def flat_mesh(flat: Flat, variables: Sequence[str] | None, vertical_exaggeration
     for name in _chosen(flat, variables):
         mesh.point_data[name] = _float(flat.values(name)).ravel()
         note_units(mesh, name, flat.dataset[name].attrs.get("units"))
+        note_look(mesh, flat.dataset, name)
     for name, values in derived_flat(derive, flat, lambda: air_mesh(flat)).items():
         mesh.point_data[name] = _float(values).ravel()
         note_units(mesh, name, UNITS.get(name))
+        note_look(mesh, flat.dataset, name)
     if variables is None:
         _add_wind(mesh, flat, vertical_exaggeration)
     mark_air(mesh, air_roles((name, flat.dataset[name]) for name in flat.names()), flat.profiles)

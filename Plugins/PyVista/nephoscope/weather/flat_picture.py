@@ -9,9 +9,8 @@ import numpy as np
 import pyvista
 
 from .._blocks import cell_dimension
-from .._fields import find_preset, is_bright, presets
 from .._medium import association_of, default_scalars
-from .._over_time import values_over_time
+from .look import surface_look
 from .picture import BESIDE, set_title
 
 GROUND = (0.06, 0.13, 0.2)
@@ -58,7 +57,7 @@ def _draw_section(plotter: pyvista.BasePlotter, grid: pyvista.DataSet, scalars: 
         raise ValueError(f"{wrong[0]}: an option of volumes, but this grid is one level or section.")
     name = default_scalars(grid)[1] if scalars is None else scalars
     association = association_of(grid, name, "point", "scalars")  # raises an error if no value is finite; VTK would end the process
-    plotter.add_mesh(grid, scalars=name, **{"nan_opacity": 0, "lighting": False, **_look(plotter, grid, name, association, options)})
+    plotter.add_mesh(grid, scalars=name, **{"nan_opacity": 0, "lighting": False, **surface_look(plotter, grid, name, association, options, over_ground=False)})
     flat = next((letter for letter, count in zip("xyz", grid.dimensions) if count == 1), "z")
     plotter.view_vector(FACING[flat], viewup=(0, 1, 0) if flat == "z" else (0, 0, 1))
     _add_scales(plotter, grid, flat)
@@ -68,17 +67,6 @@ def _draw_section(plotter: pyvista.BasePlotter, grid: pyvista.DataSet, scalars: 
     plotter.camera.parallel_scale = 0.5 * max(across / aspect / WIDE, up / HIGH) or 1.0
     plotter.camera.SetWindowCenter(0.06, 0)  # room for the scalar bar
     plotter.reset_camera_clipping_range()
-
-
-def _look(plotter: pyvista.BasePlotter, grid: pyvista.DataSet, name: str, association: str, options: dict) -> dict:
-    """Colours and range of the preset of the array, as `add_cells` takes them, unless the options have others."""
-    preset = find_preset(options.pop("preset", None), name, grid) if not options.get("log_scale") else None
-    if isinstance(options.get("cmap"), str) and options["cmap"] in presets():
-        preset = presets()[options.pop("cmap")]
-    if preset is None or "cmap" in options:
-        return options
-    clim = options.get("clim") or preset.clim(values_over_time(grid, name, association))
-    return {"cmap": preset.colour_map(is_bright(plotter.background_color)), **({} if clim is None else {"clim": clim}), **options}
 
 
 def _add_scales(plotter: pyvista.BasePlotter, grid: pyvista.DataSet, flat: str) -> None:

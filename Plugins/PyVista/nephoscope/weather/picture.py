@@ -15,6 +15,7 @@ from .._medium import association_of, default_scalars
 from ..cells import add_cells
 from ..globe import EARTH_RADIUS, globe_surface
 from .horizontal import GridError, section
+from .look import surface_look
 from .ground import add_coasts, add_ground, globe_coasts, map_coasts, map_ground
 
 FONTS = {"title_font_size": 14, "label_font_size": 12}
@@ -53,8 +54,8 @@ def draw(plotter: pyvista.BasePlotter, grid: pyvista.DataSet, scalars: str | Non
     options = {"scalar_bar_args": BESIDE if on_globe else BELOW, **options}
     if flat:  # one level
         name = default_scalars(grid)[1] if scalars is None else scalars
-        association_of(grid, name, "point", "scalars")  # raises an error if no value is finite; VTK would end the process
-        plotter.add_mesh(grid, scalars=name, **{"nan_opacity": 0, "lighting": False, **options})
+        association = association_of(grid, name, "point", "scalars")  # raises an error if no value is finite; VTK would end the process
+        plotter.add_mesh(grid, scalars=name, **{"nan_opacity": 0, "lighting": False, **surface_look(plotter, grid, name, association, options)})
     else:
         add_cells(plotter, grid, scalars, **options)
     for bar in plotter.scalar_bars.values():

@@ -15,6 +15,7 @@ from .._pipeline import level_of_caller
 from ..globe import GAPS_ARE_TOLD, to_globe
 from .air import Air
 from .horizontal import GridError
+from .look import note_look
 from .reading import Reading
 from .winds import winds
 
@@ -33,8 +34,10 @@ def place(reading: Reading, air: Air, variables: Sequence[str] | None, extra: di
     for name in chosen(reading, variables):
         add(mesh, name, reading.values(name), order)
         note_units(mesh, name, reading.dataset[name].attrs.get("units"))
+        note_look(mesh, reading.dataset, name)
     for name, values in extra.items():
         add(mesh, name, values, order)
+        note_look(mesh, reading.dataset, name)
     names = _add_winds(mesh, reading, air, order)
     height = HEIGHT
     if reading.vertical and reading.vertical.kind in ("depth", "ocean sigma"):

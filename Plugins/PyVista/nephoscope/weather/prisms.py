@@ -12,6 +12,7 @@ from .._checks import require_number
 from .._fields import choose_active_scalars
 from ..globe import EARTH_RADIUS
 from .air import Air
+from .look import note_look
 from .placing import NEAR, chosen, note_units, order_of
 from .polygons import Polygons, find_polygons, vectors
 from .reading import Reading
@@ -136,6 +137,7 @@ def _add_fields(grid, data, reading: Reading, air: Air, names, extra, order, spr
         values = values[order] if values.ndim == 2 else values[None]
         data[name] = spread(values).astype(np.float32).ravel()
         note_units(grid, name, reading.dataset[name].attrs.get("units") if name in reading.dataset else None)
+        note_look(grid, reading.dataset, name)
     if reading.has("land"):
         data["Land"] = np.tile(spread(reading.role("land")), len(order)).astype(np.float32)
 

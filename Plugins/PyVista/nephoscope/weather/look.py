@@ -1,0 +1,67 @@
+# SPDX-FileCopyrightText: The Nephoscope authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Colours that suit a quantity: the preset of a variable by its name, its standard name, its role or its units, and how a surface has them."""
+from __future__ import annotations
+
+import re
+from typing import Any
+
+import pyvista
+
+from .._fields import PRESET_ENDING, find_preset, is_bright, preset_of_field, presets
+from .._over_time import values_over_time
+from .roles import ROLES, candidates
+from .units import knows, plain
+
+SHEER = ("clouds", "cloud water", "rain", "smoke")  # presets of what is not everywhere: where there is none of it, the ground is seen
+WHITE = ("clouds", "cloud water")  # among them: thin ones show more of the ground, and are not darker
+_OF_ROLES = {"temperature": "temperature", "potential_temperature": "temperature", "u": "wind component", "v": "wind component", "w": "wind component", "specific_humidity": "humidity",
+             "mixing_ratio": "humidity", "relative_humidity": "humidity", "cloud_fraction": "clouds", "cloud_water": "cloud water", "cloud_ice": "cloud water", "rain": "rain",
+             "snow": "rain", "graupel": "rain"}
+# Words of standard and long names; the first that fits decides.
+_OF_WORDS = ((r"vorticity|divergence|anomaly|tendency|increment", "wind component"), (r"temperature", "temperature"), (r"wind[ _]speed|speed[ _]of|gust", "wind speed"),
+             (r"wind|velocity|flux", "wind component"), (r"cloud.*(fraction|cover)|(fraction|cover).*cloud", "clouds"), (r"humidity|water[ _]vapou?r|dew[ _]point", "humidity"),
+             (r"rain|snow|precipitation|reflectivity|graupel|hail", "rain"), (r"cloud|condensate|liquid[ _]water|ice[ _]water", "cloud water"), (r"smoke|dust|aerosol|soot|ash\b", "smoke"))
+_OF_QUANTITIES = {"equivalent_potential_temperature": "temperature", "water_vapour": "humidity", "cloud_content": "cloud water"}
+_NEVER = re.compile(r"time|altitude|height|thickness|pressure|geopotential|cell[ _]area|mask")  # whatever else the name says
+
+
+def note_look(mesh: pyvista.DataSet, dataset, name: str) -> None:
+    """Writes into `mesh` which preset suits its array `name`, if the name alone does not tell."""
+    found = suited(dataset, name)
+    if found and preset_of_field(name, mesh) is None:
+        mesh.field_data[name + PRESET_ENDING] = [found]
+
+
+def suited(dataset, name: str) -> str | None:
+    """The name of the preset; None if no preset suits the variable or the computed quantity."""
+    if name not in dataset.variables:
+        return _OF_QUANTITIES.get(name)
+    attrs = dataset[name].attrs
+    standard = str(attrs.get("standard_name", "")).lower()
+    if standard and (found := preset_of_field(standard)):
+        return found.name
+    role = next((role for role in _OF_ROLES if candidates(ROLES[role], [(name, dataset[name])])), None)
+    if role:
+        return _OF_ROLES[role]
+    for text in (standard, *(str(attrs.get(key, "")).lower() for key in ("long_name", "GRIB_name", "description"))):
+        if text and not _NEVER.search(text):
+            found = next((preset for words, preset in _OF_WORDS if re.search(words, text)), None)
+            if found:
+                return found
+    return "temperature" if plain(attrs.get("units")) and knows(attrs["units"], "temperature") else "rain" if plain(attrs.get("units")) == "dbz" else None
+
+
+def surface_look(plotter: pyvista.BasePlotter, grid: pyvista.DataSet, name: str, association: str, options: dict[str, Any], over_ground: bool = True) -> dict[str, Any]:
+    """Colours, range and opacity of the preset of the array for `add_mesh`, unless the `options` have others."""
+    preset = find_preset(options.pop("preset", None), name, grid) if not options.get("log_scale") else None
+    if isinstance(options.get("cmap"), str) and options["cmap"] in presets():
+        preset = presets()[options.pop("cmap")]
+    if preset is None or "cmap" in options:
+        return options
+    clim = options.get("clim") or preset.clim(values_over_time(grid, name, association))
+    colours = preset.colour_map(is_bright(plotter.background_color))
+    if over_ground and preset.name in SHEER:
+        options = {"opacity": "linear", **options}
+        colours = len(colours) * ["white"] if preset.name in WHITE else colours
+    return {"cmap": colours, **({} if clim is None else {"clim": clim}), **options}
