@@ -158,8 +158,26 @@ class Plots(unittest.TestCase):
         (bar,) = plotter.scalar_bars.values()
         self.assertEqual(bar.GetLookupTable().GetTableRange(), (-10, 10))
 
+    def test_clouds_in_the_sun(self):
+        """On a globe, the side towards the sun is bright: the camera sees +x on the right. The water is found by its standard name."""
+        cloudy = isothermal(np.arange(0, 360, 20.0), np.arange(-80, 81, 20.0))
+        cloudy["wet"] = cloudy.ta.dims, np.full(cloudy.ta.shape, 1e-4), {"units": "kg kg-1", "standard_name": "mass_fraction_of_cloud_liquid_water_in_air"}
+        for direction, brighter in (((1, 0, 0), 1), ((-1, 0, 0), -1)):
+            _, picture = self.plotted(cloudy, None, sun=direction)
+            left, right = (1 + half.mean() for half in np.split(picture[150:650], 2, axis=1))
+            self.assertGreater((right / left) ** brighter, 2)
+        for options in ({"sun": True}, {"sun": True, "projection": "map"}, {"sun": "2020-06-21 12:00", "projection": "map"}):
+            with self.subTest(options):
+                plotter, picture = self.plotted(cloudy.sel(lon=slice(0, 60)), None, **options)
+                self.assertGreater(picture.max(), 120)
+                self.assertEqual(len(plotter.scalar_bars), 0)
+        with self.assertRaisesRegex(ValueError, "sun: an option of volumes, but this grid is one level"):
+            self.plotted(cloudy.isel(plev=1), None, sun=True)
+        with self.assertRaisesRegex(RuntimeError, "Cloud|water"):
+            self.plotted(forecast(), None, sun=True)
+
     def test_unknown_options(self):
-        for options, words in (({"vert_exag": 3}, r"plot\(\) has no option 'vert_exag'. Did you mean 'vertical_exaggeration'"), ({"sun": True}, r"'sun'. It is an option of add_cells: .*sun=\.\.\."),
+        for options, words in (({"vert_exag": 3}, r"plot\(\) has no option 'vert_exag'. Did you mean 'vertical_exaggeration'"), ({"contours": 3}, r"'contours'. It is an option of add_cells: .*contours=\.\.\."),
                                ({"zzz": 1}, "'zzz'. It takes 'time', .* the options of nephoscope.to_globe")):
             with self.subTest(options), self.assertRaisesRegex(TypeError, words):
                 forecast().nephoscope.plot(screenshot="none.png", **options)

@@ -19,7 +19,7 @@ if TYPE_CHECKING:
 
 FLAT = ("time", "variables", "x", "y", "z", "vertical_exaggeration", "derive")  # options of grid
 LOOK = ("opacity", "cmap", "clim", "log_scale")  # of a picture
-LOOK_OF_FLAT = (*LOOK, "preset", "sun", "exposure", "tone_mapping", "opacity_scale", "opacity_unit_distance")
+LOOK_OF_PLOT = (*LOOK, "preset", "sun", "exposure", "tone_mapping", "opacity_scale", "opacity_unit_distance")
 GLOBE = ("time", "variables", "vertical", "derive")  # options of globe itself
 
 
@@ -241,8 +241,9 @@ class WeatherAccessor:
         window_size : sequence of 2 int, default: (800, 800)
             Width and height of the picture in pixels.
         **options
-            Those of `globe` or, for a flat grid, of `grid`, and for a flat grid ``log_scale``, ``preset``, ``sun``, ``exposure``, ``tone_mapping``,
-            ``opacity_scale`` and ``opacity_unit_distance`` of `nephoscope.add_cells`. The sun lights all clouds, whatever `scalars` are.
+            Those of `globe` or, for a flat grid, of `grid`, and ``log_scale``, ``preset``, ``sun``, ``exposure``, ``tone_mapping``,
+            ``opacity_scale`` and ``opacity_unit_distance`` of `nephoscope.add_cells`. The sun lights all clouds, whatever `scalars` are. On a globe or a map, ``sun=True``
+            is a sun 45 degrees from the zenith of their middle; on a map, that of a date is the sun at its middle.
 
         Returns
         -------
@@ -252,13 +253,17 @@ class WeatherAccessor:
         from .naming import refuse_unknown, title
         from .picture import plotted
         look = {k: v for k, v in {"opacity": opacity, "cmap": cmap, "clim": clim}.items() if v is not None}
+        look |= {name: options.pop(name) for name in LOOK_OF_PLOT if name in options}
         if self._is_flat(options):
-            look |= {name: options.pop(name) for name in LOOK_OF_FLAT if name in options}
             return self._plotted_flat(scalars, screenshot, window_size, look, {"time": time, "vertical_exaggeration": 1.0 if vertical_exaggeration is None else vertical_exaggeration, **options})
-        refuse_unknown("plot", options, (*GLOBE, "screenshot", "scalars", "opacity", "cmap", "clim", "window_size"))
-        scalars, options = self._of_field(scalars, time, options)
-        grid = self.globe(time=time, vertical_exaggeration=30.0 if vertical_exaggeration is None else vertical_exaggeration, **options)
-        return plotted(grid, scalars, screenshot, look, lambda name: title(self._dataset, grid, name), window_size)
+        refuse_unknown("plot", options, (*GLOBE, "screenshot", "scalars", "window_size", *LOOK_OF_PLOT))
+        found, of_field = self._of_field(scalars, time, options)
+        lit = "sun" in look  # needs all water and the air
+        grid = self.globe(time=time, vertical_exaggeration=30.0 if vertical_exaggeration is None else vertical_exaggeration, **(options if lit else of_field))
+        if lit:
+            from .in_the_sun import sun_of
+            look["sun"], found = sun_of(look["sun"], self._understood(0 if time is None else time, options.get("vertical"), _options(options)[0])[0], grid), None
+        return plotted(grid, found, screenshot, look, lambda name: title(self._dataset, grid, name), window_size)
 
     def _is_flat(self, options: dict[str, Any]) -> bool:
         from .flat import is_flat
@@ -270,7 +275,7 @@ class WeatherAccessor:
         unknown = [name for name in options if name not in FLAT]
         if unknown:
             raise TypeError(f"plot() has no option {unknown[0]!r} for this dataset, whose x and y are lengths. It takes {', '.join(FLAT)}, scalars, screenshot, window_size, "
-                            f"{', '.join(LOOK_OF_FLAT)}.")
+                            f"{', '.join(LOOK_OF_PLOT)}.")
         found, of_field = self._of_field(scalars, None, options)
         lit = "sun" in look  # needs all water and the air
         grid = self.grid(**(options if lit else of_field))

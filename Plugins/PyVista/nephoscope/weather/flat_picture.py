@@ -11,13 +11,11 @@ import pyvista
 from .._blocks import cell_dimension
 from .._medium import association_of, default_scalars
 from .look import surface_look
-from .picture import BESIDE, set_title
+from .picture import BESIDE, refuse_volume, set_title
 
 GROUND = (0.06, 0.13, 0.2)
 FACING = {"x": (1, 0, 0), "y": (0, -1, 0), "z": (0, 0, 1)}  # where to look from at a section, by the axis that it lacks
 WIDE, HIGH = 0.66, 0.78  # of the picture, for a section beside its labels and the scalar bar
-LIT = ("sun", "exposure", "tone_mapping")  # options of volumes alone
-VOLUME = (*LIT, "opacity_scale", "opacity_unit_distance")
 
 
 def plotted_flat(grid: pyvista.DataSet, scalars: str | None, screenshot: str | None, options: dict, title: Callable[[str], str] = str,
@@ -52,9 +50,7 @@ def _draw_volume(plotter: pyvista.BasePlotter, grid: pyvista.DataSet, scalars: s
 
 
 def _draw_section(plotter: pyvista.BasePlotter, grid: pyvista.DataSet, scalars: str | None, options: dict) -> None:
-    wrong = [name for name in VOLUME if name in options]
-    if wrong:
-        raise ValueError(f"{wrong[0]}: an option of volumes, but this grid is one level or section.")
+    refuse_volume(options)
     name = default_scalars(grid)[1] if scalars is None else scalars
     association = association_of(grid, name, "point", "scalars")  # raises an error if no value is finite; VTK would end the process
     plotter.add_mesh(grid, scalars=name, **{"nan_opacity": 0, "lighting": False, **surface_look(plotter, grid, name, association, options, over_ground=False)})

@@ -21,6 +21,7 @@ from .ground import add_coasts, add_ground, globe_coasts, map_coasts, map_ground
 FONTS = {"title_font_size": 14, "label_font_size": 12}
 BESIDE = {"vertical": True, "position_x": 0.885, "position_y": 0.3, "width": 0.06, "height": 0.4, "n_labels": 4, **FONTS}  # the globe
 BELOW = {"vertical": False, "position_x": 0.25, "position_y": 0.02, "width": 0.5, "height": 0.09, "n_labels": 4, **FONTS}  # the map
+VOLUME = ("sun", "exposure", "tone_mapping", "opacity_scale", "opacity_unit_distance")  # options of volumes alone
 STRIP = 0.14  # of the height of the picture, at its lower edge, for the scalar bar below a map
 MARGIN = 0.04  # of the width and of the height, around a map
 
@@ -53,14 +54,22 @@ def draw(plotter: pyvista.BasePlotter, grid: pyvista.DataSet, scalars: str | Non
     (_add_globe if on_globe else _add_map)(plotter, grid, flat)
     options = {"scalar_bar_args": BESIDE if on_globe else BELOW, **options}
     if flat:  # one level
+        refuse_volume(options)
         name = default_scalars(grid)[1] if scalars is None else scalars
         association = association_of(grid, name, "point", "scalars")  # raises an error if no value is finite; VTK would end the process
         plotter.add_mesh(grid, scalars=name, **{"nan_opacity": 0, "lighting": False, **surface_look(plotter, grid, name, association, options)})
     else:
-        add_cells(plotter, grid, scalars, **options)
+        add_cells(plotter, grid, scalars, **{"show_scalar_bar": "sun" not in options, **options})
     for bar in plotter.scalar_bars.values():
         set_title(bar, title(bar.GetTitle()))
     (_look_down if on_globe else _look_at_map)(plotter, grid)
+
+
+def refuse_volume(options: dict) -> None:
+    """Raises ValueError for options that a surface does not have."""
+    wrong = [name for name in VOLUME if name in options]
+    if wrong:
+        raise ValueError(f"{wrong[0]}: an option of volumes, but this grid is one level or section.")
 
 
 def set_title(bar: vtkScalarBarActor, text: str) -> None:
