@@ -55,8 +55,13 @@ class WeatherAccessor:
             found, more = flat_field(self._dataset, name)
             return found, {**more, **options} if not {"variables", "derive"} & set(options) else options
         from .naming import named
+        from .vertical import axis_of
         roles, _ = _options(options)
-        found, more = named(self._understood(0 if time is None else time, options.get("vertical"), roles)[0], name)
+        reading = self._understood(0 if time is None else time, options.get("vertical"), roles)[0]
+        if "vertical" not in options and (own := axis_of(reading, name)):  # another than most variables have
+            options = {**options, "vertical": own}
+            reading = self._understood(0 if time is None else time, own, roles)[0]
+        found, more = named(reading, name)
         return found, {**more, **options} if not {"variables", "derive"} & set(options) else options
 
     def globe(self, *, time: int | str | np.datetime64 | None = None, variables: Sequence[str] | None = None, vertical: str | None = None,

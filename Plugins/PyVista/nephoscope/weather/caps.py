@@ -11,6 +11,7 @@ from .projections import vectors
 
 LARGEST = 1.2  # radius of a ring around a pole, in distances to the next ring
 SMALLEST = 0.02  # a smaller ring is the pole itself
+GEOGRAPHIC = 89.999  # degrees of latitude
 ROUND = 0.05  # largest difference of the radii of such a ring, relative to their mean
 
 
@@ -44,6 +45,9 @@ class Caps:
         lon, lat = np.degrees(np.arctan2(middle[1], middle[0])), np.degrees(np.arctan2(middle[2], np.hypot(middle[0], middle[1])))
         inner = slice(int(self.first), -1 if self.last else None)
         lon[inner], lat[inner] = x, y
+        for row, ring in ((0, 1), (-1, -2)):
+            if abs(lat[row, 0]) > GEOGRAPHIC:  # has every longitude
+                lon[row] = lon[ring]
         return lon, lat
 
     def winds(self, u: np.ndarray, v: np.ndarray, lon: np.ndarray, lat: np.ndarray) -> tuple[np.ndarray, np.ndarray]:

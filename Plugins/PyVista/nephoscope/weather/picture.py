@@ -94,7 +94,9 @@ def _add_globe(plotter: pyvista.Plotter, grid: pyvista.DataSet, flat: bool) -> N
     radii = np.linalg.norm(_finite(grid), axis=1)
     lowest = radii.min(initial=EARTH_RADIUS) if radii.max(initial=0) <= 1.000001 * EARTH_RADIUS else EARTH_RADIUS  # below an ocean
     coarse = None if flat or not isinstance(grid, pyvista.StructuredGrid) else grid
-    add_ground(plotter, globe_surface(radius=_below(grid) if flat else lowest, below=coarse))
+    ground = globe_surface(radius=_below(grid) if flat else lowest, below=coarse)
+    ground.field_data["PlanetRadius"] = grid.field_data.get("PlanetRadius", [EARTH_RADIUS])  # although it is lower
+    add_ground(plotter, ground)
     if flat and radii.size:
         add_coasts(plotter, globe_coasts(1.001 * radii.max()))
 

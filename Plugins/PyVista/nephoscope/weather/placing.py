@@ -57,6 +57,8 @@ def place(reading: Reading, air: Air, variables: Sequence[str] | None, extra: di
     if not hides:
         grid.point_data["BelowGround"] = np.zeros(grid.n_points, np.uint8)
     del grid.point_data[HEIGHT]
+    if grid.point_data.active_scalars_name is None:
+        choose_active_scalars(grid)
     _forget_wind(grid, names, calm)
     return grid
 
@@ -116,8 +118,9 @@ def place_sheet(reading: Reading, fields: dict[str, np.ndarray], units: str, opt
 
 
 def chosen(reading: Reading, variables: Sequence[str] | None) -> list[str]:
-    """The variables to put on the mesh: those named, or all on the grid."""
-    there = reading.plain_variables()
+    """The variables to put on the mesh: those named, or all on the grid, last those that only tell where the points are."""
+    places = {reading.roles.get(role) for role in ("altitude", "thickness", "geopotential_height", "geopotential", "pressure", "pressure_thickness")}
+    there = sorted(reading.plain_variables(), key=lambda name: name in places)
     fields = [name for name, _ in reading.field_variables()]
     wanted = there if variables is None else [variables] if isinstance(variables, str) else list(variables)
     missing = [name for name in wanted if name not in fields]

@@ -32,12 +32,12 @@ FIELDS = [
     _role("thickness", "thickness of the layers", "height", "", "", "delz"),
     _role("geopotential_height", "geopotential height", "height,geopotential", "geopotential_height", "gh", "gh zg hgt geopotential_height z3 height"),
     _role("geopotential", "geopotential", "geopotential", "geopotential", "z", "z geopotential phi fi geopot"),
-    _role("temperature", "temperature", "temperature", "air_temperature", "t", "t ta tk tmp temp temperature air air_temperature tc tabs"),
+    _role("temperature", "temperature", "temperature", "air_temperature", "t", "t ta tk tmp temp temperature air air_temperature tc tabs st"),
     _role("potential_temperature", "potential temperature", "temperature", "air_potential_temperature", "pt", "theta th pt pot potential_temperature air_potential_temperature"),
     _role("pressure", "pressure", "pressure", "air_pressure mid_level_pressure", "pres", "p pres pressure air_pressure pfull p_full pressure_full pl prs hyp"),
     _role("pressure_thickness", "pressure thickness of the layers", "pressure", "pressure_thickness", "", "dpres delp"),
-    _role("u", "wind along x", "speed", "eastward_wind x_wind grid_eastward_wind eastward_sea_water_velocity sea_water_x_velocity", "u", "u ua uwnd ugrd u-component_of_wind u_component_of_wind eastward_wind ureconstructzonal u_wind uu x_wind wind_east"),
-    _role("v", "wind along y", "speed", "northward_wind y_wind grid_northward_wind northward_sea_water_velocity sea_water_y_velocity", "v", "v va vwnd vgrd v-component_of_wind v_component_of_wind northward_wind ureconstructmeridional v_wind vv y_wind wind_north"),
+    _role("u", "wind along x", "speed", "eastward_wind x_wind grid_eastward_wind eastward_sea_water_velocity sea_water_x_velocity", "u", "u ua uwnd ugrd u-component_of_wind u_component_of_wind eastward_wind ureconstructzonal u_wind uu x_wind wind_east uo uvel vozocrtx"),
+    _role("v", "wind along y", "speed", "northward_wind y_wind grid_northward_wind northward_sea_water_velocity sea_water_y_velocity", "v", "v va vwnd vgrd v-component_of_wind v_component_of_wind northward_wind ureconstructmeridional v_wind vv y_wind wind_north vo vvel vomecrty"),
     _role("w", "vertical wind", "speed,omega", "upward_air_velocity lagrangian_tendency_of_air_pressure", "w wz omega",
           "w wa wap omega vvel dzdt vertical_velocity vertical_velocity_pressure upward_air_velocity ww"),
     _role("specific_humidity", "specific humidity", "mass fraction", "specific_humidity", "q", "q hus qv spfh shum specific_humidity"),
@@ -57,12 +57,12 @@ FIELDS = [
 SURFACE = [
     _role("surface_pressure", "pressure at the ground", "pressure", "surface_air_pressure", "sp", "sp ps aps aps_ave psfc pressfc surface_pressure pres_surface surface_air_pressure pressure_surface"),
     _role("log_surface_pressure", "logarithm of the pressure at the ground", "log pressure", "", "lnsp", "lnsp"),
-    _role("terrain", "height of the ground", "height", "surface_altitude height_above_mean_sea_level", "orog h HSURF mterh", "orog oro hgt hsurf topography_c zs zsurf ter topo orography surface_altitude topography geopotential_height_surface"),
-    _role("surface_geopotential", "geopotential of the ground", "geopotential", "surface_geopotential geopotential", "z", "z phis fis z_sfc geosp"),
+    _role("terrain", "height of the ground", "height", "surface_altitude height_above_mean_sea_level", "orog h HSURF mterh", "orog oro hgt hsurf hgtsfc hsfc hgt_surface zsfc topography_c zs zsurf ter topo orography surface_altitude topography geopotential_height_surface"),
+    _role("surface_geopotential", "geopotential of the ground", "geopotential", "surface_geopotential geopotential", "z", "z phis fis z_sfc geosp geopotential_at_surface surface_geopotential geopotential_at"),
     _role("land", "land fraction", "fraction", "land_binary_mask land_area_fraction", "lsm", "lsm landmask land_area_fraction sftlf fr_land landfrac land land_binary_mask"),
 ]
 ROLES = {role.name: role for role in FIELDS + SURFACE}
-_OF_LEVELS = re.compile(r"_(isobaric|hybrid\d*|sigma|height_above_ground|pl|ml|pressure|surface|gds\d+_\w+)$")
+_OF_LEVELS = re.compile(r"_(isobaric|hybrid\d*|sigma|height_above_ground|pl|ml|pressure|surface|gds\d+_\w+|p\d+_l\d+_g\w+)$")
 UNKNOWN_GRIB = ("unknown", "~", "")
 
 
@@ -89,8 +89,8 @@ def _rank(role: Role, name: str, variable) -> int | None:
         return 100 + role.grib.index(short)
     if standard and standard not in UNKNOWN_GRIB and not short and _is_of_another_role(role, standard):
         return None
-    plain = _OF_LEVELS.sub("", name.lower())
-    return 200 + role.names.index(plain) if plain in role.names else None
+    plain = next((plain for plain in (name.lower(), _OF_LEVELS.sub("", name.lower())) if plain in role.names), None)
+    return None if plain is None else 200 + role.names.index(plain)
 
 
 def _is_of_another_role(role: Role, standard: str) -> bool:

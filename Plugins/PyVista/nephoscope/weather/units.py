@@ -24,7 +24,7 @@ UNITS = {
     "height": ("m", _LENGTH),
     "geopotential": ("m2 s-2", {"m2s-2": 1, "m2/s2": 1, "m+2s-2": 1, "jkg-1": 1, "j/kg": 1, "gpm": GRAVITY, "m": GRAVITY, "geopotentialmeters": GRAVITY, "geopotentialmetres": GRAVITY}),
     "speed": ("m s-1", _SPEED),
-    "omega": ("Pa s-1", {"pas-1": 1, "pa/s": 1, "hpas-1": 100, "hpa/s": 100, "mb/s": 100, "mbs-1": 100, "pa/hour": 1 / 3600, "hpa/h": 100 / 3600}),
+    "omega": ("Pa s-1", {"pas-1": 1, "pa/s": 1, "hpas-1": 100, "hpa/s": 100, "mb/s": 100, "mbs-1": 100, "pascal/s": 1, "pascals-1": 1, "pascals/s": 1, "pa/sec": 1, "pasec-1": 1, "pascal/second": 1, "hpa/hour": 100 / 3600, "mb/hour": 100 / 3600, "hpah-1": 100 / 3600, "pa/hour": 1 / 3600, "hpa/h": 100 / 3600}),
     "mass fraction": ("kg kg-1", _MASS),
     "fraction": ("1", {"1": 1, "": 1, "(0-1)": 1, "0-1": 1, "fraction": 1, "proportion": 1, "dimensionless": 1, "none": 1, "-": 1, "%": 0.01, "percent": 0.01, "per_cent": 0.01,
                        "okta": 0.125, "oktas": 0.125}),

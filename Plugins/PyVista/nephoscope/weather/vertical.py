@@ -96,6 +96,8 @@ def _kind(variable) -> str | None:
         return "pressure"
     if standard == "depth" or (variable.attrs.get("positive") == "down" and units is not None and plain(units) and knows(units, "height")):
         return "depth"
+    if units is not None and plain(units) and knows(units, "height") and np.max(variable.values, initial=-np.inf) <= 0 and np.min(variable.values, initial=0) < 0:
+        return "depth"  # of an ocean, upwards
     if standard == "height":
         return "height above ground"
     if standard in ("altitude", "height_above_mean_sea_level"):
@@ -136,6 +138,15 @@ def usual_coefficients(dataset, dim: str) -> dict[str, str] | None:
     return None
 
 
+def axis_of(reading, name: str) -> str | None:
+    """The vertical dimension of a variable that has another one than `reading`, such as fewer pressure levels; None if it has the same one, or none."""
+    if reading.vertical is None or name not in reading.dataset.data_vars or name in [field for field, _ in reading.field_variables()]:
+        return None
+    rest = [str(dim) for dim in reading.dataset[name].dims if dim not in reading.horizontal.dims]
+    on_grid = set(reading.horizontal.dims) <= set(reading.dataset[name].dims)
+    return rest[0] if on_grid and len(rest) == 1 and find_vertical(reading.dataset, rest, None) and reading.dataset.sizes[rest[0]] > 1 else None
+
+
 def level_values(dataset, vertical: Vertical) -> np.ndarray:
     """Pressures in Pa, heights in m, or the numbers of the levels."""
     if not vertical.name:
@@ -148,7 +159,7 @@ def level_values(dataset, vertical: Vertical) -> np.ndarray:
     units = variable.attrs.get("units") or vertical.units or {"isobaricInhPa": "hPa", "isobaricInPa": "Pa"}.get(vertical.dim)
     found, note = converted(values, units, quantity, vertical.name)
     vertical.notes += [note] if note else []
-    return -found if vertical.kind == "depth" else found
+    return -found if vertical.kind == "depth" and np.nanmax(found) > 0 else found
 
 
 def pressure_of_level(dataset) -> float | None:

@@ -7,6 +7,7 @@ import numpy as np
 
 from .air import Air
 from .columns import upward_wind
+from .units import UnitsError
 
 
 def along_grid(reading) -> bool:
@@ -60,7 +61,11 @@ def direction(reading) -> tuple[np.ndarray, np.ndarray]:
 
 
 def _upward(reading, air: Air) -> np.ndarray | None:
-    values, quantity = reading.role_as("w")
+    try:
+        values, quantity = reading.role_as("w")
+    except UnitsError as problem:
+        reading.warn(f"The vertical wind is left out. {problem}")
+        return None
     if quantity == "speed":
         return values
     if air.pressure is None:
