@@ -1,6 +1,7 @@
 # SPDX-FileCopyrightText: The Nephoscope authors
 # SPDX-License-Identifier: BSD-3-Clause
 """Unstructured globes and other grids: the cells fill the shell, the winds are those of a solid rotation, projections are those of eccodes."""
+import sys
 import tempfile
 import unittest
 from pathlib import Path
@@ -9,7 +10,7 @@ import nephoscope
 import numpy as np
 import pyvista
 import xarray as xr
-from nephoscope.weather.polygons import healpix_centres
+from nephoscope.weather.healpix import healpix_centres
 from weather_data import AXIS, REGULAR, along_rows, rotation, write_grib
 
 HALF = np.array([0.0, 1000, 3000, 9000])  # m
@@ -126,6 +127,40 @@ class Shells(unittest.TestCase):
             lon, lat = healpix_centres(16, nested)
             dataset = xr.Dataset(fields(lon, lat, "cell") | {"crs": ((), 0, {"grid_mapping_name": "healpix", "healpix_nside": 16, "healpix_order": order})})
             self.check(dataset, 3072, 0.02)
+
+    def test_a_part_of_healpix(self):
+        """Pixels whose numbers are a coordinate are those of the whole sphere, in any order."""
+        pixels = np.random.default_rng(2).permutation(3072)[:500]
+        for order, keys in (("nested", {"healpix_nside": 16, "healpix_order": "nested"}), ("ring", {"refinement_level": 4, "indexing_scheme": "ring"})):
+            lon, lat = healpix_centres(16, order == "nested")
+            whole = xr.Dataset(fields(lon, lat, "cell") | {"crs": ((), 0, {"grid_mapping_name": "healpix", **keys})}, {"cell": np.arange(3072)})
+            for part, count in ((whole.isel(cell=pixels), 500), (whole.isel(cell=slice(None, None, -1)), 3072)):
+                grid = part.nephoscope.globe()
+                self.assertEqual(grid.n_cells, 3 * count)
+                np.testing.assert_allclose(degrees(np.asarray(grid.cell_centers().points))[1], grid["where"], atol=1.5)
+                np.testing.assert_allclose(grid["where"][:count], part["where"][0], rtol=1e-5)
+        with self.assertRaisesRegex(ValueError, "No longitudes were found"):
+            whole.isel(cell=pixels).drop_vars("cell").nephoscope.globe()
+
+    def test_no_cell_is_a_step_of_python(self):
+        """Sixteen times the cells take the same number of calls, but for a few."""
+        def healpix(subdivisions):
+            lon, lat = healpix_centres(2 ** subdivisions, True)
+            return xr.Dataset(fields(lon, lat, "cell") | {"crs": ((), 0, {"grid_mapping_name": "healpix", "healpix_nside": 2 ** subdivisions, "healpix_order": "nested"})})
+
+        def calls(dataset):
+            count = [0]
+            dataset.nephoscope.globe()
+            sys.setprofile(lambda *_: count.__setitem__(0, count[0] + 1))
+            try:
+                dataset.nephoscope.globe()
+            finally:
+                sys.setprofile(None)
+            return count[0]
+
+        for make in (icon, mpas, points_alone, healpix):
+            with self.subTest(make.__name__):
+                self.assertLess(calls(make(4)), 1.1 * calls(make(2)))
 
     def test_healpix_centres_are_those_of_eccodes(self):
         with tempfile.TemporaryDirectory() as folder:

@@ -183,7 +183,7 @@ def _remedy_of_list(dataset, dim) -> str:
 
 
 def _of_healpix(dataset, dims) -> Horizontal | None:
-    from .polygons import healpix_centres, healpix_of
+    from .healpix import healpix_centres, healpix_of
     found = healpix_of(dataset, dims[0])
     return Horizontal(dims, *healpix_centres(*found), "HEALPix", ("computed", "computed")) if found else None
 

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from .healpix import healpix_corners, healpix_of
 from .horizontal import GridError
 from .projections import vectors
 
@@ -123,68 +124,6 @@ def _counter_clockwise(polygons: Polygons) -> Polygons:
     return polygons
 
 
-# HEALPix (Gorski et al. 2005): pixel (x, y) of a face of nside x nside.
-
 def _healpix(dataset, horizontal) -> Polygons | None:
     found = healpix_of(dataset, horizontal.dims[0])
-    return None if found is None else merged(healpix_corners(*found), f"HEALPix, nside {found[0]}, {'nested' if found[1] else 'ring'}")
-
-
-def healpix_of(dataset, dim: str) -> tuple[int, bool] | None:
-    """nside, and True if nested: by a grid mapping healpix, or by GRIB's keys."""
-    size = dataset.sizes[dim]
-    nside = int(round(np.sqrt(size / 12)))
-    if 12 * nside ** 2 != size:
-        return None
-    for variable in dataset.variables.values():
-        keys = variable.attrs
-        if "healpix" in (keys.get("grid_mapping_name"), keys.get("grid_name")) or "healpix_nside" in keys:
-            order = str(keys.get("healpix_order", keys.get("indexing_scheme", "nest")))
-            return nside, order.startswith("nest")
-        if keys.get("GRIB_gridType") == "healpix":
-            return nside, str(keys.get("GRIB_orderingConvention", "ring")).startswith("nest")
-    return None
-
-
-def _interleaved(index: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    x, y = np.zeros_like(index), np.zeros_like(index)
-    for bit in range(30):
-        x |= ((index >> (2 * bit)) & 1) << bit
-        y |= ((index >> (2 * bit + 1)) & 1) << bit
-    return x, y
-
-
-def _on_sphere(face: np.ndarray, x: np.ndarray, y: np.ndarray, nside: int) -> np.ndarray:
-    """Unit vectors of positions x, y on the faces, real numbers from 0 to nside."""
-    row, column = np.array([2, 2, 2, 2, 3, 3, 3, 3, 4, 4, 4, 4])[face], np.array([1, 3, 5, 7, 0, 2, 4, 6, 1, 3, 5, 7])[face]
-    ring = row - (x + y) / nside
-    north, south = ring < 1, ring > 3
-    width = np.where(north, ring, np.where(south, 4 - ring, 1.0))
-    z = np.where(north, 1 - width ** 2 / 3, np.where(south, width ** 2 / 3 - 1, (2 - ring) * 2 / 3))
-    with np.errstate(divide="ignore", invalid="ignore"):
-        turn = np.pi / 4 * np.where(width > 0, (column * width + (x - y) / nside) / width, 0.0)
-    flat = np.sqrt(np.maximum(0, 1 - z ** 2))
-    return np.stack([flat * np.cos(turn), flat * np.sin(turn), z], -1)
-
-
-def _pixels(nside: int, nested: bool) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    index = np.arange(12 * nside ** 2)
-    face, (x, y) = index // nside ** 2, _interleaved(index % nside ** 2)
-    if not nested:  # rings from north to south, each eastward from longitude 0
-        centre = _on_sphere(face, x + 0.5, y + 0.5, nside)
-        ring = (np.array([2, 2, 2, 2, 3, 3, 3, 3, 4, 4, 4, 4])[face] * nside - x - y)
-        order = np.lexsort((np.round(np.mod(np.arctan2(centre[:, 1], centre[:, 0]), 2 * np.pi), 9) % round(2 * np.pi, 9), ring))
-        face, x, y = face[order], x[order], y[order]
-    return face, x, y
-
-
-def healpix_corners(nside: int, nested: bool) -> np.ndarray:
-    face, x, y = _pixels(nside, nested)
-    return np.stack([_on_sphere(face, x + dx, y + dy, nside) for dx, dy in ((0, 0), (1, 0), (1, 1), (0, 1))], 1)
-
-
-def healpix_centres(nside: int, nested: bool) -> tuple[np.ndarray, np.ndarray]:
-    """Longitudes and latitudes in degrees."""
-    face, x, y = _pixels(nside, nested)
-    centre = _on_sphere(face, x + 0.5, y + 0.5, nside)
-    return np.mod(np.degrees(np.arctan2(centre[:, 1], centre[:, 0])), 360), np.degrees(np.arcsin(centre[:, 2]))
+    return None if found is None else merged(healpix_corners(*found), f"HEALPix, nside {found[0]}, {'nested' if found[1] else 'ring'}" + ("" if found[2] is None else ", by the numbers of the pixels"))
