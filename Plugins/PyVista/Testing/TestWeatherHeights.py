@@ -61,6 +61,24 @@ class Hybrid(unittest.TestCase):
             dataset["ptop"] = (), top, {"units": units}
             self.check_sigma(dataset)
 
+    def test_sigma_by_name(self):
+        """As NCEP writes it: no standard name, and the pressure at the ground is pres."""
+        dataset = self.dataset().rename(lev="sigma_level", ps="pres")
+        dataset["pres"].attrs = {"units": "Pa", "long_name": "Surface pressure"}
+        sigma = np.array([0.1, 0.3, 0.6, 0.995])
+        dataset["sigma_level"] = ("sigma_level", sigma, {"units": "sigma_level", "positive": "down"})
+        np.testing.assert_allclose(heights(dataset), self.expected(sigma.reshape(4, 1, 1) * PS), atol=0.5)
+
+    def test_sleve(self):
+        a, b1, b2 = (np.array(values) for values in ([0.0, 0.1, 0.5, 1.0], [1.0, 0.8, 0.2, 0], [1.0, 0.6, 0.1, 0]))
+        dataset = self.dataset().drop_vars(("ps", "orog")).assign(a=("lev", a), b1=("lev", b1), b2=("lev", b2), ztop=((), 15.0, {"units": "km"}))
+        dataset = dataset.assign(large=(("lat", "lon"), 0.7 * OROG, {"units": "m"}), small=(("lat", "lon"), 0.3 * OROG, {"units": "m"}))
+        dataset["lev"] = ("lev", a, {"standard_name": "atmosphere_sleve_coordinate", "formula_terms": "a: a b1: b1 b2: b2 ztop: ztop zsurf1: large zsurf2: small"})
+        expected = a.reshape(4, 1, 1) * 15000 + (0.7 * b1 + 0.3 * b2).reshape(4, 1, 1) * OROG
+        np.testing.assert_allclose(heights(dataset), expected, atol=0.05)
+        with self.assertRaisesRegex(ValueError, "atmosphere_sleve_coordinate, but of their formula_terms.*are not in the dataset: b2"):
+            heights(dataset.drop_vars("b2"))
+
     def check_sigma(self, dataset):
         pressures = 1000 + dataset.lev.values.reshape(4, 1, 1) * (PS - 1000)
         np.testing.assert_allclose(heights(dataset), self.expected(pressures), atol=0.5)

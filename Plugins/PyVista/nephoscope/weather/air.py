@@ -131,7 +131,7 @@ class Air:
     @cached_property
     def heights(self) -> np.ndarray:
         """Geometric heights above sea level, in m; `height_source` names their source."""
-        for way in (self._given_heights, self._level_heights, self._hybrid_heights, self._ocean_heights, self._summed_heights, self._model_heights, self._pressure_heights):
+        for way in (self._given_heights, self._level_heights, self._hybrid_heights, self._sleve_heights, self._ocean_heights, self._summed_heights, self._model_heights, self._pressure_heights):
             found = way()
             if found is not None:
                 return found
@@ -210,6 +210,20 @@ class Air:
         ground = self.terrain if orog is None else reading.values(terms["orog"]).astype(float)
         self.height_source = f"hybrid heights, {terms['a']} + {terms['b']} * {terms.get('orog', 'orog')}"
         return self._columns(a.values.astype(float)) + self._columns(b.values.astype(float)) * ground
+
+    def _sleve_heights(self) -> np.ndarray | None:
+        """z = a ztop + b1 zsurf1 + b2 zsurf2 (CF, appendix D)."""
+        reading = self.reading
+        if reading.vertical.kind != "sleve":
+            return None
+        terms = formula_terms(reading.dataset, reading.vertical)
+        missing = [term for term in ("a", "b1", "b2", "ztop", "zsurf1", "zsurf2") if terms.get(term) not in reading.dataset.variables]
+        if missing:
+            raise VerticalError(f"The levels {reading.vertical.name!r} are an atmosphere_sleve_coordinate, but of their formula_terms, {terms}, these are not in the dataset: {', '.join(missing)}.")
+        a, b1, b2 = (self._columns(reading.dataset[terms[term]].values.astype(float)) for term in ("a", "b1", "b2"))
+        top, large, small = (converted(reading.values(terms[term]).astype(float), reading.dataset[terms[term]].attrs.get("units"), "height", terms[term])[0] for term in ("ztop", "zsurf1", "zsurf2"))
+        self.height_source = f"{terms['a']} * {terms['ztop']} + {terms['b1']} * {terms['zsurf1']} + {terms['b2']} * {terms['zsurf2']}"
+        return a * top + b1 * large + b2 * small
 
     def _ocean_heights(self) -> np.ndarray | None:
         if self.reading.vertical.kind != "ocean sigma":

@@ -55,7 +55,7 @@ FIELDS = [
 ]
 # On the ground.
 SURFACE = [
-    _role("surface_pressure", "pressure at the ground", "pressure", "surface_air_pressure", "sp", "sp ps aps aps_ave psfc pressfc surface_pressure pres_surface surface_air_pressure pressure_surface"),
+    _role("surface_pressure", "pressure at the ground", "pressure", "surface_air_pressure", "sp", "sp ps aps aps_ave psfc pressfc surface_pressure pres_surface surface_air_pressure pressure_surface pres"),
     _role("log_surface_pressure", "logarithm of the pressure at the ground", "log pressure", "", "lnsp", "lnsp"),
     _role("terrain", "height of the ground", "height", "surface_altitude height_above_mean_sea_level", "orog h HSURF mterh", "orog oro hgt hsurf hgtsfc hsfc hgt_surface zsfc topography_c zs zsurf ter topo orography surface_altitude topography geopotential_height_surface"),
     _role("surface_geopotential", "geopotential of the ground", "geopotential", "surface_geopotential geopotential", "z", "z phis fis z_sfc geosp geopotential_at_surface surface_geopotential geopotential_at"),

@@ -17,7 +17,7 @@ _NAMES = ("lev", "level", "levels", "plev", "pressure", "pressure_level", "model
 _GRIB_KINDS = {"isobaricInhPa": "pressure", "isobaricInPa": "pressure", "hybrid": "hybrid", "sigma": "sigma", "heightAboveSea": "height", "heightAboveGround": "height above ground",
                "generalVerticalLayer": "levels", "generalVertical": "levels", "hybridLayer": "hybrid", "hybridHeight": "hybrid height",
                "hybridPressure": "hybrid"}
-_FORMULAS = {"atmosphere_hybrid_sigma_pressure_coordinate": "hybrid", "atmosphere_sigma_coordinate": "sigma", "atmosphere_hybrid_height_coordinate": "hybrid height",
+_FORMULAS = {"atmosphere_hybrid_sigma_pressure_coordinate": "hybrid", "atmosphere_sigma_coordinate": "sigma", "atmosphere_hybrid_height_coordinate": "hybrid height", "atmosphere_sleve_coordinate": "sleve",
              "atmosphere_ln_pressure_coordinate": "log pressure", **{name: "ocean sigma" for name in OCEAN}}
 
 
@@ -27,7 +27,7 @@ class VerticalError(ValueError):
 
 @dataclass
 class Vertical:
-    """`kind`: pressure, height, height above ground, depth (below the sea), hybrid, sigma, hybrid height, ocean sigma or levels (numbers unrelated to heights)."""
+    """`kind`: pressure, height, height above ground, depth (below the sea), hybrid, sigma, hybrid height, sleve, ocean sigma or levels (numbers unrelated to heights)."""
     dim: str
     kind: str
     name: str  # of the coordinate, "" if the dimension has none
@@ -54,7 +54,7 @@ def _score(dataset, dim: str) -> int | None:
         return 1
     if any(plain(variable.attrs.get("units")) in UNITS["pressure"][1] for variable in variables if variable.name == dim or variable.name in dataset.coords):
         return 2
-    return 3 if str(dim).lower() in _NAMES or re.fullmatch(r"(height|lev|level|plev|isobaric|z|lv_\w+)_?\d*", str(dim).lower()) else None
+    return 3 if str(dim).lower() in _NAMES or _is_sigma(dataset, dim) or re.fullmatch(r"(height|lev|level|plev|isobaric|z|lv_\w+)_?\d*", str(dim).lower()) else None
 
 
 def _coordinates(dataset, dim: str):
@@ -76,7 +76,17 @@ def _judged(dataset, dim: str) -> Vertical:
         kind = _kind(variable)
         if kind:
             return Vertical(dim, kind, str(variable.name))
+    if _is_sigma(dataset, dim):
+        return Vertical(dim, "sigma", dim)
     return _by_values(dataset, dim) or Vertical(dim, "levels", dim if dim in dataset.variables else "")
+
+
+def _is_sigma(dataset, dim: str) -> bool:
+    """Fractions of the pressure at the ground, without formula terms, by the name of the axis or its units."""
+    if dim not in dataset.variables or not re.fullmatch(r"sig(ma)?(_?lev(el)?s?)?\d*", dim.lower()) and plain(dataset[dim].attrs.get("units")) not in ("sigma_level", "sigma"):
+        return False
+    values = np.asarray(dataset[dim].values, float)
+    return bool(values.size and np.all((values > 0) & (values <= 1)))
 
 
 def _counts(variable) -> bool:
