@@ -4,6 +4,7 @@
 import contextlib
 import tempfile
 import unittest
+import warnings
 from pathlib import Path
 from unittest import mock
 
@@ -175,6 +176,17 @@ class Plots(unittest.TestCase):
             self.plotted(cloudy.isel(plev=1), None, sun=True)
         with self.assertRaisesRegex(RuntimeError, "Cloud|water"):
             self.plotted(forecast(), None, sun=True)
+
+    def test_missing_values_are_hidden_without_a_warning(self):
+        dataset = forecast()
+        dataset["cl"].values[:, 2:4, 2:4] = np.nan
+        for data, name in ((dataset, "cl"), (dataset.isel(plev=1), "cl")):
+            with warnings.catch_warnings():
+                warnings.filterwarnings("error", ".*not finite there")
+                plotter, _ = self.plotted(data, name, opacity=1.0)
+            grids = [pyvista.wrap(actor.GetMapper().GetInputDataObject(0, 0)) for actor in plotter.renderer.actors.values() if hasattr(actor, "GetMapper") and actor.GetMapper()]
+            marks = [grid.point_data["vtkGhostType"] for grid in grids if grid is not None and "vtkGhostType" in grid.point_data]
+            self.assertEqual([int((np.asarray(mark) & 2 != 0).sum()) for mark in marks], [4 * (4 if data is dataset else 1)])
 
     def test_unknown_options(self):
         for options, words in (({"vert_exag": 3}, r"plot\(\) has no option 'vert_exag'. Did you mean 'vertical_exaggeration'"), ({"contours": 3}, r"'contours'. It is an option of add_cells: .*contours=\.\.\."),

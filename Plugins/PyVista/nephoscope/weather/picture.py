@@ -16,6 +16,7 @@ from ..cells import add_cells
 from ..globe import EARTH_RADIUS, globe_surface
 from .horizontal import GridError, section
 from .look import surface_look
+from .prisms import HIDDEN_CELL, HIDDEN_POINT
 from .ground import add_coasts, add_ground, globe_coasts, map_coasts, map_ground
 
 FONTS = {"title_font_size": 14, "label_font_size": 12}
@@ -30,10 +31,22 @@ def plotted(grid: pyvista.DataSet, scalars: str | None, screenshot: str | None, 
             window_size: Sequence[int] = (800, 800)) -> pyvista.Plotter:
     """`title`: that of the scalar bar, for the name of an array."""
     refuse_sections(grid)
+    grid = _without_missing(grid, scalars)
     plotter = pyvista.Plotter(off_screen=screenshot is not None, theme=pyvista.themes.DarkTheme(), window_size=window_size)
     draw(plotter, grid, scalars, options, title)
     plotter.show(screenshot=screenshot or False, auto_close=False)
     return plotter
+
+
+def _without_missing(grid: pyvista.DataSet, scalars: str | None) -> pyvista.DataSet:
+    """`grid` with the points or cells hidden that have no value, such as land in an ocean: there is nothing to warn of."""
+    name = default_scalars(grid)[1] if scalars is None else scalars
+    for data, hidden in ((grid.point_data, HIDDEN_POINT), (grid.cell_data, HIDDEN_CELL)):
+        if name in data and (missing := ~np.isfinite(data[name])).any() and not missing.all():
+            marks = np.asarray(data["vtkGhostType"]) if "vtkGhostType" in data else np.zeros(len(missing), np.uint8)
+            grid = grid.copy(deep=False)
+            (grid.point_data if hidden == HIDDEN_POINT else grid.cell_data)["vtkGhostType"] = marks | (missing * np.uint8(hidden))
+    return grid
 
 
 def is_untouched(plotter: pyvista.BasePlotter) -> bool:
