@@ -232,10 +232,10 @@ private:
 constexpr double inFace =
   1e-7; // barycentric coordinate: the start keeps more distance from the faces of its own tetrahedron
 
-bool holds(const CellGeometry& geometry, std::int64_t number, const Vector4& start)
+bool holds(const CellGeometry& geometry, std::int64_t number, const Vector4& start, double margin)
 {
   const std::array<Vector3, 4> p = positions(geometry, geometry.PointNumbers(number));
-  if (!isNearBox(p, start, inFace * geometry.Radius()))
+  if (!isNearBox(p, start, margin))
   {
     return false;
   }
@@ -264,11 +264,12 @@ std::vector<EyeTetrahedron> findOverlapping(const CellGeometry& geometry,
   const TetrahedronNeighbors& neighbors, std::int64_t own, const Vector3& position)
 {
   const Vector4 start = { { position[0], position[1], position[2], 1 } };
+  const double margin = inFace * geometry.Radius();
   vtkSMPThreadLocal<std::vector<std::int64_t>> parts;
   vtkSMPTools::For(0, geometry.CountTetrahedra(), [&](vtkIdType begin, vtkIdType end) {
     for (vtkIdType i = begin; i < end; ++i)
     {
-      if (i != own && !isBeside(geometry, neighbors, i, own) && holds(geometry, i, start))
+      if (i != own && holds(geometry, i, start, margin) && !isBeside(geometry, neighbors, i, own))
       {
         parts.Local().push_back(i);
       }

@@ -7,6 +7,7 @@ ray lies within a plane of the mesh has no one right value at a silhouette: it m
 `--all` tries 10^4 random and 10^3 special positions per mesh.
 """
 import sys
+import time
 import unittest
 
 import numpy as np
@@ -136,6 +137,29 @@ class Globe(Eyes):
             self.check(f"globe, {name}, special", self.eyes(SPECIAL // 2 if SPECIAL < 1000 else SPECIAL))
             index = [self.rng.uniform(0, n, RANDOM // 2) for n in (self.LEVELS, self.LATITUDES, self.LONGITUDES)]
             self.check(f"globe, {name}, random", self.place(*index))
+
+
+class TestTimeInside(unittest.TestCase):
+    """To find where an eye inside is takes a time proportional to the number of cells."""
+
+    def seconds(self, blocks):
+        """Of processor time for a frame from a new eye inside, without the first one."""
+        window = Window((12, 12))
+        scene = window.add_scene()
+        data = meshes.with_field(unstructured(meshes.structured((blocks,) * 3, lambda p: p)), lambda p: p[:, 0])
+        scene.add_volume(mapper(), data, Transfer([(0, 1, 1, 1), (1, 1, 1, 1)], [(0, 1), (1, 1)], unit_distance=1))
+        times = []
+        for x in (0.31, 0.33, 0.35, 0.37):
+            scene.look((x, 0.42, 0.43), (2, 0.4, 0.4), (0, 0, 1), 60, near=0.001, far=10)
+            start = time.process_time()
+            window.render()
+            times.append(time.process_time() - start)
+        return min(times[1:])
+
+    def test_many_cells(self):
+        few, many = self.seconds(15), self.seconds(45)  # 27 times as many
+        print(f"an eye inside: {few:.3f} s with 3,375 cells, {many:.3f} s with 91,125")
+        self.assertLess(many, 60 * few)  # 729 times if each cell looked at all points
 
 
 if __name__ == "__main__":
