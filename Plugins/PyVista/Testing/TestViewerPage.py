@@ -164,8 +164,9 @@ class Viewer(PageTestCase):
         self.shows(self.browser, self.off_screen(self.link()), "TestViewerPage-side-bar")
 
     def test_mouse_turns_and_a_second_browser_sees_it(self):
-        self.open("?field=cloud_fraction&technique=cells&time=0&exaggeration=30&opacity=1&terrain=1&preset=&camera=")
-        self.shows(self.browser, self.off_screen("?technique=cells"), "TestViewerPage-before")
+        start = "?field=cloud_fraction&technique=cells&time=0&exaggeration=30&opacity=1&terrain=1&preset=&camera="
+        self.open(start)
+        self.shows(self.browser, self.off_screen(start), "TestViewerPage-before")
         before = self.seen(self.browser)
         self.browser.press(600, 300, (560, 310), (500, 330), (480, 340))
         wait_for(lambda: "camera=" in self.link(), "the link has no camera", 30)
@@ -173,7 +174,7 @@ class Viewer(PageTestCase):
         self.shows(self.browser, self.off_screen(query), "TestViewerPage-turned")
         self.assertIsNotNone(pictures.disagreement(self.seen(self.browser), before))
         self.click("button", "RESET CAMERA")
-        self.shows(self.browser, self.off_screen("?technique=cells"), "TestViewerPage-reset")
+        self.shows(self.browser, self.off_screen(start), "TestViewerPage-reset")
         with Browser(*SIZE) as other:
             other.open(self.server.address + query)
             wait_for(lambda: other.run("!!document.querySelector('img')?.naturalWidth"), "no picture comes")
