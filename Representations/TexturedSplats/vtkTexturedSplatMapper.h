@@ -134,8 +134,9 @@ public:
 
   ///@{
   /**
-   * Name of an array (nine components, on points or cells like the coloured array) with the shape of every sample: the three edge
-   * vectors of the cell that it represents, in units of length of the data. Empty (default), or if the array does not exist: the cells
+   * Name of an array (nine or ten components, on points or cells like the coloured array) with the shape of every sample: the three edge
+   * vectors of the cell that it represents, in units of length of the data. A tenth component is the fraction of that cell that lies
+   * within the data, by which the extinction is multiplied, 0 to 1. Empty (default), or if the array does not exist: the cells
    * of the grid, or CellSize.
    */
   vtkSetMacro(ShapeArrayName, std::string);

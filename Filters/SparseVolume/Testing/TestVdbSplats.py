@@ -15,6 +15,13 @@ COLORS = Transfer([(0, 1, 0.2, 0.1), (1, 0.1, 0.3, 1)], [(0, 0), (1, 1.6)])
 ROTATION = np.array([[0.36, 0.48, -0.8], [-0.8, 0.6, 0.0], [0.48, 0.64, 0.6]])
 
 
+def without_border(values, dimensions):
+    """Points at the end of an image have half a cell, voxels a whole one: in the empty space around a cloud that makes no difference."""
+    box = np.zeros(dimensions[::-1], "f4")
+    box[1:-1, 1:-1, 1:-1] = values.reshape(dimensions[::-1])[1:-1, 1:-1, 1:-1]
+    return box.ravel()
+
+
 @unittest.skipUnless(vf.HAS_OPENVDB, "this build has no OpenVDB")
 class Splats(VdbTestCase, ImageTestCase):
     def draw(self, data, tolerance=0.0):
@@ -32,11 +39,12 @@ class Splats(VdbTestCase, ImageTestCase):
         random = np.random.default_rng(3)
         values = random.random(24 ** 3).astype("f4")
         values[random.random(24 ** 3) < 0.97] = 0
+        values = without_border(values, (24, 24, 24))
         data = vf.image({"s": values}, (24, 24, 24), first=(-12, -12, -12), spacing=(0.2, 0.3, 0.4), direction=ROTATION)
         self.write(data)
         points, dense = self.read(), self.read(as_image=True)
         sparse, mapper = self.draw(points)
-        expected, dense_mapper = self.draw(dense)
+        expected, _ = self.draw(data)  # the reader's image ends where the cloud does
         self.assertGreater(expected[..., 3].max(), 0.3)
         self.assertEqual(points.GetNumberOfPoints(), (values != 0).sum())
         self.assertEqual(mapper.GetNumberOfDrawnSplats(), points.GetNumberOfPoints())
@@ -49,6 +57,7 @@ class Splats(VdbTestCase, ImageTestCase):
         grid = np.mgrid[0:24, 0:20, 0:28].reshape(3, -1)
         values = np.clip(1.2 - 0.012 * ((grid.T - (12, 9, 13))**2).sum(axis=1), 0, 1).astype("f4")
         values[random.random(values.size) < 0.1] = 0
+        values = without_border(values, (28, 20, 24))
         data = vf.image({"s": values}, (28, 20, 24), first=(4096, 0, -4096), spacing=(0.2, 0.24, 0.28), direction=ROTATION,
                         origin=-ROTATION @ np.multiply((4096 + 14, 10, -4096 + 12), (0.2, 0.24, 0.28)))
         self.write(data)

@@ -50,7 +50,7 @@ def check_alpha_formula():
         display.TexturedSplatsOpacityScale = scale
         display.Opacity = opacity
         found = color_and_alpha(view)[1][150, 150]
-        expected = 1.0 - math.exp(-0.25 * scale * opacity * 21.0 / unit)  # 21 samples, each for a cell of edge 1
+        expected = 1.0 - math.exp(-0.25 * scale * opacity * 20.0 / unit)  # 20 cells of edge 1
         check(abs(found - expected) < 2.5 / 255, f"unit {unit}, scale {scale}: alpha {found}, expected {expected}")
 
 

@@ -47,8 +47,8 @@ class Accepted(Splats):
                      "InteractiveMaximumNumberOfSplats", "VectorArrayName", "VectorStyle", "VectorPlacement", "VectorOpacity",
                      "UseVectorColor", "VectorColorArrayName", "GreatestSpeed", "StreakPeriod", "Phase", "PhaseCycles"):
             self.assertEqual(getattr(volume.mapper, "Get" + name)(), getattr(fresh, "Get" + name)(), name)
-        # mean chord of 27 unit cubes, 2, times the mean of the ramp, for a mean optical depth of 2
-        self.assertAlmostEqual(volume.prop.opacity_unit_distance, 2 * 0.5 / 2)
+        # mean chord of 8 unit cubes, 4/3, times the mean of the ramp, for a mean optical depth of 2
+        self.assertAlmostEqual(volume.prop.opacity_unit_distance, 4 / 3 * 0.5 / 2)
         self.assertEqual(volume.mapper.scalar_range, (0, 2))
 
     def test_numbers_and_choices(self):

@@ -16,8 +16,8 @@ FOOTPRINT_PEAK = 0.69989  # of the cubic kernel: its integral along a line throu
 SIZE = 120
 
 
-def slab(layers=8, n=24):
-    """Constant data, seen along z as thick as it has layers."""
+def slab(layers=9, n=24):
+    """Constant data of so many layers of points."""
     mesh = pyvista.ImageData(dimensions=(n, n, layers), origin=(-(n - 1) / 2, -(n - 1) / 2, -(layers - 1) / 2))
     mesh.point_data["one"] = np.ones(mesh.n_points)
     mesh.point_data["east"] = np.tile((1.0, 0, 0), (mesh.n_points, 1))
@@ -76,7 +76,7 @@ class Messages(Picture):
 
     def test_clip_plane_of_the_plotter(self):
         """add_volume_clip_plane leaves half of the slab: half of its optical depth along the normal."""
-        volume = self.add(slab(8))
+        volume = self.add(slab())
         self.plotter.enable_parallel_projection()
         widget = self.plotter.add_volume_clip_plane(volume, normal="z", origin=(0, 0, 0), interaction_event="always")
         widget.Off()
@@ -94,7 +94,7 @@ class Media(Picture):
         self.expect_flat((1 - np.exp(-1.5), 0, 0))
 
     def test_cells(self):
-        mesh = slab(9)
+        mesh = slab()
         mesh.cell_data["cell"] = np.ones(mesh.n_cells)
         self.add(mesh, "cell", opacity=1.0)
         self.expect_flat(1 - np.exp(-1))

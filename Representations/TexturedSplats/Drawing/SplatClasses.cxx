@@ -88,6 +88,10 @@ SplatClasses ClassifySplats(vtkDataSet* data, const SplatSamples& samples,
     {
       all[i][3] = 0.0f;
     }
+    else if (all[i][3] > 0.0f)
+    {
+      all[i][3] *= samples.ShareOf(i);
+    }
     classes.NumberWithoutValue += all[i][3] < 0.0f ? 1 : 0;
     if (all[i][3] > (keepTransparent ? -1.0f : 0.0f)) // without a value: -1
     {

@@ -18,7 +18,7 @@ namespace nephoscope
 
 struct SplatSamples;
 
-/** Visible samples with their appearance: red, green, blue, and extinction per unit length of the world. */
+/** Visible samples with their appearance: red, green, blue, and extinction per unit length of the world, times their shares. */
 struct SplatClasses
 {
   std::vector<std::int32_t> Samples;        ///< numbers of the samples, ascending

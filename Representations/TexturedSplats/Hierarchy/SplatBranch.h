@@ -57,13 +57,14 @@ std::array<double, n> Blend(
 }
 }
 
-// A leaf of this colour and extinction (the fourth component of `light`), which counts by its volume where `byVolume`, else by its mass.
+// A leaf of this colour and extinction (the fourth component of `light`), with a share of its cell, which counts by its volume where `byVolume`,
+// else by its mass.
 inline SplatBranch BranchOfLeaf(const std::array<double, 4>& light, const Vector3& vector,
-  const Vector3& place, const SplatMatrix& jacobian, bool byVolume)
+  const Vector3& place, const SplatMatrix& jacobian, double shareOfCell, bool byVolume)
 {
   SplatBranch leaf;
   leaf.Leaves = 1.0;
-  const double volume = std::abs(Determinant(jacobian));
+  const double volume = shareOfCell * std::abs(Determinant(jacobian));
   for (std::size_t c = 0; c < 4; ++c)
   {
     leaf.Light[c] = SplatLeaf(c < 3 ? light[c] * light[3] : light[3]);

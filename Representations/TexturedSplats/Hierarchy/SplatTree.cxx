@@ -111,8 +111,10 @@ private:
     const std::size_t sample = this->SampleOf(item.Splat);
     const auto& color = this->Classes.Colors[static_cast<std::size_t>(item.Splat)];
     const auto& j = this->Samples.JacobianOf(sample);
-    return BranchOfLeaf({ { color[0], color[1], color[2], color[3] } }, this->VectorOf(item.Splat),
-      ToDouble(this->Samples.Positions[sample]), ToDouble(j), this->ByVolume);
+    const double share = std::max(this->Samples.ShareOf(sample), 1e-6f); // in the extinction
+    return BranchOfLeaf({ { color[0], color[1], color[2], color[3] / share } },
+      this->VectorOf(item.Splat), ToDouble(this->Samples.Positions[sample]), ToDouble(j), share,
+      this->ByVolume);
   }
 
   void MakeNode(const Group& group, std::size_t number, std::uint32_t firstChild)

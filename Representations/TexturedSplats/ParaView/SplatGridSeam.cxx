@@ -39,6 +39,10 @@ SplatGridSeam::SplatGridSeam(vtkDataSet* piece, const std::vector<int>& extents,
       whole = i % 2 ? std::max(whole, extents[i]) : std::min(whole, extents[i]);
     }
   }
+  if (piece)
+  {
+    extentOf(piece, this->Mine);
+  }
   if (!anyCurved || sizeAlong(this->Whole, axis) < SplatSeam::FewestColumns)
   {
     return;
@@ -64,7 +68,6 @@ SplatGridSeam::SplatGridSeam(vtkDataSet* piece, const std::vector<int>& extents,
 
 void SplatGridSeam::FillIn(vtkDataSet* piece)
 {
-  extentOf(piece, this->Mine);
   const std::size_t rows = this->Columns.size() / 12;
   for (vtkIdType id = 0; id < piece->GetNumberOfPoints(); ++id)
   {
@@ -105,6 +108,13 @@ Vector3 SplatGridSeam::PlaceOf(std::size_t column, std::size_t row) const
 {
   const double* place = &this->Columns[3 * (column * (this->Columns.size() / 12) + row)];
   return { { place[0], place[1], place[2] } };
+}
+
+double SplatGridSeam::ShareInGrid(vtkIdType id) const
+{
+  const int first = this->Whole[2 * this->Axis], last = this->Whole[2 * this->Axis + 1];
+  const int column = this->Column(id);
+  return first < last && (column == first || column == last) && !this->Closed ? 0.5 : 1.0;
 }
 
 void SplatGridSeam::MendEdge(vtkIdType id, SplatMatrix& jacobian) const

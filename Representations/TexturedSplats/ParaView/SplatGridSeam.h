@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
-/** The seam of a structured grid whose pieces are on several ranks; on one the mapper finds it by itself. */
+/** The seam and the ends of a structured grid whose pieces are on several ranks; on one the mapper finds them by itself. */
 #ifndef SplatGridSeam_h
 #define SplatGridSeam_h
 
@@ -26,6 +26,8 @@ public:
   {
     return this->Closed && this->Column(id) == this->Whole[2 * this->Axis + 1];
   }
+  /** Half at the ends of a grid that is not closed, where the cell of a point lies half outside; else 1. */
+  double ShareInGrid(vtkIdType id) const;
   /** In the first column of a closed grid the edge along that axis goes across the seam. */
   void MendEdge(vtkIdType id, SplatMatrix& jacobian) const;
 

@@ -131,12 +131,27 @@ vtkSmartPointer<vtkDataSet> verticesOf(
   return vertices;
 }
 
+// Of a point of a grid on several ranks: not this rank's piece has the ends that count, but the whole grid.
+double shareOf(const SplatShapes& shapes, vtkIdType id, const std::vector<SplatGridSeam>& seams)
+{
+  if (seams.empty())
+  {
+    return shapes.Share(id);
+  }
+  double share = shapes.ShareInShown(id);
+  for (const SplatGridSeam& seam : seams)
+  {
+    share *= seam.ShareInGrid(id);
+  }
+  return share;
+}
+
 vtkSmartPointer<vtkDataArray> shapesOf(
   const SplatShapes& shapes, vtkIdList* ids, const std::vector<SplatGridSeam>& seams)
 {
   auto array = vtkSmartPointer<vtkFloatArray>::New();
   array->SetName(splatShapeName);
-  array->SetNumberOfComponents(9);
+  array->SetNumberOfComponents(10);
   array->SetNumberOfTuples(ids->GetNumberOfIds());
   for (vtkIdType i = 0; i < ids->GetNumberOfIds(); ++i)
   {
@@ -150,6 +165,7 @@ vtkSmartPointer<vtkDataArray> shapesOf(
       const auto at = static_cast<std::size_t>(c);
       array->SetTypedComponent(i, c, static_cast<float>(jacobian[at / 3][at % 3]));
     }
+    array->SetTypedComponent(i, 9, static_cast<float>(shareOf(shapes, ids->GetId(i), seams)));
   }
   return array;
 }

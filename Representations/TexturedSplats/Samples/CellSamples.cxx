@@ -2,15 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "CellSamples.h"
 
+#include "HiddenSamples.h"
 #include "HigherOrderCells.h"
 #include "RobustBounds.h"
 #include "SplatSamples.h"
 
 #include "vtkCell.h"
-#include "vtkCellData.h"
 #include "vtkCellType.h"
 #include "vtkDataSet.h"
-#include "vtkDataSetAttributes.h"
 #include "vtkGenericCell.h"
 #include "vtkIdList.h"
 #include "vtkMath.h"
@@ -19,7 +18,6 @@
 #include "vtkPolyData.h"
 #include "vtkSMPTools.h"
 #include "vtkStaticPointLocator.h"
-#include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
 #include <cmath>
@@ -352,12 +350,10 @@ void CellSamples::Find(vtkDataSet* data, bool onCells)
   Shares shares(static_cast<std::size_t>(count));
   this->Places = onCells || !hasExtendedCells(data) ? std::vector<vtkIdType>() : findPlaces(data);
   CellShares cells(data, shares, this->Places, onCells);
-  vtkUnsignedCharArray* ghosts = data->GetCellGhostArray();
+  const std::vector<unsigned char> hidden = FindHiddenCells(data);
   for (vtkIdType id = 0; id < data->GetNumberOfCells(); ++id)
   {
-    if (!ghosts ||
-      !(ghosts->GetValue(id) &
-        (vtkDataSetAttributes::HIDDENCELL | vtkDataSetAttributes::REFINEDCELL)))
+    if (hidden.empty() || !hidden[static_cast<std::size_t>(id)])
     {
       cells.Add(id);
     }
@@ -367,6 +363,7 @@ void CellSamples::Find(vtkDataSet* data, bool onCells)
     shareShapes(data, shares, this->Places);
   }
   this->Shapes.clear();
+  this->Parts.clear();
   for (std::size_t i = 0; i < shares.size(); ++i)
   {
     CellShare& share = shares[i];
@@ -376,6 +373,8 @@ void CellSamples::Find(vtkDataSet* data, bool onCells)
       continue;
     }
     this->Shapes.resize(shares.size(), std::array<float, 9>{});
+    this->Parts.resize(shares.size(), 1.0f);
+    this->Parts[i] = onCells ? 1.0f : static_cast<float>(share.Around());
     const SplatMatrix jacobian = share.Jacobian();
     for (std::size_t c = 0; c < 9; ++c)
     {

@@ -2,8 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * Shapes of the samples of unstructured cells. A point stands for its share of the cells around it, a cell's centre for the cell: an
- * ellipsoid of that volume, as long in every direction as the edges are in the mean. On hexahedra that are those of a structured
- * grid it is the same as there, on the boundary too.
+ * ellipsoid of that volume, as long in every direction as the edges are in the mean. On the boundary cells lie on one side of a point; its
+ * shape is as large as if they were on the other too, and it has that part of it that they fill. On hexahedra that are those of a
+ * structured grid it is the same as there.
  */
 #ifndef CellSamples_h
 #define CellSamples_h
@@ -34,9 +35,15 @@ public:
   }
   /** False where there are no cells around a point. */
   bool Get(vtkIdType id, SplatMatrix& jacobian) const;
+  /** The part of that shape's volume that the cells fill: less than 1 on the boundary. */
+  double Share(vtkIdType id) const
+  {
+    return this->Parts.empty() ? 1.0 : double(this->Parts[static_cast<std::size_t>(id)]);
+  }
 
 private:
   std::vector<std::array<float, 9>> Shapes; // empty if the data have no cells
+  std::vector<float> Parts;                 // of their volumes; empty if the data have no cells
   std::vector<vtkIdType> Places; // of each point the first one in its place; empty: all are apart
 };
 

@@ -112,11 +112,14 @@ struct CellShare
   // Tetrahedra at an edge or corner of the data lie in so few directions that their edges do not tell of a shape.
   bool IsOneSided() const { return this->Dimension == 3 && this->Tetrahedra && this->Angle < 0.45; }
 
+  // The part of the ball that the cells fill.
+  double Around() const { return this->Angle > 0.999 ? this->Angle : this->MeanAngle; }
+
   // The edge of a ball's cell that is as large; 0 if there is no cell. On a boundary cells lie on one side: as much is added on the other;
   // there cells that go on beyond it count, as in a lattice, whose corners at an oblique edge are not alike.
   double EdgeLength() const
   {
-    const double around = this->Angle > 0.999 ? this->Angle : this->MeanAngle;
+    const double around = this->Around();
     const double size = around > 0 ? this->Size / around : 0.0;
     return this->Dimension == 3 ? std::cbrt(size) : std::sqrt(size);
   }

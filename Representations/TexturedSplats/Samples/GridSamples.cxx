@@ -244,4 +244,78 @@ SplatMatrix GridSamples::Jacobian(vtkIdType id) const
   return columns;
 }
 
+double GridSamples::ShareInGrid(vtkIdType id) const
+{
+  int index[3];
+  this->IndexOf(id, index);
+  double share = 1;
+  for (int axis = 0; axis < 3 && !this->OnCells; ++axis)
+  {
+    const int last = this->Dimensions[axis] - 1;
+    const bool atEnd = index[axis] == 0 || index[axis] == last;
+    share *= last > 0 && atEnd && !this->Closed[axis] ? 0.5 : 1.0;
+  }
+  return share;
+}
+
+// The cell on one side of a point along each axis, and the edges there; -1 if there is none.
+vtkIdType GridSamples::CellAround(const int index[3], int octant, SplatMatrix& steps) const
+{
+  vtkIdType cell = 0;
+  for (int axis = 2; axis >= 0; --axis)
+  {
+    const int cells = this->Dimensions[axis] - 1;
+    const bool after = (octant >> axis & 1) != 0;
+    steps[static_cast<std::size_t>(axis)] = {};
+    steps[static_cast<std::size_t>(axis)][static_cast<std::size_t>(axis)] = 1;
+    if (cells == 0)
+    {
+      if (after)
+      {
+        return -1;
+      }
+      continue;
+    }
+    int at = after ? index[axis] : index[axis] - 1;
+    at = this->Closed[axis] ? (at + cells) % cells : at;
+    if (at < 0 || at >= cells)
+    {
+      return -1;
+    }
+    int begin[3] = { index[0], index[1], index[2] }, end[3] = { index[0], index[1], index[2] };
+    begin[axis] = at;
+    end[axis] = at + 1;
+    steps[static_cast<std::size_t>(axis)] = this->At(end) - this->At(begin);
+    cell = cell * cells + at;
+  }
+  return cell;
+}
+
+double GridSamples::ShareInShown(vtkIdType id) const
+{
+  if (this->Hidden.empty() || this->OnCells)
+  {
+    return 1;
+  }
+  int index[3];
+  this->IndexOf(id, index);
+  double volumes[2] = { 0, 0 }, counts[2] = { 0, 0 }; // shown, all
+  for (int octant = 0; octant < 8; ++octant)
+  {
+    SplatMatrix steps{};
+    const vtkIdType cell = this->CellAround(index, octant, steps);
+    if (cell < 0)
+    {
+      continue;
+    }
+    const double volume = std::abs(Determinant(steps));
+    const double shown = this->Hidden[static_cast<std::size_t>(cell)] ? 0 : 1;
+    volumes[0] += shown * volume;
+    volumes[1] += volume;
+    counts[0] += shown;
+    counts[1] += 1;
+  }
+  return volumes[1] > 0 ? volumes[0] / volumes[1] : counts[1] > 0 ? counts[0] / counts[1] : 1;
+}
+
 } // namespace nephoscope

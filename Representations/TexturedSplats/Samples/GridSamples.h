@@ -8,6 +8,9 @@
 
 #include "vtkType.h"
 
+#include <utility>
+#include <vector>
+
 class vtkDataSet;
 
 namespace nephoscope
@@ -41,7 +44,15 @@ public:
   /** Where the grid is one sample thick, it is as thick as its other edges are long, in the geometric mean; a single sample has the edge 1. */
   SplatMatrix Jacobian(vtkIdType id) const;
 
+  /** Cells that do not count, one flag each; none if empty. */
+  void SetHiddenCells(std::vector<unsigned char> hidden) { this->Hidden = std::move(hidden); }
+  /** The part of a point's cell that lies within the grid: half for each axis at one of whose ends the point is. 1 for cells. */
+  double ShareInGrid(vtkIdType id) const;
+  /** The part of that where cells are not hidden. */
+  double ShareInShown(vtkIdType id) const;
+
 private:
+  vtkIdType CellAround(const int index[3], int octant, SplatMatrix& steps) const;
   vtkIdType CornerOf(const int index[3], int corner) const;
   Vector3 At(const int index[3]) const;
   Vector3 EdgeOfCell(const int index[3], int axis) const;
@@ -54,6 +65,7 @@ private:
   bool Closed[3] = { false, false, false }; // along an axis
   int Dimensions[3] = { 0, 0, 0 };          // of the samples
   int PointDimensions[3] = { 0, 0, 0 };
+  std::vector<unsigned char> Hidden; // cells
 };
 
 } // namespace nephoscope

@@ -16,6 +16,8 @@ namespace
 {
 using Flags = std::vector<unsigned char>;
 
+constexpr int hiddenCell = vtkDataSetAttributes::HIDDENCELL | vtkDataSetAttributes::REFINEDCELL;
+
 // Empty if none is set.
 Flags flagsOf(vtkUnsignedCharArray* ghosts, int mask)
 {
@@ -68,7 +70,6 @@ void hidePointsOfCells(vtkDataSet* data, const Flags& cells, Flags& points)
 
 std::vector<unsigned char> FindHiddenSamples(vtkDataSet* data, bool onCells, bool withDuplicates)
 {
-  constexpr int hiddenCell = vtkDataSetAttributes::HIDDENCELL | vtkDataSetAttributes::REFINEDCELL;
   const int duplicateCell = withDuplicates ? 0 : int(vtkDataSetAttributes::DUPLICATECELL);
   if (onCells)
   {
@@ -93,6 +94,11 @@ std::vector<unsigned char> FindHiddenSamples(vtkDataSet* data, bool onCells, boo
     }
   }
   return points;
+}
+
+std::vector<unsigned char> FindHiddenCells(vtkDataSet* data)
+{
+  return flagsOf(data->GetCellGhostArray(), hiddenCell);
 }
 
 } // namespace nephoscope

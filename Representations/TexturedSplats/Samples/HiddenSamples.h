@@ -19,6 +19,10 @@ namespace nephoscope
  */
 std::vector<unsigned char> FindHiddenSamples(vtkDataSet* data, bool onCells, bool withDuplicates);
 
+/** The cells that give no share to their points: hidden or refined by their own flag. One flag for each cell; empty if there are none. A hidden point takes
+ * its own share of its cells with it, and leaves the others theirs. */
+std::vector<unsigned char> FindHiddenCells(vtkDataSet* data);
+
 } // namespace nephoscope
 
 #endif

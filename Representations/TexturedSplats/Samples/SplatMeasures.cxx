@@ -39,13 +39,19 @@ double weightOf(const SplatMatrix& jacobian)
     std::max({ norm(jacobian[0]), norm(jacobian[1]), norm(jacobian[2]) }));
 }
 
+// A point on the boundary of a mesh has no cell beyond it.
+Vector3 halfWithin(const SplatMatrix& jacobian, double share)
+{
+  constexpr double inside = 0.99;
+  return share > inside ? halfExtent(jacobian) : Vector3{};
+}
+
 struct SampleBox
 {
   double Low[3], High[3];
 
-  SampleBox(const Vector3& place, const SplatMatrix& jacobian)
+  SampleBox(const Vector3& place, const Vector3& half)
   {
-    const Vector3 half = halfExtent(jacobian);
     for (std::size_t axis = 0; axis < 3; ++axis)
     {
       this->Low[axis] = place[axis] - half[axis];
@@ -63,7 +69,7 @@ struct SampleBox
   }
 };
 
-// Calls visit(id, place, jacobian) for all visible samples.
+// Calls visit(id, place, jacobian, share) for all visible samples.
 template <typename Visit>
 void forEachSample(const SplatShapes& shapes, const Visit& visit)
 {
@@ -76,23 +82,35 @@ void forEachSample(const SplatShapes& shapes, const Visit& visit)
     {
       jacobian = found && shapes.HaveOneShape() ? jacobian : shapes.Jacobian(id);
       found = true;
-      visit(id, place, jacobian);
+      visit(id, place, jacobian, shapes.Share(id));
     }
   }
 }
 
-// Bounds of the samples' cells that lie in a box.
+// Bounds of the samples' cells that lie in a box. All points of a flat mesh may be on its boundary: across it their cells count.
 MediumBounds boundsWithin(const SplatShapes& shapes, const MediumBounds& box)
 {
-  MediumBounds bounds = NoMediumBounds;
-  forEachSample(shapes, [&](vtkIdType, const Vector3& place, const SplatMatrix& jacobian) {
-    const SampleBox cell(place, jacobian);
-    if (cell.LiesIn(box))
+  MediumBounds bounds = NoMediumBounds, whole = NoMediumBounds;
+  const auto add = [&](MediumBounds& to, const SampleBox& cell) {
+    addPlace(to, cell.Low);
+    addPlace(to, cell.High);
+  };
+  forEachSample(
+    shapes, [&](vtkIdType, const Vector3& place, const SplatMatrix& jacobian, double share) {
+      const SampleBox cell(place, halfWithin(jacobian, share));
+      if (cell.LiesIn(box))
+      {
+        add(bounds, cell);
+        add(whole, SampleBox(place, halfExtent(jacobian)));
+      }
+    });
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    if (bounds[2 * axis] == bounds[2 * axis + 1])
     {
-      addPlace(bounds, cell.Low);
-      addPlace(bounds, cell.High);
+      std::copy_n(&whole[2 * axis], 2, &bounds[2 * axis]);
     }
-  });
+  }
   return bounds;
 }
 
@@ -101,15 +119,16 @@ std::vector<WeightedPlace> weightedPlaces(const SplatShapes& shapes)
   std::vector<WeightedPlace> places;
   const SampleChoice choice(shapes.GetNumberOfIds(), enoughPlaces);
   vtkIdType shown = 0;
-  forEachSample(shapes, [&](vtkIdType, const Vector3& place, const SplatMatrix& jacobian) {
-    if (choice.Takes(shown++))
-    {
-      const auto standing =
-        static_cast<double>(choice.Standing()); // processes choose from different numbers
-      places.push_back(
-        { { place[0], place[1], place[2] }, standing * weightOf(jacobian), standing });
-    }
-  });
+  forEachSample(shapes,
+    [&](vtkIdType, const Vector3& place, const SplatMatrix& jacobian, double) {
+      if (choice.Takes(shown++))
+      {
+        const auto standing =
+          static_cast<double>(choice.Standing()); // processes choose from different numbers
+        places.push_back(
+          { { place[0], place[1], place[2] }, standing * weightOf(jacobian), standing });
+      }
+    });
   return places;
 }
 } // namespace
@@ -139,14 +158,16 @@ MediumMeasures measureSplats(vtkDataSet* data, const SplatSampling& sampling, vt
   const SplatShapes shapes(data, sampling);
   const SampleChoice choice(shapes.GetNumberOfIds());
   vtkIdType shown = 0, sampled = 0;
-  forEachSample(shapes, [&](vtkIdType id, const Vector3& place, const SplatMatrix& jacobian) {
+  forEachSample(shapes, [&](vtkIdType id, const Vector3& place, const SplatMatrix& jacobian,
+                          double share) {
     addPlace(measures.Bounds, place.data());
-    const SampleBox cell(place, jacobian);
-    if (!cell.LiesIn(common))
+    const Vector3 half = halfWithin(jacobian, share);
+    if (!SampleBox(place, half).LiesIn(common))
     {
       return;
     }
-    measures.AddPlace(common, place.data(), halfExtent(jacobian).data());
+    const SampleBox cell(place, halfExtent(jacobian));
+    measures.AddPlace(common, place.data(), half.data());
     if (!choice.Takes(shown++))
     {
       return;
@@ -156,7 +177,7 @@ MediumMeasures measureSplats(vtkDataSet* data, const SplatSampling& sampling, vt
     const double a = norm(jacobian[0]), b = norm(jacobian[1]), c = norm(jacobian[2]);
     measures.Silhouettes += 0.5 * (a * b + b * c + c * a);
     measures.AddPart(common,
-      { cell.GetBounds(), std::abs(Determinant(jacobian)), scalar,
+      { cell.GetBounds(), share * std::abs(Determinant(jacobian)), scalar,
         opacity && std::isfinite(scalar) ? opacity(scalar) : 0.0 });
   });
   const double scale =

@@ -194,6 +194,14 @@ SplatSamples FindSplatSamples(vtkDataSet* data, const SplatSampling& sampling, s
   samples.Jacobians.resize(shapes.HaveOneShape() ? 1 : places.size());
   forAll(samples.Jacobians.size(),
     [&](std::size_t i) { samples.Jacobians[i] = toFloat(shapes.Jacobian(samples.Ids[i])); });
+  samples.Shares.resize(places.size());
+  forAll(places.size(),
+    [&](std::size_t i) { samples.Shares[i] = static_cast<float>(shapes.Share(samples.Ids[i])); });
+  const auto whole = [](float share) { return share == 1.0f; };
+  if (std::all_of(samples.Shares.begin(), samples.Shares.end(), whole))
+  {
+    samples.Shares.clear();
+  }
   samples.LongestEdge = sampling.Frame.LongestEdge;
   for (const SplatSamples::Jacobian& jacobian : samples.Jacobians)
   {

@@ -33,7 +33,8 @@ struct SplatSamples
   double Center[3] = { 0, 0, 0 }; ///< positions are relative to it
   std::vector<Float3> Positions;
   std::vector<Jacobian> Jacobians; ///< one for each sample, or a single one for all
-  std::vector<vtkIdType> Ids;      ///< of the point or cell
+  std::vector<float> Shares; ///< of each sample, the part of its cell that counts; empty: all of it
+  std::vector<vtkIdType> Ids; ///< of the point or cell
 
   double LongestEdge = 0; ///< largest factor by which any Jacobian stretches a length
   /** Dimensions of the structured grid whose samples these are: Ids count along x, y, z. */
@@ -53,6 +54,7 @@ struct SplatSamples
   {
     return this->Jacobians[this->Jacobians.size() == 1 ? 0 : i];
   }
+  float ShareOf(std::size_t i) const { return this->Shares.empty() ? 1.0f : this->Shares[i]; }
 };
 
 /** Bounds of the points with finite positions. */

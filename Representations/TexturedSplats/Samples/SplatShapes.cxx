@@ -29,6 +29,8 @@ namespace
 // Parts of the longest edge: cells at the poles, and the like, keep a thickness; cells of weather models may be as thin as the second.
 constexpr double flatShare = 0.02, thinnest = 1e-4;
 
+constexpr int jacobianSize = 9;
+
 // The mean of its corners.
 Vector3 centerOfCell(vtkDataSet* data, vtkIdType id)
 {
@@ -96,9 +98,14 @@ SplatShapes::SplatShapes(vtkDataSet* data, const SplatSampling& sampling)
   if (!sampling.ShapeArrayName.empty())
   {
     this->ShapeArray = attributesOf(data, this->OnCells)->GetArray(sampling.ShapeArrayName.c_str());
-    const bool fits = this->ShapeArray && this->ShapeArray->GetNumberOfComponents() == 9 &&
+    const int components = this->ShapeArray ? this->ShapeArray->GetNumberOfComponents() : 0;
+    const bool fits = (components == jacobianSize || components == jacobianSize + 1) &&
       this->ShapeArray->GetNumberOfTuples() == this->Count;
     this->ShapeArray = fits ? this->ShapeArray : nullptr;
+  }
+  if (this->Grid.IsGrid() && !this->OnCells && !this->ShapeArray)
+  {
+    this->Grid.SetHiddenCells(FindHiddenCells(data));
   }
   if (this->ShapeArray || this->Grid.IsGrid())
   {
@@ -229,7 +236,7 @@ SplatMatrix SplatShapes::Jacobian(vtkIdType id) const
   double scale = this->RadiusFactor;
   if (this->ShapeArray)
   {
-    for (int i = 0; i < 9; ++i)
+    for (int i = 0; i < jacobianSize; ++i)
     {
       jacobian[static_cast<std::size_t>(i) / 3][static_cast<std::size_t>(i) % 3] =
         this->ShapeArray->GetComponent(id, i);
@@ -247,6 +254,23 @@ SplatMatrix SplatShapes::Jacobian(vtkIdType id) const
     }
   }
   return WithoutFlatColumns(jacobian, flatShare, thinnest);
+}
+
+double SplatShapes::Share(vtkIdType id) const
+{
+  const bool ofGrid = !this->ShapeArray && this->Grid.IsGrid();
+  return (ofGrid ? this->Grid.ShareInGrid(id) : 1.0) * this->ShareInShown(id);
+}
+
+double SplatShapes::ShareInShown(vtkIdType id) const
+{
+  if (this->ShapeArray)
+  {
+    return this->ShapeArray->GetNumberOfComponents() > jacobianSize
+      ? this->ShapeArray->GetComponent(id, jacobianSize)
+      : 1.0;
+  }
+  return this->Grid.IsGrid() ? this->Grid.ShareInShown(id) : this->Cells.Share(id);
 }
 
 // Parts that are few and far away do not count: else all splats would grow with their distance.

@@ -33,7 +33,7 @@ struct SplatSampling
   double CellSize =
     0; ///< edge of the cell of samples without a grid; 0: that of its voxel, or the mean spacing
   std::string
-    ShapeArrayName = {}; ///< of nine components: the columns of every sample's Jacobian; empty: none
+    ShapeArrayName = {}; ///< the columns of every sample's Jacobian, and perhaps its share; empty: none
   double RadiusFactor = 1; ///< on every Jacobian: splats that are so many times as wide
   SplatFrame Frame = {};
   std::string SizeArrayName = {}; ///< of one component: every sample's edge, or volume; empty: none
@@ -53,7 +53,7 @@ class VTKNEPHOSCOPEREPRESENTATIONSTEXTUREDSPLATS_EXPORT SplatShapes
 {
 public:
   /**
-   * An array of shapes that is missing, or has not nine components, is none. Without a grid and a cell size it looks at every
+   * An array of shapes that is missing, or has neither nine nor ten components, is none. Without a grid and a cell size it looks at every
    * sample, to find the mean spacing.
    */
   SplatShapes(vtkDataSet* data, const SplatSampling& sampling);
@@ -70,6 +70,10 @@ public:
   Vector3 Place(vtkIdType id) const { return PlaceOf(this->Data, this->Grid, this->OnCells, id); }
   /** Edges of the sample's cell, times the radius factor; none is so short that the splat would be flat. */
   SplatMatrix Jacobian(vtkIdType id) const;
+  /** The part of the sample's cell that counts: that of a point on the boundary of a mesh lies partly outside. */
+  double Share(vtkIdType id) const;
+  /** The same, but for the ends of a grid. */
+  double ShareInShown(vtkIdType id) const;
   /** At the position of another point, whose splat represents both. */
   bool IsRepeated(vtkIdType id) const { return this->Cells.IsRepeated(id); }
   bool HaveOneShape() const

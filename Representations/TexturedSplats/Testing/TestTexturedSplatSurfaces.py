@@ -32,7 +32,8 @@ def render_splats(data, transfer):
     points = meshes.points_of(data)
     jacobians = splats.lattice_jacobians(points, data.GetDimensions())
     values = np.array([data.GetPointData().GetArray("s").GetValue(i) for i in range(len(points))])
-    return lambda view, begin, end: splats.render(view, points, jacobians, transfer.color(values), transfer.extinction(values), end, begin)
+    extinctions = transfer.extinction(values) * splats.lattice_shares(data.GetDimensions())
+    return lambda view, begin, end: splats.render(view, points, jacobians, transfer.color(values), extinctions, end, begin)
 
 
 class Picture:

@@ -72,3 +72,9 @@ def lattice_jacobians(points, dimensions):
     p = points.reshape(dimensions[::-1] + (3,))
     columns = [np.gradient(p, axis=2 - axis) for axis in range(3)]
     return np.stack(columns, axis=-1).reshape(-1, 3, 3)
+
+
+def lattice_shares(dimensions):
+    """The part of every point's cell that lies in the grid, x fastest: half at each end of an axis."""
+    ends = [np.where((np.arange(n) % (n - 1) == 0), 0.5, 1.0) if n > 1 else np.ones(1) for n in dimensions]
+    return np.einsum("i,j,k->kji", *ends).ravel()
